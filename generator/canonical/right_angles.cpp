@@ -8,7 +8,9 @@
 
 #include <cln/integer.h>
 
+#include "canonical/mass_key.h"
 #include "canonical/placement.h"
+#include "exact/named_constant.h"
 #include "model/arithmetic.h"
 #include "model/evaluate.h"
 
@@ -19,8 +21,7 @@ namespace {
 constexpr std::size_t most_turns = 8;
 
 using IntVector = std::array<int, 3>;
-/// A rotation by right angles, row by row.
-using Right = std::array<IntVector, 3>;
+using Right = MassKey::Right;
 
 constexpr Right unturned{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
@@ -75,12 +76,19 @@ std::size_t direction_of(const IntVector& axis) {
 }
 int sense_of(const IntVector& axis) { return axis[direction_of(axis)]; }
 
+/// The frame in which a link is described, from the place on its joint's axis where the joint's frame is.
+struct LinkFrame {
+  std::optional<Right> rotation;  ///< in the world; none if it is not by right angles
+  LengthVector offset;
+};
+
 /// The arm at its described zero pose, seen in the world: offset, then axis of each joint.
 struct AtZero {
   std::vector<bool> turns;
   std::vector<IntVector> axes;
   std::vector<LengthVector> offsets;  ///< one more than joints: to the tool
-  Right home;                         ///< the tool's rotation
+  std::vector<LinkFrame> links;
+  Right home;  ///< the tool's rotation
 };
 
 bool has_numbers(const model::Displacement& displacement) {
@@ -107,6 +115,7 @@ std::optional<AtZero> at_zero(const model::Robot& robot) {
     arm.offsets.push_back(walk.translation);
     walk.translation = {};
     if (!go(joint.after)) return std::nullopt;
+    arm.links.push_back({to_right(walk.rotation), walk.translation});
   }
   if (!go(robot.tool)) return std::nullopt;
   arm.offsets.push_back(walk.translation);
@@ -123,7 +132,21 @@ AtZero with_offsets_behind(AtZero arm) {
     for (std::size_t k = 0; k < 3; ++k) {
       if (arm.turns[i] && k != direction_of(arm.axes[i])) continue;
       arm.offsets[i + 1][k] = arm.offsets[i + 1][k] + arm.offsets[i][k];
+      arm.links[i].offset[k] = arm.links[i].offset[k] + arm.offsets[i][k];
       arm.offsets[i][k].clear();
+    }
+  }
+  return arm;
+}
+
+/// Of an arm with its offsets behind: as far in front as they can be, that to the tool from behind a slide.
+AtZero with_offsets_in_front(AtZero arm) {
+  for (std::size_t i = arm.turns.size() - (arm.turns.back() ? 1 : 0); i-- > 0;) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (arm.turns[i] && k != direction_of(arm.axes[i])) continue;
+      arm.offsets[i][k] = arm.offsets[i + 1][k];
+      arm.offsets[i + 1][k].clear();
+      arm.links[i].offset[k] = arm.links[i].offset[k] + cln::cl_R(-1) * arm.offsets[i][k];
     }
   }
   return arm;
@@ -233,11 +256,33 @@ std::vector<int> description_of(const ZeroPose& pose, const Ranks& ranks) {
   return result;
 }
 
+model::Vector3 to_vector(const LengthVector& v) {
+  return {to_expression(v[0]), to_expression(v[1]), to_expression(v[2])};
+}
+
+/// At a zero pose at which the link is turned so far.
+model::Displacement frame_of(const LinkFrame& link, const Right& turned) {
+  if (!link.rotation) return {};
+  return {to_turns(euler(to_rotation(product(turned, *link.rotation)))),
+          to_vector(to_rotation(turned) * link.offset)};
+}
+
+bool has_right_links(const AtZero& arm) {
+  return std::all_of(arm.links.begin(), arm.links.end(),
+                     [](const LinkFrame& link) { return link.rotation.has_value(); });
+}
+
+/// In frames and axes, constants that have a name because they are not rational.
+bool has_named_constants(const model::Robot& robot) {
+  const std::vector<std::string> symbols = model::symbols(robot);
+  return std::any_of(symbols.begin(), symbols.end(),
+                     [](const std::string& name) { return exact::named_value(name).has_value(); });
+}
+
 Arm to_arm(const model::Robot& robot, const AtZero& zero, const ZeroPose& pose) {
   Arm arm{robot, std::vector<exact::Angle>(robot.joints.size()), std::vector<bool>(robot.joints.size())};
   const auto moved = [&](std::size_t i) {
-    const LengthVector offset = to_rotation(pose.rotations[i]) * zero.offsets[i];
-    return model::Vector3{to_expression(offset[0]), to_expression(offset[1]), to_expression(offset[2])};
+    return to_vector(to_rotation(pose.rotations[i]) * zero.offsets[i]);
   };
   arm.robot.base = {};
   for (std::size_t i = 0; i < zero.axes.size(); ++i) {
@@ -245,6 +290,7 @@ Arm to_arm(const model::Robot& robot, const AtZero& zero, const ZeroPose& pose) 
     joint.before = {{}, moved(i)};
     joint.axis = model::unit_vector(direction_of(pose.axes[i]));
     joint.after = {};
+    joint.inertia.frame = frame_of(zero.links[i], pose.rotations[i + 1]);
     arm.reversed[i] = sense_of(pose.axes[i]) < 0;
     // The described angle is the one here plus the quarters, about the described axis.
     const int sense = arm.reversed[i] ? 1 : -1;
@@ -255,37 +301,92 @@ Arm to_arm(const model::Robot& robot, const AtZero& zero, const ZeroPose& pose) 
   return arm;
 }
 
-}  // namespace
-
-std::vector<Arm> right_angled_models(const model::Robot& robot) {
+/// The described arm with its offsets behind the joints, if all its angles are right.
+std::optional<AtZero> right_angled(const model::Robot& robot) {
   const bool follow = std::any_of(robot.joints.begin(), robot.joints.end(),
                                   [](const model::Joint& joint) { return joint.follows.has_value(); });
-  if (robot.joints.empty() || follow) return {};
-  const std::optional<AtZero> described = at_zero(robot);
-  if (!described) return {};
-  const AtZero arm = with_offsets_behind(*described);
-  const auto turns = static_cast<std::size_t>(std::count(arm.turns.begin(), arm.turns.end(), true));
-  if (turns > most_turns) return {};
+  if (robot.joints.empty() || follow) return std::nullopt;
+  std::optional<AtZero> arm = at_zero(robot);
+  if (!arm) return std::nullopt;
+  const auto turns = static_cast<std::size_t>(std::count(arm->turns.begin(), arm->turns.end(), true));
+  if (turns > most_turns) return std::nullopt;
+  return with_offsets_behind(std::move(*arm));
+}
+
+/// For each way of the axes, the best first, the zero poses at which the arm looks the same but for its mass.
+std::vector<std::vector<std::size_t>> zero_poses(const AtZero& arm) {
   const Ranks ranks(arm.offsets);
+  const auto turns = static_cast<std::size_t>(std::count(arm.turns.begin(), arm.turns.end(), true));
 
   using Key = std::tuple<int, std::size_t, Pattern>;
-  std::map<Key, std::pair<std::vector<int>, std::size_t>> best;
+  struct Best {
+    std::vector<int> description;
+    std::vector<std::size_t> poses;
+  };
+  std::map<Key, Best> best;
   for (std::size_t index = 0; index < (std::size_t{1} << (2 * turns)); ++index) {
     const ZeroPose pose = at(arm, index);
     const Pattern pattern = pattern_of(pose);
-    const Key key{components(pose.home), turns_across(arm, pattern), pattern};
-    std::pair<std::vector<int>, std::size_t> candidate{description_of(pose, ranks), index};
-    const auto [place, inserted] = best.try_emplace(key, candidate);
-    if (!inserted && candidate.first < place->second.first) place->second = std::move(candidate);
+    Best& place = best[{components(pose.home), turns_across(arm, pattern), pattern}];
+    std::vector<int> description = description_of(pose, ranks);
+    if (place.poses.empty() || description < place.description)
+      place = {std::move(description), {index}};
+    else if (description == place.description)
+      place.poses.push_back(index);
   }
+  std::vector<std::vector<std::size_t>> poses;
+  for (auto& [unused, place] : best) poses.push_back(std::move(place.poses));
+  return poses;
+}
+
+/// Of poses at which the arm looks the same, that whose links' masses come first in an order that does not
+/// depend on who describes them.
+ZeroPose by_mass(const model::Robot& robot, const AtZero& arm, const std::vector<std::size_t>& poses) {
+  std::vector<MassKey> links;
+  for (std::size_t i = 0; i < arm.links.size(); ++i)
+    links.emplace_back(robot.joints[i].inertia,
+                       Placement{to_rotation(*arm.links[i].rotation), arm.links[i].offset});
+  std::vector<std::int64_t> first;
+  std::size_t best = poses.front();
+  for (const std::size_t index : poses) {
+    const ZeroPose pose = at(arm, index);
+    std::vector<std::int64_t> key;
+    for (std::size_t i = 0; i < links.size(); ++i)
+      for (const std::int64_t entry : links[i].turned(pose.rotations[i + 1])) key.push_back(entry);
+    if (!first.empty() && first <= key) continue;
+    first = std::move(key);
+    best = index;
+  }
+  return at(arm, best);
+}
+
+}  // namespace
+
+std::vector<Arm> right_angled_models(const model::Robot& robot) {
+  const std::optional<AtZero> arm = right_angled(robot);
+  if (!arm) return {};
   std::vector<Arm> arms;
-  for (const auto& [unused, candidate] : best) arms.push_back(to_arm(robot, arm, at(arm, candidate.second)));
+  for (const std::vector<std::size_t>& poses : zero_poses(*arm))
+    arms.push_back(to_arm(robot, *arm, at(*arm, poses.front())));
   return arms;
 }
 
 Arm whatever_notation(const model::Robot& robot) {
   std::vector<Arm> models = right_angled_models(robot);
   return models.empty() ? for_kinematics(robot) : std::move(models.front());
+}
+
+std::vector<Arm> whatever_notation_with_links(const model::Robot& robot) {
+  const Arm described{for_dynamics(robot), std::vector<exact::Angle>(robot.joints.size())};
+  const std::optional<AtZero> behind = right_angled(robot);
+  if (!behind || !has_right_links(*behind)) return {described};
+  const ZeroPose pose = by_mass(robot, *behind, zero_poses(*behind).front());
+  Arm arm = to_arm(robot, *behind, pose);
+  if (has_named_constants(arm.robot)) return {described};
+  const AtZero in_front = with_offsets_in_front(*behind);
+  const bool slides = std::count(in_front.turns.begin(), in_front.turns.end(), false) > 0;
+  if (!slides || in_front.offsets == behind->offsets) return {std::move(arm)};
+  return {std::move(arm), to_arm(robot, in_front, pose)};
 }
 
 }  // namespace qvgen::canonical

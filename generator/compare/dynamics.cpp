@@ -174,7 +174,8 @@ void check_inertia(const model::Robot& robot) {
 
 dag::Function emitted(const model::Robot& robot) {
   check_inertia(robot);
-  return optimise::generate_dynamics(robot, optimise::dynamics_quantities().front()).function;
+  return optimise::generate_dynamics(optimise::dynamics_model(robot), optimise::dynamics_quantities().front())
+      .function;
 }
 
 template <class Rotation>

@@ -38,6 +38,8 @@ struct Inertia {
   Vector3 centre_of_mass;
   /// About the centre of mass: xx, yy, zz, xy, yz, xz.
   std::array<Expression, 6> inertia;
+  /// Where they are given in another frame, that frame seen from the link frame; not in what a reader builds.
+  Displacement frame = {};
 };
 
 /// Drive of a joint, reflected to the joint side; absent ones are literal zeros.

@@ -11,6 +11,10 @@ namespace qvgen::optimise {
 /// variables, those of joints that follow none, its symbols and numbers.
 dag::Function in_terms_of_description(const dag::Function& function, const canonical::Arm& arm);
 
+/// The same for a function of dynamics, named outputs and symbols as derive/dynamics/formulation.h has them:
+/// where an axis has another sense, so have the joint's rate, acceleration and force.
+dag::Function dynamics_in_terms_of_description(const dag::Function& function, const canonical::Arm& arm);
+
 /// The same with the operations counted anew.
 Optimised in_terms_of_description(Optimised optimised, const canonical::Arm& arm);
 

@@ -6,9 +6,11 @@
 #include <optional>
 #include <set>
 
+#include "canonical/right_angles.h"
 #include "dag/evaluate.h"
 #include "dag/rebuild.h"
 #include "model/evaluate.h"
+#include "optimise/described.h"
 #include "passes/search/search.h"
 #include "verify/some_given.h"
 
@@ -44,6 +46,7 @@ class Trials {
     fewest_ = found;
   }
   [[nodiscard]] const FormulationOptions& best() const { return *best_; }
+  [[nodiscard]] int fewest() const { return fewest_; }
 
  private:
   const model::Robot& robot_;
@@ -59,23 +62,40 @@ std::size_t unit_count(const model::Robot& robot) {
   return std::min(most_units, unit_candidates(derive::dynamics::make_chain(robot, graph)).size());
 }
 
+void try_units(Trials& trials, const model::Robot& robot, bool unrotated) {
+  const std::size_t units = unit_count(robot);
+  for (std::size_t unit = 0; unit <= units; ++unit) {
+    FormulationOptions choices;
+    if (unit > 0) choices.convention.unit = unit - 1;
+    choices.last_link_unrotated = unrotated;
+    trials.consider(choices);
+  }
+}
+
 FormulationOptions best_choices(const model::Robot& robot, const DynamicsQuantity& quantity, long steps) {
   Trials trials(robot, quantity, steps);
-  const std::size_t units = unit_count(robot);
-  for (std::size_t unit = 0; unit <= units; ++unit)
-    for (const bool unrotated : {true, false}) {
-      if (!unrotated && !quantity.has_wrenches) continue;
-      FormulationOptions choices;
-      if (unit > 0) choices.convention.unit = unit - 1;
-      choices.last_link_unrotated = unrotated;
-      trials.consider(choices);
-    }
+  try_units(trials, robot, true);
+  if (quantity.has_wrenches) try_units(trials, robot, false);
   for (const auto& [link, component] : derive::dynamics::mass_shifts(robot)) {
     FormulationOptions choices = trials.best();
     choices.convention.masses[link] = component;
     trials.consider(choices);
   }
   return trials.best();
+}
+
+/// The arm whose inverse dynamics a short search makes the cheapest.
+std::size_t cheapest(const std::vector<canonical::Arm>& arms, long steps) {
+  std::size_t best = 0;
+  int fewest = 0;
+  for (std::size_t i = 0; i < arms.size() && arms.size() > 1; ++i) {
+    Trials trials(arms[i].robot, dynamics_quantities().front(), steps);
+    try_units(trials, arms[i].robot, true);
+    if (i > 0 && trials.fewest() >= fewest) continue;
+    best = i;
+    fewest = trials.fewest();
+  }
+  return best;
 }
 
 }  // namespace
@@ -92,13 +112,22 @@ dag::IsFree free_symbols(const model::Robot& robot) {
   return [moving](const std::string& name) { return !moving.contains(name); };
 }
 
-Quantity quantity_of(const model::Robot& robot, const std::string& name, const Formulation& formulation,
+DynamicsModel dynamics_model(const model::Robot& described, const DynamicsEffort& effort) {
+  std::vector<canonical::Arm> arms = canonical::whatever_notation_with_links(described);
+  return {std::move(arms[cheapest(arms, effort.trial_steps)]), canonical::for_dynamics(described)};
+}
+
+Quantity quantity_of(const DynamicsModel& model, const std::string& name, const Formulation& formulation,
                      const verify::Residuals& residuals) {
+  const model::Robot& robot = model.arm.robot;
   Quantity quantity{name, {{"", formulation.function}}, residuals};
   quantity.constants = formulation.constants;
   quantity.is_free = free_symbols(robot);
   // Dynamics knows no half angles of joints.
   for (const model::Joint& joint : robot.joints) quantity.whole.insert(joint.variable);
+  quantity.in_terms_of_description = [arm = model.arm](const dag::Function& function) {
+    return dynamics_in_terms_of_description(function, arm);
+  };
   return quantity;
 }
 
@@ -106,6 +135,7 @@ OptimiseOptions final_search(const DynamicsEffort& effort) {
   OptimiseOptions options;
   options.search = {};
   options.search.iterations = effort.final_steps;
+  options.more_steps = effort.trial_steps;
   options.certificate_points = effort.certificate_points;
   options.also_fewest = false;
   options.simplify_forms = false;
@@ -150,17 +180,18 @@ bool has_inertia(const model::Robot& robot) {
   return std::any_of(robot.joints.begin(), robot.joints.end(), heavy);
 }
 
-Optimised generate_dynamics(const model::Robot& robot, const DynamicsQuantity& quantity,
+Optimised generate_dynamics(const DynamicsModel& model, const DynamicsQuantity& quantity,
                             const DynamicsEffort& effort) {
+  const model::Robot& robot = model.arm.robot;
   const FormulationOptions choices =
       effort.choices ? *effort.choices : best_choices(robot, quantity, effort.trial_steps);
   const auto residuals = [&](const exact::ExactPoint& point, const std::vector<Number>& values) {
-    return quantity.residuals(derive::dynamics::PlainRecursion(robot, point), point, values);
+    return quantity.residuals(derive::dynamics::PlainRecursion(model.described, point), point, values);
   };
   OptimiseOptions options = final_search(effort);
   options.search.restarts = 2;
   Optimised result =
-      optimise(quantity_of(robot, quantity.name, quantity.formulate(robot, choices), residuals), options);
+      optimise(quantity_of(model, quantity.name, quantity.formulate(robot, choices), residuals), options);
   result.choices = choices;
   return result;
 }

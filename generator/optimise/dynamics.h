@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "canonical/arm.h"
 #include "derive/dynamics/formulation.h"
 #include "derive/dynamics/plain_recursion.h"
 #include "exact/point.h"
@@ -40,23 +41,31 @@ struct LoadedQuantity {
 const std::vector<LoadedQuantity>& loaded_quantities();
 
 struct DynamicsEffort {
-  long trial_steps = 60'000;  ///< annealing steps for each combination of choices
+  long trial_steps = 50'000;  ///< annealing steps for each combination of choices
   long final_steps = 1'000'000;
   int certificate_points = 2;
   /// Not to be tried: these it shall be.
   std::optional<derive::dynamics::FormulationOptions> choices = {};
 };
 
+/// What dynamics are derived from: `arm`, which does not depend on the notation if its angles are right
+/// (canonical/right_angles.h). Functions are held against `described` and written in its terms.
+struct DynamicsModel {
+  canonical::Arm arm;
+  model::Robot described;  ///< with its own link frames
+};
+DynamicsModel dynamics_model(const model::Robot& described, const DynamicsEffort& effort = {});
+
 /// Tries the choices (unit of length, frame of the last link, shifted masses), searches on with the best,
 /// certifies.
-Optimised generate_dynamics(const model::Robot& robot, const DynamicsQuantity& quantity,
+Optimised generate_dynamics(const DynamicsModel& model, const DynamicsQuantity& quantity,
                             const DynamicsEffort& effort = {});
 
 /// What arithmetic is free on: all symbols but joint variables, their derivatives and forces.
 dag::IsFree free_symbols(const model::Robot& robot);
 
-/// A formulation as a quantity, with these symbols free.
-Quantity quantity_of(const model::Robot& robot, const std::string& name,
+/// A formulation of the model's arm as a quantity, with these symbols free.
+Quantity quantity_of(const DynamicsModel& model, const std::string& name,
                      const derive::dynamics::Formulation& formulation, const verify::Residuals& residuals);
 
 /// How a quantity of dynamics is optimised once its form is chosen.

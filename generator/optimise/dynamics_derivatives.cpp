@@ -13,6 +13,9 @@ using exact::ExactPoint;
 using exact::Number;
 using Values = std::vector<Number>;
 
+/// To compute the torques, besides the emitted one.
+constexpr std::uint64_t more_ways = 4;
+
 Values combined(const Number& a, const Values& x, const Number& b, const Values& y) {
   Values result;
   for (std::size_t i = 0; i < x.size(); ++i) result.push_back(a * x[i] + b * y[i]);
@@ -85,6 +88,7 @@ Values expected(const model::Robot& robot, const ExactPoint& point) {
 Optimised searched(const Quantity& quantity, const DynamicsEffort& effort) {
   OptimiseOptions options = final_search(effort);
   options.search.limit = 0;
+  options.more_steps = 0;
   return optimise(quantity, options);
 }
 
@@ -137,27 +141,48 @@ void append_derivatives(const model::Robot& robot, dag::Function& form) {
   if (model::has_followers(robot)) gather_derivatives(robot, rows, form);
 }
 
-}  // namespace
-
-Optimised regressor_function(const model::Robot& robot, const derive::dynamics::Regressor& regressor,
-                             const DynamicsEffort& effort) {
-  const auto residuals = [&](const ExactPoint& point, const Values& values) {
-    return regressor_residuals(robot, regressor, point, values);
-  };
-  return searched(quantity_of(robot, "regressor", regressor.formulation, residuals), effort);
+/// The torques and their derivatives as the chain rule gives them. Ways to compute the torques that cost the
+/// same differ by what their derivatives cost: the best of several is taken.
+dag::Function cheapest_derivatives(const model::Robot& robot, const dag::Function& torques,
+                                   const DynamicsEffort& effort) {
+  passes::SearchOptions options;
+  options.iterations = effort.trial_steps;
+  options.restarts = 1;
+  options.is_free_symbol = free_symbols(robot);
+  dag::Function best;
+  int fewest = 0;
+  for (std::uint64_t seed = 0; seed <= more_ways; ++seed) {
+    options.seed = seed;
+    dag::Function form = seed == 0 ? torques : passes::search({torques}, {}, options);
+    append_derivatives(robot, form);
+    const dag::OperationCounts counts = dag::count(form, options.is_free_symbol);
+    const int found = counts.multiplications + counts.additions;
+    if (seed > 0 && found >= fewest) continue;
+    best = std::move(form);
+    fewest = found;
+  }
+  return best;
 }
 
-Optimised inverse_dynamics_derivatives(const model::Robot& robot, const Optimised& inverse_dynamics,
-                                       const DynamicsEffort& effort) {
-  dag::Function form = inverse_dynamics.function;
-  append_derivatives(robot, form);
+}  // namespace
+
+Optimised regressor_function(const DynamicsModel& model, const derive::dynamics::Regressor& regressor,
+                             const DynamicsEffort& effort) {
   const auto residuals = [&](const ExactPoint& point, const Values& values) {
-    return combined(1, values, -1, expected(robot, point));
+    return regressor_residuals(model.described, regressor, point, values);
   };
-  Quantity quantity =
-      quantity_of(robot, "inverse_dynamics_derivatives", {form, inverse_dynamics.constants}, residuals);
-  quantity.is_free = derive::dynamics::is_constant_symbol;
-  Optimised result = searched(quantity, effort);
+  return searched(quantity_of(model, "regressor", regressor.formulation, residuals), effort);
+}
+
+Optimised inverse_dynamics_derivatives(const DynamicsModel& model, const Optimised& inverse_dynamics,
+                                       const DynamicsEffort& effort) {
+  const auto& [torques, constants] = inverse_dynamics.of_arm;
+  const dag::Function form = cheapest_derivatives(model.arm.robot, torques, effort);
+  const auto residuals = [&](const ExactPoint& point, const Values& values) {
+    return combined(1, values, -1, expected(model.described, point));
+  };
+  Optimised result =
+      searched(quantity_of(model, "inverse_dynamics_derivatives", {form, constants}, residuals), effort);
   result.choices = inverse_dynamics.choices;
   return result;
 }

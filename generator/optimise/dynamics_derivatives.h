@@ -12,11 +12,12 @@ namespace qvgen::optimise {
 /// The optimised inverse dynamics is differentiated forward and searched again. Exact certificate without a
 /// derivative: along a revolute joint a torque is a trigonometric polynomial of degree two, along a prismatic
 /// joint and in every rate a polynomial of degree two, so that finite differences are exact (M. Riesz 1914).
-Optimised inverse_dynamics_derivatives(const model::Robot& robot, const Optimised& inverse_dynamics,
+Optimised inverse_dynamics_derivatives(const DynamicsModel& model, const Optimised& inverse_dynamics,
                                        const DynamicsEffort& effort = {});
 
-/// The regressor as a function (outputs y<row>_<column>): Y b equals the plain recursion for all inertias.
-Optimised regressor_function(const model::Robot& robot, const derive::dynamics::Regressor& regressor,
+/// The regressor of the model's arm as a function (outputs y<row>_<column>): Y b equals the plain recursion
+/// for all inertias.
+Optimised regressor_function(const DynamicsModel& model, const derive::dynamics::Regressor& regressor,
                              const DynamicsEffort& effort = {});
 
 }  // namespace qvgen::optimise

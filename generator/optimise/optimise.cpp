@@ -23,6 +23,27 @@ dag::Function results_only(dag::Function function) {
   return function;
 }
 
+int operations(const dag::OperationCounts& counts) {
+  constexpr int division = 4;
+  return counts.multiplications + counts.additions + division * counts.divisions;
+}
+
+dag::Function cheapest(const std::vector<dag::Function>& forms, const OptimiseOptions& options,
+                       passes::SearchOptions search) {
+  dag::Function found = passes::search(forms, options.cost, search);
+  search.iterations = options.more_steps;
+  search.restarts = 1;
+  while (options.more_steps > 0) {
+    ++search.seed;
+    dag::Function next = passes::search({found}, options.cost, search);
+    const bool cheaper = operations(dag::count(next, search.is_free_symbol)) <
+                         operations(dag::count(found, search.is_free_symbol));
+    if (!cheaper) break;
+    found = std::move(next);
+  }
+  return found;
+}
+
 /// The passes' result as it is emitted.
 Optimised split(const Quantity& quantity, const dag::Function& found) {
   Optimised result;
@@ -34,6 +55,8 @@ Optimised split(const Quantity& quantity, const dag::Function& found) {
   result.function = std::move(parts.function);
   result.constants = std::move(parts.constants);
   result.constant_counts = dag::count(result.constants);
+  result.of_arm = {found, *quantity.constants};
+  if (quantity.in_terms_of_description) result.function = quantity.in_terms_of_description(result.function);
   return result;
 }
 
@@ -64,7 +87,7 @@ Optimised optimise(const Quantity& quantity, const OptimiseOptions& options) {
     forms.push_back(options.simplify_forms ? passes::simplify(form.function) : form.function);
     form_counts.push_back({form.name, dag::count(results_only(forms.back()), quantity.is_free)});
   }
-  Optimised result = split(quantity, passes::search(forms, options.cost, search));
+  Optimised result = split(quantity, cheapest(forms, options, search));
   result.forms = std::move(form_counts);
   result.fewest = result.counts;
   certify(quantity, result, options.certificate_points);

@@ -15,9 +15,12 @@ namespace qvgen::optimise {
 /// A quantity after passes and choice, certified.
 struct Optimised {
   std::string name;
-  dag::Function function;       ///< the cheapest by the cost model: what is emitted
-  dag::Function constants;      ///< its symbols "$0", ... in the description's, if they are split off
-  dag::OperationCounts counts;  ///< of `function`
+  dag::Function function;   ///< the cheapest by the cost model: what is emitted
+  dag::Function constants;  ///< its symbols "$0", ... in the description's, if they are split off
+  /// As it was found, before constants were split off and it was put in terms of the description (see
+  /// Quantity): what further functions are derived from.
+  derive::dynamics::Formulation of_arm = {};
+  dag::OperationCounts counts;                          ///< of `function`
   std::optional<dag::OperationCounts> constant_counts;  ///< of `constants`, if they are split off
   dag::OperationCounts fewest;  ///< fewest multiplications and additions, sines and cosines given
   struct FormCounts {
@@ -49,6 +52,9 @@ struct OptimiseOptions {
   /// that share little gain by it. For large functions whose forms share much the search does as well
   /// without.
   bool simplify_forms = true;
+  /// Annealing steps of a search about the cheapest function found alone, repeated as long as it finds
+  /// cheaper ones; 0: none. Where many forms fill the search with values, new ones are tried only then.
+  long more_steps = 0;
 };
 
 /// Runs the passes, lets the forms compete, splits constants off and certifies the winner.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <set>
 #include <string>
@@ -30,6 +31,9 @@ struct Quantity {
   std::optional<dag::Function> constants = {};
   dag::IsFree is_free = {};          ///< symbols on which arithmetic is free
   std::set<std::string> whole = {};  ///< symbols that stand in angles with whole coefficients only
+  /// From the arm that the forms are of to the one that `residuals` knows, without an operation more; none if
+  /// it is the same.
+  std::function<dag::Function(const dag::Function&)> in_terms_of_description = {};
 };
 
 /// A derived quantity with its forms as graphs.

@@ -72,7 +72,8 @@ TEST(Dynamics, RandomRobotsPassTheirCertificates) {
       const std::string text = random_robot(++seed, kinds, axes);
       const model::Robot robot = read(text);
       for (const DynamicsQuantity& quantity : all_quantities())
-        EXPECT_NO_THROW(generate_dynamics(robot, quantity, little)) << quantity.name << "\n" << text;
+        EXPECT_NO_THROW(generate_dynamics(dynamics_model(robot), quantity, little)) << quantity.name << "\n"
+                                                                                    << text;
     }
 }
 
@@ -94,8 +95,10 @@ TEST(Dynamics, AnAxisThatIsNotExactIsRefusedWithAReason) {
   const std::string text =
       "name = \"x\"\ntitle = \"x\"\ninertia = \"free\"\n[[joint]]\ntype = \"revolute\"\nvariable = \"q1\"\n"
       "axis = [\"sin(20 deg)\", 0, \"cos(20 deg)\"]\n";
+  const model::Robot robot = read(text);
+  const DynamicsModel as_described{{robot, {exact::Angle{}}}, robot};
   try {
-    generate_dynamics(read(text), dynamics_quantities().front(), little);
+    generate_dynamics(as_described, dynamics_quantities().front(), little);
     FAIL() << "nothing thrown";
   } catch (const std::domain_error& error) {
     EXPECT_EQ(std::string(error.what()),
@@ -117,7 +120,8 @@ inertia = [0, "J", 0]
 )";
 
 TEST(Dynamics, PendulumTakesTwoMultiplicationsAndAnAddition) {
-  const Optimised function = generate_dynamics(read(pendulum), dynamics_quantities().front(), little);
+  const Optimised function =
+      generate_dynamics(dynamics_model(read(pendulum)), dynamics_quantities().front(), little);
   EXPECT_EQ(function.counts.multiplications, 2);  // (J + m l^2) theta'' - (m g l) cos theta
   EXPECT_EQ(function.counts.additions, 1);
   EXPECT_EQ(function.constants.outputs.size(), 2U);
@@ -132,15 +136,16 @@ TEST(Dynamics, CertificateRefusesAWrongFunction) {
     for (dag::Output& output : result.function.outputs) output.value.negative = !output.value.negative;
     return result;
   };
-  EXPECT_THROW(generate_dynamics(read(pendulum), wrong, little), verify::CertificateError);
+  EXPECT_THROW(generate_dynamics(dynamics_model(read(pendulum)), wrong, little), verify::CertificateError);
 }
 
 TEST(Dynamics, DrivesAddTheirInertiaAndFriction) {
   const std::string driven =
       pendulum + "rotor_inertia = \"Ir\"\nviscous_friction = \"b\"\ncoulomb_friction = \"f\"\n";
   for (const DynamicsQuantity& quantity : all_quantities())
-    EXPECT_NO_THROW(generate_dynamics(read(driven), quantity, little)) << quantity.name;
-  const Optimised function = generate_dynamics(read(driven), dynamics_quantities().front(), little);
+    EXPECT_NO_THROW(generate_dynamics(dynamics_model(read(driven)), quantity, little)) << quantity.name;
+  const Optimised function =
+      generate_dynamics(dynamics_model(read(driven)), dynamics_quantities().front(), little);
   EXPECT_LE(function.counts.multiplications, 5);
   EXPECT_LE(function.counts.additions, 4);
 }
@@ -148,7 +153,8 @@ TEST(Dynamics, DrivesAddTheirInertiaAndFriction) {
 /// C qd has no friction in it, whatever the drives: coriolis_torque is that product.
 TEST(Dynamics, CoriolisTorqueLeavesFrictionOut) {
   const std::string driven = pendulum + "viscous_friction = \"b\"\ncoulomb_friction = \"f\"\n";
-  const Optimised function = generate_dynamics(read(driven), quantity("coriolis_torque"), little);
+  const Optimised function =
+      generate_dynamics(dynamics_model(read(driven)), quantity("coriolis_torque"), little);
   EXPECT_EQ(function.constants.outputs.size(), 0U);
   EXPECT_TRUE(function.function.graph.is_zero(function.function.outputs.front().value));
 }
@@ -171,7 +177,7 @@ TEST(Dynamics, CertificateRefusesACoriolisMatrixThatIsNotOfChristoffelsSymbols) 
     add("c1_2", "q1", true);
     return result;
   };
-  EXPECT_THROW(generate_dynamics(robot, wrong, little), verify::CertificateError);
+  EXPECT_THROW(generate_dynamics(dynamics_model(robot), wrong, little), verify::CertificateError);
 }
 
 TEST(Dynamics, ARobotWithoutInertiaHasNone) {

@@ -52,6 +52,33 @@ void reverse(model::Joint& joint) {
   for (Expression& component : joint.axis) component = model::negate(component);
 }
 
+/// R I R^T of a symmetric matrix xx, yy, zz, xy, yz, xz.
+std::array<Expression, 6> rotated(const std::vector<model::Turn>& turns,
+                                  const std::array<Expression, 6>& inertia) {
+  const auto& [xx, yy, zz, xy, yz, xz] = inertia;
+  std::array<model::Vector3, 3> rows = {{{xx, xy, xz}, {xy, yy, yz}, {xz, yz, zz}}};
+  for (model::Vector3& row : rows) row = model::rotate(turns, row);
+  std::array<model::Vector3, 3> columns;
+  for (std::size_t k = 0; k < 3; ++k)
+    columns[k] = model::rotate(turns, model::Vector3{rows[0][k], rows[1][k], rows[2][k]});
+  return {columns[0][0], columns[1][1], columns[2][2], columns[1][0], columns[2][1], columns[2][0]};
+}
+
+/// Of a link whose frame now lies there in the one that it had.
+model::Inertia seen_from(const Displacement& frame, model::Inertia inertia) {
+  const Displacement back = inverse(frame);
+  inertia.inertia = rotated(back.turns, inertia.inertia);
+  if (!inertia.mass.is_literal_zero())
+    inertia.centre_of_mass = model::add(model::rotate(back.turns, inertia.centre_of_mass), back.translation);
+  return inertia;
+}
+
+Displacement random_frame(std::mt19937& random) {
+  Displacement frame = turned_by_right_angles(random);
+  for (Expression& length : frame.translation) length = Expression(cln::cl_RA(pick(random, 5)) / 10);
+  return frame;
+}
+
 }  // namespace
 
 model::Robot random_right_angled_robot(std::mt19937& random) {
@@ -73,6 +100,41 @@ model::Robot random_right_angled_robot(std::mt19937& random) {
   return robot;
 }
 
+model::Robot with_random_inertias(model::Robot robot, InertiasIn kind, std::mt19937& random) {
+  int number = 0;
+  const auto value = [&](int from) {
+    const Expression hundredths(cln::cl_RA(from + static_cast<int>(pick(random, 50))) / 100);
+    if (kind == InertiasIn::numbers) return hundredths;
+    const std::string name = "p" + std::to_string(++number);
+    robot.inertia_parameters.push_back({name, hundredths});
+    return Expression::symbol(name);
+  };
+  for (model::Joint& joint : robot.joints) {
+    joint.inertia.mass = value(100);
+    for (Expression& component : joint.inertia.centre_of_mass)
+      if (pick(random, 2) == 0) component = value(-25);
+    for (std::size_t k = 0; k < 6; ++k)
+      if (k < 3 || pick(random, 2) == 0) joint.inertia.inertia[k] = value(k < 3 ? 50 : -25);
+    if (pick(random, 2) == 0) joint.drive = {value(1), value(1), value(1)};
+  }
+  return robot;
+}
+
+model::Robot with_free_inertias(model::Robot robot) {
+  const auto symbol = [&robot] {
+    const std::string name = "p" + std::to_string(robot.inertia_parameters.size() + 1);
+    robot.inertia_parameters.push_back({name, std::nullopt});
+    return Expression::symbol(name);
+  };
+  for (model::Joint& joint : robot.joints) {
+    joint.drive = {};
+    joint.inertia.mass = symbol();
+    for (Expression& component : joint.inertia.centre_of_mass) component = symbol();
+    for (Expression& entry : joint.inertia.inertia) entry = symbol();
+  }
+  return robot;
+}
+
 model::Robot in_another_notation(const model::Robot& robot, std::mt19937& random) {
   model::Robot other = robot;
   for (std::size_t i = 0; i < other.joints.size(); ++i) {
@@ -81,9 +143,9 @@ model::Robot in_another_notation(const model::Robot& robot, std::mt19937& random
     if (joint.type == model::JointType::revolute)
       joint.before = model::compose(joint.before, {{{joint.axis, quarters(zero)}}, {}});
     if (pick(random, 2) == 0) reverse(joint);
-    Displacement frame = turned_by_right_angles(random);
-    for (Expression& length : frame.translation) length = Expression(cln::cl_RA(pick(random, 5)) / 10);
+    const Displacement frame = random_frame(random);
     joint.after = model::compose(joint.after, frame);
+    joint.inertia = seen_from(frame, joint.inertia);
     Displacement& next = i + 1 < other.joints.size() ? other.joints[i + 1].before : other.tool;
     next = model::compose(inverse(frame), next);
   }

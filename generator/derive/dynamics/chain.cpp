@@ -156,8 +156,10 @@ class ChainBuilder {
     const RotationSequence back = inverse(from_z_to(joint.axis));
     const bool described = inertias_ == Inertias::described;
     PseudoInertia inertia = described ? from_description(joint.inertia, graph_) : from_standard(j, graph_);
-    inertia = rotated(to_sequence(joint.after.turns), inertia, graph_);
-    inertia = shifted(inertia, to_vector(joint.after.translation, graph_));
+    for (const model::Displacement& step : {joint.inertia.frame, joint.after}) {
+      inertia = rotated(to_sequence(step.turns), inertia, graph_);
+      inertia = shifted(inertia, to_vector(step.translation, graph_));
+    }
     inertia = rotated(RotationSequence{{2, cln::cl_RA(-1) * passage.phi}} * back, inertia, graph_);
     link.inertia = shifted(inertia, 2, -passage.d);
     if (j + 1 == robot_.joints.size()) place_tool(joint, back, passage);

@@ -33,10 +33,11 @@ class Naming {
     const Number& value = values_.front()[index];
     if (is(0)) return {};
     if (is(1) || is(-1)) return {target_, target_.constant(value)};
-    const bool negative = value.sign() < 0;
-    std::string key;
-    for (const auto& point : values_) key += to_string(negative ? -point[index] : point[index]) + " ";
-    const auto [place, inserted] = known_.try_emplace(key, "$" + std::to_string(known_.size()));
+    // Of what is no number the first one met is positive: which sign the symbols of a description give it
+    // says nothing about the arm.
+    const bool negative = is(value) ? value.sign() < 0 : known_.contains(key_of(index, true));
+    const auto [place, inserted] =
+        known_.try_emplace(key_of(index, negative), "$" + std::to_string(known_.size()));
     if (inserted) constants_.outputs.push_back({place->second, negative ? -edges_[index] : edges_[index]});
     const Scalar symbol(target_, target_.symbol(place->second));
     return negative ? -symbol : symbol;
@@ -44,6 +45,12 @@ class Naming {
   dag::Function take() { return std::move(constants_); }
 
  private:
+  [[nodiscard]] std::string key_of(std::size_t index, bool negative) const {
+    std::string key;
+    for (const auto& point : values_) key += to_string(negative ? -point[index] : point[index]) + " ";
+    return key;
+  }
+
   dag::Graph& target_;
   dag::Function constants_;
   std::vector<dag::Edge> edges_;

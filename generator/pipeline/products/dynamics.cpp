@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "canonical/arm.h"
 #include "emit/c/parts.h"
 #include "emit/cpp/dynamics_code.h"
 #include "emit/cpp/symbol_table.h"
@@ -49,21 +48,21 @@ optimise::DynamicsEffort with_choices_of(const std::vector<optimise::Optimised>&
 }
 
 /// Adds a function; where there is none the reason goes to what is missing.
-void add_to(std::vector<optimise::Optimised>& functions, const model::Robot& robot,
+void add_to(std::vector<optimise::Optimised>& functions, const optimise::DynamicsModel& model,
             const optimise::DynamicsQuantity& quantity, const optimise::DynamicsEffort& effort,
             RobotOutput& output) {
   try {
-    functions.push_back(generate_dynamics(robot, quantity, effort));
-    measure(robot, functions.back());
+    functions.push_back(generate_dynamics(model, quantity, effort));
+    measure(model.arm.robot, functions.back());
   } catch (const derive::dynamics::MasslessLink& reason) {
     output.missing.push_back({quantity.name, Missing::Kind::not_derived, reason.what()});
   }
 }
 
-std::vector<optimise::Optimised> all_functions(const model::Robot& robot, RobotOutput& output) {
+std::vector<optimise::Optimised> all_functions(const optimise::DynamicsModel& model, RobotOutput& output) {
   std::vector<optimise::Optimised> functions;
   for (const optimise::DynamicsQuantity& quantity : optimise::dynamics_quantities())
-    add_to(functions, robot, quantity, with_choices_of(functions, quantity.choices_of), output);
+    add_to(functions, model, quantity, with_choices_of(functions, quantity.choices_of), output);
   return functions;
 }
 
@@ -167,18 +166,19 @@ void add_function(const model::Robot& robot, optimise::Optimised function, const
 }
 
 /// With the choices that were best for the functions that they overload.
-std::vector<optimise::Optimised> loaded_functions(const model::Robot& robot,
+std::vector<optimise::Optimised> loaded_functions(const optimise::DynamicsModel& model,
                                                   const std::vector<optimise::Optimised>& functions,
                                                   RobotOutput& output) {
   std::vector<optimise::Optimised> result;
   for (const auto& [base, quantity] : optimise::loaded_quantities())
-    add_to(result, robot, quantity, with_choices_of(functions, base), output);
+    add_to(result, model, quantity, with_choices_of(functions, base), output);
   return result;
 }
 
-void add_regressor(const model::Robot& robot, RobotOutput& output) {
+void add_regressor(const optimise::DynamicsModel& model, RobotOutput& output) {
+  const model::Robot& robot = model.arm.robot;
   const derive::dynamics::Regressor regressor = derive::dynamics::regressor(robot);
-  const optimise::Optimised function = optimise::regressor_function(robot, regressor);
+  const optimise::Optimised function = optimise::regressor_function(model, regressor);
   add_function(robot, function, "regressor",
                emit::angles_of(std::vector{in_terms_of_leaders(robot, function)}),
                emit::base_parameter_values(robot, regressor), output);
@@ -195,8 +195,9 @@ bool has_dynamics(const model::Robot& described, RobotOutput& output) {
 
 void generate_dynamics_product(const model::Robot& described, RobotOutput& output) {
   if (!has_dynamics(described, output)) return;
-  const model::Robot robot = canonical::for_dynamics(described);
-  const std::vector<optimise::Optimised> functions = all_functions(robot, output);
+  const optimise::DynamicsModel model = optimise::dynamics_model(described);
+  const model::Robot& robot = model.arm.robot;
+  const std::vector<optimise::Optimised> functions = all_functions(model, output);
   const json inertia{{"parameters", parameters_of(robot)},
                      {"parameter_count", robot.inertia_parameters.size()},
                      {"has_friction", has_friction(robot)},
@@ -205,39 +206,40 @@ void generate_dynamics_product(const model::Robot& described, RobotOutput& outpu
   const std::vector<optimise::Optimised> written = in_terms_of_leaders(robot, functions);
   add_functions(robot, written, "dynamics", inertia, output);
   const auto derivatives = [&](RobotOutput& made) {
-    add_function(robot, inverse_dynamics_derivatives(robot, functions.front()), "dynamics_derivatives",
+    add_function(robot, inverse_dynamics_derivatives(model, functions.front()), "dynamics_derivatives",
                  emit::angles_of(written), json::object(), made);
   };
   const auto loads = [&](RobotOutput& made) {
-    add_functions(robot, in_terms_of_leaders(robot, loaded_functions(robot, functions, made)),
+    add_functions(robot, in_terms_of_leaders(robot, loaded_functions(model, functions, made)),
                   "dynamics_loads", json::object(), made);
   };
-  const auto regressor = [&](RobotOutput& made) { add_regressor(robot, made); };
+  const auto regressor = [&](RobotOutput& made) { add_regressor(model, made); };
   attempt_all({{"dynamics_derivatives", derivatives}, {"dynamics_loads", loads}, {"regressor", regressor}},
               output);
 }
 
 void generate_dynamics_c(const model::Robot& described, RobotOutput& output) {
   if (!has_dynamics(described, output)) return;
-  const model::Robot robot = canonical::for_dynamics(described);
+  const optimise::DynamicsModel model = optimise::dynamics_model(described);
+  const model::Robot& robot = model.arm.robot;
   const auto add = [&robot](const std::vector<optimise::Optimised>& derived, RobotOutput& made) {
     const std::vector<optimise::Optimised> functions = in_terms_of_leaders(robot, derived);
     add_c_part(made, emit::c::dynamics(robot, functions));
     for (const optimise::Optimised& function : functions)
       made.counts[function.name] = entry_of(robot, function);
   };
-  const std::vector<optimise::Optimised> functions = all_functions(robot, output);
+  const std::vector<optimise::Optimised> functions = all_functions(model, output);
   add_c_part(output, emit::c::inertia(robot, constants_of(robot, robot.inertia_parameters)));
   add(functions, output);
   const auto derivatives = [&](RobotOutput& made) {
-    optimise::Optimised function = inverse_dynamics_derivatives(robot, functions.front());
+    optimise::Optimised function = inverse_dynamics_derivatives(model, functions.front());
     measure(robot, function);
     add({function}, made);
   };
-  const auto loads = [&](RobotOutput& made) { add(loaded_functions(robot, functions, made), made); };
+  const auto loads = [&](RobotOutput& made) { add(loaded_functions(model, functions, made), made); };
   const auto with_regressor = [&](RobotOutput& made) {
     const derive::dynamics::Regressor regressor = derive::dynamics::regressor(robot);
-    optimise::Optimised function = optimise::regressor_function(robot, regressor);
+    optimise::Optimised function = optimise::regressor_function(model, regressor);
     measure(robot, function);
     function = in_terms_of_leaders(robot, std::move(function));
     add_c_part(made, emit::c::regressor(robot, regressor, function));

@@ -97,7 +97,7 @@ DynamicsAngles<Scalar> dynamics_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion: Newton-Euler recursion in base parameters (thesis 5.1-5.15).
 ///
-/// 153 multiplications, 139 additions, 4 sine/cosine pairs. Set-up: 64 multiplications, 76 additions, 3 divisions.
+/// 150 multiplications, 140 additions, 4 sine/cosine pairs. Set-up: 71 multiplications, 89 additions, 3 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1, which must not be zero.
 template <class Scalar>
@@ -132,14 +132,15 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const DynamicsA
 
 /// Joint forces that come from the joint rates alone, C(q, qd) qd, without friction.
 ///
-/// 138 multiplications, 114 additions, 4 sine/cosine pairs. Set-up: 37 multiplications, 42 additions.
+/// 135 multiplications, 116 additions, 4 sine/cosine pairs. Set-up: 49 multiplications, 48 additions, 2 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
+/// The unit of length is l1, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using CoriolisTorqueConstants = std::array<Scalar, 30>;
+using CoriolisTorqueConstants = std::array<Scalar, 31>;
 template <class Scalar>
 CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
@@ -150,14 +151,14 @@ JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVec
 
 /// Symmetric, positive definite M(q), by composite bodies in base parameters; rotors included.
 ///
-/// 71 multiplications, 73 additions, 4 sine/cosine pairs. Set-up: 68 multiplications, 77 additions, 2 divisions.
+/// 70 multiplications, 73 additions, 4 sine/cosine pairs. Set-up: 75 multiplications, 90 additions, 2 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1, which must not be zero.
 template <class Scalar>
 Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using MassMatrixConstants = std::array<Scalar, 34>;
+using MassMatrixConstants = std::array<Scalar, 33>;
 template <class Scalar>
 MassMatrixConstants<Scalar> mass_matrix_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
@@ -167,7 +168,7 @@ Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const 
 
 /// C(q, qd) of Christoffel's symbols: C qd is coriolis_torque, dM/dt - 2 C is skew-symmetric.
 ///
-/// 209 multiplications, 168 additions, 4 sine/cosine pairs. Set-up: 42 multiplications, 42 additions, 2 divisions.
+/// 210 multiplications, 166 additions, 4 sine/cosine pairs. Set-up: 45 multiplications, 48 additions, 2 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1, which must not be zero.
 template <class Scalar>
@@ -186,16 +187,16 @@ Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, co
 
 /// Joint accelerations for given joint forces: M qdd = torque - C qd - gravity, by M = U D U^T.
 ///
-/// 285 multiplications, 250 additions, 5 divisions, 4 sine/cosine pairs. Set-up: 78 multiplications, 78 additions, 4
+/// 284 multiplications, 249 additions, 5 divisions, 4 sine/cosine pairs. Set-up: 80 multiplications, 91 additions, 4
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is l1, which must not be zero.
+/// The unit of length is d4, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
-using ForwardDynamicsConstants = std::array<Scalar, 47>;
+using ForwardDynamicsConstants = std::array<Scalar, 43>;
 template <class Scalar>
 ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
@@ -206,14 +207,14 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// qd^T M qd / 2, J.
 ///
-/// 101 multiplications, 92 additions, 4 sine/cosine pairs. Set-up: 69 multiplications, 77 additions, 2 divisions.
+/// 102 multiplications, 90 additions, 4 sine/cosine pairs. Set-up: 76 multiplications, 90 additions, 2 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1, which must not be zero.
 template <class Scalar>
 Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using KineticEnergyConstants = std::array<Scalar, 35>;
+using KineticEnergyConstants = std::array<Scalar, 34>;
 template <class Scalar>
 KineticEnergyConstants<Scalar> kinetic_energy_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});

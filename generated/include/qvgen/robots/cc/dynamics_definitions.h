@@ -27,71 +27,79 @@ InverseDynamicsConstants<Scalar> inverse_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c2x * inertia.m2;
-  const Scalar t1 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t2 = Scalar(2) * g.l1 * t0 + (inertia.c2x * t0 - (inertia.I2xx - t1));
-  const Scalar t3 = inertia.c1x * inertia.m1;
-  const Scalar t4 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t5 = g.l1 * (t3 + (g.l1 * inertia.m1 + t3)) + (inertia.c1x * t3 - (inertia.I1xx - t4));
-  const Scalar t6 = (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t4))
-      - ((inertia.I2yy - t1) - inertia.c2y * inertia.c2y * inertia.m2);
-  const Scalar t7 = inertia.c4y * inertia.m4;
-  const Scalar t8 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t9 = t7 - g.d4 * t8;
-  const Scalar t10 = inertia.c3y * inertia.m3;
-  const Scalar t11 = g.d4 * inertia.m3 - t10;
-  const Scalar t12 = inertia.c3x * inertia.m3;
-  const Scalar t13 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t14 = ((inertia.I4yy - t13) - inertia.c4y * t7) + g.d4 * (t7 + t9);
-  const Scalar t15 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t16 = ((inertia.I3yy - t15) - inertia.c3y * t10) - g.d4 * (t11 - t10);
-  const Scalar t17 = (t14 + t16) - (inertia.c3x * t12 - (inertia.I3xx - t15));
-  const Scalar t18 = inertia.c4z * inertia.m4;
-  const Scalar t19 = inertia.c4x * inertia.m4;
-  const Scalar t20 = inertia.c6z * inertia.m6;
-  const Scalar t21 = inertia.c6x * inertia.m6;
-  const Scalar t22 = inertia.c6y * inertia.m6;
-  const Scalar t23 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t24 = (inertia.I6xx - t23) - inertia.c6x * t21;
-  const Scalar t25 = inertia.c6z * t20 - (inertia.I6zz - t23);
-  const Scalar t26 = inertia.I6xz - inertia.c6z * t21;
-  const Scalar t27 = inertia.c5z * inertia.m5;
-  const Scalar t28 = inertia.c5y * inertia.m5;
-  const Scalar t29 = inertia.c5x * inertia.m5;
-  const Scalar t30 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t31 = ((inertia.I6yy - t23) - inertia.c6y * t22) - (inertia.c5y * t28 - (inertia.I5yy - t30));
-  const Scalar t32 = (inertia.c5x * t29 - (inertia.I5xx - t30)) - ((inertia.I4xx - t13) - inertia.c4x * t19);
-  return { (t2 + t5) + t6,
-           g.l1 * (t9 - t11),
+  const Scalar t0 = inertia.c3y * inertia.m3;
+  const Scalar t1 = g.d4 * inertia.m3 - t0;
+  const Scalar t2 = inertia.c4y * inertia.m4;
+  const Scalar t3 = g.d4 * inertia.m4;
+  const Scalar t4 = t2 - t3;
+  const Scalar t5 = t4 + t3;
+  const Scalar t6 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t7 = t5 - g.d4 * t6;
+  const Scalar t8 = inertia.c3x * inertia.m3;
+  const Scalar t9 = inertia.c6y * inertia.m6;
+  const Scalar t10 = inertia.c5y * inertia.m5;
+  const Scalar t11 = inertia.c5z * inertia.m5;
+  const Scalar t12 = inertia.c6z * inertia.m6;
+  const Scalar t13 = inertia.c6x * inertia.m6;
+  const Scalar t14 = inertia.c4x * inertia.m4;
+  const Scalar t15 = inertia.c5x * inertia.m5;
+  const Scalar t16 = inertia.c4z * inertia.m4;
+  const Scalar t17 = inertia.I6xz - inertia.c6z * t13;
+  const Scalar t18 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t19 = (inertia.I6xx - t18) - inertia.c6x * t13;
+  const Scalar t20 = inertia.c6z * t12 - (inertia.I6zz - t18);
+  const Scalar t21 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t22 = ((inertia.I6yy - t18) - inertia.c6y * t9) - (inertia.c5y * t10 - (inertia.I5yy - t21));
+  const Scalar t23 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t24 = g.d4 * t16;
+  const Scalar t25 = g.d4 * t14;
+  const Scalar t26 = (inertia.c5x * t15 - (inertia.I5xx - t21)) - ((inertia.I4xx - t23) - inertia.c4x * t14);
+  const Scalar t27 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t28 = g.d4 * (t2 + t4) + ((inertia.I4yy - t23) - inertia.c4y * t2);
+  const Scalar t29 = (t28 - g.d4 * (t5 + t4)) + g.d4 * (t5 + t7);
+  const Scalar t30 = ((inertia.I3yy - t27) - inertia.c3y * t0) - g.d4 * (t1 - t0);
+  const Scalar t31 = (inertia.c3x * t8 - (inertia.I3xx - t27)) - (t29 + t30);
+  const Scalar t32 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t33 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t34 = (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t32))
+      - ((inertia.I2yy - t33) - inertia.c2y * inertia.c2y * inertia.m2);
+  const Scalar t35 = inertia.m3 + t6;
+  const Scalar t36 = inertia.c2x * inertia.m2;
+  const Scalar t37 = (inertia.c2x * t36 - (inertia.I2xx - t33)) + g.l1 * (t36 + (g.l1 * inertia.m2 + t36));
+  const Scalar t38 = inertia.c1x * inertia.m1;
+  const Scalar t39 = g.l1 * (t38 + (g.l1 * inertia.m1 + t38)) + (inertia.c1x * t38 - (inertia.I1xx - t32));
+  const Scalar t40 = t34 + ((g.l1 * g.l1 * t35 + t37) + t39);
+  return { g.l1 * (t1 - t7),
+           g.l1 * t8,
+           g.l1 * (t9 + t10),
+           g.l1 * t11,
            g.l1 * t12,
+           g.l1 * t13,
+           g.l1 * (t14 + t15),
+           g.l1 * t16,
+           Scalar(2) * t17,
+           t19 + t20,
+           t19,
            t17,
+           inertia.I6yz - inertia.c6z * t9,
+           inertia.I6xy - inertia.c6y * t13,
            g.d4 / g.l1,
-           g.l1 * t18,
-           inertia.I4yz - inertia.c4z * t7,
-           inertia.I4xy - inertia.c4y * t19,
-           (inertia.I4zz - t13) - inertia.c4z * t18,
-           inertia.I4xz - inertia.c4z * t19,
-           g.l1 * t20,
-           g.l1 * t21,
            Scalar(1) / g.l1,
            gravity / g.l1,
-           inertia.I6xy - inertia.c6y * t21,
-           inertia.I6yz - inertia.c6z * t22,
-           t24 + t25,
-           Scalar(2) * t26,
+           inertia.I5xy - inertia.c5y * t15,
+           inertia.I5xz - inertia.c5z * t15,
+           t22,
+           inertia.c5z * t11 - (inertia.I5zz - t21),
+           inertia.I5yz - inertia.c5z * t10,
+           (inertia.I4zz - t23) - inertia.c4z * t16,
+           inertia.I4xz - inertia.c4z * t14,
+           t24 - (t24 + (inertia.I4yz - inertia.c4z * t2)),
+           (t25 + (inertia.I4xy - inertia.c4y * t14)) - t25,
            t26,
-           t24,
-           g.l1 * t27,
-           g.l1 * (t22 + t28),
-           inertia.I5xz - inertia.c5z * t29,
-           inertia.I5xy - inertia.c5y * t29,
-           inertia.c5z * t27 - (inertia.I5zz - t30),
+           t20,
            t31,
-           inertia.I5yz - inertia.c5z * t28,
-           t32,
-           g.l1 * (t19 + t29),
-           t25,
-           g.l1 * g.l1 * (inertia.m2 + (inertia.m3 + t8)) };
+           t40,
+           g.l1 * g.l1 * (inertia.m2 + t35) };
 }
 
 namespace detail {
@@ -108,109 +116,112 @@ inline JointVector<Scalar> inverse_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = qdd[0] + qdd[2];
+  const Scalar t0 = k[4] * s6 - k[5] * c6;
   const Scalar t1 = qd[0] + qd[2];
-  const Scalar t2 = t1 * t1;
-  const Scalar t3 = s4 * t1;
-  const Scalar t4 = c4 * t0;
-  const Scalar t5 = Scalar(2) * qd[3] * t3 - t4;
-  const Scalar t6 = c4 * t1;
-  const Scalar t7 = qd[3] * t6;
-  const Scalar t8 = s4 * t0;
-  const Scalar t9 = t7 + t8;
-  const Scalar t10 = t9 + t7;
-  const Scalar t11 = qd[4] + t3;
-  const Scalar t12 = t11 * t11;
-  const Scalar t13 = s5 * t6 - qd[3] * c5;
-  const Scalar t14 = qd[5] - t13;
-  const Scalar t15 = t14 * t14;
-  const Scalar t16 = t12 + t15;
-  const Scalar t17 = t12 - t15;
-  const Scalar t18 = qd[3] * s5 + c5 * t6;
-  const Scalar t19 = t12 + t18 * t18;
-  const Scalar t20 = t17 - t19;
-  const Scalar t21 = t16 + t20;
-  const Scalar t22 = t6 * t6;
-  const Scalar t23 = qd[3] * qd[3];
-  const Scalar t24 = t22 + t23;
-  const Scalar t25 = qdd[4] + t9;
-  const Scalar t26 = t18 * t13;
-  const Scalar t27 = t25 + t26;
-  const Scalar t28 = k[10] * c6 + k[11] * s6;
-  const Scalar t29 = k[10] * s6 - k[11] * c6;
-  const Scalar t30 = t3 * t6;
-  const Scalar t31 = qdd[3] + t30;
-  const Scalar t32 = s5 * t5 + c5 * t31;
-  const Scalar t33 = qdd[5] + t32;
-  const Scalar t34 = (k[20] * (t21 + t24) - k[21] * t27) + (t28 * t16 + t29 * t33);
-  const Scalar t35 = t25 - t26;
-  const Scalar t36 = t18 * t14;
-  const Scalar t37 = (t36 + t36) + t27;
-  const Scalar t38 = c5 * t5 - s5 * t31;
-  const Scalar t39 = Scalar(2) * t11 * t13 + t38;
-  const Scalar t40 = t11 * t14;
-  const Scalar t41 = t39 + (t40 + t40);
-  const Scalar t42 = (k[20] * t35 + k[21] * t19) + (t28 * t37 - t29 * t41);
-  const Scalar t43 = (k[28] * t5 + k[5] * t10) - (s5 * t34 - c5 * t42);
-  const Scalar t44 = c3 * ((k[2] * t0 - k[1] * t2) - t43);
-  const Scalar t45 = t22 - t23;
-  const Scalar t46 = t2 - t45;
-  const Scalar t47 = (c5 * t34 + s5 * t42) + (k[5] * t46 - k[28] * t31);
-  const Scalar t48 = t18 * t11;
-  const Scalar t49 = t48 + t48;
-  const Scalar t50 = t32 - t49;
-  const Scalar t51 = t49 - t33;
-  const Scalar t52 = (k[21] * t39 - k[20] * t50) - (t29 * t20 - t28 * t51);
-  const Scalar t53 = qdd[3] - t30;
-  const Scalar t54 = t52 - (k[28] * t24 + k[5] * t53);
-  const Scalar t55 = s4 * t47 + c4 * t54;
-  const Scalar t56 = s3 * ((k[2] * t2 + k[1] * t0) - t55);
-  const Scalar t57 = qd[0] * qd[0];
-  const Scalar t58 = s3 * t57 + qdd[0] * c3;
-  const Scalar t59 = c3 * t57 - qdd[0] * s3;
-  const Scalar t60 = (k[2] * t58 + k[1] * t59) - k[3] * t0;
-  const Scalar t61 = (k[9] * t10 - k[27] * t5) - k[7] * (t24 - t2);
-  const Scalar t62 = k[4] * t2 + t58;
-  const Scalar t63 = k[14] * s6 + k[15] * c6;
-  const Scalar t64 = k[17] * s6 - k[16] * c6;
-  const Scalar t65 = k[18] - s6 * t64;
-  const Scalar t66 = c6 * t64;
-  const Scalar t67 = k[29] + t66;
-  const Scalar t68 = k[14] * c6 - k[15] * s6;
-  const Scalar t69 = (t37 * t65 - t67 * t41) + t17 * t68;
-  const Scalar t70 = k[13] + k[12] * qdd[1];
-  const Scalar t71 = k[4] * t0 - t59;
-  const Scalar t72 = c4 * t70 - s4 * t71;
-  const Scalar t73 = s5 * t72 + c5 * t62;
-  const Scalar t74 = s4 * t70 + c4 * t71;
-  const Scalar t75 = t24 - t19;
-  const Scalar t76 = (k[26] * t50 - k[25] * t39) + k[23] * t75;
-  const Scalar t77 = ((t63 * t51 + t69) - t29 * t73) - (k[21] * t74 - (k[22] * t35 - t76));
-  const Scalar t78 = s5 * t62 - c5 * t72;
-  const Scalar t79 = k[19] + t66;
-  const Scalar t80 = (t51 * t79 + t33 * t67) + t21 * t65;
-  const Scalar t81 = (t28 * t74 - t78 * t29) - (t80 + (t39 * t63 - t68 * t27));
-  const Scalar t82 = (k[23] * t27 - k[22] * t21) - (k[26] * t39 + k[24] * t50);
-  const Scalar t83 = t81 + (t82 + k[20] * t74);
-  const Scalar t84 = ((k[6] * t53 - t61) - k[28] * t62) - (c5 * t77 + s5 * t83);
-  const Scalar t85 = (k[7] * t31 + k[6] * t45) + (k[9] * t5 + k[8] * t10);
-  const Scalar t86 = (t37 * t79 + t41 * t65) - ((t16 - t19) * t63 - t33 * t68);
-  const Scalar t87 = (k[25] * t27 - k[24] * t35) - k[26] * (t21 + t75);
-  const Scalar t88 = (k[20] * t73 + k[21] * t78) + ((k[22] * t38 + k[23] * t32) + t87);
-  const Scalar t89 = (t28 * t73 + t86) + t88;
-  const Scalar t90 = c4 * t84 + s4 * ((k[5] * t62 + t85) + t89);
-  const Scalar t91 = t60 - (t90 - k[4] * t55);
-  const Scalar t92 = k[0] * qdd[0] + (((t44 - t56) + k[30] * qdd[0]) + t91);
-  const Scalar t93 = (s4 * t54 - c4 * t47) + k[30] * t70;
-  const Scalar t94 = k[9] * (t46 - t24) + (k[27] * t31 - k[8] * t53);
-  const Scalar t95 = (k[5] * t74 - k[28] * t72) - (t94 - (k[6] * t4 + k[7] * t8));
+  const Scalar t2 = s4 * t1;
+  const Scalar t3 = qd[4] + t2;
+  const Scalar t4 = c4 * t1;
+  const Scalar t5 = s5 * t4 - qd[3] * c5;
+  const Scalar t6 = qd[5] - t5;
+  const Scalar t7 = t3 * t6;
+  const Scalar t8 = t3 * t5;
+  const Scalar t9 = qd[3] * t2;
+  const Scalar t10 = qdd[0] + qdd[2];
+  const Scalar t11 = c4 * t10;
+  const Scalar t12 = (t9 + t9) - t11;
+  const Scalar t13 = t2 * t4;
+  const Scalar t14 = qdd[3] + t13;
+  const Scalar t15 = c5 * t12 - s5 * t14;
+  const Scalar t16 = (t8 + t15) + t8;
+  const Scalar t17 = t7 + (t7 + t16);
+  const Scalar t18 = k[4] * c6 + k[5] * s6;
+  const Scalar t19 = qd[3] * s5 + c5 * t4;
+  const Scalar t20 = t19 * t6;
+  const Scalar t21 = qd[3] * t4;
+  const Scalar t22 = s4 * t10;
+  const Scalar t23 = t21 + t22;
+  const Scalar t24 = qdd[4] + t23;
+  const Scalar t25 = t19 * t5;
+  const Scalar t26 = t24 + t25;
+  const Scalar t27 = (t20 + t26) + t20;
+  const Scalar t28 = t3 * t3;
+  const Scalar t29 = t19 * t19;
+  const Scalar t30 = t28 + t29;
+  const Scalar t31 = t24 - t25;
+  const Scalar t32 = (t0 * t17 - t18 * t27) - (k[2] * t30 + k[3] * t31);
+  const Scalar t33 = qd[3] * qd[3];
+  const Scalar t34 = t2 * t2;
+  const Scalar t35 = t33 + t34;
+  const Scalar t36 = t1 * t1;
+  const Scalar t37 = t35 - t36;
+  const Scalar t38 = t33 - t34;
+  const Scalar t39 = t37 - t38;
+  const Scalar t40 = t35 - t39;
+  const Scalar t41 = t6 * t6;
+  const Scalar t42 = t41 + t29;
+  const Scalar t43 = t28 + t41;
+  const Scalar t44 = t42 - t43;
+  const Scalar t45 = t40 - t44;
+  const Scalar t46 = c5 * t14 + s5 * t12;
+  const Scalar t47 = qdd[5] + t46;
+  const Scalar t48 = (k[2] * t26 - k[3] * t45) - (t0 * t47 + t18 * t43);
+  const Scalar t49 = t23 + t21;
+  const Scalar t50 = (c5 * t32 - s5 * t48) - (k[7] * t49 + k[6] * t12);
+  const Scalar t51 = c3 * (t50 + (k[0] * t36 + k[1] * t10));
+  const Scalar t52 = t19 * t3;
+  const Scalar t53 = (t52 + t52) - t46;
+  const Scalar t54 = qdd[5] - t53;
+  const Scalar t55 = (k[2] * t16 + k[3] * t53) - (t54 * t18 - t42 * t0);
+  const Scalar t56 = qdd[3] - t13;
+  const Scalar t57 = t55 - (k[7] * t56 + k[6] * t40);
+  const Scalar t58 = (s5 * t32 + c5 * t48) - (k[7] * t35 - k[6] * t14);
+  const Scalar t59 = c4 * t57 - s4 * t58;
+  const Scalar t60 = s3 * (t59 - (k[1] * t36 - k[0] * t10));
+  const Scalar t61 = (k[18] * t44 + k[17] * t26) - (k[21] * t16 - k[20] * t53);
+  const Scalar t62 = qd[0] * qd[0];
+  const Scalar t63 = c3 * t62 - qdd[0] * s3;
+  const Scalar t64 = t63 - k[14] * t10;
+  const Scalar t65 = k[16] + k[15] * qdd[1];
+  const Scalar t66 = c4 * t64 - s4 * t65;
+  const Scalar t67 = s3 * t62 + qdd[0] * c3;
+  const Scalar t68 = t67 + k[14] * t36;
+  const Scalar t69 = s4 * t64 + c4 * t65;
+  const Scalar t70 = s5 * t68 - c5 * t69;
+  const Scalar t71 = k[12] * s6 - k[13] * c6;
+  const Scalar t72 = k[13] * s6 + k[12] * c6;
+  const Scalar t73 = k[9] * c6 - k[8] * s6;
+  const Scalar t74 = k[11] + s6 * t73;
+  const Scalar t75 = c6 * t73;
+  const Scalar t76 = k[27] - t75;
+  const Scalar t77 = k[10] - t75;
+  const Scalar t78 = t44 * t74 - (t47 * t76 - t54 * t77);
+  const Scalar t79 = (t0 * t70 + t18 * t66) + ((t71 * t26 + t16 * t72) - t78);
+  const Scalar t80 = (t61 - k[3] * t66) - t79;
+  const Scalar t81 = k[17] * (t40 - t30) - (k[21] * t53 + k[19] * t16);
+  const Scalar t82 = t28 - t41;
+  const Scalar t83 = t71 * t82 + (t76 * t17 - t27 * t74);
+  const Scalar t84 = s5 * t69 + c5 * t68;
+  const Scalar t85 = ((k[18] * t31 - t81) + k[2] * t66) - ((t54 * t72 + t83) + t84 * t0);
+  const Scalar t86 = k[25] * t38 + (k[26] * t12 - k[23] * t49);
+  const Scalar t87 = (s5 * t80 + c5 * t85) - ((t86 - k[24] * t56) - k[6] * t68);
+  const Scalar t88 = (k[23] * t12 + k[22] * t49) + (k[24] * t37 + k[25] * t14);
+  const Scalar t89 = (t72 * (t82 + t44) - t71 * t47) + (t17 * t74 + t77 * t27);
+  const Scalar t90 = (k[20] * t31 - k[19] * t26) + k[21] * (t45 - t30);
+  const Scalar t91 = (t90 - (k[18] * t15 + k[17] * t46)) - (k[2] * t70 + k[3] * t84);
+  const Scalar t92 = (t84 * t18 + t89) - t91;
+  const Scalar t93 = c4 * t87 - s4 * ((k[7] * t68 + t88) + t92);
+  const Scalar t94 = (k[1] * t67 - k[0] * t63) + k[28] * t10;
+  const Scalar t95 = (t93 + k[14] * t59) + t94;
+  const Scalar t96 = (c4 * t58 + s4 * t57) + k[30] * t65;
+  const Scalar t97 = (k[22] * t56 - k[26] * t14) - k[23] * t39;
+  const Scalar t98 = (k[7] * t66 + k[6] * t69) + ((k[24] * t11 - k[25] * t22) - t97);
   JointVector<Scalar> result;
-  result[0] = t92;
-  result[1] = k[12] * t93;
-  result[2] = t91;
-  result[3] = -t95 - (c5 * t83 - s5 * t77);
-  result[4] = -t89;
-  result[5] = -t81;
+  result[0] = k[29] * qdd[0] + ((t51 + t60) + t95);
+  result[1] = k[15] * t96;
+  result[2] = t95;
+  result[3] = t98 - (c5 * t80 - s5 * t85);
+  result[4] = -t92;
+  result[5] = t79;
   return result;
 }
 
@@ -241,8 +252,8 @@ GravityTorqueConstants<Scalar> gravity_torque_constants([[maybe_unused]] const B
   const Scalar t0 = gravity * (inertia.m2 + (inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6))));
   return { gravity,
            inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
-           inertia.c6x * inertia.m6,
            inertia.c6z * inertia.m6,
+           inertia.c6x * inertia.m6,
            inertia.c5z * inertia.m5,
            inertia.c4x * inertia.m4 + inertia.c5x * inertia.m5,
            inertia.c4z * inertia.m4,
@@ -262,13 +273,13 @@ inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Sca
   const Scalar& c6 = angles.cosine[3];
   const Scalar t0 = k[0] * c4;
   const Scalar t1 = k[0] * s4;
-  const Scalar t2 = k[2] * s6 + k[3] * c6;
-  const Scalar t3 = k[2] * c6 - k[3] * s6;
-  const Scalar t4 = c5 * t0;
-  const Scalar t5 = t1 * t2 - t3 * t4;
+  const Scalar t2 = k[2] * c6 + k[3] * s6;
+  const Scalar t3 = c5 * t0;
+  const Scalar t4 = k[2] * s6 - k[3] * c6;
+  const Scalar t5 = t2 * t1 + t3 * t4;
   const Scalar t6 = s5 * t0;
-  const Scalar t7 = c5 * (k[4] * t1 + t5) - s5 * (t6 * t3 - k[1] * t1);
-  const Scalar t8 = t6 * t2 - (k[1] * t4 - k[4] * t6);
+  const Scalar t7 = c5 * (k[4] * t1 + t5) + s5 * (t6 * t4 + k[1] * t1);
+  const Scalar t8 = t2 * t6 - (k[1] * t3 - k[4] * t6);
   JointVector<Scalar> result;
   result[0] = Scalar(0);
   result[1] = k[7];
@@ -300,57 +311,63 @@ CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Sc
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c5z * inertia.m5;
-  const Scalar t1 = inertia.c6y * inertia.m6;
-  const Scalar t2 = inertia.c5y * inertia.m5;
-  const Scalar t3 = inertia.c6x * inertia.m6;
-  const Scalar t4 = inertia.c6z * inertia.m6;
+  const Scalar t0 = inertia.c6y * inertia.m6;
+  const Scalar t1 = inertia.c5y * inertia.m5;
+  const Scalar t2 = inertia.c5z * inertia.m5;
+  const Scalar t3 = inertia.c6z * inertia.m6;
+  const Scalar t4 = inertia.c6x * inertia.m6;
   const Scalar t5 = inertia.c4z * inertia.m4;
-  const Scalar t6 = inertia.c4x * inertia.m4;
-  const Scalar t7 = inertia.c5x * inertia.m5;
-  const Scalar t8 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t9 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t10 = ((inertia.I6yy - t9) - inertia.c6y * t1) - (inertia.c5y * t2 - (inertia.I5yy - t8));
-  const Scalar t11 = (inertia.I6xx - t9) - inertia.c6x * t3;
-  const Scalar t12 = inertia.c6z * t4 - (inertia.I6zz - t9);
-  const Scalar t13 = inertia.I6xz - inertia.c6z * t3;
-  const Scalar t14 = inertia.c4y * inertia.m4;
-  const Scalar t15 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t16 = (inertia.I4zz - t15) - inertia.c4z * t5;
-  const Scalar t17 = inertia.I4xz - inertia.c4z * t6;
-  const Scalar t18 = (inertia.c5x * t7 - (inertia.I5xx - t8)) - ((inertia.I4xx - t15) - inertia.c4x * t6);
-  const Scalar t19 = (t14 - g.d4 * (inertia.m4 + (inertia.m5 + inertia.m6)))
-      - (g.d4 * inertia.m3 - inertia.c3y * inertia.m3);
-  return { t0,
-           t1 + t2,
-           t3,
-           t4,
-           t5,
-           t6 + t7,
-           g.d4,
-           g.l1,
-           inertia.c5z * t0 - (inertia.I5zz - t8),
-           t10,
-           inertia.I5yz - inertia.c5z * t2,
-           inertia.I5xz - inertia.c5z * t7,
-           inertia.I5xy - inertia.c5y * t7,
-           inertia.I6yz - inertia.c6z * t1,
-           inertia.I6xy - inertia.c6y * t3,
-           t11 + t12,
-           Scalar(2) * t13,
-           t13,
-           t11,
-           inertia.I4xy - inertia.c4y * t6,
-           inertia.I4yz - inertia.c4z * t14,
-           Scalar(2) * t16,
-           t17,
-           t18,
-           Scalar(2) * t17,
+  const Scalar t6 = g.l1 * t5;
+  const Scalar t7 = inertia.c4x * inertia.m4;
+  const Scalar t8 = inertia.c5x * inertia.m5;
+  const Scalar t9 = g.l1 * (t7 + t8);
+  const Scalar t10 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t11 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t12 = ((inertia.I6yy - t11) - inertia.c6y * t0) - (inertia.c5y * t1 - (inertia.I5yy - t10));
+  const Scalar t13 = inertia.I6xz - inertia.c6z * t4;
+  const Scalar t14 = (inertia.I6xx - t11) - inertia.c6x * t4;
+  const Scalar t15 = inertia.c6z * t3 - (inertia.I6zz - t11);
+  const Scalar t16 = g.d4 * t5;
+  const Scalar t17 = inertia.c4y * inertia.m4;
+  const Scalar t18 = g.d4 * t7;
+  const Scalar t19 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t20 = (inertia.I4zz - t19) - inertia.c4z * t5;
+  const Scalar t21 = inertia.I4xz - inertia.c4z * t7;
+  const Scalar t22 = (inertia.c5x * t8 - (inertia.I5xx - t10)) - ((inertia.I4xx - t19) - inertia.c4x * t7);
+  const Scalar t23 = g.d4 * inertia.m4;
+  const Scalar t24 = ((t17 - t23) + t23) - g.d4 * (inertia.m4 + (inertia.m5 + inertia.m6));
+  const Scalar t25 = g.l1 * ((g.d4 * inertia.m3 - inertia.c3y * inertia.m3) - t24);
+  return { g.l1 * (t0 + t1),
+           g.l1 * t2,
+           g.l1 * t3,
+           g.l1 * t4,
+           t6,
+           t9,
+           g.d4 / g.l1,
+           inertia.c5z * t2 - (inertia.I5zz - t10),
            t12,
-           t19,
-           inertia.c3x * inertia.m3,
-           Scalar(2) * t5,
-           t16 + t18 };
+           inertia.I5yz - inertia.c5z * t1,
+           inertia.I5xz - inertia.c5z * t8,
+           inertia.I5xy - inertia.c5y * t8,
+           inertia.I6xy - inertia.c6y * t4,
+           inertia.I6yz - inertia.c6z * t0,
+           Scalar(2) * t13,
+           t14 + t15,
+           t13,
+           t14,
+           t16 - (t16 + (inertia.I4yz - inertia.c4z * t17)),
+           (t18 + (inertia.I4xy - inertia.c4y * t7)) - t18,
+           Scalar(2) * t20,
+           t21,
+           t22,
+           Scalar(2) * t21,
+           t15,
+           g.l1 * inertia.c3x * inertia.m3,
+           t25,
+           Scalar(2) * t6,
+           Scalar(2) * t9,
+           Scalar(1) / g.l1,
+           t20 + t22 };
 }
 
 namespace detail {
@@ -368,91 +385,93 @@ inline JointVector<Scalar> coriolis_torque([[maybe_unused]] const JointVector<Sc
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
   const Scalar t0 = qd[0] + qd[2];
-  const Scalar t1 = t0 * t0;
-  const Scalar t2 = s4 * t0;
-  const Scalar t3 = qd[4] + t2;
-  const Scalar t4 = t3 * t3;
-  const Scalar t5 = c4 * t0;
-  const Scalar t6 = c5 * t5;
-  const Scalar t7 = qd[3] * s5 + t6;
-  const Scalar t8 = t7 * t7;
-  const Scalar t9 = t4 + t8;
-  const Scalar t10 = s5 * t5;
-  const Scalar t11 = t10 - qd[3] * c5;
-  const Scalar t12 = t7 * t11;
-  const Scalar t13 = qd[3] * t5;
-  const Scalar t14 = t12 - t13;
-  const Scalar t15 = t12 + t13;
-  const Scalar t16 = qd[5] - t11;
-  const Scalar t17 = t7 * t16;
-  const Scalar t18 = (t15 + t17) + t17;
-  const Scalar t19 = k[2] * s6 + k[3] * c6;
-  const Scalar t20 = k[2] * c6 - k[3] * s6;
-  const Scalar t21 = t3 * t16;
-  const Scalar t22 = Scalar(2) * qd[3] * t2;
-  const Scalar t23 = t2 * t10 - c5 * t22;
-  const Scalar t24 = t23 - Scalar(2) * t3 * t11;
-  const Scalar t25 = t21 + (t21 - t24);
-  const Scalar t26 = (k[1] * t9 - k[0] * t14) + (t18 * t19 + t20 * t25);
-  const Scalar t27 = t4 - t8;
-  const Scalar t28 = qd[3] * qd[3];
-  const Scalar t29 = t2 * t2;
-  const Scalar t30 = t28 - t29;
-  const Scalar t31 = t1 + t30;
-  const Scalar t32 = s5 * t22 + t2 * t6;
-  const Scalar t33 = t16 * t16;
-  const Scalar t34 = t4 + t33;
-  const Scalar t35 = (k[1] * t15 - k[0] * (t27 + t31)) + (t32 * t20 - t34 * t19);
-  const Scalar t36 = (c5 * t26 + s5 * t35) + (k[28] * t13 + k[5] * t22);
-  const Scalar t37 = t32 - Scalar(2) * t7 * t3;
-  const Scalar t38 = ((t33 + t8) * t20 + t37 * t19) + (k[0] * t37 + k[1] * t24);
-  const Scalar t39 = t2 * t5;
-  const Scalar t40 = t38 + (k[5] * t31 - k[4] * t39);
-  const Scalar t41 = t28 + t29;
-  const Scalar t42 = (s5 * t26 - c5 * t35) + (k[4] * t41 - k[5] * t39);
-  const Scalar t43 = c4 * t40 - s4 * t42;
-  const Scalar t44 = c3 * (k[26] * t1 + t36) + s3 * (k[27] * t1 + t43);
-  const Scalar t45 = k[7] * qd[0] * qd[0];
-  const Scalar t46 = s3 * t45;
-  const Scalar t47 = t46 + k[6] * t1;
-  const Scalar t48 = (k[23] * t22 - k[24] * t13) + k[19] * t30;
-  const Scalar t49 = c3 * t45;
-  const Scalar t50 = c4 * t49;
-  const Scalar t51 = (k[10] * t24 - k[8] * t37) + (k[12] * t15 - k[11] * t27);
-  const Scalar t52 = k[14] * s6 + k[13] * c6;
-  const Scalar t53 = k[14] * c6 - k[13] * s6;
-  const Scalar t54 = k[16] * s6 - k[15] * c6;
-  const Scalar t55 = k[17] - s6 * t54;
-  const Scalar t56 = c6 * t54;
-  const Scalar t57 = k[25] + t56;
-  const Scalar t58 = k[18] + t56;
-  const Scalar t59 = t55 * t27 + (t32 * t57 - t58 * t37);
+  const Scalar t1 = c4 * t0;
+  const Scalar t2 = t1 * t1;
+  const Scalar t3 = qd[3] * qd[3];
+  const Scalar t4 = t2 + t3;
+  const Scalar t5 = t0 * t0;
+  const Scalar t6 = t4 - t5;
+  const Scalar t7 = t2 - t3;
+  const Scalar t8 = t6 + t7;
+  const Scalar t9 = s4 * t0;
+  const Scalar t10 = t9 * t1;
+  const Scalar t11 = c5 * t1;
+  const Scalar t12 = qd[3] * s5 + t11;
+  const Scalar t13 = s5 * t1 - qd[3] * c5;
+  const Scalar t14 = t12 * t13;
+  const Scalar t15 = qd[3] * t1;
+  const Scalar t16 = t14 + t15;
+  const Scalar t17 = qd[4] + t9;
+  const Scalar t18 = t17 * t17;
+  const Scalar t19 = t12 * t12;
+  const Scalar t20 = t18 - t19;
+  const Scalar t21 = t4 + t20;
+  const Scalar t22 = k[2] * c6 + k[3] * s6;
+  const Scalar t23 = qd[5] - t13;
+  const Scalar t24 = t23 * t23;
+  const Scalar t25 = t24 + t19;
+  const Scalar t26 = qd[3] * t9;
+  const Scalar t27 = t26 + t26;
+  const Scalar t28 = s5 * t27 + t9 * t11;
+  const Scalar t29 = k[2] * s6 - k[3] * c6;
+  const Scalar t30 = (k[0] * t16 - k[1] * t21) - (t22 * (t25 + t20) + t28 * t29);
+  const Scalar t31 = t18 + t19;
+  const Scalar t32 = t14 - t15;
+  const Scalar t33 = t12 * t23;
+  const Scalar t34 = (t16 + t33) + t33;
+  const Scalar t35 = t17 * t13;
+  const Scalar t36 = c5 * t27 - s5 * t10;
+  const Scalar t37 = t35 + (t35 + t36);
+  const Scalar t38 = t37 + Scalar(2) * t17 * t23;
+  const Scalar t39 = (k[0] * t31 - k[1] * t32) + (t22 * t34 - t38 * t29);
+  const Scalar t40 = (k[4] * (t4 - t8) - k[5] * t10) - (c5 * t30 - s5 * t39);
+  const Scalar t41 = t12 * t17;
+  const Scalar t42 = t41 - (t28 - t41);
+  const Scalar t43 = (k[0] * t37 + k[1] * t42) + (t22 * t42 + t25 * t29);
+  const Scalar t44 = (k[5] * t4 - k[4] * t10) - t43;
+  const Scalar t45 = s4 * t40 - c4 * t44;
+  const Scalar t46 = (k[28] * t26 + k[27] * t15) + (s5 * t30 + c5 * t39);
+  const Scalar t47 = s3 * (t45 - k[25] * t5) + c3 * (k[26] * t5 - t46);
+  const Scalar t48 = qd[0] * qd[0];
+  const Scalar t49 = c3 * t48;
+  const Scalar t50 = s3 * t48;
+  const Scalar t51 = t50 + k[6] * t5;
+  const Scalar t52 = (k[22] * t27 - k[23] * t15) + k[19] * t6;
+  const Scalar t53 = k[14] * s6 - k[15] * c6;
+  const Scalar t54 = k[16] - s6 * t53;
+  const Scalar t55 = c6 * t53;
+  const Scalar t56 = k[24] + t55;
+  const Scalar t57 = k[13] * s6 - k[12] * c6;
+  const Scalar t58 = (t34 * t54 - t56 * t38) + (t25 - t31) * t57;
+  const Scalar t59 = k[12] * s6 + k[13] * c6;
   const Scalar t60 = s4 * t49;
-  const Scalar t61 = s5 * t47 - c5 * t60;
-  const Scalar t62 = ((t52 * t24 + t15 * t53) - t59) - (t50 * t19 - t20 * t61);
-  const Scalar t63 = (k[0] * t50 - t51) - t62;
-  const Scalar t64 = t31 - t9;
-  const Scalar t65 = k[12] * t64 + (k[9] * t24 + k[10] * t37);
-  const Scalar t66 = c5 * t47 + s5 * t60;
-  const Scalar t67 = t34 - t9;
-  const Scalar t68 = t53 * (t67 - t27) + (t25 * t57 - t18 * t55);
-  const Scalar t69 = (k[1] * t50 - (k[11] * t14 + t65)) + (t20 * t66 - (t68 + t52 * t37));
-  const Scalar t70 = (k[5] * t47 + (k[20] * t39 - t48)) - (s5 * t63 - c5 * t69);
-  const Scalar t71 = (k[21] * t13 + k[22] * t22) + (k[19] * t39 - k[20] * (t41 - t1));
-  const Scalar t72 = (k[9] * t15 + k[8] * t14) - k[10] * (t27 + t64);
-  const Scalar t73 = (k[1] * t61 + k[0] * t66) - ((k[11] * t23 - k[12] * t32) - t72);
-  const Scalar t74 = (t32 * t53 - t67 * t52) + (t18 * t58 + t55 * t25);
-  const Scalar t75 = t73 + (t74 + t66 * t19);
-  const Scalar t76 = c4 * t70 - s4 * ((t71 + k[4] * t47) + t75);
-  const Scalar t77 = (t76 - k[6] * t43) + (k[26] * t49 + k[27] * t46);
-  const Scalar t78 = (k[5] * t60 + k[4] * t50) + (k[22] * (t41 - t31) + k[29] * t39);
+  const Scalar t61 = c5 * t51 + s5 * t60;
+  const Scalar t62 = c4 * t49;
+  const Scalar t63 = t21 - t31;
+  const Scalar t64 = k[11] * (t20 - t63) + (k[8] * t37 + k[9] * t42);
+  const Scalar t65 = ((t58 + t42 * t59) - t61 * t29) + (k[0] * t62 + (t64 - k[10] * t32));
+  const Scalar t66 = (k[9] * t37 - k[7] * t42) - (k[11] * t16 - k[10] * t20);
+  const Scalar t67 = c5 * t60 - s5 * t51;
+  const Scalar t68 = k[17] + t55;
+  const Scalar t69 = t54 * t20 + (t28 * t56 + t68 * t42);
+  const Scalar t70 = (t67 * t29 - t22 * t62) - ((t16 * t57 + t37 * t59) + t69);
+  const Scalar t71 = (k[1] * t62 + t66) - t70;
+  const Scalar t72 = (k[5] * t51 - (k[18] * t10 + t52)) + (c5 * t65 - s5 * t71);
+  const Scalar t73 = k[9] * t63 - (k[7] * t32 + k[8] * t16);
+  const Scalar t74 = (t73 - (k[11] * t28 + k[10] * t36)) - (k[1] * t61 - k[0] * t67);
+  const Scalar t75 = (t54 * t38 + t34 * t68) - ((t24 - t19) * t59 + t28 * t57);
+  const Scalar t76 = t74 - (t75 + t22 * t61);
+  const Scalar t77 = (k[19] * t10 - k[18] * t7) + (k[21] * t27 + k[20] * t15);
+  const Scalar t78 = c4 * t72 + s4 * (t76 - (k[4] * t51 + t77));
+  const Scalar t79 = (k[26] * t49 - k[25] * t50) - (t78 + k[6] * t45);
+  const Scalar t80 = (k[4] * t62 + k[5] * t60) + (k[30] * t10 - k[21] * t8);
   JointVector<Scalar> result;
-  result[0] = t77 - k[7] * t44;
-  result[1] = -s4 * t40 - c4 * t42;
-  result[2] = t77;
-  result[3] = (c5 * t63 + s5 * t69) + t78;
-  result[4] = -t75;
-  result[5] = -t62;
+  result[0] = t47 - t79;
+  result[1] = -k[29] * (c4 * t40 + s4 * t44);
+  result[2] = -t79;
+  result[3] = t80 + (s5 * t65 + c5 * t71);
+  result[4] = t76;
+  result[5] = -t70;
   return result;
 }
 
@@ -478,75 +497,81 @@ MassMatrixConstants<Scalar> mass_matrix_constants(const BasicGeometry<Scalar>& g
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6z * inertia.m6;
-  const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = inertia.c5z * inertia.m5;
-  const Scalar t3 = inertia.c6y * inertia.m6;
-  const Scalar t4 = inertia.c5y * inertia.m5;
-  const Scalar t5 = inertia.c4y * inertia.m4;
-  const Scalar t6 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t7 = t5 - g.d4 * t6;
-  const Scalar t8 = inertia.c3y * inertia.m3;
-  const Scalar t9 = g.d4 * inertia.m3 - t8;
-  const Scalar t10 = inertia.c4x * inertia.m4;
-  const Scalar t11 = inertia.c5x * inertia.m5;
-  const Scalar t12 = inertia.c4z * inertia.m4;
-  const Scalar t13 = inertia.c3x * inertia.m3;
-  const Scalar t14 = g.l1 * g.l1 * (inertia.m2 + (inertia.m3 + t6));
-  const Scalar t15 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t16 = (inertia.I6xx - t15) - inertia.c6x * t1;
-  const Scalar t17 = inertia.c6z * t0 - (inertia.I6zz - t15);
-  const Scalar t18 = inertia.I6xz - inertia.c6z * t1;
-  const Scalar t19 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t20 = ((inertia.I6yy - t15) - inertia.c6y * t3) - (inertia.c5y * t4 - (inertia.I5yy - t19));
-  const Scalar t21 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t22 = (inertia.c5x * t11 - (inertia.I5xx - t19)) - ((inertia.I4xx - t21) - inertia.c4x * t10);
-  const Scalar t23 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t24 = ((inertia.I4yy - t21) - inertia.c4y * t5) + g.d4 * (t5 + t7);
-  const Scalar t25 = ((inertia.I3yy - t23) - inertia.c3y * t8) - g.d4 * (t9 - t8);
-  const Scalar t26 = inertia.c2x * inertia.m2;
-  const Scalar t27 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t28 = Scalar(2) * g.l1 * t26 + (inertia.c2x * t26 - (inertia.I2xx - t27));
-  const Scalar t29 = inertia.c1x * inertia.m1;
-  const Scalar t30 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t31 = g.l1 * (t29 + (g.l1 * inertia.m1 + t29)) + (inertia.c1x * t29 - (inertia.I1xx - t30));
-  const Scalar t32 = (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t30))
-      - ((inertia.I2yy - t27) - inertia.c2y * inertia.c2y * inertia.m2);
-  const Scalar t33 = Scalar(1) / g.l1;
-  return { g.l1 * t0,
-           g.l1 * t1,
-           g.l1 * t2,
-           g.l1 * (t3 + t4),
-           g.l1 * (t7 - t9),
-           g.l1 * (t10 + t11),
-           g.l1 * t12,
-           g.l1 * t13,
-           t14,
-           t16 + t17,
-           Scalar(2) * t18,
-           t16,
-           inertia.c5z * t2 - (inertia.I5zz - t19),
-           inertia.I6yz - inertia.c6z * t3,
-           inertia.I6xy - inertia.c6y * t1,
-           inertia.I5yz - inertia.c5z * t4,
-           t20,
-           (inertia.I4zz - t21) - inertia.c4z * t12,
-           t16 - t17,
-           t22,
-           t18,
-           inertia.I5xz - inertia.c5z * t11,
-           inertia.I5xy - inertia.c5y * t11,
-           inertia.I4xz - inertia.c4z * t10,
-           inertia.c3x * t13 - (inertia.I3xx - t23),
+  const Scalar t0 = inertia.c6x * inertia.m6;
+  const Scalar t1 = inertia.c6y * inertia.m6;
+  const Scalar t2 = inertia.c5y * inertia.m5;
+  const Scalar t3 = inertia.I6xz - inertia.c6z * t0;
+  const Scalar t4 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t5 = (inertia.I6xx - t4) - inertia.c6x * t0;
+  const Scalar t6 = inertia.c6z * inertia.m6;
+  const Scalar t7 = inertia.c6z * t6 - (inertia.I6zz - t4);
+  const Scalar t8 = inertia.c5z * inertia.m5;
+  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t10 = ((inertia.I6yy - t4) - inertia.c6y * t1) - (inertia.c5y * t2 - (inertia.I5yy - t9));
+  const Scalar t11 = inertia.c4y * inertia.m4;
+  const Scalar t12 = g.d4 * inertia.m4;
+  const Scalar t13 = t11 - t12;
+  const Scalar t14 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t15 = g.d4 * (t11 + t13) + ((inertia.I4yy - t14) - inertia.c4y * t11);
+  const Scalar t16 = t13 + t12;
+  const Scalar t17 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t18 = t16 - g.d4 * t17;
+  const Scalar t19 = (t15 - g.d4 * (t16 + t13)) + g.d4 * (t16 + t18);
+  const Scalar t20 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t21 = inertia.c3y * inertia.m3;
+  const Scalar t22 = g.d4 * inertia.m3 - t21;
+  const Scalar t23 = ((inertia.I3yy - t20) - inertia.c3y * t21) - g.d4 * (t22 - t21);
+  const Scalar t24 = inertia.c4z * inertia.m4;
+  const Scalar t25 = inertia.c5x * inertia.m5;
+  const Scalar t26 = inertia.c4x * inertia.m4;
+  const Scalar t27 = (inertia.c5x * t25 - (inertia.I5xx - t9)) - ((inertia.I4xx - t14) - inertia.c4x * t26);
+  const Scalar t28 = inertia.c3x * inertia.m3;
+  const Scalar t29 = g.d4 * t26;
+  const Scalar t30 = g.d4 * t24;
+  const Scalar t31 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t32 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t33 = (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t31))
+      - ((inertia.I2yy - t32) - inertia.c2y * inertia.c2y * inertia.m2);
+  const Scalar t34 = inertia.m3 + t17;
+  const Scalar t35 = inertia.c2x * inertia.m2;
+  const Scalar t36 = (inertia.c2x * t35 - (inertia.I2xx - t32)) + g.l1 * (t35 + (g.l1 * inertia.m2 + t35));
+  const Scalar t37 = inertia.c1x * inertia.m1;
+  const Scalar t38 = g.l1 * (t37 + (g.l1 * inertia.m1 + t37)) + (inertia.c1x * t37 - (inertia.I1xx - t31));
+  const Scalar t39 = Scalar(1) / g.l1;
+  const Scalar t40 = t39 * g.l1 * g.l1 * (inertia.m2 + t34) * t39;
+  return { inertia.I6xy - inertia.c6y * t0,
+           inertia.I6yz - inertia.c6z * t1,
+           inertia.I5yz - inertia.c5z * t2,
+           Scalar(2) * t3,
+           t5 + t7,
+           t5,
+           inertia.c5z * t8 - (inertia.I5zz - t9),
+           t10,
+           g.l1 * (t1 + t2),
+           g.l1 * t6,
+           g.l1 * t0,
+           g.l1 * t8,
            g.d4 / g.l1,
-           t24 + t25,
-           inertia.I4xy - inertia.c4y * t10,
-           inertia.I4yz - inertia.c4z * t5,
-           (inertia.I3xy - inertia.c3y * t13) + g.d4 * t13,
-           t28 + t31,
-           t32,
+           t19 + t23,
+           (inertia.I4zz - t14) - inertia.c4z * t24,
+           t5 - t7,
+           t27,
+           t3,
+           inertia.I5xz - inertia.c5z * t25,
+           inertia.I5xy - inertia.c5y * t25,
+           inertia.I4xz - inertia.c4z * t26,
+           inertia.c3x * t28 - (inertia.I3xx - t20),
+           (t29 + (inertia.I4xy - inertia.c4y * t26)) - t29,
+           t30 - (t30 + (inertia.I4yz - inertia.c4z * t11)),
+           g.l1 * (t26 + t25),
+           g.l1 * t24,
+           (inertia.I3xy - inertia.c3y * t28) + g.d4 * t28,
            t33,
-           t33 * t14 * t33 };
+           g.l1 * (t22 - t18),
+           g.l1 * t28,
+           (g.l1 * g.l1 * t34 + t36) + t38,
+           t39,
+           t40 };
 }
 
 namespace detail {
@@ -562,73 +587,74 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointV
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[0] * c6 + k[1] * s6;
-  const Scalar t1 = k[2] + t0;
-  const Scalar t2 = s5 * t1 - k[3] * c5;
-  const Scalar t3 = c5 * t1 + k[3] * s5;
-  const Scalar t4 = k[6] + t3;
-  const Scalar t5 = k[0] * s6 - k[1] * c6;
-  const Scalar t6 = k[5] - t5;
-  const Scalar t7 = s4 * t4 - c4 * t6;
-  const Scalar t8 = s3 * (k[4] - t2) - c3 * (k[7] - t7);
-  const Scalar t9 = k[9] * c6 - k[10] * s6;
-  const Scalar t10 = k[11] - c6 * t9;
-  const Scalar t11 = k[12] - t10;
-  const Scalar t12 = k[14] * s6 + k[13] * c6;
-  const Scalar t13 = k[15] + t12;
-  const Scalar t14 = Scalar(2) * c5 * t13 + s5 * (k[16] + t11);
-  const Scalar t15 = t11 - s5 * t14;
-  const Scalar t16 = k[17] - t15;
-  const Scalar t17 = k[14] * c6 - k[13] * s6;
-  const Scalar t18 = k[22] + t17;
-  const Scalar t19 = k[21] + (k[20] + s6 * t9);
-  const Scalar t20 = s5 * t18 + c5 * t19;
-  const Scalar t21 = k[19] - (k[18] - t10);
-  const Scalar t22 = Scalar(2) * s4 * (k[23] + t20) + c4 * (t16 + t21);
-  const Scalar t23 = k[24] - (t16 - c4 * t22);
-  const Scalar t24 = s5 * t19 - c5 * t18;
-  const Scalar t25 = (k[27] - t24) + k[25] * t6;
-  const Scalar t26 = (k[28] - (t13 - c5 * t14)) + k[25] * t4;
-  const Scalar t27 = c3 * (k[29] + (c4 * t25 - s4 * t26));
-  const Scalar t28 = k[25] * t2;
-  const Scalar t29 = k[16] - t11;
-  const Scalar t30 = k[26] - ((t28 + t28) - (t29 + t15));
-  const Scalar t31 = s3 * (Scalar(2) * t27 - s3 * (t23 + t30));
-  const Scalar t32 = t23 + t31;
-  const Scalar t33 = t30 + t31;
-  const Scalar t34 = (k[30] + (((k[8] - t8) - t8) + t32)) + (k[31] - t33);
-  const Scalar t35 = t33 - t32;
-  const Scalar t36 = s4 * t25 + c4 * t26;
-  const Scalar t37 = s3 * (s4 * t6 + c4 * t4) + t36;
-  const Scalar t38 = s4 * (t28 - t29) + c4 * t20;
-  const Scalar t39 = (c3 * t3 - s3 * s4 * t2) - t38;
-  const Scalar t40 = c5 * t5;
-  const Scalar t41 = s4 * t40 - c4 * t0;
-  const Scalar t42 = s4 * t17 + c4 * (c5 * t12 - k[18] * s5);
-  const Scalar t43 = k[25] * t41 - t42;
-  const Scalar t44 = t43 + (s3 * t41 + c3 * s5 * t5);
+  const Scalar t0 = k[9] * c6 + k[10] * s6;
+  const Scalar t1 = k[11] + t0;
+  const Scalar t2 = c5 * t1 + k[8] * s5;
+  const Scalar t3 = k[25] + t2;
+  const Scalar t4 = k[10] * c6 - k[9] * s6;
+  const Scalar t5 = k[24] + t4;
+  const Scalar t6 = s4 * t3 - c4 * t5;
+  const Scalar t7 = s5 * t1 - k[8] * c5;
+  const Scalar t8 = c3 * (k[29] - t6) + s3 * (k[28] + t7);
+  const Scalar t9 = k[4] * c6 - k[3] * s6;
+  const Scalar t10 = k[18] + (k[17] + s6 * t9);
+  const Scalar t11 = k[0] * c6 - k[1] * s6;
+  const Scalar t12 = k[19] + t11;
+  const Scalar t13 = s5 * t10 - c5 * t12;
+  const Scalar t14 = k[22] - t13;
+  const Scalar t15 = k[5] - c6 * t9;
+  const Scalar t16 = k[6] - t15;
+  const Scalar t17 = k[0] * s6 + k[1] * c6;
+  const Scalar t18 = k[2] + t17;
+  const Scalar t19 = s5 * (k[7] + t16) + Scalar(2) * c5 * t18;
+  const Scalar t20 = k[23] - (c5 * t19 - t18);
+  const Scalar t21 = (c4 * t14 + s4 * t20) - k[12] * t6;
+  const Scalar t22 = c3 * (k[26] + t21);
+  const Scalar t23 = k[7] - s5 * t19;
+  const Scalar t24 = k[12] * t7;
+  const Scalar t25 = k[13] + (t23 - (t24 + t24));
+  const Scalar t26 = k[7] - t16;
+  const Scalar t27 = k[14] - (t23 - t26);
+  const Scalar t28 = k[16] - (k[15] - t15);
+  const Scalar t29 = c5 * t10 + s5 * t12;
+  const Scalar t30 = s4 * (k[20] + t29);
+  const Scalar t31 = c4 * (c4 * (t27 + t28) + (t30 + t30));
+  const Scalar t32 = k[21] - (t27 - t31);
+  const Scalar t33 = s3 * ((t22 + t22) - s3 * (t25 + t32));
+  const Scalar t34 = t33 + t32;
+  const Scalar t35 = t25 - t32;
+  const Scalar t36 = (k[30] + (Scalar(2) * t8 + t34)) + (k[27] - (t35 + t34));
+  const Scalar t37 = s4 * t5 + c4 * t3;
+  const Scalar t38 = (s4 * t14 - c4 * t20) + k[12] * t37;
+  const Scalar t39 = c4 * t29 + s4 * (t24 - t26);
+  const Scalar t40 = t39 + (s3 * s4 * t7 - c3 * t2);
+  const Scalar t41 = s4 * t11 - c4 * (k[15] * s5 - c5 * t17);
+  const Scalar t42 = c5 * t4;
+  const Scalar t43 = s4 * t42 + c4 * t0;
+  const Scalar t44 = t41 + k[12] * t43;
+  const Scalar t45 = t44 + (c3 * s5 * t4 + s3 * t43);
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = t34;
+  result(0, 0) = t36;
   result(0, 1) = result(1, 0) = Scalar(0);
-  result(0, 2) = result(2, 0) = -t8 - t35;
-  result(0, 3) = result(3, 0) = -t37;
-  result(0, 4) = result(4, 0) = -t39;
-  result(0, 5) = result(5, 0) = t44;
-  result(1, 1) = k[33];
+  result(0, 2) = result(2, 0) = t8 - t35;
+  result(0, 3) = result(3, 0) = -t38 - s3 * t37;
+  result(0, 4) = result(4, 0) = t40;
+  result(0, 5) = result(5, 0) = -t45;
+  result(1, 1) = k[32];
   result(1, 2) = result(2, 1) = Scalar(0);
-  result(1, 3) = result(3, 1) = -k[32] * t7;
-  result(1, 4) = result(4, 1) = -k[32] * c4 * t2;
-  result(1, 5) = result(5, 1) = -k[32] * (c4 * t40 + s4 * t0);
+  result(1, 3) = result(3, 1) = -k[31] * t6;
+  result(1, 4) = result(4, 1) = -k[31] * c4 * t7;
+  result(1, 5) = result(5, 1) = -k[31] * (s4 * t0 - c4 * t42);
   result(2, 2) = -t35;
-  result(2, 3) = result(3, 2) = -t36;
-  result(2, 4) = result(4, 2) = t38;
-  result(2, 5) = result(5, 2) = t43;
-  result(3, 3) = t21 - t16;
-  result(3, 4) = result(4, 3) = t24;
-  result(3, 5) = result(5, 3) = -s5 * t12 - k[18] * c5;
-  result(4, 4) = -t29;
-  result(4, 5) = result(5, 4) = -t17;
-  result(5, 5) = -k[18];
+  result(2, 3) = result(3, 2) = -t38;
+  result(2, 4) = result(4, 2) = t39;
+  result(2, 5) = result(5, 2) = -t44;
+  result(3, 3) = t28 - t27;
+  result(3, 4) = result(4, 3) = t13;
+  result(3, 5) = result(5, 3) = -s5 * t17 - k[15] * c5;
+  result(4, 4) = -t26;
+  result(4, 5) = result(5, 4) = -t11;
+  result(5, 5) = -k[15];
   return result;
 }
 
@@ -657,48 +683,51 @@ CoriolisMatrixConstants<Scalar> coriolis_matrix_constants(const BasicGeometry<Sc
   const Scalar t2 = inertia.c6y * inertia.m6;
   const Scalar t3 = inertia.c5y * inertia.m5;
   const Scalar t4 = inertia.c5z * inertia.m5;
-  const Scalar t5 = inertia.c4x * inertia.m4;
-  const Scalar t6 = inertia.c5x * inertia.m5;
-  const Scalar t7 = inertia.c4z * inertia.m4;
-  const Scalar t8 = inertia.c4y * inertia.m4;
-  const Scalar t9 = (t8 - g.d4 * (inertia.m4 + (inertia.m5 + inertia.m6)))
-      - (g.d4 * inertia.m3 - inertia.c3y * inertia.m3);
-  const Scalar t10 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t11 = (inertia.I6xx - t10) - inertia.c6x * t1;
-  const Scalar t12 = inertia.c6z * t0 - (inertia.I6zz - t10);
-  const Scalar t13 = inertia.I6xz - inertia.c6z * t1;
-  const Scalar t14 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t15 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t16 = (inertia.c5x * t6 - (inertia.I5xx - t14)) - ((inertia.I4xx - t15) - inertia.c4x * t5);
-  const Scalar t17 = ((inertia.I6yy - t10) - inertia.c6y * t2) - (inertia.c5y * t3 - (inertia.I5yy - t14));
+  const Scalar t5 = inertia.I6xz - inertia.c6z * t1;
+  const Scalar t6 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t7 = (inertia.I6xx - t6) - inertia.c6x * t1;
+  const Scalar t8 = inertia.c6z * t0 - (inertia.I6zz - t6);
+  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t10 = ((inertia.I6yy - t6) - inertia.c6y * t2) - (inertia.c5y * t3 - (inertia.I5yy - t9));
+  const Scalar t11 = inertia.c5x * inertia.m5;
+  const Scalar t12 = inertia.c4x * inertia.m4;
+  const Scalar t13 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t14 = inertia.c4z * inertia.m4;
+  const Scalar t15 = (inertia.c5x * t11 - (inertia.I5xx - t9)) - ((inertia.I4xx - t13) - inertia.c4x * t12);
+  const Scalar t16 = inertia.c4y * inertia.m4;
+  const Scalar t17 = g.d4 * inertia.m4;
+  const Scalar t18 = ((t16 - t17) + t17) - g.d4 * (inertia.m4 + (inertia.m5 + inertia.m6));
+  const Scalar t19 = g.l1 * ((g.d4 * inertia.m3 - inertia.c3y * inertia.m3) - t18);
+  const Scalar t20 = g.d4 * t12;
+  const Scalar t21 = g.d4 * t14;
   return { g.l1 * t0,
            g.l1 * t1,
            g.l1 * (t2 + t3),
            g.l1 * t4,
-           g.l1 * (t5 + t6),
-           g.l1 * t7,
-           g.l1 * inertia.c3x * inertia.m3,
-           g.l1 * t9,
-           t11 + t12,
-           Scalar(2) * t13,
-           t11,
-           t11 - t12,
-           t16,
-           t13,
-           inertia.I5xz - inertia.c5z * t6,
+           g.d4 / g.l1,
            inertia.I6xy - inertia.c6y * t1,
            inertia.I6yz - inertia.c6z * t2,
-           inertia.I5xy - inertia.c5y * t6,
-           inertia.I4xz - inertia.c4z * t5,
-           inertia.c5z * t4 - (inertia.I5zz - t14),
-           t17,
            inertia.I5yz - inertia.c5z * t3,
-           (inertia.I4zz - t15) - inertia.c4z * t7,
-           g.d4 / g.l1,
-           inertia.I4yz - inertia.c4z * t8,
-           inertia.I4xy - inertia.c4y * t5,
-           t12,
-           Scalar(1) / g.l1 };
+           Scalar(2) * t5,
+           t7 + t8,
+           t5,
+           t7,
+           inertia.c5z * t4 - (inertia.I5zz - t9),
+           t10,
+           inertia.I5xz - inertia.c5z * t11,
+           inertia.I5xy - inertia.c5y * t11,
+           inertia.I4xz - inertia.c4z * t12,
+           (inertia.I4zz - t13) - inertia.c4z * t14,
+           t8,
+           t15,
+           g.l1 * (t12 + t11),
+           g.l1 * t14,
+           t19,
+           g.l1 * inertia.c3x * inertia.m3,
+           (t20 + (inertia.I4xy - inertia.c4y * t12)) - t20,
+           t21 - (t21 + (inertia.I4yz - inertia.c4z * t16)),
+           Scalar(1) / g.l1,
+           t7 - t8 };
 }
 
 namespace detail {
@@ -716,166 +745,165 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const Jo
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
   const Scalar t0 = k[0] * s6 - k[1] * c6;
-  const Scalar t1 = k[4] - t0;
+  const Scalar t1 = k[20] - t0;
   const Scalar t2 = k[0] * c6 + k[1] * s6;
   const Scalar t3 = k[3] + t2;
   const Scalar t4 = c5 * t3;
   const Scalar t5 = t4 + k[2] * s5;
-  const Scalar t6 = k[5] + t5;
-  const Scalar t7 = k[6] + (c4 * t1 - s4 * t6);
+  const Scalar t6 = k[21] + t5;
+  const Scalar t7 = k[23] + (c4 * t1 - s4 * t6);
   const Scalar t8 = qd[5] * t0;
   const Scalar t9 = k[2] * qd[4] - t8;
   const Scalar t10 = s5 * t9 + qd[4] * t4;
-  const Scalar t11 = qd[5] * t2;
-  const Scalar t12 = qd[3] * t6 + t11;
-  const Scalar t13 = s5 * t3;
-  const Scalar t14 = c5 * t9 - qd[4] * t13;
-  const Scalar t15 = t14 + qd[3] * t1;
-  const Scalar t16 = c4 * t12 + s4 * t15;
-  const Scalar t17 = k[2] * c5 - t13;
-  const Scalar t18 = k[7] + t17;
-  const Scalar t19 = s3 * (qd[2] * t7 - t10) + c3 * (t16 + qd[2] * t18);
-  const Scalar t20 = k[8] * c6 - k[9] * s6;
-  const Scalar t21 = k[10] - c6 * t20;
-  const Scalar t22 = k[19] - t21;
-  const Scalar t23 = k[16] * c6 + k[15] * s6;
-  const Scalar t24 = k[21] + t23;
-  const Scalar t25 = c5 * t24;
-  const Scalar t26 = s5 * (k[20] + t22) + (t25 + t25);
-  const Scalar t27 = k[22] - (t22 - s5 * t26);
-  const Scalar t28 = qd[5] * t21;
-  const Scalar t29 = qd[5] * t23;
-  const Scalar t30 = c5 * t28 + s5 * t29;
-  const Scalar t31 = k[16] * s6 - k[15] * c6;
-  const Scalar t32 = k[17] - t31;
-  const Scalar t33 = k[13] + s6 * t20;
-  const Scalar t34 = k[14] + t33;
-  const Scalar t35 = c5 * t34;
-  const Scalar t36 = s5 * t32 + t35;
-  const Scalar t37 = k[18] + t36;
-  const Scalar t38 = qd[3] * t37;
-  const Scalar t39 = qd[4] * t24;
-  const Scalar t40 = qd[5] * t33;
-  const Scalar t41 = qd[4] * t22;
-  const Scalar t42 = c5 * (t39 + t40) + s5 * t41;
-  const Scalar t43 = qd[5] * t31;
-  const Scalar t44 = k[20] * qd[4] - t43;
-  const Scalar t45 = s5 * t39 - c5 * t44;
-  const Scalar t46 = c5 * t42 - s5 * t45;
-  const Scalar t47 = c4 * (qd[3] * t27 + t30) + s4 * (t38 + t46);
-  const Scalar t48 = s5 * t34;
-  const Scalar t49 = k[11] - t21;
+  const Scalar t11 = s5 * t3;
+  const Scalar t12 = c5 * t9 - qd[4] * t11;
+  const Scalar t13 = qd[3] * t1 + t12;
+  const Scalar t14 = qd[5] * t2;
+  const Scalar t15 = t14 + qd[3] * t6;
+  const Scalar t16 = s4 * t13 + c4 * t15;
+  const Scalar t17 = k[2] * c5 - t11;
+  const Scalar t18 = k[22] - t17;
+  const Scalar t19 = s3 * (qd[2] * t7 - t10) + c3 * (t16 - qd[2] * t18);
+  const Scalar t20 = k[9] * c6 - k[8] * s6;
+  const Scalar t21 = c6 * t20;
+  const Scalar t22 = k[11] - t21;
+  const Scalar t23 = k[12] - t22;
+  const Scalar t24 = qd[4] * t23;
+  const Scalar t25 = k[6] * c6 + k[5] * s6;
+  const Scalar t26 = k[7] + t25;
+  const Scalar t27 = k[10] + s6 * t20;
+  const Scalar t28 = qd[5] * t27;
+  const Scalar t29 = c5 * t24 - s5 * (qd[4] * t26 + t28);
+  const Scalar t30 = k[6] * s6 - k[5] * c6;
+  const Scalar t31 = qd[5] * t30;
+  const Scalar t32 = t31 - k[13] * qd[4];
+  const Scalar t33 = c5 * t26;
+  const Scalar t34 = s5 * t32 - qd[4] * t33;
+  const Scalar t35 = s5 * t29 - c5 * t34;
+  const Scalar t36 = qd[5] * t22;
+  const Scalar t37 = qd[5] * t25;
+  const Scalar t38 = c5 * t36 + s5 * t37;
+  const Scalar t39 = Scalar(2) * t33 + s5 * (k[13] + t23);
+  const Scalar t40 = k[17] - (t23 - s5 * t39);
+  const Scalar t41 = k[15] - t30;
+  const Scalar t42 = k[14] + t27;
+  const Scalar t43 = c5 * t42;
+  const Scalar t44 = s5 * t41 + t43;
+  const Scalar t45 = k[16] + t44;
+  const Scalar t46 = qd[3] * t45 + t28;
+  const Scalar t47 = c4 * (t38 + qd[3] * t40) + s4 * (t46 + t35);
+  const Scalar t48 = s5 * t42;
+  const Scalar t49 = k[18] - t21;
   const Scalar t50 = qd[5] * t49;
-  const Scalar t51 = t50 + qd[4] * t32;
-  const Scalar t52 = qd[4] * t48 - c5 * t51;
-  const Scalar t53 = k[12] - t49;
-  const Scalar t54 = s4 * (t52 + qd[3] * t53) - c4 * (t40 + t38);
-  const Scalar t55 = t40 - t46;
-  const Scalar t56 = (s4 * t47 + c4 * t54) + (t55 - k[23] * t10);
-  const Scalar t57 = t19 + t56;
-  const Scalar t58 = qd[0] + qd[2];
-  const Scalar t59 = s3 * (t7 * t58 - t10) + c3 * (t18 * t58 + t16);
-  const Scalar t60 = s4 * t12 - c4 * t15;
+  const Scalar t51 = t50 - qd[4] * t41;
+  const Scalar t52 = qd[4] * t48 + c5 * t51;
+  const Scalar t53 = k[19] + t49;
+  const Scalar t54 = c4 * t46 - s4 * (t52 + qd[3] * t53);
+  const Scalar t55 = (k[4] * t10 + t35) - (s4 * t47 - c4 * t54);
+  const Scalar t56 = t19 - t55;
+  const Scalar t57 = qd[0] + qd[2];
+  const Scalar t58 = s3 * (t7 * t57 - t10) + c3 * (t16 - t18 * t57);
+  const Scalar t59 = c3 * (c4 * t6 + s4 * t1);
+  const Scalar t60 = s4 * t15 - c4 * t13;
   const Scalar t61 = s3 * t60;
-  const Scalar t62 = c3 * (c4 * t6 + s4 * t1);
-  const Scalar t63 = s4 * t58;
-  const Scalar t64 = c4 * t58;
-  const Scalar t65 = s5 * t51 + qd[4] * t35;
-  const Scalar t66 = c5 * t23;
-  const Scalar t67 = t65 + (qd[5] * t66 - s5 * t28);
-  const Scalar t68 = qd[3] * (k[24] - (t24 - c5 * t26)) + t67;
-  const Scalar t69 = (t63 * t37 + t27 * t64) - (t68 - t65);
-  const Scalar t70 = c5 * t45;
-  const Scalar t71 = s5 * t42;
-  const Scalar t72 = (t70 + t71) - qd[3] * (k[25] - (t48 - c5 * t32));
-  const Scalar t73 = c4 * (t72 + (t37 * t64 - t63 * t53));
-  const Scalar t74 = s4 * t69 - t73;
-  const Scalar t75 = t74 - k[23] * t60;
-  const Scalar t76 = (t61 - t62 * t58) - t75;
-  const Scalar t77 = qd[3] * s5 + c5 * t64;
-  const Scalar t78 = s5 * t64 - qd[3] * c5;
-  const Scalar t79 = qd[4] + t63;
-  const Scalar t80 = (t22 * t77 - t24 * t78) - t79 * t34;
-  const Scalar t81 = (t77 * t24 + k[20] * t78) + (t50 + t79 * t32);
-  const Scalar t82 = s4 * t40 - c4 * (s5 * t80 + c5 * t81);
-  const Scalar t83 = t77 * t3 + k[2] * t78;
-  const Scalar t84 = k[2] * t79 - t8;
-  const Scalar t85 = s5 * t84 + t79 * t4;
-  const Scalar t86 = c4 * t83 + s4 * t85;
-  const Scalar t87 = t82 - k[23] * t86;
-  const Scalar t88 = c3 * (c5 * t84 - t79 * t13) - s3 * t86;
-  const Scalar t89 = t87 + t88;
-  const Scalar t90 = c6 * t79 + s6 * t77;
-  const Scalar t91 = s6 * t79 - c6 * t77;
-  const Scalar t92 = k[1] * t90 - k[0] * t91;
-  const Scalar t93 = qd[5] - t78;
-  const Scalar t94 = t2 * t93;
-  const Scalar t95 = s4 * (s5 * t92 + c5 * t94) + c4 * t0 * t93;
-  const Scalar t96 = c3 * (c5 * t92 - s5 * t94) - s3 * t95;
-  const Scalar t97 = k[16] * t93 - (k[13] * t90 + k[26] * t91);
-  const Scalar t98 = k[15] * t93 + (k[13] * t91 - k[10] * t90);
-  const Scalar t99 = s6 * t97 - c6 * t98;
-  const Scalar t100 = s6 * t98 + c6 * t97;
-  const Scalar t101 = (c4 * c5 * t99 + s4 * t100) + k[23] * t95;
-  const Scalar t102 = t96 - t101;
-  const Scalar t103 = c5 * t0;
-  const Scalar t104 = qd[3] * t103 + t8;
-  const Scalar t105 = s5 * t0;
-  const Scalar t106 = (c5 * t11 - qd[4] * t105) + qd[3] * t2;
-  const Scalar t107 = c4 * (t72 + ((t70 + t44) - (t41 - t71)));
-  const Scalar t108 = (t107 + s4 * t68) + t74;
-  const Scalar t109 = ((t108 - t75) + (t61 - qd[2] * t62)) - t76;
-  const Scalar t110 = c5 * t80 - s5 * t81;
-  const Scalar t111 = s5 * t99;
-  const Scalar t112 = qd[3] * c4 * t17 - s4 * t10;
-  const Scalar t113 = c3 * (t14 + qd[2] * s4 * t17) + s3 * (t112 - qd[2] * t5);
-  const Scalar t114 = c4 * (qd[3] * (k[20] - t22) + (t52 + t30));
-  const Scalar t115 = s4 * ((t40 + t40) + qd[3] * t36) + t114;
-  const Scalar t116 = t115 + k[23] * t112;
-  const Scalar t117 = s4 * (t29 - qd[3] * (k[11] * s5 - t66));
-  const Scalar t118 = qd[4] * t23;
-  const Scalar t119 = k[11] * qd[4] + t43;
-  const Scalar t120 = qd[3] * t31 + (s5 * t118 + c5 * t119);
-  const Scalar t121 = s4 * t106 + c4 * t104;
-  const Scalar t122 = (t117 + c4 * t120) + k[23] * t121;
-  const Scalar t123 = (s5 * t11 + qd[4] * t103) + qd[2] * (s4 * t103 - c4 * t2);
-  const Scalar t124 = c3 * t123 + s3 * (t121 - qd[2] * t105);
+  const Scalar t62 = k[4] * t60;
+  const Scalar t63 = c5 * t29;
+  const Scalar t64 = s5 * t34;
+  const Scalar t65 = qd[3] * (k[24] - (t48 - c5 * t41)) - ((t24 - t63) + (t32 - t64));
+  const Scalar t66 = s4 * t57;
+  const Scalar t67 = c4 * t57;
+  const Scalar t68 = c4 * (t65 + (t66 * t53 - t45 * t67));
+  const Scalar t69 = qd[3] * (k[25] + (t26 - c5 * t39));
+  const Scalar t70 = c5 * t25;
+  const Scalar t71 = qd[5] * t70 - s5 * t36;
+  const Scalar t72 = (t40 * t67 + t66 * t45) + (t69 - t71);
+  const Scalar t73 = t62 - (t68 + s4 * t72);
+  const Scalar t74 = (t59 * t57 - t61) - t73;
+  const Scalar t75 = qd[4] + t66;
+  const Scalar t76 = qd[3] * s5 + c5 * t67;
+  const Scalar t77 = qd[3] * c5;
+  const Scalar t78 = s5 * t67 - t77;
+  const Scalar t79 = t75 * t42 - (t76 * t23 - t26 * t78);
+  const Scalar t80 = (k[13] * t78 + t26 * t76) + (t41 * t75 - t50);
+  const Scalar t81 = c4 * (s5 * t79 - c5 * t80) + s4 * t28;
+  const Scalar t82 = t76 * t3 + k[2] * t78;
+  const Scalar t83 = k[2] * t75 - t8;
+  const Scalar t84 = s5 * t83 + t75 * t4;
+  const Scalar t85 = c4 * t82 + s4 * t84;
+  const Scalar t86 = t81 - k[4] * t85;
+  const Scalar t87 = c3 * (c5 * t83 - t75 * t11) - s3 * t85;
+  const Scalar t88 = t86 + t87;
+  const Scalar t89 = s6 * t75 - c6 * t76;
+  const Scalar t90 = c6 * t75 + s6 * t76;
+  const Scalar t91 = qd[5] - t78;
+  const Scalar t92 = (k[18] * t89 + k[10] * t90) - k[6] * t91;
+  const Scalar t93 = (k[10] * t89 - k[11] * t90) + k[5] * t91;
+  const Scalar t94 = s6 * t92 + c6 * t93;
+  const Scalar t95 = c6 * t92 - s6 * t93;
+  const Scalar t96 = k[1] * t90 - k[0] * t89;
+  const Scalar t97 = t2 * t91;
+  const Scalar t98 = s4 * (s5 * t96 + c5 * t97) + c4 * t0 * t91;
+  const Scalar t99 = (c4 * c5 * t94 + s4 * t95) - k[4] * t98;
+  const Scalar t100 = c3 * (c5 * t96 - s5 * t97) - s3 * t98;
+  const Scalar t101 = t99 + t100;
+  const Scalar t102 = t0 * t77 + t8;
+  const Scalar t103 = s5 * t0;
+  const Scalar t104 = (c5 * t14 - qd[4] * t103) + qd[3] * t2;
+  const Scalar t105 = (s5 * t51 - qd[4] * t43) - t71;
+  const Scalar t106 = c4 * ((t63 + t64) + t65) + s4 * (t69 + t105);
+  const Scalar t107 = t62 - t106;
+  const Scalar t108 = c5 * t79 + s5 * t80;
+  const Scalar t109 = s5 * t94;
+  const Scalar t110 = c4 * qd[3] * t17 - s4 * t10;
+  const Scalar t111 = c3 * (t12 + qd[2] * s4 * t17) + s3 * (t110 - qd[2] * t5);
+  const Scalar t112 = c4 * (qd[3] * (k[13] - t23) + (t52 + t38));
+  const Scalar t113 = t112 + s4 * ((t28 + t28) + qd[3] * t44);
+  const Scalar t114 = k[4] * t110 + t113;
+  const Scalar t115 = s4 * t104 + c4 * t102;
+  const Scalar t116 = s4 * (qd[3] * (t70 - k[27] * s5) + t37);
+  const Scalar t117 = k[27] * qd[4] + t31;
+  const Scalar t118 = qd[4] * t25;
+  const Scalar t119 = qd[3] * t30 + (c5 * t117 + s5 * t118);
+  const Scalar t120 = k[4] * t115 + (t116 + c4 * t119);
+  const Scalar t121 = c5 * t0;
+  const Scalar t122 = (s5 * t14 + qd[4] * t121) + qd[2] * (s4 * t121 - c4 * t2);
+  const Scalar t123 = s3 * (qd[2] * t103 - t115) - c3 * t122;
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = -t57;
+  result(0, 0) = -t56;
   result(0, 1) = Scalar(0);
-  result(0, 2) = -t56 - t59;
-  result(0, 3) = t76;
-  result(0, 4) = -t89;
-  result(0, 5) = -t102;
+  result(0, 2) = t55 - t58;
+  result(0, 3) = -t74;
+  result(0, 4) = -t88;
+  result(0, 5) = -t101;
   result(1, 0) = Scalar(0);
   result(1, 1) = Scalar(0);
   result(1, 2) = Scalar(0);
-  result(1, 3) = -k[27] * t16;
-  result(1, 4) = k[27] * (s4 * t83 - c4 * t85);
-  result(1, 5) = k[27] * (s4 * t104 - c4 * t106);
-  result(2, 0) = t59 - t57;
+  result(1, 3) = -k[26] * t16;
+  result(1, 4) = k[26] * (s4 * t82 - c4 * t84);
+  result(1, 5) = k[26] * (s4 * t102 - c4 * t104);
+  result(2, 0) = t58 - t56;
   result(2, 1) = Scalar(0);
-  result(2, 2) = -t56;
-  result(2, 3) = -t75;
-  result(2, 4) = -t87;
-  result(2, 5) = t101;
-  result(3, 0) = t109;
+  result(2, 2) = t55;
+  result(2, 3) = t73;
+  result(2, 4) = -t86;
+  result(2, 5) = -t99;
+  result(3, 0) = t74 - ((qd[2] * t59 - t61) - t107);
   result(3, 1) = Scalar(0);
-  result(3, 2) = t108;
-  result(3, 3) = t55;
-  result(3, 4) = -t110;
-  result(3, 5) = t111;
-  result(4, 0) = t89 - (t113 + t116);
+  result(3, 2) = t107 - t73;
+  result(3, 3) = -t35;
+  result(3, 4) = t108;
+  result(3, 5) = -t109;
+  result(4, 0) = t88 - (t111 + t114);
   result(4, 1) = Scalar(0);
-  result(4, 2) = t87 - t116;
-  result(4, 3) = t67 + t110;
-  result(4, 4) = -t40;
-  result(4, 5) = t100;
-  result(5, 0) = t102 + (t122 + t124);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = t122 - t101;
-  result(5, 3) = -t111 - (c5 * t118 - s5 * t119);
-  result(5, 4) = t29 - t100;
+  result(4, 2) = t86 - t114;
+  result(4, 3) = -t105 - t108;
+  result(4, 4) = -t28;
+  result(4, 5) = -t95;
+  result(5, 0) = t101 + (t120 - t123);
+  result(5, 1) = -Scalar(0);
+  result(5, 2) = t99 + t120;
+  result(5, 3) = (s5 * t117 - c5 * t118) + t109;
+  result(5, 4) = t95 + t37;
   result(5, 5) = Scalar(0);
   return result;
 }
@@ -903,98 +931,99 @@ ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6z * inertia.m6;
+  const Scalar t0 = inertia.c6y * inertia.m6;
   const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = Scalar(1) / g.l1;
-  const Scalar t3 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t4 = (inertia.I6xx - t3) - inertia.c6x * t1;
-  const Scalar t5 = inertia.c6z * t0 - (inertia.I6zz - t3);
-  const Scalar t6 = t4 - t5;
+  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t1;
+  const Scalar t4 = inertia.c6z * inertia.m6;
+  const Scalar t5 = inertia.c6z * t4 - (inertia.I6zz - t2);
+  const Scalar t6 = t3 - t5;
   const Scalar t7 = Scalar(1) / t6;
-  const Scalar t8 = g.d4 / g.l1;
-  const Scalar t9 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t10 = inertia.c6y * inertia.m6;
-  const Scalar t11 = inertia.I6yz - inertia.c6z * t10;
-  const Scalar t12 = inertia.c5z * inertia.m5;
-  const Scalar t13 = inertia.c5y * inertia.m5;
-  const Scalar t14 = inertia.I6xz - inertia.c6z * t1;
-  const Scalar t15 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t16 = ((inertia.I6yy - t3) - inertia.c6y * t10) - (inertia.c5y * t13 - (inertia.I5yy - t15));
-  const Scalar t17 = inertia.c5x * inertia.m5;
-  const Scalar t18 = inertia.c4z * inertia.m4;
-  const Scalar t19 = g.l1 * t18;
-  const Scalar t20 = inertia.c4y * inertia.m4;
-  const Scalar t21 = inertia.c4x * inertia.m4;
-  const Scalar t22 = g.l1 * (t21 + t17);
-  const Scalar t23 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t24 = (inertia.I4zz - t23) - inertia.c4z * t18;
-  const Scalar t25 = (inertia.c5x * t17 - (inertia.I5xx - t15)) - ((inertia.I4xx - t23) - inertia.c4x * t21);
-  const Scalar t26 = inertia.I4xz - inertia.c4z * t21;
-  const Scalar t27 = inertia.c3x * inertia.m3;
-  const Scalar t28 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t29 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t30 = t20 - g.d4 * t29;
-  const Scalar t31 = ((inertia.I4yy - t23) - inertia.c4y * t20) + g.d4 * (t20 + t30);
-  const Scalar t32 = inertia.c3y * inertia.m3;
-  const Scalar t33 = g.d4 * inertia.m3 - t32;
-  const Scalar t34 = ((inertia.I3yy - t28) - inertia.c3y * t32) - g.d4 * (t33 - t32);
-  const Scalar t35 = g.l1 * g.l1 * (inertia.m2 + (inertia.m3 + t29));
-  const Scalar t36 = gravity / g.l1;
-  const Scalar t37 = inertia.c2x * inertia.m2;
-  const Scalar t38 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t39 = Scalar(2) * g.l1 * t37 + (inertia.c2x * t37 - (inertia.I2xx - t38));
-  const Scalar t40 = inertia.c1x * inertia.m1;
-  const Scalar t41 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t42 = g.l1 * (t40 + (g.l1 * inertia.m1 + t40)) + (inertia.c1x * t40 - (inertia.I1xx - t41));
-  const Scalar t43 = (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t41))
-      - ((inertia.I2yy - t38) - inertia.c2y * inertia.c2y * inertia.m2);
-  return { g.l1 * t0,
-           g.l1 * t1,
-           t2 * t7,
-           t6,
-           t8,
-           t7 * t9,
-           t11 * t7,
-           t11,
-           t9,
+  const Scalar t8 = inertia.I6xz - inertia.c6z * t1;
+  const Scalar t9 = inertia.c5z * inertia.m5;
+  const Scalar t10 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t11 = inertia.c5y * inertia.m5;
+  const Scalar t12 = ((inertia.I6yy - t2) - inertia.c6y * t0) - (inertia.c5y * t11 - (inertia.I5yy - t10));
+  const Scalar t13 = inertia.c5x * inertia.m5;
+  const Scalar t14 = g.l1 / g.d4;
+  const Scalar t15 = inertia.c4x * inertia.m4;
+  const Scalar t16 = g.d4 * (t15 + t13);
+  const Scalar t17 = inertia.c4z * inertia.m4;
+  const Scalar t18 = g.d4 * t17;
+  const Scalar t19 = inertia.c4y * inertia.m4;
+  const Scalar t20 = g.d4 * t15;
+  const Scalar t21 = inertia.I4xz - inertia.c4z * t15;
+  const Scalar t22 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t23 = (inertia.I4zz - t22) - inertia.c4z * t17;
+  const Scalar t24 = (inertia.c5x * t13 - (inertia.I5xx - t10)) - ((inertia.I4xx - t22) - inertia.c4x * t15);
+  const Scalar t25 = gravity / g.d4;
+  const Scalar t26 = inertia.c3x * inertia.m3;
+  const Scalar t27 = g.d4 * t26;
+  const Scalar t28 = inertia.c3y * inertia.m3;
+  const Scalar t29 = g.d4 * inertia.m3 - t28;
+  const Scalar t30 = g.d4 * inertia.m4;
+  const Scalar t31 = t19 - t30;
+  const Scalar t32 = t31 + t30;
+  const Scalar t33 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t34 = t32 - g.d4 * t33;
+  const Scalar t35 = g.d4 * (t19 + t31) + ((inertia.I4yy - t22) - inertia.c4y * t19);
+  const Scalar t36 = (t35 - g.d4 * (t32 + t31)) + g.d4 * (t32 + t34);
+  const Scalar t37 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t38 = ((inertia.I3yy - t37) - inertia.c3y * t28) - g.d4 * (t29 - t28);
+  const Scalar t39 = Scalar(1) / g.d4;
+  const Scalar t40 = inertia.m3 + t33;
+  const Scalar t41 = g.d4 * g.d4 * (inertia.m2 + t40) * t39;
+  const Scalar t42 = inertia.c2x * inertia.m2;
+  const Scalar t43 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t44 = (inertia.c2x * t42 - (inertia.I2xx - t43)) + g.l1 * (t42 + (g.l1 * inertia.m2 + t42));
+  const Scalar t45 = inertia.c1x * inertia.m1;
+  const Scalar t46 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t47 = g.l1 * (t45 + (g.l1 * inertia.m1 + t45)) + (inertia.c1x * t45 - (inertia.I1xx - t46));
+  const Scalar t48 = (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t46))
+      - ((inertia.I2yy - t43) - inertia.c2y * inertia.c2y * inertia.m2);
+  return { inertia.I6yz - inertia.c6z * t0,
+           inertia.I6xy - inertia.c6y * t1,
            t7,
-           g.l1 * t12,
-           g.l1 * (t10 + t13),
-           t2,
-           t4 + t5,
-           Scalar(2) * t14,
-           t5,
-           inertia.c5z * t12 - (inertia.I5zz - t15),
-           t16,
-           Scalar(2) * t16,
-           t14,
-           inertia.I5xz - inertia.c5z * t17,
-           inertia.I5xy - inertia.c5y * t17,
-           t19,
-           inertia.I5yz - inertia.c5z * t13,
-           inertia.I4yz - inertia.c4z * t20,
-           t22,
-           inertia.I4xy - inertia.c4y * t21,
-           t24,
-           t25,
-           t26,
-           inertia.c3x * t27 - (inertia.I3xx - t28),
            Scalar(2) * t8,
-           t31 + t34,
-           g.l1 * (t30 - t33),
-           g.l1 * t27,
-           t2 * t35 * t2,
-           t36,
-           t24 + t25,
-           t35 * t36,
-           Scalar(2) * t26,
-           Scalar(2) * t24,
-           Scalar(2) * t22,
-           Scalar(2) * t19,
-           t35,
-           (inertia.I3xy - inertia.c3y * t27) + g.d4 * t27,
-           t39 + t42,
-           t43 };
+           t3 + t5,
+           t5,
+           t6,
+           inertia.c5z * t9 - (inertia.I5zz - t10),
+           t12,
+           inertia.I5xy - inertia.c5y * t13,
+           t8,
+           inertia.I5xz - inertia.c5z * t13,
+           g.d4 * (t0 + t11),
+           g.d4 * t4,
+           g.d4 * t1,
+           g.d4 * t9,
+           t14,
+           t14 * t7,
+           t16,
+           t18,
+           inertia.I5yz - inertia.c5z * t11,
+           t18 - (t18 + (inertia.I4yz - inertia.c4z * t19)),
+           (t20 + (inertia.I4xy - inertia.c4y * t15)) - t20,
+           t21,
+           t23 + t24,
+           t25,
+           t24,
+           t23,
+           t27,
+           Scalar(2) * t18,
+           Scalar(2) * t16,
+           g.d4 * (t29 - t34),
+           Scalar(2) * t23,
+           Scalar(2) * t21,
+           t36 + t38,
+           inertia.c3x * t26 - (inertia.I3xx - t37),
+           t7 * t39,
+           t39,
+           t41 * t25,
+           t41 * t39,
+           (inertia.I3xy - inertia.c3y * t26) + t27,
+           (g.l1 * g.l1 * t40 + t44) + t47,
+           t48 };
 }
 
 namespace detail {
@@ -1011,191 +1040,190 @@ inline JointVector<Scalar> forward_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[0] * c6 + k[1] * s6;
-  const Scalar t1 = k[10] + t0;
-  const Scalar t2 = c5 * t1 + k[11] * s5;
-  const Scalar t3 = k[22] + t2;
-  const Scalar t4 = k[7] * c6 + k[8] * s6;
-  const Scalar t5 = k[23] + t4;
-  const Scalar t6 = k[14] * s6 - k[13] * c6;
-  const Scalar t7 = k[15] + c6 * t6;
-  const Scalar t8 = k[3] + t7;
-  const Scalar t9 = k[16] - t8;
-  const Scalar t10 = k[17] + t9;
-  const Scalar t11 = s5 * t10 + Scalar(2) * c5 * t5;
-  const Scalar t12 = k[4] * t3 + (k[24] - (t5 - c5 * t11));
-  const Scalar t13 = k[19] - s6 * t6;
-  const Scalar t14 = k[20] + t13;
-  const Scalar t15 = k[6] * s6 - k[5] * c6;
-  const Scalar t16 = k[3] * t15;
-  const Scalar t17 = k[21] - t16;
-  const Scalar t18 = s5 * t14 - c5 * t17;
-  const Scalar t19 = k[0] * s6 - k[1] * c6;
-  const Scalar t20 = k[25] - t19;
-  const Scalar t21 = (k[26] - t18) + k[4] * t20;
-  const Scalar t22 = c4 * t12 + s4 * t21;
-  const Scalar t23 = c4 * (k[3] * s5 - c5 * t4) + s4 * t16;
-  const Scalar t24 = c5 * t19;
-  const Scalar t25 = s4 * t24 - c4 * t0;
-  const Scalar t26 = t23 + k[4] * t25;
-  const Scalar t27 = k[9] * t26;
-  const Scalar t28 = k[3] * c5 + s5 * t4;
-  const Scalar t29 = s5 * t1 - k[11] * c5;
-  const Scalar t30 = k[18] - t10;
-  const Scalar t31 = s5 * t17 + c5 * t14;
-  const Scalar t32 = s4 * (k[4] * t29 - t30) + c4 * t31;
-  const Scalar t33 = t32 + t27 * t16;
-  const Scalar t34 = Scalar(1) / (t30 - t15 * t16);
-  const Scalar t35 = t33 * t34;
-  const Scalar t36 = k[9] * t28;
-  const Scalar t37 = t18 - t36 * t16;
-  const Scalar t38 = (t22 + t27 * t28) - t35 * t37;
-  const Scalar t39 = t37 * t34;
-  const Scalar t40 = k[28] + t7;
-  const Scalar t41 = s5 * t11;
-  const Scalar t42 = k[27] + (t41 - t9);
-  const Scalar t43 = t37 * t39 + ((t40 - t42) + t36 * t28);
-  const Scalar t44 = Scalar(1) / t43;
-  const Scalar t45 = t44 * t38;
-  const Scalar t46 = Scalar(2) * s4 * (k[29] + t31) + c4 * (t40 + t42);
-  const Scalar t47 = k[30] + (c4 * t46 - t42);
-  const Scalar t48 = k[32] + ((k[17] - t41) - k[31] * t29);
-  const Scalar t49 = t47 - t48;
-  const Scalar t50 = t38 * t45 - ((t49 + t27 * t26) + t33 * t35);
-  const Scalar t51 = Scalar(1) / t50;
-  const Scalar t52 = k[2] * (c4 * t24 + s4 * t0);
-  const Scalar t53 = t52 * t16 + k[12] * c4 * t29;
-  const Scalar t54 = t53 * t34;
-  const Scalar t55 = c4 * t20 - s4 * t3;
-  const Scalar t56 = t37 * t54 - (k[12] * t55 + t52 * t28);
-  const Scalar t57 = (t35 * t53 + t26 * t52) + t56 * t45;
-  const Scalar t58 = t51 * t57;
-  const Scalar t59 = (s3 * t25 + c3 * s5 * t19) + t26;
-  const Scalar t60 = (s3 * s4 * t29 - c3 * t2) + t32;
-  const Scalar t61 = t59 * t15 + t60;
-  const Scalar t62 = c3 * (k[34] + t55) - s3 * (k[33] - t29);
-  const Scalar t63 = t35 * t61 + (t27 * t59 + (t49 + t62));
-  const Scalar t64 = t22 + s3 * (c4 * t3 + s4 * t20);
-  const Scalar t65 = t61 * t39 - (t59 * t36 + t64);
-  const Scalar t66 = t65 * t44;
-  const Scalar t67 = t63 + t38 * t66;
-  const Scalar t68 = t61 * t34;
-  const Scalar t69 = k[9] * t59;
-  const Scalar t70 = k[3] * t52;
-  const Scalar t71 = (t53 * t68 + t69 * t70) - t56 * t66;
-  const Scalar t72 = t58 * t67 + t71;
-  const Scalar t73 = t44 * t56;
-  const Scalar t74 = t56 * t73 - ((k[35] + t52 * t70) + t53 * t54);
-  const Scalar t75 = Scalar(1) / (t74 - t58 * t57);
-  const Scalar t76 = qd[0] + qd[2];
-  const Scalar t77 = t76 * t76;
-  const Scalar t78 = qd[0] * qd[0];
-  const Scalar t79 = s3 * t78;
-  const Scalar t80 = k[4] * t77 + t79;
-  const Scalar t81 = c3 * t78;
-  const Scalar t82 = s4 * t81 + k[36] * c4;
-  const Scalar t83 = s5 * t80 - c5 * t82;
-  const Scalar t84 = k[36] * s4 - c4 * t81;
-  const Scalar t85 = s4 * t76;
-  const Scalar t86 = qd[3] * t85;
-  const Scalar t87 = Scalar(2) * t86;
-  const Scalar t88 = c4 * t76;
-  const Scalar t89 = c5 * t88;
-  const Scalar t90 = s5 * t87 + t85 * t89;
-  const Scalar t91 = qd[3] * s5 + t89;
-  const Scalar t92 = qd[4] + t85;
-  const Scalar t93 = t90 - Scalar(2) * t91 * t92;
-  const Scalar t94 = t92 * t92;
-  const Scalar t95 = t91 * t91;
-  const Scalar t96 = t94 - t95;
-  const Scalar t97 = (t8 * t93 - t90 * t7) - t96 * t13;
-  const Scalar t98 = s5 * t88;
-  const Scalar t99 = t85 * t98 - c5 * t87;
-  const Scalar t100 = t98 - qd[3] * c5;
-  const Scalar t101 = t92 * t100;
-  const Scalar t102 = t99 - (t101 + t101);
-  const Scalar t103 = t91 * t100;
-  const Scalar t104 = qd[3] * t88;
-  const Scalar t105 = t103 + t104;
-  const Scalar t106 = (t19 * t83 - t0 * t84) - (t97 + (t4 * t102 - t105 * t16));
-  const Scalar t107 = torque[5] - t106;
-  const Scalar t108 = k[9] * t107;
-  const Scalar t109 = t88 * t88;
-  const Scalar t110 = qd[3] * qd[3];
-  const Scalar t111 = t109 + t110;
-  const Scalar t112 = t94 + t95;
-  const Scalar t113 = t111 - t112;
-  const Scalar t114 = (k[23] * t93 + k[17] * t102) + k[21] * t113;
-  const Scalar t115 = t103 - t104;
-  const Scalar t116 = qd[5] - t100;
-  const Scalar t117 = t116 * t116 + t95;
-  const Scalar t118 = t117 - t112;
-  const Scalar t119 = t105 + Scalar(2) * t91 * t116;
-  const Scalar t120 = t92 * t116;
-  const Scalar t121 = (t120 + t120) - t102;
-  const Scalar t122 = t118 * t16 + (t119 * t13 - t7 * t121);
-  const Scalar t123 = s5 * t82 + c5 * t80;
-  const Scalar t124 = (k[11] * t84 + (t114 + k[20] * t115)) - ((t122 - t4 * t93) - t19 * t123);
-  const Scalar t125 = (k[16] * t93 - k[23] * t102) + (k[20] * t96 - k[21] * t105);
-  const Scalar t126 = t106 - (k[10] * t84 - t125);
-  const Scalar t127 = t85 * t88;
-  const Scalar t128 = t111 - t77;
-  const Scalar t129 = t109 - t110;
-  const Scalar t130 = t128 + t129;
-  const Scalar t131 = (k[37] * t127 - k[29] * t130) + (k[25] * t82 - k[22] * t84);
-  const Scalar t132 = torque[3] + ((s5 * t124 - c5 * t126) - t131);
-  const Scalar t133 = (t121 * t13 + t8 * t119) - (t4 * (t118 + t96) + t90 * t16);
-  const Scalar t134 = t113 + t96;
-  const Scalar t135 = (k[17] * t105 + k[16] * t115) - k[23] * t134;
-  const Scalar t136 = ((k[20] * t99 - k[21] * t90) - t135) - (k[10] * t123 + k[11] * t83);
-  const Scalar t137 = (t0 * t123 + t133) - t136;
-  const Scalar t138 = t108 * t16 + (torque[4] + t137);
-  const Scalar t139 = (t108 * t28 - t132) - t39 * t138;
-  const Scalar t140 = t34 * t138;
-  const Scalar t141 = (t0 * t119 - t19 * t121) + (k[11] * t112 - k[10] * t115);
-  const Scalar t142 = (t90 * t19 + t0 * (t117 + t96)) + (k[10] * (t134 + t112) - k[11] * t105);
-  const Scalar t143 = (k[22] * (t111 - t130) - k[25] * t127) + (s5 * t141 + c5 * t142);
-  const Scalar t144 = (t0 * t93 - t19 * t117) + (k[10] * t93 + k[11] * t102);
-  const Scalar t145 = t144 + (k[25] * t111 - k[22] * t127);
-  const Scalar t146 = k[12] * (k[38] - (c4 * t143 + s4 * t145));
-  const Scalar t147 = t53 * t140 - ((torque[1] - t146) - t52 * t107);
-  const Scalar t148 = t44 * t139;
-  const Scalar t149 = (k[28] * t87 - k[39] * t104) + k[26] * t128;
-  const Scalar t150 = ((t149 - k[24] * t127) - k[25] * t80) + (c5 * t124 + s5 * t126);
-  const Scalar t151 = (k[26] * t127 + k[24] * t129) + (k[40] * t104 + k[29] * t87);
-  const Scalar t152 = c4 * t150 + s4 * (t137 + (t151 + k[22] * t80));
-  const Scalar t153 = c4 * t145 - s4 * t143;
-  const Scalar t154 = (k[34] * t79 + k[33] * t81) - (t152 + k[4] * t153);
-  const Scalar t155 = (t27 * t107 + (torque[2] - t154)) + t33 * t140;
-  const Scalar t156 = t38 * t148 - t155;
-  const Scalar t157 = t75 * ((t139 * t73 + t147) - t58 * t156);
-  const Scalar t158 = t51 * t156;
-  const Scalar t159 = (c5 * t141 - s5 * t142) + (k[41] * t86 + k[42] * t104);
-  const Scalar t160 = c3 * (t159 + k[33] * t77) + s3 * (t153 + k[34] * t77);
-  const Scalar t161 = ((torque[0] - (t154 - t160)) + t69 * t107) + t61 * t140;
-  const Scalar t162 = t72 * t157 - (t67 * t158 - (t161 + t66 * t139));
-  const Scalar t163 = t51 * t67;
-  const Scalar t164 = c3 * (k[44] - (s4 * t12 - c4 * t21));
-  const Scalar t165 = s3 * (s3 * (t47 + t48) - Scalar(2) * t164);
-  const Scalar t166 = t47 - t165;
-  const Scalar t167 = (k[45] + (((k[43] + t62) + t62) + t166)) + (k[46] + (t49 - t166));
-  const Scalar t168 = ((t69 * t59 + t167) + t61 * t68) - t65 * t66;
-  const Scalar t169 = t75 * t72;
-  const Scalar t170 = Scalar(1) / ((t67 * t163 + t168) + t169 * t72);
-  const Scalar t171 = t162 * t170;
-  const Scalar t172 = t171 * t169 - t157;
-  const Scalar t173 = (t171 * t163 + t158) + t58 * t172;
-  const Scalar t174 = (t172 * t73 + (t171 * t66 + t148)) - t173 * t45;
-  const Scalar t175 = t35 * t173 + ((t171 * t68 - t140) + t54 * t172);
-  const Scalar t176 = t175 - t39 * t174;
-  const Scalar t177 = t27 * t173 + (t52 * t172 + (t171 * t69 - t108));
+  const Scalar t0 = k[0] * s6 - k[1] * c6;
+  const Scalar t1 = k[2] * t0;
+  const Scalar t2 = k[4] * c6 - k[3] * s6;
+  const Scalar t3 = k[5] - c6 * t2;
+  const Scalar t4 = k[6] + t3;
+  const Scalar t5 = k[7] - t4;
+  const Scalar t6 = k[8] - t5;
+  const Scalar t7 = Scalar(1) / (t0 * t1 - t6);
+  const Scalar t8 = qd[0] + qd[2];
+  const Scalar t9 = s4 * t8;
+  const Scalar t10 = c4 * t8;
+  const Scalar t11 = s5 * t10;
+  const Scalar t12 = qd[3] * t9;
+  const Scalar t13 = Scalar(2) * t12;
+  const Scalar t14 = t9 * t11 - c5 * t13;
+  const Scalar t15 = t9 * t10;
+  const Scalar t16 = c5 * t15 + s5 * t13;
+  const Scalar t17 = t10 * t10;
+  const Scalar t18 = qd[3] * qd[3];
+  const Scalar t19 = t17 + t18;
+  const Scalar t20 = qd[4] + t9;
+  const Scalar t21 = t20 * t20;
+  const Scalar t22 = qd[3] * s5 + c5 * t10;
+  const Scalar t23 = t22 * t22;
+  const Scalar t24 = t21 + t23;
+  const Scalar t25 = t19 - t24;
+  const Scalar t26 = t21 - t23;
+  const Scalar t27 = t11 - qd[3] * c5;
+  const Scalar t28 = t22 * t27;
+  const Scalar t29 = qd[3] * t10;
+  const Scalar t30 = t28 - t29;
+  const Scalar t31 = t28 + t29;
+  const Scalar t32 = k[20] * (t25 + t26) - (k[7] * t30 + k[8] * t31);
+  const Scalar t33 = k[16] * qd[0] * qd[0];
+  const Scalar t34 = s3 * t33;
+  const Scalar t35 = t8 * t8;
+  const Scalar t36 = t34 + t35;
+  const Scalar t37 = c3 * t33;
+  const Scalar t38 = s4 * t37 + k[25] * c4;
+  const Scalar t39 = c5 * t36 + s5 * t38;
+  const Scalar t40 = s5 * t36 - c5 * t38;
+  const Scalar t41 = ((k[11] * t14 - k[9] * t16) + t32) - (k[15] * t39 + k[12] * t40);
+  const Scalar t42 = k[14] * s6 + k[13] * c6;
+  const Scalar t43 = k[0] * c6 + k[1] * s6;
+  const Scalar t44 = qd[5] - t27;
+  const Scalar t45 = t44 * t44 + t23;
+  const Scalar t46 = t45 + t26;
+  const Scalar t47 = t46 - t24;
+  const Scalar t48 = t31 + Scalar(2) * t22 * t44;
+  const Scalar t49 = k[10] + s6 * t2;
+  const Scalar t50 = t20 + t20;
+  const Scalar t51 = t14 - t50 * t27;
+  const Scalar t52 = t51 - t50 * t44;
+  const Scalar t53 = (t0 * t16 + t43 * t47) - (t48 * t4 - t49 * t52);
+  const Scalar t54 = t41 - (t42 * t39 - t53);
+  const Scalar t55 = t22 * t20;
+  const Scalar t56 = (t16 - t55) - t55;
+  const Scalar t57 = (t56 * t4 - t3 * t16) - t49 * t26;
+  const Scalar t58 = k[14] * c6 - k[13] * s6;
+  const Scalar t59 = c4 * t37 - k[25] * s4;
+  const Scalar t60 = (t57 - (t31 * t0 - t43 * t51)) + (t40 * t58 - t59 * t42);
+  const Scalar t61 = torque[5] + t60;
+  const Scalar t62 = (torque[4] - t54) + t1 * t61;
+  const Scalar t63 = t7 * t62;
+  const Scalar t64 = s5 * t43 + k[6] * c5;
+  const Scalar t65 = k[2] * t64;
+  const Scalar t66 = k[11] + t49;
+  const Scalar t67 = k[9] - t0;
+  const Scalar t68 = s5 * t66 - c5 * t67;
+  const Scalar t69 = t0 * t65 - t68;
+  const Scalar t70 = k[9] * t25 + (k[8] * t51 + k[20] * t56);
+  const Scalar t71 = (t49 * t48 + t3 * t52) + t0 * (t47 - t26);
+  const Scalar t72 = (k[12] * t59 - (k[11] * t30 + t70)) + (t39 * t58 - (t43 * t56 - t71));
+  const Scalar t73 = (k[9] * t31 - k[11] * t26) - (k[7] * t56 - k[20] * t51);
+  const Scalar t74 = t60 - (k[15] * t59 - t73);
+  const Scalar t75 = t17 - t18;
+  const Scalar t76 = t35 - t75;
+  const Scalar t77 = (k[19] * t59 + k[18] * t38) + (k[23] * (t76 - t19) + k[24] * t15);
+  const Scalar t78 = torque[3] - ((s5 * t72 - c5 * t74) + t77);
+  const Scalar t79 = k[20] + t43;
+  const Scalar t80 = s5 * (k[8] + t5) + Scalar(2) * c5 * t79;
+  const Scalar t81 = s5 * t80 - t5;
+  const Scalar t82 = k[27] + t81;
+  const Scalar t83 = k[26] + t3;
+  const Scalar t84 = t7 * t69;
+  const Scalar t85 = ((t82 - t83) - t65 * t64) + t84 * t69;
+  const Scalar t86 = Scalar(1) / t85;
+  const Scalar t87 = (t63 * t69 + (t78 - t65 * t61)) * t86;
+  const Scalar t88 = k[18] + t58;
+  const Scalar t89 = k[15] + t42;
+  const Scalar t90 = c5 * t89 + k[12] * s5;
+  const Scalar t91 = k[19] + t90;
+  const Scalar t92 = k[16] * s3 * (s4 * t88 + c4 * t91);
+  const Scalar t93 = t88 + (k[22] - t68);
+  const Scalar t94 = t91 - (k[21] - (c5 * t80 - t79));
+  const Scalar t95 = s4 * t93 + c4 * t94;
+  const Scalar t96 = c5 * t58;
+  const Scalar t97 = c4 * t42 + s4 * t96;
+  const Scalar t98 = k[17] * (c3 * s5 * t58 + s3 * t97);
+  const Scalar t99 = s4 * t0 + c4 * (k[6] * s5 - c5 * t43);
+  const Scalar t100 = t99 - t97;
+  const Scalar t101 = k[2] * t100;
+  const Scalar t102 = t98 - t101;
+  const Scalar t103 = k[6] * t102;
+  const Scalar t104 = s5 * t89 - k[12] * c5;
+  const Scalar t105 = s4 * t104;
+  const Scalar t106 = c5 * t66 + s5 * t67;
+  const Scalar t107 = (c4 * t106 - s4 * t6) + t105;
+  const Scalar t108 = k[16] * (s3 * t105 - c3 * t90) + t107;
+  const Scalar t109 = t103 * t1 - t108;
+  const Scalar t110 = ((t92 + t95) - t64 * t102) + t84 * t109;
+  const Scalar t111 = (k[33] * t29 - k[26] * t13) - k[22] * (t19 - t35);
+  const Scalar t112 = ((k[21] * t15 - t111) - k[18] * t36) - (s5 * t74 + c5 * t72);
+  const Scalar t113 = (k[23] * t13 + k[32] * t29) - (k[21] * t75 - k[22] * t15);
+  const Scalar t114 = c4 * t112 - s4 * (t54 - (k[19] * t36 + t113));
+  const Scalar t115 = (k[15] * t30 - k[12] * t24) - (t42 * t48 - t58 * t52);
+  const Scalar t116 = (k[15] * (t19 + t26) - k[12] * t31) + (t42 * t46 - t58 * t16);
+  const Scalar t117 = (k[18] * t15 - k[19] * t76) + (s5 * t115 - c5 * t116);
+  const Scalar t118 = (k[15] * t56 + k[12] * t51) + (t42 * t56 + t45 * t58);
+  const Scalar t119 = (k[19] * t15 - k[18] * t19) - t118;
+  const Scalar t120 = s4 * t117 - c4 * t119;
+  const Scalar t121 = (k[28] * t34 - k[31] * t37) - (t114 + t120);
+  const Scalar t122 = (s5 * t116 + c5 * t115) - (k[30] * t12 + k[29] * t29);
+  const Scalar t123 = s3 * (k[28] * t35 + t120) - c3 * (t122 + k[31] * t35);
+  const Scalar t124 = (torque[0] - (t121 - k[16] * t123)) - t61 * t102;
+  const Scalar t125 = t100 * t1 + t107;
+  const Scalar t126 = t125 * t7;
+  const Scalar t127 = t126 * t69 - (t95 + t64 * t101);
+  const Scalar t128 = t127 * t86;
+  const Scalar t129 = k[34] - ((t104 + t104) + (t81 - t6));
+  const Scalar t130 = c4 * (t82 + t83) + Scalar(2) * s4 * (k[23] + t106);
+  const Scalar t131 = k[35] - (t82 - c4 * t130);
+  const Scalar t132 = t129 - t131;
+  const Scalar t133 = t127 * t128 + ((t100 * t101 - t132) - t125 * t126);
+  const Scalar t134 = Scalar(1) / t133;
+  const Scalar t135 = k[2] * t61;
+  const Scalar t136 = (t135 * t100 + (torque[2] - t121)) - t126 * t62;
+  const Scalar t137 = t87 * t127 + t136;
+  const Scalar t138 = t134 * t137;
+  const Scalar t139 = t7 * t109;
+  const Scalar t140 = s4 * t91 - c4 * t88;
+  const Scalar t141 = c3 * (k[28] - t140) + s3 * (k[31] + t104);
+  const Scalar t142 = k[16] * t141;
+  const Scalar t143 = t125 * t139 - ((t132 - t142) + t100 * t102);
+  const Scalar t144 = t86 * t110;
+  const Scalar t145 = t143 - t127 * t144;
+  const Scalar t146 = (t87 * t110 - (t124 + t63 * t109)) + t138 * t145;
+  const Scalar t147 = k[36] * (s4 * t42 - c4 * t96);
+  const Scalar t148 = k[37] * c4 * t104 + t0 * t147;
+  const Scalar t149 = k[38] + k[37] * (c4 * t117 + s4 * t119);
+  const Scalar t150 = k[6] * t147;
+  const Scalar t151 = t63 * t148 + ((torque[1] - t149) - t150 * t135);
+  const Scalar t152 = (t147 * t64 - k[37] * t140) - t148 * t84;
+  const Scalar t153 = t86 * t152;
+  const Scalar t154 = (t100 * t147 - t148 * t126) - t127 * t153;
+  const Scalar t155 = t154 * t134;
+  const Scalar t156 = (t151 + t87 * t152) + t155 * t137;
+  const Scalar t157 = t148 * t7;
+  const Scalar t158 = t153 * t152 - (t148 * t157 - (k[39] + t150 * t147));
+  const Scalar t159 = Scalar(1) / (t158 - t154 * t155);
+  const Scalar t160 = (t148 * t139 - t103 * t147) + t110 * t153;
+  const Scalar t161 = t134 * t145;
+  const Scalar t162 = t160 - t154 * t161;
+  const Scalar t163 = t159 * t162;
+  const Scalar t164 = c3 * (k[40] - (s4 * t94 - c4 * t93));
+  const Scalar t165 = s3 * (Scalar(2) * t164 - s3 * (t129 + t131));
+  const Scalar t166 = t131 + t165;
+  const Scalar t167 = (k[41] + (Scalar(2) * t142 + t166)) + (k[42] - (t166 + t132));
+  const Scalar t168 = ((t167 + t103 * t102) - t139 * t109) + t144 * t110;
+  const Scalar t169 = Scalar(1) / (t163 * t162 + (t161 * t145 - t168));
+  const Scalar t170 = (t146 - t156 * t163) * t169;
+  const Scalar t171 = t163 * t170 + t159 * t156;
+  const Scalar t172 = t155 * t171 - (t170 * t161 - t138);
+  const Scalar t173 = ((t170 * t144 + t87) - t171 * t153) - t128 * t172;
+  const Scalar t174 = (t171 * t157 + (t63 + t139 * t170)) - t126 * t172;
+  const Scalar t175 = t174 - t84 * t173;
+  const Scalar t176 = t172 * t101 - (t171 * t147 + (t135 + t170 * t102));
   JointVector<Scalar> result;
-  result[0] = t171;
-  result[1] = -t172;
-  result[2] = t173;
-  result[3] = -t174;
-  result[4] = t176;
-  result[5] = (t177 + t174 * t36) + t176 * t15;
+  result[0] = t170;
+  result[1] = t171;
+  result[2] = t172;
+  result[3] = -t173;
+  result[4] = t175;
+  result[5] = t175 * t1 + (t176 + t65 * t173);
   return result;
 }
 
@@ -1222,77 +1250,83 @@ KineticEnergyConstants<Scalar> kinetic_energy_constants(const BasicGeometry<Scal
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t0 = inertia.c6z * inertia.m6;
   const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = (inertia.I6xx - t0) - inertia.c6x * t1;
-  const Scalar t3 = inertia.c6z * inertia.m6;
-  const Scalar t4 = inertia.c6z * t3 - (inertia.I6zz - t0);
-  const Scalar t5 = inertia.I6xz - inertia.c6z * t1;
-  const Scalar t6 = inertia.c5z * inertia.m5;
-  const Scalar t7 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t8 = inertia.c6y * inertia.m6;
-  const Scalar t9 = inertia.c5y * inertia.m5;
-  const Scalar t10 = ((inertia.I6yy - t0) - inertia.c6y * t8) - (inertia.c5y * t9 - (inertia.I5yy - t7));
-  const Scalar t11 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t12 = inertia.c4z * inertia.m4;
-  const Scalar t13 = inertia.c5x * inertia.m5;
-  const Scalar t14 = inertia.c4x * inertia.m4;
-  const Scalar t15 = (inertia.c5x * t13 - (inertia.I5xx - t7)) - ((inertia.I4xx - t11) - inertia.c4x * t14);
-  const Scalar t16 = inertia.c3x * inertia.m3;
-  const Scalar t17 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t18 = g.d4 / g.l1;
-  const Scalar t19 = inertia.c4y * inertia.m4;
-  const Scalar t20 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t21 = t19 - g.d4 * t20;
-  const Scalar t22 = ((inertia.I4yy - t11) - inertia.c4y * t19) + g.d4 * (t19 + t21);
-  const Scalar t23 = inertia.c3y * inertia.m3;
-  const Scalar t24 = g.d4 * inertia.m3 - t23;
-  const Scalar t25 = ((inertia.I3yy - t17) - inertia.c3y * t23) - g.d4 * (t24 - t23);
-  const Scalar t26 = Scalar(1) / g.l1;
-  const Scalar t27 = g.l1 * g.l1 * (inertia.m2 + (inertia.m3 + t20));
-  const Scalar t28 = inertia.c2x * inertia.m2;
-  const Scalar t29 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t30 = Scalar(2) * g.l1 * t28 + (inertia.c2x * t28 - (inertia.I2xx - t29));
-  const Scalar t31 = inertia.c1x * inertia.m1;
-  const Scalar t32 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t33 = g.l1 * (t31 + (g.l1 * inertia.m1 + t31)) + (inertia.c1x * t31 - (inertia.I1xx - t32));
-  const Scalar t34 = (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t32))
-      - ((inertia.I2yy - t29) - inertia.c2y * inertia.c2y * inertia.m2);
-  return { t2 + t4,
-           Scalar(2) * t5,
-           t4,
-           t2 - t4,
-           inertia.c5z * t6 - (inertia.I5zz - t7),
-           t10,
-           inertia.I6yz - inertia.c6z * t8,
-           inertia.I6xy - inertia.c6y * t1,
-           inertia.I5yz - inertia.c5z * t9,
-           (inertia.I4zz - t11) - inertia.c4z * t12,
-           t15,
-           t5,
-           inertia.I5xz - inertia.c5z * t13,
-           inertia.I5xy - inertia.c5y * t13,
-           inertia.I4xz - inertia.c4z * t14,
-           inertia.c3x * t16 - (inertia.I3xx - t17),
-           g.l1 * t3,
+  const Scalar t2 = g.d4 / g.l1;
+  const Scalar t3 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t4 = (inertia.I6xx - t3) - inertia.c6x * t1;
+  const Scalar t5 = inertia.c6z * t0 - (inertia.I6zz - t3);
+  const Scalar t6 = inertia.c6y * inertia.m6;
+  const Scalar t7 = inertia.c5y * inertia.m5;
+  const Scalar t8 = inertia.c5z * inertia.m5;
+  const Scalar t9 = inertia.I6xz - inertia.c6z * t1;
+  const Scalar t10 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t11 = ((inertia.I6yy - t3) - inertia.c6y * t6) - (inertia.c5y * t7 - (inertia.I5yy - t10));
+  const Scalar t12 = inertia.c4y * inertia.m4;
+  const Scalar t13 = g.d4 * inertia.m4;
+  const Scalar t14 = t12 - t13;
+  const Scalar t15 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t16 = g.d4 * (t12 + t14) + ((inertia.I4yy - t15) - inertia.c4y * t12);
+  const Scalar t17 = t14 + t13;
+  const Scalar t18 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t19 = t17 - g.d4 * t18;
+  const Scalar t20 = (t16 - g.d4 * (t17 + t14)) + g.d4 * (t17 + t19);
+  const Scalar t21 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t22 = inertia.c3y * inertia.m3;
+  const Scalar t23 = g.d4 * inertia.m3 - t22;
+  const Scalar t24 = ((inertia.I3yy - t21) - inertia.c3y * t22) - g.d4 * (t23 - t22);
+  const Scalar t25 = inertia.c4z * inertia.m4;
+  const Scalar t26 = inertia.c5x * inertia.m5;
+  const Scalar t27 = inertia.c4x * inertia.m4;
+  const Scalar t28 = (inertia.c5x * t26 - (inertia.I5xx - t10)) - ((inertia.I4xx - t15) - inertia.c4x * t27);
+  const Scalar t29 = inertia.c3x * inertia.m3;
+  const Scalar t30 = g.d4 * t27;
+  const Scalar t31 = g.d4 * t25;
+  const Scalar t32 = Scalar(1) / g.l1;
+  const Scalar t33 = inertia.m3 + t18;
+  const Scalar t34 = t32 * g.l1 * g.l1 * (inertia.m2 + t33) * t32;
+  const Scalar t35 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t36 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t37 = (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t35))
+      - ((inertia.I2yy - t36) - inertia.c2y * inertia.c2y * inertia.m2);
+  const Scalar t38 = inertia.c2x * inertia.m2;
+  const Scalar t39 = (inertia.c2x * t38 - (inertia.I2xx - t36)) + g.l1 * (t38 + (g.l1 * inertia.m2 + t38));
+  const Scalar t40 = inertia.c1x * inertia.m1;
+  const Scalar t41 = g.l1 * (t40 + (g.l1 * inertia.m1 + t40)) + (inertia.c1x * t40 - (inertia.I1xx - t35));
+  return { g.l1 * t0,
            g.l1 * t1,
-           g.l1 * t6,
-           g.l1 * (t8 + t9),
-           Scalar(2) * t18,
-           t22 + t25,
-           t26 * t27 * t26,
-           g.l1 * (t21 - t24),
-           g.l1 * (t14 + t13),
-           g.l1 * t12,
-           g.l1 * t16,
-           t27,
-           t18,
-           inertia.I4xy - inertia.c4y * t14,
-           inertia.I4yz - inertia.c4z * t19,
-           (inertia.I3xy - inertia.c3y * t16) + g.d4 * t16,
-           t30 + t33,
+           t2,
+           t4 - t5,
+           inertia.I6xy - inertia.c6y * t1,
+           inertia.I6yz - inertia.c6z * t6,
+           g.l1 * (t6 + t7),
+           g.l1 * t8,
+           Scalar(2) * t2,
+           inertia.I5yz - inertia.c5z * t7,
+           Scalar(2) * t9,
+           t4 + t5,
+           t4,
+           inertia.c5z * t8 - (inertia.I5zz - t10),
+           t11,
+           t20 + t24,
+           (inertia.I4zz - t15) - inertia.c4z * t25,
+           t28,
+           t9,
+           inertia.I5xz - inertia.c5z * t26,
+           inertia.I5xy - inertia.c5y * t26,
+           inertia.I4xz - inertia.c4z * t27,
+           inertia.c3x * t29 - (inertia.I3xx - t21),
+           g.l1 * (t23 - t19),
+           g.l1 * (t27 + t26),
+           g.l1 * t25,
+           g.l1 * t29,
+           (t30 + (inertia.I4xy - inertia.c4y * t27)) - t30,
+           t31 - (t31 + (inertia.I4yz - inertia.c4z * t12)),
+           t32,
            t34,
-           t26 };
+           (inertia.I3xy - inertia.c3y * t29) + g.d4 * t29,
+           t37,
+           (g.l1 * g.l1 * t33 + t39) + t41 };
 }
 
 namespace detail {
@@ -1309,62 +1343,61 @@ inline Scalar kinetic_energy([[maybe_unused]] const JointVector<Scalar>& q, cons
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[7] * c6 - k[6] * s6;
-  const Scalar t1 = k[17] * c6 - k[16] * s6;
-  const Scalar t2 = k[24] + t1;
-  const Scalar t3 = k[13] + t0;
-  const Scalar t4 = k[0] * c6 - k[1] * s6;
-  const Scalar t5 = k[12] + (k[11] + s6 * t4);
-  const Scalar t6 = c5 * t3 - s5 * t5;
-  const Scalar t7 = k[28] * t2 + (k[29] + t6);
-  const Scalar t8 = k[17] * s6 + k[16] * c6;
-  const Scalar t9 = k[18] + t8;
-  const Scalar t10 = c5 * t9 + k[19] * s5;
-  const Scalar t11 = k[25] + t10;
-  const Scalar t12 = k[6] * c6 + k[7] * s6;
-  const Scalar t13 = k[8] + t12;
-  const Scalar t14 = c5 * t13;
-  const Scalar t15 = k[2] - c6 * t4;
-  const Scalar t16 = k[4] - (k[3] + t15);
-  const Scalar t17 = (t14 + t14) + s5 * (k[5] + t16);
-  const Scalar t18 = k[28] * t11 + (k[30] + (c5 * t17 - t13));
-  const Scalar t19 = s4 * t7 + c4 * t18;
-  const Scalar t20 = s5 * t3 + c5 * t5;
-  const Scalar t21 = k[5] - t16;
-  const Scalar t22 = s5 * t9 - k[19] * c5;
-  const Scalar t23 = c4 * t20 - s4 * (t21 - k[28] * t22);
-  const Scalar t24 = c5 * t1;
-  const Scalar t25 = c4 * t8 + s4 * t24;
-  const Scalar t26 = s4 * t0 - c4 * (k[3] * s5 - c5 * t12);
-  const Scalar t27 = k[28] * t25 + t26;
-  const Scalar t28 = (qd[3] * t19 - qd[4] * t23) + qd[5] * t27;
-  const Scalar t29 = c4 * t2 - s4 * t11;
-  const Scalar t30 = qd[3] * k[34] * t29 - qd[4] * k[34] * c4 * t22;
-  const Scalar t31 = qd[5] * k[34] * (c4 * t24 - s4 * t8);
-  const Scalar t32 = (s3 * s4 * t22 - c3 * t10) + t23;
-  const Scalar t33 = s3 * (k[23] - t22) - c3 * (k[26] + t29);
-  const Scalar t34 = s5 * t17 - t16;
-  const Scalar t35 = k[21] - (k[20] * t22 - (t21 - t34));
-  const Scalar t36 = k[9] + t34;
-  const Scalar t37 = k[10] + t15;
-  const Scalar t38 = Scalar(2) * s4 * (k[14] + t20) + c4 * (t36 + t37);
-  const Scalar t39 = k[15] - (t36 - c4 * t38);
-  const Scalar t40 = t35 - t39;
-  const Scalar t41 = s3 * (s4 * t2 + c4 * t11) + t19;
-  const Scalar t42 = qd[4] * t32 - (qd[2] * (t33 + t40) + qd[3] * t41);
-  const Scalar t43 = t27 + (c3 * s5 * t1 + s3 * t25);
-  const Scalar t44 = qd[1] * (t30 + t31) + qd[0] * (t42 - qd[5] * t43);
-  const Scalar t45 = qd[5] * (s5 * t12 + k[3] * c5) + qd[4] * t6;
-  const Scalar t46 = qd[4] * qd[5] * t0 + ((qd[2] * t28 - t44) + qd[3] * t45);
-  const Scalar t47 = c3 * (k[31] + (c4 * t7 - s4 * t18));
-  const Scalar t48 = s3 * (s3 * (t35 + t39) - (t47 + t47));
-  const Scalar t49 = t48 - t39;
-  const Scalar t50 = (k[33] + (t49 - t40)) + (k[32] + (((k[27] - t33) - t33) - t49));
-  const Scalar t51 = qd[1] * k[22] * qd[1] + qd[0] * qd[0] * t50;
-  const Scalar t52 = qd[3] * qd[3] * (t36 - t37) - (t51 - qd[2] * qd[2] * t40);
-  const Scalar t53 = (qd[4] * qd[4] * t21 + t52) + qd[5] * k[3] * qd[5];
+  const Scalar t0 = k[10] * s6 - k[11] * c6;
+  const Scalar t1 = k[12] + c6 * t0;
+  const Scalar t2 = k[13] - t1;
+  const Scalar t3 = k[14] - t2;
+  const Scalar t4 = k[4] * s6 + k[5] * c6;
+  const Scalar t5 = k[9] + t4;
+  const Scalar t6 = Scalar(2) * c5 * t5 + s5 * (k[14] + t2);
+  const Scalar t7 = k[14] - s5 * t6;
+  const Scalar t8 = k[16] + (t3 - t7);
+  const Scalar t9 = k[17] - (k[3] - t1);
+  const Scalar t10 = k[0] * c6 + k[1] * s6;
+  const Scalar t11 = k[7] + t10;
+  const Scalar t12 = s5 * t11 - k[6] * c5;
+  const Scalar t13 = k[15] + (t7 - k[8] * t12);
+  const Scalar t14 = k[19] + (k[18] - s6 * t0);
+  const Scalar t15 = k[4] * c6 - k[5] * s6;
+  const Scalar t16 = k[20] + t15;
+  const Scalar t17 = c5 * t14 + s5 * t16;
+  const Scalar t18 = s4 * (k[21] + t17);
+  const Scalar t19 = c4 * ((t18 + t18) + c4 * (t8 + t9));
+  const Scalar t20 = k[22] - (t8 - t19);
+  const Scalar t21 = t13 - t20;
+  const Scalar t22 = c5 * t16 - s5 * t14;
+  const Scalar t23 = k[0] * s6 - k[1] * c6;
+  const Scalar t24 = k[24] - t23;
+  const Scalar t25 = (k[27] + t22) + k[2] * t24;
+  const Scalar t26 = c5 * t11 + k[6] * s5;
+  const Scalar t27 = k[25] + t26;
+  const Scalar t28 = k[2] * t27 - (k[28] - (c5 * t6 - t5));
+  const Scalar t29 = c3 * (k[31] + (c4 * t25 - s4 * t28));
+  const Scalar t30 = s3 * (Scalar(2) * t29 - s3 * (t13 + t20));
+  const Scalar t31 = c4 * t24 - s4 * t27;
+  const Scalar t32 = s3 * (k[23] + t12) + c3 * (k[26] + t31);
+  const Scalar t33 = (k[32] - (t13 + t30)) + (k[33] + ((t20 + t30) + (t32 + t32)));
+  const Scalar t34 = qd[1] * k[30] * qd[1] + qd[0] * qd[0] * t33;
+  const Scalar t35 = qd[3] * qd[3] * (t8 - t9) + (qd[2] * qd[2] * t21 - t34);
+  const Scalar t36 = (qd[4] * qd[4] * t3 + t35) + qd[5] * k[3] * qd[5];
+  const Scalar t37 = c4 * t17 - s4 * (t3 - k[2] * t12);
+  const Scalar t38 = (s3 * s4 * t12 - c3 * t26) + t37;
+  const Scalar t39 = s4 * t25 + c4 * t28;
+  const Scalar t40 = s3 * (c4 * t27 + s4 * t24) + t39;
+  const Scalar t41 = qd[4] * t38 + (qd[2] * (t32 - t21) - qd[3] * t40);
+  const Scalar t42 = c5 * t23;
+  const Scalar t43 = s4 * t42 - c4 * t10;
+  const Scalar t44 = s4 * t15 - c4 * (k[3] * s5 - c5 * t4);
+  const Scalar t45 = k[2] * t43 - t44;
+  const Scalar t46 = (s3 * t43 + c3 * s5 * t23) + t45;
+  const Scalar t47 = qd[3] * k[29] * t31 - qd[4] * k[29] * c4 * t12;
+  const Scalar t48 = qd[5] * k[29] * (c4 * t42 + s4 * t10);
+  const Scalar t49 = qd[0] * (t41 + qd[5] * t46) + qd[1] * (t47 - t48);
+  const Scalar t50 = qd[5] * t45 - (qd[3] * t39 - qd[4] * t37);
+  const Scalar t51 = qd[4] * t22 + qd[5] * (s5 * t4 + k[3] * c5);
+  const Scalar t52 = ((t49 + qd[2] * t50) - qd[3] * t51) - qd[4] * qd[5] * t15;
   Scalar result;
-  result = -t46 - Scalar(0.5) * t53;
+  result = t52 - Scalar(0.5) * t36;
   return result;
 }
 
@@ -1390,16 +1423,16 @@ PotentialEnergyConstants<Scalar> potential_energy_constants([[maybe_unused]] con
   using std::cos;
   using std::sin;
 
-  return { inertia.m2 + (inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6))),
+  return { inertia.c6x * inertia.m6,
            inertia.c6z * inertia.m6,
-           inertia.c6x * inertia.m6,
            inertia.c5x * inertia.m5,
            inertia.c4x * inertia.m4,
-           inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
            inertia.c5z * inertia.m5,
+           inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
            inertia.c4z * inertia.m4,
            inertia.c3z * inertia.m3,
            inertia.c2z * inertia.m2,
+           inertia.m2 + (inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6))),
            inertia.c1z * inertia.m1,
            gravity };
 }
@@ -1415,10 +1448,10 @@ inline Scalar potential_energy(const JointVector<Scalar>& q, const Angles& angle
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[4] + (k[3] + (k[2] * c6 - k[1] * s6));
-  const Scalar t1 = c5 * (k[6] + (k[1] * c6 + k[2] * s6));
-  const Scalar t2 = s4 * t0 + c4 * (k[7] + (t1 + k[5] * s5));
-  const Scalar t3 = k[10] + (k[0] * q[1] + (k[9] + (k[8] + t2)));
+  const Scalar t0 = c5 * (k[4] + (k[0] * s6 + k[1] * c6));
+  const Scalar t1 = k[3] + (k[2] + (k[0] * c6 - k[1] * s6));
+  const Scalar t2 = c4 * (k[6] + (t0 + k[5] * s5)) + s4 * t1;
+  const Scalar t3 = k[10] + (k[9] * q[1] + (k[8] + (k[7] + t2)));
   Scalar result;
   result = k[11] * t3;
   return result;

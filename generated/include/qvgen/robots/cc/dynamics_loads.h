@@ -26,7 +26,7 @@ LoadAngles<Scalar> load_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion, under gravity in any direction.
 ///
-/// 158 multiplications, 146 additions, 5 sine/cosine pairs. Set-up: 67 multiplications, 78 additions, 5 divisions.
+/// 157 multiplications, 143 additions, 5 sine/cosine pairs. Set-up: 73 multiplications, 92 additions, 5 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1, which must not be zero.
 template <class Scalar>
@@ -34,7 +34,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
     const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
-using InverseDynamicsWithGravityVectorConstants = std::array<Scalar, 36>;
+using InverseDynamicsWithGravityVectorConstants = std::array<Scalar, 35>;
 template <class Scalar>
 InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_vector_constants(
     const BasicGeometry<Scalar>& g,
@@ -46,7 +46,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces for a motion while a wrench acts on the tool from outside: those without it minus jacobian(q)^T wrench.
 ///
-/// 194 multiplications, 167 additions, 5 sine/cosine pairs. Set-up: 66 multiplications, 78 additions, 5 divisions.
+/// 192 multiplications, 166 additions, 5 sine/cosine pairs. Set-up: 73 multiplications, 92 additions, 5 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1, which must not be zero.
 template <class Scalar>
@@ -66,13 +66,13 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces that hold the robot at rest, under gravity in any direction.
 ///
-/// 43 multiplications, 27 additions, 5 sine/cosine pairs. Set-up: 20 multiplications, 12 additions.
+/// 42 multiplications, 26 additions, 5 sine/cosine pairs. Set-up: 22 multiplications, 16 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
-using GravityTorqueWithGravityVectorConstants = std::array<Scalar, 15>;
+using GravityTorqueWithGravityVectorConstants = std::array<Scalar, 14>;
 template <class Scalar>
 GravityTorqueWithGravityVectorConstants<Scalar> gravity_torque_with_gravity_vector_constants(
     const BasicGeometry<Scalar>& g,
@@ -83,16 +83,16 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const LoadAngle
 
 /// Joint accelerations for given joint forces, under gravity in any direction.
 ///
-/// 290 multiplications, 262 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 77 multiplications, 80 additions, 6
+/// 290 multiplications, 259 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 82 multiplications, 94 additions, 6
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is l1, which must not be zero.
+/// The unit of length is d4, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
-using ForwardDynamicsWithGravityVectorConstants = std::array<Scalar, 48>;
+using ForwardDynamicsWithGravityVectorConstants = std::array<Scalar, 47>;
 template <class Scalar>
 ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_vector_constants(
     const BasicGeometry<Scalar>& g,
@@ -104,17 +104,17 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint accelerations for given joint forces while a wrench acts on the tool from outside.
 ///
-/// 325 multiplications, 284 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 80 multiplications, 80 additions, 6
+/// 327 multiplications, 279 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 82 multiplications, 94 additions, 6
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is l1, which must not be zero.
+/// The unit of length is d4, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity,
         const NonDeduced<Wrench<Scalar>>& wrench);
 template <class Scalar>
-using ForwardDynamicsWithWrenchConstants = std::array<Scalar, 51>;
+using ForwardDynamicsWithWrenchConstants = std::array<Scalar, 47>;
 template <class Scalar>
 ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constants(const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
@@ -125,7 +125,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Minus the sum of m gravity . r over the links, r the centre of mass in the world, J.
 ///
-/// 24 multiplications, 29 additions, 5 sine/cosine pairs. Set-up: 22 multiplications, 7 additions.
+/// 24 multiplications, 29 additions, 5 sine/cosine pairs. Set-up: 24 multiplications, 10 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Scalar potential_energy(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g,

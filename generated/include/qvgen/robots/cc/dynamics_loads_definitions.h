@@ -28,80 +28,86 @@ InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c4y * inertia.m4;
-  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t2 = t0 - g.d4 * t1;
-  const Scalar t3 = inertia.c3y * inertia.m3;
-  const Scalar t4 = g.d4 * inertia.m3 - t3;
-  const Scalar t5 = inertia.c3x * inertia.m3;
+  const Scalar t0 = inertia.c5z * inertia.m5;
+  const Scalar t1 = inertia.c6y * inertia.m6;
+  const Scalar t2 = inertia.c5y * inertia.m5;
+  const Scalar t3 = inertia.c6z * inertia.m6;
+  const Scalar t4 = inertia.c6x * inertia.m6;
+  const Scalar t5 = inertia.c4z * inertia.m4;
   const Scalar t6 = inertia.c4x * inertia.m4;
   const Scalar t7 = inertia.c5x * inertia.m5;
-  const Scalar t8 = inertia.c4z * inertia.m4;
-  const Scalar t9 = inertia.c6z * inertia.m6;
-  const Scalar t10 = inertia.c6x * inertia.m6;
-  const Scalar t11 = inertia.c6y * inertia.m6;
-  const Scalar t12 = inertia.c5y * inertia.m5;
-  const Scalar t13 = inertia.c5z * inertia.m5;
-  const Scalar t14 = g.l1 * g.l1 * (inertia.m2 + (inertia.m3 + t1));
-  const Scalar t15 = Scalar(1) / g.l1;
-  const Scalar t16 = inertia.I6xz - inertia.c6z * t10;
-  const Scalar t17 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t18 = (inertia.I6xx - t17) - inertia.c6x * t10;
-  const Scalar t19 = inertia.c6z * t9 - (inertia.I6zz - t17);
-  const Scalar t20 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t21 = ((inertia.I6yy - t17) - inertia.c6y * t11) - (inertia.c5y * t12 - (inertia.I5yy - t20));
-  const Scalar t22 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t23 = (inertia.c5x * t7 - (inertia.I5xx - t20)) - ((inertia.I4xx - t22) - inertia.c4x * t6);
-  const Scalar t24 = ((inertia.I4yy - t22) - inertia.c4y * t0) + g.d4 * (t0 + t2);
-  const Scalar t25 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t26 = ((inertia.I3yy - t25) - inertia.c3y * t3) - g.d4 * (t4 - t3);
-  const Scalar t27 = (t24 + t26) - (inertia.c3x * t5 - (inertia.I3xx - t25));
-  const Scalar t28 = inertia.c2x * inertia.m2;
-  const Scalar t29 = inertia.c1x * inertia.m1;
-  const Scalar t30 = g.l1 * inertia.m1 + t29;
-  const Scalar t31 = inertia.c1y * inertia.m1;
-  const Scalar t32 = inertia.c2y * inertia.m2;
-  const Scalar t33 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t34 = Scalar(2) * g.l1 * t28 + (inertia.c2x * t28 - (inertia.I2xx - t33));
-  const Scalar t35 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t36 = g.l1 * (t29 + t30) + (inertia.c1x * t29 - (inertia.I1xx - t35));
-  const Scalar t37 = (inertia.c1y * t31 - (inertia.I1yy - t35)) - ((inertia.I2yy - t33) - inertia.c2y * t32);
-  return { g.l1 * (t2 - t4),
+  const Scalar t8 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t10 = ((inertia.I6yy - t8) - inertia.c6y * t1) - (inertia.c5y * t2 - (inertia.I5yy - t9));
+  const Scalar t11 = (inertia.I6xx - t8) - inertia.c6x * t4;
+  const Scalar t12 = inertia.c6z * t3 - (inertia.I6zz - t8);
+  const Scalar t13 = inertia.I6xz - inertia.c6z * t4;
+  const Scalar t14 = g.d4 * t6;
+  const Scalar t15 = g.d4 * t5;
+  const Scalar t16 = inertia.c4y * inertia.m4;
+  const Scalar t17 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t18 = (inertia.c5x * t7 - (inertia.I5xx - t9)) - ((inertia.I4xx - t17) - inertia.c4x * t6);
+  const Scalar t19 = inertia.c3y * inertia.m3;
+  const Scalar t20 = g.d4 * inertia.m3 - t19;
+  const Scalar t21 = g.d4 * inertia.m4;
+  const Scalar t22 = t16 - t21;
+  const Scalar t23 = t22 + t21;
+  const Scalar t24 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t25 = t23 - g.d4 * t24;
+  const Scalar t26 = inertia.c3x * inertia.m3;
+  const Scalar t27 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t28 = g.d4 * (t16 + t22) + ((inertia.I4yy - t17) - inertia.c4y * t16);
+  const Scalar t29 = (t28 - g.d4 * (t23 + t22)) + g.d4 * (t23 + t25);
+  const Scalar t30 = ((inertia.I3yy - t27) - inertia.c3y * t19) - g.d4 * (t20 - t19);
+  const Scalar t31 = (inertia.c3x * t26 - (inertia.I3xx - t27)) - (t29 + t30);
+  const Scalar t32 = inertia.m3 + t24;
+  const Scalar t33 = g.l1 * t32;
+  const Scalar t34 = inertia.c2x * inertia.m2;
+  const Scalar t35 = g.l1 * inertia.m2 + t34;
+  const Scalar t36 = inertia.c1x * inertia.m1;
+  const Scalar t37 = g.l1 * inertia.m1 + t36;
+  const Scalar t38 = inertia.c1y * inertia.m1;
+  const Scalar t39 = inertia.c2y * inertia.m2;
+  const Scalar t40 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t41 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t42 = (inertia.c1y * t38 - (inertia.I1yy - t40)) - ((inertia.I2yy - t41) - inertia.c2y * t39);
+  const Scalar t43 = (inertia.c2x * t34 - (inertia.I2xx - t41)) + g.l1 * (t34 + t35);
+  const Scalar t44 = g.l1 * (t36 + t37) + (inertia.c1x * t36 - (inertia.I1xx - t40));
+  return { g.l1 * t0,
+           g.l1 * (t1 + t2),
+           g.l1 * t3,
+           g.l1 * t4,
            g.l1 * t5,
            g.l1 * (t6 + t7),
-           g.l1 * t8,
-           g.l1 * t9,
-           g.l1 * t10,
-           g.l1 * (t11 + t12),
-           g.l1 * t13,
-           gravity[0] / g.l1,
-           gravity[1] / g.l1,
-           t14,
            g.d4 / g.l1,
-           t15,
+           gravity[1] / g.l1,
+           gravity[0] / g.l1,
+           Scalar(1) / g.l1,
            gravity[2] / g.l1,
-           Scalar(2) * t16,
-           t18 + t19,
-           t19,
-           t18,
-           t16,
-           inertia.I6xy - inertia.c6y * t10,
-           inertia.I6yz - inertia.c6z * t11,
-           inertia.I5xy - inertia.c5y * t7,
            inertia.I5xz - inertia.c5z * t7,
-           inertia.I5yz - inertia.c5z * t12,
-           inertia.c5z * t13 - (inertia.I5zz - t20),
-           t21,
-           t23,
+           inertia.I5xy - inertia.c5y * t7,
+           inertia.I5yz - inertia.c5z * t2,
+           t10,
+           inertia.c5z * t0 - (inertia.I5zz - t9),
+           inertia.I6yz - inertia.c6z * t1,
+           inertia.I6xy - inertia.c6y * t4,
+           t11 + t12,
+           Scalar(2) * t13,
+           t13,
+           t11,
+           (t14 + (inertia.I4xy - inertia.c4y * t6)) - t14,
+           t15 - (t15 + (inertia.I4yz - inertia.c4z * t16)),
+           (inertia.I4zz - t17) - inertia.c4z * t5,
            inertia.I4xz - inertia.c4z * t6,
-           inertia.I4xy - inertia.c4y * t6,
-           inertia.I4yz - inertia.c4z * t0,
-           (inertia.I4zz - t22) - inertia.c4z * t8,
-           t27,
-           g.l1 * (t28 + t30),
-           g.l1 * (t31 + t32),
-           (t34 + t36) + t37,
-           t14 * t15 };
+           t12,
+           t18,
+           g.l1 * (t20 - t25),
+           g.l1 * t26,
+           t31,
+           g.l1 * ((t33 + t35) + t37),
+           g.l1 * (t38 + t39),
+           t42 + ((g.l1 * t33 + t43) + t44),
+           g.l1 * g.l1 * (inertia.m2 + t32) };
 }
 
 namespace detail {
@@ -120,113 +126,111 @@ inline JointVector<Scalar> inverse_dynamics_with_gravity_vector([[maybe_unused]]
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[8] * s1 - k[9] * c1;
-  const Scalar t1 = k[9] * s1 + k[8] * c1;
-  const Scalar t2 = k[34] * qdd[0] + (k[32] * t0 + k[33] * t1);
-  const Scalar t3 = qd[0] + qd[2];
-  const Scalar t4 = s4 * t3;
-  const Scalar t5 = c4 * t3;
-  const Scalar t6 = t4 * t5;
-  const Scalar t7 = qdd[3] + t6;
-  const Scalar t8 = qd[3] * qd[3];
-  const Scalar t9 = t4 * t4;
-  const Scalar t10 = t8 + t9;
-  const Scalar t11 = qd[4] + t4;
-  const Scalar t12 = t11 * t11;
-  const Scalar t13 = qd[3] * s5 + c5 * t5;
-  const Scalar t14 = t13 * t13;
-  const Scalar t15 = t12 + t14;
-  const Scalar t16 = qd[3] * t5;
-  const Scalar t17 = qdd[0] + qdd[2];
-  const Scalar t18 = s4 * t17;
-  const Scalar t19 = t16 + t18;
-  const Scalar t20 = qdd[4] + t19;
-  const Scalar t21 = s5 * t5 - qd[3] * c5;
-  const Scalar t22 = t13 * t21;
-  const Scalar t23 = t20 - t22;
-  const Scalar t24 = k[4] * s6 - k[5] * c6;
-  const Scalar t25 = qd[5] - t21;
-  const Scalar t26 = t11 * t25;
-  const Scalar t27 = t11 * t21;
-  const Scalar t28 = qd[3] * t4;
-  const Scalar t29 = c4 * t17;
-  const Scalar t30 = (t28 - t29) + t28;
-  const Scalar t31 = c5 * t30 - s5 * t7;
-  const Scalar t32 = t27 + (t27 + t31);
-  const Scalar t33 = t26 + (t32 + t26);
-  const Scalar t34 = k[4] * c6 + k[5] * s6;
-  const Scalar t35 = t20 + t22;
-  const Scalar t36 = Scalar(2) * t13 * t25 + t35;
-  const Scalar t37 = (k[6] * t15 + k[7] * t23) - (t24 * t33 - t34 * t36);
-  const Scalar t38 = t12 - t14;
-  const Scalar t39 = t3 * t3;
-  const Scalar t40 = t8 - t9;
-  const Scalar t41 = t39 + t40;
-  const Scalar t42 = t38 + t41;
-  const Scalar t43 = c5 * t7 + s5 * t30;
-  const Scalar t44 = qdd[5] + t43;
-  const Scalar t45 = t25 * t25;
-  const Scalar t46 = t12 + t45;
-  const Scalar t47 = (k[6] * t35 - k[7] * t42) - (t24 * t44 + t34 * t46);
-  const Scalar t48 = (k[2] * t7 - k[3] * t10) - (s5 * t37 - c5 * t47);
-  const Scalar t49 = qdd[3] - t6;
-  const Scalar t50 = t13 * t11;
-  const Scalar t51 = (t43 - t50) - t50;
-  const Scalar t52 = qdd[5] + t51;
-  const Scalar t53 = (t34 * t52 - (t45 + t14) * t24) - (k[6] * t32 - k[7] * t51);
-  const Scalar t54 = (k[2] * t41 + k[3] * t49) + t53;
-  const Scalar t55 = s4 * t48 + c4 * t54;
-  const Scalar t56 = s3 * (t55 + (k[1] * t39 + k[0] * t17));
-  const Scalar t57 = t19 + t16;
-  const Scalar t58 = (c5 * t37 + s5 * t47) + (k[3] * t57 + k[2] * t30);
-  const Scalar t59 = c3 * ((k[0] * t39 - k[1] * t17) + t58);
-  const Scalar t60 = qdd[0] + t0;
-  const Scalar t61 = qd[0] * qd[0] + t1;
-  const Scalar t62 = c3 * t60 + s3 * t61;
-  const Scalar t63 = c3 * t61 - s3 * t60;
-  const Scalar t64 = (k[1] * t62 + k[0] * t63) - k[31] * t17;
-  const Scalar t65 = k[11] * t17 - t63;
-  const Scalar t66 = k[13] - k[12] * qdd[1];
-  const Scalar t67 = s4 * t65 + c4 * t66;
-  const Scalar t68 = t62 + k[11] * t39;
-  const Scalar t69 = c5 * t67 + s5 * t68;
-  const Scalar t70 = c5 * t68 - s5 * t67;
-  const Scalar t71 = t42 - t15;
-  const Scalar t72 = k[23] * t71 - (k[25] * t35 - k[24] * t23);
-  const Scalar t73 = (k[6] * t69 + k[7] * t70) + ((k[22] * t31 + k[21] * t43) - t72);
-  const Scalar t74 = k[14] * s6 - k[15] * c6;
-  const Scalar t75 = c6 * t74;
-  const Scalar t76 = k[17] + t75;
-  const Scalar t77 = k[18] - s6 * t74;
-  const Scalar t78 = k[19] * c6 - k[20] * s6;
-  const Scalar t79 = k[19] * s6 + k[20] * c6;
-  const Scalar t80 = (t76 * t36 + t77 * t33) + (t78 * t44 - (t46 - t15) * t79);
-  const Scalar t81 = t73 + (t80 + t34 * t70);
-  const Scalar t82 = (k[27] * t30 + k[30] * t57) - (k[29] * (t10 - t39) - k[28] * t7);
-  const Scalar t83 = k[28] * t40 - (k[27] * t57 - k[26] * t30);
-  const Scalar t84 = s4 * t66 - c4 * t65;
-  const Scalar t85 = (k[24] * t51 + k[23] * t32) + (k[22] * t38 - k[21] * t35);
-  const Scalar t86 = k[16] + t75;
-  const Scalar t87 = (t86 * t44 - t76 * t52) + t77 * t38;
-  const Scalar t88 = (t87 + (t32 * t79 - t78 * t35)) + (t24 * t69 + t34 * t84);
-  const Scalar t89 = (k[7] * t84 + t85) + t88;
-  const Scalar t90 = k[21] * (t38 - t71) - (k[23] * t51 - k[25] * t32);
-  const Scalar t91 = t78 * (t12 - t45) + (t77 * t36 - t86 * t33);
-  const Scalar t92 = ((k[22] * t23 + t90) + k[6] * t84) - (t24 * t70 + (t79 * t52 - t91));
-  const Scalar t93 = ((t83 + k[29] * t49) - k[2] * t68) + (s5 * t89 - c5 * t92);
-  const Scalar t94 = s4 * (t81 + (k[3] * t68 + t82)) + c4 * t93;
-  const Scalar t95 = t64 - (k[11] * t55 + t94);
-  const Scalar t96 = t2 - (((t56 + t59) - k[10] * t60) - t95);
-  const Scalar t97 = k[35] * t66 - k[12] * (c4 * t48 - s4 * t54);
-  const Scalar t98 = (k[26] * t7 - k[30] * t49) + k[27] * (t10 - t41);
-  const Scalar t99 = (k[3] * t84 - k[2] * t67) + (t98 - (k[29] * t29 + k[28] * t18));
+  const Scalar t0 = qd[0] + qd[2];
+  const Scalar t1 = c4 * t0;
+  const Scalar t2 = s5 * t1 - qd[3] * c5;
+  const Scalar t3 = s4 * t0;
+  const Scalar t4 = qd[4] + t3;
+  const Scalar t5 = Scalar(2) * t4;
+  const Scalar t6 = qd[3] * t3;
+  const Scalar t7 = qdd[0] + qdd[2];
+  const Scalar t8 = c4 * t7;
+  const Scalar t9 = (t6 - t8) + t6;
+  const Scalar t10 = t3 * t1;
+  const Scalar t11 = qdd[3] + t10;
+  const Scalar t12 = c5 * t9 - s5 * t11;
+  const Scalar t13 = t2 * t5 + t12;
+  const Scalar t14 = qd[3] * s5 + c5 * t1;
+  const Scalar t15 = t14 * t5;
+  const Scalar t16 = c5 * t11 + s5 * t9;
+  const Scalar t17 = t15 - t16;
+  const Scalar t18 = t4 * t4;
+  const Scalar t19 = qd[5] - t2;
+  const Scalar t20 = t19 * t19;
+  const Scalar t21 = t18 + t20;
+  const Scalar t22 = t18 - t14 * t14;
+  const Scalar t23 = t21 - t22;
+  const Scalar t24 = k[2] * s6 - k[3] * c6;
+  const Scalar t25 = k[2] * c6 + k[3] * s6;
+  const Scalar t26 = qdd[5] - t17;
+  const Scalar t27 = (k[1] * t13 + k[0] * t17) + (t23 * t24 - t25 * t26);
+  const Scalar t28 = qdd[3] - t10;
+  const Scalar t29 = t1 * t1;
+  const Scalar t30 = qd[3] * qd[3];
+  const Scalar t31 = t29 + t30;
+  const Scalar t32 = t27 - (k[4] * t28 + k[5] * t31);
+  const Scalar t33 = qd[3] * t1;
+  const Scalar t34 = s4 * t7;
+  const Scalar t35 = t33 + t34;
+  const Scalar t36 = qdd[4] + t35;
+  const Scalar t37 = t14 * t2;
+  const Scalar t38 = t36 - t37;
+  const Scalar t39 = t18 - t20;
+  const Scalar t40 = t23 + t39;
+  const Scalar t41 = t5 * t19 + t13;
+  const Scalar t42 = t36 + t37;
+  const Scalar t43 = (t14 + t14) * t19 + t42;
+  const Scalar t44 = (k[0] * t38 + k[1] * t40) - (t41 * t24 - t25 * t43);
+  const Scalar t45 = t31 + t22;
+  const Scalar t46 = t15 + t26;
+  const Scalar t47 = (k[0] * t45 - k[1] * t42) + (t46 * t24 + t25 * t21);
+  const Scalar t48 = t0 * t0;
+  const Scalar t49 = t29 - t30;
+  const Scalar t50 = (s5 * t44 + c5 * t47) + (k[4] * (t48 - t49) - k[5] * t11);
+  const Scalar t51 = c4 * t32 + s4 * t50;
+  const Scalar t52 = s3 * (t51 + (k[28] * t7 - k[29] * t48));
+  const Scalar t53 = t35 + t33;
+  const Scalar t54 = (s5 * t47 - c5 * t44) - (k[4] * t53 + k[5] * t9);
+  const Scalar t55 = c3 * (t54 + (k[28] * t48 + k[29] * t7));
+  const Scalar t56 = k[7] * s1 + k[8] * c1;
+  const Scalar t57 = qd[0] * qd[0] + t56;
+  const Scalar t58 = k[8] * s1 - k[7] * c1;
+  const Scalar t59 = qdd[0] + t58;
+  const Scalar t60 = s3 * t57 + c3 * t59;
+  const Scalar t61 = t60 + k[6] * t48;
+  const Scalar t62 = (k[22] * t11 - k[23] * t49) + (k[25] * t9 + k[24] * t53);
+  const Scalar t63 = k[10] - k[9] * qdd[1];
+  const Scalar t64 = c3 * t57 - s3 * t59;
+  const Scalar t65 = t64 - k[6] * t7;
+  const Scalar t66 = c4 * t63 - s4 * t65;
+  const Scalar t67 = c5 * t61 - s5 * t66;
+  const Scalar t68 = k[17] * s6 + k[16] * c6;
+  const Scalar t69 = k[17] * c6 - k[16] * s6;
+  const Scalar t70 = k[19] * s6 - k[18] * c6;
+  const Scalar t71 = c6 * t70;
+  const Scalar t72 = k[21] + t71;
+  const Scalar t73 = k[20] - s6 * t70;
+  const Scalar t74 = (t68 * (t21 - t40) - t46 * t69) - (t72 * t43 + t41 * t73);
+  const Scalar t75 = (k[15] * t38 - k[14] * t42) + k[13] * (t45 - t40);
+  const Scalar t76 = s5 * t61 + c5 * t66;
+  const Scalar t77 = ((k[12] * t16 + k[11] * t12) - t75) + (k[0] * t67 + k[1] * t76);
+  const Scalar t78 = (t25 * t67 - t74) + t77;
+  const Scalar t79 = t31 - t48;
+  const Scalar t80 = k[22] * t79 + (k[27] * t9 - k[25] * t53);
+  const Scalar t81 = k[26] + t71;
+  const Scalar t82 = (t43 * t73 - t41 * t81) + t69 * t39;
+  const Scalar t83 = c4 * t65 + s4 * t63;
+  const Scalar t84 = k[12] * (t31 - t40) - (k[14] * t13 + k[13] * t17);
+  const Scalar t85 = (t67 * t24 + (t68 * t26 - t82)) - (k[1] * t83 + (k[11] * t38 - t84));
+  const Scalar t86 = (t72 * t26 - t46 * t81) - t22 * t73;
+  const Scalar t87 = (t25 * t83 + t76 * t24) - ((t69 * t42 - t68 * t13) + t86);
+  const Scalar t88 = (k[15] * t17 - k[13] * t13) + (k[12] * t42 - k[11] * t22);
+  const Scalar t89 = t87 + (k[0] * t83 - t88);
+  const Scalar t90 = ((t80 - k[23] * t28) - k[5] * t61) + (c5 * t85 + s5 * t89);
+  const Scalar t91 = s4 * ((k[4] * t61 + t62) + t78) + c4 * t90;
+  const Scalar t92 = k[30] * t7 - (k[28] * t64 - k[29] * t60);
+  const Scalar t93 = (k[6] * t51 - t91) + t92;
+  const Scalar t94 = k[33] * qdd[0] + (k[32] * t56 + k[31] * t58);
+  const Scalar t95 = k[34] * t63 - (s4 * t32 - c4 * t50);
+  const Scalar t96 = (k[27] * t11 - k[24] * t28) - k[25] * (t79 + t49);
+  const Scalar t97 = (k[5] * t66 - k[4] * t83) - (t96 + (k[23] * t8 - k[22] * t34));
   JointVector<Scalar> result;
-  result[0] = t96;
-  result[1] = -t97;
-  result[2] = t95;
-  result[3] = (s5 * t92 + c5 * t89) + t99;
-  result[4] = -t81;
-  result[5] = t88;
+  result[0] = ((t52 + t55) + t93) + t94;
+  result[1] = -k[9] * t95;
+  result[2] = t93;
+  result[3] = (c5 * t89 - s5 * t85) - t97;
+  result[4] = -t78;
+  result[5] = t87;
   return result;
 }
 
@@ -255,78 +259,87 @@ InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constant
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c4x * inertia.m4;
-  const Scalar t1 = inertia.c5x * inertia.m5;
-  const Scalar t2 = inertia.c4z * inertia.m4;
-  const Scalar t3 = inertia.c6z * inertia.m6;
-  const Scalar t4 = inertia.c6x * inertia.m6;
-  const Scalar t5 = inertia.c6y * inertia.m6;
-  const Scalar t6 = inertia.c5y * inertia.m5;
-  const Scalar t7 = inertia.c5z * inertia.m5;
-  const Scalar t8 = inertia.c3x * inertia.m3;
-  const Scalar t9 = inertia.c4y * inertia.m4;
-  const Scalar t10 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t11 = t9 - g.d4 * t10;
-  const Scalar t12 = inertia.c3y * inertia.m3;
-  const Scalar t13 = g.d4 * inertia.m3 - t12;
-  const Scalar t14 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t0 = inertia.c4z * inertia.m4;
+  const Scalar t1 = g.d4 * t0;
+  const Scalar t2 = inertia.c4y * inertia.m4;
+  const Scalar t3 = inertia.c4x * inertia.m4;
+  const Scalar t4 = g.d4 * t3;
+  const Scalar t5 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t6 = inertia.c6z * inertia.m6;
+  const Scalar t7 = inertia.c6x * inertia.m6;
+  const Scalar t8 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t9 = (inertia.I6xx - t8) - inertia.c6x * t7;
+  const Scalar t10 = inertia.c6z * t6 - (inertia.I6zz - t8);
+  const Scalar t11 = inertia.I6xz - inertia.c6z * t7;
+  const Scalar t12 = inertia.c6y * inertia.m6;
+  const Scalar t13 = inertia.c5x * inertia.m5;
+  const Scalar t14 = inertia.c5y * inertia.m5;
   const Scalar t15 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t16 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t17 = ((inertia.I6yy - t16) - inertia.c6y * t5) - (inertia.c5y * t6 - (inertia.I5yy - t15));
-  const Scalar t18 = inertia.I6xz - inertia.c6z * t4;
-  const Scalar t19 = (inertia.I6xx - t16) - inertia.c6x * t4;
-  const Scalar t20 = inertia.c6z * t3 - (inertia.I6zz - t16);
-  const Scalar t21 = (inertia.c5x * t1 - (inertia.I5xx - t15)) - ((inertia.I4xx - t14) - inertia.c4x * t0);
-  const Scalar t22 = ((inertia.I4yy - t14) - inertia.c4y * t9) + g.d4 * (t9 + t11);
-  const Scalar t23 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t24 = ((inertia.I3yy - t23) - inertia.c3y * t12) - g.d4 * (t13 - t12);
-  const Scalar t25 = (t22 + t24) - (inertia.c3x * t8 - (inertia.I3xx - t23));
-  const Scalar t26 = inertia.c2x * inertia.m2;
-  const Scalar t27 = inertia.c1x * inertia.m1;
-  const Scalar t28 = g.l1 * inertia.m1 + t27;
-  const Scalar t29 = inertia.c1y * inertia.m1;
-  const Scalar t30 = inertia.c2y * inertia.m2;
-  const Scalar t31 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t32 = Scalar(2) * g.l1 * t26 + (inertia.c2x * t26 - (inertia.I2xx - t31));
-  const Scalar t33 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t34 = g.l1 * (t27 + t28) + (inertia.c1x * t27 - (inertia.I1xx - t33));
-  const Scalar t35 = (inertia.c1y * t29 - (inertia.I1yy - t33)) - ((inertia.I2yy - t31) - inertia.c2y * t30);
-  return { g.l1 * (t0 + t1),
-           g.l1 * t2,
-           g.l1,
-           g.l1 * t3,
-           g.l1 * t4,
-           g.l1 * (t5 + t6),
-           g.l1 * t7,
-           g.l1 * t8,
-           g.l1 * (t11 - t13),
-           gravity[0] / g.l1,
+  const Scalar t16 = ((inertia.I6yy - t8) - inertia.c6y * t12) - (inertia.c5y * t14 - (inertia.I5yy - t15));
+  const Scalar t17 = inertia.c5z * inertia.m5;
+  const Scalar t18 = (inertia.c5x * t13 - (inertia.I5xx - t15)) - ((inertia.I4xx - t5) - inertia.c4x * t3);
+  const Scalar t19 = inertia.c3y * inertia.m3;
+  const Scalar t20 = g.d4 * inertia.m3 - t19;
+  const Scalar t21 = g.d4 * inertia.m4;
+  const Scalar t22 = t2 - t21;
+  const Scalar t23 = t22 + t21;
+  const Scalar t24 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t25 = t23 - g.d4 * t24;
+  const Scalar t26 = inertia.c3x * inertia.m3;
+  const Scalar t27 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t28 = g.d4 * (t2 + t22) + ((inertia.I4yy - t5) - inertia.c4y * t2);
+  const Scalar t29 = (t28 - g.d4 * (t23 + t22)) + g.d4 * (t23 + t25);
+  const Scalar t30 = ((inertia.I3yy - t27) - inertia.c3y * t19) - g.d4 * (t20 - t19);
+  const Scalar t31 = (inertia.c3x * t26 - (inertia.I3xx - t27)) - (t29 + t30);
+  const Scalar t32 = inertia.m3 + t24;
+  const Scalar t33 = g.l1 * t32;
+  const Scalar t34 = inertia.c2x * inertia.m2;
+  const Scalar t35 = g.l1 * inertia.m2 + t34;
+  const Scalar t36 = inertia.c1x * inertia.m1;
+  const Scalar t37 = g.l1 * inertia.m1 + t36;
+  const Scalar t38 = inertia.c1y * inertia.m1;
+  const Scalar t39 = inertia.c2y * inertia.m2;
+  const Scalar t40 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t41 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t42 = (inertia.c1y * t38 - (inertia.I1yy - t40)) - ((inertia.I2yy - t41) - inertia.c2y * t39);
+  const Scalar t43 = (inertia.c2x * t34 - (inertia.I2xx - t41)) + g.l1 * (t34 + t35);
+  const Scalar t44 = g.l1 * (t36 + t37) + (inertia.c1x * t36 - (inertia.I1xx - t40));
+  return { t1 - (t1 + (inertia.I4yz - inertia.c4z * t2)),
+           (t4 + (inertia.I4xy - inertia.c4y * t3)) - t4,
+           inertia.I4xz - inertia.c4z * t3,
+           (inertia.I4zz - t5) - inertia.c4z * t0,
            gravity[1] / g.l1,
-           g.l1 * g.l1 * (inertia.m2 + (inertia.m3 + t10)),
+           gravity[0] / g.l1,
            g.d4 / g.l1,
-           inertia.I4xy - inertia.c4y * t0,
-           inertia.I4yz - inertia.c4z * t9,
-           inertia.I4xz - inertia.c4z * t0,
-           (inertia.I4zz - t14) - inertia.c4z * t2,
+           g.l1 * t0,
            Scalar(1) / g.l1,
            gravity[2] / g.l1,
-           inertia.I5yz - inertia.c5z * t6,
-           inertia.c5z * t7 - (inertia.I5zz - t15),
-           t17,
-           inertia.I5xy - inertia.c5y * t1,
-           inertia.I5xz - inertia.c5z * t1,
-           Scalar(2) * t18,
-           t19 + t20,
-           t19,
+           g.l1 * t6,
+           g.l1 * t7,
+           t9 + t10,
+           Scalar(2) * t11,
+           t11,
+           t9,
+           inertia.I6yz - inertia.c6z * t12,
+           inertia.I6xy - inertia.c6y * t7,
+           inertia.I5xz - inertia.c5z * t13,
+           inertia.I5xy - inertia.c5y * t13,
+           t16,
+           inertia.c5z * t17 - (inertia.I5zz - t15),
+           inertia.I5yz - inertia.c5z * t14,
+           g.l1 * t17,
+           g.l1 * (t12 + t14),
+           t10,
+           g.l1 * (t3 + t13),
            t18,
-           inertia.I6xy - inertia.c6y * t4,
-           inertia.I6yz - inertia.c6z * t5,
-           t21,
-           t20,
-           t25,
-           g.l1 * (t26 + t28),
-           g.l1 * (t29 + t30),
-           (t32 + t34) + t35 };
+           g.l1,
+           g.l1 * (t20 - t25),
+           g.l1 * t26,
+           t31,
+           g.l1 * ((t33 + t35) + t37),
+           g.l1 * (t38 + t39),
+           t42 + ((g.l1 * t33 + t43) + t44),
+           g.l1 * g.l1 * (inertia.m2 + t32) };
 }
 
 namespace detail {
@@ -345,127 +358,128 @@ inline JointVector<Scalar> inverse_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[10] * s1 + k[9] * c1;
-  const Scalar t1 = k[10] * c1 - k[9] * s1;
-  const Scalar t2 = (k[34] * t0 - k[33] * t1) + k[35] * qdd[0];
+  const Scalar t0 = k[4] * c1 - k[5] * s1;
+  const Scalar t1 = k[4] * s1 + k[5] * c1;
+  const Scalar t2 = k[34] * qdd[0] - (k[32] * t0 - k[33] * t1);
   const Scalar t3 = qd[0] + qd[2];
-  const Scalar t4 = t3 * t3;
-  const Scalar t5 = qd[0] * qd[0] + t0;
-  const Scalar t6 = qdd[0] - t1;
-  const Scalar t7 = s3 * t5 + c3 * t6;
-  const Scalar t8 = k[12] * t4 + t7;
-  const Scalar t9 = s4 * t3;
-  const Scalar t10 = c4 * t3;
-  const Scalar t11 = t9 * t10;
-  const Scalar t12 = qdd[3] - t11;
-  const Scalar t13 = qd[3] * t9;
-  const Scalar t14 = qdd[0] + qdd[2];
-  const Scalar t15 = c4 * t14;
-  const Scalar t16 = (t13 + t13) - t15;
-  const Scalar t17 = qd[3] * t10;
-  const Scalar t18 = s4 * t14;
-  const Scalar t19 = t17 + t18;
-  const Scalar t20 = t19 + t17;
-  const Scalar t21 = t10 * t10;
-  const Scalar t22 = qd[3] * qd[3];
-  const Scalar t23 = t21 + t22;
-  const Scalar t24 = (k[30] * t16 - k[15] * t20) + k[13] * (t23 - t4);
-  const Scalar t25 = k[25] * c6 - k[24] * s6;
-  const Scalar t26 = c6 * t25;
-  const Scalar t27 = k[26] - t26;
-  const Scalar t28 = qd[3] * s5 + c5 * t10;
-  const Scalar t29 = qd[4] + t9;
-  const Scalar t30 = t28 * t29;
-  const Scalar t31 = t30 + t30;
-  const Scalar t32 = qdd[3] + t11;
-  const Scalar t33 = c5 * t32 + s5 * t16;
-  const Scalar t34 = qdd[5] + t33;
-  const Scalar t35 = t31 - t34;
-  const Scalar t36 = k[31] - t26;
-  const Scalar t37 = k[27] + s6 * t25;
-  const Scalar t38 = t29 * t29;
-  const Scalar t39 = t28 * t28;
-  const Scalar t40 = t38 - t39;
-  const Scalar t41 = (t27 * t35 + t36 * t34) + t37 * t40;
-  const Scalar t42 = s5 * t10 - qd[3] * c5;
-  const Scalar t43 = c5 * t16 - s5 * t32;
-  const Scalar t44 = Scalar(2) * t29 * t42 + t43;
-  const Scalar t45 = k[29] * c6 + k[28] * s6;
-  const Scalar t46 = k[28] * c6 - k[29] * s6;
-  const Scalar t47 = qdd[4] + t19;
-  const Scalar t48 = t28 * t42;
-  const Scalar t49 = t47 + t48;
-  const Scalar t50 = k[4] * c6 - k[3] * s6;
-  const Scalar t51 = k[18] - k[17] * qdd[1];
-  const Scalar t52 = c3 * t5 - s3 * t6;
-  const Scalar t53 = k[12] * t14 - t52;
-  const Scalar t54 = c4 * t51 + s4 * t53;
-  const Scalar t55 = s5 * t8 + c5 * t54;
-  const Scalar t56 = s4 * t51 - c4 * t53;
-  const Scalar t57 = k[3] * c6 + k[4] * s6;
-  const Scalar t58 = (t41 + (t44 * t45 - t46 * t49)) - (t50 * t55 - t56 * t57);
-  const Scalar t59 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t60 = wrench[3] * s1 - wrench[4] * c1;
-  const Scalar t61 = s3 * t59 + c3 * t60;
-  const Scalar t62 = s3 * t60 - c3 * t59;
-  const Scalar t63 = s4 * t62 + wrench[5] * c4;
-  const Scalar t64 = t58 - (c5 * t61 - s5 * t63);
-  const Scalar t65 = t31 - t33;
-  const Scalar t66 = (k[22] * t49 - k[23] * t40) - (k[19] * t44 - k[20] * t65);
-  const Scalar t67 = t64 - (t66 - k[6] * t56);
-  const Scalar t68 = c5 * t8 - s5 * t54;
-  const Scalar t69 = qd[5] - t42;
-  const Scalar t70 = t69 * t69 - t39;
-  const Scalar t71 = t70 - t40;
-  const Scalar t72 = Scalar(2) * t28 * t69 + t49;
-  const Scalar t73 = t29 * t69;
-  const Scalar t74 = t73 + (t73 + t44);
-  const Scalar t75 = t71 * t46 - (t37 * t72 - t36 * t74);
-  const Scalar t76 = (t50 * t68 - (t75 - t35 * t45)) - (s5 * t61 + c5 * t63);
-  const Scalar t77 = t38 + t39;
-  const Scalar t78 = (k[19] * t65 + k[21] * t44) - k[22] * (t23 - t77);
-  const Scalar t79 = t47 - t48;
-  const Scalar t80 = t76 + (k[5] * t56 + (t78 + k[23] * t79));
-  const Scalar t81 = (k[0] * t8 - (k[14] * t12 + t24)) - (s5 * t67 - c5 * t80);
-  const Scalar t82 = t21 - t22;
-  const Scalar t83 = (k[16] * t20 + k[15] * t16) + (k[13] * t32 + k[14] * t82);
-  const Scalar t84 = (t27 * t72 + t37 * t74) + (t46 * t34 - t70 * t45);
-  const Scalar t85 = (wrench[5] * s4 - c4 * t62) + (t57 * t68 + t84);
-  const Scalar t86 = t23 + t40;
-  const Scalar t87 = k[19] * (t86 - t77) + (k[20] * t79 - k[21] * t49);
-  const Scalar t88 = (k[6] * t68 + k[5] * t55) + ((k[22] * t33 + k[23] * t43) - t87);
-  const Scalar t89 = t85 + t88;
-  const Scalar t90 = c4 * t81 - s4 * ((k[1] * t8 + t83) + t89);
-  const Scalar t91 = wrench[0] * s1 - wrench[1] * c1;
-  const Scalar t92 = wrench[0] * c1 + wrench[1] * s1;
-  const Scalar t93 = s3 * t91 - c3 * t92;
-  const Scalar t94 = k[2] * (c4 * t93 - wrench[2] * s4) - (t50 * (t71 + t77) - t57 * t35);
-  const Scalar t95 = (k[1] * t12 + k[0] * t23) - (t94 + (k[6] * t65 + k[5] * t44));
-  const Scalar t96 = s4 * t93 + wrench[2] * c4;
-  const Scalar t97 = c3 * t91 + s3 * t92;
-  const Scalar t98 = k[2] * (c5 * t96 + s5 * t97) + ((t70 + t77) * t57 - t50 * t34);
-  const Scalar t99 = (k[5] * t49 - k[6] * t86) - t98;
-  const Scalar t100 = (t57 * t72 + t50 * t74) - k[2] * (c5 * t97 - s5 * t96);
-  const Scalar t101 = (k[6] * t79 + k[5] * t77) + t100;
-  const Scalar t102 = t4 - t82;
-  const Scalar t103 = (c5 * t99 - s5 * t101) - (k[1] * t102 - k[0] * t32);
-  const Scalar t104 = c4 * t95 + s4 * t103;
-  const Scalar t105 = (k[8] * t52 + k[7] * t7) - k[32] * t14;
-  const Scalar t106 = (t90 - k[12] * t104) + t105;
-  const Scalar t107 = s3 * ((k[8] * t14 + k[7] * t4) + t104);
-  const Scalar t108 = (s5 * t99 + c5 * t101) + (k[1] * t20 + k[0] * t16);
-  const Scalar t109 = c3 * ((k[7] * t14 - k[8] * t4) - t108);
-  const Scalar t110 = t2 + (t106 + (k[11] * t6 - (t107 - t109)));
-  const Scalar t111 = k[11] * t51 - (c4 * t103 - s4 * t95);
-  const Scalar t112 = k[15] * (t102 - t23) - (k[16] * t12 - k[30] * t32);
-  const Scalar t113 = (k[0] * t54 - k[1] * t56) - (t112 - (k[14] * t15 + k[13] * t18));
+  const Scalar t4 = s4 * t3;
+  const Scalar t5 = c4 * t3;
+  const Scalar t6 = t4 * t5;
+  const Scalar t7 = qdd[3] - t6;
+  const Scalar t8 = t3 * t3;
+  const Scalar t9 = qd[3] * qd[3];
+  const Scalar t10 = t4 * t4;
+  const Scalar t11 = t9 - t10;
+  const Scalar t12 = t8 + t11;
+  const Scalar t13 = qdd[0] + qdd[2];
+  const Scalar t14 = c4 * t13;
+  const Scalar t15 = Scalar(2) * qd[3] * t4 - t14;
+  const Scalar t16 = qdd[3] + t6;
+  const Scalar t17 = s5 * t15 + c5 * t16;
+  const Scalar t18 = qd[3] * s5 + c5 * t5;
+  const Scalar t19 = qd[4] + t4;
+  const Scalar t20 = t18 * t19;
+  const Scalar t21 = (t17 - t20) - t20;
+  const Scalar t22 = t19 + t19;
+  const Scalar t23 = s5 * t5 - qd[3] * c5;
+  const Scalar t24 = c5 * t15 - s5 * t16;
+  const Scalar t25 = t22 * t23 + t24;
+  const Scalar t26 = wrench[0] * s1 - wrench[1] * c1;
+  const Scalar t27 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t28 = s3 * t26 - c3 * t27;
+  const Scalar t29 = qdd[5] + t21;
+  const Scalar t30 = k[10] * c6 + k[11] * s6;
+  const Scalar t31 = qd[5] - t23;
+  const Scalar t32 = t31 * t31;
+  const Scalar t33 = t18 * t18;
+  const Scalar t34 = t32 + t33;
+  const Scalar t35 = k[10] * s6 - k[11] * c6;
+  const Scalar t36 = k[28] * (c4 * t28 - wrench[2] * s4) - (t29 * t30 - t34 * t35);
+  const Scalar t37 = (k[7] * t7 + k[26] * t12) + ((k[23] * t21 - k[24] * t25) - t36);
+  const Scalar t38 = t19 * t19;
+  const Scalar t39 = t38 + t33;
+  const Scalar t40 = qd[3] * t5;
+  const Scalar t41 = s4 * t13;
+  const Scalar t42 = t40 + t41;
+  const Scalar t43 = qdd[4] + t42;
+  const Scalar t44 = t18 * t23;
+  const Scalar t45 = t43 - t44;
+  const Scalar t46 = c3 * t26 + s3 * t27;
+  const Scalar t47 = s4 * t28 + wrench[2] * c4;
+  const Scalar t48 = t18 * t31;
+  const Scalar t49 = t43 + t44;
+  const Scalar t50 = (t48 + t49) + t48;
+  const Scalar t51 = t22 * t31 + t25;
+  const Scalar t52 = k[28] * (c5 * t46 - s5 * t47) - (t30 * t50 - t35 * t51);
+  const Scalar t53 = (k[24] * t39 + k[23] * t45) - t52;
+  const Scalar t54 = t38 + t32;
+  const Scalar t55 = t34 - t54;
+  const Scalar t56 = t12 - t55;
+  const Scalar t57 = qdd[5] + t17;
+  const Scalar t58 = k[28] * (c5 * t47 + s5 * t46) + (t30 * t54 + t35 * t57);
+  const Scalar t59 = (k[23] * t56 - k[24] * t49) + t58;
+  const Scalar t60 = t9 + t10;
+  const Scalar t61 = (s5 * t53 + c5 * t59) + (k[7] * t60 - k[26] * t16);
+  const Scalar t62 = c4 * t37 - s4 * t61;
+  const Scalar t63 = s3 * (t62 + (k[30] * t8 - k[29] * t13));
+  const Scalar t64 = t42 + t40;
+  const Scalar t65 = (s5 * t59 - c5 * t53) - (k[26] * t15 + k[7] * t64);
+  const Scalar t66 = c3 * ((k[30] * t13 + k[29] * t8) + t65);
+  const Scalar t67 = qdd[0] - t0;
+  const Scalar t68 = qd[0] * qd[0] + t1;
+  const Scalar t69 = c3 * t67 + s3 * t68;
+  const Scalar t70 = s3 * t67 - c3 * t68;
+  const Scalar t71 = k[31] * t13 + (k[30] * t69 + k[29] * t70);
+  const Scalar t72 = k[6] * t8 + t69;
+  const Scalar t73 = t60 - t8;
+  const Scalar t74 = (k[1] * t16 + k[0] * t73) + (k[3] * t64 + k[2] * t15);
+  const Scalar t75 = k[9] - k[8] * qdd[1];
+  const Scalar t76 = k[6] * t13 + t70;
+  const Scalar t77 = c4 * t75 + s4 * t76;
+  const Scalar t78 = c5 * t77 + s5 * t72;
+  const Scalar t79 = c5 * t72 - s5 * t77;
+  const Scalar t80 = t56 - t39;
+  const Scalar t81 = (k[20] * t49 - k[21] * t45) - k[22] * t80;
+  const Scalar t82 = (k[24] * t78 + k[23] * t79) + ((k[19] * t17 + k[18] * t24) + t81);
+  const Scalar t83 = wrench[3] * s1 - wrench[4] * c1;
+  const Scalar t84 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t85 = s3 * t83 - c3 * t84;
+  const Scalar t86 = k[17] * c6 - k[16] * s6;
+  const Scalar t87 = k[17] * s6 + k[16] * c6;
+  const Scalar t88 = k[13] * s6 - k[12] * c6;
+  const Scalar t89 = c6 * t88;
+  const Scalar t90 = k[15] + t89;
+  const Scalar t91 = k[14] - s6 * t88;
+  const Scalar t92 = (t57 * t86 - t87 * (t32 - t33)) + (t90 * t50 + t51 * t91);
+  const Scalar t93 = (wrench[5] * s4 - c4 * t85) + (t92 + t30 * t79);
+  const Scalar t94 = t82 + t93;
+  const Scalar t95 = s4 * t75 - c4 * t76;
+  const Scalar t96 = k[19] * (t80 + t55) + (k[22] * t21 - k[20] * t25);
+  const Scalar t97 = s3 * t84 + c3 * t83;
+  const Scalar t98 = s4 * t85 + wrench[5] * c4;
+  const Scalar t99 = k[25] + t89;
+  const Scalar t100 = (t34 - t39) * t86 + (t51 * t99 - t91 * t50);
+  const Scalar t101 = (s5 * t97 + c5 * t98) + (t35 * t79 + (t87 * t29 + t100));
+  const Scalar t102 = (k[24] * t95 + (k[18] * t45 - t96)) - t101;
+  const Scalar t103 = (k[19] * t49 + k[18] * t55) - (k[22] * t25 + k[21] * t21);
+  const Scalar t104 = t91 * t55 - (t57 * t99 - t90 * t29);
+  const Scalar t105 = ((t87 * t25 - t86 * t49) - t104) + (t30 * t95 + t35 * t78);
+  const Scalar t106 = t105 - (c5 * t97 - s5 * t98);
+  const Scalar t107 = (k[23] * t95 - t103) + t106;
+  const Scalar t108 = (k[27] * t15 - k[2] * t64) + k[1] * t11;
+  const Scalar t109 = (c5 * t102 - s5 * t107) + ((k[0] * t7 - t108) + k[26] * t72);
+  const Scalar t110 = s4 * ((k[7] * t72 + t74) + t94) - c4 * t109;
+  const Scalar t111 = t71 - (k[6] * t62 + t110);
+  const Scalar t112 = (s4 * t37 + c4 * t61) + k[35] * t75;
+  const Scalar t113 = (k[27] * t16 - k[3] * t7) + k[2] * (t73 - t11);
+  const Scalar t114 = (k[26] * t77 - k[7] * t95) + ((k[1] * t41 - k[0] * t14) - t113);
   JointVector<Scalar> result;
-  result[0] = t110;
-  result[1] = -k[17] * t111;
-  result[2] = t106;
-  result[3] = (c5 * t67 + s5 * t80) - t113;
-  result[4] = -t89;
-  result[5] = t64;
+  result[0] = t2 - ((t63 - t66) - t111);
+  result[1] = -k[8] * t112;
+  result[2] = t111;
+  result[3] = (c5 * t107 + s5 * t102) - t114;
+  result[4] = -t94;
+  result[5] = t106;
   return result;
 }
 
@@ -495,25 +509,25 @@ GravityTorqueWithGravityVectorConstants<Scalar> gravity_torque_with_gravity_vect
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c2x * inertia.m2 + (g.l1 * inertia.m1 + inertia.c1x * inertia.m1);
-  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t2 = inertia.m2 + (inertia.m3 + t1);
-  const Scalar t3 = (inertia.c4y * inertia.m4 - g.d4 * t1) - (g.d4 * inertia.m3 - inertia.c3y * inertia.m3);
+  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t1 = inertia.m3 + t0;
+  const Scalar t2 = g.l1 * t1 + (g.l1 * inertia.m2 + inertia.c2x * inertia.m2);
+  const Scalar t3 = g.d4 * inertia.m4;
+  const Scalar t4 = ((inertia.c4y * inertia.m4 - t3) + t3) - g.d4 * t0;
   return { gravity[0],
            gravity[1],
-           t0,
+           t2 + (g.l1 * inertia.m1 + inertia.c1x * inertia.m1),
            inertia.c1y * inertia.m1 + inertia.c2y * inertia.m2,
-           g.l1 * t2,
-           inertia.c4z * inertia.m4,
-           inertia.c6z * inertia.m6,
-           inertia.c6x * inertia.m6,
+           inertia.c4x * inertia.m4 + inertia.c5x * inertia.m5,
            gravity[2],
            inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
+           inertia.c6z * inertia.m6,
+           inertia.c6x * inertia.m6,
            inertia.c5z * inertia.m5,
-           inertia.c4x * inertia.m4 + inertia.c5x * inertia.m5,
+           inertia.c4z * inertia.m4,
            inertia.c3x * inertia.m3,
-           t3,
-           gravity[2] * t2 };
+           (g.d4 * inertia.m3 - inertia.c3y * inertia.m3) - t4,
+           gravity[2] * (inertia.m2 + t1) };
 }
 
 namespace detail {
@@ -535,29 +549,28 @@ inline JointVector<Scalar> gravity_torque_with_gravity_vector([[maybe_unused]] c
   const Scalar t0 = k[1] * s1 + k[0] * c1;
   const Scalar t1 = k[0] * s1 - k[1] * c1;
   const Scalar t2 = s3 * t0 + c3 * t1;
-  const Scalar t3 = c3 * t0 - s3 * t1;
-  const Scalar t4 = s4 * t3 - k[8] * c4;
-  const Scalar t5 = s5 * t2 - c5 * t4;
-  const Scalar t6 = c5 * t2 + s5 * t4;
-  const Scalar t7 = k[6] * c6 + k[7] * s6;
-  const Scalar t8 = (k[9] * t5 + k[10] * t6) + t6 * t7;
-  const Scalar t9 = k[8] * s4 + c4 * t3;
-  const Scalar t10 = k[7] * c6 - k[6] * s6;
-  const Scalar t11 = t5 * t10 - t9 * t7;
-  const Scalar t12 = k[10] * t9 - t11;
-  const Scalar t13 = t10 * t6 + k[9] * t9;
-  const Scalar t14 = k[11] * t2 - (s5 * t12 - c5 * t13);
-  const Scalar t15 = s4 * (k[5] * t2 + t8) - c4 * t14;
-  const Scalar t16 = (k[12] * t2 + k[13] * t3) - t15;
-  const Scalar t17 = (k[3] * t0 + k[2] * t1) + (t16 + k[4] * t1);
-  const Scalar t18 = (c5 * t12 + s5 * t13) + (k[11] * t4 + k[5] * t9);
+  const Scalar t3 = k[7] * c6 + k[8] * s6;
+  const Scalar t4 = c3 * t0 - s3 * t1;
+  const Scalar t5 = k[5] * c4 - s4 * t4;
+  const Scalar t6 = c5 * t2 - s5 * t5;
+  const Scalar t7 = s5 * t2 + c5 * t5;
+  const Scalar t8 = t3 * t6 + (k[6] * t7 + k[9] * t6);
+  const Scalar t9 = c4 * t4 + k[5] * s4;
+  const Scalar t10 = k[8] * c6 - k[7] * s6;
+  const Scalar t11 = k[6] * t9 + t6 * t10;
+  const Scalar t12 = t7 * t10 - t3 * t9;
+  const Scalar t13 = k[9] * t9 - t12;
+  const Scalar t14 = (c5 * t11 - s5 * t13) + k[4] * t2;
+  const Scalar t15 = s4 * (k[10] * t2 + t8) - c4 * t14;
+  const Scalar t16 = t15 + (k[12] * t4 - k[11] * t2);
+  const Scalar t17 = (k[4] * t5 - k[10] * t9) - (c5 * t13 + s5 * t11);
   JointVector<Scalar> result;
-  result[0] = t17;
-  result[1] = -k[14];
-  result[2] = t16;
-  result[3] = t18;
+  result[0] = (k[3] * t0 + k[2] * t1) - t16;
+  result[1] = -k[13];
+  result[2] = -t16;
+  result[3] = -t17;
   result[4] = -t8;
-  result[5] = -t11;
+  result[5] = -t12;
   return result;
 }
 
@@ -584,98 +597,106 @@ ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6z * inertia.m6;
+  const Scalar t0 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
   const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = g.d4 / g.l1;
-  const Scalar t3 = inertia.c6y * inertia.m6;
-  const Scalar t4 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t5 = (inertia.I6xx - t4) - inertia.c6x * t1;
-  const Scalar t6 = inertia.c6z * t0 - (inertia.I6zz - t4);
-  const Scalar t7 = t5 - t6;
-  const Scalar t8 = Scalar(1) / t7;
+  const Scalar t2 = (inertia.I6xx - t0) - inertia.c6x * t1;
+  const Scalar t3 = inertia.c6z * inertia.m6;
+  const Scalar t4 = inertia.c6z * t3 - (inertia.I6zz - t0);
+  const Scalar t5 = inertia.I6xz - inertia.c6z * t1;
+  const Scalar t6 = inertia.c5x * inertia.m5;
+  const Scalar t7 = inertia.c6y * inertia.m6;
+  const Scalar t8 = t2 - t4;
   const Scalar t9 = inertia.c5z * inertia.m5;
-  const Scalar t10 = inertia.c5y * inertia.m5;
-  const Scalar t11 = inertia.c5x * inertia.m5;
-  const Scalar t12 = inertia.I6xz - inertia.c6z * t1;
-  const Scalar t13 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t14 = ((inertia.I6yy - t4) - inertia.c6y * t3) - (inertia.c5y * t10 - (inertia.I5yy - t13));
-  const Scalar t15 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t16 = inertia.c4y * inertia.m4;
-  const Scalar t17 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t18 = t16 - g.d4 * t17;
-  const Scalar t19 = ((inertia.I4yy - t15) - inertia.c4y * t16) + g.d4 * (t16 + t18);
-  const Scalar t20 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t21 = inertia.c3y * inertia.m3;
-  const Scalar t22 = g.d4 * inertia.m3 - t21;
-  const Scalar t23 = ((inertia.I3yy - t20) - inertia.c3y * t21) - g.d4 * (t22 - t21);
-  const Scalar t24 = inertia.c4x * inertia.m4;
-  const Scalar t25 = inertia.c4z * inertia.m4;
-  const Scalar t26 = g.l1 * t25;
-  const Scalar t27 = inertia.c3x * inertia.m3;
-  const Scalar t28 = (inertia.I4zz - t15) - inertia.c4z * t25;
-  const Scalar t29 = (inertia.c5x * t11 - (inertia.I5xx - t13)) - ((inertia.I4xx - t15) - inertia.c4x * t24);
-  const Scalar t30 = inertia.I4xz - inertia.c4z * t24;
-  const Scalar t31 = gravity[2] / g.l1;
-  const Scalar t32 = inertia.c2x * inertia.m2;
-  const Scalar t33 = inertia.c1x * inertia.m1;
-  const Scalar t34 = g.l1 * inertia.m1 + t33;
-  const Scalar t35 = inertia.c1y * inertia.m1;
-  const Scalar t36 = inertia.c2y * inertia.m2;
-  const Scalar t37 = g.l1 * g.l1 * (inertia.m2 + (inertia.m3 + t17));
-  const Scalar t38 = Scalar(1) / g.l1;
-  const Scalar t39 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t40 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t41 = (inertia.c1y * t35 - (inertia.I1yy - t39)) - ((inertia.I2yy - t40) - inertia.c2y * t36);
-  const Scalar t42 = Scalar(2) * g.l1 * t32 + (inertia.c2x * t32 - (inertia.I2xx - t40));
-  const Scalar t43 = g.l1 * (t33 + t34) + (inertia.c1x * t33 - (inertia.I1xx - t39));
-  return { g.l1 * t0,
-           g.l1 * t1,
-           t2,
-           inertia.I6xy - inertia.c6y * t1,
-           inertia.I6yz - inertia.c6z * t3,
-           t7,
-           t8,
-           g.l1 * t9,
-           g.l1 * (t3 + t10),
-           inertia.I5xy - inertia.c5y * t11,
-           Scalar(2) * t12,
-           t5 + t6,
-           t12,
-           inertia.I5xz - inertia.c5z * t11,
+  const Scalar t10 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t11 = inertia.c5y * inertia.m5;
+  const Scalar t12 = ((inertia.I6yy - t0) - inertia.c6y * t7) - (inertia.c5y * t11 - (inertia.I5yy - t10));
+  const Scalar t13 = Scalar(1) / t8;
+  const Scalar t14 = g.l1 / g.d4;
+  const Scalar t15 = inertia.c3y * inertia.m3;
+  const Scalar t16 = g.d4 * inertia.m3 - t15;
+  const Scalar t17 = inertia.c4y * inertia.m4;
+  const Scalar t18 = g.d4 * inertia.m4;
+  const Scalar t19 = t17 - t18;
+  const Scalar t20 = t19 + t18;
+  const Scalar t21 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t22 = t20 - g.d4 * t21;
+  const Scalar t23 = inertia.c4x * inertia.m4;
+  const Scalar t24 = inertia.c4z * inertia.m4;
+  const Scalar t25 = g.d4 * t24;
+  const Scalar t26 = inertia.c3x * inertia.m3;
+  const Scalar t27 = g.d4 * t26;
+  const Scalar t28 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t29 = (inertia.c5x * t6 - (inertia.I5xx - t10)) - ((inertia.I4xx - t28) - inertia.c4x * t23);
+  const Scalar t30 = (inertia.I4zz - t28) - inertia.c4z * t24;
+  const Scalar t31 = inertia.I4xz - inertia.c4z * t23;
+  const Scalar t32 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t33 = g.d4 * (t17 + t19) + ((inertia.I4yy - t28) - inertia.c4y * t17);
+  const Scalar t34 = (t33 - g.d4 * (t20 + t19)) + g.d4 * (t20 + t22);
+  const Scalar t35 = ((inertia.I3yy - t32) - inertia.c3y * t15) - g.d4 * (t16 - t15);
+  const Scalar t36 = g.d4 * t23;
+  const Scalar t37 = gravity[2] / g.d4;
+  const Scalar t38 = inertia.m3 + t21;
+  const Scalar t39 = g.l1 * t38;
+  const Scalar t40 = inertia.c2x * inertia.m2;
+  const Scalar t41 = g.l1 * inertia.m2 + t40;
+  const Scalar t42 = inertia.c1x * inertia.m1;
+  const Scalar t43 = g.l1 * inertia.m1 + t42;
+  const Scalar t44 = inertia.c1y * inertia.m1;
+  const Scalar t45 = inertia.c2y * inertia.m2;
+  const Scalar t46 = Scalar(1) / g.d4;
+  const Scalar t47 = g.d4 * g.d4 * (inertia.m2 + t38);
+  const Scalar t48 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t49 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t50 = (inertia.c1y * t44 - (inertia.I1yy - t48)) - ((inertia.I2yy - t49) - inertia.c2y * t45);
+  const Scalar t51 = (inertia.c2x * t40 - (inertia.I2xx - t49)) + g.l1 * (t40 + t41);
+  const Scalar t52 = g.l1 * (t42 + t43) + (inertia.c1x * t42 - (inertia.I1xx - t48));
+  return { t2 + t4,
+           Scalar(2) * t5,
            t5,
-           inertia.c5z * t9 - (inertia.I5zz - t13),
+           inertia.I5xz - inertia.c5z * t6,
+           inertia.I6yz - inertia.c6z * t7,
+           inertia.I6xy - inertia.c6y * t1,
+           inertia.I5xy - inertia.c5y * t6,
+           t4,
+           t8,
+           inertia.c5z * t9 - (inertia.I5zz - t10),
+           t12,
+           g.d4 * t3,
+           g.d4 * t1,
+           g.d4 * t9,
+           g.d4 * (t7 + t11),
+           t13,
            t14,
-           Scalar(2) * t14,
-           inertia.I5yz - inertia.c5z * t10,
-           Scalar(2) * t2,
-           t19 + t23,
-           g.l1 * (t24 + t11),
-           inertia.I4xy - inertia.c4y * t24,
-           t26,
-           inertia.I4yz - inertia.c4z * t16,
-           (inertia.I3xy - inertia.c3y * t27) + g.d4 * t27,
-           t28,
+           g.d4 * (t16 - t22),
+           g.d4 * (t23 + t6),
+           t25,
+           t27,
            t29,
+           inertia.I5yz - inertia.c5z * t11,
            t30,
-           inertia.c3x * t27 - (inertia.I3xx - t20),
-           gravity[1] / g.l1,
-           gravity[0] / g.l1,
            t31,
-           t28 + t29,
-           g.l1 * t27,
-           g.l1 * (t18 - t22),
-           Scalar(2) * t28,
-           Scalar(2) * t30,
-           g.l1 * (t32 + t34),
-           g.l1 * (t35 + t36),
+           inertia.c3x * t26 - (inertia.I3xx - t32),
+           t34 + t35,
+           t25 - (t25 + (inertia.I4yz - inertia.c4z * t17)),
+           (t36 + (inertia.I4xy - inertia.c4y * t23)) - t36,
+           (inertia.I3xy - inertia.c3y * t26) + t27,
+           gravity[0] / g.d4,
+           gravity[1] / g.d4,
            t37,
-           Scalar(2) * t26,
-           t38 * t8,
-           t38,
-           t38 * t37 * t38,
-           t37 * t31,
-           t41,
-           t42 + t43 };
+           Scalar(2) * t30,
+           Scalar(2) * t31,
+           Scalar(2) * t29,
+           t30 + t29,
+           g.d4 * ((t39 + t41) + t43),
+           g.d4 * (t44 + t45),
+           Scalar(2) * t25,
+           t13 * t46,
+           t46,
+           t47 * t37,
+           t47 * t46 * t46,
+           t50,
+           Scalar(2) * t14,
+           (g.l1 * t39 + t51) + t52 };
 }
 
 namespace detail {
@@ -694,195 +715,198 @@ inline JointVector<Scalar> forward_dynamics_with_gravity_vector([[maybe_unused]]
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[0] * c6 + k[1] * s6;
-  const Scalar t1 = k[7] + t0;
-  const Scalar t2 = c5 * t1 + k[8] * s5;
-  const Scalar t3 = k[23] + t2;
-  const Scalar t4 = k[10] * s6 - k[11] * c6;
-  const Scalar t5 = k[14] + c6 * t4;
-  const Scalar t6 = k[15] - t5;
-  const Scalar t7 = k[16] + t6;
-  const Scalar t8 = k[4] * c6 + k[3] * s6;
-  const Scalar t9 = k[18] + t8;
-  const Scalar t10 = c5 * t9;
-  const Scalar t11 = s5 * t7 + (t10 + t10);
-  const Scalar t12 = k[2] * t3 + (k[24] + (c5 * t11 - t9));
-  const Scalar t13 = k[0] * s6 - k[1] * c6;
-  const Scalar t14 = k[21] - t13;
-  const Scalar t15 = k[12] - s6 * t4;
-  const Scalar t16 = k[13] + t15;
-  const Scalar t17 = k[3] * c6 - k[4] * s6;
-  const Scalar t18 = k[9] + t17;
-  const Scalar t19 = s5 * t16 - c5 * t18;
-  const Scalar t20 = k[2] * t14 + (k[22] - t19);
-  const Scalar t21 = c4 * t12 + s4 * t20;
-  const Scalar t22 = t21 + s3 * (c4 * t3 + s4 * t14);
-  const Scalar t23 = c5 + k[6] * s5 * t8;
-  const Scalar t24 = k[5] * t23;
-  const Scalar t25 = c5 * t13;
-  const Scalar t26 = s4 * t25 - c4 * t0;
-  const Scalar t27 = s4 * t17 - c4 * (k[5] * s5 - c5 * t8);
-  const Scalar t28 = t27 - k[2] * t26;
-  const Scalar t29 = (s3 * t26 + c3 * s5 * t13) - t28;
-  const Scalar t30 = k[6] * t29;
-  const Scalar t31 = k[17] - t7;
-  const Scalar t32 = c5 * t16 + s5 * t18;
-  const Scalar t33 = s5 * t1 - k[8] * c5;
-  const Scalar t34 = s4 * t33;
-  const Scalar t35 = (s4 * t31 - c4 * t32) - k[2] * t34;
-  const Scalar t36 = (t35 + (c3 * t2 - s3 * t34)) + t30 * t17;
-  const Scalar t37 = k[6] * t17;
-  const Scalar t38 = Scalar(1) / (t37 * t17 - t31);
-  const Scalar t39 = t36 * t38;
-  const Scalar t40 = t24 * t37 + t19;
-  const Scalar t41 = (t22 + t24 * t30) - t39 * t40;
-  const Scalar t42 = t38 * t40;
-  const Scalar t43 = k[6] * t28;
-  const Scalar t44 = t17 * t43 - t35;
-  const Scalar t45 = t42 * t44 + (t21 - t24 * t43);
-  const Scalar t46 = s5 * t11 - t6;
-  const Scalar t47 = k[26] + t46;
-  const Scalar t48 = k[5] - t5;
-  const Scalar t49 = k[27] - t48;
-  const Scalar t50 = ((t47 - t49) - t24 * t23) + t42 * t40;
-  const Scalar t51 = Scalar(1) / t50;
-  const Scalar t52 = t45 * t51;
-  const Scalar t53 = c4 * t14 - s4 * t3;
-  const Scalar t54 = s3 * (k[35] - t33) - c3 * (k[34] + t53);
-  const Scalar t55 = k[20] - ((t46 - t31) + k[19] * t33);
-  const Scalar t56 = s4 * (k[28] + t32);
-  const Scalar t57 = c4 * ((t56 + t56) + c4 * (t47 + t49));
-  const Scalar t58 = k[29] + (t57 - t47);
-  const Scalar t59 = c3 * (k[25] - (s4 * t12 - c4 * t20));
-  const Scalar t60 = s3 * (s3 * (t55 + t58) - Scalar(2) * t59);
-  const Scalar t61 = t55 - t60;
-  const Scalar t62 = t60 - t58;
-  const Scalar t63 = t61 + t62;
-  const Scalar t64 = ((t54 + t63) + t43 * t29) - t39 * t44;
-  const Scalar t65 = t41 * t52 - t64;
-  const Scalar t66 = t38 * t44;
-  const Scalar t67 = t45 * t52 - (t44 * t66 - (t43 * t28 - t63));
-  const Scalar t68 = Scalar(1) / t67;
-  const Scalar t69 = t68 * t65;
-  const Scalar t70 = t41 * t51;
-  const Scalar t71 = (k[47] - (t62 - ((k[40] - t54) - t54))) + (k[46] - t61);
-  const Scalar t72 = t70 * t41 + ((t71 + t30 * t29) - t36 * t39);
-  const Scalar t73 = k[42] * (c4 * t25 + s4 * t0);
-  const Scalar t74 = k[43] * c4 * t33 - t17 * t73;
-  const Scalar t75 = t74 * t38;
-  const Scalar t76 = k[5] * t73;
-  const Scalar t77 = t40 * t75 + (k[43] * t53 + t76 * t23);
-  const Scalar t78 = t77 * t51;
-  const Scalar t79 = t77 * t78 - (t74 * t75 - (k[44] + t76 * t73));
-  const Scalar t80 = (t73 * t28 + t44 * t75) - t52 * t77;
-  const Scalar t81 = t68 * t80;
-  const Scalar t82 = Scalar(1) / (t79 - t80 * t81);
-  const Scalar t83 = (t39 * t74 + t29 * t73) + t41 * t78;
-  const Scalar t84 = t65 * t81 + t83;
-  const Scalar t85 = t82 * t84;
-  const Scalar t86 = Scalar(1) / ((t65 * t69 - t72) + t85 * t84);
-  const Scalar t87 = qd[0] + qd[2];
-  const Scalar t88 = t87 * t87;
-  const Scalar t89 = k[30] * c1 - k[31] * s1;
-  const Scalar t90 = k[31] * c1 + k[30] * s1;
-  const Scalar t91 = qd[0] * qd[0] + t90;
-  const Scalar t92 = c3 * t89 - s3 * t91;
-  const Scalar t93 = k[2] * t88 - t92;
-  const Scalar t94 = c3 * t91 + s3 * t89;
-  const Scalar t95 = s4 * t94 - k[32] * c4;
-  const Scalar t96 = s5 * t93 - c5 * t95;
-  const Scalar t97 = s5 * t95 + c5 * t93;
-  const Scalar t98 = s4 * t87;
-  const Scalar t99 = c4 * t87;
-  const Scalar t100 = t98 * t99;
-  const Scalar t101 = Scalar(2) * qd[3] * t98;
-  const Scalar t102 = s5 * t100 - c5 * t101;
-  const Scalar t103 = c5 * t99;
-  const Scalar t104 = s5 * t101 + t98 * t103;
-  const Scalar t105 = qd[3] * s5 + t103;
-  const Scalar t106 = s5 * t99 - qd[3] * c5;
-  const Scalar t107 = t105 * t106;
-  const Scalar t108 = qd[3] * t99;
-  const Scalar t109 = t107 + t108;
-  const Scalar t110 = t107 - t108;
-  const Scalar t111 = qd[4] + t98;
-  const Scalar t112 = t111 * t111;
-  const Scalar t113 = t105 * t105;
-  const Scalar t114 = t112 - t113;
-  const Scalar t115 = qd[3] * qd[3];
-  const Scalar t116 = t98 * t98;
-  const Scalar t117 = t115 - t116;
-  const Scalar t118 = t88 + t117;
-  const Scalar t119 = t114 + t118;
-  const Scalar t120 = t112 + t113;
-  const Scalar t121 = t119 - t120;
-  const Scalar t122 = (k[16] * t109 + k[15] * t110) - k[18] * t121;
-  const Scalar t123 = (k[8] * t96 + k[7] * t97) - ((k[13] * t102 - k[9] * t104) - t122);
-  const Scalar t124 = qd[5] - t106;
-  const Scalar t125 = t111 * t124;
-  const Scalar t126 = t111 * t106;
-  const Scalar t127 = t126 + (t126 - t102);
-  const Scalar t128 = (t125 + t125) + t127;
-  const Scalar t129 = t105 * t124;
-  const Scalar t130 = t109 + (t129 + t129);
-  const Scalar t131 = t124 * t124;
-  const Scalar t132 = t112 - t131;
-  const Scalar t133 = (t128 * t15 + t130 * t5) + (t104 * t17 - (t114 - t132) * t8);
-  const Scalar t134 = t123 + (t0 * t97 + t133);
-  const Scalar t135 = t105 * t111;
-  const Scalar t136 = t135 - (t104 - t135);
-  const Scalar t137 = (t136 * t5 - t104 * t48) + t15 * t114;
-  const Scalar t138 = c4 * t94 + k[32] * s4;
-  const Scalar t139 = ((t109 * t17 - t127 * t8) - t137) - (t13 * t96 + t0 * t138);
-  const Scalar t140 = torque[5] + t139;
-  const Scalar t141 = (torque[4] + t134) - t140 * t37;
-  const Scalar t142 = t115 + t116;
-  const Scalar t143 = t142 - t118;
-  const Scalar t144 = (k[24] * (t117 + t143) - k[22] * t100) - (k[28] * t101 + k[36] * t108);
-  const Scalar t145 = t17 * t132 + (t15 * t130 + t128 * t48);
-  const Scalar t146 = (k[16] * t127 + k[18] * t136) + k[9] * (t114 - t121);
-  const Scalar t147 = ((t136 * t8 + t145) - t13 * t97) - ((k[13] * t110 - t146) - k[8] * t138);
-  const Scalar t148 = (k[9] * t109 - k[13] * t114) - (k[18] * t127 - k[15] * t136);
-  const Scalar t149 = t139 - (k[7] * t138 - t148);
-  const Scalar t150 = k[22] * t117 - (k[37] * t108 - k[27] * t101);
-  const Scalar t151 = (c5 * t147 + s5 * t149) + (k[21] * t93 - (t150 - k[24] * t100));
-  const Scalar t152 = s4 * (t134 + (k[23] * t93 - t144)) - c4 * t151;
-  const Scalar t153 = (t104 * t13 + t0 * (t112 + t131)) - (k[8] * t109 - k[7] * t119);
-  const Scalar t154 = (t128 * t13 - t0 * t130) - (k[8] * t120 - k[7] * t110);
-  const Scalar t155 = (k[21] * t100 - k[23] * t142) - (c5 * t153 - s5 * t154);
-  const Scalar t156 = (t13 * (t131 + t113) + t0 * t136) + (k[8] * t127 + k[7] * t136);
-  const Scalar t157 = (k[23] * t100 - k[21] * t118) + t156;
-  const Scalar t158 = s4 * t155 - c4 * t157;
-  const Scalar t159 = (k[35] * t94 - k[34] * t92) - (t152 + k[2] * t158);
-  const Scalar t160 = t66 * t141 - ((torque[2] - t159) - t140 * t43);
-  const Scalar t161 = (k[23] * t138 + k[21] * t95) + (k[33] * t100 + k[28] * t143);
-  const Scalar t162 = torque[3] - ((s5 * t147 - c5 * t149) + t161);
-  const Scalar t163 = k[6] * t140;
-  const Scalar t164 = (t42 * t141 - (t162 - t163 * t24)) * t51;
-  const Scalar t165 = t68 * (t160 - t45 * t164);
-  const Scalar t166 = (k[41] * t108 + k[21] * t101) - (c5 * t154 + s5 * t153);
-  const Scalar t167 = s3 * (t158 + k[34] * t88) + c3 * (k[35] * t88 + t166);
-  const Scalar t168 = ((t167 + k[40] * t89) - t159) - (k[39] * t90 - k[38] * t89);
-  const Scalar t169 = t38 * t141;
-  const Scalar t170 = ((torque[0] + t168) + t163 * t29) + t36 * t169;
-  const Scalar t171 = k[43] * (k[45] - (s4 * t157 + c4 * t155));
-  const Scalar t172 = ((torque[1] + t171) - t140 * t73) + t75 * t141;
-  const Scalar t173 = t165 * t80 + (t172 - t164 * t77);
-  const Scalar t174 = (t165 * t65 + (t170 + t164 * t41)) + t85 * t173;
-  const Scalar t175 = t86 * t174;
-  const Scalar t176 = t175 * t85 - t82 * t173;
-  const Scalar t177 = t81 * t176 - (t165 - t175 * t69);
-  const Scalar t178 = (t176 * t78 - (t164 + t175 * t70)) + t52 * t177;
-  const Scalar t179 = t66 * t177 + ((t175 * t39 - t169) + t176 * t75);
-  const Scalar t180 = t42 * t178 - t179;
-  const Scalar t181 = (t176 * t73 - (t163 + t175 * t30)) - t43 * t177;
+  const Scalar t0 = k[4] * s6 - k[5] * c6;
+  const Scalar t1 = k[6] - t0;
+  const Scalar t2 = k[0] * c6 - k[1] * s6;
+  const Scalar t3 = k[2] + s6 * t2;
+  const Scalar t4 = k[3] + t3;
+  const Scalar t5 = c5 * t1 - s5 * t4;
+  const Scalar t6 = k[15] * t0;
+  const Scalar t7 = k[4] * c6 + k[5] * s6;
+  const Scalar t8 = s5 * t7 + k[8] * c5;
+  const Scalar t9 = t5 + t6 * t8;
+  const Scalar t10 = k[7] - c6 * t2;
+  const Scalar t11 = k[8] + t10;
+  const Scalar t12 = k[9] - t11;
+  const Scalar t13 = k[10] - t12;
+  const Scalar t14 = Scalar(1) / (t6 * t0 - t13);
+  const Scalar t15 = t9 * t14;
+  const Scalar t16 = k[12] * s6 + k[11] * c6;
+  const Scalar t17 = k[12] * c6 - k[11] * s6;
+  const Scalar t18 = c5 * t17;
+  const Scalar t19 = c4 * t16 + s4 * t18;
+  const Scalar t20 = c4 * (c5 * t7 - k[8] * s5) - s4 * t0;
+  const Scalar t21 = t19 + t20;
+  const Scalar t22 = k[15] * t21;
+  const Scalar t23 = c5 * t4 + s5 * t1;
+  const Scalar t24 = k[13] + t16;
+  const Scalar t25 = k[14] * c5 - s5 * t24;
+  const Scalar t26 = s4 * t25;
+  const Scalar t27 = c4 * t23 - (t26 + s4 * t13);
+  const Scalar t28 = t0 * t22 - t27;
+  const Scalar t29 = k[18] + t17;
+  const Scalar t30 = t29 + (k[28] + t5);
+  const Scalar t31 = k[14] * s5 + c5 * t24;
+  const Scalar t32 = k[19] + t31;
+  const Scalar t33 = k[22] + t7;
+  const Scalar t34 = c5 * t33;
+  const Scalar t35 = s5 * (k[10] + t12) + (t34 + t34);
+  const Scalar t36 = t32 - (k[27] - (c5 * t35 - t33));
+  const Scalar t37 = s4 * t30 + c4 * t36;
+  const Scalar t38 = t15 * t28 - (t22 * t8 - t37);
+  const Scalar t39 = k[40] * (s4 * t16 - c4 * t18);
+  const Scalar t40 = t0 * t39 - k[41] * c4 * t25;
+  const Scalar t41 = t14 * t40;
+  const Scalar t42 = c4 * t29 - s4 * t32;
+  const Scalar t43 = t9 * t41 - (k[41] * t42 + t39 * t8);
+  const Scalar t44 = k[15] * t8;
+  const Scalar t45 = t12 - s5 * t35;
+  const Scalar t46 = k[23] - t45;
+  const Scalar t47 = k[21] + t10;
+  const Scalar t48 = t9 * t15 - (t44 * t8 - (t46 - t47));
+  const Scalar t49 = Scalar(1) / t48;
+  const Scalar t50 = t43 * t49;
+  const Scalar t51 = t14 * t28;
+  const Scalar t52 = t38 * t50 + (t39 * t21 - t51 * t40);
+  const Scalar t53 = s4 * (k[24] + t23);
+  const Scalar t54 = c4 * (c4 * (t46 + t47) + (t53 + t53));
+  const Scalar t55 = k[25] - (t46 - t54);
+  const Scalar t56 = c3 * (k[29] - (s4 * t36 - c4 * t30));
+  const Scalar t57 = k[26] + ((t25 + t25) + (t13 + t45));
+  const Scalar t58 = s3 * (Scalar(2) * t56 - s3 * (t57 + t55));
+  const Scalar t59 = t55 + t58;
+  const Scalar t60 = t57 + t58;
+  const Scalar t61 = t59 - t60;
+  const Scalar t62 = t38 * t49;
+  const Scalar t63 = ((t22 * t21 + t61) - t28 * t51) + t62 * t38;
+  const Scalar t64 = Scalar(1) / t63;
+  const Scalar t65 = k[16] * (c3 * s5 * t17 + s3 * t19);
+  const Scalar t66 = t65 + t21;
+  const Scalar t67 = k[16] * (s3 * t26 + c3 * t31) - t27;
+  const Scalar t68 = t6 * t66 + t67;
+  const Scalar t69 = s3 * k[16] * (s4 * t29 + c4 * t32);
+  const Scalar t70 = k[15] * t66;
+  const Scalar t71 = t15 * t68 + ((t69 + t37) - t70 * t8);
+  const Scalar t72 = c3 * (k[20] + t42) + s3 * (k[17] - t25);
+  const Scalar t73 = t14 * t68;
+  const Scalar t74 = (t66 * t22 + (t61 + k[16] * t72)) - t28 * t73;
+  const Scalar t75 = t62 * t71 + t74;
+  const Scalar t76 = t64 * t75;
+  const Scalar t77 = t71 * t49;
+  const Scalar t78 = t77 * t43 - (t73 * t40 - t66 * t39);
+  const Scalar t79 = t52 * t76 - t78;
+  const Scalar t80 = k[8] * t39;
+  const Scalar t81 = ((k[43] + t80 * t39) - t41 * t40) + t43 * t50;
+  const Scalar t82 = t52 * t64;
+  const Scalar t83 = Scalar(1) / (t81 - t52 * t82);
+  const Scalar t84 = t79 * t83;
+  const Scalar t85 = qd[0] + qd[2];
+  const Scalar t86 = s4 * t85;
+  const Scalar t87 = qd[4] + t86;
+  const Scalar t88 = c4 * t85;
+  const Scalar t89 = s5 * t88;
+  const Scalar t90 = t89 - qd[3] * c5;
+  const Scalar t91 = t87 * t90;
+  const Scalar t92 = qd[3] * t86;
+  const Scalar t93 = t92 + t92;
+  const Scalar t94 = t86 * t89 - c5 * t93;
+  const Scalar t95 = t91 + (t91 - t94);
+  const Scalar t96 = c5 * t88;
+  const Scalar t97 = qd[3] * s5 + t96;
+  const Scalar t98 = t97 * t90;
+  const Scalar t99 = qd[3] * t88;
+  const Scalar t100 = t98 + t99;
+  const Scalar t101 = qd[5] - t90;
+  const Scalar t102 = t101 * t101;
+  const Scalar t103 = t97 * t97;
+  const Scalar t104 = t102 + t103;
+  const Scalar t105 = t87 * t87 + t102;
+  const Scalar t106 = t104 - t105;
+  const Scalar t107 = s5 * t93 + t86 * t96;
+  const Scalar t108 = t107 - Scalar(2) * t97 * t87;
+  const Scalar t109 = t3 * t106 + (t11 * t108 - t107 * t10);
+  const Scalar t110 = k[30] * c1 + k[31] * s1;
+  const Scalar t111 = k[16] * qd[0] * qd[0] + t110;
+  const Scalar t112 = k[31] * c1 - k[30] * s1;
+  const Scalar t113 = c3 * t111 + s3 * t112;
+  const Scalar t114 = c4 * t113 + k[32] * s4;
+  const Scalar t115 = s4 * t113 - k[32] * c4;
+  const Scalar t116 = t85 * t85;
+  const Scalar t117 = s3 * t111 - c3 * t112;
+  const Scalar t118 = t116 + t117;
+  const Scalar t119 = c5 * t115 - s5 * t118;
+  const Scalar t120 = ((t7 * t95 + t100 * t0) - t109) + (t114 * t16 + t17 * t119);
+  const Scalar t121 = torque[5] - t120;
+  const Scalar t122 = t87 * t101;
+  const Scalar t123 = t122 + (t122 + t95);
+  const Scalar t124 = t100 + Scalar(2) * t97 * t101;
+  const Scalar t125 = t98 - t99;
+  const Scalar t126 = t102 - t103;
+  const Scalar t127 = t126 + t106;
+  const Scalar t128 = t127 - t104;
+  const Scalar t129 = (t17 * t123 + t124 * t16) - (k[13] * t125 + k[14] * t128);
+  const Scalar t130 = t88 * t88;
+  const Scalar t131 = qd[3] * qd[3];
+  const Scalar t132 = t130 + t131;
+  const Scalar t133 = t132 - t106;
+  const Scalar t134 = (t105 * t16 - t17 * t107) + (k[13] * t133 - k[14] * t100);
+  const Scalar t135 = t86 * t88;
+  const Scalar t136 = t132 - t116;
+  const Scalar t137 = t130 - t131;
+  const Scalar t138 = t136 + t137;
+  const Scalar t139 = (s5 * t129 + c5 * t134) - (k[18] * t135 - k[19] * (t132 - t138));
+  const Scalar t140 = (k[14] * t95 - k[13] * t108) - (t17 * t104 + t108 * t16);
+  const Scalar t141 = (k[19] * t135 - k[18] * t132) + t140;
+  const Scalar t142 = s4 * t139 + c4 * t141;
+  const Scalar t143 = k[28] * t136 - (k[34] * t99 - k[35] * t92);
+  const Scalar t144 = s5 * t115 + c5 * t118;
+  const Scalar t145 = t127 * t0 - (t123 * t10 - t3 * t124);
+  const Scalar t146 = k[6] * (t132 + t128) + (k[22] * t108 - k[10] * t95);
+  const Scalar t147 = (t17 * t144 - (t7 * t108 - t145)) - ((k[3] * t125 + t146) - k[14] * t114);
+  const Scalar t148 = (k[9] * t108 + k[22] * t95) - (k[6] * t100 + k[3] * t106);
+  const Scalar t149 = t120 + (k[13] * t114 + t148);
+  const Scalar t150 = ((t143 + k[27] * t135) - k[18] * t118) - (c5 * t147 - s5 * t149);
+  const Scalar t151 = (k[28] * t135 - k[27] * t137) + (k[34] * t92 + k[33] * t99);
+  const Scalar t152 = (t11 * t124 + t3 * t123) - (t107 * t0 + t126 * t7);
+  const Scalar t153 = k[22] * (t128 + t133) - (k[10] * t100 + k[9] * t125);
+  const Scalar t154 = (t153 - (k[6] * t107 - k[3] * t94)) - (k[13] * t144 - k[14] * t119);
+  const Scalar t155 = (t144 * t16 + t152) - t154;
+  const Scalar t156 = c4 * t150 + s4 * ((t151 + k[19] * t118) + t155);
+  const Scalar t157 = (t142 - t156) - (k[17] * t113 - k[20] * t117);
+  const Scalar t158 = k[15] * t121;
+  const Scalar t159 = t158 * t0 + (torque[4] + t155);
+  const Scalar t160 = (t22 * t121 - (torque[2] - t157)) - t159 * t51;
+  const Scalar t161 = (k[24] * t138 - k[36] * t135) - (k[19] * t114 + k[18] * t115);
+  const Scalar t162 = torque[3] + (t161 - (c5 * t149 + s5 * t147));
+  const Scalar t163 = t159 * t15 + (t162 - t44 * t121);
+  const Scalar t164 = t160 + t163 * t62;
+  const Scalar t165 = k[41] * (k[42] + (c4 * t139 - s4 * t141));
+  const Scalar t166 = ((torque[1] + t165) - t158 * t80) + t159 * t41;
+  const Scalar t167 = t163 * t49;
+  const Scalar t168 = t82 * t164 + (t166 - t167 * t43);
+  const Scalar t169 = (k[18] * t93 + k[39] * t99) - (s5 * t134 - c5 * t129);
+  const Scalar t170 = c3 * (k[17] * t116 - t169) + s3 * (t142 - k[20] * t116);
+  const Scalar t171 = (k[16] * t170 + t157) + (k[38] * t110 - k[37] * t112);
+  const Scalar t172 = ((torque[0] - t171) - t70 * t121) + t159 * t73;
+  const Scalar t173 = t64 * t164;
+  const Scalar t174 = t84 * t168 + ((t172 - t163 * t77) + t173 * t75);
+  const Scalar t175 = (k[44] - t60) + (k[46] + (t59 + k[45] * t72));
+  const Scalar t176 = ((t70 * t66 + t175) - t73 * t68) + t71 * t77;
+  const Scalar t177 = Scalar(1) / (t84 * t79 + (t76 * t75 - t176));
+  const Scalar t178 = t174 * t177;
+  const Scalar t179 = t168 * t83 - t84 * t178;
+  const Scalar t180 = t82 * t179 + (t173 - t76 * t178);
+  const Scalar t181 = t62 * t180 - (t179 * t50 - (t77 * t178 - t167));
+  const Scalar t182 = t41 * t179 - (t73 * t178 - t159 * t14);
+  const Scalar t183 = t15 * t181 + (t182 - t180 * t51);
+  const Scalar t184 = (t179 * t39 - (t70 * t178 - t158)) - t180 * t22;
   JointVector<Scalar> result;
-  result[0] = -t175;
-  result[1] = -t176;
-  result[2] = t177;
-  result[3] = -t178;
-  result[4] = t180;
-  result[5] = (t23 * t178 + t181) - t180 * t37;
+  result[0] = -t178;
+  result[1] = t179;
+  result[2] = -t180;
+  result[3] = t181;
+  result[4] = t183;
+  result[5] = t6 * t183 - (t44 * t181 + t184);
   return result;
 }
 
@@ -913,102 +937,103 @@ ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constant
   using std::sin;
   const Scalar t0 = inertia.c6z * inertia.m6;
   const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = g.d4 / g.l1;
-  const Scalar t3 = inertia.c6y * inertia.m6;
-  const Scalar t4 = inertia.I6yz - inertia.c6z * t3;
-  const Scalar t5 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t6 = (inertia.I6xx - t5) - inertia.c6x * t1;
-  const Scalar t7 = inertia.c6z * t0 - (inertia.I6zz - t5);
-  const Scalar t8 = t6 - t7;
-  const Scalar t9 = Scalar(1) / t8;
-  const Scalar t10 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t11 = inertia.c5x * inertia.m5;
-  const Scalar t12 = inertia.I6xz - inertia.c6z * t1;
-  const Scalar t13 = inertia.c4x * inertia.m4;
-  const Scalar t14 = inertia.I4xz - inertia.c4z * t13;
-  const Scalar t15 = inertia.c5z * inertia.m5;
-  const Scalar t16 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t17 = inertia.c5y * inertia.m5;
-  const Scalar t18 = ((inertia.I6yy - t5) - inertia.c6y * t3) - (inertia.c5y * t17 - (inertia.I5yy - t16));
+  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t1;
+  const Scalar t4 = inertia.c6z * t0 - (inertia.I6zz - t2);
+  const Scalar t5 = t3 - t4;
+  const Scalar t6 = inertia.c6y * inertia.m6;
+  const Scalar t7 = Scalar(1) / t5;
+  const Scalar t8 = inertia.c5y * inertia.m5;
+  const Scalar t9 = inertia.I6xz - inertia.c6z * t1;
+  const Scalar t10 = inertia.c5z * inertia.m5;
+  const Scalar t11 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t12 = ((inertia.I6yy - t2) - inertia.c6y * t6) - (inertia.c5y * t8 - (inertia.I5yy - t11));
+  const Scalar t13 = inertia.c4z * inertia.m4;
+  const Scalar t14 = g.d4 * t13;
+  const Scalar t15 = inertia.c4y * inertia.m4;
+  const Scalar t16 = inertia.c4x * inertia.m4;
+  const Scalar t17 = inertia.c5x * inertia.m5;
+  const Scalar t18 = g.d4 * t16;
   const Scalar t19 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t20 = inertia.c4z * inertia.m4;
-  const Scalar t21 = (inertia.I4zz - t19) - inertia.c4z * t20;
-  const Scalar t22 = (inertia.c5x * t11 - (inertia.I5xx - t16)) - ((inertia.I4xx - t19) - inertia.c4x * t13);
+  const Scalar t20 = (inertia.I4zz - t19) - inertia.c4z * t13;
+  const Scalar t21 = (inertia.c5x * t17 - (inertia.I5xx - t11)) - ((inertia.I4xx - t19) - inertia.c4x * t16);
+  const Scalar t22 = inertia.I4xz - inertia.c4z * t16;
   const Scalar t23 = inertia.c3x * inertia.m3;
   const Scalar t24 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t25 = inertia.c4y * inertia.m4;
-  const Scalar t26 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t27 = t25 - g.d4 * t26;
-  const Scalar t28 = ((inertia.I4yy - t19) - inertia.c4y * t25) + g.d4 * (t25 + t27);
-  const Scalar t29 = inertia.c3y * inertia.m3;
-  const Scalar t30 = g.d4 * inertia.m3 - t29;
-  const Scalar t31 = ((inertia.I3yy - t24) - inertia.c3y * t29) - g.d4 * (t30 - t29);
-  const Scalar t32 = g.l1 * t20;
-  const Scalar t33 = g.l1 * (t13 + t11);
-  const Scalar t34 = g.l1 * g.l1 * (inertia.m2 + (inertia.m3 + t26));
-  const Scalar t35 = inertia.c2x * inertia.m2;
-  const Scalar t36 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t37 = Scalar(2) * g.l1 * t35 + (inertia.c2x * t35 - (inertia.I2xx - t36));
-  const Scalar t38 = inertia.c1x * inertia.m1;
-  const Scalar t39 = g.l1 * inertia.m1 + t38;
-  const Scalar t40 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t41 = g.l1 * (t38 + t39) + (inertia.c1x * t38 - (inertia.I1xx - t40));
-  const Scalar t42 = inertia.c1y * inertia.m1;
-  const Scalar t43 = inertia.c2y * inertia.m2;
-  const Scalar t44 = (inertia.c1y * t42 - (inertia.I1yy - t40)) - ((inertia.I2yy - t36) - inertia.c2y * t43);
-  const Scalar t45 = Scalar(1) / g.l1;
-  const Scalar t46 = gravity[2] / g.l1;
-  return { g.l1 * t0,
-           g.l1 * t1,
-           t2,
-           t4 * t9,
-           t9 * t10,
-           t8,
+  const Scalar t25 = g.d4 * inertia.m4;
+  const Scalar t26 = t15 - t25;
+  const Scalar t27 = g.d4 * (t15 + t26) + ((inertia.I4yy - t19) - inertia.c4y * t15);
+  const Scalar t28 = t26 + t25;
+  const Scalar t29 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t30 = t28 - g.d4 * t29;
+  const Scalar t31 = (t27 - g.d4 * (t28 + t26)) + g.d4 * (t28 + t30);
+  const Scalar t32 = inertia.c3y * inertia.m3;
+  const Scalar t33 = g.d4 * inertia.m3 - t32;
+  const Scalar t34 = ((inertia.I3yy - t24) - inertia.c3y * t32) - g.d4 * (t33 - t32);
+  const Scalar t35 = g.d4 * t23;
+  const Scalar t36 = inertia.m3 + t29;
+  const Scalar t37 = g.l1 * t36;
+  const Scalar t38 = inertia.c2x * inertia.m2;
+  const Scalar t39 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t40 = g.l1 * inertia.m2 + t38;
+  const Scalar t41 = (inertia.c2x * t38 - (inertia.I2xx - t39)) + g.l1 * (t38 + t40);
+  const Scalar t42 = inertia.c1x * inertia.m1;
+  const Scalar t43 = g.l1 * inertia.m1 + t42;
+  const Scalar t44 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t45 = g.l1 * (t42 + t43) + (inertia.c1x * t42 - (inertia.I1xx - t44));
+  const Scalar t46 = inertia.c1y * inertia.m1;
+  const Scalar t47 = inertia.c2y * inertia.m2;
+  const Scalar t48 = (inertia.c1y * t46 - (inertia.I1yy - t44)) - ((inertia.I2yy - t39) - inertia.c2y * t47);
+  const Scalar t49 = Scalar(1) / g.d4;
+  const Scalar t50 = g.d4 * g.d4 * (inertia.m2 + t36);
+  const Scalar t51 = gravity[2] / g.d4;
+  return { g.d4 * t0,
+           g.d4 * t1,
+           g.l1 / g.d4,
+           t5,
+           inertia.I6xy - inertia.c6y * t1,
+           inertia.I6yz - inertia.c6z * t6,
+           t7,
+           inertia.I5yz - inertia.c5z * t8,
+           t3 + t4,
+           Scalar(2) * t9,
            t4,
-           t10,
-           t9,
-           inertia.I5xy - inertia.c5y * t11,
-           Scalar(2) * t12,
-           t6 + t7,
+           inertia.c5z * t10 - (inertia.I5zz - t11),
            t12,
-           inertia.I5xz - inertia.c5z * t11,
+           t14 - (t14 + (inertia.I4yz - inertia.c4z * t15)),
+           g.d4 * t10,
+           g.d4 * (t6 + t8),
            t14,
-           t6,
-           inertia.c5z * t15 - (inertia.I5zz - t16),
-           t18,
-           Scalar(2) * t18,
-           inertia.I5yz - inertia.c5z * t17,
+           g.d4 * (t16 + t17),
+           inertia.I5xy - inertia.c5y * t17,
+           t9,
+           inertia.I5xz - inertia.c5z * t17,
+           (t18 + (inertia.I4xy - inertia.c4y * t16)) - t18,
+           Scalar(2) * t12,
+           t20,
            t21,
            t22,
            inertia.c3x * t23 - (inertia.I3xx - t24),
-           g.l1 * t15,
-           g.l1 * (t3 + t17),
-           Scalar(2) * t2,
-           t28 + t31,
-           t32,
-           inertia.I4yz - inertia.c4z * t25,
-           t33,
-           inertia.I4xy - inertia.c4y * t13,
-           (inertia.I3xy - inertia.c3y * t23) + g.d4 * t23,
-           g.l1 * (t27 - t30),
-           g.l1 * t23,
-           t34,
-           t37 + t41,
-           t44,
-           t45,
-           t45 * t34 * t45,
-           t46,
-           gravity[1] / g.l1,
-           gravity[0] / g.l1,
-           t21 + t22,
-           g.l1,
-           Scalar(2) * t21,
-           Scalar(2) * t14,
-           g.l1 * (t35 + t39),
-           g.l1 * (t42 + t43),
-           Scalar(2) * t32,
-           Scalar(2) * t33,
-           t34 * t45 * t46 };
+           t31 + t34,
+           (inertia.I3xy - inertia.c3y * t23) + t35,
+           g.d4 * (t33 - t30),
+           t35,
+           (g.l1 * t37 + t41) + t45,
+           t48,
+           t49,
+           t7 * t49,
+           t50 * t49 * t49,
+           gravity[1] / g.d4,
+           gravity[0] / g.d4,
+           t51,
+           t20 + t21,
+           g.d4,
+           t50 * t49 * t51,
+           Scalar(2) * t20,
+           Scalar(2) * t22,
+           g.d4 * ((t37 + t40) + t43),
+           g.d4 * (t46 + t47),
+           Scalar(2) * t14 };
 }
 
 namespace detail {
@@ -1028,207 +1053,213 @@ inline JointVector<Scalar> forward_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[0] * c6 + k[1] * s6;
-  const Scalar t1 = k[23] + t0;
-  const Scalar t2 = k[24] * s5 + c5 * t1;
-  const Scalar t3 = k[27] + t2;
-  const Scalar t4 = k[0] * s6 - k[1] * c6;
-  const Scalar t5 = k[29] - t4;
-  const Scalar t6 = k[4] * c6 - k[3] * s6;
-  const Scalar t7 = k[5] * t6;
-  const Scalar t8 = k[9] + t7;
-  const Scalar t9 = k[10] * s6 - k[11] * c6;
-  const Scalar t10 = k[12] - s6 * t9;
-  const Scalar t11 = k[13] + t10;
-  const Scalar t12 = c5 * t8 - s5 * t11;
-  const Scalar t13 = k[2] * t5 + (k[30] + t12);
-  const Scalar t14 = k[6] * c6 + k[7] * s6;
-  const Scalar t15 = k[19] + t14;
-  const Scalar t16 = c5 * t15;
-  const Scalar t17 = k[15] + c6 * t9;
-  const Scalar t18 = k[17] + (k[16] - t17);
-  const Scalar t19 = (t16 + t16) + s5 * t18;
-  const Scalar t20 = (k[28] - (t15 - c5 * t19)) + k[2] * t3;
-  const Scalar t21 = s4 * t13 + c4 * t20;
-  const Scalar t22 = s3 * (c4 * t3 + s4 * t5) + t21;
-  const Scalar t23 = c5 * t4;
-  const Scalar t24 = s4 * t23 - c4 * t0;
-  const Scalar t25 = c4 * (k[5] * s5 - c5 * t14) - s4 * t7;
-  const Scalar t26 = k[2] * t24 + t25;
-  const Scalar t27 = (s3 * t24 + c3 * s5 * t4) + t26;
-  const Scalar t28 = s5 * t14 + k[5] * c5;
-  const Scalar t29 = k[8] * t28;
-  const Scalar t30 = t12 - t29 * t7;
-  const Scalar t31 = k[18] - t18;
-  const Scalar t32 = Scalar(1) / (t6 * t7 - t31);
-  const Scalar t33 = t30 * t32;
-  const Scalar t34 = k[24] * c5 - s5 * t1;
-  const Scalar t35 = c5 * t11 + s5 * t8;
-  const Scalar t36 = c4 * t35 - s4 * (k[2] * t34 + t31);
-  const Scalar t37 = (c3 * t2 + s3 * s4 * t34) - t36;
-  const Scalar t38 = t37 + t6 * t27;
-  const Scalar t39 = (t22 + t27 * t29) + t33 * t38;
-  const Scalar t40 = k[17] - s5 * t19;
-  const Scalar t41 = k[20] - (t40 - t31);
-  const Scalar t42 = k[5] - t17;
-  const Scalar t43 = k[21] - t42;
-  const Scalar t44 = ((t41 - t43) - t28 * t29) + t33 * t30;
-  const Scalar t45 = Scalar(1) / t44;
-  const Scalar t46 = t39 * t45;
-  const Scalar t47 = c3 * (k[31] - (s4 * t20 - c4 * t13));
-  const Scalar t48 = k[26] + (t40 + k[25] * t34);
-  const Scalar t49 = Scalar(2) * s4 * (k[14] + t35) + c4 * (t41 + t43);
-  const Scalar t50 = k[22] + (c4 * t49 - t41);
-  const Scalar t51 = s3 * ((t47 + t47) - s3 * (t48 + t50));
-  const Scalar t52 = t51 + t50;
-  const Scalar t53 = t48 - t50;
-  const Scalar t54 = s4 * t3 - c4 * t5;
-  const Scalar t55 = c3 * (k[33] - t54) - s3 * (k[32] + t34);
-  const Scalar t56 = (k[36] - (t52 + t53)) + (k[35] + (t52 + (t55 + (k[34] + t55))));
-  const Scalar t57 = k[8] * t27;
-  const Scalar t58 = t38 * t32;
-  const Scalar t59 = t39 * t46 + ((t56 + t57 * t27) - t38 * t58);
-  const Scalar t60 = k[8] * t26;
-  const Scalar t61 = t6 * t26 - t36;
-  const Scalar t62 = (t28 * t60 + t21) + t33 * t61;
-  const Scalar t63 = t58 * t61 - ((t55 - t53) + t57 * t26);
-  const Scalar t64 = t46 * t62 - t63;
-  const Scalar t65 = t32 * t61;
-  const Scalar t66 = t45 * t62;
-  const Scalar t67 = ((t60 * t26 - t53) - t65 * t61) + t62 * t66;
-  const Scalar t68 = Scalar(1) / t67;
-  const Scalar t69 = t64 * t68;
-  const Scalar t70 = k[37] * (c4 * t23 + s4 * t0);
-  const Scalar t71 = k[8] * t70;
-  const Scalar t72 = k[37] * c4 * t34 + t7 * t71;
-  const Scalar t73 = t33 * t72 + (t28 * t71 - k[37] * t54);
-  const Scalar t74 = t72 * t32;
-  const Scalar t75 = t46 * t73 + (t57 * t70 - t38 * t74);
-  const Scalar t76 = t45 * t73;
-  const Scalar t77 = t76 * t62 - (t65 * t72 - t26 * t71);
-  const Scalar t78 = t75 - t69 * t77;
-  const Scalar t79 = t76 * t73 - (t72 * t74 - (k[38] + t70 * t71));
-  const Scalar t80 = t77 * t68;
-  const Scalar t81 = Scalar(1) / (t79 - t80 * t77);
-  const Scalar t82 = t78 * t81;
-  const Scalar t83 = Scalar(1) / ((t59 - t64 * t69) - t78 * t82);
-  const Scalar t84 = qd[0] + qd[2];
-  const Scalar t85 = s4 * t84;
-  const Scalar t86 = qd[3] * t85;
-  const Scalar t87 = Scalar(2) * t86;
-  const Scalar t88 = c4 * t84;
-  const Scalar t89 = c5 * t88;
-  const Scalar t90 = s5 * t87 + t85 * t89;
-  const Scalar t91 = qd[3] * s5 + t89;
-  const Scalar t92 = qd[4] + t85;
-  const Scalar t93 = t91 * t92;
-  const Scalar t94 = t90 - (t93 + t93);
-  const Scalar t95 = t92 * t92;
-  const Scalar t96 = s5 * t88 - qd[3] * c5;
-  const Scalar t97 = t96 * t96;
-  const Scalar t98 = t95 + t97;
-  const Scalar t99 = t88 * t88;
-  const Scalar t100 = qd[3] * qd[3];
-  const Scalar t101 = t99 + t100;
-  const Scalar t102 = t98 - t101;
-  const Scalar t103 = (t90 * t42 + t94 * t17) - t10 * t102;
-  const Scalar t104 = t85 * t88;
-  const Scalar t105 = s5 * t104 - c5 * t87;
-  const Scalar t106 = t92 * t96;
-  const Scalar t107 = t105 - (t106 + t106);
-  const Scalar t108 = t91 * t96;
-  const Scalar t109 = qd[3] * t88;
-  const Scalar t110 = t108 + t109;
-  const Scalar t111 = k[41] * s1 - k[40] * c1;
-  const Scalar t112 = k[41] * c1 + k[40] * s1;
-  const Scalar t113 = qd[0] * qd[0] + t112;
-  const Scalar t114 = s3 * t111 - c3 * t113;
-  const Scalar t115 = c4 * t114 - k[39] * s4;
-  const Scalar t116 = c3 * t111 + s3 * t113;
-  const Scalar t117 = t84 * t84;
-  const Scalar t118 = t116 + k[2] * t117;
-  const Scalar t119 = s4 * t114 + k[39] * c4;
-  const Scalar t120 = s5 * t118 + c5 * t119;
-  const Scalar t121 = (t103 + (t107 * t14 + t110 * t7)) + (t0 * t115 - t120 * t4);
-  const Scalar t122 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t123 = wrench[3] * s1 - wrench[4] * c1;
-  const Scalar t124 = s3 * t122 + c3 * t123;
-  const Scalar t125 = s3 * t123 - c3 * t122;
-  const Scalar t126 = s4 * t125 + wrench[5] * c4;
-  const Scalar t127 = t121 + (c5 * t124 - s5 * t126);
-  const Scalar t128 = torque[5] + t127;
-  const Scalar t129 = t101 - t117;
-  const Scalar t130 = t99 - t100;
-  const Scalar t131 = (k[29] * t119 + k[27] * t115) - (k[42] * t104 - k[14] * (t129 + t130));
-  const Scalar t132 = (k[13] * t102 - k[9] * t110) - (k[19] * t107 - k[16] * t94);
-  const Scalar t133 = t127 - (t132 - k[23] * t115);
-  const Scalar t134 = t108 - t109;
-  const Scalar t135 = t95 - t97;
-  const Scalar t136 = k[9] * t135 - (k[17] * t107 + k[19] * t94);
-  const Scalar t137 = qd[5] - t96;
-  const Scalar t138 = t91 * t137;
-  const Scalar t139 = (t110 + t138) + t138;
-  const Scalar t140 = t92 * t137;
-  const Scalar t141 = t140 + (t140 - t107);
-  const Scalar t142 = t95 + t137 * t137;
-  const Scalar t143 = t101 + t135;
-  const Scalar t144 = t142 - t143;
-  const Scalar t145 = t144 - t102;
-  const Scalar t146 = (t10 * t139 + t42 * t141) - t145 * t7;
-  const Scalar t147 = s5 * t119 - c5 * t118;
-  const Scalar t148 = (s5 * t124 + c5 * t126) + ((t94 * t14 - t146) - t4 * t147);
-  const Scalar t149 = (k[24] * t115 + (k[13] * t134 - t136)) + t148;
-  const Scalar t150 = torque[3] + (t131 + (c5 * t133 + s5 * t149));
-  const Scalar t151 = (k[17] * t110 + k[16] * t134) - k[19] * (t98 - t143);
-  const Scalar t152 = (k[23] * t147 - k[24] * t120) - (t151 - (k[13] * t105 - k[9] * t90));
-  const Scalar t153 = (t144 * t14 - t90 * t7) - (t10 * t141 + t139 * t17);
-  const Scalar t154 = (wrench[5] * s4 - c4 * t125) - (t153 + t0 * t147);
-  const Scalar t155 = t152 - t154;
-  const Scalar t156 = (t6 * t128 - (torque[4] - t155)) * t32;
-  const Scalar t157 = t45 * ((t29 * t128 - t150) + t30 * t156);
-  const Scalar t158 = (k[44] * t109 + k[14] * t87) + (k[30] * t104 + k[28] * t130);
-  const Scalar t159 = k[30] * t129 - (k[45] * t109 - k[21] * t87);
-  const Scalar t160 = (k[29] * t118 + (k[28] * t104 - t159)) - (c5 * t149 - s5 * t133);
-  const Scalar t161 = s4 * ((k[27] * t118 + t158) - t155) - c4 * t160;
-  const Scalar t162 = wrench[0] * s1 - wrench[1] * c1;
-  const Scalar t163 = wrench[0] * c1 + wrench[1] * s1;
-  const Scalar t164 = s3 * t162 - c3 * t163;
-  const Scalar t165 = (t94 * t0 - t4 * (t145 + t143)) - k[43] * (c4 * t164 - wrench[2] * s4);
-  const Scalar t166 = (k[27] * t104 - k[29] * t101) - (t165 + (k[24] * t107 + k[23] * t94));
-  const Scalar t167 = s4 * t164 + wrench[2] * c4;
-  const Scalar t168 = c3 * t162 + s3 * t163;
-  const Scalar t169 = (t90 * t4 + t0 * t142) + k[43] * (c5 * t167 + s5 * t168);
-  const Scalar t170 = t169 + (k[23] * t98 - k[24] * t110);
-  const Scalar t171 = (t0 * t139 - t4 * t141) - k[43] * (c5 * t168 - s5 * t167);
-  const Scalar t172 = t171 + (k[24] * t143 - k[23] * t134);
-  const Scalar t173 = (k[27] * (t117 - t130) - k[29] * t104) + (c5 * t170 + s5 * t172);
-  const Scalar t174 = c4 * t166 + s4 * t173;
-  const Scalar t175 = (k[32] * t114 - k[33] * t116) + (t161 - k[2] * t174);
-  const Scalar t176 = t156 * t61 - ((torque[2] + t175) + t60 * t128);
-  const Scalar t177 = (t62 * t157 - t176) * t68;
-  const Scalar t178 = k[8] * t128;
-  const Scalar t179 = k[50] + k[37] * (c4 * t173 - s4 * t166);
-  const Scalar t180 = t72 * t156 - (t178 * t70 - (torque[1] + t179));
-  const Scalar t181 = t77 * t177 - (t73 * t157 - t180);
-  const Scalar t182 = (s5 * t170 - c5 * t172) - (k[49] * t86 + k[48] * t109);
-  const Scalar t183 = s3 * (t174 - k[33] * t117) - c3 * (k[32] * t117 - t182);
-  const Scalar t184 = (k[47] * t112 + k[46] * t111) + ((k[34] * t111 + t183) - t175);
-  const Scalar t185 = ((torque[0] - t184) + t57 * t128) - t38 * t156;
-  const Scalar t186 = t82 * t181 - (t64 * t177 - (t39 * t157 + t185));
-  const Scalar t187 = t83 * t186;
-  const Scalar t188 = t81 * t181 + t187 * t82;
-  const Scalar t189 = (t187 * t69 - t177) - t80 * t188;
-  const Scalar t190 = t189 * t66 + (t76 * t188 - (t187 * t46 - t157));
-  const Scalar t191 = ((t58 * t187 - t156) - t188 * t74) - t65 * t189;
-  const Scalar t192 = t33 * t190 + t191;
-  const Scalar t193 = t189 * t60 - ((t57 * t187 - t178) - t188 * t71);
+  const Scalar t0 = k[0] * s6 - k[1] * c6;
+  const Scalar t1 = c5 * t0;
+  const Scalar t2 = k[0] * c6 + k[1] * s6;
+  const Scalar t3 = s4 * t1 - c4 * t2;
+  const Scalar t4 = k[2] * (s3 * t3 + c3 * s5 * t0);
+  const Scalar t5 = k[4] * c6 - k[5] * s6;
+  const Scalar t6 = k[4] * s6 + k[5] * c6;
+  const Scalar t7 = s4 * t5 - c4 * (k[3] * s5 - c5 * t6);
+  const Scalar t8 = t3 - t7;
+  const Scalar t9 = t4 + t8;
+  const Scalar t10 = k[6] * t9;
+  const Scalar t11 = k[17] - t0;
+  const Scalar t12 = k[14] + t2;
+  const Scalar t13 = c5 * t12 + k[15] * s5;
+  const Scalar t14 = k[16] + t13;
+  const Scalar t15 = c4 * t11 - s4 * t14;
+  const Scalar t16 = k[15] * c5 - s5 * t12;
+  const Scalar t17 = c3 * (k[30] + t15) + s3 * (k[29] - t16);
+  const Scalar t18 = k[2] * t17;
+  const Scalar t19 = k[18] + t5;
+  const Scalar t20 = k[8] * c6 - k[9] * s6;
+  const Scalar t21 = k[19] + s6 * t20;
+  const Scalar t22 = k[20] + t21;
+  const Scalar t23 = s5 * t19 + c5 * t22;
+  const Scalar t24 = k[10] - c6 * t20;
+  const Scalar t25 = k[24] + t24;
+  const Scalar t26 = k[3] + t24;
+  const Scalar t27 = k[11] - t26;
+  const Scalar t28 = k[12] + t27;
+  const Scalar t29 = k[7] + t6;
+  const Scalar t30 = s5 * t28 + Scalar(2) * c5 * t29;
+  const Scalar t31 = s5 * t30;
+  const Scalar t32 = k[23] - (t27 - t31);
+  const Scalar t33 = Scalar(2) * s4 * (k[25] + t23) + c4 * (t25 + t32);
+  const Scalar t34 = k[26] + (c4 * t33 - t32);
+  const Scalar t35 = s5 * t22 - c5 * t19;
+  const Scalar t36 = t11 + (k[21] - t35);
+  const Scalar t37 = (k[13] + (t29 - c5 * t30)) - t14;
+  const Scalar t38 = c3 * (k[28] + (c4 * t36 + s4 * t37));
+  const Scalar t39 = k[27] + (Scalar(2) * t16 + (k[12] - t31));
+  const Scalar t40 = s3 * (Scalar(2) * t38 - s3 * (t39 + t34));
+  const Scalar t41 = t34 + t40;
+  const Scalar t42 = t39 + t40;
+  const Scalar t43 = (k[31] + ((t18 + t18) + t41)) + (k[32] - t42);
+  const Scalar t44 = s4 * t16;
+  const Scalar t45 = k[22] - t28;
+  const Scalar t46 = (s4 * t45 - c4 * t23) + t44;
+  const Scalar t47 = k[2] * (s3 * t44 + c3 * t13) + t46;
+  const Scalar t48 = k[6] * t5;
+  const Scalar t49 = t47 + t9 * t48;
+  const Scalar t50 = Scalar(1) / (t48 * t5 - t45);
+  const Scalar t51 = t49 * t50;
+  const Scalar t52 = s5 * t6 + k[3] * c5;
+  const Scalar t53 = k[6] * t52;
+  const Scalar t54 = s4 * t36 - c4 * t37;
+  const Scalar t55 = k[2] * s3 * (c4 * t14 + s4 * t11);
+  const Scalar t56 = t53 * t5 + t35;
+  const Scalar t57 = t56 * t50;
+  const Scalar t58 = (t9 * t53 + (t54 + t55)) - t49 * t57;
+  const Scalar t59 = t56 * t57 - (t52 * t53 + (t25 - t32));
+  const Scalar t60 = Scalar(1) / t59;
+  const Scalar t61 = t58 * t60;
+  const Scalar t62 = ((t10 * t9 + t43) - t49 * t51) + t61 * t58;
+  const Scalar t63 = k[6] * t8;
+  const Scalar t64 = t46 + t63 * t5;
+  const Scalar t65 = (t54 + t53 * t8) - t64 * t57;
+  const Scalar t66 = t65 * t60;
+  const Scalar t67 = t41 - t42;
+  const Scalar t68 = t50 * t64;
+  const Scalar t69 = t66 * t65 + ((t67 + t63 * t8) - t68 * t64);
+  const Scalar t70 = Scalar(1) / t69;
+  const Scalar t71 = ((t67 + t18) + t10 * t8) - t51 * t64;
+  const Scalar t72 = t71 + t61 * t65;
+  const Scalar t73 = t70 * t72;
+  const Scalar t74 = c4 * t1 + s4 * t2;
+  const Scalar t75 = k[33] * t74;
+  const Scalar t76 = k[33] * c4 * t16 + t75 * t48;
+  const Scalar t77 = (t75 * t53 + k[33] * t15) - t76 * t57;
+  const Scalar t78 = t77 * t60;
+  const Scalar t79 = k[34] * t74;
+  const Scalar t80 = t76 * t50;
+  const Scalar t81 = t65 * t78 + (t79 * t8 - t64 * t80);
+  const Scalar t82 = t77 * t61 + (t10 * t75 - t49 * t80);
+  const Scalar t83 = t73 * t81 - t82;
+  const Scalar t84 = t77 * t78 + ((k[35] + t75 * t79) - t76 * t80);
+  const Scalar t85 = t70 * t81;
+  const Scalar t86 = Scalar(1) / (t84 - t85 * t81);
+  const Scalar t87 = t83 * t86;
+  const Scalar t88 = Scalar(1) / ((t62 - t73 * t72) - t87 * t83);
+  const Scalar t89 = qd[0] + qd[2];
+  const Scalar t90 = s4 * t89;
+  const Scalar t91 = c4 * t89;
+  const Scalar t92 = t90 * t91;
+  const Scalar t93 = t89 * t89;
+  const Scalar t94 = t91 * t91;
+  const Scalar t95 = qd[3] * qd[3];
+  const Scalar t96 = t94 - t95;
+  const Scalar t97 = t93 - t96;
+  const Scalar t98 = qd[3] * t90;
+  const Scalar t99 = t98 + t98;
+  const Scalar t100 = c5 * t92 + s5 * t99;
+  const Scalar t101 = qd[4] + t90;
+  const Scalar t102 = t101 * t101;
+  const Scalar t103 = s5 * t91;
+  const Scalar t104 = t103 - qd[3] * c5;
+  const Scalar t105 = t104 * t104;
+  const Scalar t106 = t102 + t105;
+  const Scalar t107 = t94 + t95;
+  const Scalar t108 = t106 - t107;
+  const Scalar t109 = t102 - t105;
+  const Scalar t110 = t107 + t109;
+  const Scalar t111 = qd[5] - t104;
+  const Scalar t112 = t102 - t111 * t111;
+  const Scalar t113 = t110 - t112;
+  const Scalar t114 = t108 + t113;
+  const Scalar t115 = wrench[0] * s1 - wrench[1] * c1;
+  const Scalar t116 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t117 = s3 * t115 - c3 * t116;
+  const Scalar t118 = s4 * t117 + wrench[2] * c4;
+  const Scalar t119 = c3 * t115 + s3 * t116;
+  const Scalar t120 = (t0 * t100 + t2 * t114) + k[40] * (c5 * t118 + s5 * t119);
+  const Scalar t121 = qd[3] * s5 + c5 * t91;
+  const Scalar t122 = t121 * t104;
+  const Scalar t123 = qd[3] * t91;
+  const Scalar t124 = t122 + t123;
+  const Scalar t125 = t120 - (k[15] * t124 - k[14] * t106);
+  const Scalar t126 = t122 - t123;
+  const Scalar t127 = t124 + Scalar(2) * t121 * t111;
+  const Scalar t128 = t101 * t111;
+  const Scalar t129 = t90 * t103 - c5 * t99;
+  const Scalar t130 = Scalar(2) * t101 * t104 - t129;
+  const Scalar t131 = t128 + (t128 + t130);
+  const Scalar t132 = (t2 * t127 - t0 * t131) - k[40] * (c5 * t119 - s5 * t118);
+  const Scalar t133 = (k[14] * t126 - k[15] * t110) - t132;
+  const Scalar t134 = (k[17] * t92 - k[16] * t97) - (c5 * t125 - s5 * t133);
+  const Scalar t135 = t121 * t101;
+  const Scalar t136 = t135 + (t135 - t100);
+  const Scalar t137 = k[40] * (c4 * t117 - wrench[2] * s4) + (t2 * t136 + t0 * t113);
+  const Scalar t138 = (t137 + (k[15] * t130 + k[14] * t136)) - (k[17] * t107 - k[16] * t92);
+  const Scalar t139 = s4 * t134 - c4 * t138;
+  const Scalar t140 = wrench[3] * s1 - wrench[4] * c1;
+  const Scalar t141 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t142 = s3 * t140 - c3 * t141;
+  const Scalar t143 = (t127 * t26 + t21 * t131) + ((t110 - t114) * t6 + t5 * t100);
+  const Scalar t144 = k[37] * s1 - k[36] * c1;
+  const Scalar t145 = k[37] * c1 + k[36] * s1;
+  const Scalar t146 = k[2] * qd[0] * qd[0] + t145;
+  const Scalar t147 = c3 * t144 + s3 * t146;
+  const Scalar t148 = t93 + t147;
+  const Scalar t149 = c3 * t146 - s3 * t144;
+  const Scalar t150 = s4 * t149 - k[38] * c4;
+  const Scalar t151 = c5 * t148 + s5 * t150;
+  const Scalar t152 = (wrench[5] * s4 - c4 * t142) + (t143 + t2 * t151);
+  const Scalar t153 = c5 * t150 - s5 * t148;
+  const Scalar t154 = k[7] * (t108 - t109) - (k[12] * t124 + k[11] * t126);
+  const Scalar t155 = (k[14] * t151 - k[15] * t153) + ((k[18] * t100 - k[20] * t129) - t154);
+  const Scalar t156 = t152 + t155;
+  const Scalar t157 = (k[42] * t123 + k[25] * t99) + (k[21] * t92 - k[13] * t96);
+  const Scalar t158 = t97 - t107;
+  const Scalar t159 = k[21] * (t96 + t158) - (k[24] * t99 - k[43] * t123);
+  const Scalar t160 = (t136 * t26 + t24 * t100) + t21 * t108;
+  const Scalar t161 = k[38] * s4 + c4 * t149;
+  const Scalar t162 = (t160 + (t130 * t6 - t124 * t5)) + (t2 * t161 - t0 * t153);
+  const Scalar t163 = s3 * t141 + c3 * t140;
+  const Scalar t164 = s4 * t142 + wrench[5] * c4;
+  const Scalar t165 = t162 - (c5 * t163 - s5 * t164);
+  const Scalar t166 = (k[20] * t108 - k[18] * t124) - (k[11] * t136 - k[7] * t130);
+  const Scalar t167 = t165 + (t166 + k[14] * t161);
+  const Scalar t168 = k[18] * t109 + (k[7] * t136 + k[12] * t130);
+  const Scalar t169 = t5 * t112 - (t131 * t24 - t21 * t127);
+  const Scalar t170 = (s5 * t163 + c5 * t164) - ((t136 * t6 + t169) - t0 * t151);
+  const Scalar t171 = (k[15] * t161 + (t168 - k[20] * t126)) - t170;
+  const Scalar t172 = (k[17] * t148 + (t159 - k[13] * t92)) - (s5 * t167 - c5 * t171);
+  const Scalar t173 = s4 * (t156 + (k[16] * t148 + t157)) - c4 * t172;
+  const Scalar t174 = (t139 + t173) - (k[30] * t147 - k[29] * t149);
+  const Scalar t175 = (k[46] * t123 + k[17] * t99) - (s5 * t125 + c5 * t133);
+  const Scalar t176 = s3 * (k[30] * t93 + t139) + c3 * (t175 - k[29] * t93);
+  const Scalar t177 = (t174 + k[2] * t176) - (k[45] * t145 + k[44] * t144);
+  const Scalar t178 = torque[5] - t165;
+  const Scalar t179 = k[6] * t178;
+  const Scalar t180 = (torque[4] + t156) - t179 * t5;
+  const Scalar t181 = ((torque[0] + t177) + t10 * t178) + t180 * t51;
+  const Scalar t182 = t180 * t50;
+  const Scalar t183 = (k[16] * t161 + k[17] * t150) + (k[39] * t92 + k[25] * t158);
+  const Scalar t184 = torque[3] - (t183 + (c5 * t167 + s5 * t171));
+  const Scalar t185 = t56 * t182 + (t178 * t53 - t184);
+  const Scalar t186 = t64 * t182 + ((torque[2] + t174) + t179 * t8);
+  const Scalar t187 = t185 * t60;
+  const Scalar t188 = t186 + t65 * t187;
+  const Scalar t189 = k[41] - k[33] * (s4 * t138 + c4 * t134);
+  const Scalar t190 = t180 * t80 + (t75 * t179 - (torque[1] + t189));
+  const Scalar t191 = t188 * t85 - (t77 * t187 + t190);
+  const Scalar t192 = ((t181 + t185 * t61) - t188 * t73) - t87 * t191;
+  const Scalar t193 = t88 * t192;
+  const Scalar t194 = t87 * t193 - t191 * t86;
+  const Scalar t195 = (t73 * t193 - t188 * t70) + t85 * t194;
+  const Scalar t196 = t66 * t195 - ((t193 * t61 - t187) + t194 * t78);
+  const Scalar t197 = ((t182 + t51 * t193) + t80 * t194) - t68 * t195;
+  const Scalar t198 = t197 - t196 * t57;
+  const Scalar t199 = (t79 * t194 + (t10 * t193 - t179)) - t195 * t63;
   JointVector<Scalar> result;
-  result[0] = t187;
-  result[1] = t188;
-  result[2] = -t189;
-  result[3] = t190;
-  result[4] = t192;
-  result[5] = -t6 * t192 - (t29 * t190 + t193);
+  result[0] = t193;
+  result[1] = -t194;
+  result[2] = -t195;
+  result[3] = t196;
+  result[4] = t198;
+  result[5] = (t199 - t196 * t53) - t48 * t198;
   return result;
 }
 
@@ -1258,31 +1289,32 @@ PotentialEnergyWithGravityVectorConstants<Scalar> potential_energy_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = inertia.m2 + (inertia.m3 + t0);
-  return { inertia.c6z * inertia.m6,
-           inertia.c6x * inertia.m6,
+  const Scalar t0 = g.d4 * inertia.m4;
+  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t2 = inertia.m3 + t1;
+  return { inertia.c6x * inertia.m6,
+           inertia.c6z * inertia.m6,
            inertia.c5x * inertia.m5,
            inertia.c4x * inertia.m4,
-           inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
            inertia.c5z * inertia.m5,
+           inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
            inertia.c4z * inertia.m4,
-           inertia.c3z * inertia.m3,
-           inertia.c2z * inertia.m2,
-           t1,
-           inertia.c1z * inertia.m1,
-           gravity[2],
-           inertia.c4y * inertia.m4,
-           g.d4 * t0,
-           g.d4 * inertia.m3 - inertia.c3y * inertia.m3,
            inertia.c3x * inertia.m3,
+           (inertia.c4y * inertia.m4 - t0) + t0,
+           g.d4 * t1,
+           g.d4 * inertia.m3 - inertia.c3y * inertia.m3,
            inertia.c2y * inertia.m2,
            inertia.c1y * inertia.m1,
-           inertia.c2x * inertia.m2,
-           g.l1 * t1,
+           g.l1 * t2,
+           g.l1 * inertia.m2 + inertia.c2x * inertia.m2,
            g.l1 * inertia.m1 + inertia.c1x * inertia.m1,
+           gravity[0],
            gravity[1],
-           gravity[0] };
+           inertia.c3z * inertia.m3,
+           inertia.c2z * inertia.m2,
+           inertia.m2 + t2,
+           inertia.c1z * inertia.m1,
+           gravity[2] };
 }
 
 namespace detail {
@@ -1300,18 +1332,18 @@ inline Scalar potential_energy_with_gravity_vector(const JointVector<Scalar>& q,
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[5] + (k[0] * c6 + k[1] * s6);
-  const Scalar t1 = k[6] + (c5 * t0 + k[4] * s5);
-  const Scalar t2 = k[3] + (k[2] - (k[0] * s6 - k[1] * c6));
-  const Scalar t3 = k[15] - (s4 * t1 - c4 * t2);
-  const Scalar t4 = k[13] - (k[12] + (k[4] * c5 - s5 * t0));
-  const Scalar t5 = k[14] + t4;
-  const Scalar t6 = k[19] + (k[18] + (c3 * t3 + s3 * t5));
-  const Scalar t7 = k[20] + t6;
-  const Scalar t8 = k[17] + (k[16] + (s3 * t3 - c3 * t5));
-  const Scalar t9 = k[21] * (s1 * t7 + c1 * t8) - k[22] * (s1 * t8 - c1 * t7);
-  const Scalar t10 = k[8] + (k[7] + (s4 * t2 + c4 * t1));
-  const Scalar t11 = t9 + k[11] * (k[10] + (k[9] * q[1] + t10));
+  const Scalar t0 = k[4] + (k[0] * s6 + k[1] * c6);
+  const Scalar t1 = k[6] + (c5 * t0 + k[5] * s5);
+  const Scalar t2 = k[3] + (k[2] + (k[0] * c6 - k[1] * s6));
+  const Scalar t3 = k[19] + (k[18] + (c4 * t1 + s4 * t2));
+  const Scalar t4 = k[7] - (s4 * t1 - c4 * t2);
+  const Scalar t5 = k[9] - (k[8] + (k[5] * c5 - s5 * t0));
+  const Scalar t6 = k[10] + t5;
+  const Scalar t7 = k[12] + (k[11] + (s3 * t4 - c3 * t6));
+  const Scalar t8 = k[14] + (k[13] + (c3 * t4 + s3 * t6));
+  const Scalar t9 = k[15] + t8;
+  const Scalar t10 = k[17] * (c1 * t7 + s1 * t9) - k[16] * (s1 * t7 - c1 * t9);
+  const Scalar t11 = k[22] * (k[21] + (k[20] * q[1] + t3)) + t10;
   Scalar result;
   result = -t11;
   return result;

@@ -97,7 +97,7 @@ DynamicsAngles<Scalar> dynamics_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion: Newton-Euler recursion in base parameters (thesis 5.1-5.15).
 ///
-/// 178 multiplications, 171 additions, 4 sine/cosine pairs. Set-up: 69 multiplications, 81 additions, 4 divisions.
+/// 179 multiplications, 170 additions, 4 sine/cosine pairs. Set-up: 80 multiplications, 101 additions, 4 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1, which must not be zero.
 template <class Scalar>
@@ -116,7 +116,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces that hold the robot against gravity at rest.
 ///
-/// 32 multiplications, 18 additions, 4 sine/cosine pairs. Set-up: 14 multiplications, 10 additions.
+/// 32 multiplications, 18 additions, 4 sine/cosine pairs. Set-up: 15 multiplications, 12 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},
@@ -132,7 +132,7 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const DynamicsA
 
 /// Joint forces that come from the joint rates alone, C(q, qd) qd, without friction.
 ///
-/// 166 multiplications, 147 additions, 4 sine/cosine pairs. Set-up: 57 multiplications, 60 additions, 2 divisions.
+/// 162 multiplications, 150 additions, 4 sine/cosine pairs. Set-up: 63 multiplications, 75 additions, 2 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d4, which must not be zero.
 template <class Scalar>
@@ -140,7 +140,7 @@ JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVec
     const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using CoriolisTorqueConstants = std::array<Scalar, 36>;
+using CoriolisTorqueConstants = std::array<Scalar, 34>;
 template <class Scalar>
 CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
@@ -151,7 +151,7 @@ JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVec
 
 /// Symmetric, positive definite M(q), by composite bodies in base parameters; rotors included.
 ///
-/// 83 multiplications, 84 additions, 4 sine/cosine pairs. Set-up: 68 multiplications, 78 additions, 2 divisions.
+/// 82 multiplications, 85 additions, 4 sine/cosine pairs. Set-up: 78 multiplications, 98 additions, 2 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1, which must not be zero.
 template <class Scalar>
@@ -168,7 +168,7 @@ Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const 
 
 /// C(q, qd) of Christoffel's symbols: C qd is coriolis_torque, dM/dt - 2 C is skew-symmetric.
 ///
-/// 289 multiplications, 246 additions, 4 sine/cosine pairs. Set-up: 55 multiplications, 60 additions, 2 divisions.
+/// 292 multiplications, 244 additions, 4 sine/cosine pairs. Set-up: 63 multiplications, 75 additions, 2 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1, which must not be zero.
 template <class Scalar>
@@ -187,7 +187,7 @@ Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, co
 
 /// Joint accelerations for given joint forces: M qdd = torque - C qd - gravity, by M = U D U^T.
 ///
-/// 331 multiplications, 300 additions, 5 divisions, 4 sine/cosine pairs. Set-up: 78 multiplications, 79 additions, 4
+/// 331 multiplications, 299 additions, 5 divisions, 4 sine/cosine pairs. Set-up: 87 multiplications, 103 additions, 5
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1, which must not be zero.
@@ -196,7 +196,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
-using ForwardDynamicsConstants = std::array<Scalar, 48>;
+using ForwardDynamicsConstants = std::array<Scalar, 44>;
 template <class Scalar>
 ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
@@ -207,7 +207,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// qd^T M qd / 2, J.
 ///
-/// 116 multiplications, 102 additions, 4 sine/cosine pairs. Set-up: 69 multiplications, 78 additions, 2 divisions.
+/// 115 multiplications, 103 additions, 4 sine/cosine pairs. Set-up: 78 multiplications, 98 additions, 2 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1, which must not be zero.
 template <class Scalar>
@@ -224,7 +224,7 @@ Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Scalar>& q
 
 /// Sum of m g z over the links, z of the centre of mass in the world, J.
 ///
-/// 14 multiplications, 17 additions, 4 sine/cosine pairs. Set-up: 15 multiplications, 7 additions.
+/// 14 multiplications, 17 additions, 4 sine/cosine pairs. Set-up: 16 multiplications, 9 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Scalar potential_energy(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},

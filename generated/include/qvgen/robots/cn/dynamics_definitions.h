@@ -27,76 +27,89 @@ InverseDynamicsConstants<Scalar> inverse_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = inertia.m3 + t0;
-  const Scalar t2 = inertia.c4z * inertia.m4;
-  const Scalar t3 = t2 - g.d4 * t0;
-  const Scalar t4 = inertia.c3z * inertia.m3;
-  const Scalar t5 = t4 - g.d4 * inertia.m3;
-  const Scalar t6 = (t3 + t5) / g.d4;
-  const Scalar t7 = g.l1 * g.l1 * ((inertia.m1 + (inertia.m2 + t1)) + t6);
-  const Scalar t8 = inertia.c3x * inertia.m3;
-  const Scalar t9 = inertia.c5x * inertia.m5;
-  const Scalar t10 = inertia.c5z * inertia.m5;
-  const Scalar t11 = inertia.c6z * inertia.m6;
-  const Scalar t12 = inertia.c6y * inertia.m6;
-  const Scalar t13 = inertia.c6x * inertia.m6;
-  const Scalar t14 = inertia.c4x * inertia.m4;
-  const Scalar t15 = inertia.c4y * inertia.m4;
-  const Scalar t16 = inertia.c5y * inertia.m5;
-  const Scalar t17 = g.l1 * g.l1 * t6;
-  const Scalar t18 = inertia.c3y * inertia.m3;
-  const Scalar t19 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t20 = inertia.I6xy - inertia.c6y * t13;
-  const Scalar t21 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t22 = (inertia.I6xx - t21) - inertia.c6x * t13;
-  const Scalar t23 = (inertia.I6yy - t21) - inertia.c6y * t12;
-  const Scalar t24 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t25 = (inertia.c6z * t11 - (inertia.I6zz - t21)) + (inertia.c5z * t10 - (inertia.I5zz - t24));
-  const Scalar t26 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t27 = ((inertia.I4yy - t26) - inertia.c4y * t15) - (inertia.c5y * t16 - (inertia.I5yy - t24));
-  const Scalar t28 = ((inertia.I3zz - t19) - inertia.c3z * t4) + g.d4 * (t4 + t5);
-  const Scalar t29 = ((inertia.I4zz - t26) - inertia.c4z * t2) + g.d4 * (t3 + t2);
-  const Scalar t30 = ((inertia.I3yy - t19) - inertia.c3y * t18) - g.l1 * ((g.l1 * t1 + t18) + t18);
-  const Scalar t31 = inertia.c2y * inertia.m2;
-  const Scalar t32 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t33 = g.l1 * ((g.l1 * inertia.m2 + t31) + t31) - ((inertia.I2yy - t32) - inertia.c2y * t31);
-  const Scalar t34 = ((t30 - t33) - t17) - (inertia.c2x * inertia.c2x * inertia.m2 - (inertia.I2xx - t32));
-  return { Scalar(1) / g.l1,
-           gravity / g.l1,
-           t7,
-           g.l1 * t8,
+  const Scalar t0 = inertia.c3x * inertia.m3;
+  const Scalar t1 = g.l1 * t0;
+  const Scalar t2 = inertia.c5z * inertia.m5;
+  const Scalar t3 = inertia.c6z * inertia.m6;
+  const Scalar t4 = inertia.c5x * inertia.m5;
+  const Scalar t5 = inertia.c6y * inertia.m6;
+  const Scalar t6 = inertia.c6x * inertia.m6;
+  const Scalar t7 = inertia.c4y * inertia.m4;
+  const Scalar t8 = inertia.c5y * inertia.m5;
+  const Scalar t9 = inertia.c4x * inertia.m4;
+  const Scalar t10 = Scalar(1) / g.l1;
+  const Scalar t11 = inertia.c3z * inertia.m3;
+  const Scalar t12 = t11 - g.d4 * inertia.m3;
+  const Scalar t13 = inertia.c4z * inertia.m4;
+  const Scalar t14 = g.d4 * inertia.m4;
+  const Scalar t15 = t13 - t14;
+  const Scalar t16 = t15 + t14;
+  const Scalar t17 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t18 = t16 - g.d4 * t17;
+  const Scalar t19 = (t12 + t18) / g.d4;
+  const Scalar t20 = g.l1 * g.l1 * t19;
+  const Scalar t21 = inertia.m3 + t17;
+  const Scalar t22 = g.l1 * g.l1 * ((inertia.m1 + (inertia.m2 + t21)) + t19);
+  const Scalar t23 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t24 = inertia.c2y * inertia.m2;
+  const Scalar t25 = g.l1 * ((g.l1 * inertia.m2 + t24) + t24) - ((inertia.I2yy - t23) - inertia.c2y * t24);
+  const Scalar t26 = g.l1 * inertia.m3;
+  const Scalar t27 = inertia.c3y * inertia.m3;
+  const Scalar t28 = t26 + t27;
+  const Scalar t29 = t26 - t28;
+  const Scalar t30 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t31 = ((inertia.I3yy - t30) - inertia.c3y * t27) - g.l1 * (t27 + t28);
+  const Scalar t32 = (g.l1 * (t29 - t28) - t31) + g.l1 * ((g.l1 * t21 - t29) - t29);
+  const Scalar t33 = (inertia.c2x * inertia.c2x * inertia.m2 - (inertia.I2xx - t23)) + ((t25 + t32) + t20);
+  const Scalar t34 = g.d4 * t9;
+  const Scalar t35 = g.d4 * t7;
+  const Scalar t36 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t37 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t38 = ((inertia.I4yy - t36) - inertia.c4y * t7) - (inertia.c5y * t8 - (inertia.I5yy - t37));
+  const Scalar t39 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t40 = (inertia.I6xx - t39) - inertia.c6x * t6;
+  const Scalar t41 = (inertia.I6yy - t39) - inertia.c6y * t5;
+  const Scalar t42 = inertia.I6xy - inertia.c6y * t6;
+  const Scalar t43 = (inertia.c6z * t3 - (inertia.I6zz - t39)) + (inertia.c5z * t2 - (inertia.I5zz - t37));
+  const Scalar t44 = g.d4 * (t13 + t15) + ((inertia.I4zz - t36) - inertia.c4z * t13);
+  const Scalar t45 = (g.d4 * (t16 + t15) - t44) - g.d4 * (t16 + t18);
+  const Scalar t46 = ((inertia.I3zz - t30) - inertia.c3z * t11) + g.d4 * (t11 + t12);
+  const Scalar t47 = ((inertia.I3yz - inertia.c3z * t27) - g.l1 * t11) + g.d4 * t28;
+  return { t1,
+           g.l1 * (t2 + t3),
+           g.l1 * t4,
+           g.l1 * t5,
+           g.l1 * t6,
+           g.l1 * (t7 + t8),
            g.l1 * t9,
-           g.l1 * (t10 + t11),
-           g.l1 * t12,
-           g.l1 * t13,
-           g.l1 * t14,
-           g.l1 * (t15 + t16),
            g.d4 / g.l1,
-           t17,
-           g.d4 * t18 + (inertia.I3yz - inertia.c3z * t18),
-           inertia.I3xy - inertia.c3y * t8,
-           inertia.c3x * t8 - (inertia.I3xx - t19),
-           g.d4 * t8 + (inertia.I3xz - inertia.c3z * t8),
-           Scalar(2) * t20,
-           t22 - t23,
-           t23,
-           t22,
+           t10,
+           gravity / g.l1,
            t20,
-           inertia.I6yz - inertia.c6z * t12,
-           inertia.I6xz - inertia.c6z * t13,
-           inertia.I5xz - inertia.c5z * t9,
-           inertia.c5x * t9 - (inertia.I5xx - t24),
-           inertia.I5yz - inertia.c5z * t16,
-           inertia.I5xy - inertia.c5y * t9,
-           t25,
-           inertia.I4yz - inertia.c4z * t15,
-           inertia.I4xz - inertia.c4z * t14,
-           inertia.I4xy - inertia.c4y * t14,
-           (inertia.I4xx - t26) - inertia.c4x * t14,
-           t27,
-           g.d4 * g.d4 * t6 - (t28 + t29),
-           t34 };
+           t10 * t22,
+           t33,
+           t34 - ((inertia.I4xz - inertia.c4z * t9) + t34),
+           t35 - (t35 + (inertia.I4yz - inertia.c4z * t7)),
+           inertia.I4xy - inertia.c4y * t9,
+           t38,
+           inertia.I6yz - inertia.c6z * t5,
+           inertia.I6xz - inertia.c6z * t6,
+           t40 - t41,
+           Scalar(2) * t42,
+           t41,
+           t40,
+           t42,
+           inertia.c5x * t4 - (inertia.I5xx - t37),
+           inertia.I5xz - inertia.c5z * t4,
+           inertia.I5xy - inertia.c5y * t4,
+           inertia.I5yz - inertia.c5z * t8,
+           t43,
+           (inertia.I4xx - t36) - inertia.c4x * t9,
+           g.d4 * g.d4 * t19 + (t45 - t46),
+           g.d4 * t0 + (inertia.I3xz - inertia.c3z * t0),
+           t47 + g.l1 * t12,
+           ((inertia.I3xy - inertia.c3y * t0) - t1) + t1,
+           inertia.c3x * t0 - (inertia.I3xx - t30) };
 }
 
 namespace detail {
@@ -113,7 +126,7 @@ inline JointVector<Scalar> inverse_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[1] + k[0] * qdd[0];
+  const Scalar t0 = k[9] + k[8] * qdd[0];
   const Scalar t1 = qd[1] * c3;
   const Scalar t2 = t1 * t1;
   const Scalar t3 = qd[2] * qd[2];
@@ -124,125 +137,124 @@ inline JointVector<Scalar> inverse_dynamics([[maybe_unused]] const JointVector<S
   const Scalar t8 = qd[2] * s4 + c4 * t7;
   const Scalar t9 = t8 * t8;
   const Scalar t10 = t6 + t9;
-  const Scalar t11 = s4 * t7 - qd[2] * c4;
-  const Scalar t12 = qd[4] - t11;
-  const Scalar t13 = t12 * t12;
-  const Scalar t14 = s5 * t5 - c5 * t8;
-  const Scalar t15 = t14 * t14;
-  const Scalar t16 = t13 - t15;
-  const Scalar t17 = t7 * t1;
-  const Scalar t18 = qdd[2] - t17;
-  const Scalar t19 = qdd[1] * s3;
-  const Scalar t20 = qd[2] * t1;
-  const Scalar t21 = (t19 + t20) + t20;
-  const Scalar t22 = c4 * t18 - s4 * t21;
-  const Scalar t23 = t5 * t8;
-  const Scalar t24 = t22 - t23;
-  const Scalar t25 = qdd[4] + t24;
-  const Scalar t26 = s5 * t8 + c5 * t5;
-  const Scalar t27 = t14 * t26;
-  const Scalar t28 = t25 - t27;
-  const Scalar t29 = k[7] * c6 + k[6] * s6;
-  const Scalar t30 = qd[5] + t26;
-  const Scalar t31 = t30 * t30;
-  const Scalar t32 = t31 + t13;
-  const Scalar t33 = k[6] * c6 - k[7] * s6;
-  const Scalar t34 = c4 * t21 + s4 * t18;
-  const Scalar t35 = Scalar(2) * t5 * t11 - t34;
-  const Scalar t36 = qd[2] * t7;
-  const Scalar t37 = qdd[1] * c3;
-  const Scalar t38 = t36 - t37;
-  const Scalar t39 = qdd[3] + t38;
-  const Scalar t40 = t11 * t8;
-  const Scalar t41 = t39 + t40;
-  const Scalar t42 = s5 * t35 - c5 * t41;
-  const Scalar t43 = t14 * t12;
-  const Scalar t44 = t43 + t43;
-  const Scalar t45 = t42 + t44;
-  const Scalar t46 = qdd[5] - t45;
-  const Scalar t47 = t46 + t44;
-  const Scalar t48 = (k[4] * (t10 + t16) - k[5] * t28) + (t29 * t32 - t33 * t47);
-  const Scalar t49 = t14 * t30;
-  const Scalar t50 = (t49 + t49) + t28;
-  const Scalar t51 = t12 * t30;
-  const Scalar t52 = c5 * t35 + s5 * t41;
-  const Scalar t53 = t26 * t12;
-  const Scalar t54 = t52 + (t53 + t53);
-  const Scalar t55 = t51 + (t51 - t54);
-  const Scalar t56 = t25 + t27;
-  const Scalar t57 = t31 - t15;
-  const Scalar t58 = t16 - t57;
-  const Scalar t59 = t16 - t32;
-  const Scalar t60 = t58 - t59;
-  const Scalar t61 = (t29 * t50 + t55 * t33) + (k[4] * t56 + k[5] * t60);
-  const Scalar t62 = qd[1] * qd[1];
-  const Scalar t63 = t2 - t3;
-  const Scalar t64 = t62 - t63;
-  const Scalar t65 = t6 - t9;
-  const Scalar t66 = t64 + t65;
-  const Scalar t67 = s3 * t0 + t37;
-  const Scalar t68 = k[10] * t22 - (s4 * t62 - c4 * t67);
-  const Scalar t69 = (k[9] * t41 - k[8] * t66) + k[11] * t68;
-  const Scalar t70 = (c5 * t48 + s5 * t61) - t69;
-  const Scalar t71 = (k[4] * t45 - k[5] * t54) - (t46 * t29 - t33 * t59);
-  const Scalar t72 = t39 - t40;
-  const Scalar t73 = k[10] * t34 + (s4 * t67 + c4 * t62);
-  const Scalar t74 = (k[9] * t10 + k[8] * t72) - k[11] * t73;
-  const Scalar t75 = t71 - t74;
-  const Scalar t76 = k[3] * t4 + (c4 * t70 - s4 * t75);
-  const Scalar t77 = qdd[2] + t17;
-  const Scalar t78 = c3 * t0 - t19;
-  const Scalar t79 = k[10] * t64 + t78;
-  const Scalar t80 = t24 - t23;
-  const Scalar t81 = k[11] * t79 - (k[9] * t35 - k[8] * t80);
-  const Scalar t82 = k[3] * t77 - ((s5 * t48 - c5 * t61) - t81);
-  const Scalar t83 = k[2] * t0 + (s3 * t76 - c3 * t82);
-  const Scalar t84 = t64 - t4;
-  const Scalar t85 = t36 + t38;
-  const Scalar t86 = (k[13] * (t84 + t63) + k[12] * t18) - (k[15] * t21 + k[14] * t85);
-  const Scalar t87 = k[22] * c6 + k[21] * s6;
-  const Scalar t88 = k[21] * c6 - k[22] * s6;
-  const Scalar t89 = k[17] * s6 - k[16] * c6;
-  const Scalar t90 = s6 * t89;
-  const Scalar t91 = k[18] + t90;
-  const Scalar t92 = k[20] + c6 * t89;
-  const Scalar t93 = t58 * t88 + (t55 * t91 - t50 * t92);
-  const Scalar t94 = s5 * t68 - c5 * t79;
-  const Scalar t95 = t10 - t60;
-  const Scalar t96 = k[25] * t95 - (k[27] * t54 + k[23] * t45);
-  const Scalar t97 = ((t87 * t46 - t93) + t94 * t33) + ((t96 - k[26] * t56) - k[5] * t73);
-  const Scalar t98 = s5 * t79 + c5 * t68;
-  const Scalar t99 = k[19] - t90;
-  const Scalar t100 = t16 * t92 + (t99 * t46 + t91 * t47);
-  const Scalar t101 = (t73 * t29 - t98 * t33) - (t100 + (t88 * t28 + t87 * t54));
-  const Scalar t102 = (k[24] * t45 + k[23] * t54) - (k[26] * t16 - k[25] * t28);
-  const Scalar t103 = t101 + (k[4] * t73 - t102);
-  const Scalar t104 = t10 - t66;
-  const Scalar t105 = (k[31] * t72 + k[32] * t41) + k[30] * t104;
-  const Scalar t106 = ((k[28] * t22 - k[29] * t34) + t105) - (k[8] * t73 - k[9] * t68);
-  const Scalar t107 = (s5 * t97 - c5 * t103) + t106;
-  const Scalar t108 = c3 * (t76 - ((k[3] * t62 - t86) - t107));
-  const Scalar t109 = (k[33] * t21 + k[15] * t85) + k[12] * t63;
-  const Scalar t110 = (k[30] * t35 - k[31] * t80) - (k[28] * t41 - k[29] * t65);
-  const Scalar t111 = (t92 * t55 - t99 * t50) - (t88 * t47 - t87 * t57);
-  const Scalar t112 = (k[24] * t56 + k[27] * t28) + k[23] * (t16 + t95);
-  const Scalar t113 = (k[5] * t98 - k[4] * t94) - ((k[25] * t42 + k[26] * t52) + t112);
-  const Scalar t114 = (t29 * t94 + t111) - t113;
-  const Scalar t115 = k[10] * t70 + ((t110 - k[8] * t79) + t114);
-  const Scalar t116 = (k[32] * t35 - k[30] * t80) + k[28] * (t104 + t65);
-  const Scalar t117 = ((t116 + k[29] * t72) - k[9] * t79) + (c5 * t97 + s5 * t103);
-  const Scalar t118 = t117 - k[10] * t75;
-  const Scalar t119 = (t109 - k[13] * t77) - (s4 * t115 - c4 * t118);
-  const Scalar t120 = (t108 + s3 * (t82 + t119)) - k[34] * qdd[1];
-  const Scalar t121 = k[15] * t84 - (k[33] * t18 + k[14] * t77);
-  const Scalar t122 = ((k[13] * t19 - k[12] * t37) + t121) + k[3] * t78;
+  const Scalar t11 = s5 * t8 + c5 * t5;
+  const Scalar t12 = s4 * t7 - qd[2] * c4;
+  const Scalar t13 = qd[4] - t12;
+  const Scalar t14 = t13 * t13;
+  const Scalar t15 = t11 * t11 + t14;
+  const Scalar t16 = t10 - t15;
+  const Scalar t17 = qd[5] + t11;
+  const Scalar t18 = t17 * t17;
+  const Scalar t19 = t18 + t14;
+  const Scalar t20 = t16 + t19;
+  const Scalar t21 = k[3] * c6 - k[4] * s6;
+  const Scalar t22 = s5 * t5 - c5 * t8;
+  const Scalar t23 = t22 * t13;
+  const Scalar t24 = qd[2] * t7;
+  const Scalar t25 = qdd[1] * c3;
+  const Scalar t26 = t24 - t25;
+  const Scalar t27 = qdd[3] + t26;
+  const Scalar t28 = t12 * t8;
+  const Scalar t29 = t27 + t28;
+  const Scalar t30 = t5 * t12;
+  const Scalar t31 = qdd[1] * s3;
+  const Scalar t32 = Scalar(2) * qd[2] * t1 + t31;
+  const Scalar t33 = t7 * t1;
+  const Scalar t34 = qdd[2] - t33;
+  const Scalar t35 = c4 * t32 + s4 * t34;
+  const Scalar t36 = (t30 + t30) - t35;
+  const Scalar t37 = c5 * t29 - s5 * t36;
+  const Scalar t38 = t23 + (t23 - t37);
+  const Scalar t39 = qdd[5] - t38;
+  const Scalar t40 = k[4] * c6 + k[3] * s6;
+  const Scalar t41 = s5 * t29 + c5 * t36;
+  const Scalar t42 = t41 + Scalar(2) * t11 * t13;
+  const Scalar t43 = (t20 * t21 + t39 * t40) + (k[1] * t42 - k[2] * t38);
+  const Scalar t44 = t27 - t28;
+  const Scalar t45 = (s3 * t0 + t25) + k[7] * t34;
+  const Scalar t46 = qd[1] * qd[1];
+  const Scalar t47 = k[7] * t32 + t46;
+  const Scalar t48 = s4 * t45 + c4 * t47;
+  const Scalar t49 = (k[5] * t10 + k[6] * t44) - k[10] * t48;
+  const Scalar t50 = t43 + t49;
+  const Scalar t51 = t22 * t17;
+  const Scalar t52 = t22 * t11;
+  const Scalar t53 = t5 * t8;
+  const Scalar t54 = c4 * t34 - s4 * t32;
+  const Scalar t55 = t53 - t54;
+  const Scalar t56 = qdd[4] - t55;
+  const Scalar t57 = t52 - t56;
+  const Scalar t58 = (t51 + t51) - t57;
+  const Scalar t59 = t13 * t17;
+  const Scalar t60 = t59 + (t59 - t42);
+  const Scalar t61 = t18 - t14;
+  const Scalar t62 = t20 - t61;
+  const Scalar t63 = t52 + t56;
+  const Scalar t64 = (t58 * t40 + t21 * t60) + (k[1] * t62 + k[2] * t63);
+  const Scalar t65 = qdd[5] + t37;
+  const Scalar t66 = (t19 * t40 - t21 * t65) + (k[1] * t57 + k[2] * t15);
+  const Scalar t67 = t46 - t4;
+  const Scalar t68 = t2 - t3;
+  const Scalar t69 = t67 - t68;
+  const Scalar t70 = t69 + t4;
+  const Scalar t71 = t10 - t70;
+  const Scalar t72 = t6 - t9;
+  const Scalar t73 = t71 - t72;
+  const Scalar t74 = s4 * t47 - c4 * t45;
+  const Scalar t75 = (k[6] * (t10 - t73) - k[5] * t29) + k[10] * t74;
+  const Scalar t76 = (s5 * t64 + c5 * t66) + t75;
+  const Scalar t77 = k[0] * t4 + (s4 * t50 + c4 * t76);
+  const Scalar t78 = t55 + t53;
+  const Scalar t79 = t31 - c3 * t0;
+  const Scalar t80 = t79 - k[7] * t70;
+  const Scalar t81 = (k[5] * t36 + k[6] * t78) + k[10] * t80;
+  const Scalar t82 = qdd[2] + t33;
+  const Scalar t83 = ((c5 * t64 - s5 * t66) - t81) + k[0] * t82;
+  const Scalar t84 = k[11] * t0 + k[8] * (s3 * t77 - c3 * t83);
+  const Scalar t85 = (k[16] * t29 + k[29] * t44) + k[15] * t73;
+  const Scalar t86 = (k[6] * t48 + k[5] * t74) - (t85 - (k[14] * t54 - k[13] * t35));
+  const Scalar t87 = t62 - t15;
+  const Scalar t88 = k[27] * (t16 - t87) - (k[25] * t38 + k[28] * t42);
+  const Scalar t89 = k[17] * c6 - k[18] * s6;
+  const Scalar t90 = k[19] * s6 - k[20] * c6;
+  const Scalar t91 = k[23] + c6 * t90;
+  const Scalar t92 = s6 * t90;
+  const Scalar t93 = k[21] + t92;
+  const Scalar t94 = t89 * t61 + (t58 * t91 - t93 * t60);
+  const Scalar t95 = k[17] * s6 + k[18] * c6;
+  const Scalar t96 = s5 * t74 - c5 * t80;
+  const Scalar t97 = ((k[26] * t63 - t88) + k[1] * t48) - ((t94 + t95 * t39) - t96 * t21);
+  const Scalar t98 = (k[25] * t42 + k[24] * t38) + (k[26] * t16 - k[27] * t57);
+  const Scalar t99 = k[22] - t92;
+  const Scalar t100 = t16 * t91 - (t93 * t65 + t99 * t39);
+  const Scalar t101 = c5 * t74 + s5 * t80;
+  const Scalar t102 = ((t89 * t57 - t42 * t95) + t100) + (t101 * t21 + t48 * t40);
+  const Scalar t103 = (k[2] * t48 - t98) + t102;
+  const Scalar t104 = t86 + (s5 * t97 + c5 * t103);
+  const Scalar t105 = t24 + t26;
+  const Scalar t106 = (k[31] * t32 + k[34] * t105) - (k[32] * t34 + k[33] * t67);
+  const Scalar t107 = c3 * (t77 - (t104 + (t106 + k[0] * t46)));
+  const Scalar t108 = (k[15] * t36 + k[29] * t78) - (k[13] * t72 - k[14] * t29);
+  const Scalar t109 = (k[28] * t57 - k[24] * t63) + k[25] * t87;
+  const Scalar t110 = (k[2] * t96 - k[1] * t101) - ((k[26] * t41 - k[27] * t37) - t109);
+  const Scalar t111 = (t89 * t65 + t95 * (t62 - t19)) - (t91 * t60 - t99 * t58);
+  const Scalar t112 = t110 + (t111 + t96 * t40);
+  const Scalar t113 = k[7] * t76 + ((t108 + k[6] * t80) - t112);
+  const Scalar t114 = k[14] * t71 - (k[16] * t36 + k[15] * t78);
+  const Scalar t115 = (c5 * t97 - s5 * t103) + ((k[13] * t44 + t114) - k[5] * t80);
+  const Scalar t116 = t115 - k[7] * t50;
+  const Scalar t117 = (k[30] * t32 + k[31] * t105) + k[32] * t68;
+  const Scalar t118 = (s4 * t113 + c4 * t116) - (t117 - k[33] * t82);
+  const Scalar t119 = k[12] * qdd[1] + (t107 - s3 * (t118 - t83));
+  const Scalar t120 = k[31] * t69 - (k[34] * t82 + k[30] * t34);
+  const Scalar t121 = ((k[32] * t25 - k[33] * t31) - t120) + k[0] * t79;
   JointVector<Scalar> result;
-  result[0] = k[0] * t83;
-  result[1] = t120;
-  result[2] = (s4 * t118 + c4 * t115) - t122;
-  result[3] = -t107;
-  result[4] = t114;
-  result[5] = t101;
+  result[0] = t84;
+  result[1] = t119;
+  result[2] = t121 + (c4 * t113 - s4 * t116);
+  result[3] = t104;
+  result[4] = -t112;
+  result[5] = t102;
   return result;
 }
 
@@ -270,18 +282,19 @@ GravityTorqueConstants<Scalar> gravity_torque_constants(const BasicGeometry<Scal
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = (inertia.c4z * inertia.m4 - g.d4 * t0) + (inertia.c3z * inertia.m3 - g.d4 * inertia.m3);
+  const Scalar t0 = g.d4 * inertia.m4;
+  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t2 = ((inertia.c4z * inertia.m4 - t0) + t0) - g.d4 * t1;
   return { gravity,
-           inertia.c4y * inertia.m4 + inertia.c5y * inertia.m5,
+           inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
            inertia.c5x * inertia.m5,
            inertia.c6y * inertia.m6,
            inertia.c6x * inertia.m6,
-           inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
            inertia.c4x * inertia.m4,
+           inertia.c4y * inertia.m4 + inertia.c5y * inertia.m5,
+           (inertia.c3z * inertia.m3 - g.d4 * inertia.m3) + t2,
            inertia.c3x * inertia.m3,
-           t1,
-           gravity * (inertia.m1 + (inertia.m2 + (inertia.m3 + t0))) };
+           gravity * (inertia.m1 + (inertia.m2 + (inertia.m3 + t1))) };
 }
 
 namespace detail {
@@ -297,28 +310,28 @@ inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Sca
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[0] * c3;
-  const Scalar t1 = k[0] * s3;
-  const Scalar t2 = c4 * t1;
-  const Scalar t3 = s5 * t2 - c5 * t0;
-  const Scalar t4 = s5 * t0 + c5 * t2;
-  const Scalar t5 = k[4] * c6 + k[3] * s6;
-  const Scalar t6 = (k[2] * t3 - k[5] * t4) + t3 * t5;
-  const Scalar t7 = s4 * t1;
-  const Scalar t8 = k[3] * c6 - k[4] * s6;
-  const Scalar t9 = k[5] * t7 - t3 * t8;
-  const Scalar t10 = t7 * t5 - t4 * t8;
-  const Scalar t11 = t10 + k[2] * t7;
-  const Scalar t12 = (c5 * t9 - s5 * t11) + k[1] * t0;
-  const Scalar t13 = c4 * (k[6] * t0 - t6) + s4 * t12;
-  const Scalar t14 = (c5 * t11 + s5 * t9) + (k[6] * t7 - k[1] * t2);
+  const Scalar t0 = k[0] * s3;
+  const Scalar t1 = s4 * t0;
+  const Scalar t2 = k[4] * c6 + k[3] * s6;
+  const Scalar t3 = k[0] * c3;
+  const Scalar t4 = c4 * t0;
+  const Scalar t5 = s5 * t3 + c5 * t4;
+  const Scalar t6 = k[3] * c6 - k[4] * s6;
+  const Scalar t7 = t1 * t2 - t5 * t6;
+  const Scalar t8 = t7 + k[2] * t1;
+  const Scalar t9 = s5 * t4 - c5 * t3;
+  const Scalar t10 = k[1] * t1 - t9 * t6;
+  const Scalar t11 = (s5 * t8 - c5 * t10) - k[6] * t3;
+  const Scalar t12 = (k[2] * t9 - k[1] * t5) + t9 * t2;
+  const Scalar t13 = s4 * t11 - c4 * (k[5] * t3 - t12);
+  const Scalar t14 = (k[5] * t1 - k[6] * t4) + (c5 * t8 + s5 * t10);
   JointVector<Scalar> result;
   result[0] = k[9];
   result[1] = Scalar(0);
-  result[2] = -t13 - (k[8] * t1 + k[7] * t0);
+  result[2] = t13 - (k[8] * t3 + k[7] * t0);
   result[3] = t14;
-  result[4] = t6;
-  result[5] = t10;
+  result[4] = t12;
+  result[5] = t7;
   return result;
 }
 
@@ -343,73 +356,77 @@ CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Sc
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
-  const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = inertia.c5z * inertia.m5;
-  const Scalar t3 = inertia.c6z * inertia.m6;
-  const Scalar t4 = inertia.c5x * inertia.m5;
-  const Scalar t5 = inertia.c4y * inertia.m4;
-  const Scalar t6 = inertia.c5y * inertia.m5;
-  const Scalar t7 = inertia.c4x * inertia.m4;
-  const Scalar t8 = inertia.c3x * inertia.m3;
-  const Scalar t9 = g.d4 * t8;
-  const Scalar t10 = inertia.c4z * inertia.m4;
-  const Scalar t11 = t10 - g.d4 * (inertia.m4 + (inertia.m5 + inertia.m6));
-  const Scalar t12 = inertia.c3z * inertia.m3;
-  const Scalar t13 = t12 - g.d4 * inertia.m3;
-  const Scalar t14 = g.d4 * (t11 + t13);
-  const Scalar t15 = g.l1 / g.d4;
-  const Scalar t16 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t17 = inertia.c3x * t8 - (inertia.I3xx - t16);
-  const Scalar t18 = t9 + (inertia.I3xz - inertia.c3z * t8);
-  const Scalar t19 = inertia.c3y * inertia.m3;
-  const Scalar t20 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t21 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t22 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t23 = (inertia.I6xx - t22) - inertia.c6x * t1;
-  const Scalar t24 = (inertia.I6yy - t22) - inertia.c6y * t0;
-  const Scalar t25 = (inertia.c6z * t3 - (inertia.I6zz - t22)) + (inertia.c5z * t2 - (inertia.I5zz - t20));
-  const Scalar t26 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t27 = ((inertia.I4yy - t26) - inertia.c4y * t5) - (inertia.c5y * t6 - (inertia.I5yy - t20));
-  const Scalar t28 = ((inertia.I3zz - t16) - inertia.c3z * t12) + g.d4 * (t12 + t13);
-  const Scalar t29 = ((inertia.I4zz - t26) - inertia.c4z * t10) + g.d4 * (t11 + t10);
-  const Scalar t30 = t28 + t29;
-  return { g.d4 * t0,
-           g.d4 * t1,
-           g.d4 * (t2 + t3),
-           g.d4 * t4,
-           g.d4 * (t5 + t6),
-           g.d4 * t7,
-           t9,
-           t14,
+  const Scalar t0 = inertia.c3z * inertia.m3;
+  const Scalar t1 = t0 - g.d4 * inertia.m3;
+  const Scalar t2 = inertia.c4z * inertia.m4;
+  const Scalar t3 = g.d4 * inertia.m4;
+  const Scalar t4 = t2 - t3;
+  const Scalar t5 = t4 + t3;
+  const Scalar t6 = t5 - g.d4 * (inertia.m4 + (inertia.m5 + inertia.m6));
+  const Scalar t7 = inertia.c3x * inertia.m3;
+  const Scalar t8 = g.d4 * t7;
+  const Scalar t9 = inertia.c5x * inertia.m5;
+  const Scalar t10 = inertia.c5z * inertia.m5;
+  const Scalar t11 = inertia.c6z * inertia.m6;
+  const Scalar t12 = inertia.c6y * inertia.m6;
+  const Scalar t13 = inertia.c6x * inertia.m6;
+  const Scalar t14 = inertia.c4y * inertia.m4;
+  const Scalar t15 = inertia.c5y * inertia.m5;
+  const Scalar t16 = inertia.c4x * inertia.m4;
+  const Scalar t17 = g.d4 * t16;
+  const Scalar t18 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t19 = g.d4 * (t2 + t4) + ((inertia.I4zz - t18) - inertia.c4z * t2);
+  const Scalar t20 = (g.d4 * (t5 + t4) - t19) - g.d4 * (t5 + t6);
+  const Scalar t21 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t22 = ((inertia.I3zz - t21) - inertia.c3z * t0) + g.d4 * (t0 + t1);
+  const Scalar t23 = t20 - t22;
+  const Scalar t24 = t8 + (inertia.I3xz - inertia.c3z * t7);
+  const Scalar t25 = inertia.c3y * inertia.m3;
+  const Scalar t26 = ((inertia.I3yz - inertia.c3z * t25) - g.l1 * t0) + g.d4 * (g.l1 * inertia.m3 + t25);
+  const Scalar t27 = g.l1 * t7;
+  const Scalar t28 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t29 = (inertia.I6xx - t28) - inertia.c6x * t13;
+  const Scalar t30 = (inertia.I6yy - t28) - inertia.c6y * t12;
+  const Scalar t31 = inertia.I6xy - inertia.c6y * t13;
+  const Scalar t32 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t33 = (inertia.c6z * t11 - (inertia.I6zz - t28)) + (inertia.c5z * t10 - (inertia.I5zz - t32));
+  const Scalar t34 = g.d4 * t14;
+  const Scalar t35 = ((inertia.I4yy - t18) - inertia.c4y * t14) - (inertia.c5y * t15 - (inertia.I5yy - t32));
+  const Scalar t36 = inertia.c3x * t7 - (inertia.I3xx - t21);
+  return { g.d4 * (t1 + t6),
+           t8,
+           g.d4 * t9,
+           g.d4 * (t10 + t11),
+           g.d4 * t12,
+           g.d4 * t13,
+           g.d4 * (t14 + t15),
+           t17,
            Scalar(1) / g.d4,
-           t15,
-           Scalar(2) * t17,
-           Scalar(2) * t18,
-           inertia.I3xy - inertia.c3y * t8,
-           g.d4 * t19 + (inertia.I3yz - inertia.c3z * t19),
-           t15 * t9,
-           inertia.c5x * t4 - (inertia.I5xx - t20),
-           inertia.I5xz - inertia.c5z * t4,
-           inertia.I5yz - inertia.c5z * t6,
-           inertia.I5xy - inertia.c5y * t4,
-           Scalar(2) * t21,
-           t23 - t24,
-           t24,
            t23,
-           t21,
-           inertia.I6yz - inertia.c6z * t0,
-           inertia.I6xz - inertia.c6z * t1,
-           t25,
-           inertia.I4xy - inertia.c4y * t7,
-           t27,
-           (inertia.I4xx - t26) - inertia.c4x * t7,
-           inertia.I4yz - inertia.c4z * t5,
-           inertia.I4xz - inertia.c4z * t7,
+           Scalar(2) * t24,
+           t26 + g.l1 * t1,
+           ((inertia.I3xy - inertia.c3y * t7) - t27) + t27,
+           g.l1 / g.d4,
+           t29 - t30,
+           Scalar(2) * t31,
+           t31,
+           t29,
+           inertia.I6yz - inertia.c6z * t12,
+           inertia.I6xz - inertia.c6z * t13,
+           inertia.I5yz - inertia.c5z * t15,
+           inertia.I5xy - inertia.c5y * t9,
+           t33,
+           inertia.c5x * t9 - (inertia.I5xx - t32),
+           inertia.I5xz - inertia.c5z * t9,
+           t17 - ((inertia.I4xz - inertia.c4z * t16) + t17),
+           t34 - (t34 + (inertia.I4yz - inertia.c4z * t14)),
+           (inertia.I4xx - t18) - inertia.c4x * t16,
+           inertia.I4xy - inertia.c4y * t16,
+           t35,
            t30,
-           t15 * t14,
-           t18,
-           t17 + t30 };
+           Scalar(2) * t36,
+           t36 - t23,
+           t24 };
 }
 
 namespace detail {
@@ -426,113 +443,118 @@ inline JointVector<Scalar> coriolis_torque([[maybe_unused]] const JointVector<Sc
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = qd[1] * c3;
-  const Scalar t1 = qd[2] * t0;
-  const Scalar t2 = t1 + t1;
-  const Scalar t3 = qd[1] * s3;
-  const Scalar t4 = c4 * t3;
-  const Scalar t5 = s4 * t2 + t0 * t4;
-  const Scalar t6 = qd[3] - t0;
-  const Scalar t7 = qd[2] * s4 + t4;
-  const Scalar t8 = t6 * t7;
-  const Scalar t9 = t5 + t8;
-  const Scalar t10 = t9 + t8;
-  const Scalar t11 = s4 * t3 - qd[2] * c4;
-  const Scalar t12 = t6 * t11;
-  const Scalar t13 = t3 * t0;
-  const Scalar t14 = s4 * t13 - c4 * t2;
-  const Scalar t15 = (t12 + t14) + t12;
-  const Scalar t16 = qd[4] - t11;
-  const Scalar t17 = t16 * t16;
-  const Scalar t18 = s5 * t6 - c5 * t7;
-  const Scalar t19 = t18 * t18;
-  const Scalar t20 = t17 + t19;
-  const Scalar t21 = s5 * t7 + c5 * t6;
-  const Scalar t22 = t18 * t21;
-  const Scalar t23 = t9 - t22;
-  const Scalar t24 = k[0] * s6 + k[1] * c6;
-  const Scalar t25 = t9 + t22;
-  const Scalar t26 = qd[5] + t21;
-  const Scalar t27 = t25 - Scalar(2) * t18 * t26;
-  const Scalar t28 = t11 * t7;
-  const Scalar t29 = qd[2] * t3;
-  const Scalar t30 = t28 + t29;
-  const Scalar t31 = s5 * t30 + c5 * t15;
-  const Scalar t32 = Scalar(2) * t21 * t16 + t31;
-  const Scalar t33 = t32 - Scalar(2) * t16 * t26;
-  const Scalar t34 = k[0] * c6 - k[1] * s6;
-  const Scalar t35 = (k[2] * t20 - k[3] * t23) - (t24 * t27 + t33 * t34);
-  const Scalar t36 = t26 * t26;
-  const Scalar t37 = t36 - t19;
-  const Scalar t38 = t20 + t37;
-  const Scalar t39 = s5 * t15 - c5 * t30;
-  const Scalar t40 = t17 - t19;
-  const Scalar t41 = t11 * t11;
-  const Scalar t42 = t6 * t6;
-  const Scalar t43 = t41 - t42;
-  const Scalar t44 = t3 * t3;
-  const Scalar t45 = qd[2] * qd[2];
-  const Scalar t46 = t44 + t45;
-  const Scalar t47 = t43 - t46;
-  const Scalar t48 = (t24 * t38 + t39 * t34) + (k[3] * (t40 - t47) + k[2] * t25);
-  const Scalar t49 = (k[5] * t10 + k[4] * t15) - (c5 * t35 - s5 * t48);
-  const Scalar t50 = t49 - (k[6] * t13 + k[7] * t46);
-  const Scalar t51 = t44 - t45;
-  const Scalar t52 = qd[1] * qd[1];
-  const Scalar t53 = t52 - t46;
-  const Scalar t54 = t51 - t53;
-  const Scalar t55 = t41 + t42;
-  const Scalar t56 = (k[4] * t30 - k[5] * t55) - (s5 * t35 + c5 * t48);
-  const Scalar t57 = t39 + Scalar(2) * t18 * t16;
-  const Scalar t58 = ((t40 - t38) * t34 + t24 * t57) - (k[2] * t32 - k[3] * t57);
-  const Scalar t59 = t28 - t29;
-  const Scalar t60 = t58 + (k[4] * t47 + k[5] * t59);
-  const Scalar t61 = (k[6] * (t54 - t46) - k[7] * t13) + (c4 * t56 + s4 * t60);
-  const Scalar t62 = (k[12] * t51 - k[13] * t13) - (k[10] * t29 + k[11] * t1);
-  const Scalar t63 = (k[29] * t59 - k[28] * t30) + k[27] * (t55 + t47);
-  const Scalar t64 = k[9] * t52;
-  const Scalar t65 = c4 * t64 - t14;
-  const Scalar t66 = t5 + s4 * t64;
-  const Scalar t67 = ((k[31] * t14 - k[30] * t5) - t63) - (k[5] * t65 + k[4] * t66);
-  const Scalar t68 = t47 + t20;
-  const Scalar t69 = k[17] * t68 + (k[16] * t57 + k[26] * t32);
-  const Scalar t70 = k[19] * c6 - k[20] * s6;
-  const Scalar t71 = k[23] - c6 * t70;
-  const Scalar t72 = s6 * t70;
-  const Scalar t73 = k[21] - t72;
-  const Scalar t74 = k[25] * s6 - k[24] * c6;
-  const Scalar t75 = (t71 * t27 - t73 * t33) + t74 * (t36 - t17);
-  const Scalar t76 = k[25] * c6 + k[24] * s6;
-  const Scalar t77 = s5 * t66 + c5 * t46;
-  const Scalar t78 = (k[2] * t65 - (k[18] * t23 - t69)) + ((t75 + t76 * t57) + t77 * t34);
-  const Scalar t79 = (k[16] * t32 + k[15] * t57) - (k[18] * t40 + k[17] * t25);
-  const Scalar t80 = k[22] + t72;
-  const Scalar t81 = (t73 * t39 + t57 * t80) - t40 * t71;
-  const Scalar t82 = s5 * t46 - c5 * t66;
-  const Scalar t83 = (t81 - (t74 * t25 + t76 * t32)) - (t82 * t34 - t24 * t65);
-  const Scalar t84 = (t79 - k[3] * t65) - t83;
-  const Scalar t85 = t67 - (s5 * t78 - c5 * t84);
-  const Scalar t86 = ((t62 - k[14] * t52) + t85) - k[9] * t61;
-  const Scalar t87 = (k[29] * t10 + k[27] * t15) - (k[30] * t30 - k[31] * (t55 - t46));
-  const Scalar t88 = (t71 * t33 - t80 * t27) - (t76 * t37 - t74 * t39);
-  const Scalar t89 = k[16] * (t40 - t68) - (k[26] * t25 + k[15] * t23);
-  const Scalar t90 = ((k[18] * t31 + k[17] * t39) + t89) - (k[3] * t77 + k[2] * t82);
-  const Scalar t91 = (t88 + t24 * t77) - t90;
-  const Scalar t92 = t56 + ((k[5] * t46 - t87) + t91);
-  const Scalar t93 = (k[27] * t10 + k[28] * t15) - k[30] * t43;
-  const Scalar t94 = (k[4] * t46 + (k[31] * t59 - t93)) + (c5 * t78 + s5 * t84);
-  const Scalar t95 = t60 + t94;
-  const Scalar t96 = (k[11] * t29 - k[32] * t2) + k[13] * t53;
-  const Scalar t97 = (s4 * t92 - c4 * t95) - (k[33] * t52 - (t96 - k[12] * t13));
-  const Scalar t98 = c3 * t86 + s3 * (t97 - k[9] * t50);
-  const Scalar t99 = (k[34] * t54 - k[35] * t13) + (c4 * t92 + s4 * t95);
+  const Scalar t0 = qd[1] * s3;
+  const Scalar t1 = c4 * t0;
+  const Scalar t2 = qd[2] * s4 + t1;
+  const Scalar t3 = qd[1] * c3;
+  const Scalar t4 = qd[3] - t3;
+  const Scalar t5 = s5 * t2 + c5 * t4;
+  const Scalar t6 = t5 * t5;
+  const Scalar t7 = s4 * t0 - qd[2] * c4;
+  const Scalar t8 = qd[4] - t7;
+  const Scalar t9 = t8 * t8;
+  const Scalar t10 = t6 - t9;
+  const Scalar t11 = t7 * t7;
+  const Scalar t12 = t4 * t4;
+  const Scalar t13 = t11 - t12;
+  const Scalar t14 = t0 * t0;
+  const Scalar t15 = qd[2] * qd[2];
+  const Scalar t16 = t14 + t15;
+  const Scalar t17 = t13 - t16;
+  const Scalar t18 = t10 + t17;
+  const Scalar t19 = qd[2] * t3;
+  const Scalar t20 = t19 + t19;
+  const Scalar t21 = s4 * t20 + t3 * t1;
+  const Scalar t22 = t4 * t2;
+  const Scalar t23 = t21 + t22;
+  const Scalar t24 = s5 * t4 - c5 * t2;
+  const Scalar t25 = t24 * t5;
+  const Scalar t26 = t23 - t25;
+  const Scalar t27 = qd[5] + t5;
+  const Scalar t28 = t8 * t27;
+  const Scalar t29 = t8 + t8;
+  const Scalar t30 = t7 * t2;
+  const Scalar t31 = qd[2] * t0;
+  const Scalar t32 = t30 + t31;
+  const Scalar t33 = t4 * t7;
+  const Scalar t34 = t0 * t3;
+  const Scalar t35 = s4 * t34 - c4 * t20;
+  const Scalar t36 = (t33 + t35) + t33;
+  const Scalar t37 = s5 * t32 + c5 * t36;
+  const Scalar t38 = t29 * t5 + t37;
+  const Scalar t39 = t28 + (t28 - t38);
+  const Scalar t40 = k[4] * c6 - k[5] * s6;
+  const Scalar t41 = k[4] * s6 + k[5] * c6;
+  const Scalar t42 = t24 * t27;
+  const Scalar t43 = t23 + t25;
+  const Scalar t44 = (t42 + t42) - t43;
+  const Scalar t45 = (k[3] * t18 + k[2] * t26) - (t39 * t40 + t41 * t44);
+  const Scalar t46 = t6 + t9;
+  const Scalar t47 = t46 + t17;
+  const Scalar t48 = t27 * t27 - t9;
+  const Scalar t49 = t47 + t48;
+  const Scalar t50 = t49 - t18;
+  const Scalar t51 = s5 * t36 - c5 * t32;
+  const Scalar t52 = (t50 * t41 + t51 * t40) + (k[3] * t43 + k[2] * t46);
+  const Scalar t53 = t23 + t22;
+  const Scalar t54 = (c5 * t45 + s5 * t52) + (k[7] * t53 + k[6] * t36);
+  const Scalar t55 = t54 - (k[0] * t16 + k[1] * t34);
+  const Scalar t56 = t30 - t31;
+  const Scalar t57 = t29 * t24 + t51;
+  const Scalar t58 = ((t47 - t50) * t40 + t41 * t57) - (k[3] * t38 - k[2] * t57);
+  const Scalar t59 = (k[7] * t56 + k[6] * t17) + t58;
+  const Scalar t60 = t11 + t12;
+  const Scalar t61 = (s5 * t45 - c5 * t52) - (k[7] * t60 - k[6] * t32);
+  const Scalar t62 = t14 - t15;
+  const Scalar t63 = qd[1] * qd[1];
+  const Scalar t64 = t62 - t63;
+  const Scalar t65 = (s4 * t59 + c4 * t61) + (k[1] * t64 - k[0] * t34);
+  const Scalar t66 = k[13] * t63;
+  const Scalar t67 = t64 + t16;
+  const Scalar t68 = (k[9] * t20 + k[10] * t31) + k[11] * (t62 - t67);
+  const Scalar t69 = (k[22] * t38 + k[24] * t57) - k[20] * t10;
+  const Scalar t70 = c4 * t66 - t35;
+  const Scalar t71 = k[18] * s6 + k[19] * c6;
+  const Scalar t72 = k[19] * s6 - k[18] * c6;
+  const Scalar t73 = k[14] * s6 - k[15] * c6;
+  const Scalar t74 = k[16] + c6 * t73;
+  const Scalar t75 = s6 * t73;
+  const Scalar t76 = k[30] + t75;
+  const Scalar t77 = t72 * t48 - (t74 * t44 - t39 * t76);
+  const Scalar t78 = t21 + s4 * t66;
+  const Scalar t79 = c5 * t16 + s5 * t78;
+  const Scalar t80 = ((t69 - k[21] * t26) + k[3] * t70) + ((t57 * t71 + t77) + t79 * t40);
+  const Scalar t81 = s5 * t16 - c5 * t78;
+  const Scalar t82 = k[17] - t75;
+  const Scalar t83 = (t57 * t82 + t51 * t76) - t47 * t74;
+  const Scalar t84 = (t81 * t40 - t70 * t41) + ((t38 * t71 + t72 * t43) - t83);
+  const Scalar t85 = (k[21] * t47 + k[20] * t43) - (k[24] * t38 + k[23] * t57);
+  const Scalar t86 = t84 - (t85 + k[2] * t70);
+  const Scalar t87 = (k[29] * t36 + k[28] * t53) + k[26] * t13;
+  const Scalar t88 = (c5 * t80 + s5 * t86) - ((t87 + k[25] * t56) - k[6] * t16);
+  const Scalar t89 = t88 + t59;
+  const Scalar t90 = t60 - t16;
+  const Scalar t91 = (k[27] * t53 + k[28] * t36) - (k[25] * t90 - k[26] * t32);
+  const Scalar t92 = (k[22] * t43 + k[23] * t26) - k[24] * (t47 + t10);
+  const Scalar t93 = (k[3] * t81 + k[2] * t79) - ((k[21] * t37 + k[20] * t51) - t92);
+  const Scalar t94 = (t49 * t71 - t72 * t51) - (t82 * t44 - t39 * t74);
+  const Scalar t95 = t93 - (t94 - t79 * t41);
+  const Scalar t96 = t61 + ((k[7] * t16 - t91) + t95);
+  const Scalar t97 = (k[0] * t66 - (t68 - k[12] * t34)) + (c4 * t89 - s4 * t96);
+  const Scalar t98 = (k[31] * t31 + k[10] * t19) - (k[12] * t62 - k[11] * t34);
+  const Scalar t99 = (k[27] * t56 - k[29] * t32) + k[28] * (t13 + t90);
+  const Scalar t100 = (t99 + (k[25] * t35 - k[26] * t21)) + (k[7] * t70 + k[6] * t78);
+  const Scalar t101 = t100 - (c5 * t86 - s5 * t80);
+  const Scalar t102 = k[13] * t65 + ((k[1] * t66 + t98) + t101);
+  const Scalar t103 = s3 * (k[13] * t55 + t97) + c3 * t102;
+  const Scalar t104 = (c4 * t96 + s4 * t89) - (k[32] * t34 - k[33] * t67);
   JointVector<Scalar> result;
-  result[0] = k[8] * (c3 * t50 - s3 * t61);
-  result[1] = t98;
-  result[2] = -t99;
-  result[3] = -t85;
-  result[4] = -t91;
-  result[5] = t83;
+  result[0] = k[8] * (c3 * t55 - s3 * t65);
+  result[1] = -t103;
+  result[2] = -t104;
+  result[3] = t101;
+  result[4] = -t95;
+  result[5] = -t84;
   return result;
 }
 
@@ -558,74 +580,86 @@ MassMatrixConstants<Scalar> mass_matrix_constants(const BasicGeometry<Scalar>& g
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
-  const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = inertia.c4y * inertia.m4;
-  const Scalar t3 = inertia.c5y * inertia.m5;
+  const Scalar t0 = inertia.c5z * inertia.m5;
+  const Scalar t1 = inertia.c6z * inertia.m6;
+  const Scalar t2 = inertia.c6y * inertia.m6;
+  const Scalar t3 = inertia.c6x * inertia.m6;
   const Scalar t4 = inertia.c5x * inertia.m5;
-  const Scalar t5 = inertia.c5z * inertia.m5;
-  const Scalar t6 = inertia.c6z * inertia.m6;
-  const Scalar t7 = inertia.c4x * inertia.m4;
+  const Scalar t5 = inertia.c4x * inertia.m4;
+  const Scalar t6 = inertia.c4y * inertia.m4;
+  const Scalar t7 = inertia.c5y * inertia.m5;
   const Scalar t8 = inertia.c3x * inertia.m3;
-  const Scalar t9 = inertia.c4z * inertia.m4;
-  const Scalar t10 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t11 = t9 - g.d4 * t10;
-  const Scalar t12 = inertia.c3z * inertia.m3;
-  const Scalar t13 = t12 - g.d4 * inertia.m3;
-  const Scalar t14 = Scalar(1) / g.l1;
-  const Scalar t15 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t16 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t17 = (inertia.I6xx - t16) - inertia.c6x * t1;
-  const Scalar t18 = (inertia.I6yy - t16) - inertia.c6y * t0;
-  const Scalar t19 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t20 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t21 = ((inertia.I4yy - t19) - inertia.c4y * t2) - (inertia.c5y * t3 - (inertia.I5yy - t20));
-  const Scalar t22 = (inertia.c6z * t6 - (inertia.I6zz - t16)) + (inertia.c5z * t5 - (inertia.I5zz - t20));
-  const Scalar t23 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t24 = inertia.c3y * inertia.m3;
-  const Scalar t25 = inertia.m3 + t10;
-  const Scalar t26 = ((inertia.I3yy - t23) - inertia.c3y * t24) - g.l1 * ((g.l1 * t25 + t24) + t24);
+  const Scalar t9 = g.l1 * t8;
+  const Scalar t10 = inertia.c3z * inertia.m3;
+  const Scalar t11 = t10 - g.d4 * inertia.m3;
+  const Scalar t12 = inertia.c4z * inertia.m4;
+  const Scalar t13 = g.d4 * inertia.m4;
+  const Scalar t14 = t12 - t13;
+  const Scalar t15 = t14 + t13;
+  const Scalar t16 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t17 = t15 - g.d4 * t16;
+  const Scalar t18 = Scalar(1) / g.l1;
+  const Scalar t19 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t20 = (inertia.I6xx - t19) - inertia.c6x * t3;
+  const Scalar t21 = (inertia.I6yy - t19) - inertia.c6y * t2;
+  const Scalar t22 = inertia.I6xy - inertia.c6y * t3;
+  const Scalar t23 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t24 = (inertia.c6z * t1 - (inertia.I6zz - t19)) + (inertia.c5z * t0 - (inertia.I5zz - t23));
+  const Scalar t25 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t26 = ((inertia.I4yy - t25) - inertia.c4y * t6) - (inertia.c5y * t7 - (inertia.I5yy - t23));
   const Scalar t27 = inertia.c2y * inertia.m2;
   const Scalar t28 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
   const Scalar t29 = g.l1 * ((g.l1 * inertia.m2 + t27) + t27) - ((inertia.I2yy - t28) - inertia.c2y * t27);
-  const Scalar t30 = ((inertia.I3zz - t23) - inertia.c3z * t12) + g.d4 * (t12 + t13);
-  const Scalar t31 = ((inertia.I4zz - t19) - inertia.c4z * t9) + g.d4 * (t11 + t9);
-  const Scalar t32 = t14 * g.l1 * g.l1 * (inertia.m1 + (inertia.m2 + t25));
-  return { g.l1 * t0,
-           g.l1 * t1,
-           g.l1 * (t2 + t3),
+  const Scalar t30 = g.l1 * inertia.m3;
+  const Scalar t31 = inertia.c3y * inertia.m3;
+  const Scalar t32 = t30 + t31;
+  const Scalar t33 = t30 - t32;
+  const Scalar t34 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t35 = ((inertia.I3yy - t34) - inertia.c3y * t31) - g.l1 * (t31 + t32);
+  const Scalar t36 = inertia.m3 + t16;
+  const Scalar t37 = (g.l1 * (t33 - t32) - t35) + g.l1 * ((g.l1 * t36 - t33) - t33);
+  const Scalar t38 = g.d4 * t5;
+  const Scalar t39 = g.d4 * t6;
+  const Scalar t40 = g.d4 * (t12 + t14) + ((inertia.I4zz - t25) - inertia.c4z * t12);
+  const Scalar t41 = (g.d4 * (t15 + t14) - t40) - g.d4 * (t15 + t17);
+  const Scalar t42 = ((inertia.I3zz - t34) - inertia.c3z * t10) + g.d4 * (t10 + t11);
+  const Scalar t43 = ((inertia.I3yz - inertia.c3z * t31) - g.l1 * t10) + g.d4 * t32;
+  const Scalar t44 = t18 * g.l1 * g.l1 * (inertia.m1 + (inertia.m2 + t36));
+  return { g.l1 * (t0 + t1),
+           g.l1 * t2,
+           g.l1 * t3,
            g.l1 * t4,
-           g.l1 * (t5 + t6),
-           g.l1 * t7,
-           g.l1 * t8,
-           g.l1 * (t11 + t13),
-           t14,
-           Scalar(2) * t15,
-           t17 - t18,
-           t17,
-           t17 + t18,
-           t21,
-           inertia.c5x * t4 - (inertia.I5xx - t20),
-           t22,
-           inertia.I6xz - inertia.c6z * t1,
-           inertia.I6yz - inertia.c6z * t0,
+           g.l1 * t5,
+           g.l1 * (t6 + t7),
+           t9,
+           g.l1 * (t11 + t17),
+           t18,
+           t20 - t21,
+           Scalar(2) * t22,
+           t20,
+           inertia.c5x * t4 - (inertia.I5xx - t23),
+           t24,
+           inertia.I6yz - inertia.c6z * t2,
+           inertia.I6xz - inertia.c6z * t3,
            inertia.I5xz - inertia.c5z * t4,
-           (inertia.I4xx - t19) - inertia.c4x * t7,
-           t15,
+           (inertia.I4xx - t25) - inertia.c4x * t5,
+           t20 + t21,
+           t26,
+           t22,
            inertia.I5xy - inertia.c5y * t4,
-           inertia.I5yz - inertia.c5z * t3,
-           inertia.I4xy - inertia.c4y * t7,
-           t26 - t29,
+           inertia.I5yz - inertia.c5z * t7,
+           inertia.I4xy - inertia.c4y * t5,
+           t29 + t37,
            g.d4 / g.l1,
-           inertia.I4xz - inertia.c4z * t7,
-           inertia.I4yz - inertia.c4z * t2,
+           t38 - ((inertia.I4xz - inertia.c4z * t5) + t38),
+           t39 - (t39 + (inertia.I4yz - inertia.c4z * t6)),
            g.d4 * t8 + (inertia.I3xz - inertia.c3z * t8),
-           inertia.c3x * t8 - (inertia.I3xx - t23),
-           t30 + t31,
+           inertia.c3x * t8 - (inertia.I3xx - t34),
+           t41 - t42,
            inertia.c2x * inertia.c2x * inertia.m2 - (inertia.I2xx - t28),
-           inertia.I3xy - inertia.c3y * t8,
-           g.d4 * t24 + (inertia.I3yz - inertia.c3z * t24),
-           t14 * t32 };
+           t43 + g.l1 * t11,
+           ((inertia.I3xy - inertia.c3y * t8) - t9) + t9,
+           t18 * t44 };
 }
 
 namespace detail {
@@ -641,80 +675,80 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointV
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[0] * s6 + k[1] * c6;
+  const Scalar t0 = k[2] * c6 + k[1] * s6;
   const Scalar t1 = k[3] + t0;
-  const Scalar t2 = k[4] * c5 - s5 * t1;
-  const Scalar t3 = k[7] + t2;
-  const Scalar t4 = k[4] * s5 + c5 * t1;
-  const Scalar t5 = k[5] + t4;
-  const Scalar t6 = k[0] * c6 - k[1] * s6;
-  const Scalar t7 = k[2] + t6;
-  const Scalar t8 = k[6] + (c4 * t5 + s4 * t7);
-  const Scalar t9 = s4 * t5 - c4 * t7;
-  const Scalar t10 = c4 * t2;
-  const Scalar t11 = s5 * t6;
-  const Scalar t12 = c5 * t6;
-  const Scalar t13 = c4 * t12 - s4 * t0;
-  const Scalar t14 = k[9] * c6 - k[10] * s6;
-  const Scalar t15 = k[21] - (k[20] - c6 * t14);
-  const Scalar t16 = k[17] * c6 - k[16] * s6;
-  const Scalar t17 = k[22] + t16;
-  const Scalar t18 = c5 * t15 + s5 * t17;
-  const Scalar t19 = k[23] + t18;
-  const Scalar t20 = k[11] + s6 * t14;
-  const Scalar t21 = k[14] - t20;
-  const Scalar t22 = k[17] * s6 + k[16] * c6;
-  const Scalar t23 = k[18] + t22;
-  const Scalar t24 = s5 * (k[15] - t21) - Scalar(2) * c5 * t23;
-  const Scalar t25 = s5 * t24;
-  const Scalar t26 = t25 + t21;
-  const Scalar t27 = k[19] - t26;
-  const Scalar t28 = k[13] + (k[12] - t20);
-  const Scalar t29 = Scalar(2) * c4 * t19 - s4 * (t27 - t28);
-  const Scalar t30 = s4 * t29;
-  const Scalar t31 = k[25] * t2;
-  const Scalar t32 = k[15] - t25;
-  const Scalar t33 = k[30] + (Scalar(2) * t31 - t32);
-  const Scalar t34 = k[29] - (t27 + t30);
-  const Scalar t35 = s5 * t15 - c5 * t17;
-  const Scalar t36 = k[25] * t7 + (k[27] - t35);
-  const Scalar t37 = k[25] * t5 + (k[26] - (c5 * t24 + t23));
-  const Scalar t38 = s4 * t36 + c4 * t37;
-  const Scalar t39 = c3 * (k[28] + t38);
-  const Scalar t40 = s3 * (s3 * (t33 + t34) + (t39 + t39));
-  const Scalar t41 = (k[24] - ((t30 - t28) - (t9 + t9))) - (k[31] - (t40 - t34));
-  const Scalar t42 = s3 * ((k[32] - (t19 - c4 * t29)) - t8);
-  const Scalar t43 = s4 * t37 - c4 * t36;
-  const Scalar t44 = t27 + t28;
-  const Scalar t45 = t32 + t26;
-  const Scalar t46 = t31 - t45;
-  const Scalar t47 = s3 * (t4 + (s4 * t46 - c4 * t18));
-  const Scalar t48 = s5 * t22 + k[12] * c5;
-  const Scalar t49 = t16 + k[25] * t12;
-  const Scalar t50 = (k[12] * s5 - c5 * t22) - k[25] * t0;
-  const Scalar t51 = s3 * (t11 + (s4 * t49 - c4 * t50));
+  const Scalar t2 = s5 * t1 - k[0] * c5;
+  const Scalar t3 = k[7] - t2;
+  const Scalar t4 = c5 * t1 + k[0] * s5;
+  const Scalar t5 = k[4] + t4;
+  const Scalar t6 = k[1] * c6 - k[2] * s6;
+  const Scalar t7 = k[5] + t6;
+  const Scalar t8 = c4 * t5 + s4 * t7;
+  const Scalar t9 = k[6] + t8;
+  const Scalar t10 = c4 * t7 - s4 * t5;
+  const Scalar t11 = c4 * t2;
+  const Scalar t12 = s5 * t6;
+  const Scalar t13 = c5 * t6;
+  const Scalar t14 = c4 * t13 - s4 * t0;
+  const Scalar t15 = k[10] * c6 - k[9] * s6;
+  const Scalar t16 = k[11] + s6 * t15;
+  const Scalar t17 = k[12] - t16;
+  const Scalar t18 = k[14] * s6 + k[15] * c6;
+  const Scalar t19 = k[16] + t18;
+  const Scalar t20 = c5 * t19;
+  const Scalar t21 = s5 * (k[13] - t17) - (t20 + t20);
+  const Scalar t22 = k[13] - s5 * t21;
+  const Scalar t23 = k[13] + t17;
+  const Scalar t24 = k[17] + (t22 - t23);
+  const Scalar t25 = k[19] + (k[18] - t16);
+  const Scalar t26 = k[21] - (k[20] - c6 * t15);
+  const Scalar t27 = k[14] * c6 - k[15] * s6;
+  const Scalar t28 = k[22] + t27;
+  const Scalar t29 = c5 * t26 + s5 * t28;
+  const Scalar t30 = k[23] + t29;
+  const Scalar t31 = s4 * (t24 - t25) - Scalar(2) * c4 * t30;
+  const Scalar t32 = t24 - s4 * t31;
+  const Scalar t33 = k[29] - t32;
+  const Scalar t34 = c5 * t28 - s5 * t26;
+  const Scalar t35 = k[27] - t34;
+  const Scalar t36 = k[26] + (c5 * t21 + t19);
+  const Scalar t37 = k[25] * t8 - (s4 * t35 + c4 * t36);
+  const Scalar t38 = c3 * (k[28] + t37);
+  const Scalar t39 = k[25] * t2;
+  const Scalar t40 = k[30] + ((t39 + t39) + t22);
+  const Scalar t41 = s3 * ((t38 + t38) - s3 * (t40 - t33));
+  const Scalar t42 = t24 + t25;
+  const Scalar t43 = (k[31] + (t33 - t41)) + (k[24] - ((t42 - t32) - Scalar(2) * t10));
+  const Scalar t44 = k[25] * t10 + (s4 * t36 - c4 * t35);
+  const Scalar t45 = s3 * (t9 - (k[33] - (c4 * t31 + t30)));
+  const Scalar t46 = t39 + t23;
+  const Scalar t47 = s3 * ((s4 * t46 + c4 * t29) - t4);
+  const Scalar t48 = (c5 * t18 - k[18] * s5) + k[25] * t0;
+  const Scalar t49 = t27 + k[25] * t13;
+  const Scalar t50 = s3 * (t12 + (c4 * t48 + s4 * t49));
+  const Scalar t51 = k[18] * c5 + s5 * t18;
   Eigen::Matrix<Scalar, dof, dof> result;
   result(0, 0) = k[34];
   result(0, 1) = result(1, 0) = Scalar(0);
-  result(0, 2) = result(2, 0) = -k[8] * (s3 * t3 + c3 * t8);
-  result(0, 3) = result(3, 0) = k[8] * s3 * t9;
-  result(0, 4) = result(4, 0) = -k[8] * (c3 * t4 + s3 * t10);
-  result(0, 5) = result(5, 0) = -k[8] * (c3 * t11 + s3 * t13);
-  result(1, 1) = -t41;
-  result(1, 2) = result(2, 1) = -t42 - c3 * (t3 - (k[33] - t43));
-  result(1, 3) = result(3, 1) = c3 * (t44 + t9) + s3 * t38;
-  result(1, 4) = result(4, 1) = t47 - c3 * (t10 + t35);
-  result(1, 5) = result(5, 1) = t51 - c3 * (t13 - t48);
-  result(2, 2) = t34 - t33;
-  result(2, 3) = result(3, 2) = t43;
-  result(2, 4) = result(4, 2) = -c4 * t46 - s4 * t18;
-  result(2, 5) = result(5, 2) = -c4 * t49 - s4 * t50;
-  result(3, 3) = -t44;
-  result(3, 4) = result(4, 3) = t35;
-  result(3, 5) = result(5, 3) = -t48;
-  result(4, 4) = t45;
-  result(4, 5) = result(5, 4) = -t16;
-  result(5, 5) = -k[12];
+  result(0, 2) = result(2, 0) = -k[8] * (s3 * t3 + c3 * t9);
+  result(0, 3) = result(3, 0) = -k[8] * s3 * t10;
+  result(0, 4) = result(4, 0) = k[8] * (s3 * t11 - c3 * t4);
+  result(0, 5) = result(5, 0) = -k[8] * (c3 * t12 + s3 * t14);
+  result(1, 1) = t43;
+  result(1, 2) = result(2, 1) = t45 - c3 * (t3 - (k[32] + t44));
+  result(1, 3) = result(3, 1) = c3 * (t42 - t10) + s3 * t37;
+  result(1, 4) = result(4, 1) = c3 * (t34 + t11) - t47;
+  result(1, 5) = result(5, 1) = t50 - c3 * (t14 - t51);
+  result(2, 2) = t40 + t33;
+  result(2, 3) = result(3, 2) = -t44;
+  result(2, 4) = result(4, 2) = c4 * t46 - s4 * t29;
+  result(2, 5) = result(5, 2) = s4 * t48 - c4 * t49;
+  result(3, 3) = -t42;
+  result(3, 4) = result(4, 3) = -t34;
+  result(3, 5) = result(5, 3) = -t51;
+  result(4, 4) = t23;
+  result(4, 5) = result(5, 4) = -t27;
+  result(5, 5) = -k[18];
   return result;
 }
 
@@ -738,66 +772,74 @@ CoriolisMatrixConstants<Scalar> coriolis_matrix_constants(const BasicGeometry<Sc
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
-  const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = inertia.c5z * inertia.m5;
-  const Scalar t3 = inertia.c6z * inertia.m6;
+  const Scalar t0 = inertia.c5z * inertia.m5;
+  const Scalar t1 = inertia.c6z * inertia.m6;
+  const Scalar t2 = inertia.c6y * inertia.m6;
+  const Scalar t3 = inertia.c6x * inertia.m6;
   const Scalar t4 = inertia.c5x * inertia.m5;
-  const Scalar t5 = inertia.c4y * inertia.m4;
-  const Scalar t6 = inertia.c5y * inertia.m5;
-  const Scalar t7 = inertia.c4x * inertia.m4;
-  const Scalar t8 = inertia.c4z * inertia.m4;
-  const Scalar t9 = t8 - g.d4 * (inertia.m4 + (inertia.m5 + inertia.m6));
+  const Scalar t5 = inertia.c4x * inertia.m4;
+  const Scalar t6 = inertia.c4y * inertia.m4;
+  const Scalar t7 = inertia.c5y * inertia.m5;
+  const Scalar t8 = inertia.c3x * inertia.m3;
+  const Scalar t9 = g.l1 * t8;
   const Scalar t10 = inertia.c3z * inertia.m3;
   const Scalar t11 = t10 - g.d4 * inertia.m3;
-  const Scalar t12 = inertia.c3x * inertia.m3;
-  const Scalar t13 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t14 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t15 = (inertia.c6z * t3 - (inertia.I6zz - t13)) + (inertia.c5z * t2 - (inertia.I5zz - t14));
-  const Scalar t16 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t17 = (inertia.I6xx - t13) - inertia.c6x * t1;
-  const Scalar t18 = (inertia.I6yy - t13) - inertia.c6y * t0;
-  const Scalar t19 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t20 = ((inertia.I4yy - t19) - inertia.c4y * t5) - (inertia.c5y * t6 - (inertia.I5yy - t14));
-  const Scalar t21 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t22 = g.d4 / g.l1;
-  const Scalar t23 = ((inertia.I3zz - t21) - inertia.c3z * t10) + g.d4 * (t10 + t11);
-  const Scalar t24 = ((inertia.I4zz - t19) - inertia.c4z * t8) + g.d4 * (t9 + t8);
-  const Scalar t25 = inertia.c3y * inertia.m3;
-  return { g.l1 * t0,
-           g.l1 * t1,
-           g.l1 * (t2 + t3),
+  const Scalar t12 = inertia.c4z * inertia.m4;
+  const Scalar t13 = g.d4 * inertia.m4;
+  const Scalar t14 = t12 - t13;
+  const Scalar t15 = t14 + t13;
+  const Scalar t16 = t15 - g.d4 * (inertia.m4 + (inertia.m5 + inertia.m6));
+  const Scalar t17 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t18 = (inertia.I6xx - t17) - inertia.c6x * t3;
+  const Scalar t19 = (inertia.I6yy - t17) - inertia.c6y * t2;
+  const Scalar t20 = inertia.I6xy - inertia.c6y * t3;
+  const Scalar t21 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t22 = (inertia.c6z * t1 - (inertia.I6zz - t17)) + (inertia.c5z * t0 - (inertia.I5zz - t21));
+  const Scalar t23 = g.d4 / g.l1;
+  const Scalar t24 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t25 = g.d4 * (t12 + t14) + ((inertia.I4zz - t24) - inertia.c4z * t12);
+  const Scalar t26 = (g.d4 * (t15 + t14) - t25) - g.d4 * (t15 + t16);
+  const Scalar t27 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t28 = ((inertia.I3zz - t27) - inertia.c3z * t10) + g.d4 * (t10 + t11);
+  const Scalar t29 = g.d4 * t5;
+  const Scalar t30 = g.d4 * t6;
+  const Scalar t31 = ((inertia.I4yy - t24) - inertia.c4y * t6) - (inertia.c5y * t7 - (inertia.I5yy - t21));
+  const Scalar t32 = inertia.c3y * inertia.m3;
+  const Scalar t33 = ((inertia.I3yz - inertia.c3z * t32) - g.l1 * t10) + g.d4 * (g.l1 * inertia.m3 + t32);
+  return { g.l1 * (t0 + t1),
+           g.l1 * t2,
+           g.l1 * t3,
            g.l1 * t4,
-           g.l1 * (t5 + t6),
-           g.l1 * t7,
-           g.l1 * (t9 + t11),
-           g.l1 * t12,
+           g.l1 * t5,
+           g.l1 * (t6 + t7),
+           t9,
+           g.l1 * (t11 + t16),
            Scalar(1) / g.l1,
-           t15,
-           inertia.I6yz - inertia.c6z * t0,
-           inertia.I6xz - inertia.c6z * t1,
-           inertia.I5xz - inertia.c5z * t4,
-           Scalar(2) * t16,
-           t17 - t18,
-           t16,
-           t17,
-           inertia.c5x * t4 - (inertia.I5xx - t14),
-           inertia.I5xy - inertia.c5y * t4,
-           inertia.I5yz - inertia.c5z * t6,
+           t18 - t19,
+           Scalar(2) * t20,
            t18,
-           (inertia.I4xx - t19) - inertia.c4x * t7,
-           t20,
-           inertia.I4xy - inertia.c4y * t7,
-           inertia.c3x * t12 - (inertia.I3xx - t21),
-           inertia.I4xz - inertia.c4z * t7,
+           inertia.c5x * t4 - (inertia.I5xx - t21),
            t22,
-           inertia.I4yz - inertia.c4z * t5,
-           g.d4 * t12 + (inertia.I3xz - inertia.c3z * t12),
-           Scalar(2) * t22,
-           t23 + t24,
-           g.d4 * t25 + (inertia.I3yz - inertia.c3z * t25),
-           inertia.I3xy - inertia.c3y * t12,
-           t17 + t18 };
+           inertia.I6yz - inertia.c6z * t2,
+           inertia.I6xz - inertia.c6z * t3,
+           inertia.I5xz - inertia.c5z * t4,
+           Scalar(2) * t23,
+           t26 - t28,
+           t20,
+           inertia.I5xy - inertia.c5y * t4,
+           inertia.I5yz - inertia.c5z * t7,
+           t19,
+           t29 - ((inertia.I4xz - inertia.c4z * t5) + t29),
+           t23,
+           t30 - (t30 + (inertia.I4yz - inertia.c4z * t6)),
+           (inertia.I4xx - t24) - inertia.c4x * t5,
+           inertia.I4xy - inertia.c4y * t5,
+           t31,
+           g.d4 * t8 + (inertia.I3xz - inertia.c3z * t8),
+           inertia.c3x * t8 - (inertia.I3xx - t27),
+           ((inertia.I3xy - inertia.c3y * t8) - t9) + t9,
+           t33 + g.l1 * t11,
+           t18 + t19 };
 }
 
 namespace detail {
@@ -814,224 +856,220 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const Jo
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[0] * s6 + k[1] * c6;
+  const Scalar t0 = k[2] * c6 + k[1] * s6;
   const Scalar t1 = k[3] + t0;
-  const Scalar t2 = c5 * t1;
-  const Scalar t3 = t2 + k[2] * s5;
-  const Scalar t4 = k[5] + t3;
-  const Scalar t5 = k[0] * c6 - k[1] * s6;
+  const Scalar t2 = s5 * t1;
+  const Scalar t3 = t2 - k[0] * c5;
+  const Scalar t4 = c5 * t1;
+  const Scalar t5 = t4 + k[0] * s5;
   const Scalar t6 = k[4] + t5;
-  const Scalar t7 = qd[2] * (k[7] + (c4 * t4 + s4 * t6));
-  const Scalar t8 = qd[5] * t5;
-  const Scalar t9 = t8 + k[2] * qd[4];
-  const Scalar t10 = s5 * t9 + qd[4] * t2;
-  const Scalar t11 = t7 + t10;
-  const Scalar t12 = s5 * t1;
-  const Scalar t13 = qd[4] * t12 - c5 * t9;
-  const Scalar t14 = t13 - qd[3] * t6;
-  const Scalar t15 = qd[5] * t0;
-  const Scalar t16 = qd[3] * t4 + t15;
-  const Scalar t17 = k[2] * c5 - t12;
-  const Scalar t18 = (c4 * t14 + s4 * t16) - qd[2] * (k[6] + t17);
+  const Scalar t7 = qd[5] * t0;
+  const Scalar t8 = qd[3] * t6 + t7;
+  const Scalar t9 = k[1] * c6 - k[2] * s6;
+  const Scalar t10 = k[5] + t9;
+  const Scalar t11 = qd[5] * t9;
+  const Scalar t12 = k[0] * qd[4] + t11;
+  const Scalar t13 = c5 * t12 - qd[4] * t2;
+  const Scalar t14 = qd[3] * t10 + t13;
+  const Scalar t15 = qd[2] * (k[7] - t3) - (s4 * t8 - c4 * t14);
+  const Scalar t16 = qd[2] * (k[6] + (c4 * t6 + s4 * t10));
+  const Scalar t17 = qd[4] * t4 + s5 * t12;
+  const Scalar t18 = t16 + t17;
   const Scalar t19 = qd[1] * s3;
-  const Scalar t20 = qd[2] * c4;
-  const Scalar t21 = s4 * t19 - t20;
-  const Scalar t22 = qd[2] * s4 + c4 * t19;
-  const Scalar t23 = t6 * t21 + t4 * t22;
+  const Scalar t20 = qd[2] * s4 + c4 * t19;
+  const Scalar t21 = qd[2] * c4;
+  const Scalar t22 = s4 * t19 - t21;
+  const Scalar t23 = t6 * t20 + t10 * t22;
   const Scalar t24 = qd[1] * c3;
   const Scalar t25 = qd[3] - t24;
-  const Scalar t26 = t13 - t6 * t25;
-  const Scalar t27 = t25 * t4 + t15;
-  const Scalar t28 = s4 * t26 - c4 * t27;
-  const Scalar t29 = t17 * t20 - t13;
-  const Scalar t30 = (c4 * t10 + qd[3] * s4 * t17) + qd[2] * t3;
-  const Scalar t31 = s5 * t22 + c5 * t25;
-  const Scalar t32 = qd[5] + t31;
-  const Scalar t33 = t0 * t32;
-  const Scalar t34 = s5 * t25 - c5 * t22;
-  const Scalar t35 = qd[4] - t21;
-  const Scalar t36 = s6 * t34 + c6 * t35;
-  const Scalar t37 = c6 * t34 - s6 * t35;
-  const Scalar t38 = k[0] * t36 + k[1] * t37;
-  const Scalar t39 = s5 * t33 - c5 * t38;
-  const Scalar t40 = t5 * t32;
-  const Scalar t41 = c5 * t33 + s5 * t38;
-  const Scalar t42 = s4 * t40 + c4 * t41;
-  const Scalar t43 = s4 * t14 - c4 * t16;
-  const Scalar t44 = k[14] * s6 - k[13] * c6;
-  const Scalar t45 = k[15] + c6 * t44;
-  const Scalar t46 = k[18] - t45;
-  const Scalar t47 = c5 * t46;
-  const Scalar t48 = k[10] * c6 - k[11] * s6;
-  const Scalar t49 = k[19] + t48;
-  const Scalar t50 = t47 + s5 * t49;
-  const Scalar t51 = k[23] + t50;
-  const Scalar t52 = qd[5] * t45;
-  const Scalar t53 = qd[3] * t51 - t52;
-  const Scalar t54 = s6 * t44;
-  const Scalar t55 = k[20] + t54;
-  const Scalar t56 = k[22] + t55;
-  const Scalar t57 = qd[5] * t55;
-  const Scalar t58 = t57 + qd[4] * t49;
-  const Scalar t59 = s5 * t46;
-  const Scalar t60 = c5 * t58 - qd[4] * t59;
-  const Scalar t61 = qd[3] * t56 + t60;
-  const Scalar t62 = s4 * t53 - c4 * t61;
-  const Scalar t63 = k[16] - t54;
-  const Scalar t64 = qd[5] * t63;
-  const Scalar t65 = k[10] * s6 + k[11] * c6;
-  const Scalar t66 = qd[5] * t65;
-  const Scalar t67 = c5 * t64 + s5 * t66;
-  const Scalar t68 = k[17] - t63;
-  const Scalar t69 = k[12] + t65;
-  const Scalar t70 = c5 * t69;
-  const Scalar t71 = s5 * (k[9] - t68) - (t70 + t70);
-  const Scalar t72 = s5 * t71;
-  const Scalar t73 = t68 + t72;
-  const Scalar t74 = k[21] - t73;
-  const Scalar t75 = t67 + qd[3] * t74;
-  const Scalar t76 = qd[4] * t69;
-  const Scalar t77 = qd[4] * t68;
-  const Scalar t78 = s5 * (t52 - t76) + c5 * t77;
-  const Scalar t79 = qd[5] * t48;
-  const Scalar t80 = t79 - k[9] * qd[4];
-  const Scalar t81 = c5 * t80 - s5 * t76;
-  const Scalar t82 = s5 * t78 + (s5 * t81 + t76);
-  const Scalar t83 = s4 * t75 - c4 * (t82 + t53);
-  const Scalar t84 = s4 * t62 + c4 * t83;
-  const Scalar t85 = t84 + t82;
-  const Scalar t86 = k[26] * t10;
-  const Scalar t87 = t85 + t86;
-  const Scalar t88 = c5 * t49 - t59;
-  const Scalar t89 = k[27] + t88;
-  const Scalar t90 = t89 + k[26] * t6;
-  const Scalar t91 = k[25] - (t69 + c5 * t71);
-  const Scalar t92 = t91 + k[26] * t4;
-  const Scalar t93 = s4 * t90 + c4 * t92;
-  const Scalar t94 = k[28] + t93;
-  const Scalar t95 = qd[2] * t94 - t84;
-  const Scalar t96 = s5 * t64 - c5 * t66;
-  const Scalar t97 = k[26] * t16 + (qd[3] * t91 - t96);
-  const Scalar t98 = c5 * t78;
-  const Scalar t99 = c5 * t81;
-  const Scalar t100 = (t98 - t77) + t99;
-  const Scalar t101 = (qd[3] * t89 + t100) - k[26] * t14;
-  const Scalar t102 = s4 * t97 - c4 * t101;
-  const Scalar t103 = k[9] - t72;
-  const Scalar t104 = k[30] - (t103 - k[29] * t17);
-  const Scalar t105 = s3 * (t87 + t95) + c3 * (t102 - qd[2] * t104);
-  const Scalar t106 = c4 * t51;
-  const Scalar t107 = (t106 + t106) - s4 * (t74 - t56);
-  const Scalar t108 = k[24] - (t74 + s4 * t107);
-  const Scalar t109 = t98 + (t99 - t80);
-  const Scalar t110 = s5 * t58 + qd[4] * t47;
-  const Scalar t111 = c4 * t109 - s4 * t110;
-  const Scalar t112 = s3 * (qd[2] * t108 + t111) + c3 * t95;
-  const Scalar t113 = (t43 - t85) + (s3 * t105 - c3 * t112);
-  const Scalar t114 = qd[2] * (k[31] - (s4 * t92 - c4 * t90));
-  const Scalar t115 = c4 * t62;
-  const Scalar t116 = s4 * t83;
-  const Scalar t117 = (t114 - (t115 - t116)) + t18;
-  const Scalar t118 = s3 * (t117 + (t104 * t24 - t19 * t94));
-  const Scalar t119 = s4 * t109 + c4 * t110;
-  const Scalar t120 = qd[2] * (k[32] + (c4 * t107 - t51)) + t119;
-  const Scalar t121 = t11 - t120;
-  const Scalar t122 = c3 * ((t24 * t94 + t108 * t19) - t121);
-  const Scalar t123 = t118 + t122;
-  const Scalar t124 = (t74 * t22 + t21 * t51) + (t91 * t25 - t96);
-  const Scalar t125 = t124 + k[26] * t27;
-  const Scalar t126 = (t21 * t56 + t51 * t22) + (t89 * t25 + t100);
-  const Scalar t127 = k[26] * t26 - t126;
-  const Scalar t128 = s3 * (t23 + (s4 * t125 + c4 * t127));
-  const Scalar t129 = t128 - c3 * (t82 - t28);
-  const Scalar t130 = t34 * t1 - k[2] * t31;
-  const Scalar t131 = k[2] * t35 + t8;
-  const Scalar t132 = t2 * t35 + s5 * t131;
-  const Scalar t133 = t46 * t35 - (t68 * t34 + t31 * t69);
-  const Scalar t134 = (t34 * t69 + k[9] * t31) + (t57 + t49 * t35);
-  const Scalar t135 = c5 * t133 + s5 * t134;
-  const Scalar t136 = c3 * ((s4 * t130 - c4 * t132) + t135);
-  const Scalar t137 = k[26] * t132 + t52;
-  const Scalar t138 = k[26] * t130 - (s5 * t133 - c5 * t134);
-  const Scalar t139 = (s4 * t137 + c4 * t138) + (t35 * t12 - c5 * t131);
-  const Scalar t140 = t136 + s3 * t139;
-  const Scalar t141 = (k[15] * t36 + k[16] * t37) - k[11] * t32;
-  const Scalar t142 = k[10] * t32 - (k[15] * t37 + k[20] * t36);
-  const Scalar t143 = s6 * t141 + c6 * t142;
-  const Scalar t144 = s5 * t143;
-  const Scalar t145 = c6 * t141 - s6 * t142;
-  const Scalar t146 = k[26] * t41 - t145;
-  const Scalar t147 = c5 * t143 + k[26] * t40;
-  const Scalar t148 = s3 * (t39 + (s4 * t146 - c4 * t147));
-  const Scalar t149 = c3 * (t144 + t42) - t148;
-  const Scalar t150 = s4 * t101 + c4 * t97;
-  const Scalar t151 = s3 * (t117 - ((t115 + t61) + (t75 - t116)));
-  const Scalar t152 = c4 * t125 - s4 * t127;
-  const Scalar t153 = c4 * t137 - s4 * t138;
-  const Scalar t154 = s4 * t147 + c4 * t146;
-  const Scalar t155 = ((t102 - t111) + qd[2] * (t74 + t56)) + qd[2] * (s4 * t4 - c4 * t6);
-  const Scalar t156 = c3 * (t43 - (qd[2] * t93 + Scalar(2) * t82));
-  const Scalar t157 = t103 + t73;
-  const Scalar t158 = k[26] * t17;
-  const Scalar t159 = ((t67 - t60) - qd[3] * t157) + qd[3] * t158;
-  const Scalar t160 = ((t52 + t52) - qd[3] * t50) + t86;
-  const Scalar t161 = qd[2] * t88 - (c4 * t159 - s4 * t160);
-  const Scalar t162 = t110 - t96;
-  const Scalar t163 = qd[2] * (s4 * (t157 - t158) + c4 * t50);
-  const Scalar t164 = s3 * (t29 - t161) + c3 * (t30 - (t162 + t163));
-  const Scalar t165 = c5 * t5;
-  const Scalar t166 = c5 * t65;
-  const Scalar t167 = t166 - k[33] * s5;
-  const Scalar t168 = s4 * (k[26] * t165 + t48) + c4 * (k[26] * t0 + t167);
-  const Scalar t169 = t79 - k[33] * qd[4];
-  const Scalar t170 = qd[4] * t166 + s5 * t169;
-  const Scalar t171 = s5 * t5;
-  const Scalar t172 = (c5 * t15 + qd[4] * t171) + qd[3] * t0;
-  const Scalar t173 = t8 + qd[3] * t165;
-  const Scalar t174 = qd[2] * t171 + (c4 * t172 + s4 * t173);
-  const Scalar t175 = qd[2] * (c4 * t165 - s4 * t0) + (qd[4] * t165 - s5 * t15);
-  const Scalar t176 = s5 * t65;
-  const Scalar t177 = qd[3] * t48 - (qd[4] * t176 - c5 * t169);
-  const Scalar t178 = t177 + k[26] * t173;
-  const Scalar t179 = (qd[3] * t167 + t66) + k[26] * t172;
-  const Scalar t180 = qd[2] * (t176 + k[33] * c5) - (c4 * t178 - s4 * t179);
-  const Scalar t181 = c3 * ((qd[2] * t168 + t170) + t174) + s3 * (t175 - t180);
+  const Scalar t26 = t7 + t25 * t6;
+  const Scalar t27 = t13 + t10 * t25;
+  const Scalar t28 = c4 * t26 + s4 * t27;
+  const Scalar t29 = qd[4] - t22;
+  const Scalar t30 = k[0] * t29 + t11;
+  const Scalar t31 = c5 * t30 - t2 * t29;
+  const Scalar t32 = s5 * t30 + t4 * t29;
+  const Scalar t33 = s5 * t25 - c5 * t20;
+  const Scalar t34 = s5 * t20 + c5 * t25;
+  const Scalar t35 = t33 * t1 - k[0] * t34;
+  const Scalar t36 = c4 * t32 - s4 * t35;
+  const Scalar t37 = qd[5] + t34;
+  const Scalar t38 = t9 * t37;
+  const Scalar t39 = t0 * t37;
+  const Scalar t40 = s6 * t33 + c6 * t29;
+  const Scalar t41 = c6 * t33 - s6 * t29;
+  const Scalar t42 = k[1] * t40 + k[2] * t41;
+  const Scalar t43 = c5 * t39 + s5 * t42;
+  const Scalar t44 = s4 * t38 + c4 * t43;
+  const Scalar t45 = c5 * t42 - s5 * t39;
+  const Scalar t46 = k[10] * c6 - k[9] * s6;
+  const Scalar t47 = s6 * t46;
+  const Scalar t48 = k[11] + t47;
+  const Scalar t49 = qd[5] * t48;
+  const Scalar t50 = k[14] * s6 + k[15] * c6;
+  const Scalar t51 = s5 * t50;
+  const Scalar t52 = c5 * t49 + qd[5] * t51;
+  const Scalar t53 = k[12] - t48;
+  const Scalar t54 = k[16] + t50;
+  const Scalar t55 = s5 * (k[13] - t53) - Scalar(2) * c5 * t54;
+  const Scalar t56 = s5 * t55 + t53;
+  const Scalar t57 = k[26] - t56;
+  const Scalar t58 = t52 + qd[3] * t57;
+  const Scalar t59 = qd[4] * t54;
+  const Scalar t60 = k[14] * c6 - k[15] * s6;
+  const Scalar t61 = qd[5] * t60;
+  const Scalar t62 = k[13] * qd[4] - t61;
+  const Scalar t63 = s5 * t59 + c5 * t62;
+  const Scalar t64 = k[19] - c6 * t46;
+  const Scalar t65 = qd[5] * t64;
+  const Scalar t66 = qd[4] * t53;
+  const Scalar t67 = c5 * (t59 - t65) + s5 * t66;
+  const Scalar t68 = s5 * t63 - c5 * t67;
+  const Scalar t69 = k[21] + t60;
+  const Scalar t70 = k[20] - t64;
+  const Scalar t71 = c5 * t70;
+  const Scalar t72 = s5 * t69 + t71;
+  const Scalar t73 = k[27] + t72;
+  const Scalar t74 = qd[3] * t73;
+  const Scalar t75 = c4 * t58 - s4 * (t68 - t74);
+  const Scalar t76 = s5 * t70;
+  const Scalar t77 = k[22] - t47;
+  const Scalar t78 = qd[5] * t77;
+  const Scalar t79 = t78 + qd[4] * t69;
+  const Scalar t80 = qd[4] * t76 - c5 * t79;
+  const Scalar t81 = k[28] + t77;
+  const Scalar t82 = t80 - qd[3] * t81;
+  const Scalar t83 = s4 * t82 - c4 * (t74 - t65);
+  const Scalar t84 = s4 * t75 + c4 * t83;
+  const Scalar t85 = s4 * t14 + c4 * t8;
+  const Scalar t86 = k[24] * t17;
+  const Scalar t87 = t84 + t86;
+  const Scalar t88 = k[23] + (t54 + c5 * t55);
+  const Scalar t89 = k[24] * t6 - t88;
+  const Scalar t90 = c5 * t69 - t76;
+  const Scalar t91 = k[25] - t90;
+  const Scalar t92 = k[24] * t10 - t91;
+  const Scalar t93 = c4 * t89 + s4 * t92;
+  const Scalar t94 = k[29] + t93;
+  const Scalar t95 = t68 - t65;
+  const Scalar t96 = qd[2] * t94 - (t84 + t95);
+  const Scalar t97 = qd[4] * t71 + s5 * t79;
+  const Scalar t98 = c5 * t50;
+  const Scalar t99 = s5 * t49 - qd[5] * t98;
+  const Scalar t100 = t97 - t99;
+  const Scalar t101 = k[24] * t8 + (t100 - qd[3] * t88);
+  const Scalar t102 = c5 * t63;
+  const Scalar t103 = s5 * t67;
+  const Scalar t104 = (t102 - t62) - (t66 - t103);
+  const Scalar t105 = t102 + t103;
+  const Scalar t106 = (t104 + (qd[3] * t91 + t105)) - k[24] * t14;
+  const Scalar t107 = s4 * t101 + c4 * t106;
+  const Scalar t108 = s4 * t97 + c4 * t104;
+  const Scalar t109 = k[13] + t53;
+  const Scalar t110 = k[18] - ((t56 - t109) - k[17] * t3);
+  const Scalar t111 = s3 * (t87 + t96) + c3 * ((t107 - t108) + qd[2] * t110);
+  const Scalar t112 = Scalar(2) * c4 * t73 - s4 * (t57 - t81);
+  const Scalar t113 = k[30] - (t57 + s4 * t112);
+  const Scalar t114 = c3 * t96 + s3 * (qd[2] * t113 - t108);
+  const Scalar t115 = (t84 + t85) - (s3 * t111 - c3 * t114);
+  const Scalar t116 = c4 * t97 - s4 * t104;
+  const Scalar t117 = qd[2] * (k[31] - (t73 - c4 * t112)) + t116;
+  const Scalar t118 = t18 - t117;
+  const Scalar t119 = c3 * ((t94 * t24 + t113 * t19) - t118);
+  const Scalar t120 = qd[2] * (k[32] - (s4 * t89 - c4 * t92));
+  const Scalar t121 = s4 * t83;
+  const Scalar t122 = c4 * t75;
+  const Scalar t123 = (t120 - ((t82 - t121) + (t122 - t58))) - t15;
+  const Scalar t124 = s3 * (t123 - (t110 * t24 + t94 * t19));
+  const Scalar t125 = t119 + t124;
+  const Scalar t126 = (t73 * t20 + t22 * t81) - (t25 * t91 + t105);
+  const Scalar t127 = t126 + k[24] * t27;
+  const Scalar t128 = (t57 * t20 + t73 * t22) - (t99 + t25 * t88);
+  const Scalar t129 = t128 + k[24] * t26;
+  const Scalar t130 = s3 * (t23 - (c4 * t127 - s4 * t129));
+  const Scalar t131 = t130 - c3 * (t28 - t95);
+  const Scalar t132 = (t33 * t53 + t54 * t34) - t29 * t70;
+  const Scalar t133 = (t78 + t29 * t69) + (t33 * t54 + k[13] * t34);
+  const Scalar t134 = c5 * t132 - s5 * t133;
+  const Scalar t135 = t65 + k[24] * t32;
+  const Scalar t136 = (c5 * t133 + s5 * t132) + k[24] * t35;
+  const Scalar t137 = s3 * ((s4 * t135 + c4 * t136) - t31);
+  const Scalar t138 = c3 * (t36 + t134) - t137;
+  const Scalar t139 = k[15] * t37 - (k[19] * t40 + k[11] * t41);
+  const Scalar t140 = (k[19] * t41 + k[22] * t40) - k[14] * t37;
+  const Scalar t141 = s6 * t139 + c6 * t140;
+  const Scalar t142 = s5 * t141;
+  const Scalar t143 = s6 * t140 - c6 * t139;
+  const Scalar t144 = t143 - k[24] * t43;
+  const Scalar t145 = c5 * t141 - k[24] * t38;
+  const Scalar t146 = s3 * ((s4 * t144 - c4 * t145) + t45);
+  const Scalar t147 = c3 * (t44 - t142) + t146;
+  const Scalar t148 = c4 * t101 - s4 * t106;
+  const Scalar t149 = c3 * ((t116 - t148) + t118) - s3 * (t123 - (t122 - t121));
+  const Scalar t150 = s4 * t127 + c4 * t129;
+  const Scalar t151 = c4 * t135 - s4 * t136;
+  const Scalar t152 = s4 * t145 + c4 * t144;
+  const Scalar t153 = c3 * (t85 - (Scalar(2) * t95 - qd[2] * t93));
+  const Scalar t154 = qd[2] * (c4 * t10 - s4 * t6) - (t107 + qd[2] * (t57 + t81));
+  const Scalar t155 = c4 * t72 + s4 * (k[24] * t3 + t109);
+  const Scalar t156 = qd[3] * t3;
+  const Scalar t157 = (s4 * t156 - c4 * t17) - qd[2] * t5;
+  const Scalar t158 = k[24] * t156 + (qd[3] * t109 - (t52 + t80));
+  const Scalar t159 = (Scalar(2) * t65 - qd[3] * t72) + t86;
+  const Scalar t160 = (c4 * t158 + s4 * t159) + qd[2] * t90;
+  const Scalar t161 = c3 * ((qd[2] * t155 + t100) + t157) + s3 * (t160 - (t13 - t3 * t21));
+  const Scalar t162 = c5 * t9;
+  const Scalar t163 = (qd[4] * t162 - s5 * t7) + qd[2] * (c4 * t162 - s4 * t0);
+  const Scalar t164 = s5 * t9;
+  const Scalar t165 = qd[3] * t0 + (qd[4] * t164 + c5 * t7);
+  const Scalar t166 = k[33] * s5 - t98;
+  const Scalar t167 = qd[5] * t50;
+  const Scalar t168 = k[24] * t165 - (qd[3] * t166 - t167);
+  const Scalar t169 = k[33] * qd[4] - t61;
+  const Scalar t170 = qd[3] * t60 - (c5 * t169 + qd[4] * t51);
+  const Scalar t171 = t11 + qd[3] * t162;
+  const Scalar t172 = t170 + k[24] * t171;
+  const Scalar t173 = (s4 * t168 - c4 * t172) + qd[2] * (t51 + k[33] * c5);
+  const Scalar t174 = s5 * t169 - qd[4] * t98;
+  const Scalar t175 = s4 * (k[24] * t162 + t60) - c4 * (t166 - k[24] * t0);
+  const Scalar t176 = qd[2] * t164 + (s4 * t171 + c4 * t165);
+  const Scalar t177 = s3 * (t163 - t173) - c3 * ((t174 - qd[2] * t175) - t176);
   Eigen::Matrix<Scalar, dof, dof> result;
   result(0, 0) = Scalar(0);
   result(0, 1) = Scalar(0);
-  result(0, 2) = k[8] * (s3 * t11 + c3 * t18);
-  result(0, 3) = k[8] * (c3 * t23 - s3 * t28);
-  result(0, 4) = -k[8] * (c3 * t29 - s3 * t30);
-  result(0, 5) = k[8] * (c3 * t39 + s3 * t42);
+  result(0, 2) = -k[8] * (c3 * t15 - s3 * t18);
+  result(0, 3) = k[8] * (c3 * t23 + s3 * t28);
+  result(0, 4) = -k[8] * (c3 * t31 - s3 * t36);
+  result(0, 5) = k[8] * (s3 * t44 - c3 * t45);
   result(1, 0) = Scalar(0);
-  result(1, 1) = t113;
-  result(1, 2) = -t123;
-  result(1, 3) = -t129;
-  result(1, 4) = -t140;
-  result(1, 5) = t149;
+  result(1, 1) = -t115;
+  result(1, 2) = -t125;
+  result(1, 3) = -t131;
+  result(1, 4) = t138;
+  result(1, 5) = t147;
   result(2, 0) = Scalar(0);
-  result(2, 1) = t123 - (c3 * (t150 - t121) + t151);
+  result(2, 1) = t149 + t125;
   result(2, 2) = t87;
-  result(2, 3) = t152;
-  result(2, 4) = t153;
-  result(2, 5) = t154;
+  result(2, 3) = t150;
+  result(2, 4) = t151;
+  result(2, 5) = -t152;
   result(3, 0) = Scalar(0);
-  result(3, 1) = t129 - (s3 * t155 + t156);
-  result(3, 2) = (t150 + t119) - t152;
-  result(3, 3) = -t82;
-  result(3, 4) = t135;
-  result(3, 5) = -t144;
+  result(3, 1) = t131 + (t153 + s3 * t154);
+  result(3, 2) = t148 - t150;
+  result(3, 3) = t95;
+  result(3, 4) = -t134;
+  result(3, 5) = t142;
   result(4, 0) = Scalar(0);
-  result(4, 1) = t140 + t164;
-  result(4, 2) = (s4 * t159 + c4 * t160) - t153;
-  result(4, 3) = t162 - t135;
-  result(4, 4) = t52;
-  result(4, 5) = -t145;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = t181 - t149;
-  result(5, 2) = (s4 * t178 + c4 * t179) - t154;
-  result(5, 3) = t144 - t170;
-  result(5, 4) = t66 + t145;
+  result(4, 1) = -t161 - t138;
+  result(4, 2) = -t151 - (s4 * t158 - c4 * t159);
+  result(4, 3) = t100 + t134;
+  result(4, 4) = t65;
+  result(4, 5) = -t143;
+  result(5, 0) = -Scalar(0);
+  result(5, 1) = t177 - t147;
+  result(5, 2) = (s4 * t172 + c4 * t168) + t152;
+  result(5, 3) = t174 - t142;
+  result(5, 4) = t143 + t167;
   result(5, 5) = Scalar(0);
   return result;
 }
@@ -1059,97 +1097,103 @@ ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c5z * inertia.m5;
-  const Scalar t1 = inertia.c6z * inertia.m6;
-  const Scalar t2 = inertia.c6y * inertia.m6;
-  const Scalar t3 = inertia.c6x * inertia.m6;
-  const Scalar t4 = inertia.c5x * inertia.m5;
-  const Scalar t5 = g.d4 / g.l1;
-  const Scalar t6 = inertia.I6xy - inertia.c6y * t3;
-  const Scalar t7 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t8 = (inertia.I6xx - t7) - inertia.c6x * t3;
-  const Scalar t9 = (inertia.I6yy - t7) - inertia.c6y * t2;
-  const Scalar t10 = t8 + t9;
-  const Scalar t11 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t12 = (inertia.c6z * t1 - (inertia.I6zz - t7)) + (inertia.c5z * t0 - (inertia.I5zz - t11));
-  const Scalar t13 = inertia.I6xz - inertia.c6z * t3;
-  const Scalar t14 = Scalar(1) / t10;
-  const Scalar t15 = inertia.I6yz - inertia.c6z * t2;
-  const Scalar t16 = inertia.c5y * inertia.m5;
+  const Scalar t0 = inertia.c6y * inertia.m6;
+  const Scalar t1 = inertia.c6x * inertia.m6;
+  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t1;
+  const Scalar t4 = (inertia.I6yy - t2) - inertia.c6y * t0;
+  const Scalar t5 = t3 + t4;
+  const Scalar t6 = g.d4 / g.l1;
+  const Scalar t7 = Scalar(1) / g.l1;
+  const Scalar t8 = inertia.I6xy - inertia.c6y * t1;
+  const Scalar t9 = inertia.c5x * inertia.m5;
+  const Scalar t10 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t11 = inertia.c6z * inertia.m6;
+  const Scalar t12 = inertia.c5z * inertia.m5;
+  const Scalar t13 = (inertia.c6z * t11 - (inertia.I6zz - t2)) + (inertia.c5z * t12 - (inertia.I5zz - t10));
+  const Scalar t14 = inertia.c5y * inertia.m5;
+  const Scalar t15 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t16 = inertia.c4x * inertia.m4;
   const Scalar t17 = inertia.c4y * inertia.m4;
-  const Scalar t18 = inertia.c4x * inertia.m4;
-  const Scalar t19 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t20 = ((inertia.I4yy - t19) - inertia.c4y * t17) - (inertia.c5y * t16 - (inertia.I5yy - t11));
+  const Scalar t18 = ((inertia.I4yy - t15) - inertia.c4y * t17) - (inertia.c5y * t14 - (inertia.I5yy - t10));
+  const Scalar t19 = g.d4 * t17;
+  const Scalar t20 = g.d4 * t16;
   const Scalar t21 = inertia.c3x * inertia.m3;
   const Scalar t22 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
   const Scalar t23 = inertia.c3x * t21 - (inertia.I3xx - t22);
   const Scalar t24 = inertia.c3z * inertia.m3;
   const Scalar t25 = t24 - g.d4 * inertia.m3;
-  const Scalar t26 = ((inertia.I3zz - t22) - inertia.c3z * t24) + g.d4 * (t24 + t25);
-  const Scalar t27 = inertia.c4z * inertia.m4;
-  const Scalar t28 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t29 = t27 - g.d4 * t28;
-  const Scalar t30 = ((inertia.I4zz - t19) - inertia.c4z * t27) + g.d4 * (t29 + t27);
-  const Scalar t31 = t26 + t30;
-  const Scalar t32 = inertia.c3y * inertia.m3;
-  const Scalar t33 = g.l1 * t21;
-  const Scalar t34 = Scalar(1) / g.l1;
-  const Scalar t35 = inertia.m3 + t28;
-  const Scalar t36 = ((inertia.I3yy - t22) - inertia.c3y * t32) - g.l1 * ((g.l1 * t35 + t32) + t32);
-  const Scalar t37 = inertia.c2y * inertia.m2;
-  const Scalar t38 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t39 = g.l1 * ((g.l1 * inertia.m2 + t37) + t37) - ((inertia.I2yy - t38) - inertia.c2y * t37);
-  const Scalar t40 = g.d4 * t21 + (inertia.I3xz - inertia.c3z * t21);
-  const Scalar t41 = gravity / g.l1;
-  const Scalar t42 = g.l1 * g.l1 * (inertia.m1 + (inertia.m2 + t35));
-  return { g.l1 * (t0 + t1),
-           g.l1 * t2,
-           g.l1 * t3,
-           g.l1 * t4,
+  const Scalar t26 = inertia.c4z * inertia.m4;
+  const Scalar t27 = g.d4 * inertia.m4;
+  const Scalar t28 = t26 - t27;
+  const Scalar t29 = t28 + t27;
+  const Scalar t30 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t31 = t29 - g.d4 * t30;
+  const Scalar t32 = (t25 + t31) / g.d4;
+  const Scalar t33 = g.l1 * g.l1 * t32;
+  const Scalar t34 = g.d4 * (t26 + t28) + ((inertia.I4zz - t15) - inertia.c4z * t26);
+  const Scalar t35 = (g.d4 * (t29 + t28) - t34) - g.d4 * (t29 + t31);
+  const Scalar t36 = ((inertia.I3zz - t22) - inertia.c3z * t24) + g.d4 * (t24 + t25);
+  const Scalar t37 = g.d4 * g.d4 * t32 + (t35 - t36);
+  const Scalar t38 = g.l1 * t21;
+  const Scalar t39 = inertia.c3y * inertia.m3;
+  const Scalar t40 = g.l1 * inertia.m3;
+  const Scalar t41 = t40 + t39;
+  const Scalar t42 = ((inertia.I3yz - inertia.c3z * t39) - g.l1 * t24) + g.d4 * t41;
+  const Scalar t43 = g.d4 * t21 + (inertia.I3xz - inertia.c3z * t21);
+  const Scalar t44 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t45 = inertia.c2y * inertia.m2;
+  const Scalar t46 = g.l1 * ((g.l1 * inertia.m2 + t45) + t45) - ((inertia.I2yy - t44) - inertia.c2y * t45);
+  const Scalar t47 = t40 - t41;
+  const Scalar t48 = ((inertia.I3yy - t22) - inertia.c3y * t39) - g.l1 * (t39 + t41);
+  const Scalar t49 = inertia.m3 + t30;
+  const Scalar t50 = (g.l1 * (t47 - t41) - t48) + g.l1 * ((g.l1 * t49 - t47) - t47);
+  const Scalar t51 = g.l1 * g.l1 * ((inertia.m1 + (inertia.m2 + t49)) + t32);
+  const Scalar t52 = gravity / g.l1;
+  return { inertia.I6yz - inertia.c6z * t0,
+           inertia.I6xz - inertia.c6z * t1,
            t5,
-           Scalar(2) * t6,
-           t8 - t9,
-           t9,
-           t10,
-           inertia.c5x * t4 - (inertia.I5xx - t11),
-           t12,
+           g.l1 * t1,
+           g.l1 * t0,
            t6,
-           inertia.I5xy - inertia.c5y * t4,
-           t13 * t14,
-           t15 * t14,
-           inertia.I5yz - inertia.c5z * t16,
+           t7,
+           Scalar(1) / t5,
+           t3 - t4,
+           Scalar(2) * t8,
+           t4,
+           inertia.c5x * t9 - (inertia.I5xx - t10),
            t13,
-           t15,
-           t14,
-           inertia.I4yz - inertia.c4z * t17,
-           inertia.I5xz - inertia.c5z * t4,
-           Scalar(2) * t12,
-           inertia.I4xz - inertia.c4z * t18,
-           g.l1 * (t17 + t16),
-           g.l1 * t18,
-           t20,
-           (inertia.I4xx - t19) - inertia.c4x * t18,
-           inertia.I4xy - inertia.c4y * t18,
+           g.l1 * (t12 + t11),
+           g.l1 * t9,
+           t8,
+           inertia.I5xy - inertia.c5y * t9,
+           inertia.I5yz - inertia.c5z * t14,
+           Scalar(2) * t13,
+           inertia.I5xz - inertia.c5z * t9,
+           (inertia.I4xx - t15) - inertia.c4x * t16,
+           t18,
+           g.l1 * t16,
+           g.l1 * (t17 + t14),
+           t19 - (t19 + (inertia.I4yz - inertia.c4z * t17)),
+           t20 - ((inertia.I4xz - inertia.c4z * t16) + t20),
+           inertia.I4xy - inertia.c4y * t16,
            t23,
-           Scalar(2) * t5,
-           t31,
-           g.d4 * t32 + (inertia.I3yz - inertia.c3z * t32),
-           g.l1 * (t29 + t25),
+           t6 * t33,
+           t37,
+           t38,
+           t42 + g.l1 * t25,
+           ((inertia.I3xy - inertia.c3y * t21) - t38) + t38,
+           t43,
+           inertia.c2x * inertia.c2x * inertia.m2 - (inertia.I2xx - t44),
            t33,
-           inertia.I3xy - inertia.c3y * t21,
-           t34 * t14,
-           t34,
-           t36 - t39,
-           t40,
-           inertia.c2x * inertia.c2x * inertia.m2 - (inertia.I2xx - t38),
-           t41,
-           Scalar(2) * t31,
-           Scalar(2) * t40,
+           (t46 + t50) + t33,
+           t7 * t7 * (t51 - t33),
+           t52,
+           t37 - t23,
+           Scalar(2) * t43,
+           Scalar(2) * t37,
            Scalar(2) * t23,
-           t23 + t31,
-           t33 * t41,
-           t42 * t41,
-           t34 * t34 * t42 };
+           t52 * t51 };
 }
 
 namespace detail {
@@ -1166,224 +1210,227 @@ inline JointVector<Scalar> forward_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[2] * c6 + k[1] * s6;
-  const Scalar t1 = k[17] * s6 + k[16] * c6;
-  const Scalar t2 = k[4] * t0 - (k[8] * s5 - c5 * t1);
-  const Scalar t3 = k[14] * c6 - k[13] * s6;
-  const Scalar t4 = k[8] * t3;
-  const Scalar t5 = k[1] * c6 - k[2] * s6;
-  const Scalar t6 = c5 * t5;
-  const Scalar t7 = t4 + k[4] * t6;
-  const Scalar t8 = s4 * t2 - c4 * t7;
-  const Scalar t9 = k[18] * t8;
-  const Scalar t10 = k[6] * s6 - k[5] * c6;
-  const Scalar t11 = k[7] + s6 * t10;
-  const Scalar t12 = k[25] + t11;
-  const Scalar t13 = k[8] - t11;
-  const Scalar t14 = k[9] - t13;
-  const Scalar t15 = k[10] + t14;
-  const Scalar t16 = k[20] + t1;
-  const Scalar t17 = s5 * (k[21] - t15) - Scalar(2) * c5 * t16;
-  const Scalar t18 = s5 * t17;
-  const Scalar t19 = k[26] - (t14 + t18);
-  const Scalar t20 = t12 + t19;
-  const Scalar t21 = k[11] + c6 * t10;
-  const Scalar t22 = k[12] - t21;
-  const Scalar t23 = k[15] + t4;
-  const Scalar t24 = c5 * t22 + s5 * t23;
-  const Scalar t25 = k[27] + t24;
-  const Scalar t26 = Scalar(2) * c4 * t25 + s4 * (t12 - t19);
-  const Scalar t27 = s4 * t26 - t12;
-  const Scalar t28 = k[28] - (t20 + t27);
-  const Scalar t29 = k[3] + t0;
-  const Scalar t30 = s5 * t29 - k[0] * c5;
-  const Scalar t31 = k[30] - (k[29] * t30 + (k[10] - t18));
-  const Scalar t32 = k[4] * t30 + t15;
-  const Scalar t33 = t3 * t8 + (s4 * t24 - c4 * t32);
-  const Scalar t34 = Scalar(1) / (t15 + t4 * t3);
-  const Scalar t35 = t33 * t34;
-  const Scalar t36 = (t9 * t8 + (t28 - t31)) - t33 * t35;
-  const Scalar t37 = c5 + k[18] * s5 * t1;
-  const Scalar t38 = k[8] * t37;
-  const Scalar t39 = s5 * t22 - c5 * t23;
-  const Scalar t40 = t39 + t4 * t37;
-  const Scalar t41 = t34 * t40;
-  const Scalar t42 = Scalar(1) / ((t20 - t38 * t37) + t41 * t40);
-  const Scalar t43 = k[22] - (c5 * t17 + t16);
-  const Scalar t44 = k[19] - t39;
-  const Scalar t45 = c5 * t29 + k[0] * s5;
-  const Scalar t46 = k[24] + t45;
-  const Scalar t47 = k[23] + t5;
-  const Scalar t48 = s4 * t46 - c4 * t47;
-  const Scalar t49 = (s4 * t43 - c4 * t44) + k[4] * t48;
-  const Scalar t50 = t33 * t41 - (t37 * t8 - t49);
-  const Scalar t51 = t42 * t50;
-  const Scalar t52 = Scalar(1) / (t36 + t51 * t50);
-  const Scalar t53 = c4 * t6 - s4 * t0;
-  const Scalar t54 = s5 * t5;
-  const Scalar t55 = s3 * (t54 + (s4 * t7 + c4 * t2));
-  const Scalar t56 = c3 * (t53 - t38) - t55;
-  const Scalar t57 = k[18] * t56;
-  const Scalar t58 = c4 * t30;
-  const Scalar t59 = s3 * ((s4 * t32 + c4 * t24) - t45);
-  const Scalar t60 = t4 * t57 - (c3 * (t39 - t58) + t59);
-  const Scalar t61 = t34 * t60;
-  const Scalar t62 = k[32] - t30;
-  const Scalar t63 = c4 * t46 + s4 * t47;
-  const Scalar t64 = k[33] + t63;
-  const Scalar t65 = s3 * ((k[34] + (c4 * t26 - t25)) - t64);
-  const Scalar t66 = t9 * t56 - (c3 * ((k[31] - t49) - t62) - t65);
-  const Scalar t67 = k[4] * t63 + (s4 * t44 + c4 * t43);
-  const Scalar t68 = (s3 * t67 + c3 * (t20 + t48)) + t38 * t57;
-  const Scalar t69 = t68 - t61 * t40;
-  const Scalar t70 = (t33 * t61 - t66) + t69 * t51;
-  const Scalar t71 = t52 * t70;
-  const Scalar t72 = k[35] * (c3 * t54 + s3 * t53);
-  const Scalar t73 = k[36] * (c3 * t64 + s3 * t62) + t72 * t8;
-  const Scalar t74 = t72 * t4 + k[36] * (s3 * t58 - c3 * t45);
-  const Scalar t75 = t41 * t74 - (t72 * t38 + k[36] * s3 * t48);
-  const Scalar t76 = t75 * t42;
-  const Scalar t77 = (t73 - t35 * t74) + t76 * t50;
-  const Scalar t78 = k[8] * t72;
-  const Scalar t79 = t34 * t74;
-  const Scalar t80 = t69 * t42;
-  const Scalar t81 = (t78 * t57 - t79 * t60) - t75 * t80;
-  const Scalar t82 = t71 * t77 + t81;
-  const Scalar t83 = c3 * (k[38] + t67);
-  const Scalar t84 = s3 * (s3 * (t28 + t31) + (t83 + t83));
-  const Scalar t85 = (k[37] + (Scalar(2) * t48 - t27)) - (k[39] + (t28 - t84));
-  const Scalar t86 = ((t56 * t57 - t85) - t61 * t60) + t80 * t69;
-  const Scalar t87 = Scalar(1) / (t71 * t70 - t86);
-  const Scalar t88 = t82 * t87;
-  const Scalar t89 = t77 * t52;
-  const Scalar t90 = t75 * t76 + ((k[47] + t78 * t72) - t79 * t74);
-  const Scalar t91 = Scalar(1) / (t88 * t82 - (t77 * t89 - t90));
-  const Scalar t92 = qd[1] * s3;
-  const Scalar t93 = qd[2] * s4 + c4 * t92;
-  const Scalar t94 = qd[1] * c3;
-  const Scalar t95 = qd[3] - t94;
-  const Scalar t96 = s5 * t93 + c5 * t95;
-  const Scalar t97 = qd[5] + t96;
-  const Scalar t98 = t97 * t97;
-  const Scalar t99 = s5 * t95 - c5 * t93;
-  const Scalar t100 = t99 * t99;
-  const Scalar t101 = t98 + t100;
-  const Scalar t102 = s4 * t92;
-  const Scalar t103 = t102 - qd[2] * c4;
-  const Scalar t104 = qd[4] - t103;
-  const Scalar t105 = t104 * t104;
-  const Scalar t106 = t98 + t105;
-  const Scalar t107 = t101 - t106;
-  const Scalar t108 = t99 * t104;
-  const Scalar t109 = qd[2] * t94;
-  const Scalar t110 = Scalar(2) * t109;
-  const Scalar t111 = t102 * t94 - c4 * t110;
-  const Scalar t112 = Scalar(2) * t95 * t103 + t111;
-  const Scalar t113 = t103 * t93;
-  const Scalar t114 = qd[2] * t92;
-  const Scalar t115 = t113 + t114;
-  const Scalar t116 = s5 * t112 - c5 * t115;
-  const Scalar t117 = (t108 + t108) + t116;
-  const Scalar t118 = t21 * t107 + (t13 * t117 + t11 * t116);
-  const Scalar t119 = t99 * t96;
-  const Scalar t120 = t95 * t93;
-  const Scalar t121 = t92 * t94;
-  const Scalar t122 = c4 * t121 + s4 * t110;
-  const Scalar t123 = t120 + t122;
-  const Scalar t124 = t119 + t123;
-  const Scalar t125 = t96 * t104;
-  const Scalar t126 = s5 * t115 + c5 * t112;
-  const Scalar t127 = t125 + (t125 + t126);
-  const Scalar t128 = qd[1] * qd[1];
-  const Scalar t129 = t128 + k[4] * t110;
-  const Scalar t130 = k[40] * s3;
-  const Scalar t131 = k[4] * t121 - t130;
-  const Scalar t132 = c4 * t129 - s4 * t131;
-  const Scalar t133 = t103 * t103;
-  const Scalar t134 = t93 * t93;
-  const Scalar t135 = t133 + t134;
-  const Scalar t136 = k[40] * c3 + k[4] * t135;
-  const Scalar t137 = c4 * t131 + s4 * t129;
-  const Scalar t138 = s5 * t136 - c5 * t137;
-  const Scalar t139 = (t118 + (t4 * t124 - t1 * t127)) + (t132 * t0 - t5 * t138);
+  const Scalar t0 = k[0] * s6 + k[1] * c6;
+  const Scalar t1 = k[2] * c5 + s5 * t0;
+  const Scalar t2 = k[7] * t1;
+  const Scalar t3 = k[9] * c6 - k[8] * s6;
+  const Scalar t4 = k[10] - s6 * t3;
+  const Scalar t5 = k[2] - t4;
+  const Scalar t6 = k[11] - t5;
+  const Scalar t7 = k[12] + t6;
+  const Scalar t8 = k[19] + t0;
+  const Scalar t9 = s5 * (k[18] - t7) - Scalar(2) * c5 * t8;
+  const Scalar t10 = s5 * t9;
+  const Scalar t11 = k[20] - (t6 + t10);
+  const Scalar t12 = k[21] + t4;
+  const Scalar t13 = t11 + t12;
+  const Scalar t14 = k[0] * c6 - k[1] * s6;
+  const Scalar t15 = k[7] * t14;
+  const Scalar t16 = k[17] + t14;
+  const Scalar t17 = k[15] - c6 * t3;
+  const Scalar t18 = k[16] - t17;
+  const Scalar t19 = c5 * t16 - s5 * t18;
+  const Scalar t20 = t1 * t15 - t19;
+  const Scalar t21 = Scalar(1) / (t7 + t14 * t15);
+  const Scalar t22 = t20 * t21;
+  const Scalar t23 = Scalar(1) / ((t2 * t1 - t13) - t22 * t20);
+  const Scalar t24 = k[4] * c6 - k[3] * s6;
+  const Scalar t25 = c5 * t24;
+  const Scalar t26 = t14 + k[5] * t25;
+  const Scalar t27 = k[3] * c6 + k[4] * s6;
+  const Scalar t28 = k[5] * t27 + (c5 * t0 - k[2] * s5);
+  const Scalar t29 = c4 * t26 - s4 * t28;
+  const Scalar t30 = k[23] + t24;
+  const Scalar t31 = (k[24] - t19) - k[5] * t30;
+  const Scalar t32 = k[14] + t27;
+  const Scalar t33 = k[13] * s5 + c5 * t32;
+  const Scalar t34 = k[22] + t33;
+  const Scalar t35 = k[5] * t34 - (k[25] + (t8 + c5 * t9));
+  const Scalar t36 = c4 * t31 + s4 * t35;
+  const Scalar t37 = k[7] * t29;
+  const Scalar t38 = s5 * t16 + c5 * t18;
+  const Scalar t39 = k[13] * c5 - s5 * t32;
+  const Scalar t40 = t7 - k[5] * t39;
+  const Scalar t41 = t37 * t14 - (s4 * t38 - c4 * t40);
+  const Scalar t42 = t41 * t21;
+  const Scalar t43 = (t29 * t2 + t36) - t42 * t20;
+  const Scalar t44 = t23 * t43;
+  const Scalar t45 = k[26] + t38;
+  const Scalar t46 = c4 * t45;
+  const Scalar t47 = s4 * (t11 - t12) - (t46 + t46);
+  const Scalar t48 = s4 * t47;
+  const Scalar t49 = k[27] + (t48 - t11);
+  const Scalar t50 = k[28] + t39;
+  const Scalar t51 = k[29] + ((k[12] - t10) - k[5] * (t39 + t50));
+  const Scalar t52 = (t29 * t37 + (t49 + t51)) - t41 * t42;
+  const Scalar t53 = Scalar(1) / (t44 * t43 - t52);
+  const Scalar t54 = k[30] + (c4 * t34 + s4 * t30);
+  const Scalar t55 = s5 * t24;
+  const Scalar t56 = c4 * t25 - s4 * t27;
+  const Scalar t57 = k[6] * (c3 * t55 + s3 * t56);
+  const Scalar t58 = k[7] * t57;
+  const Scalar t59 = k[6] * (s3 * t50 + c3 * t54) - t29 * t58;
+  const Scalar t60 = c4 * t39;
+  const Scalar t61 = k[6] * (c3 * t33 + s3 * t60) - t58 * t14;
+  const Scalar t62 = t61 * t21;
+  const Scalar t63 = c4 * t30 - s4 * t34;
+  const Scalar t64 = (t2 * t57 - k[6] * s3 * t63) + t62 * t20;
+  const Scalar t65 = t23 * t64;
+  const Scalar t66 = (t59 - t41 * t62) + t65 * t43;
+  const Scalar t67 = t53 * t66;
+  const Scalar t68 = (t61 * t62 - (k[37] + t58 * t57)) + t65 * t64;
+  const Scalar t69 = s3 * ((k[32] - (c4 * t47 + t45)) - t54);
+  const Scalar t70 = s3 * (t55 + (c4 * t28 + s4 * t26));
+  const Scalar t71 = c3 * (t56 - t1) - t70;
+  const Scalar t72 = k[7] * t71;
+  const Scalar t73 = (t69 - c3 * ((k[31] - t36) - t50)) - t29 * t72;
+  const Scalar t74 = s3 * ((s4 * t40 + c4 * t38) - t33);
+  const Scalar t75 = (c3 * (t60 - t19) + t74) - t71 * t15;
+  const Scalar t76 = c4 * t35 - s4 * t31;
+  const Scalar t77 = (s3 * t76 - c3 * (t63 - t13)) + t1 * t72;
+  const Scalar t78 = t77 + t22 * t75;
+  const Scalar t79 = (t73 - t42 * t75) + t44 * t78;
+  const Scalar t80 = t23 * t78;
+  const Scalar t81 = (t58 * t71 - t75 * t62) - t80 * t64;
+  const Scalar t82 = t67 * t79 + t81;
+  const Scalar t83 = t53 * t79;
+  const Scalar t84 = t75 * t21;
+  const Scalar t85 = Scalar(2) * c3 * (k[33] + t76) + s3 * (t49 - t51);
+  const Scalar t86 = k[36] - ((t48 + t12) + ((k[35] - t63) - t63));
+  const Scalar t87 = t71 * t72 + ((k[34] + (t49 - s3 * t85)) + t86);
+  const Scalar t88 = t79 * t83 - (t80 * t78 + (t75 * t84 - t87));
+  const Scalar t89 = Scalar(1) / t88;
+  const Scalar t90 = t82 * t89;
+  const Scalar t91 = Scalar(1) / ((t67 * t66 - t68) - t82 * t90);
+  const Scalar t92 = qd[1] * c3;
+  const Scalar t93 = qd[2] * t92;
+  const Scalar t94 = Scalar(2) * t93;
+  const Scalar t95 = qd[1] * qd[1];
+  const Scalar t96 = k[5] * t94 + t95;
+  const Scalar t97 = qd[1] * s3;
+  const Scalar t98 = t97 * t92;
+  const Scalar t99 = k[5] * t98 - k[38] * s3;
+  const Scalar t100 = c4 * t96 - s4 * t99;
+  const Scalar t101 = t92 * t92;
+  const Scalar t102 = qd[2] * qd[2];
+  const Scalar t103 = t101 + t102;
+  const Scalar t104 = t95 - t103;
+  const Scalar t105 = t101 - t102;
+  const Scalar t106 = t104 - t105;
+  const Scalar t107 = t106 + t103;
+  const Scalar t108 = k[38] * c3;
+  const Scalar t109 = k[5] * t107 + t108;
+  const Scalar t110 = c4 * t99 + s4 * t96;
+  const Scalar t111 = s5 * t109 - c5 * t110;
+  const Scalar t112 = c4 * t97;
+  const Scalar t113 = qd[2] * s4 + t112;
+  const Scalar t114 = qd[3] - t92;
+  const Scalar t115 = s5 * t113 + c5 * t114;
+  const Scalar t116 = s4 * t97;
+  const Scalar t117 = t116 - qd[2] * c4;
+  const Scalar t118 = qd[4] - t117;
+  const Scalar t119 = t117 * t113;
+  const Scalar t120 = qd[2] * t97;
+  const Scalar t121 = t119 + t120;
+  const Scalar t122 = t114 * t117;
+  const Scalar t123 = t116 * t92 - c4 * t94;
+  const Scalar t124 = (t122 + t123) + t122;
+  const Scalar t125 = s5 * t121 + c5 * t124;
+  const Scalar t126 = Scalar(2) * t115 * t118 + t125;
+  const Scalar t127 = t114 * t113;
+  const Scalar t128 = t92 * t112 + s4 * t94;
+  const Scalar t129 = t127 + t128;
+  const Scalar t130 = s5 * t114 - c5 * t113;
+  const Scalar t131 = t130 * t115;
+  const Scalar t132 = t129 + t131;
+  const Scalar t133 = s5 * t124 - c5 * t121;
+  const Scalar t134 = t133 + Scalar(2) * t130 * t118;
+  const Scalar t135 = t118 * t118;
+  const Scalar t136 = t130 * t130;
+  const Scalar t137 = t135 - t136;
+  const Scalar t138 = (t4 * t133 + t134 * t5) - t17 * t137;
+  const Scalar t139 = (t100 * t27 - t24 * t111) - ((t0 * t126 - t14 * t132) - t138);
   const Scalar t140 = torque[5] - t139;
-  const Scalar t141 = (k[20] * t127 + k[9] * t117) - (k[15] * t124 - k[12] * t107);
-  const Scalar t142 = (t141 - k[3] * t132) - t139;
-  const Scalar t143 = t99 * t97;
-  const Scalar t144 = (t143 + t143) - t124;
-  const Scalar t145 = t104 * t97;
-  const Scalar t146 = (t145 + t145) - t127;
-  const Scalar t147 = (t21 * t144 - t11 * t146) + t4 * (t98 - t105);
-  const Scalar t148 = s5 * t137 + c5 * t136;
-  const Scalar t149 = t119 - t123;
-  const Scalar t150 = t96 * t96;
-  const Scalar t151 = t150 - t105;
-  const Scalar t152 = (k[10] * t127 + k[20] * t117) - k[15] * t151;
-  const Scalar t153 = ((t1 * t117 - t147) + t148 * t5) + ((k[12] * t149 + t152) + k[0] * t132);
-  const Scalar t154 = t150 + t105;
-  const Scalar t155 = t154 + t107;
-  const Scalar t156 = t155 - t135;
-  const Scalar t157 = t120 + t123;
-  const Scalar t158 = k[19] * t156 + (k[25] * t112 + k[27] * t157);
-  const Scalar t159 = t113 - t114;
-  const Scalar t160 = (s5 * t142 + c5 * t153) - ((t158 - k[22] * t159) - k[23] * t136);
-  const Scalar t161 = (t0 * t117 - t5 * t101) - (k[0] * t127 - k[3] * t117);
-  const Scalar t162 = t161 - (k[23] * t155 - k[24] * t159);
-  const Scalar t163 = t160 + k[4] * t162;
-  const Scalar t164 = t98 - t100;
-  const Scalar t165 = (t5 * t146 + t0 * t144) + (k[0] * (t106 - t164) + k[3] * t149);
-  const Scalar t166 = (t5 * t116 + t0 * t106) + (k[0] * t124 + k[3] * t154);
-  const Scalar t167 = t133 - t134;
-  const Scalar t168 = t167 + t156;
-  const Scalar t169 = (s5 * t165 + c5 * t166) + (k[24] * (t168 + t135) - k[23] * t115);
-  const Scalar t170 = k[20] * (t151 - t107) - (k[10] * t124 - k[9] * t149);
-  const Scalar t171 = (k[0] * t138 + k[3] * t148) - (t170 + (k[12] * t126 + k[15] * t116));
-  const Scalar t172 = (t4 * t116 + t1 * t164) + (t21 * t146 - t13 * t144);
-  const Scalar t173 = t171 - (t172 - t148 * t0);
-  const Scalar t174 = (k[27] * t112 + k[26] * t157) + (k[22] * t168 - k[19] * t115);
-  const Scalar t175 = k[4] * t169 - (t173 + (k[24] * t136 - t174));
-  const Scalar t176 = t92 * t92 - t94 * t94;
-  const Scalar t177 = (k[32] * t130 + k[45] * c3) + (k[38] * t176 - k[44] * t121);
-  const Scalar t178 = torque[2] + ((s4 * t163 - c4 * t175) + t177);
-  const Scalar t179 = t140 * t3 - (torque[4] + t173);
-  const Scalar t180 = t34 * t179;
-  const Scalar t181 = (k[25] * t115 - k[26] * t159) - k[27] * t167;
-  const Scalar t182 = (k[24] * t132 + k[23] * t137) - (t181 + (k[22] * t111 - k[19] * t122));
-  const Scalar t183 = (s5 * t153 - c5 * t142) + t182;
-  const Scalar t184 = ((torque[3] - t183) - t140 * t37) + t180 * t40;
-  const Scalar t185 = t184 * t42;
-  const Scalar t186 = ((t9 * t140 + t178) - t33 * t180) + t185 * t50;
-  const Scalar t187 = t52 * t186;
-  const Scalar t188 = t176 - t135;
-  const Scalar t189 = t128 + t188;
-  const Scalar t190 = k[31] * (t189 - t176) - (k[41] * t109 - k[42] * t114);
-  const Scalar t191 = (k[32] * t128 - (t190 - k[34] * t121)) + (c4 * t163 + s4 * t175);
-  const Scalar t192 = (k[24] * t157 + k[23] * t112) - (c5 * t165 - s5 * t166);
-  const Scalar t193 = t192 - (k[33] * t121 + k[32] * t135);
-  const Scalar t194 = (k[31] * t121 - k[34] * t189) + (k[38] * t110 + k[43] * t114);
-  const Scalar t195 = (k[33] * t188 - k[32] * t121) + (s4 * t162 - c4 * t169);
-  const Scalar t196 = c3 * (((k[33] * t128 + t194) + t183) + t195);
-  const Scalar t197 = (torque[1] + (s3 * (t191 + t193) + t196)) - t140 * t57;
-  const Scalar t198 = t187 * t70 - (t184 * t80 + (t179 * t61 + t197));
-  const Scalar t199 = t87 * t198;
-  const Scalar t200 = k[36] * (k[46] - (s3 * t195 - c3 * t193));
-  const Scalar t201 = t180 * t74 + ((torque[0] - t200) - t72 * t140);
-  const Scalar t202 = t82 * t199 + ((t184 * t76 - t201) - t77 * t187);
-  const Scalar t203 = t91 * t202;
-  const Scalar t204 = t203 * t88 - t199;
-  const Scalar t205 = t71 * t204 + (t187 - t203 * t89);
-  const Scalar t206 = ((t185 - t203 * t76) + t204 * t80) - t205 * t51;
-  const Scalar t207 = ((t180 - t79 * t203) - t204 * t61) - t35 * t205;
-  const Scalar t208 = t41 * t206 - t207;
-  const Scalar t209 = (t72 * t203 - k[18] * t140) + t204 * t57;
-  const Scalar t210 = t208 * t3 - ((t9 * t205 + t209) + t206 * t37);
+  const Scalar t141 = qd[5] + t115;
+  const Scalar t142 = t141 * t141;
+  const Scalar t143 = t142 + t136;
+  const Scalar t144 = t142 - t135;
+  const Scalar t145 = t143 - t144;
+  const Scalar t146 = t117 * t117;
+  const Scalar t147 = t114 * t114;
+  const Scalar t148 = t146 + t147;
+  const Scalar t149 = t146 - t147;
+  const Scalar t150 = t148 - t107;
+  const Scalar t151 = t149 + t150;
+  const Scalar t152 = t148 - t151;
+  const Scalar t153 = t137 + t152;
+  const Scalar t154 = t145 - t153;
+  const Scalar t155 = t129 - t131;
+  const Scalar t156 = k[19] * t154 + (k[11] * t155 + k[12] * t132);
+  const Scalar t157 = s5 * t110 + c5 * t109;
+  const Scalar t158 = ((k[17] * t133 + k[16] * t125) - t156) - (k[13] * t111 + k[14] * t157);
+  const Scalar t159 = t142 + t135;
+  const Scalar t160 = Scalar(2) * t118 * t141 - t126;
+  const Scalar t161 = t132 - Scalar(2) * t130 * t141;
+  const Scalar t162 = (t0 * (t145 - t159) - t133 * t14) - (t17 * t160 + t5 * t161);
+  const Scalar t163 = t158 - (t162 + t157 * t27);
+  const Scalar t164 = (t140 * t15 - (torque[4] - t163)) * t21;
+  const Scalar t165 = k[7] * t140;
+  const Scalar t166 = t14 * t144 - (t17 * t161 + t4 * t160);
+  const Scalar t167 = (k[12] * t126 + k[19] * t134) + k[17] * (t137 + t154);
+  const Scalar t168 = ((t134 * t0 - t166) + t24 * t157) + (k[13] * t100 - (k[16] * t155 - t167));
+  const Scalar t169 = (k[11] * t134 + k[19] * t126) - (k[16] * t137 + k[17] * t132);
+  const Scalar t170 = (t169 - k[14] * t100) - t139;
+  const Scalar t171 = t129 + t127;
+  const Scalar t172 = k[24] * t149 + (k[26] * t171 + k[21] * t124);
+  const Scalar t173 = t119 - t120;
+  const Scalar t174 = (c5 * t168 + s5 * t170) - ((t172 + k[25] * t173) - k[23] * t109);
+  const Scalar t175 = (k[13] * t126 - k[14] * t134) + (t24 * t143 - t134 * t27);
+  const Scalar t176 = (k[23] * t152 - k[22] * t173) - k[35] * t100;
+  const Scalar t177 = t175 + t176;
+  const Scalar t178 = t174 - k[5] * t177;
+  const Scalar t179 = (k[24] * t121 - k[25] * t150) + (k[26] * t124 + k[20] * t171);
+  const Scalar t180 = (t24 * t133 + t27 * t159) + (k[13] * t132 + k[14] * t153);
+  const Scalar t181 = (k[13] * t145 - k[14] * t155) + (t24 * t160 - t161 * t27);
+  const Scalar t182 = k[35] * t110 - (k[23] * t121 - k[22] * t148);
+  const Scalar t183 = (c5 * t180 + s5 * t181) + t182;
+  const Scalar t184 = ((t179 - k[22] * t109) + t163) + k[5] * t183;
+  const Scalar t185 = k[30] * t108 + (k[39] * t98 + k[33] * t106);
+  const Scalar t186 = torque[2] + ((s4 * t178 - c4 * t184) + t185);
+  const Scalar t187 = k[26] * t151 - (k[21] * t121 - k[20] * t173);
+  const Scalar t188 = (k[22] * t100 + k[23] * t110) + (t187 - (k[24] * t128 - k[25] * t123));
+  const Scalar t189 = (s5 * t168 - c5 * t170) + t188;
+  const Scalar t190 = (t2 * t140 - (torque[3] - t189)) - t164 * t20;
+  const Scalar t191 = (t41 * t164 - (t29 * t165 - t186)) + t190 * t44;
+  const Scalar t192 = t53 * t191;
+  const Scalar t193 = k[35] * t109 - (k[22] * t171 + k[23] * t124);
+  const Scalar t194 = (t193 + (c5 * t181 - s5 * t180)) + k[30] * t98;
+  const Scalar t195 = k[30] * t103 + (c4 * t183 + s4 * t177);
+  const Scalar t196 = k[6] * (k[43] - (c3 * t194 - s3 * t195));
+  const Scalar t197 = t61 * t164 + (t57 * t165 - (torque[0] - t196));
+  const Scalar t198 = t190 * t23;
+  const Scalar t199 = (k[32] * t104 - k[31] * t98) - (k[33] * t94 + k[42] * t120);
+  const Scalar t200 = c3 * (t195 - (t189 + (k[30] * t95 - t199)));
+  const Scalar t201 = (k[41] * t93 + k[40] * t120) + k[31] * t105;
+  const Scalar t202 = (t201 - k[32] * t98) - (c4 * t178 + s4 * t184);
+  const Scalar t203 = (torque[1] - (t200 + s3 * (t202 + t194))) - t140 * t72;
+  const Scalar t204 = (t198 * t78 - (t164 * t75 - t203)) - t191 * t83;
+  const Scalar t205 = t89 * t204;
+  const Scalar t206 = (t66 * t192 + (t197 - t198 * t64)) + t82 * t205;
+  const Scalar t207 = t91 * t206;
+  const Scalar t208 = t90 * t207 + t205;
+  const Scalar t209 = (t67 * t207 - t192) - t208 * t83;
+  const Scalar t210 = ((t198 - t65 * t207) + t208 * t80) + t209 * t44;
+  const Scalar t211 = t209 * t42 - (t208 * t84 - (t207 * t62 + t164));
+  const Scalar t212 = t210 * t22 - t211;
+  const Scalar t213 = t209 * t37 + (t208 * t72 - (t58 * t207 - t165));
   JointVector<Scalar> result;
-  result[0] = -t203;
-  result[1] = -t204;
-  result[2] = t205;
-  result[3] = -t206;
-  result[4] = t208;
-  result[5] = -t210;
+  result[0] = -t207;
+  result[1] = t208;
+  result[2] = t209;
+  result[3] = -t210;
+  result[4] = t212;
+  result[5] = (t2 * t210 - t213) - t212 * t15;
   return result;
 }
 
@@ -1410,76 +1457,87 @@ KineticEnergyConstants<Scalar> kinetic_energy_constants(const BasicGeometry<Scal
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6x * inertia.m6;
-  const Scalar t1 = inertia.I6xy - inertia.c6y * t0;
-  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t0;
-  const Scalar t4 = inertia.c6y * inertia.m6;
-  const Scalar t5 = (inertia.I6yy - t2) - inertia.c6y * t4;
-  const Scalar t6 = inertia.c5x * inertia.m5;
-  const Scalar t7 = inertia.c5y * inertia.m5;
-  const Scalar t8 = inertia.c4x * inertia.m4;
-  const Scalar t9 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t10 = inertia.c4y * inertia.m4;
-  const Scalar t11 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t12 = ((inertia.I4yy - t9) - inertia.c4y * t10) - (inertia.c5y * t7 - (inertia.I5yy - t11));
-  const Scalar t13 = inertia.c6z * inertia.m6;
-  const Scalar t14 = inertia.c5z * inertia.m5;
-  const Scalar t15 = (inertia.c6z * t13 - (inertia.I6zz - t2)) + (inertia.c5z * t14 - (inertia.I5zz - t11));
-  const Scalar t16 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t17 = inertia.c3y * inertia.m3;
-  const Scalar t18 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t19 = inertia.m3 + t18;
-  const Scalar t20 = ((inertia.I3yy - t16) - inertia.c3y * t17) - g.l1 * ((g.l1 * t19 + t17) + t17);
-  const Scalar t21 = inertia.c2y * inertia.m2;
-  const Scalar t22 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t23 = g.l1 * ((g.l1 * inertia.m2 + t21) + t21) - ((inertia.I2yy - t22) - inertia.c2y * t21);
-  const Scalar t24 = inertia.c3x * inertia.m3;
-  const Scalar t25 = g.d4 / g.l1;
-  const Scalar t26 = inertia.c3z * inertia.m3;
-  const Scalar t27 = t26 - g.d4 * inertia.m3;
-  const Scalar t28 = ((inertia.I3zz - t16) - inertia.c3z * t26) + g.d4 * (t26 + t27);
-  const Scalar t29 = inertia.c4z * inertia.m4;
-  const Scalar t30 = t29 - g.d4 * t18;
-  const Scalar t31 = ((inertia.I4zz - t9) - inertia.c4z * t29) + g.d4 * (t30 + t29);
+  const Scalar t0 = inertia.c6y * inertia.m6;
+  const Scalar t1 = inertia.c6x * inertia.m6;
+  const Scalar t2 = inertia.c4y * inertia.m4;
+  const Scalar t3 = inertia.c5y * inertia.m5;
+  const Scalar t4 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t5 = (inertia.I6xx - t4) - inertia.c6x * t1;
+  const Scalar t6 = (inertia.I6yy - t4) - inertia.c6y * t0;
+  const Scalar t7 = inertia.I6xy - inertia.c6y * t1;
+  const Scalar t8 = inertia.c5x * inertia.m5;
+  const Scalar t9 = g.d4 * t2;
+  const Scalar t10 = inertia.c5z * inertia.m5;
+  const Scalar t11 = inertia.c6z * inertia.m6;
+  const Scalar t12 = inertia.c4x * inertia.m4;
+  const Scalar t13 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t14 = (inertia.c6z * t11 - (inertia.I6zz - t4)) + (inertia.c5z * t10 - (inertia.I5zz - t13));
+  const Scalar t15 = g.d4 * t12;
+  const Scalar t16 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t17 = ((inertia.I4yy - t16) - inertia.c4y * t2) - (inertia.c5y * t3 - (inertia.I5yy - t13));
+  const Scalar t18 = inertia.c3y * inertia.m3;
+  const Scalar t19 = inertia.c3z * inertia.m3;
+  const Scalar t20 = g.l1 * inertia.m3;
+  const Scalar t21 = t20 + t18;
+  const Scalar t22 = ((inertia.I3yz - inertia.c3z * t18) - g.l1 * t19) + g.d4 * t21;
+  const Scalar t23 = t19 - g.d4 * inertia.m3;
+  const Scalar t24 = inertia.c4z * inertia.m4;
+  const Scalar t25 = g.d4 * inertia.m4;
+  const Scalar t26 = t24 - t25;
+  const Scalar t27 = t26 + t25;
+  const Scalar t28 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t29 = t27 - g.d4 * t28;
+  const Scalar t30 = inertia.c3x * inertia.m3;
+  const Scalar t31 = g.l1 * t30;
   const Scalar t32 = Scalar(1) / g.l1;
-  const Scalar t33 = t32 * g.l1 * g.l1 * (inertia.m1 + (inertia.m2 + t19));
-  return { Scalar(2) * t1,
-           t3 - t5,
-           t1,
-           inertia.I5xy - inertia.c5y * t6,
-           inertia.I6yz - inertia.c6z * t4,
-           inertia.I6xz - inertia.c6z * t0,
-           inertia.I5yz - inertia.c5z * t7,
-           inertia.I4xy - inertia.c4y * t8,
-           t5,
-           t12,
-           t3 + t5,
-           inertia.c5x * t6 - (inertia.I5xx - t11),
-           t15,
-           inertia.I5xz - inertia.c5z * t6,
-           (inertia.I4xx - t9) - inertia.c4x * t8,
-           g.l1 * t4,
+  const Scalar t33 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t34 = g.d4 * (t24 + t26) + ((inertia.I4zz - t16) - inertia.c4z * t24);
+  const Scalar t35 = (g.d4 * (t27 + t26) - t34) - g.d4 * (t27 + t29);
+  const Scalar t36 = ((inertia.I3zz - t33) - inertia.c3z * t19) + g.d4 * (t19 + t23);
+  const Scalar t37 = inertia.m3 + t28;
+  const Scalar t38 = t32 * g.l1 * g.l1 * (inertia.m1 + (inertia.m2 + t37));
+  const Scalar t39 = inertia.c2y * inertia.m2;
+  const Scalar t40 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t41 = g.l1 * ((g.l1 * inertia.m2 + t39) + t39) - ((inertia.I2yy - t40) - inertia.c2y * t39);
+  const Scalar t42 = t20 - t21;
+  const Scalar t43 = ((inertia.I3yy - t33) - inertia.c3y * t18) - g.l1 * (t18 + t21);
+  const Scalar t44 = (g.l1 * (t42 - t21) - t43) + g.l1 * ((g.l1 * t37 - t42) - t42);
+  return { inertia.I6yz - inertia.c6z * t0,
+           inertia.I6xz - inertia.c6z * t1,
+           g.l1 * t1,
            g.l1 * t0,
-           g.l1 * (t10 + t7),
-           g.l1 * t6,
-           g.l1 * (t14 + t13),
+           g.l1 * (t2 + t3),
+           g.d4 / g.l1,
+           t5 - t6,
+           Scalar(2) * t7,
+           t7,
+           inertia.I5xy - inertia.c5y * t8,
+           inertia.I5yz - inertia.c5z * t3,
+           t9 - (t9 + (inertia.I4yz - inertia.c4z * t2)),
+           g.l1 * (t10 + t11),
            g.l1 * t8,
-           t20 - t23,
-           inertia.c3x * t24 - (inertia.I3xx - t16),
-           Scalar(2) * t25,
-           t28 + t31,
-           inertia.I4yz - inertia.c4z * t10,
-           inertia.I4xz - inertia.c4z * t8,
-           t25,
-           g.d4 * t24 + (inertia.I3xz - inertia.c3z * t24),
-           inertia.c2x * inertia.c2x * inertia.m2 - (inertia.I2xx - t22),
-           t32 * t33,
+           g.l1 * t12,
+           t5,
+           inertia.c5x * t8 - (inertia.I5xx - t13),
+           t14,
+           inertia.I5xz - inertia.c5z * t8,
+           t15 - ((inertia.I4xz - inertia.c4z * t12) + t15),
+           t5 + t6,
+           inertia.I4xy - inertia.c4y * t12,
+           (inertia.I4xx - t16) - inertia.c4x * t12,
+           t6,
+           t17,
+           t22 + g.l1 * t23,
+           g.l1 * (t23 + t29),
+           t31,
+           ((inertia.I3xy - inertia.c3y * t30) - t31) + t31,
            t32,
-           g.l1 * t24,
-           g.l1 * (t30 + t27),
-           g.d4 * t17 + (inertia.I3yz - inertia.c3z * t17),
-           inertia.I3xy - inertia.c3y * t24 };
+           inertia.c3x * t30 - (inertia.I3xx - t33),
+           t35 - t36,
+           t32 * t38,
+           t41 + t44,
+           g.d4 * t30 + (inertia.I3xz - inertia.c3z * t30),
+           inertia.c2x * inertia.c2x * inertia.m2 - (inertia.I2xx - t40) };
 }
 
 namespace detail {
@@ -1496,74 +1554,75 @@ inline Scalar kinetic_energy([[maybe_unused]] const JointVector<Scalar>& q, cons
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[4] * c6 - k[5] * s6;
-  const Scalar t1 = k[0] * c6 - k[1] * s6;
-  const Scalar t2 = k[3] - (k[2] - c6 * t1);
-  const Scalar t3 = k[6] + t0;
-  const Scalar t4 = c5 * t2 + s5 * t3;
-  const Scalar t5 = k[8] - s6 * t1;
-  const Scalar t6 = k[11] - (k[10] - t5);
-  const Scalar t7 = k[12] + t6;
-  const Scalar t8 = k[16] * c6 + k[15] * s6;
-  const Scalar t9 = k[18] + t8;
-  const Scalar t10 = k[19] * c5 - s5 * t9;
-  const Scalar t11 = t7 - k[27] * t10;
-  const Scalar t12 = k[4] * s6 + k[5] * c6;
-  const Scalar t13 = k[13] + t12;
-  const Scalar t14 = s5 * (k[12] - t6) - Scalar(2) * c5 * t13;
-  const Scalar t15 = k[26] - (t13 + c5 * t14);
-  const Scalar t16 = s5 * t2 - c5 * t3;
-  const Scalar t17 = k[25] - t16;
-  const Scalar t18 = c5 * t9 + k[19] * s5;
-  const Scalar t19 = k[20] + t18;
-  const Scalar t20 = k[16] * s6 - k[15] * c6;
-  const Scalar t21 = k[17] - t20;
-  const Scalar t22 = s4 * t19 - c4 * t21;
-  const Scalar t23 = (s4 * t15 - c4 * t17) + k[27] * t22;
-  const Scalar t24 = qd[4] * (s4 * t4 - c4 * t11) - qd[3] * t23;
-  const Scalar t25 = c5 * t20;
-  const Scalar t26 = t0 - k[27] * t25;
-  const Scalar t27 = k[27] * t8 + (c5 * t12 - k[10] * s5);
-  const Scalar t28 = t24 + qd[5] * (c4 * t26 - s4 * t27);
-  const Scalar t29 = c4 * t10;
-  const Scalar t30 = s3 * ((s4 * t11 + c4 * t4) - t18);
-  const Scalar t31 = s4 * t21 + c4 * t19;
-  const Scalar t32 = (s4 * t17 + c4 * t15) + k[27] * t31;
-  const Scalar t33 = s5 * t14;
-  const Scalar t34 = k[14] - (t6 + t33);
-  const Scalar t35 = k[9] + t5;
-  const Scalar t36 = t34 + t35;
-  const Scalar t37 = qd[3] * (s3 * t32 + c3 * (t22 + t36));
-  const Scalar t38 = k[7] + t4;
-  const Scalar t39 = c4 * t38;
-  const Scalar t40 = s4 * (t34 - t35) - (t39 + t39);
-  const Scalar t41 = k[32] + t31;
-  const Scalar t42 = s3 * ((k[35] - (c4 * t40 + t38)) - t41);
-  const Scalar t43 = k[33] + t10;
-  const Scalar t44 = qd[2] * (t42 - c3 * ((k[34] - t23) - t43));
-  const Scalar t45 = qd[4] * (c3 * (t16 + t29) + t30) - (t37 - t44);
-  const Scalar t46 = s4 * t8 + c4 * t25;
-  const Scalar t47 = s5 * t12 + k[10] * c5;
-  const Scalar t48 = s5 * t20;
-  const Scalar t49 = s3 * (t48 - (c4 * t27 + s4 * t26));
-  const Scalar t50 = t45 - qd[5] * (c3 * (t46 + t47) - t49);
-  const Scalar t51 = qd[4] * k[31] * (c3 * t18 + s3 * t29);
-  const Scalar t52 = qd[2] * k[31] * (c3 * t41 + s3 * t43);
-  const Scalar t53 = t51 + (t52 - qd[3] * k[31] * s3 * t22);
-  const Scalar t54 = qd[5] * k[31] * (s3 * t46 + c3 * t48);
-  const Scalar t55 = qd[2] * t28 + (qd[1] * t50 + qd[0] * (t53 - t54));
-  const Scalar t56 = t55 + qd[3] * (qd[5] * t47 - qd[4] * t16);
-  const Scalar t57 = k[24] + (k[23] * t10 - (k[12] - t33));
-  const Scalar t58 = s4 * t40 - t34;
-  const Scalar t59 = k[22] + t58;
-  const Scalar t60 = Scalar(2) * c3 * (k[28] + t32) + s3 * (t57 + t59);
-  const Scalar t61 = (k[29] + (t59 - s3 * t60)) - (k[21] + ((t58 + t36) + Scalar(2) * t22));
-  const Scalar t62 = qd[0] * k[30] * qd[0] + qd[1] * qd[1] * t61;
-  const Scalar t63 = (qd[2] * qd[2] * (t57 - t59) - t62) + qd[3] * qd[3] * t36;
-  const Scalar t64 = (t63 - qd[4] * qd[4] * t7) + qd[5] * k[10] * qd[5];
-  const Scalar t65 = (qd[4] * qd[5] * t0 + t56) + Scalar(0.5) * t64;
+  const Scalar t0 = k[0] * c6 - k[1] * s6;
+  const Scalar t1 = k[2] * c6 + k[3] * s6;
+  const Scalar t2 = k[13] + t1;
+  const Scalar t3 = c5 * t2 + k[12] * s5;
+  const Scalar t4 = k[14] + t3;
+  const Scalar t5 = k[2] * s6 - k[3] * c6;
+  const Scalar t6 = k[4] - t5;
+  const Scalar t7 = s4 * t4 - c4 * t6;
+  const Scalar t8 = k[27] + (c4 * t4 + s4 * t6);
+  const Scalar t9 = s5 * t2 - k[12] * c5;
+  const Scalar t10 = k[26] - t9;
+  const Scalar t11 = qd[2] * k[29] * (c3 * t8 + s3 * t10);
+  const Scalar t12 = c4 * t9;
+  const Scalar t13 = qd[4] * k[29] * (c3 * t3 - s3 * t12);
+  const Scalar t14 = (qd[3] * k[29] * s3 * t7 - t11) - t13;
+  const Scalar t15 = c5 * t5;
+  const Scalar t16 = s4 * t1 + c4 * t15;
+  const Scalar t17 = s5 * t5;
+  const Scalar t18 = qd[5] * k[29] * (s3 * t16 + c3 * t17);
+  const Scalar t19 = k[0] * s6 + k[1] * c6;
+  const Scalar t20 = (k[20] * s5 - c5 * t19) - k[5] * t1;
+  const Scalar t21 = k[5] * t15 - t0;
+  const Scalar t22 = s3 * ((c4 * t20 + s4 * t21) + t17);
+  const Scalar t23 = k[20] * c5 + s5 * t19;
+  const Scalar t24 = k[10] + t0;
+  const Scalar t25 = k[7] * c6 - k[6] * s6;
+  const Scalar t26 = k[9] - (k[8] - c6 * t25);
+  const Scalar t27 = s5 * t24 + c5 * t26;
+  const Scalar t28 = s6 * t25;
+  const Scalar t29 = k[16] - (k[15] + t28);
+  const Scalar t30 = k[17] + t29;
+  const Scalar t31 = k[5] * t9;
+  const Scalar t32 = t30 + t31;
+  const Scalar t33 = s3 * ((c4 * t27 + s4 * t32) - t3);
+  const Scalar t34 = c5 * t24 - s5 * t26;
+  const Scalar t35 = k[24] + (k[23] - t28);
+  const Scalar t36 = k[18] + t19;
+  const Scalar t37 = s5 * (k[17] - t29) - Scalar(2) * c5 * t36;
+  const Scalar t38 = s5 * t37 + t29;
+  const Scalar t39 = k[22] - t38;
+  const Scalar t40 = k[21] + t27;
+  const Scalar t41 = s4 * (t35 - t39) + Scalar(2) * c4 * t40;
+  const Scalar t42 = s4 * t41;
+  const Scalar t43 = t42 + t39;
+  const Scalar t44 = t42 - t35;
+  const Scalar t45 = t43 - t44;
+  const Scalar t46 = (k[19] + (c5 * t37 + t36)) - k[5] * t4;
+  const Scalar t47 = (k[11] - t34) - k[5] * t6;
+  const Scalar t48 = c4 * t46 + s4 * t47;
+  const Scalar t49 = qd[3] * (c3 * (t7 + t45) - s3 * t48);
+  const Scalar t50 = c4 * t47 - s4 * t46;
+  const Scalar t51 = s3 * (t8 - (k[28] + (c4 * t41 - t40)));
+  const Scalar t52 = qd[2] * (c3 * ((k[25] - t50) - t10) + t51);
+  const Scalar t53 = qd[4] * (t33 - c3 * (t34 + t12)) - (t49 + t52);
+  const Scalar t54 = qd[5] * (t22 - c3 * (t16 + t23)) + t53;
+  const Scalar t55 = qd[3] * t50 - qd[4] * (s4 * t27 - c4 * t32);
+  const Scalar t56 = qd[5] * (c4 * t21 - s4 * t20) + t55;
+  const Scalar t57 = (qd[0] * (t14 + t18) - qd[1] * t54) + qd[2] * t56;
+  const Scalar t58 = t57 - qd[3] * (qd[4] * t34 + qd[5] * t23);
+  const Scalar t59 = k[30] - t43;
+  const Scalar t60 = k[31] + ((t31 + t31) + (t30 - t38));
+  const Scalar t61 = s3 * (t59 - t60) + Scalar(2) * c3 * (k[34] - t48);
+  const Scalar t62 = (k[33] + (t44 - (t7 + t7))) + (k[35] + (t59 - s3 * t61));
+  const Scalar t63 = qd[0] * k[32] * qd[0] + qd[1] * qd[1] * t62;
+  const Scalar t64 = (t63 + qd[2] * qd[2] * (t59 + t60)) - qd[3] * qd[3] * t45;
+  const Scalar t65 = qd[5] * k[20] * qd[5] - (qd[4] * qd[4] * t30 + t64);
+  const Scalar t66 = (qd[4] * qd[5] * t0 - t58) + Scalar(0.5) * t65;
   Scalar result;
-  result = -t65;
+  result = -t66;
   return result;
 }
 
@@ -1589,20 +1648,21 @@ PotentialEnergyConstants<Scalar> potential_energy_constants(const BasicGeometry<
   using std::cos;
   using std::sin;
   const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  return { inertia.c6x * inertia.m6,
-           inertia.c6y * inertia.m6,
-           inertia.c5y * inertia.m5,
-           inertia.c4y * inertia.m4,
-           inertia.c5x * inertia.m5,
+  const Scalar t1 = g.d4 * inertia.m4;
+  return { inertia.m1 + (inertia.m2 + (inertia.m3 + t0)),
            inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
-           inertia.c4x * inertia.m4,
-           inertia.c3x * inertia.m3,
-           inertia.c4z * inertia.m4,
+           inertia.c6x * inertia.m6,
+           inertia.c6y * inertia.m6,
+           inertia.c5x * inertia.m5,
+           (inertia.c4z * inertia.m4 - t1) + t1,
            g.d4 * t0,
            inertia.c3z * inertia.m3 - g.d4 * inertia.m3,
+           inertia.c4x * inertia.m4,
+           inertia.c5y * inertia.m5,
+           inertia.c4y * inertia.m4,
+           inertia.c3x * inertia.m3,
            inertia.c2z * inertia.m2,
            inertia.c1z * inertia.m1,
-           inertia.m1 + (inertia.m2 + (inertia.m3 + t0)),
            gravity };
 }
 
@@ -1619,12 +1679,12 @@ inline Scalar potential_energy(const JointVector<Scalar>& q, const Angles& angle
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[4] + (k[0] * c6 + k[1] * s6);
-  const Scalar t1 = c4 * (k[6] + (k[5] * s5 + c5 * t0));
-  const Scalar t2 = k[3] + (k[2] - (k[0] * s6 - k[1] * c6));
-  const Scalar t3 = k[9] - (k[8] + (k[5] * c5 - s5 * t0));
-  const Scalar t4 = s3 * (k[7] + (t1 + s4 * t2)) - c3 * (k[10] - t3);
-  const Scalar t5 = k[14] * ((k[12] + (k[11] - t4)) + k[13] * q[0]);
+  const Scalar t0 = k[4] + (k[2] * c6 + k[3] * s6);
+  const Scalar t1 = k[6] - (k[5] + (k[1] * c5 - s5 * t0));
+  const Scalar t2 = k[10] + (k[9] - (k[2] * s6 - k[3] * c6));
+  const Scalar t3 = c4 * (k[8] + (c5 * t0 + k[1] * s5));
+  const Scalar t4 = c3 * (k[7] - t1) - s3 * (k[11] + (s4 * t2 + t3));
+  const Scalar t5 = k[14] * (k[0] * q[0] + (k[13] + (k[12] + t4)));
   Scalar result;
   result = t5;
   return result;

@@ -17,7 +17,7 @@ struct InverseDynamicsDerivatives {
 
 /// Joint forces for a motion, and their derivatives by q and qd; the one by qdd is mass_matrix.
 ///
-/// 985 multiplications, 889 additions, 4 sine/cosine pairs. Set-up: 74 multiplications, 81 additions, 4 divisions.
+/// 983 multiplications, 891 additions, 4 sine/cosine pairs. Set-up: 85 multiplications, 101 additions, 4 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1, which must not be zero.
 template <class Scalar>

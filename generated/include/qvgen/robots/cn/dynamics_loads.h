@@ -26,7 +26,7 @@ LoadAngles<Scalar> load_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion, under gravity in any direction.
 ///
-/// 185 multiplications, 178 additions, 5 sine/cosine pairs. Set-up: 71 multiplications, 83 additions, 6 divisions.
+/// 186 multiplications, 176 additions, 5 sine/cosine pairs. Set-up: 82 multiplications, 103 additions, 6 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1, which must not be zero.
 template <class Scalar>
@@ -46,7 +46,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces for a motion while a wrench acts on the tool from outside: those without it minus jacobian(q)^T wrench.
 ///
-/// 223 multiplications, 197 additions, 5 sine/cosine pairs. Set-up: 71 multiplications, 83 additions, 6 divisions.
+/// 223 multiplications, 196 additions, 5 sine/cosine pairs. Set-up: 82 multiplications, 103 additions, 6 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1, which must not be zero.
 template <class Scalar>
@@ -66,7 +66,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces that hold the robot at rest, under gravity in any direction.
 ///
-/// 48 multiplications, 30 additions, 5 sine/cosine pairs. Set-up: 19 multiplications, 13 additions.
+/// 48 multiplications, 30 additions, 5 sine/cosine pairs. Set-up: 21 multiplications, 17 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g,
@@ -83,7 +83,7 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const LoadAngle
 
 /// Joint accelerations for given joint forces, under gravity in any direction.
 ///
-/// 339 multiplications, 306 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 78 multiplications, 80 additions, 6
+/// 335 multiplications, 309 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 89 multiplications, 105 additions, 7
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1, which must not be zero.
@@ -92,7 +92,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
-using ForwardDynamicsWithGravityVectorConstants = std::array<Scalar, 50>;
+using ForwardDynamicsWithGravityVectorConstants = std::array<Scalar, 48>;
 template <class Scalar>
 ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_vector_constants(
     const BasicGeometry<Scalar>& g,
@@ -104,7 +104,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint accelerations for given joint forces while a wrench acts on the tool from outside.
 ///
-/// 372 multiplications, 330 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 75 multiplications, 80 additions, 6
+/// 370 multiplications, 331 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 88 multiplications, 105 additions, 7
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1, which must not be zero.
@@ -114,7 +114,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity,
         const NonDeduced<Wrench<Scalar>>& wrench);
 template <class Scalar>
-using ForwardDynamicsWithWrenchConstants = std::array<Scalar, 49>;
+using ForwardDynamicsWithWrenchConstants = std::array<Scalar, 47>;
 template <class Scalar>
 ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constants(const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
@@ -125,7 +125,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Minus the sum of m gravity . r over the links, r the centre of mass in the world, J.
 ///
-/// 24 multiplications, 30 additions, 5 sine/cosine pairs. Set-up: 24 multiplications, 8 additions.
+/// 24 multiplications, 30 additions, 5 sine/cosine pairs. Set-up: 26 multiplications, 13 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Scalar potential_energy(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g,

@@ -28,84 +28,97 @@ InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = inertia.m3 + t0;
-  const Scalar t2 = inertia.c4z * inertia.m4;
-  const Scalar t3 = t2 - g.d4 * t0;
-  const Scalar t4 = inertia.c3z * inertia.m3;
-  const Scalar t5 = t4 - g.d4 * inertia.m3;
-  const Scalar t6 = (t3 + t5) / g.d4;
-  const Scalar t7 = g.l1 * g.l1 * ((inertia.m1 + (inertia.m2 + t1)) + t6);
-  const Scalar t8 = inertia.c4y * inertia.m4;
-  const Scalar t9 = inertia.c5y * inertia.m5;
-  const Scalar t10 = inertia.c4x * inertia.m4;
-  const Scalar t11 = g.l1 * t6;
-  const Scalar t12 = g.l1 * t11;
-  const Scalar t13 = inertia.c6x * inertia.m6;
-  const Scalar t14 = inertia.c6y * inertia.m6;
-  const Scalar t15 = inertia.c5z * inertia.m5;
-  const Scalar t16 = inertia.c6z * inertia.m6;
-  const Scalar t17 = inertia.c5x * inertia.m5;
-  const Scalar t18 = inertia.c3x * inertia.m3;
-  const Scalar t19 = inertia.c3y * inertia.m3;
-  const Scalar t20 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t21 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t22 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t23 = ((inertia.I4yy - t21) - inertia.c4y * t8) - (inertia.c5y * t9 - (inertia.I5yy - t22));
-  const Scalar t24 = inertia.I6xy - inertia.c6y * t13;
-  const Scalar t25 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t26 = (inertia.I6xx - t25) - inertia.c6x * t13;
-  const Scalar t27 = (inertia.I6yy - t25) - inertia.c6y * t14;
-  const Scalar t28 = (inertia.c6z * t16 - (inertia.I6zz - t25)) + (inertia.c5z * t15 - (inertia.I5zz - t22));
-  const Scalar t29 = ((inertia.I3zz - t20) - inertia.c3z * t4) + g.d4 * (t4 + t5);
-  const Scalar t30 = ((inertia.I4zz - t21) - inertia.c4z * t2) + g.d4 * (t3 + t2);
-  const Scalar t31 = g.l1 * t1 + t19;
-  const Scalar t32 = ((inertia.I3yy - t20) - inertia.c3y * t19) - g.l1 * (t31 + t19);
-  const Scalar t33 = inertia.c2y * inertia.m2;
-  const Scalar t34 = g.l1 * inertia.m2 + t33;
-  const Scalar t35 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t36 = g.l1 * (t34 + t33) - ((inertia.I2yy - t35) - inertia.c2y * t33);
-  const Scalar t37 = inertia.c2x * inertia.m2;
-  const Scalar t38 = ((t32 - t36) - t12) - (inertia.c2x * t37 - (inertia.I2xx - t35));
-  return { Scalar(1) / g.l1,
+  const Scalar t0 = Scalar(1) / g.l1;
+  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t2 = inertia.m3 + t1;
+  const Scalar t3 = inertia.c3z * inertia.m3;
+  const Scalar t4 = t3 - g.d4 * inertia.m3;
+  const Scalar t5 = inertia.c4z * inertia.m4;
+  const Scalar t6 = g.d4 * inertia.m4;
+  const Scalar t7 = t5 - t6;
+  const Scalar t8 = t7 + t6;
+  const Scalar t9 = t8 - g.d4 * t1;
+  const Scalar t10 = (t4 + t9) / g.d4;
+  const Scalar t11 = g.l1 * g.l1 * ((inertia.m1 + (inertia.m2 + t2)) + t10);
+  const Scalar t12 = inertia.c3x * inertia.m3;
+  const Scalar t13 = g.l1 * t12;
+  const Scalar t14 = inertia.c6x * inertia.m6;
+  const Scalar t15 = inertia.c6y * inertia.m6;
+  const Scalar t16 = inertia.c5x * inertia.m5;
+  const Scalar t17 = inertia.c5z * inertia.m5;
+  const Scalar t18 = inertia.c6z * inertia.m6;
+  const Scalar t19 = inertia.c4y * inertia.m4;
+  const Scalar t20 = inertia.c5y * inertia.m5;
+  const Scalar t21 = inertia.c4x * inertia.m4;
+  const Scalar t22 = g.l1 * t10;
+  const Scalar t23 = g.l1 * t22;
+  const Scalar t24 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t25 = (inertia.I6xx - t24) - inertia.c6x * t14;
+  const Scalar t26 = (inertia.I6yy - t24) - inertia.c6y * t15;
+  const Scalar t27 = inertia.I6xy - inertia.c6y * t14;
+  const Scalar t28 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t29 = (inertia.c6z * t18 - (inertia.I6zz - t24)) + (inertia.c5z * t17 - (inertia.I5zz - t28));
+  const Scalar t30 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t31 = ((inertia.I4yy - t30) - inertia.c4y * t19) - (inertia.c5y * t20 - (inertia.I5yy - t28));
+  const Scalar t32 = g.d4 * t21;
+  const Scalar t33 = g.d4 * t19;
+  const Scalar t34 = inertia.c3y * inertia.m3;
+  const Scalar t35 = g.l1 * inertia.m3;
+  const Scalar t36 = t35 + t34;
+  const Scalar t37 = ((inertia.I3yz - inertia.c3z * t34) - g.l1 * t3) + g.d4 * t36;
+  const Scalar t38 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t39 = g.d4 * (t5 + t7) + ((inertia.I4zz - t30) - inertia.c4z * t5);
+  const Scalar t40 = (g.d4 * (t8 + t7) - t39) - g.d4 * (t8 + t9);
+  const Scalar t41 = ((inertia.I3zz - t38) - inertia.c3z * t3) + g.d4 * (t3 + t4);
+  const Scalar t42 = t35 - t36;
+  const Scalar t43 = g.l1 * t2 - t42;
+  const Scalar t44 = inertia.c2y * inertia.m2;
+  const Scalar t45 = g.l1 * inertia.m2 + t44;
+  const Scalar t46 = inertia.c2x * inertia.m2;
+  const Scalar t47 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t48 = g.l1 * (t45 + t44) - ((inertia.I2yy - t47) - inertia.c2y * t44);
+  const Scalar t49 = ((inertia.I3yy - t38) - inertia.c3y * t34) - g.l1 * (t34 + t36);
+  const Scalar t50 = (g.l1 * (t42 - t36) - t49) + g.l1 * (t43 - t42);
+  const Scalar t51 = (inertia.c2x * t46 - (inertia.I2xx - t47)) + ((t48 + t50) + t23);
+  return { t0,
            gravity[2] / g.l1,
-           t7,
-           g.l1 * (t8 + t9),
-           g.l1 * t10,
+           t0 * t11,
+           t13,
+           g.l1 * t14,
+           g.l1 * t15,
+           g.l1 * t16,
+           g.l1 * (t17 + t18),
+           g.l1 * (t19 + t20),
+           g.l1 * t21,
            gravity[1] / g.l1,
            gravity[0] / g.l1,
            g.d4 / g.l1,
-           t12,
-           g.l1 * t13,
-           g.l1 * t14,
-           g.l1 * (t15 + t16),
-           g.l1 * t17,
-           g.l1 * t18,
-           g.d4 * t19 + (inertia.I3yz - inertia.c3z * t19),
-           inertia.I3xy - inertia.c3y * t18,
-           g.d4 * t18 + (inertia.I3xz - inertia.c3z * t18),
-           inertia.c3x * t18 - (inertia.I3xx - t20),
            t23,
-           (inertia.I4xx - t21) - inertia.c4x * t10,
-           inertia.I4xy - inertia.c4y * t10,
-           inertia.I4yz - inertia.c4z * t8,
-           inertia.I4xz - inertia.c4z * t10,
-           inertia.I6yz - inertia.c6z * t14,
-           inertia.I6xz - inertia.c6z * t13,
-           Scalar(2) * t24,
-           t26 - t27,
-           t24,
-           t27,
-           inertia.I5xy - inertia.c5y * t17,
-           inertia.I5yz - inertia.c5z * t9,
-           inertia.I5xz - inertia.c5z * t17,
-           t28,
+           t25 - t26,
+           Scalar(2) * t27,
+           t25,
            t26,
-           inertia.c5x * t17 - (inertia.I5xx - t22),
-           g.d4 * g.d4 * t6 - (t29 + t30),
-           t38,
-           g.l1 * t37,
-           g.l1 * (t11 + (t31 + t34)) };
+           t27,
+           inertia.I6yz - inertia.c6z * t15,
+           inertia.I6xz - inertia.c6z * t14,
+           inertia.I5xy - inertia.c5y * t16,
+           inertia.I5yz - inertia.c5z * t20,
+           inertia.c5x * t16 - (inertia.I5xx - t28),
+           inertia.I5xz - inertia.c5z * t16,
+           t29,
+           inertia.I4xy - inertia.c4y * t21,
+           (inertia.I4xx - t30) - inertia.c4x * t21,
+           t31,
+           t32 - ((inertia.I4xz - inertia.c4z * t21) + t32),
+           t33 - (t33 + (inertia.I4yz - inertia.c4z * t19)),
+           t37 + g.l1 * t4,
+           ((inertia.I3xy - inertia.c3y * t12) - t13) + t13,
+           g.d4 * t12 + (inertia.I3xz - inertia.c3z * t12),
+           inertia.c3x * t12 - (inertia.I3xx - t38),
+           g.d4 * g.d4 * t10 + (t40 - t41),
+           g.l1 * (t22 + (t43 + t45)),
+           g.l1 * t46,
+           t51 };
 }
 
 namespace detail {
@@ -129,134 +142,130 @@ inline JointVector<Scalar> inverse_dynamics_with_gravity_vector([[maybe_unused]]
   const Scalar t2 = qd[2] * qd[2];
   const Scalar t3 = t1 + t2;
   const Scalar t4 = qdd[1] * s3;
-  const Scalar t5 = qd[2] * t0;
-  const Scalar t6 = (t4 + t5) + t5;
-  const Scalar t7 = qd[1] * s3;
-  const Scalar t8 = t7 * t0;
-  const Scalar t9 = qdd[2] - t8;
-  const Scalar t10 = c4 * t6 + s4 * t9;
-  const Scalar t11 = qd[1] * qd[1];
-  const Scalar t12 = k[6] * s2 - k[5] * c2;
-  const Scalar t13 = t11 - t12;
-  const Scalar t14 = k[5] * s2 + k[6] * c2;
-  const Scalar t15 = qdd[1] + t14;
-  const Scalar t16 = k[1] - k[0] * qdd[0];
-  const Scalar t17 = c3 * t15 - s3 * t16;
-  const Scalar t18 = k[7] * t10 + (c4 * t13 + s4 * t17);
-  const Scalar t19 = s4 * t7 - qd[2] * c4;
-  const Scalar t20 = t19 * t19;
-  const Scalar t21 = qd[3] - t0;
-  const Scalar t22 = t21 * t21;
-  const Scalar t23 = t20 - t22;
-  const Scalar t24 = t1 - t2;
-  const Scalar t25 = t11 - t24;
-  const Scalar t26 = t23 - t25;
-  const Scalar t27 = qd[2] * t7;
-  const Scalar t28 = qdd[1] * c3;
-  const Scalar t29 = t27 - t28;
-  const Scalar t30 = qdd[3] + t29;
-  const Scalar t31 = qd[2] * s4 + c4 * t7;
-  const Scalar t32 = t19 * t31;
-  const Scalar t33 = t30 - t32;
-  const Scalar t34 = k[8] * t18 + (k[3] * t26 - k[4] * t33);
-  const Scalar t35 = t21 * t19;
-  const Scalar t36 = (t35 + t35) - t10;
-  const Scalar t37 = t30 + t32;
-  const Scalar t38 = s5 * t36 - c5 * t37;
-  const Scalar t39 = s5 * t21 - c5 * t31;
-  const Scalar t40 = qd[4] - t19;
-  const Scalar t41 = t39 * t40;
-  const Scalar t42 = t41 + t41;
-  const Scalar t43 = t38 + t42;
-  const Scalar t44 = s5 * t31 + c5 * t21;
-  const Scalar t45 = t44 * t40;
-  const Scalar t46 = c5 * t36 + s5 * t37;
-  const Scalar t47 = t45 + (t45 + t46);
-  const Scalar t48 = k[10] * c6 - k[9] * s6;
-  const Scalar t49 = t40 * t40;
-  const Scalar t50 = t39 * t39;
-  const Scalar t51 = t49 + t50;
-  const Scalar t52 = qd[5] + t44;
-  const Scalar t53 = t52 * t52;
-  const Scalar t54 = t53 - t49;
-  const Scalar t55 = t51 + t54;
-  const Scalar t56 = qdd[5] - t43;
-  const Scalar t57 = k[9] * c6 + k[10] * s6;
-  const Scalar t58 = (k[12] * t43 - k[11] * t47) - (t48 * t55 + t56 * t57);
-  const Scalar t59 = t34 + t58;
-  const Scalar t60 = c4 * t9 - s4 * t6;
-  const Scalar t61 = t21 * t31;
-  const Scalar t62 = t60 - t61;
-  const Scalar t63 = qdd[4] + t62;
-  const Scalar t64 = t39 * t44;
-  const Scalar t65 = t63 - t64;
-  const Scalar t66 = t49 - t50;
-  const Scalar t67 = t66 - t26;
-  const Scalar t68 = t56 + t42;
-  const Scalar t69 = (k[11] * t65 - k[12] * t67) - ((t66 + t55) * t57 - t48 * t68);
-  const Scalar t70 = t40 * t52;
-  const Scalar t71 = (t70 + t70) - t47;
-  const Scalar t72 = t39 * t52;
-  const Scalar t73 = (t72 + t65) + t72;
-  const Scalar t74 = t63 + t64;
-  const Scalar t75 = (t48 * t71 + t73 * t57) + (k[12] * t74 + k[11] * t51);
-  const Scalar t76 = (c4 * t17 - s4 * t13) + k[7] * t60;
-  const Scalar t77 = t20 + t22;
-  const Scalar t78 = k[8] * t76 - (k[4] * t77 - k[3] * t37);
-  const Scalar t79 = (c5 * t69 - s5 * t75) + t78;
-  const Scalar t80 = k[13] * t3 - (s4 * t59 + c4 * t79);
-  const Scalar t81 = s3 * t15 + c3 * t16;
-  const Scalar t82 = t81 - k[7] * t25;
-  const Scalar t83 = t62 - t61;
-  const Scalar t84 = k[8] * t82 - (k[4] * t83 - k[3] * t36);
-  const Scalar t85 = qdd[2] + t8;
-  const Scalar t86 = (t84 - (s5 * t69 + c5 * t75)) - k[13] * t85;
-  const Scalar t87 = (s3 * t80 + c3 * t86) - k[2] * t16;
-  const Scalar t88 = (k[37] * t12 + k[38] * t14) - k[36] * qdd[1];
-  const Scalar t89 = t27 + t29;
-  const Scalar t90 = k[14] * t24 + (k[35] * t6 + k[16] * t89);
-  const Scalar t91 = c5 * t82 + s5 * t76;
-  const Scalar t92 = k[24] * c6 + k[23] * s6;
-  const Scalar t93 = k[25] * c6 - k[26] * s6;
-  const Scalar t94 = s6 * t93;
-  const Scalar t95 = k[28] - t94;
-  const Scalar t96 = k[27] - c6 * t93;
-  const Scalar t97 = k[23] * c6 - k[24] * s6;
-  const Scalar t98 = (t71 * t95 - t73 * t96) - t97 * t54;
-  const Scalar t99 = t51 - t67;
-  const Scalar t100 = k[30] * (t66 + t99) + (k[32] * t47 + k[31] * t43);
-  const Scalar t101 = (t91 * t48 + (t56 * t92 - t98)) - ((t100 + k[29] * t74) + k[11] * t18);
-  const Scalar t102 = (k[34] * t43 + k[31] * t47) - (k[29] * t66 - k[30] * t65);
-  const Scalar t103 = k[33] + t94;
-  const Scalar t104 = (t95 * t68 + t56 * t103) + t66 * t96;
-  const Scalar t105 = s5 * t82 - c5 * t76;
-  const Scalar t106 = ((t47 * t92 + t97 * t65) + t104) - (t48 * t105 + t18 * t57);
-  const Scalar t107 = (k[12] * t18 - t102) - t106;
-  const Scalar t108 = (k[18] * t36 - k[20] * t83) - k[21] * t23;
-  const Scalar t109 = (c5 * t101 + s5 * t107) + ((t108 + k[22] * t33) + k[3] * t82);
-  const Scalar t110 = t109 - k[7] * t59;
-  const Scalar t111 = (t73 * t103 - t71 * t96) + (t97 * t68 - (t53 - t50) * t92);
-  const Scalar t112 = k[31] * t99 - (k[32] * t65 + k[34] * t74);
-  const Scalar t113 = (k[11] * t105 + k[12] * t91) + ((k[29] * t46 + k[30] * t38) - t112);
-  const Scalar t114 = (t111 - t91 * t57) - t113;
-  const Scalar t115 = t77 + t26;
-  const Scalar t116 = (k[20] * t36 - k[19] * t83) - (k[22] * (t23 - t115) + k[21] * t37);
-  const Scalar t117 = (t114 - (k[4] * t82 + t116)) + k[7] * t79;
-  const Scalar t118 = (k[15] * t85 - t90) - (c4 * t110 + s4 * t117);
-  const Scalar t119 = (k[19] * t33 + k[18] * t37) - k[20] * t115;
-  const Scalar t120 = ((k[22] * t10 - k[21] * t60) - t119) + (k[4] * t18 - k[3] * t76);
-  const Scalar t121 = (c5 * t107 - s5 * t101) + t120;
-  const Scalar t122 = (k[14] * t9 + k[15] * (t11 - t3)) - (k[17] * t89 + k[16] * t6);
-  const Scalar t123 = c3 * ((t121 - (t122 - k[13] * t13)) - t80);
-  const Scalar t124 = (k[17] * t85 + k[35] * t9) - k[16] * (t25 - t3);
-  const Scalar t125 = (t124 - (k[15] * t4 - k[14] * t28)) + k[13] * t81;
+  const Scalar t5 = t4 + qd[2] * (t0 + t0);
+  const Scalar t6 = qd[1] * qd[1];
+  const Scalar t7 = k[11] * s2 - k[10] * c2;
+  const Scalar t8 = t6 - t7;
+  const Scalar t9 = k[12] * t5 + t8;
+  const Scalar t10 = k[11] * c2 + k[10] * s2;
+  const Scalar t11 = qdd[1] + t10;
+  const Scalar t12 = k[1] - k[0] * qdd[0];
+  const Scalar t13 = qd[1] * s3;
+  const Scalar t14 = t13 * t0;
+  const Scalar t15 = qdd[2] - t14;
+  const Scalar t16 = (c3 * t11 - s3 * t12) + k[12] * t15;
+  const Scalar t17 = s4 * t9 - c4 * t16;
+  const Scalar t18 = qd[2] * t13;
+  const Scalar t19 = qdd[1] * c3;
+  const Scalar t20 = t18 - t19;
+  const Scalar t21 = qdd[3] + t20;
+  const Scalar t22 = s4 * t13 - qd[2] * c4;
+  const Scalar t23 = qd[2] * s4 + c4 * t13;
+  const Scalar t24 = t22 * t23;
+  const Scalar t25 = t21 + t24;
+  const Scalar t26 = t1 - t2;
+  const Scalar t27 = t6 - t26;
+  const Scalar t28 = qd[3] - t0;
+  const Scalar t29 = t28 * t28;
+  const Scalar t30 = t23 * t23;
+  const Scalar t31 = t29 - t30;
+  const Scalar t32 = t27 + t31;
+  const Scalar t33 = k[13] * t17 - (k[8] * t25 - k[9] * t32);
+  const Scalar t34 = k[4] * s6 - k[5] * c6;
+  const Scalar t35 = c4 * t5 + s4 * t15;
+  const Scalar t36 = t35 - Scalar(2) * t28 * t22;
+  const Scalar t37 = c5 * t25 + s5 * t36;
+  const Scalar t38 = qdd[5] + t37;
+  const Scalar t39 = qd[4] - t22;
+  const Scalar t40 = t39 * t39;
+  const Scalar t41 = s5 * t28 - c5 * t23;
+  const Scalar t42 = t41 * t41;
+  const Scalar t43 = t40 - t42;
+  const Scalar t44 = s5 * t23 + c5 * t28;
+  const Scalar t45 = qd[5] + t44;
+  const Scalar t46 = t45 * t45 + t42;
+  const Scalar t47 = t43 + t46;
+  const Scalar t48 = k[4] * c6 + k[5] * s6;
+  const Scalar t49 = c4 * t15 - s4 * t5;
+  const Scalar t50 = t28 * t23;
+  const Scalar t51 = t49 - t50;
+  const Scalar t52 = qdd[4] + t51;
+  const Scalar t53 = t41 * t44;
+  const Scalar t54 = t52 - t53;
+  const Scalar t55 = t29 + t30;
+  const Scalar t56 = t55 + t43;
+  const Scalar t57 = (t34 * t38 + t47 * t48) - (k[7] * t54 - k[6] * t56);
+  const Scalar t58 = t39 * t45;
+  const Scalar t59 = s5 * t25 - c5 * t36;
+  const Scalar t60 = (t44 + t44) * t39 + t59;
+  const Scalar t61 = t58 - (t60 - t58);
+  const Scalar t62 = t41 + t41;
+  const Scalar t63 = t54 + t62 * t45;
+  const Scalar t64 = t52 + t53;
+  const Scalar t65 = t40 + t42;
+  const Scalar t66 = (t34 * t61 - t48 * t63) - (k[6] * t64 + k[7] * t65);
+  const Scalar t67 = t33 + (c5 * t57 - s5 * t66);
+  const Scalar t68 = t62 * t39;
+  const Scalar t69 = t68 - t38;
+  const Scalar t70 = t68 - t37;
+  const Scalar t71 = (t34 * t46 + t69 * t48) + (k[6] * t70 - k[7] * t60);
+  const Scalar t72 = c4 * t9 + s4 * t16;
+  const Scalar t73 = t21 - t24;
+  const Scalar t74 = k[13] * t72 - (k[8] * t55 + k[9] * t73);
+  const Scalar t75 = t71 + t74;
+  const Scalar t76 = k[3] * t3 + (c4 * t67 - s4 * t75);
+  const Scalar t77 = t50 - t51;
+  const Scalar t78 = s3 * t11 + c3 * t12;
+  const Scalar t79 = t78 - k[12] * t27;
+  const Scalar t80 = (k[9] * t77 - k[8] * t36) + k[13] * t79;
+  const Scalar t81 = qdd[2] + t14;
+  const Scalar t82 = (t80 + (c5 * t66 + s5 * t57)) - k[3] * t81;
+  const Scalar t83 = k[0] * (s3 * t76 + c3 * t82) - k[2] * t12;
+  const Scalar t84 = t65 - t56;
+  const Scalar t85 = (k[25] * t54 + k[23] * t64) - k[24] * t84;
+  const Scalar t86 = s5 * t17 - c5 * t79;
+  const Scalar t87 = s5 * t79 + c5 * t17;
+  const Scalar t88 = ((k[22] * t37 - k[21] * t59) - t85) + (k[6] * t86 - k[7] * t87);
+  const Scalar t89 = k[14] * s6 - k[15] * c6;
+  const Scalar t90 = s6 * t89;
+  const Scalar t91 = k[16] - t90;
+  const Scalar t92 = k[18] + c6 * t89;
+  const Scalar t93 = k[19] * s6 + k[20] * c6;
+  const Scalar t94 = k[19] * c6 - k[20] * s6;
+  const Scalar t95 = (t91 * t63 - t92 * t61) - (t93 * (t47 - t65) - t94 * t38);
+  const Scalar t96 = t88 + (t48 * t86 + t95);
+  const Scalar t97 = (k[26] * t36 - k[27] * t77) + (k[29] * t31 - k[30] * t25);
+  const Scalar t98 = (t96 + (t97 - k[9] * t79)) - k[12] * t67;
+  const Scalar t99 = (k[24] * t60 + k[23] * t70) - (k[21] * t43 - k[22] * t54);
+  const Scalar t100 = k[17] + t90;
+  const Scalar t101 = (t91 * t69 - t100 * t38) - t92 * t43;
+  const Scalar t102 = (t101 - (t60 * t93 + t94 * t54)) - (t34 * t87 - t48 * t72);
+  const Scalar t103 = (t99 - k[6] * t72) - t102;
+  const Scalar t104 = k[22] * (t43 + t84) + (k[25] * t60 + k[24] * t70);
+  const Scalar t105 = (t92 * t63 - t100 * t61) + (t46 - t65) * t94;
+  const Scalar t106 = ((t104 + k[21] * t64) + k[7] * t72) - ((t105 - t93 * t69) + t34 * t86);
+  const Scalar t107 = t55 - t32;
+  const Scalar t108 = k[30] * (t107 + t31) + (k[28] * t36 - k[26] * t77);
+  const Scalar t109 = (s5 * t103 + c5 * t106) - (k[8] * t79 - (k[29] * t73 + t108));
+  const Scalar t110 = k[12] * t75 + t109;
+  const Scalar t111 = t18 + t20;
+  const Scalar t112 = (k[35] * t5 + k[33] * t111) + k[31] * t26;
+  const Scalar t113 = (s4 * t98 - c4 * t110) - (k[32] * t81 - t112);
+  const Scalar t114 = (k[27] * t73 + k[28] * t25) + k[26] * t107;
+  const Scalar t115 = ((k[29] * t35 - k[30] * t49) + t114) - (k[8] * t17 + k[9] * t72);
+  const Scalar t116 = (c5 * t103 - s5 * t106) + t115;
+  const Scalar t117 = (k[34] * t111 + k[33] * t5) - (k[32] * (t6 - t3) + k[31] * t15);
+  const Scalar t118 = c3 * ((t116 - (t117 + k[3] * t8)) + t76);
+  const Scalar t119 = k[38] * qdd[1] + (k[37] * t7 + k[36] * t10);
+  const Scalar t120 = (k[34] * t81 + k[35] * t15) - k[33] * (t27 - t3);
+  const Scalar t121 = (t120 + (k[31] * t19 - k[32] * t4)) + k[3] * t78;
   JointVector<Scalar> result;
-  result[0] = k[0] * t87;
-  result[1] = t88 - (s3 * (t118 + t86) + t123);
-  result[2] = t125 - (c4 * t117 - s4 * t110);
-  result[3] = t121;
-  result[4] = -t114;
-  result[5] = -t106;
+  result[0] = t83;
+  result[1] = t119 - (s3 * (t82 - t113) - t118);
+  result[2] = t121 - (s4 * t110 + c4 * t98);
+  result[3] = -t116;
+  result[4] = -t96;
+  result[5] = t102;
   return result;
 }
 
@@ -285,85 +294,98 @@ InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constant
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c3x * inertia.m3;
-  const Scalar t1 = inertia.c4x * inertia.m4;
-  const Scalar t2 = inertia.c4y * inertia.m4;
-  const Scalar t3 = inertia.c5y * inertia.m5;
-  const Scalar t4 = inertia.c4z * inertia.m4;
-  const Scalar t5 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t6 = t4 - g.d4 * t5;
-  const Scalar t7 = inertia.c3z * inertia.m3;
-  const Scalar t8 = t7 - g.d4 * inertia.m3;
-  const Scalar t9 = (t6 + t8) / g.d4;
-  const Scalar t10 = g.l1 * t9;
-  const Scalar t11 = g.l1 * t10;
-  const Scalar t12 = inertia.c6y * inertia.m6;
-  const Scalar t13 = inertia.c6x * inertia.m6;
-  const Scalar t14 = inertia.c5z * inertia.m5;
-  const Scalar t15 = inertia.c6z * inertia.m6;
-  const Scalar t16 = inertia.c5x * inertia.m5;
-  const Scalar t17 = inertia.m3 + t5;
-  const Scalar t18 = g.l1 * g.l1 * ((inertia.m1 + (inertia.m2 + t17)) + t9);
-  const Scalar t19 = inertia.I6xy - inertia.c6y * t13;
-  const Scalar t20 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t21 = (inertia.I6xx - t20) - inertia.c6x * t13;
-  const Scalar t22 = (inertia.I6yy - t20) - inertia.c6y * t12;
-  const Scalar t23 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t24 = (inertia.c6z * t15 - (inertia.I6zz - t20)) + (inertia.c5z * t14 - (inertia.I5zz - t23));
-  const Scalar t25 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t26 = ((inertia.I4yy - t25) - inertia.c4y * t2) - (inertia.c5y * t3 - (inertia.I5yy - t23));
-  const Scalar t27 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t28 = inertia.c3y * inertia.m3;
-  const Scalar t29 = ((inertia.I3zz - t27) - inertia.c3z * t7) + g.d4 * (t7 + t8);
-  const Scalar t30 = ((inertia.I4zz - t25) - inertia.c4z * t4) + g.d4 * (t6 + t4);
-  const Scalar t31 = g.l1 * t17 + t28;
-  const Scalar t32 = ((inertia.I3yy - t27) - inertia.c3y * t28) - g.l1 * (t31 + t28);
-  const Scalar t33 = inertia.c2y * inertia.m2;
-  const Scalar t34 = g.l1 * inertia.m2 + t33;
-  const Scalar t35 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t36 = g.l1 * (t34 + t33) - ((inertia.I2yy - t35) - inertia.c2y * t33);
-  const Scalar t37 = inertia.c2x * inertia.m2;
-  const Scalar t38 = ((t32 - t36) - t11) - (inertia.c2x * t37 - (inertia.I2xx - t35));
-  return { g.l1 * t0,
-           g.l1 * t1,
-           g.l1 * (t2 + t3),
-           gravity[1] / g.l1,
-           gravity[0] / g.l1,
-           Scalar(1) / g.l1,
+  const Scalar t0 = Scalar(1) / g.l1;
+  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t2 = inertia.m3 + t1;
+  const Scalar t3 = inertia.c3z * inertia.m3;
+  const Scalar t4 = t3 - g.d4 * inertia.m3;
+  const Scalar t5 = inertia.c4z * inertia.m4;
+  const Scalar t6 = g.d4 * inertia.m4;
+  const Scalar t7 = t5 - t6;
+  const Scalar t8 = t7 + t6;
+  const Scalar t9 = t8 - g.d4 * t1;
+  const Scalar t10 = (t4 + t9) / g.d4;
+  const Scalar t11 = g.l1 * g.l1 * ((inertia.m1 + (inertia.m2 + t2)) + t10);
+  const Scalar t12 = inertia.c6x * inertia.m6;
+  const Scalar t13 = inertia.c6y * inertia.m6;
+  const Scalar t14 = inertia.c5x * inertia.m5;
+  const Scalar t15 = inertia.c5z * inertia.m5;
+  const Scalar t16 = inertia.c6z * inertia.m6;
+  const Scalar t17 = inertia.c4y * inertia.m4;
+  const Scalar t18 = inertia.c5y * inertia.m5;
+  const Scalar t19 = inertia.c4x * inertia.m4;
+  const Scalar t20 = g.l1 * t10;
+  const Scalar t21 = g.l1 * t20;
+  const Scalar t22 = inertia.c3x * inertia.m3;
+  const Scalar t23 = g.l1 * t22;
+  const Scalar t24 = g.l1 * inertia.m3;
+  const Scalar t25 = inertia.c3y * inertia.m3;
+  const Scalar t26 = t24 + t25;
+  const Scalar t27 = t24 - t26;
+  const Scalar t28 = g.l1 * t2 - t27;
+  const Scalar t29 = inertia.c2y * inertia.m2;
+  const Scalar t30 = g.l1 * inertia.m2 + t29;
+  const Scalar t31 = inertia.c2x * inertia.m2;
+  const Scalar t32 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t33 = g.l1 * (t30 + t29) - ((inertia.I2yy - t32) - inertia.c2y * t29);
+  const Scalar t34 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t35 = ((inertia.I3yy - t34) - inertia.c3y * t25) - g.l1 * (t25 + t26);
+  const Scalar t36 = (g.l1 * (t27 - t26) - t35) + g.l1 * (t28 - t27);
+  const Scalar t37 = (inertia.c2x * t31 - (inertia.I2xx - t32)) + ((t33 + t36) + t21);
+  const Scalar t38 = ((inertia.I3yz - inertia.c3z * t25) - g.l1 * t3) + g.d4 * t26;
+  const Scalar t39 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t40 = (inertia.I6xx - t39) - inertia.c6x * t12;
+  const Scalar t41 = (inertia.I6yy - t39) - inertia.c6y * t13;
+  const Scalar t42 = inertia.I6xy - inertia.c6y * t12;
+  const Scalar t43 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t44 = (inertia.c6z * t16 - (inertia.I6zz - t39)) + (inertia.c5z * t15 - (inertia.I5zz - t43));
+  const Scalar t45 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t46 = ((inertia.I4yy - t45) - inertia.c4y * t17) - (inertia.c5y * t18 - (inertia.I5yy - t43));
+  const Scalar t47 = g.d4 * t19;
+  const Scalar t48 = g.d4 * t17;
+  const Scalar t49 = g.d4 * (t5 + t7) + ((inertia.I4zz - t45) - inertia.c4z * t5);
+  const Scalar t50 = (g.d4 * (t8 + t7) - t49) - g.d4 * (t8 + t9);
+  const Scalar t51 = ((inertia.I3zz - t34) - inertia.c3z * t3) + g.d4 * (t3 + t4);
+  return { t0,
            gravity[2] / g.l1,
-           g.d4 / g.l1,
-           t11,
-           g.l1,
+           t0 * t11,
            g.l1 * t12,
            g.l1 * t13,
-           g.l1 * (t14 + t15),
-           g.l1 * t16,
-           t18,
-           Scalar(2) * t19,
-           t21 - t22,
+           g.l1,
+           g.l1 * t14,
+           g.l1 * (t15 + t16),
+           g.l1 * (t17 + t18),
+           g.l1 * t19,
+           g.d4 / g.l1,
+           gravity[0] / g.l1,
+           gravity[1] / g.l1,
            t21,
-           t22,
-           t19,
-           inertia.I6yz - inertia.c6z * t12,
-           inertia.I6xz - inertia.c6z * t13,
-           inertia.I5xy - inertia.c5y * t16,
-           inertia.I5yz - inertia.c5z * t3,
-           inertia.c5x * t16 - (inertia.I5xx - t23),
-           inertia.I5xz - inertia.c5z * t16,
-           t24,
-           inertia.I4xz - inertia.c4z * t1,
-           inertia.I4yz - inertia.c4z * t2,
-           t26,
-           (inertia.I4xx - t25) - inertia.c4x * t1,
-           inertia.I4xy - inertia.c4y * t1,
-           inertia.c3x * t0 - (inertia.I3xx - t27),
-           g.d4 * t0 + (inertia.I3xz - inertia.c3z * t0),
-           g.d4 * t28 + (inertia.I3yz - inertia.c3z * t28),
-           inertia.I3xy - inertia.c3y * t0,
-           g.d4 * g.d4 * t9 - (t29 + t30),
-           t38,
-           g.l1 * t37,
-           g.l1 * (t10 + (t31 + t34)) };
+           t23,
+           g.l1 * (t20 + (t28 + t30)),
+           g.l1 * t31,
+           t37,
+           inertia.c3x * t22 - (inertia.I3xx - t34),
+           g.d4 * t22 + (inertia.I3xz - inertia.c3z * t22),
+           t38 + g.l1 * t4,
+           ((inertia.I3xy - inertia.c3y * t22) - t23) + t23,
+           inertia.I6yz - inertia.c6z * t13,
+           inertia.I6xz - inertia.c6z * t12,
+           t40 - t41,
+           Scalar(2) * t42,
+           t41,
+           t42,
+           t44,
+           inertia.I5xz - inertia.c5z * t14,
+           inertia.I5yz - inertia.c5z * t18,
+           inertia.I5xy - inertia.c5y * t14,
+           t40,
+           inertia.c5x * t14 - (inertia.I5xx - t43),
+           inertia.I4xy - inertia.c4y * t19,
+           (inertia.I4xx - t45) - inertia.c4x * t19,
+           t46,
+           t47 - ((inertia.I4xz - inertia.c4z * t19) + t47),
+           t48 - (t48 + (inertia.I4yz - inertia.c4z * t17)),
+           g.d4 * g.d4 * t10 + (t50 - t51) };
 }
 
 namespace detail {
@@ -382,150 +404,151 @@ inline JointVector<Scalar> inverse_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = qd[1] * s3;
-  const Scalar t1 = t0 * t0;
-  const Scalar t2 = qd[2] * qd[2];
-  const Scalar t3 = t1 - t2;
-  const Scalar t4 = qd[1] * qd[1];
-  const Scalar t5 = t3 - t4;
-  const Scalar t6 = qd[2] * s4 + c4 * t0;
-  const Scalar t7 = qd[1] * c3;
-  const Scalar t8 = qd[3] - t7;
-  const Scalar t9 = s5 * t6 + c5 * t8;
-  const Scalar t10 = s4 * t0 - qd[2] * c4;
-  const Scalar t11 = qd[4] - t10;
-  const Scalar t12 = t9 * t11;
-  const Scalar t13 = qd[2] * t0;
-  const Scalar t14 = qdd[1] * c3;
-  const Scalar t15 = t13 - t14;
-  const Scalar t16 = qdd[3] + t15;
-  const Scalar t17 = t10 * t6;
-  const Scalar t18 = t16 + t17;
-  const Scalar t19 = t8 * t10;
-  const Scalar t20 = qdd[1] * s3;
-  const Scalar t21 = qd[2] * t7;
-  const Scalar t22 = t20 + (t21 + t21);
-  const Scalar t23 = t0 * t7;
-  const Scalar t24 = qdd[2] - t23;
-  const Scalar t25 = c4 * t22 + s4 * t24;
-  const Scalar t26 = (t19 + t19) - t25;
-  const Scalar t27 = s5 * t18 + c5 * t26;
-  const Scalar t28 = t12 + (t12 + t27);
-  const Scalar t29 = s5 * t26 - c5 * t18;
-  const Scalar t30 = qdd[5] - t29;
-  const Scalar t31 = s5 * t8 - c5 * t6;
-  const Scalar t32 = t30 - Scalar(2) * t31 * t11;
-  const Scalar t33 = qdd[5] - t32;
-  const Scalar t34 = k[10] * s6 + k[11] * c6;
-  const Scalar t35 = qd[5] + t9;
-  const Scalar t36 = t31 * t31;
-  const Scalar t37 = t35 * t35 + t36;
-  const Scalar t38 = k[10] * c6 - k[11] * s6;
-  const Scalar t39 = wrench[1] * c2 - wrench[0] * s2;
-  const Scalar t40 = wrench[1] * s2 + wrench[0] * c2;
-  const Scalar t41 = wrench[2] * s3 - c3 * t40;
-  const Scalar t42 = (t34 * t32 + t37 * t38) + k[9] * (c4 * t39 - s4 * t41);
-  const Scalar t43 = k[6] - k[5] * qdd[0];
-  const Scalar t44 = k[4] * c2 + k[3] * s2;
-  const Scalar t45 = qdd[1] + t44;
-  const Scalar t46 = k[7] * t24 - (s3 * t43 - c3 * t45);
-  const Scalar t47 = k[3] * c2 - k[4] * s2;
-  const Scalar t48 = t4 + t47;
-  const Scalar t49 = k[7] * t22 + t48;
-  const Scalar t50 = s4 * t46 + c4 * t49;
-  const Scalar t51 = t16 - t17;
-  const Scalar t52 = t10 * t10;
-  const Scalar t53 = t8 * t8;
-  const Scalar t54 = t52 - t53;
-  const Scalar t55 = t1 + t2;
-  const Scalar t56 = t54 - t55;
-  const Scalar t57 = k[8] * t50 - (k[1] * t51 - k[2] * t56);
-  const Scalar t58 = ((k[12] * t28 - k[13] * t33) + t42) - t57;
-  const Scalar t59 = s4 * t49 - c4 * t46;
-  const Scalar t60 = t52 + t53;
-  const Scalar t61 = k[8] * t59 + (k[1] * t60 - k[2] * t18);
-  const Scalar t62 = t8 * t6;
-  const Scalar t63 = s4 * t22 - c4 * t24;
-  const Scalar t64 = t62 + t63;
-  const Scalar t65 = qdd[4] - t64;
-  const Scalar t66 = t31 * t9;
-  const Scalar t67 = t65 + t66;
-  const Scalar t68 = t11 * t11;
-  const Scalar t69 = t68 + t36;
-  const Scalar t70 = wrench[2] * c3 + s3 * t40;
-  const Scalar t71 = s4 * t39 + c4 * t41;
-  const Scalar t72 = t65 - t66;
-  const Scalar t73 = t72 + Scalar(2) * t31 * t35;
-  const Scalar t74 = Scalar(2) * t11 * t35 - t28;
-  const Scalar t75 = k[9] * (c5 * t70 - s5 * t71) + (t34 * t73 + t74 * t38);
-  const Scalar t76 = (k[13] * t67 + k[12] * t69) + t75;
-  const Scalar t77 = t68 - t36;
-  const Scalar t78 = t77 - t56;
-  const Scalar t79 = (t30 * t38 - t34 * (t77 + t37)) + k[9] * (c5 * t71 + s5 * t70);
-  const Scalar t80 = (k[12] * t72 - k[13] * t78) + t79;
-  const Scalar t81 = t61 + (s5 * t76 - c5 * t80);
-  const Scalar t82 = k[0] * t5 - (s4 * t58 + c4 * t81);
-  const Scalar t83 = qdd[2] + t23;
-  const Scalar t84 = t62 + t64;
-  const Scalar t85 = s3 * t45 + c3 * t43;
-  const Scalar t86 = k[7] * t55 - t85;
-  const Scalar t87 = (k[2] * t26 + k[1] * t84) - k[8] * t86;
-  const Scalar t88 = k[0] * t83 + ((s5 * t80 + c5 * t76) - t87);
-  const Scalar t89 = (s3 * t82 + c3 * t88) + k[14] * t43;
-  const Scalar t90 = (k[29] * t26 + k[31] * t84) - k[28] * t54;
-  const Scalar t91 = wrench[4] * s2 + wrench[3] * c2;
-  const Scalar t92 = wrench[5] * c3 + s3 * t91;
-  const Scalar t93 = wrench[5] * s3 - c3 * t91;
-  const Scalar t94 = wrench[4] * c2 - wrench[3] * s2;
-  const Scalar t95 = c4 * t93 + s4 * t94;
-  const Scalar t96 = c5 * t59 - s5 * t86;
-  const Scalar t97 = k[16] * s6 - k[15] * c6;
-  const Scalar t98 = k[19] + c6 * t97;
-  const Scalar t99 = s6 * t97;
-  const Scalar t100 = k[18] + t99;
-  const Scalar t101 = k[17] - t99;
-  const Scalar t102 = t77 * t98 + (t30 * t100 + t101 * t32);
-  const Scalar t103 = k[20] * c6 - k[21] * s6;
-  const Scalar t104 = k[21] * c6 + k[20] * s6;
-  const Scalar t105 = (t34 * t50 + t96 * t38) - (t102 + (t72 * t103 + t104 * t28));
-  const Scalar t106 = (c5 * t92 - s5 * t95) + t105;
-  const Scalar t107 = (k[24] * t33 + k[25] * t28) + (k[23] * t72 - k[22] * t77);
-  const Scalar t108 = t106 - (t107 - k[13] * t50);
-  const Scalar t109 = t37 - t69;
-  const Scalar t110 = t109 * t103 - (t74 * t100 - t73 * t98);
-  const Scalar t111 = c5 * t86 + s5 * t59;
-  const Scalar t112 = ((t110 + t104 * t32) - t111 * t38) - (c5 * t95 + s5 * t92);
-  const Scalar t113 = t78 - t69;
-  const Scalar t114 = (k[25] * t33 + k[26] * t28) + k[23] * (t77 - t113);
-  const Scalar t115 = t112 - (k[12] * t50 + (t114 + k[22] * t67));
-  const Scalar t116 = ((k[27] * t51 + t90) - k[2] * t86) + (s5 * t108 + c5 * t115);
-  const Scalar t117 = k[7] * t58 + t116;
-  const Scalar t118 = k[25] * t113 + (k[24] * t67 + k[26] * t72);
-  const Scalar t119 = (k[13] * t111 - k[12] * t96) - (t118 + (k[22] * t27 + k[23] * t29));
-  const Scalar t120 = (t74 * t98 - t101 * t73) - (t30 * t103 - t104 * (t109 + t77));
-  const Scalar t121 = (s4 * t93 - c4 * t94) + (t120 - t34 * t111);
-  const Scalar t122 = t119 - t121;
-  const Scalar t123 = (k[30] * t84 + k[31] * t26) + (k[27] * (t60 - t55) - k[28] * t18);
-  const Scalar t124 = k[7] * t81 - (t122 + (k[1] * t86 - t123));
-  const Scalar t125 = t13 + t15;
-  const Scalar t126 = t5 + t55;
-  const Scalar t127 = (k[36] * t22 + k[33] * t125) + k[34] * (t3 - t126);
-  const Scalar t128 = (c4 * t117 - s4 * t124) - (k[35] * t83 - t127);
-  const Scalar t129 = (k[34] * t24 + k[35] * t3) - (k[32] * t125 + k[33] * t22);
-  const Scalar t130 = k[31] * (t60 + t56) - (k[29] * t18 + k[30] * t51);
-  const Scalar t131 = ((k[27] * t25 + k[28] * t63) + t130) + (k[2] * t59 + k[1] * t50);
-  const Scalar t132 = t131 + (c5 * t108 - s5 * t115);
-  const Scalar t133 = c3 * (((k[0] * t48 - t129) + t132) + t82);
-  const Scalar t134 = (k[39] * t44 - k[38] * t47) - k[37] * qdd[1];
-  const Scalar t135 = (k[32] * t83 + k[36] * t24) - k[33] * t126;
-  const Scalar t136 = k[0] * t85 + (t135 - (k[35] * t20 - k[34] * t14));
+  const Scalar t0 = k[12] * s2 + k[11] * c2;
+  const Scalar t1 = qdd[1] + t0;
+  const Scalar t2 = k[1] - k[0] * qdd[0];
+  const Scalar t3 = qd[1] * s3;
+  const Scalar t4 = qd[1] * c3;
+  const Scalar t5 = t3 * t4;
+  const Scalar t6 = qdd[2] - t5;
+  const Scalar t7 = (c3 * t1 - s3 * t2) + k[10] * t6;
+  const Scalar t8 = qdd[1] * s3;
+  const Scalar t9 = Scalar(2) * qd[2] * t4 + t8;
+  const Scalar t10 = k[11] * s2 - k[12] * c2;
+  const Scalar t11 = qd[1] * qd[1];
+  const Scalar t12 = t10 - t11;
+  const Scalar t13 = k[10] * t9 - t12;
+  const Scalar t14 = s4 * t7 + c4 * t13;
+  const Scalar t15 = qd[2] * t3;
+  const Scalar t16 = qdd[1] * c3;
+  const Scalar t17 = t15 - t16;
+  const Scalar t18 = qdd[3] + t17;
+  const Scalar t19 = s4 * t3 - qd[2] * c4;
+  const Scalar t20 = qd[2] * s4 + c4 * t3;
+  const Scalar t21 = t19 * t20;
+  const Scalar t22 = t18 - t21;
+  const Scalar t23 = t19 * t19;
+  const Scalar t24 = qd[3] - t4;
+  const Scalar t25 = t24 * t24;
+  const Scalar t26 = t23 - t25;
+  const Scalar t27 = t3 * t3;
+  const Scalar t28 = qd[2] * qd[2];
+  const Scalar t29 = t27 + t28;
+  const Scalar t30 = t26 - t29;
+  const Scalar t31 = k[13] * t14 - (k[9] * t22 - k[8] * t30);
+  const Scalar t32 = s5 * t20 + c5 * t24;
+  const Scalar t33 = t32 * t32;
+  const Scalar t34 = qd[4] - t19;
+  const Scalar t35 = t34 * t34;
+  const Scalar t36 = t33 + t35;
+  const Scalar t37 = t36 + t30;
+  const Scalar t38 = t33 - t35;
+  const Scalar t39 = t37 + t38;
+  const Scalar t40 = t39 - t36;
+  const Scalar t41 = qd[5] + t32;
+  const Scalar t42 = t41 * t41;
+  const Scalar t43 = t42 - t35;
+  const Scalar t44 = k[4] * c6 - k[3] * s6;
+  const Scalar t45 = k[3] * c6 + k[4] * s6;
+  const Scalar t46 = s5 * t24 - c5 * t20;
+  const Scalar t47 = Scalar(2) * t46;
+  const Scalar t48 = c4 * t9 + s4 * t6;
+  const Scalar t49 = t24 * t19;
+  const Scalar t50 = (t48 - t49) - t49;
+  const Scalar t51 = t18 + t21;
+  const Scalar t52 = s5 * t50 + c5 * t51;
+  const Scalar t53 = t34 * t47 - t52;
+  const Scalar t54 = qdd[5] - t53;
+  const Scalar t55 = wrench[1] * c2 - wrench[0] * s2;
+  const Scalar t56 = wrench[1] * s2 + wrench[0] * c2;
+  const Scalar t57 = wrench[2] * s3 - c3 * t56;
+  const Scalar t58 = ((t40 - t43) * t44 - t45 * t54) - k[5] * (c4 * t55 - s4 * t57);
+  const Scalar t59 = s5 * t51 - c5 * t50;
+  const Scalar t60 = t59 + Scalar(2) * t32 * t34;
+  const Scalar t61 = t31 + (t58 - (k[7] * t60 - k[6] * t53));
+  const Scalar t62 = s4 * t13 - c4 * t7;
+  const Scalar t63 = t23 + t25;
+  const Scalar t64 = k[13] * t62 - (k[8] * t51 - k[9] * t63);
+  const Scalar t65 = t46 * t32;
+  const Scalar t66 = t24 * t20;
+  const Scalar t67 = c4 * t6 - s4 * t9;
+  const Scalar t68 = t66 - t67;
+  const Scalar t69 = qdd[4] - t68;
+  const Scalar t70 = t65 + t69;
+  const Scalar t71 = wrench[2] * c3 + s3 * t56;
+  const Scalar t72 = s4 * t55 + c4 * t57;
+  const Scalar t73 = t65 - t69;
+  const Scalar t74 = t47 * t41 - t73;
+  const Scalar t75 = t34 * t41;
+  const Scalar t76 = t75 + (t75 - t60);
+  const Scalar t77 = k[5] * (c5 * t71 - s5 * t72) + (t45 * t74 + t44 * t76);
+  const Scalar t78 = (k[6] * t70 - k[7] * t40) + t77;
+  const Scalar t79 = qdd[5] + t52;
+  const Scalar t80 = t42 + t35;
+  const Scalar t81 = (t79 * t44 - t45 * t80) + k[5] * (c5 * t72 + s5 * t71);
+  const Scalar t82 = (k[7] * t73 + k[6] * t36) - t81;
+  const Scalar t83 = t64 + (s5 * t78 + c5 * t82);
+  const Scalar t84 = t27 - t28;
+  const Scalar t85 = t84 - t11;
+  const Scalar t86 = (s4 * t61 - c4 * t83) + k[14] * t85;
+  const Scalar t87 = qdd[2] + t5;
+  const Scalar t88 = t68 + t66;
+  const Scalar t89 = c3 * t2 + s3 * t1;
+  const Scalar t90 = t89 - k[10] * t29;
+  const Scalar t91 = (k[9] * t88 - k[8] * t50) + k[13] * t90;
+  const Scalar t92 = k[14] * t87 - (t91 - (c5 * t78 - s5 * t82));
+  const Scalar t93 = k[0] * (s3 * t86 + c3 * t92) + k[2] * t2;
+  const Scalar t94 = k[17] * qdd[1] + (k[16] * t10 + k[15] * t0);
+  const Scalar t95 = t15 + t17;
+  const Scalar t96 = (k[19] * t95 + k[39] * t9) + k[20] * (t11 - t29);
+  const Scalar t97 = (k[37] * (t63 - t29) - k[38] * t51) + (k[34] * t50 - k[35] * t88);
+  const Scalar t98 = wrench[4] * s2 + wrench[3] * c2;
+  const Scalar t99 = wrench[5] * s3 - c3 * t98;
+  const Scalar t100 = wrench[4] * c2 - wrench[3] * s2;
+  const Scalar t101 = c5 * t90 - s5 * t62;
+  const Scalar t102 = k[22] * c6 - k[23] * s6;
+  const Scalar t103 = k[23] * c6 + k[22] * s6;
+  const Scalar t104 = k[25] * c6 - k[24] * s6;
+  const Scalar t105 = k[27] - c6 * t104;
+  const Scalar t106 = s6 * t104;
+  const Scalar t107 = k[32] + t106;
+  const Scalar t108 = (t79 * t102 - t103 * (t40 + t80)) - (t105 * t76 - t107 * t74);
+  const Scalar t109 = (s4 * t99 - c4 * t100) + (t101 * t45 - t108);
+  const Scalar t110 = (k[28] * t73 - k[33] * t70) - k[29] * t39;
+  const Scalar t111 = s5 * t90 + c5 * t62;
+  const Scalar t112 = ((k[30] * t52 - k[31] * t59) + t110) - (k[7] * t111 + k[6] * t101);
+  const Scalar t113 = t109 - t112;
+  const Scalar t114 = k[10] * t83 - ((t97 - k[9] * t90) - t113);
+  const Scalar t115 = k[26] - t106;
+  const Scalar t116 = (t107 * t54 + t79 * t115) + t37 * t105;
+  const Scalar t117 = (t44 * t111 + t45 * t14) + ((t73 * t102 - t103 * t60) - t116);
+  const Scalar t118 = wrench[5] * c3 + s3 * t98;
+  const Scalar t119 = c4 * t99 + s4 * t100;
+  const Scalar t120 = t117 + (c5 * t118 - s5 * t119);
+  const Scalar t121 = (k[30] * t73 + k[31] * t37) - (k[29] * t60 + k[33] * t53);
+  const Scalar t122 = t120 + (t121 + k[6] * t14);
+  const Scalar t123 = t102 * t43 + (t105 * t74 - t76 * t115);
+  const Scalar t124 = ((t103 * t54 + t123) + t44 * t101) - (c5 * t119 + s5 * t118);
+  const Scalar t125 = (k[29] * t53 + k[28] * t60) - k[30] * t38;
+  const Scalar t126 = t124 - (k[7] * t14 + (t125 + k[31] * t70));
+  const Scalar t127 = (k[36] * t50 - k[34] * t88) - k[38] * t26;
+  const Scalar t128 = (s5 * t122 + c5 * t126) + (k[8] * t90 - (k[37] * t22 + t127));
+  const Scalar t129 = t128 - k[10] * t61;
+  const Scalar t130 = (k[21] * t87 - t96) + (s4 * t114 - c4 * t129);
+  const Scalar t131 = (k[36] * t51 + k[35] * t22) - k[34] * (t63 + t30);
+  const Scalar t132 = (t131 - (k[38] * t67 - k[37] * t48)) - (k[8] * t62 + k[9] * t14);
+  const Scalar t133 = (s5 * t126 - c5 * t122) + t132;
+  const Scalar t134 = (k[21] * t84 + k[20] * t6) - (k[19] * t9 + k[18] * t95);
+  const Scalar t135 = c3 * ((t133 + (t134 + k[14] * t12)) - t86);
+  const Scalar t136 = (k[18] * t87 + k[39] * t6) - k[19] * (t85 + t29);
+  const Scalar t137 = k[14] * t89 - ((k[21] * t8 - k[20] * t16) - t136);
   JointVector<Scalar> result;
-  result[0] = -k[5] * t89;
-  result[1] = (s3 * (t128 + t88) - t133) + t134;
-  result[2] = t136 + (c4 * t124 + s4 * t117);
-  result[3] = t132;
-  result[4] = -t122;
-  result[5] = t106;
+  result[0] = -t93;
+  result[1] = t94 + (s3 * (t92 - t130) + t135);
+  result[2] = (c4 * t114 + s4 * t129) + t137;
+  result[3] = -t133;
+  result[4] = t113;
+  result[5] = t120;
   return result;
 }
 
@@ -555,24 +578,26 @@ GravityTorqueWithGravityVectorConstants<Scalar> gravity_torque_with_gravity_vect
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = inertia.m3 + t0;
-  const Scalar t2 = (g.l1 * t1 + inertia.c3y * inertia.m3) + (g.l1 * inertia.m2 + inertia.c2y * inertia.m2);
-  const Scalar t3 = (inertia.c4z * inertia.m4 - g.d4 * t0) + (inertia.c3z * inertia.m3 - g.d4 * inertia.m3);
+  const Scalar t0 = g.d4 * inertia.m4;
+  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t2 = ((inertia.c4z * inertia.m4 - t0) + t0) - g.d4 * t1;
+  const Scalar t3 = inertia.m3 + t1;
+  const Scalar t4 = g.l1 * inertia.m3;
+  const Scalar t5 = g.l1 * t3 - (t4 - (t4 + inertia.c3y * inertia.m3));
   return { gravity[1],
            gravity[0],
-           t2,
-           inertia.c2x * inertia.m2,
+           inertia.c3x * inertia.m3,
            gravity[2],
+           inertia.c4y * inertia.m4 + inertia.c5y * inertia.m5,
+           inertia.c4x * inertia.m4,
            inertia.c6y * inertia.m6,
            inertia.c6x * inertia.m6,
-           inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
            inertia.c5x * inertia.m5,
-           inertia.c4x * inertia.m4,
-           inertia.c4y * inertia.m4 + inertia.c5y * inertia.m5,
-           t3,
-           inertia.c3x * inertia.m3,
-           gravity[2] * (inertia.m1 + (inertia.m2 + t1)) };
+           inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
+           (inertia.c3z * inertia.m3 - g.d4 * inertia.m3) + t2,
+           t5 + (g.l1 * inertia.m2 + inertia.c2y * inertia.m2),
+           inertia.c2x * inertia.m2,
+           gravity[2] * (inertia.m1 + (inertia.m2 + t3)) };
 }
 
 namespace detail {
@@ -593,31 +618,31 @@ inline JointVector<Scalar> gravity_torque_with_gravity_vector([[maybe_unused]] c
   const Scalar& c6 = angles.cosine[4];
   const Scalar t0 = k[1] * s2 - k[0] * c2;
   const Scalar t1 = k[0] * s2 + k[1] * c2;
-  const Scalar t2 = c3 * t1 - k[4] * s3;
-  const Scalar t3 = s4 * t2 - c4 * t0;
-  const Scalar t4 = s4 * t0 + c4 * t2;
-  const Scalar t5 = k[4] * c3 + s3 * t1;
-  const Scalar t6 = s5 * t5 - c5 * t4;
-  const Scalar t7 = k[6] * s6 - k[5] * c6;
-  const Scalar t8 = k[6] * c6 + k[5] * s6;
-  const Scalar t9 = t6 * t7 - t8 * t3;
-  const Scalar t10 = t9 - k[8] * t3;
-  const Scalar t11 = c5 * t5 + s5 * t4;
-  const Scalar t12 = t11 * t7 + k[7] * t3;
-  const Scalar t13 = (k[9] * t3 - k[10] * t4) - (c5 * t10 - s5 * t12);
-  const Scalar t14 = t8 * t11 + (k[8] * t11 + k[7] * t6);
-  const Scalar t15 = k[9] * t5 + t14;
-  const Scalar t16 = (c5 * t12 + s5 * t10) - k[10] * t5;
-  const Scalar t17 = (s4 * t15 + c4 * t16) - k[11] * t0;
-  const Scalar t18 = c3 * (k[12] * t0 - t13) - s3 * t17;
-  const Scalar t19 = (c4 * t15 - s4 * t16) - (k[11] * t2 - k[12] * t5);
+  const Scalar t2 = k[3] * c3 + s3 * t1;
+  const Scalar t3 = k[7] * c6 + k[6] * s6;
+  const Scalar t4 = c3 * t1 - k[3] * s3;
+  const Scalar t5 = s4 * t0 + c4 * t4;
+  const Scalar t6 = c5 * t2 + s5 * t5;
+  const Scalar t7 = s5 * t2 - c5 * t5;
+  const Scalar t8 = t3 * t6 + (k[9] * t7 + k[8] * t6);
+  const Scalar t9 = k[5] * t2 + t8;
+  const Scalar t10 = k[6] * c6 - k[7] * s6;
+  const Scalar t11 = c4 * t0 - s4 * t4;
+  const Scalar t12 = t10 * t6 + k[9] * t11;
+  const Scalar t13 = t11 * t3 - t7 * t10;
+  const Scalar t14 = k[8] * t11 + t13;
+  const Scalar t15 = (c5 * t12 - s5 * t14) + k[4] * t2;
+  const Scalar t16 = k[10] * t0 - (s4 * t9 - c4 * t15);
+  const Scalar t17 = (k[4] * t5 + k[5] * t11) + (s5 * t12 + c5 * t14);
+  const Scalar t18 = s3 * t16 + c3 * (k[2] * t0 + t17);
+  const Scalar t19 = (c4 * t9 + s4 * t15) + (k[2] * t2 - k[10] * t4);
   JointVector<Scalar> result;
   result[0] = -k[13];
-  result[1] = t18 + (k[2] * t1 + k[3] * t0);
+  result[1] = t18 + (k[11] * t1 + k[12] * t0);
   result[2] = t19;
-  result[3] = t13;
-  result[4] = t14;
-  result[5] = -t9;
+  result[3] = -t17;
+  result[4] = t8;
+  result[5] = -t13;
   return result;
 }
 
@@ -653,92 +678,105 @@ ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_
   const Scalar t6 = t3 + t5;
   const Scalar t7 = Scalar(1) / t6;
   const Scalar t8 = inertia.I6yz - inertia.c6z * t4;
-  const Scalar t9 = inertia.c5y * inertia.m5;
-  const Scalar t10 = inertia.I6xy - inertia.c6y * t0;
-  const Scalar t11 = inertia.c5x * inertia.m5;
-  const Scalar t12 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t13 = inertia.c6z * inertia.m6;
-  const Scalar t14 = inertia.c5z * inertia.m5;
-  const Scalar t15 = (inertia.c6z * t13 - (inertia.I6zz - t2)) + (inertia.c5z * t14 - (inertia.I5zz - t12));
-  const Scalar t16 = g.d4 / g.l1;
+  const Scalar t9 = g.d4 / g.l1;
+  const Scalar t10 = inertia.c5z * inertia.m5;
+  const Scalar t11 = inertia.c6z * inertia.m6;
+  const Scalar t12 = inertia.c5x * inertia.m5;
+  const Scalar t13 = inertia.I6xy - inertia.c6y * t0;
+  const Scalar t14 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t15 = (inertia.c6z * t11 - (inertia.I6zz - t2)) + (inertia.c5z * t10 - (inertia.I5zz - t14));
+  const Scalar t16 = inertia.c5y * inertia.m5;
   const Scalar t17 = inertia.c4y * inertia.m4;
-  const Scalar t18 = inertia.c4x * inertia.m4;
-  const Scalar t19 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t20 = ((inertia.I4yy - t19) - inertia.c4y * t17) - (inertia.c5y * t9 - (inertia.I5yy - t12));
-  const Scalar t21 = Scalar(1) / g.l1;
-  const Scalar t22 = inertia.c3y * inertia.m3;
-  const Scalar t23 = inertia.c4z * inertia.m4;
-  const Scalar t24 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t25 = t23 - g.d4 * t24;
+  const Scalar t18 = g.d4 * t17;
+  const Scalar t19 = inertia.c4x * inertia.m4;
+  const Scalar t20 = g.d4 * t19;
+  const Scalar t21 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t22 = ((inertia.I4yy - t21) - inertia.c4y * t17) - (inertia.c5y * t16 - (inertia.I5yy - t14));
+  const Scalar t23 = inertia.c3x * inertia.m3;
+  const Scalar t24 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t25 = inertia.c3x * t23 - (inertia.I3xx - t24);
   const Scalar t26 = inertia.c3z * inertia.m3;
   const Scalar t27 = t26 - g.d4 * inertia.m3;
-  const Scalar t28 = inertia.c3x * inertia.m3;
-  const Scalar t29 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t30 = ((inertia.I3zz - t29) - inertia.c3z * t26) + g.d4 * (t26 + t27);
-  const Scalar t31 = ((inertia.I4zz - t19) - inertia.c4z * t23) + g.d4 * (t25 + t23);
-  const Scalar t32 = t30 + t31;
-  const Scalar t33 = inertia.c3x * t28 - (inertia.I3xx - t29);
-  const Scalar t34 = g.d4 * t28 + (inertia.I3xz - inertia.c3z * t28);
-  const Scalar t35 = inertia.c2x * inertia.m2;
-  const Scalar t36 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t37 = inertia.m3 + t24;
-  const Scalar t38 = g.l1 * t37 + t22;
-  const Scalar t39 = ((inertia.I3yy - t29) - inertia.c3y * t22) - g.l1 * (t38 + t22);
-  const Scalar t40 = inertia.c2y * inertia.m2;
-  const Scalar t41 = g.l1 * inertia.m2 + t40;
-  const Scalar t42 = g.l1 * (t41 + t40) - ((inertia.I2yy - t36) - inertia.c2y * t40);
-  const Scalar t43 = g.l1 * g.l1 * (inertia.m1 + (inertia.m2 + t37));
-  const Scalar t44 = gravity[2] / g.l1;
+  const Scalar t28 = inertia.c4z * inertia.m4;
+  const Scalar t29 = g.d4 * inertia.m4;
+  const Scalar t30 = t28 - t29;
+  const Scalar t31 = t30 + t29;
+  const Scalar t32 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t33 = t31 - g.d4 * t32;
+  const Scalar t34 = (t27 + t33) / g.d4;
+  const Scalar t35 = g.l1 * t34;
+  const Scalar t36 = g.l1 * t35;
+  const Scalar t37 = g.d4 * (t28 + t30) + ((inertia.I4zz - t21) - inertia.c4z * t28);
+  const Scalar t38 = (g.d4 * (t31 + t30) - t37) - g.d4 * (t31 + t33);
+  const Scalar t39 = ((inertia.I3zz - t24) - inertia.c3z * t26) + g.d4 * (t26 + t27);
+  const Scalar t40 = g.d4 * g.d4 * t34 + (t38 - t39);
+  const Scalar t41 = g.l1 * t23;
+  const Scalar t42 = inertia.c3y * inertia.m3;
+  const Scalar t43 = g.l1 * inertia.m3;
+  const Scalar t44 = t43 + t42;
+  const Scalar t45 = ((inertia.I3yz - inertia.c3z * t42) - g.l1 * t26) + g.d4 * t44;
+  const Scalar t46 = g.d4 * t23 + (inertia.I3xz - inertia.c3z * t23);
+  const Scalar t47 = inertia.c2x * inertia.m2;
+  const Scalar t48 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t49 = inertia.c2y * inertia.m2;
+  const Scalar t50 = g.l1 * inertia.m2 + t49;
+  const Scalar t51 = g.l1 * (t50 + t49) - ((inertia.I2yy - t48) - inertia.c2y * t49);
+  const Scalar t52 = t43 - t44;
+  const Scalar t53 = ((inertia.I3yy - t24) - inertia.c3y * t42) - g.l1 * (t42 + t44);
+  const Scalar t54 = inertia.m3 + t32;
+  const Scalar t55 = g.l1 * t54 - t52;
+  const Scalar t56 = (g.l1 * (t52 - t44) - t53) + g.l1 * (t55 - t52);
+  const Scalar t57 = Scalar(1) / g.l1;
+  const Scalar t58 = gravity[2] / g.l1;
+  const Scalar t59 = g.l1 * g.l1 * ((inertia.m1 + (inertia.m2 + t54)) + t34);
   return { t1 * t7,
            t8 * t7,
+           t6,
+           g.l1 * t0,
+           g.l1 * t4,
+           t9,
            t8,
            t1,
-           t6,
-           inertia.I5yz - inertia.c5z * t9,
-           Scalar(2) * t10,
-           t3 - t5,
-           t10,
-           inertia.I5xy - inertia.c5y * t11,
-           t3,
-           inertia.c5x * t11 - (inertia.I5xx - t12),
-           t15,
-           g.l1 * t4,
-           g.l1 * t0,
-           g.l1 * t11,
-           g.l1 * (t14 + t13),
-           t16,
-           g.l1 * (t17 + t9),
-           g.l1 * t18,
-           t20,
-           inertia.I5xz - inertia.c5z * t11,
-           (inertia.I4xx - t19) - inertia.c4x * t18,
-           inertia.I4yz - inertia.c4z * t17,
-           inertia.I4xz - inertia.c4z * t18,
            t7,
-           t21 * t7,
-           t21,
-           g.d4 * t22 + (inertia.I3yz - inertia.c3z * t22),
-           g.l1 * (t25 + t27),
-           g.l1 * t28,
-           inertia.I4xy - inertia.c4y * t18,
-           inertia.I3xy - inertia.c3y * t28,
-           Scalar(2) * t16,
-           t32,
-           t33,
-           t34,
-           inertia.c2x * t35 - (inertia.I2xx - t36),
-           t39 - t42,
-           t21 * t21 * t43,
-           gravity[0] / g.l1,
+           g.l1 * (t10 + t11),
+           g.l1 * t12,
+           t3 - t5,
+           Scalar(2) * t13,
+           t3,
+           inertia.c5x * t12 - (inertia.I5xx - t14),
+           t15,
+           inertia.I5yz - inertia.c5z * t16,
+           t13,
+           inertia.I5xy - inertia.c5y * t12,
+           t18 - (t18 + (inertia.I4yz - inertia.c4z * t17)),
+           g.l1 * (t17 + t16),
+           g.l1 * t19,
+           inertia.I5xz - inertia.c5z * t12,
+           t20 - ((inertia.I4xz - inertia.c4z * t19) + t20),
+           (inertia.I4xx - t21) - inertia.c4x * t19,
+           t22,
+           inertia.I4xy - inertia.c4y * t19,
+           t25,
+           t9 * t36,
+           t40,
+           t41,
+           ((inertia.I3xy - inertia.c3y * t23) - t41) + t41,
+           t45 + g.l1 * t27,
+           t46,
+           inertia.c2x * t47 - (inertia.I2xx - t48),
+           t36,
+           (t51 + t56) + t36,
+           t57,
            gravity[1] / g.l1,
-           t44,
-           t33 + t32,
-           t44 * t43,
-           Scalar(2) * t34,
-           Scalar(2) * t33,
-           Scalar(2) * t32,
-           g.l1 * t35,
-           g.l1 * (t38 + t41) };
+           gravity[0] / g.l1,
+           t58,
+           t40 - t25,
+           g.l1 * (t35 + (t55 + t50)),
+           g.l1 * t47,
+           Scalar(2) * t25,
+           Scalar(2) * t46,
+           t58 * t59,
+           t57 * t57 * (t59 - t36) };
 }
 
 namespace detail {
@@ -757,227 +795,225 @@ inline JointVector<Scalar> forward_dynamics_with_gravity_vector([[maybe_unused]]
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[6] * c6 - k[7] * s6;
-  const Scalar t1 = k[10] + s6 * t0;
-  const Scalar t2 = k[4] - t1;
-  const Scalar t3 = k[20] + t2;
-  const Scalar t4 = k[8] - c6 * t0;
-  const Scalar t5 = k[9] - t4;
-  const Scalar t6 = k[0] * s6 - k[1] * c6;
-  const Scalar t7 = k[4] * t6;
-  const Scalar t8 = k[5] - t7;
-  const Scalar t9 = c5 * t5 + s5 * t8;
-  const Scalar t10 = k[31] + t9;
-  const Scalar t11 = k[11] - t1;
-  const Scalar t12 = k[2] * s6 + k[3] * c6;
-  const Scalar t13 = k[21] + t12;
-  const Scalar t14 = c5 * t13;
-  const Scalar t15 = s5 * (k[12] - t11) - (t14 + t14);
-  const Scalar t16 = k[12] - s5 * t15;
-  const Scalar t17 = k[12] + t11;
-  const Scalar t18 = k[22] + (t16 - t17);
-  const Scalar t19 = Scalar(2) * c4 * t10 + s4 * (t3 - t18);
-  const Scalar t20 = s4 * t19;
-  const Scalar t21 = k[14] * c6 + k[13] * s6;
-  const Scalar t22 = k[15] + t21;
-  const Scalar t23 = k[16] * s5 + c5 * t22;
-  const Scalar t24 = k[19] + t23;
-  const Scalar t25 = k[14] * s6 - k[13] * c6;
-  const Scalar t26 = k[18] - t25;
-  const Scalar t27 = s4 * t24 - c4 * t26;
-  const Scalar t28 = k[17] * t24 + (k[24] - (t13 + c5 * t15));
-  const Scalar t29 = s5 * t5 - c5 * t8;
-  const Scalar t30 = (k[23] - t29) + k[17] * t26;
-  const Scalar t31 = c4 * t28 + s4 * t30;
-  const Scalar t32 = s5 * t22 - k[16] * c5;
-  const Scalar t33 = k[34] - (t16 + k[33] * t32);
-  const Scalar t34 = k[35] - (t18 + t20);
-  const Scalar t35 = Scalar(2) * c3 * (k[36] + t31) + s3 * (t33 + t34);
-  const Scalar t36 = (k[38] + ((t3 - t20) + (t27 + t27))) - (k[37] - (s3 * t35 - t34));
-  const Scalar t37 = s5 * t12 + k[4] * c5;
-  const Scalar t38 = c5 * t25;
-  const Scalar t39 = c4 * t38 + s4 * t21;
-  const Scalar t40 = s5 * t25;
-  const Scalar t41 = k[17] * t21 - (k[4] * s5 - c5 * t12);
-  const Scalar t42 = k[17] * t38 + t7;
-  const Scalar t43 = s3 * (t40 - (c4 * t41 - s4 * t42));
-  const Scalar t44 = c3 * (t37 + t39) - t43;
-  const Scalar t45 = k[25] * t44;
-  const Scalar t46 = Scalar(1) / (t6 * t7 + t17);
-  const Scalar t47 = c4 * t32;
-  const Scalar t48 = k[17] * t32 + t17;
-  const Scalar t49 = s3 * (t23 - (s4 * t48 + c4 * t9));
-  const Scalar t50 = (c3 * (t47 - t29) + t49) + t6 * t44;
-  const Scalar t51 = t46 * t50;
-  const Scalar t52 = t29 - t6 * t37;
-  const Scalar t53 = k[25] * t37;
-  const Scalar t54 = t3 + t18;
-  const Scalar t55 = t44 * t53 - (c3 * (t27 + t54) + s3 * t31);
-  const Scalar t56 = t52 * t51 + t55;
-  const Scalar t57 = t52 * t46;
-  const Scalar t58 = Scalar(1) / (t52 * t57 - (t37 * t53 - t54));
-  const Scalar t59 = t56 * t58;
-  const Scalar t60 = ((t36 - t45 * t44) + t51 * t50) - t56 * t59;
-  const Scalar t61 = s4 * t28 - c4 * t30;
-  const Scalar t62 = c4 * t42 + s4 * t41;
-  const Scalar t63 = k[25] * t62;
-  const Scalar t64 = (c4 * t48 - s4 * t9) + t63 * t7;
-  const Scalar t65 = t46 * t64;
-  const Scalar t66 = (t61 - t63 * t37) - t52 * t65;
-  const Scalar t67 = t66 * t58;
-  const Scalar t68 = k[30] + (s4 * t26 + c4 * t24);
-  const Scalar t69 = s3 * ((k[32] - (t10 - c4 * t19)) - t68);
-  const Scalar t70 = k[29] - t32;
-  const Scalar t71 = t45 * t62 - (t69 - c3 * ((k[28] - t61) - t70));
-  const Scalar t72 = t56 * t67 + (t50 * t65 - t71);
-  const Scalar t73 = ((t33 - t34) - t63 * t62) + t65 * t64;
-  const Scalar t74 = Scalar(1) / (t66 * t67 - t73);
-  const Scalar t75 = t72 * t74;
-  const Scalar t76 = Scalar(1) / (t60 + t72 * t75);
-  const Scalar t77 = qd[1] * c3;
-  const Scalar t78 = qd[3] - t77;
-  const Scalar t79 = qd[1] * s3;
-  const Scalar t80 = c4 * t79;
-  const Scalar t81 = qd[2] * s4 + t80;
-  const Scalar t82 = t78 * t81;
-  const Scalar t83 = qd[2] * t77;
-  const Scalar t84 = Scalar(2) * t83;
-  const Scalar t85 = t77 * t80 + s4 * t84;
-  const Scalar t86 = t82 + t85;
-  const Scalar t87 = s5 * t78 - c5 * t81;
-  const Scalar t88 = s5 * t81 + c5 * t78;
-  const Scalar t89 = t87 * t88;
-  const Scalar t90 = t86 + t89;
-  const Scalar t91 = s4 * t79 - qd[2] * c4;
-  const Scalar t92 = t91 * t81;
-  const Scalar t93 = qd[2] * t79;
-  const Scalar t94 = t92 + t93;
-  const Scalar t95 = t79 * t77;
-  const Scalar t96 = s4 * t95 - c4 * t84;
-  const Scalar t97 = t96 + Scalar(2) * t78 * t91;
-  const Scalar t98 = s5 * t94 + c5 * t97;
-  const Scalar t99 = qd[4] - t91;
-  const Scalar t100 = t98 + Scalar(2) * t88 * t99;
-  const Scalar t101 = qd[5] + t88;
-  const Scalar t102 = t101 * t101;
-  const Scalar t103 = t87 * t87;
-  const Scalar t104 = t102 + t103;
-  const Scalar t105 = t99 * t99;
-  const Scalar t106 = t102 + t105;
-  const Scalar t107 = t104 - t106;
-  const Scalar t108 = t87 * t99;
-  const Scalar t109 = c5 * t94 - s5 * t97;
-  const Scalar t110 = t108 + (t108 - t109);
-  const Scalar t111 = t107 * t4 + (t110 * t1 - t2 * t109);
-  const Scalar t112 = k[40] * c2 + k[41] * s2;
-  const Scalar t113 = c3 * t112 - k[42] * s3;
-  const Scalar t114 = t113 - k[17] * t95;
-  const Scalar t115 = qd[1] * qd[1];
-  const Scalar t116 = k[40] * s2 - k[41] * c2;
-  const Scalar t117 = t115 - t116;
-  const Scalar t118 = t117 + k[17] * t84;
-  const Scalar t119 = s4 * t114 + c4 * t118;
-  const Scalar t120 = s3 * t112 + k[42] * c3;
-  const Scalar t121 = t77 * t77;
-  const Scalar t122 = qd[2] * qd[2];
-  const Scalar t123 = t121 + t122;
-  const Scalar t124 = t115 - t123;
-  const Scalar t125 = t121 - t122;
-  const Scalar t126 = t124 - t125;
-  const Scalar t127 = t126 + t123;
-  const Scalar t128 = t120 - k[17] * t127;
-  const Scalar t129 = c4 * t114 - s4 * t118;
-  const Scalar t130 = s5 * t128 - c5 * t129;
-  const Scalar t131 = ((t7 * t90 + t100 * t12) - t111) - (t21 * t119 - t25 * t130);
-  const Scalar t132 = torque[5] + t131;
-  const Scalar t133 = s5 * t129 + c5 * t128;
-  const Scalar t134 = t91 * t91;
-  const Scalar t135 = t78 * t78;
-  const Scalar t136 = t134 - t135;
-  const Scalar t137 = t136 - t127;
-  const Scalar t138 = t137 + t107;
-  const Scalar t139 = t105 + t103;
-  const Scalar t140 = t86 - t89;
-  const Scalar t141 = k[21] * (t138 + t139) + (k[11] * t140 + k[12] * t90);
-  const Scalar t142 = (k[16] * t130 + k[15] * t133) - ((k[5] * t109 - k[9] * t98) + t141);
-  const Scalar t143 = Scalar(2) * t99 * t101 - t100;
-  const Scalar t144 = t87 * t101;
-  const Scalar t145 = (t144 + t144) - t90;
-  const Scalar t146 = t102 - t103;
-  const Scalar t147 = (t143 * t4 - t145 * t1) + (t12 * t146 + t7 * t109);
-  const Scalar t148 = t142 + (t133 * t21 + t147);
-  const Scalar t149 = t6 * t132 + (torque[4] - t148);
-  const Scalar t150 = (t107 + t146) * t7 + (t143 * t2 - t145 * t4);
-  const Scalar t151 = (k[21] * t110 + k[12] * t100) + k[5] * (t137 + t139);
-  const Scalar t152 = ((t150 + t110 * t12) + t25 * t133) + ((t151 - k[9] * t140) + k[16] * t119);
-  const Scalar t153 = (k[5] * t90 - k[9] * t107) - (k[21] * t100 + k[11] * t110);
-  const Scalar t154 = t131 - (t153 + k[15] * t119);
-  const Scalar t155 = t134 + t135;
-  const Scalar t156 = t92 - t93;
-  const Scalar t157 = k[31] * (t155 + t137) - (k[20] * t94 - k[22] * t156);
-  const Scalar t158 = (k[19] * t119 - k[18] * t129) + (t157 + (k[23] * t85 - k[24] * t96));
-  const Scalar t159 = (s5 * t152 - c5 * t154) + t158;
-  const Scalar t160 = t57 * t149 + (t132 * t53 - (torque[3] - t159));
-  const Scalar t161 = t58 * t160;
-  const Scalar t162 = t46 * t149;
-  const Scalar t163 = (t25 * t104 + t21 * t110) - (k[16] * t100 - k[15] * t110);
-  const Scalar t164 = t163 + (k[18] * t137 + k[19] * t156);
-  const Scalar t165 = t86 + t82;
-  const Scalar t166 = (k[31] * t165 + k[20] * t97) - k[23] * t136;
-  const Scalar t167 = (c5 * t152 + s5 * t154) - (k[18] * t128 + (t166 - k[24] * t156));
-  const Scalar t168 = k[17] * t164 + t167;
-  const Scalar t169 = (k[16] * t90 - k[15] * t138) + (t25 * t109 + t21 * t106);
-  const Scalar t170 = (t145 * t21 - t25 * t143) + (k[16] * t139 - k[15] * t140);
-  const Scalar t171 = (c5 * t169 + s5 * t170) - (k[18] * t94 - k[19] * t155);
-  const Scalar t172 = (k[23] * t94 - k[24] * (t155 - t127)) - (k[22] * t165 + k[31] * t97);
-  const Scalar t173 = k[17] * t171 + ((k[19] * t128 - t172) + t148);
-  const Scalar t174 = (k[30] * t120 - k[29] * t113) + (k[43] * t95 - k[36] * t126);
-  const Scalar t175 = torque[2] + ((s4 * t168 - c4 * t173) - t174);
-  const Scalar t176 = t161 * t66 + (t64 * t162 - (t63 * t132 + t175));
-  const Scalar t177 = t74 * t176;
-  const Scalar t178 = k[28] * t125 + (k[45] * t93 - k[47] * t83);
-  const Scalar t179 = ((t178 - k[32] * t95) - k[29] * t117) - (c4 * t168 + s4 * t173);
-  const Scalar t180 = (c5 * t170 - s5 * t169) - (k[18] * t97 + k[19] * t165);
-  const Scalar t181 = (k[29] * t127 + k[30] * t95) + t180;
-  const Scalar t182 = (k[30] * t123 + k[29] * t95) - (s4 * t164 - c4 * t171);
-  const Scalar t183 = (k[46] * t93 + k[45] * t83) - (k[32] * t124 - k[28] * t95);
-  const Scalar t184 = c3 * (t182 - ((t183 + k[30] * t117) + t159));
-  const Scalar t185 = (s3 * (t179 + t181) + t184) + (k[49] * t112 + k[48] * t116);
-  const Scalar t186 = t50 * t162 - ((torque[1] - t185) + t45 * t132);
-  const Scalar t187 = t76 * (t177 * t72 + (t186 - t59 * t160));
-  const Scalar t188 = s3 * t39 + c3 * t40;
-  const Scalar t189 = k[26] * t188;
-  const Scalar t190 = t189 * t7 - k[27] * (c3 * t23 - s3 * t47);
-  const Scalar t191 = t46 * t190;
-  const Scalar t192 = t189 * t62 - k[27] * (c3 * t68 + s3 * t70);
-  const Scalar t193 = t52 * t191 + (t189 * t37 - k[27] * s3 * t27);
-  const Scalar t194 = (t64 * t191 - t192) + t193 * t67;
-  const Scalar t195 = t74 * t194;
-  const Scalar t196 = k[27] * t188;
-  const Scalar t197 = t193 * t58;
-  const Scalar t198 = (t45 * t196 - t50 * t191) + t56 * t197;
-  const Scalar t199 = t72 * t195 - t198;
-  const Scalar t200 = k[25] * t132;
-  const Scalar t201 = k[27] * (k[44] - (s3 * t182 - c3 * t181));
-  const Scalar t202 = (t196 * t200 + (torque[0] + t201)) - t190 * t162;
-  const Scalar t203 = t187 * t199 + ((t161 * t193 + t202) - t195 * t176);
-  const Scalar t204 = t76 * t199;
-  const Scalar t205 = t193 * t197 + ((k[39] + t189 * t196) - t190 * t191);
-  const Scalar t206 = Scalar(1) / (t199 * t204 + (t205 - t195 * t194));
-  const Scalar t207 = t203 * t206;
-  const Scalar t208 = t187 - t204 * t207;
-  const Scalar t209 = (t177 - t195 * t207) - t208 * t75;
-  const Scalar t210 = t209 * t67 + (t208 * t59 - (t161 - t207 * t197));
-  const Scalar t211 = t209 * t65 - ((t207 * t191 - t162) + t51 * t208);
-  const Scalar t212 = t57 * t210 + t211;
-  const Scalar t213 = t63 * t209 - (t45 * t208 + (t189 * t207 - t200));
+  const Scalar t0 = k[7] * c6 + k[6] * s6;
+  const Scalar t1 = c5 + k[8] * s5 * t0;
+  const Scalar t2 = k[4] * c6 - k[3] * s6;
+  const Scalar t3 = s5 * t2;
+  const Scalar t4 = c5 * t2;
+  const Scalar t5 = k[3] * c6 + k[4] * s6;
+  const Scalar t6 = c4 * t4 - s4 * t5;
+  const Scalar t7 = k[37] * (c3 * t3 + s3 * t6);
+  const Scalar t8 = k[20] + t2;
+  const Scalar t9 = k[10] + t5;
+  const Scalar t10 = c5 * t9 + k[9] * s5;
+  const Scalar t11 = k[21] + t10;
+  const Scalar t12 = c4 * t8 - s4 * t11;
+  const Scalar t13 = k[0] * s6 - k[1] * c6;
+  const Scalar t14 = k[2] * t13;
+  const Scalar t15 = k[16] - t14;
+  const Scalar t16 = k[12] * c6 - k[11] * s6;
+  const Scalar t17 = k[17] - c6 * t16;
+  const Scalar t18 = k[18] - t17;
+  const Scalar t19 = c5 * t15 - s5 * t18;
+  const Scalar t20 = k[2] * t1;
+  const Scalar t21 = t19 + t13 * t20;
+  const Scalar t22 = k[13] + s6 * t16;
+  const Scalar t23 = k[14] - t22;
+  const Scalar t24 = k[15] + t23;
+  const Scalar t25 = Scalar(1) / (t13 * t14 + t24);
+  const Scalar t26 = t21 * t25;
+  const Scalar t27 = k[8] * t7;
+  const Scalar t28 = s5 * t9 - k[9] * c5;
+  const Scalar t29 = c4 * t28;
+  const Scalar t30 = t27 * t14 + k[37] * (c3 * t10 - s3 * t29);
+  const Scalar t31 = (t1 * t7 - k[37] * s3 * t12) - t26 * t30;
+  const Scalar t32 = k[2] - t22;
+  const Scalar t33 = k[25] + t32;
+  const Scalar t34 = k[22] + t0;
+  const Scalar t35 = c5 * t34;
+  const Scalar t36 = (t35 + t35) - s5 * (k[15] - t23);
+  const Scalar t37 = k[15] + s5 * t36;
+  const Scalar t38 = k[24] + (t37 - t24);
+  const Scalar t39 = t33 + t38;
+  const Scalar t40 = Scalar(1) / (t21 * t26 - (t20 * t1 - t39));
+  const Scalar t41 = t31 * t40;
+  const Scalar t42 = t25 * t30;
+  const Scalar t43 = t31 * t41 + ((k[47] + t27 * t7) - t42 * t30);
+  const Scalar t44 = t14 - k[5] * t4;
+  const Scalar t45 = k[5] * t5 + (c5 * t0 - k[2] * s5);
+  const Scalar t46 = c4 * t44 + s4 * t45;
+  const Scalar t47 = k[8] * t46;
+  const Scalar t48 = k[5] * t8 - (k[19] - t19);
+  const Scalar t49 = k[5] * t11 - (k[23] - (c5 * t36 - t34));
+  const Scalar t50 = c4 * t48 - s4 * t49;
+  const Scalar t51 = c5 * t18 + s5 * t15;
+  const Scalar t52 = k[5] * t28 + t24;
+  const Scalar t53 = (s4 * t51 - c4 * t52) - t14 * t47;
+  const Scalar t54 = (t20 * t47 + t50) + t26 * t53;
+  const Scalar t55 = t54 * t40;
+  const Scalar t56 = t25 * t53;
+  const Scalar t57 = k[26] + t51;
+  const Scalar t58 = Scalar(2) * c4 * t57 + s4 * (t33 - t38);
+  const Scalar t59 = s4 * t58 - t33;
+  const Scalar t60 = k[27] - (t59 + t39);
+  const Scalar t61 = k[28] - t28;
+  const Scalar t62 = k[29] + (t37 + k[5] * (t28 - t61));
+  const Scalar t63 = t56 * t53 - ((t60 + t62) + t47 * t46);
+  const Scalar t64 = Scalar(1) / (t55 * t54 - t63);
+  const Scalar t65 = k[30] + (c4 * t11 + s4 * t8);
+  const Scalar t66 = k[37] * (c3 * t65 + s3 * t61) + t7 * t47;
+  const Scalar t67 = (t42 * t53 + t66) + t54 * t41;
+  const Scalar t68 = t64 * t67;
+  const Scalar t69 = s4 * t48 + c4 * t49;
+  const Scalar t70 = s3 * (t3 - (s4 * t44 - c4 * t45));
+  const Scalar t71 = c3 * (t20 - t6) + t70;
+  const Scalar t72 = k[8] * t71;
+  const Scalar t73 = (c3 * (t12 - t39) - s3 * t69) + t72 * t20;
+  const Scalar t74 = s3 * ((c4 * t51 + s4 * t52) - t10);
+  const Scalar t75 = t72 * t14 - (t74 - c3 * (t19 + t29));
+  const Scalar t76 = t73 - t26 * t75;
+  const Scalar t77 = t76 * t40;
+  const Scalar t78 = s3 * (t65 - (k[31] + (c4 * t58 - t57)));
+  const Scalar t79 = (t78 + c3 * ((k[32] + t50) - t61)) + t71 * t47;
+  const Scalar t80 = t25 * t75;
+  const Scalar t81 = t77 * t54 + (t79 + t80 * t53);
+  const Scalar t82 = t64 * t81;
+  const Scalar t83 = t31 * t77 - (t42 * t75 - t27 * t71);
+  const Scalar t84 = t67 * t82 - t83;
+  const Scalar t85 = k[33] + t69;
+  const Scalar t86 = c3 * (t85 + t85) + s3 * (t60 - t62);
+  const Scalar t87 = (k[34] - (s3 * t86 - t60)) + (k[36] + (t59 + (t12 - (k[35] - t12))));
+  const Scalar t88 = t76 * t77 + ((t87 + t72 * t71) - t80 * t75);
+  const Scalar t89 = Scalar(1) / (t81 * t82 - t88);
+  const Scalar t90 = t89 * t84;
+  const Scalar t91 = Scalar(1) / ((t43 - t68 * t67) + t84 * t90);
+  const Scalar t92 = k[39] * c2 + k[38] * s2;
+  const Scalar t93 = k[40] * c3 + s3 * t92;
+  const Scalar t94 = qd[1] * qd[1];
+  const Scalar t95 = qd[1] * c3;
+  const Scalar t96 = t95 * t95;
+  const Scalar t97 = qd[2] * qd[2];
+  const Scalar t98 = t96 - t97;
+  const Scalar t99 = t94 - t98;
+  const Scalar t100 = t93 - k[5] * t99;
+  const Scalar t101 = k[39] * s2 - k[38] * c2;
+  const Scalar t102 = t94 - t101;
+  const Scalar t103 = k[40] * s3 - c3 * t92;
+  const Scalar t104 = qd[1] * s3;
+  const Scalar t105 = t104 * t95;
+  const Scalar t106 = qd[2] * t95;
+  const Scalar t107 = t106 + t106;
+  const Scalar t108 = c4 * t105 + s4 * t107;
+  const Scalar t109 = (s4 * t102 + c4 * t103) + k[5] * t108;
+  const Scalar t110 = s5 * t100 + c5 * t109;
+  const Scalar t111 = c5 * t100 - s5 * t109;
+  const Scalar t112 = qd[3] - t95;
+  const Scalar t113 = s4 * t104;
+  const Scalar t114 = t113 - qd[2] * c4;
+  const Scalar t115 = t112 * t114;
+  const Scalar t116 = t113 * t95 - c4 * t107;
+  const Scalar t117 = (t115 + t115) + t116;
+  const Scalar t118 = qd[2] * s4 + c4 * t104;
+  const Scalar t119 = t114 * t118;
+  const Scalar t120 = qd[2] * t104;
+  const Scalar t121 = t119 + t120;
+  const Scalar t122 = s5 * t117 - c5 * t121;
+  const Scalar t123 = s5 * t121 + c5 * t117;
+  const Scalar t124 = s5 * t112 - c5 * t118;
+  const Scalar t125 = s5 * t118 + c5 * t112;
+  const Scalar t126 = t124 * t125;
+  const Scalar t127 = t112 * t118;
+  const Scalar t128 = t108 + t127;
+  const Scalar t129 = t126 - t128;
+  const Scalar t130 = t126 + t128;
+  const Scalar t131 = qd[4] - t114;
+  const Scalar t132 = t131 * t131;
+  const Scalar t133 = t124 * t124;
+  const Scalar t134 = t132 + t133;
+  const Scalar t135 = t132 - t133;
+  const Scalar t136 = t114 * t114;
+  const Scalar t137 = t112 * t112;
+  const Scalar t138 = t136 - t137;
+  const Scalar t139 = t138 - t99;
+  const Scalar t140 = t135 - t139;
+  const Scalar t141 = (k[14] * t129 - k[15] * t130) - k[22] * (t134 - t140);
+  const Scalar t142 = (k[9] * t110 + k[10] * t111) + ((k[16] * t122 + k[18] * t123) + t141);
+  const Scalar t143 = qd[5] + t125;
+  const Scalar t144 = t143 * t143 - t133;
+  const Scalar t145 = Scalar(2) * t124 * t143 - t130;
+  const Scalar t146 = t131 * t143;
+  const Scalar t147 = Scalar(2) * t131;
+  const Scalar t148 = t147 * t125 + t123;
+  const Scalar t149 = t146 + (t146 - t148);
+  const Scalar t150 = (t0 * t144 - t122 * t14) - (t145 * t22 - t17 * t149);
+  const Scalar t151 = t142 + (t150 + t111 * t5);
+  const Scalar t152 = t127 + t128;
+  const Scalar t153 = t136 + t137;
+  const Scalar t154 = (k[26] * t117 + k[24] * t152) - (k[23] * (t153 - t99) - k[19] * t121);
+  const Scalar t155 = k[35] * t109 + (k[21] * t153 - k[20] * t121);
+  const Scalar t156 = (t145 * t5 + t2 * t149) + (k[9] * t134 + k[10] * t129);
+  const Scalar t157 = t134 + t144;
+  const Scalar t158 = (t5 * t157 + t122 * t2) + (k[10] * t140 + k[9] * t130);
+  const Scalar t159 = t155 + (s5 * t156 + c5 * t158);
+  const Scalar t160 = (t151 + (t154 + k[21] * t100)) + k[5] * t159;
+  const Scalar t161 = t119 - t120;
+  const Scalar t162 = (s4 * t103 - c4 * t102) + k[5] * t116;
+  const Scalar t163 = (k[21] * t161 + k[20] * t139) - k[35] * t162;
+  const Scalar t164 = t135 - t157;
+  const Scalar t165 = t122 + t147 * t124;
+  const Scalar t166 = (t164 * t2 + t5 * t165) - (k[9] * t148 - k[10] * t165);
+  const Scalar t167 = t163 + t166;
+  const Scalar t168 = (k[26] * t152 + k[25] * t117) + k[19] * t138;
+  const Scalar t169 = (t22 * t165 + t122 * t32) - t135 * t17;
+  const Scalar t170 = (t5 * t162 - t110 * t2) - (t169 - (t0 * t148 + t14 * t130));
+  const Scalar t171 = (k[14] * t165 + k[22] * t148) - (k[18] * t135 + k[16] * t130);
+  const Scalar t172 = t170 + (k[10] * t162 + t171);
+  const Scalar t173 = k[16] * (t134 + t139) + (k[15] * t148 + k[22] * t165);
+  const Scalar t174 = t14 * (t164 + t134) + (t145 * t17 - t32 * t149);
+  const Scalar t175 = ((t173 + k[18] * t129) - k[9] * t162) - (t111 * t2 - (t0 * t165 - t174));
+  const Scalar t176 = (k[20] * t100 + (t168 + k[23] * t161)) - (s5 * t172 + c5 * t175);
+  const Scalar t177 = k[5] * t167 - t176;
+  const Scalar t178 = t96 + t97;
+  const Scalar t179 = t94 - t178;
+  const Scalar t180 = k[30] * t93 - (k[33] * (t179 - t98) + k[41] * t105);
+  const Scalar t181 = torque[2] - ((c4 * t160 - s4 * t177) + t180);
+  const Scalar t182 = torque[5] + t170;
+  const Scalar t183 = k[8] * t182;
+  const Scalar t184 = (t183 * t14 + (torque[4] - t151)) * t25;
+  const Scalar t185 = k[26] * (t153 + t139) - (k[25] * t121 - k[24] * t161);
+  const Scalar t186 = (k[20] * t109 - k[21] * t162) + (t185 - (k[19] * t108 - k[23] * t116));
+  const Scalar t187 = t186 + (s5 * t175 - c5 * t172);
+  const Scalar t188 = (t1 * t182 - (torque[3] - t187)) - t21 * t184;
+  const Scalar t189 = t188 * t40;
+  const Scalar t190 = ((t181 + t183 * t46) + t53 * t184) + t189 * t54;
+  const Scalar t191 = (c4 * t159 - s4 * t167) + k[30] * t178;
+  const Scalar t192 = (k[21] * t152 + k[20] * t117) + k[35] * t100;
+  const Scalar t193 = (t192 - (c5 * t156 - s5 * t158)) - k[30] * t105;
+  const Scalar t194 = k[37] * (k[46] - (s3 * t191 + c3 * t193));
+  const Scalar t195 = t30 * t184 + ((torque[0] + t194) - t27 * t182);
+  const Scalar t196 = t64 * t190;
+  const Scalar t197 = k[32] * t98 + (k[45] * t120 + k[29] * t107);
+  const Scalar t198 = (t197 - k[31] * t105) - (s4 * t160 + c4 * t177);
+  const Scalar t199 = (k[44] * t120 + k[33] * t107) - (k[31] * t179 - k[32] * t105);
+  const Scalar t200 = c3 * (t191 - ((k[30] * t102 + t199) + t187));
+  const Scalar t201 = (s3 * (t193 - t198) - t200) - (k[42] * t92 + k[43] * t101);
+  const Scalar t202 = (t183 * t71 + (torque[1] + t201)) - t184 * t75;
+  const Scalar t203 = t81 * t196 - (t189 * t76 + t202);
+  const Scalar t204 = (t190 * t68 + (t195 - t188 * t41)) - t90 * t203;
+  const Scalar t205 = t91 * t204;
+  const Scalar t206 = t89 * t203 + t90 * t205;
+  const Scalar t207 = t206 * t82 - (t205 * t68 + t196);
+  const Scalar t208 = t207 * t55 + ((t205 * t41 + t189) - t77 * t206);
+  const Scalar t209 = t207 * t56 + (t80 * t206 - (t42 * t205 + t184));
+  const Scalar t210 = t208 * t26 - t209;
+  const Scalar t211 = (t72 * t206 - (t27 * t205 + t183)) - t207 * t47;
   JointVector<Scalar> result;
-  result[0] = t207;
-  result[1] = t208;
-  result[2] = -t209;
-  result[3] = -t210;
-  result[4] = t212;
-  result[5] = (t210 * t53 - t213) + t212 * t6;
+  result[0] = t205;
+  result[1] = t206;
+  result[2] = -t207;
+  result[3] = t208;
+  result[4] = t210;
+  result[5] = t13 * t210 - (t208 * t1 - t211);
   return result;
 }
 
@@ -1008,96 +1044,108 @@ ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constant
   using std::sin;
   const Scalar t0 = inertia.c6y * inertia.m6;
   const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = inertia.c5x * inertia.m5;
-  const Scalar t3 = inertia.c5z * inertia.m5;
-  const Scalar t4 = inertia.c6z * inertia.m6;
-  const Scalar t5 = Scalar(1) / g.l1;
-  const Scalar t6 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t7 = (inertia.I6xx - t6) - inertia.c6x * t1;
-  const Scalar t8 = (inertia.I6yy - t6) - inertia.c6y * t0;
-  const Scalar t9 = t7 + t8;
-  const Scalar t10 = Scalar(1) / t9;
-  const Scalar t11 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t12 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t13 = (inertia.c6z * t4 - (inertia.I6zz - t6)) + (inertia.c5z * t3 - (inertia.I5zz - t12));
-  const Scalar t14 = inertia.c5y * inertia.m5;
-  const Scalar t15 = g.d4 / g.l1;
-  const Scalar t16 = inertia.c4z * inertia.m4;
-  const Scalar t17 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t18 = t16 - g.d4 * t17;
-  const Scalar t19 = inertia.c3z * inertia.m3;
-  const Scalar t20 = t19 - g.d4 * inertia.m3;
-  const Scalar t21 = inertia.c4x * inertia.m4;
-  const Scalar t22 = inertia.c4y * inertia.m4;
-  const Scalar t23 = inertia.c3x * inertia.m3;
-  const Scalar t24 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t25 = ((inertia.I4yy - t24) - inertia.c4y * t22) - (inertia.c5y * t14 - (inertia.I5yy - t12));
-  const Scalar t26 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t27 = ((inertia.I3zz - t26) - inertia.c3z * t19) + g.d4 * (t19 + t20);
-  const Scalar t28 = ((inertia.I4zz - t24) - inertia.c4z * t16) + g.d4 * (t18 + t16);
-  const Scalar t29 = t27 + t28;
-  const Scalar t30 = inertia.c3x * t23 - (inertia.I3xx - t26);
-  const Scalar t31 = inertia.c3y * inertia.m3;
-  const Scalar t32 = g.d4 * t23 + (inertia.I3xz - inertia.c3z * t23);
-  const Scalar t33 = inertia.c2x * inertia.m2;
-  const Scalar t34 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t35 = inertia.m3 + t17;
-  const Scalar t36 = g.l1 * t35 + t31;
-  const Scalar t37 = ((inertia.I3yy - t26) - inertia.c3y * t31) - g.l1 * (t36 + t31);
-  const Scalar t38 = inertia.c2y * inertia.m2;
-  const Scalar t39 = g.l1 * inertia.m2 + t38;
-  const Scalar t40 = g.l1 * (t39 + t38) - ((inertia.I2yy - t34) - inertia.c2y * t38);
-  const Scalar t41 = g.l1 * g.l1 * (inertia.m1 + (inertia.m2 + t35));
-  const Scalar t42 = gravity[2] / g.l1;
+  const Scalar t2 = Scalar(1) / g.l1;
+  const Scalar t3 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t4 = (inertia.I6xx - t3) - inertia.c6x * t1;
+  const Scalar t5 = (inertia.I6yy - t3) - inertia.c6y * t0;
+  const Scalar t6 = t4 + t5;
+  const Scalar t7 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t8 = inertia.m3 + t7;
+  const Scalar t9 = inertia.c3z * inertia.m3;
+  const Scalar t10 = t9 - g.d4 * inertia.m3;
+  const Scalar t11 = inertia.c4z * inertia.m4;
+  const Scalar t12 = g.d4 * inertia.m4;
+  const Scalar t13 = t11 - t12;
+  const Scalar t14 = t13 + t12;
+  const Scalar t15 = t14 - g.d4 * t7;
+  const Scalar t16 = (t10 + t15) / g.d4;
+  const Scalar t17 = g.l1 * g.l1 * ((inertia.m1 + (inertia.m2 + t8)) + t16);
+  const Scalar t18 = g.l1 * t16;
+  const Scalar t19 = g.l1 * t18;
+  const Scalar t20 = inertia.I6xy - inertia.c6y * t1;
+  const Scalar t21 = inertia.c5x * inertia.m5;
+  const Scalar t22 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t23 = inertia.c6z * inertia.m6;
+  const Scalar t24 = inertia.c5z * inertia.m5;
+  const Scalar t25 = (inertia.c6z * t23 - (inertia.I6zz - t3)) + (inertia.c5z * t24 - (inertia.I5zz - t22));
+  const Scalar t26 = inertia.c5y * inertia.m5;
+  const Scalar t27 = inertia.c4x * inertia.m4;
+  const Scalar t28 = inertia.c4y * inertia.m4;
+  const Scalar t29 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t30 = ((inertia.I4yy - t29) - inertia.c4y * t28) - (inertia.c5y * t26 - (inertia.I5yy - t22));
+  const Scalar t31 = g.d4 / g.l1;
+  const Scalar t32 = g.d4 * (t11 + t13) + ((inertia.I4zz - t29) - inertia.c4z * t11);
+  const Scalar t33 = (g.d4 * (t14 + t13) - t32) - g.d4 * (t14 + t15);
+  const Scalar t34 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t35 = ((inertia.I3zz - t34) - inertia.c3z * t9) + g.d4 * (t9 + t10);
+  const Scalar t36 = g.d4 * g.d4 * t16 + (t33 - t35);
+  const Scalar t37 = inertia.c3x * inertia.m3;
+  const Scalar t38 = inertia.c3x * t37 - (inertia.I3xx - t34);
+  const Scalar t39 = g.d4 * t28;
+  const Scalar t40 = g.d4 * t27;
+  const Scalar t41 = g.l1 * t37;
+  const Scalar t42 = inertia.c2y * inertia.m2;
+  const Scalar t43 = g.l1 * inertia.m2 + t42;
+  const Scalar t44 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t45 = g.l1 * (t43 + t42) - ((inertia.I2yy - t44) - inertia.c2y * t42);
+  const Scalar t46 = g.l1 * inertia.m3;
+  const Scalar t47 = inertia.c3y * inertia.m3;
+  const Scalar t48 = t46 + t47;
+  const Scalar t49 = t46 - t48;
+  const Scalar t50 = ((inertia.I3yy - t34) - inertia.c3y * t47) - g.l1 * (t47 + t48);
+  const Scalar t51 = g.l1 * t8 - t49;
+  const Scalar t52 = (g.l1 * (t49 - t48) - t50) + g.l1 * (t51 - t49);
+  const Scalar t53 = g.d4 * t37 + (inertia.I3xz - inertia.c3z * t37);
+  const Scalar t54 = inertia.c2x * inertia.m2;
+  const Scalar t55 = ((inertia.I3yz - inertia.c3z * t47) - g.l1 * t9) + g.d4 * t48;
+  const Scalar t56 = gravity[2] / g.l1;
   return { g.l1 * t0,
            g.l1 * t1,
-           g.l1 * t2,
-           g.l1 * (t3 + t4),
+           t2,
+           Scalar(1) / t6,
+           t2 * t2 * (t17 - t19),
+           t4 - t5,
+           Scalar(2) * t20,
            t5,
+           t6,
+           inertia.c5x * t21 - (inertia.I5xx - t22),
+           t25,
            inertia.I6yz - inertia.c6z * t0,
            inertia.I6xz - inertia.c6z * t1,
-           t10,
-           inertia.I5xz - inertia.c5z * t2,
-           Scalar(2) * t11,
-           t7 - t8,
-           t7,
-           inertia.c5x * t2 - (inertia.I5xx - t12),
-           t13,
-           inertia.I5yz - inertia.c5z * t14,
-           t11,
-           inertia.I5xy - inertia.c5y * t2,
-           t15,
-           t9,
-           g.l1 * (t18 + t20),
+           g.l1 * (t24 + t23),
            g.l1 * t21,
-           g.l1 * (t22 + t14),
-           g.l1 * t23,
-           inertia.I4xz - inertia.c4z * t21,
-           inertia.I4yz - inertia.c4z * t22,
-           t5 * t10,
-           t8,
-           t25,
-           (inertia.I4xx - t24) - inertia.c4x * t21,
-           Scalar(2) * t15,
-           t29,
-           inertia.I4xy - inertia.c4y * t21,
+           t20,
+           inertia.I5xy - inertia.c5y * t21,
+           inertia.I5yz - inertia.c5z * t26,
+           g.l1 * t27,
+           g.l1 * (t28 + t26),
            t30,
-           inertia.I3xy - inertia.c3y * t23,
-           g.d4 * t31 + (inertia.I3yz - inertia.c3z * t31),
-           t32,
-           inertia.c2x * t33 - (inertia.I2xx - t34),
-           t37 - t40,
-           t5 * t5 * t41,
+           inertia.I5xz - inertia.c5z * t21,
+           (inertia.I4xx - t29) - inertia.c4x * t27,
+           t31,
+           t31 * t19,
+           t36,
+           inertia.I4xy - inertia.c4y * t27,
+           t38,
+           t39 - (t39 + (inertia.I4yz - inertia.c4z * t28)),
+           t40 - ((inertia.I4xz - inertia.c4z * t27) + t40),
+           t41,
+           t19,
+           (t45 + t52) + t19,
+           t53,
+           inertia.c2x * t54 - (inertia.I2xx - t44),
+           t55 + g.l1 * t10,
+           ((inertia.I3xy - inertia.c3y * t37) - t41) + t41,
            gravity[1] / g.l1,
            gravity[0] / g.l1,
-           t42,
+           t56,
+           g.l1 * (t18 + (t51 + t43)),
+           g.l1 * t54,
            g.l1,
-           t30 + t29,
-           t42 * t41,
-           g.l1 * t33,
-           g.l1 * (t36 + t39),
-           Scalar(2) * t30,
-           Scalar(2) * t32 };
+           Scalar(2) * t53,
+           Scalar(2) * t38,
+           t36 - t38,
+           t2 * t56 * t17 };
 }
 
 namespace detail {
@@ -1117,247 +1165,244 @@ inline JointVector<Scalar> forward_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[6] * s6 - k[5] * c6;
-  const Scalar t1 = k[7] * t0;
-  const Scalar t2 = k[9] * c6 - k[10] * s6;
-  const Scalar t3 = s6 * t2;
-  const Scalar t4 = k[11] + t3;
-  const Scalar t5 = k[12] - t4;
-  const Scalar t6 = k[6] * c6 + k[5] * s6;
-  const Scalar t7 = k[8] + t6;
-  const Scalar t8 = s5 * (k[13] - t5) - Scalar(2) * c5 * t7;
-  const Scalar t9 = s5 * t8;
-  const Scalar t10 = t5 + t9;
-  const Scalar t11 = k[13] - t9;
-  const Scalar t12 = t10 + t11;
-  const Scalar t13 = Scalar(1) / (t1 * t0 + t12);
-  const Scalar t14 = k[0] * s6 + k[1] * c6;
-  const Scalar t15 = k[2] + t14;
-  const Scalar t16 = s5 * t15 - k[3] * c5;
-  const Scalar t17 = t12 + k[17] * t16;
-  const Scalar t18 = k[14] - t0;
-  const Scalar t19 = k[15] - c6 * t2;
-  const Scalar t20 = k[16] - t19;
-  const Scalar t21 = s5 * t18 + c5 * t20;
-  const Scalar t22 = k[0] * c6 - k[1] * s6;
-  const Scalar t23 = c5 * t22;
-  const Scalar t24 = k[17] * t23 - t0;
-  const Scalar t25 = (k[18] * s5 - c5 * t6) - k[17] * t14;
-  const Scalar t26 = c4 * t24 + s4 * t25;
-  const Scalar t27 = (c4 * t17 - s4 * t21) - t26 * t1;
-  const Scalar t28 = t13 * t27;
-  const Scalar t29 = s5 * t22;
-  const Scalar t30 = s3 * (t29 - (c4 * t25 - s4 * t24));
-  const Scalar t31 = c4 * t23 - s4 * t14;
-  const Scalar t32 = k[18] * c5 + s5 * t6;
-  const Scalar t33 = t30 - c3 * (t31 - t32);
-  const Scalar t34 = k[7] * t33;
-  const Scalar t35 = c4 * t16;
-  const Scalar t36 = c5 * t18 - s5 * t20;
-  const Scalar t37 = k[3] * s5 + c5 * t15;
-  const Scalar t38 = s3 * ((s4 * t17 + c4 * t21) - t37);
-  const Scalar t39 = t34 * t0 + (c3 * (t35 + t36) - t38);
-  const Scalar t40 = k[21] + t22;
-  const Scalar t41 = k[17] * t40 + (k[24] + t36);
-  const Scalar t42 = k[20] + t37;
-  const Scalar t43 = k[17] * t42 + (k[23] - (c5 * t8 + t7));
-  const Scalar t44 = c4 * t41 - s4 * t43;
-  const Scalar t45 = k[19] - t16;
-  const Scalar t46 = k[22] + (c4 * t42 + s4 * t40);
-  const Scalar t47 = k[31] + t21;
-  const Scalar t48 = k[26] - t3;
-  const Scalar t49 = k[27] + t48;
-  const Scalar t50 = k[28] - t10;
-  const Scalar t51 = s4 * (t49 - t50) + Scalar(2) * c4 * t47;
-  const Scalar t52 = s3 * (t46 - (k[33] - (t47 - c4 * t51)));
-  const Scalar t53 = k[7] * t26;
-  const Scalar t54 = (c3 * ((k[34] + t44) - t45) + t52) - t33 * t53;
-  const Scalar t55 = t49 + t50;
-  const Scalar t56 = k[7] * t32;
-  const Scalar t57 = t36 + t1 * t32;
-  const Scalar t58 = t13 * t57;
-  const Scalar t59 = Scalar(1) / ((t55 - t56 * t32) + t57 * t58);
-  const Scalar t60 = t57 * t28 + (t56 * t26 - t44);
-  const Scalar t61 = t59 * t60;
-  const Scalar t62 = s4 * t41 + c4 * t43;
-  const Scalar t63 = c4 * t40 - s4 * t42;
-  const Scalar t64 = (s3 * t62 + c3 * (t55 - t63)) - t34 * t32;
-  const Scalar t65 = t58 * t39 + t64;
-  const Scalar t66 = (t28 * t39 - t54) - t61 * t65;
-  const Scalar t67 = s4 * t51 + t50;
-  const Scalar t68 = k[32] - t67;
-  const Scalar t69 = k[30] - (t11 + k[29] * t16);
-  const Scalar t70 = ((t68 - t69) + t26 * t53) - t28 * t27;
-  const Scalar t71 = Scalar(1) / (t70 + t61 * t60);
-  const Scalar t72 = c3 * t29 + s3 * t31;
-  const Scalar t73 = k[25] * t72;
-  const Scalar t74 = k[4] * t72;
-  const Scalar t75 = k[4] * (s3 * t35 - c3 * t37) - t74 * t1;
-  const Scalar t76 = (t73 * t32 - k[4] * s3 * t63) + t58 * t75;
-  const Scalar t77 = t59 * t76;
-  const Scalar t78 = t74 * t53 - k[4] * (s3 * t45 + c3 * t46);
-  const Scalar t79 = t77 * t60 - (t28 * t75 - t78);
-  const Scalar t80 = t71 * t79;
-  const Scalar t81 = t59 * t65;
-  const Scalar t82 = t13 * t39;
-  const Scalar t83 = t76 * t81 - (t82 * t75 + t74 * t34);
-  const Scalar t84 = t66 * t80 + t83;
-  const Scalar t85 = c3 * (k[35] + t62);
-  const Scalar t86 = s3 * ((t85 + t85) + s3 * (t68 + t69));
-  const Scalar t87 = (k[36] + (t68 - t86)) - (k[37] - ((t67 - t55) + Scalar(2) * t63));
-  const Scalar t88 = t65 * t81 + ((t87 + t33 * t34) - t82 * t39);
-  const Scalar t89 = t71 * t66;
-  const Scalar t90 = Scalar(1) / (t88 - t89 * t66);
-  const Scalar t91 = t84 * t90;
-  const Scalar t92 = t13 * t75;
-  const Scalar t93 = t76 * t77 + ((k[38] + t74 * t73) - t75 * t92);
-  const Scalar t94 = Scalar(1) / (t84 * t91 - (t93 - t80 * t79));
-  const Scalar t95 = qd[1] * s3;
-  const Scalar t96 = s4 * t95;
-  const Scalar t97 = t96 - qd[2] * c4;
-  const Scalar t98 = t97 * t97;
-  const Scalar t99 = qd[1] * c3;
-  const Scalar t100 = qd[3] - t99;
-  const Scalar t101 = t100 * t100;
-  const Scalar t102 = t98 + t101;
-  const Scalar t103 = t98 - t101;
-  const Scalar t104 = qd[1] * qd[1];
-  const Scalar t105 = t99 * t99;
-  const Scalar t106 = qd[2] * qd[2];
-  const Scalar t107 = t105 - t106;
-  const Scalar t108 = t104 - t107;
-  const Scalar t109 = t103 - t108;
-  const Scalar t110 = c4 * t95;
-  const Scalar t111 = qd[2] * s4 + t110;
-  const Scalar t112 = t97 * t111;
-  const Scalar t113 = qd[2] * t95;
-  const Scalar t114 = t112 - t113;
-  const Scalar t115 = t112 + t113;
-  const Scalar t116 = k[31] * (t102 + t109) + (k[28] * t114 - k[27] * t115);
-  const Scalar t117 = qd[2] * t99;
-  const Scalar t118 = t117 + t117;
-  const Scalar t119 = s4 * t118 + t99 * t110;
-  const Scalar t120 = t96 * t99 - c4 * t118;
-  const Scalar t121 = k[39] * s2 + k[40] * c2;
-  const Scalar t122 = c3 * t121 - k[41] * s3;
-  const Scalar t123 = t95 * t99;
-  const Scalar t124 = t122 - k[17] * t123;
-  const Scalar t125 = k[39] * c2 - k[40] * s2;
-  const Scalar t126 = t104 + t125;
-  const Scalar t127 = k[17] * t118 + t126;
-  const Scalar t128 = s4 * t124 + c4 * t127;
-  const Scalar t129 = s4 * t127 - c4 * t124;
-  const Scalar t130 = (t116 + (k[24] * t119 - k[23] * t120)) + (k[20] * t128 + k[21] * t129);
-  const Scalar t131 = s5 * t111 + c5 * t100;
-  const Scalar t132 = qd[4] - t97;
-  const Scalar t133 = t131 * t132;
-  const Scalar t134 = t100 * t97;
-  const Scalar t135 = (t134 + t120) + t134;
-  const Scalar t136 = s5 * t115 + c5 * t135;
-  const Scalar t137 = t133 + (t136 + t133);
-  const Scalar t138 = s5 * t100 - c5 * t111;
-  const Scalar t139 = t138 * t132;
-  const Scalar t140 = s5 * t135 - c5 * t115;
-  const Scalar t141 = t139 + (t140 + t139);
-  const Scalar t142 = t100 * t111;
-  const Scalar t143 = t119 + t142;
-  const Scalar t144 = t138 * t131;
-  const Scalar t145 = t143 + t144;
-  const Scalar t146 = t131 * t131;
-  const Scalar t147 = t132 * t132;
-  const Scalar t148 = t146 + t147;
-  const Scalar t149 = t148 + t109;
-  const Scalar t150 = (k[8] * t137 + k[12] * t141) - (k[14] * t145 + k[16] * t149);
-  const Scalar t151 = wrench[4] * s2 + wrench[3] * c2;
-  const Scalar t152 = wrench[5] * c3 + s3 * t151;
-  const Scalar t153 = wrench[5] * s3 - c3 * t151;
-  const Scalar t154 = wrench[4] * c2 - wrench[3] * s2;
-  const Scalar t155 = c4 * t153 + s4 * t154;
-  const Scalar t156 = k[41] * c3 + s3 * t121;
-  const Scalar t157 = k[17] * t108 - t156;
-  const Scalar t158 = c5 * t129 - s5 * t157;
-  const Scalar t159 = t149 * t19 - (t141 * t4 + t140 * t48);
-  const Scalar t160 = (t14 * t128 + t158 * t22) - ((t6 * t137 + t145 * t0) + t159);
-  const Scalar t161 = (c5 * t152 - s5 * t155) + t160;
-  const Scalar t162 = (k[2] * t128 - t150) + t161;
-  const Scalar t163 = qd[5] + t131;
-  const Scalar t164 = t163 * t163 - t147;
-  const Scalar t165 = t145 - Scalar(2) * t138 * t163;
-  const Scalar t166 = t132 * t163;
-  const Scalar t167 = (t166 + t166) - t137;
-  const Scalar t168 = t0 * t164 + (t19 * t165 + t167 * t48);
-  const Scalar t169 = s5 * t129 + c5 * t157;
-  const Scalar t170 = ((t168 + t141 * t6) + t169 * t22) + (c5 * t155 + s5 * t152);
-  const Scalar t171 = t143 - t144;
-  const Scalar t172 = t146 - t147;
-  const Scalar t173 = (k[8] * t141 + k[13] * t137) - k[14] * t172;
-  const Scalar t174 = t170 + (k[3] * t128 - (k[16] * t171 - t173));
-  const Scalar t175 = t130 + (c5 * t162 + s5 * t174);
-  const Scalar t176 = torque[5] - t161;
-  const Scalar t177 = t149 + t164;
-  const Scalar t178 = (t6 * t177 - t140 * t0) + (t4 * t165 + t167 * t19);
-  const Scalar t179 = (s4 * t153 - c4 * t154) - (t14 * t169 - t178);
-  const Scalar t180 = t149 + t172;
-  const Scalar t181 = (k[12] * t171 + k[13] * t145) - k[8] * t180;
-  const Scalar t182 = ((k[14] * t140 + k[16] * t136) - t181) - (k[2] * t169 - k[3] * t158);
-  const Scalar t183 = t179 + t182;
-  const Scalar t184 = (torque[4] - t183) + t176 * t1;
-  const Scalar t185 = ((torque[3] - t175) - t56 * t176) + t184 * t58;
-  const Scalar t186 = t13 * t184;
-  const Scalar t187 = t105 + t106;
-  const Scalar t188 = wrench[1] * c2 - wrench[0] * s2;
-  const Scalar t189 = wrench[1] * s2 + wrench[0] * c2;
-  const Scalar t190 = wrench[2] * s3 - c3 * t189;
-  const Scalar t191 = s4 * t188 + c4 * t190;
-  const Scalar t192 = wrench[2] * c3 + s3 * t189;
-  const Scalar t193 = t148 - t180;
-  const Scalar t194 = t193 + t177;
-  const Scalar t195 = k[42] * (c5 * t191 + s5 * t192) - (t14 * t194 + t140 * t22);
-  const Scalar t196 = t195 - (k[3] * t145 + k[2] * t148);
-  const Scalar t197 = (t14 * t165 - t167 * t22) - k[42] * (c5 * t192 - s5 * t191);
-  const Scalar t198 = (k[3] * t193 - k[2] * t171) - t197;
-  const Scalar t199 = (k[20] * t102 - k[21] * t115) - (c5 * t196 - s5 * t198);
-  const Scalar t200 = (t22 * (t149 - t194) + t14 * t141) - k[42] * (c4 * t188 - s4 * t190);
-  const Scalar t201 = (k[21] * t109 + k[20] * t114) - ((k[3] * t137 - k[2] * t141) - t200);
-  const Scalar t202 = (k[19] * t123 + k[22] * t187) + (c4 * t199 - s4 * t201);
-  const Scalar t203 = t143 + t142;
-  const Scalar t204 = (k[21] * t135 + k[20] * t203) - (s5 * t196 + c5 * t198);
-  const Scalar t205 = t204 - (k[22] * t123 + k[19] * t108);
-  const Scalar t206 = k[4] * (k[44] - (s3 * t202 + c3 * t205));
-  const Scalar t207 = t186 * t75 - ((torque[0] + t206) - t176 * t73);
-  const Scalar t208 = (k[31] * t135 + k[28] * t203) - (k[24] * t115 - k[23] * (t102 - t108));
-  const Scalar t209 = k[17] * t199 + (t183 - (k[20] * t157 - t208));
-  const Scalar t210 = (k[27] * t135 + k[31] * t203) - k[24] * t103;
-  const Scalar t211 = ((t210 - k[23] * t114) - k[21] * t157) - (c5 * t174 - s5 * t162);
-  const Scalar t212 = k[17] * t201 - t211;
-  const Scalar t213 = (k[19] * t122 - k[22] * t156) - (k[43] * t123 - k[35] * (t108 - t187));
-  const Scalar t214 = torque[2] - ((c4 * t209 - s4 * t212) - t213);
-  const Scalar t215 = t185 * t61 + ((t214 - t176 * t53) - t184 * t28);
-  const Scalar t216 = t71 * t215;
-  const Scalar t217 = (k[34] * t123 - k[33] * (t104 - t187)) + (k[35] * t118 + k[47] * t113);
-  const Scalar t218 = c3 * (((k[22] * t126 + t217) + t175) - t202);
-  const Scalar t219 = k[34] * t107 - (k[30] * t118 - k[48] * t113);
-  const Scalar t220 = (k[19] * t126 + (k[33] * t123 - t219)) + (c4 * t212 + s4 * t209);
-  const Scalar t221 = (k[46] * t121 - k[45] * t125) - (t218 + s3 * (t220 + t205));
-  const Scalar t222 = t186 * t39 - ((torque[1] - t221) + t176 * t34);
-  const Scalar t223 = ((t185 * t81 - t222) + t215 * t89) * t90;
-  const Scalar t224 = ((t185 * t77 - t207) - t216 * t79) - t84 * t223;
-  const Scalar t225 = t94 * t224;
-  const Scalar t226 = t223 + t225 * t91;
-  const Scalar t227 = t89 * t226 + (t216 + t225 * t80);
-  const Scalar t228 = (t59 * t185 + t225 * t77) - t81 * t226;
-  const Scalar t229 = t228 - t227 * t61;
-  const Scalar t230 = t227 * t28 - ((t225 * t92 + t186) - t82 * t226);
-  const Scalar t231 = t230 + t58 * t229;
-  const Scalar t232 = (t225 * t73 - k[7] * t176) + t34 * t226;
-  const Scalar t233 = t231 * t1 - ((t232 - t227 * t53) + t56 * t229);
+  const Scalar t0 = k[6] * c6 - k[5] * s6;
+  const Scalar t1 = k[7] - s6 * t0;
+  const Scalar t2 = k[8] - t1;
+  const Scalar t3 = k[9] - t2;
+  const Scalar t4 = k[10] + t3;
+  const Scalar t5 = k[12] * s6 - k[11] * c6;
+  const Scalar t6 = k[3] * t5;
+  const Scalar t7 = Scalar(1) / (t4 + t5 * t6);
+  const Scalar t8 = qd[1] * c3;
+  const Scalar t9 = qd[3] - t8;
+  const Scalar t10 = qd[1] * s3;
+  const Scalar t11 = c4 * t10;
+  const Scalar t12 = qd[2] * s4 + t11;
+  const Scalar t13 = t9 * t12;
+  const Scalar t14 = t8 * Scalar(2) * qd[2];
+  const Scalar t15 = t8 * t11 + s4 * t14;
+  const Scalar t16 = t13 + t15;
+  const Scalar t17 = s5 * t9 - c5 * t12;
+  const Scalar t18 = s5 * t12 + c5 * t9;
+  const Scalar t19 = t17 * t18;
+  const Scalar t20 = t16 + t19;
+  const Scalar t21 = t16 - t19;
+  const Scalar t22 = t18 * t18;
+  const Scalar t23 = s4 * t10;
+  const Scalar t24 = t23 - qd[2] * c4;
+  const Scalar t25 = qd[4] - t24;
+  const Scalar t26 = t25 * t25;
+  const Scalar t27 = t22 + t26;
+  const Scalar t28 = t22 - t26;
+  const Scalar t29 = t24 * t24;
+  const Scalar t30 = t9 * t9;
+  const Scalar t31 = t29 - t30;
+  const Scalar t32 = t10 * t10;
+  const Scalar t33 = qd[2] * qd[2];
+  const Scalar t34 = t32 + t33;
+  const Scalar t35 = t31 - t34;
+  const Scalar t36 = t28 + t35;
+  const Scalar t37 = t27 + t36;
+  const Scalar t38 = (k[10] * t20 + k[9] * t21) - k[21] * t37;
+  const Scalar t39 = t24 * t12;
+  const Scalar t40 = qd[2] * t10;
+  const Scalar t41 = t39 + t40;
+  const Scalar t42 = t23 * t8 - c4 * t14;
+  const Scalar t43 = Scalar(2) * t9 * t24 + t42;
+  const Scalar t44 = s5 * t41 + c5 * t43;
+  const Scalar t45 = s5 * t43 - c5 * t41;
+  const Scalar t46 = qd[1] * qd[1];
+  const Scalar t47 = k[38] * s2 - k[37] * c2;
+  const Scalar t48 = t46 - t47;
+  const Scalar t49 = k[23] * t14 + t48;
+  const Scalar t50 = k[37] * s2 + k[38] * c2;
+  const Scalar t51 = t10 * t8;
+  const Scalar t52 = (c3 * t50 - k[39] * s3) - k[23] * t51;
+  const Scalar t53 = s4 * t49 - c4 * t52;
+  const Scalar t54 = s3 * t50 + k[39] * c3;
+  const Scalar t55 = k[23] * t34 - t54;
+  const Scalar t56 = s5 * t53 + c5 * t55;
+  const Scalar t57 = s5 * t55 - c5 * t53;
+  const Scalar t58 = (t38 - (k[16] * t44 + k[17] * t45)) + (k[14] * t56 + k[13] * t57);
+  const Scalar t59 = k[0] * s6 + k[1] * c6;
+  const Scalar t60 = t18 * t25;
+  const Scalar t61 = (t60 + t44) + t60;
+  const Scalar t62 = t25 + t25;
+  const Scalar t63 = qd[5] + t18;
+  const Scalar t64 = t61 - t62 * t63;
+  const Scalar t65 = k[15] - c6 * t0;
+  const Scalar t66 = t17 * t63;
+  const Scalar t67 = (t66 + t66) - t20;
+  const Scalar t68 = k[12] * c6 + k[11] * s6;
+  const Scalar t69 = t37 - t28;
+  const Scalar t70 = t63 * t63;
+  const Scalar t71 = t70 - t26;
+  const Scalar t72 = (t64 * t65 + t2 * t67) + (t45 * t5 - t68 * (t69 + t71));
+  const Scalar t73 = wrench[4] * s2 + wrench[3] * c2;
+  const Scalar t74 = wrench[5] * s3 - c3 * t73;
+  const Scalar t75 = wrench[4] * c2 - wrench[3] * s2;
+  const Scalar t76 = (t59 * t56 + t72) - (s4 * t74 - c4 * t75);
+  const Scalar t77 = t58 + t76;
+  const Scalar t78 = wrench[5] * c3 + s3 * t73;
+  const Scalar t79 = c4 * t74 + s4 * t75;
+  const Scalar t80 = k[0] * c6 - k[1] * s6;
+  const Scalar t81 = s4 * t52 + c4 * t49;
+  const Scalar t82 = t45 + t62 * t17;
+  const Scalar t83 = t65 * t69 - (t45 * t1 + t82 * t2);
+  const Scalar t84 = (t57 * t80 - t59 * t81) + ((t5 * t20 + t61 * t68) + t83);
+  const Scalar t85 = (c5 * t78 - s5 * t79) - t84;
+  const Scalar t86 = torque[5] - t85;
+  const Scalar t87 = t7 * ((torque[4] + t77) + t86 * t6);
+  const Scalar t88 = s5 * t80;
+  const Scalar t89 = c5 * t80;
+  const Scalar t90 = c4 * t89 - s4 * t59;
+  const Scalar t91 = k[2] * (c3 * t88 + s3 * t90);
+  const Scalar t92 = k[14] + t59;
+  const Scalar t93 = k[13] * c5 - s5 * t92;
+  const Scalar t94 = c4 * t93;
+  const Scalar t95 = k[13] * s5 + c5 * t92;
+  const Scalar t96 = t91 * t6 + k[2] * (s3 * t94 + c3 * t95);
+  const Scalar t97 = k[3] * t91;
+  const Scalar t98 = t32 - t33;
+  const Scalar t99 = t98 - t46;
+  const Scalar t100 = t70 + t26;
+  const Scalar t101 = wrench[1] * c2 - wrench[0] * s2;
+  const Scalar t102 = wrench[1] * s2 + wrench[0] * c2;
+  const Scalar t103 = wrench[2] * s3 - c3 * t102;
+  const Scalar t104 = s4 * t101 + c4 * t103;
+  const Scalar t105 = wrench[2] * c3 + s3 * t102;
+  const Scalar t106 = (t59 * t100 + t45 * t80) - k[42] * (c5 * t104 + s5 * t105);
+  const Scalar t107 = (k[14] * t27 + k[13] * t20) + t106;
+  const Scalar t108 = k[42] * (c5 * t105 - s5 * t104) - (t64 * t80 - t59 * t67);
+  const Scalar t109 = (k[13] * t36 + k[14] * t21) - t108;
+  const Scalar t110 = t29 + t30;
+  const Scalar t111 = (k[18] * t110 - k[19] * t41) + k[31] * t53;
+  const Scalar t112 = (c5 * t107 - s5 * t109) + t111;
+  const Scalar t113 = t39 - t40;
+  const Scalar t114 = (k[18] * t113 + k[19] * t35) + k[31] * t81;
+  const Scalar t115 = k[42] * (c4 * t101 - s4 * t103) + ((t100 - t69) * t80 - t82 * t59);
+  const Scalar t116 = t114 - ((k[13] * t61 - k[14] * t82) + t115);
+  const Scalar t117 = k[30] * t99 - (c4 * t112 - s4 * t116);
+  const Scalar t118 = t13 + t16;
+  const Scalar t119 = k[31] * t55 - (k[19] * t43 + k[18] * t118);
+  const Scalar t120 = k[30] * t51 + (t119 - (s5 * t107 + c5 * t109));
+  const Scalar t121 = k[46] + k[2] * (s3 * t117 + c3 * t120);
+  const Scalar t122 = t87 * t96 - (t86 * t97 - (torque[0] + t121));
+  const Scalar t123 = c5 + k[3] * s5 * t68;
+  const Scalar t124 = k[8] * t123;
+  const Scalar t125 = k[17] - t5;
+  const Scalar t126 = k[16] - t65;
+  const Scalar t127 = c5 * t125 - s5 * t126;
+  const Scalar t128 = t124 * t6 + t127;
+  const Scalar t129 = (k[21] * t82 + k[10] * t61) - k[17] * t28;
+  const Scalar t130 = (t1 * t64 + t65 * t67) - t5 * t71;
+  const Scalar t131 = ((t130 - t82 * t68) - t56 * t80) - (c5 * t79 + s5 * t78);
+  const Scalar t132 = ((t129 - k[16] * t21) + k[13] * t81) - t131;
+  const Scalar t133 = (k[21] * t61 + k[9] * t82) - (k[17] * t20 + k[16] * t69);
+  const Scalar t134 = (k[14] * t81 - t133) + t85;
+  const Scalar t135 = t110 - t34;
+  const Scalar t136 = (k[20] * t41 - k[22] * t113) - k[26] * (t31 + t135);
+  const Scalar t137 = ((k[29] * t42 - k[28] * t15) - t136) + (k[18] * t81 + k[19] * t53);
+  const Scalar t138 = (s5 * t132 + c5 * t134) + t137;
+  const Scalar t139 = k[3] * t86;
+  const Scalar t140 = t87 * t128 + ((torque[3] - t138) - t139 * t124);
+  const Scalar t141 = t7 * t128;
+  const Scalar t142 = k[20] + t1;
+  const Scalar t143 = k[21] + t68;
+  const Scalar t144 = (c5 + c5) * t143 - s5 * (k[10] - t3);
+  const Scalar t145 = k[10] + s5 * t144;
+  const Scalar t146 = k[22] + (t145 - t4);
+  const Scalar t147 = t142 + t146;
+  const Scalar t148 = Scalar(1) / (t141 * t128 - (t124 * t123 - t147));
+  const Scalar t149 = t140 * t148;
+  const Scalar t150 = t7 * t96;
+  const Scalar t151 = k[18] + t95;
+  const Scalar t152 = k[19] + t80;
+  const Scalar t153 = s4 * t151 - c4 * t152;
+  const Scalar t154 = t128 * t150 - (k[2] * s3 * t153 + t91 * t123);
+  const Scalar t155 = k[23] * t89 - t5;
+  const Scalar t156 = k[23] * t59 + (c5 * t68 - k[8] * s5);
+  const Scalar t157 = c4 * t155 - s4 * t156;
+  const Scalar t158 = k[3] * t157;
+  const Scalar t159 = c5 * t126 + s5 * t125;
+  const Scalar t160 = k[26] + t159;
+  const Scalar t161 = Scalar(2) * c4 * t160 + s4 * (t142 - t146);
+  const Scalar t162 = s4 * t161 + t146;
+  const Scalar t163 = k[27] - t162;
+  const Scalar t164 = k[24] + t93;
+  const Scalar t165 = k[25] - (k[23] * (t164 + t93) - t145);
+  const Scalar t166 = t4 - k[23] * t93;
+  const Scalar t167 = (s4 * t159 - c4 * t166) + t157 * t6;
+  const Scalar t168 = t167 * t7;
+  const Scalar t169 = (t157 * t158 + (t163 + t165)) - t167 * t168;
+  const Scalar t170 = k[29] - (c5 * t144 - t143);
+  const Scalar t171 = k[28] - t127;
+  const Scalar t172 = (s4 * t170 - c4 * t171) - k[23] * t153;
+  const Scalar t173 = t141 * t167 + (t172 - t124 * t158);
+  const Scalar t174 = t148 * t173;
+  const Scalar t175 = Scalar(1) / (t169 + t174 * t173);
+  const Scalar t176 = (k[29] * t135 - k[28] * t41) - (k[22] * t118 + k[26] * t43);
+  const Scalar t177 = ((k[18] * t55 + t176) + t77) - k[23] * t112;
+  const Scalar t178 = k[28] * t31 + (k[26] * t118 + k[20] * t43);
+  const Scalar t179 = ((k[29] * t113 + t178) - k[19] * t55) - (c5 * t132 - s5 * t134);
+  const Scalar t180 = k[23] * t116 - t179;
+  const Scalar t181 = k[30] * t54 - (k[45] * t51 + k[33] * (t99 + t34));
+  const Scalar t182 = torque[2] + ((c4 * t177 + s4 * t180) - t181);
+  const Scalar t183 = ((t139 * t157 - t182) - t87 * t167) + t140 * t174;
+  const Scalar t184 = t175 * t183;
+  const Scalar t185 = c4 * t151 + s4 * t152;
+  const Scalar t186 = k[30] + t185;
+  const Scalar t187 = t97 * t157 - k[2] * (s3 * t164 + c3 * t186);
+  const Scalar t188 = t174 * t154 - (t168 * t96 - t187);
+  const Scalar t189 = s3 * ((c4 * t156 + s4 * t155) + t88);
+  const Scalar t190 = t189 + c3 * (t124 - t90);
+  const Scalar t191 = s3 * ((c4 * t159 + s4 * t166) - t95);
+  const Scalar t192 = t190 * t6 - (t191 - c3 * (t127 - t94));
+  const Scalar t193 = t192 * t7;
+  const Scalar t194 = k[3] * t190;
+  const Scalar t195 = (s4 * t171 + c4 * t170) - k[23] * t185;
+  const Scalar t196 = t194 * t124 - (c3 * (t147 + t153) - s3 * t195);
+  const Scalar t197 = t128 * t193 - t196;
+  const Scalar t198 = k[35] * (t46 - t34) + (k[25] * t14 + k[43] * t40);
+  const Scalar t199 = (t198 - k[36] * t51) - (c4 * t180 - s4 * t177);
+  const Scalar t200 = (k[44] * t40 + k[33] * t14) + (k[35] * t51 - k[36] * t98);
+  const Scalar t201 = c3 * ((t138 + (k[30] * t48 + t200)) + t117);
+  const Scalar t202 = (s3 * (t199 + t120) - t201) + (k[41] * t47 + k[40] * t50);
+  const Scalar t203 = t192 * t87 - ((torque[1] - t202) + t86 * t194);
+  const Scalar t204 = s3 * ((k[36] - (t160 - c4 * t161)) - t186);
+  const Scalar t205 = t194 * t157 + (t204 - c3 * ((k[35] + t172) - t164));
+  const Scalar t206 = t148 * t197;
+  const Scalar t207 = (t192 * t168 - t205) - t173 * t206;
+  const Scalar t208 = t207 * t175;
+  const Scalar t209 = k[33] - t195;
+  const Scalar t210 = c3 * (t209 + t209) + s3 * (t163 - t165);
+  const Scalar t211 = k[32] - ((t147 - t162) + (t153 + (k[31] + t153)));
+  const Scalar t212 = ((k[34] - (s3 * t210 - t163)) + t211) + t190 * t194;
+  const Scalar t213 = ((t192 * t193 - t212) - t197 * t206) + t208 * t207;
+  const Scalar t214 = Scalar(1) / t213;
+  const Scalar t215 = ((t149 * t197 - t203) + t208 * t183) * t214;
+  const Scalar t216 = t148 * t154;
+  const Scalar t217 = (t193 * t96 - t194 * t91) - t197 * t216;
+  const Scalar t218 = t175 * t188;
+  const Scalar t219 = t217 - t218 * t207;
+  const Scalar t220 = ((t122 - t149 * t154) + t184 * t188) + t215 * t219;
+  const Scalar t221 = ((k[4] + t97 * t91) - t96 * t150) + t154 * t216;
+  const Scalar t222 = t214 * t219;
+  const Scalar t223 = Scalar(1) / ((t218 * t188 - t221) - t222 * t219);
+  const Scalar t224 = t220 * t223;
+  const Scalar t225 = t215 + t222 * t224;
+  const Scalar t226 = (t184 - t218 * t224) - t208 * t225;
+  const Scalar t227 = (t225 * t206 - (t224 * t216 - t149)) - t174 * t226;
+  const Scalar t228 = t168 * t226 - ((t87 - t224 * t150) + t225 * t193);
+  const Scalar t229 = t227 * t141 + t228;
+  const Scalar t230 = ((t139 - t224 * t97) + t194 * t225) - t158 * t226;
   JointVector<Scalar> result;
-  result[0] = -t225;
-  result[1] = t226;
-  result[2] = t227;
-  result[3] = -t229;
-  result[4] = -t231;
-  result[5] = -t233;
+  result[0] = -t224;
+  result[1] = -t225;
+  result[2] = -t226;
+  result[3] = -t227;
+  result[4] = -t229;
+  result[5] = -t6 * t229 - (t230 - t227 * t123);
   return result;
 }
 
@@ -1389,31 +1434,33 @@ PotentialEnergyWithGravityVectorConstants<Scalar> potential_energy_with_gravity_
   using std::sin;
   const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
   const Scalar t1 = inertia.m3 + t0;
-  const Scalar t2 = inertia.m1 + (inertia.m2 + t1);
-  return { inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
+  const Scalar t2 = inertia.m2 + t1;
+  const Scalar t3 = g.d4 * inertia.m4;
+  const Scalar t4 = g.l1 * inertia.m3;
+  return { inertia.m1 + t2,
            inertia.c6y * inertia.m6,
            inertia.c6x * inertia.m6,
-           inertia.c5x * inertia.m5,
-           inertia.c4x * inertia.m4,
            inertia.c5y * inertia.m5,
            inertia.c4y * inertia.m4,
-           inertia.c3y * inertia.m3,
-           g.l1 * t1,
-           g.l1 * inertia.m2 + inertia.c2y * inertia.m2,
-           inertia.c4z * inertia.m4,
+           inertia.c5x * inertia.m5,
+           inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
+           inertia.c4x * inertia.m4,
+           inertia.c3x * inertia.m3,
+           (inertia.c4z * inertia.m4 - t3) + t3,
            g.d4 * t0,
            inertia.c3z * inertia.m3 - g.d4 * inertia.m3,
-           inertia.c3x * inertia.m3,
-           inertia.c2x * inertia.m2,
-           inertia.c1y * inertia.m1,
-           gravity[1],
-           inertia.c1x * inertia.m1,
-           gravity[0],
-           t2,
            inertia.c2z * inertia.m2,
            inertia.c1z * inertia.m1,
            gravity[2],
-           t2 * gravity[0] * g.h1 };
+           inertia.c2x * inertia.m2,
+           t4 - (t4 + inertia.c3y * inertia.m3),
+           g.l1 * t1,
+           g.l1 * inertia.m2 + inertia.c2y * inertia.m2,
+           inertia.c1y * inertia.m1,
+           gravity[1],
+           g.h1 * t2,
+           g.h1 * inertia.m1 + inertia.c1x * inertia.m1,
+           gravity[0] };
 }
 
 namespace detail {
@@ -1431,21 +1478,21 @@ inline Scalar potential_energy_with_gravity_vector(const JointVector<Scalar>& q,
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[6] + (k[5] + (k[1] * c6 - k[2] * s6));
-  const Scalar t1 = k[3] + (k[2] * c6 + k[1] * s6);
-  const Scalar t2 = k[4] + (c5 * t1 + k[0] * s5);
-  const Scalar t3 = k[8] + (k[7] + (c4 * t0 - s4 * t2));
-  const Scalar t4 = k[9] + t3;
-  const Scalar t5 = k[13] + (c4 * t2 + s4 * t0);
-  const Scalar t6 = k[11] - (k[10] - (s5 * t1 - k[0] * c5));
-  const Scalar t7 = k[12] - t6;
-  const Scalar t8 = k[14] + (c3 * t5 + s3 * t7);
-  const Scalar t9 = k[16] * (k[15] + (c2 * t4 + s2 * t8));
-  const Scalar t10 = k[18] * (k[17] - (s2 * t4 - c2 * t8));
-  const Scalar t11 = k[21] + (k[20] - (s3 * t5 - c3 * t7));
-  const Scalar t12 = (t9 + t10) + k[22] * (t11 + k[19] * q[0]);
+  const Scalar t0 = k[5] + (k[2] * c6 + k[1] * s6);
+  const Scalar t1 = k[7] + (k[6] * s5 + c5 * t0);
+  const Scalar t2 = k[4] + (k[3] + (k[1] * c6 - k[2] * s6));
+  const Scalar t3 = k[8] + (c4 * t1 + s4 * t2);
+  const Scalar t4 = k[10] - (k[9] + (k[6] * c5 - s5 * t0));
+  const Scalar t5 = k[11] - t4;
+  const Scalar t6 = k[15] + (c3 * t3 + s3 * t5);
+  const Scalar t7 = k[17] - (k[16] + (s4 * t1 - c4 * t2));
+  const Scalar t8 = k[18] + t7;
+  const Scalar t9 = k[22] + (k[21] + (c2 * t6 - s2 * t8));
+  const Scalar t10 = k[20] * (k[19] + (c2 * t8 + s2 * t6));
+  const Scalar t11 = k[13] + (k[12] - (s3 * t3 - c3 * t5));
+  const Scalar t12 = (k[23] * t9 + t10) + k[14] * (t11 + k[0] * q[0]);
   Scalar result;
-  result = -k[23] - t12;
+  result = -t12;
   return result;
 }
 

@@ -27,82 +27,91 @@ InverseDynamicsConstants<Scalar> inverse_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c1x * inertia.m1;
-  const Scalar t1 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t2 = g.l2 * (t0 + (g.l2 * inertia.m1 + t0)) + (inertia.c1x * t0 - (inertia.I1xx - t1));
-  const Scalar t3 = inertia.c2x * inertia.m2;
-  const Scalar t4 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t5 = (inertia.c2x * t3 - (inertia.I2xx - t4)) + Scalar(2) * g.l2 * t3;
-  const Scalar t6 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t7 = inertia.c3y * inertia.m3;
-  const Scalar t8 = ((inertia.I3yy - t6) - inertia.c3y * t7)
-      + ((inertia.I2yy - t4) - inertia.c2y * inertia.c2y * inertia.m2);
-  const Scalar t9 = t8 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t1));
-  const Scalar t10 = inertia.c4y * inertia.m4;
-  const Scalar t11 = inertia.c5y * inertia.m5;
-  const Scalar t12 = inertia.c4x * inertia.m4;
-  const Scalar t13 = g.l2 / g.d4;
-  const Scalar t14 = inertia.c4z * inertia.m4;
+  const Scalar t0 = inertia.c3x * inertia.m3;
+  const Scalar t1 = g.d4 * t0;
+  const Scalar t2 = inertia.c5x * inertia.m5;
+  const Scalar t3 = inertia.c5z * inertia.m5;
+  const Scalar t4 = inertia.c6z * inertia.m6;
+  const Scalar t5 = inertia.c6y * inertia.m6;
+  const Scalar t6 = inertia.c6x * inertia.m6;
+  const Scalar t7 = g.l2 / g.d4;
+  const Scalar t8 = Scalar(1) / g.d4;
+  const Scalar t9 = inertia.c3z * inertia.m3;
+  const Scalar t10 = t9 - g.d4 * inertia.m3;
+  const Scalar t11 = inertia.c4z * inertia.m4;
+  const Scalar t12 = g.d4 * inertia.m4;
+  const Scalar t13 = t11 - t12;
+  const Scalar t14 = t13 + t12;
   const Scalar t15 = inertia.m4 + (inertia.m5 + inertia.m6);
   const Scalar t16 = t14 - g.d4 * t15;
-  const Scalar t17 = inertia.c3z * inertia.m3;
-  const Scalar t18 = t17 - g.d4 * inertia.m3;
-  const Scalar t19 = (t16 + t18) / g.d4;
-  const Scalar t20 = g.d4 * g.d4 * t19;
-  const Scalar t21 = inertia.c6y * inertia.m6;
-  const Scalar t22 = inertia.c6x * inertia.m6;
-  const Scalar t23 = inertia.c5x * inertia.m5;
-  const Scalar t24 = inertia.c5z * inertia.m5;
-  const Scalar t25 = inertia.c6z * inertia.m6;
-  const Scalar t26 = inertia.c3x * inertia.m3;
-  const Scalar t27 = g.d4 * t26;
-  const Scalar t28 = g.d4 * g.d4 * (t19 + (inertia.m2 + (inertia.m3 + t15)));
-  const Scalar t29 = ((inertia.I3zz - t6) - inertia.c3z * t17) + g.d4 * (t17 + t18);
-  const Scalar t30 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t31 = ((inertia.I4zz - t30) - inertia.c4z * t14) + g.d4 * (t16 + t14);
-  const Scalar t32 = inertia.I6xy - inertia.c6y * t22;
-  const Scalar t33 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t34 = (inertia.I6xx - t33) - inertia.c6x * t22;
-  const Scalar t35 = (inertia.I6yy - t33) - inertia.c6y * t21;
-  const Scalar t36 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t37 = (inertia.c6z * t25 - (inertia.I6zz - t33)) + (inertia.c5z * t24 - (inertia.I5zz - t36));
-  const Scalar t38 = ((inertia.I4yy - t30) - inertia.c4y * t10) - (inertia.c5y * t11 - (inertia.I5yy - t36));
-  return { (t2 + t5) - t9,
-           g.d4 * (t10 + t11),
-           g.d4 * t12,
-           t13,
-           Scalar(1) / g.d4,
+  const Scalar t17 = (t10 + t16) / g.d4;
+  const Scalar t18 = g.d4 * g.d4 * t17;
+  const Scalar t19 = inertia.c4x * inertia.m4;
+  const Scalar t20 = g.d4 * t19;
+  const Scalar t21 = inertia.c4y * inertia.m4;
+  const Scalar t22 = inertia.c5y * inertia.m5;
+  const Scalar t23 = inertia.c3y * inertia.m3;
+  const Scalar t24 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t25 = g.d4 * (t11 + t13) + ((inertia.I4zz - t24) - inertia.c4z * t11);
+  const Scalar t26 = (g.d4 * (t14 + t13) - t25) - g.d4 * (t14 + t16);
+  const Scalar t27 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t28 = ((inertia.I3zz - t27) - inertia.c3z * t9) + g.d4 * (t9 + t10);
+  const Scalar t29 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t30 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t31 = (inertia.c6z * t4 - (inertia.I6zz - t29)) + (inertia.c5z * t3 - (inertia.I5zz - t30));
+  const Scalar t32 = inertia.I6xy - inertia.c6y * t6;
+  const Scalar t33 = (inertia.I6xx - t29) - inertia.c6x * t6;
+  const Scalar t34 = (inertia.I6yy - t29) - inertia.c6y * t5;
+  const Scalar t35 = g.d4 * t21;
+  const Scalar t36 = ((inertia.I4yy - t24) - inertia.c4y * t21) - (inertia.c5y * t22 - (inertia.I5yy - t30));
+  const Scalar t37 = inertia.c1x * inertia.m1;
+  const Scalar t38 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t39 = g.l2 * (t37 + (g.l2 * inertia.m1 + t37)) + (inertia.c1x * t37 - (inertia.I1xx - t38));
+  const Scalar t40 = inertia.c2x * inertia.m2;
+  const Scalar t41 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t42 = (inertia.c2x * t40 - (inertia.I2xx - t41)) + g.l2 * (t40 + (g.l2 * inertia.m2 + t40));
+  const Scalar t43 = inertia.m3 + t15;
+  const Scalar t44 = (t39 + (t42 + g.l2 * g.l2 * t43)) + g.l2 * g.l2 * t17;
+  const Scalar t45 = ((inertia.I3yy - t27) - inertia.c3y * t23)
+      + ((inertia.I2yy - t41) - inertia.c2y * inertia.c2y * inertia.m2);
+  const Scalar t46 = t45 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t38));
+  const Scalar t47 = g.d4 * g.d4 * (t17 + (inertia.m2 + t43)) * t8;
+  return { t1,
+           g.d4 * t2,
+           g.d4 * (t3 + t4),
+           g.d4 * t5,
+           g.d4 * t6,
+           t7,
+           t8,
            gravity / g.d4,
+           t18,
            t20,
-           g.d4 * t21,
-           g.d4 * t22,
-           g.d4 * t23,
-           g.d4 * (t24 + t25),
-           t27,
-           t28 * t13,
-           t27 + (inertia.I3xz - inertia.c3z * t26),
-           t20 - (t29 + t31),
-           g.d4 * t7 + (inertia.I3yz - inertia.c3z * t7),
-           inertia.I3xy - inertia.c3y * t26,
+           g.d4 * (t21 + t22),
+           g.d4 * t23 + (inertia.I3yz - inertia.c3z * t23),
+           t18 + (t26 - t28),
+           t1 + (inertia.I3xz - inertia.c3z * t0),
+           inertia.I3xy - inertia.c3y * t0,
+           inertia.I5xy - inertia.c5y * t2,
+           t31,
+           inertia.I5xz - inertia.c5z * t2,
+           inertia.I5yz - inertia.c5z * t22,
+           inertia.I6yz - inertia.c6z * t5,
+           inertia.I6xz - inertia.c6z * t6,
            Scalar(2) * t32,
-           t34 - t35,
-           t35,
-           t32,
-           inertia.I6yz - inertia.c6z * t21,
-           inertia.I6xz - inertia.c6z * t22,
-           inertia.I5yz - inertia.c5z * t11,
-           t37,
-           inertia.I5xz - inertia.c5z * t23,
-           inertia.I5xy - inertia.c5y * t23,
-           inertia.c5x * t23 - (inertia.I5xx - t36),
+           t33 - t34,
            t34,
-           t38,
-           inertia.I4xy - inertia.c4y * t12,
-           inertia.I4yz - inertia.c4z * t10,
-           inertia.I4xz - inertia.c4z * t12,
-           (inertia.I4xx - t30) - inertia.c4x * t12,
-           inertia.c3x * t26 - (inertia.I3xx - t6),
-           t28 };
+           t32,
+           inertia.c5x * t2 - (inertia.I5xx - t30),
+           t33,
+           t35 - (t35 + (inertia.I4yz - inertia.c4z * t21)),
+           t36,
+           inertia.I4xy - inertia.c4y * t19,
+           t20 - ((inertia.I4xz - inertia.c4z * t19) + t20),
+           (inertia.I4xx - t24) - inertia.c4x * t19,
+           inertia.c3x * t0 - (inertia.I3xx - t27),
+           t1 * t7,
+           t44 - t46,
+           t47 };
 }
 
 namespace detail {
@@ -120,135 +129,135 @@ inline JointVector<Scalar> inverse_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
   const Scalar t0 = qd[0] * s3;
-  const Scalar t1 = qd[2] * t0;
-  const Scalar t2 = qdd[0] * c3;
-  const Scalar t3 = t1 - t2;
-  const Scalar t4 = t1 + t3;
-  const Scalar t5 = k[8] * c6 + k[7] * s6;
-  const Scalar t6 = qd[0] * c3;
-  const Scalar t7 = qd[3] - t6;
-  const Scalar t8 = qd[2] * s4 + c4 * t0;
-  const Scalar t9 = c5 * t7 + s5 * t8;
-  const Scalar t10 = c5 * t8 - s5 * t7;
-  const Scalar t11 = t9 * t10;
-  const Scalar t12 = t8 * t7;
-  const Scalar t13 = t0 * t6;
-  const Scalar t14 = qdd[2] - t13;
-  const Scalar t15 = qdd[0] * s3;
-  const Scalar t16 = qd[2] * t6;
-  const Scalar t17 = t15 + (t16 + t16);
-  const Scalar t18 = c4 * t14 - s4 * t17;
-  const Scalar t19 = t12 - t18;
-  const Scalar t20 = qdd[4] - t19;
-  const Scalar t21 = t11 + t20;
-  const Scalar t22 = qd[5] + t9;
-  const Scalar t23 = t21 - Scalar(2) * t10 * t22;
-  const Scalar t24 = s4 * t0 - qd[2] * c4;
-  const Scalar t25 = qd[4] - t24;
-  const Scalar t26 = t25 * t22;
-  const Scalar t27 = t24 * t8;
-  const Scalar t28 = qdd[3] + t3;
-  const Scalar t29 = t27 + t28;
-  const Scalar t30 = c4 * t17 + s4 * t14;
-  const Scalar t31 = t30 - Scalar(2) * t24 * t7;
-  const Scalar t32 = s5 * t29 - c5 * t31;
-  const Scalar t33 = Scalar(2) * t25 * t9 + t32;
-  const Scalar t34 = (t26 + t26) - t33;
-  const Scalar t35 = k[7] * c6 - k[8] * s6;
-  const Scalar t36 = qd[0] * qd[0];
-  const Scalar t37 = t6 * t6;
-  const Scalar t38 = qd[2] * qd[2];
-  const Scalar t39 = t37 - t38;
-  const Scalar t40 = t36 - t39;
-  const Scalar t41 = t24 * t24;
-  const Scalar t42 = t7 * t7;
-  const Scalar t43 = t41 - t42;
-  const Scalar t44 = t40 - t43;
-  const Scalar t45 = t25 * t25;
-  const Scalar t46 = t9 * t9;
-  const Scalar t47 = t45 - t46;
-  const Scalar t48 = t44 + t47;
-  const Scalar t49 = t11 - t20;
-  const Scalar t50 = (t5 * t23 + t34 * t35) + (k[10] * t48 - k[9] * t49);
-  const Scalar t51 = t45 + t46;
-  const Scalar t52 = c5 * t29 + s5 * t31;
-  const Scalar t53 = qdd[5] + t52;
-  const Scalar t54 = t22 * t22;
-  const Scalar t55 = t45 + t54;
-  const Scalar t56 = (k[10] * t21 - k[9] * t51) + (t53 * t35 - t5 * t55);
-  const Scalar t57 = k[3] * qdd[0];
-  const Scalar t58 = t17 - t57;
-  const Scalar t59 = k[5] + k[4] * qdd[1];
-  const Scalar t60 = k[3] * t36;
-  const Scalar t61 = t14 + (s3 * t59 + c3 * t60);
-  const Scalar t62 = s4 * t58 - c4 * t61;
-  const Scalar t63 = t41 + t42;
-  const Scalar t64 = k[6] * t62 - (k[1] * t29 - k[2] * t63);
-  const Scalar t65 = (s5 * t50 - c5 * t56) + t64;
-  const Scalar t66 = t25 * t10;
-  const Scalar t67 = t52 + (t66 + t66);
-  const Scalar t68 = qdd[5] + t67;
-  const Scalar t69 = t45 - t54;
-  const Scalar t70 = (t5 * t68 + (t48 - t69) * t35) + (k[10] * t33 + k[9] * t67);
-  const Scalar t71 = s4 * t61 + c4 * t58;
-  const Scalar t72 = t27 - t28;
-  const Scalar t73 = k[6] * t71 - (k[1] * t44 - k[2] * t72);
-  const Scalar t74 = t70 - t73;
-  const Scalar t75 = k[11] * t4 - (s4 * t65 - c4 * t74);
-  const Scalar t76 = t37 + t38;
-  const Scalar t77 = t36 - t76;
-  const Scalar t78 = (k[34] * t4 + k[13] * t17) - (k[16] * t77 + k[15] * t14);
-  const Scalar t79 = k[23] * t47 + (k[24] * t33 - k[25] * t67);
-  const Scalar t80 = k[22] * c6 + k[21] * s6;
-  const Scalar t81 = k[17] * c6 - k[18] * s6;
-  const Scalar t82 = k[20] - c6 * t81;
-  const Scalar t83 = s6 * t81;
-  const Scalar t84 = k[19] - t83;
-  const Scalar t85 = k[21] * c6 - k[22] * s6;
-  const Scalar t86 = (t82 * t23 - t84 * t34) - t85 * t69;
-  const Scalar t87 = c3 * t59 - s3 * t60;
-  const Scalar t88 = t87 + t40;
-  const Scalar t89 = c5 * t88 + s5 * t62;
-  const Scalar t90 = (k[10] * t71 - (k[26] * t49 - t79)) - ((t80 * t68 + t86) - t89 * t35);
-  const Scalar t91 = t44 - t51;
-  const Scalar t92 = k[28] + t83;
-  const Scalar t93 = t91 * t82 - (t53 * t84 + t92 * t68);
-  const Scalar t94 = s5 * t88 - c5 * t62;
-  const Scalar t95 = ((t80 * t33 + t85 * t21) - t93) - (t71 * t5 - t94 * t35);
-  const Scalar t96 = (k[25] * t33 - k[27] * t67) + (k[26] * t91 + k[23] * t21);
-  const Scalar t97 = t95 + (t96 - k[9] * t71);
-  const Scalar t98 = t44 - t63;
-  const Scalar t99 = k[30] * t98 + (k[29] * t29 - k[33] * t72);
-  const Scalar t100 = ((k[31] * t18 - k[32] * t30) + t99) - (k[2] * t71 + k[1] * t62);
-  const Scalar t101 = (s5 * t90 - c5 * t97) - t100;
-  const Scalar t102 = t12 + t19;
-  const Scalar t103 = (k[31] * t29 + k[32] * (t98 + t43)) + (k[30] * t31 - k[33] * t102);
-  const Scalar t104 = (t80 * (t48 - t55) + t53 * t85) - (t82 * t34 - t23 * t92);
-  const Scalar t105 = (k[24] * t21 - k[27] * t49) - k[25] * (t48 - t51);
-  const Scalar t106 = ((k[26] * t32 - k[23] * t52) + t105) - (k[9] * t89 + k[10] * t94);
-  const Scalar t107 = (t5 * t89 + t104) - t106;
-  const Scalar t108 = t65 - ((t103 + k[2] * t88) + t107);
-  const Scalar t109 = k[31] * t43 - (k[30] * t102 - k[29] * t31);
-  const Scalar t110 = (s5 * t97 + c5 * t90) + ((k[32] * t72 + t109) + k[1] * t88);
-  const Scalar t111 = t74 - t110;
-  const Scalar t112 = qdd[2] + t13;
-  const Scalar t113 = k[15] * t39 + (k[13] * t4 + k[14] * t17);
-  const Scalar t114 = (s4 * t108 - c4 * t111) + (k[16] * t112 - t113);
-  const Scalar t115 = c3 * ((t78 - k[11] * t57) + t101) + s3 * t114;
-  const Scalar t116 = k[0] * qdd[0] - ((k[3] * t75 - k[12] * t57) + t115);
-  const Scalar t117 = (k[2] * t102 - k[1] * t31) - k[6] * t88;
-  const Scalar t118 = k[11] * t112 - (t117 - (c5 * t50 + s5 * t56));
-  const Scalar t119 = (s4 * t74 + c4 * t65) + k[11] * t76;
-  const Scalar t120 = k[35] * t59 - (c3 * t118 - s3 * t119);
-  const Scalar t121 = (k[14] * t14 + k[34] * t112) - k[13] * (t77 - t39);
-  const Scalar t122 = k[11] * t87 - ((k[15] * t2 - k[16] * t15) + t121);
+  const Scalar t1 = s4 * t0 - qd[2] * c4;
+  const Scalar t2 = qd[2] * s4 + c4 * t0;
+  const Scalar t3 = t1 * t2;
+  const Scalar t4 = qd[2] * t0;
+  const Scalar t5 = qdd[0] * c3;
+  const Scalar t6 = t4 - t5;
+  const Scalar t7 = qdd[3] + t6;
+  const Scalar t8 = t3 - t7;
+  const Scalar t9 = t1 * t1;
+  const Scalar t10 = qd[0] * c3;
+  const Scalar t11 = qd[3] - t10;
+  const Scalar t12 = t11 * t11;
+  const Scalar t13 = t9 - t12;
+  const Scalar t14 = t0 * t0;
+  const Scalar t15 = qd[2] * qd[2];
+  const Scalar t16 = t14 + t15;
+  const Scalar t17 = t13 - t16;
+  const Scalar t18 = k[5] * qdd[0];
+  const Scalar t19 = k[7] + k[6] * qdd[1];
+  const Scalar t20 = qd[0] * qd[0];
+  const Scalar t21 = k[5] * t20;
+  const Scalar t22 = s3 * t19 + c3 * t21;
+  const Scalar t23 = t0 * t10;
+  const Scalar t24 = qdd[2] - t23;
+  const Scalar t25 = qd[2] * t10;
+  const Scalar t26 = qdd[0] * s3;
+  const Scalar t27 = t25 + (t25 + t26);
+  const Scalar t28 = s4 * t24 + c4 * t27;
+  const Scalar t29 = (c4 * t18 - s4 * t22) - t28;
+  const Scalar t30 = (k[9] * t8 + k[10] * t17) - k[8] * t29;
+  const Scalar t31 = t3 + t7;
+  const Scalar t32 = t1 * t11;
+  const Scalar t33 = t28 - (t32 + t32);
+  const Scalar t34 = s5 * t31 - c5 * t33;
+  const Scalar t35 = c5 * t11 + s5 * t2;
+  const Scalar t36 = qd[4] - t1;
+  const Scalar t37 = Scalar(2) * t36;
+  const Scalar t38 = t34 + t35 * t37;
+  const Scalar t39 = c5 * t31 + s5 * t33;
+  const Scalar t40 = c5 * t2 - s5 * t11;
+  const Scalar t41 = t40 * t37;
+  const Scalar t42 = t39 + t41;
+  const Scalar t43 = t36 * t36;
+  const Scalar t44 = t40 * t40;
+  const Scalar t45 = t43 - t44;
+  const Scalar t46 = qd[5] + t35;
+  const Scalar t47 = t43 + t46 * t46;
+  const Scalar t48 = t45 - t47;
+  const Scalar t49 = k[3] * c6 - k[4] * s6;
+  const Scalar t50 = qdd[5] + t39;
+  const Scalar t51 = t50 + t41;
+  const Scalar t52 = k[4] * c6 + k[3] * s6;
+  const Scalar t53 = (k[2] * t38 + k[1] * t42) - (t48 * t49 - t51 * t52);
+  const Scalar t54 = t30 - t53;
+  const Scalar t55 = t9 + t12;
+  const Scalar t56 = c4 * t24 - s4 * t27;
+  const Scalar t57 = t56 + (c4 * t22 + s4 * t18);
+  const Scalar t58 = (k[10] * t31 - k[9] * t55) + k[8] * t57;
+  const Scalar t59 = t43 + t44;
+  const Scalar t60 = t17 + t59;
+  const Scalar t61 = t45 - t60;
+  const Scalar t62 = t35 * t40;
+  const Scalar t63 = t2 * t11;
+  const Scalar t64 = t63 - t56;
+  const Scalar t65 = qdd[4] - t64;
+  const Scalar t66 = t62 + t65;
+  const Scalar t67 = (k[1] * (t61 + t59) - k[2] * t66) + (t52 * t47 - t50 * t49);
+  const Scalar t68 = t36 * t46;
+  const Scalar t69 = (t68 - t38) + t68;
+  const Scalar t70 = t40 * t46;
+  const Scalar t71 = (t66 - t70) - t70;
+  const Scalar t72 = t62 - t65;
+  const Scalar t73 = (t49 * t69 + t71 * t52) + (k[2] * t59 - k[1] * t72);
+  const Scalar t74 = t58 - (c5 * t67 + s5 * t73);
+  const Scalar t75 = t4 + t6;
+  const Scalar t76 = (c4 * t54 - s4 * t74) - k[0] * t75;
+  const Scalar t77 = t16 - t55;
+  const Scalar t78 = k[29] * (t13 - t77) + (k[31] * t8 - k[28] * t31);
+  const Scalar t79 = (k[9] * t29 + k[10] * t57) - (t78 + (k[27] * t56 - k[30] * t28));
+  const Scalar t80 = k[19] * s6 + k[20] * c6;
+  const Scalar t81 = k[21] * c6 - k[22] * s6;
+  const Scalar t82 = s6 * t81;
+  const Scalar t83 = k[23] - t82;
+  const Scalar t84 = k[24] - c6 * t81;
+  const Scalar t85 = k[19] * c6 - k[20] * s6;
+  const Scalar t86 = t48 + t59;
+  const Scalar t87 = (t83 * t69 - t71 * t84) + t85 * t86;
+  const Scalar t88 = s3 * t21 - c3 * t19;
+  const Scalar t89 = t88 - t16;
+  const Scalar t90 = s5 * t57 + c5 * t89;
+  const Scalar t91 = k[18] * t60 - (k[17] * t42 - k[16] * t38);
+  const Scalar t92 = ((t80 * t51 - t87) + t49 * t90) + ((k[15] * t72 - t91) + k[2] * t29);
+  const Scalar t93 = (k[25] * t42 - k[17] * t38) + (k[15] * t45 - k[18] * t66);
+  const Scalar t94 = s5 * t89 - c5 * t57;
+  const Scalar t95 = k[26] + t82;
+  const Scalar t96 = (t51 * t95 + t50 * t83) + t45 * t84;
+  const Scalar t97 = (t29 * t52 - t94 * t49) + (t96 + (t80 * t38 + t66 * t85));
+  const Scalar t98 = (t93 - k[1] * t29) - t97;
+  const Scalar t99 = t79 + (s5 * t92 - c5 * t98);
+  const Scalar t100 = t14 - t15;
+  const Scalar t101 = (k[32] * t75 + k[13] * t27) - (k[11] * t24 + k[14] * t100);
+  const Scalar t102 = k[17] * t61 - (k[25] * t72 - k[16] * t66);
+  const Scalar t103 = (k[1] * t90 + k[2] * t94) + (t102 - (k[18] * t39 - k[15] * t34));
+  const Scalar t104 = (t50 * t85 - t80 * (t45 - t86)) + (t71 * t95 - t69 * t84);
+  const Scalar t105 = t103 - (t104 - t52 * t90);
+  const Scalar t106 = t63 + t64;
+  const Scalar t107 = (k[27] * t31 + k[30] * t77) + (k[31] * t106 - k[29] * t33);
+  const Scalar t108 = t74 - (t105 + (k[9] * t89 + t107));
+  const Scalar t109 = (k[29] * t106 - k[28] * t33) + k[27] * t13;
+  const Scalar t110 = (k[10] * t89 + (k[30] * t8 + t109)) + (c5 * t92 + s5 * t98);
+  const Scalar t111 = t110 - t54;
+  const Scalar t112 = qdd[2] + t23;
+  const Scalar t113 = t20 - t16;
+  const Scalar t114 = k[11] * t113 + (k[13] * t75 + k[12] * t27);
+  const Scalar t115 = (s4 * t108 + c4 * t111) - (k[14] * t112 - t114);
+  const Scalar t116 = c3 * (t99 + (k[33] * qdd[0] - t101)) + s3 * t115;
+  const Scalar t117 = (c4 * t74 + s4 * t54) - k[0] * (t20 - t100);
+  const Scalar t118 = (k[10] * t33 - k[9] * t106) - k[8] * t89;
+  const Scalar t119 = k[0] * t112 - ((s5 * t67 - c5 * t73) - t118);
+  const Scalar t120 = k[6] * (s3 * t117 + c3 * t119) - k[35] * t19;
+  const Scalar t121 = (k[32] * t112 + k[12] * t24) + k[13] * (t113 - t100);
+  const Scalar t122 = k[0] * t88 + (t121 + (k[11] * t5 - k[14] * t26));
   JointVector<Scalar> result;
-  result[0] = t116;
-  result[1] = k[4] * t120;
-  result[2] = (s4 * t111 + c4 * t108) - t122;
-  result[3] = t101;
-  result[4] = -t107;
-  result[5] = -t95;
+  result[0] = (k[5] * t76 + t116) + k[34] * qdd[0];
+  result[1] = -t120;
+  result[2] = t122 + (s4 * t111 - c4 * t108);
+  result[3] = -t99;
+  result[4] = t105;
+  result[5] = -t97;
   return result;
 }
 
@@ -276,8 +285,9 @@ GravityTorqueConstants<Scalar> gravity_torque_constants(const BasicGeometry<Scal
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = (inertia.c4z * inertia.m4 - g.d4 * t0) + (inertia.c3z * inertia.m3 - g.d4 * inertia.m3);
+  const Scalar t0 = g.d4 * inertia.m4;
+  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t2 = ((inertia.c4z * inertia.m4 - t0) + t0) - g.d4 * t1;
   return { gravity,
            inertia.c4y * inertia.m4 + inertia.c5y * inertia.m5,
            inertia.c5x * inertia.m5,
@@ -286,8 +296,8 @@ GravityTorqueConstants<Scalar> gravity_torque_constants(const BasicGeometry<Scal
            inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
            inertia.c4x * inertia.m4,
            inertia.c3x * inertia.m3,
-           t1,
-           gravity * (inertia.m2 + (inertia.m3 + t0)) };
+           (inertia.c3z * inertia.m3 - g.d4 * inertia.m3) + t2,
+           gravity * (inertia.m2 + (inertia.m3 + t1)) };
 }
 
 namespace detail {
@@ -349,71 +359,77 @@ CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Sc
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c3y * inertia.m3;
-  const Scalar t1 = inertia.c3x * inertia.m3;
-  const Scalar t2 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t3 = inertia.c3x * t1 - (inertia.I3xx - t2);
-  const Scalar t4 = g.d4 * t1;
-  const Scalar t5 = t4 + (inertia.I3xz - inertia.c3z * t1);
-  const Scalar t6 = inertia.c4y * inertia.m4;
-  const Scalar t7 = inertia.c5y * inertia.m5;
-  const Scalar t8 = inertia.c4x * inertia.m4;
-  const Scalar t9 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t0 = inertia.c3x * inertia.m3;
+  const Scalar t1 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t2 = inertia.c3x * t0 - (inertia.I3xx - t1);
+  const Scalar t3 = g.d4 * t0;
+  const Scalar t4 = t3 + (inertia.I3xz - inertia.c3z * t0);
+  const Scalar t5 = inertia.c3y * inertia.m3;
+  const Scalar t6 = inertia.c5z * inertia.m5;
+  const Scalar t7 = inertia.c6z * inertia.m6;
+  const Scalar t8 = inertia.c5x * inertia.m5;
+  const Scalar t9 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
   const Scalar t10 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t11 = ((inertia.I4yy - t9) - inertia.c4y * t6) - (inertia.c5y * t7 - (inertia.I5yy - t10));
-  const Scalar t12 = inertia.c5x * inertia.m5;
+  const Scalar t11 = (inertia.c6z * t7 - (inertia.I6zz - t9)) + (inertia.c5z * t6 - (inertia.I5zz - t10));
+  const Scalar t12 = inertia.c5y * inertia.m5;
   const Scalar t13 = inertia.c6y * inertia.m6;
   const Scalar t14 = inertia.c6x * inertia.m6;
   const Scalar t15 = inertia.I6xy - inertia.c6y * t14;
-  const Scalar t16 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t17 = (inertia.I6xx - t16) - inertia.c6x * t14;
-  const Scalar t18 = (inertia.I6yy - t16) - inertia.c6y * t13;
-  const Scalar t19 = inertia.c5z * inertia.m5;
-  const Scalar t20 = inertia.c6z * inertia.m6;
-  const Scalar t21 = (inertia.c6z * t20 - (inertia.I6zz - t16)) + (inertia.c5z * t19 - (inertia.I5zz - t10));
-  const Scalar t22 = inertia.c4z * inertia.m4;
-  const Scalar t23 = t22 - g.d4 * (inertia.m4 + (inertia.m5 + inertia.m6));
+  const Scalar t16 = (inertia.I6xx - t9) - inertia.c6x * t14;
+  const Scalar t17 = (inertia.I6yy - t9) - inertia.c6y * t13;
+  const Scalar t18 = inertia.c4y * inertia.m4;
+  const Scalar t19 = inertia.c4x * inertia.m4;
+  const Scalar t20 = g.d4 * t19;
+  const Scalar t21 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t22 = ((inertia.I4yy - t21) - inertia.c4y * t18) - (inertia.c5y * t12 - (inertia.I5yy - t10));
+  const Scalar t23 = g.d4 * t18;
   const Scalar t24 = inertia.c3z * inertia.m3;
   const Scalar t25 = t24 - g.d4 * inertia.m3;
-  const Scalar t26 = g.d4 * g.d4 * (t23 + t25) / g.d4;
-  const Scalar t27 = ((inertia.I3zz - t2) - inertia.c3z * t24) + g.d4 * (t24 + t25);
-  const Scalar t28 = ((inertia.I4zz - t9) - inertia.c4z * t22) + g.d4 * (t23 + t22);
-  const Scalar t29 = t26 - (t27 + t28);
-  return { g.d4 * t0 + (inertia.I3yz - inertia.c3z * t0),
-           inertia.I3xy - inertia.c3y * t1,
-           Scalar(2) * t3,
-           t5,
+  const Scalar t26 = inertia.c4z * inertia.m4;
+  const Scalar t27 = g.d4 * inertia.m4;
+  const Scalar t28 = t26 - t27;
+  const Scalar t29 = t28 + t27;
+  const Scalar t30 = t29 - g.d4 * (inertia.m4 + (inertia.m5 + inertia.m6));
+  const Scalar t31 = g.d4 * g.d4 * (t25 + t30) / g.d4;
+  const Scalar t32 = g.d4 * (t26 + t28) + ((inertia.I4zz - t21) - inertia.c4z * t26);
+  const Scalar t33 = (g.d4 * (t29 + t28) - t32) - g.d4 * (t29 + t30);
+  const Scalar t34 = ((inertia.I3zz - t1) - inertia.c3z * t24) + g.d4 * (t24 + t25);
+  const Scalar t35 = t31 + (t33 - t34);
+  return { Scalar(2) * t2,
+           Scalar(2) * t4,
+           g.d4 * t5 + (inertia.I3yz - inertia.c3z * t5),
+           inertia.I3xy - inertia.c3y * t0,
            g.l2 / g.d4,
            g.d4 * (t6 + t7),
-           g.d4 * t8,
-           inertia.I4xy - inertia.c4y * t8,
-           (inertia.I4xx - t9) - inertia.c4x * t8,
+           inertia.I5xz - inertia.c5z * t8,
            t11,
-           inertia.I4xz - inertia.c4z * t8,
-           inertia.I4yz - inertia.c4z * t6,
-           inertia.I5xy - inertia.c5y * t12,
-           inertia.I5yz - inertia.c5z * t7,
-           inertia.I5xz - inertia.c5z * t12,
-           inertia.c5x * t12 - (inertia.I5xx - t10),
-           g.d4 * t12,
+           inertia.I5yz - inertia.c5z * t12,
+           inertia.I5xy - inertia.c5y * t8,
            g.d4 * t13,
            g.d4 * t14,
-           inertia.I6yz - inertia.c6z * t13,
            inertia.I6xz - inertia.c6z * t14,
+           inertia.I6yz - inertia.c6z * t13,
            Scalar(2) * t15,
-           t17 - t18,
-           t17,
-           t18,
+           t16 - t17,
            t15,
-           g.d4 * (t19 + t20),
-           t21,
-           Scalar(2) * t5,
-           t29,
-           t26,
-           Scalar(2) * t4,
-           t4,
+           t17,
+           t16,
+           inertia.c5x * t8 - (inertia.I5xx - t10),
+           g.d4 * t8,
+           g.d4 * (t18 + t12),
+           t20,
+           t22,
+           (inertia.I4xx - t21) - inertia.c4x * t19,
+           inertia.I4xy - inertia.c4y * t19,
+           t23 - (t23 + (inertia.I4yz - inertia.c4z * t18)),
+           t20 - ((inertia.I4xz - inertia.c4z * t19) + t20),
+           t35,
+           t31,
+           Scalar(2) * t3,
+           t3,
            Scalar(1) / g.d4,
-           t3 - t29 };
+           t35 - t2,
+           t4 };
 }
 
 namespace detail {
@@ -431,123 +447,124 @@ inline JointVector<Scalar> coriolis_torque([[maybe_unused]] const JointVector<Sc
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
   const Scalar t0 = qd[0] * s3;
-  const Scalar t1 = s4 * t0 - qd[2] * c4;
-  const Scalar t2 = t1 * t1;
-  const Scalar t3 = qd[0] * c3;
-  const Scalar t4 = qd[3] - t3;
-  const Scalar t5 = t4 * t4;
-  const Scalar t6 = t2 - t5;
-  const Scalar t7 = t0 * t0;
-  const Scalar t8 = qd[2] * qd[2];
-  const Scalar t9 = t7 + t8;
-  const Scalar t10 = t6 - t9;
-  const Scalar t11 = c4 * t0;
-  const Scalar t12 = qd[2] * s4 + t11;
-  const Scalar t13 = t1 * t12;
-  const Scalar t14 = qd[2] * t0;
-  const Scalar t15 = t13 - t14;
+  const Scalar t1 = s4 * t0;
+  const Scalar t2 = t1 - qd[2] * c4;
+  const Scalar t3 = t2 * t2;
+  const Scalar t4 = qd[0] * c3;
+  const Scalar t5 = qd[3] - t4;
+  const Scalar t6 = t5 * t5;
+  const Scalar t7 = t3 + t6;
+  const Scalar t8 = c4 * t0;
+  const Scalar t9 = qd[2] * s4 + t8;
+  const Scalar t10 = t2 * t9;
+  const Scalar t11 = qd[2] * t0;
+  const Scalar t12 = t10 + t11;
+  const Scalar t13 = qd[2] * t4;
+  const Scalar t14 = Scalar(2) * t13;
+  const Scalar t15 = t4 * t8 + s4 * t14;
   const Scalar t16 = qd[0] * qd[0];
   const Scalar t17 = k[4] * t16;
   const Scalar t18 = c3 * t17;
-  const Scalar t19 = t0 * t3;
-  const Scalar t20 = qd[2] * t3;
-  const Scalar t21 = t20 + t20;
-  const Scalar t22 = s4 * t19 - c4 * t21;
-  const Scalar t23 = s4 * t18 - t22;
-  const Scalar t24 = (k[5] * t10 + k[6] * t15) + k[30] * t23;
-  const Scalar t25 = t1 * t4;
-  const Scalar t26 = (t25 + t25) + t22;
-  const Scalar t27 = t13 + t14;
-  const Scalar t28 = s5 * t26 - c5 * t27;
-  const Scalar t29 = qd[4] - t1;
-  const Scalar t30 = c5 * t12 - s5 * t4;
-  const Scalar t31 = t29 * t30;
-  const Scalar t32 = t28 - (t31 + t31);
-  const Scalar t33 = k[17] * s6 + k[18] * c6;
-  const Scalar t34 = k[17] * c6 - k[18] * s6;
-  const Scalar t35 = c5 * t4 + s5 * t12;
-  const Scalar t36 = qd[5] + t35;
-  const Scalar t37 = t36 * t36;
-  const Scalar t38 = t30 * t30;
-  const Scalar t39 = t37 + t38;
-  const Scalar t40 = s5 * t27 + c5 * t26;
-  const Scalar t41 = t40 + Scalar(2) * t29 * t35;
-  const Scalar t42 = (t32 * t33 - t34 * t39) + (k[16] * t32 - k[26] * t41);
-  const Scalar t43 = t24 + t42;
-  const Scalar t44 = t2 + t5;
-  const Scalar t45 = s4 * t21 + t3 * t11;
-  const Scalar t46 = t45 - c4 * t18;
-  const Scalar t47 = (k[6] * t44 - k[5] * t27) + k[30] * t46;
-  const Scalar t48 = t35 * t30;
-  const Scalar t49 = t12 * t4;
-  const Scalar t50 = t49 + t45;
-  const Scalar t51 = t48 - t50;
-  const Scalar t52 = t30 * t36;
-  const Scalar t53 = (t51 - t52) - t52;
-  const Scalar t54 = t29 * t36;
-  const Scalar t55 = t54 + (t54 - t41);
-  const Scalar t56 = t48 + t50;
-  const Scalar t57 = t29 * t29;
-  const Scalar t58 = t57 - t38;
-  const Scalar t59 = t57 - t37;
-  const Scalar t60 = t58 - t59;
-  const Scalar t61 = t58 + t39;
-  const Scalar t62 = t60 - t61;
-  const Scalar t63 = (t33 * t53 + t34 * t55) - (k[16] * t56 + k[26] * t62);
-  const Scalar t64 = t10 - t58;
-  const Scalar t65 = (t33 * t61 + t34 * t28) - (k[26] * t51 + k[16] * t64);
-  const Scalar t66 = t47 + (s5 * t63 + c5 * t65);
-  const Scalar t67 = (c4 * t43 + s4 * t66) - k[31] * t14;
-  const Scalar t68 = k[0] * (t16 - t9) + (k[28] * t14 + k[29] * t21);
-  const Scalar t69 = t62 - t64;
-  const Scalar t70 = k[14] * t69 + (k[27] * t51 - k[15] * t56);
-  const Scalar t71 = s3 * t17;
-  const Scalar t72 = t9 - t71;
-  const Scalar t73 = s5 * t72 - c5 * t46;
-  const Scalar t74 = s5 * t46 + c5 * t72;
-  const Scalar t75 = ((k[12] * t40 + k[13] * t28) + t70) - (k[26] * t73 + k[16] * t74);
-  const Scalar t76 = k[19] * s6 + k[20] * c6;
-  const Scalar t77 = k[19] * c6 - k[20] * s6;
-  const Scalar t78 = k[21] * c6 - k[22] * s6;
-  const Scalar t79 = k[25] - c6 * t78;
-  const Scalar t80 = s6 * t78;
-  const Scalar t81 = k[23] + t80;
-  const Scalar t82 = (t60 * t76 + t77 * t28) + (t55 * t79 - t81 * t53);
-  const Scalar t83 = t75 + (t82 - t33 * t74);
-  const Scalar t84 = t49 + t50;
-  const Scalar t85 = t10 + t44;
-  const Scalar t86 = (k[8] * t84 + k[7] * t26) - (k[10] * (t6 - t85) + k[11] * t27);
-  const Scalar t87 = (t83 + (t86 - k[6] * t72)) + t66;
-  const Scalar t88 = k[24] - t80;
-  const Scalar t89 = t77 * t59 + (t55 * t88 - t79 * t53);
-  const Scalar t90 = k[13] * (t58 - t69) + (k[27] * t41 + k[14] * t32);
-  const Scalar t91 = ((t76 * t32 + t89) + t34 * t74) + (k[26] * t23 - (k[12] * t56 - t90));
-  const Scalar t92 = (k[15] * t32 + k[14] * t41) + (k[13] * t51 - k[12] * t58);
-  const Scalar t93 = t58 * t79 - (t28 * t88 + t32 * t81);
-  const Scalar t94 = (t34 * t73 - t33 * t23) + (t93 + (t76 * t41 + t77 * t51));
-  const Scalar t95 = (k[16] * t23 - t92) - t94;
-  const Scalar t96 = (k[7] * t84 + k[9] * t26) - k[11] * t6;
-  const Scalar t97 = (c5 * t91 - s5 * t95) + (k[5] * t72 - (t96 - k[10] * t15));
-  const Scalar t98 = t43 + t97;
-  const Scalar t99 = (k[1] * t19 - t68) + (s4 * t87 + c4 * t98);
-  const Scalar t100 = t7 - t8;
-  const Scalar t101 = (k[3] * t21 + k[2] * t14) - (k[1] * t100 - k[0] * t19);
-  const Scalar t102 = (k[8] * t15 - k[9] * t27) + k[7] * t85;
-  const Scalar t103 = (k[5] * t46 + k[6] * t23) - ((k[10] * t22 - k[11] * t45) - t102);
-  const Scalar t104 = (c5 * t95 + s5 * t91) + t103;
-  const Scalar t105 = k[4] * t67 - (s3 * t99 + c3 * (t101 + t104));
-  const Scalar t106 = t16 - t100;
-  const Scalar t107 = (c4 * t66 - s4 * t43) + k[32] * t106;
-  const Scalar t108 = k[30] * t72 - (k[6] * t84 + k[5] * t26);
-  const Scalar t109 = (t108 - (s5 * t65 - c5 * t63)) + k[32] * t19;
-  const Scalar t110 = k[32] * t71 + (k[34] * t19 + k[3] * (t106 - t9));
+  const Scalar t19 = t15 - c4 * t18;
+  const Scalar t20 = (k[22] * t7 - k[21] * t12) + k[29] * t19;
+  const Scalar t21 = qd[4] - t2;
+  const Scalar t22 = c5 * t5 + s5 * t9;
+  const Scalar t23 = t21 * t22;
+  const Scalar t24 = t2 * t5;
+  const Scalar t25 = t1 * t4 - c4 * t14;
+  const Scalar t26 = (t24 + t24) + t25;
+  const Scalar t27 = s5 * t12 + c5 * t26;
+  const Scalar t28 = t23 + (t27 + t23);
+  const Scalar t29 = qd[5] + t22;
+  const Scalar t30 = t28 - Scalar(2) * t21 * t29;
+  const Scalar t31 = k[10] * c6 - k[11] * s6;
+  const Scalar t32 = k[10] * s6 + k[11] * c6;
+  const Scalar t33 = c5 * t9 - s5 * t5;
+  const Scalar t34 = t22 * t33;
+  const Scalar t35 = t9 * t5;
+  const Scalar t36 = t35 + t15;
+  const Scalar t37 = t34 - t36;
+  const Scalar t38 = t37 - Scalar(2) * t33 * t29;
+  const Scalar t39 = t29 * t29;
+  const Scalar t40 = t33 * t33;
+  const Scalar t41 = t39 + t40;
+  const Scalar t42 = t21 * t21;
+  const Scalar t43 = t42 - t39;
+  const Scalar t44 = t41 + t43;
+  const Scalar t45 = t34 + t36;
+  const Scalar t46 = (t30 * t31 - t32 * t38) - (k[5] * t44 - k[20] * t45);
+  const Scalar t47 = c5 * t12 - s5 * t26;
+  const Scalar t48 = t3 - t6;
+  const Scalar t49 = t0 * t0;
+  const Scalar t50 = qd[2] * qd[2];
+  const Scalar t51 = t49 + t50;
+  const Scalar t52 = t51 - t7;
+  const Scalar t53 = t48 - t52;
+  const Scalar t54 = t53 - t7;
+  const Scalar t55 = t39 - t40;
+  const Scalar t56 = t55 + t43;
+  const Scalar t57 = t54 - t56;
+  const Scalar t58 = (t32 * (t42 + t39) - t47 * t31) - (k[20] * t57 + k[5] * t37);
+  const Scalar t59 = t20 - (s5 * t46 - c5 * t58);
+  const Scalar t60 = t10 - t11;
+  const Scalar t61 = s4 * t18 - t25;
+  const Scalar t62 = (k[21] * t54 + k[22] * t60) + k[29] * t61;
+  const Scalar t63 = t21 * t33;
+  const Scalar t64 = t63 + (t47 + t63);
+  const Scalar t65 = (t41 * t31 + t32 * t64) + (k[20] * t64 + k[5] * t28);
+  const Scalar t66 = t62 - t65;
+  const Scalar t67 = (s4 * t59 + c4 * t66) - k[30] * t11;
+  const Scalar t68 = t35 + t36;
+  const Scalar t69 = (k[23] * t26 + k[25] * t68) + k[26] * t48;
+  const Scalar t70 = s3 * t17;
+  const Scalar t71 = t51 - t70;
+  const Scalar t72 = t57 + t44;
+  const Scalar t73 = (k[7] * t28 - k[6] * t64) + k[8] * (t56 + t72);
+  const Scalar t74 = k[13] * s6 + k[12] * c6;
+  const Scalar t75 = k[14] * c6 - k[15] * s6;
+  const Scalar t76 = s6 * t75;
+  const Scalar t77 = k[17] - t76;
+  const Scalar t78 = k[16] - c6 * t75;
+  const Scalar t79 = k[12] * s6 - k[13] * c6;
+  const Scalar t80 = (t77 * t30 + t78 * t38) + t79 * t43;
+  const Scalar t81 = s5 * t19 + c5 * t71;
+  const Scalar t82 = ((t73 - k[9] * t45) + k[5] * t61) - ((t64 * t74 + t80) - t31 * t81);
+  const Scalar t83 = k[18] + t76;
+  const Scalar t84 = t56 * t78 + (t47 * t77 + t64 * t83);
+  const Scalar t85 = s5 * t71 - c5 * t19;
+  const Scalar t86 = (t84 - (t79 * t37 - t28 * t74)) - (t32 * t61 - t85 * t31);
+  const Scalar t87 = (k[19] * t64 - k[6] * t28) - (k[8] * t37 - k[9] * t56);
+  const Scalar t88 = t86 - (k[20] * t61 + t87);
+  const Scalar t89 = ((k[27] * t60 + t69) - k[21] * t71) - (c5 * t82 + s5 * t88);
+  const Scalar t90 = t89 - t66;
+  const Scalar t91 = (k[25] * t26 + k[24] * t68) + (k[27] * t52 + k[26] * t12);
+  const Scalar t92 = (t47 * t79 + t55 * t74) - (t38 * t83 + t78 * t30);
+  const Scalar t93 = (k[7] * t37 - k[19] * t45) - k[6] * t72;
+  const Scalar t94 = ((k[9] * t27 - k[8] * t47) + t93) - (k[20] * t81 + k[5] * t85);
+  const Scalar t95 = (t32 * t81 - t92) - t94;
+  const Scalar t96 = t59 + ((t91 - k[22] * t71) - t95);
+  const Scalar t97 = t49 - t50;
+  const Scalar t98 = t16 - t97;
+  const Scalar t99 = t98 - t51;
+  const Scalar t100 = k[2] * (t99 + t97) + (k[1] * t11 + k[28] * t14);
+  const Scalar t101 = t0 * t4;
+  const Scalar t102 = (c4 * t90 - s4 * t96) + (t100 - k[3] * t101);
+  const Scalar t103 = (k[3] * t97 - k[2] * t101) - (k[1] * t13 + k[0] * t11);
+  const Scalar t104 = (k[24] * t60 - k[23] * t12) + k[25] * t53;
+  const Scalar t105 = (k[21] * t19 + k[22] * t61) + (t104 + (k[27] * t25 - k[26] * t15));
+  const Scalar t106 = (c5 * t88 - s5 * t82) - t105;
+  const Scalar t107 = k[4] * t67 + (s3 * t102 + c3 * (t103 + t106));
+  const Scalar t108 = (k[21] * t26 + k[22] * t68) - k[29] * t71;
+  const Scalar t109 = k[31] * t101 - ((s5 * t58 + c5 * t46) + t108);
+  const Scalar t110 = (s4 * t66 - c4 * t59) - k[31] * t98;
+  const Scalar t111 = (k[34] * t99 - k[33] * t101) + k[31] * t70;
   JointVector<Scalar> result;
-  result[0] = t105;
-  result[1] = k[33] * (s3 * t107 - c3 * t109);
-  result[2] = t110 + (c4 * t87 - s4 * t98);
-  result[3] = t104;
-  result[4] = t83;
-  result[5] = -t94;
+  result[0] = t107;
+  result[1] = -k[32] * (c3 * t109 + s3 * t110);
+  result[2] = (s4 * t90 + c4 * t96) + t111;
+  result[3] = -t106;
+  result[4] = -t95;
+  result[5] = -t86;
   return result;
 }
 
@@ -579,76 +596,82 @@ MassMatrixConstants<Scalar> mass_matrix_constants(const BasicGeometry<Scalar>& g
   const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t0;
   const Scalar t4 = inertia.c6y * inertia.m6;
   const Scalar t5 = (inertia.I6yy - t2) - inertia.c6y * t4;
-  const Scalar t6 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t7 = inertia.c4y * inertia.m4;
-  const Scalar t8 = inertia.c5y * inertia.m5;
-  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t10 = ((inertia.I4yy - t6) - inertia.c4y * t7) - (inertia.c5y * t8 - (inertia.I5yy - t9));
-  const Scalar t11 = inertia.c5x * inertia.m5;
-  const Scalar t12 = inertia.c4x * inertia.m4;
+  const Scalar t6 = inertia.c5x * inertia.m5;
+  const Scalar t7 = inertia.c5y * inertia.m5;
+  const Scalar t8 = inertia.c4x * inertia.m4;
+  const Scalar t9 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t10 = inertia.c4y * inertia.m4;
+  const Scalar t11 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t12 = ((inertia.I4yy - t9) - inertia.c4y * t10) - (inertia.c5y * t7 - (inertia.I5yy - t11));
   const Scalar t13 = inertia.c6z * inertia.m6;
   const Scalar t14 = inertia.c5z * inertia.m5;
-  const Scalar t15 = (inertia.c6z * t13 - (inertia.I6zz - t2)) + (inertia.c5z * t14 - (inertia.I5zz - t9));
-  const Scalar t16 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t17 = inertia.c3y * inertia.m3;
-  const Scalar t18 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t19 = ((inertia.I3yy - t16) - inertia.c3y * t17)
-      + ((inertia.I2yy - t18) - inertia.c2y * inertia.c2y * inertia.m2);
-  const Scalar t20 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t21 = t19 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t20));
-  const Scalar t22 = inertia.c3x * inertia.m3;
-  const Scalar t23 = g.d4 * t22;
-  const Scalar t24 = inertia.c4z * inertia.m4;
-  const Scalar t25 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t26 = t24 - g.d4 * t25;
-  const Scalar t27 = inertia.c3z * inertia.m3;
-  const Scalar t28 = t27 - g.d4 * inertia.m3;
-  const Scalar t29 = g.d4 * g.d4 * (inertia.m2 + (inertia.m3 + t25));
-  const Scalar t30 = g.l2 / g.d4;
-  const Scalar t31 = ((inertia.I3zz - t16) - inertia.c3z * t27) + g.d4 * (t27 + t28);
-  const Scalar t32 = ((inertia.I4zz - t6) - inertia.c4z * t24) + g.d4 * (t26 + t24);
+  const Scalar t15 = (inertia.c6z * t13 - (inertia.I6zz - t2)) + (inertia.c5z * t14 - (inertia.I5zz - t11));
+  const Scalar t16 = inertia.c3x * inertia.m3;
+  const Scalar t17 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t18 = g.d4 * t8;
+  const Scalar t19 = g.d4 * t10;
+  const Scalar t20 = g.d4 * t16;
+  const Scalar t21 = inertia.c4z * inertia.m4;
+  const Scalar t22 = g.d4 * inertia.m4;
+  const Scalar t23 = t21 - t22;
+  const Scalar t24 = t23 + t22;
+  const Scalar t25 = g.d4 * (t21 + t23) + ((inertia.I4zz - t9) - inertia.c4z * t21);
+  const Scalar t26 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t27 = t24 - g.d4 * t26;
+  const Scalar t28 = (g.d4 * (t24 + t23) - t25) - g.d4 * (t24 + t27);
+  const Scalar t29 = inertia.c3z * inertia.m3;
+  const Scalar t30 = t29 - g.d4 * inertia.m3;
+  const Scalar t31 = ((inertia.I3zz - t17) - inertia.c3z * t29) + g.d4 * (t29 + t30);
+  const Scalar t32 = g.l2 / g.d4;
   const Scalar t33 = inertia.c1x * inertia.m1;
-  const Scalar t34 = g.l2 * (t33 + (g.l2 * inertia.m1 + t33)) + (inertia.c1x * t33 - (inertia.I1xx - t20));
-  const Scalar t35 = inertia.c2x * inertia.m2;
-  const Scalar t36 = (inertia.c2x * t35 - (inertia.I2xx - t18)) + Scalar(2) * g.l2 * t35;
-  const Scalar t37 = Scalar(1) / g.d4;
+  const Scalar t34 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t35 = g.l2 * (t33 + (g.l2 * inertia.m1 + t33)) + (inertia.c1x * t33 - (inertia.I1xx - t34));
+  const Scalar t36 = inertia.c2x * inertia.m2;
+  const Scalar t37 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t38 = (inertia.c2x * t36 - (inertia.I2xx - t37)) + g.l2 * (t36 + (g.l2 * inertia.m2 + t36));
+  const Scalar t39 = inertia.m3 + t26;
+  const Scalar t40 = inertia.c3y * inertia.m3;
+  const Scalar t41 = ((inertia.I3yy - t17) - inertia.c3y * t40)
+      + ((inertia.I2yy - t37) - inertia.c2y * inertia.c2y * inertia.m2);
+  const Scalar t42 = t41 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t34));
+  const Scalar t43 = Scalar(1) / g.d4;
+  const Scalar t44 = g.d4 * g.d4 * (inertia.m2 + t39) * t43 * t43;
   return { Scalar(2) * t1,
            t3 - t5,
-           t5,
-           t10,
            t1,
-           inertia.I5xy - inertia.c5y * t11,
+           inertia.I5xy - inertia.c5y * t6,
            inertia.I6yz - inertia.c6z * t4,
            inertia.I6xz - inertia.c6z * t0,
-           inertia.I5yz - inertia.c5z * t8,
-           inertia.I4xy - inertia.c4y * t12,
-           t3,
-           inertia.c5x * t11 - (inertia.I5xx - t9),
+           inertia.I5yz - inertia.c5z * t7,
+           inertia.I4xy - inertia.c4y * t8,
+           t5,
+           t12,
+           t3 + t5,
+           inertia.c5x * t6 - (inertia.I5xx - t11),
            t15,
-           inertia.I5xz - inertia.c5z * t11,
-           (inertia.I4xx - t6) - inertia.c4x * t12,
-           t21,
+           inertia.I5xz - inertia.c5z * t6,
+           (inertia.I4xx - t9) - inertia.c4x * t8,
+           inertia.c3x * t16 - (inertia.I3xx - t17),
+           t18 - ((inertia.I4xz - inertia.c4z * t8) + t18),
+           t19 - (t19 + (inertia.I4yz - inertia.c4z * t10)),
            g.d4 * t4,
            g.d4 * t0,
-           g.d4 * (t7 + t8),
-           g.d4 * t11,
+           g.d4 * (t10 + t7),
+           g.d4 * t6,
            g.d4 * (t14 + t13),
-           g.d4 * t12,
-           t23,
-           g.d4 * (t26 + t28),
-           t29 * t30,
-           t30,
-           inertia.c3x * t22 - (inertia.I3xx - t16),
-           inertia.I4yz - inertia.c4z * t7,
-           inertia.I4xz - inertia.c4z * t12,
-           t23 + (inertia.I3xz - inertia.c3z * t22),
-           t31 + t32,
-           t34 + t36,
-           inertia.I3xy - inertia.c3y * t22,
-           g.d4 * t17 + (inertia.I3yz - inertia.c3z * t17),
-           t3 + t5,
-           t37,
-           t29 * t37 * t37 };
+           t18,
+           t20 + (inertia.I3xz - inertia.c3z * t16),
+           t28 - t31,
+           g.d4 * (t30 + t27),
+           t20,
+           Scalar(2) * t32,
+           t35 + (t38 + g.l2 * g.l2 * t39),
+           t42,
+           g.d4 * t40 + (inertia.I3yz - inertia.c3z * t40),
+           inertia.I3xy - inertia.c3y * t16,
+           t32,
+           t43,
+           t44 };
 }
 
 namespace detail {
@@ -665,80 +688,78 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointV
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
   const Scalar t0 = k[0] * c6 - k[1] * s6;
-  const Scalar t1 = s6 * t0;
-  const Scalar t2 = k[3] + (k[2] - t1);
-  const Scalar t3 = k[6] * c6 - k[7] * s6;
-  const Scalar t4 = k[8] + t3;
-  const Scalar t5 = k[5] - (k[4] - c6 * t0);
-  const Scalar t6 = s5 * t4 + c5 * t5;
-  const Scalar t7 = k[9] + t6;
-  const Scalar t8 = c4 * t7;
-  const Scalar t9 = k[11] - (k[10] + t1);
-  const Scalar t10 = k[12] + t9;
-  const Scalar t11 = k[7] * c6 + k[6] * s6;
-  const Scalar t12 = k[13] + t11;
-  const Scalar t13 = c5 * t12;
-  const Scalar t14 = s5 * (k[12] - t9) - (t13 + t13);
-  const Scalar t15 = k[12] - s5 * t14;
-  const Scalar t16 = k[14] - (t10 - t15);
-  const Scalar t17 = (t8 + t8) - s4 * (t16 - t2);
-  const Scalar t18 = s4 * t17;
-  const Scalar t19 = t2 - t18;
-  const Scalar t20 = k[17] * c6 + k[16] * s6;
-  const Scalar t21 = k[19] + t20;
-  const Scalar t22 = s5 * t21 - k[20] * c5;
-  const Scalar t23 = k[17] * s6 - k[16] * c6;
-  const Scalar t24 = k[18] - t23;
-  const Scalar t25 = c5 * t21 + k[20] * s5;
-  const Scalar t26 = k[21] + t25;
-  const Scalar t27 = s4 * t24 + c4 * t26;
-  const Scalar t28 = s3 * (k[23] - t22) + c3 * (k[22] + t27);
-  const Scalar t29 = k[30] - (Scalar(2) * t22 + t15);
-  const Scalar t30 = t16 + t18;
-  const Scalar t31 = k[26] - t30;
-  const Scalar t32 = s5 * t5 - c5 * t4;
-  const Scalar t33 = (k[27] - t32) + t24;
-  const Scalar t34 = t26 + (k[28] - (t12 + c5 * t14));
-  const Scalar t35 = s4 * t33 + c4 * t34;
-  const Scalar t36 = s3 * (t29 + t31) + Scalar(2) * c3 * (k[29] + t35);
-  const Scalar t37 = k[25] * ((k[24] + t28) + t28) - (s3 * t36 - t31);
-  const Scalar t38 = c4 * t33 - s4 * t34;
-  const Scalar t39 = c3 * (k[33] + t38) - s3 * (k[32] + (c4 * t17 - t7));
-  const Scalar t40 = t30 + t19;
-  const Scalar t41 = k[25] * t27 - (s3 * t35 + c3 * t40);
-  const Scalar t42 = t22 + t10;
-  const Scalar t43 = s3 * (c4 * t6 + s4 * t42) + c3 * t32;
-  const Scalar t44 = c5 * t23;
-  const Scalar t45 = t44 - t3;
-  const Scalar t46 = (k[34] * s5 - c5 * t11) - t20;
-  const Scalar t47 = s5 * t11 + k[34] * c5;
-  const Scalar t48 = s3 * (s4 * t45 + c4 * t46) - c3 * t47;
-  const Scalar t49 = k[25] * (s4 * t44 - c4 * t20) - t48;
-  const Scalar t50 = k[35] * s3 * (s4 * t26 - c4 * t24);
-  const Scalar t51 = k[35] * (s3 * c4 * t22 - c3 * t25);
-  const Scalar t52 = c3 * s5 * t23 + s3 * (c4 * t44 + s4 * t20);
+  const Scalar t1 = k[8] - s6 * t0;
+  const Scalar t2 = k[11] - (k[10] - t1);
+  const Scalar t3 = k[12] + t2;
+  const Scalar t4 = k[4] * s6 + k[5] * c6;
+  const Scalar t5 = k[13] + t4;
+  const Scalar t6 = s5 * (k[12] - t2) - Scalar(2) * c5 * t5;
+  const Scalar t7 = k[12] - s5 * t6;
+  const Scalar t8 = k[14] - (t3 - t7);
+  const Scalar t9 = k[9] + t1;
+  const Scalar t10 = k[3] - (k[2] - c6 * t0);
+  const Scalar t11 = k[4] * c6 - k[5] * s6;
+  const Scalar t12 = k[6] + t11;
+  const Scalar t13 = c5 * t10 + s5 * t12;
+  const Scalar t14 = k[7] + t13;
+  const Scalar t15 = s4 * (t8 - t9) - Scalar(2) * c4 * t14;
+  const Scalar t16 = s4 * t15;
+  const Scalar t17 = t16 + t9;
+  const Scalar t18 = t8 - t16;
+  const Scalar t19 = k[15] - t18;
+  const Scalar t20 = k[18] * s6 + k[19] * c6;
+  const Scalar t21 = k[21] + t20;
+  const Scalar t22 = s5 * t21 - k[22] * c5;
+  const Scalar t23 = k[25] + (Scalar(2) * t22 + t7);
+  const Scalar t24 = k[16] + (t5 + c5 * t6);
+  const Scalar t25 = s5 * t10 - c5 * t12;
+  const Scalar t26 = k[17] + t25;
+  const Scalar t27 = k[19] * s6 - k[18] * c6;
+  const Scalar t28 = k[20] - t27;
+  const Scalar t29 = k[22] * s5 + c5 * t21;
+  const Scalar t30 = k[23] + t29;
+  const Scalar t31 = s4 * t28 + c4 * t30;
+  const Scalar t32 = (c4 * t24 + s4 * t26) - t31;
+  const Scalar t33 = s3 * (t19 - t23) + Scalar(2) * c3 * (k[24] - t32);
+  const Scalar t34 = c3 * (k[27] + t31) + s3 * (k[26] - t22);
+  const Scalar t35 = k[29] + ((t19 - s3 * t33) + k[28] * t34);
+  const Scalar t36 = s4 * t30 - c4 * t28;
+  const Scalar t37 = (c4 * t26 - s4 * t24) + t36;
+  const Scalar t38 = s3 * (k[32] - (c4 * t15 + t14)) - c3 * (k[31] - t37);
+  const Scalar t39 = t18 + t17;
+  const Scalar t40 = (c3 * t39 - s3 * t32) - k[33] * t31;
+  const Scalar t41 = t3 + t22;
+  const Scalar t42 = s3 * (s4 * t41 + c4 * t13) + c3 * t25;
+  const Scalar t43 = (c5 * t4 - k[10] * s5) + t20;
+  const Scalar t44 = c5 * t27;
+  const Scalar t45 = t44 - t11;
+  const Scalar t46 = s5 * t4 + k[10] * c5;
+  const Scalar t47 = s3 * (c4 * t43 - s4 * t45) + c3 * t46;
+  const Scalar t48 = t47 + k[33] * (s4 * t44 - c4 * t20);
+  const Scalar t49 = k[34] * (c3 * t29 - s3 * c4 * t22);
+  const Scalar t50 = s3 * (s4 * t20 + c4 * t44) + c3 * s5 * t27;
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = (k[31] + t37) - (k[15] + t19);
+  result(0, 0) = t35 - (k[30] + t17);
   result(0, 1) = result(1, 0) = Scalar(0);
-  result(0, 2) = result(2, 0) = t39;
-  result(0, 3) = result(3, 0) = -t41;
-  result(0, 4) = result(4, 0) = k[25] * s4 * t22 - t43;
-  result(0, 5) = result(5, 0) = t49;
-  result(1, 1) = k[36];
-  result(1, 2) = result(2, 1) = -k[35] * t28;
-  result(1, 3) = result(3, 1) = t50;
-  result(1, 4) = result(4, 1) = t51;
-  result(1, 5) = result(5, 1) = k[35] * t52;
-  result(2, 2) = t31 - t29;
-  result(2, 3) = result(3, 2) = -t38;
-  result(2, 4) = result(4, 2) = c4 * t42 - s4 * t6;
-  result(2, 5) = result(5, 2) = c4 * t45 - s4 * t46;
-  result(3, 3) = -t40;
-  result(3, 4) = result(4, 3) = t32;
-  result(3, 5) = result(5, 3) = -t47;
-  result(4, 4) = t10;
-  result(4, 5) = result(5, 4) = -t3;
-  result(5, 5) = -k[34];
+  result(0, 2) = result(2, 0) = -t38;
+  result(0, 3) = result(3, 0) = t40;
+  result(0, 4) = result(4, 0) = k[33] * s4 * t22 - t42;
+  result(0, 5) = result(5, 0) = t48;
+  result(1, 1) = k[35];
+  result(1, 2) = result(2, 1) = -k[34] * t34;
+  result(1, 3) = result(3, 1) = k[34] * s3 * t36;
+  result(1, 4) = result(4, 1) = -t49;
+  result(1, 5) = result(5, 1) = k[34] * t50;
+  result(2, 2) = t19 + t23;
+  result(2, 3) = result(3, 2) = t37;
+  result(2, 4) = result(4, 2) = c4 * t41 - s4 * t13;
+  result(2, 5) = result(5, 2) = s4 * t43 + c4 * t45;
+  result(3, 3) = -t39;
+  result(3, 4) = result(4, 3) = t25;
+  result(3, 5) = result(5, 3) = -t46;
+  result(4, 4) = t3;
+  result(4, 5) = result(5, 4) = -t11;
+  result(5, 5) = -k[10];
   return result;
 }
 
@@ -762,65 +783,71 @@ CoriolisMatrixConstants<Scalar> coriolis_matrix_constants(const BasicGeometry<Sc
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
-  const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = inertia.c5z * inertia.m5;
-  const Scalar t3 = inertia.c6z * inertia.m6;
-  const Scalar t4 = inertia.c5x * inertia.m5;
-  const Scalar t5 = inertia.c4y * inertia.m4;
-  const Scalar t6 = inertia.c5y * inertia.m5;
-  const Scalar t7 = inertia.c4x * inertia.m4;
-  const Scalar t8 = inertia.c3x * inertia.m3;
-  const Scalar t9 = g.d4 * t8;
-  const Scalar t10 = inertia.c4z * inertia.m4;
-  const Scalar t11 = t10 - g.d4 * (inertia.m4 + (inertia.m5 + inertia.m6));
-  const Scalar t12 = inertia.c3z * inertia.m3;
-  const Scalar t13 = t12 - g.d4 * inertia.m3;
-  const Scalar t14 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t15 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t16 = (inertia.c6z * t3 - (inertia.I6zz - t14)) + (inertia.c5z * t2 - (inertia.I5zz - t15));
-  const Scalar t17 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t18 = (inertia.I6xx - t14) - inertia.c6x * t1;
-  const Scalar t19 = (inertia.I6yy - t14) - inertia.c6y * t0;
-  const Scalar t20 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t21 = ((inertia.I4yy - t20) - inertia.c4y * t5) - (inertia.c5y * t6 - (inertia.I5yy - t15));
-  const Scalar t22 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t23 = ((inertia.I3zz - t22) - inertia.c3z * t12) + g.d4 * (t12 + t13);
-  const Scalar t24 = ((inertia.I4zz - t20) - inertia.c4z * t10) + g.d4 * (t11 + t10);
-  const Scalar t25 = inertia.c3y * inertia.m3;
-  return { g.d4 * t0,
-           g.d4 * t1,
-           g.d4 * (t2 + t3),
+  const Scalar t0 = inertia.c6x * inertia.m6;
+  const Scalar t1 = inertia.I6xy - inertia.c6y * t0;
+  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t0;
+  const Scalar t4 = inertia.c6y * inertia.m6;
+  const Scalar t5 = (inertia.I6yy - t2) - inertia.c6y * t4;
+  const Scalar t6 = inertia.c5x * inertia.m5;
+  const Scalar t7 = inertia.c5y * inertia.m5;
+  const Scalar t8 = inertia.c4x * inertia.m4;
+  const Scalar t9 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t10 = inertia.c4y * inertia.m4;
+  const Scalar t11 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t12 = ((inertia.I4yy - t9) - inertia.c4y * t10) - (inertia.c5y * t7 - (inertia.I5yy - t11));
+  const Scalar t13 = inertia.c6z * inertia.m6;
+  const Scalar t14 = inertia.c5z * inertia.m5;
+  const Scalar t15 = (inertia.c6z * t13 - (inertia.I6zz - t2)) + (inertia.c5z * t14 - (inertia.I5zz - t11));
+  const Scalar t16 = g.d4 * t8;
+  const Scalar t17 = inertia.c3x * inertia.m3;
+  const Scalar t18 = g.d4 * t17;
+  const Scalar t19 = inertia.c3z * inertia.m3;
+  const Scalar t20 = t19 - g.d4 * inertia.m3;
+  const Scalar t21 = inertia.c4z * inertia.m4;
+  const Scalar t22 = g.d4 * inertia.m4;
+  const Scalar t23 = t21 - t22;
+  const Scalar t24 = t23 + t22;
+  const Scalar t25 = t24 - g.d4 * (inertia.m4 + (inertia.m5 + inertia.m6));
+  const Scalar t26 = g.d4 * (t21 + t23) + ((inertia.I4zz - t9) - inertia.c4z * t21);
+  const Scalar t27 = (g.d4 * (t24 + t23) - t26) - g.d4 * (t24 + t25);
+  const Scalar t28 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t29 = ((inertia.I3zz - t28) - inertia.c3z * t19) + g.d4 * (t19 + t20);
+  const Scalar t30 = g.d4 * t10;
+  const Scalar t31 = inertia.c3y * inertia.m3;
+  return { Scalar(2) * t1,
+           t3 - t5,
+           t1,
+           inertia.I5xy - inertia.c5y * t6,
+           inertia.I6yz - inertia.c6z * t4,
+           inertia.I6xz - inertia.c6z * t0,
+           inertia.I5yz - inertia.c5z * t7,
+           inertia.I4xy - inertia.c4y * t8,
+           t5,
+           t12,
+           t15,
+           inertia.I5xz - inertia.c5z * t6,
+           t3,
+           inertia.c5x * t6 - (inertia.I5xx - t11),
+           (inertia.I4xx - t9) - inertia.c4x * t8,
            g.d4 * t4,
-           g.d4 * (t5 + t6),
-           g.d4 * t7,
-           t9,
-           g.d4 * (t11 + t13),
-           g.l2 / g.d4,
-           inertia.I6xz - inertia.c6z * t1,
-           inertia.I6yz - inertia.c6z * t0,
-           inertia.I5xz - inertia.c5z * t4,
+           g.d4 * t0,
+           g.d4 * (t10 + t7),
+           g.d4 * t6,
+           g.d4 * (t14 + t13),
            t16,
-           Scalar(2) * t17,
-           t18 - t19,
-           t17,
            t18,
-           inertia.c5x * t4 - (inertia.I5xx - t15),
-           inertia.I5xy - inertia.c5y * t4,
-           t18 + t19,
-           inertia.I5yz - inertia.c5z * t6,
-           (inertia.I4xx - t20) - inertia.c4x * t7,
-           t21,
-           inertia.I4xy - inertia.c4y * t7,
-           inertia.c3x * t8 - (inertia.I3xx - t22),
-           inertia.I4yz - inertia.c4z * t5,
-           inertia.I4xz - inertia.c4z * t7,
-           t9 + (inertia.I3xz - inertia.c3z * t8),
-           t23 + t24,
-           inertia.I3xy - inertia.c3y * t8,
-           g.d4 * t25 + (inertia.I3yz - inertia.c3z * t25),
-           t19,
-           Scalar(1) / g.d4 };
+           g.d4 * (t20 + t25),
+           g.l2 / g.d4,
+           t27 - t29,
+           t16 - ((inertia.I4xz - inertia.c4z * t8) + t16),
+           t30 - (t30 + (inertia.I4yz - inertia.c4z * t10)),
+           t18 + (inertia.I3xz - inertia.c3z * t17),
+           inertia.c3x * t17 - (inertia.I3xx - t28),
+           g.d4 * t31 + (inertia.I3yz - inertia.c3z * t31),
+           inertia.I3xy - inertia.c3y * t17,
+           Scalar(1) / g.d4,
+           t3 + t5 };
 }
 
 namespace detail {
@@ -837,210 +864,211 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const Jo
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[14] * s6 - k[13] * c6;
-  const Scalar t1 = k[15] + c6 * t0;
-  const Scalar t2 = k[18] - t1;
-  const Scalar t3 = c5 * t2;
-  const Scalar t4 = k[10] * c6 - k[9] * s6;
-  const Scalar t5 = k[20] + t4;
-  const Scalar t6 = t3 + s5 * t5;
-  const Scalar t7 = k[23] + t6;
-  const Scalar t8 = qd[5] * t1;
-  const Scalar t9 = qd[3] * t7 - t8;
-  const Scalar t10 = k[16] - s6 * t0;
-  const Scalar t11 = k[19] - t10;
-  const Scalar t12 = k[22] + t11;
-  const Scalar t13 = s5 * t2;
-  const Scalar t14 = qd[5] * t11;
-  const Scalar t15 = t14 + qd[4] * t5;
-  const Scalar t16 = qd[4] * t13 - c5 * t15;
-  const Scalar t17 = qd[3] * t12 - t16;
-  const Scalar t18 = c4 * t9 + s4 * t17;
-  const Scalar t19 = k[9] * c6 + k[10] * s6;
-  const Scalar t20 = k[11] + t19;
-  const Scalar t21 = qd[4] * t20;
-  const Scalar t22 = qd[5] * t4;
-  const Scalar t23 = t22 - k[12] * qd[4];
-  const Scalar t24 = c5 * t21 + s5 * t23;
-  const Scalar t25 = k[17] - t10;
-  const Scalar t26 = qd[4] * t25;
-  const Scalar t27 = s5 * (t8 - t21) + c5 * t26;
-  const Scalar t28 = c5 * t24 + s5 * t27;
-  const Scalar t29 = s5 * t19;
-  const Scalar t30 = qd[5] * t10;
-  const Scalar t31 = qd[5] * t29 + c5 * t30;
-  const Scalar t32 = s5 * (k[12] - t25) - Scalar(2) * c5 * t20;
-  const Scalar t33 = s5 * t32;
-  const Scalar t34 = k[21] - (t25 + t33);
-  const Scalar t35 = t31 + qd[3] * t34;
-  const Scalar t36 = s4 * (t9 + t28) + c4 * t35;
-  const Scalar t37 = c4 * t18 - s4 * t36;
-  const Scalar t38 = k[0] * c6 - k[1] * s6;
-  const Scalar t39 = qd[5] * t38;
-  const Scalar t40 = t39 + k[2] * qd[4];
-  const Scalar t41 = k[0] * s6 + k[1] * c6;
-  const Scalar t42 = k[3] + t41;
-  const Scalar t43 = c5 * t42;
-  const Scalar t44 = s5 * t40 + qd[4] * t43;
-  const Scalar t45 = t37 - t44;
-  const Scalar t46 = k[4] + t38;
-  const Scalar t47 = c5 * t5 - t13;
-  const Scalar t48 = k[25] + t47;
-  const Scalar t49 = t46 + t48;
-  const Scalar t50 = k[26] - (t20 + c5 * t32);
-  const Scalar t51 = k[5] + (t43 + k[2] * s5);
-  const Scalar t52 = t50 + t51;
-  const Scalar t53 = s4 * t49 + c4 * t52;
-  const Scalar t54 = k[27] + t53;
-  const Scalar t55 = (t37 + t28) + qd[2] * t54;
-  const Scalar t56 = c5 * t19;
-  const Scalar t57 = qd[5] * t56 - s5 * t30;
-  const Scalar t58 = qd[5] * t41;
-  const Scalar t59 = qd[3] * t51 + t58;
-  const Scalar t60 = (t57 + qd[3] * t50) + t59;
-  const Scalar t61 = s5 * t24;
-  const Scalar t62 = c5 * t27;
-  const Scalar t63 = (t23 - t61) + (t62 - t26);
-  const Scalar t64 = s5 * t42;
-  const Scalar t65 = qd[4] * t64 - c5 * t40;
-  const Scalar t66 = t65 - qd[3] * t46;
-  const Scalar t67 = (qd[3] * t48 + t63) - t66;
-  const Scalar t68 = s4 * t60 - c4 * t67;
-  const Scalar t69 = k[2] * c5 - t64;
-  const Scalar t70 = k[28] + (Scalar(2) * t69 - (k[12] - t33));
-  const Scalar t71 = s3 * (t45 - t55) - c3 * (t68 - qd[2] * t70);
-  const Scalar t72 = c4 * t7;
-  const Scalar t73 = (t72 + t72) - s4 * (t34 - t12);
-  const Scalar t74 = k[24] - (t34 + s4 * t73);
-  const Scalar t75 = s5 * t15 + qd[4] * t3;
-  const Scalar t76 = t62 - t61;
-  const Scalar t77 = s4 * t75 - c4 * t76;
-  const Scalar t78 = c3 * t55 + s3 * (qd[2] * t74 - t77);
-  const Scalar t79 = c4 * t66 + s4 * t59;
-  const Scalar t80 = k[7] + t69;
-  const Scalar t81 = k[6] + (c4 * t51 + s4 * t46);
-  const Scalar t82 = c3 * (t79 - qd[2] * t80) + s3 * (qd[2] * t81 + t44);
-  const Scalar t83 = (s3 * t71 + c3 * t78) + k[8] * t82;
-  const Scalar t84 = s4 * t76 + c4 * t75;
-  const Scalar t85 = qd[2] * (k[29] + (c4 * t73 - t7)) + t84;
-  const Scalar t86 = qd[0] * s3;
-  const Scalar t87 = qd[0] * c3;
-  const Scalar t88 = c3 * (t85 + (t86 * t74 + t54 * t87));
-  const Scalar t89 = s4 * t18;
-  const Scalar t90 = c4 * t36;
-  const Scalar t91 = qd[2] * (k[30] + (c4 * t49 - s4 * t52));
-  const Scalar t92 = ((t17 - t89) - (t90 - t35)) + t91;
-  const Scalar t93 = s3 * (t92 - (t86 * t54 - t70 * t87));
-  const Scalar t94 = (t88 + t93) + k[8] * (t86 * t81 - t80 * t87);
-  const Scalar t95 = qd[3] - t87;
-  const Scalar t96 = t65 - t46 * t95;
-  const Scalar t97 = t51 * t95 + t58;
-  const Scalar t98 = qd[2] * s4 + c4 * t86;
-  const Scalar t99 = s4 * t86 - qd[2] * c4;
-  const Scalar t100 = (t7 * t98 + t12 * t99) + (t48 * t95 + t63);
-  const Scalar t101 = t96 - t100;
-  const Scalar t102 = (t57 + t50 * t95) + (t7 * t99 + t34 * t98);
-  const Scalar t103 = t97 + t102;
-  const Scalar t104 = s3 * (c4 * t101 + s4 * t103) - c3 * t28;
-  const Scalar t105 = k[8] * (c4 * t96 + s4 * t97) - t104;
-  const Scalar t106 = qd[4] - t99;
-  const Scalar t107 = t39 + k[2] * t106;
-  const Scalar t108 = s5 * t107 + t106 * t43;
-  const Scalar t109 = c5 * t98 - s5 * t95;
-  const Scalar t110 = c5 * t95 + s5 * t98;
-  const Scalar t111 = t109 * t42 + k[2] * t110;
-  const Scalar t112 = s4 * t108 - c4 * t111;
-  const Scalar t113 = t106 * t2 - (t110 * t20 - t25 * t109);
-  const Scalar t114 = (k[12] * t110 - t20 * t109) + (t106 * t5 + t14);
-  const Scalar t115 = s5 * t113 - c5 * t114;
-  const Scalar t116 = s3 * ((s4 * t8 - c4 * t115) + t112);
-  const Scalar t117 = c5 * t113 + s5 * t114;
-  const Scalar t118 = k[8] * t112 - (t116 + c3 * t117);
-  const Scalar t119 = s6 * t106 + c6 * t109;
-  const Scalar t120 = s6 * t109 - c6 * t106;
-  const Scalar t121 = k[1] * t119 + k[0] * t120;
-  const Scalar t122 = qd[5] + t110;
-  const Scalar t123 = t41 * t122;
-  const Scalar t124 = s5 * t121 - c5 * t123;
-  const Scalar t125 = t38 * t122;
-  const Scalar t126 = (k[16] * t119 + k[15] * t120) + k[9] * t122;
-  const Scalar t127 = k[10] * t122 + (k[31] * t120 + k[15] * t119);
-  const Scalar t128 = c6 * t126 + s6 * t127;
-  const Scalar t129 = t124 - t128;
-  const Scalar t130 = s6 * t126 - c6 * t127;
-  const Scalar t131 = t125 - c5 * t130;
-  const Scalar t132 = s5 * t130;
-  const Scalar t133 = s3 * (s4 * t129 + c4 * t131) - c3 * t132;
-  const Scalar t134 = k[8] * (s4 * t124 + c4 * t125) - t133;
-  const Scalar t135 = s3 * (s4 * t96 - c4 * t97) - c3 * (t51 * t98 + t46 * t99);
-  const Scalar t136 = c4 * t108 + s4 * t111;
-  const Scalar t137 = s3 * t136 + c3 * (t106 * t64 - c5 * t107);
-  const Scalar t138 = s3 * (s4 * t125 - c4 * t124) + c3 * (c5 * t121 + s5 * t123);
-  const Scalar t139 = c4 * t60 + s4 * t67;
-  const Scalar t140 = s3 * ((t90 + t89) - t92) - c3 * (t139 + t85);
-  const Scalar t141 = c4 * t103 - s4 * t101;
-  const Scalar t142 = (s4 * t115 + c4 * t8) + t136;
-  const Scalar t143 = s4 * t131 - c4 * t129;
-  const Scalar t144 = s3 * ((t68 + t77) + qd[2] * (t34 + t12));
-  const Scalar t145 = t144 - c3 * (Scalar(2) * t28 + qd[2] * t53);
-  const Scalar t146 = qd[3] * t69;
-  const Scalar t147 = k[12] + t25;
-  const Scalar t148 = qd[2] * (s4 * (t69 - t147) - c4 * t6);
-  const Scalar t149 = t57 + t75;
-  const Scalar t150 = t146 - (qd[3] * t147 - (t31 + t16));
-  const Scalar t151 = (Scalar(2) * t8 - qd[3] * t6) + t44;
-  const Scalar t152 = (c4 * t150 - s4 * t151) - qd[2] * t47;
-  const Scalar t153 = k[8] * (c4 * t146 - s4 * t44) - (c3 * (t148 - t149) + s3 * t152);
-  const Scalar t154 = k[19] * qd[4] - t22;
-  const Scalar t155 = qd[4] * t56 - s5 * t154;
-  const Scalar t156 = c5 * t38;
-  const Scalar t157 = t56 - k[19] * s5;
-  const Scalar t158 = s4 * (t156 + t4) + c4 * (t41 + t157);
-  const Scalar t159 = (qd[4] * t29 + c5 * t154) - qd[3] * t4;
-  const Scalar t160 = t39 + qd[3] * t156;
-  const Scalar t161 = t159 - t160;
-  const Scalar t162 = qd[5] * t19;
-  const Scalar t163 = (c5 * t58 + qd[4] * s5 * t38) + qd[3] * t41;
-  const Scalar t164 = (t162 + qd[3] * t157) + t163;
-  const Scalar t165 = (c4 * t161 + s4 * t164) + qd[2] * (k[19] * c5 + t29);
-  const Scalar t166 = c3 * (t155 + qd[2] * t158) - s3 * t165;
-  const Scalar t167 = t166 + k[8] * (s4 * t163 - c4 * t160);
+  const Scalar t0 = k[16] * s6 - k[15] * c6;
+  const Scalar t1 = qd[5] * t0;
+  const Scalar t2 = k[19] * qd[4] - t1;
+  const Scalar t3 = k[16] * c6 + k[15] * s6;
+  const Scalar t4 = k[18] + t3;
+  const Scalar t5 = c5 * t4;
+  const Scalar t6 = s5 * t2 + qd[4] * t5;
+  const Scalar t7 = k[17] - t0;
+  const Scalar t8 = k[20] + (t5 + k[19] * s5);
+  const Scalar t9 = k[21] + (s4 * t7 + c4 * t8);
+  const Scalar t10 = s5 * t4;
+  const Scalar t11 = qd[4] * t10 - c5 * t2;
+  const Scalar t12 = t11 - qd[3] * t7;
+  const Scalar t13 = qd[5] * t3;
+  const Scalar t14 = qd[3] * t8 + t13;
+  const Scalar t15 = c4 * t12 + s4 * t14;
+  const Scalar t16 = k[19] * c5 - t10;
+  const Scalar t17 = k[22] + t16;
+  const Scalar t18 = s3 * (t6 + qd[2] * t9) + c3 * (t15 - qd[2] * t17);
+  const Scalar t19 = k[4] * c6 - k[5] * s6;
+  const Scalar t20 = qd[5] * t19;
+  const Scalar t21 = k[10] * qd[4] - t20;
+  const Scalar t22 = k[4] * s6 + k[5] * c6;
+  const Scalar t23 = k[11] + t22;
+  const Scalar t24 = qd[4] * t23;
+  const Scalar t25 = c5 * t21 + s5 * t24;
+  const Scalar t26 = c5 * t25;
+  const Scalar t27 = k[0] * c6 - k[1] * s6;
+  const Scalar t28 = k[2] - c6 * t27;
+  const Scalar t29 = qd[5] * t28;
+  const Scalar t30 = s6 * t27;
+  const Scalar t31 = k[12] + t30;
+  const Scalar t32 = k[13] - t31;
+  const Scalar t33 = qd[4] * t32;
+  const Scalar t34 = c5 * (t29 - t24) - s5 * t33;
+  const Scalar t35 = s5 * t34;
+  const Scalar t36 = (t21 - t26) + (t35 + t33);
+  const Scalar t37 = k[3] - t28;
+  const Scalar t38 = c5 * t37;
+  const Scalar t39 = k[8] - t30;
+  const Scalar t40 = qd[5] * t39;
+  const Scalar t41 = k[6] + t19;
+  const Scalar t42 = t40 + qd[4] * t41;
+  const Scalar t43 = qd[4] * t38 + s5 * t42;
+  const Scalar t44 = c4 * t36 - s4 * t43;
+  const Scalar t45 = c5 * t23;
+  const Scalar t46 = s5 * (k[10] - t32) - (t45 + t45);
+  const Scalar t47 = s5 * t46;
+  const Scalar t48 = k[14] - (t47 + t32);
+  const Scalar t49 = k[9] + t39;
+  const Scalar t50 = t38 + s5 * t41;
+  const Scalar t51 = k[7] + t50;
+  const Scalar t52 = s4 * (t48 - t49) - Scalar(2) * c4 * t51;
+  const Scalar t53 = k[28] + (s4 * t52 - t48);
+  const Scalar t54 = s5 * t37;
+  const Scalar t55 = c5 * t42 - qd[4] * t54;
+  const Scalar t56 = t55 + qd[3] * t49;
+  const Scalar t57 = qd[3] * t51;
+  const Scalar t58 = t57 - t29;
+  const Scalar t59 = c4 * t56 - s4 * t58;
+  const Scalar t60 = t57 - (c5 * t34 + s5 * t25);
+  const Scalar t61 = qd[5] * t31;
+  const Scalar t62 = s5 * t22;
+  const Scalar t63 = c5 * t61 + qd[5] * t62;
+  const Scalar t64 = qd[3] * t48 + t63;
+  const Scalar t65 = s4 * t60 + c4 * t64;
+  const Scalar t66 = s4 * t59 - (s4 * t65 - t60);
+  const Scalar t67 = k[25] + (t23 + c5 * t46);
+  const Scalar t68 = t8 - t67;
+  const Scalar t69 = t54 - c5 * t41;
+  const Scalar t70 = k[26] + t69;
+  const Scalar t71 = t7 - t70;
+  const Scalar t72 = c4 * t68 + s4 * t71;
+  const Scalar t73 = k[27] + t72;
+  const Scalar t74 = t66 + qd[2] * t73;
+  const Scalar t75 = s3 * (t44 + qd[2] * t53) + c3 * t74;
+  const Scalar t76 = t26 - t35;
+  const Scalar t77 = t36 - (t12 + (t76 + qd[3] * t70));
+  const Scalar t78 = c5 * t22;
+  const Scalar t79 = s5 * t61 - qd[5] * t78;
+  const Scalar t80 = t79 - t43;
+  const Scalar t81 = (t80 + qd[3] * t67) - t14;
+  const Scalar t82 = c4 * t77 + s4 * t81;
+  const Scalar t83 = k[24] + ((k[10] - t47) - Scalar(2) * t16);
+  const Scalar t84 = t58 - t60;
+  const Scalar t85 = t84 + t66;
+  const Scalar t86 = t6 - t85;
+  const Scalar t87 = c3 * ((t82 - t44) - qd[2] * t83) - s3 * (t86 + t74);
+  const Scalar t88 = k[23] * t18 + (c3 * t75 + s3 * t87);
+  const Scalar t89 = qd[0] * c3;
+  const Scalar t90 = qd[0] * s3;
+  const Scalar t91 = qd[2] * (k[29] + (c4 * t71 - s4 * t68));
+  const Scalar t92 = c4 * t65;
+  const Scalar t93 = c4 * t59;
+  const Scalar t94 = t91 + ((t64 - t92) + t93);
+  const Scalar t95 = s3 * (t94 - (t90 * t73 + t83 * t89));
+  const Scalar t96 = qd[2] * (k[30] - (c4 * t52 + t51));
+  const Scalar t97 = (t96 + (c4 * t43 + s4 * t36)) + (t90 * t53 + t73 * t89);
+  const Scalar t98 = k[23] * (t89 * t17 - t90 * t9) - (t95 + c3 * t97);
+  const Scalar t99 = qd[2] * s4 + c4 * t90;
+  const Scalar t100 = s4 * t90 - qd[2] * c4;
+  const Scalar t101 = qd[3] - t89;
+  const Scalar t102 = (t48 * t99 + t100 * t51) - (t101 * t67 + t79);
+  const Scalar t103 = (t99 * t51 + t100 * t49) - (t76 + t70 * t101);
+  const Scalar t104 = t8 * t101 + t13;
+  const Scalar t105 = t11 - t7 * t101;
+  const Scalar t106 = s4 * t104 + c4 * t105;
+  const Scalar t107 = s3 * ((s4 * t102 - c4 * t103) + t106);
+  const Scalar t108 = (c3 * t84 + t107) - k[23] * t106;
+  const Scalar t109 = qd[4] - t100;
+  const Scalar t110 = k[19] * t109 - t1;
+  const Scalar t111 = t109 * t5 + s5 * t110;
+  const Scalar t112 = c5 * t99 - s5 * t101;
+  const Scalar t113 = c5 * t101 + s5 * t99;
+  const Scalar t114 = t4 * t112 + k[19] * t113;
+  const Scalar t115 = t111 + t29;
+  const Scalar t116 = t109 * t37 - (t113 * t23 - t112 * t32);
+  const Scalar t117 = (k[10] * t113 - t112 * t23) + (t109 * t41 + t40);
+  const Scalar t118 = (s5 * t116 - c5 * t117) + t114;
+  const Scalar t119 = c5 * t116 + s5 * t117;
+  const Scalar t120 = s3 * (s4 * t115 - c4 * t118) + c3 * t119;
+  const Scalar t121 = k[23] * (s4 * t111 - c4 * t114) - t120;
+  const Scalar t122 = qd[5] + t113;
+  const Scalar t123 = t122 * t0;
+  const Scalar t124 = s6 * t112 - c6 * t109;
+  const Scalar t125 = s6 * t109 + c6 * t112;
+  const Scalar t126 = (k[2] * t124 + k[12] * t125) + k[5] * t122;
+  const Scalar t127 = (k[2] * t125 + k[8] * t124) + k[4] * t122;
+  const Scalar t128 = s6 * t126 - c6 * t127;
+  const Scalar t129 = t123 + c5 * t128;
+  const Scalar t130 = k[16] * t125 + k[15] * t124;
+  const Scalar t131 = t3 * t122;
+  const Scalar t132 = s5 * t130 - c5 * t131;
+  const Scalar t133 = c6 * t126 + s6 * t127;
+  const Scalar t134 = t132 - t133;
+  const Scalar t135 = s5 * t128;
+  const Scalar t136 = s3 * (c4 * t129 - s4 * t134) + c3 * t135;
+  const Scalar t137 = t136 - k[23] * (c4 * t123 - s4 * t132);
+  const Scalar t138 = c4 * t104 - s4 * t105;
+  const Scalar t139 = c3 * (t8 * t99 + t7 * t100) + s3 * t138;
+  const Scalar t140 = s3 * (c4 * t111 + s4 * t114) - c3 * (c5 * t110 - t109 * t10);
+  const Scalar t141 = c3 * (c5 * t130 + s5 * t131) - s3 * (s4 * t123 + c4 * t132);
+  const Scalar t142 = c4 * t81 - s4 * t77;
+  const Scalar t143 = s3 * (t94 - (t92 + (t56 - t93))) - c3 * (t142 - t96);
+  const Scalar t144 = (c4 * t102 + s4 * t103) + t138;
+  const Scalar t145 = s4 * t118 + c4 * t115;
+  const Scalar t146 = s4 * t129 + c4 * t134;
+  const Scalar t147 = c3 * (qd[2] * t72 - Scalar(2) * t84) + s3 * (t82 - qd[2] * (t48 + t49));
+  const Scalar t148 = k[10] + t32;
+  const Scalar t149 = qd[2] * (c4 * t50 - s4 * (t16 - t148));
+  const Scalar t150 = qd[3] * t16;
+  const Scalar t151 = (qd[3] * t148 + (t55 - t63)) - t150;
+  const Scalar t152 = t6 + ((t29 + t29) - qd[3] * t50);
+  const Scalar t153 = (c4 * t151 + s4 * t152) - qd[2] * t69;
+  const Scalar t154 = (c3 * (t80 - t149) - s3 * t153) + k[23] * (s4 * t6 - c4 * t150);
+  const Scalar t155 = k[32] * s5 - t78;
+  const Scalar t156 = c5 * t0;
+  const Scalar t157 = c4 * (t3 - t155) - s4 * (t156 - t19);
+  const Scalar t158 = k[32] * qd[4] - t20;
+  const Scalar t159 = qd[4] * t78 - s5 * t158;
+  const Scalar t160 = qd[3] * t19 - (c5 * t158 + qd[4] * t62);
+  const Scalar t161 = qd[3] * t156 + t1;
+  const Scalar t162 = t160 - t161;
+  const Scalar t163 = qd[5] * t22;
+  const Scalar t164 = (qd[4] * s5 * t0 - c5 * t13) - qd[3] * t3;
+  const Scalar t165 = (qd[3] * t155 - t163) + t164;
+  const Scalar t166 = qd[2] * (t62 + k[32] * c5) - (c4 * t162 + s4 * t165);
+  const Scalar t167 = c3 * (qd[2] * t157 + t159) - s3 * t166;
+  const Scalar t168 = t167 + k[23] * (c4 * t161 - s4 * t164);
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = t37 - t83;
+  result(0, 0) = t85 - t88;
   result(0, 1) = Scalar(0);
-  result(0, 2) = -t94;
-  result(0, 3) = t105;
-  result(0, 4) = t118;
-  result(0, 5) = -t134;
+  result(0, 2) = t98;
+  result(0, 3) = -t108;
+  result(0, 4) = t121;
+  result(0, 5) = -t137;
   result(1, 0) = Scalar(0);
   result(1, 1) = Scalar(0);
-  result(1, 2) = k[32] * t82;
-  result(1, 3) = -k[32] * t135;
-  result(1, 4) = k[32] * t137;
-  result(1, 5) = k[32] * t138;
-  result(2, 0) = t140 + t94;
+  result(1, 2) = k[31] * t18;
+  result(1, 3) = k[31] * t139;
+  result(1, 4) = k[31] * t140;
+  result(1, 5) = k[31] * t141;
+  result(2, 0) = -t143 - t98;
   result(2, 1) = Scalar(0);
-  result(2, 2) = -t45;
-  result(2, 3) = t141;
-  result(2, 4) = t142;
-  result(2, 5) = t143;
-  result(3, 0) = (k[8] * t79 - t145) - t105;
+  result(2, 2) = t86;
+  result(2, 3) = t144;
+  result(2, 4) = t145;
+  result(2, 5) = -t146;
+  result(3, 0) = t108 + (k[23] * t15 + t147);
   result(3, 1) = Scalar(0);
-  result(3, 2) = (t139 + t84) - t141;
-  result(3, 3) = -t28;
-  result(3, 4) = t117;
-  result(3, 5) = t132;
-  result(4, 0) = -t118 - t153;
+  result(3, 2) = -t144 - t142;
+  result(3, 3) = t84;
+  result(3, 4) = t119;
+  result(3, 5) = t135;
+  result(4, 0) = t154 - t121;
   result(4, 1) = Scalar(0);
-  result(4, 2) = (c4 * t151 + s4 * t150) - t142;
-  result(4, 3) = t149 - t117;
-  result(4, 4) = t8;
-  result(4, 5) = t128;
-  result(5, 0) = t167 + t134;
-  result(5, 1) = Scalar(0);
-  result(5, 2) = (c4 * t164 - s4 * t161) - t143;
-  result(5, 3) = -t132 - t155;
-  result(5, 4) = t162 - t128;
+  result(4, 2) = (c4 * t152 - s4 * t151) - t145;
+  result(4, 3) = -t80 - t119;
+  result(4, 4) = t29;
+  result(4, 5) = t133;
+  result(5, 0) = t137 + t168;
+  result(5, 1) = -Scalar(0);
+  result(5, 2) = t146 - (c4 * t165 - s4 * t162);
+  result(5, 3) = -t135 - t159;
+  result(5, 4) = t163 - t133;
   result(5, 5) = Scalar(0);
   return result;
 }
@@ -1068,97 +1096,103 @@ ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = g.l2 / g.d4;
-  const Scalar t1 = gravity / g.d4;
-  const Scalar t2 = inertia.c5x * inertia.m5;
-  const Scalar t3 = inertia.c5y * inertia.m5;
-  const Scalar t4 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t5 = inertia.c6y * inertia.m6;
-  const Scalar t6 = inertia.c6x * inertia.m6;
-  const Scalar t7 = inertia.I6xy - inertia.c6y * t6;
-  const Scalar t8 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t9 = (inertia.I6xx - t8) - inertia.c6x * t6;
-  const Scalar t10 = (inertia.I6yy - t8) - inertia.c6y * t5;
-  const Scalar t11 = inertia.c5z * inertia.m5;
-  const Scalar t12 = inertia.c6z * inertia.m6;
-  const Scalar t13 = (inertia.c6z * t12 - (inertia.I6zz - t8)) + (inertia.c5z * t11 - (inertia.I5zz - t4));
-  const Scalar t14 = inertia.c4x * inertia.m4;
-  const Scalar t15 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t16 = inertia.c4y * inertia.m4;
-  const Scalar t17 = ((inertia.I4yy - t15) - inertia.c4y * t16) - (inertia.c5y * t3 - (inertia.I5yy - t4));
-  const Scalar t18 = inertia.c3y * inertia.m3;
-  const Scalar t19 = inertia.c3x * inertia.m3;
-  const Scalar t20 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t21 = inertia.c3x * t19 - (inertia.I3xx - t20);
-  const Scalar t22 = g.d4 * t19;
-  const Scalar t23 = t22 + (inertia.I3xz - inertia.c3z * t19);
-  const Scalar t24 = inertia.c4z * inertia.m4;
-  const Scalar t25 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t26 = t24 - g.d4 * t25;
-  const Scalar t27 = inertia.c3z * inertia.m3;
-  const Scalar t28 = t27 - g.d4 * inertia.m3;
-  const Scalar t29 = (t26 + t28) / g.d4;
-  const Scalar t30 = g.d4 * g.d4 * t29;
-  const Scalar t31 = ((inertia.I3zz - t20) - inertia.c3z * t27) + g.d4 * (t27 + t28);
-  const Scalar t32 = ((inertia.I4zz - t15) - inertia.c4z * t24) + g.d4 * (t26 + t24);
-  const Scalar t33 = t30 - (t31 + t32);
-  const Scalar t34 = t9 + t10;
-  const Scalar t35 = Scalar(1) / g.d4;
-  const Scalar t36 = g.d4 * g.d4 * (t29 + (inertia.m2 + (inertia.m3 + t25)));
-  const Scalar t37 = t30 - t36;
-  const Scalar t38 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t39 = ((inertia.I3yy - t20) - inertia.c3y * t18)
-      + ((inertia.I2yy - t38) - inertia.c2y * inertia.c2y * inertia.m2);
-  const Scalar t40 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t41 = t39 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t40));
-  const Scalar t42 = inertia.c1x * inertia.m1;
-  const Scalar t43 = g.l2 * (t42 + (g.l2 * inertia.m1 + t42)) + (inertia.c1x * t42 - (inertia.I1xx - t40));
-  const Scalar t44 = inertia.c2x * inertia.m2;
-  const Scalar t45 = (inertia.c2x * t44 - (inertia.I2xx - t38)) + Scalar(2) * g.l2 * t44;
-  return { t0,
-           t1,
-           g.d4 * t2,
-           inertia.I5xy - inertia.c5y * t2,
-           inertia.I5yz - inertia.c5z * t3,
-           inertia.c5x * t2 - (inertia.I5xx - t4),
-           inertia.I5xz - inertia.c5z * t2,
-           g.d4 * t5,
-           g.d4 * t6,
-           Scalar(2) * t7,
-           t9 - t10,
-           t7,
-           t9,
-           t10,
-           inertia.I6yz - inertia.c6z * t5,
-           inertia.I6xz - inertia.c6z * t6,
-           g.d4 * (t11 + t12),
-           t13,
-           inertia.I4xy - inertia.c4y * t14,
-           (inertia.I4xx - t15) - inertia.c4x * t14,
-           t17,
-           inertia.I4yz - inertia.c4z * t16,
-           inertia.I4xz - inertia.c4z * t14,
-           g.d4 * t14,
-           g.d4 * (t16 + t3),
-           g.d4 * t18 + (inertia.I3yz - inertia.c3z * t18),
-           inertia.I3xy - inertia.c3y * t19,
-           Scalar(2) * t21,
-           t23,
-           t30,
-           Scalar(2) * t23,
+  const Scalar t0 = inertia.c6y * inertia.m6;
+  const Scalar t1 = inertia.c6x * inertia.m6;
+  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t1;
+  const Scalar t4 = (inertia.I6yy - t2) - inertia.c6y * t0;
+  const Scalar t5 = t3 + t4;
+  const Scalar t6 = inertia.I6xy - inertia.c6y * t1;
+  const Scalar t7 = inertia.c5x * inertia.m5;
+  const Scalar t8 = inertia.c5y * inertia.m5;
+  const Scalar t9 = inertia.c5z * inertia.m5;
+  const Scalar t10 = inertia.c6z * inertia.m6;
+  const Scalar t11 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t12 = (inertia.c6z * t10 - (inertia.I6zz - t2)) + (inertia.c5z * t9 - (inertia.I5zz - t11));
+  const Scalar t13 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t14 = inertia.c4y * inertia.m4;
+  const Scalar t15 = ((inertia.I4yy - t13) - inertia.c4y * t14) - (inertia.c5y * t8 - (inertia.I5yy - t11));
+  const Scalar t16 = inertia.c4x * inertia.m4;
+  const Scalar t17 = inertia.c3x * inertia.m3;
+  const Scalar t18 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t19 = inertia.c3x * t17 - (inertia.I3xx - t18);
+  const Scalar t20 = inertia.c3z * inertia.m3;
+  const Scalar t21 = t20 - g.d4 * inertia.m3;
+  const Scalar t22 = inertia.c4z * inertia.m4;
+  const Scalar t23 = g.d4 * inertia.m4;
+  const Scalar t24 = t22 - t23;
+  const Scalar t25 = t24 + t23;
+  const Scalar t26 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t27 = t25 - g.d4 * t26;
+  const Scalar t28 = (t21 + t27) / g.d4;
+  const Scalar t29 = g.d4 * g.d4 * t28;
+  const Scalar t30 = g.d4 * (t22 + t24) + ((inertia.I4zz - t13) - inertia.c4z * t22);
+  const Scalar t31 = (g.d4 * (t25 + t24) - t30) - g.d4 * (t25 + t27);
+  const Scalar t32 = ((inertia.I3zz - t18) - inertia.c3z * t20) + g.d4 * (t20 + t21);
+  const Scalar t33 = t29 + (t31 - t32);
+  const Scalar t34 = g.d4 * t14;
+  const Scalar t35 = g.d4 * t16;
+  const Scalar t36 = g.l2 / g.d4;
+  const Scalar t37 = gravity / g.d4;
+  const Scalar t38 = g.d4 * t17;
+  const Scalar t39 = t38 + (inertia.I3xz - inertia.c3z * t17);
+  const Scalar t40 = Scalar(1) / g.d4;
+  const Scalar t41 = inertia.m3 + t26;
+  const Scalar t42 = g.d4 * g.d4 * (t28 + (inertia.m2 + t41));
+  const Scalar t43 = inertia.c3y * inertia.m3;
+  const Scalar t44 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t45 = ((inertia.I3yy - t18) - inertia.c3y * t43)
+      + ((inertia.I2yy - t44) - inertia.c2y * inertia.c2y * inertia.m2);
+  const Scalar t46 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t47 = t45 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t46));
+  const Scalar t48 = inertia.c1x * inertia.m1;
+  const Scalar t49 = g.l2 * (t48 + (g.l2 * inertia.m1 + t48)) + (inertia.c1x * t48 - (inertia.I1xx - t46));
+  const Scalar t50 = inertia.c2x * inertia.m2;
+  const Scalar t51 = (inertia.c2x * t50 - (inertia.I2xx - t44)) + g.l2 * (t50 + (g.l2 * inertia.m2 + t50));
+  const Scalar t52 = (t49 + (t51 + g.l2 * g.l2 * t41)) + g.l2 * g.l2 * t28;
+  return { inertia.I6yz - inertia.c6z * t0,
+           inertia.I6xz - inertia.c6z * t1,
+           g.d4 * t0,
+           g.d4 * t1,
+           t5,
+           Scalar(1) / t5,
+           Scalar(2) * t6,
+           t3 - t4,
+           t6,
+           inertia.I5xy - inertia.c5y * t7,
+           inertia.I5yz - inertia.c5z * t8,
+           g.d4 * (t9 + t10),
+           g.d4 * t7,
+           t3,
+           inertia.c5x * t7 - (inertia.I5xx - t11),
+           t12,
+           t15,
+           inertia.I5xz - inertia.c5z * t7,
+           (inertia.I4xx - t13) - inertia.c4x * t16,
+           inertia.I4xy - inertia.c4y * t16,
+           t19,
+           t29,
            t33,
-           Scalar(2) * t22,
-           Scalar(1) / t34,
-           t34,
-           t21,
-           t21 - t33,
-           t22,
+           t34 - (t34 + (inertia.I4yz - inertia.c4z * t14)),
+           g.d4 * (t14 + t8),
+           t35 - ((inertia.I4xz - inertia.c4z * t16) + t35),
            t35,
-           t35 * t37 * t35,
-           t1 * t36,
-           t41,
-           t37 * t0,
-           t43 + t45 };
+           t36,
+           t37,
+           t38,
+           t39,
+           t33 - t19,
+           t40,
+           t37 * t42 * t40,
+           g.d4 * t43 + (inertia.I3yz - inertia.c3z * t43),
+           inertia.I3xy - inertia.c3y * t17,
+           t40 * t40 * (t42 - t29),
+           Scalar(2) * t38,
+           Scalar(2) * t19,
+           Scalar(2) * t39,
+           t47,
+           t29 * t36,
+           t52 };
 }
 
 namespace detail {
@@ -1175,228 +1209,223 @@ inline JointVector<Scalar> forward_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[14] * s6 + k[15] * c6;
-  const Scalar t1 = c5 + k[33] * s5 * t0;
-  const Scalar t2 = k[14] * c6 - k[15] * s6;
-  const Scalar t3 = k[9] * c6 - k[10] * s6;
-  const Scalar t4 = k[11] - c6 * t3;
-  const Scalar t5 = k[3] - t4;
-  const Scalar t6 = k[4] + t2;
-  const Scalar t7 = s5 * t5 - c5 * t6;
-  const Scalar t8 = t1 * t2 + t7;
-  const Scalar t9 = s6 * t3;
-  const Scalar t10 = k[12] + t9;
-  const Scalar t11 = k[5] - t10;
-  const Scalar t12 = k[17] + t11;
-  const Scalar t13 = k[33] * t2;
-  const Scalar t14 = Scalar(1) / (t12 + t13 * t2);
-  const Scalar t15 = t8 * t14;
-  const Scalar t16 = s5 * t6 + c5 * t5;
-  const Scalar t17 = k[18] + t16;
-  const Scalar t18 = c4 * t17;
-  const Scalar t19 = k[13] - t9;
-  const Scalar t20 = k[20] + t19;
-  const Scalar t21 = k[6] + t0;
-  const Scalar t22 = Scalar(2) * c5 * t21 - s5 * (k[17] - t11);
-  const Scalar t23 = s5 * t22;
-  const Scalar t24 = k[19] - (t11 - t23);
-  const Scalar t25 = (t18 + t18) + s4 * (t20 - t24);
-  const Scalar t26 = s4 * t25;
-  const Scalar t27 = t26 + t24;
-  const Scalar t28 = t26 - t20;
-  const Scalar t29 = t27 - t28;
-  const Scalar t30 = k[34] * t1;
-  const Scalar t31 = Scalar(1) / (t8 * t15 + (t29 - t30 * t1));
-  const Scalar t32 = k[7] * c6 - k[8] * s6;
-  const Scalar t33 = c5 * t32;
-  const Scalar t34 = t33 + t2;
-  const Scalar t35 = k[8] * c6 + k[7] * s6;
-  const Scalar t36 = t35 - (k[34] * s5 - c5 * t0);
-  const Scalar t37 = s3 * (s4 * t34 + c4 * t36) + c3 * t30;
-  const Scalar t38 = t37 - k[0] * (s4 * t33 + c4 * t35);
-  const Scalar t39 = k[33] * t38;
-  const Scalar t40 = k[2] + t35;
-  const Scalar t41 = k[16] * c5 - s5 * t40;
-  const Scalar t42 = t41 - t12;
-  const Scalar t43 = c3 * t7 + s3 * (c4 * t16 - s4 * t42);
-  const Scalar t44 = t39 * t2 + (t43 + k[0] * s4 * t41);
-  const Scalar t45 = t14 * t44;
-  const Scalar t46 = k[16] * s5 + c5 * t40;
-  const Scalar t47 = k[23] + t46;
-  const Scalar t48 = k[24] + t32;
-  const Scalar t49 = c4 * t47 + s4 * t48;
-  const Scalar t50 = t48 + (k[21] - t7);
-  const Scalar t51 = (k[22] + (c5 * t22 - t21)) + t47;
-  const Scalar t52 = s4 * t50 + c4 * t51;
-  const Scalar t53 = k[0] * t49 - (c3 * t29 + s3 * t52);
-  const Scalar t54 = t8 * t45 - (t53 + t39 * t30);
-  const Scalar t55 = t31 * t54;
-  const Scalar t56 = s4 * t36 - c4 * t34;
-  const Scalar t57 = k[33] * t56;
-  const Scalar t58 = t57 * t2 + (c4 * t42 + s4 * t16);
-  const Scalar t59 = s4 * t51 - c4 * t50;
-  const Scalar t60 = t58 * t15 - (t30 * t57 - t59);
-  const Scalar t61 = c3 * (k[25] - t59) - s3 * (k[26] - (t17 - c4 * t25));
-  const Scalar t62 = t58 * t14;
-  const Scalar t63 = t55 * t60 + ((t61 + t39 * t56) - t62 * t44);
-  const Scalar t64 = k[35] - t27;
-  const Scalar t65 = k[29] + t41;
-  const Scalar t66 = k[31] - ((t41 + t65) - (k[17] + t23));
-  const Scalar t67 = t62 * t58 - (t56 * t57 + (t64 + t66));
-  const Scalar t68 = t31 * t60;
-  const Scalar t69 = Scalar(1) / (t67 - t68 * t60);
-  const Scalar t70 = t63 * t69;
-  const Scalar t71 = c3 * (k[37] + t49) + s3 * t65;
-  const Scalar t72 = s3 * (t64 - t66) + Scalar(2) * c3 * (k[28] + t52);
-  const Scalar t73 = k[0] * (t71 - (k[42] - t71)) - (s3 * t72 - t64);
-  const Scalar t74 = ((k[43] + t73) - (k[41] - t28)) + t39 * t38;
-  const Scalar t75 = t63 * t70 + ((t74 - t44 * t45) + t55 * t54);
-  const Scalar t76 = k[38] * (s3 * c4 * t41 + c3 * t46);
-  const Scalar t77 = c3 * s5 * t32 - s3 * (s4 * t35 - c4 * t33);
-  const Scalar t78 = k[38] * t77;
-  const Scalar t79 = k[33] * t78;
-  const Scalar t80 = t76 - t79 * t2;
-  const Scalar t81 = t14 * t80;
-  const Scalar t82 = k[38] * s3 * (c4 * t48 - s4 * t47);
-  const Scalar t83 = t8 * t81 - (t82 - t79 * t30);
-  const Scalar t84 = t31 * t83;
-  const Scalar t85 = t62 * t80 + (k[38] * t71 + t79 * t56);
-  const Scalar t86 = t84 * t60 - t85;
-  const Scalar t87 = (t81 * t44 + t79 * t38) - t83 * t55;
-  const Scalar t88 = t86 * t70 - t87;
-  const Scalar t89 = t83 * t84 - (t81 * t80 + (k[39] - t79 * t78));
-  const Scalar t90 = t86 * t69;
-  const Scalar t91 = Scalar(1) / (t89 + t90 * t86);
-  const Scalar t92 = t88 * t91;
-  const Scalar t93 = qd[0] * s3;
-  const Scalar t94 = s4 * t93;
-  const Scalar t95 = qd[0] * c3;
-  const Scalar t96 = qd[2] * t95;
-  const Scalar t97 = t96 + t96;
-  const Scalar t98 = t94 * t95 - c4 * t97;
-  const Scalar t99 = qd[0] * qd[0];
-  const Scalar t100 = k[0] * t99;
-  const Scalar t101 = k[1] * s3 + c3 * t100;
-  const Scalar t102 = t98 - s4 * t101;
-  const Scalar t103 = t93 * t95;
-  const Scalar t104 = c4 * t103 + s4 * t97;
-  const Scalar t105 = t104 - c4 * t101;
-  const Scalar t106 = t93 * t93;
-  const Scalar t107 = qd[2] * qd[2];
-  const Scalar t108 = t106 + t107;
-  const Scalar t109 = qd[3] - t95;
-  const Scalar t110 = t109 * t109;
-  const Scalar t111 = qd[2] * s4 + c4 * t93;
-  const Scalar t112 = t111 * t111;
-  const Scalar t113 = t110 - t112;
-  const Scalar t114 = t108 + t113;
-  const Scalar t115 = t110 + t112;
-  const Scalar t116 = t94 - qd[2] * c4;
-  const Scalar t117 = t116 * t111;
-  const Scalar t118 = qd[2] * t93;
-  const Scalar t119 = t117 + t118;
-  const Scalar t120 = t117 - t118;
-  const Scalar t121 = k[18] * (t114 - t115) - (k[20] * t119 - k[19] * t120);
-  const Scalar t122 = (k[23] * t102 - k[24] * t105) + ((k[22] * t98 - k[21] * t104) - t121);
-  const Scalar t123 = s3 * t100 - k[1] * c3;
-  const Scalar t124 = t108 - t123;
-  const Scalar t125 = c5 * t105 - s5 * t124;
-  const Scalar t126 = t111 * t109;
-  const Scalar t127 = t126 + t104;
-  const Scalar t128 = c5 * t109 + s5 * t111;
-  const Scalar t129 = c5 * t111 - s5 * t109;
-  const Scalar t130 = t128 * t129;
-  const Scalar t131 = t127 - t130;
-  const Scalar t132 = qd[4] - t116;
-  const Scalar t133 = t132 * t128;
-  const Scalar t134 = t116 * t109;
-  const Scalar t135 = (t134 + t134) + t98;
-  const Scalar t136 = s5 * t119 + c5 * t135;
-  const Scalar t137 = (t133 + t133) + t136;
-  const Scalar t138 = c5 * t119 - s5 * t135;
-  const Scalar t139 = t138 + Scalar(2) * t132 * t129;
-  const Scalar t140 = qd[5] + t128;
-  const Scalar t141 = t140 * t140;
-  const Scalar t142 = t129 * t129;
-  const Scalar t143 = t141 + t142;
-  const Scalar t144 = t132 * t132;
-  const Scalar t145 = t144 + t141;
-  const Scalar t146 = t143 - t145;
-  const Scalar t147 = (t139 * t10 + t19 * t138) - t4 * t146;
-  const Scalar t148 = (t35 * t102 - t125 * t32) - ((t2 * t131 - t0 * t137) - t147);
-  const Scalar t149 = (k[5] * t139 - k[6] * t137) - (k[3] * t146 - k[4] * t131);
-  const Scalar t150 = t148 + (k[2] * t102 - t149);
-  const Scalar t151 = c5 * t124 + s5 * t105;
-  const Scalar t152 = t129 * t140;
-  const Scalar t153 = (t152 + t152) + t131;
-  const Scalar t154 = t132 * t140;
-  const Scalar t155 = (t154 + t154) - t137;
-  const Scalar t156 = t2 * (t144 - t141) + (t4 * t153 + t19 * t155);
-  const Scalar t157 = t141 - t142;
-  const Scalar t158 = t157 - t145;
-  const Scalar t159 = t158 + t115;
-  const Scalar t160 = k[4] * t159 - (k[17] * t137 - k[6] * t139);
-  const Scalar t161 = t127 + t130;
-  const Scalar t162 = (t151 * t32 - (t139 * t0 - t156)) - ((t160 + k[3] * t161) + k[16] * t102);
-  const Scalar t163 = t122 + (c5 * t150 - s5 * t162);
-  const Scalar t164 = torque[5] + t148;
-  const Scalar t165 = k[33] * t164;
-  const Scalar t166 = t159 - t146;
-  const Scalar t167 = k[6] * t166 - (k[5] * t161 + k[17] * t131);
-  const Scalar t168 = (k[2] * t151 - k[16] * t125) - (t167 + (k[3] * t136 - k[4] * t138));
-  const Scalar t169 = (t10 * t153 + t4 * t155) + (t0 * t157 - t138 * t2);
-  const Scalar t170 = t168 - (t169 - t35 * t151);
-  const Scalar t171 = t164 * t13 - (torque[4] + t170);
-  const Scalar t172 = t14 * t171;
-  const Scalar t173 = ((torque[3] + t163) - t30 * t165) + t8 * t172;
-  const Scalar t174 = t99 - t108;
-  const Scalar t175 = t106 - t107;
-  const Scalar t176 = t174 - t175;
-  const Scalar t177 = k[37] * t123 + (k[36] * t103 + k[28] * t176);
-  const Scalar t178 = k[29] * t105 + (k[23] * t114 - k[24] * t119);
-  const Scalar t179 = (k[16] * t131 - k[2] * (t158 - t166)) + (t35 * t145 - t138 * t32);
-  const Scalar t180 = (k[2] * t161 + k[16] * t158) + (t35 * t153 - t155 * t32);
-  const Scalar t181 = t178 + (c5 * t179 - s5 * t180);
-  const Scalar t182 = (t143 * t32 + t35 * t139) + (k[16] * t137 + k[2] * t139);
-  const Scalar t183 = (k[24] * t115 - k[23] * t120) + k[29] * t102;
-  const Scalar t184 = t182 + t183;
-  const Scalar t185 = c4 * t181 + s4 * t184;
-  const Scalar t186 = t126 + t127;
-  const Scalar t187 = k[21] * (t108 - t115) - (k[18] * t186 + k[20] * t135);
-  const Scalar t188 = (s5 * t150 + c5 * t162) + ((k[22] * t120 + t187) + k[24] * t124);
-  const Scalar t189 = (k[22] * t113 - k[21] * t119) + (k[18] * t135 + k[19] * t186);
-  const Scalar t190 = (k[23] * t124 - t189) + t170;
-  const Scalar t191 = t177 + (t185 - (s4 * t188 + c4 * t190));
-  const Scalar t192 = (t56 * t165 + (torque[2] - t191)) - t62 * t171;
-  const Scalar t193 = t68 * t173 + t192;
-  const Scalar t194 = t69 * t193;
-  const Scalar t195 = s4 * t181 - c4 * t184;
-  const Scalar t196 = (k[31] * t97 + k[30] * t118) + k[25] * t174;
-  const Scalar t197 = ((s4 * t190 - c4 * t188) - t195) - (k[26] * t103 - t196);
-  const Scalar t198 = (k[26] * t175 - k[25] * t103) - (k[27] * t118 + k[28] * t97);
-  const Scalar t199 = (s3 * t197 + c3 * (t163 + t198)) + k[0] * (t195 - k[32] * t118);
-  const Scalar t200 = t172 * t44 - ((torque[0] - t199) + t164 * t39);
-  const Scalar t201 = k[29] * t124 - (k[24] * t135 + k[23] * t186);
-  const Scalar t202 = k[37] * t103 + (t201 - (c5 * t180 + s5 * t179));
-  const Scalar t203 = c3 * t202 - s3 * (t185 + k[37] * (t176 + t108));
-  const Scalar t204 = (torque[1] - k[38] * (k[40] - t203)) - t164 * t79;
-  const Scalar t205 = t31 * t173;
-  const Scalar t206 = t90 * t193 - ((t172 * t80 - t204) - t83 * t205);
-  const Scalar t207 = (t194 * t63 - (t200 - t173 * t55)) - t206 * t92;
-  const Scalar t208 = Scalar(1) / (t75 - t88 * t92) * t207;
-  const Scalar t209 = t206 * t91 - t92 * t208;
-  const Scalar t210 = (t194 - t70 * t208) - t90 * t209;
-  const Scalar t211 = ((t55 * t208 - t205) + t84 * t209) - t68 * t210;
-  const Scalar t212 = t62 * t210 - (t81 * t209 + (t208 * t45 - t172));
-  const Scalar t213 = t15 * t211 + t212;
-  const Scalar t214 = (t79 * t209 - (t39 * t208 - t165)) + t57 * t210;
+  const Scalar t0 = k[0] * s6 + k[1] * c6;
+  const Scalar t1 = k[2] * s6 + k[3] * c6;
+  const Scalar t2 = (k[4] * s5 - c5 * t0) - t1;
+  const Scalar t3 = k[2] * c6 - k[3] * s6;
+  const Scalar t4 = c5 * t3;
+  const Scalar t5 = k[0] * c6 - k[1] * s6;
+  const Scalar t6 = t4 + t5;
+  const Scalar t7 = s4 * t2 + c4 * t6;
+  const Scalar t8 = k[5] * t5;
+  const Scalar t9 = k[6] * c6 - k[7] * s6;
+  const Scalar t10 = k[13] + s6 * t9;
+  const Scalar t11 = k[14] - t10;
+  const Scalar t12 = k[15] + t11;
+  const Scalar t13 = k[12] + t1;
+  const Scalar t14 = s5 * t13 - k[11] * c5;
+  const Scalar t15 = t12 + t14;
+  const Scalar t16 = k[8] - c6 * t9;
+  const Scalar t17 = k[9] - t16;
+  const Scalar t18 = k[10] + t5;
+  const Scalar t19 = c5 * t17 + s5 * t18;
+  const Scalar t20 = t7 * t8 + (c4 * t15 - s4 * t19);
+  const Scalar t21 = Scalar(1) / (t12 + t8 * t5);
+  const Scalar t22 = t20 * t21;
+  const Scalar t23 = c5 * t18 - s5 * t17;
+  const Scalar t24 = k[4] * c5 + s5 * t0;
+  const Scalar t25 = k[5] * t24;
+  const Scalar t26 = t23 - t25 * t5;
+  const Scalar t27 = k[17] + t0;
+  const Scalar t28 = Scalar(2) * c5 * t27 - s5 * (k[15] - t11);
+  const Scalar t29 = k[11] * s5 + c5 * t13;
+  const Scalar t30 = k[26] + t29;
+  const Scalar t31 = (k[25] - (c5 * t28 - t27)) - t30;
+  const Scalar t32 = k[24] + t3;
+  const Scalar t33 = (k[23] - t23) - t32;
+  const Scalar t34 = s4 * t31 - c4 * t33;
+  const Scalar t35 = t22 * t26 - (t34 - t7 * t25);
+  const Scalar t36 = t21 * t26;
+  const Scalar t37 = k[4] - t10;
+  const Scalar t38 = k[16] + t37;
+  const Scalar t39 = k[15] + s5 * t28;
+  const Scalar t40 = k[18] - (t12 - t39);
+  const Scalar t41 = t38 + t40;
+  const Scalar t42 = Scalar(1) / (t36 * t26 + (t41 - t24 * t25));
+  const Scalar t43 = t35 * t42;
+  const Scalar t44 = k[5] * t7;
+  const Scalar t45 = k[21] - t14;
+  const Scalar t46 = k[22] + ((t14 - t45) + t39);
+  const Scalar t47 = k[19] + t19;
+  const Scalar t48 = s4 * (t38 - t40) + t47 * (c4 + c4);
+  const Scalar t49 = s4 * t48;
+  const Scalar t50 = k[20] - (t40 + t49);
+  const Scalar t51 = (t7 * t44 + (t46 + t50)) - t22 * t20;
+  const Scalar t52 = Scalar(1) / (t35 * t43 + t51);
+  const Scalar t53 = c4 * t31 + s4 * t33;
+  const Scalar t54 = s4 * t32 + c4 * t30;
+  const Scalar t55 = (c3 * t41 - s3 * t53) - k[27] * t54;
+  const Scalar t56 = c3 * t24 - s3 * (c4 * t2 - s4 * t6);
+  const Scalar t57 = t56 - k[27] * (s4 * t4 + c4 * t1);
+  const Scalar t58 = k[5] * t57;
+  const Scalar t59 = c3 * t23 - s3 * (s4 * t15 + c4 * t19);
+  const Scalar t60 = (t59 + k[27] * s4 * t14) - t58 * t5;
+  const Scalar t61 = (t55 - t58 * t24) + t36 * t60;
+  const Scalar t62 = t61 * t42;
+  const Scalar t63 = c3 * (k[34] + t34) - s3 * (k[35] - (t47 - c4 * t48));
+  const Scalar t64 = t35 * t62 - ((t57 * t44 - t63) + t22 * t60);
+  const Scalar t65 = t52 * t64;
+  const Scalar t66 = qd[0] * s3;
+  const Scalar t67 = s4 * t66;
+  const Scalar t68 = t67 - qd[2] * c4;
+  const Scalar t69 = c4 * t66;
+  const Scalar t70 = qd[2] * s4 + t69;
+  const Scalar t71 = t68 * t70;
+  const Scalar t72 = qd[2] * t66;
+  const Scalar t73 = t71 + t72;
+  const Scalar t74 = qd[0] * c3;
+  const Scalar t75 = qd[3] - t74;
+  const Scalar t76 = t68 * t75;
+  const Scalar t77 = Scalar(2) * qd[2] * t74;
+  const Scalar t78 = t67 * t74 - c4 * t77;
+  const Scalar t79 = (t76 + t78) + t76;
+  const Scalar t80 = c5 * t73 - s5 * t79;
+  const Scalar t81 = qd[4] - t68;
+  const Scalar t82 = t81 + t81;
+  const Scalar t83 = c5 * t70 - s5 * t75;
+  const Scalar t84 = t80 + t82 * t83;
+  const Scalar t85 = t81 * t81;
+  const Scalar t86 = t83 * t83;
+  const Scalar t87 = t85 - t86;
+  const Scalar t88 = (t37 * t80 + t10 * t84) + t87 * t16;
+  const Scalar t89 = c5 * t75 + s5 * t70;
+  const Scalar t90 = t89 * t83;
+  const Scalar t91 = t70 * t75;
+  const Scalar t92 = t74 * t69 + s4 * t77;
+  const Scalar t93 = t91 + t92;
+  const Scalar t94 = t90 - t93;
+  const Scalar t95 = s5 * t73 + c5 * t79;
+  const Scalar t96 = t89 * t82 + t95;
+  const Scalar t97 = qd[0] * qd[0];
+  const Scalar t98 = t74 * t74;
+  const Scalar t99 = qd[2] * qd[2];
+  const Scalar t100 = t98 - t99;
+  const Scalar t101 = t97 - t100;
+  const Scalar t102 = k[27] * t97;
+  const Scalar t103 = s3 * t102 - k[28] * c3;
+  const Scalar t104 = t101 - t103;
+  const Scalar t105 = k[28] * s3 + c3 * t102;
+  const Scalar t106 = c4 * t105 - t92;
+  const Scalar t107 = s5 * t104 + c5 * t106;
+  const Scalar t108 = s4 * t105 - t78;
+  const Scalar t109 = (t88 + (t94 * t5 + t0 * t96)) + (t3 * t107 - t1 * t108);
+  const Scalar t110 = torque[5] + t109;
+  const Scalar t111 = k[5] * t110;
+  const Scalar t112 = s5 * t106 - c5 * t104;
+  const Scalar t113 = t90 + t93;
+  const Scalar t114 = t85 + t86;
+  const Scalar t115 = t68 * t68;
+  const Scalar t116 = t75 * t75;
+  const Scalar t117 = t115 + t116;
+  const Scalar t118 = t101 - t117;
+  const Scalar t119 = t115 - t116;
+  const Scalar t120 = t118 - t119;
+  const Scalar t121 = t120 + t117;
+  const Scalar t122 = t114 - t121;
+  const Scalar t123 = t122 - t87;
+  const Scalar t124 = (k[14] * t113 - k[15] * t94) + k[17] * t123;
+  const Scalar t125 = (k[12] * t112 - k[11] * t107) - (t124 + (k[10] * t80 - k[9] * t95));
+  const Scalar t126 = qd[5] + t89;
+  const Scalar t127 = t83 * t126;
+  const Scalar t128 = (t94 - t127) - t127;
+  const Scalar t129 = t81 * t126;
+  const Scalar t130 = t129 + (t129 - t96);
+  const Scalar t131 = t126 * t126 - t86;
+  const Scalar t132 = (t128 * t10 - t130 * t16) - (t0 * t131 - t80 * t5);
+  const Scalar t133 = t125 + (t112 * t1 - t132);
+  const Scalar t134 = t111 * t5 - (torque[4] - t133);
+  const Scalar t135 = t21 * t134;
+  const Scalar t136 = t71 - t72;
+  const Scalar t137 = (k[18] * t136 - k[16] * t73) - k[19] * t120;
+  const Scalar t138 = (k[24] * t106 - k[26] * t108) - ((k[25] * t78 - k[23] * t92) + t137);
+  const Scalar t139 = (k[17] * t96 - k[14] * t84) - (k[9] * t87 - k[10] * t94);
+  const Scalar t140 = (t139 - k[12] * t108) + t109;
+  const Scalar t141 = (k[15] * t96 - k[17] * t84) + k[10] * t122;
+  const Scalar t142 = (t130 * t37 - t128 * t16) + (t87 - t131) * t5;
+  const Scalar t143 = (k[11] * t108 + (t141 - k[9] * t113)) - ((t0 * t84 - t142) + t3 * t112);
+  const Scalar t144 = t138 + (c5 * t140 - s5 * t143);
+  const Scalar t145 = t135 * t26 - ((torque[3] + t144) - t111 * t24);
+  const Scalar t146 = t91 + t93;
+  const Scalar t147 = (k[18] * t146 + k[19] * t79) + (k[23] * t73 + k[25] * t118);
+  const Scalar t148 = t131 + t114;
+  const Scalar t149 = (k[11] * t94 + k[12] * (t123 - t114)) - (t148 * t1 - t3 * t80);
+  const Scalar t150 = (k[11] * t114 - k[12] * t113) + (t3 * t130 + t128 * t1);
+  const Scalar t151 = (k[26] * t117 - k[24] * t73) - k[21] * t106;
+  const Scalar t152 = (c5 * t149 - s5 * t150) - t151;
+  const Scalar t153 = ((k[26] * t104 - t147) - t133) + t152;
+  const Scalar t154 = (k[16] * t79 + k[19] * t146) + k[23] * t119;
+  const Scalar t155 = ((k[25] * t136 + t154) - k[24] * t104) - (c5 * t143 + s5 * t140);
+  const Scalar t156 = (t1 * t84 - t3 * (t87 - t148)) + (k[12] * t84 + k[11] * t96);
+  const Scalar t157 = k[21] * t108 - (k[24] * t121 - k[26] * t136);
+  const Scalar t158 = t156 - t157;
+  const Scalar t159 = t155 + t158;
+  const Scalar t160 = t66 * t74;
+  const Scalar t161 = t98 + t99;
+  const Scalar t162 = k[29] * t103 - (k[31] * t160 - k[30] * (t161 - t101));
+  const Scalar t163 = torque[2] + ((c4 * t153 - s4 * t159) - t162);
+  const Scalar t164 = t145 * t43 - (t22 * t134 + (t163 - t44 * t110));
+  const Scalar t165 = t60 * t21;
+  const Scalar t166 = (s4 * t152 + c4 * t158) + k[37] * t72;
+  const Scalar t167 = (k[30] * t77 + k[38] * t72) + (k[34] * t160 - k[35] * (t97 - t161));
+  const Scalar t168 = (k[22] * t77 + k[39] * t72) + k[34] * t100;
+  const Scalar t169 = (s4 * t153 + c4 * t159) + (t168 - k[35] * t160);
+  const Scalar t170 = k[27] * t166 + (c3 * (t167 - t144) - s3 * t169);
+  const Scalar t171 = t165 * t134 + ((torque[0] + t170) + t111 * t57);
+  const Scalar t172 = t145 * t42;
+  const Scalar t173 = c3 * s5 * t3 + s3 * (c4 * t4 - s4 * t1);
+  const Scalar t174 = k[32] * t173;
+  const Scalar t175 = k[5] * t174;
+  const Scalar t176 = k[32] * s3 * (s4 * t30 - c4 * t32);
+  const Scalar t177 = k[32] * (c3 * t29 - s3 * c4 * t14);
+  const Scalar t178 = t5 * t175 - t177;
+  const Scalar t179 = (t24 * t175 + t176) + t36 * t178;
+  const Scalar t180 = t42 * t179;
+  const Scalar t181 = (s4 * t158 - c4 * t152) + k[29] * t161;
+  const Scalar t182 = k[21] * t104 - (k[26] * t146 + k[24] * t79);
+  const Scalar t183 = k[29] * t160 + (t182 + (s5 * t149 + c5 * t150));
+  const Scalar t184 = k[33] + k[32] * (s3 * t181 - c3 * t183);
+  const Scalar t185 = ((torque[1] - t184) - t111 * t174) + t135 * t178;
+  const Scalar t186 = t52 * t164;
+  const Scalar t187 = c3 * (k[29] + t54) + s3 * t45;
+  const Scalar t188 = t178 * t21;
+  const Scalar t189 = (t7 * t175 - k[32] * t187) - t188 * t20;
+  const Scalar t190 = t189 + t43 * t179;
+  const Scalar t191 = (t145 * t180 - t185) - t186 * t190;
+  const Scalar t192 = t52 * t190;
+  const Scalar t193 = (t57 * t175 + t188 * t60) - t62 * t179;
+  const Scalar t194 = t64 * t192 + t193;
+  const Scalar t195 = t179 * t180 - (t188 * t178 - (k[36] + t174 * t175));
+  const Scalar t196 = Scalar(1) / (t190 * t192 - t195);
+  const Scalar t197 = t194 * t196;
+  const Scalar t198 = (t65 * t164 + (t171 - t61 * t172)) + t191 * t197;
+  const Scalar t199 = Scalar(2) * c3 * (k[30] - t53) - s3 * (t46 - t50);
+  const Scalar t200 = k[27] * ((k[41] - t187) - t187) + (s3 * t199 - t50);
+  const Scalar t201 = t58 * t57 - ((k[40] + (t38 - t49)) - (k[42] - t200));
+  const Scalar t202 = t64 * t65 - (t61 * t62 + (t201 - t165 * t60));
+  const Scalar t203 = t198 * Scalar(1) / (t194 * t197 - t202);
+  const Scalar t204 = t203 * t197 - t191 * t196;
+  const Scalar t205 = (t186 + t203 * t65) - t204 * t192;
+  const Scalar t206 = ((t172 + t203 * t62) - t204 * t180) - t205 * t43;
+  const Scalar t207 = ((t135 + t203 * t165) - t204 * t188) - t205 * t22;
+  const Scalar t208 = t207 - t36 * t206;
+  const Scalar t209 = t205 * t44 + (t204 * t175 + (t203 * t58 - t111));
   JointVector<Scalar> result;
-  result[0] = t208;
-  result[1] = t209;
-  result[2] = -t210;
-  result[3] = t211;
-  result[4] = -t213;
-  result[5] = t213 * t13 - (t214 + t211 * t1);
+  result[0] = t203;
+  result[1] = -t204;
+  result[2] = -t205;
+  result[3] = t206;
+  result[4] = -t208;
+  result[5] = t208 * t8 - (t25 * t206 - t209);
   return result;
 }
 
@@ -1423,81 +1452,89 @@ KineticEnergyConstants<Scalar> kinetic_energy_constants(const BasicGeometry<Scal
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t0 = inertia.c6y * inertia.m6;
   const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = (inertia.I6xx - t0) - inertia.c6x * t1;
-  const Scalar t3 = inertia.c6y * inertia.m6;
-  const Scalar t4 = (inertia.I6yy - t0) - inertia.c6y * t3;
-  const Scalar t5 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t6 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t7 = inertia.c4y * inertia.m4;
-  const Scalar t8 = inertia.c5y * inertia.m5;
-  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t10 = ((inertia.I4yy - t6) - inertia.c4y * t7) - (inertia.c5y * t8 - (inertia.I5yy - t9));
-  const Scalar t11 = inertia.c5x * inertia.m5;
-  const Scalar t12 = inertia.c6z * inertia.m6;
-  const Scalar t13 = inertia.c5z * inertia.m5;
-  const Scalar t14 = (inertia.c6z * t12 - (inertia.I6zz - t0)) + (inertia.c5z * t13 - (inertia.I5zz - t9));
-  const Scalar t15 = inertia.c4x * inertia.m4;
-  const Scalar t16 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t17 = inertia.c3y * inertia.m3;
-  const Scalar t18 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t19 = ((inertia.I3yy - t16) - inertia.c3y * t17)
-      + ((inertia.I2yy - t18) - inertia.c2y * inertia.c2y * inertia.m2);
-  const Scalar t20 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t21 = t19 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t20));
-  const Scalar t22 = inertia.c3x * inertia.m3;
-  const Scalar t23 = g.d4 * t22;
+  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t1;
+  const Scalar t4 = (inertia.I6yy - t2) - inertia.c6y * t0;
+  const Scalar t5 = inertia.c5y * inertia.m5;
+  const Scalar t6 = inertia.I6xy - inertia.c6y * t1;
+  const Scalar t7 = inertia.c5x * inertia.m5;
+  const Scalar t8 = inertia.c5z * inertia.m5;
+  const Scalar t9 = inertia.c6z * inertia.m6;
+  const Scalar t10 = inertia.c4x * inertia.m4;
+  const Scalar t11 = g.d4 * t10;
+  const Scalar t12 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t13 = (inertia.c6z * t9 - (inertia.I6zz - t2)) + (inertia.c5z * t8 - (inertia.I5zz - t12));
+  const Scalar t14 = inertia.c4y * inertia.m4;
+  const Scalar t15 = g.d4 * t14;
+  const Scalar t16 = g.l2 / g.d4;
+  const Scalar t17 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t18 = ((inertia.I4yy - t17) - inertia.c4y * t14) - (inertia.c5y * t5 - (inertia.I5yy - t12));
+  const Scalar t19 = inertia.c3y * inertia.m3;
+  const Scalar t20 = inertia.c3x * inertia.m3;
+  const Scalar t21 = Scalar(1) / g.d4;
+  const Scalar t22 = inertia.c3z * inertia.m3;
+  const Scalar t23 = t22 - g.d4 * inertia.m3;
   const Scalar t24 = inertia.c4z * inertia.m4;
-  const Scalar t25 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t26 = t24 - g.d4 * t25;
-  const Scalar t27 = inertia.c3z * inertia.m3;
-  const Scalar t28 = t27 - g.d4 * inertia.m3;
-  const Scalar t29 = g.d4 * g.d4 * (inertia.m2 + (inertia.m3 + t25));
-  const Scalar t30 = g.l2 / g.d4;
-  const Scalar t31 = ((inertia.I3zz - t16) - inertia.c3z * t27) + g.d4 * (t27 + t28);
-  const Scalar t32 = ((inertia.I4zz - t6) - inertia.c4z * t24) + g.d4 * (t26 + t24);
-  const Scalar t33 = inertia.c1x * inertia.m1;
-  const Scalar t34 = g.l2 * (t33 + (g.l2 * inertia.m1 + t33)) + (inertia.c1x * t33 - (inertia.I1xx - t20));
-  const Scalar t35 = inertia.c2x * inertia.m2;
-  const Scalar t36 = (inertia.c2x * t35 - (inertia.I2xx - t18)) + Scalar(2) * g.l2 * t35;
-  const Scalar t37 = Scalar(1) / g.d4;
-  return { t2 + t4,
-           Scalar(2) * t5,
-           t2 - t4,
-           t2,
-           t10,
-           inertia.c5x * t11 - (inertia.I5xx - t9),
-           t14,
+  const Scalar t25 = g.d4 * inertia.m4;
+  const Scalar t26 = t24 - t25;
+  const Scalar t27 = t26 + t25;
+  const Scalar t28 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t29 = t27 - g.d4 * t28;
+  const Scalar t30 = g.d4 * t20;
+  const Scalar t31 = g.d4 * (t24 + t26) + ((inertia.I4zz - t17) - inertia.c4z * t24);
+  const Scalar t32 = (g.d4 * (t27 + t26) - t31) - g.d4 * (t27 + t29);
+  const Scalar t33 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t34 = ((inertia.I3zz - t33) - inertia.c3z * t22) + g.d4 * (t22 + t23);
+  const Scalar t35 = inertia.m3 + t28;
+  const Scalar t36 = g.d4 * g.d4 * (inertia.m2 + t35) * t21 * t21;
+  const Scalar t37 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t38 = ((inertia.I3yy - t33) - inertia.c3y * t19)
+      + ((inertia.I2yy - t37) - inertia.c2y * inertia.c2y * inertia.m2);
+  const Scalar t39 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t40 = t38 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t39));
+  const Scalar t41 = inertia.c1x * inertia.m1;
+  const Scalar t42 = g.l2 * (t41 + (g.l2 * inertia.m1 + t41)) + (inertia.c1x * t41 - (inertia.I1xx - t39));
+  const Scalar t43 = inertia.c2x * inertia.m2;
+  const Scalar t44 = (inertia.c2x * t43 - (inertia.I2xx - t37)) + g.l2 * (t43 + (g.l2 * inertia.m2 + t43));
+  return { inertia.I6yz - inertia.c6z * t0,
            inertia.I6xz - inertia.c6z * t1,
-           inertia.I6yz - inertia.c6z * t3,
-           inertia.I5xz - inertia.c5z * t11,
-           (inertia.I4xx - t6) - inertia.c4x * t15,
-           t5,
-           inertia.I5xy - inertia.c5y * t11,
-           inertia.I5yz - inertia.c5z * t8,
-           inertia.I4xy - inertia.c4y * t15,
-           t21,
-           g.d4 * t3,
+           t3 + t4,
+           inertia.I5yz - inertia.c5z * t5,
+           Scalar(2) * t6,
+           t3 - t4,
+           t6,
+           inertia.I5xy - inertia.c5y * t7,
+           g.d4 * t0,
            g.d4 * t1,
-           g.d4 * (t7 + t8),
-           g.d4 * t11,
-           g.d4 * (t13 + t12),
-           g.d4 * t15,
-           t23,
-           g.d4 * (t26 + t28),
-           t29 * t30,
+           g.d4 * t7,
+           g.d4 * (t8 + t9),
+           t11,
+           inertia.I5xz - inertia.c5z * t7,
+           t3,
+           inertia.c5x * t7 - (inertia.I5xx - t12),
+           t13,
+           t11 - ((inertia.I4xz - inertia.c4z * t10) + t11),
+           t15 - (t15 + (inertia.I4yz - inertia.c4z * t14)),
+           g.d4 * (t14 + t5),
+           t16,
+           t4,
+           t18,
+           (inertia.I4xx - t17) - inertia.c4x * t10,
+           g.d4 * t19 + (inertia.I3yz - inertia.c3z * t19),
+           inertia.I4xy - inertia.c4y * t10,
+           inertia.I3xy - inertia.c3y * t20,
+           t21,
+           g.d4 * (t23 + t29),
            t30,
-           inertia.c3x * t22 - (inertia.I3xx - t16),
-           t31 + t32,
-           inertia.I4yz - inertia.c4z * t7,
-           inertia.I4xz - inertia.c4z * t15,
-           t23 + (inertia.I3xz - inertia.c3z * t22),
-           t34 + t36,
-           t29 * t37 * t37,
-           t37,
-           g.d4 * t17 + (inertia.I3yz - inertia.c3z * t17),
-           inertia.I3xy - inertia.c3y * t22 };
+           t32 - t34,
+           inertia.c3x * t20 - (inertia.I3xx - t33),
+           t36,
+           t40,
+           t30 + (inertia.I3xz - inertia.c3z * t20),
+           Scalar(2) * t16,
+           t42 + (t44 + g.l2 * g.l2 * t35) };
 }
 
 namespace detail {
@@ -1514,69 +1551,71 @@ inline Scalar kinetic_energy([[maybe_unused]] const JointVector<Scalar>& q, cons
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[1] * c6 - k[2] * s6;
-  const Scalar t1 = k[3] + s6 * t0;
-  const Scalar t2 = k[5] - t1;
-  const Scalar t3 = k[6] + t2;
-  const Scalar t4 = k[7] * c6 + k[8] * s6;
-  const Scalar t5 = k[9] + t4;
-  const Scalar t6 = Scalar(2) * c5 * t5 - s5 * (k[6] - t2);
-  const Scalar t7 = k[6] + s5 * t6;
-  const Scalar t8 = k[10] - (t3 - t7);
-  const Scalar t9 = k[4] + (k[0] - t1);
-  const Scalar t10 = t8 + t9;
-  const Scalar t11 = k[12] - (k[11] - c6 * t0);
-  const Scalar t12 = k[8] * c6 - k[7] * s6;
-  const Scalar t13 = k[13] + t12;
-  const Scalar t14 = c5 * t11 + s5 * t13;
-  const Scalar t15 = k[14] + t14;
-  const Scalar t16 = c4 * t15;
-  const Scalar t17 = (t16 + t16) - s4 * (t8 - t9);
-  const Scalar t18 = s4 * t17;
-  const Scalar t19 = k[26] - (t8 + t18);
-  const Scalar t20 = k[17] * c6 + k[16] * s6;
-  const Scalar t21 = k[19] + t20;
-  const Scalar t22 = s5 * t21 - k[20] * c5;
-  const Scalar t23 = k[27] - (Scalar(2) * t22 + t7);
-  const Scalar t24 = k[17] * s6 - k[16] * c6;
-  const Scalar t25 = k[18] - t24;
-  const Scalar t26 = c5 * t21 + k[20] * s5;
-  const Scalar t27 = k[21] + t26;
-  const Scalar t28 = s4 * t25 + c4 * t27;
-  const Scalar t29 = s3 * (k[23] - t22) + c3 * (k[22] + t28);
-  const Scalar t30 = (k[29] - (t5 - c5 * t6)) + t27;
-  const Scalar t31 = s5 * t11 - c5 * t13;
-  const Scalar t32 = (k[28] - t31) + t25;
-  const Scalar t33 = c4 * t30 + s4 * t32;
-  const Scalar t34 = c3 * (k[30] + t33);
-  const Scalar t35 = s3 * (s3 * (t19 + t23) + (t34 + t34));
-  const Scalar t36 = k[25] * ((k[24] + t29) + t29) + (t19 - t35);
-  const Scalar t37 = qd[0] * ((k[31] + t36) - (k[15] + (t9 - t18)));
-  const Scalar t38 = qd[2] * qd[2] * (t19 - t23) + (qd[1] * k[32] * qd[1] + qd[0] * t37);
-  const Scalar t39 = qd[4] * qd[4] * t3 - (qd[3] * qd[3] * t10 - t38);
-  const Scalar t40 = (c3 * t10 + s3 * t33) - k[25] * t28;
-  const Scalar t41 = s4 * t30 - c4 * t32;
-  const Scalar t42 = s3 * (k[35] - (t15 - c4 * t17)) - c3 * (k[34] - t41);
-  const Scalar t43 = t3 + t22;
-  const Scalar t44 = s3 * (s4 * t43 + c4 * t14) + c3 * t31;
-  const Scalar t45 = (qd[3] * t40 - qd[2] * t42) - qd[4] * (t44 - k[25] * s4 * t22);
-  const Scalar t46 = c5 * t24;
-  const Scalar t47 = (c5 * t4 - k[0] * s5) + t20;
-  const Scalar t48 = t46 - t12;
-  const Scalar t49 = k[0] * c5 + s5 * t4;
-  const Scalar t50 = s3 * (c4 * t47 - s4 * t48) + c3 * t49;
-  const Scalar t51 = k[25] * (s4 * t46 - c4 * t20) + t50;
-  const Scalar t52 = k[33] * s3 * (s4 * t27 - c4 * t25);
-  const Scalar t53 = k[33] * (s3 * c4 * t22 - c3 * t26);
-  const Scalar t54 = (qd[2] * k[33] * t29 - qd[3] * t52) - qd[4] * t53;
-  const Scalar t55 = c3 * s5 * t24 + s3 * (c4 * t46 + s4 * t20);
-  const Scalar t56 = qd[0] * (t45 + qd[5] * t51) - qd[1] * (t54 - qd[5] * k[33] * t55);
-  const Scalar t57 = qd[4] * (s4 * t14 - c4 * t43) - qd[3] * t41;
-  const Scalar t58 = qd[5] * (s4 * t47 + c4 * t48) - t57;
-  const Scalar t59 = (t56 + qd[2] * t58) + qd[3] * (qd[4] * t31 - qd[5] * t49);
-  const Scalar t60 = Scalar(0.5) * (t39 - qd[5] * k[0] * qd[5]) + (t59 - qd[4] * qd[5] * t12);
+  const Scalar t0 = k[0] * c6 - k[1] * s6;
+  const Scalar t1 = k[4] * c6 - k[5] * s6;
+  const Scalar t2 = k[7] - (k[6] - c6 * t1);
+  const Scalar t3 = k[3] + t0;
+  const Scalar t4 = s5 * t2 - c5 * t3;
+  const Scalar t5 = k[0] * s6 + k[1] * c6;
+  const Scalar t6 = k[2] * c5 + s5 * t5;
+  const Scalar t7 = k[9] * c6 + k[8] * s6;
+  const Scalar t8 = (c5 * t5 - k[2] * s5) + t7;
+  const Scalar t9 = k[8] * c6 - k[9] * s6;
+  const Scalar t10 = c5 * t9;
+  const Scalar t11 = t10 + t0;
+  const Scalar t12 = s3 * (c4 * t8 + s4 * t11) + c3 * t6;
+  const Scalar t13 = t12 - k[20] * (c4 * t7 + s4 * t10);
+  const Scalar t14 = k[10] + t7;
+  const Scalar t15 = c5 * t14 + k[11] * s5;
+  const Scalar t16 = k[12] + t15;
+  const Scalar t17 = k[19] + t9;
+  const Scalar t18 = c4 * t16 + s4 * t17;
+  const Scalar t19 = s6 * t1;
+  const Scalar t20 = k[15] - (k[14] + t19);
+  const Scalar t21 = k[13] + t5;
+  const Scalar t22 = s5 * (k[16] - t20) - Scalar(2) * c5 * t21;
+  const Scalar t23 = s5 * t22;
+  const Scalar t24 = t23 + t20;
+  const Scalar t25 = k[23] - t24;
+  const Scalar t26 = k[22] + (k[21] - t19);
+  const Scalar t27 = t25 + t26;
+  const Scalar t28 = (k[18] + t4) - t17;
+  const Scalar t29 = (k[17] + (c5 * t22 + t21)) - t16;
+  const Scalar t30 = s4 * t28 + c4 * t29;
+  const Scalar t31 = k[20] * t18 - (c3 * t27 - s3 * t30);
+  const Scalar t32 = c5 * t2 + s5 * t3;
+  const Scalar t33 = k[25] + t32;
+  const Scalar t34 = c4 * t33;
+  const Scalar t35 = s4 * (t25 - t26) - (t34 + t34);
+  const Scalar t36 = c4 * t28 - s4 * t29;
+  const Scalar t37 = s3 * (k[26] - (c4 * t35 + t33)) - c3 * (k[24] - t36);
+  const Scalar t38 = s5 * t14 - k[11] * c5;
+  const Scalar t39 = k[16] - t23;
+  const Scalar t40 = t24 + t39;
+  const Scalar t41 = t40 + t38;
+  const Scalar t42 = c3 * t4 + s3 * (c4 * t32 + s4 * t41);
+  const Scalar t43 = (qd[3] * t31 + qd[2] * t37) - qd[4] * (k[20] * s4 * t38 - t42);
+  const Scalar t44 = k[27] * (c3 * t15 - s3 * c4 * t38);
+  const Scalar t45 = k[27] * s3 * (s4 * t16 - c4 * t17);
+  const Scalar t46 = c3 * (k[29] + t18) + s3 * (k[28] - t38);
+  const Scalar t47 = qd[4] * t44 - (qd[3] * t45 - qd[2] * k[27] * t46);
+  const Scalar t48 = c3 * s5 * t9 - s3 * (s4 * t7 - c4 * t10);
+  const Scalar t49 = qd[0] * (qd[5] * t13 - t43) - qd[1] * (t47 + qd[5] * k[27] * t48);
+  const Scalar t50 = qd[4] * (c4 * t41 - s4 * t32) + qd[3] * t36;
+  const Scalar t51 = qd[5] * (c4 * t11 - s4 * t8) - t50;
+  const Scalar t52 = qd[3] * (qd[4] * t4 - qd[5] * t6) + (t49 - qd[2] * t51);
+  const Scalar t53 = s4 * t35;
+  const Scalar t54 = c3 * (k[34] - t30);
+  const Scalar t55 = k[31] + (t53 - t25);
+  const Scalar t56 = k[30] + (t39 + (t38 + t38));
+  const Scalar t57 = s3 * ((t54 + t54) + s3 * (t55 - t56));
+  const Scalar t58 = (k[33] + (t53 + t26)) - (k[36] + (k[35] * t46 - (t57 - t55)));
+  const Scalar t59 = qd[1] * k[32] * qd[1] - qd[0] * qd[0] * t58;
+  const Scalar t60 = (t59 + qd[2] * qd[2] * (t55 + t56)) - qd[3] * qd[3] * t27;
+  const Scalar t61 = (t60 + qd[4] * qd[4] * t40) - qd[5] * k[2] * qd[5];
+  const Scalar t62 = (qd[4] * qd[5] * t0 - t52) - Scalar(0.5) * t61;
   Scalar result;
-  result = t60;
+  result = -t62;
   return result;
 }
 
@@ -1601,20 +1640,21 @@ PotentialEnergyConstants<Scalar> potential_energy_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  return { inertia.c6x * inertia.m6,
+  const Scalar t0 = g.d4 * inertia.m4;
+  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
+  return { inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
            inertia.c6y * inertia.m6,
+           inertia.c6x * inertia.m6,
+           inertia.c5x * inertia.m5,
+           inertia.c4x * inertia.m4,
            inertia.c5y * inertia.m5,
            inertia.c4y * inertia.m4,
-           inertia.c5x * inertia.m5,
-           inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
-           inertia.c4x * inertia.m4,
            inertia.c3x * inertia.m3,
-           inertia.c4z * inertia.m4,
-           g.d4 * t0,
+           (inertia.c4z * inertia.m4 - t0) + t0,
+           g.d4 * t1,
            inertia.c3z * inertia.m3 - g.d4 * inertia.m3,
            inertia.c2z * inertia.m2,
-           inertia.m2 + (inertia.m3 + t0),
+           inertia.m2 + (inertia.m3 + t1),
            inertia.c1z * inertia.m1,
            gravity };
 }
@@ -1632,12 +1672,12 @@ inline Scalar potential_energy(const JointVector<Scalar>& q, const Angles& angle
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[4] + (k[0] * c6 + k[1] * s6);
-  const Scalar t1 = c4 * (k[6] + (k[5] * s5 + c5 * t0));
-  const Scalar t2 = k[3] + (k[2] - (k[0] * s6 - k[1] * c6));
-  const Scalar t3 = k[9] - (k[8] + (k[5] * c5 - s5 * t0));
-  const Scalar t4 = s3 * (k[7] + (t1 + s4 * t2)) - c3 * (k[10] - t3);
-  const Scalar t5 = k[14] * (k[13] + (k[12] * q[1] + (k[11] - t4)));
+  const Scalar t0 = k[3] + (k[2] * c6 + k[1] * s6);
+  const Scalar t1 = k[9] - (k[8] - (s5 * t0 - k[0] * c5));
+  const Scalar t2 = c4 * (k[4] + (c5 * t0 + k[0] * s5));
+  const Scalar t3 = k[6] + (k[5] + (k[1] * c6 - k[2] * s6));
+  const Scalar t4 = c3 * (k[10] - t1) - s3 * (k[7] + (t2 + s4 * t3));
+  const Scalar t5 = k[14] * (k[13] + ((k[11] + t4) + k[12] * q[1]));
   Scalar result;
   result = t5;
   return result;

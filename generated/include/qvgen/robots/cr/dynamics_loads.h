@@ -26,7 +26,7 @@ LoadAngles<Scalar> load_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion, under gravity in any direction.
 ///
-/// 187 multiplications, 180 additions, 5 sine/cosine pairs. Set-up: 74 multiplications, 88 additions, 6 divisions.
+/// 186 multiplications, 177 additions, 5 sine/cosine pairs. Set-up: 82 multiplications, 104 additions, 6 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d4, which must not be zero.
 template <class Scalar>
@@ -34,7 +34,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
     const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
-using InverseDynamicsWithGravityVectorConstants = std::array<Scalar, 40>;
+using InverseDynamicsWithGravityVectorConstants = std::array<Scalar, 39>;
 template <class Scalar>
 InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_vector_constants(
     const BasicGeometry<Scalar>& g,
@@ -46,7 +46,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces for a motion while a wrench acts on the tool from outside: those without it minus jacobian(q)^T wrench.
 ///
-/// 225 multiplications, 199 additions, 5 sine/cosine pairs. Set-up: 73 multiplications, 88 additions, 6 divisions.
+/// 221 multiplications, 200 additions, 5 sine/cosine pairs. Set-up: 83 multiplications, 104 additions, 6 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d4, which must not be zero.
 template <class Scalar>
@@ -55,7 +55,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity,
         const NonDeduced<Wrench<Scalar>>& wrench);
 template <class Scalar>
-using InverseDynamicsWithWrenchConstants = std::array<Scalar, 40>;
+using InverseDynamicsWithWrenchConstants = std::array<Scalar, 41>;
 template <class Scalar>
 InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constants(const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
@@ -66,13 +66,13 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces that hold the robot at rest, under gravity in any direction.
 ///
-/// 49 multiplications, 31 additions, 5 sine/cosine pairs. Set-up: 21 multiplications, 13 additions.
+/// 48 multiplications, 30 additions, 5 sine/cosine pairs. Set-up: 23 multiplications, 17 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
-using GravityTorqueWithGravityVectorConstants = std::array<Scalar, 15>;
+using GravityTorqueWithGravityVectorConstants = std::array<Scalar, 14>;
 template <class Scalar>
 GravityTorqueWithGravityVectorConstants<Scalar> gravity_torque_with_gravity_vector_constants(
     const BasicGeometry<Scalar>& g,
@@ -83,7 +83,7 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const LoadAngle
 
 /// Joint accelerations for given joint forces, under gravity in any direction.
 ///
-/// 338 multiplications, 308 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 83 multiplications, 90 additions, 7
+/// 337 multiplications, 306 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 92 multiplications, 106 additions, 7
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d4, which must not be zero.
@@ -92,7 +92,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
-using ForwardDynamicsWithGravityVectorConstants = std::array<Scalar, 50>;
+using ForwardDynamicsWithGravityVectorConstants = std::array<Scalar, 51>;
 template <class Scalar>
 ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_vector_constants(
     const BasicGeometry<Scalar>& g,
@@ -104,7 +104,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint accelerations for given joint forces while a wrench acts on the tool from outside.
 ///
-/// 374 multiplications, 329 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 82 multiplications, 90 additions, 7
+/// 372 multiplications, 328 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 90 multiplications, 106 additions, 7
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d4, which must not be zero.
@@ -114,7 +114,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity,
         const NonDeduced<Wrench<Scalar>>& wrench);
 template <class Scalar>
-using ForwardDynamicsWithWrenchConstants = std::array<Scalar, 52>;
+using ForwardDynamicsWithWrenchConstants = std::array<Scalar, 49>;
 template <class Scalar>
 ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constants(const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
@@ -125,7 +125,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Minus the sum of m gravity . r over the links, r the centre of mass in the world, J.
 ///
-/// 24 multiplications, 29 additions, 5 sine/cosine pairs. Set-up: 22 multiplications, 7 additions.
+/// 24 multiplications, 29 additions, 5 sine/cosine pairs. Set-up: 24 multiplications, 10 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Scalar potential_energy(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g,

@@ -28,88 +28,98 @@ InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = g.l2 / g.d4;
-  const Scalar t1 = inertia.c4z * inertia.m4;
-  const Scalar t2 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t3 = t1 - g.d4 * t2;
-  const Scalar t4 = inertia.c3z * inertia.m3;
-  const Scalar t5 = t4 - g.d4 * inertia.m3;
-  const Scalar t6 = (t3 + t5) / g.d4;
-  const Scalar t7 = g.d4 * g.d4 * (t6 + (inertia.m2 + (inertia.m3 + t2)));
-  const Scalar t8 = inertia.c4y * inertia.m4;
-  const Scalar t9 = inertia.c5y * inertia.m5;
-  const Scalar t10 = inertia.c4x * inertia.m4;
-  const Scalar t11 = g.d4 * g.d4 * t6;
-  const Scalar t12 = inertia.c5x * inertia.m5;
-  const Scalar t13 = inertia.c5z * inertia.m5;
-  const Scalar t14 = inertia.c6z * inertia.m6;
-  const Scalar t15 = inertia.c6y * inertia.m6;
-  const Scalar t16 = inertia.c6x * inertia.m6;
-  const Scalar t17 = inertia.c3x * inertia.m3;
-  const Scalar t18 = g.d4 * t17;
-  const Scalar t19 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t20 = ((inertia.I3zz - t19) - inertia.c3z * t4) + g.d4 * (t4 + t5);
-  const Scalar t21 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t22 = ((inertia.I4zz - t21) - inertia.c4z * t1) + g.d4 * (t3 + t1);
-  const Scalar t23 = inertia.c3y * inertia.m3;
-  const Scalar t24 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t25 = (inertia.I6xx - t24) - inertia.c6x * t16;
-  const Scalar t26 = (inertia.I6yy - t24) - inertia.c6y * t15;
-  const Scalar t27 = inertia.I6xy - inertia.c6y * t16;
-  const Scalar t28 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t29 = (inertia.c6z * t14 - (inertia.I6zz - t24)) + (inertia.c5z * t13 - (inertia.I5zz - t28));
-  const Scalar t30 = ((inertia.I4yy - t21) - inertia.c4y * t8) - (inertia.c5y * t9 - (inertia.I5yy - t28));
-  const Scalar t31 = inertia.c2x * inertia.m2;
-  const Scalar t32 = inertia.c1x * inertia.m1;
-  const Scalar t33 = g.l2 * inertia.m1 + t32;
-  const Scalar t34 = inertia.c2y * inertia.m2;
-  const Scalar t35 = inertia.c1y * inertia.m1;
-  const Scalar t36 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t37 = g.l2 * (t32 + t33) + (inertia.c1x * t32 - (inertia.I1xx - t36));
-  const Scalar t38 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t39 = (inertia.c2x * t31 - (inertia.I2xx - t38)) + Scalar(2) * g.l2 * t31;
-  const Scalar t40 = ((inertia.I3yy - t19) - inertia.c3y * t23) + ((inertia.I2yy - t38) - inertia.c2y * t34);
-  const Scalar t41 = (t37 + t39) - (t40 - (inertia.c1y * t35 - (inertia.I1yy - t36)));
-  return { t0,
+  const Scalar t0 = inertia.c4y * inertia.m4;
+  const Scalar t1 = g.d4 * t0;
+  const Scalar t2 = inertia.c4x * inertia.m4;
+  const Scalar t3 = g.d4 * t2;
+  const Scalar t4 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t5 = inertia.c5y * inertia.m5;
+  const Scalar t6 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t7 = ((inertia.I4yy - t4) - inertia.c4y * t0) - (inertia.c5y * t5 - (inertia.I5yy - t6));
+  const Scalar t8 = Scalar(1) / g.d4;
+  const Scalar t9 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t10 = inertia.c6x * inertia.m6;
+  const Scalar t11 = (inertia.I6xx - t9) - inertia.c6x * t10;
+  const Scalar t12 = inertia.c6y * inertia.m6;
+  const Scalar t13 = (inertia.I6yy - t9) - inertia.c6y * t12;
+  const Scalar t14 = inertia.I6xy - inertia.c6y * t10;
+  const Scalar t15 = inertia.c5x * inertia.m5;
+  const Scalar t16 = inertia.c5z * inertia.m5;
+  const Scalar t17 = inertia.c6z * inertia.m6;
+  const Scalar t18 = (inertia.c6z * t17 - (inertia.I6zz - t9)) + (inertia.c5z * t16 - (inertia.I5zz - t6));
+  const Scalar t19 = inertia.c3y * inertia.m3;
+  const Scalar t20 = inertia.c3x * inertia.m3;
+  const Scalar t21 = g.d4 * t20;
+  const Scalar t22 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t23 = inertia.c3z * inertia.m3;
+  const Scalar t24 = t23 - g.d4 * inertia.m3;
+  const Scalar t25 = inertia.c4z * inertia.m4;
+  const Scalar t26 = g.d4 * inertia.m4;
+  const Scalar t27 = t25 - t26;
+  const Scalar t28 = t27 + t26;
+  const Scalar t29 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t30 = t28 - g.d4 * t29;
+  const Scalar t31 = (t24 + t30) / g.d4;
+  const Scalar t32 = g.d4 * g.d4 * t31;
+  const Scalar t33 = g.d4 * (t25 + t27) + ((inertia.I4zz - t4) - inertia.c4z * t25);
+  const Scalar t34 = (g.d4 * (t28 + t27) - t33) - g.d4 * (t28 + t30);
+  const Scalar t35 = ((inertia.I3zz - t22) - inertia.c3z * t23) + g.d4 * (t23 + t24);
+  const Scalar t36 = g.l2 * t31;
+  const Scalar t37 = inertia.m3 + t29;
+  const Scalar t38 = g.l2 * t37;
+  const Scalar t39 = inertia.c2x * inertia.m2;
+  const Scalar t40 = g.l2 * inertia.m2 + t39;
+  const Scalar t41 = inertia.c1x * inertia.m1;
+  const Scalar t42 = g.l2 * inertia.m1 + t41;
+  const Scalar t43 = inertia.c2y * inertia.m2;
+  const Scalar t44 = inertia.c1y * inertia.m1;
+  const Scalar t45 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t46 = g.l2 * (t41 + t42) + (inertia.c1x * t41 - (inertia.I1xx - t45));
+  const Scalar t47 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t48 = (inertia.c2x * t39 - (inertia.I2xx - t47)) + g.l2 * (t39 + t40);
+  const Scalar t49 = (t46 + (t48 + g.l2 * t38)) + g.l2 * t36;
+  const Scalar t50 = ((inertia.I3yy - t22) - inertia.c3y * t19) + ((inertia.I2yy - t47) - inertia.c2y * t43);
+  const Scalar t51 = t49 - (t50 - (inertia.c1y * t44 - (inertia.I1yy - t45)));
+  const Scalar t52 = g.d4 * g.d4 * (t31 + (inertia.m2 + t37)) * t8;
+  return { t1 - (t1 + (inertia.I4yz - inertia.c4z * t0)),
+           t3 - ((inertia.I4xz - inertia.c4z * t2) + t3),
+           (inertia.I4xx - t4) - inertia.c4x * t2,
+           t7,
+           inertia.I4xy - inertia.c4y * t2,
+           g.l2 / g.d4,
            gravity[0] / g.d4,
            gravity[1] / g.d4,
-           t7 * t0,
-           g.d4 * (t8 + t9),
-           g.d4 * t10,
-           Scalar(1) / g.d4,
+           t8,
            gravity[2] / g.d4,
+           g.d4 * (t0 + t5),
+           t3,
+           t11 - t13,
+           Scalar(2) * t14,
+           t14,
+           t13,
            t11,
+           inertia.I6yz - inertia.c6z * t12,
+           inertia.I6xz - inertia.c6z * t10,
            g.d4 * t12,
-           g.d4 * (t13 + t14),
+           g.d4 * t10,
+           inertia.c5x * t15 - (inertia.I5xx - t6),
+           inertia.I5xz - inertia.c5z * t15,
+           inertia.I5xy - inertia.c5y * t15,
+           inertia.I5yz - inertia.c5z * t5,
            g.d4 * t15,
-           g.d4 * t16,
+           g.d4 * (t16 + t17),
            t18,
-           inertia.I3xy - inertia.c3y * t17,
-           t18 + (inertia.I3xz - inertia.c3z * t17),
-           t11 - (t20 + t22),
-           g.d4 * t23 + (inertia.I3yz - inertia.c3z * t23),
-           t25 - t26,
-           Scalar(2) * t27,
-           t27,
-           t25,
-           inertia.I6xz - inertia.c6z * t16,
-           inertia.I6yz - inertia.c6z * t15,
-           inertia.I5yz - inertia.c5z * t9,
-           inertia.I5xy - inertia.c5y * t12,
-           inertia.c5x * t12 - (inertia.I5xx - t28),
-           t29,
-           inertia.I5xz - inertia.c5z * t12,
-           (inertia.I4xx - t21) - inertia.c4x * t10,
-           inertia.I4xy - inertia.c4y * t10,
-           inertia.I4xz - inertia.c4z * t10,
-           inertia.I4yz - inertia.c4z * t8,
-           t30,
-           t26,
-           inertia.c3x * t17 - (inertia.I3xx - t19),
-           g.d4 * (t31 + t33),
-           g.d4 * ((t23 + t34) + t35),
-           t41,
-           t7 };
+           g.d4 * t19 + (inertia.I3yz - inertia.c3z * t19),
+           inertia.I3xy - inertia.c3y * t20,
+           t21 + (inertia.I3xz - inertia.c3z * t20),
+           inertia.c3x * t20 - (inertia.I3xx - t22),
+           t21,
+           t32 + (t34 - t35),
+           t32,
+           g.d4 * (t36 + ((t38 + t40) + t42)),
+           g.d4 * ((t19 + t43) + t44),
+           t51,
+           t52 };
 }
 
 namespace detail {
@@ -128,140 +138,140 @@ inline JointVector<Scalar> inverse_dynamics_with_gravity_vector([[maybe_unused]]
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[1] * s1 - k[2] * c1;
-  const Scalar t1 = k[2] * s1 + k[1] * c1;
-  const Scalar t2 = (k[36] * t0 + k[37] * t1) + k[38] * qdd[0];
-  const Scalar t3 = qd[0] * s3;
-  const Scalar t4 = qd[0] * c3;
-  const Scalar t5 = t3 * t4;
-  const Scalar t6 = qdd[2] - t5;
-  const Scalar t7 = qd[2] * t4;
-  const Scalar t8 = qdd[0] * s3;
-  const Scalar t9 = t7 + (t7 + t8);
-  const Scalar t10 = s4 * t6 + c4 * t9;
-  const Scalar t11 = c4 * t6 - s4 * t9;
-  const Scalar t12 = t3 * t3;
-  const Scalar t13 = qd[2] * qd[2];
-  const Scalar t14 = t12 + t13;
-  const Scalar t15 = qd[3] - t4;
-  const Scalar t16 = t15 * t15;
-  const Scalar t17 = qd[2] * s4 + c4 * t3;
-  const Scalar t18 = t17 * t17;
-  const Scalar t19 = t16 + t18;
-  const Scalar t20 = t14 - t19;
-  const Scalar t21 = t16 - t18;
-  const Scalar t22 = s4 * t3 - qd[2] * c4;
-  const Scalar t23 = t22 * t17;
-  const Scalar t24 = qd[2] * t3;
-  const Scalar t25 = qdd[0] * c3;
-  const Scalar t26 = t24 - t25;
-  const Scalar t27 = qdd[3] + t26;
-  const Scalar t28 = t23 + t27;
-  const Scalar t29 = t23 - t27;
-  const Scalar t30 = k[30] * (t20 + t21) - (k[33] * t28 - k[29] * t29);
-  const Scalar t31 = qd[0] * qd[0];
-  const Scalar t32 = k[0] * t31 + t1;
-  const Scalar t33 = k[7] - k[6] * qdd[1];
-  const Scalar t34 = c3 * t32 - s3 * t33;
-  const Scalar t35 = k[0] * qdd[0] + t0;
-  const Scalar t36 = t10 + (s4 * t34 - c4 * t35);
-  const Scalar t37 = (s4 * t35 + c4 * t34) + t11;
-  const Scalar t38 = ((k[31] * t10 - k[32] * t11) + t30) + (k[5] * t36 - k[4] * t37);
-  const Scalar t39 = t22 * t15;
-  const Scalar t40 = t10 - (t39 + t39);
-  const Scalar t41 = c5 * t28 + s5 * t40;
-  const Scalar t42 = qd[4] - t22;
-  const Scalar t43 = c5 * t17 - s5 * t15;
-  const Scalar t44 = t42 * t43;
-  const Scalar t45 = t41 + (t44 + t44);
-  const Scalar t46 = c5 * t15 + s5 * t17;
-  const Scalar t47 = t42 * t46;
-  const Scalar t48 = s5 * t28 - c5 * t40;
-  const Scalar t49 = (t47 + t48) + t47;
-  const Scalar t50 = qd[5] + t46;
-  const Scalar t51 = t50 * t50;
-  const Scalar t52 = t43 * t43;
-  const Scalar t53 = t51 - t52;
-  const Scalar t54 = t51 + t52;
-  const Scalar t55 = t42 * t42 + t52;
-  const Scalar t56 = t54 - t55;
-  const Scalar t57 = t53 - t56;
-  const Scalar t58 = t57 + t19;
-  const Scalar t59 = t58 - t55;
-  const Scalar t60 = (k[28] * t45 - k[27] * t49) - k[24] * (t57 - t59);
-  const Scalar t61 = t46 * t43;
-  const Scalar t62 = t17 * t15;
-  const Scalar t63 = t62 - t11;
-  const Scalar t64 = qdd[4] - t63;
-  const Scalar t65 = t61 - t64;
-  const Scalar t66 = s3 * t32 + c3 * t33;
-  const Scalar t67 = t14 - t66;
-  const Scalar t68 = s5 * t37 - c5 * t67;
-  const Scalar t69 = k[12] * s6 - k[11] * c6;
-  const Scalar t70 = k[18] * s6 - k[19] * c6;
-  const Scalar t71 = k[20] + c6 * t70;
-  const Scalar t72 = t61 + t64;
-  const Scalar t73 = t43 * t50;
-  const Scalar t74 = (t72 - t73) - t73;
-  const Scalar t75 = s6 * t70;
-  const Scalar t76 = k[34] + t75;
-  const Scalar t77 = t42 * t50;
-  const Scalar t78 = t77 - (t49 - t77);
-  const Scalar t79 = k[23] * c6 - k[22] * s6;
-  const Scalar t80 = (t71 * t74 - t76 * t78) + t56 * t79;
-  const Scalar t81 = qdd[5] + t45;
-  const Scalar t82 = k[22] * c6 + k[23] * s6;
-  const Scalar t83 = ((t60 + k[25] * t65) - k[10] * t36) - (t68 * t69 - (t80 + t81 * t82));
-  const Scalar t84 = (k[26] * t45 - k[28] * t49) - (k[24] * t72 - k[25] * t57);
-  const Scalar t85 = qdd[5] + t41;
-  const Scalar t86 = k[21] - t75;
-  const Scalar t87 = t57 * t71 + (t76 * t85 + t81 * t86);
-  const Scalar t88 = k[12] * c6 + k[11] * s6;
-  const Scalar t89 = s5 * t67 + c5 * t37;
-  const Scalar t90 = ((t72 * t79 + t49 * t82) + t87) - (t36 * t88 + t89 * t69);
-  const Scalar t91 = (k[9] * t36 + t84) - t90;
-  const Scalar t92 = t38 - (s5 * t83 - c5 * t91);
-  const Scalar t93 = t12 - t13;
-  const Scalar t94 = t24 + t26;
-  const Scalar t95 = (k[17] * t6 + k[14] * t93) - (k[15] * t9 + k[35] * t94);
-  const Scalar t96 = (k[9] * t65 - k[10] * t55) + (t69 * t78 - t88 * t74);
-  const Scalar t97 = (t88 * (t53 + t55) + t85 * t69) + (k[9] * t58 - k[10] * t72);
-  const Scalar t98 = k[8] * t37 + (k[4] * t28 - k[5] * (t14 + t21));
-  const Scalar t99 = (s5 * t96 - c5 * t97) + t98;
-  const Scalar t100 = (k[5] * t29 - k[4] * t19) + k[8] * t36;
-  const Scalar t101 = (k[9] * t45 + k[10] * t49) + (t88 * t81 - t69 * t54);
-  const Scalar t102 = t100 - t101;
-  const Scalar t103 = s4 * t99 - c4 * t102;
-  const Scalar t104 = t62 + t63;
-  const Scalar t105 = k[32] * t20 + (k[33] * t40 - k[30] * t104);
-  const Scalar t106 = (k[4] * t67 + (t105 + k[31] * t29)) - (s5 * t91 + c5 * t83);
-  const Scalar t107 = (k[32] * t28 - k[31] * t21) - (k[29] * t104 - k[30] * t40);
-  const Scalar t108 = k[28] * t59 + (k[27] * t72 - k[26] * t65);
-  const Scalar t109 = (k[9] * t68 - k[10] * t89) + (t108 - (k[24] * t41 - k[25] * t48));
-  const Scalar t110 = (t74 * t86 - t71 * t78) + (t85 * t79 - t53 * t82);
-  const Scalar t111 = t109 + (t88 * t68 - t110);
-  const Scalar t112 = (k[5] * t67 + t107) - t111;
-  const Scalar t113 = t31 - t93;
-  const Scalar t114 = t113 - t14;
-  const Scalar t115 = k[17] * (t114 + t93) + (k[16] * t9 + k[15] * t94);
-  const Scalar t116 = qdd[2] + t5;
-  const Scalar t117 = (t103 - (c4 * t106 - s4 * t112)) + (t115 - k[14] * t116);
-  const Scalar t118 = c3 * (t92 - (t95 + k[13] * t35)) - s3 * t117;
-  const Scalar t119 = k[3] * t35 - k[0] * (t103 + k[13] * t94);
-  const Scalar t120 = c4 * t99 + s4 * t102;
-  const Scalar t121 = (k[5] * t104 - k[4] * t40) - k[8] * t67;
-  const Scalar t122 = k[13] * t116 - ((s5 * t97 + c5 * t96) + t121);
-  const Scalar t123 = s3 * (t120 - k[13] * t113) + c3 * t122;
-  const Scalar t124 = (k[16] * t6 + k[35] * t116) + k[15] * t114;
-  const Scalar t125 = ((k[14] * t8 - k[17] * t25) - t124) - k[13] * t66;
-  const Scalar t126 = ((s4 * t106 + c4 * t112) + t120) + t125;
+  const Scalar t0 = qd[0] * s3;
+  const Scalar t1 = qd[2] * t0;
+  const Scalar t2 = qdd[0] * c3;
+  const Scalar t3 = t1 - t2;
+  const Scalar t4 = t1 + t3;
+  const Scalar t5 = qd[0] * c3;
+  const Scalar t6 = t0 * t5;
+  const Scalar t7 = qdd[2] - t6;
+  const Scalar t8 = k[9] - k[8] * qdd[1];
+  const Scalar t9 = k[7] * s1 + k[6] * c1;
+  const Scalar t10 = qd[0] * qd[0];
+  const Scalar t11 = t9 + k[5] * t10;
+  const Scalar t12 = t7 - (s3 * t8 - c3 * t11);
+  const Scalar t13 = k[6] * s1 - k[7] * c1;
+  const Scalar t14 = t13 + k[5] * qdd[0];
+  const Scalar t15 = qd[2] * t5;
+  const Scalar t16 = qdd[0] * s3;
+  const Scalar t17 = t15 + (t15 + t16);
+  const Scalar t18 = t14 - t17;
+  const Scalar t19 = s4 * t12 - c4 * t18;
+  const Scalar t20 = s4 * t0 - qd[2] * c4;
+  const Scalar t21 = t20 * t20;
+  const Scalar t22 = qd[3] - t5;
+  const Scalar t23 = t22 * t22;
+  const Scalar t24 = t21 - t23;
+  const Scalar t25 = t0 * t0;
+  const Scalar t26 = qd[2] * qd[2];
+  const Scalar t27 = t25 + t26;
+  const Scalar t28 = t21 + t23;
+  const Scalar t29 = t27 - t28;
+  const Scalar t30 = t24 - t29;
+  const Scalar t31 = t30 - t28;
+  const Scalar t32 = qd[2] * s4 + c4 * t0;
+  const Scalar t33 = t20 * t32;
+  const Scalar t34 = qdd[3] + t3;
+  const Scalar t35 = t33 - t34;
+  const Scalar t36 = k[34] * t19 + (k[10] * t31 + k[11] * t35);
+  const Scalar t37 = t33 + t34;
+  const Scalar t38 = s4 * t7 + c4 * t17;
+  const Scalar t39 = t20 * t22;
+  const Scalar t40 = t38 - (t39 + t39);
+  const Scalar t41 = c5 * t37 + s5 * t40;
+  const Scalar t42 = qd[4] - t20;
+  const Scalar t43 = c5 * t32 - s5 * t22;
+  const Scalar t44 = t43 + t43;
+  const Scalar t45 = t41 + t42 * t44;
+  const Scalar t46 = c5 * t22 + s5 * t32;
+  const Scalar t47 = t42 + t42;
+  const Scalar t48 = s5 * t37 - c5 * t40;
+  const Scalar t49 = t46 * t47 + t48;
+  const Scalar t50 = k[19] * c6 - k[20] * s6;
+  const Scalar t51 = t42 * t42;
+  const Scalar t52 = t51 - t46 * t46;
+  const Scalar t53 = t31 - t52;
+  const Scalar t54 = qd[5] + t46;
+  const Scalar t55 = t54 * t54;
+  const Scalar t56 = t51 - t55;
+  const Scalar t57 = k[19] * s6 + k[20] * c6;
+  const Scalar t58 = qdd[5] + t45;
+  const Scalar t59 = (k[25] * t45 + k[26] * t49) - (t50 * (t53 + t56) - t57 * t58);
+  const Scalar t60 = t36 - t59;
+  const Scalar t61 = c4 * t12 + s4 * t18;
+  const Scalar t62 = k[34] * t61 - (k[11] * t28 - k[10] * t37);
+  const Scalar t63 = t46 * t43;
+  const Scalar t64 = t32 * t22;
+  const Scalar t65 = c4 * t7 - s4 * t17;
+  const Scalar t66 = t64 - t65;
+  const Scalar t67 = qdd[4] - t66;
+  const Scalar t68 = t63 + t67;
+  const Scalar t69 = t51 + t55;
+  const Scalar t70 = t53 + t69;
+  const Scalar t71 = t56 + t70;
+  const Scalar t72 = t31 - t71;
+  const Scalar t73 = qdd[5] + t41;
+  const Scalar t74 = (k[26] * t68 + k[25] * t72) + (t73 * t50 - t57 * t69);
+  const Scalar t75 = t47 * t54 - t49;
+  const Scalar t76 = t68 - t54 * t44;
+  const Scalar t77 = t63 - t67;
+  const Scalar t78 = (t50 * t75 + t57 * t76) - (k[26] * t53 + k[25] * t77);
+  const Scalar t79 = t62 + (c5 * t74 - s5 * t78);
+  const Scalar t80 = k[32] * t4 - (c4 * t60 - s4 * t79);
+  const Scalar t81 = s3 * t11 + c3 * t8;
+  const Scalar t82 = t27 - t81;
+  const Scalar t83 = c5 * t82 - s5 * t61;
+  const Scalar t84 = k[12] * s6 - k[13] * c6;
+  const Scalar t85 = s6 * t84;
+  const Scalar t86 = k[16] - t85;
+  const Scalar t87 = k[14] + c6 * t84;
+  const Scalar t88 = k[17] * s6 + k[18] * c6;
+  const Scalar t89 = k[17] * c6 - k[18] * s6;
+  const Scalar t90 = (t86 * t76 - t75 * t87) - (t88 * t70 - t89 * t73);
+  const Scalar t91 = k[22] * (t72 - t53) - (k[27] * t68 - k[21] * t77);
+  const Scalar t92 = c5 * t61 + s5 * t82;
+  const Scalar t93 = ((k[23] * t48 - k[24] * t41) - t91) - (k[26] * t92 + k[25] * t83);
+  const Scalar t94 = (t57 * t83 + t90) - t93;
+  const Scalar t95 = t64 + t66;
+  const Scalar t96 = (k[1] * t29 + k[0] * t37) - (k[4] * t40 - k[2] * t95);
+  const Scalar t97 = t79 + (t94 - (t96 - k[11] * t82));
+  const Scalar t98 = k[0] * t24 - (k[3] * t40 - k[4] * t95);
+  const Scalar t99 = k[15] + t85;
+  const Scalar t100 = t71 * t87 + (t58 * t86 + t73 * t99);
+  const Scalar t101 = (t100 + (t88 * t49 + t89 * t68)) + (t92 * t50 - t57 * t19);
+  const Scalar t102 = (k[21] * t45 - k[22] * t49) - (k[24] * t68 - k[23] * t71);
+  const Scalar t103 = t101 - (k[25] * t19 + t102);
+  const Scalar t104 = k[24] * t52 + (k[27] * t49 - k[22] * t45);
+  const Scalar t105 = t89 * t56 + (t99 * t75 - t76 * t87);
+  const Scalar t106 = (k[26] * t19 - (k[23] * t77 - t104)) + (t50 * t83 + (t105 - t58 * t88));
+  const Scalar t107 = ((t98 + k[1] * t35) - k[10] * t82) - (s5 * t103 + c5 * t106);
+  const Scalar t108 = t107 - t60;
+  const Scalar t109 = t10 - t27;
+  const Scalar t110 = (k[33] * t17 + k[30] * t4) + k[28] * t109;
+  const Scalar t111 = qdd[2] + t6;
+  const Scalar t112 = (s4 * t97 + c4 * t108) + (t110 - k[29] * t111);
+  const Scalar t113 = t25 - t26;
+  const Scalar t114 = (k[29] * t113 + k[28] * t7) - (k[31] * t4 + k[30] * t17);
+  const Scalar t115 = k[4] * t30 - (k[3] * t37 - k[2] * t35);
+  const Scalar t116 = (k[11] * t19 - k[10] * t61) - ((k[1] * t38 - k[0] * t65) - t115);
+  const Scalar t117 = t116 + (s5 * t106 - c5 * t103);
+  const Scalar t118 = s3 * t112 + c3 * ((t114 + k[32] * t14) - t117);
+  const Scalar t119 = k[37] * qdd[0] + (k[36] * t9 + k[35] * t13);
+  const Scalar t120 = (k[10] * t40 - k[11] * t95) + k[34] * t82;
+  const Scalar t121 = (t120 + (c5 * t78 + s5 * t74)) + k[32] * t111;
+  const Scalar t122 = t109 - t113;
+  const Scalar t123 = (c4 * t79 + s4 * t60) - k[32] * (t122 + t27);
+  const Scalar t124 = k[8] * (c3 * t121 + s3 * t123) + k[38] * t8;
+  const Scalar t125 = k[30] * t122 + (k[31] * t111 + k[33] * t7);
+  const Scalar t126 = ((k[29] * t16 - k[28] * t2) - t125) - k[32] * t81;
   JointVector<Scalar> result;
-  result[0] = t2 - (t118 - t119);
-  result[1] = -k[6] * (k[39] * t33 + t123);
-  result[2] = -t126;
-  result[3] = t92;
-  result[4] = t111;
-  result[5] = -t90;
+  result[0] = t119 - (k[5] * t80 - t118);
+  result[1] = -t124;
+  result[2] = (s4 * t108 - c4 * t97) - t126;
+  result[3] = t117;
+  result[4] = -t94;
+  result[5] = -t101;
   return result;
 }
 
@@ -290,87 +300,101 @@ InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constant
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c5y * inertia.m5;
-  const Scalar t1 = inertia.c5x * inertia.m5;
-  const Scalar t2 = inertia.c6z * inertia.m6;
-  const Scalar t3 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t4 = inertia.c5z * inertia.m5;
-  const Scalar t5 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t6 = (inertia.c6z * t2 - (inertia.I6zz - t3)) + (inertia.c5z * t4 - (inertia.I5zz - t5));
-  const Scalar t7 = inertia.c6y * inertia.m6;
-  const Scalar t8 = inertia.c6x * inertia.m6;
-  const Scalar t9 = (inertia.I6xx - t3) - inertia.c6x * t8;
-  const Scalar t10 = (inertia.I6yy - t3) - inertia.c6y * t7;
-  const Scalar t11 = inertia.I6xy - inertia.c6y * t8;
-  const Scalar t12 = inertia.c4x * inertia.m4;
-  const Scalar t13 = inertia.c4y * inertia.m4;
-  const Scalar t14 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t15 = inertia.c4z * inertia.m4;
-  const Scalar t16 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t17 = t15 - g.d4 * t16;
-  const Scalar t18 = inertia.c3z * inertia.m3;
-  const Scalar t19 = t18 - g.d4 * inertia.m3;
-  const Scalar t20 = (t17 + t19) / g.d4;
-  const Scalar t21 = g.d4 * g.d4 * t20;
-  const Scalar t22 = ((inertia.I4yy - t14) - inertia.c4y * t13) - (inertia.c5y * t0 - (inertia.I5yy - t5));
-  const Scalar t23 = inertia.c3x * inertia.m3;
-  const Scalar t24 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t25 = ((inertia.I3zz - t24) - inertia.c3z * t18) + g.d4 * (t18 + t19);
-  const Scalar t26 = ((inertia.I4zz - t14) - inertia.c4z * t15) + g.d4 * (t17 + t15);
-  const Scalar t27 = g.d4 * t23;
-  const Scalar t28 = inertia.c3y * inertia.m3;
-  const Scalar t29 = g.d4 * g.d4 * (t20 + (inertia.m2 + (inertia.m3 + t16)));
-  const Scalar t30 = inertia.c2x * inertia.m2;
-  const Scalar t31 = inertia.c1x * inertia.m1;
-  const Scalar t32 = g.l2 * inertia.m1 + t31;
-  const Scalar t33 = inertia.c2y * inertia.m2;
-  const Scalar t34 = inertia.c1y * inertia.m1;
-  const Scalar t35 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t36 = g.l2 * (t31 + t32) + (inertia.c1x * t31 - (inertia.I1xx - t35));
-  const Scalar t37 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t38 = (inertia.c2x * t30 - (inertia.I2xx - t37)) + Scalar(2) * g.l2 * t30;
-  const Scalar t39 = ((inertia.I3yy - t24) - inertia.c3y * t28) + ((inertia.I2yy - t37) - inertia.c2y * t33);
-  const Scalar t40 = (t36 + t38) - (t39 - (inertia.c1y * t34 - (inertia.I1yy - t35)));
-  return { inertia.I5yz - inertia.c5z * t0,
-           inertia.I5xy - inertia.c5y * t1,
-           t6,
-           inertia.c5x * t1 - (inertia.I5xx - t5),
-           inertia.I5xz - inertia.c5z * t1,
-           gravity[1] / g.d4,
+  const Scalar t0 = inertia.c4x * inertia.m4;
+  const Scalar t1 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t2 = inertia.c4y * inertia.m4;
+  const Scalar t3 = inertia.c5y * inertia.m5;
+  const Scalar t4 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t5 = ((inertia.I4yy - t1) - inertia.c4y * t2) - (inertia.c5y * t3 - (inertia.I5yy - t4));
+  const Scalar t6 = g.d4 * t2;
+  const Scalar t7 = g.d4 * t0;
+  const Scalar t8 = g.l2 / g.d4;
+  const Scalar t9 = Scalar(1) / g.d4;
+  const Scalar t10 = inertia.c5x * inertia.m5;
+  const Scalar t11 = inertia.c6z * inertia.m6;
+  const Scalar t12 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t13 = inertia.c5z * inertia.m5;
+  const Scalar t14 = (inertia.c6z * t11 - (inertia.I6zz - t12)) + (inertia.c5z * t13 - (inertia.I5zz - t4));
+  const Scalar t15 = inertia.c6y * inertia.m6;
+  const Scalar t16 = inertia.c6x * inertia.m6;
+  const Scalar t17 = (inertia.I6xx - t12) - inertia.c6x * t16;
+  const Scalar t18 = (inertia.I6yy - t12) - inertia.c6y * t15;
+  const Scalar t19 = inertia.I6xy - inertia.c6y * t16;
+  const Scalar t20 = inertia.c3x * inertia.m3;
+  const Scalar t21 = inertia.c3y * inertia.m3;
+  const Scalar t22 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t23 = g.d4 * t20;
+  const Scalar t24 = inertia.c3z * inertia.m3;
+  const Scalar t25 = t24 - g.d4 * inertia.m3;
+  const Scalar t26 = inertia.c4z * inertia.m4;
+  const Scalar t27 = g.d4 * inertia.m4;
+  const Scalar t28 = t26 - t27;
+  const Scalar t29 = t28 + t27;
+  const Scalar t30 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t31 = t29 - g.d4 * t30;
+  const Scalar t32 = (t25 + t31) / g.d4;
+  const Scalar t33 = g.d4 * g.d4 * t32;
+  const Scalar t34 = g.d4 * (t26 + t28) + ((inertia.I4zz - t1) - inertia.c4z * t26);
+  const Scalar t35 = (g.d4 * (t29 + t28) - t34) - g.d4 * (t29 + t31);
+  const Scalar t36 = ((inertia.I3zz - t22) - inertia.c3z * t24) + g.d4 * (t24 + t25);
+  const Scalar t37 = g.l2 * t32;
+  const Scalar t38 = inertia.m3 + t30;
+  const Scalar t39 = g.l2 * t38;
+  const Scalar t40 = inertia.c2x * inertia.m2;
+  const Scalar t41 = g.l2 * inertia.m2 + t40;
+  const Scalar t42 = inertia.c1x * inertia.m1;
+  const Scalar t43 = g.l2 * inertia.m1 + t42;
+  const Scalar t44 = inertia.c2y * inertia.m2;
+  const Scalar t45 = inertia.c1y * inertia.m1;
+  const Scalar t46 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t47 = g.l2 * (t42 + t43) + (inertia.c1x * t42 - (inertia.I1xx - t46));
+  const Scalar t48 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t49 = (inertia.c2x * t40 - (inertia.I2xx - t48)) + g.l2 * (t40 + t41);
+  const Scalar t50 = (t47 + (t49 + g.l2 * t39)) + g.l2 * t37;
+  const Scalar t51 = ((inertia.I3yy - t22) - inertia.c3y * t21) + ((inertia.I2yy - t48) - inertia.c2y * t44);
+  const Scalar t52 = t50 - (t51 - (inertia.c1y * t45 - (inertia.I1yy - t46)));
+  const Scalar t53 = g.d4 * g.d4 * (t32 + (inertia.m2 + t38)) * t9;
+  return { inertia.I4xy - inertia.c4y * t0,
+           (inertia.I4xx - t1) - inertia.c4x * t0,
+           t5,
+           t6 - (t6 + (inertia.I4yz - inertia.c4z * t2)),
+           t7 - ((inertia.I4xz - inertia.c4z * t0) + t7),
+           t8,
            gravity[0] / g.d4,
-           g.l2 / g.d4,
-           Scalar(1) / g.d4,
-           gravity[2] / g.d4,
-           g.d4 * t1,
-           g.d4 * (t4 + t2),
-           g.d4 * t7,
-           g.d4 * t8,
-           t9 - t10,
-           Scalar(2) * t11,
-           t11,
+           gravity[1] / g.d4,
            t9,
-           inertia.I6xz - inertia.c6z * t8,
-           inertia.I6yz - inertia.c6z * t7,
-           inertia.I4xz - inertia.c4z * t12,
-           inertia.I4yz - inertia.c4z * t13,
-           (inertia.I4xx - t14) - inertia.c4x * t12,
-           inertia.I4xy - inertia.c4y * t12,
-           g.d4 * t12,
+           gravity[2] / g.d4,
+           g.d4 * (t2 + t3),
+           t7,
+           inertia.I5xy - inertia.c5y * t10,
+           t14,
+           inertia.I5xz - inertia.c5z * t10,
+           inertia.I5yz - inertia.c5z * t3,
+           g.d4 * (t13 + t11),
+           g.d4 * t15,
+           g.d4 * t16,
+           inertia.I6xz - inertia.c6z * t16,
+           inertia.I6yz - inertia.c6z * t15,
+           t17 - t18,
+           Scalar(2) * t19,
+           t18,
+           t19,
+           t17,
+           g.d4 * t10,
+           inertia.c5x * t10 - (inertia.I5xx - t4),
+           inertia.I3xy - inertia.c3y * t20,
+           g.d4 * t21 + (inertia.I3yz - inertia.c3z * t21),
+           inertia.c3x * t20 - (inertia.I3xx - t22),
+           t23 + (inertia.I3xz - inertia.c3z * t20),
+           t23,
+           t33,
            g.d4,
-           g.d4 * (t13 + t0),
-           t21,
-           t22,
-           t10,
-           inertia.I3xy - inertia.c3y * t23,
-           t21 - (t25 + t26),
-           t27 + (inertia.I3xz - inertia.c3z * t23),
-           g.d4 * t28 + (inertia.I3yz - inertia.c3z * t28),
-           inertia.c3x * t23 - (inertia.I3xx - t24),
-           t27,
-           t29,
-           g.d4 * (t30 + t32),
-           g.d4 * ((t28 + t33) + t34),
-           t40 };
+           t33 + (t35 - t36),
+           t23 * t8,
+           g.d4 * (t37 + ((t39 + t41) + t43)),
+           g.d4 * ((t21 + t44) + t45),
+           t52,
+           t53 };
 }
 
 namespace detail {
@@ -389,153 +413,155 @@ inline JointVector<Scalar> inverse_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[5] * s1 + k[6] * c1;
-  const Scalar t1 = k[6] * s1 - k[5] * c1;
+  const Scalar t0 = k[7] * s1 + k[6] * c1;
+  const Scalar t1 = k[6] * s1 - k[7] * c1;
   const Scalar t2 = (k[38] * t0 + k[37] * t1) + k[39] * qdd[0];
-  const Scalar t3 = wrench[0] * c1 + wrench[1] * s1;
-  const Scalar t4 = c3 * t3 - wrench[2] * s3;
-  const Scalar t5 = wrench[0] * s1 - wrench[1] * c1;
-  const Scalar t6 = c4 * t4 + s4 * t5;
-  const Scalar t7 = wrench[2] * c3 + s3 * t3;
-  const Scalar t8 = qd[0] * s3;
-  const Scalar t9 = s4 * t8 - qd[2] * c4;
-  const Scalar t10 = qd[0] * c3;
-  const Scalar t11 = qd[3] - t10;
-  const Scalar t12 = t9 * t11;
-  const Scalar t13 = qdd[0] * s3;
-  const Scalar t14 = t13 + Scalar(2) * qd[2] * t10;
-  const Scalar t15 = t8 * t10;
-  const Scalar t16 = qdd[2] - t15;
-  const Scalar t17 = c4 * t14 + s4 * t16;
-  const Scalar t18 = (t12 + t12) - t17;
-  const Scalar t19 = qd[2] * s4 + c4 * t8;
-  const Scalar t20 = t9 * t19;
-  const Scalar t21 = qd[2] * t8;
-  const Scalar t22 = qdd[0] * c3;
-  const Scalar t23 = t21 - t22;
-  const Scalar t24 = qdd[3] + t23;
-  const Scalar t25 = t20 + t24;
-  const Scalar t26 = c5 * t18 + s5 * t25;
-  const Scalar t27 = qd[4] - t9;
-  const Scalar t28 = c5 * t11 + s5 * t19;
-  const Scalar t29 = t27 * t28;
-  const Scalar t30 = (t26 + t29) + t29;
-  const Scalar t31 = qd[5] + t28;
-  const Scalar t32 = t30 - Scalar(2) * t27 * t31;
-  const Scalar t33 = k[13] * s6 - k[12] * c6;
-  const Scalar t34 = c5 * t19 - s5 * t11;
-  const Scalar t35 = t28 * t34;
-  const Scalar t36 = t19 * t11;
-  const Scalar t37 = c4 * t16 - s4 * t14;
-  const Scalar t38 = t36 - t37;
-  const Scalar t39 = qdd[4] - t38;
-  const Scalar t40 = t35 + t39;
-  const Scalar t41 = t40 - Scalar(2) * t34 * t31;
-  const Scalar t42 = k[12] * s6 + k[13] * c6;
-  const Scalar t43 = k[25] * (s5 * t6 + c5 * t7) + (t32 * t33 + t41 * t42);
-  const Scalar t44 = t27 * t27;
-  const Scalar t45 = t34 * t34;
-  const Scalar t46 = t44 - t45;
-  const Scalar t47 = t31 * t31;
-  const Scalar t48 = t44 - t47;
-  const Scalar t49 = t46 - t48;
-  const Scalar t50 = t44 + t47;
-  const Scalar t51 = t49 - t50;
-  const Scalar t52 = t35 - t39;
-  const Scalar t53 = t43 - (k[11] * t51 + k[10] * t52);
-  const Scalar t54 = t11 * t11;
-  const Scalar t55 = t19 * t19;
-  const Scalar t56 = t54 + t55;
-  const Scalar t57 = t46 + t56;
-  const Scalar t58 = c5 * t25 - s5 * t18;
-  const Scalar t59 = qdd[5] + t58;
-  const Scalar t60 = k[25] * (c5 * t6 - s5 * t7) + (t42 * t50 + t59 * t33);
-  const Scalar t61 = (k[10] * t57 - k[11] * t40) + t60;
-  const Scalar t62 = qd[0] * qd[0];
-  const Scalar t63 = t10 * t10;
-  const Scalar t64 = qd[2] * qd[2];
-  const Scalar t65 = t63 - t64;
-  const Scalar t66 = t62 - t65;
-  const Scalar t67 = t54 - t55;
-  const Scalar t68 = t0 + k[7] * t62;
-  const Scalar t69 = k[9] - k[8] * qdd[1];
-  const Scalar t70 = c3 * t68 - s3 * t69;
-  const Scalar t71 = t1 + k[7] * qdd[0];
-  const Scalar t72 = (c4 * t70 + s4 * t71) + t37;
-  const Scalar t73 = (k[26] * t25 - k[24] * (t66 + t67)) + k[27] * t72;
-  const Scalar t74 = (s5 * t53 + c5 * t61) - t73;
-  const Scalar t75 = t20 - t24;
-  const Scalar t76 = (s4 * t70 - c4 * t71) + t17;
-  const Scalar t77 = (k[24] * t75 - k[26] * t56) + k[27] * t76;
-  const Scalar t78 = t27 * t34;
-  const Scalar t79 = (t58 + t78) + t78;
-  const Scalar t80 = qdd[5] + t79;
-  const Scalar t81 = ((t47 + t45) * t33 - t80 * t42) - k[25] * (s4 * t4 - c4 * t5);
-  const Scalar t82 = t77 - ((k[11] * t30 + k[10] * t79) - t81);
-  const Scalar t83 = t21 + t23;
-  const Scalar t84 = (s4 * t74 + c4 * t82) - k[35] * t83;
-  const Scalar t85 = t66 - t56;
-  const Scalar t86 = (k[22] * t75 - k[28] * t25) + k[23] * (t85 + t67);
-  const Scalar t87 = ((k[20] * t17 - k[21] * t37) + t86) - (k[26] * t72 - k[24] * t76);
-  const Scalar t88 = t57 + t51;
-  const Scalar t89 = (k[4] * t79 - k[2] * t30) - k[0] * (t46 - t88);
-  const Scalar t90 = c3 * t69 + s3 * t68;
-  const Scalar t91 = t66 - t90;
-  const Scalar t92 = s5 * t72 - c5 * t91;
-  const Scalar t93 = k[19] * s6 + k[18] * c6;
-  const Scalar t94 = k[14] * s6 - k[15] * c6;
-  const Scalar t95 = k[16] + c6 * t94;
-  const Scalar t96 = s6 * t94;
-  const Scalar t97 = k[29] + t96;
-  const Scalar t98 = k[18] * s6 - k[19] * c6;
-  const Scalar t99 = (t95 * t41 + t32 * t97) + t98 * t48;
-  const Scalar t100 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t101 = wrench[5] * s3 - c3 * t100;
-  const Scalar t102 = wrench[3] * s1 - wrench[4] * c1;
-  const Scalar t103 = c4 * t101 - s4 * t102;
-  const Scalar t104 = s3 * t100 + wrench[5] * c3;
-  const Scalar t105 = (t33 * t92 - (t80 * t93 + t99)) + (c5 * t103 + s5 * t104);
-  const Scalar t106 = ((t89 + k[1] * t52) - k[11] * t76) - t105;
-  const Scalar t107 = (k[3] * t79 - k[4] * t30) + (k[1] * t46 - k[0] * t40);
-  const Scalar t108 = s5 * t91 + c5 * t72;
-  const Scalar t109 = k[17] - t96;
-  const Scalar t110 = (t80 * t109 + t59 * t97) + t46 * t95;
-  const Scalar t111 = (t108 * t33 + t76 * t42) - (t110 - (t40 * t98 - t30 * t93));
-  const Scalar t112 = t111 + (c5 * t104 - s5 * t103);
-  const Scalar t113 = (k[10] * t76 + t107) + t112;
-  const Scalar t114 = t87 - (s5 * t106 - c5 * t113);
-  const Scalar t115 = t63 + t64;
-  const Scalar t116 = t115 - t66;
-  const Scalar t117 = (k[30] * (t116 - t65) - k[33] * t16) + (k[34] * t83 + k[32] * t14);
-  const Scalar t118 = k[33] * t65 + (k[31] * t14 + k[32] * t83);
-  const Scalar t119 = qdd[2] + t15;
-  const Scalar t120 = k[4] * t88 - (k[3] * t52 - k[2] * t40);
-  const Scalar t121 = (k[10] * t92 - k[11] * t108) - ((k[0] * t58 - k[1] * t26) - t120);
-  const Scalar t122 = (t41 * t109 + t95 * t32) - (t49 * t93 + t59 * t98);
-  const Scalar t123 = (s4 * t101 + c4 * t102) + (t42 * t92 - t122);
-  const Scalar t124 = t121 + t123;
-  const Scalar t125 = t36 + t38;
-  const Scalar t126 = (k[22] * t125 + k[23] * t18) - (k[21] * t25 - k[20] * t67);
-  const Scalar t127 = (t124 - (k[24] * t91 - t126)) + t74;
-  const Scalar t128 = (k[28] * t18 + k[23] * t125) - k[21] * t85;
-  const Scalar t129 = (k[26] * t91 - (t128 - k[20] * t75)) - (s5 * t113 + c5 * t106);
-  const Scalar t130 = t82 + t129;
-  const Scalar t131 = (t118 - k[30] * t119) - (s4 * t127 + c4 * t130);
-  const Scalar t132 = c3 * (t114 - (k[35] * t71 - t117)) - s3 * t131;
-  const Scalar t133 = t2 + (k[7] * (t84 + k[36] * t71) - t132);
-  const Scalar t134 = (k[26] * t18 + k[24] * t125) - k[27] * t91;
-  const Scalar t135 = (t134 + (s5 * t61 - c5 * t53)) - k[35] * t119;
-  const Scalar t136 = (s4 * t82 - c4 * t74) - k[35] * t115;
-  const Scalar t137 = (c3 * t135 - s3 * t136) - k[36] * t69;
-  const Scalar t138 = k[32] * t116 + (k[31] * t16 + k[34] * t119);
-  const Scalar t139 = k[35] * t90 + (t138 + (k[33] * t22 - k[30] * t13));
+  const Scalar t3 = qd[0] * qd[0];
+  const Scalar t4 = qd[0] * c3;
+  const Scalar t5 = t4 * t4;
+  const Scalar t6 = qd[2] * qd[2];
+  const Scalar t7 = t5 + t6;
+  const Scalar t8 = t3 - t7;
+  const Scalar t9 = t5 - t6;
+  const Scalar t10 = t8 - t9;
+  const Scalar t11 = t10 + t7;
+  const Scalar t12 = t0 + k[5] * t3;
+  const Scalar t13 = k[9] - k[8] * qdd[1];
+  const Scalar t14 = s3 * t12 + c3 * t13;
+  const Scalar t15 = t11 - t14;
+  const Scalar t16 = qd[3] - t4;
+  const Scalar t17 = t16 * t16;
+  const Scalar t18 = qd[0] * s3;
+  const Scalar t19 = qd[2] * s4 + c4 * t18;
+  const Scalar t20 = t19 * t19;
+  const Scalar t21 = t17 - t20;
+  const Scalar t22 = s4 * t18 - qd[2] * c4;
+  const Scalar t23 = t22 * t19;
+  const Scalar t24 = qd[2] * t18;
+  const Scalar t25 = qdd[0] * c3;
+  const Scalar t26 = t24 - t25;
+  const Scalar t27 = qdd[3] + t26;
+  const Scalar t28 = t23 + t27;
+  const Scalar t29 = qdd[0] * s3;
+  const Scalar t30 = qd[2] * t4;
+  const Scalar t31 = t29 + (t30 + t30);
+  const Scalar t32 = t18 * t4;
+  const Scalar t33 = qdd[2] - t32;
+  const Scalar t34 = c4 * t31 + s4 * t33;
+  const Scalar t35 = t22 * t16;
+  const Scalar t36 = (t34 - t35) - t35;
+  const Scalar t37 = t19 * t16;
+  const Scalar t38 = c4 * t33 - s4 * t31;
+  const Scalar t39 = t37 - t38;
+  const Scalar t40 = t37 + t39;
+  const Scalar t41 = (k[4] * t21 - k[3] * t28) + (k[0] * t36 - k[1] * t40);
+  const Scalar t42 = c5 * t28 + s5 * t36;
+  const Scalar t43 = s5 * t28 - c5 * t36;
+  const Scalar t44 = c5 * t16 + s5 * t19;
+  const Scalar t45 = c5 * t19 - s5 * t16;
+  const Scalar t46 = t44 * t45;
+  const Scalar t47 = qdd[4] - t39;
+  const Scalar t48 = t46 - t47;
+  const Scalar t49 = t46 + t47;
+  const Scalar t50 = qd[4] - t22;
+  const Scalar t51 = t50 * t50;
+  const Scalar t52 = t44 * t44;
+  const Scalar t53 = t51 - t52;
+  const Scalar t54 = t17 + t20;
+  const Scalar t55 = t53 + t54;
+  const Scalar t56 = t51 + t52;
+  const Scalar t57 = t55 - t56;
+  const Scalar t58 = (k[27] * t48 - k[13] * t49) + k[14] * t57;
+  const Scalar t59 = s3 * t13 - c3 * t12;
+  const Scalar t60 = t1 + k[5] * qdd[0];
+  const Scalar t61 = (c4 * t59 - s4 * t60) - t38;
+  const Scalar t62 = c5 * t15 + s5 * t61;
+  const Scalar t63 = s5 * t15 - c5 * t61;
+  const Scalar t64 = ((k[15] * t42 - k[12] * t43) + t58) + (k[26] * t62 + k[16] * t63);
+  const Scalar t65 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t66 = wrench[5] * s3 - c3 * t65;
+  const Scalar t67 = wrench[3] * s1 - wrench[4] * c1;
+  const Scalar t68 = k[22] * c6 - k[21] * s6;
+  const Scalar t69 = k[24] - c6 * t68;
+  const Scalar t70 = t50 + t50;
+  const Scalar t71 = qd[5] + t44;
+  const Scalar t72 = t44 * t70 + t43;
+  const Scalar t73 = t70 * t71 - t72;
+  const Scalar t74 = t45 * (t71 + t71) - t49;
+  const Scalar t75 = s6 * t68;
+  const Scalar t76 = k[25] + t75;
+  const Scalar t77 = t51 + t71 * t71;
+  const Scalar t78 = k[19] * c6 + k[20] * s6;
+  const Scalar t79 = qdd[5] + t42;
+  const Scalar t80 = k[19] * s6 - k[20] * c6;
+  const Scalar t81 = (t69 * t73 + t74 * t76) - ((t55 - t77) * t78 - t79 * t80);
+  const Scalar t82 = k[17] * s6 + k[18] * c6;
+  const Scalar t83 = (s4 * t66 + c4 * t67) + (t81 - t62 * t82);
+  const Scalar t84 = t64 - t83;
+  const Scalar t85 = (k[11] * t15 + t41) + t84;
+  const Scalar t86 = t23 - t27;
+  const Scalar t87 = t54 - t11;
+  const Scalar t88 = k[3] * t87 - (k[0] * t40 - k[2] * t36);
+  const Scalar t89 = c4 * t66 - s4 * t67;
+  const Scalar t90 = s3 * t65 + wrench[5] * c3;
+  const Scalar t91 = k[17] * c6 - k[18] * s6;
+  const Scalar t92 = t53 - t57;
+  const Scalar t93 = t77 - t92;
+  const Scalar t94 = k[23] - t75;
+  const Scalar t95 = (t55 - t93) * t80 - (t74 * t69 + t94 * t73);
+  const Scalar t96 = t50 * t45;
+  const Scalar t97 = (t79 + t96) + t96;
+  const Scalar t98 = (c5 * t89 + s5 * t90) + (t91 * t62 - (t95 + t97 * t78));
+  const Scalar t99 = qdd[5] - t97;
+  const Scalar t100 = k[15] * t53 + (k[13] * t72 + k[14] * t99);
+  const Scalar t101 = t34 - (s4 * t59 + c4 * t60);
+  const Scalar t102 = t98 + ((t100 - k[12] * t48) + k[16] * t101);
+  const Scalar t103 = (k[12] * t92 - k[15] * t49) - (k[14] * t72 + k[27] * t99);
+  const Scalar t104 = t69 * t92 + (t97 * t76 + t79 * t94);
+  const Scalar t105 = ((t49 * t80 - t78 * t72) - t104) - (t91 * t63 - t82 * t101);
+  const Scalar t106 = t105 + (c5 * t90 - s5 * t89);
+  const Scalar t107 = (t103 + k[26] * t101) + t106;
+  const Scalar t108 = ((k[4] * t86 - t88) - k[10] * t15) - (c5 * t102 - s5 * t107);
+  const Scalar t109 = t87 - t21;
+  const Scalar t110 = (k[10] * t28 + k[11] * (t109 - t54)) - k[33] * t61;
+  const Scalar t111 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t112 = c3 * t111 - wrench[2] * s3;
+  const Scalar t113 = wrench[0] * s1 - wrench[1] * c1;
+  const Scalar t114 = c4 * t112 + s4 * t113;
+  const Scalar t115 = wrench[2] * c3 + s3 * t111;
+  const Scalar t116 = k[34] * (c5 * t114 - s5 * t115) + (t82 * t77 - t79 * t91);
+  const Scalar t117 = t116 + (k[26] * t56 - k[16] * t49);
+  const Scalar t118 = k[34] * (s5 * t114 + c5 * t115) + (t91 * t73 - t74 * t82);
+  const Scalar t119 = t118 + (k[16] * t55 - k[26] * t48);
+  const Scalar t120 = t110 - (c5 * t117 + s5 * t119);
+  const Scalar t121 = (t91 * t93 + t97 * t82) + k[34] * (s4 * t112 - c4 * t113);
+  const Scalar t122 = (k[11] * t86 - k[10] * t54) + k[33] * t101;
+  const Scalar t123 = (t121 + (k[16] * t72 - k[26] * t99)) - t122;
+  const Scalar t124 = s4 * t120 + c4 * t123;
+  const Scalar t125 = qdd[2] + t32;
+  const Scalar t126 = t24 + t26;
+  const Scalar t127 = (k[31] * t126 + k[35] * t31) + k[29] * t9;
+  const Scalar t128 = ((s4 * t85 + c4 * t108) + t124) - (k[28] * t125 - t127);
+  const Scalar t129 = (k[31] * t31 + k[30] * t126) - (k[29] * t33 + k[28] * t8);
+  const Scalar t130 = (k[1] * t86 - k[2] * t28) - k[0] * t109;
+  const Scalar t131 = (k[10] * t61 + k[11] * t101) + (t130 - (k[4] * t34 - k[3] * t38));
+  const Scalar t132 = (c5 * t107 + s5 * t102) + t131;
+  const Scalar t133 = s3 * t128 + c3 * ((k[32] * t60 - t129) - t132);
+  const Scalar t134 = t2 + (t133 - (k[5] * t124 + k[36] * t126));
+  const Scalar t135 = s4 * t123 - c4 * t120;
+  const Scalar t136 = (k[10] * t36 - k[11] * t40) + k[33] * t15;
+  const Scalar t137 = (t136 + (c5 * t119 - s5 * t117)) + k[32] * t125;
+  const Scalar t138 = s3 * (t135 + k[32] * t7) - c3 * t137;
+  const Scalar t139 = k[31] * t10 - (k[35] * t33 + k[30] * t125);
+  const Scalar t140 = ((k[29] * t25 - k[28] * t29) - t139) + k[32] * t14;
+  const Scalar t141 = (t135 - (c4 * t85 - s4 * t108)) + t140;
   JointVector<Scalar> result;
-  result[0] = t133;
-  result[1] = k[8] * t137;
-  result[2] = t139 - (s4 * t130 - c4 * t127);
-  result[3] = t114;
-  result[4] = t124;
-  result[5] = t112;
+  result[0] = t134;
+  result[1] = k[8] * t138 - k[40] * t13;
+  result[2] = t141;
+  result[3] = t132;
+  result[4] = -t84;
+  result[5] = t106;
   return result;
 }
 
@@ -565,26 +591,26 @@ GravityTorqueWithGravityVectorConstants<Scalar> gravity_torque_with_gravity_vect
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c2x * inertia.m2 + (g.l2 * inertia.m1 + inertia.c1x * inertia.m1);
-  const Scalar t1 = (inertia.c3y * inertia.m3 + inertia.c2y * inertia.m2) + inertia.c1y * inertia.m1;
-  const Scalar t2 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t3 = inertia.m2 + (inertia.m3 + t2);
-  const Scalar t4 = (inertia.c4z * inertia.m4 - g.d4 * t2) + (inertia.c3z * inertia.m3 - g.d4 * inertia.m3);
+  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t1 = inertia.m3 + t0;
+  const Scalar t2 = g.l2 * t1 + (g.l2 * inertia.m2 + inertia.c2x * inertia.m2);
+  const Scalar t3 = (inertia.c3y * inertia.m3 + inertia.c2y * inertia.m2) + inertia.c1y * inertia.m1;
+  const Scalar t4 = g.d4 * inertia.m4;
+  const Scalar t5 = ((inertia.c4z * inertia.m4 - t4) + t4) - g.d4 * t0;
   return { gravity[0],
            gravity[1],
-           t0,
-           t1,
-           g.l2 * t3,
-           inertia.c3x * inertia.m3,
+           t2 + (g.l2 * inertia.m1 + inertia.c1x * inertia.m1),
+           t3,
            gravity[2],
            inertia.c4y * inertia.m4 + inertia.c5y * inertia.m5,
-           inertia.c4x * inertia.m4,
            inertia.c6y * inertia.m6,
            inertia.c6x * inertia.m6,
            inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
            inertia.c5x * inertia.m5,
-           t4,
-           gravity[2] * t3 };
+           inertia.c4x * inertia.m4,
+           (inertia.c3z * inertia.m3 - g.d4 * inertia.m3) + t5,
+           inertia.c3x * inertia.m3,
+           gravity[2] * (inertia.m2 + t1) };
 }
 
 namespace detail {
@@ -603,34 +629,33 @@ inline JointVector<Scalar> gravity_torque_with_gravity_vector([[maybe_unused]] c
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[1] * s1 + k[0] * c1;
-  const Scalar t1 = s3 * t0 + k[6] * c3;
-  const Scalar t2 = c3 * t0 - k[6] * s3;
-  const Scalar t3 = k[0] * s1 - k[1] * c1;
-  const Scalar t4 = c4 * t2 + s4 * t3;
-  const Scalar t5 = c5 * t1 + s5 * t4;
-  const Scalar t6 = k[9] * c6 - k[10] * s6;
-  const Scalar t7 = c4 * t3 - s4 * t2;
-  const Scalar t8 = t5 * t6 + k[11] * t7;
-  const Scalar t9 = k[10] * c6 + k[9] * s6;
-  const Scalar t10 = s5 * t1 - c5 * t4;
-  const Scalar t11 = t9 * t7 - t10 * t6;
-  const Scalar t12 = k[12] * t7 + t11;
-  const Scalar t13 = (s5 * t8 + c5 * t12) + (k[7] * t4 + k[8] * t7);
-  const Scalar t14 = (c5 * t8 - s5 * t12) + k[7] * t1;
-  const Scalar t15 = (k[12] * t5 + k[11] * t10) + t9 * t5;
-  const Scalar t16 = k[8] * t1 + t15;
-  const Scalar t17 = (c4 * t14 - s4 * t16) + k[13] * t3;
-  const Scalar t18 = c3 * (t13 + k[5] * t3) + s3 * t17;
-  const Scalar t19 = (t18 + k[4] * t3) + (k[3] * t0 + k[2] * t3);
-  const Scalar t20 = (s4 * t14 + c4 * t16) + (k[5] * t1 - k[13] * t2);
+  const Scalar t0 = k[0] * s1 - k[1] * c1;
+  const Scalar t1 = k[1] * s1 + k[0] * c1;
+  const Scalar t2 = c3 * t1 - k[4] * s3;
+  const Scalar t3 = s4 * t0 + c4 * t2;
+  const Scalar t4 = s3 * t1 + k[4] * c3;
+  const Scalar t5 = c5 * t3 - s5 * t4;
+  const Scalar t6 = k[6] * c6 - k[7] * s6;
+  const Scalar t7 = k[7] * c6 + k[6] * s6;
+  const Scalar t8 = c4 * t0 - s4 * t2;
+  const Scalar t9 = t5 * t6 + t7 * t8;
+  const Scalar t10 = t9 + k[9] * t8;
+  const Scalar t11 = s5 * t3 + c5 * t4;
+  const Scalar t12 = t11 * t6 + k[8] * t8;
+  const Scalar t13 = (c5 * t10 + s5 * t12) + (k[5] * t3 + k[10] * t8);
+  const Scalar t14 = (k[9] * t11 - k[8] * t5) + t11 * t7;
+  const Scalar t15 = t14 + k[10] * t4;
+  const Scalar t16 = k[5] * t4 - (s5 * t10 - c5 * t12);
+  const Scalar t17 = k[11] * t0 - (s4 * t15 - c4 * t16);
+  const Scalar t18 = c3 * (k[12] * t0 + t13) + s3 * t17;
+  const Scalar t19 = (s4 * t16 + c4 * t15) + (k[12] * t4 - k[11] * t2);
   JointVector<Scalar> result;
-  result[0] = t19;
-  result[1] = -k[14];
-  result[2] = t20;
+  result[0] = t18 + (k[3] * t1 + k[2] * t0);
+  result[1] = -k[13];
+  result[2] = t19;
   result[3] = -t13;
-  result[4] = t15;
-  result[5] = -t11;
+  result[4] = t14;
+  result[5] = -t9;
   return result;
 }
 
@@ -657,105 +682,118 @@ ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
+  const Scalar t0 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
   const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t1;
-  const Scalar t4 = (inertia.I6yy - t2) - inertia.c6y * t0;
-  const Scalar t5 = t3 + t4;
-  const Scalar t6 = Scalar(1) / t5;
-  const Scalar t7 = Scalar(1) / g.d4;
-  const Scalar t8 = inertia.c5x * inertia.m5;
+  const Scalar t2 = (inertia.I6xx - t0) - inertia.c6x * t1;
+  const Scalar t3 = inertia.c6y * inertia.m6;
+  const Scalar t4 = (inertia.I6yy - t0) - inertia.c6y * t3;
+  const Scalar t5 = inertia.I6xy - inertia.c6y * t1;
+  const Scalar t6 = inertia.c5x * inertia.m5;
+  const Scalar t7 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t8 = inertia.c6z * inertia.m6;
   const Scalar t9 = inertia.c5z * inertia.m5;
-  const Scalar t10 = inertia.c6z * inertia.m6;
-  const Scalar t11 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t12 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t13 = (inertia.c6z * t10 - (inertia.I6zz - t2)) + (inertia.c5z * t9 - (inertia.I5zz - t12));
-  const Scalar t14 = inertia.c4z * inertia.m4;
-  const Scalar t15 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t16 = t14 - g.d4 * t15;
-  const Scalar t17 = inertia.c3z * inertia.m3;
-  const Scalar t18 = t17 - g.d4 * inertia.m3;
-  const Scalar t19 = (t16 + t18) / g.d4;
-  const Scalar t20 = g.d4 * g.d4 * t19;
-  const Scalar t21 = g.d4 * g.d4 * (t19 + (inertia.m2 + (inertia.m3 + t15)));
-  const Scalar t22 = t20 - t21;
-  const Scalar t23 = inertia.c5y * inertia.m5;
-  const Scalar t24 = inertia.c4x * inertia.m4;
-  const Scalar t25 = inertia.c4y * inertia.m4;
-  const Scalar t26 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t27 = ((inertia.I4yy - t26) - inertia.c4y * t25) - (inertia.c5y * t23 - (inertia.I5yy - t12));
-  const Scalar t28 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t29 = ((inertia.I3zz - t28) - inertia.c3z * t17) + g.d4 * (t17 + t18);
-  const Scalar t30 = ((inertia.I4zz - t26) - inertia.c4z * t14) + g.d4 * (t16 + t14);
-  const Scalar t31 = t20 - (t29 + t30);
-  const Scalar t32 = inertia.c3x * inertia.m3;
-  const Scalar t33 = inertia.c3x * t32 - (inertia.I3xx - t28);
-  const Scalar t34 = g.d4 * t32;
-  const Scalar t35 = g.l2 / g.d4;
-  const Scalar t36 = inertia.c3y * inertia.m3;
-  const Scalar t37 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t38 = inertia.c2y * inertia.m2;
-  const Scalar t39 = ((inertia.I3yy - t28) - inertia.c3y * t36) + ((inertia.I2yy - t37) - inertia.c2y * t38);
-  const Scalar t40 = inertia.c1y * inertia.m1;
-  const Scalar t41 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t42 = t34 + (inertia.I3xz - inertia.c3z * t32);
+  const Scalar t10 = (inertia.c6z * t8 - (inertia.I6zz - t0)) + (inertia.c5z * t9 - (inertia.I5zz - t7));
+  const Scalar t11 = inertia.I6xz - inertia.c6z * t1;
+  const Scalar t12 = t2 + t4;
+  const Scalar t13 = Scalar(1) / t12;
+  const Scalar t14 = inertia.I6yz - inertia.c6z * t3;
+  const Scalar t15 = inertia.c5y * inertia.m5;
+  const Scalar t16 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t17 = inertia.c4x * inertia.m4;
+  const Scalar t18 = inertia.c4y * inertia.m4;
+  const Scalar t19 = ((inertia.I4yy - t16) - inertia.c4y * t18) - (inertia.c5y * t15 - (inertia.I5yy - t7));
+  const Scalar t20 = g.d4 * t17;
+  const Scalar t21 = g.d4 * t18;
+  const Scalar t22 = g.l2 / g.d4;
+  const Scalar t23 = inertia.c3y * inertia.m3;
+  const Scalar t24 = inertia.c3x * inertia.m3;
+  const Scalar t25 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t26 = inertia.c3x * t24 - (inertia.I3xx - t25);
+  const Scalar t27 = inertia.c3z * inertia.m3;
+  const Scalar t28 = t27 - g.d4 * inertia.m3;
+  const Scalar t29 = inertia.c4z * inertia.m4;
+  const Scalar t30 = g.d4 * inertia.m4;
+  const Scalar t31 = t29 - t30;
+  const Scalar t32 = t31 + t30;
+  const Scalar t33 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t34 = t32 - g.d4 * t33;
+  const Scalar t35 = (t28 + t34) / g.d4;
+  const Scalar t36 = g.d4 * g.d4 * t35;
+  const Scalar t37 = g.d4 * (t29 + t31) + ((inertia.I4zz - t16) - inertia.c4z * t29);
+  const Scalar t38 = (g.d4 * (t32 + t31) - t37) - g.d4 * (t32 + t34);
+  const Scalar t39 = ((inertia.I3zz - t25) - inertia.c3z * t27) + g.d4 * (t27 + t28);
+  const Scalar t40 = t36 + (t38 - t39);
+  const Scalar t41 = g.d4 * t24;
+  const Scalar t42 = t41 + (inertia.I3xz - inertia.c3z * t24);
   const Scalar t43 = inertia.c1x * inertia.m1;
   const Scalar t44 = g.l2 * inertia.m1 + t43;
-  const Scalar t45 = g.l2 * (t43 + t44) + (inertia.c1x * t43 - (inertia.I1xx - t41));
-  const Scalar t46 = inertia.c2x * inertia.m2;
-  const Scalar t47 = (inertia.c2x * t46 - (inertia.I2xx - t37)) + Scalar(2) * g.l2 * t46;
-  const Scalar t48 = gravity[2] / g.d4;
-  return { inertia.I6yz - inertia.c6z * t0,
-           inertia.I6xz - inertia.c6z * t1,
-           t6,
-           g.d4 * t0,
-           g.d4 * t1,
-           t6 * t7,
-           t5,
-           g.d4 * t8,
-           g.d4 * (t9 + t10),
-           t7,
-           t3 - t4,
-           Scalar(2) * t11,
-           t4,
-           inertia.c5x * t8 - (inertia.I5xx - t12),
-           t13,
-           t7 * t22 * t7,
-           inertia.I5yz - inertia.c5z * t23,
+  const Scalar t45 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t46 = g.l2 * (t43 + t44) + (inertia.c1x * t43 - (inertia.I1xx - t45));
+  const Scalar t47 = inertia.c2x * inertia.m2;
+  const Scalar t48 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t49 = g.l2 * inertia.m2 + t47;
+  const Scalar t50 = (inertia.c2x * t47 - (inertia.I2xx - t48)) + g.l2 * (t47 + t49);
+  const Scalar t51 = inertia.m3 + t33;
+  const Scalar t52 = g.l2 * t51;
+  const Scalar t53 = g.l2 * t35;
+  const Scalar t54 = (t46 + (t50 + g.l2 * t52)) + g.l2 * t53;
+  const Scalar t55 = inertia.c2y * inertia.m2;
+  const Scalar t56 = ((inertia.I3yy - t25) - inertia.c3y * t23) + ((inertia.I2yy - t48) - inertia.c2y * t55);
+  const Scalar t57 = inertia.c1y * inertia.m1;
+  const Scalar t58 = Scalar(1) / g.d4;
+  const Scalar t59 = g.d4 * g.d4 * (t35 + (inertia.m2 + t51));
+  const Scalar t60 = gravity[2] / g.d4;
+  return { t2 - t4,
+           Scalar(2) * t5,
+           t2,
+           inertia.c5x * t6 - (inertia.I5xx - t7),
+           t10,
+           Scalar(2) * t10,
+           t11 * t13,
+           t14 * t13,
+           t12,
            t11,
-           inertia.I5xy - inertia.c5y * t8,
-           g.d4 * t24,
-           g.d4 * (t25 + t23),
-           inertia.I5xz - inertia.c5z * t8,
-           (inertia.I4xx - t26) - inertia.c4x * t24,
-           t27,
+           t14,
+           t13,
+           inertia.I5yz - inertia.c5z * t15,
+           t5,
+           inertia.I5xy - inertia.c5y * t6,
+           inertia.I5xz - inertia.c5z * t6,
+           (inertia.I4xx - t16) - inertia.c4x * t17,
+           t19,
+           inertia.I4xy - inertia.c4y * t17,
+           g.d4 * t3,
+           g.d4 * t1,
+           g.d4 * t6,
+           g.d4 * (t9 + t8),
+           g.d4 * (t18 + t15),
            t20,
-           t31,
-           inertia.I4xy - inertia.c4y * t24,
-           t33,
-           inertia.I4yz - inertia.c4z * t25,
-           inertia.I4xz - inertia.c4z * t24,
-           t34,
-           t35,
-           g.d4 * t36 + (inertia.I3yz - inertia.c3z * t36),
-           inertia.I3xy - inertia.c3y * t32,
-           t39 - (inertia.c1y * t40 - (inertia.I1yy - t41)),
+           t21 - (t21 + (inertia.I4yz - inertia.c4z * t18)),
+           t20 - ((inertia.I4xz - inertia.c4z * t17) + t20),
+           t22,
+           g.d4 * t23 + (inertia.I3yz - inertia.c3z * t23),
+           inertia.I3xy - inertia.c3y * t24,
+           t26,
+           t36,
+           t40,
+           t41,
+           t36 * t22,
            t42,
-           t22 * t35,
-           t45 + t47,
-           t48,
-           gravity[1] / g.d4,
+           t54,
+           t56 - (inertia.c1y * t57 - (inertia.I1yy - t45)),
+           t13 * t58,
+           t58,
+           t58 * t58 * (t59 - t36),
            gravity[0] / g.d4,
-           g.d4 * (t46 + t44),
-           g.d4 * ((t36 + t38) + t40),
-           t21,
-           Scalar(2) * t34,
-           Scalar(2) * t31,
+           gravity[1] / g.d4,
+           t60,
+           g.d4 * (t53 + ((t52 + t49) + t44)),
+           g.d4 * ((t23 + t55) + t57),
            Scalar(2) * t42,
-           Scalar(2) * t33,
-           t33 - t31,
-           t7 * t48 * t21 };
+           Scalar(2) * t26,
+           Scalar(2) * t41,
+           t40 - t26,
+           t59 * t60 };
 }
 
 namespace detail {
@@ -774,228 +812,231 @@ inline JointVector<Scalar> forward_dynamics_with_gravity_vector([[maybe_unused]]
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[0] * c6 - k[1] * s6;
-  const Scalar t1 = k[2] * t0;
-  const Scalar t2 = k[10] * s6 - k[11] * c6;
-  const Scalar t3 = k[12] + s6 * t2;
-  const Scalar t4 = k[6] - t3;
-  const Scalar t5 = k[13] - t4;
-  const Scalar t6 = k[14] + t5;
-  const Scalar t7 = Scalar(1) / (t1 * t0 + t6);
-  const Scalar t8 = k[0] * s6 + k[1] * c6;
-  const Scalar t9 = k[6] * c5 + s5 * t8;
-  const Scalar t10 = k[2] * t9;
-  const Scalar t11 = k[16] + t0;
-  const Scalar t12 = k[17] + c6 * t2;
-  const Scalar t13 = k[18] - t12;
-  const Scalar t14 = c5 * t11 - s5 * t13;
-  const Scalar t15 = t10 * t0 - t14;
-  const Scalar t16 = t7 * t15;
-  const Scalar t17 = k[3] * c6 - k[4] * s6;
+  const Scalar t0 = k[9] * c6 + k[10] * s6;
+  const Scalar t1 = c5 + k[11] * s5 * t0;
+  const Scalar t2 = k[19] * s6 + k[20] * c6;
+  const Scalar t3 = k[19] * c6 - k[20] * s6;
+  const Scalar t4 = c5 * t3;
+  const Scalar t5 = k[8] * t1;
+  const Scalar t6 = t2 + (c5 * t0 - k[8] * s5);
+  const Scalar t7 = k[7] * c6 - k[6] * s6;
+  const Scalar t8 = k[8] * t7;
+  const Scalar t9 = t4 + t8;
+  const Scalar t10 = c3 * t5 + s3 * (c4 * t6 + s4 * t9);
+  const Scalar t11 = k[27] * (c4 * t2 + s4 * t4) - t10;
+  const Scalar t12 = k[23] + t3;
+  const Scalar t13 = k[21] + t2;
+  const Scalar t14 = k[22] * s5 + c5 * t13;
+  const Scalar t15 = k[24] + t14;
+  const Scalar t16 = s4 * t12 + c4 * t15;
+  const Scalar t17 = k[15] + t0;
   const Scalar t18 = c5 * t17;
-  const Scalar t19 = t18 + t0;
-  const Scalar t20 = k[4] * c6 + k[3] * s6;
-  const Scalar t21 = (k[6] * s5 - c5 * t8) - t20;
-  const Scalar t22 = c4 * t19 + s4 * t21;
-  const Scalar t23 = k[7] + t20;
-  const Scalar t24 = s5 * t23 - k[8] * c5;
-  const Scalar t25 = t24 + t6;
-  const Scalar t26 = s5 * t11 + c5 * t13;
-  const Scalar t27 = t1 * t22 + (c4 * t25 - s4 * t26);
-  const Scalar t28 = k[20] + t17;
-  const Scalar t29 = (k[28] + t14) + t28;
-  const Scalar t30 = k[21] + t8;
-  const Scalar t31 = c5 * t30;
-  const Scalar t32 = s5 * (k[14] - t5) - (t31 + t31);
-  const Scalar t33 = k[8] * s5 + c5 * t23;
-  const Scalar t34 = k[19] + t33;
-  const Scalar t35 = (k[29] - (c5 * t32 + t30)) + t34;
-  const Scalar t36 = c4 * t29 - s4 * t35;
-  const Scalar t37 = t16 * t27 - (t10 * t22 - t36);
-  const Scalar t38 = k[23] + t3;
-  const Scalar t39 = s5 * t32;
-  const Scalar t40 = k[22] - (t39 + t5);
-  const Scalar t41 = t38 + t40;
-  const Scalar t42 = Scalar(1) / (t16 * t15 - (t9 * t10 - t41));
-  const Scalar t43 = t37 * t42;
-  const Scalar t44 = qd[0] * qd[0];
-  const Scalar t45 = k[40] * c1 + k[39] * s1;
-  const Scalar t46 = k[31] * t44 + t45;
-  const Scalar t47 = k[38] * c3 + s3 * t46;
-  const Scalar t48 = qd[0] * s3;
-  const Scalar t49 = t48 * t48;
-  const Scalar t50 = qd[2] * qd[2];
-  const Scalar t51 = t49 + t50;
-  const Scalar t52 = t47 - t51;
-  const Scalar t53 = k[40] * s1 - k[39] * c1;
-  const Scalar t54 = qd[0] * c3;
-  const Scalar t55 = qd[2] * t54;
-  const Scalar t56 = t55 + t55;
-  const Scalar t57 = t53 - t56;
-  const Scalar t58 = t48 * t54;
-  const Scalar t59 = t58 - (c3 * t46 - k[38] * s3);
-  const Scalar t60 = s4 * t57 - c4 * t59;
-  const Scalar t61 = s5 * t52 - c5 * t60;
-  const Scalar t62 = s4 * t59 + c4 * t57;
-  const Scalar t63 = s4 * t48;
-  const Scalar t64 = t63 - qd[2] * c4;
-  const Scalar t65 = qd[2] * s4 + c4 * t48;
-  const Scalar t66 = t64 * t65;
-  const Scalar t67 = qd[2] * t48;
-  const Scalar t68 = t66 + t67;
-  const Scalar t69 = qd[3] - t54;
-  const Scalar t70 = t64 * t69;
-  const Scalar t71 = t63 * t54 - c4 * t56;
-  const Scalar t72 = t70 + (t71 + t70);
-  const Scalar t73 = c5 * t68 - s5 * t72;
-  const Scalar t74 = qd[4] - t64;
-  const Scalar t75 = c5 * t65 - s5 * t69;
-  const Scalar t76 = Scalar(2) * t74 * t75 + t73;
-  const Scalar t77 = c5 * t69 + s5 * t65;
-  const Scalar t78 = qd[5] + t77;
-  const Scalar t79 = t78 * t78;
-  const Scalar t80 = t79 + t75 * t75;
-  const Scalar t81 = t74 * t74;
-  const Scalar t82 = t81 - t79;
-  const Scalar t83 = t80 + t82;
-  const Scalar t84 = t81 + t79;
-  const Scalar t85 = t83 - t84;
-  const Scalar t86 = t85 - t82;
-  const Scalar t87 = (t3 * t73 + t4 * t76) - t12 * t86;
-  const Scalar t88 = s5 * t68 + c5 * t72;
-  const Scalar t89 = t88 + Scalar(2) * t74 * t77;
-  const Scalar t90 = t65 * t69;
-  const Scalar t91 = c4 * t58 + s4 * t56;
-  const Scalar t92 = t90 + t91;
-  const Scalar t93 = t77 * t75;
-  const Scalar t94 = t92 - t93;
-  const Scalar t95 = (t61 * t17 - t62 * t20) - (t87 + (t8 * t89 - t0 * t94));
-  const Scalar t96 = torque[5] - t95;
-  const Scalar t97 = k[2] * t96;
-  const Scalar t98 = t66 - t67;
-  const Scalar t99 = t64 * t64;
-  const Scalar t100 = t69 * t69;
-  const Scalar t101 = t99 - t100;
-  const Scalar t102 = t101 - t51;
-  const Scalar t103 = t99 + t100;
-  const Scalar t104 = t102 + t103;
-  const Scalar t105 = (k[22] * t98 - k[23] * t68) + k[26] * t104;
-  const Scalar t106 = (t105 - (k[29] * t71 - k[28] * t91)) - (k[19] * t62 + k[20] * t60);
-  const Scalar t107 = (k[16] * t94 - k[18] * t86) + (k[13] * t76 - k[21] * t89);
-  const Scalar t108 = t95 + (t107 - k[7] * t62);
-  const Scalar t109 = c5 * t52 + s5 * t60;
-  const Scalar t110 = Scalar(2) * t75 * t78 + t94;
-  const Scalar t111 = t74 * t78;
-  const Scalar t112 = t89 - (t111 + t111);
-  const Scalar t113 = t0 * t82 + (t12 * t110 - t3 * t112);
-  const Scalar t114 = k[16] * (t102 + t83) + (k[14] * t89 - k[21] * t76);
-  const Scalar t115 = t92 + t93;
-  const Scalar t116 = (t17 * t109 + (t8 * t76 - t113)) - ((t114 - k[18] * t115) - k[8] * t62);
-  const Scalar t117 = t106 + (c5 * t108 - s5 * t116);
-  const Scalar t118 = (t8 * t85 + t0 * t73) - (t4 * t110 - t12 * t112);
-  const Scalar t119 = t102 + t86;
-  const Scalar t120 = k[21] * (t119 + t83) + (k[14] * t94 + k[13] * t115);
-  const Scalar t121 = (k[8] * t61 + k[7] * t109) - (t120 + (k[16] * t73 - k[18] * t88));
-  const Scalar t122 = (t118 - t20 * t109) - t121;
-  const Scalar t123 = (torque[4] + t122) - t97 * t0;
-  const Scalar t124 = (t9 * t97 - (torque[3] - t117)) + t123 * t16;
-  const Scalar t125 = t123 * t7;
-  const Scalar t126 = k[2] * t22;
-  const Scalar t127 = (t76 * t20 + t17 * t80) + (k[7] * t76 + k[8] * t89);
-  const Scalar t128 = k[24] * t62 - (k[20] * t102 + k[19] * t98);
-  const Scalar t129 = t127 + t128;
-  const Scalar t130 = t90 + t92;
-  const Scalar t131 = k[28] * t101 - (k[23] * t72 + k[26] * t130);
-  const Scalar t132 = (c5 * t116 + s5 * t108) - ((t131 + k[29] * t98) - k[20] * t52);
-  const Scalar t133 = t129 + t132;
-  const Scalar t134 = k[24] * t60 + (k[20] * t68 - k[19] * t103);
-  const Scalar t135 = (k[7] * t119 - k[8] * t94) - (t20 * t84 - t17 * t73);
-  const Scalar t136 = (k[8] * t83 - k[7] * t115) - (t17 * t112 + t110 * t20);
-  const Scalar t137 = t134 + (c5 * t135 - s5 * t136);
-  const Scalar t138 = (k[22] * t130 + k[26] * t72) - (k[29] * (t101 - t104) + k[28] * t68);
-  const Scalar t139 = t137 + (t122 - (k[19] * t52 + t138));
-  const Scalar t140 = t44 - t51;
-  const Scalar t141 = t49 - t50;
-  const Scalar t142 = t140 - t141;
-  const Scalar t143 = (k[48] * t58 + k[35] * t142) + k[30] * t47;
-  const Scalar t144 = torque[2] - ((s4 * t133 - c4 * t139) + t143);
-  const Scalar t145 = t43 * t124 - (t125 * t27 + (t126 * t96 - t144));
-  const Scalar t146 = k[26] + t26;
-  const Scalar t147 = c4 * t146;
-  const Scalar t148 = s4 * (t38 - t40) + (t147 + t147);
-  const Scalar t149 = s4 * t148;
-  const Scalar t150 = k[27] - (t149 + t40);
-  const Scalar t151 = k[24] - t24;
-  const Scalar t152 = k[25] - ((t151 - t24) - (k[14] - t39));
-  const Scalar t153 = t7 * t27;
-  const Scalar t154 = (t126 * t22 + (t150 + t152)) - t153 * t27;
-  const Scalar t155 = Scalar(1) / (t154 + t37 * t43);
-  const Scalar t156 = t145 * t155;
-  const Scalar t157 = k[9] * (s3 * c4 * t24 - c3 * t33);
-  const Scalar t158 = c3 * s5 * t17 + s3 * (c4 * t18 - s4 * t20);
-  const Scalar t159 = k[5] * t158;
-  const Scalar t160 = k[6] * t159;
-  const Scalar t161 = t157 + t160 * t1;
-  const Scalar t162 = k[9] * s3 * (c4 * t28 - s4 * t34);
-  const Scalar t163 = t16 * t161 + (t162 - t160 * t10);
-  const Scalar t164 = t42 * t163;
-  const Scalar t165 = c4 * t34 + s4 * t28;
-  const Scalar t166 = s3 * t151 + c3 * (k[30] + t165);
-  const Scalar t167 = t153 * t161 + (k[9] * t166 - t126 * t160);
-  const Scalar t168 = t37 * t164 - t167;
-  const Scalar t169 = t42 * t124;
-  const Scalar t170 = k[30] * (t142 + t51) + (s4 * t129 - c4 * t137);
-  const Scalar t171 = k[24] * t52 + (k[19] * t130 + k[20] * t72);
-  const Scalar t172 = k[30] * t58 + ((c5 * t136 + s5 * t135) - t171);
-  const Scalar t173 = k[49] - k[9] * (s3 * t170 - c3 * t172);
-  const Scalar t174 = ((torque[1] + t173) - t96 * t159) - t125 * t161;
-  const Scalar t175 = t156 * t168 - (t163 * t169 + t174);
-  const Scalar t176 = c3 * t9 - s3 * (c4 * t21 - s4 * t19);
-  const Scalar t177 = t176 - k[31] * (s4 * t18 + c4 * t20);
-  const Scalar t178 = k[2] * t177;
-  const Scalar t179 = c3 * t14 - s3 * (c4 * t26 + s4 * t25);
-  const Scalar t180 = t178 * t0 - (t179 + k[31] * s4 * t24);
-  const Scalar t181 = t180 * t7;
-  const Scalar t182 = c4 * t35 + s4 * t29;
-  const Scalar t183 = (s3 * t182 + c3 * t41) - k[31] * t165;
-  const Scalar t184 = (t183 - t177 * t10) + t181 * t15;
-  const Scalar t185 = t184 * t42;
-  const Scalar t186 = (t177 * t159 - t161 * t181) + t185 * t163;
-  const Scalar t187 = s3 * (k[33] + (c4 * t148 - t146)) - c3 * (k[32] + t36);
-  const Scalar t188 = t37 * t185 - (t153 * t180 - (t187 + t126 * t177));
-  const Scalar t189 = t168 * t155;
-  const Scalar t190 = t186 - t188 * t189;
-  const Scalar t191 = t7 * t161;
-  const Scalar t192 = t164 * t163 - (t191 * t161 + (k[15] - t160 * t159));
-  const Scalar t193 = Scalar(1) / (t168 * t189 - t192);
-  const Scalar t194 = t190 * t193;
-  const Scalar t195 = (k[33] * t141 - k[32] * t58) - (k[35] * t56 + k[47] * t67);
-  const Scalar t196 = (k[46] * t67 + k[45] * t55) + k[32] * t140;
-  const Scalar t197 = (t196 - k[33] * t58) + (s4 * t139 + c4 * t133);
-  const Scalar t198 = c3 * (t117 - (k[30] * t53 + t195)) - s3 * t197;
-  const Scalar t199 = (s4 * t137 + c4 * t129) + k[44] * t67;
-  const Scalar t200 = (k[42] * t45 + k[41] * t53) - (t198 + k[31] * (t199 - k[43] * t53));
-  const Scalar t201 = t125 * t180 + (t178 * t96 + (torque[0] - t200));
-  const Scalar t202 = t175 * t194 + (t156 * t188 + (t201 - t184 * t169));
-  const Scalar t203 = Scalar(2) * c3 * (k[35] + t182) + s3 * (t150 - t152);
-  const Scalar t204 = k[31] * ((k[36] - t166) - t166) - (t150 - s3 * t203);
-  const Scalar t205 = t177 * t178 + ((k[37] - t204) - (k[34] - (t149 - t38)));
-  const Scalar t206 = t188 * t155;
-  const Scalar t207 = ((t180 * t181 - t205) - t184 * t185) + t206 * t188;
-  const Scalar t208 = t202 * Scalar(1) / (t190 * t194 - t207);
-  const Scalar t209 = t175 * t193 - t208 * t194;
-  const Scalar t210 = (t156 + t206 * t208) - t209 * t189;
-  const Scalar t211 = (t164 * t209 - (t169 + t208 * t185)) + t43 * t210;
-  const Scalar t212 = t153 * t210 - ((t208 * t181 + t125) - t191 * t209);
-  const Scalar t213 = t212 - t211 * t16;
-  const Scalar t214 = ((t178 * t208 - t97) - t209 * t159) - t126 * t210;
+  const Scalar t19 = k[0] * s6 - k[1] * c6;
+  const Scalar t20 = k[2] - s6 * t19;
+  const Scalar t21 = k[3] - t20;
+  const Scalar t22 = k[4] - t21;
+  const Scalar t23 = (t18 + t18) - s5 * t22;
+  const Scalar t24 = k[26] - (c5 * t23 - t17);
+  const Scalar t25 = k[13] + c6 * t19;
+  const Scalar t26 = k[14] - t25;
+  const Scalar t27 = k[12] + t8;
+  const Scalar t28 = s5 * t26 - c5 * t27;
+  const Scalar t29 = k[25] + t28;
+  const Scalar t30 = t16 - (c4 * t24 + s4 * t29);
+  const Scalar t31 = t21 - s5 * t23;
+  const Scalar t32 = k[16] - t31;
+  const Scalar t33 = c5 * t26 + s5 * t27;
+  const Scalar t34 = k[18] + t33;
+  const Scalar t35 = k[8] - t20;
+  const Scalar t36 = k[17] + t35;
+  const Scalar t37 = Scalar(2) * c4 * t34 - s4 * (t32 - t36);
+  const Scalar t38 = s4 * t37;
+  const Scalar t39 = t32 + t38;
+  const Scalar t40 = t38 - t36;
+  const Scalar t41 = t39 - t40;
+  const Scalar t42 = (s3 * t30 + c3 * t41) - k[27] * t16;
+  const Scalar t43 = t28 + t1 * t8;
+  const Scalar t44 = k[5] - t22;
+  const Scalar t45 = Scalar(1) / (t7 * t8 + t44);
+  const Scalar t46 = t43 * t45;
+  const Scalar t47 = s5 * t13 - k[22] * c5;
+  const Scalar t48 = t47 + t44;
+  const Scalar t49 = s3 * (c4 * t33 + s4 * t48) + c3 * t28;
+  const Scalar t50 = k[11] * t11;
+  const Scalar t51 = (k[27] * s4 * t47 - t49) + t50 * t8;
+  const Scalar t52 = (t1 * t11 + t42) - t46 * t51;
+  const Scalar t53 = Scalar(1) / (t46 * t43 - (t5 * t1 - t41));
+  const Scalar t54 = t53 * t52;
+  const Scalar t55 = k[30] - t39;
+  const Scalar t56 = k[31] - t47;
+  const Scalar t57 = k[32] + ((t47 - t56) - (t31 - t44));
+  const Scalar t58 = Scalar(2) * c3 * (k[35] + t30) - s3 * (t57 - t55);
+  const Scalar t59 = c3 * (k[33] + t16) + s3 * t56;
+  const Scalar t60 = (t55 - s3 * t58) - k[27] * ((k[34] - t59) - t59);
+  const Scalar t61 = ((k[37] - t40) - (k[36] + t60)) - t11 * t50;
+  const Scalar t62 = t45 * t51;
+  const Scalar t63 = s4 * t15 - c4 * t12;
+  const Scalar t64 = (s4 * t24 - c4 * t29) - t63;
+  const Scalar t65 = c3 * (k[28] + t64) - s3 * (k[29] - (t34 - c4 * t37));
+  const Scalar t66 = c4 * t9 - s4 * t6;
+  const Scalar t67 = k[11] * t66;
+  const Scalar t68 = t67 * t8 + (c4 * t48 - s4 * t33);
+  const Scalar t69 = (t64 - t5 * t67) + t68 * t46;
+  const Scalar t70 = t53 * t69;
+  const Scalar t71 = ((t65 + t11 * t67) - t68 * t62) - t70 * t52;
+  const Scalar t72 = t68 * t45;
+  const Scalar t73 = t68 * t72 - (t67 * t66 + (t57 + t55));
+  const Scalar t74 = Scalar(1) / (t70 * t69 - t73);
+  const Scalar t75 = t74 * t71;
+  const Scalar t76 = (t52 * t54 - (t61 + t62 * t51)) - t71 * t75;
+  const Scalar t77 = k[39] * (c3 * t14 - s3 * c4 * t47);
+  const Scalar t78 = s3 * (s4 * t2 - c4 * t4) - c3 * s5 * t3;
+  const Scalar t79 = k[38] * t78;
+  const Scalar t80 = t77 + t79 * t8;
+  const Scalar t81 = t80 * t45;
+  const Scalar t82 = k[8] * t79;
+  const Scalar t83 = t43 * t81 - (t1 * t82 - k[39] * s3 * t63);
+  const Scalar t84 = t80 * t72 - (t67 * t82 + k[39] * t59);
+  const Scalar t85 = t70 * t83 - t84;
+  const Scalar t86 = t74 * t85;
+  const Scalar t87 = t54 * t83 + (t80 * t62 - t79 * t11);
+  const Scalar t88 = t71 * t86 + t87;
+  const Scalar t89 = t53 * t83;
+  const Scalar t90 = t89 * t83 + ((k[40] + t79 * t82) - t80 * t81);
+  const Scalar t91 = Scalar(1) / (t90 - t85 * t86);
+  const Scalar t92 = t88 * t91;
+  const Scalar t93 = qd[0] * s3;
+  const Scalar t94 = s4 * t93;
+  const Scalar t95 = t94 - qd[2] * c4;
+  const Scalar t96 = c4 * t93;
+  const Scalar t97 = qd[2] * s4 + t96;
+  const Scalar t98 = t95 * t97;
+  const Scalar t99 = qd[2] * t93;
+  const Scalar t100 = t98 + t99;
+  const Scalar t101 = qd[0] * c3;
+  const Scalar t102 = qd[3] - t101;
+  const Scalar t103 = t95 * t102;
+  const Scalar t104 = qd[2] * t101;
+  const Scalar t105 = Scalar(2) * t104;
+  const Scalar t106 = t94 * t101 - c4 * t105;
+  const Scalar t107 = (t103 + t106) + t103;
+  const Scalar t108 = s5 * t100 + c5 * t107;
+  const Scalar t109 = c5 * t102 + s5 * t97;
+  const Scalar t110 = qd[4] - t95;
+  const Scalar t111 = Scalar(2) * t110;
+  const Scalar t112 = t108 + t109 * t111;
+  const Scalar t113 = c5 * t97 - s5 * t102;
+  const Scalar t114 = t109 * t113;
+  const Scalar t115 = t97 * t102;
+  const Scalar t116 = t101 * t96 + s4 * t105;
+  const Scalar t117 = t115 + t116;
+  const Scalar t118 = t114 - t117;
+  const Scalar t119 = c5 * t100 - s5 * t107;
+  const Scalar t120 = t113 * t111 + t119;
+  const Scalar t121 = t110 * t110;
+  const Scalar t122 = t113 * t113;
+  const Scalar t123 = t121 - t122;
+  const Scalar t124 = (t35 * t119 + t120 * t20) + t25 * t123;
+  const Scalar t125 = k[41] * s1 - k[42] * c1;
+  const Scalar t126 = t105 - t125;
+  const Scalar t127 = t93 * t101;
+  const Scalar t128 = k[42] * s1 + k[41] * c1;
+  const Scalar t129 = qd[0] * qd[0];
+  const Scalar t130 = t128 + k[27] * t129;
+  const Scalar t131 = t127 + (k[43] * s3 - c3 * t130);
+  const Scalar t132 = s4 * t126 + c4 * t131;
+  const Scalar t133 = t101 * t101;
+  const Scalar t134 = qd[2] * qd[2];
+  const Scalar t135 = t133 - t134;
+  const Scalar t136 = t129 - t135;
+  const Scalar t137 = k[43] * c3 + s3 * t130;
+  const Scalar t138 = t136 - t137;
+  const Scalar t139 = c5 * t132 - s5 * t138;
+  const Scalar t140 = s4 * t131 - c4 * t126;
+  const Scalar t141 = ((t0 * t112 + t118 * t8) + t124) - (t139 * t3 - t2 * t140);
+  const Scalar t142 = torque[5] + t141;
+  const Scalar t143 = k[11] * t142;
+  const Scalar t144 = c5 * t138 + s5 * t132;
+  const Scalar t145 = qd[5] + t109;
+  const Scalar t146 = t113 * t145;
+  const Scalar t147 = (t118 - t146) - t146;
+  const Scalar t148 = t110 * t145;
+  const Scalar t149 = (t148 - t112) + t148;
+  const Scalar t150 = t145 * t145 - t122;
+  const Scalar t151 = (t147 * t20 - t25 * t149) - (t0 * t150 - t119 * t8);
+  const Scalar t152 = t95 * t95;
+  const Scalar t153 = t102 * t102;
+  const Scalar t154 = t152 - t153;
+  const Scalar t155 = t136 - t154;
+  const Scalar t156 = t155 + t123;
+  const Scalar t157 = t121 + t122;
+  const Scalar t158 = t156 - t157;
+  const Scalar t159 = t114 + t117;
+  const Scalar t160 = k[15] * t158 - (k[3] * t159 - k[4] * t118);
+  const Scalar t161 = ((k[12] * t119 - k[14] * t108) - t160) - (k[22] * t139 - k[21] * t144);
+  const Scalar t162 = (t2 * t144 + t151) + t161;
+  const Scalar t163 = t143 * t8 - (torque[4] + t162);
+  const Scalar t164 = t45 * t163;
+  const Scalar t165 = k[12] * (t123 - t158) - (k[15] * t120 - k[4] * t112);
+  const Scalar t166 = t123 - t150;
+  const Scalar t167 = t166 * t8 - (t25 * t147 - t35 * t149);
+  const Scalar t168 = ((k[14] * t159 - t165) + k[22] * t140) - (t3 * t144 - (t120 * t0 - t167));
+  const Scalar t169 = (k[3] * t120 - k[15] * t112) + (k[14] * t123 - k[12] * t118);
+  const Scalar t170 = t141 + (k[21] * t140 - t169);
+  const Scalar t171 = t98 - t99;
+  const Scalar t172 = t152 + t153;
+  const Scalar t173 = (k[16] * t171 - k[17] * t100) - k[18] * (t155 - t172);
+  const Scalar t174 = (k[24] * t140 - k[23] * t132) - ((k[26] * t106 - k[25] * t116) + t173);
+  const Scalar t175 = (s5 * t168 + c5 * t170) + t174;
+  const Scalar t176 = t43 * t164 + ((torque[3] + t175) - t142 * t1);
+  const Scalar t177 = t176 * t53;
+  const Scalar t178 = t115 + t117;
+  const Scalar t179 = (k[17] * t107 + k[18] * t178) + k[25] * t154;
+  const Scalar t180 = ((k[26] * t171 + t179) - k[23] * t138) - (s5 * t170 - c5 * t168);
+  const Scalar t181 = (k[21] * t120 + k[22] * t112) + (t120 * t2 - (t166 - t157) * t3);
+  const Scalar t182 = k[31] * t140 - (k[24] * t171 - k[23] * t155);
+  const Scalar t183 = t181 + t182;
+  const Scalar t184 = t180 + t183;
+  const Scalar t185 = (k[25] * t100 + k[26] * (t136 - t172)) + (k[18] * t107 + k[16] * t178);
+  const Scalar t186 = (k[22] * t157 - k[21] * t159) + (t2 * t147 + t3 * t149);
+  const Scalar t187 = (t2 * (t150 + t157) - t3 * t119) - (k[22] * t118 - k[21] * t156);
+  const Scalar t188 = (k[24] * t172 - k[23] * t100) + k[31] * t132;
+  const Scalar t189 = (s5 * t186 + c5 * t187) + t188;
+  const Scalar t190 = (t162 - (t185 - k[24] * t138)) - t189;
+  const Scalar t191 = t133 + t134;
+  const Scalar t192 = t191 - t136;
+  const Scalar t193 = k[33] * t137 - (k[49] * t127 - k[35] * t192);
+  const Scalar t194 = torque[2] - ((s4 * t184 - c4 * t190) + t193);
+  const Scalar t195 = t177 * t69 - (t163 * t72 + (t194 - t143 * t66));
+  const Scalar t196 = t74 * t195;
+  const Scalar t197 = (k[47] * t99 + k[46] * t104) + (k[28] * t127 + k[29] * (t192 - t135));
+  const Scalar t198 = k[28] * t135 + (k[32] * t105 + k[46] * t99);
+  const Scalar t199 = (s4 * t190 + c4 * t184) - (k[29] * t127 - t198);
+  const Scalar t200 = c3 * (t175 + (k[33] * t125 - t197)) + s3 * t199;
+  const Scalar t201 = k[48] * t99 + (c4 * t183 - s4 * t189);
+  const Scalar t202 = (k[45] * t128 + k[44] * t125) + (t200 - k[27] * t201);
+  const Scalar t203 = t164 * t51 + ((torque[0] - t202) - t142 * t50);
+  const Scalar t204 = k[31] * t138 - (k[24] * t178 + k[23] * t107);
+  const Scalar t205 = ((s5 * t187 - c5 * t186) - t204) - k[33] * t127;
+  const Scalar t206 = (c4 * t189 + s4 * t183) + k[33] * t191;
+  const Scalar t207 = k[39] * (k[50] - (c3 * t205 + s3 * t206));
+  const Scalar t208 = t80 * t164 - ((torque[1] + t207) + t142 * t79);
+  const Scalar t209 = (t177 * t83 - t208) - t195 * t86;
+  const Scalar t210 = (t71 * t196 + (t203 + t177 * t52)) - t92 * t209;
+  const Scalar t211 = Scalar(1) / (t76 - t88 * t92) * t210;
+  const Scalar t212 = t91 * t209 - t211 * t92;
+  const Scalar t213 = t212 * t86 - (t211 * t75 + t196);
+  const Scalar t214 = (t89 * t212 + (t211 * t54 - t177)) - t213 * t70;
+  const Scalar t215 = ((t211 * t62 + t164) - t212 * t81) + t213 * t72;
+  const Scalar t216 = t214 * t46 + t215;
+  const Scalar t217 = (t79 * t212 - (t143 + t211 * t50)) - t213 * t67;
   JointVector<Scalar> result;
-  result[0] = t208;
-  result[1] = t209;
-  result[2] = t210;
-  result[3] = -t211;
-  result[4] = -t213;
-  result[5] = (t211 * t10 + t214) + t213 * t1;
+  result[0] = t211;
+  result[1] = t212;
+  result[2] = t213;
+  result[3] = t214;
+  result[4] = -t216;
+  result[5] = t7 * t216 + (t217 - t214 * t1);
   return result;
 }
 
@@ -1024,107 +1065,113 @@ ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constant
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
+  const Scalar t0 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
   const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = inertia.c5x * inertia.m5;
-  const Scalar t3 = inertia.c5z * inertia.m5;
-  const Scalar t4 = inertia.c6z * inertia.m6;
-  const Scalar t5 = g.l2 / g.d4;
-  const Scalar t6 = inertia.c5y * inertia.m5;
-  const Scalar t7 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t8 = (inertia.I6xx - t7) - inertia.c6x * t1;
-  const Scalar t9 = (inertia.I6yy - t7) - inertia.c6y * t0;
-  const Scalar t10 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t11 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t12 = (inertia.c6z * t4 - (inertia.I6zz - t7)) + (inertia.c5z * t3 - (inertia.I5zz - t11));
-  const Scalar t13 = t8 + t9;
-  const Scalar t14 = Scalar(1) / t13;
-  const Scalar t15 = inertia.c4y * inertia.m4;
+  const Scalar t2 = (inertia.I6xx - t0) - inertia.c6x * t1;
+  const Scalar t3 = inertia.c6y * inertia.m6;
+  const Scalar t4 = (inertia.I6yy - t0) - inertia.c6y * t3;
+  const Scalar t5 = t2 + t4;
+  const Scalar t6 = inertia.c5x * inertia.m5;
+  const Scalar t7 = inertia.c5z * inertia.m5;
+  const Scalar t8 = inertia.c6z * inertia.m6;
+  const Scalar t9 = inertia.I6xy - inertia.c6y * t1;
+  const Scalar t10 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t11 = (inertia.c6z * t8 - (inertia.I6zz - t0)) + (inertia.c5z * t7 - (inertia.I5zz - t10));
+  const Scalar t12 = inertia.c5y * inertia.m5;
+  const Scalar t13 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t14 = inertia.c4y * inertia.m4;
+  const Scalar t15 = ((inertia.I4yy - t13) - inertia.c4y * t14) - (inertia.c5y * t12 - (inertia.I5yy - t10));
   const Scalar t16 = inertia.c4x * inertia.m4;
-  const Scalar t17 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t18 = ((inertia.I4yy - t17) - inertia.c4y * t15) - (inertia.c5y * t6 - (inertia.I5yy - t11));
-  const Scalar t19 = inertia.c3x * inertia.m3;
-  const Scalar t20 = inertia.c3y * inertia.m3;
-  const Scalar t21 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t22 = inertia.c3x * t19 - (inertia.I3xx - t21);
-  const Scalar t23 = inertia.c4z * inertia.m4;
-  const Scalar t24 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t25 = t23 - g.d4 * t24;
-  const Scalar t26 = inertia.c3z * inertia.m3;
-  const Scalar t27 = t26 - g.d4 * inertia.m3;
-  const Scalar t28 = (t25 + t27) / g.d4;
+  const Scalar t17 = inertia.c3x * inertia.m3;
+  const Scalar t18 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t19 = inertia.c3x * t17 - (inertia.I3xx - t18);
+  const Scalar t20 = inertia.c3z * inertia.m3;
+  const Scalar t21 = t20 - g.d4 * inertia.m3;
+  const Scalar t22 = inertia.c4z * inertia.m4;
+  const Scalar t23 = g.d4 * inertia.m4;
+  const Scalar t24 = t22 - t23;
+  const Scalar t25 = t24 + t23;
+  const Scalar t26 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t27 = t25 - g.d4 * t26;
+  const Scalar t28 = (t21 + t27) / g.d4;
   const Scalar t29 = g.d4 * g.d4 * t28;
-  const Scalar t30 = ((inertia.I3zz - t21) - inertia.c3z * t26) + g.d4 * (t26 + t27);
-  const Scalar t31 = ((inertia.I4zz - t17) - inertia.c4z * t23) + g.d4 * (t25 + t23);
-  const Scalar t32 = t29 - (t30 + t31);
-  const Scalar t33 = g.d4 * t19;
-  const Scalar t34 = t33 + (inertia.I3xz - inertia.c3z * t19);
-  const Scalar t35 = g.d4 * g.d4 * (t28 + (inertia.m2 + (inertia.m3 + t24)));
-  const Scalar t36 = t29 - t35;
-  const Scalar t37 = inertia.c1x * inertia.m1;
-  const Scalar t38 = g.l2 * inertia.m1 + t37;
-  const Scalar t39 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t40 = g.l2 * (t37 + t38) + (inertia.c1x * t37 - (inertia.I1xx - t39));
-  const Scalar t41 = inertia.c2x * inertia.m2;
-  const Scalar t42 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t43 = (inertia.c2x * t41 - (inertia.I2xx - t42)) + Scalar(2) * g.l2 * t41;
-  const Scalar t44 = inertia.c2y * inertia.m2;
-  const Scalar t45 = ((inertia.I3yy - t21) - inertia.c3y * t20) + ((inertia.I2yy - t42) - inertia.c2y * t44);
-  const Scalar t46 = inertia.c1y * inertia.m1;
-  const Scalar t47 = Scalar(1) / g.d4;
-  const Scalar t48 = gravity[2] / g.d4;
-  return { g.d4 * t0,
-           g.d4 * t1,
-           g.d4 * t2,
-           g.d4 * (t3 + t4),
-           t5,
-           inertia.I6yz - inertia.c6z * t0,
+  const Scalar t30 = g.d4 * (t22 + t24) + ((inertia.I4zz - t13) - inertia.c4z * t22);
+  const Scalar t31 = (g.d4 * (t25 + t24) - t30) - g.d4 * (t25 + t27);
+  const Scalar t32 = ((inertia.I3zz - t18) - inertia.c3z * t20) + g.d4 * (t20 + t21);
+  const Scalar t33 = t29 + (t31 - t32);
+  const Scalar t34 = g.d4 * t14;
+  const Scalar t35 = g.d4 * t16;
+  const Scalar t36 = g.l2 / g.d4;
+  const Scalar t37 = inertia.c3y * inertia.m3;
+  const Scalar t38 = Scalar(1) / g.d4;
+  const Scalar t39 = g.d4 * t17;
+  const Scalar t40 = gravity[2] / g.d4;
+  const Scalar t41 = inertia.m3 + t26;
+  const Scalar t42 = g.d4 * g.d4 * (t28 + (inertia.m2 + t41));
+  const Scalar t43 = t39 + (inertia.I3xz - inertia.c3z * t17);
+  const Scalar t44 = g.l2 * t28;
+  const Scalar t45 = g.l2 * t41;
+  const Scalar t46 = inertia.c2x * inertia.m2;
+  const Scalar t47 = g.l2 * inertia.m2 + t46;
+  const Scalar t48 = inertia.c1x * inertia.m1;
+  const Scalar t49 = g.l2 * inertia.m1 + t48;
+  const Scalar t50 = inertia.c2y * inertia.m2;
+  const Scalar t51 = inertia.c1y * inertia.m1;
+  const Scalar t52 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t53 = g.l2 * (t48 + t49) + (inertia.c1x * t48 - (inertia.I1xx - t52));
+  const Scalar t54 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t55 = (inertia.c2x * t46 - (inertia.I2xx - t54)) + g.l2 * (t46 + t47);
+  const Scalar t56 = (t53 + (t55 + g.l2 * t45)) + g.l2 * t44;
+  const Scalar t57 = ((inertia.I3yy - t18) - inertia.c3y * t37) + ((inertia.I2yy - t54) - inertia.c2y * t50);
+  return { t5,
            inertia.I6xz - inertia.c6z * t1,
-           inertia.I5yz - inertia.c5z * t6,
-           t8 - t9,
-           Scalar(2) * t10,
-           t10,
-           inertia.I5xy - inertia.c5y * t2,
-           t8,
-           inertia.c5x * t2 - (inertia.I5xx - t11),
-           t12,
-           Scalar(2) * t12,
-           t13,
-           t14,
-           g.d4 * (t15 + t6),
-           g.d4 * t16,
-           inertia.I5xz - inertia.c5z * t2,
-           inertia.I4xz - inertia.c4z * t16,
-           inertia.I4yz - inertia.c4z * t15,
+           inertia.I6yz - inertia.c6z * t3,
+           g.d4 * t3,
+           g.d4 * t1,
+           Scalar(1) / t5,
+           g.d4 * t6,
+           g.d4 * (t7 + t8),
+           t2 - t4,
+           Scalar(2) * t9,
+           t4,
+           inertia.c5x * t6 - (inertia.I5xx - t10),
+           t11,
            t9,
-           t18,
-           (inertia.I4xx - t17) - inertia.c4x * t16,
+           inertia.I5xy - inertia.c5y * t6,
+           inertia.I5yz - inertia.c5z * t12,
+           t15,
+           inertia.I5xz - inertia.c5z * t6,
+           (inertia.I4xx - t13) - inertia.c4x * t16,
            inertia.I4xy - inertia.c4y * t16,
-           inertia.I3xy - inertia.c3y * t19,
-           g.d4 * t20 + (inertia.I3yz - inertia.c3z * t20),
-           t22,
+           t19,
            t29,
-           t32,
-           t34,
            t33,
-           t36 * t5,
-           t40 + t43,
-           t45 - (inertia.c1y * t46 - (inertia.I1yy - t39)),
-           t14 * t47,
-           t47,
-           t47 * t36 * t47,
-           gravity[1] / g.d4,
-           gravity[0] / g.d4,
-           t48,
-           g.d4,
-           t22 - t32,
-           g.d4 * (t41 + t38),
-           g.d4 * ((t20 + t44) + t46),
-           Scalar(2) * t34,
-           Scalar(2) * t22,
+           t34 - (t34 + (inertia.I4yz - inertia.c4z * t14)),
+           g.d4 * (t14 + t12),
            t35,
+           t35 - ((inertia.I4xz - inertia.c4z * t16) + t35),
+           t36,
+           inertia.I3xy - inertia.c3y * t17,
+           g.d4 * t37 + (inertia.I3yz - inertia.c3z * t37),
+           t38,
+           t39,
+           gravity[0] / g.d4,
+           gravity[1] / g.d4,
+           t40,
+           g.d4,
+           t42 * t40,
+           t33 - t19,
+           t43,
+           t38 * t38 * (t42 - t29),
+           g.d4 * (t44 + ((t45 + t47) + t49)),
+           g.d4 * ((t37 + t50) + t51),
            Scalar(2) * t33,
-           t48 * t35 };
+           Scalar(2) * t43,
+           Scalar(2) * t19,
+           Scalar(2) * t39 * t36,
+           t29 * t36,
+           t56,
+           t57 - (inertia.c1y * t51 - (inertia.I1yy - t52)) };
 }
 
 namespace detail {
@@ -1144,244 +1191,239 @@ inline JointVector<Scalar> forward_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[6] * c6 + k[5] * s6;
-  const Scalar t1 = k[16] * c5 + s5 * t0;
-  const Scalar t2 = k[17] * t1;
-  const Scalar t3 = k[9] * c6 - k[8] * s6;
-  const Scalar t4 = s6 * t3;
-  const Scalar t5 = k[23] - t4;
-  const Scalar t6 = k[24] + t5;
-  const Scalar t7 = k[20] + t0;
-  const Scalar t8 = k[12] + t4;
-  const Scalar t9 = k[13] - t8;
-  const Scalar t10 = k[14] - t9;
-  const Scalar t11 = Scalar(2) * c5 * t7 - s5 * t10;
-  const Scalar t12 = s5 * t11;
-  const Scalar t13 = k[25] + (t12 - t9);
-  const Scalar t14 = t6 + t13;
-  const Scalar t15 = k[6] * s6 - k[5] * c6;
-  const Scalar t16 = k[17] * t15;
-  const Scalar t17 = k[15] - t10;
-  const Scalar t18 = Scalar(1) / (t16 * t15 + t17);
-  const Scalar t19 = k[7] - t15;
-  const Scalar t20 = k[10] - c6 * t3;
-  const Scalar t21 = k[11] - t20;
-  const Scalar t22 = c5 * t19 - s5 * t21;
-  const Scalar t23 = t2 * t15 + t22;
-  const Scalar t24 = t18 * t23;
-  const Scalar t25 = Scalar(1) / ((t2 * t1 - t14) - t24 * t23);
-  const Scalar t26 = k[0] * s6 + k[1] * c6;
-  const Scalar t27 = t26 - (k[16] * s5 - c5 * t0);
-  const Scalar t28 = k[0] * c6 - k[1] * s6;
-  const Scalar t29 = c5 * t28;
-  const Scalar t30 = t29 - t15;
-  const Scalar t31 = s4 * t27 - c4 * t30;
-  const Scalar t32 = k[2] + t26;
-  const Scalar t33 = k[3] * s5 + c5 * t32;
-  const Scalar t34 = k[19] + t33;
-  const Scalar t35 = k[18] + t28;
-  const Scalar t36 = s4 * t34 - c4 * t35;
-  const Scalar t37 = k[21] + (c5 * t11 - t7);
-  const Scalar t38 = k[22] + t22;
-  const Scalar t39 = t36 + (s4 * t37 - c4 * t38);
-  const Scalar t40 = c5 * t21 + s5 * t19;
-  const Scalar t41 = s5 * t32 - k[3] * c5;
-  const Scalar t42 = t41 + t17;
-  const Scalar t43 = (s4 * t40 - c4 * t42) - t31 * t16;
-  const Scalar t44 = (t2 * t31 - t39) + t24 * t43;
-  const Scalar t45 = t25 * t44;
-  const Scalar t46 = c3 * t1 + s3 * (c4 * t27 + s4 * t30);
-  const Scalar t47 = k[4] * (c4 * t26 + s4 * t29) - t46;
-  const Scalar t48 = c4 * t34 + s4 * t35;
-  const Scalar t49 = (s4 * t38 + c4 * t37) + t48;
-  const Scalar t50 = k[4] * t48 - (s3 * t49 + c3 * t14);
-  const Scalar t51 = c3 * t22 - s3 * (c4 * t40 + s4 * t42);
-  const Scalar t52 = (t51 + k[4] * s4 * t41) - t16 * t47;
-  const Scalar t53 = (t2 * t47 - t50) + t24 * t52;
-  const Scalar t54 = k[26] + t40;
-  const Scalar t55 = s4 * (t6 - t13) + Scalar(2) * c4 * t54;
-  const Scalar t56 = c3 * (k[28] - t39) - s3 * (k[27] + (c4 * t55 - t54));
-  const Scalar t57 = k[17] * t31;
-  const Scalar t58 = t52 * t18;
-  const Scalar t59 = t45 * t53 + ((t56 - t57 * t47) + t58 * t43);
-  const Scalar t60 = k[30] - t41;
-  const Scalar t61 = k[31] + ((t41 - t60) + (k[14] + t12));
-  const Scalar t62 = t6 - s4 * t55;
-  const Scalar t63 = k[29] + (t62 - t14);
-  const Scalar t64 = t43 * t18;
-  const Scalar t65 = (t57 * t31 + (t61 + t63)) - t64 * t43;
-  const Scalar t66 = Scalar(1) / (t45 * t44 - t65);
-  const Scalar t67 = c3 * s5 * t28 + s3 * (c4 * t29 - s4 * t26);
-  const Scalar t68 = k[37] * t67;
-  const Scalar t69 = k[38] * (s3 * c4 * t41 - c3 * t33);
-  const Scalar t70 = t69 - t15 * t68;
-  const Scalar t71 = t70 * t18;
-  const Scalar t72 = (t1 * t68 + k[38] * s3 * t36) + t71 * t23;
-  const Scalar t73 = s3 * t60 + c3 * (k[33] + t48);
-  const Scalar t74 = k[38] * t67;
-  const Scalar t75 = t70 * t64 - (k[38] * t73 + t74 * t57);
-  const Scalar t76 = t72 * t45 + t75;
-  const Scalar t77 = t66 * t76;
-  const Scalar t78 = t25 * t53;
-  const Scalar t79 = (t68 * t47 - t58 * t70) - t78 * t72;
-  const Scalar t80 = t59 * t77 + t79;
-  const Scalar t81 = t72 * t25;
-  const Scalar t82 = t81 * t72 + (t70 * t71 + (k[39] - t74 * t68));
-  const Scalar t83 = Scalar(1) / (t76 * t77 - t82);
-  const Scalar t84 = t80 * t83;
-  const Scalar t85 = qd[0] * c3;
-  const Scalar t86 = qd[3] - t85;
-  const Scalar t87 = qd[0] * s3;
-  const Scalar t88 = c4 * t87;
-  const Scalar t89 = qd[2] * s4 + t88;
-  const Scalar t90 = c5 * t86 + s5 * t89;
-  const Scalar t91 = c5 * t89 - s5 * t86;
-  const Scalar t92 = t90 * t91;
-  const Scalar t93 = t89 * t86;
-  const Scalar t94 = qd[2] * t85;
-  const Scalar t95 = Scalar(2) * t94;
-  const Scalar t96 = t85 * t88 + s4 * t95;
-  const Scalar t97 = t93 + t96;
-  const Scalar t98 = t92 - t97;
-  const Scalar t99 = qd[5] + t90;
-  const Scalar t100 = t98 - Scalar(2) * t91 * t99;
-  const Scalar t101 = s4 * t87;
-  const Scalar t102 = t101 - qd[2] * c4;
-  const Scalar t103 = qd[4] - t102;
-  const Scalar t104 = t103 * t99;
-  const Scalar t105 = t102 * t89;
-  const Scalar t106 = qd[2] * t87;
-  const Scalar t107 = t105 + t106;
-  const Scalar t108 = t102 * t86;
-  const Scalar t109 = t101 * t85 - c4 * t95;
-  const Scalar t110 = (t108 + t109) + t108;
-  const Scalar t111 = s5 * t107 + c5 * t110;
-  const Scalar t112 = Scalar(2) * t103 * t90 + t111;
-  const Scalar t113 = (t104 + t104) - t112;
-  const Scalar t114 = c5 * t107 - s5 * t110;
-  const Scalar t115 = t103 * t103;
-  const Scalar t116 = t90 * t90;
-  const Scalar t117 = t115 - t116;
-  const Scalar t118 = t86 * t86;
-  const Scalar t119 = t89 * t89;
-  const Scalar t120 = t118 + t119;
-  const Scalar t121 = t117 + t120;
-  const Scalar t122 = t99 * t99;
-  const Scalar t123 = t115 + t122;
-  const Scalar t124 = (t100 * t8 - t113 * t20) - (t15 * t114 - (t121 - t123) * t0);
-  const Scalar t125 = t87 * t85;
-  const Scalar t126 = k[41] * c1 + k[40] * s1;
-  const Scalar t127 = qd[0] * qd[0];
-  const Scalar t128 = t126 + k[4] * t127;
-  const Scalar t129 = t125 - (c3 * t128 - k[42] * s3);
-  const Scalar t130 = k[41] * s1 - k[40] * c1;
-  const Scalar t131 = t130 - t95;
-  const Scalar t132 = c4 * t129 - s4 * t131;
-  const Scalar t133 = t85 * t85;
-  const Scalar t134 = qd[2] * qd[2];
-  const Scalar t135 = t133 - t134;
-  const Scalar t136 = t127 - t135;
-  const Scalar t137 = s3 * t128 + k[42] * c3;
-  const Scalar t138 = t136 - t137;
-  const Scalar t139 = s5 * t132 + c5 * t138;
-  const Scalar t140 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t141 = wrench[5] * s3 - c3 * t140;
-  const Scalar t142 = wrench[3] * s1 - wrench[4] * c1;
-  const Scalar t143 = (t124 + t26 * t139) - (s4 * t141 + c4 * t142);
-  const Scalar t144 = s5 * t138 - c5 * t132;
-  const Scalar t145 = t115 + t116;
-  const Scalar t146 = t145 - t120;
-  const Scalar t147 = t92 + t97;
-  const Scalar t148 = k[20] * (t117 - t146) - (k[14] * t98 - k[13] * t147);
-  const Scalar t149 = (k[3] * t144 + k[2] * t139) + (t148 + (k[7] * t114 - k[11] * t111));
-  const Scalar t150 = t143 + t149;
-  const Scalar t151 = c4 * t131 + s4 * t129;
-  const Scalar t152 = t103 * t91;
-  const Scalar t153 = (t152 + t152) + t114;
-  const Scalar t154 = t20 * t146 + (t153 * t8 + t5 * t114);
-  const Scalar t155 = (t144 * t28 + t151 * t26) + ((t0 * t112 - t98 * t15) + t154);
-  const Scalar t156 = s3 * t140 + wrench[5] * c3;
-  const Scalar t157 = c4 * t141 - s4 * t142;
-  const Scalar t158 = t155 - (c5 * t156 - s5 * t157);
-  const Scalar t159 = torque[5] + t158;
-  const Scalar t160 = k[17] * t159;
-  const Scalar t161 = (torque[4] + t150) + t160 * t15;
-  const Scalar t162 = t161 * t18;
-  const Scalar t163 = t105 - t106;
-  const Scalar t164 = t118 - t119;
-  const Scalar t165 = t136 + t164;
-  const Scalar t166 = (k[25] * t163 - k[24] * t107) + k[26] * (t165 - t120);
-  const Scalar t167 = (t166 + (k[22] * t96 - k[21] * t109)) - (k[19] * t151 - k[18] * t132);
-  const Scalar t168 = t15 * (t115 - t122) - (t113 * t5 - t100 * t20);
-  const Scalar t169 = (c5 * t157 + s5 * t156) + (t139 * t28 - (t168 + t153 * t0));
-  const Scalar t170 = (k[14] * t112 - k[20] * t153) + k[7] * t117;
-  const Scalar t171 = t169 - (k[3] * t151 - (t170 - k[11] * t147));
-  const Scalar t172 = (k[7] * t98 - k[11] * t146) - (k[13] * t153 - k[20] * t112);
-  const Scalar t173 = (k[2] * t151 + t172) + t158;
-  const Scalar t174 = t167 + (s5 * t171 - c5 * t173);
-  const Scalar t175 = t162 * t23 + ((torque[3] - t174) - t2 * t159);
-  const Scalar t176 = t175 * t25;
-  const Scalar t177 = wrench[0] * c1 + wrench[1] * s1;
-  const Scalar t178 = c3 * t177 - wrench[2] * s3;
-  const Scalar t179 = wrench[0] * s1 - wrench[1] * c1;
-  const Scalar t180 = c4 * t178 + s4 * t179;
-  const Scalar t181 = wrench[2] * c3 + s3 * t177;
-  const Scalar t182 = k[43] * (s5 * t180 + c5 * t181) + (t26 * t100 + t113 * t28);
-  const Scalar t183 = (k[3] * t121 - k[2] * t147) + t182;
-  const Scalar t184 = k[43] * (c5 * t180 - s5 * t181) + (t26 * t123 - t114 * t28);
-  const Scalar t185 = t184 + (k[2] * t145 - k[3] * t98);
-  const Scalar t186 = t93 + t97;
-  const Scalar t187 = (k[18] * t110 + k[19] * t186) - k[30] * t138;
-  const Scalar t188 = ((c5 * t183 - s5 * t185) - t187) + k[33] * t125;
-  const Scalar t189 = k[43] * (s4 * t178 - c4 * t179) + (t26 * t153 + t28 * (t123 - t146));
-  const Scalar t190 = k[30] * t151 + (k[18] * t120 - k[19] * t163);
-  const Scalar t191 = ((k[3] * t112 + k[2] * t153) + t189) + t190;
-  const Scalar t192 = (k[19] * t165 - k[18] * t107) + k[30] * t132;
-  const Scalar t193 = t192 + (c5 * t185 + s5 * t183);
-  const Scalar t194 = s4 * t191 + c4 * t193;
-  const Scalar t195 = t133 + t134;
-  const Scalar t196 = c3 * t188 - s3 * (t194 + k[33] * t195);
-  const Scalar t197 = (torque[1] + k[38] * (k[51] + t196)) - t159 * t68;
-  const Scalar t198 = t127 - t195;
-  const Scalar t199 = (k[32] * (t198 - t135) - k[44] * t125) - k[33] * t137;
-  const Scalar t200 = (k[26] * t110 + k[25] * t186) - (k[22] * t107 - k[21] * t164);
-  const Scalar t201 = t150 + (k[19] * t138 - t200);
-  const Scalar t202 = (k[26] * t186 + k[24] * t110) - k[22] * (t136 - t120);
-  const Scalar t203 = (k[18] * t138 - (t202 - k[21] * t163)) + (s5 * t173 + c5 * t171);
-  const Scalar t204 = t199 - (t194 - (c4 * t201 + s4 * t203));
-  const Scalar t205 = (t57 * t159 + (torque[2] + t204)) + t161 * t64;
-  const Scalar t206 = t175 * t45 + t205;
-  const Scalar t207 = (t176 * t72 + (t162 * t70 - t197)) - t206 * t77;
-  const Scalar t208 = t59 * t66;
-  const Scalar t209 = s4 * t193 - c4 * t191;
-  const Scalar t210 = k[4] * ((k[50] * t106 - t209) - k[49] * t130);
-  const Scalar t211 = (k[28] * t125 - k[27] * t198) + (k[48] * t106 + k[47] * t94);
-  const Scalar t212 = (k[31] * t95 + k[47] * t106) + k[28] * t135;
-  const Scalar t213 = (k[27] * t125 - t212) + (t209 + (c4 * t203 - s4 * t201));
-  const Scalar t214 = c3 * (t174 + (t211 - k[33] * t130)) + s3 * t213;
-  const Scalar t215 = (k[46] * t126 + k[45] * t130) - (t210 + t214);
-  const Scalar t216 = t162 * t52 + (t160 * t47 - (torque[0] - t215));
-  const Scalar t217 = t84 * t207 + (t208 * t206 - (t216 + t176 * t53));
-  const Scalar t218 = k[17] * t47;
-  const Scalar t219 = c3 * (k[32] + t49);
-  const Scalar t220 = s3 * ((t219 + t219) - s3 * (t61 - t63));
-  const Scalar t221 = k[4] * (t73 - (k[34] - t73)) - (t220 - t63);
-  const Scalar t222 = t218 * t47 + ((k[35] + t221) - (k[36] + t62));
-  const Scalar t223 = ((t222 - t58 * t52) - t78 * t53) + t59 * t208;
-  const Scalar t224 = t217 * Scalar(1) / (t80 * t84 - t223);
-  const Scalar t225 = t83 * t207 - t224 * t84;
-  const Scalar t226 = t77 * t225 + (t66 * t206 + t208 * t224);
-  const Scalar t227 = (t81 * t225 + (t176 + t78 * t224)) - t45 * t226;
-  const Scalar t228 = t226 * t64 - (t71 * t225 + (t162 + t58 * t224));
-  const Scalar t229 = t228 - t24 * t227;
-  const Scalar t230 = t57 * t226 + ((t160 - t224 * t218) - t68 * t225);
+  const Scalar t0 = k[3] * c6 - k[4] * s6;
+  const Scalar t1 = c5 * t0;
+  const Scalar t2 = k[4] * c6 + k[3] * s6;
+  const Scalar t3 = k[1] * c6 + k[2] * s6;
+  const Scalar t4 = (c5 * t3 - k[0] * s5) + t2;
+  const Scalar t5 = k[2] * c6 - k[1] * s6;
+  const Scalar t6 = t1 + t5;
+  const Scalar t7 = k[0] * c5 + s5 * t3;
+  const Scalar t8 = s3 * (c4 * t4 + s4 * t6) + c3 * t7;
+  const Scalar t9 = k[27] * (s4 * t1 + c4 * t2) - t8;
+  const Scalar t10 = k[5] * t9;
+  const Scalar t11 = k[6] + t2;
+  const Scalar t12 = k[7] * s5 + c5 * t11;
+  const Scalar t13 = k[25] + t12;
+  const Scalar t14 = k[24] + t0;
+  const Scalar t15 = c4 * t13 + s4 * t14;
+  const Scalar t16 = k[17] + t3;
+  const Scalar t17 = k[9] * c6 - k[8] * s6;
+  const Scalar t18 = k[10] - s6 * t17;
+  const Scalar t19 = k[0] - t18;
+  const Scalar t20 = k[11] - t19;
+  const Scalar t21 = c5 * Scalar(2) * t16 - s5 * (k[12] - t20);
+  const Scalar t22 = s5 * t21 - t20;
+  const Scalar t23 = k[18] + t22;
+  const Scalar t24 = k[16] + t18;
+  const Scalar t25 = t23 + t24;
+  const Scalar t26 = k[15] + t5;
+  const Scalar t27 = k[13] - c6 * t17;
+  const Scalar t28 = k[14] - t27;
+  const Scalar t29 = c5 * t26 - s5 * t28;
+  const Scalar t30 = t14 - (k[23] - t29);
+  const Scalar t31 = (k[26] + (t16 - c5 * t21)) - t13;
+  const Scalar t32 = s4 * t30 - c4 * t31;
+  const Scalar t33 = k[27] * t15 - (c3 * t25 + s3 * t32);
+  const Scalar t34 = s5 * t11 - k[7] * c5;
+  const Scalar t35 = k[12] + t20;
+  const Scalar t36 = t35 + t34;
+  const Scalar t37 = c5 * t28 + s5 * t26;
+  const Scalar t38 = s3 * (s4 * t36 + c4 * t37) - c3 * t29;
+  const Scalar t39 = k[5] * t5;
+  const Scalar t40 = (k[27] * s4 * t34 - t38) + t39 * t9;
+  const Scalar t41 = Scalar(1) / (t35 + t39 * t5);
+  const Scalar t42 = k[5] * t7;
+  const Scalar t43 = t29 - t5 * t42;
+  const Scalar t44 = t41 * t43;
+  const Scalar t45 = (t10 * t7 - t33) + t40 * t44;
+  const Scalar t46 = Scalar(1) / ((t7 * t42 - t25) - t44 * t43);
+  const Scalar t47 = qd[0] * s3;
+  const Scalar t48 = qd[0] * c3;
+  const Scalar t49 = t47 * t48;
+  const Scalar t50 = qd[2] * t48;
+  const Scalar t51 = Scalar(2) * t50;
+  const Scalar t52 = s4 * t49 - c4 * t51;
+  const Scalar t53 = k[33] * s1 + k[32] * c1;
+  const Scalar t54 = qd[0] * qd[0];
+  const Scalar t55 = t53 + k[27] * t54;
+  const Scalar t56 = k[34] * s3 - c3 * t55;
+  const Scalar t57 = k[33] * c1 - k[32] * s1;
+  const Scalar t58 = t52 + (s4 * t56 - c4 * t57);
+  const Scalar t59 = s4 * t47 - qd[2] * c4;
+  const Scalar t60 = qd[2] * s4 + c4 * t47;
+  const Scalar t61 = t59 * t60;
+  const Scalar t62 = qd[2] * t47;
+  const Scalar t63 = t61 + t62;
+  const Scalar t64 = qd[3] - t48;
+  const Scalar t65 = t52 + (t59 + t59) * t64;
+  const Scalar t66 = s5 * t63 + c5 * t65;
+  const Scalar t67 = c5 * t64 + s5 * t60;
+  const Scalar t68 = qd[4] - t59;
+  const Scalar t69 = Scalar(2) * t68;
+  const Scalar t70 = t66 + t67 * t69;
+  const Scalar t71 = c5 * t60 - s5 * t64;
+  const Scalar t72 = t68 * t71;
+  const Scalar t73 = c5 * t63 - s5 * t65;
+  const Scalar t74 = t72 + (t73 + t72);
+  const Scalar t75 = t68 * t68;
+  const Scalar t76 = t71 * t71;
+  const Scalar t77 = t75 - t76;
+  const Scalar t78 = t67 * t71;
+  const Scalar t79 = t60 * t64;
+  const Scalar t80 = c4 * t49 + s4 * t51;
+  const Scalar t81 = t79 + t80;
+  const Scalar t82 = t78 - t81;
+  const Scalar t83 = (k[17] * t70 - k[11] * t74) - (k[14] * t77 - k[15] * t82);
+  const Scalar t84 = (t73 * t18 + t19 * t74) + t77 * t27;
+  const Scalar t85 = s3 * t55 + k[34] * c3;
+  const Scalar t86 = t48 * t48;
+  const Scalar t87 = qd[2] * qd[2];
+  const Scalar t88 = t86 - t87;
+  const Scalar t89 = t54 - t88;
+  const Scalar t90 = t85 - t89;
+  const Scalar t91 = t80 + (s4 * t57 + c4 * t56);
+  const Scalar t92 = s5 * t90 + c5 * t91;
+  const Scalar t93 = ((t82 * t5 + t70 * t3) + t84) - (t92 * t0 - t58 * t2);
+  const Scalar t94 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t95 = s3 * t94 + wrench[5] * c3;
+  const Scalar t96 = wrench[5] * s3 - c3 * t94;
+  const Scalar t97 = wrench[3] * s1 - wrench[4] * c1;
+  const Scalar t98 = c4 * t96 - s4 * t97;
+  const Scalar t99 = t93 - (c5 * t95 - s5 * t98);
+  const Scalar t100 = (k[6] * t58 + t83) + t99;
+  const Scalar t101 = t78 + t81;
+  const Scalar t102 = t59 * t59;
+  const Scalar t103 = t64 * t64;
+  const Scalar t104 = t102 - t103;
+  const Scalar t105 = t89 - t104;
+  const Scalar t106 = t75 + t76;
+  const Scalar t107 = t105 - t106;
+  const Scalar t108 = k[15] * t107 - (k[12] * t70 - k[17] * t74);
+  const Scalar t109 = c5 * t90 - s5 * t91;
+  const Scalar t110 = qd[5] + t67;
+  const Scalar t111 = t70 - t69 * t110;
+  const Scalar t112 = t82 - Scalar(2) * t71 * t110;
+  const Scalar t113 = t75 + t110 * t110;
+  const Scalar t114 = t77 - t113;
+  const Scalar t115 = t114 + t106;
+  const Scalar t116 = (t18 * t111 + t27 * t112) - t115 * t5;
+  const Scalar t117 = (c5 * t98 + s5 * t95) - (t109 * t0 + (t3 * t74 + t116));
+  const Scalar t118 = (k[7] * t58 + (k[14] * t101 + t108)) - t117;
+  const Scalar t119 = t102 + t103;
+  const Scalar t120 = t61 - t62;
+  const Scalar t121 = k[19] * (t105 - t119) - (k[18] * t120 - k[16] * t63);
+  const Scalar t122 = (k[25] * t58 - k[24] * t91) + ((k[23] * t80 - k[26] * t52) + t121);
+  const Scalar t123 = (c5 * t100 + s5 * t118) + t122;
+  const Scalar t124 = torque[5] + t99;
+  const Scalar t125 = k[5] * t124;
+  const Scalar t126 = (k[11] * t101 - k[12] * t82) - k[17] * (t77 + t107);
+  const Scalar t127 = (t126 + (k[15] * t73 - k[14] * t66)) - (k[6] * t109 + k[7] * t92);
+  const Scalar t128 = ((t77 - t115) * t3 - t73 * t5) - (t19 * t112 + t111 * t27);
+  const Scalar t129 = (s4 * t96 + c4 * t97) + (t109 * t2 + t128);
+  const Scalar t130 = t127 - t129;
+  const Scalar t131 = t5 * t125 - (torque[4] + t130);
+  const Scalar t132 = t41 * t131;
+  const Scalar t133 = ((torque[3] + t123) - t124 * t42) - t132 * t43;
+  const Scalar t134 = t46 * t133;
+  const Scalar t135 = t41 * t40;
+  const Scalar t136 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t137 = c3 * t136 - wrench[2] * s3;
+  const Scalar t138 = wrench[0] * s1 - wrench[1] * c1;
+  const Scalar t139 = c4 * t137 + s4 * t138;
+  const Scalar t140 = wrench[2] * c3 + s3 * t136;
+  const Scalar t141 = k[35] * (c5 * t139 - s5 * t140) - (t73 * t0 - t2 * t113);
+  const Scalar t142 = t141 - (k[7] * t82 - k[6] * (t105 + t77));
+  const Scalar t143 = k[35] * (s5 * t139 + c5 * t140) + (t112 * t2 - t111 * t0);
+  const Scalar t144 = t143 - (k[6] * t101 - k[7] * t106);
+  const Scalar t145 = k[21] * t91 + (k[25] * t119 - k[24] * t63);
+  const Scalar t146 = (c5 * t142 + s5 * t144) + t145;
+  const Scalar t147 = (k[25] * t120 - k[24] * t105) - k[21] * t58;
+  const Scalar t148 = k[35] * (s4 * t137 - c4 * t138) - (t114 * t0 - t2 * t74);
+  const Scalar t149 = t147 - ((k[6] * t74 + k[7] * t70) + t148);
+  const Scalar t150 = k[27] * (s4 * t146 + c4 * t149) - k[45] * t62;
+  const Scalar t151 = t86 + t87;
+  const Scalar t152 = t151 - t89;
+  const Scalar t153 = (k[43] * t50 + k[44] * t62) + (k[28] * (t152 - t88) + k[29] * t49);
+  const Scalar t154 = k[29] * t88 + (k[43] * t62 + k[42] * t50);
+  const Scalar t155 = t79 + t81;
+  const Scalar t156 = k[23] * t104 + (k[16] * t65 + k[19] * t155);
+  const Scalar t157 = ((t156 + k[26] * t120) + k[24] * t90) + (c5 * t118 - s5 * t100);
+  const Scalar t158 = t149 - t157;
+  const Scalar t159 = (k[19] * t65 + k[18] * t155) + (k[23] * t63 + k[26] * (t89 - t119));
+  const Scalar t160 = t146 + ((k[25] * t90 + t159) - t130);
+  const Scalar t161 = (k[28] * t49 - t154) + (c4 * t158 + s4 * t160);
+  const Scalar t162 = c3 * (t123 - (t153 + k[31] * t57)) - s3 * t161;
+  const Scalar t163 = (t150 + t162) + (k[41] * t53 - k[40] * t57);
+  const Scalar t164 = t135 * t131 - (t9 * t125 - (torque[0] - t163));
+  const Scalar t165 = c4 * t6 - s4 * t4;
+  const Scalar t166 = k[5] * t165;
+  const Scalar t167 = k[21] - t34;
+  const Scalar t168 = k[22] - ((t167 - t34) - (t35 + t22));
+  const Scalar t169 = k[19] + t37;
+  const Scalar t170 = c4 * t169;
+  const Scalar t171 = s4 * (t23 - t24) - (t170 + t170);
+  const Scalar t172 = s4 * t171 + t24;
+  const Scalar t173 = k[20] + (t172 - t25);
+  const Scalar t174 = t166 * t5 + (c4 * t36 - s4 * t37);
+  const Scalar t175 = t174 * t41;
+  const Scalar t176 = (t166 * t165 + (t168 + t173)) - t174 * t175;
+  const Scalar t177 = s4 * t31 + c4 * t30;
+  const Scalar t178 = (t42 * t165 - t177) + t175 * t43;
+  const Scalar t179 = t46 * t178;
+  const Scalar t180 = Scalar(1) / (t176 - t178 * t179);
+  const Scalar t181 = c3 * (k[29] + t177) - s3 * (k[28] - (c4 * t171 + t169));
+  const Scalar t182 = (t174 * t135 - (t166 * t9 + t181)) + t45 * t179;
+  const Scalar t183 = t180 * t182;
+  const Scalar t184 = k[31] * t85 + (k[38] * t152 - k[37] * t49);
+  const Scalar t185 = torque[2] - (t184 - (s4 * t158 - c4 * t160));
+  const Scalar t186 = t133 * t179 - (t175 * t131 + (t185 - t124 * t166));
+  const Scalar t187 = k[30] * (c3 * t12 - s3 * c4 * t34);
+  const Scalar t188 = c3 * s5 * t0 + s3 * (c4 * t1 - s4 * t2);
+  const Scalar t189 = k[30] * t188;
+  const Scalar t190 = t187 - t189 * t39;
+  const Scalar t191 = k[30] * s3 * (s4 * t13 - c4 * t14);
+  const Scalar t192 = t44 * t190 - (t189 * t42 + t191);
+  const Scalar t193 = t41 * t190;
+  const Scalar t194 = c3 * (k[31] + t15) + s3 * t167;
+  const Scalar t195 = t174 * t193 + (t189 * t166 - k[30] * t194);
+  const Scalar t196 = t192 * t179 + t195;
+  const Scalar t197 = k[5] * t189;
+  const Scalar t198 = t46 * t45;
+  const Scalar t199 = (t9 * t197 + t135 * t190) + t192 * t198;
+  const Scalar t200 = t183 * t196 + t199;
+  const Scalar t201 = t192 * t46;
+  const Scalar t202 = t192 * t201 + (t193 * t190 - (k[39] + t189 * t197));
+  const Scalar t203 = t196 * t180;
+  const Scalar t204 = Scalar(1) / (t202 + t203 * t196);
+  const Scalar t205 = k[31] * t151 - (s4 * t149 - c4 * t146);
+  const Scalar t206 = k[21] * t90 + (k[24] * t65 + k[25] * t155);
+  const Scalar t207 = k[31] * t49 - (t206 - (c5 * t144 - s5 * t142));
+  const Scalar t208 = k[30] * (k[36] - (s3 * t205 - c3 * t207));
+  const Scalar t209 = t132 * t190 + (t124 * t197 - (torque[1] + t208));
+  const Scalar t210 = t186 * t180;
+  const Scalar t211 = t204 * ((t209 - t133 * t201) - t210 * t196);
+  const Scalar t212 = ((t45 * t134 - t164) + t183 * t186) + t200 * t211;
+  const Scalar t213 = c3 * (k[38] + t32);
+  const Scalar t214 = s3 * ((t213 + t213) - s3 * (t168 - t173));
+  const Scalar t215 = (t214 - t173) - k[27] * (t194 - (k[46] - t194));
+  const Scalar t216 = t10 * t9 + ((k[47] - t215) - (k[48] + t172));
+  const Scalar t217 = t183 * t182 + (t45 * t198 - (t216 - t135 * t40));
+  const Scalar t218 = t204 * t200;
+  const Scalar t219 = t212 * Scalar(1) / (t217 - t218 * t200);
+  const Scalar t220 = t211 + t218 * t219;
+  const Scalar t221 = t203 * t220 + (t210 - t183 * t219);
+  const Scalar t222 = (t201 * t220 + (t134 - t219 * t198)) + t221 * t179;
+  const Scalar t223 = ((t135 * t219 + t132) - t193 * t220) - t175 * t221;
+  const Scalar t224 = t222 * t44 - t223;
+  const Scalar t225 = (t197 * t220 + (t125 + t10 * t219)) - t166 * t221;
   JointVector<Scalar> result;
-  result[0] = -t224;
-  result[1] = -t225;
-  result[2] = -t226;
-  result[3] = t227;
-  result[4] = -t229;
-  result[5] = -(t230 + t2 * t227) - t16 * t229;
+  result[0] = t219;
+  result[1] = t220;
+  result[2] = -t221;
+  result[3] = t222;
+  result[4] = t224;
+  result[5] = -(t222 * t42 + t225) - t39 * t224;
   return result;
 }
 
@@ -1411,31 +1453,32 @@ PotentialEnergyWithGravityVectorConstants<Scalar> potential_energy_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = inertia.m2 + (inertia.m3 + t0);
-  return { t1,
-           inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
+  const Scalar t0 = g.d4 * inertia.m4;
+  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t2 = inertia.m3 + t1;
+  return { inertia.c6x * inertia.m6,
            inertia.c6y * inertia.m6,
-           inertia.c6x * inertia.m6,
-           inertia.c5x * inertia.m5,
-           inertia.c4x * inertia.m4,
            inertia.c5y * inertia.m5,
            inertia.c4y * inertia.m4,
+           inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
+           inertia.c5x * inertia.m5,
+           inertia.c4x * inertia.m4,
            inertia.c3x * inertia.m3,
-           inertia.c4z * inertia.m4,
-           g.d4 * t0,
+           (inertia.c4z * inertia.m4 - t0) + t0,
+           g.d4 * t1,
            inertia.c3z * inertia.m3 - g.d4 * inertia.m3,
-           inertia.c2z * inertia.m2,
-           inertia.c1z * inertia.m1,
-           gravity[2],
+           g.l2 * t2,
+           g.l2 * inertia.m2 + inertia.c2x * inertia.m2,
+           g.l2 * inertia.m1 + inertia.c1x * inertia.m1,
            inertia.c3y * inertia.m3,
            inertia.c2y * inertia.m2,
            inertia.c1y * inertia.m1,
-           inertia.c2x * inertia.m2,
-           g.l2 * t1,
-           g.l2 * inertia.m1 + inertia.c1x * inertia.m1,
+           gravity[1],
            gravity[0],
-           gravity[1] };
+           inertia.m2 + t2,
+           inertia.c2z * inertia.m2,
+           inertia.c1z * inertia.m1,
+           gravity[2] };
 }
 
 namespace detail {
@@ -1453,20 +1496,20 @@ inline Scalar potential_energy_with_gravity_vector(const JointVector<Scalar>& q,
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[4] + (k[2] * s6 + k[3] * c6);
-  const Scalar t1 = k[10] - (k[9] + (k[1] * c5 - s5 * t0));
-  const Scalar t2 = k[11] - t1;
-  const Scalar t3 = k[5] + (c5 * t0 + k[1] * s5);
-  const Scalar t4 = k[7] + (k[6] + (k[2] * c6 - k[3] * s6));
-  const Scalar t5 = k[8] + (c4 * t3 + s4 * t4);
-  const Scalar t6 = (k[12] + (c3 * t2 - s3 * t5)) + k[0] * q[1];
-  const Scalar t7 = k[19] + (k[18] + (s3 * t2 + c3 * t5));
-  const Scalar t8 = k[20] + t7;
-  const Scalar t9 = k[16] + (k[15] - (s4 * t3 - c4 * t4));
-  const Scalar t10 = k[17] + t9;
-  const Scalar t11 = k[22] * (s1 * t8 + c1 * t10) + k[21] * (c1 * t8 - s1 * t10);
+  const Scalar t0 = k[3] + (k[2] - (k[0] * s6 - k[1] * c6));
+  const Scalar t1 = k[5] + (k[0] * c6 + k[1] * s6);
+  const Scalar t2 = k[6] + (c5 * t1 + k[4] * s5);
+  const Scalar t3 = k[7] + (s4 * t0 + c4 * t2);
+  const Scalar t4 = k[9] - (k[8] + (k[4] * c5 - s5 * t1));
+  const Scalar t5 = k[10] - t4;
+  const Scalar t6 = k[19] * q[1] + (k[20] - (s3 * t3 - c3 * t5));
+  const Scalar t7 = k[15] + (k[14] - (s4 * t2 - c4 * t0));
+  const Scalar t8 = k[16] + t7;
+  const Scalar t9 = k[12] + (k[11] + (c3 * t3 + s3 * t5));
+  const Scalar t10 = k[13] + t9;
+  const Scalar t11 = k[17] * (c1 * t8 + s1 * t10) + k[18] * (c1 * t10 - s1 * t8);
   Scalar result;
-  result = -k[14] * (k[13] + t6) - t11;
+  result = -k[22] * (k[21] + t6) - t11;
   return result;
 }
 

@@ -97,14 +97,14 @@ DynamicsAngles<Scalar> dynamics_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion: Newton-Euler recursion in base parameters (thesis 5.1-5.15).
 ///
-/// 150 multiplications, 139 additions, 3 sine/cosine pairs. Set-up: 51 multiplications, 70 additions.
+/// 147 multiplications, 139 additions, 3 sine/cosine pairs. Set-up: 54 multiplications, 77 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
-using InverseDynamicsConstants = std::array<Scalar, 31>;
+using InverseDynamicsConstants = std::array<Scalar, 30>;
 template <class Scalar>
 InverseDynamicsConstants<Scalar> inverse_dynamics_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
@@ -131,14 +131,14 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const DynamicsA
 
 /// Joint forces that come from the joint rates alone, C(q, qd) qd, without friction.
 ///
-/// 138 multiplications, 113 additions, 3 sine/cosine pairs. Set-up: 36 multiplications, 41 additions.
+/// 136 multiplications, 115 additions, 3 sine/cosine pairs. Set-up: 38 multiplications, 43 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using CoriolisTorqueConstants = std::array<Scalar, 30>;
+using CoriolisTorqueConstants = std::array<Scalar, 31>;
 template <class Scalar>
 CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
@@ -149,13 +149,13 @@ JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVec
 
 /// Symmetric, positive definite M(q), by composite bodies in base parameters; rotors included.
 ///
-/// 58 multiplications, 61 additions, 3 sine/cosine pairs. Set-up: 52 multiplications, 71 additions.
+/// 57 multiplications, 59 additions, 3 sine/cosine pairs. Set-up: 55 multiplications, 78 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using MassMatrixConstants = std::array<Scalar, 33>;
+using MassMatrixConstants = std::array<Scalar, 31>;
 template <class Scalar>
 MassMatrixConstants<Scalar> mass_matrix_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
@@ -165,7 +165,7 @@ Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const 
 
 /// C(q, qd) of Christoffel's symbols: C qd is coriolis_torque, dM/dt - 2 C is skew-symmetric.
 ///
-/// 194 multiplications, 147 additions, 3 sine/cosine pairs. Set-up: 31 multiplications, 41 additions.
+/// 193 multiplications, 147 additions, 3 sine/cosine pairs. Set-up: 31 multiplications, 41 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
@@ -183,7 +183,7 @@ Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, co
 
 /// Joint accelerations for given joint forces: M qdd = torque - C qd - gravity, by M = U D U^T.
 ///
-/// 269 multiplications, 241 additions, 5 divisions, 3 sine/cosine pairs. Set-up: 61 multiplications, 72 additions, 1
+/// 269 multiplications, 237 additions, 5 divisions, 3 sine/cosine pairs. Set-up: 62 multiplications, 79 additions, 1
 /// division.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
@@ -191,7 +191,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
-using ForwardDynamicsConstants = std::array<Scalar, 44>;
+using ForwardDynamicsConstants = std::array<Scalar, 41>;
 template <class Scalar>
 ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
@@ -202,13 +202,13 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// qd^T M qd / 2, J.
 ///
-/// 88 multiplications, 78 additions, 3 sine/cosine pairs. Set-up: 52 multiplications, 71 additions.
+/// 89 multiplications, 74 additions, 3 sine/cosine pairs. Set-up: 55 multiplications, 78 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using KineticEnergyConstants = std::array<Scalar, 33>;
+using KineticEnergyConstants = std::array<Scalar, 32>;
 template <class Scalar>
 KineticEnergyConstants<Scalar> kinetic_energy_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});

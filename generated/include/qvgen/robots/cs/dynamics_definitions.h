@@ -27,66 +27,69 @@ InverseDynamicsConstants<Scalar> inverse_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t0 = inertia.c2x * inertia.m2;
   const Scalar t1 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t2 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t3 = inertia.c3y * inertia.m3;
-  const Scalar t4 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t5 = inertia.c4y * inertia.m4;
-  const Scalar t6 = ((inertia.I3yy - t2) - inertia.c3y * t3) + ((inertia.I4yy - t4) - inertia.c4y * t5);
-  const Scalar t7 = ((inertia.I2yy - t1) - inertia.c2y * inertia.c2y * inertia.m2) + t6;
-  const Scalar t8 = (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t0)) - t7;
-  const Scalar t9 = inertia.c3x * inertia.m3;
-  const Scalar t10 = inertia.c2x * inertia.m2;
-  const Scalar t11 = (inertia.c3x * t9 - (inertia.I3xx - t2)) + (inertia.c2x * t10 - (inertia.I2xx - t1));
-  const Scalar t12 = inertia.c1x * inertia.m1;
-  const Scalar t13 = g.l1 * (t12 + (g.l1 * inertia.m1 + t12)) + (inertia.c1x * t12 - (inertia.I1xx - t0));
-  const Scalar t14 = t8 + ((t11 + Scalar(2) * g.l1 * t10) + t13);
-  const Scalar t15 = inertia.c6y * inertia.m6;
-  const Scalar t16 = inertia.c5y * inertia.m5;
-  const Scalar t17 = inertia.c5z * inertia.m5;
-  const Scalar t18 = inertia.c6z * inertia.m6;
-  const Scalar t19 = inertia.c6x * inertia.m6;
+  const Scalar t2 = (inertia.c2x * t0 - (inertia.I2xx - t1)) + g.l1 * (t0 + (g.l1 * inertia.m2 + t0));
+  const Scalar t3 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t4 = g.l1 * t3;
+  const Scalar t5 = inertia.c3x * inertia.m3;
+  const Scalar t6 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t7 = g.l1 * inertia.m3 + t5;
+  const Scalar t8 = (inertia.c3x * t5 - (inertia.I3xx - t6)) + g.l1 * (t5 + t7);
+  const Scalar t9 = inertia.c1x * inertia.m1;
+  const Scalar t10 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t11 = g.l1 * (t9 + (g.l1 * inertia.m1 + t9)) + (inertia.c1x * t9 - (inertia.I1xx - t10));
+  const Scalar t12 = inertia.c3y * inertia.m3;
+  const Scalar t13 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t14 = inertia.c4y * inertia.m4;
+  const Scalar t15 = ((inertia.I3yy - t6) - inertia.c3y * t12) + ((inertia.I4yy - t13) - inertia.c4y * t14);
+  const Scalar t16 = ((inertia.I2yy - t1) - inertia.c2y * inertia.c2y * inertia.m2) + t15;
+  const Scalar t17 = (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t10)) - t16;
+  const Scalar t18 = ((t2 + (g.l1 * t4 + t8)) + t11) + t17;
+  const Scalar t19 = inertia.c4z * inertia.m4;
   const Scalar t20 = inertia.c4x * inertia.m4;
   const Scalar t21 = inertia.c5x * inertia.m5;
-  const Scalar t22 = inertia.c4z * inertia.m4;
-  const Scalar t23 = inertia.I6xz - inertia.c6z * t19;
-  const Scalar t24 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t25 = (inertia.I6xx - t24) - inertia.c6x * t19;
-  const Scalar t26 = inertia.c6z * t18 - (inertia.I6zz - t24);
-  const Scalar t27 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t28 = ((inertia.I6yy - t24) - inertia.c6y * t15) - (inertia.c5y * t16 - (inertia.I5yy - t27));
-  const Scalar t29 = (inertia.c5x * t21 - (inertia.I5xx - t27)) - ((inertia.I4xx - t4) - inertia.c4x * t20);
-  return { t14,
-           g.l1 * inertia.m2,
-           t15 + t16,
-           t17,
-           t18,
+  const Scalar t22 = inertia.c5z * inertia.m5;
+  const Scalar t23 = inertia.c6y * inertia.m6;
+  const Scalar t24 = inertia.c5y * inertia.m5;
+  const Scalar t25 = inertia.c6z * inertia.m6;
+  const Scalar t26 = inertia.c6x * inertia.m6;
+  const Scalar t27 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t28 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t29 = ((inertia.I6yy - t27) - inertia.c6y * t23) - (inertia.c5y * t24 - (inertia.I5yy - t28));
+  const Scalar t30 = inertia.I6xz - inertia.c6z * t26;
+  const Scalar t31 = (inertia.I6xx - t27) - inertia.c6x * t26;
+  const Scalar t32 = inertia.c6z * t25 - (inertia.I6zz - t27);
+  const Scalar t33 = (inertia.c5x * t21 - (inertia.I5xx - t28)) - ((inertia.I4xx - t13) - inertia.c4x * t20);
+  return { t18,
+           t4 + t7,
+           t14 + t12,
+           inertia.m3 + t3,
            t19,
            t20 + t21,
            t22,
-           g.l1,
-           inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)),
-           t5 + t3,
-           t9,
-           (inertia.I4zz - t4) - inertia.c4z * t22,
-           inertia.I4xz - inertia.c4z * t20,
-           inertia.I4yz - inertia.c4z * t5,
-           inertia.I4xy - inertia.c4y * t20,
-           gravity,
-           Scalar(2) * t23,
-           t25 + t26,
-           t23,
+           t23 + t24,
            t25,
-           inertia.I6yz - inertia.c6z * t15,
-           inertia.I6xy - inertia.c6y * t19,
-           inertia.I5yz - inertia.c5z * t16,
-           inertia.c5z * t17 - (inertia.I5zz - t27),
-           t28,
+           t26,
+           g.l1,
+           inertia.I4yz - inertia.c4z * t14,
+           inertia.I4xy - inertia.c4y * t20,
+           inertia.I4xz - inertia.c4z * t20,
+           (inertia.I4zz - t13) - inertia.c4z * t19,
+           gravity,
            inertia.I5xz - inertia.c5z * t21,
            inertia.I5xy - inertia.c5y * t21,
-           t26,
+           inertia.I5yz - inertia.c5z * t24,
            t29,
+           inertia.c5z * t22 - (inertia.I5zz - t28),
+           inertia.I6xy - inertia.c6y * t26,
+           inertia.I6yz - inertia.c6z * t23,
+           Scalar(2) * t30,
+           t31 + t32,
+           t30,
+           t31,
+           t33,
+           t32,
            inertia.m2 };
 }
 
@@ -102,105 +105,106 @@ inline JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const 
   const Scalar& c5 = angles.cosine[1];
   const Scalar& s6 = angles.sine[2];
   const Scalar& c6 = angles.cosine[2];
-  const Scalar t0 = qd[0] * c4;
-  const Scalar t1 = qd[3] * t0;
-  const Scalar t2 = qdd[0] * s4;
-  const Scalar t3 = t1 + t2;
-  const Scalar t4 = t1 + t3;
-  const Scalar t5 = qdd[0] * c4;
-  const Scalar t6 = qd[0] * s4;
-  const Scalar t7 = qd[3] * t6;
-  const Scalar t8 = t5 - (t7 + t7);
-  const Scalar t9 = k[4] * s6 - k[5] * c6;
-  const Scalar t10 = t6 * t0;
-  const Scalar t11 = qdd[3] + t10;
-  const Scalar t12 = s5 * t8 - c5 * t11;
-  const Scalar t13 = qdd[5] - t12;
-  const Scalar t14 = k[4] * c6 + k[5] * s6;
-  const Scalar t15 = qd[4] + t6;
-  const Scalar t16 = t15 * t15;
-  const Scalar t17 = qd[3] * s5 + c5 * t0;
-  const Scalar t18 = t17 * t17;
-  const Scalar t19 = t16 + t18;
-  const Scalar t20 = s5 * t0 - qd[3] * c5;
-  const Scalar t21 = qd[5] - t20;
+  const Scalar t0 = k[15] + qdd[1];
+  const Scalar t1 = qd[2] * qd[0];
+  const Scalar t2 = q[2] * qdd[0] + (t1 + t1);
+  const Scalar t3 = qd[0] * qd[0];
+  const Scalar t4 = t2 - k[10] * t3;
+  const Scalar t5 = c4 * t0 - s4 * t4;
+  const Scalar t6 = qdd[2] - q[2] * t3;
+  const Scalar t7 = t6 - k[10] * qdd[0];
+  const Scalar t8 = c5 * t5 + s5 * t7;
+  const Scalar t9 = s5 * t5 - c5 * t7;
+  const Scalar t10 = qd[0] * s4;
+  const Scalar t11 = qd[3] * t10;
+  const Scalar t12 = qdd[0] * c4;
+  const Scalar t13 = t11 + (t11 - t12);
+  const Scalar t14 = qd[0] * c4;
+  const Scalar t15 = t10 * t14;
+  const Scalar t16 = qdd[3] + t15;
+  const Scalar t17 = s5 * t13 + c5 * t16;
+  const Scalar t18 = c5 * t13 - s5 * t16;
+  const Scalar t19 = qd[4] + t10;
+  const Scalar t20 = t19 * t19;
+  const Scalar t21 = qd[3] * s5 + c5 * t14;
   const Scalar t22 = t21 * t21;
-  const Scalar t23 = t18 - t22;
-  const Scalar t24 = t19 - t23;
-  const Scalar t25 = qdd[4] + t3;
-  const Scalar t26 = t17 * t20;
-  const Scalar t27 = t25 + t26;
-  const Scalar t28 = t16 - t22;
-  const Scalar t29 = t28 - t23;
-  const Scalar t30 = qd[3] * qd[3];
-  const Scalar t31 = t0 * t0;
+  const Scalar t23 = t20 + t22;
+  const Scalar t24 = t10 * t10;
+  const Scalar t25 = qd[3] * qd[3];
+  const Scalar t26 = t24 - t25;
+  const Scalar t27 = t3 - t26;
+  const Scalar t28 = t23 - t27;
+  const Scalar t29 = t20 - t22;
+  const Scalar t30 = qd[3] * t14;
+  const Scalar t31 = qdd[0] * s4;
   const Scalar t32 = t30 + t31;
-  const Scalar t33 = (t9 * t13 + t14 * t24) - (k[2] * t27 - k[3] * (t29 + t32));
-  const Scalar t34 = t21 * t17;
-  const Scalar t35 = t27 + (t34 + t34);
-  const Scalar t36 = t20 * t15;
-  const Scalar t37 = c5 * t8 + s5 * t11;
-  const Scalar t38 = (t36 + t36) - t37;
-  const Scalar t39 = Scalar(2) * t21 * t15 + t38;
-  const Scalar t40 = t25 - t26;
-  const Scalar t41 = (t35 * t14 - t39 * t9) + (k[2] * t19 + k[3] * t40);
-  const Scalar t42 = (k[7] * t4 - k[6] * t8) - (s5 * t33 - c5 * t41);
-  const Scalar t43 = qd[0] * qd[0];
-  const Scalar t44 = qdd[2] - (k[8] * qdd[0] + q[2] * t43);
-  const Scalar t45 = (k[10] * t43 - k[11] * qdd[0]) + k[9] * t44;
-  const Scalar t46 = t42 + t45;
-  const Scalar t47 = t17 * t15;
-  const Scalar t48 = (t47 + t47) + t12;
-  const Scalar t49 = qdd[5] - t48;
-  const Scalar t50 = (t9 * (t29 - t24) + t14 * t49) - (k[3] * t48 + k[2] * t38);
-  const Scalar t51 = qdd[3] - t10;
-  const Scalar t52 = t50 + (k[6] * t32 + k[7] * t51);
-  const Scalar t53 = t30 - t31;
-  const Scalar t54 = (c5 * t33 + s5 * t41) - (k[6] * t11 - k[7] * (t53 + t43));
-  const Scalar t55 = (q[2] * qdd[0] - k[8] * t43) + Scalar(2) * qd[2] * qd[0];
-  const Scalar t56 = k[9] * t55 - (k[11] * t43 + k[10] * qdd[0]);
-  const Scalar t57 = q[2] * ((c4 * t52 - s4 * t54) - t56);
-  const Scalar t58 = k[16] + qdd[1];
-  const Scalar t59 = s4 * t55 - c4 * t58;
-  const Scalar t60 = s5 * t59 + c5 * t44;
-  const Scalar t61 = k[21] * c6 + k[22] * s6;
-  const Scalar t62 = k[22] * c6 - k[21] * s6;
-  const Scalar t63 = k[17] * s6 - k[18] * c6;
-  const Scalar t64 = c6 * t63;
-  const Scalar t65 = k[20] + t64;
-  const Scalar t66 = k[19] - s6 * t63;
-  const Scalar t67 = (t61 * t23 + t62 * t13) + (t35 * t65 + t39 * t66);
-  const Scalar t68 = s5 * t44 - c5 * t59;
-  const Scalar t69 = t19 - t32;
-  const Scalar t70 = k[23] * (t69 - t29) + (k[25] * t27 - k[24] * t40);
-  const Scalar t71 = (k[3] * t60 + k[2] * t68) - (t70 - (k[27] * t12 + k[26] * t37));
-  const Scalar t72 = (t14 * t60 - t67) + t71;
-  const Scalar t73 = (k[12] * t4 - k[13] * t8) - (k[14] * t53 - k[15] * t11);
-  const Scalar t74 = t43 - t32;
-  const Scalar t75 = (k[29] * t8 + k[13] * t4) + k[15] * t74;
-  const Scalar t76 = s4 * t58 + c4 * t55;
-  const Scalar t77 = (k[23] * t48 + k[25] * t38) + k[27] * t69;
-  const Scalar t78 = k[28] + t64;
-  const Scalar t79 = (t35 * t66 - t39 * t78) + t62 * t28;
-  const Scalar t80 = (k[2] * t76 - (k[26] * t40 + t77)) - ((t79 - t49 * t61) + t9 * t60);
-  const Scalar t81 = t66 * t29 + (t78 * t13 - t49 * t65);
-  const Scalar t82 = ((t62 * t27 - t38 * t61) - t81) + (t9 * t68 + t14 * t76);
-  const Scalar t83 = (k[27] * t27 - k[26] * t29) - (k[23] * t38 - k[24] * t48);
-  const Scalar t84 = t82 + (k[3] * t76 + t83);
-  const Scalar t85 = ((k[14] * t51 - t75) + k[6] * t44) + (c5 * t80 - s5 * t84);
-  const Scalar t86 = s4 * (t72 + (k[7] * t44 - t73)) - c4 * t85;
-  const Scalar t87 = t57 - (t86 - (k[11] * t44 + k[10] * t55));
-  const Scalar t88 = k[0] * qdd[0] + (k[8] * (k[1] * qdd[0] - t46) - t87);
-  const Scalar t89 = (s4 * t52 + c4 * t54) - k[9] * t58;
-  const Scalar t90 = k[13] * (t53 + t74) - (k[12] * t51 - k[29] * t11);
-  const Scalar t91 = (k[7] * t76 + k[6] * t59) - (t90 - (k[15] * t2 + k[14] * t5));
+  const Scalar t33 = qdd[4] + t32;
+  const Scalar t34 = s5 * t14 - qd[3] * c5;
+  const Scalar t35 = t21 * t34;
+  const Scalar t36 = t33 - t35;
+  const Scalar t37 = t33 + t35;
+  const Scalar t38 = k[18] * (t28 - t29) - (k[20] * t36 - k[19] * t37);
+  const Scalar t39 = (k[7] * t8 - k[6] * t9) - ((k[17] * t17 + k[16] * t18) + t38);
+  const Scalar t40 = k[8] * c6 + k[9] * s6;
+  const Scalar t41 = k[21] * c6 - k[22] * s6;
+  const Scalar t42 = qdd[5] + t17;
+  const Scalar t43 = k[22] * c6 + k[21] * s6;
+  const Scalar t44 = qd[5] - t34;
+  const Scalar t45 = t44 * t44;
+  const Scalar t46 = t22 - t45;
+  const Scalar t47 = t19 + t19;
+  const Scalar t48 = t47 * t34 + t18;
+  const Scalar t49 = t48 + t47 * t44;
+  const Scalar t50 = k[24] * c6 - k[23] * s6;
+  const Scalar t51 = k[25] + s6 * t50;
+  const Scalar t52 = c6 * t50;
+  const Scalar t53 = k[26] - t52;
+  const Scalar t54 = t44 * t21;
+  const Scalar t55 = t37 + (t54 + t54);
+  const Scalar t56 = (t41 * t42 + t43 * t46) + (t49 * t51 + t53 * t55);
+  const Scalar t57 = t39 - (t9 * t40 + t56);
+  const Scalar t58 = t24 + t25;
+  const Scalar t59 = t58 - t27;
+  const Scalar t60 = t30 + t32;
+  const Scalar t61 = (k[12] * t16 - k[11] * (t59 - t26)) + (k[14] * t60 + k[13] * t13);
+  const Scalar t62 = s4 * t0 + c4 * t4;
+  const Scalar t63 = t21 * t19;
+  const Scalar t64 = (t17 - t63) - t63;
+  const Scalar t65 = (k[19] * t48 - k[18] * t64) + k[17] * t28;
+  const Scalar t66 = qdd[5] + t64;
+  const Scalar t67 = t22 + t45;
+  const Scalar t68 = k[28] - t52;
+  const Scalar t69 = t41 * (t23 - t67) + (t55 * t51 - t68 * t49);
+  const Scalar t70 = k[9] * c6 - k[8] * s6;
+  const Scalar t71 = (k[7] * t62 - (k[16] * t36 + t65)) + ((t43 * t66 - t69) - t70 * t9);
+  const Scalar t72 = (t53 * t66 - t68 * t42) - t51 * t29;
+  const Scalar t73 = (t62 * t40 - t70 * t8) + ((t37 * t41 - t43 * t48) + t72);
+  const Scalar t74 = (k[20] * t64 + k[18] * t48) - (k[17] * t37 - k[16] * t29);
+  const Scalar t75 = t73 + (k[6] * t62 - t74);
+  const Scalar t76 = qdd[3] - t15;
+  const Scalar t77 = (k[27] * t13 - k[13] * t60) - k[12] * t26;
+  const Scalar t78 = (c5 * t71 - s5 * t75) + (k[5] * t7 + (k[11] * t76 + t77));
+  const Scalar t79 = s4 * (t57 - (t61 - k[4] * t7)) - c4 * t78;
+  const Scalar t80 = (t55 * t40 + t70 * t49) + (k[6] * t36 + k[7] * t23);
+  const Scalar t81 = (k[7] * t37 - k[6] * (t27 + t29)) - (t40 * (t23 - t46) - t70 * t42);
+  const Scalar t82 = (k[5] * t13 + k[4] * t60) + (c5 * t80 + s5 * t81);
+  const Scalar t83 = (t79 - k[10] * t82) - (k[2] * t2 + k[1] * t6);
+  const Scalar t84 = (k[1] * t3 + k[2] * qdd[0]) - k[3] * t2;
+  const Scalar t85 = (k[4] * t58 - k[5] * t16) - (c5 * t81 - s5 * t80);
+  const Scalar t86 = (k[6] * t64 - k[7] * t48) + (t40 * t66 + t70 * t67);
+  const Scalar t87 = (k[5] * t27 + k[4] * t76) + t86;
+  const Scalar t88 = q[2] * (t84 - (s4 * t85 - c4 * t87));
+  const Scalar t89 = k[3] * t0 - (c4 * t85 + s4 * t87);
+  const Scalar t90 = k[3] * t6 - (k[1] * qdd[0] - k[2] * t3);
+  const Scalar t91 = k[13] * t59 - (k[14] * t76 - k[27] * t16);
+  const Scalar t92 = ((k[11] * t12 + k[12] * t31) - t91) - (k[5] * t5 - k[4] * t62);
   JointVector<Scalar> result;
-  result[0] = t88;
-  result[1] = k[30] * t58 - t89;
-  result[2] = t46;
-  result[3] = -(c5 * t84 + s5 * t80) - t91;
-  result[4] = t72;
-  result[5] = -t82;
+  result[0] = k[0] * qdd[0] + (t83 - t88);
+  result[1] = t89 + k[29] * t0;
+  result[2] = t90 + t82;
+  result[3] = -(s5 * t71 + c5 * t75) - t92;
+  result[4] = t57;
+  result[5] = -t73;
   return result;
 }
 
@@ -230,12 +234,12 @@ GravityTorqueConstants<Scalar> gravity_torque_constants([[maybe_unused]] const B
   using std::sin;
   const Scalar t0 = gravity * inertia.m2 + gravity * (inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)));
   return { gravity,
-           inertia.c4z * inertia.m4,
-           inertia.c4x * inertia.m4 + inertia.c5x * inertia.m5,
+           inertia.c5z * inertia.m5,
            inertia.c6z * inertia.m6,
            inertia.c6x * inertia.m6,
            inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
-           inertia.c5z * inertia.m5,
+           inertia.c4x * inertia.m4 + inertia.c5x * inertia.m5,
+           inertia.c4z * inertia.m4,
            t0 };
 }
 
@@ -250,22 +254,22 @@ inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Sca
   const Scalar& c5 = angles.cosine[1];
   const Scalar& s6 = angles.sine[2];
   const Scalar& c6 = angles.cosine[2];
-  const Scalar t0 = k[0] * s4;
-  const Scalar t1 = k[0] * c4;
-  const Scalar t2 = s5 * t1;
-  const Scalar t3 = k[4] * c6 - k[3] * s6;
-  const Scalar t4 = c5 * t1;
-  const Scalar t5 = k[3] * c6 + k[4] * s6;
-  const Scalar t6 = t3 * t4 - t0 * t5;
-  const Scalar t7 = s5 * (k[5] * t0 - t2 * t3) + c5 * (k[6] * t0 - t6);
-  const Scalar t8 = t2 * t5 - (k[5] * t4 - k[6] * t2);
+  const Scalar t0 = k[0] * c4;
+  const Scalar t1 = k[0] * s4;
+  const Scalar t2 = s5 * t0;
+  const Scalar t3 = k[2] * s6 - k[3] * c6;
+  const Scalar t4 = k[2] * c6 + k[3] * s6;
+  const Scalar t5 = c5 * t0;
+  const Scalar t6 = t4 * t1 + t5 * t3;
+  const Scalar t7 = s5 * (t2 * t3 + k[4] * t1) + c5 * (k[1] * t1 + t6);
+  const Scalar t8 = t4 * t2 + (k[1] * t2 - k[4] * t5);
   JointVector<Scalar> result;
   result[0] = Scalar(0);
   result[1] = k[7];
-  result[2] = Scalar(0);
-  result[3] = (k[2] * t1 - k[1] * t0) - t7;
+  result[2] = -Scalar(0);
+  result[3] = (k[5] * t0 - k[6] * t1) - t7;
   result[4] = -t8;
-  result[5] = t6;
+  result[5] = -t6;
   return result;
 }
 
@@ -290,55 +294,59 @@ CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Sc
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c4y * inertia.m4;
-  const Scalar t1 = inertia.c4z * inertia.m4;
-  const Scalar t2 = inertia.c4x * inertia.m4;
-  const Scalar t3 = inertia.c5x * inertia.m5;
-  const Scalar t4 = inertia.c6z * inertia.m6;
-  const Scalar t5 = inertia.c6x * inertia.m6;
-  const Scalar t6 = inertia.c6y * inertia.m6;
-  const Scalar t7 = inertia.c5y * inertia.m5;
-  const Scalar t8 = inertia.c5z * inertia.m5;
-  const Scalar t9 = inertia.I4xz - inertia.c4z * t2;
-  const Scalar t10 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t11 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t12 = (inertia.c5x * t3 - (inertia.I5xx - t10)) - ((inertia.I4xx - t11) - inertia.c4x * t2);
-  const Scalar t13 = inertia.I6xz - inertia.c6z * t5;
-  const Scalar t14 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t15 = (inertia.I6xx - t14) - inertia.c6x * t5;
-  const Scalar t16 = inertia.c6z * t4 - (inertia.I6zz - t14);
-  const Scalar t17 = ((inertia.I6yy - t14) - inertia.c6y * t6) - (inertia.c5y * t7 - (inertia.I5yy - t10));
-  const Scalar t18 = (inertia.I4zz - t11) - inertia.c4z * t1;
-  return { t0 + inertia.c3y * inertia.m3,
-           inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)),
-           Scalar(2) * t1,
-           t2 + t3,
+  const Scalar t0 = inertia.c4x * inertia.m4;
+  const Scalar t1 = inertia.c5x * inertia.m5;
+  const Scalar t2 = inertia.c4z * inertia.m4;
+  const Scalar t3 = inertia.c6z * inertia.m6;
+  const Scalar t4 = inertia.c6x * inertia.m6;
+  const Scalar t5 = inertia.c6y * inertia.m6;
+  const Scalar t6 = inertia.c5y * inertia.m5;
+  const Scalar t7 = inertia.c5z * inertia.m5;
+  const Scalar t8 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t9 = inertia.m3 + t8;
+  const Scalar t10 = g.l1 * t8 + (g.l1 * inertia.m3 + inertia.c3x * inertia.m3);
+  const Scalar t11 = inertia.c4y * inertia.m4;
+  const Scalar t12 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t13 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t14 = ((inertia.I6yy - t12) - inertia.c6y * t5) - (inertia.c5y * t6 - (inertia.I5yy - t13));
+  const Scalar t15 = inertia.I6xz - inertia.c6z * t4;
+  const Scalar t16 = (inertia.I6xx - t12) - inertia.c6x * t4;
+  const Scalar t17 = inertia.c6z * t3 - (inertia.I6zz - t12);
+  const Scalar t18 = inertia.I4xz - inertia.c4z * t0;
+  const Scalar t19 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t20 = (inertia.I4zz - t19) - inertia.c4z * t2;
+  const Scalar t21 = (inertia.c5x * t1 - (inertia.I5xx - t13)) - ((inertia.I4xx - t19) - inertia.c4x * t0);
+  return { t0 + t1,
+           t2,
+           t3,
            t4,
-           t5,
-           t6 + t7,
-           t8,
-           g.l1,
-           inertia.c3x * inertia.m3,
-           t1,
-           inertia.I4yz - inertia.c4z * t0,
+           t5 + t6,
+           t7,
            Scalar(2) * t9,
-           Scalar(2) * t12,
-           inertia.I4xy - inertia.c4y * t2,
-           inertia.I5xy - inertia.c5y * t3,
-           inertia.I5xz - inertia.c5z * t3,
-           inertia.I5yz - inertia.c5z * t7,
-           inertia.c5z * t8 - (inertia.I5zz - t10),
-           Scalar(2) * t13,
-           t15 + t16,
-           t16,
+           t10,
+           t11 + inertia.c3y * inertia.m3,
+           Scalar(2) * t2,
+           g.l1,
+           inertia.I5xy - inertia.c5y * t1,
+           inertia.I5xz - inertia.c5z * t1,
+           inertia.I5yz - inertia.c5z * t6,
+           t14,
+           inertia.c5z * t7 - (inertia.I5zz - t13),
+           Scalar(2) * t15,
+           t16 + t17,
            t15,
-           t13,
-           inertia.I6yz - inertia.c6z * t6,
-           inertia.I6xy - inertia.c6y * t5,
-           t17,
-           t9,
+           t16,
+           inertia.I6yz - inertia.c6z * t5,
+           inertia.I6xy - inertia.c6y * t4,
            Scalar(2) * t18,
-           t18 + t12 };
+           Scalar(2) * t20,
+           inertia.I4xy - inertia.c4y * t0,
+           inertia.I4yz - inertia.c4z * t11,
+           t17,
+           t21,
+           t9,
+           t20 + t21,
+           t18 };
 }
 
 namespace detail {
@@ -354,88 +362,91 @@ inline JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const J
   const Scalar& s6 = angles.sine[2];
   const Scalar& c6 = angles.cosine[2];
   const Scalar t0 = qd[0] * qd[0];
-  const Scalar t1 = q[2] * t0;
-  const Scalar t2 = qd[0] * c4;
-  const Scalar t3 = qd[3] * t2;
-  const Scalar t4 = qd[0] * s4;
-  const Scalar t5 = qd[3] * t4;
-  const Scalar t6 = Scalar(2) * t5;
-  const Scalar t7 = qd[3] * s5 + c5 * t2;
-  const Scalar t8 = s5 * t2 - qd[3] * c5;
-  const Scalar t9 = t7 * t8;
-  const Scalar t10 = t3 + t9;
-  const Scalar t11 = qd[3] * qd[3];
-  const Scalar t12 = t2 * t2;
-  const Scalar t13 = t11 + t12;
-  const Scalar t14 = qd[4] + t4;
-  const Scalar t15 = t14 * t14;
-  const Scalar t16 = t7 * t7;
-  const Scalar t17 = t15 - t16;
-  const Scalar t18 = k[4] * c6 + k[5] * s6;
-  const Scalar t19 = qd[5] - t8;
-  const Scalar t20 = t19 * t19;
-  const Scalar t21 = t15 + t20;
-  const Scalar t22 = t4 * t2;
-  const Scalar t23 = s5 * t6 + c5 * t22;
-  const Scalar t24 = k[4] * s6 - k[5] * c6;
-  const Scalar t25 = (k[6] * t10 - k[7] * (t13 + t17)) - (t18 * t21 + t23 * t24);
-  const Scalar t26 = t16 - t20;
-  const Scalar t27 = t21 + t26;
-  const Scalar t28 = t3 - t9;
-  const Scalar t29 = t10 + Scalar(2) * t19 * t7;
-  const Scalar t30 = s5 * t22 - c5 * t6;
-  const Scalar t31 = t8 * t14;
-  const Scalar t32 = (t30 - t31) - t31;
-  const Scalar t33 = Scalar(2) * t19 * t14 - t32;
-  const Scalar t34 = (k[6] * t27 + k[7] * t28) + (t29 * t18 - t24 * t33);
-  const Scalar t35 = (k[2] * t3 + k[3] * t6) + (s5 * t25 + c5 * t34);
-  const Scalar t36 = (k[0] * t0 - k[1] * t1) + t35;
-  const Scalar t37 = k[8] * t0 - Scalar(2) * qd[2] * qd[0];
-  const Scalar t38 = t23 - Scalar(2) * t7 * t14;
-  const Scalar t39 = t26 + t17;
-  const Scalar t40 = (k[7] * t38 + k[6] * t32) + (t18 * t38 + (t39 - t27) * t24);
-  const Scalar t41 = (k[3] * t13 - k[10] * t22) + t40;
-  const Scalar t42 = t11 - t12;
-  const Scalar t43 = t0 - t13;
-  const Scalar t44 = t42 + t43;
-  const Scalar t45 = (s5 * t34 - c5 * t25) + (k[10] * (t13 + t44) - k[3] * t22);
-  const Scalar t46 = (k[1] * t37 + k[9] * t0) + (c4 * t41 - s4 * t45);
-  const Scalar t47 = c4 * t37;
-  const Scalar t48 = t27 - t13;
-  const Scalar t49 = k[15] * t48 - (k[26] * t32 + k[17] * t38);
-  const Scalar t50 = s4 * t37;
-  const Scalar t51 = s5 * t50 + c5 * t1;
-  const Scalar t52 = k[25] * s6 + k[24] * c6;
-  const Scalar t53 = k[25] * c6 - k[24] * s6;
-  const Scalar t54 = k[19] * s6 - k[20] * c6;
-  const Scalar t55 = k[23] - s6 * t54;
-  const Scalar t56 = c6 * t54;
-  const Scalar t57 = k[21] + t56;
-  const Scalar t58 = t39 * t53 + (t29 * t55 - t33 * t57);
-  const Scalar t59 = (k[6] * t47 + (t49 + k[16] * t28)) - (t24 * t51 + (t52 * t38 - t58));
-  const Scalar t60 = (k[17] * t32 - k[18] * t38) + (k[15] * t10 - k[16] * t17);
-  const Scalar t61 = k[22] + t56;
-  const Scalar t62 = t55 * t17 - (t61 * t38 - t23 * t57);
-  const Scalar t63 = s5 * t1 - c5 * t50;
-  const Scalar t64 = ((t52 * t32 + t10 * t53) - t62) - (t24 * t63 + t47 * t18);
-  const Scalar t65 = (t60 - k[7] * t47) + t64;
-  const Scalar t66 = (k[12] * t3 - k[13] * t5) + k[14] * t43;
-  const Scalar t67 = (c5 * t59 + s5 * t65) + (k[3] * t1 + (t66 + k[11] * t22));
-  const Scalar t68 = (t23 * t53 + t52 * t26) + (t55 * t33 + t29 * t61);
-  const Scalar t69 = k[17] * (t48 - t17) - (k[18] * t28 - k[26] * t10);
-  const Scalar t70 = ((k[15] * t23 - k[16] * t30) + t69) + (k[7] * t51 + k[6] * t63);
-  const Scalar t71 = (t68 + t18 * t51) + t70;
-  const Scalar t72 = (k[11] * t42 - k[14] * t22) - (k[28] * t3 + k[27] * t6);
-  const Scalar t73 = c4 * t67 - s4 * (t71 - (t72 - k[10] * t1));
-  const Scalar t74 = q[2] * t46 - (t73 + (k[9] * t1 + k[0] * t37));
-  const Scalar t75 = (k[27] * t44 + k[29] * t22) + (k[10] * t47 + k[3] * t50);
+  const Scalar t1 = qd[2] * qd[0];
+  const Scalar t2 = k[2] * c6 + k[3] * s6;
+  const Scalar t3 = qd[0] * s4;
+  const Scalar t4 = qd[4] + t3;
+  const Scalar t5 = t4 * t4;
+  const Scalar t6 = qd[0] * c4;
+  const Scalar t7 = s5 * t6;
+  const Scalar t8 = t7 - qd[3] * c5;
+  const Scalar t9 = qd[5] - t8;
+  const Scalar t10 = t9 * t9;
+  const Scalar t11 = t5 + t10;
+  const Scalar t12 = qd[3] * t3;
+  const Scalar t13 = Scalar(2) * t12;
+  const Scalar t14 = t3 * t6;
+  const Scalar t15 = s5 * t13 + c5 * t14;
+  const Scalar t16 = k[2] * s6 - k[3] * c6;
+  const Scalar t17 = qd[3] * t6;
+  const Scalar t18 = qd[3] * s5 + c5 * t6;
+  const Scalar t19 = t18 * t8;
+  const Scalar t20 = t17 + t19;
+  const Scalar t21 = t18 * t18;
+  const Scalar t22 = t5 + t21;
+  const Scalar t23 = t5 - t10;
+  const Scalar t24 = t22 - t23;
+  const Scalar t25 = t24 - t11;
+  const Scalar t26 = qd[3] * qd[3];
+  const Scalar t27 = t6 * t6;
+  const Scalar t28 = t26 + t27;
+  const Scalar t29 = (t2 * t11 + t15 * t16) - (k[4] * t20 + k[5] * (t25 - t28));
+  const Scalar t30 = t9 * t18;
+  const Scalar t31 = t30 + (t30 + t20);
+  const Scalar t32 = t9 * t4;
+  const Scalar t33 = t3 * t7 - c5 * t13;
+  const Scalar t34 = t8 * t4;
+  const Scalar t35 = (t33 - t34) - t34;
+  const Scalar t36 = t32 - (t35 - t32);
+  const Scalar t37 = t17 - t19;
+  const Scalar t38 = (t2 * t31 - t36 * t16) + (k[4] * t22 + k[5] * t37);
+  const Scalar t39 = t26 - t27;
+  const Scalar t40 = (c5 * t29 + s5 * t38) + (k[1] * (t39 + t0) - k[0] * t14);
+  const Scalar t41 = t15 - Scalar(2) * t18 * t4;
+  const Scalar t42 = (t2 * t41 - t24 * t16) + (k[5] * t41 + k[4] * t35);
+  const Scalar t43 = t42 + (k[0] * t28 - k[1] * t14);
+  const Scalar t44 = (k[7] * t0 - k[6] * t1) - (s4 * t40 - c4 * t43);
+  const Scalar t45 = q[2] * t0;
+  const Scalar t46 = Scalar(2) * t1;
+  const Scalar t47 = (k[24] * t14 - k[25] * t39) + (k[23] * t17 + k[22] * t12);
+  const Scalar t48 = k[10] * t0 - t46;
+  const Scalar t49 = s4 * t48;
+  const Scalar t50 = c5 * t45 + s5 * t49;
+  const Scalar t51 = s5 * t45 - c5 * t49;
+  const Scalar t52 = t22 - t28;
+  const Scalar t53 = k[13] * (t25 + t52) - (k[15] * t37 - k[14] * t20);
+  const Scalar t54 = (k[5] * t50 + k[4] * t51) + (t53 + (k[11] * t15 - k[12] * t33));
+  const Scalar t55 = k[17] * c6 - k[16] * s6;
+  const Scalar t56 = c6 * t55;
+  const Scalar t57 = k[19] - t56;
+  const Scalar t58 = k[18] + s6 * t55;
+  const Scalar t59 = k[20] * c6 + k[21] * s6;
+  const Scalar t60 = k[21] * c6 - k[20] * s6;
+  const Scalar t61 = (t57 * t31 + t58 * t36) + ((t21 - t10) * t59 + t15 * t60);
+  const Scalar t62 = t54 + (t2 * t50 + t61);
+  const Scalar t63 = (k[13] * t41 + k[14] * t35) - k[11] * t52;
+  const Scalar t64 = c4 * t48;
+  const Scalar t65 = k[26] - t56;
+  const Scalar t66 = (t58 * t31 - t36 * t65) + t60 * t23;
+  const Scalar t67 = ((k[12] * t37 - t63) + k[4] * t64) - (t50 * t16 + (t41 * t59 - t66));
+  const Scalar t68 = (k[12] * t25 + k[11] * t20) + (k[13] * t35 - k[15] * t41);
+  const Scalar t69 = (t15 * t65 - t57 * t41) - t58 * t25;
+  const Scalar t70 = ((t35 * t59 + t20 * t60) - t69) - (t2 * t64 + t51 * t16);
+  const Scalar t71 = (t68 - k[5] * t64) + t70;
+  const Scalar t72 = t0 - t28;
+  const Scalar t73 = k[24] * t72 + (k[22] * t17 - k[27] * t13);
+  const Scalar t74 = (c5 * t67 + s5 * t71) + ((k[25] * t14 + t73) + k[0] * t45);
+  const Scalar t75 = s4 * ((t47 + k[1] * t45) + t62) - c4 * t74;
+  const Scalar t76 = (k[0] * t13 + k[9] * t17) + (c5 * t38 - s5 * t29);
+  const Scalar t77 = (k[7] * t45 - k[8] * t46) - (t75 + k[10] * t76);
+  const Scalar t78 = (k[0] * t49 + k[1] * t64) + (k[30] * (t39 + t72) + k[29] * t14);
   JointVector<Scalar> result;
-  result[0] = -k[8] * t36 - t74;
-  result[1] = -s4 * t41 - c4 * t45;
-  result[2] = t36;
-  result[3] = t75 + (s5 * t59 - c5 * t65);
-  result[4] = -t71;
-  result[5] = -t64;
+  result[0] = t77 - q[2] * t44;
+  result[1] = -c4 * t40 - s4 * t43;
+  result[2] = (k[8] * t0 - k[28] * t45) + t76;
+  result[3] = t78 - (c5 * t71 - s5 * t67);
+  result[4] = -t62;
+  result[5] = -t70;
   return result;
 }
 
@@ -461,70 +472,71 @@ MassMatrixConstants<Scalar> mass_matrix_constants(const BasicGeometry<Scalar>& g
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6x * inertia.m6;
-  const Scalar t1 = inertia.I6xz - inertia.c6z * t0;
-  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t0;
-  const Scalar t4 = inertia.c6z * inertia.m6;
-  const Scalar t5 = inertia.c6z * t4 - (inertia.I6zz - t2);
-  const Scalar t6 = inertia.c5z * inertia.m5;
-  const Scalar t7 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t8 = inertia.c6y * inertia.m6;
-  const Scalar t9 = inertia.c5y * inertia.m5;
-  const Scalar t10 = ((inertia.I6yy - t2) - inertia.c6y * t8) - (inertia.c5y * t9 - (inertia.I5yy - t7));
-  const Scalar t11 = inertia.c4y * inertia.m4;
-  const Scalar t12 = inertia.c3y * inertia.m3;
-  const Scalar t13 = inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6));
-  const Scalar t14 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t15 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t16 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t17 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t18 = ((inertia.I3yy - t16) - inertia.c3y * t12) + ((inertia.I4yy - t17) - inertia.c4y * t11);
-  const Scalar t19 = ((inertia.I2yy - t15) - inertia.c2y * inertia.c2y * inertia.m2) + t18;
-  const Scalar t20 = (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t14)) - t19;
-  const Scalar t21 = inertia.c4z * inertia.m4;
-  const Scalar t22 = inertia.c5x * inertia.m5;
-  const Scalar t23 = inertia.c4x * inertia.m4;
-  const Scalar t24 = (inertia.c5x * t22 - (inertia.I5xx - t7)) - ((inertia.I4xx - t17) - inertia.c4x * t23);
-  const Scalar t25 = inertia.c3x * inertia.m3;
-  const Scalar t26 = inertia.m2 + t13;
-  const Scalar t27 = inertia.c2x * inertia.m2;
-  const Scalar t28 = (inertia.c3x * t25 - (inertia.I3xx - t16)) + (inertia.c2x * t27 - (inertia.I2xx - t15));
-  const Scalar t29 = inertia.c1x * inertia.m1;
-  const Scalar t30 = g.l1 * (t29 + (g.l1 * inertia.m1 + t29)) + (inertia.c1x * t29 - (inertia.I1xx - t14));
-  return { Scalar(2) * t1,
-           t3 + t5,
-           t3,
-           inertia.c5z * t6 - (inertia.I5zz - t7),
-           t10,
-           inertia.I6yz - inertia.c6z * t8,
-           inertia.I6xy - inertia.c6y * t0,
-           inertia.I5yz - inertia.c5z * t9,
-           t4,
-           t0,
-           t6,
-           t8 + t9,
-           t11 + t12,
-           t13,
-           t20,
-           (inertia.I4zz - t17) - inertia.c4z * t21,
-           t5,
-           t24,
-           inertia.I5xy - inertia.c5y * t22,
+  const Scalar t0 = inertia.c6z * inertia.m6;
+  const Scalar t1 = inertia.c6x * inertia.m6;
+  const Scalar t2 = inertia.c4x * inertia.m4;
+  const Scalar t3 = inertia.c5x * inertia.m5;
+  const Scalar t4 = inertia.c5z * inertia.m5;
+  const Scalar t5 = inertia.c6y * inertia.m6;
+  const Scalar t6 = inertia.c5y * inertia.m5;
+  const Scalar t7 = inertia.c4z * inertia.m4;
+  const Scalar t8 = inertia.I6xz - inertia.c6z * t1;
+  const Scalar t9 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t10 = (inertia.I6xx - t9) - inertia.c6x * t1;
+  const Scalar t11 = inertia.c6z * t0 - (inertia.I6zz - t9);
+  const Scalar t12 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t13 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t14 = (inertia.c5x * t3 - (inertia.I5xx - t12)) - ((inertia.I4xx - t13) - inertia.c4x * t2);
+  const Scalar t15 = ((inertia.I6yy - t9) - inertia.c6y * t5) - (inertia.c5y * t6 - (inertia.I5yy - t12));
+  const Scalar t16 = inertia.c2x * inertia.m2;
+  const Scalar t17 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t18 = (inertia.c2x * t16 - (inertia.I2xx - t17)) + g.l1 * (t16 + (g.l1 * inertia.m2 + t16));
+  const Scalar t19 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t20 = g.l1 * t19;
+  const Scalar t21 = inertia.c3x * inertia.m3;
+  const Scalar t22 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t23 = g.l1 * inertia.m3 + t21;
+  const Scalar t24 = (inertia.c3x * t21 - (inertia.I3xx - t22)) + g.l1 * (t21 + t23);
+  const Scalar t25 = inertia.c1x * inertia.m1;
+  const Scalar t26 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t27 = g.l1 * (t25 + (g.l1 * inertia.m1 + t25)) + (inertia.c1x * t25 - (inertia.I1xx - t26));
+  const Scalar t28 = inertia.m3 + t19;
+  const Scalar t29 = inertia.c4y * inertia.m4;
+  const Scalar t30 = inertia.c3y * inertia.m3;
+  const Scalar t31 = ((inertia.I3yy - t22) - inertia.c3y * t30) + ((inertia.I4yy - t13) - inertia.c4y * t29);
+  const Scalar t32 = ((inertia.I2yy - t17) - inertia.c2y * inertia.c2y * inertia.m2) + t31;
+  const Scalar t33 = (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t26)) - t32;
+  return { t0,
            t1,
-           inertia.I5xz - inertia.c5z * t22,
-           inertia.I4xz - inertia.c4z * t23,
-           t23 + t22,
-           t21,
-           t25,
-           g.l1 * t26,
+           t2 + t3,
+           t4,
+           t5 + t6,
+           t7,
+           Scalar(2) * g.l1,
+           Scalar(2) * t8,
+           t10 + t11,
+           t8,
+           inertia.I5xz - inertia.c5z * t3,
+           inertia.I6yz - inertia.c6z * t5,
+           inertia.I6xy - inertia.c6y * t1,
+           inertia.I5xy - inertia.c5y * t3,
+           inertia.I4xz - inertia.c4z * t2,
+           t11,
+           t14,
+           t10 - t11,
+           inertia.c5z * t4 - (inertia.I5zz - t12),
+           t15,
+           inertia.I5yz - inertia.c5z * t6,
+           (inertia.I4zz - t13) - inertia.c4z * t7,
+           (t18 + (g.l1 * t20 + t24)) + t27,
+           t28,
+           t29 + t30,
+           t33,
+           t20 + t23,
+           inertia.I4yz - inertia.c4z * t29,
+           inertia.I4xy - inertia.c4y * t2,
            g.l1,
-           (t28 + Scalar(2) * g.l1 * t27) + t30,
-           g.l1 * t13,
-           inertia.I4xy - inertia.c4y * t23,
-           inertia.I4yz - inertia.c4z * t11,
-           t3 - t5,
-           t26 };
+           inertia.m2 + t28 };
 }
 
 namespace detail {
@@ -538,64 +550,64 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q,
   const Scalar& c5 = angles.cosine[1];
   const Scalar& s6 = angles.sine[2];
   const Scalar& c6 = angles.cosine[2];
-  const Scalar t0 = k[8] * c6 + k[9] * s6;
-  const Scalar t1 = k[10] + t0;
-  const Scalar t2 = s5 * t1 - k[11] * c5;
-  const Scalar t3 = k[12] - t2;
-  const Scalar t4 = k[6] * s6 + k[5] * c6;
-  const Scalar t5 = k[7] + t4;
-  const Scalar t6 = k[0] * s6 - k[1] * c6;
-  const Scalar t7 = c6 * t6;
-  const Scalar t8 = k[3] - (k[2] + t7);
-  const Scalar t9 = Scalar(2) * c5 * t5 + s5 * (k[4] + t8);
-  const Scalar t10 = k[4] - s5 * t9;
-  const Scalar t11 = q[2] * (t3 + (t3 - k[13] * q[2])) + t10;
-  const Scalar t12 = k[17] + (k[16] + t7);
-  const Scalar t13 = k[4] - t8;
-  const Scalar t14 = k[15] + (t13 - t10);
-  const Scalar t15 = k[20] + (k[19] - s6 * t6);
-  const Scalar t16 = k[6] * c6 - k[5] * s6;
-  const Scalar t17 = k[18] + t16;
+  const Scalar t0 = k[12] * s6 + k[11] * c6;
+  const Scalar t1 = k[20] + t0;
+  const Scalar t2 = c5 * t1;
+  const Scalar t3 = k[8] * c6 - k[7] * s6;
+  const Scalar t4 = k[15] - c6 * t3;
+  const Scalar t5 = k[18] - (k[17] + t4);
+  const Scalar t6 = (t2 + t2) + s5 * (k[19] + t5);
+  const Scalar t7 = s5 * t6;
+  const Scalar t8 = k[0] * c6 + k[1] * s6;
+  const Scalar t9 = k[3] + t8;
+  const Scalar t10 = k[4] * c5 - s5 * t9;
+  const Scalar t11 = k[24] + t10;
+  const Scalar t12 = (k[19] - t7) + q[2] * ((t11 - k[23] * q[2]) + t11);
+  const Scalar t13 = k[16] + t4;
+  const Scalar t14 = k[21] + (t7 - t5);
+  const Scalar t15 = k[10] + (k[9] + s6 * t3);
+  const Scalar t16 = k[12] * c6 - k[11] * s6;
+  const Scalar t17 = k[13] + t16;
   const Scalar t18 = c5 * t15 + s5 * t17;
-  const Scalar t19 = s4 * (k[21] + t18);
-  const Scalar t20 = c4 * (c4 * (t12 + t14) + (t19 + t19));
-  const Scalar t21 = c5 * t1 + k[11] * s5;
-  const Scalar t22 = k[23] + t21;
-  const Scalar t23 = k[9] * c6 - k[8] * s6;
-  const Scalar t24 = k[22] + t23;
-  const Scalar t25 = s4 * t22 - c4 * t24;
-  const Scalar t26 = k[24] - t25;
-  const Scalar t27 = (t20 - t14) + k[26] * (t26 + (k[25] + t26));
-  const Scalar t28 = s5 * t15 - c5 * t17;
-  const Scalar t29 = c4 * (k[30] - (t5 - c5 * t9)) + s4 * (k[29] - t28);
-  const Scalar t30 = q[2] * (c4 * t22 + s4 * t24) + t29;
-  const Scalar t31 = (s4 * t13 - c4 * t18) - q[2] * s4 * t2;
-  const Scalar t32 = c5 * t23;
-  const Scalar t33 = s4 * t16 - c4 * (k[31] * s5 - c5 * t4);
-  const Scalar t34 = q[2] * (c4 * t0 + s4 * t32) + t33;
-  const Scalar t35 = s5 * t23;
+  const Scalar t19 = s4 * (k[14] + t18);
+  const Scalar t20 = c4 * (c4 * (t13 + t14) + (t19 + t19));
+  const Scalar t21 = k[0] * s6 - k[1] * c6;
+  const Scalar t22 = k[2] - t21;
+  const Scalar t23 = k[4] * s5 + c5 * t9;
+  const Scalar t24 = k[5] + t23;
+  const Scalar t25 = c4 * t22 - s4 * t24;
+  const Scalar t26 = (k[25] - t12) + (k[22] + ((t20 - t14) + k[6] * t25));
+  const Scalar t27 = s5 * t15 - c5 * t17;
+  const Scalar t28 = c4 * (k[27] - (t1 - c5 * t6)) + s4 * (k[28] - t27);
+  const Scalar t29 = q[2] * (s4 * t22 + c4 * t24) + t28;
+  const Scalar t30 = k[19] - t5;
+  const Scalar t31 = (c4 * t18 - s4 * t30) - k[29] * t23;
+  const Scalar t32 = c5 * t21;
+  const Scalar t33 = c4 * (k[17] * s5 - c5 * t0) - s4 * t16;
+  const Scalar t34 = s5 * t21;
+  const Scalar t35 = q[2] * (s4 * t32 - c4 * t8) + (t33 + k[29] * t34);
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = (k[14] - t11) + (k[27] + t27);
+  result(0, 0) = t26;
   result(0, 1) = result(1, 0) = Scalar(0);
-  result(0, 2) = result(2, 0) = -k[28] - t26;
-  result(0, 3) = result(3, 0) = -t30;
-  result(0, 4) = result(4, 0) = -k[26] * t21 - t31;
-  result(0, 5) = result(5, 0) = -t34 - k[26] * t35;
-  result(1, 1) = k[32];
-  result(1, 2) = result(2, 1) = Scalar(0);
-  result(1, 3) = result(3, 1) = -t25;
-  result(1, 4) = result(4, 1) = -c4 * t2;
-  result(1, 5) = result(5, 1) = c4 * t32 - s4 * t0;
-  result(2, 2) = k[13];
+  result(0, 2) = result(2, 0) = -k[26] - t25;
+  result(0, 3) = result(3, 0) = -t29;
+  result(0, 4) = result(4, 0) = t31 - q[2] * s4 * t10;
+  result(0, 5) = result(5, 0) = t35;
+  result(1, 1) = k[30];
+  result(1, 2) = result(2, 1) = -Scalar(0);
+  result(1, 3) = result(3, 1) = t25;
+  result(1, 4) = result(4, 1) = c4 * t10;
+  result(1, 5) = result(5, 1) = -c4 * t32 - s4 * t8;
+  result(2, 2) = k[23];
   result(2, 3) = result(3, 2) = Scalar(0);
-  result(2, 4) = result(4, 2) = t21;
-  result(2, 5) = result(5, 2) = t35;
-  result(3, 3) = t12 - t14;
-  result(3, 4) = result(4, 3) = t28;
-  result(3, 5) = result(5, 3) = -k[31] * c5 - s5 * t4;
-  result(4, 4) = -t13;
+  result(2, 4) = result(4, 2) = t23;
+  result(2, 5) = result(5, 2) = -t34;
+  result(3, 3) = t13 - t14;
+  result(3, 4) = result(4, 3) = t27;
+  result(3, 5) = result(5, 3) = -s5 * t0 - k[17] * c5;
+  result(4, 4) = -t30;
   result(4, 5) = result(5, 4) = -t16;
-  result(5, 5) = -k[31];
+  result(5, 5) = -k[17];
   return result;
 }
 
@@ -619,50 +631,50 @@ CoriolisMatrixConstants<Scalar> coriolis_matrix_constants(const BasicGeometry<Sc
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6x * inertia.m6;
-  const Scalar t1 = inertia.c6y * inertia.m6;
-  const Scalar t2 = inertia.c5x * inertia.m5;
-  const Scalar t3 = inertia.I6xz - inertia.c6z * t0;
-  const Scalar t4 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t5 = (inertia.I6xx - t4) - inertia.c6x * t0;
-  const Scalar t6 = inertia.c6z * inertia.m6;
-  const Scalar t7 = inertia.c6z * t6 - (inertia.I6zz - t4);
-  const Scalar t8 = inertia.c4x * inertia.m4;
-  const Scalar t9 = inertia.c5y * inertia.m5;
-  const Scalar t10 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t11 = ((inertia.I6yy - t4) - inertia.c6y * t1) - (inertia.c5y * t9 - (inertia.I5yy - t10));
-  const Scalar t12 = inertia.c5z * inertia.m5;
-  const Scalar t13 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t14 = inertia.c4z * inertia.m4;
-  const Scalar t15 = (inertia.c5x * t2 - (inertia.I5xx - t10)) - ((inertia.I4xx - t13) - inertia.c4x * t8);
-  const Scalar t16 = inertia.c4y * inertia.m4;
-  return { inertia.I6xy - inertia.c6y * t0,
-           inertia.I6yz - inertia.c6z * t1,
-           inertia.I5xy - inertia.c5y * t2,
-           Scalar(2) * t3,
-           t5 + t7,
-           t3,
-           inertia.I5xz - inertia.c5z * t2,
-           inertia.I4xz - inertia.c4z * t8,
-           t11,
-           inertia.I5yz - inertia.c5z * t9,
-           t7,
-           t5 - t7,
-           inertia.c5z * t12 - (inertia.I5zz - t10),
-           (inertia.I4zz - t13) - inertia.c4z * t14,
-           t15,
-           t6,
+  const Scalar t0 = inertia.c6z * inertia.m6;
+  const Scalar t1 = inertia.c6x * inertia.m6;
+  const Scalar t2 = inertia.c6y * inertia.m6;
+  const Scalar t3 = inertia.c5y * inertia.m5;
+  const Scalar t4 = inertia.c5z * inertia.m5;
+  const Scalar t5 = inertia.c4y * inertia.m4;
+  const Scalar t6 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t7 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t8 = ((inertia.I6yy - t6) - inertia.c6y * t2) - (inertia.c5y * t3 - (inertia.I5yy - t7));
+  const Scalar t9 = inertia.I6xz - inertia.c6z * t1;
+  const Scalar t10 = (inertia.I6xx - t6) - inertia.c6x * t1;
+  const Scalar t11 = inertia.c6z * t0 - (inertia.I6zz - t6);
+  const Scalar t12 = inertia.c4z * inertia.m4;
+  const Scalar t13 = inertia.c4x * inertia.m4;
+  const Scalar t14 = inertia.c5x * inertia.m5;
+  const Scalar t15 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t16 = (inertia.c5x * t14 - (inertia.I5xx - t7)) - ((inertia.I4xx - t15) - inertia.c4x * t13);
+  return { inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)),
            t0,
+           t1,
+           t2 + t3,
+           t4,
+           t5 + inertia.c3y * inertia.m3,
+           inertia.I6yz - inertia.c6z * t2,
+           inertia.I6xy - inertia.c6y * t1,
+           t8,
+           inertia.I5yz - inertia.c5z * t3,
+           Scalar(2) * t9,
+           t10 + t11,
+           t10,
+           inertia.c5z * t4 - (inertia.I5zz - t7),
+           t9,
            t12,
-           t1 + t9,
-           t8 + t2,
-           t14,
+           t13 + t14,
            g.l1,
-           inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)),
-           t16 + inertia.c3y * inertia.m3,
-           inertia.I4xy - inertia.c4y * t8,
-           inertia.I4yz - inertia.c4z * t16,
-           t5 };
+           inertia.I5xz - inertia.c5z * t14,
+           inertia.I5xy - inertia.c5y * t14,
+           inertia.I4xz - inertia.c4z * t13,
+           (inertia.I4zz - t15) - inertia.c4z * t12,
+           t11,
+           t16,
+           inertia.I4yz - inertia.c4z * t5,
+           inertia.I4xy - inertia.c4y * t13,
+           t10 - t11 };
 }
 
 namespace detail {
@@ -677,154 +689,154 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>
   const Scalar& c5 = angles.cosine[1];
   const Scalar& s6 = angles.sine[2];
   const Scalar& c6 = angles.cosine[2];
-  const Scalar t0 = k[4] * c6 - k[3] * s6;
-  const Scalar t1 = k[10] - c6 * t0;
-  const Scalar t2 = k[14] + t1;
-  const Scalar t3 = k[5] + s6 * t0;
-  const Scalar t4 = k[6] + t3;
-  const Scalar t5 = s5 * t4;
-  const Scalar t6 = k[0] * c6 - k[1] * s6;
-  const Scalar t7 = k[2] + t6;
-  const Scalar t8 = qd[5] * t1;
-  const Scalar t9 = qd[4] * t7 - t8;
-  const Scalar t10 = qd[4] * t5 - c5 * t9;
-  const Scalar t11 = qd[5] * t3;
-  const Scalar t12 = c5 * t4;
-  const Scalar t13 = s5 * t7 + t12;
-  const Scalar t14 = k[7] + t13;
-  const Scalar t15 = t11 + qd[3] * t14;
-  const Scalar t16 = s4 * (qd[3] * t2 + t10) - c4 * t15;
-  const Scalar t17 = k[11] + t1;
-  const Scalar t18 = k[12] - t17;
-  const Scalar t19 = qd[4] * t18;
-  const Scalar t20 = k[0] * s6 + k[1] * c6;
-  const Scalar t21 = k[9] + t20;
-  const Scalar t22 = qd[4] * t21;
-  const Scalar t23 = c5 * t19 - s5 * (t11 + t22);
-  const Scalar t24 = qd[5] * t6;
-  const Scalar t25 = t24 + k[8] * qd[4];
-  const Scalar t26 = c5 * t22 + s5 * t25;
-  const Scalar t27 = s5 * t23 + c5 * t26;
-  const Scalar t28 = qd[5] * t20;
-  const Scalar t29 = qd[5] * t17;
-  const Scalar t30 = s5 * t28 + c5 * t29;
-  const Scalar t31 = Scalar(2) * c5 * t21 + s5 * (k[8] + t18);
-  const Scalar t32 = k[13] + (s5 * t31 - t18);
-  const Scalar t33 = s4 * (t15 + t27) + c4 * (t30 + qd[3] * t32);
-  const Scalar t34 = k[16] * s6 + k[15] * c6;
-  const Scalar t35 = k[17] + t34;
-  const Scalar t36 = c5 * t35;
-  const Scalar t37 = k[20] + (k[18] * s5 + t36);
-  const Scalar t38 = qd[5] * t34;
-  const Scalar t39 = qd[3] * t37 + t38;
-  const Scalar t40 = k[16] * c6 - k[15] * s6;
-  const Scalar t41 = k[19] + t40;
-  const Scalar t42 = s5 * t35;
-  const Scalar t43 = t42 - k[18] * c5;
-  const Scalar t44 = s4 * t43;
-  const Scalar t45 = qd[0] * t44;
-  const Scalar t46 = qd[5] * t40;
-  const Scalar t47 = qd[0] * s4;
-  const Scalar t48 = qd[4] + t47;
-  const Scalar t49 = t46 + k[18] * t48;
-  const Scalar t50 = c5 * t49 - t42 * t48;
-  const Scalar t51 = t45 + t50;
-  const Scalar t52 = qd[3] * t41 + t51;
-  const Scalar t53 = c4 * t39 + s4 * t52;
-  const Scalar t54 = (c4 * t16 + s4 * t33) + k[21] * t53;
-  const Scalar t55 = k[23] - t43;
-  const Scalar t56 = s5 * (k[18] * qd[4] + t46) + qd[4] * t36;
-  const Scalar t57 = (t27 - qd[2] * t55) + q[2] * (k[22] * qd[2] + t56);
-  const Scalar t58 = qd[0] * (t55 - k[22] * q[2]);
-  const Scalar t59 = c4 * t37 + s4 * t41;
-  const Scalar t60 = qd[0] * t59;
-  const Scalar t61 = q[2] * (s4 * t39 - c4 * t52);
-  const Scalar t62 = s5 * t26;
-  const Scalar t63 = c5 * t23;
-  const Scalar t64 = qd[3] * (k[24] - (t5 - c5 * t7)) + ((t25 - t62) + (t63 - t19));
-  const Scalar t65 = qd[0] * c4;
-  const Scalar t66 = c4 * (t64 - (t14 * t65 - t47 * t2));
-  const Scalar t67 = qd[3] * (k[25] + (c5 * t31 - t21));
-  const Scalar t68 = t67 + (c5 * t28 - s5 * t29);
-  const Scalar t69 = s4 * (t68 - (t47 * t14 + t65 * t32));
-  const Scalar t70 = k[21] * t60 - (t61 - (t66 - t69));
-  const Scalar t71 = qd[3] * s5 + c5 * t65;
-  const Scalar t72 = qd[3] * c5;
-  const Scalar t73 = s5 * t65 - t72;
-  const Scalar t74 = t4 * t48 - (t71 * t18 - t21 * t73);
-  const Scalar t75 = (t7 * t48 - t8) + (t21 * t71 + k[8] * t73);
-  const Scalar t76 = s4 * t11 + c4 * (s5 * t74 - c5 * t75);
-  const Scalar t77 = t71 * t35 + k[18] * t73;
-  const Scalar t78 = t36 * t48 + s5 * t49;
-  const Scalar t79 = t76 - q[2] * (c4 * t77 + s4 * t78);
-  const Scalar t80 = t79 + k[21] * t50;
-  const Scalar t81 = qd[5] - t73;
-  const Scalar t82 = s6 * t48 - c6 * t71;
-  const Scalar t83 = s6 * t71 + c6 * t48;
-  const Scalar t84 = k[0] * t81 + (k[5] * t82 - k[26] * t83);
-  const Scalar t85 = (k[5] * t83 + k[10] * t82) - k[1] * t81;
-  const Scalar t86 = c6 * t84 + s6 * t85;
-  const Scalar t87 = c6 * t85 - s6 * t84;
-  const Scalar t88 = k[16] * t83 - k[15] * t82;
-  const Scalar t89 = t81 * t34;
-  const Scalar t90 = c4 * t81 * t40 - s4 * (s5 * t88 + c5 * t89);
-  const Scalar t91 = (c4 * c5 * t86 + s4 * t87) + q[2] * t90;
-  const Scalar t92 = s5 * t89 - c5 * t88;
-  const Scalar t93 = t91 - k[21] * t92;
-  const Scalar t94 = t46 + t40 * t72;
-  const Scalar t95 = (qd[4] * s5 * t40 + c5 * t38) + qd[3] * t34;
-  const Scalar t96 = (s5 * t9 + qd[4] * t12) + t68;
-  const Scalar t97 = s4 * t96 - c4 * ((t63 - t62) + t64);
-  const Scalar t98 = s5 * t75 + c5 * t74;
-  const Scalar t99 = s5 * t86;
-  const Scalar t100 = q[2] * (c4 * qd[3] * t43 + s4 * t56);
-  const Scalar t101 = c4 * (qd[3] * (k[8] - t18) + (t30 + t10));
-  const Scalar t102 = t101 + s4 * (Scalar(2) * t11 + qd[3] * t13);
-  const Scalar t103 = k[21] * t51 - (t100 + (qd[2] * t44 - t102));
-  const Scalar t104 = s4 * c5 * t40 + c4 * t34;
-  const Scalar t105 = t28 - qd[3] * (k[11] * s5 - c5 * t20);
-  const Scalar t106 = t24 - k[11] * qd[4];
-  const Scalar t107 = qd[4] * t20;
-  const Scalar t108 = (c5 * t106 - s5 * t107) + qd[3] * t6;
-  const Scalar t109 = qd[2] * t104 - (s4 * t105 - c4 * t108);
-  const Scalar t110 = t109 - q[2] * (s4 * t95 - c4 * t94);
-  const Scalar t111 = qd[0] * t104;
+  const Scalar t0 = k[7] * c6 - k[6] * s6;
+  const Scalar t1 = k[19] + t0;
+  const Scalar t2 = k[10] * s6 - k[11] * c6;
+  const Scalar t3 = k[14] - s6 * t2;
+  const Scalar t4 = k[18] + t3;
+  const Scalar t5 = c5 * t4;
+  const Scalar t6 = s5 * t1 + t5;
+  const Scalar t7 = k[20] + t6;
+  const Scalar t8 = qd[5] * t3;
+  const Scalar t9 = qd[3] * t7 + t8;
+  const Scalar t10 = c6 * t2;
+  const Scalar t11 = k[12] + t10;
+  const Scalar t12 = k[13] - t11;
+  const Scalar t13 = qd[4] * t12;
+  const Scalar t14 = k[6] * c6 + k[7] * s6;
+  const Scalar t15 = k[9] + t14;
+  const Scalar t16 = c5 * t13 - s5 * (qd[4] * t15 + t8);
+  const Scalar t17 = c5 * t15;
+  const Scalar t18 = qd[5] * t0;
+  const Scalar t19 = k[8] * qd[4] + t18;
+  const Scalar t20 = qd[4] * t17 + s5 * t19;
+  const Scalar t21 = s5 * t16 + c5 * t20;
+  const Scalar t22 = s5 * (k[8] + t12) + (t17 + t17);
+  const Scalar t23 = k[21] - (t12 - s5 * t22);
+  const Scalar t24 = qd[5] * t11;
+  const Scalar t25 = qd[5] * t14;
+  const Scalar t26 = c5 * t24 + s5 * t25;
+  const Scalar t27 = s4 * (t9 + t21) + c4 * (qd[3] * t23 + t26);
+  const Scalar t28 = s5 * t4;
+  const Scalar t29 = k[22] + t10;
+  const Scalar t30 = qd[5] * t29;
+  const Scalar t31 = t30 - qd[4] * t1;
+  const Scalar t32 = qd[4] * t28 + c5 * t31;
+  const Scalar t33 = k[23] + t29;
+  const Scalar t34 = c4 * t9 - s4 * (t32 + qd[3] * t33);
+  const Scalar t35 = k[1] * c6 + k[2] * s6;
+  const Scalar t36 = qd[5] * t35;
+  const Scalar t37 = k[4] + t35;
+  const Scalar t38 = c5 * t37;
+  const Scalar t39 = k[15] + (t38 + k[3] * s5);
+  const Scalar t40 = t36 + qd[3] * t39;
+  const Scalar t41 = k[2] * c6 - k[1] * s6;
+  const Scalar t42 = k[16] + t41;
+  const Scalar t43 = qd[5] * t41;
+  const Scalar t44 = t43 + k[3] * qd[4];
+  const Scalar t45 = s5 * t37;
+  const Scalar t46 = c5 * t44 - qd[4] * t45;
+  const Scalar t47 = qd[3] * t42 + t46;
+  const Scalar t48 = c4 * t40 + s4 * t47;
+  const Scalar t49 = (s4 * t27 - c4 * t34) + k[17] * t48;
+  const Scalar t50 = s5 * t44 + qd[4] * t38;
+  const Scalar t51 = k[3] * c5 - t45;
+  const Scalar t52 = k[5] + t51;
+  const Scalar t53 = q[2] * (t50 + k[0] * qd[2]) + (t21 - qd[2] * t52);
+  const Scalar t54 = qd[0] * (k[0] * q[2] - t52);
+  const Scalar t55 = c4 * t39 + s4 * t42;
+  const Scalar t56 = qd[0] * t55;
+  const Scalar t57 = c5 * t16;
+  const Scalar t58 = s5 * t20;
+  const Scalar t59 = qd[3] * (k[25] - (t28 - c5 * t1)) + ((t57 - t13) + (t19 - t58));
+  const Scalar t60 = qd[0] * c4;
+  const Scalar t61 = qd[0] * s4;
+  const Scalar t62 = c4 * (t59 - (t7 * t60 - t61 * t33));
+  const Scalar t63 = qd[4] * t5 - s5 * t31;
+  const Scalar t64 = (s5 * t24 - c5 * t25) - t63;
+  const Scalar t65 = qd[3] * (k[24] + (c5 * t22 - t15)) - t64;
+  const Scalar t66 = (t61 * t7 + t60 * t23) - (t65 - t63);
+  const Scalar t67 = k[17] * t56 + (t62 + s4 * t66);
+  const Scalar t68 = t67 - q[2] * (s4 * t40 - c4 * t47);
+  const Scalar t69 = qd[3] * s5 + c5 * t60;
+  const Scalar t70 = qd[3] * c5;
+  const Scalar t71 = s5 * t60 - t70;
+  const Scalar t72 = qd[4] + t61;
+  const Scalar t73 = (t12 * t69 - t71 * t15) - t4 * t72;
+  const Scalar t74 = (t1 * t72 - t30) + (t69 * t15 + k[8] * t71);
+  const Scalar t75 = c4 * (s5 * t73 + c5 * t74) - s4 * t8;
+  const Scalar t76 = t61 * t51;
+  const Scalar t77 = t76 + t46;
+  const Scalar t78 = t38 * t72 + s5 * (k[3] * t72 + t43);
+  const Scalar t79 = s4 * t78 + c4 * (k[3] * t71 + t69 * t37);
+  const Scalar t80 = (t75 - k[17] * t77) + q[2] * t79;
+  const Scalar t81 = qd[5] - t71;
+  const Scalar t82 = t81 * t35;
+  const Scalar t83 = s6 * t72 - c6 * t69;
+  const Scalar t84 = s6 * t69 + c6 * t72;
+  const Scalar t85 = k[1] * t83 - k[2] * t84;
+  const Scalar t86 = s4 * (c5 * t82 - s5 * t85) - c4 * t81 * t41;
+  const Scalar t87 = (k[14] * t84 + k[22] * t83) - k[6] * t81;
+  const Scalar t88 = k[7] * t81 + (k[14] * t83 - k[12] * t84);
+  const Scalar t89 = s6 * t87 + c6 * t88;
+  const Scalar t90 = c6 * t87 - s6 * t88;
+  const Scalar t91 = c5 * t85 + s5 * t82;
+  const Scalar t92 = (c4 * c5 * t89 + s4 * t90) - k[17] * t91;
+  const Scalar t93 = q[2] * t86 - t92;
+  const Scalar t94 = qd[3] * t51;
+  const Scalar t95 = (s5 * qd[4] * t41 + c5 * t36) + qd[3] * t35;
+  const Scalar t96 = t43 + t41 * t70;
+  const Scalar t97 = c4 * (t59 + (t57 - t58)) - s4 * t65;
+  const Scalar t98 = s5 * t74 - c5 * t73;
+  const Scalar t99 = s5 * t89;
+  const Scalar t100 = c4 * ((t32 + t26) + qd[3] * (k[8] - t12));
+  const Scalar t101 = t100 + s4 * (Scalar(2) * t8 + qd[3] * t6);
+  const Scalar t102 = (k[17] * t46 + t101) + qd[2] * s4 * t51;
+  const Scalar t103 = t102 - q[2] * (s4 * t50 - c4 * t94);
+  const Scalar t104 = s4 * c5 * t41 + c4 * t35;
+  const Scalar t105 = t25 - qd[3] * (k[26] * s5 - c5 * t14);
+  const Scalar t106 = k[26] * qd[4] - t18;
+  const Scalar t107 = qd[4] * t14;
+  const Scalar t108 = qd[3] * t0 - (c5 * t106 + s5 * t107);
+  const Scalar t109 = qd[0] * t104;
+  const Scalar t110 = (s4 * t105 - c4 * t108) + k[17] * (t109 + t91);
+  const Scalar t111 = q[2] * (s4 * t95 - c4 * t96) - (qd[2] * t104 - t110);
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = t57 - t54;
+  result(0, 0) = t53 - t49;
   result(0, 1) = Scalar(0);
-  result(0, 2) = -t58;
-  result(0, 3) = -t70;
-  result(0, 4) = -t80;
-  result(0, 5) = -t93;
+  result(0, 2) = t54;
+  result(0, 3) = -t68;
+  result(0, 4) = t80;
+  result(0, 5) = t93;
   result(1, 0) = Scalar(0);
   result(1, 1) = Scalar(0);
-  result(1, 2) = Scalar(0);
-  result(1, 3) = -t53;
-  result(1, 4) = s4 * t77 - c4 * t78;
-  result(1, 5) = -s4 * t94 - c4 * t95;
-  result(2, 0) = t53 + t58;
-  result(2, 1) = Scalar(0);
+  result(1, 2) = -Scalar(0);
+  result(1, 3) = -t48;
+  result(1, 4) = -c4 * t50 - s4 * t94;
+  result(1, 5) = -c4 * t95 - s4 * t96;
+  result(2, 0) = t48 - t54;
+  result(2, 1) = -Scalar(0);
   result(2, 2) = Scalar(0);
-  result(2, 3) = t60;
-  result(2, 4) = t50;
-  result(2, 5) = -t92;
-  result(3, 0) = t70 + (t61 + (t97 - qd[2] * t59));
-  result(3, 1) = Scalar(0);
-  result(3, 2) = -t60;
-  result(3, 3) = -t27;
+  result(2, 3) = t56;
+  result(2, 4) = t77;
+  result(2, 5) = -t91;
+  result(3, 0) = t67 - (t97 + qd[2] * t55);
+  result(3, 1) = -Scalar(0);
+  result(3, 2) = -t56;
+  result(3, 3) = -t21;
   result(3, 4) = t98;
   result(3, 5) = -t99;
-  result(4, 0) = t80 - t103;
-  result(4, 1) = Scalar(0);
-  result(4, 2) = t45;
-  result(4, 3) = (t96 - t67) - t98;
-  result(4, 4) = -t11;
-  result(4, 5) = -t87;
-  result(5, 0) = t93 - (t110 - k[21] * (t92 + t111));
-  result(5, 1) = Scalar(0);
-  result(5, 2) = -t111;
-  result(5, 3) = t99 - (c5 * t107 + s5 * t106);
-  result(5, 4) = t87 + t28;
+  result(4, 0) = -t80 - t103;
+  result(4, 1) = -Scalar(0);
+  result(4, 2) = -t76;
+  result(4, 3) = -t98 - t64;
+  result(4, 4) = -t8;
+  result(4, 5) = -t90;
+  result(5, 0) = t111 - t93;
+  result(5, 1) = -Scalar(0);
+  result(5, 2) = -t109;
+  result(5, 3) = (s5 * t106 - c5 * t107) + t99;
+  result(5, 4) = t90 + t25;
   result(5, 5) = Scalar(0);
   return result;
 }
@@ -852,86 +864,84 @@ ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6z * inertia.m6;
-  const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = inertia.c4x * inertia.m4;
-  const Scalar t3 = inertia.c5x * inertia.m5;
-  const Scalar t4 = inertia.c6y * inertia.m6;
-  const Scalar t5 = inertia.c5y * inertia.m5;
-  const Scalar t6 = inertia.c5z * inertia.m5;
-  const Scalar t7 = inertia.c4z * inertia.m4;
-  const Scalar t8 = inertia.c3x * inertia.m3;
-  const Scalar t9 = inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6));
-  const Scalar t10 = inertia.m2 + t9;
-  const Scalar t11 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t12 = (inertia.I6xx - t11) - inertia.c6x * t1;
-  const Scalar t13 = inertia.c6z * t0 - (inertia.I6zz - t11);
-  const Scalar t14 = t12 - t13;
-  const Scalar t15 = Scalar(1) / t14;
-  const Scalar t16 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t17 = inertia.I6yz - inertia.c6z * t4;
-  const Scalar t18 = inertia.I6xz - inertia.c6z * t1;
-  const Scalar t19 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t20 = ((inertia.I6yy - t11) - inertia.c6y * t4) - (inertia.c5y * t5 - (inertia.I5yy - t19));
-  const Scalar t21 = inertia.c4y * inertia.m4;
-  const Scalar t22 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t23 = (inertia.c5x * t3 - (inertia.I5xx - t19)) - ((inertia.I4xx - t22) - inertia.c4x * t2);
-  const Scalar t24 = (inertia.I4zz - t22) - inertia.c4z * t7;
+  const Scalar t0 = inertia.c6x * inertia.m6;
+  const Scalar t1 = inertia.I6xz - inertia.c6z * t0;
+  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t0;
+  const Scalar t4 = inertia.c6z * inertia.m6;
+  const Scalar t5 = inertia.c6z * t4 - (inertia.I6zz - t2);
+  const Scalar t6 = t3 - t5;
+  const Scalar t7 = inertia.c5x * inertia.m5;
+  const Scalar t8 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t9 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t10 = inertia.c4x * inertia.m4;
+  const Scalar t11 = (inertia.c5x * t7 - (inertia.I5xx - t8)) - ((inertia.I4xx - t9) - inertia.c4x * t10);
+  const Scalar t12 = inertia.c5z * inertia.m5;
+  const Scalar t13 = inertia.c6y * inertia.m6;
+  const Scalar t14 = inertia.c5y * inertia.m5;
+  const Scalar t15 = ((inertia.I6yy - t2) - inertia.c6y * t13) - (inertia.c5y * t14 - (inertia.I5yy - t8));
+  const Scalar t16 = inertia.c4z * inertia.m4;
+  const Scalar t17 = (inertia.I4zz - t9) - inertia.c4z * t16;
+  const Scalar t18 = inertia.c4y * inertia.m4;
+  const Scalar t19 = t10 + t7;
+  const Scalar t20 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t21 = g.l1 * t20;
+  const Scalar t22 = inertia.c3x * inertia.m3;
+  const Scalar t23 = g.l1 * inertia.m3 + t22;
+  const Scalar t24 = inertia.m3 + t20;
   const Scalar t25 = inertia.c3y * inertia.m3;
   const Scalar t26 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
   const Scalar t27 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
   const Scalar t28 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t29 = ((inertia.I3yy - t28) - inertia.c3y * t25) + ((inertia.I4yy - t22) - inertia.c4y * t21);
+  const Scalar t29 = ((inertia.I3yy - t28) - inertia.c3y * t25) + ((inertia.I4yy - t9) - inertia.c4y * t18);
   const Scalar t30 = ((inertia.I2yy - t27) - inertia.c2y * inertia.c2y * inertia.m2) + t29;
   const Scalar t31 = (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t26)) - t30;
-  const Scalar t32 = inertia.I4xz - inertia.c4z * t2;
+  const Scalar t32 = inertia.I4xz - inertia.c4z * t10;
   const Scalar t33 = inertia.c2x * inertia.m2;
-  const Scalar t34 = (inertia.c3x * t8 - (inertia.I3xx - t28)) + (inertia.c2x * t33 - (inertia.I2xx - t27));
-  const Scalar t35 = inertia.c1x * inertia.m1;
-  const Scalar t36 = g.l1 * (t35 + (g.l1 * inertia.m1 + t35)) + (inertia.c1x * t35 - (inertia.I1xx - t26));
-  return { t0,
-           t1,
-           t2 + t3,
-           t4 + t5,
+  const Scalar t34 = (inertia.c2x * t33 - (inertia.I2xx - t27)) + g.l1 * (t33 + (g.l1 * inertia.m2 + t33));
+  const Scalar t35 = (inertia.c3x * t22 - (inertia.I3xx - t28)) + g.l1 * (t22 + t23);
+  const Scalar t36 = inertia.c1x * inertia.m1;
+  const Scalar t37 = g.l1 * (t36 + (g.l1 * inertia.m1 + t36)) + (inertia.c1x * t36 - (inertia.I1xx - t26));
+  return { Scalar(2) * t1,
+           t3 + t5,
+           t3,
            t6,
-           t7,
-           t8,
-           g.l1 * t10,
-           g.l1 * inertia.m2,
-           g.l1,
-           t15 * t16,
-           t17 * t15,
-           t14,
-           t17,
-           t16,
+           t11,
+           inertia.c5z * t12 - (inertia.I5zz - t8),
            t15,
-           inertia.I5xy - inertia.c5y * t3,
-           Scalar(2) * t18,
-           t12 + t13,
-           t18,
-           inertia.I5xz - inertia.c5z * t3,
-           t13,
-           inertia.c5z * t6 - (inertia.I5zz - t19),
-           t20,
-           inertia.I5yz - inertia.c5z * t5,
-           Scalar(2) * t20,
-           inertia.I4yz - inertia.c4z * t21,
-           inertia.I4xy - inertia.c4y * t2,
-           t23,
+           inertia.I6xy - inertia.c6y * t0,
+           inertia.I6yz - inertia.c6z * t13,
+           inertia.I5yz - inertia.c5z * t14,
+           t17,
+           Scalar(1) / t6,
+           t1,
+           inertia.I5xz - inertia.c5z * t7,
+           inertia.I5xy - inertia.c5y * t7,
+           inertia.I4yz - inertia.c4z * t18,
+           inertia.I4xy - inertia.c4y * t10,
+           t4,
+           t0,
+           t12,
+           t13 + t14,
+           t16,
+           t19,
+           g.l1,
+           t21 + t23,
            t24,
-           t9,
-           t21 + t25,
+           inertia.m2 + t24,
+           t18 + t25,
            t31,
            t32,
-           (t34 + Scalar(2) * g.l1 * t33) + t36,
-           t10,
+           Scalar(2) * g.l1,
+           (t34 + (g.l1 * t21 + t35)) + t37,
            gravity,
-           t24 + t23,
-           Scalar(2) * t7,
+           t17 + t11,
+           Scalar(2) * t11,
            Scalar(2) * t32,
-           Scalar(2) * t24,
-           Scalar(2) * t23,
-           gravity * t9,
+           Scalar(2) * t17,
+           Scalar(2) * t16,
+           Scalar(2) * t19,
+           gravity * t24,
            gravity * inertia.m2 };
 }
 
@@ -947,181 +957,181 @@ inline JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const 
   const Scalar& c5 = angles.cosine[1];
   const Scalar& s6 = angles.sine[2];
   const Scalar& c6 = angles.cosine[2];
-  const Scalar t0 = k[0] * s6 - k[1] * c6;
-  const Scalar t1 = s5 * t0;
-  const Scalar t2 = k[15] * t1;
-  const Scalar t3 = k[10] * c6 - k[11] * s6;
-  const Scalar t4 = k[12] * t3;
-  const Scalar t5 = k[0] * c6 + k[1] * s6;
-  const Scalar t6 = k[4] + t5;
-  const Scalar t7 = k[3] * s5 + c5 * t6;
-  const Scalar t8 = t2 * t4 + t7;
-  const Scalar t9 = k[17] * s6 - k[18] * c6;
-  const Scalar t10 = k[21] + c6 * t9;
-  const Scalar t11 = k[12] + t10;
-  const Scalar t12 = k[22] - t11;
-  const Scalar t13 = k[23] - t12;
-  const Scalar t14 = Scalar(1) / (t3 * t4 - t13);
-  const Scalar t15 = t8 * t14;
-  const Scalar t16 = k[19] - s6 * t9;
-  const Scalar t17 = k[20] + t16;
-  const Scalar t18 = k[16] + t4;
-  const Scalar t19 = s5 * t17 - c5 * t18;
-  const Scalar t20 = k[14] * s6 + k[13] * c6;
-  const Scalar t21 = c5 + k[15] * s5 * t20;
-  const Scalar t22 = k[12] * t21;
-  const Scalar t23 = t19 + t22 * t3;
-  const Scalar t24 = t15 * t23 - t22 * t2;
-  const Scalar t25 = k[24] + t20;
-  const Scalar t26 = c5 * t25;
-  const Scalar t27 = (t26 + t26) + s5 * (k[25] - t13);
-  const Scalar t28 = s5 * t27;
-  const Scalar t29 = k[29] + (t28 - t12);
-  const Scalar t30 = k[28] + t10;
-  const Scalar t31 = t14 * t23;
-  const Scalar t32 = (t21 * t22 - (t29 - t30)) - t31 * t23;
-  const Scalar t33 = Scalar(1) / t32;
-  const Scalar t34 = t33 * t24;
-  const Scalar t35 = t24 * t34 - ((k[30] + t2 * t1) - t8 * t15);
-  const Scalar t36 = Scalar(1) / t35;
-  const Scalar t37 = c5 * t0;
-  const Scalar t38 = c4 * t37 + s4 * t5;
-  const Scalar t39 = k[3] * c5 - s5 * t6;
-  const Scalar t40 = t38 * t3 + c4 * t39;
-  const Scalar t41 = t40 * t14;
-  const Scalar t42 = k[5] + t7;
-  const Scalar t43 = k[2] - t0;
-  const Scalar t44 = s4 * t42 - c4 * t43;
-  const Scalar t45 = k[15] * t38;
-  const Scalar t46 = t41 * t23 + (t44 - t45 * t22);
-  const Scalar t47 = t33 * t46;
-  const Scalar t48 = t47 * t24 - (t2 * t38 - t8 * t41);
-  const Scalar t49 = t36 * t48;
-  const Scalar t50 = s4 * (k[27] - t19) + c4 * (k[26] + (c5 * t27 - t25));
-  const Scalar t51 = t50 + q[2] * (s4 * t43 + c4 * t42);
-  const Scalar t52 = c4 * (c5 * t20 - k[12] * s5) + s4 * t4;
-  const Scalar t53 = t52 - q[2] * (s4 * t37 - c4 * t5);
-  const Scalar t54 = k[9] * t1 - t53;
-  const Scalar t55 = k[15] * t54;
-  const Scalar t56 = c5 * t17 + s5 * t18;
-  const Scalar t57 = q[2] * s4 * t39 + (s4 * t13 - c4 * t56);
-  const Scalar t58 = (t57 + k[9] * t7) + t55 * t4;
-  const Scalar t59 = t58 * t14;
-  const Scalar t60 = (t51 + t22 * t55) - t59 * t23;
-  const Scalar t61 = k[6] - t44;
-  const Scalar t62 = k[7] + t61;
-  const Scalar t63 = ((k[8] - t62) - t2 * t54) + t8 * t59;
-  const Scalar t64 = t60 * t34 - t63;
-  const Scalar t65 = t60 * t47 - (t40 * t59 - t38 * t55);
-  const Scalar t66 = t49 * t64 - t65;
-  const Scalar t67 = qd[0] * c4;
-  const Scalar t68 = qd[3] * t67;
-  const Scalar t69 = qd[3] * s5 + c5 * t67;
-  const Scalar t70 = s5 * t67 - qd[3] * c5;
-  const Scalar t71 = t69 * t70;
-  const Scalar t72 = t68 + t71;
-  const Scalar t73 = qd[5] - t70;
-  const Scalar t74 = t72 + Scalar(2) * t73 * t69;
-  const Scalar t75 = qd[0] * s4;
-  const Scalar t76 = qd[4] + t75;
-  const Scalar t77 = t73 * t76;
-  const Scalar t78 = t70 * t76;
-  const Scalar t79 = t75 * t67;
-  const Scalar t80 = qd[3] * t75;
-  const Scalar t81 = t80 + t80;
-  const Scalar t82 = s5 * t79 - c5 * t81;
-  const Scalar t83 = t78 - (t82 - t78);
-  const Scalar t84 = (t77 + t77) + t83;
-  const Scalar t85 = s5 * t81 + c5 * t79;
-  const Scalar t86 = t70 * t70;
-  const Scalar t87 = t76 * t76;
-  const Scalar t88 = t86 + t87;
-  const Scalar t89 = qd[3] * qd[3];
-  const Scalar t90 = t67 * t67;
-  const Scalar t91 = t89 + t90;
-  const Scalar t92 = t88 - t91;
-  const Scalar t93 = t73 * t73;
-  const Scalar t94 = t87 - t93;
-  const Scalar t95 = (t11 * t74 + t84 * t16) + (t4 * t85 - (t92 - t94) * t20);
-  const Scalar t96 = qd[0] * qd[0];
-  const Scalar t97 = q[2] * t96;
-  const Scalar t98 = qd[2] * qd[0];
-  const Scalar t99 = k[9] * t96 - (t98 + t98);
-  const Scalar t100 = s4 * t99 + k[36] * c4;
-  const Scalar t101 = c5 * t97 + s5 * t100;
-  const Scalar t102 = t86 - t87;
-  const Scalar t103 = t102 - t91;
-  const Scalar t104 = t68 - t71;
-  const Scalar t105 = k[24] * (t103 + t88) - (k[23] * t72 - k[22] * t104);
-  const Scalar t106 = c5 * t100 - s5 * t97;
-  const Scalar t107 = (t105 + (k[20] * t82 - k[16] * t85)) + (k[3] * t106 - k[4] * t101);
-  const Scalar t108 = (t95 + t5 * t101) - t107;
-  const Scalar t109 = Scalar(2) * t69 * t76 - t85;
-  const Scalar t110 = t92 * t16 + (t85 * t10 + t11 * t109);
-  const Scalar t111 = k[36] * s4 - c4 * t99;
-  const Scalar t112 = ((t20 * t83 - t72 * t4) + t110) - (t0 * t106 + t5 * t111);
-  const Scalar t113 = torque[5] - t112;
-  const Scalar t114 = ((torque[4] + t108) - t113 * t3) * t14;
-  const Scalar t115 = (k[24] * t109 + k[23] * t83) - k[16] * t102;
-  const Scalar t116 = t94 * t4 + (t16 * t74 - t84 * t10);
-  const Scalar t117 = ((t115 + k[20] * t104) - k[3] * t111) - (t0 * t101 - (t116 + t20 * t109));
-  const Scalar t118 = (k[22] * t109 - k[24] * t83) + (k[16] * t72 - k[20] * t92);
-  const Scalar t119 = (k[4] * t111 + t118) - t112;
-  const Scalar t120 = t89 - t90;
-  const Scalar t121 = t120 + t96;
-  const Scalar t122 = (k[5] * t111 - k[2] * t100) - (k[33] * (t121 - t91) + k[37] * t79);
-  const Scalar t123 = torque[3] - ((s5 * t117 - c5 * t119) - t122);
-  const Scalar t124 = k[15] * t113;
-  const Scalar t125 = t114 * t23 - (t123 - t22 * t124);
-  const Scalar t126 = (k[4] * t104 - k[3] * t103) - (t0 * t84 - t5 * t74);
-  const Scalar t127 = t87 + t93;
-  const Scalar t128 = (t5 * t127 + t0 * t85) + (k[4] * t88 - k[3] * t72);
-  const Scalar t129 = (k[38] * t68 + k[2] * t81) + (c5 * t126 - s5 * t128);
-  const Scalar t130 = t129 + (k[31] * t96 - k[30] * t97);
-  const Scalar t131 = (t1 * t124 - (torque[2] - t130)) + t8 * t114;
-  const Scalar t132 = t34 * t125 + t131;
-  const Scalar t133 = (t0 * (t92 - t127) - t5 * t109) - (k[4] * t109 + k[3] * t83);
-  const Scalar t134 = t133 - (k[5] * t79 - k[2] * t91);
-  const Scalar t135 = (k[5] * t121 - k[2] * t79) + (c5 * t128 + s5 * t126);
-  const Scalar t136 = k[43] + (k[42] - (s4 * t134 + c4 * t135));
-  const Scalar t137 = t40 * t114 + (t38 * t124 - (torque[1] - t136));
-  const Scalar t138 = t33 * t125;
-  const Scalar t139 = ((k[35] + t45 * t38) - t40 * t41) - t47 * t46;
-  const Scalar t140 = Scalar(1) / (t139 + t48 * t49);
-  const Scalar t141 = (t49 * t132 - (t137 + t46 * t138)) * t140;
-  const Scalar t142 = t36 * t132;
-  const Scalar t143 = k[6] * t96;
-  const Scalar t144 = (t143 + k[30] * t99) - (s4 * t135 - c4 * t134);
-  const Scalar t145 = (k[26] * t120 - k[27] * t79) - (k[39] * t80 + k[40] * t68);
-  const Scalar t146 = (k[41] * t80 - k[39] * t68) - k[27] * (t96 - t91);
-  const Scalar t147 = (c5 * t117 + s5 * t119) + (k[2] * t97 + (k[26] * t79 - t146));
-  const Scalar t148 = s4 * ((t145 - k[5] * t97) - t108) + c4 * t147;
-  const Scalar t149 = q[2] * t144 - ((q[2] * t143 + k[31] * t99) + t148);
-  const Scalar t150 = t113 * t55 + (torque[0] + (t149 + k[9] * t130));
-  const Scalar t151 = t142 * t64 - (t60 * t138 - (t58 * t114 + t150));
-  const Scalar t152 = t60 * t33;
-  const Scalar t153 = c4 * (t29 + t30) + Scalar(2) * s4 * (k[33] + t56);
-  const Scalar t154 = k[9] * (t61 + t62) - (t29 - c4 * t153);
-  const Scalar t155 = k[31] + t39;
-  const Scalar t156 = q[2] * (t155 + (t155 - k[30] * q[2])) + (k[23] - t28);
-  const Scalar t157 = ((k[34] + t154) + (k[32] - t156)) + t54 * t55;
-  const Scalar t158 = t36 * t64;
-  const Scalar t159 = (t60 * t152 - (t157 - t58 * t59)) - t158 * t64;
-  const Scalar t160 = t66 * t140;
-  const Scalar t161 = (t66 * t141 - t151) * Scalar(1) / (t159 + t160 * t66);
-  const Scalar t162 = t160 * t161 - t141;
-  const Scalar t163 = t49 * t162 - (t161 * t158 - t142);
-  const Scalar t164 = ((t161 * t152 - t138) - t47 * t162) + t163 * t34;
-  const Scalar t165 = t163 * t15 - ((t114 + t161 * t59) + t41 * t162);
-  const Scalar t166 = t164 * t31 + t165;
-  const Scalar t167 = t163 * t2 - ((t161 * t55 - t124) + t45 * t162);
+  const Scalar t0 = k[8] * c6 + k[7] * s6;
+  const Scalar t1 = k[3] * c5 + s5 * t0;
+  const Scalar t2 = k[7] * c6 - k[8] * s6;
+  const Scalar t3 = k[11] * t2;
+  const Scalar t4 = k[0] * s6 - k[1] * c6;
+  const Scalar t5 = k[12] - s6 * t4;
+  const Scalar t6 = k[13] + t5;
+  const Scalar t7 = k[14] + t2;
+  const Scalar t8 = s5 * t6 - c5 * t7;
+  const Scalar t9 = t1 * t3 + t8;
+  const Scalar t10 = k[2] + c6 * t4;
+  const Scalar t11 = k[5] - t10;
+  const Scalar t12 = k[6] - t11;
+  const Scalar t13 = Scalar(1) / (t12 - t3 * t2);
+  const Scalar t14 = k[17] * c6 + k[18] * s6;
+  const Scalar t15 = k[19] + t14;
+  const Scalar t16 = k[20] * c5 - s5 * t15;
+  const Scalar t17 = c5 * t6 + s5 * t7;
+  const Scalar t18 = c5 * t15 + k[20] * s5;
+  const Scalar t19 = (c4 * t17 - s4 * t12) - k[23] * t18;
+  const Scalar t20 = k[17] * s6 - k[18] * c6;
+  const Scalar t21 = c5 * t20;
+  const Scalar t22 = s5 * t20;
+  const Scalar t23 = c4 * (c5 * t0 - k[3] * s5) + s4 * t2;
+  const Scalar t24 = q[2] * (s4 * t21 - c4 * t14) + (k[23] * t22 - t23);
+  const Scalar t25 = (q[2] * s4 * t16 - t19) + t24 * t3;
+  const Scalar t26 = t13 * t25;
+  const Scalar t27 = k[11] * t24;
+  const Scalar t28 = k[21] + t18;
+  const Scalar t29 = k[22] - t20;
+  const Scalar t30 = k[9] + t0;
+  const Scalar t31 = s5 * (k[6] + t11) + c5 * Scalar(2) * t30;
+  const Scalar t32 = s4 * (k[16] - t8) + c4 * (k[15] - (t30 - c5 * t31));
+  const Scalar t33 = q[2] * (c4 * t28 + s4 * t29) + t32;
+  const Scalar t34 = t9 * t26 + (t1 * t27 + t33);
+  const Scalar t35 = qd[0] * c4;
+  const Scalar t36 = qd[3] * t35;
+  const Scalar t37 = qd[3] * s5 + c5 * t35;
+  const Scalar t38 = s5 * t35 - qd[3] * c5;
+  const Scalar t39 = t37 * t38;
+  const Scalar t40 = t36 - t39;
+  const Scalar t41 = qd[0] * s4;
+  const Scalar t42 = qd[4] + t41;
+  const Scalar t43 = t42 * t42;
+  const Scalar t44 = qd[5] - t38;
+  const Scalar t45 = t44 * t44;
+  const Scalar t46 = t43 + t45;
+  const Scalar t47 = t37 * t37;
+  const Scalar t48 = t47 - t45;
+  const Scalar t49 = t46 + t48;
+  const Scalar t50 = t41 * t41;
+  const Scalar t51 = qd[3] * qd[3];
+  const Scalar t52 = t50 + t51;
+  const Scalar t53 = qd[0] * qd[0];
+  const Scalar t54 = t53 - t52;
+  const Scalar t55 = t50 - t51;
+  const Scalar t56 = t54 - t55;
+  const Scalar t57 = t52 + t56;
+  const Scalar t58 = t43 - t47;
+  const Scalar t59 = t57 + t58;
+  const Scalar t60 = t49 - t59;
+  const Scalar t61 = qd[3] * t41;
+  const Scalar t62 = t61 + t61;
+  const Scalar t63 = t41 * t35;
+  const Scalar t64 = s5 * t62 + c5 * t63;
+  const Scalar t65 = t37 * t42;
+  const Scalar t66 = (t64 - t65) - t65;
+  const Scalar t67 = t38 * t42;
+  const Scalar t68 = s5 * t63 - c5 * t62;
+  const Scalar t69 = t67 - (t68 - t67);
+  const Scalar t70 = k[14] * (t60 + t58) - (k[9] * t66 - k[6] * t69);
+  const Scalar t71 = Scalar(2) * qd[2] * qd[0];
+  const Scalar t72 = k[23] * t53 - t71;
+  const Scalar t73 = c4 * t72 - k[32] * s4;
+  const Scalar t74 = t46 - t58;
+  const Scalar t75 = t44 * t37;
+  const Scalar t76 = t36 + t39;
+  const Scalar t77 = t75 + (t75 + t76);
+  const Scalar t78 = Scalar(2) * t44 * t42 + t69;
+  const Scalar t79 = k[3] - t10;
+  const Scalar t80 = (t49 - t74) * t2 + (t5 * t77 + t78 * t79);
+  const Scalar t81 = q[2] * t53;
+  const Scalar t82 = k[32] * c4 + s4 * t72;
+  const Scalar t83 = c5 * t81 + s5 * t82;
+  const Scalar t84 = ((k[13] * t40 + t70) + k[20] * t73) + ((t80 - t0 * t66) - t20 * t83);
+  const Scalar t85 = s5 * t81 - c5 * t82;
+  const Scalar t86 = (t79 * t64 + t66 * t10) - t5 * t58;
+  const Scalar t87 = (t85 * t20 + t73 * t14) + ((t0 * t69 - t76 * t2) - t86);
+  const Scalar t88 = (k[5] * t66 + k[9] * t69) - (k[14] * t76 - k[13] * t58);
+  const Scalar t89 = t87 + (k[19] * t73 + t88);
+  const Scalar t90 = (k[29] * t56 - k[33] * t63) - (k[21] * t73 + k[22] * t82);
+  const Scalar t91 = torque[3] - ((s5 * t84 + c5 * t89) - t90);
+  const Scalar t92 = torque[5] - t87;
+  const Scalar t93 = k[11] * t92;
+  const Scalar t94 = (t0 * t48 + t64 * t2) + (t10 * t77 + t78 * t5);
+  const Scalar t95 = k[9] * t60 - (k[5] * t40 - k[6] * t76);
+  const Scalar t96 = (t95 - (k[13] * t68 - k[14] * t64)) + (k[19] * t83 + k[20] * t85);
+  const Scalar t97 = (t14 * t83 + t94) + t96;
+  const Scalar t98 = (torque[4] + t97) - t92 * t3;
+  const Scalar t99 = t13 * t98;
+  const Scalar t100 = t9 * t13;
+  const Scalar t101 = k[11] * t1;
+  const Scalar t102 = t11 - s5 * t31;
+  const Scalar t103 = k[10] - t102;
+  const Scalar t104 = k[4] - t79;
+  const Scalar t105 = t9 * t100 + (t1 * t101 - (t103 - t104));
+  const Scalar t106 = Scalar(1) / t105;
+  const Scalar t107 = ((t91 - t1 * t93) + t9 * t99) * t106;
+  const Scalar t108 = (k[16] * t63 + k[15] * t54) + (k[36] * t36 + k[29] * t62);
+  const Scalar t109 = k[16] * t55 + (k[35] * t36 - k[34] * t61);
+  const Scalar t110 = (c5 * t84 - s5 * t89) + (k[22] * t81 + (k[15] * t63 + t109));
+  const Scalar t111 = s4 * ((k[21] * t81 + t108) + t97) - c4 * t110;
+  const Scalar t112 = (t78 * t20 - t14 * t77) - (k[19] * t40 + k[20] * t49);
+  const Scalar t113 = (k[20] * t76 - k[19] * t59) - (t14 * t46 + t20 * t64);
+  const Scalar t114 = (k[37] * t36 + k[38] * t61) - (c5 * t112 - s5 * t113);
+  const Scalar t115 = k[24] * t53;
+  const Scalar t116 = (t111 + k[23] * t114) - (q[2] * t115 - k[27] * t71);
+  const Scalar t117 = (c5 * t113 + s5 * t112) - (k[21] * t52 - k[22] * t63);
+  const Scalar t118 = (t66 * t14 - t20 * t74) + (k[19] * t66 - k[20] * t69);
+  const Scalar t119 = (k[22] * t57 - k[21] * t63) + t118;
+  const Scalar t120 = (s4 * t117 + c4 * t119) - (k[25] * t71 - t115);
+  const Scalar t121 = (torque[0] + (t116 + q[2] * t120)) + t93 * t24;
+  const Scalar t122 = t18 + t22 * t3;
+  const Scalar t123 = t122 * t13;
+  const Scalar t124 = k[11] * t22;
+  const Scalar t125 = k[25] * q[2];
+  const Scalar t126 = t92 * t124 - (torque[2] - (t114 + t53 * (k[27] - t125)));
+  const Scalar t127 = t22 * t101 + t122 * t100;
+  const Scalar t128 = (t123 * t98 - t126) - t127 * t107;
+  const Scalar t129 = t127 * t106;
+  const Scalar t130 = t127 * t129 - ((k[25] + t124 * t22) + t123 * t122);
+  const Scalar t131 = Scalar(1) / t130;
+  const Scalar t132 = t128 * t131;
+  const Scalar t133 = s4 * t28 - c4 * t29;
+  const Scalar t134 = t122 * t26 + (t124 * t24 + (k[24] - t133));
+  const Scalar t135 = t34 * t129 - t134;
+  const Scalar t136 = (t34 * t107 - (t26 * t98 - t121)) + t132 * t135;
+  const Scalar t137 = k[40] + (k[39] + (c4 * t117 - s4 * t119));
+  const Scalar t138 = s4 * t14 + c4 * t21;
+  const Scalar t139 = k[11] * t138;
+  const Scalar t140 = c4 * t16 + t139 * t2;
+  const Scalar t141 = ((torque[1] - t137) - t93 * t138) + t140 * t99;
+  const Scalar t142 = (t138 * t101 - t133) + t100 * t140;
+  const Scalar t143 = t140 * t13;
+  const Scalar t144 = (t139 * t22 + t143 * t122) - t129 * t142;
+  const Scalar t145 = t131 * t144;
+  const Scalar t146 = (t141 - t107 * t142) + t128 * t145;
+  const Scalar t147 = t34 * t106;
+  const Scalar t148 = (t140 * t26 + t139 * t24) - t147 * t142;
+  const Scalar t149 = t148 - t135 * t145;
+  const Scalar t150 = t106 * t142;
+  const Scalar t151 = t150 * t142 - (t143 * t140 + (k[26] + t139 * t138));
+  const Scalar t152 = Scalar(1) / (t151 - t144 * t145);
+  const Scalar t153 = t149 * t152;
+  const Scalar t154 = t131 * t135;
+  const Scalar t155 = k[27] + t16;
+  const Scalar t156 = q[2] * ((t125 - t155) - t155) - (t12 + t102);
+  const Scalar t157 = c4 * (t103 + t104) + Scalar(2) * s4 * (k[29] + t17);
+  const Scalar t158 = k[31] - ((t103 - c4 * t157) + k[30] * t133);
+  const Scalar t159 = t26 * t25 + (t24 * t27 + ((k[28] + t156) + t158));
+  const Scalar t160 = t149 * t153 + (t154 * t135 + (t159 - t147 * t34));
+  const Scalar t161 = (t136 - t146 * t153) * Scalar(1) / t160;
+  const Scalar t162 = t161 * t153 + t146 * t152;
+  const Scalar t163 = t162 * t145 + (t132 - t161 * t154);
+  const Scalar t164 = ((t107 + t147 * t161) + t162 * t150) + t129 * t163;
+  const Scalar t165 = ((t99 + t161 * t26) + t162 * t143) + t123 * t163;
+  const Scalar t166 = t164 * t100 - t165;
+  const Scalar t167 = t124 * t163 - ((t93 - t161 * t27) - t162 * t139);
   JointVector<Scalar> result;
   result[0] = t161;
   result[1] = -t162;
-  result[2] = t163;
+  result[2] = -t163;
   result[3] = t164;
-  result[4] = -t166;
-  result[5] = t3 * t166 - (t21 * t164 + t167);
+  result[4] = t166;
+  result[5] = (t167 - t164 * t101) - t166 * t3;
   return result;
 }
 
@@ -1149,69 +1159,71 @@ KineticEnergyConstants<Scalar> kinetic_energy_constants(const BasicGeometry<Scal
   using std::cos;
   using std::sin;
   const Scalar t0 = inertia.c6x * inertia.m6;
-  const Scalar t1 = inertia.c6y * inertia.m6;
+  const Scalar t1 = inertia.I6xz - inertia.c6z * t0;
   const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
   const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t0;
   const Scalar t4 = inertia.c6z * inertia.m6;
   const Scalar t5 = inertia.c6z * t4 - (inertia.I6zz - t2);
-  const Scalar t6 = inertia.I6xz - inertia.c6z * t0;
-  const Scalar t7 = inertia.c5x * inertia.m5;
-  const Scalar t8 = inertia.c5y * inertia.m5;
-  const Scalar t9 = inertia.c5z * inertia.m5;
-  const Scalar t10 = inertia.c4x * inertia.m4;
-  const Scalar t11 = inertia.c4z * inertia.m4;
-  const Scalar t12 = inertia.c3x * inertia.m3;
-  const Scalar t13 = inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6));
-  const Scalar t14 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t15 = ((inertia.I6yy - t2) - inertia.c6y * t1) - (inertia.c5y * t8 - (inertia.I5yy - t14));
-  const Scalar t16 = inertia.c4y * inertia.m4;
-  const Scalar t17 = inertia.m2 + t13;
-  const Scalar t18 = inertia.c3y * inertia.m3;
-  const Scalar t19 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t20 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t21 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t22 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t23 = ((inertia.I3yy - t21) - inertia.c3y * t18) + ((inertia.I4yy - t22) - inertia.c4y * t16);
-  const Scalar t24 = ((inertia.I2yy - t20) - inertia.c2y * inertia.c2y * inertia.m2) + t23;
-  const Scalar t25 = (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t19)) - t24;
-  const Scalar t26 = (inertia.c5x * t7 - (inertia.I5xx - t14)) - ((inertia.I4xx - t22) - inertia.c4x * t10);
-  const Scalar t27 = inertia.c2x * inertia.m2;
-  const Scalar t28 = (inertia.c3x * t12 - (inertia.I3xx - t21)) + (inertia.c2x * t27 - (inertia.I2xx - t20));
-  const Scalar t29 = inertia.c1x * inertia.m1;
-  const Scalar t30 = g.l1 * (t29 + (g.l1 * inertia.m1 + t29)) + (inertia.c1x * t29 - (inertia.I1xx - t19));
-  return { inertia.I6xy - inertia.c6y * t0,
-           inertia.I6yz - inertia.c6z * t1,
-           t3 - t5,
-           Scalar(2) * t6,
+  const Scalar t6 = inertia.c5z * inertia.m5;
+  const Scalar t7 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t8 = inertia.c6y * inertia.m6;
+  const Scalar t9 = inertia.c5y * inertia.m5;
+  const Scalar t10 = ((inertia.I6yy - t2) - inertia.c6y * t8) - (inertia.c5y * t9 - (inertia.I5yy - t7));
+  const Scalar t11 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t12 = inertia.m3 + t11;
+  const Scalar t13 = inertia.c5x * inertia.m5;
+  const Scalar t14 = inertia.c4x * inertia.m4;
+  const Scalar t15 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t16 = (inertia.c5x * t13 - (inertia.I5xx - t7)) - ((inertia.I4xx - t15) - inertia.c4x * t14);
+  const Scalar t17 = inertia.c4z * inertia.m4;
+  const Scalar t18 = inertia.c2x * inertia.m2;
+  const Scalar t19 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t20 = (inertia.c2x * t18 - (inertia.I2xx - t19)) + g.l1 * (t18 + (g.l1 * inertia.m2 + t18));
+  const Scalar t21 = g.l1 * t11;
+  const Scalar t22 = inertia.c3x * inertia.m3;
+  const Scalar t23 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t24 = g.l1 * inertia.m3 + t22;
+  const Scalar t25 = (inertia.c3x * t22 - (inertia.I3xx - t23)) + g.l1 * (t22 + t24);
+  const Scalar t26 = inertia.c1x * inertia.m1;
+  const Scalar t27 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t28 = g.l1 * (t26 + (g.l1 * inertia.m1 + t26)) + (inertia.c1x * t26 - (inertia.I1xx - t27));
+  const Scalar t29 = inertia.c4y * inertia.m4;
+  const Scalar t30 = inertia.c3y * inertia.m3;
+  const Scalar t31 = ((inertia.I3yy - t23) - inertia.c3y * t30) + ((inertia.I4yy - t15) - inertia.c4y * t29);
+  const Scalar t32 = ((inertia.I2yy - t19) - inertia.c2y * inertia.c2y * inertia.m2) + t31;
+  const Scalar t33 = (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t27)) - t32;
+  return { Scalar(2) * t1,
            t3 + t5,
-           t6,
-           inertia.I5xz - inertia.c5z * t7,
-           inertia.I5xy - inertia.c5y * t7,
+           t3,
+           inertia.c5z * t6 - (inertia.I5zz - t7),
+           t10,
+           inertia.I6xy - inertia.c6y * t0,
+           inertia.I6yz - inertia.c6z * t8,
+           inertia.I5yz - inertia.c5z * t9,
+           t12,
+           inertia.m2 + t12,
+           t1,
+           inertia.I5xz - inertia.c5z * t13,
+           inertia.I5xy - inertia.c5y * t13,
+           inertia.I4xz - inertia.c4z * t14,
+           t5,
+           t16,
+           (inertia.I4zz - t15) - inertia.c4z * t17,
            t4,
            t0,
-           t1 + t8,
-           t9,
-           t10 + t7,
-           t11,
-           t12,
-           g.l1 * t13,
-           inertia.I4xy - inertia.c4y * t10,
-           inertia.I5yz - inertia.c5z * t8,
-           t3,
-           inertia.c5z * t9 - (inertia.I5zz - t14),
-           t15,
-           inertia.I4yz - inertia.c4z * t16,
-           g.l1,
-           t13,
+           t14 + t13,
+           t6,
+           t8 + t9,
            t17,
-           t16 + t18,
-           t25,
-           (inertia.I4zz - t22) - inertia.c4z * t11,
-           t5,
-           t26,
-           inertia.I4xz - inertia.c4z * t10,
-           g.l1 * t17,
-           (t28 + Scalar(2) * g.l1 * t27) + t30 };
+           Scalar(2) * g.l1,
+           (t20 + (g.l1 * t21 + t25)) + t28,
+           t29 + t30,
+           t33,
+           t3 - t5,
+           g.l1,
+           inertia.I4yz - inertia.c4z * t29,
+           inertia.I4xy - inertia.c4y * t14,
+           t21 + t24 };
 }
 
 namespace detail {
@@ -1225,54 +1237,53 @@ inline Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Sca
   const Scalar& c5 = angles.cosine[1];
   const Scalar& s6 = angles.sine[2];
   const Scalar& c6 = angles.cosine[2];
-  const Scalar t0 = k[0] * s6 + k[1] * c6;
-  const Scalar t1 = k[4] * c6 - k[3] * s6;
-  const Scalar t2 = k[6] + (k[5] + s6 * t1);
-  const Scalar t3 = k[0] * c6 - k[1] * s6;
-  const Scalar t4 = k[7] + t3;
-  const Scalar t5 = s5 * t2 - c5 * t4;
-  const Scalar t6 = qd[5] * (k[2] * c5 + s5 * t0) - qd[4] * t5;
-  const Scalar t7 = k[9] * c6 - k[8] * s6;
-  const Scalar t8 = k[12] + t7;
-  const Scalar t9 = k[8] * c6 + k[9] * s6;
-  const Scalar t10 = k[11] + t9;
-  const Scalar t11 = c5 * t10 + k[10] * s5;
-  const Scalar t12 = k[13] + t11;
-  const Scalar t13 = c4 * t8 - s4 * t12;
-  const Scalar t14 = k[10] * c5 - s5 * t10;
-  const Scalar t15 = c5 * t7;
-  const Scalar t16 = (qd[3] * t13 + qd[4] * c4 * t14) - qd[5] * (s4 * t9 - c4 * t15);
-  const Scalar t17 = s5 * t4 + c5 * t2;
-  const Scalar t18 = c6 * t1;
-  const Scalar t19 = k[19] - (k[18] - t18);
-  const Scalar t20 = k[20] - t19;
-  const Scalar t21 = (c4 * t17 - s4 * t20) - q[2] * s4 * t14;
-  const Scalar t22 = k[17] + t0;
-  const Scalar t23 = Scalar(2) * c5 * t22 + s5 * (k[20] + t19);
-  const Scalar t24 = s4 * (k[16] - t5) + c4 * (k[21] + (c5 * t23 - t22));
-  const Scalar t25 = t24 + q[2] * (c4 * t12 + s4 * t8);
-  const Scalar t26 = k[14] + t13;
-  const Scalar t27 = qd[4] * (t21 - k[22] * t11) - (qd[3] * t25 + qd[2] * (k[15] + t26));
-  const Scalar t28 = s5 * t7;
-  const Scalar t29 = s4 * t3 + c4 * (c5 * t0 - k[2] * s5);
-  const Scalar t30 = q[2] * (c4 * t9 + s4 * t15) + t29;
-  const Scalar t31 = qd[0] * (t27 - qd[5] * (k[22] * t28 + t30));
-  const Scalar t32 = (qd[1] * t16 + t31) + qd[2] * (qd[5] * t28 + qd[4] * t11);
-  const Scalar t33 = (qd[3] * t6 - t32) + qd[4] * qd[5] * t3;
-  const Scalar t34 = k[29] + (k[28] - t18);
-  const Scalar t35 = k[20] - s5 * t23;
-  const Scalar t36 = k[27] + (t20 - t35);
-  const Scalar t37 = s4 * (k[30] + t17);
-  const Scalar t38 = c4 * (c4 * (t34 + t36) + (t37 + t37));
-  const Scalar t39 = (t38 - t36) + k[22] * ((k[31] + t26) + t26);
-  const Scalar t40 = k[25] + t14;
-  const Scalar t41 = q[2] * ((t40 - k[23] * q[2]) + t40) + t35;
-  const Scalar t42 = qd[0] * qd[0] * ((k[32] + t39) + (k[26] - t41));
-  const Scalar t43 = qd[2] * k[23] * qd[2] + (qd[1] * k[24] * qd[1] + t42);
-  const Scalar t44 = qd[4] * qd[4] * t20 - (t43 + qd[3] * qd[3] * (t34 - t36));
-  const Scalar t45 = t33 + Scalar(0.5) * (t44 + qd[5] * k[2] * qd[5]);
+  const Scalar t0 = k[6] * s6 - k[5] * c6;
+  const Scalar t1 = k[17] * s6 - k[18] * c6;
+  const Scalar t2 = k[19] - t1;
+  const Scalar t3 = k[17] * c6 + k[18] * s6;
+  const Scalar t4 = k[20] + t3;
+  const Scalar t5 = k[21] * s5 + c5 * t4;
+  const Scalar t6 = k[22] + t5;
+  const Scalar t7 = c4 * t2 - s4 * t6;
+  const Scalar t8 = s5 * t4 - k[21] * c5;
+  const Scalar t9 = c5 * t1;
+  const Scalar t10 = (qd[3] * t7 - qd[4] * c4 * t8) - qd[5] * (s4 * t3 + c4 * t9);
+  const Scalar t11 = k[6] * c6 + k[5] * s6;
+  const Scalar t12 = k[7] + t11;
+  const Scalar t13 = k[0] * s6 - k[1] * c6;
+  const Scalar t14 = c6 * t13;
+  const Scalar t15 = k[3] - (k[2] + t14);
+  const Scalar t16 = s5 * (k[4] + t15) + Scalar(2) * c5 * t12;
+  const Scalar t17 = k[12] - t0;
+  const Scalar t18 = k[11] + (k[10] - s6 * t13);
+  const Scalar t19 = c5 * t17 - s5 * t18;
+  const Scalar t20 = c4 * (k[29] - (t12 - c5 * t16)) + s4 * (k[30] + t19);
+  const Scalar t21 = t20 + q[2] * (c4 * t6 + s4 * t2);
+  const Scalar t22 = s5 * t16;
+  const Scalar t23 = k[4] - t22;
+  const Scalar t24 = t22 - t15;
+  const Scalar t25 = t23 + t24;
+  const Scalar t26 = c5 * t18 + s5 * t17;
+  const Scalar t27 = k[28] * t5 + (s4 * t25 - c4 * t26);
+  const Scalar t28 = (qd[2] * (k[31] + t7) + qd[3] * t21) + qd[4] * (t27 - q[2] * s4 * t8);
+  const Scalar t29 = s5 * t1;
+  const Scalar t30 = s4 * t0 - c4 * (c5 * t11 - k[27] * s5);
+  const Scalar t31 = (k[28] * t29 + t30) + q[2] * (s4 * t9 - c4 * t3);
+  const Scalar t32 = qd[1] * t10 - qd[0] * (t28 - qd[5] * t31);
+  const Scalar t33 = t32 - qd[2] * (qd[5] * t29 - qd[4] * t5);
+  const Scalar t34 = qd[5] * (k[27] * c5 + s5 * t11) + qd[4] * t19;
+  const Scalar t35 = qd[4] * qd[5] * t0 + (t33 - qd[3] * t34);
+  const Scalar t36 = k[25] - t8;
+  const Scalar t37 = q[2] * (t36 + (t36 - k[8] * q[2])) + t23;
+  const Scalar t38 = k[15] + (k[14] + t14);
+  const Scalar t39 = k[16] + t24;
+  const Scalar t40 = c4 * (t38 + t39) + Scalar(2) * s4 * (k[13] + t26);
+  const Scalar t41 = k[24] + (k[23] * t7 + (c4 * t40 - t39));
+  const Scalar t42 = qd[0] * qd[0] * ((k[26] - t37) + t41) + qd[1] * k[9] * qd[1];
+  const Scalar t43 = (qd[2] * k[8] * qd[2] + t42) + qd[3] * qd[3] * (t38 - t39);
+  const Scalar t44 = (t43 - qd[4] * qd[4] * t25) - qd[5] * k[27] * qd[5];
   Scalar result;
-  result = -t45;
+  result = t35 + Scalar(0.5) * t44;
   return result;
 }
 
@@ -1299,13 +1310,13 @@ PotentialEnergyConstants<Scalar> potential_energy_constants([[maybe_unused]] con
   using std::sin;
 
   return { inertia.m2 + (inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6))),
+           inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
            inertia.c6z * inertia.m6,
            inertia.c6x * inertia.m6,
+           inertia.c5z * inertia.m5,
+           inertia.c4z * inertia.m4,
            inertia.c5x * inertia.m5,
            inertia.c4x * inertia.m4,
-           inertia.c5z * inertia.m5,
-           inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
-           inertia.c4z * inertia.m4,
            inertia.c3z * inertia.m3,
            inertia.c2z * inertia.m2,
            inertia.c1z * inertia.m1,
@@ -1323,10 +1334,10 @@ inline Scalar potential_energy(const JointVector<Scalar>& q, const Angles& angle
   const Scalar& c5 = angles.cosine[1];
   const Scalar& s6 = angles.sine[2];
   const Scalar& c6 = angles.cosine[2];
-  const Scalar t0 = c5 * (k[5] + (k[1] * c6 + k[2] * s6));
-  const Scalar t1 = k[4] + (k[3] + (k[2] * c6 - k[1] * s6));
-  const Scalar t2 = c4 * (k[7] + (t0 + k[6] * s5)) + s4 * t1;
-  const Scalar t3 = k[10] + ((k[9] + (k[8] + t2)) + k[0] * q[1]);
+  const Scalar t0 = c5 * (k[4] + (k[2] * c6 + k[3] * s6));
+  const Scalar t1 = k[7] + (k[6] - (k[2] * s6 - k[3] * c6));
+  const Scalar t2 = c4 * (k[5] + (t0 + k[1] * s5)) + s4 * t1;
+  const Scalar t3 = k[10] + (k[0] * q[1] + (k[9] + (k[8] + t2)));
   Scalar result;
   result = k[11] * t3;
   return result;

@@ -26,7 +26,7 @@ LoadAngles<Scalar> load_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion, under gravity in any direction.
 ///
-/// 155 multiplications, 146 additions, 4 sine/cosine pairs. Set-up: 50 multiplications, 72 additions.
+/// 154 multiplications, 144 additions, 4 sine/cosine pairs. Set-up: 54 multiplications, 79 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
@@ -45,7 +45,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces for a motion while a wrench acts on the tool from outside: those without it minus jacobian(q)^T wrench.
 ///
-/// 182 multiplications, 161 additions, 4 sine/cosine pairs. Set-up: 51 multiplications, 72 additions.
+/// 177 multiplications, 163 additions, 4 sine/cosine pairs. Set-up: 54 multiplications, 79 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
@@ -53,7 +53,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity,
         const NonDeduced<Wrench<Scalar>>& wrench);
 template <class Scalar>
-using InverseDynamicsWithWrenchConstants = std::array<Scalar, 35>;
+using InverseDynamicsWithWrenchConstants = std::array<Scalar, 34>;
 template <class Scalar>
 InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constants(const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
@@ -64,13 +64,13 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces that hold the robot at rest, under gravity in any direction.
 ///
-/// 42 multiplications, 26 additions, 4 sine/cosine pairs. Set-up: 19 multiplications, 11 additions.
+/// 41 multiplications, 25 additions, 4 sine/cosine pairs. Set-up: 21 multiplications, 13 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
-using GravityTorqueWithGravityVectorConstants = std::array<Scalar, 16>;
+using GravityTorqueWithGravityVectorConstants = std::array<Scalar, 15>;
 template <class Scalar>
 GravityTorqueWithGravityVectorConstants<Scalar> gravity_torque_with_gravity_vector_constants(
     const BasicGeometry<Scalar>& g,
@@ -81,7 +81,7 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const LoadAngle
 
 /// Joint accelerations for given joint forces, under gravity in any direction.
 ///
-/// 276 multiplications, 248 additions, 5 divisions, 4 sine/cosine pairs. Set-up: 62 multiplications, 74 additions, 1
+/// 273 multiplications, 244 additions, 5 divisions, 4 sine/cosine pairs. Set-up: 65 multiplications, 81 additions, 1
 /// division.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
@@ -89,7 +89,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
-using ForwardDynamicsWithGravityVectorConstants = std::array<Scalar, 51>;
+using ForwardDynamicsWithGravityVectorConstants = std::array<Scalar, 48>;
 template <class Scalar>
 ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_vector_constants(
     const BasicGeometry<Scalar>& g,
@@ -101,7 +101,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint accelerations for given joint forces while a wrench acts on the tool from outside.
 ///
-/// 301 multiplications, 265 additions, 5 divisions, 4 sine/cosine pairs. Set-up: 60 multiplications, 74 additions, 1
+/// 298 multiplications, 262 additions, 5 divisions, 4 sine/cosine pairs. Set-up: 62 multiplications, 81 additions, 1
 /// division.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
@@ -110,7 +110,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity,
         const NonDeduced<Wrench<Scalar>>& wrench);
 template <class Scalar>
-using ForwardDynamicsWithWrenchConstants = std::array<Scalar, 48>;
+using ForwardDynamicsWithWrenchConstants = std::array<Scalar, 45>;
 template <class Scalar>
 ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constants(const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
@@ -121,7 +121,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Minus the sum of m gravity . r over the links, r the centre of mass in the world, J.
 ///
-/// 21 multiplications, 27 additions, 4 sine/cosine pairs. Set-up: 20 multiplications, 6 additions.
+/// 21 multiplications, 27 additions, 4 sine/cosine pairs. Set-up: 22 multiplications, 8 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Scalar potential_energy(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g,

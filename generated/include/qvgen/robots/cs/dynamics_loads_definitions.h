@@ -28,71 +28,76 @@ InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c2x * inertia.m2;
-  const Scalar t1 = inertia.c1x * inertia.m1;
-  const Scalar t2 = g.l1 * inertia.m1 + t1;
-  const Scalar t3 = inertia.c1y * inertia.m1;
-  const Scalar t4 = inertia.c2y * inertia.m2;
-  const Scalar t5 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t0 = inertia.c1x * inertia.m1;
+  const Scalar t1 = g.l1 * inertia.m1 + t0;
+  const Scalar t2 = inertia.c2x * inertia.m2;
+  const Scalar t3 = g.l1 * inertia.m2 + t2;
+  const Scalar t4 = inertia.c1y * inertia.m1;
+  const Scalar t5 = inertia.c2y * inertia.m2;
   const Scalar t6 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t7 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t8 = inertia.c3y * inertia.m3;
-  const Scalar t9 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t10 = inertia.c4y * inertia.m4;
-  const Scalar t11 = ((inertia.I3yy - t7) - inertia.c3y * t8) + ((inertia.I4yy - t9) - inertia.c4y * t10);
-  const Scalar t12 = (inertia.c1y * t3 - (inertia.I1yy - t5)) - (((inertia.I2yy - t6) - inertia.c2y * t4) + t11);
-  const Scalar t13 = inertia.c3x * inertia.m3;
-  const Scalar t14 = (inertia.c3x * t13 - (inertia.I3xx - t7)) + (inertia.c2x * t0 - (inertia.I2xx - t6));
-  const Scalar t15 = g.l1 * (t1 + t2) + (inertia.c1x * t1 - (inertia.I1xx - t5));
-  const Scalar t16 = t12 + ((t14 + Scalar(2) * g.l1 * t0) + t15);
-  const Scalar t17 = inertia.c4x * inertia.m4;
-  const Scalar t18 = inertia.c5x * inertia.m5;
-  const Scalar t19 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t20 = (inertia.c5x * t18 - (inertia.I5xx - t19)) - ((inertia.I4xx - t9) - inertia.c4x * t17);
-  const Scalar t21 = inertia.c6x * inertia.m6;
-  const Scalar t22 = inertia.c6z * inertia.m6;
-  const Scalar t23 = inertia.c6y * inertia.m6;
-  const Scalar t24 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t25 = (inertia.I6xx - t24) - inertia.c6x * t21;
-  const Scalar t26 = inertia.c6z * t22 - (inertia.I6zz - t24);
-  const Scalar t27 = inertia.I6xz - inertia.c6z * t21;
-  const Scalar t28 = inertia.c5y * inertia.m5;
-  const Scalar t29 = ((inertia.I6yy - t24) - inertia.c6y * t23) - (inertia.c5y * t28 - (inertia.I5yy - t19));
-  const Scalar t30 = inertia.c5z * inertia.m5;
-  const Scalar t31 = inertia.c4z * inertia.m4;
+  const Scalar t7 = (inertia.c2x * t2 - (inertia.I2xx - t6)) + g.l1 * (t2 + t3);
+  const Scalar t8 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t9 = g.l1 * t8;
+  const Scalar t10 = inertia.c3x * inertia.m3;
+  const Scalar t11 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t12 = g.l1 * inertia.m3 + t10;
+  const Scalar t13 = (inertia.c3x * t10 - (inertia.I3xx - t11)) + g.l1 * (t10 + t12);
+  const Scalar t14 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t15 = g.l1 * (t0 + t1) + (inertia.c1x * t0 - (inertia.I1xx - t14));
+  const Scalar t16 = inertia.c3y * inertia.m3;
+  const Scalar t17 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t18 = inertia.c4y * inertia.m4;
+  const Scalar t19 = ((inertia.I3yy - t11) - inertia.c3y * t16) + ((inertia.I4yy - t17) - inertia.c4y * t18);
+  const Scalar t20 = (inertia.c1y * t4 - (inertia.I1yy - t14)) - (((inertia.I2yy - t6) - inertia.c2y * t5) + t19);
+  const Scalar t21 = ((t7 + (g.l1 * t9 + t13)) + t15) + t20;
+  const Scalar t22 = inertia.c6y * inertia.m6;
+  const Scalar t23 = inertia.c5y * inertia.m5;
+  const Scalar t24 = inertia.c5z * inertia.m5;
+  const Scalar t25 = inertia.c6x * inertia.m6;
+  const Scalar t26 = inertia.c6z * inertia.m6;
+  const Scalar t27 = inertia.c4z * inertia.m4;
+  const Scalar t28 = inertia.c4x * inertia.m4;
+  const Scalar t29 = inertia.c5x * inertia.m5;
+  const Scalar t30 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t31 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t32 = ((inertia.I6yy - t31) - inertia.c6y * t22) - (inertia.c5y * t23 - (inertia.I5yy - t30));
+  const Scalar t33 = inertia.I6xz - inertia.c6z * t25;
+  const Scalar t34 = (inertia.I6xx - t31) - inertia.c6x * t25;
+  const Scalar t35 = inertia.c6z * t26 - (inertia.I6zz - t31);
+  const Scalar t36 = (inertia.c5x * t29 - (inertia.I5xx - t30)) - ((inertia.I4xx - t17) - inertia.c4x * t28);
   return { gravity[0],
            gravity[1],
-           t0 + t2,
-           t3 + t4,
-           t16,
-           g.l1,
-           t17 + t18,
-           inertia.I4xy - inertia.c4y * t17,
-           t20,
-           inertia.I4xz - inertia.c4z * t17,
-           inertia.I4yz - inertia.c4z * t10,
+           t1 + t3,
+           t4 + t5,
            t21,
-           t22,
-           gravity[2],
-           inertia.I6xy - inertia.c6y * t21,
-           inertia.I6yz - inertia.c6z * t23,
-           t25 + t26,
-           Scalar(2) * t27,
+           t18 + t16,
+           t9 + t12,
+           t22 + t23,
+           t24,
+           t25,
            t26,
            t27,
-           t23 + t28,
-           t29,
-           inertia.I5yz - inertia.c5z * t28,
-           inertia.I5xy - inertia.c5y * t18,
-           inertia.I5xz - inertia.c5z * t18,
-           inertia.c5z * t30 - (inertia.I5zz - t19),
-           t30,
-           t25,
-           (inertia.I4zz - t9) - inertia.c4z * t31,
-           t31,
-           t10 + t8,
-           t13,
-           inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)),
+           t28 + t29,
+           g.l1,
+           inertia.I5xz - inertia.c5z * t29,
+           inertia.I5xy - inertia.c5y * t29,
+           inertia.c5z * t24 - (inertia.I5zz - t30),
+           t32,
+           inertia.I5yz - inertia.c5z * t23,
+           gravity[2],
+           inertia.I6xy - inertia.c6y * t25,
+           inertia.I6yz - inertia.c6z * t22,
+           Scalar(2) * t33,
+           t34 + t35,
+           t34,
+           t33,
+           (inertia.I4zz - t17) - inertia.c4z * t27,
+           inertia.I4xz - inertia.c4z * t28,
+           inertia.I4yz - inertia.c4z * t18,
+           inertia.I4xy - inertia.c4y * t28,
+           t35,
+           t36,
+           inertia.m3 + t8,
            inertia.m2 };
 }
 
@@ -113,108 +118,106 @@ inline JointVector<Scalar> inverse_dynamics_with_gravity_vector(const JointVecto
   const Scalar t0 = k[1] * s1 + k[0] * c1;
   const Scalar t1 = k[0] * s1 - k[1] * c1;
   const Scalar t2 = k[4] * qdd[0] + (k[3] * t0 + k[2] * t1);
-  const Scalar t3 = k[5] * qdd[0] + t1;
-  const Scalar t4 = qd[0] * c4;
-  const Scalar t5 = qd[3] * t4;
-  const Scalar t6 = qdd[0] * s4;
-  const Scalar t7 = t5 + t6;
-  const Scalar t8 = t5 + t7;
-  const Scalar t9 = qdd[0] * c4;
-  const Scalar t10 = qd[0] * s4;
-  const Scalar t11 = qd[3] * t10;
-  const Scalar t12 = t9 - (t11 + t11);
-  const Scalar t13 = qd[3] * s5 + c5 * t4;
+  const Scalar t3 = qd[0] * qd[0];
+  const Scalar t4 = qdd[2] - (t1 + q[2] * t3);
+  const Scalar t5 = (t0 - q[2] * qdd[0]) - Scalar(2) * qd[2] * qd[0];
+  const Scalar t6 = qd[0] * s4;
+  const Scalar t7 = t6 * t6;
+  const Scalar t8 = qd[3] * qd[3];
+  const Scalar t9 = t7 - t8;
+  const Scalar t10 = t3 - t9;
+  const Scalar t11 = qd[0] * c4;
+  const Scalar t12 = s5 * t11 - qd[3] * c5;
+  const Scalar t13 = qd[4] + t6;
   const Scalar t14 = t13 * t13;
-  const Scalar t15 = s5 * t4 - qd[3] * c5;
-  const Scalar t16 = qd[5] - t15;
-  const Scalar t17 = t16 * t16;
-  const Scalar t18 = t14 + t17;
-  const Scalar t19 = qd[4] + t10;
-  const Scalar t20 = t19 * t19 - t14;
-  const Scalar t21 = t18 + t20;
-  const Scalar t22 = k[12] * c6 + k[11] * s6;
-  const Scalar t23 = t10 * t4;
-  const Scalar t24 = qdd[3] + t23;
-  const Scalar t25 = s5 * t12 - c5 * t24;
-  const Scalar t26 = qdd[5] - t25;
-  const Scalar t27 = k[12] * s6 - k[11] * c6;
-  const Scalar t28 = t14 - t17;
-  const Scalar t29 = t21 + t28;
-  const Scalar t30 = qd[3] * qd[3];
-  const Scalar t31 = t4 * t4;
-  const Scalar t32 = t30 + t31;
-  const Scalar t33 = t29 - t32;
-  const Scalar t34 = t33 - t20;
-  const Scalar t35 = qdd[4] + t7;
-  const Scalar t36 = t13 * t15;
-  const Scalar t37 = t35 + t36;
-  const Scalar t38 = (t21 * t22 + t26 * t27) - (k[26] * (t34 - t29) + k[20] * t37);
-  const Scalar t39 = t15 * t19;
-  const Scalar t40 = c5 * t12 + s5 * t24;
-  const Scalar t41 = (t39 + t39) - t40;
-  const Scalar t42 = t16 * t19;
-  const Scalar t43 = t41 + (t42 + t42);
-  const Scalar t44 = t16 * t13;
-  const Scalar t45 = t44 + (t44 + t37);
-  const Scalar t46 = t35 - t36;
-  const Scalar t47 = (t27 * t43 - t22 * t45) - (k[26] * t46 + k[20] * t29);
-  const Scalar t48 = (k[29] * t8 - k[6] * t12) - (s5 * t38 + c5 * t47);
-  const Scalar t49 = qd[0] * qd[0];
-  const Scalar t50 = qdd[2] - (t3 + q[2] * t49);
-  const Scalar t51 = (k[31] * qdd[0] - k[30] * t49) - k[32] * t50;
-  const Scalar t52 = t48 - t51;
-  const Scalar t53 = qd[2] * qd[0];
-  const Scalar t54 = (t53 + t53) - ((t0 + k[5] * t49) - q[2] * qdd[0]);
-  const Scalar t55 = qdd[3] - t23;
-  const Scalar t56 = t49 - t32;
-  const Scalar t57 = k[7] * t56 + (k[8] * t12 + k[9] * t8);
-  const Scalar t58 = k[13] - qdd[1];
-  const Scalar t59 = s4 * t54 + c4 * t58;
-  const Scalar t60 = s5 * t59 + c5 * t50;
-  const Scalar t61 = k[17] * s6 - k[16] * c6;
-  const Scalar t62 = k[19] - s6 * t61;
-  const Scalar t63 = c6 * t61;
-  const Scalar t64 = k[18] + t63;
-  const Scalar t65 = k[14] * c6 - k[15] * s6;
-  const Scalar t66 = (t62 * t45 - t64 * t43) + (t28 + t20) * t65;
-  const Scalar t67 = k[14] * s6 + k[15] * c6;
-  const Scalar t68 = Scalar(2) * t13 * t19;
-  const Scalar t69 = t68 - t26;
-  const Scalar t70 = t68 + t25;
-  const Scalar t71 = (k[22] * t70 + k[21] * t41) + k[23] * t33;
-  const Scalar t72 = s4 * t58 - c4 * t54;
-  const Scalar t73 = (t27 * t60 + (t66 + t67 * t69)) + ((t71 + k[24] * t46) + k[20] * t72);
-  const Scalar t74 = k[27] + t63;
-  const Scalar t75 = (t64 * t26 + t69 * t74) + t62 * t20;
-  const Scalar t76 = s5 * t50 - c5 * t59;
-  const Scalar t77 = (t75 + (t41 * t67 - t37 * t65)) + (t22 * t72 - t27 * t76);
-  const Scalar t78 = (k[23] * t37 - k[24] * t20) - (k[22] * t41 - k[25] * t70);
-  const Scalar t79 = t77 + (k[26] * t72 - t78);
-  const Scalar t80 = (k[6] * t50 + (k[10] * t55 - t57)) - (c5 * t73 - s5 * t79);
-  const Scalar t81 = k[22] * t34 + (k[21] * t37 - k[25] * t46);
-  const Scalar t82 = (k[26] * t60 + k[20] * t76) + ((k[23] * t25 + k[24] * t40) - t81);
-  const Scalar t83 = (t26 * t65 + t67 * t28) + (t62 * t43 + t45 * t74);
-  const Scalar t84 = t82 + (t22 * t60 - t83);
-  const Scalar t85 = t30 - t31;
-  const Scalar t86 = (k[9] * t12 - k[28] * t8) + (k[10] * t85 - k[7] * t24);
-  const Scalar t87 = c4 * t80 - s4 * (t84 + (k[29] * t50 + t86));
-  const Scalar t88 = (k[26] * t70 + k[20] * t41) + (t22 * t69 + t27 * t18);
-  const Scalar t89 = t88 - (k[6] * t32 + k[29] * t55);
-  const Scalar t90 = (k[29] * (t85 + t49) - k[6] * t24) + (c5 * t38 - s5 * t47);
-  const Scalar t91 = (k[31] * t49 + k[30] * qdd[0]) - k[32] * t54;
-  const Scalar t92 = q[2] * ((c4 * t89 + s4 * t90) - t91);
-  const Scalar t93 = ((k[31] * t50 + k[30] * t54) + t87) - t92;
-  const Scalar t94 = t2 + (k[5] * (k[33] * t3 - t52) - t93);
-  const Scalar t95 = (c4 * t90 - s4 * t89) + k[32] * t58;
-  const Scalar t96 = k[9] * (t85 + t56) + (k[8] * t24 - k[28] * t55);
-  const Scalar t97 = ((k[10] * t9 + k[7] * t6) - t96) + (k[6] * t59 - k[29] * t72);
+  const Scalar t15 = t12 * t12 - t14;
+  const Scalar t16 = t10 - t15;
+  const Scalar t17 = qd[5] - t12;
+  const Scalar t18 = t17 * t17;
+  const Scalar t19 = t14 - t18;
+  const Scalar t20 = t16 - t19;
+  const Scalar t21 = t14 + t18;
+  const Scalar t22 = t20 - t21;
+  const Scalar t23 = qd[3] * t11;
+  const Scalar t24 = qdd[0] * s4;
+  const Scalar t25 = t23 + t24;
+  const Scalar t26 = qdd[4] + t25;
+  const Scalar t27 = qd[3] * s5 + c5 * t11;
+  const Scalar t28 = t27 * t12;
+  const Scalar t29 = t26 + t28;
+  const Scalar t30 = k[9] * c6 - k[10] * s6;
+  const Scalar t31 = t27 + t27;
+  const Scalar t32 = t31 * t13;
+  const Scalar t33 = qdd[0] * c4;
+  const Scalar t34 = qd[3] * t6;
+  const Scalar t35 = t33 - (t34 + t34);
+  const Scalar t36 = t6 * t11;
+  const Scalar t37 = qdd[3] + t36;
+  const Scalar t38 = s5 * t35 - c5 * t37;
+  const Scalar t39 = t32 + t38;
+  const Scalar t40 = qdd[5] - t39;
+  const Scalar t41 = t40 + t32;
+  const Scalar t42 = k[10] * c6 + k[9] * s6;
+  const Scalar t43 = (k[8] * (t10 - t22) - k[7] * t29) - (t30 * t41 - t42 * t21);
+  const Scalar t44 = t26 - t28;
+  const Scalar t45 = t17 * t13;
+  const Scalar t46 = t12 * t13;
+  const Scalar t47 = c5 * t35 + s5 * t37;
+  const Scalar t48 = t46 + (t46 - t47);
+  const Scalar t49 = (t45 + t48) + t45;
+  const Scalar t50 = t29 + t31 * t17;
+  const Scalar t51 = (k[8] * t44 + k[7] * t16) + (t49 * t30 + t42 * t50);
+  const Scalar t52 = t23 + t25;
+  const Scalar t53 = (s5 * t43 - c5 * t51) - (k[11] * t52 - k[12] * t35);
+  const Scalar t54 = k[19] - qdd[1];
+  const Scalar t55 = t5 + k[13] * t3;
+  const Scalar t56 = c4 * t54 - s4 * t55;
+  const Scalar t57 = k[13] * qdd[0] - t4;
+  const Scalar t58 = c5 * t56 + s5 * t57;
+  const Scalar t59 = c4 * t55 + s4 * t54;
+  const Scalar t60 = k[21] * c6 + k[20] * s6;
+  const Scalar t61 = k[20] * c6 - k[21] * s6;
+  const Scalar t62 = k[23] * c6 - k[22] * s6;
+  const Scalar t63 = c6 * t62;
+  const Scalar t64 = k[30] - t63;
+  const Scalar t65 = k[24] - t63;
+  const Scalar t66 = k[25] + s6 * t62;
+  const Scalar t67 = (t64 * t41 - t40 * t65) - t22 * t66;
+  const Scalar t68 = (t30 * t58 - t42 * t59) - ((t60 * t48 - t29 * t61) + t67);
+  const Scalar t69 = (k[15] * t29 + k[14] * t22) + (k[16] * t39 - k[18] * t48);
+  const Scalar t70 = t68 - (k[8] * t59 - t69);
+  const Scalar t71 = (k[18] * t39 + k[17] * t48) - k[15] * t15;
+  const Scalar t72 = (t49 * t64 - t50 * t66) - t61 * t19;
+  const Scalar t73 = c5 * t57 - s5 * t56;
+  const Scalar t74 = (k[7] * t59 + (k[14] * t44 + t71)) - ((t72 + t60 * t40) - t73 * t30);
+  const Scalar t75 = k[29] * t9 + (k[31] * t35 + k[27] * t52);
+  const Scalar t76 = qdd[3] - t36;
+  const Scalar t77 = (s5 * t70 + c5 * t74) + (k[12] * t57 + (t75 - k[28] * t76));
+  const Scalar t78 = (k[17] * t29 - k[16] * t44) + k[18] * (t22 - t15);
+  const Scalar t79 = (k[7] * t58 + k[8] * t73) - ((k[15] * t38 + k[14] * t47) - t78);
+  const Scalar t80 = (t50 * t65 + t49 * t66) + ((t19 + t22) * t60 + t61 * t41);
+  const Scalar t81 = t79 + (t42 * t73 + t80);
+  const Scalar t82 = t7 + t8;
+  const Scalar t83 = t3 - t82;
+  const Scalar t84 = (k[26] * t52 - k[27] * t35) + (k[28] * t83 + k[29] * t37);
+  const Scalar t85 = c4 * t77 - s4 * (t81 + (t84 + k[11] * t57));
+  const Scalar t86 = (k[6] * t4 - k[5] * t5) - (k[13] * t53 + t85);
+  const Scalar t87 = (k[6] * t3 + k[5] * qdd[0]) + k[32] * t5;
+  const Scalar t88 = (k[8] * t39 + k[7] * t48) - (t42 * t40 + t30 * t20);
+  const Scalar t89 = (k[12] * t10 + k[11] * t76) - t88;
+  const Scalar t90 = (k[11] * t82 - k[12] * t37) + (c5 * t43 + s5 * t51);
+  const Scalar t91 = q[2] * (t87 + (c4 * t89 - s4 * t90));
+  const Scalar t92 = (s4 * t89 + c4 * t90) + k[32] * t54;
+  const Scalar t93 = (k[5] * t3 - k[6] * qdd[0]) + k[32] * t4;
+  const Scalar t94 = (k[31] * t37 - k[26] * t76) - k[27] * (t83 - t9);
+  const Scalar t95 = (k[11] * t59 - k[12] * t56) - ((k[29] * t24 + k[28] * t33) - t94);
   JointVector<Scalar> result;
-  result[0] = t94;
-  result[1] = -t95 - k[33] * t58;
-  result[2] = t52;
-  result[3] = (c5 * t79 + s5 * t73) - t97;
-  result[4] = t84;
-  result[5] = t77;
+  result[0] = t2 - (t86 + t91);
+  result[1] = -k[33] * t54 - t92;
+  result[2] = t93 - t53;
+  result[3] = (s5 * t74 - c5 * t70) + t95;
+  result[4] = -t81;
+  result[5] = -t68;
   return result;
 }
 
@@ -243,72 +246,76 @@ InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constant
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c2x * inertia.m2;
-  const Scalar t1 = inertia.c1x * inertia.m1;
-  const Scalar t2 = g.l1 * inertia.m1 + t1;
-  const Scalar t3 = inertia.c1y * inertia.m1;
-  const Scalar t4 = inertia.c2y * inertia.m2;
-  const Scalar t5 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t0 = inertia.c1x * inertia.m1;
+  const Scalar t1 = g.l1 * inertia.m1 + t0;
+  const Scalar t2 = inertia.c2x * inertia.m2;
+  const Scalar t3 = g.l1 * inertia.m2 + t2;
+  const Scalar t4 = inertia.c1y * inertia.m1;
+  const Scalar t5 = inertia.c2y * inertia.m2;
   const Scalar t6 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t7 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t8 = inertia.c3y * inertia.m3;
-  const Scalar t9 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t10 = inertia.c4y * inertia.m4;
-  const Scalar t11 = ((inertia.I3yy - t7) - inertia.c3y * t8) + ((inertia.I4yy - t9) - inertia.c4y * t10);
-  const Scalar t12 = (inertia.c1y * t3 - (inertia.I1yy - t5)) - (((inertia.I2yy - t6) - inertia.c2y * t4) + t11);
-  const Scalar t13 = inertia.c3x * inertia.m3;
-  const Scalar t14 = (inertia.c3x * t13 - (inertia.I3xx - t7)) + (inertia.c2x * t0 - (inertia.I2xx - t6));
-  const Scalar t15 = g.l1 * (t1 + t2) + (inertia.c1x * t1 - (inertia.I1xx - t5));
-  const Scalar t16 = t12 + ((t14 + Scalar(2) * g.l1 * t0) + t15);
-  const Scalar t17 = inertia.c4z * inertia.m4;
-  const Scalar t18 = inertia.c4x * inertia.m4;
-  const Scalar t19 = inertia.c5x * inertia.m5;
-  const Scalar t20 = inertia.c5z * inertia.m5;
-  const Scalar t21 = inertia.c6y * inertia.m6;
-  const Scalar t22 = inertia.c5y * inertia.m5;
-  const Scalar t23 = inertia.c6z * inertia.m6;
-  const Scalar t24 = inertia.c6x * inertia.m6;
-  const Scalar t25 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t26 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t27 = ((inertia.I6yy - t26) - inertia.c6y * t21) - (inertia.c5y * t22 - (inertia.I5yy - t25));
-  const Scalar t28 = (inertia.I6xx - t26) - inertia.c6x * t24;
-  const Scalar t29 = inertia.c6z * t23 - (inertia.I6zz - t26);
-  const Scalar t30 = inertia.I6xz - inertia.c6z * t24;
-  const Scalar t31 = (inertia.c5x * t19 - (inertia.I5xx - t25)) - ((inertia.I4xx - t9) - inertia.c4x * t18);
+  const Scalar t7 = (inertia.c2x * t2 - (inertia.I2xx - t6)) + g.l1 * (t2 + t3);
+  const Scalar t8 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t9 = g.l1 * t8;
+  const Scalar t10 = inertia.c3x * inertia.m3;
+  const Scalar t11 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t12 = g.l1 * inertia.m3 + t10;
+  const Scalar t13 = (inertia.c3x * t10 - (inertia.I3xx - t11)) + g.l1 * (t10 + t12);
+  const Scalar t14 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t15 = g.l1 * (t0 + t1) + (inertia.c1x * t0 - (inertia.I1xx - t14));
+  const Scalar t16 = inertia.c3y * inertia.m3;
+  const Scalar t17 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t18 = inertia.c4y * inertia.m4;
+  const Scalar t19 = ((inertia.I3yy - t11) - inertia.c3y * t16) + ((inertia.I4yy - t17) - inertia.c4y * t18);
+  const Scalar t20 = (inertia.c1y * t4 - (inertia.I1yy - t14)) - (((inertia.I2yy - t6) - inertia.c2y * t5) + t19);
+  const Scalar t21 = ((t7 + (g.l1 * t9 + t13)) + t15) + t20;
+  const Scalar t22 = inertia.c4x * inertia.m4;
+  const Scalar t23 = inertia.c5x * inertia.m5;
+  const Scalar t24 = inertia.c4z * inertia.m4;
+  const Scalar t25 = inertia.c6y * inertia.m6;
+  const Scalar t26 = inertia.c5y * inertia.m5;
+  const Scalar t27 = inertia.c5z * inertia.m5;
+  const Scalar t28 = inertia.c6z * inertia.m6;
+  const Scalar t29 = inertia.c6x * inertia.m6;
+  const Scalar t30 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t31 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t32 = ((inertia.I6yy - t30) - inertia.c6y * t25) - (inertia.c5y * t26 - (inertia.I5yy - t31));
+  const Scalar t33 = inertia.I6xz - inertia.c6z * t29;
+  const Scalar t34 = (inertia.I6xx - t30) - inertia.c6x * t29;
+  const Scalar t35 = inertia.c6z * t28 - (inertia.I6zz - t30);
+  const Scalar t36 = (inertia.c5x * t23 - (inertia.I5xx - t31)) - ((inertia.I4xx - t17) - inertia.c4x * t22);
   return { gravity[0],
            gravity[1],
-           t0 + t2,
-           t3 + t4,
-           t16,
-           t10 + t8,
-           t13,
-           g.l1,
-           inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)),
-           t17,
-           t18 + t19,
-           t20,
-           t21 + t22,
-           t23,
+           t1 + t3,
+           t4 + t5,
+           t21,
+           inertia.m3 + t8,
+           t9 + t12,
+           t18 + t16,
+           t22 + t23,
            t24,
-           gravity[2],
-           inertia.I5xy - inertia.c5y * t19,
-           inertia.I5xz - inertia.c5z * t19,
-           inertia.c5z * t20 - (inertia.I5zz - t25),
+           t25 + t26,
            t27,
-           inertia.I5yz - inertia.c5z * t22,
-           t28 + t29,
-           Scalar(2) * t30,
            t28,
-           t30,
-           inertia.I6yz - inertia.c6z * t21,
-           inertia.I6xy - inertia.c6y * t24,
-           inertia.I4yz - inertia.c4z * t10,
-           inertia.I4xy - inertia.c4y * t18,
-           inertia.I4xz - inertia.c4z * t18,
-           (inertia.I4zz - t9) - inertia.c4z * t17,
            t29,
-           t31,
-           g.l1 * inertia.m2,
+           inertia.I5yz - inertia.c5z * t26,
+           t32,
+           inertia.I5xy - inertia.c5y * t23,
+           inertia.I5xz - inertia.c5z * t23,
+           gravity[2],
+           g.l1,
+           inertia.I6xy - inertia.c6y * t29,
+           inertia.I6yz - inertia.c6z * t25,
+           Scalar(2) * t33,
+           t34 + t35,
+           t35,
+           t33,
+           inertia.c5z * t27 - (inertia.I5zz - t31),
+           t34,
+           inertia.I4yz - inertia.c4z * t18,
+           t36,
+           inertia.I4xz - inertia.c4z * t22,
+           inertia.I4xy - inertia.c4y * t22,
+           (inertia.I4zz - t17) - inertia.c4z * t24,
            inertia.m2 };
 }
 
@@ -326,120 +333,121 @@ inline JointVector<Scalar> inverse_dynamics_with_wrench(const JointVector<Scalar
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = qd[0] * c4;
-  const Scalar t1 = qd[3] * t0;
-  const Scalar t2 = qdd[0] * s4;
-  const Scalar t3 = t1 + t2;
-  const Scalar t4 = t1 + t3;
-  const Scalar t5 = qd[0] * s4;
-  const Scalar t6 = qdd[0] * c4;
-  const Scalar t7 = Scalar(2) * qd[3] * t5 - t6;
-  const Scalar t8 = qd[4] + t5;
-  const Scalar t9 = s5 * t0 - qd[3] * c5;
-  const Scalar t10 = qd[5] - t9;
-  const Scalar t11 = t10 * t10;
-  const Scalar t12 = t8 * t8 + t11;
-  const Scalar t13 = qd[3] * s5 + c5 * t0;
-  const Scalar t14 = t13 * t13;
-  const Scalar t15 = t14 + t11;
-  const Scalar t16 = t12 - t15;
-  const Scalar t17 = t14 - t11;
-  const Scalar t18 = t16 + t17;
-  const Scalar t19 = t18 + t15;
-  const Scalar t20 = qd[3] * qd[3];
-  const Scalar t21 = t0 * t0;
-  const Scalar t22 = t20 + t21;
-  const Scalar t23 = t19 - t22;
-  const Scalar t24 = t23 - t16;
-  const Scalar t25 = qdd[4] + t3;
-  const Scalar t26 = t13 * t9;
-  const Scalar t27 = t25 + t26;
-  const Scalar t28 = k[14] * s6 + k[13] * c6;
-  const Scalar t29 = k[14] * c6 - k[13] * s6;
-  const Scalar t30 = t5 * t0;
-  const Scalar t31 = qdd[3] + t30;
-  const Scalar t32 = c5 * t31 + s5 * t7;
-  const Scalar t33 = qdd[5] + t32;
-  const Scalar t34 = wrench[0] * c1 + wrench[1] * s1;
-  const Scalar t35 = s4 * t34 - wrench[2] * c4;
-  const Scalar t36 = wrench[0] * s1 - wrench[1] * c1;
-  const Scalar t37 = (t28 * t12 - t29 * t33) - (c5 * t35 - s5 * t36);
-  const Scalar t38 = (k[11] * (t24 - t19) + k[12] * t27) - t37;
-  const Scalar t39 = t10 * t8;
-  const Scalar t40 = t9 * t8;
-  const Scalar t41 = s5 * t31 - c5 * t7;
-  const Scalar t42 = t40 - (t41 - t40);
-  const Scalar t43 = (t39 + t39) + t42;
-  const Scalar t44 = t27 + Scalar(2) * t10 * t13;
-  const Scalar t45 = (t29 * t43 + t28 * t44) - (c5 * t36 + s5 * t35);
-  const Scalar t46 = t25 - t26;
-  const Scalar t47 = t45 + (k[12] * t19 + k[11] * t46);
-  const Scalar t48 = (k[9] * t4 + k[10] * t7) + (s5 * t38 + c5 * t47);
-  const Scalar t49 = qd[0] * qd[0];
-  const Scalar t50 = k[0] * s1 - k[1] * c1;
-  const Scalar t51 = k[7] * qdd[0] + t50;
-  const Scalar t52 = qdd[2] - (t51 + q[2] * t49);
-  const Scalar t53 = (k[5] * t49 - k[6] * qdd[0]) + k[8] * t52;
-  const Scalar t54 = t48 + t53;
-  const Scalar t55 = k[1] * s1 + k[0] * c1;
-  const Scalar t56 = ((t55 + k[7] * t49) - q[2] * qdd[0]) - Scalar(2) * qd[2] * qd[0];
-  const Scalar t57 = Scalar(2) * t13 * t8 - t33;
-  const Scalar t58 = qdd[5] + t57;
-  const Scalar t59 = k[16] * t23 + (k[20] * t58 + k[19] * t42);
-  const Scalar t60 = k[15] - qdd[1];
-  const Scalar t61 = c4 * t56 + s4 * t60;
-  const Scalar t62 = k[25] * c6 + k[26] * s6;
-  const Scalar t63 = k[21] * c6 - k[22] * s6;
-  const Scalar t64 = c6 * t63;
-  const Scalar t65 = k[31] - t64;
-  const Scalar t66 = k[24] + s6 * t63;
-  const Scalar t67 = k[25] * s6 - k[26] * c6;
-  const Scalar t68 = (t43 * t65 - t66 * t44) + t67 * t18;
-  const Scalar t69 = s4 * t56 - c4 * t60;
-  const Scalar t70 = c5 * t52 - s5 * t69;
-  const Scalar t71 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t72 = wrench[5] * c4 - s4 * t71;
-  const Scalar t73 = wrench[3] * s1 - wrench[4] * c1;
-  const Scalar t74 = ((t62 * t57 - t68) - t29 * t70) - (c5 * t72 + s5 * t73);
-  const Scalar t75 = ((k[17] * t46 + t59) + k[12] * t61) + t74;
-  const Scalar t76 = k[23] - t64;
-  const Scalar t77 = (t76 * t57 + t33 * t65) + t16 * t66;
-  const Scalar t78 = c5 * t69 + s5 * t52;
-  const Scalar t79 = (t77 + (t67 * t27 + t62 * t42)) + (t28 * t61 + t78 * t29);
-  const Scalar t80 = (s5 * t72 - c5 * t73) + t79;
-  const Scalar t81 = (k[16] * t27 - k[17] * t16) + (k[18] * t58 - k[20] * t42);
-  const Scalar t82 = t80 + (k[11] * t61 - t81);
-  const Scalar t83 = qdd[3] - t30;
-  const Scalar t84 = t49 - t22;
-  const Scalar t85 = k[28] * t84 + (k[29] * t4 - k[32] * t7);
-  const Scalar t86 = (c5 * t75 - s5 * t82) - ((k[27] * t83 - t85) + k[10] * t52);
-  const Scalar t87 = (t62 * t17 - t67 * t33) + (t66 * t43 + t76 * t44);
-  const Scalar t88 = (t87 - t28 * t70) + (c4 * t71 + wrench[5] * s4);
-  const Scalar t89 = (k[18] * t46 - k[19] * t27) - k[20] * t24;
-  const Scalar t90 = (k[11] * t70 + k[12] * t78) + ((k[17] * t41 - k[16] * t32) + t89);
-  const Scalar t91 = t88 - t90;
-  const Scalar t92 = t20 - t21;
-  const Scalar t93 = (k[30] * t4 + k[29] * t7) - (k[27] * t92 - k[28] * t31);
-  const Scalar t94 = c4 * t86 - s4 * (t91 - (k[9] * t52 - t93));
-  const Scalar t95 = k[8] * t56 + (k[6] * t49 + k[5] * qdd[0]);
-  const Scalar t96 = (t28 * t57 - t29 * t15) - (c4 * t34 + wrench[2] * s4);
-  const Scalar t97 = (t96 + (k[11] * t58 + k[12] * t42)) - (k[10] * t22 + k[9] * t83);
-  const Scalar t98 = t92 + t84;
-  const Scalar t99 = (s5 * t47 - c5 * t38) - (k[10] * t31 - k[9] * (t22 + t98));
-  const Scalar t100 = q[2] * (t95 - (c4 * t97 + s4 * t99));
-  const Scalar t101 = ((k[6] * t52 - k[5] * t56) - t94) + t100;
-  const Scalar t102 = k[4] * qdd[0] + (k[3] * t55 + k[2] * t50);
-  const Scalar t103 = ((k[7] * t54 - k[33] * t51) + t101) - t102;
-  const Scalar t104 = (s4 * t97 - c4 * t99) - k[8] * t60;
-  const Scalar t105 = k[29] * t98 + (k[32] * t31 - k[30] * t83);
-  const Scalar t106 = ((k[27] * t6 + k[28] * t2) - t105) - (k[9] * t61 + k[10] * t69);
+  const Scalar t0 = k[1] * s1 + k[0] * c1;
+  const Scalar t1 = k[0] * s1 - k[1] * c1;
+  const Scalar t2 = k[4] * qdd[0] + (k[3] * t0 + k[2] * t1);
+  const Scalar t3 = k[13] * s6 + k[12] * c6;
+  const Scalar t4 = k[18] - qdd[1];
+  const Scalar t5 = qd[0] * qd[0];
+  const Scalar t6 = qd[2] * qd[0];
+  const Scalar t7 = (t0 - q[2] * qdd[0]) - (t6 + t6);
+  const Scalar t8 = k[19] * t5 + t7;
+  const Scalar t9 = s4 * t4 + c4 * t8;
+  const Scalar t10 = k[12] * s6 - k[13] * c6;
+  const Scalar t11 = s4 * t8 - c4 * t4;
+  const Scalar t12 = qdd[2] - (t1 + q[2] * t5);
+  const Scalar t13 = k[19] * qdd[0] - t12;
+  const Scalar t14 = c5 * t11 - s5 * t13;
+  const Scalar t15 = qdd[0] * c4;
+  const Scalar t16 = qd[0] * s4;
+  const Scalar t17 = qd[3] * t16;
+  const Scalar t18 = t15 - (t17 + t17);
+  const Scalar t19 = qd[0] * c4;
+  const Scalar t20 = t16 * t19;
+  const Scalar t21 = qdd[3] + t20;
+  const Scalar t22 = s5 * t18 - c5 * t21;
+  const Scalar t23 = qd[3] * s5 + c5 * t19;
+  const Scalar t24 = qd[4] + t16;
+  const Scalar t25 = t23 * t24;
+  const Scalar t26 = (t22 + t25) + t25;
+  const Scalar t27 = qdd[5] - t26;
+  const Scalar t28 = k[23] * c6 - k[22] * s6;
+  const Scalar t29 = c6 * t28;
+  const Scalar t30 = k[27] - t29;
+  const Scalar t31 = qdd[5] - t22;
+  const Scalar t32 = k[24] - t29;
+  const Scalar t33 = t24 * t24;
+  const Scalar t34 = s5 * t19 - qd[3] * c5;
+  const Scalar t35 = qd[5] - t34;
+  const Scalar t36 = t35 * t35;
+  const Scalar t37 = t33 - t36;
+  const Scalar t38 = t23 * t23 + t36;
+  const Scalar t39 = t37 + t38;
+  const Scalar t40 = t33 + t36;
+  const Scalar t41 = t39 - t40;
+  const Scalar t42 = t37 - t41;
+  const Scalar t43 = k[25] + s6 * t28;
+  const Scalar t44 = (t27 * t30 - t31 * t32) - t42 * t43;
+  const Scalar t45 = k[21] * c6 + k[20] * s6;
+  const Scalar t46 = t34 * t24;
+  const Scalar t47 = c5 * t18 + s5 * t21;
+  const Scalar t48 = t46 + (t46 - t47);
+  const Scalar t49 = qd[3] * t19;
+  const Scalar t50 = qdd[0] * s4;
+  const Scalar t51 = t49 + t50;
+  const Scalar t52 = qdd[4] + t51;
+  const Scalar t53 = t23 * t34;
+  const Scalar t54 = t52 + t53;
+  const Scalar t55 = k[20] * c6 - k[21] * s6;
+  const Scalar t56 = (t3 * t9 - t10 * t14) - (t44 - (t45 * t48 - t54 * t55));
+  const Scalar t57 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t58 = wrench[5] * c4 - s4 * t57;
+  const Scalar t59 = wrench[3] * s1 - wrench[4] * c1;
+  const Scalar t60 = t56 + (s5 * t58 - c5 * t59);
+  const Scalar t61 = (k[26] * t26 - k[14] * t48) + (k[16] * t54 - k[17] * t42);
+  const Scalar t62 = t60 + (k[11] * t9 - t61);
+  const Scalar t63 = t16 * t16;
+  const Scalar t64 = qd[3] * qd[3];
+  const Scalar t65 = t63 - t64;
+  const Scalar t66 = t5 - t65;
+  const Scalar t67 = k[16] * (t39 - t66) + (k[14] * t26 + k[15] * t48);
+  const Scalar t68 = t52 - t53;
+  const Scalar t69 = c5 * t13 + s5 * t11;
+  const Scalar t70 = t35 + t35;
+  const Scalar t71 = t54 + t70 * t23;
+  const Scalar t72 = t70 * t24 + t48;
+  const Scalar t73 = t55 * t37 + (t71 * t43 - t32 * t72);
+  const Scalar t74 = (c5 * t58 + s5 * t59) + (t10 * t69 + (t45 * t27 - t73));
+  const Scalar t75 = ((t67 + k[17] * t68) + k[10] * t9) - t74;
+  const Scalar t76 = t49 + t51;
+  const Scalar t77 = (k[29] * t18 + k[30] * t76) + k[31] * t65;
+  const Scalar t78 = qdd[3] - t20;
+  const Scalar t79 = (s5 * t62 - c5 * t75) - ((t77 - k[28] * t78) + k[8] * t13);
+  const Scalar t80 = t63 + t64;
+  const Scalar t81 = t5 - t80;
+  const Scalar t82 = (k[30] * t18 - k[32] * t76) - (k[28] * t81 + k[31] * t21);
+  const Scalar t83 = (t45 * t41 + t31 * t55) + (t30 * t71 + t43 * t72);
+  const Scalar t84 = (t3 * t69 + t83) + (c4 * t57 + wrench[5] * s4);
+  const Scalar t85 = t42 + t66;
+  const Scalar t86 = (k[15] * t54 - k[26] * t68) - k[14] * (t85 - t39);
+  const Scalar t87 = (t86 - (k[17] * t47 + k[16] * t22)) + (k[11] * t69 - k[10] * t14);
+  const Scalar t88 = t84 + t87;
+  const Scalar t89 = c4 * t79 - s4 * ((t82 - k[9] * t13) - t88);
+  const Scalar t90 = wrench[0] * s1 - wrench[1] * c1;
+  const Scalar t91 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t92 = s4 * t91 - wrench[2] * c4;
+  const Scalar t93 = (t10 * t72 - t3 * t71) + (c5 * t90 + s5 * t92);
+  const Scalar t94 = t93 - (k[10] * t39 + k[11] * t68);
+  const Scalar t95 = (t3 * t40 + t10 * t31) - (c5 * t92 - s5 * t90);
+  const Scalar t96 = (k[10] * t54 - k[11] * t85) - t95;
+  const Scalar t97 = (k[8] * t18 - k[9] * t76) + (c5 * t94 - s5 * t96);
+  const Scalar t98 = (t89 - k[19] * t97) - (k[7] * t7 - k[6] * t12);
+  const Scalar t99 = (t27 * t3 - t10 * t38) + (c4 * t91 + wrench[2] * s4);
+  const Scalar t100 = (k[9] * t78 + k[8] * t66) - ((k[10] * t48 + k[11] * t26) - t99);
+  const Scalar t101 = (s5 * t94 + c5 * t96) + (k[8] * t21 - k[9] * t80);
+  const Scalar t102 = (k[6] * t5 + k[7] * qdd[0]) + k[5] * t7;
+  const Scalar t103 = q[2] * ((c4 * t100 + s4 * t101) + t102);
+  const Scalar t104 = k[5] * t4 - (c4 * t101 - s4 * t100);
+  const Scalar t105 = k[5] * t12 + (k[7] * t5 - k[6] * qdd[0]);
+  const Scalar t106 = k[30] * (t81 - t65) - (k[29] * t21 - k[32] * t78);
+  const Scalar t107 = (t106 + (k[28] * t15 + k[31] * t50)) - (k[9] * t9 + k[8] * t11);
   JointVector<Scalar> result;
-  result[0] = -t103;
-  result[1] = t104 - k[34] * t60;
-  result[2] = t54;
-  result[3] = (s5 * t75 + c5 * t82) - t106;
-  result[4] = -t91;
-  result[5] = t80;
+  result[0] = t2 - (t98 + t103);
+  result[1] = -k[33] * t4 - t104;
+  result[2] = t105 - t97;
+  result[3] = (s5 * t75 + c5 * t62) - t107;
+  result[4] = -t88;
+  result[5] = t60;
   return result;
 }
 
@@ -469,24 +477,25 @@ GravityTorqueWithGravityVectorConstants<Scalar> gravity_torque_with_gravity_vect
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c2x * inertia.m2 + (g.l1 * inertia.m1 + inertia.c1x * inertia.m1);
-  const Scalar t1 = inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6));
+  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t1 = g.l1 * t0 + (g.l1 * inertia.m3 + inertia.c3x * inertia.m3);
+  const Scalar t2 = inertia.m3 + t0;
+  const Scalar t3 = (g.l1 * inertia.m1 + inertia.c1x * inertia.m1) + (g.l1 * inertia.m2 + inertia.c2x * inertia.m2);
   return { gravity[0],
            gravity[1],
-           t0,
-           inertia.c1y * inertia.m1 + inertia.c2y * inertia.m2,
-           inertia.c3x * inertia.m3,
-           inertia.c4y * inertia.m4 + inertia.c3y * inertia.m3,
-           inertia.c4x * inertia.m4 + inertia.c5x * inertia.m5,
+           inertia.c4z * inertia.m4,
            gravity[2],
+           inertia.c5z * inertia.m5,
+           inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
            inertia.c6x * inertia.m6,
            inertia.c6z * inertia.m6,
-           inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
-           inertia.c5z * inertia.m5,
-           inertia.c4z * inertia.m4,
+           inertia.c4x * inertia.m4 + inertia.c5x * inertia.m5,
            t1,
-           g.l1 * (inertia.m2 + t1),
-           gravity[2] * inertia.m2 + gravity[2] * t1 };
+           inertia.c4y * inertia.m4 + inertia.c3y * inertia.m3,
+           t2,
+           t3,
+           inertia.c1y * inertia.m1 + inertia.c2y * inertia.m2,
+           gravity[2] * inertia.m2 + gravity[2] * t2 };
 }
 
 namespace detail {
@@ -502,30 +511,29 @@ inline JointVector<Scalar> gravity_torque_with_gravity_vector(const JointVector<
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[1] * s1 + k[0] * c1;
-  const Scalar t1 = k[0] * s1 - k[1] * c1;
-  const Scalar t2 = k[7] * s4 + c4 * t0;
-  const Scalar t3 = k[9] * c6 + k[8] * s6;
-  const Scalar t4 = k[7] * c4 - s4 * t0;
-  const Scalar t5 = c5 * t4 + s5 * t1;
-  const Scalar t6 = k[8] * c6 - k[9] * s6;
-  const Scalar t7 = t2 * t3 - t5 * t6;
-  const Scalar t8 = t7 + k[11] * t2;
-  const Scalar t9 = c5 * t1 - s5 * t4;
-  const Scalar t10 = k[10] * t2 + t9 * t6;
-  const Scalar t11 = k[6] * t1 - (s5 * t8 - c5 * t10);
-  const Scalar t12 = (k[10] * t5 + k[11] * t9) + t9 * t3;
-  const Scalar t13 = c4 * t11 - s4 * (k[12] * t1 + t12);
-  const Scalar t14 = ((k[5] * t0 + k[4] * t1) + t13) - q[2] * k[13] * t0;
-  const Scalar t15 = (t14 + k[14] * t1) + (k[3] * t0 + k[2] * t1);
-  const Scalar t16 = (k[12] * t2 - k[6] * t4) + (c5 * t8 + s5 * t10);
+  const Scalar t0 = k[0] * s1 - k[1] * c1;
+  const Scalar t1 = k[1] * s1 + k[0] * c1;
+  const Scalar t2 = k[7] * c6 + k[6] * s6;
+  const Scalar t3 = k[3] * c4 - s4 * t1;
+  const Scalar t4 = c5 * t0 - s5 * t3;
+  const Scalar t5 = c5 * t3 + s5 * t0;
+  const Scalar t6 = t2 * t4 + (k[4] * t4 + k[5] * t5);
+  const Scalar t7 = c4 * t1 + k[3] * s4;
+  const Scalar t8 = k[6] * c6 - k[7] * s6;
+  const Scalar t9 = t5 * t8 - t2 * t7;
+  const Scalar t10 = k[4] * t7 - t9;
+  const Scalar t11 = k[5] * t7 + t8 * t4;
+  const Scalar t12 = (s5 * t10 - c5 * t11) - k[8] * t0;
+  const Scalar t13 = s4 * (t6 + k[2] * t0) + c4 * t12;
+  const Scalar t14 = ((k[10] * t1 + k[9] * t0) - t13) - q[2] * k[11] * t1;
+  const Scalar t15 = (k[8] * t3 - k[2] * t7) - (s5 * t11 + c5 * t10);
   JointVector<Scalar> result;
-  result[0] = t15;
-  result[1] = -k[15];
-  result[2] = -k[13] * t1;
-  result[3] = t16;
-  result[4] = -t12;
-  result[5] = t7;
+  result[0] = (k[12] * t0 + k[13] * t1) + t14;
+  result[1] = -k[14];
+  result[2] = -k[11] * t0;
+  result[3] = -t15;
+  result[4] = -t6;
+  result[5] = -t9;
   return result;
 }
 
@@ -552,97 +560,98 @@ ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
-  const Scalar t1 = inertia.I6yz - inertia.c6z * t0;
-  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t3 = inertia.c6x * inertia.m6;
-  const Scalar t4 = (inertia.I6xx - t2) - inertia.c6x * t3;
-  const Scalar t5 = inertia.c6z * inertia.m6;
-  const Scalar t6 = inertia.c6z * t5 - (inertia.I6zz - t2);
-  const Scalar t7 = t4 - t6;
-  const Scalar t8 = Scalar(1) / t7;
-  const Scalar t9 = inertia.I6xy - inertia.c6y * t3;
-  const Scalar t10 = inertia.c5y * inertia.m5;
-  const Scalar t11 = inertia.c5z * inertia.m5;
-  const Scalar t12 = inertia.I6xz - inertia.c6z * t3;
-  const Scalar t13 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t14 = ((inertia.I6yy - t2) - inertia.c6y * t0) - (inertia.c5y * t10 - (inertia.I5yy - t13));
-  const Scalar t15 = inertia.c5x * inertia.m5;
-  const Scalar t16 = inertia.c4x * inertia.m4;
-  const Scalar t17 = t16 + t15;
-  const Scalar t18 = inertia.c4z * inertia.m4;
-  const Scalar t19 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t20 = (inertia.I4zz - t19) - inertia.c4z * t18;
-  const Scalar t21 = (inertia.c5x * t15 - (inertia.I5xx - t13)) - ((inertia.I4xx - t19) - inertia.c4x * t16);
-  const Scalar t22 = inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6));
-  const Scalar t23 = inertia.c4y * inertia.m4;
-  const Scalar t24 = inertia.c3x * inertia.m3;
-  const Scalar t25 = inertia.m2 + t22;
-  const Scalar t26 = inertia.I4xz - inertia.c4z * t16;
-  const Scalar t27 = inertia.c3y * inertia.m3;
-  const Scalar t28 = inertia.c2x * inertia.m2;
-  const Scalar t29 = inertia.c1x * inertia.m1;
-  const Scalar t30 = g.l1 * inertia.m1 + t29;
-  const Scalar t31 = inertia.c1y * inertia.m1;
+  const Scalar t0 = inertia.c6z * inertia.m6;
+  const Scalar t1 = inertia.c6x * inertia.m6;
+  const Scalar t2 = inertia.c6y * inertia.m6;
+  const Scalar t3 = inertia.I6yz - inertia.c6z * t2;
+  const Scalar t4 = inertia.I6xy - inertia.c6y * t1;
+  const Scalar t5 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t6 = (inertia.I6xx - t5) - inertia.c6x * t1;
+  const Scalar t7 = inertia.c6z * t0 - (inertia.I6zz - t5);
+  const Scalar t8 = t6 - t7;
+  const Scalar t9 = Scalar(1) / t8;
+  const Scalar t10 = inertia.c4x * inertia.m4;
+  const Scalar t11 = inertia.c5x * inertia.m5;
+  const Scalar t12 = t10 + t11;
+  const Scalar t13 = inertia.c5z * inertia.m5;
+  const Scalar t14 = inertia.c5y * inertia.m5;
+  const Scalar t15 = inertia.c4z * inertia.m4;
+  const Scalar t16 = inertia.I6xz - inertia.c6z * t1;
+  const Scalar t17 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t18 = ((inertia.I6yy - t5) - inertia.c6y * t2) - (inertia.c5y * t14 - (inertia.I5yy - t17));
+  const Scalar t19 = inertia.c4y * inertia.m4;
+  const Scalar t20 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t21 = (inertia.c5x * t11 - (inertia.I5xx - t17)) - ((inertia.I4xx - t20) - inertia.c4x * t10);
+  const Scalar t22 = (inertia.I4zz - t20) - inertia.c4z * t15;
+  const Scalar t23 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t24 = g.l1 * t23;
+  const Scalar t25 = inertia.c3x * inertia.m3;
+  const Scalar t26 = g.l1 * inertia.m3 + t25;
+  const Scalar t27 = inertia.m3 + t23;
+  const Scalar t28 = inertia.c3y * inertia.m3;
+  const Scalar t29 = inertia.c1y * inertia.m1;
+  const Scalar t30 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t31 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
   const Scalar t32 = inertia.c2y * inertia.m2;
-  const Scalar t33 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t34 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t35 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t36 = ((inertia.I3yy - t35) - inertia.c3y * t27) + ((inertia.I4yy - t19) - inertia.c4y * t23);
-  const Scalar t37 = (inertia.c1y * t31 - (inertia.I1yy - t33)) - (((inertia.I2yy - t34) - inertia.c2y * t32) + t36);
-  const Scalar t38 = (inertia.c3x * t24 - (inertia.I3xx - t35)) + (inertia.c2x * t28 - (inertia.I2xx - t34));
-  const Scalar t39 = g.l1 * (t29 + t30) + (inertia.c1x * t29 - (inertia.I1xx - t33));
-  return { t1 * t8,
-           t8 * t9,
-           t7,
-           t5,
-           t3,
-           t8,
-           t0 + t10,
-           t11,
-           t4 + t6,
-           Scalar(2) * t12,
-           t4,
-           inertia.c5z * t11 - (inertia.I5zz - t13),
-           t14,
-           Scalar(2) * t14,
-           t12,
-           inertia.I5xz - inertia.c5z * t15,
-           inertia.I5xy - inertia.c5y * t15,
-           t9,
+  const Scalar t33 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t34 = ((inertia.I3yy - t33) - inertia.c3y * t28) + ((inertia.I4yy - t20) - inertia.c4y * t19);
+  const Scalar t35 = (inertia.c1y * t29 - (inertia.I1yy - t30)) - (((inertia.I2yy - t31) - inertia.c2y * t32) + t34);
+  const Scalar t36 = inertia.I4xz - inertia.c4z * t10;
+  const Scalar t37 = inertia.c2x * inertia.m2;
+  const Scalar t38 = g.l1 * inertia.m2 + t37;
+  const Scalar t39 = (inertia.c2x * t37 - (inertia.I2xx - t31)) + g.l1 * (t37 + t38);
+  const Scalar t40 = (inertia.c3x * t25 - (inertia.I3xx - t33)) + g.l1 * (t25 + t26);
+  const Scalar t41 = inertia.c1x * inertia.m1;
+  const Scalar t42 = g.l1 * inertia.m1 + t41;
+  const Scalar t43 = g.l1 * (t41 + t42) + (inertia.c1x * t41 - (inertia.I1xx - t30));
+  return { t0,
            t1,
-           t17,
-           t18,
-           inertia.I5yz - inertia.c5z * t10,
-           t20,
+           t3,
+           t4,
+           t8,
+           t3 * t9,
+           t9 * t4,
+           g.l1,
+           t9,
+           t12,
+           t13,
+           t2 + t14,
+           t15,
+           Scalar(2) * t16,
+           t6 + t7,
+           t16,
+           inertia.I5xz - inertia.c5z * t11,
+           inertia.I5xy - inertia.c5y * t11,
+           inertia.I4xy - inertia.c4y * t10,
+           inertia.I5yz - inertia.c5z * t14,
            t6,
+           inertia.c5z * t13 - (inertia.I5zz - t17),
+           t18,
+           Scalar(2) * t18,
+           inertia.I4yz - inertia.c4z * t19,
            t21,
            t22,
-           g.l1,
-           inertia.I4xy - inertia.c4y * t16,
-           inertia.I4yz - inertia.c4z * t23,
-           t24,
-           g.l1 * t22,
-           t25,
-           t26,
-           t20 + t21,
+           t24 + t26,
+           t27,
+           inertia.m2 + t27,
+           t19 + t28,
+           t35,
+           t36,
+           Scalar(2) * g.l1,
+           (t39 + (g.l1 * t24 + t40)) + t43,
            gravity[1],
            gravity[0],
            gravity[2],
-           gravity[2] * t22,
-           gravity[2] * inertia.m2,
-           Scalar(2) * t17,
-           Scalar(2) * t18,
-           t23 + t27,
-           t28 + t30,
-           t31 + t32,
-           inertia.m2,
-           Scalar(2) * t20,
-           Scalar(2) * t26,
+           Scalar(2) * t15,
+           Scalar(2) * t12,
+           t22 + t21,
+           t42 + t38,
+           t29 + t32,
+           Scalar(2) * t22,
+           Scalar(2) * t36,
            Scalar(2) * t21,
-           t37,
-           g.l1 * t25,
-           (t38 + Scalar(2) * g.l1 * t28) + t39 };
+           gravity[2] * t27,
+           gravity[2] * inertia.m2 };
 }
 
 namespace detail {
@@ -659,190 +668,185 @@ inline JointVector<Scalar> forward_dynamics_with_gravity_vector(const JointVecto
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[3] * c6 + k[4] * s6;
-  const Scalar t1 = k[7] + t0;
-  const Scalar t2 = s5 * t1 - k[6] * c5;
-  const Scalar t3 = k[0] * s6 - k[1] * c6;
-  const Scalar t4 = k[2] * t3;
-  const Scalar t5 = k[16] - t4;
-  const Scalar t6 = k[8] * c6 - k[9] * s6;
-  const Scalar t7 = k[14] + s6 * t6;
-  const Scalar t8 = k[15] + t7;
-  const Scalar t9 = s5 * t5 + c5 * t8;
-  const Scalar t10 = c6 * t6;
-  const Scalar t11 = k[10] - t10;
-  const Scalar t12 = k[12] + (k[11] - t11);
-  const Scalar t13 = k[13] - t12;
-  const Scalar t14 = q[2] * s4 * t2 + (c4 * t9 - s4 * t13);
-  const Scalar t15 = k[6] * s5 + c5 * t1;
-  const Scalar t16 = k[4] * c6 - k[3] * s6;
-  const Scalar t17 = s5 * t16;
-  const Scalar t18 = c5 * t16;
-  const Scalar t19 = k[17] * s6 + k[18] * c6;
-  const Scalar t20 = c4 * (c5 * t19 - k[2] * s5) - s4 * t4;
-  const Scalar t21 = q[2] * (s4 * t18 + c4 * t0) + t20;
-  const Scalar t22 = k[26] * t17 + t21;
-  const Scalar t23 = k[5] * t22;
-  const Scalar t24 = (t14 - k[26] * t15) - t23 * t4;
-  const Scalar t25 = Scalar(1) / (t3 * t4 - t13);
-  const Scalar t26 = t24 * t25;
-  const Scalar t27 = s5 * t8 - c5 * t5;
-  const Scalar t28 = c5 + k[5] * s5 * t19;
-  const Scalar t29 = t27 - t4 * t28;
-  const Scalar t30 = k[20] + t15;
-  const Scalar t31 = k[19] + t16;
-  const Scalar t32 = k[21] + t19;
-  const Scalar t33 = c5 * t32;
-  const Scalar t34 = s5 * t12 + (t33 + t33);
-  const Scalar t35 = c4 * (k[28] - (t32 - c5 * t34)) + s4 * (k[27] - t27);
-  const Scalar t36 = q[2] * (c4 * t30 + s4 * t31) + t35;
-  const Scalar t37 = t26 * t29 + (t36 - t22 * t28);
-  const Scalar t38 = t25 * t29;
-  const Scalar t39 = k[12] - s5 * t34;
-  const Scalar t40 = k[22] + (t13 - t39);
-  const Scalar t41 = k[23] - t10;
-  const Scalar t42 = k[24] + t41;
-  const Scalar t43 = k[2] * t28;
-  const Scalar t44 = t38 * t29 + ((t40 - t42) - t28 * t43);
-  const Scalar t45 = Scalar(1) / t44;
-  const Scalar t46 = t37 * t45;
-  const Scalar t47 = k[41] - t2;
-  const Scalar t48 = q[2] * (t47 - (k[25] * q[2] - t47)) + t39;
-  const Scalar t49 = c4 * t31 - s4 * t30;
-  const Scalar t50 = k[29] + t49;
-  const Scalar t51 = s4 * (k[32] + t9);
-  const Scalar t52 = c4 * ((t51 + t51) + c4 * (t40 + t42));
-  const Scalar t53 = k[26] * ((k[49] + t50) + t50) - (t40 - t52);
-  const Scalar t54 = t22 * t23 + ((k[48] - t48) + (k[50] + t53));
-  const Scalar t55 = k[5] * t17;
-  const Scalar t56 = t15 + t55 * t4;
-  const Scalar t57 = (t17 * t23 + (k[30] + t50)) + t56 * t26;
-  const Scalar t58 = t56 * t25;
-  const Scalar t59 = t17 * t28 + t58 * t29;
-  const Scalar t60 = t59 * t45;
-  const Scalar t61 = t57 - t60 * t37;
-  const Scalar t62 = t60 * t59 + ((k[25] + t55 * t17) - t58 * t56);
-  const Scalar t63 = Scalar(1) / t62;
-  const Scalar t64 = t61 * t63;
-  const Scalar t65 = (t46 * t37 - (t24 * t26 - t54)) - t64 * t61;
-  const Scalar t66 = c4 * t18 - s4 * t0;
-  const Scalar t67 = k[5] * t66;
-  const Scalar t68 = t4 * t67 - c4 * t2;
-  const Scalar t69 = t25 * t68;
-  const Scalar t70 = (t43 * t67 - t49) + t38 * t68;
-  const Scalar t71 = t70 * t45;
-  const Scalar t72 = (t23 * t66 + t24 * t69) - t37 * t71;
-  const Scalar t73 = (t55 * t66 - t56 * t69) + t70 * t60;
-  const Scalar t74 = t72 - t73 * t64;
-  const Scalar t75 = t70 * t71 + ((k[31] + t66 * t67) - t69 * t68);
-  const Scalar t76 = t73 * t63;
-  const Scalar t77 = Scalar(1) / (t75 - t73 * t76);
-  const Scalar t78 = t74 * t77;
-  const Scalar t79 = qd[0] * qd[0];
-  const Scalar t80 = k[34] * s1 + k[35] * c1;
-  const Scalar t81 = (k[26] * t79 + t80) - Scalar(2) * qd[2] * qd[0];
-  const Scalar t82 = s4 * t81 - k[36] * c4;
-  const Scalar t83 = k[35] * s1 - k[34] * c1;
-  const Scalar t84 = t83 + q[2] * t79;
-  const Scalar t85 = c5 * t82 - s5 * t84;
-  const Scalar t86 = k[36] * s4 + c4 * t81;
-  const Scalar t87 = qd[0] * c4;
-  const Scalar t88 = qd[3] * t87;
-  const Scalar t89 = c5 * t87;
-  const Scalar t90 = qd[3] * s5 + t89;
-  const Scalar t91 = s5 * t87;
-  const Scalar t92 = t91 - qd[3] * c5;
-  const Scalar t93 = t90 * t92;
-  const Scalar t94 = t88 + t93;
-  const Scalar t95 = qd[0] * s4;
-  const Scalar t96 = qd[3] * t95;
-  const Scalar t97 = Scalar(2) * t96;
-  const Scalar t98 = t95 * t91 - c5 * t97;
-  const Scalar t99 = qd[4] + t95;
-  const Scalar t100 = t98 - Scalar(2) * t92 * t99;
-  const Scalar t101 = t99 * t99;
-  const Scalar t102 = t90 * t90;
-  const Scalar t103 = t101 + t102;
-  const Scalar t104 = qd[5] - t92;
-  const Scalar t105 = t104 * t104;
-  const Scalar t106 = t102 - t105;
-  const Scalar t107 = t103 - t106;
-  const Scalar t108 = t102 + t105;
-  const Scalar t109 = t107 - t108;
-  const Scalar t110 = s5 * t97 + t95 * t89;
-  const Scalar t111 = t90 * t99;
-  const Scalar t112 = (t110 - t111) - t111;
-  const Scalar t113 = t7 * t109 - (t112 * t11 - t41 * t110);
-  const Scalar t114 = (t16 * t85 + t86 * t0) + ((t94 * t4 - t100 * t19) + t113);
-  const Scalar t115 = torque[5] - t114;
-  const Scalar t116 = s5 * t82 + c5 * t84;
-  const Scalar t117 = t104 * t99;
-  const Scalar t118 = (t100 - t117) - t117;
-  const Scalar t119 = t104 * t90;
-  const Scalar t120 = t94 + (t119 + t119);
-  const Scalar t121 = (t19 * t106 - t4 * t110) - (t7 * t118 - t120 * t11);
-  const Scalar t122 = t95 * t95;
-  const Scalar t123 = qd[3] * qd[3];
-  const Scalar t124 = t122 + t123;
-  const Scalar t125 = t79 - t124;
-  const Scalar t126 = t122 - t123;
-  const Scalar t127 = t125 - t126;
-  const Scalar t128 = t124 + t127;
-  const Scalar t129 = t128 - t103;
-  const Scalar t130 = t129 + t109;
-  const Scalar t131 = t88 - t93;
-  const Scalar t132 = k[21] * t130 + (k[11] * t131 - k[12] * t94);
-  const Scalar t133 = (t132 - (k[16] * t110 - k[15] * t98)) - (k[7] * t116 - k[6] * t85);
-  const Scalar t134 = (t0 * t116 + t121) - t133;
-  const Scalar t135 = t3 * t115 + (torque[4] + t134);
-  const Scalar t136 = t135 * t25;
-  const Scalar t137 = k[5] * t115;
-  const Scalar t138 = t95 * t87;
-  const Scalar t139 = (t120 * t0 - t16 * t118) + (k[7] * t131 + k[6] * t103);
-  const Scalar t140 = (k[7] * (t130 + t103) - k[6] * t94) + (t0 * t107 - t16 * t110);
-  const Scalar t141 = (k[19] * t138 - k[20] * t124) - (s5 * t139 + c5 * t140);
-  const Scalar t142 = (k[7] * t112 + k[6] * t100) + (t112 * t0 + t16 * t108);
-  const Scalar t143 = (k[19] * t128 - k[20] * t138) + t142;
-  const Scalar t144 = k[38] + (k[37] - (c4 * t141 - s4 * t143));
-  const Scalar t145 = t68 * t136 - (t66 * t137 + (torque[1] + t144));
-  const Scalar t146 = (t120 * t7 + t41 * t118) - t4 * (t101 - t105);
-  const Scalar t147 = (k[12] * t100 + k[21] * t112) + k[16] * t129;
-  const Scalar t148 = (t16 * t116 - (t112 * t19 - t146)) - ((t147 - k[15] * t131) - k[6] * t86);
-  const Scalar t149 = (k[11] * t112 - k[21] * t100) - (k[16] * t94 - k[15] * t109);
-  const Scalar t150 = t114 + (k[7] * t86 + t149);
-  const Scalar t151 = (k[32] * t127 - k[33] * t138) - (k[20] * t86 + k[19] * t82);
-  const Scalar t152 = torque[3] - ((s5 * t148 + c5 * t150) - t151);
-  const Scalar t153 = (t43 * t137 - t152) + t38 * t135;
-  const Scalar t154 = (k[39] * t96 + k[40] * t88) - (s5 * t140 - c5 * t139);
-  const Scalar t155 = t154 - (k[25] * t84 - k[41] * t79);
-  const Scalar t156 = ((torque[2] - t155) + t115 * t55) - t56 * t136;
-  const Scalar t157 = t153 * t45;
-  const Scalar t158 = t156 + t157 * t59;
-  const Scalar t159 = t158 * t63;
-  const Scalar t160 = (t145 - t153 * t71) + t159 * t73;
-  const Scalar t161 = (k[28] * t125 + k[27] * t138) + (k[32] * t97 + k[45] * t88);
-  const Scalar t162 = k[27] * t126 + (k[46] * t88 - k[47] * t96);
-  const Scalar t163 = ((t162 + k[28] * t138) + k[19] * t84) - (s5 * t150 - c5 * t148);
-  const Scalar t164 = s4 * ((t161 + k[20] * t84) + t134) - c4 * t163;
-  const Scalar t165 = (c4 * t143 + s4 * t141) + (k[29] * t79 + k[25] * t81);
-  const Scalar t166 = (t164 - (k[41] * t81 + k[29] * t84)) + q[2] * t165;
-  const Scalar t167 = (t166 - k[26] * (k[44] * t83 - t155)) - (k[42] * t83 + k[43] * t80);
-  const Scalar t168 = t135 * t26 - ((torque[0] + t167) - t115 * t23);
-  const Scalar t169 = t160 * t78 - (t158 * t64 - (t168 - t153 * t46));
-  const Scalar t170 = Scalar(1) / (t65 - t74 * t78) * t169;
-  const Scalar t171 = t160 * t77 + t170 * t78;
-  const Scalar t172 = (t170 * t64 - t159) - t171 * t76;
-  const Scalar t173 = t60 * t172 + (t171 * t71 + (t170 * t46 + t157));
-  const Scalar t174 = (t171 * t69 + (t170 * t26 + t136)) + t58 * t172;
-  const Scalar t175 = t174 - t38 * t173;
-  const Scalar t176 = (t171 * t67 - (t170 * t23 - t137)) + t55 * t172;
+  const Scalar t0 = k[0] * s6 - k[1] * c6;
+  const Scalar t1 = s5 * t0;
+  const Scalar t2 = k[8] * t1;
+  const Scalar t3 = k[6] * c6 - k[5] * s6;
+  const Scalar t4 = k[4] * t3;
+  const Scalar t5 = k[0] * c6 + k[1] * s6;
+  const Scalar t6 = k[10] + t5;
+  const Scalar t7 = c5 * t6 + k[11] * s5;
+  const Scalar t8 = t2 * t4 + t7;
+  const Scalar t9 = k[14] * c6 - k[13] * s6;
+  const Scalar t10 = k[20] - c6 * t9;
+  const Scalar t11 = k[21] - t10;
+  const Scalar t12 = k[22] - t11;
+  const Scalar t13 = Scalar(1) / (t12 - t3 * t4);
+  const Scalar t14 = t8 * t13;
+  const Scalar t15 = k[17] + t4;
+  const Scalar t16 = k[15] + s6 * t9;
+  const Scalar t17 = k[16] + t16;
+  const Scalar t18 = c5 * t15 - s5 * t17;
+  const Scalar t19 = k[2] * c6 + k[3] * s6;
+  const Scalar t20 = s5 * t19 + k[4] * c5;
+  const Scalar t21 = k[8] * t20;
+  const Scalar t22 = t18 - t21 * t4;
+  const Scalar t23 = t22 * t13;
+  const Scalar t24 = k[19] + t19;
+  const Scalar t25 = c5 * t24;
+  const Scalar t26 = (t25 + t25) + s5 * (k[23] - t12);
+  const Scalar t27 = s5 * t26;
+  const Scalar t28 = k[26] + (t27 - t11);
+  const Scalar t29 = k[4] - t10;
+  const Scalar t30 = k[25] - t29;
+  const Scalar t31 = t22 * t23 + (t20 * t21 - (t28 - t30));
+  const Scalar t32 = Scalar(1) / t31;
+  const Scalar t33 = t20 * t2 - t22 * t14;
+  const Scalar t34 = t32 * t33;
+  const Scalar t35 = (t14 * t8 + (k[28] + t2 * t1)) - t34 * t33;
+  const Scalar t36 = Scalar(1) / t35;
+  const Scalar t37 = qd[0] * qd[0];
+  const Scalar t38 = k[36] * s1 - k[35] * c1;
+  const Scalar t39 = q[2] * t37 + t38;
+  const Scalar t40 = k[35] * s1 + k[36] * c1;
+  const Scalar t41 = qd[2] * qd[0];
+  const Scalar t42 = t40 - (t41 + t41);
+  const Scalar t43 = t42 + k[7] * t37;
+  const Scalar t44 = k[37] * c4 - s4 * t43;
+  const Scalar t45 = s5 * t39 + c5 * t44;
+  const Scalar t46 = s5 * t44 - c5 * t39;
+  const Scalar t47 = qd[0] * s4;
+  const Scalar t48 = qd[4] + t47;
+  const Scalar t49 = t48 * t48;
+  const Scalar t50 = qd[0] * c4;
+  const Scalar t51 = qd[3] * s5 + c5 * t50;
+  const Scalar t52 = t51 * t51;
+  const Scalar t53 = t49 + t52;
+  const Scalar t54 = s5 * t50;
+  const Scalar t55 = t54 - qd[3] * c5;
+  const Scalar t56 = qd[5] - t55;
+  const Scalar t57 = t56 * t56;
+  const Scalar t58 = t49 + t57;
+  const Scalar t59 = t52 + t57;
+  const Scalar t60 = t58 - t59;
+  const Scalar t61 = qd[3] * qd[3];
+  const Scalar t62 = t50 * t50;
+  const Scalar t63 = t61 + t62;
+  const Scalar t64 = t60 + t63;
+  const Scalar t65 = t53 - t64;
+  const Scalar t66 = qd[3] * t50;
+  const Scalar t67 = t51 * t55;
+  const Scalar t68 = t66 + t67;
+  const Scalar t69 = t66 - t67;
+  const Scalar t70 = k[19] * t65 + (k[22] * t68 - k[21] * t69);
+  const Scalar t71 = qd[3] * t47;
+  const Scalar t72 = t71 + t71;
+  const Scalar t73 = t47 * t54 - c5 * t72;
+  const Scalar t74 = t47 * t50;
+  const Scalar t75 = s5 * t72 + c5 * t74;
+  const Scalar t76 = (k[11] * t45 - k[10] * t46) + (t70 - (k[16] * t73 - k[17] * t75));
+  const Scalar t77 = t56 * t51;
+  const Scalar t78 = t68 + (t77 + t77);
+  const Scalar t79 = Scalar(2) * t48;
+  const Scalar t80 = t73 - t79 * t55;
+  const Scalar t81 = t80 - t79 * t56;
+  const Scalar t82 = t52 - t57;
+  const Scalar t83 = (t78 * t10 - t16 * t81) + (t4 * t75 + t19 * t82);
+  const Scalar t84 = t76 + (t83 - t46 * t5);
+  const Scalar t85 = k[37] * s4 + c4 * t43;
+  const Scalar t86 = t79 * t51 - t75;
+  const Scalar t87 = t60 * t16 - (t29 * t75 - t10 * t86);
+  const Scalar t88 = (t5 * t85 + t0 * t45) + (t87 - (t19 * t80 + t68 * t4));
+  const Scalar t89 = torque[5] - t88;
+  const Scalar t90 = (torque[4] + t84) - t89 * t3;
+  const Scalar t91 = (k[11] * t53 + k[10] * t69) + (t78 * t5 + t0 * t81);
+  const Scalar t92 = (t5 * t58 + t0 * t75) - (k[11] * t68 - k[10] * t64);
+  const Scalar t93 = (k[39] * t71 + k[38] * t66) + (c5 * t91 - s5 * t92);
+  const Scalar t94 = torque[2] - (t93 - (k[28] * t39 - k[30] * t37));
+  const Scalar t95 = t61 - t62;
+  const Scalar t96 = t37 - t63;
+  const Scalar t97 = t95 + t96;
+  const Scalar t98 = (k[32] * t97 + k[40] * t74) - (k[9] * t44 - k[12] * t85);
+  const Scalar t99 = (k[22] * t80 - k[19] * t86) - k[17] * (t60 + t65);
+  const Scalar t100 = (t29 * t81 - t78 * t16) - (t60 + t82) * t4;
+  const Scalar t101 = (k[11] * t85 - (t99 - k[16] * t69)) + ((t19 * t86 - t100) + t46 * t0);
+  const Scalar t102 = (k[16] * t60 - k[17] * t68) - (k[19] * t80 + k[21] * t86);
+  const Scalar t103 = t88 + (k[10] * t85 + t102);
+  const Scalar t104 = torque[3] - (t98 + (s5 * t101 + c5 * t103));
+  const Scalar t105 = k[8] * t89;
+  const Scalar t106 = (t104 - t20 * t105) - t23 * t90;
+  const Scalar t107 = t106 * t32;
+  const Scalar t108 = (t14 * t90 + (t94 - t2 * t89)) - t107 * t33;
+  const Scalar t109 = t36 * t108;
+  const Scalar t110 = c5 * t0;
+  const Scalar t111 = s4 * t4 - c4 * (k[4] * s5 - c5 * t19);
+  const Scalar t112 = q[2] * (s4 * t110 - c4 * t5) + (k[7] * t1 - t111);
+  const Scalar t113 = k[8] * t112;
+  const Scalar t114 = s4 * (k[18] + t18) + c4 * (k[24] + (c5 * t26 - t24));
+  const Scalar t115 = k[12] + t7;
+  const Scalar t116 = k[9] - t0;
+  const Scalar t117 = t114 + q[2] * (c4 * t115 + s4 * t116);
+  const Scalar t118 = s5 * t6 - k[11] * c5;
+  const Scalar t119 = s5 * t15 + c5 * t17;
+  const Scalar t120 = (s4 * t12 - c4 * t119) + k[7] * t7;
+  const Scalar t121 = (q[2] * s4 * t118 - t120) - t112 * t3;
+  const Scalar t122 = t121 * t13;
+  const Scalar t123 = (t20 * t113 + t117) + t22 * t122;
+  const Scalar t124 = s4 * t115 - c4 * t116;
+  const Scalar t125 = t121 * t14 - (t112 * t2 + (k[27] - t124));
+  const Scalar t126 = t34 * t123 + t125;
+  const Scalar t127 = t13 * t90;
+  const Scalar t128 = (k[44] * t66 - k[45] * t71) + k[18] * t96;
+  const Scalar t129 = ((k[24] * t74 + t128) + k[9] * t39) - (s5 * t103 - c5 * t101);
+  const Scalar t130 = (k[32] * t72 + k[43] * t66) + (k[18] * t74 - k[24] * t95);
+  const Scalar t131 = c4 * t129 - s4 * ((t130 + k[12] * t39) + t84);
+  const Scalar t132 = (k[27] * t39 + k[30] * t42) + (t131 - k[7] * t93);
+  const Scalar t133 = (t5 * t86 + t0 * t59) - (k[11] * t80 - k[10] * t86);
+  const Scalar t134 = t133 + (k[12] * t74 - k[9] * t63);
+  const Scalar t135 = (s5 * t91 + c5 * t92) - (k[9] * t74 - k[12] * (t63 + t97));
+  const Scalar t136 = (c4 * t134 + s4 * t135) - (k[28] * t42 + k[27] * t37);
+  const Scalar t137 = (t132 + q[2] * t136) + (k[42] * t40 + k[41] * t38);
+  const Scalar t138 = t121 * t127 + ((torque[0] - t137) + t89 * t113);
+  const Scalar t139 = t123 * t32;
+  const Scalar t140 = c4 * t110 + s4 * t5;
+  const Scalar t141 = k[8] * t140;
+  const Scalar t142 = t141 * t4 - c4 * t118;
+  const Scalar t143 = (t124 - t141 * t20) + t142 * t23;
+  const Scalar t144 = t143 * t32;
+  const Scalar t145 = t144 * t33 + (t142 * t14 + t141 * t1);
+  const Scalar t146 = k[47] + (k[46] - (s4 * t134 - c4 * t135));
+  const Scalar t147 = t142 * t13;
+  const Scalar t148 = (t105 * t140 - (torque[1] + t146)) - t147 * t90;
+  const Scalar t149 = t109 * t145 + (t148 - t106 * t144);
+  const Scalar t150 = (t141 * t112 - t142 * t122) + t144 * t123;
+  const Scalar t151 = t145 * t36;
+  const Scalar t152 = t150 + t126 * t151;
+  const Scalar t153 = t144 * t143 - (t142 * t147 + (k[29] + t141 * t140));
+  const Scalar t154 = Scalar(1) / (t153 + t145 * t151);
+  const Scalar t155 = t152 * t154;
+  const Scalar t156 = (t109 * t126 - (t138 + t106 * t139)) - t149 * t155;
+  const Scalar t157 = k[30] - t118;
+  const Scalar t158 = q[2] * ((k[28] * q[2] - t157) - t157) - (k[22] - t27);
+  const Scalar t159 = s4 * (k[32] + t119);
+  const Scalar t160 = c4 * ((t159 + t159) + c4 * (t28 + t30));
+  const Scalar t161 = (k[31] + t158) + (k[34] + ((t160 - t28) - k[33] * t124));
+  const Scalar t162 = t123 * t139 - (t121 * t122 + (t161 + t112 * t113));
+  const Scalar t163 = t36 * t126;
+  const Scalar t164 = Scalar(1) / ((t162 + t163 * t126) - t152 * t155);
+  const Scalar t165 = t156 * t164;
+  const Scalar t166 = t165 * t155 - t149 * t154;
+  const Scalar t167 = (t165 * t163 - t109) - t166 * t151;
+  const Scalar t168 = t34 * t167 + ((t107 + t165 * t139) - t144 * t166);
+  const Scalar t169 = (t147 * t166 + (t127 - t165 * t122)) + t14 * t167;
+  const Scalar t170 = t169 + t168 * t23;
+  const Scalar t171 = t2 * t167 + (t141 * t166 - (t105 - t165 * t113));
   JointVector<Scalar> result;
-  result[0] = -t170;
-  result[1] = -t171;
-  result[2] = -t172;
-  result[3] = t173;
-  result[4] = t175;
-  result[5] = t175 * t3 - (t176 + t28 * t173);
+  result[0] = t165;
+  result[1] = -t166;
+  result[2] = -t167;
+  result[3] = t168;
+  result[4] = -t170;
+  result[5] = t170 * t3 - (t21 * t168 - t171);
   return result;
 }
 
@@ -871,93 +875,94 @@ ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constant
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = (inertia.I6xx - t0) - inertia.c6x * t1;
-  const Scalar t3 = inertia.c6z * inertia.m6;
-  const Scalar t4 = inertia.c6z * t3 - (inertia.I6zz - t0);
-  const Scalar t5 = inertia.I6xz - inertia.c6z * t1;
-  const Scalar t6 = inertia.c5x * inertia.m5;
-  const Scalar t7 = inertia.c6y * inertia.m6;
-  const Scalar t8 = inertia.I6yz - inertia.c6z * t7;
-  const Scalar t9 = t2 - t4;
-  const Scalar t10 = Scalar(1) / t9;
-  const Scalar t11 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t12 = inertia.c5z * inertia.m5;
-  const Scalar t13 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t14 = inertia.c5y * inertia.m5;
-  const Scalar t15 = ((inertia.I6yy - t0) - inertia.c6y * t7) - (inertia.c5y * t14 - (inertia.I5yy - t13));
+  const Scalar t0 = inertia.c5z * inertia.m5;
+  const Scalar t1 = inertia.c6y * inertia.m6;
+  const Scalar t2 = inertia.c5y * inertia.m5;
+  const Scalar t3 = inertia.c5x * inertia.m5;
+  const Scalar t4 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t5 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t6 = ((inertia.I6yy - t5) - inertia.c6y * t1) - (inertia.c5y * t2 - (inertia.I5yy - t4));
+  const Scalar t7 = inertia.c6x * inertia.m6;
+  const Scalar t8 = inertia.I6xz - inertia.c6z * t7;
+  const Scalar t9 = (inertia.I6xx - t5) - inertia.c6x * t7;
+  const Scalar t10 = inertia.c6z * inertia.m6;
+  const Scalar t11 = inertia.c6z * t10 - (inertia.I6zz - t5);
+  const Scalar t12 = t9 - t11;
+  const Scalar t13 = inertia.I6yz - inertia.c6z * t1;
+  const Scalar t14 = inertia.I6xy - inertia.c6y * t7;
+  const Scalar t15 = Scalar(1) / t12;
   const Scalar t16 = inertia.c4x * inertia.m4;
-  const Scalar t17 = inertia.I4xz - inertia.c4z * t16;
-  const Scalar t18 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t19 = inertia.c4z * inertia.m4;
-  const Scalar t20 = (inertia.I4zz - t18) - inertia.c4z * t19;
-  const Scalar t21 = (inertia.c5x * t6 - (inertia.I5xx - t13)) - ((inertia.I4xx - t18) - inertia.c4x * t16);
-  const Scalar t22 = inertia.c4y * inertia.m4;
-  const Scalar t23 = inertia.c2x * inertia.m2;
-  const Scalar t24 = inertia.c1x * inertia.m1;
-  const Scalar t25 = g.l1 * inertia.m1 + t24;
-  const Scalar t26 = inertia.c1y * inertia.m1;
-  const Scalar t27 = inertia.c2y * inertia.m2;
-  const Scalar t28 = inertia.c3x * inertia.m3;
-  const Scalar t29 = inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6));
-  const Scalar t30 = inertia.c3y * inertia.m3;
-  const Scalar t31 = inertia.m2 + t29;
-  const Scalar t32 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t33 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t34 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t35 = ((inertia.I3yy - t34) - inertia.c3y * t30) + ((inertia.I4yy - t18) - inertia.c4y * t22);
-  const Scalar t36 = (inertia.c1y * t26 - (inertia.I1yy - t32)) - (((inertia.I2yy - t33) - inertia.c2y * t27) + t35);
-  const Scalar t37 = (inertia.c3x * t28 - (inertia.I3xx - t34)) + (inertia.c2x * t23 - (inertia.I2xx - t33));
-  const Scalar t38 = g.l1 * (t24 + t25) + (inertia.c1x * t24 - (inertia.I1xx - t32));
-  return { t2 + t4,
-           Scalar(2) * t5,
-           t5,
-           inertia.I5xz - inertia.c5z * t6,
-           t8 * t10,
-           t10 * t11,
-           t9,
-           inertia.I5xy - inertia.c5y * t6,
-           t11,
-           t8,
-           t10,
-           t4,
-           inertia.c5z * t12 - (inertia.I5zz - t13),
-           t15,
-           t3,
-           t1,
+  const Scalar t17 = inertia.c4z * inertia.m4;
+  const Scalar t18 = inertia.c4y * inertia.m4;
+  const Scalar t19 = inertia.c3y * inertia.m3;
+  const Scalar t20 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t21 = inertia.m3 + t20;
+  const Scalar t22 = inertia.I4xz - inertia.c4z * t16;
+  const Scalar t23 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t24 = (inertia.I4zz - t23) - inertia.c4z * t17;
+  const Scalar t25 = (inertia.c5x * t3 - (inertia.I5xx - t4)) - ((inertia.I4xx - t23) - inertia.c4x * t16);
+  const Scalar t26 = g.l1 * t20;
+  const Scalar t27 = inertia.c3x * inertia.m3;
+  const Scalar t28 = g.l1 * inertia.m3 + t27;
+  const Scalar t29 = inertia.c1x * inertia.m1;
+  const Scalar t30 = g.l1 * inertia.m1 + t29;
+  const Scalar t31 = inertia.c2x * inertia.m2;
+  const Scalar t32 = g.l1 * inertia.m2 + t31;
+  const Scalar t33 = inertia.c1y * inertia.m1;
+  const Scalar t34 = inertia.c2y * inertia.m2;
+  const Scalar t35 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t36 = (inertia.c2x * t31 - (inertia.I2xx - t35)) + g.l1 * (t31 + t32);
+  const Scalar t37 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t38 = (inertia.c3x * t27 - (inertia.I3xx - t37)) + g.l1 * (t27 + t28);
+  const Scalar t39 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t40 = g.l1 * (t29 + t30) + (inertia.c1x * t29 - (inertia.I1xx - t39));
+  const Scalar t41 = ((inertia.I3yy - t37) - inertia.c3y * t19) + ((inertia.I4yy - t23) - inertia.c4y * t18);
+  const Scalar t42 = (inertia.c1y * t33 - (inertia.I1yy - t39)) - (((inertia.I2yy - t35) - inertia.c2y * t34) + t41);
+  return { gravity[0],
            gravity[1],
-           gravity[0],
-           g.l1,
            gravity[2],
-           inertia.I5yz - inertia.c5z * t14,
-           t7 + t14,
+           g.l1,
+           t0,
+           t1 + t2,
+           inertia.I5xz - inertia.c5z * t3,
+           inertia.I5xy - inertia.c5y * t3,
+           inertia.c5z * t0 - (inertia.I5zz - t4),
+           t6,
+           inertia.I5yz - inertia.c5z * t2,
+           Scalar(2) * t8,
+           t9 + t11,
+           t11,
            t12,
-           t17,
-           t20 + t21,
-           t19,
-           t16 + t6,
-           t20,
-           t21,
-           inertia.I4yz - inertia.c4z * t22,
-           inertia.I4xy - inertia.c4y * t16,
-           t23 + t25,
-           t26 + t27,
-           t28,
-           t29,
-           t22 + t30,
+           t8,
+           t13,
+           t14,
+           t13 * t15,
+           t15 * t14,
+           t7,
+           t10,
+           t16 + t3,
            Scalar(2) * t17,
-           Scalar(2) * t21,
-           Scalar(2) * t20,
-           inertia.m2,
-           Scalar(2) * t19,
-           g.l1 * t31,
-           g.l1 * inertia.m2,
-           gravity[2] * t29,
+           t18 + t19,
+           t21,
+           t15,
+           t17,
+           t22,
+           t24 + t25,
+           t24,
+           t25,
+           inertia.I4yz - inertia.c4z * t18,
+           inertia.I4xy - inertia.c4y * t16,
+           t26 + t28,
+           Scalar(2) * t22,
+           Scalar(2) * t24,
+           t30 + t32,
+           t33 + t34,
+           gravity[2] * t21,
            gravity[2] * inertia.m2,
-           t31,
-           t36,
-           (t37 + Scalar(2) * g.l1 * t23) + t38 };
+           inertia.m2 + t21,
+           Scalar(2) * g.l1,
+           (t36 + (g.l1 * t26 + t38)) + t40,
+           t42 };
 }
 
 namespace detail {
@@ -974,196 +979,194 @@ inline JointVector<Scalar> forward_dynamics_with_wrench(const JointVector<Scalar
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[14] * c6 + k[15] * s6;
-  const Scalar t1 = k[22] + t0;
-  const Scalar t2 = k[21] * s5 + c5 * t1;
-  const Scalar t3 = k[14] * s6 - k[15] * c6;
-  const Scalar t4 = s5 * t3;
-  const Scalar t5 = k[10] * t4;
-  const Scalar t6 = k[4] * s6 - k[5] * c6;
-  const Scalar t7 = k[6] * t6;
-  const Scalar t8 = t2 - t5 * t7;
-  const Scalar t9 = k[0] * c6 - k[1] * s6;
-  const Scalar t10 = k[11] - c6 * t9;
-  const Scalar t11 = k[6] + t10;
-  const Scalar t12 = k[12] - t11;
-  const Scalar t13 = k[13] - t12;
-  const Scalar t14 = Scalar(1) / (t6 * t7 - t13);
-  const Scalar t15 = k[9] * c6 + k[8] * s6;
-  const Scalar t16 = c4 * (c5 * t15 - k[6] * s5) - s4 * t7;
-  const Scalar t17 = c5 * t3;
-  const Scalar t18 = t16 + q[2] * (c4 * t0 - s4 * t17);
-  const Scalar t19 = t18 - k[18] * t4;
-  const Scalar t20 = k[10] * t19;
-  const Scalar t21 = k[2] + s6 * t9;
-  const Scalar t22 = k[3] + t21;
-  const Scalar t23 = k[7] - t7;
-  const Scalar t24 = c5 * t22 + s5 * t23;
-  const Scalar t25 = s5 * t1 - k[21] * c5;
-  const Scalar t26 = (c4 * t24 - s4 * t13) + q[2] * s4 * t25;
-  const Scalar t27 = t20 * t7 - (t26 - k[18] * t2);
-  const Scalar t28 = t14 * t27;
-  const Scalar t29 = k[25] + t2;
-  const Scalar t30 = k[26] - t3;
-  const Scalar t31 = s4 * t29 - c4 * t30;
-  const Scalar t32 = k[33] - t31;
-  const Scalar t33 = k[41] + t32;
-  const Scalar t34 = t8 * t28 + ((k[42] - t33) + t5 * t19);
-  const Scalar t35 = c5 * t23 - s5 * t22;
-  const Scalar t36 = s5 * t15 + k[6] * c5;
-  const Scalar t37 = k[10] * t36;
-  const Scalar t38 = t35 + t37 * t7;
-  const Scalar t39 = k[20] + t15;
-  const Scalar t40 = Scalar(2) * c5 * t39 + s5 * (k[13] + t12);
-  const Scalar t41 = s4 * (k[30] + t35) + c4 * (k[29] + (c5 * t40 - t39));
-  const Scalar t42 = t41 + q[2] * (s4 * t30 + c4 * t29);
-  const Scalar t43 = t28 * t38 + (t42 - t37 * t19);
-  const Scalar t44 = k[13] - s5 * t40;
-  const Scalar t45 = k[27] - (t44 - t13);
-  const Scalar t46 = k[28] + t10;
-  const Scalar t47 = t14 * t38;
-  const Scalar t48 = ((t45 - t46) - t37 * t36) + t47 * t38;
-  const Scalar t49 = Scalar(1) / t48;
-  const Scalar t50 = t43 * t49;
-  const Scalar t51 = t14 * t8;
-  const Scalar t52 = t37 * t4 + t51 * t38;
-  const Scalar t53 = t34 - t50 * t52;
-  const Scalar t54 = s4 * t0 + c4 * t17;
-  const Scalar t55 = k[10] * t54;
-  const Scalar t56 = c4 * t25 + t7 * t55;
-  const Scalar t57 = t52 * t49;
-  const Scalar t58 = t14 * t56;
-  const Scalar t59 = t58 * t38 + (t31 - t36 * t55);
-  const Scalar t60 = (t56 * t51 + t5 * t54) - t57 * t59;
-  const Scalar t61 = (t8 * t51 - (k[34] + t5 * t4)) - t52 * t57;
-  const Scalar t62 = Scalar(1) / t61;
-  const Scalar t63 = t60 * t62;
-  const Scalar t64 = t49 * t59;
-  const Scalar t65 = (t58 * t27 - t20 * t54) - t43 * t64;
-  const Scalar t66 = t53 * t63 - t65;
-  const Scalar t67 = (t56 * t58 - (k[45] + t54 * t55)) - t59 * t64;
-  const Scalar t68 = Scalar(1) / (t67 - t60 * t63);
-  const Scalar t69 = t68 * t66;
-  const Scalar t70 = t53 * t62;
-  const Scalar t71 = Scalar(2) * s4 * (k[23] + t24) + c4 * (t45 + t46);
-  const Scalar t72 = (c4 * t71 - t45) + k[18] * (t32 + t33);
-  const Scalar t73 = k[35] - t25;
-  const Scalar t74 = t44 + q[2] * (t73 + (t73 - k[34] * q[2]));
-  const Scalar t75 = t20 * t19 + ((k[47] + t72) + (k[46] - t74));
-  const Scalar t76 = t53 * t70 + (t43 * t50 - (t28 * t27 - t75));
-  const Scalar t77 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t78 = wrench[5] * c4 - s4 * t77;
-  const Scalar t79 = wrench[3] * s1 - wrench[4] * c1;
+  const Scalar t0 = k[18] * s6 - k[19] * c6;
+  const Scalar t1 = k[14] * t0;
+  const Scalar t2 = k[17] * s6 + k[16] * c6;
+  const Scalar t3 = c4 * (k[14] * s5 - c5 * t2) + s4 * t1;
+  const Scalar t4 = k[20] * c6 - k[21] * s6;
+  const Scalar t5 = s5 * t4;
+  const Scalar t6 = c5 * t4;
+  const Scalar t7 = k[21] * c6 + k[20] * s6;
+  const Scalar t8 = (t3 - k[3] * t5) - q[2] * (s4 * t6 + c4 * t7);
+  const Scalar t9 = k[26] * t8;
+  const Scalar t10 = k[12] * c6 - k[11] * s6;
+  const Scalar t11 = k[15] + s6 * t10;
+  const Scalar t12 = k[6] + t11;
+  const Scalar t13 = k[7] - t1;
+  const Scalar t14 = c5 * t12 + s5 * t13;
+  const Scalar t15 = k[13] - c6 * t10;
+  const Scalar t16 = k[14] + t15;
+  const Scalar t17 = k[8] - t16;
+  const Scalar t18 = k[10] + t2;
+  const Scalar t19 = c5 * t18;
+  const Scalar t20 = s5 * (k[9] + t17) + (t19 + t19);
+  const Scalar t21 = s5 * t20;
+  const Scalar t22 = k[9] - t21;
+  const Scalar t23 = t21 - t17;
+  const Scalar t24 = t22 + t23;
+  const Scalar t25 = k[4] + t7;
+  const Scalar t26 = k[5] * s5 + c5 * t25;
+  const Scalar t27 = (c4 * t14 - s4 * t24) - k[3] * t26;
+  const Scalar t28 = k[5] * c5 - s5 * t25;
+  const Scalar t29 = t1 * t9 + (t27 - q[2] * s4 * t28);
+  const Scalar t30 = Scalar(1) / (t1 * t0 - t24);
+  const Scalar t31 = t29 * t30;
+  const Scalar t32 = s4 * t7 - c4 * t6;
+  const Scalar t33 = t32 * t0 - c4 * t28;
+  const Scalar t34 = k[26] * t32;
+  const Scalar t35 = s5 * t12 - c5 * t13;
+  const Scalar t36 = c5 + k[26] * s5 * t2;
+  const Scalar t37 = t35 - t36 * t1;
+  const Scalar t38 = k[14] * t36;
+  const Scalar t39 = s4 * (k[33] - t35) + c4 * (k[32] - (t18 - c5 * t20));
+  const Scalar t40 = k[22] + t4;
+  const Scalar t41 = k[27] + t26;
+  const Scalar t42 = t39 + q[2] * (s4 * t40 + c4 * t41);
+  const Scalar t43 = t31 * t37 + (t38 * t9 + t42);
+  const Scalar t44 = k[30] + t23;
+  const Scalar t45 = k[31] + t15;
+  const Scalar t46 = t30 * t37;
+  const Scalar t47 = ((t44 - t45) - t38 * t36) + t46 * t37;
+  const Scalar t48 = Scalar(1) / t47;
+  const Scalar t49 = t43 * t48;
+  const Scalar t50 = c4 * t40 - s4 * t41;
+  const Scalar t51 = t33 * t30;
+  const Scalar t52 = (t38 * t34 + t50) + t51 * t37;
+  const Scalar t53 = (t31 * t33 - t8 * t34) - t49 * t52;
+  const Scalar t54 = t26 + t5 * t0;
+  const Scalar t55 = t54 * t30;
+  const Scalar t56 = t55 * t29 - (t9 * t5 - (k[34] + t50));
+  const Scalar t57 = k[26] * t5;
+  const Scalar t58 = t38 * t57 + t46 * t54;
+  const Scalar t59 = t56 - t58 * t49;
+  const Scalar t60 = t58 * t48;
+  const Scalar t61 = (t54 * t51 - t32 * t57) - t60 * t52;
+  const Scalar t62 = t58 * t60 - (t55 * t54 - (k[25] + t5 * t57));
+  const Scalar t63 = Scalar(1) / t62;
+  const Scalar t64 = t61 * t63;
+  const Scalar t65 = t53 + t59 * t64;
+  const Scalar t66 = t52 * t48;
+  const Scalar t67 = t66 * t52 + ((k[41] + t32 * t34) - t33 * t51);
+  const Scalar t68 = Scalar(1) / (t67 - t61 * t64);
+  const Scalar t69 = t65 * t68;
+  const Scalar t70 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t71 = k[0] * s1 - k[1] * c1;
+  const Scalar t72 = qd[0] * qd[0];
+  const Scalar t73 = t71 + q[2] * t72;
+  const Scalar t74 = k[1] * s1 + k[0] * c1;
+  const Scalar t75 = qd[2] * qd[0];
+  const Scalar t76 = t74 - (t75 + t75);
+  const Scalar t77 = k[3] * t72 + t76;
+  const Scalar t78 = s4 * t77 - k[2] * c4;
+  const Scalar t79 = c5 * t73 + s5 * t78;
   const Scalar t80 = qd[0] * s4;
-  const Scalar t81 = qd[0] * c4;
-  const Scalar t82 = t80 * t81;
-  const Scalar t83 = qd[3] * t80;
-  const Scalar t84 = Scalar(2) * t83;
-  const Scalar t85 = s5 * t82 - c5 * t84;
-  const Scalar t86 = s5 * t81 - qd[3] * c5;
-  const Scalar t87 = qd[4] + t80;
-  const Scalar t88 = t86 * t87;
-  const Scalar t89 = (t85 - t88) - t88;
-  const Scalar t90 = qd[3] * t81;
-  const Scalar t91 = c5 * t81;
-  const Scalar t92 = qd[3] * s5 + t91;
-  const Scalar t93 = t92 * t86;
-  const Scalar t94 = t90 + t93;
-  const Scalar t95 = t92 * t87;
-  const Scalar t96 = s5 * t84 + t80 * t91;
-  const Scalar t97 = (t95 + t95) - t96;
-  const Scalar t98 = t86 * t86;
-  const Scalar t99 = t87 * t87;
-  const Scalar t100 = t98 + t99;
-  const Scalar t101 = qd[3] * qd[3];
-  const Scalar t102 = t81 * t81;
-  const Scalar t103 = t101 + t102;
-  const Scalar t104 = t100 - t103;
-  const Scalar t105 = (t11 * t97 + t10 * t96) + t21 * t104;
-  const Scalar t106 = qd[0] * qd[0];
-  const Scalar t107 = k[16] * s1 + k[17] * c1;
-  const Scalar t108 = Scalar(2) * qd[2] * qd[0] - (k[18] * t106 + t107);
-  const Scalar t109 = c4 * t108 - k[19] * s4;
-  const Scalar t110 = k[16] * c1 - k[17] * s1;
-  const Scalar t111 = t110 - q[2] * t106;
-  const Scalar t112 = k[19] * c4 + s4 * t108;
-  const Scalar t113 = s5 * t111 - c5 * t112;
-  const Scalar t114 = ((t89 * t15 - t94 * t7) - t105) + (t0 * t109 + t3 * t113);
-  const Scalar t115 = (s5 * t78 - c5 * t79) - t114;
-  const Scalar t116 = torque[5] - t115;
-  const Scalar t117 = k[10] * t116;
-  const Scalar t118 = t101 - t102;
-  const Scalar t119 = t118 + t106;
-  const Scalar t120 = (k[25] * t109 + k[26] * t112) - (k[24] * t82 + k[23] * (t119 - t103));
-  const Scalar t121 = (k[12] * t97 + k[20] * t89) - (k[3] * t104 - k[7] * t94);
-  const Scalar t122 = t115 - (k[22] * t109 + t121);
-  const Scalar t123 = t98 - t99;
-  const Scalar t124 = (k[20] * t97 - k[13] * t89) - k[7] * t123;
-  const Scalar t125 = t90 - t93;
-  const Scalar t126 = s5 * t112 + c5 * t111;
-  const Scalar t127 = qd[5] - t86;
-  const Scalar t128 = t127 * t87;
-  const Scalar t129 = t128 + (t128 - t89);
-  const Scalar t130 = t127 * t92;
-  const Scalar t131 = t130 + (t130 + t94);
-  const Scalar t132 = t127 * t127;
-  const Scalar t133 = (t10 * t129 - t21 * t131) + t7 * (t99 - t132);
-  const Scalar t134 = (c5 * t78 + s5 * t79) - (t3 * t126 + (t97 * t15 - t133));
-  const Scalar t135 = ((t124 + k[3] * t125) - k[21] * t109) - t134;
-  const Scalar t136 = torque[3] + (t120 - (c5 * t122 + s5 * t135));
-  const Scalar t137 = t104 + t123;
-  const Scalar t138 = (k[12] * t125 - k[13] * t94) + k[20] * t137;
-  const Scalar t139 = ((k[7] * t96 - k[3] * t85) - t138) - (k[22] * t126 + k[21] * t113);
-  const Scalar t140 = t100 - t137;
-  const Scalar t141 = t99 + t132;
-  const Scalar t142 = (t21 * t129 + t11 * t131) + ((t140 - t141) * t15 - t7 * t96);
-  const Scalar t143 = (t142 - t0 * t126) + (c4 * t77 + wrench[5] * s4);
-  const Scalar t144 = t139 + t143;
-  const Scalar t145 = (torque[4] + t144) + t7 * t117;
-  const Scalar t146 = t14 * t145;
-  const Scalar t147 = (t36 * t117 - t136) - t146 * t38;
-  const Scalar t148 = t49 * t147;
-  const Scalar t149 = wrench[0] * s1 - wrench[1] * c1;
-  const Scalar t150 = wrench[0] * c1 + wrench[1] * s1;
-  const Scalar t151 = s4 * t150 - wrench[2] * c4;
-  const Scalar t152 = (t0 * t131 - t3 * t129) - (c5 * t149 + s5 * t151);
-  const Scalar t153 = t152 + (k[22] * t125 + k[21] * t140);
-  const Scalar t154 = (c5 * t151 - s5 * t149) - (t3 * t96 + t0 * t141);
-  const Scalar t155 = t154 + (k[21] * t94 - k[22] * t100);
-  const Scalar t156 = (k[40] * t90 + k[26] * t84) + (c5 * t153 + s5 * t155);
-  const Scalar t157 = t156 + (k[35] * t106 + k[34] * t111);
-  const Scalar t158 = (t5 * t116 - (torque[2] - t157)) + t8 * t146;
-  const Scalar t159 = t52 * t148 + t158;
-  const Scalar t160 = t62 * t159;
-  const Scalar t161 = (c4 * t150 + wrench[2] * s4) - (t0 * t97 - t3 * (t104 - t141));
-  const Scalar t162 = (k[25] * t82 - k[26] * t103) - ((k[21] * t89 - k[22] * t97) + t161);
-  const Scalar t163 = (s5 * t153 - c5 * t155) - (k[26] * t82 - k[25] * t119);
-  const Scalar t164 = k[44] + (k[43] - (s4 * t162 - c4 * t163));
-  const Scalar t165 = ((torque[1] + t164) - t54 * t117) + t58 * t145;
-  const Scalar t166 = t160 * t60 - (t148 * t59 + t165);
-  const Scalar t167 = (k[36] * t90 - k[37] * t83) + k[30] * (t106 - t103);
-  const Scalar t168 = (s5 * t122 - c5 * t135) + (k[26] * t111 - (t167 + k[29] * t82));
-  const Scalar t169 = (k[38] * t90 + k[23] * t84) - (k[29] * t118 - k[30] * t82);
-  const Scalar t170 = c4 * t168 + s4 * ((t169 - k[25] * t111) + t144);
-  const Scalar t171 = (k[33] * t106 - k[34] * t108) - (c4 * t162 + s4 * t163);
-  const Scalar t172 = ((k[33] * t111 + k[35] * t108) + t170) + q[2] * t171;
-  const Scalar t173 = (k[18] * (t157 + k[39] * t110) + t172) - (k[32] * t107 - k[31] * t110);
-  const Scalar t174 = t28 * t145 + ((torque[0] + t173) - t19 * t117);
-  const Scalar t175 = t69 * t166 + (t70 * t159 - (t174 + t50 * t147));
-  const Scalar t176 = Scalar(1) / (t66 * t69 + t76) * t175;
-  const Scalar t177 = t68 * t166 - t176 * t69;
-  const Scalar t178 = (t160 - t176 * t70) + t177 * t63;
-  const Scalar t179 = t57 * t178 - (t177 * t64 - (t148 + t50 * t176));
-  const Scalar t180 = ((t176 * t28 - t146) - t58 * t177) + t51 * t178;
-  const Scalar t181 = t47 * t179 - t180;
-  const Scalar t182 = ((t117 - t20 * t176) + t177 * t55) + t5 * t178;
+  const Scalar t81 = qd[4] + t80;
+  const Scalar t82 = t81 + t81;
+  const Scalar t83 = qd[0] * c4;
+  const Scalar t84 = s5 * t83;
+  const Scalar t85 = t84 - qd[3] * c5;
+  const Scalar t86 = qd[5] - t85;
+  const Scalar t87 = qd[3] * t80;
+  const Scalar t88 = t87 + t87;
+  const Scalar t89 = t80 * t84 - c5 * t88;
+  const Scalar t90 = t89 - t82 * t85;
+  const Scalar t91 = t82 * t86 - t90;
+  const Scalar t92 = qd[3] * t83;
+  const Scalar t93 = c5 * t83;
+  const Scalar t94 = qd[3] * s5 + t93;
+  const Scalar t95 = t94 * t85;
+  const Scalar t96 = t92 + t95;
+  const Scalar t97 = t96 + Scalar(2) * t86 * t94;
+  const Scalar t98 = s5 * t88 + t80 * t93;
+  const Scalar t99 = t94 * t94;
+  const Scalar t100 = t99 - t86 * t86;
+  const Scalar t101 = (t91 * t11 + t16 * t97) - (t98 * t1 - t2 * t100);
+  const Scalar t102 = (c4 * t70 + wrench[5] * s4) + (t79 * t7 + t101);
+  const Scalar t103 = t81 * t81;
+  const Scalar t104 = t103 + t99;
+  const Scalar t105 = t80 * t80;
+  const Scalar t106 = qd[3] * qd[3];
+  const Scalar t107 = t105 - t106;
+  const Scalar t108 = t72 - t107;
+  const Scalar t109 = t104 - t108;
+  const Scalar t110 = t103 - t99;
+  const Scalar t111 = t92 - t95;
+  const Scalar t112 = k[10] * (t109 - t110) - (k[8] * t111 - k[9] * t96);
+  const Scalar t113 = s5 * t73 - c5 * t78;
+  const Scalar t114 = (t112 - (k[6] * t89 - k[7] * t98)) + (k[5] * t113 + k[4] * t79);
+  const Scalar t115 = t102 + t114;
+  const Scalar t116 = wrench[5] * c4 - s4 * t70;
+  const Scalar t117 = wrench[3] * s1 - wrench[4] * c1;
+  const Scalar t118 = t94 * t81;
+  const Scalar t119 = (t98 - t118) - t118;
+  const Scalar t120 = t11 * t110 + (t98 * t15 - t16 * t119);
+  const Scalar t121 = k[2] * s4 + c4 * t77;
+  const Scalar t122 = (t120 + (t96 * t1 - t2 * t90)) - (t113 * t4 - t121 * t7);
+  const Scalar t123 = (s5 * t116 - c5 * t117) + t122;
+  const Scalar t124 = torque[5] - t123;
+  const Scalar t125 = (torque[4] + t115) + t124 * t0;
+  const Scalar t126 = k[26] * t124;
+  const Scalar t127 = t80 * t83;
+  const Scalar t128 = t105 + t106;
+  const Scalar t129 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t130 = s4 * t129 - wrench[2] * c4;
+  const Scalar t131 = wrench[0] * s1 - wrench[1] * c1;
+  const Scalar t132 = (c5 * t130 - s5 * t131) + (t98 * t4 - t7 * (t104 - t100));
+  const Scalar t133 = t132 + (k[5] * t96 - k[4] * (t108 + t110));
+  const Scalar t134 = (t91 * t4 + t7 * t97) - (c5 * t131 + s5 * t130);
+  const Scalar t135 = (k[4] * t111 + k[5] * t104) + t134;
+  const Scalar t136 = (k[22] * t127 - k[27] * t128) + (c5 * t133 - s5 * t135);
+  const Scalar t137 = t100 + t110;
+  const Scalar t138 = (c4 * t129 + wrench[2] * s4) + (t7 * t119 - t4 * (t137 - t104));
+  const Scalar t139 = (k[22] * t108 - k[27] * t127) + (t138 + (k[4] * t119 + k[5] * t90));
+  const Scalar t140 = k[40] + (k[39] - (c4 * t136 - s4 * t139));
+  const Scalar t141 = t125 * t51 - (t126 * t32 - (torque[1] + t140));
+  const Scalar t142 = t125 * t30;
+  const Scalar t143 = t72 - t128;
+  const Scalar t144 = (k[27] * t121 + k[22] * t78) - (k[28] * (t143 - t107) - k[29] * t127);
+  const Scalar t145 = t137 * t1 - (t97 * t11 - t91 * t15);
+  const Scalar t146 = (c5 * t116 + s5 * t117) - (t79 * t4 - (t145 + t2 * t119));
+  const Scalar t147 = (k[10] * t119 + k[9] * t90) - k[7] * t109;
+  const Scalar t148 = t146 - (k[5] * t121 - (t147 - k[6] * t111));
+  const Scalar t149 = (k[7] * t96 - k[6] * t110) + (k[10] * t90 - k[8] * t119);
+  const Scalar t150 = (k[4] * t121 - t149) + t123;
+  const Scalar t151 = torque[3] - (t144 - (s5 * t148 - c5 * t150));
+  const Scalar t152 = (t142 * t37 + (t36 * t124 - t151)) * t48;
+  const Scalar t153 = (s5 * t133 + c5 * t135) + (k[23] * t92 + k[22] * t88);
+  const Scalar t154 = torque[2] - (t153 - (k[25] * t73 - k[24] * t72));
+  const Scalar t155 = t152 * t58 + ((t126 * t5 + t154) - t142 * t54);
+  const Scalar t156 = t63 * t155;
+  const Scalar t157 = (t141 - t152 * t52) - t156 * t61;
+  const Scalar t158 = t59 * t63;
+  const Scalar t159 = (k[32] * t143 + k[33] * t127) + (k[36] * t92 + k[35] * t87);
+  const Scalar t160 = k[33] * t107 - (k[31] * t88 - k[35] * t92);
+  const Scalar t161 = (c5 * t148 + s5 * t150) - (k[22] * t73 + (t160 + k[32] * t127));
+  const Scalar t162 = s4 * ((t159 + k[27] * t73) + t115) + c4 * t161;
+  const Scalar t163 = (k[3] * t153 + t162) - (k[34] * t73 + k[24] * t76);
+  const Scalar t164 = (k[25] * t76 + k[34] * t72) + (s4 * t136 + c4 * t139);
+  const Scalar t165 = (k[38] * t74 + k[37] * t71) - (t163 + q[2] * t164);
+  const Scalar t166 = ((torque[0] - t165) + t126 * t8) - t142 * t29;
+  const Scalar t167 = t69 * t157 - (t158 * t155 + (t166 + t152 * t43));
+  const Scalar t168 = Scalar(2) * s4 * (k[28] + t14) + c4 * (t44 + t45);
+  const Scalar t169 = k[43] + (k[42] * t50 + (c4 * t168 - t44));
+  const Scalar t170 = k[24] + t28;
+  const Scalar t171 = t22 - q[2] * ((k[25] * q[2] - t170) - t170);
+  const Scalar t172 = (t9 * t8 + (t169 + (k[44] - t171))) - t31 * t29;
+  const Scalar t173 = t69 * t65 - ((t172 + t43 * t49) - t59 * t158);
+  const Scalar t174 = t167 * Scalar(1) / t173;
+  const Scalar t175 = t69 * t174 - t68 * t157;
+  const Scalar t176 = (t158 * t174 + t156) + t64 * t175;
+  const Scalar t177 = t60 * t176 - ((t152 - t49 * t174) - t66 * t175);
+  const Scalar t178 = t55 * t176 + (t175 * t51 - (t142 - t31 * t174));
+  const Scalar t179 = t178 - t46 * t177;
+  const Scalar t180 = t57 * t176 + (t34 * t175 - (t126 - t9 * t174));
   JointVector<Scalar> result;
-  result[0] = -t176;
-  result[1] = t177;
-  result[2] = t178;
-  result[3] = t179;
-  result[4] = t181;
-  result[5] = t6 * t181 - (t182 + t37 * t179);
+  result[0] = t174;
+  result[1] = -t175;
+  result[2] = t176;
+  result[3] = -t177;
+  result[4] = -t179;
+  result[5] = (t180 + t36 * t177) - t0 * t179;
   return result;
 }
 
@@ -1193,29 +1196,29 @@ PotentialEnergyWithGravityVectorConstants<Scalar> potential_energy_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6));
-  const Scalar t1 = inertia.m2 + t0;
-  return { t0,
+  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t1 = inertia.m3 + t0;
+  return { inertia.c6z * inertia.m6,
            inertia.c6x * inertia.m6,
-           inertia.c6z * inertia.m6,
            inertia.c5z * inertia.m5,
            inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
            inertia.c4y * inertia.m4,
            inertia.c3y * inertia.m3,
+           t1,
            inertia.c2y * inertia.m2,
            inertia.c1y * inertia.m1,
+           inertia.c4z * inertia.m4,
            inertia.c5x * inertia.m5,
            inertia.c4x * inertia.m4,
-           inertia.c4z * inertia.m4,
-           inertia.c3x * inertia.m3,
-           inertia.c2x * inertia.m2,
-           g.l1 * t1,
+           g.l1 * t0,
+           g.l1 * inertia.m3 + inertia.c3x * inertia.m3,
+           g.l1 * inertia.m2 + inertia.c2x * inertia.m2,
            g.l1 * inertia.m1 + inertia.c1x * inertia.m1,
            gravity[0],
            gravity[1],
+           inertia.m2 + t1,
            inertia.c3z * inertia.m3,
            inertia.c2z * inertia.m2,
-           t1,
            inertia.c1z * inertia.m1,
            gravity[2] };
 }
@@ -1233,16 +1236,16 @@ inline Scalar potential_energy_with_gravity_vector(const JointVector<Scalar>& q,
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[3] + (k[2] * c6 + k[1] * s6);
-  const Scalar t1 = k[11] + (k[4] * s5 + c5 * t0);
-  const Scalar t2 = k[10] + (k[9] + (k[1] * c6 - k[2] * s6));
-  const Scalar t3 = k[19] + (k[18] + (c4 * t1 + s4 * t2));
-  const Scalar t4 = k[6] + (k[5] - (s5 * t0 - k[4] * c5));
-  const Scalar t5 = k[8] + (k[7] - (k[0] * q[2] - t4));
-  const Scalar t6 = k[13] + (k[12] - (s4 * t1 - c4 * t2));
-  const Scalar t7 = k[15] + (k[14] + t6);
-  const Scalar t8 = k[16] * (s1 * t5 - c1 * t7) - k[17] * (c1 * t5 + s1 * t7);
-  const Scalar t9 = k[22] * (k[21] + (t3 + k[20] * q[1])) - t8;
+  const Scalar t0 = k[2] + (k[0] * c6 + k[1] * s6);
+  const Scalar t1 = k[9] + (c5 * t0 + k[3] * s5);
+  const Scalar t2 = k[11] + (k[10] - (k[0] * s6 - k[1] * c6));
+  const Scalar t3 = k[20] + (k[19] + (c4 * t1 + s4 * t2));
+  const Scalar t4 = k[13] + (k[12] + (c4 * t2 - s4 * t1));
+  const Scalar t5 = k[15] + (k[14] + t4);
+  const Scalar t6 = k[5] + (k[4] - (s5 * t0 - k[3] * c5));
+  const Scalar t7 = k[8] + (k[7] + (t6 - k[6] * q[2]));
+  const Scalar t8 = k[17] * (s1 * t5 + c1 * t7) + k[16] * (c1 * t5 - s1 * t7);
+  const Scalar t9 = k[22] * (k[21] + (t3 + k[18] * q[1])) + t8;
   Scalar result;
   result = -t9;
   return result;

@@ -65,15 +65,14 @@ DynamicsAngles<Scalar> dynamics_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion: Newton-Euler recursion in base parameters (thesis 5.1-5.15).
 ///
-/// 90 multiplications, 74 additions, 2 sine/cosine pairs. Set-up: 70 multiplications, 70 additions, 4 divisions.
+/// 87 multiplications, 77 additions, 2 sine/cosine pairs. Set-up: 66 multiplications, 63 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is l1*cos(0.174533), which must not be zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
-using InverseDynamicsConstants = std::array<Scalar, 23>;
+using InverseDynamicsConstants = std::array<Scalar, 20>;
 template <class Scalar>
 InverseDynamicsConstants<Scalar> inverse_dynamics_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
@@ -100,14 +99,14 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const DynamicsA
 
 /// Joint forces that come from the joint rates alone, C(q, qd) qd, without friction.
 ///
-/// 73 multiplications, 51 additions, 2 sine/cosine pairs. Set-up: 58 multiplications, 46 additions.
+/// 71 multiplications, 51 additions, 2 sine/cosine pairs. Set-up: 60 multiplications, 46 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using CoriolisTorqueConstants = std::array<Scalar, 20>;
+using CoriolisTorqueConstants = std::array<Scalar, 22>;
 template <class Scalar>
 CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
@@ -135,7 +134,7 @@ Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const 
 
 /// C(q, qd) of Christoffel's symbols: C qd is coriolis_torque, dM/dt - 2 C is skew-symmetric.
 ///
-/// 97 multiplications, 69 additions, 2 sine/cosine pairs. Set-up: 59 multiplications, 46 additions, 2 divisions.
+/// 96 multiplications, 69 additions, 2 sine/cosine pairs. Set-up: 60 multiplications, 46 additions, 2 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1*cos(0.174533), which must not be zero.
 template <class Scalar>
@@ -143,7 +142,7 @@ Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, co
     const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using CoriolisMatrixConstants = std::array<Scalar, 25>;
+using CoriolisMatrixConstants = std::array<Scalar, 26>;
 template <class Scalar>
 CoriolisMatrixConstants<Scalar> coriolis_matrix_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
@@ -154,7 +153,7 @@ Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, co
 
 /// Joint accelerations for given joint forces: M qdd = torque - C qd - gravity, by M = U D U^T.
 ///
-/// 97 multiplications, 85 additions, 2 divisions, 2 sine/cosine pairs. Set-up: 68 multiplications, 64 additions, 3
+/// 97 multiplications, 85 additions, 2 divisions, 2 sine/cosine pairs. Set-up: 70 multiplications, 64 additions, 3
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is -l1*sin(0.174533), which must not be zero.
@@ -163,7 +162,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
-using ForwardDynamicsConstants = std::array<Scalar, 28>;
+using ForwardDynamicsConstants = std::array<Scalar, 30>;
 template <class Scalar>
 ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
@@ -174,7 +173,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// qd^T M qd / 2, J.
 ///
-/// 36 multiplications, 37 additions, 2 sine/cosine pairs. Set-up: 66 multiplications, 63 additions, 2 divisions.
+/// 36 multiplications, 37 additions, 2 sine/cosine pairs. Set-up: 65 multiplications, 63 additions, 2 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1*cos(0.174533), which must not be zero.
 template <class Scalar>

@@ -28,71 +28,60 @@ InverseDynamicsConstants<Scalar> inverse_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = g.l1 * Scalar(0.984807753012208);
-  const Scalar t1 = inertia.c3x * inertia.m3;
-  const Scalar t2 = g.l2 * inertia.m3 + t1;
-  const Scalar t3 = inertia.c3z * inertia.m3;
-  const Scalar t4 = Scalar(0.01) / t0;
-  const Scalar t5 = g.l1 * Scalar(0.17364817766693036);
-  const Scalar t6 = inertia.m3 * t5;
-  const Scalar t7 = inertia.c2z * inertia.m2;
-  const Scalar t8 = inertia.c2x * inertia.m2;
-  const Scalar t9 = g.l1 * inertia.m2 + t8;
-  const Scalar t10 = (t6 + (Scalar(0.984807753012208) * t7 + Scalar(0.17364817766693036) * t9)) / t5;
-  const Scalar t11 = t0 * t10;
-  const Scalar t12 = t0 * t11;
-  const Scalar t13 = g.l2 * t3 - (inertia.I3xz - inertia.c3z * t1);
-  const Scalar t14 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t15 = (inertia.I3zz - t14) - inertia.c3z * t3;
-  const Scalar t16 = g.l2 * (t2 + t1) + (inertia.c3x * t1 - (inertia.I3xx - t14));
-  const Scalar t17 = inertia.c3y * inertia.m3;
-  const Scalar t18 = inertia.m3 * t0;
-  const Scalar t19 = t11 + ((Scalar(0.17364817766693036) * t7 - Scalar(0.984807753012208) * t9) - t18);
-  const Scalar t20 = t0 * t19;
-  const Scalar t21 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t22 = (inertia.c2x * t8 - (inertia.I2xx - t21)) + g.l1 * (t8 + t9);
-  const Scalar t23 = (inertia.I2xz - inertia.c2z * t8) - g.l1 * t7;
-  const Scalar t24 = (inertia.I2zz - t21) - inertia.c2z * t7;
-  const Scalar t25 = Scalar(2) * Scalar(0.984807753012208) * t23 - Scalar(0.17364817766693036) * (t22 + t24);
-  const Scalar t26 = Scalar(0.17364817766693036) * t25;
-  const Scalar t27 = ((t22 + t26) + t0 * t18) - t12;
-  const Scalar t28 = (t5 * t6 - (t26 + t24)) - t5 * t5 * t10;
-  const Scalar t29 = t11 * t5 - (t5 * t18 + (t23 - Scalar(0.984807753012208) * t25));
-  const Scalar t30 = inertia.c2y * inertia.m2;
-  const Scalar t31 = g.l1 * t30 - (inertia.I2xy - inertia.c2y * t8);
-  const Scalar t32 = inertia.I2yz - inertia.c2z * t30;
-  const Scalar t33 = t0 * t17 + (Scalar(0.984807753012208) * t31 + Scalar(0.17364817766693036) * t32);
-  const Scalar t34 = (Scalar(0.984807753012208) * t32 - Scalar(0.17364817766693036) * t31) - t5 * t17;
-  const Scalar t35 = inertia.c1x * inertia.m1;
-  const Scalar t36 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t37 = Scalar(0.01) * ((Scalar(0.01) * inertia.m1 + t35) + t35)
-      + (inertia.c1x * t35 - (inertia.I1xx - t36));
-  const Scalar t38 = (Scalar(0.0001) * (inertia.m2 + inertia.m3) + t37) - Scalar(0.0001) * t10;
-  const Scalar t39 = ((inertia.I3yy - t14) - inertia.c3y * t17) + ((inertia.I2yy - t21) - inertia.c2y * t30);
-  const Scalar t40 = t39 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t36));
-  return { t0 * t2,
-           t0 * t3,
-           t4,
-           t5 / t0,
-           t12,
-           Scalar(2) * t13,
-           t15 + t16,
-           t13,
+  const Scalar t0 = inertia.c3x * inertia.m3;
+  const Scalar t1 = g.l2 * inertia.m3 + t0;
+  const Scalar t2 = inertia.c3z * inertia.m3;
+  const Scalar t3 = inertia.c2z * inertia.m2;
+  const Scalar t4 = inertia.c2x * inertia.m2;
+  const Scalar t5 = g.l1 * inertia.m2 + t4;
+  const Scalar t6 = g.l1 * Scalar(0.984807753012208);
+  const Scalar t7 = inertia.m3 * t6;
+  const Scalar t8 = Scalar(0.01) * ((Scalar(0.17364817766693036) * t3 - Scalar(0.984807753012208) * t5) - t7);
+  const Scalar t9 = g.l1 * Scalar(0.17364817766693036);
+  const Scalar t10 = inertia.m3 * t9;
+  const Scalar t11 = Scalar(0.01) * (t10 + (Scalar(0.984807753012208) * t3 + Scalar(0.17364817766693036) * t5));
+  const Scalar t12 = inertia.c3y * inertia.m3;
+  const Scalar t13 = inertia.c2y * inertia.m2;
+  const Scalar t14 = g.l1 * t13 - (inertia.I2xy - inertia.c2y * t4);
+  const Scalar t15 = inertia.I2yz - inertia.c2z * t13;
+  const Scalar t16 = t6 * t12 + (Scalar(0.984807753012208) * t14 + Scalar(0.17364817766693036) * t15);
+  const Scalar t17 = (Scalar(0.984807753012208) * t15 - Scalar(0.17364817766693036) * t14) - t9 * t12;
+  const Scalar t18 = (inertia.I2xz - inertia.c2z * t4) - g.l1 * t3;
+  const Scalar t19 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t20 = (inertia.c2x * t4 - (inertia.I2xx - t19)) + g.l1 * (t4 + t5);
+  const Scalar t21 = (inertia.I2zz - t19) - inertia.c2z * t3;
+  const Scalar t22 = Scalar(2) * Scalar(0.984807753012208) * t18 - Scalar(0.17364817766693036) * (t20 + t21);
+  const Scalar t23 = Scalar(0.17364817766693036) * t22;
+  const Scalar t24 = g.l2 * t2 - (inertia.I3xz - inertia.c3z * t0);
+  const Scalar t25 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t26 = (inertia.I3zz - t25) - inertia.c3z * t2;
+  const Scalar t27 = g.l2 * (t1 + t0) + (inertia.c3x * t0 - (inertia.I3xx - t25));
+  const Scalar t28 = inertia.c1x * inertia.m1;
+  const Scalar t29 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t30 = Scalar(0.01) * ((Scalar(0.01) * inertia.m1 + t28) + t28)
+      + (inertia.c1x * t28 - (inertia.I1xx - t29));
+  const Scalar t31 = ((inertia.I3yy - t25) - inertia.c3y * t12) + ((inertia.I2yy - t19) - inertia.c2y * t13);
+  const Scalar t32 = t31 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t29));
+  return { Scalar(0.01) * t1,
+           Scalar(0.01) * t2,
+           t8,
+           t11,
            t16,
-           inertia.I3yz - inertia.c3z * t17,
-           g.l2 * t17 - (inertia.I3xy - inertia.c3y * t1),
-           t15,
-           t20 * t4,
-           t27 - t28,
-           Scalar(2) * t29,
-           t29,
+           t17,
+           t9 * t7 + (t18 - Scalar(0.984807753012208) * t22),
+           t9 * t10 - (t23 + t21),
+           Scalar(100) * t9,
+           Scalar(2) * t24,
+           t26 + t27,
+           t24,
+           t26,
+           g.l2 * t12 - (inertia.I3xy - inertia.c3y * t0),
+           inertia.I3yz - inertia.c3z * t12,
+           Scalar(100) * t6,
+           (t20 + t23) + t6 * t7,
            t27,
-           t33,
-           t34,
-           t20,
-           t38 - t40,
-           gravity / t0,
-           t27 + t28 };
+           (Scalar(0.0001) * (inertia.m2 + inertia.m3) + t30) - t32,
+           Scalar(100) * gravity };
 }
 
 namespace detail {
@@ -106,63 +95,62 @@ inline JointVector<Scalar> inverse_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& s_1 = angles.sine[1];
   const Scalar& c_1 = angles.cosine[1];
   const Scalar t0 = qd[1] * qd[1];
-  const Scalar t1 = k[17] * s_1 + k[18] * c_1;
-  const Scalar t2 = t0 * (k[17] * c_1 - k[18] * s_1) + qdd[1] * t1;
-  const Scalar t3 = k[14] * c_1 + k[13] * s_1;
-  const Scalar t4 = qd[1] * qd[0];
-  const Scalar t5 = k[15] - c_1 * t3;
-  const Scalar t6 = qdd[0] * (k[16] - s_1 * t3) + Scalar(2) * t4 * t5;
-  const Scalar t7 = qdd[0] * c_1;
-  const Scalar t8 = c_1 * t4;
-  const Scalar t9 = qdd[0] * s_1;
-  const Scalar t10 = s_1 * t4;
-  const Scalar t11 = Scalar(2) * t10 - t7;
-  const Scalar t12 = k[2] * qdd[0] + (k[3] * (Scalar(2) * t8 + t9) - t11);
-  const Scalar t13 = k[1] * c_0 - k[0] * s_0;
-  const Scalar t14 = Scalar(3.3333333333333335) * t8 + t9;
-  const Scalar t15 = k[0] * c_0 + k[1] * s_0;
-  const Scalar t16 = t7 - Scalar(3.3333333333333335) * t10;
-  const Scalar t17 = k[4] * t12 + (t13 * t14 + t15 * t16);
-  const Scalar t18 = k[10] * c_0 - k[9] * s_0;
-  const Scalar t19 = Scalar(2.7777777777777777) * t0;
-  const Scalar t20 = qd[0] * s_1;
-  const Scalar t21 = t20 * t20;
-  const Scalar t22 = t19 - t21;
-  const Scalar t23 = k[10] * s_0 + k[9] * c_0;
-  const Scalar t24 = Scalar(0.6666666666666666) * qdd[1];
-  const Scalar t25 = t20 * qd[0] * c_1;
-  const Scalar t26 = qdd[1] - t25;
-  const Scalar t27 = t24 + t26;
-  const Scalar t28 = k[6] * s_0 - k[5] * c_0;
-  const Scalar t29 = k[7] + c_0 * t28;
-  const Scalar t30 = s_0 * t28;
-  const Scalar t31 = k[8] - t30;
-  const Scalar t32 = (t18 * t22 + t23 * t27) - (t29 * t14 - t31 * t16);
-  const Scalar t33 = qdd[1] + t25;
-  const Scalar t34 = t33 + t24;
-  const Scalar t35 = t19 + t21;
-  const Scalar t36 = qd[0] * qd[0];
-  const Scalar t37 = t35 - t36;
-  const Scalar t38 = k[11] - t30;
-  const Scalar t39 = t37 * t23 + (t14 * t38 + t29 * t16);
-  const Scalar t40 = (t13 * t12 + (t34 * t18 - t39)) + k[3] * t17;
-  const Scalar t41 = c_1 * (t17 + (t15 * t12 + t32)) + s_1 * t40;
-  const Scalar t42 = (((t2 + t6) - k[12] * t7) + t41) + k[2] * (t17 + k[19] * t11);
-  const Scalar t43 = k[2] * t36;
-  const Scalar t44 = t0 + t21;
-  const Scalar t45 = t37 - t22;
-  const Scalar t46 = (k[21] * s_1 + c_1 * t43) + ((t44 - t45) - k[3] * t26);
-  const Scalar t47 = k[21] * c_1 - s_1 * t43;
-  const Scalar t48 = t47 - (t33 + k[3] * t44);
-  const Scalar t49 = t29 * t45 - (t31 * t34 - t27 * t38);
-  const Scalar t50 = (t46 * t13 + t48 * t15) - ((t23 * t7 + t9 * t18) - t49);
-  const Scalar t51 = (t15 * t34 + t35 * t13) - k[4] * t48;
-  const Scalar t52 = ((t36 + t22) * t15 - t13 * t27) + k[4] * t46;
-  const Scalar t53 = (k[22] * qdd[1] - t36 * t5) + qdd[0] * t1;
-  const Scalar t54 = ((t51 - k[3] * t52) - t50) + (k[19] * t47 + t53);
+  const Scalar t1 = qd[0] * qd[0];
+  const Scalar t2 = c_1 * t1;
+  const Scalar t3 = c_1 * t2;
+  const Scalar t4 = t0 + t3;
+  const Scalar t5 = s_1 * t2;
+  const Scalar t6 = qdd[1] - t5;
+  const Scalar t7 = qd[1] * qd[0];
+  const Scalar t8 = s_1 * t7;
+  const Scalar t9 = qdd[0] * c_1;
+  const Scalar t10 = Scalar(2) * t8 - t9;
+  const Scalar t11 = c_1 * t7;
+  const Scalar t12 = qdd[0] * s_1;
+  const Scalar t13 = Scalar(2) * t11 + t12;
+  const Scalar t14 = (k[4] * (t4 - t1) + k[5] * t6) - (k[16] * t10 - k[6] * t13);
+  const Scalar t15 = k[1] * c_0 - k[0] * s_0;
+  const Scalar t16 = Scalar(3.3333333333333335) * t11 + t12;
+  const Scalar t17 = k[0] * c_0 + k[1] * s_0;
+  const Scalar t18 = t9 - Scalar(3.3333333333333335) * t8;
+  const Scalar t19 = t15 * t16 + t17 * t18;
+  const Scalar t20 = k[13] * s_0 + k[14] * c_0;
+  const Scalar t21 = Scalar(1.6666666666666667) * qdd[1];
+  const Scalar t22 = t21 - t5;
+  const Scalar t23 = k[13] * c_0 - k[14] * s_0;
+  const Scalar t24 = t0 - t3;
+  const Scalar t25 = t24 + t1;
+  const Scalar t26 = t25 - t4;
+  const Scalar t27 = Scalar(2.7777777777777777) * t0 + t3;
+  const Scalar t28 = t26 + t27;
+  const Scalar t29 = t1 - t28;
+  const Scalar t30 = k[10] * s_0 - k[9] * c_0;
+  const Scalar t31 = s_0 * t30;
+  const Scalar t32 = k[17] - t31;
+  const Scalar t33 = k[11] + c_0 * t30;
+  const Scalar t34 = (t20 * t22 - t23 * (t26 + t29)) + (t18 * t32 - t33 * t16);
+  const Scalar t35 = qdd[0] - (k[15] * t10 - k[8] * t13);
+  const Scalar t36 = (k[2] * qdd[0] - t14) - (k[15] * t19 + (t34 + t17 * t35));
+  const Scalar t37 = qdd[1] + t5;
+  const Scalar t38 = (k[6] * t10 - k[7] * t13) + k[5] * t24;
+  const Scalar t39 = t21 + t5;
+  const Scalar t40 = k[12] - t31;
+  const Scalar t41 = (t16 * t40 + t33 * t18) - t20 * t29;
+  const Scalar t42 = k[8] * t19 + (t15 * t35 + (t39 * t23 - t41));
+  const Scalar t43 = ((k[4] * t37 - t38) + k[3] * qdd[0]) + t42;
+  const Scalar t44 = (c_1 * t36 - s_1 * t43) - ((k[2] * t10 + k[3] * t13) + t19);
+  const Scalar t45 = t2 + k[19] * s_1;
+  const Scalar t46 = s_1 * t1 - k[19] * c_1;
+  const Scalar t47 = k[6] * t26 + (k[7] * t6 + k[16] * t37);
+  const Scalar t48 = (k[3] * t45 + k[2] * t46) - (t47 + (k[5] * t9 + k[4] * t12));
+  const Scalar t49 = k[15] * (t39 * t17 + t15 * t28) - k[8] * (t17 * t27 - t15 * t22);
+  const Scalar t50 = t15 * (t45 + (k[15] * t4 - k[8] * t6));
+  const Scalar t51 = t17 * (t46 + (k[8] * t25 + k[15] * t37));
+  const Scalar t52 = (t40 * t22 - t39 * t32) + t33 * t26;
+  const Scalar t53 = (t50 - t51) + (t52 - (t20 * t9 + t23 * t12));
   JointVector<Scalar> result;
-  result[0] = t42 + k[20] * qdd[0];
-  result[1] = t54 - Scalar(0.6666666666666666) * t50;
+  result[0] = k[18] * qdd[0] - t44;
+  result[1] = -(t48 - (t49 - t53)) - Scalar(0.6666666666666666) * t53;
   return result;
 }
 
@@ -197,10 +185,10 @@ GravityTorqueConstants<Scalar> gravity_torque_constants(const BasicGeometry<Scal
       + (Scalar(0.984807753012208) * t0 + Scalar(0.17364817766693036) * t1);
   const Scalar t3 = (Scalar(0.17364817766693036) * t0 - Scalar(0.984807753012208) * t1) - inertia.m3 * g.l1
       * Scalar(0.984807753012208);
-  return { gravity * inertia.c3z * inertia.m3,
-           gravity * (g.l2 * inertia.m3 + inertia.c3x * inertia.m3),
-           gravity * t2,
-           gravity * t3 };
+  return { gravity * t2,
+           gravity * t3,
+           gravity * inertia.c3z * inertia.m3,
+           gravity * (g.l2 * inertia.m3 + inertia.c3x * inertia.m3) };
 }
 
 namespace detail {
@@ -212,11 +200,11 @@ inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Sca
   const Scalar& c_0 = angles.cosine[0];
   const Scalar& s_1 = angles.sine[1];
   const Scalar& c_1 = angles.cosine[1];
-  const Scalar t0 = k[1] * (c_0 * c_1 - s_0 * s_1) + k[0] * (c_1 * s_0 + c_0 * s_1);
-  const Scalar t1 = ((k[3] * c_1 - k[2] * s_1) - t0) - Scalar(0.6666666666666666) * t0;
+  const Scalar t0 = k[2] * (c_1 * s_0 + c_0 * s_1) + k[3] * (c_0 * c_1 - s_0 * s_1);
+  const Scalar t1 = (t0 + (k[0] * s_1 - k[1] * c_1)) + Scalar(0.6666666666666666) * t0;
   JointVector<Scalar> result;
   result[0] = Scalar(0);
-  result[1] = t1;
+  result[1] = -t1;
   return result;
 }
 
@@ -242,56 +230,58 @@ CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Sc
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c3x * inertia.m3;
-  const Scalar t1 = g.l2 * inertia.m3 + t0;
-  const Scalar t2 = inertia.c3z * inertia.m3;
-  const Scalar t3 = inertia.c2z * inertia.m2;
-  const Scalar t4 = inertia.c2x * inertia.m2;
-  const Scalar t5 = g.l1 * inertia.m2 + t4;
-  const Scalar t6 = g.l1 * Scalar(0.984807753012208);
+  const Scalar t0 = inertia.c2z * inertia.m2;
+  const Scalar t1 = inertia.c2x * inertia.m2;
+  const Scalar t2 = g.l1 * inertia.m2 + t1;
+  const Scalar t3 = g.l1 * Scalar(0.984807753012208);
+  const Scalar t4 = inertia.m3 * t3;
+  const Scalar t5 = Scalar(0.01) * ((Scalar(0.17364817766693036) * t0 - Scalar(0.984807753012208) * t2) - t4);
+  const Scalar t6 = g.l1 * Scalar(0.17364817766693036);
   const Scalar t7 = inertia.m3 * t6;
-  const Scalar t8 = Scalar(0.01) * ((Scalar(0.17364817766693036) * t3 - Scalar(0.984807753012208) * t5) - t7);
-  const Scalar t9 = g.l1 * Scalar(0.17364817766693036);
-  const Scalar t10 = inertia.m3 * t9;
-  const Scalar t11 = Scalar(0.01) * (t10 + (Scalar(0.984807753012208) * t3 + Scalar(0.17364817766693036) * t5));
-  const Scalar t12 = inertia.c3y * inertia.m3;
-  const Scalar t13 = g.l2 * t2 - (inertia.I3xz - inertia.c3z * t0);
-  const Scalar t14 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t15 = (inertia.I3zz - t14) - inertia.c3z * t2;
-  const Scalar t16 = g.l2 * (t1 + t0) + (inertia.c3x * t0 - (inertia.I3xx - t14));
-  const Scalar t17 = inertia.c2y * inertia.m2;
-  const Scalar t18 = inertia.I2yz - inertia.c2z * t17;
-  const Scalar t19 = g.l1 * t17 - (inertia.I2xy - inertia.c2y * t4);
-  const Scalar t20 = (Scalar(0.984807753012208) * t18 - Scalar(0.17364817766693036) * t19) - t9 * t12;
-  const Scalar t21 = t6 * t12 + (Scalar(0.984807753012208) * t19 + Scalar(0.17364817766693036) * t18);
-  const Scalar t22 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t23 = (inertia.c2x * t4 - (inertia.I2xx - t22)) + g.l1 * (t4 + t5);
-  const Scalar t24 = (inertia.I2xz - inertia.c2z * t4) - g.l1 * t3;
-  const Scalar t25 = (inertia.I2zz - t22) - inertia.c2z * t3;
-  const Scalar t26 = Scalar(2) * Scalar(0.984807753012208) * t24 - Scalar(0.17364817766693036) * (t23 + t25);
-  const Scalar t27 = Scalar(0.17364817766693036) * t26;
-  const Scalar t28 = ((t23 + t27) + t6 * t7) - (t9 * t10 - (t27 + t25));
-  const Scalar t29 = t9 * t7 + (t24 - Scalar(0.984807753012208) * t26);
-  return { Scalar(0.01) * t1,
-           Scalar(0.01) * t2,
+  const Scalar t8 = Scalar(0.01) * (t7 + (Scalar(0.984807753012208) * t0 + Scalar(0.17364817766693036) * t2));
+  const Scalar t9 = inertia.c3x * inertia.m3;
+  const Scalar t10 = g.l2 * inertia.m3 + t9;
+  const Scalar t11 = inertia.c3z * inertia.m3;
+  const Scalar t12 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t13 = (inertia.c2x * t1 - (inertia.I2xx - t12)) + g.l1 * (t1 + t2);
+  const Scalar t14 = (inertia.I2xz - inertia.c2z * t1) - g.l1 * t0;
+  const Scalar t15 = (inertia.I2zz - t12) - inertia.c2z * t0;
+  const Scalar t16 = Scalar(2) * Scalar(0.984807753012208) * t14 - Scalar(0.17364817766693036) * (t13 + t15);
+  const Scalar t17 = Scalar(0.17364817766693036) * t16;
+  const Scalar t18 = ((t13 + t17) + t3 * t4) - (t6 * t7 - (t17 + t15));
+  const Scalar t19 = t6 * t4 + (t14 - Scalar(0.984807753012208) * t16);
+  const Scalar t20 = inertia.c2y * inertia.m2;
+  const Scalar t21 = inertia.I2yz - inertia.c2z * t20;
+  const Scalar t22 = g.l1 * t20 - (inertia.I2xy - inertia.c2y * t1);
+  const Scalar t23 = inertia.c3y * inertia.m3;
+  const Scalar t24 = (Scalar(0.984807753012208) * t21 - Scalar(0.17364817766693036) * t22) - t6 * t23;
+  const Scalar t25 = t3 * t23 + (Scalar(0.984807753012208) * t22 + Scalar(0.17364817766693036) * t21);
+  const Scalar t26 = g.l2 * t11 - (inertia.I3xz - inertia.c3z * t9);
+  const Scalar t27 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t28 = (inertia.I3zz - t27) - inertia.c3z * t11;
+  const Scalar t29 = g.l2 * (t10 + t9) + (inertia.c3x * t9 - (inertia.I3xx - t27));
+  return { t5,
            t8,
-           t11,
-           Scalar(100) * t9,
+           Scalar(0.01) * t10,
+           Scalar(0.01) * t11,
+           t18,
+           Scalar(2) * t19,
+           t19,
+           t24,
+           t25,
+           Scalar(200) * t3,
            Scalar(200) * t6,
-           Scalar(200) * t9,
-           g.l2 * t12 - (inertia.I3xy - inertia.c3y * t0),
-           inertia.I3yz - inertia.c3z * t12,
-           Scalar(2) * t13,
-           t15 + t16,
-           t15,
-           t13,
-           t16,
-           Scalar(100) * t6,
-           t20,
-           t21,
+           g.l2 * t23 - (inertia.I3xy - inertia.c3y * t9),
+           inertia.I3yz - inertia.c3z * t23,
+           Scalar(2) * t26,
+           t28 + t29,
            t28,
-           Scalar(2) * t29,
-           t29 };
+           t26,
+           Scalar(333.3333333333333) * t6,
+           Scalar(333.3333333333333) * t3,
+           t29,
+           Scalar(100) * t6,
+           Scalar(100) * t3 };
 }
 
 namespace detail {
@@ -304,47 +294,48 @@ inline JointVector<Scalar> coriolis_torque([[maybe_unused]] const JointVector<Sc
   const Scalar& c_0 = angles.cosine[0];
   const Scalar& s_1 = angles.sine[1];
   const Scalar& c_1 = angles.cosine[1];
-  const Scalar t0 = k[1] * c_0 - k[0] * s_0;
-  const Scalar t1 = qd[1] * qd[0];
+  const Scalar t0 = k[12] * s_0 - k[11] * c_0;
+  const Scalar t1 = qd[0] * qd[0];
   const Scalar t2 = c_1 * t1;
-  const Scalar t3 = s_1 * t1;
-  const Scalar t4 = k[0] * c_0 + k[1] * s_0;
-  const Scalar t5 = t0 * t2 - t3 * t4;
-  const Scalar t6 = k[5] * t3 - k[6] * t2;
-  const Scalar t7 = k[10] * s_0 - k[9] * c_0;
-  const Scalar t8 = k[12] + c_0 * t7;
-  const Scalar t9 = s_0 * t7;
-  const Scalar t10 = k[13] - t9;
-  const Scalar t11 = qd[1] * qd[1];
-  const Scalar t12 = Scalar(2.7777777777777777) * t11;
-  const Scalar t13 = qd[0] * qd[0];
-  const Scalar t14 = c_1 * t13;
-  const Scalar t15 = c_1 * t14;
-  const Scalar t16 = t12 + t15;
-  const Scalar t17 = t12 - t15;
-  const Scalar t18 = t13 + t17;
-  const Scalar t19 = t16 - t18;
-  const Scalar t20 = k[7] * c_0 - k[8] * s_0;
-  const Scalar t21 = s_1 * t14;
-  const Scalar t22 = k[8] * c_0 + k[7] * s_0;
-  const Scalar t23 = Scalar(3.3333333333333335) * (t2 * t8 + t3 * t10) - ((t19 + t17) * t20 - t21 * t22);
-  const Scalar t24 = Scalar(3.3333333333333335) * k[14] * t5 - (t4 * t6 + t23);
-  const Scalar t25 = k[11] - t9;
-  const Scalar t26 = t17 * t22 + Scalar(3.3333333333333335) * (t25 * t2 - t3 * t8);
-  const Scalar t27 = ((t20 * t21 - t26) - t0 * t6) + Scalar(3.3333333333333335) * k[4] * t5;
-  const Scalar t28 = k[19] + c_1 * (k[17] * s_1 - k[18] * c_1);
-  const Scalar t29 = Scalar(2) * t1 * t28 - (k[16] * c_1 - k[15] * s_1) * t11;
-  const Scalar t30 = k[3] * c_1 + k[2] * s_1;
-  const Scalar t31 = ((c_1 * t24 + s_1 * t27) - t29) + (Scalar(3.3333333333333335) * t5 + Scalar(2) * t30 * t1);
-  const Scalar t32 = t11 + t15;
-  const Scalar t33 = s_1 * t13 - (k[4] * (t19 - t32) - k[14] * t21);
-  const Scalar t34 = t0 * ((k[4] * t21 + k[14] * t32) + t14);
-  const Scalar t35 = (t4 * t33 - t34) + (t21 * (t10 + t25) + t19 * t8);
-  const Scalar t36 = k[14] * (t0 * t18 + t21 * t4) - k[4] * (t0 * t21 + t4 * t16);
-  const Scalar t37 = Scalar(0.6666666666666666) * t35 - (t13 * (t30 - t28) - (t35 + t36));
+  const Scalar t3 = s_1 * t2;
+  const Scalar t4 = s_1 * t1;
+  const Scalar t5 = s_1 * t4;
+  const Scalar t6 = qd[1] * qd[1];
+  const Scalar t7 = Scalar(2.7777777777777777) * t6;
+  const Scalar t8 = t5 + t7;
+  const Scalar t9 = k[11] * s_0 + k[12] * c_0;
+  const Scalar t10 = qd[1] * qd[0];
+  const Scalar t11 = s_1 * t10;
+  const Scalar t12 = k[13] * c_0 - k[14] * s_0;
+  const Scalar t13 = k[16] - c_0 * t12;
+  const Scalar t14 = s_0 * t12;
+  const Scalar t15 = k[15] + t14;
+  const Scalar t16 = c_1 * t10;
+  const Scalar t17 = (t1 - t8) * t9 + Scalar(3.3333333333333335) * (t11 * t13 - t15 * t16);
+  const Scalar t18 = k[10] * t16 - k[9] * t11;
+  const Scalar t19 = k[3] * c_0 - k[2] * s_0;
+  const Scalar t20 = k[2] * c_0 + k[3] * s_0;
+  const Scalar t21 = t11 * t20 - t19 * t16;
+  const Scalar t22 = ((t0 * t3 - t17) - t18 * t19) + k[17] * t21;
+  const Scalar t23 = t5 - t7;
+  const Scalar t24 = k[19] + t14;
+  const Scalar t25 = (t0 * t23 - t3 * t9) - Scalar(3.3333333333333335) * (t11 * t24 + t13 * t16);
+  const Scalar t26 = c_1 * ((t18 * t20 + t25) - k[18] * t21);
+  const Scalar t27 = k[6] + c_1 * (k[4] * s_1 - k[5] * c_1);
+  const Scalar t28 = (k[7] * s_1 - k[8] * c_1) * t6 + Scalar(2) * t27 * t10;
+  const Scalar t29 = k[0] * s_1 + k[1] * c_1;
+  const Scalar t30 = ((s_1 * t22 - t26) + t28) + (Scalar(3.3333333333333335) * t21 - Scalar(2) * t29 * t10);
+  const Scalar t31 = t1 - t23;
+  const Scalar t32 = k[20] * (t20 * t31 + t3 * t19) - k[21] * (t19 * t8 + t3 * t20);
+  const Scalar t33 = t31 - t8;
+  const Scalar t34 = t5 + t6;
+  const Scalar t35 = (t4 + (k[21] * t3 + k[20] * t34)) * t20;
+  const Scalar t36 = (k[21] * (t33 + t34) + k[20] * t3) + t2;
+  const Scalar t37 = (t3 * (t15 + t24) + t33 * t13) + (t35 - t36 * t19);
+  const Scalar t38 = ((t32 - t37) + (t29 - t27) * t1) - Scalar(0.6666666666666666) * t37;
   JointVector<Scalar> result;
-  result[0] = t31;
-  result[1] = t37;
+  result[0] = -t30;
+  result[1] = -t38;
   return result;
 }
 
@@ -371,57 +362,57 @@ MassMatrixConstants<Scalar> mass_matrix_constants(const BasicGeometry<Scalar>& g
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = g.l1 * Scalar(0.984807753012208);
+  const Scalar t0 = inertia.c3z * inertia.m3;
   const Scalar t1 = inertia.c3x * inertia.m3;
-  const Scalar t2 = g.l2 * inertia.m3 + t1;
-  const Scalar t3 = inertia.c3z * inertia.m3;
-  const Scalar t4 = g.l1 * Scalar(0.17364817766693036);
-  const Scalar t5 = inertia.m3 * t4;
-  const Scalar t6 = inertia.c2z * inertia.m2;
-  const Scalar t7 = inertia.c2x * inertia.m2;
-  const Scalar t8 = g.l1 * inertia.m2 + t7;
-  const Scalar t9 = t0 * (t5 + (Scalar(0.984807753012208) * t6 + Scalar(0.17364817766693036) * t8));
-  const Scalar t10 = inertia.m3 * t0;
-  const Scalar t11 = t0 * ((Scalar(0.17364817766693036) * t6 - Scalar(0.984807753012208) * t8) - t10);
-  const Scalar t12 = g.l2 * t3 - (inertia.I3xz - inertia.c3z * t1);
-  const Scalar t13 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t14 = (inertia.I3zz - t13) - inertia.c3z * t3;
-  const Scalar t15 = g.l2 * (t2 + t1) + (inertia.c3x * t1 - (inertia.I3xx - t13));
-  const Scalar t16 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t17 = (inertia.c2x * t7 - (inertia.I2xx - t16)) + g.l1 * (t7 + t8);
-  const Scalar t18 = (inertia.I2xz - inertia.c2z * t7) - g.l1 * t6;
-  const Scalar t19 = (inertia.I2zz - t16) - inertia.c2z * t6;
-  const Scalar t20 = Scalar(2) * Scalar(0.984807753012208) * t18 - Scalar(0.17364817766693036) * (t17 + t19);
-  const Scalar t21 = Scalar(0.17364817766693036) * t20;
-  const Scalar t22 = t4 / t0;
+  const Scalar t2 = g.l2 * t0 - (inertia.I3xz - inertia.c3z * t1);
+  const Scalar t3 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t4 = (inertia.I3zz - t3) - inertia.c3z * t0;
+  const Scalar t5 = g.l2 * inertia.m3 + t1;
+  const Scalar t6 = g.l2 * (t5 + t1) + (inertia.c3x * t1 - (inertia.I3xx - t3));
+  const Scalar t7 = g.l1 * Scalar(0.984807753012208);
+  const Scalar t8 = inertia.c2x * inertia.m2;
+  const Scalar t9 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t10 = g.l1 * inertia.m2 + t8;
+  const Scalar t11 = (inertia.c2x * t8 - (inertia.I2xx - t9)) + g.l1 * (t8 + t10);
+  const Scalar t12 = inertia.c2z * inertia.m2;
+  const Scalar t13 = (inertia.I2xz - inertia.c2z * t8) - g.l1 * t12;
+  const Scalar t14 = (inertia.I2zz - t9) - inertia.c2z * t12;
+  const Scalar t15 = Scalar(2) * Scalar(0.984807753012208) * t13 - Scalar(0.17364817766693036) * (t11 + t14);
+  const Scalar t16 = Scalar(0.17364817766693036) * t15;
+  const Scalar t17 = inertia.m3 * t7;
+  const Scalar t18 = g.l1 * Scalar(0.17364817766693036);
+  const Scalar t19 = t18 / t7;
+  const Scalar t20 = inertia.m3 * t18;
+  const Scalar t21 = t7 * ((Scalar(0.17364817766693036) * t12 - Scalar(0.984807753012208) * t10) - t17);
+  const Scalar t22 = t7 * (t20 + (Scalar(0.984807753012208) * t12 + Scalar(0.17364817766693036) * t10));
   const Scalar t23 = inertia.c1x * inertia.m1;
   const Scalar t24 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
   const Scalar t25 = Scalar(0.01) * ((Scalar(0.01) * inertia.m1 + t23) + t23)
       + (inertia.c1x * t23 - (inertia.I1xx - t24));
   const Scalar t26 = inertia.c3y * inertia.m3;
   const Scalar t27 = inertia.c2y * inertia.m2;
-  const Scalar t28 = ((inertia.I3yy - t13) - inertia.c3y * t26) + ((inertia.I2yy - t16) - inertia.c2y * t27);
+  const Scalar t28 = ((inertia.I3yy - t3) - inertia.c3y * t26) + ((inertia.I2yy - t9) - inertia.c2y * t27);
   const Scalar t29 = t28 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t24));
-  const Scalar t30 = g.l1 * t27 - (inertia.I2xy - inertia.c2y * t7);
+  const Scalar t30 = g.l1 * t27 - (inertia.I2xy - inertia.c2y * t8);
   const Scalar t31 = inertia.I2yz - inertia.c2z * t27;
-  const Scalar t32 = t0 * t26 + (Scalar(0.984807753012208) * t30 + Scalar(0.17364817766693036) * t31);
-  const Scalar t33 = (Scalar(0.984807753012208) * t31 - Scalar(0.17364817766693036) * t30) - t4 * t26;
-  const Scalar t34 = t14 - t15;
-  return { t0 * t2,
-           t0 * t3,
-           t9,
-           t11,
-           Scalar(2) * Scalar(0.01) / t0,
-           Scalar(2) * t12,
-           t14 + t15,
-           t15,
-           (t17 + t21) + t0 * t10,
-           t12,
+  const Scalar t32 = t7 * t26 + (Scalar(0.984807753012208) * t30 + Scalar(0.17364817766693036) * t31);
+  const Scalar t33 = (Scalar(0.984807753012208) * t31 - Scalar(0.17364817766693036) * t30) - t18 * t26;
+  const Scalar t34 = t4 - t6;
+  return { Scalar(2) * t2,
+           t4 + t6,
+           t6,
+           t7 * t0,
+           t7 * t5,
+           (t11 + t16) + t7 * t17,
+           t2,
+           t19,
+           t18 * t17 + (t13 - Scalar(0.984807753012208) * t15),
+           Scalar(2) * t19,
+           t4,
+           t18 * t20 - (t16 + t14),
+           t21,
            t22,
-           t4 * t10 + (t18 - Scalar(0.984807753012208) * t20),
-           t14,
-           Scalar(2) * t22,
-           t4 * t5 - (t21 + t19),
+           Scalar(2) * Scalar(0.01) / t7,
            Scalar(0.0001) * (inertia.m2 + inertia.m3) + t25,
            t29,
            g.l2 * t26 - (inertia.I3xy - inertia.c3y * t1),
@@ -441,25 +432,25 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointV
   const Scalar& c_0 = angles.cosine[0];
   const Scalar& s_1 = angles.sine[1];
   const Scalar& c_1 = angles.cosine[1];
-  const Scalar t0 = k[1] * c_0 - k[0] * s_0;
-  const Scalar t1 = k[0] * c_0 + k[1] * s_0;
-  const Scalar t2 = s_1 * (k[2] + t0) - c_1 * (k[3] - t1);
-  const Scalar t3 = k[6] * s_0 - k[5] * c_0;
-  const Scalar t4 = (t0 - (k[9] + c_0 * t3)) + k[10] * t1;
-  const Scalar t5 = s_0 * t3;
-  const Scalar t6 = k[8] + ((k[7] - t5) + Scalar(2) * t1);
-  const Scalar t7 = k[14] + (k[13] * t0 - (k[12] - t5));
-  const Scalar t8 = Scalar(2) * c_1 * (k[11] + t4) - s_1 * (t6 - t7);
-  const Scalar t9 = k[15] + (k[4] * t2 + (s_1 * t8 + t6));
+  const Scalar t0 = k[0] * c_0 - k[1] * s_0;
+  const Scalar t1 = s_0 * t0;
+  const Scalar t2 = k[4] * c_0 + k[3] * s_0;
+  const Scalar t3 = k[5] + ((k[2] + t1) + Scalar(2) * t2);
+  const Scalar t4 = k[3] * c_0 - k[4] * s_0;
+  const Scalar t5 = k[11] + (k[9] * t4 - (k[10] + t1));
+  const Scalar t6 = (t4 - (k[6] - c_0 * t0)) + k[7] * t2;
+  const Scalar t7 = s_1 * (t3 - t5) - Scalar(2) * c_1 * (k[8] + t6);
+  const Scalar t8 = c_1 * (k[12] - t2) - s_1 * (k[13] + t4);
+  const Scalar t9 = k[15] - ((s_1 * t7 - t3) + k[14] * t8);
   const Scalar t10 = k[17] * s_0 + k[18] * c_0;
   const Scalar t11 = k[18] * s_0 - k[17] * c_0;
   const Scalar t12 = c_1 * (k[20] + t10) + s_1 * (k[19] - t11);
   const Scalar t13 = t12 + Scalar(0.6666666666666666) * (c_1 * t10 - s_1 * t11);
-  const Scalar t14 = Scalar(0.6666666666666666) * (k[21] - (t1 + k[10] * t0));
+  const Scalar t14 = Scalar(0.6666666666666666) * (k[21] - (k[7] * t4 + t2));
   Eigen::Matrix<Scalar, dof, dof> result;
   result(0, 0) = t9 - k[16];
   result(0, 1) = result(1, 0) = t13;
-  result(1, 1) = -k[22] - (t14 + (t14 - (t6 + t7)));
+  result(1, 1) = -k[22] - (t14 + (t14 - (t3 + t5)));
   return result;
 }
 
@@ -485,61 +476,62 @@ CoriolisMatrixConstants<Scalar> coriolis_matrix_constants(const BasicGeometry<Sc
   using std::cos;
   using std::sin;
   const Scalar t0 = g.l1 * Scalar(0.984807753012208);
-  const Scalar t1 = inertia.c3z * inertia.m3;
-  const Scalar t2 = inertia.c3x * inertia.m3;
-  const Scalar t3 = g.l2 * inertia.m3 + t2;
-  const Scalar t4 = g.l2 * t1 - (inertia.I3xz - inertia.c3z * t2);
-  const Scalar t5 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t6 = (inertia.I3zz - t5) - inertia.c3z * t1;
-  const Scalar t7 = g.l2 * (t3 + t2) + (inertia.c3x * t2 - (inertia.I3xx - t5));
-  const Scalar t8 = inertia.c2x * inertia.m2;
-  const Scalar t9 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t10 = g.l1 * inertia.m2 + t8;
-  const Scalar t11 = (inertia.c2x * t8 - (inertia.I2xx - t9)) + g.l1 * (t8 + t10);
-  const Scalar t12 = inertia.c2z * inertia.m2;
-  const Scalar t13 = (inertia.I2xz - inertia.c2z * t8) - g.l1 * t12;
-  const Scalar t14 = (inertia.I2zz - t9) - inertia.c2z * t12;
-  const Scalar t15 = Scalar(2) * Scalar(0.984807753012208) * t13 - Scalar(0.17364817766693036) * (t11 + t14);
-  const Scalar t16 = Scalar(0.17364817766693036) * t15;
-  const Scalar t17 = inertia.m3 * t0;
-  const Scalar t18 = g.l1 * Scalar(0.17364817766693036);
-  const Scalar t19 = t18 / t0;
-  const Scalar t20 = inertia.m3 * t18;
-  const Scalar t21 = t0 * ((Scalar(0.17364817766693036) * t12 - Scalar(0.984807753012208) * t10) - t17);
-  const Scalar t22 = t0 * (t20 + (Scalar(0.984807753012208) * t12 + Scalar(0.17364817766693036) * t10));
+  const Scalar t1 = inertia.c3x * inertia.m3;
+  const Scalar t2 = g.l2 * inertia.m3 + t1;
+  const Scalar t3 = inertia.c3z * inertia.m3;
+  const Scalar t4 = g.l1 * Scalar(0.17364817766693036);
+  const Scalar t5 = inertia.m3 * t4;
+  const Scalar t6 = inertia.c2z * inertia.m2;
+  const Scalar t7 = inertia.c2x * inertia.m2;
+  const Scalar t8 = g.l1 * inertia.m2 + t7;
+  const Scalar t9 = t0 * (t5 + (Scalar(0.984807753012208) * t6 + Scalar(0.17364817766693036) * t8));
+  const Scalar t10 = inertia.m3 * t0;
+  const Scalar t11 = t0 * ((Scalar(0.17364817766693036) * t6 - Scalar(0.984807753012208) * t8) - t10);
+  const Scalar t12 = t4 / t0;
+  const Scalar t13 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t14 = g.l2 * (t2 + t1) + (inertia.c3x * t1 - (inertia.I3xx - t13));
+  const Scalar t15 = g.l2 * t3 - (inertia.I3xz - inertia.c3z * t1);
+  const Scalar t16 = (inertia.I3zz - t13) - inertia.c3z * t3;
+  const Scalar t17 = (inertia.I2xz - inertia.c2z * t7) - g.l1 * t6;
+  const Scalar t18 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t19 = (inertia.c2x * t7 - (inertia.I2xx - t18)) + g.l1 * (t7 + t8);
+  const Scalar t20 = (inertia.I2zz - t18) - inertia.c2z * t6;
+  const Scalar t21 = Scalar(2) * Scalar(0.984807753012208) * t17 - Scalar(0.17364817766693036) * (t19 + t20);
+  const Scalar t22 = Scalar(0.17364817766693036) * t21;
   const Scalar t23 = inertia.c3y * inertia.m3;
-  const Scalar t24 = g.l2 * t23 - (inertia.I3xy - inertia.c3y * t2);
+  const Scalar t24 = g.l2 * t23 - (inertia.I3xy - inertia.c3y * t1);
   const Scalar t25 = inertia.I3yz - inertia.c3z * t23;
   const Scalar t26 = inertia.c2y * inertia.m2;
-  const Scalar t27 = g.l1 * t26 - (inertia.I2xy - inertia.c2y * t8);
+  const Scalar t27 = g.l1 * t26 - (inertia.I2xy - inertia.c2y * t7);
   const Scalar t28 = inertia.I2yz - inertia.c2z * t26;
   const Scalar t29 = t0 * t23 + (Scalar(0.984807753012208) * t27 + Scalar(0.17364817766693036) * t28);
-  const Scalar t30 = (Scalar(0.984807753012208) * t28 - Scalar(0.17364817766693036) * t27) - t18 * t23;
-  return { t0 * t1,
+  const Scalar t30 = (Scalar(0.984807753012208) * t28 - Scalar(0.17364817766693036) * t27) - t4 * t23;
+  return { t0 * t2,
            t0 * t3,
-           Scalar(2) * t4,
-           t6 + t7,
-           t6,
-           t6 - t7,
-           (t11 + t16) + t0 * t17,
-           Scalar(0.6666666666666666) * t4,
-           Scalar(0.6666666666666666) * t6,
-           Scalar(0.6666666666666666) * t7,
-           t19,
-           t4,
-           t18 * t17 + (t13 - Scalar(0.984807753012208) * t15),
-           Scalar(2) * t19,
-           t18 * t20 - (t16 + t14),
-           t21,
-           t22,
+           t9,
+           t11,
            Scalar(0.01) / t0,
-           t7,
-           Scalar(1.6666666666666667) * t24,
-           Scalar(1.6666666666666667) * t25,
+           Scalar(0.6666666666666666) * t12,
+           Scalar(0.6666666666666666) * t14,
+           Scalar(0.6666666666666666) * t15,
+           Scalar(0.6666666666666666) * t16,
+           Scalar(2) * t15,
+           t16 + t14,
+           t15,
+           t12,
+           t4 * t10 + (t17 - Scalar(0.984807753012208) * t21),
+           Scalar(2) * t12,
+           t16,
+           t4 * t5 - (t22 + t20),
+           t16 - t14,
+           (t19 + t22) + t0 * t10,
            t24,
            t25,
            t29,
-           t30 };
+           t30,
+           t14,
+           Scalar(1.6666666666666667) * t24,
+           Scalar(1.6666666666666667) * t25 };
 }
 
 namespace detail {
@@ -552,61 +544,61 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const Jo
   const Scalar& c_0 = angles.cosine[0];
   const Scalar& s_1 = angles.sine[1];
   const Scalar& c_1 = angles.cosine[1];
-  const Scalar t0 = k[0] * c_0 - k[1] * s_0;
-  const Scalar t1 = k[16] + t0;
-  const Scalar t2 = qd[1] * t0;
-  const Scalar t3 = Scalar(0.6666666666666666) * t2;
-  const Scalar t4 = k[1] * c_0 + k[0] * s_0;
-  const Scalar t5 = qd[1] * t4;
-  const Scalar t6 = Scalar(0.6666666666666666) * t5;
-  const Scalar t7 = k[15] - t4;
-  const Scalar t8 = c_1 * (qd[1] * t1 + t3) - s_1 * (t6 - qd[1] * t7);
-  const Scalar t9 = k[2] * c_0 - k[3] * s_0;
-  const Scalar t10 = k[10] * t4 + (t0 - (k[11] - c_0 * t9));
-  const Scalar t11 = k[12] + t10;
-  const Scalar t12 = qd[1] * s_0;
-  const Scalar t13 = k[7] * t12;
-  const Scalar t14 = qd[1] * c_0;
-  const Scalar t15 = t13 + k[9] * t14;
-  const Scalar t16 = k[7] * t14;
-  const Scalar t17 = k[8] * t12 - t16;
-  const Scalar t18 = Scalar(0.6666666666666666) * k[10] * t5;
-  const Scalar t19 = qd[1] * t11 - ((s_0 * t15 + c_0 * t17) - t18);
-  const Scalar t20 = t18 - t3;
-  const Scalar t21 = k[4] + s_0 * t9;
-  const Scalar t22 = k[6] + (Scalar(2) * t4 - (k[5] - t21));
-  const Scalar t23 = qd[1] * t22 + (t6 + (c_0 * t15 - s_0 * t17));
-  const Scalar t24 = c_1 * (c_1 * (t19 - t20) - s_1 * t23);
-  const Scalar t25 = k[14] - (t21 - k[13] * t0);
-  const Scalar t26 = s_0 * (t16 - k[9] * t12) + c_0 * (t13 + k[8] * t14);
-  const Scalar t27 = qd[1] * t25 - (t26 - Scalar(0.6666666666666666) * k[10] * t2);
-  const Scalar t28 = t24 + s_1 * (c_1 * t27 - s_1 * t19);
-  const Scalar t29 = qd[0] * c_1;
-  const Scalar t30 = qd[0] * s_1;
-  const Scalar t31 = k[22] * c_0 + k[21] * s_0;
-  const Scalar t32 = qd[1] * t31;
-  const Scalar t33 = Scalar(0.6666666666666666) * t32 + qd[1] * (k[24] + t31);
-  const Scalar t34 = s_1 * ((t25 * t29 - t30 * t11) - t33);
-  const Scalar t35 = k[22] * s_0 - k[21] * c_0;
-  const Scalar t36 = qd[1] * t35;
-  const Scalar t37 = qd[1] * (k[23] - t35) - Scalar(0.6666666666666666) * t36;
-  const Scalar t38 = c_1 * (t37 - (t22 * t30 - t11 * t29));
-  const Scalar t39 = k[17] * (t29 * t1 + t7 * t30) + (t34 + t38);
-  const Scalar t40 = s_0 * t29 + c_0 * t30;
-  const Scalar t41 = s_0 * t30 - c_0 * t29;
-  const Scalar t42 = k[1] * t40 + k[0] * t41;
-  const Scalar t43 = k[20] * qd[1] - (k[4] * t41 - k[11] * t40);
-  const Scalar t44 = k[19] * qd[1] - (k[11] * t41 + k[18] * t40);
-  const Scalar t45 = (c_0 * t43 + s_0 * t44) + k[10] * t42;
-  const Scalar t46 = c_1 * ((c_0 * t44 - s_0 * t43) - t42);
-  const Scalar t47 = k[17] * t42 + (s_1 * t45 - t46);
-  const Scalar t48 = Scalar(1.6666666666666667) * c_1 * t36 + Scalar(1.6666666666666667) * s_1 * t32;
-  const Scalar t49 = ((s_1 * t33 - c_1 * t37) + t39) - Scalar(0.6666666666666666) * (t47 - t48);
+  const Scalar t0 = k[1] * c_0 - k[0] * s_0;
+  const Scalar t1 = qd[1] * t0;
+  const Scalar t2 = qd[1] * s_0;
+  const Scalar t3 = k[7] * t2;
+  const Scalar t4 = qd[1] * c_0;
+  const Scalar t5 = k[7] * t4;
+  const Scalar t6 = c_0 * (t3 + k[8] * t4) + s_0 * (t5 - k[6] * t2);
+  const Scalar t7 = k[10] * s_0 - k[9] * c_0;
+  const Scalar t8 = k[15] - s_0 * t7;
+  const Scalar t9 = k[16] - (t8 - k[14] * t0);
+  const Scalar t10 = (Scalar(0.6666666666666666) * k[12] * t1 - t6) + qd[1] * t9;
+  const Scalar t11 = k[0] * c_0 + k[1] * s_0;
+  const Scalar t12 = k[12] * t11 - ((k[11] + c_0 * t7) - t0);
+  const Scalar t13 = k[13] + t12;
+  const Scalar t14 = qd[1] * t11;
+  const Scalar t15 = k[5] * t14;
+  const Scalar t16 = k[6] * t4 + t3;
+  const Scalar t17 = k[8] * t2 - t5;
+  const Scalar t18 = qd[1] * t13 + (t15 - (s_0 * t16 + c_0 * t17));
+  const Scalar t19 = k[18] - ((k[17] - t8) - Scalar(2) * t11);
+  const Scalar t20 = Scalar(0.6666666666666666) * t14;
+  const Scalar t21 = qd[1] * t19 + (t20 + (c_0 * t16 - s_0 * t17));
+  const Scalar t22 = Scalar(0.6666666666666666) * t1;
+  const Scalar t23 = t22 - t15;
+  const Scalar t24 = c_1 * (s_1 * t21 - c_1 * (t18 + t23));
+  const Scalar t25 = s_1 * (c_1 * t10 - s_1 * t18) - t24;
+  const Scalar t26 = k[3] - t11;
+  const Scalar t27 = k[2] + t0;
+  const Scalar t28 = s_1 * (qd[1] * t26 - t20) + c_1 * (t22 + qd[1] * t27);
+  const Scalar t29 = qd[0] * s_1;
+  const Scalar t30 = qd[0] * c_1;
+  const Scalar t31 = s_0 * t29 - c_0 * t30;
+  const Scalar t32 = s_0 * t30 + c_0 * t29;
+  const Scalar t33 = k[1] * t31 + k[0] * t32;
+  const Scalar t34 = (k[11] * t31 + k[23] * t32) - k[24] * qd[1];
+  const Scalar t35 = (k[11] * t32 - k[15] * t31) + k[25] * qd[1];
+  const Scalar t36 = c_1 * (t33 + (c_0 * t34 + s_0 * t35));
+  const Scalar t37 = (c_0 * t35 - s_0 * t34) + k[12] * t33;
+  const Scalar t38 = (t36 + s_1 * t37) + k[4] * t33;
+  const Scalar t39 = k[20] * c_0 + k[19] * s_0;
+  const Scalar t40 = qd[1] * t39;
+  const Scalar t41 = Scalar(0.6666666666666666) * t40 + qd[1] * (k[22] + t39);
+  const Scalar t42 = s_1 * (t41 + (t13 * t29 - t9 * t30));
+  const Scalar t43 = k[19] * c_0 - k[20] * s_0;
+  const Scalar t44 = qd[1] * t43;
+  const Scalar t45 = qd[1] * (k[21] + t43) + Scalar(0.6666666666666666) * t44;
+  const Scalar t46 = c_1 * ((t19 * t29 - t13 * t30) - t45);
+  const Scalar t47 = k[4] * (t29 * t26 + t27 * t30) - (t42 + t46);
+  const Scalar t48 = Scalar(1.6666666666666667) * c_1 * t44 - Scalar(1.6666666666666667) * s_1 * t40;
+  const Scalar t49 = Scalar(0.6666666666666666) * (t38 + t48) - ((s_1 * t41 - c_1 * t45) + t47);
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = k[17] * t8 + t28;
-  result(0, 1) = t39 - Scalar(0.6666666666666666) * t47;
-  result(1, 0) = -t49;
-  result(1, 1) = -Scalar(1.6666666666666667) * t20;
+  result(0, 0) = t25 + k[4] * t28;
+  result(0, 1) = t47 - Scalar(0.6666666666666666) * t38;
+  result(1, 0) = t49;
+  result(1, 1) = Scalar(1.6666666666666667) * t23;
   return result;
 }
 
@@ -638,69 +630,72 @@ ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<
   const Scalar t1 = g.l1 * Scalar(0.17364817766693036);
   const Scalar t2 = inertia.c3x * inertia.m3;
   const Scalar t3 = g.l2 * inertia.m3 + t2;
-  const Scalar t4 = g.l1 * Scalar(0.984807753012208);
-  const Scalar t5 = g.l2 * t0 - (inertia.I3xz - inertia.c3z * t2);
-  const Scalar t6 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t7 = (inertia.I3zz - t6) - inertia.c3z * t0;
-  const Scalar t8 = g.l2 * (t3 + t2) + (inertia.c3x * t2 - (inertia.I3xx - t6));
-  const Scalar t9 = inertia.c2x * inertia.m2;
-  const Scalar t10 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t11 = g.l1 * inertia.m2 + t9;
-  const Scalar t12 = (inertia.c2x * t9 - (inertia.I2xx - t10)) + g.l1 * (t9 + t11);
-  const Scalar t13 = inertia.c2z * inertia.m2;
-  const Scalar t14 = (inertia.I2xz - inertia.c2z * t9) - g.l1 * t13;
-  const Scalar t15 = (inertia.I2zz - t10) - inertia.c2z * t13;
-  const Scalar t16 = Scalar(2) * Scalar(0.984807753012208) * t14 - Scalar(0.17364817766693036) * (t12 + t15);
-  const Scalar t17 = Scalar(0.17364817766693036) * t16;
-  const Scalar t18 = inertia.m3 * t4;
-  const Scalar t19 = (t12 + t17) + t4 * t18;
-  const Scalar t20 = inertia.m3 * t1;
-  const Scalar t21 = t1 * t20 - (t17 + t15);
-  const Scalar t22 = t1 * t18 + (t14 - Scalar(0.984807753012208) * t16);
-  const Scalar t23 = t1 * (t20 + (Scalar(0.984807753012208) * t13 + Scalar(0.17364817766693036) * t11));
-  const Scalar t24 = t1 * ((Scalar(0.17364817766693036) * t13 - Scalar(0.984807753012208) * t11) - t18);
-  const Scalar t25 = Scalar(0.01) / t1;
-  const Scalar t26 = inertia.c1x * inertia.m1;
-  const Scalar t27 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t28 = Scalar(0.01) * ((Scalar(0.01) * inertia.m1 + t26) + t26)
-      + (inertia.c1x * t26 - (inertia.I1xx - t27));
-  const Scalar t29 = inertia.c3y * inertia.m3;
-  const Scalar t30 = inertia.c2y * inertia.m2;
-  const Scalar t31 = ((inertia.I3yy - t6) - inertia.c3y * t29) + ((inertia.I2yy - t10) - inertia.c2y * t30);
-  const Scalar t32 = t31 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t27));
-  const Scalar t33 = t7 - t8;
-  const Scalar t34 = g.l1 * t30 - (inertia.I2xy - inertia.c2y * t9);
-  const Scalar t35 = inertia.I2yz - inertia.c2z * t30;
-  const Scalar t36 = t4 * t29 + (Scalar(0.984807753012208) * t34 + Scalar(0.17364817766693036) * t35);
-  const Scalar t37 = (Scalar(0.984807753012208) * t35 - Scalar(0.17364817766693036) * t34) - t1 * t29;
+  const Scalar t4 = inertia.c2z * inertia.m2;
+  const Scalar t5 = inertia.c2x * inertia.m2;
+  const Scalar t6 = g.l1 * inertia.m2 + t5;
+  const Scalar t7 = g.l1 * Scalar(0.984807753012208);
+  const Scalar t8 = inertia.m3 * t7;
+  const Scalar t9 = t1 * ((Scalar(0.17364817766693036) * t4 - Scalar(0.984807753012208) * t6) - t8);
+  const Scalar t10 = inertia.m3 * t1;
+  const Scalar t11 = t1 * (t10 + (Scalar(0.984807753012208) * t4 + Scalar(0.17364817766693036) * t6));
+  const Scalar t12 = Scalar(0.01) / t1;
+  const Scalar t13 = t7 / t1;
+  const Scalar t14 = g.l2 * t0 - (inertia.I3xz - inertia.c3z * t2);
+  const Scalar t15 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t16 = (inertia.I3zz - t15) - inertia.c3z * t0;
+  const Scalar t17 = g.l2 * (t3 + t2) + (inertia.c3x * t2 - (inertia.I3xx - t15));
+  const Scalar t18 = (inertia.I2xz - inertia.c2z * t5) - g.l1 * t4;
+  const Scalar t19 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t20 = (inertia.c2x * t5 - (inertia.I2xx - t19)) + g.l1 * (t5 + t6);
+  const Scalar t21 = (inertia.I2zz - t19) - inertia.c2z * t4;
+  const Scalar t22 = Scalar(2) * Scalar(0.984807753012208) * t18 - Scalar(0.17364817766693036) * (t20 + t21);
+  const Scalar t23 = t1 * t8 + (t18 - Scalar(0.984807753012208) * t22);
+  const Scalar t24 = Scalar(0.17364817766693036) * t22;
+  const Scalar t25 = t1 * t10 - (t24 + t21);
+  const Scalar t26 = (t20 + t24) + t7 * t8;
+  const Scalar t27 = inertia.c1x * inertia.m1;
+  const Scalar t28 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t29 = Scalar(0.01) * ((Scalar(0.01) * inertia.m1 + t27) + t27)
+      + (inertia.c1x * t27 - (inertia.I1xx - t28));
+  const Scalar t30 = inertia.c3y * inertia.m3;
+  const Scalar t31 = inertia.c2y * inertia.m2;
+  const Scalar t32 = ((inertia.I3yy - t15) - inertia.c3y * t30) + ((inertia.I2yy - t19) - inertia.c2y * t31);
+  const Scalar t33 = t32 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t28));
+  const Scalar t34 = t16 - t17;
+  const Scalar t35 = g.l1 * t31 - (inertia.I2xy - inertia.c2y * t5);
+  const Scalar t36 = inertia.I2yz - inertia.c2z * t31;
+  const Scalar t37 = t7 * t30 + (Scalar(0.984807753012208) * t35 + Scalar(0.17364817766693036) * t36);
+  const Scalar t38 = (Scalar(0.984807753012208) * t36 - Scalar(0.17364817766693036) * t35) - t1 * t30;
   return { t0 * t1,
            t3 * t1,
-           t4 / t1,
-           Scalar(2) * t5,
-           t7 + t8,
-           t8,
-           t19,
-           t7,
-           t21,
-           t5,
-           t22,
+           t9,
+           t11,
+           Scalar(2) * t12,
+           t13,
+           Scalar(2) * t14,
+           t16 + t17,
+           t14,
            t23,
-           t24,
-           Scalar(2) * t25,
-           Scalar(0.0001) * (inertia.m2 + inertia.m3) + t28,
-           t32,
-           t33,
-           Scalar(0.4444444444444444) * t33,
-           g.l2 * t29 - (inertia.I3xy - inertia.c3y * t2),
-           inertia.I3yz - inertia.c3z * t29,
-           t36,
-           t37,
-           gravity / t1,
+           t16,
            t25,
-           t19 - t21,
-           Scalar(2) * t22,
-           Scalar(2) * t24,
-           Scalar(2) * t23 };
+           Scalar(2) * t13,
+           t17,
+           t26,
+           Scalar(0.0001) * (inertia.m2 + inertia.m3) + t29,
+           t33,
+           t34,
+           Scalar(0.4444444444444444) * t34,
+           g.l2 * t30 - (inertia.I3xy - inertia.c3y * t2),
+           inertia.I3yz - inertia.c3z * t30,
+           t37,
+           t38,
+           gravity / t1,
+           t12,
+           t26 - t25,
+           Scalar(2) * t23,
+           Scalar(2) * t11,
+           Scalar(2) * t9,
+           Scalar(3.3333333333333335) * t13 };
 }
 
 namespace detail {
@@ -714,66 +709,65 @@ inline JointVector<Scalar> forward_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& s_1 = angles.sine[1];
   const Scalar& c_1 = angles.cosine[1];
   const Scalar t0 = k[0] * c_0 - k[1] * s_0;
-  const Scalar t1 = qd[1] * qd[0];
-  const Scalar t2 = s_1 * t1;
-  const Scalar t3 = c_1 * t1;
-  const Scalar t4 = k[2] * t2 - t3;
-  const Scalar t5 = k[19] * s_0 - k[18] * c_0;
-  const Scalar t6 = c_1 * s_1;
-  const Scalar t7 = qd[0] * qd[0];
-  const Scalar t8 = t6 * t7;
-  const Scalar t9 = k[18] * s_0 + k[19] * c_0;
-  const Scalar t10 = s_1 * s_1;
-  const Scalar t11 = t7 * t10;
-  const Scalar t12 = qd[1] * qd[1];
-  const Scalar t13 = Scalar(2.7777777777777777) * t12;
-  const Scalar t14 = t11 + t13;
-  const Scalar t15 = k[3] * c_0 - k[4] * s_0;
-  const Scalar t16 = s_0 * t15;
-  const Scalar t17 = k[7] + t16;
-  const Scalar t18 = k[9] - c_0 * t15;
-  const Scalar t19 = t9 * (t14 - t7) + Scalar(3.3333333333333335) * (t17 * t3 - t2 * t18);
-  const Scalar t20 = Scalar(2) * t0 * t4 + (t5 * t8 + t19);
-  const Scalar t21 = k[1] * c_0 + k[0] * s_0;
-  const Scalar t22 = t0 * t3 - t2 * t21;
-  const Scalar t23 = Scalar(3.3333333333333335) * t22;
-  const Scalar t24 = t11 - t13;
-  const Scalar t25 = k[5] + t16;
-  const Scalar t26 = (t5 * t24 - t9 * t8) - Scalar(3.3333333333333335) * (t2 * t25 + t18 * t3);
-  const Scalar t27 = (t26 - Scalar(2) * t4 * t21) + Scalar(3.3333333333333335) * k[2] * t22;
-  const Scalar t28 = k[10] - c_1 * (k[25] * c_1 - k[24] * s_1);
-  const Scalar t29 = t12 * (k[20] * c_1 - k[21] * s_1) - Scalar(2) * t28 * t1;
-  const Scalar t30 = (s_1 * (t20 - t23) - c_1 * t27) - t29;
-  const Scalar t31 = k[23] * ((k[26] * t2 + k[27] * t3) + t23);
-  const Scalar t32 = k[2] * t21;
-  const Scalar t33 = Scalar(0.6666666666666666) * (k[16] - (t0 + t32));
-  const Scalar t34 = k[8] - (t17 - Scalar(2) * t0);
-  const Scalar t35 = k[6] + (Scalar(2) * t32 + t25);
-  const Scalar t36 = Scalar(1) / (k[17] + ((t33 - (t34 + t35)) + t33));
-  const Scalar t37 = k[23] * t7;
-  const Scalar t38 = k[22] * c_1 - s_1 * t37;
-  const Scalar t39 = t11 + t12;
-  const Scalar t40 = t7 - t24;
-  const Scalar t41 = t14 - t40;
-  const Scalar t42 = c_1 * t37 + k[22] * s_1;
-  const Scalar t43 = t0 * ((k[2] * (t41 - t39) - t8) - t42);
-  const Scalar t44 = (t38 - (k[2] * t8 + t39)) * t21 - t43;
-  const Scalar t45 = t44 + (t41 * t18 - (t25 + t17) * t8);
-  const Scalar t46 = k[2] * (t14 * t0 + t8 * t21) - (t40 * t21 + t0 * t8);
-  const Scalar t47 = (k[11] * t42 - k[12] * t38) - t28 * t7;
-  const Scalar t48 = torque[1] + (Scalar(0.6666666666666666) * t45 - ((t46 - t45) - t47));
-  const Scalar t49 = t36 * t48;
-  const Scalar t50 = s_1 * t5 - c_1 * t9;
-  const Scalar t51 = Scalar(0.6666666666666666) * t50 - ((k[21] * c_1 + k[20] * s_1) - t50);
-  const Scalar t52 = t36 * t51;
-  const Scalar t53 = (k[10] - ((t18 - k[2] * t0) - t21)) * t6;
-  const Scalar t54 = ((t34 - t35) * t10 + Scalar(2) * t53) + t35;
-  const Scalar t55 = c_1 * (k[12] - t21) - s_1 * (k[11] + t0);
-  const Scalar t56 = t52 * t51 - (k[15] - (k[14] + (t54 - k[13] * t55)));
-  const Scalar t57 = ((torque[0] + (t30 - t31)) - t49 * t51) * Scalar(1) / t56;
+  const Scalar t1 = k[1] * c_0 + k[0] * s_0;
+  const Scalar t2 = s_1 * (k[3] + t0) - c_1 * (k[2] - t1);
+  const Scalar t3 = k[7] * s_0 - k[6] * c_0;
+  const Scalar t4 = s_0 * t3;
+  const Scalar t5 = k[13] - t4;
+  const Scalar t6 = k[14] + (k[12] * t1 + t5);
+  const Scalar t7 = k[8] + c_0 * t3;
+  const Scalar t8 = c_1 * s_1;
+  const Scalar t9 = (k[9] + ((k[5] * t0 - t7) + t1)) * t8;
+  const Scalar t10 = k[10] - t4;
+  const Scalar t11 = k[11] - (t10 - Scalar(2) * t0);
+  const Scalar t12 = s_1 * s_1;
+  const Scalar t13 = t6 + (Scalar(2) * t9 + (t11 - t6) * t12);
+  const Scalar t14 = Scalar(0.6666666666666666) * (k[17] - (t0 + k[5] * t1));
+  const Scalar t15 = Scalar(1) / (k[18] + (t14 + (t14 - (t11 + t6))));
+  const Scalar t16 = k[20] * c_0 + k[19] * s_0;
+  const Scalar t17 = k[19] * c_0 - k[20] * s_0;
+  const Scalar t18 = c_1 * t16 + s_1 * t17;
+  const Scalar t19 = Scalar(0.6666666666666666) * t18 + ((k[21] * s_1 + k[22] * c_1) + t18);
+  const Scalar t20 = t15 * t19;
+  const Scalar t21 = (k[16] - (k[15] + (k[4] * t2 + t13))) - t20 * t19;
+  const Scalar t22 = qd[1] * qd[0];
+  const Scalar t23 = c_1 * t22;
+  const Scalar t24 = s_1 * t22;
+  const Scalar t25 = t0 * t23 - t24 * t1;
+  const Scalar t26 = Scalar(3.3333333333333335) * t25;
+  const Scalar t27 = (k[28] * s_1 + k[27] * c_1) * t22 + t26;
+  const Scalar t28 = k[5] * t24 - t23;
+  const Scalar t29 = qd[0] * qd[0];
+  const Scalar t30 = t8 * t29;
+  const Scalar t31 = t29 * t12;
+  const Scalar t32 = qd[1] * qd[1];
+  const Scalar t33 = Scalar(2.7777777777777777) * t32;
+  const Scalar t34 = t31 - t33;
+  const Scalar t35 = (t16 * t30 + t17 * t34) + Scalar(3.3333333333333335) * (t24 * t5 + t7 * t23);
+  const Scalar t36 = k[29] * t25 - (Scalar(2) * t28 * t1 + t35);
+  const Scalar t37 = t31 + t33;
+  const Scalar t38 = t37 - t29;
+  const Scalar t39 = t16 * t38 + Scalar(3.3333333333333335) * (t10 * t23 - t24 * t7);
+  const Scalar t40 = Scalar(2) * t0 * t28 + (t39 - t17 * t30);
+  const Scalar t41 = k[9] - c_1 * (k[26] * c_1 - k[25] * s_1);
+  const Scalar t42 = (k[21] * c_1 - k[22] * s_1) * t32 - Scalar(2) * t41 * t22;
+  const Scalar t43 = (c_1 * t36 - s_1 * (t40 - t26)) + t42;
+  const Scalar t44 = k[24] * t29;
+  const Scalar t45 = k[23] * c_1 - s_1 * t44;
+  const Scalar t46 = k[23] * s_1 + c_1 * t44;
+  const Scalar t47 = t41 * t29 + (k[2] * t45 - k[3] * t46);
+  const Scalar t48 = k[5] * (t37 * t0 + t30 * t1) - ((t29 - t34) * t1 + t0 * t30);
+  const Scalar t49 = t31 + t32;
+  const Scalar t50 = t38 + t34;
+  const Scalar t51 = t0 * (t46 + (t30 + k[5] * (t49 - t50)));
+  const Scalar t52 = ((t49 + k[5] * t30) - t45) * t1 - t51;
+  const Scalar t53 = t52 - (t7 * t50 - t30 * (t5 + t10));
+  const Scalar t54 = torque[1] - ((t47 + (t48 + t53)) + Scalar(0.6666666666666666) * t53);
+  const Scalar t55 = (torque[0] - (k[24] * t27 + t43)) + t20 * t54;
+  const Scalar t56 = Scalar(1) / t21 * t55;
   JointVector<Scalar> result;
-  result[0] = t57;
-  result[1] = -t49 - t52 * t57;
+  result[0] = -t56;
+  result[1] = -t56 * t20 - t15 * t54;
   return result;
 }
 
@@ -801,64 +795,63 @@ KineticEnergyConstants<Scalar> kinetic_energy_constants(const BasicGeometry<Scal
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c3y * inertia.m3;
-  const Scalar t1 = inertia.c3x * inertia.m3;
-  const Scalar t2 = g.l1 * Scalar(0.984807753012208);
-  const Scalar t3 = inertia.c2y * inertia.m2;
-  const Scalar t4 = inertia.c2x * inertia.m2;
-  const Scalar t5 = g.l1 * t3 - (inertia.I2xy - inertia.c2y * t4);
-  const Scalar t6 = inertia.I2yz - inertia.c2z * t3;
-  const Scalar t7 = t2 * t0 + (Scalar(0.984807753012208) * t5 + Scalar(0.17364817766693036) * t6);
-  const Scalar t8 = g.l1 * Scalar(0.17364817766693036);
-  const Scalar t9 = (Scalar(0.984807753012208) * t6 - Scalar(0.17364817766693036) * t5) - t8 * t0;
-  const Scalar t10 = inertia.c3z * inertia.m3;
-  const Scalar t11 = g.l2 * inertia.m3 + t1;
-  const Scalar t12 = t8 / t2;
-  const Scalar t13 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t14 = (inertia.I3zz - t13) - inertia.c3z * t10;
-  const Scalar t15 = g.l2 * (t11 + t1) + (inertia.c3x * t1 - (inertia.I3xx - t13));
-  const Scalar t16 = t14 - t15;
-  const Scalar t17 = g.l2 * t10 - (inertia.I3xz - inertia.c3z * t1);
-  const Scalar t18 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t19 = g.l1 * inertia.m2 + t4;
-  const Scalar t20 = (inertia.c2x * t4 - (inertia.I2xx - t18)) + g.l1 * (t4 + t19);
-  const Scalar t21 = inertia.c2z * inertia.m2;
-  const Scalar t22 = (inertia.I2xz - inertia.c2z * t4) - g.l1 * t21;
-  const Scalar t23 = (inertia.I2zz - t18) - inertia.c2z * t21;
-  const Scalar t24 = Scalar(2) * Scalar(0.984807753012208) * t22 - Scalar(0.17364817766693036) * (t20 + t23);
-  const Scalar t25 = Scalar(0.17364817766693036) * t24;
-  const Scalar t26 = inertia.m3 * t2;
-  const Scalar t27 = inertia.m3 * t8;
-  const Scalar t28 = t2 * (t27 + (Scalar(0.984807753012208) * t21 + Scalar(0.17364817766693036) * t19));
-  const Scalar t29 = t2 * ((Scalar(0.17364817766693036) * t21 - Scalar(0.984807753012208) * t19) - t26);
-  const Scalar t30 = inertia.c1x * inertia.m1;
-  const Scalar t31 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t32 = Scalar(0.01) * ((Scalar(0.01) * inertia.m1 + t30) + t30)
-      + (inertia.c1x * t30 - (inertia.I1xx - t31));
-  const Scalar t33 = ((inertia.I3yy - t13) - inertia.c3y * t0) + ((inertia.I2yy - t18) - inertia.c2y * t3);
-  const Scalar t34 = t33 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t31));
-  return { g.l2 * t0 - (inertia.I3xy - inertia.c3y * t1),
-           inertia.I3yz - inertia.c3z * t0,
+  const Scalar t0 = g.l1 * Scalar(0.984807753012208);
+  const Scalar t1 = inertia.c3z * inertia.m3;
+  const Scalar t2 = inertia.c3x * inertia.m3;
+  const Scalar t3 = g.l2 * inertia.m3 + t2;
+  const Scalar t4 = g.l1 * Scalar(0.17364817766693036);
+  const Scalar t5 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t6 = (inertia.I3zz - t5) - inertia.c3z * t1;
+  const Scalar t7 = g.l2 * (t3 + t2) + (inertia.c3x * t2 - (inertia.I3xx - t5));
+  const Scalar t8 = t6 - t7;
+  const Scalar t9 = g.l2 * t1 - (inertia.I3xz - inertia.c3z * t2);
+  const Scalar t10 = inertia.c2x * inertia.m2;
+  const Scalar t11 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t12 = g.l1 * inertia.m2 + t10;
+  const Scalar t13 = (inertia.c2x * t10 - (inertia.I2xx - t11)) + g.l1 * (t10 + t12);
+  const Scalar t14 = inertia.c2z * inertia.m2;
+  const Scalar t15 = (inertia.I2xz - inertia.c2z * t10) - g.l1 * t14;
+  const Scalar t16 = (inertia.I2zz - t11) - inertia.c2z * t14;
+  const Scalar t17 = Scalar(2) * Scalar(0.984807753012208) * t15 - Scalar(0.17364817766693036) * (t13 + t16);
+  const Scalar t18 = Scalar(0.17364817766693036) * t17;
+  const Scalar t19 = inertia.m3 * t0;
+  const Scalar t20 = inertia.m3 * t4;
+  const Scalar t21 = t0 * ((Scalar(0.17364817766693036) * t14 - Scalar(0.984807753012208) * t12) - t19);
+  const Scalar t22 = t0 * (t20 + (Scalar(0.984807753012208) * t14 + Scalar(0.17364817766693036) * t12));
+  const Scalar t23 = inertia.c1x * inertia.m1;
+  const Scalar t24 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t25 = Scalar(0.01) * ((Scalar(0.01) * inertia.m1 + t23) + t23)
+      + (inertia.c1x * t23 - (inertia.I1xx - t24));
+  const Scalar t26 = inertia.c3y * inertia.m3;
+  const Scalar t27 = inertia.c2y * inertia.m2;
+  const Scalar t28 = ((inertia.I3yy - t5) - inertia.c3y * t26) + ((inertia.I2yy - t11) - inertia.c2y * t27);
+  const Scalar t29 = t28 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t24));
+  const Scalar t30 = g.l1 * t27 - (inertia.I2xy - inertia.c2y * t10);
+  const Scalar t31 = inertia.I2yz - inertia.c2z * t27;
+  const Scalar t32 = t0 * t26 + (Scalar(0.984807753012208) * t30 + Scalar(0.17364817766693036) * t31);
+  const Scalar t33 = (Scalar(0.984807753012208) * t31 - Scalar(0.17364817766693036) * t30) - t4 * t26;
+  return { t0 * t1,
+           t0 * t3,
+           t4 / t0,
+           t8,
+           Scalar(2) * t9,
+           t6 + t7,
            t7,
+           (t13 + t18) + t0 * t19,
+           t6,
+           t4 * t20 - (t18 + t16),
+           Scalar(0.4444444444444444) * t8,
+           t21,
+           t22,
+           Scalar(2) * Scalar(0.01) / t0,
            t9,
-           t2 * t10,
-           t2 * t11,
-           Scalar(2) * t12,
-           t16,
-           Scalar(2) * t17,
-           t14 + t15,
-           t15,
-           (t20 + t25) + t2 * t26,
-           t8 * t27 - (t25 + t23),
-           Scalar(0.4444444444444444) * t16,
-           t17,
-           t12,
-           t8 * t26 + (t22 - Scalar(0.984807753012208) * t24),
-           t28,
+           t4 * t19 + (t15 - Scalar(0.984807753012208) * t17),
+           Scalar(0.0001) * (inertia.m2 + inertia.m3) + t25,
            t29,
-           Scalar(2) * Scalar(0.01) / t2,
-           Scalar(0.0001) * (inertia.m2 + inertia.m3) + t32,
-           t34 };
+           g.l2 * t26 - (inertia.I3xy - inertia.c3y * t2),
+           inertia.I3yz - inertia.c3z * t26,
+           t32,
+           t33 };
 }
 
 namespace detail {
@@ -871,26 +864,26 @@ inline Scalar kinetic_energy([[maybe_unused]] const JointVector<Scalar>& q, cons
   const Scalar& c_0 = angles.cosine[0];
   const Scalar& s_1 = angles.sine[1];
   const Scalar& c_1 = angles.cosine[1];
-  const Scalar t0 = k[1] * c_0 + k[0] * s_0;
-  const Scalar t1 = k[0] * c_0 - k[1] * s_0;
-  const Scalar t2 = c_1 * (k[3] + t0) + s_1 * (k[2] + t1);
-  const Scalar t3 = t2 + Scalar(0.6666666666666666) * (c_1 * t0 + s_1 * t1);
-  const Scalar t4 = k[4] * s_0 + k[5] * c_0;
-  const Scalar t5 = k[4] * c_0 - k[5] * s_0;
-  const Scalar t6 = c_1 * (k[18] - t4) - s_1 * (k[17] + t5);
-  const Scalar t7 = k[8] * c_0 - k[9] * s_0;
-  const Scalar t8 = k[10] + s_0 * t7;
-  const Scalar t9 = k[11] + (t8 + Scalar(2) * t4);
-  const Scalar t10 = (t5 - (k[14] - c_0 * t7)) + k[15] * t4;
-  const Scalar t11 = k[6] * t5;
-  const Scalar t12 = k[12] - ((k[7] + t8) - t11);
-  const Scalar t13 = Scalar(2) * c_1 * (k[16] + t10) + s_1 * (t12 - t9);
-  const Scalar t14 = k[20] - (k[19] * t6 - (t9 + s_1 * t13));
-  const Scalar t15 = Scalar(0.6666666666666666) * (k[7] - (t4 + Scalar(0.5) * t11));
-  const Scalar t16 = qd[1] * (k[13] + (t15 + (t15 - (t12 + t9))));
-  const Scalar t17 = qd[0] * qd[0] * (k[21] - t14) + qd[1] * t16;
+  const Scalar t0 = k[0] * c_0 - k[1] * s_0;
+  const Scalar t1 = k[2] * t0;
+  const Scalar t2 = k[1] * c_0 + k[0] * s_0;
+  const Scalar t3 = Scalar(0.6666666666666666) * (k[3] - (t1 + t2));
+  const Scalar t4 = k[4] * c_0 - k[5] * s_0;
+  const Scalar t5 = s_0 * t4;
+  const Scalar t6 = k[7] + ((k[6] + t5) + Scalar(2) * t2);
+  const Scalar t7 = k[9] - ((k[8] + t5) - Scalar(2) * t1);
+  const Scalar t8 = qd[1] * (k[10] + (t3 + (t3 - (t6 + t7))));
+  const Scalar t9 = (t0 - (k[14] - c_0 * t4)) + k[2] * t2;
+  const Scalar t10 = s_1 * (t6 - t7) - Scalar(2) * c_1 * (k[15] + t9);
+  const Scalar t11 = s_1 * (k[12] + t0) - c_1 * (k[11] - t2);
+  const Scalar t12 = k[16] + ((t6 - s_1 * t10) + k[13] * t11);
+  const Scalar t13 = qd[1] * t8 + qd[0] * qd[0] * (k[17] - t12);
+  const Scalar t14 = k[19] * s_0 - k[18] * c_0;
+  const Scalar t15 = k[18] * s_0 + k[19] * c_0;
+  const Scalar t16 = s_1 * (k[20] - t14) + c_1 * (k[21] + t15);
+  const Scalar t17 = Scalar(0.6666666666666666) * (s_1 * t14 - c_1 * t15) - t16;
   Scalar result;
-  result = qd[0] * qd[1] * t3 - Scalar(0.5) * t17;
+  result = -Scalar(0.5) * t13 - qd[0] * qd[1] * t17;
   return result;
 }
 

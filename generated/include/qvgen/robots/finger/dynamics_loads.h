@@ -26,15 +26,14 @@ LoadAngles<Scalar> load_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion, under gravity in any direction.
 ///
-/// 97 multiplications, 80 additions, 3 sine/cosine pairs. Set-up: 74 multiplications, 74 additions, 6 divisions.
+/// 99 multiplications, 80 additions, 3 sine/cosine pairs. Set-up: 72 multiplications, 68 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is l1*cos(0.174533), which must not be zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
-using InverseDynamicsWithGravityVectorConstants = std::array<Scalar, 27>;
+using InverseDynamicsWithGravityVectorConstants = std::array<Scalar, 26>;
 template <class Scalar>
 InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_vector_constants(
     const BasicGeometry<Scalar>& g,
@@ -46,16 +45,15 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces for a motion while a wrench acts on the tool from outside: those without it minus jacobian(q)^T wrench.
 ///
-/// 117 multiplications, 101 additions, 3 sine/cosine pairs. Set-up: 72 multiplications, 73 additions, 7 divisions.
+/// 124 multiplications, 98 additions, 3 sine/cosine pairs. Set-up: 73 multiplications, 69 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is l1*cos(0.174533), which must not be zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity,
         const NonDeduced<Wrench<Scalar>>& wrench);
 template <class Scalar>
-using InverseDynamicsWithWrenchConstants = std::array<Scalar, 26>;
+using InverseDynamicsWithWrenchConstants = std::array<Scalar, 27>;
 template <class Scalar>
 InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constants(const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
@@ -83,7 +81,7 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const LoadAngle
 
 /// Joint accelerations for given joint forces, under gravity in any direction.
 ///
-/// 108 multiplications, 93 additions, 2 divisions, 3 sine/cosine pairs. Set-up: 71 multiplications, 67 additions, 5
+/// 107 multiplications, 93 additions, 2 divisions, 3 sine/cosine pairs. Set-up: 71 multiplications, 67 additions, 5
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is -l1*sin(0.174533), which must not be zero.
@@ -92,7 +90,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
-using ForwardDynamicsWithGravityVectorConstants = std::array<Scalar, 31>;
+using ForwardDynamicsWithGravityVectorConstants = std::array<Scalar, 32>;
 template <class Scalar>
 ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_vector_constants(
     const BasicGeometry<Scalar>& g,
@@ -104,7 +102,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint accelerations for given joint forces while a wrench acts on the tool from outside.
 ///
-/// 129 multiplications, 111 additions, 2 divisions, 3 sine/cosine pairs. Set-up: 71 multiplications, 68 additions, 6
+/// 131 multiplications, 111 additions, 2 divisions, 3 sine/cosine pairs. Set-up: 70 multiplications, 68 additions, 6
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is -l1*sin(0.174533), which must not be zero.
@@ -114,7 +112,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity,
         const NonDeduced<Wrench<Scalar>>& wrench);
 template <class Scalar>
-using ForwardDynamicsWithWrenchConstants = std::array<Scalar, 33>;
+using ForwardDynamicsWithWrenchConstants = std::array<Scalar, 32>;
 template <class Scalar>
 ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constants(const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);

@@ -29,77 +29,71 @@ InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = g.l1 * Scalar(0.984807753012208);
-  const Scalar t1 = inertia.c3z * inertia.m3;
-  const Scalar t2 = inertia.c3x * inertia.m3;
-  const Scalar t3 = g.l2 * inertia.m3 + t2;
-  const Scalar t4 = g.l1 * Scalar(0.17364817766693036);
-  const Scalar t5 = t4 / t0;
-  const Scalar t6 = inertia.m3 * t4;
-  const Scalar t7 = inertia.c2z * inertia.m2;
-  const Scalar t8 = inertia.c2x * inertia.m2;
-  const Scalar t9 = g.l1 * inertia.m2 + t8;
-  const Scalar t10 = (t6 + (Scalar(0.984807753012208) * t7 + Scalar(0.17364817766693036) * t9)) / t4;
-  const Scalar t11 = t0 * t10;
-  const Scalar t12 = t0 * t11;
-  const Scalar t13 = inertia.m3 * t0;
-  const Scalar t14 = t11 + ((Scalar(0.17364817766693036) * t7 - Scalar(0.984807753012208) * t9) - t13);
-  const Scalar t15 = inertia.c3y * inertia.m3;
-  const Scalar t16 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t17 = (inertia.I3zz - t16) - inertia.c3z * t1;
-  const Scalar t18 = g.l2 * (t3 + t2) + (inertia.c3x * t2 - (inertia.I3xx - t16));
-  const Scalar t19 = g.l2 * t1 - (inertia.I3xz - inertia.c3z * t2);
-  const Scalar t20 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t21 = (inertia.c2x * t8 - (inertia.I2xx - t20)) + g.l1 * (t8 + t9);
-  const Scalar t22 = (inertia.I2xz - inertia.c2z * t8) - g.l1 * t7;
-  const Scalar t23 = (inertia.I2zz - t20) - inertia.c2z * t7;
-  const Scalar t24 = Scalar(2) * Scalar(0.984807753012208) * t22 - Scalar(0.17364817766693036) * (t21 + t23);
-  const Scalar t25 = Scalar(0.17364817766693036) * t24;
-  const Scalar t26 = ((t21 + t25) + t0 * t13) - t12;
-  const Scalar t27 = (t4 * t6 - (t25 + t23)) - t4 * t4 * t10;
-  const Scalar t28 = t11 * t4 - (t4 * t13 + (t22 - Scalar(0.984807753012208) * t24));
-  const Scalar t29 = inertia.c2y * inertia.m2;
-  const Scalar t30 = g.l1 * t29 - (inertia.I2xy - inertia.c2y * t8);
-  const Scalar t31 = inertia.I2yz - inertia.c2z * t29;
-  const Scalar t32 = t0 * t15 + (Scalar(0.984807753012208) * t30 + Scalar(0.17364817766693036) * t31);
-  const Scalar t33 = (Scalar(0.984807753012208) * t31 - Scalar(0.17364817766693036) * t30) - t4 * t15;
-  const Scalar t34 = inertia.c1x * inertia.m1;
-  const Scalar t35 = Scalar(0.01) * inertia.m1 + t34;
-  const Scalar t36 = inertia.m2 + inertia.m3;
-  const Scalar t37 = t0 * (Scalar(0.01) * t10 - (t35 + Scalar(0.01) * t36));
-  const Scalar t38 = inertia.c1y * inertia.m1;
-  const Scalar t39 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t40 = Scalar(0.01) * (t35 + t34) + (inertia.c1x * t34 - (inertia.I1xx - t39));
-  const Scalar t41 = ((inertia.I3yy - t16) - inertia.c3y * t15) + ((inertia.I2yy - t20) - inertia.c2y * t29);
-  const Scalar t42 = ((Scalar(0.0001) * t36 + t40) - Scalar(0.0001) * t10)
-      - (t41 - (inertia.c1y * t38 - (inertia.I1yy - t39)));
-  return { t0 * t1,
-           t0 * t3,
-           t5,
-           gravity[1] / t0,
-           gravity[0] / t0,
-           Scalar(0.01) / t0,
-           t12,
-           t0 * t14,
-           g.l2 * t15 - (inertia.I3xy - inertia.c3y * t2),
-           inertia.I3yz - inertia.c3z * t15,
-           t17 + t18,
-           Scalar(2) * t19,
-           t18,
-           t19,
-           t17,
-           t26 - t27,
-           Scalar(2) * t28,
-           t26,
-           t28,
-           t32,
-           t33,
-           t37,
-           t0 * ((t15 + t29) + t38),
-           t42,
-           gravity[2] / t0,
-           t5 * t12,
-           t26 + t27 };
+  const Scalar t0 = inertia.c3x * inertia.m3;
+  const Scalar t1 = g.l2 * inertia.m3 + t0;
+  const Scalar t2 = inertia.c3z * inertia.m3;
+  const Scalar t3 = g.l1 * Scalar(0.17364817766693036);
+  const Scalar t4 = inertia.m3 * t3;
+  const Scalar t5 = inertia.c2z * inertia.m2;
+  const Scalar t6 = inertia.c2x * inertia.m2;
+  const Scalar t7 = g.l1 * inertia.m2 + t6;
+  const Scalar t8 = Scalar(0.01) * (t4 + (Scalar(0.984807753012208) * t5 + Scalar(0.17364817766693036) * t7));
+  const Scalar t9 = g.l1 * Scalar(0.984807753012208);
+  const Scalar t10 = inertia.m3 * t9;
+  const Scalar t11 = Scalar(0.01) * ((Scalar(0.17364817766693036) * t5 - Scalar(0.984807753012208) * t7) - t10);
+  const Scalar t12 = inertia.c3y * inertia.m3;
+  const Scalar t13 = g.l2 * t2 - (inertia.I3xz - inertia.c3z * t0);
+  const Scalar t14 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t15 = (inertia.I3zz - t14) - inertia.c3z * t2;
+  const Scalar t16 = g.l2 * (t1 + t0) + (inertia.c3x * t0 - (inertia.I3xx - t14));
+  const Scalar t17 = (inertia.I2xz - inertia.c2z * t6) - g.l1 * t5;
+  const Scalar t18 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t19 = (inertia.c2x * t6 - (inertia.I2xx - t18)) + g.l1 * (t6 + t7);
+  const Scalar t20 = (inertia.I2zz - t18) - inertia.c2z * t5;
+  const Scalar t21 = Scalar(2) * Scalar(0.984807753012208) * t17 - Scalar(0.17364817766693036) * (t19 + t20);
+  const Scalar t22 = t3 * t10 + (t17 - Scalar(0.984807753012208) * t21);
+  const Scalar t23 = Scalar(0.17364817766693036) * t21;
+  const Scalar t24 = (t19 + t23) + t9 * t10;
+  const Scalar t25 = t3 * t4 - (t23 + t20);
+  const Scalar t26 = inertia.c2y * inertia.m2;
+  const Scalar t27 = g.l1 * t26 - (inertia.I2xy - inertia.c2y * t6);
+  const Scalar t28 = inertia.I2yz - inertia.c2z * t26;
+  const Scalar t29 = t9 * t12 + (Scalar(0.984807753012208) * t27 + Scalar(0.17364817766693036) * t28);
+  const Scalar t30 = (Scalar(0.984807753012208) * t28 - Scalar(0.17364817766693036) * t27) - t3 * t12;
+  const Scalar t31 = inertia.m2 + inertia.m3;
+  const Scalar t32 = inertia.c1x * inertia.m1;
+  const Scalar t33 = Scalar(0.01) * inertia.m1 + t32;
+  const Scalar t34 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t35 = Scalar(0.01) * (t33 + t32) + (inertia.c1x * t32 - (inertia.I1xx - t34));
+  const Scalar t36 = ((inertia.I3yy - t14) - inertia.c3y * t12) + ((inertia.I2yy - t18) - inertia.c2y * t26);
+  const Scalar t37 = inertia.c1y * inertia.m1;
+  const Scalar t38 = (Scalar(0.0001) * t31 + t35) - (t36 - (inertia.c1y * t37 - (inertia.I1yy - t34)));
+  return { Scalar(0.01) * t1,
+           Scalar(0.01) * t2,
+           t8,
+           t11,
+           g.l2 * t12 - (inertia.I3xy - inertia.c3y * t0),
+           inertia.I3yz - inertia.c3z * t12,
+           Scalar(2) * t13,
+           t15 + t16,
+           t13,
+           t15,
+           Scalar(100) * t3,
+           Scalar(100) * t9,
+           Scalar(100) * gravity[1],
+           Scalar(100) * gravity[0],
+           t16,
+           Scalar(2) * t22,
+           t24 - t25,
+           t22,
+           t24,
+           t29,
+           t30,
+           t38,
+           Scalar(0.01) * (t33 + Scalar(0.01) * t31),
+           Scalar(0.01) * ((t12 + t26) + t37),
+           Scalar(100) * gravity[2],
+           t24 + t25 };
 }
 
 namespace detail {
@@ -114,69 +108,68 @@ inline JointVector<Scalar> inverse_dynamics_with_gravity_vector([[maybe_unused]]
   const Scalar& c1 = angles.cosine[1];
   const Scalar& s_2 = angles.sine[2];
   const Scalar& c_2 = angles.cosine[2];
-  const Scalar t0 = k[4] * s1 - k[3] * c1;
-  const Scalar t1 = k[3] * s1 + k[4] * c1;
-  const Scalar t2 = (k[21] * t0 - k[22] * t1) - k[23] * qdd[0];
-  const Scalar t3 = qd[1] * qd[0];
-  const Scalar t4 = s_2 * t3;
+  const Scalar t0 = qd[1] * qd[0];
+  const Scalar t1 = c_2 * t0;
+  const Scalar t2 = qdd[0] * s_2;
+  const Scalar t3 = Scalar(2) * t1 + t2;
+  const Scalar t4 = s_2 * t0;
   const Scalar t5 = qdd[0] * c_2;
   const Scalar t6 = Scalar(2) * t4 - t5;
-  const Scalar t7 = k[0] * c_0 - k[1] * s_0;
-  const Scalar t8 = c_2 * t3;
-  const Scalar t9 = qdd[0] * s_2;
-  const Scalar t10 = Scalar(3.3333333333333335) * t8 + t9;
-  const Scalar t11 = t5 - Scalar(3.3333333333333335) * t4;
-  const Scalar t12 = k[1] * c_0 + k[0] * s_0;
-  const Scalar t13 = k[5] * qdd[0] + t0;
-  const Scalar t14 = (k[2] * (Scalar(2) * t8 + t9) - t6) + t13;
-  const Scalar t15 = (t7 * t10 + t11 * t12) + k[6] * t14;
-  const Scalar t16 = k[8] * c_0 - k[9] * s_0;
-  const Scalar t17 = qd[0] * c_2;
-  const Scalar t18 = qd[0] * s_2 * t17;
-  const Scalar t19 = qdd[1] + t18;
-  const Scalar t20 = Scalar(0.6666666666666666) * qdd[1];
-  const Scalar t21 = t19 + t20;
-  const Scalar t22 = k[9] * c_0 + k[8] * s_0;
-  const Scalar t23 = t17 * t17;
-  const Scalar t24 = qd[1] * qd[1];
-  const Scalar t25 = Scalar(2.7777777777777777) * t24;
-  const Scalar t26 = t23 - t25;
-  const Scalar t27 = k[10] * s_0 - k[11] * c_0;
-  const Scalar t28 = k[13] + c_0 * t27;
-  const Scalar t29 = s_0 * t27;
-  const Scalar t30 = k[14] - t29;
-  const Scalar t31 = t22 * t26 - (t11 * t28 + t30 * t10);
-  const Scalar t32 = ((t16 * t21 + t31) + t7 * t14) + k[2] * t15;
-  const Scalar t33 = qd[0] * qd[0];
-  const Scalar t34 = t23 + t25;
-  const Scalar t35 = t33 - t34;
-  const Scalar t36 = qdd[1] - t18;
-  const Scalar t37 = t20 + t36;
-  const Scalar t38 = k[12] - t29;
-  const Scalar t39 = (t16 * t35 - t37 * t22) + (t10 * t28 - t38 * t11);
-  const Scalar t40 = s_2 * t32 - c_2 * ((t39 - t14 * t12) - t15);
-  const Scalar t41 = k[16] * c_2 + k[15] * s_2;
-  const Scalar t42 = k[18] - c_2 * t41;
-  const Scalar t43 = Scalar(2) * t42 * t3 + qdd[0] * (k[17] - s_2 * t41);
-  const Scalar t44 = k[20] * c_2 + k[19] * s_2;
-  const Scalar t45 = qdd[1] * t44 + (k[19] * c_2 - k[20] * s_2) * t24;
-  const Scalar t46 = t40 - (k[7] * c_2 * t13 - (t43 + t45));
-  const Scalar t47 = t2 - (k[5] * (k[7] * t6 + t15) + t46);
-  const Scalar t48 = t35 - t26;
-  const Scalar t49 = (t38 * t21 - t30 * t37) - t48 * t28;
-  const Scalar t50 = t23 + t24;
-  const Scalar t51 = k[5] * t33 + t1;
-  const Scalar t52 = (k[2] * t36 - t50) - (c_2 * t51 - k[24] * s_2);
-  const Scalar t53 = s_2 * t51 + k[24] * c_2;
-  const Scalar t54 = (t19 + k[2] * (t48 + t50)) + t53;
-  const Scalar t55 = (t49 + (t22 * t5 + t16 * t9)) + (t7 * t52 + t54 * t12);
-  const Scalar t56 = qdd[0] * t44 - (t42 * t33 - k[26] * qdd[1]);
-  const Scalar t57 = k[2] * (t34 * t12 - t7 * t37) - k[25] * t52;
-  const Scalar t58 = k[6] * t54 + (t7 * (t48 + t34) + t21 * t12);
-  const Scalar t59 = (k[7] * t53 - t56) + ((t57 - t58) - t55);
+  const Scalar t7 = k[1] * c_0 - k[0] * s_0;
+  const Scalar t8 = Scalar(3.3333333333333335) * t1 + t2;
+  const Scalar t9 = k[0] * c_0 + k[1] * s_0;
+  const Scalar t10 = t5 - Scalar(3.3333333333333335) * t4;
+  const Scalar t11 = t7 * t8 + t9 * t10;
+  const Scalar t12 = k[13] * s1 - k[12] * c1;
+  const Scalar t13 = qdd[0] + t12;
+  const Scalar t14 = k[15] * c_2 - k[16] * s_2;
+  const Scalar t15 = k[17] - c_2 * t14;
+  const Scalar t16 = qdd[0] * (k[18] + s_2 * t14) - Scalar(2) * t15 * t0;
+  const Scalar t17 = k[20] * c_2 + k[19] * s_2;
+  const Scalar t18 = qd[1] * qd[1];
+  const Scalar t19 = qdd[1] * t17 + (k[19] * c_2 - k[20] * s_2) * t18;
+  const Scalar t20 = (k[3] * c_2 - k[2] * s_2) * t13 - (t16 + t19);
+  const Scalar t21 = (k[10] * t3 - k[11] * t6) + t13;
+  const Scalar t22 = Scalar(1.6666666666666667) * qdd[1];
+  const Scalar t23 = qd[0] * c_2;
+  const Scalar t24 = qd[0] * s_2 * t23;
+  const Scalar t25 = t22 + t24;
+  const Scalar t26 = k[4] * c_0 - k[5] * s_0;
+  const Scalar t27 = k[4] * s_0 + k[5] * c_0;
+  const Scalar t28 = t23 * t23;
+  const Scalar t29 = Scalar(2.7777777777777777) * t18;
+  const Scalar t30 = t28 - t29;
+  const Scalar t31 = k[7] * s_0 - k[6] * c_0;
+  const Scalar t32 = s_0 * t31;
+  const Scalar t33 = k[9] - t32;
+  const Scalar t34 = k[8] + c_0 * t31;
+  const Scalar t35 = t27 * t30 - (t8 * t33 + t34 * t10);
+  const Scalar t36 = k[10] * t11 + (t7 * t21 + (t25 * t26 + t35));
+  const Scalar t37 = t22 - t24;
+  const Scalar t38 = qd[0] * qd[0];
+  const Scalar t39 = t28 + t29;
+  const Scalar t40 = k[14] - t32;
+  const Scalar t41 = (t37 * t27 - t26 * (t38 - t39)) + (t10 * t40 - t8 * t34);
+  const Scalar t42 = c_2 * (k[11] * t11 + (t9 * t21 + t41));
+  const Scalar t43 = ((k[2] * t3 + k[3] * t6) + t11) - (t20 - (s_2 * t36 + t42));
+  const Scalar t44 = k[13] * c1 + k[12] * s1;
+  const Scalar t45 = (k[23] * t44 + k[22] * t12) + k[21] * qdd[0];
+  const Scalar t46 = qdd[0] * t17 + (k[25] * qdd[1] + t15 * t38);
+  const Scalar t47 = t44 + t38;
+  const Scalar t48 = s_2 * t47 + k[24] * c_2;
+  const Scalar t49 = c_2 * t47 - k[24] * s_2;
+  const Scalar t50 = t38 - t30;
+  const Scalar t51 = t39 - t50;
+  const Scalar t52 = (t37 * t33 - t25 * t40) - t51 * t34;
+  const Scalar t53 = t28 + t18;
+  const Scalar t54 = t49 - (k[10] * (qdd[1] - t24) - k[11] * t53);
+  const Scalar t55 = k[11] * (qdd[1] + t24) - k[10] * (t51 - t53);
+  const Scalar t56 = (t52 - (t27 * t5 + t26 * t2)) + (t7 * t54 - t9 * (t48 + t55));
+  const Scalar t57 = k[10] * (t7 * t37 - t9 * t39) + k[11] * (t9 * t25 + t7 * t50);
+  const Scalar t58 = (t46 - (k[3] * t48 + k[2] * t49)) - (t56 - t57);
   JointVector<Scalar> result;
-  result[0] = -t47;
-  result[1] = Scalar(0.6666666666666666) * t55 - t59;
+  result[0] = t43 + t45;
+  result[1] = t58 - Scalar(0.6666666666666666) * t56;
   return result;
 }
 
@@ -206,74 +199,72 @@ InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constant
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = g.l1 * Scalar(0.984807753012208);
-  const Scalar t1 = g.l1 * Scalar(0.17364817766693036);
-  const Scalar t2 = inertia.m3 * t1;
-  const Scalar t3 = inertia.c2z * inertia.m2;
-  const Scalar t4 = inertia.c2x * inertia.m2;
-  const Scalar t5 = g.l1 * inertia.m2 + t4;
-  const Scalar t6 = (t2 + (Scalar(0.984807753012208) * t3 + Scalar(0.17364817766693036) * t5)) / t1;
-  const Scalar t7 = t0 * t6;
-  const Scalar t8 = inertia.m3 * t0;
-  const Scalar t9 = t7 + ((Scalar(0.17364817766693036) * t3 - Scalar(0.984807753012208) * t5) - t8);
-  const Scalar t10 = inertia.c3z * inertia.m3;
-  const Scalar t11 = inertia.c3x * inertia.m3;
-  const Scalar t12 = g.l2 * inertia.m3 + t11;
-  const Scalar t13 = t0 * t7;
-  const Scalar t14 = (inertia.I2xz - inertia.c2z * t4) - g.l1 * t3;
-  const Scalar t15 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t16 = (inertia.c2x * t4 - (inertia.I2xx - t15)) + g.l1 * (t4 + t5);
-  const Scalar t17 = (inertia.I2zz - t15) - inertia.c2z * t3;
-  const Scalar t18 = Scalar(2) * Scalar(0.984807753012208) * t14 - Scalar(0.17364817766693036) * (t16 + t17);
-  const Scalar t19 = t7 * t1 - (t1 * t8 + (t14 - Scalar(0.984807753012208) * t18));
-  const Scalar t20 = Scalar(0.17364817766693036) * t18;
-  const Scalar t21 = inertia.c2y * inertia.m2;
-  const Scalar t22 = inertia.I2yz - inertia.c2z * t21;
-  const Scalar t23 = g.l1 * t21 - (inertia.I2xy - inertia.c2y * t4);
-  const Scalar t24 = inertia.c3y * inertia.m3;
-  const Scalar t25 = (Scalar(0.984807753012208) * t22 - Scalar(0.17364817766693036) * t23) - t1 * t24;
-  const Scalar t26 = t0 * t24 + (Scalar(0.984807753012208) * t23 + Scalar(0.17364817766693036) * t22);
-  const Scalar t27 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t28 = (inertia.I3zz - t27) - inertia.c3z * t10;
-  const Scalar t29 = g.l2 * (t12 + t11) + (inertia.c3x * t11 - (inertia.I3xx - t27));
-  const Scalar t30 = g.l2 * t10 - (inertia.I3xz - inertia.c3z * t11);
-  const Scalar t31 = (t1 * t2 - (t20 + t17)) - t1 * t1 * t6;
-  const Scalar t32 = inertia.c1x * inertia.m1;
-  const Scalar t33 = Scalar(0.01) * inertia.m1 + t32;
-  const Scalar t34 = inertia.m2 + inertia.m3;
-  const Scalar t35 = t0 * (Scalar(0.01) * t6 - (t33 + Scalar(0.01) * t34));
-  const Scalar t36 = inertia.c1y * inertia.m1;
-  const Scalar t37 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t38 = Scalar(0.01) * (t33 + t32) + (inertia.c1x * t32 - (inertia.I1xx - t37));
-  const Scalar t39 = ((inertia.I3yy - t27) - inertia.c3y * t24) + ((inertia.I2yy - t15) - inertia.c2y * t21);
-  const Scalar t40 = ((Scalar(0.0001) * t34 + t38) - Scalar(0.0001) * t6)
-      - (t39 - (inertia.c1y * t36 - (inertia.I1yy - t37)));
-  return { t0 * t9,
-           t0 * t10,
-           t0 * t12,
-           t1 / t0,
-           gravity[1] / t0,
-           gravity[0] / t0,
-           Scalar(0.01) / t0,
-           t13,
-           t0,
+  const Scalar t0 = inertia.m2 + inertia.m3;
+  const Scalar t1 = inertia.c1x * inertia.m1;
+  const Scalar t2 = Scalar(0.01) * inertia.m1 + t1;
+  const Scalar t3 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t4 = Scalar(0.01) * (t2 + t1) + (inertia.c1x * t1 - (inertia.I1xx - t3));
+  const Scalar t5 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t6 = inertia.c3y * inertia.m3;
+  const Scalar t7 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t8 = inertia.c2y * inertia.m2;
+  const Scalar t9 = ((inertia.I3yy - t5) - inertia.c3y * t6) + ((inertia.I2yy - t7) - inertia.c2y * t8);
+  const Scalar t10 = inertia.c1y * inertia.m1;
+  const Scalar t11 = (Scalar(0.0001) * t0 + t4) - (t9 - (inertia.c1y * t10 - (inertia.I1yy - t3)));
+  const Scalar t12 = inertia.c3x * inertia.m3;
+  const Scalar t13 = g.l2 * inertia.m3 + t12;
+  const Scalar t14 = inertia.c3z * inertia.m3;
+  const Scalar t15 = g.l1 * Scalar(0.17364817766693036);
+  const Scalar t16 = g.l1 * Scalar(0.984807753012208);
+  const Scalar t17 = g.l2 * t14 - (inertia.I3xz - inertia.c3z * t12);
+  const Scalar t18 = (inertia.I3zz - t5) - inertia.c3z * t14;
+  const Scalar t19 = g.l2 * (t13 + t12) + (inertia.c3x * t12 - (inertia.I3xx - t5));
+  const Scalar t20 = inertia.m3 * t16;
+  const Scalar t21 = inertia.c2x * inertia.m2;
+  const Scalar t22 = inertia.c2z * inertia.m2;
+  const Scalar t23 = (inertia.I2xz - inertia.c2z * t21) - g.l1 * t22;
+  const Scalar t24 = g.l1 * inertia.m2 + t21;
+  const Scalar t25 = (inertia.c2x * t21 - (inertia.I2xx - t7)) + g.l1 * (t21 + t24);
+  const Scalar t26 = (inertia.I2zz - t7) - inertia.c2z * t22;
+  const Scalar t27 = Scalar(2) * Scalar(0.984807753012208) * t23 - Scalar(0.17364817766693036) * (t25 + t26);
+  const Scalar t28 = t15 * t20 + (t23 - Scalar(0.984807753012208) * t27);
+  const Scalar t29 = Scalar(0.17364817766693036) * t27;
+  const Scalar t30 = (t25 + t29) + t16 * t20;
+  const Scalar t31 = inertia.m3 * t15;
+  const Scalar t32 = t15 * t31 - (t29 + t26);
+  const Scalar t33 = g.l1 * t8 - (inertia.I2xy - inertia.c2y * t21);
+  const Scalar t34 = inertia.I2yz - inertia.c2z * t8;
+  const Scalar t35 = t16 * t6 + (Scalar(0.984807753012208) * t33 + Scalar(0.17364817766693036) * t34);
+  const Scalar t36 = (Scalar(0.984807753012208) * t34 - Scalar(0.17364817766693036) * t33) - t15 * t6;
+  const Scalar t37 = Scalar(0.01) * ((Scalar(0.17364817766693036) * t22 - Scalar(0.984807753012208) * t24) - t20);
+  const Scalar t38 = Scalar(0.01) * (t31 + (Scalar(0.984807753012208) * t22 + Scalar(0.17364817766693036) * t24));
+  return { t11,
+           Scalar(100) * gravity[1],
+           Scalar(100) * gravity[0],
+           Scalar(0.01) * (t2 + Scalar(0.01) * t0),
+           Scalar(0.01) * ((t6 + t8) + t10),
+           Scalar(100) * (Scalar(0.02) + g.l2),
+           Scalar(0.01) * t13,
+           Scalar(0.01) * t14,
+           Scalar(100) * t15,
+           Scalar(100) * t16,
+           inertia.I3yz - inertia.c3z * t6,
+           g.l2 * t6 - (inertia.I3xy - inertia.c3y * t12),
+           Scalar(2) * t17,
+           t18 + t19,
            t19,
-           ((t16 + t20) + t0 * t8) - t13,
-           t25,
-           t26,
-           (Scalar(0.02) + g.l2) / t0,
-           t28 + t29,
-           Scalar(2) * t30,
-           t30,
-           t29,
-           g.l2 * t24 - (inertia.I3xy - inertia.c3y * t11),
-           inertia.I3yz - inertia.c3z * t24,
+           t17,
+           t18,
+           Scalar(2) * t28,
+           t30 - t32,
            t28,
-           t31,
+           t30,
            t35,
-           t0 * ((t24 + t21) + t36),
-           t40,
-           gravity[2] / t0 };
+           t36,
+           t37,
+           t38,
+           Scalar(100) * gravity[2],
+           t30 + t32 };
 }
 
 namespace detail {
@@ -288,81 +279,83 @@ inline JointVector<Scalar> inverse_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar& c1 = angles.cosine[1];
   const Scalar& s_2 = angles.sine[2];
   const Scalar& c_2 = angles.cosine[2];
-  const Scalar t0 = qd[0] * s_2;
-  const Scalar t1 = qd[1] * t0;
-  const Scalar t2 = qdd[0] * c_2;
-  const Scalar t3 = Scalar(2) * t1 - t2;
-  const Scalar t4 = Scalar(3.3333333333333335) * t1 - t2;
-  const Scalar t5 = k[2] * c_0 + k[1] * s_0;
-  const Scalar t6 = k[1] * c_0 - k[2] * s_0;
-  const Scalar t7 = qd[0] * c_2;
-  const Scalar t8 = qd[1] * t7;
-  const Scalar t9 = qdd[0] * s_2;
-  const Scalar t10 = Scalar(3.3333333333333335) * t8 + t9;
-  const Scalar t11 = k[4] * c1 - k[5] * s1;
-  const Scalar t12 = t11 - k[6] * qdd[0];
-  const Scalar t13 = Scalar(2) * t8 + t9;
-  const Scalar t14 = t12 + (t3 - k[3] * t13);
-  const Scalar t15 = (t4 * t5 - t6 * t10) + k[7] * t14;
-  const Scalar t16 = k[8] * (wrench[0] * s1 - wrench[1] * c1);
-  const Scalar t17 = t15 - t16;
-  const Scalar t18 = k[18] * s_0 + k[19] * c_0;
-  const Scalar t19 = t7 * t7;
-  const Scalar t20 = qd[1] * qd[1];
-  const Scalar t21 = Scalar(2.7777777777777777) * t20;
-  const Scalar t22 = t19 - t21;
-  const Scalar t23 = k[15] * c_0 - k[14] * s_0;
-  const Scalar t24 = k[16] - c_0 * t23;
-  const Scalar t25 = s_0 * t23;
-  const Scalar t26 = k[20] + t25;
-  const Scalar t27 = t18 * t22 + (t4 * t24 - t10 * t26);
-  const Scalar t28 = Scalar(1.6666666666666667) * qdd[1];
-  const Scalar t29 = t0 * t7;
-  const Scalar t30 = t28 + t29;
-  const Scalar t31 = k[19] * s_0 - k[18] * c_0;
-  const Scalar t32 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t33 = k[13] * s_0;
-  const Scalar t34 = (wrench[5] * s_2 - c_2 * t32) + t33 * t16;
-  const Scalar t35 = (t6 * t14 - (t27 - t30 * t31)) + t34;
-  const Scalar t36 = qd[0] * qd[0];
-  const Scalar t37 = t19 + t21;
-  const Scalar t38 = t36 - t37;
-  const Scalar t39 = t38 - t22;
-  const Scalar t40 = t19 + t20;
-  const Scalar t41 = t40 - t36;
-  const Scalar t42 = (k[9] * t3 + k[21] * t13) - k[11] * (t39 + t41);
-  const Scalar t43 = qdd[1] + t29;
-  const Scalar t44 = (k[3] * t17 + t35) - (t42 + k[12] * t43);
-  const Scalar t45 = qdd[1] - t29;
-  const Scalar t46 = (k[9] * t13 + k[10] * t3) - (k[11] * t45 + k[12] * t41);
-  const Scalar t47 = t28 - t29;
-  const Scalar t48 = k[17] + t25;
-  const Scalar t49 = (t31 * t38 + t47 * t18) - (t4 * t48 + t10 * t24);
-  const Scalar t50 = k[13] * c_0;
-  const Scalar t51 = (wrench[5] * c_2 + s_2 * t32) - t50 * t16;
-  const Scalar t52 = (t46 - k[0] * t12) + (t17 + ((t14 * t5 - t49) + t51));
-  const Scalar t53 = k[6] * (k[0] * t3 - t17) - (s_2 * t44 + c_2 * t52);
-  const Scalar t54 = k[5] * c1 + k[4] * s1;
-  const Scalar t55 = k[24] * qdd[0] + (k[22] * t11 + k[23] * t54);
-  const Scalar t56 = (k[21] * t45 + k[10] * t43) - k[9] * t39;
-  const Scalar t57 = t54 + k[6] * t36;
-  const Scalar t58 = k[25] * c_2 + s_2 * t57;
-  const Scalar t59 = (t56 + (k[12] * t9 + k[11] * t2)) - k[0] * t58;
-  const Scalar t60 = wrench[1] * s1 + wrench[0] * c1;
-  const Scalar t61 = k[8] * (c_2 * t60 - wrench[2] * s_2);
-  const Scalar t62 = (t40 - k[3] * t45) - (k[25] * s_2 - c_2 * t57);
-  const Scalar t63 = k[7] * t62 - (t6 * t47 - t5 * t37);
-  const Scalar t64 = k[8] * (wrench[2] * c_2 + s_2 * t60);
-  const Scalar t65 = t58 + (t43 + k[3] * (t39 + t40));
-  const Scalar t66 = k[7] * t65 + (t6 * (t39 + t37) + t30 * t5);
-  const Scalar t67 = (wrench[3] * s1 - wrench[4] * c1) + (t61 * t33 + t64 * t50);
-  const Scalar t68 = t39 * t24 - (t30 * t48 - t47 * t26);
-  const Scalar t69 = (t68 - (t18 * t2 - t9 * t31)) + (t6 * t62 - t65 * t5);
-  const Scalar t70 = t67 - t69;
-  const Scalar t71 = (k[3] * (t61 + t63) - (t64 + t66)) - t70;
+  const Scalar t0 = Scalar(0.6666666666666666) * qdd[1];
+  const Scalar t1 = qd[0] * s_2;
+  const Scalar t2 = t1 * qd[0] * c_2;
+  const Scalar t3 = qdd[1] - t2;
+  const Scalar t4 = t0 + t3;
+  const Scalar t5 = k[11] * s_0 + k[10] * c_0;
+  const Scalar t6 = k[10] * s_0 - k[11] * c_0;
+  const Scalar t7 = qd[1] * qd[1];
+  const Scalar t8 = Scalar(2.7777777777777777) * t7;
+  const Scalar t9 = t1 * t1;
+  const Scalar t10 = t8 - t9;
+  const Scalar t11 = qd[1] * qd[0];
+  const Scalar t12 = c_2 * t11;
+  const Scalar t13 = qdd[0] * s_2;
+  const Scalar t14 = Scalar(3.3333333333333335) * t12 + t13;
+  const Scalar t15 = k[12] * c_0 - k[13] * s_0;
+  const Scalar t16 = k[15] - c_0 * t15;
+  const Scalar t17 = qdd[0] * c_2;
+  const Scalar t18 = s_2 * t11;
+  const Scalar t19 = t17 - Scalar(3.3333333333333335) * t18;
+  const Scalar t20 = s_0 * t15;
+  const Scalar t21 = k[14] + t20;
+  const Scalar t22 = (t4 * t5 - t6 * t10) - (t14 * t16 - t19 * t21);
+  const Scalar t23 = k[1] * c1 - k[2] * s1;
+  const Scalar t24 = qdd[0] - t23;
+  const Scalar t25 = Scalar(2) * t18 - t17;
+  const Scalar t26 = Scalar(2) * t12 + t13;
+  const Scalar t27 = t24 - (k[9] * t25 - k[8] * t26);
+  const Scalar t28 = k[6] * c_0 + k[7] * s_0;
+  const Scalar t29 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t30 = k[5] * c_0;
+  const Scalar t31 = Scalar(0.01) * (wrench[0] * s1 - wrench[1] * c1);
+  const Scalar t32 = (wrench[5] * c_2 + s_2 * t29) - t30 * t31;
+  const Scalar t33 = k[7] * c_0 - k[6] * s_0;
+  const Scalar t34 = (t19 * t28 + t14 * t33) + t31;
+  const Scalar t35 = ((t22 + t27 * t28) - t32) + k[9] * t34;
+  const Scalar t36 = qdd[1] + t2;
+  const Scalar t37 = t36 + t0;
+  const Scalar t38 = k[16] + t20;
+  const Scalar t39 = t8 + t9;
+  const Scalar t40 = qd[0] * qd[0];
+  const Scalar t41 = t39 - t40;
+  const Scalar t42 = (t19 * t16 + t14 * t38) + t41 * t5;
+  const Scalar t43 = k[5] * s_0;
+  const Scalar t44 = (wrench[5] * s_2 - c_2 * t29) + t43 * t31;
+  const Scalar t45 = ((t6 * t37 + t42) - t27 * t33) + t44;
+  const Scalar t46 = c_2 * t35 + s_2 * (k[8] * t34 - t45);
+  const Scalar t47 = k[17] * c_2 - k[18] * s_2;
+  const Scalar t48 = k[19] - c_2 * t47;
+  const Scalar t49 = qdd[0] * (k[20] + s_2 * t47) - Scalar(2) * t48 * t11;
+  const Scalar t50 = k[21] * s_2 + k[22] * c_2;
+  const Scalar t51 = qdd[1] * t50 - (k[22] * s_2 - k[21] * c_2) * t7;
+  const Scalar t52 = t24 * (k[24] * s_2 - k[23] * c_2) + (t49 + t51);
+  const Scalar t53 = (t46 + t52) + (t34 + (k[23] * t25 + k[24] * t26));
+  const Scalar t54 = k[1] * s1 + k[2] * c1;
+  const Scalar t55 = k[0] * qdd[0] + (k[4] * t54 - k[3] * t23);
+  const Scalar t56 = t7 + t9;
+  const Scalar t57 = t41 - t10;
+  const Scalar t58 = t54 + t40;
+  const Scalar t59 = c_2 * t58 - k[25] * s_2;
+  const Scalar t60 = (k[9] * (t56 - t57) - k[8] * t3) + t59;
+  const Scalar t61 = k[25] * c_2 + s_2 * t58;
+  const Scalar t62 = t28 * (t61 + (k[8] * t56 + k[9] * t36));
+  const Scalar t63 = t16 * t57 + (t4 * t38 - t21 * t37);
+  const Scalar t64 = (t60 * t33 - t62) + (t63 + (t6 * t13 - t17 * t5));
+  const Scalar t65 = wrench[1] * s1 + wrench[0] * c1;
+  const Scalar t66 = Scalar(0.01) * (c_2 * t65 - wrench[2] * s_2);
+  const Scalar t67 = Scalar(0.01) * (wrench[2] * c_2 + s_2 * t65);
+  const Scalar t68 = (wrench[3] * s1 - wrench[4] * c1) + (t43 * t66 + t67 * t30);
+  const Scalar t69 = t64 - t68;
+  const Scalar t70 = ((t40 + t10) * t28 - t4 * t33) + t66;
+  const Scalar t71 = k[9] * ((t28 * t37 + t39 * t33) + t67);
+  const Scalar t72 = qdd[0] * t50 + (t48 * t40 + k[26] * qdd[1]);
+  const Scalar t73 = (t69 + (k[8] * t70 - t71)) + ((k[24] * t59 + k[23] * t61) - t72);
   JointVector<Scalar> result;
   result[0] = t53 + t55;
-  result[1] = (t59 - t71) + Scalar(0.6666666666666666) * t70;
+  result[1] = -Scalar(0.6666666666666666) * t69 - t73;
   return result;
 }
 
@@ -470,73 +463,75 @@ ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_
   const Scalar t1 = g.l2 * inertia.m3 + t0;
   const Scalar t2 = g.l1 * Scalar(0.17364817766693036);
   const Scalar t3 = inertia.c3z * inertia.m3;
-  const Scalar t4 = g.l1 * Scalar(0.984807753012208);
+  const Scalar t4 = inertia.c3y * inertia.m3;
   const Scalar t5 = g.l2 * t3 - (inertia.I3xz - inertia.c3z * t0);
   const Scalar t6 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
   const Scalar t7 = (inertia.I3zz - t6) - inertia.c3z * t3;
   const Scalar t8 = g.l2 * (t1 + t0) + (inertia.c3x * t0 - (inertia.I3xx - t6));
-  const Scalar t9 = t7 - t8;
-  const Scalar t10 = inertia.c3y * inertia.m3;
-  const Scalar t11 = inertia.c2x * inertia.m2;
-  const Scalar t12 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t13 = g.l1 * inertia.m2 + t11;
-  const Scalar t14 = (inertia.c2x * t11 - (inertia.I2xx - t12)) + g.l1 * (t11 + t13);
-  const Scalar t15 = inertia.c2z * inertia.m2;
-  const Scalar t16 = (inertia.I2xz - inertia.c2z * t11) - g.l1 * t15;
-  const Scalar t17 = (inertia.I2zz - t12) - inertia.c2z * t15;
-  const Scalar t18 = Scalar(2) * Scalar(0.984807753012208) * t16 - Scalar(0.17364817766693036) * (t14 + t17);
-  const Scalar t19 = Scalar(0.17364817766693036) * t18;
-  const Scalar t20 = inertia.m3 * t4;
-  const Scalar t21 = (t14 + t19) + t4 * t20;
-  const Scalar t22 = inertia.m3 * t2;
-  const Scalar t23 = t2 * t22 - (t19 + t17);
-  const Scalar t24 = t2 * t20 + (t16 - Scalar(0.984807753012208) * t18);
-  const Scalar t25 = inertia.c2y * inertia.m2;
-  const Scalar t26 = g.l1 * t25 - (inertia.I2xy - inertia.c2y * t11);
-  const Scalar t27 = inertia.I2yz - inertia.c2z * t25;
-  const Scalar t28 = t4 * t10 + (Scalar(0.984807753012208) * t26 + Scalar(0.17364817766693036) * t27);
-  const Scalar t29 = (Scalar(0.984807753012208) * t27 - Scalar(0.17364817766693036) * t26) - t2 * t10;
-  const Scalar t30 = t2 * (t22 + (Scalar(0.984807753012208) * t15 + Scalar(0.17364817766693036) * t13));
-  const Scalar t31 = t2 * ((Scalar(0.17364817766693036) * t15 - Scalar(0.984807753012208) * t13) - t20);
+  const Scalar t9 = g.l1 * Scalar(0.984807753012208);
+  const Scalar t10 = t9 / t2;
+  const Scalar t11 = inertia.c2y * inertia.m2;
+  const Scalar t12 = inertia.c2x * inertia.m2;
+  const Scalar t13 = g.l1 * t11 - (inertia.I2xy - inertia.c2y * t12);
+  const Scalar t14 = inertia.I2yz - inertia.c2z * t11;
+  const Scalar t15 = t9 * t4 + (Scalar(0.984807753012208) * t13 + Scalar(0.17364817766693036) * t14);
+  const Scalar t16 = (Scalar(0.984807753012208) * t14 - Scalar(0.17364817766693036) * t13) - t2 * t4;
+  const Scalar t17 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t18 = g.l1 * inertia.m2 + t12;
+  const Scalar t19 = (inertia.c2x * t12 - (inertia.I2xx - t17)) + g.l1 * (t12 + t18);
+  const Scalar t20 = inertia.c2z * inertia.m2;
+  const Scalar t21 = (inertia.I2xz - inertia.c2z * t12) - g.l1 * t20;
+  const Scalar t22 = (inertia.I2zz - t17) - inertia.c2z * t20;
+  const Scalar t23 = Scalar(2) * Scalar(0.984807753012208) * t21 - Scalar(0.17364817766693036) * (t19 + t22);
+  const Scalar t24 = Scalar(0.17364817766693036) * t23;
+  const Scalar t25 = inertia.m3 * t9;
+  const Scalar t26 = (t19 + t24) + t9 * t25;
+  const Scalar t27 = inertia.m3 * t2;
+  const Scalar t28 = t2 * t27 - (t24 + t22);
+  const Scalar t29 = t2 * t25 + (t21 - Scalar(0.984807753012208) * t23);
+  const Scalar t30 = t2 * (t27 + (Scalar(0.984807753012208) * t20 + Scalar(0.17364817766693036) * t18));
+  const Scalar t31 = t2 * ((Scalar(0.17364817766693036) * t20 - Scalar(0.984807753012208) * t18) - t25);
   const Scalar t32 = Scalar(0.01) / t2;
   const Scalar t33 = inertia.c1x * inertia.m1;
   const Scalar t34 = Scalar(0.01) * inertia.m1 + t33;
   const Scalar t35 = inertia.m2 + inertia.m3;
   const Scalar t36 = inertia.c1y * inertia.m1;
-  const Scalar t37 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t38 = Scalar(0.01) * (t34 + t33) + (inertia.c1x * t33 - (inertia.I1xx - t37));
-  const Scalar t39 = ((inertia.I3yy - t6) - inertia.c3y * t10) + ((inertia.I2yy - t12) - inertia.c2y * t25);
+  const Scalar t37 = t7 - t8;
+  const Scalar t38 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t39 = Scalar(0.01) * (t34 + t33) + (inertia.c1x * t33 - (inertia.I1xx - t38));
+  const Scalar t40 = ((inertia.I3yy - t6) - inertia.c3y * t4) + ((inertia.I2yy - t17) - inertia.c2y * t11);
   return { t1 * t2,
            t3 * t2,
-           t4 / t2,
-           gravity[1] / t2,
-           gravity[0] / t2,
+           g.l2 * t4 - (inertia.I3xy - inertia.c3y * t0),
+           inertia.I3yz - inertia.c3z * t4,
            Scalar(2) * t5,
            t7 + t8,
            t7,
-           t9,
            t5,
-           inertia.I3yz - inertia.c3z * t10,
-           g.l2 * t10 - (inertia.I3xy - inertia.c3y * t0),
-           t21 - t23,
-           Scalar(2) * t24,
-           t24,
-           t28,
+           Scalar(2) * t10,
+           gravity[1] / t2,
+           gravity[0] / t2,
+           t8,
+           t10,
+           t15,
+           t16,
+           t26 - t28,
+           Scalar(2) * t29,
            t29,
            t30,
            t31,
-           Scalar(2) * t30,
            Scalar(2) * t31,
            t32,
            t2 * (t34 + Scalar(0.01) * t35),
-           t2 * ((t10 + t25) + t36),
+           t2 * ((t4 + t11) + t36),
            gravity[2] / t2,
-           t21,
-           t23,
-           Scalar(0.4444444444444444) * t9,
+           t37,
+           t28,
+           t26,
+           Scalar(0.4444444444444444) * t37,
            Scalar(2) * t32,
-           Scalar(0.0001) * t35 + t38,
-           t39 - (inertia.c1y * t36 - (inertia.I1yy - t37)) };
+           Scalar(0.0001) * t35 + t39,
+           t40 - (inertia.c1y * t36 - (inertia.I1yy - t38)) };
 }
 
 namespace detail {
@@ -551,68 +546,71 @@ inline JointVector<Scalar> forward_dynamics_with_gravity_vector([[maybe_unused]]
   const Scalar& c1 = angles.cosine[1];
   const Scalar& s_2 = angles.sine[2];
   const Scalar& c_2 = angles.cosine[2];
-  const Scalar t0 = k[10] * s_0 - k[11] * c_0;
-  const Scalar t1 = k[10] * c_0 + k[11] * s_0;
-  const Scalar t2 = s_2 * t0 - c_2 * t1;
-  const Scalar t3 = Scalar(0.6666666666666666) * t2 + (t2 - (k[16] * c_2 + k[15] * s_2));
-  const Scalar t4 = k[1] * c_0 - k[0] * s_0;
-  const Scalar t5 = k[6] * s_0 - k[5] * c_0;
-  const Scalar t6 = k[7] - s_0 * t5;
-  const Scalar t7 = k[26] + (Scalar(2) * t4 - t6);
-  const Scalar t8 = k[0] * c_0 + k[1] * s_0;
-  const Scalar t9 = k[2] * t8;
-  const Scalar t10 = k[8] - t6;
-  const Scalar t11 = k[25] + (Scalar(2) * t9 - t10);
-  const Scalar t12 = Scalar(0.6666666666666666) * (k[8] - (t9 + t4));
-  const Scalar t13 = Scalar(1) / (k[27] - (((t7 + t11) - t12) - t12));
-  const Scalar t14 = t3 * t13;
-  const Scalar t15 = k[9] + c_0 * t5;
-  const Scalar t16 = c_2 * (k[14] + (t8 + (k[2] * t4 - t15)));
-  const Scalar t17 = s_2 * (Scalar(2) * t16 + s_2 * (t7 - t11));
-  const Scalar t18 = s_2 * (k[17] + t4) - c_2 * (k[18] - t8);
-  const Scalar t19 = k[30] - (k[29] + ((t17 + t11) + k[28] * t18));
-  const Scalar t20 = qd[0] * c_2;
-  const Scalar t21 = t20 * t20;
-  const Scalar t22 = qd[1] * qd[1];
-  const Scalar t23 = Scalar(2.7777777777777777) * t22;
-  const Scalar t24 = t21 + t23;
-  const Scalar t25 = qd[0] * s_2;
-  const Scalar t26 = t25 * t20;
-  const Scalar t27 = qd[0] * qd[0];
-  const Scalar t28 = t21 - t23;
-  const Scalar t29 = t27 - t28;
-  const Scalar t30 = (t8 * t24 + t4 * t26) - k[2] * (t8 * t26 + t4 * t29);
-  const Scalar t31 = t24 - t29;
-  const Scalar t32 = t21 + t22;
-  const Scalar t33 = k[3] * s1 + k[4] * c1;
-  const Scalar t34 = k[21] * t27 + t33;
-  const Scalar t35 = k[24] * c_2 + s_2 * t34;
-  const Scalar t36 = ((k[2] * t26 - (t31 - t32)) + t35) * t8;
-  const Scalar t37 = c_2 * t34 - k[24] * s_2;
-  const Scalar t38 = t36 - t4 * (t37 + (k[2] * t32 + t26));
-  const Scalar t39 = (t31 * t15 + (t6 - t10) * t26) + t38;
-  const Scalar t40 = k[14] + c_2 * (k[12] * s_2 - k[13] * c_2);
-  const Scalar t41 = (k[18] * t35 + k[17] * t37) - t40 * t27;
-  const Scalar t42 = torque[1] + (((t30 - t39) + t41) - Scalar(0.6666666666666666) * t39);
-  const Scalar t43 = qd[1] * t25;
-  const Scalar t44 = qd[1] * t20;
-  const Scalar t45 = Scalar(3.3333333333333335) * t43 * t8 - Scalar(3.3333333333333335) * t4 * t44;
-  const Scalar t46 = k[21] * ((k[20] * t43 + k[19] * t44) - t45);
-  const Scalar t47 = k[4] * s1 - k[3] * c1;
-  const Scalar t48 = t47 + Scalar(2) * (t44 - k[2] * t43);
-  const Scalar t49 = Scalar(3.3333333333333335) * t44 * t15 - Scalar(3.3333333333333335) * t43 * t10;
-  const Scalar t50 = (t0 * (t31 - t28) + t1 * t26) + t49;
-  const Scalar t51 = c_2 * (k[2] * t45 - (t48 * t8 - t50));
-  const Scalar t52 = Scalar(3.3333333333333335) * t44 * t6 - Scalar(3.3333333333333335) * t43 * t15;
-  const Scalar t53 = t48 * t4 + ((t1 * t28 - t52) - t0 * t26);
-  const Scalar t54 = (k[15] * c_2 - k[16] * s_2) * t22 - Scalar(2) * t40 * qd[1] * qd[0];
-  const Scalar t55 = t47 * (k[17] * s_2 - k[18] * c_2) + t54;
-  const Scalar t56 = t46 - ((t51 - s_2 * (t53 - t45)) - t55);
-  const Scalar t57 = torque[0] - (t56 + (k[23] * t33 + k[22] * t47));
-  const Scalar t58 = Scalar(1) / (t14 * t3 - t19) * (t14 * t42 - t57);
+  const Scalar t0 = k[3] * c_0 + k[2] * s_0;
+  const Scalar t1 = k[2] * c_0 - k[3] * s_0;
+  const Scalar t2 = c_2 * t0 + s_2 * t1;
+  const Scalar t3 = Scalar(0.6666666666666666) * t2 + ((k[14] * c_2 + k[13] * s_2) + t2);
+  const Scalar t4 = k[4] * c_0 - k[5] * s_0;
+  const Scalar t5 = s_0 * t4;
+  const Scalar t6 = k[11] + t5;
+  const Scalar t7 = k[0] * c_0 + k[1] * s_0;
+  const Scalar t8 = k[12] * t7;
+  const Scalar t9 = k[27] + (t6 + Scalar(2) * t8);
+  const Scalar t10 = k[6] + t5;
+  const Scalar t11 = k[1] * c_0 - k[0] * s_0;
+  const Scalar t12 = k[26] - (t10 - Scalar(2) * t11);
+  const Scalar t13 = Scalar(0.6666666666666666) * (k[25] - (t8 + t11));
+  const Scalar t14 = Scalar(1) / (k[28] - (((t9 + t12) - t13) - t13));
+  const Scalar t15 = k[9] * s1 + k[10] * c1;
+  const Scalar t16 = qd[0] * qd[0];
+  const Scalar t17 = t15 + k[21] * t16;
+  const Scalar t18 = c_2 * t17 - k[24] * s_2;
+  const Scalar t19 = s_2 * t17 + k[24] * c_2;
+  const Scalar t20 = k[17] - c_2 * (k[16] * c_2 - k[15] * s_2);
+  const Scalar t21 = (k[18] * t18 + k[19] * t19) - t20 * t16;
+  const Scalar t22 = qd[0] * s_2;
+  const Scalar t23 = qd[0] * c_2;
+  const Scalar t24 = t22 * t23;
+  const Scalar t25 = t23 * t23;
+  const Scalar t26 = qd[1] * qd[1];
+  const Scalar t27 = Scalar(2.7777777777777777) * t26;
+  const Scalar t28 = t25 - t27;
+  const Scalar t29 = t16 - t28;
+  const Scalar t30 = t25 + t27;
+  const Scalar t31 = k[12] * (t7 * t24 + t11 * t29) - (t7 * t30 + t11 * t24);
+  const Scalar t32 = t30 - t29;
+  const Scalar t33 = k[7] - c_0 * t4;
+  const Scalar t34 = t25 + t26;
+  const Scalar t35 = t7 * (t19 - ((t32 - t34) - k[12] * t24));
+  const Scalar t36 = t11 * (t18 + (t24 + k[12] * t34)) - t35;
+  const Scalar t37 = (t32 * t33 + (t10 + t6) * t24) - t36;
+  const Scalar t38 = torque[1] + ((t21 - (t31 + t37)) - Scalar(0.6666666666666666) * t37);
+  const Scalar t39 = t14 * t38;
+  const Scalar t40 = k[9] * c1 - k[10] * s1;
+  const Scalar t41 = qd[1] * qd[0];
+  const Scalar t42 = c_2 * t41;
+  const Scalar t43 = qd[1] * t22;
+  const Scalar t44 = t11 * t42 - t43 * t7;
+  const Scalar t45 = Scalar(3.3333333333333335) * t44;
+  const Scalar t46 = (Scalar(2) * t42 - k[8] * t43) - t40;
+  const Scalar t47 = Scalar(3.3333333333333335) * (t43 * t33 - t10 * t42) + t0 * t28;
+  const Scalar t48 = t45 + (t11 * t46 + (t24 * t1 + t47));
+  const Scalar t49 = Scalar(3.3333333333333335) * (t33 * t42 + t6 * t43) + (t1 * (t16 - t30) + t0 * t24);
+  const Scalar t50 = (t7 * t46 - t49) + Scalar(3.3333333333333335) * k[12] * t44;
+  const Scalar t51 = Scalar(2) * t20 * t41 + (k[14] * s_2 - k[13] * c_2) * t26;
+  const Scalar t52 = t51 - (k[19] * c_2 - k[18] * s_2) * t40;
+  const Scalar t53 = t45 + (k[20] * t43 + Scalar(2) * k[18] * t42);
+  const Scalar t54 = ((s_2 * t48 + c_2 * t50) - t52) + k[21] * t53;
+  const Scalar t55 = torque[0] - ((k[23] * t15 - k[22] * t40) + t54);
+  const Scalar t56 = s_2 * (k[18] + t11) - c_2 * (k[19] - t7);
+  const Scalar t57 = c_2 * (k[17] - ((t33 - k[12] * t11) - t7));
+  const Scalar t58 = s_2 * (s_2 * (t9 - t12) - Scalar(2) * t57);
+  const Scalar t59 = k[31] - (k[30] + (k[29] * t56 - (t58 - t9)));
+  const Scalar t60 = t3 * t14;
+  const Scalar t61 = (t3 * t39 + t55) * Scalar(1) / (t59 - t3 * t60);
   JointVector<Scalar> result;
-  result[0] = -t58;
-  result[1] = t14 * t58 - t42 * t13;
+  result[0] = -t61;
+  result[1] = -t61 * t60 - t39;
   return result;
 }
 
@@ -642,79 +640,79 @@ ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constant
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c3z * inertia.m3;
+  const Scalar t0 = inertia.c3y * inertia.m3;
   const Scalar t1 = inertia.c3x * inertia.m3;
-  const Scalar t2 = g.l2 * t0 - (inertia.I3xz - inertia.c3z * t1);
-  const Scalar t3 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t4 = (inertia.I3zz - t3) - inertia.c3z * t0;
-  const Scalar t5 = g.l2 * inertia.m3 + t1;
-  const Scalar t6 = g.l2 * (t5 + t1) + (inertia.c3x * t1 - (inertia.I3xx - t3));
-  const Scalar t7 = g.l1 * Scalar(0.17364817766693036);
-  const Scalar t8 = g.l1 * Scalar(0.984807753012208);
-  const Scalar t9 = inertia.c2x * inertia.m2;
-  const Scalar t10 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t11 = g.l1 * inertia.m2 + t9;
-  const Scalar t12 = (inertia.c2x * t9 - (inertia.I2xx - t10)) + g.l1 * (t9 + t11);
-  const Scalar t13 = inertia.c2z * inertia.m2;
-  const Scalar t14 = (inertia.I2xz - inertia.c2z * t9) - g.l1 * t13;
-  const Scalar t15 = (inertia.I2zz - t10) - inertia.c2z * t13;
-  const Scalar t16 = Scalar(2) * Scalar(0.984807753012208) * t14 - Scalar(0.17364817766693036) * (t12 + t15);
-  const Scalar t17 = Scalar(0.17364817766693036) * t16;
-  const Scalar t18 = inertia.m3 * t8;
-  const Scalar t19 = (t12 + t17) + t8 * t18;
-  const Scalar t20 = t7 * t18 + (t14 - Scalar(0.984807753012208) * t16);
-  const Scalar t21 = t4 - t6;
-  const Scalar t22 = inertia.m3 * t7;
-  const Scalar t23 = t7 * t22 - (t17 + t15);
-  const Scalar t24 = t7 * (t22 + (Scalar(0.984807753012208) * t13 + Scalar(0.17364817766693036) * t11));
-  const Scalar t25 = t7 * ((Scalar(0.17364817766693036) * t13 - Scalar(0.984807753012208) * t11) - t18);
-  const Scalar t26 = Scalar(0.01) / t7;
-  const Scalar t27 = inertia.m2 + inertia.m3;
-  const Scalar t28 = inertia.c1x * inertia.m1;
-  const Scalar t29 = Scalar(0.01) * inertia.m1 + t28;
-  const Scalar t30 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t31 = Scalar(0.01) * (t29 + t28) + (inertia.c1x * t28 - (inertia.I1xx - t30));
-  const Scalar t32 = inertia.c3y * inertia.m3;
-  const Scalar t33 = inertia.c2y * inertia.m2;
-  const Scalar t34 = ((inertia.I3yy - t3) - inertia.c3y * t32) + ((inertia.I2yy - t10) - inertia.c2y * t33);
-  const Scalar t35 = inertia.c1y * inertia.m1;
-  const Scalar t36 = g.l1 * t33 - (inertia.I2xy - inertia.c2y * t9);
-  const Scalar t37 = inertia.I2yz - inertia.c2z * t33;
-  const Scalar t38 = t8 * t32 + (Scalar(0.984807753012208) * t36 + Scalar(0.17364817766693036) * t37);
-  const Scalar t39 = (Scalar(0.984807753012208) * t37 - Scalar(0.17364817766693036) * t36) - t7 * t32;
-  return { Scalar(2) * t2,
-           t4 + t6,
-           t6,
-           t5 * t7,
-           t0 * t7,
-           t8 / t7,
-           t19,
-           t2,
-           t20,
-           t21,
-           t23,
-           t24,
-           t25,
-           Scalar(2) * t26,
-           Scalar(0.0001) * t27 + t31,
-           t34 - (inertia.c1y * t35 - (inertia.I1yy - t30)),
-           inertia.I3yz - inertia.c3z * t32,
-           g.l2 * t32 - (inertia.I3xy - inertia.c3y * t1),
-           t38,
-           t39,
-           Scalar(0.4444444444444444) * t21,
-           Scalar(2) * t24,
-           Scalar(2) * t25,
+  const Scalar t2 = g.l1 * Scalar(0.984807753012208);
+  const Scalar t3 = inertia.c2y * inertia.m2;
+  const Scalar t4 = inertia.c2x * inertia.m2;
+  const Scalar t5 = g.l1 * t3 - (inertia.I2xy - inertia.c2y * t4);
+  const Scalar t6 = inertia.I2yz - inertia.c2z * t3;
+  const Scalar t7 = t2 * t0 + (Scalar(0.984807753012208) * t5 + Scalar(0.17364817766693036) * t6);
+  const Scalar t8 = g.l1 * Scalar(0.17364817766693036);
+  const Scalar t9 = (Scalar(0.984807753012208) * t6 - Scalar(0.17364817766693036) * t5) - t8 * t0;
+  const Scalar t10 = inertia.c3z * inertia.m3;
+  const Scalar t11 = g.l2 * inertia.m3 + t1;
+  const Scalar t12 = t2 / t8;
+  const Scalar t13 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t14 = (inertia.I3zz - t13) - inertia.c3z * t10;
+  const Scalar t15 = g.l2 * (t11 + t1) + (inertia.c3x * t1 - (inertia.I3xx - t13));
+  const Scalar t16 = t14 - t15;
+  const Scalar t17 = g.l2 * t10 - (inertia.I3xz - inertia.c3z * t1);
+  const Scalar t18 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t19 = g.l1 * inertia.m2 + t4;
+  const Scalar t20 = (inertia.c2x * t4 - (inertia.I2xx - t18)) + g.l1 * (t4 + t19);
+  const Scalar t21 = inertia.c2z * inertia.m2;
+  const Scalar t22 = (inertia.I2xz - inertia.c2z * t4) - g.l1 * t21;
+  const Scalar t23 = (inertia.I2zz - t18) - inertia.c2z * t21;
+  const Scalar t24 = Scalar(2) * Scalar(0.984807753012208) * t22 - Scalar(0.17364817766693036) * (t20 + t23);
+  const Scalar t25 = Scalar(0.17364817766693036) * t24;
+  const Scalar t26 = inertia.m3 * t2;
+  const Scalar t27 = (t20 + t25) + t2 * t26;
+  const Scalar t28 = inertia.m3 * t8;
+  const Scalar t29 = t8 * t28 - (t25 + t23);
+  const Scalar t30 = t8 * t26 + (t22 - Scalar(0.984807753012208) * t24);
+  const Scalar t31 = t8 * (t28 + (Scalar(0.984807753012208) * t21 + Scalar(0.17364817766693036) * t19));
+  const Scalar t32 = t8 * ((Scalar(0.17364817766693036) * t21 - Scalar(0.984807753012208) * t19) - t26);
+  const Scalar t33 = Scalar(0.01) / t8;
+  const Scalar t34 = inertia.m2 + inertia.m3;
+  const Scalar t35 = inertia.c1x * inertia.m1;
+  const Scalar t36 = Scalar(0.01) * inertia.m1 + t35;
+  const Scalar t37 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t38 = Scalar(0.01) * (t36 + t35) + (inertia.c1x * t35 - (inertia.I1xx - t37));
+  const Scalar t39 = ((inertia.I3yy - t13) - inertia.c3y * t0) + ((inertia.I2yy - t18) - inertia.c2y * t3);
+  const Scalar t40 = inertia.c1y * inertia.m1;
+  return { inertia.I3yz - inertia.c3z * t0,
+           g.l2 * t0 - (inertia.I3xy - inertia.c3y * t1),
            t7,
-           t26,
-           t19 - t23,
-           Scalar(2) * t20,
-           gravity[1] / t7,
-           gravity[0] / t7,
-           (Scalar(0.02) + g.l2) / t7,
-           t7 * (t29 + Scalar(0.01) * t27),
-           t7 * ((t32 + t33) + t35),
-           gravity[2] / t7 };
+           t9,
+           t10 * t8,
+           t11 * t8,
+           t12,
+           t16,
+           Scalar(2) * t17,
+           t14 + t15,
+           t14,
+           t27,
+           t29,
+           Scalar(0.4444444444444444) * t16,
+           t17,
+           t30,
+           t31,
+           t32,
+           Scalar(2) * t33,
+           Scalar(0.0001) * t34 + t38,
+           t39 - (inertia.c1y * t40 - (inertia.I1yy - t37)),
+           (Scalar(0.02) + g.l2) / t8,
+           t8,
+           t33,
+           gravity[1] / t8,
+           gravity[0] / t8,
+           gravity[2] / t8,
+           t27 - t29,
+           Scalar(2) * t30,
+           Scalar(2) * t12,
+           t8 * (t36 + Scalar(0.01) * t34),
+           t8 * ((t0 + t3) + t40) };
 }
 
 namespace detail {
@@ -730,81 +728,80 @@ inline JointVector<Scalar> forward_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar& c1 = angles.cosine[1];
   const Scalar& s_2 = angles.sine[2];
   const Scalar& c_2 = angles.cosine[2];
-  const Scalar t0 = k[17] * s_0 + k[16] * c_0;
-  const Scalar t1 = k[17] * c_0 - k[16] * s_0;
-  const Scalar t2 = c_2 * t0 + s_2 * t1;
-  const Scalar t3 = Scalar(0.6666666666666666) * t2 + ((k[19] * c_2 + k[18] * s_2) + t2);
-  const Scalar t4 = k[3] * c_0 + k[4] * s_0;
-  const Scalar t5 = k[5] * t4;
-  const Scalar t6 = k[4] * c_0 - k[3] * s_0;
-  const Scalar t7 = Scalar(0.6666666666666666) * (k[9] - (t5 + t6));
-  const Scalar t8 = k[0] * c_0 - k[1] * s_0;
-  const Scalar t9 = k[2] + s_0 * t8;
-  const Scalar t10 = k[9] + t9;
-  const Scalar t11 = k[10] - (t10 - Scalar(2) * t6);
-  const Scalar t12 = k[6] + (t9 + Scalar(2) * t5);
-  const Scalar t13 = Scalar(1) / (k[20] + (t7 - ((t11 + t12) - t7)));
-  const Scalar t14 = t3 * t13;
-  const Scalar t15 = k[7] - c_0 * t8;
-  const Scalar t16 = c_2 * s_2;
-  const Scalar t17 = (k[8] + ((k[5] * t6 - t15) + t4)) * t16;
-  const Scalar t18 = s_2 * s_2;
-  const Scalar t19 = t12 + (Scalar(2) * t17 + t18 * (t11 - t12));
-  const Scalar t20 = c_2 * (k[12] - t4) - s_2 * (k[11] + t6);
-  const Scalar t21 = t14 * t3 - (k[15] - (k[14] + (t19 - k[13] * t20)));
-  const Scalar t22 = qd[0] * qd[0];
-  const Scalar t23 = t16 * t22;
-  const Scalar t24 = t22 * t18;
-  const Scalar t25 = qd[1] * qd[1];
-  const Scalar t26 = Scalar(2.7777777777777777) * t25;
-  const Scalar t27 = t24 + t26;
-  const Scalar t28 = t27 - t22;
-  const Scalar t29 = t24 - t26;
-  const Scalar t30 = t28 + t29;
-  const Scalar t31 = t24 + t25;
-  const Scalar t32 = k[28] * c1 + k[27] * s1;
-  const Scalar t33 = k[24] * t22 + t32;
-  const Scalar t34 = s_2 * t33 + k[32] * c_2;
-  const Scalar t35 = c_2 * t33 - k[32] * s_2;
-  const Scalar t36 = t6 * (t35 + (t23 + k[5] * (t31 - t30)));
-  const Scalar t37 = ((t31 + k[5] * t23) + t34) * t4 - t36;
-  const Scalar t38 = ((t9 + t10) * t23 - t15 * t30) + t37;
-  const Scalar t39 = k[29] * c_0;
-  const Scalar t40 = wrench[1] * s1 + wrench[0] * c1;
-  const Scalar t41 = k[23] * (wrench[2] * c_2 + s_2 * t40);
-  const Scalar t42 = k[29] * s_0;
-  const Scalar t43 = k[23] * (c_2 * t40 - wrench[2] * s_2);
-  const Scalar t44 = (wrench[3] * s1 - wrench[4] * c1) + (t39 * t41 + t42 * t43);
-  const Scalar t45 = t38 + t44;
-  const Scalar t46 = k[5] * (t41 + (t27 * t6 + t23 * t4));
-  const Scalar t47 = ((t22 - t29) * t4 + t6 * t23) + t43;
-  const Scalar t48 = k[8] - c_2 * (k[26] * c_2 - k[25] * s_2);
-  const Scalar t49 = (k[11] * t35 + k[12] * t34) - t22 * t48;
-  const Scalar t50 = ((t45 + (t46 - t47)) - t49) + Scalar(0.6666666666666666) * t45;
+  const Scalar t0 = k[4] * c_0 - k[5] * s_0;
+  const Scalar t1 = k[4] * s_0 + k[5] * c_0;
+  const Scalar t2 = s_2 * (k[16] + t0) - c_2 * (k[17] - t1);
+  const Scalar t3 = k[6] * t1;
+  const Scalar t4 = k[8] * c_0 - k[9] * s_0;
+  const Scalar t5 = k[10] + s_0 * t4;
+  const Scalar t6 = k[7] - t5;
+  const Scalar t7 = k[11] + (Scalar(2) * t3 - t6);
+  const Scalar t8 = k[12] + (Scalar(2) * t0 - t5);
+  const Scalar t9 = s_2 * s_2;
+  const Scalar t10 = k[14] - c_0 * t4;
+  const Scalar t11 = c_2 * s_2;
+  const Scalar t12 = (k[15] - ((t10 - k[6] * t0) - t1)) * t11;
+  const Scalar t13 = t7 - ((t7 - t8) * t9 - Scalar(2) * t12);
+  const Scalar t14 = k[0] * c_0 + k[1] * s_0;
+  const Scalar t15 = k[1] * c_0 - k[0] * s_0;
+  const Scalar t16 = c_2 * t14 + s_2 * t15;
+  const Scalar t17 = ((k[3] * c_2 + k[2] * s_2) + t16) + Scalar(0.6666666666666666) * t16;
+  const Scalar t18 = Scalar(0.6666666666666666) * (k[7] - (t3 + t0));
+  const Scalar t19 = Scalar(1) / (k[13] - (((t7 + t8) - t18) - t18));
+  const Scalar t20 = t19 * t17;
+  const Scalar t21 = (k[20] - (k[19] + (k[18] * t2 + t13))) - t17 * t20;
+  const Scalar t22 = k[24] * s1 + k[25] * c1;
+  const Scalar t23 = qd[0] * qd[0];
+  const Scalar t24 = t22 + k[23] * t23;
+  const Scalar t25 = t23 * t9;
+  const Scalar t26 = qd[1] * qd[1];
+  const Scalar t27 = t25 + t26;
+  const Scalar t28 = t11 * t23;
+  const Scalar t29 = (s_2 * t24 + k[26] * c_2) + (t27 + k[6] * t28);
+  const Scalar t30 = Scalar(2.7777777777777777) * t26;
+  const Scalar t31 = t25 + t30;
+  const Scalar t32 = t31 - t23;
+  const Scalar t33 = t25 - t30;
+  const Scalar t34 = t32 + t33;
+  const Scalar t35 = (k[6] * (t27 - t34) + t28) - (k[26] * s_2 - c_2 * t24);
+  const Scalar t36 = (t1 * t29 - t35 * t0) + ((t5 - t6) * t28 - t34 * t10);
+  const Scalar t37 = k[21] * s_0;
+  const Scalar t38 = wrench[1] * s1 + wrench[0] * c1;
+  const Scalar t39 = k[22] * (c_2 * t38 - wrench[2] * s_2);
+  const Scalar t40 = k[22] * (wrench[2] * c_2 + s_2 * t38);
+  const Scalar t41 = k[21] * c_0;
+  const Scalar t42 = (wrench[3] * s1 - wrench[4] * c1) + (t37 * t39 + t40 * t41);
+  const Scalar t43 = t36 + t42;
+  const Scalar t44 = k[15] - c_2 * (k[28] * c_2 - k[27] * s_2);
+  const Scalar t45 = k[16] * c_2 + k[17] * s_2;
+  const Scalar t46 = k[16] * s_2 - k[17] * c_2;
+  const Scalar t47 = t23 * t44 - (t45 * t24 - k[26] * t46);
+  const Scalar t48 = k[6] * ((t1 * t28 + t31 * t0) + t40);
+  const Scalar t49 = (t0 * t28 + t1 * (t23 - t33)) + t39;
+  const Scalar t50 = Scalar(0.6666666666666666) * t43 + (t47 + ((t48 - t49) + t43));
   const Scalar t51 = torque[1] - t50;
-  const Scalar t52 = k[27] * c1 - k[28] * s1;
-  const Scalar t53 = qd[1] * qd[0];
-  const Scalar t54 = c_2 * t53;
-  const Scalar t55 = s_2 * t53;
-  const Scalar t56 = k[23] * (wrench[0] * s1 - wrench[1] * c1);
-  const Scalar t57 = Scalar(3.3333333333333335) * (t6 * t54 - t55 * t4) + t56;
-  const Scalar t58 = k[24] * ((k[21] * t54 + k[22] * t55) + t57);
-  const Scalar t59 = t0 * t28 + Scalar(3.3333333333333335) * (t10 * t54 - t55 * t15);
-  const Scalar t60 = t52 + Scalar(2) * (k[5] * t55 - t54);
-  const Scalar t61 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t62 = t42 * t56 + (wrench[5] * s_2 - c_2 * t61);
-  const Scalar t63 = ((t59 - t1 * t23) + t60 * t6) + t62;
-  const Scalar t64 = (wrench[5] * c_2 + s_2 * t61) - t39 * t56;
-  const Scalar t65 = (t0 * t23 + t1 * t29) + Scalar(3.3333333333333335) * (t55 * t9 + t15 * t54);
-  const Scalar t66 = k[5] * t57 - (t64 + (t65 + t60 * t4));
-  const Scalar t67 = Scalar(2) * t53 * t48 - t25 * (k[18] * c_2 - k[19] * s_2);
-  const Scalar t68 = (k[11] * s_2 - k[12] * c_2) * t52 + t67;
-  const Scalar t69 = (s_2 * (t57 - t63) + c_2 * t66) - t68;
-  const Scalar t70 = (k[31] * t32 - k[30] * t52) + (t58 + t69);
-  const Scalar t71 = Scalar(1) / t21 * (t14 * t51 + (torque[0] - t70));
+  const Scalar t52 = k[25] * s1 - k[24] * c1;
+  const Scalar t53 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t54 = k[22] * (wrench[0] * s1 - wrench[1] * c1);
+  const Scalar t55 = (wrench[5] * c_2 + s_2 * t53) - t41 * t54;
+  const Scalar t56 = qd[1] * qd[0];
+  const Scalar t57 = c_2 * t56;
+  const Scalar t58 = s_2 * t56;
+  const Scalar t59 = (t15 * t33 + t14 * t28) + Scalar(3.3333333333333335) * (t10 * t57 - t58 * t6);
+  const Scalar t60 = (k[29] * t58 - Scalar(2) * t57) - t52;
+  const Scalar t61 = Scalar(3.3333333333333335) * (t58 * t1 - t0 * t57) - t54;
+  const Scalar t62 = (t55 + (t59 + t1 * t60)) + k[6] * t61;
+  const Scalar t63 = t14 * t32 + Scalar(3.3333333333333335) * (t5 * t57 - t58 * t10);
+  const Scalar t64 = (wrench[5] * s_2 - c_2 * t53) + t37 * t54;
+  const Scalar t65 = (t0 * t60 + (t63 - t15 * t28)) + t64;
+  const Scalar t66 = Scalar(2) * t56 * t44 + t26 * (k[3] * s_2 - k[2] * c_2);
+  const Scalar t67 = (c_2 * t62 + s_2 * (t61 + t65)) - (t46 * t52 - t66);
+  const Scalar t68 = t67 + k[23] * (t61 - Scalar(2) * t45 * t56);
+  const Scalar t69 = torque[0] - ((k[30] * t52 + k[31] * t22) - t68);
+  const Scalar t70 = Scalar(1) / t21 * (t20 * t51 + t69);
   JointVector<Scalar> result;
-  result[0] = t71;
-  result[1] = t14 * t71 - t13 * t51;
+  result[0] = -t70;
+  result[1] = -t20 * t70 - t19 * t51;
   return result;
 }
 
@@ -837,23 +834,23 @@ PotentialEnergyWithGravityVectorConstants<Scalar> potential_energy_with_gravity_
   using std::sin;
   const Scalar t0 = inertia.c2z * inertia.m2;
   const Scalar t1 = g.l1 * inertia.m2 + inertia.c2x * inertia.m2;
-  const Scalar t2 = Scalar(0.02) * inertia.m1;
-  const Scalar t3 = inertia.m2 + inertia.m3;
-  const Scalar t4 = (inertia.c3y * inertia.m3 + inertia.c2y * inertia.m2) + inertia.c1y * inertia.m1;
-  return { g.l2 * inertia.m3 + inertia.c3x * inertia.m3,
-           inertia.c3z * inertia.m3,
-           inertia.m3 * g.l1 * Scalar(0.984807753012208),
-           Scalar(0.17364817766693036) * t0 - Scalar(0.984807753012208) * t1,
+  const Scalar t2 = inertia.m2 + inertia.m3;
+  const Scalar t3 = (inertia.c3y * inertia.m3 + inertia.c2y * inertia.m2) + inertia.c1y * inertia.m1;
+  const Scalar t4 = Scalar(0.02) * inertia.m1;
+  return { inertia.c3z * inertia.m3,
+           g.l2 * inertia.m3 + inertia.c3x * inertia.m3,
            inertia.m3 * g.l1 * Scalar(0.17364817766693036),
            Scalar(0.984807753012208) * t0 + Scalar(0.17364817766693036) * t1,
-           t2 - (t2 + inertia.c1z * inertia.m1),
-           Scalar(0.02) * (inertia.m1 + t3),
-           gravity[2],
-           Scalar(0.01) * t3,
+           inertia.m3 * g.l1 * Scalar(0.984807753012208),
+           Scalar(0.17364817766693036) * t0 - Scalar(0.984807753012208) * t1,
+           Scalar(0.01) * t2,
            Scalar(0.01) * inertia.m1 + inertia.c1x * inertia.m1,
-           t4,
+           t3,
+           gravity[1],
            gravity[0],
-           gravity[1] };
+           t4 - (t4 + inertia.c1z * inertia.m1),
+           Scalar(0.02) * (inertia.m1 + t2),
+           gravity[2] };
 }
 
 namespace detail {
@@ -867,13 +864,13 @@ inline Scalar potential_energy_with_gravity_vector([[maybe_unused]] const JointV
   const Scalar& c1 = angles.cosine[1];
   const Scalar& s_2 = angles.sine[2];
   const Scalar& c_2 = angles.cosine[2];
-  const Scalar t0 = k[3] - (k[2] + (k[0] * c_0 + k[1] * s_0));
-  const Scalar t1 = k[5] + (k[4] + (k[1] * c_0 - k[0] * s_0));
-  const Scalar t2 = k[7] - (k[6] - (s_2 * t0 + c_2 * t1));
-  const Scalar t3 = k[10] + (k[9] - (c_2 * t0 - s_2 * t1));
-  const Scalar t4 = k[12] * (k[11] * s1 - c1 * t3) - k[13] * (k[11] * c1 + s1 * t3);
+  const Scalar t0 = k[3] + (k[2] + (k[0] * c_0 - k[1] * s_0));
+  const Scalar t1 = k[5] - (k[4] + (k[1] * c_0 + k[0] * s_0));
+  const Scalar t2 = k[12] - (k[11] - (c_2 * t0 + s_2 * t1));
+  const Scalar t3 = k[7] + (k[6] + (s_2 * t0 - c_2 * t1));
+  const Scalar t4 = k[9] * (k[8] * c1 + s1 * t3) + k[10] * (c1 * t3 - k[8] * s1);
   Scalar result;
-  result = t4 - k[8] * t2;
+  result = -k[13] * t2 - t4;
   return result;
 }
 

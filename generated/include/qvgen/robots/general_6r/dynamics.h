@@ -97,10 +97,10 @@ DynamicsAngles<Scalar> dynamics_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion: Newton-Euler recursion in base parameters (thesis 5.1-5.15).
 ///
-/// 362 multiplications, 306 additions, 5 sine/cosine pairs. Set-up: 159 multiplications, 178 additions, 10 divisions, 5
+/// 360 multiplications, 307 additions, 5 sine/cosine pairs. Set-up: 189 multiplications, 203 additions, 11 divisions, 5
 /// sine/cosine pairs.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is a3, which must not be zero.
+/// The unit of length is d2, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g = {},
@@ -117,7 +117,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces that hold the robot against gravity at rest.
 ///
-/// 73 multiplications, 43 additions, 5 sine/cosine pairs. Set-up: 39 multiplications, 24 additions, 5 sine/cosine
+/// 73 multiplications, 43 additions, 5 sine/cosine pairs. Set-up: 40 multiplications, 24 additions, 5 sine/cosine
 /// pairs.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
@@ -154,15 +154,15 @@ JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVec
 
 /// Symmetric, positive definite M(q), by composite bodies in base parameters; rotors included.
 ///
-/// 310 multiplications, 255 additions, 5 sine/cosine pairs. Set-up: 166 multiplications, 166 additions, 8 divisions, 5
+/// 307 multiplications, 258 additions, 5 sine/cosine pairs. Set-up: 166 multiplications, 166 additions, 8 divisions, 5
 /// sine/cosine pairs.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is d2, which must not be zero.
+/// The unit of length is a3, which must not be zero.
 template <class Scalar>
 Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using MassMatrixConstants = std::array<Scalar, 85>;
+using MassMatrixConstants = std::array<Scalar, 81>;
 template <class Scalar>
 MassMatrixConstants<Scalar> mass_matrix_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
@@ -172,16 +172,16 @@ Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const 
 
 /// C(q, qd) of Christoffel's symbols: C qd is coriolis_torque, dM/dt - 2 C is skew-symmetric.
 ///
-/// 987 multiplications, 757 additions, 5 sine/cosine pairs. Set-up: 158 multiplications, 143 additions, 8 divisions, 5
+/// 981 multiplications, 763 additions, 5 sine/cosine pairs. Set-up: 158 multiplications, 143 additions, 8 divisions, 5
 /// sine/cosine pairs.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is d2, which must not be zero.
+/// The unit of length is a3, which must not be zero.
 template <class Scalar>
 Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using CoriolisMatrixConstants = std::array<Scalar, 92>;
+using CoriolisMatrixConstants = std::array<Scalar, 91>;
 template <class Scalar>
 CoriolisMatrixConstants<Scalar> coriolis_matrix_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
@@ -192,7 +192,7 @@ Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, co
 
 /// Joint accelerations for given joint forces: M qdd = torque - C qd - gravity, by M = U D U^T.
 ///
-/// 737 multiplications, 601 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 171 multiplications, 167 additions, 10
+/// 736 multiplications, 602 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 170 multiplications, 167 additions, 10
 /// divisions, 5 sine/cosine pairs.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d2, which must not be zero.
@@ -201,7 +201,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
-using ForwardDynamicsConstants = std::array<Scalar, 92>;
+using ForwardDynamicsConstants = std::array<Scalar, 91>;
 template <class Scalar>
 ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
@@ -212,15 +212,15 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// qd^T M qd / 2, J.
 ///
-/// 343 multiplications, 275 additions, 5 sine/cosine pairs. Set-up: 170 multiplications, 166 additions, 8 divisions, 5
+/// 339 multiplications, 279 additions, 5 sine/cosine pairs. Set-up: 164 multiplications, 166 additions, 8 divisions, 5
 /// sine/cosine pairs.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is d2, which must not be zero.
+/// The unit of length is a3, which must not be zero.
 template <class Scalar>
 Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using KineticEnergyConstants = std::array<Scalar, 90>;
+using KineticEnergyConstants = std::array<Scalar, 81>;
 template <class Scalar>
 KineticEnergyConstants<Scalar> kinetic_energy_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});

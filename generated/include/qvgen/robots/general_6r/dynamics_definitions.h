@@ -27,184 +27,204 @@ InverseDynamicsConstants<Scalar> inverse_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = g.d2 * inertia.m2;
-  const Scalar t1 = inertia.c2z * inertia.m2;
-  const Scalar t2 = t0 + t1;
-  const Scalar t3 = t0 - t2;
-  const Scalar t4 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t5 = g.d2 * (t2 + t1) - ((inertia.I2zz - t4) - inertia.c2z * t1);
-  const Scalar t6 = inertia.c4z * inertia.m4;
-  const Scalar t7 = g.d4 * inertia.m4;
-  const Scalar t8 = t6 + t7;
-  const Scalar t9 = t8 - t7;
-  const Scalar t10 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t11 = ((inertia.I4zz - t10) - inertia.c4z * t6) - g.d4 * (t8 + t6);
-  const Scalar t12 = g.d5 * inertia.m5;
-  const Scalar t13 = inertia.c5z * inertia.m5;
-  const Scalar t14 = t13 + t12;
-  const Scalar t15 = t12 - t14;
-  const Scalar t16 = inertia.c6z * inertia.m6;
-  const Scalar t17 = g.d6 * inertia.m6 + t16;
-  const Scalar t18 = cos(g.alpha6) * t17;
-  const Scalar t19 = t15 - t18;
-  const Scalar t20 = inertia.m5 + inertia.m6;
-  const Scalar t21 = t19 - g.d5 * t20;
-  const Scalar t22 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t23 = (inertia.c5z * t13 - (inertia.I5zz - t22)) + g.d5 * (t13 + t14);
-  const Scalar t24 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t25 = (inertia.c6z * t16 - (inertia.I6zz - t24)) + g.d6 * (t17 + t16);
-  const Scalar t26 = sin(g.alpha6) * t25;
-  const Scalar t27 = sin(g.alpha6) * t26;
-  const Scalar t28 = (g.d5 * (t15 - t14) + t23) + (t25 - t27);
-  const Scalar t29 = g.d5 * (t19 + t21) - t28;
-  const Scalar t30 = sin(g.alpha5) * t29;
-  const Scalar t31 = sin(g.alpha5) * t30;
-  const Scalar t32 = (g.d4 * (t9 + t8) + t11) - (t31 - t29);
-  const Scalar t33 = cos(g.alpha5) * t21;
-  const Scalar t34 = t9 - t33;
-  const Scalar t35 = inertia.m4 + t20;
-  const Scalar t36 = g.d4 * t35 + t34;
-  const Scalar t37 = t32 - g.d4 * (t34 + t36);
-  const Scalar t38 = sin(g.alpha4) * t37;
-  const Scalar t39 = sin(g.alpha4) * t38;
-  const Scalar t40 = inertia.c3z * inertia.m3;
-  const Scalar t41 = g.d3 * inertia.m3;
-  const Scalar t42 = t40 + t41;
-  const Scalar t43 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t44 = g.d3 * (t40 + t42) - ((inertia.I3zz - t43) - inertia.c3z * t40);
-  const Scalar t45 = t41 - t42;
-  const Scalar t46 = (t39 - t37) + (t44 - g.d3 * (t42 - t45));
-  const Scalar t47 = cos(g.alpha4) * t36;
-  const Scalar t48 = t47 - t45;
-  const Scalar t49 = inertia.m3 + t35;
-  const Scalar t50 = t48 + g.d3 * t49;
-  const Scalar t51 = t46 + g.d3 * (t48 + t50);
-  const Scalar t52 = sin(g.alpha3) * t51;
+  const Scalar t0 = inertia.c5y * inertia.m5;
+  const Scalar t1 = inertia.c6z * inertia.m6;
+  const Scalar t2 = g.d6 * inertia.m6 + t1;
+  const Scalar t3 = sin(g.alpha6) * t2;
+  const Scalar t4 = g.a6 * inertia.m6;
+  const Scalar t5 = inertia.c5x * inertia.m5;
+  const Scalar t6 = inertia.c6x * inertia.m6;
+  const Scalar t7 = inertia.c6y * inertia.m6;
+  const Scalar t8 = inertia.m5 + inertia.m6;
+  const Scalar t9 = g.a5 * t8;
+  const Scalar t10 = inertia.c4x * inertia.m4;
+  const Scalar t11 = g.d5 * inertia.m5;
+  const Scalar t12 = inertia.c5z * inertia.m5;
+  const Scalar t13 = t12 + t11;
+  const Scalar t14 = t11 - t13;
+  const Scalar t15 = cos(g.alpha6) * t2;
+  const Scalar t16 = t14 - t15;
+  const Scalar t17 = t16 - g.d5 * t8;
+  const Scalar t18 = sin(g.alpha5) * t17;
+  const Scalar t19 = inertia.c4y * inertia.m4;
+  const Scalar t20 = g.a2 / g.d2;
+  const Scalar t21 = gravity / g.d2;
+  const Scalar t22 = inertia.m4 + t8;
+  const Scalar t23 = inertia.c4z * inertia.m4;
+  const Scalar t24 = g.d4 * inertia.m4;
+  const Scalar t25 = t23 + t24;
+  const Scalar t26 = t25 - t24;
+  const Scalar t27 = cos(g.alpha5) * t17;
+  const Scalar t28 = t26 - t27;
+  const Scalar t29 = g.d4 * t22 + t28;
+  const Scalar t30 = sin(g.alpha4) * t29;
+  const Scalar t31 = inertia.c3y * inertia.m3;
+  const Scalar t32 = (t30 - t31) / (g.d4 * sin(g.alpha4));
+  const Scalar t33 = g.a4 * t22;
+  const Scalar t34 = inertia.c3x * inertia.m3;
+  const Scalar t35 = g.a4 * t32;
+  const Scalar t36 = inertia.m3 + t22;
+  const Scalar t37 = g.a3 * t36;
+  const Scalar t38 = inertia.c2x * inertia.m2;
+  const Scalar t39 = t37 + t38;
+  const Scalar t40 = t39 / g.a3;
+  const Scalar t41 = g.a3 * t40;
+  const Scalar t42 = t40 - t32;
+  const Scalar t43 = g.a3 * t42;
+  const Scalar t44 = g.d3 * t40;
+  const Scalar t45 = sin(g.alpha3) * t44;
+  const Scalar t46 = cos(g.alpha4) * t29;
+  const Scalar t47 = g.d3 * inertia.m3;
+  const Scalar t48 = inertia.c3z * inertia.m3;
+  const Scalar t49 = t48 + t47;
+  const Scalar t50 = t47 - t49;
+  const Scalar t51 = t46 - t50;
+  const Scalar t52 = t51 + g.d3 * t36;
   const Scalar t53 = sin(g.alpha3) * t52;
-  const Scalar t54 = (g.d2 * (t2 - t3) - t5) + (t53 - t51);
-  const Scalar t55 = cos(g.alpha3) * t50;
-  const Scalar t56 = t55 - t3;
-  const Scalar t57 = inertia.m2 + t49;
-  const Scalar t58 = t54 - g.d2 * (t56 + (g.d2 * t57 + t56));
-  const Scalar t59 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t60 = sin(g.alpha2) * sin(g.alpha2) * t58
-      - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t59));
-  const Scalar t61 = sin(g.alpha3) * t50;
-  const Scalar t62 = inertia.c2y * inertia.m2;
-  const Scalar t63 = (t61 - t62) / (g.d3 * sin(g.alpha3));
-  const Scalar t64 = g.d3 * t63;
-  const Scalar t65 = g.d3 * t64;
-  const Scalar t66 = sin(g.alpha3) * t65;
-  const Scalar t67 = sin(g.alpha3) * t66;
-  const Scalar t68 = cos(g.alpha3) * t64;
-  const Scalar t69 = (t67 - t65) - g.d2 * (t68 + (t68 + g.d2 * t63));
-  const Scalar t70 = g.a2 * g.a2 * t57 + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t59));
-  const Scalar t71 = (t60 - sin(g.alpha2) * sin(g.alpha2) * t69) + (g.a2 * g.a2 * t63 - t70);
-  const Scalar t72 = g.a4 * t35;
-  const Scalar t73 = inertia.c3x * inertia.m3;
-  const Scalar t74 = g.a4 * t72 + (inertia.c3x * t73 - (inertia.I3xx - t43));
-  const Scalar t75 = inertia.c3y * inertia.m3;
-  const Scalar t76 = sin(g.alpha4) * t36;
-  const Scalar t77 = g.d3 * t75;
-  const Scalar t78 = cos(g.alpha4) * t38 - (t77 - (t77 - (inertia.I3yz - inertia.c3z * t75)));
-  const Scalar t79 = g.d3 * t73;
-  const Scalar t80 = g.a4 * t47 - (t79 - (t79 - (inertia.I3xz - inertia.c3z * t73)));
-  const Scalar t81 = g.a2 / g.a3;
-  const Scalar t82 = gravity / g.a3;
-  const Scalar t83 = sin(g.alpha5) * t21;
-  const Scalar t84 = inertia.c4y * inertia.m4;
-  const Scalar t85 = inertia.c4x * inertia.m4;
-  const Scalar t86 = g.d4 * t84;
-  const Scalar t87 = cos(g.alpha5) * t30 - (t86 - (t86 - (inertia.I4yz - inertia.c4z * t84)));
-  const Scalar t88 = g.d4 * t85;
-  const Scalar t89 = g.a5 * t33 + (((inertia.I4xz - inertia.c4z * t85) - t88) + t88);
-  const Scalar t90 = inertia.c5y * inertia.m5;
-  const Scalar t91 = sin(g.alpha6) * t17;
-  const Scalar t92 = g.a6 * inertia.m6;
-  const Scalar t93 = inertia.c5x * inertia.m5;
-  const Scalar t94 = inertia.c6x * inertia.m6;
-  const Scalar t95 = inertia.c6y * inertia.m6;
-  const Scalar t96 = g.d5 * t90;
-  const Scalar t97 = (t96 + ((inertia.I5yz - inertia.c5z * t90) - t96)) + cos(g.alpha6) * t26;
-  const Scalar t98 = g.d5 * t93;
-  const Scalar t99 = (t98 - (t98 - (inertia.I5xz - inertia.c5z * t93))) - g.a6 * t18;
-  const Scalar t100 = inertia.I6xy - inertia.c6y * t94;
-  const Scalar t101 = (inertia.I6xx - t24) - inertia.c6x * t94;
-  const Scalar t102 = (inertia.I6yy - t24) - inertia.c6y * t95;
-  const Scalar t103 = (inertia.c5x * t93 - (inertia.I5xx - t22)) + g.a6 * t92;
-  const Scalar t104 = g.a5 * t20;
-  const Scalar t105 = g.a5 * t104 - ((inertia.I4xx - t10) - inertia.c4x * t85);
-  const Scalar t106 = g.a3 * t63;
-  const Scalar t107 = g.a3 * t106;
-  const Scalar t108 = g.a3 * t49;
-  const Scalar t109 = inertia.c2x * inertia.m2;
-  const Scalar t110 = g.a3 * t108 + (inertia.c2x * t109 - (inertia.I2xx - t4));
-  const Scalar t111 = (((inertia.I2yy - t4) - inertia.c2y * t62) - t53) + t67;
-  const Scalar t112 = (g.a3 * t61 + (inertia.I2xy - inertia.c2y * t109)) - g.a3 * sin(g.alpha3) * t64;
-  const Scalar t113 = g.d2 * t109;
-  const Scalar t114 = g.a3 * t55 - (((inertia.I2xz - inertia.c2z * t109) - t113) + t113);
-  const Scalar t115 = g.d2 * t62;
-  const Scalar t116 = ((t115 - (inertia.I2yz - inertia.c2z * t62)) - t115) - cos(g.alpha3) * t52;
-  return { t71,
-           sin(g.alpha2),
+  const Scalar t54 = inertia.c2y * inertia.m2;
+  const Scalar t55 = g.d4 * t32;
+  const Scalar t56 = cos(g.alpha4) * t55;
+  const Scalar t57 = g.d3 * t42 - t56;
+  const Scalar t58 = sin(g.alpha3) * t57;
+  const Scalar t59 = ((inertia.I3xy - inertia.c3y * t34) + g.a4 * t30) - g.a4 * sin(g.alpha4) * t55;
+  const Scalar t60 = g.d4 * t55;
+  const Scalar t61 = sin(g.alpha4) * t60;
+  const Scalar t62 = sin(g.alpha4) * t61;
+  const Scalar t63 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t64 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t65 = ((inertia.I4zz - t64) - inertia.c4z * t23) - g.d4 * (t25 + t23);
+  const Scalar t66 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t67 = (inertia.c5z * t12 - (inertia.I5zz - t66)) + g.d5 * (t12 + t13);
+  const Scalar t68 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t69 = (inertia.c6z * t1 - (inertia.I6zz - t68)) + g.d6 * (t2 + t1);
+  const Scalar t70 = sin(g.alpha6) * t69;
+  const Scalar t71 = sin(g.alpha6) * t70;
+  const Scalar t72 = (g.d5 * (t14 - t13) + t67) + (t69 - t71);
+  const Scalar t73 = g.d5 * (t16 + t17) - t72;
+  const Scalar t74 = sin(g.alpha5) * t73;
+  const Scalar t75 = sin(g.alpha5) * t74;
+  const Scalar t76 = (g.d4 * (t26 + t25) + t65) - (t75 - t73);
+  const Scalar t77 = t76 - g.d4 * (t28 + t29);
+  const Scalar t78 = sin(g.alpha4) * t77;
+  const Scalar t79 = sin(g.alpha4) * t78;
+  const Scalar t80 = t62 + (((inertia.I3yy - t63) - inertia.c3y * t31) + t79);
+  const Scalar t81 = g.d3 * t31;
+  const Scalar t82 = cos(g.alpha4) * t78 - (t81 - (t81 - (inertia.I3yz - inertia.c3z * t31)));
+  const Scalar t83 = g.d3 * t34;
+  const Scalar t84 = g.a4 * t46 - (t83 - (t83 - (inertia.I3xz - inertia.c3z * t34)));
+  const Scalar t85 = g.d4 * t10;
+  const Scalar t86 = g.a5 * t27 + (((inertia.I4xz - inertia.c4z * t10) - t85) + t85);
+  const Scalar t87 = g.d4 * t19;
+  const Scalar t88 = cos(g.alpha5) * t74 - (t87 - (t87 - (inertia.I4yz - inertia.c4z * t19)));
+  const Scalar t89 = (inertia.c5x * t5 - (inertia.I5xx - t66)) + g.a6 * t4;
+  const Scalar t90 = g.d5 * t0;
+  const Scalar t91 = (t90 + ((inertia.I5yz - inertia.c5z * t0) - t90)) + cos(g.alpha6) * t70;
+  const Scalar t92 = g.d5 * t5;
+  const Scalar t93 = (t92 - (t92 - (inertia.I5xz - inertia.c5z * t5))) - g.a6 * t15;
+  const Scalar t94 = inertia.I6xy - inertia.c6y * t6;
+  const Scalar t95 = (inertia.I6xx - t68) - inertia.c6x * t6;
+  const Scalar t96 = (inertia.I6yy - t68) - inertia.c6y * t7;
+  const Scalar t97 = g.a5 * t9 - ((inertia.I4xx - t64) - inertia.c4x * t10);
+  const Scalar t98 = g.a4 * t33 + (inertia.c3x * t34 - (inertia.I3xx - t63));
+  const Scalar t99 = g.a3 * t45 - (g.a3 * t53 + (inertia.I2xy - inertia.c2y * t38));
+  const Scalar t100 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t101 = g.a3 * t37 + (inertia.c2x * t38 - (inertia.I2xx - t100));
+  const Scalar t102 = g.d3 * (t57 - t56) - (t60 - t62);
+  const Scalar t103 = sin(g.alpha3) * t102;
+  const Scalar t104 = sin(g.alpha3) * t103;
+  const Scalar t105 = g.d3 * (t48 + t49) - ((inertia.I3zz - t63) - inertia.c3z * t48);
+  const Scalar t106 = (t79 - t77) + (t105 - g.d3 * (t49 - t50));
+  const Scalar t107 = t106 + g.d3 * (t51 + t52);
+  const Scalar t108 = sin(g.alpha3) * t107;
+  const Scalar t109 = sin(g.alpha3) * t108;
+  const Scalar t110 = g.d3 * t44;
+  const Scalar t111 = sin(g.alpha3) * t110;
+  const Scalar t112 = sin(g.alpha3) * t111;
+  const Scalar t113 = (((inertia.I2yy - t100) - inertia.c2y * t54) - t109) + t112;
+  const Scalar t114 = g.d2 * t54;
+  const Scalar t115 = ((t114 - (inertia.I2yz - inertia.c2z * t54)) - t114) - cos(g.alpha3) * t108;
+  const Scalar t116 = cos(g.alpha3) * t57;
+  const Scalar t117 = cos(g.alpha3) * t44;
+  const Scalar t118 = cos(g.alpha3) * t52;
+  const Scalar t119 = g.d2 * t38;
+  const Scalar t120 = g.a3 * t118 - (((inertia.I2xz - inertia.c2z * t38) - t119) + t119);
+  const Scalar t121 = inertia.m2 + t36;
+  const Scalar t122 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t123 = g.a2 * g.a2 * t121 + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t122));
+  const Scalar t124 = g.a2 * g.a2 * t42 - (g.a2 * g.a2 * t40 - t123);
+  const Scalar t125 = (t110 - t112) + g.d2 * ((g.d2 * t40 + t117) + t117);
+  const Scalar t126 = g.d2 * inertia.m2;
+  const Scalar t127 = inertia.c2z * inertia.m2;
+  const Scalar t128 = t126 + t127;
+  const Scalar t129 = t126 - t128;
+  const Scalar t130 = g.d2 * (t128 + t127) - ((inertia.I2zz - t100) - inertia.c2z * t127);
+  const Scalar t131 = (g.d2 * (t128 - t129) - t130) + (t109 - t107);
+  const Scalar t132 = t118 - t129;
+  const Scalar t133 = t131 - g.d2 * (t132 + (g.d2 * t121 + t132));
+  const Scalar t134 = sin(g.alpha2) * sin(g.alpha2) * t133
+      - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t122));
+  const Scalar t135 = (t104 - t102) - g.d2 * ((t116 + g.d2 * t42) + t116);
+  const Scalar t136 = (sin(g.alpha2) * sin(g.alpha2) * t125 + t134) + sin(g.alpha2) * sin(g.alpha2) * t135;
+  return { sin(g.alpha2),
+           cos(g.alpha3),
            cos(g.alpha2),
            sin(g.alpha3),
-           cos(g.alpha3),
-           t74,
-           ((inertia.I3yy - t43) - inertia.c3y * t75) + t39,
-           (inertia.I3xy - inertia.c3y * t73) + g.a4 * t76,
-           t78,
-           t80,
-           g.d3 / g.a3,
-           t81,
-           sin(g.alpha2) * t82,
-           g.d2 / g.a3,
-           sin(g.alpha2) * t81,
-           cos(g.alpha2) * t82,
-           g.a3 * (t76 - t75),
-           g.a3 * (t72 + t73),
-           g.a4 / g.a3,
-           cos(g.alpha4),
            sin(g.alpha4),
-           g.d4 / g.a3,
-           g.a3 * (t83 + t84),
-           t31 + ((inertia.I4yy - t10) - inertia.c4y * t84),
-           g.a5 * t83 - (inertia.I4xy - inertia.c4y * t85),
-           t87,
-           t89,
-           cos(g.alpha5),
+           cos(g.alpha4),
            sin(g.alpha5),
-           g.a3 * (t90 - t91),
-           g.a3 * (t92 + t93),
-           g.a3 * t94,
-           g.a3 * t95,
+           cos(g.alpha5),
+           g.d2 * (t0 - t3),
+           g.d2 * (t4 + t5),
            sin(g.alpha6),
            cos(g.alpha6),
-           g.d5 / g.a3,
+           g.d2 * t6,
+           g.d2 * t7,
+           g.d2 * (t9 + t10),
+           g.d2 * (t18 + t19),
+           g.a3 / g.d2,
+           t20,
+           sin(g.alpha2) * t21,
+           sin(g.alpha2) * t20,
+           cos(g.alpha2) * t21,
+           g.d3 / g.d2,
+           g.a4 / g.d2,
+           g.d4 / g.d2,
+           g.d2 * g.d2 * t32,
+           g.d2 * ((t33 + t34) - t35),
+           g.d2 * ((t39 - t41) + t43),
+           g.d2 * ((t45 - (t53 - t54)) - t58),
+           cos(g.alpha2) * t20,
+           t59,
+           t80,
+           cos(g.alpha4) * t61 + t82,
+           t84 - g.a4 * t56,
+           t86,
+           g.a5 * t18 - (inertia.I4xy - inertia.c4y * t10),
+           t75 + ((inertia.I4yy - t64) - inertia.c4y * t19),
+           t88,
+           g.d5 / g.d2,
+           g.a5 / g.d2,
+           t89,
+           (inertia.I5xy - inertia.c5y * t5) + g.a6 * t3,
+           t91,
+           t93,
+           Scalar(2) * t94,
+           t95 - t96,
+           t94,
+           t95,
+           t96,
+           g.d6 * t7 - (inertia.I6yz - inertia.c6z * t7),
+           (inertia.I6xz - inertia.c6z * t6) - g.d6 * t6,
+           g.a6 / g.d2,
+           (inertia.c5y * t0 - (inertia.I5yy - t66)) + t71,
            t97,
-           (inertia.c5y * t90 - (inertia.I5yy - t22)) + t27,
-           (inertia.I5xy - inertia.c5y * t93) + g.a6 * t91,
-           t99,
-           g.a5 / g.a3,
-           g.a6 / g.a3,
-           g.d6 * t95 - (inertia.I6yz - inertia.c6z * t95),
-           (inertia.I6xz - inertia.c6z * t94) - g.d6 * t94,
-           Scalar(2) * t100,
-           t101 - t102,
-           t102,
-           t100,
-           t103,
-           t101,
-           g.a3 * (t104 + t85),
-           t105,
-           t107,
-           t110 - t107,
-           t111,
-           t112,
-           t114 - g.a3 * t68,
-           t116 + cos(g.alpha3) * t66,
-           g.a3 * ((t108 + t109) - t106),
-           cos(g.alpha2) * t81 };
+           g.a4 * t35 - t98,
+           t99 - g.a3 * t58,
+           (t101 - g.a3 * t41) + g.a3 * t43,
+           t104 - t113,
+           (t115 + cos(g.alpha3) * t111) - cos(g.alpha3) * t103,
+           g.a3 * t116 - (g.a3 * t117 - t120),
+           t124 - t136 };
 }
 
 namespace detail {
@@ -223,248 +243,244 @@ inline JointVector<Scalar> inverse_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[1] * qdd[0];
-  const Scalar t1 = k[2] * qd[0];
-  const Scalar t2 = k[1] * qd[0];
-  const Scalar t3 = s2 * t2;
-  const Scalar t4 = c2 * t0 + t1 * t3;
-  const Scalar t5 = c2 * t2;
-  const Scalar t6 = t3 * t5;
+  const Scalar t0 = k[0] * qd[0];
+  const Scalar t1 = s2 * t0;
+  const Scalar t2 = t1 * t1;
+  const Scalar t3 = k[2] * qd[0];
+  const Scalar t4 = qd[1] + t3;
+  const Scalar t5 = t4 * t4;
+  const Scalar t6 = t2 + t5;
   const Scalar t7 = k[2] * qdd[0];
   const Scalar t8 = qdd[1] + t7;
-  const Scalar t9 = t6 - t8;
-  const Scalar t10 = k[4] * t4 - k[3] * t9;
-  const Scalar t11 = qd[1] + t1;
-  const Scalar t12 = t11 * t11;
-  const Scalar t13 = t5 * t5;
-  const Scalar t14 = t12 + t13;
-  const Scalar t15 = k[12] + k[11] * t7;
-  const Scalar t16 = k[11] * qd[0] * qd[0];
-  const Scalar t17 = k[13] * t4 + (s2 * t15 - c2 * t16);
-  const Scalar t18 = k[10] * t10 - (t14 - t17);
-  const Scalar t19 = t11 * t3;
-  const Scalar t20 = t4 - t19;
-  const Scalar t21 = t19 - t20;
-  const Scalar t22 = t2 * t2;
-  const Scalar t23 = (k[15] - k[14] * qdd[0]) - k[13] * t22;
-  const Scalar t24 = t21 + t23;
-  const Scalar t25 = s2 * t0 - t1 * t5;
-  const Scalar t26 = k[13] * t25 - (c2 * t15 + s2 * t16);
-  const Scalar t27 = t6 + t8;
-  const Scalar t28 = t26 - t27;
-  const Scalar t29 = t11 * t5;
-  const Scalar t30 = t29 + t25;
-  const Scalar t31 = k[4] * t5 + k[3] * t11;
-  const Scalar t32 = k[3] * t5 - k[4] * t11;
-  const Scalar t33 = t30 + t31 * t32;
-  const Scalar t34 = (k[3] * t24 - k[4] * t28) - k[10] * t33;
-  const Scalar t35 = c3 * t18 + s3 * t34;
-  const Scalar t36 = qd[2] - t32;
-  const Scalar t37 = t36 * t36;
-  const Scalar t38 = c3 * t3 + s3 * t31;
-  const Scalar t39 = t38 * t38;
-  const Scalar t40 = t37 + t39;
-  const Scalar t41 = s3 * t3 - c3 * t31;
-  const Scalar t42 = t41 * t41;
-  const Scalar t43 = t42 - t39;
-  const Scalar t44 = t40 + t43;
-  const Scalar t45 = qdd[2] + (k[4] * t8 - k[3] * t20);
-  const Scalar t46 = t41 * t38;
+  const Scalar t9 = c2 * t0;
+  const Scalar t10 = t1 * t9;
+  const Scalar t11 = t8 + t10;
+  const Scalar t12 = k[1] * t4 - k[3] * t9;
+  const Scalar t13 = qd[2] + t12;
+  const Scalar t14 = k[1] * t9 + k[3] * t4;
+  const Scalar t15 = s3 * t14 + c3 * t1;
+  const Scalar t16 = t13 * t15;
+  const Scalar t17 = k[0] * qdd[0];
+  const Scalar t18 = s2 * t17 - t3 * t9;
+  const Scalar t19 = t4 * t9;
+  const Scalar t20 = t18 + t19;
+  const Scalar t21 = t20 - t12 * t14;
+  const Scalar t22 = t8 - t10;
+  const Scalar t23 = t1 * t3 + c2 * t17;
+  const Scalar t24 = k[3] * t22 + k[1] * t23;
+  const Scalar t25 = s3 * t21 - c3 * t24;
+  const Scalar t26 = t16 + t25;
+  const Scalar t27 = t16 + t26;
+  const Scalar t28 = s3 * t1 - c3 * t14;
+  const Scalar t29 = k[4] * t28 + k[5] * t13;
+  const Scalar t30 = qd[3] + t29;
+  const Scalar t31 = k[5] * t28 - k[4] * t13;
+  const Scalar t32 = c4 * t31 + s4 * t15;
+  const Scalar t33 = k[7] * t30 + k[6] * t32;
+  const Scalar t34 = k[7] * t32 - k[6] * t30;
+  const Scalar t35 = t1 * t4;
+  const Scalar t36 = t23 - t35;
+  const Scalar t37 = qdd[2] + (k[1] * t8 - k[3] * t36);
+  const Scalar t38 = t28 * t15;
+  const Scalar t39 = t37 + t38;
+  const Scalar t40 = k[5] * t25 - k[4] * t39;
+  const Scalar t41 = c3 * t21 + s3 * t24;
+  const Scalar t42 = t28 * t13;
+  const Scalar t43 = t41 - t42;
+  const Scalar t44 = t31 * t29 + t43;
+  const Scalar t45 = s4 * t40 - c4 * t44;
+  const Scalar t46 = t30 * t32;
   const Scalar t47 = t45 + t46;
-  const Scalar t48 = k[52] * t35 - (k[17] * t44 - k[16] * t47);
-  const Scalar t49 = k[19] * t41 - k[20] * t36;
-  const Scalar t50 = s4 * t49 - c4 * t38;
-  const Scalar t51 = s4 * t38 + c4 * t49;
-  const Scalar t52 = k[20] * t41 + k[19] * t36;
-  const Scalar t53 = qd[3] + t52;
-  const Scalar t54 = k[27] * t51 - k[28] * t53;
-  const Scalar t55 = c5 * t50 + s5 * t54;
-  const Scalar t56 = t55 * t55;
-  const Scalar t57 = k[27] * t53 + k[28] * t51;
-  const Scalar t58 = qd[4] + t57;
-  const Scalar t59 = t58 * t58;
-  const Scalar t60 = t56 + t59;
-  const Scalar t61 = c3 * t10 - s3 * t33;
-  const Scalar t62 = t38 * t36;
-  const Scalar t63 = t61 - t62;
-  const Scalar t64 = qdd[3] - (k[20] * t63 - k[19] * t45);
-  const Scalar t65 = k[19] * t61 + k[20] * t47;
-  const Scalar t66 = t41 * t36;
-  const Scalar t67 = s3 * t10 + c3 * t33;
-  const Scalar t68 = t66 - t67;
-  const Scalar t69 = t68 - t52 * t49;
-  const Scalar t70 = c4 * t65 + s4 * t69;
-  const Scalar t71 = t50 * t53;
-  const Scalar t72 = t70 + t71;
-  const Scalar t73 = qdd[4] + (k[27] * t64 - k[28] * t72);
-  const Scalar t74 = c5 * t54 - s5 * t50;
-  const Scalar t75 = t55 * t74;
-  const Scalar t76 = t73 + t75;
-  const Scalar t77 = k[32] * s6 - k[31] * c6;
-  const Scalar t78 = t73 - t75;
-  const Scalar t79 = t50 * t51;
-  const Scalar t80 = t79 - t64;
-  const Scalar t81 = k[28] * t80 - k[27] * t70;
-  const Scalar t82 = c4 * t69 - s4 * t65;
-  const Scalar t83 = t53 * t51;
-  const Scalar t84 = t82 + t83;
-  const Scalar t85 = t57 * t54 - t84;
-  const Scalar t86 = c5 * t81 + s5 * t85;
-  const Scalar t87 = k[33] * t78 - k[34] * t86;
-  const Scalar t88 = k[34] * t58 + k[33] * t74;
-  const Scalar t89 = qd[5] + t88;
-  const Scalar t90 = t87 + Scalar(2) * t55 * t89;
-  const Scalar t91 = k[31] * s6 + k[32] * c6;
-  const Scalar t92 = k[33] * t58 - k[34] * t74;
-  const Scalar t93 = c5 * t85 - s5 * t81;
-  const Scalar t94 = t74 * t58;
-  const Scalar t95 = t93 - t94;
-  const Scalar t96 = t88 * t92 - t95;
-  const Scalar t97 = t96 - Scalar(2) * t89 * t92;
-  const Scalar t98 = t77 * t90 - t91 * t97;
-  const Scalar t99 = t92 * t92;
-  const Scalar t100 = t89 * t89;
-  const Scalar t101 = t99 - t100;
-  const Scalar t102 = t56 - t100;
-  const Scalar t103 = t101 - t102;
-  const Scalar t104 = t99 + t100;
-  const Scalar t105 = t55 * t92;
-  const Scalar t106 = t55 * t58;
-  const Scalar t107 = t86 - t106;
-  const Scalar t108 = qdd[5] + (k[34] * t73 + k[33] * t107);
-  const Scalar t109 = t105 - t108;
-  const Scalar t110 = (t103 - t104) * t91 + t77 * t109;
-  const Scalar t111 = k[33] * t98 - k[34] * t110;
-  const Scalar t112 = (k[29] * t60 - k[30] * t76) + t111;
-  const Scalar t113 = t74 * t74;
-  const Scalar t114 = t59 + t113;
-  const Scalar t115 = t105 + t108;
-  const Scalar t116 = (k[30] * t114 + k[29] * t78) + (t91 * t115 - t77 * t104);
-  const Scalar t117 = t53 * t53;
-  const Scalar t118 = t51 * t51;
-  const Scalar t119 = t117 + t118;
-  const Scalar t120 = (s5 * t112 - c5 * t116) + (k[22] * t80 - k[50] * t119);
-  const Scalar t121 = s5 * t116 + c5 * t112;
-  const Scalar t122 = t107 - t106;
-  const Scalar t123 = t95 - t94;
-  const Scalar t124 = k[34] * t98 + k[33] * t110;
-  const Scalar t125 = (k[30] * t122 + k[29] * t123) + t124;
-  const Scalar t126 = k[27] * t121 + k[28] * t125;
-  const Scalar t127 = t79 + t64;
-  const Scalar t128 = t50 * t50;
-  const Scalar t129 = t126 - (k[50] * t127 - k[22] * (t117 + t128));
-  const Scalar t130 = t48 + (c4 * t120 + s4 * t129);
-  const Scalar t131 = s4 * t120 - c4 * t129;
-  const Scalar t132 = k[27] * t125 - k[28] * t121;
-  const Scalar t133 = t71 + t72;
-  const Scalar t134 = t83 + t84;
-  const Scalar t135 = t132 - (k[50] * t133 + k[22] * t134);
-  const Scalar t136 = k[19] * t131 - k[20] * t135;
-  const Scalar t137 = t45 - t46;
-  const Scalar t138 = c3 * t34 - s3 * t18;
-  const Scalar t139 = (k[17] * t137 + k[16] * t40) + k[52] * t138;
-  const Scalar t140 = t136 + t139;
-  const Scalar t141 = c3 * t130 - s3 * t140;
-  const Scalar t142 = t141 - k[58] * t14;
-  const Scalar t143 = (k[5] * t137 - k[6] * t47) - k[7] * t43;
-  const Scalar t144 = ((k[9] * t67 + k[8] * t61) - t143) - (k[16] * t35 + k[17] * t138);
-  const Scalar t145 = t56 - t113;
-  const Scalar t146 = t56 + t113;
-  const Scalar t147 = t60 - t146;
-  const Scalar t148 = (k[39] * (t145 - t147) - k[36] * t78) - (k[38] * t123 - k[48] * t122);
-  const Scalar t149 = t138 + k[18] * t137;
-  const Scalar t150 = t42 - t37;
-  const Scalar t151 = k[10] * (t150 + t40) - (k[3] * t28 + k[4] * t24);
-  const Scalar t152 = t63 - t62;
-  const Scalar t153 = t151 + k[18] * t152;
-  const Scalar t154 = t117 - t128;
-  const Scalar t155 = (k[20] * t149 + k[19] * t153) - k[21] * (t154 - t119);
-  const Scalar t156 = t155 + k[40] * t133;
-  const Scalar t157 = k[21] * t65 + (t35 - k[18] * t44);
-  const Scalar t158 = (k[19] * t149 - k[20] * t153) + k[21] * t69;
-  const Scalar t159 = s4 * t157 - c4 * t158;
-  const Scalar t160 = k[40] * t127 - t159;
-  const Scalar t161 = (k[27] * t156 + k[28] * t160) + k[35] * t146;
-  const Scalar t162 = k[42] * s6 + k[43] * c6;
-  const Scalar t163 = k[43] * s6 - k[42] * c6;
-  const Scalar t164 = k[44] * c6 + k[45] * s6;
-  const Scalar t165 = s6 * t164;
-  const Scalar t166 = k[46] + t165;
-  const Scalar t167 = k[49] - t165;
-  const Scalar t168 = k[47] - c6 * t164;
-  const Scalar t169 = (t166 * t115 - t109 * t167) - t103 * t168;
-  const Scalar t170 = k[41] * t122 - t161;
-  const Scalar t171 = s4 * t158 + c4 * t157;
-  const Scalar t172 = k[40] * t119 - t171;
-  const Scalar t173 = k[28] * t156 - k[27] * t160;
-  const Scalar t174 = k[35] * t93 - (s5 * t172 - c5 * t173);
-  const Scalar t175 = t174 - k[41] * t76;
-  const Scalar t176 = k[35] * t86 + (s5 * t173 + c5 * t172);
-  const Scalar t177 = (k[33] * t170 - k[34] * t175) * t77 - t91 * (t176 + k[41] * t114);
-  const Scalar t178 = ((t96 * t162 - t87 * t163) + t169) + t177;
-  const Scalar t179 = (t163 * t115 - t162 * t102) - (t90 * t167 - t168 * t97);
-  const Scalar t180 = k[34] * t170 + k[33] * t175;
-  const Scalar t181 = t179 + t77 * t180;
-  const Scalar t182 = k[41] * t124 - (k[33] * t178 + k[34] * t181);
-  const Scalar t183 = k[35] * t116 + ((t148 - k[30] * t161) + t182);
-  const Scalar t184 = t101 * t163 - (t168 * t90 - t97 * t166);
-  const Scalar t185 = k[36] * t147 + (k[38] * t122 - k[37] * t123);
-  const Scalar t186 = ((t109 * t162 - t184) - t91 * t180) - ((k[39] * t76 - t185) - k[29] * t161);
-  const Scalar t187 = t186 - k[35] * t112;
-  const Scalar t188 = t118 - t128;
-  const Scalar t189 = k[25] * (t188 - t154) + (k[24] * t133 - k[23] * t134);
-  const Scalar t190 = (s5 * t183 - c5 * t187) + ((k[26] * t127 - t189) - k[22] * t155);
-  const Scalar t191 = t190 + k[21] * t129;
-  const Scalar t192 = s5 * t187 + c5 * t183;
-  const Scalar t193 = k[38] * t145 + (k[37] * t78 + k[48] * t76);
-  const Scalar t194 = ((k[36] * t86 - k[39] * t93) - t193) - (k[29] * t176 - k[30] * t174);
-  const Scalar t195 = (k[33] * t181 - k[34] * t178) - k[41] * t111;
-  const Scalar t196 = t194 - t195;
-  const Scalar t197 = (k[27] * t192 - k[28] * t196) + k[40] * t132;
-  const Scalar t198 = (k[51] * t133 + k[24] * t134) + (k[26] * t154 + k[25] * t80);
-  const Scalar t199 = k[21] * t120 - (t197 - (t198 + k[50] * t155));
-  const Scalar t200 = s4 * t191 + c4 * t199;
-  const Scalar t201 = k[40] * t126 + (k[27] * t196 + k[28] * t192);
-  const Scalar t202 = k[24] * t188 + (k[23] * t80 + k[51] * t127);
-  const Scalar t203 = (t202 - (k[25] * t70 + k[26] * t82)) - (k[50] * t159 + k[22] * t171);
-  const Scalar t204 = t201 - t203;
-  const Scalar t205 = (k[20] * t200 - k[19] * t204) + k[18] * t136;
-  const Scalar t206 = t144 - t205;
-  const Scalar t207 = t68 + t66;
-  const Scalar t208 = (k[8] * t47 - k[9] * (t150 - t43)) - (k[5] * t152 - k[7] * t207);
-  const Scalar t209 = k[20] * t131 + k[19] * t135;
-  const Scalar t210 = k[18] * t209 - (k[20] * t204 + k[19] * t200);
-  const Scalar t211 = (t208 - k[17] * t151) + t210;
-  const Scalar t212 = (k[6] * t207 + k[7] * t152) - k[8] * t150;
-  const Scalar t213 = (s4 * t199 - c4 * t191) - ((t212 - k[9] * t137) + k[16] * t151);
-  const Scalar t214 = (c3 * t211 + s3 * t213) - k[10] * t141;
-  const Scalar t215 = (k[17] * t152 - k[16] * t207) + k[52] * t151;
-  const Scalar t216 = t209 - t215;
-  const Scalar t217 = s3 * t130 + c3 * t140;
-  const Scalar t218 = k[4] * t216 + k[3] * t217;
-  const Scalar t219 = t22 - t14;
-  const Scalar t220 = t29 + t30;
-  const Scalar t221 = (k[56] * t219 + k[57] * t9) + (k[55] * t220 - k[53] * t21);
-  const Scalar t222 = ((k[3] * t206 - k[4] * t214) - t218) + (t221 - k[58] * t23);
-  const Scalar t223 = t12 - t13;
-  const Scalar t224 = k[57] * t223 - (k[55] * t21 + k[54] * t220);
-  const Scalar t225 = (s3 * t211 - c3 * t213) - k[10] * t217;
-  const Scalar t226 = k[3] * t216 - k[4] * t217;
-  const Scalar t227 = k[58] * t27 - t226;
-  const Scalar t228 = ((t224 - k[56] * t27) + t225) - k[13] * t227;
-  const Scalar t229 = c2 * (k[13] * t142 + t222) + s2 * t228;
-  const Scalar t230 = (k[53] * t27 + k[54] * t9) + k[55] * (t219 + t223);
-  const Scalar t231 = ((k[57] * t4 + k[56] * t25) - t230) + k[58] * t26;
-  const Scalar t232 = (t226 + (k[4] * t206 + k[3] * t214)) + t231;
-  const Scalar t233 = k[14] * (k[58] * t21 + t218) - k[59] * (c2 * t227 + s2 * t142);
-  const Scalar t234 = k[0] * qdd[0] - ((k[1] * t229 - k[2] * t232) - t233);
+  const Scalar t48 = t33 * t34 - t47;
+  const Scalar t49 = s4 * t44 + c4 * t40;
+  const Scalar t50 = qdd[3] + (k[5] * t37 + k[4] * t26);
+  const Scalar t51 = s4 * t31 - c4 * t15;
+  const Scalar t52 = t51 * t32;
+  const Scalar t53 = t50 - t52;
+  const Scalar t54 = k[7] * t49 - k[6] * t53;
+  const Scalar t55 = s5 * t48 + c5 * t54;
+  const Scalar t56 = c5 * t51 + s5 * t34;
+  const Scalar t57 = qd[4] + t33;
+  const Scalar t58 = t56 * t57;
+  const Scalar t59 = t55 - t58;
+  const Scalar t60 = t59 - t58;
+  const Scalar t61 = c5 * t34 - s5 * t51;
+  const Scalar t62 = t61 * t57;
+  const Scalar t63 = s5 * t54 - c5 * t48;
+  const Scalar t64 = t62 + t63;
+  const Scalar t65 = t64 + t62;
+  const Scalar t66 = k[12] * s6 + k[13] * c6;
+  const Scalar t67 = k[11] * t57 + k[10] * t61;
+  const Scalar t68 = qd[5] + t67;
+  const Scalar t69 = t68 * t68;
+  const Scalar t70 = t56 * t56;
+  const Scalar t71 = t69 + t70;
+  const Scalar t72 = k[11] * t61 - k[10] * t57;
+  const Scalar t73 = t56 * t72;
+  const Scalar t74 = t30 * t51;
+  const Scalar t75 = t74 - t49;
+  const Scalar t76 = qdd[4] - (k[6] * t75 - k[7] * t50);
+  const Scalar t77 = qdd[5] + (k[10] * t59 + k[11] * t76);
+  const Scalar t78 = t73 + t77;
+  const Scalar t79 = k[13] * s6 - k[12] * c6;
+  const Scalar t80 = t66 * t71 + t78 * t79;
+  const Scalar t81 = t68 + t68;
+  const Scalar t82 = t67 * t72 - t64;
+  const Scalar t83 = t72 * t81 - t82;
+  const Scalar t84 = t56 * t61;
+  const Scalar t85 = t84 - t76;
+  const Scalar t86 = k[10] * t85 + k[11] * t55;
+  const Scalar t87 = t86 - t56 * t81;
+  const Scalar t88 = t66 * t83 + t87 * t79;
+  const Scalar t89 = k[10] * t80 + k[11] * t88;
+  const Scalar t90 = (k[9] * t60 - k[8] * t65) - t89;
+  const Scalar t91 = t84 + t76;
+  const Scalar t92 = t57 * t57;
+  const Scalar t93 = t92 + t70;
+  const Scalar t94 = k[10] * t88 - k[11] * t80;
+  const Scalar t95 = (k[9] * t91 - k[8] * t93) + t94;
+  const Scalar t96 = t73 - t77;
+  const Scalar t97 = t72 * t72 - t70;
+  const Scalar t98 = t61 * t61;
+  const Scalar t99 = t92 + t98;
+  const Scalar t100 = (t96 * t66 + (t97 + t71) * t79) + (k[8] * t85 - k[9] * t99);
+  const Scalar t101 = c5 * t95 + s5 * t100;
+  const Scalar t102 = k[6] * t90 - k[7] * t101;
+  const Scalar t103 = t50 + t52;
+  const Scalar t104 = t32 * t32;
+  const Scalar t105 = t30 * t30;
+  const Scalar t106 = t104 - t105;
+  const Scalar t107 = t104 + t105;
+  const Scalar t108 = t105 - t51 * t51;
+  const Scalar t109 = t107 - t108;
+  const Scalar t110 = t37 - t38;
+  const Scalar t111 = t2 - t5;
+  const Scalar t112 = t0 * t0;
+  const Scalar t113 = t111 - t112;
+  const Scalar t114 = k[18] + k[17] * t7;
+  const Scalar t115 = k[17] * qd[0] * qd[0];
+  const Scalar t116 = t23 + (s2 * t114 - c2 * t115);
+  const Scalar t117 = k[16] * t113 + t116;
+  const Scalar t118 = t112 - (k[20] - k[19] * qdd[0]);
+  const Scalar t119 = t36 - t35;
+  const Scalar t120 = t118 + k[16] * t119;
+  const Scalar t121 = t18 - (s2 * t115 + c2 * t114);
+  const Scalar t122 = t121 - k[16] * t11;
+  const Scalar t123 = k[3] * t120 + k[1] * t122;
+  const Scalar t124 = (s3 * t117 + c3 * t123) + k[21] * t41;
+  const Scalar t125 = k[22] * t110 - t124;
+  const Scalar t126 = t15 * t15;
+  const Scalar t127 = t28 * t28;
+  const Scalar t128 = (k[3] * t122 - k[1] * t120) - k[21] * (t126 + t127);
+  const Scalar t129 = k[22] * t27 + t128;
+  const Scalar t130 = (k[5] * t125 + k[4] * t129) - k[23] * t44;
+  const Scalar t131 = k[21] * t25 + (s3 * t123 - c3 * t117);
+  const Scalar t132 = t13 * t13;
+  const Scalar t133 = t132 + t127;
+  const Scalar t134 = (t131 + k[22] * t133) + k[23] * t40;
+  const Scalar t135 = c4 * t130 + s4 * t134;
+  const Scalar t136 = (k[14] * t103 + k[15] * (t106 - t109)) + k[24] * t135;
+  const Scalar t137 = t102 - t136;
+  const Scalar t138 = c4 * t134 - s4 * t130;
+  const Scalar t139 = (k[15] * t53 + k[14] * t107) + k[24] * t138;
+  const Scalar t140 = t139 - (c5 * t100 - s5 * t95);
+  const Scalar t141 = c4 * t137 + s4 * t140;
+  const Scalar t142 = t75 + t74;
+  const Scalar t143 = t47 + t46;
+  const Scalar t144 = (k[5] * t129 - k[4] * t125) - k[23] * t109;
+  const Scalar t145 = (k[14] * t142 + k[15] * t143) - k[24] * t144;
+  const Scalar t146 = k[6] * t101 + k[7] * t90;
+  const Scalar t147 = t145 - t146;
+  const Scalar t148 = k[4] * t141 + k[5] * t147;
+  const Scalar t149 = k[25] * t27 - t148;
+  const Scalar t150 = c4 * t140 - s4 * t137;
+  const Scalar t151 = t150 + k[25] * t133;
+  const Scalar t152 = k[5] * t141 - k[4] * t147;
+  const Scalar t153 = t152 - k[25] * t110;
+  const Scalar t154 = s3 * t151 + c3 * t153;
+  const Scalar t155 = k[3] * t149 + k[1] * t154;
+  const Scalar t156 = (k[27] * t6 - k[26] * t11) + t155;
+  const Scalar t157 = (s3 * t153 - c3 * t151) - (k[27] * t22 - k[26] * t113);
+  const Scalar t158 = k[3] * t154 - k[1] * t149;
+  const Scalar t159 = t20 + t19;
+  const Scalar t160 = k[19] * (t158 + (k[26] * t119 - k[27] * t159));
+  const Scalar t161 = k[28] * (c2 * t156 - s2 * t157) - t160;
+  const Scalar t162 = k[29] * (t126 - t127) - (k[30] * t39 + k[53] * t110);
+  const Scalar t163 = k[25] * t124 - (t162 - (k[32] * t41 - k[31] * t25));
+  const Scalar t164 = (k[35] * t53 - k[52] * t103) - k[34] * (t108 + t106);
+  const Scalar t165 = (k[15] * t138 + k[14] * t135) - (t164 - (k[36] * t49 - k[33] * t45));
+  const Scalar t166 = t69 - t70;
+  const Scalar t167 = k[49] * c6 + k[48] * s6;
+  const Scalar t168 = k[48] * c6 - k[49] * s6;
+  const Scalar t169 = k[43] * c6 + k[44] * s6;
+  const Scalar t170 = s6 * t169;
+  const Scalar t171 = k[46] - t170;
+  const Scalar t172 = k[45] - c6 * t169;
+  const Scalar t173 = (t166 * t167 + t96 * t168) + (t87 * t171 + t172 * t83);
+  const Scalar t174 = k[38] * t142 - t144;
+  const Scalar t175 = t135 + k[38] * t103;
+  const Scalar t176 = t92 - t98;
+  const Scalar t177 = (k[7] * t174 + k[6] * t175) + k[37] * (t93 - t176);
+  const Scalar t178 = k[50] * t60 - t177;
+  const Scalar t179 = t138 + k[38] * t107;
+  const Scalar t180 = k[7] * t175 - k[6] * t174;
+  const Scalar t181 = (s5 * t179 + c5 * t180) + k[37] * t63;
+  const Scalar t182 = k[50] * t91 + t181;
+  const Scalar t183 = k[11] * t178 - k[10] * t182;
+  const Scalar t184 = t173 + t183 * t79;
+  const Scalar t185 = k[47] + t170;
+  const Scalar t186 = (t96 * t185 - t78 * t171) + t172 * t97;
+  const Scalar t187 = (s5 * t180 - c5 * t179) - k[37] * t55;
+  const Scalar t188 = (k[10] * t178 + k[11] * t182) * t79 - (k[50] * t99 - t187) * t66;
+  const Scalar t189 = (t186 + (t86 * t168 + t167 * t82)) - t188;
+  const Scalar t190 = (k[10] * t184 + k[11] * t189) + k[50] * t94;
+  const Scalar t191 = t92 - t70;
+  const Scalar t192 = (k[51] * t85 - k[39] * t91) + k[40] * (t191 - t176);
+  const Scalar t193 = (k[9] * t181 - k[8] * t187) - (t192 + (k[42] * t63 + k[41] * t55));
+  const Scalar t194 = t190 + t193;
+  const Scalar t195 = k[41] * t176 + (k[51] * t65 + k[40] * t60);
+  const Scalar t196 = t168 * (t166 - t97) + (t172 * t87 + t185 * t83);
+  const Scalar t197 = ((k[42] * t91 - t195) - k[8] * t177) + ((t196 + t167 * t78) + t183 * t66);
+  const Scalar t198 = k[37] * t95 - t197;
+  const Scalar t199 = (k[10] * t189 - k[11] * t184) - k[50] * t89;
+  const Scalar t200 = (k[42] * t191 - k[41] * t85) - (k[39] * t60 + k[40] * t65);
+  const Scalar t201 = (t199 - (k[9] * t177 + t200)) - k[37] * t100;
+  const Scalar t202 = s5 * t198 + c5 * t201;
+  const Scalar t203 = k[38] * t102 - (k[7] * t194 - k[6] * t202);
+  const Scalar t204 = t165 - t203;
+  const Scalar t205 = k[36] * t106 + (k[34] * t142 - k[35] * t143);
+  const Scalar t206 = (s5 * t201 - c5 * t198) + (k[15] * t144 + (k[33] * t103 - t205));
+  const Scalar t207 = (k[6] * t194 + k[7] * t202) + k[38] * t146;
+  const Scalar t208 = (k[34] * t143 + k[52] * t142) - (k[36] * t53 - k[33] * t108);
+  const Scalar t209 = t207 - (t208 - k[14] * t144);
+  const Scalar t210 = (s4 * t206 - c4 * t209) - k[23] * t150;
+  const Scalar t211 = (k[5] * t204 + k[4] * t210) - k[22] * t152;
+  const Scalar t212 = t163 - t211;
+  const Scalar t213 = t43 - t42;
+  const Scalar t214 = (k[29] * t27 + k[30] * t213) - k[31] * (t132 - t127);
+  const Scalar t215 = (s4 * t209 + c4 * t206) + k[23] * t141;
+  const Scalar t216 = k[21] * t153 - ((t214 + k[32] * t110) - t215);
+  const Scalar t217 = (k[29] * t213 + k[53] * t27) + (k[32] * (t126 - t132) - k[31] * t39);
+  const Scalar t218 = (k[4] * t204 - k[5] * t210) - k[22] * t148;
+  const Scalar t219 = k[21] * t151 + ((k[25] * t128 - t217) + t218);
+  const Scalar t220 = s3 * t216 - c3 * t219;
+  const Scalar t221 = k[16] * t155 + (k[1] * t212 - k[3] * t220);
+  const Scalar t222 = (k[55] * t11 + k[56] * t22) - k[54] * (t6 + t113);
+  const Scalar t223 = (k[26] * t121 + k[27] * t116) + ((k[58] * t18 + k[57] * t23) - t222);
+  const Scalar t224 = t221 + t223;
+  const Scalar t225 = k[57] * (t112 - t6) - (k[56] * t159 - k[54] * t119);
+  const Scalar t226 = (k[27] * t118 + (k[58] * t11 + t225)) - (c3 * t216 + s3 * t219);
+  const Scalar t227 = k[16] * t158 + (k[3] * t212 + k[1] * t220);
+  const Scalar t228 = (k[57] * t22 - k[58] * t111) + (k[54] * t159 - k[55] * t119);
+  const Scalar t229 = c2 * ((t227 - (t228 - k[26] * t118)) + t157);
+  const Scalar t230 = k[2] * t224 - k[0] * (s2 * (t156 - t226) + t229);
   JointVector<Scalar> result;
-  result[0] = -t234;
-  result[1] = -t232;
-  result[2] = -t206;
-  result[3] = -t204;
-  result[4] = -t196;
-  result[5] = -t178;
+  result[0] = k[59] * qdd[0] - (t161 + t230);
+  result[1] = -t224;
+  result[2] = -t212;
+  result[3] = t204;
+  result[4] = t194;
+  result[5] = t189;
   return result;
 }
 
@@ -508,28 +524,28 @@ GravityTorqueConstants<Scalar> gravity_torque_constants(const BasicGeometry<Scal
   const Scalar t13 = sin(g.alpha3) * (t12 + g.d3 * t2) - inertia.c2y * inertia.m2;
   const Scalar t14 = gravity * cos(g.alpha2);
   return { (g.a3 * t2 + inertia.c2x * inertia.m2) * t3,
-           t3,
-           t13,
-           cos(g.alpha3) * t3,
-           sin(g.alpha3) * t14,
-           g.a4 * t1 + inertia.c3x * inertia.m3,
-           sin(g.alpha4) * t10 - inertia.c3y * inertia.m3,
-           sin(g.alpha4),
+           t3 * t13,
            sin(g.alpha3) * t3,
            cos(g.alpha3) * t14,
+           g.a4 * t1 + inertia.c3x * inertia.m3,
+           cos(g.alpha3) * t3,
+           sin(g.alpha3) * t14,
+           t3,
            cos(g.alpha4),
+           sin(g.alpha4),
            sin(g.alpha5) * t8 + inertia.c4y * inertia.m4,
+           g.a5 * t0 + inertia.c4x * inertia.m4,
+           cos(g.alpha5),
+           sin(g.alpha5),
+           inertia.c5y * inertia.m5 - sin(g.alpha6) * t6,
+           g.a6 * inertia.m6 + inertia.c5x * inertia.m5,
            inertia.c6y * inertia.m6,
            inertia.c6x * inertia.m6,
-           sin(g.alpha5),
-           cos(g.alpha5),
            sin(g.alpha6),
            cos(g.alpha6),
-           g.a6 * inertia.m6 + inertia.c5x * inertia.m5,
-           inertia.c5y * inertia.m5 - sin(g.alpha6) * t6,
-           g.a5 * t0 + inertia.c4x * inertia.m4,
-           cos(g.alpha3),
-           sin(g.alpha3) };
+           sin(g.alpha4) * t10 - inertia.c3y * inertia.m3,
+           sin(g.alpha3),
+           cos(g.alpha3) };
 }
 
 namespace detail {
@@ -547,43 +563,43 @@ inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Sca
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[1] * s2;
-  const Scalar t1 = k[4] + k[3] * c2;
-  const Scalar t2 = s3 * t1 + c3 * t0;
-  const Scalar t3 = k[9] - k[8] * c2;
-  const Scalar t4 = s3 * t0 - c3 * t1;
-  const Scalar t5 = k[7] * t3 - k[10] * t4;
-  const Scalar t6 = c4 * t2 + s4 * t5;
-  const Scalar t7 = k[7] * t4 + k[10] * t3;
-  const Scalar t8 = c4 * t5 - s4 * t2;
-  const Scalar t9 = k[14] * t7 + k[15] * t8;
-  const Scalar t10 = s5 * t6 - c5 * t9;
-  const Scalar t11 = k[15] * t7 - k[14] * t8;
-  const Scalar t12 = k[16] * t10 + k[17] * t11;
-  const Scalar t13 = k[12] * s6 - k[13] * c6;
-  const Scalar t14 = t12 * t13;
-  const Scalar t15 = k[13] * s6 + k[12] * c6;
-  const Scalar t16 = c5 * t6 + s5 * t9;
-  const Scalar t17 = (k[16] * t11 - k[17] * t10) * t13 + t15 * t16;
-  const Scalar t18 = (k[16] * t14 - k[17] * t17) - (k[19] * t16 + k[18] * t10);
-  const Scalar t19 = (k[17] * t14 + k[16] * t17) - k[18] * t11;
-  const Scalar t20 = k[19] * t11 + t12 * t15;
-  const Scalar t21 = c5 * t19 + s5 * t20;
-  const Scalar t22 = (k[15] * t18 + k[14] * t21) - (k[11] * t6 - k[20] * t8);
-  const Scalar t23 = k[11] * t7 + (c5 * t20 - s5 * t19);
-  const Scalar t24 = (k[15] * t21 - k[14] * t18) - k[20] * t7;
-  const Scalar t25 = s4 * t23 + c4 * t24;
-  const Scalar t26 = (k[7] * t22 - k[10] * t25) + k[5] * t3;
-  const Scalar t27 = (s4 * t24 - c4 * t23) + k[6] * t3;
-  const Scalar t28 = (k[6] * t2 - k[5] * t4) + (k[10] * t22 + k[7] * t25);
-  const Scalar t29 = k[22] * (c3 * t26 + s3 * t27) - k[21] * t28;
+  const Scalar t0 = k[6] + k[5] * c2;
+  const Scalar t1 = k[7] * s2;
+  const Scalar t2 = c3 * t0 - s3 * t1;
+  const Scalar t3 = c3 * t1 + s3 * t0;
+  const Scalar t4 = k[17] * s6 + k[16] * c6;
+  const Scalar t5 = k[3] - k[2] * c2;
+  const Scalar t6 = k[8] * t5 - k[9] * t2;
+  const Scalar t7 = k[9] * t5 + k[8] * t2;
+  const Scalar t8 = s4 * t3 - c4 * t7;
+  const Scalar t9 = k[13] * t6 - k[12] * t8;
+  const Scalar t10 = s4 * t7 + c4 * t3;
+  const Scalar t11 = s5 * t9 + c5 * t10;
+  const Scalar t12 = s5 * t10 - c5 * t9;
+  const Scalar t13 = k[13] * t8 + k[12] * t6;
+  const Scalar t14 = k[17] * c6 - k[16] * s6;
+  const Scalar t15 = t4 * t11 + (k[19] * t12 - k[18] * t13) * t14;
+  const Scalar t16 = k[19] * t13 + k[18] * t12;
+  const Scalar t17 = t14 * t16;
+  const Scalar t18 = (k[19] * t15 + k[18] * t17) + (k[15] * t12 + k[14] * t11);
+  const Scalar t19 = k[14] * t13 + t4 * t16;
+  const Scalar t20 = (k[19] * t17 - k[18] * t15) + k[15] * t13;
+  const Scalar t21 = s5 * t19 - c5 * t20;
+  const Scalar t22 = (k[12] * t18 - k[13] * t21) + (k[11] * t8 + k[10] * t10);
+  const Scalar t23 = (s5 * t20 + c5 * t19) + k[10] * t6;
+  const Scalar t24 = k[11] * t6 - (k[12] * t21 + k[13] * t18);
+  const Scalar t25 = s4 * t23 - c4 * t24;
+  const Scalar t26 = (k[4] * t2 + k[20] * t3) - (k[8] * t22 - k[9] * t25);
+  const Scalar t27 = (s4 * t24 + c4 * t23) - k[20] * t5;
+  const Scalar t28 = k[4] * t5 - (k[9] * t22 + k[8] * t25);
+  const Scalar t29 = k[22] * t26 + k[21] * (s3 * t27 - c3 * t28);
   JointVector<Scalar> result;
   result[0] = Scalar(0);
-  result[1] = (k[2] * t0 + k[0] * c2) - t29;
-  result[2] = t28;
-  result[3] = t22;
-  result[4] = t18;
-  result[5] = -t17;
+  result[1] = (k[1] * s2 + k[0] * c2) + t29;
+  result[2] = t26;
+  result[3] = -t22;
+  result[4] = -t18;
+  result[5] = -t15;
   return result;
 }
 
@@ -608,169 +624,169 @@ CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Sc
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = g.a2 / g.d2;
-  const Scalar t1 = inertia.m5 + inertia.m6;
-  const Scalar t2 = inertia.m4 + t1;
-  const Scalar t3 = inertia.c4z * inertia.m4;
-  const Scalar t4 = g.d4 * inertia.m4;
-  const Scalar t5 = t3 + t4;
-  const Scalar t6 = t5 - t4;
-  const Scalar t7 = g.d5 * inertia.m5;
-  const Scalar t8 = inertia.c5z * inertia.m5;
-  const Scalar t9 = t8 + t7;
-  const Scalar t10 = t7 - t9;
-  const Scalar t11 = inertia.c6z * inertia.m6;
-  const Scalar t12 = g.d6 * inertia.m6 + t11;
-  const Scalar t13 = cos(g.alpha6) * t12;
-  const Scalar t14 = t10 - t13;
-  const Scalar t15 = t14 - g.d5 * t1;
-  const Scalar t16 = cos(g.alpha5) * t15;
-  const Scalar t17 = t6 - t16;
-  const Scalar t18 = g.d4 * t2 + t17;
-  const Scalar t19 = sin(g.alpha4) * t18;
-  const Scalar t20 = inertia.c3y * inertia.m3;
-  const Scalar t21 = (t19 - t20) / (g.d4 * sin(g.alpha4));
-  const Scalar t22 = sin(g.alpha5) * t15;
-  const Scalar t23 = inertia.c4y * inertia.m4;
-  const Scalar t24 = g.a5 * t1;
-  const Scalar t25 = inertia.c4x * inertia.m4;
-  const Scalar t26 = inertia.c6x * inertia.m6;
-  const Scalar t27 = inertia.c6y * inertia.m6;
-  const Scalar t28 = inertia.c5y * inertia.m5;
-  const Scalar t29 = sin(g.alpha6) * t12;
-  const Scalar t30 = g.a6 * inertia.m6;
-  const Scalar t31 = inertia.c5x * inertia.m5;
-  const Scalar t32 = g.a4 * t2;
-  const Scalar t33 = inertia.c3x * inertia.m3;
-  const Scalar t34 = g.a4 * t21;
-  const Scalar t35 = g.d4 * t21;
-  const Scalar t36 = cos(g.alpha4) * t35;
-  const Scalar t37 = g.d3 * t21 + t36;
-  const Scalar t38 = sin(g.alpha3) * t37;
-  const Scalar t39 = cos(g.alpha4) * t18;
-  const Scalar t40 = g.d3 * inertia.m3;
-  const Scalar t41 = inertia.c3z * inertia.m3;
-  const Scalar t42 = t41 + t40;
-  const Scalar t43 = t40 - t42;
-  const Scalar t44 = t39 - t43;
-  const Scalar t45 = inertia.m3 + t2;
-  const Scalar t46 = t44 + g.d3 * t45;
-  const Scalar t47 = sin(g.alpha3) * t46;
-  const Scalar t48 = inertia.c2y * inertia.m2;
-  const Scalar t49 = g.a3 * t45;
-  const Scalar t50 = inertia.c2x * inertia.m2;
-  const Scalar t51 = g.a3 * t21;
-  const Scalar t52 = g.d2 * t50;
-  const Scalar t53 = g.a3 * cos(g.alpha3) * t46 - (((inertia.I2xz - inertia.c2z * t50) - t52) + t52);
-  const Scalar t54 = g.d2 * t48;
-  const Scalar t55 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t56 = ((inertia.I4zz - t55) - inertia.c4z * t3) - g.d4 * (t5 + t3);
-  const Scalar t57 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t58 = (inertia.c5z * t8 - (inertia.I5zz - t57)) + g.d5 * (t8 + t9);
-  const Scalar t59 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t60 = (inertia.c6z * t11 - (inertia.I6zz - t59)) + g.d6 * (t12 + t11);
-  const Scalar t61 = sin(g.alpha6) * t60;
-  const Scalar t62 = sin(g.alpha6) * t61;
-  const Scalar t63 = (g.d5 * (t10 - t9) + t58) + (t60 - t62);
-  const Scalar t64 = g.d5 * (t14 + t15) - t63;
-  const Scalar t65 = sin(g.alpha5) * t64;
-  const Scalar t66 = sin(g.alpha5) * t65;
-  const Scalar t67 = (g.d4 * (t6 + t5) + t56) - (t66 - t64);
-  const Scalar t68 = t67 - g.d4 * (t17 + t18);
-  const Scalar t69 = sin(g.alpha4) * t68;
-  const Scalar t70 = sin(g.alpha4) * t69;
-  const Scalar t71 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t72 = g.d3 * (t41 + t42) - ((inertia.I3zz - t71) - inertia.c3z * t41);
-  const Scalar t73 = (t70 - t68) + (t72 - g.d3 * (t42 - t43));
-  const Scalar t74 = sin(g.alpha3) * (t73 + g.d3 * (t44 + t46));
-  const Scalar t75 = ((t54 - (inertia.I2yz - inertia.c2z * t48)) - t54) - cos(g.alpha3) * t74;
-  const Scalar t76 = g.d4 * t35;
-  const Scalar t77 = sin(g.alpha4) * t76;
-  const Scalar t78 = sin(g.alpha4) * t77;
-  const Scalar t79 = sin(g.alpha3) * (g.d3 * (t37 + t36) + (t76 - t78));
-  const Scalar t80 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t81 = ((inertia.I2yy - t80) - inertia.c2y * t48) - sin(g.alpha3) * t74;
-  const Scalar t82 = g.a3 * t49 + (inertia.c2x * t50 - (inertia.I2xx - t80));
-  const Scalar t83 = (t81 + sin(g.alpha3) * t79) + (t82 - g.a3 * t51);
-  const Scalar t84 = g.a3 * t38 - (g.a3 * t47 + (inertia.I2xy - inertia.c2y * t50));
-  const Scalar t85 = g.d4 * t23;
-  const Scalar t86 = cos(g.alpha5) * t65 - (t85 - (t85 - (inertia.I4yz - inertia.c4z * t23)));
-  const Scalar t87 = g.d4 * t25;
-  const Scalar t88 = g.a5 * t16 + (((inertia.I4xz - inertia.c4z * t25) - t87) + t87);
-  const Scalar t89 = inertia.I6xy - inertia.c6y * t26;
-  const Scalar t90 = (inertia.I6xx - t59) - inertia.c6x * t26;
-  const Scalar t91 = (inertia.I6yy - t59) - inertia.c6y * t27;
-  const Scalar t92 = g.d5 * t31;
-  const Scalar t93 = (t92 - (t92 - (inertia.I5xz - inertia.c5z * t31))) - g.a6 * t13;
-  const Scalar t94 = g.d5 * t28;
-  const Scalar t95 = (t94 + ((inertia.I5yz - inertia.c5z * t28) - t94)) + cos(g.alpha6) * t61;
-  const Scalar t96 = (inertia.c5x * t31 - (inertia.I5xx - t57)) + g.a6 * t30;
-  const Scalar t97 = g.a5 * t24 - ((inertia.I4xx - t55) - inertia.c4x * t25);
-  const Scalar t98 = t78 + (((inertia.I3yy - t71) - inertia.c3y * t20) + t70);
-  const Scalar t99 = ((inertia.I3xy - inertia.c3y * t33) + g.a4 * t19) - g.a4 * sin(g.alpha4) * t35;
-  const Scalar t100 = g.d3 * t20;
-  const Scalar t101 = cos(g.alpha4) * t69 - (t100 - (t100 - (inertia.I3yz - inertia.c3z * t20)));
-  const Scalar t102 = g.d3 * t33;
-  const Scalar t103 = g.a4 * t39 - (t102 - (t102 - (inertia.I3xz - inertia.c3z * t33)));
-  const Scalar t104 = g.a4 * t32 + (inertia.c3x * t33 - (inertia.I3xx - t71));
-  return { cos(g.alpha2),
+  const Scalar t0 = inertia.m5 + inertia.m6;
+  const Scalar t1 = inertia.m4 + t0;
+  const Scalar t2 = inertia.m3 + t1;
+  const Scalar t3 = g.a3 * t2;
+  const Scalar t4 = inertia.c2x * inertia.m2;
+  const Scalar t5 = inertia.c4z * inertia.m4;
+  const Scalar t6 = g.d4 * inertia.m4;
+  const Scalar t7 = t5 + t6;
+  const Scalar t8 = t7 - t6;
+  const Scalar t9 = g.d5 * inertia.m5;
+  const Scalar t10 = inertia.c5z * inertia.m5;
+  const Scalar t11 = t10 + t9;
+  const Scalar t12 = t9 - t11;
+  const Scalar t13 = inertia.c6z * inertia.m6;
+  const Scalar t14 = g.d6 * inertia.m6 + t13;
+  const Scalar t15 = cos(g.alpha6) * t14;
+  const Scalar t16 = t12 - t15;
+  const Scalar t17 = t16 - g.d5 * t0;
+  const Scalar t18 = cos(g.alpha5) * t17;
+  const Scalar t19 = t8 - t18;
+  const Scalar t20 = g.d4 * t1 + t19;
+  const Scalar t21 = sin(g.alpha4) * t20;
+  const Scalar t22 = inertia.c3y * inertia.m3;
+  const Scalar t23 = (t21 - t22) / (g.d4 * sin(g.alpha4));
+  const Scalar t24 = g.a3 * t23;
+  const Scalar t25 = g.d4 * t23;
+  const Scalar t26 = cos(g.alpha4) * t25;
+  const Scalar t27 = g.d3 * t23 + t26;
+  const Scalar t28 = sin(g.alpha3) * t27;
+  const Scalar t29 = cos(g.alpha4) * t20;
+  const Scalar t30 = g.d3 * inertia.m3;
+  const Scalar t31 = inertia.c3z * inertia.m3;
+  const Scalar t32 = t31 + t30;
+  const Scalar t33 = t30 - t32;
+  const Scalar t34 = t29 - t33;
+  const Scalar t35 = t34 + g.d3 * t2;
+  const Scalar t36 = sin(g.alpha3) * t35;
+  const Scalar t37 = inertia.c2y * inertia.m2;
+  const Scalar t38 = g.a4 * t1;
+  const Scalar t39 = inertia.c3x * inertia.m3;
+  const Scalar t40 = g.a4 * t23;
+  const Scalar t41 = inertia.c6x * inertia.m6;
+  const Scalar t42 = inertia.c6y * inertia.m6;
+  const Scalar t43 = inertia.c5y * inertia.m5;
+  const Scalar t44 = sin(g.alpha6) * t14;
+  const Scalar t45 = g.a6 * inertia.m6;
+  const Scalar t46 = inertia.c5x * inertia.m5;
+  const Scalar t47 = sin(g.alpha5) * t17;
+  const Scalar t48 = inertia.c4y * inertia.m4;
+  const Scalar t49 = g.a5 * t0;
+  const Scalar t50 = inertia.c4x * inertia.m4;
+  const Scalar t51 = g.a2 / g.d2;
+  const Scalar t52 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t53 = (inertia.c5z * t10 - (inertia.I5zz - t52)) + g.d5 * (t10 + t11);
+  const Scalar t54 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t55 = (inertia.c6z * t13 - (inertia.I6zz - t54)) + g.d6 * (t14 + t13);
+  const Scalar t56 = sin(g.alpha6) * t55;
+  const Scalar t57 = sin(g.alpha6) * t56;
+  const Scalar t58 = (g.d5 * (t12 - t11) + t53) + (t55 - t57);
+  const Scalar t59 = g.d5 * (t16 + t17) - t58;
+  const Scalar t60 = sin(g.alpha5) * t59;
+  const Scalar t61 = sin(g.alpha5) * t60;
+  const Scalar t62 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t63 = g.a5 * t49 - ((inertia.I4xx - t62) - inertia.c4x * t50);
+  const Scalar t64 = g.d4 * t48;
+  const Scalar t65 = cos(g.alpha5) * t60 - (t64 - (t64 - (inertia.I4yz - inertia.c4z * t48)));
+  const Scalar t66 = g.d4 * t50;
+  const Scalar t67 = g.a5 * t18 + (((inertia.I4xz - inertia.c4z * t50) - t66) + t66);
+  const Scalar t68 = (inertia.c5x * t46 - (inertia.I5xx - t52)) + g.a6 * t45;
+  const Scalar t69 = g.d5 * t46;
+  const Scalar t70 = (t69 - (t69 - (inertia.I5xz - inertia.c5z * t46))) - g.a6 * t15;
+  const Scalar t71 = g.d5 * t43;
+  const Scalar t72 = (t71 + ((inertia.I5yz - inertia.c5z * t43) - t71)) + cos(g.alpha6) * t56;
+  const Scalar t73 = inertia.I6xy - inertia.c6y * t41;
+  const Scalar t74 = (inertia.I6xx - t54) - inertia.c6x * t41;
+  const Scalar t75 = (inertia.I6yy - t54) - inertia.c6y * t42;
+  const Scalar t76 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t77 = g.a4 * t38 + (inertia.c3x * t39 - (inertia.I3xx - t76));
+  const Scalar t78 = ((inertia.I3xy - inertia.c3y * t39) + g.a4 * t21) - g.a4 * sin(g.alpha4) * t25;
+  const Scalar t79 = g.d4 * t25;
+  const Scalar t80 = sin(g.alpha4) * t79;
+  const Scalar t81 = ((inertia.I4zz - t62) - inertia.c4z * t5) - g.d4 * (t7 + t5);
+  const Scalar t82 = (g.d4 * (t8 + t7) + t81) - (t61 - t59);
+  const Scalar t83 = t82 - g.d4 * (t19 + t20);
+  const Scalar t84 = sin(g.alpha4) * t83;
+  const Scalar t85 = g.d3 * t22;
+  const Scalar t86 = cos(g.alpha4) * t84 - (t85 - (t85 - (inertia.I3yz - inertia.c3z * t22)));
+  const Scalar t87 = g.d3 * t39;
+  const Scalar t88 = g.a4 * t29 - (t87 - (t87 - (inertia.I3xz - inertia.c3z * t39)));
+  const Scalar t89 = sin(g.alpha4) * t80;
+  const Scalar t90 = sin(g.alpha4) * t84;
+  const Scalar t91 = t89 + (((inertia.I3yy - t76) - inertia.c3y * t22) + t90);
+  const Scalar t92 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t93 = g.d3 * (t31 + t32) - ((inertia.I3zz - t76) - inertia.c3z * t31);
+  const Scalar t94 = (t90 - t83) + (t93 - g.d3 * (t32 - t33));
+  const Scalar t95 = sin(g.alpha3) * (t94 + g.d3 * (t34 + t35));
+  const Scalar t96 = ((inertia.I2yy - t92) - inertia.c2y * t37) - sin(g.alpha3) * t95;
+  const Scalar t97 = sin(g.alpha3) * (g.d3 * (t27 + t26) + (t79 - t89));
+  const Scalar t98 = g.a3 * t3 + (inertia.c2x * t4 - (inertia.I2xx - t92));
+  const Scalar t99 = (t96 + sin(g.alpha3) * t97) + (t98 - g.a3 * t24);
+  const Scalar t100 = g.a3 * t28 - (g.a3 * t36 + (inertia.I2xy - inertia.c2y * t4));
+  const Scalar t101 = g.d2 * t4;
+  const Scalar t102 = g.a3 * cos(g.alpha3) * t35 - (((inertia.I2xz - inertia.c2z * t4) - t101) + t101);
+  const Scalar t103 = g.d2 * t37;
+  const Scalar t104 = ((t103 - (inertia.I2yz - inertia.c2z * t37)) - t103) - cos(g.alpha3) * t95;
+  return { g.d2 * ((t3 + t4) - t24),
+           g.d2 * (t28 - (t36 - t37)),
            sin(g.alpha2),
-           g.a3 / g.d2,
+           cos(g.alpha2),
            cos(g.alpha3),
-           t0,
            sin(g.alpha3),
-           g.d3 / g.d2,
-           g.a4 / g.d2,
-           cos(g.alpha4),
+           g.d2 * ((t38 + t39) - t40),
+           g.d2 * t41,
+           g.d2 * t42,
            sin(g.alpha4),
-           g.d4 / g.d2,
-           g.d2 * g.d2 * t21,
-           g.d2 * (t22 + t23),
-           g.d2 * (t24 + t25),
-           g.d2 * t26,
-           g.d2 * t27,
+           cos(g.alpha4),
            sin(g.alpha5),
            cos(g.alpha5),
            sin(g.alpha6),
            cos(g.alpha6),
-           cos(g.alpha4) * sin(g.alpha3),
-           g.d2 * (t28 - t29),
-           g.d2 * (t30 + t31),
-           g.d2 * ((t32 + t33) - t34),
-           g.d2 * (t38 - (t47 - t48)),
-           g.d2 * ((t49 + t50) - t51),
-           cos(g.alpha2) * t0,
-           sin(g.alpha2) * t0,
-           g.a3 * cos(g.alpha3) * t37 - t53,
-           t75 + cos(g.alpha3) * t79,
-           t83,
-           Scalar(2) * t84,
-           t84,
-           g.a5 * t22 - (inertia.I4xy - inertia.c4y * t25),
-           t66 + ((inertia.I4yy - t55) - inertia.c4y * t23),
-           t86,
-           t88,
-           g.a6 / g.d2,
+           g.d2 * (t43 - t44),
+           g.d2 * (t45 + t46),
+           g.d2 * (t47 + t48),
+           g.d2 * (t49 + t50),
+           cos(g.alpha2) * sin(g.alpha2),
+           g.a3 / g.d2,
+           t51,
+           g.d3 / g.d2,
+           g.a4 / g.d2,
+           g.d4 / g.d2,
+           g.d2 * g.d2 * t23,
+           t61 + ((inertia.I4yy - t62) - inertia.c4y * t48),
+           t63,
+           g.a5 * t47 - (inertia.I4xy - inertia.c4y * t50),
+           t65,
+           t67,
            g.a5 / g.d2,
            g.d5 / g.d2,
-           g.d6 * t27 - (inertia.I6yz - inertia.c6z * t27),
-           (inertia.I6xz - inertia.c6z * t26) - g.d6 * t26,
-           Scalar(2) * t89,
-           t90 - t91,
+           (inertia.I5xy - inertia.c5y * t46) + g.a6 * t44,
+           t68,
+           t70,
+           t72,
+           g.a6 / g.d2,
+           Scalar(2) * t73,
+           t74 - t75,
+           t75,
+           t74,
+           t73,
+           g.d6 * t42 - (inertia.I6yz - inertia.c6z * t42),
+           (inertia.I6xz - inertia.c6z * t41) - g.d6 * t41,
+           (inertia.c5y * t43 - (inertia.I5yy - t52)) + t57,
+           g.a4 * t40 - t77,
+           t78,
+           cos(g.alpha4) * t80 + t86,
+           t88 - g.a4 * t26,
            t91,
-           t89,
-           t93,
-           t95,
-           (inertia.c5y * t28 - (inertia.I5yy - t57)) + t62,
-           (inertia.I5xy - inertia.c5y * t31) + g.a6 * t29,
-           t96,
-           t90,
-           t97,
-           t98,
            t99,
-           cos(g.alpha4) * t77 + t101,
-           t103 - g.a4 * t36,
-           g.a4 * t34 - t104 };
+           Scalar(2) * t100,
+           t100,
+           g.a3 * cos(g.alpha3) * t27 - t102,
+           t104 + cos(g.alpha3) * t97,
+           cos(g.alpha2) * t51,
+           sin(g.alpha2) * t51 };
 }
 
 namespace detail {
@@ -789,235 +805,232 @@ inline JointVector<Scalar> coriolis_torque([[maybe_unused]] const JointVector<Sc
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[32] - c2 * (k[31] * c2 + k[30] * s2);
-  const Scalar t1 = k[1] * qd[0];
-  const Scalar t2 = t1 * t1;
-  const Scalar t3 = k[0] * qd[0];
-  const Scalar t4 = t3 * t1;
-  const Scalar t5 = k[28] * c2 + k[29] * s2;
-  const Scalar t6 = k[4] * qd[0] * qd[0];
-  const Scalar t7 = c2 * t4 + s2 * t6;
-  const Scalar t8 = s2 * t4;
-  const Scalar t9 = c2 * t6 - t8;
-  const Scalar t10 = (t0 * t2 + t4 * t5) - (k[25] * t7 + k[24] * t9);
-  const Scalar t11 = c2 * t1;
-  const Scalar t12 = qd[1] + t3;
-  const Scalar t13 = k[3] * t11 + k[5] * t12;
-  const Scalar t14 = k[5] * t11;
-  const Scalar t15 = t14 - k[3] * t12;
-  const Scalar t16 = t1 * t12;
-  const Scalar t17 = t4 - t16;
-  const Scalar t18 = t13 * t15 - c2 * t17;
-  const Scalar t19 = s2 * t1;
-  const Scalar t20 = k[3] * t8 - t14 * t19;
-  const Scalar t21 = c3 * t18 + s3 * t20;
-  const Scalar t22 = s3 * t18 - c3 * t20;
-  const Scalar t23 = s2 * t17;
-  const Scalar t24 = k[5] * t23;
-  const Scalar t25 = s3 * t19 - c3 * t13;
-  const Scalar t26 = c3 * t19 + s3 * t13;
-  const Scalar t27 = t25 * t26;
-  const Scalar t28 = t24 + t27;
-  const Scalar t29 = t24 - t27;
-  const Scalar t30 = t26 * t26;
-  const Scalar t31 = qd[2] - t15;
-  const Scalar t32 = t31 * t31;
-  const Scalar t33 = t30 - t32;
-  const Scalar t34 = t25 * t25;
-  const Scalar t35 = t34 - t32;
-  const Scalar t36 = (k[57] * t28 + k[53] * t29) + k[54] * (t33 - t35);
-  const Scalar t37 = t12 * t12;
-  const Scalar t38 = t2 + t37;
-  const Scalar t39 = k[6] * t20 - (t9 - k[2] * (t19 * t19 - t38));
-  const Scalar t40 = t16 - t17;
-  const Scalar t41 = t2 - k[2] * s2 * t40;
-  const Scalar t42 = t7 + k[2] * t19 * t11;
-  const Scalar t43 = k[6] * t18 + (k[5] * t41 - k[3] * t42);
-  const Scalar t44 = s3 * t39 + c3 * t43;
-  const Scalar t45 = ((k[56] * t21 - k[55] * t22) - t36) + k[23] * t44;
-  const Scalar t46 = k[8] * t25 - k[9] * t31;
-  const Scalar t47 = s4 * t26 + c4 * t46;
-  const Scalar t48 = c4 * t26 - s4 * t46;
-  const Scalar t49 = t47 * t48;
-  const Scalar t50 = t31 * t26;
-  const Scalar t51 = t50 + t22;
-  const Scalar t52 = k[20] * t23 - k[9] * t51;
-  const Scalar t53 = t49 + t52;
-  const Scalar t54 = t25 * t31;
-  const Scalar t55 = t21 - t54;
-  const Scalar t56 = k[9] * t25 + k[8] * t31;
-  const Scalar t57 = t55 + t46 * t56;
-  const Scalar t58 = k[8] * t22 + k[9] * t29;
-  const Scalar t59 = s4 * t57 + c4 * t58;
-  const Scalar t60 = qd[3] + t56;
-  const Scalar t61 = t60 * t48;
-  const Scalar t62 = t59 + t61;
-  const Scalar t63 = t62 + t61;
-  const Scalar t64 = t60 * t47;
-  const Scalar t65 = c4 * t57 - s4 * t58;
-  const Scalar t66 = t64 - t65;
-  const Scalar t67 = t64 + t66;
-  const Scalar t68 = t60 * t60;
-  const Scalar t69 = t47 * t47;
-  const Scalar t70 = t68 - t69;
-  const Scalar t71 = (k[33] * t63 + k[34] * t67) + k[35] * t70;
-  const Scalar t72 = t68 + t69;
-  const Scalar t73 = t48 * t48 - t68;
-  const Scalar t74 = t50 + t51;
-  const Scalar t75 = (k[5] * t42 + k[3] * t41) + k[6] * (t34 + t30);
-  const Scalar t76 = k[7] * t74 - t75;
-  const Scalar t77 = t44 + k[7] * t28;
-  const Scalar t78 = k[10] * (t72 + t73) - (k[8] * t76 + k[9] * t77);
-  const Scalar t79 = t78 - k[38] * t63;
-  const Scalar t80 = t34 + t32;
-  const Scalar t81 = k[7] * t80 - (c3 * t39 - s3 * t43);
-  const Scalar t82 = k[9] * t76 - k[8] * t77;
-  const Scalar t83 = (s4 * t81 + c4 * t82) - k[10] * t65;
-  const Scalar t84 = k[38] * t53 - t83;
-  const Scalar t85 = k[17] * t47 - k[16] * t60;
-  const Scalar t86 = s5 * t48 + c5 * t85;
-  const Scalar t87 = t86 * t86;
-  const Scalar t88 = c5 * t48 - s5 * t85;
-  const Scalar t89 = t88 * t88;
-  const Scalar t90 = t87 + t89;
-  const Scalar t91 = (k[17] * t79 - k[16] * t84) + k[39] * t90;
-  const Scalar t92 = k[17] * t60 + k[16] * t47;
-  const Scalar t93 = qd[4] + t92;
-  const Scalar t94 = t93 * t93;
-  const Scalar t95 = t94 + t89;
-  const Scalar t96 = t49 - t52;
-  const Scalar t97 = k[17] * t59 - k[16] * t96;
-  const Scalar t98 = t85 * t92 - t66;
-  const Scalar t99 = s5 * t97 - c5 * t98;
-  const Scalar t100 = t86 * t93;
-  const Scalar t101 = t99 + t100;
-  const Scalar t102 = t101 + t100;
-  const Scalar t103 = t88 * t93;
-  const Scalar t104 = s5 * t98 + c5 * t97;
-  const Scalar t105 = t103 + t104;
-  const Scalar t106 = t103 + t105;
-  const Scalar t107 = k[47] * (t90 - t95) - (k[48] * t102 + k[49] * t106);
-  const Scalar t108 = t88 * t86;
-  const Scalar t109 = k[17] * t52 - k[16] * t62;
-  const Scalar t110 = t108 + t109;
-  const Scalar t111 = k[41] * c6 + k[40] * s6;
-  const Scalar t112 = k[19] * t109 - k[18] * t105;
-  const Scalar t113 = k[19] * t86 - k[18] * t93;
-  const Scalar t114 = t88 * t113;
-  const Scalar t115 = t112 + t114;
-  const Scalar t116 = k[19] * t93 + k[18] * t86;
-  const Scalar t117 = qd[5] + t116;
-  const Scalar t118 = t88 * t117;
-  const Scalar t119 = t108 - t109;
-  const Scalar t120 = k[18] * t119 - k[19] * t104;
-  const Scalar t121 = (t118 + t118) - t120;
-  const Scalar t122 = k[43] * s6 + k[42] * c6;
-  const Scalar t123 = k[45] - c6 * t122;
-  const Scalar t124 = t101 - t116 * t113;
-  const Scalar t125 = Scalar(2) * t113 * t117 + t124;
-  const Scalar t126 = s6 * t122;
-  const Scalar t127 = k[44] + t126;
-  const Scalar t128 = k[41] * s6 - k[40] * c6;
-  const Scalar t129 = t113 * t113;
-  const Scalar t130 = t129 - t89;
-  const Scalar t131 = t117 * t117;
-  const Scalar t132 = t89 - t131;
-  const Scalar t133 = (t121 * t123 + t125 * t127) + t128 * (t130 + t132);
-  const Scalar t134 = k[14] * s6 + k[15] * c6;
-  const Scalar t135 = k[37] * t106 - t91;
-  const Scalar t136 = (k[17] * t84 + k[16] * t79) + k[39] * t98;
-  const Scalar t137 = (c4 * t81 - s4 * t82) + k[10] * t59;
-  const Scalar t138 = (t137 + k[38] * t72) + k[39] * t97;
-  const Scalar t139 = c5 * t136 - s5 * t138;
-  const Scalar t140 = t139 + k[37] * t110;
-  const Scalar t141 = k[19] * t135 + k[18] * t140;
-  const Scalar t142 = (k[21] * t91 - (t107 - k[46] * t110)) + ((t111 * t115 - t133) - t134 * t141);
-  const Scalar t143 = t129 + t131;
-  const Scalar t144 = k[14] * c6 - k[15] * s6;
-  const Scalar t145 = t134 * (t130 - t143) - t115 * t144;
-  const Scalar t146 = t125 * t134 - t121 * t144;
-  const Scalar t147 = k[18] * t145 - k[19] * t146;
-  const Scalar t148 = t112 - t114;
-  const Scalar t149 = k[51] - t126;
-  const Scalar t150 = (t128 * t148 + t111 * t132) - (t125 * t123 + t121 * t149);
-  const Scalar t151 = t150 + t144 * t141;
-  const Scalar t152 = (t127 * t148 + t115 * t149) + t130 * t123;
-  const Scalar t153 = c5 * t138 + s5 * t136;
-  const Scalar t154 = t87 - t89;
-  const Scalar t155 = t95 + t154;
-  const Scalar t156 = (k[18] * t135 - k[19] * t140) * t144 + t134 * (t153 + k[37] * t155);
-  const Scalar t157 = (t152 - (t111 * t124 - t128 * t120)) + t156;
-  const Scalar t158 = k[37] * t147 + (k[19] * t151 + k[18] * t157);
-  const Scalar t159 = (k[47] * t119 + k[46] * (t94 - t89)) - (k[50] * t106 + k[49] * t102);
-  const Scalar t160 = t158 - (t159 + k[22] * t91);
-  const Scalar t161 = k[19] * t145 + k[18] * t146;
-  const Scalar t162 = (k[22] * t110 + k[21] * t95) - t161;
-  const Scalar t163 = (t143 * t144 - t134 * t148) + (k[22] * t155 + k[21] * t119);
-  const Scalar t164 = c5 * t162 + s5 * t163;
-  const Scalar t165 = (c5 * t142 - s5 * t160) - k[39] * t164;
-  const Scalar t166 = ((k[36] * t53 - t71) + k[12] * t78) + t165;
-  const Scalar t167 = t73 + t70;
-  const Scalar t168 = k[11] * t83 - (k[12] * (t72 + t167) + k[13] * t53);
-  const Scalar t169 = (k[22] * t106 - k[21] * t102) + t147;
-  const Scalar t170 = k[17] * t164 + k[16] * t169;
-  const Scalar t171 = t168 - t170;
-  const Scalar t172 = t166 + k[10] * t171;
-  const Scalar t173 = k[11] * t137 + (k[13] * t72 + k[12] * t96);
-  const Scalar t174 = c5 * t163 - s5 * t162;
-  const Scalar t175 = t173 + t174;
-  const Scalar t176 = (k[36] * t73 + k[35] * t96) - (k[33] * t67 - k[52] * t63);
-  const Scalar t177 = k[17] * t169 - k[16] * t164;
-  const Scalar t178 = (k[18] * t151 - k[19] * t157) - k[37] * t161;
-  const Scalar t179 = k[49] * t154 - (k[48] * t119 - k[50] * t110);
-  const Scalar t180 = (k[22] * t139 - k[21] * t153) + ((k[46] * t99 + k[47] * t104) + t179);
-  const Scalar t181 = t178 + t180;
-  const Scalar t182 = k[39] * t174 + (s5 * t142 + c5 * t160);
-  const Scalar t183 = k[38] * t177 - (k[16] * t181 - k[17] * t182);
-  const Scalar t184 = k[10] * t175 - ((k[13] * t78 - t176) - t183);
-  const Scalar t185 = s4 * t172 + c4 * t184;
-  const Scalar t186 = k[33] * t167 + (k[34] * t96 + k[52] * t53);
-  const Scalar t187 = (k[12] * t137 + k[13] * t83) + ((k[36] * t65 + k[35] * t59) - t186);
-  const Scalar t188 = k[38] * t170 + (k[16] * t182 + k[17] * t181);
-  const Scalar t189 = t187 - t188;
-  const Scalar t190 = c4 * t171 - s4 * t175;
-  const Scalar t191 = (k[13] * t63 - k[12] * t67) - k[11] * t78;
-  const Scalar t192 = t191 + t177;
-  const Scalar t193 = k[8] * t190 - k[9] * t192;
-  const Scalar t194 = (k[9] * t185 - k[8] * t189) - k[7] * t193;
-  const Scalar t195 = t45 + t194;
-  const Scalar t196 = t55 - t54;
-  const Scalar t197 = (k[54] * t74 + k[53] * t196) + k[55] * t35;
-  const Scalar t198 = (s4 * t184 - c4 * t172) - (t197 - k[56] * t28);
-  const Scalar t199 = k[9] * t190 + k[8] * t192;
-  const Scalar t200 = k[7] * t199 + (k[9] * t189 + k[8] * t185);
-  const Scalar t201 = (k[56] * t33 + k[55] * t29) + (k[54] * t196 + k[57] * t74);
-  const Scalar t202 = t200 - (t201 + k[23] * t75);
-  const Scalar t203 = k[23] * t28 - t193;
-  const Scalar t204 = k[23] * t80 + (c4 * t175 + s4 * t171);
-  const Scalar t205 = s3 * t203 - c3 * t204;
-  const Scalar t206 = (s3 * t198 - c3 * t202) + k[6] * t205;
-  const Scalar t207 = c3 * t203 + s3 * t204;
-  const Scalar t208 = k[23] * t74 + t199;
-  const Scalar t209 = k[3] * t207 + k[5] * t208;
-  const Scalar t210 = (k[3] * t195 - k[5] * t206) + k[2] * t209;
-  const Scalar t211 = t10 + t210;
-  const Scalar t212 = k[25] * c2 - k[24] * s2;
-  const Scalar t213 = (t37 * t5 + t0 * t40) + t2 * t212;
-  const Scalar t214 = k[5] * t207 - k[3] * t208;
-  const Scalar t215 = k[2] * t214 + (k[3] * t206 + k[5] * t195);
-  const Scalar t216 = k[6] * t207 + (c3 * t198 + s3 * t202);
-  const Scalar t217 = c2 * (t205 + t215) + s2 * (t209 + t216);
-  const Scalar t218 = k[0] * t211 + k[1] * (t212 * t38 - (t213 + t217));
-  const Scalar t219 = k[25] * s2 + k[24] * c2;
-  const Scalar t220 = (s2 * t205 - c2 * t209) - t37 * t219;
-  const Scalar t221 = k[27] * (t219 * t40 - t214) - k[26] * t220;
+  const Scalar t0 = k[1] * s2 - k[0] * c2;
+  const Scalar t1 = k[3] * qd[0];
+  const Scalar t2 = qd[1] + t1;
+  const Scalar t3 = t2 * t2;
+  const Scalar t4 = k[2] * qd[0];
+  const Scalar t5 = t4 * t4;
+  const Scalar t6 = c2 * t4;
+  const Scalar t7 = k[5] * t6 - k[4] * t2;
+  const Scalar t8 = qd[2] - t7;
+  const Scalar t9 = t8 * t8;
+  const Scalar t10 = k[4] * t6 + k[5] * t2;
+  const Scalar t11 = s2 * t4;
+  const Scalar t12 = s3 * t10 + c3 * t11;
+  const Scalar t13 = t12 * t12;
+  const Scalar t14 = t9 - t13;
+  const Scalar t15 = s3 * t11 - c3 * t10;
+  const Scalar t16 = t15 * t15;
+  const Scalar t17 = t13 + t16;
+  const Scalar t18 = t14 + t17;
+  const Scalar t19 = t1 * t11;
+  const Scalar t20 = t6 * t11;
+  const Scalar t21 = k[4] * t19 - k[5] * t20;
+  const Scalar t22 = qd[1] * t6 + t10 * t7;
+  const Scalar t23 = c3 * t21 - s3 * t22;
+  const Scalar t24 = qd[0] * qd[0];
+  const Scalar t25 = k[21] * t24;
+  const Scalar t26 = c2 * t25 - t19;
+  const Scalar t27 = k[20] * (t3 + t6 * t6) + t26;
+  const Scalar t28 = s2 * t25 + t1 * t6;
+  const Scalar t29 = k[20] * t20 + t28;
+  const Scalar t30 = t2 * t4;
+  const Scalar t31 = k[19] * t24;
+  const Scalar t32 = (t30 + t30) - t31;
+  const Scalar t33 = k[20] * s2 * t32 - t5;
+  const Scalar t34 = k[4] * t29 + k[5] * t33;
+  const Scalar t35 = k[22] * t23 - (c3 * t27 - s3 * t34);
+  const Scalar t36 = k[5] * qd[1] * t11;
+  const Scalar t37 = t12 * t15;
+  const Scalar t38 = t36 + t37;
+  const Scalar t39 = k[10] * t23 + k[9] * t38;
+  const Scalar t40 = (k[23] * t18 - t35) - k[24] * t39;
+  const Scalar t41 = c3 * t22 + s3 * t21;
+  const Scalar t42 = t8 * t15;
+  const Scalar t43 = t41 - t42;
+  const Scalar t44 = k[10] * t8 + k[9] * t15;
+  const Scalar t45 = k[9] * t8 - k[10] * t15;
+  const Scalar t46 = t43 - t44 * t45;
+  const Scalar t47 = k[22] * t17 - (k[4] * t33 - k[5] * t29);
+  const Scalar t48 = t12 * t8;
+  const Scalar t49 = t48 - t23;
+  const Scalar t50 = t49 + t48;
+  const Scalar t51 = t47 - k[23] * t50;
+  const Scalar t52 = k[22] * t41 - (c3 * t34 + s3 * t27);
+  const Scalar t53 = t36 - t37;
+  const Scalar t54 = t52 - k[23] * t53;
+  const Scalar t55 = k[24] * t46 + (k[9] * t51 + k[10] * t54);
+  const Scalar t56 = s4 * t40 - c4 * t55;
+  const Scalar t57 = s4 * t45 + c4 * t12;
+  const Scalar t58 = c4 * t45 - s4 * t12;
+  const Scalar t59 = t57 * t58;
+  const Scalar t60 = k[10] * t36 + k[9] * t49;
+  const Scalar t61 = t59 + t60;
+  const Scalar t62 = qd[3] + t44;
+  const Scalar t63 = t62 * t62;
+  const Scalar t64 = t57 * t57;
+  const Scalar t65 = k[25] * t56 + (k[18] * t61 - k[17] * (t63 + t64));
+  const Scalar t66 = t59 - t60;
+  const Scalar t67 = c4 * t39 - s4 * t46;
+  const Scalar t68 = k[11] * t66 - k[12] * t67;
+  const Scalar t69 = s4 * t39 + c4 * t46;
+  const Scalar t70 = t62 * t58;
+  const Scalar t71 = t69 + t70;
+  const Scalar t72 = k[12] * t62 - k[11] * t58;
+  const Scalar t73 = k[12] * t58 + k[11] * t62;
+  const Scalar t74 = t71 - t72 * t73;
+  const Scalar t75 = c5 * t68 + s5 * t74;
+  const Scalar t76 = c5 * t57 + s5 * t73;
+  const Scalar t77 = qd[4] + t72;
+  const Scalar t78 = t76 * t77;
+  const Scalar t79 = t75 + t78;
+  const Scalar t80 = t79 + t78;
+  const Scalar t81 = s5 * t57 - c5 * t73;
+  const Scalar t82 = t77 * t81;
+  const Scalar t83 = c5 * t74 - s5 * t68;
+  const Scalar t84 = t82 - t83;
+  const Scalar t85 = t82 + t84;
+  const Scalar t86 = t57 * t62;
+  const Scalar t87 = t67 - t86;
+  const Scalar t88 = k[11] * t87 - k[12] * t60;
+  const Scalar t89 = k[13] * t79 - k[14] * t88;
+  const Scalar t90 = k[14] * t81 - k[13] * t77;
+  const Scalar t91 = t76 * t90;
+  const Scalar t92 = t89 - t91;
+  const Scalar t93 = k[7] * c6 - k[8] * s6;
+  const Scalar t94 = k[8] * c6 + k[7] * s6;
+  const Scalar t95 = k[14] * t77 + k[13] * t81;
+  const Scalar t96 = qd[5] + t95;
+  const Scalar t97 = t96 * t96;
+  const Scalar t98 = t76 * t76;
+  const Scalar t99 = t92 * t93 - t94 * (t97 + t98);
+  const Scalar t100 = t76 * t81;
+  const Scalar t101 = t88 - t100;
+  const Scalar t102 = k[13] * t101 + k[14] * t75;
+  const Scalar t103 = t76 * t96;
+  const Scalar t104 = (t102 + t103) + t103;
+  const Scalar t105 = t84 - t95 * t90;
+  const Scalar t106 = t105 + Scalar(2) * t96 * t90;
+  const Scalar t107 = t104 * t93 - t94 * t106;
+  const Scalar t108 = k[13] * t99 + k[14] * t107;
+  const Scalar t109 = (k[16] * t80 - k[15] * t85) + t108;
+  const Scalar t110 = t89 + t91;
+  const Scalar t111 = t90 * t90;
+  const Scalar t112 = t81 * t81;
+  const Scalar t113 = t77 * t77;
+  const Scalar t114 = t112 + t113;
+  const Scalar t115 = (t94 * t110 + (t97 + t111) * t93) - (k[15] * t101 - k[16] * t114);
+  const Scalar t116 = t112 + t98;
+  const Scalar t117 = t112 - t113;
+  const Scalar t118 = t88 + t100;
+  const Scalar t119 = k[14] * t99 - k[13] * t107;
+  const Scalar t120 = (k[15] * (t116 - t117) + k[16] * t118) - t119;
+  const Scalar t121 = s5 * t115 + c5 * t120;
+  const Scalar t122 = k[11] * t109 + k[12] * t121;
+  const Scalar t123 = t65 - t122;
+  const Scalar t124 = k[43] * s6 + k[44] * c6;
+  const Scalar t125 = k[38] * c6 + k[39] * s6;
+  const Scalar t126 = k[42] - c6 * t125;
+  const Scalar t127 = s6 * t125;
+  const Scalar t128 = k[40] + t127;
+  const Scalar t129 = t97 - t98;
+  const Scalar t130 = t111 - t98;
+  const Scalar t131 = k[43] * c6 - k[44] * s6;
+  const Scalar t132 = (t126 * t104 + t106 * t128) + (t129 - t130) * t131;
+  const Scalar t133 = t58 * t58;
+  const Scalar t134 = t63 + t133;
+  const Scalar t135 = s4 * t55 + c4 * t40;
+  const Scalar t136 = k[31] * t134 + t135;
+  const Scalar t137 = t87 - t86;
+  const Scalar t138 = k[24] * (t133 + t64) + (k[10] * t51 - k[9] * t54);
+  const Scalar t139 = k[31] * t137 + t138;
+  const Scalar t140 = k[31] * t61 + t56;
+  const Scalar t141 = k[11] * t139 - k[12] * t140;
+  const Scalar t142 = k[32] * t83 - (s5 * t136 - c5 * t141);
+  const Scalar t143 = k[37] * t118 + t142;
+  const Scalar t144 = k[32] * t116 + (k[11] * t140 + k[12] * t139);
+  const Scalar t145 = k[37] * t80 - t144;
+  const Scalar t146 = k[13] * t143 + k[14] * t145;
+  const Scalar t147 = (k[45] * t85 + k[33] * t80) - k[36] * t117;
+  const Scalar t148 = ((t92 * t124 + t132) + t94 * t146) - (k[15] * t144 + (t147 + k[35] * t118));
+  const Scalar t149 = t148 + k[32] * t120;
+  const Scalar t150 = (k[35] * (t116 - t114) + k[36] * t101) + (k[33] * t85 + k[34] * t80);
+  const Scalar t151 = (s5 * t141 + c5 * t136) + k[32] * t75;
+  const Scalar t152 = t94 * (t151 + k[37] * t114) + (k[13] * t145 - k[14] * t143) * t93;
+  const Scalar t153 = k[41] - t127;
+  const Scalar t154 = t126 * t130 - (t110 * t128 + t153 * t92);
+  const Scalar t155 = t152 + (t154 - (t105 * t124 - t131 * t102));
+  const Scalar t156 = (t126 * t106 + t153 * t104) + (t129 * t124 - t110 * t131);
+  const Scalar t157 = t156 - t146 * t93;
+  const Scalar t158 = k[37] * t108 + (k[13] * t155 - k[14] * t157);
+  const Scalar t159 = ((k[16] * t144 - t150) - t158) - k[32] * t115;
+  const Scalar t160 = t70 + t71;
+  const Scalar t161 = t63 - t64;
+  const Scalar t162 = t133 - t64;
+  const Scalar t163 = (k[26] * t160 + k[28] * t137) - k[29] * (t161 - t162);
+  const Scalar t164 = (c5 * t149 - s5 * t159) - (k[17] * t138 + (t163 - k[30] * t61));
+  const Scalar t165 = k[24] * t123 - t164;
+  const Scalar t166 = (k[18] * t134 - k[17] * t66) + k[25] * t135;
+  const Scalar t167 = t166 - (s5 * t120 - c5 * t115);
+  const Scalar t168 = (k[27] * t137 - k[28] * t160) + (k[29] * t66 + k[30] * t161);
+  const Scalar t169 = (k[13] * t157 + k[14] * t155) + k[37] * t119;
+  const Scalar t170 = (k[45] * t101 + k[34] * t118) + k[33] * (t112 - t98);
+  const Scalar t171 = (k[15] * t151 - k[16] * t142) - (t170 - (k[35] * t83 - k[36] * t75));
+  const Scalar t172 = t169 + t171;
+  const Scalar t173 = c5 * t159 + s5 * t149;
+  const Scalar t174 = k[11] * t121 - k[12] * t109;
+  const Scalar t175 = (k[11] * t172 - k[12] * t173) - k[31] * t174;
+  const Scalar t176 = k[24] * t167 - ((t168 + k[18] * t138) - t175);
+  const Scalar t177 = t42 - t43;
+  const Scalar t178 = t9 - t16;
+  const Scalar t179 = (k[47] * t50 - k[50] * t177) - k[48] * t178;
+  const Scalar t180 = (c4 * t165 - s4 * t176) + (k[49] * t53 + t179);
+  const Scalar t181 = (k[18] * t137 - k[17] * t160) + k[25] * t138;
+  const Scalar t182 = t174 + t181;
+  const Scalar t183 = c4 * t123 - s4 * t167;
+  const Scalar t184 = k[9] * t182 + k[10] * t183;
+  const Scalar t185 = t184 + k[6] * t53;
+  const Scalar t186 = t180 + k[22] * t185;
+  const Scalar t187 = (s4 * t123 + c4 * t167) + k[6] * t18;
+  const Scalar t188 = (k[48] * t38 + k[49] * t14) + (k[47] * t177 - k[46] * t50);
+  const Scalar t189 = s4 * t165 + c4 * t176;
+  const Scalar t190 = k[31] * t122 - (k[11] * t173 + k[12] * t172);
+  const Scalar t191 = k[28] * t162 + (k[27] * t61 + k[26] * t66);
+  const Scalar t192 = (k[17] * t135 + k[18] * t56) + ((k[30] * t69 - k[29] * t67) + t191);
+  const Scalar t193 = t190 - t192;
+  const Scalar t194 = k[9] * t183 - k[10] * t182;
+  const Scalar t195 = (k[10] * t189 - k[9] * t193) + k[23] * t194;
+  const Scalar t196 = k[22] * t187 + ((t188 - k[6] * t47) + t195);
+  const Scalar t197 = s3 * t187 - c3 * t185;
+  const Scalar t198 = t194 + k[6] * t50;
+  const Scalar t199 = k[4] * t197 + k[5] * t198;
+  const Scalar t200 = s2 * ((c3 * t186 - s3 * t196) - t199);
+  const Scalar t201 = s3 * t186 + c3 * t196;
+  const Scalar t202 = (k[9] * t189 + k[10] * t193) - k[23] * t184;
+  const Scalar t203 = (k[50] * t38 + k[46] * t53) + k[47] * (t14 - t178);
+  const Scalar t204 = k[6] * t52 + ((k[49] * t41 + k[48] * t23) + t203);
+  const Scalar t205 = t202 + t204;
+  const Scalar t206 = k[5] * t197 - k[4] * t198;
+  const Scalar t207 = (k[4] * t201 - k[5] * t205) - k[20] * t206;
+  const Scalar t208 = c3 * t187 + s3 * t185;
+  const Scalar t209 = k[53] - c2 * (k[52] * c2 + k[51] * s2);
+  const Scalar t210 = k[55] * s2 + k[54] * c2;
+  const Scalar t211 = t0 * t5 - (t209 * t32 + t210 * t3);
+  const Scalar t212 = t0 * (t3 + t5) - ((t200 + c2 * (t207 + t208)) + t211);
+  const Scalar t213 = (k[0] * t28 + k[1] * t26) - (t209 * t5 + t210 * t31);
+  const Scalar t214 = k[20] * t199 + (k[4] * t205 + k[5] * t201);
+  const Scalar t215 = t213 - t214;
+  const Scalar t216 = k[0] * s2 + k[1] * c2;
+  const Scalar t217 = (c2 * t199 + s2 * t208) + t216 * t3;
+  const Scalar t218 = k[56] * t217 - k[57] * (t206 - t216 * t32);
   JointVector<Scalar> result;
-  result[0] = -t218 - t221;
-  result[1] = -t211;
-  result[2] = -t195;
-  result[3] = t189;
-  result[4] = -t181;
-  result[5] = t157;
+  result[0] = (k[2] * t212 + k[3] * t215) - t218;
+  result[1] = t215;
+  result[2] = -t205;
+  result[3] = -t193;
+  result[4] = t172;
+  result[5] = t155;
   return result;
 }
 
@@ -1044,202 +1057,199 @@ MassMatrixConstants<Scalar> mass_matrix_constants(const BasicGeometry<Scalar>& g
   using std::cos;
   using std::sin;
   const Scalar t0 = inertia.c6x * inertia.m6;
-  const Scalar t1 = inertia.c6y * inertia.m6;
-  const Scalar t2 = inertia.I6xy - inertia.c6y * t0;
-  const Scalar t3 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t4 = (inertia.I6xx - t3) - inertia.c6x * t0;
-  const Scalar t5 = (inertia.I6yy - t3) - inertia.c6y * t1;
-  const Scalar t6 = g.a6 / g.d2;
-  const Scalar t7 = inertia.c5x * inertia.m5;
-  const Scalar t8 = g.d5 * t7;
-  const Scalar t9 = inertia.c6z * inertia.m6;
-  const Scalar t10 = g.d6 * inertia.m6 + t9;
-  const Scalar t11 = cos(g.alpha6) * t10;
-  const Scalar t12 = (t8 - (t8 - (inertia.I5xz - inertia.c5z * t7))) - g.a6 * t11;
-  const Scalar t13 = inertia.c5y * inertia.m5;
-  const Scalar t14 = g.d5 * t13;
-  const Scalar t15 = (inertia.c6z * t9 - (inertia.I6zz - t3)) + g.d6 * (t10 + t9);
+  const Scalar t1 = inertia.I6xy - inertia.c6y * t0;
+  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t0;
+  const Scalar t4 = inertia.c6y * inertia.m6;
+  const Scalar t5 = (inertia.I6yy - t2) - inertia.c6y * t4;
+  const Scalar t6 = t3 + t5;
+  const Scalar t7 = g.a6 / g.a3;
+  const Scalar t8 = inertia.c5x * inertia.m5;
+  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t10 = g.a6 * inertia.m6;
+  const Scalar t11 = (inertia.c5x * t8 - (inertia.I5xx - t9)) + g.a6 * t10;
+  const Scalar t12 = inertia.c5y * inertia.m5;
+  const Scalar t13 = inertia.c6z * inertia.m6;
+  const Scalar t14 = g.d6 * inertia.m6 + t13;
+  const Scalar t15 = (inertia.c6z * t13 - (inertia.I6zz - t2)) + g.d6 * (t14 + t13);
   const Scalar t16 = sin(g.alpha6) * t15;
-  const Scalar t17 = (t14 + ((inertia.I5yz - inertia.c5z * t13) - t14)) + cos(g.alpha6) * t16;
-  const Scalar t18 = g.a6 * inertia.m6;
-  const Scalar t19 = sin(g.alpha6) * t10;
-  const Scalar t20 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t21 = (inertia.c5x * t7 - (inertia.I5xx - t20)) + g.a6 * t18;
-  const Scalar t22 = sin(g.alpha6) * t16;
-  const Scalar t23 = g.d4 / g.d2;
-  const Scalar t24 = g.a5 / g.d2;
+  const Scalar t17 = sin(g.alpha6) * t16;
+  const Scalar t18 = sin(g.alpha6) * t14;
+  const Scalar t19 = g.d5 / g.a3;
+  const Scalar t20 = g.d5 * t12;
+  const Scalar t21 = (t20 + ((inertia.I5yz - inertia.c5z * t12) - t20)) + cos(g.alpha6) * t16;
+  const Scalar t22 = g.d5 * t8;
+  const Scalar t23 = cos(g.alpha6) * t14;
+  const Scalar t24 = (t22 - (t22 - (inertia.I5xz - inertia.c5z * t8))) - g.a6 * t23;
   const Scalar t25 = g.d5 * inertia.m5;
   const Scalar t26 = inertia.c5z * inertia.m5;
   const Scalar t27 = t26 + t25;
   const Scalar t28 = t25 - t27;
-  const Scalar t29 = t28 - t11;
+  const Scalar t29 = t28 - t23;
   const Scalar t30 = inertia.m5 + inertia.m6;
   const Scalar t31 = t29 - g.d5 * t30;
-  const Scalar t32 = sin(g.alpha5) * t31;
-  const Scalar t33 = inertia.c4x * inertia.m4;
-  const Scalar t34 = (inertia.c5z * t26 - (inertia.I5zz - t20)) + g.d5 * (t26 + t27);
-  const Scalar t35 = (g.d5 * (t28 - t27) + t34) + (t15 - t22);
-  const Scalar t36 = g.d5 * (t29 + t31) - t35;
-  const Scalar t37 = sin(g.alpha5) * t36;
-  const Scalar t38 = sin(g.alpha5) * t37;
-  const Scalar t39 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t40 = inertia.c4y * inertia.m4;
-  const Scalar t41 = g.a5 * t30;
-  const Scalar t42 = g.a5 * t41 - ((inertia.I4xx - t39) - inertia.c4x * t33);
-  const Scalar t43 = cos(g.alpha5) * t31;
-  const Scalar t44 = g.d4 * t33;
-  const Scalar t45 = g.a5 * t43 + (((inertia.I4xz - inertia.c4z * t33) - t44) + t44);
-  const Scalar t46 = g.d4 * t40;
-  const Scalar t47 = cos(g.alpha5) * t37 - (t46 - (t46 - (inertia.I4yz - inertia.c4z * t40)));
+  const Scalar t32 = (inertia.c5z * t26 - (inertia.I5zz - t9)) + g.d5 * (t26 + t27);
+  const Scalar t33 = (g.d5 * (t28 - t27) + t32) + (t15 - t17);
+  const Scalar t34 = g.d5 * (t29 + t31) - t33;
+  const Scalar t35 = sin(g.alpha5) * t34;
+  const Scalar t36 = sin(g.alpha5) * t35;
+  const Scalar t37 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t38 = inertia.c4y * inertia.m4;
+  const Scalar t39 = g.a5 / g.a3;
+  const Scalar t40 = sin(g.alpha5) * t31;
+  const Scalar t41 = inertia.c4x * inertia.m4;
+  const Scalar t42 = g.a5 * t30;
+  const Scalar t43 = g.a5 * t42 - ((inertia.I4xx - t37) - inertia.c4x * t41);
+  const Scalar t44 = g.a4 / g.a3;
+  const Scalar t45 = inertia.m4 + t30;
+  const Scalar t46 = g.a4 * t45;
+  const Scalar t47 = inertia.c3x * inertia.m3;
   const Scalar t48 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t49 = inertia.c3y * inertia.m3;
-  const Scalar t50 = inertia.c4z * inertia.m4;
-  const Scalar t51 = g.d4 * inertia.m4;
-  const Scalar t52 = t50 + t51;
-  const Scalar t53 = t52 - t51;
-  const Scalar t54 = ((inertia.I4zz - t39) - inertia.c4z * t50) - g.d4 * (t52 + t50);
-  const Scalar t55 = (g.d4 * (t53 + t52) + t54) - (t38 - t36);
-  const Scalar t56 = t53 - t43;
-  const Scalar t57 = inertia.m4 + t30;
-  const Scalar t58 = g.d4 * t57 + t56;
-  const Scalar t59 = t55 - g.d4 * (t56 + t58);
-  const Scalar t60 = sin(g.alpha4) * t59;
-  const Scalar t61 = sin(g.alpha4) * t60;
-  const Scalar t62 = g.a4 / g.d2;
-  const Scalar t63 = inertia.c3x * inertia.m3;
-  const Scalar t64 = sin(g.alpha4) * t58;
-  const Scalar t65 = g.a4 * t57;
-  const Scalar t66 = g.a4 * t65 + (inertia.c3x * t63 - (inertia.I3xx - t48));
-  const Scalar t67 = g.d3 / g.d2;
-  const Scalar t68 = cos(g.alpha4) * t58;
-  const Scalar t69 = g.d3 * t63;
-  const Scalar t70 = g.a4 * t68 - (t69 - (t69 - (inertia.I3xz - inertia.c3z * t63)));
-  const Scalar t71 = g.d3 * t49;
-  const Scalar t72 = cos(g.alpha4) * t60 - (t71 - (t71 - (inertia.I3yz - inertia.c3z * t49)));
-  const Scalar t73 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t74 = inertia.c2y * inertia.m2;
-  const Scalar t75 = inertia.c3z * inertia.m3;
-  const Scalar t76 = g.d3 * inertia.m3;
-  const Scalar t77 = t75 + t76;
-  const Scalar t78 = g.d3 * (t75 + t77) - ((inertia.I3zz - t48) - inertia.c3z * t75);
-  const Scalar t79 = t76 - t77;
-  const Scalar t80 = (t61 - t59) + (t78 - g.d3 * (t77 - t79));
-  const Scalar t81 = t68 - t79;
-  const Scalar t82 = inertia.m3 + t57;
-  const Scalar t83 = t81 + g.d3 * t82;
-  const Scalar t84 = t80 + g.d3 * (t81 + t83);
-  const Scalar t85 = sin(g.alpha3) * t84;
-  const Scalar t86 = sin(g.alpha3) * t85;
-  const Scalar t87 = g.a3 / g.d2;
-  const Scalar t88 = g.a3 * t82;
-  const Scalar t89 = inertia.c2x * inertia.m2;
-  const Scalar t90 = g.a3 * t88 + (inertia.c2x * t89 - (inertia.I2xx - t73));
-  const Scalar t91 = sin(g.alpha3) * t83;
-  const Scalar t92 = g.d2 * t74;
-  const Scalar t93 = ((t92 - (inertia.I2yz - inertia.c2z * t74)) - t92) - cos(g.alpha3) * t85;
-  const Scalar t94 = cos(g.alpha3) * t83;
-  const Scalar t95 = g.d2 * t89;
-  const Scalar t96 = g.a3 * t94 - (((inertia.I2xz - inertia.c2z * t89) - t95) + t95);
-  const Scalar t97 = g.d2 * inertia.m2;
-  const Scalar t98 = inertia.c2z * inertia.m2;
-  const Scalar t99 = t97 + t98;
-  const Scalar t100 = t97 - t99;
-  const Scalar t101 = g.d2 * (t99 + t98) - ((inertia.I2zz - t73) - inertia.c2z * t98);
-  const Scalar t102 = (g.d2 * (t99 - t100) - t101) + (t86 - t84);
-  const Scalar t103 = t94 - t100;
-  const Scalar t104 = inertia.m2 + t82;
-  const Scalar t105 = t102 - g.d2 * (t103 + (g.d2 * t104 + t103));
-  const Scalar t106 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t107 = sin(g.alpha2) * sin(g.alpha2) * t105
-      - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t106));
-  const Scalar t108 = g.a2 / g.d2;
-  const Scalar t109 = g.a2 * g.a2 * t104 + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t106));
-  const Scalar t110 = t4 + t5;
-  return { g.d2 * t0,
-           g.d2 * t1,
-           g.d5 / g.d2,
-           Scalar(2) * sin(g.alpha6),
-           g.d6 * t1 - (inertia.I6yz - inertia.c6z * t1),
+  const Scalar t49 = g.a4 * t46 + (inertia.c3x * t47 - (inertia.I3xx - t48));
+  const Scalar t50 = g.d4 / g.a3;
+  const Scalar t51 = cos(g.alpha5) * t31;
+  const Scalar t52 = g.d4 * t41;
+  const Scalar t53 = g.a5 * t51 + (((inertia.I4xz - inertia.c4z * t41) - t52) + t52);
+  const Scalar t54 = g.d4 * t38;
+  const Scalar t55 = cos(g.alpha5) * t35 - (t54 - (t54 - (inertia.I4yz - inertia.c4z * t38)));
+  const Scalar t56 = inertia.c3y * inertia.m3;
+  const Scalar t57 = inertia.c4z * inertia.m4;
+  const Scalar t58 = g.d4 * inertia.m4;
+  const Scalar t59 = t57 + t58;
+  const Scalar t60 = t59 - t58;
+  const Scalar t61 = ((inertia.I4zz - t37) - inertia.c4z * t57) - g.d4 * (t59 + t57);
+  const Scalar t62 = (g.d4 * (t60 + t59) + t61) - (t36 - t34);
+  const Scalar t63 = t60 - t51;
+  const Scalar t64 = g.d4 * t45 + t63;
+  const Scalar t65 = t62 - g.d4 * (t63 + t64);
+  const Scalar t66 = sin(g.alpha4) * t65;
+  const Scalar t67 = sin(g.alpha4) * t66;
+  const Scalar t68 = sin(g.alpha4) * t64;
+  const Scalar t69 = g.d3 / g.a3;
+  const Scalar t70 = g.d3 * t56;
+  const Scalar t71 = cos(g.alpha4) * t66 - (t70 - (t70 - (inertia.I3yz - inertia.c3z * t56)));
+  const Scalar t72 = cos(g.alpha4) * t64;
+  const Scalar t73 = g.d3 * t47;
+  const Scalar t74 = g.a4 * t72 - (t73 - (t73 - (inertia.I3xz - inertia.c3z * t47)));
+  const Scalar t75 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t76 = inertia.c2y * inertia.m2;
+  const Scalar t77 = inertia.c3z * inertia.m3;
+  const Scalar t78 = g.d3 * inertia.m3;
+  const Scalar t79 = t77 + t78;
+  const Scalar t80 = g.d3 * (t77 + t79) - ((inertia.I3zz - t48) - inertia.c3z * t77);
+  const Scalar t81 = t78 - t79;
+  const Scalar t82 = (t67 - t65) + (t80 - g.d3 * (t79 - t81));
+  const Scalar t83 = t72 - t81;
+  const Scalar t84 = inertia.m3 + t45;
+  const Scalar t85 = t83 + g.d3 * t84;
+  const Scalar t86 = t82 + g.d3 * (t83 + t85);
+  const Scalar t87 = sin(g.alpha3) * t86;
+  const Scalar t88 = sin(g.alpha3) * t87;
+  const Scalar t89 = g.a3 * t84;
+  const Scalar t90 = inertia.c2x * inertia.m2;
+  const Scalar t91 = g.a3 * t89 + (inertia.c2x * t90 - (inertia.I2xx - t75));
+  const Scalar t92 = sin(g.alpha3) * t85;
+  const Scalar t93 = g.d2 / g.a3;
+  const Scalar t94 = cos(g.alpha3) * t85;
+  const Scalar t95 = g.d2 * t90;
+  const Scalar t96 = g.a3 * t94 - (((inertia.I2xz - inertia.c2z * t90) - t95) + t95);
+  const Scalar t97 = g.d2 * t76;
+  const Scalar t98 = ((t97 - (inertia.I2yz - inertia.c2z * t76)) - t97) - cos(g.alpha3) * t87;
+  const Scalar t99 = g.d2 * inertia.m2;
+  const Scalar t100 = inertia.c2z * inertia.m2;
+  const Scalar t101 = t99 + t100;
+  const Scalar t102 = t99 - t101;
+  const Scalar t103 = g.d2 * (t101 + t100) - ((inertia.I2zz - t75) - inertia.c2z * t100);
+  const Scalar t104 = (g.d2 * (t101 - t102) - t103) + (t88 - t86);
+  const Scalar t105 = t94 - t102;
+  const Scalar t106 = inertia.m2 + t84;
+  const Scalar t107 = t104 - g.d2 * (t105 + (g.d2 * t106 + t105));
+  const Scalar t108 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t109 = sin(g.alpha2) * sin(g.alpha2) * t107
+      - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t108));
+  const Scalar t110 = g.a2 / g.a3;
+  const Scalar t111 = g.a2 * g.a2 * t106 + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t108));
+  return { Scalar(2) * t1,
+           t3 - t5,
+           t5,
+           t6,
+           g.a3 * t0,
+           g.a3 * t4,
+           Scalar(2) * t7,
+           t11,
+           sin(g.alpha6),
+           g.d6 * t4 - (inertia.I6yz - inertia.c6z * t4),
            (inertia.I6xz - inertia.c6z * t0) - g.d6 * t0,
            cos(g.alpha6),
-           Scalar(2) * t2,
-           t4 - t5,
-           t5,
-           sin(g.alpha6),
-           sin(g.alpha6) * t6,
-           t2,
-           t12,
-           t17,
-           g.d2 * (t18 + t7),
-           g.d2 * (t13 - t19),
-           cos(g.alpha5),
-           t6,
-           (inertia.I5xy - inertia.c5y * t7) + g.a6 * t19,
-           t4,
-           Scalar(2) * t6,
+           (inertia.c5y * t12 - (inertia.I5yy - t9)) + t17,
+           cos(g.alpha6) * t7,
+           t1,
+           (inertia.I5xy - inertia.c5y * t8) + g.a6 * t18,
+           g.a3 * (t12 - t18),
+           t19,
            t21,
-           (inertia.c5y * t13 - (inertia.I5yy - t20)) + t22,
-           sin(g.alpha5),
-           cos(g.alpha5) * sin(g.alpha6),
-           Scalar(2) * t23,
-           sin(g.alpha5) * sin(g.alpha6),
+           g.a3 * (t10 + t8),
+           sin(g.alpha6) * t7,
            t24,
-           g.a5 * t32 - (inertia.I4xy - inertia.c4y * t33),
-           t38 + ((inertia.I4yy - t39) - inertia.c4y * t40),
-           Scalar(2) * t24,
-           t42,
+           cos(g.alpha5),
+           Scalar(2) * sin(g.alpha6) * t19,
+           sin(g.alpha5),
+           t36 + ((inertia.I4yy - t37) - inertia.c4y * t38),
+           sin(g.alpha5) * sin(g.alpha6),
+           t39,
+           g.a5 * t40 - (inertia.I4xy - inertia.c4y * t41),
+           Scalar(2) * t39,
+           t43,
+           g.a3 * (t42 + t41),
+           g.a3 * (t40 + t38),
+           Scalar(2) * t44,
+           t49,
+           cos(g.alpha5) * sin(g.alpha6),
+           Scalar(2) * t50,
            sin(g.alpha4),
-           t45,
-           t47,
-           g.d2 * (t32 + t40),
-           g.d2 * (t41 + t33),
-           t23,
+           t50,
+           t53,
+           t55,
            cos(g.alpha4),
-           ((inertia.I3yy - t48) - inertia.c3y * t49) + t61,
-           t62,
-           (inertia.I3xy - inertia.c3y * t63) + g.a4 * t64,
-           Scalar(2) * t62,
-           t66,
-           Scalar(2) * t67,
-           sin(g.alpha3),
-           t70,
-           t72,
-           g.d2 * (t65 + t63),
-           g.d2 * (t64 - t49),
-           t67,
-           Scalar(2) * cos(g.alpha3),
-           ((inertia.I2yy - t73) - inertia.c2y * t74) - t86,
-           Scalar(2) * t87,
-           t90,
+           ((inertia.I3yy - t48) - inertia.c3y * t56) + t67,
+           t44,
+           (inertia.I3xy - inertia.c3y * t47) + g.a4 * t68,
+           g.a3 * (t68 - t56),
+           t69,
+           t71,
+           g.a3 * (t46 + t47),
+           t74,
            cos(g.alpha3),
-           t87,
-           g.a3 * t91 + (inertia.I2xy - inertia.c2y * t89),
-           sin(g.alpha2) * sin(g.alpha2),
+           Scalar(2) * t69,
+           sin(g.alpha3),
+           ((inertia.I2yy - t75) - inertia.c2y * t76) - t88,
+           t91,
+           g.a3 * t92 + (inertia.I2xy - inertia.c2y * t90),
+           g.a3 * (t89 + t90),
            t93,
-           g.d2 * (t91 - t74),
-           g.d2 * (t88 + t89),
            t96,
-           sin(g.alpha2),
-           Scalar(2) * cos(g.alpha2),
-           t107,
-           Scalar(2) * t108,
+           t98,
+           g.a3 * (t92 - t76),
+           Scalar(2) * cos(g.alpha2) * sin(g.alpha2),
+           Scalar(2) * t93,
+           sin(g.alpha2) * sin(g.alpha2),
            t109,
-           cos(g.alpha2) * t108,
+           Scalar(2) * t110,
+           t111,
+           cos(g.alpha2) * t110,
            cos(g.alpha2),
-           sin(g.alpha3) * t87,
-           sin(g.alpha2) * t108,
-           sin(g.alpha3) * sin(g.alpha4),
+           sin(g.alpha2),
+           cos(g.alpha3) * t93,
+           sin(g.alpha2) * t110,
            cos(g.alpha3) * sin(g.alpha4),
-           sin(g.alpha4) * t62,
-           cos(g.alpha4) * t67,
-           sin(g.alpha4) * sin(g.alpha5),
+           sin(g.alpha3) * sin(g.alpha4),
+           sin(g.alpha4) * t44,
+           sin(g.alpha5) * t39,
+           cos(g.alpha5) * t50,
            cos(g.alpha4) * sin(g.alpha5),
-           sin(g.alpha5) * t24,
-           cos(g.alpha5) * t23,
-           cos(g.alpha5) * t24,
-           cos(g.alpha6) * t110,
-           sin(g.alpha6) * t110,
-           t110 };
+           sin(g.alpha4) * sin(g.alpha5),
+           sin(g.alpha6) * t6,
+           cos(g.alpha6) * t6 };
 }
 
 namespace detail {
@@ -1257,198 +1267,202 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointV
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[0] * c6 - k[1] * s6;
-  const Scalar t1 = k[15] + t0;
-  const Scalar t2 = k[0] * s6 + k[1] * c6;
-  const Scalar t3 = k[6] * t2;
-  const Scalar t4 = k[16] + t3;
-  const Scalar t5 = s5 * t1 + c5 * t4;
-  const Scalar t6 = k[17] * t5 - k[27] * t2;
-  const Scalar t7 = k[36] + t6;
-  const Scalar t8 = s5 * t4 - c5 * t1;
-  const Scalar t9 = k[37] - t8;
-  const Scalar t10 = s4 * t7 - c4 * t9;
-  const Scalar t11 = k[49] - t10;
-  const Scalar t12 = k[24] * t5 + k[25] * t2;
-  const Scalar t13 = s4 * t9 + c4 * t7;
-  const Scalar t14 = k[33] * t12 - k[39] * t13;
-  const Scalar t15 = k[50] + t14;
-  const Scalar t16 = c3 * t11 + s3 * t15;
-  const Scalar t17 = k[4] * c6 - k[5] * s6;
-  const Scalar t18 = k[6] * t17;
-  const Scalar t19 = k[7] * c6 + k[8] * s6;
-  const Scalar t20 = s6 * t19;
-  const Scalar t21 = k[9] + t20;
-  const Scalar t22 = Scalar(2) * t18 - k[10] * t21;
-  const Scalar t23 = k[14] + (t17 - k[6] * t22);
-  const Scalar t24 = k[4] * s6 + k[5] * c6;
-  const Scalar t25 = k[12] - c6 * t19;
-  const Scalar t26 = (k[6] * t24 - k[10] * t25) - k[11] * t2;
-  const Scalar t27 = k[13] + t26;
-  const Scalar t28 = k[2] * t5 - (c5 * t23 + s5 * t27);
-  const Scalar t29 = k[17] * t28;
-  const Scalar t30 = k[22] + (k[21] * t0 - (k[20] - t20));
-  const Scalar t31 = k[10] * t22;
-  const Scalar t32 = k[23] - (t31 + t21);
-  const Scalar t33 = (k[10] * t24 + k[6] * t25) + k[18] * t3;
-  const Scalar t34 = k[19] - t33;
-  const Scalar t35 = s5 * (t30 - t32) - Scalar(2) * c5 * t34;
-  const Scalar t36 = s5 * t35;
-  const Scalar t37 = t36 + t32;
-  const Scalar t38 = k[2] * t2;
-  const Scalar t39 = t31 + k[3] * t38;
-  const Scalar t40 = Scalar(2) * t29 + k[24] * (t37 - t39);
-  const Scalar t41 = k[24] * t40;
-  const Scalar t42 = k[30] + (t41 - t37);
-  const Scalar t43 = k[32] - (k[31] * t8 - (t30 - t36));
-  const Scalar t44 = c5 * t35 + t34;
-  const Scalar t45 = k[2] * t8 - (s5 * t23 - c5 * t27);
-  const Scalar t46 = k[28] * t6 + (k[17] * t44 + k[24] * t45);
-  const Scalar t47 = k[29] + t46;
-  const Scalar t48 = s4 * (t42 + t43) + Scalar(2) * c4 * t47;
-  const Scalar t49 = s4 * t48 - t42;
-  const Scalar t50 = k[35] + (k[17] * t40 - t28);
-  const Scalar t51 = (k[17] * t45 - k[24] * t44) - k[28] * t12;
-  const Scalar t52 = k[34] + t51;
-  const Scalar t53 = k[38] * t13 + (c4 * t50 - s4 * t52);
-  const Scalar t54 = k[39] * t53;
-  const Scalar t55 = k[26] * t12 + (t41 + t39);
-  const Scalar t56 = Scalar(2) * t54 - k[33] * (t55 - t49);
-  const Scalar t57 = k[33] * t56;
-  const Scalar t58 = k[40] - (t49 - t57);
-  const Scalar t59 = t42 - t43;
-  const Scalar t60 = k[44] - (k[43] * t10 + (t59 + t49));
-  const Scalar t61 = t58 - t60;
-  const Scalar t62 = t47 - c4 * t48;
-  const Scalar t63 = k[38] * t10 + (c4 * t52 + s4 * t50);
-  const Scalar t64 = (k[39] * t62 - k[33] * t63) + k[41] * t14;
-  const Scalar t65 = k[42] + t64;
-  const Scalar t66 = s3 * (t58 + t60) - Scalar(2) * c3 * t65;
-  const Scalar t67 = t58 - s3 * t66;
-  const Scalar t68 = k[55] + (k[54] * t16 - (t61 - t67));
-  const Scalar t69 = c3 * t66 + t65;
-  const Scalar t70 = k[48] + (k[39] * t56 - t53);
-  const Scalar t71 = k[39] * t12 + k[33] * t13;
-  const Scalar t72 = k[41] * t71 - (k[39] * t63 + k[33] * t62);
-  const Scalar t73 = k[47] + t72;
-  const Scalar t74 = k[51] * t16 - (s3 * t70 - c3 * t73);
-  const Scalar t75 = c3 * t15 - s3 * t11;
-  const Scalar t76 = k[56] * t75 + k[46] * t71;
-  const Scalar t77 = (k[56] * t69 - k[46] * t74) - k[57] * t76;
-  const Scalar t78 = (c3 * t70 + s3 * t73) - k[51] * t75;
-  const Scalar t79 = (t55 + t57) + k[45] * t71;
-  const Scalar t80 = k[52] * t78 - k[46] * (t79 + t67);
-  const Scalar t81 = k[46] * t80;
-  const Scalar t82 = k[53] + (t67 + t81);
-  const Scalar t83 = Scalar(2) * c2 * (k[58] - t77) - s2 * (t68 + t82);
-  const Scalar t84 = s2 * t83;
-  const Scalar t85 = t68 + t84;
-  const Scalar t86 = k[62] + t16;
-  const Scalar t87 = k[61] + t76;
-  const Scalar t88 = c2 * t86 + s2 * t87;
-  const Scalar t89 = k[56] * t71 - k[46] * t75;
-  const Scalar t90 = t82 + t84;
-  const Scalar t91 = k[59] * (((t79 + t81) + (t89 + t89)) + t90);
-  const Scalar t92 = k[57] * t89 + (k[56] * t74 + k[46] * t69);
-  const Scalar t93 = c2 * (t87 - (k[60] + (k[56] * t80 - t78)));
-  const Scalar t94 = k[64] * (s2 * ((k[63] + t92) + t86) - t93);
-  const Scalar t95 = (k[68] + (t85 + k[67] * t88)) - (k[66] - ((t91 - k[65] * t94) - t90));
-  const Scalar t96 = t85 - t90;
-  const Scalar t97 = k[56] * t16;
-  const Scalar t98 = (k[46] * t61 - k[56] * t78) - k[71] * t16;
-  const Scalar t99 = s2 * (t97 + t74) - c2 * (t75 + t98);
-  const Scalar t100 = (k[56] * t61 + k[46] * t78) - k[57] * t97;
-  const Scalar t101 = k[69] * (c2 * t97 + s2 * t75) - k[72] * k[46] * t16;
-  const Scalar t102 = k[39] * t10;
-  const Scalar t103 = s3 * t13 + c3 * t102;
-  const Scalar t104 = k[46] * t103 + k[74] * t10;
-  const Scalar t105 = k[51] * t13 + ((t54 - k[33] * t59) - k[75] * t10);
-  const Scalar t106 = k[76] * t10 + t63;
-  const Scalar t107 = c3 * t105 - s3 * t106;
-  const Scalar t108 = k[41] * t102 + (k[39] * t59 + k[33] * t53);
-  const Scalar t109 = k[57] * t104 - (k[56] * t107 - k[46] * t108);
-  const Scalar t110 = c3 * t13 - s3 * t102;
-  const Scalar t111 = k[73] * t10 - k[56] * t103;
-  const Scalar t112 = s2 * (t111 - (s3 * t105 + c3 * t106));
-  const Scalar t113 = (k[56] * t108 + k[46] * t107) - k[57] * t111;
-  const Scalar t114 = k[64] * (c2 * (t109 - t110) - t112) - k[70] * t113;
-  const Scalar t115 = k[69] * (c2 * t111 - s2 * t110) + k[72] * t104;
-  const Scalar t116 = k[17] * t8;
-  const Scalar t117 = c4 * t5 - s4 * t116;
-  const Scalar t118 = s4 * t5 + c4 * t116;
-  const Scalar t119 = k[77] * t8 - k[39] * t118;
-  const Scalar t120 = s3 * t117 - c3 * t119;
-  const Scalar t121 = k[78] * t8 + k[33] * t118;
-  const Scalar t122 = k[46] * t120 + k[56] * t121;
-  const Scalar t123 = s3 * t119 + c3 * t117;
-  const Scalar t124 = k[56] * t120 - k[46] * t121;
-  const Scalar t125 = k[72] * t122 - k[69] * (s2 * t123 + c2 * t124);
-  const Scalar t126 = t30 + t32;
-  const Scalar t127 = (k[79] * t8 - (t29 + k[24] * t126)) - k[38] * t5;
-  const Scalar t128 = k[80] * t8 + t45;
-  const Scalar t129 = c4 * t127 + s4 * t128;
-  const Scalar t130 = (k[17] * t126 - k[24] * t28) - k[81] * t8;
-  const Scalar t131 = (k[33] * t129 + k[39] * t130) + k[41] * t119;
-  const Scalar t132 = (s4 * t127 - c4 * t128) + k[51] * t119;
-  const Scalar t133 = k[41] * t121 - (k[33] * t130 - k[39] * t129);
-  const Scalar t134 = t133 - k[51] * t117;
-  const Scalar t135 = s3 * t132 - c3 * t134;
-  const Scalar t136 = (k[56] * t131 - k[46] * t135) - k[57] * t124;
-  const Scalar t137 = k[57] * t122 - (k[56] * t135 + k[46] * t131);
-  const Scalar t138 = s2 * ((c3 * t132 + s3 * t134) - t124);
-  const Scalar t139 = k[70] * t136 + k[64] * (c2 * (t137 - t123) - t138);
-  const Scalar t140 = k[6] * t0;
-  const Scalar t141 = c5 * t140 - s5 * t2;
-  const Scalar t142 = k[25] * t0 + k[24] * t141;
-  const Scalar t143 = k[17] * t141 - k[27] * t0;
-  const Scalar t144 = s5 * t140 + c5 * t2;
-  const Scalar t145 = c4 * t143 - s4 * t144;
-  const Scalar t146 = k[39] * t142 + k[33] * t145;
-  const Scalar t147 = k[33] * t142 - k[39] * t145;
-  const Scalar t148 = s4 * t143 + c4 * t144;
-  const Scalar t149 = c3 * t147 + s3 * t148;
-  const Scalar t150 = k[46] * t146 + k[56] * t149;
-  const Scalar t151 = (k[82] + k[10] * t17) - k[18] * t140;
-  const Scalar t152 = k[2] * t140 - t24;
-  const Scalar t153 = ((k[83] - t18) - k[11] * t0) - t38;
-  const Scalar t154 = s5 * t152 - c5 * t153;
-  const Scalar t155 = (k[24] * t151 - k[17] * t154) - k[28] * t142;
-  const Scalar t156 = c5 * t152 + s5 * t153;
-  const Scalar t157 = k[38] * t148 - (c4 * t155 - s4 * t156);
-  const Scalar t158 = (k[24] * t154 + k[17] * t151) - k[28] * t143;
-  const Scalar t159 = (k[33] * t157 + k[39] * t158) + k[41] * t147;
-  const Scalar t160 = c3 * t148 - s3 * t147;
-  const Scalar t161 = k[41] * t146 + (k[39] * t157 - k[33] * t158);
-  const Scalar t162 = k[38] * t145 + (s4 * t155 + c4 * t156);
-  const Scalar t163 = k[51] * t160 + (c3 * t161 + s3 * t162);
-  const Scalar t164 = k[57] * t150 + (k[56] * t159 + k[46] * t163);
-  const Scalar t165 = k[51] * t149 - (c3 * t162 - s3 * t161);
-  const Scalar t166 = k[46] * t149 - k[56] * t146;
-  const Scalar t167 = (k[56] * t163 - k[46] * t159) - k[57] * t166;
-  const Scalar t168 = s2 * (t165 + t150) - c2 * (t160 + t167);
-  const Scalar t169 = k[72] * t166 - k[69] * (c2 * t150 + s2 * t160);
+  const Scalar t0 = k[4] * c6 - k[5] * s6;
+  const Scalar t1 = k[19] + t0;
+  const Scalar t2 = k[4] * s6 + k[5] * c6;
+  const Scalar t3 = k[16] + k[11] * t2;
+  const Scalar t4 = c5 * t1 - s5 * t3;
+  const Scalar t5 = k[31] + t4;
+  const Scalar t6 = s5 * t1 + c5 * t3;
+  const Scalar t7 = k[22] * t6 - k[26] * t2;
+  const Scalar t8 = k[32] + t7;
+  const Scalar t9 = s4 * t5 + c4 * t8;
+  const Scalar t10 = k[24] * t6 + k[35] * t2;
+  const Scalar t11 = k[41] * t9 - k[37] * t10;
+  const Scalar t12 = k[45] - t11;
+  const Scalar t13 = s4 * t8 - c4 * t5;
+  const Scalar t14 = k[48] - t13;
+  const Scalar t15 = s3 * t12 + c3 * t14;
+  const Scalar t16 = k[56] + t15;
+  const Scalar t17 = c3 * t12 - s3 * t14;
+  const Scalar t18 = k[41] * t10 + k[37] * t9;
+  const Scalar t19 = k[50] * t17 + k[52] * t18;
+  const Scalar t20 = k[60] + t19;
+  const Scalar t21 = c2 * t16 + s2 * t20;
+  const Scalar t22 = k[0] * c6 + k[1] * s6;
+  const Scalar t23 = k[2] + s6 * t22;
+  const Scalar t24 = k[7] + (k[6] * t0 - (k[3] - t23));
+  const Scalar t25 = k[9] * c6 - k[10] * s6;
+  const Scalar t26 = k[11] * t25;
+  const Scalar t27 = k[8] * t23 - (t26 + t26);
+  const Scalar t28 = k[8] * t27;
+  const Scalar t29 = k[12] - (t23 - t28);
+  const Scalar t30 = k[10] * c6 + k[9] * s6;
+  const Scalar t31 = k[14] - c6 * t22;
+  const Scalar t32 = k[13] * t2 + (k[8] * t30 + k[11] * t31);
+  const Scalar t33 = k[15] - t32;
+  const Scalar t34 = s5 * (t24 - t29) - Scalar(2) * c5 * t33;
+  const Scalar t35 = s5 * t34;
+  const Scalar t36 = k[30] + ((t24 - t35) + k[29] * t4);
+  const Scalar t37 = (k[8] * t31 - k[11] * t30) + k[20] * t2;
+  const Scalar t38 = k[17] * t1 - (k[21] - t37);
+  const Scalar t39 = k[17] * t3 - (k[18] + (k[11] * t27 + t25));
+  const Scalar t40 = s5 * t38 + c5 * t39;
+  const Scalar t41 = k[22] * t40;
+  const Scalar t42 = k[23] * t2 - t28;
+  const Scalar t43 = t35 + t29;
+  const Scalar t44 = Scalar(2) * t41 - k[24] * (t42 - t43);
+  const Scalar t45 = k[24] * t44;
+  const Scalar t46 = k[25] + (t45 - t43);
+  const Scalar t47 = c5 * t38 - s5 * t39;
+  const Scalar t48 = c5 * t34 + t33;
+  const Scalar t49 = (k[24] * t47 - k[22] * t48) - k[27] * t7;
+  const Scalar t50 = k[28] - t49;
+  const Scalar t51 = c4 * t50;
+  const Scalar t52 = s4 * (t36 + t46) + (t51 + t51);
+  const Scalar t53 = s4 * t52 - t46;
+  const Scalar t54 = t36 - t46;
+  const Scalar t55 = k[34] - (k[33] * t13 + (t53 - t54));
+  const Scalar t56 = k[27] * t10 + (k[24] * t48 + k[22] * t47);
+  const Scalar t57 = k[39] - t56;
+  const Scalar t58 = k[40] + (k[22] * t44 - t40);
+  const Scalar t59 = k[38] * t13 + (c4 * t57 + s4 * t58);
+  const Scalar t60 = c4 * t52 - t50;
+  const Scalar t61 = (k[37] * t59 + k[41] * t60) + k[43] * t11;
+  const Scalar t62 = k[44] - t61;
+  const Scalar t63 = (t45 + t42) + k[36] * t10;
+  const Scalar t64 = (c4 * t58 - s4 * t57) + k[38] * t9;
+  const Scalar t65 = k[41] * t64;
+  const Scalar t66 = k[37] * (t53 - t63) + Scalar(2) * t65;
+  const Scalar t67 = k[37] * t66;
+  const Scalar t68 = k[42] + (t67 - t53);
+  const Scalar t69 = Scalar(2) * c3 * t62 - s3 * (t55 + t68);
+  const Scalar t70 = s3 * t69;
+  const Scalar t71 = t55 + t70;
+  const Scalar t72 = k[54] + (t71 + (t15 + t15));
+  const Scalar t73 = k[43] * t18 - (k[41] * t59 - k[37] * t60);
+  const Scalar t74 = (k[49] + t73) + k[46] * t14;
+  const Scalar t75 = (k[47] - (t64 - k[41] * t66)) - k[46] * t12;
+  const Scalar t76 = c3 * t74 - s3 * t75;
+  const Scalar t77 = t62 - c3 * t69;
+  const Scalar t78 = k[55] + ((k[52] * t76 - k[50] * t77) + t19);
+  const Scalar t79 = c2 * t78;
+  const Scalar t80 = t68 + t70;
+  const Scalar t81 = (t67 + t63) + k[51] * t18;
+  const Scalar t82 = s3 * t74 + c3 * t75;
+  const Scalar t83 = k[50] * t82;
+  const Scalar t84 = k[52] * (t80 + t81) - Scalar(2) * t83;
+  const Scalar t85 = k[52] * t84;
+  const Scalar t86 = k[53] + (t80 - t85);
+  const Scalar t87 = s2 * ((t79 + t79) - s2 * (t72 + t86));
+  const Scalar t88 = t72 + t87;
+  const Scalar t89 = t72 - t86;
+  const Scalar t90 = t89 - t88;
+  const Scalar t91 = k[52] * t17 - k[50] * t18;
+  const Scalar t92 = k[63] * ((k[62] * t91 + (t85 - t81)) + t90);
+  const Scalar t93 = k[57] * t20 - (k[59] - (k[50] * t84 + t82));
+  const Scalar t94 = k[58] + ((k[50] * t76 + k[52] * t77) - t91);
+  const Scalar t95 = c2 * t93 - s2 * (k[57] * t16 + t94);
+  const Scalar t96 = (k[66] + (k[65] * t21 + t88)) - (k[64] - (t90 - (t92 - k[61] * t95)));
+  const Scalar t97 = k[67] * t21 + (k[68] * t89 + k[69] * t95);
+  const Scalar t98 = t71 - t80;
+  const Scalar t99 = k[50] * t15;
+  const Scalar t100 = (k[50] * t98 - k[52] * t82) + t99;
+  const Scalar t101 = k[52] * t15;
+  const Scalar t102 = k[57] * t17 - (t101 + (t83 + k[52] * t98));
+  const Scalar t103 = c2 * t102 - s2 * (t76 + k[70] * t15);
+  const Scalar t104 = k[71] * t101 - k[67] * (c2 * t99 + s2 * t17);
+  const Scalar t105 = k[41] * t13;
+  const Scalar t106 = s3 * t9 + c3 * t105;
+  const Scalar t107 = k[73] * t13 - k[50] * t106;
+  const Scalar t108 = k[46] * t9 - (k[74] * t13 - (t65 + k[37] * t54));
+  const Scalar t109 = t59 + k[46] * t105;
+  const Scalar t110 = k[57] * t107 - (s3 * t108 + c3 * t109);
+  const Scalar t111 = c3 * t108 - s3 * t109;
+  const Scalar t112 = k[43] * t105 + (k[37] * t64 - k[41] * t54);
+  const Scalar t113 = k[52] * t106 + k[72] * t13;
+  const Scalar t114 = c3 * t9 - s3 * t105;
+  const Scalar t115 = ((k[50] * t111 - k[52] * t112) - t113) + k[57] * t114;
+  const Scalar t116 = t107 - (k[50] * t112 + k[52] * t111);
+  const Scalar t117 = k[69] * (s2 * t110 + c2 * t115) - k[68] * t116;
+  const Scalar t118 = k[67] * (c2 * t107 - s2 * t114) + k[71] * t113;
+  const Scalar t119 = k[22] * t4;
+  const Scalar t120 = s4 * t6 - c4 * t119;
+  const Scalar t121 = k[78] * t4 + k[41] * t120;
+  const Scalar t122 = s4 * t119 + c4 * t6;
+  const Scalar t123 = c3 * t121 + s3 * t122;
+  const Scalar t124 = k[37] * t120 - k[77] * t4;
+  const Scalar t125 = k[50] * t123 - k[52] * t124;
+  const Scalar t126 = k[76] * t4 + t47;
+  const Scalar t127 = t24 + t29;
+  const Scalar t128 = (k[75] * t4 + (t41 + k[24] * t127)) + k[38] * t6;
+  const Scalar t129 = c4 * t126 - s4 * t128;
+  const Scalar t130 = (k[22] * t127 - k[24] * t40) + k[27] * t119;
+  const Scalar t131 = c4 * t128 + s4 * t126;
+  const Scalar t132 = (k[37] * t130 + k[41] * t131) - k[43] * t124;
+  const Scalar t133 = c3 * t122 - s3 * t121;
+  const Scalar t134 = (s3 * t129 + c3 * t132) + k[46] * t133;
+  const Scalar t135 = k[43] * t121 + (k[37] * t131 - k[41] * t130);
+  const Scalar t136 = t125 + (k[52] * t134 + k[50] * t135);
+  const Scalar t137 = k[46] * t123 + (s3 * t132 - c3 * t129);
+  const Scalar t138 = k[52] * t123 + k[50] * t124;
+  const Scalar t139 = (t138 + (k[52] * t135 - k[50] * t134)) - k[57] * t133;
+  const Scalar t140 = s2 * (k[57] * t125 + t137) + c2 * t139;
+  const Scalar t141 = k[71] * t138 - k[67] * (c2 * t125 + s2 * t133);
+  const Scalar t142 = k[11] * t0;
+  const Scalar t143 = s5 * t142 + c5 * t2;
+  const Scalar t144 = s5 * t2 - c5 * t142;
+  const Scalar t145 = k[22] * t144 + k[26] * t0;
+  const Scalar t146 = s4 * t143 + c4 * t145;
+  const Scalar t147 = k[24] * t144 - k[35] * t0;
+  const Scalar t148 = k[37] * t146 + k[41] * t147;
+  const Scalar t149 = c4 * t143 - s4 * t145;
+  const Scalar t150 = k[37] * t147 - k[41] * t146;
+  const Scalar t151 = s3 * t149 - c3 * t150;
+  const Scalar t152 = k[50] * t148 + k[52] * t151;
+  const Scalar t153 = k[52] * t148 - k[50] * t151;
+  const Scalar t154 = s3 * t150 + c3 * t149;
+  const Scalar t155 = k[71] * t152 + k[67] * (c2 * t153 - s2 * t154);
+  const Scalar t156 = (k[80] + k[8] * t25) - k[13] * t0;
+  const Scalar t157 = (k[79] - t26) - k[20] * t0;
+  const Scalar t158 = k[17] * t143 - (c5 * t157 + s5 * t30);
+  const Scalar t159 = k[27] * t145 + (k[22] * t156 + k[24] * t158);
+  const Scalar t160 = (k[24] * t156 - k[22] * t158) + k[27] * t147;
+  const Scalar t161 = k[38] * t143 - t160;
+  const Scalar t162 = k[17] * t144 + (c5 * t30 - s5 * t157);
+  const Scalar t163 = t162 + k[38] * t145;
+  const Scalar t164 = c4 * t161 - s4 * t163;
+  const Scalar t165 = k[43] * t150 - (k[41] * t159 + k[37] * t164);
+  const Scalar t166 = k[43] * t148 + (k[37] * t159 - k[41] * t164);
+  const Scalar t167 = k[46] * t149 - t166;
+  const Scalar t168 = k[46] * t150 - (s4 * t161 + c4 * t163);
+  const Scalar t169 = c3 * t167 + s3 * t168;
+  const Scalar t170 = ((k[52] * t165 + k[50] * t169) - t152) + k[57] * t154;
+  const Scalar t171 = (c3 * t168 - s3 * t167) + k[57] * t153;
+  const Scalar t172 = (k[52] * t169 - k[50] * t165) - t153;
+  const Scalar t173 = k[69] * (c2 * t170 + s2 * t171) + k[68] * t172;
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = t95;
-  result(0, 1) = result(1, 0) = k[69] * t88 - (t94 - k[70] * t96);
-  result(0, 2) = result(2, 0) = t101 - (k[64] * t99 + k[70] * t100);
-  result(0, 3) = result(3, 0) = t114 + t115;
-  result(0, 4) = result(4, 0) = t125 + t139;
-  result(0, 5) = result(5, 0) = t169 - (k[70] * t164 - k[64] * t168);
-  result(1, 1) = t96;
-  result(1, 2) = result(2, 1) = -t100;
-  result(1, 3) = result(3, 1) = -t113;
-  result(1, 4) = result(4, 1) = t136;
-  result(1, 5) = result(5, 1) = -t164;
-  result(2, 2) = -t61;
-  result(2, 3) = result(3, 2) = -t108;
-  result(2, 4) = result(4, 2) = t131;
-  result(2, 5) = result(5, 2) = -t159;
-  result(3, 3) = -t59;
+  result(0, 0) = t96;
+  result(0, 1) = result(1, 0) = t97;
+  result(0, 2) = result(2, 0) = (k[68] * t100 + k[69] * t103) - t104;
+  result(0, 3) = result(3, 0) = t118 - t117;
+  result(0, 4) = result(4, 0) = t141 - (k[68] * t136 - k[69] * t140);
+  result(0, 5) = result(5, 0) = t155 - t173;
+  result(1, 1) = t89;
+  result(1, 2) = result(2, 1) = t100;
+  result(1, 3) = result(3, 1) = t116;
+  result(1, 4) = result(4, 1) = -t136;
+  result(1, 5) = result(5, 1) = -t172;
+  result(2, 2) = t98;
+  result(2, 3) = result(3, 2) = -t112;
+  result(2, 4) = result(4, 2) = -t135;
+  result(2, 5) = result(5, 2) = t165;
+  result(3, 3) = t54;
   result(3, 4) = result(4, 3) = t130;
-  result(3, 5) = result(5, 3) = -t158;
-  result(4, 4) = t126;
-  result(4, 5) = result(5, 4) = -t151;
-  result(5, 5) = -k[84];
+  result(3, 5) = result(5, 3) = -t159;
+  result(4, 4) = t127;
+  result(4, 5) = result(5, 4) = -t156;
+  result(5, 5) = -k[3];
   return result;
 }
 
@@ -1474,194 +1488,193 @@ CoriolisMatrixConstants<Scalar> coriolis_matrix_constants(const BasicGeometry<Sc
   using std::sin;
   const Scalar t0 = inertia.c6x * inertia.m6;
   const Scalar t1 = inertia.c6y * inertia.m6;
-  const Scalar t2 = inertia.c5y * inertia.m5;
-  const Scalar t3 = inertia.c6z * inertia.m6;
-  const Scalar t4 = g.d6 * inertia.m6 + t3;
-  const Scalar t5 = sin(g.alpha6) * t4;
-  const Scalar t6 = g.a6 * inertia.m6;
-  const Scalar t7 = inertia.c5x * inertia.m5;
-  const Scalar t8 = inertia.m5 + inertia.m6;
-  const Scalar t9 = g.a5 * t8;
-  const Scalar t10 = inertia.c4x * inertia.m4;
-  const Scalar t11 = g.d5 * inertia.m5;
-  const Scalar t12 = inertia.c5z * inertia.m5;
-  const Scalar t13 = t12 + t11;
-  const Scalar t14 = t11 - t13;
-  const Scalar t15 = cos(g.alpha6) * t4;
-  const Scalar t16 = t14 - t15;
-  const Scalar t17 = t16 - g.d5 * t8;
-  const Scalar t18 = sin(g.alpha5) * t17;
-  const Scalar t19 = inertia.c4y * inertia.m4;
-  const Scalar t20 = inertia.m4 + t8;
-  const Scalar t21 = g.a4 * t20;
-  const Scalar t22 = inertia.c3x * inertia.m3;
-  const Scalar t23 = inertia.c4z * inertia.m4;
-  const Scalar t24 = g.d4 * inertia.m4;
-  const Scalar t25 = t23 + t24;
-  const Scalar t26 = t25 - t24;
-  const Scalar t27 = cos(g.alpha5) * t17;
-  const Scalar t28 = t26 - t27;
-  const Scalar t29 = g.d4 * t20 + t28;
-  const Scalar t30 = sin(g.alpha4) * t29;
-  const Scalar t31 = inertia.c3y * inertia.m3;
-  const Scalar t32 = cos(g.alpha4) * t29;
-  const Scalar t33 = g.d3 * inertia.m3;
-  const Scalar t34 = inertia.c3z * inertia.m3;
-  const Scalar t35 = t34 + t33;
-  const Scalar t36 = t33 - t35;
-  const Scalar t37 = t32 - t36;
-  const Scalar t38 = inertia.m3 + t20;
-  const Scalar t39 = t37 + g.d3 * t38;
-  const Scalar t40 = sin(g.alpha3) * t39;
-  const Scalar t41 = inertia.c2y * inertia.m2;
-  const Scalar t42 = g.a3 * t38;
-  const Scalar t43 = inertia.c2x * inertia.m2;
-  const Scalar t44 = g.a2 / g.d2;
-  const Scalar t45 = g.d3 / g.d2;
-  const Scalar t46 = g.a4 / g.d2;
-  const Scalar t47 = inertia.I6xy - inertia.c6y * t0;
-  const Scalar t48 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t49 = (inertia.I6xx - t48) - inertia.c6x * t0;
-  const Scalar t50 = (inertia.I6yy - t48) - inertia.c6y * t1;
-  const Scalar t51 = g.a6 / g.d2;
-  const Scalar t52 = g.d5 * t7;
-  const Scalar t53 = (t52 - (t52 - (inertia.I5xz - inertia.c5z * t7))) - g.a6 * t15;
-  const Scalar t54 = g.d5 * t2;
-  const Scalar t55 = (inertia.c6z * t3 - (inertia.I6zz - t48)) + g.d6 * (t4 + t3);
-  const Scalar t56 = sin(g.alpha6) * t55;
-  const Scalar t57 = (t54 + ((inertia.I5yz - inertia.c5z * t2) - t54)) + cos(g.alpha6) * t56;
-  const Scalar t58 = g.d5 / g.d2;
-  const Scalar t59 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t60 = sin(g.alpha6) * t56;
-  const Scalar t61 = t49 + t50;
-  const Scalar t62 = (inertia.c5x * t7 - (inertia.I5xx - t59)) + g.a6 * t6;
-  const Scalar t63 = (inertia.c5z * t12 - (inertia.I5zz - t59)) + g.d5 * (t12 + t13);
-  const Scalar t64 = (g.d5 * (t14 - t13) + t63) + (t55 - t60);
-  const Scalar t65 = g.d5 * (t16 + t17) - t64;
-  const Scalar t66 = sin(g.alpha5) * t65;
-  const Scalar t67 = sin(g.alpha5) * t66;
-  const Scalar t68 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t69 = g.a5 / g.d2;
-  const Scalar t70 = g.a5 * t9 - ((inertia.I4xx - t68) - inertia.c4x * t10);
-  const Scalar t71 = g.d4 * t10;
-  const Scalar t72 = g.a5 * t27 + (((inertia.I4xz - inertia.c4z * t10) - t71) + t71);
-  const Scalar t73 = g.d4 / g.d2;
-  const Scalar t74 = g.d4 * t19;
-  const Scalar t75 = cos(g.alpha5) * t66 - (t74 - (t74 - (inertia.I4yz - inertia.c4z * t19)));
-  const Scalar t76 = g.d3 * t22;
-  const Scalar t77 = g.a4 * t32 - (t76 - (t76 - (inertia.I3xz - inertia.c3z * t22)));
-  const Scalar t78 = ((inertia.I4zz - t68) - inertia.c4z * t23) - g.d4 * (t25 + t23);
-  const Scalar t79 = (g.d4 * (t26 + t25) + t78) - (t67 - t65);
-  const Scalar t80 = t79 - g.d4 * (t28 + t29);
-  const Scalar t81 = sin(g.alpha4) * t80;
-  const Scalar t82 = g.d3 * t31;
-  const Scalar t83 = cos(g.alpha4) * t81 - (t82 - (t82 - (inertia.I3yz - inertia.c3z * t31)));
-  const Scalar t84 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t85 = sin(g.alpha4) * t81;
-  const Scalar t86 = g.a4 * t21 + (inertia.c3x * t22 - (inertia.I3xx - t84));
-  const Scalar t87 = g.a3 / g.d2;
-  const Scalar t88 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t89 = g.a3 * t42 + (inertia.c2x * t43 - (inertia.I2xx - t88));
-  const Scalar t90 = g.d3 * (t34 + t35) - ((inertia.I3zz - t84) - inertia.c3z * t34);
-  const Scalar t91 = (t85 - t80) + (t90 - g.d3 * (t35 - t36));
-  const Scalar t92 = sin(g.alpha3) * (t91 + g.d3 * (t37 + t39));
-  const Scalar t93 = ((inertia.I2yy - t88) - inertia.c2y * t41) - sin(g.alpha3) * t92;
-  const Scalar t94 = g.d2 * t43;
-  const Scalar t95 = g.a3 * cos(g.alpha3) * t39 - (((inertia.I2xz - inertia.c2z * t43) - t94) + t94);
-  const Scalar t96 = g.d2 * t41;
-  const Scalar t97 = ((t96 - (inertia.I2yz - inertia.c2z * t41)) - t96) - cos(g.alpha3) * t92;
-  return { g.d2 * t0,
-           g.d2 * t1,
-           cos(g.alpha6),
-           g.d2 * (t2 - t5),
-           g.d2 * (t6 + t7),
-           g.d2 * (t9 + t10),
-           sin(g.alpha5) * sin(g.alpha6),
-           cos(g.alpha5),
-           g.d2 * (t18 + t19),
-           g.d2 * (t21 + t22),
+  const Scalar t2 = g.a6 * inertia.m6;
+  const Scalar t3 = inertia.c5x * inertia.m5;
+  const Scalar t4 = inertia.c5y * inertia.m5;
+  const Scalar t5 = inertia.c6z * inertia.m6;
+  const Scalar t6 = g.d6 * inertia.m6 + t5;
+  const Scalar t7 = sin(g.alpha6) * t6;
+  const Scalar t8 = g.d5 * inertia.m5;
+  const Scalar t9 = inertia.c5z * inertia.m5;
+  const Scalar t10 = t9 + t8;
+  const Scalar t11 = t8 - t10;
+  const Scalar t12 = cos(g.alpha6) * t6;
+  const Scalar t13 = t11 - t12;
+  const Scalar t14 = inertia.m5 + inertia.m6;
+  const Scalar t15 = t13 - g.d5 * t14;
+  const Scalar t16 = sin(g.alpha5) * t15;
+  const Scalar t17 = inertia.c4y * inertia.m4;
+  const Scalar t18 = g.a5 * t14;
+  const Scalar t19 = inertia.c4x * inertia.m4;
+  const Scalar t20 = inertia.m4 + t14;
+  const Scalar t21 = inertia.c4z * inertia.m4;
+  const Scalar t22 = g.d4 * inertia.m4;
+  const Scalar t23 = t21 + t22;
+  const Scalar t24 = t23 - t22;
+  const Scalar t25 = cos(g.alpha5) * t15;
+  const Scalar t26 = t24 - t25;
+  const Scalar t27 = g.d4 * t20 + t26;
+  const Scalar t28 = sin(g.alpha4) * t27;
+  const Scalar t29 = inertia.c3y * inertia.m3;
+  const Scalar t30 = g.a4 * t20;
+  const Scalar t31 = inertia.c3x * inertia.m3;
+  const Scalar t32 = g.d5 / g.a3;
+  const Scalar t33 = inertia.I6xy - inertia.c6y * t0;
+  const Scalar t34 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t35 = (inertia.I6xx - t34) - inertia.c6x * t0;
+  const Scalar t36 = (inertia.I6yy - t34) - inertia.c6y * t1;
+  const Scalar t37 = g.a6 / g.a3;
+  const Scalar t38 = g.d5 * t3;
+  const Scalar t39 = (t38 - (t38 - (inertia.I5xz - inertia.c5z * t3))) - g.a6 * t12;
+  const Scalar t40 = g.d5 * t4;
+  const Scalar t41 = (inertia.c6z * t5 - (inertia.I6zz - t34)) + g.d6 * (t6 + t5);
+  const Scalar t42 = sin(g.alpha6) * t41;
+  const Scalar t43 = (t40 + ((inertia.I5yz - inertia.c5z * t4) - t40)) + cos(g.alpha6) * t42;
+  const Scalar t44 = t35 + t36;
+  const Scalar t45 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t46 = sin(g.alpha6) * t42;
+  const Scalar t47 = (inertia.c5x * t3 - (inertia.I5xx - t45)) + g.a6 * t2;
+  const Scalar t48 = g.a5 / g.a3;
+  const Scalar t49 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t50 = g.a5 * t18 - ((inertia.I4xx - t49) - inertia.c4x * t19);
+  const Scalar t51 = (inertia.c5z * t9 - (inertia.I5zz - t45)) + g.d5 * (t9 + t10);
+  const Scalar t52 = (g.d5 * (t11 - t10) + t51) + (t41 - t46);
+  const Scalar t53 = g.d5 * (t13 + t15) - t52;
+  const Scalar t54 = sin(g.alpha5) * t53;
+  const Scalar t55 = sin(g.alpha5) * t54;
+  const Scalar t56 = g.d4 / g.a3;
+  const Scalar t57 = g.d4 * t19;
+  const Scalar t58 = g.a5 * t25 + (((inertia.I4xz - inertia.c4z * t19) - t57) + t57);
+  const Scalar t59 = g.d4 * t17;
+  const Scalar t60 = cos(g.alpha5) * t54 - (t59 - (t59 - (inertia.I4yz - inertia.c4z * t17)));
+  const Scalar t61 = g.a4 / g.a3;
+  const Scalar t62 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t63 = g.a4 * t30 + (inertia.c3x * t31 - (inertia.I3xx - t62));
+  const Scalar t64 = ((inertia.I4zz - t49) - inertia.c4z * t21) - g.d4 * (t23 + t21);
+  const Scalar t65 = (g.d4 * (t24 + t23) + t64) - (t55 - t53);
+  const Scalar t66 = t65 - g.d4 * (t26 + t27);
+  const Scalar t67 = sin(g.alpha4) * t66;
+  const Scalar t68 = sin(g.alpha4) * t67;
+  const Scalar t69 = inertia.m3 + t20;
+  const Scalar t70 = g.a3 * t69;
+  const Scalar t71 = inertia.c2x * inertia.m2;
+  const Scalar t72 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t73 = g.a3 * t70 + (inertia.c2x * t71 - (inertia.I2xx - t72));
+  const Scalar t74 = cos(g.alpha4) * t27;
+  const Scalar t75 = g.d3 * t31;
+  const Scalar t76 = g.a4 * t74 - (t75 - (t75 - (inertia.I3xz - inertia.c3z * t31)));
+  const Scalar t77 = g.d3 / g.a3;
+  const Scalar t78 = g.d3 * t29;
+  const Scalar t79 = cos(g.alpha4) * t67 - (t78 - (t78 - (inertia.I3yz - inertia.c3z * t29)));
+  const Scalar t80 = g.d3 * inertia.m3;
+  const Scalar t81 = inertia.c3z * inertia.m3;
+  const Scalar t82 = t81 + t80;
+  const Scalar t83 = t80 - t82;
+  const Scalar t84 = t74 - t83;
+  const Scalar t85 = t84 + g.d3 * t69;
+  const Scalar t86 = sin(g.alpha3) * t85;
+  const Scalar t87 = inertia.c2y * inertia.m2;
+  const Scalar t88 = g.d3 * (t81 + t82) - ((inertia.I3zz - t62) - inertia.c3z * t81);
+  const Scalar t89 = (t68 - t66) + (t88 - g.d3 * (t82 - t83));
+  const Scalar t90 = sin(g.alpha3) * (t89 + g.d3 * (t84 + t85));
+  const Scalar t91 = ((inertia.I2yy - t72) - inertia.c2y * t87) - sin(g.alpha3) * t90;
+  const Scalar t92 = g.a2 / g.a3;
+  const Scalar t93 = g.d2 * t71;
+  const Scalar t94 = g.a3 * cos(g.alpha3) * t85 - (((inertia.I2xz - inertia.c2z * t71) - t93) + t93);
+  const Scalar t95 = g.d2 * t87;
+  const Scalar t96 = ((t95 - (inertia.I2yz - inertia.c2z * t87)) - t95) - cos(g.alpha3) * t90;
+  const Scalar t97 = sin(g.alpha2) * t92;
+  return { g.a3 * t0,
+           g.a3 * t1,
            cos(g.alpha5) * sin(g.alpha6),
+           cos(g.alpha6),
+           g.a3 * (t2 + t3),
+           g.a3 * (t4 - t7),
            sin(g.alpha5),
-           sin(g.alpha4),
            cos(g.alpha4),
-           g.d2 * (t30 - t31),
-           cos(g.alpha3),
+           sin(g.alpha6),
+           cos(g.alpha5),
+           g.a3 * (t16 + t17),
+           sin(g.alpha5) * sin(g.alpha6),
+           g.a3 * (t18 + t19),
+           sin(g.alpha4),
            sin(g.alpha3),
-           g.d2 * (t40 - t41),
-           g.d2 * (t42 + t43),
-           t44,
-           t45,
-           t46,
+           g.a3 * (t28 - t29),
+           g.a3 * (t30 + t31),
+           cos(g.alpha3),
+           sin(g.alpha6) * t32,
            g.d6 * t1 - (inertia.I6yz - inertia.c6z * t1),
            (inertia.I6xz - inertia.c6z * t0) - g.d6 * t0,
-           Scalar(2) * t47,
-           t49 - t50,
-           t47,
-           sin(g.alpha6),
-           t51,
-           t53,
+           Scalar(2) * t33,
+           t35 - t36,
+           t33,
+           sin(g.alpha6) * t37,
+           t39,
+           t32,
+           t36,
            Scalar(2) * cos(g.alpha6),
+           t43,
+           t44,
+           cos(g.alpha5) * cos(g.alpha5),
+           t37,
+           cos(g.alpha6) * t37,
+           (inertia.I5xy - inertia.c5y * t3) + g.a6 * t7,
+           (inertia.c5y * t4 - (inertia.I5yy - t45)) + t46,
+           Scalar(2) * t37,
+           t47,
+           cos(g.alpha5) * sin(g.alpha5),
+           t48,
+           g.a5 * t16 - (inertia.I4xy - inertia.c4y * t19),
+           Scalar(2) * t48,
            t50,
-           t57,
-           t58,
+           Scalar(2) * sin(g.alpha6) * t32,
            Scalar(2) * cos(g.alpha5),
-           Scalar(2) * t58,
-           (inertia.c5y * t2 - (inertia.I5yy - t59)) + t60,
-           Scalar(2) * t51,
+           t55 + ((inertia.I4yy - t49) - inertia.c4y * t17),
+           sin(g.alpha5) * sin(g.alpha5),
+           t56,
+           t58,
+           t60,
            t61,
-           t62,
-           (inertia.I5xy - inertia.c5y * t7) + g.a6 * t5,
-           t67 + ((inertia.I4yy - t68) - inertia.c4y * t19),
-           Scalar(2) * t69,
-           t70,
-           t69,
-           g.a5 * t18 - (inertia.I4xy - inertia.c4y * t10),
-           t72,
+           (inertia.I3xy - inertia.c3y * t31) + g.a4 * t28,
+           Scalar(2) * t61,
+           t63,
+           Scalar(2) * t56,
+           ((inertia.I3yy - t62) - inertia.c3y * t29) + t68,
            t73,
-           t75,
+           t76,
            t77,
-           sin(g.alpha6) * t58,
-           sin(g.alpha6) * t51,
-           Scalar(2) * t73,
-           Scalar(2) * cos(g.alpha4),
-           t83,
-           (inertia.I3xy - inertia.c3y * t22) + g.a4 * t30,
-           ((inertia.I3yy - t84) - inertia.c3y * t31) + t85,
-           Scalar(2) * t46,
-           t86,
-           t87,
-           g.a3 * t40 + (inertia.I2xy - inertia.c2y * t43),
-           Scalar(2) * t87,
-           t89,
-           Scalar(2) * t45,
-           t93,
-           sin(g.alpha2) * sin(g.alpha2),
-           sin(g.alpha3) * t87,
-           cos(g.alpha3) * t87,
-           t95,
-           t97,
-           cos(g.alpha2) * sin(g.alpha2),
+           t79,
+           g.a3 * t86 + (inertia.I2xy - inertia.c2y * t71),
+           Scalar(2) * t77,
+           Scalar(2) * cos(g.alpha3),
+           t91,
+           g.a3 * (t86 - t87),
+           g.a3 * (t70 + t71),
+           t92,
            cos(g.alpha2) * cos(g.alpha2),
+           cos(g.alpha2) * sin(g.alpha2),
+           g.d2 / g.a3,
+           t94,
+           t96,
+           sin(g.alpha2) * sin(g.alpha2),
            cos(g.alpha2),
+           cos(g.alpha2) * t92,
            sin(g.alpha2),
-           sin(g.alpha2) * t44,
-           cos(g.alpha2) * t44,
-           t49,
-           sin(g.alpha2) * sin(g.alpha3),
-           Scalar(2) * sin(g.alpha3),
-           Scalar(2) * sin(g.alpha4),
-           sin(g.alpha4) * t46,
-           sin(g.alpha3) * sin(g.alpha4),
+           t97,
+           t35,
+           sin(g.alpha3) * t97,
            cos(g.alpha3) * sin(g.alpha4),
-           cos(g.alpha4) * t46,
-           sin(g.alpha4) * sin(g.alpha5),
+           sin(g.alpha3) * sin(g.alpha4),
+           sin(g.alpha4) * t61,
+           cos(g.alpha3) * t77,
+           cos(g.alpha4) * t61,
            cos(g.alpha4) * sin(g.alpha5),
-           sin(g.alpha5) * t69,
-           Scalar(2) * sin(g.alpha5),
-           cos(g.alpha5) * t69,
-           sin(g.alpha6) * t61,
-           cos(g.alpha6) * t51,
-           cos(g.alpha6) * t61 };
+           sin(g.alpha4) * sin(g.alpha5),
+           sin(g.alpha5) * t48,
+           sin(g.alpha3) * t61,
+           sin(g.alpha6) * t44,
+           cos(g.alpha6) * t32,
+           cos(g.alpha6) * t44 };
 }
 
 namespace detail {
@@ -1680,583 +1693,589 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const Jo
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[0] * s6 + k[1] * c6;
-  const Scalar t1 = k[2] * t0;
-  const Scalar t2 = k[3] + t1;
-  const Scalar t3 = k[0] * c6 - k[1] * s6;
-  const Scalar t4 = k[4] + t3;
-  const Scalar t5 = s5 * t2 - c5 * t4;
-  const Scalar t6 = k[5] - t5;
-  const Scalar t7 = c5 * t2 + s5 * t4;
-  const Scalar t8 = k[6] * t0 - k[7] * t7;
-  const Scalar t9 = k[8] - t8;
-  const Scalar t10 = c4 * t6 - s4 * t9;
-  const Scalar t11 = k[9] + t10;
-  const Scalar t12 = k[6] * t3;
-  const Scalar t13 = k[2] * t3;
-  const Scalar t14 = qd[5] * t13;
-  const Scalar t15 = t14 + qd[4] * t4;
-  const Scalar t16 = qd[5] * t0;
-  const Scalar t17 = t16 + qd[4] * t2;
-  const Scalar t18 = c5 * t15 - s5 * t17;
-  const Scalar t19 = qd[5] * t12 - k[7] * t18;
-  const Scalar t20 = qd[3] * t6 - t19;
-  const Scalar t21 = s5 * t15 + c5 * t17;
-  const Scalar t22 = qd[3] * t9 + t21;
-  const Scalar t23 = c4 * t20 - s4 * t22;
-  const Scalar t24 = qd[5] * t3;
-  const Scalar t25 = k[10] * t24 + k[11] * t18;
-  const Scalar t26 = k[13] * t23 - k[12] * t25;
-  const Scalar t27 = qd[2] * t11 + t26;
-  const Scalar t28 = s4 * t6 + c4 * t9;
-  const Scalar t29 = k[10] * t0 + k[11] * t7;
-  const Scalar t30 = k[13] * t28 - k[12] * t29;
-  const Scalar t31 = k[14] - t30;
-  const Scalar t32 = c4 * t22 + s4 * t20;
-  const Scalar t33 = qd[2] * t31 - t32;
-  const Scalar t34 = c3 * t27 + s3 * t33;
-  const Scalar t35 = k[13] * t25 + k[12] * t23;
-  const Scalar t36 = k[15] * t34 - k[16] * t35;
-  const Scalar t37 = s3 * t31 + c3 * t11;
-  const Scalar t38 = k[18] + t37;
-  const Scalar t39 = t36 + qd[1] * t38;
-  const Scalar t40 = s3 * t11 - c3 * t31;
-  const Scalar t41 = k[13] * t29 + k[12] * t28;
-  const Scalar t42 = k[15] * t40 - k[16] * t41;
-  const Scalar t43 = k[17] - t42;
-  const Scalar t44 = c3 * t33 - s3 * t27;
-  const Scalar t45 = qd[1] * t43 + t44;
-  const Scalar t46 = s2 * t39 - c2 * t45;
-  const Scalar t47 = k[25] * s6 + k[24] * c6;
-  const Scalar t48 = k[31] + s6 * t47;
-  const Scalar t49 = k[38] - t48;
-  const Scalar t50 = qd[5] * t49;
-  const Scalar t51 = k[27] * t50 - k[51] * t24;
-  const Scalar t52 = k[23] * c6 + k[22] * s6;
-  const Scalar t53 = k[27] * t52;
-  const Scalar t54 = k[26] - c6 * t47;
-  const Scalar t55 = t53 + k[2] * t54;
-  const Scalar t56 = qd[5] * t55;
-  const Scalar t57 = k[27] * t56;
-  const Scalar t58 = c5 * t51 + s5 * t57;
-  const Scalar t59 = k[22] * c6 - k[23] * s6;
-  const Scalar t60 = k[30] * t59 - k[27] * t48;
-  const Scalar t61 = k[27] * t60;
-  const Scalar t62 = k[36] - (t61 + t48);
-  const Scalar t63 = qd[5] * t59;
-  const Scalar t64 = qd[5] * t48;
-  const Scalar t65 = qd[4] * t62 - (k[27] * t63 + k[2] * t64);
-  const Scalar t66 = k[28] * t1;
-  const Scalar t67 = k[40] - (t55 + t66);
-  const Scalar t68 = qd[4] * t67 - k[2] * t56;
-  const Scalar t69 = s5 * t65 + c5 * t68;
-  const Scalar t70 = s5 * t69;
-  const Scalar t71 = k[2] * t52;
-  const Scalar t72 = t71 - k[27] * t54;
-  const Scalar t73 = qd[5] * t72;
-  const Scalar t74 = k[27] * t73;
-  const Scalar t75 = k[28] * t16;
-  const Scalar t76 = t74 - t75;
-  const Scalar t77 = k[39] + (k[37] * t3 - t49);
-  const Scalar t78 = (k[2] * t50 - k[28] * t14) - qd[4] * t77;
-  const Scalar t79 = s5 * (t68 + t76) - c5 * t78;
-  const Scalar t80 = c5 * t79;
-  const Scalar t81 = t70 + t80;
-  const Scalar t82 = (k[7] * t58 - k[11] * t81) - k[44] * t25;
-  const Scalar t83 = s5 * t79 - c5 * t69;
-  const Scalar t84 = s5 * t51 - c5 * t57;
-  const Scalar t85 = k[27] * t64 - k[2] * t63;
-  const Scalar t86 = k[32] - (k[2] * t60 - t59);
-  const Scalar t87 = k[33] * t17 - (t85 + qd[4] * t86);
-  const Scalar t88 = k[27] * t0;
-  const Scalar t89 = k[29] + (t72 - k[28] * t88);
-  const Scalar t90 = k[2] * t73;
-  const Scalar t91 = (qd[4] * t89 + t90) - k[33] * t15;
-  const Scalar t92 = s5 * t87 + c5 * t91;
-  const Scalar t93 = t84 + t92;
-  const Scalar t94 = k[7] * t93;
-  const Scalar t95 = k[7] * t92;
-  const Scalar t96 = k[11] * t83 - (t94 - t95);
-  const Scalar t97 = k[7] * t96;
-  const Scalar t98 = t74 - k[50] * t24;
-  const Scalar t99 = t95 - k[11] * t98;
-  const Scalar t100 = k[7] * t99;
-  const Scalar t101 = t97 - (t100 - t92);
-  const Scalar t102 = c4 * t82 + s4 * t101;
-  const Scalar t103 = s5 * t91 - c5 * t87;
-  const Scalar t104 = (t65 - t70) - (t78 + t80);
-  const Scalar t105 = (c5 * t86 + s5 * t89) - k[33] * t7;
-  const Scalar t106 = t77 + t62;
-  const Scalar t107 = c5 * t67;
-  const Scalar t108 = s5 * (t77 - t62) - (t107 + t107);
-  const Scalar t109 = s5 * t108 - t77;
-  const Scalar t110 = t106 + t109;
-  const Scalar t111 = k[35] * t88 + t61;
-  const Scalar t112 = k[34] * t105 - k[11] * (t110 - t111);
-  const Scalar t113 = k[11] * t112;
-  const Scalar t114 = k[41] - (t113 + t110);
-  const Scalar t115 = (k[11] * t103 + k[7] * t104) - qd[3] * t114;
-  const Scalar t116 = k[11] * t99;
-  const Scalar t117 = k[11] * t96;
-  const Scalar t118 = k[44] * t21;
-  const Scalar t119 = t118 + (t83 - t76);
-  const Scalar t120 = (t116 + (t83 - t117)) - t119;
-  const Scalar t121 = c5 * t108 + t67;
-  const Scalar t122 = k[33] * t5 - (s5 * t86 - c5 * t89);
-  const Scalar t123 = (k[7] * t121 + k[11] * t122) - k[44] * t8;
-  const Scalar t124 = k[45] + t123;
-  const Scalar t125 = qd[3] * t124 + t119;
-  const Scalar t126 = c4 * t115 + s4 * (t120 + t125);
-  const Scalar t127 = c4 * t126;
-  const Scalar t128 = (k[7] * t81 + k[11] * t58) - k[44] * t19;
-  const Scalar t129 = k[43] - (k[42] * t5 + t109);
-  const Scalar t130 = t128 + qd[3] * t129;
-  const Scalar t131 = c4 * t125 + s4 * t130;
-  const Scalar t132 = s4 * t131;
-  const Scalar t133 = (t127 - t115) - (t130 - t132);
-  const Scalar t134 = (k[12] * t102 - k[13] * t133) + k[21] * t26;
-  const Scalar t135 = c4 * t124;
-  const Scalar t136 = s4 * (t129 + t114) + (t135 + t135);
-  const Scalar t137 = s4 * t136;
-  const Scalar t138 = k[58] + (k[57] * t10 - (t137 - t129));
-  const Scalar t139 = t134 + qd[2] * t138;
-  const Scalar t140 = c4 * t131 - s4 * t126;
-  const Scalar t141 = t124 - c4 * t136;
-  const Scalar t142 = k[44] * t29 + (k[11] * t121 - k[7] * t122);
-  const Scalar t143 = k[46] - t142;
-  const Scalar t144 = t143 - k[47] * t6;
-  const Scalar t145 = k[48] + (t105 - k[7] * t112);
-  const Scalar t146 = k[47] * t9 + t145;
-  const Scalar t147 = c4 * t144 + s4 * t146;
-  const Scalar t148 = k[21] * t30 - (k[13] * t141 - k[12] * t147);
-  const Scalar t149 = k[55] - t148;
-  const Scalar t150 = qd[2] * t149;
-  const Scalar t151 = (t140 + k[21] * t32) - t150;
-  const Scalar t152 = s3 * t139 + c3 * t151;
-  const Scalar t153 = (t84 + t97) - t100;
-  const Scalar t154 = k[47] * t20 + (t153 - qd[3] * t143);
-  const Scalar t155 = k[7] * t103 - k[11] * t104;
-  const Scalar t156 = k[47] * t22 - (t155 - qd[3] * t145);
-  const Scalar t157 = s4 * t154 + c4 * t156;
-  const Scalar t158 = t127 + t132;
-  const Scalar t159 = t137 - t114;
-  const Scalar t160 = (t113 - t111) - k[52] * t29;
-  const Scalar t161 = c4 * t146 - s4 * t144;
-  const Scalar t162 = k[12] * (t159 + t160) + k[53] * t161;
-  const Scalar t163 = k[12] * t162;
-  const Scalar t164 = k[56] - (t159 - t163);
-  const Scalar t165 = (k[12] * t157 - k[13] * t158) + qd[2] * t164;
-  const Scalar t166 = t140 + t120;
-  const Scalar t167 = c4 * t101 - s4 * t82;
-  const Scalar t168 = k[12] * t166 + k[13] * t167;
-  const Scalar t169 = k[12] * t168;
-  const Scalar t170 = ((t116 + t98) - t117) - k[47] * t25;
-  const Scalar t171 = s4 * t156 - c4 * t154;
-  const Scalar t172 = k[13] * t170 + k[12] * t171;
-  const Scalar t173 = k[13] * t172;
-  const Scalar t174 = ((t166 - t169) - (t170 - t173)) - t150;
-  const Scalar t175 = c3 * t165 - s3 * t174;
-  const Scalar t176 = c3 * t152 + s3 * t175;
-  const Scalar t177 = t176 - k[59] * t44;
-  const Scalar t178 = k[20] * t35 + (t169 - t173);
-  const Scalar t179 = k[13] * t168;
-  const Scalar t180 = k[12] * t172;
-  const Scalar t181 = (t179 - t167) - (t171 - t180);
-  const Scalar t182 = (k[13] * t147 + k[12] * t141) - k[21] * t41;
-  const Scalar t183 = k[49] - t182;
-  const Scalar t184 = (t181 + qd[2] * t183) + k[20] * t27;
-  const Scalar t185 = k[12] * t158 + k[13] * t157;
-  const Scalar t186 = k[54] + (k[13] * t162 - t161);
-  const Scalar t187 = (t185 + qd[2] * t186) - k[20] * t33;
-  const Scalar t188 = c3 * t184 - s3 * t187;
-  const Scalar t189 = k[16] * t178 - k[15] * t188;
-  const Scalar t190 = k[16] * t189;
-  const Scalar t191 = t151 - t174;
-  const Scalar t192 = t191 - t176;
-  const Scalar t193 = t179 + t180;
-  const Scalar t194 = t193 + t184;
-  const Scalar t195 = (k[13] * t102 + k[12] * t133) - k[21] * t35;
-  const Scalar t196 = t187 + t195;
-  const Scalar t197 = c3 * t194 - s3 * t196;
-  const Scalar t198 = t188 - t197;
-  const Scalar t199 = k[15] * t192 - k[16] * t198;
-  const Scalar t200 = k[15] * t199;
-  const Scalar t201 = t177 - (t190 - t200);
-  const Scalar t202 = c3 * t149;
-  const Scalar t203 = (t202 + t202) - s3 * (t164 + t138);
-  const Scalar t204 = c3 * t203 - t149;
-  const Scalar t205 = t183 + k[20] * t11;
-  const Scalar t206 = t186 - k[20] * t31;
-  const Scalar t207 = c3 * t205 - s3 * t206;
-  const Scalar t208 = (k[15] * t204 + k[16] * t207) - k[59] * t42;
-  const Scalar t209 = k[60] + t208;
-  const Scalar t210 = t177 - qd[1] * t209;
-  const Scalar t211 = c3 * t195 + s3 * t193;
-  const Scalar t212 = s3 * t194 + c3 * t196;
-  const Scalar t213 = t211 - t212;
-  const Scalar t214 = s3 * t152;
-  const Scalar t215 = c3 * t175;
-  const Scalar t216 = t214 - t215;
-  const Scalar t217 = t164 + s3 * t203;
-  const Scalar t218 = k[16] * (t217 + (k[63] * t41 - (t160 - t163)));
-  const Scalar t219 = s3 * t205 + c3 * t206;
-  const Scalar t220 = k[15] * t219;
-  const Scalar t221 = t218 - Scalar(2) * t220;
-  const Scalar t222 = k[64] - (k[16] * t221 - t217);
-  const Scalar t223 = (k[16] * t213 + k[15] * t216) - qd[1] * t222;
-  const Scalar t224 = c2 * (c2 * (t201 - t210) + s2 * t223);
-  const Scalar t225 = t164 - t138;
-  const Scalar t226 = k[62] + (k[61] * t37 + (t217 - t225));
-  const Scalar t227 = (t214 - t139) + (t165 - t215);
-  const Scalar t228 = k[59] * t36 + (k[16] * t211 - k[15] * t227);
-  const Scalar t229 = s2 * t210 - c2 * (qd[1] * t226 + t228);
-  const Scalar t230 = t224 + s2 * t229;
-  const Scalar t231 = (k[15] * t207 - k[16] * t204) + (k[66] * t40 + k[67] * t41);
-  const Scalar t232 = k[68] + t231;
-  const Scalar t233 = k[15] * t189;
-  const Scalar t234 = k[16] * t199;
-  const Scalar t235 = t233 + t234;
-  const Scalar t236 = k[69] - (k[15] * t221 + t219);
-  const Scalar t237 = k[15] * t213 - k[16] * t216;
-  const Scalar t238 = c2 * ((qd[1] * t232 - t235) + t39) + s2 * (t45 - (qd[1] * t236 - t237));
-  const Scalar t239 = k[15] * t35 + k[16] * t34;
-  const Scalar t240 = k[65] * (((t192 - t200) + (t190 - t178)) - t239);
-  const Scalar t241 = k[59] * t239 - (k[16] * t227 + k[15] * t211);
-  const Scalar t242 = s2 * t241 - c2 * ((t188 + t233) + (t198 + t234));
-  const Scalar t243 = (k[70] * t238 + t240) + (k[70] * t242 + k[71] * t230);
-  const Scalar t244 = k[73] * qd[0];
-  const Scalar t245 = c2 * t244;
-  const Scalar t246 = s2 * t244;
-  const Scalar t247 = qd[1] + k[72] * qd[0];
-  const Scalar t248 = t36 + t247 * t38;
-  const Scalar t249 = t247 * t43 + t44;
-  const Scalar t250 = k[74] * (t245 * t43 - t38 * t246) - k[75] * (s2 * t248 - c2 * t249);
-  const Scalar t251 = (t209 * t246 + t245 * t222) - (t247 * t236 - t237);
-  const Scalar t252 = (t209 * t245 - t246 * t226) + (t235 - t247 * t232);
-  const Scalar t253 = s2 * (t249 + t251) - c2 * (t252 - t248);
-  const Scalar t254 = k[72] * t201;
-  const Scalar t255 = t250 - (k[73] * t253 + t254);
-  const Scalar t256 = qd[2] + (k[15] * t247 - k[16] * t245);
-  const Scalar t257 = t32 - t256 * t31;
-  const Scalar t258 = t256 * t11 + t26;
-  const Scalar t259 = s3 * t257 - c3 * t258;
-  const Scalar t260 = k[15] * t245 + k[16] * t247;
-  const Scalar t261 = s3 * t260 + c3 * t246;
-  const Scalar t262 = s3 * t246 - c3 * t260;
-  const Scalar t263 = t11 * t261 + t262 * t31;
-  const Scalar t264 = s3 * t258 + c3 * t257;
-  const Scalar t265 = k[16] * t263 + k[15] * t264;
-  const Scalar t266 = k[15] * t263 - k[16] * t264;
-  const Scalar t267 = k[75] * (s2 * t259 - c2 * t265) - k[74] * t266;
-  const Scalar t268 = (t262 * t149 + t261 * t138) + (t181 + t256 * t183);
-  const Scalar t269 = k[20] * t258 + t268;
-  const Scalar t270 = (t185 + t256 * t186) - (t149 * t261 - t262 * t164);
-  const Scalar t271 = k[20] * t257 + t270;
-  const Scalar t272 = c3 * t269 - s3 * t271;
-  const Scalar t273 = k[15] * t191;
-  const Scalar t274 = (k[16] * t272 + t273) + k[59] * t265;
-  const Scalar t275 = (k[16] * t191 - k[15] * t272) - k[59] * t266;
-  const Scalar t276 = s2 * ((s3 * t269 + c3 * t271) + t265);
-  const Scalar t277 = k[72] * t274 - k[73] * (c2 * (t259 + t275) + t276);
-  const Scalar t278 = t267 - t277;
-  const Scalar t279 = k[12] * t256 - k[13] * t262;
-  const Scalar t280 = s4 * t261 - c4 * t279;
-  const Scalar t281 = c4 * t261 + s4 * t279;
-  const Scalar t282 = t9 * t280 - t281 * t6;
-  const Scalar t283 = qd[3] + (k[12] * t262 + k[13] * t256);
-  const Scalar t284 = t19 - t283 * t6;
-  const Scalar t285 = t9 * t283 + t21;
-  const Scalar t286 = s4 * t284 - c4 * t285;
-  const Scalar t287 = k[12] * t282 + k[13] * t286;
-  const Scalar t288 = s4 * t285 + c4 * t284;
-  const Scalar t289 = c3 * t287 + s3 * t288;
-  const Scalar t290 = k[13] * t282 - k[12] * t286;
-  const Scalar t291 = k[16] * t289 - k[15] * t290;
-  const Scalar t292 = k[16] * t290 + k[15] * t289;
-  const Scalar t293 = s3 * t287 - c3 * t288;
-  const Scalar t294 = k[74] * t291 - k[75] * (c2 * t292 - s2 * t293);
-  const Scalar t295 = (t155 - t283 * t145) - (t114 * t280 + t124 * t281);
-  const Scalar t296 = k[47] * t285 - t295;
-  const Scalar t297 = (t281 * t129 - t124 * t280) + (t153 - t143 * t283);
-  const Scalar t298 = k[47] * t284 - t297;
-  const Scalar t299 = s4 * t296 + c4 * t298;
-  const Scalar t300 = k[21] * t290 + (k[13] * t299 - k[12] * t120);
-  const Scalar t301 = c4 * t296 - s4 * t298;
-  const Scalar t302 = (c3 * t300 + s3 * t301) - k[20] * t293;
-  const Scalar t303 = (k[13] * t120 + k[12] * t299) + k[21] * t287;
-  const Scalar t304 = (k[16] * t302 + k[15] * t303) + k[59] * t292;
-  const Scalar t305 = k[20] * t289 + (s3 * t300 - c3 * t301);
-  const Scalar t306 = k[59] * t291 + (k[16] * t303 - k[15] * t302);
-  const Scalar t307 = s2 * (t292 + t305) + c2 * (t306 + t293);
-  const Scalar t308 = t294 - (k[72] * t304 - k[73] * t307);
-  const Scalar t309 = qd[4] + (k[7] * t283 + k[11] * t280);
-  const Scalar t310 = t14 + t309 * t4;
-  const Scalar t311 = t309 * t2 + t16;
-  const Scalar t312 = c5 * t310 - s5 * t311;
-  const Scalar t313 = k[11] * t283 - k[7] * t280;
-  const Scalar t314 = s5 * t313 + c5 * t281;
-  const Scalar t315 = c5 * t313 - s5 * t281;
-  const Scalar t316 = t314 * t4 + t315 * t2;
-  const Scalar t317 = c5 * t311 + s5 * t310;
-  const Scalar t318 = k[11] * t316 + k[7] * t317;
-  const Scalar t319 = c4 * t312 - s4 * t318;
-  const Scalar t320 = k[11] * t317 - k[7] * t316;
-  const Scalar t321 = s4 * t312 + c4 * t318;
-  const Scalar t322 = k[12] * t320 - k[13] * t321;
-  const Scalar t323 = c3 * t319 + s3 * t322;
-  const Scalar t324 = k[13] * t320 + k[12] * t321;
-  const Scalar t325 = s3 * t319 - c3 * t322;
-  const Scalar t326 = k[16] * t324 - k[15] * t325;
-  const Scalar t327 = k[15] * t324 + k[16] * t325;
-  const Scalar t328 = k[75] * (s2 * t323 - c2 * t326) - k[74] * t327;
-  const Scalar t329 = (t309 * t86 + t85) + (t314 * t67 - t315 * t62);
-  const Scalar t330 = (t309 * t89 + t90) + (t315 * t67 - t314 * t77);
-  const Scalar t331 = (s5 * t329 - c5 * t330) + k[33] * t312;
-  const Scalar t332 = k[7] * t76;
-  const Scalar t333 = k[44] * t318 + (k[11] * t331 - t332);
-  const Scalar t334 = k[44] * t320 - (k[7] * t331 + k[11] * t76);
-  const Scalar t335 = k[33] * t317 - (c5 * t329 + s5 * t330);
-  const Scalar t336 = (c4 * t334 + s4 * t335) - k[47] * t319;
-  const Scalar t337 = (k[12] * t333 + k[13] * t336) + k[21] * t324;
-  const Scalar t338 = t337 - k[20] * t319;
-  const Scalar t339 = k[47] * t321 - (s4 * t334 - c4 * t335);
-  const Scalar t340 = k[20] * t322 - t339;
-  const Scalar t341 = s2 * (t326 + (s3 * t338 + c3 * t340));
-  const Scalar t342 = k[21] * t322 - (k[13] * t333 - k[12] * t336);
-  const Scalar t343 = c3 * t338 - s3 * t340;
-  const Scalar t344 = k[59] * t327 - (k[16] * t342 - k[15] * t343);
-  const Scalar t345 = k[59] * t326 + (k[15] * t342 + k[16] * t343);
-  const Scalar t346 = k[73] * (t341 - c2 * (t344 - t323)) - k[72] * t345;
-  const Scalar t347 = t328 + t346;
-  const Scalar t348 = k[27] * t309 + k[2] * t315;
-  const Scalar t349 = s6 * t348 + c6 * t314;
-  const Scalar t350 = c6 * t348 - s6 * t314;
-  const Scalar t351 = k[0] * t349 + k[1] * t350;
-  const Scalar t352 = qd[5] + (k[2] * t309 - k[27] * t315);
-  const Scalar t353 = k[2] * t351 - t352 * t88;
-  const Scalar t354 = t1 * t352 + k[27] * t351;
-  const Scalar t355 = t352 * t3;
-  const Scalar t356 = c5 * t354 + s5 * t355;
-  const Scalar t357 = k[7] * t353 - k[11] * t356;
-  const Scalar t358 = k[11] * t353 + k[7] * t356;
-  const Scalar t359 = c5 * t355 - s5 * t354;
-  const Scalar t360 = c4 * t358 + s4 * t359;
-  const Scalar t361 = k[13] * t357 - k[12] * t360;
-  const Scalar t362 = c4 * t359 - s4 * t358;
-  const Scalar t363 = k[13] * t360 + k[12] * t357;
-  const Scalar t364 = s3 * t362 + c3 * t363;
-  const Scalar t365 = k[15] * t361 - k[16] * t364;
-  const Scalar t366 = k[16] * t361 + k[15] * t364;
-  const Scalar t367 = c3 * t362 - s3 * t363;
-  const Scalar t368 = k[74] * t365 + k[75] * (c2 * t366 + s2 * t367);
-  const Scalar t369 = k[23] * t352 + (k[76] * t349 + k[26] * t350);
-  const Scalar t370 = (k[31] * t350 + k[26] * t349) - k[22] * t352;
-  const Scalar t371 = c6 * t369 - s6 * t370;
-  const Scalar t372 = k[28] * t354 - k[27] * t371;
-  const Scalar t373 = c6 * t370 + s6 * t369;
-  const Scalar t374 = k[2] * t371 - k[28] * t353;
-  const Scalar t375 = k[33] * t359 + (s5 * t373 - c5 * t374);
-  const Scalar t376 = (k[11] * t372 - k[7] * t375) - k[44] * t357;
-  const Scalar t377 = t376 - k[47] * t359;
-  const Scalar t378 = k[33] * t356 - (c5 * t373 + s5 * t374);
-  const Scalar t379 = t378 + k[47] * t358;
-  const Scalar t380 = (s4 * t377 - c4 * t379) - k[20] * t363;
-  const Scalar t381 = k[44] * t358 + (k[7] * t372 + k[11] * t375);
-  const Scalar t382 = s4 * t379 + c4 * t377;
-  const Scalar t383 = k[21] * t361 - (k[12] * t381 + k[13] * t382);
-  const Scalar t384 = t383 + k[20] * t362;
-  const Scalar t385 = s3 * t380 + c3 * t384;
-  const Scalar t386 = (k[13] * t381 - k[12] * t382) + k[21] * t363;
-  const Scalar t387 = (k[16] * t385 + k[15] * t386) + k[59] * t366;
-  const Scalar t388 = s2 * (t366 + (s3 * t384 - c3 * t380));
-  const Scalar t389 = (k[15] * t385 - k[16] * t386) + k[59] * t365;
-  const Scalar t390 = k[72] * t387 - k[73] * (t388 - c2 * (t389 + t367));
-  const Scalar t391 = t368 + t390;
-  const Scalar t392 = k[75] * t46 + (k[73] * (t238 + t242) + Scalar(2) * t254);
-  const Scalar t393 = t37 * k[15] * qd[1] + t34;
-  const Scalar t394 = k[15] * t44;
-  const Scalar t395 = qd[1] * t40 - t394;
-  const Scalar t396 = k[72] * (s2 * t393 + c2 * t395) + k[77] * t44;
-  const Scalar t397 = qd[1] * (k[66] * t37 + (t220 - k[16] * t225));
-  const Scalar t398 = k[66] * t44 + (k[15] * t197 - k[78] * t191);
-  const Scalar t399 = s2 * ((t212 + t397) + t395) - c2 * ((qd[1] * t207 + t398) + t393);
-  const Scalar t400 = (k[16] * t197 + Scalar(2) * t273) - k[59] * t394;
-  const Scalar t401 = k[19] * t396 - (k[73] * t399 - k[72] * t400);
-  const Scalar t402 = t171 - t167;
-  const Scalar t403 = k[13] * t32;
-  const Scalar t404 = (k[12] * t402 + k[53] * t120) - k[21] * t403;
-  const Scalar t405 = t129 - t114;
-  const Scalar t406 = k[80] * t10 + (k[13] * t161 + k[12] * t405);
-  const Scalar t407 = qd[2] * t28 + t403;
-  const Scalar t408 = (qd[2] * t406 + (t102 + t157)) + k[20] * t407;
-  const Scalar t409 = (k[79] * t120 - k[13] * t402) - k[80] * t32;
-  const Scalar t410 = k[13] * t10;
-  const Scalar t411 = t23 + qd[2] * t410;
-  const Scalar t412 = (qd[2] * t147 - t409) - k[20] * t411;
-  const Scalar t413 = s3 * t408 + c3 * t412;
-  const Scalar t414 = c3 * t407 + s3 * t411;
-  const Scalar t415 = k[15] * t414 - k[81] * t32;
-  const Scalar t416 = (k[15] * t404 + k[16] * t413) - k[59] * t415;
-  const Scalar t417 = s3 * t410 + c3 * t28;
-  const Scalar t418 = qd[1] * t417 + t415;
-  const Scalar t419 = s3 * t28 - c3 * t410;
-  const Scalar t420 = k[20] * t417 - (s3 * t147 - c3 * t406);
-  const Scalar t421 = (k[13] * t405 - k[12] * t161) + k[83] * t10;
-  const Scalar t422 = k[59] * (k[82] * t10 - k[16] * t419) + (k[15] * t420 + k[16] * t421);
-  const Scalar t423 = qd[1] * t422 - (s3 * t412 - c3 * t408);
-  const Scalar t424 = qd[1] * (k[15] * t419 + k[81] * t10) - (c3 * t411 - s3 * t407);
-  const Scalar t425 = (c3 * t147 + s3 * t406) + k[20] * t419;
-  const Scalar t426 = k[16] * t414 + k[82] * t32;
-  const Scalar t427 = (k[16] * t404 - k[15] * t413) - k[59] * t426;
-  const Scalar t428 = s2 * (t418 + t423) + c2 * (t424 + (qd[1] * t425 - t427));
-  const Scalar t429 = k[74] * t426 + k[75] * (s2 * t424 - c2 * t418);
-  const Scalar t430 = ((k[72] * t416 + k[73] * t428) + t429) + t308;
-  const Scalar t431 = qd[3] * t7 + k[7] * t21;
-  const Scalar t432 = k[7] * t5;
-  const Scalar t433 = qd[3] * t432 - t18;
-  const Scalar t434 = s4 * t431 + c4 * t433;
-  const Scalar t435 = s4 * t7 + c4 * t432;
-  const Scalar t436 = k[84] * t5 - k[13] * t435;
-  const Scalar t437 = t434 - qd[2] * t436;
-  const Scalar t438 = s4 * t433 - c4 * t431;
-  const Scalar t439 = k[84] * t21 + k[13] * t438;
-  const Scalar t440 = c4 * t7 - s4 * t432;
-  const Scalar t441 = t439 - qd[2] * t440;
-  const Scalar t442 = s3 * t437 + c3 * t441;
-  const Scalar t443 = k[85] * t21 - k[12] * t438;
-  const Scalar t444 = k[15] * t442 + k[16] * t443;
-  const Scalar t445 = k[7] * t118 - ((t332 + t332) + k[11] * t93);
-  const Scalar t446 = (k[11] * t106 - k[7] * t105) - k[86] * t5;
-  const Scalar t447 = (t103 - t58) - qd[3] * t446;
-  const Scalar t448 = (k[11] * t118 + (t94 - k[87] * t76)) + qd[3] * t122;
-  const Scalar t449 = k[47] * t434 - (s4 * t447 - c4 * t448);
-  const Scalar t450 = (k[13] * t445 - k[12] * t449) - k[21] * t439;
-  const Scalar t451 = k[47] * t435 + (c4 * t122 + s4 * t446);
-  const Scalar t452 = (k[12] * t445 + k[13] * t449) + k[21] * t443;
-  const Scalar t453 = k[20] * t437 + (qd[2] * t451 + t452);
-  const Scalar t454 = k[12] * t435 + k[85] * t5;
-  const Scalar t455 = (k[7] * t106 + k[11] * t105) - k[88] * t5;
-  const Scalar t456 = (s4 * t122 - c4 * t446) - k[47] * t440;
-  const Scalar t457 = k[21] * t454 - (k[12] * t455 - k[13] * t456);
-  const Scalar t458 = (c4 * t447 + s4 * t448) + k[47] * t438;
-  const Scalar t459 = k[20] * t441 + (qd[2] * t457 + t458);
-  const Scalar t460 = c3 * t453 - s3 * t459;
-  const Scalar t461 = k[59] * t444 - (k[15] * t450 - k[16] * t460);
-  const Scalar t462 = k[16] * t442 - k[15] * t443;
-  const Scalar t463 = (k[15] * t460 + k[16] * t450) - k[59] * t462;
-  const Scalar t464 = k[20] * t436 - t451;
-  const Scalar t465 = k[20] * t440 - t457;
-  const Scalar t466 = t463 - qd[1] * (c3 * t464 - s3 * t465);
-  const Scalar t467 = c3 * t436 - s3 * t440;
-  const Scalar t468 = (c3 * t437 - s3 * t441) - qd[1] * (k[16] * t454 + k[15] * t467);
-  const Scalar t469 = qd[1] * (s3 * t436 + c3 * t440) - t444;
-  const Scalar t470 = k[21] * t436 + (k[12] * t456 + k[13] * t455);
-  const Scalar t471 = k[16] * t470 + k[15] * (s3 * t464 + c3 * t465);
-  const Scalar t472 = qd[1] * ((k[66] * t467 - k[67] * t454) + t471);
-  const Scalar t473 = t469 + (t472 - (c3 * t459 + s3 * t453));
-  const Scalar t474 = k[73] * (c2 * (t466 + t468) + s2 * t473);
-  const Scalar t475 = k[75] * (c2 * t469 - s2 * t468) + k[74] * t462;
-  const Scalar t476 = qd[5] * t1 + qd[4] * t0;
-  const Scalar t477 = t24 + qd[4] * t13;
-  const Scalar t478 = c5 * t476 + s5 * t477;
-  const Scalar t479 = k[10] * t16 + k[11] * t478;
-  const Scalar t480 = k[7] * t478 - k[6] * t16;
-  const Scalar t481 = s5 * t13 + c5 * t0;
-  const Scalar t482 = t480 + qd[3] * t481;
-  const Scalar t483 = c5 * t477 - s5 * t476;
-  const Scalar t484 = s5 * t0 - c5 * t13;
-  const Scalar t485 = t12 + k[7] * t484;
-  const Scalar t486 = t483 - qd[3] * t485;
-  const Scalar t487 = c4 * t482 + s4 * t486;
-  const Scalar t488 = k[12] * t479 - k[13] * t487;
-  const Scalar t489 = c4 * t481 - s4 * t485;
-  const Scalar t490 = t488 - qd[2] * t489;
-  const Scalar t491 = k[11] * t484 - k[10] * t3;
-  const Scalar t492 = c4 * t485 + s4 * t481;
-  const Scalar t493 = k[12] * t491 - k[13] * t492;
-  const Scalar t494 = (c4 * t486 - s4 * t482) + qd[2] * t493;
-  const Scalar t495 = c3 * t493 - s3 * t489;
-  const Scalar t496 = k[13] * t491 + k[12] * t492;
-  const Scalar t497 = (s3 * t490 + c3 * t494) + qd[1] * (k[15] * t495 + k[16] * t496);
-  const Scalar t498 = k[51] * t3 - (k[89] - k[2] * t59);
-  const Scalar t499 = (c5 * t498 - s5 * t52) + k[33] * t481;
-  const Scalar t500 = k[90] * t3 - (k[91] + k[27] * t59);
-  const Scalar t501 = (k[7] * t499 + k[11] * t500) - k[44] * t491;
-  const Scalar t502 = t501 + k[47] * t481;
-  const Scalar t503 = k[33] * t484 + (c5 * t52 + s5 * t498);
-  const Scalar t504 = t503 + k[47] * t485;
-  const Scalar t505 = s4 * t502 + c4 * t504;
-  const Scalar t506 = (k[11] * t499 - k[7] * t500) + k[44] * t485;
-  const Scalar t507 = s4 * t504 - c4 * t502;
-  const Scalar t508 = (k[12] * t506 + k[13] * t507) + k[21] * t496;
-  const Scalar t509 = k[20] * t495 - (c3 * t505 - s3 * t508);
-  const Scalar t510 = k[12] * t487 + k[13] * t479;
-  const Scalar t511 = c3 * t490 - s3 * t494;
-  const Scalar t512 = k[15] * t510 - k[16] * t511;
-  const Scalar t513 = t63 + qd[4] * t498;
-  const Scalar t514 = qd[4] * t52 + (k[27] * t75 + qd[5] * t71);
-  const Scalar t515 = k[33] * t483 - (s5 * t513 + c5 * t514);
-  const Scalar t516 = qd[5] * t53 - qd[5] * t66;
-  const Scalar t517 = (k[11] * t515 - k[7] * t516) + k[44] * t480;
-  const Scalar t518 = k[33] * t478 + (c5 * t513 - s5 * t514);
-  const Scalar t519 = k[47] * t482 + (qd[3] * t501 + t518);
-  const Scalar t520 = k[44] * t479 - (k[7] * t515 + k[11] * t516);
-  const Scalar t521 = (t520 + qd[3] * t503) - k[47] * t486;
-  const Scalar t522 = s4 * t519 + c4 * t521;
-  const Scalar t523 = (k[13] * t517 - k[12] * t522) - k[21] * t488;
-  const Scalar t524 = k[21] * t510 + (k[13] * t522 + k[12] * t517);
-  const Scalar t525 = (qd[2] * t505 + t524) - k[20] * t494;
-  const Scalar t526 = (s4 * t521 - c4 * t519) + qd[2] * t508;
-  const Scalar t527 = t526 + k[20] * t490;
-  const Scalar t528 = c3 * t525 - s3 * t527;
-  const Scalar t529 = k[59] * t512 + (k[16] * t523 + k[15] * t528);
-  const Scalar t530 = k[16] * t510 + k[15] * t511;
-  const Scalar t531 = s3 * t493 + c3 * t489;
-  const Scalar t532 = t530 - qd[1] * t531;
-  const Scalar t533 = (c3 * t508 + s3 * t505) - k[20] * t531;
-  const Scalar t534 = k[21] * t493 + (k[12] * t507 - k[13] * t506);
-  const Scalar t535 = (k[15] * t533 - k[16] * t534) + (k[67] * t496 - k[66] * t495);
-  const Scalar t536 = (c3 * t527 + s3 * t525) + qd[1] * t535;
-  const Scalar t537 = c2 * (t497 + (qd[1] * t509 - t529)) + s2 * (t532 + t536);
-  const Scalar t538 = (k[16] * t528 - k[15] * t523) + k[59] * t530;
-  const Scalar t539 = k[75] * (s2 * t497 - c2 * t532) - k[74] * t512;
-  const Scalar t540 = t391 - ((k[73] * t537 - k[72] * t538) + t539);
+  const Scalar t0 = k[0] * c6 - k[1] * s6;
+  const Scalar t1 = qd[5] * t0;
+  const Scalar t2 = k[3] * t1;
+  const Scalar t3 = k[4] + t0;
+  const Scalar t4 = t2 + qd[4] * t3;
+  const Scalar t5 = k[0] * s6 + k[1] * c6;
+  const Scalar t6 = qd[5] * t5;
+  const Scalar t7 = k[3] * t5;
+  const Scalar t8 = k[5] + t7;
+  const Scalar t9 = t6 + qd[4] * t8;
+  const Scalar t10 = s5 * t4 + c5 * t9;
+  const Scalar t11 = k[8] * t5;
+  const Scalar t12 = k[6] * t11;
+  const Scalar t13 = c5 * t8 + s5 * t3;
+  const Scalar t14 = t12 - k[9] * t13;
+  const Scalar t15 = k[10] - t14;
+  const Scalar t16 = t10 + qd[3] * t15;
+  const Scalar t17 = c5 * t3 - s5 * t8;
+  const Scalar t18 = k[12] + t17;
+  const Scalar t19 = c5 * t4 - s5 * t9;
+  const Scalar t20 = k[11] * t1 - k[9] * t19;
+  const Scalar t21 = qd[3] * t18 - t20;
+  const Scalar t22 = c4 * t16 + s4 * t21;
+  const Scalar t23 = s4 * t18 + c4 * t15;
+  const Scalar t24 = k[9] * t11;
+  const Scalar t25 = t24 + k[6] * t13;
+  const Scalar t26 = k[7] * t23 - k[13] * t25;
+  const Scalar t27 = k[15] - t26;
+  const Scalar t28 = t22 - qd[2] * t27;
+  const Scalar t29 = c4 * t21 - s4 * t16;
+  const Scalar t30 = k[2] * t0;
+  const Scalar t31 = qd[5] * t30 + k[6] * t19;
+  const Scalar t32 = k[7] * t29 - k[13] * t31;
+  const Scalar t33 = s4 * t15 - c4 * t18;
+  const Scalar t34 = k[16] - t33;
+  const Scalar t35 = t32 + qd[2] * t34;
+  const Scalar t36 = s3 * t28 - c3 * t35;
+  const Scalar t37 = k[33] * t5;
+  const Scalar t38 = k[21] * c6 + k[22] * s6;
+  const Scalar t39 = k[23] - c6 * t38;
+  const Scalar t40 = k[19] * s6 + k[20] * c6;
+  const Scalar t41 = k[8] * t40;
+  const Scalar t42 = k[3] * t39 + t41;
+  const Scalar t43 = k[34] - (t37 + t42);
+  const Scalar t44 = k[27] + s6 * t38;
+  const Scalar t45 = k[30] - t44;
+  const Scalar t46 = k[37] + (k[36] * t0 - t45);
+  const Scalar t47 = k[8] * t44;
+  const Scalar t48 = k[19] * c6 - k[20] * s6;
+  const Scalar t49 = t47 - k[28] * t48;
+  const Scalar t50 = k[8] * t49;
+  const Scalar t51 = k[35] - (t44 - t50);
+  const Scalar t52 = Scalar(2) * c5 * t43 - s5 * (t46 - t51);
+  const Scalar t53 = t43 - c5 * t52;
+  const Scalar t54 = k[24] * t5;
+  const Scalar t55 = k[3] * t40;
+  const Scalar t56 = t55 - k[8] * t39;
+  const Scalar t57 = k[25] - (t54 - t56);
+  const Scalar t58 = t57 - k[26] * t3;
+  const Scalar t59 = k[29] + (t48 + k[3] * t49);
+  const Scalar t60 = k[26] * t8 - t59;
+  const Scalar t61 = c5 * t58 + s5 * t60;
+  const Scalar t62 = k[39] * t25 + (k[6] * t53 - k[9] * t61);
+  const Scalar t63 = k[48] - t62;
+  const Scalar t64 = t63 - k[47] * t18;
+  const Scalar t65 = c5 * t60 - s5 * t58;
+  const Scalar t66 = k[43] * t5 - t50;
+  const Scalar t67 = t51 - s5 * t52;
+  const Scalar t68 = k[44] * t65 - k[6] * (t66 - t67);
+  const Scalar t69 = k[49] + (k[9] * t68 - t65);
+  const Scalar t70 = k[47] * t15 + t69;
+  const Scalar t71 = s4 * t64 - c4 * t70;
+  const Scalar t72 = k[7] * t71;
+  const Scalar t73 = k[6] * t68;
+  const Scalar t74 = k[54] * t25 + (t66 + t73);
+  const Scalar t75 = t46 + t51;
+  const Scalar t76 = k[42] - ((t67 - t75) - k[41] * t17);
+  const Scalar t77 = (k[6] * t61 + k[9] * t53) - k[39] * t14;
+  const Scalar t78 = k[40] + t77;
+  const Scalar t79 = c4 * t78;
+  const Scalar t80 = k[45] + (t73 - t67);
+  const Scalar t81 = (t79 + t79) + s4 * (t76 + t80);
+  const Scalar t82 = t76 - s4 * t81;
+  const Scalar t83 = t76 - t80;
+  const Scalar t84 = t82 - t83;
+  const Scalar t85 = (t72 + t72) + k[13] * (t74 + t84);
+  const Scalar t86 = k[59] - (k[7] * t85 - t71);
+  const Scalar t87 = k[7] * t31 + k[13] * t29;
+  const Scalar t88 = qd[5] * t42;
+  const Scalar t89 = k[3] * t88 - qd[4] * t43;
+  const Scalar t90 = qd[5] * t56;
+  const Scalar t91 = k[8] * t90;
+  const Scalar t92 = t91 - k[32] * t6;
+  const Scalar t93 = qd[5] * t45;
+  const Scalar t94 = (k[33] * t1 - k[3] * t93) + qd[4] * t46;
+  const Scalar t95 = c5 * (t89 - t92) + s5 * t94;
+  const Scalar t96 = s5 * t95;
+  const Scalar t97 = qd[5] * t48;
+  const Scalar t98 = (k[3] * qd[5] * t44 + k[8] * t97) - qd[4] * t51;
+  const Scalar t99 = s5 * t89 - c5 * t98;
+  const Scalar t100 = c5 * t99;
+  const Scalar t101 = (t96 - t94) + (t100 + t98);
+  const Scalar t102 = k[8] * t88;
+  const Scalar t103 = k[8] * t93 - k[24] * t1;
+  const Scalar t104 = s5 * t102 + c5 * t103;
+  const Scalar t105 = (k[6] * t101 + k[9] * t104) - k[39] * t31;
+  const Scalar t106 = k[18] * t1 - t91;
+  const Scalar t107 = k[3] * t90;
+  const Scalar t108 = (qd[4] * t57 + t107) - k[26] * t4;
+  const Scalar t109 = qd[5] * t47 - k[3] * t97;
+  const Scalar t110 = k[26] * t9 - (qd[4] * t59 + t109);
+  const Scalar t111 = c5 * t108 + s5 * t110;
+  const Scalar t112 = k[9] * t106 - k[6] * t111;
+  const Scalar t113 = k[6] * t112;
+  const Scalar t114 = c5 * t95 - s5 * t99;
+  const Scalar t115 = t92 + t114;
+  const Scalar t116 = c5 * t102 - s5 * t103;
+  const Scalar t117 = k[38] * t115 + k[31] * t116;
+  const Scalar t118 = t113 - t117;
+  const Scalar t119 = c4 * t105 - s4 * t118;
+  const Scalar t120 = (k[6] * t104 - k[9] * t101) - k[39] * t20;
+  const Scalar t121 = t120 + qd[3] * t76;
+  const Scalar t122 = k[39] * t10;
+  const Scalar t123 = t122 + t114;
+  const Scalar t124 = qd[3] * t78;
+  const Scalar t125 = t123 + t124;
+  const Scalar t126 = s4 * t121 + c4 * t125;
+  const Scalar t127 = s4 * t126;
+  const Scalar t128 = c5 * t110 - s5 * t108;
+  const Scalar t129 = t96 + t100;
+  const Scalar t130 = (k[6] * t128 - k[9] * t129) + qd[3] * t80;
+  const Scalar t131 = k[9] * t112;
+  const Scalar t132 = k[38] * t116 + k[46] * t115;
+  const Scalar t133 = (t131 - t106) - (t115 - t132);
+  const Scalar t134 = s4 * t130 - c4 * (t133 - t124);
+  const Scalar t135 = s4 * t134;
+  const Scalar t136 = (t127 - t121) + t135;
+  const Scalar t137 = k[50] * t87 - (k[7] * t119 + k[13] * t136);
+  const Scalar t138 = t127 + (t135 - t130);
+  const Scalar t139 = k[9] * t128 + k[6] * t129;
+  const Scalar t140 = (t139 + qd[3] * t69) + k[47] * t16;
+  const Scalar t141 = (t111 + t113) - (t117 - t116);
+  const Scalar t142 = k[47] * t21 - (t141 + qd[3] * t63);
+  const Scalar t143 = c4 * t140 + s4 * t142;
+  const Scalar t144 = k[13] * t138 + k[7] * t143;
+  const Scalar t145 = qd[2] * t86 - (t137 - t144);
+  const Scalar t146 = k[7] * t25 + k[13] * t23;
+  const Scalar t147 = c4 * t81 - t78;
+  const Scalar t148 = s4 * t70 + c4 * t64;
+  const Scalar t149 = k[50] * t146 + (k[13] * t147 - k[7] * t148);
+  const Scalar t150 = k[57] + t149;
+  const Scalar t151 = c4 * t142 - s4 * t140;
+  const Scalar t152 = c4 * t118 + s4 * t105;
+  const Scalar t153 = t152 - t151;
+  const Scalar t154 = k[13] * t153;
+  const Scalar t155 = k[13] * t152;
+  const Scalar t156 = (t131 + t132) + k[47] * t31;
+  const Scalar t157 = (t154 - t155) - k[7] * t156;
+  const Scalar t158 = k[13] * t157;
+  const Scalar t159 = (c4 * t126 - t125) + c4 * t134;
+  const Scalar t160 = k[7] * t159 + t155;
+  const Scalar t161 = k[13] * t160;
+  const Scalar t162 = (t151 + t158) + t161;
+  const Scalar t163 = t158 - (t152 - t161);
+  const Scalar t164 = qd[2] * t150 + (t162 + t163);
+  const Scalar t165 = k[58] * t36 + (s3 * t145 - c3 * t164);
+  const Scalar t166 = s3 * t137 + c3 * t163;
+  const Scalar t167 = t165 + t166;
+  const Scalar t168 = k[7] * t160;
+  const Scalar t169 = k[7] * t157;
+  const Scalar t170 = ((t159 - t168) - t169) + k[58] * t87;
+  const Scalar t171 = k[14] * t167 - k[17] * t170;
+  const Scalar t172 = k[14] * t171;
+  const Scalar t173 = t133 + t123;
+  const Scalar t174 = (t156 + t169) + t168;
+  const Scalar t175 = ((t159 + t173) + k[50] * t22) - t174;
+  const Scalar t176 = k[50] * t26 + (k[7] * t147 + k[13] * t148);
+  const Scalar t177 = k[51] - t176;
+  const Scalar t178 = qd[2] * t177 - t174;
+  const Scalar t179 = k[53] + (t82 - k[52] * t33);
+  const Scalar t180 = k[50] * t32 + (k[13] * t119 - k[7] * t136);
+  const Scalar t181 = qd[2] * t179 + t180;
+  const Scalar t182 = c3 * (t178 - t175) - s3 * t181;
+  const Scalar t183 = k[13] * t85;
+  const Scalar t184 = k[55] + (t84 - t183);
+  const Scalar t185 = qd[2] * t184 + (k[13] * t143 - k[7] * t138);
+  const Scalar t186 = c3 * t185 + s3 * t178;
+  const Scalar t187 = c3 * t182 - s3 * t186;
+  const Scalar t188 = t175 + t187;
+  const Scalar t189 = k[17] * t166 - k[14] * t188;
+  const Scalar t190 = k[17] * t189;
+  const Scalar t191 = s3 * t182;
+  const Scalar t192 = c3 * t186;
+  const Scalar t193 = (t181 + t191) - (t185 - t192);
+  const Scalar t194 = c3 * t137 - s3 * t163;
+  const Scalar t195 = k[14] * t36 - k[17] * t87;
+  const Scalar t196 = s2 * ((k[14] * t193 + k[17] * t194) - t195);
+  const Scalar t197 = c2 * (t172 + t190) + t196;
+  const Scalar t198 = c3 * t27 - s3 * t34;
+  const Scalar t199 = k[17] * t198 + k[14] * t146;
+  const Scalar t200 = c3 * (t177 + t177) - s3 * (t179 + t184);
+  const Scalar t201 = t177 - c3 * t200;
+  const Scalar t202 = t86 - k[58] * t27;
+  const Scalar t203 = t150 + k[58] * t34;
+  const Scalar t204 = s3 * t202 - c3 * t203;
+  const Scalar t205 = k[60] + (t199 - (k[17] * t201 + k[14] * t204));
+  const Scalar t206 = qd[1] * t205;
+  const Scalar t207 = k[17] * t171;
+  const Scalar t208 = k[14] * t189;
+  const Scalar t209 = (t207 + t170) - (t208 + t188);
+  const Scalar t210 = c3 * t202 + s3 * t203;
+  const Scalar t211 = s3 * t200;
+  const Scalar t212 = t184 + t211;
+  const Scalar t213 = k[14] * (((t74 - t183) + k[61] * t146) + t212);
+  const Scalar t214 = k[62] * t210 - t213;
+  const Scalar t215 = k[63] + (k[14] * t214 + t212);
+  const Scalar t216 = c3 * t28 + s3 * t35;
+  const Scalar t217 = (c3 * t145 + s3 * t164) + k[58] * t216;
+  const Scalar t218 = t194 + t217;
+  const Scalar t219 = t191 + t192;
+  const Scalar t220 = qd[1] * t215 + (k[14] * t218 + k[17] * t219);
+  const Scalar t221 = c2 * (c2 * (t206 - t209) - s2 * t220);
+  const Scalar t222 = t216 - t187;
+  const Scalar t223 = k[14] * t87 + k[17] * t36;
+  const Scalar t224 = s3 * t27 + c3 * t34;
+  const Scalar t225 = k[56] + ((t224 + t224) + (t179 + t211));
+  const Scalar t226 = ((k[14] * t194 - k[17] * t193) + t223) - qd[1] * t225;
+  const Scalar t227 = s2 * (s2 * (t206 - t222) - c2 * t226);
+  const Scalar t228 = t221 - t227;
+  const Scalar t229 = (k[17] * t146 - k[14] * t198) - (k[17] * t204 - k[14] * t201);
+  const Scalar t230 = k[70] + t229;
+  const Scalar t231 = (t172 - t167) + (t190 - t166);
+  const Scalar t232 = k[65] + t224;
+  const Scalar t233 = qd[1] * t232 - t223;
+  const Scalar t234 = c2 * ((qd[1] * t230 + t231) + k[69] * t233);
+  const Scalar t235 = k[64] + t199;
+  const Scalar t236 = t216 - qd[1] * t235;
+  const Scalar t237 = k[17] * t218 - k[14] * t219;
+  const Scalar t238 = k[71] + (k[17] * t214 - t210);
+  const Scalar t239 = s2 * (k[69] * t236 + (t237 + qd[1] * t238));
+  const Scalar t240 = t234 - t239;
+  const Scalar t241 = k[72] * (k[69] * t195 - (t208 - t207)) + k[68] * t240;
+  const Scalar t242 = t209 - t222;
+  const Scalar t243 = k[66] * (c2 * t236 + s2 * t233);
+  const Scalar t244 = ((k[68] * t197 + k[67] * t228) + t241) - ((t228 + t242) - t243);
+  const Scalar t245 = qd[1] + k[73] * qd[0];
+  const Scalar t246 = k[75] * qd[0];
+  const Scalar t247 = c2 * t246;
+  const Scalar t248 = s2 * t246;
+  const Scalar t249 = (t230 * t245 + t231) - (t247 * t205 - t248 * t225);
+  const Scalar t250 = t245 * t232 - t223;
+  const Scalar t251 = t216 - t245 * t235;
+  const Scalar t252 = (t215 * t247 + t248 * t205) - (t245 * t238 + t237);
+  const Scalar t253 = c2 * (t249 + k[69] * t250) - s2 * (k[69] * t251 - t252);
+  const Scalar t254 = k[73] * t242;
+  const Scalar t255 = k[76] * (t247 * t235 - t248 * t232) - k[74] * (s2 * t250 + c2 * t251);
+  const Scalar t256 = (k[75] * t253 - t254) - t255;
+  const Scalar t257 = qd[2] - (k[14] * t247 - k[17] * t245);
+  const Scalar t258 = k[14] * t245 + k[17] * t247;
+  const Scalar t259 = c3 * t248 + s3 * t258;
+  const Scalar t260 = s3 * t248 - c3 * t258;
+  const Scalar t261 = (t162 + t257 * t150) + (t179 * t259 + t177 * t260);
+  const Scalar t262 = t32 + t257 * t34;
+  const Scalar t263 = t261 + k[58] * t262;
+  const Scalar t264 = t22 - t257 * t27;
+  const Scalar t265 = (t144 + t257 * t86) + (t184 * t260 - t259 * t177);
+  const Scalar t266 = k[58] * t264 + t265;
+  const Scalar t267 = s3 * t262 + c3 * t264;
+  const Scalar t268 = t27 * t260 + t259 * t34;
+  const Scalar t269 = k[17] * t267 + k[14] * t268;
+  const Scalar t270 = (s3 * t263 + c3 * t266) + k[69] * t269;
+  const Scalar t271 = c3 * t262 - s3 * t264;
+  const Scalar t272 = c3 * t263 - s3 * t266;
+  const Scalar t273 = k[14] * t175;
+  const Scalar t274 = k[17] * t268 - k[14] * t267;
+  const Scalar t275 = k[69] * t271 + ((k[17] * t272 - t273) + t274);
+  const Scalar t276 = t269 + (k[17] * t175 + k[14] * t272);
+  const Scalar t277 = k[75] * (s2 * t270 - c2 * t275) - k[73] * t276;
+  const Scalar t278 = k[76] * t274 + k[74] * (s2 * t271 + c2 * t269);
+  const Scalar t279 = t277 - t278;
+  const Scalar t280 = qd[3] + (k[7] * t257 + k[13] * t260);
+  const Scalar t281 = t280 * t18 - t20;
+  const Scalar t282 = t10 + t15 * t280;
+  const Scalar t283 = c4 * t281 - s4 * t282;
+  const Scalar t284 = k[7] * t260 - k[13] * t257;
+  const Scalar t285 = c4 * t259 - s4 * t284;
+  const Scalar t286 = c4 * t284 + s4 * t259;
+  const Scalar t287 = t18 * t285 - t15 * t286;
+  const Scalar t288 = s4 * t281 + c4 * t282;
+  const Scalar t289 = k[13] * t287 + k[7] * t288;
+  const Scalar t290 = c3 * t283 - s3 * t289;
+  const Scalar t291 = k[7] * t287 - k[13] * t288;
+  const Scalar t292 = s3 * t283 + c3 * t289;
+  const Scalar t293 = k[14] * t291 + k[17] * t292;
+  const Scalar t294 = k[14] * t292 - k[17] * t291;
+  const Scalar t295 = k[74] * (s2 * t290 + c2 * t293) - k[76] * t294;
+  const Scalar t296 = (t280 * t63 + t141) - (t76 * t285 - t78 * t286);
+  const Scalar t297 = t296 - k[47] * t281;
+  const Scalar t298 = (t139 + t280 * t69) + (t285 * t78 + t80 * t286);
+  const Scalar t299 = t298 + k[47] * t282;
+  const Scalar t300 = c4 * t297 + s4 * t299;
+  const Scalar t301 = k[7] * t173;
+  const Scalar t302 = k[50] * t289 - (k[13] * t300 - t301);
+  const Scalar t303 = k[13] * t173;
+  const Scalar t304 = k[58] * t283 + (k[50] * t291 - (k[7] * t300 + t303));
+  const Scalar t305 = k[58] * t289 - (s4 * t297 - c4 * t299);
+  const Scalar t306 = c3 * t304 - s3 * t305;
+  const Scalar t307 = t293 + (k[17] * t302 + k[14] * t306);
+  const Scalar t308 = (t294 - (k[17] * t306 - k[14] * t302)) - k[69] * t290;
+  const Scalar t309 = k[69] * t293 + (c3 * t305 + s3 * t304);
+  const Scalar t310 = k[73] * t307 - k[75] * (c2 * t308 + s2 * t309);
+  const Scalar t311 = t295 + t310;
+  const Scalar t312 = k[6] * t280 - k[9] * t286;
+  const Scalar t313 = s5 * t312 + c5 * t285;
+  const Scalar t314 = c5 * t312 - s5 * t285;
+  const Scalar t315 = t313 * t3 + t8 * t314;
+  const Scalar t316 = qd[4] + (k[9] * t280 + k[6] * t286);
+  const Scalar t317 = t2 + t3 * t316;
+  const Scalar t318 = t6 + t8 * t316;
+  const Scalar t319 = s5 * t317 + c5 * t318;
+  const Scalar t320 = k[6] * t315 + k[9] * t319;
+  const Scalar t321 = k[9] * t92;
+  const Scalar t322 = (t51 * t314 - t313 * t43) - (t109 + t59 * t316);
+  const Scalar t323 = t322 + k[26] * t318;
+  const Scalar t324 = (t57 * t316 + t107) + (t43 * t314 - t313 * t46);
+  const Scalar t325 = t324 - k[26] * t317;
+  const Scalar t326 = s5 * t323 + c5 * t325;
+  const Scalar t327 = k[39] * t320 - (t321 + k[6] * t326);
+  const Scalar t328 = k[6] * t92;
+  const Scalar t329 = k[9] * t315 - k[6] * t319;
+  const Scalar t330 = (t328 - k[9] * t326) + k[39] * t329;
+  const Scalar t331 = s5 * t325 - c5 * t323;
+  const Scalar t332 = c5 * t317 - s5 * t318;
+  const Scalar t333 = c4 * t332 - s4 * t320;
+  const Scalar t334 = (c4 * t330 + s4 * t331) + k[47] * t333;
+  const Scalar t335 = c4 * t320 + s4 * t332;
+  const Scalar t336 = k[7] * t335 + k[13] * t329;
+  const Scalar t337 = (k[7] * t327 + k[13] * t334) + k[50] * t336;
+  const Scalar t338 = k[7] * t329 - k[13] * t335;
+  const Scalar t339 = k[50] * t338 + (k[7] * t334 - k[13] * t327);
+  const Scalar t340 = k[47] * t335 + (s4 * t330 - c4 * t331);
+  const Scalar t341 = s3 * t336 - c3 * t333;
+  const Scalar t342 = (c3 * t339 - s3 * t340) - k[58] * t341;
+  const Scalar t343 = s3 * t333 + c3 * t336;
+  const Scalar t344 = k[17] * t343 + k[14] * t338;
+  const Scalar t345 = (k[17] * t337 + k[14] * t342) + t344;
+  const Scalar t346 = k[14] * t343 - k[17] * t338;
+  const Scalar t347 = (t346 + (k[14] * t337 - k[17] * t342)) + k[69] * t341;
+  const Scalar t348 = (s3 * t339 + c3 * t340) + k[58] * t343;
+  const Scalar t349 = c2 * t347 + s2 * (t348 + k[69] * t344);
+  const Scalar t350 = k[74] * (s2 * t341 - c2 * t344) + k[76] * t346;
+  const Scalar t351 = (k[73] * t345 - k[75] * t349) - t350;
+  const Scalar t352 = qd[5] - (k[8] * t314 - k[3] * t316);
+  const Scalar t353 = t352 * t0;
+  const Scalar t354 = k[8] * t316 + k[3] * t314;
+  const Scalar t355 = c6 * t313 + s6 * t354;
+  const Scalar t356 = s6 * t313 - c6 * t354;
+  const Scalar t357 = k[0] * t355 - k[1] * t356;
+  const Scalar t358 = t352 * t7 + k[8] * t357;
+  const Scalar t359 = c5 * t353 - s5 * t358;
+  const Scalar t360 = k[3] * t357 - t352 * t11;
+  const Scalar t361 = s5 * t353 + c5 * t358;
+  const Scalar t362 = k[6] * t360 + k[9] * t361;
+  const Scalar t363 = c4 * t359 - s4 * t362;
+  const Scalar t364 = c4 * t362 + s4 * t359;
+  const Scalar t365 = k[6] * t361 - k[9] * t360;
+  const Scalar t366 = k[7] * t364 - k[13] * t365;
+  const Scalar t367 = s3 * t363 + c3 * t366;
+  const Scalar t368 = k[13] * t364 + k[7] * t365;
+  const Scalar t369 = k[17] * t367 - k[14] * t368;
+  const Scalar t370 = s3 * t366 - c3 * t363;
+  const Scalar t371 = k[17] * t368 + k[14] * t367;
+  const Scalar t372 = k[74] * (c2 * t369 - s2 * t370) - k[76] * t371;
+  const Scalar t373 = k[19] * t352 - (k[23] * t355 - k[27] * t356);
+  const Scalar t374 = k[20] * t352 + (k[77] * t355 - k[23] * t356);
+  const Scalar t375 = s6 * t373 + c6 * t374;
+  const Scalar t376 = k[32] * t358 - k[8] * t375;
+  const Scalar t377 = k[26] * t353 + (k[32] * t360 - k[3] * t375);
+  const Scalar t378 = k[26] * t358 + (c6 * t373 - s6 * t374);
+  const Scalar t379 = c5 * t377 - s5 * t378;
+  const Scalar t380 = k[39] * t362 + (k[9] * t376 + k[6] * t379);
+  const Scalar t381 = k[39] * t365 - (k[9] * t379 - k[6] * t376);
+  const Scalar t382 = k[47] * t359 - t381;
+  const Scalar t383 = (c5 * t378 + s5 * t377) + k[47] * t362;
+  const Scalar t384 = c4 * t382 - s4 * t383;
+  const Scalar t385 = (k[7] * t380 + k[13] * t384) + k[50] * t366;
+  const Scalar t386 = (s4 * t382 + c4 * t383) + k[58] * t366;
+  const Scalar t387 = k[50] * t368 - (k[7] * t384 - k[13] * t380);
+  const Scalar t388 = k[58] * t363 - t387;
+  const Scalar t389 = s3 * t386 - c3 * t388;
+  const Scalar t390 = k[69] * t370 + ((k[14] * t385 + k[17] * t389) + t371);
+  const Scalar t391 = (c3 * t386 + s3 * t388) + k[69] * t369;
+  const Scalar t392 = t369 - (k[14] * t389 - k[17] * t385);
+  const Scalar t393 = k[75] * (c2 * t390 + s2 * t391) - k[73] * t392;
+  const Scalar t394 = t372 - t393;
+  const Scalar t395 = k[73] * t243 + (k[75] * (t240 + t197) - Scalar(2) * t254);
+  const Scalar t396 = t224 * k[17] * qd[1] - t36;
+  const Scalar t397 = k[17] * t216;
+  const Scalar t398 = t397 - qd[1] * t198;
+  const Scalar t399 = k[78] * t216 - k[74] * (s2 * t396 + c2 * t398);
+  const Scalar t400 = t397 + (k[62] * t175 - k[14] * t165);
+  const Scalar t401 = (k[17] * t210 + k[14] * (t179 - t184)) + k[14] * t224;
+  const Scalar t402 = s2 * ((qd[1] * t401 + t217) + k[69] * t398);
+  const Scalar t403 = (k[17] * t165 + Scalar(2) * t273) + k[14] * t216;
+  const Scalar t404 = c2 * ((qd[1] * t204 + t403) - k[69] * t396);
+  const Scalar t405 = t399 - (k[73] * t400 - k[75] * (t402 + t404));
+  const Scalar t406 = k[7] * t33;
+  const Scalar t407 = t29 - qd[2] * t406;
+  const Scalar t408 = qd[2] * t23 + k[7] * t22;
+  const Scalar t409 = s3 * t407 + c3 * t408;
+  const Scalar t410 = k[80] * t22 - k[17] * t409;
+  const Scalar t411 = k[83] * t22 + ((t301 + t301) - t154);
+  const Scalar t412 = c3 * t407 - s3 * t408;
+  const Scalar t413 = k[81] * t33 - (k[13] * t83 - t72);
+  const Scalar t414 = (t119 + t143) - qd[2] * t413;
+  const Scalar t415 = ((t303 + t303) + k[7] * t153) + k[81] * t22;
+  const Scalar t416 = t415 + qd[2] * t148;
+  const Scalar t417 = k[58] * t412 - (s3 * t414 + c3 * t416);
+  const Scalar t418 = t410 - (k[17] * t411 + k[14] * t417);
+  const Scalar t419 = (s3 * t416 - c3 * t414) - k[58] * t409;
+  const Scalar t420 = s3 * t23 + c3 * t406;
+  const Scalar t421 = s3 * t406 - c3 * t23;
+  const Scalar t422 = k[82] * t421 + k[17] * (s3 * t148 + c3 * t413);
+  const Scalar t423 = (k[7] * t83 + k[13] * t71) - k[50] * t406;
+  const Scalar t424 = (k[79] * t33 + k[14] * t420) + (t422 - k[14] * t423);
+  const Scalar t425 = t410 + qd[1] * t421;
+  const Scalar t426 = s2 * ((t419 + qd[1] * t424) + k[69] * t425);
+  const Scalar t427 = t412 + qd[1] * (k[80] * t33 - k[17] * t420);
+  const Scalar t428 = k[14] * t409 + k[79] * t22;
+  const Scalar t429 = k[58] * t420 + (c3 * t148 - s3 * t413);
+  const Scalar t430 = ((k[14] * t411 - k[17] * t417) + t428) + qd[1] * t429;
+  const Scalar t431 = k[75] * (t426 + c2 * (k[69] * t427 - t430));
+  const Scalar t432 = k[74] * (s2 * t427 - c2 * t425) - k[76] * t428;
+  const Scalar t433 = k[9] * t10 + qd[3] * t13;
+  const Scalar t434 = k[9] * t17;
+  const Scalar t435 = t19 + qd[3] * t434;
+  const Scalar t436 = c4 * t433 + s4 * t435;
+  const Scalar t437 = k[85] * t10 - k[7] * t436;
+  const Scalar t438 = t111 - t116;
+  const Scalar t439 = (k[6] * t438 + (t321 + t321)) - k[9] * t122;
+  const Scalar t440 = k[86] * t17 + (k[9] * t65 + k[6] * t75);
+  const Scalar t441 = k[47] * t433 + ((t104 + t128) + qd[3] * t440);
+  const Scalar t442 = k[6] * t122 - ((t328 + t328) - k[9] * t438);
+  const Scalar t443 = (t442 + qd[3] * t61) - k[47] * t435;
+  const Scalar t444 = s4 * t441 + c4 * t443;
+  const Scalar t445 = k[50] * t437 + (k[7] * t439 + k[13] * t444);
+  const Scalar t446 = k[13] * t436 + k[84] * t10;
+  const Scalar t447 = k[50] * t446 + (k[7] * t444 - k[13] * t439);
+  const Scalar t448 = k[47] * t13 + t440;
+  const Scalar t449 = t61 - k[47] * t434;
+  const Scalar t450 = s4 * t448 + c4 * t449;
+  const Scalar t451 = c4 * t434 - s4 * t13;
+  const Scalar t452 = k[85] * t17 - k[7] * t451;
+  const Scalar t453 = qd[2] * t452 - (c4 * t435 - s4 * t433);
+  const Scalar t454 = (t447 + qd[2] * t450) + k[58] * t453;
+  const Scalar t455 = s4 * t434 + c4 * t13;
+  const Scalar t456 = qd[2] * t455 - t437;
+  const Scalar t457 = s4 * t449 - c4 * t448;
+  const Scalar t458 = k[39] * t434 + (k[9] * t75 - k[6] * t65);
+  const Scalar t459 = k[13] * t451 + k[84] * t17;
+  const Scalar t460 = (k[7] * t457 - k[13] * t458) - k[50] * t459;
+  const Scalar t461 = qd[2] * t460 + (s4 * t443 - c4 * t441);
+  const Scalar t462 = k[58] * t456 - t461;
+  const Scalar t463 = c3 * t454 + s3 * t462;
+  const Scalar t464 = c3 * t456 - s3 * t453;
+  const Scalar t465 = k[17] * t464 - k[14] * t446;
+  const Scalar t466 = (k[17] * t445 + k[14] * t463) - t465;
+  const Scalar t467 = k[17] * t446 + k[14] * t464;
+  const Scalar t468 = t450 + k[58] * t452;
+  const Scalar t469 = k[58] * t455 - t460;
+  const Scalar t470 = (t467 - (k[14] * t445 - k[17] * t463)) + qd[1] * (c3 * t468 + s3 * t469);
+  const Scalar t471 = c3 * t452 + s3 * t455;
+  const Scalar t472 = qd[1] * (k[14] * t459 + k[17] * t471) + (s3 * t456 + c3 * t453);
+  const Scalar t473 = k[87] * t452 - k[14] * (k[13] * t457 + k[7] * t458);
+  const Scalar t474 = t473 + k[17] * (s3 * t468 - c3 * t469);
+  const Scalar t475 = qd[1] * ((k[14] * t471 - k[17] * t459) + t474);
+  const Scalar t476 = qd[1] * (c3 * t455 - s3 * t452) + t465;
+  const Scalar t477 = (t475 + (s3 * t454 - c3 * t462)) - k[69] * t476;
+  const Scalar t478 = c2 * (t470 + k[69] * t472) - s2 * t477;
+  const Scalar t479 = k[74] * (c2 * t476 - s2 * t472) - k[76] * t467;
+  const Scalar t480 = t351 + ((k[73] * t466 + k[75] * t478) - t479);
+  const Scalar t481 = k[3] * t0;
+  const Scalar t482 = t1 + qd[4] * t481;
+  const Scalar t483 = k[3] * t6 + qd[4] * t5;
+  const Scalar t484 = s5 * t482 + c5 * t483;
+  const Scalar t485 = qd[5] * t12 - k[9] * t484;
+  const Scalar t486 = s5 * t481 + c5 * t5;
+  const Scalar t487 = t485 - qd[3] * t486;
+  const Scalar t488 = c5 * t482 - s5 * t483;
+  const Scalar t489 = s5 * t5 - c5 * t481;
+  const Scalar t490 = k[11] * t0 + k[9] * t489;
+  const Scalar t491 = t488 - qd[3] * t490;
+  const Scalar t492 = c4 * t487 - s4 * t491;
+  const Scalar t493 = qd[5] * t24 + k[6] * t484;
+  const Scalar t494 = k[13] * t492 - k[7] * t493;
+  const Scalar t495 = k[13] * t493 + k[7] * t492;
+  const Scalar t496 = s4 * t490 - c4 * t486;
+  const Scalar t497 = t495 + qd[2] * t496;
+  const Scalar t498 = s4 * t486 + c4 * t490;
+  const Scalar t499 = t30 - k[6] * t489;
+  const Scalar t500 = k[7] * t498 + k[13] * t499;
+  const Scalar t501 = (s4 * t487 + c4 * t491) - qd[2] * t500;
+  const Scalar t502 = c3 * t497 - s3 * t501;
+  const Scalar t503 = k[17] * t494 + k[14] * t502;
+  const Scalar t504 = s3 * t500 + c3 * t496;
+  const Scalar t505 = k[14] * t494 - k[17] * t502;
+  const Scalar t506 = qd[1] * t504 - t505;
+  const Scalar t507 = k[13] * t498 - k[7] * t499;
+  const Scalar t508 = s3 * t496 - c3 * t500;
+  const Scalar t509 = qd[1] * (k[14] * t507 + k[17] * t508) + (c3 * t501 + s3 * t497);
+  const Scalar t510 = k[76] * t503 - k[74] * (c2 * t506 - s2 * t509);
+  const Scalar t511 = k[24] * t0 - (k[88] - k[3] * t48);
+  const Scalar t512 = qd[4] * t511 + t97;
+  const Scalar t513 = qd[4] * t40 + qd[5] * (t54 + t55);
+  const Scalar t514 = k[26] * t484 + (c5 * t512 - s5 * t513);
+  const Scalar t515 = (k[90] + k[8] * t48) - k[32] * t481;
+  const Scalar t516 = t40 - k[89] * t0;
+  const Scalar t517 = k[26] * t5 + t511;
+  const Scalar t518 = s5 * t516 - c5 * t517;
+  const Scalar t519 = k[39] * t499 - (k[6] * t515 + k[9] * t518);
+  const Scalar t520 = k[47] * t487 - (t514 + qd[3] * t519);
+  const Scalar t521 = c5 * t516 + s5 * t517;
+  const Scalar t522 = qd[5] * (t37 - t41);
+  const Scalar t523 = k[26] * t488 - (c5 * t513 + s5 * t512);
+  const Scalar t524 = (k[6] * t522 - k[9] * t523) + k[39] * t493;
+  const Scalar t525 = (qd[3] * t521 + t524) - k[47] * t491;
+  const Scalar t526 = s4 * t520 - c4 * t525;
+  const Scalar t527 = (k[6] * t523 + k[9] * t522) - k[39] * t485;
+  const Scalar t528 = (k[13] * t526 + k[7] * t527) - k[50] * t495;
+  const Scalar t529 = k[47] * t498 + (s4 * t519 + c4 * t521);
+  const Scalar t530 = k[50] * t494 + (k[7] * t526 - k[13] * t527);
+  const Scalar t531 = (qd[2] * t529 - t530) - k[58] * t501;
+  const Scalar t532 = (s4 * t521 - c4 * t519) + k[47] * t496;
+  const Scalar t533 = (k[6] * t518 - k[9] * t515) - k[39] * t490;
+  const Scalar t534 = (k[7] * t532 - k[13] * t533) + k[50] * t507;
+  const Scalar t535 = (s4 * t525 + c4 * t520) + qd[2] * t534;
+  const Scalar t536 = t535 + k[58] * t497;
+  const Scalar t537 = c3 * t531 - s3 * t536;
+  const Scalar t538 = (k[17] * t528 - k[14] * t537) + t505;
+  const Scalar t539 = (c3 * t529 - s3 * t534) - k[58] * t508;
+  const Scalar t540 = ((k[14] * t528 + k[17] * t537) - t503) + qd[1] * t539;
+  const Scalar t541 = k[17] * (c3 * t534 + s3 * t529) + k[82] * t504;
+  const Scalar t542 = (k[7] * t533 + k[13] * t532) - k[50] * t500;
+  const Scalar t543 = (k[14] * t508 - k[17] * t507) - (t541 - k[14] * t542);
+  const Scalar t544 = qd[1] * t543 - (c3 * t536 + s3 * t531);
+  const Scalar t545 = c2 * (t540 - k[69] * t509) - s2 * (k[69] * t506 - t544);
+  const Scalar t546 = t394 - (t510 + (k[73] * t538 - k[75] * t545));
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = -(k[19] * t46 + (t201 - t230)) - t243;
-  result(0, 1) = t255;
-  result(0, 2) = t278;
-  result(0, 3) = -t308;
-  result(0, 4) = -t347;
-  result(0, 5) = -t391;
-  result(1, 0) = -t255 - t392;
-  result(1, 1) = -t201;
-  result(1, 2) = -t274;
-  result(1, 3) = t304;
-  result(1, 4) = t345;
-  result(1, 5) = -t387;
-  result(2, 0) = -t401 - t278;
-  result(2, 1) = t274 - t400;
-  result(2, 2) = -t191;
-  result(2, 3) = t303;
-  result(2, 4) = t342;
-  result(2, 5) = -t386;
-  result(3, 0) = t430;
-  result(3, 1) = t416 - t304;
-  result(3, 2) = t404 - t303;
-  result(3, 3) = t120;
-  result(3, 4) = -t333;
-  result(3, 5) = -t381;
-  result(4, 0) = t347 + ((k[72] * t461 + t474) - t475);
-  result(4, 1) = t461 - t345;
-  result(4, 2) = -t450 - t342;
-  result(4, 3) = t333 - t445;
-  result(4, 4) = t76;
-  result(4, 5) = -t372;
-  result(5, 0) = t540;
-  result(5, 1) = t387 + t538;
-  result(5, 2) = t386 - t523;
-  result(5, 3) = t381 - t517;
-  result(5, 4) = t516 + t372;
+  result(0, 0) = -t244;
+  result(0, 1) = -t256;
+  result(0, 2) = t279;
+  result(0, 3) = -t311;
+  result(0, 4) = -t351;
+  result(0, 5) = -t394;
+  result(1, 0) = t256 - t395;
+  result(1, 1) = t242;
+  result(1, 2) = -t276;
+  result(1, 3) = -t307;
+  result(1, 4) = -t345;
+  result(1, 5) = -t392;
+  result(2, 0) = t405 - t279;
+  result(2, 1) = t276 - t400;
+  result(2, 2) = -t175;
+  result(2, 3) = -t302;
+  result(2, 4) = -t337;
+  result(2, 5) = -t385;
+  result(3, 0) = t311 + ((k[73] * t418 - t431) - t432);
+  result(3, 1) = t418 + t307;
+  result(3, 2) = t302 - t411;
+  result(3, 3) = -t173;
+  result(3, 4) = -t327;
+  result(3, 5) = -t380;
+  result(4, 0) = t480;
+  result(4, 1) = t345 + t466;
+  result(4, 2) = t337 + t445;
+  result(4, 3) = t439 + t327;
+  result(4, 4) = t92;
+  result(4, 5) = -t376;
+  result(5, 0) = t546;
+  result(5, 1) = t392 - t538;
+  result(5, 2) = t385 - t528;
+  result(5, 3) = t380 - t527;
+  result(5, 4) = t376 - t522;
   result(5, 5) = Scalar(0);
   return result;
 }
@@ -2286,212 +2305,210 @@ ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<
   using std::sin;
   const Scalar t0 = inertia.c6x * inertia.m6;
   const Scalar t1 = inertia.c6y * inertia.m6;
-  const Scalar t2 = inertia.c5y * inertia.m5;
-  const Scalar t3 = inertia.c6z * inertia.m6;
-  const Scalar t4 = g.d6 * inertia.m6 + t3;
-  const Scalar t5 = sin(g.alpha6) * t4;
-  const Scalar t6 = g.a6 * inertia.m6;
-  const Scalar t7 = inertia.c5x * inertia.m5;
-  const Scalar t8 = g.a3 / g.d2;
+  const Scalar t2 = g.a4 / g.d2;
+  const Scalar t3 = g.a5 / g.d2;
+  const Scalar t4 = g.a6 / g.d2;
+  const Scalar t5 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t6 = (inertia.I6xx - t5) - inertia.c6x * t0;
+  const Scalar t7 = (inertia.I6yy - t5) - inertia.c6y * t1;
+  const Scalar t8 = t6 + t7;
   const Scalar t9 = g.d4 / g.d2;
-  const Scalar t10 = g.a6 / g.d2;
-  const Scalar t11 = inertia.I6xy - inertia.c6y * t0;
-  const Scalar t12 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t13 = (inertia.I6xx - t12) - inertia.c6x * t0;
-  const Scalar t14 = (inertia.I6yy - t12) - inertia.c6y * t1;
-  const Scalar t15 = g.d5 * t7;
-  const Scalar t16 = cos(g.alpha6) * t4;
-  const Scalar t17 = (t15 - (t15 - (inertia.I5xz - inertia.c5z * t7))) - g.a6 * t16;
-  const Scalar t18 = g.d5 / g.d2;
-  const Scalar t19 = t13 + t14;
-  const Scalar t20 = g.d5 * t2;
-  const Scalar t21 = (inertia.c6z * t3 - (inertia.I6zz - t12)) + g.d6 * (t4 + t3);
-  const Scalar t22 = sin(g.alpha6) * t21;
-  const Scalar t23 = (t20 + ((inertia.I5yz - inertia.c5z * t2) - t20)) + cos(g.alpha6) * t22;
-  const Scalar t24 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t25 = (inertia.c5x * t7 - (inertia.I5xx - t24)) + g.a6 * t6;
-  const Scalar t26 = sin(g.alpha6) * t22;
-  const Scalar t27 = g.a5 / g.d2;
-  const Scalar t28 = g.a4 / g.d2;
-  const Scalar t29 = g.d3 / g.d2;
-  const Scalar t30 = g.a2 / g.d2;
-  const Scalar t31 = inertia.m5 + inertia.m6;
-  const Scalar t32 = g.a5 * t31;
-  const Scalar t33 = inertia.c4x * inertia.m4;
-  const Scalar t34 = g.d5 * inertia.m5;
-  const Scalar t35 = inertia.c5z * inertia.m5;
-  const Scalar t36 = t35 + t34;
-  const Scalar t37 = t34 - t36;
-  const Scalar t38 = t37 - t16;
-  const Scalar t39 = t38 - g.d5 * t31;
-  const Scalar t40 = sin(g.alpha5) * t39;
-  const Scalar t41 = inertia.c4y * inertia.m4;
-  const Scalar t42 = inertia.m4 + t31;
-  const Scalar t43 = g.a4 * t42;
-  const Scalar t44 = inertia.c3x * inertia.m3;
-  const Scalar t45 = inertia.c4z * inertia.m4;
-  const Scalar t46 = g.d4 * inertia.m4;
-  const Scalar t47 = t45 + t46;
-  const Scalar t48 = t47 - t46;
-  const Scalar t49 = cos(g.alpha5) * t39;
-  const Scalar t50 = t48 - t49;
-  const Scalar t51 = g.d4 * t42 + t50;
-  const Scalar t52 = sin(g.alpha4) * t51;
-  const Scalar t53 = inertia.c3y * inertia.m3;
-  const Scalar t54 = cos(g.alpha4) * t51;
-  const Scalar t55 = g.d3 * inertia.m3;
-  const Scalar t56 = inertia.c3z * inertia.m3;
-  const Scalar t57 = t56 + t55;
-  const Scalar t58 = t55 - t57;
-  const Scalar t59 = t54 - t58;
-  const Scalar t60 = inertia.m3 + t42;
-  const Scalar t61 = t59 + g.d3 * t60;
-  const Scalar t62 = sin(g.alpha3) * t61;
-  const Scalar t63 = inertia.c2y * inertia.m2;
-  const Scalar t64 = g.a3 * t60;
-  const Scalar t65 = inertia.c2x * inertia.m2;
-  const Scalar t66 = (inertia.c5z * t35 - (inertia.I5zz - t24)) + g.d5 * (t35 + t36);
-  const Scalar t67 = (g.d5 * (t37 - t36) + t66) + (t21 - t26);
-  const Scalar t68 = g.d5 * (t38 + t39) - t67;
-  const Scalar t69 = sin(g.alpha5) * t68;
-  const Scalar t70 = sin(g.alpha5) * t69;
-  const Scalar t71 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t72 = g.a5 * t32 - ((inertia.I4xx - t71) - inertia.c4x * t33);
-  const Scalar t73 = g.d4 * t41;
-  const Scalar t74 = cos(g.alpha5) * t69 - (t73 - (t73 - (inertia.I4yz - inertia.c4z * t41)));
-  const Scalar t75 = g.d4 * t33;
-  const Scalar t76 = g.a5 * t49 + (((inertia.I4xz - inertia.c4z * t33) - t75) + t75);
-  const Scalar t77 = ((inertia.I4zz - t71) - inertia.c4z * t45) - g.d4 * (t47 + t45);
-  const Scalar t78 = (g.d4 * (t48 + t47) + t77) - (t70 - t68);
-  const Scalar t79 = t78 - g.d4 * (t50 + t51);
-  const Scalar t80 = sin(g.alpha4) * t79;
-  const Scalar t81 = g.d3 * t53;
-  const Scalar t82 = cos(g.alpha4) * t80 - (t81 - (t81 - (inertia.I3yz - inertia.c3z * t53)));
-  const Scalar t83 = g.d3 * t44;
-  const Scalar t84 = g.a4 * t54 - (t83 - (t83 - (inertia.I3xz - inertia.c3z * t44)));
-  const Scalar t85 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t86 = sin(g.alpha4) * t80;
-  const Scalar t87 = g.a4 * t43 + (inertia.c3x * t44 - (inertia.I3xx - t85));
-  const Scalar t88 = cos(g.alpha3) * t61;
-  const Scalar t89 = g.d2 * t65;
-  const Scalar t90 = g.a3 * t88 - (((inertia.I2xz - inertia.c2z * t65) - t89) + t89);
-  const Scalar t91 = g.d2 * t63;
-  const Scalar t92 = g.d3 * (t56 + t57) - ((inertia.I3zz - t85) - inertia.c3z * t56);
-  const Scalar t93 = (t86 - t79) + (t92 - g.d3 * (t57 - t58));
-  const Scalar t94 = t93 + g.d3 * (t59 + t61);
+  const Scalar t10 = g.a2 / g.d2;
+  const Scalar t11 = g.d3 / g.d2;
+  const Scalar t12 = g.a3 / g.d2;
+  const Scalar t13 = inertia.c5y * inertia.m5;
+  const Scalar t14 = inertia.c6z * inertia.m6;
+  const Scalar t15 = g.d6 * inertia.m6 + t14;
+  const Scalar t16 = sin(g.alpha6) * t15;
+  const Scalar t17 = g.a6 * inertia.m6;
+  const Scalar t18 = inertia.c5x * inertia.m5;
+  const Scalar t19 = inertia.m5 + inertia.m6;
+  const Scalar t20 = g.a5 * t19;
+  const Scalar t21 = inertia.c4x * inertia.m4;
+  const Scalar t22 = g.d5 * inertia.m5;
+  const Scalar t23 = inertia.c5z * inertia.m5;
+  const Scalar t24 = t23 + t22;
+  const Scalar t25 = t22 - t24;
+  const Scalar t26 = cos(g.alpha6) * t15;
+  const Scalar t27 = t25 - t26;
+  const Scalar t28 = t27 - g.d5 * t19;
+  const Scalar t29 = sin(g.alpha5) * t28;
+  const Scalar t30 = inertia.c4y * inertia.m4;
+  const Scalar t31 = inertia.m4 + t19;
+  const Scalar t32 = g.a4 * t31;
+  const Scalar t33 = inertia.c3x * inertia.m3;
+  const Scalar t34 = inertia.c4z * inertia.m4;
+  const Scalar t35 = g.d4 * inertia.m4;
+  const Scalar t36 = t34 + t35;
+  const Scalar t37 = t36 - t35;
+  const Scalar t38 = cos(g.alpha5) * t28;
+  const Scalar t39 = t37 - t38;
+  const Scalar t40 = g.d4 * t31 + t39;
+  const Scalar t41 = sin(g.alpha4) * t40;
+  const Scalar t42 = inertia.c3y * inertia.m3;
+  const Scalar t43 = inertia.I6xy - inertia.c6y * t0;
+  const Scalar t44 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t45 = (inertia.c5x * t18 - (inertia.I5xx - t44)) + g.a6 * t17;
+  const Scalar t46 = (inertia.c6z * t14 - (inertia.I6zz - t5)) + g.d6 * (t15 + t14);
+  const Scalar t47 = sin(g.alpha6) * t46;
+  const Scalar t48 = sin(g.alpha6) * t47;
+  const Scalar t49 = g.d5 * t13;
+  const Scalar t50 = (t49 + ((inertia.I5yz - inertia.c5z * t13) - t49)) + cos(g.alpha6) * t47;
+  const Scalar t51 = g.d5 * t18;
+  const Scalar t52 = (t51 - (t51 - (inertia.I5xz - inertia.c5z * t18))) - g.a6 * t26;
+  const Scalar t53 = g.d4 * t21;
+  const Scalar t54 = g.a5 * t38 + (((inertia.I4xz - inertia.c4z * t21) - t53) + t53);
+  const Scalar t55 = (inertia.c5z * t23 - (inertia.I5zz - t44)) + g.d5 * (t23 + t24);
+  const Scalar t56 = (g.d5 * (t25 - t24) + t55) + (t46 - t48);
+  const Scalar t57 = g.d5 * (t27 + t28) - t56;
+  const Scalar t58 = sin(g.alpha5) * t57;
+  const Scalar t59 = g.d4 * t30;
+  const Scalar t60 = cos(g.alpha5) * t58 - (t59 - (t59 - (inertia.I4yz - inertia.c4z * t30)));
+  const Scalar t61 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t62 = g.a5 * t20 - ((inertia.I4xx - t61) - inertia.c4x * t21);
+  const Scalar t63 = sin(g.alpha5) * t58;
+  const Scalar t64 = ((inertia.I4zz - t61) - inertia.c4z * t34) - g.d4 * (t36 + t34);
+  const Scalar t65 = (g.d4 * (t37 + t36) + t64) - (t63 - t57);
+  const Scalar t66 = t65 - g.d4 * (t39 + t40);
+  const Scalar t67 = sin(g.alpha4) * t66;
+  const Scalar t68 = g.d3 * t42;
+  const Scalar t69 = cos(g.alpha4) * t67 - (t68 - (t68 - (inertia.I3yz - inertia.c3z * t42)));
+  const Scalar t70 = cos(g.alpha4) * t40;
+  const Scalar t71 = g.d3 * t33;
+  const Scalar t72 = g.a4 * t70 - (t71 - (t71 - (inertia.I3xz - inertia.c3z * t33)));
+  const Scalar t73 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t74 = g.a4 * t32 + (inertia.c3x * t33 - (inertia.I3xx - t73));
+  const Scalar t75 = sin(g.alpha4) * t67;
+  const Scalar t76 = gravity / g.d2;
+  const Scalar t77 = g.d3 * inertia.m3;
+  const Scalar t78 = inertia.c3z * inertia.m3;
+  const Scalar t79 = t78 + t77;
+  const Scalar t80 = t77 - t79;
+  const Scalar t81 = t70 - t80;
+  const Scalar t82 = inertia.m3 + t31;
+  const Scalar t83 = t81 + g.d3 * t82;
+  const Scalar t84 = sin(g.alpha3) * t83;
+  const Scalar t85 = inertia.c2y * inertia.m2;
+  const Scalar t86 = g.a3 * t82;
+  const Scalar t87 = inertia.c2x * inertia.m2;
+  const Scalar t88 = cos(g.alpha3) * t83;
+  const Scalar t89 = g.d2 * t87;
+  const Scalar t90 = g.a3 * t88 - (((inertia.I2xz - inertia.c2z * t87) - t89) + t89);
+  const Scalar t91 = g.d2 * t85;
+  const Scalar t92 = g.d3 * (t78 + t79) - ((inertia.I3zz - t73) - inertia.c3z * t78);
+  const Scalar t93 = (t75 - t66) + (t92 - g.d3 * (t79 - t80));
+  const Scalar t94 = t93 + g.d3 * (t81 + t83);
   const Scalar t95 = sin(g.alpha3) * t94;
-  const Scalar t96 = ((t91 - (inertia.I2yz - inertia.c2z * t63)) - t91) - cos(g.alpha3) * t95;
-  const Scalar t97 = g.a3 * t62 + (inertia.I2xy - inertia.c2y * t65);
-  const Scalar t98 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t99 = g.a3 * t64 + (inertia.c2x * t65 - (inertia.I2xx - t98));
-  const Scalar t100 = sin(g.alpha3) * t95;
-  const Scalar t101 = ((inertia.I2yy - t98) - inertia.c2y * t63) - t100;
-  const Scalar t102 = gravity / g.d2;
-  const Scalar t103 = g.d2 * inertia.m2;
-  const Scalar t104 = inertia.c2z * inertia.m2;
-  const Scalar t105 = t103 + t104;
-  const Scalar t106 = t103 - t105;
-  const Scalar t107 = g.d2 * (t105 + t104) - ((inertia.I2zz - t98) - inertia.c2z * t104);
-  const Scalar t108 = (g.d2 * (t105 - t106) - t107) + (t100 - t94);
-  const Scalar t109 = t88 - t106;
-  const Scalar t110 = inertia.m2 + t60;
-  const Scalar t111 = t108 - g.d2 * (t109 + (g.d2 * t110 + t109));
-  const Scalar t112 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t113 = sin(g.alpha2) * sin(g.alpha2) * t111
-      - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t112));
-  const Scalar t114 = g.a2 * g.a2 * t110 + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t112));
+  const Scalar t96 = ((t91 - (inertia.I2yz - inertia.c2z * t85)) - t91) - cos(g.alpha3) * t95;
+  const Scalar t97 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t98 = g.a3 * t86 + (inertia.c2x * t87 - (inertia.I2xx - t97));
+  const Scalar t99 = sin(g.alpha3) * t95;
+  const Scalar t100 = ((inertia.I2yy - t97) - inertia.c2y * t85) - t99;
+  const Scalar t101 = g.a3 * t84 + (inertia.I2xy - inertia.c2y * t87);
+  const Scalar t102 = inertia.m2 + t82;
+  const Scalar t103 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t104 = g.a2 * g.a2 * t102 + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t103));
+  const Scalar t105 = g.d2 * inertia.m2;
+  const Scalar t106 = inertia.c2z * inertia.m2;
+  const Scalar t107 = t105 + t106;
+  const Scalar t108 = t105 - t107;
+  const Scalar t109 = g.d2 * (t107 + t106) - ((inertia.I2zz - t97) - inertia.c2z * t106);
+  const Scalar t110 = (g.d2 * (t107 - t108) - t109) + (t99 - t94);
+  const Scalar t111 = t88 - t108;
+  const Scalar t112 = t110 - g.d2 * (t111 + (g.d2 * t102 + t111));
+  const Scalar t113 = sin(g.alpha2) * sin(g.alpha2) * t112
+      - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t103));
   return { g.d2 * t0,
            g.d2 * t1,
            cos(g.alpha6),
-           g.d2 * (t2 - t5),
-           g.d2 * (t6 + t7),
-           sin(g.alpha4) * sin(g.alpha5),
-           cos(g.alpha5),
-           cos(g.alpha4),
-           cos(g.alpha3),
-           cos(g.alpha4) * sin(g.alpha5),
+           sin(g.alpha5),
+           cos(g.alpha5) * sin(g.alpha6),
            sin(g.alpha4),
-           sin(g.alpha3),
-           t8,
-           t9,
-           sin(g.alpha6) * t10,
+           cos(g.alpha5),
+           sin(g.alpha5) * sin(g.alpha6),
+           cos(g.alpha4),
+           t2,
+           t3,
+           sin(g.alpha6) * t4,
            g.d6 * t1 - (inertia.I6yz - inertia.c6z * t1),
            (inertia.I6xz - inertia.c6z * t0) - g.d6 * t0,
-           Scalar(2) * t11,
-           t13 - t14,
-           t11,
+           sin(g.alpha6) * t8,
+           g.d5 / g.d2,
+           cos(g.alpha6) * t4,
            sin(g.alpha6),
-           t17,
-           t18,
-           t13,
-           t19,
-           t23,
-           Scalar(2) * t10,
-           t25,
-           (inertia.c5y * t2 - (inertia.I5yy - t24)) + t26,
-           sin(g.alpha5),
-           sin(g.alpha5) * t27,
-           t28,
-           t27,
-           t29,
-           sin(g.alpha5) * sin(g.alpha6),
-           cos(g.alpha5) * sin(g.alpha6),
-           cos(g.alpha6) * t19,
-           t10,
-           cos(g.alpha6) * t18,
-           sin(g.alpha6) * t19,
-           Scalar(1) / t19,
-           cos(g.alpha2) * t30,
-           sin(g.alpha2) * t30,
+           cos(g.alpha6) * t8,
+           t9,
+           sin(g.alpha3),
+           cos(g.alpha3),
+           sin(g.alpha2) * t10,
+           cos(g.alpha2) * t10,
+           t11,
+           t12,
            sin(g.alpha2),
            cos(g.alpha2),
+           Scalar(1) / t8,
+           g.d2 * (t13 - t16),
+           g.d2 * (t17 + t18),
+           g.d2 * (t20 + t21),
+           g.d2 * (t29 + t30),
            g.d2 * (t32 + t33),
-           g.d2 * (t40 + t41),
-           g.d2 * (t43 + t44),
-           g.d2 * (t52 - t53),
-           g.d2 * (t62 - t63),
-           g.d2 * (t64 + t65),
-           Scalar(2) * cos(g.alpha5),
+           g.d2 * (t41 - t42),
+           t4,
+           Scalar(2) * t43,
+           t6 - t7,
+           t43,
+           (inertia.I5xy - inertia.c5y * t18) + g.a6 * t16,
+           t7,
+           t8,
+           Scalar(2) * t4,
+           t45,
+           (inertia.c5y * t13 - (inertia.I5yy - t44)) + t48,
+           t50,
+           t52,
+           t54,
            Scalar(2) * sin(g.alpha6),
-           cos(g.alpha6) * t10,
-           (inertia.I5xy - inertia.c5y * t7) + g.a6 * t5,
+           t60,
+           Scalar(2) * t3,
+           t62,
+           t63 + ((inertia.I4yy - t61) - inertia.c4y * t30),
+           g.a5 * t29 - (inertia.I4xy - inertia.c4y * t21),
            Scalar(2) * t9,
-           t70 + ((inertia.I4yy - t71) - inertia.c4y * t41),
-           Scalar(2) * t27,
+           t69,
            t72,
-           g.a5 * t40 - (inertia.I4xy - inertia.c4y * t33),
+           Scalar(2) * t2,
            t74,
-           t76,
-           t82,
-           t84,
-           (inertia.I3xy - inertia.c3y * t44) + g.a4 * t52,
-           ((inertia.I3yy - t85) - inertia.c3y * t53) + t86,
-           Scalar(2) * t28,
-           t87,
-           t90,
-           Scalar(2) * t29,
-           t96,
-           t97,
-           Scalar(2) * t8,
-           t99,
-           t101,
-           sin(g.alpha3) * sin(g.alpha4),
+           ((inertia.I3yy - t73) - inertia.c3y * t42) + t75,
+           sin(g.alpha3) * t12,
+           sin(g.alpha2) * sin(g.alpha3),
+           t10,
+           sin(g.alpha4) * sin(g.alpha5),
+           cos(g.alpha4) * sin(g.alpha5),
+           cos(g.alpha5) * t3,
+           cos(g.alpha5) * t9,
+           sin(g.alpha5) * t3,
            cos(g.alpha3) * sin(g.alpha4),
-           cos(g.alpha4) * t28,
-           cos(g.alpha4) * t29,
-           sin(g.alpha4) * t28,
-           sin(g.alpha3) * t8,
-           cos(g.alpha4) * sin(g.alpha3),
-           cos(g.alpha2) * t102,
-           sin(g.alpha2) * t102,
-           t30,
-           t99 + t101,
-           Scalar(2) * t97,
+           sin(g.alpha3) * sin(g.alpha4),
+           sin(g.alpha4) * t2,
+           cos(g.alpha4) * t2,
+           sin(g.alpha2) * t76,
+           cos(g.alpha2) * t76,
+           (inertia.I3xy - inertia.c3y * t33) + g.a4 * t41,
+           g.d2 * (t84 - t85),
+           g.d2 * (t86 + t87),
+           t90,
+           t96,
+           t98 + t100,
+           Scalar(2) * t101,
+           t101,
+           Scalar(2) * t12,
+           t98,
+           Scalar(2) * t11,
+           t100,
+           Scalar(2) * t10,
+           t104,
            sin(g.alpha2) * sin(g.alpha2),
            Scalar(2) * cos(g.alpha2),
-           t113,
-           Scalar(2) * t30,
-           t114 };
+           t113 };
 }
 
 namespace detail {
@@ -2510,449 +2527,451 @@ inline JointVector<Scalar> forward_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[17] * c6 + k[18] * s6;
-  const Scalar t1 = k[19] - c6 * t0;
-  const Scalar t2 = k[43] * qd[0];
-  const Scalar t3 = s2 * t2;
-  const Scalar t4 = qd[1] + k[44] * qd[0];
-  const Scalar t5 = c2 * t2;
-  const Scalar t6 = k[11] * t4 + k[8] * t5;
-  const Scalar t7 = c3 * t3 + s3 * t6;
-  const Scalar t8 = s3 * t3 - c3 * t6;
-  const Scalar t9 = k[8] * t4 - k[11] * t5;
-  const Scalar t10 = qd[2] + t9;
-  const Scalar t11 = k[7] * t8 - k[10] * t10;
-  const Scalar t12 = c4 * t7 - s4 * t11;
-  const Scalar t13 = c4 * t11 + s4 * t7;
-  const Scalar t14 = k[7] * t10 + k[10] * t8;
-  const Scalar t15 = qd[3] + t14;
-  const Scalar t16 = k[6] * t13 - k[29] * t15;
-  const Scalar t17 = s5 * t12 + c5 * t16;
-  const Scalar t18 = k[29] * t13 + k[6] * t15;
-  const Scalar t19 = qd[4] + t18;
-  const Scalar t20 = k[20] * t17 + k[2] * t19;
-  const Scalar t21 = qd[5] + t20;
-  const Scalar t22 = t21 * t21;
-  const Scalar t23 = c5 * t12 - s5 * t16;
-  const Scalar t24 = t23 * t23;
-  const Scalar t25 = t22 + t24;
-  const Scalar t26 = k[2] * t17 - k[20] * t19;
-  const Scalar t27 = t26 * t26;
-  const Scalar t28 = t27 + t22;
-  const Scalar t29 = k[23] - s6 * t0;
-  const Scalar t30 = qd[1] * t2;
-  const Scalar t31 = t4 * t2;
-  const Scalar t32 = t30 - t31;
-  const Scalar t33 = t5 * t3;
-  const Scalar t34 = k[8] * s2 * t32 + k[11] * t33;
-  const Scalar t35 = qd[1] * t5 - t9 * t6;
-  const Scalar t36 = c3 * t34 + s3 * t35;
-  const Scalar t37 = t10 * t7;
-  const Scalar t38 = t36 + t37;
-  const Scalar t39 = qd[1] * t3;
-  const Scalar t40 = k[10] * t38 + k[81] * t39;
-  const Scalar t41 = t15 * t12;
-  const Scalar t42 = s3 * t34 - c3 * t35;
-  const Scalar t43 = t8 * t10;
-  const Scalar t44 = t42 + t43;
-  const Scalar t45 = t44 - t14 * t11;
-  const Scalar t46 = t8 * t7;
-  const Scalar t47 = k[11] * t39;
-  const Scalar t48 = t46 + t47;
-  const Scalar t49 = k[7] * t36 - k[10] * t48;
-  const Scalar t50 = s4 * t45 - c4 * t49;
-  const Scalar t51 = t41 - t50;
-  const Scalar t52 = k[6] * t40 + k[29] * t51;
-  const Scalar t53 = t12 * t13;
-  const Scalar t54 = t40 + t53;
-  const Scalar t55 = k[29] * t54 + k[6] * t50;
-  const Scalar t56 = t15 * t13;
-  const Scalar t57 = s4 * t49 + c4 * t45;
-  const Scalar t58 = t56 + t57;
-  const Scalar t59 = t18 * t16 - t58;
-  const Scalar t60 = c5 * t55 - s5 * t59;
-  const Scalar t61 = t23 * t19;
-  const Scalar t62 = t60 - t61;
-  const Scalar t63 = k[2] * t52 - k[20] * t62;
-  const Scalar t64 = t26 * t23;
-  const Scalar t65 = t63 - t64;
-  const Scalar t66 = k[24] - t29;
-  const Scalar t67 = t63 + t64;
-  const Scalar t68 = t1 * (t25 - t28) + (t29 * t65 + t66 * t67);
-  const Scalar t69 = t17 * t23;
-  const Scalar t70 = t69 + t52;
-  const Scalar t71 = k[20] * t70 + k[2] * t60;
-  const Scalar t72 = k[16] * s6 - k[15] * c6;
-  const Scalar t73 = k[16] * c6 + k[15] * s6;
-  const Scalar t74 = s5 * t55 + c5 * t59;
-  const Scalar t75 = t17 * t19;
+  const Scalar t0 = k[26] * qd[0];
+  const Scalar t1 = s2 * t0;
+  const Scalar t2 = qd[1] + k[27] * qd[0];
+  const Scalar t3 = c2 * t0;
+  const Scalar t4 = k[20] * t2 + k[21] * t3;
+  const Scalar t5 = c3 * t1 + s3 * t4;
+  const Scalar t6 = k[20] * t3;
+  const Scalar t7 = t6 - k[21] * t2;
+  const Scalar t8 = qd[2] - t7;
+  const Scalar t9 = t5 * t8;
+  const Scalar t10 = qd[1] * t3 + t7 * t4;
+  const Scalar t11 = t2 * t0;
+  const Scalar t12 = qd[1] * t0;
+  const Scalar t13 = t11 - t12;
+  const Scalar t14 = t6 * t1 - k[21] * s2 * t13;
+  const Scalar t15 = s3 * t10 + c3 * t14;
+  const Scalar t16 = t9 + t15;
+  const Scalar t17 = t16 + t9;
+  const Scalar t18 = s3 * t1 - c3 * t4;
+  const Scalar t19 = t18 * t8;
+  const Scalar t20 = c3 * t10 - s3 * t14;
+  const Scalar t21 = t19 - t20;
+  const Scalar t22 = t19 + t21;
+  const Scalar t23 = k[5] * t18 + k[8] * t8;
+  const Scalar t24 = qd[3] + t23;
+  const Scalar t25 = k[5] * t8 - k[8] * t18;
+  const Scalar t26 = c4 * t25 - s4 * t5;
+  const Scalar t27 = t24 * t26;
+  const Scalar t28 = t25 * t23 + t21;
+  const Scalar t29 = t5 * t18;
+  const Scalar t30 = k[20] * qd[1] * t1;
+  const Scalar t31 = t29 + t30;
+  const Scalar t32 = k[5] * t31 - k[8] * t15;
+  const Scalar t33 = c4 * t28 - s4 * t32;
+  const Scalar t34 = t27 - t33;
+  const Scalar t35 = t34 + t27;
+  const Scalar t36 = s4 * t25 + c4 * t5;
+  const Scalar t37 = t24 * t36;
+  const Scalar t38 = c4 * t32 + s4 * t28;
+  const Scalar t39 = t38 - t37;
+  const Scalar t40 = t37 - t39;
+  const Scalar t41 = k[6] * t26 + k[3] * t24;
+  const Scalar t42 = s5 * t36 - c5 * t41;
+  const Scalar t43 = k[3] * t26 - k[6] * t24;
+  const Scalar t44 = qd[4] - t43;
+  const Scalar t45 = t42 * t44;
+  const Scalar t46 = k[5] * t16 + k[8] * t30;
+  const Scalar t47 = t36 * t26;
+  const Scalar t48 = t46 - t47;
+  const Scalar t49 = k[3] * t48 + k[6] * t38;
+  const Scalar t50 = t34 + t41 * t43;
+  const Scalar t51 = s5 * t49 + c5 * t50;
+  const Scalar t52 = t45 - t51;
+  const Scalar t53 = t45 + t52;
+  const Scalar t54 = s5 * t50 - c5 * t49;
+  const Scalar t55 = s5 * t41 + c5 * t36;
+  const Scalar t56 = t55 * t44;
+  const Scalar t57 = t54 + t56;
+  const Scalar t58 = t57 + t56;
+  const Scalar t59 = k[0] * s6 + k[1] * c6;
+  const Scalar t60 = k[17] * t42 + k[2] * t44;
+  const Scalar t61 = qd[5] + t60;
+  const Scalar t62 = k[2] * t42 - k[17] * t44;
+  const Scalar t63 = t61 * t62;
+  const Scalar t64 = t62 * t60 - t52;
+  const Scalar t65 = (t63 - t64) + t63;
+  const Scalar t66 = t61 * t55;
+  const Scalar t67 = t55 * t42;
+  const Scalar t68 = k[3] * t39 - k[6] * t46;
+  const Scalar t69 = t67 - t68;
+  const Scalar t70 = k[17] * t69 - k[2] * t54;
+  const Scalar t71 = (t66 + t66) - t70;
+  const Scalar t72 = k[0] * c6 - k[1] * s6;
+  const Scalar t73 = t59 * t65 - t71 * t72;
+  const Scalar t74 = t55 * t62;
+  const Scalar t75 = k[17] * t57 - k[2] * t68;
   const Scalar t76 = t74 - t75;
-  const Scalar t77 = t76 + t26 * t20;
-  const Scalar t78 = t17 * t17;
-  const Scalar t79 = t19 * t19;
-  const Scalar t80 = t78 + t79;
-  const Scalar t81 = t13 * t13;
-  const Scalar t82 = t15 * t15;
-  const Scalar t83 = t81 + t82;
-  const Scalar t84 = k[83] - t32;
-  const Scalar t85 = k[84] * qd[0] * qd[0];
-  const Scalar t86 = k[12] * t33 + (c2 * t84 + s2 * t85);
-  const Scalar t87 = t30 + t31;
-  const Scalar t88 = t2 * t2;
-  const Scalar t89 = k[82] - t88;
-  const Scalar t90 = k[12] * s2 * t87 + t89;
-  const Scalar t91 = t7 * t7;
-  const Scalar t92 = t10 * t10;
-  const Scalar t93 = t91 + t92;
-  const Scalar t94 = t91 - t92;
-  const Scalar t95 = t8 * t8;
-  const Scalar t96 = t91 - t95;
-  const Scalar t97 = t94 - t96;
-  const Scalar t98 = (k[11] * t86 - k[8] * t90) + k[33] * (t93 + t97);
-  const Scalar t99 = t38 + t37;
-  const Scalar t100 = t98 - k[31] * t99;
-  const Scalar t101 = t46 - t47;
-  const Scalar t102 = k[33] * t35 - (k[11] * t90 + k[8] * t86);
-  const Scalar t103 = t4 * t4;
-  const Scalar t104 = k[12] * (t103 + t5 * t5) + (c2 * t85 - s2 * t84);
-  const Scalar t105 = k[33] * t34 + t104;
-  const Scalar t106 = c3 * t102 - s3 * t105;
-  const Scalar t107 = k[31] * t101 + t106;
-  const Scalar t108 = k[13] * t45 - (k[10] * t100 + k[7] * t107);
-  const Scalar t109 = t95 + t92;
-  const Scalar t110 = c3 * t105 + s3 * t102;
-  const Scalar t111 = k[13] * t49 + (k[31] * t109 + t110);
-  const Scalar t112 = s4 * t108 - c4 * t111;
-  const Scalar t113 = k[32] * t83 - t112;
-  const Scalar t114 = t40 - t53;
-  const Scalar t115 = s4 * t111 + c4 * t108;
-  const Scalar t116 = k[32] * t114 + t115;
-  const Scalar t117 = t12 * t12;
-  const Scalar t118 = t81 + t117;
-  const Scalar t119 = (k[7] * t100 - k[10] * t107) + k[13] * t118;
-  const Scalar t120 = t41 + t51;
-  const Scalar t121 = t119 - k[32] * t120;
-  const Scalar t122 = k[6] * t116 - k[29] * t121;
-  const Scalar t123 = (c5 * t113 - s5 * t122) - k[22] * t60;
-  const Scalar t124 = k[0] * s6 + k[1] * c6;
-  const Scalar t125 = t79 - t24;
-  const Scalar t126 = (k[6] * t121 + k[29] * t116) + k[22] * (t80 - t125);
-  const Scalar t127 = t62 - t61;
-  const Scalar t128 = t126 + k[37] * t127;
-  const Scalar t129 = t69 - t52;
-  const Scalar t130 = (c5 * t122 + s5 * t113) - k[22] * t74;
-  const Scalar t131 = k[37] * t129 - t130;
-  const Scalar t132 = k[0] * c6 - k[1] * s6;
-  const Scalar t133 = (k[37] * t80 + t123) * t124 - (k[20] * t128 + k[2] * t131) * t132;
-  const Scalar t134 = (t68 - (t71 * t72 + t73 * t77)) - t133;
-  const Scalar t135 = torque[5] + t134;
-  const Scalar t136 = k[2] * t132;
-  const Scalar t137 = s5 * t124 - c5 * t136;
-  const Scalar t138 = k[29] * t137 - k[35] * t132;
-  const Scalar t139 = s5 * t136 + c5 * t124;
-  const Scalar t140 = k[34] * t132 + k[6] * t137;
-  const Scalar t141 = s4 * t139 + c4 * t140;
-  const Scalar t142 = k[10] * t138 - k[7] * t141;
-  const Scalar t143 = t73 - k[38] * t132;
-  const Scalar t144 = k[22] * t124;
-  const Scalar t145 = k[2] * t72;
-  const Scalar t146 = t144 - ((k[39] + t145) - k[14] * t132);
-  const Scalar t147 = s5 * t143 - c5 * t146;
-  const Scalar t148 = (k[36] - k[20] * t72) - k[37] * t136;
-  const Scalar t149 = k[32] * t140 - (k[29] * t147 - k[6] * t148);
-  const Scalar t150 = k[32] * t138 + (k[29] * t148 + k[6] * t147);
-  const Scalar t151 = t150 - k[13] * t139;
-  const Scalar t152 = k[13] * t140 + (c5 * t143 + s5 * t146);
-  const Scalar t153 = c4 * t151 + s4 * t152;
-  const Scalar t154 = k[31] * t142 - (k[7] * t149 - k[10] * t153);
-  const Scalar t155 = k[33] * t142 + (s4 * t151 - c4 * t152);
-  const Scalar t156 = k[7] * t138 + k[10] * t141;
-  const Scalar t157 = k[31] * t156 + (k[7] * t153 + k[10] * t149);
-  const Scalar t158 = c4 * t139 - s4 * t140;
-  const Scalar t159 = t157 - k[33] * t158;
-  const Scalar t160 = s3 * t155 - c3 * t159;
-  const Scalar t161 = c3 * t142 - s3 * t158;
-  const Scalar t162 = k[8] * t156 - k[11] * t161;
-  const Scalar t163 = (k[11] * t154 + k[8] * t160) - k[12] * t162;
-  const Scalar t164 = s3 * t142 + c3 * t158;
-  const Scalar t165 = k[8] * t161 + k[11] * t156;
-  const Scalar t166 = s2 * ((s3 * t159 + c3 * t155) + t165);
-  const Scalar t167 = (k[8] * t154 - k[11] * t160) + k[12] * t165;
-  const Scalar t168 = k[43] * (c2 * (t163 + t164) + t166) - k[44] * t167;
-  const Scalar t169 = k[41] * (c2 * t165 - s2 * t164) + k[42] * t162;
-  const Scalar t170 = t168 - t169;
-  const Scalar t171 = k[40] * t170;
-  const Scalar t172 = t124 * t25 - t65 * t132;
-  const Scalar t173 = Scalar(2) * t21 * t26 - t77;
-  const Scalar t174 = t21 * t23;
-  const Scalar t175 = t71 - (t174 + t174);
-  const Scalar t176 = t124 * t173 + t175 * t132;
-  const Scalar t177 = k[2] * t172 - k[20] * t176;
-  const Scalar t178 = t177 + (k[3] * (t79 + t24) + k[4] * t129);
-  const Scalar t179 = (t132 * t28 + t124 * t67) + (k[4] * t80 + k[3] * t70);
-  const Scalar t180 = c5 * t178 + s5 * t179;
-  const Scalar t181 = t76 - t75;
-  const Scalar t182 = k[2] * t176 + k[20] * t172;
-  const Scalar t183 = (k[4] * t127 - k[3] * t181) + t182;
-  const Scalar t184 = k[29] * t180 + k[6] * t183;
-  const Scalar t185 = t56 + t58;
-  const Scalar t186 = t184 - (k[45] * t120 - k[46] * t185);
-  const Scalar t187 = t81 - t82;
-  const Scalar t188 = t187 - t118;
-  const Scalar t189 = k[6] * t180 - k[29] * t183;
-  const Scalar t190 = (k[46] * t188 + k[45] * t114) - t189;
-  const Scalar t191 = (k[46] * t54 + k[45] * t83) + (c5 * t179 - s5 * t178);
-  const Scalar t192 = c4 * t190 - s4 * t191;
-  const Scalar t193 = k[10] * t186 + k[7] * t192;
-  const Scalar t194 = t193 - (k[47] * t101 - k[48] * t93);
-  const Scalar t195 = (k[48] * t48 - k[47] * t109) - (s4 * t190 + c4 * t191);
-  const Scalar t196 = s3 * t194 - c3 * t195;
-  const Scalar t197 = s3 * t195 + c3 * t194;
-  const Scalar t198 = k[7] * t186 - k[10] * t192;
-  const Scalar t199 = t43 + t44;
-  const Scalar t200 = t198 - (k[48] * t199 + k[47] * t99);
-  const Scalar t201 = k[11] * t197 - k[8] * t200;
-  const Scalar t202 = k[64] * t96 - (k[67] * t101 + k[65] * t48);
-  const Scalar t203 = (t202 + (k[62] * t36 + k[63] * t42)) - (k[48] * t110 + k[47] * t106);
-  const Scalar t204 = (k[58] * t120 - k[59] * t185) + (k[60] * t54 + k[61] * (t117 - t82));
-  const Scalar t205 = t78 - t79;
-  const Scalar t206 = k[54] * (t205 + t125) + (k[27] * t129 - k[28] * t70);
-  const Scalar t207 = ((k[21] * t74 + k[25] * t60) - t206) + (k[3] * t123 + k[4] * t130);
-  const Scalar t208 = (t1 * t173 - t29 * t175) + (t67 * t72 + t73 * (t22 - t24));
-  const Scalar t209 = k[20] * t131 - k[2] * t128;
-  const Scalar t210 = t208 - t209 * t132;
-  const Scalar t211 = (k[20] * t210 - k[2] * t134) - k[37] * t177;
-  const Scalar t212 = t207 + t211;
-  const Scalar t213 = k[25] * t205 + (k[54] * t127 + k[28] * t181);
-  const Scalar t214 = (t1 * t175 - t173 * t66) - (t27 - t22) * t72;
-  const Scalar t215 = (k[3] * t126 + (k[21] * t129 - t213)) - (t124 * t209 - (t214 - t65 * t73));
-  const Scalar t216 = t215 - k[22] * t178;
-  const Scalar t217 = (k[25] * t70 + k[21] * t125) + (k[54] * t181 + k[27] * t127);
-  const Scalar t218 = k[37] * t182 + (k[2] * t210 + k[20] * t134);
-  const Scalar t219 = ((k[4] * t126 + t217) + t218) - k[22] * t179;
-  const Scalar t220 = s5 * t216 - c5 * t219;
-  const Scalar t221 = k[32] * t184 - (k[29] * t212 + k[6] * t220);
-  const Scalar t222 = k[13] * t191 + ((t204 - k[45] * t119) - t221);
-  const Scalar t223 = k[60] * t187 - (k[59] * t120 + k[56] * t185);
-  const Scalar t224 = (k[46] * t119 - (k[61] * t114 - t223)) + (c5 * t216 + s5 * t219);
-  const Scalar t225 = k[13] * t190 + t224;
-  const Scalar t226 = c4 * t222 + s4 * t225;
-  const Scalar t227 = k[32] * t189 - (k[6] * t212 - k[29] * t220);
-  const Scalar t228 = (k[58] * t114 - k[56] * t54) + k[59] * (t83 + t188);
-  const Scalar t229 = ((k[61] * t57 + k[60] * t50) - t228) + (k[46] * t112 - k[45] * t115);
-  const Scalar t230 = t227 + t229;
-  const Scalar t231 = (k[10] * t226 + k[7] * t230) - k[31] * t193;
-  const Scalar t232 = t203 - t231;
-  const Scalar t233 = (k[65] * t199 - k[64] * t99) - k[62] * t97;
-  const Scalar t234 = (s4 * t222 - c4 * t225) + ((t233 + k[63] * t101) + k[48] * t98);
-  const Scalar t235 = (k[67] * t99 + k[64] * t199) + (k[62] * t48 - k[63] * t94);
-  const Scalar t236 = (k[7] * t226 - k[10] * t230) - k[31] * t198;
-  const Scalar t237 = (k[47] * t98 - t235) - t236;
-  const Scalar t238 = (s3 * t234 + c3 * t237) - k[33] * t196;
-  const Scalar t239 = k[12] * t201 + (k[11] * t232 - k[8] * t238);
-  const Scalar t240 = k[33] * t197 - (c3 * t234 - s3 * t237);
-  const Scalar t241 = k[8] * t197 + k[11] * t200;
-  const Scalar t242 = c2 * (t196 + t239) + s2 * (t240 + t241);
-  const Scalar t243 = k[50] * c2 + k[49] * s2;
-  const Scalar t244 = k[71] + c2 * (k[85] * s2 - k[86] * c2);
-  const Scalar t245 = k[70] * s2 - k[68] * c2;
-  const Scalar t246 = t243 * t89 + (t244 * t87 - t245 * t103);
-  const Scalar t247 = k[43] * ((t242 + t246) + t243 * (t103 + t88));
-  const Scalar t248 = k[12] * t241 + (k[11] * t238 + k[8] * t232);
-  const Scalar t249 = k[50] * s2 - k[49] * c2;
-  const Scalar t250 = (t244 * t88 + t245 * t32) + (t85 * t249 + t243 * t84);
-  const Scalar t251 = t248 + t250;
-  const Scalar t252 = t103 * t249 + (s2 * t196 - c2 * t241);
-  const Scalar t253 = k[41] * t252 + k[42] * (t201 + t87 * t249);
-  const Scalar t254 = t135 * t171 - (torque[0] + ((t247 - k[44] * t251) + t253));
-  const Scalar t255 = k[40] * t148;
-  const Scalar t256 = t135 * t255 - (torque[4] - t212);
-  const Scalar t257 = k[27] - (t29 - k[26] * t132);
-  const Scalar t258 = Scalar(2) * t145 + k[20] * t66;
-  const Scalar t259 = k[20] * t258;
-  const Scalar t260 = k[28] - (t66 - t259);
-  const Scalar t261 = t257 + t260;
-  const Scalar t262 = Scalar(1) / (t261 + t148 * t255);
-  const Scalar t263 = t256 * t262;
-  const Scalar t264 = k[3] + k[2] * t124;
-  const Scalar t265 = k[4] + t132;
-  const Scalar t266 = s5 * t264 - c5 * t265;
-  const Scalar t267 = c5 * t264 + s5 * t265;
-  const Scalar t268 = k[6] * t266;
-  const Scalar t269 = s4 * t267 + c4 * t268;
-  const Scalar t270 = k[5] * t266 - k[7] * t269;
-  const Scalar t271 = c4 * t267 - s4 * t268;
-  const Scalar t272 = (k[2] * t73 - k[20] * t1) - k[14] * t124;
-  const Scalar t273 = (k[21] + t272) - k[22] * t265;
-  const Scalar t274 = (k[25] + (k[2] * t258 - t72)) - k[22] * t264;
-  const Scalar t275 = s5 * t273 + c5 * t274;
-  const Scalar t276 = k[30] * t266 + (k[6] * t275 - k[29] * t261);
-  const Scalar t277 = c5 * t273 - s5 * t274;
-  const Scalar t278 = k[13] * t271 - (c4 * t276 + s4 * t277);
-  const Scalar t279 = (k[29] * t275 + k[6] * t261) - k[32] * t268;
-  const Scalar t280 = k[31] * t270 - (k[10] * t278 - k[7] * t279);
-  const Scalar t281 = c3 * t271 + s3 * t270;
-  const Scalar t282 = (s4 * t276 - c4 * t277) - k[13] * t269;
-  const Scalar t283 = k[10] * t269 + k[9] * t266;
-  const Scalar t284 = k[31] * t283 - (k[7] * t278 + k[10] * t279);
-  const Scalar t285 = k[33] * t281 + (s3 * t282 - c3 * t284);
-  const Scalar t286 = c3 * t270 - s3 * t271;
-  const Scalar t287 = k[11] * t283 + k[8] * t286;
-  const Scalar t288 = (k[8] * t280 - k[11] * t285) + k[12] * t287;
-  const Scalar t289 = k[11] * t286 - k[8] * t283;
-  const Scalar t290 = k[12] * t289 + (k[8] * t285 + k[11] * t280);
-  const Scalar t291 = k[33] * t286 + (c3 * t282 + s3 * t284);
-  const Scalar t292 = c2 * (t290 + t281) + s2 * (t291 + t287);
-  const Scalar t293 = k[41] * (s2 * t281 - c2 * t287) + k[42] * t289;
-  const Scalar t294 = ((k[44] * t288 - k[43] * t292) - t293) + t148 * t171;
-  const Scalar t295 = t279 + t255 * t149;
-  const Scalar t296 = t294 * t262;
-  const Scalar t297 = k[34] * t124 - k[6] * t267;
-  const Scalar t298 = k[46] - t297;
-  const Scalar t299 = k[45] - t266;
-  const Scalar t300 = s4 * t298 - c4 * t299;
-  const Scalar t301 = s4 * t299 + c4 * t298;
-  const Scalar t302 = k[29] * t267 + k[35] * t124;
-  const Scalar t303 = k[53] * t124 + (k[20] * t73 + k[2] * t1);
-  const Scalar t304 = k[54] - t303;
-  const Scalar t305 = Scalar(2) * c5 * t304 - s5 * (t257 - t260);
-  const Scalar t306 = c5 * t305 - t304;
-  const Scalar t307 = k[32] * t302 - (k[29] * t306 + k[6] * t277);
-  const Scalar t308 = k[61] - t307;
-  const Scalar t309 = s5 * t305 - t260;
-  const Scalar t310 = k[52] * t144 - t259;
-  const Scalar t311 = k[29] * (t309 + t310) + k[51] * t275;
-  const Scalar t312 = k[60] + (t275 - k[6] * t311);
-  const Scalar t313 = k[13] * t301 - (s4 * t308 - c4 * t312);
-  const Scalar t314 = k[29] * t311;
-  const Scalar t315 = k[56] + (t309 - t314);
-  const Scalar t316 = k[58] - (k[57] * t266 - (t309 + t261));
-  const Scalar t317 = k[32] * t297 + (k[6] * t306 - k[29] * t277);
-  const Scalar t318 = k[59] - t317;
-  const Scalar t319 = c4 * t318;
-  const Scalar t320 = s4 * (t316 + t315) + (t319 + t319);
-  const Scalar t321 = s4 * t320;
-  const Scalar t322 = t315 - t321;
-  const Scalar t323 = t316 - t321;
-  const Scalar t324 = t322 - t323;
-  const Scalar t325 = k[77] * t300 + (k[10] * t313 + k[7] * t324);
-  const Scalar t326 = k[7] * t313;
-  const Scalar t327 = k[33] * t301 + ((t326 - k[10] * t324) - k[79] * t300);
-  const Scalar t328 = (s4 * t312 + c4 * t308) + k[13] * t300;
-  const Scalar t329 = t328 + k[78] * t300;
-  const Scalar t330 = c3 * t327 - s3 * t329;
-  const Scalar t331 = k[7] * t300;
-  const Scalar t332 = c3 * t331 + s3 * t301;
-  const Scalar t333 = k[75] * t300 - k[8] * t332;
-  const Scalar t334 = (k[8] * t325 + k[11] * t330) - k[12] * t333;
-  const Scalar t335 = s2 * (t333 - (s3 * t327 + c3 * t329));
-  const Scalar t336 = k[11] * t332 + k[76] * t300;
-  const Scalar t337 = (k[11] * t325 - k[8] * t330) + k[12] * t336;
-  const Scalar t338 = s3 * t331 - c3 * t301;
-  const Scalar t339 = k[44] * t334 + k[43] * (t335 - c2 * (t337 + t338));
-  const Scalar t340 = k[41] * (c2 * t333 + s2 * t338) + k[42] * t336;
-  const Scalar t341 = t295 * t296 - (t149 * t171 - (t339 - t340));
-  const Scalar t342 = t295 * t262;
-  const Scalar t343 = k[40] * t149;
-  const Scalar t344 = Scalar(1) / (t342 * t295 + (t324 - t149 * t343));
-  const Scalar t345 = t341 * t344;
-  const Scalar t346 = k[40] * t135;
-  const Scalar t347 = t295 * t263 - (t346 * t149 - (torque[3] + t230));
-  const Scalar t348 = t154 * t255 - t280;
-  const Scalar t349 = t348 * t262;
-  const Scalar t350 = (t154 * t343 + t325) - t295 * t349;
-  const Scalar t351 = t350 * t344;
-  const Scalar t352 = k[67] + (t323 - k[66] * t300);
-  const Scalar t353 = (t310 - t314) + k[55] * t302;
-  const Scalar t354 = k[10] * (t322 + t353) - Scalar(2) * t326;
-  const Scalar t355 = k[10] * t354;
-  const Scalar t356 = k[65] - (t355 - t322);
-  const Scalar t357 = t352 - t356;
-  const Scalar t358 = k[40] * t154;
-  const Scalar t359 = t351 * t350 + ((t357 + t358 * t154) - t349 * t348);
-  const Scalar t360 = Scalar(1) / t359;
-  const Scalar t361 = t344 * t347;
-  const Scalar t362 = ((torque[2] - t232) + t358 * t135) - t349 * t256;
-  const Scalar t363 = t361 * t350 - t362;
-  const Scalar t364 = t360 * t363;
-  const Scalar t365 = k[47] - t300;
-  const Scalar t366 = k[10] * t302 - k[7] * t301;
-  const Scalar t367 = k[48] + t366;
-  const Scalar t368 = c3 * t365 + s3 * t367;
-  const Scalar t369 = k[8] * t368;
-  const Scalar t370 = (k[62] - (k[7] * t354 + t313)) - k[33] * t367;
-  const Scalar t371 = k[7] * t302 + k[10] * t301;
-  const Scalar t372 = c4 * t320 - t318;
-  const Scalar t373 = k[31] * t371 + (k[10] * t372 - k[7] * t328);
-  const Scalar t374 = k[33] * t365 + (k[63] + t373);
-  const Scalar t375 = c3 * t370 + s3 * t374;
-  const Scalar t376 = k[12] * t369 - (k[11] * t375 - k[8] * t357);
-  const Scalar t377 = k[8] * t375;
-  const Scalar t378 = s3 * t365 - c3 * t367;
-  const Scalar t379 = (k[80] * t368 + (k[11] * t357 + t377)) + t378;
-  const Scalar t380 = c3 * t374 - s3 * t370;
-  const Scalar t381 = k[43] * (c2 * t379 + s2 * (t380 + t369));
-  const Scalar t382 = k[41] * (s2 * t378 - c2 * t369) + k[42] * k[11] * t368;
-  const Scalar t383 = t154 * t171 - ((k[44] * t376 - t381) - t382);
-  const Scalar t384 = t345 * t350 - (t383 - t296 * t348);
-  const Scalar t385 = ((t254 - t263 * t294) + t345 * t347) - t364 * t384;
-  const Scalar t386 = k[40] * t167;
-  const Scalar t387 = t386 * t148 - t288;
-  const Scalar t388 = t387 * t262;
-  const Scalar t389 = t295 * t388 - (t334 + t167 * t343);
-  const Scalar t390 = (t388 * t348 - (t376 + t386 * t154)) + t351 * t389;
-  const Scalar t391 = t360 * t390;
-  const Scalar t392 = t389 * t344;
-  const Scalar t393 = (t346 * t167 + (torque[1] - t251)) - t256 * t388;
-  const Scalar t394 = t363 * t391 - (t392 * t347 + t393);
-  const Scalar t395 = t360 * t384;
-  const Scalar t396 = k[11] * t371 - k[8] * t378;
-  const Scalar t397 = k[49] + t396;
-  const Scalar t398 = k[50] + t368;
-  const Scalar t399 = s2 * t397 + c2 * t398;
-  const Scalar t400 = (k[10] * t328 + k[7] * t372) - k[31] * t366;
-  const Scalar t401 = k[64] - t400;
-  const Scalar t402 = s3 * (t352 + t356) - Scalar(2) * c3 * t401;
-  const Scalar t403 = t356 - s3 * t402;
-  const Scalar t404 = k[73] + (k[72] * t368 + (t403 + t357));
-  const Scalar t405 = c3 * t402 + t401;
-  const Scalar t406 = k[12] * t396 + (k[11] * t380 - k[8] * t405);
-  const Scalar t407 = (t355 - t353) - k[69] * t371;
-  const Scalar t408 = Scalar(2) * t377 - k[11] * (t403 - t407);
-  const Scalar t409 = k[11] * t408;
-  const Scalar t410 = k[74] + (t403 + t409);
-  const Scalar t411 = Scalar(2) * c2 * (k[71] + t406) - s2 * (t404 + t410);
-  const Scalar t412 = s2 * t411;
-  const Scalar t413 = t404 + t412;
-  const Scalar t414 = t410 + t412;
-  const Scalar t415 = t413 - t414;
-  const Scalar t416 = k[8] * t371 + k[11] * t378;
-  const Scalar t417 = k[12] * t416 + (k[8] * t380 + k[11] * t405);
-  const Scalar t418 = c2 * (t397 - (k[70] + (k[8] * t408 - t375)));
-  const Scalar t419 = k[43] * (s2 * ((k[68] + t417) + t398) - t418);
-  const Scalar t420 = (k[41] * t399 + (k[44] * t415 - t419)) - t167 * t171;
-  const Scalar t421 = t395 * t390 - (t389 * t345 - (t296 * t387 + t420));
-  const Scalar t422 = ((t415 + t386 * t167) - t387 * t388) + t389 * t392;
-  const Scalar t423 = Scalar(1) / (t391 * t390 - t422);
-  const Scalar t424 = t421 * t423;
-  const Scalar t425 = k[87] * (((t407 - t409) - Scalar(2) * t416) - t414);
-  const Scalar t426 = (k[91] + (t413 + k[90] * t399)) - (k[89] + ((k[88] * t419 + t425) + t414));
-  const Scalar t427 = t345 * t341 + ((t426 + t170 * t171) - t296 * t294);
-  const Scalar t428 = Scalar(1) / (t421 * t424 - (t384 * t395 - t427));
-  const Scalar t429 = (t385 + t394 * t424) * t428;
-  const Scalar t430 = t394 * t423 - t429 * t424;
-  const Scalar t431 = (t364 - t429 * t395) - t391 * t430;
-  const Scalar t432 = (t430 * t392 - (t361 - t429 * t345)) + t351 * t431;
-  const Scalar t433 = t431 * t349 - (t388 * t430 - (t263 - t429 * t296));
-  const Scalar t434 = t433 + t342 * t432;
-  const Scalar t435 = (t386 * t430 - (t346 - t429 * t171)) - t431 * t358;
+  const Scalar t77 = t55 * t55;
+  const Scalar t78 = t61 * t61;
+  const Scalar t79 = t77 + t78;
+  const Scalar t80 = t72 * t76 + t59 * t79;
+  const Scalar t81 = k[2] * t73 + k[17] * t80;
+  const Scalar t82 = (k[29] * t53 - k[30] * t58) + t81;
+  const Scalar t83 = t42 * t42;
+  const Scalar t84 = t44 * t44;
+  const Scalar t85 = t83 + t84;
+  const Scalar t86 = t74 + t75;
+  const Scalar t87 = t62 * t62;
+  const Scalar t88 = t78 + t87;
+  const Scalar t89 = (k[29] * t69 + k[30] * t85) + (t86 * t59 + t88 * t72);
+  const Scalar t90 = k[17] * t73 - k[2] * t80;
+  const Scalar t91 = t77 - t84;
+  const Scalar t92 = t91 + t85;
+  const Scalar t93 = t83 - t84;
+  const Scalar t94 = t67 + t68;
+  const Scalar t95 = t90 - (k[29] * (t92 - t93) + k[30] * t94);
+  const Scalar t96 = s5 * t89 - c5 * t95;
+  const Scalar t97 = k[6] * t82 + k[3] * t96;
+  const Scalar t98 = (k[32] * t35 + k[31] * t40) - t97;
+  const Scalar t99 = t26 * t26;
+  const Scalar t100 = t24 * t24;
+  const Scalar t101 = t99 + t100;
+  const Scalar t102 = (k[31] * t101 + k[32] * t48) + (s5 * t95 + c5 * t89);
+  const Scalar t103 = k[6] * t96 - k[3] * t82;
+  const Scalar t104 = t36 * t36;
+  const Scalar t105 = t104 - t99;
+  const Scalar t106 = t46 + t47;
+  const Scalar t107 = t103 + (k[32] * (t105 + t101) - k[31] * t106);
+  const Scalar t108 = s4 * t102 + c4 * t107;
+  const Scalar t109 = k[8] * t98 - k[5] * t108;
+  const Scalar t110 = (k[33] * t17 + k[34] * t22) + t109;
+  const Scalar t111 = t5 * t5;
+  const Scalar t112 = t18 * t18;
+  const Scalar t113 = t111 - t112;
+  const Scalar t114 = t8 * t8;
+  const Scalar t115 = t114 + t111;
+  const Scalar t116 = t113 - t115;
+  const Scalar t117 = (s4 * t107 - c4 * t102) + (k[34] * t31 + k[33] * t116);
+  const Scalar t118 = k[8] * t108 + k[5] * t98;
+  const Scalar t119 = t29 - t30;
+  const Scalar t120 = t118 + (k[33] * t119 - k[34] * t115);
+  const Scalar t121 = s3 * t117 - c3 * t120;
+  const Scalar t122 = k[20] * t110 - k[21] * t121;
+  const Scalar t123 = t88 - t79;
+  const Scalar t124 = k[36] * c6 + k[37] * s6;
+  const Scalar t125 = k[38] - c6 * t124;
+  const Scalar t126 = k[40] + s6 * t124;
+  const Scalar t127 = k[41] - t126;
+  const Scalar t128 = t123 * t125 + (t127 * t76 - t86 * t126);
+  const Scalar t129 = k[12] * s6 + k[13] * c6;
+  const Scalar t130 = k[13] * s6 - k[12] * c6;
+  const Scalar t131 = k[72] + t13;
+  const Scalar t132 = k[62] * qd[0] * qd[0];
+  const Scalar t133 = (c2 * t131 + s2 * t132) + k[25] * t1 * t3;
+  const Scalar t134 = t11 + t12;
+  const Scalar t135 = t0 * t0;
+  const Scalar t136 = k[73] - t135;
+  const Scalar t137 = k[25] * s2 * t134 + t136;
+  const Scalar t138 = k[24] * (t111 + t112) + (k[20] * t133 - k[21] * t137);
+  const Scalar t139 = t138 - k[9] * t17;
+  const Scalar t140 = t2 * t2;
+  const Scalar t141 = k[25] * (t3 * t3 + t140) - (s2 * t131 - c2 * t132);
+  const Scalar t142 = k[21] * t133 + k[20] * t137;
+  const Scalar t143 = k[24] * t20 - (s3 * t141 + c3 * t142);
+  const Scalar t144 = k[9] * t119 + t143;
+  const Scalar t145 = (k[8] * t139 - k[5] * t144) + k[19] * (t104 + t99);
+  const Scalar t146 = k[10] * t40 - t145;
+  const Scalar t147 = (c3 * t141 - s3 * t142) + k[24] * t15;
+  const Scalar t148 = t147 - k[9] * t116;
+  const Scalar t149 = k[8] * t144 + k[5] * t139;
+  const Scalar t150 = (s4 * t148 - c4 * t149) + k[19] * t33;
+  const Scalar t151 = k[10] * t106 + t150;
+  const Scalar t152 = (k[6] * t146 - k[3] * t151) - k[15] * t92;
+  const Scalar t153 = t152 + k[35] * t58;
+  const Scalar t154 = k[19] * t38 - (c4 * t148 + s4 * t149);
+  const Scalar t155 = k[15] * t49 - (k[10] * t101 - t154);
+  const Scalar t156 = k[15] * t50 - (k[6] * t151 + k[3] * t146);
+  const Scalar t157 = s5 * t155 + c5 * t156;
+  const Scalar t158 = k[35] * t94 + t157;
+  const Scalar t159 = c5 * t155 - s5 * t156;
+  const Scalar t160 = t72 * (k[17] * t153 - k[2] * t158) - t59 * (t159 - k[35] * t85);
+  const Scalar t161 = (t128 + (t129 * t64 + t130 * t70)) + t160;
+  const Scalar t162 = t78 - t87;
+  const Scalar t163 = (t127 * t71 + t65 * t125) + (t86 * t130 + (t162 + t123) * t129);
+  const Scalar t164 = k[2] * t153 + k[17] * t158;
+  const Scalar t165 = t163 - t164 * t72;
+  const Scalar t166 = (k[17] * t161 - k[2] * t165) - k[35] * t81;
+  const Scalar t167 = (k[46] * t91 - k[45] * t69) + (k[43] * t58 + k[39] * t53);
+  const Scalar t168 = (t166 + (t167 + k[30] * t152)) + k[15] * t89;
+  const Scalar t169 = k[45] * t93 - (k[44] * t53 + k[39] * t58);
+  const Scalar t170 = t162 * t130 - (t65 * t126 + t71 * t125);
+  const Scalar t171 = ((t169 - k[46] * t94) + k[29] * t152) - ((t76 * t129 + t170) - t59 * t164);
+  const Scalar t172 = k[15] * t95 - t171;
+  const Scalar t173 = t99 - t100;
+  const Scalar t174 = k[49] * t173 - (k[53] * t40 - k[52] * t35);
+  const Scalar t175 = (s5 * t168 - c5 * t172) - (k[32] * t145 - (k[47] * t106 - t174));
+  const Scalar t176 = t175 + k[19] * t107;
+  const Scalar t177 = (k[49] * t48 + k[47] * (t173 + t105)) + (k[51] * t40 + k[53] * t35);
+  const Scalar t178 = (k[44] * t69 - k[43] * t94) + k[39] * (t77 - t83);
+  const Scalar t179 = (k[30] * t157 + k[29] * t159) - (t178 + (k[46] * t51 - k[45] * t54));
+  const Scalar t180 = k[35] * t90 + (k[17] * t165 + k[2] * t161);
+  const Scalar t181 = t179 - t180;
+  const Scalar t182 = c5 * t168 + s5 * t172;
+  const Scalar t183 = (k[3] * t181 - k[6] * t182) + k[10] * t97;
+  const Scalar t184 = k[19] * t102 - ((k[31] * t145 - t177) + t183);
+  const Scalar t185 = s4 * t176 - c4 * t184;
+  const Scalar t186 = k[53] * t105 + (k[52] * t48 - k[51] * t106);
+  const Scalar t187 = (k[32] * t154 - k[31] * t150) + (t186 + (k[47] * t33 + k[49] * t38));
+  const Scalar t188 = (k[3] * t182 + k[6] * t181) + k[10] * t103;
+  const Scalar t189 = t187 + t188;
+  const Scalar t190 = k[9] * t118 - (k[5] * t185 - k[8] * t189);
+  const Scalar t191 = k[74] * t113 - (k[59] * t31 + k[58] * t119);
+  const Scalar t192 = ((k[55] * t15 - k[56] * t20) + t191) - (k[34] * t147 + k[33] * t143);
+  const Scalar t193 = t190 - t192;
+  const Scalar t194 = s3 * t120 + c3 * t117;
+  const Scalar t195 = t114 - t112;
+  const Scalar t196 = (k[59] * t22 - k[74] * t17) + k[55] * t195;
+  const Scalar t197 = (c4 * t176 + s4 * t184) + ((k[56] * t119 + t196) + k[34] * t138);
+  const Scalar t198 = (k[5] * t189 + k[8] * t185) - k[9] * t109;
+  const Scalar t199 = (k[55] * t31 - k[56] * (t113 - t195)) + (k[58] * t17 + k[74] * t22);
+  const Scalar t200 = t198 - (t199 - k[33] * t138);
+  const Scalar t201 = k[24] * t194 + (s3 * t197 + c3 * t200);
+  const Scalar t202 = k[25] * t122 + (k[21] * t193 - k[20] * t201);
+  const Scalar t203 = k[75] * s2 + k[76] * c2;
+  const Scalar t204 = k[76] * s2 - k[75] * c2;
+  const Scalar t205 = k[78] * s2 - k[77] * c2;
+  const Scalar t206 = k[81] + c2 * (k[79] * s2 - k[80] * c2);
+  const Scalar t207 = (t203 * t131 + t132 * t204) - (t205 * t13 - t206 * t135);
+  const Scalar t208 = t202 - t207;
+  const Scalar t209 = k[21] * t110 + k[20] * t121;
+  const Scalar t210 = k[25] * t209 - (k[20] * t193 + k[21] * t201);
+  const Scalar t211 = k[24] * t121 - (c3 * t197 - s3 * t200);
+  const Scalar t212 = c2 * (t194 - t210) - s2 * (t211 - t122);
+  const Scalar t213 = t203 * t136 - (t205 * t140 - t206 * t134);
+  const Scalar t214 = k[26] * ((t212 - t213) - t203 * (t135 + t140));
+  const Scalar t215 = t204 * t140 + (c2 * t122 - s2 * t194);
+  const Scalar t216 = k[22] * (t209 + t134 * t204) + k[23] * t215;
+  const Scalar t217 = k[2] * t72;
+  const Scalar t218 = s5 * t59 - c5 * t217;
+  const Scalar t219 = k[3] * t218 - k[4] * t72;
+  const Scalar t220 = s5 * t217 + c5 * t59;
+  const Scalar t221 = k[6] * t218 + k[7] * t72;
+  const Scalar t222 = s4 * t220 + c4 * t221;
+  const Scalar t223 = k[5] * t219 - k[8] * t222;
+  const Scalar t224 = c4 * t220 - s4 * t221;
+  const Scalar t225 = c3 * t223 - s3 * t224;
+  const Scalar t226 = k[5] * t222 + k[8] * t219;
+  const Scalar t227 = k[21] * t225 + k[20] * t226;
+  const Scalar t228 = k[2] * t130;
+  const Scalar t229 = k[15] * t59;
+  const Scalar t230 = (k[11] * t72 - (k[14] + t228)) + t229;
+  const Scalar t231 = t129 - k[15] * t217;
+  const Scalar t232 = c5 * t230 - s5 * t231;
+  const Scalar t233 = (k[18] - k[17] * t130) - k[16] * t72;
+  const Scalar t234 = (k[3] * t232 + k[6] * t233) + k[10] * t221;
+  const Scalar t235 = (k[3] * t233 - k[6] * t232) + k[10] * t219;
+  const Scalar t236 = c5 * t231 + s5 * t230;
+  const Scalar t237 = k[19] * t224 - (c4 * t235 + s4 * t236);
+  const Scalar t238 = k[9] * t223 - (k[8] * t234 + k[5] * t237);
+  const Scalar t239 = k[9] * t226 + (k[5] * t234 - k[8] * t237);
+  const Scalar t240 = (c4 * t236 - s4 * t235) + k[19] * t222;
+  const Scalar t241 = c3 * t224 + s3 * t223;
+  const Scalar t242 = (c3 * t239 + s3 * t240) - k[24] * t241;
+  const Scalar t243 = k[25] * t227 + (k[21] * t238 + k[20] * t242);
+  const Scalar t244 = k[24] * t225 + (s3 * t239 - c3 * t240);
+  const Scalar t245 = k[20] * t225 - k[21] * t226;
+  const Scalar t246 = k[25] * t245 + (k[20] * t238 - k[21] * t242);
+  const Scalar t247 = s2 * (t244 + t227) + c2 * (t246 + t241);
+  const Scalar t248 = k[22] * t245 + k[23] * (s2 * t241 - c2 * t227);
+  const Scalar t249 = (k[27] * t243 - k[26] * t247) - t248;
+  const Scalar t250 = torque[5] - t161;
+  const Scalar t251 = k[28] * t250;
+  const Scalar t252 = (torque[0] + ((k[27] * t208 - t214) + t216)) + t249 * t251;
+  const Scalar t253 = (torque[4] + t181) - t233 * t251;
+  const Scalar t254 = k[28] * t233;
+  const Scalar t255 = k[2] * t59;
+  const Scalar t256 = (k[2] * t125 + k[17] * t129) + k[35] * t255;
+  const Scalar t257 = k[39] - t256;
+  const Scalar t258 = c5 * t257;
+  const Scalar t259 = Scalar(2) * t228 + k[17] * t126;
+  const Scalar t260 = k[17] * t259;
+  const Scalar t261 = k[44] + (t260 - t126);
+  const Scalar t262 = k[43] - (t127 - k[42] * t72);
+  const Scalar t263 = (t258 + t258) + s5 * (t261 - t262);
+  const Scalar t264 = s5 * t263;
+  const Scalar t265 = t264 + t262;
+  const Scalar t266 = t264 - t261;
+  const Scalar t267 = t265 - t266;
+  const Scalar t268 = Scalar(1) / (t233 * t254 + t267);
+  const Scalar t269 = k[30] + t72;
+  const Scalar t270 = k[29] + t255;
+  const Scalar t271 = s5 * t269 + c5 * t270;
+  const Scalar t272 = s5 * t270 - c5 * t269;
+  const Scalar t273 = k[6] * t272;
+  const Scalar t274 = s4 * t271 + c4 * t273;
+  const Scalar t275 = k[8] * t274 - k[63] * t272;
+  const Scalar t276 = s4 * t273 - c4 * t271;
+  const Scalar t277 = c3 * t275 - s3 * t276;
+  const Scalar t278 = k[5] * t274 + k[64] * t272;
+  const Scalar t279 = k[21] * t277 - k[20] * t278;
+  const Scalar t280 = s3 * t275 + c3 * t276;
+  const Scalar t281 = k[20] * t277 + k[21] * t278;
+  const Scalar t282 = k[23] * (c2 * t279 - s2 * t280) - k[22] * t281;
+  const Scalar t283 = k[11] * t59 + (k[17] * t125 - k[2] * t129);
+  const Scalar t284 = k[15] * t269 - (k[46] - t283);
+  const Scalar t285 = (k[45] + (k[2] * t259 - t130)) - k[15] * t270;
+  const Scalar t286 = s5 * t284 - c5 * t285;
+  const Scalar t287 = k[6] * t286;
+  const Scalar t288 = ((t287 + k[3] * t267) - k[67] * t272) + k[19] * t271;
+  const Scalar t289 = c5 * t284 + s5 * t285;
+  const Scalar t290 = t289 - k[66] * t272;
+  const Scalar t291 = c4 * t288 + s4 * t290;
+  const Scalar t292 = (k[6] * t267 - k[3] * t286) - k[65] * t272;
+  const Scalar t293 = (k[5] * t291 - k[8] * t292) + k[9] * t275;
+  const Scalar t294 = c4 * t290 - s4 * t288;
+  const Scalar t295 = (k[5] * t292 + k[8] * t291) - k[9] * t278;
+  const Scalar t296 = k[24] * t280 - (s3 * t294 + c3 * t295);
+  const Scalar t297 = k[25] * t279 + (k[21] * t293 - k[20] * t296);
+  const Scalar t298 = k[24] * t277 - (c3 * t294 - s3 * t295);
+  const Scalar t299 = k[25] * t281 + (k[20] * t293 + k[21] * t296);
+  const Scalar t300 = s2 * (t279 + t298) + c2 * (t280 + t299);
+  const Scalar t301 = k[28] * t249;
+  const Scalar t302 = (t282 + (k[27] * t297 - k[26] * t300)) + t233 * t301;
+  const Scalar t303 = t268 * t302;
+  const Scalar t304 = k[28] * t234;
+  const Scalar t305 = k[7] * t59 - k[6] * t271;
+  const Scalar t306 = k[32] - t305;
+  const Scalar t307 = k[31] - t272;
+  const Scalar t308 = s4 * t306 - c4 * t307;
+  const Scalar t309 = k[8] * t308;
+  const Scalar t310 = c4 * t306 + s4 * t307;
+  const Scalar t311 = c3 * t309 + s3 * t310;
+  const Scalar t312 = k[20] * t311 + k[68] * t308;
+  const Scalar t313 = c3 * t310 - s3 * t309;
+  const Scalar t314 = k[69] * t308 - k[21] * t311;
+  const Scalar t315 = k[22] * t312 - k[23] * (s2 * t313 - c2 * t314);
+  const Scalar t316 = k[51] + (t265 - k[50] * t272);
+  const Scalar t317 = k[48] * t229 - t260;
+  const Scalar t318 = k[3] * (t317 + t266) - Scalar(2) * t287;
+  const Scalar t319 = k[3] * t318;
+  const Scalar t320 = k[52] + (t266 - t319);
+  const Scalar t321 = t316 - t320;
+  const Scalar t322 = k[49] - (k[6] * t318 + t286);
+  const Scalar t323 = k[4] * t59 + k[3] * t271;
+  const Scalar t324 = t257 - c5 * t263;
+  const Scalar t325 = k[10] * t323 + (k[6] * t289 + k[3] * t324);
+  const Scalar t326 = k[47] - t325;
+  const Scalar t327 = k[19] * t310 + (c4 * t322 - s4 * t326);
+  const Scalar t328 = k[8] * t327;
+  const Scalar t329 = (k[5] * t321 + t328) - k[70] * t308;
+  const Scalar t330 = k[19] * t308 + (c4 * t326 + s4 * t322);
+  const Scalar t331 = k[24] * t311 + (s3 * t329 + c3 * t330);
+  const Scalar t332 = (c3 * t329 - s3 * t330) + k[24] * t313;
+  const Scalar t333 = k[71] * t308 + (k[5] * t327 - k[8] * t321);
+  const Scalar t334 = (k[21] * t332 - k[20] * t333) - k[25] * t312;
+  const Scalar t335 = s2 * (t314 - t331) + c2 * (t334 + t313);
+  const Scalar t336 = (k[20] * t332 + k[21] * t333) - k[25] * t314;
+  const Scalar t337 = t304 * t249 - (t315 - (k[26] * t335 + k[27] * t336));
+  const Scalar t338 = t254 * t234 + t292;
+  const Scalar t339 = t338 * t268;
+  const Scalar t340 = t337 - t339 * t302;
+  const Scalar t341 = Scalar(1) / (t338 * t339 - (t304 * t234 + t321));
+  const Scalar t342 = t340 * t341;
+  const Scalar t343 = t268 * t253;
+  const Scalar t344 = ((torque[3] + t189) - t251 * t234) - t338 * t343;
+  const Scalar t345 = t238 * t254 + t293;
+  const Scalar t346 = t339 * t345 - (t304 * t238 + t333);
+  const Scalar t347 = t341 * t346;
+  const Scalar t348 = k[8] * t310 - k[5] * t323;
+  const Scalar t349 = k[34] - t348;
+  const Scalar t350 = k[33] - t308;
+  const Scalar t351 = s3 * t349 + c3 * t350;
+  const Scalar t352 = k[21] * t351;
+  const Scalar t353 = k[8] * t323 + k[5] * t310;
+  const Scalar t354 = k[10] * t305 + (k[3] * t289 - k[6] * t324);
+  const Scalar t355 = k[53] - t354;
+  const Scalar t356 = Scalar(2) * c4 * t355 + s4 * (t316 + t320);
+  const Scalar t357 = t355 - c4 * t356;
+  const Scalar t358 = k[9] * t353 - (k[8] * t330 + k[5] * t357);
+  const Scalar t359 = k[24] * t350 + (k[56] + t358);
+  const Scalar t360 = k[54] * t323 + (t317 - t319);
+  const Scalar t361 = s4 * t356;
+  const Scalar t362 = t361 - t320;
+  const Scalar t363 = k[5] * (t360 - t362) - Scalar(2) * t328;
+  const Scalar t364 = k[24] * t349 - (k[55] - (k[8] * t363 + t327));
+  const Scalar t365 = s3 * t359 - c3 * t364;
+  const Scalar t366 = k[58] - (k[57] * t308 - (t316 - t361));
+  const Scalar t367 = k[5] * t363;
+  const Scalar t368 = k[59] - (t367 + t362);
+  const Scalar t369 = t366 - t368;
+  const Scalar t370 = k[25] * t352 - (k[20] * t365 - k[21] * t369);
+  const Scalar t371 = s3 * t364 + c3 * t359;
+  const Scalar t372 = k[21] * t365;
+  const Scalar t373 = s3 * t350 - c3 * t349;
+  const Scalar t374 = ((t372 + k[20] * t369) + k[60] * t351) + t373;
+  const Scalar t375 = k[26] * (s2 * (t352 + t371) + c2 * t374);
+  const Scalar t376 = k[62] * k[61] * t351 + k[23] * (s2 * t373 - c2 * t352);
+  const Scalar t377 = ((k[27] * t370 - t375) - t376) + t238 * t301;
+  const Scalar t378 = t347 * t340 - (t377 - t345 * t303);
+  const Scalar t379 = t268 * t345;
+  const Scalar t380 = k[28] * t238;
+  const Scalar t381 = t347 * t346 - (t345 * t379 - (t380 * t238 + t369));
+  const Scalar t382 = Scalar(1) / t381;
+  const Scalar t383 = t378 * t382;
+  const Scalar t384 = t345 * t343 + ((torque[2] + t193) + t380 * t250);
+  const Scalar t385 = t384 + t347 * t344;
+  const Scalar t386 = ((t252 + t253 * t303) - t342 * t344) + t383 * t385;
+  const Scalar t387 = k[28] * t243;
+  const Scalar t388 = t297 + t233 * t387;
+  const Scalar t389 = t268 * t388;
+  const Scalar t390 = (t387 * t250 + (torque[1] + t208)) + t253 * t389;
+  const Scalar t391 = t339 * t388 - (t336 + t304 * t243);
+  const Scalar t392 = t391 * t341;
+  const Scalar t393 = t385 * t382;
+  const Scalar t394 = t346 * t392 - (t379 * t388 - (t370 + t387 * t238));
+  const Scalar t395 = (k[8] * t357 - k[5] * t330) - k[9] * t348;
+  const Scalar t396 = k[74] + t395;
+  const Scalar t397 = s3 * (t366 + t368) - Scalar(2) * c3 * t396;
+  const Scalar t398 = s3 * t397;
+  const Scalar t399 = k[83] + (k[82] * t351 + (t366 - t398));
+  const Scalar t400 = t398 - t368;
+  const Scalar t401 = k[84] * t353 + (t360 - t367);
+  const Scalar t402 = k[20] * (t400 - t401) + Scalar(2) * t372;
+  const Scalar t403 = k[20] * t402;
+  const Scalar t404 = k[85] - (t400 - t403);
+  const Scalar t405 = t399 - t404;
+  const Scalar t406 = (t388 * t389 - (t243 * t387 + t405)) - t391 * t392;
+  const Scalar t407 = t394 * t382;
+  const Scalar t408 = Scalar(1) / (t406 + t407 * t394);
+  const Scalar t409 = ((t390 + t344 * t392) - t393 * t394) * t408;
+  const Scalar t410 = k[76] + t351;
+  const Scalar t411 = k[21] * t373 - k[20] * t353;
+  const Scalar t412 = k[75] - t411;
+  const Scalar t413 = c2 * t410 + s2 * t412;
+  const Scalar t414 = c2 * ((k[78] - (t365 - k[21] * t402)) - t412);
+  const Scalar t415 = k[20] * t373 + k[21] * t353;
+  const Scalar t416 = c3 * t397 + t396;
+  const Scalar t417 = k[25] * t415 + (k[20] * t416 + k[21] * t371);
+  const Scalar t418 = k[26] * (t414 + s2 * ((k[77] + t417) + t410));
+  const Scalar t419 = (k[23] * t413 + (k[27] * t405 - t418)) + t243 * t301;
+  const Scalar t420 = t383 * t394 - (t340 * t392 + (t388 * t303 - t419));
+  const Scalar t421 = t408 * t420;
+  const Scalar t422 = (k[20] * t371 - k[21] * t416) - k[25] * t411;
+  const Scalar t423 = Scalar(2) * c2 * (k[81] + t422) - s2 * (t399 + t404);
+  const Scalar t424 = t399 + s2 * t423;
+  const Scalar t425 = t405 - t424;
+  const Scalar t426 = k[88] * (((t403 + t401) + Scalar(2) * t415) - t425);
+  const Scalar t427 = (k[87] + (k[86] * t413 + t424)) - (k[90] - (t425 - (k[89] * t418 - t426)));
+  const Scalar t428 = t340 * t342 + ((t249 * t301 + t427) - t303 * t302);
+  const Scalar t429 = Scalar(1) / (t421 * t420 - (t383 * t378 - t428));
+  const Scalar t430 = (t386 + t409 * t420) * t429;
+  const Scalar t431 = t421 * t430 - t409;
+  const Scalar t432 = (t393 + t430 * t383) - t407 * t431;
+  const Scalar t433 = t392 * t431 - (t344 * t341 + t430 * t342);
+  const Scalar t434 = t347 * t432 + t433;
+  const Scalar t435 = t379 * t432 + (t389 * t431 + (t343 + t430 * t303));
+  const Scalar t436 = t339 * t434 - t435;
+  const Scalar t437 = t380 * t432 + ((t430 * t301 - t251) + t387 * t431);
   JointVector<Scalar> result;
-  result[0] = -t429;
-  result[1] = t430;
-  result[2] = -t431;
-  result[3] = t432;
-  result[4] = -t434;
-  result[5] = t434 * t255 - (t432 * t343 - t435);
+  result[0] = t430;
+  result[1] = t431;
+  result[2] = t432;
+  result[3] = t434;
+  result[4] = -t436;
+  result[5] = t254 * t436 + (t437 - t304 * t434);
   return result;
 }
 
@@ -2979,208 +2998,200 @@ KineticEnergyConstants<Scalar> kinetic_energy_constants(const BasicGeometry<Scal
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
-  const Scalar t1 = inertia.c6x * inertia.m6;
+  const Scalar t0 = inertia.c6x * inertia.m6;
+  const Scalar t1 = inertia.I6xy - inertia.c6y * t0;
   const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t1;
-  const Scalar t4 = (inertia.I6yy - t2) - inertia.c6y * t0;
-  const Scalar t5 = t3 + t4;
-  const Scalar t6 = g.a6 / g.d2;
-  const Scalar t7 = inertia.c5y * inertia.m5;
-  const Scalar t8 = inertia.c6z * inertia.m6;
-  const Scalar t9 = g.d6 * inertia.m6 + t8;
-  const Scalar t10 = sin(g.alpha6) * t9;
-  const Scalar t11 = g.a6 * inertia.m6;
-  const Scalar t12 = inertia.c5x * inertia.m5;
-  const Scalar t13 = g.a5 / g.d2;
-  const Scalar t14 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t15 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t16 = (inertia.c6z * t8 - (inertia.I6zz - t2)) + g.d6 * (t9 + t8);
+  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t0;
+  const Scalar t4 = inertia.c6y * inertia.m6;
+  const Scalar t5 = (inertia.I6yy - t2) - inertia.c6y * t4;
+  const Scalar t6 = t3 + t5;
+  const Scalar t7 = g.a6 / g.a3;
+  const Scalar t8 = inertia.c5x * inertia.m5;
+  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t10 = g.a6 * inertia.m6;
+  const Scalar t11 = (inertia.c5x * t8 - (inertia.I5xx - t9)) + g.a6 * t10;
+  const Scalar t12 = inertia.c6z * inertia.m6;
+  const Scalar t13 = g.d6 * inertia.m6 + t12;
+  const Scalar t14 = sin(g.alpha6) * t13;
+  const Scalar t15 = inertia.c5y * inertia.m5;
+  const Scalar t16 = (inertia.c6z * t12 - (inertia.I6zz - t2)) + g.d6 * (t13 + t12);
   const Scalar t17 = sin(g.alpha6) * t16;
   const Scalar t18 = sin(g.alpha6) * t17;
-  const Scalar t19 = (inertia.c5x * t12 - (inertia.I5xx - t15)) + g.a6 * t11;
-  const Scalar t20 = g.d5 * t12;
-  const Scalar t21 = cos(g.alpha6) * t9;
-  const Scalar t22 = (t20 - (t20 - (inertia.I5xz - inertia.c5z * t12))) - g.a6 * t21;
-  const Scalar t23 = g.d5 * t7;
-  const Scalar t24 = (t23 + ((inertia.I5yz - inertia.c5z * t7) - t23)) + cos(g.alpha6) * t17;
-  const Scalar t25 = g.d4 / g.d2;
-  const Scalar t26 = g.a4 / g.d2;
-  const Scalar t27 = inertia.m5 + inertia.m6;
-  const Scalar t28 = g.a5 * t27;
-  const Scalar t29 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t30 = inertia.c4x * inertia.m4;
-  const Scalar t31 = g.a5 * t28 - ((inertia.I4xx - t29) - inertia.c4x * t30);
-  const Scalar t32 = g.d5 * inertia.m5;
-  const Scalar t33 = inertia.c5z * inertia.m5;
-  const Scalar t34 = t33 + t32;
-  const Scalar t35 = t32 - t34;
-  const Scalar t36 = t35 - t21;
-  const Scalar t37 = t36 - g.d5 * t27;
-  const Scalar t38 = (inertia.c5z * t33 - (inertia.I5zz - t15)) + g.d5 * (t33 + t34);
-  const Scalar t39 = (g.d5 * (t35 - t34) + t38) + (t16 - t18);
-  const Scalar t40 = g.d5 * (t36 + t37) - t39;
+  const Scalar t19 = g.a5 / g.a3;
+  const Scalar t20 = inertia.m5 + inertia.m6;
+  const Scalar t21 = g.a5 * t20;
+  const Scalar t22 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t23 = inertia.c4x * inertia.m4;
+  const Scalar t24 = g.a5 * t21 - ((inertia.I4xx - t22) - inertia.c4x * t23);
+  const Scalar t25 = g.d5 / g.a3;
+  const Scalar t26 = g.d5 * t15;
+  const Scalar t27 = (t26 + ((inertia.I5yz - inertia.c5z * t15) - t26)) + cos(g.alpha6) * t17;
+  const Scalar t28 = g.d5 * t8;
+  const Scalar t29 = cos(g.alpha6) * t13;
+  const Scalar t30 = (t28 - (t28 - (inertia.I5xz - inertia.c5z * t8))) - g.a6 * t29;
+  const Scalar t31 = g.d5 * inertia.m5;
+  const Scalar t32 = inertia.c5z * inertia.m5;
+  const Scalar t33 = t32 + t31;
+  const Scalar t34 = t31 - t33;
+  const Scalar t35 = t34 - t29;
+  const Scalar t36 = t35 - g.d5 * t20;
+  const Scalar t37 = (inertia.c5z * t32 - (inertia.I5zz - t9)) + g.d5 * (t32 + t33);
+  const Scalar t38 = (g.d5 * (t34 - t33) + t37) + (t16 - t18);
+  const Scalar t39 = g.d5 * (t35 + t36) - t38;
+  const Scalar t40 = sin(g.alpha5) * t39;
   const Scalar t41 = sin(g.alpha5) * t40;
-  const Scalar t42 = sin(g.alpha5) * t41;
-  const Scalar t43 = inertia.c4y * inertia.m4;
-  const Scalar t44 = sin(g.alpha5) * t37;
-  const Scalar t45 = g.d4 * t43;
-  const Scalar t46 = cos(g.alpha5) * t41 - (t45 - (t45 - (inertia.I4yz - inertia.c4z * t43)));
-  const Scalar t47 = cos(g.alpha5) * t37;
-  const Scalar t48 = g.d4 * t30;
-  const Scalar t49 = g.a5 * t47 + (((inertia.I4xz - inertia.c4z * t30) - t48) + t48);
-  const Scalar t50 = g.d3 / g.d2;
-  const Scalar t51 = g.a3 / g.d2;
-  const Scalar t52 = inertia.m4 + t27;
-  const Scalar t53 = inertia.c4z * inertia.m4;
-  const Scalar t54 = g.d4 * inertia.m4;
-  const Scalar t55 = t53 + t54;
-  const Scalar t56 = t55 - t54;
-  const Scalar t57 = t56 - t47;
-  const Scalar t58 = g.d4 * t52 + t57;
-  const Scalar t59 = sin(g.alpha4) * t58;
-  const Scalar t60 = inertia.c3y * inertia.m3;
-  const Scalar t61 = g.a4 * t52;
-  const Scalar t62 = inertia.c3x * inertia.m3;
-  const Scalar t63 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t64 = g.a4 * t61 + (inertia.c3x * t62 - (inertia.I3xx - t63));
-  const Scalar t65 = ((inertia.I4zz - t29) - inertia.c4z * t53) - g.d4 * (t55 + t53);
-  const Scalar t66 = (g.d4 * (t56 + t55) + t65) - (t42 - t40);
-  const Scalar t67 = t66 - g.d4 * (t57 + t58);
-  const Scalar t68 = sin(g.alpha4) * t67;
-  const Scalar t69 = sin(g.alpha4) * t68;
-  const Scalar t70 = cos(g.alpha4) * t58;
-  const Scalar t71 = g.d3 * t62;
-  const Scalar t72 = g.a4 * t70 - (t71 - (t71 - (inertia.I3xz - inertia.c3z * t62)));
-  const Scalar t73 = g.d3 * t60;
-  const Scalar t74 = cos(g.alpha4) * t68 - (t73 - (t73 - (inertia.I3yz - inertia.c3z * t60)));
-  const Scalar t75 = g.a2 / g.d2;
-  const Scalar t76 = g.d3 * inertia.m3;
+  const Scalar t42 = inertia.c4y * inertia.m4;
+  const Scalar t43 = sin(g.alpha5) * t36;
+  const Scalar t44 = g.d4 / g.a3;
+  const Scalar t45 = cos(g.alpha5) * t36;
+  const Scalar t46 = g.d4 * t23;
+  const Scalar t47 = g.a5 * t45 + (((inertia.I4xz - inertia.c4z * t23) - t46) + t46);
+  const Scalar t48 = g.d4 * t42;
+  const Scalar t49 = cos(g.alpha5) * t40 - (t48 - (t48 - (inertia.I4yz - inertia.c4z * t42)));
+  const Scalar t50 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t51 = inertia.c3y * inertia.m3;
+  const Scalar t52 = inertia.c4z * inertia.m4;
+  const Scalar t53 = g.d4 * inertia.m4;
+  const Scalar t54 = t52 + t53;
+  const Scalar t55 = t54 - t53;
+  const Scalar t56 = ((inertia.I4zz - t22) - inertia.c4z * t52) - g.d4 * (t54 + t52);
+  const Scalar t57 = (g.d4 * (t55 + t54) + t56) - (t41 - t39);
+  const Scalar t58 = t55 - t45;
+  const Scalar t59 = inertia.m4 + t20;
+  const Scalar t60 = g.d4 * t59 + t58;
+  const Scalar t61 = t57 - g.d4 * (t58 + t60);
+  const Scalar t62 = sin(g.alpha4) * t61;
+  const Scalar t63 = sin(g.alpha4) * t62;
+  const Scalar t64 = g.a4 / g.a3;
+  const Scalar t65 = inertia.c3x * inertia.m3;
+  const Scalar t66 = sin(g.alpha4) * t60;
+  const Scalar t67 = g.a4 * t59;
+  const Scalar t68 = g.a4 * t67 + (inertia.c3x * t65 - (inertia.I3xx - t50));
+  const Scalar t69 = g.d3 / g.a3;
+  const Scalar t70 = g.d3 * t51;
+  const Scalar t71 = cos(g.alpha4) * t62 - (t70 - (t70 - (inertia.I3yz - inertia.c3z * t51)));
+  const Scalar t72 = cos(g.alpha4) * t60;
+  const Scalar t73 = g.d3 * t65;
+  const Scalar t74 = g.a4 * t72 - (t73 - (t73 - (inertia.I3xz - inertia.c3z * t65)));
+  const Scalar t75 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t76 = inertia.c2y * inertia.m2;
   const Scalar t77 = inertia.c3z * inertia.m3;
-  const Scalar t78 = t77 + t76;
-  const Scalar t79 = t76 - t78;
-  const Scalar t80 = t70 - t79;
-  const Scalar t81 = inertia.m3 + t52;
-  const Scalar t82 = t80 + g.d3 * t81;
-  const Scalar t83 = sin(g.alpha3) * t82;
-  const Scalar t84 = inertia.c2y * inertia.m2;
-  const Scalar t85 = g.a3 * t81;
-  const Scalar t86 = inertia.c2x * inertia.m2;
-  const Scalar t87 = g.d2 * t84;
-  const Scalar t88 = g.d3 * (t77 + t78) - ((inertia.I3zz - t63) - inertia.c3z * t77);
-  const Scalar t89 = (t69 - t67) + (t88 - g.d3 * (t78 - t79));
-  const Scalar t90 = t89 + g.d3 * (t80 + t82);
-  const Scalar t91 = sin(g.alpha3) * t90;
-  const Scalar t92 = ((t87 - (inertia.I2yz - inertia.c2z * t84)) - t87) - cos(g.alpha3) * t91;
-  const Scalar t93 = cos(g.alpha3) * t82;
-  const Scalar t94 = g.d2 * t86;
-  const Scalar t95 = g.a3 * t93 - (((inertia.I2xz - inertia.c2z * t86) - t94) + t94);
-  const Scalar t96 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t97 = g.a3 * t85 + (inertia.c2x * t86 - (inertia.I2xx - t96));
-  const Scalar t98 = sin(g.alpha3) * t91;
-  const Scalar t99 = inertia.m2 + t81;
-  const Scalar t100 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t101 = g.a2 * g.a2 * t99 + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t100));
-  const Scalar t102 = g.d2 * inertia.m2;
-  const Scalar t103 = inertia.c2z * inertia.m2;
-  const Scalar t104 = t102 + t103;
-  const Scalar t105 = t102 - t104;
-  const Scalar t106 = g.d2 * (t104 + t103) - ((inertia.I2zz - t96) - inertia.c2z * t103);
-  const Scalar t107 = (g.d2 * (t104 - t105) - t106) + (t98 - t90);
-  const Scalar t108 = t93 - t105;
-  const Scalar t109 = t107 - g.d2 * (t108 + (g.d2 * t99 + t108));
-  const Scalar t110 = sin(g.alpha2) * sin(g.alpha2) * t109
-      - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t100));
-  return { g.d6 * t0 - (inertia.I6yz - inertia.c6z * t0),
-           (inertia.I6xz - inertia.c6z * t1) - g.d6 * t1,
-           sin(g.alpha6),
-           cos(g.alpha6) * t5,
-           g.d2 * t1,
-           g.d2 * t0,
-           cos(g.alpha6),
+  const Scalar t78 = g.d3 * inertia.m3;
+  const Scalar t79 = t77 + t78;
+  const Scalar t80 = g.d3 * (t77 + t79) - ((inertia.I3zz - t50) - inertia.c3z * t77);
+  const Scalar t81 = t78 - t79;
+  const Scalar t82 = (t63 - t61) + (t80 - g.d3 * (t79 - t81));
+  const Scalar t83 = t72 - t81;
+  const Scalar t84 = inertia.m3 + t59;
+  const Scalar t85 = t83 + g.d3 * t84;
+  const Scalar t86 = t82 + g.d3 * (t83 + t85);
+  const Scalar t87 = sin(g.alpha3) * t86;
+  const Scalar t88 = sin(g.alpha3) * t87;
+  const Scalar t89 = g.a3 * t84;
+  const Scalar t90 = inertia.c2x * inertia.m2;
+  const Scalar t91 = g.a3 * t89 + (inertia.c2x * t90 - (inertia.I2xx - t75));
+  const Scalar t92 = cos(g.alpha3) * t85;
+  const Scalar t93 = g.d2 * t90;
+  const Scalar t94 = g.a3 * t92 - (((inertia.I2xz - inertia.c2z * t90) - t93) + t93);
+  const Scalar t95 = g.d2 / g.a3;
+  const Scalar t96 = sin(g.alpha3) * t85;
+  const Scalar t97 = g.d2 * t76;
+  const Scalar t98 = ((t97 - (inertia.I2yz - inertia.c2z * t76)) - t97) - cos(g.alpha3) * t87;
+  const Scalar t99 = g.d2 * inertia.m2;
+  const Scalar t100 = inertia.c2z * inertia.m2;
+  const Scalar t101 = t99 + t100;
+  const Scalar t102 = t99 - t101;
+  const Scalar t103 = g.d2 * (t101 + t100) - ((inertia.I2zz - t75) - inertia.c2z * t100);
+  const Scalar t104 = (g.d2 * (t101 - t102) - t103) + (t88 - t86);
+  const Scalar t105 = t92 - t102;
+  const Scalar t106 = inertia.m2 + t84;
+  const Scalar t107 = t104 - g.d2 * (t105 + (g.d2 * t106 + t105));
+  const Scalar t108 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t109 = sin(g.alpha2) * sin(g.alpha2) * t107
+      - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t108));
+  const Scalar t110 = g.a2 / g.a3;
+  const Scalar t111 = g.a2 * g.a2 * t106 + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t108));
+  return { Scalar(2) * t1,
+           t3 - t5,
+           t5,
            t6,
-           g.d2 * (t7 - t10),
-           g.d2 * (t11 + t12),
-           cos(g.alpha5),
-           t13,
-           Scalar(2) * cos(g.alpha6),
-           Scalar(2) * t14,
-           t3 - t4,
-           t4,
-           (inertia.c5y * t7 - (inertia.I5yy - t15)) + t18,
-           t3,
-           Scalar(2) * t6,
-           t19,
-           sin(g.alpha6) * t6,
-           t14,
-           t22,
+           g.a3 * t0,
+           g.a3 * t4,
+           Scalar(2) * t7,
+           t11,
+           cos(g.alpha6),
+           t7,
+           t1,
+           g.d6 * t4 - (inertia.I6yz - inertia.c6z * t4),
+           (inertia.I6xz - inertia.c6z * t0) - g.d6 * t0,
+           sin(g.alpha6),
+           (inertia.I5xy - inertia.c5y * t8) + g.a6 * t14,
+           (inertia.c5y * t15 - (inertia.I5yy - t9)) + t18,
+           g.a3 * (t15 - t14),
+           g.a3 * (t10 + t8),
+           Scalar(2) * t19,
            t24,
-           g.d5 / g.d2,
+           Scalar(2) * sin(g.alpha6) * t25,
            sin(g.alpha5),
-           sin(g.alpha5) * sin(g.alpha6),
-           sin(g.alpha6) * t5,
-           cos(g.alpha4),
-           cos(g.alpha5) * sin(g.alpha6),
            t25,
+           t27,
+           sin(g.alpha6) * t7,
+           t30,
+           cos(g.alpha5),
+           t41 + ((inertia.I4yy - t22) - inertia.c4y * t42),
+           sin(g.alpha5) * sin(g.alpha6),
+           t19,
+           g.a5 * t43 - (inertia.I4xy - inertia.c4y * t23),
+           cos(g.alpha5) * sin(g.alpha6),
+           Scalar(2) * t44,
            sin(g.alpha4),
-           t26,
-           cos(g.alpha5) * t25,
-           Scalar(2) * cos(g.alpha5),
-           sin(g.alpha5) * t13,
-           sin(g.alpha4) * sin(g.alpha5),
-           (inertia.I5xy - inertia.c5y * t12) + g.a6 * t10,
-           Scalar(2) * t13,
-           t31,
-           Scalar(2) * sin(g.alpha6),
-           t42 + ((inertia.I4yy - t29) - inertia.c4y * t43),
-           g.d2 * (t44 + t43),
-           t46,
-           g.d2 * (t28 + t30),
+           g.a3 * (t21 + t23),
+           t44,
+           t47,
            t49,
-           cos(g.alpha4) * t26,
-           cos(g.alpha3),
-           sin(g.alpha4) * t26,
-           t50,
-           sin(g.alpha3),
-           sin(g.alpha3) * sin(g.alpha4),
-           t51,
-           g.d2 * (t59 - t60),
-           g.d2 * (t61 + t62),
-           Scalar(2) * t26,
-           g.a5 * t44 - (inertia.I4xy - inertia.c4y * t30),
+           g.a3 * (t43 + t42),
+           cos(g.alpha4),
+           ((inertia.I3yy - t50) - inertia.c3y * t51) + t63,
            t64,
-           Scalar(2) * t25,
-           Scalar(2) * cos(g.alpha4),
-           ((inertia.I3yy - t63) - inertia.c3y * t60) + t69,
-           t72,
+           (inertia.I3xy - inertia.c3y * t65) + g.a4 * t66,
+           Scalar(2) * t64,
+           t68,
+           Scalar(2) * t69,
+           sin(g.alpha3),
+           t71,
+           g.a3 * (t66 - t51),
+           t69,
+           g.a3 * (t67 + t65),
            t74,
-           cos(g.alpha4) * sin(g.alpha5),
-           sin(g.alpha2) * t75,
-           cos(g.alpha2) * t75,
-           sin(g.alpha2),
-           cos(g.alpha2),
-           sin(g.alpha2) * sin(g.alpha3),
-           t75,
-           sin(g.alpha3) * t51,
-           Scalar(2) * cos(g.alpha3),
-           g.d2 * (t83 - t84),
-           g.d2 * (t85 + t86),
-           (inertia.I3xy - inertia.c3y * t62) + g.a4 * t59,
-           Scalar(2) * t50,
-           t92,
-           Scalar(2) * sin(g.alpha3),
+           cos(g.alpha3),
+           ((inertia.I2yy - t75) - inertia.c2y * t76) - t88,
+           t91,
+           t94,
+           g.a3 * (t89 + t90),
            t95,
-           Scalar(2) * t51,
-           t97,
-           ((inertia.I2yy - t96) - inertia.c2y * t84) - t98,
-           cos(g.alpha3) * sin(g.alpha4),
-           g.a3 * t83 + (inertia.I2xy - inertia.c2y * t86),
-           Scalar(2) * t75,
-           t101,
-           sin(g.alpha2) * sin(g.alpha2),
+           g.a3 * (t96 - t76),
+           t98,
+           sin(g.alpha2),
            Scalar(2) * cos(g.alpha2),
-           t110,
-           t5 };
+           Scalar(2) * t95,
+           g.a3 * t96 + (inertia.I2xy - inertia.c2y * t90),
+           sin(g.alpha2) * sin(g.alpha2),
+           t109,
+           Scalar(2) * t110,
+           t111,
+           sin(g.alpha4) * sin(g.alpha5),
+           sin(g.alpha5) * t19,
+           sin(g.alpha6) * t6,
+           cos(g.alpha6) * t7,
+           cos(g.alpha6) * t6,
+           cos(g.alpha3) * sin(g.alpha4),
+           sin(g.alpha2) * t110,
+           sin(g.alpha3) * sin(g.alpha4),
+           cos(g.alpha2) * t110,
+           sin(g.alpha4) * t64,
+           cos(g.alpha2),
+           cos(g.alpha3) * t95,
+           cos(g.alpha4) * sin(g.alpha5) };
 }
 
 namespace detail {
@@ -3199,190 +3210,195 @@ inline Scalar kinetic_energy([[maybe_unused]] const JointVector<Scalar>& q, cons
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[14] * s6 + k[13] * c6;
-  const Scalar t1 = s6 * t0;
-  const Scalar t2 = k[4] * c6 - k[5] * s6;
-  const Scalar t3 = k[19] - ((k[17] - t1) - k[18] * t2);
-  const Scalar t4 = k[15] + t1;
-  const Scalar t5 = k[0] * c6 - k[1] * s6;
-  const Scalar t6 = k[12] * t5 - k[2] * t4;
-  const Scalar t7 = k[2] * t6;
-  const Scalar t8 = k[16] - (t4 + t7);
-  const Scalar t9 = t3 + t8;
-  const Scalar t10 = k[0] * s6 + k[1] * c6;
-  const Scalar t11 = k[21] - c6 * t0;
-  const Scalar t12 = k[4] * s6 + k[5] * c6;
-  const Scalar t13 = k[6] * t12;
-  const Scalar t14 = (k[2] * t10 + k[6] * t11) + k[7] * t13;
-  const Scalar t15 = k[37] - t14;
-  const Scalar t16 = s5 * (t3 - t8) - Scalar(2) * c5 * t15;
-  const Scalar t17 = s5 * t16 - t3;
-  const Scalar t18 = k[8] + t13;
-  const Scalar t19 = k[9] + t2;
-  const Scalar t20 = s5 * t18 - c5 * t19;
-  const Scalar t21 = k[39] - (t17 + k[38] * t20);
-  const Scalar t22 = t17 + t9;
-  const Scalar t23 = k[24] * t12;
-  const Scalar t24 = k[40] * t23 + t7;
-  const Scalar t25 = k[23] + (t5 - k[6] * t6);
-  const Scalar t26 = k[20] * t12 - (k[6] * t10 - k[2] * t11);
-  const Scalar t27 = k[22] - t26;
-  const Scalar t28 = c5 * t18 + s5 * t19;
-  const Scalar t29 = (c5 * t25 + s5 * t27) - k[24] * t28;
-  const Scalar t30 = k[34] * t29;
-  const Scalar t31 = k[25] * (t24 - t22) + t30;
-  const Scalar t32 = k[25] * t31;
-  const Scalar t33 = k[41] - (t22 + t32);
-  const Scalar t34 = t21 - t33;
-  const Scalar t35 = k[10] * t28 - k[26] * t12;
-  const Scalar t36 = k[24] * t20 - (s5 * t25 - c5 * t27);
-  const Scalar t37 = t15 + c5 * t16;
-  const Scalar t38 = k[11] * t35 + (k[25] * t36 + k[10] * t37);
-  const Scalar t39 = k[56] + t38;
-  const Scalar t40 = s4 * (t21 + t33) + Scalar(2) * c4 * t39;
-  const Scalar t41 = s4 * t40 - t33;
-  const Scalar t42 = k[29] * t12 + k[25] * t28;
-  const Scalar t43 = k[58] * t42 + (t24 - t32);
-  const Scalar t44 = k[11] * t42 + (k[25] * t37 - k[10] * t36);
-  const Scalar t45 = k[44] - t20;
-  const Scalar t46 = (k[45] - t44) - k[30] * t45;
-  const Scalar t47 = k[42] + t35;
-  const Scalar t48 = k[30] * t47 + (k[43] + (t29 - k[10] * t31));
-  const Scalar t49 = s4 * t46 - c4 * t48;
-  const Scalar t50 = k[31] * (t41 - t43) - k[59] * t49;
-  const Scalar t51 = k[31] * t50;
-  const Scalar t52 = k[60] - (t41 - t51);
-  const Scalar t53 = c4 * t45 - s4 * t47;
-  const Scalar t54 = k[57] + (k[55] * t53 + (t34 - t41));
-  const Scalar t55 = t52 - t54;
-  const Scalar t56 = c4 * t47 + s4 * t45;
-  const Scalar t57 = k[31] * t42 - k[28] * t56;
-  const Scalar t58 = k[53] + t57;
-  const Scalar t59 = k[54] + t53;
-  const Scalar t60 = c3 * t58 - s3 * t59;
-  const Scalar t61 = k[31] * t56 + k[28] * t42;
-  const Scalar t62 = k[47] * t60 + k[50] * t61;
-  const Scalar t63 = k[72] + t62;
-  const Scalar t64 = s3 * t58 + c3 * t59;
-  const Scalar t65 = k[73] + t64;
-  const Scalar t66 = s2 * t63 + c2 * t65;
-  const Scalar t67 = c4 * t40 - t39;
-  const Scalar t68 = c4 * t46 + s4 * t48;
-  const Scalar t69 = k[32] * t57 - (k[28] * t67 + k[31] * t68);
-  const Scalar t70 = k[74] + t69;
-  const Scalar t71 = c3 * t70;
-  const Scalar t72 = s3 * (t52 + t54) - (t71 + t71);
-  const Scalar t73 = t52 - s3 * t72;
-  const Scalar t74 = k[62] + (t49 + k[28] * t50);
-  const Scalar t75 = k[32] * t61 - (k[28] * t68 - k[31] * t67);
-  const Scalar t76 = k[61] + t75;
-  const Scalar t77 = k[49] * t60 - (c3 * t74 + s3 * t76);
-  const Scalar t78 = k[71] * t77;
-  const Scalar t79 = (t43 + t51) + k[75] * t61;
-  const Scalar t80 = t78 + k[50] * (t73 + t79);
-  const Scalar t81 = k[50] * t80;
-  const Scalar t82 = k[81] + (t73 - t81);
-  const Scalar t83 = k[80] + (k[79] * t64 - (t55 - t73));
-  const Scalar t84 = (c3 * t76 - s3 * t74) + k[49] * t64;
-  const Scalar t85 = t70 + c3 * t72;
-  const Scalar t86 = (k[50] * t84 - k[47] * t85) + k[52] * t62;
-  const Scalar t87 = s2 * (t82 + t83) - Scalar(2) * c2 * (k[83] + t86);
-  const Scalar t88 = s2 * t87;
-  const Scalar t89 = t88 - t82;
-  const Scalar t90 = k[71] * t61 - k[77] * t60;
-  const Scalar t91 = c2 * ((k[76] - (k[47] * t80 - t77)) - t63);
-  const Scalar t92 = (k[50] * t85 + k[47] * t84) + k[52] * Scalar(0.5) * t90;
-  const Scalar t93 = k[66] * (t91 + s2 * ((k[78] + t92) + t65));
-  const Scalar t94 = k[86] * (t89 + ((t81 - t79) - t90)) + k[87] * t93;
-  const Scalar t95 = (k[85] + (k[84] * t66 - (t88 - t83))) - (k[88] - (t89 - t94));
-  const Scalar t96 = t82 - t83;
-  const Scalar t97 = qd[0] * qd[0] * t95 - qd[1] * qd[1] * t96;
-  const Scalar t98 = qd[3] * qd[3] * t34 - (qd[2] * qd[2] * t55 - t97);
-  const Scalar t99 = (qd[4] * qd[4] * t9 + t98) - qd[5] * k[89] * qd[5];
-  const Scalar t100 = k[6] * t2;
-  const Scalar t101 = k[7] * t100 - (k[3] + k[2] * t5);
-  const Scalar t102 = s5 * t12 - c5 * t100;
-  const Scalar t103 = k[29] * t2 - k[25] * t102;
-  const Scalar t104 = s5 * t100 + c5 * t12;
-  const Scalar t105 = k[10] * t102 + k[26] * t2;
-  const Scalar t106 = s4 * t104 + c4 * t105;
-  const Scalar t107 = k[28] * t103 - k[31] * t106;
-  const Scalar t108 = c4 * t104 - s4 * t105;
-  const Scalar t109 = k[28] * t106 + k[31] * t103;
-  const Scalar t110 = s3 * t108 + c3 * t109;
-  const Scalar t111 = k[50] * t107 + k[47] * t110;
-  const Scalar t112 = c3 * t108 - s3 * t109;
-  const Scalar t113 = (k[20] * t2 - (k[27] - k[6] * t5)) + t23;
-  const Scalar t114 = t10 - k[24] * t100;
-  const Scalar t115 = c5 * t113 - s5 * t114;
-  const Scalar t116 = (k[10] * t115 + k[25] * t101) + k[11] * t103;
-  const Scalar t117 = s5 * t113 + c5 * t114;
-  const Scalar t118 = (c4 * t116 - s4 * t117) + k[30] * t108;
-  const Scalar t119 = k[11] * t105 - (k[10] * t101 - k[25] * t115);
-  const Scalar t120 = (k[28] * t118 - k[31] * t119) + k[32] * t107;
-  const Scalar t121 = (s4 * t116 + c4 * t117) + k[30] * t106;
-  const Scalar t122 = k[49] * t112 + (c3 * t120 - s3 * t121);
-  const Scalar t123 = (k[28] * t119 + k[31] * t118) + k[32] * t109;
-  const Scalar t124 = k[52] * t111 + (k[50] * t122 + k[47] * t123);
-  const Scalar t125 = (c3 * t121 + s3 * t120) + k[49] * t110;
-  const Scalar t126 = k[47] * t107 - k[50] * t110;
-  const Scalar t127 = k[52] * t126 - (k[50] * t123 - k[47] * t122);
-  const Scalar t128 = s2 * (t111 + t125) - c2 * (t112 + t127);
-  const Scalar t129 = k[64] * t126 + k[65] * (c2 * t111 + s2 * t112);
-  const Scalar t130 = qd[5] * ((k[67] * t124 - k[66] * t128) + t129);
-  const Scalar t131 = k[10] * t20;
-  const Scalar t132 = c4 * t131 + s4 * t28;
-  const Scalar t133 = k[36] * t20 - k[28] * t132;
-  const Scalar t134 = s4 * t131 - c4 * t28;
-  const Scalar t135 = c3 * t133 + s3 * t134;
-  const Scalar t136 = k[63] * t20 + k[31] * t132;
-  const Scalar t137 = k[47] * t135 + k[50] * t136;
-  const Scalar t138 = c3 * t134 - s3 * t133;
-  const Scalar t139 = k[47] * t136 - k[50] * t135;
-  const Scalar t140 = k[65] * (c2 * t137 + s2 * t138) + k[64] * t139;
-  const Scalar t141 = k[11] * t131 - (k[25] * t29 + k[10] * t9);
-  const Scalar t142 = (k[25] * t9 - Scalar(0.5) * t30) - k[35] * t20;
-  const Scalar t143 = t142 + k[30] * t28;
-  const Scalar t144 = t36 + k[33] * t20;
-  const Scalar t145 = c4 * t143 - s4 * t144;
-  const Scalar t146 = (k[28] * t141 + k[31] * t145) - k[32] * t133;
-  const Scalar t147 = c4 * t144 + s4 * t143;
-  const Scalar t148 = (k[28] * t145 - k[31] * t141) - k[32] * t136;
-  const Scalar t149 = k[49] * t138 + (s3 * t147 - c3 * t148);
-  const Scalar t150 = k[52] * t137 - (k[47] * t146 - k[50] * t149);
-  const Scalar t151 = (k[47] * t149 + k[50] * t146) + k[52] * t139;
-  const Scalar t152 = (s3 * t148 + c3 * t147) - k[49] * t135;
-  const Scalar t153 = c2 * (t151 + t138) + s2 * (t152 - t137);
-  const Scalar t154 = qd[4] * (t140 + (k[67] * t150 + k[66] * t153));
-  const Scalar t155 = qd[1] * (k[65] * t66 - (k[67] * t96 + t93));
-  const Scalar t156 = k[47] * t64;
-  const Scalar t157 = k[67] * (c2 * t156 + s2 * t60) - k[68] * t64;
-  const Scalar t158 = k[52] * t156 - (k[47] * t55 - k[50] * t77);
-  const Scalar t159 = (k[50] * t55 + Scalar(0.5) * t78) - k[70] * t64;
-  const Scalar t160 = s2 * (t156 + t84) - c2 * (t60 + t159);
-  const Scalar t161 = k[69] * t157 + (k[67] * t158 - k[66] * t160);
-  const Scalar t162 = k[28] * t53;
-  const Scalar t163 = s3 * t56 - c3 * t162;
-  const Scalar t164 = (k[28] * t49 - k[31] * t34) - k[48] * t53;
-  const Scalar t165 = k[49] * t163 + (c3 * t68 - s3 * t164);
-  const Scalar t166 = k[47] * t163 + k[51] * t53;
-  const Scalar t167 = k[46] * t53 + (k[28] * t34 + k[31] * t49);
-  const Scalar t168 = s3 * t162 + c3 * t56;
-  const Scalar t169 = (s3 * t68 + c3 * t164) - k[49] * t168;
-  const Scalar t170 = k[82] * t53 - k[50] * t163;
-  const Scalar t171 = (k[50] * t167 - k[47] * t169) + k[52] * t170;
-  const Scalar t172 = s2 * (t165 + t166) - c2 * (t171 + t168);
-  const Scalar t173 = k[52] * t166 - (k[50] * t169 + k[47] * t167);
-  const Scalar t174 = k[64] * t170 + k[65] * (c2 * t166 + s2 * t168);
-  const Scalar t175 = qd[3] * ((k[66] * t172 - k[67] * t173) - t174);
-  const Scalar t176 = t130 - (t154 + ((t155 + qd[2] * t161) + t175));
-  const Scalar t177 = (qd[3] * t173 - qd[2] * t158) - qd[4] * t150;
-  const Scalar t178 = qd[0] * t176 + qd[1] * (qd[5] * t124 + t177);
-  const Scalar t179 = qd[5] * t123 - (qd[3] * t167 - qd[4] * t146);
-  const Scalar t180 = (t178 + qd[2] * t179) + qd[3] * (qd[5] * t119 + qd[4] * t141);
-  const Scalar t181 = Scalar(0.5) * t99 + (qd[4] * qd[5] * t101 - t180);
+  const Scalar t0 = k[12] * s6 - k[11] * c6;
+  const Scalar t1 = k[4] * c6 - k[5] * s6;
+  const Scalar t2 = (k[72] - k[13] * t0) - k[71] * t1;
+  const Scalar t3 = k[4] * s6 + k[5] * c6;
+  const Scalar t4 = k[8] * t3;
+  const Scalar t5 = k[16] + t4;
+  const Scalar t6 = k[17] + t1;
+  const Scalar t7 = c5 * t5 + s5 * t6;
+  const Scalar t8 = c5 * t6 - s5 * t5;
+  const Scalar t9 = k[26] * t8;
+  const Scalar t10 = s4 * t7 - c4 * t9;
+  const Scalar t11 = k[39] * t10 + k[68] * t8;
+  const Scalar t12 = c4 * t7 + s4 * t9;
+  const Scalar t13 = k[0] * c6 + k[1] * s6;
+  const Scalar t14 = k[2] + s6 * t13;
+  const Scalar t15 = k[8] * t0;
+  const Scalar t16 = k[13] * t14 + (t15 + t15);
+  const Scalar t17 = (k[23] - (t0 - k[8] * t16)) - k[22] * t5;
+  const Scalar t18 = k[12] * c6 + k[11] * s6;
+  const Scalar t19 = k[10] - c6 * t13;
+  const Scalar t20 = (k[8] * t18 - k[13] * t19) - k[24] * t3;
+  const Scalar t21 = (k[25] + t20) - k[22] * t6;
+  const Scalar t22 = s5 * t17 - c5 * t21;
+  const Scalar t23 = c5 * t17 + s5 * t21;
+  const Scalar t24 = k[26] * t23;
+  const Scalar t25 = k[7] + (k[6] * t1 - (k[3] - t14));
+  const Scalar t26 = k[13] * t16;
+  const Scalar t27 = k[15] + (t26 - t14);
+  const Scalar t28 = k[9] * t4 + (k[13] * t18 + k[8] * t19);
+  const Scalar t29 = k[14] - t28;
+  const Scalar t30 = c5 * t29;
+  const Scalar t31 = s5 * (t25 - t27) - (t30 + t30);
+  const Scalar t32 = s5 * t31;
+  const Scalar t33 = t32 + t27;
+  const Scalar t34 = t25 - t32;
+  const Scalar t35 = t33 + t34;
+  const Scalar t36 = (t24 - k[21] * t35) - k[69] * t8;
+  const Scalar t37 = k[35] * t12 + (s4 * t22 - c4 * t36);
+  const Scalar t38 = (k[21] * t23 + k[26] * t35) + k[29] * t9;
+  const Scalar t39 = k[41] * t11 + (k[33] * t37 - k[39] * t38);
+  const Scalar t40 = t26 - k[20] * t3;
+  const Scalar t41 = k[21] * (t33 + t40) - (t24 + t24);
+  const Scalar t42 = k[28] * t3 - k[26] * t7;
+  const Scalar t43 = k[38] - t42;
+  const Scalar t44 = (k[37] + (k[26] * t41 + t23)) + k[35] * t43;
+  const Scalar t45 = k[31] * t3 + k[21] * t7;
+  const Scalar t46 = t29 + c5 * t31;
+  const Scalar t47 = k[29] * t45 + (k[21] * t46 + k[26] * t22);
+  const Scalar t48 = k[34] + t8;
+  const Scalar t49 = (k[36] - t47) - k[35] * t48;
+  const Scalar t50 = c4 * t44 - s4 * t49;
+  const Scalar t51 = k[19] + (k[18] * t8 + t34);
+  const Scalar t52 = k[21] * t41;
+  const Scalar t53 = k[27] + (t52 - t33);
+  const Scalar t54 = t51 - t53;
+  const Scalar t55 = c4 * t48 - s4 * t43;
+  const Scalar t56 = k[39] * t55;
+  const Scalar t57 = (k[33] * t50 - k[39] * t54) - k[41] * t56;
+  const Scalar t58 = k[8] * t1;
+  const Scalar t59 = s5 * t3 - c5 * t58;
+  const Scalar t60 = k[26] * t59 + k[28] * t1;
+  const Scalar t61 = s5 * t58 + c5 * t3;
+  const Scalar t62 = c4 * t60 + s4 * t61;
+  const Scalar t63 = k[21] * t59 - k[31] * t1;
+  const Scalar t64 = k[39] * t62 - k[33] * t63;
+  const Scalar t65 = (k[70] + t15) - k[24] * t1;
+  const Scalar t66 = k[22] * t61 - (c5 * t65 + s5 * t18);
+  const Scalar t67 = k[29] * t60 + (k[21] * t66 + k[26] * t2);
+  const Scalar t68 = k[29] * t63 + (k[21] * t2 - k[26] * t66);
+  const Scalar t69 = k[35] * t61 - t68;
+  const Scalar t70 = k[22] * t59 + (c5 * t18 - s5 * t65);
+  const Scalar t71 = t70 + k[35] * t60;
+  const Scalar t72 = c4 * t69 - s4 * t71;
+  const Scalar t73 = k[41] * t64 + (k[39] * t67 + k[33] * t72);
+  const Scalar t74 = (qd[4] * t39 + qd[3] * t57) + qd[5] * t73;
+  const Scalar t75 = k[29] * t42 + (k[21] * t22 - k[26] * t46);
+  const Scalar t76 = k[30] - t75;
+  const Scalar t77 = Scalar(2) * c4 * t76 + s4 * (t51 + t53);
+  const Scalar t78 = s4 * t77 - t51;
+  const Scalar t79 = t78 + t54;
+  const Scalar t80 = (t52 - t40) + k[32] * t45;
+  const Scalar t81 = k[39] * t50;
+  const Scalar t82 = k[33] * (t79 - t80) + Scalar(2) * t81;
+  const Scalar t83 = k[33] * t82;
+  const Scalar t84 = k[40] - (t79 - t83);
+  const Scalar t85 = k[44] - (t78 - k[43] * t55);
+  const Scalar t86 = t84 - t85;
+  const Scalar t87 = k[50] + t55;
+  const Scalar t88 = s4 * t48 + c4 * t43;
+  const Scalar t89 = k[39] * t45 + k[33] * t88;
+  const Scalar t90 = c4 * t49 + s4 * t44;
+  const Scalar t91 = c4 * t77 - t76;
+  const Scalar t92 = k[41] * t89 - (k[39] * t90 - k[33] * t91);
+  const Scalar t93 = k[49] * t87 + (k[51] + t92);
+  const Scalar t94 = k[39] * t88 - k[33] * t45;
+  const Scalar t95 = k[48] - t94;
+  const Scalar t96 = (k[47] - (t50 - k[39] * t82)) - k[49] * t95;
+  const Scalar t97 = s3 * t93 + c3 * t96;
+  const Scalar t98 = c3 * t87 + s3 * t95;
+  const Scalar t99 = k[52] * t98;
+  const Scalar t100 = (k[52] * t86 + k[46] * t97) - t99;
+  const Scalar t101 = s3 * t88 - c3 * t56;
+  const Scalar t102 = k[75] * t55 + k[52] * t101;
+  const Scalar t103 = (k[33] * t54 + t81) + k[77] * t55;
+  const Scalar t104 = s3 * t56 + c3 * t88;
+  const Scalar t105 = (s3 * t90 - c3 * t103) - k[49] * t104;
+  const Scalar t106 = t102 - (k[46] * t105 - k[52] * t57);
+  const Scalar t107 = c3 * t12 - s3 * t11;
+  const Scalar t108 = (s4 * t36 + c4 * t22) - k[35] * t10;
+  const Scalar t109 = k[80] * t8 - k[33] * t10;
+  const Scalar t110 = k[41] * t109 + (k[39] * t37 + k[33] * t38);
+  const Scalar t111 = k[49] * t107 + (s3 * t108 + c3 * t110);
+  const Scalar t112 = s3 * t12 + c3 * t11;
+  const Scalar t113 = k[46] * t109 + k[52] * t112;
+  const Scalar t114 = (k[46] * t111 + k[52] * t39) + t113;
+  const Scalar t115 = (qd[2] * t100 + qd[3] * t106) + qd[4] * t114;
+  const Scalar t116 = s4 * t60 - c4 * t61;
+  const Scalar t117 = c3 * t116 + s3 * t64;
+  const Scalar t118 = k[39] * t63 + k[33] * t62;
+  const Scalar t119 = k[41] * t118 + (k[33] * t67 - k[39] * t72);
+  const Scalar t120 = c4 * t71 + s4 * t69;
+  const Scalar t121 = k[49] * t117 + (c3 * t119 + s3 * t120);
+  const Scalar t122 = c3 * t64 - s3 * t116;
+  const Scalar t123 = k[46] * t118 - k[52] * t122;
+  const Scalar t124 = (k[46] * t121 - k[52] * t73) + t123;
+  const Scalar t125 = (c3 * t120 - s3 * t119) + k[49] * t122;
+  const Scalar t126 = k[46] * t122 + k[52] * t118;
+  const Scalar t127 = k[57] * t117 + (t126 + (k[46] * t73 + k[52] * t121));
+  const Scalar t128 = s2 * (k[57] * t123 - t125) - c2 * t127;
+  const Scalar t129 = k[76] * (s2 * t117 + c2 * t123) + k[74] * t126;
+  const Scalar t130 = qd[5] * ((k[60] * t128 - k[78] * t124) - t129);
+  const Scalar t131 = k[52] * t109 - k[46] * t112;
+  const Scalar t132 = (t131 - (k[46] * t39 - k[52] * t111)) + k[57] * t107;
+  const Scalar t133 = k[49] * t112 + (s3 * t110 - c3 * t108);
+  const Scalar t134 = c2 * t132 - s2 * (k[57] * t113 + t133);
+  const Scalar t135 = k[74] * t131 + k[76] * (s2 * t107 + c2 * t113);
+  const Scalar t136 = qd[4] * ((k[60] * t134 + k[78] * t114) + t135);
+  const Scalar t137 = k[56] + t98;
+  const Scalar t138 = c3 * t95 - s3 * t87;
+  const Scalar t139 = k[46] * t138 - k[52] * t89;
+  const Scalar t140 = (k[39] * t91 + k[33] * t90) + k[41] * t94;
+  const Scalar t141 = k[42] - t140;
+  const Scalar t142 = c3 * t141;
+  const Scalar t143 = (t142 + t142) - s3 * (t84 + t85);
+  const Scalar t144 = t141 - c3 * t143;
+  const Scalar t145 = c3 * t93 - s3 * t96;
+  const Scalar t146 = k[55] - (t139 - (k[46] * t144 + k[52] * t145));
+  const Scalar t147 = k[46] * t89 + k[52] * t138;
+  const Scalar t148 = k[58] + t147;
+  const Scalar t149 = k[52] * t97;
+  const Scalar t150 = k[45] * t89 + (t80 + t83);
+  const Scalar t151 = s3 * t143;
+  const Scalar t152 = t84 + t151;
+  const Scalar t153 = Scalar(2) * t149 - k[46] * (t150 + t152);
+  const Scalar t154 = k[57] * t148 - (k[59] - (t97 - k[52] * t153));
+  const Scalar t155 = s2 * (k[57] * t137 + t146) - c2 * t154;
+  const Scalar t156 = k[60] * t155;
+  const Scalar t157 = k[54] + ((t151 + t85) + Scalar(2) * t98);
+  const Scalar t158 = k[46] * t153;
+  const Scalar t159 = k[53] + (t158 + t152);
+  const Scalar t160 = t157 - t159;
+  const Scalar t161 = s2 * t148 + c2 * t137;
+  const Scalar t162 = qd[1] * ((t156 - k[78] * t160) - k[76] * t161);
+  const Scalar t163 = k[46] * t98;
+  const Scalar t164 = (t163 - (k[46] * t86 - t149)) - k[57] * t138;
+  const Scalar t165 = c2 * t164 + s2 * (k[79] * t98 + t145);
+  const Scalar t166 = k[74] * t163 - k[76] * (s2 * t138 + c2 * t99);
+  const Scalar t167 = qd[2] * ((k[60] * t165 + k[78] * t100) + t166);
+  const Scalar t168 = k[73] * t55 - k[46] * t101;
+  const Scalar t169 = k[76] * (c2 * t102 + s2 * t104) + k[74] * t168;
+  const Scalar t170 = k[57] * t104 - ((k[52] * t105 + k[46] * t57) - t168);
+  const Scalar t171 = k[49] * t101 + (c3 * t90 + s3 * t103);
+  const Scalar t172 = c2 * t170 - s2 * (k[57] * t102 + t171);
+  const Scalar t173 = qd[3] * (t169 + (k[78] * t106 + k[60] * t172));
+  const Scalar t174 = qd[0] * (t130 + (t136 + ((t162 + t167) + t173)));
+  const Scalar t175 = qd[2] * t74 + (qd[1] * (t115 - qd[5] * t124) + t174);
+  const Scalar t176 = t175 - qd[3] * (qd[4] * t38 - qd[5] * t67);
+  const Scalar t177 = k[63] + (t147 - (k[52] * t144 - k[46] * t145));
+  const Scalar t178 = c2 * t177;
+  const Scalar t179 = s2 * (s2 * (t157 + t159) - (t178 + t178));
+  const Scalar t180 = t159 - t179;
+  const Scalar t181 = k[64] * ((k[62] * t139 - (t158 + t150)) - t180);
+  const Scalar t182 = (k[65] + ((k[61] * t156 + t181) + t180)) - (k[67] + (k[66] * t161 + (t157 - t179)));
+  const Scalar t183 = qd[1] * qd[1] * t160 - qd[0] * qd[0] * t182;
+  const Scalar t184 = (qd[2] * qd[2] * t86 - t183) - qd[3] * qd[3] * t54;
+  const Scalar t185 = (t184 - qd[4] * qd[4] * t35) + qd[5] * k[3] * qd[5];
+  const Scalar t186 = (qd[4] * qd[5] * t2 + t176) + Scalar(0.5) * t185;
   Scalar result;
-  result = t181;
+  result = -t186;
   return result;
 }
 
@@ -3408,47 +3424,47 @@ PotentialEnergyConstants<Scalar> potential_energy_constants(const BasicGeometry<
   using std::cos;
   using std::sin;
   const Scalar t0 = g.d6 * inertia.m6 + inertia.c6z * inertia.m6;
-  const Scalar t1 = g.d5 * inertia.m5;
-  const Scalar t2 = inertia.m5 + inertia.m6;
-  const Scalar t3 = inertia.m4 + t2;
-  const Scalar t4 = g.d4 * inertia.m4;
+  const Scalar t1 = inertia.m5 + inertia.m6;
+  const Scalar t2 = g.d5 * inertia.m5;
+  const Scalar t3 = g.d4 * inertia.m4;
+  const Scalar t4 = inertia.m4 + t1;
   const Scalar t5 = g.d3 * inertia.m3;
-  const Scalar t6 = inertia.m3 + t3;
+  const Scalar t6 = inertia.m3 + t4;
   const Scalar t7 = g.d2 * inertia.m2;
   return { inertia.c6y * inertia.m6,
            inertia.c6x * inertia.m6,
-           sin(g.alpha6),
-           cos(g.alpha6) * t0,
-           t1 - (inertia.c5z * inertia.m5 + t1),
-           g.d5 * t2,
-           sin(g.alpha5),
            cos(g.alpha6),
            sin(g.alpha6) * t0,
            inertia.c5y * inertia.m5,
            g.a6 * inertia.m6,
            inertia.c5x * inertia.m5,
-           cos(g.alpha5),
-           inertia.c4y * inertia.m4,
-           g.a5 * t2,
+           g.a5 * t1,
            inertia.c4x * inertia.m4,
-           g.a4 * t3,
-           inertia.c3x * inertia.m3,
+           cos(g.alpha5),
+           sin(g.alpha6),
+           cos(g.alpha6) * t0,
+           t2 - (inertia.c5z * inertia.m5 + t2),
+           g.d5 * t1,
+           sin(g.alpha5),
+           inertia.c4y * inertia.m4,
            cos(g.alpha4),
-           (inertia.c4z * inertia.m4 + t4) - t4,
-           g.d4 * t3,
+           (inertia.c4z * inertia.m4 + t3) - t3,
+           g.d4 * t4,
            sin(g.alpha4),
            inertia.c3y * inertia.m3,
-           cos(g.alpha3),
+           g.a4 * t4,
+           inertia.c3x * inertia.m3,
+           sin(g.alpha3),
            t5 - (inertia.c3z * inertia.m3 + t5),
            g.d3 * t6,
-           sin(g.alpha3),
-           inertia.c2y * inertia.m2,
-           g.a3 * t6,
-           inertia.c2x * inertia.m2,
-           sin(g.alpha2),
+           cos(g.alpha3),
            t7 - (t7 + inertia.c2z * inertia.m2),
            g.d2 * (inertia.m2 + t6),
            cos(g.alpha2),
+           g.a3 * t6,
+           inertia.c2x * inertia.m2,
+           inertia.c2y * inertia.m2,
+           sin(g.alpha2),
            inertia.c1z * inertia.m1,
            gravity };
 }
@@ -3468,23 +3484,23 @@ inline Scalar potential_energy([[maybe_unused]] const JointVector<Scalar>& q, co
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[11] + (k[10] - (k[0] * s6 - k[1] * c6));
-  const Scalar t1 = k[0] * c6 + k[1] * s6;
-  const Scalar t2 = k[9] - (k[8] - k[7] * t1);
-  const Scalar t3 = k[15] + (k[14] + (c5 * t0 - s5 * t2));
-  const Scalar t4 = s5 * t0 + c5 * t2;
-  const Scalar t5 = k[5] - (k[4] - (k[3] + k[2] * t1));
-  const Scalar t6 = k[13] + (k[12] * t4 - k[6] * t5);
-  const Scalar t7 = s4 * t3 + c4 * t6;
-  const Scalar t8 = k[20] + (k[19] + (k[6] * t4 + k[12] * t5));
-  const Scalar t9 = k[25] - (k[24] - (k[21] * t7 + k[18] * t8));
-  const Scalar t10 = k[17] + (k[16] + (c4 * t3 - s4 * t6));
-  const Scalar t11 = k[22] + (k[18] * t7 - k[21] * t8);
-  const Scalar t12 = s3 * t10 + c3 * t11;
-  const Scalar t13 = k[32] - (k[31] - (k[23] * t9 + k[26] * t12));
-  const Scalar t14 = k[29] + (k[28] - (s3 * t11 - c3 * t10));
-  const Scalar t15 = c2 * (k[27] + (k[23] * t12 - k[26] * t9));
-  const Scalar t16 = k[33] * t13 + k[30] * (s2 * t14 + t15);
+  const Scalar t0 = k[0] * c6 + k[1] * s6;
+  const Scalar t1 = k[13] - (k[12] - (k[11] + k[10] * t0));
+  const Scalar t2 = k[4] - (k[3] - k[2] * t0);
+  const Scalar t3 = k[6] + (k[5] - (k[0] * s6 - k[1] * c6));
+  const Scalar t4 = c5 * t2 + s5 * t3;
+  const Scalar t5 = k[15] - (k[14] * t1 - k[9] * t4);
+  const Scalar t6 = k[8] + (k[7] + (c5 * t3 - s5 * t2));
+  const Scalar t7 = k[22] + (k[21] - (s4 * t5 - c4 * t6));
+  const Scalar t8 = k[18] + (k[17] + (k[14] * t4 + k[9] * t1));
+  const Scalar t9 = c4 * t5 + s4 * t6;
+  const Scalar t10 = k[20] - (k[19] * t8 - k[16] * t9);
+  const Scalar t11 = k[31] + (k[30] + (c3 * t7 - s3 * t10));
+  const Scalar t12 = c3 * t10 + s3 * t7;
+  const Scalar t13 = k[25] - (k[24] - (k[16] * t8 + k[19] * t9));
+  const Scalar t14 = c2 * (k[32] + (k[26] * t12 - k[23] * t13));
+  const Scalar t15 = k[28] - (k[27] - (k[26] * t13 + k[23] * t12));
+  const Scalar t16 = k[33] * (s2 * t11 + t14) + k[29] * t15;
   Scalar result;
   result = k[35] * (k[34] + t16);
   return result;

@@ -17,16 +17,16 @@ struct InverseDynamicsDerivatives {
 
 /// Joint forces for a motion, and their derivatives by q and qd; the one by qdd is mass_matrix.
 ///
-/// 2759 multiplications, 2272 additions, 5 sine/cosine pairs. Set-up: 173 multiplications, 178 additions, 10 divisions,
+/// 2712 multiplications, 2219 additions, 5 sine/cosine pairs. Set-up: 205 multiplications, 203 additions, 11 divisions,
 /// 5 sine/cosine pairs.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is a3, which must not be zero.
+/// The unit of length is d2, which must not be zero.
 template <class Scalar>
 InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives(const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
-using InverseDynamicsDerivativesConstants = std::array<Scalar, 74>;
+using InverseDynamicsDerivativesConstants = std::array<Scalar, 76>;
 template <class Scalar>
 InverseDynamicsDerivativesConstants<Scalar> inverse_dynamics_derivatives_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));

@@ -26,10 +26,10 @@ LoadAngles<Scalar> load_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion, under gravity in any direction.
 ///
-/// 367 multiplications, 314 additions, 6 sine/cosine pairs. Set-up: 163 multiplications, 182 additions, 12 divisions, 5
+/// 369 multiplications, 312 additions, 6 sine/cosine pairs. Set-up: 194 multiplications, 209 additions, 13 divisions, 5
 /// sine/cosine pairs.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is a3, which must not be zero.
+/// The unit of length is d2, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g,
@@ -47,10 +47,10 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces for a motion while a wrench acts on the tool from outside: those without it minus jacobian(q)^T wrench.
 ///
-/// 450 multiplications, 362 additions, 6 sine/cosine pairs. Set-up: 167 multiplications, 182 additions, 13 divisions, 5
+/// 451 multiplications, 361 additions, 6 sine/cosine pairs. Set-up: 198 multiplications, 209 additions, 14 divisions, 5
 /// sine/cosine pairs.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is a3, which must not be zero.
+/// The unit of length is d2, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g,
@@ -86,7 +86,7 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const LoadAngle
 
 /// Joint accelerations for given joint forces, under gravity in any direction.
 ///
-/// 744 multiplications, 609 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 174 multiplications, 169 additions, 12
+/// 742 multiplications, 610 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 175 multiplications, 169 additions, 12
 /// divisions, 5 sine/cosine pairs.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d2, which must not be zero.
@@ -95,7 +95,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
-using ForwardDynamicsWithGravityVectorConstants = std::array<Scalar, 96>;
+using ForwardDynamicsWithGravityVectorConstants = std::array<Scalar, 95>;
 template <class Scalar>
 ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_vector_constants(
     const BasicGeometry<Scalar>& g,
@@ -107,7 +107,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint accelerations for given joint forces while a wrench acts on the tool from outside.
 ///
-/// 824 multiplications, 661 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 180 multiplications, 169 additions, 13
+/// 827 multiplications, 657 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 178 multiplications, 169 additions, 13
 /// divisions, 5 sine/cosine pairs.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d2, which must not be zero.
@@ -117,7 +117,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity,
         const NonDeduced<Wrench<Scalar>>& wrench);
 template <class Scalar>
-using ForwardDynamicsWithWrenchConstants = std::array<Scalar, 104>;
+using ForwardDynamicsWithWrenchConstants = std::array<Scalar, 102>;
 template <class Scalar>
 ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constants(const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);

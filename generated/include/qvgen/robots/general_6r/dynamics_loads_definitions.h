@@ -31,191 +31,213 @@ InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_
   using std::sin;
   const Scalar t0 = inertia.m5 + inertia.m6;
   const Scalar t1 = inertia.m4 + t0;
-  const Scalar t2 = inertia.c4z * inertia.m4;
-  const Scalar t3 = g.d4 * inertia.m4;
-  const Scalar t4 = t2 + t3;
-  const Scalar t5 = t4 - t3;
-  const Scalar t6 = g.d5 * inertia.m5;
-  const Scalar t7 = inertia.c5z * inertia.m5;
-  const Scalar t8 = t7 + t6;
-  const Scalar t9 = t6 - t8;
-  const Scalar t10 = inertia.c6z * inertia.m6;
-  const Scalar t11 = g.d6 * inertia.m6 + t10;
-  const Scalar t12 = cos(g.alpha6) * t11;
-  const Scalar t13 = t9 - t12;
-  const Scalar t14 = t13 - g.d5 * t0;
-  const Scalar t15 = cos(g.alpha5) * t14;
-  const Scalar t16 = t5 - t15;
-  const Scalar t17 = g.d4 * t1 + t16;
-  const Scalar t18 = cos(g.alpha4) * t17;
-  const Scalar t19 = g.d3 * inertia.m3;
-  const Scalar t20 = inertia.c3z * inertia.m3;
-  const Scalar t21 = t20 + t19;
-  const Scalar t22 = t19 - t21;
-  const Scalar t23 = t18 - t22;
-  const Scalar t24 = inertia.m3 + t1;
-  const Scalar t25 = t23 + g.d3 * t24;
-  const Scalar t26 = cos(g.alpha3) * t25;
-  const Scalar t27 = inertia.c2x * inertia.m2;
-  const Scalar t28 = g.d2 * t27;
-  const Scalar t29 = g.a3 * t26 - (((inertia.I2xz - inertia.c2z * t27) - t28) + t28);
-  const Scalar t30 = sin(g.alpha3) * t25;
-  const Scalar t31 = inertia.c2y * inertia.m2;
-  const Scalar t32 = (t30 - t31) / (g.d3 * sin(g.alpha3));
-  const Scalar t33 = g.d3 * t32;
-  const Scalar t34 = cos(g.alpha3) * t33;
-  const Scalar t35 = (g.a3 * t30 + (inertia.I2xy - inertia.c2y * t27)) - g.a3 * sin(g.alpha3) * t33;
-  const Scalar t36 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t37 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t38 = ((inertia.I4zz - t37) - inertia.c4z * t2) - g.d4 * (t4 + t2);
-  const Scalar t39 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t40 = (inertia.c5z * t7 - (inertia.I5zz - t39)) + g.d5 * (t7 + t8);
-  const Scalar t41 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t42 = (inertia.c6z * t10 - (inertia.I6zz - t41)) + g.d6 * (t11 + t10);
-  const Scalar t43 = sin(g.alpha6) * t42;
-  const Scalar t44 = sin(g.alpha6) * t43;
-  const Scalar t45 = (g.d5 * (t9 - t8) + t40) + (t42 - t44);
-  const Scalar t46 = g.d5 * (t13 + t14) - t45;
-  const Scalar t47 = sin(g.alpha5) * t46;
-  const Scalar t48 = sin(g.alpha5) * t47;
-  const Scalar t49 = (g.d4 * (t5 + t4) + t38) - (t48 - t46);
-  const Scalar t50 = t49 - g.d4 * (t16 + t17);
-  const Scalar t51 = sin(g.alpha4) * t50;
-  const Scalar t52 = sin(g.alpha4) * t51;
-  const Scalar t53 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t54 = g.d3 * (t20 + t21) - ((inertia.I3zz - t53) - inertia.c3z * t20);
-  const Scalar t55 = (t52 - t50) + (t54 - g.d3 * (t21 - t22));
-  const Scalar t56 = t55 + g.d3 * (t23 + t25);
-  const Scalar t57 = sin(g.alpha3) * t56;
-  const Scalar t58 = sin(g.alpha3) * t57;
-  const Scalar t59 = g.d3 * t33;
-  const Scalar t60 = sin(g.alpha3) * t59;
-  const Scalar t61 = sin(g.alpha3) * t60;
-  const Scalar t62 = (((inertia.I2yy - t36) - inertia.c2y * t31) - t58) + t61;
-  const Scalar t63 = g.d2 * t31;
-  const Scalar t64 = ((t63 - (inertia.I2yz - inertia.c2z * t31)) - t63) - cos(g.alpha3) * t57;
-  const Scalar t65 = sin(g.alpha5) * t14;
-  const Scalar t66 = inertia.c4y * inertia.m4;
-  const Scalar t67 = g.a5 * t0;
-  const Scalar t68 = inertia.c4x * inertia.m4;
-  const Scalar t69 = inertia.c6x * inertia.m6;
-  const Scalar t70 = inertia.c6y * inertia.m6;
-  const Scalar t71 = g.a6 * inertia.m6;
-  const Scalar t72 = inertia.c5x * inertia.m5;
-  const Scalar t73 = inertia.c5y * inertia.m5;
-  const Scalar t74 = sin(g.alpha6) * t11;
-  const Scalar t75 = g.a4 * t1;
-  const Scalar t76 = inertia.c3x * inertia.m3;
-  const Scalar t77 = sin(g.alpha4) * t17;
-  const Scalar t78 = inertia.c3y * inertia.m3;
-  const Scalar t79 = g.a2 / g.a3;
-  const Scalar t80 = gravity[2] / g.a3;
-  const Scalar t81 = g.a3 * t32;
-  const Scalar t82 = g.a3 * t81;
-  const Scalar t83 = g.a5 * t67 - ((inertia.I4xx - t37) - inertia.c4x * t68);
-  const Scalar t84 = g.d4 * t66;
-  const Scalar t85 = cos(g.alpha5) * t47 - (t84 - (t84 - (inertia.I4yz - inertia.c4z * t66)));
-  const Scalar t86 = g.d4 * t68;
-  const Scalar t87 = g.a5 * t15 + (((inertia.I4xz - inertia.c4z * t68) - t86) + t86);
-  const Scalar t88 = g.d5 * t72;
-  const Scalar t89 = (t88 - (t88 - (inertia.I5xz - inertia.c5z * t72))) - g.a6 * t12;
-  const Scalar t90 = g.d5 * t73;
-  const Scalar t91 = (t90 + ((inertia.I5yz - inertia.c5z * t73) - t90)) + cos(g.alpha6) * t43;
-  const Scalar t92 = (inertia.I6xx - t41) - inertia.c6x * t69;
-  const Scalar t93 = (inertia.I6yy - t41) - inertia.c6y * t70;
-  const Scalar t94 = inertia.I6xy - inertia.c6y * t69;
-  const Scalar t95 = (inertia.c5x * t72 - (inertia.I5xx - t39)) + g.a6 * t71;
-  const Scalar t96 = g.d3 * t76;
-  const Scalar t97 = g.a4 * t18 - (t96 - (t96 - (inertia.I3xz - inertia.c3z * t76)));
-  const Scalar t98 = g.d3 * t78;
-  const Scalar t99 = cos(g.alpha4) * t51 - (t98 - (t98 - (inertia.I3yz - inertia.c3z * t78)));
-  const Scalar t100 = g.a4 * t75 + (inertia.c3x * t76 - (inertia.I3xx - t53));
-  const Scalar t101 = g.a3 * t24;
-  const Scalar t102 = g.a3 * t101 + (inertia.c2x * t27 - (inertia.I2xx - t36));
-  const Scalar t103 = g.a2 * t32;
-  const Scalar t104 = inertia.m2 + t24;
-  const Scalar t105 = g.a2 * t104;
-  const Scalar t106 = inertia.c1x * inertia.m1;
-  const Scalar t107 = t34 + g.d2 * t32;
-  const Scalar t108 = g.d2 * inertia.m2;
-  const Scalar t109 = inertia.c2z * inertia.m2;
-  const Scalar t110 = t108 + t109;
-  const Scalar t111 = t108 - t110;
-  const Scalar t112 = t26 - t111;
-  const Scalar t113 = g.d2 * t104 + t112;
-  const Scalar t114 = inertia.c1y * inertia.m1;
-  const Scalar t115 = g.a3 * (sin(g.alpha2) * t107 - (sin(g.alpha2) * t113 - t114));
-  const Scalar t116 = g.d2 * (t110 + t109) - ((inertia.I2zz - t36) - inertia.c2z * t109);
-  const Scalar t117 = (g.d2 * (t110 - t111) - t116) + (t58 - t56);
-  const Scalar t118 = sin(g.alpha2) * sin(g.alpha2) * (t117 - g.d2 * (t112 + t113));
-  const Scalar t119 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t120 = sin(g.alpha2) * ((t61 - t59) - g.d2 * (t34 + t107));
-  const Scalar t121 = (t118 - (inertia.c1y * t114 - (inertia.I1yy - t119))) - sin(g.alpha2) * t120;
-  const Scalar t122 = g.a2 * t105 + (inertia.c1x * t106 - (inertia.I1xx - t119));
+  const Scalar t2 = inertia.m3 + t1;
+  const Scalar t3 = g.a3 * t2;
+  const Scalar t4 = inertia.c2x * inertia.m2;
+  const Scalar t5 = t3 + t4;
+  const Scalar t6 = t5 / g.a3;
+  const Scalar t7 = g.a3 * t6;
+  const Scalar t8 = inertia.c4z * inertia.m4;
+  const Scalar t9 = g.d4 * inertia.m4;
+  const Scalar t10 = t8 + t9;
+  const Scalar t11 = t10 - t9;
+  const Scalar t12 = g.d5 * inertia.m5;
+  const Scalar t13 = inertia.c5z * inertia.m5;
+  const Scalar t14 = t13 + t12;
+  const Scalar t15 = t12 - t14;
+  const Scalar t16 = inertia.c6z * inertia.m6;
+  const Scalar t17 = g.d6 * inertia.m6 + t16;
+  const Scalar t18 = cos(g.alpha6) * t17;
+  const Scalar t19 = t15 - t18;
+  const Scalar t20 = t19 - g.d5 * t0;
+  const Scalar t21 = cos(g.alpha5) * t20;
+  const Scalar t22 = t11 - t21;
+  const Scalar t23 = g.d4 * t1 + t22;
+  const Scalar t24 = sin(g.alpha4) * t23;
+  const Scalar t25 = inertia.c3y * inertia.m3;
+  const Scalar t26 = (t24 - t25) / (g.d4 * sin(g.alpha4));
+  const Scalar t27 = t6 - t26;
+  const Scalar t28 = g.a3 * t27;
+  const Scalar t29 = g.d3 * t6;
+  const Scalar t30 = sin(g.alpha3) * t29;
+  const Scalar t31 = cos(g.alpha4) * t23;
+  const Scalar t32 = g.d3 * inertia.m3;
+  const Scalar t33 = inertia.c3z * inertia.m3;
+  const Scalar t34 = t33 + t32;
+  const Scalar t35 = t32 - t34;
+  const Scalar t36 = t31 - t35;
+  const Scalar t37 = t36 + g.d3 * t2;
+  const Scalar t38 = sin(g.alpha3) * t37;
+  const Scalar t39 = inertia.c2y * inertia.m2;
+  const Scalar t40 = g.d4 * t26;
+  const Scalar t41 = cos(g.alpha4) * t40;
+  const Scalar t42 = g.d3 * t27 - t41;
+  const Scalar t43 = sin(g.alpha3) * t42;
+  const Scalar t44 = g.a4 * t1;
+  const Scalar t45 = inertia.c3x * inertia.m3;
+  const Scalar t46 = g.a4 * t26;
+  const Scalar t47 = sin(g.alpha5) * t20;
+  const Scalar t48 = inertia.c4y * inertia.m4;
+  const Scalar t49 = g.a5 * t0;
+  const Scalar t50 = inertia.c4x * inertia.m4;
+  const Scalar t51 = g.a2 / g.d2;
+  const Scalar t52 = gravity[2] / g.d2;
+  const Scalar t53 = inertia.c6x * inertia.m6;
+  const Scalar t54 = inertia.c6y * inertia.m6;
+  const Scalar t55 = g.a6 * inertia.m6;
+  const Scalar t56 = inertia.c5x * inertia.m5;
+  const Scalar t57 = inertia.c5y * inertia.m5;
+  const Scalar t58 = sin(g.alpha6) * t17;
+  const Scalar t59 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t60 = g.a3 * t3 + (inertia.c2x * t4 - (inertia.I2xx - t59));
+  const Scalar t61 = g.a3 * t30 - (g.a3 * t38 + (inertia.I2xy - inertia.c2y * t4));
+  const Scalar t62 = g.d2 * t39;
+  const Scalar t63 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t64 = ((inertia.I4zz - t63) - inertia.c4z * t8) - g.d4 * (t10 + t8);
+  const Scalar t65 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t66 = (inertia.c5z * t13 - (inertia.I5zz - t65)) + g.d5 * (t13 + t14);
+  const Scalar t67 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t68 = (inertia.c6z * t16 - (inertia.I6zz - t67)) + g.d6 * (t17 + t16);
+  const Scalar t69 = sin(g.alpha6) * t68;
+  const Scalar t70 = sin(g.alpha6) * t69;
+  const Scalar t71 = (g.d5 * (t15 - t14) + t66) + (t68 - t70);
+  const Scalar t72 = g.d5 * (t19 + t20) - t71;
+  const Scalar t73 = sin(g.alpha5) * t72;
+  const Scalar t74 = sin(g.alpha5) * t73;
+  const Scalar t75 = (g.d4 * (t11 + t10) + t64) - (t74 - t72);
+  const Scalar t76 = t75 - g.d4 * (t22 + t23);
+  const Scalar t77 = sin(g.alpha4) * t76;
+  const Scalar t78 = sin(g.alpha4) * t77;
+  const Scalar t79 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t80 = g.d3 * (t33 + t34) - ((inertia.I3zz - t79) - inertia.c3z * t33);
+  const Scalar t81 = (t78 - t76) + (t80 - g.d3 * (t34 - t35));
+  const Scalar t82 = t81 + g.d3 * (t36 + t37);
+  const Scalar t83 = sin(g.alpha3) * t82;
+  const Scalar t84 = ((t62 - (inertia.I2yz - inertia.c2z * t39)) - t62) - cos(g.alpha3) * t83;
+  const Scalar t85 = g.d3 * t29;
+  const Scalar t86 = sin(g.alpha3) * t85;
+  const Scalar t87 = g.d4 * t40;
+  const Scalar t88 = sin(g.alpha4) * t87;
+  const Scalar t89 = sin(g.alpha4) * t88;
+  const Scalar t90 = g.d3 * (t42 - t41) - (t87 - t89);
+  const Scalar t91 = sin(g.alpha3) * t90;
+  const Scalar t92 = cos(g.alpha3) * t42;
+  const Scalar t93 = cos(g.alpha3) * t29;
+  const Scalar t94 = cos(g.alpha3) * t37;
+  const Scalar t95 = g.d2 * t4;
+  const Scalar t96 = g.a3 * t94 - (((inertia.I2xz - inertia.c2z * t4) - t95) + t95);
+  const Scalar t97 = ((inertia.I3xy - inertia.c3y * t45) + g.a4 * t24) - g.a4 * sin(g.alpha4) * t40;
+  const Scalar t98 = t89 + (((inertia.I3yy - t79) - inertia.c3y * t25) + t78);
+  const Scalar t99 = g.a4 * t44 + (inertia.c3x * t45 - (inertia.I3xx - t79));
+  const Scalar t100 = g.d3 * t25;
+  const Scalar t101 = cos(g.alpha4) * t77 - (t100 - (t100 - (inertia.I3yz - inertia.c3z * t25)));
+  const Scalar t102 = g.d3 * t45;
+  const Scalar t103 = g.a4 * t31 - (t102 - (t102 - (inertia.I3xz - inertia.c3z * t45)));
+  const Scalar t104 = g.d4 * t50;
+  const Scalar t105 = g.a5 * t21 + (((inertia.I4xz - inertia.c4z * t50) - t104) + t104);
+  const Scalar t106 = g.d4 * t48;
+  const Scalar t107 = cos(g.alpha5) * t73 - (t106 - (t106 - (inertia.I4yz - inertia.c4z * t48)));
+  const Scalar t108 = (inertia.I6xx - t67) - inertia.c6x * t53;
+  const Scalar t109 = (inertia.I6yy - t67) - inertia.c6y * t54;
+  const Scalar t110 = inertia.I6xy - inertia.c6y * t53;
+  const Scalar t111 = g.d5 * t56;
+  const Scalar t112 = (t111 - (t111 - (inertia.I5xz - inertia.c5z * t56))) - g.a6 * t18;
+  const Scalar t113 = g.d5 * t57;
+  const Scalar t114 = (t113 + ((inertia.I5yz - inertia.c5z * t57) - t113)) + cos(g.alpha6) * t69;
+  const Scalar t115 = (inertia.c5x * t56 - (inertia.I5xx - t65)) + g.a6 * t55;
+  const Scalar t116 = g.a5 * t49 - ((inertia.I4xx - t63) - inertia.c4x * t50);
+  const Scalar t117 = sin(g.alpha3) * t91;
+  const Scalar t118 = sin(g.alpha3) * t83;
+  const Scalar t119 = sin(g.alpha3) * t86;
+  const Scalar t120 = (((inertia.I2yy - t59) - inertia.c2y * t39) - t118) + t119;
+  const Scalar t121 = g.a2 * t6;
+  const Scalar t122 = inertia.m2 + t2;
+  const Scalar t123 = g.a2 * t122;
+  const Scalar t124 = inertia.c1x * inertia.m1;
+  const Scalar t125 = g.a2 * t27;
+  const Scalar t126 = g.d2 * inertia.m2;
+  const Scalar t127 = inertia.c2z * inertia.m2;
+  const Scalar t128 = t126 + t127;
+  const Scalar t129 = t126 - t128;
+  const Scalar t130 = t94 - t129;
+  const Scalar t131 = g.d2 * t122 + t130;
+  const Scalar t132 = inertia.c1y * inertia.m1;
+  const Scalar t133 = g.d2 * t6 + t93;
+  const Scalar t134 = t92 + g.d2 * t27;
+  const Scalar t135 = ((sin(g.alpha2) * t131 - t132) - sin(g.alpha2) * t133) + sin(g.alpha2) * t134;
+  const Scalar t136 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t137 = g.a2 * t123 + (inertia.c1x * t124 - (inertia.I1xx - t136));
+  const Scalar t138 = sin(g.alpha2) * ((t85 - t119) + g.d2 * (t133 + t93));
+  const Scalar t139 = g.d2 * (t128 + t127) - ((inertia.I2zz - t59) - inertia.c2z * t127);
+  const Scalar t140 = (g.d2 * (t128 - t129) - t139) + (t118 - t82);
+  const Scalar t141 = sin(g.alpha2) * sin(g.alpha2) * (t140 - g.d2 * (t130 + t131));
+  const Scalar t142 = sin(g.alpha2) * t138 + (t141 - (inertia.c1y * t132 - (inertia.I1yy - t136)));
+  const Scalar t143 = sin(g.alpha2) * ((t117 - t90) - g.d2 * (t134 + t92));
+  const Scalar t144 = (g.a2 * t125 - (g.a2 * t121 - t137)) - (t142 + sin(g.alpha2) * t143);
   return { sin(g.alpha2),
            cos(g.alpha2),
-           t29 - g.a3 * t34,
-           t35,
-           t62,
-           t64 + cos(g.alpha3) * t60,
+           g.d2 * ((t5 - t7) + t28),
+           g.d2 * ((t30 - (t38 - t39)) - t43),
            cos(g.alpha3),
            sin(g.alpha3),
+           g.d2 * ((t44 + t45) - t46),
            sin(g.alpha4),
            cos(g.alpha4),
-           g.a3 * (t65 + t66),
-           g.a3 * (t67 + t68),
-           g.a3 * t69,
-           g.a3 * t70,
+           g.d2 * (t47 + t48),
+           g.d2 * (t49 + t50),
+           g.a4 / g.d2,
+           g.a3 / g.d2,
+           gravity[1] / g.d2,
+           gravity[0] / g.d2,
+           t51,
+           sin(g.alpha2) * t52,
+           cos(g.alpha2) * t52,
+           g.d3 / g.d2,
+           g.d4 / g.d2,
+           g.d2 * g.d2 * t26,
+           g.d2 * t53,
+           g.d2 * t54,
            sin(g.alpha5),
            cos(g.alpha5),
            sin(g.alpha6),
            cos(g.alpha6),
-           g.a3 * (t71 + t72),
-           g.a3 * (t73 - t74),
-           g.a3 * (t75 + t76),
-           g.a3 * (t77 - t78),
-           g.d2 / g.a3,
-           t79,
-           gravity[0] / g.a3,
-           gravity[1] / g.a3,
-           sin(g.alpha2) * t80,
-           cos(g.alpha2) * t80,
-           g.d3 / g.a3,
-           t82,
-           g.a4 / g.a3,
-           g.d4 / g.a3,
-           t83,
-           g.a5 * t65 - (inertia.I4xy - inertia.c4y * t68),
-           t85,
-           t87,
-           g.d5 / g.a3,
-           g.a5 / g.a3,
-           t89,
-           (inertia.I5xy - inertia.c5y * t72) + g.a6 * t74,
-           (inertia.c5y * t73 - (inertia.I5yy - t39)) + t44,
-           t91,
-           g.a6 / g.a3,
-           (inertia.I6xz - inertia.c6z * t69) - g.d6 * t69,
-           g.d6 * t70 - (inertia.I6yz - inertia.c6z * t70),
-           t92 - t93,
-           Scalar(2) * t94,
-           t94,
-           t93,
-           t95,
-           t92,
-           t48 + ((inertia.I4yy - t37) - inertia.c4y * t66),
+           g.d2 * (t55 + t56),
+           g.d2 * (t57 - t58),
+           sin(g.alpha2) * t51,
+           cos(g.alpha2) * t51,
+           (t60 - g.a3 * t7) + g.a3 * t28,
+           t61 - g.a3 * t43,
+           (t84 + cos(g.alpha3) * t86) - cos(g.alpha3) * t91,
+           g.a3 * t92 - (g.a3 * t93 - t96),
            t97,
-           t99,
-           ((inertia.I3yy - t53) - inertia.c3y * t78) + t52,
-           (inertia.I3xy - inertia.c3y * t76) + g.a4 * t77,
-           t100,
-           g.a3 * ((t101 + t27) - t81),
-           t102 - t82,
-           cos(g.alpha2) * t79,
-           sin(g.alpha2) * t79,
-           g.a3 * (t103 - (t105 + t106)),
+           t98,
+           g.a4 * t46 - t99,
+           cos(g.alpha4) * t88 + t101,
+           t103 - g.a4 * t41,
+           t105,
+           t107,
+           t74 + ((inertia.I4yy - t63) - inertia.c4y * t48),
+           g.a5 * t47 - (inertia.I4xy - inertia.c4y * t50),
+           g.a6 / g.d2,
+           g.d5 / g.d2,
+           g.a5 / g.d2,
+           (inertia.I6xz - inertia.c6z * t53) - g.d6 * t53,
+           g.d6 * t54 - (inertia.I6yz - inertia.c6z * t54),
+           t108 - t109,
+           Scalar(2) * t110,
+           t110,
+           t109,
+           t112,
+           t114,
+           (inertia.c5y * t57 - (inertia.I5yy - t65)) + t70,
+           (inertia.I5xy - inertia.c5y * t56) + g.a6 * t58,
+           t108,
            t115,
-           t121 + (g.a2 * t103 - t122) };
+           t116,
+           t117 - t120,
+           g.d2 * ((t121 - (t123 + t124)) - t125),
+           g.d2 * t135,
+           t144 };
 }
 
 namespace detail {
@@ -237,249 +259,251 @@ inline JointVector<Scalar> inverse_dynamics_with_gravity_vector([[maybe_unused]]
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
   const Scalar t0 = k[0] * qd[0];
-  const Scalar t1 = s2 * t0;
-  const Scalar t2 = k[1] * qd[0];
-  const Scalar t3 = k[0] * qdd[0];
-  const Scalar t4 = t1 * t2 + c2 * t3;
-  const Scalar t5 = qdd[1] + k[1] * qdd[0];
-  const Scalar t6 = c2 * t0;
-  const Scalar t7 = t1 * t6;
-  const Scalar t8 = t5 - t7;
-  const Scalar t9 = k[6] * t4 + k[7] * t8;
-  const Scalar t10 = qd[1] + t2;
-  const Scalar t11 = t10 * t6;
-  const Scalar t12 = s2 * t3 - t2 * t6;
-  const Scalar t13 = t11 + t12;
-  const Scalar t14 = k[6] * t6 + k[7] * t10;
-  const Scalar t15 = k[6] * t10 - k[7] * t6;
-  const Scalar t16 = t13 - t14 * t15;
-  const Scalar t17 = c3 * t9 - s3 * t16;
-  const Scalar t18 = s3 * t14 + c3 * t1;
-  const Scalar t19 = qd[2] + t15;
-  const Scalar t20 = t18 * t19;
-  const Scalar t21 = t17 - t20;
-  const Scalar t22 = t1 * t10;
-  const Scalar t23 = t4 - t22;
-  const Scalar t24 = qdd[2] - (k[7] * t23 - k[6] * t5);
-  const Scalar t25 = qdd[3] - (k[8] * t21 - k[9] * t24);
-  const Scalar t26 = s3 * t1 - c3 * t14;
-  const Scalar t27 = k[9] * t26 - k[8] * t19;
-  const Scalar t28 = s4 * t27 - c4 * t18;
-  const Scalar t29 = s4 * t18 + c4 * t27;
-  const Scalar t30 = t28 * t29;
-  const Scalar t31 = t25 + t30;
-  const Scalar t32 = k[9] * t19 + k[8] * t26;
-  const Scalar t33 = qd[3] + t32;
-  const Scalar t34 = t33 * t33;
-  const Scalar t35 = t28 * t28;
-  const Scalar t36 = t26 * t19;
-  const Scalar t37 = c3 * t16 + s3 * t9;
-  const Scalar t38 = t36 - t37;
-  const Scalar t39 = t38 - t27 * t32;
-  const Scalar t40 = t18 * t26;
-  const Scalar t41 = t24 + t40;
-  const Scalar t42 = k[8] * t41 + k[9] * t17;
-  const Scalar t43 = s4 * t39 + c4 * t42;
-  const Scalar t44 = t33 * t28;
-  const Scalar t45 = t43 + t44;
-  const Scalar t46 = qdd[4] - (k[14] * t45 - k[15] * t25);
-  const Scalar t47 = k[14] * t33 - k[15] * t29;
-  const Scalar t48 = s5 * t47 - c5 * t28;
-  const Scalar t49 = c5 * t47 + s5 * t28;
-  const Scalar t50 = t48 * t49;
-  const Scalar t51 = t46 + t50;
-  const Scalar t52 = t48 * t48;
-  const Scalar t53 = k[15] * t33 + k[14] * t29;
-  const Scalar t54 = qd[4] + t53;
-  const Scalar t55 = t54 * t54;
-  const Scalar t56 = t52 + t55;
-  const Scalar t57 = k[17] * t54 - k[16] * t49;
-  const Scalar t58 = qd[5] + t57;
-  const Scalar t59 = k[17] * t49 + k[16] * t54;
-  const Scalar t60 = t58 * t59;
-  const Scalar t61 = s4 * t42 - c4 * t39;
-  const Scalar t62 = t33 * t29;
-  const Scalar t63 = t61 - t62;
-  const Scalar t64 = t63 - t47 * t53;
-  const Scalar t65 = t25 - t30;
-  const Scalar t66 = k[14] * t65 + k[15] * t43;
-  const Scalar t67 = c5 * t64 + s5 * t66;
-  const Scalar t68 = t54 * t49;
-  const Scalar t69 = t67 + t68;
-  const Scalar t70 = t57 * t59 - t69;
-  const Scalar t71 = (t60 - t70) + t60;
-  const Scalar t72 = k[12] * s6 + k[13] * c6;
-  const Scalar t73 = s5 * t64 - c5 * t66;
-  const Scalar t74 = t46 - t50;
-  const Scalar t75 = k[17] * t73 - k[16] * t74;
-  const Scalar t76 = t48 * t58;
-  const Scalar t77 = (t75 + t76) + t76;
-  const Scalar t78 = k[13] * s6 - k[12] * c6;
-  const Scalar t79 = t71 * t72 - t77 * t78;
-  const Scalar t80 = t58 * t58;
-  const Scalar t81 = t52 + t80;
-  const Scalar t82 = t48 * t59;
-  const Scalar t83 = t48 * t54;
-  const Scalar t84 = t83 + t73;
-  const Scalar t85 = qdd[5] + (k[16] * t84 + k[17] * t46);
-  const Scalar t86 = t82 + t85;
-  const Scalar t87 = t81 * t72 + t86 * t78;
-  const Scalar t88 = k[16] * t79 + k[17] * t87;
-  const Scalar t89 = (k[18] * t51 - k[19] * t56) - t88;
-  const Scalar t90 = t82 - t85;
-  const Scalar t91 = t59 * t59;
-  const Scalar t92 = t52 - t91;
-  const Scalar t93 = t52 - t55;
-  const Scalar t94 = t52 + t49 * t49;
-  const Scalar t95 = t93 - t94;
-  const Scalar t96 = (t90 * t72 + t78 * (t81 - t92)) + (k[18] * t95 - k[19] * t74);
-  const Scalar t97 = c5 * t89 + s5 * t96;
-  const Scalar t98 = k[17] * t79 - k[16] * t87;
-  const Scalar t99 = t83 + t84;
-  const Scalar t100 = t68 + t69;
-  const Scalar t101 = t98 + (k[18] * t99 + k[19] * t100);
-  const Scalar t102 = k[15] * t97 - k[14] * t101;
-  const Scalar t103 = (k[11] * t31 - k[10] * (t34 + t35)) + t102;
-  const Scalar t104 = t29 * t29;
-  const Scalar t105 = t34 + t104;
-  const Scalar t106 = (c5 * t96 - s5 * t89) - (k[10] * t65 + k[11] * t105);
-  const Scalar t107 = c4 * t103 + s4 * t106;
-  const Scalar t108 = t62 - t63;
-  const Scalar t109 = t44 + t45;
-  const Scalar t110 = k[15] * t101 + k[14] * t97;
-  const Scalar t111 = (k[10] * t108 + k[11] * t109) - t110;
-  const Scalar t112 = k[8] * t107 - k[9] * t111;
-  const Scalar t113 = t18 * t18;
-  const Scalar t114 = t26 * t26;
-  const Scalar t115 = k[24] * s1 - k[25] * c1;
-  const Scalar t116 = t115 + k[23] * qdd[0];
-  const Scalar t117 = k[26] - k[1] * t116;
-  const Scalar t118 = k[24] * c1 + k[25] * s1;
-  const Scalar t119 = k[23] * qd[0] * qd[0] + t118;
-  const Scalar t120 = (c2 * t117 - s2 * t119) + k[22] * t12;
-  const Scalar t121 = t5 + t7;
-  const Scalar t122 = t120 - t121;
-  const Scalar t123 = t0 * t0;
-  const Scalar t124 = (k[27] + k[0] * t116) + k[22] * t123;
-  const Scalar t125 = t23 - t22;
-  const Scalar t126 = t124 + t125;
-  const Scalar t127 = k[28] * (t113 + t114) - (k[7] * t122 - k[6] * t126);
-  const Scalar t128 = t21 - t20;
-  const Scalar t129 = t38 + t36;
-  const Scalar t130 = k[29] * t127 + (k[20] * t128 - k[21] * t129);
-  const Scalar t131 = t112 - t130;
-  const Scalar t132 = k[8] * t111 + k[9] * t107;
-  const Scalar t133 = t19 * t19;
-  const Scalar t134 = t133 + t113;
-  const Scalar t135 = t24 - t40;
-  const Scalar t136 = t6 * t6;
-  const Scalar t137 = t10 * t10;
-  const Scalar t138 = t136 + t137;
-  const Scalar t139 = k[22] * t4 - (s2 * t117 + c2 * t119);
-  const Scalar t140 = k[28] * t9 - (t138 - t139);
-  const Scalar t141 = (k[7] * t126 + k[6] * t122) + k[28] * t16;
-  const Scalar t142 = s3 * t140 + c3 * t141;
-  const Scalar t143 = (k[21] * t134 + k[20] * t135) - k[29] * t142;
-  const Scalar t144 = t132 + t143;
-  const Scalar t145 = t133 - t113;
-  const Scalar t146 = t133 - t114;
-  const Scalar t147 = t145 - t146;
-  const Scalar t148 = t134 + t147;
-  const Scalar t149 = s3 * t141 - c3 * t140;
-  const Scalar t150 = (k[20] * t148 - k[21] * t41) + k[29] * t149;
-  const Scalar t151 = (s4 * t103 - c4 * t106) + t150;
-  const Scalar t152 = c3 * t144 - s3 * t151;
-  const Scalar t153 = k[7] * t131 - k[6] * t152;
-  const Scalar t154 = k[30] * t135 - t142;
-  const Scalar t155 = k[30] * t128 + t127;
-  const Scalar t156 = t34 - t35;
-  const Scalar t157 = (k[8] * t154 + k[9] * t155) + k[31] * (t105 - t156);
-  const Scalar t158 = k[37] * t109 + t157;
-  const Scalar t159 = k[9] * t154 - k[8] * t155;
-  const Scalar t160 = k[30] * t148 + t149;
-  const Scalar t161 = (c4 * t159 + s4 * t160) - k[31] * t61;
-  const Scalar t162 = t161 + k[37] * t31;
-  const Scalar t163 = (k[15] * t158 + k[14] * t162) + k[36] * t94;
-  const Scalar t164 = k[42] * t99 - t163;
-  const Scalar t165 = k[15] * t162 - k[14] * t158;
-  const Scalar t166 = (c4 * t160 - s4 * t159) - k[31] * t43;
-  const Scalar t167 = k[37] * t105 + t166;
-  const Scalar t168 = (c5 * t165 + s5 * t167) - k[36] * t67;
-  const Scalar t169 = t168 + k[42] * t51;
-  const Scalar t170 = k[36] * t73 + (c5 * t167 - s5 * t165);
-  const Scalar t171 = (k[16] * t164 + k[17] * t169) * t78 - (t170 - k[42] * t95) * t72;
-  const Scalar t172 = k[46] * c6 + k[45] * s6;
-  const Scalar t173 = s6 * t172;
-  const Scalar t174 = k[48] + t173;
-  const Scalar t175 = k[50] - t173;
-  const Scalar t176 = k[47] - c6 * t172;
-  const Scalar t177 = (t90 * t174 - t86 * t175) - t176 * t92;
-  const Scalar t178 = k[43] * s6 - k[44] * c6;
-  const Scalar t179 = k[43] * c6 + k[44] * s6;
-  const Scalar t180 = t171 - (t177 - (t178 * t75 + t179 * t70));
-  const Scalar t181 = k[16] * t169 - k[17] * t164;
-  const Scalar t182 = t80 - t91;
-  const Scalar t183 = (t179 * (t182 - t92) - t90 * t178) - (t176 * t71 - t77 * t175);
-  const Scalar t184 = t181 * t78 - t183;
-  const Scalar t185 = (k[17] * t180 + k[16] * t184) + k[42] * t88;
-  const Scalar t186 = (k[40] * t74 + k[49] * t51) + k[39] * (t95 + t56);
-  const Scalar t187 = ((k[38] * t67 - k[41] * t73) + t186) + (k[19] * t170 + k[18] * t168);
-  const Scalar t188 = t185 - t187;
-  const Scalar t189 = (k[39] * t100 - k[49] * t99) - (k[38] * t93 - k[41] * t74);
-  const Scalar t190 = (k[16] * t180 - k[17] * t184) - k[42] * t98;
-  const Scalar t191 = ((k[18] * t163 + t189) + t190) + k[36] * t96;
-  const Scalar t192 = t182 * t178 + (t71 * t174 - t77 * t176);
-  const Scalar t193 = (k[39] * t99 - k[40] * t100) + k[41] * (t56 - t94);
-  const Scalar t194 = (t181 * t72 + (t192 - t179 * t86)) - ((k[38] * t51 - t193) - k[19] * t163);
-  const Scalar t195 = t194 + k[36] * t89;
-  const Scalar t196 = c5 * t191 - s5 * t195;
-  const Scalar t197 = k[37] * t102 - (k[15] * t188 - k[14] * t196);
-  const Scalar t198 = (k[51] * t65 - k[32] * t31) - k[33] * (t104 - t35);
-  const Scalar t199 = (k[10] * t166 + k[11] * t161) - ((k[34] * t43 - k[35] * t61) + t198);
-  const Scalar t200 = t197 + t199;
-  const Scalar t201 = k[34] * (t34 - t104) - (k[33] * t109 - k[51] * t108);
-  const Scalar t202 = ((t201 + k[35] * t31) - k[10] * t157) - (c5 * t195 + s5 * t191);
-  const Scalar t203 = k[31] * t103 - t202;
-  const Scalar t204 = (k[15] * t196 + k[14] * t188) - k[37] * t110;
-  const Scalar t205 = (k[35] * t156 - k[34] * t65) + (k[32] * t109 + k[33] * t108);
-  const Scalar t206 = (t204 + (t205 + k[11] * t157)) + k[31] * t106;
-  const Scalar t207 = s4 * t203 - c4 * t206;
-  const Scalar t208 = (k[9] * t200 - k[8] * t207) + k[30] * t132;
-  const Scalar t209 = (k[54] * t41 - k[56] * t135) + k[55] * t147;
-  const Scalar t210 = (t209 + (k[52] * t37 + k[53] * t17)) + (k[20] * t142 + k[21] * t149);
-  const Scalar t211 = t208 - t210;
-  const Scalar t212 = (k[55] * t128 + k[54] * t129) + k[53] * t146;
-  const Scalar t213 = (c4 * t203 + s4 * t206) - ((t212 - k[52] * t135) + k[21] * t127);
-  const Scalar t214 = (k[9] * t207 + k[8] * t200) + k[30] * t112;
-  const Scalar t215 = (k[55] * t129 - k[56] * t128) + (k[53] * t41 + k[52] * t145);
-  const Scalar t216 = t214 - (k[20] * t127 - t215);
-  const Scalar t217 = s3 * t144 + c3 * t151;
-  const Scalar t218 = (s3 * t213 + c3 * t216) + k[28] * t217;
-  const Scalar t219 = t138 - t123;
-  const Scalar t220 = t136 - t137;
-  const Scalar t221 = k[3] * (t219 + t220) + (k[4] * t8 - k[58] * t121);
-  const Scalar t222 = ((k[2] * t12 + k[5] * t4) + t221) + k[57] * t120;
-  const Scalar t223 = (t153 - (k[6] * t211 - k[7] * t218)) + t222;
-  const Scalar t224 = k[57] * t121 - t153;
-  const Scalar t225 = t13 + t11;
-  const Scalar t226 = k[5] * t220 + (k[4] * t225 - k[3] * t125);
-  const Scalar t227 = (s3 * t216 - c3 * t213) - k[28] * t152;
-  const Scalar t228 = k[22] * t224 + ((t226 + k[2] * t121) - t227);
-  const Scalar t229 = t217 + k[57] * t138;
-  const Scalar t230 = (k[58] * t125 + k[3] * t225) - (k[2] * t219 + k[5] * t8);
-  const Scalar t231 = k[7] * t152 + k[6] * t131;
-  const Scalar t232 = (k[57] * t124 + t230) - (t231 + (k[7] * t211 + k[6] * t218));
-  const Scalar t233 = s2 * t228 + c2 * (k[22] * t229 - t232);
-  const Scalar t234 = k[59] * (c2 * t224 - s2 * t229) - k[60] * (t231 - k[57] * t125);
-  const Scalar t235 = (k[61] * t115 - k[62] * t118) + k[63] * qdd[0];
-  const Scalar t236 = ((k[1] * t223 + k[0] * t233) - t234) + t235;
+  const Scalar t1 = c2 * t0;
+  const Scalar t2 = t1 * t1;
+  const Scalar t3 = k[1] * qd[0];
+  const Scalar t4 = qd[1] + t3;
+  const Scalar t5 = t4 * t4;
+  const Scalar t6 = t2 + t5;
+  const Scalar t7 = t2 - t5;
+  const Scalar t8 = t0 * t0;
+  const Scalar t9 = t7 - t8;
+  const Scalar t10 = qdd[1] + k[1] * qdd[0];
+  const Scalar t11 = s2 * t0;
+  const Scalar t12 = t11 * t1;
+  const Scalar t13 = t10 - t12;
+  const Scalar t14 = t10 + t12;
+  const Scalar t15 = k[32] * (t6 + t9) + (k[60] * t13 + k[31] * t14);
+  const Scalar t16 = k[0] * qdd[0];
+  const Scalar t17 = t11 * t3 + c2 * t16;
+  const Scalar t18 = t0 * t3;
+  const Scalar t19 = s2 * t16 - c2 * t18;
+  const Scalar t20 = k[14] * s1 - k[13] * c1;
+  const Scalar t21 = k[15] * qdd[0] + t20;
+  const Scalar t22 = t18 - (k[16] - k[1] * t21);
+  const Scalar t23 = k[13] * s1 + k[14] * c1;
+  const Scalar t24 = t16 - (k[15] * qd[0] * qd[0] + t23);
+  const Scalar t25 = s2 * t22 + c2 * t24;
+  const Scalar t26 = s2 * t24 - c2 * t22;
+  const Scalar t27 = (t15 - (k[33] * t17 + k[34] * t19)) - (k[3] * t25 + k[2] * t26);
+  const Scalar t28 = k[5] * t1 - k[4] * t4;
+  const Scalar t29 = qd[2] - t28;
+  const Scalar t30 = k[5] * t4 + k[4] * t1;
+  const Scalar t31 = s3 * t30 + c3 * t11;
+  const Scalar t32 = t29 * t31;
+  const Scalar t33 = k[4] * t17 + k[5] * t13;
+  const Scalar t34 = t4 * t1;
+  const Scalar t35 = t19 + t34;
+  const Scalar t36 = t30 * t28 + t35;
+  const Scalar t37 = c3 * t33 - s3 * t36;
+  const Scalar t38 = t32 - t37;
+  const Scalar t39 = t32 + t38;
+  const Scalar t40 = s3 * t11 - c3 * t30;
+  const Scalar t41 = k[8] * t40 - k[7] * t29;
+  const Scalar t42 = s4 * t41 - c4 * t31;
+  const Scalar t43 = t42 * t42;
+  const Scalar t44 = k[8] * t29 + k[7] * t40;
+  const Scalar t45 = qd[3] + t44;
+  const Scalar t46 = t45 * t45;
+  const Scalar t47 = t43 - t46;
+  const Scalar t48 = s4 * t31 + c4 * t41;
+  const Scalar t49 = t48 * t48;
+  const Scalar t50 = t49 + t43;
+  const Scalar t51 = t47 - t50;
+  const Scalar t52 = t48 * t42;
+  const Scalar t53 = t11 * t4;
+  const Scalar t54 = t17 - t53;
+  const Scalar t55 = qdd[2] + (k[4] * t10 - k[5] * t54);
+  const Scalar t56 = qdd[3] + (k[8] * t55 + k[7] * t38);
+  const Scalar t57 = t52 - t56;
+  const Scalar t58 = t40 * t31;
+  const Scalar t59 = t58 + t55;
+  const Scalar t60 = k[7] * t59 + k[8] * t37;
+  const Scalar t61 = (k[17] + k[0] * t21) + t8;
+  const Scalar t62 = t54 - t53;
+  const Scalar t63 = t61 + k[12] * t62;
+  const Scalar t64 = k[12] * t14 - t26;
+  const Scalar t65 = k[5] * t63 - k[4] * t64;
+  const Scalar t66 = t25 - k[12] * t6;
+  const Scalar t67 = (s3 * t65 - c3 * t66) - k[18] * t37;
+  const Scalar t68 = t29 * t29;
+  const Scalar t69 = t40 * t40;
+  const Scalar t70 = t68 + t69;
+  const Scalar t71 = k[19] * t60 - (t67 + k[11] * t70);
+  const Scalar t72 = t31 * t31;
+  const Scalar t73 = k[18] * (t72 + t69) + (k[4] * t63 + k[5] * t64);
+  const Scalar t74 = k[11] * t39 - t73;
+  const Scalar t75 = t58 - t55;
+  const Scalar t76 = c3 * t36 + s3 * t33;
+  const Scalar t77 = (s3 * t66 + c3 * t65) + k[18] * t76;
+  const Scalar t78 = k[11] * t75 + t77;
+  const Scalar t79 = t29 * t40;
+  const Scalar t80 = t79 - t76;
+  const Scalar t81 = t44 * t41 - t80;
+  const Scalar t82 = (k[7] * t74 - k[8] * t78) - k[19] * t81;
+  const Scalar t83 = c4 * t71 + s4 * t82;
+  const Scalar t84 = (k[10] * t51 + k[9] * t57) + k[20] * t83;
+  const Scalar t85 = t45 * t42;
+  const Scalar t86 = s4 * t81 - c4 * t60;
+  const Scalar t87 = t85 - t86;
+  const Scalar t88 = qdd[4] + (k[24] * t56 - k[23] * t87);
+  const Scalar t89 = k[23] * t45 - k[24] * t48;
+  const Scalar t90 = s5 * t89 - c5 * t42;
+  const Scalar t91 = c5 * t89 + s5 * t42;
+  const Scalar t92 = t90 * t91;
+  const Scalar t93 = t88 + t92;
+  const Scalar t94 = k[24] * t45 + k[23] * t48;
+  const Scalar t95 = qd[4] + t94;
+  const Scalar t96 = t95 * t95;
+  const Scalar t97 = t90 * t90;
+  const Scalar t98 = t96 + t97;
+  const Scalar t99 = t88 - t92;
+  const Scalar t100 = c4 * t81 + s4 * t60;
+  const Scalar t101 = t48 * t45;
+  const Scalar t102 = t100 - t101;
+  const Scalar t103 = t89 * t94 - t102;
+  const Scalar t104 = k[24] * t86 + k[23] * t57;
+  const Scalar t105 = s5 * t103 - c5 * t104;
+  const Scalar t106 = k[25] * t99 + k[26] * t105;
+  const Scalar t107 = k[25] * t91 - k[26] * t95;
+  const Scalar t108 = qd[5] - t107;
+  const Scalar t109 = Scalar(2) * t108;
+  const Scalar t110 = t106 - t109 * t90;
+  const Scalar t111 = k[21] * c6 - k[22] * s6;
+  const Scalar t112 = k[22] * c6 + k[21] * s6;
+  const Scalar t113 = k[25] * t95 + k[26] * t91;
+  const Scalar t114 = t95 * t91;
+  const Scalar t115 = s5 * t104 + c5 * t103;
+  const Scalar t116 = t114 - t115;
+  const Scalar t117 = t116 + t107 * t113;
+  const Scalar t118 = t109 * t113 + t117;
+  const Scalar t119 = t110 * t111 - t112 * t118;
+  const Scalar t120 = t113 * t113;
+  const Scalar t121 = t120 - t97;
+  const Scalar t122 = t108 * t108;
+  const Scalar t123 = t120 + t122;
+  const Scalar t124 = t90 * t113;
+  const Scalar t125 = t95 * t90;
+  const Scalar t126 = t105 - t125;
+  const Scalar t127 = qdd[5] + (k[26] * t88 - k[25] * t126);
+  const Scalar t128 = t124 + t127;
+  const Scalar t129 = t112 * (t121 - t123) + t128 * t111;
+  const Scalar t130 = k[25] * t119 + k[26] * t129;
+  const Scalar t131 = (k[27] * t93 - k[28] * t98) + t130;
+  const Scalar t132 = t124 - t127;
+  const Scalar t133 = t91 * t91 - t97;
+  const Scalar t134 = t133 + t98;
+  const Scalar t135 = (t112 * t132 - t111 * t123) - (k[28] * t99 + k[27] * t134);
+  const Scalar t136 = t84 - (s5 * t131 - c5 * t135);
+  const Scalar t137 = c4 * t82 - s4 * t71;
+  const Scalar t138 = t52 + t56;
+  const Scalar t139 = t43 + t46;
+  const Scalar t140 = k[20] * t137 + (k[10] * t138 - k[9] * t139);
+  const Scalar t141 = k[25] * t129 - k[26] * t119;
+  const Scalar t142 = t125 - t126;
+  const Scalar t143 = t116 + t114;
+  const Scalar t144 = t141 + (k[27] * t142 + k[28] * t143);
+  const Scalar t145 = s5 * t135 + c5 * t131;
+  const Scalar t146 = k[23] * t144 - k[24] * t145;
+  const Scalar t147 = t140 - t146;
+  const Scalar t148 = s4 * t136 + c4 * t147;
+  const Scalar t149 = k[24] * t144 + k[23] * t145;
+  const Scalar t150 = k[19] * t50 - (k[7] * t78 + k[8] * t74);
+  const Scalar t151 = t102 - t101;
+  const Scalar t152 = t85 + t87;
+  const Scalar t153 = k[20] * t150 - (k[9] * t151 - k[10] * t152);
+  const Scalar t154 = t149 - t153;
+  const Scalar t155 = k[7] * t148 + k[8] * t154;
+  const Scalar t156 = k[6] * t39 + t155;
+  const Scalar t157 = s4 * t147 - c4 * t136;
+  const Scalar t158 = t157 + k[6] * t70;
+  const Scalar t159 = k[8] * t148 - k[7] * t154;
+  const Scalar t160 = t159 - k[6] * t75;
+  const Scalar t161 = s3 * t158 - c3 * t160;
+  const Scalar t162 = k[5] * t156 + k[4] * t161;
+  const Scalar t163 = t72 - t69;
+  const Scalar t164 = k[35] * t163 - (k[36] * t59 - k[37] * t75);
+  const Scalar t165 = ((k[39] * t76 + k[38] * t37) - t164) + k[6] * t77;
+  const Scalar t166 = k[46] * t138 + t137;
+  const Scalar t167 = t150 + k[46] * t152;
+  const Scalar t168 = k[24] * t166 - k[23] * t167;
+  const Scalar t169 = t83 + k[46] * t51;
+  const Scalar t170 = (s5 * t168 + c5 * t169) + k[45] * t105;
+  const Scalar t171 = (c5 * t168 - s5 * t169) + k[45] * t115;
+  const Scalar t172 = k[44] * t93 + t171;
+  const Scalar t173 = t96 - t97;
+  const Scalar t174 = t134 - t173;
+  const Scalar t175 = k[45] * t174 + (k[24] * t167 + k[23] * t166);
+  const Scalar t176 = t175 - k[44] * t142;
+  const Scalar t177 = t112 * (k[44] * t134 - t170) + (k[26] * t172 - k[25] * t176) * t111;
+  const Scalar t178 = k[49] * s6 + k[50] * c6;
+  const Scalar t179 = k[51] - c6 * t178;
+  const Scalar t180 = s6 * t178;
+  const Scalar t181 = k[57] - t180;
+  const Scalar t182 = k[52] + t180;
+  const Scalar t183 = t121 * t179 - (t128 * t181 - t182 * t132);
+  const Scalar t184 = k[47] * s6 - k[48] * c6;
+  const Scalar t185 = k[48] * s6 + k[47] * c6;
+  const Scalar t186 = t177 + (t183 + (t106 * t184 + t185 * t117));
+  const Scalar t187 = t120 - t122;
+  const Scalar t188 = (t179 * t118 + t110 * t181) + (t132 * t184 - (t121 - t187) * t185);
+  const Scalar t189 = k[25] * t172 + k[26] * t176;
+  const Scalar t190 = t188 - t189 * t111;
+  const Scalar t191 = k[44] * t130 + (k[26] * t186 - k[25] * t190);
+  const Scalar t192 = (k[55] * t99 + k[58] * t93) - k[56] * t133;
+  const Scalar t193 = (t192 - (k[53] * t115 - k[54] * t105)) - (k[28] * t170 - k[27] * t171);
+  const Scalar t194 = t191 + t193;
+  const Scalar t195 = (k[54] * t99 + k[53] * t173) + (k[56] * t143 - k[58] * t142);
+  const Scalar t196 = (k[25] * t186 + k[26] * t190) + k[44] * t141;
+  const Scalar t197 = k[45] * t135 + ((k[27] * t175 + t195) - t196);
+  const Scalar t198 = k[54] * (t174 - t98) - (k[56] * t142 - k[55] * t143);
+  const Scalar t199 = (t182 * t118 + t110 * t179) - t184 * t187;
+  const Scalar t200 = (k[28] * t175 - (t198 + k[53] * t93)) + ((t199 - t128 * t185) + t112 * t189);
+  const Scalar t201 = t200 + k[45] * t131;
+  const Scalar t202 = c5 * t197 - s5 * t201;
+  const Scalar t203 = (k[24] * t194 + k[23] * t202) - k[46] * t146;
+  const Scalar t204 = (k[42] * t57 + k[59] * t138) - k[43] * (t51 + t139);
+  const Scalar t205 = (k[9] * t83 - k[10] * t137) - (t204 + (k[40] * t100 + k[41] * t86));
+  const Scalar t206 = t203 - t205;
+  const Scalar t207 = k[41] * (t49 - t46) + (k[43] * t152 + k[42] * t151);
+  const Scalar t208 = (k[9] * t150 - (k[40] * t138 - t207)) + (c5 * t201 + s5 * t197);
+  const Scalar t209 = (k[41] * t57 - k[40] * t47) - (k[43] * t151 - k[59] * t152);
+  const Scalar t210 = k[46] * t149 + (k[23] * t194 - k[24] * t202);
+  const Scalar t211 = (t209 + k[10] * t150) - t210;
+  const Scalar t212 = (s4 * t208 - c4 * t211) + k[19] * t157;
+  const Scalar t213 = (k[8] * t206 - k[7] * t212) + k[11] * t159;
+  const Scalar t214 = t165 - t213;
+  const Scalar t215 = (k[8] * t212 + k[7] * t206) + k[11] * t155;
+  const Scalar t216 = t79 + t80;
+  const Scalar t217 = t72 - t68;
+  const Scalar t218 = (k[37] * t39 - k[35] * t216) + (k[39] * t217 - k[38] * t59);
+  const Scalar t219 = k[18] * t158 + (t215 - (t218 + k[6] * t73));
+  const Scalar t220 = k[38] * (t217 - t163) - (k[36] * t216 - k[35] * t39);
+  const Scalar t221 = (s4 * t211 + c4 * t208) + k[19] * t148;
+  const Scalar t222 = k[18] * t160 - ((k[39] * t75 - t220) - t221);
+  const Scalar t223 = c3 * t219 + s3 * t222;
+  const Scalar t224 = k[12] * t162 + (k[4] * t214 + k[5] * t223);
+  const Scalar t225 = t27 - t224;
+  const Scalar t226 = (k[3] * t9 + k[2] * t14) - t162;
+  const Scalar t227 = t35 + t34;
+  const Scalar t228 = k[33] * t7 + (k[32] * t62 - k[60] * t227);
+  const Scalar t229 = (c3 * t222 - s3 * t219) + ((t228 + k[34] * t14) + k[3] * t61);
+  const Scalar t230 = k[5] * t161 - k[4] * t156;
+  const Scalar t231 = k[12] * t230 + (k[5] * t214 - k[4] * t223);
+  const Scalar t232 = (k[33] * t13 + k[34] * (t6 - t8)) - (k[31] * t62 - k[32] * t227);
+  const Scalar t233 = (c3 * t158 + s3 * t160) + (k[3] * t13 + k[2] * t6);
+  const Scalar t234 = c2 * ((t231 + (k[2] * t61 - t232)) - t233);
+  const Scalar t235 = k[1] * t225 - k[0] * (s2 * (t226 + t229) - t234);
+  const Scalar t236 = k[29] * (t230 - (k[3] * t227 - k[2] * t62));
+  const Scalar t237 = k[30] * (c2 * t226 - s2 * t233) + t236;
+  const Scalar t238 = k[63] * qdd[0] - (k[62] * t23 + k[61] * t20);
   JointVector<Scalar> result;
-  result[0] = -t236;
-  result[1] = -t223;
-  result[2] = t211;
-  result[3] = t200;
-  result[4] = -t188;
-  result[5] = -t180;
+  result[0] = (t235 + t237) + t238;
+  result[1] = t225;
+  result[2] = -t214;
+  result[3] = t206;
+  result[4] = t194;
+  result[5] = t186;
   return result;
 }
 
@@ -508,200 +532,222 @@ InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constant
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = g.a2 / g.a3;
-  const Scalar t1 = gravity[2] / g.a3;
-  const Scalar t2 = inertia.m5 + inertia.m6;
-  const Scalar t3 = inertia.m4 + t2;
-  const Scalar t4 = g.a4 * t3;
-  const Scalar t5 = inertia.c3x * inertia.m3;
-  const Scalar t6 = inertia.c4z * inertia.m4;
-  const Scalar t7 = g.d4 * inertia.m4;
-  const Scalar t8 = t6 + t7;
-  const Scalar t9 = t8 - t7;
-  const Scalar t10 = g.d5 * inertia.m5;
-  const Scalar t11 = inertia.c5z * inertia.m5;
-  const Scalar t12 = t11 + t10;
-  const Scalar t13 = t10 - t12;
-  const Scalar t14 = inertia.c6z * inertia.m6;
-  const Scalar t15 = g.d6 * inertia.m6 + t14;
-  const Scalar t16 = cos(g.alpha6) * t15;
-  const Scalar t17 = t13 - t16;
-  const Scalar t18 = t17 - g.d5 * t2;
-  const Scalar t19 = cos(g.alpha5) * t18;
-  const Scalar t20 = t9 - t19;
-  const Scalar t21 = g.d4 * t3 + t20;
-  const Scalar t22 = sin(g.alpha4) * t21;
-  const Scalar t23 = inertia.c3y * inertia.m3;
-  const Scalar t24 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t25 = g.a4 * t4 + (inertia.c3x * t5 - (inertia.I3xx - t24));
-  const Scalar t26 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t27 = ((inertia.I4zz - t26) - inertia.c4z * t6) - g.d4 * (t8 + t6);
-  const Scalar t28 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t29 = (inertia.c5z * t11 - (inertia.I5zz - t28)) + g.d5 * (t11 + t12);
-  const Scalar t30 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t31 = (inertia.c6z * t14 - (inertia.I6zz - t30)) + g.d6 * (t15 + t14);
-  const Scalar t32 = sin(g.alpha6) * t31;
-  const Scalar t33 = sin(g.alpha6) * t32;
-  const Scalar t34 = (g.d5 * (t13 - t12) + t29) + (t31 - t33);
-  const Scalar t35 = g.d5 * (t17 + t18) - t34;
-  const Scalar t36 = sin(g.alpha5) * t35;
-  const Scalar t37 = sin(g.alpha5) * t36;
-  const Scalar t38 = (g.d4 * (t9 + t8) + t27) - (t37 - t35);
-  const Scalar t39 = t38 - g.d4 * (t20 + t21);
-  const Scalar t40 = sin(g.alpha4) * t39;
-  const Scalar t41 = sin(g.alpha4) * t40;
-  const Scalar t42 = g.d3 * t23;
-  const Scalar t43 = cos(g.alpha4) * t40 - (t42 - (t42 - (inertia.I3yz - inertia.c3z * t23)));
-  const Scalar t44 = cos(g.alpha4) * t21;
-  const Scalar t45 = g.d3 * t5;
-  const Scalar t46 = g.a4 * t44 - (t45 - (t45 - (inertia.I3xz - inertia.c3z * t5)));
-  const Scalar t47 = g.a5 * t2;
-  const Scalar t48 = inertia.c4x * inertia.m4;
-  const Scalar t49 = sin(g.alpha5) * t18;
-  const Scalar t50 = inertia.c4y * inertia.m4;
-  const Scalar t51 = inertia.c5y * inertia.m5;
-  const Scalar t52 = sin(g.alpha6) * t15;
-  const Scalar t53 = g.a6 * inertia.m6;
-  const Scalar t54 = inertia.c5x * inertia.m5;
-  const Scalar t55 = inertia.c6x * inertia.m6;
-  const Scalar t56 = inertia.c6y * inertia.m6;
-  const Scalar t57 = g.a5 * t47 - ((inertia.I4xx - t26) - inertia.c4x * t48);
-  const Scalar t58 = g.d4 * t50;
-  const Scalar t59 = cos(g.alpha5) * t36 - (t58 - (t58 - (inertia.I4yz - inertia.c4z * t50)));
-  const Scalar t60 = g.d4 * t48;
-  const Scalar t61 = g.a5 * t19 + (((inertia.I4xz - inertia.c4z * t48) - t60) + t60);
-  const Scalar t62 = (inertia.I6xx - t30) - inertia.c6x * t55;
-  const Scalar t63 = (inertia.I6yy - t30) - inertia.c6y * t56;
-  const Scalar t64 = inertia.I6xy - inertia.c6y * t55;
-  const Scalar t65 = g.d6 / g.a3;
-  const Scalar t66 = g.d5 * t51;
-  const Scalar t67 = (t66 + ((inertia.I5yz - inertia.c5z * t51) - t66)) + cos(g.alpha6) * t32;
-  const Scalar t68 = g.d5 * t54;
-  const Scalar t69 = (t68 - (t68 - (inertia.I5xz - inertia.c5z * t54))) - g.a6 * t16;
-  const Scalar t70 = (inertia.c5x * t54 - (inertia.I5xx - t28)) + g.a6 * t53;
-  const Scalar t71 = g.d3 * inertia.m3;
-  const Scalar t72 = inertia.c3z * inertia.m3;
-  const Scalar t73 = t72 + t71;
-  const Scalar t74 = t71 - t73;
-  const Scalar t75 = t44 - t74;
-  const Scalar t76 = inertia.m3 + t3;
-  const Scalar t77 = t75 + g.d3 * t76;
-  const Scalar t78 = sin(g.alpha3) * t77;
-  const Scalar t79 = inertia.c2y * inertia.m2;
-  const Scalar t80 = (t78 - t79) / (g.d3 * sin(g.alpha3));
-  const Scalar t81 = g.a3 * t80;
-  const Scalar t82 = g.a3 * t81;
-  const Scalar t83 = cos(g.alpha3) * t77;
-  const Scalar t84 = inertia.c2x * inertia.m2;
-  const Scalar t85 = g.d2 * t84;
-  const Scalar t86 = g.a3 * t83 - (((inertia.I2xz - inertia.c2z * t84) - t85) + t85);
-  const Scalar t87 = g.d3 * t80;
-  const Scalar t88 = cos(g.alpha3) * t87;
-  const Scalar t89 = g.d2 * t79;
-  const Scalar t90 = g.d3 * (t72 + t73) - ((inertia.I3zz - t24) - inertia.c3z * t72);
-  const Scalar t91 = (t41 - t39) + (t90 - g.d3 * (t73 - t74));
-  const Scalar t92 = t91 + g.d3 * (t75 + t77);
-  const Scalar t93 = sin(g.alpha3) * t92;
-  const Scalar t94 = ((t89 - (inertia.I2yz - inertia.c2z * t79)) - t89) - cos(g.alpha3) * t93;
-  const Scalar t95 = g.d3 * t87;
-  const Scalar t96 = sin(g.alpha3) * t95;
-  const Scalar t97 = (g.a3 * t78 + (inertia.I2xy - inertia.c2y * t84)) - g.a3 * sin(g.alpha3) * t87;
-  const Scalar t98 = g.a3 * t76;
-  const Scalar t99 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t100 = g.a3 * t98 + (inertia.c2x * t84 - (inertia.I2xx - t99));
-  const Scalar t101 = sin(g.alpha3) * t93;
-  const Scalar t102 = sin(g.alpha3) * t96;
-  const Scalar t103 = (((inertia.I2yy - t99) - inertia.c2y * t79) - t101) + t102;
-  const Scalar t104 = g.a2 * t80;
-  const Scalar t105 = inertia.m2 + t76;
-  const Scalar t106 = g.a2 * t105;
-  const Scalar t107 = inertia.c1x * inertia.m1;
-  const Scalar t108 = t88 + g.d2 * t80;
-  const Scalar t109 = g.d2 * inertia.m2;
-  const Scalar t110 = inertia.c2z * inertia.m2;
-  const Scalar t111 = t109 + t110;
-  const Scalar t112 = t109 - t111;
-  const Scalar t113 = t83 - t112;
-  const Scalar t114 = g.d2 * t105 + t113;
-  const Scalar t115 = inertia.c1y * inertia.m1;
-  const Scalar t116 = g.a3 * (sin(g.alpha2) * t108 - (sin(g.alpha2) * t114 - t115));
-  const Scalar t117 = g.d2 * (t111 + t110) - ((inertia.I2zz - t99) - inertia.c2z * t110);
-  const Scalar t118 = (g.d2 * (t111 - t112) - t117) + (t101 - t92);
-  const Scalar t119 = sin(g.alpha2) * sin(g.alpha2) * (t118 - g.d2 * (t113 + t114));
-  const Scalar t120 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t121 = sin(g.alpha2) * ((t102 - t95) - g.d2 * (t88 + t108));
-  const Scalar t122 = (t119 - (inertia.c1y * t115 - (inertia.I1yy - t120))) - sin(g.alpha2) * t121;
-  const Scalar t123 = g.a2 * t106 + (inertia.c1x * t107 - (inertia.I1xx - t120));
+  const Scalar t0 = g.d5 * inertia.m5;
+  const Scalar t1 = inertia.c5z * inertia.m5;
+  const Scalar t2 = t1 + t0;
+  const Scalar t3 = t0 - t2;
+  const Scalar t4 = inertia.c6z * inertia.m6;
+  const Scalar t5 = g.d6 * inertia.m6 + t4;
+  const Scalar t6 = cos(g.alpha6) * t5;
+  const Scalar t7 = t3 - t6;
+  const Scalar t8 = inertia.m5 + inertia.m6;
+  const Scalar t9 = t7 - g.d5 * t8;
+  const Scalar t10 = sin(g.alpha5) * t9;
+  const Scalar t11 = inertia.c4y * inertia.m4;
+  const Scalar t12 = g.a5 * t8;
+  const Scalar t13 = inertia.c4x * inertia.m4;
+  const Scalar t14 = g.a2 / g.d2;
+  const Scalar t15 = gravity[2] / g.d2;
+  const Scalar t16 = inertia.m4 + t8;
+  const Scalar t17 = inertia.c4z * inertia.m4;
+  const Scalar t18 = g.d4 * inertia.m4;
+  const Scalar t19 = t17 + t18;
+  const Scalar t20 = t19 - t18;
+  const Scalar t21 = cos(g.alpha5) * t9;
+  const Scalar t22 = t20 - t21;
+  const Scalar t23 = g.d4 * t16 + t22;
+  const Scalar t24 = sin(g.alpha4) * t23;
+  const Scalar t25 = inertia.c3y * inertia.m3;
+  const Scalar t26 = (t24 - t25) / (g.d4 * sin(g.alpha4));
+  const Scalar t27 = inertia.c5y * inertia.m5;
+  const Scalar t28 = sin(g.alpha6) * t5;
+  const Scalar t29 = g.a6 * inertia.m6;
+  const Scalar t30 = inertia.c5x * inertia.m5;
+  const Scalar t31 = inertia.c6x * inertia.m6;
+  const Scalar t32 = inertia.c6y * inertia.m6;
+  const Scalar t33 = g.a4 * t16;
+  const Scalar t34 = inertia.c3x * inertia.m3;
+  const Scalar t35 = g.a4 * t26;
+  const Scalar t36 = inertia.m3 + t16;
+  const Scalar t37 = g.a3 * t36;
+  const Scalar t38 = inertia.c2x * inertia.m2;
+  const Scalar t39 = t37 + t38;
+  const Scalar t40 = t39 / g.a3;
+  const Scalar t41 = g.a3 * t40;
+  const Scalar t42 = t40 - t26;
+  const Scalar t43 = g.a3 * t42;
+  const Scalar t44 = g.d3 * t40;
+  const Scalar t45 = sin(g.alpha3) * t44;
+  const Scalar t46 = cos(g.alpha4) * t23;
+  const Scalar t47 = g.d3 * inertia.m3;
+  const Scalar t48 = inertia.c3z * inertia.m3;
+  const Scalar t49 = t48 + t47;
+  const Scalar t50 = t47 - t49;
+  const Scalar t51 = t46 - t50;
+  const Scalar t52 = t51 + g.d3 * t36;
+  const Scalar t53 = sin(g.alpha3) * t52;
+  const Scalar t54 = inertia.c2y * inertia.m2;
+  const Scalar t55 = g.d4 * t26;
+  const Scalar t56 = cos(g.alpha4) * t55;
+  const Scalar t57 = g.d3 * t42 - t56;
+  const Scalar t58 = sin(g.alpha3) * t57;
+  const Scalar t59 = g.d4 * t55;
+  const Scalar t60 = sin(g.alpha4) * t59;
+  const Scalar t61 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t62 = ((inertia.I4zz - t61) - inertia.c4z * t17) - g.d4 * (t19 + t17);
+  const Scalar t63 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t64 = (inertia.c5z * t1 - (inertia.I5zz - t63)) + g.d5 * (t1 + t2);
+  const Scalar t65 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t66 = (inertia.c6z * t4 - (inertia.I6zz - t65)) + g.d6 * (t5 + t4);
+  const Scalar t67 = sin(g.alpha6) * t66;
+  const Scalar t68 = sin(g.alpha6) * t67;
+  const Scalar t69 = (g.d5 * (t3 - t2) + t64) + (t66 - t68);
+  const Scalar t70 = g.d5 * (t7 + t9) - t69;
+  const Scalar t71 = sin(g.alpha5) * t70;
+  const Scalar t72 = sin(g.alpha5) * t71;
+  const Scalar t73 = (g.d4 * (t20 + t19) + t62) - (t72 - t70);
+  const Scalar t74 = t73 - g.d4 * (t22 + t23);
+  const Scalar t75 = sin(g.alpha4) * t74;
+  const Scalar t76 = g.d3 * t25;
+  const Scalar t77 = cos(g.alpha4) * t75 - (t76 - (t76 - (inertia.I3yz - inertia.c3z * t25)));
+  const Scalar t78 = sin(g.alpha4) * t60;
+  const Scalar t79 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t80 = sin(g.alpha4) * t75;
+  const Scalar t81 = t78 + (((inertia.I3yy - t79) - inertia.c3y * t25) + t80);
+  const Scalar t82 = ((inertia.I3xy - inertia.c3y * t34) + g.a4 * t24) - g.a4 * sin(g.alpha4) * t55;
+  const Scalar t83 = g.d3 * t34;
+  const Scalar t84 = g.a4 * t46 - (t83 - (t83 - (inertia.I3xz - inertia.c3z * t34)));
+  const Scalar t85 = (inertia.c5x * t30 - (inertia.I5xx - t63)) + g.a6 * t29;
+  const Scalar t86 = g.d5 * t30;
+  const Scalar t87 = (t86 - (t86 - (inertia.I5xz - inertia.c5z * t30))) - g.a6 * t6;
+  const Scalar t88 = g.d5 * t27;
+  const Scalar t89 = (t88 + ((inertia.I5yz - inertia.c5z * t27) - t88)) + cos(g.alpha6) * t67;
+  const Scalar t90 = g.d6 / g.d2;
+  const Scalar t91 = (inertia.I6xx - t65) - inertia.c6x * t31;
+  const Scalar t92 = (inertia.I6yy - t65) - inertia.c6y * t32;
+  const Scalar t93 = inertia.I6xy - inertia.c6y * t31;
+  const Scalar t94 = g.d4 * t11;
+  const Scalar t95 = cos(g.alpha5) * t71 - (t94 - (t94 - (inertia.I4yz - inertia.c4z * t11)));
+  const Scalar t96 = g.d4 * t13;
+  const Scalar t97 = g.a5 * t21 + (((inertia.I4xz - inertia.c4z * t13) - t96) + t96);
+  const Scalar t98 = g.a5 * t12 - ((inertia.I4xx - t61) - inertia.c4x * t13);
+  const Scalar t99 = g.a4 * t33 + (inertia.c3x * t34 - (inertia.I3xx - t79));
+  const Scalar t100 = cos(g.alpha3) * t57;
+  const Scalar t101 = cos(g.alpha3) * t44;
+  const Scalar t102 = cos(g.alpha3) * t52;
+  const Scalar t103 = g.d2 * t38;
+  const Scalar t104 = g.a3 * t102 - (((inertia.I2xz - inertia.c2z * t38) - t103) + t103);
+  const Scalar t105 = g.a3 * t45 - (g.a3 * t53 + (inertia.I2xy - inertia.c2y * t38));
+  const Scalar t106 = g.d3 * (t57 - t56) - (t59 - t78);
+  const Scalar t107 = sin(g.alpha3) * t106;
+  const Scalar t108 = sin(g.alpha3) * t107;
+  const Scalar t109 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t110 = g.d3 * (t48 + t49) - ((inertia.I3zz - t79) - inertia.c3z * t48);
+  const Scalar t111 = (t80 - t74) + (t110 - g.d3 * (t49 - t50));
+  const Scalar t112 = t111 + g.d3 * (t51 + t52);
+  const Scalar t113 = sin(g.alpha3) * t112;
+  const Scalar t114 = sin(g.alpha3) * t113;
+  const Scalar t115 = g.d3 * t44;
+  const Scalar t116 = sin(g.alpha3) * t115;
+  const Scalar t117 = sin(g.alpha3) * t116;
+  const Scalar t118 = (((inertia.I2yy - t109) - inertia.c2y * t54) - t114) + t117;
+  const Scalar t119 = g.d2 * t54;
+  const Scalar t120 = ((t119 - (inertia.I2yz - inertia.c2z * t54)) - t119) - cos(g.alpha3) * t113;
+  const Scalar t121 = g.a3 * t37 + (inertia.c2x * t38 - (inertia.I2xx - t109));
+  const Scalar t122 = g.a2 * t40;
+  const Scalar t123 = inertia.m2 + t36;
+  const Scalar t124 = g.a2 * t123;
+  const Scalar t125 = inertia.c1x * inertia.m1;
+  const Scalar t126 = g.a2 * t42;
+  const Scalar t127 = g.d2 * inertia.m2;
+  const Scalar t128 = inertia.c2z * inertia.m2;
+  const Scalar t129 = t127 + t128;
+  const Scalar t130 = t127 - t129;
+  const Scalar t131 = t102 - t130;
+  const Scalar t132 = g.d2 * t123 + t131;
+  const Scalar t133 = inertia.c1y * inertia.m1;
+  const Scalar t134 = g.d2 * t40 + t101;
+  const Scalar t135 = t100 + g.d2 * t42;
+  const Scalar t136 = ((sin(g.alpha2) * t132 - t133) - sin(g.alpha2) * t134) + sin(g.alpha2) * t135;
+  const Scalar t137 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t138 = g.a2 * t124 + (inertia.c1x * t125 - (inertia.I1xx - t137));
+  const Scalar t139 = sin(g.alpha2) * ((t115 - t117) + g.d2 * (t134 + t101));
+  const Scalar t140 = g.d2 * (t129 + t128) - ((inertia.I2zz - t109) - inertia.c2z * t128);
+  const Scalar t141 = (g.d2 * (t129 - t130) - t140) + (t114 - t112);
+  const Scalar t142 = sin(g.alpha2) * sin(g.alpha2) * (t141 - g.d2 * (t131 + t132));
+  const Scalar t143 = sin(g.alpha2) * t139 + (t142 - (inertia.c1y * t133 - (inertia.I1yy - t137)));
+  const Scalar t144 = sin(g.alpha2) * ((t108 - t106) - g.d2 * (t135 + t100));
+  const Scalar t145 = (g.a2 * t126 - (g.a2 * t122 - t138)) - (t143 + sin(g.alpha2) * t144);
   return { sin(g.alpha2),
-           cos(g.alpha2),
-           g.d2 / g.a3,
-           t0,
-           gravity[0] / g.a3,
-           gravity[1] / g.a3,
-           sin(g.alpha2) * t1,
            cos(g.alpha3),
-           sin(g.alpha2) * sin(g.alpha2),
-           cos(g.alpha2) * t1,
+           cos(g.alpha2),
            sin(g.alpha3),
-           g.d3 / g.a3,
-           g.a3 * (t4 + t5),
-           g.a3 * (t22 - t23),
-           t25,
-           ((inertia.I3yy - t24) - inertia.c3y * t23) + t41,
-           (inertia.I3xy - inertia.c3y * t5) + g.a4 * t22,
-           t43,
-           t46,
            sin(g.alpha4),
            cos(g.alpha4),
-           g.a3 * (t47 + t48),
-           g.a3 * (t49 + t50),
+           g.d2 * (t10 + t11),
+           g.d2 * (t12 + t13),
+           g.a4 / g.d2,
+           t14,
+           gravity[0] / g.d2,
+           gravity[1] / g.d2,
+           sin(g.alpha2) * t15,
+           sin(g.alpha2) * sin(g.alpha2),
+           g.a3 / g.d2,
+           cos(g.alpha2) * t15,
+           g.d3 / g.d2,
+           g.d4 / g.d2,
+           g.d2 * g.d2 * t26,
            cos(g.alpha5),
            sin(g.alpha5),
-           g.a3 * (t51 - t52),
-           g.a3 * (t53 + t54),
-           g.a3 * cos(g.alpha6),
-           g.a3 * sin(g.alpha6),
-           g.a3 * t55,
-           g.a3 * t56,
+           g.d2 * (t27 - t28),
+           g.d2 * (t29 + t30),
+           g.d2 * cos(g.alpha6),
+           g.d2 * sin(g.alpha6),
            sin(g.alpha6),
            cos(g.alpha6),
-           g.a3,
-           g.a4 / g.a3,
-           t57,
-           g.a5 * t49 - (inertia.I4xy - inertia.c4y * t48),
-           t59,
-           t61,
-           g.d4 / g.a3,
-           g.a5 / g.a3,
-           (inertia.I6xz - inertia.c6z * t55) - g.d6 * t55,
-           g.d6 * t56 - (inertia.I6yz - inertia.c6z * t56),
-           t62 - t63,
-           Scalar(2) * t64,
-           t62,
-           t63,
-           t64,
-           g.a6 / g.a3,
-           g.d5 / g.a3,
-           g.a3 * t65,
-           t67,
-           t69,
-           (inertia.c5y * t51 - (inertia.I5yy - t28)) + t33,
-           t70,
-           (inertia.I5xy - inertia.c5y * t54) + g.a6 * t52,
-           t65,
-           t37 + ((inertia.I4yy - t26) - inertia.c4y * t50),
+           g.d2 * t31,
+           g.d2 * t32,
+           g.d2,
+           g.d2 * ((t33 + t34) - t35),
+           g.d2 * ((t39 - t41) + t43),
+           g.d2 * ((t45 - (t53 - t54)) - t58),
+           cos(g.alpha4) * t60 + t77,
+           t81,
            t82,
-           t86 - g.a3 * t88,
-           t94 + cos(g.alpha3) * t96,
+           t84 - g.a4 * t56,
+           g.d5 / g.d2,
+           g.a5 / g.d2,
+           t85,
+           (inertia.I5xy - inertia.c5y * t30) + g.a6 * t28,
+           t87,
+           t89,
+           g.a6 / g.d2,
+           g.d2 * t90,
+           (inertia.I6xz - inertia.c6z * t31) - g.d6 * t31,
+           g.d6 * t32 - (inertia.I6yz - inertia.c6z * t32),
+           t91 - t92,
+           Scalar(2) * t93,
+           t91,
+           t93,
+           t92,
+           (inertia.c5y * t27 - (inertia.I5yy - t63)) + t68,
+           t90,
+           t95,
+           t72 + ((inertia.I4yy - t61) - inertia.c4y * t11),
+           g.a5 * t10 - (inertia.I4xy - inertia.c4y * t13),
            t97,
-           t100 - t82,
-           t103,
-           g.a3 * ((t98 + t84) - t81),
-           cos(g.alpha2) * t0,
-           sin(g.alpha2) * t0,
-           g.a3 * (t104 - (t106 + t107)),
-           t116,
-           t122 + (g.a2 * t104 - t123) };
+           t98,
+           g.a4 * t35 - t99,
+           g.a3 * t100 - (g.a3 * t101 - t104),
+           t105 - g.a3 * t58,
+           t108 - t118,
+           (t120 + cos(g.alpha3) * t116) - cos(g.alpha3) * t107,
+           (t121 - g.a3 * t41) + g.a3 * t43,
+           sin(g.alpha2) * t14,
+           cos(g.alpha2) * t14,
+           g.d2 * ((t122 - (t124 + t125)) - t126),
+           g.d2 * t136,
+           t145 };
 }
 
 namespace detail {
@@ -722,292 +768,295 @@ inline JointVector<Scalar> inverse_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = k[4] * s1 - k[5] * c1;
-  const Scalar t1 = k[4] * c1 + k[5] * s1;
-  const Scalar t2 = k[69] * qdd[0] + (k[67] * t0 - k[68] * t1);
+  const Scalar t0 = k[10] * s1 - k[11] * c1;
+  const Scalar t1 = k[10] * c1 + k[11] * s1;
+  const Scalar t2 = k[69] * qdd[0] - (k[67] * t0 + k[68] * t1);
   const Scalar t3 = k[0] * qd[0];
-  const Scalar t4 = s2 * t3;
-  const Scalar t5 = k[1] * qd[0];
-  const Scalar t6 = k[0] * qdd[0];
-  const Scalar t7 = t4 * t5 + c2 * t6;
-  const Scalar t8 = c2 * t3;
-  const Scalar t9 = s2 * t6 - t5 * t8;
-  const Scalar t10 = qdd[1] + k[1] * qdd[0];
-  const Scalar t11 = t4 * t8;
-  const Scalar t12 = t10 - t11;
-  const Scalar t13 = t10 + t11;
-  const Scalar t14 = t8 * t8;
-  const Scalar t15 = qd[1] + t5;
-  const Scalar t16 = t15 * t15;
-  const Scalar t17 = t14 - t16;
-  const Scalar t18 = t14 + t16;
-  const Scalar t19 = qd[0] * qd[0];
-  const Scalar t20 = k[8] * t19;
-  const Scalar t21 = t18 - t20;
-  const Scalar t22 = (k[63] * t12 - k[62] * t13) + k[61] * (t17 + t21);
-  const Scalar t23 = t0 + k[3] * qdd[0];
-  const Scalar t24 = k[6] - k[1] * t23;
-  const Scalar t25 = t1 + k[3] * t19;
-  const Scalar t26 = k[2] * t9 + (c2 * t24 - s2 * t25);
-  const Scalar t27 = ((k[60] * t7 + k[59] * t9) + t22) + k[64] * t26;
-  const Scalar t28 = t15 * t8;
-  const Scalar t29 = t28 + t9;
-  const Scalar t30 = k[10] * t8 - k[7] * t15;
-  const Scalar t31 = k[7] * t8 + k[10] * t15;
-  const Scalar t32 = t29 + t30 * t31;
-  const Scalar t33 = k[7] * t7 + k[10] * t12;
-  const Scalar t34 = s3 * t32 - c3 * t33;
-  const Scalar t35 = s3 * t31 + c3 * t4;
-  const Scalar t36 = qd[2] - t30;
-  const Scalar t37 = t35 * t36;
-  const Scalar t38 = t34 + t37;
-  const Scalar t39 = t4 * t15;
-  const Scalar t40 = t7 - t39;
-  const Scalar t41 = qdd[2] - (k[10] * t40 - k[7] * t10);
-  const Scalar t42 = qdd[3] + (k[19] * t38 + k[20] * t41);
-  const Scalar t43 = s3 * t4 - c3 * t31;
-  const Scalar t44 = k[20] * t43 - k[19] * t36;
-  const Scalar t45 = s4 * t44 - c4 * t35;
-  const Scalar t46 = c4 * t44 + s4 * t35;
-  const Scalar t47 = t45 * t46;
-  const Scalar t48 = t42 - t47;
-  const Scalar t49 = k[19] * t43 + k[20] * t36;
-  const Scalar t50 = qd[3] + t49;
-  const Scalar t51 = t50 * t50;
-  const Scalar t52 = t45 * t45;
-  const Scalar t53 = t51 - t52;
-  const Scalar t54 = t50 * t45;
-  const Scalar t55 = t35 * t43;
-  const Scalar t56 = t55 + t41;
-  const Scalar t57 = k[19] * t56 - k[20] * t34;
-  const Scalar t58 = s3 * t33 + c3 * t32;
-  const Scalar t59 = t43 * t36;
-  const Scalar t60 = t58 - t59;
-  const Scalar t61 = t49 * t44 + t60;
-  const Scalar t62 = c4 * t57 - s4 * t61;
-  const Scalar t63 = t54 + t62;
-  const Scalar t64 = t54 + t63;
-  const Scalar t65 = t50 * t46;
-  const Scalar t66 = c4 * t61 + s4 * t57;
-  const Scalar t67 = t65 - t66;
-  const Scalar t68 = t65 + t67;
-  const Scalar t69 = (k[37] * t48 - k[38] * t53) - (k[35] * t64 + k[36] * t68);
-  const Scalar t70 = t26 - t13;
-  const Scalar t71 = k[2] * t20 + (k[9] + k[0] * t23);
-  const Scalar t72 = t40 - t39;
-  const Scalar t73 = t71 + t72;
-  const Scalar t74 = t35 * t35;
-  const Scalar t75 = t43 * t43;
-  const Scalar t76 = t74 + t75;
-  const Scalar t77 = (k[10] * t70 - k[7] * t73) - k[11] * t76;
-  const Scalar t78 = t37 + t38;
-  const Scalar t79 = t77 + k[34] * t78;
-  const Scalar t80 = k[10] * t73 + k[7] * t70;
-  const Scalar t81 = (c2 * t25 + s2 * t24) - k[2] * t7;
-  const Scalar t82 = t18 + t81;
-  const Scalar t83 = (c3 * t80 - s3 * t82) + k[11] * t58;
-  const Scalar t84 = t55 - t41;
-  const Scalar t85 = t83 + k[34] * t84;
-  const Scalar t86 = t46 * t46 - t51;
-  const Scalar t87 = t53 + t86;
-  const Scalar t88 = t51 + t52;
+  const Scalar t4 = c2 * t3;
+  const Scalar t5 = k[2] * qd[0];
+  const Scalar t6 = qd[1] + t5;
+  const Scalar t7 = k[1] * t4 + k[3] * t6;
+  const Scalar t8 = s2 * t3;
+  const Scalar t9 = s3 * t7 + c3 * t8;
+  const Scalar t10 = t9 * t9;
+  const Scalar t11 = k[1] * t6 - k[3] * t4;
+  const Scalar t12 = qd[2] + t11;
+  const Scalar t13 = t12 * t12;
+  const Scalar t14 = t10 - t13;
+  const Scalar t15 = qdd[1] + k[2] * qdd[0];
+  const Scalar t16 = k[0] * qdd[0];
+  const Scalar t17 = t8 * t5 + c2 * t16;
+  const Scalar t18 = t8 * t6;
+  const Scalar t19 = t17 - t18;
+  const Scalar t20 = qdd[2] + (k[1] * t15 - k[3] * t19);
+  const Scalar t21 = s3 * t8 - c3 * t7;
+  const Scalar t22 = t21 * t9;
+  const Scalar t23 = t20 + t22;
+  const Scalar t24 = t12 * t9;
+  const Scalar t25 = s2 * t16 - t5 * t4;
+  const Scalar t26 = t6 * t4;
+  const Scalar t27 = t25 + t26;
+  const Scalar t28 = t27 - t11 * t7;
+  const Scalar t29 = t8 * t4;
+  const Scalar t30 = t15 - t29;
+  const Scalar t31 = k[3] * t30 + k[1] * t17;
+  const Scalar t32 = s3 * t28 - c3 * t31;
+  const Scalar t33 = t24 + t32;
+  const Scalar t34 = t24 + t33;
+  const Scalar t35 = c3 * t28 + s3 * t31;
+  const Scalar t36 = t21 * t12;
+  const Scalar t37 = t35 - t36;
+  const Scalar t38 = t37 - t36;
+  const Scalar t39 = (k[36] * t14 - k[33] * t23) + (k[59] * t34 + k[35] * t38);
+  const Scalar t40 = t21 * t21;
+  const Scalar t41 = t15 + t29;
+  const Scalar t42 = qd[0] * qd[0];
+  const Scalar t43 = t1 + k[9] * t42;
+  const Scalar t44 = t0 + k[9] * qdd[0];
+  const Scalar t45 = k[12] - k[2] * t44;
+  const Scalar t46 = (s2 * t43 - c2 * t45) - t25;
+  const Scalar t47 = k[14] * t41 + t46;
+  const Scalar t48 = k[13] * t42;
+  const Scalar t49 = t48 + (k[15] + k[0] * t44);
+  const Scalar t50 = t19 - t18;
+  const Scalar t51 = t49 + k[14] * t50;
+  const Scalar t52 = k[16] * (t10 + t40) + (k[3] * t47 + k[1] * t51);
+  const Scalar t53 = k[27] * c6 - k[28] * s6;
+  const Scalar t54 = k[5] * t21 - k[4] * t12;
+  const Scalar t55 = s4 * t54 - c4 * t9;
+  const Scalar t56 = c4 * t54 + s4 * t9;
+  const Scalar t57 = k[4] * t21 + k[5] * t12;
+  const Scalar t58 = qd[3] + t57;
+  const Scalar t59 = k[19] * t56 - k[20] * t58;
+  const Scalar t60 = s5 * t55 - c5 * t59;
+  const Scalar t61 = k[19] * t58 + k[20] * t56;
+  const Scalar t62 = qd[4] + t61;
+  const Scalar t63 = k[26] * t60 + k[25] * t62;
+  const Scalar t64 = t63 * t63;
+  const Scalar t65 = k[25] * t60 - k[26] * t62;
+  const Scalar t66 = qd[5] - t65;
+  const Scalar t67 = t66 * t66;
+  const Scalar t68 = k[28] * c6 + k[27] * s6;
+  const Scalar t69 = qdd[3] + (k[5] * t20 + k[4] * t33);
+  const Scalar t70 = t58 * t55;
+  const Scalar t71 = t54 * t57 + t37;
+  const Scalar t72 = k[5] * t32 - k[4] * t23;
+  const Scalar t73 = s4 * t71 + c4 * t72;
+  const Scalar t74 = t70 - t73;
+  const Scalar t75 = qdd[4] + (k[19] * t69 - k[20] * t74);
+  const Scalar t76 = s5 * t59 + c5 * t55;
+  const Scalar t77 = t62 * t76;
+  const Scalar t78 = s4 * t72 - c4 * t71;
+  const Scalar t79 = t58 * t56;
+  const Scalar t80 = t78 + t79;
+  const Scalar t81 = t80 - t61 * t59;
+  const Scalar t82 = t55 * t56;
+  const Scalar t83 = t69 - t82;
+  const Scalar t84 = k[20] * t83 - k[19] * t73;
+  const Scalar t85 = s5 * t81 + c5 * t84;
+  const Scalar t86 = t77 + t85;
+  const Scalar t87 = qdd[5] + (k[26] * t75 - k[25] * t86);
+  const Scalar t88 = t63 * t76;
   const Scalar t89 = t87 + t88;
-  const Scalar t90 = (k[20] * t79 + k[19] * t85) - k[39] * (t89 - t53);
-  const Scalar t91 = wrench[0] * s1 - wrench[1] * c1;
-  const Scalar t92 = k[0] * wrench[2] - k[1] * t91;
-  const Scalar t93 = wrench[0] * c1 + wrench[1] * s1;
-  const Scalar t94 = c2 * t92 - s2 * t93;
-  const Scalar t95 = k[0] * t91 + k[1] * wrench[2];
-  const Scalar t96 = k[10] * t94 - k[7] * t95;
-  const Scalar t97 = s2 * t92 + c2 * t93;
-  const Scalar t98 = k[10] * t95 + k[7] * t94;
-  const Scalar t99 = s3 * t97 - c3 * t98;
-  const Scalar t100 = k[19] * t96 + k[20] * t99;
-  const Scalar t101 = s3 * t98 + c3 * t97;
-  const Scalar t102 = c4 * t100 + s4 * t101;
-  const Scalar t103 = k[20] * t96 - k[19] * t99;
-  const Scalar t104 = k[23] * t102 + k[24] * t103;
-  const Scalar t105 = c4 * t101 - s4 * t100;
-  const Scalar t106 = c5 * t104 + s5 * t105;
-  const Scalar t107 = k[23] * t103 - k[24] * t102;
-  const Scalar t108 = k[29] * c6 - k[30] * s6;
-  const Scalar t109 = k[23] * t46 - k[24] * t50;
-  const Scalar t110 = s5 * t109 + c5 * t45;
-  const Scalar t111 = k[24] * t46 + k[23] * t50;
-  const Scalar t112 = qd[4] + t111;
-  const Scalar t113 = c5 * t109 - s5 * t45;
-  const Scalar t114 = k[32] * t112 + k[31] * t113;
-  const Scalar t115 = qd[5] + t114;
-  const Scalar t116 = t110 * t115;
-  const Scalar t117 = t109 * t111 - t67;
-  const Scalar t118 = k[24] * t48 + k[23] * t62;
-  const Scalar t119 = s5 * t117 - c5 * t118;
-  const Scalar t120 = qdd[4] + (k[23] * t42 - k[24] * t63);
-  const Scalar t121 = t113 * t110;
-  const Scalar t122 = t120 - t121;
-  const Scalar t123 = k[32] * t119 - k[31] * t122;
-  const Scalar t124 = (t116 + t116) - t123;
-  const Scalar t125 = k[30] * c6 + k[29] * s6;
-  const Scalar t126 = k[31] * t112 - k[32] * t113;
-  const Scalar t127 = t126 * t115;
-  const Scalar t128 = t113 * t112;
-  const Scalar t129 = c5 * t117 + s5 * t118;
-  const Scalar t130 = t128 - t129;
-  const Scalar t131 = t114 * t126 + t130;
-  const Scalar t132 = t127 + (t127 - t131);
-  const Scalar t133 = (k[28] * t106 - k[27] * t107) + (t108 * t124 - t125 * t132);
-  const Scalar t134 = k[28] * t107 + k[27] * t106;
-  const Scalar t135 = t110 * t126;
-  const Scalar t136 = t110 * t112;
-  const Scalar t137 = t136 - t119;
-  const Scalar t138 = qdd[5] + (k[32] * t120 - k[31] * t137);
-  const Scalar t139 = t135 - t138;
-  const Scalar t140 = t115 * t115;
-  const Scalar t141 = t110 * t110;
-  const Scalar t142 = t134 - (t139 * t108 + t125 * (t140 + t141));
-  const Scalar t143 = k[31] * t133 + k[32] * t142;
-  const Scalar t144 = wrench[3] * s1 - wrench[4] * c1;
-  const Scalar t145 = k[1] * wrench[5] + k[0] * t144;
-  const Scalar t146 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t147 = k[0] * wrench[5] - k[1] * t144;
-  const Scalar t148 = s2 * t146 - c2 * t147;
-  const Scalar t149 = k[7] * t145 + k[10] * t148;
-  const Scalar t150 = c2 * t146 + s2 * t147;
-  const Scalar t151 = k[10] * t145 - k[7] * t148;
-  const Scalar t152 = s3 * t150 - c3 * t151;
-  const Scalar t153 = k[20] * t149 + k[19] * t152;
-  const Scalar t154 = k[19] * t149 - k[20] * t152;
-  const Scalar t155 = s3 * t151 + c3 * t150;
-  const Scalar t156 = c4 * t154 - s4 * t155;
-  const Scalar t157 = k[24] * t153 + k[23] * t156;
-  const Scalar t158 = c4 * t155 + s4 * t154;
-  const Scalar t159 = c5 * t157 - s5 * t158;
-  const Scalar t160 = k[23] * t153 - k[24] * t156;
-  const Scalar t161 = (k[19] * t79 - k[20] * t85) - k[39] * t61;
-  const Scalar t162 = (s3 * t80 + c3 * t82) + k[11] * t34;
-  const Scalar t163 = t36 * t36;
-  const Scalar t164 = t163 + t75;
-  const Scalar t165 = (t162 + k[34] * t164) - k[39] * t57;
-  const Scalar t166 = c4 * t161 + s4 * t165;
-  const Scalar t167 = t42 + t47;
-  const Scalar t168 = t166 + k[40] * t167;
-  const Scalar t169 = t90 - k[40] * t64;
-  const Scalar t170 = k[49] * t117 - (k[23] * t168 + k[24] * t169);
-  const Scalar t171 = s4 * t161 - c4 * t165;
-  const Scalar t172 = k[49] * t118 + (t171 - k[40] * t89);
-  const Scalar t173 = c5 * t170 + s5 * t172;
-  const Scalar t174 = t120 + t121;
-  const Scalar t175 = t173 - k[48] * t174;
-  const Scalar t176 = t136 + t137;
-  const Scalar t177 = t113 * t113;
-  const Scalar t178 = t141 + t177;
-  const Scalar t179 = k[49] * t178 + (k[24] * t168 - k[23] * t169);
-  const Scalar t180 = k[48] * t176 + t179;
-  const Scalar t181 = t112 * t112;
-  const Scalar t182 = t177 + t181;
-  const Scalar t183 = s5 * t170 - c5 * t172;
-  const Scalar t184 = t108 * (k[32] * t175 + k[31] * t180) - (k[48] * t182 + t183) * t125;
-  const Scalar t185 = k[42] * s6 + k[41] * c6;
-  const Scalar t186 = k[41] * s6 - k[42] * c6;
-  const Scalar t187 = k[43] * s6 + k[44] * c6;
-  const Scalar t188 = s6 * t187;
-  const Scalar t189 = k[45] - t188;
-  const Scalar t190 = k[46] + t188;
-  const Scalar t191 = t135 + t138;
-  const Scalar t192 = k[47] - c6 * t187;
-  const Scalar t193 = t140 - t141;
-  const Scalar t194 = t126 * t126;
-  const Scalar t195 = t140 - t194;
-  const Scalar t196 = (t139 * t189 - t190 * t191) + t192 * (t193 - t195);
-  const Scalar t197 = t184 + ((t185 * t131 + t186 * t123) - t196);
-  const Scalar t198 = (k[31] * t159 - k[32] * t160) - t197;
-  const Scalar t199 = s5 * t104 - c5 * t105;
-  const Scalar t200 = (k[31] * t160 + k[32] * t159) - k[50] * t199;
-  const Scalar t201 = k[32] * t180 - k[31] * t175;
-  const Scalar t202 = (t192 * t132 + t189 * t124) - (t191 * t186 + t193 * t185);
-  const Scalar t203 = t200 - (t108 * t201 - t202);
-  const Scalar t204 = k[48] * t143 + (k[32] * t198 - k[31] * t203);
-  const Scalar t205 = k[55] * (t141 - t177) + (k[54] * t174 + k[53] * t122);
-  const Scalar t206 = ((k[52] * t129 - k[51] * t119) + t205) - (k[26] * t173 - k[25] * t183);
-  const Scalar t207 = t204 + t206;
-  const Scalar t208 = (t125 * t191 + t108 * (t140 + t194)) - k[33] * t199;
-  const Scalar t209 = (k[26] * t182 + k[25] * t122) + t208;
-  const Scalar t210 = t177 - t181;
-  const Scalar t211 = (k[26] * t174 + k[25] * (t210 - t178)) + t143;
-  const Scalar t212 = c5 * t209 + s5 * t211;
-  const Scalar t213 = (t190 * t132 + t192 * t124) + t186 * t195;
-  const Scalar t214 = (s5 * t157 + c5 * t158) + k[56] * t134;
-  const Scalar t215 = (t125 * t201 + (t139 * t185 + t213)) + t214;
-  const Scalar t216 = t128 + t130;
-  const Scalar t217 = (k[53] * t216 - k[55] * t176) - k[51] * t210;
-  const Scalar t218 = t215 + (k[25] * t179 - (k[52] * t174 - t217));
-  const Scalar t219 = k[32] * t133 - k[31] * t142;
-  const Scalar t220 = (k[31] * t198 + k[32] * t203) - k[48] * t219;
-  const Scalar t221 = (k[52] * (t178 - t182) - k[51] * t122) - (k[54] * t176 - k[55] * t216);
-  const Scalar t222 = t220 + (t221 - k[26] * t179);
-  const Scalar t223 = k[49] * t212 + (s5 * t218 + c5 * t222);
-  const Scalar t224 = s5 * t209 - c5 * t211;
-  const Scalar t225 = (k[26] * t176 + k[25] * t216) + t219;
-  const Scalar t226 = k[24] * t224 + k[23] * t225;
-  const Scalar t227 = (k[24] * t207 + k[23] * t223) - k[40] * t226;
-  const Scalar t228 = (t69 + k[21] * t90) + t227;
-  const Scalar t229 = k[37] * t86 + (k[36] * t64 - k[57] * t68);
-  const Scalar t230 = (s5 * t222 - c5 * t218) + k[49] * t224;
-  const Scalar t231 = (k[22] * t90 + (k[38] * t167 - t229)) + t230;
-  const Scalar t232 = t212 + (k[22] * t48 + k[21] * t89);
-  const Scalar t233 = k[23] * t224 - k[24] * t225;
-  const Scalar t234 = (k[21] * t167 - k[22] * t88) - t233;
-  const Scalar t235 = s4 * t232 - c4 * t234;
-  const Scalar t236 = (s4 * t228 + c4 * t231) + k[39] * t235;
-  const Scalar t237 = t59 - t60;
-  const Scalar t238 = t74 + t163;
-  const Scalar t239 = (k[16] * t78 - k[15] * t237) + k[17] * (t76 - t238);
-  const Scalar t240 = t236 - (k[13] * t77 - (k[18] * t84 - t239));
-  const Scalar t241 = (k[21] * t64 + k[22] * t68) + t226;
-  const Scalar t242 = k[19] * t241 - k[20] * t235;
-  const Scalar t243 = (k[12] * t84 - k[13] * t238) + k[58] * t83;
-  const Scalar t244 = t242 - t243;
-  const Scalar t245 = t240 - k[11] * t244;
-  const Scalar t246 = (k[12] * t164 - k[13] * t56) + k[58] * t162;
-  const Scalar t247 = c4 * t232 + s4 * t234;
-  const Scalar t248 = t246 + t247;
-  const Scalar t249 = k[40] * t233 + (k[24] * t223 - k[23] * t207);
-  const Scalar t250 = (k[35] * t167 - k[57] * t48) + k[36] * t87;
-  const Scalar t251 = (k[22] * t171 - k[21] * t166) - (t250 + (k[38] * t66 - k[37] * t62));
-  const Scalar t252 = t249 + t251;
-  const Scalar t253 = k[39] * t247 + (c4 * t228 - s4 * t231);
-  const Scalar t254 = k[19] * t235 + k[20] * t241;
-  const Scalar t255 = (k[19] * t252 - k[20] * t253) + k[34] * t254;
-  const Scalar t256 = (k[17] * t56 - k[18] * (t74 - t163)) + (k[14] * t78 + k[16] * t237);
-  const Scalar t257 = k[11] * t248 - (t255 - (k[12] * t77 + t256));
-  const Scalar t258 = s3 * t245 - c3 * t257;
-  const Scalar t259 = k[34] * t242 - (k[19] * t253 + k[20] * t252);
-  const Scalar t260 = k[16] * (t238 - t164) - (k[15] * t56 + k[14] * t84);
-  const Scalar t261 = (k[12] * t83 + k[13] * t162) - ((k[17] * t34 - k[18] * t58) + t260);
-  const Scalar t262 = t259 - t261;
-  const Scalar t263 = k[58] * t77 + (k[12] * t78 + k[13] * t237);
-  const Scalar t264 = t254 - t263;
-  const Scalar t265 = c3 * t244 - s3 * t248;
-  const Scalar t266 = k[10] * t264 + k[7] * t265;
-  const Scalar t267 = t27 - ((k[10] * t258 + k[7] * t262) + t266);
-  const Scalar t268 = k[64] * t13 + t266;
-  const Scalar t269 = t29 + t28;
-  const Scalar t270 = (k[63] * t269 - k[61] * t72) + k[60] * t17;
-  const Scalar t271 = (t270 + k[59] * t13) - (c3 * t245 + s3 * t257);
-  const Scalar t272 = (k[59] * t21 + k[60] * t12) - (k[62] * t72 + k[61] * t269);
-  const Scalar t273 = k[7] * t264 - k[10] * t265;
-  const Scalar t274 = (k[64] * t71 - t272) + (t273 - (k[10] * t262 - k[7] * t258));
-  const Scalar t275 = k[64] * t18 + (s3 * t244 + c3 * t248);
-  const Scalar t276 = s2 * (k[2] * t268 + t271) - c2 * (t274 - k[2] * t275);
-  const Scalar t277 = k[66] * (t273 + k[64] * t72) + k[65] * (c2 * t268 - s2 * t275);
-  const Scalar t278 = t2 + ((k[1] * t267 + k[0] * t276) - t277);
+  const Scalar t90 = wrench[0] * s1 - wrench[1] * c1;
+  const Scalar t91 = k[0] * wrench[2] - k[2] * t90;
+  const Scalar t92 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t93 = s2 * t91 + c2 * t92;
+  const Scalar t94 = k[2] * wrench[2] + k[0] * t90;
+  const Scalar t95 = s2 * t92 - c2 * t91;
+  const Scalar t96 = k[3] * t94 - k[1] * t95;
+  const Scalar t97 = c3 * t93 + s3 * t96;
+  const Scalar t98 = k[3] * t95 + k[1] * t94;
+  const Scalar t99 = s3 * t93 - c3 * t96;
+  const Scalar t100 = k[4] * t98 - k[5] * t99;
+  const Scalar t101 = c4 * t97 + s4 * t100;
+  const Scalar t102 = c4 * t100 - s4 * t97;
+  const Scalar t103 = k[5] * t98 + k[4] * t99;
+  const Scalar t104 = k[19] * t102 + k[20] * t103;
+  const Scalar t105 = c5 * t101 + s5 * t104;
+  const Scalar t106 = (t53 * (t64 + t67) + t68 * t89) + k[29] * t105;
+  const Scalar t107 = t60 * t76;
+  const Scalar t108 = t75 + t107;
+  const Scalar t109 = t62 * t62;
+  const Scalar t110 = t60 * t60;
+  const Scalar t111 = t109 + t110;
+  const Scalar t112 = t106 + (k[21] * t108 + k[22] * t111);
+  const Scalar t113 = t75 - t107;
+  const Scalar t114 = t76 * t76;
+  const Scalar t115 = t110 - t114;
+  const Scalar t116 = t115 - t111;
+  const Scalar t117 = t87 - t88;
+  const Scalar t118 = k[19] * t103 - k[20] * t102;
+  const Scalar t119 = s5 * t101 - c5 * t104;
+  const Scalar t120 = k[24] * t118 - k[23] * t119;
+  const Scalar t121 = (t117 * t53 - (t67 + t114) * t68) - t120;
+  const Scalar t122 = k[26] * t85 + k[25] * t108;
+  const Scalar t123 = Scalar(2) * t76 * t66 + t122;
+  const Scalar t124 = s5 * t84 - c5 * t81;
+  const Scalar t125 = t60 * t62;
+  const Scalar t126 = t124 + t125;
+  const Scalar t127 = t65 * t63 + t126;
+  const Scalar t128 = t63 * t66;
+  const Scalar t129 = (t127 + t128) + t128;
+  const Scalar t130 = (t123 * t53 - t129 * t68) + (k[24] * t119 + k[23] * t118);
+  const Scalar t131 = k[26] * t121 + k[25] * t130;
+  const Scalar t132 = (k[22] * t113 + k[21] * t116) + t131;
+  const Scalar t133 = s5 * t112 - c5 * t132;
+  const Scalar t134 = t77 + t86;
+  const Scalar t135 = t126 + t125;
+  const Scalar t136 = k[26] * t130 - k[25] * t121;
+  const Scalar t137 = (k[22] * t134 - k[21] * t135) + t136;
+  const Scalar t138 = k[19] * t133 - k[20] * t137;
+  const Scalar t139 = t109 - t110;
+  const Scalar t140 = (k[40] * t134 + k[52] * t135) - k[42] * t139;
+  const Scalar t141 = t116 + t139;
+  const Scalar t142 = t56 * t56;
+  const Scalar t143 = t55 * t55;
+  const Scalar t144 = t142 + t143;
+  const Scalar t145 = t8 * t8;
+  const Scalar t146 = t6 * t6;
+  const Scalar t147 = t145 + t146;
+  const Scalar t148 = t147 - t48;
+  const Scalar t149 = t145 - t146;
+  const Scalar t150 = t148 + t149;
+  const Scalar t151 = t150 - t147;
+  const Scalar t152 = t17 - (s2 * t45 + c2 * t43);
+  const Scalar t153 = k[14] * t151 + t152;
+  const Scalar t154 = k[1] * t47 - k[3] * t51;
+  const Scalar t155 = k[16] * t35 + (s3 * t153 - c3 * t154);
+  const Scalar t156 = t20 - t22;
+  const Scalar t157 = t155 - k[8] * t156;
+  const Scalar t158 = k[8] * t34 - t52;
+  const Scalar t159 = k[17] * t144 - (k[4] * t157 + k[5] * t158);
+  const Scalar t160 = t74 + t70;
+  const Scalar t161 = t159 + k[38] * t160;
+  const Scalar t162 = k[4] * t158 - k[5] * t157;
+  const Scalar t163 = k[16] * t32 - (s3 * t154 + c3 * t153);
+  const Scalar t164 = t13 + t40;
+  const Scalar t165 = t163 + k[8] * t164;
+  const Scalar t166 = (c4 * t162 + s4 * t165) + k[17] * t78;
+  const Scalar t167 = t69 + t82;
+  const Scalar t168 = t166 + k[38] * t167;
+  const Scalar t169 = k[37] * t141 - (k[19] * t161 + k[20] * t168);
+  const Scalar t170 = k[46] * s6 + k[45] * c6;
+  const Scalar t171 = k[46] * c6 - k[45] * s6;
+  const Scalar t172 = t64 - t67;
+  const Scalar t173 = k[47] * s6 + k[48] * c6;
+  const Scalar t174 = k[50] - c6 * t173;
+  const Scalar t175 = s6 * t173;
+  const Scalar t176 = k[51] + t175;
+  const Scalar t177 = t171 * t172 + (t123 * t174 + t129 * t176);
+  const Scalar t178 = t169 - k[43] * t134;
+  const Scalar t179 = k[19] * t168 - k[20] * t161;
+  const Scalar t180 = t58 * t58;
+  const Scalar t181 = t142 + t180;
+  const Scalar t182 = k[17] * t73 + (c4 * t165 - s4 * t162);
+  const Scalar t183 = k[38] * t181 + t182;
+  const Scalar t184 = k[37] * t124 - (c5 * t179 + s5 * t183);
+  const Scalar t185 = t184 - k[43] * t113;
+  const Scalar t186 = k[26] * t178 + k[25] * t185;
+  const Scalar t187 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t188 = wrench[3] * s1 - wrench[4] * c1;
+  const Scalar t189 = k[0] * wrench[5] - k[2] * t188;
+  const Scalar t190 = c2 * t187 + s2 * t189;
+  const Scalar t191 = k[2] * wrench[5] + k[0] * t188;
+  const Scalar t192 = s2 * t187 - c2 * t189;
+  const Scalar t193 = k[3] * t191 - k[1] * t192;
+  const Scalar t194 = s3 * t190 - c3 * t193;
+  const Scalar t195 = k[1] * t191 + k[3] * t192;
+  const Scalar t196 = k[5] * t194 - k[4] * t195;
+  const Scalar t197 = c3 * t190 + s3 * t193;
+  const Scalar t198 = s4 * t196 - c4 * t197;
+  const Scalar t199 = s4 * t197 + c4 * t196;
+  const Scalar t200 = k[4] * t194 + k[5] * t195;
+  const Scalar t201 = k[19] * t199 - k[20] * t200;
+  const Scalar t202 = (c5 * t198 + s5 * t201) + k[53] * t120;
+  const Scalar t203 = ((t117 * t170 - t177) + t186 * t68) + t202;
+  const Scalar t204 = ((k[41] * t113 + t140) + k[21] * t169) + t203;
+  const Scalar t205 = k[37] * t132 - t204;
+  const Scalar t206 = (k[39] * t134 + k[40] * t135) + (k[42] * t108 + k[41] * (t111 + t141));
+  const Scalar t207 = k[19] * t200 + k[20] * t199;
+  const Scalar t208 = s5 * t198 - c5 * t201;
+  const Scalar t209 = (c5 * t183 - s5 * t179) - k[37] * t85;
+  const Scalar t210 = t68 * (t209 + k[43] * t111) + (k[25] * t178 - k[26] * t185) * t53;
+  const Scalar t211 = t64 - t114;
+  const Scalar t212 = k[49] - t175;
+  const Scalar t213 = t211 * t174 - (t117 * t212 + t176 * t89);
+  const Scalar t214 = t210 + (t213 - (t171 * t122 - t127 * t170));
+  const Scalar t215 = (k[26] * t207 - k[25] * t208) - t214;
+  const Scalar t216 = (k[25] * t207 + k[26] * t208) + k[44] * t105;
+  const Scalar t217 = (t129 * t174 + t123 * t212) + (t170 * (t172 - t211) + t171 * t89);
+  const Scalar t218 = t216 + (t217 + t186 * t53);
+  const Scalar t219 = (k[25] * t215 - k[26] * t218) + k[43] * t136;
+  const Scalar t220 = k[37] * t112 + ((k[22] * t169 - t206) - t219);
+  const Scalar t221 = s5 * t205 + c5 * t220;
+  const Scalar t222 = k[40] * t115 - (k[39] * t113 + k[52] * t108);
+  const Scalar t223 = ((k[42] * t85 + k[41] * t124) - t222) - (k[22] * t184 - k[21] * t209);
+  const Scalar t224 = (k[26] * t215 + k[25] * t218) - k[43] * t131;
+  const Scalar t225 = t223 - t224;
+  const Scalar t226 = k[38] * t138 + (k[20] * t221 - k[19] * t225);
+  const Scalar t227 = t142 - t143;
+  const Scalar t228 = (k[55] * t83 - k[58] * t167) - k[56] * t227;
+  const Scalar t229 = (k[7] * t166 + k[6] * t182) - ((k[57] * t78 - k[54] * t73) + t228);
+  const Scalar t230 = t226 - t229;
+  const Scalar t231 = t181 - t227;
+  const Scalar t232 = k[18] * t166 - (k[6] * t231 - k[7] * t167);
+  const Scalar t233 = t138 - t232;
+  const Scalar t234 = t80 + t79;
+  const Scalar t235 = (k[56] * t160 - k[55] * t234) + k[54] * (t144 - t231);
+  const Scalar t236 = (s5 * t220 - c5 * t205) - (k[6] * t159 + (t235 - k[57] * t167));
+  const Scalar t237 = k[17] * t233 + t236;
+  const Scalar t238 = (k[6] * t83 + k[7] * t181) + k[18] * t182;
+  const Scalar t239 = (s5 * t132 + c5 * t112) + t238;
+  const Scalar t240 = k[20] * t133 + k[19] * t137;
+  const Scalar t241 = k[38] * t240 - (k[20] * t225 + k[19] * t221);
+  const Scalar t242 = (k[54] * t83 - k[57] * (t180 - t143)) - (k[56] * t234 + k[58] * t160);
+  const Scalar t243 = k[17] * t239 - (t241 - (t242 - k[7] * t159));
+  const Scalar t244 = s4 * t237 - c4 * t243;
+  const Scalar t245 = s4 * t239 + c4 * t233;
+  const Scalar t246 = k[18] * t159 + (k[7] * t160 + k[6] * t234);
+  const Scalar t247 = t246 + t240;
+  const Scalar t248 = k[4] * t245 + k[5] * t247;
+  const Scalar t249 = (k[4] * t230 + k[5] * t244) + k[8] * t248;
+  const Scalar t250 = k[30] * t164 - (s4 * t233 - c4 * t239);
+  const Scalar t251 = ((t39 + k[30] * t52) + t249) - k[16] * t250;
+  const Scalar t252 = t10 - t40;
+  const Scalar t253 = (k[34] * t38 + k[35] * t34) - k[33] * (t252 - t14);
+  const Scalar t254 = (c4 * t237 + s4 * t243) - (k[36] * t156 + t253);
+  const Scalar t255 = k[4] * t247 - k[5] * t245;
+  const Scalar t256 = k[30] * t156 + t255;
+  const Scalar t257 = t254 - k[16] * t256;
+  const Scalar t258 = t27 + t26;
+  const Scalar t259 = k[63] * t148 + (k[62] * t258 - k[61] * t50);
+  const Scalar t260 = (s3 * t251 - c3 * t257) + (k[32] * t49 + (k[60] * t41 - t259));
+  const Scalar t261 = s3 * t250 - c3 * t256;
+  const Scalar t262 = t248 - k[30] * t34;
+  const Scalar t263 = k[1] * t261 - k[3] * t262;
+  const Scalar t264 = (k[31] * t41 - k[32] * t147) - t263;
+  const Scalar t265 = (k[31] * t151 - k[32] * t30) - (c3 * t250 + s3 * t256);
+  const Scalar t266 = (k[4] * t244 - k[5] * t230) + k[8] * t255;
+  const Scalar t267 = k[35] * t252 - (k[34] * t23 + k[59] * t156);
+  const Scalar t268 = (t267 + (k[33] * t32 - k[36] * t35)) - k[30] * t155;
+  const Scalar t269 = t266 + t268;
+  const Scalar t270 = s3 * t257 + c3 * t251;
+  const Scalar t271 = k[3] * t261 + k[1] * t262;
+  const Scalar t272 = (k[3] * t269 - k[1] * t270) - k[14] * t271;
+  const Scalar t273 = (k[60] * t149 - k[63] * t30) + (k[64] * t50 - k[61] * t258);
+  const Scalar t274 = c2 * (t265 - (t272 - (k[31] * t49 + t273)));
+  const Scalar t275 = (k[64] * t41 + k[62] * t30) - k[61] * t150;
+  const Scalar t276 = (t275 - (k[60] * t25 + k[63] * t17)) - (k[32] * t152 - k[31] * t46);
+  const Scalar t277 = k[14] * t263 - (k[3] * t270 + k[1] * t269);
+  const Scalar t278 = t276 - t277;
+  const Scalar t279 = k[0] * (s2 * (t260 + t264) - t274) - k[2] * t278;
+  const Scalar t280 = k[65] * (t271 + (k[31] * t50 - k[32] * t258));
+  const Scalar t281 = t280 + k[66] * (c2 * t264 + s2 * t265);
   JointVector<Scalar> result;
-  result[0] = -t278;
-  result[1] = -t267;
-  result[2] = t262;
-  result[3] = -t252;
-  result[4] = t207;
-  result[5] = t198;
+  result[0] = t2 - (t279 - t281);
+  result[1] = t278;
+  result[2] = t269;
+  result[3] = -t230;
+  result[4] = t225;
+  result[5] = -t215;
   return result;
 }
 
@@ -1058,28 +1107,28 @@ GravityTorqueWithGravityVectorConstants<Scalar> gravity_torque_with_gravity_vect
            gravity[1],
            g.a2 * t3 + inertia.c1x * inertia.m1,
            t16,
-           sin(g.alpha2),
-           gravity[2] * cos(g.alpha2),
-           sin(g.alpha3) * t13 - inertia.c2y * inertia.m2,
-           cos(g.alpha3),
            cos(g.alpha2),
            gravity[2] * sin(g.alpha2),
+           sin(g.alpha3) * t13 - inertia.c2y * inertia.m2,
+           g.a3 * t2 + inertia.c2x * inertia.m2,
+           sin(g.alpha2),
+           gravity[2] * cos(g.alpha2),
+           cos(g.alpha3),
            sin(g.alpha3),
-           sin(g.alpha4) * t10 - inertia.c3y * inertia.m3,
+           g.a4 * t1 + inertia.c3x * inertia.m3,
+           inertia.c6x * inertia.m6,
+           inertia.c6y * inertia.m6,
            sin(g.alpha4),
            cos(g.alpha4),
            sin(g.alpha5),
            cos(g.alpha5),
-           cos(g.alpha6),
            sin(g.alpha6),
-           inertia.c6x * inertia.m6,
-           inertia.c6y * inertia.m6,
-           g.a6 * inertia.m6 + inertia.c5x * inertia.m5,
+           cos(g.alpha6),
            inertia.c5y * inertia.m5 - sin(g.alpha6) * t6,
+           g.a6 * inertia.m6 + inertia.c5x * inertia.m5,
            g.a5 * t0 + inertia.c4x * inertia.m4,
            sin(g.alpha5) * t8 + inertia.c4y * inertia.m4,
-           g.a4 * t1 + inertia.c3x * inertia.m3,
-           g.a3 * t2 + inertia.c2x * inertia.m2 };
+           sin(g.alpha4) * t10 - inertia.c3y * inertia.m3 };
 }
 
 namespace detail {
@@ -1100,52 +1149,52 @@ inline JointVector<Scalar> gravity_torque_with_gravity_vector([[maybe_unused]] c
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = k[1] * s1 + k[0] * c1;
-  const Scalar t1 = k[0] * s1 - k[1] * c1;
-  const Scalar t2 = k[9] - k[8] * t1;
-  const Scalar t3 = c2 * t0 + s2 * t2;
-  const Scalar t4 = c2 * t2 - s2 * t0;
-  const Scalar t5 = k[5] + k[4] * t1;
-  const Scalar t6 = k[7] * t4 + k[10] * t5;
-  const Scalar t7 = s3 * t3 - c3 * t6;
-  const Scalar t8 = k[10] * t4 - k[7] * t5;
-  const Scalar t9 = k[13] * t7 + k[12] * t8;
-  const Scalar t10 = c3 * t3 + s3 * t6;
-  const Scalar t11 = c4 * t9 + s4 * t10;
-  const Scalar t12 = k[12] * t7 - k[13] * t8;
-  const Scalar t13 = k[15] * t11 - k[14] * t12;
-  const Scalar t14 = s4 * t9 - c4 * t10;
-  const Scalar t15 = c5 * t13 - s5 * t14;
-  const Scalar t16 = s5 * t13 + c5 * t14;
-  const Scalar t17 = k[19] * s6 - k[18] * c6;
-  const Scalar t18 = k[14] * t11 + k[15] * t12;
-  const Scalar t19 = k[18] * s6 + k[19] * c6;
-  const Scalar t20 = t17 * (k[17] * t18 - k[16] * t15) - t16 * t19;
-  const Scalar t21 = k[16] * t18 + k[17] * t15;
-  const Scalar t22 = t17 * t21;
-  const Scalar t23 = (k[20] * t15 - k[21] * t16) + (k[16] * t20 - k[17] * t22);
-  const Scalar t24 = (k[17] * t20 + k[16] * t22) - k[20] * t18;
-  const Scalar t25 = t21 * t19 + k[21] * t18;
-  const Scalar t26 = c5 * t24 + s5 * t25;
-  const Scalar t27 = (k[14] * t23 + k[15] * t26) - k[22] * t12;
-  const Scalar t28 = k[23] * t12 - (s5 * t24 - c5 * t25);
-  const Scalar t29 = (s4 * t27 - c4 * t28) - k[11] * t8;
-  const Scalar t30 = c4 * t27 + s4 * t28;
-  const Scalar t31 = (k[15] * t23 - k[14] * t26) - (k[23] * t14 - k[22] * t11);
-  const Scalar t32 = k[24] * t8 + (k[13] * t30 + k[12] * t31);
-  const Scalar t33 = (c3 * t29 + s3 * t32) + k[6] * t5;
-  const Scalar t34 = s3 * t29 - c3 * t32;
-  const Scalar t35 = (k[11] * t10 - k[24] * t7) + (k[12] * t30 - k[13] * t31);
-  const Scalar t36 = (k[7] * t34 + k[10] * t35) + k[25] * t5;
-  const Scalar t37 = (k[6] * t3 + k[25] * t4) - (k[10] * t34 - k[7] * t35);
-  const Scalar t38 = k[4] * (s2 * t33 + c2 * t36) - k[8] * t37;
+  const Scalar t0 = k[0] * s1 - k[1] * c1;
+  const Scalar t1 = k[5] - k[4] * t0;
+  const Scalar t2 = k[1] * s1 + k[0] * c1;
+  const Scalar t3 = c2 * t1 - s2 * t2;
+  const Scalar t4 = k[9] + k[8] * t0;
+  const Scalar t5 = k[11] * t3 - k[10] * t4;
+  const Scalar t6 = s2 * t1 + c2 * t2;
+  const Scalar t7 = k[10] * t3 + k[11] * t4;
+  const Scalar t8 = s3 * t6 - c3 * t7;
+  const Scalar t9 = k[15] * t8 - k[16] * t5;
+  const Scalar t10 = k[15] * t5 + k[16] * t8;
+  const Scalar t11 = c3 * t6 + s3 * t7;
+  const Scalar t12 = c4 * t10 + s4 * t11;
+  const Scalar t13 = k[18] * t9 + k[17] * t12;
+  const Scalar t14 = k[14] * c6 + k[13] * s6;
+  const Scalar t15 = k[18] * t12 - k[17] * t9;
+  const Scalar t16 = c4 * t11 - s4 * t10;
+  const Scalar t17 = c5 * t15 + s5 * t16;
+  const Scalar t18 = k[19] * t17 + k[20] * t13;
+  const Scalar t19 = k[21] * t13 + t14 * t18;
+  const Scalar t20 = k[14] * s6 - k[13] * c6;
+  const Scalar t21 = c5 * t16 - s5 * t15;
+  const Scalar t22 = t20 * (k[20] * t17 - k[19] * t13) - t21 * t14;
+  const Scalar t23 = t20 * t18;
+  const Scalar t24 = k[22] * t13 + (k[19] * t22 - k[20] * t23);
+  const Scalar t25 = (c5 * t19 + s5 * t24) + k[24] * t9;
+  const Scalar t26 = (k[21] * t21 + k[22] * t17) - (k[20] * t22 + k[19] * t23);
+  const Scalar t27 = s5 * t19 - c5 * t24;
+  const Scalar t28 = k[23] * t9 - (k[17] * t26 + k[18] * t27);
+  const Scalar t29 = s4 * t25 - c4 * t28;
+  const Scalar t30 = (k[24] * t16 + k[23] * t12) + (k[18] * t26 - k[17] * t27);
+  const Scalar t31 = k[12] * t5 + (k[16] * t29 + k[15] * t30);
+  const Scalar t32 = (c4 * t25 + s4 * t28) + k[25] * t5;
+  const Scalar t33 = (s3 * t31 - c3 * t32) + k[6] * t4;
+  const Scalar t34 = (k[12] * t8 - k[25] * t11) + (k[16] * t30 - k[15] * t29);
+  const Scalar t35 = c3 * t31 + s3 * t32;
+  const Scalar t36 = k[7] * t4 - (k[11] * t34 + k[10] * t35);
+  const Scalar t37 = (k[10] * t34 - k[11] * t35) - (k[6] * t6 + k[7] * t3);
+  const Scalar t38 = k[8] * (s2 * t33 + c2 * t36) + k[4] * t37;
   JointVector<Scalar> result;
-  result[0] = t38 - (k[3] * t0 - k[2] * t1);
-  result[1] = -t37;
-  result[2] = -t35;
-  result[3] = t31;
-  result[4] = t23;
-  result[5] = t20;
+  result[0] = t38 - (k[3] * t2 - k[2] * t0);
+  result[1] = t37;
+  result[2] = t34;
+  result[3] = t30;
+  result[4] = t26;
+  result[5] = -t22;
   return result;
 }
 
@@ -1181,212 +1230,212 @@ ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_
   const Scalar t5 = inertia.c6z * inertia.m6;
   const Scalar t6 = g.d6 * inertia.m6 + t5;
   const Scalar t7 = sin(g.alpha6) * t6;
-  const Scalar t8 = g.a5 / g.d2;
-  const Scalar t9 = g.d5 / g.d2;
-  const Scalar t10 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t11 = (inertia.I6xx - t10) - inertia.c6x * t0;
-  const Scalar t12 = (inertia.I6yy - t10) - inertia.c6y * t1;
-  const Scalar t13 = inertia.I6xy - inertia.c6y * t0;
-  const Scalar t14 = g.d5 * t4;
-  const Scalar t15 = (inertia.c6z * t5 - (inertia.I6zz - t10)) + g.d6 * (t6 + t5);
-  const Scalar t16 = sin(g.alpha6) * t15;
-  const Scalar t17 = (t14 + ((inertia.I5yz - inertia.c5z * t4) - t14)) + cos(g.alpha6) * t16;
-  const Scalar t18 = g.a6 / g.d2;
-  const Scalar t19 = g.d5 * t3;
-  const Scalar t20 = cos(g.alpha6) * t6;
-  const Scalar t21 = (t19 - (t19 - (inertia.I5xz - inertia.c5z * t3))) - g.a6 * t20;
-  const Scalar t22 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t23 = sin(g.alpha6) * t16;
-  const Scalar t24 = (inertia.c5x * t3 - (inertia.I5xx - t22)) + g.a6 * t2;
-  const Scalar t25 = t11 + t12;
-  const Scalar t26 = g.d4 / g.d2;
-  const Scalar t27 = g.a4 / g.d2;
-  const Scalar t28 = g.d3 / g.d2;
-  const Scalar t29 = g.a3 / g.d2;
-  const Scalar t30 = g.a2 / g.d2;
-  const Scalar t31 = g.d5 * inertia.m5;
-  const Scalar t32 = inertia.c5z * inertia.m5;
-  const Scalar t33 = t32 + t31;
-  const Scalar t34 = t31 - t33;
-  const Scalar t35 = t34 - t20;
-  const Scalar t36 = inertia.m5 + inertia.m6;
-  const Scalar t37 = t35 - g.d5 * t36;
-  const Scalar t38 = sin(g.alpha5) * t37;
-  const Scalar t39 = inertia.c4y * inertia.m4;
-  const Scalar t40 = g.a5 * t36;
-  const Scalar t41 = inertia.c4x * inertia.m4;
-  const Scalar t42 = (inertia.c5z * t32 - (inertia.I5zz - t22)) + g.d5 * (t32 + t33);
-  const Scalar t43 = (g.d5 * (t34 - t33) + t42) + (t15 - t23);
-  const Scalar t44 = g.d5 * (t35 + t37) - t43;
-  const Scalar t45 = sin(g.alpha5) * t44;
-  const Scalar t46 = sin(g.alpha5) * t45;
+  const Scalar t8 = inertia.m5 + inertia.m6;
+  const Scalar t9 = g.a5 * t8;
+  const Scalar t10 = inertia.c4x * inertia.m4;
+  const Scalar t11 = g.d5 * inertia.m5;
+  const Scalar t12 = inertia.c5z * inertia.m5;
+  const Scalar t13 = t12 + t11;
+  const Scalar t14 = t11 - t13;
+  const Scalar t15 = cos(g.alpha6) * t6;
+  const Scalar t16 = t14 - t15;
+  const Scalar t17 = t16 - g.d5 * t8;
+  const Scalar t18 = sin(g.alpha5) * t17;
+  const Scalar t19 = inertia.c4y * inertia.m4;
+  const Scalar t20 = g.d3 / g.d2;
+  const Scalar t21 = g.a6 / g.d2;
+  const Scalar t22 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t23 = (inertia.I6xx - t22) - inertia.c6x * t0;
+  const Scalar t24 = (inertia.I6yy - t22) - inertia.c6y * t1;
+  const Scalar t25 = inertia.I6xy - inertia.c6y * t0;
+  const Scalar t26 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t27 = (inertia.c5x * t3 - (inertia.I5xx - t26)) + g.a6 * t2;
+  const Scalar t28 = (inertia.c6z * t5 - (inertia.I6zz - t22)) + g.d6 * (t6 + t5);
+  const Scalar t29 = sin(g.alpha6) * t28;
+  const Scalar t30 = sin(g.alpha6) * t29;
+  const Scalar t31 = g.d5 / g.d2;
+  const Scalar t32 = g.d5 * t4;
+  const Scalar t33 = (t32 + ((inertia.I5yz - inertia.c5z * t4) - t32)) + cos(g.alpha6) * t29;
+  const Scalar t34 = g.d5 * t3;
+  const Scalar t35 = (t34 - (t34 - (inertia.I5xz - inertia.c5z * t3))) - g.a6 * t15;
+  const Scalar t36 = g.a5 / g.d2;
+  const Scalar t37 = cos(g.alpha5) * t17;
+  const Scalar t38 = g.d4 * t10;
+  const Scalar t39 = g.a5 * t37 + (((inertia.I4xz - inertia.c4z * t10) - t38) + t38);
+  const Scalar t40 = g.d4 / g.d2;
+  const Scalar t41 = (inertia.c5z * t12 - (inertia.I5zz - t26)) + g.d5 * (t12 + t13);
+  const Scalar t42 = (g.d5 * (t14 - t13) + t41) + (t28 - t30);
+  const Scalar t43 = g.d5 * (t16 + t17) - t42;
+  const Scalar t44 = sin(g.alpha5) * t43;
+  const Scalar t45 = g.d4 * t19;
+  const Scalar t46 = cos(g.alpha5) * t44 - (t45 - (t45 - (inertia.I4yz - inertia.c4z * t19)));
   const Scalar t47 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t48 = g.a5 * t40 - ((inertia.I4xx - t47) - inertia.c4x * t41);
-  const Scalar t49 = g.d4 * t39;
-  const Scalar t50 = cos(g.alpha5) * t45 - (t49 - (t49 - (inertia.I4yz - inertia.c4z * t39)));
-  const Scalar t51 = cos(g.alpha5) * t37;
-  const Scalar t52 = g.d4 * t41;
-  const Scalar t53 = g.a5 * t51 + (((inertia.I4xz - inertia.c4z * t41) - t52) + t52);
-  const Scalar t54 = inertia.m4 + t36;
-  const Scalar t55 = inertia.c4z * inertia.m4;
-  const Scalar t56 = g.d4 * inertia.m4;
-  const Scalar t57 = t55 + t56;
-  const Scalar t58 = t57 - t56;
-  const Scalar t59 = t58 - t51;
-  const Scalar t60 = g.d4 * t54 + t59;
-  const Scalar t61 = sin(g.alpha4) * t60;
-  const Scalar t62 = inertia.c3y * inertia.m3;
-  const Scalar t63 = g.a4 * t54;
-  const Scalar t64 = inertia.c3x * inertia.m3;
-  const Scalar t65 = cos(g.alpha4) * t60;
-  const Scalar t66 = g.d3 * t64;
-  const Scalar t67 = g.a4 * t65 - (t66 - (t66 - (inertia.I3xz - inertia.c3z * t64)));
-  const Scalar t68 = ((inertia.I4zz - t47) - inertia.c4z * t55) - g.d4 * (t57 + t55);
-  const Scalar t69 = (g.d4 * (t58 + t57) + t68) - (t46 - t44);
-  const Scalar t70 = t69 - g.d4 * (t59 + t60);
-  const Scalar t71 = sin(g.alpha4) * t70;
-  const Scalar t72 = g.d3 * t62;
-  const Scalar t73 = cos(g.alpha4) * t71 - (t72 - (t72 - (inertia.I3yz - inertia.c3z * t62)));
-  const Scalar t74 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t75 = g.a4 * t63 + (inertia.c3x * t64 - (inertia.I3xx - t74));
-  const Scalar t76 = sin(g.alpha4) * t71;
-  const Scalar t77 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t78 = inertia.c2y * inertia.m2;
-  const Scalar t79 = inertia.c3z * inertia.m3;
-  const Scalar t80 = g.d3 * inertia.m3;
-  const Scalar t81 = t79 + t80;
-  const Scalar t82 = g.d3 * (t79 + t81) - ((inertia.I3zz - t74) - inertia.c3z * t79);
-  const Scalar t83 = t80 - t81;
-  const Scalar t84 = (t76 - t70) + (t82 - g.d3 * (t81 - t83));
-  const Scalar t85 = t65 - t83;
-  const Scalar t86 = inertia.m3 + t54;
-  const Scalar t87 = t85 + g.d3 * t86;
-  const Scalar t88 = t84 + g.d3 * (t85 + t87);
-  const Scalar t89 = sin(g.alpha3) * t88;
-  const Scalar t90 = sin(g.alpha3) * t89;
-  const Scalar t91 = ((inertia.I2yy - t77) - inertia.c2y * t78) - t90;
-  const Scalar t92 = g.a3 * t86;
-  const Scalar t93 = inertia.c2x * inertia.m2;
-  const Scalar t94 = g.a3 * t92 + (inertia.c2x * t93 - (inertia.I2xx - t77));
-  const Scalar t95 = sin(g.alpha3) * t87;
-  const Scalar t96 = g.a3 * t95 + (inertia.I2xy - inertia.c2y * t93);
-  const Scalar t97 = cos(g.alpha3) * t87;
-  const Scalar t98 = g.d2 * t93;
-  const Scalar t99 = g.a3 * t97 - (((inertia.I2xz - inertia.c2z * t93) - t98) + t98);
-  const Scalar t100 = g.d2 * t78;
-  const Scalar t101 = ((t100 - (inertia.I2yz - inertia.c2z * t78)) - t100) - cos(g.alpha3) * t89;
-  const Scalar t102 = g.d2 * inertia.m2;
-  const Scalar t103 = inertia.c2z * inertia.m2;
-  const Scalar t104 = t102 + t103;
-  const Scalar t105 = t102 - t104;
-  const Scalar t106 = g.d2 * (t104 + t103) - ((inertia.I2zz - t77) - inertia.c2z * t103);
-  const Scalar t107 = (g.d2 * (t104 - t105) - t106) + (t90 - t88);
-  const Scalar t108 = t97 - t105;
-  const Scalar t109 = inertia.m2 + t86;
-  const Scalar t110 = g.d2 * t109 + t108;
-  const Scalar t111 = sin(g.alpha2) * sin(g.alpha2) * (t107 - g.d2 * (t108 + t110));
-  const Scalar t112 = inertia.c1y * inertia.m1;
-  const Scalar t113 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t114 = g.a2 * t109;
-  const Scalar t115 = inertia.c1x * inertia.m1;
-  const Scalar t116 = g.a2 * t114 + (inertia.c1x * t115 - (inertia.I1xx - t113));
-  const Scalar t117 = gravity[2] / g.d2;
+  const Scalar t48 = g.a5 * t9 - ((inertia.I4xx - t47) - inertia.c4x * t10);
+  const Scalar t49 = sin(g.alpha5) * t44;
+  const Scalar t50 = g.a4 / g.d2;
+  const Scalar t51 = g.a3 / g.d2;
+  const Scalar t52 = g.a2 / g.d2;
+  const Scalar t53 = sin(g.alpha2) * t52;
+  const Scalar t54 = t23 + t24;
+  const Scalar t55 = inertia.m4 + t8;
+  const Scalar t56 = inertia.c4z * inertia.m4;
+  const Scalar t57 = g.d4 * inertia.m4;
+  const Scalar t58 = t56 + t57;
+  const Scalar t59 = t58 - t57;
+  const Scalar t60 = t59 - t37;
+  const Scalar t61 = g.d4 * t55 + t60;
+  const Scalar t62 = sin(g.alpha4) * t61;
+  const Scalar t63 = inertia.c3y * inertia.m3;
+  const Scalar t64 = g.a4 * t55;
+  const Scalar t65 = inertia.c3x * inertia.m3;
+  const Scalar t66 = inertia.m3 + t55;
+  const Scalar t67 = g.a3 * t66;
+  const Scalar t68 = inertia.c2x * inertia.m2;
+  const Scalar t69 = cos(g.alpha4) * t61;
+  const Scalar t70 = g.d3 * inertia.m3;
+  const Scalar t71 = inertia.c3z * inertia.m3;
+  const Scalar t72 = t71 + t70;
+  const Scalar t73 = t70 - t72;
+  const Scalar t74 = t69 - t73;
+  const Scalar t75 = t74 + g.d3 * t66;
+  const Scalar t76 = sin(g.alpha3) * t75;
+  const Scalar t77 = inertia.c2y * inertia.m2;
+  const Scalar t78 = g.d3 * t65;
+  const Scalar t79 = g.a4 * t69 - (t78 - (t78 - (inertia.I3xz - inertia.c3z * t65)));
+  const Scalar t80 = ((inertia.I4zz - t47) - inertia.c4z * t56) - g.d4 * (t58 + t56);
+  const Scalar t81 = (g.d4 * (t59 + t58) + t80) - (t49 - t43);
+  const Scalar t82 = t81 - g.d4 * (t60 + t61);
+  const Scalar t83 = sin(g.alpha4) * t82;
+  const Scalar t84 = g.d3 * t63;
+  const Scalar t85 = cos(g.alpha4) * t83 - (t84 - (t84 - (inertia.I3yz - inertia.c3z * t63)));
+  const Scalar t86 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t87 = g.a4 * t64 + (inertia.c3x * t65 - (inertia.I3xx - t86));
+  const Scalar t88 = sin(g.alpha4) * t83;
+  const Scalar t89 = g.d2 * t77;
+  const Scalar t90 = g.d3 * (t71 + t72) - ((inertia.I3zz - t86) - inertia.c3z * t71);
+  const Scalar t91 = (t88 - t82) + (t90 - g.d3 * (t72 - t73));
+  const Scalar t92 = t91 + g.d3 * (t74 + t75);
+  const Scalar t93 = sin(g.alpha3) * t92;
+  const Scalar t94 = ((t89 - (inertia.I2yz - inertia.c2z * t77)) - t89) - cos(g.alpha3) * t93;
+  const Scalar t95 = cos(g.alpha3) * t75;
+  const Scalar t96 = g.d2 * t68;
+  const Scalar t97 = g.a3 * t95 - (((inertia.I2xz - inertia.c2z * t68) - t96) + t96);
+  const Scalar t98 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t99 = g.a3 * t67 + (inertia.c2x * t68 - (inertia.I2xx - t98));
+  const Scalar t100 = sin(g.alpha3) * t93;
+  const Scalar t101 = ((inertia.I2yy - t98) - inertia.c2y * t77) - t100;
+  const Scalar t102 = g.a3 * t76 + (inertia.I2xy - inertia.c2y * t68);
+  const Scalar t103 = g.d2 * inertia.m2;
+  const Scalar t104 = inertia.c2z * inertia.m2;
+  const Scalar t105 = t103 + t104;
+  const Scalar t106 = t103 - t105;
+  const Scalar t107 = g.d2 * (t105 + t104) - ((inertia.I2zz - t98) - inertia.c2z * t104);
+  const Scalar t108 = (g.d2 * (t105 - t106) - t107) + (t100 - t92);
+  const Scalar t109 = t95 - t106;
+  const Scalar t110 = inertia.m2 + t66;
+  const Scalar t111 = g.d2 * t110 + t109;
+  const Scalar t112 = sin(g.alpha2) * sin(g.alpha2) * (t108 - g.d2 * (t109 + t111));
+  const Scalar t113 = inertia.c1y * inertia.m1;
+  const Scalar t114 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t115 = g.a2 * t110;
+  const Scalar t116 = inertia.c1x * inertia.m1;
+  const Scalar t117 = g.a2 * t115 + (inertia.c1x * t116 - (inertia.I1xx - t114));
+  const Scalar t118 = gravity[2] / g.d2;
   return { g.d2 * t0,
            g.d2 * t1,
            g.d2 * (t2 + t3),
            cos(g.alpha6),
            g.d2 * (t4 - t7),
-           cos(g.alpha5) * t8,
-           t9,
+           g.d2 * (t9 + t10),
+           sin(g.alpha5) * sin(g.alpha6),
+           cos(g.alpha5),
+           g.d2 * (t18 + t19),
+           cos(g.alpha4),
+           t20,
+           cos(g.alpha6) * t21,
+           t23 - t24,
+           Scalar(2) * t25,
+           t25,
            (inertia.I6xz - inertia.c6z * t0) - g.d6 * t0,
            g.d6 * t1 - (inertia.I6yz - inertia.c6z * t1),
-           Scalar(2) * cos(g.alpha6),
-           t11 - t12,
-           Scalar(2) * t13,
-           t12,
            sin(g.alpha6),
-           t17,
-           sin(g.alpha6) * t18,
-           t13,
-           t21,
-           sin(g.alpha5),
-           (inertia.c5y * t4 - (inertia.I5yy - t22)) + t23,
-           t11,
-           Scalar(2) * t18,
-           t24,
-           cos(g.alpha5),
-           cos(g.alpha6) * t25,
-           t18,
-           cos(g.alpha6) * t9,
-           sin(g.alpha6) * t25,
-           sin(g.alpha5) * sin(g.alpha6),
-           t8,
-           Scalar(1) / t25,
-           t26,
-           cos(g.alpha5) * sin(g.alpha6),
-           cos(g.alpha4),
-           sin(g.alpha4),
+           (inertia.I5xy - inertia.c5y * t3) + g.a6 * t7,
+           Scalar(2) * t21,
+           t23,
            t27,
-           t28,
-           cos(g.alpha3),
+           t24,
+           (inertia.c5y * t4 - (inertia.I5yy - t26)) + t30,
+           sin(g.alpha5),
+           t31,
+           t33,
+           sin(g.alpha6) * t21,
+           t35,
+           cos(g.alpha5) * sin(g.alpha6),
+           t36,
+           t39,
+           t40,
+           Scalar(2) * sin(g.alpha6) * t31,
+           t46,
+           Scalar(2) * t36,
+           t48,
+           t49 + ((inertia.I4yy - t47) - inertia.c4y * t19),
+           g.a5 * t18 - (inertia.I4xy - inertia.c4y * t10),
+           sin(g.alpha4),
+           sin(g.alpha4) * t50,
            sin(g.alpha3),
-           t29,
-           sin(g.alpha2),
+           cos(g.alpha4) * t50,
+           cos(g.alpha3),
+           sin(g.alpha3) * sin(g.alpha4),
+           t51,
            cos(g.alpha2),
-           sin(g.alpha2) * t30,
-           cos(g.alpha2) * t30,
+           cos(g.alpha3) * sin(g.alpha4),
+           sin(g.alpha2),
+           t53,
+           cos(g.alpha2) * t52,
+           sin(g.alpha6) * t54,
+           t21,
+           cos(g.alpha6) * t54,
+           t50,
+           Scalar(1) / t54,
+           cos(g.alpha2) * t54,
+           cos(g.alpha5) * t36,
            sin(g.alpha4) * sin(g.alpha5),
            cos(g.alpha4) * sin(g.alpha5),
-           sin(g.alpha5) * t8,
-           g.d2 * (t38 + t39),
-           g.d2 * (t40 + t41),
-           cos(g.alpha3) * sin(g.alpha4),
-           sin(g.alpha3) * sin(g.alpha4),
-           sin(g.alpha4) * t27,
-           Scalar(2) * sin(g.alpha6),
-           (inertia.I5xy - inertia.c5y * t3) + g.a6 * t7,
-           t46 + ((inertia.I4yy - t47) - inertia.c4y * t39),
-           Scalar(2) * t8,
-           t48,
-           t50,
-           t53,
-           g.d2 * (t61 - t62),
-           g.d2 * (t63 + t64),
-           sin(g.alpha2) * sin(g.alpha3),
-           t30,
-           g.a5 * t38 - (inertia.I4xy - inertia.c4y * t41),
-           t67,
-           Scalar(2) * t26,
-           t73,
-           sin(g.alpha3) * t29,
-           Scalar(2) * t27,
-           t75,
-           ((inertia.I3yy - t74) - inertia.c3y * t62) + t76,
-           (inertia.I3xy - inertia.c3y * t64) + g.a4 * t61,
-           Scalar(2) * t28,
-           t91,
-           Scalar(2) * t29,
+           sin(g.alpha5) * t36,
+           g.d2 * (t62 - t63),
+           g.d2 * (t64 + t65),
+           g.d2 * (t67 + t68),
+           g.d2 * (t76 - t77),
+           t79,
+           Scalar(2) * t40,
+           t85,
+           (inertia.I3xy - inertia.c3y * t65) + g.a4 * t62,
+           Scalar(2) * t50,
+           t87,
+           ((inertia.I3yy - t86) - inertia.c3y * t63) + t88,
+           Scalar(2) * t20,
            t94,
-           t96,
-           sin(g.alpha2) * sin(g.alpha2),
+           t97,
+           Scalar(2) * t51,
            t99,
-           g.d2 * (t92 + t93),
-           g.d2 * (t95 - t78),
            t101,
-           Scalar(2) * cos(g.alpha2),
-           t111 - (inertia.c1y * t112 - (inertia.I1yy - t113)),
-           Scalar(2) * t30,
-           t116,
-           cos(g.alpha4) * sin(g.alpha3),
-           gravity[1] / g.d2,
+           sin(g.alpha3) * t51,
+           sin(g.alpha3) * t53,
+           t102,
+           sin(g.alpha2) * sin(g.alpha2),
+           Scalar(2) * cos(g.alpha2) * sin(g.alpha2),
+           t112 - (inertia.c1y * t113 - (inertia.I1yy - t114)),
+           Scalar(2) * t52,
+           t117,
            gravity[0] / g.d2,
-           sin(g.alpha2) * t117,
-           cos(g.alpha2) * sin(g.alpha2),
-           cos(g.alpha2) * t117,
-           g.d2 * (t114 + t115),
-           g.d2 * (sin(g.alpha2) * t110 - t112),
-           Scalar(2) * t96,
-           t94 + t91 };
+           gravity[1] / g.d2,
+           sin(g.alpha2) * t118,
+           t52,
+           cos(g.alpha2) * t118,
+           Scalar(2) * t102,
+           t99 + t101,
+           g.d2 * (t115 + t116),
+           g.d2 * (sin(g.alpha2) * t111 - t113) };
 }
 
 namespace detail {
@@ -1407,457 +1456,457 @@ inline JointVector<Scalar> forward_dynamics_with_gravity_vector([[maybe_unused]]
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = k[0] * s6 + k[1] * c6;
-  const Scalar t1 = k[0] * c6 - k[1] * s6;
-  const Scalar t2 = k[3] * t1;
-  const Scalar t3 = s5 * t0 - c5 * t2;
-  const Scalar t4 = k[23] * t3 + k[28] * t1;
-  const Scalar t5 = k[8] * c6 - k[7] * s6;
-  const Scalar t6 = (k[24] + k[13] * t5) - k[25] * t2;
-  const Scalar t7 = k[6] * t0;
-  const Scalar t8 = t7 - ((k[27] - k[3] * t5) - k[15] * t1);
-  const Scalar t9 = k[7] * c6 + k[8] * s6;
-  const Scalar t10 = t9 - k[26] * t1;
-  const Scalar t11 = c5 * t8 - s5 * t10;
-  const Scalar t12 = k[29] * t4 + (k[23] * t6 + k[18] * t11);
-  const Scalar t13 = (s5 * t8 + c5 * t10) + k[31] * t4;
-  const Scalar t14 = k[32] * t1 - k[18] * t3;
-  const Scalar t15 = k[29] * t14 + (k[23] * t11 - k[18] * t6);
-  const Scalar t16 = s5 * t2 + c5 * t0;
-  const Scalar t17 = t15 + k[31] * t16;
-  const Scalar t18 = s4 * t13 - c4 * t17;
-  const Scalar t19 = s4 * t16 + c4 * t4;
-  const Scalar t20 = k[34] * t14 + k[33] * t19;
-  const Scalar t21 = (k[33] * t12 - k[34] * t18) + k[35] * t20;
-  const Scalar t22 = k[30] * t21;
-  const Scalar t23 = k[2] + t1;
-  const Scalar t24 = k[3] * t0;
-  const Scalar t25 = k[4] + t24;
-  const Scalar t26 = s5 * t23 + c5 * t25;
-  const Scalar t27 = k[23] * t26 - k[28] * t0;
-  const Scalar t28 = k[47] + t27;
-  const Scalar t29 = s5 * t25 - c5 * t23;
-  const Scalar t30 = k[48] - t29;
-  const Scalar t31 = s4 * t28 - c4 * t30;
-  const Scalar t32 = k[33] * t31;
-  const Scalar t33 = c4 * t28 + s4 * t30;
-  const Scalar t34 = k[10] * s6 + k[11] * c6;
-  const Scalar t35 = k[16] - c6 * t34;
-  const Scalar t36 = k[25] * t24 + (k[3] * t35 + k[13] * t9);
-  const Scalar t37 = k[53] - t36;
-  const Scalar t38 = c5 * t37;
-  const Scalar t39 = s6 * t34;
-  const Scalar t40 = k[20] - t39;
-  const Scalar t41 = k[22] + (k[21] * t1 - t40);
-  const Scalar t42 = k[12] + t39;
-  const Scalar t43 = k[13] * t42 - k[9] * t5;
-  const Scalar t44 = k[13] * t43;
-  const Scalar t45 = k[19] - (t42 - t44);
-  const Scalar t46 = (t38 + t38) - s5 * (t41 - t45);
-  const Scalar t47 = t37 - c5 * t46;
-  const Scalar t48 = k[14] + (k[3] * t43 + t5);
-  const Scalar t49 = (k[3] * t9 - k[13] * t35) - k[15] * t0;
-  const Scalar t50 = k[17] + t49;
-  const Scalar t51 = k[6] * t29 - (s5 * t48 - c5 * t50);
-  const Scalar t52 = k[18] * t26 + k[32] * t0;
-  const Scalar t53 = (k[18] * t47 - k[23] * t51) + k[29] * t52;
-  const Scalar t54 = k[58] - t53;
-  const Scalar t55 = k[6] * t26 - (s5 * t50 + c5 * t48);
-  const Scalar t56 = k[23] * t55;
-  const Scalar t57 = k[52] * t7 - t44;
-  const Scalar t58 = t41 + t45;
-  const Scalar t59 = s5 * t46 + t41;
-  const Scalar t60 = t58 - t59;
-  const Scalar t61 = Scalar(2) * t56 - k[18] * (t57 - t60);
-  const Scalar t62 = k[57] - (t55 - k[23] * t61);
-  const Scalar t63 = k[31] * t33 - (s4 * t54 - c4 * t62);
-  const Scalar t64 = k[56] + (t59 - k[55] * t29);
-  const Scalar t65 = k[18] * t61;
-  const Scalar t66 = k[54] + (t65 - t60);
-  const Scalar t67 = t64 - t66;
-  const Scalar t68 = k[35] * t32 + (k[34] * t63 - k[33] * t67);
-  const Scalar t69 = k[30] * t6;
-  const Scalar t70 = Scalar(1) / (t58 + t69 * t6);
-  const Scalar t71 = k[30] * t12;
-  const Scalar t72 = k[5] * t29 + (k[18] * t55 - k[23] * t58);
-  const Scalar t73 = t6 * t71 - t72;
-  const Scalar t74 = t70 * t73;
-  const Scalar t75 = k[23] * t29;
-  const Scalar t76 = k[31] * t75 + t51;
-  const Scalar t77 = ((k[18] * t58 + t56) - k[46] * t29) + k[31] * t26;
-  const Scalar t78 = s4 * t76 - c4 * t77;
-  const Scalar t79 = s4 * t26 + c4 * t75;
-  const Scalar t80 = k[33] * t79 - k[44] * t29;
-  const Scalar t81 = (k[34] * t78 - k[33] * t72) - k[35] * t80;
-  const Scalar t82 = t22 * t6 + t81;
-  const Scalar t83 = (t22 * t12 - t68) - t74 * t82;
-  const Scalar t84 = Scalar(1) / (t74 * t73 - (t12 * t71 + t67));
-  const Scalar t85 = t83 * t84;
-  const Scalar t86 = k[31] * t31 + (c4 * t54 + s4 * t62);
-  const Scalar t87 = (k[23] * t47 + k[18] * t51) + k[29] * t27;
-  const Scalar t88 = k[63] + t87;
-  const Scalar t89 = Scalar(2) * c4 * t88 + s4 * (t64 + t66);
-  const Scalar t90 = t88 - c4 * t89;
-  const Scalar t91 = k[33] * t33 - k[34] * t52;
-  const Scalar t92 = (k[34] * t86 - k[33] * t90) + k[35] * t91;
-  const Scalar t93 = k[71] - t92;
-  const Scalar t94 = k[33] * t63;
-  const Scalar t95 = (t65 + t57) + k[65] * t52;
-  const Scalar t96 = s4 * t89;
-  const Scalar t97 = t96 - t66;
-  const Scalar t98 = Scalar(2) * t94 - k[34] * (t95 - t97);
-  const Scalar t99 = k[34] * t98;
-  const Scalar t100 = k[70] + (t99 - t97);
-  const Scalar t101 = k[69] - (k[68] * t31 - (t64 - t96));
-  const Scalar t102 = Scalar(2) * c3 * t93 - s3 * (t100 + t101);
-  const Scalar t103 = s3 * t102;
-  const Scalar t104 = t103 + t101;
-  const Scalar t105 = t103 + t100;
-  const Scalar t106 = t104 - t105;
-  const Scalar t107 = t70 * t82;
-  const Scalar t108 = t83 * t85 + ((t106 + t22 * t21) - t107 * t82);
-  const Scalar t109 = Scalar(1) / t108;
-  const Scalar t110 = k[34] * t19 - k[33] * t14;
-  const Scalar t111 = s4 * t4 - c4 * t16;
-  const Scalar t112 = s3 * t111 - c3 * t20;
-  const Scalar t113 = k[38] * t110 + k[37] * t112;
-  const Scalar t114 = s3 * t20 + c3 * t111;
-  const Scalar t115 = k[37] * t110 - k[38] * t112;
-  const Scalar t116 = k[43] * (c2 * t113 + s2 * t114) + k[42] * t115;
-  const Scalar t117 = c4 * t13 + s4 * t17;
-  const Scalar t118 = k[35] * t110 + (k[34] * t12 + k[33] * t18);
-  const Scalar t119 = (s3 * t117 + c3 * t118) + k[36] * t114;
-  const Scalar t120 = k[39] * t113 + (k[38] * t119 - k[37] * t21);
-  const Scalar t121 = k[39] * t115 + (k[37] * t119 + k[38] * t21);
-  const Scalar t122 = (s3 * t118 - c3 * t117) + k[36] * t112;
-  const Scalar t123 = c2 * (t121 + t114) - s2 * (t122 + t113);
-  const Scalar t124 = t116 + (k[41] * t120 + k[40] * t123);
-  const Scalar t125 = s3 * t33 + c3 * t32;
-  const Scalar t126 = k[38] * t125 + k[49] * t31;
-  const Scalar t127 = k[37] * t125 - k[50] * t31;
-  const Scalar t128 = s3 * t32 - c3 * t33;
-  const Scalar t129 = k[42] * t126 - k[43] * (c2 * t127 - s2 * t128);
-  const Scalar t130 = (t94 + k[34] * t67) - k[51] * t31;
-  const Scalar t131 = k[36] * t128 - (c3 * t130 - s3 * t86);
-  const Scalar t132 = (k[37] * t131 + k[38] * t68) + k[39] * t126;
-  const Scalar t133 = k[36] * t125 + (c3 * t86 + s3 * t130);
-  const Scalar t134 = c2 * (t132 + t128) + s2 * (t127 + t133);
-  const Scalar t135 = k[39] * t127 + (k[37] * t68 - k[38] * t131);
-  const Scalar t136 = t71 * t124 - (t129 + (k[40] * t134 - k[41] * t135));
-  const Scalar t137 = c4 * t26 - s4 * t75;
-  const Scalar t138 = s3 * t137 + c3 * t80;
-  const Scalar t139 = k[34] * t79 + k[45] * t29;
-  const Scalar t140 = k[37] * t138 - k[38] * t139;
-  const Scalar t141 = s3 * t80 - c3 * t137;
-  const Scalar t142 = k[35] * t139 + (k[34] * t72 + k[33] * t78);
-  const Scalar t143 = c4 * t76 + s4 * t77;
-  const Scalar t144 = k[36] * t141 + (c3 * t142 + s3 * t143);
-  const Scalar t145 = k[39] * t140 - (k[38] * t144 + k[37] * t81);
-  const Scalar t146 = k[36] * t138 - (s3 * t142 - c3 * t143);
-  const Scalar t147 = k[38] * t138 + k[37] * t139;
-  const Scalar t148 = k[39] * t147 - (k[38] * t81 - k[37] * t144);
-  const Scalar t149 = s2 * (t146 + t140) + c2 * (t141 + t148);
-  const Scalar t150 = k[42] * t147 + k[43] * (s2 * t141 - c2 * t140);
-  const Scalar t151 = ((k[41] * t145 - k[40] * t149) - t150) + t69 * t124;
-  const Scalar t152 = t70 * t151;
-  const Scalar t153 = t136 - t73 * t152;
-  const Scalar t154 = k[59] - t91;
-  const Scalar t155 = k[60] - t31;
-  const Scalar t156 = s3 * t154 + c3 * t155;
-  const Scalar t157 = k[37] * t156;
-  const Scalar t158 = (k[66] - (t63 - k[33] * t98)) - k[36] * t154;
-  const Scalar t159 = k[34] * t33 + k[33] * t52;
-  const Scalar t160 = (k[33] * t86 + k[34] * t90) - k[35] * t159;
-  const Scalar t161 = k[36] * t155 + (k[64] - t160);
-  const Scalar t162 = s3 * t158 - c3 * t161;
-  const Scalar t163 = c3 * t154 - s3 * t155;
-  const Scalar t164 = s3 * t161 + c3 * t158;
-  const Scalar t165 = k[37] * t164;
-  const Scalar t166 = t163 - (k[67] * t156 + (t165 + k[38] * t106));
-  const Scalar t167 = k[40] * (s2 * (t157 - t162) - c2 * t166);
-  const Scalar t168 = (k[38] * t164 - k[37] * t106) - k[39] * t157;
-  const Scalar t169 = k[41] * (c2 * t157 + s2 * t163) - k[61] * t156;
-  const Scalar t170 = t22 * t124 + ((t167 + k[41] * t168) - k[62] * t169);
-  const Scalar t171 = t85 * t153 + (t170 - t152 * t82);
-  const Scalar t172 = t109 * t171;
-  const Scalar t173 = t84 * t153;
-  const Scalar t174 = k[30] * t124;
-  const Scalar t175 = k[79] + t156;
-  const Scalar t176 = k[37] * t159 - k[38] * t163;
-  const Scalar t177 = c3 * t102 - t93;
-  const Scalar t178 = k[39] * t176 - (k[37] * t162 + k[38] * t177);
-  const Scalar t179 = k[38] * t159 + k[37] * t163;
-  const Scalar t180 = k[80] + t179;
-  const Scalar t181 = (t95 + t99) + k[72] * t159;
-  const Scalar t182 = k[38] * (t181 + t105) - Scalar(2) * t165;
-  const Scalar t183 = c2 * (t180 - (k[81] - (k[37] * t182 + t164)));
-  const Scalar t184 = k[40] * (s2 * (t175 + (k[78] + t178)) - t183);
-  const Scalar t185 = k[38] * t182;
-  const Scalar t186 = k[73] - (t185 - t105);
-  const Scalar t187 = k[75] + (t104 + k[74] * t156);
-  const Scalar t188 = (k[38] * t162 - k[37] * t177) - k[39] * t179;
-  const Scalar t189 = s2 * (t186 + t187) - Scalar(2) * c2 * (k[76] - t188);
-  const Scalar t190 = s2 * t189 - t186;
-  const Scalar t191 = k[77] * (t190 - ((t181 - t185) + Scalar(2) * t176));
-  const Scalar t192 = s2 * t180 + c2 * t175;
-  const Scalar t193 = t186 - t187;
-  const Scalar t194 = (k[83] + ((k[82] * t184 + t191) - t190)) - (k[85] + (k[84] * t192 - (t193 + t190)));
-  const Scalar t195 = t173 * t153 - (t151 * t152 - (t124 * t174 - t194));
-  const Scalar t196 = t145 + t69 * t120;
-  const Scalar t197 = t70 * t196;
-  const Scalar t198 = k[30] * t120;
-  const Scalar t199 = t73 * t197 - (t12 * t198 + t135);
-  const Scalar t200 = t199 * t84;
-  const Scalar t201 = t83 * t200 - ((t22 * t120 + t168) - t107 * t196);
-  const Scalar t202 = t201 * t109;
-  const Scalar t203 = ((t193 - t198 * t120) + t196 * t197) - t199 * t200;
-  const Scalar t204 = Scalar(1) / (t201 * t202 + t203);
-  const Scalar t205 = t198 * t124 - ((t184 + k[41] * t193) - k[43] * t192);
-  const Scalar t206 = ((t152 * t196 - t205) + t153 * t200) - t202 * t171;
-  const Scalar t207 = t204 * t206;
-  const Scalar t208 = Scalar(1) / ((t172 * t171 - t195) - t207 * t206);
-  const Scalar t209 = k[40] * qd[0];
-  const Scalar t210 = s2 * t209;
-  const Scalar t211 = c2 * t209;
-  const Scalar t212 = k[41] * qd[0];
-  const Scalar t213 = qd[1] + t212;
-  const Scalar t214 = k[37] * t211 + k[38] * t213;
-  const Scalar t215 = s3 * t210 - c3 * t214;
-  const Scalar t216 = k[38] * t211;
-  const Scalar t217 = t216 - k[37] * t213;
-  const Scalar t218 = qd[2] - t217;
-  const Scalar t219 = k[34] * t215 + k[33] * t218;
-  const Scalar t220 = qd[3] + t219;
-  const Scalar t221 = k[33] * t215 - k[34] * t218;
-  const Scalar t222 = s3 * t214 + c3 * t210;
-  const Scalar t223 = c4 * t221 + s4 * t222;
-  const Scalar t224 = k[18] * t220 - k[23] * t223;
-  const Scalar t225 = s4 * t221 - c4 * t222;
-  const Scalar t226 = c5 * t224 + s5 * t225;
-  const Scalar t227 = t226 * t226;
-  const Scalar t228 = s5 * t224 - c5 * t225;
-  const Scalar t229 = t228 * t228;
-  const Scalar t230 = t227 - t229;
-  const Scalar t231 = qd[1] * t210;
-  const Scalar t232 = t214 * t217 + qd[1] * t211;
-  const Scalar t233 = t216 * t210 - k[37] * t212 * t210;
-  const Scalar t234 = s3 * t232 + c3 * t233;
-  const Scalar t235 = t222 * t218;
-  const Scalar t236 = t234 + t235;
-  const Scalar t237 = k[86] * t231 + k[34] * t236;
-  const Scalar t238 = s3 * t233 - c3 * t232;
-  const Scalar t239 = t215 * t218;
-  const Scalar t240 = t238 + t239;
-  const Scalar t241 = t219 * t221 - t240;
-  const Scalar t242 = k[38] * t231;
-  const Scalar t243 = t222 * t215;
-  const Scalar t244 = t242 + t243;
-  const Scalar t245 = k[33] * t234 - k[34] * t244;
-  const Scalar t246 = s4 * t241 + c4 * t245;
-  const Scalar t247 = t220 * t225;
-  const Scalar t248 = t246 - t247;
-  const Scalar t249 = k[23] * t237 + k[18] * t248;
-  const Scalar t250 = t226 * t228;
-  const Scalar t251 = t249 + t250;
-  const Scalar t252 = t249 - t250;
-  const Scalar t253 = k[53] * t230 - (k[22] * t251 + k[19] * t252);
-  const Scalar t254 = t223 * t220;
-  const Scalar t255 = s4 * t245 - c4 * t241;
-  const Scalar t256 = t254 + t255;
-  const Scalar t257 = k[18] * t223 + k[23] * t220;
-  const Scalar t258 = t256 + t224 * t257;
-  const Scalar t259 = t223 * t225;
-  const Scalar t260 = t237 - t259;
-  const Scalar t261 = k[18] * t260 - k[23] * t246;
-  const Scalar t262 = c5 * t258 - s5 * t261;
-  const Scalar t263 = c5 * t261 + s5 * t258;
-  const Scalar t264 = t237 + t259;
-  const Scalar t265 = t213 * t213;
-  const Scalar t266 = qd[0] * qd[0];
-  const Scalar t267 = k[88] * c1 + k[87] * s1;
-  const Scalar t268 = k[62] * t266 + t267;
-  const Scalar t269 = k[87] * c1 - k[88] * s1;
-  const Scalar t270 = k[90] * t266;
-  const Scalar t271 = (k[89] + k[41] * t269) - t270;
-  const Scalar t272 = c2 * t268 + s2 * t271;
-  const Scalar t273 = k[39] * (t211 * t211 + t265) + t272;
-  const Scalar t274 = k[77] * t266;
-  const Scalar t275 = t274 + (k[91] - k[40] * t269);
-  const Scalar t276 = t209 * t213;
-  const Scalar t277 = (t270 - t276) - t276;
-  const Scalar t278 = t275 + k[39] * s2 * t277;
-  const Scalar t279 = s2 * t268 - c2 * t271;
-  const Scalar t280 = t279 + k[39] * t211 * t210;
-  const Scalar t281 = k[38] * t278 - k[37] * t280;
-  const Scalar t282 = (s3 * t273 - c3 * t281) + k[36] * t238;
-  const Scalar t283 = t242 - t243;
-  const Scalar t284 = t282 + k[35] * t283;
-  const Scalar t285 = t236 + t235;
-  const Scalar t286 = t222 * t222;
-  const Scalar t287 = t215 * t215;
-  const Scalar t288 = (k[38] * t280 + k[37] * t278) + k[36] * (t286 + t287);
-  const Scalar t289 = k[35] * t285 - t288;
-  const Scalar t290 = k[31] * t241 - (k[33] * t284 + k[34] * t289);
-  const Scalar t291 = t218 * t218;
-  const Scalar t292 = t291 + t287;
-  const Scalar t293 = (c3 * t273 + s3 * t281) + k[36] * t234;
-  const Scalar t294 = (k[35] * t292 + t293) + k[31] * t245;
-  const Scalar t295 = c4 * t290 - s4 * t294;
-  const Scalar t296 = k[29] * t264 - t295;
-  const Scalar t297 = t225 * t225;
-  const Scalar t298 = t297 + t223 * t223;
-  const Scalar t299 = (k[34] * t284 - k[33] * t289) + k[31] * t298;
-  const Scalar t300 = t247 - t248;
-  const Scalar t301 = t299 + k[29] * t300;
-  const Scalar t302 = (k[23] * t296 - k[18] * t301) + k[6] * t258;
-  const Scalar t303 = t220 * t220;
-  const Scalar t304 = t297 - t303;
-  const Scalar t305 = t298 - t304;
-  const Scalar t306 = c4 * t294 + s4 * t290;
-  const Scalar t307 = k[6] * t261 - (k[29] * t305 + t306);
-  const Scalar t308 = c5 * t302 - s5 * t307;
-  const Scalar t309 = s5 * t302 + c5 * t307;
-  const Scalar t310 = (t253 + (k[17] * t262 - k[14] * t263)) - (k[2] * t308 - k[4] * t309);
-  const Scalar t311 = qd[4] + t257;
-  const Scalar t312 = t311 * t311;
-  const Scalar t313 = t227 + t312;
-  const Scalar t314 = t227 - t312;
-  const Scalar t315 = t230 - t314;
-  const Scalar t316 = t313 - t315;
-  const Scalar t317 = (k[23] * t301 + k[18] * t296) + k[6] * t316;
-  const Scalar t318 = t228 * t311;
-  const Scalar t319 = t263 - t318;
-  const Scalar t320 = t319 - t318;
-  const Scalar t321 = t317 + k[25] * t320;
-  const Scalar t322 = k[25] * t251 + t308;
-  const Scalar t323 = (k[13] * t321 - k[3] * t322) * t1 - t0 * (k[25] * t313 - t309);
-  const Scalar t324 = k[3] * t263 + k[13] * t252;
-  const Scalar t325 = t226 * t311;
-  const Scalar t326 = t262 - t325;
-  const Scalar t327 = k[3] * t311 - k[13] * t226;
-  const Scalar t328 = k[13] * t311 + k[3] * t226;
-  const Scalar t329 = t326 + t327 * t328;
-  const Scalar t330 = t328 * t328;
-  const Scalar t331 = t330 - t229;
-  const Scalar t332 = t228 * t328;
-  const Scalar t333 = k[13] * t319 - k[3] * t249;
-  const Scalar t334 = t332 - t333;
-  const Scalar t335 = t332 + t333;
-  const Scalar t336 = t35 * t331 - (t334 * t40 - t42 * t335);
-  const Scalar t337 = t323 + ((t324 * t5 + t9 * t329) - t336);
-  const Scalar t338 = k[13] * t322 + k[3] * t321;
-  const Scalar t339 = qd[5] + t327;
-  const Scalar t340 = t339 * t339;
-  const Scalar t341 = t328 * t339;
-  const Scalar t342 = (t341 - t329) + t341;
-  const Scalar t343 = t228 * t339;
-  const Scalar t344 = (t343 + t343) - t324;
-  const Scalar t345 = (t335 * t5 + t9 * (t340 - t229)) - (t35 * t342 - t344 * t40);
-  const Scalar t346 = t338 * t1 + t345;
-  const Scalar t347 = t344 * t1 + t0 * t342;
-  const Scalar t348 = t330 + t340;
-  const Scalar t349 = t0 * (t348 - t331) - t334 * t1;
-  const Scalar t350 = k[13] * t347 + k[3] * t349;
-  const Scalar t351 = (k[3] * t337 - k[13] * t346) + k[25] * t350;
-  const Scalar t352 = t310 + t351;
-  const Scalar t353 = torque[5] + t337;
-  const Scalar t354 = (torque[4] + t352) - t69 * t353;
-  const Scalar t355 = (t1 * t348 - t0 * t335) + (k[2] * t313 + k[4] * t252);
-  const Scalar t356 = (k[4] * (t314 - t316) + k[2] * t251) - t350;
-  const Scalar t357 = s5 * t355 - c5 * t356;
-  const Scalar t358 = k[3] * t347 - k[13] * t349;
-  const Scalar t359 = t325 - t326;
-  const Scalar t360 = t358 + (k[4] * t359 - k[2] * t320);
-  const Scalar t361 = k[23] * t357 + k[18] * t360;
-  const Scalar t362 = (k[3] * t346 + k[13] * t337) - k[25] * t358;
-  const Scalar t363 = (k[14] * t252 + k[17] * t315) + (k[22] * t320 + k[53] * t359);
-  const Scalar t364 = (t362 + (k[2] * t317 + t363)) - k[6] * t355;
-  const Scalar t365 = (k[53] * t320 + k[19] * t359) + k[14] * t314;
-  const Scalar t366 = (t330 - t340) * t5 + (t42 * t342 - t344 * t35);
-  const Scalar t367 = (k[4] * t317 - (k[17] * t251 + t365)) + (t0 * t338 + (t366 - t9 * t334));
-  const Scalar t368 = t367 + k[6] * t356;
-  const Scalar t369 = c5 * t364 - s5 * t368;
-  const Scalar t370 = k[29] * t361 - (k[18] * t369 - k[23] * t352);
-  const Scalar t371 = t297 + t303;
-  const Scalar t372 = t305 - t371;
-  const Scalar t373 = k[63] * t372 + (k[56] * t264 - k[54] * t260);
-  const Scalar t374 = ((k[57] * t246 - k[58] * t255) + t373) + (k[47] * t306 - k[48] * t295);
-  const Scalar t375 = t370 - t374;
-  const Scalar t376 = k[30] * t353;
-  const Scalar t377 = t74 * t354 - ((torque[3] + t375) - t376 * t12);
-  const Scalar t378 = t377 * t84;
-  const Scalar t379 = k[81] * s2 - k[78] * c2;
-  const Scalar t380 = k[76] - c2 * (k[94] * c2 - k[95] * s2);
-  const Scalar t381 = (k[79] * t279 - k[80] * t272) - (t270 * t379 - t274 * t380);
-  const Scalar t382 = t286 - t287;
-  const Scalar t383 = k[71] * t382 + (k[69] * t283 - k[70] * t244);
-  const Scalar t384 = (k[59] * t293 - k[60] * t282) - ((k[66] * t234 + k[64] * t238) + t383);
-  const Scalar t385 = (s5 * t356 + c5 * t355) + (k[47] * t260 + k[48] * t305);
-  const Scalar t386 = (k[47] * t371 - k[48] * t264) + t361;
-  const Scalar t387 = s4 * t385 + c4 * t386;
-  const Scalar t388 = k[23] * t360 - k[18] * t357;
-  const Scalar t389 = t254 + t256;
-  const Scalar t390 = t388 - (k[47] * t389 + k[48] * t300);
-  const Scalar t391 = k[33] * t387 + k[34] * t390;
-  const Scalar t392 = k[57] * (t372 + t304) + (k[63] * t300 - k[54] * t389);
-  const Scalar t393 = (c5 * t368 + s5 * t364) + ((t392 - k[58] * t264) + k[47] * t299);
-  const Scalar t394 = (k[57] * t260 + k[58] * t304) - (k[56] * t300 + k[63] * t389);
-  const Scalar t395 = (k[23] * t369 + k[18] * t352) - k[29] * t388;
-  const Scalar t396 = (t394 - k[48] * t299) - t395;
-  const Scalar t397 = c4 * t385 - s4 * t386;
-  const Scalar t398 = (s4 * t393 + c4 * t396) + k[31] * t397;
-  const Scalar t399 = k[35] * t391 + (k[33] * t375 + k[34] * t398);
-  const Scalar t400 = t384 + t399;
-  const Scalar t401 = t286 - t291;
-  const Scalar t402 = t240 + t239;
-  const Scalar t403 = (k[66] * t244 - k[64] * t401) + (k[71] * t402 + k[69] * t285);
-  const Scalar t404 = k[34] * t387 - k[33] * t390;
-  const Scalar t405 = (k[33] * t398 - k[34] * t375) - k[35] * t404;
-  const Scalar t406 = (k[59] * t244 - k[60] * t292) - t397;
-  const Scalar t407 = ((t403 - k[60] * t288) + t405) - k[36] * t406;
-  const Scalar t408 = (k[60] * t283 + k[59] * (t286 + t291)) - t391;
-  const Scalar t409 = (k[71] * t285 - k[70] * t402) + k[66] * (t401 - t382);
-  const Scalar t410 = (s4 * t396 - c4 * t393) + k[31] * t387;
-  const Scalar t411 = ((t409 + k[64] * t283) - k[59] * t288) - t410;
-  const Scalar t412 = k[36] * t408 + t411;
-  const Scalar t413 = c3 * t407 + s3 * t412;
-  const Scalar t414 = (k[60] * t285 + k[59] * t402) - t404;
-  const Scalar t415 = c3 * t408 + s3 * t406;
-  const Scalar t416 = k[38] * t414 - k[37] * t415;
-  const Scalar t417 = (k[37] * t400 + k[38] * t413) + k[39] * t416;
-  const Scalar t418 = t381 - t417;
-  const Scalar t419 = t354 * t197 + ((torque[1] - t418) + t353 * t198);
-  const Scalar t420 = t70 * t354;
-  const Scalar t421 = (t376 * t21 - (torque[2] + t400)) + t82 * t420;
-  const Scalar t422 = (t421 + t377 * t85) * t109;
-  const Scalar t423 = (t199 * t378 - t419) - t201 * t422;
-  const Scalar t424 = s3 * t408 - c3 * t406;
-  const Scalar t425 = k[79] * s2 - k[80] * c2;
-  const Scalar t426 = (s2 * t424 + c2 * t416) + t265 * t425;
-  const Scalar t427 = k[37] * t414 + k[38] * t415;
-  const Scalar t428 = k[43] * t426 - k[42] * (t277 * t425 - t427);
-  const Scalar t429 = k[79] * c2 + k[80] * s2;
-  const Scalar t430 = t429 * t275 + (t277 * t380 + t265 * t379);
-  const Scalar t431 = s2 * (t416 - (c3 * t412 - s3 * t407));
-  const Scalar t432 = (k[37] * t413 - k[38] * t400) + k[39] * t427;
-  const Scalar t433 = (t274 + t265) * t429 - (t430 + (t431 - c2 * (t424 + t432)));
-  const Scalar t434 = (t428 - (k[41] * t418 - k[40] * t433)) + (k[92] * t269 + k[93] * t267);
-  const Scalar t435 = t151 * t420 + (t376 * t124 + (torque[0] + t434));
-  const Scalar t436 = t207 * t423 + ((t435 + t377 * t173) - t422 * t171);
-  const Scalar t437 = t208 * t436;
-  const Scalar t438 = t204 * t423 + t207 * t437;
-  const Scalar t439 = (t422 + t172 * t437) + t202 * t438;
-  const Scalar t440 = (t438 * t200 + (t173 * t437 + t378)) - t85 * t439;
-  const Scalar t441 = t107 * t439 + (t197 * t438 - (t152 * t437 - t420));
-  const Scalar t442 = t74 * t440 - t441;
-  const Scalar t443 = t22 * t439 - ((t376 + t174 * t437) - t198 * t438);
+  const Scalar t0 = k[0] * c6 - k[1] * s6;
+  const Scalar t1 = k[3] * t0;
+  const Scalar t2 = k[16] * c6 - k[15] * s6;
+  const Scalar t3 = k[52] * t1 - (k[53] + k[17] * t2);
+  const Scalar t4 = k[55] * t3;
+  const Scalar t5 = k[12] * s6 + k[13] * c6;
+  const Scalar t6 = k[14] - c6 * t5;
+  const Scalar t7 = k[16] * s6 + k[15] * c6;
+  const Scalar t8 = k[0] * s6 + k[1] * c6;
+  const Scalar t9 = (k[3] * t6 + k[17] * t7) + k[11] * t8;
+  const Scalar t10 = k[18] - t9;
+  const Scalar t11 = s6 * t5;
+  const Scalar t12 = k[20] - t11;
+  const Scalar t13 = k[21] + (k[19] * t0 - t12);
+  const Scalar t14 = k[22] + t11;
+  const Scalar t15 = k[3] * t2;
+  const Scalar t16 = Scalar(2) * t15 - k[17] * t14;
+  const Scalar t17 = k[17] * t16;
+  const Scalar t18 = k[23] - (t14 + t17);
+  const Scalar t19 = t10 * Scalar(2) * c5 - s5 * (t13 - t18);
+  const Scalar t20 = s5 * t19;
+  const Scalar t21 = t20 - t18;
+  const Scalar t22 = t13 + t20;
+  const Scalar t23 = t21 - t22;
+  const Scalar t24 = Scalar(1) / (t3 * t4 - t23);
+  const Scalar t25 = k[4] + k[3] * t8;
+  const Scalar t26 = k[2] + t0;
+  const Scalar t27 = s5 * t25 - c5 * t26;
+  const Scalar t28 = s5 * t26 + c5 * t25;
+  const Scalar t29 = k[7] * t27;
+  const Scalar t30 = s4 * t28 + c4 * t29;
+  const Scalar t31 = k[58] * t27 - k[9] * t30;
+  const Scalar t32 = k[26] - (k[3] * t16 - t2);
+  const Scalar t33 = (k[3] * t7 - k[17] * t6) - k[27] * t8;
+  const Scalar t34 = k[28] + t33;
+  const Scalar t35 = (c5 * t32 + s5 * t34) - k[25] * t28;
+  const Scalar t36 = k[57] * t27 + (k[7] * t23 - k[24] * t35);
+  const Scalar t37 = k[25] * t27 + (c5 * t34 - s5 * t32);
+  const Scalar t38 = t37 + k[32] * t29;
+  const Scalar t39 = k[7] * t35;
+  const Scalar t40 = k[32] * t28 - (k[60] * t27 + (k[24] * t23 + t39));
+  const Scalar t41 = s4 * t38 - c4 * t40;
+  const Scalar t42 = k[54] * t31 - (k[9] * t36 - k[39] * t41);
+  const Scalar t43 = s5 * t1 + c5 * t8;
+  const Scalar t44 = s5 * t8 - c5 * t1;
+  const Scalar t45 = k[7] * t44 + k[6] * t0;
+  const Scalar t46 = s4 * t43 + c4 * t45;
+  const Scalar t47 = k[29] * t0 - k[24] * t44;
+  const Scalar t48 = k[9] * t46 + k[39] * t47;
+  const Scalar t49 = (k[51] - t15) - k[27] * t0;
+  const Scalar t50 = k[25] * t43 - (c5 * t49 + s5 * t7);
+  const Scalar t51 = (k[24] * t50 - k[7] * t3) + k[30] * t45;
+  const Scalar t52 = k[25] * t44 - (s5 * t49 - c5 * t7);
+  const Scalar t53 = (k[7] * t50 + k[24] * t3) + k[30] * t47;
+  const Scalar t54 = s4 * t45 - c4 * t43;
+  const Scalar t55 = (s4 * t52 - c4 * t53) + k[32] * t54;
+  const Scalar t56 = k[54] * t48 + (k[9] * t51 - k[39] * t55);
+  const Scalar t57 = k[55] * t56;
+  const Scalar t58 = t42 - t3 * t57;
+  const Scalar t59 = t24 * t58;
+  const Scalar t60 = k[55] * t51;
+  const Scalar t61 = t3 * t60 + t36;
+  const Scalar t62 = k[5] - t27;
+  const Scalar t63 = k[6] * t8 - k[7] * t28;
+  const Scalar t64 = k[8] - t63;
+  const Scalar t65 = c4 * t62 - s4 * t64;
+  const Scalar t66 = k[36] - (k[35] * t27 - t22);
+  const Scalar t67 = c5 * t19 - t10;
+  const Scalar t68 = k[30] * t63 + (k[7] * t67 - k[24] * t37);
+  const Scalar t69 = k[38] - t68;
+  const Scalar t70 = t17 + k[33] * t8;
+  const Scalar t71 = k[24] * (t70 + t21) + Scalar(2) * t39;
+  const Scalar t72 = k[24] * t71;
+  const Scalar t73 = k[37] + (t21 - t72);
+  const Scalar t74 = c4 * Scalar(2) * t69 + s4 * (t66 + t73);
+  const Scalar t75 = s4 * t74;
+  const Scalar t76 = t66 - t75;
+  const Scalar t77 = t73 - t75;
+  const Scalar t78 = t76 - t77;
+  const Scalar t79 = k[29] * t8 + k[24] * t28;
+  const Scalar t80 = k[30] * t79 - (k[7] * t37 + k[24] * t67);
+  const Scalar t81 = (k[31] - t80) - k[32] * t62;
+  const Scalar t82 = (k[34] + (t35 - k[7] * t71)) + k[32] * t64;
+  const Scalar t83 = s4 * t81 - c4 * t82;
+  const Scalar t84 = k[42] * t65 + (k[9] * t78 + k[39] * t83);
+  const Scalar t85 = t59 * t61 + (t84 + t57 * t51);
+  const Scalar t86 = t24 * t61;
+  const Scalar t87 = Scalar(1) / ((t78 + t60 * t51) - t61 * t86);
+  const Scalar t88 = t85 * t87;
+  const Scalar t89 = k[70] + (t76 + k[69] * t65);
+  const Scalar t90 = (t70 - t72) + k[66] * t79;
+  const Scalar t91 = k[9] * t83;
+  const Scalar t92 = k[39] * (t77 + t90) + (t91 + t91);
+  const Scalar t93 = k[39] * t92;
+  const Scalar t94 = k[71] - (t93 - t77);
+  const Scalar t95 = t89 - t94;
+  const Scalar t96 = t85 * t88 + (t59 * t58 - (t95 + t56 * t57));
+  const Scalar t97 = Scalar(1) / t96;
+  const Scalar t98 = k[48] * qd[0];
+  const Scalar t99 = c2 * t98;
+  const Scalar t100 = k[46] * qd[0];
+  const Scalar t101 = qd[1] + t100;
+  const Scalar t102 = k[43] * t99 + k[41] * t101;
+  const Scalar t103 = s2 * t98;
+  const Scalar t104 = c3 * t102 - s3 * t103;
+  const Scalar t105 = k[43] * t101 - k[41] * t99;
+  const Scalar t106 = qd[2] + t105;
+  const Scalar t107 = k[39] * t104 - k[9] * t106;
+  const Scalar t108 = qd[3] - t107;
+  const Scalar t109 = s3 * t102 + c3 * t103;
+  const Scalar t110 = k[9] * t104 + k[39] * t106;
+  const Scalar t111 = s4 * t109 - c4 * t110;
+  const Scalar t112 = k[24] * t108 - k[7] * t111;
+  const Scalar t113 = c4 * t109 + s4 * t110;
+  const Scalar t114 = s5 * t112 + c5 * t113;
+  const Scalar t115 = t114 * t114;
+  const Scalar t116 = k[7] * t108 + k[24] * t111;
+  const Scalar t117 = qd[4] + t116;
+  const Scalar t118 = t117 * t117;
+  const Scalar t119 = t115 + t118;
+  const Scalar t120 = s5 * t113 - c5 * t112;
+  const Scalar t121 = t120 * t114;
+  const Scalar t122 = k[41] * qd[1] * t103;
+  const Scalar t123 = t109 * t106;
+  const Scalar t124 = t99 * t103;
+  const Scalar t125 = k[43] * t100 * t103 - k[41] * t124;
+  const Scalar t126 = qd[1] * t98;
+  const Scalar t127 = c2 * t126 - t102 * t105;
+  const Scalar t128 = c3 * t125 - s3 * t127;
+  const Scalar t129 = t123 - t128;
+  const Scalar t130 = k[9] * t122 + k[39] * t129;
+  const Scalar t131 = t108 * t113;
+  const Scalar t132 = t109 * t104;
+  const Scalar t133 = t122 - t132;
+  const Scalar t134 = k[39] * t133 + k[9] * t128;
+  const Scalar t135 = t106 * t104;
+  const Scalar t136 = s3 * t125 + c3 * t127;
+  const Scalar t137 = t135 + t136;
+  const Scalar t138 = t137 + t107 * t110;
+  const Scalar t139 = c4 * t134 - s4 * t138;
+  const Scalar t140 = t131 - t139;
+  const Scalar t141 = k[7] * t130 + k[24] * t140;
+  const Scalar t142 = t121 - t141;
+  const Scalar t143 = k[3] * t120 - k[17] * t117;
+  const Scalar t144 = t143 * t143;
+  const Scalar t145 = t115 - t144;
+  const Scalar t146 = k[3] * t117 + k[17] * t120;
+  const Scalar t147 = qd[5] + t146;
+  const Scalar t148 = t147 * t147;
+  const Scalar t149 = t148 + t144;
+  const Scalar t150 = t111 * t113;
+  const Scalar t151 = t130 + t150;
+  const Scalar t152 = k[24] * t151 + k[7] * t139;
+  const Scalar t153 = s4 * t134 + c4 * t138;
+  const Scalar t154 = t111 * t108;
+  const Scalar t155 = t153 - t154;
+  const Scalar t156 = t155 - t116 * t112;
+  const Scalar t157 = c5 * t152 - s5 * t156;
+  const Scalar t158 = t117 * t114;
+  const Scalar t159 = t157 - t158;
+  const Scalar t160 = k[17] * t159 - k[3] * t141;
+  const Scalar t161 = t143 * t114;
+  const Scalar t162 = t160 + t161;
+  const Scalar t163 = t8 * (t145 + t149) + t162 * t0;
+  const Scalar t164 = t143 * t147;
+  const Scalar t165 = t120 * t117;
+  const Scalar t166 = s5 * t152 + c5 * t156;
+  const Scalar t167 = t165 - t166;
+  const Scalar t168 = t143 * t146 - t167;
+  const Scalar t169 = t164 + (t164 - t168);
+  const Scalar t170 = t147 * t114;
+  const Scalar t171 = t121 + t141;
+  const Scalar t172 = k[3] * t157 + k[17] * t171;
+  const Scalar t173 = (t170 + t170) - t172;
+  const Scalar t174 = t8 * t169 - t0 * t173;
+  const Scalar t175 = k[3] * t163 - k[17] * t174;
+  const Scalar t176 = (k[4] * t119 + k[2] * t142) + t175;
+  const Scalar t177 = t160 - t161;
+  const Scalar t178 = t120 * t120;
+  const Scalar t179 = t178 + t118;
+  const Scalar t180 = (t8 * t177 - t149 * t0) - (k[2] * t179 + k[4] * t171);
+  const Scalar t181 = c5 * t176 - s5 * t180;
+  const Scalar t182 = k[17] * t163 + k[3] * t174;
+  const Scalar t183 = t165 + t167;
+  const Scalar t184 = t158 - t159;
+  const Scalar t185 = t182 + (k[4] * t183 - k[2] * t184);
+  const Scalar t186 = k[7] * t181 - k[24] * t185;
+  const Scalar t187 = t113 * t113;
+  const Scalar t188 = t108 * t108;
+  const Scalar t189 = t187 + t188;
+  const Scalar t190 = t130 - t150;
+  const Scalar t191 = t186 + (k[8] * t189 - k[5] * t190);
+  const Scalar t192 = s5 * t176 + c5 * t180;
+  const Scalar t193 = t187 - t188;
+  const Scalar t194 = t187 + t111 * t111;
+  const Scalar t195 = t193 - t194;
+  const Scalar t196 = t192 - (k[8] * t151 - k[5] * t195);
+  const Scalar t197 = s4 * t191 + c4 * t196;
+  const Scalar t198 = t106 * t106;
+  const Scalar t199 = t109 * t109;
+  const Scalar t200 = t198 + t199;
+  const Scalar t201 = t198 - t104 * t104;
+  const Scalar t202 = t200 - t201;
+  const Scalar t203 = t198 - t199;
+  const Scalar t204 = t202 + t203;
+  const Scalar t205 = t101 * t101;
+  const Scalar t206 = k[87] * s1 + k[86] * c1;
+  const Scalar t207 = qd[0] * qd[0];
+  const Scalar t208 = t206 + k[89] * t207;
+  const Scalar t209 = t98 * t100;
+  const Scalar t210 = k[87] * c1 - k[86] * s1;
+  const Scalar t211 = t209 - (k[88] + k[46] * t210);
+  const Scalar t212 = k[45] * (t205 + t99 * t99) + (c2 * t208 - s2 * t211);
+  const Scalar t213 = k[10] * t125 - t212;
+  const Scalar t214 = t126 + t98 * t101;
+  const Scalar t215 = k[81] * t207;
+  const Scalar t216 = t215 + (k[90] - k[48] * t210);
+  const Scalar t217 = k[45] * s2 * t214 - t216;
+  const Scalar t218 = (s2 * t208 + c2 * t211) + k[45] * t124;
+  const Scalar t219 = k[10] * t127 - (k[41] * t217 + k[43] * t218);
+  const Scalar t220 = c3 * t213 - s3 * t219;
+  const Scalar t221 = (k[54] * t204 - t220) - k[32] * t134;
+  const Scalar t222 = t122 + t132;
+  const Scalar t223 = s3 * t213 + c3 * t219;
+  const Scalar t224 = k[54] * t222 - t223;
+  const Scalar t225 = (k[43] * t217 - k[41] * t218) - k[10] * t202;
+  const Scalar t226 = t123 + t129;
+  const Scalar t227 = t225 + k[54] * t226;
+  const Scalar t228 = k[32] * t138 - (k[9] * t224 + k[39] * t227);
+  const Scalar t229 = s4 * t221 - c4 * t228;
+  const Scalar t230 = t229 + k[30] * t190;
+  const Scalar t231 = t131 + t140;
+  const Scalar t232 = (k[9] * t227 - k[39] * t224) - k[32] * t194;
+  const Scalar t233 = k[30] * t231 + t232;
+  const Scalar t234 = t178 + t115;
+  const Scalar t235 = (k[24] * t230 - k[7] * t233) + k[25] * t234;
+  const Scalar t236 = (k[28] * (t234 - t179) - k[26] * t171) + (k[21] * t184 + k[18] * t183);
+  const Scalar t237 = ((t148 - t115) * t7 + t177 * t2) + (t169 * t6 + t12 * t173);
+  const Scalar t238 = s4 * t228 + c4 * t221;
+  const Scalar t239 = (k[30] * t195 - t238) + k[25] * t152;
+  const Scalar t240 = k[25] * t156 - (k[7] * t230 + k[24] * t233);
+  const Scalar t241 = s5 * t239 + c5 * t240;
+  const Scalar t242 = k[52] * t142 + t241;
+  const Scalar t243 = t235 - k[52] * t184;
+  const Scalar t244 = k[17] * t242 - k[3] * t243;
+  const Scalar t245 = t237 - t0 * t244;
+  const Scalar t246 = t145 * t6 - (t162 * t12 + t14 * t177);
+  const Scalar t247 = s5 * t240 - c5 * t239;
+  const Scalar t248 = t8 * (k[52] * t179 + t247) - t0 * (k[3] * t242 + k[17] * t243);
+  const Scalar t249 = (t246 + (t2 * t172 - t168 * t7)) - t248;
+  const Scalar t250 = k[52] * t182 + (k[3] * t245 + k[17] * t249);
+  const Scalar t251 = (k[2] * t235 - t236) + t250;
+  const Scalar t252 = (t148 - t144) * t2 + (t6 * t173 + t14 * t169);
+  const Scalar t253 = k[26] * (t178 - t118) - (k[23] * t183 + k[18] * t184);
+  const Scalar t254 = (t8 * t244 + (t252 - t162 * t7)) - (k[4] * t235 - (t253 - k[28] * t142));
+  const Scalar t255 = (c5 * t251 + s5 * t254) + k[25] * t192;
+  const Scalar t256 = (k[17] * t245 - k[3] * t249) - k[52] * t175;
+  const Scalar t257 = (k[23] * t171 - k[21] * t142) + k[18] * (t119 - t179);
+  const Scalar t258 = (k[4] * t247 - k[2] * t241) + (t257 + (k[28] * t166 + k[26] * t157));
+  const Scalar t259 = t256 + t258;
+  const Scalar t260 = k[24] * t181 + k[7] * t185;
+  const Scalar t261 = (k[7] * t255 - k[24] * t259) + k[30] * t260;
+  const Scalar t262 = t155 - t154;
+  const Scalar t263 = (k[38] * t262 + k[36] * t231) + (k[31] * t193 + k[34] * t151);
+  const Scalar t264 = t261 - (k[5] * t232 + t263);
+  const Scalar t265 = k[34] * (t189 - t194) + (k[38] * t231 - k[37] * t262);
+  const Scalar t266 = k[25] * t181 - (s5 * t251 - c5 * t254);
+  const Scalar t267 = ((k[31] * t190 + t265) + k[8] * t232) + t266;
+  const Scalar t268 = k[32] * t197 + (c4 * t264 + s4 * t267);
+  const Scalar t269 = k[38] * (t189 + t195) - (k[36] * t190 - k[37] * t151);
+  const Scalar t270 = ((k[31] * t153 - k[34] * t139) - t269) + (k[8] * t238 + k[5] * t229);
+  const Scalar t271 = k[30] * t186 - (k[24] * t255 + k[7] * t259);
+  const Scalar t272 = t270 - t271;
+  const Scalar t273 = t260 - (k[8] * t262 + k[5] * t231);
+  const Scalar t274 = c4 * t191 - s4 * t196;
+  const Scalar t275 = k[39] * t273 - k[9] * t274;
+  const Scalar t276 = (k[39] * t268 + k[9] * t272) + k[54] * t275;
+  const Scalar t277 = (k[71] * t133 - k[70] * t222) - k[68] * (t200 - t204);
+  const Scalar t278 = (t277 + (k[67] * t128 + k[65] * t136)) + (k[62] * t223 - k[61] * t220);
+  const Scalar t279 = t276 - t278;
+  const Scalar t280 = torque[5] + t249;
+  const Scalar t281 = k[55] * t280;
+  const Scalar t282 = t3 * t281 + (torque[4] - t259);
+  const Scalar t283 = t24 * t282;
+  const Scalar t284 = ((torque[2] - t279) - t280 * t57) - t283 * t58;
+  const Scalar t285 = (t60 * t280 - (torque[3] - t272)) - t282 * t86;
+  const Scalar t286 = t87 * t285;
+  const Scalar t287 = t284 + t85 * t286;
+  const Scalar t288 = t97 * t287;
+  const Scalar t289 = k[9] * t47 - k[39] * t46;
+  const Scalar t290 = (k[9] * t55 + k[39] * t51) - k[54] * t289;
+  const Scalar t291 = k[10] * t54 + t290;
+  const Scalar t292 = (s4 * t53 + c4 * t52) + k[32] * t46;
+  const Scalar t293 = k[10] * t48 + t292;
+  const Scalar t294 = c3 * t291 + s3 * t293;
+  const Scalar t295 = s3 * t54 - c3 * t48;
+  const Scalar t296 = k[41] * t289 - k[43] * t295;
+  const Scalar t297 = (k[41] * t294 - k[43] * t56) - k[45] * t296;
+  const Scalar t298 = c4 * t28 - s4 * t29;
+  const Scalar t299 = s3 * t31 + c3 * t298;
+  const Scalar t300 = s4 * t40 + c4 * t38;
+  const Scalar t301 = k[39] * t30 + k[59] * t27;
+  const Scalar t302 = (k[9] * t41 + k[39] * t36) + k[54] * t301;
+  const Scalar t303 = k[10] * t299 - (s3 * t300 + c3 * t302);
+  const Scalar t304 = s3 * t298 - c3 * t31;
+  const Scalar t305 = k[41] * t301 - k[43] * t304;
+  const Scalar t306 = (k[41] * t303 - k[43] * t42) - k[45] * t305;
+  const Scalar t307 = t297 * t4 - t306;
+  const Scalar t308 = t307 * t24;
+  const Scalar t309 = k[55] * t297;
+  const Scalar t310 = s4 * t62 + c4 * t64;
+  const Scalar t311 = (k[40] * t65 - (t91 - k[39] * t78)) + k[10] * t310;
+  const Scalar t312 = c4 * t81 + s4 * t82;
+  const Scalar t313 = k[9] * t65;
+  const Scalar t314 = t312 - k[10] * t313;
+  const Scalar t315 = c3 * t311 - s3 * t314;
+  const Scalar t316 = s3 * t310 - c3 * t313;
+  const Scalar t317 = k[44] * t65 + k[43] * t316;
+  const Scalar t318 = (k[41] * t315 - k[43] * t84) + k[45] * t317;
+  const Scalar t319 = t61 * t308 - (t51 * t309 + t318);
+  const Scalar t320 = t87 * t319;
+  const Scalar t321 = k[39] * t79 - k[9] * t310;
+  const Scalar t322 = k[61] + t321;
+  const Scalar t323 = k[10] * t322 - (k[67] - (k[9] * t92 - t83));
+  const Scalar t324 = t69 - c4 * t74;
+  const Scalar t325 = k[39] * t310 + k[9] * t79;
+  const Scalar t326 = (k[39] * t324 + k[9] * t312) - k[54] * t325;
+  const Scalar t327 = k[62] + t65;
+  const Scalar t328 = (k[65] - t326) + k[10] * t327;
+  const Scalar t329 = c3 * t323 - s3 * t328;
+  const Scalar t330 = s3 * t322 + c3 * t327;
+  const Scalar t331 = k[43] * t330;
+  const Scalar t332 = (k[41] * t329 + k[43] * t95) + k[45] * t331;
+  const Scalar t333 = t85 * t320 + (t308 * t58 + (t56 * t309 - t332));
+  const Scalar t334 = k[80] - c2 * (k[91] * c2 - k[92] * s2);
+  const Scalar t335 = k[74] * c2 - k[73] * s2;
+  const Scalar t336 = k[64] * s2 + k[63] * c2;
+  const Scalar t337 = k[63] * s2 - k[64] * c2;
+  const Scalar t338 = (t334 * t215 + t209 * t335) + (t211 * t336 + t208 * t337);
+  const Scalar t339 = (k[62] * t222 + k[61] * t200) + t275;
+  const Scalar t340 = (k[62] * t204 - k[61] * t133) - t197;
+  const Scalar t341 = s3 * t339 + c3 * t340;
+  const Scalar t342 = t137 + t135;
+  const Scalar t343 = (k[67] * t133 + k[65] * t203) - (k[68] * t342 - k[70] * t226);
+  const Scalar t344 = k[39] * t274 + k[9] * t273;
+  const Scalar t345 = k[54] * t344 + (k[9] * t268 - k[39] * t272);
+  const Scalar t346 = (t343 + k[62] * t225) - t345;
+  const Scalar t347 = (k[71] * t342 + k[68] * t226) - k[67] * t201;
+  const Scalar t348 = (s4 * t264 - c4 * t267) - k[32] * t274;
+  const Scalar t349 = ((t347 + k[65] * t222) + k[61] * t225) + t348;
+  const Scalar t350 = k[10] * t341 + (c3 * t346 + s3 * t349);
+  const Scalar t351 = c3 * t339 - s3 * t340;
+  const Scalar t352 = t344 - (k[62] * t226 - k[61] * t342);
+  const Scalar t353 = k[43] * t351 + k[41] * t352;
+  const Scalar t354 = (k[43] * t279 - k[41] * t350) + k[45] * t353;
+  const Scalar t355 = t338 + t354;
+  const Scalar t356 = t307 * t283 - ((torque[1] - t355) + t281 * t297);
+  const Scalar t357 = t288 * t333 + (t356 - t320 * t285);
+  const Scalar t358 = k[54] * t321 - (k[39] * t312 - k[9] * t324);
+  const Scalar t359 = k[68] + t358;
+  const Scalar t360 = s3 * (t89 + t94) - c3 * (t359 + t359);
+  const Scalar t361 = s3 * t360;
+  const Scalar t362 = k[76] + (k[75] * t330 + (t89 - t361));
+  const Scalar t363 = t94 - t361;
+  const Scalar t364 = (t93 - t90) - k[72] * t325;
+  const Scalar t365 = k[43] * t329;
+  const Scalar t366 = k[41] * (t364 - t363) - Scalar(2) * t365;
+  const Scalar t367 = k[41] * t366;
+  const Scalar t368 = k[77] + (t363 + t367);
+  const Scalar t369 = t362 - t368;
+  const Scalar t370 = t320 * t319 + (t307 * t308 - (t369 + t297 * t309));
+  const Scalar t371 = t97 * t333;
+  const Scalar t372 = Scalar(1) / (t370 - t333 * t371);
+  const Scalar t373 = k[43] * t289 + k[41] * t295;
+  const Scalar t374 = k[45] * t373 - (k[41] * t56 + k[43] * t294);
+  const Scalar t375 = s3 * t48 + c3 * t54;
+  const Scalar t376 = s2 * (t296 + (c3 * t293 - s3 * t291));
+  const Scalar t377 = k[56] * t309 - k[48] * (c2 * (t374 - t375) - t376);
+  const Scalar t378 = k[50] * (c2 * t296 - s2 * t375) + k[49] * t373;
+  const Scalar t379 = t377 - t378;
+  const Scalar t380 = k[63] + t330;
+  const Scalar t381 = c3 * t322 - s3 * t327;
+  const Scalar t382 = k[41] * t325 + k[43] * t381;
+  const Scalar t383 = k[64] + t382;
+  const Scalar t384 = c2 * t380 + s2 * t383;
+  const Scalar t385 = k[43] * t325 - k[41] * t381;
+  const Scalar t386 = c3 * t360 + t359;
+  const Scalar t387 = c3 * t328 + s3 * t323;
+  const Scalar t388 = k[45] * t385 + (k[41] * t386 + k[43] * t387);
+  const Scalar t389 = c2 * ((k[73] + (t329 + k[43] * t366)) - t383);
+  const Scalar t390 = s2 * (t380 + (k[74] + t388)) + t389;
+  const Scalar t391 = k[50] * t384 + (k[46] * t369 - k[48] * t390);
+  const Scalar t392 = k[41] * t304 + k[43] * t301;
+  const Scalar t393 = k[49] * t392 - k[50] * (s2 * t299 - c2 * t305);
+  const Scalar t394 = k[45] * t392 - (k[43] * t303 + k[41] * t42);
+  const Scalar t395 = k[10] * t304 - (s3 * t302 - c3 * t300);
+  const Scalar t396 = c2 * (t299 - t394) - s2 * (t395 - t305);
+  const Scalar t397 = (t393 - (k[48] * t396 + k[46] * t306)) + t379 * t4;
+  const Scalar t398 = k[55] * t379;
+  const Scalar t399 = k[41] * t316 - k[47] * t65;
+  const Scalar t400 = s3 * t313 + c3 * t310;
+  const Scalar t401 = k[49] * t399 - k[50] * (c2 * t317 + s2 * t400);
+  const Scalar t402 = k[45] * t399 - (k[43] * t315 + k[41] * t84);
+  const Scalar t403 = s2 * (t317 + (c3 * t314 + s3 * t311));
+  const Scalar t404 = k[48] * (c2 * (t402 - t400) + t403) - k[46] * t318;
+  const Scalar t405 = t86 * t397 - (t398 * t51 - (t401 + t404));
+  const Scalar t406 = t87 * t405;
+  const Scalar t407 = ((t379 * t309 + t391) - t308 * t397) - t406 * t319;
+  const Scalar t408 = t381 - ((k[41] * t95 - t365) + k[78] * t330);
+  const Scalar t409 = k[48] * (c2 * t408 - s2 * (t387 + t331));
+  const Scalar t410 = k[50] * (c2 * t331 + s2 * t381) - k[79] * t330;
+  const Scalar t411 = t379 * t57 - ((k[46] * t332 + t409) + t410);
+  const Scalar t412 = t24 * t397;
+  const Scalar t413 = (t411 + t412 * t58) + t88 * t405;
+  const Scalar t414 = t413 * t97;
+  const Scalar t415 = t407 + t333 * t414;
+  const Scalar t416 = t372 * t415;
+  const Scalar t417 = t216 * t336 - (t334 * t214 + t335 * t205);
+  const Scalar t418 = k[43] * t352 - k[41] * t351;
+  const Scalar t419 = (k[41] * t279 + k[43] * t350) - k[45] * t418;
+  const Scalar t420 = k[10] * t351 - (s3 * t346 - c3 * t349);
+  const Scalar t421 = c2 * (t341 + t419) + s2 * (t353 + t420);
+  const Scalar t422 = k[48] * ((t417 - t421) - (t215 + t205) * t336);
+  const Scalar t423 = (c2 * t353 - s2 * t341) - t205 * t337;
+  const Scalar t424 = k[49] * (t214 * t337 - t418) - k[50] * t423;
+  const Scalar t425 = ((t422 + k[46] * t355) - t424) - (k[93] * t210 + k[94] * t206);
+  const Scalar t426 = t282 * t412 - ((torque[0] - t425) + t281 * t379);
+  const Scalar t427 = t357 * t416 - ((t406 * t285 - t426) - t287 * t414);
+  const Scalar t428 = (k[43] * t386 - k[41] * t387) - k[45] * t382;
+  const Scalar t429 = c2 * (k[80] - t428);
+  const Scalar t430 = s2 * ((t429 + t429) - s2 * (t362 + t368));
+  const Scalar t431 = t362 + t430;
+  const Scalar t432 = t431 - t369;
+  const Scalar t433 = k[81] * ((Scalar(2) * t385 - (t364 - t367)) + t432);
+  const Scalar t434 = (k[85] + (t431 + k[84] * t384)) - (k[83] + ((k[82] * t390 - t433) + t432));
+  const Scalar t435 = t406 * t405 + (t412 * t397 - (t379 * t398 + t434));
+  const Scalar t436 = Scalar(1) / ((t413 * t414 - t435) + t416 * t415);
+  const Scalar t437 = t427 * t436;
+  const Scalar t438 = t357 * t372 - t416 * t437;
+  const Scalar t439 = t371 * t438 - (t437 * t414 - t288);
+  const Scalar t440 = ((t406 * t437 - t286) - t320 * t438) + t88 * t439;
+  const Scalar t441 = ((t412 * t437 + t283) - t308 * t438) + t59 * t439;
+  const Scalar t442 = t441 + t86 * t440;
+  const Scalar t443 = (t438 * t309 - (t281 + t398 * t437)) + t439 * t57;
   JointVector<Scalar> result;
   result[0] = -t437;
   result[1] = t438;
   result[2] = -t439;
   result[3] = t440;
-  result[4] = -t442;
-  result[5] = t69 * t442 - (t71 * t440 - t443);
+  result[4] = t442;
+  result[5] = (t443 - t60 * t440) + t442 * t4;
   return result;
 }
 
@@ -1888,227 +1937,224 @@ ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constant
   using std::sin;
   const Scalar t0 = inertia.c6x * inertia.m6;
   const Scalar t1 = inertia.c6y * inertia.m6;
-  const Scalar t2 = g.a6 * inertia.m6;
-  const Scalar t3 = inertia.c5x * inertia.m5;
-  const Scalar t4 = inertia.c5y * inertia.m5;
-  const Scalar t5 = inertia.c6z * inertia.m6;
-  const Scalar t6 = g.d6 * inertia.m6 + t5;
-  const Scalar t7 = sin(g.alpha6) * t6;
-  const Scalar t8 = inertia.m5 + inertia.m6;
-  const Scalar t9 = g.a5 * t8;
-  const Scalar t10 = inertia.c4x * inertia.m4;
-  const Scalar t11 = g.d5 * inertia.m5;
-  const Scalar t12 = inertia.c5z * inertia.m5;
-  const Scalar t13 = t12 + t11;
-  const Scalar t14 = t11 - t13;
-  const Scalar t15 = cos(g.alpha6) * t6;
-  const Scalar t16 = t14 - t15;
-  const Scalar t17 = t16 - g.d5 * t8;
-  const Scalar t18 = sin(g.alpha5) * t17;
-  const Scalar t19 = inertia.c4y * inertia.m4;
-  const Scalar t20 = inertia.m4 + t8;
-  const Scalar t21 = g.a4 * t20;
-  const Scalar t22 = inertia.c3x * inertia.m3;
-  const Scalar t23 = inertia.c4z * inertia.m4;
-  const Scalar t24 = g.d4 * inertia.m4;
-  const Scalar t25 = t23 + t24;
-  const Scalar t26 = t25 - t24;
-  const Scalar t27 = cos(g.alpha5) * t17;
-  const Scalar t28 = t26 - t27;
-  const Scalar t29 = g.d4 * t20 + t28;
-  const Scalar t30 = sin(g.alpha4) * t29;
-  const Scalar t31 = inertia.c3y * inertia.m3;
-  const Scalar t32 = g.a3 / g.d2;
-  const Scalar t33 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t34 = (inertia.I6xx - t33) - inertia.c6x * t0;
-  const Scalar t35 = (inertia.I6yy - t33) - inertia.c6y * t1;
-  const Scalar t36 = inertia.I6xy - inertia.c6y * t0;
-  const Scalar t37 = g.d5 / g.d2;
-  const Scalar t38 = t34 + t35;
-  const Scalar t39 = g.a6 / g.d2;
-  const Scalar t40 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t41 = (inertia.c5x * t3 - (inertia.I5xx - t40)) + g.a6 * t2;
-  const Scalar t42 = (inertia.c6z * t5 - (inertia.I6zz - t33)) + g.d6 * (t6 + t5);
-  const Scalar t43 = sin(g.alpha6) * t42;
-  const Scalar t44 = sin(g.alpha6) * t43;
-  const Scalar t45 = g.d5 * t4;
-  const Scalar t46 = (t45 + ((inertia.I5yz - inertia.c5z * t4) - t45)) + cos(g.alpha6) * t43;
-  const Scalar t47 = g.d5 * t3;
-  const Scalar t48 = (t47 - (t47 - (inertia.I5xz - inertia.c5z * t3))) - g.a6 * t15;
-  const Scalar t49 = (inertia.c5z * t12 - (inertia.I5zz - t40)) + g.d5 * (t12 + t13);
-  const Scalar t50 = (g.d5 * (t14 - t13) + t49) + (t42 - t44);
-  const Scalar t51 = g.d5 * (t16 + t17) - t50;
-  const Scalar t52 = sin(g.alpha5) * t51;
-  const Scalar t53 = g.d4 * t19;
-  const Scalar t54 = cos(g.alpha5) * t52 - (t53 - (t53 - (inertia.I4yz - inertia.c4z * t19)));
-  const Scalar t55 = g.d4 / g.d2;
-  const Scalar t56 = g.a5 / g.d2;
-  const Scalar t57 = g.d4 * t10;
-  const Scalar t58 = g.a5 * t27 + (((inertia.I4xz - inertia.c4z * t10) - t57) + t57);
-  const Scalar t59 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t60 = g.a5 * t9 - ((inertia.I4xx - t59) - inertia.c4x * t10);
-  const Scalar t61 = sin(g.alpha5) * t52;
-  const Scalar t62 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t63 = ((inertia.I4zz - t59) - inertia.c4z * t23) - g.d4 * (t25 + t23);
-  const Scalar t64 = (g.d4 * (t26 + t25) + t63) - (t61 - t51);
-  const Scalar t65 = t64 - g.d4 * (t28 + t29);
+  const Scalar t2 = g.a4 / g.d2;
+  const Scalar t3 = g.a5 / g.d2;
+  const Scalar t4 = g.d5 / g.d2;
+  const Scalar t5 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t6 = (inertia.I6xx - t5) - inertia.c6x * t0;
+  const Scalar t7 = (inertia.I6yy - t5) - inertia.c6y * t1;
+  const Scalar t8 = t6 + t7;
+  const Scalar t9 = g.a6 / g.d2;
+  const Scalar t10 = g.d4 / g.d2;
+  const Scalar t11 = g.d3 / g.d2;
+  const Scalar t12 = g.a3 / g.d2;
+  const Scalar t13 = inertia.c5y * inertia.m5;
+  const Scalar t14 = inertia.c6z * inertia.m6;
+  const Scalar t15 = g.d6 * inertia.m6 + t14;
+  const Scalar t16 = sin(g.alpha6) * t15;
+  const Scalar t17 = g.a6 * inertia.m6;
+  const Scalar t18 = inertia.c5x * inertia.m5;
+  const Scalar t19 = inertia.m5 + inertia.m6;
+  const Scalar t20 = g.a5 * t19;
+  const Scalar t21 = inertia.c4x * inertia.m4;
+  const Scalar t22 = g.d5 * inertia.m5;
+  const Scalar t23 = inertia.c5z * inertia.m5;
+  const Scalar t24 = t23 + t22;
+  const Scalar t25 = t22 - t24;
+  const Scalar t26 = cos(g.alpha6) * t15;
+  const Scalar t27 = t25 - t26;
+  const Scalar t28 = t27 - g.d5 * t19;
+  const Scalar t29 = sin(g.alpha5) * t28;
+  const Scalar t30 = inertia.c4y * inertia.m4;
+  const Scalar t31 = inertia.I6xy - inertia.c6y * t0;
+  const Scalar t32 = g.d5 * t18;
+  const Scalar t33 = (t32 - (t32 - (inertia.I5xz - inertia.c5z * t18))) - g.a6 * t26;
+  const Scalar t34 = g.d5 * t13;
+  const Scalar t35 = (inertia.c6z * t14 - (inertia.I6zz - t5)) + g.d6 * (t15 + t14);
+  const Scalar t36 = sin(g.alpha6) * t35;
+  const Scalar t37 = (t34 + ((inertia.I5yz - inertia.c5z * t13) - t34)) + cos(g.alpha6) * t36;
+  const Scalar t38 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t39 = (inertia.c5x * t18 - (inertia.I5xx - t38)) + g.a6 * t17;
+  const Scalar t40 = sin(g.alpha6) * t36;
+  const Scalar t41 = (inertia.c5z * t23 - (inertia.I5zz - t38)) + g.d5 * (t23 + t24);
+  const Scalar t42 = (g.d5 * (t25 - t24) + t41) + (t35 - t40);
+  const Scalar t43 = g.d5 * (t27 + t28) - t42;
+  const Scalar t44 = sin(g.alpha5) * t43;
+  const Scalar t45 = sin(g.alpha5) * t44;
+  const Scalar t46 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t47 = g.a5 * t20 - ((inertia.I4xx - t46) - inertia.c4x * t21);
+  const Scalar t48 = cos(g.alpha5) * t28;
+  const Scalar t49 = g.d4 * t21;
+  const Scalar t50 = g.a5 * t48 + (((inertia.I4xz - inertia.c4z * t21) - t49) + t49);
+  const Scalar t51 = g.d4 * t30;
+  const Scalar t52 = cos(g.alpha5) * t44 - (t51 - (t51 - (inertia.I4yz - inertia.c4z * t30)));
+  const Scalar t53 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t54 = inertia.c3y * inertia.m3;
+  const Scalar t55 = inertia.c4z * inertia.m4;
+  const Scalar t56 = g.d4 * inertia.m4;
+  const Scalar t57 = t55 + t56;
+  const Scalar t58 = t57 - t56;
+  const Scalar t59 = ((inertia.I4zz - t46) - inertia.c4z * t55) - g.d4 * (t57 + t55);
+  const Scalar t60 = (g.d4 * (t58 + t57) + t59) - (t45 - t43);
+  const Scalar t61 = t58 - t48;
+  const Scalar t62 = inertia.m4 + t19;
+  const Scalar t63 = g.d4 * t62 + t61;
+  const Scalar t64 = t60 - g.d4 * (t61 + t63);
+  const Scalar t65 = sin(g.alpha4) * t64;
   const Scalar t66 = sin(g.alpha4) * t65;
-  const Scalar t67 = sin(g.alpha4) * t66;
-  const Scalar t68 = g.a4 / g.d2;
-  const Scalar t69 = g.a4 * t21 + (inertia.c3x * t22 - (inertia.I3xx - t62));
-  const Scalar t70 = inertia.m3 + t20;
-  const Scalar t71 = g.a3 * t70;
-  const Scalar t72 = inertia.c2x * inertia.m2;
-  const Scalar t73 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t74 = g.a3 * t71 + (inertia.c2x * t72 - (inertia.I2xx - t73));
-  const Scalar t75 = g.d3 / g.d2;
-  const Scalar t76 = cos(g.alpha4) * t29;
-  const Scalar t77 = g.d3 * t22;
-  const Scalar t78 = g.a4 * t76 - (t77 - (t77 - (inertia.I3xz - inertia.c3z * t22)));
-  const Scalar t79 = g.d3 * t31;
-  const Scalar t80 = cos(g.alpha4) * t66 - (t79 - (t79 - (inertia.I3yz - inertia.c3z * t31)));
-  const Scalar t81 = inertia.c2y * inertia.m2;
-  const Scalar t82 = inertia.c3z * inertia.m3;
-  const Scalar t83 = g.d3 * inertia.m3;
-  const Scalar t84 = t82 + t83;
-  const Scalar t85 = g.d3 * (t82 + t84) - ((inertia.I3zz - t62) - inertia.c3z * t82);
-  const Scalar t86 = t83 - t84;
-  const Scalar t87 = (t67 - t65) + (t85 - g.d3 * (t84 - t86));
-  const Scalar t88 = t76 - t86;
-  const Scalar t89 = t88 + g.d3 * t70;
-  const Scalar t90 = t87 + g.d3 * (t88 + t89);
-  const Scalar t91 = sin(g.alpha3) * t90;
-  const Scalar t92 = sin(g.alpha3) * t91;
-  const Scalar t93 = ((inertia.I2yy - t73) - inertia.c2y * t81) - t92;
-  const Scalar t94 = sin(g.alpha3) * t89;
-  const Scalar t95 = g.a3 * t94 + (inertia.I2xy - inertia.c2y * t72);
-  const Scalar t96 = g.d2 * t81;
-  const Scalar t97 = ((t96 - (inertia.I2yz - inertia.c2z * t81)) - t96) - cos(g.alpha3) * t91;
-  const Scalar t98 = cos(g.alpha3) * t89;
-  const Scalar t99 = g.d2 * t72;
-  const Scalar t100 = g.a3 * t98 - (((inertia.I2xz - inertia.c2z * t72) - t99) + t99);
-  const Scalar t101 = g.d2 * inertia.m2;
-  const Scalar t102 = inertia.c2z * inertia.m2;
-  const Scalar t103 = t101 + t102;
-  const Scalar t104 = t101 - t103;
-  const Scalar t105 = g.d2 * (t103 + t102) - ((inertia.I2zz - t73) - inertia.c2z * t102);
-  const Scalar t106 = (g.d2 * (t103 - t104) - t105) + (t92 - t90);
-  const Scalar t107 = t98 - t104;
-  const Scalar t108 = inertia.m2 + t70;
-  const Scalar t109 = g.d2 * t108 + t107;
-  const Scalar t110 = sin(g.alpha2) * sin(g.alpha2) * (t106 - g.d2 * (t107 + t109));
-  const Scalar t111 = inertia.c1y * inertia.m1;
-  const Scalar t112 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t113 = g.a2 / g.d2;
-  const Scalar t114 = g.a2 * t108;
-  const Scalar t115 = inertia.c1x * inertia.m1;
-  const Scalar t116 = g.a2 * t114 + (inertia.c1x * t115 - (inertia.I1xx - t112));
-  const Scalar t117 = gravity[2] / g.d2;
-  const Scalar t118 = g.d6 / g.d2;
+  const Scalar t67 = g.a4 * t62;
+  const Scalar t68 = inertia.c3x * inertia.m3;
+  const Scalar t69 = g.a4 * t67 + (inertia.c3x * t68 - (inertia.I3xx - t53));
+  const Scalar t70 = sin(g.alpha4) * t63;
+  const Scalar t71 = g.d3 * t54;
+  const Scalar t72 = cos(g.alpha4) * t65 - (t71 - (t71 - (inertia.I3yz - inertia.c3z * t54)));
+  const Scalar t73 = cos(g.alpha4) * t63;
+  const Scalar t74 = g.d3 * t68;
+  const Scalar t75 = g.a4 * t73 - (t74 - (t74 - (inertia.I3xz - inertia.c3z * t68)));
+  const Scalar t76 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t77 = inertia.c2y * inertia.m2;
+  const Scalar t78 = inertia.c3z * inertia.m3;
+  const Scalar t79 = g.d3 * inertia.m3;
+  const Scalar t80 = t78 + t79;
+  const Scalar t81 = g.d3 * (t78 + t80) - ((inertia.I3zz - t53) - inertia.c3z * t78);
+  const Scalar t82 = t79 - t80;
+  const Scalar t83 = (t66 - t64) + (t81 - g.d3 * (t80 - t82));
+  const Scalar t84 = t73 - t82;
+  const Scalar t85 = inertia.m3 + t62;
+  const Scalar t86 = t84 + g.d3 * t85;
+  const Scalar t87 = t83 + g.d3 * (t84 + t86);
+  const Scalar t88 = sin(g.alpha3) * t87;
+  const Scalar t89 = sin(g.alpha3) * t88;
+  const Scalar t90 = ((inertia.I2yy - t76) - inertia.c2y * t77) - t89;
+  const Scalar t91 = g.a3 * t85;
+  const Scalar t92 = inertia.c2x * inertia.m2;
+  const Scalar t93 = g.a3 * t91 + (inertia.c2x * t92 - (inertia.I2xx - t76));
+  const Scalar t94 = sin(g.alpha3) * t86;
+  const Scalar t95 = g.a3 * t94 + (inertia.I2xy - inertia.c2y * t92);
+  const Scalar t96 = gravity[2] / g.d2;
+  const Scalar t97 = g.a2 / g.d2;
+  const Scalar t98 = g.d2 * t77;
+  const Scalar t99 = ((t98 - (inertia.I2yz - inertia.c2z * t77)) - t98) - cos(g.alpha3) * t88;
+  const Scalar t100 = cos(g.alpha3) * t86;
+  const Scalar t101 = g.d2 * t92;
+  const Scalar t102 = g.a3 * t100 - (((inertia.I2xz - inertia.c2z * t92) - t101) + t101);
+  const Scalar t103 = inertia.m2 + t85;
+  const Scalar t104 = g.a2 * t103;
+  const Scalar t105 = inertia.c1x * inertia.m1;
+  const Scalar t106 = g.d2 * inertia.m2;
+  const Scalar t107 = inertia.c2z * inertia.m2;
+  const Scalar t108 = t106 + t107;
+  const Scalar t109 = t106 - t108;
+  const Scalar t110 = t100 - t109;
+  const Scalar t111 = g.d2 * t103 + t110;
+  const Scalar t112 = inertia.c1y * inertia.m1;
+  const Scalar t113 = g.d2 * (t108 + t107) - ((inertia.I2zz - t76) - inertia.c2z * t107);
+  const Scalar t114 = (g.d2 * (t108 - t109) - t113) + (t89 - t87);
+  const Scalar t115 = sin(g.alpha2) * sin(g.alpha2) * (t114 - g.d2 * (t110 + t111));
+  const Scalar t116 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t117 = g.a2 * t104 + (inertia.c1x * t105 - (inertia.I1xx - t116));
   return { g.d2 * t0,
            g.d2 * t1,
-           g.d2 * (t2 + t3),
            cos(g.alpha6),
-           g.d2 * (t4 - t7),
-           g.d2 * (t9 + t10),
+           sin(g.alpha5) * sin(g.alpha6),
            cos(g.alpha5),
-           sin(g.alpha6),
-           sin(g.alpha5),
-           g.d2 * (t18 + t19),
-           g.d2 * (t21 + t22),
-           sin(g.alpha4),
            cos(g.alpha4),
-           g.d2 * (t30 - t31),
-           Scalar(2) * t32,
+           sin(g.alpha5),
+           cos(g.alpha5) * sin(g.alpha6),
+           sin(g.alpha4),
+           t2,
+           t3,
+           cos(g.alpha6) * t4,
            (inertia.I6xz - inertia.c6z * t0) - g.d6 * t0,
            g.d6 * t1 - (inertia.I6yz - inertia.c6z * t1),
-           Scalar(2) * cos(g.alpha6),
-           t34 - t35,
-           Scalar(2) * t36,
-           t35,
-           Scalar(2) * t37,
-           t38,
-           Scalar(2) * t39,
-           t41,
-           (inertia.c5y * t4 - (inertia.I5yy - t40)) + t44,
-           t36,
-           cos(g.alpha6) * t39,
-           (inertia.I5xy - inertia.c5y * t3) + g.a6 * t7,
-           t37,
-           t46,
-           sin(g.alpha6) * t39,
-           t48,
-           Scalar(2) * cos(g.alpha5),
-           t54,
-           t55,
-           t56,
-           t58,
-           Scalar(2) * t55,
-           Scalar(2) * t56,
-           t60,
-           t61 + ((inertia.I4yy - t59) - inertia.c4y * t19),
-           g.a5 * t18 - (inertia.I4xy - inertia.c4y * t10),
-           ((inertia.I3yy - t62) - inertia.c3y * t31) + t67,
-           Scalar(2) * t68,
-           t69,
-           t68,
-           (inertia.I3xy - inertia.c3y * t22) + g.a4 * t30,
-           t74,
-           Scalar(2) * t75,
-           sin(g.alpha3),
-           t78,
-           t80,
-           t75,
+           sin(g.alpha6) * t8,
+           sin(g.alpha6) * t9,
+           t4,
+           t9,
+           sin(g.alpha6),
+           cos(g.alpha6) * t8,
+           t10,
            cos(g.alpha3),
+           t11,
+           sin(g.alpha3),
+           t12,
+           Scalar(1) / t8,
+           g.d2 * (t13 - t16),
+           g.d2 * (t17 + t18),
+           g.d2 * (t20 + t21),
+           g.d2 * (t29 + t30),
+           Scalar(2) * t11,
+           t6 - t7,
+           Scalar(2) * t31,
+           t31,
+           t33,
+           t7,
+           t37,
+           Scalar(2) * sin(g.alpha6),
+           Scalar(2) * t9,
+           t6,
+           t39,
+           (inertia.c5y * t13 - (inertia.I5yy - t38)) + t40,
+           (inertia.I5xy - inertia.c5y * t18) + g.a6 * t16,
+           t45 + ((inertia.I4yy - t46) - inertia.c4y * t30),
+           Scalar(2) * t3,
+           t47,
+           g.a5 * t29 - (inertia.I4xy - inertia.c4y * t21),
+           Scalar(2) * t10,
+           t50,
+           t52,
+           Scalar(2) * cos(g.alpha4),
+           ((inertia.I3yy - t53) - inertia.c3y * t54) + t66,
+           Scalar(2) * t2,
+           t69,
+           (inertia.I3xy - inertia.c3y * t68) + g.a4 * t70,
+           t72,
+           g.d2 * (t70 - t54),
+           t75,
+           g.d2 * (t67 + t68),
+           t90,
+           Scalar(2) * t12,
            t93,
-           t32,
            t95,
-           g.d2 * (t94 - t81),
-           t97,
-           g.d2 * (t71 + t72),
-           t100,
-           sin(g.alpha2),
-           Scalar(2) * cos(g.alpha2),
-           sin(g.alpha2) * sin(g.alpha2),
-           t110 - (inertia.c1y * t111 - (inertia.I1yy - t112)),
-           Scalar(2) * t113,
-           t116,
-           cos(g.alpha5) * sin(g.alpha6),
-           sin(g.alpha5) * sin(g.alpha6),
-           sin(g.alpha6) * t38,
-           cos(g.alpha6) * t38,
-           cos(g.alpha2),
-           sin(g.alpha2) * t113,
-           cos(g.alpha2) * t113,
-           Scalar(1) / t38,
-           cos(g.alpha4) * sin(g.alpha5),
            sin(g.alpha4) * sin(g.alpha5),
-           sin(g.alpha5) * t56,
-           cos(g.alpha5) * t56,
-           cos(g.alpha3) * sin(g.alpha4),
+           sin(g.alpha5) * t3,
+           cos(g.alpha5) * t10,
+           cos(g.alpha5) * t3,
+           cos(g.alpha4) * sin(g.alpha5),
+           sin(g.alpha4) * t2,
+           cos(g.alpha4) * t11,
+           cos(g.alpha4) * t2,
            sin(g.alpha3) * sin(g.alpha4),
-           cos(g.alpha4) * t68,
-           sin(g.alpha4) * t68,
-           sin(g.alpha3) * t32,
-           cos(g.alpha3) * t32,
-           sin(g.alpha2) * sin(g.alpha3),
-           t113,
-           cos(g.alpha2) * sin(g.alpha2),
-           cos(g.alpha4) * sin(g.alpha3),
-           gravity[0] / g.d2,
-           gravity[1] / g.d2,
-           sin(g.alpha2) * t117,
-           cos(g.alpha2) * t117,
+           sin(g.alpha2),
+           cos(g.alpha2),
            g.d2 * cos(g.alpha6),
            g.d2 * sin(g.alpha6),
-           t39,
-           g.d2 * t118,
+           gravity[0] / g.d2,
+           gravity[1] / g.d2,
+           sin(g.alpha2) * t96,
+           cos(g.alpha2) * sin(g.alpha2),
+           t97,
+           cos(g.alpha2) * t96,
            g.d2,
-           t118,
-           g.d2 * (t114 + t115),
-           g.d2 * (sin(g.alpha2) * t109 - t111),
+           g.d6 / g.d2,
+           g.d2 * (t94 - t77),
+           g.d2 * (t91 + t92),
+           t99,
+           t102,
            Scalar(2) * t95,
-           t74 + t93 };
+           t93 + t90,
+           sin(g.alpha2) * t97,
+           cos(g.alpha2) * t97,
+           sin(g.alpha3) * t12,
+           sin(g.alpha2) * sin(g.alpha3),
+           cos(g.alpha3) * sin(g.alpha4),
+           g.d2 * (t104 + t105),
+           g.d2 * (sin(g.alpha2) * t111 - t112),
+           sin(g.alpha2) * sin(g.alpha2),
+           Scalar(2) * cos(g.alpha2),
+           t115 - (inertia.c1y * t112 - (inertia.I1yy - t116)),
+           Scalar(2) * t97,
+           t117 };
 }
 
 namespace detail {
@@ -2130,504 +2176,499 @@ inline JointVector<Scalar> forward_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = k[0] * s6 + k[1] * c6;
-  const Scalar t1 = k[4] + k[3] * t0;
-  const Scalar t2 = k[0] * c6 - k[1] * s6;
-  const Scalar t3 = k[2] + t2;
-  const Scalar t4 = s5 * t1 - c5 * t3;
-  const Scalar t5 = k[18] * s6 + k[19] * c6;
-  const Scalar t6 = k[20] + s6 * t5;
-  const Scalar t7 = k[16] * c6 - k[15] * s6;
-  const Scalar t8 = k[7] * t6 - k[17] * t7;
-  const Scalar t9 = k[7] * t8;
-  const Scalar t10 = k[25] - (t6 - t9);
-  const Scalar t11 = k[22] - t6;
-  const Scalar t12 = k[24] + (k[23] * t2 - t11);
-  const Scalar t13 = k[26] - c6 * t5;
-  const Scalar t14 = k[16] * s6 + k[15] * c6;
-  const Scalar t15 = (k[3] * t13 + k[7] * t14) + k[27] * t0;
-  const Scalar t16 = k[28] - t15;
-  const Scalar t17 = c5 * t16;
-  const Scalar t18 = s5 * (t10 - t12) + (t17 + t17);
-  const Scalar t19 = s5 * t18 + t12;
-  const Scalar t20 = k[40] - (k[39] * t4 - t19);
-  const Scalar t21 = t10 + t12;
-  const Scalar t22 = t21 - t19;
-  const Scalar t23 = s5 * t3 + c5 * t1;
-  const Scalar t24 = (k[3] * t14 - k[7] * t13) - k[31] * t0;
-  const Scalar t25 = k[32] + t24;
-  const Scalar t26 = k[30] + (t7 + k[3] * t8);
-  const Scalar t27 = k[29] * t23 - (s5 * t25 + c5 * t26);
-  const Scalar t28 = k[7] * t0;
-  const Scalar t29 = k[21] * t28 - t9;
-  const Scalar t30 = k[33] * t27 + k[8] * (t22 - t29);
-  const Scalar t31 = k[8] * t30;
-  const Scalar t32 = k[41] - (t22 - t31);
-  const Scalar t33 = t20 - t32;
-  const Scalar t34 = k[3] * t2;
-  const Scalar t35 = s5 * t0 - c5 * t34;
-  const Scalar t36 = k[69] * t2 + k[6] * t35;
-  const Scalar t37 = (k[71] + k[7] * t7) - k[27] * t2;
-  const Scalar t38 = s5 * t34 + c5 * t0;
-  const Scalar t39 = k[31] * t2 - (k[70] - k[3] * t7);
-  const Scalar t40 = k[29] * t38 + (c5 * t39 - s5 * t14);
-  const Scalar t41 = k[36] * t36 + (k[6] * t37 + k[8] * t40);
-  const Scalar t42 = k[75] * t41;
-  const Scalar t43 = k[79] * t4 + (k[8] * t27 - k[6] * t21);
-  const Scalar t44 = t37 * t42 - t43;
-  const Scalar t45 = k[75] * t37;
-  const Scalar t46 = Scalar(1) / (t45 * t37 + t21);
-  const Scalar t47 = t44 * t46;
-  const Scalar t48 = Scalar(1) / ((t33 + t41 * t42) - t44 * t47);
-  const Scalar t49 = qd[1] + k[72] * qd[0];
-  const Scalar t50 = k[62] * qd[0];
-  const Scalar t51 = c2 * t50;
-  const Scalar t52 = k[50] * t51;
-  const Scalar t53 = k[54] * t49 - t52;
-  const Scalar t54 = qd[2] + t53;
-  const Scalar t55 = k[54] * t51 + k[50] * t49;
-  const Scalar t56 = s2 * t50;
-  const Scalar t57 = c3 * t55 - s3 * t56;
-  const Scalar t58 = k[12] * t54 - k[11] * t57;
-  const Scalar t59 = qd[3] + t58;
-  const Scalar t60 = k[12] * t57 + k[11] * t54;
-  const Scalar t61 = s3 * t55 + c3 * t56;
-  const Scalar t62 = c4 * t60 - s4 * t61;
-  const Scalar t63 = k[8] * t59 + k[6] * t62;
-  const Scalar t64 = c4 * t61 + s4 * t60;
-  const Scalar t65 = c5 * t63 - s5 * t64;
-  const Scalar t66 = c5 * t64 + s5 * t63;
-  const Scalar t67 = t65 * t66;
-  const Scalar t68 = t64 * t59;
-  const Scalar t69 = qd[1] * t51 - t53 * t55;
-  const Scalar t70 = qd[0] * qd[0];
-  const Scalar t71 = k[88] * t70;
-  const Scalar t72 = k[54] * s2 * t71 - t52 * t56;
-  const Scalar t73 = c3 * t69 + s3 * t72;
-  const Scalar t74 = t57 * t54;
-  const Scalar t75 = t73 + t74;
-  const Scalar t76 = t58 * t60 - t75;
-  const Scalar t77 = c3 * t72 - s3 * t69;
-  const Scalar t78 = qd[1] * t56;
-  const Scalar t79 = k[50] * t78;
-  const Scalar t80 = t57 * t61;
-  const Scalar t81 = t79 - t80;
-  const Scalar t82 = k[12] * t77 + k[11] * t81;
-  const Scalar t83 = s4 * t76 + c4 * t82;
-  const Scalar t84 = t68 - t83;
-  const Scalar t85 = t61 * t54;
-  const Scalar t86 = t77 - t85;
-  const Scalar t87 = k[89] * t78 - k[11] * t86;
-  const Scalar t88 = k[8] * t84 + k[6] * t87;
-  const Scalar t89 = t67 + t88;
-  const Scalar t90 = t65 * t65;
-  const Scalar t91 = t66 * t66;
-  const Scalar t92 = t90 + t91;
-  const Scalar t93 = k[6] * t59 - k[8] * t62;
-  const Scalar t94 = qd[4] + t93;
-  const Scalar t95 = t94 * t94;
-  const Scalar t96 = t90 - t95;
-  const Scalar t97 = t92 - t96;
-  const Scalar t98 = t67 - t88;
-  const Scalar t99 = t64 * t62;
-  const Scalar t100 = t87 - t99;
-  const Scalar t101 = k[6] * t83 + k[8] * t100;
-  const Scalar t102 = t62 * t59;
-  const Scalar t103 = c4 * t76 - s4 * t82;
+  const Scalar t0 = k[0] * c6 - k[1] * s6;
+  const Scalar t1 = k[27] + t0;
+  const Scalar t2 = k[0] * s6 + k[1] * c6;
+  const Scalar t3 = k[2] * t2;
+  const Scalar t4 = k[26] + t3;
+  const Scalar t5 = c5 * t1 - s5 * t4;
+  const Scalar t6 = k[12] * s6 - k[13] * c6;
+  const Scalar t7 = k[31] * s6 + k[32] * c6;
+  const Scalar t8 = s6 * t7;
+  const Scalar t9 = k[35] + t8;
+  const Scalar t10 = k[2] * t6;
+  const Scalar t11 = k[18] * t9 + Scalar(2) * t10;
+  const Scalar t12 = k[36] - (t6 - k[2] * t11);
+  const Scalar t13 = k[13] * s6 + k[12] * c6;
+  const Scalar t14 = k[33] - c6 * t7;
+  const Scalar t15 = k[15] * t2 - (k[2] * t13 - k[18] * t14);
+  const Scalar t16 = k[34] - t15;
+  const Scalar t17 = s5 * t1 + c5 * t4;
+  const Scalar t18 = (c5 * t12 + s5 * t16) - k[16] * t17;
+  const Scalar t19 = k[39] - t8;
+  const Scalar t20 = k[40] - (t19 - k[38] * t0);
+  const Scalar t21 = k[17] * t3 + (k[18] * t13 + k[2] * t14);
+  const Scalar t22 = k[42] - t21;
+  const Scalar t23 = k[18] * t11;
+  const Scalar t24 = k[41] + (t23 - t9);
+  const Scalar t25 = Scalar(2) * c5 * t22 - s5 * (t20 - t24);
+  const Scalar t26 = s5 * t25;
+  const Scalar t27 = t20 + t26;
+  const Scalar t28 = t26 - t24;
+  const Scalar t29 = t27 - t28;
+  const Scalar t30 = k[66] * t5 + (k[6] * t18 + k[4] * t29);
+  const Scalar t31 = k[4] * t18;
+  const Scalar t32 = ((k[6] * t29 - t31) + k[64] * t5) + k[20] * t17;
+  const Scalar t33 = k[16] * t5 + (s5 * t12 - c5 * t16);
+  const Scalar t34 = k[65] * t5 + t33;
+  const Scalar t35 = c4 * t32 + s4 * t34;
+  const Scalar t36 = k[4] * t5;
+  const Scalar t37 = s4 * t17 - c4 * t36;
+  const Scalar t38 = k[63] * t5 + k[5] * t37;
+  const Scalar t39 = (k[5] * t30 - k[8] * t35) - k[9] * t38;
+  const Scalar t40 = k[8] * t37 - k[67] * t5;
+  const Scalar t41 = (k[5] * t35 + k[8] * t30) - k[9] * t40;
+  const Scalar t42 = c4 * t34 - s4 * t32;
+  const Scalar t43 = s4 * t36 + c4 * t17;
+  const Scalar t44 = s3 * t38 - c3 * t43;
+  const Scalar t45 = (c3 * t41 + s3 * t42) - k[22] * t44;
+  const Scalar t46 = s3 * t43 + c3 * t38;
+  const Scalar t47 = k[23] * t40 - k[21] * t46;
+  const Scalar t48 = (k[21] * t39 - k[23] * t45) + k[24] * t47;
+  const Scalar t49 = k[21] * t40 + k[23] * t46;
+  const Scalar t50 = k[24] * t49 - (k[23] * t39 + k[21] * t45);
+  const Scalar t51 = (c3 * t42 - s3 * t41) - k[22] * t46;
+  const Scalar t52 = c2 * (t50 + t44) - s2 * (t51 + t47);
+  const Scalar t53 = k[91] * (c2 * t47 + s2 * t44) + k[90] * t49;
+  const Scalar t54 = k[2] * t0;
+  const Scalar t55 = s5 * t2 - c5 * t54;
+  const Scalar t56 = k[3] * t0 + k[4] * t55;
+  const Scalar t57 = s5 * t54 + c5 * t2;
+  const Scalar t58 = c4 * t56 + s4 * t57;
+  const Scalar t59 = k[6] * t55 - k[7] * t0;
+  const Scalar t60 = k[5] * t58 - k[8] * t59;
+  const Scalar t61 = c4 * t57 - s4 * t56;
+  const Scalar t62 = c3 * t60 + s3 * t61;
+  const Scalar t63 = k[8] * t58 + k[5] * t59;
+  const Scalar t64 = k[21] * t62 - k[23] * t63;
+  const Scalar t65 = k[16] * t2;
+  const Scalar t66 = ((k[14] + t10) - k[15] * t0) - t65;
+  const Scalar t67 = k[11] * t0 - t13;
+  const Scalar t68 = c5 * t66 - s5 * t67;
+  const Scalar t69 = (k[19] - k[18] * t6) - k[17] * t54;
+  const Scalar t70 = (k[4] * t68 + k[6] * t69) + k[10] * t59;
+  const Scalar t71 = c5 * t67 + s5 * t66;
+  const Scalar t72 = k[20] * t58 - (s4 * t70 + c4 * t71);
+  const Scalar t73 = k[10] * t56 + (k[4] * t69 - k[6] * t68);
+  const Scalar t74 = (s4 * t71 - c4 * t70) + k[20] * t61;
+  const Scalar t75 = (k[8] * t73 - k[5] * t74) + k[9] * t63;
+  const Scalar t76 = c3 * t61 - s3 * t60;
+  const Scalar t77 = (s3 * t72 + c3 * t75) - k[22] * t76;
+  const Scalar t78 = (k[5] * t73 + k[8] * t74) + k[9] * t60;
+  const Scalar t79 = k[24] * t64 - (k[23] * t77 - k[21] * t78);
+  const Scalar t80 = k[21] * t63 + k[23] * t62;
+  const Scalar t81 = k[24] * t80 + (k[21] * t77 + k[23] * t78);
+  const Scalar t82 = k[22] * t62 + (c3 * t72 - s3 * t75);
+  const Scalar t83 = c2 * (t76 - t81) - s2 * (t82 + t64);
+  const Scalar t84 = k[91] * (c2 * t64 + s2 * t76) - k[90] * t80;
+  const Scalar t85 = (k[73] * t79 + k[72] * t83) + t84;
+  const Scalar t86 = k[25] * t69;
+  const Scalar t87 = ((k[73] * t48 + k[72] * t52) + t53) + t85 * t86;
+  const Scalar t88 = Scalar(1) / (t86 * t69 + t29);
+  const Scalar t89 = k[73] * qd[0];
+  const Scalar t90 = qd[1] + t89;
+  const Scalar t91 = k[72] * qd[0];
+  const Scalar t92 = c2 * t91;
+  const Scalar t93 = k[23] * t92;
+  const Scalar t94 = k[21] * t90 - t93;
+  const Scalar t95 = k[21] * t92 + k[23] * t90;
+  const Scalar t96 = t94 * t95 - qd[1] * t92;
+  const Scalar t97 = s2 * t91;
+  const Scalar t98 = k[21] * t97 * t89 - t93 * t97;
+  const Scalar t99 = s3 * t96 + c3 * t98;
+  const Scalar t100 = c3 * t97 + s3 * t95;
+  const Scalar t101 = c3 * t95 - s3 * t97;
+  const Scalar t102 = t100 * t101;
+  const Scalar t103 = k[23] * qd[1] * t97;
   const Scalar t104 = t102 - t103;
-  const Scalar t105 = t93 * t63 - t104;
-  const Scalar t106 = c5 * t101 + s5 * t105;
-  const Scalar t107 = k[7] * t98 - k[3] * t106;
-  const Scalar t108 = k[7] * t65 - k[3] * t94;
-  const Scalar t109 = qd[5] - t108;
-  const Scalar t110 = t109 * t66;
-  const Scalar t111 = (t107 + t110) + t110;
-  const Scalar t112 = k[7] * t94 + k[3] * t65;
-  const Scalar t113 = t94 * t65;
-  const Scalar t114 = s5 * t101 - c5 * t105;
-  const Scalar t115 = t113 + t114;
-  const Scalar t116 = t108 * t112 + t115;
-  const Scalar t117 = t109 * t112;
-  const Scalar t118 = t116 + (t117 + t117);
-  const Scalar t119 = wrench[0] * s1 - wrench[1] * c1;
-  const Scalar t120 = k[72] * t119 - k[62] * wrench[2];
-  const Scalar t121 = wrench[0] * c1 + wrench[1] * s1;
-  const Scalar t122 = s2 * t120 - c2 * t121;
-  const Scalar t123 = c2 * t120 + s2 * t121;
-  const Scalar t124 = k[62] * t119 + k[72] * wrench[2];
-  const Scalar t125 = k[54] * t123 - k[50] * t124;
-  const Scalar t126 = s3 * t122 - c3 * t125;
-  const Scalar t127 = k[50] * t123 + k[54] * t124;
-  const Scalar t128 = k[11] * t126 - k[12] * t127;
-  const Scalar t129 = c3 * t122 + s3 * t125;
-  const Scalar t130 = k[11] * t127 + k[12] * t126;
-  const Scalar t131 = s4 * t129 + c4 * t130;
-  const Scalar t132 = k[6] * t128 + k[8] * t131;
-  const Scalar t133 = k[8] * t128 - k[6] * t131;
-  const Scalar t134 = s4 * t130 - c4 * t129;
-  const Scalar t135 = c5 * t133 + s5 * t134;
-  const Scalar t136 = (t2 * t111 + t0 * t118) + (k[94] * t132 - k[95] * t135);
-  const Scalar t137 = t109 * t109;
-  const Scalar t138 = t137 + t91;
-  const Scalar t139 = t66 * t112;
-  const Scalar t140 = t94 * t66;
-  const Scalar t141 = t140 - t106;
-  const Scalar t142 = k[7] * t141 + k[3] * t88;
-  const Scalar t143 = t139 + t142;
-  const Scalar t144 = k[95] * t132 + k[94] * t135;
-  const Scalar t145 = (t0 * t138 - t2 * t143) - t144;
-  const Scalar t146 = k[7] * t136 + k[3] * t145;
-  const Scalar t147 = (k[2] * t89 - k[4] * t97) - t146;
-  const Scalar t148 = t91 - t95;
-  const Scalar t149 = t148 - t96;
-  const Scalar t150 = t97 - t149;
-  const Scalar t151 = c5 * t134 - s5 * t133;
-  const Scalar t152 = t139 - t142;
-  const Scalar t153 = t112 * t112;
-  const Scalar t154 = t137 + t153;
-  const Scalar t155 = k[98] * t151 - (t0 * t152 - t154 * t2);
-  const Scalar t156 = (k[2] * t150 - k[4] * t98) + t155;
-  const Scalar t157 = c5 * t147 - s5 * t156;
-  const Scalar t158 = k[3] * t136 - k[7] * t145;
-  const Scalar t159 = t113 + t115;
-  const Scalar t160 = t140 + t141;
-  const Scalar t161 = t158 + (k[4] * t159 + k[2] * t160);
-  const Scalar t162 = k[6] * t157 - k[8] * t161;
-  const Scalar t163 = t54 * t54;
-  const Scalar t164 = t57 * t57;
-  const Scalar t165 = t163 + t164;
-  const Scalar t166 = k[90] * c1 + k[91] * s1;
-  const Scalar t167 = t166 + k[87] * t70;
-  const Scalar t168 = k[91] * c1 - k[90] * s1;
-  const Scalar t169 = (k[92] + k[72] * t168) - t71;
-  const Scalar t170 = t50 * t50;
-  const Scalar t171 = t49 * t49;
-  const Scalar t172 = t170 + t171;
-  const Scalar t173 = (c2 * t167 + s2 * t169) + k[56] * (t172 - t56 * t56);
-  const Scalar t174 = k[53] * t72 - t173;
-  const Scalar t175 = k[56] * t56 * t51 - (c2 * t169 - s2 * t167);
-  const Scalar t176 = (k[93] - k[62] * t168) + t170;
-  const Scalar t177 = Scalar(2) * t49 * t50 - t71;
-  const Scalar t178 = t176 - k[56] * s2 * t177;
-  const Scalar t179 = k[53] * t69 - (k[54] * t175 - k[50] * t178);
-  const Scalar t180 = c3 * t174 - s3 * t179;
-  const Scalar t181 = (k[46] * t165 - t180) - k[35] * t82;
-  const Scalar t182 = c3 * t179 + s3 * t174;
-  const Scalar t183 = t79 + t80;
-  const Scalar t184 = t182 - k[46] * t183;
-  const Scalar t185 = t86 - t85;
-  const Scalar t186 = t61 * t61;
-  const Scalar t187 = t186 + t164;
-  const Scalar t188 = (k[54] * t178 + k[50] * t175) + k[53] * t187;
-  const Scalar t189 = k[46] * t185 + t188;
-  const Scalar t190 = k[35] * t76 - (k[12] * t184 + k[11] * t189);
-  const Scalar t191 = c4 * t181 - s4 * t190;
-  const Scalar t192 = t59 * t59;
-  const Scalar t193 = t62 * t62;
-  const Scalar t194 = t192 + t193;
-  const Scalar t195 = (t191 + k[36] * t194) - k[29] * t101;
-  const Scalar t196 = c4 * t190 + s4 * t181;
-  const Scalar t197 = t87 + t99;
-  const Scalar t198 = t196 + k[36] * t197;
-  const Scalar t199 = t68 + t84;
-  const Scalar t200 = t64 * t64;
-  const Scalar t201 = t200 + t193;
-  const Scalar t202 = (k[11] * t184 - k[12] * t189) - k[35] * t201;
-  const Scalar t203 = k[36] * t199 + t202;
-  const Scalar t204 = (k[6] * t198 + k[8] * t203) + k[29] * t105;
-  const Scalar t205 = c5 * t195 - s5 * t204;
-  const Scalar t206 = s5 * t195 + c5 * t204;
-  const Scalar t207 = (k[25] * t98 - k[24] * t89) - k[28] * t149;
-  const Scalar t208 = (k[4] * t205 + k[2] * t206) - (t207 - (k[32] * t114 + k[30] * t106));
-  const Scalar t209 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t210 = wrench[3] * s1 - wrench[4] * c1;
-  const Scalar t211 = k[62] * wrench[5] - k[72] * t210;
-  const Scalar t212 = c2 * t209 + s2 * t211;
-  const Scalar t213 = s2 * t209 - c2 * t211;
-  const Scalar t214 = k[72] * wrench[5] + k[62] * t210;
-  const Scalar t215 = k[54] * t213 - k[50] * t214;
-  const Scalar t216 = c3 * t212 - s3 * t215;
-  const Scalar t217 = c3 * t215 + s3 * t212;
-  const Scalar t218 = k[50] * t213 + k[54] * t214;
-  const Scalar t219 = k[12] * t217 - k[11] * t218;
-  const Scalar t220 = c4 * t216 - s4 * t219;
-  const Scalar t221 = s4 * t216 + c4 * t219;
-  const Scalar t222 = k[11] * t217 + k[12] * t218;
-  const Scalar t223 = k[6] * t221 - k[8] * t222;
-  const Scalar t224 = s5 * t220 + c5 * t223;
-  const Scalar t225 = k[6] * t222 + k[8] * t221;
-  const Scalar t226 = k[97] * t151 - (k[3] * t224 - k[7] * t225);
-  const Scalar t227 = t154 - t138;
-  const Scalar t228 = t137 - t153;
-  const Scalar t229 = ((t227 + t228) * t14 + t152 * t7) - (t13 * t118 - t11 * t111);
-  const Scalar t230 = t206 + k[96] * t89;
-  const Scalar t231 = k[29] * t92 - (k[6] * t203 - k[8] * t198);
-  const Scalar t232 = t231 - k[96] * t160;
-  const Scalar t233 = k[7] * t230 + k[3] * t232;
-  const Scalar t234 = t226 - (t229 + t233 * t2);
-  const Scalar t235 = t0 * (k[96] * t150 + t205) - t2 * (k[7] * t232 - k[3] * t230);
-  const Scalar t236 = (t11 * t143 - t6 * t152) - t227 * t13;
-  const Scalar t237 = t235 - (t236 - (t107 * t7 + t116 * t14));
-  const Scalar t238 = (k[3] * t225 + k[7] * t224) - t237;
-  const Scalar t239 = (k[7] * t234 + k[3] * t238) + k[96] * t146;
-  const Scalar t240 = t208 - t239;
-  const Scalar t241 = k[99] * t144 - (s5 * t223 - c5 * t220);
-  const Scalar t242 = t228 * t7 + (t13 * t111 - t6 * t118);
-  const Scalar t243 = t241 - ((t242 + t14 * t143) - t0 * t233);
-  const Scalar t244 = (k[25] * t159 - k[28] * t160) + k[30] * t96;
-  const Scalar t245 = t243 + (k[4] * t231 - (k[32] * t89 + t244));
-  const Scalar t246 = (k[7] * t238 - k[3] * t234) - k[96] * t158;
-  const Scalar t247 = (k[32] * t148 + k[30] * t98) - (k[28] * t159 - k[24] * t160);
-  const Scalar t248 = t246 + (k[2] * t231 - t247);
-  const Scalar t249 = s5 * t147 + c5 * t156;
-  const Scalar t250 = (s5 * t245 - c5 * t248) + k[29] * t249;
-  const Scalar t251 = k[36] * t162 + (k[6] * t240 - k[8] * t250);
-  const Scalar t252 = t192 + t200;
-  const Scalar t253 = t252 - t194;
-  const Scalar t254 = k[42] * t253 - (k[40] * t197 - k[41] * t100);
-  const Scalar t255 = (k[9] * t191 + k[5] * t196) - ((k[34] * t83 + k[37] * t103) + t254);
-  const Scalar t256 = t251 + t255;
-  const Scalar t257 = torque[5] + t238;
-  const Scalar t258 = k[75] * t257;
-  const Scalar t259 = t45 * t257 - (torque[4] - t240);
-  const Scalar t260 = ((torque[3] - t256) - t41 * t258) + t47 * t259;
-  const Scalar t261 = t48 * t260;
-  const Scalar t262 = k[78] * t4 - (k[6] * t27 + k[8] * t21);
-  const Scalar t263 = k[35] * t23 - t262;
-  const Scalar t264 = (c5 * t25 - s5 * t26) + k[29] * t4;
-  const Scalar t265 = k[6] * t4;
-  const Scalar t266 = t264 + k[35] * t265;
-  const Scalar t267 = c4 * t263 - s4 * t266;
-  const Scalar t268 = s4 * t23 + c4 * t265;
-  const Scalar t269 = k[12] * t268 - k[77] * t4;
-  const Scalar t270 = (k[12] * t43 + k[11] * t267) + k[46] * t269;
-  const Scalar t271 = (c4 * t266 + s4 * t263) + k[53] * t269;
-  const Scalar t272 = k[11] * t268 + k[76] * t4;
-  const Scalar t273 = (k[12] * t267 - k[11] * t43) - k[46] * t272;
-  const Scalar t274 = c4 * t23 - s4 * t265;
-  const Scalar t275 = t273 + k[53] * t274;
-  const Scalar t276 = s3 * t271 - c3 * t275;
-  const Scalar t277 = s3 * t274 + c3 * t269;
-  const Scalar t278 = k[50] * t272 - k[54] * t277;
-  const Scalar t279 = (k[54] * t270 - k[50] * t276) - k[56] * t278;
-  const Scalar t280 = s4 * t36 - c4 * t38;
-  const Scalar t281 = s4 * t38 + c4 * t36;
-  const Scalar t282 = k[68] * t2 - k[8] * t35;
-  const Scalar t283 = k[12] * t281 + k[11] * t282;
-  const Scalar t284 = s3 * t280 - c3 * t283;
-  const Scalar t285 = k[11] * t281 - k[12] * t282;
-  const Scalar t286 = k[54] * t284 + k[50] * t285;
-  const Scalar t287 = (s5 * t39 + c5 * t14) + k[29] * t35;
-  const Scalar t288 = k[35] * t36 + t287;
-  const Scalar t289 = k[36] * t282 + (k[6] * t40 - k[8] * t37);
-  const Scalar t290 = t289 + k[35] * t38;
-  const Scalar t291 = k[53] * t283 + (c4 * t288 + s4 * t290);
-  const Scalar t292 = c4 * t290 - s4 * t288;
-  const Scalar t293 = k[46] * t285 + (k[11] * t41 - k[12] * t292);
-  const Scalar t294 = k[53] * t280 + t293;
-  const Scalar t295 = s3 * t291 + c3 * t294;
-  const Scalar t296 = (k[11] * t292 + k[12] * t41) + k[46] * t283;
-  const Scalar t297 = k[56] * t286 + (k[50] * t295 - k[54] * t296);
-  const Scalar t298 = k[75] * t297;
-  const Scalar t299 = t279 + t37 * t298;
-  const Scalar t300 = k[5] - t4;
-  const Scalar t301 = k[8] * t28 - k[6] * t23;
-  const Scalar t302 = k[9] - t301;
-  const Scalar t303 = c4 * t300 - s4 * t302;
-  const Scalar t304 = k[12] * t303;
-  const Scalar t305 = c4 * t302 + s4 * t300;
-  const Scalar t306 = c3 * t304 - s3 * t305;
-  const Scalar t307 = k[81] * t303 - k[54] * t306;
-  const Scalar t308 = k[35] * t302 + (k[34] - (t27 - k[6] * t30));
-  const Scalar t309 = c5 * t18 - t16;
-  const Scalar t310 = k[6] * t28 + k[8] * t23;
-  const Scalar t311 = (k[6] * t264 + k[8] * t309) - k[36] * t310;
-  const Scalar t312 = k[35] * t300 - (k[37] + t311);
-  const Scalar t313 = c4 * t308 + s4 * t312;
-  const Scalar t314 = k[12] * t313;
-  const Scalar t315 = ((t314 + k[11] * t33) + k[83] * t303) + k[53] * t305;
-  const Scalar t316 = c4 * t312 - s4 * t308;
-  const Scalar t317 = k[53] * t304 + t316;
-  const Scalar t318 = c3 * t315 + s3 * t317;
-  const Scalar t319 = (k[12] * t33 - k[11] * t313) + k[82] * t303;
-  const Scalar t320 = k[56] * t307 + (k[50] * t318 - k[54] * t319);
-  const Scalar t321 = t47 * t299 - (t41 * t298 + t320);
-  const Scalar t322 = (k[5] * t197 - k[9] * t252) + t162;
-  const Scalar t323 = t252 - t201;
-  const Scalar t324 = t102 + t104;
-  const Scalar t325 = k[34] * t323 + (k[42] * t199 - k[41] * t324);
-  const Scalar t326 = (s5 * t248 + c5 * t245) + k[29] * t157;
-  const Scalar t327 = ((t325 + k[37] * t197) + k[9] * t202) - t326;
-  const Scalar t328 = k[35] * t322 - t327;
-  const Scalar t329 = t249 + (k[5] * t194 + k[9] * t100);
-  const Scalar t330 = k[8] * t157 + k[6] * t161;
-  const Scalar t331 = k[36] * t330 + (k[6] * t250 + k[8] * t240);
-  const Scalar t332 = (k[40] * t199 + k[42] * t324) + (k[34] * t100 - k[37] * (t323 - t253));
-  const Scalar t333 = k[35] * t329 + (t331 + (t332 + k[5] * t202));
-  const Scalar t334 = s4 * t328 + c4 * t333;
-  const Scalar t335 = t330 + (k[5] * t199 + k[9] * t324);
-  const Scalar t336 = c4 * t322 - s4 * t329;
-  const Scalar t337 = k[12] * t335 + k[11] * t336;
-  const Scalar t338 = (k[11] * t256 + k[12] * t334) + k[46] * t337;
-  const Scalar t339 = t74 + t75;
-  const Scalar t340 = (k[52] * t81 + k[51] * (t163 - t186)) - (k[45] * t185 + k[47] * t339);
-  const Scalar t341 = t338 - (k[10] * t188 - t340);
-  const Scalar t342 = t186 - t164;
-  const Scalar t343 = t342 + t165;
-  const Scalar t344 = (k[43] * t339 - k[47] * t185) - k[52] * (t343 - t187);
-  const Scalar t345 = (c4 * t328 - s4 * t333) + ((t344 + k[51] * t183) - k[13] * t188);
-  const Scalar t346 = k[12] * t336 - k[11] * t335;
-  const Scalar t347 = t346 + (k[13] * t343 + k[10] * t183);
-  const Scalar t348 = (k[10] * t165 - k[13] * t81) + (s4 * t322 + c4 * t329);
-  const Scalar t349 = s3 * t347 + c3 * t348;
-  const Scalar t350 = (c3 * t341 + s3 * t345) + k[53] * t349;
-  const Scalar t351 = k[46] * t346 + (k[12] * t256 - k[11] * t334);
-  const Scalar t352 = k[47] * t342 - (k[43] * t81 - k[45] * t183);
-  const Scalar t353 = ((k[52] * t77 + k[51] * t73) - t352) + (k[10] * t182 - k[13] * t180);
-  const Scalar t354 = t351 - t353;
-  const Scalar t355 = s3 * t348 - c3 * t347;
-  const Scalar t356 = (k[13] * t339 + k[10] * t185) - t337;
-  const Scalar t357 = k[54] * t355 - k[50] * t356;
-  const Scalar t358 = (k[50] * t350 - k[54] * t354) + k[56] * t357;
-  const Scalar t359 = k[60] * c2 + k[58] * s2;
-  const Scalar t360 = k[58] * c2 - k[60] * s2;
-  const Scalar t361 = k[57] + c2 * (k[103] * s2 - k[102] * c2);
-  const Scalar t362 = k[59] * s2 - k[61] * c2;
-  const Scalar t363 = (t359 * t169 + t360 * t167) - (t361 * t170 - t362 * t71);
-  const Scalar t364 = t358 + t363;
-  const Scalar t365 = t46 * t299;
-  const Scalar t366 = ((torque[1] + t364) + t257 * t298) - t365 * t259;
-  const Scalar t367 = k[75] * t296;
-  const Scalar t368 = t37 * t367 - t270;
-  const Scalar t369 = k[10] + t303;
-  const Scalar t370 = k[12] * t305 - k[11] * t310;
-  const Scalar t371 = k[13] - t370;
-  const Scalar t372 = c3 * t369 + s3 * t371;
-  const Scalar t373 = (k[8] * t264 - k[6] * t309) - k[36] * t301;
-  const Scalar t374 = k[42] + t373;
-  const Scalar t375 = c4 * t374;
-  const Scalar t376 = (t375 + t375) + s4 * (t20 + t32);
-  const Scalar t377 = s4 * t376;
-  const Scalar t378 = k[45] + ((t20 - t377) + k[44] * t303);
-  const Scalar t379 = t32 - t377;
-  const Scalar t380 = (t31 + t29) + k[38] * t310;
-  const Scalar t381 = (t314 + t314) - k[11] * (t379 + t380);
-  const Scalar t382 = k[11] * t381;
-  const Scalar t383 = k[43] + (t379 + t382);
-  const Scalar t384 = t378 - t383;
-  const Scalar t385 = s3 * t369 - c3 * t371;
-  const Scalar t386 = k[52] - (t313 - k[12] * t381);
-  const Scalar t387 = k[12] * t310 + k[11] * t305;
-  const Scalar t388 = t374 - c4 * t376;
-  const Scalar t389 = k[46] * t387 + (k[12] * t316 - k[11] * t388);
-  const Scalar t390 = k[51] + t389;
-  const Scalar t391 = k[53] * t385 + (c3 * t386 + s3 * t390);
-  const Scalar t392 = k[85] * t372 + (k[54] * t384 - k[50] * t391);
-  const Scalar t393 = t47 * t368 - (t319 + t296 * t42);
-  const Scalar t394 = t48 * t393;
-  const Scalar t395 = (t365 * t368 + (t392 - t296 * t298)) + t394 * t321;
-  const Scalar t396 = t46 * t368;
-  const Scalar t397 = t393 * t394 + (t396 * t368 - (t296 * t367 + t384));
-  const Scalar t398 = Scalar(1) / t397;
-  const Scalar t399 = t395 * t398;
-  const Scalar t400 = t46 * t259;
-  const Scalar t401 = t400 * t368 - (t296 * t258 - (torque[2] - t354));
-  const Scalar t402 = t401 + t393 * t261;
-  const Scalar t403 = (t261 * t321 - t366) - t399 * t402;
-  const Scalar t404 = k[60] + t372;
-  const Scalar t405 = k[54] * t385 - k[50] * t387;
-  const Scalar t406 = k[58] - t405;
-  const Scalar t407 = c2 * t404 + s2 * t406;
-  const Scalar t408 = k[46] * t370 - (k[12] * t388 + k[11] * t316);
-  const Scalar t409 = k[47] - t408;
-  const Scalar t410 = s3 * (t378 + t383) - Scalar(2) * c3 * t409;
-  const Scalar t411 = s3 * t410;
-  const Scalar t412 = k[48] + ((t378 - t411) + k[14] * t372);
-  const Scalar t413 = k[49] * t387 + (t380 + t382);
-  const Scalar t414 = t411 - t383;
-  const Scalar t415 = k[54] * t391;
-  const Scalar t416 = k[50] * (t413 - t414) - (t415 + t415);
-  const Scalar t417 = k[50] * t416;
-  const Scalar t418 = k[55] - (t417 + t414);
-  const Scalar t419 = t412 - t418;
-  const Scalar t420 = k[50] * t385 + k[54] * t387;
-  const Scalar t421 = (c3 * t390 - s3 * t386) + k[53] * t372;
-  const Scalar t422 = t409 + c3 * t410;
-  const Scalar t423 = k[56] * t420 + (k[54] * t421 + k[50] * t422);
-  const Scalar t424 = c2 * ((k[59] - (t391 + k[54] * t416)) - t406);
-  const Scalar t425 = k[62] * (s2 * ((k[61] + t423) + t404) + t424);
-  const Scalar t426 = c3 * t280 + s3 * t283;
-  const Scalar t427 = k[50] * t284 - k[54] * t285;
-  const Scalar t428 = (k[50] * t296 + k[54] * t295) - k[56] * t427;
-  const Scalar t429 = s2 * (t286 + (s3 * t294 - c3 * t291));
-  const Scalar t430 = k[62] * (c2 * (t426 + t428) - t429) + k[72] * t297;
-  const Scalar t431 = k[74] * (c2 * t286 + s2 * t426) - k[73] * t427;
-  const Scalar t432 = t430 + t431;
-  const Scalar t433 = k[75] * t432;
-  const Scalar t434 = (k[74] * t407 + (k[72] * t419 - t425)) + t433 * t297;
-  const Scalar t435 = s2 * (t278 - (s3 * t275 + c3 * t271));
-  const Scalar t436 = s3 * t269 - c3 * t274;
-  const Scalar t437 = k[50] * t277 + k[54] * t272;
-  const Scalar t438 = k[56] * t437 + (k[54] * t276 + k[50] * t270);
-  const Scalar t439 = k[62] * (t435 - c2 * (t436 + t438)) + k[72] * t279;
-  const Scalar t440 = k[74] * (s2 * t436 + c2 * t278) + k[73] * t437;
-  const Scalar t441 = t433 * t37 + (t439 - t440);
-  const Scalar t442 = t441 * t46;
-  const Scalar t443 = s3 * t304 + c3 * t305;
-  const Scalar t444 = k[50] * t306 + k[80] * t303;
-  const Scalar t445 = k[74] * (c2 * t307 + s2 * t443) + k[73] * t444;
-  const Scalar t446 = s2 * (t307 - (c3 * t317 - s3 * t315));
-  const Scalar t447 = k[56] * t444 + (k[54] * t318 + k[50] * t319);
-  const Scalar t448 = k[72] * t320 - k[62] * (t446 - c2 * (t443 + t447));
-  const Scalar t449 = ((t445 + t448) + t433 * t41) - t441 * t47;
-  const Scalar t450 = t48 * t449;
-  const Scalar t451 = k[54] * t372;
-  const Scalar t452 = k[72] * (c2 * t451 - s2 * t385) - k[86] * t372;
-  const Scalar t453 = t385 + ((t415 + k[50] * t384) + k[84] * t372);
-  const Scalar t454 = k[62] * (s2 * (t421 + t451) + c2 * t453);
-  const Scalar t455 = (k[87] * t452 - (t454 - k[72] * t392)) - t296 * t433;
-  const Scalar t456 = t393 * t450 - (t368 * t442 + t455);
-  const Scalar t457 = ((t434 - t442 * t299) + t450 * t321) - t399 * t456;
-  const Scalar t458 = t48 * t321;
-  const Scalar t459 = (t365 * t299 - (t419 + t297 * t298)) + t458 * t321;
-  const Scalar t460 = Scalar(1) / (t399 * t395 - t459);
-  const Scalar t461 = t457 * t460;
-  const Scalar t462 = t359 * t176 + (t362 * t171 - t361 * t177);
-  const Scalar t463 = k[50] * t355 + k[54] * t356;
-  const Scalar t464 = k[56] * t463 - (k[54] * t350 + k[50] * t354);
-  const Scalar t465 = (s3 * t341 - c3 * t345) + k[53] * t355;
-  const Scalar t466 = c2 * (t349 - t464) - s2 * (t465 + t357);
-  const Scalar t467 = k[62] * (t172 * t359 - (t462 - t466)) + k[72] * t364;
-  const Scalar t468 = (s2 * t349 + c2 * t357) - t360 * t171;
-  const Scalar t469 = k[73] * (t360 * t177 + t463) - k[74] * t468;
-  const Scalar t470 = (k[101] * t166 + k[100] * t168) + (t467 - t469);
-  const Scalar t471 = ((torque[0] + t470) + t433 * t257) - t259 * t442;
-  const Scalar t472 = t402 * t398;
-  const Scalar t473 = t403 * t461 + ((t471 + t450 * t260) - t472 * t456);
-  const Scalar t474 = t456 * t398;
-  const Scalar t475 = (k[50] * t421 - k[54] * t422) - k[56] * t405;
-  const Scalar t476 = c2 * (k[57] + t475);
-  const Scalar t477 = s2 * (s2 * (t412 + t418) - (t476 + t476));
-  const Scalar t478 = t412 - t477;
-  const Scalar t479 = t478 - t419;
-  const Scalar t480 = k[64] * (t479 + ((t420 + t420) - (t417 - t413)));
-  const Scalar t481 = (k[65] - ((t480 - k[63] * t425) - t479)) - (k[67] + (t478 + k[66] * t407));
-  const Scalar t482 = t449 * t450 + (t441 * t442 + (t481 - t433 * t432));
-  const Scalar t483 = Scalar(1) / ((t456 * t474 - t482) - t457 * t461);
-  const Scalar t484 = t473 * t483;
-  const Scalar t485 = t403 * t460 + t484 * t461;
-  const Scalar t486 = (t472 + t484 * t474) + t485 * t399;
-  const Scalar t487 = ((t261 + t484 * t450) + t458 * t485) - t486 * t394;
-  const Scalar t488 = t486 * t396 - ((t400 - t484 * t442) + t365 * t485);
-  const Scalar t489 = t488 - t47 * t487;
-  const Scalar t490 = (t485 * t298 + (t258 - t484 * t433)) - t486 * t367;
+  const Scalar t105 = k[5] * t99 - k[8] * t104;
+  const Scalar t106 = qd[2] + t94;
+  const Scalar t107 = k[8] * t106 + k[5] * t101;
+  const Scalar t108 = k[5] * t106 - k[8] * t101;
+  const Scalar t109 = s3 * t98 - c3 * t96;
+  const Scalar t110 = t106 * t101;
+  const Scalar t111 = t109 + t110;
+  const Scalar t112 = t107 * t108 - t111;
+  const Scalar t113 = c4 * t105 + s4 * t112;
+  const Scalar t114 = s4 * t107 + c4 * t100;
+  const Scalar t115 = qd[3] + t108;
+  const Scalar t116 = t114 * t115;
+  const Scalar t117 = t113 - t116;
+  const Scalar t118 = t117 - t116;
+  const Scalar t119 = t90 * t90;
+  const Scalar t120 = k[76] * c1 + k[77] * s1;
+  const Scalar t121 = qd[0] * qd[0];
+  const Scalar t122 = t120 + k[80] * t121;
+  const Scalar t123 = k[76] * s1 - k[77] * c1;
+  const Scalar t124 = k[79] * t121;
+  const Scalar t125 = (k[78] - k[73] * t123) - t124;
+  const Scalar t126 = k[24] * (t92 * t92 + t119) + (c2 * t122 + s2 * t125);
+  const Scalar t127 = k[24] * t92 * t97 - (c2 * t125 - s2 * t122);
+  const Scalar t128 = t91 * t91;
+  const Scalar t129 = t128 + (k[81] + k[72] * t123);
+  const Scalar t130 = t124 - Scalar(2) * t91 * t90;
+  const Scalar t131 = t129 + k[24] * s2 * t130;
+  const Scalar t132 = k[21] * t127 - k[23] * t131;
+  const Scalar t133 = k[22] * t109 - (s3 * t126 + c3 * t132);
+  const Scalar t134 = t102 + t103;
+  const Scalar t135 = t133 - k[9] * t134;
+  const Scalar t136 = t100 * t100;
+  const Scalar t137 = t101 * t101;
+  const Scalar t138 = t136 + t137;
+  const Scalar t139 = (k[23] * t127 + k[21] * t131) + k[22] * t138;
+  const Scalar t140 = t106 * t100;
+  const Scalar t141 = t140 - t99;
+  const Scalar t142 = t140 + t141;
+  const Scalar t143 = t139 - k[9] * t142;
+  const Scalar t144 = c4 * t107 - s4 * t100;
+  const Scalar t145 = t144 * t144;
+  const Scalar t146 = t114 * t114;
+  const Scalar t147 = (k[8] * t135 - k[5] * t143) - k[20] * (t145 + t146);
+  const Scalar t148 = k[10] * t118 - t147;
+  const Scalar t149 = c4 * t112 - s4 * t105;
+  const Scalar t150 = k[8] * t143 + k[5] * t135;
+  const Scalar t151 = k[22] * t99 - (c3 * t126 - s3 * t132);
+  const Scalar t152 = t136 - t137;
+  const Scalar t153 = t137 - t106 * t106;
+  const Scalar t154 = t152 + t153;
+  const Scalar t155 = t154 - t138;
+  const Scalar t156 = t151 + k[9] * t155;
+  const Scalar t157 = k[20] * t149 - (c4 * t150 + s4 * t156);
+  const Scalar t158 = t114 * t144;
+  const Scalar t159 = k[5] * t103 + k[8] * t141;
+  const Scalar t160 = t158 + t159;
+  const Scalar t161 = t157 + k[10] * t160;
+  const Scalar t162 = t115 * t144;
+  const Scalar t163 = t149 - t162;
+  const Scalar t164 = k[4] * t144 + k[6] * t115;
+  const Scalar t165 = k[6] * t144 - k[4] * t115;
+  const Scalar t166 = t163 - t164 * t165;
+  const Scalar t167 = (k[6] * t148 - k[4] * t161) - k[16] * t166;
+  const Scalar t168 = t158 - t159;
+  const Scalar t169 = k[4] * t113 - k[6] * t168;
+  const Scalar t170 = t145 - t146;
+  const Scalar t171 = t115 * t115;
+  const Scalar t172 = t171 + t146;
+  const Scalar t173 = t170 + t172;
+  const Scalar t174 = k[20] * t113 + (c4 * t156 - s4 * t150);
+  const Scalar t175 = k[16] * t169 - (k[10] * t173 - t174);
+  const Scalar t176 = s5 * t167 - c5 * t175;
+  const Scalar t177 = s5 * t175 + c5 * t167;
+  const Scalar t178 = qd[4] - t165;
+  const Scalar t179 = t178 * t178;
+  const Scalar t180 = s5 * t114 - c5 * t164;
+  const Scalar t181 = t180 * t180;
+  const Scalar t182 = t179 - t181;
+  const Scalar t183 = c5 * t114 + s5 * t164;
+  const Scalar t184 = t183 * t183;
+  const Scalar t185 = t179 - t184;
+  const Scalar t186 = t182 - t185;
+  const Scalar t187 = t183 * t180;
+  const Scalar t188 = k[6] * t117 - k[4] * t159;
+  const Scalar t189 = t187 - t188;
+  const Scalar t190 = t187 + t188;
+  const Scalar t191 = k[42] * t186 + (k[41] * t189 - k[40] * t190);
+  const Scalar t192 = s5 * t169 - c5 * t166;
+  const Scalar t193 = c5 * t169 + s5 * t166;
+  const Scalar t194 = (k[26] * t176 - k[27] * t177) + (t191 + (k[34] * t192 + k[36] * t193));
+  const Scalar t195 = wrench[0] * s1 - wrench[1] * c1;
+  const Scalar t196 = k[73] * t195 - k[72] * wrench[2];
+  const Scalar t197 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t198 = c2 * t196 + s2 * t197;
+  const Scalar t199 = k[72] * t195 + k[73] * wrench[2];
+  const Scalar t200 = k[21] * t198 - k[23] * t199;
+  const Scalar t201 = c2 * t197 - s2 * t196;
+  const Scalar t202 = c3 * t200 + s3 * t201;
+  const Scalar t203 = k[23] * t198 + k[21] * t199;
+  const Scalar t204 = k[5] * t202 - k[8] * t203;
+  const Scalar t205 = c3 * t201 - s3 * t200;
+  const Scalar t206 = s4 * t204 - c4 * t205;
+  const Scalar t207 = c4 * t204 + s4 * t205;
+  const Scalar t208 = k[8] * t202 + k[5] * t203;
+  const Scalar t209 = k[4] * t207 - k[6] * t208;
+  const Scalar t210 = s5 * t206 - c5 * t209;
+  const Scalar t211 = k[4] * t208 + k[6] * t207;
+  const Scalar t212 = k[74] * t210 + k[75] * t211;
+  const Scalar t213 = k[18] * t178 - k[2] * t180;
+  const Scalar t214 = t213 * t213;
+  const Scalar t215 = k[18] * t180 + k[2] * t178;
+  const Scalar t216 = qd[5] + t215;
+  const Scalar t217 = t216 * t216;
+  const Scalar t218 = t214 + t217;
+  const Scalar t219 = t214 - t184;
+  const Scalar t220 = t213 * t183;
+  const Scalar t221 = t178 * t183;
+  const Scalar t222 = t193 - t221;
+  const Scalar t223 = k[2] * t188 + k[18] * t222;
+  const Scalar t224 = t220 - t223;
+  const Scalar t225 = t212 + (t2 * (t218 - t219) - t0 * t224);
+  const Scalar t226 = t216 * t183;
+  const Scalar t227 = k[18] * t189 + k[2] * t193;
+  const Scalar t228 = (t226 + t226) - t227;
+  const Scalar t229 = t213 * t216;
+  const Scalar t230 = t178 * t180;
+  const Scalar t231 = t192 - t230;
+  const Scalar t232 = t231 - t213 * t215;
+  const Scalar t233 = t229 + (t229 + t232);
+  const Scalar t234 = (t0 * t228 + t2 * t233) - (k[74] * t211 - k[75] * t210);
+  const Scalar t235 = k[2] * t225 + k[18] * t234;
+  const Scalar t236 = wrench[3] * s1 - wrench[4] * c1;
+  const Scalar t237 = k[73] * wrench[5] + k[72] * t236;
+  const Scalar t238 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t239 = k[73] * t236 - k[72] * wrench[5];
+  const Scalar t240 = s2 * t238 + c2 * t239;
+  const Scalar t241 = k[21] * t237 + k[23] * t240;
+  const Scalar t242 = c2 * t238 - s2 * t239;
+  const Scalar t243 = k[23] * t237 - k[21] * t240;
+  const Scalar t244 = s3 * t242 - c3 * t243;
+  const Scalar t245 = k[5] * t241 + k[8] * t244;
+  const Scalar t246 = k[5] * t244 - k[8] * t241;
+  const Scalar t247 = c3 * t242 + s3 * t243;
+  const Scalar t248 = c4 * t246 + s4 * t247;
+  const Scalar t249 = k[6] * t245 - k[4] * t248;
+  const Scalar t250 = s4 * t246 - c4 * t247;
+  const Scalar t251 = c5 * t249 + s5 * t250;
+  const Scalar t252 = k[4] * t245 + k[6] * t248;
+  const Scalar t253 = t179 + t181;
+  const Scalar t254 = t253 + t186;
+  const Scalar t255 = (k[6] * t161 + k[4] * t148) - k[16] * (t182 - t254);
+  const Scalar t256 = t221 - t222;
+  const Scalar t257 = t255 - k[17] * t256;
+  const Scalar t258 = t177 + k[17] * t190;
+  const Scalar t259 = t2 * (t176 + k[17] * t253) - (k[18] * t257 + k[2] * t258) * t0;
+  const Scalar t260 = t220 + t223;
+  const Scalar t261 = t219 * t14 - (t19 * t224 - t260 * t9);
+  const Scalar t262 = t259 + ((t13 * t232 + t6 * t227) + t261);
+  const Scalar t263 = (k[18] * t251 - k[2] * t252) + t262;
+  const Scalar t264 = k[2] * t257 - k[18] * t258;
+  const Scalar t265 = t184 - t217;
+  const Scalar t266 = (t19 * t228 - t233 * t14) - (t6 * t260 + t265 * t13);
+  const Scalar t267 = k[82] * (s5 * t209 + c5 * t206);
+  const Scalar t268 = (k[18] * t252 + k[2] * t251) - k[83] * t267;
+  const Scalar t269 = (t264 * t0 + t266) - t268;
+  const Scalar t270 = k[17] * t235 - (k[2] * t263 + k[18] * t269);
+  const Scalar t271 = t194 - t270;
+  const Scalar t272 = torque[5] - t263;
+  const Scalar t273 = (torque[4] - t271) - t272 * t86;
+  const Scalar t274 = t88 * t273;
+  const Scalar t275 = t111 + t110;
+  const Scalar t276 = t235 + (k[27] * t190 + k[26] * t254);
+  const Scalar t277 = ((t2 * t260 - t218 * t0) + t267) - (k[26] * t189 + k[27] * t253);
+  const Scalar t278 = c5 * t276 - s5 * t277;
+  const Scalar t279 = k[2] * t234 - k[18] * t225;
+  const Scalar t280 = t230 - t231;
+  const Scalar t281 = t279 + (k[27] * t256 - k[26] * t280);
+  const Scalar t282 = k[4] * t278 + k[6] * t281;
+  const Scalar t283 = t282 - (k[28] * t160 - k[29] * t172);
+  const Scalar t284 = s5 * t276 + c5 * t277;
+  const Scalar t285 = (k[28] * t173 - k[29] * t168) - t284;
+  const Scalar t286 = c4 * t283 + s4 * t285;
+  const Scalar t287 = k[6] * t278 - k[4] * t281;
+  const Scalar t288 = t163 - t162;
+  const Scalar t289 = t287 + (k[29] * t288 + k[28] * t118);
+  const Scalar t290 = k[8] * t286 + k[5] * t289;
+  const Scalar t291 = (k[58] * t142 - k[56] * t275) - t290;
+  const Scalar t292 = k[8] * t289 - k[5] * t286;
+  const Scalar t293 = (k[56] * (t138 - t153) + k[58] * t134) + t292;
+  const Scalar t294 = c4 * t285 - s4 * t283;
+  const Scalar t295 = (k[58] * t155 - k[56] * t104) - t294;
+  const Scalar t296 = c3 * t293 + s3 * t295;
+  const Scalar t297 = k[21] * t291 + k[23] * t296;
+  const Scalar t298 = k[84] * c2 - k[85] * s2;
+  const Scalar t299 = k[23] * t291 - k[21] * t296;
+  const Scalar t300 = s3 * t293 - c3 * t295;
+  const Scalar t301 = (c2 * t299 + s2 * t300) - t298 * t119;
+  const Scalar t302 = k[90] * (t297 + t298 * t130) + k[91] * t301;
+  const Scalar t303 = k[62] - c2 * (k[88] * c2 - k[89] * s2);
+  const Scalar t304 = k[86] * s2 - k[87] * c2;
+  const Scalar t305 = k[85] * c2 + k[84] * s2;
+  const Scalar t306 = (t303 * t128 - t304 * t124) - (t305 * t125 + t122 * t298);
+  const Scalar t307 = (k[55] * t104 + k[57] * t154) + (k[54] * t275 - k[53] * t142);
+  const Scalar t308 = k[83] * t212 + (c5 * t250 - s5 * t249);
+  const Scalar t309 = (t9 * t233 - t228 * t14) - t6 * (t265 + t219);
+  const Scalar t310 = t308 - (t2 * t264 + (t309 - t13 * t224));
+  const Scalar t311 = k[36] * t182 + (k[41] * t280 + k[42] * t256);
+  const Scalar t312 = t310 - ((k[34] * t190 + t311) + k[26] * t255);
+  const Scalar t313 = (k[18] * t263 - k[2] * t269) + k[17] * t279;
+  const Scalar t314 = (k[34] * t185 + k[36] * t189) - (k[42] * t280 + k[40] * t256);
+  const Scalar t315 = t313 - (k[27] * t255 + t314);
+  const Scalar t316 = k[16] * t278 + (c5 * t312 + s5 * t315);
+  const Scalar t317 = k[49] * (t171 - t145) + (k[43] * t288 - k[46] * t118);
+  const Scalar t318 = t316 + (k[29] * t147 + (t317 + k[48] * t160));
+  const Scalar t319 = k[16] * t284 + (s5 * t312 - c5 * t315);
+  const Scalar t320 = (k[4] * t319 - k[6] * t271) + k[10] * t287;
+  const Scalar t321 = (k[49] * t168 + k[48] * (t171 - t146)) + (k[46] * t288 + k[45] * t118);
+  const Scalar t322 = t320 - (k[28] * t147 - t321);
+  const Scalar t323 = (s4 * t318 + c4 * t322) - k[20] * t294;
+  const Scalar t324 = k[46] * t170 + (k[45] * t160 + k[43] * t168);
+  const Scalar t325 = ((k[48] * t149 + k[49] * t113) - t324) + (k[29] * t174 - k[28] * t157);
+  const Scalar t326 = k[10] * t282 - (k[4] * t271 + k[6] * t319);
+  const Scalar t327 = t325 + t326;
+  const Scalar t328 = k[9] * t290 + (k[5] * t323 + k[8] * t327);
+  const Scalar t329 = k[22] * t295 + ((t307 + k[58] * t139) + t328);
+  const Scalar t330 = (s4 * t322 - c4 * t318) - k[20] * t286;
+  const Scalar t331 = k[55] * t153 + (k[54] * t142 + k[51] * t275);
+  const Scalar t332 = t330 + ((t331 + k[57] * t134) - k[56] * t139);
+  const Scalar t333 = k[22] * t293 + t332;
+  const Scalar t334 = c3 * t329 - s3 * t333;
+  const Scalar t335 = (k[8] * t323 - k[5] * t327) + k[9] * t292;
+  const Scalar t336 = (k[53] * t134 + k[51] * t104) + k[54] * t152;
+  const Scalar t337 = (t336 - (k[55] * t99 + k[57] * t109)) - (k[58] * t133 - k[56] * t151);
+  const Scalar t338 = t335 + t337;
+  const Scalar t339 = k[24] * t299 - (k[23] * t334 + k[21] * t338);
+  const Scalar t340 = t306 - t339;
+  const Scalar t341 = t305 * t129 + (t303 * t130 + t304 * t119);
+  const Scalar t342 = k[24] * t297 - (k[21] * t334 - k[23] * t338);
+  const Scalar t343 = s2 * (t299 - (c3 * t333 + s3 * t329));
+  const Scalar t344 = (t341 - (c2 * (t342 + t300) - t343)) - t305 * (t119 + t128);
+  const Scalar t345 = (t302 - (k[73] * t340 + k[72] * t344)) + (k[96] * t120 - k[95] * t123);
+  const Scalar t346 = k[25] * t85;
+  const Scalar t347 = t87 * t274 - ((torque[0] + t345) - t346 * t272);
+  const Scalar t348 = k[4] * t17 - k[3] * t2;
+  const Scalar t349 = k[29] + t348;
+  const Scalar t350 = k[28] + t5;
+  const Scalar t351 = c4 * t349 + s4 * t350;
+  const Scalar t352 = s4 * t349 - c4 * t350;
+  const Scalar t353 = t23 - k[37] * t65;
+  const Scalar t354 = Scalar(2) * t31 + k[6] * (t28 - t353);
+  const Scalar t355 = k[6] * t354;
+  const Scalar t356 = k[43] - (t355 - t28);
+  const Scalar t357 = k[45] + (k[44] * t5 + t27);
+  const Scalar t358 = t22 - c5 * t25;
+  const Scalar t359 = k[10] * t348 + (k[4] * t358 - k[6] * t33);
+  const Scalar t360 = k[46] + t359;
+  const Scalar t361 = s4 * (t357 + t356) + Scalar(2) * c4 * t360;
+  const Scalar t362 = s4 * t361;
+  const Scalar t363 = t356 - t362;
+  const Scalar t364 = t357 - t362;
+  const Scalar t365 = t363 - t364;
+  const Scalar t366 = k[7] * t2 + k[6] * t17;
+  const Scalar t367 = k[10] * t366 + (k[4] * t33 + k[6] * t358);
+  const Scalar t368 = (k[48] - t367) - k[20] * t350;
+  const Scalar t369 = k[20] * t349 + (k[49] + (t18 - k[4] * t354));
+  const Scalar t370 = s4 * t368 - c4 * t369;
+  const Scalar t371 = k[68] * t352 + (k[8] * t365 + k[5] * t370);
+  const Scalar t372 = k[22] * t351 - t371;
+  const Scalar t373 = c4 * t368 + s4 * t369;
+  const Scalar t374 = k[69] * t352 + t373;
+  const Scalar t375 = c3 * t372 - s3 * t374;
+  const Scalar t376 = (k[8] * t370 - k[5] * t365) - k[70] * t352;
+  const Scalar t377 = k[5] * t352;
+  const Scalar t378 = s3 * t351 + c3 * t377;
+  const Scalar t379 = k[71] * t352 - k[21] * t378;
+  const Scalar t380 = (k[23] * t375 - k[21] * t376) - k[24] * t379;
+  const Scalar t381 = s2 * ((s3 * t372 + c3 * t374) - t379);
+  const Scalar t382 = s3 * t377 - c3 * t351;
+  const Scalar t383 = k[23] * t378 + k[94] * t352;
+  const Scalar t384 = k[24] * t383 - (k[21] * t375 + k[23] * t376);
+  const Scalar t385 = k[73] * t380 - k[72] * (t381 + c2 * (t382 + t384));
+  const Scalar t386 = k[90] * t383 + k[91] * (s2 * t382 + c2 * t379);
+  const Scalar t387 = k[25] * t73;
+  const Scalar t388 = t30 + t86 * t73;
+  const Scalar t389 = t88 * t87;
+  const Scalar t390 = ((t385 - t386) - t387 * t85) + t388 * t389;
+  const Scalar t391 = t88 * t388;
+  const Scalar t392 = k[25] * t272;
+  const Scalar t393 = t391 * t273 - ((torque[3] + t327) - t392 * t73);
+  const Scalar t394 = Scalar(1) / (t388 * t391 - (t387 * t73 - t365));
+  const Scalar t395 = t393 * t394;
+  const Scalar t396 = t39 + t86 * t78;
+  const Scalar t397 = k[25] * t78;
+  const Scalar t398 = t396 * t391 - (t397 * t73 + t376);
+  const Scalar t399 = t398 * t394;
+  const Scalar t400 = k[53] + (t364 - k[52] * t352);
+  const Scalar t401 = k[47] * t366 - (t355 + t353);
+  const Scalar t402 = k[50] * t370 + k[8] * (t363 + t401);
+  const Scalar t403 = k[8] * t402;
+  const Scalar t404 = k[51] + (t363 - t403);
+  const Scalar t405 = t400 - t404;
+  const Scalar t406 = t88 * t396;
+  const Scalar t407 = t399 * t398 + ((t397 * t78 + t405) - t396 * t406);
+  const Scalar t408 = Scalar(1) / t407;
+  const Scalar t409 = t396 * t274 - ((torque[2] - t338) - t392 * t78);
+  const Scalar t410 = t395 * t398 - t409;
+  const Scalar t411 = t408 * t410;
+  const Scalar t412 = k[5] * t351 - k[8] * t366;
+  const Scalar t413 = k[56] - t412;
+  const Scalar t414 = k[22] * t413 - (k[55] - (k[5] * t402 - t370));
+  const Scalar t415 = k[5] * t366 + k[8] * t351;
+  const Scalar t416 = c4 * t361 - t360;
+  const Scalar t417 = k[9] * t415 - (k[5] * t373 - k[8] * t416);
+  const Scalar t418 = k[58] - t352;
+  const Scalar t419 = (k[57] + t417) + k[22] * t418;
+  const Scalar t420 = c3 * t414 - s3 * t419;
+  const Scalar t421 = c3 * t418 + s3 * t413;
+  const Scalar t422 = k[21] * t421;
+  const Scalar t423 = (k[21] * t405 + k[23] * t420) + k[24] * t422;
+  const Scalar t424 = k[21] * t420;
+  const Scalar t425 = c3 * t413 - s3 * t418;
+  const Scalar t426 = (k[92] * t421 + (k[23] * t405 - t424)) - t425;
+  const Scalar t427 = s3 * t414 + c3 * t419;
+  const Scalar t428 = k[72] * (c2 * t426 + s2 * (t422 + t427));
+  const Scalar t429 = k[93] * t421 - k[73] * (s2 * t425 + c2 * t422);
+  const Scalar t430 = t397 * t85 + ((k[73] * t423 - t428) - k[80] * t429);
+  const Scalar t431 = t390 * t394;
+  const Scalar t432 = (t430 - t87 * t406) + t398 * t431;
+  const Scalar t433 = t408 * t432;
+  const Scalar t434 = k[25] * t79;
+  const Scalar t435 = t434 * t69 + t48;
+  const Scalar t436 = t435 * t391 + (t380 - t434 * t73);
+  const Scalar t437 = t436 * t394;
+  const Scalar t438 = ((t397 * t79 + t423) - t435 * t406) + t437 * t398;
+  const Scalar t439 = k[21] * t425 + k[23] * t415;
+  const Scalar t440 = k[84] + t439;
+  const Scalar t441 = k[85] + t421;
+  const Scalar t442 = s2 * t440 + c2 * t441;
+  const Scalar t443 = k[9] * t412 + (k[5] * t416 + k[8] * t373);
+  const Scalar t444 = k[54] - t443;
+  const Scalar t445 = c3 * t444;
+  const Scalar t446 = (t445 + t445) - s3 * (t400 + t404);
+  const Scalar t447 = t444 - c3 * t446;
+  const Scalar t448 = k[23] * t425 - k[21] * t415;
+  const Scalar t449 = (k[21] * t427 + k[23] * t447) - k[24] * t448;
+  const Scalar t450 = s3 * t446;
+  const Scalar t451 = t404 + t450;
+  const Scalar t452 = k[30] * t415 - (t403 - t401);
+  const Scalar t453 = Scalar(2) * t424 + k[23] * (t451 + t452);
+  const Scalar t454 = c2 * (t440 - (k[86] - (k[21] * t453 - t420)));
+  const Scalar t455 = k[72] * (s2 * (t441 + (k[87] + t449)) - t454);
+  const Scalar t456 = k[23] * t453;
+  const Scalar t457 = k[59] + (t451 - t456);
+  const Scalar t458 = k[61] + ((t400 + t450) + k[60] * t421);
+  const Scalar t459 = k[24] * t439 + (k[23] * t427 - k[21] * t447);
+  const Scalar t460 = c2 * (k[62] + t459);
+  const Scalar t461 = s2 * (s2 * (t457 + t458) - (t460 + t460));
+  const Scalar t462 = t457 - t461;
+  const Scalar t463 = t458 - t461;
+  const Scalar t464 = t462 - t463;
+  const Scalar t465 = (k[91] * t442 - (t455 + k[73] * t464)) + t346 * t79;
+  const Scalar t466 = t433 * t438 - (t436 * t431 - (t435 * t389 - t465));
+  const Scalar t467 = t408 * t438;
+  const Scalar t468 = t88 * t435;
+  const Scalar t469 = ((torque[1] - t340) - t392 * t79) - t468 * t273;
+  const Scalar t470 = t437 * t436 - (t435 * t468 - (t434 * t79 - t464));
+  const Scalar t471 = Scalar(1) / (t470 - t467 * t438);
+  const Scalar t472 = (t467 * t410 - (t436 * t395 + t469)) * t471;
+  const Scalar t473 = ((t347 - t390 * t395) + t411 * t432) + t466 * t472;
+  const Scalar t474 = k[97] * ((Scalar(2) * t448 - (t452 - t456)) - t462);
+  const Scalar t475 = (k[101] + (t463 + k[100] * t442)) - (k[99] + ((t474 + k[98] * t455) + t462));
+  const Scalar t476 = ((t346 * t85 + t475) - t87 * t389) + t390 * t431;
+  const Scalar t477 = t466 * t471;
+  const Scalar t478 = Scalar(1) / ((t476 - t433 * t432) - t466 * t477);
+  const Scalar t479 = t473 * t478;
+  const Scalar t480 = t472 + t479 * t477;
+  const Scalar t481 = (t433 * t479 + t411) + t467 * t480;
+  const Scalar t482 = (t437 * t480 + (t395 + t479 * t431)) - t481 * t399;
+  const Scalar t483 = ((t274 + t479 * t389) + t468 * t480) - t481 * t406;
+  const Scalar t484 = t483 - t482 * t391;
+  const Scalar t485 = (t434 * t480 - (t392 - t479 * t346)) - t397 * t481;
   JointVector<Scalar> result;
-  result[0] = t484;
-  result[1] = -t485;
-  result[2] = -t486;
-  result[3] = t487;
-  result[4] = t489;
-  result[5] = -(t487 * t42 + t490) - t489 * t45;
+  result[0] = -t479;
+  result[1] = -t480;
+  result[2] = t481;
+  result[3] = t482;
+  result[4] = t484;
+  result[5] = -(t482 * t387 - t485) - t484 * t86;
   return result;
 }
 
@@ -2696,17 +2737,17 @@ PotentialEnergyWithGravityVectorConstants<Scalar> potential_energy_with_gravity_
            t7 - (t7 + inertia.c2z * inertia.m2),
            g.d2 * t8,
            cos(g.alpha2),
-           inertia.c2y * inertia.m2,
            g.a3 * t6,
            inertia.c2x * inertia.m2,
+           inertia.c2y * inertia.m2,
            sin(g.alpha2),
            inertia.c1z * inertia.m1,
            gravity[2],
            inertia.c1y * inertia.m1,
            g.a2 * t8,
            inertia.c1x * inertia.m1,
-           gravity[0],
-           gravity[1] };
+           gravity[1],
+           gravity[0] };
 }
 
 namespace detail {
@@ -2737,18 +2778,18 @@ inline Scalar potential_energy_with_gravity_vector([[maybe_unused]] const JointV
   const Scalar t8 = k[18] + (k[17] + (k[12] * t4 + k[6] * t5));
   const Scalar t9 = s4 * t3 + c4 * t6;
   const Scalar t10 = k[20] - (k[19] * t8 - k[16] * t9);
-  const Scalar t11 = k[32] + (k[31] + (c3 * t7 - s3 * t10));
+  const Scalar t11 = k[31] + (k[30] + (c3 * t7 - s3 * t10));
   const Scalar t12 = s3 * t7 + c3 * t10;
   const Scalar t13 = k[25] - (k[24] - (k[19] * t9 + k[16] * t8));
-  const Scalar t14 = k[30] + (k[26] * t12 - k[23] * t13);
+  const Scalar t14 = k[32] + (k[26] * t12 - k[23] * t13);
   const Scalar t15 = s2 * t11 + c2 * t14;
   const Scalar t16 = k[28] - (k[27] - (k[23] * t12 + k[26] * t13));
   const Scalar t17 = k[35] * (k[34] + (k[33] * t15 + k[29] * t16));
-  const Scalar t18 = k[38] + (k[37] + (c2 * t11 - s2 * t14));
-  const Scalar t19 = k[36] + (k[29] * t15 - k[33] * t16);
-  const Scalar t20 = k[40] * (s1 * t18 + c1 * t19) - k[39] * (s1 * t19 - c1 * t18);
+  const Scalar t18 = k[36] + (k[29] * t15 - k[33] * t16);
+  const Scalar t19 = k[38] + (k[37] - (s2 * t14 - c2 * t11));
+  const Scalar t20 = k[40] * (s1 * t18 - c1 * t19) - k[39] * (c1 * t18 + s1 * t19);
   Scalar result;
-  result = -t17 - t20;
+  result = t20 - t17;
   return result;
 }
 

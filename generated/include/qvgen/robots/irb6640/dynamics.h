@@ -97,7 +97,7 @@ DynamicsAngles<Scalar> dynamics_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion: Newton-Euler recursion in base parameters (thesis 5.1-5.15).
 ///
-/// 230 multiplications, 207 additions, 5 sine/cosine pairs. Set-up: 87 multiplications, 99 additions.
+/// 228 multiplications, 209 additions, 5 sine/cosine pairs. Set-up: 92 multiplications, 109 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
@@ -115,7 +115,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces that hold the robot against gravity at rest.
 ///
-/// 38 multiplications, 22 additions, 5 sine/cosine pairs. Set-up: 17 multiplications, 10 additions.
+/// 38 multiplications, 22 additions, 5 sine/cosine pairs. Set-up: 18 multiplications, 12 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},
@@ -131,14 +131,14 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const DynamicsA
 
 /// Joint forces that come from the joint rates alone, C(q, qd) qd, without friction.
 ///
-/// 208 multiplications, 179 additions, 5 sine/cosine pairs. Set-up: 81 multiplications, 83 additions.
+/// 210 multiplications, 177 additions, 5 sine/cosine pairs. Set-up: 84 multiplications, 93 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using CoriolisTorqueConstants = std::array<Scalar, 40>;
+using CoriolisTorqueConstants = std::array<Scalar, 39>;
 template <class Scalar>
 CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
@@ -149,7 +149,7 @@ JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVec
 
 /// Symmetric, positive definite M(q), by composite bodies in base parameters; rotors included.
 ///
-/// 113 multiplications, 121 additions, 5 sine/cosine pairs. Set-up: 77 multiplications, 90 additions.
+/// 114 multiplications, 120 additions, 5 sine/cosine pairs. Set-up: 82 multiplications, 100 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},
@@ -165,7 +165,7 @@ Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const 
 
 /// C(q, qd) of Christoffel's symbols: C qd is coriolis_torque, dM/dt - 2 C is skew-symmetric.
 ///
-/// 434 multiplications, 371 additions, 5 sine/cosine pairs. Set-up: 69 multiplications, 76 additions.
+/// 433 multiplications, 371 additions, 5 sine/cosine pairs. Set-up: 74 multiplications, 86 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
@@ -183,7 +183,7 @@ Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, co
 
 /// Joint accelerations for given joint forces: M qdd = torque - C qd - gravity, by M = U D U^T.
 ///
-/// 397 multiplications, 364 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 85 multiplications, 92 additions, 1
+/// 396 multiplications, 363 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 91 multiplications, 102 additions, 1
 /// division.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
@@ -202,13 +202,13 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// qd^T M qd / 2, J.
 ///
-/// 150 multiplications, 137 additions, 5 sine/cosine pairs. Set-up: 77 multiplications, 90 additions.
+/// 146 multiplications, 141 additions, 5 sine/cosine pairs. Set-up: 82 multiplications, 100 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using KineticEnergyConstants = std::array<Scalar, 40>;
+using KineticEnergyConstants = std::array<Scalar, 39>;
 template <class Scalar>
 KineticEnergyConstants<Scalar> kinetic_energy_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
@@ -218,7 +218,7 @@ Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Scalar>& q
 
 /// Sum of m g z over the links, z of the centre of mass in the world, J.
 ///
-/// 17 multiplications, 22 additions, 5 sine/cosine pairs. Set-up: 20 multiplications, 8 additions.
+/// 17 multiplications, 22 additions, 5 sine/cosine pairs. Set-up: 21 multiplications, 10 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Scalar potential_energy(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},

@@ -41,78 +41,84 @@ InverseDynamicsConstants<Scalar> inverse_dynamics_constants([[maybe_unused]] con
   const Scalar t11 = inertia.m3 + t8;
   const Scalar t12 = Scalar(0.1024) * (inertia.m2 + t11)
       + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t5));
-  const Scalar t13 = inertia.c4x * inertia.m4;
-  const Scalar t14 = Scalar(1.1425) * t8 + t13;
-  const Scalar t15 = inertia.c3x * inertia.m3;
-  const Scalar t16 = inertia.c4y * inertia.m4;
-  const Scalar t17 = inertia.c5y * inertia.m5;
-  const Scalar t18 = inertia.c4z * inertia.m4;
-  const Scalar t19 = inertia.c5z * inertia.m5;
-  const Scalar t20 = inertia.c5x * inertia.m5;
-  const Scalar t21 = inertia.c6x * inertia.m6;
-  const Scalar t22 = Scalar(0.2) * inertia.m6 + t21;
-  const Scalar t23 = inertia.c6z * inertia.m6;
-  const Scalar t24 = inertia.c6y * inertia.m6;
-  const Scalar t25 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t26 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t27 = ((inertia.I6xx - t26) - inertia.c6x * t21) - Scalar(0.2) * (t21 + t22);
-  const Scalar t28 = inertia.I6yz - inertia.c6z * t24;
-  const Scalar t29 = inertia.c6z * t23 - (inertia.I6zz - t26);
-  const Scalar t30 = (inertia.I6yy - t26) - inertia.c6y * t24;
-  const Scalar t31 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t32 = ((inertia.I4yy - t31) - inertia.c4y * t16) - (inertia.c5y * t17 - (inertia.I5yy - t25));
-  const Scalar t33 = ((inertia.I3zz - t0) - inertia.c3z * t7) - Scalar(0.04) * t8;
-  const Scalar t34 = (Scalar(0.2) * t14 - (inertia.I3xz - inertia.c3z * t15)) - Scalar(1.1425) * t9;
-  const Scalar t35 = Scalar(1.1425) * (t13 + t14) - ((inertia.I4xx - t31) - inertia.c4x * t13);
-  const Scalar t36 = Scalar(6.52653125) * t9 - ((inertia.c3x * t15 - (inertia.I3xx - t0)) + t35);
-  const Scalar t37 = inertia.c2x * inertia.m2;
-  const Scalar t38 = inertia.c2z * inertia.m2;
-  const Scalar t39 = Scalar(0.32) * ((t38 + Scalar(1.075) * t11) - Scalar(5.375) * t9);
-  const Scalar t40 = inertia.c2x * t37 - (inertia.I2xx - t2);
-  const Scalar t41 = Scalar(1.155625) * t11 - ((inertia.I2zz - t2) - inertia.c2z * t38);
-  const Scalar t42 = Scalar(5.778125) * t9 - t41;
-  const Scalar t43 = inertia.I2xz - inertia.c2z * t37;
+  const Scalar t13 = inertia.c2z * inertia.m2;
+  const Scalar t14 = Scalar(0.32) * ((t13 + Scalar(1.075) * t11) - Scalar(5.375) * t9);
+  const Scalar t15 = inertia.c2x * inertia.m2;
+  const Scalar t16 = inertia.c6z * inertia.m6;
+  const Scalar t17 = inertia.c6y * inertia.m6;
+  const Scalar t18 = inertia.c5z * inertia.m5;
+  const Scalar t19 = inertia.c5x * inertia.m5;
+  const Scalar t20 = inertia.c6x * inertia.m6;
+  const Scalar t21 = Scalar(0.2) * inertia.m6 + t20;
+  const Scalar t22 = inertia.c4y * inertia.m4;
+  const Scalar t23 = inertia.c5y * inertia.m5;
+  const Scalar t24 = inertia.c4z * inertia.m4;
+  const Scalar t25 = Scalar(1.1425) * inertia.m4;
+  const Scalar t26 = inertia.c4x * inertia.m4;
+  const Scalar t27 = t26 + t25;
+  const Scalar t28 = t25 - t27;
+  const Scalar t29 = Scalar(1.1425) * t8 - t28;
+  const Scalar t30 = inertia.c3x * inertia.m3;
+  const Scalar t31 = inertia.c2x * t15 - (inertia.I2xx - t2);
+  const Scalar t32 = Scalar(1.155625) * t11 - ((inertia.I2zz - t2) - inertia.c2z * t13);
+  const Scalar t33 = Scalar(5.778125) * t9 - t32;
+  const Scalar t34 = inertia.I2xz - inertia.c2z * t15;
+  const Scalar t35 = Scalar(1.1425) * t24;
+  const Scalar t36 = Scalar(1.1425) * t22;
+  const Scalar t37 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t38 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t39 = ((inertia.I4yy - t37) - inertia.c4y * t22) - (inertia.c5y * t23 - (inertia.I5yy - t38));
+  const Scalar t40 = inertia.I6yz - inertia.c6z * t17;
+  const Scalar t41 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t42 = inertia.c6z * t16 - (inertia.I6zz - t41);
+  const Scalar t43 = (inertia.I6yy - t41) - inertia.c6y * t17;
+  const Scalar t44 = ((inertia.I6xx - t41) - inertia.c6x * t20) - Scalar(0.2) * (t20 + t21);
+  const Scalar t45 = (Scalar(0.2) * t29 - (inertia.I3xz - inertia.c3z * t30)) - Scalar(1.1425) * t9;
+  const Scalar t46 = ((inertia.I3zz - t0) - inertia.c3z * t7) - Scalar(0.04) * t8;
+  const Scalar t47 = Scalar(1.1425) * (t26 + t27) - ((inertia.I4xx - t37) - inertia.c4x * t26);
+  const Scalar t48 = Scalar(1.1425) * (t29 - t28) + (t47 + Scalar(1.1425) * (t28 - t27));
+  const Scalar t49 = ((inertia.c3x * t30 - (inertia.I3xx - t0)) + t48) - Scalar(6.52653125) * t9;
   return { t6 + (t10 - t12),
-           Scalar(0.32) * ((t14 + t15) - Scalar(5.7125) * t9),
+           t14,
+           Scalar(0.32) * t15,
+           Scalar(0.32) * t16,
+           Scalar(0.32) * t17,
+           Scalar(0.32) * t18,
+           Scalar(0.32) * (t19 + t21),
            Scalar(3.125) * gravity,
            t10,
-           Scalar(0.32) * (t16 + t17),
-           Scalar(0.32) * t18,
-           Scalar(0.32) * t19,
-           Scalar(0.32) * (t20 + t22),
-           Scalar(0.32) * t23,
+           Scalar(0.32) * (t22 + t23),
            Scalar(0.32) * t24,
-           inertia.I5yz - inertia.c5z * t17,
-           inertia.I5xy - inertia.c5y * t20,
-           (inertia.c5x * t20 - (inertia.I5xx - t25)) - t27,
-           inertia.I5xz - inertia.c5z * t20,
-           Scalar(2) * t28,
-           t29 + t30,
-           t28,
-           t29,
-           Scalar(0.2) * t23 - (inertia.I6xz - inertia.c6z * t21),
-           Scalar(0.2) * t24 - (inertia.I6xy - inertia.c6y * t21),
-           inertia.c5z * t19 - (inertia.I5zz - t25),
-           t30,
-           inertia.I4xy - inertia.c4y * t13,
-           inertia.I4xz - inertia.c4z * t13,
-           (inertia.I4zz - t31) - inertia.c4z * t18,
-           t32,
-           inertia.I4yz - inertia.c4z * t16,
-           inertia.I3yz - inertia.c3z * t1,
-           inertia.I3xy - inertia.c3y * t15,
-           Scalar(0.2) * t9 + t33,
+           Scalar(0.32) * ((t29 + t30) - Scalar(5.7125) * t9),
+           t31 + t33,
+           Scalar(2) * t34,
            t34,
-           t36,
-           Scalar(0.32) * t37,
-           t39,
-           t40 + t42,
-           Scalar(2) * t43,
-           t42,
-           t43,
+           t33,
            Scalar(1.075) * t1 - (inertia.I2yz - inertia.c2z * t3),
-           inertia.I2xy - inertia.c2y * t37,
-           t40 - t42 };
+           inertia.I2xy - inertia.c2y * t15,
+           ((inertia.I4xz - inertia.c4z * t26) - t35) + t35,
+           t36 - (t36 - (inertia.I4xy - inertia.c4y * t26)),
+           inertia.I4yz - inertia.c4z * t22,
+           (inertia.I4zz - t37) - inertia.c4z * t24,
+           t39,
+           Scalar(2) * t40,
+           t42 + t43,
+           t40,
+           t42,
+           Scalar(0.2) * t16 - (inertia.I6xz - inertia.c6z * t20),
+           Scalar(0.2) * t17 - (inertia.I6xy - inertia.c6y * t20),
+           inertia.I5yz - inertia.c5z * t23,
+           inertia.I5xy - inertia.c5y * t19,
+           inertia.I5xz - inertia.c5z * t19,
+           (inertia.c5x * t19 - (inertia.I5xx - t38)) - t44,
+           t43,
+           inertia.c5z * t18 - (inertia.I5zz - t38),
+           inertia.I3xy - inertia.c3y * t30,
+           inertia.I3yz - inertia.c3z * t1,
+           t45,
+           Scalar(0.2) * t9 + t46,
+           t49,
+           t31 - t33 };
 }
 
 namespace detail {
@@ -131,159 +137,161 @@ inline JointVector<Scalar> inverse_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = Scalar(2) * qd[0] * qd[1];
-  const Scalar t1 = qdd[0] + Scalar(3.359375) * (qdd[0] * s2 + c2 * t0);
+  const Scalar t0 = s2 * s3 - c2 * c3;
+  const Scalar t1 = qdd[0] * t0;
   const Scalar t2 = c3 * s2 + c2 * s3;
-  const Scalar t3 = qdd[0] * t2;
+  const Scalar t3 = qd[0] * t2;
   const Scalar t4 = qd[1] + qd[2];
-  const Scalar t5 = s2 * s3 - c2 * c3;
-  const Scalar t6 = qd[0] * t5;
-  const Scalar t7 = t4 * t6;
-  const Scalar t8 = t3 - t7;
-  const Scalar t9 = t8 - t7;
-  const Scalar t10 = t1 + Scalar(0.625) * t9;
-  const Scalar t11 = qd[0] * qd[0];
-  const Scalar t12 = t4 * t4;
-  const Scalar t13 = t6 * t6;
-  const Scalar t14 = t12 - t13;
-  const Scalar t15 = t11 + t14;
-  const Scalar t16 = s2 * t11;
-  const Scalar t17 = k[2] * c2 - t16;
-  const Scalar t18 = qd[1] * qd[1];
-  const Scalar t19 = t17 - Scalar(3.359375) * (t18 + s2 * t16);
-  const Scalar t20 = c2 * t11;
-  const Scalar t21 = t20 + k[2] * s2;
-  const Scalar t22 = t21 - Scalar(3.359375) * (qdd[1] - s2 * t20);
-  const Scalar t23 = c3 * t19 - s3 * t22;
-  const Scalar t24 = Scalar(0.625) * t15 - t23;
-  const Scalar t25 = qdd[0] * t5;
-  const Scalar t26 = qd[0] * t2;
-  const Scalar t27 = t25 + Scalar(2) * t26 * t4;
-  const Scalar t28 = t26 * t6;
-  const Scalar t29 = qdd[1] + qdd[2];
-  const Scalar t30 = t28 - t29;
-  const Scalar t31 = c4 * t27 - s4 * t30;
-  const Scalar t32 = (c4 * t10 - s4 * t24) - Scalar(3.5703125) * t31;
-  const Scalar t33 = t12 + t13;
-  const Scalar t34 = s4 * t6 - c4 * t4;
-  const Scalar t35 = t34 * t34;
-  const Scalar t36 = qd[3] - t26;
+  const Scalar t5 = t1 + Scalar(2) * t3 * t4;
+  const Scalar t6 = qd[0] * t0;
+  const Scalar t7 = t3 * t6;
+  const Scalar t8 = qdd[1] + qdd[2];
+  const Scalar t9 = t7 - t8;
+  const Scalar t10 = qd[0] * qd[0];
+  const Scalar t11 = t4 * t4;
+  const Scalar t12 = t6 * t6;
+  const Scalar t13 = t11 - t12;
+  const Scalar t14 = c2 * t10;
+  const Scalar t15 = (t14 + k[7] * s2) - Scalar(3.359375) * (qdd[1] - s2 * t14);
+  const Scalar t16 = s2 * t10;
+  const Scalar t17 = qd[1] * qd[1];
+  const Scalar t18 = (t16 - k[7] * c2) + Scalar(3.359375) * (t17 + s2 * t16);
+  const Scalar t19 = s3 * t15 + c3 * t18;
+  const Scalar t20 = Scalar(3.5703125) * t9 - (Scalar(0.625) * (t10 + t13) + t19);
+  const Scalar t21 = qdd[0] * t2;
+  const Scalar t22 = t4 * t6;
+  const Scalar t23 = t21 - t22;
+  const Scalar t24 = t23 - t22;
+  const Scalar t25 = qd[0] * qd[1];
+  const Scalar t26 = t25 + t25;
+  const Scalar t27 = qdd[0] + Scalar(3.359375) * (qdd[0] * s2 + c2 * t26);
+  const Scalar t28 = (Scalar(0.625) * t24 + t27) - Scalar(3.5703125) * t5;
+  const Scalar t29 = s4 * t20 + c4 * t28;
+  const Scalar t30 = qdd[3] - t23;
+  const Scalar t31 = s4 * t4 + c4 * t6;
+  const Scalar t32 = s4 * t6 - c4 * t4;
+  const Scalar t33 = t31 * t32;
+  const Scalar t34 = t30 - t33;
+  const Scalar t35 = t31 * t31;
+  const Scalar t36 = qd[3] - t3;
   const Scalar t37 = t36 * t36;
-  const Scalar t38 = t35 - t37;
-  const Scalar t39 = t33 - t38;
-  const Scalar t40 = qdd[3] - t8;
-  const Scalar t41 = s4 * t4 + c4 * t6;
-  const Scalar t42 = t41 * t34;
-  const Scalar t43 = t40 - t42;
-  const Scalar t44 = k[3] * t32 - (k[4] * t39 + k[5] * t43);
-  const Scalar t45 = t40 + t42;
-  const Scalar t46 = t36 * t34;
-  const Scalar t47 = (t46 + t46) - t31;
-  const Scalar t48 = c5 * t45 - s5 * t47;
-  const Scalar t49 = qd[4] - t34;
-  const Scalar t50 = c5 * t41 - s5 * t36;
-  const Scalar t51 = Scalar(2) * t49 * t50;
-  const Scalar t52 = t48 + t51;
-  const Scalar t53 = c5 * t47 + s5 * t45;
-  const Scalar t54 = s5 * t41 + c5 * t36;
-  const Scalar t55 = t49 * t54;
-  const Scalar t56 = t53 + (t55 + t55);
-  const Scalar t57 = k[9] * c6 - k[8] * s6;
-  const Scalar t58 = qd[5] + t54;
-  const Scalar t59 = t58 * t58;
-  const Scalar t60 = t50 * t50;
-  const Scalar t61 = t59 + t60;
-  const Scalar t62 = qdd[5] + t48;
-  const Scalar t63 = t62 + t51;
-  const Scalar t64 = k[9] * s6 + k[8] * c6;
-  const Scalar t65 = (k[6] * t52 - k[7] * t56) + (t57 * t61 + t63 * t64);
-  const Scalar t66 = t44 - t65;
-  const Scalar t67 = t35 + t37;
-  const Scalar t68 = s4 * t27 + c4 * t30;
-  const Scalar t69 = Scalar(3.5703125) * t68 - (s4 * t10 + c4 * t24);
-  const Scalar t70 = (k[5] * t67 - k[4] * t45) - k[3] * t69;
-  const Scalar t71 = t36 * t41;
-  const Scalar t72 = t68 + t71;
-  const Scalar t73 = qdd[4] - t72;
-  const Scalar t74 = t54 * t50;
-  const Scalar t75 = t73 + t74;
-  const Scalar t76 = t58 * t50;
-  const Scalar t77 = t75 - (t76 + t76);
-  const Scalar t78 = t58 * t49;
-  const Scalar t79 = (t78 + t78) - t56;
-  const Scalar t80 = t73 - t74;
-  const Scalar t81 = t49 * t49;
-  const Scalar t82 = t81 + t60;
-  const Scalar t83 = (t77 * t64 + t57 * t79) + (k[6] * t80 - k[7] * t82);
-  const Scalar t84 = t81 - t60;
-  const Scalar t85 = t84 + t39;
-  const Scalar t86 = (k[6] * t85 + k[7] * t75) + ((t81 + t59) * t64 - t57 * t62);
-  const Scalar t87 = t70 + (s5 * t83 + c5 * t86);
-  const Scalar t88 = c4 * t66 + s4 * t87;
-  const Scalar t89 = t88 - k[1] * t27;
-  const Scalar t90 = t33 - t67;
-  const Scalar t91 = k[26] * (t38 - t90) - (k[24] * t43 + k[25] * t45);
-  const Scalar t92 = ((k[23] * t31 + k[22] * t68) - t91) - (k[4] * t69 - k[5] * t32);
-  const Scalar t93 = t85 - t82;
-  const Scalar t94 = (k[12] * t56 + k[13] * t52) - k[11] * (t84 - t93);
-  const Scalar t95 = t28 + t29;
-  const Scalar t96 = (c3 * t22 + s3 * t19) - Scalar(0.625) * t95;
-  const Scalar t97 = Scalar(3.5703125) * t33 + t96;
-  const Scalar t98 = s5 * t69 + c5 * t97;
-  const Scalar t99 = k[18] * c6 + k[19] * s6;
-  const Scalar t100 = k[14] * s6 - k[15] * c6;
-  const Scalar t101 = c6 * t100;
-  const Scalar t102 = k[17] + t101;
-  const Scalar t103 = k[16] - s6 * t100;
-  const Scalar t104 = k[19] * c6 - k[18] * s6;
-  const Scalar t105 = (t79 * t102 - t77 * t103) + t104 * (t61 - t82);
-  const Scalar t106 = (k[7] * t32 + (k[10] * t80 + t94)) + (t57 * t98 - (t63 * t99 + t105));
-  const Scalar t107 = k[21] + t101;
-  const Scalar t108 = (t62 * t102 - t63 * t107) + t84 * t103;
-  const Scalar t109 = s5 * t97 - c5 * t69;
-  const Scalar t110 = (t108 - (t104 * t75 + t56 * t99)) - (t32 * t64 + t57 * t109);
-  const Scalar t111 = (k[20] * t52 + k[13] * t56) + (k[10] * t84 + k[11] * t75);
-  const Scalar t112 = t110 + (t111 - k[6] * t32);
-  const Scalar t113 = t92 - (s5 * t106 + c5 * t112);
-  const Scalar t114 = (k[28] * t30 - k[27] * t14) - (k[30] * t27 + k[29] * t9);
-  const Scalar t115 = t72 + t71;
-  const Scalar t116 = (k[22] * t45 + k[23] * t90) + (k[26] * t47 + k[24] * t115);
-  const Scalar t117 = ((t59 - t60) * t99 - t104 * t62) - (t77 * t107 + t103 * t79);
-  const Scalar t118 = (k[20] * t80 + k[12] * t75) - k[13] * t93;
-  const Scalar t119 = (k[7] * t109 - k[6] * t98) + (t118 + (k[10] * t53 + k[11] * t48));
-  const Scalar t120 = (t117 - t98 * t64) + t119;
-  const Scalar t121 = Scalar(3.5703125) * t87 - ((k[5] * t97 - t116) - t120);
-  const Scalar t122 = (k[26] * t115 + k[25] * t47) + k[22] * t38;
-  const Scalar t123 = (k[4] * t97 + (k[23] * t43 - t122)) + (c5 * t106 - s5 * t112);
-  const Scalar t124 = t123 + Scalar(3.5703125) * t66;
-  const Scalar t125 = k[28] * (t11 - t33) + (k[31] * t27 + k[30] * t9);
-  const Scalar t126 = (s4 * t121 + c4 * t124) + (k[1] * t1 + (t125 + k[27] * t95));
-  const Scalar t127 = t2 * ((Scalar(0.625) * t88 + t113) + t114) - t126 * t5;
-  const Scalar t128 = k[35] * s2 - k[34] * c2;
-  const Scalar t129 = k[37] - s2 * t128;
-  const Scalar t130 = qdd[0] * (k[36] + c2 * t128) + t129 * t0;
-  const Scalar t131 = k[38] * c2 + k[39] * s2;
-  const Scalar t132 = t18 * (k[39] * c2 - k[38] * s2) + qdd[1] * t131;
-  const Scalar t133 = qdd[0] * (k[32] * c2 + k[33] * s2);
-  const Scalar t134 = (s2 * Scalar(3.359375) * t89 + t127) - ((t130 + t132) - t133);
-  const Scalar t135 = t133 - (k[32] * s2 - k[33] * c2) * t0;
-  const Scalar t136 = qdd[0] * t131 - (k[40] * qdd[1] + t11 * t129);
-  const Scalar t137 = k[1] * t30 - (c4 * t87 - s4 * t66);
-  const Scalar t138 = k[3] * t97 + (k[5] * t115 + k[4] * t47);
-  const Scalar t139 = (s5 * t86 - c5 * t83) + t138;
-  const Scalar t140 = s3 * t137 - c3 * (t139 + k[1] * t33);
-  const Scalar t141 = (k[29] * t95 - k[31] * t30) - k[30] * (t15 - t33);
-  const Scalar t142 = (t141 + (k[27] * t25 + k[28] * t3)) + k[1] * t23;
-  const Scalar t143 = Scalar(0.625) * t139 - (c4 * t121 - s4 * t124);
-  const Scalar t144 = t142 + t143;
-  const Scalar t145 = (t136 + (k[33] * t21 + k[32] * t17)) - (Scalar(3.359375) * t140 - t144);
+  const Scalar t38 = t35 + t37;
+  const Scalar t39 = k[8] * t29 - (k[10] * t34 + k[9] * t38);
+  const Scalar t40 = s5 * t31 + c5 * t36;
+  const Scalar t41 = qd[5] + t40;
+  const Scalar t42 = t41 * t41;
+  const Scalar t43 = c5 * t31 - s5 * t36;
+  const Scalar t44 = t43 * t43;
+  const Scalar t45 = t42 + t44;
+  const Scalar t46 = k[4] * c6 - k[3] * s6;
+  const Scalar t47 = t30 + t33;
+  const Scalar t48 = t36 * t32;
+  const Scalar t49 = c4 * t5 - s4 * t9;
+  const Scalar t50 = t48 - (t49 - t48);
+  const Scalar t51 = c5 * t47 - s5 * t50;
+  const Scalar t52 = qdd[5] + t51;
+  const Scalar t53 = qd[4] - t32;
+  const Scalar t54 = t53 * t43;
+  const Scalar t55 = t52 + (t54 + t54);
+  const Scalar t56 = k[3] * c6 + k[4] * s6;
+  const Scalar t57 = s5 * t47 + c5 * t50;
+  const Scalar t58 = t53 * t40;
+  const Scalar t59 = (t57 + t58) + t58;
+  const Scalar t60 = qdd[5] - t55;
+  const Scalar t61 = (t45 * t46 + t55 * t56) - (k[6] * t59 + k[5] * t60);
+  const Scalar t62 = t39 - t61;
+  const Scalar t63 = s4 * t5 + c4 * t9;
+  const Scalar t64 = t36 * t31;
+  const Scalar t65 = t63 + t64;
+  const Scalar t66 = qdd[4] - t65;
+  const Scalar t67 = t40 * t43;
+  const Scalar t68 = t66 + t67;
+  const Scalar t69 = t53 * t53;
+  const Scalar t70 = t69 - t44;
+  const Scalar t71 = t70 + t45;
+  const Scalar t72 = (k[6] * t68 + k[5] * (t70 + t38)) + (t71 * t56 - t52 * t46);
+  const Scalar t73 = t41 * t43;
+  const Scalar t74 = (t68 - t73) - t73;
+  const Scalar t75 = t41 * t53;
+  const Scalar t76 = (t75 - t59) + t75;
+  const Scalar t77 = t69 - t42;
+  const Scalar t78 = t45 + t77;
+  const Scalar t79 = t66 - t67;
+  const Scalar t80 = (t56 * t74 + t46 * t76) - (k[6] * t78 - k[5] * t79);
+  const Scalar t81 = t11 + t12;
+  const Scalar t82 = t81 - t38;
+  const Scalar t83 = t35 - t37;
+  const Scalar t84 = t82 - t83;
+  const Scalar t85 = c4 * t20 - s4 * t28;
+  const Scalar t86 = (k[10] * (t84 + t38) - k[9] * t47) - k[8] * t85;
+  const Scalar t87 = (c5 * t72 + s5 * t80) + t86;
+  const Scalar t88 = c4 * t62 + s4 * t87;
+  const Scalar t89 = k[11] * t5 - t88;
+  const Scalar t90 = t10 - t81;
+  const Scalar t91 = (k[39] * t5 - k[37] * t24) - k[35] * t90;
+  const Scalar t92 = t7 + t8;
+  const Scalar t93 = (s3 * t18 - c3 * t15) + Scalar(0.625) * t92;
+  const Scalar t94 = t93 - Scalar(3.5703125) * t81;
+  const Scalar t95 = t65 + t64;
+  const Scalar t96 = (k[20] * t95 + k[22] * t50) + k[19] * t82;
+  const Scalar t97 = t78 - t38;
+  const Scalar t98 = (k[31] * t60 - k[32] * t59) + k[30] * t97;
+  const Scalar t99 = k[24] * c6 - k[23] * s6;
+  const Scalar t100 = c6 * t99;
+  const Scalar t101 = k[26] - t100;
+  const Scalar t102 = k[25] + s6 * t99;
+  const Scalar t103 = k[27] * s6 - k[28] * c6;
+  const Scalar t104 = (t101 * t76 - t102 * t74) + t103 * t77;
+  const Scalar t105 = k[28] * s6 + k[27] * c6;
+  const Scalar t106 = c5 * t94 - s5 * t85;
+  const Scalar t107 = (k[6] * t29 - (t98 - k[29] * t79)) - ((t104 + t55 * t105) + t46 * t106);
+  const Scalar t108 = (k[30] * t68 + k[29] * t70) - (k[34] * t60 - k[31] * t59);
+  const Scalar t109 = s5 * t94 + c5 * t85;
+  const Scalar t110 = k[33] - t100;
+  const Scalar t111 = t70 * t102 - (t55 * t110 - t52 * t101);
+  const Scalar t112 = (t46 * t109 - t56 * t29) + (t111 + (t68 * t103 - t105 * t59));
+  const Scalar t113 = (k[5] * t29 - t108) - t112;
+  const Scalar t114 = (k[9] * t94 + (t96 - k[18] * t34)) - (c5 * t107 + s5 * t113);
+  const Scalar t115 = (t110 * t74 + t102 * t76) - (t52 * t103 - t105 * (t78 - t71));
+  const Scalar t116 = (k[32] * t68 + k[34] * t79) - k[31] * (t70 - t97);
+  const Scalar t117 = (t116 + (k[30] * t51 + k[29] * t57)) - (k[6] * t109 - k[5] * t106);
+  const Scalar t118 = (t106 * t56 - t115) + t117;
+  const Scalar t119 = (k[18] * t83 + k[19] * t47) + (k[20] * t50 + k[21] * t95);
+  const Scalar t120 = t118 + (t119 + k[10] * t94);
+  const Scalar t121 = Scalar(3.5703125) * t88 - (c4 * t114 - s4 * t120);
+  const Scalar t122 = ((t91 - k[36] * t92) - k[11] * t27) - t121;
+  const Scalar t123 = (k[36] * t13 - k[35] * t9) + (k[38] * t24 + k[37] * t5);
+  const Scalar t124 = k[20] * t84 - (k[22] * t47 + k[21] * t34);
+  const Scalar t125 = (t124 - (k[19] * t63 + k[18] * t49)) - (k[10] * t29 - k[9] * t85);
+  const Scalar t126 = (s5 * t107 - c5 * t113) + t125;
+  const Scalar t127 = t0 * t122 - (t123 - (Scalar(0.625) * t88 - t126)) * t2;
+  const Scalar t128 = k[1] * s2 + k[2] * c2;
+  const Scalar t129 = qdd[0] * t128;
+  const Scalar t130 = k[13] * s2 - k[12] * c2;
+  const Scalar t131 = k[14] - s2 * t130;
+  const Scalar t132 = qdd[0] * (k[15] + c2 * t130) + t26 * t131;
+  const Scalar t133 = k[16] * c2 + k[17] * s2;
+  const Scalar t134 = t17 * (k[17] * c2 - k[16] * s2) + qdd[1] * t133;
+  const Scalar t135 = (s2 * Scalar(3.359375) * t89 - t127) - (t129 - (t132 + t134));
+  const Scalar t136 = k[2] * s2 - k[1] * c2;
+  const Scalar t137 = k[0] * qdd[0] + (t135 + (t89 - (t129 - t136 * t26)));
+  const Scalar t138 = (t10 * t131 + k[40] * qdd[1]) - qdd[0] * t133;
+  const Scalar t139 = (k[39] * t9 + k[38] * t92) - k[37] * (t13 + t90);
+  const Scalar t140 = ((k[36] * t1 + k[35] * t21) + t139) - k[11] * t19;
+  const Scalar t141 = s4 * t62 - c4 * t87;
+  const Scalar t142 = Scalar(3.5703125) * t141 - (s4 * t114 + c4 * t120);
+  const Scalar t143 = k[8] * t94 - (k[10] * t95 + k[9] * t50);
+  const Scalar t144 = (s5 * t72 - c5 * t80) - t143;
+  const Scalar t145 = t140 + (t142 + Scalar(0.625) * t144);
+  const Scalar t146 = c3 * (k[11] * t81 + t144) - s3 * (t141 + k[11] * t9);
+  const Scalar t147 = ((t10 * t136 - k[7] * t128) + t138) - (t145 + Scalar(3.359375) * t146);
   JointVector<Scalar> result;
-  result[0] = (t134 + (t89 + t135)) - k[0] * qdd[0];
-  result[1] = -t145;
-  result[2] = -t144;
-  result[3] = -t113;
-  result[4] = t120;
-  result[5] = t110;
+  result[0] = -t137;
+  result[1] = t147;
+  result[2] = -t145;
+  result[3] = t126;
+  result[4] = t118;
+  result[5] = t112;
   return result;
 }
 
@@ -312,19 +320,20 @@ GravityTorqueConstants<Scalar> gravity_torque_constants([[maybe_unused]] const B
   using std::cos;
   using std::sin;
   const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = (Scalar(1.1425) * t0 + inertia.c4x * inertia.m4) + inertia.c3x * inertia.m3;
-  const Scalar t2 = inertia.c5x * inertia.m5 + (Scalar(0.2) * inertia.m6 + inertia.c6x * inertia.m6);
+  const Scalar t1 = inertia.c5x * inertia.m5 + (Scalar(0.2) * inertia.m6 + inertia.c6x * inertia.m6);
+  const Scalar t2 = Scalar(1.1425) * inertia.m4;
+  const Scalar t3 = Scalar(1.1425) * t0 - (t2 - (inertia.c4x * inertia.m4 + t2));
   return { gravity,
-           t1,
-           inertia.c3z * inertia.m3 + Scalar(0.2) * t0,
-           t2,
+           inertia.c2z * inertia.m2 + Scalar(1.075) * (inertia.m3 + t0),
+           inertia.c2x * inertia.m2,
            inertia.c5z * inertia.m5,
            inertia.c6z * inertia.m6,
            inertia.c6y * inertia.m6,
-           inertia.c4z * inertia.m4,
+           t1,
            inertia.c4y * inertia.m4 + inertia.c5y * inertia.m5,
-           inertia.c2x * inertia.m2,
-           inertia.c2z * inertia.m2 + Scalar(1.075) * (inertia.m3 + t0) };
+           inertia.c4z * inertia.m4,
+           inertia.c3z * inertia.m3 + Scalar(0.2) * t0,
+           t3 + inertia.c3x * inertia.m3 };
 }
 
 namespace detail {
@@ -342,28 +351,28 @@ inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Sca
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[0] * c2;
-  const Scalar t1 = k[0] * s2;
-  const Scalar t2 = s3 * t0 + c3 * t1;
-  const Scalar t3 = s3 * t1 - c3 * t0;
-  const Scalar t4 = s4 * t3;
-  const Scalar t5 = k[6] * s6 + k[5] * c6;
-  const Scalar t6 = c4 * t3;
-  const Scalar t7 = s5 * t2 + c5 * t6;
-  const Scalar t8 = k[6] * c6 - k[5] * s6;
-  const Scalar t9 = t5 * t4 - t7 * t8;
-  const Scalar t10 = k[4] * t4 + t9;
-  const Scalar t11 = c5 * t2 - s5 * t6;
-  const Scalar t12 = t11 * t8 - k[3] * t4;
-  const Scalar t13 = (s5 * t10 - c5 * t12) - k[8] * t2;
-  const Scalar t14 = t5 * t11 + (k[4] * t11 - k[3] * t7);
-  const Scalar t15 = s4 * t13 - c4 * (k[7] * t2 + t14);
-  const Scalar t16 = (k[2] * t2 - k[1] * t3) - t15;
-  const Scalar t17 = (c5 * t10 + s5 * t12) - (k[8] * t6 - k[7] * t4);
+  const Scalar t0 = k[0] * s2;
+  const Scalar t1 = k[0] * c2;
+  const Scalar t2 = s3 * t0 - c3 * t1;
+  const Scalar t3 = s3 * t1 + c3 * t0;
+  const Scalar t4 = k[4] * c6 + k[5] * s6;
+  const Scalar t5 = s4 * t2;
+  const Scalar t6 = k[4] * s6 - k[5] * c6;
+  const Scalar t7 = c4 * t2;
+  const Scalar t8 = s5 * t3 + c5 * t7;
+  const Scalar t9 = t4 * t5 + t6 * t8;
+  const Scalar t10 = t9 + k[3] * t5;
+  const Scalar t11 = c5 * t3 - s5 * t7;
+  const Scalar t12 = k[6] * t5 + t6 * t11;
+  const Scalar t13 = k[7] * t3 - (s5 * t10 + c5 * t12);
+  const Scalar t14 = (k[3] * t11 - k[6] * t8) + t11 * t4;
+  const Scalar t15 = s4 * t13 + c4 * (k[8] * t3 + t14);
+  const Scalar t16 = (k[10] * t2 - k[9] * t3) - t15;
+  const Scalar t17 = (c5 * t10 - s5 * t12) - (k[7] * t7 - k[8] * t5);
   JointVector<Scalar> result;
   result[0] = Scalar(0);
-  result[1] = -t16 - (k[10] * t1 + k[9] * t0);
-  result[2] = -t16;
+  result[1] = t16 - (k[2] * t1 + k[1] * t0);
+  result[2] = t16;
   result[3] = t17;
   result[4] = -t14;
   result[5] = t9;
@@ -391,87 +400,91 @@ CoriolisTorqueConstants<Scalar> coriolis_torque_constants([[maybe_unused]] const
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c4z * inertia.m4;
-  const Scalar t1 = inertia.c4y * inertia.m4;
-  const Scalar t2 = inertia.c5y * inertia.m5;
-  const Scalar t3 = inertia.c3z * inertia.m3;
-  const Scalar t4 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t5 = t3 + Scalar(0.2) * t4;
-  const Scalar t6 = Scalar(5.778125) * t5;
-  const Scalar t7 = inertia.c5x * inertia.m5;
-  const Scalar t8 = inertia.c6x * inertia.m6;
-  const Scalar t9 = Scalar(0.2) * inertia.m6 + t8;
-  const Scalar t10 = inertia.c5z * inertia.m5;
-  const Scalar t11 = inertia.c6z * inertia.m6;
-  const Scalar t12 = inertia.c6y * inertia.m6;
-  const Scalar t13 = inertia.c4x * inertia.m4;
-  const Scalar t14 = Scalar(1.1425) * t4 + t13;
-  const Scalar t15 = inertia.c3x * inertia.m3;
-  const Scalar t16 = (t14 + t15) - Scalar(5.7125) * t5;
-  const Scalar t17 = inertia.c2x * inertia.m2;
-  const Scalar t18 = inertia.c2z * inertia.m2;
-  const Scalar t19 = inertia.m3 + t4;
-  const Scalar t20 = Scalar(1.075) * ((t18 + Scalar(1.075) * t19) - Scalar(5.375) * t5);
-  const Scalar t21 = inertia.I2xz - inertia.c2z * t17;
-  const Scalar t22 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t23 = Scalar(1.155625) * t19 - ((inertia.I2zz - t22) - inertia.c2z * t18);
-  const Scalar t24 = (inertia.c2x * t17 - (inertia.I2xx - t22)) + (t6 - t23);
-  const Scalar t25 = inertia.c3y * inertia.m3;
-  const Scalar t26 = Scalar(1.075) * t25 - (inertia.I2yz - inertia.c2z * inertia.c2y * inertia.m2);
-  const Scalar t27 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t28 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t29 = ((inertia.I6xx - t28) - inertia.c6x * t8) - Scalar(0.2) * (t8 + t9);
-  const Scalar t30 = inertia.I6yz - inertia.c6z * t12;
-  const Scalar t31 = inertia.c6z * t11 - (inertia.I6zz - t28);
-  const Scalar t32 = (inertia.I6yy - t28) - inertia.c6y * t12;
-  const Scalar t33 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t34 = ((inertia.I4yy - t33) - inertia.c4y * t1) - (inertia.c5y * t2 - (inertia.I5yy - t27));
-  const Scalar t35 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t36 = ((inertia.I3zz - t35) - inertia.c3z * t3) - Scalar(0.04) * t4;
-  const Scalar t37 = Scalar(0.2) * t5 + t36;
-  const Scalar t38 = (Scalar(0.2) * t14 - (inertia.I3xz - inertia.c3z * t15)) - Scalar(1.1425) * t5;
-  const Scalar t39 = Scalar(1.1425) * (t13 + t14) - ((inertia.I4xx - t33) - inertia.c4x * t13);
-  const Scalar t40 = Scalar(6.52653125) * t5 - ((inertia.c3x * t15 - (inertia.I3xx - t35)) + t39);
-  return { Scalar(1.075) * t0,
-           Scalar(1.075) * (t1 + t2),
-           t6,
-           Scalar(1.075) * (t7 + t9),
-           Scalar(1.075) * t10,
-           Scalar(1.075) * t11,
-           Scalar(1.075) * t12,
-           Scalar(2.15) * t16,
-           Scalar(1.075) * t17,
-           t20,
-           Scalar(2) * t21,
-           t24,
-           t21,
-           inertia.I2xy - inertia.c2y * t17,
-           t26,
-           inertia.I5xz - inertia.c5z * t7,
-           (inertia.c5x * t7 - (inertia.I5xx - t27)) - t29,
-           inertia.I5xy - inertia.c5y * t7,
-           inertia.I5yz - inertia.c5z * t2,
-           Scalar(0.2) * t11 - (inertia.I6xz - inertia.c6z * t8),
-           Scalar(0.2) * t12 - (inertia.I6xy - inertia.c6y * t8),
-           Scalar(2) * t30,
-           t31 + t32,
-           t30,
-           t31,
-           inertia.c5z * t10 - (inertia.I5zz - t27),
-           t32,
-           inertia.I4xz - inertia.c4z * t13,
-           inertia.I4xy - inertia.c4y * t13,
-           (inertia.I4zz - t33) - inertia.c4z * t0,
+  const Scalar t0 = inertia.c3y * inertia.m3;
+  const Scalar t1 = Scalar(1.075) * t0 - (inertia.I2yz - inertia.c2z * inertia.c2y * inertia.m2);
+  const Scalar t2 = inertia.c2x * inertia.m2;
+  const Scalar t3 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t4 = inertia.c3z * inertia.m3;
+  const Scalar t5 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t6 = t4 + Scalar(0.2) * t5;
+  const Scalar t7 = Scalar(5.778125) * t6;
+  const Scalar t8 = inertia.m3 + t5;
+  const Scalar t9 = inertia.c2z * inertia.m2;
+  const Scalar t10 = Scalar(1.155625) * t8 - ((inertia.I2zz - t3) - inertia.c2z * t9);
+  const Scalar t11 = (inertia.c2x * t2 - (inertia.I2xx - t3)) + (t7 - t10);
+  const Scalar t12 = inertia.I2xz - inertia.c2z * t2;
+  const Scalar t13 = inertia.c6z * inertia.m6;
+  const Scalar t14 = inertia.c6y * inertia.m6;
+  const Scalar t15 = inertia.c5z * inertia.m5;
+  const Scalar t16 = inertia.c5x * inertia.m5;
+  const Scalar t17 = inertia.c6x * inertia.m6;
+  const Scalar t18 = Scalar(0.2) * inertia.m6 + t17;
+  const Scalar t19 = inertia.c4y * inertia.m4;
+  const Scalar t20 = inertia.c5y * inertia.m5;
+  const Scalar t21 = inertia.c4z * inertia.m4;
+  const Scalar t22 = Scalar(1.1425) * inertia.m4;
+  const Scalar t23 = inertia.c4x * inertia.m4;
+  const Scalar t24 = t23 + t22;
+  const Scalar t25 = t22 - t24;
+  const Scalar t26 = Scalar(1.1425) * t5 - t25;
+  const Scalar t27 = inertia.c3x * inertia.m3;
+  const Scalar t28 = (Scalar(0.2) * t26 - (inertia.I3xz - inertia.c3z * t27)) - Scalar(1.1425) * t6;
+  const Scalar t29 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t30 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t31 = Scalar(1.1425) * (t23 + t24) - ((inertia.I4xx - t30) - inertia.c4x * t23);
+  const Scalar t32 = Scalar(1.1425) * (t26 - t25) + (t31 + Scalar(1.1425) * (t25 - t24));
+  const Scalar t33 = ((inertia.c3x * t27 - (inertia.I3xx - t29)) + t32) - Scalar(6.52653125) * t6;
+  const Scalar t34 = inertia.I6yz - inertia.c6z * t14;
+  const Scalar t35 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t36 = inertia.c6z * t13 - (inertia.I6zz - t35);
+  const Scalar t37 = (inertia.I6yy - t35) - inertia.c6y * t14;
+  const Scalar t38 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t39 = ((inertia.I6xx - t35) - inertia.c6x * t17) - Scalar(0.2) * (t17 + t18);
+  const Scalar t40 = Scalar(1.1425) * t21;
+  const Scalar t41 = ((inertia.I4yy - t30) - inertia.c4y * t19) - (inertia.c5y * t20 - (inertia.I5yy - t38));
+  const Scalar t42 = Scalar(1.1425) * t19;
+  const Scalar t43 = ((inertia.I3zz - t29) - inertia.c3z * t4) - Scalar(0.04) * t5;
+  const Scalar t44 = Scalar(0.2) * t6 + t43;
+  const Scalar t45 = Scalar(1.075) * ((t9 + Scalar(1.075) * t8) - Scalar(5.375) * t6);
+  return { t1,
+           inertia.I2xy - inertia.c2y * t2,
+           t11,
+           Scalar(2) * t12,
+           t12,
+           Scalar(1.075) * t13,
+           Scalar(1.075) * t14,
+           Scalar(1.075) * t15,
+           Scalar(1.075) * (t16 + t18),
+           Scalar(1.075) * (t19 + t20),
+           Scalar(1.075) * t21,
+           t7,
+           Scalar(1.075) * ((t26 + t27) - Scalar(5.7125) * t6),
+           inertia.I3yz - inertia.c3z * t0,
+           Scalar(2) * t28,
+           t33,
+           inertia.I3xy - inertia.c3y * t27,
+           Scalar(2) * t34,
+           t36 + t37,
+           t37,
+           t36,
            t34,
-           inertia.I4yz - inertia.c4z * t1,
-           Scalar(2) * t37,
-           t38,
-           inertia.I3xy - inertia.c3y * t15,
-           inertia.I3yz - inertia.c3z * t25,
-           Scalar(1.075) * t16,
-           Scalar(2) * t38,
-           Scalar(2) * t40,
-           t40 - t37 };
+           Scalar(0.2) * t13 - (inertia.I6xz - inertia.c6z * t17),
+           Scalar(0.2) * t14 - (inertia.I6xy - inertia.c6y * t17),
+           inertia.I5yz - inertia.c5z * t20,
+           inertia.I5xy - inertia.c5y * t16,
+           inertia.I5xz - inertia.c5z * t16,
+           inertia.c5z * t15 - (inertia.I5zz - t38),
+           (inertia.c5x * t16 - (inertia.I5xx - t38)) - t39,
+           ((inertia.I4xz - inertia.c4z * t23) - t40) + t40,
+           t41,
+           inertia.I4yz - inertia.c4z * t19,
+           t42 - (t42 - (inertia.I4xy - inertia.c4y * t23)),
+           (inertia.I4zz - t30) - inertia.c4z * t21,
+           Scalar(2) * t44,
+           t45,
+           Scalar(1.075) * t2,
+           t28,
+           t44 + t33 };
 }
 
 namespace detail {
@@ -490,142 +503,140 @@ inline JointVector<Scalar> coriolis_torque([[maybe_unused]] const JointVector<Sc
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = qd[1] * qd[1];
-  const Scalar t1 = qd[0] * qd[1];
-  const Scalar t2 = t1 + t1;
-  const Scalar t3 = k[12] - s2 * (k[10] * s2 - k[11] * c2);
-  const Scalar t4 = (k[14] * s2 - k[13] * c2) * t0 - t2 * t3;
-  const Scalar t5 = c3 * s2 + c2 * s3;
-  const Scalar t6 = qd[0] * t5;
+  const Scalar t0 = qd[0] * s2;
+  const Scalar t1 = qd[0] * qd[0];
+  const Scalar t2 = Scalar(0.29767441860465116) * t1;
+  const Scalar t3 = t0 * qd[0] * c2 + c2 * t2;
+  const Scalar t4 = qd[1] * qd[1];
+  const Scalar t5 = s2 * t2 + (t4 + t0 * t0);
+  const Scalar t6 = s3 * t3 + c3 * t5;
   const Scalar t7 = qd[1] + qd[2];
-  const Scalar t8 = t6 * t7;
-  const Scalar t9 = s2 * s3 - c2 * c3;
-  const Scalar t10 = qd[0] * t9;
-  const Scalar t11 = s4 * t10;
-  const Scalar t12 = t11 - c4 * t7;
-  const Scalar t13 = t12 * t12;
-  const Scalar t14 = qd[3] - t6;
-  const Scalar t15 = t14 * t14;
-  const Scalar t16 = t13 + t15;
-  const Scalar t17 = s4 * t7 + c4 * t10;
-  const Scalar t18 = t17 * t12;
-  const Scalar t19 = t7 * t10;
-  const Scalar t20 = t18 + t19;
-  const Scalar t21 = t6 * t10;
-  const Scalar t22 = qd[0] * qd[0];
-  const Scalar t23 = Scalar(0.29767441860465116) * t22;
-  const Scalar t24 = qd[0] * s2;
-  const Scalar t25 = s2 * t23 + (t0 + t24 * t24);
-  const Scalar t26 = t24 * qd[0] * c2 + c2 * t23;
-  const Scalar t27 = c3 * t25 + s3 * t26;
-  const Scalar t28 = t7 * t7;
-  const Scalar t29 = t10 * t10;
-  const Scalar t30 = t28 - t29;
-  const Scalar t31 = Scalar(1.0627906976744186) * t21 - (t27 + Scalar(0.18604651162790697) * (t22 + t30));
-  const Scalar t32 = c2 * t2;
-  const Scalar t33 = t8 + t8;
-  const Scalar t34 = (t32 - Scalar(0.37209302325581395) * t19) - Scalar(1.0627906976744186) * t33;
-  const Scalar t35 = c4 * t31 - s4 * t34;
-  const Scalar t36 = (k[0] * t16 - k[1] * t20) - k[2] * t35;
-  const Scalar t37 = t28 + t29;
-  const Scalar t38 = t13 - t15;
-  const Scalar t39 = t37 - t38;
-  const Scalar t40 = qd[4] - t12;
-  const Scalar t41 = t40 * t40;
-  const Scalar t42 = s5 * t17 + c5 * t14;
-  const Scalar t43 = t41 - t42 * t42;
-  const Scalar t44 = t39 + t43;
-  const Scalar t45 = c5 * t17 - s5 * t14;
-  const Scalar t46 = t42 * t45;
-  const Scalar t47 = c4 * t21 + s4 * t33;
-  const Scalar t48 = t14 * t17;
-  const Scalar t49 = t47 + t48;
-  const Scalar t50 = t46 + t49;
-  const Scalar t51 = k[5] * c6 + k[6] * s6;
-  const Scalar t52 = t46 - t49;
-  const Scalar t53 = qd[5] + t42;
-  const Scalar t54 = t53 * t45;
-  const Scalar t55 = t52 - (t54 + t54);
-  const Scalar t56 = k[6] * c6 - k[5] * s6;
-  const Scalar t57 = t53 * t40;
-  const Scalar t58 = t6 * t11 - c4 * t33;
-  const Scalar t59 = Scalar(2) * t14 * t12 + t58;
-  const Scalar t60 = s5 * t20 + c5 * t59;
-  const Scalar t61 = Scalar(2) * t40 * t42 + t60;
-  const Scalar t62 = t57 + (t57 - t61);
-  const Scalar t63 = (k[3] * t44 + k[4] * t50) - (t51 * t55 + t56 * t62);
-  const Scalar t64 = t53 * t53;
-  const Scalar t65 = t41 + t64;
-  const Scalar t66 = s5 * t59 - c5 * t20;
-  const Scalar t67 = t41 - t64;
-  const Scalar t68 = t44 - t67;
-  const Scalar t69 = t65 - t68;
-  const Scalar t70 = t69 + t39;
-  const Scalar t71 = (t65 * t51 + t56 * t66) + (k[3] * t52 + k[4] * t70);
-  const Scalar t72 = t36 - (s5 * t63 - c5 * t71);
-  const Scalar t73 = t40 * t45;
-  const Scalar t74 = t73 + (t73 - t66);
-  const Scalar t75 = (k[4] * t74 - k[3] * t61) + (t68 * t56 + t74 * t51);
-  const Scalar t76 = t18 - t19;
-  const Scalar t77 = c4 * t34 + s4 * t31;
-  const Scalar t78 = (k[0] * t76 - k[1] * t39) + k[2] * t77;
-  const Scalar t79 = t75 - t78;
-  const Scalar t80 = s4 * t72 - c4 * t79;
-  const Scalar t81 = k[7] * t8 - t80;
-  const Scalar t82 = t22 - t37;
-  const Scalar t83 = k[34] * t82 - (k[37] * t19 - k[38] * t8);
-  const Scalar t84 = k[17] * t43 - (k[15] * t74 + k[16] * t61);
-  const Scalar t85 = k[21] * s6 - k[22] * c6;
+  const Scalar t8 = s2 * s3 - c2 * c3;
+  const Scalar t9 = qd[0] * t8;
+  const Scalar t10 = c4 * t9;
+  const Scalar t11 = s4 * t7 + t10;
+  const Scalar t12 = c3 * s2 + c2 * s3;
+  const Scalar t13 = qd[0] * t12;
+  const Scalar t14 = qd[3] - t13;
+  const Scalar t15 = s5 * t11 + c5 * t14;
+  const Scalar t16 = t15 * t15;
+  const Scalar t17 = c5 * t11 - s5 * t14;
+  const Scalar t18 = t17 * t17;
+  const Scalar t19 = t16 + t18;
+  const Scalar t20 = s4 * t9;
+  const Scalar t21 = t20 - c4 * t7;
+  const Scalar t22 = t21 * t21;
+  const Scalar t23 = t14 * t14;
+  const Scalar t24 = t22 - t23;
+  const Scalar t25 = t19 + t24;
+  const Scalar t26 = t13 * t13 - t9 * t9;
+  const Scalar t27 = t25 + t26;
+  const Scalar t28 = t6 + Scalar(0.18604651162790697) * t27;
+  const Scalar t29 = t7 * t9;
+  const Scalar t30 = qd[0] * qd[1];
+  const Scalar t31 = t30 + t30;
+  const Scalar t32 = c2 * t31;
+  const Scalar t33 = Scalar(0.37209302325581395) * t29 - t32;
+  const Scalar t34 = t13 * t7;
+  const Scalar t35 = t34 + t34;
+  const Scalar t36 = t13 * t20 - c4 * t35;
+  const Scalar t37 = (s4 * t28 + c4 * t33) - Scalar(1.0627906976744186) * t36;
+  const Scalar t38 = t11 * t21;
+  const Scalar t39 = t38 - t29;
+  const Scalar t40 = k[11] * t37 - (k[10] * t39 - k[9] * t19);
+  const Scalar t41 = qd[4] - t21;
+  const Scalar t42 = t41 * t15;
+  const Scalar t43 = t38 + t29;
+  const Scalar t44 = Scalar(2) * t14 * t21 + t36;
+  const Scalar t45 = s5 * t43 + c5 * t44;
+  const Scalar t46 = t42 + (t45 + t42);
+  const Scalar t47 = s5 * t44 - c5 * t43;
+  const Scalar t48 = t47 - Scalar(2) * t41 * t17;
+  const Scalar t49 = qd[5] + t15;
+  const Scalar t50 = t49 * t49;
+  const Scalar t51 = t50 + t18;
+  const Scalar t52 = k[6] * c6 - k[5] * s6;
+  const Scalar t53 = k[6] * s6 + k[5] * c6;
+  const Scalar t54 = (k[8] * t46 + k[7] * t48) - (t51 * t52 - t53 * t48);
+  const Scalar t55 = t40 - t54;
+  const Scalar t56 = Scalar(2) * t49;
+  const Scalar t57 = t41 * t56 - t46;
+  const Scalar t58 = t15 * t17;
+  const Scalar t59 = t13 * t10 + s4 * t35;
+  const Scalar t60 = t14 * t11;
+  const Scalar t61 = t59 + t60;
+  const Scalar t62 = t58 - t61;
+  const Scalar t63 = t17 * t56 - t62;
+  const Scalar t64 = t41 * t41;
+  const Scalar t65 = t64 - t16;
+  const Scalar t66 = t19 + t65;
+  const Scalar t67 = t58 + t61;
+  const Scalar t68 = (t57 * t52 - t53 * t63) - (k[8] * t66 + k[7] * t67);
+  const Scalar t69 = t64 + t50;
+  const Scalar t70 = t51 - t69;
+  const Scalar t71 = (t69 * t53 + t52 * t47) + (k[8] * t62 + k[7] * (t19 - t70));
+  const Scalar t72 = t22 + t23;
+  const Scalar t73 = (s4 * t33 - c4 * t28) + Scalar(1.0627906976744186) * t59;
+  const Scalar t74 = (k[10] * t72 - k[9] * t43) - k[11] * t73;
+  const Scalar t75 = (s5 * t68 + c5 * t71) + t74;
+  const Scalar t76 = c4 * t55 - s4 * t75;
+  const Scalar t77 = t76 + k[12] * t35;
+  const Scalar t78 = t1 - t27;
+  const Scalar t79 = t13 * t9;
+  const Scalar t80 = (k[14] * t34 - k[34] * t29) - (k[13] * t78 + k[16] * t79);
+  const Scalar t81 = (k[24] * t70 - k[25] * t62) - (k[26] * t46 - k[27] * t48);
+  const Scalar t82 = (c3 * t3 - s3 * t5) - Scalar(0.18604651162790697) * t79;
+  const Scalar t83 = Scalar(1.0627906976744186) * t25 + t82;
+  const Scalar t84 = s5 * t83 - c5 * t73;
+  const Scalar t85 = k[18] * c6 - k[17] * s6;
   const Scalar t86 = c6 * t85;
-  const Scalar t87 = k[24] + t86;
-  const Scalar t88 = k[23] - s6 * t85;
-  const Scalar t89 = k[20] * c6 - k[19] * s6;
-  const Scalar t90 = (t62 * t87 - t55 * t88) - t89 * t67;
-  const Scalar t91 = k[19] * c6 + k[20] * s6;
-  const Scalar t92 = (s3 * t25 - c3 * t26) + Scalar(0.18604651162790697) * t21;
-  const Scalar t93 = Scalar(1.0627906976744186) * t37 - t92;
-  const Scalar t94 = c5 * t93 + s5 * t35;
-  const Scalar t95 = ((k[18] * t50 + t84) - k[3] * t77) + ((t90 + t91 * t74) - t94 * t56);
-  const Scalar t96 = c5 * t35 - s5 * t93;
-  const Scalar t97 = k[26] + t86;
-  const Scalar t98 = t69 * t88 - (t97 * t74 + t66 * t87);
-  const Scalar t99 = (t51 * t77 - t96 * t56) - (t98 - (t91 * t61 + t89 * t52));
-  const Scalar t100 = (k[17] * t52 + k[18] * t69) + (k[15] * t61 + k[25] * t74);
-  const Scalar t101 = t99 + (k[4] * t77 - t100);
-  const Scalar t102 = t49 + t48;
-  const Scalar t103 = k[28] * t38 + (k[30] * t59 + k[31] * t102);
-  const Scalar t104 = (c5 * t95 - s5 * t101) + ((t103 + k[27] * t76) - k[1] * t93);
-  const Scalar t105 = (t89 * t66 + t91 * (t69 - t67)) - (t62 * t88 + t97 * t55);
-  const Scalar t106 = k[15] * (t70 - t44) - (k[16] * t52 - k[25] * t50);
-  const Scalar t107 = (k[4] * t94 + k[3] * t96) + (t106 - (k[18] * t60 - k[17] * t66));
-  const Scalar t108 = (t105 - t94 * t51) - t107;
-  const Scalar t109 = t37 - t16;
-  const Scalar t110 = (k[31] * t59 + k[29] * t102) + (k[28] * t20 + k[27] * t109);
-  const Scalar t111 = t108 + (t110 - k[0] * t93);
-  const Scalar t112 = (c4 * t104 - s4 * t111) - Scalar(1.0627906976744186) * t80;
-  const Scalar t113 = ((k[35] * t21 + t83) + k[36] * t32) - t112;
-  const Scalar t114 = k[31] * (t38 - t109) + (k[29] * t76 - k[30] * t20);
-  const Scalar t115 = (k[0] * t77 - k[1] * t35) - (t114 + (k[27] * t58 - k[28] * t47));
-  const Scalar t116 = (s5 * t95 + c5 * t101) + t115;
-  const Scalar t117 = (k[32] * t19 - k[33] * t33) - (k[35] * t30 - k[34] * t21);
-  const Scalar t118 = t9 * t113 - ((t116 + Scalar(0.18604651162790697) * t80) + t117) * t5;
-  const Scalar t119 = k[8] * s2 - k[9] * c2;
-  const Scalar t120 = (t4 - (s2 * t81 + t118)) - Scalar(0.29767441860465116) * (t2 * t119 + t81);
-  const Scalar t121 = k[36] * t27 + (k[39] * t21 + k[33] * (t30 + t82));
-  const Scalar t122 = (k[1] * t59 + k[0] * t102) + k[2] * t93;
-  const Scalar t123 = t122 + (s5 * t71 + c5 * t63);
-  const Scalar t124 = c4 * t72 + s4 * t79;
-  const Scalar t125 = (c4 * t111 + s4 * t104) + Scalar(1.0627906976744186) * t124;
-  const Scalar t126 = t121 - (Scalar(0.18604651162790697) * t123 - t125);
-  const Scalar t127 = c3 * (k[36] * t37 + t123) + s3 * (t124 - k[36] * t21);
-  const Scalar t128 = (t126 - t127) + (t22 * t3 + t119 * t23);
+  const Scalar t87 = k[19] - t86;
+  const Scalar t88 = k[20] - t86;
+  const Scalar t89 = k[21] + s6 * t85;
+  const Scalar t90 = (t87 * t48 - t88 * t47) - t70 * t89;
+  const Scalar t91 = k[23] * c6 - k[22] * s6;
+  const Scalar t92 = k[22] * c6 + k[23] * s6;
+  const Scalar t93 = (t53 * t37 - t84 * t52) + (t90 - (t62 * t91 + t92 * t46));
+  const Scalar t94 = (k[7] * t37 - t81) + t93;
+  const Scalar t95 = k[25] * t65 - (k[28] * t46 - k[26] * t48);
+  const Scalar t96 = (t63 * t89 + t57 * t88) + t91 * (t51 - t66);
+  const Scalar t97 = s5 * t73 + c5 * t83;
+  const Scalar t98 = (k[8] * t37 + (t95 + k[24] * t67)) - ((t92 * t48 - t96) + t52 * t97);
+  const Scalar t99 = k[31] * (t19 - t72) - (k[33] * t39 - k[30] * t43);
+  const Scalar t100 = (k[9] * t73 + k[10] * t37) - ((k[32] * t59 - k[29] * t36) + t99);
+  const Scalar t101 = (c5 * t94 - s5 * t98) + t100;
+  const Scalar t102 = k[16] * (t26 + t78) - (k[14] * t29 + k[15] * t35);
+  const Scalar t103 = t60 + t61;
+  const Scalar t104 = (k[31] * t44 + k[33] * t103) + (k[32] * t43 + k[29] * (t25 - t72));
+  const Scalar t105 = k[26] * (t70 + t65) - (k[27] * t67 - k[28] * t62);
+  const Scalar t106 = (k[8] * t84 - k[7] * t97) + ((k[24] * t45 - k[25] * t47) + t105);
+  const Scalar t107 = (t57 * t89 - t63 * t87) - (t91 * t47 + (t50 - t18) * t92);
+  const Scalar t108 = t106 - (t53 * t97 + t107);
+  const Scalar t109 = (t104 - k[10] * t83) + t108;
+  const Scalar t110 = (k[30] * t44 + k[31] * t103) + k[32] * t24;
+  const Scalar t111 = (s5 * t94 + c5 * t98) + ((t110 + k[29] * t39) - k[9] * t83);
+  const Scalar t112 = Scalar(1.0627906976744186) * t76 - (s4 * t109 - c4 * t111);
+  const Scalar t113 = ((t102 + k[13] * t79) + k[12] * t32) - t112;
+  const Scalar t114 = t12 * (t80 + (Scalar(0.18604651162790697) * t76 + t101)) + t113 * t8;
+  const Scalar t115 = k[4] - s2 * (k[3] * s2 - k[2] * c2);
+  const Scalar t116 = (k[0] * s2 - k[1] * c2) * t4 - t115 * t31;
+  const Scalar t117 = k[35] * c2 - k[36] * s2;
+  const Scalar t118 = ((s2 * t77 + t114) - t116) - Scalar(0.29767441860465116) * (t117 * t31 - t77);
+  const Scalar t119 = k[11] * t83 + (k[10] * t103 + k[9] * t44);
+  const Scalar t120 = (c5 * t68 - s5 * t71) - t119;
+  const Scalar t121 = c4 * t75 + s4 * t55;
+  const Scalar t122 = (c4 * t109 + s4 * t111) + Scalar(1.0627906976744186) * t121;
+  const Scalar t123 = (k[37] * t26 - k[38] * t79) + k[12] * t6;
+  const Scalar t124 = (Scalar(0.18604651162790697) * t120 + t122) + t123;
+  const Scalar t125 = c3 * (t120 - k[12] * t25) + s3 * (k[12] * t79 - t121);
+  const Scalar t126 = (t124 + t125) - (t117 * t2 - t115 * t1);
   JointVector<Scalar> result;
-  result[0] = t120;
-  result[1] = t128;
-  result[2] = t126;
-  result[3] = -t116;
+  result[0] = -t118;
+  result[1] = t126;
+  result[2] = t124;
+  result[3] = t101;
   result[4] = t108;
-  result[5] = -t99;
+  result[5] = t93;
   return result;
 }
 
@@ -663,12 +674,12 @@ MassMatrixConstants<Scalar> mass_matrix_constants([[maybe_unused]] const BasicGe
   const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
   const Scalar t10 = ((inertia.I4yy - t6) - inertia.c4y * t7) - (inertia.c5y * t8 - (inertia.I5yy - t9));
   const Scalar t11 = inertia.c5z * inertia.m5;
-  const Scalar t12 = inertia.c5x * inertia.m5;
+  const Scalar t12 = Scalar(0.2) * t2;
   const Scalar t13 = inertia.c6x * inertia.m6;
-  const Scalar t14 = Scalar(0.2) * inertia.m6 + t13;
-  const Scalar t15 = ((inertia.I6xx - t3) - inertia.c6x * t13) - Scalar(0.2) * (t13 + t14);
-  const Scalar t16 = Scalar(0.2) * t2;
-  const Scalar t17 = Scalar(0.2) * t0;
+  const Scalar t14 = Scalar(0.2) * t0;
+  const Scalar t15 = inertia.c5x * inertia.m5;
+  const Scalar t16 = Scalar(0.2) * inertia.m6 + t13;
+  const Scalar t17 = ((inertia.I6xx - t3) - inertia.c6x * t13) - Scalar(0.2) * (t13 + t16);
   const Scalar t18 = inertia.c4z * inertia.m4;
   const Scalar t19 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
   const Scalar t20 = inertia.c3y * inertia.m3;
@@ -677,58 +688,64 @@ MassMatrixConstants<Scalar> mass_matrix_constants([[maybe_unused]] const BasicGe
   const Scalar t23 = ((inertia.I3yy - t19) - inertia.c3y * t20) + ((inertia.I2yy - t21) - inertia.c2y * t22);
   const Scalar t24 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
   const Scalar t25 = t23 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t24));
-  const Scalar t26 = inertia.c3z * inertia.m3;
-  const Scalar t27 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t26 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t27 = Scalar(1.1425) * inertia.m4;
   const Scalar t28 = inertia.c4x * inertia.m4;
-  const Scalar t29 = Scalar(1.1425) * t27 + t28;
-  const Scalar t30 = inertia.c3x * inertia.m3;
-  const Scalar t31 = inertia.c2z * inertia.m2;
-  const Scalar t32 = inertia.m3 + t27;
-  const Scalar t33 = inertia.c2x * inertia.m2;
-  const Scalar t34 = Scalar(1.1425) * (t28 + t29) - ((inertia.I4xx - t6) - inertia.c4x * t28);
-  const Scalar t35 = ((inertia.I3zz - t19) - inertia.c3z * t26) - Scalar(0.04) * t27;
-  const Scalar t36 = Scalar(1.155625) * t32 - ((inertia.I2zz - t21) - inertia.c2z * t31);
-  const Scalar t37 = Scalar(0.1024) * (inertia.m2 + t32)
+  const Scalar t29 = t28 + t27;
+  const Scalar t30 = t27 - t29;
+  const Scalar t31 = Scalar(1.1425) * t26 - t30;
+  const Scalar t32 = inertia.c3x * inertia.m3;
+  const Scalar t33 = inertia.c3z * inertia.m3;
+  const Scalar t34 = inertia.c2z * inertia.m2;
+  const Scalar t35 = inertia.m3 + t26;
+  const Scalar t36 = inertia.c2x * inertia.m2;
+  const Scalar t37 = Scalar(1.1425) * t7;
+  const Scalar t38 = Scalar(1.1425) * t18;
+  const Scalar t39 = ((inertia.I3zz - t19) - inertia.c3z * t33) - Scalar(0.04) * t26;
+  const Scalar t40 = Scalar(1.1425) * (t28 + t29) - ((inertia.I4xx - t6) - inertia.c4x * t28);
+  const Scalar t41 = Scalar(1.1425) * (t31 - t30) + (t40 + Scalar(1.1425) * (t30 - t29));
+  const Scalar t42 = Scalar(1.155625) * t35 - ((inertia.I2zz - t21) - inertia.c2z * t34);
+  const Scalar t43 = Scalar(0.1024) * (inertia.m2 + t35)
       + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t24));
   return { Scalar(2) * t1,
            t4 + t5,
-           t5,
-           t4 - t5,
+           t4,
            t10,
+           t4 - t5,
            inertia.c5z * t11 - (inertia.I5zz - t9),
-           (inertia.c5x * t12 - (inertia.I5xx - t9)) - t15,
-           t16 - (inertia.I6xz - inertia.c6z * t13),
-           t17 - (inertia.I6xy - inertia.c6y * t13),
-           inertia.I5xz - inertia.c5z * t12,
+           t12 - (inertia.I6xz - inertia.c6z * t13),
+           t14 - (inertia.I6xy - inertia.c6y * t13),
+           inertia.I5xz - inertia.c5z * t15,
+           (inertia.c5x * t15 - (inertia.I5xx - t9)) - t17,
            (inertia.I4zz - t6) - inertia.c4z * t18,
            t1,
            inertia.I5yz - inertia.c5z * t8,
-           inertia.I5xy - inertia.c5y * t12,
+           inertia.I5xy - inertia.c5y * t15,
            inertia.I4yz - inertia.c4z * t7,
            t25,
-           Scalar(0.2) * (t12 + t14),
-           t16,
-           t17,
+           Scalar(0.2) * (t15 + t16),
+           t12,
+           t14,
            Scalar(0.2) * t11,
+           Scalar(0.2) * (t31 + t32),
            Scalar(0.2) * t18,
            Scalar(0.2) * (t7 + t8),
-           Scalar(0.2) * (t26 + Scalar(0.2) * t27),
-           Scalar(0.2) * (t29 + t30),
-           Scalar(0.2) * (t31 + Scalar(1.075) * t32),
-           Scalar(0.2) * t33,
-           (inertia.c3x * t30 - (inertia.I3xx - t19)) + t34,
-           t35,
-           inertia.I4xz - inertia.c4z * t28,
-           inertia.I4xy - inertia.c4y * t28,
-           Scalar(0.2) * t29 - (inertia.I3xz - inertia.c3z * t30),
-           inertia.c2x * t33 - (inertia.I2xx - t21),
-           t36,
-           inertia.I2xz - inertia.c2z * t33,
-           t37,
-           inertia.I3xy - inertia.c3y * t30,
+           Scalar(0.2) * (t33 + Scalar(0.2) * t26),
+           Scalar(0.2) * (t34 + Scalar(1.075) * t35),
+           Scalar(0.2) * t36,
+           t37 - (t37 - (inertia.I4xy - inertia.c4y * t28)),
+           ((inertia.I4xz - inertia.c4z * t28) - t38) + t38,
+           Scalar(0.2) * t31 - (inertia.I3xz - inertia.c3z * t32),
+           t39,
+           (inertia.c3x * t32 - (inertia.I3xx - t19)) + t41,
+           t42,
+           inertia.c2x * t36 - (inertia.I2xx - t21),
+           inertia.I2xz - inertia.c2z * t36,
+           t43,
+           inertia.I3xy - inertia.c3y * t32,
            inertia.I3yz - inertia.c3z * t20,
-           Scalar(1.075) * t20 - (inertia.I2yz - inertia.c2z * t22),
-           inertia.I2xy - inertia.c2y * t33 };
+           inertia.I2xy - inertia.c2y * t36,
+           Scalar(1.075) * t20 - (inertia.I2yz - inertia.c2z * t22) };
 }
 
 namespace detail {
@@ -748,105 +765,101 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointV
   const Scalar& c6 = angles.cosine[4];
   const Scalar t0 = k[0] * s6 - k[1] * c6;
   const Scalar t1 = k[2] + c6 * t0;
-  const Scalar t2 = k[5] - t1;
-  const Scalar t3 = k[6] + t2;
-  const Scalar t4 = k[7] * c6 + k[8] * s6;
-  const Scalar t5 = k[9] - t4;
-  const Scalar t6 = Scalar(2) * c5 * t5 + s5 * (k[6] - t2);
-  const Scalar t7 = k[6] - s5 * t6;
-  const Scalar t8 = k[10] - (t3 - t7);
-  const Scalar t9 = k[4] - (k[3] + t1);
-  const Scalar t10 = k[8] * c6 - k[7] * s6;
+  const Scalar t2 = k[3] - t1;
+  const Scalar t3 = k[6] * c6 + k[7] * s6;
+  const Scalar t4 = k[8] - t3;
+  const Scalar t5 = c5 * t4;
+  const Scalar t6 = k[5] + (k[4] - t1);
+  const Scalar t7 = (t5 + t5) + s5 * (k[9] - t6);
+  const Scalar t8 = s5 * t7 + t6;
+  const Scalar t9 = k[10] - t8;
+  const Scalar t10 = k[7] * c6 - k[6] * s6;
   const Scalar t11 = k[13] - t10;
   const Scalar t12 = k[12] + (k[11] - s6 * t0);
   const Scalar t13 = s5 * t11 - c5 * t12;
   const Scalar t14 = k[14] - t13;
   const Scalar t15 = c4 * t14;
-  const Scalar t16 = s4 * (t8 - t9) - (t15 + t15);
-  const Scalar t17 = s4 * t16 + t9;
+  const Scalar t16 = s4 * (t2 - t9) + (t15 + t15);
+  const Scalar t17 = s4 * t16 - t2;
   const Scalar t18 = k[17] * c6 + k[18] * s6;
   const Scalar t19 = k[19] + t18;
-  const Scalar t20 = s5 * t19 + k[16] * c5;
-  const Scalar t21 = k[23] + t20;
-  const Scalar t22 = c5 * t19 - k[16] * s5;
-  const Scalar t23 = k[20] + t22;
-  const Scalar t24 = k[17] * s6 - k[18] * c6;
-  const Scalar t25 = k[21] - t24;
-  const Scalar t26 = c4 * t23 + s4 * t25;
-  const Scalar t27 = k[22] + t26;
-  const Scalar t28 = c3 * t21 + s3 * t27;
-  const Scalar t29 = s3 * t21 - c3 * t27;
-  const Scalar t30 = c2 * (k[25] + t28) + s2 * (k[24] - t29);
-  const Scalar t31 = Scalar(5.7125) * t20;
-  const Scalar t32 = k[26] + (Scalar(2) * t31 + t7);
-  const Scalar t33 = k[28] + (c5 * t6 - t5);
-  const Scalar t34 = c5 * t11 + s5 * t12;
-  const Scalar t35 = k[29] + t34;
-  const Scalar t36 = (c4 * t33 + s4 * t35) - Scalar(5.7125) * t26;
-  const Scalar t37 = k[30] - (t36 - t20);
-  const Scalar t38 = c3 * t37;
-  const Scalar t39 = t8 + t9;
-  const Scalar t40 = k[27] - (Scalar(2) * t26 + (t17 - t39));
-  const Scalar t41 = (t38 + t38) - s3 * (t32 + t40);
-  const Scalar t42 = s3 * t41;
-  const Scalar t43 = k[31] + (t32 + t42);
-  const Scalar t44 = Scalar(5.375) * t29;
-  const Scalar t45 = k[32] - ((t42 + t40) + (t44 + t44));
-  const Scalar t46 = k[33] - ((c3 * t41 - t37) + Scalar(5.375) * t28);
-  const Scalar t47 = s2 * t46;
-  const Scalar t48 = c2 * (c2 * (t43 - t45) - (t47 + t47));
-  const Scalar t49 = (k[15] + t17) - (k[34] + (Scalar(3.2) * t30 + (t48 + t45)));
-  const Scalar t50 = c4 * t25 - s4 * t23;
-  const Scalar t51 = Scalar(5.7125) * t50 + (s4 * t33 - c4 * t35);
+  const Scalar t20 = c5 * t19 - k[16] * s5;
+  const Scalar t21 = k[21] + t20;
+  const Scalar t22 = (k[27] - (t4 - c5 * t7)) - Scalar(5.7125) * t21;
+  const Scalar t23 = k[17] * s6 - k[18] * c6;
+  const Scalar t24 = k[22] - t23;
+  const Scalar t25 = s5 * t12 + c5 * t11;
+  const Scalar t26 = Scalar(5.7125) * t24 - (k[26] + t25);
+  const Scalar t27 = c4 * t22 - s4 * t26;
+  const Scalar t28 = s5 * t19 + k[16] * c5;
+  const Scalar t29 = k[28] - (t27 - t28);
+  const Scalar t30 = k[9] + t6;
+  const Scalar t31 = k[30] + ((t30 - t8) + Scalar(11.425) * t28);
+  const Scalar t32 = s4 * t24 + c4 * t21;
+  const Scalar t33 = t2 + t9;
+  const Scalar t34 = k[29] - (Scalar(2) * t32 - (t33 + t17));
+  const Scalar t35 = Scalar(2) * c3 * t29 - s3 * (t31 + t34);
+  const Scalar t36 = s3 * t35 + t34;
+  const Scalar t37 = k[20] + t28;
+  const Scalar t38 = k[23] + t32;
+  const Scalar t39 = s3 * t37 - c3 * t38;
+  const Scalar t40 = Scalar(5.375) * t39;
+  const Scalar t41 = k[31] - (t36 + (t40 + t40));
+  const Scalar t42 = t31 - t34;
+  const Scalar t43 = k[32] + (t42 + t36);
+  const Scalar t44 = c3 * t37 + s3 * t38;
+  const Scalar t45 = k[33] - (Scalar(5.375) * t44 - (t29 - c3 * t35));
+  const Scalar t46 = c2 * (t41 - t43) + Scalar(2) * s2 * t45;
+  const Scalar t47 = c2 * (k[25] + t44) + s2 * (k[24] - t39);
+  const Scalar t48 = k[34] + ((t41 - c2 * t46) + Scalar(3.2) * t47);
+  const Scalar t49 = s4 * t21 - c4 * t24;
+  const Scalar t50 = Scalar(5.375) * t49;
+  const Scalar t51 = c4 * t26 + s4 * t22;
   const Scalar t52 = k[35] - t51;
-  const Scalar t53 = k[36] - (t50 + (t14 + c4 * t16));
+  const Scalar t53 = k[36] - ((t14 - c4 * t16) - t49);
   const Scalar t54 = s3 * t52 - c3 * t53;
-  const Scalar t55 = Scalar(5.375) * t50;
-  const Scalar t56 = s3 * t53 + c3 * t52;
-  const Scalar t57 = c2 * (k[37] + (t54 + t55)) + s2 * (k[38] + t56);
-  const Scalar t58 = Scalar(5.375) * s2;
-  const Scalar t59 = s2 * s3 - c2 * c3;
-  const Scalar t60 = c3 * s2 + c2 * s3;
-  const Scalar t61 = t58 * t26 + (t59 * t36 - (t39 - t26) * t60);
-  const Scalar t62 = s4 * t20;
-  const Scalar t63 = t3 + t31;
-  const Scalar t64 = (t62 - t34) * t60 + t59 * (c4 * t13 - s4 * t63);
-  const Scalar t65 = c5 * t24;
-  const Scalar t66 = s4 * t65 - c4 * t18;
-  const Scalar t67 = k[3] * s5 + c5 * t4;
-  const Scalar t68 = (c4 * t67 + s4 * t10) - Scalar(5.7125) * t66;
-  const Scalar t69 = k[3] * c5 - s5 * t4;
-  const Scalar t70 = t66 * t58 + (t59 * t68 + (t66 - t69) * t60);
-  const Scalar t71 = t32 - t40;
-  const Scalar t72 = Scalar(5.375) * (s3 * c4 * t20 - c3 * t22);
-  const Scalar t73 = t22 + (c4 * t63 + s4 * t13);
-  const Scalar t74 = s5 * t24;
-  const Scalar t75 = s4 * t18 + c4 * t65;
-  const Scalar t76 = (s4 * t67 - c4 * t10) + Scalar(5.7125) * t75;
-  const Scalar t77 = t74 - t76;
-  const Scalar t78 = t77 + Scalar(5.375) * (s3 * t75 + c3 * t74);
+  const Scalar t55 = s3 * t53 + c3 * t52;
+  const Scalar t56 = c2 * (k[38] - (t50 - t54)) + s2 * (k[37] + t55);
+  const Scalar t57 = s2 * s3 - c2 * c3;
+  const Scalar t58 = c3 * s2 + c2 * s3;
+  const Scalar t59 = Scalar(5.375) * s2;
+  const Scalar t60 = (t57 * t27 - (t33 - t32) * t58) + t32 * t59;
+  const Scalar t61 = s4 * t28;
+  const Scalar t62 = t30 + Scalar(5.7125) * t28;
+  const Scalar t63 = (t25 - t61) * t58 - t57 * (c4 * t13 - s4 * t62);
+  const Scalar t64 = c5 * t23;
+  const Scalar t65 = s4 * t64 - c4 * t18;
+  const Scalar t66 = s5 * t3 - k[4] * c5;
+  const Scalar t67 = t10 - Scalar(5.7125) * t64;
+  const Scalar t68 = (k[4] * s5 + c5 * t3) + Scalar(5.7125) * t18;
+  const Scalar t69 = (t66 + t65) * t58 + t57 * (s4 * t67 + c4 * t68);
+  const Scalar t70 = Scalar(5.375) * (s3 * c4 * t28 - c3 * t20);
+  const Scalar t71 = t20 + (s4 * t13 + c4 * t62);
+  const Scalar t72 = s5 * t23;
+  const Scalar t73 = t72 - (s4 * t68 - c4 * t67);
+  const Scalar t74 = s3 * (s4 * t18 + c4 * t64) + c3 * t72;
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = -t49;
-  result(0, 1) = result(1, 0) = -t57;
-  result(0, 2) = result(2, 0) = -c2 * t54 - s2 * t56;
-  result(0, 3) = result(3, 0) = -t61 - Scalar(1.6) * t26;
-  result(0, 4) = result(4, 0) = Scalar(1.6) * t62 + (t64 + t62 * t58);
-  result(0, 5) = result(5, 0) = Scalar(1.6) * t66 + t70;
-  result(1, 1) = t43 + t45;
-  result(1, 2) = result(2, 1) = t71 - t44;
-  result(1, 3) = result(3, 1) = s3 * t55 - t51;
-  result(1, 4) = result(4, 1) = t73 - t72;
-  result(1, 5) = result(5, 1) = -t78;
-  result(2, 2) = t71;
+  result(0, 0) = t48 - (k[15] - t17);
+  result(0, 1) = result(1, 0) = -t56;
+  result(0, 2) = result(2, 0) = -s2 * t55 - c2 * t54;
+  result(0, 3) = result(3, 0) = -t60 - Scalar(1.6) * t32;
+  result(0, 4) = result(4, 0) = Scalar(1.6) * t61 - (t63 - t61 * t59);
+  result(0, 5) = result(5, 0) = Scalar(1.6) * t65 + (t65 * t59 + t69);
+  result(1, 1) = t41 + t43;
+  result(1, 2) = result(2, 1) = t42 - t40;
+  result(1, 3) = result(3, 1) = -t51 - s3 * t50;
+  result(1, 4) = result(4, 1) = t71 - t70;
+  result(1, 5) = result(5, 1) = -t73 - Scalar(5.375) * t74;
+  result(2, 2) = t42;
   result(2, 3) = result(3, 2) = -t51;
-  result(2, 4) = result(4, 2) = t73;
-  result(2, 5) = result(5, 2) = -t77;
-  result(3, 3) = -t39;
-  result(3, 4) = result(4, 3) = t34;
-  result(3, 5) = result(5, 3) = t69;
-  result(4, 4) = t3;
+  result(2, 4) = result(4, 2) = t71;
+  result(2, 5) = result(5, 2) = -t73;
+  result(3, 3) = -t33;
+  result(3, 4) = result(4, 3) = t25;
+  result(3, 5) = result(5, 3) = -t66;
+  result(4, 4) = t30;
   result(4, 5) = result(5, 4) = -t10;
-  result(5, 5) = k[3];
+  result(5, 5) = k[4];
   return result;
 }
 
@@ -876,72 +889,78 @@ CoriolisMatrixConstants<Scalar> coriolis_matrix_constants([[maybe_unused]] const
   const Scalar t3 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
   const Scalar t4 = inertia.c6z * t2 - (inertia.I6zz - t3);
   const Scalar t5 = (inertia.I6yy - t3) - inertia.c6y * t0;
-  const Scalar t6 = Scalar(0.2) * t2;
-  const Scalar t7 = inertia.c6x * inertia.m6;
-  const Scalar t8 = Scalar(0.2) * t0;
-  const Scalar t9 = inertia.c5x * inertia.m5;
-  const Scalar t10 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t11 = Scalar(0.2) * inertia.m6 + t7;
-  const Scalar t12 = ((inertia.I6xx - t3) - inertia.c6x * t7) - Scalar(0.2) * (t7 + t11);
-  const Scalar t13 = inertia.c5z * inertia.m5;
-  const Scalar t14 = inertia.c5y * inertia.m5;
-  const Scalar t15 = inertia.c4y * inertia.m4;
-  const Scalar t16 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t17 = ((inertia.I4yy - t16) - inertia.c4y * t15) - (inertia.c5y * t14 - (inertia.I5yy - t10));
+  const Scalar t6 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t7 = inertia.c4y * inertia.m4;
+  const Scalar t8 = inertia.c5y * inertia.m5;
+  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t10 = ((inertia.I4yy - t6) - inertia.c4y * t7) - (inertia.c5y * t8 - (inertia.I5yy - t9));
+  const Scalar t11 = Scalar(0.2) * t2;
+  const Scalar t12 = inertia.c6x * inertia.m6;
+  const Scalar t13 = Scalar(0.2) * t0;
+  const Scalar t14 = inertia.c5x * inertia.m5;
+  const Scalar t15 = inertia.c5z * inertia.m5;
+  const Scalar t16 = Scalar(0.2) * inertia.m6 + t12;
+  const Scalar t17 = ((inertia.I6xx - t3) - inertia.c6x * t12) - Scalar(0.2) * (t12 + t16);
   const Scalar t18 = inertia.c4z * inertia.m4;
-  const Scalar t19 = inertia.c3x * inertia.m3;
-  const Scalar t20 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t19 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t20 = Scalar(1.1425) * inertia.m4;
   const Scalar t21 = inertia.c4x * inertia.m4;
-  const Scalar t22 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t23 = Scalar(1.1425) * t22 + t21;
-  const Scalar t24 = Scalar(1.1425) * (t21 + t23) - ((inertia.I4xx - t16) - inertia.c4x * t21);
-  const Scalar t25 = inertia.c3z * inertia.m3;
-  const Scalar t26 = ((inertia.I3zz - t20) - inertia.c3z * t25) - Scalar(0.04) * t22;
+  const Scalar t22 = t21 + t20;
+  const Scalar t23 = t20 - t22;
+  const Scalar t24 = Scalar(1.1425) * t19 - t23;
+  const Scalar t25 = inertia.c3x * inertia.m3;
+  const Scalar t26 = inertia.c3z * inertia.m3;
   const Scalar t27 = inertia.c2x * inertia.m2;
-  const Scalar t28 = inertia.m3 + t22;
-  const Scalar t29 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t30 = inertia.c2z * inertia.m2;
-  const Scalar t31 = Scalar(1.155625) * t28 - ((inertia.I2zz - t29) - inertia.c2z * t30);
-  const Scalar t32 = inertia.c3y * inertia.m3;
-  const Scalar t33 = Scalar(1.075) * t32 - (inertia.I2yz - inertia.c2z * inertia.c2y * inertia.m2);
+  const Scalar t28 = inertia.c2z * inertia.m2;
+  const Scalar t29 = inertia.m3 + t19;
+  const Scalar t30 = Scalar(1.1425) * t7;
+  const Scalar t31 = Scalar(1.1425) * t18;
+  const Scalar t32 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t33 = Scalar(1.1425) * (t21 + t22) - ((inertia.I4xx - t6) - inertia.c4x * t21);
+  const Scalar t34 = Scalar(1.1425) * (t24 - t23) + (t33 + Scalar(1.1425) * (t23 - t22));
+  const Scalar t35 = ((inertia.I3zz - t32) - inertia.c3z * t26) - Scalar(0.04) * t19;
+  const Scalar t36 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t37 = Scalar(1.155625) * t29 - ((inertia.I2zz - t36) - inertia.c2z * t28);
+  const Scalar t38 = inertia.c3y * inertia.m3;
+  const Scalar t39 = Scalar(1.075) * t38 - (inertia.I2yz - inertia.c2z * inertia.c2y * inertia.m2);
   return { Scalar(2) * t1,
            t4 + t5,
+           t4,
+           t10,
+           t11 - (inertia.I6xz - inertia.c6z * t12),
+           t13 - (inertia.I6xy - inertia.c6y * t12),
+           inertia.I5xy - inertia.c5y * t14,
            t1,
-           t6 - (inertia.I6xz - inertia.c6z * t7),
-           t8 - (inertia.I6xy - inertia.c6y * t7),
-           inertia.I5xz - inertia.c5z * t9,
-           (inertia.c5x * t9 - (inertia.I5xx - t10)) - t12,
+           inertia.I5yz - inertia.c5z * t8,
+           inertia.I4yz - inertia.c4z * t7,
            t5,
-           inertia.c5z * t13 - (inertia.I5zz - t10),
-           inertia.I5yz - inertia.c5z * t14,
-           inertia.I5xy - inertia.c5y * t9,
-           inertia.I4yz - inertia.c4z * t15,
-           t4 - t5,
-           t17,
-           (inertia.I4zz - t16) - inertia.c4z * t18,
-           Scalar(0.2) * (t9 + t11),
-           t6,
-           t8,
-           Scalar(0.2) * t13,
-           (inertia.c3x * t19 - (inertia.I3xx - t20)) + t24,
+           inertia.c5z * t15 - (inertia.I5zz - t9),
+           (inertia.c5x * t14 - (inertia.I5xx - t9)) - t17,
+           inertia.I5xz - inertia.c5z * t14,
+           (inertia.I4zz - t6) - inertia.c4z * t18,
+           Scalar(0.2) * (t14 + t16),
+           t11,
+           t13,
+           Scalar(0.2) * t15,
+           Scalar(0.2) * (t24 + t25),
            Scalar(0.2) * t18,
-           Scalar(0.2) * (t15 + t14),
-           t26,
-           inertia.I4xz - inertia.c4z * t21,
-           inertia.I4xy - inertia.c4y * t21,
-           Scalar(0.2) * t23 - (inertia.I3xz - inertia.c3z * t19),
-           Scalar(0.2) * (t25 + Scalar(0.2) * t22),
-           Scalar(0.2) * (t23 + t19),
-           inertia.I2xz - inertia.c2z * t27,
-           t31,
-           inertia.c2x * t27 - (inertia.I2xx - t29),
+           Scalar(0.2) * (t7 + t8),
+           Scalar(0.2) * (t26 + Scalar(0.2) * t19),
            Scalar(0.2) * t27,
-           Scalar(0.2) * (t30 + Scalar(1.075) * t28),
-           inertia.I3yz - inertia.c3z * t32,
-           inertia.I3xy - inertia.c3y * t19,
-           t33,
+           Scalar(0.2) * (t28 + Scalar(1.075) * t29),
+           t30 - (t30 - (inertia.I4xy - inertia.c4y * t21)),
+           ((inertia.I4xz - inertia.c4z * t21) - t31) + t31,
+           (inertia.c3x * t25 - (inertia.I3xx - t32)) + t34,
+           Scalar(0.2) * t24 - (inertia.I3xz - inertia.c3z * t25),
+           t35,
+           t37,
+           inertia.I2xz - inertia.c2z * t27,
+           inertia.c2x * t27 - (inertia.I2xx - t36),
+           inertia.I3xy - inertia.c3y * t25,
+           inertia.I3yz - inertia.c3z * t38,
            inertia.I2xy - inertia.c2y * t27,
-           t4 };
+           t39,
+           t4 - t5 };
 }
 
 namespace detail {
@@ -960,304 +979,304 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const Jo
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[17] * s6 + k[16] * c6;
-  const Scalar t1 = k[18] + t0;
-  const Scalar t2 = c5 * t1;
-  const Scalar t3 = t2 - k[15] * s5;
-  const Scalar t4 = k[20] + t3;
-  const Scalar t5 = k[17] * c6 - k[16] * s6;
-  const Scalar t6 = k[21] + t5;
-  const Scalar t7 = c4 * t4 + s4 * t6;
-  const Scalar t8 = k[26] + t7;
-  const Scalar t9 = qd[5] * t5;
-  const Scalar t10 = k[15] * qd[4] - t9;
-  const Scalar t11 = qd[4] * t2 - s5 * t10;
-  const Scalar t12 = qd[2] * t8 + t11;
-  const Scalar t13 = qd[5] * t0;
-  const Scalar t14 = t13 + qd[3] * t4;
-  const Scalar t15 = s5 * t1;
-  const Scalar t16 = qd[4] * t15 + c5 * t10;
-  const Scalar t17 = qd[3] * t6 - t16;
-  const Scalar t18 = s4 * t14 - c4 * t17;
-  const Scalar t19 = t15 + k[15] * c5;
-  const Scalar t20 = k[27] + t19;
-  const Scalar t21 = t18 + qd[2] * t20;
-  const Scalar t22 = s3 * t12 + c3 * t21;
-  const Scalar t23 = s3 * t8 + c3 * t20;
-  const Scalar t24 = k[31] + t23;
-  const Scalar t25 = c3 * t8 - s3 * t20;
-  const Scalar t26 = k[32] + t25;
-  const Scalar t27 = c3 * t12 - s3 * t21;
-  const Scalar t28 = s2 * (t22 + qd[1] * t24) - c2 * (qd[1] * t26 + t27);
-  const Scalar t29 = k[0] * s6 - k[1] * c6;
-  const Scalar t30 = k[7] + c6 * t29;
-  const Scalar t31 = k[8] - t30;
-  const Scalar t32 = k[6] + t31;
-  const Scalar t33 = k[3] * c6 + k[4] * s6;
-  const Scalar t34 = k[5] - t33;
-  const Scalar t35 = Scalar(2) * c5 * t34 + s5 * (k[6] - t31);
-  const Scalar t36 = s5 * t35 + t31;
-  const Scalar t37 = k[19] + ((t32 - t36) + Scalar(11.425) * t19);
-  const Scalar t38 = k[14] - t36;
-  const Scalar t39 = k[4] * c6 - k[3] * s6;
-  const Scalar t40 = k[10] - t39;
-  const Scalar t41 = k[2] - s6 * t29;
-  const Scalar t42 = k[9] + t41;
+  const Scalar t0 = k[0] * s6 - k[1] * c6;
+  const Scalar t1 = k[7] - s6 * t0;
+  const Scalar t2 = qd[5] * t1;
+  const Scalar t3 = k[4] * c6 + k[5] * s6;
+  const Scalar t4 = k[13] - t3;
+  const Scalar t5 = c6 * t0;
+  const Scalar t6 = k[10] + t5;
+  const Scalar t7 = k[11] - t6;
+  const Scalar t8 = qd[4] * t7;
+  const Scalar t9 = s5 * (t2 - qd[4] * t4) - c5 * t8;
+  const Scalar t10 = c5 * t4;
+  const Scalar t11 = k[4] * s6 - k[5] * c6;
+  const Scalar t12 = qd[5] * t11;
+  const Scalar t13 = t12 + k[12] * qd[4];
+  const Scalar t14 = qd[4] * t10 + s5 * t13;
+  const Scalar t15 = s5 * t9 + c5 * t14;
+  const Scalar t16 = k[2] + t5;
+  const Scalar t17 = k[3] - t16;
+  const Scalar t18 = k[8] + t1;
+  const Scalar t19 = s5 * t18;
+  const Scalar t20 = k[6] + t11;
+  const Scalar t21 = qd[5] * t16;
+  const Scalar t22 = qd[4] * t20 + t21;
+  const Scalar t23 = qd[4] * t19 + c5 * t22;
+  const Scalar t24 = qd[3] * t17 - t23;
+  const Scalar t25 = c5 * t18;
+  const Scalar t26 = s5 * t20 - t25;
+  const Scalar t27 = k[9] - t26;
+  const Scalar t28 = qd[3] * t27 + t2;
+  const Scalar t29 = c4 * t24 - s4 * t28;
+  const Scalar t30 = qd[5] * t3;
+  const Scalar t31 = qd[5] * t6;
+  const Scalar t32 = s5 * t30 + c5 * t31;
+  const Scalar t33 = s5 * (k[12] - t7) + (t10 + t10);
+  const Scalar t34 = s5 * t33;
+  const Scalar t35 = k[14] - (t34 + t7);
+  const Scalar t36 = t32 + qd[3] * t35;
+  const Scalar t37 = c4 * (t15 - t28) + s4 * t36;
+  const Scalar t38 = s4 * t29 - c4 * t37;
+  const Scalar t39 = k[17] * c6 - k[16] * s6;
+  const Scalar t40 = k[21] + t39;
+  const Scalar t41 = k[17] * s6 + k[16] * c6;
+  const Scalar t42 = k[18] + t41;
   const Scalar t43 = c5 * t42;
-  const Scalar t44 = s5 * t40 - t43;
-  const Scalar t45 = k[11] - t44;
-  const Scalar t46 = k[12] + t30;
-  const Scalar t47 = k[13] - t46;
-  const Scalar t48 = Scalar(2) * c4 * t45 + s4 * (t47 - t38);
-  const Scalar t49 = k[22] - ((t7 + t7) - (t38 + s4 * t48));
-  const Scalar t50 = s5 * t42;
-  const Scalar t51 = t50 + c5 * t40;
-  const Scalar t52 = k[24] + t51;
-  const Scalar t53 = k[23] - (t34 - c5 * t35);
-  const Scalar t54 = Scalar(5.7125) * t7 - (s4 * t52 + c4 * t53);
-  const Scalar t55 = k[25] + (t54 + t19);
-  const Scalar t56 = c3 * t55;
-  const Scalar t57 = s3 * (t49 + t37) - (t56 + t56);
-  const Scalar t58 = s3 * t57;
-  const Scalar t59 = k[30] + (t37 - t58);
-  const Scalar t60 = qd[5] * t30;
-  const Scalar t61 = c5 * t33;
-  const Scalar t62 = s5 * t60 - qd[5] * t61;
-  const Scalar t63 = Scalar(5.7125) * t14 - (t62 + qd[3] * t53);
-  const Scalar t64 = qd[4] * t31;
-  const Scalar t65 = qd[4] * t34;
-  const Scalar t66 = qd[5] * t41;
-  const Scalar t67 = s5 * t64 - c5 * (t65 - t66);
-  const Scalar t68 = s5 * t67;
-  const Scalar t69 = qd[5] * t39;
-  const Scalar t70 = k[6] * qd[4] - t69;
-  const Scalar t71 = c5 * t70 - s5 * t65;
-  const Scalar t72 = c5 * t71;
-  const Scalar t73 = t68 + t72;
-  const Scalar t74 = Scalar(5.7125) * t17 - (qd[3] * t52 + t73);
-  const Scalar t75 = s4 * t63 - c4 * t74;
-  const Scalar t76 = qd[2] * t37 + t75;
-  const Scalar t77 = s5 * t71 - c5 * t67;
-  const Scalar t78 = qd[3] * t45;
-  const Scalar t79 = s5 * t33;
-  const Scalar t80 = c5 * t60 + qd[5] * t79;
-  const Scalar t81 = t80 + qd[3] * t38;
-  const Scalar t82 = c4 * (t77 - t78) + s4 * t81;
-  const Scalar t83 = qd[5] * t46;
-  const Scalar t84 = qd[4] * t40 + t83;
-  const Scalar t85 = qd[4] * t50 + c5 * t84;
-  const Scalar t86 = qd[3] * t47 - t85;
-  const Scalar t87 = c4 * t86 - s4 * (t66 + t78);
-  const Scalar t88 = c4 * t82 - s4 * t87;
-  const Scalar t89 = t18 - t88;
-  const Scalar t90 = t89 + qd[2] * t55;
-  const Scalar t91 = t77 + t66;
-  const Scalar t92 = Scalar(5.7125) * t11;
-  const Scalar t93 = t89 + (t91 - t92);
-  const Scalar t94 = c3 * (t90 - t93) - s3 * t76;
-  const Scalar t95 = s3 * t94;
-  const Scalar t96 = (t70 - t72) - (t68 - t64);
-  const Scalar t97 = s5 * t84 - qd[4] * t43;
-  const Scalar t98 = c4 * t96 + s4 * t97;
-  const Scalar t99 = qd[2] * t49 - (t98 + t11);
-  const Scalar t100 = s3 * t90 + c3 * t99;
-  const Scalar t101 = c3 * t100;
-  const Scalar t102 = qd[1] * t59 + ((t76 + t95) + (t101 - t99));
-  const Scalar t103 = k[28] - (Scalar(5.375) * t23 - (c3 * t57 + t55));
-  const Scalar t104 = qd[1] * t103 - (c3 * t94 - s3 * t100);
-  const Scalar t105 = k[29] + (Scalar(10.75) * t25 - (t49 - t58));
-  const Scalar t106 = qd[1] * t105 - ((t101 + t95) - Scalar(5.375) * t27);
-  const Scalar t107 = Scalar(5.375) * t22 + t93;
-  const Scalar t108 = s2 * (c2 * t106 + s2 * (t104 - t107));
-  const Scalar t109 = c2 * (s2 * t102 + c2 * t104) - t108;
-  const Scalar t110 = s4 * t96 - c4 * t97;
-  const Scalar t111 = c4 * t6 - s4 * t4;
-  const Scalar t112 = k[33] - (t111 - (c4 * t48 - t45));
-  const Scalar t113 = qd[2] * t112;
-  const Scalar t114 = t110 + t113;
-  const Scalar t115 = Scalar(5.7125) * t111 + (s4 * t53 - c4 * t52);
-  const Scalar t116 = k[34] - t115;
-  const Scalar t117 = c4 * t87;
-  const Scalar t118 = s4 * t82;
+  const Scalar t44 = t43 - k[15] * s5;
+  const Scalar t45 = k[20] + t44;
+  const Scalar t46 = s4 * t40 + c4 * t45;
+  const Scalar t47 = k[22] + t46;
+  const Scalar t48 = qd[5] * t39;
+  const Scalar t49 = k[15] * qd[4] - t48;
+  const Scalar t50 = qd[4] * t43 - s5 * t49;
+  const Scalar t51 = qd[2] * t47 + t50;
+  const Scalar t52 = qd[5] * t41;
+  const Scalar t53 = t52 + qd[3] * t45;
+  const Scalar t54 = s5 * t42;
+  const Scalar t55 = qd[4] * t54 + c5 * t49;
+  const Scalar t56 = qd[3] * t40 - t55;
+  const Scalar t57 = s4 * t53 - c4 * t56;
+  const Scalar t58 = t54 + k[15] * c5;
+  const Scalar t59 = k[19] + t58;
+  const Scalar t60 = t57 + qd[2] * t59;
+  const Scalar t61 = c3 * t51 - s3 * t60;
+  const Scalar t62 = s3 * t59 - c3 * t47;
+  const Scalar t63 = k[24] - t62;
+  const Scalar t64 = c3 * t59 + s3 * t47;
+  const Scalar t65 = k[23] + t64;
+  const Scalar t66 = s3 * t51 + c3 * t60;
+  const Scalar t67 = c2 * (t61 + qd[1] * t63) - s2 * (qd[1] * t65 + t66);
+  const Scalar t68 = c5 * t20 + t19;
+  const Scalar t69 = k[25] + t68;
+  const Scalar t70 = k[26] - (t4 - c5 * t33);
+  const Scalar t71 = (s4 * t69 + c4 * t70) - Scalar(5.7125) * t46;
+  const Scalar t72 = k[28] + (t58 - t71);
+  const Scalar t73 = qd[2] * t72;
+  const Scalar t74 = Scalar(5.7125) * t50;
+  const Scalar t75 = t73 + (t74 - t15);
+  const Scalar t76 = (t57 + t38) + t73;
+  const Scalar t77 = t75 - t76;
+  const Scalar t78 = t77 - Scalar(5.375) * t66;
+  const Scalar t79 = k[27] + (Scalar(11.425) * t58 + (k[12] - t34));
+  const Scalar t80 = Scalar(2) * c4 * t27 - s4 * (t35 - t17);
+  const Scalar t81 = k[29] - (Scalar(2) * t46 - (s4 * t80 + t35));
+  const Scalar t82 = Scalar(2) * c3 * t72 - s3 * (t79 + t81);
+  const Scalar t83 = k[31] - (Scalar(5.375) * t64 + (c3 * t82 - t72));
+  const Scalar t84 = c5 * t3;
+  const Scalar t85 = s5 * t31 - qd[5] * t84;
+  const Scalar t86 = (qd[3] * t70 + t85) - Scalar(5.7125) * t53;
+  const Scalar t87 = s5 * t14;
+  const Scalar t88 = c5 * t9;
+  const Scalar t89 = (t87 - t13) - (t88 + t8);
+  const Scalar t90 = (t89 - qd[3] * t69) + Scalar(5.7125) * t56;
+  const Scalar t91 = s4 * t86 + c4 * t90;
+  const Scalar t92 = t91 - qd[2] * t79;
+  const Scalar t93 = s3 * t92 + c3 * t75;
+  const Scalar t94 = qd[4] * t25 - s5 * t22;
+  const Scalar t95 = t88 - t87;
+  const Scalar t96 = s4 * t94 + c4 * t95;
+  const Scalar t97 = qd[2] * t81 - (t50 - t96);
+  const Scalar t98 = s3 * t76 + c3 * t97;
+  const Scalar t99 = qd[1] * t83 - (c3 * t93 - s3 * t98);
+  const Scalar t100 = s3 * t82;
+  const Scalar t101 = k[30] - (Scalar(10.75) * t62 + (t81 + t100));
+  const Scalar t102 = c3 * t98;
+  const Scalar t103 = s3 * t93;
+  const Scalar t104 = qd[1] * t101 + (Scalar(5.375) * t61 - (t102 + t103));
+  const Scalar t105 = s2 * (s2 * (t78 + t99) + c2 * t104);
+  const Scalar t106 = k[32] + (t79 + t100);
+  const Scalar t107 = ((t92 - t103) - (t102 - t97)) - qd[1] * t106;
+  const Scalar t108 = t105 - c2 * (c2 * t99 - s2 * t107);
+  const Scalar t109 = qd[0] * s2;
+  const Scalar t110 = qd[0] * c2;
+  const Scalar t111 = s4 * t45 - c4 * t40;
+  const Scalar t112 = (s4 * t70 - c4 * t69) - Scalar(5.7125) * t111;
+  const Scalar t113 = k[33] - t112;
+  const Scalar t114 = k[34] - ((t27 - c4 * t80) - t111);
+  const Scalar t115 = s3 * t113 - c3 * t114;
+  const Scalar t116 = qd[1] * (k[36] - (Scalar(5.375) * t111 - t115));
+  const Scalar t117 = c4 * t29;
+  const Scalar t118 = s4 * t37;
   const Scalar t119 = t117 + t118;
-  const Scalar t120 = qd[2] * t116 - t119;
-  const Scalar t121 = s3 * t112 + c3 * t116;
-  const Scalar t122 = qd[1] * (k[36] + t121);
-  const Scalar t123 = qd[0] * c2;
-  const Scalar t124 = qd[0] * s2;
-  const Scalar t125 = ((s3 * t114 + c3 * t120) + t122) + (t123 * t103 + t59 * t124);
-  const Scalar t126 = s3 * t116 - c3 * t112;
-  const Scalar t127 = qd[1] * (k[35] + (Scalar(5.375) * t111 + t126));
-  const Scalar t128 = (t124 * t103 + t123 * t105) + ((s3 * t120 - c3 * t114) + t127);
-  const Scalar t129 = (c2 * t125 - s2 * t128) + Scalar(1.6) * (t124 * t24 - t26 * t123);
-  const Scalar t130 = s2 * s3 - c2 * c3;
-  const Scalar t131 = qd[0] * t130;
-  const Scalar t132 = c3 * s2 + c2 * s3;
-  const Scalar t133 = qd[0] * t132;
-  const Scalar t134 = qd[1] + qd[2];
-  const Scalar t135 = (t49 * t131 - t133 * t55) - (t110 + t134 * t112);
-  const Scalar t136 = (t133 * t37 + t131 * t55) - (t119 - t134 * t116);
-  const Scalar t137 = t8 * t131 + t133 * t20;
-  const Scalar t138 = Scalar(5.375) * s2;
-  const Scalar t139 = (t135 * t132 + t130 * t136) - t137 * t138;
-  const Scalar t140 = t139 - Scalar(1.6) * t137;
-  const Scalar t141 = qd[3] - t133;
-  const Scalar t142 = t16 - t141 * t6;
-  const Scalar t143 = t13 + t141 * t4;
-  const Scalar t144 = c4 * t142 + s4 * t143;
-  const Scalar t145 = s4 * t131 - c4 * t134;
-  const Scalar t146 = s4 * t134 + c4 * t131;
-  const Scalar t147 = (t145 * t45 + t146 * t38) - (t141 * t53 + t62);
-  const Scalar t148 = t147 + Scalar(5.7125) * t143;
-  const Scalar t149 = (t146 * t45 + t47 * t145) - (t73 + t141 * t52);
-  const Scalar t150 = Scalar(5.7125) * t142 - t149;
-  const Scalar t151 = t130 * (s4 * t148 + c4 * t150) + (t91 - t144) * t132;
-  const Scalar t152 = (t144 * t138 - t151) + Scalar(1.6) * t144;
-  const Scalar t153 = s5 * t146 + c5 * t141;
-  const Scalar t154 = c5 * t146 - s5 * t141;
-  const Scalar t155 = k[15] * t153 - t154 * t1;
-  const Scalar t156 = qd[4] - t145;
-  const Scalar t157 = (t153 * t34 + t154 * t31) + t156 * t42;
-  const Scalar t158 = (k[6] * t153 + t154 * t34) - (t156 * t40 + t83);
-  const Scalar t159 = Scalar(5.7125) * t155 - (s5 * t157 - c5 * t158);
-  const Scalar t160 = k[15] * t156 - t9;
-  const Scalar t161 = s5 * t160 - t156 * t2;
-  const Scalar t162 = Scalar(5.7125) * t161 + t66;
-  const Scalar t163 = s5 * t158 + c5 * t157;
-  const Scalar t164 = c4 * t155 - s4 * t161;
-  const Scalar t165 = t130 * (c4 * t159 - s4 * t162) + t132 * (t163 - t164);
-  const Scalar t166 = (t165 - t164 * t138) - Scalar(1.6) * t164;
-  const Scalar t167 = qd[5] + t153;
-  const Scalar t168 = t167 * t5;
-  const Scalar t169 = t0 * t167;
-  const Scalar t170 = c6 * t156 - s6 * t154;
-  const Scalar t171 = c6 * t154 + s6 * t156;
-  const Scalar t172 = k[17] * t170 - k[16] * t171;
-  const Scalar t173 = c5 * t169 + s5 * t172;
-  const Scalar t174 = c4 * t168 - s4 * t173;
-  const Scalar t175 = k[4] * t167 + (k[2] * t171 - k[7] * t170);
-  const Scalar t176 = k[3] * t167 - (k[37] * t171 + k[2] * t170);
-  const Scalar t177 = c6 * t175 - s6 * t176;
-  const Scalar t178 = s5 * t177;
-  const Scalar t179 = c5 * t177;
-  const Scalar t180 = s6 * t175 + c6 * t176;
-  const Scalar t181 = Scalar(5.7125) * t174 + (c4 * t179 - s4 * t180);
-  const Scalar t182 = ((t174 - t178) * t132 - t130 * t181) + t174 * t138;
-  const Scalar t183 = Scalar(1.6) * t174 + t182;
-  const Scalar t184 = s4 * t17 + c4 * t14;
-  const Scalar t185 = t120 - (t184 - ((t86 - t117) + (t81 - t118)));
-  const Scalar t186 = t114 + (c4 * t63 + s4 * t74);
-  const Scalar t187 = s3 * t185 - c3 * t186;
-  const Scalar t188 = s3 * t186 + c3 * t185;
-  const Scalar t189 = s2 * (t187 + t127) + c2 * ((Scalar(5.375) * t184 - t188) - t122);
-  const Scalar t190 = s3 * (t8 * t134 + t11) + c3 * (t134 * t20 + t18);
+  const Scalar t120 = qd[2] * t113 - t119;
+  const Scalar t121 = qd[2] * t114;
+  const Scalar t122 = c4 * t94 - s4 * t95;
+  const Scalar t123 = t121 + t122;
+  const Scalar t124 = (t110 * t101 + t109 * t83) + (t116 + (s3 * t120 - c3 * t123));
+  const Scalar t125 = c3 * t113 + s3 * t114;
+  const Scalar t126 = qd[1] * (k[35] + t125);
+  const Scalar t127 = (t126 + (c3 * t120 + s3 * t123)) + (t109 * t106 + t110 * t83);
+  const Scalar t128 = Scalar(1.6) * (t65 * t109 - t63 * t110) - (s2 * t124 - c2 * t127);
+  const Scalar t129 = s2 * s3 - c2 * c3;
+  const Scalar t130 = qd[1] + qd[2];
+  const Scalar t131 = c3 * s2 + c2 * s3;
+  const Scalar t132 = qd[0] * t131;
+  const Scalar t133 = qd[0] * t129;
+  const Scalar t134 = (t119 - t130 * t113) - (t79 * t132 + t72 * t133);
+  const Scalar t135 = (t81 * t133 - t132 * t72) - (t122 + t130 * t114);
+  const Scalar t136 = Scalar(5.375) * s2;
+  const Scalar t137 = t47 * t133 + t132 * t59;
+  const Scalar t138 = (t129 * t134 - t135 * t131) + t136 * t137;
+  const Scalar t139 = t138 + Scalar(1.6) * t137;
+  const Scalar t140 = qd[3] - t132;
+  const Scalar t141 = t140 * t40 - t55;
+  const Scalar t142 = t52 + t140 * t45;
+  const Scalar t143 = c4 * t141 - s4 * t142;
+  const Scalar t144 = s4 * t133 - c4 * t130;
+  const Scalar t145 = s4 * t130 + c4 * t133;
+  const Scalar t146 = (t27 * t144 + t35 * t145) - (t140 * t70 + t85);
+  const Scalar t147 = Scalar(5.7125) * t142 + t146;
+  const Scalar t148 = (t89 - t140 * t69) + (t144 * t17 + t27 * t145);
+  const Scalar t149 = Scalar(5.7125) * t141 + t148;
+  const Scalar t150 = (t15 + t143) * t131 + t129 * (s4 * t147 - c4 * t149);
+  const Scalar t151 = (t136 * t143 + t150) + Scalar(1.6) * t143;
+  const Scalar t152 = s5 * t145 + c5 * t140;
+  const Scalar t153 = c5 * t145 - s5 * t140;
+  const Scalar t154 = k[15] * t152 - t153 * t42;
+  const Scalar t155 = qd[4] - t144;
+  const Scalar t156 = k[15] * t155 - t48;
+  const Scalar t157 = s5 * t156 - t155 * t43;
+  const Scalar t158 = c4 * t154 - s4 * t157;
+  const Scalar t159 = Scalar(5.7125) * t157 + t2;
+  const Scalar t160 = (k[12] * t152 + t4 * t153) - (t155 * t20 + t21);
+  const Scalar t161 = t18 * t155 + (t153 * t7 + t4 * t152);
+  const Scalar t162 = (c5 * t160 - s5 * t161) + Scalar(5.7125) * t154;
+  const Scalar t163 = c5 * t161 + s5 * t160;
+  const Scalar t164 = t129 * (s4 * t159 - c4 * t162) + (t158 - t163) * t131;
+  const Scalar t165 = Scalar(1.6) * t158 + (t136 * t158 + t164);
+  const Scalar t166 = qd[5] + t152;
+  const Scalar t167 = t166 * t39;
+  const Scalar t168 = t41 * t166;
+  const Scalar t169 = c6 * t155 - s6 * t153;
+  const Scalar t170 = c6 * t153 + s6 * t155;
+  const Scalar t171 = k[17] * t169 - k[16] * t170;
+  const Scalar t172 = c5 * t168 + s5 * t171;
+  const Scalar t173 = c4 * t167 - s4 * t172;
+  const Scalar t174 = (k[10] * t169 - k[7] * t170) - k[5] * t166;
+  const Scalar t175 = k[4] * t166 - (k[2] * t170 + k[7] * t169);
+  const Scalar t176 = c6 * t174 + s6 * t175;
+  const Scalar t177 = s5 * t176;
+  const Scalar t178 = c6 * t175 - s6 * t174;
+  const Scalar t179 = c5 * t176;
+  const Scalar t180 = (s4 * t178 + c4 * t179) - Scalar(5.7125) * t173;
+  const Scalar t181 = ((t173 + t177) * t131 + t129 * t180) + t136 * t173;
+  const Scalar t182 = Scalar(1.6) * t173 + t181;
+  const Scalar t183 = s4 * t56 + c4 * t53;
+  const Scalar t184 = (((t24 - t117) + (t36 - t118)) - t183) + t120;
+  const Scalar t185 = t122 + (s4 * t90 - c4 * t86);
+  const Scalar t186 = t185 + t121;
+  const Scalar t187 = s3 * t184 - c3 * t186;
+  const Scalar t188 = c3 * t184 + s3 * t186;
+  const Scalar t189 = s2 * (t116 + t187) + c2 * ((Scalar(5.375) * t183 - t188) - t126);
+  const Scalar t190 = c3 * (t57 + t59 * t130) + s3 * (t50 + t130 * t47);
   const Scalar t191 = Scalar(5.375) * t190;
-  const Scalar t192 = t146 * t4 + t6 * t145;
-  const Scalar t193 = s3 * (c4 * t143 - s4 * t142) + c3 * t192;
-  const Scalar t194 = t192 - (c4 * t148 - s4 * t150);
+  const Scalar t192 = t145 * t45 + t144 * t40;
+  const Scalar t193 = c3 * t192 + s3 * (s4 * t141 + c4 * t142);
+  const Scalar t194 = t192 - (c4 * t147 + s4 * t149);
   const Scalar t195 = Scalar(5.375) * t193 + t194;
-  const Scalar t196 = c5 * t160 + t15 * t156;
-  const Scalar t197 = s3 * (c4 * t161 + s4 * t155) - c3 * t196;
-  const Scalar t198 = t196 + (c4 * t162 + s4 * t159);
+  const Scalar t196 = c5 * t156 + t54 * t155;
+  const Scalar t197 = s3 * (c4 * t157 + s4 * t154) - c3 * t196;
+  const Scalar t198 = (s4 * t162 + c4 * t159) + t196;
   const Scalar t199 = Scalar(5.375) * t197 - t198;
-  const Scalar t200 = c5 * t172 - s5 * t169;
-  const Scalar t201 = s4 * t168 + c4 * t173;
-  const Scalar t202 = (s4 * t179 + c4 * t180) + Scalar(5.7125) * t201;
-  const Scalar t203 = t202 + t200;
-  const Scalar t204 = Scalar(5.375) * (c3 * t200 - s3 * t201) + t203;
-  const Scalar t205 = c2 * (qd[1] * t121 + t188) - s2 * (t187 + qd[1] * t126);
-  const Scalar t206 = (t18 - Scalar(2) * t91) + qd[2] * t54;
-  const Scalar t207 = t7 - (t47 + t38);
-  const Scalar t208 = qd[2] * t207 + (t98 - t75);
-  const Scalar t209 = Scalar(5.375) * t7 + (c3 * t207 - s3 * t54);
-  const Scalar t210 = (s3 * t206 - c3 * t208) - qd[1] * t209;
-  const Scalar t211 = (s3 * t208 + c3 * t206) + Scalar(5.375) * t18;
-  const Scalar t212 = qd[1] * (s3 * t207 + c3 * t54) + t211;
-  const Scalar t213 = Scalar(1.6) * t18 + (c2 * t210 + s2 * t212);
-  const Scalar t214 = Scalar(5.375) * (c3 * qd[2] * t111 - s3 * t184);
-  const Scalar t215 = t186 - t113;
-  const Scalar t216 = c4 * t19;
-  const Scalar t217 = s4 * t11 + qd[3] * t216;
-  const Scalar t218 = s4 * t19;
-  const Scalar t219 = t51 - t218;
-  const Scalar t220 = Scalar(5.7125) * t19;
-  const Scalar t221 = c4 * t44 - s4 * (t32 + t220);
-  const Scalar t222 = Scalar(5.375) * t218 - (c3 * t219 - s3 * t221);
-  const Scalar t223 = t97 + t62;
-  const Scalar t224 = qd[2] * t221 + (t223 + t217);
-  const Scalar t225 = qd[3] * t220 + (qd[3] * t32 - (t85 + t80));
-  const Scalar t226 = (Scalar(2) * t66 - qd[3] * t44) - t92;
-  const Scalar t227 = (c4 * t225 - s4 * t226) - qd[2] * t219;
-  const Scalar t228 = qd[1] * t222 + (s3 * t224 + c3 * t227);
-  const Scalar t229 = Scalar(5.375) * t217 + (c3 * t224 - s3 * t227);
-  const Scalar t230 = t229 + qd[1] * (c3 * t221 + s3 * t219);
-  const Scalar t231 = Scalar(1.6) * t217 + (c2 * t228 + s2 * t230);
-  const Scalar t232 = (c4 * t226 + s4 * t225) + t16;
-  const Scalar t233 = qd[2] * t3 + (c4 * t11 - qd[3] * t218);
-  const Scalar t234 = s3 * t233 + c3 * (qd[2] * t216 + t16);
-  const Scalar t235 = s5 * t5;
-  const Scalar t236 = qd[3] * t0 + (qd[4] * t235 + c5 * t13);
-  const Scalar t237 = c5 * t5;
-  const Scalar t238 = qd[3] * t237 + t9;
+  const Scalar t200 = c5 * t171 - s5 * t168;
+  const Scalar t201 = s4 * t167 + c4 * t172;
+  const Scalar t202 = (s4 * t179 - c4 * t178) - Scalar(5.7125) * t201;
+  const Scalar t203 = t202 - t200;
+  const Scalar t204 = Scalar(5.375) * (c3 * t200 - s3 * t201) - t203;
+  const Scalar t205 = c2 * (t188 + qd[1] * t125) - s2 * (t187 + qd[1] * t115);
+  const Scalar t206 = (t35 + t17) - t46;
+  const Scalar t207 = Scalar(5.375) * t46 - (c3 * t206 - s3 * t71);
+  const Scalar t208 = qd[2] * t206 - (t91 - t96);
+  const Scalar t209 = (t57 - (t15 + t15)) - qd[2] * t71;
+  const Scalar t210 = qd[1] * t207 - (c3 * t208 + s3 * t209);
+  const Scalar t211 = Scalar(5.375) * t57 - (s3 * t208 - c3 * t209);
+  const Scalar t212 = t211 - qd[1] * (s3 * t206 + c3 * t71);
+  const Scalar t213 = (c2 * t210 - s2 * t212) - Scalar(1.6) * t57;
+  const Scalar t214 = Scalar(5.375) * (c3 * qd[2] * t111 + s3 * t183);
+  const Scalar t215 = c4 * t58;
+  const Scalar t216 = s4 * t50 + qd[3] * t215;
+  const Scalar t217 = t74 - ((t2 + t2) - qd[3] * t26);
+  const Scalar t218 = Scalar(5.7125) * t58;
+  const Scalar t219 = k[12] + t7;
+  const Scalar t220 = qd[3] * t218 - ((t32 + t23) - qd[3] * t219);
+  const Scalar t221 = s4 * t58;
+  const Scalar t222 = t68 - t221;
+  const Scalar t223 = (s4 * t217 + c4 * t220) - qd[2] * t222;
+  const Scalar t224 = s4 * (t219 + t218) - c4 * t26;
+  const Scalar t225 = t85 - t94;
+  const Scalar t226 = qd[2] * t224 - (t225 + t216);
+  const Scalar t227 = (s3 * t223 + c3 * t226) - Scalar(5.375) * t216;
+  const Scalar t228 = t227 + qd[1] * (c3 * t224 - s3 * t222);
+  const Scalar t229 = Scalar(5.375) * t221 - (c3 * t222 + s3 * t224);
+  const Scalar t230 = (c3 * t223 - s3 * t226) + qd[1] * t229;
+  const Scalar t231 = Scalar(1.6) * t216 - (s2 * t228 - c2 * t230);
+  const Scalar t232 = qd[2] * t44 + (c4 * t50 - qd[3] * t221);
+  const Scalar t233 = s3 * t232 + c3 * (qd[2] * t215 + t55);
+  const Scalar t234 = (c4 * t217 - s4 * t220) - t55;
+  const Scalar t235 = s5 * t39;
+  const Scalar t236 = qd[3] * t41 + (qd[4] * t235 + c5 * t52);
+  const Scalar t237 = c5 * t39;
+  const Scalar t238 = qd[3] * t237 + t48;
   const Scalar t239 = s4 * t236 - c4 * t238;
-  const Scalar t240 = c4 * t0 + s4 * t237;
-  const Scalar t241 = t61 + k[12] * s5;
-  const Scalar t242 = Scalar(5.7125) * t240 + (s4 * t39 + c4 * t241);
-  const Scalar t243 = t240 - (t79 - k[12] * c5);
-  const Scalar t244 = t69 + k[12] * qd[4];
-  const Scalar t245 = qd[4] * t61 + s5 * t244;
-  const Scalar t246 = (t239 + t245) + qd[2] * t242;
-  const Scalar t247 = qd[5] * t33;
-  const Scalar t248 = Scalar(5.7125) * t236 + (t247 + qd[3] * t241);
-  const Scalar t249 = (qd[4] * t79 - c5 * t244) - qd[3] * t39;
-  const Scalar t250 = t249 - Scalar(5.7125) * t238;
-  const Scalar t251 = (s4 * t248 + c4 * t250) - qd[2] * t243;
-  const Scalar t252 = Scalar(5.375) * t239 + (c3 * t246 - s3 * t251);
-  const Scalar t253 = qd[1] * (c3 * t242 + s3 * t243) + t252;
-  const Scalar t254 = Scalar(5.375) * t240 + (c3 * t243 - s3 * t242);
-  const Scalar t255 = (c3 * t251 + s3 * t246) - qd[1] * t254;
-  const Scalar t256 = Scalar(1.6) * t239 + (s2 * t253 + c2 * t255);
+  const Scalar t240 = t84 + k[37] * s5;
+  const Scalar t241 = (qd[3] * t240 + t30) + Scalar(5.7125) * t236;
+  const Scalar t242 = s5 * t3;
+  const Scalar t243 = k[37] * qd[4] - t12;
+  const Scalar t244 = qd[3] * t11 + (qd[4] * t242 - c5 * t243);
+  const Scalar t245 = t244 - Scalar(5.7125) * t238;
+  const Scalar t246 = c4 * t41 + s4 * t237;
+  const Scalar t247 = t246 - (t242 - k[37] * c5);
+  const Scalar t248 = (s4 * t241 + c4 * t245) - qd[2] * t247;
+  const Scalar t249 = (s4 * t11 - c4 * t240) - Scalar(5.7125) * t246;
+  const Scalar t250 = qd[4] * t84 + s5 * t243;
+  const Scalar t251 = qd[2] * t249 - (t250 + t239);
+  const Scalar t252 = Scalar(5.375) * t239 - (s3 * t248 + c3 * t251);
+  const Scalar t253 = t252 - qd[1] * (c3 * t249 - s3 * t247);
+  const Scalar t254 = Scalar(5.375) * t246 + (c3 * t247 + s3 * t249);
+  const Scalar t255 = (s3 * t251 - c3 * t248) + qd[1] * t254;
+  const Scalar t256 = Scalar(1.6) * t239 + (s2 * t253 - c2 * t255);
   const Scalar t257 = qd[2] * t235 + (c4 * t236 + s4 * t238);
-  const Scalar t258 = qd[4] * t237 - s5 * t13;
-  const Scalar t259 = qd[2] * (c4 * t237 - s4 * t0) + t258;
-  const Scalar t260 = t258 + (c4 * t248 - s4 * t250);
-  const Scalar t261 = Scalar(5.375) * (s3 * t257 - c3 * t259) - t260;
+  const Scalar t258 = qd[4] * t237 - s5 * t52;
+  const Scalar t259 = qd[2] * (c4 * t237 - s4 * t41) + t258;
+  const Scalar t260 = (s4 * t245 - c4 * t241) - t258;
+  const Scalar t261 = Scalar(5.375) * (s3 * t257 - c3 * t259) + t260;
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = (t91 - t88) - (Scalar(1.6) * t28 + t109);
-  result(0, 1) = -t129;
-  result(0, 2) = t140;
-  result(0, 3) = t152;
-  result(0, 4) = -t166;
-  result(0, 5) = -t183;
-  result(1, 0) = t129 + t189;
-  result(1, 1) = -t107;
-  result(1, 2) = -t191 - t93;
+  result(0, 0) = (t15 + t38) + (Scalar(1.6) * t67 + t108);
+  result(0, 1) = -t128;
+  result(0, 2) = -t139;
+  result(0, 3) = -t151;
+  result(0, 4) = t165;
+  result(0, 5) = -t182;
+  result(1, 0) = t128 + t189;
+  result(1, 1) = t78;
+  result(1, 2) = t77 - t191;
   result(1, 3) = -t195;
   result(1, 4) = t199;
   result(1, 5) = t204;
-  result(2, 0) = -t205 - t140;
-  result(2, 1) = t191 - t107;
-  result(2, 2) = -t93;
+  result(2, 0) = t139 - t205;
+  result(2, 1) = t191 + t78;
+  result(2, 2) = t77;
   result(2, 3) = -t194;
   result(2, 4) = -t198;
-  result(2, 5) = t203;
-  result(3, 0) = t213 - t152;
-  result(3, 1) = t195 + (t214 + t215);
-  result(3, 2) = t215 + t194;
-  result(3, 3) = t91;
+  result(2, 5) = -t203;
+  result(3, 0) = t151 - t213;
+  result(3, 1) = (t185 - t214) + t195;
+  result(3, 2) = t185 + t194;
+  result(3, 3) = t15;
   result(3, 4) = t163;
-  result(3, 5) = -t178;
-  result(4, 0) = t231 + t166;
-  result(4, 1) = -t199 - (t232 + Scalar(5.375) * t234);
-  result(4, 2) = t198 - t232;
-  result(4, 3) = -t223 - t163;
-  result(4, 4) = -t66;
-  result(4, 5) = t180;
-  result(5, 0) = t183 + t256;
-  result(5, 1) = -t204 - t261;
-  result(5, 2) = t260 - t203;
-  result(5, 3) = t178 - t245;
-  result(5, 4) = t247 - t180;
+  result(3, 5) = t177;
+  result(4, 0) = t231 - t165;
+  result(4, 1) = -(Scalar(5.375) * t233 - t234) - t199;
+  result(4, 2) = t198 + t234;
+  result(4, 3) = -t225 - t163;
+  result(4, 4) = -t2;
+  result(4, 5) = t178;
+  result(5, 0) = t182 + t256;
+  result(5, 1) = -t261 - t204;
+  result(5, 2) = t203 - t260;
+  result(5, 3) = -t177 - t250;
+  result(5, 4) = t30 - t178;
   result(5, 5) = Scalar(0);
   return result;
 }
@@ -1285,104 +1304,111 @@ ForwardDynamicsConstants<Scalar> forward_dynamics_constants([[maybe_unused]] con
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c5x * inertia.m5;
-  const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = Scalar(0.2) * inertia.m6 + t1;
-  const Scalar t3 = inertia.c6z * inertia.m6;
-  const Scalar t4 = Scalar(0.2) * t3;
-  const Scalar t5 = inertia.c6y * inertia.m6;
-  const Scalar t6 = Scalar(0.2) * t5;
-  const Scalar t7 = inertia.c5z * inertia.m5;
-  const Scalar t8 = inertia.I6yz - inertia.c6z * t5;
-  const Scalar t9 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t10 = inertia.c6z * t3 - (inertia.I6zz - t9);
-  const Scalar t11 = (inertia.I6yy - t9) - inertia.c6y * t5;
-  const Scalar t12 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t13 = ((inertia.I6xx - t9) - inertia.c6x * t1) - Scalar(0.2) * (t1 + t2);
-  const Scalar t14 = (inertia.c5x * t0 - (inertia.I5xx - t12)) - t13;
-  const Scalar t15 = inertia.c5y * inertia.m5;
-  const Scalar t16 = t10 - t11;
-  const Scalar t17 = Scalar(1) / t16;
-  const Scalar t18 = inertia.c4z * inertia.m4;
-  const Scalar t19 = inertia.c4y * inertia.m4;
-  const Scalar t20 = inertia.c4x * inertia.m4;
+  const Scalar t0 = inertia.c6z * inertia.m6;
+  const Scalar t1 = Scalar(0.2) * t0;
+  const Scalar t2 = inertia.c6y * inertia.m6;
+  const Scalar t3 = Scalar(0.2) * t2;
+  const Scalar t4 = inertia.c4y * inertia.m4;
+  const Scalar t5 = inertia.c5y * inertia.m5;
+  const Scalar t6 = inertia.c5z * inertia.m5;
+  const Scalar t7 = inertia.c5x * inertia.m5;
+  const Scalar t8 = inertia.c6x * inertia.m6;
+  const Scalar t9 = Scalar(0.2) * inertia.m6 + t8;
+  const Scalar t10 = inertia.c4z * inertia.m4;
+  const Scalar t11 = inertia.I6yz - inertia.c6z * t2;
+  const Scalar t12 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t13 = inertia.c6z * t0 - (inertia.I6zz - t12);
+  const Scalar t14 = (inertia.I6yy - t12) - inertia.c6y * t2;
+  const Scalar t15 = t13 - t14;
+  const Scalar t16 = Scalar(1) / t15;
+  const Scalar t17 = t1 - (inertia.I6xz - inertia.c6z * t8);
+  const Scalar t18 = t3 - (inertia.I6xy - inertia.c6y * t8);
+  const Scalar t19 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t20 = ((inertia.I6xx - t12) - inertia.c6x * t8) - Scalar(0.2) * (t8 + t9);
   const Scalar t21 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t22 = ((inertia.I4yy - t21) - inertia.c4y * t19) - (inertia.c5y * t15 - (inertia.I5yy - t12));
+  const Scalar t22 = ((inertia.I4yy - t21) - inertia.c4y * t4) - (inertia.c5y * t5 - (inertia.I5yy - t19));
   const Scalar t23 = inertia.c3y * inertia.m3;
-  const Scalar t24 = inertia.c3x * inertia.m3;
-  const Scalar t25 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t26 = inertia.c3z * inertia.m3;
-  const Scalar t27 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t28 = ((inertia.I3zz - t25) - inertia.c3z * t26) - Scalar(0.04) * t27;
-  const Scalar t29 = Scalar(1.1425) * t27 + t20;
-  const Scalar t30 = Scalar(1.1425) * (t20 + t29) - ((inertia.I4xx - t21) - inertia.c4x * t20);
-  const Scalar t31 = (inertia.c3x * t24 - (inertia.I3xx - t25)) + t30;
-  const Scalar t32 = t26 + Scalar(0.2) * t27;
-  const Scalar t33 = inertia.c2x * inertia.m2;
-  const Scalar t34 = inertia.c2y * inertia.m2;
-  const Scalar t35 = Scalar(0.2) * t29 - (inertia.I3xz - inertia.c3z * t24);
-  const Scalar t36 = inertia.c2z * inertia.m2;
-  const Scalar t37 = inertia.m3 + t27;
-  const Scalar t38 = inertia.I2xz - inertia.c2z * t33;
+  const Scalar t24 = inertia.c4x * inertia.m4;
+  const Scalar t25 = Scalar(1.1425) * t10;
+  const Scalar t26 = Scalar(1.1425) * t4;
+  const Scalar t27 = inertia.c3x * inertia.m3;
+  const Scalar t28 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t29 = inertia.c3z * inertia.m3;
+  const Scalar t30 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t31 = ((inertia.I3zz - t28) - inertia.c3z * t29) - Scalar(0.04) * t30;
+  const Scalar t32 = Scalar(1.1425) * inertia.m4;
+  const Scalar t33 = t24 + t32;
+  const Scalar t34 = t32 - t33;
+  const Scalar t35 = Scalar(1.1425) * t30 - t34;
+  const Scalar t36 = Scalar(1.1425) * (t24 + t33) - ((inertia.I4xx - t21) - inertia.c4x * t24);
+  const Scalar t37 = Scalar(1.1425) * (t35 - t34) + (t36 + Scalar(1.1425) * (t34 - t33));
+  const Scalar t38 = (inertia.c3x * t27 - (inertia.I3xx - t28)) + t37;
   const Scalar t39 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t40 = inertia.c2x * t33 - (inertia.I2xx - t39);
-  const Scalar t41 = Scalar(1.155625) * t37 - ((inertia.I2zz - t39) - inertia.c2z * t36);
+  const Scalar t40 = inertia.c2y * inertia.m2;
+  const Scalar t41 = ((inertia.I3yy - t28) - inertia.c3y * t23) + ((inertia.I2yy - t39) - inertia.c2y * t40);
   const Scalar t42 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t43 = Scalar(0.1024) * (inertia.m2 + t37)
+  const Scalar t43 = t41 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t42));
+  const Scalar t44 = t35 + t27;
+  const Scalar t45 = inertia.c2z * inertia.m2;
+  const Scalar t46 = inertia.m3 + t30;
+  const Scalar t47 = t45 + Scalar(1.075) * t46;
+  const Scalar t48 = inertia.c2x * inertia.m2;
+  const Scalar t49 = inertia.I2xz - inertia.c2z * t48;
+  const Scalar t50 = inertia.c2x * t48 - (inertia.I2xx - t39);
+  const Scalar t51 = Scalar(1.155625) * t46 - ((inertia.I2zz - t39) - inertia.c2z * t45);
+  const Scalar t52 = Scalar(0.1024) * (inertia.m2 + t46)
       + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t42));
-  const Scalar t44 = ((inertia.I3yy - t25) - inertia.c3y * t23) + ((inertia.I2yy - t39) - inertia.c2y * t34);
-  const Scalar t45 = t44 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t42));
-  return { Scalar(0.2) * (t0 + t2),
-           t4,
-           t6,
-           Scalar(0.2) * t7,
-           Scalar(2) * t8,
-           t10 + t11,
+  return { t1,
+           t3,
+           Scalar(0.2) * (t4 + t5),
+           Scalar(0.2) * t6,
+           Scalar(0.2) * (t7 + t9),
+           Scalar(0.2) * t10,
+           Scalar(2) * t11,
+           t13 + t14,
            t11,
-           inertia.c5z * t7 - (inertia.I5zz - t12),
-           t14,
-           Scalar(2) * t14,
-           t8,
-           inertia.I5yz - inertia.c5z * t15,
-           t4 - (inertia.I6xz - inertia.c6z * t1),
-           t6 - (inertia.I6xy - inertia.c6y * t1),
-           inertia.I5xy - inertia.c5y * t0,
-           t16,
+           inertia.I5yz - inertia.c5z * t5,
+           t16 * t17,
+           t16 * t18,
+           t15,
+           inertia.I5xy - inertia.c5y * t7,
+           inertia.I4yz - inertia.c4z * t4,
+           t13,
+           inertia.c5z * t6 - (inertia.I5zz - t19),
            t17,
-           Scalar(0.2) * t18,
-           Scalar(0.2) * (t19 + t15),
-           inertia.I5xz - inertia.c5z * t0,
-           inertia.I4xz - inertia.c4z * t20,
-           inertia.I4xy - inertia.c4y * t20,
-           (inertia.I4zz - t21) - inertia.c4z * t18,
-           t10,
+           t18,
+           inertia.I5xz - inertia.c5z * t7,
+           (inertia.c5x * t7 - (inertia.I5xx - t19)) - t20,
+           (inertia.I4zz - t21) - inertia.c4z * t10,
            t22,
-           inertia.I4yz - inertia.c4z * t19,
            inertia.I3yz - inertia.c3z * t23,
-           inertia.I3xy - inertia.c3y * t24,
-           Scalar(5.375) * t17,
-           t28,
+           ((inertia.I4xz - inertia.c4z * t24) - t25) + t25,
+           t26 - (t26 - (inertia.I4xy - inertia.c4y * t24)),
+           inertia.I3xy - inertia.c3y * t27,
+           t16,
            t31,
-           Scalar(0.2) * t32,
-           Scalar(0.2) * (t29 + t24),
-           inertia.I2xy - inertia.c2y * t33,
-           Scalar(1.075) * t23 - (inertia.I2yz - inertia.c2z * t34),
-           Scalar(5) * gravity,
-           t31 + t28,
-           t35,
-           Scalar(0.2) * (t36 + Scalar(1.075) * t37),
-           Scalar(0.2) * t33,
-           Scalar(2) * t38,
-           t40 - t41,
            t38,
-           t40,
-           t41,
-           Scalar(0.4) * t32,
-           Scalar(2) * t35,
-           Scalar(2) * t31,
-           Scalar(2) * t28,
            t43,
-           t45 };
+           Scalar(0.2) * t44,
+           Scalar(0.2) * (t29 + Scalar(0.2) * t30),
+           Scalar(0.2) * t47,
+           Scalar(0.2) * t48,
+           Scalar(0.2) * t35 - (inertia.I3xz - inertia.c3z * t27),
+           t49,
+           t50,
+           t51,
+           t52,
+           Scalar(5.375) * t16,
+           inertia.I2xy - inertia.c2y * t48,
+           Scalar(1.075) * t23 - (inertia.I2yz - inertia.c2z * t40),
+           t38 + t31,
+           Scalar(5) * gravity,
+           t50 - t51,
+           Scalar(2) * t49,
+           Scalar(0.4) * t44,
+           Scalar(0.4) * t48,
+           Scalar(0.4) * t47,
+           Scalar(2.15) * t44 };
 }
 
 namespace detail {
@@ -1401,268 +1427,264 @@ inline JointVector<Scalar> forward_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[1] * c6 + k[2] * s6;
-  const Scalar t1 = k[3] + t0;
-  const Scalar t2 = k[0] * s5 - c5 * t1;
-  const Scalar t3 = k[17] - t2;
-  const Scalar t4 = k[2] * c6 - k[1] * s6;
-  const Scalar t5 = k[18] + t4;
-  const Scalar t6 = c4 * t3 + s4 * t5;
-  const Scalar t7 = Scalar(5.375) * s2;
-  const Scalar t8 = k[13] * s6 + k[12] * c6;
-  const Scalar t9 = k[19] - t8;
-  const Scalar t10 = c5 * t9;
-  const Scalar t11 = k[5] * c6 - k[4] * s6;
-  const Scalar t12 = c6 * t11;
-  const Scalar t13 = k[6] - t12;
-  const Scalar t14 = k[8] - (k[7] - t13);
-  const Scalar t15 = (t10 + t10) + s5 * t14;
-  const Scalar t16 = k[8] - s5 * t15;
-  const Scalar t17 = k[9] - t14;
-  const Scalar t18 = k[22] + (t16 - t17);
-  const Scalar t19 = k[23] - t12;
-  const Scalar t20 = k[24] - t19;
-  const Scalar t21 = t18 + t20;
-  const Scalar t22 = c3 * s2 + c2 * s3;
-  const Scalar t23 = s2 * s3 - c2 * c3;
-  const Scalar t24 = Scalar(5.7125) * t3 - (k[20] + (c5 * t15 - t9));
-  const Scalar t25 = k[10] + s6 * t11;
-  const Scalar t26 = k[11] + t25;
-  const Scalar t27 = k[13] * c6 - k[12] * s6;
-  const Scalar t28 = k[14] - t27;
-  const Scalar t29 = s5 * t26 + c5 * t28;
-  const Scalar t30 = Scalar(5.7125) * t5 - (k[21] + t29);
-  const Scalar t31 = c4 * t24 + s4 * t30;
-  const Scalar t32 = t7 * t6 - ((t21 - t6) * t22 + t23 * t31);
-  const Scalar t33 = c5 - k[16] * s5 * t8;
-  const Scalar t34 = c5 * t4;
-  const Scalar t35 = s4 * t34 + c4 * t0;
-  const Scalar t36 = k[15] * t33;
-  const Scalar t37 = k[15] * s5 + c5 * t8;
-  const Scalar t38 = Scalar(5.7125) * t35 + (c4 * t37 + s4 * t27);
-  const Scalar t39 = ((t35 + t36) * t22 - t23 * t38) + t7 * t35;
-  const Scalar t40 = Scalar(1.6) * t35 + t39;
-  const Scalar t41 = s5 * t1 + k[0] * c5;
-  const Scalar t42 = s4 * t41;
-  const Scalar t43 = s5 * t28 - c5 * t26;
-  const Scalar t44 = Scalar(5.7125) * t41 + t17;
-  const Scalar t45 = t23 * (c4 * t43 - s4 * t44) - (t29 - t42) * t22;
-  const Scalar t46 = k[16] * t40;
-  const Scalar t47 = ((t7 * t42 + t45) + Scalar(1.6) * t42) - t46 * t27;
-  const Scalar t48 = k[16] * t27;
-  const Scalar t49 = Scalar(1) / (t48 * t27 - t17);
-  const Scalar t50 = t33 * t27 + t29;
-  const Scalar t51 = t49 * t50;
-  const Scalar t52 = ((Scalar(1.6) * t6 + t32) - t33 * t40) - t47 * t51;
-  const Scalar t53 = Scalar(1) / (t51 * t50 - (t21 + t33 * t36));
-  const Scalar t54 = t52 * t53;
-  const Scalar t55 = qd[0] * t22;
-  const Scalar t56 = qd[0] * t23;
-  const Scalar t57 = t55 * t56;
-  const Scalar t58 = qd[1] + qd[2];
-  const Scalar t59 = t55 * t58;
-  const Scalar t60 = t59 + t59;
-  const Scalar t61 = c4 * t57 + s4 * t60;
-  const Scalar t62 = qd[0] * s2;
-  const Scalar t63 = qd[0] * qd[0];
-  const Scalar t64 = Scalar(1.6) * t63;
-  const Scalar t65 = k[35] * s2 + c2 * t64;
-  const Scalar t66 = Scalar(5.375) * t62 * qd[0] * c2 + t65;
-  const Scalar t67 = qd[1] * qd[1];
-  const Scalar t68 = k[35] * c2 - s2 * t64;
-  const Scalar t69 = Scalar(5.375) * (t67 + t62 * t62) - t68;
-  const Scalar t70 = s3 * t66 + c3 * t69;
-  const Scalar t71 = t58 * t58;
-  const Scalar t72 = t56 * t56;
-  const Scalar t73 = t71 + t72;
-  const Scalar t74 = t71 - t72;
-  const Scalar t75 = t63 - t73;
-  const Scalar t76 = t74 + t75;
-  const Scalar t77 = t73 + t76;
-  const Scalar t78 = t70 + t77;
-  const Scalar t79 = t58 * t56;
-  const Scalar t80 = Scalar(2) * t79;
-  const Scalar t81 = qd[0] * qd[1];
-  const Scalar t82 = t81 + t81;
-  const Scalar t83 = Scalar(5.375) * c2 * t82;
-  const Scalar t84 = t80 - t83;
-  const Scalar t85 = Scalar(5.7125) * t61 - (c4 * t78 - s4 * t84);
-  const Scalar t86 = s3 * t69 - c3 * t66;
-  const Scalar t87 = Scalar(5.7125) * t73 - (t57 + t86);
-  const Scalar t88 = s5 * t85 + c5 * t87;
-  const Scalar t89 = c4 * t60 - s4 * t57;
-  const Scalar t90 = qd[3] - t55;
-  const Scalar t91 = s4 * t56 - c4 * t58;
-  const Scalar t92 = t90 * t91;
-  const Scalar t93 = t89 - (t92 + t92);
-  const Scalar t94 = s4 * t58 + c4 * t56;
-  const Scalar t95 = t94 * t91 - t79;
-  const Scalar t96 = t80 + t95;
-  const Scalar t97 = s5 * t93 + c5 * t96;
-  const Scalar t98 = qd[4] - t91;
-  const Scalar t99 = t98 * t98;
-  const Scalar t100 = s5 * t94 + c5 * t90;
-  const Scalar t101 = qd[5] + t100;
-  const Scalar t102 = t101 * t101;
-  const Scalar t103 = t99 + t102;
-  const Scalar t104 = c5 * t94 - s5 * t90;
-  const Scalar t105 = t102 + t104 * t104;
-  const Scalar t106 = t99 - t102;
-  const Scalar t107 = t105 + t106;
-  const Scalar t108 = t103 - t107;
-  const Scalar t109 = t100 * t104;
-  const Scalar t110 = t90 * t94;
-  const Scalar t111 = t61 + t110;
-  const Scalar t112 = t109 - t111;
-  const Scalar t113 = t112 - Scalar(2) * t101 * t104;
-  const Scalar t114 = t101 * t98;
-  const Scalar t115 = t98 * t100;
-  const Scalar t116 = s5 * t96 - c5 * t93;
-  const Scalar t117 = (t115 + t116) + t115;
-  const Scalar t118 = t114 - (t117 - t114);
-  const Scalar t119 = (t97 * t27 - t8 * t108) + (t113 * t13 + t118 * t25);
-  const Scalar t120 = t91 * t91;
-  const Scalar t121 = t90 * t90;
-  const Scalar t122 = t120 - t121;
-  const Scalar t123 = t120 + t121;
-  const Scalar t124 = t73 - t123;
-  const Scalar t125 = t122 - t124;
-  const Scalar t126 = t125 - t123;
-  const Scalar t127 = t107 + t126;
-  const Scalar t128 = t106 + t108;
-  const Scalar t129 = t109 + t111;
-  const Scalar t130 = k[19] * (t127 - t128) - (k[7] * t129 - k[8] * t112);
-  const Scalar t131 = s5 * t87 - c5 * t85;
-  const Scalar t132 = ((k[14] * t97 + k[11] * t116) + t130) + (k[0] * t131 - k[3] * t88);
-  const Scalar t133 = (t0 * t88 + t119) - t132;
-  const Scalar t134 = t97 + Scalar(2) * t98 * t104;
-  const Scalar t135 = (t19 * t97 - t13 * t134) + t25 * t128;
-  const Scalar t136 = (s4 * t78 + c4 * t84) + Scalar(5.7125) * t89;
-  const Scalar t137 = ((t117 * t8 + t112 * t27) - t135) - (t0 * t136 - t131 * t4);
-  const Scalar t138 = torque[5] + t137;
-  const Scalar t139 = (torque[4] + t133) + t48 * t138;
-  const Scalar t140 = k[25] * t125 - (k[24] * t96 - k[22] * t95);
-  const Scalar t141 = (t140 - (k[21] * t61 + k[20] * t89)) + (k[18] * t85 + k[17] * t136);
-  const Scalar t142 = k[14] * t127 - (k[8] * t117 + k[19] * t134);
-  const Scalar t143 = t27 * t106 + (t113 * t25 - t118 * t19);
-  const Scalar t144 = (k[0] * t136 + (t142 + k[11] * t129)) - (t4 * t88 + (t143 - t134 * t8));
-  const Scalar t145 = (k[7] * t134 + k[19] * t117) + (k[14] * t112 + k[11] * t128);
-  const Scalar t146 = (k[3] * t136 + t145) - t137;
-  const Scalar t147 = t141 - (s5 * t144 - c5 * t146);
-  const Scalar t148 = t139 * t51 - (t33 * t138 - (torque[3] - t147));
-  const Scalar t149 = t47 * t49;
-  const Scalar t150 = (k[0] * t117 - k[3] * t134) - (t0 * t134 + t105 * t4);
-  const Scalar t151 = (k[17] * t95 + k[18] * t126) + t150;
-  const Scalar t152 = (t118 * t4 + t113 * t0) - (k[3] * t129 + k[0] * t107);
-  const Scalar t153 = (t103 * t0 - t97 * t4) - (k[3] * (t126 - t128) - k[0] * t112);
-  const Scalar t154 = (s5 * t152 + c5 * t153) + (k[17] * t123 - k[18] * t96);
-  const Scalar t155 = c4 * t151 + s4 * t154;
-  const Scalar t156 = t155 - (k[32] * t60 + k[45] * t79);
-  const Scalar t157 = (k[39] * s2 - k[38] * c2) * t82 - t156;
-  const Scalar t158 = k[42] - s2 * (k[40] * s2 - k[41] * c2);
-  const Scalar t159 = t158 * t82 - t67 * (k[34] * s2 - k[33] * c2);
-  const Scalar t160 = k[27] * t75 - (k[46] * t79 + k[47] * t59);
-  const Scalar t161 = t111 + t110;
-  const Scalar t162 = (k[25] * t161 - k[24] * t93) + k[21] * t122;
-  const Scalar t163 = (s5 * t146 + c5 * t144) - (k[18] * t87 - (k[20] * t95 + t162));
-  const Scalar t164 = (k[25] * t93 - k[22] * t161) - (k[20] * t124 + k[21] * t96);
-  const Scalar t165 = (t164 + k[17] * t87) + t133;
-  const Scalar t166 = Scalar(5.7125) * t155 - (c4 * t163 + s4 * t165);
-  const Scalar t167 = (k[32] * t83 + (t160 + k[26] * t57)) + t166;
-  const Scalar t168 = (k[48] * t79 - k[46] * t59) - (k[26] * t74 - k[27] * t57);
-  const Scalar t169 = t22 * ((t155 - t147) + (k[31] * t83 + t168));
-  const Scalar t170 = t159 - (t7 * t156 - (t23 * t167 - t169));
-  const Scalar t171 = (torque[0] + (Scalar(1.6) * t157 + t170)) + t46 * t138;
-  const Scalar t172 = (s4 * t43 + c4 * t44) - t2;
-  const Scalar t173 = s5 * t4;
-  const Scalar t174 = s4 * t0 - c4 * t34;
-  const Scalar t175 = Scalar(5.7125) * t174 - (c4 * t27 - s4 * t37);
-  const Scalar t176 = t173 + t175;
-  const Scalar t177 = t172 + t48 * t176;
-  const Scalar t178 = t49 * t177;
-  const Scalar t179 = c4 * t30 - s4 * t24;
-  const Scalar t180 = t178 * t50 - (t179 + t33 * t176);
-  const Scalar t181 = t53 * t180;
-  const Scalar t182 = k[16] * t176;
-  const Scalar t183 = (k[32] * t70 + k[31] * t86) - (k[36] * t57 - k[37] * t76);
-  const Scalar t184 = (k[18] * t93 - k[17] * t161) + (c5 * t152 - s5 * t153);
-  const Scalar t185 = c4 * t154 - s4 * t151;
-  const Scalar t186 = Scalar(5.7125) * t185 - (c4 * t165 - s4 * t163);
-  const Scalar t187 = t183 + (t184 + t186);
-  const Scalar t188 = t139 * t178 - (t182 * t138 - (torque[2] - t187));
-  const Scalar t189 = t181 * t148 - t188;
-  const Scalar t190 = k[25] - t43;
-  const Scalar t191 = Scalar(2) * c4 * t190 - s4 * (t18 - t20);
-  const Scalar t192 = c4 * t5 - s4 * t3;
-  const Scalar t193 = k[26] + ((c4 * t191 - t190) - t192);
-  const Scalar t194 = k[27] - t179;
-  const Scalar t195 = t23 * t193 + t194 * t22;
-  const Scalar t196 = (t149 * t177 + (t46 * t176 - t195)) + t54 * t180;
-  const Scalar t197 = k[30] + (t16 + Scalar(11.425) * t41);
-  const Scalar t198 = s4 * t191;
-  const Scalar t199 = k[29] - (Scalar(2) * t6 - (t18 + t198));
-  const Scalar t200 = t197 - t199;
-  const Scalar t201 = (t178 * t177 - (t182 * t176 - t200)) - t180 * t181;
-  const Scalar t202 = Scalar(1) / t201;
-  const Scalar t203 = t196 * t202;
-  const Scalar t204 = (t54 * t148 + (t139 * t149 + t171)) + t189 * t203;
-  const Scalar t205 = Scalar(5.375) * t192;
-  const Scalar t206 = t182 - k[28] * (s3 * t174 - c3 * t173);
-  const Scalar t207 = Scalar(5.375) * (s3 * c4 * t41 + c3 * t2);
-  const Scalar t208 = t206 * t27 + (t172 - t207);
-  const Scalar t209 = ((s3 * t205 - t179) - t206 * t36) + t208 * t51;
-  const Scalar t210 = t209 * t53;
-  const Scalar t211 = t208 * t49;
-  const Scalar t212 = t63 * t158 - (k[38] * t65 + k[39] * t68);
-  const Scalar t213 = c3 * (t184 + (k[31] * t57 - k[32] * t73));
-  const Scalar t214 = s3 * (t185 - (k[32] * t57 - k[31] * t77));
-  const Scalar t215 = torque[1] - (t212 + (Scalar(5.375) * (t213 - t214) + t187));
-  const Scalar t216 = t210 * t148 - (t139 * t211 - (t206 * t138 - t215));
-  const Scalar t217 = t189 * t202;
-  const Scalar t218 = k[15] * t206;
-  const Scalar t219 = k[31] + t6;
-  const Scalar t220 = k[32] + t41;
-  const Scalar t221 = c3 * t219 - s3 * t220;
-  const Scalar t222 = t208 * t178 - (t218 * t182 - (Scalar(5.375) * t221 + t200));
-  const Scalar t223 = t222 - t209 * t181;
-  const Scalar t224 = k[37] + (t31 + t41);
-  const Scalar t225 = c3 * t224;
-  const Scalar t226 = (t225 + t225) - s3 * (t197 + t199);
-  const Scalar t227 = t197 + s3 * t226;
-  const Scalar t228 = k[44] + (Scalar(10.75) * t221 - (t227 - t200));
-  const Scalar t229 = k[43] + t227;
-  const Scalar t230 = t208 * t211 - (t206 * t218 - (t228 + t229));
-  const Scalar t231 = t223 * t202;
-  const Scalar t232 = Scalar(1) / ((t209 * t210 - t230) + t231 * t223);
-  const Scalar t233 = (t216 - t217 * t223) * t232;
-  const Scalar t234 = c3 * t193 - s3 * t194;
-  const Scalar t235 = ((c2 * t234 + t195) + k[33] * s2) + c2 * (k[34] + (t205 - t234));
-  const Scalar t236 = (t47 * t211 - (t235 - t206 * t40)) + t209 * t54;
-  const Scalar t237 = t196 * t231 - t236;
-  const Scalar t238 = t232 * t237;
-  const Scalar t239 = s3 * t219 + c3 * t220;
-  const Scalar t240 = s2 * (k[38] + t221) + c2 * (k[39] + t239);
-  const Scalar t241 = k[42] - (Scalar(5.375) * t239 + (c3 * t226 - t224));
-  const Scalar t242 = c2 * (t228 - t229) + Scalar(2) * s2 * t241;
-  const Scalar t243 = k[49] + (Scalar(3.2) * t240 - (c2 * t242 - t228));
-  const Scalar t244 = (t243 - (k[50] - (t198 - t20))) - t46 * t40;
-  const Scalar t245 = ((t244 + t47 * t149) - t54 * t52) - t196 * t203;
-  const Scalar t246 = (t204 + t233 * t237) * Scalar(1) / (t237 * t238 + t245);
-  const Scalar t247 = t233 - t238 * t246;
-  const Scalar t248 = t247 * t231 + (t246 * t203 + t217);
-  const Scalar t249 = t247 * t210 - (t54 * t246 + t53 * t148);
-  const Scalar t250 = t181 * t248 - t249;
-  const Scalar t251 = t247 * t211 + (t149 * t246 - t139 * t49);
-  const Scalar t252 = (t178 * t248 - t251) - t51 * t250;
-  const Scalar t253 = (k[16] * t138 + t46 * t246) - t247 * t206;
-  const Scalar t254 = (t33 * t250 - (t182 * t248 + t253)) + t252 * t48;
+  const Scalar t0 = k[10] * s6 - k[11] * c6;
+  const Scalar t1 = k[12] * t0;
+  const Scalar t2 = k[7] * c6 - k[6] * s6;
+  const Scalar t3 = k[15] - c6 * t2;
+  const Scalar t4 = k[12] - t3;
+  const Scalar t5 = k[16] + t4;
+  const Scalar t6 = k[20] + t5;
+  const Scalar t7 = Scalar(1) / (t1 * t0 - t6);
+  const Scalar t8 = k[0] * s6 - k[1] * c6;
+  const Scalar t9 = c5 * t8;
+  const Scalar t10 = k[0] * c6 + k[1] * s6;
+  const Scalar t11 = s4 * t9 - c4 * t10;
+  const Scalar t12 = k[17] * c6 + k[18] * s6;
+  const Scalar t13 = s5 * t12 - k[12] * c5;
+  const Scalar t14 = c3 * s2 + c2 * s3;
+  const Scalar t15 = s2 * s3 - c2 * c3;
+  const Scalar t16 = Scalar(5.7125) * t10 + (c5 * t12 + k[12] * s5);
+  const Scalar t17 = t1 + Scalar(5.7125) * t9;
+  const Scalar t18 = (t11 + t13) * t14 + t15 * (c4 * t16 - s4 * t17);
+  const Scalar t19 = Scalar(5.375) * s2;
+  const Scalar t20 = Scalar(1.6) * t11 + (t18 + t11 * t19);
+  const Scalar t21 = k[27] * t20;
+  const Scalar t22 = k[3] + t10;
+  const Scalar t23 = k[4] * c5 + s5 * t22;
+  const Scalar t24 = s4 * t23;
+  const Scalar t25 = Scalar(5.7125) * t23;
+  const Scalar t26 = t6 + t25;
+  const Scalar t27 = k[8] + s6 * t2;
+  const Scalar t28 = k[9] + t27;
+  const Scalar t29 = k[13] + t1;
+  const Scalar t30 = c5 * t28 - s5 * t29;
+  const Scalar t31 = c5 * t29 + s5 * t28;
+  const Scalar t32 = t15 * (s4 * t26 + c4 * t30) + t14 * (t31 - t24);
+  const Scalar t33 = t1 * t21 - (Scalar(1.6) * t24 + (t24 * t19 - t32));
+  const Scalar t34 = t7 * t33;
+  const Scalar t35 = k[22] - t3;
+  const Scalar t36 = k[19] - t12;
+  const Scalar t37 = Scalar(2) * c5 * t36 + s5 * (k[20] - t5);
+  const Scalar t38 = s5 * t37 + t5;
+  const Scalar t39 = k[21] - t38;
+  const Scalar t40 = k[14] + t30;
+  const Scalar t41 = c4 * t40;
+  const Scalar t42 = s4 * (t35 - t39) + (t41 + t41);
+  const Scalar t43 = t35 - s4 * t42;
+  const Scalar t44 = k[31] + t23;
+  const Scalar t45 = k[2] - t8;
+  const Scalar t46 = k[4] * s5 - c5 * t22;
+  const Scalar t47 = k[5] - t46;
+  const Scalar t48 = s4 * t45 + c4 * t47;
+  const Scalar t49 = k[32] + t48;
+  const Scalar t50 = s3 * t44 - c3 * t49;
+  const Scalar t51 = c3 * t44 + s3 * t49;
+  const Scalar t52 = s2 * (k[33] - t50) + c2 * (k[34] + t51);
+  const Scalar t53 = k[29] + (Scalar(2) * t25 - (t38 - t6));
+  const Scalar t54 = k[25] + t31;
+  const Scalar t55 = k[24] - (t36 - c5 * t37);
+  const Scalar t56 = Scalar(5.7125) * t48 - (s4 * t54 + c4 * t55);
+  const Scalar t57 = k[35] + (t23 + t56);
+  const Scalar t58 = t35 + t39;
+  const Scalar t59 = k[28] - (Scalar(2) * t48 + (t43 - t58));
+  const Scalar t60 = (c3 + c3) * t57 - s3 * (t53 + t59);
+  const Scalar t61 = t53 + s3 * t60;
+  const Scalar t62 = t53 - t59;
+  const Scalar t63 = Scalar(5.375) * t50;
+  const Scalar t64 = k[38] - ((t61 - t62) + Scalar(2) * t63);
+  const Scalar t65 = k[36] - (Scalar(5.375) * t51 + (c3 * t60 - t57));
+  const Scalar t66 = k[37] + t61;
+  const Scalar t67 = Scalar(2) * s2 * t65 + c2 * (t64 - t66);
+  const Scalar t68 = k[39] + (Scalar(3.2) * t52 + (t64 - c2 * t67));
+  const Scalar t69 = t34 * t33 - (t20 * t21 + ((k[30] + t43) - t68));
+  const Scalar t70 = k[27] * t13;
+  const Scalar t71 = t31 + t1 * t70;
+  const Scalar t72 = t7 * t71;
+  const Scalar t73 = Scalar(1) / ((t13 * t70 + t58) - t71 * t72);
+  const Scalar t74 = t48 * t19 + ((t48 - t58) * t14 - t15 * t56);
+  const Scalar t75 = ((t74 + Scalar(1.6) * t48) - t13 * t21) + t71 * t34;
+  const Scalar t76 = t73 * t75;
+  const Scalar t77 = s5 * t8;
+  const Scalar t78 = (s4 * t16 + c4 * t17) - t77;
+  const Scalar t79 = t46 - (c4 * t26 - s4 * t30);
+  const Scalar t80 = t0 * t78 + t79;
+  const Scalar t81 = c4 * t45 - s4 * t47;
+  const Scalar t82 = k[23] - (t81 + (t40 - c4 * t42));
+  const Scalar t83 = Scalar(5.7125) * t81 + (s4 * t55 - c4 * t54);
+  const Scalar t84 = k[26] - t83;
+  const Scalar t85 = t15 * t82 + t84 * t14;
+  const Scalar t86 = k[27] * t78;
+  const Scalar t87 = (t13 * t86 - t83) - t80 * t72;
+  const Scalar t88 = (t80 * t34 - (t21 * t78 + t85)) - t76 * t87;
+  const Scalar t89 = t73 * t87;
+  const Scalar t90 = t7 * t80;
+  const Scalar t91 = t87 * t89 - ((t78 * t86 - t62) - t90 * t80);
+  const Scalar t92 = Scalar(1) / t91;
+  const Scalar t93 = t88 * t92;
+  const Scalar t94 = s3 * (c4 * t9 + s4 * t10) + c3 * t77;
+  const Scalar t95 = k[40] * t94 - t86;
+  const Scalar t96 = k[12] * t95;
+  const Scalar t97 = Scalar(5.375) * (c3 * t46 + s3 * c4 * t23);
+  const Scalar t98 = t0 * t96 - (t97 + t79);
+  const Scalar t99 = t90 * t98 - ((t62 - t63) + t95 * t78);
+  const Scalar t100 = Scalar(5.375) * t81;
+  const Scalar t101 = t98 * t72 - ((t83 - s3 * t100) + t96 * t70);
+  const Scalar t102 = t73 * t101;
+  const Scalar t103 = t99 - t102 * t87;
+  const Scalar t104 = t7 * t98;
+  const Scalar t105 = c3 * t82 - s3 * t84;
+  const Scalar t106 = c2 * (k[42] - (t105 - t100)) + ((c2 * t105 + t85) + k[41] * s2);
+  const Scalar t107 = t102 * t75 + (t104 * t33 + (t106 - t95 * t20));
+  const Scalar t108 = t93 * t103 - t107;
+  const Scalar t109 = t103 * t92;
+  const Scalar t110 = (t95 * t96 - (t64 + t66)) - t98 * t104;
+  const Scalar t111 = Scalar(1) / (t103 * t109 + (t110 - t101 * t102));
+  const Scalar t112 = t108 * t111;
+  const Scalar t113 = ((t69 + t76 * t75) - t88 * t93) + t112 * t108;
+  const Scalar t114 = qd[0] * t15;
+  const Scalar t115 = qd[1] + qd[2];
+  const Scalar t116 = s4 * t114 - c4 * t115;
+  const Scalar t117 = qd[4] - t116;
+  const Scalar t118 = t117 * t117;
+  const Scalar t119 = c4 * t114;
+  const Scalar t120 = s4 * t115 + t119;
+  const Scalar t121 = qd[0] * t14;
+  const Scalar t122 = qd[3] - t121;
+  const Scalar t123 = c5 * t120 - s5 * t122;
+  const Scalar t124 = t123 * t123;
+  const Scalar t125 = t118 - t124;
+  const Scalar t126 = t115 * t114;
+  const Scalar t127 = t120 * t116 + t126;
+  const Scalar t128 = t121 * t115;
+  const Scalar t129 = Scalar(2) * t128;
+  const Scalar t130 = t121 * t114;
+  const Scalar t131 = c4 * t129 - s4 * t130;
+  const Scalar t132 = (t122 + t122) * t116 - t131;
+  const Scalar t133 = c5 * t127 - s5 * t132;
+  const Scalar t134 = Scalar(2) * t117;
+  const Scalar t135 = t123 * t134 + t133;
+  const Scalar t136 = t125 * t27 + (t133 * t3 + t4 * t135);
+  const Scalar t137 = s5 * t120 + c5 * t122;
+  const Scalar t138 = t137 * t123;
+  const Scalar t139 = s4 * t129 + t121 * t119;
+  const Scalar t140 = t122 * t120;
+  const Scalar t141 = t139 + t140;
+  const Scalar t142 = t138 - t141;
+  const Scalar t143 = s5 * t127 + c5 * t132;
+  const Scalar t144 = t143 + t137 * t134;
+  const Scalar t145 = qd[0] * qd[1];
+  const Scalar t146 = c2 * t145;
+  const Scalar t147 = Scalar(10.75) * t146;
+  const Scalar t148 = t126 + t126;
+  const Scalar t149 = Scalar(5.7125) * t129 - (t147 - t148);
+  const Scalar t150 = qd[0] * qd[0];
+  const Scalar t151 = Scalar(1.6) * t150;
+  const Scalar t152 = c2 * t151 + k[44] * s2;
+  const Scalar t153 = Scalar(5.375) * t150 * c2 * s2 + t152;
+  const Scalar t154 = s2 * t151 - k[44] * c2;
+  const Scalar t155 = qd[1] * qd[1];
+  const Scalar t156 = qd[0] * s2;
+  const Scalar t157 = t154 + Scalar(5.375) * (t155 + t156 * t156);
+  const Scalar t158 = s3 * t153 + c3 * t157;
+  const Scalar t159 = t121 * t121;
+  const Scalar t160 = t115 * t115;
+  const Scalar t161 = t159 + t160;
+  const Scalar t162 = (t158 + t161) - Scalar(5.7125) * t130;
+  const Scalar t163 = c4 * t149 + s4 * t162;
+  const Scalar t164 = t159 - t160;
+  const Scalar t165 = t150 - t164;
+  const Scalar t166 = c3 * t153 - s3 * t157;
+  const Scalar t167 = Scalar(5.7125) * t165 - (t130 - t166);
+  const Scalar t168 = c4 * t162 - s4 * t149;
+  const Scalar t169 = s5 * t167 + c5 * t168;
+  const Scalar t170 = (t136 + (t1 * t142 - t12 * t144)) + (t10 * t163 + t8 * t169);
+  const Scalar t171 = torque[5] - t170;
+  const Scalar t172 = c5 * t167 - s5 * t168;
+  const Scalar t173 = qd[5] + t137;
+  const Scalar t174 = t118 - t173 * t173;
+  const Scalar t175 = t173 * t123;
+  const Scalar t176 = t175 + (t175 - t142);
+  const Scalar t177 = t173 * t134 - t144;
+  const Scalar t178 = t1 * t174 + (t27 * t176 + t177 * t3);
+  const Scalar t179 = t138 + t141;
+  const Scalar t180 = t120 * t120;
+  const Scalar t181 = t122 * t122;
+  const Scalar t182 = t180 + t181;
+  const Scalar t183 = t118 + t124;
+  const Scalar t184 = t182 - t183;
+  const Scalar t185 = k[13] * t184 + (k[20] * t144 + k[19] * t135);
+  const Scalar t186 = (t8 * t172 + (t12 * t135 + t178)) + ((k[9] * t179 - t185) + k[4] * t163);
+  const Scalar t187 = (k[16] * t135 + k[19] * t144) + (k[9] * t125 + k[13] * t142);
+  const Scalar t188 = (k[3] * t163 + t187) + t170;
+  const Scalar t189 = t165 - t182;
+  const Scalar t190 = t180 - t181;
+  const Scalar t191 = t148 - t127;
+  const Scalar t192 = k[14] * (t189 - t190) - (k[22] * t127 + k[21] * t191);
+  const Scalar t193 = (t192 - (k[25] * t139 + k[24] * t131)) - (k[2] * t168 - k[5] * t163);
+  const Scalar t194 = (s5 * t186 - c5 * t188) - t193;
+  const Scalar t195 = k[27] * t171;
+  const Scalar t196 = t125 + t184;
+  const Scalar t197 = k[19] * t196 + (k[16] * t179 - k[20] * t142);
+  const Scalar t198 = (k[3] * t172 - k[4] * t169) - ((k[9] * t143 + k[13] * t133) - t197);
+  const Scalar t199 = t125 - t174;
+  const Scalar t200 = (t4 * t176 + t27 * t177) - (t12 * t199 + t1 * t133);
+  const Scalar t201 = t198 + (t10 * t172 + t200);
+  const Scalar t202 = t1 * t195 - (torque[4] + t201);
+  const Scalar t203 = (t171 * t70 + (torque[3] + t194)) - t72 * t202;
+  const Scalar t204 = (t10 * t135 - t8 * (t183 - t174)) - (k[4] * t144 - k[3] * t135);
+  const Scalar t205 = t204 + (k[2] * t182 + k[5] * t191);
+  const Scalar t206 = (k[4] * t183 + k[3] * t179) + (t8 * t177 + t10 * t176);
+  const Scalar t207 = (t10 * (t199 + t183) + t8 * t133) + (k[4] * t142 + k[3] * (t183 + t196));
+  const Scalar t208 = (s5 * t206 - c5 * t207) + (k[2] * t127 + k[5] * (t190 - t165));
+  const Scalar t209 = c4 * t205 + s4 * t208;
+  const Scalar t210 = (k[32] * t148 + k[47] * t128) + t209;
+  const Scalar t211 = t145 * (k[48] * s2 - k[49] * c2) + t210;
+  const Scalar t212 = k[36] + s2 * (k[45] * c2 - k[46] * s2);
+  const Scalar t213 = t155 * (k[42] * s2 - k[41] * c2) - t212 * (t145 + t145);
+  const Scalar t214 = (k[29] * t129 + k[35] * t148) - k[26] * t164;
+  const Scalar t215 = t141 + t140;
+  const Scalar t216 = (k[14] * t132 + k[21] * t215) + (k[24] * t190 + k[25] * t127);
+  const Scalar t217 = (k[5] * t167 - t216) + t201;
+  const Scalar t218 = k[25] * t189 + (k[14] * t215 + k[22] * t132);
+  const Scalar t219 = (c5 * t186 + s5 * t188) - (k[2] * t167 + (k[24] * t191 - t218));
+  const Scalar t220 = (s4 * t217 + c4 * t219) + Scalar(5.7125) * t209;
+  const Scalar t221 = (k[50] * t146 + (k[23] * t130 - t214)) - t220;
+  const Scalar t222 = t150 - t161;
+  const Scalar t223 = (k[28] * t148 - k[35] * t129) + (k[23] * t222 + k[26] * t130);
+  const Scalar t224 = ((t223 + k[32] * t147) - (t209 - t194)) * t14;
+  const Scalar t225 = t213 - ((t15 * t221 - t224) + t210 * t19);
+  const Scalar t226 = t20 * t195 - (torque[0] + (Scalar(1.6) * t211 - t225));
+  const Scalar t227 = (k[32] * t166 - k[31] * t158) + (k[43] * t130 + k[35] * (t222 - t164));
+  const Scalar t228 = c4 * t208 - s4 * t205;
+  const Scalar t229 = Scalar(5.7125) * t228 + (c4 * t217 - s4 * t219);
+  const Scalar t230 = (k[2] * t132 + k[5] * t215) + (c5 * t206 + s5 * t207);
+  const Scalar t231 = t227 + (t229 + t230);
+  const Scalar t232 = t7 * t202;
+  const Scalar t233 = (t195 * t78 - (torque[2] + t231)) - t80 * t232;
+  const Scalar t234 = t203 * t89 - t233;
+  const Scalar t235 = t234 * t92;
+  const Scalar t236 = (t76 * t203 + (t226 - t34 * t202)) + t88 * t235;
+  const Scalar t237 = t73 * t203;
+  const Scalar t238 = (k[34] * t154 - k[33] * t152) + t150 * t212;
+  const Scalar t239 = s3 * (t228 - (k[32] * t161 - k[31] * t130));
+  const Scalar t240 = c3 * ((k[32] * t130 - k[31] * t165) - t230);
+  const Scalar t241 = torque[1] - (t238 + (Scalar(5.375) * (t239 + t240) - t231));
+  const Scalar t242 = t237 * t101 + ((t95 * t171 + t241) - t98 * t232);
+  const Scalar t243 = t242 + t109 * t234;
+  const Scalar t244 = Scalar(1) / t113 * (t236 - t112 * t243);
+  const Scalar t245 = t243 * t111 + t112 * t244;
+  const Scalar t246 = (t235 + t244 * t93) - t109 * t245;
+  const Scalar t247 = t246 * t89 - ((t237 - t244 * t76) + t102 * t245);
+  const Scalar t248 = t90 * t246 + (t104 * t245 - (t244 * t34 + t232));
+  const Scalar t249 = t248 - t247 * t72;
+  const Scalar t250 = t246 * t86 - ((t195 + t244 * t21) - t95 * t245);
   JointVector<Scalar> result;
-  result[0] = t246;
-  result[1] = t247;
-  result[2] = -t248;
-  result[3] = t250;
-  result[4] = -t252;
-  result[5] = -t254;
+  result[0] = -t244;
+  result[1] = -t245;
+  result[2] = t246;
+  result[3] = t247;
+  result[4] = -t249;
+  result[5] = (t247 * t70 - t250) + t249 * t0;
   return result;
 }
 
@@ -1690,84 +1712,89 @@ KineticEnergyConstants<Scalar> kinetic_energy_constants([[maybe_unused]] const B
   using std::cos;
   using std::sin;
   const Scalar t0 = inertia.c6z * inertia.m6;
-  const Scalar t1 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t2 = inertia.c6z * t0 - (inertia.I6zz - t1);
+  const Scalar t1 = Scalar(0.2) * t0;
+  const Scalar t2 = inertia.c6x * inertia.m6;
   const Scalar t3 = inertia.c6y * inertia.m6;
-  const Scalar t4 = (inertia.I6yy - t1) - inertia.c6y * t3;
-  const Scalar t5 = Scalar(0.2) * t0;
-  const Scalar t6 = inertia.c6x * inertia.m6;
-  const Scalar t7 = Scalar(0.2) * t3;
-  const Scalar t8 = inertia.c5x * inertia.m5;
-  const Scalar t9 = inertia.I6yz - inertia.c6z * t3;
-  const Scalar t10 = inertia.c5y * inertia.m5;
-  const Scalar t11 = inertia.c4x * inertia.m4;
-  const Scalar t12 = inertia.c4y * inertia.m4;
-  const Scalar t13 = inertia.c5z * inertia.m5;
-  const Scalar t14 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t15 = Scalar(0.2) * inertia.m6 + t6;
-  const Scalar t16 = ((inertia.I6xx - t1) - inertia.c6x * t6) - Scalar(0.2) * (t6 + t15);
-  const Scalar t17 = inertia.c4z * inertia.m4;
-  const Scalar t18 = inertia.c3z * inertia.m3;
-  const Scalar t19 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t20 = Scalar(1.1425) * t19 + t11;
-  const Scalar t21 = inertia.c3x * inertia.m3;
-  const Scalar t22 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t23 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t24 = Scalar(1.1425) * (t11 + t20) - ((inertia.I4xx - t23) - inertia.c4x * t11);
-  const Scalar t25 = ((inertia.I4yy - t23) - inertia.c4y * t12) - (inertia.c5y * t10 - (inertia.I5yy - t14));
-  const Scalar t26 = ((inertia.I3zz - t22) - inertia.c3z * t18) - Scalar(0.04) * t19;
-  const Scalar t27 = inertia.c3y * inertia.m3;
-  const Scalar t28 = inertia.c2y * inertia.m2;
-  const Scalar t29 = inertia.c2x * inertia.m2;
-  const Scalar t30 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t31 = ((inertia.I3yy - t22) - inertia.c3y * t27) + ((inertia.I2yy - t30) - inertia.c2y * t28);
-  const Scalar t32 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t33 = t31 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t32));
-  const Scalar t34 = inertia.c2z * inertia.m2;
-  const Scalar t35 = inertia.m3 + t19;
-  const Scalar t36 = Scalar(1.155625) * t35 - ((inertia.I2zz - t30) - inertia.c2z * t34);
-  const Scalar t37 = Scalar(0.1024) * (inertia.m2 + t35)
-      + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t32));
-  return { t2 - t4,
-           t5 - (inertia.I6xz - inertia.c6z * t6),
-           t7 - (inertia.I6xy - inertia.c6y * t6),
-           inertia.I5xy - inertia.c5y * t8,
-           Scalar(2) * t9,
-           t2 + t4,
-           t9,
-           inertia.I5yz - inertia.c5z * t10,
-           inertia.I4xy - inertia.c4y * t11,
-           t5,
-           t7,
-           Scalar(0.2) * (t12 + t10),
-           inertia.I5xz - inertia.c5z * t8,
+  const Scalar t4 = Scalar(0.2) * t3;
+  const Scalar t5 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t6 = inertia.c6z * t0 - (inertia.I6zz - t5);
+  const Scalar t7 = (inertia.I6yy - t5) - inertia.c6y * t3;
+  const Scalar t8 = inertia.c5z * inertia.m5;
+  const Scalar t9 = inertia.c5x * inertia.m5;
+  const Scalar t10 = Scalar(0.2) * inertia.m6 + t2;
+  const Scalar t11 = inertia.I6yz - inertia.c6z * t3;
+  const Scalar t12 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t13 = ((inertia.I6xx - t5) - inertia.c6x * t2) - Scalar(0.2) * (t2 + t10);
+  const Scalar t14 = inertia.c5y * inertia.m5;
+  const Scalar t15 = inertia.c4y * inertia.m4;
+  const Scalar t16 = Scalar(1.1425) * t15;
+  const Scalar t17 = inertia.c4x * inertia.m4;
+  const Scalar t18 = inertia.c4z * inertia.m4;
+  const Scalar t19 = Scalar(1.1425) * t18;
+  const Scalar t20 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t21 = Scalar(1.1425) * inertia.m4;
+  const Scalar t22 = t17 + t21;
+  const Scalar t23 = t21 - t22;
+  const Scalar t24 = Scalar(1.1425) * t20 - t23;
+  const Scalar t25 = inertia.c3x * inertia.m3;
+  const Scalar t26 = inertia.c3z * inertia.m3;
+  const Scalar t27 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t28 = ((inertia.I4yy - t27) - inertia.c4y * t15) - (inertia.c5y * t14 - (inertia.I5yy - t12));
+  const Scalar t29 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t30 = ((inertia.I3zz - t29) - inertia.c3z * t26) - Scalar(0.04) * t20;
+  const Scalar t31 = Scalar(1.1425) * (t17 + t22) - ((inertia.I4xx - t27) - inertia.c4x * t17);
+  const Scalar t32 = Scalar(1.1425) * (t24 - t23) + (t31 + Scalar(1.1425) * (t23 - t22));
+  const Scalar t33 = inertia.c3y * inertia.m3;
+  const Scalar t34 = inertia.c2x * inertia.m2;
+  const Scalar t35 = inertia.c2y * inertia.m2;
+  const Scalar t36 = inertia.c2z * inertia.m2;
+  const Scalar t37 = inertia.m3 + t20;
+  const Scalar t38 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t39 = Scalar(1.155625) * t37 - ((inertia.I2zz - t38) - inertia.c2z * t36);
+  const Scalar t40 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t41 = Scalar(0.1024) * (inertia.m2 + t37)
+      + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t40));
+  const Scalar t42 = ((inertia.I3yy - t29) - inertia.c3y * t33) + ((inertia.I2yy - t38) - inertia.c2y * t35);
+  const Scalar t43 = t42 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t40));
+  return { t1 - (inertia.I6xz - inertia.c6z * t2),
+           t4 - (inertia.I6xy - inertia.c6y * t2),
+           t1,
            t4,
-           inertia.c5z * t13 - (inertia.I5zz - t14),
-           (inertia.c5x * t8 - (inertia.I5xx - t14)) - t16,
-           inertia.I4xz - inertia.c4z * t11,
-           Scalar(0.2) * (t8 + t15),
-           Scalar(0.2) * t13,
-           Scalar(0.2) * t17,
-           Scalar(0.2) * (t18 + Scalar(0.2) * t19),
-           Scalar(0.2) * (t20 + t21),
-           (inertia.c3x * t21 - (inertia.I3xx - t22)) + t24,
-           (inertia.I4zz - t23) - inertia.c4z * t17,
-           inertia.I4yz - inertia.c4z * t12,
-           t2,
-           t25,
-           t26,
-           Scalar(0.2) * t20 - (inertia.I3xz - inertia.c3z * t21),
-           inertia.I3xy - inertia.c3y * t21,
-           inertia.I3yz - inertia.c3z * t27,
-           Scalar(1.075) * t27 - (inertia.I2yz - inertia.c2z * t28),
-           inertia.I2xy - inertia.c2y * t29,
-           t33,
-           Scalar(0.2) * (t34 + Scalar(1.075) * t35),
-           Scalar(0.2) * t29,
-           t36,
-           inertia.I2xz - inertia.c2z * t29,
-           inertia.c2x * t29 - (inertia.I2xx - t30),
-           t37 };
+           t6 - t7,
+           Scalar(0.2) * t8,
+           Scalar(0.2) * (t9 + t10),
+           Scalar(2) * t11,
+           t6 + t7,
+           t7,
+           inertia.c5z * t8 - (inertia.I5zz - t12),
+           (inertia.c5x * t9 - (inertia.I5xx - t12)) - t13,
+           inertia.I5xz - inertia.c5z * t9,
+           t11,
+           inertia.I5yz - inertia.c5z * t14,
+           inertia.I5xy - inertia.c5y * t9,
+           t16 - (t16 - (inertia.I4xy - inertia.c4y * t17)),
+           Scalar(0.2) * (t15 + t14),
+           Scalar(0.2) * t18,
+           ((inertia.I4xz - inertia.c4z * t17) - t19) + t19,
+           Scalar(0.2) * (t24 + t25),
+           Scalar(0.2) * (t26 + Scalar(0.2) * t20),
+           (inertia.I4zz - t27) - inertia.c4z * t18,
+           t28,
+           inertia.I4yz - inertia.c4z * t15,
+           t30,
+           (inertia.c3x * t25 - (inertia.I3xx - t29)) + t32,
+           inertia.I3yz - inertia.c3z * t33,
+           inertia.I3xy - inertia.c3y * t25,
+           inertia.I2xy - inertia.c2y * t34,
+           Scalar(1.075) * t33 - (inertia.I2yz - inertia.c2z * t35),
+           Scalar(0.2) * (t36 + Scalar(1.075) * t37),
+           Scalar(0.2) * t34,
+           Scalar(0.2) * t24 - (inertia.I3xz - inertia.c3z * t25),
+           t39,
+           inertia.c2x * t34 - (inertia.I2xx - t38),
+           inertia.I2xz - inertia.c2z * t34,
+           t41,
+           t43 };
 }
 
 namespace detail {
@@ -1786,96 +1813,99 @@ inline Scalar kinetic_energy([[maybe_unused]] const JointVector<Scalar>& q, cons
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[4] * s6 - k[5] * c6;
-  const Scalar t1 = c6 * t0;
-  const Scalar t2 = k[14] - (k[13] + t1);
-  const Scalar t3 = k[15] + t2;
-  const Scalar t4 = k[1] * c6 + k[2] * s6;
-  const Scalar t5 = k[12] - t4;
-  const Scalar t6 = Scalar(2) * c5 * t5 + s5 * (k[15] - t2);
-  const Scalar t7 = s5 * t6;
-  const Scalar t8 = k[9] * c6 + k[10] * s6;
-  const Scalar t9 = k[18] + t8;
-  const Scalar t10 = s5 * t9 + k[17] * c5;
-  const Scalar t11 = Scalar(5.7125) * t10;
-  const Scalar t12 = k[22] + ((k[15] - t7) + Scalar(2) * t11);
-  const Scalar t13 = k[17] * s5 - c5 * t9;
-  const Scalar t14 = k[19] - t13;
-  const Scalar t15 = Scalar(5.7125) * t14 - (k[16] - (t5 - c5 * t6));
-  const Scalar t16 = k[10] * c6 - k[9] * s6;
-  const Scalar t17 = k[11] + t16;
-  const Scalar t18 = k[2] * c6 - k[1] * s6;
-  const Scalar t19 = k[3] - t18;
-  const Scalar t20 = k[7] + (k[6] - s6 * t0);
-  const Scalar t21 = c5 * t19 + s5 * t20;
-  const Scalar t22 = Scalar(5.7125) * t17 - (k[8] + t21);
-  const Scalar t23 = c4 * t15 + s4 * t22;
-  const Scalar t24 = k[28] + (t23 + t10);
-  const Scalar t25 = k[23] - (t7 + t2);
-  const Scalar t26 = c5 * t20 - s5 * t19;
-  const Scalar t27 = k[24] + t26;
-  const Scalar t28 = k[26] - (k[25] + t1);
-  const Scalar t29 = Scalar(2) * c4 * t27 - s4 * (t25 - t28);
-  const Scalar t30 = t25 + s4 * t29;
-  const Scalar t31 = s4 * t17 + c4 * t14;
-  const Scalar t32 = k[27] + (t30 - Scalar(2) * t31);
-  const Scalar t33 = Scalar(2) * c3 * t24 - s3 * (t12 + t32);
-  const Scalar t34 = s3 * t33;
-  const Scalar t35 = t12 + t34;
-  const Scalar t36 = t32 + t34;
-  const Scalar t37 = t35 - t36;
-  const Scalar t38 = k[21] + t10;
-  const Scalar t39 = k[20] + t31;
-  const Scalar t40 = s3 * t38 - c3 * t39;
-  const Scalar t41 = Scalar(10.75) * t40;
-  const Scalar t42 = k[36] - (t36 + t41);
-  const Scalar t43 = k[38] + t35;
-  const Scalar t44 = t25 + t28;
-  const Scalar t45 = s3 * t39 + c3 * t38;
-  const Scalar t46 = k[37] - (Scalar(5.375) * t45 + (c3 * t33 - t24));
-  const Scalar t47 = Scalar(2) * s2 * t46 + c2 * (t42 - t43);
-  const Scalar t48 = c2 * (k[35] + t45) + s2 * (k[34] - t40);
-  const Scalar t49 = k[39] + ((t42 - c2 * t47) + Scalar(3.2) * t48);
-  const Scalar t50 = qd[0] * qd[0] * ((k[33] - (t30 - t44)) - t49);
-  const Scalar t51 = qd[2] * qd[2] * t37 + (qd[1] * qd[1] * (t42 + t43) - t50);
-  const Scalar t52 = qd[4] * qd[4] * t3 + (t51 - qd[3] * qd[3] * t44);
-  const Scalar t53 = k[0] * c5 - s5 * t4;
-  const Scalar t54 = t3 + t11;
-  const Scalar t55 = (s4 * t26 - c4 * t54) + t13;
-  const Scalar t56 = Scalar(5.375) * (s3 * c4 * t10 + c3 * t13);
-  const Scalar t57 = c4 * t17 - s4 * t14;
-  const Scalar t58 = Scalar(5.375) * t57;
-  const Scalar t59 = c4 * t22 - s4 * t15;
-  const Scalar t60 = qd[2] * (Scalar(0.5) * t41 - t37) - qd[3] * (s3 * t58 - t59);
-  const Scalar t61 = s5 * t16;
-  const Scalar t62 = c5 * t16;
-  const Scalar t63 = c3 * t61 - s3 * (s4 * t8 - c4 * t62);
-  const Scalar t64 = Scalar(5.7125) * t8 + (c5 * t4 + k[0] * s5);
-  const Scalar t65 = Scalar(5.7125) * t62 + t18;
-  const Scalar t66 = (s4 * t64 - c4 * t65) + t61;
-  const Scalar t67 = (qd[4] * (t55 + t56) + t60) - qd[5] * (Scalar(5.375) * t63 + t66);
-  const Scalar t68 = s4 * t62 + c4 * t8;
-  const Scalar t69 = c3 * s2 + c2 * s3;
-  const Scalar t70 = s2 * s3 - c2 * c3;
-  const Scalar t71 = (t68 + t53) * t69 - t70 * (s4 * t65 + c4 * t64);
-  const Scalar t72 = Scalar(5.375) * s2;
-  const Scalar t73 = qd[5] * (Scalar(1.6) * t68 + (t71 + t68 * t72));
-  const Scalar t74 = s4 * t10;
-  const Scalar t75 = t69 * (t74 - t21) - t70 * (c4 * t26 + s4 * t54);
-  const Scalar t76 = qd[4] * ((t72 * t74 + t75) + Scalar(1.6) * t74);
-  const Scalar t77 = (t70 * t23 + (t44 - t31) * t69) - t72 * t31;
-  const Scalar t78 = k[29] - t59;
-  const Scalar t79 = k[30] - (t57 + (t27 - c4 * t29));
-  const Scalar t80 = k[31] - ((c3 * t79 - s3 * t78) - t58);
-  const Scalar t81 = s2 * (k[32] + (c3 * t78 + s3 * t79));
-  const Scalar t82 = qd[2] * (t78 * t69 + t79 * t70) + qd[1] * (c2 * t80 + t81);
-  const Scalar t83 = t76 - (qd[3] * (Scalar(1.6) * t31 - t77) + t82);
-  const Scalar t84 = qd[5] * t66 - (qd[3] * t59 + qd[4] * t55);
-  const Scalar t85 = (qd[1] * t67 + qd[0] * (t73 - t83)) - qd[2] * t84;
-  const Scalar t86 = qd[3] * (qd[4] * t21 + qd[5] * t53) - t85;
-  const Scalar t87 = Scalar(0.5) * (t52 + qd[5] * k[0] * qd[5]) + (t86 - qd[4] * qd[5] * t18);
+  const Scalar t0 = k[8] * c6 - k[7] * s6;
+  const Scalar t1 = k[9] - c6 * t0;
+  const Scalar t2 = k[10] - t1;
+  const Scalar t3 = k[0] * c6 + k[1] * s6;
+  const Scalar t4 = k[12] - t3;
+  const Scalar t5 = s5 * (k[11] - t2) + Scalar(2) * c5 * t4;
+  const Scalar t6 = s5 * t5;
+  const Scalar t7 = k[11] - t6;
+  const Scalar t8 = t2 + t6;
+  const Scalar t9 = t7 + t8;
+  const Scalar t10 = k[2] * c6 + k[3] * s6;
+  const Scalar t11 = k[5] + t10;
+  const Scalar t12 = k[6] * c5 + s5 * t11;
+  const Scalar t13 = Scalar(11.425) * t12;
+  const Scalar t14 = k[26] + (t7 + t13);
+  const Scalar t15 = k[6] * s5 - c5 * t11;
+  const Scalar t16 = k[18] - t15;
+  const Scalar t17 = k[2] * s6 - k[3] * c6;
+  const Scalar t18 = k[17] - t17;
+  const Scalar t19 = c4 * t16 + s4 * t18;
+  const Scalar t20 = k[22] - t8;
+  const Scalar t21 = k[23] - (k[4] + t1);
+  const Scalar t22 = k[14] + (k[13] + s6 * t0);
+  const Scalar t23 = k[0] * s6 - k[1] * c6;
+  const Scalar t24 = k[15] + t23;
+  const Scalar t25 = c5 * t22 - s5 * t24;
+  const Scalar t26 = k[24] + t25;
+  const Scalar t27 = s4 * (t20 - t21) - Scalar(2) * c4 * t26;
+  const Scalar t28 = s4 * t27;
+  const Scalar t29 = k[25] - ((t19 + t19) + (t28 - t20));
+  const Scalar t30 = c5 * t24 + s5 * t22;
+  const Scalar t31 = (k[16] + t30) - Scalar(5.7125) * t18;
+  const Scalar t32 = (k[19] - (t4 - c5 * t5)) - Scalar(5.7125) * t16;
+  const Scalar t33 = s4 * t31 + c4 * t32;
+  const Scalar t34 = k[33] + (t12 - t33);
+  const Scalar t35 = c3 * t34;
+  const Scalar t36 = s3 * (t14 + t29) - (t35 + t35);
+  const Scalar t37 = s3 * t36 - t29;
+  const Scalar t38 = t14 - t29;
+  const Scalar t39 = k[35] - (t37 - t38);
+  const Scalar t40 = k[20] + t12;
+  const Scalar t41 = k[21] + t19;
+  const Scalar t42 = s3 * t40 - c3 * t41;
+  const Scalar t43 = Scalar(5.375) * t42;
+  const Scalar t44 = k[34] - ((t43 + t43) - t37);
+  const Scalar t45 = s3 * t41 + c3 * t40;
+  const Scalar t46 = s2 * (k[31] - t42) + c2 * (k[32] + t45);
+  const Scalar t47 = k[36] - (Scalar(5.375) * t45 - (c3 * t36 + t34));
+  const Scalar t48 = s2 * t47;
+  const Scalar t49 = c2 * (c2 * (t39 - t44) - (t48 + t48));
+  const Scalar t50 = (k[38] + (t28 + t21)) - (k[37] + (Scalar(3.2) * t46 + (t49 + t44)));
+  const Scalar t51 = qd[1] * qd[1] * (t39 + t44) - qd[0] * qd[0] * t50;
+  const Scalar t52 = t20 + t21;
+  const Scalar t53 = (t51 + qd[2] * qd[2] * t38) - qd[3] * qd[3] * t52;
+  const Scalar t54 = qd[5] * k[4] * qd[5] + (qd[4] * qd[4] * t9 + t53);
+  const Scalar t55 = k[4] * c5 - s5 * t3;
+  const Scalar t56 = c5 * t17;
+  const Scalar t57 = Scalar(5.7125) * t56 + t23;
+  const Scalar t58 = (k[4] * s5 + c5 * t3) + Scalar(5.7125) * t10;
+  const Scalar t59 = s5 * t17;
+  const Scalar t60 = (c4 * t57 + s4 * t58) - t59;
+  const Scalar t61 = c4 * t31 - s4 * t32;
+  const Scalar t62 = Scalar(0.5) * t13 + t9;
+  const Scalar t63 = (c4 * t62 - s4 * t25) - t15;
+  const Scalar t64 = qd[5] * t60 + (qd[3] * t61 + qd[4] * t63);
+  const Scalar t65 = Scalar(5.375) * (c3 * t15 + s3 * c4 * t12);
+  const Scalar t66 = s4 * t16 - c4 * t18;
+  const Scalar t67 = Scalar(5.375) * t66;
+  const Scalar t68 = qd[2] * (t43 - t38) + qd[3] * (s3 * t67 - t61);
+  const Scalar t69 = s3 * (s4 * t10 + c4 * t56) + c3 * t59;
+  const Scalar t70 = (qd[4] * (t63 - t65) - t68) + qd[5] * (t60 - Scalar(5.375) * t69);
+  const Scalar t71 = c4 * t10 - s4 * t56;
+  const Scalar t72 = s2 * s3 - c2 * c3;
+  const Scalar t73 = c3 * s2 + c2 * s3;
+  const Scalar t74 = t72 * (s4 * t57 - c4 * t58) + (t55 + t71) * t73;
+  const Scalar t75 = Scalar(5.375) * s2;
+  const Scalar t76 = qd[5] * (Scalar(1.6) * t71 + (t74 + t75 * t71));
+  const Scalar t77 = s4 * t12;
+  const Scalar t78 = (t30 - t77) * t73 + t72 * (s4 * t62 + c4 * t25);
+  const Scalar t79 = qd[4] * ((t78 - t75 * t77) - Scalar(1.6) * t77);
+  const Scalar t80 = t75 * t19 + (t72 * t33 + t73 * (t19 - t52));
+  const Scalar t81 = k[27] - ((c4 * t27 + t26) - t66);
+  const Scalar t82 = k[28] + t61;
+  const Scalar t83 = c3 * t81 - s3 * t82;
+  const Scalar t84 = s3 * t81 + c3 * t82;
+  const Scalar t85 = s2 * (k[29] + t84) + c2 * (k[30] - (t83 + t67));
+  const Scalar t86 = qd[2] * (c2 * t83 - s2 * t84) - qd[1] * t85;
+  const Scalar t87 = t79 + (qd[3] * (t80 + Scalar(1.6) * t19) - t86);
+  const Scalar t88 = qd[2] * t64 + (qd[1] * t70 - qd[0] * (t76 + t87));
+  const Scalar t89 = qd[3] * (qd[5] * t55 + qd[4] * t30) + t88;
+  const Scalar t90 = Scalar(0.5) * t54 + (qd[4] * qd[5] * t23 + t89);
   Scalar result;
-  result = t87;
+  result = t90;
   return result;
 }
 
@@ -1902,24 +1932,25 @@ PotentialEnergyConstants<Scalar> potential_energy_constants([[maybe_unused]] con
   using std::sin;
   const Scalar t0 = inertia.c5x * inertia.m5 + (Scalar(0.2) * inertia.m6 + inertia.c6x * inertia.m6);
   const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t2 = inertia.m3 + t1;
+  const Scalar t2 = Scalar(1.1425) * inertia.m4;
+  const Scalar t3 = inertia.m3 + t1;
   return { inertia.c6z * inertia.m6,
            inertia.c6y * inertia.m6,
+           inertia.c5z * inertia.m5,
+           t0,
+           inertia.c4z * inertia.m4,
            inertia.c5y * inertia.m5,
            inertia.c4y * inertia.m4,
-           t0,
-           inertia.c5z * inertia.m5,
-           inertia.c4z * inertia.m4,
            Scalar(0.2) * t1,
            inertia.c3z * inertia.m3,
-           inertia.c4x * inertia.m4,
+           t2 - (inertia.c4x * inertia.m4 + t2),
            Scalar(1.1425) * t1,
            inertia.c3x * inertia.m3,
            inertia.c2x * inertia.m2,
-           Scalar(1.075) * t2,
+           Scalar(1.075) * t3,
            inertia.c2z * inertia.m2,
            inertia.c1z * inertia.m1 - Scalar(0.78) * inertia.m1,
-           Scalar(0.78) * (inertia.m1 + (inertia.m2 + t2)),
+           Scalar(0.78) * (inertia.m1 + (inertia.m2 + t3)),
            gravity };
 }
 
@@ -1938,15 +1969,15 @@ inline Scalar potential_energy([[maybe_unused]] const JointVector<Scalar>& q, co
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[5] + (k[0] * c6 + k[1] * s6);
-  const Scalar t1 = c4 * (k[6] + (c5 * t0 - k[4] * s5));
-  const Scalar t2 = k[3] + (k[2] - (k[0] * s6 - k[1] * c6));
-  const Scalar t3 = k[8] + (k[7] + (t1 + s4 * t2));
-  const Scalar t4 = k[10] + (k[9] + (k[4] * c5 + s5 * t0));
-  const Scalar t5 = k[11] + t4;
-  const Scalar t6 = s2 * (k[12] + (s3 * t3 + c3 * t5));
-  const Scalar t7 = k[14] + (k[13] + (c3 * t3 - s3 * t5));
-  const Scalar t8 = k[17] * (k[16] + (k[15] - (t6 - c2 * t7)));
+  const Scalar t0 = k[2] + (k[0] * c6 + k[1] * s6);
+  const Scalar t1 = k[10] - (k[9] - (s5 * t0 + k[3] * c5));
+  const Scalar t2 = k[11] + t1;
+  const Scalar t3 = k[6] + (k[5] - (k[0] * s6 - k[1] * c6));
+  const Scalar t4 = c4 * (k[4] + (c5 * t0 - k[3] * s5));
+  const Scalar t5 = k[8] + (k[7] + (s4 * t3 + t4));
+  const Scalar t6 = k[14] + (k[13] - (s3 * t2 - c3 * t5));
+  const Scalar t7 = s2 * (k[12] + (c3 * t2 + s3 * t5));
+  const Scalar t8 = k[17] * (k[16] + (k[15] + (c2 * t6 - t7)));
   Scalar result;
   result = t8;
   return result;

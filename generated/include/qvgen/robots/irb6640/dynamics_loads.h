@@ -26,7 +26,7 @@ LoadAngles<Scalar> load_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion, under gravity in any direction.
 ///
-/// 239 multiplications, 213 additions, 6 sine/cosine pairs. Set-up: 93 multiplications, 103 additions.
+/// 236 multiplications, 215 additions, 6 sine/cosine pairs. Set-up: 98 multiplications, 113 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
@@ -45,7 +45,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces for a motion while a wrench acts on the tool from outside: those without it minus jacobian(q)^T wrench.
 ///
-/// 275 multiplications, 238 additions, 6 sine/cosine pairs. Set-up: 93 multiplications, 103 additions.
+/// 274 multiplications, 237 additions, 6 sine/cosine pairs. Set-up: 98 multiplications, 113 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
@@ -64,7 +64,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces that hold the robot at rest, under gravity in any direction.
 ///
-/// 59 multiplications, 37 additions, 6 sine/cosine pairs. Set-up: 22 multiplications, 14 additions.
+/// 59 multiplications, 37 additions, 6 sine/cosine pairs. Set-up: 23 multiplications, 16 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g,
@@ -81,7 +81,7 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const LoadAngle
 
 /// Joint accelerations for given joint forces, under gravity in any direction.
 ///
-/// 404 multiplications, 373 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 89 multiplications, 95 additions, 1
+/// 405 multiplications, 372 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 94 multiplications, 105 additions, 1
 /// division.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
@@ -101,7 +101,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint accelerations for given joint forces while a wrench acts on the tool from outside.
 ///
-/// 441 multiplications, 395 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 91 multiplications, 95 additions, 1
+/// 438 multiplications, 396 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 94 multiplications, 105 additions, 1
 /// division.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
@@ -110,7 +110,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity,
         const NonDeduced<Wrench<Scalar>>& wrench);
 template <class Scalar>
-using ForwardDynamicsWithWrenchConstants = std::array<Scalar, 55>;
+using ForwardDynamicsWithWrenchConstants = std::array<Scalar, 53>;
 template <class Scalar>
 ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constants(const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
@@ -121,7 +121,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Minus the sum of m gravity . r over the links, r the centre of mass in the world, J.
 ///
-/// 27 multiplications, 33 additions, 6 sine/cosine pairs. Set-up: 25 multiplications, 8 additions.
+/// 27 multiplications, 33 additions, 6 sine/cosine pairs. Set-up: 26 multiplications, 10 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Scalar potential_energy(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g,

@@ -29,99 +29,105 @@ InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = inertia.c4x * inertia.m4;
-  const Scalar t2 = Scalar(1.1425) * t0 + t1;
-  const Scalar t3 = inertia.c3x * inertia.m3;
-  const Scalar t4 = inertia.c3z * inertia.m3;
-  const Scalar t5 = t4 + Scalar(0.2) * t0;
-  const Scalar t6 = inertia.c4y * inertia.m4;
-  const Scalar t7 = inertia.c5y * inertia.m5;
-  const Scalar t8 = inertia.c4z * inertia.m4;
-  const Scalar t9 = Scalar(0.512) * t5;
-  const Scalar t10 = inertia.c5z * inertia.m5;
-  const Scalar t11 = inertia.c5x * inertia.m5;
-  const Scalar t12 = inertia.c6x * inertia.m6;
-  const Scalar t13 = Scalar(0.2) * inertia.m6 + t12;
-  const Scalar t14 = inertia.c6y * inertia.m6;
-  const Scalar t15 = inertia.c6z * inertia.m6;
-  const Scalar t16 = inertia.c2z * inertia.m2;
-  const Scalar t17 = inertia.m3 + t0;
-  const Scalar t18 = Scalar(0.32) * ((t16 + Scalar(1.075) * t17) - Scalar(5.375) * t5);
-  const Scalar t19 = inertia.c2x * inertia.m2;
-  const Scalar t20 = inertia.c3y * inertia.m3;
-  const Scalar t21 = inertia.c2y * inertia.m2;
-  const Scalar t22 = inertia.I2xz - inertia.c2z * t19;
-  const Scalar t23 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t24 = inertia.c2x * t19 - (inertia.I2xx - t23);
-  const Scalar t25 = Scalar(1.155625) * t17 - ((inertia.I2zz - t23) - inertia.c2z * t16);
-  const Scalar t26 = Scalar(5.778125) * t5 - t25;
-  const Scalar t27 = (Scalar(0.2) * t2 - (inertia.I3xz - inertia.c3z * t3)) - Scalar(1.1425) * t5;
-  const Scalar t28 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t29 = ((inertia.I3zz - t28) - inertia.c3z * t4) - Scalar(0.04) * t0;
-  const Scalar t30 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t31 = inertia.c6z * t15 - (inertia.I6zz - t30);
-  const Scalar t32 = (inertia.I6yy - t30) - inertia.c6y * t14;
-  const Scalar t33 = inertia.I6yz - inertia.c6z * t14;
-  const Scalar t34 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t35 = ((inertia.I6xx - t30) - inertia.c6x * t12) - Scalar(0.2) * (t12 + t13);
-  const Scalar t36 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t37 = ((inertia.I4yy - t36) - inertia.c4y * t6) - (inertia.c5y * t7 - (inertia.I5yy - t34));
-  const Scalar t38 = Scalar(1.1425) * (t1 + t2) - ((inertia.I4xx - t36) - inertia.c4x * t1);
-  const Scalar t39 = Scalar(6.52653125) * t5 - ((inertia.c3x * t3 - (inertia.I3xx - t28)) + t38);
-  const Scalar t40 = ((inertia.I3yy - t28) - inertia.c3y * t20) + ((inertia.I2yy - t23) - inertia.c2y * t21);
-  const Scalar t41 = inertia.c1y * inertia.m1;
-  const Scalar t42 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t43 = inertia.m2 + t17;
-  const Scalar t44 = inertia.c1x * inertia.m1;
-  const Scalar t45 = Scalar(0.1024) * t43 + (inertia.c1x * t44 - (inertia.I1xx - t42));
-  const Scalar t46 = (t40 - (inertia.c1y * t41 - (inertia.I1yy - t42))) + (t9 - t45);
-  const Scalar t47 = Scalar(0.32) * ((Scalar(0.32) * t43 + t44) - Scalar(1.6) * t5);
-  return { Scalar(0.32) * ((t2 + t3) - Scalar(5.7125) * t5),
-           Scalar(0.32) * (t6 + t7),
-           Scalar(0.32) * t8,
-           Scalar(3.125) * gravity[0],
+  const Scalar t0 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t1 = inertia.c3y * inertia.m3;
+  const Scalar t2 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t3 = inertia.c2y * inertia.m2;
+  const Scalar t4 = ((inertia.I3yy - t0) - inertia.c3y * t1) + ((inertia.I2yy - t2) - inertia.c2y * t3);
+  const Scalar t5 = inertia.c1y * inertia.m1;
+  const Scalar t6 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t7 = inertia.c3z * inertia.m3;
+  const Scalar t8 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t9 = t7 + Scalar(0.2) * t8;
+  const Scalar t10 = Scalar(0.512) * t9;
+  const Scalar t11 = inertia.m3 + t8;
+  const Scalar t12 = inertia.m2 + t11;
+  const Scalar t13 = inertia.c1x * inertia.m1;
+  const Scalar t14 = Scalar(0.1024) * t12 + (inertia.c1x * t13 - (inertia.I1xx - t6));
+  const Scalar t15 = (t4 - (inertia.c1y * t5 - (inertia.I1yy - t6))) + (t10 - t14);
+  const Scalar t16 = Scalar(0.32) * ((Scalar(0.32) * t12 + t13) - Scalar(1.6) * t9);
+  const Scalar t17 = inertia.c2x * inertia.m2;
+  const Scalar t18 = inertia.c2z * inertia.m2;
+  const Scalar t19 = Scalar(0.32) * ((t18 + Scalar(1.075) * t11) - Scalar(5.375) * t9);
+  const Scalar t20 = inertia.I2xz - inertia.c2z * t17;
+  const Scalar t21 = inertia.c2x * t17 - (inertia.I2xx - t2);
+  const Scalar t22 = Scalar(1.155625) * t11 - ((inertia.I2zz - t2) - inertia.c2z * t18);
+  const Scalar t23 = Scalar(5.778125) * t9 - t22;
+  const Scalar t24 = Scalar(1.1425) * inertia.m4;
+  const Scalar t25 = inertia.c4x * inertia.m4;
+  const Scalar t26 = t25 + t24;
+  const Scalar t27 = t24 - t26;
+  const Scalar t28 = Scalar(1.1425) * t8 - t27;
+  const Scalar t29 = inertia.c3x * inertia.m3;
+  const Scalar t30 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t31 = Scalar(1.1425) * (t25 + t26) - ((inertia.I4xx - t30) - inertia.c4x * t25);
+  const Scalar t32 = Scalar(1.1425) * (t28 - t27) + (t31 + Scalar(1.1425) * (t27 - t26));
+  const Scalar t33 = ((inertia.c3x * t29 - (inertia.I3xx - t0)) + t32) - Scalar(6.52653125) * t9;
+  const Scalar t34 = (Scalar(0.2) * t28 - (inertia.I3xz - inertia.c3z * t29)) - Scalar(1.1425) * t9;
+  const Scalar t35 = inertia.c5x * inertia.m5;
+  const Scalar t36 = inertia.c6x * inertia.m6;
+  const Scalar t37 = Scalar(0.2) * inertia.m6 + t36;
+  const Scalar t38 = inertia.c5z * inertia.m5;
+  const Scalar t39 = inertia.c6y * inertia.m6;
+  const Scalar t40 = inertia.c6z * inertia.m6;
+  const Scalar t41 = inertia.c4y * inertia.m4;
+  const Scalar t42 = inertia.c5y * inertia.m5;
+  const Scalar t43 = inertia.c4z * inertia.m4;
+  const Scalar t44 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t45 = inertia.c6z * t40 - (inertia.I6zz - t44);
+  const Scalar t46 = (inertia.I6yy - t44) - inertia.c6y * t39;
+  const Scalar t47 = inertia.I6yz - inertia.c6z * t39;
+  const Scalar t48 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t49 = ((inertia.I6xx - t44) - inertia.c6x * t36) - Scalar(0.2) * (t36 + t37);
+  const Scalar t50 = Scalar(1.1425) * t43;
+  const Scalar t51 = Scalar(1.1425) * t41;
+  const Scalar t52 = ((inertia.I4yy - t30) - inertia.c4y * t41) - (inertia.c5y * t42 - (inertia.I5yy - t48));
+  const Scalar t53 = ((inertia.I3zz - t0) - inertia.c3z * t7) - Scalar(0.04) * t8;
+  return { t15,
            Scalar(3.125) * gravity[1],
-           Scalar(3.125) * gravity[2],
-           t9,
-           Scalar(0.32) * t10,
-           Scalar(0.32) * (t11 + t13),
-           Scalar(0.32) * t14,
-           Scalar(0.32) * t15,
-           t18,
-           Scalar(0.32) * t19,
-           Scalar(1.075) * t20 - (inertia.I2yz - inertia.c2z * t21),
-           inertia.I2xy - inertia.c2y * t19,
-           Scalar(2) * t22,
-           t24 + t26,
-           t22,
-           t26,
-           t27,
-           Scalar(0.2) * t5 + t29,
-           inertia.I3yz - inertia.c3z * t20,
-           inertia.I3xy - inertia.c3y * t3,
-           Scalar(0.2) * t15 - (inertia.I6xz - inertia.c6z * t12),
-           Scalar(0.2) * t14 - (inertia.I6xy - inertia.c6y * t12),
-           t31 + t32,
-           Scalar(2) * t33,
-           t31,
+           Scalar(3.125) * gravity[0],
+           Scalar(0.32) * ((t1 + t3) + t5),
+           t16,
+           Scalar(0.32) * t17,
+           t19,
+           Scalar(2) * t20,
+           t21 + t23,
+           t20,
+           t23,
+           Scalar(1.075) * t1 - (inertia.I2yz - inertia.c2z * t3),
+           inertia.I2xy - inertia.c2y * t17,
+           Scalar(0.32) * ((t28 + t29) - Scalar(5.7125) * t9),
+           inertia.I3xy - inertia.c3y * t29,
            t33,
-           inertia.I5xy - inertia.c5y * t11,
-           inertia.I5xz - inertia.c5z * t11,
-           (inertia.c5x * t11 - (inertia.I5xx - t34)) - t35,
-           inertia.I5yz - inertia.c5z * t7,
-           t32,
-           inertia.c5z * t10 - (inertia.I5zz - t34),
-           inertia.I4yz - inertia.c4z * t6,
-           t37,
-           (inertia.I4zz - t36) - inertia.c4z * t8,
-           inertia.I4xy - inertia.c4y * t1,
-           inertia.I4xz - inertia.c4z * t1,
-           t39,
+           t34,
+           inertia.I3yz - inertia.c3z * t1,
+           Scalar(0.32) * (t35 + t37),
+           Scalar(0.32) * t38,
+           Scalar(0.32) * t39,
+           Scalar(0.32) * t40,
+           Scalar(3.125) * gravity[2],
+           t10,
+           Scalar(0.32) * (t41 + t42),
+           Scalar(0.32) * t43,
+           t45 + t46,
+           Scalar(2) * t47,
            t46,
-           Scalar(0.32) * ((t20 + t21) + t41),
            t47,
-           t24 - t26 };
+           Scalar(0.2) * t40 - (inertia.I6xz - inertia.c6z * t36),
+           Scalar(0.2) * t39 - (inertia.I6xy - inertia.c6y * t36),
+           (inertia.c5x * t35 - (inertia.I5xx - t48)) - t49,
+           inertia.c5z * t38 - (inertia.I5zz - t48),
+           inertia.I5xz - inertia.c5z * t35,
+           inertia.I5yz - inertia.c5z * t42,
+           inertia.I5xy - inertia.c5y * t35,
+           ((inertia.I4xz - inertia.c4z * t25) - t50) + t50,
+           t51 - (t51 - (inertia.I4xy - inertia.c4y * t25)),
+           inertia.I4yz - inertia.c4z * t41,
+           (inertia.I4zz - t30) - inertia.c4z * t43,
+           t52,
+           t45,
+           Scalar(0.2) * t9 + t53,
+           t21 - t23 };
 }
 
 namespace detail {
@@ -142,164 +148,165 @@ inline JointVector<Scalar> inverse_dynamics_with_gravity_vector([[maybe_unused]]
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = c3 * s2 + c2 * s3;
-  const Scalar t1 = qd[0] * t0;
-  const Scalar t2 = qd[1] + qd[2];
-  const Scalar t3 = t1 * t2;
-  const Scalar t4 = s2 * s3 - c2 * c3;
-  const Scalar t5 = qdd[0] * t4;
-  const Scalar t6 = (t3 + t3) + t5;
-  const Scalar t7 = qd[0] * t4;
-  const Scalar t8 = s4 * t7 - c4 * t2;
-  const Scalar t9 = t8 * t8;
-  const Scalar t10 = qd[3] - t1;
-  const Scalar t11 = t10 * t10;
-  const Scalar t12 = t9 + t11;
-  const Scalar t13 = qdd[0] * t0;
-  const Scalar t14 = t2 * t7;
-  const Scalar t15 = t13 - t14;
-  const Scalar t16 = qdd[3] - t15;
-  const Scalar t17 = s4 * t2 + c4 * t7;
-  const Scalar t18 = t17 * t8;
-  const Scalar t19 = t16 + t18;
-  const Scalar t20 = t1 * t7;
-  const Scalar t21 = qdd[1] + qdd[2];
-  const Scalar t22 = t20 - t21;
+  const Scalar t0 = k[6] * s2 + k[5] * c2;
+  const Scalar t1 = k[5] * s2 - k[6] * c2;
+  const Scalar t2 = qd[0] * qd[1];
+  const Scalar t3 = t2 + t2;
+  const Scalar t4 = c3 * s2 + c2 * s3;
+  const Scalar t5 = qd[0] * t4;
+  const Scalar t6 = qd[1] + qd[2];
+  const Scalar t7 = t5 * t6;
+  const Scalar t8 = s2 * s3 - c2 * c3;
+  const Scalar t9 = qdd[0] * t8;
+  const Scalar t10 = t7 + (t7 + t9);
+  const Scalar t11 = qdd[0] * t4;
+  const Scalar t12 = qd[0] * t8;
+  const Scalar t13 = t6 * t12;
+  const Scalar t14 = t11 - t13;
+  const Scalar t15 = t14 - t13;
+  const Scalar t16 = Scalar(3.359375) * s2;
+  const Scalar t17 = k[2] * s1 - k[1] * c1;
+  const Scalar t18 = qdd[0] + t17;
+  const Scalar t19 = (qdd[0] * t16 + Scalar(3.359375) * c2 * t3) + t18;
+  const Scalar t20 = Scalar(3.5703125) * t10 - (Scalar(0.625) * t15 + t19);
+  const Scalar t21 = qd[0] * s2;
+  const Scalar t22 = Scalar(3.359375) * (qdd[1] - t21 * qd[0] * c2);
   const Scalar t23 = qd[1] * qd[1];
-  const Scalar t24 = qd[0] * s2;
-  const Scalar t25 = k[4] * s1 + k[3] * c1;
-  const Scalar t26 = qd[0] * qd[0];
+  const Scalar t24 = Scalar(3.359375) * (t23 + t21 * t21);
+  const Scalar t25 = qd[0] * qd[0];
+  const Scalar t26 = k[1] * s1 + k[2] * c1;
   const Scalar t27 = t25 + t26;
-  const Scalar t28 = k[5] * c2 + s2 * t27;
-  const Scalar t29 = Scalar(3.359375) * (t23 + t24 * t24) + t28;
-  const Scalar t30 = c2 * t27 - k[5] * s2;
-  const Scalar t31 = t30 - Scalar(3.359375) * (qdd[1] - t24 * qd[0] * c2);
-  const Scalar t32 = c3 * t29 + s3 * t31;
-  const Scalar t33 = t2 * t2;
-  const Scalar t34 = t7 * t7;
-  const Scalar t35 = t33 - t34;
-  const Scalar t36 = Scalar(3.5703125) * t22 - (t32 + Scalar(0.625) * (t26 + t35));
-  const Scalar t37 = t15 - t14;
-  const Scalar t38 = k[3] * s1 - k[4] * c1;
-  const Scalar t39 = qdd[0] + t38;
-  const Scalar t40 = Scalar(2) * qd[0] * qd[1];
-  const Scalar t41 = t39 + Scalar(3.359375) * (qdd[0] * s2 + c2 * t40);
-  const Scalar t42 = (Scalar(0.625) * t37 + t41) - Scalar(3.5703125) * t6;
-  const Scalar t43 = c4 * t36 - s4 * t42;
-  const Scalar t44 = (k[2] * t12 - k[1] * t19) - k[6] * t43;
-  const Scalar t45 = k[10] * s6 - k[9] * c6;
-  const Scalar t46 = s5 * t17 + c5 * t10;
-  const Scalar t47 = qd[5] + t46;
-  const Scalar t48 = qd[4] - t8;
-  const Scalar t49 = t47 * t48;
-  const Scalar t50 = c4 * t6 - s4 * t22;
-  const Scalar t51 = t10 * t8;
-  const Scalar t52 = t50 - (t51 + t51);
-  const Scalar t53 = s5 * t19 - c5 * t52;
-  const Scalar t54 = t48 * t46;
-  const Scalar t55 = t53 + (t54 + t54);
-  const Scalar t56 = (t49 + t49) - t55;
-  const Scalar t57 = c5 * t17 - s5 * t10;
-  const Scalar t58 = t46 * t57;
-  const Scalar t59 = s4 * t6 + c4 * t22;
-  const Scalar t60 = t10 * t17;
-  const Scalar t61 = t59 + t60;
-  const Scalar t62 = qdd[4] - t61;
-  const Scalar t63 = t58 + t62;
-  const Scalar t64 = t63 - Scalar(2) * t47 * t57;
-  const Scalar t65 = k[9] * s6 + k[10] * c6;
-  const Scalar t66 = t58 - t62;
-  const Scalar t67 = t48 * t48;
-  const Scalar t68 = t57 * t57;
+  const Scalar t28 = (s3 * t22 - c3 * t24) - (t4 * t27 - k[22] * t8);
+  const Scalar t29 = t5 * t5;
+  const Scalar t30 = t6 * t6;
+  const Scalar t31 = t29 + t30;
+  const Scalar t32 = t5 * t12;
+  const Scalar t33 = qdd[1] + qdd[2];
+  const Scalar t34 = t32 - t33;
+  const Scalar t35 = (t28 - Scalar(0.625) * t31) + Scalar(3.5703125) * t34;
+  const Scalar t36 = s4 * t20 + c4 * t35;
+  const Scalar t37 = qdd[3] - t14;
+  const Scalar t38 = s4 * t6 + c4 * t12;
+  const Scalar t39 = s4 * t12 - c4 * t6;
+  const Scalar t40 = t38 * t39;
+  const Scalar t41 = t37 + t40;
+  const Scalar t42 = t29 - t30;
+  const Scalar t43 = t25 - t42;
+  const Scalar t44 = t38 * t38;
+  const Scalar t45 = qd[3] - t5;
+  const Scalar t46 = t45 * t45;
+  const Scalar t47 = t44 + t46;
+  const Scalar t48 = t43 - t47;
+  const Scalar t49 = t44 - t46;
+  const Scalar t50 = t48 - t49;
+  const Scalar t51 = k[23] * t36 + (k[24] * t41 - k[25] * (t50 + t47));
+  const Scalar t52 = s5 * t38 + c5 * t45;
+  const Scalar t53 = qd[5] + t52;
+  const Scalar t54 = qd[4] - t39;
+  const Scalar t55 = t53 * t54;
+  const Scalar t56 = c4 * t10 - s4 * t34;
+  const Scalar t57 = t45 * t39;
+  const Scalar t58 = (t56 - t57) - t57;
+  const Scalar t59 = s5 * t41 - c5 * t58;
+  const Scalar t60 = t54 + t54;
+  const Scalar t61 = t59 + t52 * t60;
+  const Scalar t62 = t55 + (t55 - t61);
+  const Scalar t63 = k[20] * c6 - k[21] * s6;
+  const Scalar t64 = k[21] * c6 + k[20] * s6;
+  const Scalar t65 = c5 * t38 - s5 * t45;
+  const Scalar t66 = t52 * t65;
+  const Scalar t67 = c4 * t34 + s4 * t10;
+  const Scalar t68 = t45 * t38;
   const Scalar t69 = t67 + t68;
-  const Scalar t70 = (t45 * t56 - t64 * t65) + (k[7] * t66 + k[8] * t69);
-  const Scalar t71 = t33 + t34;
-  const Scalar t72 = t9 - t11;
-  const Scalar t73 = t71 - t72;
-  const Scalar t74 = t47 * t47;
-  const Scalar t75 = t74 + t68;
-  const Scalar t76 = t67 + t74;
-  const Scalar t77 = t75 - t76;
-  const Scalar t78 = t73 - t77;
-  const Scalar t79 = c5 * t19 + s5 * t52;
-  const Scalar t80 = Scalar(2) * t48 * t57;
-  const Scalar t81 = t79 + t80;
-  const Scalar t82 = qdd[5] + t81;
-  const Scalar t83 = t82 - t80;
-  const Scalar t84 = (k[7] * t78 + k[8] * t63) + (t83 * t45 + t76 * t65);
-  const Scalar t85 = t44 - (s5 * t70 - c5 * t84);
-  const Scalar t86 = s4 * t36 + c4 * t42;
-  const Scalar t87 = t16 - t18;
-  const Scalar t88 = k[6] * t86 - (k[1] * t73 + k[2] * t87);
-  const Scalar t89 = (t82 * t65 - t75 * t45) + (k[7] * t81 - k[8] * t55);
-  const Scalar t90 = t88 - t89;
-  const Scalar t91 = s4 * t85 + c4 * t90;
-  const Scalar t92 = k[0] * t6 - t91;
-  const Scalar t93 = k[11] * s2 + k[12] * c2;
-  const Scalar t94 = qdd[0] * t93 - (k[12] * s2 - k[11] * c2) * t40;
-  const Scalar t95 = k[14] * s2 + k[13] * c2;
-  const Scalar t96 = qdd[1] * t95 - t23 * (k[13] * s2 - k[14] * c2);
-  const Scalar t97 = k[15] * s2 - k[16] * c2;
-  const Scalar t98 = k[17] - s2 * t97;
-  const Scalar t99 = qdd[0] * (k[18] + c2 * t97) + t98 * t40;
-  const Scalar t100 = k[24] * c6 - k[23] * s6;
-  const Scalar t101 = k[23] * c6 + k[24] * s6;
-  const Scalar t102 = k[25] * c6 - k[26] * s6;
-  const Scalar t103 = c6 * t102;
-  const Scalar t104 = k[27] - t103;
-  const Scalar t105 = k[33] - t103;
-  const Scalar t106 = k[28] + s6 * t102;
-  const Scalar t107 = (t83 * t104 - t105 * t82) - t106 * t77;
-  const Scalar t108 = t20 + t21;
-  const Scalar t109 = (s3 * t29 - c3 * t31) + Scalar(0.625) * t108;
-  const Scalar t110 = Scalar(3.5703125) * t71 - t109;
-  const Scalar t111 = c5 * t43 - s5 * t110;
-  const Scalar t112 = ((t63 * t100 + t55 * t101) - t107) + (t86 * t65 + t45 * t111);
-  const Scalar t113 = (k[32] * t77 - k[29] * t63) - (k[34] * t81 + k[30] * t55);
-  const Scalar t114 = t112 + (t113 + k[7] * t86);
-  const Scalar t115 = (k[30] * t81 + k[31] * t55) + k[29] * (t73 - t69);
-  const Scalar t116 = s5 * t43 + c5 * t110;
-  const Scalar t117 = t75 - t69;
-  const Scalar t118 = (t56 * t104 - t106 * t64) + t100 * t117;
-  const Scalar t119 = (k[8] * t86 - (k[32] * t66 - t115)) - (t45 * t116 + (t101 * t82 + t118));
-  const Scalar t120 = t71 - t12;
-  const Scalar t121 = k[35] * (t72 - t120) - (k[36] * t19 + k[37] * t87);
-  const Scalar t122 = (k[2] * t86 - k[1] * t43) - (t121 - (k[38] * t59 + k[39] * t50));
-  const Scalar t123 = (c5 * t114 - s5 * t119) + t122;
-  const Scalar t124 = (k[20] * t37 + k[19] * t6) + (k[21] * t35 - k[22] * t22);
-  const Scalar t125 = t61 + t60;
-  const Scalar t126 = k[38] * t72 + (k[35] * t125 - k[36] * t52);
-  const Scalar t127 = (k[1] * t110 - (t126 - k[39] * t87)) + (s5 * t114 + c5 * t119);
-  const Scalar t128 = Scalar(3.5703125) * t90 + t127;
-  const Scalar t129 = (k[31] * t63 - k[34] * t66) - k[30] * (t78 - t69);
-  const Scalar t130 = (k[7] * t116 + k[8] * t111) - (t129 + (k[32] * t53 + k[29] * t79));
-  const Scalar t131 = (t100 * t83 - t101 * (t117 - t77)) + (t106 * t56 + t105 * t64);
-  const Scalar t132 = t130 + (t131 + t65 * t116);
-  const Scalar t133 = (k[35] * t52 - k[37] * t125) - (k[39] * t120 + k[38] * t19);
-  const Scalar t134 = Scalar(3.5703125) * t85 - (t132 + (k[2] * t110 + t133));
-  const Scalar t135 = t26 - t71;
-  const Scalar t136 = (k[40] * t6 + k[19] * t37) + k[22] * t135;
-  const Scalar t137 = (c4 * t128 + s4 * t134) + (k[0] * t41 + (t136 + k[21] * t108));
-  const Scalar t138 = ((Scalar(0.625) * t91 + t123) - t124) * t0 - t4 * t137;
-  const Scalar t139 = ((t96 + t99) - t39 * t93) - (t138 - s2 * Scalar(3.359375) * t92);
-  const Scalar t140 = (k[43] * t38 + k[42] * t25) - k[41] * qdd[0];
-  const Scalar t141 = (k[1] * t52 - k[2] * t125) - k[6] * t110;
-  const Scalar t142 = (s5 * t84 + c5 * t70) - t141;
-  const Scalar t143 = Scalar(0.625) * t142 - (c4 * t134 - s4 * t128);
-  const Scalar t144 = (k[20] * t108 - k[40] * t22) - k[19] * (t35 + t135);
-  const Scalar t145 = ((k[22] * t13 + k[21] * t5) + t144) - k[0] * t32;
-  const Scalar t146 = t143 + t145;
-  const Scalar t147 = (s4 * t90 - c4 * t85) + k[0] * t22;
-  const Scalar t148 = c3 * (k[0] * t71 + t142) - s3 * t147;
-  const Scalar t149 = qdd[0] * t95 - (k[44] * qdd[1] + t26 * t98);
-  const Scalar t150 = (t146 + Scalar(3.359375) * t148) + (t149 - (k[12] * t28 - k[11] * t30));
+  const Scalar t70 = qdd[4] - t69;
+  const Scalar t71 = t66 + t70;
+  const Scalar t72 = t53 * t65;
+  const Scalar t73 = t71 - (t72 + t72);
+  const Scalar t74 = t53 * t53;
+  const Scalar t75 = t65 * t65;
+  const Scalar t76 = t74 - t75;
+  const Scalar t77 = t54 * t54;
+  const Scalar t78 = t77 + t74;
+  const Scalar t79 = t76 - t78;
+  const Scalar t80 = t66 - t70;
+  const Scalar t81 = (t62 * t63 + t64 * t73) + (k[18] * t79 - k[19] * t80);
+  const Scalar t82 = c5 * t41 + s5 * t58;
+  const Scalar t83 = qdd[5] + t82;
+  const Scalar t84 = t77 - t75;
+  const Scalar t85 = t84 + t47;
+  const Scalar t86 = (t64 * t78 - t63 * t83) + (k[19] * t85 + k[18] * t71);
+  const Scalar t87 = t51 - (s5 * t81 + c5 * t86);
+  const Scalar t88 = c4 * t20 - s4 * t35;
+  const Scalar t89 = t37 - t40;
+  const Scalar t90 = k[23] * t88 + (k[25] * t89 + k[24] * t47);
+  const Scalar t91 = t65 * t60 + t83;
+  const Scalar t92 = qdd[5] - t91;
+  const Scalar t93 = (t64 * t91 - (t84 - t78) * t63) - (k[19] * t92 + k[18] * t61);
+  const Scalar t94 = t90 + t93;
+  const Scalar t95 = s4 * t87 + c4 * t94;
+  const Scalar t96 = k[13] * t10 + t95;
+  const Scalar t97 = k[8] * c2 - k[7] * s2;
+  const Scalar t98 = k[9] + s2 * t97;
+  const Scalar t99 = qdd[0] * (k[10] - c2 * t97) + t98 * t3;
+  const Scalar t100 = k[12] * s2 + k[11] * c2;
+  const Scalar t101 = (k[11] * s2 - k[12] * c2) * t23 - qdd[1] * t100;
+  const Scalar t102 = t32 + t33;
+  const Scalar t103 = (s3 * t24 + c3 * t22) + (k[22] * t4 + t8 * t27);
+  const Scalar t104 = (Scalar(0.625) * t102 + t103) - Scalar(3.5703125) * t43;
+  const Scalar t105 = t69 + t68;
+  const Scalar t106 = (k[37] * t49 + k[38] * t41) + (k[40] * t105 - k[39] * t58);
+  const Scalar t107 = t85 + t79;
+  const Scalar t108 = k[34] * t107 + (k[33] * t80 - k[32] * t71);
+  const Scalar t109 = s5 * t104 + c5 * t36;
+  const Scalar t110 = s5 * t36 - c5 * t104;
+  const Scalar t111 = (t108 - (k[36] * t82 + k[35] * t59)) + (k[18] * t109 + k[19] * t110);
+  const Scalar t112 = k[30] * s6 - k[31] * c6;
+  const Scalar t113 = k[31] * s6 + k[30] * c6;
+  const Scalar t114 = k[26] * c6 - k[27] * s6;
+  const Scalar t115 = k[29] + s6 * t114;
+  const Scalar t116 = c6 * t114;
+  const Scalar t117 = k[28] - t116;
+  const Scalar t118 = (t112 * t83 + t76 * t113) - (t62 * t115 + t117 * t73);
+  const Scalar t119 = t111 - (t118 - t64 * t110);
+  const Scalar t120 = ((k[25] * t104 + t106) - t119) - Scalar(3.5703125) * t87;
+  const Scalar t121 = (k[32] * t61 - k[34] * t92) - k[36] * (t84 - t107);
+  const Scalar t122 = k[42] - t116;
+  const Scalar t123 = t112 * (t84 - t76) - (t73 * t115 - t122 * t62);
+  const Scalar t124 = (k[18] * t88 - (t121 - k[35] * t80)) - (t63 * t110 - (t113 * t91 + t123));
+  const Scalar t125 = (k[33] * t92 - k[34] * t61) - (k[35] * t84 + k[36] * t71);
+  const Scalar t126 = t84 * t115 - (t117 * t91 - t122 * t83);
+  const Scalar t127 = (t126 - (t113 * t61 - t112 * t71)) + (t64 * t88 + t63 * t109);
+  const Scalar t128 = (t125 - k[19] * t88) - t127;
+  const Scalar t129 = (k[39] * t105 - k[41] * t58) + k[38] * t48;
+  const Scalar t130 = (c5 * t124 - s5 * t128) + ((t129 - k[37] * t89) + k[24] * t104);
+  const Scalar t131 = t130 + Scalar(3.5703125) * t94;
+  const Scalar t132 = k[14] * t42 + (k[16] * t15 - k[15] * t10);
+  const Scalar t133 = (s4 * t120 - c4 * t131) + (k[13] * t19 + (k[17] * t102 + t132));
+  const Scalar t134 = (k[43] * t15 + k[16] * t10) - (k[14] * t34 + k[17] * (t25 - t31));
+  const Scalar t135 = (k[40] * t89 + k[41] * t41) - k[39] * t50;
+  const Scalar t136 = (k[24] * t36 + k[25] * t88) - ((k[37] * t56 + k[38] * t67) + t135);
+  const Scalar t137 = t136 - (s5 * t124 + c5 * t128);
+  const Scalar t138 = t8 * t133 + (t134 + (t137 + Scalar(0.625) * t95)) * t4;
+  const Scalar t139 = ((t99 - t101) - t0 * t18) + (t138 + t16 * t96);
+  const Scalar t140 = ((qdd[0] * t0 - t1 * t3) - t96) - t139;
+  const Scalar t141 = k[0] * qdd[0] - (k[4] * t17 + k[3] * t26);
+  const Scalar t142 = (k[24] * t58 - k[25] * t105) + k[23] * t104;
+  const Scalar t143 = (s5 * t86 - c5 * t81) - t142;
+  const Scalar t144 = (c4 * t120 + s4 * t131) - Scalar(0.625) * t143;
+  const Scalar t145 = (k[15] * t34 + k[43] * t102) - k[16] * (t31 - t43);
+  const Scalar t146 = (t145 + (k[17] * t9 + k[14] * t11)) + k[13] * t28;
+  const Scalar t147 = t144 - t146;
+  const Scalar t148 = k[13] * t34 - (s4 * t94 - c4 * t87);
+  const Scalar t149 = c3 * (t143 + k[13] * t43) - s3 * t148;
+  const Scalar t150 = qdd[0] * t100 - (t25 * t98 + k[44] * qdd[1]);
+  const Scalar t151 = (t147 - Scalar(3.359375) * t149) + ((t1 * t27 + k[22] * t0) - t150);
   JointVector<Scalar> result;
-  result[0] = t140 - ((t92 - t94) + t139);
-  result[1] = -t150;
-  result[2] = -t146;
-  result[3] = -t123;
-  result[4] = -t132;
-  result[5] = -t112;
+  result[0] = t140 - t141;
+  result[1] = t151;
+  result[2] = t147;
+  result[3] = t137;
+  result[4] = -t119;
+  result[5] = t127;
   return result;
 }
 
@@ -346,82 +353,88 @@ InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constant
   const Scalar t14 = Scalar(0.1024) * t12 + (inertia.c1x * t13 - (inertia.I1xx - t6));
   const Scalar t15 = (t4 - (inertia.c1y * t5 - (inertia.I1yy - t6))) + (t10 - t14);
   const Scalar t16 = Scalar(0.32) * ((Scalar(0.32) * t12 + t13) - Scalar(1.6) * t9);
-  const Scalar t17 = inertia.c4x * inertia.m4;
-  const Scalar t18 = Scalar(1.1425) * t8 + t17;
-  const Scalar t19 = inertia.c3x * inertia.m3;
-  const Scalar t20 = inertia.c5x * inertia.m5;
-  const Scalar t21 = inertia.c6x * inertia.m6;
-  const Scalar t22 = Scalar(0.2) * inertia.m6 + t21;
-  const Scalar t23 = inertia.c5z * inertia.m5;
-  const Scalar t24 = inertia.c6y * inertia.m6;
-  const Scalar t25 = inertia.c6z * inertia.m6;
-  const Scalar t26 = inertia.c4y * inertia.m4;
-  const Scalar t27 = inertia.c5y * inertia.m5;
-  const Scalar t28 = inertia.c4z * inertia.m4;
-  const Scalar t29 = inertia.c2z * inertia.m2;
-  const Scalar t30 = Scalar(0.32) * ((t29 + Scalar(1.075) * t11) - Scalar(5.375) * t9);
-  const Scalar t31 = inertia.c2x * inertia.m2;
-  const Scalar t32 = (Scalar(0.2) * t18 - (inertia.I3xz - inertia.c3z * t19)) - Scalar(1.1425) * t9;
-  const Scalar t33 = ((inertia.I3zz - t0) - inertia.c3z * t7) - Scalar(0.04) * t8;
-  const Scalar t34 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t35 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t36 = ((inertia.I4yy - t34) - inertia.c4y * t26) - (inertia.c5y * t27 - (inertia.I5yy - t35));
-  const Scalar t37 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t38 = inertia.c6z * t25 - (inertia.I6zz - t37);
-  const Scalar t39 = (inertia.I6yy - t37) - inertia.c6y * t24;
-  const Scalar t40 = inertia.I6yz - inertia.c6z * t24;
-  const Scalar t41 = ((inertia.I6xx - t37) - inertia.c6x * t21) - Scalar(0.2) * (t21 + t22);
-  const Scalar t42 = Scalar(1.1425) * (t17 + t18) - ((inertia.I4xx - t34) - inertia.c4x * t17);
-  const Scalar t43 = Scalar(6.52653125) * t9 - ((inertia.c3x * t19 - (inertia.I3xx - t0)) + t42);
-  const Scalar t44 = inertia.I2xz - inertia.c2z * t31;
-  const Scalar t45 = inertia.c2x * t31 - (inertia.I2xx - t2);
-  const Scalar t46 = Scalar(1.155625) * t11 - ((inertia.I2zz - t2) - inertia.c2z * t29);
-  const Scalar t47 = Scalar(5.778125) * t9 - t46;
+  const Scalar t17 = inertia.c2x * inertia.m2;
+  const Scalar t18 = inertia.I2xz - inertia.c2z * t17;
+  const Scalar t19 = inertia.c2x * t17 - (inertia.I2xx - t2);
+  const Scalar t20 = inertia.c2z * inertia.m2;
+  const Scalar t21 = Scalar(1.155625) * t11 - ((inertia.I2zz - t2) - inertia.c2z * t20);
+  const Scalar t22 = Scalar(5.778125) * t9 - t21;
+  const Scalar t23 = Scalar(0.32) * ((t20 + Scalar(1.075) * t11) - Scalar(5.375) * t9);
+  const Scalar t24 = inertia.c4y * inertia.m4;
+  const Scalar t25 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t26 = inertia.c4z * inertia.m4;
+  const Scalar t27 = inertia.c4x * inertia.m4;
+  const Scalar t28 = Scalar(1.1425) * t26;
+  const Scalar t29 = Scalar(1.1425) * t24;
+  const Scalar t30 = inertia.c6y * inertia.m6;
+  const Scalar t31 = inertia.c6z * inertia.m6;
+  const Scalar t32 = inertia.c6x * inertia.m6;
+  const Scalar t33 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t34 = inertia.c6z * t31 - (inertia.I6zz - t33);
+  const Scalar t35 = (inertia.I6yy - t33) - inertia.c6y * t30;
+  const Scalar t36 = inertia.I6yz - inertia.c6z * t30;
+  const Scalar t37 = inertia.c5z * inertia.m5;
+  const Scalar t38 = inertia.c5x * inertia.m5;
+  const Scalar t39 = Scalar(0.2) * inertia.m6 + t32;
+  const Scalar t40 = inertia.c5y * inertia.m5;
+  const Scalar t41 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t42 = ((inertia.I6xx - t33) - inertia.c6x * t32) - Scalar(0.2) * (t32 + t39);
+  const Scalar t43 = ((inertia.I4yy - t25) - inertia.c4y * t24) - (inertia.c5y * t40 - (inertia.I5yy - t41));
+  const Scalar t44 = inertia.c3x * inertia.m3;
+  const Scalar t45 = Scalar(1.1425) * inertia.m4;
+  const Scalar t46 = t27 + t45;
+  const Scalar t47 = t45 - t46;
+  const Scalar t48 = Scalar(1.1425) * t8 - t47;
+  const Scalar t49 = Scalar(1.1425) * (t27 + t46) - ((inertia.I4xx - t25) - inertia.c4x * t27);
+  const Scalar t50 = Scalar(1.1425) * (t48 - t47) + (t49 + Scalar(1.1425) * (t47 - t46));
+  const Scalar t51 = ((inertia.c3x * t44 - (inertia.I3xx - t0)) + t50) - Scalar(6.52653125) * t9;
+  const Scalar t52 = (Scalar(0.2) * t48 - (inertia.I3xz - inertia.c3z * t44)) - Scalar(1.1425) * t9;
+  const Scalar t53 = ((inertia.I3zz - t0) - inertia.c3z * t7) - Scalar(0.04) * t8;
   return { t15,
            Scalar(3.125) * gravity[1],
            Scalar(3.125) * gravity[0],
            Scalar(0.32) * ((t1 + t3) + t5),
            t16,
-           Scalar(0.32) * ((t18 + t19) - Scalar(5.7125) * t9),
-           Scalar(0.32) * (t20 + t22),
-           Scalar(0.32) * t23,
-           Scalar(0.32) * t24,
-           Scalar(0.32) * t25,
-           Scalar(3.125) * gravity[2],
-           t10,
-           Scalar(0.32) * (t26 + t27),
-           Scalar(0.32) * t28,
-           t30,
-           Scalar(0.32) * t31,
-           t32,
-           Scalar(0.2) * t9 + t33,
-           inertia.I3yz - inertia.c3z * t1,
-           inertia.I3xy - inertia.c3y * t19,
-           inertia.I4yz - inertia.c4z * t26,
-           t36,
-           (inertia.I4zz - t34) - inertia.c4z * t28,
-           inertia.I4xy - inertia.c4y * t17,
-           inertia.I4xz - inertia.c4z * t17,
-           Scalar(0.2) * t25 - (inertia.I6xz - inertia.c6z * t21),
-           Scalar(0.2) * t24 - (inertia.I6xy - inertia.c6y * t21),
-           t38 + t39,
-           Scalar(2) * t40,
-           t40,
-           t38,
-           t39,
-           inertia.I5xz - inertia.c5z * t20,
-           inertia.c5z * t23 - (inertia.I5zz - t35),
-           inertia.I5yz - inertia.c5z * t27,
-           inertia.I5xy - inertia.c5y * t20,
-           (inertia.c5x * t20 - (inertia.I5xx - t35)) - t41,
-           t43,
            Scalar(1.075) * t1 - (inertia.I2yz - inertia.c2z * t3),
-           inertia.I2xy - inertia.c2y * t31,
-           Scalar(2) * t44,
-           t45 + t47,
-           t44,
-           t47,
-           t45 - t47 };
+           inertia.I2xy - inertia.c2y * t17,
+           Scalar(2) * t18,
+           t19 + t22,
+           t18,
+           t22,
+           Scalar(0.32) * t17,
+           t23,
+           inertia.I4yz - inertia.c4z * t24,
+           (inertia.I4zz - t25) - inertia.c4z * t26,
+           ((inertia.I4xz - inertia.c4z * t27) - t28) + t28,
+           t29 - (t29 - (inertia.I4xy - inertia.c4y * t27)),
+           Scalar(3.125) * gravity[2],
+           Scalar(0.32) * t26,
+           Scalar(0.32) * t30,
+           Scalar(0.32) * t31,
+           Scalar(0.2) * t31 - (inertia.I6xz - inertia.c6z * t32),
+           Scalar(0.2) * t30 - (inertia.I6xy - inertia.c6y * t32),
+           t34 + t35,
+           Scalar(2) * t36,
+           t35,
+           t36,
+           Scalar(0.32) * t37,
+           Scalar(0.32) * (t38 + t39),
+           inertia.I5yz - inertia.c5z * t40,
+           inertia.I5xy - inertia.c5y * t38,
+           (inertia.c5x * t38 - (inertia.I5xx - t41)) - t42,
+           inertia.c5z * t37 - (inertia.I5zz - t41),
+           inertia.I5xz - inertia.c5z * t38,
+           Scalar(0.32) * (t24 + t40),
+           t10,
+           t34,
+           t43,
+           inertia.I3xy - inertia.c3y * t44,
+           t51,
+           t52,
+           inertia.I3yz - inertia.c3z * t1,
+           Scalar(0.32) * ((t48 + t44) - Scalar(5.7125) * t9),
+           Scalar(0.2) * t9 + t53,
+           t19 - t22 };
 }
 
 namespace detail {
@@ -442,183 +455,182 @@ inline JointVector<Scalar> inverse_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = qd[1] + qd[2];
-  const Scalar t1 = t0 * t0;
-  const Scalar t2 = s2 * s3 - c2 * c3;
-  const Scalar t3 = qd[0] * t2;
-  const Scalar t4 = t3 * t3;
-  const Scalar t5 = t1 + t4;
-  const Scalar t6 = s4 * t3 - c4 * t0;
-  const Scalar t7 = t6 * t6;
-  const Scalar t8 = c3 * s2 + c2 * s3;
-  const Scalar t9 = qd[0] * t8;
+  const Scalar t0 = s2 * s3 - c2 * c3;
+  const Scalar t1 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t2 = c3 * s2 + c2 * s3;
+  const Scalar t3 = wrench[2] * t0 - t1 * t2;
+  const Scalar t4 = wrench[0] * s1 - wrench[1] * c1;
+  const Scalar t5 = s4 * t3 + c4 * t4;
+  const Scalar t6 = qd[1] + qd[2];
+  const Scalar t7 = qd[0] * t0;
+  const Scalar t8 = s4 * t6 + c4 * t7;
+  const Scalar t9 = qd[0] * t2;
   const Scalar t10 = qd[3] - t9;
-  const Scalar t11 = t10 * t10;
-  const Scalar t12 = t7 - t11;
-  const Scalar t13 = t5 - t12;
-  const Scalar t14 = t7 + t11;
-  const Scalar t15 = qdd[0] * t8;
-  const Scalar t16 = t0 * t3;
-  const Scalar t17 = t15 - t16;
-  const Scalar t18 = qdd[3] - t17;
-  const Scalar t19 = s4 * t0 + c4 * t3;
-  const Scalar t20 = t19 * t6;
-  const Scalar t21 = t18 - t20;
-  const Scalar t22 = t18 + t20;
-  const Scalar t23 = k[20] * (t13 - t14) + (k[22] * t21 + k[21] * t22);
-  const Scalar t24 = t9 * t0;
-  const Scalar t25 = qdd[0] * t2;
-  const Scalar t26 = (t24 + t24) + t25;
-  const Scalar t27 = t9 * t3;
-  const Scalar t28 = qdd[1] + qdd[2];
-  const Scalar t29 = t27 - t28;
-  const Scalar t30 = c4 * t26 - s4 * t29;
-  const Scalar t31 = s4 * t26 + c4 * t29;
-  const Scalar t32 = qd[0] * qd[0];
-  const Scalar t33 = t1 - t4;
-  const Scalar t34 = k[1] * s1 + k[2] * c1;
-  const Scalar t35 = t32 + t34;
-  const Scalar t36 = qd[0] * s2;
-  const Scalar t37 = qd[0] * c2;
-  const Scalar t38 = (k[10] * s2 - c2 * t35) + Scalar(3.359375) * (qdd[1] - t36 * t37);
-  const Scalar t39 = qd[1] * qd[1];
-  const Scalar t40 = (k[10] * c2 + s2 * t35) + Scalar(3.359375) * (t39 + t36 * t36);
-  const Scalar t41 = s3 * t38 - c3 * t40;
-  const Scalar t42 = Scalar(0.625) * (t32 + t33) - t41;
-  const Scalar t43 = k[2] * s1 - k[1] * c1;
-  const Scalar t44 = qdd[0] + t43;
-  const Scalar t45 = Scalar(3.359375) * s2;
-  const Scalar t46 = t44 + (Scalar(6.71875) * qd[1] * t37 + qdd[0] * t45);
-  const Scalar t47 = t17 - t16;
-  const Scalar t48 = t46 + Scalar(0.625) * t47;
-  const Scalar t49 = Scalar(3.5703125) * t30 + (s4 * t42 - c4 * t48);
-  const Scalar t50 = (c4 * t42 + s4 * t48) - Scalar(3.5703125) * t31;
-  const Scalar t51 = (t23 + (k[24] * t30 + k[23] * t31)) - (k[13] * t49 - k[12] * t50);
-  const Scalar t52 = wrench[3] * s1 - wrench[4] * c1;
-  const Scalar t53 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t54 = t53 * t8 - wrench[5] * t2;
-  const Scalar t55 = s4 * t52 + c4 * t54;
-  const Scalar t56 = t2 * t53 + wrench[5] * t8;
-  const Scalar t57 = t27 + t28;
-  const Scalar t58 = Scalar(0.625) * t57 + (s3 * t40 + c3 * t38);
-  const Scalar t59 = t58 - Scalar(3.5703125) * t5;
-  const Scalar t60 = s5 * t59 - c5 * t50;
-  const Scalar t61 = k[8] * c6 - k[9] * s6;
-  const Scalar t62 = k[9] * c6 + k[8] * s6;
-  const Scalar t63 = qd[4] - t6;
-  const Scalar t64 = t63 * t63;
-  const Scalar t65 = c5 * t19 - s5 * t10;
-  const Scalar t66 = t65 * t65;
-  const Scalar t67 = t64 - t66;
-  const Scalar t68 = k[28] * s6 - k[27] * c6;
-  const Scalar t69 = k[29] - s6 * t68;
-  const Scalar t70 = c6 * t68;
-  const Scalar t71 = k[30] + t70;
-  const Scalar t72 = t10 * t6;
-  const Scalar t73 = t30 - (t72 + t72);
-  const Scalar t74 = c5 * t22 + s5 * t73;
-  const Scalar t75 = qdd[5] + t74;
-  const Scalar t76 = k[31] + t70;
-  const Scalar t77 = t63 * t65;
-  const Scalar t78 = t77 + t77;
-  const Scalar t79 = t78 + t75;
-  const Scalar t80 = t67 * t69 + (t71 * t75 - t76 * t79);
-  const Scalar t81 = k[26] * s6 + k[25] * c6;
-  const Scalar t82 = s5 * t19 + c5 * t10;
-  const Scalar t83 = s5 * t22 - c5 * t73;
-  const Scalar t84 = Scalar(2) * t63 * t82 + t83;
-  const Scalar t85 = t82 * t65;
-  const Scalar t86 = t10 * t19;
-  const Scalar t87 = t31 + t86;
-  const Scalar t88 = qdd[4] - t87;
-  const Scalar t89 = t85 + t88;
-  const Scalar t90 = k[25] * s6 - k[26] * c6;
-  const Scalar t91 = (t60 * t61 + t49 * t62) + (t80 - (t81 * t84 - t89 * t90));
-  const Scalar t92 = (s5 * t55 + c5 * t56) + t91;
-  const Scalar t93 = t74 + t78;
-  const Scalar t94 = (k[34] * t67 + k[35] * t89) + (k[32] * t84 + k[33] * t93);
-  const Scalar t95 = t92 + (k[7] * t49 + t94);
-  const Scalar t96 = t85 - t88;
-  const Scalar t97 = qd[5] + t82;
-  const Scalar t98 = t97 * t97;
-  const Scalar t99 = t98 + t66;
-  const Scalar t100 = t64 - t98;
-  const Scalar t101 = t99 + t100;
-  const Scalar t102 = (k[36] * t84 + k[32] * t93) - k[35] * (t101 - t13);
-  const Scalar t103 = t84 - Scalar(2) * t97 * t63;
-  const Scalar t104 = t97 * t65;
-  const Scalar t105 = t89 - (t104 + t104);
-  const Scalar t106 = (t71 * t103 + t69 * t105) - t90 * t100;
-  const Scalar t107 = s5 * t50 + c5 * t59;
-  const Scalar t108 = wrench[0] * c1 + wrench[1] * s1;
-  const Scalar t109 = wrench[2] * t2 - t108 * t8;
-  const Scalar t110 = wrench[0] * s1 - wrench[1] * c1;
-  const Scalar t111 = s4 * t109 + c4 * t110;
-  const Scalar t112 = (c5 * t55 - s5 * t56) - Scalar(0.2) * t111;
-  const Scalar t113 = ((t81 * t79 - t106) + t107 * t61) + t112;
-  const Scalar t114 = ((k[34] * t96 - t102) + k[6] * t49) + t113;
-  const Scalar t115 = t51 - (c5 * t95 - s5 * t114);
-  const Scalar t116 = t67 + t13;
-  const Scalar t117 = t64 + t98;
-  const Scalar t118 = c4 * t109 - s4 * t110;
-  const Scalar t119 = t2 * t108 + wrench[2] * t8;
-  const Scalar t120 = c5 * t118 + s5 * t119;
-  const Scalar t121 = (t61 * t75 - t117 * t62) + Scalar(0.32) * t120;
-  const Scalar t122 = (k[7] * t116 + k[6] * t89) - t121;
-  const Scalar t123 = Scalar(0.32) * (c5 * t119 - s5 * t118) + (t62 * t105 - t103 * t61);
-  const Scalar t124 = (k[7] * t96 + k[6] * t101) - t123;
-  const Scalar t125 = k[11] * t50 + (k[13] * t14 - k[12] * t22);
-  const Scalar t126 = (c5 * t122 - s5 * t124) + t125;
-  const Scalar t127 = (k[13] * t21 + k[12] * t13) + k[11] * t49;
-  const Scalar t128 = Scalar(0.32) * t111 - (t99 * t61 + t79 * t62);
-  const Scalar t129 = t127 + ((k[7] * t93 - k[6] * t84) - t128);
-  const Scalar t130 = s4 * t126 - c4 * t129;
-  const Scalar t131 = (k[17] * t47 + k[16] * t26) - (k[19] * t29 - k[18] * t33);
-  const Scalar t132 = t87 + t86;
-  const Scalar t133 = (k[21] * t73 - k[20] * t132) - k[23] * t12;
-  const Scalar t134 = (c5 * t114 + s5 * t95) + (k[12] * t59 - (t133 + k[24] * t21));
-  const Scalar t135 = Scalar(3.5703125) * t129 + t134;
-  const Scalar t136 = (t81 * (t117 - t101) + t90 * t75) - (t76 * t105 - t103 * t69);
-  const Scalar t137 = (s4 * t54 - c4 * t52) + Scalar(0.2) * t120;
-  const Scalar t138 = k[32] * (t101 - t116) - (k[33] * t96 - k[36] * t89);
-  const Scalar t139 = (k[6] * t60 - k[7] * t107) - ((k[34] * t83 + k[35] * t74) + t138);
-  const Scalar t140 = ((t136 + t107 * t62) - t137) - t139;
-  const Scalar t141 = (k[22] * t132 - k[20] * t73) + (k[23] * t22 + k[24] * (t5 - t14));
-  const Scalar t142 = Scalar(3.5703125) * t126 + (t140 + (t141 + k[13] * t59));
-  const Scalar t143 = t32 - t5;
-  const Scalar t144 = k[19] * t143 + (k[37] * t26 + k[16] * t47);
-  const Scalar t145 = (c4 * t135 - s4 * t142) - (k[5] * t46 + (k[18] * t57 + t144));
-  const Scalar t146 = ((t115 + Scalar(0.625) * t130) - t131) * t8 + t2 * t145;
-  const Scalar t147 = k[5] * t26 - t130;
-  const Scalar t148 = k[15] * c2 + k[14] * s2;
-  const Scalar t149 = k[40] * s2 - k[41] * c2;
-  const Scalar t150 = k[42] - s2 * t149;
-  const Scalar t151 = qd[0] * qd[1];
-  const Scalar t152 = t151 + t151;
-  const Scalar t153 = qdd[0] * (k[43] + c2 * t149) + t150 * t152;
-  const Scalar t154 = k[38] * c2 + k[39] * s2;
-  const Scalar t155 = qdd[1] * t154 - (k[38] * s2 - k[39] * c2) * t39;
-  const Scalar t156 = (t146 - t45 * t147) + (t148 * t44 - (t153 + t155));
-  const Scalar t157 = k[14] * c2 - k[15] * s2;
-  const Scalar t158 = t156 + ((t157 * t152 + qdd[0] * t148) - t147);
-  const Scalar t159 = k[0] * qdd[0] - (k[4] * t43 + k[3] * t34);
-  const Scalar t160 = qdd[0] * t154 - (k[44] * qdd[1] + t32 * t150);
-  const Scalar t161 = k[11] * t59 - (k[13] * t132 - k[12] * t73);
-  const Scalar t162 = (c5 * t124 + s5 * t122) - t161;
-  const Scalar t163 = Scalar(0.625) * t162 - (s4 * t135 + c4 * t142);
-  const Scalar t164 = k[16] * (t33 + t143) - (k[17] * t57 - k[37] * t29);
-  const Scalar t165 = k[5] * t41 + ((k[19] * t15 + k[18] * t25) - t164);
-  const Scalar t166 = t163 + t165;
-  const Scalar t167 = k[5] * t29 - (s4 * t129 + c4 * t126);
-  const Scalar t168 = s3 * t167 - c3 * (k[5] * t5 + t162);
-  const Scalar t169 = (t160 + (t157 * t35 - k[10] * t148)) + (t166 - Scalar(3.359375) * t168);
+  const Scalar t11 = s5 * t8 + c5 * t10;
+  const Scalar t12 = qd[5] + t11;
+  const Scalar t13 = t12 * t12;
+  const Scalar t14 = c5 * t8 - s5 * t10;
+  const Scalar t15 = t13 + t14 * t14;
+  const Scalar t16 = k[19] * c6 - k[20] * s6;
+  const Scalar t17 = k[20] * c6 + k[19] * s6;
+  const Scalar t18 = s4 * t7 - c4 * t6;
+  const Scalar t19 = qd[4] - t18;
+  const Scalar t20 = t19 + t19;
+  const Scalar t21 = qdd[0] * t2;
+  const Scalar t22 = t6 * t7;
+  const Scalar t23 = t21 - t22;
+  const Scalar t24 = qdd[3] - t23;
+  const Scalar t25 = t8 * t18;
+  const Scalar t26 = t24 + t25;
+  const Scalar t27 = t10 * t18;
+  const Scalar t28 = t9 * t6;
+  const Scalar t29 = qdd[0] * t0;
+  const Scalar t30 = t28 + (t28 + t29);
+  const Scalar t31 = t9 * t7;
+  const Scalar t32 = qdd[1] + qdd[2];
+  const Scalar t33 = t31 - t32;
+  const Scalar t34 = c4 * t30 - s4 * t33;
+  const Scalar t35 = (t27 + t27) - t34;
+  const Scalar t36 = c5 * t26 - s5 * t35;
+  const Scalar t37 = t14 * t20 + t36;
+  const Scalar t38 = qdd[5] + t37;
+  const Scalar t39 = Scalar(0.32) * t5 - (t15 * t16 + t17 * t38);
+  const Scalar t40 = s5 * t26 + c5 * t35;
+  const Scalar t41 = t40 + t11 * t20;
+  const Scalar t42 = t6 * t6;
+  const Scalar t43 = t7 * t7;
+  const Scalar t44 = t42 + t43;
+  const Scalar t45 = t18 * t18;
+  const Scalar t46 = t10 * t10;
+  const Scalar t47 = t45 - t46;
+  const Scalar t48 = t44 - t47;
+  const Scalar t49 = t24 - t25;
+  const Scalar t50 = Scalar(3.359375) * s2;
+  const Scalar t51 = qd[0] * qd[1];
+  const Scalar t52 = k[2] * s1 - k[1] * c1;
+  const Scalar t53 = qdd[0] + t52;
+  const Scalar t54 = (qdd[0] * t50 + Scalar(6.71875) * c2 * t51) + t53;
+  const Scalar t55 = t23 - t22;
+  const Scalar t56 = Scalar(3.5703125) * t30 - (t54 + Scalar(0.625) * t55);
+  const Scalar t57 = qd[0] * qd[0];
+  const Scalar t58 = t42 - t43;
+  const Scalar t59 = qd[1] * qd[1];
+  const Scalar t60 = qd[0] * s2;
+  const Scalar t61 = k[1] * s1 + k[2] * c1;
+  const Scalar t62 = t57 + t61;
+  const Scalar t63 = s2 * t62 + k[17] * c2;
+  const Scalar t64 = Scalar(3.359375) * (t59 + t60 * t60) + t63;
+  const Scalar t65 = c2 * t62 - k[17] * s2;
+  const Scalar t66 = t65 - Scalar(3.359375) * (qdd[1] - t60 * qd[0] * c2);
+  const Scalar t67 = c3 * t64 + s3 * t66;
+  const Scalar t68 = Scalar(3.5703125) * t33 - (Scalar(0.625) * (t57 + t58) + t67);
+  const Scalar t69 = c4 * t56 - s4 * t68;
+  const Scalar t70 = (k[34] * t48 + k[18] * t49) + k[35] * t69;
+  const Scalar t71 = (t39 + (k[28] * t41 - k[27] * t37)) - t70;
+  const Scalar t72 = s4 * t56 + c4 * t68;
+  const Scalar t73 = t45 + t46;
+  const Scalar t74 = k[35] * t72 + (k[34] * t26 - k[18] * t73);
+  const Scalar t75 = t19 * t19;
+  const Scalar t76 = t75 - t13;
+  const Scalar t77 = t15 + t76;
+  const Scalar t78 = t77 - t48;
+  const Scalar t79 = t75 + t13;
+  const Scalar t80 = t15 - t79;
+  const Scalar t81 = t78 + t80;
+  const Scalar t82 = t11 * t14;
+  const Scalar t83 = c4 * t33 + s4 * t30;
+  const Scalar t84 = t10 * t8;
+  const Scalar t85 = t83 + t84;
+  const Scalar t86 = qdd[4] - t85;
+  const Scalar t87 = t82 + t86;
+  const Scalar t88 = qdd[5] + t36;
+  const Scalar t89 = c4 * t3 - s4 * t4;
+  const Scalar t90 = t0 * t1 + wrench[2] * t2;
+  const Scalar t91 = Scalar(0.32) * (c5 * t89 + s5 * t90);
+  const Scalar t92 = (k[27] * (t77 - t81) + k[28] * t87) - ((t88 * t16 - t79 * t17) + t91);
+  const Scalar t93 = t12 * t14;
+  const Scalar t94 = (t93 - t87) + t93;
+  const Scalar t95 = t41 - t12 * t20;
+  const Scalar t96 = Scalar(0.32) * (c5 * t90 - s5 * t89) - (t17 * t94 + t95 * t16);
+  const Scalar t97 = t82 - t86;
+  const Scalar t98 = t96 - (k[28] * t77 + k[27] * t97);
+  const Scalar t99 = t74 - (c5 * t92 + s5 * t98);
+  const Scalar t100 = c4 * t71 - s4 * t99;
+  const Scalar t101 = t100 - k[42] * t30;
+  const Scalar t102 = k[21] * s6 - k[22] * c6;
+  const Scalar t103 = k[21] * c6 + k[22] * s6;
+  const Scalar t104 = k[23] * c6 - k[24] * s6;
+  const Scalar t105 = c6 * t104;
+  const Scalar t106 = k[25] - t105;
+  const Scalar t107 = k[26] + s6 * t104;
+  const Scalar t108 = (t102 * t88 + t103 * (t79 - t77)) + (t94 * t106 + t95 * t107);
+  const Scalar t109 = t31 + t32;
+  const Scalar t110 = Scalar(0.625) * t109 + (s3 * t64 - c3 * t66);
+  const Scalar t111 = t110 - Scalar(3.5703125) * t44;
+  const Scalar t112 = s5 * t72 - c5 * t111;
+  const Scalar t113 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t114 = t113 * t2 - wrench[5] * t0;
+  const Scalar t115 = wrench[3] * s1 - wrench[4] * c1;
+  const Scalar t116 = Scalar(0.625) * t91 + (s4 * t114 - c4 * t115);
+  const Scalar t117 = k[33] * t81 - (k[32] * t97 - k[31] * t87);
+  const Scalar t118 = c5 * t72 + s5 * t111;
+  const Scalar t119 = (t117 + (k[30] * t36 + k[29] * t40)) - (k[27] * t112 + k[28] * t118);
+  const Scalar t120 = ((t108 - t17 * t112) - t116) + t119;
+  const Scalar t121 = t85 + t84;
+  const Scalar t122 = t44 - t73;
+  const Scalar t123 = (k[13] * t35 + k[14] * t121) + (k[15] * t122 + k[16] * t26);
+  const Scalar t124 = (t120 + (k[18] * t111 + t123)) - Scalar(3.5703125) * t99;
+  const Scalar t125 = (k[29] * t80 - k[30] * t87) - (k[33] * t41 + k[32] * t37);
+  const Scalar t126 = k[36] - t105;
+  const Scalar t127 = (t126 * t88 - t106 * t38) - t107 * t80;
+  const Scalar t128 = (t127 + (t102 * t87 - t103 * t41)) + (t16 * t118 + t17 * t69);
+  const Scalar t129 = s4 * t115 + c4 * t114;
+  const Scalar t130 = t0 * t113 + wrench[5] * t2;
+  const Scalar t131 = t128 + (s5 * t129 + c5 * t130);
+  const Scalar t132 = (t125 - k[27] * t69) - t131;
+  const Scalar t133 = t102 * t76 - (t126 * t95 - t94 * t107);
+  const Scalar t134 = (c5 * t129 - s5 * t130) - Scalar(0.2) * t5;
+  const Scalar t135 = (t112 * t16 - (t133 + t103 * t38)) - t134;
+  const Scalar t136 = (k[33] * t37 + k[31] * t41) - k[30] * t78;
+  const Scalar t137 = t135 + ((t136 - k[29] * t97) - k[28] * t69);
+  const Scalar t138 = k[16] * t47 + (k[37] * t35 + k[13] * t121);
+  const Scalar t139 = (s5 * t132 + c5 * t137) - ((t138 - k[15] * t49) + k[34] * t111);
+  const Scalar t140 = t139 + Scalar(3.5703125) * t71;
+  const Scalar t141 = t57 - t44;
+  const Scalar t142 = k[38] * t141 + (k[40] * t55 - k[39] * t30);
+  const Scalar t143 = (s4 * t124 + c4 * t140) + ((k[41] * t109 + t142) + k[42] * t54);
+  const Scalar t144 = (k[40] * t30 + k[43] * t55) + (k[41] * t58 - k[38] * t33);
+  const Scalar t145 = (k[14] * t49 + k[37] * t26) - k[13] * (t47 - t122);
+  const Scalar t146 = (k[18] * t69 + k[34] * t72) - ((k[16] * t83 + k[15] * t34) + t145);
+  const Scalar t147 = t146 + (s5 * t137 - c5 * t132);
+  const Scalar t148 = t0 * t143 + (t144 - (Scalar(0.625) * t100 - t147)) * t2;
+  const Scalar t149 = k[12] * s2 + k[11] * c2;
+  const Scalar t150 = k[8] * c2 - k[7] * s2;
+  const Scalar t151 = k[9] + s2 * t150;
+  const Scalar t152 = Scalar(2) * t51;
+  const Scalar t153 = qdd[0] * (k[10] - c2 * t150) + t151 * t152;
+  const Scalar t154 = k[6] * s2 + k[5] * c2;
+  const Scalar t155 = qdd[1] * t154 - (k[5] * s2 - k[6] * c2) * t59;
+  const Scalar t156 = (t101 * t50 - t148) + (t149 * t53 - (t153 + t155));
+  const Scalar t157 = qdd[0] * t149 - (k[11] * s2 - k[12] * c2) * t152;
+  const Scalar t158 = k[0] * qdd[0] - (k[4] * t52 + k[3] * t61);
+  const Scalar t159 = k[35] * t111 - (k[34] * t35 + k[18] * t121);
+  const Scalar t160 = t159 + (c5 * t98 - s5 * t92);
+  const Scalar t161 = k[42] * t33 + (s4 * t71 + c4 * t99);
+  const Scalar t162 = c3 * (k[42] * t44 - t160) - s3 * t161;
+  const Scalar t163 = k[40] * (t58 + t141) - (k[43] * t109 + k[39] * t33);
+  const Scalar t164 = k[42] * t67 - ((k[41] * t29 + k[38] * t21) - t163);
+  const Scalar t165 = (s4 * t140 - c4 * t124) - Scalar(0.625) * t160;
+  const Scalar t166 = t164 - t165;
+  const Scalar t167 = qdd[0] * t154 - (t57 * t151 + k[44] * qdd[1]);
+  const Scalar t168 = (Scalar(3.359375) * t162 - t166) + (t167 - (k[11] * t63 - k[12] * t65));
   JointVector<Scalar> result;
-  result[0] = t158 - t159;
-  result[1] = -t169;
-  result[2] = -t166;
-  result[3] = -t115;
-  result[4] = t140;
-  result[5] = t92;
+  result[0] = (t156 + (t101 + t157)) - t158;
+  result[1] = -t168;
+  result[2] = t166;
+  result[3] = t147;
+  result[4] = t120;
+  result[5] = t131;
   return result;
 }
 
@@ -652,22 +664,23 @@ GravityTorqueWithGravityVectorConstants<Scalar> gravity_torque_with_gravity_vect
   const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
   const Scalar t2 = inertia.m3 + t1;
   const Scalar t3 = inertia.c5x * inertia.m5 + (Scalar(0.2) * inertia.m6 + inertia.c6x * inertia.m6);
-  const Scalar t4 = (Scalar(1.1425) * t1 + inertia.c4x * inertia.m4) + inertia.c3x * inertia.m3;
+  const Scalar t4 = Scalar(1.1425) * inertia.m4;
+  const Scalar t5 = Scalar(1.1425) * t1 - (t4 - (inertia.c4x * inertia.m4 + t4));
   return { gravity[1],
            gravity[0],
            t0,
            Scalar(0.32) * (inertia.m2 + t2) + inertia.c1x * inertia.m1,
-           inertia.c2z * inertia.m2 + Scalar(1.075) * t2,
-           inertia.c2x * inertia.m2,
+           inertia.c3z * inertia.m3 + Scalar(0.2) * t1,
            gravity[2],
            inertia.c4y * inertia.m4 + inertia.c5y * inertia.m5,
            inertia.c4z * inertia.m4,
+           t3,
            inertia.c6z * inertia.m6,
            inertia.c6y * inertia.m6,
-           t3,
            inertia.c5z * inertia.m5,
-           inertia.c3z * inertia.m3 + Scalar(0.2) * t1,
-           t4 };
+           t5 + inertia.c3x * inertia.m3,
+           inertia.c2x * inertia.m2,
+           inertia.c2z * inertia.m2 + Scalar(1.075) * t2 };
 }
 
 namespace detail {
@@ -688,38 +701,38 @@ inline JointVector<Scalar> gravity_torque_with_gravity_vector([[maybe_unused]] c
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = c3 * s2 + c2 * s3;
-  const Scalar t1 = k[1] * s1 - k[0] * c1;
-  const Scalar t2 = s2 * s3 - c2 * c3;
-  const Scalar t3 = k[0] * s1 + k[1] * c1;
-  const Scalar t4 = k[6] * t2 - t3 * t0;
-  const Scalar t5 = s4 * t1 - c4 * t4;
-  const Scalar t6 = k[6] * t0 + t2 * t3;
-  const Scalar t7 = c5 * t5 - s5 * t6;
-  const Scalar t8 = k[10] * c6 - k[9] * s6;
-  const Scalar t9 = k[9] * c6 + k[10] * s6;
-  const Scalar t10 = c4 * t1 + s4 * t4;
-  const Scalar t11 = t7 * t8 + t9 * t10;
-  const Scalar t12 = t11 + k[12] * t10;
-  const Scalar t13 = s5 * t5 + c5 * t6;
-  const Scalar t14 = k[11] * t10 - t8 * t13;
-  const Scalar t15 = (c5 * t12 - s5 * t14) + (k[8] * t10 + k[7] * t5);
-  const Scalar t16 = t9 * t13 + (k[11] * t7 + k[12] * t13);
-  const Scalar t17 = k[8] * t6 + t16;
-  const Scalar t18 = (c5 * t14 + s5 * t12) - k[7] * t6;
-  const Scalar t19 = k[14] * t1 + (s4 * t17 + c4 * t18);
-  const Scalar t20 = t0 * (k[13] * t1 + t15) - t2 * t19;
-  const Scalar t21 = k[4] * s2 + k[5] * c2;
-  const Scalar t22 = (t20 + t21 * t1) + (k[2] * t3 + k[3] * t1);
-  const Scalar t23 = t3 * (k[5] * s2 - k[4] * c2) + k[6] * t21;
-  const Scalar t24 = (c4 * t17 - s4 * t18) + (k[13] * t6 - k[14] * t4);
+  const Scalar t0 = k[1] * s1 - k[0] * c1;
+  const Scalar t1 = k[0] * s1 + k[1] * c1;
+  const Scalar t2 = c3 * s2 + c2 * s3;
+  const Scalar t3 = s2 * s3 - c2 * c3;
+  const Scalar t4 = t1 * t2 - k[5] * t3;
+  const Scalar t5 = c4 * t0 - s4 * t4;
+  const Scalar t6 = s4 * t0 + c4 * t4;
+  const Scalar t7 = k[10] * c6 - k[9] * s6;
+  const Scalar t8 = k[5] * t2 + t3 * t1;
+  const Scalar t9 = s5 * t6 + c5 * t8;
+  const Scalar t10 = t7 * t9 - k[8] * t5;
+  const Scalar t11 = s5 * t8 - c5 * t6;
+  const Scalar t12 = k[9] * c6 + k[10] * s6;
+  const Scalar t13 = t7 * t11 - t5 * t12;
+  const Scalar t14 = t13 - k[11] * t5;
+  const Scalar t15 = (k[7] * t5 + k[6] * t6) + (s5 * t10 - c5 * t14);
+  const Scalar t16 = k[6] * t8 + (s5 * t14 + c5 * t10);
+  const Scalar t17 = t12 * t9 - (k[8] * t11 - k[11] * t9);
+  const Scalar t18 = t17 + k[7] * t8;
+  const Scalar t19 = k[12] * t0 - (c4 * t16 - s4 * t18);
+  const Scalar t20 = (k[4] * t0 + t15) * t2 - t3 * t19;
+  const Scalar t21 = k[13] * c2 + k[14] * s2;
+  const Scalar t22 = (t20 + t0 * t21) + (k[2] * t1 + k[3] * t0);
+  const Scalar t23 = t1 * (k[14] * c2 - k[13] * s2) - k[5] * t21;
+  const Scalar t24 = (k[4] * t8 + k[12] * t4) + (s4 * t16 + c4 * t18);
   JointVector<Scalar> result;
   result[0] = t22;
-  result[1] = t23 + t24;
+  result[1] = t24 - t23;
   result[2] = t24;
   result[3] = -t15;
-  result[4] = t16;
-  result[5] = -t11;
+  result[4] = t17;
+  result[5] = t13;
   return result;
 }
 
@@ -747,107 +760,115 @@ ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6z * inertia.m6;
-  const Scalar t1 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t2 = inertia.c6z * t0 - (inertia.I6zz - t1);
+  const Scalar t0 = inertia.c5x * inertia.m5;
+  const Scalar t1 = inertia.c6x * inertia.m6;
+  const Scalar t2 = Scalar(0.2) * inertia.m6 + t1;
   const Scalar t3 = inertia.c6y * inertia.m6;
-  const Scalar t4 = (inertia.I6yy - t1) - inertia.c6y * t3;
-  const Scalar t5 = inertia.I6yz - inertia.c6z * t3;
-  const Scalar t6 = inertia.c5z * inertia.m5;
-  const Scalar t7 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t8 = inertia.c5x * inertia.m5;
-  const Scalar t9 = inertia.c6x * inertia.m6;
-  const Scalar t10 = Scalar(0.2) * inertia.m6 + t9;
-  const Scalar t11 = ((inertia.I6xx - t1) - inertia.c6x * t9) - Scalar(0.2) * (t9 + t10);
-  const Scalar t12 = t2 - t4;
-  const Scalar t13 = Scalar(1) / t12;
-  const Scalar t14 = Scalar(0.2) * t0;
-  const Scalar t15 = t14 - (inertia.I6xz - inertia.c6z * t9);
-  const Scalar t16 = Scalar(0.2) * t3;
-  const Scalar t17 = t16 - (inertia.I6xy - inertia.c6y * t9);
-  const Scalar t18 = inertia.c5y * inertia.m5;
-  const Scalar t19 = inertia.c4z * inertia.m4;
-  const Scalar t20 = inertia.c4x * inertia.m4;
-  const Scalar t21 = inertia.c4y * inertia.m4;
+  const Scalar t4 = Scalar(0.2) * t3;
+  const Scalar t5 = inertia.c6z * inertia.m6;
+  const Scalar t6 = Scalar(0.2) * t5;
+  const Scalar t7 = inertia.c5z * inertia.m5;
+  const Scalar t8 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t9 = inertia.c6z * t5 - (inertia.I6zz - t8);
+  const Scalar t10 = (inertia.I6yy - t8) - inertia.c6y * t3;
+  const Scalar t11 = inertia.I6yz - inertia.c6z * t3;
+  const Scalar t12 = t9 - t10;
+  const Scalar t13 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t14 = ((inertia.I6xx - t8) - inertia.c6x * t1) - Scalar(0.2) * (t1 + t2);
+  const Scalar t15 = (inertia.c5x * t0 - (inertia.I5xx - t13)) - t14;
+  const Scalar t16 = inertia.c5y * inertia.m5;
+  const Scalar t17 = Scalar(1) / t12;
+  const Scalar t18 = t6 - (inertia.I6xz - inertia.c6z * t1);
+  const Scalar t19 = t4 - (inertia.I6xy - inertia.c6y * t1);
+  const Scalar t20 = inertia.c3x * inertia.m3;
+  const Scalar t21 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
   const Scalar t22 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t23 = Scalar(1.1425) * t22 + t20;
-  const Scalar t24 = inertia.c3x * inertia.m3;
-  const Scalar t25 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t26 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t27 = Scalar(1.1425) * (t20 + t23) - ((inertia.I4xx - t26) - inertia.c4x * t20);
-  const Scalar t28 = (inertia.c3x * t24 - (inertia.I3xx - t25)) + t27;
-  const Scalar t29 = ((inertia.I4yy - t26) - inertia.c4y * t21) - (inertia.c5y * t18 - (inertia.I5yy - t7));
-  const Scalar t30 = inertia.c3z * inertia.m3;
-  const Scalar t31 = ((inertia.I3zz - t25) - inertia.c3z * t30) - Scalar(0.04) * t22;
-  const Scalar t32 = t30 + Scalar(0.2) * t22;
-  const Scalar t33 = inertia.m3 + t22;
-  const Scalar t34 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t35 = inertia.c2z * inertia.m2;
-  const Scalar t36 = Scalar(1.155625) * t33 - ((inertia.I2zz - t34) - inertia.c2z * t35);
-  const Scalar t37 = inertia.c2x * inertia.m2;
-  const Scalar t38 = inertia.c2x * t37 - (inertia.I2xx - t34);
-  const Scalar t39 = inertia.I2xz - inertia.c2z * t37;
-  const Scalar t40 = inertia.c3y * inertia.m3;
-  const Scalar t41 = inertia.c2y * inertia.m2;
-  const Scalar t42 = inertia.c1y * inertia.m1;
-  const Scalar t43 = inertia.m2 + t33;
-  const Scalar t44 = inertia.c1x * inertia.m1;
-  const Scalar t45 = ((inertia.I3yy - t25) - inertia.c3y * t40) + ((inertia.I2yy - t34) - inertia.c2y * t41);
-  const Scalar t46 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t47 = Scalar(0.1024) * t43 + (inertia.c1x * t44 - (inertia.I1xx - t46));
-  return { t2 + t4,
-           Scalar(2) * t5,
+  const Scalar t23 = Scalar(1.1425) * inertia.m4;
+  const Scalar t24 = inertia.c4x * inertia.m4;
+  const Scalar t25 = t24 + t23;
+  const Scalar t26 = t23 - t25;
+  const Scalar t27 = Scalar(1.1425) * t22 - t26;
+  const Scalar t28 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t29 = Scalar(1.1425) * (t24 + t25) - ((inertia.I4xx - t28) - inertia.c4x * t24);
+  const Scalar t30 = Scalar(1.1425) * (t27 - t26) + (t29 + Scalar(1.1425) * (t26 - t25));
+  const Scalar t31 = (inertia.c3x * t20 - (inertia.I3xx - t21)) + t30;
+  const Scalar t32 = inertia.c4y * inertia.m4;
+  const Scalar t33 = inertia.c4z * inertia.m4;
+  const Scalar t34 = Scalar(1.1425) * t32;
+  const Scalar t35 = Scalar(1.1425) * t33;
+  const Scalar t36 = ((inertia.I4yy - t28) - inertia.c4y * t32) - (inertia.c5y * t16 - (inertia.I5yy - t13));
+  const Scalar t37 = inertia.c3z * inertia.m3;
+  const Scalar t38 = ((inertia.I3zz - t21) - inertia.c3z * t37) - Scalar(0.04) * t22;
+  const Scalar t39 = t27 + t20;
+  const Scalar t40 = t37 + Scalar(0.2) * t22;
+  const Scalar t41 = inertia.c2x * inertia.m2;
+  const Scalar t42 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t43 = inertia.c2x * t41 - (inertia.I2xx - t42);
+  const Scalar t44 = inertia.m3 + t22;
+  const Scalar t45 = inertia.c2z * inertia.m2;
+  const Scalar t46 = Scalar(1.155625) * t44 - ((inertia.I2zz - t42) - inertia.c2z * t45);
+  const Scalar t47 = inertia.c3y * inertia.m3;
+  const Scalar t48 = inertia.c2y * inertia.m2;
+  const Scalar t49 = inertia.I2xz - inertia.c2z * t41;
+  const Scalar t50 = inertia.c1y * inertia.m1;
+  const Scalar t51 = inertia.m2 + t44;
+  const Scalar t52 = inertia.c1x * inertia.m1;
+  const Scalar t53 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t54 = Scalar(0.1024) * t51 + (inertia.c1x * t52 - (inertia.I1xx - t53));
+  const Scalar t55 = ((inertia.I3yy - t21) - inertia.c3y * t47) + ((inertia.I2yy - t42) - inertia.c2y * t48);
+  return { Scalar(0.2) * (t0 + t2),
            t4,
-           inertia.c5z * t6 - (inertia.I5zz - t7),
-           (inertia.c5x * t8 - (inertia.I5xx - t7)) - t11,
-           t13 * t15,
-           t13 * t17,
+           t6,
+           Scalar(0.2) * t7,
+           t9 + t10,
+           Scalar(2) * t11,
+           t9,
            t12,
-           t16,
-           t14,
+           inertia.c5z * t7 - (inertia.I5zz - t13),
            t15,
+           Scalar(2) * t15,
+           t11,
+           inertia.I5yz - inertia.c5z * t16,
+           t17 * t18,
+           t17 * t19,
+           inertia.I5xy - inertia.c5y * t0,
+           t18,
+           t19,
            t17,
-           t13,
-           Scalar(5.375) * t13,
-           Scalar(0.2) * (t8 + t10),
-           Scalar(0.2) * t6,
-           t5,
-           inertia.I5yz - inertia.c5z * t18,
-           inertia.I5xy - inertia.c5y * t8,
-           Scalar(0.2) * t19,
-           inertia.I5xz - inertia.c5z * t8,
-           inertia.I4xz - inertia.c4z * t20,
-           Scalar(0.2) * (t21 + t18),
-           inertia.I4xy - inertia.c4y * t20,
-           Scalar(0.2) * t23 - (inertia.I3xz - inertia.c3z * t24),
-           t28,
-           (inertia.I4zz - t26) - inertia.c4z * t19,
-           t29,
-           inertia.I4yz - inertia.c4z * t21,
+           inertia.I5xz - inertia.c5z * t0,
            t31,
-           Scalar(0.2) * t32,
-           Scalar(0.2) * (t23 + t24),
+           Scalar(0.2) * (t32 + t16),
+           Scalar(0.2) * t33,
+           t34 - (t34 - (inertia.I4xy - inertia.c4y * t24)),
+           ((inertia.I4xz - inertia.c4z * t24) - t35) + t35,
+           Scalar(0.2) * t27 - (inertia.I3xz - inertia.c3z * t20),
+           (inertia.I4zz - t28) - inertia.c4z * t33,
+           inertia.I4yz - inertia.c4z * t32,
            t36,
            t38,
-           Scalar(5) * gravity[2],
+           Scalar(0.2) * t39,
+           Scalar(0.2) * t40,
+           t43,
+           t46,
+           inertia.I3yz - inertia.c3z * t47,
+           inertia.I3xy - inertia.c3y * t20,
+           Scalar(1.075) * t47 - (inertia.I2yz - inertia.c2z * t48),
+           inertia.I2xy - inertia.c2y * t41,
            Scalar(5) * gravity[1],
            Scalar(5) * gravity[0],
-           t28 + t31,
-           t38 - t36,
-           Scalar(2) * t39,
-           t39,
-           Scalar(0.2) * (t35 + Scalar(1.075) * t33),
-           Scalar(0.2) * t37,
-           inertia.I3yz - inertia.c3z * t40,
-           inertia.I3xy - inertia.c3y * t24,
-           Scalar(1.075) * t40 - (inertia.I2yz - inertia.c2z * t41),
-           inertia.I2xy - inertia.c2y * t37,
-           Scalar(0.2) * ((t40 + t41) + t42),
-           Scalar(0.2) * (Scalar(0.32) * t43 + t44),
-           Scalar(0.4) * t32,
-           Scalar(2) * t28,
-           t45 - (inertia.c1y * t42 - (inertia.I1yy - t46)),
-           t47 };
+           Scalar(5) * gravity[2],
+           t31 + t38,
+           Scalar(2) * t49,
+           t43 - t46,
+           t49,
+           Scalar(0.2) * (t45 + Scalar(1.075) * t44),
+           Scalar(0.2) * t41,
+           Scalar(0.4) * t39,
+           Scalar(0.4) * t40,
+           Scalar(0.2) * ((t47 + t48) + t50),
+           Scalar(0.2) * (Scalar(0.32) * t51 + t52),
+           t54,
+           t55 - (inertia.c1y * t50 - (inertia.I1yy - t53)) };
 }
 
 namespace detail {
@@ -868,271 +889,275 @@ inline JointVector<Scalar> forward_dynamics_with_gravity_vector([[maybe_unused]]
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = k[10] * c6 + k[11] * s6;
+  const Scalar t0 = k[17] * s6 + k[16] * c6;
   const Scalar t1 = s5 * t0 - k[7] * c5;
-  const Scalar t2 = k[6] * c6 - k[5] * s6;
-  const Scalar t3 = k[0] * c6 - k[1] * s6;
-  const Scalar t4 = k[16] + s6 * t3;
-  const Scalar t5 = k[17] + t4;
-  const Scalar t6 = k[7] * t2;
-  const Scalar t7 = k[18] - t6;
-  const Scalar t8 = s5 * t5 + c5 * t7;
-  const Scalar t9 = t1 * t2 - t8;
-  const Scalar t10 = k[2] - c6 * t3;
-  const Scalar t11 = k[3] - t10;
-  const Scalar t12 = k[4] + t11;
-  const Scalar t13 = Scalar(1) / (t6 * t2 - t12);
-  const Scalar t14 = t9 * t13;
-  const Scalar t15 = k[12] * t1;
-  const Scalar t16 = c5 * t5 - s5 * t7;
-  const Scalar t17 = k[28] + t16;
-  const Scalar t18 = c4 * t17;
-  const Scalar t19 = k[7] + t10;
-  const Scalar t20 = k[27] - t19;
-  const Scalar t21 = k[20] - t0;
-  const Scalar t22 = c5 * t21;
-  const Scalar t23 = s5 * (k[4] - t11) + (t22 + t22);
-  const Scalar t24 = s5 * t23 + t11;
-  const Scalar t25 = k[26] - t24;
-  const Scalar t26 = (t18 + t18) + s4 * (t20 - t25);
-  const Scalar t27 = s4 * t26;
-  const Scalar t28 = t27 + t25;
-  const Scalar t29 = t20 - t27;
-  const Scalar t30 = t28 + t29;
-  const Scalar t31 = Scalar(1) / (t9 * t14 - (t1 * t15 + t30));
-  const Scalar t32 = k[8] * c6 - k[9] * s6;
-  const Scalar t33 = s5 * t32;
-  const Scalar t34 = k[9] * c6 + k[8] * s6;
-  const Scalar t35 = Scalar(5.7125) * t34 + (c5 * t0 + k[7] * s5);
-  const Scalar t36 = c5 * t32;
-  const Scalar t37 = Scalar(5.7125) * t36 + t6;
-  const Scalar t38 = t33 + (s4 * t35 - c4 * t37);
-  const Scalar t39 = k[12] * t38;
-  const Scalar t40 = k[15] + t34;
-  const Scalar t41 = k[14] * s5 - c5 * t40;
-  const Scalar t42 = s5 * t40 + k[14] * c5;
-  const Scalar t43 = Scalar(5.7125) * t42 + t12;
-  const Scalar t44 = t41 - (c4 * t43 - s4 * t16);
-  const Scalar t45 = t39 * t6 - t44;
-  const Scalar t46 = t45 * t13;
-  const Scalar t47 = k[22] + t32;
-  const Scalar t48 = (k[23] + t8) - Scalar(5.7125) * t47;
-  const Scalar t49 = k[19] - t41;
-  const Scalar t50 = Scalar(5.7125) * t49 - (k[21] + (c5 * t23 - t21));
-  const Scalar t51 = c4 * t48 + s4 * t50;
-  const Scalar t52 = t46 * t9 - (t51 + t39 * t1);
-  const Scalar t53 = t31 * t52;
-  const Scalar t54 = c4 * t49 + s4 * t47;
-  const Scalar t55 = k[29] - (Scalar(2) * t54 - t28);
-  const Scalar t56 = k[25] + (Scalar(11.425) * t42 + (t12 - t24));
-  const Scalar t57 = t55 - t56;
-  const Scalar t58 = t53 * t52 - (t46 * t45 - (t57 + t38 * t39));
-  const Scalar t59 = Scalar(1) / t58;
-  const Scalar t60 = s2 * s3 - c2 * c3;
-  const Scalar t61 = c4 * t34 + s4 * t36;
-  const Scalar t62 = c3 * s2 + c2 * s3;
-  const Scalar t63 = t60 * (c4 * t35 + s4 * t37) - (t61 - t1) * t62;
-  const Scalar t64 = Scalar(5.375) * s2;
-  const Scalar t65 = (t63 - t61 * t64) - Scalar(1.6) * t61;
-  const Scalar t66 = c4 * t50 - s4 * t48;
-  const Scalar t67 = (t60 * t66 + (t30 - t54) * t62) - t54 * t64;
-  const Scalar t68 = s4 * t42;
-  const Scalar t69 = t60 * (s4 * t43 + c4 * t16) + (t8 - t68) * t62;
-  const Scalar t70 = ((t69 - t64 * t68) - Scalar(1.6) * t68) - t65 * t2;
-  const Scalar t71 = t70 * t13;
-  const Scalar t72 = (t65 * t15 + (t67 - Scalar(1.6) * t54)) + t71 * t9;
-  const Scalar t73 = t31 * t72;
-  const Scalar t74 = k[44] + t51;
-  const Scalar t75 = s4 * t49 - c4 * t47;
-  const Scalar t76 = k[43] - ((t17 - c4 * t26) - t75);
-  const Scalar t77 = t74 * t62 + t76 * t60;
-  const Scalar t78 = t73 * t52 - ((t77 + t39 * t65) + t70 * t46);
-  const Scalar t79 = t59 * t78;
-  const Scalar t80 = qd[0] * t60;
-  const Scalar t81 = qd[1] + qd[2];
-  const Scalar t82 = s4 * t80 - c4 * t81;
-  const Scalar t83 = qd[4] - t82;
-  const Scalar t84 = t83 * t83;
-  const Scalar t85 = c4 * t80;
-  const Scalar t86 = s4 * t81 + t85;
-  const Scalar t87 = qd[0] * t62;
-  const Scalar t88 = qd[3] - t87;
-  const Scalar t89 = s5 * t86 + c5 * t88;
-  const Scalar t90 = qd[5] + t89;
-  const Scalar t91 = t90 * t90;
-  const Scalar t92 = t84 + t91;
-  const Scalar t93 = c5 * t86 - s5 * t88;
-  const Scalar t94 = t84 + t93 * t93;
-  const Scalar t95 = t92 - t94;
-  const Scalar t96 = t86 * t82;
-  const Scalar t97 = t81 * t80;
-  const Scalar t98 = t96 + t97;
-  const Scalar t99 = t88 * t82;
-  const Scalar t100 = t87 * t81;
-  const Scalar t101 = Scalar(2) * t100;
-  const Scalar t102 = t87 * t80;
-  const Scalar t103 = c4 * t101 - s4 * t102;
-  const Scalar t104 = (t99 + t99) - t103;
-  const Scalar t105 = c5 * t98 - s5 * t104;
-  const Scalar t106 = t90 * t83;
-  const Scalar t107 = s5 * t98 + c5 * t104;
-  const Scalar t108 = t83 * t89;
-  const Scalar t109 = t107 + (t108 + t108);
-  const Scalar t110 = (t106 - t109) + t106;
-  const Scalar t111 = t90 * t93;
-  const Scalar t112 = t89 * t93;
-  const Scalar t113 = s4 * t101 + t87 * t85;
-  const Scalar t114 = t88 * t86;
-  const Scalar t115 = t113 + t114;
-  const Scalar t116 = t112 - t115;
-  const Scalar t117 = t111 + (t111 - t116);
-  const Scalar t118 = (t0 * t95 - t105 * t6) - (t110 * t4 - t117 * t10);
-  const Scalar t119 = k[35] * c1 - k[36] * s1;
-  const Scalar t120 = qd[0] * qd[1];
-  const Scalar t121 = t120 + t120;
-  const Scalar t122 = t119 - t121 * Scalar(5.375) * c2;
-  const Scalar t123 = t96 - t97;
-  const Scalar t124 = t98 - t123;
-  const Scalar t125 = Scalar(5.7125) * t101 + (t122 + t124);
-  const Scalar t126 = t87 * t87;
-  const Scalar t127 = t81 * t81;
-  const Scalar t128 = t126 + t127;
-  const Scalar t129 = qd[0] * s2;
-  const Scalar t130 = k[35] * s1 + k[36] * c1;
-  const Scalar t131 = qd[0] * qd[0];
-  const Scalar t132 = t130 + Scalar(1.6) * t131;
-  const Scalar t133 = k[34] * s2 - c2 * t132;
-  const Scalar t134 = Scalar(5.375) * t129 * qd[0] * c2 - t133;
-  const Scalar t135 = qd[1] * qd[1];
-  const Scalar t136 = s2 * t132 + k[34] * c2;
-  const Scalar t137 = Scalar(5.375) * (t135 + t129 * t129) + t136;
-  const Scalar t138 = s3 * t134 + c3 * t137;
-  const Scalar t139 = (t128 + t138) - Scalar(5.7125) * t102;
-  const Scalar t140 = s4 * t125 - c4 * t139;
-  const Scalar t141 = c3 * t134 - s3 * t137;
-  const Scalar t142 = t126 - t127;
-  const Scalar t143 = t131 - t142;
-  const Scalar t144 = (t102 - t141) - Scalar(5.7125) * t143;
-  const Scalar t145 = s5 * t140 - c5 * t144;
-  const Scalar t146 = t84 - t91;
-  const Scalar t147 = t95 + t146;
-  const Scalar t148 = t86 * t86;
-  const Scalar t149 = t88 * t88;
-  const Scalar t150 = t148 + t149;
-  const Scalar t151 = t147 + t150;
-  const Scalar t152 = t94 - t151;
-  const Scalar t153 = t112 + t115;
-  const Scalar t154 = k[20] * t152 + (k[4] * t116 - k[3] * t153);
-  const Scalar t155 = c5 * t140 + s5 * t144;
-  const Scalar t156 = (t154 + (k[17] * t107 + k[18] * t105)) - (k[14] * t155 + k[15] * t145);
-  const Scalar t157 = (t118 - t145 * t34) + t156;
-  const Scalar t158 = t105 + Scalar(2) * t83 * t93;
-  const Scalar t159 = (t158 * t10 - t105 * t19) - t147 * t4;
-  const Scalar t160 = s4 * t139 + c4 * t125;
-  const Scalar t161 = (t159 + (t0 * t109 + t6 * t116)) - (t160 * t34 + t155 * t32);
-  const Scalar t162 = torque[5] + t161;
-  const Scalar t163 = (torque[4] - t157) + t162 * t2;
-  const Scalar t164 = t163 * t13;
-  const Scalar t165 = t143 - t150;
-  const Scalar t166 = t115 + t114;
-  const Scalar t167 = k[23] * t165 + (k[27] * t104 + k[28] * t166);
-  const Scalar t168 = k[18] * (t152 + t147) - (k[20] * t158 + k[4] * t109);
-  const Scalar t169 = t6 * t146 - (t19 * t110 + t117 * t4);
-  const Scalar t170 = ((k[17] * t153 + t168) + k[14] * t160) - (t32 * t145 + (t169 - t0 * t158));
-  const Scalar t171 = (k[17] * t147 + k[18] * t116) + (k[20] * t109 + k[3] * t158);
-  const Scalar t172 = (t171 + k[15] * t160) - t161;
-  const Scalar t173 = (k[22] * t144 + (t167 + k[21] * t123)) + (c5 * t170 + s5 * t172);
-  const Scalar t174 = (t158 * t34 + t32 * (t92 - t147)) + (k[15] * t158 - k[14] * t109);
-  const Scalar t175 = t174 + (k[22] * t150 - k[19] * t123);
-  const Scalar t176 = t173 + Scalar(5.7125) * t175;
-  const Scalar t177 = t148 - t149;
-  const Scalar t178 = (k[26] * t166 + k[28] * t104) + (k[21] * t177 + k[23] * t98);
-  const Scalar t179 = (k[14] * t116 + k[15] * t151) - (t105 * t32 - t92 * t34);
-  const Scalar t180 = (k[15] * t153 + k[14] * t94) + (t117 * t34 - t32 * t110);
-  const Scalar t181 = (c5 * t179 - s5 * t180) - (k[22] * t98 + k[19] * (t177 - t143));
-  const Scalar t182 = ((t178 + k[19] * t144) + t157) + Scalar(5.7125) * t181;
-  const Scalar t183 = (c5 * t180 + s5 * t179) + (k[19] * t166 + k[22] * t104);
-  const Scalar t184 = t131 - t128;
-  const Scalar t185 = (k[31] * t138 - k[30] * t141) - (k[24] * (t184 - t142) + k[37] * t102);
-  const Scalar t186 = ((s4 * t176 + c4 * t182) - t183) + t185;
-  const Scalar t187 = t164 * t45 - (t162 * t39 - (torque[2] - t186));
-  const Scalar t188 = k[12] * t162;
-  const Scalar t189 = (k[27] * t98 - k[26] * t123) - k[28] * (t165 - t177);
-  const Scalar t190 = ((k[23] * t113 + k[21] * t103) + t189) - (k[19] * t160 + k[22] * t140);
-  const Scalar t191 = t190 + (s5 * t170 - c5 * t172);
-  const Scalar t192 = (t188 * t1 + (torque[3] + t191)) - t164 * t9;
-  const Scalar t193 = t31 * t192;
-  const Scalar t194 = t187 + t52 * t193;
-  const Scalar t195 = c4 * t175 - s4 * t181;
-  const Scalar t196 = (k[49] * t97 + k[31] * t101) + t195;
-  const Scalar t197 = t196 + (k[42] * s2 - k[41] * c2) * t121;
-  const Scalar t198 = (k[24] * t124 + k[50] * t100) - k[44] * t142;
-  const Scalar t199 = (c4 * t176 - s4 * t182) + (k[31] * t122 + (t198 - k[43] * t102));
-  const Scalar t200 = (k[43] * t184 + k[44] * t102) + (k[29] * t124 - k[24] * t101);
-  const Scalar t201 = ((k[30] * t122 - t200) - (t191 - t195)) * t62;
-  const Scalar t202 = k[40] - s2 * (k[39] * s2 - k[38] * c2);
-  const Scalar t203 = t202 * t121 + t135 * (k[46] * c2 - k[45] * s2);
-  const Scalar t204 = k[42] * c2 + k[41] * s2;
-  const Scalar t205 = ((t60 * t199 - t201) - t196 * t64) - (t203 + t119 * t204);
-  const Scalar t206 = (Scalar(1.6) * t197 - t205) + (k[48] * t119 - k[47] * t130);
-  const Scalar t207 = t71 * t163 - ((torque[0] + t206) - t188 * t65);
-  const Scalar t208 = Scalar(5.375) * t75;
-  const Scalar t209 = c3 * t33 - s3 * (s4 * t34 - c4 * t36);
-  const Scalar t210 = t39 + k[13] * t209;
-  const Scalar t211 = Scalar(5.375) * (c3 * t41 + s3 * c4 * t42);
-  const Scalar t212 = k[7] * t210;
-  const Scalar t213 = (t44 + t211) - t212 * t2;
-  const Scalar t214 = ((s3 * t208 - t51) - t210 * t1) - t213 * t14;
-  const Scalar t215 = t31 * t214;
-  const Scalar t216 = k[31] + t42;
-  const Scalar t217 = k[30] + t54;
-  const Scalar t218 = Scalar(5.375) * (s3 * t216 - c3 * t217);
-  const Scalar t219 = t213 * t13;
-  const Scalar t220 = (t38 * t210 + (t57 + t218)) + t45 * t219;
-  const Scalar t221 = t215 * t52 + t220;
-  const Scalar t222 = s3 * t74 - c3 * t76;
-  const Scalar t223 = (k[46] * s2 - (c2 * t222 - t77)) + c2 * (k[45] + (t222 - t208));
-  const Scalar t224 = ((t210 * t65 + t223) - t213 * t71) - t215 * t72;
-  const Scalar t225 = t221 * t79 + t224;
-  const Scalar t226 = t221 * t59;
-  const Scalar t227 = k[24] + (t66 + t42);
-  const Scalar t228 = Scalar(2) * c3 * t227 - s3 * (t55 + t56);
-  const Scalar t229 = s3 * t228;
-  const Scalar t230 = k[33] + (t229 + t56);
-  const Scalar t231 = k[32] - (Scalar(2) * t218 + (t229 + t55));
-  const Scalar t232 = t213 * t219 - (t212 * t210 - (t230 + t231));
-  const Scalar t233 = Scalar(1) / (t226 * t221 - (t215 * t214 - t232));
-  const Scalar t234 = t131 * t202 + (k[42] * t136 + k[41] * t133);
-  const Scalar t235 = (c4 * t181 + s4 * t175) + (k[30] * t128 - k[31] * t102);
-  const Scalar t236 = c3 * (t183 - (k[30] * t102 - k[31] * t143));
-  const Scalar t237 = t234 - (Scalar(5.375) * (s3 * t235 + t236) - t186);
-  const Scalar t238 = t213 * t164 - ((torque[1] - t237) - t162 * t210);
-  const Scalar t239 = t59 * t194;
-  const Scalar t240 = t233 * ((t238 - t215 * t192) + t221 * t239);
-  const Scalar t241 = (t79 * t194 - (t207 + t72 * t193)) - t225 * t240;
-  const Scalar t242 = t225 * t233;
-  const Scalar t243 = k[12] * t65;
-  const Scalar t244 = Scalar(5.375) * (c3 * t216 + s3 * t217) - (t227 - c3 * t228);
-  const Scalar t245 = s2 * (k[40] - t244);
-  const Scalar t246 = c2 * (c2 * (t230 - t231) - (t245 + t245));
-  const Scalar t247 = Scalar(3.2) * ((t217 * t62 - t60 * t216) + t204);
-  const Scalar t248 = (k[52] + ((t246 + t231) + t247)) - (k[51] + t29);
-  const Scalar t249 = t73 * t72 + ((t243 * t65 - t248) - t70 * t71);
-  const Scalar t250 = Scalar(1) / (t225 * t242 + (t249 - t79 * t78));
-  const Scalar t251 = t241 * t250;
-  const Scalar t252 = t240 + t251 * t242;
-  const Scalar t253 = t252 * t226 - (t239 + t251 * t79);
-  const Scalar t254 = t253 * t53 + ((t251 * t73 + t193) - t252 * t215);
-  const Scalar t255 = t253 * t46 - ((t164 - t251 * t71) - t252 * t219);
-  const Scalar t256 = t254 * t14 - t255;
-  const Scalar t257 = t253 * t39 - ((t188 + t243 * t251) + t252 * t210);
+  const Scalar t2 = k[18] * t1;
+  const Scalar t3 = k[5] * s6 - k[4] * c6;
+  const Scalar t4 = k[6] + c6 * t3;
+  const Scalar t5 = k[28] - t4;
+  const Scalar t6 = k[7] - t4;
+  const Scalar t7 = k[8] + t6;
+  const Scalar t8 = k[9] - t7;
+  const Scalar t9 = k[19] - t0;
+  const Scalar t10 = s5 * t8 + Scalar(2) * c5 * t9;
+  const Scalar t11 = s5 * t10 + t7;
+  const Scalar t12 = k[26] - t11;
+  const Scalar t13 = t5 + t12;
+  const Scalar t14 = k[14] * c6 - k[13] * s6;
+  const Scalar t15 = k[7] * t14;
+  const Scalar t16 = k[15] - t15;
+  const Scalar t17 = k[11] - s6 * t3;
+  const Scalar t18 = k[12] + t17;
+  const Scalar t19 = c5 * t16 + s5 * t18;
+  const Scalar t20 = t19 - t2 * t15;
+  const Scalar t21 = k[10] - t8;
+  const Scalar t22 = Scalar(1) / (t15 * t14 - t21);
+  const Scalar t23 = t20 * t22;
+  const Scalar t24 = Scalar(1) / ((t1 * t2 + t13) - t23 * t20);
+  const Scalar t25 = Scalar(5.375) * s2;
+  const Scalar t26 = k[2] * c6 + k[1] * s6;
+  const Scalar t27 = k[3] + t26;
+  const Scalar t28 = c5 * t27 - k[0] * s5;
+  const Scalar t29 = k[22] + t28;
+  const Scalar t30 = k[1] * c6 - k[2] * s6;
+  const Scalar t31 = k[21] + t30;
+  const Scalar t32 = c4 * t29 + s4 * t31;
+  const Scalar t33 = c3 * s2 + c2 * s3;
+  const Scalar t34 = s2 * s3 - c2 * c3;
+  const Scalar t35 = k[24] + (c5 * t10 - t9);
+  const Scalar t36 = k[23] + t19;
+  const Scalar t37 = (c4 * t35 + s4 * t36) - Scalar(5.7125) * t32;
+  const Scalar t38 = t25 * t32 + ((t32 - t13) * t33 + t34 * t37);
+  const Scalar t39 = Scalar(5.7125) * t26 + (k[7] * s5 + c5 * t0);
+  const Scalar t40 = c5 * t30;
+  const Scalar t41 = Scalar(5.7125) * t40 + t15;
+  const Scalar t42 = s4 * t40 + c4 * t26;
+  const Scalar t43 = t34 * (c4 * t39 + s4 * t41) + (t1 - t42) * t33;
+  const Scalar t44 = (t43 - t25 * t42) - Scalar(1.6) * t42;
+  const Scalar t45 = k[18] * t44;
+  const Scalar t46 = s5 * t27 + k[0] * c5;
+  const Scalar t47 = s4 * t46;
+  const Scalar t48 = c5 * t18 - s5 * t16;
+  const Scalar t49 = Scalar(5.7125) * t46;
+  const Scalar t50 = t49 + t21;
+  const Scalar t51 = t33 * (t47 - t19) - t34 * (c4 * t48 + s4 * t50);
+  const Scalar t52 = t44 * t14 + (Scalar(1.6) * t47 + (t51 + t47 * t25));
+  const Scalar t53 = t22 * t52;
+  const Scalar t54 = ((t38 + Scalar(1.6) * t32) - t1 * t45) - t53 * t20;
+  const Scalar t55 = t24 * t54;
+  const Scalar t56 = s5 * t30;
+  const Scalar t57 = c3 * t56 + s3 * (c4 * t40 - s4 * t26);
+  const Scalar t58 = t56 + (s4 * t39 - c4 * t41);
+  const Scalar t59 = Scalar(5.375) * t57 + t58;
+  const Scalar t60 = k[18] * t59;
+  const Scalar t61 = c4 * t31 - s4 * t29;
+  const Scalar t62 = Scalar(5.375) * t61;
+  const Scalar t63 = Scalar(5.7125) * t61 - (c4 * t36 - s4 * t35);
+  const Scalar t64 = (s4 * t48 - c4 * t50) - t28;
+  const Scalar t65 = Scalar(5.375) * (c3 * t28 - s3 * c4 * t46);
+  const Scalar t66 = t59 * t14 - (t64 - t65);
+  const Scalar t67 = t66 * t22;
+  const Scalar t68 = (t1 * t60 + (s3 * t62 - t63)) + t20 * t67;
+  const Scalar t69 = k[35] - t63;
+  const Scalar t70 = k[27] + t48;
+  const Scalar t71 = c4 * t70;
+  const Scalar t72 = s4 * (t5 - t12) + (t71 + t71);
+  const Scalar t73 = k[34] - ((t70 - c4 * t72) + t61);
+  const Scalar t74 = s3 * t69 - c3 * t73;
+  const Scalar t75 = t73 * t34 + t69 * t33;
+  const Scalar t76 = ((c2 * t74 - t75) - k[37] * s2) - c2 * (k[36] + (t74 + t62));
+  const Scalar t77 = t55 * t68 - (t67 * t52 + (t76 - t59 * t45));
+  const Scalar t78 = k[18] * t58;
+  const Scalar t79 = t78 * t15 - t64;
+  const Scalar t80 = t79 * t22;
+  const Scalar t81 = (t63 - t1 * t78) - t80 * t20;
+  const Scalar t82 = t81 * t24;
+  const Scalar t83 = t82 * t54 + (t80 * t52 - (t44 * t78 + t75));
+  const Scalar t84 = s4 * t72 + t12;
+  const Scalar t85 = k[29] - (Scalar(2) * t32 - t84);
+  const Scalar t86 = k[25] + (t46 - t37);
+  const Scalar t87 = k[20] + ((t49 + t49) + (t21 - t11));
+  const Scalar t88 = Scalar(2) * c3 * t86 - s3 * (t85 + t87);
+  const Scalar t89 = s3 * t88;
+  const Scalar t90 = t85 + t89;
+  const Scalar t91 = t89 + t87;
+  const Scalar t92 = t90 - t91;
+  const Scalar t93 = t82 * t81 + (t80 * t79 - (t78 * t58 + t92));
+  const Scalar t94 = Scalar(1) / t93;
+  const Scalar t95 = k[30] + t46;
+  const Scalar t96 = k[31] + t32;
+  const Scalar t97 = s3 * t95 - c3 * t96;
+  const Scalar t98 = t80 * t66 - (t60 * t58 + (t92 + Scalar(5.375) * t97));
+  const Scalar t99 = t68 * t24;
+  const Scalar t100 = t98 - t81 * t99;
+  const Scalar t101 = t94 * t100;
+  const Scalar t102 = t77 + t83 * t101;
+  const Scalar t103 = k[33] - (t90 + Scalar(10.75) * t97);
+  const Scalar t104 = k[32] + t91;
+  const Scalar t105 = ((t103 + t104) - t60 * t59) + t66 * t67;
+  const Scalar t106 = Scalar(1) / ((t105 + t68 * t99) - t100 * t101);
+  const Scalar t107 = t102 * t106;
+  const Scalar t108 = qd[1] + qd[2];
+  const Scalar t109 = qd[0] * t34;
+  const Scalar t110 = s4 * t108 + c4 * t109;
+  const Scalar t111 = qd[0] * t33;
+  const Scalar t112 = qd[3] - t111;
+  const Scalar t113 = s5 * t110 + c5 * t112;
+  const Scalar t114 = c5 * t110 - s5 * t112;
+  const Scalar t115 = t113 * t114;
+  const Scalar t116 = t111 * t108;
+  const Scalar t117 = Scalar(2) * t116;
+  const Scalar t118 = t111 * t109;
+  const Scalar t119 = s4 * t117 + c4 * t118;
+  const Scalar t120 = t112 * t110;
+  const Scalar t121 = t119 + t120;
+  const Scalar t122 = t115 - t121;
+  const Scalar t123 = s4 * t109 - c4 * t108;
+  const Scalar t124 = t110 * t123;
+  const Scalar t125 = t108 * t109;
+  const Scalar t126 = t124 + t125;
+  const Scalar t127 = c4 * t117 - s4 * t118;
+  const Scalar t128 = t112 * t123;
+  const Scalar t129 = (t127 - t128) - t128;
+  const Scalar t130 = s5 * t126 - c5 * t129;
+  const Scalar t131 = qd[4] - t123;
+  const Scalar t132 = t131 * t113;
+  const Scalar t133 = t130 + (t132 + t132);
+  const Scalar t134 = qd[5] + t113;
+  const Scalar t135 = t134 * t134;
+  const Scalar t136 = t114 * t114;
+  const Scalar t137 = t135 - t136;
+  const Scalar t138 = t135 + t136;
+  const Scalar t139 = t131 * t131 + t136;
+  const Scalar t140 = t138 - t139;
+  const Scalar t141 = t137 - t140;
+  const Scalar t142 = t131 * t114;
+  const Scalar t143 = c5 * t126 + s5 * t129;
+  const Scalar t144 = t142 + (t143 + t142);
+  const Scalar t145 = t141 * t17 + (t144 * t6 + t143 * t4);
+  const Scalar t146 = qd[0] * qd[1];
+  const Scalar t147 = k[38] * c1 - k[39] * s1;
+  const Scalar t148 = Scalar(10.75) * c2 * t146 - t147;
+  const Scalar t149 = t124 - t125;
+  const Scalar t150 = t126 - t149;
+  const Scalar t151 = (t148 - t150) - Scalar(11.425) * t116;
+  const Scalar t152 = t108 * t108;
+  const Scalar t153 = t109 * t109;
+  const Scalar t154 = t152 + t153;
+  const Scalar t155 = t152 - t153;
+  const Scalar t156 = qd[0] * qd[0];
+  const Scalar t157 = t156 - t154;
+  const Scalar t158 = t155 + t157;
+  const Scalar t159 = t154 + t158;
+  const Scalar t160 = qd[1] * qd[1];
+  const Scalar t161 = qd[0] * s2;
+  const Scalar t162 = k[38] * s1 + k[39] * c1;
+  const Scalar t163 = t162 + Scalar(1.6) * t156;
+  const Scalar t164 = k[40] * c2 + s2 * t163;
+  const Scalar t165 = Scalar(5.375) * (t160 + t161 * t161) + t164;
+  const Scalar t166 = c2 * t163 - k[40] * s2;
+  const Scalar t167 = Scalar(5.375) * t161 * qd[0] * c2 + t166;
+  const Scalar t168 = c3 * t165 + s3 * t167;
+  const Scalar t169 = (t159 + t168) - Scalar(5.7125) * t118;
+  const Scalar t170 = c4 * t151 - s4 * t169;
+  const Scalar t171 = c4 * t169 + s4 * t151;
+  const Scalar t172 = c3 * t167 - s3 * t165;
+  const Scalar t173 = Scalar(5.7125) * t154 - (t118 - t172);
+  const Scalar t174 = c5 * t171 + s5 * t173;
+  const Scalar t175 = ((t122 * t15 + t133 * t0) - t145) + (t26 * t170 + t174 * t30);
+  const Scalar t176 = torque[5] + t175;
+  const Scalar t177 = s5 * t171 - c5 * t173;
+  const Scalar t178 = t115 + t121;
+  const Scalar t179 = t123 * t123;
+  const Scalar t180 = t112 * t112;
+  const Scalar t181 = t179 - t180;
+  const Scalar t182 = t179 + t180;
+  const Scalar t183 = t154 - t182;
+  const Scalar t184 = t181 - t183;
+  const Scalar t185 = t184 - t182;
+  const Scalar t186 = t185 + t139;
+  const Scalar t187 = t141 - t186;
+  const Scalar t188 = (k[8] * t178 - k[9] * t122) + k[19] * t187;
+  const Scalar t189 = (k[3] * t177 + k[0] * t174) + ((k[12] * t130 + k[15] * t143) - t188);
+  const Scalar t190 = t134 * t114;
+  const Scalar t191 = t122 - (t190 + t190);
+  const Scalar t192 = t134 * t131;
+  const Scalar t193 = (t133 - t192) - t192;
+  const Scalar t194 = (t191 * t6 + t193 * t17) - (t143 * t15 - t137 * t0);
+  const Scalar t195 = t189 + (t26 * t177 + t194);
+  const Scalar t196 = t176 * t14 + (torque[4] - t195);
+  const Scalar t197 = t196 * t22;
+  const Scalar t198 = k[27] * t184 - (k[28] * t126 - k[26] * t149);
+  const Scalar t199 = (k[21] * t171 + k[22] * t170) + ((k[24] * t127 + k[23] * t119) - t198);
+  const Scalar t200 = (k[19] * t133 + k[8] * t144) + (k[15] * t122 + k[12] * t141);
+  const Scalar t201 = (k[3] * t170 - t200) + t175;
+  const Scalar t202 = (t191 * t17 + t193 * t4) - t140 * t15;
+  const Scalar t203 = k[15] * t186 - (k[9] * t133 + k[19] * t144);
+  const Scalar t204 = (t30 * t177 + (t144 * t0 - t202)) - (k[0] * t170 - (k[12] * t178 + t203));
+  const Scalar t205 = t199 + (c5 * t201 + s5 * t204);
+  const Scalar t206 = t197 * t20 + (t2 * t176 + (torque[3] + t205));
+  const Scalar t207 = t24 * t206;
+  const Scalar t208 = k[18] * t176;
+  const Scalar t209 = (k[25] * t158 - k[41] * t118) - (k[31] * t172 - k[30] * t168);
+  const Scalar t210 = t121 + t120;
+  const Scalar t211 = (k[24] * t183 + k[23] * t126) - (k[27] * t129 - k[26] * t210);
+  const Scalar t212 = t195 - (k[22] * t173 - t211);
+  const Scalar t213 = (k[27] * t210 - k[28] * t129) + k[23] * t181;
+  const Scalar t214 = (c5 * t204 - s5 * t201) - (k[21] * t173 - (k[24] * t149 + t213));
+  const Scalar t215 = (k[0] * t133 - k[3] * t144) - (t138 * t30 + t26 * t144);
+  const Scalar t216 = (k[22] * t149 + k[21] * t185) + t215;
+  const Scalar t217 = (k[3] * t178 + k[0] * t139) + (t193 * t30 - t26 * t191);
+  const Scalar t218 = (k[3] * (t187 + t139) + k[0] * t122) + (t26 * (t137 + t139) - t143 * t30);
+  const Scalar t219 = (k[21] * t126 - k[22] * t182) + (s5 * t217 - c5 * t218);
+  const Scalar t220 = s4 * t216 + c4 * t219;
+  const Scalar t221 = (c4 * t212 + s4 * t214) - Scalar(5.7125) * t220;
+  const Scalar t222 = (k[22] * t210 - k[21] * t129) + (s5 * t218 + c5 * t217);
+  const Scalar t223 = t209 + (t221 - t222);
+  const Scalar t224 = t196 * t80 - (t208 * t58 - (torque[2] - t223));
+  const Scalar t225 = t81 * t207 - t224;
+  const Scalar t226 = c3 * ((k[30] * t154 - k[31] * t118) + t222);
+  const Scalar t227 = s3 * (t220 + (k[30] * t118 - k[31] * t159));
+  const Scalar t228 = k[44] + s2 * (k[43] * c2 - k[42] * s2);
+  const Scalar t229 = (k[46] * t164 - k[45] * t166) + t156 * t228;
+  const Scalar t230 = torque[1] - ((t223 - Scalar(5.375) * (t226 - t227)) + t229);
+  const Scalar t231 = t99 * t206 + (t196 * t67 - (t60 * t176 - t230));
+  const Scalar t232 = t101 * t225 + t231;
+  const Scalar t233 = c4 * t216 - s4 * t219;
+  const Scalar t234 = t233 - (k[48] * t125 + k[47] * t116);
+  const Scalar t235 = Scalar(2) * t146;
+  const Scalar t236 = t234 + (k[45] * c2 - k[46] * s2) * t235;
+  const Scalar t237 = (k[29] * t150 - k[25] * t117) + (k[35] * t118 - k[34] * t155);
+  const Scalar t238 = ((k[31] * t148 + t237) + (t233 + t205)) * t33;
+  const Scalar t239 = (k[25] * t150 + k[20] * t117) - k[35] * t157;
+  const Scalar t240 = (s4 * t212 - c4 * t214) + Scalar(5.7125) * t233;
+  const Scalar t241 = (k[30] * t148 + (k[34] * t118 - t239)) + t240;
+  const Scalar t242 = t160 * (k[36] * s2 - k[37] * c2) - t228 * t235;
+  const Scalar t243 = k[45] * s2 + k[46] * c2;
+  const Scalar t244 = ((t238 - t34 * t241) + t234 * t25) + (t242 - t243 * t147);
+  const Scalar t245 = (Scalar(1.6) * t236 + t244) - (k[50] * t147 - k[49] * t162);
+  const Scalar t246 = ((torque[0] - t245) - t44 * t208) + t197 * t52;
+  const Scalar t247 = t94 * t83;
+  const Scalar t248 = t107 * t232 - ((t55 * t206 - t246) - t247 * t225);
+  const Scalar t249 = Scalar(5.375) * (c3 * t95 + s3 * t96) + (c3 * t88 - t86);
+  const Scalar t250 = c2 * (t103 - t104) + Scalar(2) * s2 * (k[44] - t249);
+  const Scalar t251 = Scalar(3.2) * ((t96 * t33 - t34 * t95) + t243);
+  const Scalar t252 = (k[51] + ((t103 - c2 * t250) + t251)) - (k[52] + (t13 - t84));
+  const Scalar t253 = t55 * t54 - ((t44 * t45 - t252) - t53 * t52);
+  const Scalar t254 = Scalar(1) / ((t253 - t247 * t83) - t107 * t102);
+  const Scalar t255 = t248 * t254;
+  const Scalar t256 = t106 * t232 + t107 * t255;
+  const Scalar t257 = t256 * t101 + (t94 * t225 + t255 * t247);
+  const Scalar t258 = t82 * t257 - ((t207 + t55 * t255) - t256 * t99);
+  const Scalar t259 = ((t197 - t53 * t255) - t256 * t67) + t80 * t257;
+  const Scalar t260 = t23 * t258 - t259;
+  const Scalar t261 = t78 * t257 - (t60 * t256 + (t255 * t45 - t208));
   JointVector<Scalar> result;
-  result[0] = -t251;
-  result[1] = -t252;
-  result[2] = t253;
-  result[3] = t254;
-  result[4] = -t256;
-  result[5] = -t256 * t2 - (t257 - t254 * t15);
+  result[0] = t255;
+  result[1] = t256;
+  result[2] = -t257;
+  result[3] = t258;
+  result[4] = t260;
+  result[5] = (t261 + t2 * t258) + t260 * t14;
   return result;
 }
 
@@ -1162,112 +1187,113 @@ ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constant
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
-  const Scalar t1 = Scalar(0.2) * t0;
-  const Scalar t2 = inertia.c6z * inertia.m6;
-  const Scalar t3 = Scalar(0.2) * t2;
+  const Scalar t0 = inertia.c4y * inertia.m4;
+  const Scalar t1 = inertia.c5y * inertia.m5;
+  const Scalar t2 = inertia.c4z * inertia.m4;
+  const Scalar t3 = inertia.c5x * inertia.m5;
   const Scalar t4 = inertia.c6x * inertia.m6;
-  const Scalar t5 = t3 - (inertia.I6xz - inertia.c6z * t4);
-  const Scalar t6 = t1 - (inertia.I6xy - inertia.c6y * t4);
-  const Scalar t7 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t8 = inertia.c6z * t2 - (inertia.I6zz - t7);
-  const Scalar t9 = (inertia.I6yy - t7) - inertia.c6y * t0;
-  const Scalar t10 = t8 - t9;
-  const Scalar t11 = Scalar(1) / t10;
-  const Scalar t12 = inertia.c2x * inertia.m2;
-  const Scalar t13 = inertia.c2z * inertia.m2;
-  const Scalar t14 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t15 = inertia.m3 + t14;
-  const Scalar t16 = inertia.c5x * inertia.m5;
-  const Scalar t17 = Scalar(0.2) * inertia.m6 + t4;
-  const Scalar t18 = inertia.c5z * inertia.m5;
-  const Scalar t19 = inertia.c4x * inertia.m4;
-  const Scalar t20 = Scalar(1.1425) * t14 + t19;
-  const Scalar t21 = inertia.c3x * inertia.m3;
-  const Scalar t22 = t20 + t21;
-  const Scalar t23 = inertia.c4z * inertia.m4;
-  const Scalar t24 = inertia.c4y * inertia.m4;
-  const Scalar t25 = inertia.c5y * inertia.m5;
-  const Scalar t26 = inertia.c3z * inertia.m3;
-  const Scalar t27 = t26 + Scalar(0.2) * t14;
-  const Scalar t28 = inertia.I6yz - inertia.c6z * t0;
-  const Scalar t29 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t30 = ((inertia.I6xx - t7) - inertia.c6x * t4) - Scalar(0.2) * (t4 + t17);
-  const Scalar t31 = (inertia.c5x * t16 - (inertia.I5xx - t29)) - t30;
-  const Scalar t32 = Scalar(0.2) * t20 - (inertia.I3xz - inertia.c3z * t21);
-  const Scalar t33 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t34 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t35 = Scalar(1.1425) * (t19 + t20) - ((inertia.I4xx - t34) - inertia.c4x * t19);
-  const Scalar t36 = (inertia.c3x * t21 - (inertia.I3xx - t33)) + t35;
-  const Scalar t37 = ((inertia.I4yy - t34) - inertia.c4y * t24) - (inertia.c5y * t25 - (inertia.I5yy - t29));
-  const Scalar t38 = ((inertia.I3zz - t33) - inertia.c3z * t26) - Scalar(0.04) * t14;
-  const Scalar t39 = inertia.I2xz - inertia.c2z * t12;
-  const Scalar t40 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t41 = inertia.c2x * t12 - (inertia.I2xx - t40);
-  const Scalar t42 = Scalar(1.155625) * t15 - ((inertia.I2zz - t40) - inertia.c2z * t13);
-  const Scalar t43 = inertia.m2 + t15;
-  const Scalar t44 = inertia.c1x * inertia.m1;
-  const Scalar t45 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t46 = Scalar(0.1024) * t43 + (inertia.c1x * t44 - (inertia.I1xx - t45));
-  const Scalar t47 = inertia.c3y * inertia.m3;
-  const Scalar t48 = inertia.c2y * inertia.m2;
-  const Scalar t49 = ((inertia.I3yy - t33) - inertia.c3y * t47) + ((inertia.I2yy - t40) - inertia.c2y * t48);
-  const Scalar t50 = inertia.c1y * inertia.m1;
-  return { t1,
-           t3,
-           t5,
-           t6,
+  const Scalar t5 = Scalar(0.2) * inertia.m6 + t4;
+  const Scalar t6 = inertia.c5z * inertia.m5;
+  const Scalar t7 = inertia.c6y * inertia.m6;
+  const Scalar t8 = Scalar(0.2) * t7;
+  const Scalar t9 = inertia.c6z * inertia.m6;
+  const Scalar t10 = Scalar(0.2) * t9;
+  const Scalar t11 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t12 = inertia.c6z * t9 - (inertia.I6zz - t11);
+  const Scalar t13 = (inertia.I6yy - t11) - inertia.c6y * t7;
+  const Scalar t14 = inertia.I6yz - inertia.c6z * t7;
+  const Scalar t15 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t16 = ((inertia.I6xx - t11) - inertia.c6x * t4) - Scalar(0.2) * (t4 + t5);
+  const Scalar t17 = (inertia.c5x * t3 - (inertia.I5xx - t15)) - t16;
+  const Scalar t18 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t19 = Scalar(1.1425) * t0;
+  const Scalar t20 = inertia.c4x * inertia.m4;
+  const Scalar t21 = Scalar(1.1425) * t2;
+  const Scalar t22 = t12 - t13;
+  const Scalar t23 = ((inertia.I4yy - t18) - inertia.c4y * t0) - (inertia.c5y * t1 - (inertia.I5yy - t15));
+  const Scalar t24 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t25 = Scalar(1.1425) * inertia.m4;
+  const Scalar t26 = t20 + t25;
+  const Scalar t27 = t25 - t26;
+  const Scalar t28 = Scalar(1.1425) * t24 - t27;
+  const Scalar t29 = inertia.c3x * inertia.m3;
+  const Scalar t30 = Scalar(0.2) * t28 - (inertia.I3xz - inertia.c3z * t29);
+  const Scalar t31 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t32 = Scalar(1.1425) * (t20 + t26) - ((inertia.I4xx - t18) - inertia.c4x * t20);
+  const Scalar t33 = Scalar(1.1425) * (t28 - t27) + (t32 + Scalar(1.1425) * (t27 - t26));
+  const Scalar t34 = (inertia.c3x * t29 - (inertia.I3xx - t31)) + t33;
+  const Scalar t35 = inertia.c3z * inertia.m3;
+  const Scalar t36 = ((inertia.I3zz - t31) - inertia.c3z * t35) - Scalar(0.04) * t24;
+  const Scalar t37 = t35 + Scalar(0.2) * t24;
+  const Scalar t38 = Scalar(1) / t22;
+  const Scalar t39 = inertia.c2x * inertia.m2;
+  const Scalar t40 = inertia.I2xz - inertia.c2z * t39;
+  const Scalar t41 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t42 = inertia.c2x * t39 - (inertia.I2xx - t41);
+  const Scalar t43 = inertia.m3 + t24;
+  const Scalar t44 = inertia.c2z * inertia.m2;
+  const Scalar t45 = Scalar(1.155625) * t43 - ((inertia.I2zz - t41) - inertia.c2z * t44);
+  const Scalar t46 = inertia.c3y * inertia.m3;
+  const Scalar t47 = inertia.c2y * inertia.m2;
+  const Scalar t48 = inertia.c1y * inertia.m1;
+  const Scalar t49 = inertia.m2 + t43;
+  const Scalar t50 = inertia.c1x * inertia.m1;
+  const Scalar t51 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t52 = Scalar(0.1024) * t49 + (inertia.c1x * t50 - (inertia.I1xx - t51));
+  const Scalar t53 = ((inertia.I3yy - t31) - inertia.c3y * t46) + ((inertia.I2yy - t41) - inertia.c2y * t47);
+  return { Scalar(0.2) * (t0 + t1),
+           Scalar(0.2) * t2,
+           Scalar(0.2) * (t3 + t5),
+           Scalar(0.2) * t6,
+           t8,
            t10,
-           t11 * t5,
-           t11 * t6,
-           t11,
-           Scalar(0.2) * t12,
-           Scalar(0.2) * (t13 + Scalar(1.075) * t15),
-           Scalar(0.2) * (t16 + t17),
-           Scalar(0.2) * t18,
-           Scalar(0.2) * t22,
-           Scalar(0.2) * t23,
-           Scalar(0.2) * (t24 + t25),
-           Scalar(0.2) * t27,
-           inertia.I5xz - inertia.c5z * t16,
-           t8 + t9,
-           Scalar(2) * t28,
-           t9,
-           inertia.c5z * t18 - (inertia.I5zz - t29),
-           t31,
-           Scalar(2) * t31,
-           inertia.I4xz - inertia.c4z * t19,
-           inertia.I5xy - inertia.c5y * t16,
-           t28,
-           inertia.I5yz - inertia.c5z * t25,
-           inertia.I4xy - inertia.c4y * t19,
-           t32,
-           t36,
-           t37,
-           (inertia.I4zz - t34) - inertia.c4z * t23,
-           inertia.I4yz - inertia.c4z * t24,
-           t38,
-           t39,
-           t41,
-           t42,
-           t46,
-           t49 - (inertia.c1y * t50 - (inertia.I1yy - t45)),
-           inertia.I3xy - inertia.c3y * t21,
-           inertia.I3yz - inertia.c3z * t47,
-           Scalar(5.375) * t11,
-           inertia.I2xy - inertia.c2y * t12,
-           Scalar(1.075) * t47 - (inertia.I2yz - inertia.c2z * t48),
-           Scalar(5) * gravity[2],
+           t12 + t13,
+           Scalar(2) * t14,
+           t13,
+           t14,
+           t10 - (inertia.I6xz - inertia.c6z * t4),
+           t8 - (inertia.I6xy - inertia.c6y * t4),
            Scalar(5) * gravity[1],
            Scalar(5) * gravity[0],
-           t36 + t38,
-           t41 - t42,
-           Scalar(2) * t39,
-           Scalar(0.4) * t27,
-           Scalar(0.4) * t22,
-           Scalar(2) * t32,
-           Scalar(0.2) * ((t47 + t48) + t50),
-           Scalar(0.2) * (Scalar(0.32) * t43 + t44) };
+           Scalar(5) * gravity[2],
+           inertia.I5xy - inertia.c5y * t3,
+           inertia.I5yz - inertia.c5z * t1,
+           inertia.I5xz - inertia.c5z * t3,
+           inertia.c5z * t6 - (inertia.I5zz - t15),
+           t17,
+           inertia.I4yz - inertia.c4z * t0,
+           (inertia.I4zz - t18) - inertia.c4z * t2,
+           t19 - (t19 - (inertia.I4xy - inertia.c4y * t20)),
+           ((inertia.I4xz - inertia.c4z * t20) - t21) + t21,
+           t22,
+           t23,
+           t30,
+           t34 + t36,
+           Scalar(0.2) * t37,
+           Scalar(0.2) * (t28 + t29),
+           t38,
+           Scalar(2) * t17,
+           t36,
+           t34,
+           Scalar(5.375) * t38,
+           Scalar(2) * t40,
+           t42 - t45,
+           t40,
+           Scalar(0.2) * (t44 + Scalar(1.075) * t43),
+           Scalar(0.2) * t39,
+           inertia.I3yz - inertia.c3z * t46,
+           inertia.I3xy - inertia.c3y * t29,
+           Scalar(1.075) * t46 - (inertia.I2yz - inertia.c2z * t47),
+           inertia.I2xy - inertia.c2y * t39,
+           t42,
+           t45,
+           Scalar(0.4) * t37,
+           Scalar(2) * t36,
+           Scalar(2) * t30,
+           Scalar(0.2) * ((t46 + t47) + t48),
+           Scalar(0.2) * (Scalar(0.32) * t49 + t50),
+           t52,
+           t53 - (inertia.c1y * t48 - (inertia.I1yy - t51)) };
 }
 
 namespace detail {
@@ -1289,284 +1315,290 @@ inline JointVector<Scalar> forward_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = k[2] * c6 + k[3] * s6;
-  const Scalar t1 = s5 * t0 - k[4] * c5;
-  const Scalar t2 = k[7] * t1;
-  const Scalar t3 = k[0] * s6 + k[1] * c6;
-  const Scalar t4 = k[0] * c6 - k[1] * s6;
-  const Scalar t5 = c5 * t4;
-  const Scalar t6 = c4 * t3 + s4 * t5;
-  const Scalar t7 = Scalar(5.375) * s2;
-  const Scalar t8 = c3 * s2 + c2 * s3;
-  const Scalar t9 = s2 * s3 - c2 * c3;
-  const Scalar t10 = k[6] * c6 - k[5] * s6;
-  const Scalar t11 = k[4] * t10;
-  const Scalar t12 = t11 + Scalar(5.7125) * t5;
-  const Scalar t13 = Scalar(5.7125) * t3 + (c5 * t0 + k[4] * s5);
-  const Scalar t14 = (t6 - t1) * t8 - t9 * (s4 * t12 + c4 * t13);
-  const Scalar t15 = Scalar(1.6) * t6 + (t6 * t7 + t14);
-  const Scalar t16 = k[17] * c6 - k[18] * s6;
-  const Scalar t17 = k[19] - c6 * t16;
-  const Scalar t18 = k[20] - t17;
-  const Scalar t19 = k[21] + t18;
-  const Scalar t20 = k[16] - t0;
-  const Scalar t21 = c5 * t20;
-  const Scalar t22 = s5 * (k[22] - t19) + (t21 + t21);
-  const Scalar t23 = s5 * t22;
-  const Scalar t24 = k[31] - (t18 + t23);
-  const Scalar t25 = k[4] + t17;
-  const Scalar t26 = k[30] - t25;
-  const Scalar t27 = t24 + t26;
-  const Scalar t28 = k[11] + t3;
-  const Scalar t29 = k[10] * s5 - c5 * t28;
-  const Scalar t30 = k[13] - t29;
-  const Scalar t31 = k[14] + t4;
-  const Scalar t32 = c4 * t30 + s4 * t31;
-  const Scalar t33 = (k[23] + (c5 * t22 - t20)) - Scalar(5.7125) * t30;
-  const Scalar t34 = k[25] + s6 * t16;
-  const Scalar t35 = k[26] + t34;
-  const Scalar t36 = k[24] - t11;
-  const Scalar t37 = s5 * t35 + c5 * t36;
-  const Scalar t38 = (k[27] + t37) - Scalar(5.7125) * t31;
-  const Scalar t39 = c4 * t33 + s4 * t38;
-  const Scalar t40 = ((t27 - t32) * t8 - t9 * t39) - t7 * t32;
-  const Scalar t41 = t37 - t11 * t2;
-  const Scalar t42 = Scalar(1) / (t11 * t10 - t19);
-  const Scalar t43 = t41 * t42;
-  const Scalar t44 = k[7] * t15;
-  const Scalar t45 = k[10] * c5 + s5 * t28;
-  const Scalar t46 = s4 * t45;
-  const Scalar t47 = t19 + Scalar(5.7125) * t45;
-  const Scalar t48 = c5 * t35 - s5 * t36;
-  const Scalar t49 = (t46 - t37) * t8 - t9 * (s4 * t47 + c4 * t48);
-  const Scalar t50 = t11 * t44 - (Scalar(1.6) * t46 + (t49 + t46 * t7));
-  const Scalar t51 = (t2 * t15 - (t40 - Scalar(1.6) * t32)) + t43 * t50;
-  const Scalar t52 = Scalar(5.375) * (s3 * c4 * t45 + c3 * t29);
-  const Scalar t53 = t29 + (s4 * t48 - c4 * t47);
-  const Scalar t54 = s5 * t4;
-  const Scalar t55 = c3 * t54 + s3 * (c4 * t5 - s4 * t3);
-  const Scalar t56 = (c4 * t12 - s4 * t13) - t54;
-  const Scalar t57 = k[7] * t56;
-  const Scalar t58 = k[41] * t55 - t57;
-  const Scalar t59 = k[4] * t58;
-  const Scalar t60 = (t52 + t53) - t59 * t10;
-  const Scalar t61 = s4 * t33 - c4 * t38;
-  const Scalar t62 = c4 * t31 - s4 * t30;
-  const Scalar t63 = Scalar(5.375) * t62;
-  const Scalar t64 = t43 * t60 - (t59 * t2 - (t61 - s3 * t63));
-  const Scalar t65 = Scalar(1) / (t43 * t41 - (t27 + t2 * t1));
-  const Scalar t66 = t64 * t65;
-  const Scalar t67 = t50 * t42;
-  const Scalar t68 = k[39] - t61;
-  const Scalar t69 = k[32] + t48;
-  const Scalar t70 = s4 * (t24 - t26) - Scalar(2) * c4 * t69;
-  const Scalar t71 = k[40] - ((c4 * t70 + t69) + t62);
-  const Scalar t72 = s3 * t68 - c3 * t71;
-  const Scalar t73 = t68 * t8 + t9 * t71;
-  const Scalar t74 = c2 * (k[43] + (t63 + t72)) + ((t73 - c2 * t72) + k[42] * s2);
-  const Scalar t75 = t51 * t66 - (t60 * t67 + (t58 * t15 - t74));
-  const Scalar t76 = t26 + s4 * t70;
-  const Scalar t77 = k[33] + ((t27 - t76) - Scalar(2) * t32);
-  const Scalar t78 = k[29] + ((k[21] - t23) + Scalar(11.425) * t45);
-  const Scalar t79 = t77 - t78;
-  const Scalar t80 = t10 * t56 + t53;
-  const Scalar t81 = t80 * t42;
-  const Scalar t82 = (t2 * t56 + t61) + t80 * t43;
-  const Scalar t83 = t82 * t65;
-  const Scalar t84 = ((t79 + t56 * t57) - t80 * t81) + t82 * t83;
-  const Scalar t85 = Scalar(1) / t84;
-  const Scalar t86 = ((t73 + t57 * t15) - t80 * t67) + t83 * t51;
-  const Scalar t87 = t85 * t86;
-  const Scalar t88 = k[15] + t32;
-  const Scalar t89 = k[12] + t45;
-  const Scalar t90 = Scalar(5.375) * (c3 * t88 - s3 * t89);
-  const Scalar t91 = t60 * t81 - ((t79 - t90) - t59 * t57);
-  const Scalar t92 = t64 * t83 - t91;
-  const Scalar t93 = t75 - t87 * t92;
-  const Scalar t94 = t85 * t92;
-  const Scalar t95 = k[28] + (t45 - t39);
-  const Scalar t96 = Scalar(2) * c3 * t95 - s3 * (t77 + t78);
-  const Scalar t97 = s3 * t96 + t78;
-  const Scalar t98 = k[36] + (Scalar(2) * t90 - (t79 + t97));
-  const Scalar t99 = k[35] + t97;
-  const Scalar t100 = t60 * t42;
-  const Scalar t101 = (t59 * t58 - (t98 + t99)) - t100 * t60;
-  const Scalar t102 = Scalar(1) / (t94 * t92 - (t64 * t66 + t101));
-  const Scalar t103 = t102 * t93;
-  const Scalar t104 = t51 * t65;
-  const Scalar t105 = (c3 * t96 - t95) + Scalar(5.375) * (c3 * t89 + s3 * t88);
-  const Scalar t106 = s2 * (k[34] - t105);
-  const Scalar t107 = c2 * (c2 * (t98 - t99) + (t106 + t106));
-  const Scalar t108 = k[9] * s2 + k[8] * c2;
-  const Scalar t109 = Scalar(3.2) * ((t9 * t89 - t88 * t8) - t108);
-  const Scalar t110 = (k[37] + ((t98 - t107) - t109)) - (k[38] + t76);
-  const Scalar t111 = t104 * t51 - (t67 * t50 - (t44 * t15 - t110));
-  const Scalar t112 = Scalar(1) / (t93 * t103 - (t87 * t86 - t111));
-  const Scalar t113 = k[46] * s1 - k[45] * c1;
-  const Scalar t114 = qd[0] * c2;
-  const Scalar t115 = t113 + Scalar(10.75) * qd[1] * t114;
-  const Scalar t116 = qd[1] + qd[2];
-  const Scalar t117 = qd[0] * t9;
-  const Scalar t118 = t116 * t117;
-  const Scalar t119 = t118 + t118;
-  const Scalar t120 = qd[0] * t8;
-  const Scalar t121 = t120 * t116;
-  const Scalar t122 = t121 + t121;
-  const Scalar t123 = (t115 - t119) - Scalar(5.7125) * t122;
-  const Scalar t124 = qd[0] * qd[0];
-  const Scalar t125 = k[46] * c1 + k[45] * s1;
-  const Scalar t126 = Scalar(1.6) * t124 + t125;
-  const Scalar t127 = qd[1] * qd[1];
-  const Scalar t128 = qd[0] * s2;
-  const Scalar t129 = (k[44] * c2 + s2 * t126) + Scalar(5.375) * (t127 + t128 * t128);
-  const Scalar t130 = (k[44] * s2 - c2 * t126) - Scalar(5.375) * t128 * t114;
-  const Scalar t131 = c3 * t129 - s3 * t130;
-  const Scalar t132 = t120 * t120;
-  const Scalar t133 = t116 * t116;
-  const Scalar t134 = t132 + t133;
-  const Scalar t135 = t120 * t117;
-  const Scalar t136 = (t131 + t134) - Scalar(5.7125) * t135;
-  const Scalar t137 = c4 * t123 - s4 * t136;
-  const Scalar t138 = t132 - t133;
-  const Scalar t139 = t124 - t138;
-  const Scalar t140 = c3 * t130 + s3 * t129;
-  const Scalar t141 = Scalar(5.7125) * t139 - (t135 + t140);
-  const Scalar t142 = c4 * t136 + s4 * t123;
-  const Scalar t143 = s5 * t141 + c5 * t142;
-  const Scalar t144 = s4 * t117;
-  const Scalar t145 = t144 - c4 * t116;
-  const Scalar t146 = qd[4] - t145;
-  const Scalar t147 = s4 * t116 + c4 * t117;
-  const Scalar t148 = qd[3] - t120;
-  const Scalar t149 = c5 * t147 - s5 * t148;
-  const Scalar t150 = t146 * t149;
-  const Scalar t151 = t147 * t145;
-  const Scalar t152 = t151 + t118;
-  const Scalar t153 = t148 * t145;
-  const Scalar t154 = t120 * t144 - c4 * t122;
-  const Scalar t155 = (t153 + t154) + t153;
-  const Scalar t156 = c5 * t152 - s5 * t155;
-  const Scalar t157 = t150 + (t150 + t156);
-  const Scalar t158 = s5 * t147 + c5 * t148;
-  const Scalar t159 = qd[5] + t158;
-  const Scalar t160 = t159 * t159;
-  const Scalar t161 = t149 * t149;
-  const Scalar t162 = t160 + t161;
-  const Scalar t163 = t160 - t161;
-  const Scalar t164 = t146 * t146;
-  const Scalar t165 = t164 + t161;
-  const Scalar t166 = t163 + t165;
-  const Scalar t167 = t162 - t166;
-  const Scalar t168 = (t157 * t17 - t25 * t156) + t34 * t167;
-  const Scalar t169 = t158 * t149;
-  const Scalar t170 = c4 * t135 + s4 * t122;
-  const Scalar t171 = t148 * t147;
-  const Scalar t172 = t170 + t171;
-  const Scalar t173 = t169 - t172;
-  const Scalar t174 = s5 * t152 + c5 * t155;
-  const Scalar t175 = Scalar(2) * t146 * t158 + t174;
-  const Scalar t176 = (t3 * t137 + t143 * t4) + (t168 + (t11 * t173 + t175 * t0));
-  const Scalar t177 = wrench[3] * s1 - wrench[4] * c1;
-  const Scalar t178 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t179 = t178 * t8 - wrench[5] * t9;
-  const Scalar t180 = s4 * t177 + c4 * t179;
-  const Scalar t181 = t9 * t178 + wrench[5] * t8;
-  const Scalar t182 = t176 - (s5 * t180 + c5 * t181);
-  const Scalar t183 = torque[5] + t182;
-  const Scalar t184 = s5 * t142 - c5 * t141;
-  const Scalar t185 = t169 + t172;
-  const Scalar t186 = t147 * t147;
-  const Scalar t187 = t148 * t148;
-  const Scalar t188 = t186 + t187;
-  const Scalar t189 = t167 - t188;
-  const Scalar t190 = t189 + t165;
-  const Scalar t191 = (k[20] * t185 - k[21] * t173) - k[16] * t190;
-  const Scalar t192 = (k[10] * t143 + k[11] * t184) - (t191 - (k[26] * t174 + k[24] * t156));
-  const Scalar t193 = wrench[0] * c1 + wrench[1] * s1;
-  const Scalar t194 = wrench[2] * t9 - t193 * t8;
-  const Scalar t195 = wrench[0] * s1 - wrench[1] * c1;
-  const Scalar t196 = c4 * t194 - s4 * t195;
-  const Scalar t197 = t9 * t193 + wrench[2] * t8;
-  const Scalar t198 = Scalar(0.2) * (c5 * t196 + s5 * t197);
-  const Scalar t199 = t159 * t146;
-  const Scalar t200 = (t175 - t199) - t199;
-  const Scalar t201 = t173 - Scalar(2) * t159 * t149;
-  const Scalar t202 = (t34 * t200 - t201 * t17) + (t163 * t0 - t11 * t156);
-  const Scalar t203 = ((s4 * t179 - c4 * t177) + t198) - (t202 + t3 * t184);
-  const Scalar t204 = t192 - t203;
-  const Scalar t205 = t10 * t183 + (torque[4] - t204);
-  const Scalar t206 = t151 - t118;
-  const Scalar t207 = Scalar(0.2) * (s4 * t194 + c4 * t195);
-  const Scalar t208 = ((t3 * t157 + t162 * t4) - t207) - (k[10] * t175 - k[11] * t157);
-  const Scalar t209 = (k[14] * t188 - k[13] * t206) + t208;
-  const Scalar t210 = t186 - t187;
-  const Scalar t211 = t210 - t139;
-  const Scalar t212 = (t3 * t201 - t200 * t4) + Scalar(0.2) * (c5 * t197 - s5 * t196);
-  const Scalar t213 = (k[10] * t165 + k[11] * t185) - t212;
-  const Scalar t214 = (t198 + (t4 * t156 - t3 * t166)) + (k[11] * t189 - k[10] * t173);
-  const Scalar t215 = (k[13] * t211 + k[14] * t152) + (s5 * t213 + c5 * t214);
-  const Scalar t216 = c4 * t209 + s4 * t215;
-  const Scalar t217 = t216 + (k[50] * t118 + k[51] * t121);
-  const Scalar t218 = k[8] * s2 - k[9] * c2;
-  const Scalar t219 = Scalar(2) * qd[0] * qd[1];
-  const Scalar t220 = k[39] * t138 - (k[29] * t122 + k[52] * t118);
-  const Scalar t221 = t172 + t171;
-  const Scalar t222 = (k[23] * t210 + k[27] * t152) + (k[31] * t221 + k[32] * t155);
-  const Scalar t223 = t204 + (t222 - k[13] * t141);
-  const Scalar t224 = t211 + t188;
-  const Scalar t225 = (k[32] * t221 + k[30] * t155) + k[27] * (t210 - t224);
-  const Scalar t226 = (t200 * t25 + t34 * t201) + t11 * (t164 - t160);
-  const Scalar t227 = (t4 * t184 + (t157 * t0 - t226)) + ((c5 * t180 - s5 * t181) - t207);
-  const Scalar t228 = k[24] * (t167 - t190) + (k[21] * t175 + k[16] * t157);
-  const Scalar t229 = t227 - ((t228 - k[26] * t185) + k[10] * t137);
-  const Scalar t230 = (k[26] * t167 - k[24] * t173) - (k[20] * t157 + k[16] * t175);
-  const Scalar t231 = (t230 + k[11] * t137) + t182;
-  const Scalar t232 = ((k[23] * t206 + t225) - k[14] * t141) + (c5 * t229 - s5 * t231);
-  const Scalar t233 = (s4 * t223 - c4 * t232) - Scalar(5.7125) * t216;
-  const Scalar t234 = ((t220 + k[40] * t135) + k[12] * t115) + t233;
-  const Scalar t235 = (k[28] * t122 - k[33] * t119) - (k[39] * t135 + k[40] * (t124 - t134));
-  const Scalar t236 = (k[31] * t206 - k[30] * t152) - k[32] * t224;
-  const Scalar t237 = ((k[23] * t154 - k[27] * t170) + t236) - (k[14] * t142 + k[13] * t137);
-  const Scalar t238 = t237 - (c5 * t231 + s5 * t229);
-  const Scalar t239 = ((k[15] * t115 - t235) - (t238 + t216)) * t8;
-  const Scalar t240 = k[34] - s2 * (k[49] * s2 - k[48] * c2);
-  const Scalar t241 = t127 * (k[43] * s2 - k[42] * c2) - t240 * t219;
-  const Scalar t242 = ((t9 * t234 - t239) + t217 * t7) - (t241 + t108 * t113);
-  const Scalar t243 = (k[53] * t125 + k[54] * t113) - (Scalar(1.6) * (t217 + t218 * t219) + t242);
-  const Scalar t244 = k[7] * t183;
-  const Scalar t245 = t205 * t67 - ((torque[0] - t243) + t244 * t15);
-  const Scalar t246 = t205 * t42;
-  const Scalar t247 = (t1 * t244 + (torque[3] - t238)) + t246 * t41;
-  const Scalar t248 = s4 * t209 - c4 * t215;
-  const Scalar t249 = Scalar(5.7125) * t248 + (c4 * t223 + s4 * t232);
-  const Scalar t250 = (c5 * t213 - s5 * t214) + (k[14] * t155 + k[13] * t221);
-  const Scalar t251 = (k[47] * t135 - k[28] * (t134 - t139)) - (k[15] * t140 + k[12] * t131);
-  const Scalar t252 = (t249 - t250) - t251;
-  const Scalar t253 = t205 * t81 - (t183 * t57 + (torque[2] - t252));
-  const Scalar t254 = t247 * t65;
-  const Scalar t255 = t253 - t82 * t254;
-  const Scalar t256 = t255 * t85;
-  const Scalar t257 = (k[44] * t108 + t126 * t218) + t240 * t124;
-  const Scalar t258 = c3 * ((k[15] * t135 - k[12] * t139) - t250);
-  const Scalar t259 = s3 * ((k[12] * t135 - k[15] * t134) - t248);
-  const Scalar t260 = torque[1] - (t257 + (Scalar(5.375) * (t258 + t259) + t252));
-  const Scalar t261 = (t60 * t246 + (t183 * t58 - t260)) - t247 * t66;
-  const Scalar t262 = t261 - t94 * t255;
-  const Scalar t263 = ((t245 - t247 * t104) - t256 * t86) + t262 * t103;
-  const Scalar t264 = t112 * t263;
-  const Scalar t265 = t102 * t262 - t264 * t103;
-  const Scalar t266 = (t256 - t264 * t87) + t94 * t265;
-  const Scalar t267 = (t265 * t66 - (t264 * t104 + t254)) - t266 * t83;
-  const Scalar t268 = (t100 * t265 - (t246 + t264 * t67)) - t266 * t81;
-  const Scalar t269 = t43 * t267 - t268;
-  const Scalar t270 = ((t264 * t44 + t244) + t58 * t265) + t266 * t57;
+  const Scalar t0 = k[11] * c6 - k[10] * s6;
+  const Scalar t1 = k[30] * t0;
+  const Scalar t2 = k[4] * c6 - k[5] * s6;
+  const Scalar t3 = s5 * t2;
+  const Scalar t4 = k[11] * s6 + k[10] * c6;
+  const Scalar t5 = k[24] * s5 + c5 * t4;
+  const Scalar t6 = c5 * t2;
+  const Scalar t7 = k[4] * s6 + k[5] * c6;
+  const Scalar t8 = c4 * t6 - s4 * t7;
+  const Scalar t9 = (c4 * t0 - s4 * t5) + Scalar(5.7125) * t8;
+  const Scalar t10 = t3 - t9;
+  const Scalar t11 = k[6] * c6 - k[7] * s6;
+  const Scalar t12 = k[9] + s6 * t11;
+  const Scalar t13 = k[16] + t12;
+  const Scalar t14 = k[15] - t0;
+  const Scalar t15 = c5 * t13 - s5 * t14;
+  const Scalar t16 = k[3] + t7;
+  const Scalar t17 = k[2] * c5 + s5 * t16;
+  const Scalar t18 = Scalar(5.7125) * t17;
+  const Scalar t19 = k[8] - c6 * t11;
+  const Scalar t20 = k[18] - t19;
+  const Scalar t21 = k[19] - t20;
+  const Scalar t22 = k[31] - t21;
+  const Scalar t23 = t18 + t22;
+  const Scalar t24 = c5 * t16 - k[2] * s5;
+  const Scalar t25 = (s4 * t15 - c4 * t23) - t24;
+  const Scalar t26 = t1 * t10 - t25;
+  const Scalar t27 = Scalar(1) / (t22 - t0 * t1);
+  const Scalar t28 = t26 * t27;
+  const Scalar t29 = k[1] + t24;
+  const Scalar t30 = k[0] + t2;
+  const Scalar t31 = c4 * t29 + s4 * t30;
+  const Scalar t32 = k[20] + t15;
+  const Scalar t33 = c4 * t32;
+  const Scalar t34 = k[17] - t4;
+  const Scalar t35 = c5 * (t34 + t34) + s5 * t21;
+  const Scalar t36 = s5 * t35;
+  const Scalar t37 = k[21] - (t20 + t36);
+  const Scalar t38 = k[24] + t19;
+  const Scalar t39 = k[25] - t38;
+  const Scalar t40 = (t33 + t33) - s4 * (t37 - t39);
+  const Scalar t41 = s4 * t40;
+  const Scalar t42 = t41 + t37;
+  const Scalar t43 = k[32] - ((t31 + t31) - t42);
+  const Scalar t44 = k[33] + (Scalar(2) * t18 + (k[19] - t36));
+  const Scalar t45 = t43 - t44;
+  const Scalar t46 = k[30] * t10;
+  const Scalar t47 = s5 * t13 + c5 * t14;
+  const Scalar t48 = c5 - k[30] * s5 * t4;
+  const Scalar t49 = k[24] * t48;
+  const Scalar t50 = t47 + t49 * t1;
+  const Scalar t51 = t50 * t27;
+  const Scalar t52 = k[22] + t47;
+  const Scalar t53 = k[23] + (c5 * t35 - t34);
+  const Scalar t54 = s4 * t29 - c4 * t30;
+  const Scalar t55 = (c4 * t52 - s4 * t53) + Scalar(5.7125) * t54;
+  const Scalar t56 = t26 * t51 + (t49 * t46 - t55);
+  const Scalar t57 = t41 - t39;
+  const Scalar t58 = t57 - t42;
+  const Scalar t59 = Scalar(1) / (t50 * t51 + (t48 * t49 - t58));
+  const Scalar t60 = t56 * t59;
+  const Scalar t61 = (t28 * t26 + (t45 + t46 * t10)) - t60 * t56;
+  const Scalar t62 = Scalar(1) / t61;
+  const Scalar t63 = k[34] * (s3 * t8 + c3 * t3) + t46;
+  const Scalar t64 = k[24] * t63;
+  const Scalar t65 = Scalar(5.375) * (s3 * c4 * t17 - c3 * t24);
+  const Scalar t66 = t1 * t64 - (t65 + t25);
+  const Scalar t67 = k[28] + t31;
+  const Scalar t68 = k[29] + t17;
+  const Scalar t69 = c3 * t67 - s3 * t68;
+  const Scalar t70 = t28 * t66 + ((t45 - Scalar(5.375) * t69) + t46 * t64);
+  const Scalar t71 = t66 * t27;
+  const Scalar t72 = Scalar(5.375) * t54;
+  const Scalar t73 = t50 * t71 + ((s3 * t72 - t55) + t48 * t64);
+  const Scalar t74 = t73 * t59;
+  const Scalar t75 = t70 - t74 * t56;
+  const Scalar t76 = t62 * t75;
+  const Scalar t77 = (c4 * t53 + s4 * t52) - Scalar(5.7125) * t31;
+  const Scalar t78 = k[26] - (t77 - t17);
+  const Scalar t79 = s3 * (t43 + t44) - c3 * Scalar(2) * t78;
+  const Scalar t80 = s3 * t79;
+  const Scalar t81 = k[45] + (Scalar(10.75) * t69 + (t80 - t43));
+  const Scalar t82 = k[44] - (t80 - t44);
+  const Scalar t83 = ((t81 + t82) - t63 * t64) - t66 * t71;
+  const Scalar t84 = Scalar(1) / (t76 * t75 + (t74 * t73 + t83));
+  const Scalar t85 = s2 * s3 - c2 * c3;
+  const Scalar t86 = k[40] + (t54 + (c4 * t40 - t32));
+  const Scalar t87 = k[41] + t55;
+  const Scalar t88 = c3 * s2 + c2 * s3;
+  const Scalar t89 = t85 * t86 + t87 * t88;
+  const Scalar t90 = c4 * t7 + s4 * t6;
+  const Scalar t91 = Scalar(5.375) * s2;
+  const Scalar t92 = (c4 * t5 + s4 * t0) + Scalar(5.7125) * t90;
+  const Scalar t93 = t91 * t90 + ((t49 + t90) * t88 - t85 * t92);
+  const Scalar t94 = Scalar(1.6) * t90 + t93;
+  const Scalar t95 = s4 * t17;
+  const Scalar t96 = (t47 - t95) * t88 + t85 * (s4 * t23 + c4 * t15);
+  const Scalar t97 = k[30] * t94;
+  const Scalar t98 = ((t91 * t95 - t96) + Scalar(1.6) * t95) - t0 * t97;
+  const Scalar t99 = t98 * t27;
+  const Scalar t100 = (t85 * t77 + (t31 + t58) * t88) + t31 * t91;
+  const Scalar t101 = t50 * t99 - (t48 * t94 - (t100 + Scalar(1.6) * t31));
+  const Scalar t102 = ((t89 - t94 * t46) + t26 * t99) - t101 * t60;
+  const Scalar t103 = t62 * t102;
+  const Scalar t104 = c3 * t86 - s3 * t87;
+  const Scalar t105 = ((c2 * t104 + t89) + k[43] * s2) + c2 * (k[42] - (t104 + t72));
+  const Scalar t106 = t101 * t59;
+  const Scalar t107 = ((t105 - t64 * t97) + t66 * t99) - t73 * t106;
+  const Scalar t108 = t103 * t75 - t107;
+  const Scalar t109 = t84 * t108;
+  const Scalar t110 = k[38] * s2 + k[39] * c2;
+  const Scalar t111 = Scalar(3.2) * (t110 - (t85 * t68 - t67 * t88));
+  const Scalar t112 = Scalar(5.375) * (s3 * t67 + c3 * t68) - (t78 + c3 * t79);
+  const Scalar t113 = s2 * (k[37] - t112);
+  const Scalar t114 = c2 * (c2 * (t81 - t82) + (t113 + t113));
+  const Scalar t115 = (k[51] + (t111 + (t81 - t114))) - (k[52] - t57);
+  const Scalar t116 = (t98 * t99 - (t115 - t94 * t97)) - t101 * t106;
+  const Scalar t117 = Scalar(1) / (t109 * t108 - (t103 * t102 - t116));
+  const Scalar t118 = wrench[3] * s1 - wrench[4] * c1;
+  const Scalar t119 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t120 = t119 * t88 - wrench[5] * t85;
+  const Scalar t121 = s4 * t118 + c4 * t120;
+  const Scalar t122 = t85 * t119 + wrench[5] * t88;
+  const Scalar t123 = qd[0] * qd[0];
+  const Scalar t124 = qd[0] * t88;
+  const Scalar t125 = t124 * t124;
+  const Scalar t126 = qd[1] + qd[2];
+  const Scalar t127 = t126 * t126;
+  const Scalar t128 = t125 - t127;
+  const Scalar t129 = t123 - t128;
+  const Scalar t130 = qd[0] * t85;
+  const Scalar t131 = t124 * t130;
+  const Scalar t132 = k[12] * s1 + k[13] * c1;
+  const Scalar t133 = t132 + Scalar(1.6) * t123;
+  const Scalar t134 = k[14] * s2 - c2 * t133;
+  const Scalar t135 = t134 - Scalar(5.375) * t123 * c2 * s2;
+  const Scalar t136 = qd[1] * qd[1];
+  const Scalar t137 = qd[0] * s2;
+  const Scalar t138 = s2 * t133 + k[14] * c2;
+  const Scalar t139 = Scalar(5.375) * (t136 + t137 * t137) + t138;
+  const Scalar t140 = c3 * t135 + s3 * t139;
+  const Scalar t141 = Scalar(5.7125) * t129 - (t131 + t140);
+  const Scalar t142 = s4 * t126;
+  const Scalar t143 = Scalar(2) * qd[0];
+  const Scalar t144 = t143 * t88;
+  const Scalar t145 = c4 * t130;
+  const Scalar t146 = t142 * t144 + t124 * t145;
+  const Scalar t147 = t126 * t130;
+  const Scalar t148 = t147 + t147;
+  const Scalar t149 = qd[1] * t143;
+  const Scalar t150 = k[13] * s1 - k[12] * c1;
+  const Scalar t151 = Scalar(5.375) * c2 * t149 + t150;
+  const Scalar t152 = t148 - t151;
+  const Scalar t153 = t125 + t127;
+  const Scalar t154 = s3 * t135 - c3 * t139;
+  const Scalar t155 = t153 - t154;
+  const Scalar t156 = Scalar(5.7125) * t146 + (s4 * t152 - c4 * t155);
+  const Scalar t157 = s5 * t141 - c5 * t156;
+  const Scalar t158 = c4 * t126;
+  const Scalar t159 = t158 * t144 - s4 * t131;
+  const Scalar t160 = (s4 * t155 + c4 * t152) + Scalar(5.7125) * t159;
+  const Scalar t161 = t142 + t145;
+  const Scalar t162 = s4 * t130 - t158;
+  const Scalar t163 = t161 * t162 + t147;
+  const Scalar t164 = qd[3] - t124;
+  const Scalar t165 = t159 - t164 * (t162 + t162);
+  const Scalar t166 = c5 * t163 + s5 * t165;
+  const Scalar t167 = c5 * t161 - s5 * t164;
+  const Scalar t168 = qd[4] - t162;
+  const Scalar t169 = t168 + t168;
+  const Scalar t170 = t167 * t169 + t166;
+  const Scalar t171 = t168 * t168;
+  const Scalar t172 = s5 * t161 + c5 * t164;
+  const Scalar t173 = t172 * t172;
+  const Scalar t174 = t171 + t173;
+  const Scalar t175 = t162 * t162;
+  const Scalar t176 = t164 * t164;
+  const Scalar t177 = t175 + t176;
+  const Scalar t178 = t177 - t129;
+  const Scalar t179 = t175 - t176;
+  const Scalar t180 = t178 + t179;
+  const Scalar t181 = t177 - t180;
+  const Scalar t182 = t174 - t181;
+  const Scalar t183 = (t38 * t166 - t19 * t170) + t182 * t12;
+  const Scalar t184 = s5 * t163 - c5 * t165;
+  const Scalar t185 = t172 * t169 + t184;
+  const Scalar t186 = t172 * t167;
+  const Scalar t187 = t164 * t161;
+  const Scalar t188 = t146 + t187;
+  const Scalar t189 = t186 - t188;
+  const Scalar t190 = (t157 * t2 - t7 * t160) - (t183 - (t185 * t4 + t189 * t0));
+  const Scalar t191 = (s5 * t121 + c5 * t122) - t190;
+  const Scalar t192 = torque[5] - t191;
+  const Scalar t193 = t148 - t163;
+  const Scalar t194 = k[20] * t180 - (k[21] * t193 + k[25] * t163);
+  const Scalar t195 = (t194 - (k[22] * t146 + k[23] * t159)) + (k[1] * t160 + k[0] * t156);
+  const Scalar t196 = (k[18] * t170 + k[17] * t185) + (k[16] * t182 + k[15] * t189);
+  const Scalar t197 = (k[3] * t160 + t196) + t191;
+  const Scalar t198 = t171 - t173;
+  const Scalar t199 = k[15] * t198 - (k[17] * t170 + k[19] * t185);
+  const Scalar t200 = t186 + t188;
+  const Scalar t201 = qd[5] + t172;
+  const Scalar t202 = t201 * t201;
+  const Scalar t203 = t171 - t202;
+  const Scalar t204 = t201 + t201;
+  const Scalar t205 = t185 - t168 * t204;
+  const Scalar t206 = t189 - t167 * t204;
+  const Scalar t207 = t0 * t203 + (t205 * t38 + t12 * t206);
+  const Scalar t208 = c5 * t141 + s5 * t156;
+  const Scalar t209 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t210 = wrench[2] * t85 - t209 * t88;
+  const Scalar t211 = wrench[0] * s1 - wrench[1] * c1;
+  const Scalar t212 = Scalar(0.2) * (s4 * t210 + c4 * t211);
+  const Scalar t213 = ((t170 * t4 - t207) - t208 * t2) - (t212 - (c5 * t121 - s5 * t122));
+  const Scalar t214 = (k[2] * t160 + (t199 + k[16] * t200)) + t213;
+  const Scalar t215 = t195 + (c5 * t197 - s5 * t214);
+  const Scalar t216 = c4 * t210 - s4 * t211;
+  const Scalar t217 = t85 * t209 + wrench[2] * t88;
+  const Scalar t218 = Scalar(0.2) * (c5 * t216 + s5 * t217);
+  const Scalar t219 = t182 - t203;
+  const Scalar t220 = (t0 * t166 - t219 * t4) + (t19 * t206 - t205 * t12);
+  const Scalar t221 = ((s4 * t120 - c4 * t118) + t218) + (t208 * t7 + t220);
+  const Scalar t222 = (k[18] * t200 - k[19] * t189) + k[17] * (t182 - t198);
+  const Scalar t223 = ((k[16] * t184 + k[15] * t166) - t222) + (k[2] * t157 - k[3] * t208);
+  const Scalar t224 = t221 - t223;
+  const Scalar t225 = t1 * t192 + (torque[4] + t224);
+  const Scalar t226 = t225 * t27;
+  const Scalar t227 = (t48 * t192 - (torque[3] - t215)) + t50 * t226;
+  const Scalar t228 = t227 * t59;
+  const Scalar t229 = k[30] * t192;
+  const Scalar t230 = t153 - t129;
+  const Scalar t231 = (k[26] * t230 - k[27] * t131) - (k[29] * t154 - k[28] * t140);
+  const Scalar t232 = t188 + t187;
+  const Scalar t233 = k[22] * t179 - (k[25] * t165 - k[20] * t232);
+  const Scalar t234 = (c5 * t214 + s5 * t197) + ((t233 - k[23] * t193) - k[0] * t141);
+  const Scalar t235 = t171 + t202;
+  const Scalar t236 = t212 - ((t235 - t182) * t2 + t7 * t170);
+  const Scalar t237 = (t236 + (k[2] * t185 - k[3] * t170)) - (k[0] * t181 + k[1] * t193);
+  const Scalar t238 = t234 - Scalar(5.7125) * t237;
+  const Scalar t239 = (t7 * t206 - t205 * t2) + Scalar(0.2) * (c5 * t217 - s5 * t216);
+  const Scalar t240 = t239 - (k[3] * t200 + k[2] * (t235 - t219));
+  const Scalar t241 = (k[3] * t174 + k[2] * t189) - ((t2 * t166 - t235 * t7) + t218);
+  const Scalar t242 = (k[0] * t163 - k[1] * t177) - (s5 * t240 + c5 * t241);
+  const Scalar t243 = (k[22] * t163 - k[23] * t178) - (k[20] * t165 - k[21] * t232);
+  const Scalar t244 = Scalar(5.7125) * t242 + (t224 - (t243 - k[1] * t141));
+  const Scalar t245 = (c5 * t240 - s5 * t241) - (k[1] * t232 - k[0] * t165);
+  const Scalar t246 = t231 + ((s4 * t238 - c4 * t244) + t245);
+  const Scalar t247 = t28 * t225 + (t229 * t10 - (torque[2] - t246));
+  const Scalar t248 = t56 * t228 - t247;
+  const Scalar t249 = t62 * t248;
+  const Scalar t250 = (s4 * t237 + c4 * t242) + (k[29] * t131 - k[28] * t153);
+  const Scalar t251 = c3 * ((k[28] * t131 - k[29] * t129) + t245);
+  const Scalar t252 = k[37] - s2 * (k[35] * s2 - k[36] * c2);
+  const Scalar t253 = t123 * t252 + (k[38] * t134 + k[39] * t138);
+  const Scalar t254 = (t246 + Scalar(5.375) * (s3 * t250 + t251)) + t253;
+  const Scalar t255 = (t63 * t192 - (torque[1] - t254)) + t66 * t226;
+  const Scalar t256 = t249 * t75 + (t255 - t74 * t227);
+  const Scalar t257 = (k[42] * s2 - k[43] * c2) * t136 - t149 * t252;
+  const Scalar t258 = c4 * t237 - s4 * t242;
+  const Scalar t259 = t126 * t144;
+  const Scalar t260 = t258 - (k[46] * t147 + k[29] * t259);
+  const Scalar t261 = (k[48] * t147 + k[33] * t259) - k[41] * t128;
+  const Scalar t262 = (s4 * t244 + c4 * t238) - ((k[40] * t131 - t261) + k[29] * t151);
+  const Scalar t263 = (k[40] * (t230 - t128) - k[41] * t131) - (k[47] * t147 - k[26] * t259);
+  const Scalar t264 = ((t258 - t215) - (t263 - k[28] * t151)) * t88;
+  const Scalar t265 = (t257 + t110 * t150) + (t260 * t91 + (t85 * t262 + t264));
+  const Scalar t266 = t260 - (k[39] * s2 - k[38] * c2) * t149;
+  const Scalar t267 = (t265 + Scalar(1.6) * t266) + (k[49] * t132 + k[50] * t150);
+  const Scalar t268 = ((torque[0] - t267) + t192 * t97) - t98 * t226;
+  const Scalar t269 = t109 * t256 + ((t227 * t106 + t268) - t103 * t248);
+  const Scalar t270 = t117 * t269;
+  const Scalar t271 = t270 * t109 - t84 * t256;
+  const Scalar t272 = (t249 - t270 * t103) + t76 * t271;
+  const Scalar t273 = ((t270 * t106 + t228) - t74 * t271) + t272 * t60;
+  const Scalar t274 = t272 * t28 - (t71 * t271 - (t270 * t99 + t226));
+  const Scalar t275 = t274 - t51 * t273;
+  const Scalar t276 = t272 * t46 - (t63 * t271 + (t270 * t97 - t229));
   JointVector<Scalar> result;
-  result[0] = t264;
-  result[1] = -t265;
-  result[2] = t266;
-  result[3] = -t267;
-  result[4] = -t269;
-  result[5] = -t10 * t269 - (t2 * t267 - t270);
+  result[0] = -t270;
+  result[1] = t271;
+  result[2] = -t272;
+  result[3] = t273;
+  result[4] = t275;
+  result[5] = t275 * t1 - (t48 * t273 - t276);
   return result;
 }
 
@@ -1598,24 +1630,25 @@ PotentialEnergyWithGravityVectorConstants<Scalar> potential_energy_with_gravity_
   using std::sin;
   const Scalar t0 = inertia.c5x * inertia.m5 + (Scalar(0.2) * inertia.m6 + inertia.c6x * inertia.m6);
   const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t2 = inertia.m3 + t1;
-  const Scalar t3 = inertia.m2 + t2;
-  return { inertia.c6y * inertia.m6,
+  const Scalar t2 = Scalar(1.1425) * inertia.m4;
+  const Scalar t3 = inertia.m3 + t1;
+  const Scalar t4 = inertia.m2 + t3;
+  return { t0,
+           inertia.c6y * inertia.m6,
            inertia.c6z * inertia.m6,
            inertia.c5z * inertia.m5,
-           t0,
-           inertia.c4x * inertia.m4,
-           Scalar(1.1425) * t1,
-           inertia.c3x * inertia.m3,
+           inertia.c4z * inertia.m4,
            inertia.c5y * inertia.m5,
            inertia.c4y * inertia.m4,
-           inertia.c4z * inertia.m4,
            Scalar(0.2) * t1,
            inertia.c3z * inertia.m3,
-           Scalar(1.075) * t2,
+           t2 - (inertia.c4x * inertia.m4 + t2),
+           Scalar(1.1425) * t1,
+           inertia.c3x * inertia.m3,
+           Scalar(1.075) * t3,
            inertia.c2z * inertia.m2,
            inertia.c2x * inertia.m2,
-           Scalar(0.32) * t3,
+           Scalar(0.32) * t4,
            inertia.c1x * inertia.m1,
            inertia.c3y * inertia.m3,
            inertia.c2y * inertia.m2,
@@ -1623,7 +1656,7 @@ PotentialEnergyWithGravityVectorConstants<Scalar> potential_energy_with_gravity_
            gravity[0],
            gravity[1],
            inertia.c1z * inertia.m1 - Scalar(0.78) * inertia.m1,
-           Scalar(0.78) * (inertia.m1 + t3),
+           Scalar(0.78) * (inertia.m1 + t4),
            gravity[2] };
 }
 
@@ -1644,21 +1677,21 @@ inline Scalar potential_energy_with_gravity_vector([[maybe_unused]] const JointV
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = k[2] + (k[0] * s6 + k[1] * c6);
-  const Scalar t1 = k[9] - (k[3] * s5 - c5 * t0);
-  const Scalar t2 = k[8] + (k[7] + (k[0] * c6 - k[1] * s6));
-  const Scalar t3 = k[18] + (k[17] - (s4 * t1 - c4 * t2));
-  const Scalar t4 = k[19] + t3;
-  const Scalar t5 = k[11] + (k[10] + (s4 * t2 + c4 * t1));
-  const Scalar t6 = k[5] + (k[4] + (s5 * t0 + k[3] * c5));
-  const Scalar t7 = k[6] + t6;
-  const Scalar t8 = k[14] + (s3 * t5 + c3 * t7);
-  const Scalar t9 = k[13] + (k[12] + (c3 * t5 - s3 * t7));
-  const Scalar t10 = k[16] + (k[15] + (c2 * t8 + s2 * t9));
-  const Scalar t11 = k[20] * (s1 * t4 - c1 * t10) - k[21] * (c1 * t4 + s1 * t10);
-  const Scalar t12 = k[23] + (k[22] + (c2 * t9 - s2 * t8));
+  const Scalar t0 = k[3] + (k[2] * c6 + k[1] * s6);
+  const Scalar t1 = k[10] - (k[9] - (s5 * t0 + k[0] * c5));
+  const Scalar t2 = k[11] + t1;
+  const Scalar t3 = k[6] + (k[5] + (k[1] * c6 - k[2] * s6));
+  const Scalar t4 = k[4] + (c5 * t0 - k[0] * s5);
+  const Scalar t5 = k[8] + (k[7] + (s4 * t3 + c4 * t4));
+  const Scalar t6 = k[13] + (k[12] - (s3 * t2 - c3 * t5));
+  const Scalar t7 = k[14] + (s3 * t5 + c3 * t2);
+  const Scalar t8 = k[23] + (k[22] + (c2 * t6 - s2 * t7));
+  const Scalar t9 = k[16] + (k[15] + (c2 * t7 + s2 * t6));
+  const Scalar t10 = k[18] + (k[17] - (s4 * t4 - c4 * t3));
+  const Scalar t11 = k[19] + t10;
+  const Scalar t12 = k[20] * (c1 * t9 - s1 * t11) + k[21] * (s1 * t9 + c1 * t11);
   Scalar result;
-  result = t11 - k[24] * t12;
+  result = -k[24] * t8 - t12;
   return result;
 }
 

@@ -97,9 +97,9 @@ DynamicsAngles<Scalar> dynamics_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion: Newton-Euler recursion in base parameters (thesis 5.1-5.15).
 ///
-/// 206 multiplications, 198 additions, 4 sine/cosine pairs. Set-up: 77 multiplications, 90 additions, 4 divisions.
+/// 197 multiplications, 186 additions, 4 sine/cosine pairs. Set-up: 100 multiplications, 124 additions, 4 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is d2, which must not be zero.
+/// The unit of length is l2, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g = {},
@@ -116,13 +116,13 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces that hold the robot against gravity at rest.
 ///
-/// 29 multiplications, 17 additions, 4 sine/cosine pairs. Set-up: 15 multiplications, 6 additions.
+/// 28 multiplications, 16 additions, 4 sine/cosine pairs. Set-up: 15 multiplications, 7 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
-using GravityTorqueConstants = std::array<Scalar, 12>;
+using GravityTorqueConstants = std::array<Scalar, 11>;
 template <class Scalar>
 GravityTorqueConstants<Scalar> gravity_torque_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
@@ -132,15 +132,14 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const DynamicsA
 
 /// Joint forces that come from the joint rates alone, C(q, qd) qd, without friction.
 ///
-/// 181 multiplications, 155 additions, 4 sine/cosine pairs. Set-up: 72 multiplications, 70 additions, 3 divisions.
+/// 174 multiplications, 147 additions, 4 sine/cosine pairs. Set-up: 78 multiplications, 95 additions, 1 division.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is d2, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using CoriolisTorqueConstants = std::array<Scalar, 43>;
+using CoriolisTorqueConstants = std::array<Scalar, 39>;
 template <class Scalar>
 CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
@@ -151,14 +150,14 @@ JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVec
 
 /// Symmetric, positive definite M(q), by composite bodies in base parameters; rotors included.
 ///
-/// 93 multiplications, 104 additions, 4 sine/cosine pairs. Set-up: 80 multiplications, 90 additions, 3 divisions.
+/// 91 multiplications, 95 additions, 4 sine/cosine pairs. Set-up: 96 multiplications, 119 additions, 2 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is d2, which must not be zero.
+/// The unit of length is l2, which must not be zero.
 template <class Scalar>
 Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using MassMatrixConstants = std::array<Scalar, 42>;
+using MassMatrixConstants = std::array<Scalar, 37>;
 template <class Scalar>
 MassMatrixConstants<Scalar> mass_matrix_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
@@ -168,15 +167,15 @@ Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const 
 
 /// C(q, qd) of Christoffel's symbols: C qd is coriolis_torque, dM/dt - 2 C is skew-symmetric.
 ///
-/// 338 multiplications, 291 additions, 4 sine/cosine pairs. Set-up: 66 multiplications, 69 additions, 3 divisions.
+/// 335 multiplications, 282 additions, 4 sine/cosine pairs. Set-up: 79 multiplications, 90 additions, 2 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is d2, which must not be zero.
+/// The unit of length is l2, which must not be zero.
 template <class Scalar>
 Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using CoriolisMatrixConstants = std::array<Scalar, 39>;
+using CoriolisMatrixConstants = std::array<Scalar, 35>;
 template <class Scalar>
 CoriolisMatrixConstants<Scalar> coriolis_matrix_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
@@ -187,7 +186,7 @@ Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, co
 
 /// Joint accelerations for given joint forces: M qdd = torque - C qd - gravity, by M = U D U^T.
 ///
-/// 351 multiplications, 322 additions, 5 divisions, 4 sine/cosine pairs. Set-up: 91 multiplications, 95 additions, 6
+/// 341 multiplications, 309 additions, 5 divisions, 4 sine/cosine pairs. Set-up: 112 multiplications, 127 additions, 5
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l2, which must not be zero.
@@ -207,14 +206,14 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// qd^T M qd / 2, J.
 ///
-/// 123 multiplications, 123 additions, 4 sine/cosine pairs. Set-up: 80 multiplications, 90 additions, 3 divisions.
+/// 123 multiplications, 112 additions, 4 sine/cosine pairs. Set-up: 97 multiplications, 119 additions, 2 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is d2, which must not be zero.
+/// The unit of length is l2, which must not be zero.
 template <class Scalar>
 Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using KineticEnergyConstants = std::array<Scalar, 42>;
+using KineticEnergyConstants = std::array<Scalar, 38>;
 template <class Scalar>
 KineticEnergyConstants<Scalar> kinetic_energy_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
@@ -224,7 +223,7 @@ Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Scalar>& q
 
 /// Sum of m g z over the links, z of the centre of mass in the world, J.
 ///
-/// 13 multiplications, 17 additions, 4 sine/cosine pairs. Set-up: 17 multiplications, 7 additions.
+/// 13 multiplications, 17 additions, 4 sine/cosine pairs. Set-up: 18 multiplications, 10 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Scalar potential_energy(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},

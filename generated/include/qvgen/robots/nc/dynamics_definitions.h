@@ -27,83 +27,105 @@ InverseDynamicsConstants<Scalar> inverse_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c2z * inertia.m2;
-  const Scalar t1 = inertia.c2x * inertia.m2;
-  const Scalar t2 = g.l2 * inertia.m2 + t1;
-  const Scalar t3 = g.d2 * g.d2 * (inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)));
-  const Scalar t4 = inertia.c3z * inertia.m3;
-  const Scalar t5 = inertia.c3x * inertia.m3;
-  const Scalar t6 = inertia.c4y * inertia.m4;
-  const Scalar t7 = inertia.c3y * inertia.m3;
-  const Scalar t8 = inertia.c4z * inertia.m4;
-  const Scalar t9 = inertia.c4x * inertia.m4;
-  const Scalar t10 = inertia.c5x * inertia.m5;
-  const Scalar t11 = inertia.c6x * inertia.m6;
-  const Scalar t12 = inertia.c6z * inertia.m6;
-  const Scalar t13 = inertia.c5z * inertia.m5;
-  const Scalar t14 = inertia.c6y * inertia.m6;
-  const Scalar t15 = inertia.c5y * inertia.m5;
-  const Scalar t16 = inertia.c2y * inertia.m2;
-  const Scalar t17 = ((inertia.I2xy - inertia.c2y * t1) - g.l2 * t16) + (inertia.I3xy - inertia.c3y * t5);
-  const Scalar t18 = (inertia.I3yz - inertia.c3z * t7) + (inertia.I2yz - inertia.c2z * t16);
-  const Scalar t19 = (inertia.I3xz - inertia.c3z * t5) + ((inertia.I2xz - inertia.c2z * t1) - g.l2 * t0);
-  const Scalar t20 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t21 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t22 = ((inertia.I3zz - t20) - inertia.c3z * t4) + ((inertia.I2zz - t21) - inertia.c2z * t0);
-  const Scalar t23 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t24 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t25 = ((inertia.I6yy - t23) - inertia.c6y * t14) - (inertia.c5y * t15 - (inertia.I5yy - t24));
-  const Scalar t26 = inertia.I6xz - inertia.c6z * t11;
-  const Scalar t27 = (inertia.I6xx - t23) - inertia.c6x * t11;
-  const Scalar t28 = inertia.c6z * t12 - (inertia.I6zz - t23);
-  const Scalar t29 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t30 = (inertia.c5x * t10 - (inertia.I5xx - t24)) - ((inertia.I4xx - t29) - inertia.c4x * t9);
-  const Scalar t31 = (inertia.c2x * t1 - (inertia.I2xx - t21)) + g.l2 * (t1 + t2);
-  const Scalar t32 = inertia.c1y * inertia.m1;
-  const Scalar t33 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t34 = (inertia.c1y * t32 - (inertia.I1yy - t33)) - g.d2 * (t32 + (t32 - g.d2 * inertia.m1));
-  const Scalar t35 = ((inertia.I3yy - t20) - inertia.c3y * t7) + ((inertia.I4yy - t29) - inertia.c4y * t6);
-  const Scalar t36 = g.d2 * ((g.d2 * inertia.m2 - t16) - t16) - (((inertia.I2yy - t21) - inertia.c2y * t16) + t35);
-  const Scalar t37 = (t34 + t36) + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t33));
-  return { g.d2 * t0,
-           g.d2 * t2,
-           Scalar(1) / g.d2,
-           gravity / g.d2,
-           g.l2 / g.d2,
-           g.d4 / g.d2,
-           t3,
-           g.d2 * t4,
-           g.d2 * t5,
-           g.d2 * (t6 + t7),
-           g.d2 * t8,
-           g.d2 * (t9 + t10),
-           g.d2 * t11,
-           g.d2 * t12,
-           g.d2 * t13,
-           g.d2 * (t14 + t15),
-           t17,
-           t18,
-           t19,
-           t22,
-           t25,
-           inertia.c5z * t13 - (inertia.I5zz - t24),
-           inertia.I5yz - inertia.c5z * t15,
-           inertia.I5xy - inertia.c5y * t10,
-           inertia.I5xz - inertia.c5z * t10,
-           Scalar(2) * t26,
-           t27 + t28,
-           t27,
-           t26,
-           inertia.I6yz - inertia.c6z * t14,
-           inertia.I6xy - inertia.c6y * t11,
-           inertia.I4xy - inertia.c4y * t9,
-           inertia.I4yz - inertia.c4z * t6,
-           (inertia.I4zz - t29) - inertia.c4z * t8,
-           inertia.I4xz - inertia.c4z * t9,
+  const Scalar t0 = inertia.c2y * inertia.m2;
+  const Scalar t1 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t2 = g.d2 * ((g.d2 * inertia.m2 - t0) - t0) - ((inertia.I2yy - t1) - inertia.c2y * t0);
+  const Scalar t3 = g.d2 + g.d4;
+  const Scalar t4 = inertia.m4 * t3;
+  const Scalar t5 = inertia.c4y * inertia.m4;
+  const Scalar t6 = t5 - t4;
+  const Scalar t7 = t4 + t6;
+  const Scalar t8 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t9 = ((inertia.I4yy - t8) - inertia.c4y * t5) + t3 * (t5 + t6);
+  const Scalar t10 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t11 = t7 - t3 * t10;
+  const Scalar t12 = (t3 * (t7 + t6) - t9) - t3 * (t7 + t11);
+  const Scalar t13 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t14 = inertia.c3y * inertia.m3;
+  const Scalar t15 = inertia.m3 * t3 - t14;
+  const Scalar t16 = ((inertia.I3yy - t13) - inertia.c3y * t14) - t3 * (t15 - t14);
+  const Scalar t17 = inertia.c1y * inertia.m1;
+  const Scalar t18 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t19 = (inertia.c1y * t17 - (inertia.I1yy - t18)) - g.d2 * (t17 + (t17 - g.d2 * inertia.m1));
+  const Scalar t20 = inertia.c3x * inertia.m3;
+  const Scalar t21 = g.l2 * inertia.m3 + t20;
+  const Scalar t22 = g.l2 * t10;
+  const Scalar t23 = (t21 + t22) / g.l2;
+  const Scalar t24 = t3 * t23;
+  const Scalar t25 = ((t2 + (t12 - t16)) + t19) - t3 * t24;
+  const Scalar t26 = t25 + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t18));
+  const Scalar t27 = inertia.c3z * inertia.m3;
+  const Scalar t28 = g.l2 * t27;
+  const Scalar t29 = inertia.c2x * inertia.m2;
+  const Scalar t30 = inertia.c2z * inertia.m2;
+  const Scalar t31 = g.l2 * t30;
+  const Scalar t32 = (t28 - (inertia.I3xz - inertia.c3z * t20)) - ((inertia.I2xz - inertia.c2z * t29) - t31);
+  const Scalar t33 = ((inertia.I3zz - t13) - inertia.c3z * t27) + ((inertia.I2zz - t1) - inertia.c2z * t30);
+  const Scalar t34 = (t3 * t27 + (inertia.I3yz - inertia.c3z * t14)) + (g.d2 * t30 + (inertia.I2yz - inertia.c2z * t0));
+  const Scalar t35 = t3 * t21 - (g.l2 * t14 - (inertia.I3xy - inertia.c3y * t20));
+  const Scalar t36 = g.l2 * inertia.m2 + t29;
+  const Scalar t37 = ((inertia.I2xy - inertia.c2y * t29) - g.l2 * t0) + g.d2 * t36;
+  const Scalar t38 = ((g.l2 * t11 - t35) - t37) + g.l2 * t24;
+  const Scalar t39 = Scalar(1) / g.l2;
+  const Scalar t40 = inertia.c6z * inertia.m6;
+  const Scalar t41 = inertia.c6x * inertia.m6;
+  const Scalar t42 = inertia.c5z * inertia.m5;
+  const Scalar t43 = inertia.c6y * inertia.m6;
+  const Scalar t44 = inertia.c5y * inertia.m5;
+  const Scalar t45 = inertia.c4x * inertia.m4;
+  const Scalar t46 = inertia.c5x * inertia.m5;
+  const Scalar t47 = inertia.c4z * inertia.m4;
+  const Scalar t48 = g.l2 * g.l2 * t23;
+  const Scalar t49 = t3 * t45;
+  const Scalar t50 = t3 * t47;
+  const Scalar t51 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t52 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t53 = ((inertia.I6yy - t52) - inertia.c6y * t43) - (inertia.c5y * t44 - (inertia.I5yy - t51));
+  const Scalar t54 = inertia.I6xz - inertia.c6z * t41;
+  const Scalar t55 = (inertia.I6xx - t52) - inertia.c6x * t41;
+  const Scalar t56 = inertia.c6z * t40 - (inertia.I6zz - t52);
+  const Scalar t57 = (inertia.c5x * t46 - (inertia.I5xx - t51)) - ((inertia.I4xx - t8) - inertia.c4x * t45);
+  const Scalar t58 = (inertia.c2x * t29 - (inertia.I2xx - t1)) + g.l2 * (t29 + t36);
+  const Scalar t59 = g.l2 * (t21 + t20) + (inertia.c3x * t20 - (inertia.I3xx - t13));
+  return { t26,
+           t32,
+           t33,
+           t34,
+           t38,
+           t39,
+           Scalar(2) * t39,
+           gravity / g.l2,
+           g.l2 * g.l2 * ((inertia.m3 + t10) - t23),
            t28,
-           t30,
-           (inertia.c3x * t5 - (inertia.I3xx - t20)) + t31,
-           t37 };
+           g.l2 * (t24 - (t15 - t11)),
+           g.l2 * t40,
+           g.l2 * t41,
+           g.l2 * t42,
+           g.l2 * (t43 + t44),
+           g.l2 * (t45 + t46),
+           g.l2 * t47,
+           t3 / g.l2,
+           t48,
+           (inertia.I4zz - t8) - inertia.c4z * t47,
+           inertia.I4xz - inertia.c4z * t45,
+           (t49 + (inertia.I4xy - inertia.c4y * t45)) - t49,
+           t50 - (t50 + (inertia.I4yz - inertia.c4z * t5)),
+           inertia.I5xz - inertia.c5z * t46,
+           inertia.I5xy - inertia.c5y * t46,
+           inertia.c5z * t42 - (inertia.I5zz - t51),
+           t53,
+           inertia.I5yz - inertia.c5z * t44,
+           Scalar(2) * t54,
+           t55 + t56,
+           t54,
+           t55,
+           inertia.I6xy - inertia.c6y * t41,
+           inertia.I6yz - inertia.c6z * t43,
+           t56,
+           t57,
+           t48 - (t58 + (t59 + g.l2 * t22)),
+           g.l2 * t36,
+           t31 };
 }
 
 namespace detail {
@@ -120,140 +142,142 @@ inline JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const 
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = qd[0] * qd[0];
+  const Scalar t0 = k[5] * q[2];
   const Scalar t1 = qd[0] * s2;
   const Scalar t2 = qd[0] * c2;
   const Scalar t3 = t1 * t2;
   const Scalar t4 = qdd[1] - t3;
-  const Scalar t5 = qd[1] * qd[1];
-  const Scalar t6 = t1 * t1;
-  const Scalar t7 = t5 - t6;
-  const Scalar t8 = qdd[0] * s2;
-  const Scalar t9 = t8 + Scalar(2) * qd[1] * t2;
-  const Scalar t10 = qdd[0] * c2;
-  const Scalar t11 = qd[1] * t1;
-  const Scalar t12 = (t10 - t11) - t11;
-  const Scalar t13 = (k[17] * t4 + k[16] * t7) - (k[18] * t9 + k[37] * t12);
-  const Scalar t14 = k[9] * t0 + (k[7] * t9 - k[8] * t12);
-  const Scalar t15 = k[5] + k[2] * q[2];
-  const Scalar t16 = k[2] * qdd[2] - ((t0 + k[4] * t12) + t0 * t15);
-  const Scalar t17 = qd[1] + qd[3];
-  const Scalar t18 = c4 * t2 - s4 * t1;
-  const Scalar t19 = c5 * t17 - s5 * t18;
-  const Scalar t20 = qd[5] + t19;
-  const Scalar t21 = s5 * t17 + c5 * t18;
-  const Scalar t22 = t20 * t21;
-  const Scalar t23 = t19 * t21;
-  const Scalar t24 = t18 * t17;
-  const Scalar t25 = s4 * t10 + c4 * t8;
+  const Scalar t5 = qdd[0] * c2;
+  const Scalar t6 = k[7] * s2;
+  const Scalar t7 = k[6] * qd[2];
+  const Scalar t8 = (t6 + t0 * t5) + t2 * t7;
+  const Scalar t9 = (k[9] * t4 + k[10] * t5) - k[8] * t8;
+  const Scalar t10 = qd[1] + qd[3];
+  const Scalar t11 = t10 * t10;
+  const Scalar t12 = c4 * t1 + s4 * t2;
+  const Scalar t13 = t12 * t12;
+  const Scalar t14 = t11 + t13;
+  const Scalar t15 = t11 - t13;
+  const Scalar t16 = qd[0] * qd[0];
+  const Scalar t17 = t16 - t14;
+  const Scalar t18 = t15 + t17;
+  const Scalar t19 = t14 + t18;
+  const Scalar t20 = qdd[1] + qdd[3];
+  const Scalar t21 = c4 * t2 - s4 * t1;
+  const Scalar t22 = t21 * t12;
+  const Scalar t23 = t20 - t22;
+  const Scalar t24 = qd[1] * qd[1];
+  const Scalar t25 = t2 * t2;
   const Scalar t26 = t24 + t25;
-  const Scalar t27 = qdd[4] + t26;
-  const Scalar t28 = t23 - t27;
-  const Scalar t29 = (t22 + t22) - t28;
-  const Scalar t30 = k[12] * s6 + k[13] * c6;
-  const Scalar t31 = c4 * t1 + s4 * t2;
-  const Scalar t32 = qd[4] + t31;
-  const Scalar t33 = t32 * t20;
-  const Scalar t34 = t32 * t19;
-  const Scalar t35 = t17 * t31;
-  const Scalar t36 = s4 * t8 - c4 * t10;
-  const Scalar t37 = t35 + (t35 + t36);
-  const Scalar t38 = qdd[1] + qdd[3];
-  const Scalar t39 = t18 * t31;
-  const Scalar t40 = t38 + t39;
-  const Scalar t41 = c5 * t37 - s5 * t40;
-  const Scalar t42 = (t34 + t34) - t41;
-  const Scalar t43 = (t33 - t42) + t33;
-  const Scalar t44 = k[13] * s6 - k[12] * c6;
-  const Scalar t45 = t23 + t27;
-  const Scalar t46 = t32 * t32;
-  const Scalar t47 = t21 * t21;
-  const Scalar t48 = t46 + t47;
-  const Scalar t49 = (t29 * t30 - t43 * t44) + (k[14] * t45 + k[15] * t48);
-  const Scalar t50 = t20 * t20;
-  const Scalar t51 = t47 - t50;
-  const Scalar t52 = Scalar(2) * t32 * t21;
-  const Scalar t53 = s5 * t37 + c5 * t40;
-  const Scalar t54 = t52 - t53;
-  const Scalar t55 = qdd[5] - t54;
-  const Scalar t56 = t55 + t52;
-  const Scalar t57 = t17 * t17;
-  const Scalar t58 = t18 * t18;
-  const Scalar t59 = t57 + t58;
-  const Scalar t60 = t46 - t47;
-  const Scalar t61 = t59 + t60;
-  const Scalar t62 = ((t51 - t48) * t30 - t56 * t44) - (k[15] * t28 + k[14] * t61);
-  const Scalar t63 = t26 + t24;
-  const Scalar t64 = (c5 * t49 + s5 * t62) + (k[11] * t37 + k[10] * t63);
-  const Scalar t65 = (t14 + k[6] * t16) + t64;
-  const Scalar t66 = t10 + k[3] * s2;
-  const Scalar t67 = t0 + t7;
-  const Scalar t68 = k[2] * qd[2];
-  const Scalar t69 = t68 * t2;
-  const Scalar t70 = ((t66 - k[4] * t67) + t15 * t10) + (t69 + t69);
-  const Scalar t71 = k[22] * (t48 - t61) - (k[20] * t28 + k[21] * t45);
-  const Scalar t72 = qdd[1] + t3;
-  const Scalar t73 = k[3] * c2 - t8;
-  const Scalar t74 = t68 * t1;
-  const Scalar t75 = (t15 * t8 - (k[4] * t72 + t73)) + (t74 + t74);
-  const Scalar t76 = s4 * t70 + c4 * t75;
-  const Scalar t77 = c5 * t76 - s5 * t16;
-  const Scalar t78 = s5 * t76 + c5 * t16;
-  const Scalar t79 = ((k[23] * t53 + k[24] * t41) + t71) + (k[15] * t77 - k[14] * t78);
-  const Scalar t80 = k[25] * s6 - k[26] * c6;
-  const Scalar t81 = k[28] - s6 * t80;
-  const Scalar t82 = c6 * t80;
-  const Scalar t83 = k[27] + t82;
-  const Scalar t84 = k[30] * c6 - k[29] * s6;
-  const Scalar t85 = k[29] * c6 + k[30] * s6;
-  const Scalar t86 = (t81 * t43 + t83 * t29) + (t56 * t84 + t51 * t85);
-  const Scalar t87 = t79 - (t30 * t78 - t86);
-  const Scalar t88 = t57 - t58;
-  const Scalar t89 = (k[34] * t37 + k[33] * t63) - (k[32] * t88 - k[31] * t40);
-  const Scalar t90 = t87 - (k[10] * t16 - t89);
-  const Scalar t91 = t0 - t59;
-  const Scalar t92 = k[31] * t91 - (k[36] * t37 - k[34] * t63);
-  const Scalar t93 = t38 - t39;
-  const Scalar t94 = k[35] + t82;
-  const Scalar t95 = (t51 + t60) * t84 + (t81 * t29 - t94 * t43);
-  const Scalar t96 = c4 * t70 - s4 * t75;
-  const Scalar t97 = k[23] * (t48 - t59) + (k[22] * t54 - k[20] * t42);
-  const Scalar t98 = ((t85 * t55 - t95) - t44 * t78) + (k[15] * t96 - (k[24] * t45 + t97));
-  const Scalar t99 = (k[23] * t28 + k[24] * t60) - (k[21] * t54 + k[22] * t42);
-  const Scalar t100 = t81 * t60 + (t56 * t94 - t83 * t55);
-  const Scalar t101 = (t77 * t44 - t96 * t30) + (t100 - (t85 * t42 - t28 * t84));
-  const Scalar t102 = (k[14] * t96 - t99) - t101;
-  const Scalar t103 = (k[11] * t16 - (t92 - k[32] * t93)) + (c5 * t98 - s5 * t102);
-  const Scalar t104 = (k[9] * t70 + k[8] * t16) + (s4 * t90 + c4 * t103);
-  const Scalar t105 = (k[7] * t4 + k[8] * t67) + k[9] * t10;
-  const Scalar t106 = (k[14] * t54 - k[15] * t42) + (t44 * (t47 + t50) - t55 * t30);
-  const Scalar t107 = t106 - (k[11] * t59 + k[10] * t93);
-  const Scalar t108 = (k[11] * t40 - k[10] * (t0 + t88)) - (s5 * t49 - c5 * t62);
-  const Scalar t109 = (k[6] * t70 - t105) + (c4 * t107 - s4 * t108);
-  const Scalar t110 = (k[1] * t0 - t13) - (k[4] * t65 + (t104 - t15 * t109));
-  const Scalar t111 = t110 + (t109 - (k[0] * t4 + k[1] * t67));
-  const Scalar t112 = t5 + t6;
-  const Scalar t113 = (k[7] * t112 - k[8] * t72) - k[9] * t8;
-  const Scalar t114 = (k[6] * t75 + t113) - (s4 * t107 + c4 * t108);
-  const Scalar t115 = (s4 * t103 - c4 * t90) + (k[7] * t16 - k[9] * t75);
-  const Scalar t116 = t0 - t112;
-  const Scalar t117 = k[17] * t116 + (k[19] * t9 - k[18] * t12);
-  const Scalar t118 = (t115 + t114 * t15) - (k[0] * t0 + (t117 + k[16] * t72));
-  const Scalar t119 = (t114 - (k[1] * t72 - k[0] * t112)) + t118;
-  const Scalar t120 = (c2 * t111 + s2 * t119) + k[38] * qdd[0];
-  const Scalar t121 = k[34] * (t91 + t88) + (k[36] * t40 - k[33] * t93);
-  const Scalar t122 = (t121 + (k[32] * t36 - k[31] * t25)) - (k[11] * t76 + k[10] * t96);
-  const Scalar t123 = (c5 * t102 + s5 * t98) - t122;
-  const Scalar t124 = k[4] * t114 + (t123 + (k[8] * t75 + k[7] * t70));
-  const Scalar t125 = (k[37] * t72 - k[19] * t4) - k[18] * (t7 + t116);
-  const Scalar t126 = (k[0] * t66 - k[1] * t73) + ((k[17] * t10 + k[16] * t8) - t125);
+  const Scalar t27 = k[17] * t5 - (t26 - t8);
+  const Scalar t28 = qdd[0] * s2;
+  const Scalar t29 = k[7] * c2;
+  const Scalar t30 = t1 * t7 + (t0 * t28 - t29);
+  const Scalar t31 = qdd[1] + t3;
+  const Scalar t32 = k[17] * t28 + (t30 - t31);
+  const Scalar t33 = c4 * t27 - s4 * t32;
+  const Scalar t34 = (k[15] * t19 + k[16] * t23) - k[18] * t33;
+  const Scalar t35 = c5 * t10 - s5 * t21;
+  const Scalar t36 = qd[4] + t12;
+  const Scalar t37 = t36 + t36;
+  const Scalar t38 = t10 * t12;
+  const Scalar t39 = s4 * t28 - c4 * t5;
+  const Scalar t40 = (t38 + t38) + t39;
+  const Scalar t41 = t20 + t22;
+  const Scalar t42 = c5 * t40 - s5 * t41;
+  const Scalar t43 = t35 * t37 - t42;
+  const Scalar t44 = s5 * t40 + c5 * t41;
+  const Scalar t45 = s5 * t10 + c5 * t21;
+  const Scalar t46 = t45 * t37;
+  const Scalar t47 = t44 - t46;
+  const Scalar t48 = k[12] * c6 - k[11] * s6;
+  const Scalar t49 = qd[5] + t35;
+  const Scalar t50 = t49 * t49;
+  const Scalar t51 = t45 * t45 - t50;
+  const Scalar t52 = t36 * t36;
+  const Scalar t53 = t52 - t50;
+  const Scalar t54 = t51 - t53;
+  const Scalar t55 = t52 + t50;
+  const Scalar t56 = qdd[5] + t47;
+  const Scalar t57 = k[12] * s6 + k[11] * c6;
+  const Scalar t58 = (k[14] * t43 + k[13] * t47) + (t48 * (t54 + t55) + t56 * t57);
+  const Scalar t59 = t34 + t58;
+  const Scalar t60 = t36 * t49;
+  const Scalar t61 = (t60 - t43) + t60;
+  const Scalar t62 = t49 * t45;
+  const Scalar t63 = t35 * t45;
+  const Scalar t64 = t21 * t10;
+  const Scalar t65 = s4 * t5 + c4 * t28;
+  const Scalar t66 = t64 + t65;
+  const Scalar t67 = qdd[4] + t66;
+  const Scalar t68 = t63 - t67;
+  const Scalar t69 = t62 - (t68 - t62);
+  const Scalar t70 = t63 + t67;
+  const Scalar t71 = t51 + t55;
+  const Scalar t72 = (t48 * t61 + t69 * t57) + (k[13] * t70 + k[14] * t71);
+  const Scalar t73 = t56 + t46;
+  const Scalar t74 = t54 - t19;
+  const Scalar t75 = (t48 * t73 - t55 * t57) + (k[13] * t74 - k[14] * t68);
+  const Scalar t76 = s4 * t27 + c4 * t32;
+  const Scalar t77 = (k[15] * t41 - k[16] * t14) - k[18] * t76;
+  const Scalar t78 = (s5 * t72 - c5 * t75) - t77;
+  const Scalar t79 = t0 * (t9 + (c4 * t59 - s4 * t78));
+  const Scalar t80 = t16 * t0 - k[5] * qdd[2];
+  const Scalar t81 = Scalar(2) * qd[1];
+  const Scalar t82 = t81 * t1 - t5;
+  const Scalar t83 = (t80 - t82) + k[17] * t16;
+  const Scalar t84 = t66 + t64;
+  const Scalar t85 = k[18] * t83 - (k[16] * t84 + k[15] * t40);
+  const Scalar t86 = (c5 * t72 + s5 * t75) - t85;
+  const Scalar t87 = (k[35] * t40 - k[20] * t84) + k[21] * t15;
+  const Scalar t88 = (k[23] * t54 - k[24] * t68) + (k[27] * t43 - k[25] * t47);
+  const Scalar t89 = k[33] * s6 - k[32] * c6;
+  const Scalar t90 = k[33] * c6 + k[32] * s6;
+  const Scalar t91 = k[29] * c6 - k[28] * s6;
+  const Scalar t92 = k[30] + s6 * t91;
+  const Scalar t93 = c6 * t91;
+  const Scalar t94 = k[31] - t93;
+  const Scalar t95 = k[34] - t93;
+  const Scalar t96 = t54 * t92 + (t56 * t94 - t95 * t73);
+  const Scalar t97 = s5 * t83 + c5 * t76;
+  const Scalar t98 = ((t68 * t89 + t43 * t90) + t96) + (t33 * t57 + t48 * t97);
+  const Scalar t99 = (k[13] * t33 + t88) + t98;
+  const Scalar t100 = s5 * t76 - c5 * t83;
+  const Scalar t101 = (t95 * t61 - t69 * t92) + t53 * t89;
+  const Scalar t102 = k[24] * (t71 - t19) - (k[27] * t47 + k[26] * t43);
+  const Scalar t103 = (t48 * t100 + (t101 + t56 * t90)) + (k[14] * t33 - (k[23] * t70 + t102));
+  const Scalar t104 = ((t87 - k[22] * t23) - k[15] * t83) - (s5 * t99 - c5 * t103);
+  const Scalar t105 = k[17] * t59 + t104;
+  const Scalar t106 = (t61 * t92 + t69 * t94) - (t73 * t89 - t51 * t90);
+  const Scalar t107 = k[27] * (t71 + t74) - (k[25] * t70 + k[26] * t68);
+  const Scalar t108 = (k[14] * t97 - k[13] * t100) + (t107 + (k[23] * t42 + k[24] * t44));
+  const Scalar t109 = (t106 - t100 * t57) + t108;
+  const Scalar t110 = (k[22] * t17 - k[21] * t41) - (k[19] * t84 + k[20] * t40);
+  const Scalar t111 = k[17] * t78 - (t109 - (t110 - k[16] * t83));
+  const Scalar t112 = k[10] * t8 + (t86 + (c4 * t105 - s4 * t111));
+  const Scalar t113 = t28 + t81 * t2;
+  const Scalar t114 = t26 - t16;
+  const Scalar t115 = (k[1] * t113 - k[36] * t82) - (k[4] * t114 - k[3] * t4);
+  const Scalar t116 = (c4 * t111 + s4 * t105) - (k[9] * t80 + k[10] * t30);
+  const Scalar t117 = s4 * t59 + c4 * t78;
+  const Scalar t118 = t24 - t25;
+  const Scalar t119 = (k[9] * (t16 + t118) - k[10] * t28) + k[8] * t30;
+  const Scalar t120 = k[3] * t118 + (k[1] * t82 - k[2] * t113);
+  const Scalar t121 = (t116 + t0 * (t117 + t119)) + (t120 + k[4] * t31);
+  const Scalar t122 = c2 * ((t79 + t112) + t115) - s2 * t121;
+  const Scalar t123 = (k[19] * t23 - k[35] * t41) + k[20] * t18;
+  const Scalar t124 = ((k[22] * t39 + k[21] * t65) + t123) + (k[15] * t76 + k[16] * t33);
+  const Scalar t125 = t124 + (s5 * t103 + c5 * t99);
+  const Scalar t126 = k[1] * (t114 - t118) - (k[2] * t4 + k[36] * t31);
+  const Scalar t127 = ((k[4] * t28 - k[3] * t5) + t126) - (k[38] * t6 - k[37] * t29);
+  const Scalar t128 = k[8] * t80 - (k[9] * t113 + k[10] * t16);
   JointVector<Scalar> result;
-  result[0] = t120;
-  result[1] = -t124 - t126;
-  result[2] = k[2] * t65;
-  result[3] = -t123;
-  result[4] = -t87;
-  result[5] = t101;
+  result[0] = k[0] * qdd[0] - t122;
+  result[1] = t127 - ((t125 + t117) + k[9] * t8);
+  result[2] = k[5] * (t86 - t128);
+  result[3] = -t125;
+  result[4] = -t109;
+  result[5] = -t98;
   return result;
 }
 
@@ -281,19 +305,18 @@ GravityTorqueConstants<Scalar> gravity_torque_constants(const BasicGeometry<Scal
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-
+  const Scalar t0 = (g.l2 * inertia.m3 + inertia.c3x * inertia.m3) + g.l2 * (inertia.m4 + (inertia.m5 + inertia.m6));
   return { gravity,
-           g.l2 * inertia.m2 + inertia.c2x * inertia.m2,
-           inertia.c2z * inertia.m2,
-           g.l2 * (inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6))),
-           gravity * inertia.c3z * inertia.m3,
-           inertia.c3x * inertia.m3,
-           inertia.c5z * inertia.m5,
-           inertia.c6z * inertia.m6,
-           inertia.c6x * inertia.m6,
-           inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
+           inertia.c4z * inertia.m4,
            inertia.c4x * inertia.m4 + inertia.c5x * inertia.m5,
-           inertia.c4z * inertia.m4 };
+           inertia.c6x * inertia.m6,
+           inertia.c6z * inertia.m6,
+           inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
+           inertia.c5z * inertia.m5,
+           t0,
+           inertia.c3z * inertia.m3,
+           inertia.c2z * inertia.m2,
+           g.l2 * inertia.m2 + inertia.c2x * inertia.m2 };
 }
 
 namespace detail {
@@ -311,24 +334,24 @@ inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Sca
   const Scalar& c6 = angles.cosine[3];
   const Scalar t0 = k[0] * c2;
   const Scalar t1 = k[0] * s2;
-  const Scalar t2 = s4 * t1 - c4 * t0;
-  const Scalar t3 = s4 * t0 + c4 * t1;
-  const Scalar t4 = s5 * t2;
-  const Scalar t5 = k[8] * c6 - k[7] * s6;
-  const Scalar t6 = k[7] * c6 + k[8] * s6;
-  const Scalar t7 = c5 * t2;
-  const Scalar t8 = t6 * t3 + t7 * t5;
-  const Scalar t9 = s5 * (t4 * t5 + k[9] * t3) + c5 * (t8 + k[6] * t3);
-  const Scalar t10 = (k[10] * t2 + k[11] * t3) + t9;
-  const Scalar t11 = k[3] * t0 - ((k[4] * s2 - k[5] * t0) + t10);
-  const Scalar t12 = t4 * t6 - (k[9] * t7 - k[6] * t4);
+  const Scalar t2 = s4 * t0 + c4 * t1;
+  const Scalar t3 = s4 * t1 - c4 * t0;
+  const Scalar t4 = c5 * t3;
+  const Scalar t5 = k[3] * c6 - k[4] * s6;
+  const Scalar t6 = k[4] * c6 + k[3] * s6;
+  const Scalar t7 = t4 * t5 + t2 * t6;
+  const Scalar t8 = s5 * t3;
+  const Scalar t9 = c5 * (t7 + k[6] * t2) + s5 * (t8 * t5 + k[5] * t2);
+  const Scalar t10 = (k[1] * t2 + k[2] * t3) + t9;
+  const Scalar t11 = (k[10] * t0 - k[9] * t1) - (t10 - (k[7] * t0 - k[8] * t1));
+  const Scalar t12 = (k[5] * t4 - k[6] * t8) - t8 * t6;
   JointVector<Scalar> result;
   result[0] = Scalar(0);
-  result[1] = t11 - (k[2] * t1 - k[1] * t0);
+  result[1] = t11;
   result[2] = Scalar(0);
   result[3] = -t10;
-  result[4] = t12;
-  result[5] = -t8;
+  result[4] = -t12;
+  result[5] = -t7;
   return result;
 }
 
@@ -353,88 +376,92 @@ CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Sc
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c2x * inertia.m2;
-  const Scalar t1 = g.l2 * inertia.m2 + t0;
-  const Scalar t2 = inertia.c2z * inertia.m2;
-  const Scalar t3 = inertia.c5z * inertia.m5;
-  const Scalar t4 = inertia.c6y * inertia.m6;
-  const Scalar t5 = inertia.c5y * inertia.m5;
-  const Scalar t6 = inertia.c6x * inertia.m6;
-  const Scalar t7 = inertia.c6z * inertia.m6;
-  const Scalar t8 = inertia.c4z * inertia.m4;
-  const Scalar t9 = g.d2 * t8;
-  const Scalar t10 = inertia.c4x * inertia.m4;
-  const Scalar t11 = inertia.c5x * inertia.m5;
-  const Scalar t12 = g.l2 / g.d2;
-  const Scalar t13 = g.d2 * g.d2 * (inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)));
-  const Scalar t14 = inertia.c3x * inertia.m3;
-  const Scalar t15 = g.d2 * t14;
-  const Scalar t16 = inertia.c3z * inertia.m3;
-  const Scalar t17 = g.d2 * t16;
-  const Scalar t18 = inertia.I6xz - inertia.c6z * t6;
-  const Scalar t19 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t20 = (inertia.I6xx - t19) - inertia.c6x * t6;
-  const Scalar t21 = inertia.c6z * t7 - (inertia.I6zz - t19);
-  const Scalar t22 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t23 = ((inertia.I6yy - t19) - inertia.c6y * t4) - (inertia.c5y * t5 - (inertia.I5yy - t22));
-  const Scalar t24 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t25 = (inertia.I4zz - t24) - inertia.c4z * t8;
-  const Scalar t26 = inertia.I4xz - inertia.c4z * t10;
-  const Scalar t27 = inertia.c4y * inertia.m4;
-  const Scalar t28 = (inertia.c5x * t11 - (inertia.I5xx - t22)) - ((inertia.I4xx - t24) - inertia.c4x * t10);
-  const Scalar t29 = inertia.c3y * inertia.m3;
-  const Scalar t30 = inertia.c2y * inertia.m2;
-  const Scalar t31 = ((inertia.I2xy - inertia.c2y * t0) - g.l2 * t30) + (inertia.I3xy - inertia.c3y * t14);
-  const Scalar t32 = (inertia.I3yz - inertia.c3z * t29) + (inertia.I2yz - inertia.c2z * t30);
-  const Scalar t33 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t34 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t35 = ((inertia.I3zz - t33) - inertia.c3z * t16) + ((inertia.I2zz - t34) - inertia.c2z * t2);
-  const Scalar t36 = (inertia.c2x * t0 - (inertia.I2xx - t34)) + g.l2 * (t0 + t1);
-  const Scalar t37 = t35 + ((inertia.c3x * t14 - (inertia.I3xx - t33)) + t36);
-  const Scalar t38 = (inertia.I3xz - inertia.c3z * t14) + ((inertia.I2xz - inertia.c2z * t0) - g.l2 * t2);
-  return { g.d2 * t1,
-           g.d2 * t2,
-           g.d2 * t3,
-           g.d2 * (t4 + t5),
-           g.d2 * t6,
-           g.d2 * t7,
-           t9,
-           g.d2 * (t10 + t11),
-           t12,
-           Scalar(1) / g.d2,
-           t13,
-           t15,
-           t17,
-           inertia.I6yz - inertia.c6z * t4,
-           inertia.I6xy - inertia.c6y * t6,
-           Scalar(2) * t18,
-           t20 + t21,
-           t18,
-           t20,
-           g.d4 / g.d2,
-           Scalar(2) * t12,
-           inertia.I5xz - inertia.c5z * t11,
-           inertia.I5xy - inertia.c5y * t11,
-           inertia.c5z * t3 - (inertia.I5zz - t22),
-           t23,
-           inertia.I5yz - inertia.c5z * t5,
-           Scalar(2) * t25,
+  const Scalar t0 = inertia.c3z * inertia.m3;
+  const Scalar t1 = inertia.c3x * inertia.m3;
+  const Scalar t2 = inertia.c2x * inertia.m2;
+  const Scalar t3 = inertia.c2z * inertia.m2;
+  const Scalar t4 = (g.l2 * t0 - (inertia.I3xz - inertia.c3z * t1)) - ((inertia.I2xz - inertia.c2z * t2) - g.l2 * t3);
+  const Scalar t5 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t6 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t7 = ((inertia.I3zz - t5) - inertia.c3z * t0) + ((inertia.I2zz - t6) - inertia.c2z * t3);
+  const Scalar t8 = g.l2 * inertia.m3 + t1;
+  const Scalar t9 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t10 = g.l2 * t9;
+  const Scalar t11 = (t8 + t10) / g.l2;
+  const Scalar t12 = g.l2 * inertia.m2 + t2;
+  const Scalar t13 = (inertia.c2x * t2 - (inertia.I2xx - t6)) + g.l2 * (t2 + t12);
+  const Scalar t14 = g.l2 * (t8 + t1) + (inertia.c3x * t1 - (inertia.I3xx - t5));
+  const Scalar t15 = g.l2 * g.l2 * t11 - (t13 + (t14 + g.l2 * t10));
+  const Scalar t16 = g.d2 + g.d4;
+  const Scalar t17 = inertia.m4 * t16;
+  const Scalar t18 = inertia.c4y * inertia.m4;
+  const Scalar t19 = (t17 + (t18 - t17)) - t16 * t9;
+  const Scalar t20 = inertia.c3y * inertia.m3;
+  const Scalar t21 = t16 * t8 - (g.l2 * t20 - (inertia.I3xy - inertia.c3y * t1));
+  const Scalar t22 = inertia.c2y * inertia.m2;
+  const Scalar t23 = ((inertia.I2xy - inertia.c2y * t2) - g.l2 * t22) + g.d2 * t12;
+  const Scalar t24 = t16 * t11;
+  const Scalar t25 = ((g.l2 * t19 - t21) - t23) + g.l2 * t24;
+  const Scalar t26 = (t16 * t0 + (inertia.I3yz - inertia.c3z * t20)) + (g.d2 * t3 + (inertia.I2yz - inertia.c2z * t22));
+  const Scalar t27 = inertia.c4x * inertia.m4;
+  const Scalar t28 = inertia.I4xz - inertia.c4z * t27;
+  const Scalar t29 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t30 = inertia.c4z * inertia.m4;
+  const Scalar t31 = (inertia.I4zz - t29) - inertia.c4z * t30;
+  const Scalar t32 = t16 * t30;
+  const Scalar t33 = t16 * t27;
+  const Scalar t34 = inertia.c6z * inertia.m6;
+  const Scalar t35 = inertia.c6x * inertia.m6;
+  const Scalar t36 = inertia.I6xz - inertia.c6z * t35;
+  const Scalar t37 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t38 = (inertia.I6xx - t37) - inertia.c6x * t35;
+  const Scalar t39 = inertia.c6z * t34 - (inertia.I6zz - t37);
+  const Scalar t40 = inertia.c6y * inertia.m6;
+  const Scalar t41 = inertia.c5z * inertia.m5;
+  const Scalar t42 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t43 = inertia.c5y * inertia.m5;
+  const Scalar t44 = ((inertia.I6yy - t37) - inertia.c6y * t40) - (inertia.c5y * t43 - (inertia.I5yy - t42));
+  const Scalar t45 = inertia.c5x * inertia.m5;
+  const Scalar t46 = (inertia.c5x * t45 - (inertia.I5xx - t42)) - ((inertia.I4xx - t29) - inertia.c4x * t27);
+  return { Scalar(2) * t4,
+           t7 - t15,
+           t4,
+           t25,
            t26,
-           inertia.I4yz - inertia.c4z * t27,
-           inertia.I4xy - inertia.c4y * t10,
-           t21,
+           t24 - ((inertia.m3 * t16 - t20) - t19),
            t28,
-           Scalar(2) * t26,
-           g.d2 * (t27 + t29),
-           Scalar(2) * t9,
-           Scalar(2) * t17,
-           Scalar(2) * t15,
-           t31,
-           t32,
-           t37,
-           Scalar(2) * t38,
+           Scalar(2) * t31,
+           t32 - (t32 + (inertia.I4yz - inertia.c4z * t18)),
+           (t33 + (inertia.I4xy - inertia.c4y * t27)) - t33,
+           Scalar(2) * g.l2,
+           t16,
+           t30,
+           g.l2,
+           t34,
+           t35,
+           Scalar(2) * t36,
+           t38 + t39,
+           t36,
            t38,
-           t25 + t28 };
+           inertia.I6yz - inertia.c6z * t40,
+           inertia.I6xy - inertia.c6y * t35,
+           inertia.c5z * t41 - (inertia.I5zz - t42),
+           t44,
+           inertia.I5yz - inertia.c5z * t43,
+           inertia.I5xy - inertia.c5y * t45,
+           inertia.I5xz - inertia.c5z * t45,
+           t41,
+           t40 + t43,
+           Scalar(2) * t28,
+           t46,
+           t27 + t45,
+           t39,
+           t11,
+           Scalar(2) * t30,
+           t0,
+           (inertia.m3 + t9) - t11,
+           t31 + t46,
+           Scalar(2) * t0 };
 }
 
 namespace detail {
@@ -451,119 +478,117 @@ inline JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const J
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[9] * qd[2];
-  const Scalar t1 = qd[0] * c2;
-  const Scalar t2 = t0 * t1;
-  const Scalar t3 = qd[1] * qd[1];
-  const Scalar t4 = t1 * t1;
-  const Scalar t5 = t3 + t4;
-  const Scalar t6 = (t2 + t2) - k[8] * t5;
-  const Scalar t7 = qd[0] * s2;
-  const Scalar t8 = t7 * t1;
-  const Scalar t9 = k[10] * t6 + (k[12] * t8 - k[11] * t5);
-  const Scalar t10 = k[4] * s6 + k[5] * c6;
-  const Scalar t11 = qd[1] + qd[3];
-  const Scalar t12 = c4 * t7 + s4 * t1;
-  const Scalar t13 = Scalar(2) * t11 * t12;
-  const Scalar t14 = c4 * t1 - s4 * t7;
-  const Scalar t15 = t14 * t12;
-  const Scalar t16 = s5 * t13 + c5 * t15;
-  const Scalar t17 = qd[4] + t12;
-  const Scalar t18 = s5 * t11 + c5 * t14;
-  const Scalar t19 = t17 * t18;
-  const Scalar t20 = t16 - (t19 + t19);
-  const Scalar t21 = t18 * t18;
-  const Scalar t22 = s5 * t14;
-  const Scalar t23 = c5 * t11 - t22;
-  const Scalar t24 = qd[5] + t23;
-  const Scalar t25 = t24 * t24;
-  const Scalar t26 = t21 - t25;
-  const Scalar t27 = t17 * t17;
-  const Scalar t28 = t27 + t25;
-  const Scalar t29 = t26 + t28;
-  const Scalar t30 = t27 - t21;
-  const Scalar t31 = t26 + t30;
-  const Scalar t32 = k[4] * c6 - k[5] * s6;
-  const Scalar t33 = t17 * t23;
-  const Scalar t34 = t12 * t22 - c5 * t13;
-  const Scalar t35 = t33 + (t34 + t33);
-  const Scalar t36 = (t10 * t20 + (t29 - t31) * t32) + (k[2] * t20 + k[3] * t35);
-  const Scalar t37 = t11 * t11;
-  const Scalar t38 = t12 * t12;
-  const Scalar t39 = t37 - t38;
-  const Scalar t40 = qd[0] * qd[0];
-  const Scalar t41 = t39 + t40;
-  const Scalar t42 = t36 - (k[6] * t15 - k[7] * t41);
-  const Scalar t43 = t37 + t38;
-  const Scalar t44 = t23 * t18;
-  const Scalar t45 = t14 * t11;
-  const Scalar t46 = t44 - t45;
-  const Scalar t47 = (t28 * t10 - t16 * t32) + (k[3] * t46 + k[2] * (t41 + t30));
-  const Scalar t48 = t44 + t45;
-  const Scalar t49 = t24 * t18;
-  const Scalar t50 = t49 - (t46 - t49);
-  const Scalar t51 = t17 * t24;
-  const Scalar t52 = t51 + (t51 - t35);
-  const Scalar t53 = (k[2] * t48 + k[3] * t29) + (t50 * t10 + t32 * t52);
-  const Scalar t54 = (k[6] * t43 - k[7] * t15) + (c5 * t47 + s5 * t53);
-  const Scalar t55 = t9 - (c4 * t42 - s4 * t54);
-  const Scalar t56 = k[19] + k[9] * q[2];
-  const Scalar t57 = qd[1] * t7;
-  const Scalar t58 = t40 * t56 + (t40 - k[20] * t57);
-  const Scalar t59 = (k[26] * t45 + k[27] * t13) + (k[28] * (t40 - t43) + k[29] * t15);
-  const Scalar t60 = t41 - t29;
-  const Scalar t61 = k[25] * (t60 + t30) + (k[24] * t46 + k[23] * t48);
-  const Scalar t62 = t0 * t7;
-  const Scalar t63 = k[8] * t8 - (t62 + t62);
-  const Scalar t64 = c4 * t63 - s4 * t6;
-  const Scalar t65 = c5 * t58 + s5 * t64;
-  const Scalar t66 = s5 * t58 - c5 * t64;
-  const Scalar t67 = (t61 + (k[21] * t34 - k[22] * t16)) - (k[2] * t65 + k[3] * t66);
-  const Scalar t68 = k[16] * c6 - k[15] * s6;
-  const Scalar t69 = c6 * t68;
-  const Scalar t70 = k[18] - t69;
-  const Scalar t71 = k[17] + s6 * t68;
-  const Scalar t72 = k[14] * c6 - k[13] * s6;
-  const Scalar t73 = k[14] * s6 + k[13] * c6;
-  const Scalar t74 = (t50 * t70 + t71 * t52) + (t16 * t72 + t26 * t73);
-  const Scalar t75 = t67 - (t65 * t10 + t74);
-  const Scalar t76 = (t59 + k[6] * t58) - t75;
-  const Scalar t77 = (k[22] * t46 + k[21] * t30) - (k[25] * t35 - k[23] * t20);
-  const Scalar t78 = c4 * t6 + s4 * t63;
-  const Scalar t79 = k[30] - t69;
-  const Scalar t80 = t71 * t30 + (t79 * t16 - t70 * t20);
-  const Scalar t81 = (t66 * t32 + t10 * t78) - (t80 - (t73 * t35 - t46 * t72));
-  const Scalar t82 = (t77 - k[2] * t78) - t81;
-  const Scalar t83 = (t71 * t50 - t79 * t52) + t31 * t72;
-  const Scalar t84 = (k[24] * t35 + k[25] * t20) + k[22] * t60;
-  const Scalar t85 = (t65 * t32 - (t73 * t20 - t83)) - ((t84 - k[21] * t48) + k[3] * t78);
-  const Scalar t86 = (k[32] * t45 - k[31] * t13) - k[29] * t39;
-  const Scalar t87 = (s5 * t82 - c5 * t85) - (k[7] * t58 + (t86 + k[28] * t15));
-  const Scalar t88 = (k[11] * t58 - k[33] * t6) - (s4 * t76 + c4 * t87);
-  const Scalar t89 = (k[34] * t45 + k[7] * t13) - (s5 * t47 - c5 * t53);
-  const Scalar t90 = qd[0] * qd[1];
-  const Scalar t91 = k[33] * t40 + (k[36] * t57 + k[35] * c2 * t90);
-  const Scalar t92 = t89 - (k[10] * t58 - t91);
-  const Scalar t93 = t55 + ((t55 * t56 + t88) - k[8] * t92);
-  const Scalar t94 = t40 + t3;
-  const Scalar t95 = k[10] * t63 - (k[12] * (t94 - t4) - k[11] * t8);
-  const Scalar t96 = t95 - (c4 * t54 + s4 * t42);
-  const Scalar t97 = (s4 * t87 - c4 * t76) - (k[12] * t58 - k[33] * t63);
-  const Scalar t98 = c2 * t93 - s2 * (t96 - (t97 - t96 * t56));
-  const Scalar t99 = k[41] + c2 * (k[39] * s2 - k[40] * c2);
-  const Scalar t100 = Scalar(2) * t99 * t90 - t3 * (k[38] * s2 - k[37] * c2);
-  const Scalar t101 = k[1] * s2 - k[0] * c2;
-  const Scalar t102 = (t98 - (t100 + t101 * t40)) + t101 * t94;
-  const Scalar t103 = (k[42] * t15 - k[27] * (t41 - t43)) - (k[6] * t78 - k[7] * t64);
-  const Scalar t104 = (c5 * t82 + s5 * t85) + t103;
-  const Scalar t105 = k[8] * t96 + (t104 + (k[11] * t63 - k[12] * t6));
+  const Scalar t0 = qd[0] * qd[0];
+  const Scalar t1 = q[2] * t0;
+  const Scalar t2 = qd[0] * s2;
+  const Scalar t3 = qd[2] + qd[2];
+  const Scalar t4 = t2 * t3;
+  const Scalar t5 = k[14] * c6 + k[15] * s6;
+  const Scalar t6 = qd[0] * qd[1];
+  const Scalar t7 = k[11] * t0 - (k[10] * s2 * t6 - t1);
+  const Scalar t8 = qd[1] * qd[1];
+  const Scalar t9 = t2 * t2;
+  const Scalar t10 = qd[0] * c2;
+  const Scalar t11 = t10 * t3;
+  const Scalar t12 = k[13] * ((t0 + t8) - t9) - t11;
+  const Scalar t13 = t2 * t10;
+  const Scalar t14 = k[13] * t13 - t4;
+  const Scalar t15 = s4 * t12 + c4 * t14;
+  const Scalar t16 = c5 * t7 + s5 * t15;
+  const Scalar t17 = k[21] * c6 - k[20] * s6;
+  const Scalar t18 = c4 * t10 - s4 * t2;
+  const Scalar t19 = c4 * t2 + s4 * t10;
+  const Scalar t20 = t18 * t19;
+  const Scalar t21 = qd[1] + qd[3];
+  const Scalar t22 = t21 * t19;
+  const Scalar t23 = t22 + t22;
+  const Scalar t24 = c5 * t20 + s5 * t23;
+  const Scalar t25 = s5 * t21 + c5 * t18;
+  const Scalar t26 = s5 * t18;
+  const Scalar t27 = c5 * t21 - t26;
+  const Scalar t28 = qd[5] + t27;
+  const Scalar t29 = t28 * t28;
+  const Scalar t30 = t25 * t25 - t29;
+  const Scalar t31 = k[20] * c6 + k[21] * s6;
+  const Scalar t32 = k[17] * c6 - k[16] * s6;
+  const Scalar t33 = c6 * t32;
+  const Scalar t34 = k[19] - t33;
+  const Scalar t35 = t28 * t25;
+  const Scalar t36 = t27 * t25;
+  const Scalar t37 = t18 * t21;
+  const Scalar t38 = t36 - t37;
+  const Scalar t39 = t35 - (t38 - t35);
+  const Scalar t40 = k[18] + s6 * t32;
+  const Scalar t41 = qd[4] + t19;
+  const Scalar t42 = t41 + t41;
+  const Scalar t43 = c5 * t23 - t19 * t26;
+  const Scalar t44 = t27 * t42 - t43;
+  const Scalar t45 = t28 * t42 - t44;
+  const Scalar t46 = (t17 * t24 + t30 * t31) + (t34 * t39 + t40 * t45);
+  const Scalar t47 = t21 * t21;
+  const Scalar t48 = t19 * t19;
+  const Scalar t49 = t47 - t48;
+  const Scalar t50 = t49 + t0;
+  const Scalar t51 = t41 * t41;
+  const Scalar t52 = t51 + t29;
+  const Scalar t53 = t30 + t52;
+  const Scalar t54 = t50 - t53;
+  const Scalar t55 = t51 - t29;
+  const Scalar t56 = t53 - t55;
+  const Scalar t57 = t52 - t56;
+  const Scalar t58 = t54 + t57;
+  const Scalar t59 = t36 + t37;
+  const Scalar t60 = k[24] * t58 + (k[22] * t59 + k[23] * t38);
+  const Scalar t61 = c5 * t15 - s5 * t7;
+  const Scalar t62 = (t60 - (k[26] * t43 + k[25] * t24)) - (k[27] * t16 - k[28] * t61);
+  const Scalar t63 = (t5 * t16 + t46) - t62;
+  const Scalar t64 = t47 + t48;
+  const Scalar t65 = t0 - t64;
+  const Scalar t66 = (k[6] * t23 + k[7] * t37) + (k[9] * t20 - k[8] * t65);
+  const Scalar t67 = t63 + (k[12] * t7 + t66);
+  const Scalar t68 = (k[30] * t23 - k[29] * t37) + k[9] * t49;
+  const Scalar t69 = c4 * t12 - s4 * t14;
+  const Scalar t70 = t24 - t25 * t42;
+  const Scalar t71 = (k[24] * t70 + k[23] * t44) + k[25] * t54;
+  const Scalar t72 = k[32] - t33;
+  const Scalar t73 = t17 * t55 - (t45 * t72 - t40 * t39);
+  const Scalar t74 = k[14] * s6 - k[15] * c6;
+  const Scalar t75 = (k[28] * t69 - (t71 - k[26] * t59)) - ((t70 * t31 - t73) + t74 * t16);
+  const Scalar t76 = (k[24] * t44 - k[22] * t70) - (k[25] * t38 + k[26] * t57);
+  const Scalar t77 = (t34 * t70 - t24 * t72) - t40 * t57;
+  const Scalar t78 = (t5 * t69 - t74 * t61) - ((t44 * t31 - t17 * t38) + t77);
+  const Scalar t79 = (k[27] * t69 - t76) + t78;
+  const Scalar t80 = (k[31] * t7 - (k[8] * t20 + t68)) + (c5 * t75 - s5 * t79);
+  const Scalar t81 = (k[12] * t64 - k[31] * t20) - k[33] * t15;
+  const Scalar t82 = (k[28] * t38 + k[27] * (t53 + t58)) + (t74 * t24 + t5 * t52);
+  const Scalar t83 = (k[28] * t53 + k[27] * t59) + (t5 * t39 - t74 * t45);
+  const Scalar t84 = t81 + (c5 * t82 + s5 * t83);
+  const Scalar t85 = k[33] * t69 + (k[31] * t50 - k[12] * t20);
+  const Scalar t86 = (k[28] * t44 + k[27] * t70) + (t70 * t5 - t74 * t56);
+  const Scalar t87 = t85 + t86;
+  const Scalar t88 = c4 * t84 + s4 * t87;
+  const Scalar t89 = (c4 * t67 + s4 * t80) - k[11] * t88;
+  const Scalar t90 = t88 + (k[36] * t4 + k[35] * (t8 + t9));
+  const Scalar t91 = ((k[35] * t1 + k[5] * t4) + t89) - q[2] * t90;
+  const Scalar t92 = s4 * t84 - c4 * t87;
+  const Scalar t93 = k[11] * t92 - (s4 * t67 - c4 * t80);
+  const Scalar t94 = (k[34] * t37 + k[31] * t23) - k[33] * t7;
+  const Scalar t95 = (s5 * t82 - c5 * t83) - t94;
+  const Scalar t96 = q[2] * ((k[35] * t13 + k[36] * t11) + t92);
+  const Scalar t97 = ((t93 + k[13] * t95) - k[5] * t11) + t96;
+  const Scalar t98 = k[2] - c2 * (k[1] * s2 + k[0] * c2);
+  const Scalar t99 = t8 * (k[3] * c2 + k[4] * s2) + Scalar(2) * t6 * t98;
+  const Scalar t100 = (k[37] * t20 - k[6] * (t49 + t65)) + (k[31] * t15 + k[12] * t69);
+  const Scalar t101 = t100 + (c5 * t79 + s5 * t75);
+  const Scalar t102 = ((t101 - k[13] * t88) - k[35] * t11) - t0 * t98;
+  const Scalar t103 = k[36] * t1 - (k[5] * t0 + k[38] * qd[1] * t10);
   JointVector<Scalar> result;
-  result[0] = t102;
-  result[1] = t40 * t99 + t105;
-  result[2] = k[9] * t92;
-  result[3] = t104;
-  result[4] = t75;
-  result[5] = -t81;
+  result[0] = t99 - (s2 * t91 - c2 * t97);
+  result[1] = t102;
+  result[2] = -t95 - t103;
+  result[3] = t101;
+  result[4] = -t63;
+  result[5] = t78;
   return result;
 }
 
@@ -589,87 +614,98 @@ MassMatrixConstants<Scalar> mass_matrix_constants(const BasicGeometry<Scalar>& g
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
-  const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = inertia.c5x * inertia.m5;
-  const Scalar t3 = inertia.I6xz - inertia.c6z * t1;
-  const Scalar t4 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t5 = (inertia.I6xx - t4) - inertia.c6x * t1;
-  const Scalar t6 = inertia.c6z * inertia.m6;
-  const Scalar t7 = inertia.c6z * t6 - (inertia.I6zz - t4);
+  const Scalar t0 = inertia.c6x * inertia.m6;
+  const Scalar t1 = inertia.I6xz - inertia.c6z * t0;
+  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t0;
+  const Scalar t4 = inertia.c6z * inertia.m6;
+  const Scalar t5 = inertia.c6z * t4 - (inertia.I6zz - t2);
+  const Scalar t6 = inertia.c5x * inertia.m5;
+  const Scalar t7 = inertia.c6y * inertia.m6;
   const Scalar t8 = inertia.c4x * inertia.m4;
   const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
   const Scalar t10 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t11 = (inertia.c5x * t2 - (inertia.I5xx - t9)) - ((inertia.I4xx - t10) - inertia.c4x * t8);
+  const Scalar t11 = (inertia.c5x * t6 - (inertia.I5xx - t9)) - ((inertia.I4xx - t10) - inertia.c4x * t8);
   const Scalar t12 = inertia.c5z * inertia.m5;
   const Scalar t13 = inertia.c5y * inertia.m5;
-  const Scalar t14 = ((inertia.I6yy - t4) - inertia.c6y * t0) - (inertia.c5y * t13 - (inertia.I5yy - t9));
+  const Scalar t14 = ((inertia.I6yy - t2) - inertia.c6y * t7) - (inertia.c5y * t13 - (inertia.I5yy - t9));
   const Scalar t15 = inertia.c4z * inertia.m4;
-  const Scalar t16 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t17 = inertia.c3z * inertia.m3;
-  const Scalar t18 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t19 = inertia.c2z * inertia.m2;
-  const Scalar t20 = ((inertia.I3zz - t16) - inertia.c3z * t17) + ((inertia.I2zz - t18) - inertia.c2z * t19);
-  const Scalar t21 = inertia.c3x * inertia.m3;
-  const Scalar t22 = g.d2 * g.d2 * (inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)));
-  const Scalar t23 = g.l2 / g.d2;
-  const Scalar t24 = inertia.c2x * inertia.m2;
-  const Scalar t25 = g.l2 * inertia.m2 + t24;
-  const Scalar t26 = (inertia.c2x * t24 - (inertia.I2xx - t18)) + g.l2 * (t24 + t25);
-  const Scalar t27 = (inertia.I3xz - inertia.c3z * t21) + ((inertia.I2xz - inertia.c2z * t24) - g.l2 * t19);
-  const Scalar t28 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t29 = Scalar(1) / g.d2;
-  const Scalar t30 = inertia.c4y * inertia.m4;
-  const Scalar t31 = inertia.c3y * inertia.m3;
-  const Scalar t32 = inertia.c1y * inertia.m1;
-  const Scalar t33 = (inertia.c1y * t32 - (inertia.I1yy - t28)) - g.d2 * (t32 + (t32 - g.d2 * inertia.m1));
-  const Scalar t34 = inertia.c2y * inertia.m2;
-  const Scalar t35 = ((inertia.I3yy - t16) - inertia.c3y * t31) + ((inertia.I4yy - t10) - inertia.c4y * t30);
-  const Scalar t36 = g.d2 * ((g.d2 * inertia.m2 - t34) - t34) - (((inertia.I2yy - t18) - inertia.c2y * t34) + t35);
-  const Scalar t37 = ((inertia.I2xy - inertia.c2y * t24) - g.l2 * t34) + (inertia.I3xy - inertia.c3y * t21);
-  const Scalar t38 = (inertia.I3yz - inertia.c3z * t31) + (inertia.I2yz - inertia.c2z * t34);
-  return { inertia.I6yz - inertia.c6z * t0,
-           inertia.I6xy - inertia.c6y * t1,
-           inertia.I5xy - inertia.c5y * t2,
-           Scalar(2) * t3,
-           t5 + t7,
-           t3,
-           inertia.I5xz - inertia.c5z * t2,
+  const Scalar t16 = inertia.c3z * inertia.m3;
+  const Scalar t17 = g.l2 * t16;
+  const Scalar t18 = inertia.c3x * inertia.m3;
+  const Scalar t19 = inertia.c2x * inertia.m2;
+  const Scalar t20 = inertia.c2z * inertia.m2;
+  const Scalar t21 = (t17 - (inertia.I3xz - inertia.c3z * t18)) - ((inertia.I2xz - inertia.c2z * t19) - g.l2 * t20);
+  const Scalar t22 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t23 = g.l2 * inertia.m2 + t19;
+  const Scalar t24 = (inertia.c2x * t19 - (inertia.I2xx - t22)) + g.l2 * (t19 + t23);
+  const Scalar t25 = g.l2 * inertia.m3 + t18;
+  const Scalar t26 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t27 = g.l2 * (t25 + t18) + (inertia.c3x * t18 - (inertia.I3xx - t26));
+  const Scalar t28 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t29 = g.l2 * t28;
+  const Scalar t30 = ((inertia.I3zz - t26) - inertia.c3z * t16) + ((inertia.I2zz - t22) - inertia.c2z * t20);
+  const Scalar t31 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t32 = g.d2 + g.d4;
+  const Scalar t33 = inertia.c3y * inertia.m3;
+  const Scalar t34 = inertia.m3 * t32 - t33;
+  const Scalar t35 = inertia.m4 * t32;
+  const Scalar t36 = inertia.c4y * inertia.m4;
+  const Scalar t37 = t36 - t35;
+  const Scalar t38 = t35 + t37;
+  const Scalar t39 = t38 - t32 * t28;
+  const Scalar t40 = Scalar(1) / g.l2;
+  const Scalar t41 = g.l2 * g.l2 * (inertia.m3 + t28) * t40;
+  const Scalar t42 = inertia.c2y * inertia.m2;
+  const Scalar t43 = g.d2 * ((g.d2 * inertia.m2 - t42) - t42) - ((inertia.I2yy - t22) - inertia.c2y * t42);
+  const Scalar t44 = ((inertia.I4yy - t10) - inertia.c4y * t36) + t32 * (t36 + t37);
+  const Scalar t45 = (t32 * (t38 + t37) - t44) - t32 * (t38 + t39);
+  const Scalar t46 = ((inertia.I3yy - t26) - inertia.c3y * t33) - t32 * (t34 - t33);
+  const Scalar t47 = inertia.c1y * inertia.m1;
+  const Scalar t48 = (inertia.c1y * t47 - (inertia.I1yy - t31)) - g.d2 * (t47 + (t47 - g.d2 * inertia.m1));
+  const Scalar t49 = t32 * t15;
+  const Scalar t50 = t32 * t8;
+  const Scalar t51 = t32 * t25 - (g.l2 * t33 - (inertia.I3xy - inertia.c3y * t18));
+  const Scalar t52 = ((inertia.I2xy - inertia.c2y * t19) - g.l2 * t42) + g.d2 * t23;
+  const Scalar t53 = (t32 * t16 + (inertia.I3yz - inertia.c3z * t33))
+      + (g.d2 * t20 + (inertia.I2yz - inertia.c2z * t42));
+  return { Scalar(2) * t1,
+           t3 + t5,
+           t1,
+           inertia.I5xz - inertia.c5z * t6,
+           inertia.I6xy - inertia.c6y * t0,
+           inertia.I6yz - inertia.c6z * t7,
+           inertia.I5xy - inertia.c5y * t6,
            inertia.I4xz - inertia.c4z * t8,
-           t7,
+           t3,
+           t3 - t5,
            t11,
-           t5,
            inertia.c5z * t12 - (inertia.I5zz - t9),
            t14,
            inertia.I5yz - inertia.c5z * t13,
            (inertia.I4zz - t10) - inertia.c4z * t15,
-           t20,
-           g.d2 * t1,
-           g.d2 * t6,
-           g.d2 * (t8 + t2),
-           g.d2 * (t0 + t13),
-           g.d2 * t12,
-           g.d2 * t15,
-           g.d2 * t21,
-           t22 * t23,
-           t23,
-           (inertia.c3x * t21 - (inertia.I3xx - t16)) + t26,
-           g.d2 * t17,
-           t27,
-           inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t28),
-           t29,
-           g.d4 / g.d2,
-           t22,
-           g.d2 * (t30 + t31),
-           t33 + t36,
-           g.d2 * t25,
-           inertia.I4xy - inertia.c4y * t8,
-           inertia.I4yz - inertia.c4z * t30,
-           t37,
-           g.d2 * t19,
-           t38,
-           t5 - t7,
-           t29 * t29 * t22 };
+           g.l2 * t4,
+           g.l2 * t0,
+           g.l2 * t12,
+           g.l2 * (t7 + t13),
+           g.l2 * t15,
+           g.l2 * (t8 + t6),
+           t21,
+           t24 + (t27 + g.l2 * t29),
+           t30,
+           inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t31),
+           g.l2 * (t34 - t39),
+           t41,
+           t40,
+           t32 / g.l2,
+           (t43 + (t45 - t46)) + t48,
+           t49 - (t49 + (inertia.I4yz - inertia.c4z * t36)),
+           (t50 + (inertia.I4xy - inertia.c4y * t8)) - t50,
+           g.l2 * (t25 + t29),
+           (g.l2 * t39 - t51) - t52,
+           t17,
+           t53,
+           t41 * t40 };
 }
 
 namespace detail {
@@ -685,93 +721,86 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q,
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[17] * c6 + k[16] * s6;
-  const Scalar t1 = k[20] + t0;
-  const Scalar t2 = c5 * t1 + k[19] * s5;
-  const Scalar t3 = k[21] + t2;
-  const Scalar t4 = k[17] * s6 - k[16] * c6;
-  const Scalar t5 = k[18] - t4;
-  const Scalar t6 = s4 * t3 - c4 * t5;
-  const Scalar t7 = k[22] - t6;
-  const Scalar t8 = k[23] + t7;
-  const Scalar t9 = k[0] * s6 - k[1] * c6;
-  const Scalar t10 = k[2] - t9;
-  const Scalar t11 = k[4] * c6 - k[3] * s6;
-  const Scalar t12 = k[6] + (k[5] + s6 * t11);
-  const Scalar t13 = s5 * t10 + c5 * t12;
+  const Scalar t0 = k[0] * s6 - k[1] * c6;
+  const Scalar t1 = k[8] + c6 * t0;
+  const Scalar t2 = k[11] - t1;
+  const Scalar t3 = k[12] - t2;
+  const Scalar t4 = k[4] * s6 + k[5] * c6;
+  const Scalar t5 = k[13] + t4;
+  const Scalar t6 = s5 * (k[12] + t2) + Scalar(2) * c5 * t5;
+  const Scalar t7 = k[12] - s5 * t6;
+  const Scalar t8 = k[14] + (t3 - t7);
+  const Scalar t9 = k[10] - (k[9] - t1);
+  const Scalar t10 = k[3] + (k[2] - s6 * t0);
+  const Scalar t11 = k[4] * c6 - k[5] * s6;
+  const Scalar t12 = k[6] + t11;
+  const Scalar t13 = c5 * t10 + s5 * t12;
   const Scalar t14 = k[7] + t13;
   const Scalar t15 = s4 * t14;
-  const Scalar t16 = c6 * t11;
-  const Scalar t17 = k[9] + (k[8] - t16);
-  const Scalar t18 = k[11] - (k[10] - t16);
-  const Scalar t19 = k[0] * c6 + k[1] * s6;
-  const Scalar t20 = k[13] + t19;
-  const Scalar t21 = s5 * (k[12] + t18) + Scalar(2) * c5 * t20;
-  const Scalar t22 = t18 - s5 * t21;
-  const Scalar t23 = k[14] - t22;
-  const Scalar t24 = (t15 + t15) + c4 * (t17 + t23);
-  const Scalar t25 = c4 * t24;
-  const Scalar t26 = t25 - t23;
-  const Scalar t27 = k[25] + (k[24] * (t7 + t8) + t26);
-  const Scalar t28 = t25 - t17;
-  const Scalar t29 = k[15] + t28;
-  const Scalar t30 = s4 * t5 + c4 * t3;
-  const Scalar t31 = k[26] + t30;
-  const Scalar t32 = k[27] - (k[24] * t31 - (t14 - s4 * t24));
-  const Scalar t33 = s2 * (t27 + t29) - Scalar(2) * c2 * t32;
-  const Scalar t34 = s5 * t1 - k[19] * c5;
-  const Scalar t35 = k[32] - t34;
-  const Scalar t36 = k[30] + k[29] * q[2];
-  const Scalar t37 = t35 - k[31] * t36;
-  const Scalar t38 = k[12] - t18;
-  const Scalar t39 = (t37 - (k[31] - t37)) + ((t35 + t37) * t36 + (t22 + t38));
-  const Scalar t40 = (k[28] - (s2 * t33 - t27)) + (k[33] - t39);
-  const Scalar t41 = k[36] + (c5 * t21 - t20);
-  const Scalar t42 = s5 * t12 - c5 * t10;
-  const Scalar t43 = k[35] - t42;
-  const Scalar t44 = c4 * t41 + s4 * t43;
-  const Scalar t45 = (k[39] + (t44 + t31 * t36)) + (k[38] + t31);
-  const Scalar t46 = s4 * t41 - c4 * t43;
-  const Scalar t47 = k[37] - ((t46 - t7 * t36) + k[24] * t37);
-  const Scalar t48 = c2 * t45 + s2 * (t47 + (k[34] + t8));
-  const Scalar t49 = s2 * (t6 + (t46 + t6 * t36)) - c2 * ((t44 + t30 * t36) + t30);
-  const Scalar t50 = s4 * t34;
-  const Scalar t51 = (s4 * t38 - c4 * t13) - t50 * t36;
-  const Scalar t52 = c4 * t34;
-  const Scalar t53 = (s4 * t13 + c4 * t38) - t52 * t36;
-  const Scalar t54 = c2 * ((t51 + k[24] * t2) - t50) + s2 * (t53 - t52);
-  const Scalar t55 = k[40] * s5 - c5 * t19;
-  const Scalar t56 = c5 * t4;
-  const Scalar t57 = s4 * t56 - c4 * t0;
-  const Scalar t58 = (s4 * t9 + c4 * t55) + t57 * t36;
-  const Scalar t59 = s5 * t4;
-  const Scalar t60 = c4 * t56 + s4 * t0;
-  const Scalar t61 = (s4 * t55 - c4 * t9) - t36 * t60;
-  const Scalar t62 = c2 * ((t58 + k[24] * t59) + t57) - s2 * (t61 - t60);
-  const Scalar t63 = t26 - t28;
-  const Scalar t64 = s5 * t19 + k[40] * c5;
+  const Scalar t16 = c4 * (t8 + t9) + (t15 + t15);
+  const Scalar t17 = c4 * t16 - t9;
+  const Scalar t18 = k[23] + t17;
+  const Scalar t19 = t8 - t9;
+  const Scalar t20 = k[16] * s6 + k[15] * c6;
+  const Scalar t21 = k[17] + t20;
+  const Scalar t22 = k[18] * s5 + c5 * t21;
+  const Scalar t23 = k[19] + t22;
+  const Scalar t24 = k[16] * c6 - k[15] * s6;
+  const Scalar t25 = k[20] + t24;
+  const Scalar t26 = s4 * t23 - c4 * t25;
+  const Scalar t27 = k[22] - ((t19 - t17) + Scalar(2) * t26);
+  const Scalar t28 = s4 * t25 + c4 * t23;
+  const Scalar t29 = c2 * (k[21] + ((s4 * t16 - t14) + t28));
+  const Scalar t30 = s2 * (s2 * (t18 + t27) + (t29 + t29));
+  const Scalar t31 = s5 * t21 - k[18] * c5;
+  const Scalar t32 = k[28] * t31;
+  const Scalar t33 = k[27] * q[2];
+  const Scalar t34 = k[25] + t31;
+  const Scalar t35 = (t7 - Scalar(2) * t32) - t33 * ((k[26] * q[2] + t34) + t34);
+  const Scalar t36 = k[30] - (c5 * t6 - t5);
+  const Scalar t37 = c5 * t12 - s5 * t10;
+  const Scalar t38 = k[31] + t37;
+  const Scalar t39 = (c4 * t36 - s4 * t38) - k[28] * t28;
+  const Scalar t40 = k[34] + t28;
+  const Scalar t41 = k[32] - t26;
+  const Scalar t42 = (c4 * t38 + s4 * t36) - k[28] * t26;
+  const Scalar t43 = s2 * (k[33] - (t41 * t33 + (t42 + t31)));
+  const Scalar t44 = c2 * (k[35] - (t39 - t40 * t33)) - t43;
+  const Scalar t45 = s2 * (t26 * t33 - t42) - c2 * (t33 * t28 - t39);
+  const Scalar t46 = t32 - t3;
+  const Scalar t47 = s4 * t31 * t33 + ((s4 * t46 + c4 * t13) - t22);
+  const Scalar t48 = c4 * t31;
+  const Scalar t49 = t48 * t33 - (s4 * t13 - c4 * t46);
+  const Scalar t50 = c5 * t24;
+  const Scalar t51 = k[28] * t50 + t11;
+  const Scalar t52 = k[28] * t20 + (c5 * t4 - k[9] * s5);
+  const Scalar t53 = c4 * t50 - s4 * t20;
+  const Scalar t54 = (c4 * t51 - s4 * t52) + t53 * t33;
+  const Scalar t55 = s5 * t24;
+  const Scalar t56 = (s4 * t50 + c4 * t20) * t33 + (t55 + (s4 * t51 + c4 * t52));
+  const Scalar t57 = s5 * t4 + k[9] * c5;
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = t40;
-  result(0, 1) = result(1, 0) = -t48;
-  result(0, 2) = result(2, 0) = -k[29] * (c2 * t8 - s2 * t31);
-  result(0, 3) = result(3, 0) = t49;
-  result(0, 4) = result(4, 0) = -t54;
-  result(0, 5) = result(5, 0) = t62;
-  result(1, 1) = t27 - t29;
+  result(0, 0) = (k[24] - (t30 - t27)) + (k[29] - t35);
+  result(0, 1) = result(1, 0) = -t44;
+  result(0, 2) = result(2, 0) = k[27] * (s2 * t40 - c2 * t41);
+  result(0, 3) = result(3, 0) = t45;
+  result(0, 4) = result(4, 0) = c2 * t47 + s2 * t49;
+  result(0, 5) = result(5, 0) = -s2 * t54 - c2 * t56;
+  result(1, 1) = t27 - t18;
   result(1, 2) = result(2, 1) = Scalar(0);
-  result(1, 3) = result(3, 1) = t63 - k[24] * t6;
-  result(1, 4) = result(4, 1) = t42 - k[24] * t52;
-  result(1, 5) = result(5, 1) = -k[24] * t60 - t64;
-  result(2, 2) = k[41];
+  result(1, 3) = result(3, 1) = -t19 - t26;
+  result(1, 4) = result(4, 1) = -t48 - t37;
+  result(1, 5) = result(5, 1) = t53 - t57;
+  result(2, 2) = k[36];
   result(2, 3) = result(3, 2) = Scalar(0);
-  result(2, 4) = result(4, 2) = k[29] * t2;
-  result(2, 5) = result(5, 2) = -k[29] * t59;
-  result(3, 3) = t63;
-  result(3, 4) = result(4, 3) = t42;
-  result(3, 5) = result(5, 3) = -t64;
-  result(4, 4) = -t38;
-  result(4, 5) = result(5, 4) = t9;
-  result(5, 5) = -k[40];
+  result(2, 4) = result(4, 2) = k[27] * t22;
+  result(2, 5) = result(5, 2) = k[27] * t55;
+  result(3, 3) = -t19;
+  result(3, 4) = result(4, 3) = -t37;
+  result(3, 5) = result(5, 3) = -t57;
+  result(4, 4) = -t3;
+  result(4, 5) = result(5, 4) = -t11;
+  result(5, 5) = -k[9];
   return result;
 }
 
@@ -795,78 +824,85 @@ CoriolisMatrixConstants<Scalar> coriolis_matrix_constants(const BasicGeometry<Sc
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
-  const Scalar t1 = inertia.c5y * inertia.m5;
-  const Scalar t2 = inertia.c6x * inertia.m6;
-  const Scalar t3 = inertia.c6z * inertia.m6;
-  const Scalar t4 = inertia.c5z * inertia.m5;
-  const Scalar t5 = g.d2 * g.d2 * (inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)));
-  const Scalar t6 = inertia.I6xz - inertia.c6z * t2;
-  const Scalar t7 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t8 = (inertia.I6xx - t7) - inertia.c6x * t2;
-  const Scalar t9 = inertia.c6z * t3 - (inertia.I6zz - t7);
+  const Scalar t0 = inertia.c6x * inertia.m6;
+  const Scalar t1 = inertia.I6xz - inertia.c6z * t0;
+  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t0;
+  const Scalar t4 = inertia.c6z * inertia.m6;
+  const Scalar t5 = inertia.c6z * t4 - (inertia.I6zz - t2);
+  const Scalar t6 = inertia.c5x * inertia.m5;
+  const Scalar t7 = inertia.c6y * inertia.m6;
+  const Scalar t8 = inertia.c4x * inertia.m4;
+  const Scalar t9 = inertia.c5y * inertia.m5;
   const Scalar t10 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t11 = ((inertia.I6yy - t7) - inertia.c6y * t0) - (inertia.c5y * t1 - (inertia.I5yy - t10));
-  const Scalar t12 = inertia.c4y * inertia.m4;
-  const Scalar t13 = inertia.c3y * inertia.m3;
+  const Scalar t11 = ((inertia.I6yy - t2) - inertia.c6y * t7) - (inertia.c5y * t9 - (inertia.I5yy - t10));
+  const Scalar t12 = inertia.c5z * inertia.m5;
+  const Scalar t13 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
   const Scalar t14 = inertia.c4z * inertia.m4;
-  const Scalar t15 = inertia.c4x * inertia.m4;
-  const Scalar t16 = inertia.c5x * inertia.m5;
-  const Scalar t17 = inertia.c3z * inertia.m3;
-  const Scalar t18 = g.l2 / g.d2;
-  const Scalar t19 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t20 = (inertia.c5x * t16 - (inertia.I5xx - t10)) - ((inertia.I4xx - t19) - inertia.c4x * t15);
-  const Scalar t21 = inertia.c3x * inertia.m3;
-  const Scalar t22 = inertia.c2x * inertia.m2;
-  const Scalar t23 = inertia.c2z * inertia.m2;
-  const Scalar t24 = (inertia.I3xz - inertia.c3z * t21) + ((inertia.I2xz - inertia.c2z * t22) - g.l2 * t23);
-  const Scalar t25 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t26 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t27 = ((inertia.I3zz - t25) - inertia.c3z * t17) + ((inertia.I2zz - t26) - inertia.c2z * t23);
-  const Scalar t28 = g.l2 * inertia.m2 + t22;
-  const Scalar t29 = (inertia.c2x * t22 - (inertia.I2xx - t26)) + g.l2 * (t22 + t28);
-  const Scalar t30 = inertia.c2y * inertia.m2;
-  const Scalar t31 = ((inertia.I2xy - inertia.c2y * t22) - g.l2 * t30) + (inertia.I3xy - inertia.c3y * t21);
-  const Scalar t32 = (inertia.I3yz - inertia.c3z * t13) + (inertia.I2yz - inertia.c2z * t30);
-  return { g.d2 * (t0 + t1),
-           g.d2 * t2,
-           g.d2 * t3,
-           g.d2 * t4,
-           Scalar(1) / g.d2,
-           t5,
-           g.d4 / g.d2,
-           Scalar(2) * t6,
-           t8 + t9,
-           t6,
+  const Scalar t15 = (inertia.c5x * t6 - (inertia.I5xx - t10)) - ((inertia.I4xx - t13) - inertia.c4x * t8);
+  const Scalar t16 = inertia.c3z * inertia.m3;
+  const Scalar t17 = g.l2 * t16;
+  const Scalar t18 = inertia.c3x * inertia.m3;
+  const Scalar t19 = inertia.c2x * inertia.m2;
+  const Scalar t20 = inertia.c2z * inertia.m2;
+  const Scalar t21 = (t17 - (inertia.I3xz - inertia.c3z * t18)) - ((inertia.I2xz - inertia.c2z * t19) - g.l2 * t20);
+  const Scalar t22 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t23 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t24 = ((inertia.I3zz - t22) - inertia.c3z * t16) + ((inertia.I2zz - t23) - inertia.c2z * t20);
+  const Scalar t25 = g.l2 * inertia.m2 + t19;
+  const Scalar t26 = (inertia.c2x * t19 - (inertia.I2xx - t23)) + g.l2 * (t19 + t25);
+  const Scalar t27 = g.l2 * inertia.m3 + t18;
+  const Scalar t28 = g.l2 * (t27 + t18) + (inertia.c3x * t18 - (inertia.I3xx - t22));
+  const Scalar t29 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t30 = g.l2 * t29;
+  const Scalar t31 = Scalar(1) / g.l2;
+  const Scalar t32 = g.d2 + g.d4;
+  const Scalar t33 = inertia.c3y * inertia.m3;
+  const Scalar t34 = inertia.m4 * t32;
+  const Scalar t35 = inertia.c4y * inertia.m4;
+  const Scalar t36 = (t34 + (t35 - t34)) - t32 * t29;
+  const Scalar t37 = t32 * t14;
+  const Scalar t38 = t32 * t8;
+  const Scalar t39 = inertia.c2y * inertia.m2;
+  const Scalar t40 = (t32 * t16 + (inertia.I3yz - inertia.c3z * t33))
+      + (g.d2 * t20 + (inertia.I2yz - inertia.c2z * t39));
+  const Scalar t41 = t32 * t27 - (g.l2 * t33 - (inertia.I3xy - inertia.c3y * t18));
+  const Scalar t42 = ((inertia.I2xy - inertia.c2y * t19) - g.l2 * t39) + g.d2 * t25;
+  return { Scalar(2) * t1,
+           t3 + t5,
+           t1,
+           inertia.I5xz - inertia.c5z * t6,
+           inertia.I6xy - inertia.c6y * t0,
+           inertia.I6yz - inertia.c6z * t7,
+           inertia.I5xy - inertia.c5y * t6,
+           inertia.I4xz - inertia.c4z * t8,
            t11,
-           inertia.I6yz - inertia.c6z * t0,
-           inertia.I6xy - inertia.c6y * t2,
-           inertia.I5yz - inertia.c5z * t1,
-           t8,
-           inertia.c5z * t4 - (inertia.I5zz - t10),
-           g.d2 * (t12 + t13),
-           g.d2 * t14,
-           g.d2 * (t15 + t16),
-           g.d2 * t17,
-           t18,
-           inertia.I5xy - inertia.c5y * t16,
-           inertia.I5xz - inertia.c5z * t16,
-           inertia.I4xz - inertia.c4z * t15,
-           t8 - t9,
-           t20,
-           (inertia.I4zz - t19) - inertia.c4z * t14,
+           inertia.I5yz - inertia.c5z * t9,
+           t5,
+           t3 - t5,
+           inertia.c5z * t12 - (inertia.I5zz - t10),
+           (inertia.I4zz - t13) - inertia.c4z * t14,
+           t15,
+           g.l2 * t4,
+           g.l2 * t0,
+           g.l2 * t12,
+           g.l2 * (t7 + t9),
+           g.l2 * t14,
+           g.l2 * (t8 + t6),
+           t21,
            t24,
-           t27,
-           g.d2 * t21,
-           t5 * t18,
-           (inertia.c3x * t21 - (inertia.I3xx - t25)) + t29,
-           g.d2 * t28,
-           inertia.I4yz - inertia.c4z * t12,
-           inertia.I4xy - inertia.c4y * t15,
+           t26 + (t28 + g.l2 * t30),
            t31,
-           g.d2 * t23,
-           t32,
-           t9 };
+           g.l2 * g.l2 * (inertia.m3 + t29) * t31,
+           t32 / g.l2,
+           g.l2 * ((inertia.m3 * t32 - t33) - t36),
+           t37 - (t37 + (inertia.I4yz - inertia.c4z * t35)),
+           (t38 + (inertia.I4xy - inertia.c4y * t8)) - t38,
+           t17,
+           t40,
+           g.l2 * (t27 + t30),
+           (g.l2 * t36 - t41) - t42,
+           t3 };
 }
 
 namespace detail {
@@ -883,247 +919,243 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[8] * c6 - k[7] * s6;
-  const Scalar t1 = k[14] - c6 * t0;
-  const Scalar t2 = qd[5] * t1;
-  const Scalar t3 = k[12] * s6 + k[11] * c6;
-  const Scalar t4 = s5 * t3;
-  const Scalar t5 = c5 * t2 + qd[5] * t4;
-  const Scalar t6 = k[15] - t1;
-  const Scalar t7 = k[13] + t3;
-  const Scalar t8 = s5 * (k[10] + t6) + Scalar(2) * c5 * t7;
-  const Scalar t9 = k[26] + (s5 * t8 - t6);
-  const Scalar t10 = t5 + qd[3] * t9;
-  const Scalar t11 = qd[4] * t6;
-  const Scalar t12 = qd[4] * t7;
-  const Scalar t13 = k[9] + s6 * t0;
-  const Scalar t14 = qd[5] * t13;
-  const Scalar t15 = s5 * t11 + c5 * (t12 + t14);
-  const Scalar t16 = k[12] * c6 - k[11] * s6;
-  const Scalar t17 = qd[5] * t16;
-  const Scalar t18 = k[10] * qd[4] + t17;
-  const Scalar t19 = s5 * t12 - c5 * t18;
-  const Scalar t20 = c5 * t15 - s5 * t19;
-  const Scalar t21 = k[22] + t13;
-  const Scalar t22 = c5 * t21;
-  const Scalar t23 = k[21] + t16;
-  const Scalar t24 = t22 + s5 * t23;
-  const Scalar t25 = k[23] + t24;
-  const Scalar t26 = t20 + qd[3] * t25;
-  const Scalar t27 = s4 * t10 - c4 * t26;
-  const Scalar t28 = s4 * t27;
-  const Scalar t29 = k[24] - t1;
-  const Scalar t30 = k[25] - t29;
-  const Scalar t31 = qd[5] * t29;
-  const Scalar t32 = qd[4] * t23 + t31;
-  const Scalar t33 = s5 * t21;
-  const Scalar t34 = c5 * t32 - qd[4] * t33;
-  const Scalar t35 = qd[3] * t30 - t34;
-  const Scalar t36 = t20 - t14;
-  const Scalar t37 = c4 * t35 + s4 * (t26 - t36);
-  const Scalar t38 = c4 * t37;
-  const Scalar t39 = k[2] * c6 + k[1] * s6;
-  const Scalar t40 = qd[5] * t39;
-  const Scalar t41 = k[3] + t39;
-  const Scalar t42 = c5 * t41;
-  const Scalar t43 = t42 + k[0] * s5;
-  const Scalar t44 = k[17] + t43;
-  const Scalar t45 = t40 + qd[3] * t44;
-  const Scalar t46 = k[1] * c6 - k[2] * s6;
-  const Scalar t47 = k[18] + t46;
-  const Scalar t48 = s5 * t41;
-  const Scalar t49 = t48 - k[0] * c5;
-  const Scalar t50 = qd[0] * s2;
-  const Scalar t51 = qd[0] * c2;
-  const Scalar t52 = c4 * t50 + s4 * t51;
-  const Scalar t53 = t49 * t52;
-  const Scalar t54 = qd[4] + t52;
-  const Scalar t55 = qd[5] * t46;
-  const Scalar t56 = k[0] * t54 + t55;
-  const Scalar t57 = c5 * t56 - t48 * t54;
-  const Scalar t58 = t53 + t57;
-  const Scalar t59 = qd[3] * t47 + t58;
-  const Scalar t60 = s4 * t45 - c4 * t59;
-  const Scalar t61 = s4 * t25;
-  const Scalar t62 = c4 * (t30 + t9) + (t61 + t61);
-  const Scalar t63 = c4 * t62;
-  const Scalar t64 = c4 * t47 - s4 * t44;
-  const Scalar t65 = k[29] + t64;
-  const Scalar t66 = k[30] + t65;
-  const Scalar t67 = k[31] - ((t9 - t63) - k[20] * (t65 + t66));
-  const Scalar t68 = ((t28 - t38) + k[20] * t60) - qd[1] * t67;
-  const Scalar t69 = s4 * t47 + c4 * t44;
-  const Scalar t70 = k[19] + t69;
-  const Scalar t71 = k[27] - (k[20] * t70 - (t25 - s4 * t62));
-  const Scalar t72 = qd[1] * t71 - (c4 * t27 + s4 * t37);
-  const Scalar t73 = s4 * t59 + c4 * t45;
-  const Scalar t74 = t36 + k[20] * t73;
-  const Scalar t75 = c2 * (s2 * t68 + c2 * (t72 - t74));
-  const Scalar t76 = k[28] - (t30 - t63);
-  const Scalar t77 = ((t28 - t10) - (t38 - t35)) - qd[1] * t76;
-  const Scalar t78 = t75 + s2 * (c2 * t77 - s2 * t72);
-  const Scalar t79 = k[4] * qd[2];
-  const Scalar t80 = k[16] - t49;
-  const Scalar t81 = k[6] + k[4] * q[2];
-  const Scalar t82 = qd[4] * t42 + s5 * (k[0] * qd[4] + t55);
-  const Scalar t83 = t82 + k[5] * t79;
-  const Scalar t84 = ((t36 - t79 * t80) + t81 * t83) + t83;
-  const Scalar t85 = t60 - qd[1] * (k[32] + t66);
-  const Scalar t86 = k[33] - (t7 - c5 * t8);
-  const Scalar t87 = qd[5] * t3;
-  const Scalar t88 = c5 * t87 - s5 * t2;
-  const Scalar t89 = qd[3] * t86 + t88;
-  const Scalar t90 = k[34] - (t33 - c5 * t23);
-  const Scalar t91 = c5 * t19;
-  const Scalar t92 = s5 * t15;
-  const Scalar t93 = t91 + t92;
-  const Scalar t94 = qd[3] * t90 - t93;
-  const Scalar t95 = s4 * t89 - c4 * t94;
-  const Scalar t96 = t60 * t81;
-  const Scalar t97 = t80 - k[5] * t81;
-  const Scalar t98 = s4 * t86 - c4 * t90;
-  const Scalar t99 = k[35] - (k[20] * t97 - (t65 * t81 - t98));
-  const Scalar t100 = (t95 + t96) - qd[1] * t99;
-  const Scalar t101 = t85 + (t100 - (t67 * t50 - t51 * t71));
-  const Scalar t102 = t81 * t73;
-  const Scalar t103 = c4 * t89 + s4 * t94;
-  const Scalar t104 = c4 * t86 + s4 * t90;
-  const Scalar t105 = (t102 + t103) + qd[1] * (k[37] + (t81 * t70 + t104));
-  const Scalar t106 = qd[1] * (k[36] + t70) + t73;
-  const Scalar t107 = ((t76 * t51 + t50 * t71) - t105) - t106;
-  const Scalar t108 = c2 * t101 - s2 * t107;
-  const Scalar t109 = qd[0] * (k[5] - t97);
-  const Scalar t110 = t73 + qd[1] * t69;
-  const Scalar t111 = c4 * t51 - s4 * t50;
-  const Scalar t112 = qd[1] + qd[3];
-  const Scalar t113 = (t111 * t9 + t52 * t25) - (t88 + t86 * t112);
-  const Scalar t114 = (t30 * t52 - t111 * t25) + (t90 * t112 - t93);
-  const Scalar t115 = (c4 * t113 - s4 * t114) - t110 * t81;
-  const Scalar t116 = qd[1] * t64 - t60;
-  const Scalar t117 = (c4 * t114 + s4 * t113) + t81 * t116;
-  const Scalar t118 = t111 * t44 + t52 * t47;
-  const Scalar t119 = s2 * (t110 - t115) - c2 * ((t117 + k[20] * t118) + t116);
-  const Scalar t120 = c5 * t112 - s5 * t111;
-  const Scalar t121 = s5 * t112 + c5 * t111;
-  const Scalar t122 = (t120 * t7 + t121 * t6) - t54 * t21;
-  const Scalar t123 = (t7 * t121 - k[10] * t120) + (t31 + t54 * t23);
-  const Scalar t124 = s5 * t122 + c5 * t123;
-  const Scalar t125 = s5 * t56 + t54 * t42;
-  const Scalar t126 = t41 * t121 - k[0] * t120;
-  const Scalar t127 = s4 * t125 + c4 * t126;
-  const Scalar t128 = (c4 * t124 - s4 * t14) + t81 * t127;
-  const Scalar t129 = c4 * t125 - s4 * t126;
-  const Scalar t130 = t129 * t81 - (s4 * t124 + c4 * t14);
-  const Scalar t131 = c2 * ((k[20] * t57 - t128) - t127) - s2 * (t129 + t130);
-  const Scalar t132 = qd[5] + t120;
-  const Scalar t133 = t46 * t132;
-  const Scalar t134 = t39 * t132;
-  const Scalar t135 = c6 * t54 + s6 * t121;
-  const Scalar t136 = s6 * t54 - c6 * t121;
-  const Scalar t137 = k[1] * t135 - k[2] * t136;
-  const Scalar t138 = c5 * t134 + s5 * t137;
-  const Scalar t139 = s4 * t133 + c4 * t138;
-  const Scalar t140 = k[11] * t132 - (k[9] * t135 + k[38] * t136);
-  const Scalar t141 = k[12] * t132 - (k[14] * t135 - k[9] * t136);
-  const Scalar t142 = s6 * t140 - c6 * t141;
-  const Scalar t143 = c5 * t142;
-  const Scalar t144 = c6 * t140 + s6 * t141;
-  const Scalar t145 = t139 * t81 - (s4 * t143 - c4 * t144);
-  const Scalar t146 = c4 * t133 - s4 * t138;
-  const Scalar t147 = t81 * t146 - (c4 * t143 + s4 * t144);
-  const Scalar t148 = c5 * t137 - s5 * t134;
-  const Scalar t149 = s2 * (t145 + t139) - c2 * ((t147 + k[20] * t148) + t146);
-  const Scalar t150 = (t91 + t18) + (t92 - t11);
-  const Scalar t151 = qd[4] * t22 + s5 * t32;
-  const Scalar t152 = c4 * t150 + s4 * t151;
-  const Scalar t153 = c2 * (t85 + (t100 - (t79 * t70 - t152)));
-  const Scalar t154 = c4 * t151 - s4 * t150;
-  const Scalar t155 = t105 + ((t154 - t65 * t79) - k[20] * t83);
-  const Scalar t156 = k[4] * qd[0] * (s2 * t66 + c2 * t70);
-  const Scalar t157 = k[20] * t110;
-  const Scalar t158 = c5 * t122 - s5 * t123;
-  const Scalar t159 = t158 + k[20] * t129;
-  const Scalar t160 = s5 * t142;
-  const Scalar t161 = t160 - k[20] * t139;
-  const Scalar t162 = c2 * (t73 + qd[1] * t70) - s2 * (t60 - qd[1] * t66);
-  const Scalar t163 = k[4] * t118;
-  const Scalar t164 = k[4] * t148;
-  const Scalar t165 = qd[1] * (t69 * t81 + t104) + (t102 - (t64 * t79 - (t103 + t154)));
-  const Scalar t166 = qd[1] * (t64 * t81 - t98) + ((t79 * t69 - (t152 + t95)) - t96);
-  const Scalar t167 = s2 * (t110 + t165) - c2 * (t166 + t116);
-  const Scalar t168 = s4 * t49;
-  const Scalar t169 = k[10] - t6;
-  const Scalar t170 = t168 * t81 + (c4 * t24 - s4 * t169);
-  const Scalar t171 = c4 * t82 - qd[3] * t168;
-  const Scalar t172 = c4 * t49;
-  const Scalar t173 = qd[3] * t24 + Scalar(2) * t14;
-  const Scalar t174 = qd[3] * t169 + (t5 - t34);
-  const Scalar t175 = t79 * t172 - (c4 * t173 - s4 * t174);
-  const Scalar t176 = qd[1] * (t170 - k[20] * t43) - (t171 * t81 + t175);
-  const Scalar t177 = t81 * t172 - (s4 * t24 + c4 * t169);
-  const Scalar t178 = qd[3] * t172 + s4 * t82;
-  const Scalar t179 = (s4 * t173 + c4 * t174) - t79 * t168;
-  const Scalar t180 = qd[1] * t177 + ((t178 * t81 - t179) - k[20] * t58);
-  const Scalar t181 = s2 * (t176 + (qd[1] * t168 - t171)) - c2 * (t180 + (t178 + qd[1] * t172));
-  const Scalar t182 = t151 + t88;
-  const Scalar t183 = c5 * t3;
-  const Scalar t184 = k[24] * s5 - t183;
-  const Scalar t185 = c5 * t46;
-  const Scalar t186 = c4 * t185 - s4 * t39;
-  const Scalar t187 = (s4 * t184 + c4 * t16) + t186 * t81;
-  const Scalar t188 = t55 + qd[3] * t185;
-  const Scalar t189 = s5 * t46;
-  const Scalar t190 = qd[3] * t39 + (qd[4] * t189 + c5 * t40);
-  const Scalar t191 = c4 * t188 - s4 * t190;
-  const Scalar t192 = s4 * t185 + c4 * t39;
-  const Scalar t193 = t17 - k[24] * qd[4];
-  const Scalar t194 = qd[3] * t16 - (qd[4] * t4 - c5 * t193);
-  const Scalar t195 = t87 - qd[3] * t184;
-  const Scalar t196 = t79 * t192 + (c4 * t194 - s4 * t195);
-  const Scalar t197 = qd[4] * t185 - s5 * t40;
-  const Scalar t198 = qd[1] * t187 + ((t191 * t81 + t196) + k[20] * t197);
-  const Scalar t199 = t192 * t81 + (s4 * t16 - c4 * t184);
-  const Scalar t200 = t186 * t79 - (c4 * t195 + s4 * t194);
-  const Scalar t201 = s4 * t188 + c4 * t190;
-  const Scalar t202 = qd[1] * (t199 + k[20] * t189) - (t200 - t201 * t81);
-  const Scalar t203 = c2 * (t198 + (qd[1] * t186 + t191)) - s2 * (t202 + (qd[1] * t192 + t201));
-  const Scalar t204 = s5 * t193 + qd[4] * t183;
+  const Scalar t0 = k[0] * s6 - k[1] * c6;
+  const Scalar t1 = k[10] + c6 * t0;
+  const Scalar t2 = k[11] + t1;
+  const Scalar t3 = k[12] - t2;
+  const Scalar t4 = k[4] * s6 + k[5] * c6;
+  const Scalar t5 = k[9] + t4;
+  const Scalar t6 = c5 * t5;
+  const Scalar t7 = s5 * (k[8] + t3) + (t6 + t6);
+  const Scalar t8 = k[13] + (s5 * t7 - t3);
+  const Scalar t9 = qd[5] * t2;
+  const Scalar t10 = qd[5] * t4;
+  const Scalar t11 = c5 * t9 + s5 * t10;
+  const Scalar t12 = qd[3] * t8 + t11;
+  const Scalar t13 = qd[4] * t5;
+  const Scalar t14 = k[2] - s6 * t0;
+  const Scalar t15 = qd[5] * t14;
+  const Scalar t16 = qd[4] * t3;
+  const Scalar t17 = c5 * (t13 + t15) + s5 * t16;
+  const Scalar t18 = k[4] * c6 - k[5] * s6;
+  const Scalar t19 = qd[5] * t18;
+  const Scalar t20 = k[8] * qd[4] + t19;
+  const Scalar t21 = s5 * t13 - c5 * t20;
+  const Scalar t22 = c5 * t17 - s5 * t21;
+  const Scalar t23 = k[3] + t14;
+  const Scalar t24 = c5 * t23;
+  const Scalar t25 = k[6] + t18;
+  const Scalar t26 = t24 + s5 * t25;
+  const Scalar t27 = k[7] + t26;
+  const Scalar t28 = t22 + qd[3] * t27;
+  const Scalar t29 = c4 * t28 - s4 * t12;
+  const Scalar t30 = s4 * t29;
+  const Scalar t31 = k[14] + t1;
+  const Scalar t32 = qd[5] * t1;
+  const Scalar t33 = t32 - qd[4] * t25;
+  const Scalar t34 = s5 * t23;
+  const Scalar t35 = c5 * t33 + qd[4] * t34;
+  const Scalar t36 = qd[3] * t31 + t35;
+  const Scalar t37 = t22 - t15;
+  const Scalar t38 = s4 * (t28 - t37) + c4 * t36;
+  const Scalar t39 = c4 * t38;
+  const Scalar t40 = c4 * (t8 + t31) + Scalar(2) * s4 * t27;
+  const Scalar t41 = c4 * t40;
+  const Scalar t42 = k[22] - (t31 - t41);
+  const Scalar t43 = ((t12 + t30) - (t36 - t39)) + qd[1] * t42;
+  const Scalar t44 = k[16] * c6 - k[15] * s6;
+  const Scalar t45 = k[20] + t44;
+  const Scalar t46 = k[16] * s6 + k[15] * c6;
+  const Scalar t47 = k[17] + t46;
+  const Scalar t48 = c5 * t47;
+  const Scalar t49 = k[18] * s5 + t48;
+  const Scalar t50 = k[19] + t49;
+  const Scalar t51 = s4 * t45 + c4 * t50;
+  const Scalar t52 = k[21] + ((s4 * t40 - t27) + t51);
+  const Scalar t53 = (s4 * t38 - c4 * t29) + qd[1] * t52;
+  const Scalar t54 = qd[5] * t46;
+  const Scalar t55 = qd[3] * t50 + t54;
+  const Scalar t56 = qd[5] * t44;
+  const Scalar t57 = k[18] * qd[4] + t56;
+  const Scalar t58 = s5 * t47;
+  const Scalar t59 = c5 * t57 - qd[4] * t58;
+  const Scalar t60 = t59 + qd[3] * t45;
+  const Scalar t61 = c4 * t55 + s4 * t60;
+  const Scalar t62 = t61 + t37;
+  const Scalar t63 = c4 * t60 - s4 * t55;
+  const Scalar t64 = s4 * t50 - c4 * t45;
+  const Scalar t65 = k[23] - ((t8 - t41) + Scalar(2) * t64);
+  const Scalar t66 = s2 * (((t39 + t30) + t63) + qd[1] * t65);
+  const Scalar t67 = s2 * (c2 * t43 - s2 * t53) + c2 * (c2 * (t62 + t53) + t66);
+  const Scalar t68 = s5 * t57 + qd[4] * t48;
+  const Scalar t69 = k[24] * q[2];
+  const Scalar t70 = t58 - k[18] * c5;
+  const Scalar t71 = k[27] + t70;
+  const Scalar t72 = k[24] * qd[2];
+  const Scalar t73 = k[26] * t68;
+  const Scalar t74 = (k[25] * qd[2] + t68) * t69 + (t71 * t72 + (t37 + t73));
+  const Scalar t75 = qd[0] * c2;
+  const Scalar t76 = qd[0] * s2;
+  const Scalar t77 = t61 * t69;
+  const Scalar t78 = c5 * t4;
+  const Scalar t79 = qd[5] * t78 - s5 * t9;
+  const Scalar t80 = k[28] - (c5 * t7 - t5);
+  const Scalar t81 = k[26] * t55 + (t79 - qd[3] * t80);
+  const Scalar t82 = k[29] + (c5 * t25 - t34);
+  const Scalar t83 = s5 * t17;
+  const Scalar t84 = c5 * t21;
+  const Scalar t85 = t83 + t84;
+  const Scalar t86 = k[26] * t60 + (qd[3] * t82 - t85);
+  const Scalar t87 = c4 * t81 + s4 * t86;
+  const Scalar t88 = k[30] + t51;
+  const Scalar t89 = k[26] * t51 - (c4 * t80 - s4 * t82);
+  const Scalar t90 = (t77 + t87) + qd[1] * (k[31] + (t88 * t69 + t89));
+  const Scalar t91 = s2 * ((t75 * t42 - t76 * t52) - t90);
+  const Scalar t92 = k[32] - t64;
+  const Scalar t93 = (c4 * t82 + s4 * t80) - k[26] * t64;
+  const Scalar t94 = qd[1] * (k[33] - (t92 * t69 + (t93 + t70)));
+  const Scalar t95 = s4 * t81 - c4 * t86;
+  const Scalar t96 = t69 * t63;
+  const Scalar t97 = t94 + (t95 - t96);
+  const Scalar t98 = c2 * (t97 - (t75 * t52 + t65 * t76));
+  const Scalar t99 = t91 - t98;
+  const Scalar t100 = qd[0] * (k[25] * q[2] + t71);
+  const Scalar t101 = qd[1] + qd[3];
+  const Scalar t102 = t101 * t50 + t54;
+  const Scalar t103 = t59 + t101 * t45;
+  const Scalar t104 = c4 * t102 + s4 * t103;
+  const Scalar t105 = c4 * t75 - s4 * t76;
+  const Scalar t106 = c4 * t76 + s4 * t75;
+  const Scalar t107 = (t79 - t80 * t101) - (t8 * t105 + t27 * t106);
+  const Scalar t108 = t107 + k[26] * t102;
+  const Scalar t109 = (t85 - t101 * t82) + (t105 * t27 - t106 * t31);
+  const Scalar t110 = t109 - k[26] * t103;
+  const Scalar t111 = t104 * t69 + (c4 * t108 - s4 * t110);
+  const Scalar t112 = t105 * t50 + t106 * t45;
+  const Scalar t113 = ((c4 * t110 + s4 * t108) - t112) + t69 * (s4 * t102 - c4 * t103);
+  const Scalar t114 = s2 * t111 + c2 * t113;
+  const Scalar t115 = s5 * t101 + c5 * t105;
+  const Scalar t116 = c5 * t101 - s5 * t105;
+  const Scalar t117 = qd[4] + t106;
+  const Scalar t118 = (t115 * t5 - k[8] * t116) - (t32 - t25 * t117);
+  const Scalar t119 = t23 * t117 - (t115 * t3 + t116 * t5);
+  const Scalar t120 = k[18] * t116 - t115 * t47;
+  const Scalar t121 = (c5 * t118 - s5 * t119) - k[26] * t120;
+  const Scalar t122 = s5 * (t56 + k[18] * t117) + t117 * t48;
+  const Scalar t123 = k[26] * t122 - t15;
+  const Scalar t124 = c4 * t122 + s4 * t120;
+  const Scalar t125 = (s4 * t121 - c4 * t123) - t124 * t69;
+  const Scalar t126 = t106 * t70;
+  const Scalar t127 = t59 - t126;
+  const Scalar t128 = ((c4 * t121 + s4 * t123) - t127) + t69 * (s4 * t122 - c4 * t120);
+  const Scalar t129 = s2 * t125 - c2 * t128;
+  const Scalar t130 = qd[5] + t116;
+  const Scalar t131 = t130 * t44;
+  const Scalar t132 = t130 * t46;
+  const Scalar t133 = s6 * t117 - c6 * t115;
+  const Scalar t134 = c6 * t117 + s6 * t115;
+  const Scalar t135 = k[15] * t133 - k[16] * t134;
+  const Scalar t136 = c5 * t132 - s5 * t135;
+  const Scalar t137 = s4 * t131 + c4 * t136;
+  const Scalar t138 = (k[34] * t134 - k[2] * t133) - k[4] * t130;
+  const Scalar t139 = k[5] * t130 - (k[2] * t134 + k[10] * t133);
+  const Scalar t140 = c6 * t138 + s6 * t139;
+  const Scalar t141 = c5 * t140 - k[26] * t131;
+  const Scalar t142 = s6 * t138 - c6 * t139;
+  const Scalar t143 = t142 - k[26] * t136;
+  const Scalar t144 = t137 * t69 - (s4 * t141 + c4 * t143);
+  const Scalar t145 = s5 * t132 + c5 * t135;
+  const Scalar t146 = (t145 - (s4 * t143 - c4 * t141)) - (c4 * t131 - s4 * t136) * t69;
+  const Scalar t147 = s2 * t144 + c2 * t146;
+  const Scalar t148 = (t20 + t84) + (t83 - t16);
+  const Scalar t149 = qd[4] * t24 - s5 * t33;
+  const Scalar t150 = s4 * t148 - c4 * t149;
+  const Scalar t151 = s2 * ((t92 * t72 + (t150 + t68)) - t90);
+  const Scalar t152 = c4 * t148 + s4 * t149;
+  const Scalar t153 = t151 - c2 * (t97 - (t88 * t72 - t152));
+  const Scalar t154 = k[24] * (t75 * t88 + t92 * t76);
+  const Scalar t155 = c5 * t119 + s5 * t118;
+  const Scalar t156 = t155 - t124;
+  const Scalar t157 = s5 * t140;
+  const Scalar t158 = t137 - t157;
+  const Scalar t159 = c2 * (t61 + qd[1] * t88) + s2 * (qd[1] * t92 + t63);
+  const Scalar t160 = k[24] * t112;
+  const Scalar t161 = k[24] * t145;
+  const Scalar t162 = (((t95 + t152) - t72 * t51) - t96) - qd[1] * (t93 - t69 * t64);
+  const Scalar t163 = ((t64 * t72 + (t87 - t150)) + t77) + qd[1] * (t69 * t51 + t89);
+  const Scalar t164 = (Scalar(2) * t15 + qd[3] * t26) - t73;
+  const Scalar t165 = k[26] * t70;
+  const Scalar t166 = k[8] - t3;
+  const Scalar t167 = qd[3] * t165 - (qd[3] * t166 + (t11 + t35));
+  const Scalar t168 = s4 * t70;
+  const Scalar t169 = ((s4 * t164 - c4 * t167) + t59) - t168 * t72;
+  const Scalar t170 = c4 * t70;
+  const Scalar t171 = t169 - (s4 * t68 + qd[3] * t170) * t69;
+  const Scalar t172 = t166 - t165;
+  const Scalar t173 = (s4 * t26 + c4 * t172) - t170 * t69;
+  const Scalar t174 = qd[3] * t168 - c4 * t68;
+  const Scalar t175 = (c4 * t164 + s4 * t167) - t170 * t72;
+  const Scalar t176 = ((s4 * t172 - c4 * t26) + t49) - t69 * t168;
+  const Scalar t177 = s2 * ((t69 * t174 + t175) - qd[1] * t176);
+  const Scalar t178 = t129 - (c2 * (t171 + qd[1] * t173) + t177);
+  const Scalar t179 = t79 + t149;
+  const Scalar t180 = s5 * t44;
+  const Scalar t181 = c5 * t44;
+  const Scalar t182 = s4 * t181 + c4 * t46;
+  const Scalar t183 = k[11] * s5 - t78;
+  const Scalar t184 = k[26] * t182 + (s4 * t18 - c4 * t183);
+  const Scalar t185 = t56 + qd[3] * t181;
+  const Scalar t186 = (qd[4] * t180 + c5 * t54) + qd[3] * t46;
+  const Scalar t187 = s4 * t185 + c4 * t186;
+  const Scalar t188 = (qd[3] * t183 - t10) - k[26] * t186;
+  const Scalar t189 = k[11] * qd[4] - t19;
+  const Scalar t190 = qd[3] * t18 - (s5 * qd[4] * t4 + c5 * t189);
+  const Scalar t191 = k[26] * t185 + t190;
+  const Scalar t192 = c4 * t181 - s4 * t46;
+  const Scalar t193 = (c4 * t188 - s4 * t191) + t192 * t72;
+  const Scalar t194 = qd[1] * ((t180 + t184) + t69 * t182) + (t187 * t69 - t193);
+  const Scalar t195 = s5 * t54 - qd[4] * t181;
+  const Scalar t196 = t182 * t72 - (t195 - (c4 * t191 + s4 * t188));
+  const Scalar t197 = t196 + (c4 * t185 - s4 * t186) * t69;
+  const Scalar t198 = k[26] * t192 + (s4 * t183 + c4 * t18);
+  const Scalar t199 = c2 * (t197 + qd[1] * (t198 + t69 * t192));
+  const Scalar t200 = qd[4] * t78 - s5 * t189;
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = t78 + t84;
-  result(0, 1) = t108;
-  result(0, 2) = k[4] * t109;
-  result(0, 3) = t119;
-  result(0, 4) = -t131;
-  result(0, 5) = t149;
-  result(1, 0) = (t153 + s2 * (t155 + t106)) - t108;
-  result(1, 1) = -t74;
-  result(1, 2) = -t156;
-  result(1, 3) = -t36 - t157;
-  result(1, 4) = -t159;
-  result(1, 5) = t161;
-  result(2, 0) = -k[4] * (t109 - t162);
-  result(2, 1) = t156;
+  result(0, 0) = t74 - t67;
+  result(0, 1) = -t99;
+  result(0, 2) = k[24] * t100;
+  result(0, 3) = t114;
+  result(0, 4) = -t129;
+  result(0, 5) = t147;
+  result(1, 0) = t99 - t153;
+  result(1, 1) = -t62;
+  result(1, 2) = -t154;
+  result(1, 3) = -t104 - t37;
+  result(1, 4) = t156;
+  result(1, 5) = -t158;
+  result(2, 0) = k[24] * (t159 - t100);
+  result(2, 1) = t154;
   result(2, 2) = Scalar(0);
-  result(2, 3) = t163;
-  result(2, 4) = k[4] * t57;
-  result(2, 5) = t164;
-  result(3, 0) = t167 - t119;
-  result(3, 1) = t157 - t74;
-  result(3, 2) = -t163;
-  result(3, 3) = -t36;
-  result(3, 4) = -t158;
-  result(3, 5) = t160;
-  result(4, 0) = t131 - t181;
-  result(4, 1) = t159 + (t182 - k[20] * t171);
-  result(4, 2) = k[4] * t53;
-  result(4, 3) = t182 + t158;
-  result(4, 4) = -t14;
-  result(4, 5) = t144;
-  result(5, 0) = -t149 - t203;
-  result(5, 1) = -(k[20] * t201 + t204) - t161;
-  result(5, 2) = k[4] * t197 - t164;
-  result(5, 3) = -t160 - t204;
-  result(5, 4) = t87 - t144;
+  result(2, 3) = t160;
+  result(2, 4) = k[24] * t127;
+  result(2, 5) = -t161;
+  result(3, 0) = (c2 * t162 + s2 * t163) - t114;
+  result(3, 1) = t104 - t62;
+  result(3, 2) = -t160;
+  result(3, 3) = -t37;
+  result(3, 4) = t155;
+  result(3, 5) = t157;
+  result(4, 0) = t178;
+  result(4, 1) = (t179 + t174) - t156;
+  result(4, 2) = k[24] * t126;
+  result(4, 3) = t179 - t155;
+  result(4, 4) = -t15;
+  result(4, 5) = -t142;
+  result(5, 0) = (s2 * t194 - t199) - t147;
+  result(5, 1) = t158 - (t200 + t187);
+  result(5, 2) = t161 - k[24] * t195;
+  result(5, 3) = -t200 - t157;
+  result(5, 4) = t142 + t10;
   result(5, 5) = Scalar(0);
   return result;
 }
@@ -1151,111 +1183,132 @@ ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6x * inertia.m6;
-  const Scalar t1 = inertia.c6z * inertia.m6;
-  const Scalar t2 = g.d2 / g.l2;
-  const Scalar t3 = inertia.c6y * inertia.m6;
-  const Scalar t4 = inertia.I6yz - inertia.c6z * t3;
-  const Scalar t5 = inertia.I6xy - inertia.c6y * t0;
-  const Scalar t6 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t7 = (inertia.I6xx - t6) - inertia.c6x * t0;
-  const Scalar t8 = inertia.c6z * t1 - (inertia.I6zz - t6);
-  const Scalar t9 = t7 - t8;
-  const Scalar t10 = Scalar(1) / t9;
-  const Scalar t11 = Scalar(1) / g.l2;
-  const Scalar t12 = inertia.c5y * inertia.m5;
-  const Scalar t13 = inertia.c5z * inertia.m5;
-  const Scalar t14 = inertia.c4z * inertia.m4;
-  const Scalar t15 = g.l2 * t14;
-  const Scalar t16 = inertia.c4x * inertia.m4;
-  const Scalar t17 = inertia.c5x * inertia.m5;
-  const Scalar t18 = inertia.c3z * inertia.m3;
-  const Scalar t19 = inertia.c3x * inertia.m3;
-  const Scalar t20 = g.l2 * g.l2 * (inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)));
-  const Scalar t21 = inertia.I6xz - inertia.c6z * t0;
-  const Scalar t22 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t23 = ((inertia.I6yy - t6) - inertia.c6y * t3) - (inertia.c5y * t12 - (inertia.I5yy - t22));
-  const Scalar t24 = inertia.c4y * inertia.m4;
-  const Scalar t25 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t26 = (inertia.I4zz - t25) - inertia.c4z * t14;
-  const Scalar t27 = (inertia.c5x * t17 - (inertia.I5xx - t22)) - ((inertia.I4xx - t25) - inertia.c4x * t16);
-  const Scalar t28 = inertia.c3y * inertia.m3;
-  const Scalar t29 = inertia.I4xz - inertia.c4z * t16;
-  const Scalar t30 = inertia.c2x * inertia.m2;
-  const Scalar t31 = g.l2 * inertia.m2 + t30;
-  const Scalar t32 = inertia.c2z * inertia.m2;
-  const Scalar t33 = g.l2 * t32;
-  const Scalar t34 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t35 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t36 = ((inertia.I3zz - t34) - inertia.c3z * t18) + ((inertia.I2zz - t35) - inertia.c2z * t32);
-  const Scalar t37 = (inertia.c2x * t30 - (inertia.I2xx - t35)) + g.l2 * (t30 + t31);
-  const Scalar t38 = (inertia.c3x * t19 - (inertia.I3xx - t34)) + t37;
-  const Scalar t39 = (inertia.I3xz - inertia.c3z * t19) + ((inertia.I2xz - inertia.c2z * t30) - t33);
-  const Scalar t40 = inertia.c2y * inertia.m2;
-  const Scalar t41 = ((inertia.I2xy - inertia.c2y * t30) - g.l2 * t40) + (inertia.I3xy - inertia.c3y * t19);
-  const Scalar t42 = (inertia.I3yz - inertia.c3z * t28) + (inertia.I2yz - inertia.c2z * t40);
-  const Scalar t43 = g.d2 * inertia.m2 - t40;
-  const Scalar t44 = inertia.c1y * inertia.m1;
-  const Scalar t45 = t44 - g.d2 * inertia.m1;
-  const Scalar t46 = (t43 - t45) / g.d2;
-  const Scalar t47 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t48 = (inertia.c1y * t44 - (inertia.I1yy - t47)) - g.d2 * (t44 + t45);
-  const Scalar t49 = ((inertia.I3yy - t34) - inertia.c3y * t28) + ((inertia.I4yy - t25) - inertia.c4y * t24);
-  const Scalar t50 = g.d2 * (t43 - t40) - (((inertia.I2yy - t35) - inertia.c2y * t40) + t49);
-  return { g.l2 * t0,
-           g.l2 * t1,
-           t2,
-           t4,
-           t5,
+  const Scalar t0 = Scalar(1) / g.l2;
+  const Scalar t1 = inertia.c6y * inertia.m6;
+  const Scalar t2 = inertia.c5y * inertia.m5;
+  const Scalar t3 = inertia.c6z * inertia.m6;
+  const Scalar t4 = inertia.c6x * inertia.m6;
+  const Scalar t5 = inertia.c5z * inertia.m5;
+  const Scalar t6 = inertia.I6xz - inertia.c6z * t4;
+  const Scalar t7 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t8 = (inertia.I6xx - t7) - inertia.c6x * t4;
+  const Scalar t9 = inertia.c6z * t3 - (inertia.I6zz - t7);
+  const Scalar t10 = t8 - t9;
+  const Scalar t11 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t12 = ((inertia.I6yy - t7) - inertia.c6y * t1) - (inertia.c5y * t2 - (inertia.I5yy - t11));
+  const Scalar t13 = g.d2 + g.d4;
+  const Scalar t14 = t13 / g.l2;
+  const Scalar t15 = inertia.c5x * inertia.m5;
+  const Scalar t16 = inertia.I6yz - inertia.c6z * t1;
+  const Scalar t17 = Scalar(1) / t10;
+  const Scalar t18 = inertia.I6xy - inertia.c6y * t4;
+  const Scalar t19 = gravity / g.l2;
+  const Scalar t20 = inertia.c3z * inertia.m3;
+  const Scalar t21 = g.l2 * t20;
+  const Scalar t22 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t23 = inertia.c3x * inertia.m3;
+  const Scalar t24 = g.l2 * inertia.m3 + t23;
+  const Scalar t25 = g.l2 * t22;
+  const Scalar t26 = (t24 + t25) / g.l2;
+  const Scalar t27 = g.l2 * g.l2 * ((inertia.m3 + t22) - t26);
+  const Scalar t28 = inertia.c4z * inertia.m4;
+  const Scalar t29 = g.l2 * t28;
+  const Scalar t30 = inertia.c4x * inertia.m4;
+  const Scalar t31 = g.l2 * g.l2 * t26;
+  const Scalar t32 = t13 * t26;
+  const Scalar t33 = inertia.c3y * inertia.m3;
+  const Scalar t34 = inertia.m3 * t13 - t33;
+  const Scalar t35 = inertia.m4 * t13;
+  const Scalar t36 = inertia.c4y * inertia.m4;
+  const Scalar t37 = t36 - t35;
+  const Scalar t38 = t35 + t37;
+  const Scalar t39 = t38 - t13 * t22;
+  const Scalar t40 = inertia.I4xz - inertia.c4z * t30;
+  const Scalar t41 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t42 = (inertia.c5x * t15 - (inertia.I5xx - t11)) - ((inertia.I4xx - t41) - inertia.c4x * t30);
+  const Scalar t43 = t13 * t30;
+  const Scalar t44 = t13 * t28;
+  const Scalar t45 = (inertia.I4zz - t41) - inertia.c4z * t28;
+  const Scalar t46 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t47 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t48 = inertia.c2z * inertia.m2;
+  const Scalar t49 = ((inertia.I3zz - t46) - inertia.c3z * t20) + ((inertia.I2zz - t47) - inertia.c2z * t48);
+  const Scalar t50 = inertia.c2x * inertia.m2;
+  const Scalar t51 = g.l2 * inertia.m2 + t50;
+  const Scalar t52 = (inertia.c2x * t50 - (inertia.I2xx - t47)) + g.l2 * (t50 + t51);
+  const Scalar t53 = g.l2 * (t24 + t23) + (inertia.c3x * t23 - (inertia.I3xx - t46));
+  const Scalar t54 = t31 - (t52 + (t53 + g.l2 * t25));
+  const Scalar t55 = g.l2 * t48;
+  const Scalar t56 = (t21 - (inertia.I3xz - inertia.c3z * t23)) - ((inertia.I2xz - inertia.c2z * t50) - t55);
+  const Scalar t57 = t13 * t24 - (g.l2 * t33 - (inertia.I3xy - inertia.c3y * t23));
+  const Scalar t58 = inertia.c2y * inertia.m2;
+  const Scalar t59 = ((inertia.I2xy - inertia.c2y * t50) - g.l2 * t58) + g.d2 * t51;
+  const Scalar t60 = ((g.l2 * t39 - t57) - t59) + g.l2 * t32;
+  const Scalar t61 = (t13 * t20 + (inertia.I3yz - inertia.c3z * t33))
+      + (g.d2 * t48 + (inertia.I2yz - inertia.c2z * t58));
+  const Scalar t62 = t31 + t27;
+  const Scalar t63 = g.d2 * ((g.d2 * inertia.m2 - t58) - t58) - ((inertia.I2yy - t47) - inertia.c2y * t58);
+  const Scalar t64 = ((inertia.I4yy - t41) - inertia.c4y * t36) + t13 * (t36 + t37);
+  const Scalar t65 = (t13 * (t38 + t37) - t64) - t13 * (t38 + t39);
+  const Scalar t66 = ((inertia.I3yy - t46) - inertia.c3y * t33) - t13 * (t34 - t33);
+  const Scalar t67 = inertia.c1y * inertia.m1;
+  const Scalar t68 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t69 = (inertia.c1y * t67 - (inertia.I1yy - t68)) - g.d2 * (t67 + (t67 - g.d2 * inertia.m1));
+  const Scalar t70 = ((t63 + (t65 - t66)) + t69) - t13 * t32;
+  return { t0,
+           g.l2 * (t1 + t2),
+           g.l2 * t3,
+           g.l2 * t4,
+           g.l2 * t5,
+           Scalar(2) * t6,
+           t8 + t9,
            t9,
-           t10 * t5,
-           t4 * t10,
-           t11,
-           g.d4 / g.l2,
-           t10 * t11,
-           g.l2 * (t3 + t12),
-           g.l2 * t13,
-           t15,
-           g.l2 * (t16 + t17),
-           g.l2 * t18,
-           g.l2 * t19,
-           t20,
-           Scalar(2) * t21,
-           t7 + t8,
-           t7,
-           inertia.c5z * t13 - (inertia.I5zz - t22),
-           t23,
-           Scalar(2) * t23,
-           inertia.I5xy - inertia.c5y * t17,
-           t21,
-           inertia.I5xz - inertia.c5z * t17,
            t10,
-           inertia.I5yz - inertia.c5z * t12,
-           inertia.I4yz - inertia.c4z * t24,
-           inertia.I4xy - inertia.c4y * t16,
-           t26,
-           t8,
+           inertia.c5z * t5 - (inertia.I5zz - t11),
+           t12,
+           t14,
+           t6,
+           inertia.I5xz - inertia.c5z * t15,
+           t16 * t17,
+           t17 * t18,
+           inertia.I5xy - inertia.c5y * t15,
+           t16,
+           t18,
+           t19,
+           Scalar(2) * t0,
+           t17,
+           inertia.I5yz - inertia.c5z * t2,
+           t21,
            t27,
-           gravity / g.l2,
-           Scalar(2) * t15,
-           g.l2 * (t24 + t28),
-           t26 + t27,
            t29,
-           t20 * t11 * t11,
-           g.l2 * t31,
-           t33,
-           t36 + t38,
-           Scalar(2) * t39,
-           t39,
-           t41,
+           g.l2 * (t30 + t15),
+           t31,
+           g.l2 * (t32 - (t34 - t39)),
+           Scalar(2) * t40,
            t42,
+           (t43 + (inertia.I4xy - inertia.c4y * t30)) - t43,
+           t44 - (t44 + (inertia.I4yz - inertia.c4z * t36)),
+           t40,
+           Scalar(2) * t45,
            Scalar(2) * t29,
-           Scalar(2) * t26,
-           t36,
-           t38,
-           t2 * (t20 + g.l2 * g.l2 * t46),
-           g.d2 * g.d2 * t46 - (t48 + t50),
-           inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t47) };
+           t49 - t54,
+           Scalar(2) * t56,
+           t56,
+           t60,
+           t61,
+           t45,
+           t45 + t42,
+           t17 * t0,
+           Scalar(2) * t21,
+           t62 * t0 * t0,
+           t31 * t14,
+           t49,
+           t54,
+           t19 * t55,
+           g.l2 * t51,
+           t62,
+           t70,
+           inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t68) };
 }
 
 namespace detail {
@@ -1272,236 +1325,226 @@ inline JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const 
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[0] * c6 - k[1] * s6;
-  const Scalar t1 = c5 * t0;
-  const Scalar t2 = k[0] * s6 + k[1] * c6;
-  const Scalar t3 = c4 * t1 - s4 * t2;
-  const Scalar t4 = k[6] * c6 - k[7] * s6;
-  const Scalar t5 = k[5] * t4;
-  const Scalar t6 = k[3] * c6 + k[4] * s6;
-  const Scalar t7 = k[5] * s5 - c5 * t6;
-  const Scalar t8 = k[9] + k[8] * q[2];
-  const Scalar t9 = (c4 * t5 + s4 * t7) + t3 * t8;
-  const Scalar t10 = c4 * t2 + s4 * t1;
-  const Scalar t11 = t10 * t8 - (c4 * t7 - s4 * t5);
-  const Scalar t12 = s5 * t0;
-  const Scalar t13 = s2 * (k[2] * t3 + t9) + c2 * ((t11 + t12) + k[2] * t10);
-  const Scalar t14 = k[27] * t13;
-  const Scalar t15 = k[5] * c5 + s5 * t6;
-  const Scalar t16 = k[28] + t6;
-  const Scalar t17 = c5 * t16;
-  const Scalar t18 = k[18] * s6 - k[19] * c6;
-  const Scalar t19 = c6 * t18;
-  const Scalar t20 = k[20] + t19;
-  const Scalar t21 = k[22] + (k[21] - t20);
-  const Scalar t22 = (t17 + t17) + s5 * t21;
-  const Scalar t23 = k[29] + (c5 * t22 - t16);
-  const Scalar t24 = k[24] + t5;
-  const Scalar t25 = k[25] - s6 * t18;
-  const Scalar t26 = k[26] + t25;
-  const Scalar t27 = c5 * t24 - s5 * t26;
-  const Scalar t28 = k[30] + t27;
-  const Scalar t29 = s4 * t23 - c4 * t28;
-  const Scalar t30 = k[12] + t2;
-  const Scalar t31 = k[11] * s5 + c5 * t30;
-  const Scalar t32 = k[13] + t31;
-  const Scalar t33 = k[14] + t0;
-  const Scalar t34 = s4 * t32 - c4 * t33;
-  const Scalar t35 = s2 * ((t29 + t8 * t34) + k[2] * t34);
-  const Scalar t36 = s4 * t28 + c4 * t23;
-  const Scalar t37 = c4 * t32 + s4 * t33;
-  const Scalar t38 = c2 * ((t36 + t37 * t8) + k[2] * t37);
-  const Scalar t39 = s5 * t30 - k[11] * c5;
-  const Scalar t40 = s4 * t39;
-  const Scalar t41 = k[23] - t21;
-  const Scalar t42 = s5 * t24 + c5 * t26;
-  const Scalar t43 = t40 * t8 - (s4 * t41 - c4 * t42);
-  const Scalar t44 = c4 * t39;
-  const Scalar t45 = (c4 * t41 + s4 * t42) - t44 * t8;
-  const Scalar t46 = c2 * ((t43 - t31) + k[2] * t40) - s2 * (t45 - k[2] * t44);
-  const Scalar t47 = t46 + t13 * t4;
-  const Scalar t48 = k[27] * t15;
-  const Scalar t49 = t5 * t48 - t27;
-  const Scalar t50 = Scalar(1) / (t41 - t5 * t4);
-  const Scalar t51 = t49 * t50;
-  const Scalar t52 = (t14 * t15 + (t35 - t38)) + t47 * t51;
-  const Scalar t53 = k[32] + t19;
-  const Scalar t54 = k[33] + t53;
-  const Scalar t55 = k[22] - s5 * t22;
-  const Scalar t56 = k[31] + (t41 - t55);
-  const Scalar t57 = t54 - t56;
-  const Scalar t58 = Scalar(1) / ((t15 * t48 + t57) + t49 * t51);
-  const Scalar t59 = t52 * t58;
-  const Scalar t60 = qd[0] * s2;
-  const Scalar t61 = qd[0] * c2;
-  const Scalar t62 = t60 * t61;
-  const Scalar t63 = k[8] * qd[2];
-  const Scalar t64 = t63 * t60;
-  const Scalar t65 = (t62 + k[34] * c2) - (t64 + t64);
-  const Scalar t66 = qd[0] * qd[0];
-  const Scalar t67 = qd[1] * qd[1];
-  const Scalar t68 = t66 + t67;
-  const Scalar t69 = t60 * t60;
-  const Scalar t70 = t68 - t69;
-  const Scalar t71 = Scalar(2) * t63 * t61 - (t70 - k[34] * s2);
-  const Scalar t72 = s4 * t65 + c4 * t71;
-  const Scalar t73 = c4 * t65 - s4 * t71;
-  const Scalar t74 = c4 * t61 - s4 * t60;
-  const Scalar t75 = c4 * t60 + s4 * t61;
-  const Scalar t76 = t74 * t75;
-  const Scalar t77 = qd[1] + qd[3];
-  const Scalar t78 = t77 * t77;
-  const Scalar t79 = t75 * t75;
-  const Scalar t80 = t78 - t79;
-  const Scalar t81 = t78 + t79;
-  const Scalar t82 = t66 - t81;
-  const Scalar t83 = t80 + t82;
-  const Scalar t84 = (k[13] * t72 - k[14] * t73) - (k[37] * t76 - k[38] * t83);
-  const Scalar t85 = s5 * t74;
-  const Scalar t86 = c5 * t77 - t85;
-  const Scalar t87 = c5 * t74;
-  const Scalar t88 = s5 * t77 + t87;
-  const Scalar t89 = t86 * t88;
-  const Scalar t90 = t74 * t77;
-  const Scalar t91 = t89 + t90;
-  const Scalar t92 = qd[4] + t75;
-  const Scalar t93 = t92 * t86;
-  const Scalar t94 = t77 * t75;
-  const Scalar t95 = Scalar(2) * t94;
-  const Scalar t96 = t75 * t85 - c5 * t95;
-  const Scalar t97 = (t93 + t93) + t96;
-  const Scalar t98 = s5 * t95 + t75 * t87;
-  const Scalar t99 = t92 * t88;
-  const Scalar t100 = (t98 - t99) - t99;
-  const Scalar t101 = t81 + t83;
-  const Scalar t102 = t92 * t92;
-  const Scalar t103 = qd[5] + t86;
-  const Scalar t104 = t103 * t103;
-  const Scalar t105 = t102 + t104;
-  const Scalar t106 = t86 * t86 + t102;
-  const Scalar t107 = t101 - t106;
-  const Scalar t108 = t105 + t107;
-  const Scalar t109 = t102 - t104;
-  const Scalar t110 = t108 + t109;
-  const Scalar t111 = t101 - t110;
-  const Scalar t112 = (k[22] * t97 + k[28] * t100) + k[24] * t111;
-  const Scalar t113 = t92 * t103;
-  const Scalar t114 = (t97 - t113) - t113;
-  const Scalar t115 = t89 - t90;
-  const Scalar t116 = t115 - Scalar(2) * t103 * t88;
-  const Scalar t117 = t5 * t109 + (t114 * t53 - t25 * t116);
-  const Scalar t118 = qd[0] * qd[1];
-  const Scalar t119 = t118 + t118;
-  const Scalar t120 = s2 * t119;
-  const Scalar t121 = k[2] * t66;
-  const Scalar t122 = t66 * t8 - (t120 - t121);
-  const Scalar t123 = s5 * t73 + c5 * t122;
-  const Scalar t124 = ((k[26] * t91 - t112) - k[11] * t72) + ((t117 - t100 * t6) + t123 * t0);
-  const Scalar t125 = c5 * t73 - s5 * t122;
-  const Scalar t126 = t25 * t107 + (t100 * t20 - t98 * t53);
-  const Scalar t127 = (t0 * t125 - t2 * t72) - (t126 - (t115 * t5 - t97 * t6));
-  const Scalar t128 = (k[26] * t107 - k[24] * t115) + (k[28] * t97 - k[21] * t100);
-  const Scalar t129 = t127 - (t128 + k[12] * t72);
-  const Scalar t130 = t84 - (s5 * t124 + c5 * t129);
-  const Scalar t131 = torque[5] - t127;
-  const Scalar t132 = ((t107 + t109) * t6 + t98 * t5) - (t25 * t114 + t116 * t20);
-  const Scalar t133 = k[28] * (t107 - t111) - (k[22] * t115 + k[21] * t91);
-  const Scalar t134 = ((k[24] * t98 - k[26] * t96) + t133) + (k[12] * t123 - k[11] * t125);
-  const Scalar t135 = (t2 * t123 + t132) + t134;
-  const Scalar t136 = t131 * t4 - (torque[4] + t135);
-  const Scalar t137 = ((torque[3] + t130) - t131 * t48) - t51 * t136;
-  const Scalar t138 = k[27] * t131;
-  const Scalar t139 = k[40] * c2 - k[41] * s2;
-  const Scalar t140 = k[17] * t65 + (k[16] * t62 - k[15] * (t67 + t69));
-  const Scalar t141 = (k[12] * t100 + k[11] * t97) + (t108 * t0 + t2 * t100);
-  const Scalar t142 = t141 + (k[14] * t101 - k[13] * t76);
-  const Scalar t143 = (t2 * t105 - t98 * t0) + (k[11] * t115 + k[12] * t106);
-  const Scalar t144 = (k[11] * t110 + k[12] * t91) - (t114 * t0 + t2 * t116);
-  const Scalar t145 = (c5 * t143 + s5 * t144) - (k[14] * t76 - k[13] * t81);
-  const Scalar t146 = t140 - (s4 * t142 + c4 * t145);
-  const Scalar t147 = k[17] * t71 + (k[15] * t62 - k[16] * t70);
-  const Scalar t148 = t147 - (c4 * t142 - s4 * t145);
-  const Scalar t149 = t68 * t139 + (s2 * t146 - c2 * t148);
-  const Scalar t150 = (k[33] * t95 - k[47] * t90) + k[30] * t80;
-  const Scalar t151 = (s5 * t129 - c5 * t124) + ((t150 - k[29] * t76) - k[14] * t122);
-  const Scalar t152 = (k[48] * t90 + k[47] * t94) + (k[30] * t76 + k[29] * t82);
-  const Scalar t153 = (k[13] * t122 + t152) + t135;
-  const Scalar t154 = (c4 * t151 + s4 * t153) - (k[16] * t122 - k[36] * t71);
-  const Scalar t155 = (k[15] * t122 - k[36] * t65) - (s4 * t151 - c4 * t153);
-  const Scalar t156 = c2 * (t8 * t148 - t154) - s2 * (t146 * t8 + t155);
-  const Scalar t157 = k[36] * t66 + (k[16] * t120 + k[15] * c2 * t119);
-  const Scalar t158 = (k[35] * t90 + k[14] * t95) + (c5 * t144 - s5 * t143);
-  const Scalar t159 = (k[17] * t122 - t157) - t158;
-  const Scalar t160 = k[44] + c2 * (k[42] * s2 - k[43] * c2);
-  const Scalar t161 = t67 * (k[46] * s2 - k[45] * c2) - t160 * t119;
-  const Scalar t162 = (t156 + c2 * t159) + (t161 + t139 * t121);
-  const Scalar t163 = t13 * t138 - (torque[0] + (k[2] * t149 - t162));
-  const Scalar t164 = t50 * t47;
-  const Scalar t165 = k[8] * t12;
-  const Scalar t166 = k[8] * t31 - t165 * t4;
-  const Scalar t167 = t166 * t51 - t165 * t48;
-  const Scalar t168 = t167 * t58;
-  const Scalar t169 = k[10] * t12;
-  const Scalar t170 = t166 * t50;
-  const Scalar t171 = t168 * t167 - ((k[39] + t165 * t169) + t166 * t170);
-  const Scalar t172 = Scalar(1) / t171;
-  const Scalar t173 = t50 * t136;
-  const Scalar t174 = ((torque[2] + k[8] * t159) + t169 * t131) - t166 * t173;
-  const Scalar t175 = t172 * (t168 * t137 - t174);
-  const Scalar t176 = k[16] - t34;
-  const Scalar t177 = k[17] + t176;
-  const Scalar t178 = k[15] + t37;
-  const Scalar t179 = t169 * t13 + k[8] * (c2 * t177 - s2 * t178);
-  const Scalar t180 = t59 * t167 + (t179 - t166 * t164);
-  const Scalar t181 = (t59 * t137 + (t163 + t164 * t136)) - t175 * t180;
-  const Scalar t182 = t15 - t3;
-  const Scalar t183 = k[27] * t182;
-  const Scalar t184 = t183 * t5 - (t44 + t27);
-  const Scalar t185 = t50 * t184;
-  const Scalar t186 = t49 * t185 + (t183 * t15 + (t57 - t34));
-  const Scalar t187 = t186 * t58;
-  const Scalar t188 = (t184 * t170 - t165 * t183) - t187 * t167;
-  const Scalar t189 = t172 * t188;
-  const Scalar t190 = k[38] + t42;
-  const Scalar t191 = s4 * t190;
-  const Scalar t192 = c4 * (t54 + t56) + (t191 + t191);
-  const Scalar t193 = c4 * t192 - t56;
-  const Scalar t194 = k[50] + (t193 + (t176 + t177));
-  const Scalar t195 = k[49] + (t193 - t57);
-  const Scalar t196 = t184 * t185 + ((t194 - t195) + t182 * t183);
-  const Scalar t197 = Scalar(1) / (t189 * t188 - (t186 * t187 - t196));
-  const Scalar t198 = t172 * t180;
-  const Scalar t199 = k[36] - t39;
-  const Scalar t200 = k[17] * t8 - t199;
-  const Scalar t201 = (k[45] - ((t29 - t176 * t8) - t200)) + k[2] * (k[40] + t177);
-  const Scalar t202 = k[2] * (k[41] + t178) + (k[46] + (t178 * t8 + t36));
-  const Scalar t203 = (s2 * t201 + c2 * t202) - t182 * t14;
-  const Scalar t204 = t198 * t188 - ((t47 * t185 - t203) - t52 * t187);
-  const Scalar t205 = t197 * t204;
-  const Scalar t206 = ((k[15] * t71 - k[16] * t65) + t130) - t146;
-  const Scalar t207 = torque[1] - ((t66 * t160 + k[34] * t139) - t206);
-  const Scalar t208 = ((t182 * t138 - t207) + t185 * t136) + t137 * t187;
-  const Scalar t209 = t208 + t175 * t188;
-  const Scalar t210 = c2 * (k[44] + ((t190 - s4 * t192) - t178));
-  const Scalar t211 = s2 * (s2 * (t194 + t195) - Scalar(2) * t210);
-  const Scalar t212 = k[2] * ((k[51] + t200) + t200) - ((t199 - t200) * t8 + t55);
-  const Scalar t213 = t14 * t13 + ((k[53] + (t194 - t211)) - (k[52] - t212));
-  const Scalar t214 = t180 * t198 + ((t47 * t164 + t213) - t52 * t59);
-  const Scalar t215 = (t181 + t205 * t209) * Scalar(1) / (t204 * t205 - t214);
-  const Scalar t216 = t197 * t209 - t215 * t205;
-  const Scalar t217 = t189 * t216 - (t175 - t215 * t198);
-  const Scalar t218 = (t137 * t58 - t59 * t215) + t216 * t187;
-  const Scalar t219 = t168 * t217 + t218;
-  const Scalar t220 = t170 * t217 + (t216 * t185 - (t173 + t215 * t164));
-  const Scalar t221 = t220 - t219 * t51;
-  const Scalar t222 = ((t215 * t14 + t138) - t183 * t216) + t169 * t217;
+  const Scalar t0 = k[14] * s6 - k[15] * c6;
+  const Scalar t1 = k[2] * c6 + k[3] * s6;
+  const Scalar t2 = k[2] * s6 - k[3] * c6;
+  const Scalar t3 = c5 * t2;
+  const Scalar t4 = c4 * t1 - s4 * t3;
+  const Scalar t5 = k[8] * t0;
+  const Scalar t6 = k[17] * c6 + k[18] * s6;
+  const Scalar t7 = c5 * t6 - k[8] * s5;
+  const Scalar t8 = k[11] * t4 - (s4 * t5 - c4 * t7);
+  const Scalar t9 = s5 * t2;
+  const Scalar t10 = k[0] * q[2];
+  const Scalar t11 = s4 * t1 + c4 * t3;
+  const Scalar t12 = k[11] * t11 + (s4 * t7 + c4 * t5);
+  const Scalar t13 = c2 * ((t8 - t9) + t10 * t4) - s2 * (t10 * t11 + t12);
+  const Scalar t14 = k[6] * c6 - k[5] * s6;
+  const Scalar t15 = k[7] - c6 * t14;
+  const Scalar t16 = k[8] + t15;
+  const Scalar t17 = k[9] - t16;
+  const Scalar t18 = k[10] - t17;
+  const Scalar t19 = k[4] + t1;
+  const Scalar t20 = k[1] * c5 - s5 * t19;
+  const Scalar t21 = t18 + k[11] * t20;
+  const Scalar t22 = k[12] + s6 * t14;
+  const Scalar t23 = k[13] + t22;
+  const Scalar t24 = k[16] - t5;
+  const Scalar t25 = c5 * t23 + s5 * t24;
+  const Scalar t26 = c4 * t20;
+  const Scalar t27 = (c4 * t21 + s4 * t25) + t10 * t26;
+  const Scalar t28 = c5 * t19 + k[1] * s5;
+  const Scalar t29 = s4 * t20 * t10 + (t28 - (c4 * t25 - s4 * t21));
+  const Scalar t30 = t0 * t13 + (s2 * t27 + c2 * t29);
+  const Scalar t31 = Scalar(1) / (t18 - t0 * t5);
+  const Scalar t32 = t30 * t31;
+  const Scalar t33 = c5 * t24 - s5 * t23;
+  const Scalar t34 = s5 * t6 + k[8] * c5;
+  const Scalar t35 = k[21] * t34;
+  const Scalar t36 = t33 + t5 * t35;
+  const Scalar t37 = k[21] * t13;
+  const Scalar t38 = k[26] - t2;
+  const Scalar t39 = (k[31] + t33) + k[11] * t38;
+  const Scalar t40 = k[22] + t6;
+  const Scalar t41 = s5 * (k[10] + t17) + Scalar(2) * c5 * t40;
+  const Scalar t42 = k[25] + t28;
+  const Scalar t43 = (k[32] + (t40 - c5 * t41)) - k[11] * t42;
+  const Scalar t44 = s4 * t39 - c4 * t43;
+  const Scalar t45 = c4 * t42 + s4 * t38;
+  const Scalar t46 = s4 * t43 + c4 * t39;
+  const Scalar t47 = s4 * t42 - c4 * t38;
+  const Scalar t48 = c2 * (t44 + t10 * t45) + s2 * (t46 - t10 * t47);
+  const Scalar t49 = t32 * t36 + (t37 * t34 - t48);
+  const Scalar t50 = k[30] + t15;
+  const Scalar t51 = t17 - s5 * t41;
+  const Scalar t52 = k[41] - t51;
+  const Scalar t53 = t50 - t52;
+  const Scalar t54 = t31 * t36;
+  const Scalar t55 = Scalar(1) / ((t53 + t34 * t35) + t36 * t54);
+  const Scalar t56 = t11 + t34;
+  const Scalar t57 = k[21] * t56;
+  const Scalar t58 = (t33 - t26) + t5 * t57;
+  const Scalar t59 = t31 * t58;
+  const Scalar t60 = ((t53 - t47) + t56 * t35) + t59 * t36;
+  const Scalar t61 = t55 * t60;
+  const Scalar t62 = k[23] + t45;
+  const Scalar t63 = k[46] - t20;
+  const Scalar t64 = k[27] - t47;
+  const Scalar t65 = s2 * (k[39] - ((t63 + t46) + t64 * t10));
+  const Scalar t66 = c2 * (k[40] + (t10 * t62 + t44)) - t65;
+  const Scalar t67 = t49 * t61 - (t32 * t58 - (t66 - t56 * t37));
+  const Scalar t68 = k[43] * t9;
+  const Scalar t69 = k[8] * t68;
+  const Scalar t70 = t0 * t69 - k[0] * t28;
+  const Scalar t71 = t31 * t70;
+  const Scalar t72 = t34 * t68 + t71 * t36;
+  const Scalar t73 = t55 * t72;
+  const Scalar t74 = t73 * t72 - (t71 * t70 + (k[45] + t69 * t68));
+  const Scalar t75 = Scalar(1) / t74;
+  const Scalar t76 = k[0] * (c2 * t64 - s2 * t62) - t13 * t68;
+  const Scalar t77 = (t76 - t32 * t70) + t49 * t73;
+  const Scalar t78 = t75 * t77;
+  const Scalar t79 = t60 * t73 - (t71 * t58 + t69 * t57);
+  const Scalar t80 = t67 - t78 * t79;
+  const Scalar t81 = k[33] + t25;
+  const Scalar t82 = c4 * (t50 + t52) + Scalar(2) * s4 * t81;
+  const Scalar t83 = c4 * t82 - t50;
+  const Scalar t84 = k[48] - ((t64 - t47) + (t53 + t83));
+  const Scalar t85 = k[47] + t83;
+  const Scalar t86 = (t56 * t57 - (t84 + t85)) + t59 * t58;
+  const Scalar t87 = t75 * t79;
+  const Scalar t88 = Scalar(1) / ((t60 * t61 - t86) - t87 * t79);
+  const Scalar t89 = t80 * t88;
+  const Scalar t90 = t55 * t49;
+  const Scalar t91 = c2 * (k[38] + (t45 + (s4 * t82 - t81)));
+  const Scalar t92 = s2 * (s2 * (t84 - t85) - (t91 + t91));
+  const Scalar t93 = k[28] - t63;
+  const Scalar t94 = (k[11] * (t20 - t63) + (t18 + t51)) - t10 * ((k[51] * t10 - t93) - t93);
+  const Scalar t95 = t37 * t13 + ((k[53] + (t92 - t84)) + (k[52] - t94));
+  const Scalar t96 = t78 * t77 - (t49 * t90 - (t95 + t30 * t32));
+  const Scalar t97 = qd[0] * s2;
+  const Scalar t98 = qd[0] * c2;
+  const Scalar t99 = t97 * t98;
+  const Scalar t100 = k[20] * qd[2];
+  const Scalar t101 = k[19] * c2;
+  const Scalar t102 = t100 * t97 - t101;
+  const Scalar t103 = t99 - t102;
+  const Scalar t104 = qd[1] * qd[1];
+  const Scalar t105 = t98 * t98;
+  const Scalar t106 = k[19] * s2 + t100 * t98;
+  const Scalar t107 = (t104 + t105) - t106;
+  const Scalar t108 = s4 * t103 - c4 * t107;
+  const Scalar t109 = qd[0] * qd[0];
+  const Scalar t110 = qd[0] * qd[1];
+  const Scalar t111 = t110 + t110;
+  const Scalar t112 = t109 * t10;
+  const Scalar t113 = k[11] * t109 - (s2 * t111 - t112);
+  const Scalar t114 = c4 * t103 + s4 * t107;
+  const Scalar t115 = s5 * t113 - c5 * t114;
+  const Scalar t116 = c4 * t97 + s4 * t98;
+  const Scalar t117 = qd[4] + t116;
+  const Scalar t118 = qd[1] + qd[3];
+  const Scalar t119 = c5 * t118;
+  const Scalar t120 = c4 * t98 - s4 * t97;
+  const Scalar t121 = t119 - s5 * t120;
+  const Scalar t122 = t116 + t116;
+  const Scalar t123 = t120 * t116;
+  const Scalar t124 = t119 * t122 - s5 * t123;
+  const Scalar t125 = t117 * Scalar(2) * t121 - t124;
+  const Scalar t126 = c5 * t120;
+  const Scalar t127 = s5 * t118 + t126;
+  const Scalar t128 = t121 * t127;
+  const Scalar t129 = t120 * t118;
+  const Scalar t130 = t128 - t129;
+  const Scalar t131 = t118 * t122;
+  const Scalar t132 = s5 * t131 + t116 * t126;
+  const Scalar t133 = t117 * t127;
+  const Scalar t134 = (t132 - t133) - t133;
+  const Scalar t135 = t118 * t118;
+  const Scalar t136 = t116 * t116;
+  const Scalar t137 = t135 - t136;
+  const Scalar t138 = t137 + t109;
+  const Scalar t139 = t121 * t121;
+  const Scalar t140 = t117 * t117;
+  const Scalar t141 = t139 + t140;
+  const Scalar t142 = t138 - t141;
+  const Scalar t143 = (t15 * t132 - t16 * t134) - t142 * t22;
+  const Scalar t144 = (t1 * t108 - t115 * t2) + ((t125 * t6 + t5 * t130) - t143);
+  const Scalar t145 = torque[5] + t144;
+  const Scalar t146 = t135 + t136;
+  const Scalar t147 = t109 - t146;
+  const Scalar t148 = (k[26] * t114 - k[25] * t108) + (k[42] * t123 - k[33] * (t137 + t147));
+  const Scalar t149 = t139 - t140;
+  const Scalar t150 = (k[10] * t125 + k[22] * t134) + k[16] * t149;
+  const Scalar t151 = t128 + t129;
+  const Scalar t152 = qd[5] + t121;
+  const Scalar t153 = t152 * t152;
+  const Scalar t154 = t130 - Scalar(2) * t127 * t152;
+  const Scalar t155 = t117 * t152;
+  const Scalar t156 = t155 - (t125 - t155);
+  const Scalar t157 = t5 * (t140 - t153) + (t22 * t154 + t156 * t15);
+  const Scalar t158 = c5 * t113 + s5 * t114;
+  const Scalar t159 = ((t150 - k[13] * t151) + k[1] * t108) + ((t134 * t6 + t157) + t158 * t2);
+  const Scalar t160 = (k[9] * t134 - k[22] * t125) - (k[13] * t142 - k[16] * t130);
+  const Scalar t161 = (k[4] * t108 - t160) + t144;
+  const Scalar t162 = t148 - (s5 * t159 + c5 * t161);
+  const Scalar t163 = k[21] * t145;
+  const Scalar t164 = t140 + t153;
+  const Scalar t165 = t142 - t149;
+  const Scalar t166 = t165 + t141;
+  const Scalar t167 = (t5 * t132 + (t164 - t166) * t6) - (t156 * t22 - t16 * t154);
+  const Scalar t168 = k[22] * t165 - (k[10] * t130 + k[9] * t151);
+  const Scalar t169 = (k[4] * t158 + k[1] * t115) + ((k[13] * t124 + k[16] * t132) + t168);
+  const Scalar t170 = (t1 * t158 - t167) + t169;
+  const Scalar t171 = t163 * t5 + (torque[4] + t170);
+  const Scalar t172 = t171 * t31;
+  const Scalar t173 = (t145 * t35 - (torque[3] - t162)) + t172 * t36;
+  const Scalar t174 = t55 * t173;
+  const Scalar t175 = k[38] - c2 * (k[36] * s2 + k[37] * c2);
+  const Scalar t176 = t175 * t111 + t104 * (k[39] * c2 + k[40] * s2);
+  const Scalar t177 = (t1 * t154 + t156 * t2) - (k[4] * t151 + k[1] * t166);
+  const Scalar t178 = (k[1] * t130 + k[4] * t141) + (t1 * t164 + t132 * t2);
+  const Scalar t179 = (k[35] * t129 + k[26] * t131) - k[27] * t113;
+  const Scalar t180 = (c5 * t177 + s5 * t178) - t179;
+  const Scalar t181 = k[27] * t114 + (k[26] * t123 - k[25] * t146);
+  const Scalar t182 = t181 + (s5 * t177 - c5 * t178);
+  const Scalar t183 = (k[34] * t129 + k[33] * t131) - (k[32] * t147 - k[31] * t123);
+  const Scalar t184 = k[11] * t182 + ((t183 + k[25] * t113) + t170);
+  const Scalar t185 = (t1 * t134 - (t142 + t164) * t2) + (k[1] * t125 + k[4] * t134);
+  const Scalar t186 = k[27] * t108 - (k[26] * t138 - k[25] * t123);
+  const Scalar t187 = t185 - t186;
+  const Scalar t188 = (k[30] * t131 - k[29] * t129) + k[31] * t137;
+  const Scalar t189 = (c5 * t159 - s5 * t161) + ((t188 + k[32] * t123) - k[26] * t113);
+  const Scalar t190 = k[11] * t187 + t189;
+  const Scalar t191 = (t180 - (s4 * t184 + c4 * t190)) - k[28] * t106;
+  const Scalar t192 = (k[24] * t106 + k[23] * t99) - (c4 * t187 + s4 * t182);
+  const Scalar t193 = s4 * t187 - c4 * t182;
+  const Scalar t194 = k[23] * (t109 + (t104 - t105)) + k[24] * t102;
+  const Scalar t195 = (s4 * t190 - c4 * t184) - (k[28] * t102 + k[23] * t112);
+  const Scalar t196 = c2 * (t191 + t10 * t192) + s2 * (t10 * (t193 + t194) + t195);
+  const Scalar t197 = t30 * t172 - ((torque[0] - (t176 + t196)) - t163 * t13);
+  const Scalar t198 = k[24] * t112 - (k[28] * t109 + k[44] * qd[1] * t98);
+  const Scalar t199 = (torque[2] + k[0] * (t180 + t198)) - t163 * t69;
+  const Scalar t200 = t75 * ((t199 - t172 * t70) + t73 * t173);
+  const Scalar t201 = (k[50] * t101 - k[49] * s2) - t109 * t175;
+  const Scalar t202 = torque[1] - (t201 - ((t193 - t162) + k[23] * t106));
+  const Scalar t203 = ((t163 * t56 - t202) + t59 * t171) - t60 * t174;
+  const Scalar t204 = t88 * (t203 + t200 * t79);
+  const Scalar t205 = ((t49 * t174 - t197) - t200 * t77) + t80 * t204;
+  const Scalar t206 = Scalar(1) / (t80 * t89 + t96) * t205;
+  const Scalar t207 = t204 - t206 * t89;
+  const Scalar t208 = t207 * t87 + (t200 + t78 * t206);
+  const Scalar t209 = t208 * t73 - ((t174 + t206 * t90) + t207 * t61);
+  const Scalar t210 = t71 * t208 - ((t172 + t206 * t32) + t207 * t59);
+  const Scalar t211 = t209 * t54 - t210;
+  const Scalar t212 = ((t37 * t206 + t163) + t207 * t57) - t208 * t68;
   JointVector<Scalar> result;
-  result[0] = t215;
-  result[1] = -t216;
-  result[2] = -t217;
-  result[3] = t219;
-  result[4] = -t221;
-  result[5] = t221 * t4 - (t219 * t48 + t222);
+  result[0] = t206;
+  result[1] = t207;
+  result[2] = -t208;
+  result[3] = t209;
+  result[4] = -t211;
+  result[5] = -t0 * t211 - (t212 + t209 * t35);
   return result;
 }
 
@@ -1528,87 +1571,100 @@ KineticEnergyConstants<Scalar> kinetic_energy_constants(const BasicGeometry<Scal
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
+  const Scalar t0 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
   const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = inertia.c5y * inertia.m5;
+  const Scalar t2 = (inertia.I6xx - t0) - inertia.c6x * t1;
   const Scalar t3 = inertia.c6z * inertia.m6;
-  const Scalar t4 = inertia.c5z * inertia.m5;
-  const Scalar t5 = Scalar(1) / g.d2;
-  const Scalar t6 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t7 = (inertia.I6xx - t6) - inertia.c6x * t1;
-  const Scalar t8 = inertia.c6z * t3 - (inertia.I6zz - t6);
-  const Scalar t9 = g.l2 / g.d2;
-  const Scalar t10 = inertia.I6xz - inertia.c6z * t1;
-  const Scalar t11 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t12 = ((inertia.I6yy - t6) - inertia.c6y * t0) - (inertia.c5y * t2 - (inertia.I5yy - t11));
-  const Scalar t13 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t14 = inertia.c4z * inertia.m4;
-  const Scalar t15 = inertia.c5x * inertia.m5;
-  const Scalar t16 = inertia.c4x * inertia.m4;
-  const Scalar t17 = (inertia.c5x * t15 - (inertia.I5xx - t11)) - ((inertia.I4xx - t13) - inertia.c4x * t16);
-  const Scalar t18 = inertia.c4y * inertia.m4;
-  const Scalar t19 = inertia.c3x * inertia.m3;
-  const Scalar t20 = g.d2 * g.d2 * (inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)));
-  const Scalar t21 = inertia.c2x * inertia.m2;
-  const Scalar t22 = g.l2 * inertia.m2 + t21;
-  const Scalar t23 = inertia.c3y * inertia.m3;
-  const Scalar t24 = inertia.c2y * inertia.m2;
-  const Scalar t25 = ((inertia.I2xy - inertia.c2y * t21) - g.l2 * t24) + (inertia.I3xy - inertia.c3y * t19);
-  const Scalar t26 = inertia.c3z * inertia.m3;
-  const Scalar t27 = (inertia.I3yz - inertia.c3z * t23) + (inertia.I2yz - inertia.c2z * t24);
-  const Scalar t28 = inertia.c2z * inertia.m2;
+  const Scalar t4 = inertia.c6z * t3 - (inertia.I6zz - t0);
+  const Scalar t5 = inertia.I6xz - inertia.c6z * t1;
+  const Scalar t6 = inertia.c5z * inertia.m5;
+  const Scalar t7 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t8 = inertia.c6y * inertia.m6;
+  const Scalar t9 = inertia.c5y * inertia.m5;
+  const Scalar t10 = ((inertia.I6yy - t0) - inertia.c6y * t8) - (inertia.c5y * t9 - (inertia.I5yy - t7));
+  const Scalar t11 = inertia.c5x * inertia.m5;
+  const Scalar t12 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t13 = inertia.c4x * inertia.m4;
+  const Scalar t14 = (inertia.c5x * t11 - (inertia.I5xx - t7)) - ((inertia.I4xx - t12) - inertia.c4x * t13);
+  const Scalar t15 = inertia.c4z * inertia.m4;
+  const Scalar t16 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t17 = Scalar(1) / g.l2;
+  const Scalar t18 = g.l2 * g.l2 * (inertia.m3 + t16) * t17;
+  const Scalar t19 = inertia.c3z * inertia.m3;
+  const Scalar t20 = g.l2 * t19;
+  const Scalar t21 = inertia.c3x * inertia.m3;
+  const Scalar t22 = inertia.c2x * inertia.m2;
+  const Scalar t23 = inertia.c2z * inertia.m2;
+  const Scalar t24 = (t20 - (inertia.I3xz - inertia.c3z * t21)) - ((inertia.I2xz - inertia.c2z * t22) - g.l2 * t23);
+  const Scalar t25 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t26 = g.l2 * inertia.m2 + t22;
+  const Scalar t27 = (inertia.c2x * t22 - (inertia.I2xx - t25)) + g.l2 * (t22 + t26);
+  const Scalar t28 = g.l2 * inertia.m3 + t21;
   const Scalar t29 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t30 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t31 = (inertia.c2x * t21 - (inertia.I2xx - t30)) + g.l2 * (t21 + t22);
-  const Scalar t32 = ((inertia.I3zz - t29) - inertia.c3z * t26) + ((inertia.I2zz - t30) - inertia.c2z * t28);
-  const Scalar t33 = (inertia.I3xz - inertia.c3z * t19) + ((inertia.I2xz - inertia.c2z * t21) - g.l2 * t28);
-  const Scalar t34 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t35 = inertia.c1y * inertia.m1;
-  const Scalar t36 = (inertia.c1y * t35 - (inertia.I1yy - t34)) - g.d2 * (t35 + (t35 - g.d2 * inertia.m1));
-  const Scalar t37 = ((inertia.I3yy - t29) - inertia.c3y * t23) + ((inertia.I4yy - t13) - inertia.c4y * t18);
-  const Scalar t38 = g.d2 * ((g.d2 * inertia.m2 - t24) - t24) - (((inertia.I2yy - t30) - inertia.c2y * t24) + t37);
-  return { inertia.I6yz - inertia.c6z * t0,
-           inertia.I6xy - inertia.c6y * t1,
-           g.d2 * (t0 + t2),
-           g.d2 * t1,
-           g.d2 * t3,
-           g.d2 * t4,
-           t5,
-           t7 - t8,
-           t9,
-           inertia.I5yz - inertia.c5z * t2,
-           Scalar(2) * t10,
-           t7 + t8,
-           t7,
-           inertia.c5z * t4 - (inertia.I5zz - t11),
-           t12,
-           (inertia.I4zz - t13) - inertia.c4z * t14,
-           t8,
-           t17,
-           g.d2 * (t16 + t15),
-           g.d2 * t14,
-           inertia.I5xy - inertia.c5y * t15,
+  const Scalar t30 = g.l2 * (t28 + t21) + (inertia.c3x * t21 - (inertia.I3xx - t29));
+  const Scalar t31 = g.l2 * t16;
+  const Scalar t32 = ((inertia.I3zz - t29) - inertia.c3z * t19) + ((inertia.I2zz - t25) - inertia.c2z * t23);
+  const Scalar t33 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t34 = g.d2 + g.d4;
+  const Scalar t35 = inertia.c3y * inertia.m3;
+  const Scalar t36 = inertia.m3 * t34 - t35;
+  const Scalar t37 = inertia.m4 * t34;
+  const Scalar t38 = inertia.c4y * inertia.m4;
+  const Scalar t39 = t38 - t37;
+  const Scalar t40 = t37 + t39;
+  const Scalar t41 = t40 - t34 * t16;
+  const Scalar t42 = t34 / g.l2;
+  const Scalar t43 = inertia.c2y * inertia.m2;
+  const Scalar t44 = g.d2 * ((g.d2 * inertia.m2 - t43) - t43) - ((inertia.I2yy - t25) - inertia.c2y * t43);
+  const Scalar t45 = ((inertia.I4yy - t12) - inertia.c4y * t38) + t34 * (t38 + t39);
+  const Scalar t46 = (t34 * (t40 + t39) - t45) - t34 * (t40 + t41);
+  const Scalar t47 = ((inertia.I3yy - t29) - inertia.c3y * t35) - t34 * (t36 - t35);
+  const Scalar t48 = inertia.c1y * inertia.m1;
+  const Scalar t49 = (inertia.c1y * t48 - (inertia.I1yy - t33)) - g.d2 * (t48 + (t48 - g.d2 * inertia.m1));
+  const Scalar t50 = t34 * t15;
+  const Scalar t51 = t34 * t13;
+  const Scalar t52 = t34 * t28 - (g.l2 * t35 - (inertia.I3xy - inertia.c3y * t21));
+  const Scalar t53 = ((inertia.I2xy - inertia.c2y * t22) - g.l2 * t43) + g.d2 * t26;
+  const Scalar t54 = (t34 * t19 + (inertia.I3yz - inertia.c3z * t35))
+      + (g.d2 * t23 + (inertia.I2yz - inertia.c2z * t43));
+  return { t2 - t4,
+           Scalar(2) * t5,
+           t2 + t4,
+           t2,
+           inertia.c5z * t6 - (inertia.I5zz - t7),
            t10,
-           inertia.I5xz - inertia.c5z * t15,
-           g.d4 / g.d2,
-           inertia.I4xy - inertia.c4y * t16,
-           inertia.I4yz - inertia.c4z * t18,
-           g.d2 * t19,
-           t20 * t9,
-           g.d2 * t22,
-           t20,
-           g.d2 * (t18 + t23),
-           t25,
-           g.d2 * t26,
-           t27,
-           g.d2 * t28,
-           t5 * t5 * t20,
-           inertia.I4xz - inertia.c4z * t16,
-           (inertia.c3x * t19 - (inertia.I3xx - t29)) + t31,
+           inertia.I6yz - inertia.c6z * t8,
+           inertia.I6xy - inertia.c6y * t1,
+           inertia.I5yz - inertia.c5z * t9,
+           t14,
+           (inertia.I4zz - t12) - inertia.c4z * t15,
+           t5,
+           inertia.I5xz - inertia.c5z * t11,
+           inertia.I5xy - inertia.c5y * t11,
+           inertia.I4xz - inertia.c4z * t13,
+           t18 * t17,
+           g.l2 * t3,
+           g.l2 * t1,
+           g.l2 * t6,
+           g.l2 * (t8 + t9),
+           g.l2 * t15,
+           g.l2 * (t13 + t11),
+           t24,
+           t27 + (t30 + g.l2 * t31),
            t32,
-           t33,
-           inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t34),
-           t36 + t38 };
+           inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t33),
+           g.l2 * (t36 - t41),
+           t18,
+           t17,
+           Scalar(2) * t42,
+           (t44 + (t46 - t47)) + t49,
+           t42,
+           t50 - (t50 + (inertia.I4yz - inertia.c4z * t38)),
+           (t51 + (inertia.I4xy - inertia.c4y * t13)) - t51,
+           g.l2 * (t28 + t31),
+           (g.l2 * t41 - t52) - t53,
+           t20,
+           t54 };
 }
 
 namespace detail {
@@ -1624,85 +1680,82 @@ inline Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Sca
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[10] * s6 - k[11] * c6;
-  const Scalar t1 = c6 * t0;
-  const Scalar t2 = k[13] - (k[12] + t1);
-  const Scalar t3 = k[0] * c6 + k[1] * s6;
-  const Scalar t4 = k[9] + t3;
-  const Scalar t5 = c5 * t4;
-  const Scalar t6 = s5 * (k[14] + t2) + (t5 + t5);
+  const Scalar t0 = k[6] * c6 + k[7] * s6;
+  const Scalar t1 = k[8] + t0;
+  const Scalar t2 = c5 * t1;
+  const Scalar t3 = k[2] * c6 - k[1] * s6;
+  const Scalar t4 = k[3] - c6 * t3;
+  const Scalar t5 = k[4] - t4;
+  const Scalar t6 = (t2 + t2) + s5 * (k[5] + t5);
   const Scalar t7 = s5 * t6;
-  const Scalar t8 = t2 - t7;
-  const Scalar t9 = k[15] - t8;
-  const Scalar t10 = k[17] + (k[16] + t1);
-  const Scalar t11 = k[0] * s6 - k[1] * c6;
-  const Scalar t12 = k[20] - t11;
-  const Scalar t13 = k[22] + (k[21] - s6 * t0);
-  const Scalar t14 = s5 * t12 + c5 * t13;
-  const Scalar t15 = k[36] + t14;
-  const Scalar t16 = c4 * (t9 + t10) + Scalar(2) * s4 * t15;
-  const Scalar t17 = c4 * t16 - t9;
-  const Scalar t18 = t9 - t10;
-  const Scalar t19 = k[38] + (t17 + t18);
-  const Scalar t20 = k[3] * c6 - k[4] * s6;
-  const Scalar t21 = k[18] + t20;
-  const Scalar t22 = k[4] * c6 + k[3] * s6;
-  const Scalar t23 = k[5] + t22;
-  const Scalar t24 = c5 * t23 + k[2] * s5;
-  const Scalar t25 = k[19] + t24;
-  const Scalar t26 = c4 * t21 - s4 * t25;
-  const Scalar t27 = k[26] + t26;
-  const Scalar t28 = k[27] + t27;
-  const Scalar t29 = k[37] + (t17 + k[8] * (t28 + t27));
-  const Scalar t30 = k[14] - t7;
-  const Scalar t31 = k[23] + k[6] * q[2];
-  const Scalar t32 = s5 * t23 - k[2] * c5;
-  const Scalar t33 = k[30] - t32;
-  const Scalar t34 = k[29] * t31 - t33;
-  const Scalar t35 = (t30 - (t34 - t33) * t31) - (t34 + (k[29] + t34));
-  const Scalar t36 = s4 * t21 + c4 * t25;
-  const Scalar t37 = k[32] + t36;
-  const Scalar t38 = k[39] - (k[8] * t37 + (s4 * t16 - t15));
-  const Scalar t39 = c2 * t38;
-  const Scalar t40 = s2 * (s2 * (t19 + t29) - (t39 + t39));
-  const Scalar t41 = qd[0] * ((k[41] - t35) + (k[40] - (t40 - t29)));
-  const Scalar t42 = qd[1] * qd[1] * (t19 - t29) - qd[0] * t41;
-  const Scalar t43 = (t42 - qd[2] * k[35] * qd[2]) + qd[3] * qd[3] * t18;
-  const Scalar t44 = t30 - t8;
-  const Scalar t45 = (t43 + qd[4] * qd[4] * t44) + qd[5] * k[7] * qd[5];
-  const Scalar t46 = s5 * t20;
-  const Scalar t47 = qd[4] * k[6] * t24 + qd[5] * k[6] * t46;
-  const Scalar t48 = k[7] * c5 + s5 * t3;
-  const Scalar t49 = c5 * t20;
-  const Scalar t50 = c4 * t49 - s4 * t22;
-  const Scalar t51 = c5 * t12 - s5 * t13;
-  const Scalar t52 = c4 * t32;
-  const Scalar t53 = qd[4] * (t51 + k[8] * t52) + qd[3] * (t18 - k[8] * t26);
-  const Scalar t54 = qd[1] * (qd[5] * (t48 - k[8] * t50) + t53);
-  const Scalar t55 = k[7] * s5 - c5 * t3;
-  const Scalar t56 = t31 * t50 + (s4 * t55 - c4 * t11);
-  const Scalar t57 = s4 * t49 + c4 * t22;
-  const Scalar t58 = t57 * t31 - (s4 * t11 + c4 * t55);
-  const Scalar t59 = s2 * (t56 + t50) + c2 * ((t58 + k[8] * t46) + t57);
-  const Scalar t60 = qd[2] * k[6] * (c2 * t28 - s2 * t37);
-  const Scalar t61 = k[24] + t51;
-  const Scalar t62 = k[25] - (t4 - c5 * t6);
-  const Scalar t63 = s4 * t61 + c4 * t62;
-  const Scalar t64 = (k[33] + (t63 + t37 * t31)) + (k[34] + t37);
-  const Scalar t65 = s4 * t62 - c4 * t61;
-  const Scalar t66 = k[31] + (k[8] * t34 - (t65 - t27 * t31));
-  const Scalar t67 = c2 * t64 + s2 * (t66 + (k[28] + t28));
-  const Scalar t68 = s2 * ((t65 - t26 * t31) - t26) - c2 * ((t63 + t36 * t31) + t36);
-  const Scalar t69 = (s4 * t14 + c4 * t44) - t31 * t52;
-  const Scalar t70 = s4 * t32;
-  const Scalar t71 = (s4 * t44 - c4 * t14) - t70 * t31;
-  const Scalar t72 = s2 * (t69 - t52) + c2 * ((t71 + k[8] * t24) - t70);
-  const Scalar t73 = ((t60 + qd[1] * t67) - qd[3] * t68) + qd[4] * t72;
-  const Scalar t74 = qd[2] * t47 - (t54 + qd[0] * (qd[5] * t59 + t73));
-  const Scalar t75 = t74 - qd[3] * (qd[5] * t48 + qd[4] * t51);
-  const Scalar t76 = Scalar(0.5) * t45 - (t75 + qd[4] * qd[5] * t11);
+  const Scalar t8 = k[5] - t7;
+  const Scalar t9 = t5 - t7;
+  const Scalar t10 = t8 - t9;
+  const Scalar t11 = k[10] - t9;
+  const Scalar t12 = k[9] - (k[0] - t4);
+  const Scalar t13 = k[12] + (k[11] + s6 * t3);
+  const Scalar t14 = k[7] * c6 - k[6] * s6;
+  const Scalar t15 = k[13] + t14;
+  const Scalar t16 = c5 * t13 + s5 * t15;
+  const Scalar t17 = k[14] + t16;
+  const Scalar t18 = c4 * (t11 + t12) + Scalar(2) * s4 * t17;
+  const Scalar t19 = c4 * t18;
+  const Scalar t20 = t19 - t12;
+  const Scalar t21 = t19 - t11;
+  const Scalar t22 = t20 - t21;
+  const Scalar t23 = k[17] * s6 + k[16] * c6;
+  const Scalar t24 = k[18] + t23;
+  const Scalar t25 = c5 * t24 + k[19] * s5;
+  const Scalar t26 = k[20] + t25;
+  const Scalar t27 = k[17] * c6 - k[16] * s6;
+  const Scalar t28 = k[21] + t27;
+  const Scalar t29 = s4 * t26 - c4 * t28;
+  const Scalar t30 = k[23] + (t21 - Scalar(2) * t29);
+  const Scalar t31 = k[24] + t20;
+  const Scalar t32 = s4 * t28 + c4 * t26;
+  const Scalar t33 = c2 * (k[22] + ((s4 * t18 - t17) + t32));
+  const Scalar t34 = s2 * (s2 * (t30 + t31) + Scalar(2) * t33);
+  const Scalar t35 = k[28] * q[2];
+  const Scalar t36 = s5 * t24 - k[19] * c5;
+  const Scalar t37 = k[26] + t36;
+  const Scalar t38 = k[29] * t36;
+  const Scalar t39 = t35 * (t37 + (t37 + k[27] * q[2])) - (t8 - t38);
+  const Scalar t40 = qd[0] * ((k[25] - (t34 - t30)) + (k[30] + t39));
+  const Scalar t41 = qd[0] * t40 + qd[1] * qd[1] * (t30 - t31);
+  const Scalar t42 = qd[3] * qd[3] * t22 - (t41 + qd[2] * k[15] * qd[2]);
+  const Scalar t43 = (qd[4] * qd[4] * t10 + t42) + qd[5] * k[0] * qd[5];
+  const Scalar t44 = s5 * t27;
+  const Scalar t45 = qd[5] * k[28] * t44 + qd[4] * k[28] * t25;
+  const Scalar t46 = s5 * t0 + k[0] * c5;
+  const Scalar t47 = c5 * t27;
+  const Scalar t48 = c4 * t47 - s4 * t23;
+  const Scalar t49 = c5 * t15 - s5 * t13;
+  const Scalar t50 = c4 * t36;
+  const Scalar t51 = qd[3] * (t22 + t29) + qd[4] * (t49 + t50);
+  const Scalar t52 = c5 * t0 - k[0] * s5;
+  const Scalar t53 = (s4 * t52 - c4 * t14) - k[31] * t48;
+  const Scalar t54 = c4 * t23 + s4 * t47;
+  const Scalar t55 = (c4 * t52 + s4 * t14) + k[31] * t54;
+  const Scalar t56 = s2 * (t48 * t35 - t53) + c2 * (t54 * t35 + (t44 + t55));
+  const Scalar t57 = (k[32] - (c5 * t6 - t1)) - k[31] * t26;
+  const Scalar t58 = k[31] * t28 + (k[33] + t49);
+  const Scalar t59 = s4 * t57 + c4 * t58;
+  const Scalar t60 = c4 * t57 - s4 * t58;
+  const Scalar t61 = s2 * (t59 - t35 * t29) - c2 * (t60 - t35 * t32);
+  const Scalar t62 = k[36] + t32;
+  const Scalar t63 = k[34] - t29;
+  const Scalar t64 = qd[2] * k[28] * (s2 * t62 - c2 * t63);
+  const Scalar t65 = s2 * (k[35] - (t63 * t35 + (t36 + t59)));
+  const Scalar t66 = t65 - c2 * (k[37] - (t60 - t35 * t62));
+  const Scalar t67 = Scalar(0.5) * t38 - t10;
+  const Scalar t68 = t35 * s4 * t36 + ((c4 * t16 + s4 * t67) - t25);
+  const Scalar t69 = (c4 * t67 - s4 * t16) + t50 * t35;
+  const Scalar t70 = (qd[3] * t61 - (t64 + qd[1] * t66)) - qd[4] * (c2 * t68 + s2 * t69);
+  const Scalar t71 = qd[1] * (qd[5] * (t46 - t48) + t51) + qd[0] * (qd[5] * t56 + t70);
+  const Scalar t72 = (qd[2] * t45 - t71) - qd[3] * (qd[4] * t49 + qd[5] * t46);
+  const Scalar t73 = Scalar(0.5) * t43 - (t72 - qd[4] * qd[5] * t14);
   Scalar result;
-  result = -t76;
+  result = -t73;
   return result;
 }
 
@@ -1727,22 +1780,23 @@ PotentialEnergyConstants<Scalar> potential_energy_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6));
+  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t1 = g.h1 * inertia.m1;
   return { inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
-           inertia.c6x * inertia.m6,
            inertia.c6z * inertia.m6,
+           inertia.c6x * inertia.m6,
            inertia.c5z * inertia.m5,
            inertia.c4z * inertia.m4,
            inertia.c5x * inertia.m5,
            inertia.c4x * inertia.m4,
-           inertia.c3x * inertia.m3,
-           g.l2 * t0,
-           g.l2 * inertia.m2 + inertia.c2x * inertia.m2,
            inertia.c3z * inertia.m3,
            inertia.c2z * inertia.m2,
-           inertia.c1z * inertia.m1,
-           gravity,
-           (inertia.m1 + (inertia.m2 + t0)) * gravity * g.h1 };
+           g.l2 * t0,
+           g.l2 * inertia.m3 + inertia.c3x * inertia.m3,
+           g.l2 * inertia.m2 + inertia.c2x * inertia.m2,
+           t1 - (inertia.c1z * inertia.m1 + t1),
+           g.h1 * (inertia.m1 + (inertia.m2 + (inertia.m3 + t0))),
+           gravity };
 }
 
 namespace detail {
@@ -1758,14 +1812,14 @@ inline Scalar potential_energy([[maybe_unused]] const JointVector<Scalar>& q, co
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[6] + (k[5] + (k[1] * c6 - k[2] * s6));
-  const Scalar t1 = c5 * (k[3] + (k[2] * c6 + k[1] * s6));
-  const Scalar t2 = k[4] + (t1 + k[0] * s5);
-  const Scalar t3 = k[8] + (k[7] + (c4 * t0 - s4 * t2));
-  const Scalar t4 = k[11] + (k[10] + (c4 * t2 + s4 * t0));
-  const Scalar t5 = k[12] + (s2 * (k[9] + t3) + c2 * t4);
+  const Scalar t0 = c5 * (k[3] + (k[1] * c6 + k[2] * s6));
+  const Scalar t1 = k[4] + (k[0] * s5 + t0);
+  const Scalar t2 = k[6] + (k[5] + (k[2] * c6 - k[1] * s6));
+  const Scalar t3 = k[8] + (k[7] + (c4 * t1 + s4 * t2));
+  const Scalar t4 = k[10] + (k[9] + (c4 * t2 - s4 * t1));
+  const Scalar t5 = k[12] - (c2 * t3 + s2 * (k[11] + t4));
   Scalar result;
-  result = k[14] + k[13] * t5;
+  result = k[14] * (k[13] - t5);
   return result;
 }
 

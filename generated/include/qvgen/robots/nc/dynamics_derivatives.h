@@ -17,9 +17,9 @@ struct InverseDynamicsDerivatives {
 
 /// Joint forces for a motion, and their derivatives by q and qd; the one by qdd is mass_matrix.
 ///
-/// 961 multiplications, 854 additions, 4 sine/cosine pairs. Set-up: 80 multiplications, 90 additions, 4 divisions.
+/// 930 multiplications, 805 additions, 4 sine/cosine pairs. Set-up: 103 multiplications, 124 additions, 4 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is d2, which must not be zero.
+/// The unit of length is l2, which must not be zero.
 template <class Scalar>
 InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives(const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g = {},

@@ -26,9 +26,9 @@ LoadAngles<Scalar> load_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion, under gravity in any direction.
 ///
-/// 218 multiplications, 199 additions, 5 sine/cosine pairs. Set-up: 80 multiplications, 93 additions, 6 divisions.
+/// 211 multiplications, 193 additions, 5 sine/cosine pairs. Set-up: 103 multiplications, 127 additions, 6 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is d2, which must not be zero.
+/// The unit of length is l2, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g,
@@ -46,9 +46,9 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces for a motion while a wrench acts on the tool from outside: those without it minus jacobian(q)^T wrench.
 ///
-/// 254 multiplications, 221 additions, 5 sine/cosine pairs. Set-up: 80 multiplications, 93 additions, 6 divisions.
+/// 247 multiplications, 214 additions, 5 sine/cosine pairs. Set-up: 103 multiplications, 127 additions, 6 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is d2, which must not be zero.
+/// The unit of length is l2, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g,
@@ -66,13 +66,13 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces that hold the robot at rest, under gravity in any direction.
 ///
-/// 62 multiplications, 42 additions, 5 sine/cosine pairs. Set-up: 22 multiplications, 10 additions.
+/// 59 multiplications, 38 additions, 5 sine/cosine pairs. Set-up: 25 multiplications, 17 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
-using GravityTorqueWithGravityVectorConstants = std::array<Scalar, 21>;
+using GravityTorqueWithGravityVectorConstants = std::array<Scalar, 17>;
 template <class Scalar>
 GravityTorqueWithGravityVectorConstants<Scalar> gravity_torque_with_gravity_vector_constants(
     const BasicGeometry<Scalar>& g,
@@ -83,7 +83,7 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const LoadAngle
 
 /// Joint accelerations for given joint forces, under gravity in any direction.
 ///
-/// 359 multiplications, 331 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 93 multiplications, 95 additions, 8
+/// 350 multiplications, 318 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 113 multiplications, 128 additions, 7
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l2, which must not be zero.
@@ -104,7 +104,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint accelerations for given joint forces while a wrench acts on the tool from outside.
 ///
-/// 398 multiplications, 349 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 90 multiplications, 95 additions, 8
+/// 387 multiplications, 339 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 112 multiplications, 128 additions, 7
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l2, which must not be zero.
@@ -114,7 +114,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity,
         const NonDeduced<Wrench<Scalar>>& wrench);
 template <class Scalar>
-using ForwardDynamicsWithWrenchConstants = std::array<Scalar, 57>;
+using ForwardDynamicsWithWrenchConstants = std::array<Scalar, 58>;
 template <class Scalar>
 ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constants(const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
@@ -125,13 +125,13 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Minus the sum of m gravity . r over the links, r the centre of mass in the world, J.
 ///
-/// 24 multiplications, 31 additions, 5 sine/cosine pairs. Set-up: 24 multiplications, 8 additions.
+/// 24 multiplications, 30 additions, 5 sine/cosine pairs. Set-up: 28 multiplications, 16 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Scalar potential_energy(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
-using PotentialEnergyWithGravityVectorConstants = std::array<Scalar, 25>;
+using PotentialEnergyWithGravityVectorConstants = std::array<Scalar, 24>;
 template <class Scalar>
 PotentialEnergyWithGravityVectorConstants<Scalar> potential_energy_with_gravity_vector_constants(
     const BasicGeometry<Scalar>& g,

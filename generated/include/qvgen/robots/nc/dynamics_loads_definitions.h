@@ -28,93 +28,114 @@ InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c5z * inertia.m5;
-  const Scalar t1 = inertia.c6y * inertia.m6;
-  const Scalar t2 = inertia.c5y * inertia.m5;
-  const Scalar t3 = inertia.c6x * inertia.m6;
-  const Scalar t4 = inertia.c6z * inertia.m6;
-  const Scalar t5 = inertia.c4z * inertia.m4;
-  const Scalar t6 = inertia.c4x * inertia.m4;
-  const Scalar t7 = inertia.c5x * inertia.m5;
-  const Scalar t8 = g.d2 * g.d2 * (inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)));
-  const Scalar t9 = inertia.c4y * inertia.m4;
-  const Scalar t10 = inertia.c3y * inertia.m3;
-  const Scalar t11 = inertia.c3z * inertia.m3;
-  const Scalar t12 = inertia.c3x * inertia.m3;
-  const Scalar t13 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t14 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t15 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t16 = ((inertia.I6yy - t15) - inertia.c6y * t1) - (inertia.c5y * t2 - (inertia.I5yy - t14));
-  const Scalar t17 = (inertia.I6xx - t15) - inertia.c6x * t3;
-  const Scalar t18 = inertia.c6z * t4 - (inertia.I6zz - t15);
-  const Scalar t19 = inertia.I6xz - inertia.c6z * t3;
-  const Scalar t20 = (inertia.c5x * t7 - (inertia.I5xx - t14)) - ((inertia.I4xx - t13) - inertia.c4x * t6);
-  const Scalar t21 = inertia.c2z * inertia.m2;
-  const Scalar t22 = inertia.c2x * inertia.m2;
-  const Scalar t23 = g.l2 * inertia.m2 + t22;
-  const Scalar t24 = (inertia.I3xz - inertia.c3z * t12) + ((inertia.I2xz - inertia.c2z * t22) - g.l2 * t21);
-  const Scalar t25 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t26 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t27 = ((inertia.I3zz - t25) - inertia.c3z * t11) + ((inertia.I2zz - t26) - inertia.c2z * t21);
-  const Scalar t28 = (inertia.c2x * t22 - (inertia.I2xx - t26)) + g.l2 * (t22 + t23);
-  const Scalar t29 = (inertia.c3x * t12 - (inertia.I3xx - t25)) + t28;
-  const Scalar t30 = inertia.c2y * inertia.m2;
-  const Scalar t31 = ((inertia.I2xy - inertia.c2y * t22) - g.l2 * t30) + (inertia.I3xy - inertia.c3y * t12);
-  const Scalar t32 = (inertia.I3yz - inertia.c3z * t10) + (inertia.I2yz - inertia.c2z * t30);
-  const Scalar t33 = inertia.c1y * inertia.m1;
-  const Scalar t34 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t35 = t33 - g.d2 * inertia.m1;
-  const Scalar t36 = (inertia.c1y * t33 - (inertia.I1yy - t34)) - g.d2 * (t33 + t35);
-  const Scalar t37 = g.d2 * inertia.m2 - t30;
-  const Scalar t38 = ((inertia.I3yy - t25) - inertia.c3y * t10) + ((inertia.I4yy - t13) - inertia.c4y * t9);
-  const Scalar t39 = g.d2 * (t37 - t30) - (((inertia.I2yy - t26) - inertia.c2y * t30) + t38);
-  const Scalar t40 = inertia.c1x * inertia.m1;
-  const Scalar t41 = (t36 + t39) + (inertia.c1x * t40 - (inertia.I1xx - t34));
-  return { g.d2 * t0,
-           g.d2 * (t1 + t2),
-           g.d2 * t3,
-           g.d2 * t4,
-           g.d2 * t5,
-           g.d2 * (t6 + t7),
-           Scalar(1) / g.d2,
-           g.d4 / g.d2,
-           g.l2 / g.d2,
-           gravity[0] / g.d2,
-           gravity[1] / g.d2,
-           t8,
-           g.d2 * (t9 + t10),
-           g.d2 * t11,
-           g.d2 * t12,
-           inertia.I4yz - inertia.c4z * t9,
-           inertia.I4xy - inertia.c4y * t6,
-           (inertia.I4zz - t13) - inertia.c4z * t5,
-           inertia.I4xz - inertia.c4z * t6,
-           inertia.I5yz - inertia.c5z * t2,
-           inertia.c5z * t0 - (inertia.I5zz - t14),
-           t16,
-           inertia.I5xz - inertia.c5z * t7,
-           inertia.I5xy - inertia.c5y * t7,
-           gravity[2] / g.d2,
-           t17 + t18,
-           Scalar(2) * t19,
-           t19,
-           t17,
-           inertia.I6yz - inertia.c6z * t1,
-           inertia.I6xy - inertia.c6y * t3,
-           t20,
-           t18,
-           g.d2 * t21,
-           g.d2 * t23,
-           Scalar(2) * t24,
-           t27 + t29,
-           t24,
-           t29,
-           t31,
-           t32,
-           t41,
-           g.d2 * (t37 - t35),
-           g.d2 * t40,
-           t27 - t29 };
+  const Scalar t0 = inertia.c2y * inertia.m2;
+  const Scalar t1 = g.d2 * inertia.m2 - t0;
+  const Scalar t2 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t3 = g.d2 * (t1 - t0) - ((inertia.I2yy - t2) - inertia.c2y * t0);
+  const Scalar t4 = g.d2 + g.d4;
+  const Scalar t5 = inertia.m4 * t4;
+  const Scalar t6 = inertia.c4y * inertia.m4;
+  const Scalar t7 = t6 - t5;
+  const Scalar t8 = t5 + t7;
+  const Scalar t9 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t10 = ((inertia.I4yy - t9) - inertia.c4y * t6) + t4 * (t6 + t7);
+  const Scalar t11 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t12 = t8 - t4 * t11;
+  const Scalar t13 = (t4 * (t8 + t7) - t10) - t4 * (t8 + t12);
+  const Scalar t14 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t15 = inertia.c3y * inertia.m3;
+  const Scalar t16 = inertia.m3 * t4 - t15;
+  const Scalar t17 = ((inertia.I3yy - t14) - inertia.c3y * t15) - t4 * (t16 - t15);
+  const Scalar t18 = inertia.c1y * inertia.m1;
+  const Scalar t19 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t20 = t18 - g.d2 * inertia.m1;
+  const Scalar t21 = (inertia.c1y * t18 - (inertia.I1yy - t19)) - g.d2 * (t18 + t20);
+  const Scalar t22 = inertia.c3x * inertia.m3;
+  const Scalar t23 = g.l2 * inertia.m3 + t22;
+  const Scalar t24 = g.l2 * t11;
+  const Scalar t25 = (t23 + t24) / g.l2;
+  const Scalar t26 = t4 * t25;
+  const Scalar t27 = ((t3 + (t13 - t17)) + t21) - t4 * t26;
+  const Scalar t28 = inertia.c1x * inertia.m1;
+  const Scalar t29 = inertia.c4x * inertia.m4;
+  const Scalar t30 = t4 * t29;
+  const Scalar t31 = inertia.c4z * inertia.m4;
+  const Scalar t32 = t4 * t31;
+  const Scalar t33 = Scalar(1) / g.l2;
+  const Scalar t34 = inertia.c5z * inertia.m5;
+  const Scalar t35 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t36 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t37 = inertia.c6y * inertia.m6;
+  const Scalar t38 = inertia.c5y * inertia.m5;
+  const Scalar t39 = ((inertia.I6yy - t36) - inertia.c6y * t37) - (inertia.c5y * t38 - (inertia.I5yy - t35));
+  const Scalar t40 = inertia.c5x * inertia.m5;
+  const Scalar t41 = inertia.c6z * inertia.m6;
+  const Scalar t42 = inertia.c6x * inertia.m6;
+  const Scalar t43 = inertia.I6xz - inertia.c6z * t42;
+  const Scalar t44 = (inertia.I6xx - t36) - inertia.c6x * t42;
+  const Scalar t45 = inertia.c6z * t41 - (inertia.I6zz - t36);
+  const Scalar t46 = g.l2 * g.l2 * t25;
+  const Scalar t47 = (inertia.c5x * t40 - (inertia.I5xx - t35)) - ((inertia.I4xx - t9) - inertia.c4x * t29);
+  const Scalar t48 = inertia.c3z * inertia.m3;
+  const Scalar t49 = g.l2 * t48;
+  const Scalar t50 = inertia.c2z * inertia.m2;
+  const Scalar t51 = g.l2 * t50;
+  const Scalar t52 = inertia.c2x * inertia.m2;
+  const Scalar t53 = g.l2 * inertia.m2 + t52;
+  const Scalar t54 = t4 * t23 - (g.l2 * t15 - (inertia.I3xy - inertia.c3y * t22));
+  const Scalar t55 = ((inertia.I2xy - inertia.c2y * t52) - g.l2 * t0) + g.d2 * t53;
+  const Scalar t56 = ((g.l2 * t12 - t54) - t55) + g.l2 * t26;
+  const Scalar t57 = (t4 * t48 + (inertia.I3yz - inertia.c3z * t15)) + (g.d2 * t50 + (inertia.I2yz - inertia.c2z * t0));
+  const Scalar t58 = (t49 - (inertia.I3xz - inertia.c3z * t22)) - ((inertia.I2xz - inertia.c2z * t52) - t51);
+  const Scalar t59 = ((inertia.I3zz - t14) - inertia.c3z * t48) + ((inertia.I2zz - t2) - inertia.c2z * t50);
+  const Scalar t60 = (inertia.c2x * t52 - (inertia.I2xx - t2)) + g.l2 * (t52 + t53);
+  const Scalar t61 = g.l2 * (t23 + t22) + (inertia.c3x * t22 - (inertia.I3xx - t14));
+  const Scalar t62 = t46 - (t60 + (t61 + g.l2 * t24));
+  return { t27 + (inertia.c1x * t28 - (inertia.I1xx - t19)),
+           gravity[1] / g.l2,
+           gravity[0] / g.l2,
+           g.l2 * (t1 - t20),
+           g.l2 * t28,
+           (t30 + (inertia.I4xy - inertia.c4y * t29)) - t30,
+           t32 - (t32 + (inertia.I4yz - inertia.c4z * t6)),
+           inertia.I4xz - inertia.c4z * t29,
+           (inertia.I4zz - t9) - inertia.c4z * t31,
+           t33,
+           t4 / g.l2,
+           g.l2 * t31,
+           inertia.c5z * t34 - (inertia.I5zz - t35),
+           t39,
+           inertia.I5yz - inertia.c5z * t38,
+           inertia.I5xy - inertia.c5y * t40,
+           inertia.I5xz - inertia.c5z * t40,
+           gravity[2] / g.l2,
+           Scalar(2) * t33,
+           g.l2 * t34,
+           g.l2 * (t37 + t38),
+           g.l2 * t41,
+           g.l2 * t42,
+           Scalar(2) * t43,
+           t44 + t45,
+           t43,
+           t44,
+           inertia.I6xy - inertia.c6y * t42,
+           inertia.I6yz - inertia.c6z * t37,
+           g.l2 * (t29 + t40),
+           t46,
+           t47,
+           t45,
+           g.l2 * (t26 - (t16 - t12)),
+           t49,
+           g.l2 * g.l2 * ((inertia.m3 + t11) - t25),
+           t51,
+           g.l2 * t53,
+           t56,
+           t57,
+           Scalar(2) * t58,
+           t59 - t62,
+           t58,
+           t62,
+           t59 + t62 };
 }
 
 namespace detail {
@@ -133,143 +154,140 @@ inline JointVector<Scalar> inverse_dynamics_with_gravity_vector(const JointVecto
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = qd[0] * qd[0];
-  const Scalar t1 = qd[1] * qd[1];
-  const Scalar t2 = t0 + t1;
-  const Scalar t3 = k[33] * s2 - k[34] * c2;
-  const Scalar t4 = qdd[1] * (k[34] * s2 + k[33] * c2) - t2 * t3;
-  const Scalar t5 = k[39] * s2 + k[40] * c2;
-  const Scalar t6 = t1 * (k[39] * c2 - k[40] * s2) + qdd[1] * t5;
-  const Scalar t7 = qd[0] * qd[1];
-  const Scalar t8 = t7 + t7;
-  const Scalar t9 = k[35] * c2 - k[36] * s2;
-  const Scalar t10 = k[37] - c2 * t9;
-  const Scalar t11 = t8 * t10 - qdd[0] * (k[38] + s2 * t9);
-  const Scalar t12 = k[10] * c1 - k[9] * s1;
-  const Scalar t13 = t0 - t12;
-  const Scalar t14 = qdd[1] + qdd[3];
-  const Scalar t15 = qd[0] * c2;
-  const Scalar t16 = qd[0] * s2;
-  const Scalar t17 = c4 * t15 - s4 * t16;
-  const Scalar t18 = c4 * t16 + s4 * t15;
-  const Scalar t19 = t17 * t18;
-  const Scalar t20 = t14 - t19;
-  const Scalar t21 = qd[1] + qd[3];
-  const Scalar t22 = t21 * t21;
-  const Scalar t23 = t17 * t17;
-  const Scalar t24 = t22 + t23;
-  const Scalar t25 = qd[4] + t18;
-  const Scalar t26 = t25 * t25;
-  const Scalar t27 = c5 * t21 - s5 * t17;
-  const Scalar t28 = qd[5] + t27;
-  const Scalar t29 = t28 * t28;
-  const Scalar t30 = t26 + t29;
-  const Scalar t31 = s5 * t21 + c5 * t17;
-  const Scalar t32 = t31 * t31;
-  const Scalar t33 = t26 - t32;
-  const Scalar t34 = k[2] * c6 - k[3] * s6;
-  const Scalar t35 = t21 * t18;
-  const Scalar t36 = qdd[0] * s2;
-  const Scalar t37 = qdd[0] * c2;
-  const Scalar t38 = s4 * t36 - c4 * t37;
-  const Scalar t39 = (t35 + t35) + t38;
-  const Scalar t40 = t14 + t19;
-  const Scalar t41 = s5 * t39 + c5 * t40;
-  const Scalar t42 = t41 - Scalar(2) * t25 * t31;
-  const Scalar t43 = qdd[5] + t42;
-  const Scalar t44 = k[2] * s6 + k[3] * c6;
-  const Scalar t45 = t25 * t27;
-  const Scalar t46 = c5 * t39 - s5 * t40;
-  const Scalar t47 = t45 + (t45 - t46);
-  const Scalar t48 = ((t30 - t33) * t34 + t43 * t44) + (k[0] * t42 + k[1] * t47);
-  const Scalar t49 = (k[4] * t20 + k[5] * t24) + t48;
-  const Scalar t50 = t27 * t31;
-  const Scalar t51 = t17 * t21;
-  const Scalar t52 = s4 * t37 + c4 * t36;
-  const Scalar t53 = t51 + t52;
-  const Scalar t54 = qdd[4] + t53;
-  const Scalar t55 = t50 - t54;
-  const Scalar t56 = qdd[5] + t41;
-  const Scalar t57 = (k[0] * (t24 + t33) + k[1] * t55) + (t30 * t44 - t34 * t56);
-  const Scalar t58 = t26 + t32;
-  const Scalar t59 = t50 + t54;
-  const Scalar t60 = t28 * t31;
-  const Scalar t61 = t60 - (t55 - t60);
-  const Scalar t62 = t25 * t28;
-  const Scalar t63 = t62 - (t47 - t62);
-  const Scalar t64 = (k[1] * t58 + k[0] * t59) + (t61 * t44 + t63 * t34);
-  const Scalar t65 = t22 - t23;
-  const Scalar t66 = (c5 * t57 + s5 * t64) + (k[4] * (t0 + t65) - k[5] * t40);
-  const Scalar t67 = t16 * t16;
-  const Scalar t68 = t16 * t15;
-  const Scalar t69 = qdd[1] + t68;
-  const Scalar t70 = (k[13] * (t1 + t67) - k[14] * t69) - k[12] * t36;
-  const Scalar t71 = k[10] * s1 + k[9] * c1;
-  const Scalar t72 = qdd[0] - t71;
-  const Scalar t73 = s2 * t72 + k[24] * c2;
-  const Scalar t74 = k[7] + k[6] * q[2];
-  const Scalar t75 = k[6] * qd[2];
-  const Scalar t76 = ((k[8] * t69 - t73) - t36 * t74) - Scalar(2) * t16 * t75;
-  const Scalar t77 = (s4 * t49 + c4 * t66) + (t70 - k[11] * t76);
-  const Scalar t78 = s2 * t8 - t37;
-  const Scalar t79 = (t0 * t74 - (k[8] * t78 - t13)) - k[6] * qdd[2];
-  const Scalar t80 = t53 + t51;
-  const Scalar t81 = (k[16] * t40 - k[15] * t65) + (k[18] * t39 + k[17] * t80);
-  const Scalar t82 = k[30] * c6 - k[29] * s6;
-  const Scalar t83 = k[29] * c6 + k[30] * s6;
-  const Scalar t84 = k[25] * c6 - k[26] * s6;
-  const Scalar t85 = c6 * t84;
-  const Scalar t86 = k[28] - t85;
-  const Scalar t87 = k[27] + s6 * t84;
-  const Scalar t88 = (t56 * t82 - (t30 - t58) * t83) + (t61 * t86 + t63 * t87);
-  const Scalar t89 = t2 - t67;
-  const Scalar t90 = c2 * t72 - k[24] * s2;
-  const Scalar t91 = t15 * t75;
-  const Scalar t92 = (t37 * t74 - (k[8] * t89 - t90)) + (t91 + t91);
-  const Scalar t93 = s4 * t92 - c4 * t76;
-  const Scalar t94 = c5 * t79 - s5 * t93;
-  const Scalar t95 = t58 - t24;
-  const Scalar t96 = (k[20] * t59 + k[21] * t55) - k[19] * (t95 - t33);
-  const Scalar t97 = c5 * t93 + s5 * t79;
-  const Scalar t98 = (t96 - (k[22] * t46 + k[23] * t41)) - (k[0] * t94 + k[1] * t97);
-  const Scalar t99 = (t88 + t94 * t44) - t98;
-  const Scalar t100 = (k[4] * t79 + t81) + t99;
-  const Scalar t101 = t0 - t24;
-  const Scalar t102 = k[16] * t101 + (k[18] * t80 - k[31] * t39);
-  const Scalar t103 = s4 * t76 + c4 * t92;
-  const Scalar t104 = (k[19] * t47 - k[20] * t42) - (k[22] * t33 + k[23] * t55);
-  const Scalar t105 = k[32] - t85;
-  const Scalar t106 = t87 * t33 - (t43 * t86 - t56 * t105);
-  const Scalar t107 = (t106 - (t47 * t83 - t55 * t82)) - (t34 * t97 + t103 * t44);
-  const Scalar t108 = (k[0] * t103 + t104) - t107;
-  const Scalar t109 = (k[19] * t42 + k[21] * t47) - k[23] * t95;
-  const Scalar t110 = (t26 - t29) * t82 - (t63 * t105 - t87 * t61);
-  const Scalar t111 = ((t109 - k[22] * t59) + k[1] * t103) - (t34 * t94 - (t83 * t43 - t110));
-  const Scalar t112 = ((t102 - k[15] * t20) + k[5] * t79) + (s5 * t108 - c5 * t111);
-  const Scalar t113 = (c4 * t100 + s4 * t112) + (k[13] * t79 - k[12] * t76);
-  const Scalar t114 = k[12] * t37 + (k[14] * t89 + k[13] * (qdd[1] - t68));
-  const Scalar t115 = (t114 - k[11] * t92) + (c4 * t49 - s4 * t66);
-  const Scalar t116 = (c4 * t112 - s4 * t100) - (k[12] * t92 - k[14] * t79);
-  const Scalar t117 = (s5 * t57 - c5 * t64) - (k[4] * t80 + k[5] * t39);
-  const Scalar t118 = k[14] * t78 + k[13] * (t36 + c2 * t8);
-  const Scalar t119 = t117 + (k[11] * t79 - (k[12] * t0 + t118));
-  const Scalar t120 = t115 + ((t115 * t74 - t116) - k[8] * t119);
-  const Scalar t121 = s2 * (t77 - (t113 - t77 * t74)) - c2 * t120;
-  const Scalar t122 = t4 + (((t6 + t11) + t13 * t3) - t121);
-  const Scalar t123 = k[41] * qdd[0] - (k[42] * t71 + k[43] * t12);
-  const Scalar t124 = k[18] * (t101 + t65) + (k[31] * t40 - k[17] * t20);
-  const Scalar t125 = (k[4] * t103 + k[5] * t93) + ((k[16] * t52 - k[15] * t38) - t124);
-  const Scalar t126 = (s5 * t111 + c5 * t108) + t125;
-  const Scalar t127 = k[8] * t77 - ((k[14] * t76 - k[13] * t92) - t126);
-  const Scalar t128 = (t0 * t10 - k[44] * qdd[1]) - qdd[0] * t5;
-  const Scalar t129 = t127 + ((k[34] * t73 + k[33] * t90) - t128);
+  const Scalar t0 = k[2] * s1 - k[1] * c1;
+  const Scalar t1 = k[1] * s1 + k[2] * c1;
+  const Scalar t2 = (k[4] * t0 - k[3] * t1) + k[0] * qdd[0];
+  const Scalar t3 = qd[0] * qd[0];
+  const Scalar t4 = k[9] * q[2];
+  const Scalar t5 = (t3 * t4 + t0) - k[9] * qdd[2];
+  const Scalar t6 = qd[0] * s2;
+  const Scalar t7 = k[18] * qd[2];
+  const Scalar t8 = k[17] * c2 - s2 * t1;
+  const Scalar t9 = qdd[0] * s2;
+  const Scalar t10 = t6 * t7 + (t8 + t9 * t4);
+  const Scalar t11 = k[17] * s2 + c2 * t1;
+  const Scalar t12 = qdd[0] * c2;
+  const Scalar t13 = qd[0] * c2;
+  const Scalar t14 = (t11 - t12 * t4) - t13 * t7;
+  const Scalar t15 = qd[1] * qd[1];
+  const Scalar t16 = t6 * t6;
+  const Scalar t17 = (t14 + (t3 + (t15 - t16))) - k[10] * t12;
+  const Scalar t18 = t6 * t13;
+  const Scalar t19 = (t10 - (qdd[1] + t18)) + k[10] * t9;
+  const Scalar t20 = s4 * t17 - c4 * t19;
+  const Scalar t21 = qd[1] * (qd[0] + qd[0]);
+  const Scalar t22 = ((s2 * t21 - t12) - t5) - k[10] * t3;
+  const Scalar t23 = c5 * t20 + s5 * t22;
+  const Scalar t24 = c5 * t22 - s5 * t20;
+  const Scalar t25 = qd[1] + qd[3];
+  const Scalar t26 = c4 * t6 + s4 * t13;
+  const Scalar t27 = t25 * t26;
+  const Scalar t28 = s4 * t9 - c4 * t12;
+  const Scalar t29 = t27 + (t27 + t28);
+  const Scalar t30 = qdd[1] + qdd[3];
+  const Scalar t31 = c4 * t13 - s4 * t6;
+  const Scalar t32 = t31 * t26;
+  const Scalar t33 = t30 + t32;
+  const Scalar t34 = c5 * t29 - s5 * t33;
+  const Scalar t35 = s5 * t29 + c5 * t33;
+  const Scalar t36 = c5 * t25 - s5 * t31;
+  const Scalar t37 = s5 * t25 + c5 * t31;
+  const Scalar t38 = t36 * t37;
+  const Scalar t39 = t31 * t25;
+  const Scalar t40 = s4 * t12 + c4 * t9;
+  const Scalar t41 = t39 + t40;
+  const Scalar t42 = qdd[4] + t41;
+  const Scalar t43 = t38 + t42;
+  const Scalar t44 = t38 - t42;
+  const Scalar t45 = qd[4] + t26;
+  const Scalar t46 = t45 * t45;
+  const Scalar t47 = t37 * t37;
+  const Scalar t48 = t46 + t47;
+  const Scalar t49 = qd[5] + t36;
+  const Scalar t50 = t49 * t49;
+  const Scalar t51 = t47 - t50;
+  const Scalar t52 = t46 - t50;
+  const Scalar t53 = t51 - t52;
+  const Scalar t54 = t25 * t25;
+  const Scalar t55 = t31 * t31;
+  const Scalar t56 = t54 + t55;
+  const Scalar t57 = t53 - t56;
+  const Scalar t58 = t48 + t57;
+  const Scalar t59 = (k[12] * t43 + k[13] * t44) - k[14] * t58;
+  const Scalar t60 = (k[20] * t23 + k[19] * t24) - ((k[16] * t34 + k[15] * t35) - t59);
+  const Scalar t61 = k[28] * c6 + k[27] * s6;
+  const Scalar t62 = k[27] * c6 - k[28] * s6;
+  const Scalar t63 = qdd[5] + t35;
+  const Scalar t64 = k[24] * c6 - k[23] * s6;
+  const Scalar t65 = c6 * t64;
+  const Scalar t66 = k[26] - t65;
+  const Scalar t67 = t49 * t37;
+  const Scalar t68 = t67 - (t44 - t67);
+  const Scalar t69 = k[25] + s6 * t64;
+  const Scalar t70 = t45 * t49;
+  const Scalar t71 = Scalar(2) * t45 * t36 - t34;
+  const Scalar t72 = t70 + (t70 - t71);
+  const Scalar t73 = (t51 * t61 + t62 * t63) + (t66 * t68 + t69 * t72);
+  const Scalar t74 = k[21] * c6 + k[22] * s6;
+  const Scalar t75 = t60 - (t73 - t74 * t24);
+  const Scalar t76 = t41 + t39;
+  const Scalar t77 = t54 - t55;
+  const Scalar t78 = (k[8] * t76 + k[7] * t29) + (k[6] * t77 + k[5] * t33);
+  const Scalar t79 = k[22] * c6 - k[21] * s6;
+  const Scalar t80 = t46 + t50;
+  const Scalar t81 = (k[19] * t57 - k[20] * t44) + (t79 * t63 - t80 * t74);
+  const Scalar t82 = (k[20] * t48 + k[19] * t43) + (t79 * t72 + t68 * t74);
+  const Scalar t83 = k[30] * t20 - (k[11] * (t3 + t77) - k[29] * t33);
+  const Scalar t84 = (c5 * t81 - s5 * t82) + t83;
+  const Scalar t85 = (t75 + (k[11] * t22 - t78)) - k[10] * t84;
+  const Scalar t86 = s4 * t19 + c4 * t17;
+  const Scalar t87 = t45 * t37;
+  const Scalar t88 = (t87 - t35) + t87;
+  const Scalar t89 = (k[15] * t44 - k[16] * t53) - (k[12] * t88 + k[14] * t71);
+  const Scalar t90 = qdd[5] - t88;
+  const Scalar t91 = k[32] - t65;
+  const Scalar t92 = t53 * t69 + (t66 * t90 - t91 * t63);
+  const Scalar t93 = (t92 + (t71 * t61 - t44 * t62)) - (t74 * t86 + t79 * t23);
+  const Scalar t94 = (k[19] * t86 + t89) - t93;
+  const Scalar t95 = (t68 * t69 - t91 * t72) + t62 * t52;
+  const Scalar t96 = (k[13] * t71 - k[14] * t88) + k[15] * (t53 - t58);
+  const Scalar t97 = ((t90 * t61 - t95) + t79 * t24) - (k[20] * t86 - (t96 - k[16] * t43));
+  const Scalar t98 = t3 - t56;
+  const Scalar t99 = (k[7] * t76 - k[31] * t29) + k[5] * t98;
+  const Scalar t100 = t30 - t32;
+  const Scalar t101 = (s5 * t94 + c5 * t97) + (k[29] * t22 - (t99 + k[6] * t100));
+  const Scalar t102 = (t79 * (t53 + t80) + t90 * t74) + (k[20] * t71 - k[19] * t88);
+  const Scalar t103 = (k[11] * t100 + k[29] * t56) + k[30] * t86;
+  const Scalar t104 = t102 + t103;
+  const Scalar t105 = t101 + k[10] * t104;
+  const Scalar t106 = (k[34] * t5 + k[33] * t10) - (c4 * t85 + s4 * t105);
+  const Scalar t107 = (k[34] * (t15 + t16) - k[33] * t9) + k[35] * t10;
+  const Scalar t108 = s4 * t104 - c4 * t84;
+  const Scalar t109 = k[35] * t14 + (k[34] * (qdd[1] - t18) + k[33] * t12);
+  const Scalar t110 = t4 * ((c4 * t104 + s4 * t84) + t109);
+  const Scalar t111 = (k[29] * t29 + k[11] * t76) + k[30] * t22;
+  const Scalar t112 = t111 + (c5 * t82 + s5 * t81);
+  const Scalar t113 = (t112 - (s4 * t85 - c4 * t105)) - k[33] * t14;
+  const Scalar t114 = s2 * (t106 - t4 * (t107 + t108)) + c2 * (t110 + t113);
+  const Scalar t115 = k[40] * c2 + k[41] * s2;
+  const Scalar t116 = k[42] - c2 * t115;
+  const Scalar t117 = qdd[0] * (k[43] + s2 * t115) - t116 * t21;
+  const Scalar t118 = k[39] * c2 - k[38] * s2;
+  const Scalar t119 = t15 * (k[39] * s2 + k[38] * c2) - qdd[1] * t118;
+  const Scalar t120 = (t117 - t119) + (k[36] * s2 - k[37] * c2) * t0;
+  const Scalar t121 = (k[31] * t33 - k[8] * t100) + k[7] * (t98 + t77);
+  const Scalar t122 = (k[11] * t86 + k[29] * t20) + (t121 - (k[6] * t28 + k[5] * t40));
+  const Scalar t123 = (c5 * t94 - s5 * t97) + t122;
+  const Scalar t124 = (t3 * t116 + k[44] * qdd[1]) + qdd[0] * t118;
+  const Scalar t125 = (k[34] * t14 - (t108 - t123)) - (t124 - (k[36] * t11 - k[37] * t8));
+  const Scalar t126 = k[33] * t3 + k[34] * (t9 + c2 * t21);
   JointVector<Scalar> result;
-  result[0] = t123 - t122;
-  result[1] = -t129;
-  result[2] = -k[6] * t119;
-  result[3] = -t126;
-  result[4] = -t99;
-  result[5] = t107;
+  result[0] = t2 - (t114 + t120);
+  result[1] = t125;
+  result[2] = k[9] * (t112 + (t126 - k[35] * t5));
+  result[3] = t123;
+  result[4] = t75;
+  result[5] = -t93;
   return result;
 }
 
@@ -298,94 +316,115 @@ InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constant
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c2z * inertia.m2;
-  const Scalar t1 = inertia.c2x * inertia.m2;
-  const Scalar t2 = g.l2 * inertia.m2 + t1;
-  const Scalar t3 = inertia.c2y * inertia.m2;
-  const Scalar t4 = inertia.c3x * inertia.m3;
-  const Scalar t5 = ((inertia.I2xy - inertia.c2y * t1) - g.l2 * t3) + (inertia.I3xy - inertia.c3y * t4);
-  const Scalar t6 = inertia.c3y * inertia.m3;
-  const Scalar t7 = (inertia.I3yz - inertia.c3z * t6) + (inertia.I2yz - inertia.c2z * t3);
-  const Scalar t8 = (inertia.I3xz - inertia.c3z * t4) + ((inertia.I2xz - inertia.c2z * t1) - g.l2 * t0);
-  const Scalar t9 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t10 = inertia.c3z * inertia.m3;
-  const Scalar t11 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t12 = ((inertia.I3zz - t9) - inertia.c3z * t10) + ((inertia.I2zz - t11) - inertia.c2z * t0);
-  const Scalar t13 = (inertia.c2x * t1 - (inertia.I2xx - t11)) + g.l2 * (t1 + t2);
-  const Scalar t14 = (inertia.c3x * t4 - (inertia.I3xx - t9)) + t13;
-  const Scalar t15 = inertia.c5z * inertia.m5;
-  const Scalar t16 = inertia.c6y * inertia.m6;
-  const Scalar t17 = inertia.c5y * inertia.m5;
-  const Scalar t18 = inertia.c6x * inertia.m6;
-  const Scalar t19 = inertia.c6z * inertia.m6;
-  const Scalar t20 = inertia.c4x * inertia.m4;
-  const Scalar t21 = inertia.c5x * inertia.m5;
-  const Scalar t22 = inertia.c4z * inertia.m4;
-  const Scalar t23 = inertia.c4y * inertia.m4;
-  const Scalar t24 = g.d2 * g.d2 * (inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)));
-  const Scalar t25 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t26 = (inertia.I6xx - t25) - inertia.c6x * t18;
-  const Scalar t27 = inertia.c6z * t19 - (inertia.I6zz - t25);
-  const Scalar t28 = inertia.I6xz - inertia.c6z * t18;
-  const Scalar t29 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t30 = ((inertia.I6yy - t25) - inertia.c6y * t16) - (inertia.c5y * t17 - (inertia.I5yy - t29));
-  const Scalar t31 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t32 = (inertia.c5x * t21 - (inertia.I5xx - t29)) - ((inertia.I4xx - t31) - inertia.c4x * t20);
-  const Scalar t33 = inertia.c1y * inertia.m1;
-  const Scalar t34 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t35 = t33 - g.d2 * inertia.m1;
-  const Scalar t36 = (inertia.c1y * t33 - (inertia.I1yy - t34)) - g.d2 * (t33 + t35);
-  const Scalar t37 = g.d2 * inertia.m2 - t3;
-  const Scalar t38 = ((inertia.I3yy - t9) - inertia.c3y * t6) + ((inertia.I4yy - t31) - inertia.c4y * t23);
-  const Scalar t39 = g.d2 * (t37 - t3) - (((inertia.I2yy - t11) - inertia.c2y * t3) + t38);
-  const Scalar t40 = inertia.c1x * inertia.m1;
-  const Scalar t41 = (t36 + t39) + (inertia.c1x * t40 - (inertia.I1xx - t34));
-  return { g.d2 * t0,
-           g.d2 * t2,
-           gravity[0] / g.d2,
-           gravity[1] / g.d2,
-           t5,
-           t7,
-           Scalar(2) * t8,
-           t12 + t14,
-           t8,
-           t14,
-           g.d2 * t15,
-           g.d2 * (t16 + t17),
-           g.d2,
-           g.d2 * t18,
-           g.d2 * t19,
-           g.d2 * (t20 + t21),
-           g.d2 * t22,
-           g.d2 * t10,
-           g.d2 * t4,
-           g.d2 * (t23 + t6),
-           gravity[2] / g.d2,
-           g.l2 / g.d2,
-           Scalar(1) / g.d2,
-           g.d4 / g.d2,
-           t24,
-           inertia.I6xy - inertia.c6y * t18,
-           inertia.I6yz - inertia.c6z * t16,
-           t26 + t27,
-           Scalar(2) * t28,
-           t28,
-           t27,
-           inertia.I5xz - inertia.c5z * t21,
-           t30,
-           inertia.I5yz - inertia.c5z * t17,
-           inertia.I5xy - inertia.c5y * t21,
-           t26,
-           inertia.c5z * t15 - (inertia.I5zz - t29),
-           inertia.I4xy - inertia.c4y * t20,
-           t32,
-           inertia.I4xz - inertia.c4z * t20,
-           inertia.I4yz - inertia.c4z * t23,
-           (inertia.I4zz - t31) - inertia.c4z * t22,
+  const Scalar t0 = inertia.c2y * inertia.m2;
+  const Scalar t1 = g.d2 * inertia.m2 - t0;
+  const Scalar t2 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t3 = g.d2 * (t1 - t0) - ((inertia.I2yy - t2) - inertia.c2y * t0);
+  const Scalar t4 = g.d2 + g.d4;
+  const Scalar t5 = inertia.m4 * t4;
+  const Scalar t6 = inertia.c4y * inertia.m4;
+  const Scalar t7 = t6 - t5;
+  const Scalar t8 = t5 + t7;
+  const Scalar t9 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t10 = ((inertia.I4yy - t9) - inertia.c4y * t6) + t4 * (t6 + t7);
+  const Scalar t11 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t12 = t8 - t4 * t11;
+  const Scalar t13 = (t4 * (t8 + t7) - t10) - t4 * (t8 + t12);
+  const Scalar t14 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t15 = inertia.c3y * inertia.m3;
+  const Scalar t16 = inertia.m3 * t4 - t15;
+  const Scalar t17 = ((inertia.I3yy - t14) - inertia.c3y * t15) - t4 * (t16 - t15);
+  const Scalar t18 = inertia.c1y * inertia.m1;
+  const Scalar t19 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t20 = t18 - g.d2 * inertia.m1;
+  const Scalar t21 = (inertia.c1y * t18 - (inertia.I1yy - t19)) - g.d2 * (t18 + t20);
+  const Scalar t22 = inertia.c3x * inertia.m3;
+  const Scalar t23 = g.l2 * inertia.m3 + t22;
+  const Scalar t24 = g.l2 * t11;
+  const Scalar t25 = (t23 + t24) / g.l2;
+  const Scalar t26 = t4 * t25;
+  const Scalar t27 = ((t3 + (t13 - t17)) + t21) - t4 * t26;
+  const Scalar t28 = inertia.c1x * inertia.m1;
+  const Scalar t29 = t4 * t23 - (g.l2 * t15 - (inertia.I3xy - inertia.c3y * t22));
+  const Scalar t30 = inertia.c2x * inertia.m2;
+  const Scalar t31 = g.l2 * inertia.m2 + t30;
+  const Scalar t32 = ((inertia.I2xy - inertia.c2y * t30) - g.l2 * t0) + g.d2 * t31;
+  const Scalar t33 = ((g.l2 * t12 - t29) - t32) + g.l2 * t26;
+  const Scalar t34 = inertia.c3z * inertia.m3;
+  const Scalar t35 = inertia.c2z * inertia.m2;
+  const Scalar t36 = (t4 * t34 + (inertia.I3yz - inertia.c3z * t15)) + (g.d2 * t35 + (inertia.I2yz - inertia.c2z * t0));
+  const Scalar t37 = g.l2 * t34;
+  const Scalar t38 = g.l2 * t35;
+  const Scalar t39 = (t37 - (inertia.I3xz - inertia.c3z * t22)) - ((inertia.I2xz - inertia.c2z * t30) - t38);
+  const Scalar t40 = ((inertia.I3zz - t14) - inertia.c3z * t34) + ((inertia.I2zz - t2) - inertia.c2z * t35);
+  const Scalar t41 = g.l2 * g.l2 * t25;
+  const Scalar t42 = (inertia.c2x * t30 - (inertia.I2xx - t2)) + g.l2 * (t30 + t31);
+  const Scalar t43 = g.l2 * (t23 + t22) + (inertia.c3x * t22 - (inertia.I3xx - t14));
+  const Scalar t44 = t41 - (t42 + (t43 + g.l2 * t24));
+  const Scalar t45 = Scalar(1) / g.l2;
+  const Scalar t46 = inertia.c4z * inertia.m4;
+  const Scalar t47 = inertia.c4x * inertia.m4;
+  const Scalar t48 = inertia.c5x * inertia.m5;
+  const Scalar t49 = inertia.c6x * inertia.m6;
+  const Scalar t50 = inertia.c6z * inertia.m6;
+  const Scalar t51 = inertia.c5z * inertia.m5;
+  const Scalar t52 = inertia.c6y * inertia.m6;
+  const Scalar t53 = inertia.c5y * inertia.m5;
+  const Scalar t54 = t4 * t46;
+  const Scalar t55 = t4 * t47;
+  const Scalar t56 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t57 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t58 = ((inertia.I6yy - t57) - inertia.c6y * t52) - (inertia.c5y * t53 - (inertia.I5yy - t56));
+  const Scalar t59 = inertia.I6xz - inertia.c6z * t49;
+  const Scalar t60 = (inertia.I6xx - t57) - inertia.c6x * t49;
+  const Scalar t61 = inertia.c6z * t50 - (inertia.I6zz - t57);
+  const Scalar t62 = (inertia.c5x * t48 - (inertia.I5xx - t56)) - ((inertia.I4xx - t9) - inertia.c4x * t47);
+  return { t27 + (inertia.c1x * t28 - (inertia.I1xx - t19)),
+           gravity[1] / g.l2,
+           gravity[0] / g.l2,
+           g.l2 * (t1 - t20),
+           g.l2 * t28,
+           t33,
+           t36,
+           Scalar(2) * t39,
+           t40 - t44,
+           t39,
+           t44,
+           t38,
+           g.l2 * t31,
+           Scalar(2) * t45,
+           t45,
+           gravity[2] / g.l2,
+           g.l2 * (t26 - (t16 - t12)),
+           t37,
+           t4 / g.l2,
            t41,
-           g.d2 * (t37 - t35),
-           g.d2 * t40,
-           t12 - t14 };
+           g.l2 * t46,
+           g.l2 * (t47 + t48),
+           g.l2,
+           g.l2 * t49,
+           g.l2 * t50,
+           g.l2 * t51,
+           g.l2 * (t52 + t53),
+           (inertia.I4zz - t9) - inertia.c4z * t46,
+           inertia.I4xz - inertia.c4z * t47,
+           t54 - (t54 + (inertia.I4yz - inertia.c4z * t6)),
+           (t55 + (inertia.I4xy - inertia.c4y * t47)) - t55,
+           inertia.I5xz - inertia.c5z * t48,
+           inertia.I5xy - inertia.c5y * t48,
+           inertia.c5z * t51 - (inertia.I5zz - t56),
+           t58,
+           inertia.I5yz - inertia.c5z * t53,
+           Scalar(2) * t59,
+           t60 + t61,
+           t59,
+           t60,
+           inertia.I6xy - inertia.c6y * t49,
+           inertia.I6yz - inertia.c6z * t52,
+           t62,
+           t61,
+           g.l2 * g.l2 * ((inertia.m3 + t11) - t25),
+           t40 + t44 };
 }
 
 namespace detail {
@@ -404,158 +443,155 @@ inline JointVector<Scalar> inverse_dynamics_with_wrench(const JointVector<Scalar
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[1] * s2 + k[0] * c2;
-  const Scalar t1 = k[0] * s2 - k[1] * c2;
-  const Scalar t2 = qd[0] * qd[0];
-  const Scalar t3 = qd[1] * qd[1];
-  const Scalar t4 = t2 + t3;
-  const Scalar t5 = k[4] * s2 + k[5] * c2;
-  const Scalar t6 = qdd[1] * t5 - t3 * (k[5] * s2 - k[4] * c2);
-  const Scalar t7 = k[6] * c2 - k[7] * s2;
-  const Scalar t8 = k[8] - c2 * t7;
-  const Scalar t9 = Scalar(2) * qd[0] * qd[1];
-  const Scalar t10 = t8 * t9 - qdd[0] * (k[9] + s2 * t7);
-  const Scalar t11 = k[2] * s1 - k[3] * c1;
-  const Scalar t12 = t2 + t11;
-  const Scalar t13 = qdd[0] * s2;
-  const Scalar t14 = qd[0] * c2;
-  const Scalar t15 = t14 * t14;
-  const Scalar t16 = qd[0] * s2;
-  const Scalar t17 = t16 * t14;
-  const Scalar t18 = qdd[1] + t17;
-  const Scalar t19 = k[19] * t13 - (k[17] * (t4 - t15) - k[18] * t18);
-  const Scalar t20 = k[2] * c1 + k[3] * s1;
-  const Scalar t21 = qdd[0] - t20;
-  const Scalar t22 = k[21] * t18 - (k[20] * c2 + s2 * t21);
-  const Scalar t23 = k[23] + k[22] * q[2];
-  const Scalar t24 = k[22] * qd[2];
-  const Scalar t25 = (t22 - t13 * t23) - Scalar(2) * t24 * t16;
-  const Scalar t26 = c4 * t16 + s4 * t14;
-  const Scalar t27 = qd[4] + t26;
-  const Scalar t28 = qd[1] + qd[3];
-  const Scalar t29 = c4 * t14 - s4 * t16;
-  const Scalar t30 = c5 * t28 - s5 * t29;
-  const Scalar t31 = t27 * t30;
-  const Scalar t32 = t28 * t26;
-  const Scalar t33 = qdd[0] * c2;
-  const Scalar t34 = s4 * t13 - c4 * t33;
-  const Scalar t35 = t32 + (t32 + t34);
-  const Scalar t36 = qdd[1] + qdd[3];
-  const Scalar t37 = t29 * t26;
-  const Scalar t38 = t36 + t37;
-  const Scalar t39 = c5 * t35 - s5 * t38;
-  const Scalar t40 = t31 + (t31 - t39);
-  const Scalar t41 = s5 * t28 + c5 * t29;
-  const Scalar t42 = t27 * t41;
-  const Scalar t43 = s5 * t35 + c5 * t38;
-  const Scalar t44 = (t42 - t43) + t42;
-  const Scalar t45 = qdd[5] - t44;
-  const Scalar t46 = k[14] * c6 + k[13] * s6;
-  const Scalar t47 = k[14] * s6 - k[13] * c6;
-  const Scalar t48 = t30 * t30;
-  const Scalar t49 = t41 * t41;
-  const Scalar t50 = t48 - t49;
-  const Scalar t51 = t27 * t27;
-  const Scalar t52 = t48 + t51;
-  const Scalar t53 = t50 - t52;
-  const Scalar t54 = qd[5] + t30;
-  const Scalar t55 = t51 - t54 * t54;
-  const Scalar t56 = wrench[0] * c1 + wrench[1] * s1;
-  const Scalar t57 = c2 * t56 + wrench[2] * s2;
-  const Scalar t58 = wrench[2] * c2 - s2 * t56;
-  const Scalar t59 = (t45 * t46 + t47 * (t53 + t55)) + k[12] * (c4 * t57 + s4 * t58);
-  const Scalar t60 = t48 + t49;
-  const Scalar t61 = t36 - t37;
-  const Scalar t62 = ((k[11] * t40 - k[10] * t44) + t59) + (k[15] * t60 + k[16] * t61);
-  const Scalar t63 = t28 * t28;
-  const Scalar t64 = (t63 - t60) + t63;
-  const Scalar t65 = t64 + t2;
-  const Scalar t66 = t30 * t41;
-  const Scalar t67 = t29 * t28;
-  const Scalar t68 = s4 * t33 + c4 * t13;
-  const Scalar t69 = t67 + t68;
-  const Scalar t70 = qdd[4] + t69;
-  const Scalar t71 = t66 - t70;
-  const Scalar t72 = t60 - t52;
-  const Scalar t73 = t72 + t55;
-  const Scalar t74 = qdd[5] + t43;
-  const Scalar t75 = c4 * t58 - s4 * t57;
-  const Scalar t76 = wrench[0] * s1 - wrench[1] * c1;
-  const Scalar t77 = ((t73 + t53) * t46 - t47 * t74) - k[12] * (c5 * t75 + s5 * t76);
-  const Scalar t78 = (k[11] * t71 + k[10] * t52) - t77;
-  const Scalar t79 = Scalar(2) * t54 * t41 - t71;
-  const Scalar t80 = t27 * t54;
-  const Scalar t81 = t40 - (t80 + t80);
-  const Scalar t82 = (t79 * t46 + t47 * t81) - k[12] * (c5 * t76 - s5 * t75);
-  const Scalar t83 = t66 + t70;
-  const Scalar t84 = t82 - (k[11] * t53 - k[10] * t83);
-  const Scalar t85 = (k[15] * t38 - k[16] * t65) - (c5 * t78 + s5 * t84);
-  const Scalar t86 = (t19 + k[24] * t25) - (s4 * t62 - c4 * t85);
-  const Scalar t87 = s2 * t9 - t33;
-  const Scalar t88 = ((k[21] * t87 - t12) - t2 * t23) + k[22] * qdd[2];
-  const Scalar t89 = t69 + t67;
-  const Scalar t90 = (k[40] * t64 - k[37] * t38) - (k[41] * t89 + k[39] * t35);
-  const Scalar t91 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t92 = s2 * t91 - wrench[5] * c2;
-  const Scalar t93 = c2 * t91 + wrench[5] * s2;
-  const Scalar t94 = k[27] * c6 - k[28] * s6;
-  const Scalar t95 = c6 * t94;
-  const Scalar t96 = k[35] - t95;
-  const Scalar t97 = k[29] + s6 * t94;
-  const Scalar t98 = k[25] * s6 + k[26] * c6;
-  const Scalar t99 = k[25] * c6 - k[26] * s6;
-  const Scalar t100 = (t79 * t96 - t81 * t97) + (t98 * t73 + t99 * t74);
-  const Scalar t101 = t3 + t15;
-  const Scalar t102 = k[21] * t101 - (c2 * t21 - k[20] * s2);
-  const Scalar t103 = t24 * t14;
-  const Scalar t104 = (t23 * t33 - t102) + (t103 + t103);
-  const Scalar t105 = s4 * t104 - c4 * t25;
-  const Scalar t106 = s5 * t105 + c5 * t88;
-  const Scalar t107 = (s4 * t92 - c4 * t93) - (t100 - t46 * t106);
-  const Scalar t108 = s5 * t88 - c5 * t105;
-  const Scalar t109 = k[33] * t50 + (k[32] * t71 + k[36] * t83);
-  const Scalar t110 = (k[10] * t106 + k[11] * t108) - ((k[34] * t43 + k[31] * t39) - t109);
-  const Scalar t111 = t107 + t110;
-  const Scalar t112 = (t90 + k[16] * t88) + t111;
-  const Scalar t113 = k[37] * (t2 - t60) + (k[39] * t89 - k[38] * t35);
-  const Scalar t114 = s4 * t93 + c4 * t92;
-  const Scalar t115 = wrench[3] * s1 - wrench[4] * c1;
-  const Scalar t116 = k[30] - t95;
-  const Scalar t117 = (t74 * t116 - t96 * t45) - t72 * t97;
-  const Scalar t118 = s4 * t25 + c4 * t104;
-  const Scalar t119 = (t117 - (t98 * t40 - t71 * t99)) - (t118 * t46 + t47 * t108);
-  const Scalar t120 = (s5 * t114 + c5 * t115) - t119;
-  const Scalar t121 = (k[34] * t71 - k[31] * t72) - (k[36] * t44 + k[33] * t40);
-  const Scalar t122 = t120 - (t121 - k[10] * t118);
-  const Scalar t123 = k[34] * (t72 + t50) + (k[32] * t40 - k[33] * t44);
-  const Scalar t124 = t99 * t55 + (t81 * t116 + t79 * t97);
-  const Scalar t125 = ((t98 * t45 - t124) - t47 * t106) - (c5 * t114 - s5 * t115);
-  const Scalar t126 = ((t123 - k[31] * t83) + k[11] * t118) + t125;
-  const Scalar t127 = ((k[40] * t61 - t113) + k[15] * t88) - (s5 * t122 - c5 * t126);
-  const Scalar t128 = (k[19] * t25 + k[17] * t88) + (c4 * t112 + s4 * t127);
-  const Scalar t129 = (s5 * t78 - c5 * t84) - (k[15] * t35 + k[16] * t89);
-  const Scalar t130 = k[18] * t87 + k[17] * (t13 + c2 * t9);
-  const Scalar t131 = t129 - ((k[19] * t2 + t130) + k[24] * t88);
-  const Scalar t132 = (s4 * t112 - c4 * t127) - (k[19] * t104 + k[18] * t88);
-  const Scalar t133 = (k[18] * t101 + k[17] * (qdd[1] - t17)) + k[19] * t33;
-  const Scalar t134 = (c4 * t62 + s4 * t85) + (t133 - k[24] * t104);
-  const Scalar t135 = (k[21] * t131 + (t132 - t23 * t134)) - t134;
-  const Scalar t136 = s2 * (t86 + (t23 * t86 - t128)) - c2 * t135;
-  const Scalar t137 = (qdd[1] * t0 - t1 * t4) + (((t6 + t10) + t1 * t12) + t136);
-  const Scalar t138 = k[42] * qdd[0] - (k[43] * t20 - k[44] * t11);
-  const Scalar t139 = k[39] * (t65 - t60) - (k[41] * t61 - k[38] * t38);
-  const Scalar t140 = (t139 + (k[40] * t34 - k[37] * t68)) - (k[15] * t105 + k[16] * t118);
-  const Scalar t141 = t140 - (c5 * t122 + s5 * t126);
-  const Scalar t142 = k[21] * t86 - ((k[17] * t104 - k[18] * t25) - t141);
-  const Scalar t143 = qdd[0] * t5 - (t2 * t8 - k[45] * qdd[1]);
-  const Scalar t144 = t142 - ((t0 * t21 - k[20] * t1) + t143);
+  const Scalar t0 = k[2] * s1 - k[1] * c1;
+  const Scalar t1 = k[1] * s1 + k[2] * c1;
+  const Scalar t2 = (k[4] * t0 - k[3] * t1) + k[0] * qdd[0];
+  const Scalar t3 = qd[1] + qd[3];
+  const Scalar t4 = qd[0] * c2;
+  const Scalar t5 = qd[0] * s2;
+  const Scalar t6 = c4 * t4 - s4 * t5;
+  const Scalar t7 = c5 * t3 - s5 * t6;
+  const Scalar t8 = s5 * t3 + c5 * t6;
+  const Scalar t9 = t7 * t8;
+  const Scalar t10 = t6 * t3;
+  const Scalar t11 = qdd[0] * c2;
+  const Scalar t12 = qdd[0] * s2;
+  const Scalar t13 = s4 * t11 + c4 * t12;
+  const Scalar t14 = t10 + t13;
+  const Scalar t15 = qdd[4] + t14;
+  const Scalar t16 = t9 + t15;
+  const Scalar t17 = c4 * t5 + s4 * t4;
+  const Scalar t18 = qd[4] + t17;
+  const Scalar t19 = s4 * t12 - c4 * t11;
+  const Scalar t20 = t3 * Scalar(2) * t17 + t19;
+  const Scalar t21 = qdd[1] + qdd[3];
+  const Scalar t22 = t6 * t17;
+  const Scalar t23 = t21 + t22;
+  const Scalar t24 = c5 * t20 - s5 * t23;
+  const Scalar t25 = t7 * (t18 + t18) - t24;
+  const Scalar t26 = t18 * t8;
+  const Scalar t27 = s5 * t20 + c5 * t23;
+  const Scalar t28 = qdd[5] + t27;
+  const Scalar t29 = t26 - (t28 - t26);
+  const Scalar t30 = qdd[5] + t29;
+  const Scalar t31 = t3 * t3;
+  const Scalar t32 = t17 * t17;
+  const Scalar t33 = t31 - t32;
+  const Scalar t34 = t4 * t4;
+  const Scalar t35 = t5 * t5;
+  const Scalar t36 = t34 + t35;
+  const Scalar t37 = t33 + t36;
+  const Scalar t38 = t18 * t18;
+  const Scalar t39 = qd[5] + t7;
+  const Scalar t40 = t39 * t39;
+  const Scalar t41 = t38 - t40;
+  const Scalar t42 = t8 * t8 + t40;
+  const Scalar t43 = t41 + t42;
+  const Scalar t44 = t37 - t43;
+  const Scalar t45 = (k[34] * t25 - k[35] * t30) + k[32] * t44;
+  const Scalar t46 = qd[1] * qd[1];
+  const Scalar t47 = k[15] * s2 + c2 * t1;
+  const Scalar t48 = k[14] * q[2];
+  const Scalar t49 = k[13] * qd[2];
+  const Scalar t50 = (t47 - t11 * t48) - t4 * t49;
+  const Scalar t51 = (t46 + t34) + t50;
+  const Scalar t52 = s2 * t1 - k[15] * c2;
+  const Scalar t53 = t5 * t49 - (t52 - t12 * t48);
+  const Scalar t54 = t5 * t4;
+  const Scalar t55 = t53 - (qdd[1] + t54);
+  const Scalar t56 = k[18] * t19 + (c4 * t51 + s4 * t55);
+  const Scalar t57 = k[23] * c6 - k[24] * s6;
+  const Scalar t58 = (t36 * t48 + t0) - k[14] * qdd[2];
+  const Scalar t59 = Scalar(2) * qd[0] * qd[1];
+  const Scalar t60 = (t58 - (s2 * t59 - t11)) + k[18] * t36;
+  const Scalar t61 = (c4 * t55 - s4 * t51) + k[18] * t13;
+  const Scalar t62 = c5 * t60 - s5 * t61;
+  const Scalar t63 = t18 * t39;
+  const Scalar t64 = t63 + (t63 - t25);
+  const Scalar t65 = k[37] * c6 - k[36] * s6;
+  const Scalar t66 = c6 * t65;
+  const Scalar t67 = k[43] - t66;
+  const Scalar t68 = t39 * t8;
+  const Scalar t69 = t9 - t15;
+  const Scalar t70 = t68 - (t69 - t68);
+  const Scalar t71 = k[38] + s6 * t65;
+  const Scalar t72 = k[41] * s6 - k[40] * c6;
+  const Scalar t73 = (t64 * t67 - t70 * t71) + t72 * t41;
+  const Scalar t74 = k[41] * c6 + k[40] * s6;
+  const Scalar t75 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t76 = c2 * t75 + wrench[5] * s2;
+  const Scalar t77 = s2 * t75 - wrench[5] * c2;
+  const Scalar t78 = s4 * t76 + c4 * t77;
+  const Scalar t79 = wrench[3] * s1 - wrench[4] * c1;
+  const Scalar t80 = (t57 * t62 - (t73 - t74 * t29)) + (c5 * t78 - s5 * t79);
+  const Scalar t81 = ((k[31] * t16 - t45) + k[26] * t56) + t80;
+  const Scalar t82 = c5 * t61 + s5 * t60;
+  const Scalar t83 = k[24] * c6 + k[23] * s6;
+  const Scalar t84 = t38 + t40;
+  const Scalar t85 = t84 - t42;
+  const Scalar t86 = k[39] - t66;
+  const Scalar t87 = t85 * t71 + (t86 * t29 + t28 * t67);
+  const Scalar t88 = (t82 * t57 - t56 * t83) - (t87 - (t72 * t69 + t74 * t25));
+  const Scalar t89 = (s5 * t78 + c5 * t79) + t88;
+  const Scalar t90 = (k[31] * t85 + k[32] * t69) - (k[35] * t25 + k[33] * t30);
+  const Scalar t91 = t89 - (t90 + k[25] * t56);
+  const Scalar t92 = t14 + t10;
+  const Scalar t93 = (k[28] * t92 - k[42] * t20) - k[30] * t33;
+  const Scalar t94 = t21 - t22;
+  const Scalar t95 = (c5 * t81 + s5 * t91) + ((t93 + k[29] * t94) + k[21] * t60);
+  const Scalar t96 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t97 = c2 * t96 + wrench[2] * s2;
+  const Scalar t98 = wrench[2] * c2 - s2 * t96;
+  const Scalar t99 = (t29 * t83 - t57 * t42) - k[22] * (c4 * t97 + s4 * t98);
+  const Scalar t100 = k[19] * t56 + (k[20] * t94 + k[21] * t37);
+  const Scalar t101 = (t99 - (k[26] * t25 - k[25] * t30)) - t100;
+  const Scalar t102 = t95 + k[18] * t101;
+  const Scalar t103 = t85 + t44;
+  const Scalar t104 = (k[34] * t69 + k[33] * t16) + k[35] * t103;
+  const Scalar t105 = (k[25] * t62 + k[26] * t82) - (t104 - (k[31] * t24 + k[32] * t27));
+  const Scalar t106 = (t70 * t86 + t71 * t64) - (t74 * (t84 - t43) + t72 * t28);
+  const Scalar t107 = (s4 * t77 - c4 * t76) - (t106 + t62 * t83);
+  const Scalar t108 = t105 - t107;
+  const Scalar t109 = t31 + t32;
+  const Scalar t110 = t109 - t36;
+  const Scalar t111 = (k[27] * t92 + k[28] * t20) + (k[29] * t110 + k[30] * t23);
+  const Scalar t112 = wrench[0] * s1 - wrench[1] * c1;
+  const Scalar t113 = c4 * t98 - s4 * t97;
+  const Scalar t114 = (t57 * t64 + t70 * t83) - k[22] * (c5 * t112 - s5 * t113);
+  const Scalar t115 = (k[25] * t16 + k[26] * t43) + t114;
+  const Scalar t116 = k[22] * (c5 * t113 + s5 * t112) - (t28 * t57 - t84 * t83);
+  const Scalar t117 = t116 + (k[25] * (t103 + t43) + k[26] * t69);
+  const Scalar t118 = k[19] * t61 - (k[21] * t23 - k[20] * t109);
+  const Scalar t119 = (s5 * t115 + c5 * t117) + t118;
+  const Scalar t120 = (t108 + (t111 + k[20] * t60)) - k[18] * t119;
+  const Scalar t121 = (s4 * t102 + c4 * t120) + (k[17] * t58 + k[16] * t53);
+  const Scalar t122 = (k[16] * t12 - k[17] * (t46 + t35)) - k[44] * t53;
+  const Scalar t123 = c4 * t119 - s4 * t101;
+  const Scalar t124 = k[44] * t50 + (k[16] * t11 + k[17] * (qdd[1] - t54));
+  const Scalar t125 = t48 * (t124 - (s4 * t119 + c4 * t101));
+  const Scalar t126 = (k[20] * t92 + k[21] * t20) - k[19] * t60;
+  const Scalar t127 = t126 + (c5 * t115 - s5 * t117);
+  const Scalar t128 = k[16] * t50 - (t127 - (c4 * t102 - s4 * t120));
+  const Scalar t129 = s2 * (t121 + (t122 - t123) * t48) + c2 * (t125 - t128);
+  const Scalar t130 = k[5] * s2 - k[6] * c2;
+  const Scalar t131 = (k[6] * s2 + k[5] * c2) * t46 + qdd[1] * t130;
+  const Scalar t132 = k[8] * s2 + k[7] * c2;
+  const Scalar t133 = k[9] - c2 * t132;
+  const Scalar t134 = t133 * t59 - qdd[0] * (k[10] + s2 * t132);
+  const Scalar t135 = (k[11] * s2 - k[12] * c2) * t0 - (t131 + t134);
+  const Scalar t136 = k[28] * (t33 - t110) + (k[27] * t94 - k[42] * t23);
+  const Scalar t137 = (k[20] * t56 - k[21] * t61) - (t136 + (k[30] * t13 + k[29] * t19));
+  const Scalar t138 = (s5 * t81 - c5 * t91) + t137;
+  const Scalar t139 = qdd[0] * t130 - (k[45] * qdd[1] + t36 * t133);
+  const Scalar t140 = ((t138 - t123) + k[17] * t50) + (t139 + (k[11] * t47 + k[12] * t52));
+  const Scalar t141 = k[16] * t36 + k[17] * (t12 + c2 * t59);
   JointVector<Scalar> result;
-  result[0] = t138 - t137;
-  result[1] = t144;
-  result[2] = -k[22] * t131;
-  result[3] = t141;
-  result[4] = t111;
-  result[5] = -t120;
+  result[0] = t2 - (t129 + t135);
+  result[1] = t140;
+  result[2] = -k[14] * ((k[44] * t58 - t141) - t127);
+  result[3] = t138;
+  result[4] = -t108;
+  result[5] = -t89;
   return result;
 }
 
@@ -585,29 +621,29 @@ GravityTorqueWithGravityVectorConstants<Scalar> gravity_torque_with_gravity_vect
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6));
-  const Scalar t1 = (g.d2 * inertia.m2 - inertia.c2y * inertia.m2) - (inertia.c1y * inertia.m1 - g.d2 * inertia.m1);
+  const Scalar t0 = (g.d2 * inertia.m2 - inertia.c2y * inertia.m2) - (inertia.c1y * inertia.m1 - g.d2 * inertia.m1);
+  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t2 = (g.l2 * inertia.m3 + inertia.c3x * inertia.m3) + g.l2 * t1;
+  const Scalar t3 = g.d2 + g.d4;
+  const Scalar t4 = inertia.m4 * t3;
+  const Scalar t5 = (t4 + (inertia.c4y * inertia.m4 - t4)) - t3 * t1;
   return { gravity[1],
            gravity[0],
-           g.d2 * t0,
-           g.l2 * t0,
+           t0,
+           inertia.c1x * inertia.m1,
            gravity[2],
-           inertia.c4y * inertia.m4 + inertia.c3y * inertia.m3,
-           inertia.c3x * inertia.m3,
+           inertia.m3 + t1,
+           t2,
+           (inertia.m3 * t3 - inertia.c3y * inertia.m3) - t5,
+           inertia.c4z * inertia.m4,
            inertia.c6x * inertia.m6,
            inertia.c6z * inertia.m6,
            inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
            inertia.c5z * inertia.m5,
-           inertia.c4z * inertia.m4,
            inertia.c4x * inertia.m4 + inertia.c5x * inertia.m5,
-           g.d4,
-           t0,
            g.l2 * inertia.m2 + inertia.c2x * inertia.m2,
            inertia.c3z * inertia.m3,
-           inertia.c2z * inertia.m2,
-           t1,
-           inertia.c1x * inertia.m1,
-           g.l2 };
+           inertia.c2z * inertia.m2 };
 }
 
 namespace detail {
@@ -625,38 +661,36 @@ inline JointVector<Scalar> gravity_torque_with_gravity_vector(const JointVector<
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[1] * s1 - k[0] * c1;
-  const Scalar t1 = k[0] * s1 + k[1] * c1;
-  const Scalar t2 = k[13] + q[2];
-  const Scalar t3 = s2 * t1 - k[4] * c2;
-  const Scalar t4 = k[14] * t3;
-  const Scalar t5 = k[8] * c6 + k[7] * s6;
-  const Scalar t6 = k[4] * s2 + c2 * t1;
-  const Scalar t7 = s4 * t6 + c4 * t3;
-  const Scalar t8 = s5 * t7 + c5 * t0;
-  const Scalar t9 = c5 * t7 - s5 * t0;
-  const Scalar t10 = t5 * t8 + (k[10] * t8 - k[9] * t9);
-  const Scalar t11 = k[11] * t0 + t10;
-  const Scalar t12 = c4 * t6 - s4 * t3;
-  const Scalar t13 = k[7] * c6 - k[8] * s6;
-  const Scalar t14 = k[9] * t12 + t8 * t13;
-  const Scalar t15 = t9 * t13 + t5 * t12;
-  const Scalar t16 = t15 + k[10] * t12;
-  const Scalar t17 = (c5 * t14 - s5 * t16) + k[12] * t0;
-  const Scalar t18 = (c4 * t11 + s4 * t17) + (k[16] * t0 - k[5] * t3);
-  const Scalar t19 = s2 * ((t2 * t4 + t18) + k[17] * t0);
-  const Scalar t20 = (k[6] * t0 + k[5] * t6) - (s4 * t11 - c4 * t17);
-  const Scalar t21 = (t20 - t2 * k[14] * t6) + k[3] * t0;
-  const Scalar t22 = k[2] * t1 + (t19 - c2 * (t21 + k[15] * t0));
-  const Scalar t23 = (s5 * t14 + c5 * t16) + (k[12] * t7 + k[11] * t12);
-  const Scalar t24 = k[20] * t4 + (t23 + (k[6] * t3 + k[16] * t6));
+  const Scalar t0 = k[0] * s1 + k[1] * c1;
+  const Scalar t1 = k[1] * s1 - k[0] * c1;
+  const Scalar t2 = k[4] * s2 + c2 * t0;
+  const Scalar t3 = s2 * t0 - k[4] * c2;
+  const Scalar t4 = c4 * t2 - s4 * t3;
+  const Scalar t5 = s4 * t2 + c4 * t3;
+  const Scalar t6 = s5 * t5 + c5 * t1;
+  const Scalar t7 = k[9] * c6 - k[10] * s6;
+  const Scalar t8 = k[11] * t4 + t6 * t7;
+  const Scalar t9 = k[10] * c6 + k[9] * s6;
+  const Scalar t10 = c5 * t5 - s5 * t1;
+  const Scalar t11 = t9 * t4 + t10 * t7;
+  const Scalar t12 = t11 + k[12] * t4;
+  const Scalar t13 = k[13] * t1 + (c5 * t8 - s5 * t12);
+  const Scalar t14 = (k[12] * t6 - k[11] * t10) + t9 * t6;
+  const Scalar t15 = t14 + k[8] * t1;
+  const Scalar t16 = (s4 * t13 + c4 * t15) + (k[15] * t1 + k[7] * t3);
+  const Scalar t17 = (t16 + q[2] * k[5] * t3) + k[16] * t1;
+  const Scalar t18 = (c4 * t13 - s4 * t15) + (k[6] * t1 - k[7] * t2);
+  const Scalar t19 = (q[2] * k[5] * t2 - t18) - k[14] * t1;
+  const Scalar t20 = (k[2] * t0 - k[3] * t1) + (s2 * t17 + c2 * t19);
+  const Scalar t21 = (k[8] * t4 + k[13] * t5) + (s5 * t8 + c5 * t12);
+  const Scalar t22 = (t21 + (k[6] * t3 + k[15] * t2)) + (k[16] * t2 + k[14] * t3);
   JointVector<Scalar> result;
-  result[0] = (k[19] * t0 - k[18] * t1) - t22;
-  result[1] = (k[17] * t6 + k[15] * t3) + t24;
-  result[2] = -k[14] * t0;
-  result[3] = t23;
-  result[4] = -t10;
-  result[5] = t15;
+  result[0] = -t20;
+  result[1] = t22;
+  result[2] = -k[5] * t1;
+  result[3] = t21;
+  result[4] = -t14;
+  result[5] = t11;
   return result;
 }
 
@@ -684,117 +718,135 @@ ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_
   using std::cos;
   using std::sin;
   const Scalar t0 = inertia.c6x * inertia.m6;
-  const Scalar t1 = inertia.c6z * inertia.m6;
-  const Scalar t2 = inertia.c5z * inertia.m5;
-  const Scalar t3 = inertia.c6y * inertia.m6;
-  const Scalar t4 = inertia.c5y * inertia.m5;
-  const Scalar t5 = inertia.c4z * inertia.m4;
-  const Scalar t6 = g.l2 * t5;
-  const Scalar t7 = inertia.c4x * inertia.m4;
-  const Scalar t8 = inertia.c5x * inertia.m5;
-  const Scalar t9 = g.l2 * (t7 + t8);
-  const Scalar t10 = inertia.c3z * inertia.m3;
-  const Scalar t11 = inertia.c3x * inertia.m3;
-  const Scalar t12 = g.l2 * g.l2 * (inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)));
-  const Scalar t13 = Scalar(1) / g.l2;
-  const Scalar t14 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t15 = (inertia.I6xx - t14) - inertia.c6x * t0;
-  const Scalar t16 = inertia.c6z * t1 - (inertia.I6zz - t14);
-  const Scalar t17 = t15 - t16;
-  const Scalar t18 = inertia.I6xy - inertia.c6y * t0;
-  const Scalar t19 = inertia.I6yz - inertia.c6z * t3;
-  const Scalar t20 = Scalar(1) / t17;
-  const Scalar t21 = g.d2 / g.l2;
-  const Scalar t22 = inertia.I6xz - inertia.c6z * t0;
-  const Scalar t23 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t24 = ((inertia.I6yy - t14) - inertia.c6y * t3) - (inertia.c5y * t4 - (inertia.I5yy - t23));
-  const Scalar t25 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t26 = (inertia.c5x * t8 - (inertia.I5xx - t23)) - ((inertia.I4xx - t25) - inertia.c4x * t7);
-  const Scalar t27 = (inertia.I4zz - t25) - inertia.c4z * t5;
-  const Scalar t28 = inertia.c4y * inertia.m4;
-  const Scalar t29 = inertia.c3y * inertia.m3;
-  const Scalar t30 = inertia.c2y * inertia.m2;
-  const Scalar t31 = g.d2 * inertia.m2 - t30;
-  const Scalar t32 = inertia.c1y * inertia.m1;
-  const Scalar t33 = t32 - g.d2 * inertia.m1;
-  const Scalar t34 = (t31 - t33) / g.d2;
-  const Scalar t35 = g.l2 * g.l2 * t34;
-  const Scalar t36 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t37 = (inertia.c1y * t32 - (inertia.I1yy - t36)) - g.d2 * (t32 + t33);
-  const Scalar t38 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t1 = inertia.c6y * inertia.m6;
+  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t0;
+  const Scalar t4 = inertia.c6z * inertia.m6;
+  const Scalar t5 = inertia.c6z * t4 - (inertia.I6zz - t2);
+  const Scalar t6 = t3 - t5;
+  const Scalar t7 = inertia.I6xz - inertia.c6z * t0;
+  const Scalar t8 = inertia.c5z * inertia.m5;
+  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t10 = inertia.c5y * inertia.m5;
+  const Scalar t11 = ((inertia.I6yy - t2) - inertia.c6y * t1) - (inertia.c5y * t10 - (inertia.I5yy - t9));
+  const Scalar t12 = Scalar(1) / g.l2;
+  const Scalar t13 = g.d2 + g.d4;
+  const Scalar t14 = t13 / g.l2;
+  const Scalar t15 = inertia.c5x * inertia.m5;
+  const Scalar t16 = inertia.c3x * inertia.m3;
+  const Scalar t17 = g.l2 * inertia.m3 + t16;
+  const Scalar t18 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t19 = g.l2 * t18;
+  const Scalar t20 = (t17 + t19) / g.l2;
+  const Scalar t21 = g.l2 * g.l2 * t20;
+  const Scalar t22 = t13 * t20;
+  const Scalar t23 = inertia.c3y * inertia.m3;
+  const Scalar t24 = inertia.m3 * t13 - t23;
+  const Scalar t25 = inertia.m4 * t13;
+  const Scalar t26 = inertia.c4y * inertia.m4;
+  const Scalar t27 = t26 - t25;
+  const Scalar t28 = t25 + t27;
+  const Scalar t29 = t28 - t13 * t18;
+  const Scalar t30 = g.l2 * g.l2 * ((inertia.m3 + t18) - t20);
+  const Scalar t31 = (t21 + t30) * t12;
+  const Scalar t32 = inertia.c2y * inertia.m2;
+  const Scalar t33 = g.d2 * inertia.m2 - t32;
+  const Scalar t34 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t35 = g.d2 * (t33 - t32) - ((inertia.I2yy - t34) - inertia.c2y * t32);
+  const Scalar t36 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t37 = ((inertia.I4yy - t36) - inertia.c4y * t26) + t13 * (t26 + t27);
+  const Scalar t38 = (t13 * (t28 + t27) - t37) - t13 * (t28 + t29);
   const Scalar t39 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t40 = ((inertia.I3yy - t39) - inertia.c3y * t29) + ((inertia.I4yy - t25) - inertia.c4y * t28);
-  const Scalar t41 = g.d2 * (t31 - t30) - (((inertia.I2yy - t38) - inertia.c2y * t30) + t40);
-  const Scalar t42 = inertia.I4xz - inertia.c4z * t7;
-  const Scalar t43 = inertia.c2x * inertia.m2;
-  const Scalar t44 = inertia.c2z * inertia.m2;
-  const Scalar t45 = g.l2 * t44;
-  const Scalar t46 = (inertia.I3xz - inertia.c3z * t11) + ((inertia.I2xz - inertia.c2z * t43) - t45);
-  const Scalar t47 = ((inertia.I3zz - t39) - inertia.c3z * t10) + ((inertia.I2zz - t38) - inertia.c2z * t44);
-  const Scalar t48 = g.l2 * inertia.m2 + t43;
-  const Scalar t49 = (inertia.c2x * t43 - (inertia.I2xx - t38)) + g.l2 * (t43 + t48);
-  const Scalar t50 = (inertia.c3x * t11 - (inertia.I3xx - t39)) + t49;
-  const Scalar t51 = inertia.c1x * inertia.m1;
-  const Scalar t52 = ((inertia.I2xy - inertia.c2y * t43) - g.l2 * t30) + (inertia.I3xy - inertia.c3y * t11);
-  const Scalar t53 = (inertia.I3yz - inertia.c3z * t29) + (inertia.I2yz - inertia.c2z * t30);
-  return { g.l2 * t0,
-           g.l2 * t1,
-           g.l2 * t2,
-           g.l2 * (t3 + t4),
-           t6,
-           t9,
-           g.l2 * t10,
-           g.l2 * t11,
+  const Scalar t40 = ((inertia.I3yy - t39) - inertia.c3y * t23) - t13 * (t24 - t23);
+  const Scalar t41 = inertia.c1y * inertia.m1;
+  const Scalar t42 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t43 = t41 - g.d2 * inertia.m1;
+  const Scalar t44 = (inertia.c1y * t41 - (inertia.I1yy - t42)) - g.d2 * (t41 + t43);
+  const Scalar t45 = ((t35 + (t38 - t40)) + t44) - t13 * t22;
+  const Scalar t46 = inertia.c4x * inertia.m4;
+  const Scalar t47 = inertia.I4xz - inertia.c4z * t46;
+  const Scalar t48 = (inertia.c5x * t15 - (inertia.I5xx - t9)) - ((inertia.I4xx - t36) - inertia.c4x * t46);
+  const Scalar t49 = inertia.c4z * inertia.m4;
+  const Scalar t50 = (inertia.I4zz - t36) - inertia.c4z * t49;
+  const Scalar t51 = g.l2 * t49;
+  const Scalar t52 = g.l2 * (t46 + t15);
+  const Scalar t53 = inertia.c3z * inertia.m3;
+  const Scalar t54 = g.l2 * t53;
+  const Scalar t55 = inertia.c2x * inertia.m2;
+  const Scalar t56 = inertia.c2z * inertia.m2;
+  const Scalar t57 = g.l2 * t56;
+  const Scalar t58 = (t54 - (inertia.I3xz - inertia.c3z * t16)) - ((inertia.I2xz - inertia.c2z * t55) - t57);
+  const Scalar t59 = ((inertia.I3zz - t39) - inertia.c3z * t53) + ((inertia.I2zz - t34) - inertia.c2z * t56);
+  const Scalar t60 = g.l2 * inertia.m2 + t55;
+  const Scalar t61 = (inertia.c2x * t55 - (inertia.I2xx - t34)) + g.l2 * (t55 + t60);
+  const Scalar t62 = g.l2 * (t17 + t16) + (inertia.c3x * t16 - (inertia.I3xx - t39));
+  const Scalar t63 = t21 - (t61 + (t62 + g.l2 * t19));
+  const Scalar t64 = inertia.c1x * inertia.m1;
+  const Scalar t65 = t13 * t49;
+  const Scalar t66 = t13 * t46;
+  const Scalar t67 = (t13 * t53 + (inertia.I3yz - inertia.c3z * t23))
+      + (g.d2 * t56 + (inertia.I2yz - inertia.c2z * t32));
+  const Scalar t68 = t13 * t17 - (g.l2 * t23 - (inertia.I3xy - inertia.c3y * t16));
+  const Scalar t69 = ((inertia.I2xy - inertia.c2y * t55) - g.l2 * t32) + g.d2 * t60;
+  const Scalar t70 = ((g.l2 * t29 - t68) - t69) + g.l2 * t22;
+  return { inertia.I6xy - inertia.c6y * t0,
+           inertia.I6yz - inertia.c6z * t1,
+           Scalar(1) / t6,
+           Scalar(2) * t7,
+           t3 + t5,
+           t3,
+           inertia.c5z * t8 - (inertia.I5zz - t9),
+           t11,
            t12,
-           t13,
-           g.d4 / g.l2,
-           t17,
-           t18,
-           t19,
-           t20 * t18,
-           t19 * t20,
-           t21,
-           t20,
-           inertia.I5xy - inertia.c5y * t8,
-           t15 + t16,
-           Scalar(2) * t22,
-           t22,
-           inertia.I5xz - inertia.c5z * t8,
-           t15,
-           inertia.c5z * t2 - (inertia.I5zz - t23),
-           t24,
-           t20 * t13,
-           t26,
-           Scalar(2) * t24,
-           inertia.I5yz - inertia.c5z * t4,
-           t27,
-           inertia.I4xy - inertia.c4y * t7,
-           inertia.I4yz - inertia.c4z * t28,
-           t12 * t13 * t13,
-           g.l2 * (t28 + t29),
-           t21 * (t12 + t35),
-           g.d2 * g.d2 * t34 - (t37 + t41),
-           t42,
-           t46,
-           t47,
-           t50,
-           inertia.c1x * t51 - (inertia.I1xx - t36),
-           t52,
-           g.l2 * t48,
-           t53,
+           g.l2 * (t1 + t10),
+           g.l2 * t4,
+           g.l2 * t0,
+           g.l2 * t8,
+           t14,
+           inertia.I5xy - inertia.c5y * t15,
+           t7,
+           inertia.I5xz - inertia.c5z * t15,
+           t6,
+           t21 * t14,
+           g.l2 * (t22 - (t24 - t29)),
+           t31,
+           inertia.I5yz - inertia.c5z * t10,
+           Scalar(2) * t11,
            t45,
+           t47,
+           t48,
+           t50,
+           t51,
+           t52,
+           t58,
+           t59,
+           t21,
+           t63,
+           inertia.c1x * t64 - (inertia.I1xx - t42),
+           t65 - (t65 + (inertia.I4yz - inertia.c4z * t26)),
+           (t66 + (inertia.I4xy - inertia.c4y * t46)) - t66,
+           t54,
+           t31 * t12,
+           t67,
+           t70,
            gravity[2] / g.l2,
            gravity[1] / g.l2,
            gravity[0] / g.l2,
-           t27 + t26,
-           Scalar(2) * t46,
-           t47 + t50,
-           Scalar(2) * t9,
-           Scalar(2) * t6,
-           t35,
-           Scalar(2) * t27,
-           Scalar(2) * t42,
-           g.l2 * t51 };
+           Scalar(2) * t12,
+           t50 + t48,
+           t30,
+           Scalar(2) * t47,
+           Scalar(2) * t48,
+           Scalar(2) * t50,
+           Scalar(2) * t51,
+           Scalar(2) * t52,
+           t57,
+           g.l2 * t60,
+           Scalar(2) * t58,
+           t59 - t63,
+           g.l2 * (t33 - t43),
+           g.l2 * t64,
+           Scalar(2) * t54 };
 }
 
 namespace detail {
@@ -813,236 +865,231 @@ inline JointVector<Scalar> forward_dynamics_with_gravity_vector(const JointVecto
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[14] * c6 - k[15] * s6;
-  const Scalar t1 = k[11] * t0;
-  const Scalar t2 = k[18] + t1;
-  const Scalar t3 = k[19] * c6 - k[20] * s6;
-  const Scalar t4 = k[21] + s6 * t3;
-  const Scalar t5 = k[22] + t4;
-  const Scalar t6 = c5 * t2 - s5 * t5;
-  const Scalar t7 = k[12] * s6 + k[13] * c6;
-  const Scalar t8 = k[11] * c5 + s5 * t7;
-  const Scalar t9 = t6 - t8 * t0;
-  const Scalar t10 = k[23] - c6 * t3;
-  const Scalar t11 = k[24] - t10;
-  const Scalar t12 = k[25] - t11;
-  const Scalar t13 = Scalar(1) / (t1 * t0 - t12);
-  const Scalar t14 = t9 * t13;
-  const Scalar t15 = k[17] * t8;
-  const Scalar t16 = k[29] + t7;
-  const Scalar t17 = s5 * (k[28] - t12) + Scalar(2) * c5 * t16;
-  const Scalar t18 = s5 * t17;
-  const Scalar t19 = k[30] + (t18 - t11);
-  const Scalar t20 = k[11] - t10;
-  const Scalar t21 = k[27] - t20;
-  const Scalar t22 = t19 - t21;
-  const Scalar t23 = Scalar(1) / (t9 * t14 - (t15 * t8 - t22));
-  const Scalar t24 = k[0] * s6 + k[1] * c6;
-  const Scalar t25 = k[2] + t24;
-  const Scalar t26 = k[3] * s5 + c5 * t25;
-  const Scalar t27 = k[4] + t26;
-  const Scalar t28 = k[0] * c6 - k[1] * s6;
-  const Scalar t29 = k[5] + t28;
-  const Scalar t30 = s4 * t27 - c4 * t29;
-  const Scalar t31 = k[32] - (t16 - c5 * t17);
-  const Scalar t32 = k[31] + t6;
-  const Scalar t33 = s4 * t31 - c4 * t32;
-  const Scalar t34 = k[10] + k[9] * q[2];
-  const Scalar t35 = s2 * (k[16] * t30 + (t33 + t30 * t34));
-  const Scalar t36 = s4 * t29 + c4 * t27;
-  const Scalar t37 = c4 * t31 + s4 * t32;
-  const Scalar t38 = c2 * ((t36 * t34 + t37) + k[16] * t36);
-  const Scalar t39 = c5 * t28;
-  const Scalar t40 = c4 * t39 - s4 * t24;
-  const Scalar t41 = k[11] * s5 - c5 * t7;
-  const Scalar t42 = (s4 * t41 + c4 * t1) + t40 * t34;
-  const Scalar t43 = s5 * t28;
-  const Scalar t44 = c4 * t24 + s4 * t39;
-  const Scalar t45 = (c4 * t41 - s4 * t1) - t44 * t34;
-  const Scalar t46 = s2 * (k[16] * t40 + t42) + c2 * ((t43 - t45) + k[16] * t44);
-  const Scalar t47 = c5 * t5 + s5 * t2;
-  const Scalar t48 = s5 * t25 - k[3] * c5;
-  const Scalar t49 = c4 * t48;
-  const Scalar t50 = (c4 * t12 + s4 * t47) - t49 * t34;
-  const Scalar t51 = s4 * t48;
-  const Scalar t52 = t51 * t34 + (c4 * t47 - s4 * t12);
-  const Scalar t53 = s2 * (t50 - k[16] * t49) - c2 * (k[16] * t51 - (t26 - t52));
-  const Scalar t54 = t53 - t46 * t0;
-  const Scalar t55 = ((t35 - t38) + t46 * t15) - t54 * t14;
-  const Scalar t56 = t23 * t55;
-  const Scalar t57 = k[17] * t46;
-  const Scalar t58 = k[34] - t48;
-  const Scalar t59 = t58 - k[8] * t34;
-  const Scalar t60 = k[16] * (t59 - (k[35] - t59)) + ((t59 + t58) * t34 + (k[25] - t18));
-  const Scalar t61 = k[6] + t36;
-  const Scalar t62 = k[37] + t47;
-  const Scalar t63 = s4 * t62;
-  const Scalar t64 = (t63 + t63) + c4 * (t19 + t21);
-  const Scalar t65 = c2 * (k[38] - (t61 - (t62 - s4 * t64)));
-  const Scalar t66 = t21 - c4 * t64;
-  const Scalar t67 = k[39] - t66;
-  const Scalar t68 = k[7] - t30;
-  const Scalar t69 = k[8] + t68;
-  const Scalar t70 = k[40] + ((t68 + t69) - (t66 + t22));
-  const Scalar t71 = s2 * (Scalar(2) * t65 - s2 * (t67 + t70));
-  const Scalar t72 = t46 * t57 - ((k[36] + t60) - (k[41] + (t71 + t70)));
-  const Scalar t73 = t54 * t13;
-  const Scalar t74 = k[26] * t43;
-  const Scalar t75 = k[9] * t26 - t1 * t74;
-  const Scalar t76 = t13 * t75;
-  const Scalar t77 = k[9] * t43;
-  const Scalar t78 = t15 * t77 - t14 * t75;
-  const Scalar t79 = t23 * t78;
-  const Scalar t80 = (t75 * t76 - (k[33] + t74 * t77)) - t78 * t79;
-  const Scalar t81 = Scalar(1) / t80;
-  const Scalar t82 = k[9] * (c2 * t69 - s2 * t61) + t57 * t77;
-  const Scalar t83 = t79 * t55 - (t54 * t76 - t82);
-  const Scalar t84 = t81 * t83;
-  const Scalar t85 = (t56 * t55 + (t72 - t54 * t73)) + t84 * t83;
-  const Scalar t86 = t8 - t40;
-  const Scalar t87 = k[17] * t86;
-  const Scalar t88 = (t49 + t6) - t1 * t87;
-  const Scalar t89 = t13 * t88;
-  const Scalar t90 = ((t30 + t22) - t86 * t15) + t14 * t88;
-  const Scalar t91 = (t89 * t75 - t87 * t77) + t79 * t90;
-  const Scalar t92 = t81 * t91;
-  const Scalar t93 = k[16] * (k[45] + t61) + (k[44] + (t61 * t34 + t37));
-  const Scalar t94 = (k[42] - ((t33 - t68 * t34) + t59)) + k[16] * (k[43] + t69);
-  const Scalar t95 = t46 * t87 - (c2 * t93 + s2 * t94);
-  const Scalar t96 = t92 * t83 - ((t95 - t73 * t88) - t56 * t90);
-  const Scalar t97 = t23 * t90;
-  const Scalar t98 = t89 * t88 + ((t67 - t70) - t86 * t87);
-  const Scalar t99 = Scalar(1) / (t92 * t91 + (t97 * t90 - t98));
-  const Scalar t100 = t96 * t99;
-  const Scalar t101 = qd[1] + qd[3];
-  const Scalar t102 = t101 * t101;
-  const Scalar t103 = qd[0] * s2;
-  const Scalar t104 = qd[0] * c2;
-  const Scalar t105 = c4 * t103 + s4 * t104;
-  const Scalar t106 = t105 * t105;
+  const Scalar t0 = k[4] * c6 - k[3] * s6;
+  const Scalar t1 = k[5] - c6 * t0;
+  const Scalar t2 = k[17] - t1;
+  const Scalar t3 = k[25] - t2;
+  const Scalar t4 = k[15] + s6 * t0;
+  const Scalar t5 = k[16] + t4;
+  const Scalar t6 = k[0] * c6 - k[1] * s6;
+  const Scalar t7 = k[14] + t6;
+  const Scalar t8 = c5 * t5 + s5 * t7;
+  const Scalar t9 = k[24] + t8;
+  const Scalar t10 = k[6] - t1;
+  const Scalar t11 = k[7] - t10;
+  const Scalar t12 = c5 + c5;
+  const Scalar t13 = k[0] * s6 + k[1] * c6;
+  const Scalar t14 = k[21] + t13;
+  const Scalar t15 = s5 * (k[22] - t11) + t12 * t14;
+  const Scalar t16 = s5 * t15 - t10;
+  const Scalar t17 = k[26] + t16;
+  const Scalar t18 = Scalar(2) * s4 * t9 + c4 * (t3 + t17);
+  const Scalar t19 = c4 * t18;
+  const Scalar t20 = t3 - t19;
+  const Scalar t21 = k[30] - t20;
+  const Scalar t22 = t19 - t17;
+  const Scalar t23 = k[10] * c6 + k[11] * s6;
+  const Scalar t24 = k[12] + t23;
+  const Scalar t25 = c5 * t24 + k[9] * s5;
+  const Scalar t26 = k[27] + t25;
+  const Scalar t27 = k[10] * s6 - k[11] * c6;
+  const Scalar t28 = k[28] - t27;
+  const Scalar t29 = s4 * t26 - c4 * t28;
+  const Scalar t30 = k[31] - t29;
+  const Scalar t31 = k[32] - (t22 - (t29 - t30));
+  const Scalar t32 = c5 + k[2] * s5 * t13;
+  const Scalar t33 = k[17] * t32;
+  const Scalar t34 = c5 * t27;
+  const Scalar t35 = s4 * t23 + c4 * t34;
+  const Scalar t36 = t33 + t35;
+  const Scalar t37 = k[2] * t36;
+  const Scalar t38 = s5 * t5 - c5 * t7;
+  const Scalar t39 = s5 * t24 - k[9] * c5;
+  const Scalar t40 = c4 * t39;
+  const Scalar t41 = (t38 - t40) + t37 * t6;
+  const Scalar t42 = k[2] * t6;
+  const Scalar t43 = Scalar(1) / (t42 * t6 - t11);
+  const Scalar t44 = t41 * t43;
+  const Scalar t45 = ((t21 + t31) - t36 * t37) + t41 * t44;
+  const Scalar t46 = t22 + t20;
+  const Scalar t47 = t33 * t42 + t38;
+  const Scalar t48 = t43 * t47;
+  const Scalar t49 = ((t46 - t29) + t36 * t32) - t41 * t48;
+  const Scalar t50 = Scalar(1) / ((t46 + t33 * t32) - t48 * t47);
+  const Scalar t51 = t49 * t50;
+  const Scalar t52 = s5 * t27;
+  const Scalar t53 = k[8] * t52;
+  const Scalar t54 = k[2] * t53;
+  const Scalar t55 = t54 * t6 + k[8] * t25;
+  const Scalar t56 = t55 * t48 - t53 * t32;
+  const Scalar t57 = t50 * t56;
+  const Scalar t58 = t55 * t43;
+  const Scalar t59 = t57 * t56 + (t58 * t55 - (k[37] + t53 * t54));
+  const Scalar t60 = Scalar(1) / t59;
+  const Scalar t61 = (t44 * t55 - t36 * t54) - t57 * t49;
+  const Scalar t62 = t60 * t61;
+  const Scalar t63 = Scalar(1) / ((t45 + t49 * t51) - t62 * t61);
+  const Scalar t64 = k[13] * t39 - t11;
+  const Scalar t65 = k[8] * q[2];
+  const Scalar t66 = ((c4 * t8 + s4 * t64) - t25) + s4 * t39 * t65;
+  const Scalar t67 = (c4 * t64 - s4 * t8) + t40 * t65;
+  const Scalar t68 = k[13] * t34 - t6;
+  const Scalar t69 = k[13] * t23 - (k[17] * s5 - c5 * t13);
+  const Scalar t70 = t65 * t35 + (c4 * t68 + s4 * t69);
+  const Scalar t71 = (c4 * t23 - s4 * t34) * t65 - (t52 + (s4 * t68 - c4 * t69));
+  const Scalar t72 = s2 * t70 - c2 * t71;
+  const Scalar t73 = (c2 * t66 + s2 * t67) - t42 * t72;
+  const Scalar t74 = (k[35] - t38) + k[13] * t28;
+  const Scalar t75 = (k[34] - (c5 * t15 - t14)) - k[13] * t26;
+  const Scalar t76 = c4 * t74 + s4 * t75;
+  const Scalar t77 = k[18] + t39;
+  const Scalar t78 = s2 * (k[39] - (t65 * t30 + (t76 + t77)));
+  const Scalar t79 = s4 * t28 + c4 * t26;
+  const Scalar t80 = k[36] + t79;
+  const Scalar t81 = s4 * t74 - c4 * t75;
+  const Scalar t82 = t78 - c2 * (k[38] + (t80 * t65 + t81));
+  const Scalar t83 = k[2] * t72;
+  const Scalar t84 = c2 * (t81 + t79 * t65) - s2 * (t29 * t65 - t76);
+  const Scalar t85 = t48 * t73 + (t33 * t83 + t84);
+  const Scalar t86 = (t44 * t73 + (t37 * t72 - t82)) - t85 * t51;
+  const Scalar t87 = k[8] * (s2 * t80 - c2 * t30) - t54 * t72;
+  const Scalar t88 = t43 * t73;
+  const Scalar t89 = t57 * t85 - (t87 - t55 * t88);
+  const Scalar t90 = t86 - t62 * t89;
+  const Scalar t91 = t63 * t90;
+  const Scalar t92 = t60 * t89;
+  const Scalar t93 = t85 * t50;
+  const Scalar t94 = c2 * (k[29] + (t79 - (t9 - s4 * t18)));
+  const Scalar t95 = s2 * (s2 * (t21 - t31) + (t94 + t94));
+  const Scalar t96 = k[19] - t77;
+  const Scalar t97 = (k[13] * (t39 + t77) + (t16 - t11)) + t65 * ((k[20] * q[2] - t96) - t96);
+  const Scalar t98 = t83 * t72 + ((k[33] - (t95 + t31)) + (k[23] + t97));
+  const Scalar t99 = t89 * t92 - (t85 * t93 - (t98 - t73 * t88));
+  const Scalar t100 = qd[0] * s2;
+  const Scalar t101 = qd[0] * c2;
+  const Scalar t102 = t100 * t101;
+  const Scalar t103 = k[41] * s1 + k[42] * c1;
+  const Scalar t104 = k[40] * c2 - s2 * t103;
+  const Scalar t105 = k[43] * qd[2];
+  const Scalar t106 = t104 + t100 * t105;
   const Scalar t107 = t102 - t106;
-  const Scalar t108 = qd[0] * qd[0];
-  const Scalar t109 = t102 + t106;
-  const Scalar t110 = t108 - t109;
-  const Scalar t111 = c4 * t104 - s4 * t103;
-  const Scalar t112 = t111 * t105;
-  const Scalar t113 = t103 * t104;
-  const Scalar t114 = k[47] * s1 + k[48] * c1;
-  const Scalar t115 = k[46] * c2 - s2 * t114;
-  const Scalar t116 = k[9] * qd[2];
-  const Scalar t117 = t116 * t103;
-  const Scalar t118 = (t113 - t115) - (t117 + t117);
-  const Scalar t119 = t116 * t104;
-  const Scalar t120 = qd[1] * qd[1];
-  const Scalar t121 = t104 * t104;
-  const Scalar t122 = t120 + t121;
-  const Scalar t123 = c2 * t114 + k[46] * s2;
-  const Scalar t124 = (t119 + t119) - (t122 + t123);
-  const Scalar t125 = s4 * t118 + c4 * t124;
-  const Scalar t126 = s4 * t124 - c4 * t118;
-  const Scalar t127 = (k[37] * (t107 + t110) - k[49] * t112) + (k[4] * t125 + k[5] * t126);
-  const Scalar t128 = t107 + t108;
-  const Scalar t129 = qd[4] + t105;
-  const Scalar t130 = t129 * t129;
-  const Scalar t131 = s5 * t101 + c5 * t111;
+  const Scalar t108 = qd[1] * qd[1];
+  const Scalar t109 = t101 * t101;
+  const Scalar t110 = c2 * t103 + k[40] * s2;
+  const Scalar t111 = t101 * t105 - t110;
+  const Scalar t112 = (t108 + t109) - t111;
+  const Scalar t113 = s4 * t107 - c4 * t112;
+  const Scalar t114 = c4 * t107 + s4 * t112;
+  const Scalar t115 = Scalar(2) * qd[1];
+  const Scalar t116 = qd[0] * qd[0];
+  const Scalar t117 = k[42] * s1 - k[41] * c1;
+  const Scalar t118 = t116 * t65 + t117;
+  const Scalar t119 = (t115 * t100 - t118) - k[13] * t116;
+  const Scalar t120 = c5 * t114 + s5 * t119;
+  const Scalar t121 = c4 * t100 + s4 * t101;
+  const Scalar t122 = qd[4] + t121;
+  const Scalar t123 = t122 * t122;
+  const Scalar t124 = qd[1] + qd[3];
+  const Scalar t125 = c4 * t101 - s4 * t100;
+  const Scalar t126 = c5 * t124 - s5 * t125;
+  const Scalar t127 = qd[5] + t126;
+  const Scalar t128 = t127 * t127;
+  const Scalar t129 = t123 + t128;
+  const Scalar t130 = s5 * t124;
+  const Scalar t131 = t130 + c5 * t125;
   const Scalar t132 = t131 * t131;
-  const Scalar t133 = t130 + t132;
-  const Scalar t134 = t128 - t133;
-  const Scalar t135 = t101 * t105;
-  const Scalar t136 = t135 + t135;
-  const Scalar t137 = c5 * t112 + s5 * t136;
-  const Scalar t138 = t129 * t131;
-  const Scalar t139 = t137 - (t138 + t138);
-  const Scalar t140 = c5 * t101 - s5 * t111;
-  const Scalar t141 = t129 * t140;
-  const Scalar t142 = c5 * t136 - s5 * t112;
-  const Scalar t143 = t141 + (t141 - t142);
-  const Scalar t144 = k[18] * t134 + (k[29] * t139 + k[25] * t143);
-  const Scalar t145 = t140 * t131;
-  const Scalar t146 = t111 * t101;
-  const Scalar t147 = t145 + t146;
-  const Scalar t148 = qd[5] + t140;
-  const Scalar t149 = t148 * t148;
-  const Scalar t150 = t130 - t149;
-  const Scalar t151 = t148 * t131;
-  const Scalar t152 = t145 - t146;
-  const Scalar t153 = t151 - (t152 - t151);
-  const Scalar t154 = t129 * t148;
-  const Scalar t155 = (t154 + t154) - t143;
-  const Scalar t156 = t1 * t150 + (t153 * t4 + t155 * t20);
-  const Scalar t157 = Scalar(2) * qd[0] * qd[1];
-  const Scalar t158 = s2 * t157;
-  const Scalar t159 = k[48] * s1 - k[47] * c1;
-  const Scalar t160 = t159 + k[16] * t108;
-  const Scalar t161 = (t158 - t160) - t108 * t34;
-  const Scalar t162 = s5 * t126 + c5 * t161;
-  const Scalar t163 = (k[3] * t125 + (t144 - k[22] * t147)) + ((t139 * t7 - t156) + t28 * t162);
-  const Scalar t164 = t132 - t149;
-  const Scalar t165 = t164 - t150;
-  const Scalar t166 = (t139 * t10 + t20 * t137) + t165 * t4;
-  const Scalar t167 = c5 * t126 - s5 * t161;
-  const Scalar t168 = (t166 + (t7 * t143 - t1 * t152)) + (t24 * t125 + t167 * t28);
-  const Scalar t169 = (k[18] * t152 - k[22] * t165) - (k[29] * t143 - k[24] * t139);
-  const Scalar t170 = t168 + (k[2] * t125 - t169);
-  const Scalar t171 = t127 + (s5 * t163 + c5 * t170);
-  const Scalar t172 = torque[5] + t168;
-  const Scalar t173 = (t164 * t7 + t1 * t137) + (t155 * t4 + t153 * t10);
-  const Scalar t174 = t165 - t134;
-  const Scalar t175 = k[29] * t174 - (k[25] * t152 + k[24] * t147);
-  const Scalar t176 = (t175 + (k[22] * t142 + k[18] * t137)) - (k[2] * t162 - k[3] * t167);
-  const Scalar t177 = (t173 - t24 * t162) + t176;
-  const Scalar t178 = t172 * t0 - (torque[4] + t177);
-  const Scalar t179 = ((torque[3] + t171) - t172 * t15) - t178 * t14;
-  const Scalar t180 = (k[2] * (t133 - t174) + k[3] * t152) - (t24 * (t164 - t133) + t28 * t137);
-  const Scalar t181 = (k[2] * t147 + k[3] * t133) + (t155 * t28 + t24 * t153);
-  const Scalar t182 = (k[52] * t135 + k[53] * t146) - (s5 * t180 - c5 * t181);
-  const Scalar t183 = (k[6] * c2 * t157 + k[7] * t158) + k[34] * t108;
-  const Scalar t184 = t182 + (t183 + k[8] * t161);
-  const Scalar t185 = k[17] * t172;
-  const Scalar t186 = t178 * t13;
-  const Scalar t187 = ((torque[2] - k[9] * t184) + t185 * t77) + t186 * t75;
-  const Scalar t188 = t79 * t179 - t187;
-  const Scalar t189 = k[8] * t124 - (k[7] * t122 - k[6] * t113);
-  const Scalar t190 = (t28 * (t133 - t150) + t24 * t139) + (k[3] * t143 + k[2] * t139);
-  const Scalar t191 = (k[5] * t128 - k[4] * t112) + t190;
-  const Scalar t192 = (c5 * t180 + s5 * t181) - (k[5] * t112 - k[4] * t109);
-  const Scalar t193 = t189 - (c4 * t191 - s4 * t192);
-  const Scalar t194 = t108 + t120;
-  const Scalar t195 = (k[6] * (t194 - t121) - k[7] * t113) - k[8] * t118;
-  const Scalar t196 = t195 + (c4 * t192 + s4 * t191);
-  const Scalar t197 = k[43] * c2 - k[45] * s2;
-  const Scalar t198 = (c2 * t193 + s2 * t196) - (t194 * t197 + k[54] * t114);
-  const Scalar t199 = k[38] - c2 * (k[50] * c2 - k[51] * s2);
-  const Scalar t200 = t120 * (k[42] * c2 - k[44] * s2) + t199 * t157;
-  const Scalar t201 = (k[55] * t146 + k[37] * t136) + (k[32] * t110 + k[31] * t112);
-  const Scalar t202 = (t201 - k[4] * t161) + t177;
-  const Scalar t203 = (k[56] * t146 - k[27] * t136) - k[31] * t107;
-  const Scalar t204 = ((t203 + k[32] * t112) - k[5] * t161) + (s5 * t170 - c5 * t163);
-  const Scalar t205 = (k[7] * t161 + k[34] * t124) + (s4 * t202 - c4 * t204);
-  const Scalar t206 = (k[6] * t161 + k[34] * t118) - (c4 * t202 + s4 * t204);
-  const Scalar t207 = c2 * (t205 - t193 * t34) - s2 * (t34 * t196 + t206);
-  const Scalar t208 = (t197 * t160 - t200) - (c2 * t184 + t207);
-  const Scalar t209 = torque[0] - (k[57] * t159 + (k[16] * t198 + t208));
-  const Scalar t210 = t23 * t179;
-  const Scalar t211 = (t178 * t73 - (t209 - t172 * t57)) - t55 * t210;
-  const Scalar t212 = (t171 - (k[7] * t118 - k[6] * t124)) + t196;
-  const Scalar t213 = (k[45] * t123 - k[43] * t115) + t108 * t199;
-  const Scalar t214 = t186 * t88 - ((torque[1] + (t212 - t213)) - t185 * t86);
-  const Scalar t215 = (t210 * t90 + t214) + t92 * t188;
-  const Scalar t216 = Scalar(1) / (t85 - t96 * t100) * ((t84 * t188 - t211) - t215 * t100);
-  const Scalar t217 = t215 * t99 - t100 * t216;
-  const Scalar t218 = t92 * t217 + (t84 * t216 - t81 * t188);
-  const Scalar t219 = ((t56 * t216 - t210) + t217 * t97) + t79 * t218;
-  const Scalar t220 = t76 * t218 + ((t73 * t216 - t186) - t217 * t89);
-  const Scalar t221 = t220 + t14 * t219;
-  const Scalar t222 = t74 * t218 + ((t185 + t57 * t216) - t217 * t87);
+  const Scalar t133 = t132 + t128;
+  const Scalar t134 = t129 - t133;
+  const Scalar t135 = t125 * t121;
+  const Scalar t136 = t130 * (t121 + t121) + c5 * t135;
+  const Scalar t137 = t122 + t122;
+  const Scalar t138 = t136 - t131 * t137;
+  const Scalar t139 = t4 * t134 - (t2 * t136 + t138 * t1);
+  const Scalar t140 = t126 * t131;
+  const Scalar t141 = t125 * t124;
+  const Scalar t142 = t140 - t141;
+  const Scalar t143 = t124 * t121;
+  const Scalar t144 = s5 * t135 - t12 * t143;
+  const Scalar t145 = t126 * t137 + t144;
+  const Scalar t146 = (t23 * t113 + t120 * t27) - (t139 + (t142 * t6 - t13 * t145));
+  const Scalar t147 = torque[5] + t146;
+  const Scalar t148 = t124 * t124;
+  const Scalar t149 = t121 * t121;
+  const Scalar t150 = t148 - t149;
+  const Scalar t151 = t150 + t116;
+  const Scalar t152 = t148 + t149;
+  const Scalar t153 = t151 - t152;
+  const Scalar t154 = (k[28] * t114 - k[27] * t113) - (k[24] * t153 - k[44] * t135);
+  const Scalar t155 = (k[16] * t134 + k[14] * t142) + (k[6] * t138 - k[21] * t145);
+  const Scalar t156 = t146 + (k[12] * t113 - t155);
+  const Scalar t157 = s5 * t114 - c5 * t119;
+  const Scalar t158 = t123 + t132;
+  const Scalar t159 = t127 * t137 - t145;
+  const Scalar t160 = t127 * t131;
+  const Scalar t161 = t160 - (t142 - t160);
+  const Scalar t162 = (t158 - t133) * t6 + (t2 * t159 + t4 * t161);
+  const Scalar t163 = t151 - t158;
+  const Scalar t164 = (k[7] * t145 + k[21] * t138) + k[14] * t163;
+  const Scalar t165 = t140 + t141;
+  const Scalar t166 = (t27 * t157 - (t162 - t13 * t138)) + (k[9] * t113 + (t164 - k[16] * t165));
+  const Scalar t167 = t154 - (c5 * t156 + s5 * t166);
+  const Scalar t168 = k[2] * t147;
+  const Scalar t169 = k[21] * (t163 + t134) + (k[7] * t142 + k[6] * t165);
+  const Scalar t170 = ((k[14] * t136 - k[16] * t144) - t169) - (k[9] * t120 - k[12] * t157);
+  const Scalar t171 = (t136 * t6 + (t132 - t128) * t13) + (t4 * t159 + t1 * t161);
+  const Scalar t172 = t170 + (t171 + t23 * t157);
+  const Scalar t173 = t168 * t6 - (torque[4] + t172);
+  const Scalar t174 = (t147 * t32 - (torque[3] - t167)) - t173 * t48;
+  const Scalar t175 = (k[57] * qd[1] * t101 + k[19] * t116) - k[45] * t118;
+  const Scalar t176 = (k[50] * t143 + k[49] * t141) + k[31] * t119;
+  const Scalar t177 = (k[9] * t158 + k[12] * t165) + (t23 * t161 - t159 * t27);
+  const Scalar t178 = (t27 * t136 + t23 * t129) + (k[9] * t142 + k[12] * (t151 + t134));
+  const Scalar t179 = t176 + (c5 * t177 - s5 * t178);
+  const Scalar t180 = t147 * t54 - (torque[2] - k[8] * (t175 + t179));
+  const Scalar t181 = t57 * t174 - (t58 * t173 - t180);
+  const Scalar t182 = t173 * t43;
+  const Scalar t183 = k[29] - c2 * (k[54] * s2 + k[53] * c2);
+  const Scalar t184 = t108 * (k[39] * c2 + k[38] * s2) + qd[0] * t115 * t183;
+  const Scalar t185 = (k[52] * c2 - k[51] * s2) * t117 + t184;
+  const Scalar t186 = (k[28] * t151 - k[27] * t135) - k[31] * t113;
+  const Scalar t187 = (t27 * t133 - t138 * t23) - (k[12] * t138 + k[9] * t145);
+  const Scalar t188 = t186 - t187;
+  const Scalar t189 = (k[27] * t152 - k[28] * t135) - k[31] * t114;
+  const Scalar t190 = t189 + (s5 * t177 + c5 * t178);
+  const Scalar t191 = s4 * t188 + c4 * t190;
+  const Scalar t192 = k[45] * t106 + k[36] * ((t116 + t108) - t109);
+  const Scalar t193 = (k[46] * t143 + k[48] * t141) + (k[35] * t135 + k[34] * (t150 - t153));
+  const Scalar t194 = k[13] * t190 + ((k[27] * t119 - t193) - t172);
+  const Scalar t195 = (k[46] * t141 - k[47] * t143) - k[35] * t150;
+  const Scalar t196 = (k[28] * t119 + (k[34] * t135 - t195)) + (c5 * t166 - s5 * t156);
+  const Scalar t197 = t196 + k[13] * t188;
+  const Scalar t198 = (c4 * t194 + s4 * t197) - (k[19] * t106 + k[36] * t118);
+  const Scalar t199 = k[19] * t111 + ((c4 * t197 - s4 * t194) + t179);
+  const Scalar t200 = (k[36] * t102 + k[45] * t111) - (c4 * t188 - s4 * t190);
+  const Scalar t201 = s2 * ((t191 + t192) * t65 + t198) - c2 * (t199 - t200 * t65);
+  const Scalar t202 = (k[55] * t103 - k[56] * t117) - (t185 + t201);
+  const Scalar t203 = t182 * t73 + (t168 * t72 + (torque[0] + t202));
+  const Scalar t204 = t181 * t60;
+  const Scalar t205 = t116 * t183 - (k[51] * t110 - k[52] * t104);
+  const Scalar t206 = torque[1] + (t205 + ((t191 - t167) + k[36] * t111));
+  const Scalar t207 = t50 * t174;
+  const Scalar t208 = ((t206 - t147 * t37) + t44 * t173) + t49 * t207;
+  const Scalar t209 = t61 * t204 + t208;
+  const Scalar t210 = (t181 * t92 - (t93 * t174 - t203)) - t209 * t91;
+  const Scalar t211 = Scalar(1) / (t91 * t90 + t99) * t210;
+  const Scalar t212 = t91 * t211 + t63 * t209;
+  const Scalar t213 = (t204 - t92 * t211) + t62 * t212;
+  const Scalar t214 = t57 * t213 + (t212 * t51 - (t207 - t93 * t211));
+  const Scalar t215 = (t44 * t212 - (t182 + t211 * t88)) - t58 * t213;
+  const Scalar t216 = t215 - t214 * t48;
+  const Scalar t217 = ((t168 - t83 * t211) - t212 * t37) + t213 * t54;
   JointVector<Scalar> result;
-  result[0] = t216;
-  result[1] = -t217;
-  result[2] = -t218;
-  result[3] = t219;
-  result[4] = t221;
-  result[5] = -t221 * t0 - (t222 + t15 * t219);
+  result[0] = t211;
+  result[1] = -t212;
+  result[2] = t213;
+  result[3] = t214;
+  result[4] = t216;
+  result[5] = -t216 * t42 - (t32 * t214 + t217);
   return result;
 }
 
@@ -1080,49 +1127,70 @@ ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constant
   const Scalar t6 = Scalar(1) / t5;
   const Scalar t7 = Scalar(1) / g.l2;
   const Scalar t8 = inertia.c6y * inertia.m6;
-  const Scalar t9 = inertia.c5x * inertia.m5;
-  const Scalar t10 = inertia.I6xz - inertia.c6z * t0;
-  const Scalar t11 = inertia.c5z * inertia.m5;
-  const Scalar t12 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t13 = inertia.c5y * inertia.m5;
-  const Scalar t14 = ((inertia.I6yy - t2) - inertia.c6y * t8) - (inertia.c5y * t13 - (inertia.I5yy - t12));
-  const Scalar t15 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t16 = inertia.c4z * inertia.m4;
-  const Scalar t17 = (inertia.I4zz - t15) - inertia.c4z * t16;
-  const Scalar t18 = inertia.c4x * inertia.m4;
-  const Scalar t19 = (inertia.c5x * t9 - (inertia.I5xx - t12)) - ((inertia.I4xx - t15) - inertia.c4x * t18);
-  const Scalar t20 = g.d2 / g.l2;
-  const Scalar t21 = g.l2 * t16;
-  const Scalar t22 = inertia.c4y * inertia.m4;
-  const Scalar t23 = inertia.c3z * inertia.m3;
-  const Scalar t24 = g.l2 * t23;
-  const Scalar t25 = inertia.c3x * inertia.m3;
-  const Scalar t26 = g.l2 * g.l2 * (inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)));
-  const Scalar t27 = inertia.I4xz - inertia.c4z * t18;
-  const Scalar t28 = inertia.c3y * inertia.m3;
-  const Scalar t29 = inertia.c1x * inertia.m1;
-  const Scalar t30 = inertia.c2z * inertia.m2;
+  const Scalar t9 = inertia.c5y * inertia.m5;
+  const Scalar t10 = inertia.c5z * inertia.m5;
+  const Scalar t11 = inertia.c5x * inertia.m5;
+  const Scalar t12 = inertia.I6xz - inertia.c6z * t0;
+  const Scalar t13 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t14 = ((inertia.I6yy - t2) - inertia.c6y * t8) - (inertia.c5y * t9 - (inertia.I5yy - t13));
+  const Scalar t15 = inertia.c4x * inertia.m4;
+  const Scalar t16 = inertia.I4xz - inertia.c4z * t15;
+  const Scalar t17 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t18 = (inertia.c5x * t11 - (inertia.I5xx - t13)) - ((inertia.I4xx - t17) - inertia.c4x * t15);
+  const Scalar t19 = inertia.c4z * inertia.m4;
+  const Scalar t20 = (inertia.I4zz - t17) - inertia.c4z * t19;
+  const Scalar t21 = g.l2 * t19;
+  const Scalar t22 = g.l2 * (t15 + t11);
+  const Scalar t23 = g.d2 + g.d4;
+  const Scalar t24 = t23 / g.l2;
+  const Scalar t25 = t23 * t15;
+  const Scalar t26 = t23 * t19;
+  const Scalar t27 = inertia.c4y * inertia.m4;
+  const Scalar t28 = inertia.c3x * inertia.m3;
+  const Scalar t29 = g.l2 * inertia.m3 + t28;
+  const Scalar t30 = inertia.m4 + (inertia.m5 + inertia.m6);
   const Scalar t31 = g.l2 * t30;
-  const Scalar t32 = inertia.c2x * inertia.m2;
-  const Scalar t33 = g.l2 * inertia.m2 + t32;
-  const Scalar t34 = (inertia.I3xz - inertia.c3z * t25) + ((inertia.I2xz - inertia.c2z * t32) - t31);
-  const Scalar t35 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t36 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t37 = ((inertia.I3zz - t35) - inertia.c3z * t23) + ((inertia.I2zz - t36) - inertia.c2z * t30);
-  const Scalar t38 = (inertia.c2x * t32 - (inertia.I2xx - t36)) + g.l2 * (t32 + t33);
-  const Scalar t39 = (inertia.c3x * t25 - (inertia.I3xx - t35)) + t38;
+  const Scalar t32 = (t29 + t31) / g.l2;
+  const Scalar t33 = g.l2 * g.l2 * t32;
+  const Scalar t34 = inertia.c3z * inertia.m3;
+  const Scalar t35 = g.l2 * t34;
+  const Scalar t36 = g.l2 * g.l2 * ((inertia.m3 + t30) - t32);
+  const Scalar t37 = t33 + t36;
+  const Scalar t38 = inertia.c3y * inertia.m3;
+  const Scalar t39 = inertia.c2z * inertia.m2;
   const Scalar t40 = inertia.c2y * inertia.m2;
-  const Scalar t41 = (inertia.I3yz - inertia.c3z * t28) + (inertia.I2yz - inertia.c2z * t40);
-  const Scalar t42 = ((inertia.I2xy - inertia.c2y * t32) - g.l2 * t40) + (inertia.I3xy - inertia.c3y * t25);
-  const Scalar t43 = g.d2 * inertia.m2 - t40;
-  const Scalar t44 = inertia.c1y * inertia.m1;
-  const Scalar t45 = t44 - g.d2 * inertia.m1;
-  const Scalar t46 = (t43 - t45) / g.d2;
-  const Scalar t47 = g.l2 * g.l2 * t46;
-  const Scalar t48 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t49 = (inertia.c1y * t44 - (inertia.I1yy - t48)) - g.d2 * (t44 + t45);
-  const Scalar t50 = ((inertia.I3yy - t35) - inertia.c3y * t28) + ((inertia.I4yy - t15) - inertia.c4y * t22);
-  const Scalar t51 = g.d2 * (t43 - t40) - (((inertia.I2yy - t36) - inertia.c2y * t40) + t50);
+  const Scalar t41 = (t23 * t34 + (inertia.I3yz - inertia.c3z * t38))
+      + (g.d2 * t39 + (inertia.I2yz - inertia.c2z * t40));
+  const Scalar t42 = inertia.m4 * t23;
+  const Scalar t43 = t27 - t42;
+  const Scalar t44 = t42 + t43;
+  const Scalar t45 = t44 - t23 * t30;
+  const Scalar t46 = t23 * t29 - (g.l2 * t38 - (inertia.I3xy - inertia.c3y * t28));
+  const Scalar t47 = inertia.c2x * inertia.m2;
+  const Scalar t48 = g.l2 * inertia.m2 + t47;
+  const Scalar t49 = ((inertia.I2xy - inertia.c2y * t47) - g.l2 * t40) + g.d2 * t48;
+  const Scalar t50 = t23 * t32;
+  const Scalar t51 = ((g.l2 * t45 - t46) - t49) + g.l2 * t50;
+  const Scalar t52 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t53 = (inertia.c2x * t47 - (inertia.I2xx - t52)) + g.l2 * (t47 + t48);
+  const Scalar t54 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t55 = g.l2 * (t29 + t28) + (inertia.c3x * t28 - (inertia.I3xx - t54));
+  const Scalar t56 = t33 - (t53 + (t55 + g.l2 * t31));
+  const Scalar t57 = ((inertia.I3zz - t54) - inertia.c3z * t34) + ((inertia.I2zz - t52) - inertia.c2z * t39);
+  const Scalar t58 = g.l2 * t39;
+  const Scalar t59 = (t35 - (inertia.I3xz - inertia.c3z * t28)) - ((inertia.I2xz - inertia.c2z * t47) - t58);
+  const Scalar t60 = inertia.c1x * inertia.m1;
+  const Scalar t61 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t62 = inertia.m3 * t23 - t38;
+  const Scalar t63 = g.d2 * inertia.m2 - t40;
+  const Scalar t64 = g.d2 * (t63 - t40) - ((inertia.I2yy - t52) - inertia.c2y * t40);
+  const Scalar t65 = ((inertia.I4yy - t17) - inertia.c4y * t27) + t23 * (t27 + t43);
+  const Scalar t66 = (t23 * (t44 + t43) - t65) - t23 * (t44 + t45);
+  const Scalar t67 = ((inertia.I3yy - t54) - inertia.c3y * t38) - t23 * (t62 - t38);
+  const Scalar t68 = inertia.c1y * inertia.m1;
+  const Scalar t69 = t68 - g.d2 * inertia.m1;
+  const Scalar t70 = (inertia.c1y * t68 - (inertia.I1yy - t61)) - g.d2 * (t68 + t69);
+  const Scalar t71 = ((t64 + (t66 - t67)) + t70) - t23 * t50;
   return { g.l2 * t0,
            g.l2 * t1,
            t6 * t7,
@@ -1130,56 +1198,57 @@ ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constant
            inertia.I6xy - inertia.c6y * t0,
            inertia.I6yz - inertia.c6z * t8,
            t6,
-           inertia.I5xy - inertia.c5y * t9,
-           t3 + t4,
-           Scalar(2) * t10,
-           t10,
-           inertia.I5xz - inertia.c5z * t9,
-           t3,
-           inertia.c5z * t11 - (inertia.I5zz - t12),
-           t14,
-           g.l2 * t11,
-           g.l2 * (t8 + t13),
+           g.l2 * (t8 + t9),
+           g.l2 * t10,
            t7,
-           inertia.I5yz - inertia.c5z * t13,
-           t17,
+           inertia.I5xy - inertia.c5y * t11,
+           Scalar(2) * t12,
+           t3 + t4,
+           t12,
+           inertia.I5xz - inertia.c5z * t11,
            t4,
-           t19,
+           inertia.c5z * t10 - (inertia.I5zz - t13),
+           t14,
+           t16,
+           t18,
+           inertia.I5yz - inertia.c5z * t9,
            t20,
-           g.d4 / g.l2,
            t21,
-           g.l2 * (t18 + t9),
-           inertia.I4xy - inertia.c4y * t18,
-           inertia.I4yz - inertia.c4z * t22,
+           t22,
            t24,
-           g.l2 * t25,
-           t26,
-           t26 * t7 * t7,
-           gravity[0] / g.l2,
-           gravity[1] / g.l2,
-           gravity[2] / g.l2,
-           t17 + t19,
-           t27,
-           g.l2,
-           Scalar(2) * t21,
-           Scalar(2) * t24,
-           g.l2 * (t22 + t28),
-           g.l2 * t29,
-           Scalar(2) * t27,
-           Scalar(2) * t17,
-           t31,
-           g.l2 * t33,
-           Scalar(2) * t34,
-           t37 + t39,
-           t34,
+           (t25 + (inertia.I4xy - inertia.c4y * t15)) - t25,
+           t26 - (t26 + (inertia.I4yz - inertia.c4z * t27)),
+           t33,
+           t35,
+           t37 * t7 * t7,
            t41,
-           t42,
-           t47,
+           t33 * t24,
+           t51,
+           t56,
+           t57,
+           t59,
+           inertia.c1x * t60 - (inertia.I1xx - t61),
+           g.l2 * (t50 - (t62 - t45)),
            t37,
-           t39,
-           inertia.c1x * t29 - (inertia.I1xx - t48),
-           t20 * (t26 + t47),
-           g.d2 * g.d2 * t46 - (t49 + t51) };
+           t71,
+           Scalar(2) * t7,
+           gravity[2] / g.l2,
+           gravity[1] / g.l2,
+           gravity[0] / g.l2,
+           t20 + t18,
+           g.l2,
+           t58,
+           g.l2 * t48,
+           t57 - t56,
+           Scalar(2) * t35,
+           t36,
+           Scalar(2) * t21,
+           Scalar(2) * t22,
+           Scalar(2) * t16,
+           Scalar(2) * t18,
+           Scalar(2) * t20,
+           g.l2 * (t63 - t69),
+           g.l2 * t60 };
 }
 
 namespace detail {
@@ -1198,253 +1267,250 @@ inline JointVector<Scalar> forward_dynamics_with_wrench(const JointVector<Scalar
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[0] * c6 - k[1] * s6;
-  const Scalar t1 = s5 * t0;
-  const Scalar t2 = k[2] * t1;
-  const Scalar t3 = k[3] * t2;
-  const Scalar t4 = k[4] * s6 + k[5] * c6;
-  const Scalar t5 = s5 * t4 + k[3] * c5;
-  const Scalar t6 = c5 * t0;
-  const Scalar t7 = k[0] * s6 + k[1] * c6;
-  const Scalar t8 = c4 * t6 - s4 * t7;
-  const Scalar t9 = t5 - t8;
-  const Scalar t10 = k[6] * t9;
-  const Scalar t11 = k[4] * c6 - k[5] * s6;
-  const Scalar t12 = k[15] + t7;
-  const Scalar t13 = c5 * t12 + k[16] * s5;
-  const Scalar t14 = t11 * t2 - k[17] * t13;
-  const Scalar t15 = k[8] * c6 - k[9] * s6;
-  const Scalar t16 = k[10] + s6 * t15;
-  const Scalar t17 = k[11] + t16;
-  const Scalar t18 = k[7] + t11;
-  const Scalar t19 = s5 * t17 - c5 * t18;
-  const Scalar t20 = s5 * t12 - k[16] * c5;
-  const Scalar t21 = c4 * t20;
-  const Scalar t22 = (t19 - t21) + t10 * t11;
-  const Scalar t23 = k[6] * t11;
-  const Scalar t24 = c6 * t15;
-  const Scalar t25 = k[12] - t24;
-  const Scalar t26 = k[13] - t25;
-  const Scalar t27 = k[14] - t26;
-  const Scalar t28 = Scalar(1) / (t23 * t11 - t27);
-  const Scalar t29 = t22 * t28;
-  const Scalar t30 = t5 * t23 + t19;
-  const Scalar t31 = t28 * t30;
-  const Scalar t32 = k[6] * t5;
-  const Scalar t33 = k[18] + t4;
-  const Scalar t34 = s5 * (k[14] + t26) + Scalar(2) * c5 * t33;
-  const Scalar t35 = s5 * t34 - t26;
-  const Scalar t36 = k[19] + t35;
-  const Scalar t37 = k[20] - t24;
-  const Scalar t38 = k[21] + t37;
-  const Scalar t39 = t36 - t38;
-  const Scalar t40 = Scalar(1) / (t31 * t30 - (t5 * t32 - t39));
-  const Scalar t41 = t5 * t2 - t14 * t31;
-  const Scalar t42 = t40 * t41;
-  const Scalar t43 = k[24] + t13;
-  const Scalar t44 = k[25] + t0;
-  const Scalar t45 = s4 * t43 - c4 * t44;
-  const Scalar t46 = t22 * t31 - (t5 * t10 - (t39 + t45));
-  const Scalar t47 = (t3 * t10 - t14 * t29) - t42 * t46;
-  const Scalar t48 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t49 = c2 * t48 + wrench[5] * s2;
-  const Scalar t50 = s2 * t48 - wrench[5] * c2;
-  const Scalar t51 = s4 * t49 + c4 * t50;
-  const Scalar t52 = wrench[3] * s1 - wrench[4] * c1;
-  const Scalar t53 = qd[0] * s2;
-  const Scalar t54 = qd[0] * c2;
-  const Scalar t55 = t53 * t54;
-  const Scalar t56 = k[33] * s1 + k[32] * c1;
-  const Scalar t57 = s2 * t56 - k[34] * c2;
-  const Scalar t58 = k[17] * qd[2];
-  const Scalar t59 = (t55 + t57) - Scalar(2) * t53 * t58;
-  const Scalar t60 = t54 * t58;
-  const Scalar t61 = c2 * t56 + k[34] * s2;
-  const Scalar t62 = qd[0] * qd[0];
-  const Scalar t63 = qd[1] * qd[1];
-  const Scalar t64 = t62 + t63;
-  const Scalar t65 = t53 * t53;
-  const Scalar t66 = t64 - t65;
-  const Scalar t67 = (t60 + t60) - (t61 + t66);
-  const Scalar t68 = s4 * t59 + c4 * t67;
-  const Scalar t69 = qd[0] * qd[1];
-  const Scalar t70 = Scalar(2) * t69;
-  const Scalar t71 = s2 * t70;
-  const Scalar t72 = k[33] * c1 - k[32] * s1;
-  const Scalar t73 = k[22] * t62 - t72;
-  const Scalar t74 = k[23] + k[17] * q[2];
-  const Scalar t75 = (t71 - t73) - t62 * t74;
-  const Scalar t76 = s4 * t67 - c4 * t59;
-  const Scalar t77 = s5 * t75 - c5 * t76;
-  const Scalar t78 = c4 * t53 + s4 * t54;
-  const Scalar t79 = qd[4] + t78;
-  const Scalar t80 = qd[1] + qd[3];
-  const Scalar t81 = c4 * t54 - s4 * t53;
-  const Scalar t82 = c5 * t80 - s5 * t81;
-  const Scalar t83 = t79 * t82;
-  const Scalar t84 = t80 * t78;
-  const Scalar t85 = t84 + t84;
-  const Scalar t86 = t81 * t78;
-  const Scalar t87 = c5 * t85 - s5 * t86;
-  const Scalar t88 = t83 + (t83 - t87);
-  const Scalar t89 = c5 * t81;
-  const Scalar t90 = s5 * t80 + t89;
-  const Scalar t91 = t82 * t90;
-  const Scalar t92 = t81 * t80;
-  const Scalar t93 = t91 - t92;
-  const Scalar t94 = t78 * t89 + s5 * t85;
-  const Scalar t95 = t94 - Scalar(2) * t79 * t90;
-  const Scalar t96 = t79 * t79;
-  const Scalar t97 = t90 * t90;
-  const Scalar t98 = t96 - t97;
-  const Scalar t99 = (t37 * t94 - t25 * t95) + t16 * t98;
-  const Scalar t100 = (t7 * t68 - t77 * t0) + ((t4 * t88 - t93 * t11) - t99);
-  const Scalar t101 = (s5 * t51 + c5 * t52) + t100;
-  const Scalar t102 = torque[5] + t101;
-  const Scalar t103 = k[6] * t102;
-  const Scalar t104 = (k[18] * t88 - k[13] * t95) - (k[7] * t93 + k[11] * t98);
-  const Scalar t105 = (k[15] * t68 + t104) + t101;
-  const Scalar t106 = t91 + t92;
-  const Scalar t107 = t80 * t80;
-  const Scalar t108 = t78 * t78;
-  const Scalar t109 = t107 + t108;
-  const Scalar t110 = t107 - t108;
-  const Scalar t111 = t62 - t109;
-  const Scalar t112 = t110 + t111;
-  const Scalar t113 = t109 + t112;
-  const Scalar t114 = qd[5] + t82;
-  const Scalar t115 = t114 * t114;
-  const Scalar t116 = t96 - t115;
-  const Scalar t117 = t116 - t98;
-  const Scalar t118 = t97 + t115;
-  const Scalar t119 = t98 + t118;
-  const Scalar t120 = t117 + t119;
-  const Scalar t121 = t113 - t120;
-  const Scalar t122 = k[7] * t121 + (k[14] * t88 + k[18] * t95);
-  const Scalar t123 = t114 * t90;
-  const Scalar t124 = t123 - (t93 - t123);
-  const Scalar t125 = Scalar(2) * t79 * t114 - t88;
-  const Scalar t126 = t116 * t11 + (t16 * t124 - t37 * t125);
-  const Scalar t127 = c5 * t75 + s5 * t76;
-  const Scalar t128 = (c5 * t51 - s5 * t52) - ((t4 * t95 - t126) + t127 * t0);
-  const Scalar t129 = ((k[11] * t106 - t122) - k[16] * t68) + t128;
-  const Scalar t130 = (k[24] * t68 + k[25] * t76) + (k[36] * t112 - k[35] * t86);
-  const Scalar t131 = (c5 * t105 - s5 * t129) + t130;
-  const Scalar t132 = (k[14] * t93 + k[13] * t106) + k[18] * (t121 + t98);
-  const Scalar t133 = (k[16] * t77 + k[15] * t127) + (t132 - (k[7] * t94 + k[11] * t87));
-  const Scalar t134 = (t16 * t125 + t124 * t25) + (t94 * t11 + t4 * t117);
-  const Scalar t135 = (t7 * t127 - t134) + (s4 * t50 - c4 * t49);
-  const Scalar t136 = t133 + t135;
-  const Scalar t137 = t102 * t23 - (torque[4] - t136);
-  const Scalar t138 = (t5 * t103 - (torque[3] + t131)) - t137 * t31;
-  const Scalar t139 = t40 * t138;
-  const Scalar t140 = wrench[0] * c1 + wrench[1] * s1;
-  const Scalar t141 = wrench[2] * c2 - s2 * t140;
-  const Scalar t142 = c2 * t140 + wrench[2] * s2;
-  const Scalar t143 = c4 * t141 - s4 * t142;
-  const Scalar t144 = wrench[0] * s1 - wrench[1] * c1;
-  const Scalar t145 = (t94 * t0 - t7 * t119) - k[37] * (c5 * t143 + s5 * t144);
-  const Scalar t146 = (k[15] * (t113 + t98) + k[16] * t93) - t145;
-  const Scalar t147 = k[37] * (c5 * t144 - s5 * t143) - (t0 * t125 + t7 * t124);
-  const Scalar t148 = (k[16] * t120 + k[15] * t106) - t147;
-  const Scalar t149 = (s5 * t146 - c5 * t148) - (k[38] * t92 + k[25] * t85);
-  const Scalar t150 = (k[39] * c2 * t69 + k[29] * t71) + k[40] * t62;
-  const Scalar t151 = t149 - (t150 + k[30] * t75);
-  const Scalar t152 = t14 * t28;
-  const Scalar t153 = ((torque[2] + k[17] * t151) + t102 * t2) - t152 * t137;
-  const Scalar t154 = t139 * t41 + t153;
-  const Scalar t155 = t42 * t41 + ((k[31] + t3 * t2) - t14 * t152);
-  const Scalar t156 = Scalar(1) / t155;
-  const Scalar t157 = t154 * t156;
-  const Scalar t158 = (k[24] * t109 - k[25] * t86) + (c5 * t146 + s5 * t148);
-  const Scalar t159 = k[37] * (c4 * t142 + s4 * t141) + (t0 * t118 + t7 * t95);
-  const Scalar t160 = (k[25] * t113 - k[24] * t86) + ((k[15] * t95 + k[16] * t88) + t159);
-  const Scalar t161 = k[30] * t59 - (k[28] * (t63 + t65) - k[29] * t55);
-  const Scalar t162 = (c4 * t158 + s4 * t160) - t161;
-  const Scalar t163 = t162 + (t131 + (k[28] * t67 - k[29] * t59));
-  const Scalar t164 = k[48] - c2 * (k[46] * c2 - k[47] * s2);
-  const Scalar t165 = (k[45] * t57 + k[44] * t61) + t62 * t164;
-  const Scalar t166 = ((torque[1] + (t163 - t165)) - t102 * t10) + t137 * t29;
-  const Scalar t167 = t40 * t46;
-  const Scalar t168 = t47 * t157 + (t166 + t167 * t138);
-  const Scalar t169 = t47 * t156;
-  const Scalar t170 = c5 * t17 + s5 * t18;
-  const Scalar t171 = k[36] + t170;
-  const Scalar t172 = c4 * (t36 + t38) + Scalar(2) * s4 * t171;
-  const Scalar t173 = t36 - c4 * t172;
-  const Scalar t174 = k[52] - (t173 - t39);
-  const Scalar t175 = k[29] - t45;
-  const Scalar t176 = k[30] + t175;
-  const Scalar t177 = k[53] + ((t176 + t175) - t173);
-  const Scalar t178 = ((t174 - t177) - t10 * t9) + t22 * t29;
-  const Scalar t179 = Scalar(1) / (t47 * t169 + (t178 - t167 * t46));
-  const Scalar t180 = (c4 * t27 + s4 * t170) - t74 * t21;
-  const Scalar t181 = s4 * t20;
-  const Scalar t182 = t74 * t181 - (s4 * t27 - c4 * t170);
-  const Scalar t183 = s2 * (k[22] * t21 - t180) + c2 * (k[22] * t181 + (t182 - t13));
-  const Scalar t184 = k[3] * s5 - c5 * t4;
-  const Scalar t185 = (s4 * t184 + c4 * t11) + t74 * t8;
-  const Scalar t186 = c4 * t7 + s4 * t6;
-  const Scalar t187 = t74 * t186 + (s4 * t11 - c4 * t184);
-  const Scalar t188 = s2 * (t185 + k[22] * t8) + c2 * (k[22] * t186 + (t187 + t1));
-  const Scalar t189 = t183 + t23 * t188;
-  const Scalar t190 = k[26] - t19;
-  const Scalar t191 = k[27] + (c5 * t34 - t33);
-  const Scalar t192 = c4 * t190 - s4 * t191;
-  const Scalar t193 = s2 * ((t192 - t74 * t45) - k[22] * t45);
-  const Scalar t194 = s4 * t44 + c4 * t43;
-  const Scalar t195 = s4 * t190 + c4 * t191;
-  const Scalar t196 = c2 * (k[22] * t194 + (t195 + t74 * t194));
-  const Scalar t197 = k[6] * t188;
-  const Scalar t198 = t31 * t189 + ((t193 + t196) - t5 * t197);
-  const Scalar t199 = k[28] + t194;
-  const Scalar t200 = (k[49] + (t199 * t74 + t195)) + k[22] * (k[44] + t199);
-  const Scalar t201 = k[40] - t20;
-  const Scalar t202 = k[30] * t74 - t201;
-  const Scalar t203 = k[22] * (k[45] + t176) + (k[50] + (t202 + (t74 * t175 + t192)));
-  const Scalar t204 = t197 * t9 - (c2 * t200 + s2 * t203);
-  const Scalar t205 = t28 * t189;
-  const Scalar t206 = t188 * t2 - k[17] * (s2 * t199 - c2 * t176);
-  const Scalar t207 = t40 * t198;
-  const Scalar t208 = (t14 * t205 - t206) + t207 * t41;
-  const Scalar t209 = t208 * t156;
-  const Scalar t210 = (t167 * t198 + (t204 - t189 * t29)) + t47 * t209;
-  const Scalar t211 = t179 * t210;
-  const Scalar t212 = k[44] * s2 - k[45] * c2;
-  const Scalar t213 = k[30] * t67 + (k[28] * t55 - k[29] * t66);
-  const Scalar t214 = (c4 * t160 - s4 * t158) - t213;
-  const Scalar t215 = (t64 * t212 - k[51] * t56) - (c2 * t214 - s2 * t162);
-  const Scalar t216 = (k[27] * t111 + k[26] * t86) + (k[43] * t92 + k[36] * t85);
-  const Scalar t217 = (k[24] * t75 - t216) + t136;
-  const Scalar t218 = (k[42] * t92 - k[21] * t85) - k[26] * t110;
-  const Scalar t219 = (k[25] * t75 - (t218 + k[27] * t86)) - (c5 * t129 + s5 * t105);
-  const Scalar t220 = (c4 * t217 + s4 * t219) + (k[40] * t59 + k[28] * t75);
-  const Scalar t221 = (k[40] * t67 + k[29] * t75) - (s4 * t217 - c4 * t219);
-  const Scalar t222 = s2 * (t74 * t162 + t220) - c2 * (t221 + t74 * t214);
-  const Scalar t223 = t63 * (k[50] * c2 - k[49] * s2) + t70 * t164;
-  const Scalar t224 = (t222 + c2 * t151) - (t212 * t73 + t223);
-  const Scalar t225 = torque[0] - ((k[22] * t215 + t224) - k[41] * t72);
-  const Scalar t226 = t28 * t137;
-  const Scalar t227 = t139 * t198 + ((t225 - t102 * t197) + t226 * t189);
-  const Scalar t228 = c2 * (k[48] - (t199 - (t171 - s4 * t172)));
-  const Scalar t229 = s2 * (s2 * (t174 + t177) - Scalar(2) * t228);
-  const Scalar t230 = k[22] * ((k[55] + t202) + t202) - ((t27 - t35) - t74 * (t202 - t201));
-  const Scalar t231 = t197 * t188 + ((k[54] - (t229 - t177)) - (k[56] - t230));
-  const Scalar t232 = t208 * t209 - ((t231 - t205 * t189) + t207 * t198);
-  const Scalar t233 = (t168 * t211 + (t227 - t154 * t209)) * Scalar(1) / (t211 * t210 - t232);
-  const Scalar t234 = t168 * t179 - t233 * t211;
-  const Scalar t235 = t234 * t169 + (t233 * t209 - t157);
-  const Scalar t236 = ((t207 * t233 - t139) - t234 * t167) - t42 * t235;
-  const Scalar t237 = t152 * t235 - (t234 * t29 - (t226 + t233 * t205));
-  const Scalar t238 = t236 * t31 - t237;
-  const Scalar t239 = (t234 * t10 - (t233 * t197 + t103)) - t235 * t2;
+  const Scalar t0 = k[4] * s6 + k[5] * c6;
+  const Scalar t1 = c5 + k[6] * s5 * t0;
+  const Scalar t2 = k[3] * t1;
+  const Scalar t3 = k[0] * c6 - k[1] * s6;
+  const Scalar t4 = c5 * t3;
+  const Scalar t5 = k[0] * s6 + k[1] * c6;
+  const Scalar t6 = c4 * t4 - s4 * t5;
+  const Scalar t7 = t2 - t6;
+  const Scalar t8 = k[8] + t5;
+  const Scalar t9 = k[7] * s5 + c5 * t8;
+  const Scalar t10 = k[22] + t9;
+  const Scalar t11 = k[23] + t3;
+  const Scalar t12 = s4 * t10 - c4 * t11;
+  const Scalar t13 = k[12] * c6 - k[11] * s6;
+  const Scalar t14 = k[13] + s6 * t13;
+  const Scalar t15 = k[14] + t14;
+  const Scalar t16 = k[4] * c6 - k[5] * s6;
+  const Scalar t17 = k[10] + t16;
+  const Scalar t18 = c5 * t15 + s5 * t17;
+  const Scalar t19 = k[18] + t18;
+  const Scalar t20 = s4 * t19;
+  const Scalar t21 = k[15] - c6 * t13;
+  const Scalar t22 = k[3] + t21;
+  const Scalar t23 = k[16] - t22;
+  const Scalar t24 = k[20] + t0;
+  const Scalar t25 = c5 * t24;
+  const Scalar t26 = s5 * (k[17] + t23) + (t25 + t25);
+  const Scalar t27 = t23 - s5 * t26;
+  const Scalar t28 = k[21] - t27;
+  const Scalar t29 = k[19] + t21;
+  const Scalar t30 = (t20 + t20) + c4 * (t28 + t29);
+  const Scalar t31 = c4 * t30;
+  const Scalar t32 = t31 - t28;
+  const Scalar t33 = t31 - t29;
+  const Scalar t34 = t32 - t33;
+  const Scalar t35 = k[17] - t23;
+  const Scalar t36 = k[6] * t16;
+  const Scalar t37 = Scalar(1) / (t35 - t36 * t16);
+  const Scalar t38 = c5 * t17 - s5 * t15;
+  const Scalar t39 = t36 * t2 - t38;
+  const Scalar t40 = t37 * t39;
+  const Scalar t41 = k[7] * c5 - s5 * t8;
+  const Scalar t42 = c4 * t41;
+  const Scalar t43 = t36 * t7 - (t38 - t42);
+  const Scalar t44 = (t1 * t7 - (t12 - t34)) + t40 * t43;
+  const Scalar t45 = s5 * t3;
+  const Scalar t46 = k[2] * t45;
+  const Scalar t47 = k[3] * t46;
+  const Scalar t48 = k[9] * t9 - t36 * t47;
+  const Scalar t49 = t2 * t46 - t48 * t40;
+  const Scalar t50 = Scalar(1) / ((t34 + t1 * t2) + t40 * t39);
+  const Scalar t51 = t49 * t50;
+  const Scalar t52 = t37 * t43;
+  const Scalar t53 = t44 * t51 + (t48 * t52 - t7 * t46);
+  const Scalar t54 = t48 * t37;
+  const Scalar t55 = t49 * t51 - (t54 * t48 + (k[29] + t47 * t46));
+  const Scalar t56 = Scalar(1) / t55;
+  const Scalar t57 = t56 * t53;
+  const Scalar t58 = t50 * t44;
+  const Scalar t59 = k[6] * t7;
+  const Scalar t60 = k[27] - t12;
+  const Scalar t61 = k[33] - (t32 - (t12 - t60));
+  const Scalar t62 = k[34] + t33;
+  const Scalar t63 = t52 * t43 + (t7 * t59 - (t61 + t62));
+  const Scalar t64 = Scalar(1) / (t53 * t57 - (t58 * t44 - t63));
+  const Scalar t65 = c4 * t10 + s4 * t11;
+  const Scalar t66 = k[28] + t65;
+  const Scalar t67 = k[3] * s5 - c5 * t0;
+  const Scalar t68 = (s4 * t67 + c4 * t16) + k[24] * t6;
+  const Scalar t69 = k[9] * q[2];
+  const Scalar t70 = c4 * t5 + s4 * t4;
+  const Scalar t71 = (s4 * t16 - c4 * t67) + k[24] * t70;
+  const Scalar t72 = s2 * (t68 + t69 * t6) + c2 * ((t71 + t45) + t70 * t69);
+  const Scalar t73 = k[6] * t72;
+  const Scalar t74 = k[9] * (s2 * t66 - c2 * t60) - t47 * t73;
+  const Scalar t75 = t35 + k[24] * t41;
+  const Scalar t76 = ((c4 * t18 - s4 * t75) - t9) - s4 * t41 * t69;
+  const Scalar t77 = (s4 * t18 + c4 * t75) + t69 * t42;
+  const Scalar t78 = t36 * t72 + (c2 * t76 - s2 * t77);
+  const Scalar t79 = t78 * t37;
+  const Scalar t80 = (k[26] - (c5 * t26 - t24)) - k[24] * t10;
+  const Scalar t81 = k[24] * t11 + (k[25] + t38);
+  const Scalar t82 = s4 * t80 + c4 * t81;
+  const Scalar t83 = s4 * t81 - c4 * t80;
+  const Scalar t84 = s2 * (t82 - t12 * t69) + c2 * (t65 * t69 + t83);
+  const Scalar t85 = t78 * t40 + (t73 * t2 - t84);
+  const Scalar t86 = (t74 + t79 * t48) + t51 * t85;
+  const Scalar t87 = t56 * t86;
+  const Scalar t88 = k[31] - t41;
+  const Scalar t89 = s2 * (k[32] - (t69 * t60 + (t82 + t88)));
+  const Scalar t90 = c2 * (k[30] + (t83 + t66 * t69)) - t89;
+  const Scalar t91 = t50 * t85;
+  const Scalar t92 = (t79 * t43 - (t90 - t72 * t59)) - t91 * t44;
+  const Scalar t93 = t53 * t87 + t92;
+  const Scalar t94 = t64 * t93;
+  const Scalar t95 = Scalar(2) * c2;
+  const Scalar t96 = (k[35] + (t65 - (t19 - s4 * t30))) * t95;
+  const Scalar t97 = s2 * (t96 - s2 * (t61 - t62)) + t61;
+  const Scalar t98 = k[37] - t88;
+  const Scalar t99 = t69 * (t98 + (t98 - k[38] * t69)) + ((t35 + t27) + k[24] * (t41 - t88));
+  const Scalar t100 = ((k[36] - t97) + (k[39] - t99)) + t73 * t72;
+  const Scalar t101 = ((t100 + t79 * t78) - t91 * t85) + t86 * t87;
+  const Scalar t102 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t103 = c2 * t102 + wrench[5] * s2;
+  const Scalar t104 = s2 * t102 - wrench[5] * c2;
+  const Scalar t105 = s4 * t103 + c4 * t104;
+  const Scalar t106 = wrench[3] * s1 - wrench[4] * c1;
+  const Scalar t107 = qd[1] + qd[3];
+  const Scalar t108 = qd[0] * s2;
+  const Scalar t109 = qd[0] * c2;
+  const Scalar t110 = c4 * t108 + s4 * t109;
+  const Scalar t111 = t107 * t110;
+  const Scalar t112 = Scalar(2) * t111;
+  const Scalar t113 = c4 * t109 - s4 * t108;
+  const Scalar t114 = c5 * t113;
+  const Scalar t115 = s5 * t112 + t110 * t114;
+  const Scalar t116 = qd[4] + t110;
+  const Scalar t117 = s5 * t107 + t114;
+  const Scalar t118 = Scalar(2) * t117;
+  const Scalar t119 = t115 - t116 * t118;
+  const Scalar t120 = t116 * t116;
+  const Scalar t121 = t117 * t117;
+  const Scalar t122 = t120 - t121;
+  const Scalar t123 = (t22 * t119 - t115 * t21) - t14 * t122;
+  const Scalar t124 = c5 * t107 - s5 * t113;
+  const Scalar t125 = t124 * t117;
+  const Scalar t126 = t113 * t107;
+  const Scalar t127 = t125 - t126;
+  const Scalar t128 = t116 * t124;
+  const Scalar t129 = t113 * t110;
+  const Scalar t130 = c5 * t112 - s5 * t129;
+  const Scalar t131 = t128 + (t128 - t130);
+  const Scalar t132 = qd[1] * qd[1];
+  const Scalar t133 = qd[0] * qd[0];
+  const Scalar t134 = t108 * t108;
+  const Scalar t135 = k[42] * s1 + k[43] * c1;
+  const Scalar t136 = k[41] * s2 + c2 * t135;
+  const Scalar t137 = k[40] * qd[2];
+  const Scalar t138 = t136 - t109 * t137;
+  const Scalar t139 = (t132 + (t133 - t134)) + t138;
+  const Scalar t140 = t108 * t109;
+  const Scalar t141 = s2 * t135 - k[41] * c2;
+  const Scalar t142 = t141 - t108 * t137;
+  const Scalar t143 = t140 + t142;
+  const Scalar t144 = c4 * t139 - s4 * t143;
+  const Scalar t145 = qd[0] * qd[1];
+  const Scalar t146 = Scalar(2) * t145;
+  const Scalar t147 = k[42] * c1 - k[43] * s1;
+  const Scalar t148 = t133 * t69 - t147;
+  const Scalar t149 = (s2 * t146 - t148) - k[24] * t133;
+  const Scalar t150 = s4 * t139 + c4 * t143;
+  const Scalar t151 = s5 * t149 + c5 * t150;
+  const Scalar t152 = (t123 - (t127 * t16 - t0 * t131)) - (t5 * t144 + t3 * t151);
+  const Scalar t153 = (s5 * t105 + c5 * t106) + t152;
+  const Scalar t154 = torque[5] + t153;
+  const Scalar t155 = k[6] * t154;
+  const Scalar t156 = (k[14] * t122 + k[10] * t127) + (k[16] * t119 - k[20] * t131);
+  const Scalar t157 = t153 - (t156 + k[8] * t144);
+  const Scalar t158 = s5 * t150 - c5 * t149;
+  const Scalar t159 = qd[5] + t124;
+  const Scalar t160 = t116 * t159;
+  const Scalar t161 = t160 + (t160 - t131);
+  const Scalar t162 = t127 - t118 * t159;
+  const Scalar t163 = t120 - t159 * t159;
+  const Scalar t164 = (t161 * t21 + t14 * t162) - t163 * t16;
+  const Scalar t165 = (c5 * t105 - s5 * t106) + (t158 * t3 - (t0 * t119 + t164));
+  const Scalar t166 = t120 + t121;
+  const Scalar t167 = t107 * t107;
+  const Scalar t168 = t113 * t113;
+  const Scalar t169 = t167 + t168;
+  const Scalar t170 = k[10] * (t166 - t169) - (k[17] * t131 + k[20] * t119);
+  const Scalar t171 = t125 + t126;
+  const Scalar t172 = t165 + (k[7] * t144 + (t170 + k[14] * t171));
+  const Scalar t173 = t167 - t168;
+  const Scalar t174 = t133 + t173;
+  const Scalar t175 = t174 - t169;
+  const Scalar t176 = (k[44] * t129 + k[18] * t175) + (k[23] * t150 + k[22] * t144);
+  const Scalar t177 = (c5 * t157 - s5 * t172) - t176;
+  const Scalar t178 = t169 + t122;
+  const Scalar t179 = k[20] * (t166 - t178) - (k[17] * t127 + k[16] * t171);
+  const Scalar t180 = (t179 + (k[10] * t115 + k[14] * t130)) + (k[8] * t158 - k[7] * t151);
+  const Scalar t181 = t166 - t163;
+  const Scalar t182 = t181 + t122;
+  const Scalar t183 = (t161 * t14 - t22 * t162) + ((t166 - t182) * t0 + t115 * t16);
+  const Scalar t184 = (t5 * t158 + t183) - (s4 * t104 - c4 * t103);
+  const Scalar t185 = t180 + t184;
+  const Scalar t186 = t16 * t155 - (torque[4] + t185);
+  const Scalar t187 = (t2 * t155 - (torque[3] + t177)) + t186 * t40;
+  const Scalar t188 = t50 * t187;
+  const Scalar t189 = k[27] * t150 + (k[23] * t129 - k[22] * t174);
+  const Scalar t190 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t191 = wrench[2] * c2 - s2 * t190;
+  const Scalar t192 = c2 * t190 + wrench[2] * s2;
+  const Scalar t193 = c4 * t191 - s4 * t192;
+  const Scalar t194 = wrench[0] * s1 - wrench[1] * c1;
+  const Scalar t195 = (t5 * t182 - t115 * t3) + k[45] * (c5 * t193 + s5 * t194);
+  const Scalar t196 = t195 + (k[7] * t127 + k[8] * t178);
+  const Scalar t197 = (t5 * t162 - t161 * t3) + k[45] * (c5 * t194 - s5 * t193);
+  const Scalar t198 = (k[7] * t166 + k[8] * t171) - t197;
+  const Scalar t199 = t189 - (c5 * t196 + s5 * t198);
+  const Scalar t200 = (t5 * t119 + t3 * t181) + k[45] * (c4 * t192 + s4 * t191);
+  const Scalar t201 = (k[23] * t169 - k[22] * t129) + k[27] * t144;
+  const Scalar t202 = ((k[7] * t131 + k[8] * t119) + t200) + t201;
+  const Scalar t203 = (s4 * t199 + c4 * t202) - (k[28] * t140 - k[50] * t138);
+  const Scalar t204 = k[27] * t149 + (k[52] * t111 + k[51] * t126);
+  const Scalar t205 = t204 + (c5 * t198 - s5 * t196);
+  const Scalar t206 = (k[55] * t126 + k[18] * t112) + (k[26] * t173 + k[25] * t129);
+  const Scalar t207 = k[24] * t199 + (t185 + (t206 - k[22] * t149));
+  const Scalar t208 = (k[53] * t126 - k[54] * t111) - k[25] * (t173 - t175);
+  const Scalar t209 = (k[23] * t149 + (k[26] * t129 - t208)) - (s5 * t157 + c5 * t172);
+  const Scalar t210 = k[24] * t202 + t209;
+  const Scalar t211 = (t205 + (s4 * t207 + c4 * t210)) - k[37] * t138;
+  const Scalar t212 = (s4 * t210 - c4 * t207) - (k[28] * t148 - k[37] * t142);
+  const Scalar t213 = s4 * t202 - c4 * t199;
+  const Scalar t214 = (k[28] * (t132 + t134) - k[50] * t142) + t213;
+  const Scalar t215 = c2 * (t203 * t69 + t211) - s2 * (t212 + t214 * t69);
+  const Scalar t216 = k[35] - c2 * (k[48] * s2 + k[35] * t95);
+  const Scalar t217 = t216 * t146 + t132 * (k[32] * c2 + k[30] * s2);
+  const Scalar t218 = t217 + (k[46] * s2 - k[47] * c2) * t147;
+  const Scalar t219 = (k[56] * t135 + k[57] * t147) + (t215 - t218);
+  const Scalar t220 = t186 * t37;
+  const Scalar t221 = ((torque[0] + t219) - t154 * t73) - t220 * t78;
+  const Scalar t222 = k[50] * t148 - (k[49] * c2 * t145 + k[37] * t133);
+  const Scalar t223 = (torque[2] + k[9] * (t222 - t205)) + t47 * t155;
+  const Scalar t224 = t56 * ((t223 - t54 * t186) - t49 * t188);
+  const Scalar t225 = t133 * t216 - (k[47] * t141 + k[46] * t136);
+  const Scalar t226 = torque[1] - ((k[28] * t138 - (t177 + t213)) - t225);
+  const Scalar t227 = ((t226 - t7 * t155) - t186 * t52) + t58 * t187;
+  const Scalar t228 = t53 * t224 + t227;
+  const Scalar t229 = ((t188 * t85 + t221) + t86 * t224) - t94 * t228;
+  const Scalar t230 = Scalar(1) / (t94 * t93 - t101) * t229;
+  const Scalar t231 = t64 * t228 + t94 * t230;
+  const Scalar t232 = t231 * t57 - (t230 * t87 + t224);
+  const Scalar t233 = t51 * t232 - (t231 * t58 + (t188 - t230 * t91));
+  const Scalar t234 = (t231 * t52 + (t220 - t230 * t79)) + t54 * t232;
+  const Scalar t235 = t234 + t40 * t233;
+  const Scalar t236 = ((t230 * t73 - t155) - t231 * t59) + t46 * t232;
   JointVector<Scalar> result;
-  result[0] = t233;
-  result[1] = -t234;
-  result[2] = -t235;
-  result[3] = -t236;
-  result[4] = t238;
-  result[5] = (t236 * t32 + t239) - t23 * t238;
+  result[0] = -t230;
+  result[1] = t231;
+  result[2] = t232;
+  result[3] = t233;
+  result[4] = t235;
+  result[5] = (t236 - t1 * t233) - t36 * t235;
   return result;
 }
 
@@ -1474,33 +1540,35 @@ PotentialEnergyWithGravityVectorConstants<Scalar> potential_energy_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6));
-  const Scalar t1 = inertia.m2 + t0;
-  return { inertia.c6x * inertia.m6,
+  const Scalar t0 = g.d2 + g.d4;
+  const Scalar t1 = inertia.m4 * t0;
+  const Scalar t2 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t3 = inertia.m3 + t2;
+  const Scalar t4 = g.h1 * inertia.m1;
+  return { inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
            inertia.c6z * inertia.m6,
+           inertia.c6x * inertia.m6,
            inertia.c5z * inertia.m5,
-           inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
+           t1 + (inertia.c4y * inertia.m4 - t1),
+           t0 * t2,
+           inertia.m3 * t0 - inertia.c3y * inertia.m3,
+           t3,
+           g.d2 * inertia.m2 - inertia.c2y * inertia.m2,
+           inertia.c1y * inertia.m1 - g.d2 * inertia.m1,
            inertia.c4z * inertia.m4,
            inertia.c5x * inertia.m5,
            inertia.c4x * inertia.m4,
-           inertia.c3x * inertia.m3,
-           g.l2 * t0,
+           g.l2 * t2,
+           g.l2 * inertia.m3 + inertia.c3x * inertia.m3,
            g.l2 * inertia.m2 + inertia.c2x * inertia.m2,
            inertia.c3z * inertia.m3,
            inertia.c2z * inertia.m2,
-           inertia.c1z * inertia.m1,
-           gravity[2],
-           g.d4,
-           t0,
-           inertia.c4y * inertia.m4,
-           inertia.c3y * inertia.m3,
-           inertia.c2y * inertia.m2,
-           g.d2 * t1,
-           inertia.c1y * inertia.m1 - g.d2 * inertia.m1,
            inertia.c1x * inertia.m1,
            gravity[0],
            gravity[1],
-           (inertia.m1 + t1) * gravity[2] * g.h1 };
+           t4 - (inertia.c1z * inertia.m1 + t4),
+           g.h1 * (inertia.m1 + (inertia.m2 + t3)),
+           gravity[2] };
 }
 
 namespace detail {
@@ -1518,20 +1586,19 @@ inline Scalar potential_energy_with_gravity_vector(const JointVector<Scalar>& q,
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[6] + (k[5] + (k[0] * c6 - k[1] * s6));
-  const Scalar t1 = k[2] + (k[0] * s6 + k[1] * c6);
-  const Scalar t2 = k[4] + (k[3] * s5 + c5 * t1);
-  const Scalar t3 = k[11] + (k[10] + (s4 * t0 + c4 * t2));
-  const Scalar t4 = k[8] + (k[7] - (s4 * t2 - c4 * t0));
-  const Scalar t5 = k[9] + t4;
-  const Scalar t6 = k[13] * (k[12] + (c2 * t3 + s2 * t5));
-  const Scalar t7 = k[17] + (k[16] - (s5 * t1 - k[3] * c5));
-  const Scalar t8 = k[19] - (k[18] - (k[15] * (k[14] + q[2]) - t7));
-  const Scalar t9 = k[20] - t8;
-  const Scalar t10 = k[21] + (c2 * t5 - s2 * t3);
-  const Scalar t11 = k[22] * (s1 * t9 - c1 * t10) - k[23] * (s1 * t10 + c1 * t9);
+  const Scalar t0 = k[3] + (k[1] * c6 + k[2] * s6);
+  const Scalar t1 = k[10] + (k[0] * s5 + c5 * t0);
+  const Scalar t2 = k[12] + (k[11] + (k[2] * c6 - k[1] * s6));
+  const Scalar t3 = k[14] + (k[13] - (s4 * t1 - c4 * t2));
+  const Scalar t4 = k[15] + t3;
+  const Scalar t5 = k[17] + (k[16] + (c4 * t1 + s4 * t2));
+  const Scalar t6 = k[22] - (k[21] - (s2 * t4 + c2 * t5));
+  const Scalar t7 = k[18] + (c2 * t4 - s2 * t5);
+  const Scalar t8 = k[5] - (k[4] - (s5 * t0 - k[0] * c5));
+  const Scalar t9 = k[9] - (k[8] + ((k[6] + t8) + k[7] * q[2]));
+  const Scalar t10 = k[20] * (s1 * t7 + c1 * t9) + k[19] * (c1 * t7 - s1 * t9);
   Scalar result;
-  result = -k[24] - (t6 - t11);
+  result = -k[23] * t6 - t10;
   return result;
 }
 

@@ -97,7 +97,7 @@ DynamicsAngles<Scalar> dynamics_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion: Newton-Euler recursion in base parameters (thesis 5.1-5.15).
 ///
-/// 230 multiplications, 210 additions, 5 sine/cosine pairs. Set-up: 88 multiplications, 104 additions, 4 divisions.
+/// 230 multiplications, 209 additions, 5 sine/cosine pairs. Set-up: 103 multiplications, 134 additions, 4 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1, which must not be zero.
 template <class Scalar>
@@ -116,7 +116,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces that hold the robot against gravity at rest.
 ///
-/// 44 multiplications, 26 additions, 5 sine/cosine pairs. Set-up: 18 multiplications, 11 additions.
+/// 44 multiplications, 26 additions, 5 sine/cosine pairs. Set-up: 20 multiplications, 15 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},
@@ -132,7 +132,7 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const DynamicsA
 
 /// Joint forces that come from the joint rates alone, C(q, qd) qd, without friction.
 ///
-/// 212 multiplications, 184 additions, 5 sine/cosine pairs. Set-up: 79 multiplications, 85 additions, 3 divisions.
+/// 210 multiplications, 185 additions, 5 sine/cosine pairs. Set-up: 92 multiplications, 110 additions, 3 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1, which must not be zero.
 template <class Scalar>
@@ -151,14 +151,14 @@ JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVec
 
 /// Symmetric, positive definite M(q), by composite bodies in base parameters; rotors included.
 ///
-/// 113 multiplications, 120 additions, 5 sine/cosine pairs. Set-up: 82 multiplications, 98 additions, 2 divisions.
+/// 114 multiplications, 119 additions, 5 sine/cosine pairs. Set-up: 99 multiplications, 128 additions, 2 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1, which must not be zero.
 template <class Scalar>
 Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using MassMatrixConstants = std::array<Scalar, 41>;
+using MassMatrixConstants = std::array<Scalar, 44>;
 template <class Scalar>
 MassMatrixConstants<Scalar> mass_matrix_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
@@ -168,7 +168,7 @@ Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const 
 
 /// C(q, qd) of Christoffel's symbols: C qd is coriolis_torque, dM/dt - 2 C is skew-symmetric.
 ///
-/// 442 multiplications, 386 additions, 5 sine/cosine pairs. Set-up: 72 multiplications, 82 additions, 2 divisions.
+/// 444 multiplications, 383 additions, 5 sine/cosine pairs. Set-up: 85 multiplications, 107 additions, 2 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1, which must not be zero.
 template <class Scalar>
@@ -187,7 +187,7 @@ Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, co
 
 /// Joint accelerations for given joint forces: M qdd = torque - C qd - gravity, by M = U D U^T.
 ///
-/// 406 multiplications, 374 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 84 multiplications, 99 additions, 4
+/// 404 multiplications, 375 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 101 multiplications, 131 additions, 5
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1, which must not be zero.
@@ -207,14 +207,14 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// qd^T M qd / 2, J.
 ///
-/// 148 multiplications, 138 additions, 5 sine/cosine pairs. Set-up: 84 multiplications, 98 additions, 2 divisions.
+/// 147 multiplications, 139 additions, 5 sine/cosine pairs. Set-up: 97 multiplications, 128 additions, 2 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1, which must not be zero.
 template <class Scalar>
 Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using KineticEnergyConstants = std::array<Scalar, 43>;
+using KineticEnergyConstants = std::array<Scalar, 42>;
 template <class Scalar>
 KineticEnergyConstants<Scalar> kinetic_energy_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
@@ -224,7 +224,7 @@ Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Scalar>& q
 
 /// Sum of m g z over the links, z of the centre of mass in the world, J.
 ///
-/// 17 multiplications, 22 additions, 5 sine/cosine pairs. Set-up: 21 multiplications, 8 additions.
+/// 17 multiplications, 22 additions, 5 sine/cosine pairs. Set-up: 23 multiplications, 14 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Scalar potential_energy(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},

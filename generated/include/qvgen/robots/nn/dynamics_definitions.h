@@ -27,96 +27,115 @@ InverseDynamicsConstants<Scalar> inverse_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c4y * inertia.m4;
-  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t2 = t0 - g.d4 * t1;
-  const Scalar t3 = inertia.c3y * inertia.m3;
-  const Scalar t4 = g.d4 * inertia.m3 - t3;
-  const Scalar t5 = (t2 - t4) / g.d4;
-  const Scalar t6 = g.l1 * g.l1 * t5;
-  const Scalar t7 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t8 = inertia.c2y * inertia.m2;
-  const Scalar t9 = inertia.m3 + t1;
-  const Scalar t10 = g.l1 * ((g.l1 * (inertia.m2 + t9) - t8) - t8);
-  const Scalar t11 = inertia.c1y * inertia.m1;
-  const Scalar t12 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t13 = (inertia.c1y * t11 - (inertia.I1yy - t12)) - g.l1 * (t11 + (t11 - g.l1 * inertia.m1));
-  const Scalar t14 = (((inertia.I2yy - t7) - inertia.c2y * t8) - t10) - t13;
-  const Scalar t15 = (t6 - t14) + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t12));
-  const Scalar t16 = inertia.c2x * inertia.m2;
-  const Scalar t17 = g.l2 * t5;
-  const Scalar t18 = inertia.c2z * inertia.m2;
-  const Scalar t19 = g.l2 * inertia.m2 + t18;
-  const Scalar t20 = inertia.c3z * inertia.m3;
-  const Scalar t21 = t20 + g.l2 * t9;
-  const Scalar t22 = inertia.c2x * t16 - (inertia.I2xx - t7);
-  const Scalar t23 = g.l2 * (t19 + t18) - ((inertia.I2zz - t7) - inertia.c2z * t18);
-  const Scalar t24 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t25 = ((inertia.I3zz - t24) - inertia.c3z * t20) - g.l2 * (t20 + t21);
-  const Scalar t26 = g.l2 * t17 + (t23 - t25);
-  const Scalar t27 = (inertia.I2xz - inertia.c2z * t16) - g.l2 * t16;
-  const Scalar t28 = inertia.c3x * inertia.m3;
-  const Scalar t29 = inertia.c6y * inertia.m6;
-  const Scalar t30 = inertia.c5y * inertia.m5;
-  const Scalar t31 = inertia.c5z * inertia.m5;
-  const Scalar t32 = inertia.c6z * inertia.m6;
-  const Scalar t33 = inertia.c6x * inertia.m6;
-  const Scalar t34 = inertia.c4x * inertia.m4;
-  const Scalar t35 = inertia.c5x * inertia.m5;
-  const Scalar t36 = inertia.c4z * inertia.m4;
-  const Scalar t37 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t38 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t39 = (inertia.c5x * t35 - (inertia.I5xx - t38)) - ((inertia.I4xx - t37) - inertia.c4x * t34);
-  const Scalar t40 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t41 = ((inertia.I6yy - t40) - inertia.c6y * t29) - (inertia.c5y * t30 - (inertia.I5yy - t38));
-  const Scalar t42 = (inertia.I6xx - t40) - inertia.c6x * t33;
-  const Scalar t43 = inertia.c6z * t32 - (inertia.I6zz - t40);
-  const Scalar t44 = inertia.I6xz - inertia.c6z * t33;
-  const Scalar t45 = ((inertia.I4yy - t37) - inertia.c4y * t0) + g.d4 * (t0 + t2);
-  const Scalar t46 = ((inertia.I3yy - t24) - inertia.c3y * t3) - g.d4 * (t4 - t3);
-  return { t15,
-           g.l1 * t16,
-           g.l1 * (t17 + (t19 + t21)),
-           t22 - t26,
+  const Scalar t0 = inertia.c2x * inertia.m2;
+  const Scalar t1 = g.l1 * t0;
+  const Scalar t2 = inertia.c3z * inertia.m3;
+  const Scalar t3 = g.l2 * inertia.m3;
+  const Scalar t4 = t2 + t3;
+  const Scalar t5 = t4 - t3;
+  const Scalar t6 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t7 = inertia.m3 + t6;
+  const Scalar t8 = t5 + g.l2 * t7;
+  const Scalar t9 = inertia.c2z * inertia.m2;
+  const Scalar t10 = g.l2 * inertia.m2 + t9;
+  const Scalar t11 = inertia.c3y * inertia.m3;
+  const Scalar t12 = g.d4 * inertia.m3 - t11;
+  const Scalar t13 = inertia.c4y * inertia.m4;
+  const Scalar t14 = g.d4 * inertia.m4;
+  const Scalar t15 = t13 - t14;
+  const Scalar t16 = t15 + t14;
+  const Scalar t17 = t16 - g.d4 * t6;
+  const Scalar t18 = (t12 - t17) / g.d4;
+  const Scalar t19 = g.l2 * t18;
+  const Scalar t20 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t21 = inertia.c2x * t0 - (inertia.I2xx - t20);
+  const Scalar t22 = g.l2 * (t10 + t9) - ((inertia.I2zz - t20) - inertia.c2z * t9);
+  const Scalar t23 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t24 = ((inertia.I3zz - t23) - inertia.c3z * t2) - g.l2 * (t2 + t4);
+  const Scalar t25 = (t24 + g.l2 * (t4 + t5)) - g.l2 * (t8 + t5);
+  const Scalar t26 = (t22 - t25) - g.l2 * t19;
+  const Scalar t27 = (inertia.I2xz - inertia.c2z * t0) - g.l2 * t0;
+  const Scalar t28 = g.l1 * inertia.m2;
+  const Scalar t29 = inertia.c2y * inertia.m2;
+  const Scalar t30 = t28 - t29;
+  const Scalar t31 = g.l2 * t30 + ((inertia.I2yz - inertia.c2z * t29) + g.l1 * t9);
+  const Scalar t32 = inertia.c3x * inertia.m3;
+  const Scalar t33 = inertia.c6z * inertia.m6;
+  const Scalar t34 = inertia.c6x * inertia.m6;
+  const Scalar t35 = inertia.c6y * inertia.m6;
+  const Scalar t36 = inertia.c5y * inertia.m5;
+  const Scalar t37 = inertia.c5z * inertia.m5;
+  const Scalar t38 = g.l1 * g.l1 * t18;
+  const Scalar t39 = inertia.c4x * inertia.m4;
+  const Scalar t40 = inertia.c5x * inertia.m5;
+  const Scalar t41 = inertia.c4z * inertia.m4;
+  const Scalar t42 = g.l2 * t32;
+  const Scalar t43 = g.l2 * t12;
+  const Scalar t44 = (g.d4 * t2 + (inertia.I3yz - inertia.c3z * t11)) + t43;
+  const Scalar t45 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t46 = g.d4 * (t13 + t15) + ((inertia.I4yy - t45) - inertia.c4y * t13);
+  const Scalar t47 = (t46 - g.d4 * (t16 + t15)) + g.d4 * (t16 + t17);
+  const Scalar t48 = ((inertia.I3yy - t23) - inertia.c3y * t11) - g.d4 * (t12 - t11);
+  const Scalar t49 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t50 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t51 = ((inertia.I6yy - t49) - inertia.c6y * t35) - (inertia.c5y * t36 - (inertia.I5yy - t50));
+  const Scalar t52 = (inertia.I6xx - t49) - inertia.c6x * t34;
+  const Scalar t53 = inertia.c6z * t33 - (inertia.I6zz - t49);
+  const Scalar t54 = inertia.I6xz - inertia.c6z * t34;
+  const Scalar t55 = g.d4 * t41;
+  const Scalar t56 = g.d4 * t39;
+  const Scalar t57 = (inertia.c5x * t40 - (inertia.I5xx - t50)) - ((inertia.I4xx - t45) - inertia.c4x * t39);
+  const Scalar t58 = inertia.c1y * inertia.m1;
+  const Scalar t59 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t60 = (inertia.c1y * t58 - (inertia.I1yy - t59)) - g.l1 * (t58 + (t58 - g.l1 * inertia.m1));
+  const Scalar t61 = g.l1 * (t30 - t29) - ((inertia.I2yy - t20) - inertia.c2y * t29);
+  const Scalar t62 = t28 - t30;
+  const Scalar t63 = g.l1 * (t62 + (t62 - g.l1 * (inertia.m2 + t7)));
+  const Scalar t64 = t60 + ((t61 + g.l1 * (t62 - t30)) - t63);
+  const Scalar t65 = (t38 - t64) - (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t59));
+  return { t1,
+           g.l1 * ((t8 + t10) - t19),
+           t21 - t26,
            Scalar(2) * t27,
-           t22,
+           t21,
            t27,
-           inertia.I2xy - inertia.c2y * t16,
-           (inertia.I2yz - inertia.c2z * t8) - g.l2 * t8,
-           g.l1 * t28,
-           g.l1 * (t29 + t30),
-           g.l1 * t31,
+           t1 - (t1 + (inertia.I2xy - inertia.c2y * t0)),
+           g.l1 * t10 - t31,
            g.l1 * t32,
            g.l1 * t33,
-           g.d4 / g.l1,
-           gravity / g.l1,
+           g.l1 * t34,
+           g.l1 * (t35 + t36),
+           g.l1 * t37,
            g.l2 / g.l1,
-           t6,
-           g.l1 * (t34 + t35),
-           g.l1 * t36,
-           inertia.I4yz - inertia.c4z * t0,
-           inertia.I4xy - inertia.c4y * t34,
-           (inertia.I4zz - t37) - inertia.c4z * t36,
-           t39,
-           inertia.I4xz - inertia.c4z * t34,
-           inertia.I5xz - inertia.c5z * t35,
-           inertia.I5yz - inertia.c5z * t30,
-           t41,
-           inertia.I5xy - inertia.c5y * t35,
-           inertia.I6xy - inertia.c6y * t33,
-           inertia.I6yz - inertia.c6z * t29,
-           t42 + t43,
-           Scalar(2) * t44,
-           t43,
-           t44,
-           t42,
-           inertia.c5z * t31 - (inertia.I5zz - t38),
-           g.d4 * t20 + (inertia.I3yz - inertia.c3z * t3),
-           inertia.I3xz - inertia.c3z * t28,
-           inertia.c3x * t28 - (inertia.I3xx - t24),
-           (inertia.I3xy - inertia.c3y * t28) + g.d4 * t28,
-           (t45 + t46) - g.d4 * g.d4 * t5,
-           t22 + t26 };
+           gravity / g.l1,
+           g.d4 / g.l1,
+           t38,
+           g.l1 * (t39 + t40),
+           g.l1 * t41,
+           t42 - (t42 - (inertia.I3xz - inertia.c3z * t32)),
+           t44 - t43,
+           inertia.c3x * t32 - (inertia.I3xx - t23),
+           g.d4 * g.d4 * t18 + (t47 + t48),
+           (inertia.I3xy - inertia.c3y * t32) + g.d4 * t32,
+           inertia.I5xy - inertia.c5y * t40,
+           inertia.I5xz - inertia.c5z * t40,
+           t51,
+           inertia.c5z * t37 - (inertia.I5zz - t50),
+           inertia.I5yz - inertia.c5z * t36,
+           t52 + t53,
+           Scalar(2) * t54,
+           t52,
+           t54,
+           inertia.I6xy - inertia.c6y * t34,
+           inertia.I6yz - inertia.c6z * t35,
+           (inertia.I4zz - t45) - inertia.c4z * t41,
+           inertia.I4xz - inertia.c4z * t39,
+           t55 - (t55 + (inertia.I4yz - inertia.c4z * t13)),
+           (t56 + (inertia.I4xy - inertia.c4y * t39)) - t56,
+           t57,
+           t53,
+           t65,
+           t21 + t26 };
 }
 
 namespace detail {
@@ -135,163 +154,162 @@ inline JointVector<Scalar> inverse_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = qd[0] * s2;
-  const Scalar t1 = qd[0] * c2;
-  const Scalar t2 = qdd[1] - t0 * t1;
-  const Scalar t3 = qdd[0] * s2;
-  const Scalar t4 = qd[0] * qd[1];
-  const Scalar t5 = Scalar(2) * t4;
-  const Scalar t6 = t3 + c2 * t5;
-  const Scalar t7 = s3 * t2 - c3 * t6;
-  const Scalar t8 = qd[0] * qd[0];
-  const Scalar t9 = qdd[0] * c2;
-  const Scalar t10 = k[15] * s2 + t9;
-  const Scalar t11 = k[16] * t7 + (c3 * t8 - s3 * t10);
-  const Scalar t12 = c3 * t2 + s3 * t6;
-  const Scalar t13 = qd[2] + t1;
-  const Scalar t14 = t13 * t13;
-  const Scalar t15 = s3 * t0 + qd[1] * c3;
-  const Scalar t16 = t15 * t15;
-  const Scalar t17 = t14 - t16;
-  const Scalar t18 = c3 * t0 - qd[1] * s3;
-  const Scalar t19 = t18 * t18;
-  const Scalar t20 = t16 + t19;
-  const Scalar t21 = t14 + t16;
-  const Scalar t22 = t20 - t21;
-  const Scalar t23 = t15 * t18;
-  const Scalar t24 = qdd[2] - (s2 * t4 - t9);
-  const Scalar t25 = t23 - t24;
-  const Scalar t26 = t23 + t24;
-  const Scalar t27 = k[40] * (t17 + t22) - (k[39] * t25 + k[41] * t26);
-  const Scalar t28 = k[9] * t11 - ((k[38] * t7 + k[37] * t12) - t27);
-  const Scalar t29 = t15 * t13;
-  const Scalar t30 = (t29 + t7) + t29;
-  const Scalar t31 = s4 * t30 + c4 * t26;
-  const Scalar t32 = s4 * t13 + c4 * t18;
-  const Scalar t33 = qd[3] + t15;
-  const Scalar t34 = t32 * t33;
-  const Scalar t35 = (t31 - t34) - t34;
-  const Scalar t36 = s4 * t18 - c4 * t13;
-  const Scalar t37 = t36 * t33;
-  const Scalar t38 = s4 * t26 - c4 * t30;
-  const Scalar t39 = t37 - t38;
-  const Scalar t40 = t37 + t39;
-  const Scalar t41 = t32 * t32;
-  const Scalar t42 = t33 * t33;
-  const Scalar t43 = t41 + t42;
-  const Scalar t44 = t14 + t19;
-  const Scalar t45 = t43 - t44;
-  const Scalar t46 = t13 * t18;
-  const Scalar t47 = t12 + t46;
-  const Scalar t48 = qdd[3] + t47;
-  const Scalar t49 = t36 * t32;
-  const Scalar t50 = t48 - t49;
-  const Scalar t51 = (k[24] * t35 + k[22] * t40) + (k[20] * t45 - k[21] * t50);
-  const Scalar t52 = k[14] * t44 + t11;
-  const Scalar t53 = k[16] * t20 + (t3 - k[15] * c2);
-  const Scalar t54 = t53 - k[14] * t30;
-  const Scalar t55 = (s3 * t8 + c3 * t10) - k[16] * t12;
-  const Scalar t56 = t55 + k[14] * t26;
-  const Scalar t57 = c4 * t54 + s4 * t56;
-  const Scalar t58 = s5 * t57 + c5 * t52;
-  const Scalar t59 = k[13] * s6 + k[12] * c6;
-  const Scalar t60 = k[30] * c6 + k[29] * s6;
-  const Scalar t61 = qd[4] - t32;
-  const Scalar t62 = t61 * t61;
-  const Scalar t63 = c5 * t33 - s5 * t36;
-  const Scalar t64 = qd[5] + t63;
-  const Scalar t65 = t64 * t64;
-  const Scalar t66 = t62 - t65;
-  const Scalar t67 = c5 * t36 + s5 * t33;
-  const Scalar t68 = t67 * t67;
-  const Scalar t69 = t62 - t68;
-  const Scalar t70 = k[29] * c6 - k[30] * s6;
-  const Scalar t71 = c5 * t50 + s5 * t35;
-  const Scalar t72 = qdd[5] + t71;
-  const Scalar t73 = k[32] * s6 - k[31] * c6;
-  const Scalar t74 = k[34] - s6 * t73;
-  const Scalar t75 = t64 * t61;
-  const Scalar t76 = s5 * t50 - c5 * t35;
-  const Scalar t77 = t76 + Scalar(2) * t61 * t63;
-  const Scalar t78 = t75 + (t75 - t77);
-  const Scalar t79 = t64 * t67;
-  const Scalar t80 = qdd[4] + t39;
-  const Scalar t81 = t67 * t63;
-  const Scalar t82 = t80 - t81;
-  const Scalar t83 = (t79 + t79) + t82;
-  const Scalar t84 = c6 * t73;
-  const Scalar t85 = k[35] + t84;
-  const Scalar t86 = (t60 * (t66 - t69) + t70 * t72) - (t74 * t78 + t83 * t85);
-  const Scalar t87 = t80 + t81;
-  const Scalar t88 = t62 + t68;
-  const Scalar t89 = t41 - t42;
-  const Scalar t90 = t89 - t44;
-  const Scalar t91 = t90 - t69;
-  const Scalar t92 = (k[36] * t87 - k[27] * t82) + k[26] * (t88 + t91);
-  const Scalar t93 = s5 * t52 - c5 * t57;
-  const Scalar t94 = (t92 + (k[25] * t76 + k[28] * t71)) - (k[10] * t93 - k[11] * t58);
-  const Scalar t95 = (t58 * t59 + t86) + t94;
-  const Scalar t96 = (k[19] * t43 - k[18] * t50) - k[17] * t57;
-  const Scalar t97 = t62 + t65;
-  const Scalar t98 = k[12] * s6 - k[13] * c6;
-  const Scalar t99 = (t59 * t97 + t98 * t72) + (k[10] * t82 - k[11] * t91);
-  const Scalar t100 = (k[10] * t88 - k[11] * t87) + (t98 * t78 - t83 * t59);
-  const Scalar t101 = t96 + (c5 * t99 - s5 * t100);
-  const Scalar t102 = ((t51 - k[19] * t52) - t95) + k[14] * t101;
-  const Scalar t103 = t67 * t61;
-  const Scalar t104 = (t103 - t72) + t103;
-  const Scalar t105 = qdd[5] + t104;
-  const Scalar t106 = (t98 * (t97 - t69) + t59 * t104) + (k[11] * t105 + k[10] * t77);
-  const Scalar t107 = s4 * t54 - c4 * t56;
-  const Scalar t108 = t48 + t49;
-  const Scalar t109 = k[17] * t107 + (k[18] * t90 - k[19] * t108);
-  const Scalar t110 = t106 + t109;
-  const Scalar t111 = (k[24] * t40 - k[23] * t35) - k[21] * t89;
-  const Scalar t112 = k[28] * (t88 + t90) + (k[27] * t77 + k[26] * t105);
-  const Scalar t113 = k[33] + t84;
-  const Scalar t114 = t70 * t66 + (t113 * t78 - t74 * t83);
-  const Scalar t115 = ((t112 - k[25] * t87) + k[10] * t107) + ((t114 + t60 * t104) - t58 * t98);
-  const Scalar t116 = t74 * t69 + (t85 * t104 + t113 * t72);
-  const Scalar t117 = (t93 * t98 - t59 * t107) - (t116 + (t70 * t82 + t60 * t77));
-  const Scalar t118 = (k[28] * t82 + k[25] * t69) - (k[36] * t105 - k[26] * t77);
-  const Scalar t119 = t117 - (k[11] * t107 + t118);
-  const Scalar t120 = (k[18] * t52 - (t111 + k[20] * t108)) + (c5 * t115 - s5 * t119);
-  const Scalar t121 = k[14] * t110 + t120;
-  const Scalar t122 = t28 + (s4 * t102 + c4 * t121);
-  const Scalar t123 = k[17] * t52 - (k[19] * t40 + k[18] * t35);
-  const Scalar t124 = k[9] * t25 + ((c5 * t100 + s5 * t99) + t123);
-  const Scalar t125 = k[9] * t21 - (c4 * t110 + s4 * t101);
-  const Scalar t126 = c2 * (t122 + (s3 * t124 - c3 * t125));
-  const Scalar t127 = (k[22] * t108 - k[23] * t50) - k[24] * (t89 + t45);
-  const Scalar t128 = ((k[20] * t31 + k[21] * t38) + t127) + (k[18] * t57 - k[19] * t107);
-  const Scalar t129 = t128 + (c5 * t119 + s5 * t115);
-  const Scalar t130 = t46 + t47;
-  const Scalar t131 = (k[37] * t26 - k[38] * t22) - (k[40] * t30 + k[39] * t130);
-  const Scalar t132 = k[16] * t125 - (t129 + (k[9] * t53 + t131));
-  const Scalar t133 = k[37] * t17 - (k[41] * t30 - k[40] * t130);
-  const Scalar t134 = (k[38] * t25 + t133) - (c4 * t102 - s4 * t121);
-  const Scalar t135 = k[16] * t124 - t134;
-  const Scalar t136 = k[9] * t130 - (c4 * t101 - s4 * t110);
-  const Scalar t137 = s2 * ((s3 * t132 + c3 * t135) - t136);
-  const Scalar t138 = k[8] * c2 + k[7] * s2;
-  const Scalar t139 = qd[1] * qd[1];
-  const Scalar t140 = qdd[1] * t138 - t139 * (k[8] * s2 - k[7] * c2);
-  const Scalar t141 = k[4] * c2 - k[3] * s2;
-  const Scalar t142 = k[6] - c2 * t141;
-  const Scalar t143 = qdd[0] * (k[5] + s2 * t141) - t142 * t5;
-  const Scalar t144 = k[2] * s2 - k[1] * c2;
-  const Scalar t145 = (t126 + t137) - ((t140 - t143) + t8 * t144);
-  const Scalar t146 = k[1] * s2 + k[2] * c2;
-  const Scalar t147 = t145 + ((t8 + t139) * t144 - qdd[1] * t146);
-  const Scalar t148 = (k[42] * qdd[1] + t8 * t142) - qdd[0] * t138;
-  const Scalar t149 = (s3 * t135 - c3 * t132) - (t148 - (qdd[0] * t146 + k[15] * t144));
+  const Scalar t0 = k[1] * s2 - k[0] * c2;
+  const Scalar t1 = qd[0] * qd[0];
+  const Scalar t2 = qd[1] * qd[1];
+  const Scalar t3 = t1 + t2;
+  const Scalar t4 = t0 * t3 - qdd[1] * (k[0] * s2 + k[1] * c2);
+  const Scalar t5 = k[3] * c2 - k[2] * s2;
+  const Scalar t6 = k[5] - c2 * t5;
+  const Scalar t7 = qd[0] * qd[1];
+  const Scalar t8 = Scalar(2) * t7;
+  const Scalar t9 = qdd[0] * (k[4] + s2 * t5) - t6 * t8;
+  const Scalar t10 = k[6] * s2 + k[7] * c2;
+  const Scalar t11 = qdd[1] * t10 + t2 * (k[6] * c2 - k[7] * s2);
+  const Scalar t12 = qd[0] * c2;
+  const Scalar t13 = qd[2] + t12;
+  const Scalar t14 = qd[0] * s2;
+  const Scalar t15 = c3 * t14 - qd[1] * s3;
+  const Scalar t16 = t13 * t15;
+  const Scalar t17 = qdd[1] - t14 * t12;
+  const Scalar t18 = qdd[0] * s2;
+  const Scalar t19 = t18 + c2 * t8;
+  const Scalar t20 = c3 * t17 + s3 * t19;
+  const Scalar t21 = t20 + t16;
+  const Scalar t22 = t16 + t21;
+  const Scalar t23 = k[10] * c6 - k[9] * s6;
+  const Scalar t24 = qdd[3] + t21;
+  const Scalar t25 = s4 * t15 - c4 * t13;
+  const Scalar t26 = s4 * t13 + c4 * t15;
+  const Scalar t27 = t25 * t26;
+  const Scalar t28 = t24 - t27;
+  const Scalar t29 = s3 * t14 + qd[1] * c3;
+  const Scalar t30 = qd[3] + t29;
+  const Scalar t31 = t26 * t30;
+  const Scalar t32 = t29 * t13;
+  const Scalar t33 = s3 * t17 - c3 * t19;
+  const Scalar t34 = (t32 + t33) + t32;
+  const Scalar t35 = t29 * t15;
+  const Scalar t36 = qdd[0] * c2;
+  const Scalar t37 = qdd[2] - (s2 * t7 - t36);
+  const Scalar t38 = t35 + t37;
+  const Scalar t39 = s4 * t34 + c4 * t38;
+  const Scalar t40 = (t31 + t31) - t39;
+  const Scalar t41 = c5 * t28 - s5 * t40;
+  const Scalar t42 = c5 * t25 + s5 * t30;
+  const Scalar t43 = qd[4] - t26;
+  const Scalar t44 = Scalar(2) * t43;
+  const Scalar t45 = t42 * t44;
+  const Scalar t46 = t41 - t45;
+  const Scalar t47 = qdd[5] + t46;
+  const Scalar t48 = t47 + t45;
+  const Scalar t49 = k[9] * c6 + k[10] * s6;
+  const Scalar t50 = t43 * t43;
+  const Scalar t51 = c5 * t30 - s5 * t25;
+  const Scalar t52 = qd[5] + t51;
+  const Scalar t53 = t52 * t52;
+  const Scalar t54 = t50 + t53;
+  const Scalar t55 = t26 * t26;
+  const Scalar t56 = t30 * t30;
+  const Scalar t57 = t55 - t56;
+  const Scalar t58 = t13 * t13;
+  const Scalar t59 = t15 * t15;
+  const Scalar t60 = t58 + t59;
+  const Scalar t61 = t57 - t60;
+  const Scalar t62 = t42 * t42;
+  const Scalar t63 = t50 - t62;
+  const Scalar t64 = t61 - t63;
+  const Scalar t65 = t25 * t30;
+  const Scalar t66 = s4 * t38 - c4 * t34;
+  const Scalar t67 = t65 - t66;
+  const Scalar t68 = qdd[4] + t67;
+  const Scalar t69 = t42 * t51;
+  const Scalar t70 = t68 - t69;
+  const Scalar t71 = (t23 * t48 - t49 * t54) + (k[12] * t64 - k[11] * t70);
+  const Scalar t72 = t52 * t43;
+  const Scalar t73 = c5 * t40 + s5 * t28;
+  const Scalar t74 = t73 + t44 * t51;
+  const Scalar t75 = t72 + (t72 - t74);
+  const Scalar t76 = t52 * t42;
+  const Scalar t77 = t76 + (t76 + t70);
+  const Scalar t78 = t50 + t62;
+  const Scalar t79 = t68 + t69;
+  const Scalar t80 = (t23 * t75 + t77 * t49) - (k[11] * t78 - k[12] * t79);
+  const Scalar t81 = t36 + k[14] * s2;
+  const Scalar t82 = k[13] * t20 - (s3 * t1 + c3 * t81);
+  const Scalar t83 = t3 - t12 * t12;
+  const Scalar t84 = k[14] * c2 - t18;
+  const Scalar t85 = k[13] * t83 - t84;
+  const Scalar t86 = (s4 * t82 - c4 * t85) - k[15] * t66;
+  const Scalar t87 = t55 + t56;
+  const Scalar t88 = k[16] * t86 + (k[17] * t28 - k[18] * t87);
+  const Scalar t89 = (c5 * t71 - s5 * t80) + t88;
+  const Scalar t90 = t24 + t27;
+  const Scalar t91 = k[15] * t39 - (c4 * t82 + s4 * t85);
+  const Scalar t92 = (k[18] * t90 - k[17] * t61) - k[16] * t91;
+  const Scalar t93 = (t49 * t47 + t23 * (t54 - t63)) + (k[12] * t46 - k[11] * t74);
+  const Scalar t94 = t92 + t93;
+  const Scalar t95 = k[8] * t22 + (c4 * t89 - s4 * t94);
+  const Scalar t96 = t58 - t59;
+  const Scalar t97 = (k[20] * t38 + k[19] * t96) - (k[21] * t22 + k[23] * t34);
+  const Scalar t98 = t87 - t60;
+  const Scalar t99 = k[36] * (t57 + t98) - (k[35] * t90 - k[39] * t28);
+  const Scalar t100 = ((k[37] * t39 - k[38] * t66) + t99) + (k[17] * t86 - k[18] * t91);
+  const Scalar t101 = (c3 * t1 - s3 * t81) + k[13] * t33;
+  const Scalar t102 = k[15] * t60 + t101;
+  const Scalar t103 = s5 * t102 + c5 * t86;
+  const Scalar t104 = k[34] * s6 - k[33] * c6;
+  const Scalar t105 = k[33] * s6 + k[34] * c6;
+  const Scalar t106 = k[29] * c6 - k[30] * s6;
+  const Scalar t107 = k[32] + s6 * t106;
+  const Scalar t108 = c6 * t106;
+  const Scalar t109 = k[31] - t108;
+  const Scalar t110 = k[40] - t108;
+  const Scalar t111 = t107 * t63 - (t109 * t47 - t110 * t48);
+  const Scalar t112 = (t49 * t91 - t103 * t23) + ((t104 * t70 - t105 * t74) - t111);
+  const Scalar t113 = (k[27] * t46 + k[28] * t74) + (k[24] * t70 + k[25] * t63);
+  const Scalar t114 = t112 + (k[12] * t91 - t113);
+  const Scalar t115 = t50 - t53;
+  const Scalar t116 = (t77 * t107 - t110 * t75) + t115 * t104;
+  const Scalar t117 = s5 * t86 - c5 * t102;
+  const Scalar t118 = t78 + t64;
+  const Scalar t119 = (k[28] * t46 - k[26] * t74) - k[24] * (t118 + t63);
+  const Scalar t120 = ((t116 + t47 * t105) + t23 * t117) + ((t119 + k[25] * t79) + k[11] * t91);
+  const Scalar t121 = t100 - (c5 * t114 - s5 * t120);
+  const Scalar t122 = k[8] * (t83 + t96) + (s4 * t89 + c4 * t94);
+  const Scalar t123 = ((k[8] * t85 + t97) - t121) - k[13] * t122;
+  const Scalar t124 = t65 + t67;
+  const Scalar t125 = k[16] * t102 + (k[18] * t124 - k[17] * t40);
+  const Scalar t126 = t35 - t37;
+  const Scalar t127 = ((c5 * t80 + s5 * t71) + t125) - k[8] * t126;
+  const Scalar t128 = t83 - t60;
+  const Scalar t129 = (k[22] * t34 - k[23] * t22) + k[20] * t128;
+  const Scalar t130 = (t107 * t75 + t77 * t109) - (t105 * (t115 - t63) - t104 * t48);
+  const Scalar t131 = (k[27] * t79 - k[26] * t70) + k[28] * t118;
+  const Scalar t132 = (k[11] * t103 + k[12] * t117) - (t131 + (k[25] * t73 + k[24] * t41));
+  const Scalar t133 = (t130 + t49 * t117) + t132;
+  const Scalar t134 = (k[36] * t40 - k[35] * t124) + (k[37] * t98 + k[38] * t28);
+  const Scalar t135 = k[15] * t89 - (t133 - (k[18] * t102 + t134));
+  const Scalar t136 = k[38] * t57 - (k[39] * t40 + k[36] * t124);
+  const Scalar t137 = (c5 * t120 + s5 * t114) - (k[17] * t102 + (t136 + k[37] * t90));
+  const Scalar t138 = k[15] * t94 + t137;
+  const Scalar t139 = (k[19] * t126 - t129) + (c4 * t135 - s4 * t138);
+  const Scalar t140 = k[13] * t127 + t139;
+  const Scalar t141 = s2 * (t95 + (s3 * t123 + c3 * t140));
+  const Scalar t142 = k[23] * (t96 + t128) + (k[21] * t126 + k[22] * t38);
+  const Scalar t143 = ((k[20] * t20 + k[19] * t33) + t142) - k[8] * t101;
+  const Scalar t144 = (s4 * t135 + c4 * t138) + t143;
+  const Scalar t145 = c2 * (t144 + (c3 * t122 + s3 * t127));
+  const Scalar t146 = ((t9 + t11) - t0 * t1) - (t141 + t145);
+  const Scalar t147 = qdd[0] * t10 + (k[42] * qdd[1] + t1 * t6);
+  const Scalar t148 = (t147 - (k[1] * t81 - k[0] * t84)) - (c3 * t123 - s3 * t140);
   JointVector<Scalar> result;
-  result[0] = k[0] * qdd[0] + t147;
-  result[1] = -t149;
-  result[2] = t122;
-  result[3] = -t129;
-  result[4] = t95;
-  result[5] = -t117;
+  result[0] = (t4 + t146) - k[41] * qdd[0];
+  result[1] = t148;
+  result[2] = -t144;
+  result[3] = t121;
+  result[4] = -t133;
+  result[5] = -t112;
   return result;
 }
 
@@ -319,21 +337,22 @@ GravityTorqueConstants<Scalar> gravity_torque_constants(const BasicGeometry<Scal
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = (inertia.c4y * inertia.m4 - g.d4 * t0) - (g.d4 * inertia.m3 - inertia.c3y * inertia.m3);
-  const Scalar t2 = (g.l2 * inertia.m2 + inertia.c2z * inertia.m2)
-      + (inertia.c3z * inertia.m3 + g.l2 * (inertia.m3 + t0));
+  const Scalar t0 = g.d4 * inertia.m4;
+  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t2 = ((inertia.c4y * inertia.m4 - t0) + t0) - g.d4 * t1;
+  const Scalar t3 = g.l2 * inertia.m3;
+  const Scalar t4 = ((inertia.c3z * inertia.m3 + t3) - t3) + g.l2 * (inertia.m3 + t1);
   return { gravity,
-           inertia.c3x * inertia.m3,
-           inertia.c4x * inertia.m4 + inertia.c5x * inertia.m5,
+           (g.d4 * inertia.m3 - inertia.c3y * inertia.m3) - t2,
            inertia.c4z * inertia.m4,
-           inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
            inertia.c6x * inertia.m6,
            inertia.c6z * inertia.m6,
+           inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
            inertia.c5z * inertia.m5,
-           t1,
+           inertia.c4x * inertia.m4 + inertia.c5x * inertia.m5,
+           inertia.c3x * inertia.m3,
            inertia.c2x * inertia.m2,
-           t2 };
+           t4 + (g.l2 * inertia.m2 + inertia.c2z * inertia.m2) };
 }
 
 namespace detail {
@@ -351,29 +370,29 @@ inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Sca
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[0] * c2;
-  const Scalar t1 = k[0] * s2;
-  const Scalar t2 = s3 * t1;
-  const Scalar t3 = k[6] * s6 - k[5] * c6;
-  const Scalar t4 = c3 * t1;
-  const Scalar t5 = s4 * t4 - c4 * t0;
+  const Scalar t0 = k[0] * s2;
+  const Scalar t1 = k[0] * c2;
+  const Scalar t2 = s3 * t0;
+  const Scalar t3 = k[3] * c6 - k[4] * s6;
+  const Scalar t4 = c3 * t0;
+  const Scalar t5 = s4 * t4 - c4 * t1;
   const Scalar t6 = c5 * t2 - s5 * t5;
-  const Scalar t7 = s4 * t0 + c4 * t4;
-  const Scalar t8 = t3 * t6 - k[4] * t7;
-  const Scalar t9 = k[6] * c6 + k[5] * s6;
+  const Scalar t7 = s4 * t1 + c4 * t4;
+  const Scalar t8 = t3 * t6 + k[5] * t7;
+  const Scalar t9 = k[4] * c6 + k[3] * s6;
   const Scalar t10 = c5 * t5 + s5 * t2;
-  const Scalar t11 = t9 * t7 - t10 * t3;
-  const Scalar t12 = t11 + k[7] * t7;
-  const Scalar t13 = k[2] * t2 - (c5 * t8 - s5 * t12);
-  const Scalar t14 = t9 * t6 - (k[4] * t10 - k[7] * t6);
-  const Scalar t15 = t14 + k[3] * t2;
-  const Scalar t16 = k[8] * t0 + (s4 * t13 + c4 * t15);
-  const Scalar t17 = (s5 * t8 + c5 * t12) + (k[3] * t7 + k[2] * t5);
-  const Scalar t18 = s3 * t16 + c3 * (t17 - k[1] * t0);
-  const Scalar t19 = (s4 * t15 - c4 * t13) - (k[1] * t2 + k[8] * t4);
+  const Scalar t11 = t7 * t9 + t10 * t3;
+  const Scalar t12 = k[6] * t7 + t11;
+  const Scalar t13 = k[7] * t2 + (c5 * t8 + s5 * t12);
+  const Scalar t14 = t9 * t6 - (k[5] * t10 - k[6] * t6);
+  const Scalar t15 = k[2] * t2 + t14;
+  const Scalar t16 = k[1] * t1 - (s4 * t13 + c4 * t15);
+  const Scalar t17 = (k[7] * t5 + k[2] * t7) + (c5 * t12 - s5 * t8);
+  const Scalar t18 = s3 * t16 + c3 * (k[8] * t1 - t17);
+  const Scalar t19 = (k[1] * t4 - k[8] * t2) - (c4 * t13 - s4 * t15);
   JointVector<Scalar> result;
   result[0] = Scalar(0);
-  result[1] = -t18 - (k[10] * t1 - k[9] * t0);
+  result[1] = t18 - (k[10] * t0 - k[9] * t1);
   result[2] = t19;
   result[3] = -t17;
   result[4] = -t14;
@@ -404,84 +423,99 @@ CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Sc
   using std::sin;
   const Scalar t0 = inertia.c3x * inertia.m3;
   const Scalar t1 = g.l1 * t0;
-  const Scalar t2 = inertia.c4z * inertia.m4;
-  const Scalar t3 = inertia.c4x * inertia.m4;
-  const Scalar t4 = inertia.c5x * inertia.m5;
-  const Scalar t5 = g.l2 / g.l1;
-  const Scalar t6 = inertia.c4y * inertia.m4;
-  const Scalar t7 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t8 = t6 - g.d4 * t7;
-  const Scalar t9 = inertia.c3y * inertia.m3;
-  const Scalar t10 = g.d4 * inertia.m3 - t9;
-  const Scalar t11 = (t8 - t10) / g.d4;
-  const Scalar t12 = inertia.c5z * inertia.m5;
-  const Scalar t13 = inertia.c6y * inertia.m6;
-  const Scalar t14 = inertia.c5y * inertia.m5;
-  const Scalar t15 = inertia.c6z * inertia.m6;
+  const Scalar t2 = g.l2 / g.l1;
+  const Scalar t3 = g.l2 * t0;
+  const Scalar t4 = inertia.c3z * inertia.m3;
+  const Scalar t5 = inertia.c3y * inertia.m3;
+  const Scalar t6 = g.d4 * inertia.m3 - t5;
+  const Scalar t7 = g.l2 * t6;
+  const Scalar t8 = (g.d4 * t4 + (inertia.I3yz - inertia.c3z * t5)) + t7;
+  const Scalar t9 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t10 = inertia.c6y * inertia.m6;
+  const Scalar t11 = inertia.c5y * inertia.m5;
+  const Scalar t12 = inertia.c5x * inertia.m5;
+  const Scalar t13 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t14 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t15 = ((inertia.I6yy - t13) - inertia.c6y * t10) - (inertia.c5y * t11 - (inertia.I5yy - t14));
   const Scalar t16 = inertia.c6x * inertia.m6;
-  const Scalar t17 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t18 = ((inertia.I4yy - t17) - inertia.c4y * t6) + g.d4 * (t6 + t8);
-  const Scalar t19 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t20 = ((inertia.I3yy - t19) - inertia.c3y * t9) - g.d4 * (t10 - t9);
-  const Scalar t21 = inertia.c3z * inertia.m3;
-  const Scalar t22 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t23 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t24 = ((inertia.I6yy - t23) - inertia.c6y * t13) - (inertia.c5y * t14 - (inertia.I5yy - t22));
-  const Scalar t25 = (inertia.I6xx - t23) - inertia.c6x * t16;
-  const Scalar t26 = inertia.c6z * t15 - (inertia.I6zz - t23);
-  const Scalar t27 = inertia.I6xz - inertia.c6z * t16;
-  const Scalar t28 = (inertia.c5x * t4 - (inertia.I5xx - t22)) - ((inertia.I4xx - t17) - inertia.c4x * t3);
-  const Scalar t29 = inertia.c2x * inertia.m2;
-  const Scalar t30 = g.l2 * t11;
-  const Scalar t31 = inertia.c2z * inertia.m2;
-  const Scalar t32 = g.l2 * inertia.m2 + t31;
-  const Scalar t33 = t21 + g.l2 * (inertia.m3 + t7);
-  const Scalar t34 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t35 = g.l2 * (t32 + t31) - ((inertia.I2zz - t34) - inertia.c2z * t31);
-  const Scalar t36 = ((inertia.I3zz - t19) - inertia.c3z * t21) - g.l2 * (t21 + t33);
-  const Scalar t37 = (inertia.c2x * t29 - (inertia.I2xx - t34)) - (g.l2 * t30 + (t35 - t36));
-  const Scalar t38 = (inertia.I2xz - inertia.c2z * t29) - g.l2 * t29;
-  const Scalar t39 = inertia.c2y * inertia.m2;
-  return { t1,
-           g.l1 * t2,
-           g.l1 * (t3 + t4),
-           g.d4 / g.l1,
-           t5,
-           g.l1 * g.l1 * t11,
-           g.l1 * t12,
-           g.l1 * (t13 + t14),
-           g.l1 * t15,
-           g.l1 * t16,
-           inertia.I3xz - inertia.c3z * t0,
-           (t18 + t20) - g.d4 * g.d4 * t11,
+  const Scalar t17 = (inertia.I6xx - t13) - inertia.c6x * t16;
+  const Scalar t18 = inertia.c6z * inertia.m6;
+  const Scalar t19 = inertia.c6z * t18 - (inertia.I6zz - t13);
+  const Scalar t20 = inertia.I6xz - inertia.c6z * t16;
+  const Scalar t21 = inertia.c5z * inertia.m5;
+  const Scalar t22 = inertia.c4x * inertia.m4;
+  const Scalar t23 = g.d4 * t22;
+  const Scalar t24 = inertia.c4z * inertia.m4;
+  const Scalar t25 = g.d4 * t24;
+  const Scalar t26 = inertia.c4y * inertia.m4;
+  const Scalar t27 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t28 = (inertia.c5x * t12 - (inertia.I5xx - t14)) - ((inertia.I4xx - t27) - inertia.c4x * t22);
+  const Scalar t29 = g.d4 * inertia.m4;
+  const Scalar t30 = t26 - t29;
+  const Scalar t31 = t30 + t29;
+  const Scalar t32 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t33 = t31 - g.d4 * t32;
+  const Scalar t34 = (t6 - t33) / g.d4;
+  const Scalar t35 = g.d4 * (t26 + t30) + ((inertia.I4yy - t27) - inertia.c4y * t26);
+  const Scalar t36 = (t35 - g.d4 * (t31 + t30)) + g.d4 * (t31 + t33);
+  const Scalar t37 = ((inertia.I3yy - t9) - inertia.c3y * t5) - g.d4 * (t6 - t5);
+  const Scalar t38 = inertia.c2x * inertia.m2;
+  const Scalar t39 = g.l1 * t38;
+  const Scalar t40 = g.l2 * inertia.m3;
+  const Scalar t41 = t4 + t40;
+  const Scalar t42 = t41 - t40;
+  const Scalar t43 = t42 + g.l2 * (inertia.m3 + t32);
+  const Scalar t44 = inertia.c2z * inertia.m2;
+  const Scalar t45 = g.l2 * inertia.m2 + t44;
+  const Scalar t46 = g.l2 * t34;
+  const Scalar t47 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t48 = g.l2 * (t45 + t44) - ((inertia.I2zz - t47) - inertia.c2z * t44);
+  const Scalar t49 = ((inertia.I3zz - t9) - inertia.c3z * t4) - g.l2 * (t4 + t41);
+  const Scalar t50 = (t49 + g.l2 * (t41 + t42)) - g.l2 * (t43 + t42);
+  const Scalar t51 = (inertia.c2x * t38 - (inertia.I2xx - t47)) - ((t48 - t50) - g.l2 * t46);
+  const Scalar t52 = (inertia.I2xz - inertia.c2z * t38) - g.l2 * t38;
+  const Scalar t53 = inertia.c2y * inertia.m2;
+  const Scalar t54 = g.l2 * (g.l1 * inertia.m2 - t53) + ((inertia.I2yz - inertia.c2z * t53) + g.l1 * t44);
+  return { t1 * t2,
+           t3 - (t3 - (inertia.I3xz - inertia.c3z * t0)),
+           t8 - t7,
+           inertia.c3x * t0 - (inertia.I3xx - t9),
            (inertia.I3xy - inertia.c3y * t0) + g.d4 * t0,
-           g.d4 * t21 + (inertia.I3yz - inertia.c3z * t9),
-           inertia.I4xz - inertia.c4z * t3,
-           (inertia.I4zz - t17) - inertia.c4z * t2,
-           inertia.I4yz - inertia.c4z * t6,
-           inertia.I4xy - inertia.c4y * t3,
-           inertia.c5z * t12 - (inertia.I5zz - t22),
-           t24,
-           inertia.I5yz - inertia.c5z * t14,
-           inertia.I5xz - inertia.c5z * t4,
-           inertia.I5xy - inertia.c5y * t4,
+           g.d4 / g.l1,
+           t2,
+           g.l1 * (t10 + t11),
+           inertia.I5xz - inertia.c5z * t12,
+           inertia.I5xy - inertia.c5y * t12,
+           inertia.I5yz - inertia.c5z * t11,
+           t15,
            inertia.I6xy - inertia.c6y * t16,
-           inertia.I6yz - inertia.c6z * t13,
-           t25 + t26,
-           Scalar(2) * t27,
-           t27,
-           t25,
-           t26,
+           inertia.I6yz - inertia.c6z * t10,
+           t17 + t19,
+           Scalar(2) * t20,
+           t20,
+           t19,
+           g.l1 * t18,
+           g.l1 * t16,
+           t17,
+           inertia.c5z * t21 - (inertia.I5zz - t14),
+           g.l1 * t21,
+           (t23 + (inertia.I4xy - inertia.c4y * t22)) - t23,
+           t25 - (t25 + (inertia.I4yz - inertia.c4z * t26)),
+           (inertia.I4zz - t27) - inertia.c4z * t24,
            t28,
-           t1 * t5,
-           inertia.c3x * t0 - (inertia.I3xx - t19),
-           g.l1 * t29,
-           g.l1 * (t30 + (t32 + t33)),
-           t37,
-           Scalar(2) * t38,
-           t38,
-           inertia.I2xy - inertia.c2y * t29,
-           (inertia.I2yz - inertia.c2z * t39) - g.l2 * t39 };
+           inertia.I4xz - inertia.c4z * t22,
+           g.l1 * (t22 + t12),
+           g.l1 * t24,
+           t1,
+           g.l1 * g.l1 * t34,
+           g.d4 * g.d4 * t34 + (t36 + t37),
+           t39,
+           g.l1 * ((t43 + t45) - t46),
+           t51,
+           Scalar(2) * t52,
+           t52,
+           t39 - (t39 + (inertia.I2xy - inertia.c2y * t38)),
+           g.l1 * t45 - t54 };
 }
 
 namespace detail {
@@ -503,142 +537,144 @@ inline JointVector<Scalar> coriolis_torque([[maybe_unused]] const JointVector<Sc
   const Scalar t0 = qd[0] * qd[0];
   const Scalar t1 = qd[1] * qd[1];
   const Scalar t2 = k[34] * s2 - k[33] * c2;
-  const Scalar t3 = qd[0] * qd[1];
-  const Scalar t4 = t3 + t3;
-  const Scalar t5 = k[37] + c2 * (k[35] * s2 - k[36] * c2);
-  const Scalar t6 = t4 * t5 - t1 * (k[39] * s2 - k[38] * c2);
-  const Scalar t7 = k[8] * c6 + k[9] * s6;
-  const Scalar t8 = qd[0] * c2;
-  const Scalar t9 = qd[2] + t8;
-  const Scalar t10 = qd[0] * s2;
-  const Scalar t11 = c3 * t10;
-  const Scalar t12 = t11 - qd[1] * s3;
-  const Scalar t13 = s4 * t9 + c4 * t12;
-  const Scalar t14 = qd[4] - t13;
-  const Scalar t15 = t14 * t14;
-  const Scalar t16 = s3 * t10;
-  const Scalar t17 = t16 + qd[1] * c3;
-  const Scalar t18 = qd[3] + t17;
-  const Scalar t19 = s4 * t12 - c4 * t9;
-  const Scalar t20 = c5 * t18 - s5 * t19;
-  const Scalar t21 = qd[5] + t20;
-  const Scalar t22 = t21 * t21;
-  const Scalar t23 = k[9] * c6 - k[8] * s6;
-  const Scalar t24 = s2 * t3;
-  const Scalar t25 = t17 * t12;
-  const Scalar t26 = t24 - t25;
-  const Scalar t27 = c2 * t4;
-  const Scalar t28 = t16 * t8 + c3 * t27;
-  const Scalar t29 = t28 - Scalar(2) * t17 * t9;
-  const Scalar t30 = c4 * t26 + s4 * t29;
-  const Scalar t31 = t30 + Scalar(2) * t13 * t18;
-  const Scalar t32 = s3 * t27 - t11 * t8;
-  const Scalar t33 = t9 * t12;
-  const Scalar t34 = t32 + t33;
-  const Scalar t35 = t19 * t13;
-  const Scalar t36 = t34 - t35;
-  const Scalar t37 = s5 * t31 - c5 * t36;
-  const Scalar t38 = c4 * t29 - s4 * t26;
-  const Scalar t39 = t19 * t18;
-  const Scalar t40 = t38 - t39;
-  const Scalar t41 = c5 * t19 + s5 * t18;
-  const Scalar t42 = t41 * t20;
-  const Scalar t43 = t40 + t42;
-  const Scalar t44 = t41 * t41;
-  const Scalar t45 = t15 + t44;
-  const Scalar t46 = t18 * t18;
-  const Scalar t47 = t19 * t19;
-  const Scalar t48 = t46 + t47;
-  const Scalar t49 = t45 - t48;
-  const Scalar t50 = t15 - t44;
-  const Scalar t51 = t49 - t50;
-  const Scalar t52 = (t7 * (t15 + t22) + t23 * t37) - (k[7] * t43 - k[6] * (t45 - t51));
-  const Scalar t53 = t40 - t42;
-  const Scalar t54 = t21 * t41;
-  const Scalar t55 = t54 + (t54 - t43);
-  const Scalar t56 = c5 * t31 + s5 * t36;
-  const Scalar t57 = t14 * t20;
-  const Scalar t58 = (t56 + t57) + t57;
-  const Scalar t59 = t58 - Scalar(2) * t21 * t14;
-  const Scalar t60 = (k[7] * t45 + k[6] * t53) - (t55 * t7 - t59 * t23);
-  const Scalar t61 = t46 - t47;
-  const Scalar t62 = t9 * t9;
-  const Scalar t63 = t12 * t12;
-  const Scalar t64 = t62 + t63;
-  const Scalar t65 = t48 - t64;
-  const Scalar t66 = t61 - t65;
-  const Scalar t67 = k[3] * t26 - (s3 * t0 - k[4] * t32);
-  const Scalar t68 = t17 * t17;
-  const Scalar t69 = t68 + t63;
-  const Scalar t70 = k[3] * t29 + k[4] * t69;
-  const Scalar t71 = s4 * t67 - c4 * t70;
-  const Scalar t72 = (k[2] * t36 - k[1] * (t48 + t66)) - k[5] * t71;
-  const Scalar t73 = (c5 * t52 - s5 * t60) - t72;
-  const Scalar t74 = s4 * t70 + c4 * t67;
-  const Scalar t75 = t34 + t35;
-  const Scalar t76 = k[5] * t74 - (k[1] * t75 + k[2] * t48);
-  const Scalar t77 = t37 + Scalar(2) * t41 * t14;
-  const Scalar t78 = (t23 * (t22 + t44) - t77 * t7) - (k[6] * t77 + k[7] * t58);
-  const Scalar t79 = t76 - t78;
-  const Scalar t80 = s4 * t73 + c4 * t79;
-  const Scalar t81 = t68 - t63;
-  const Scalar t82 = t80 - k[0] * (t81 + t64);
-  const Scalar t83 = t40 - t39;
-  const Scalar t84 = c3 * t0 - k[4] * t28;
-  const Scalar t85 = t84 + k[3] * t64;
-  const Scalar t86 = (k[2] * t31 + k[1] * t83) + k[5] * t85;
-  const Scalar t87 = t24 + t25;
-  const Scalar t88 = (t86 + (s5 * t52 + c5 * t60)) + k[0] * t87;
-  const Scalar t89 = k[20] * t51 + (k[19] * t43 - k[18] * t53);
-  const Scalar t90 = s5 * t71 - c5 * t85;
-  const Scalar t91 = c5 * t71 + s5 * t85;
-  const Scalar t92 = (t89 + (k[21] * t56 - k[22] * t37)) - (k[6] * t90 + k[7] * t91);
-  const Scalar t93 = k[23] * c6 - k[24] * s6;
-  const Scalar t94 = t22 - t44;
-  const Scalar t95 = k[24] * c6 + k[23] * s6;
-  const Scalar t96 = k[25] * c6 - k[26] * s6;
-  const Scalar t97 = c6 * t96;
-  const Scalar t98 = k[28] - t97;
-  const Scalar t99 = k[27] + s6 * t96;
-  const Scalar t100 = (t93 * t37 + t94 * t95) + (t55 * t98 - t59 * t99);
-  const Scalar t101 = t92 - (t7 * t90 + t100);
-  const Scalar t102 = (k[15] * t83 + k[14] * t31) + (k[17] * t36 - k[16] * t61);
-  const Scalar t103 = t101 + (t102 + k[1] * t85);
-  const Scalar t104 = (k[19] * t58 + k[20] * t77) + k[22] * t49;
-  const Scalar t105 = k[29] - t97;
-  const Scalar t106 = (t94 - t50) * t93 + (t99 * t55 + t105 * t59);
-  const Scalar t107 = ((k[21] * t53 + t104) + k[7] * t74) + ((t77 * t95 - t106) - t23 * t90);
-  const Scalar t108 = t99 * t50 + (t77 * t98 - t105 * t37);
-  const Scalar t109 = (t108 + (t58 * t95 - t43 * t93)) + (t23 * t91 + t7 * t74);
-  const Scalar t110 = (k[18] * t77 - k[20] * t58) + (k[22] * t43 - k[21] * t50);
-  const Scalar t111 = t109 + (k[6] * t74 - t110);
-  const Scalar t112 = (k[14] * t83 - k[30] * t31) - k[17] * t65;
-  const Scalar t113 = (c5 * t107 + s5 * t111) + (k[2] * t85 + (t112 - k[16] * t75));
-  const Scalar t114 = k[3] * t80 - (s4 * t103 - c4 * t113);
-  const Scalar t115 = (k[32] * t87 - k[11] * t26) + k[12] * t81;
-  const Scalar t116 = k[0] * t84 - (t115 + (k[13] * t32 - k[10] * t28));
-  const Scalar t117 = t114 + t116;
-  const Scalar t118 = c2 * ((c3 * t82 + s3 * t88) + t117);
-  const Scalar t119 = t34 + t33;
-  const Scalar t120 = s4 * t79 - c4 * t73;
-  const Scalar t121 = (k[12] * t119 + k[11] * t29) - k[13] * (t69 - t64);
-  const Scalar t122 = k[3] * t120 + (s4 * t113 + c4 * t103);
-  const Scalar t123 = ((t121 + k[10] * t87) + t122) - k[4] * t88;
-  const Scalar t124 = k[14] * t66 + (k[30] * t36 - k[15] * t75);
-  const Scalar t125 = (k[1] * t74 + k[2] * t71) + (t124 + (k[16] * t30 - k[17] * t38));
-  const Scalar t126 = (c5 * t111 - s5 * t107) + t125;
-  const Scalar t127 = (k[12] * t29 - k[32] * t119) + (k[10] * (t62 - t63) - k[13] * t26);
-  const Scalar t128 = (t126 - (k[31] * t69 + t127)) - k[4] * t82;
-  const Scalar t129 = (k[0] * t119 + t120) + (c3 * t123 - s3 * t128);
-  const Scalar t130 = (t6 + t0 * t2) - (t118 - s2 * t129);
-  const Scalar t131 = t0 * t5 + (s3 * t123 + c3 * t128);
+  const Scalar t3 = qd[0] * c2;
+  const Scalar t4 = qd[2] + t3;
+  const Scalar t5 = qd[0] * s2;
+  const Scalar t6 = c3 * t5;
+  const Scalar t7 = t6 - qd[1] * s3;
+  const Scalar t8 = s4 * t4 + c4 * t7;
+  const Scalar t9 = qd[4] - t8;
+  const Scalar t10 = t9 * t9;
+  const Scalar t11 = s4 * t7 - c4 * t4;
+  const Scalar t12 = s3 * t5;
+  const Scalar t13 = t12 + qd[1] * c3;
+  const Scalar t14 = qd[3] + t13;
+  const Scalar t15 = c5 * t11 + s5 * t14;
+  const Scalar t16 = t15 * t15;
+  const Scalar t17 = t10 + t16;
+  const Scalar t18 = c5 * t14 - s5 * t11;
+  const Scalar t19 = qd[5] + t18;
+  const Scalar t20 = t10 - t19 * t19;
+  const Scalar t21 = t17 - t20;
+  const Scalar t22 = k[18] * s6 - k[19] * c6;
+  const Scalar t23 = t15 * t9;
+  const Scalar t24 = qd[0] * qd[1];
+  const Scalar t25 = s2 * t24;
+  const Scalar t26 = t13 * t7;
+  const Scalar t27 = t25 - t26;
+  const Scalar t28 = t24 + t24;
+  const Scalar t29 = c2 * t28;
+  const Scalar t30 = t12 * t3 + c3 * t29;
+  const Scalar t31 = t30 - Scalar(2) * t13 * t4;
+  const Scalar t32 = c4 * t27 + s4 * t31;
+  const Scalar t33 = t8 * t14;
+  const Scalar t34 = (t32 + t33) + t33;
+  const Scalar t35 = s3 * t29 - t6 * t3;
+  const Scalar t36 = t4 * t7;
+  const Scalar t37 = t35 + t36;
+  const Scalar t38 = t11 * t8;
+  const Scalar t39 = t37 - t38;
+  const Scalar t40 = s5 * t34 - c5 * t39;
+  const Scalar t41 = (t23 + t40) + t23;
+  const Scalar t42 = k[19] * s6 + k[18] * c6;
+  const Scalar t43 = c5 * t34 + s5 * t39;
+  const Scalar t44 = Scalar(2) * t9;
+  const Scalar t45 = t43 + t44 * t18;
+  const Scalar t46 = (t21 * t22 + t41 * t42) + (k[7] * t45 + k[22] * t41);
+  const Scalar t47 = s3 * t0 - k[6] * t35;
+  const Scalar t48 = t13 * t13;
+  const Scalar t49 = t7 * t7;
+  const Scalar t50 = t48 + t49;
+  const Scalar t51 = k[6] * t50;
+  const Scalar t52 = (c4 * t47 - s4 * t51) - k[5] * t32;
+  const Scalar t53 = t14 * t14;
+  const Scalar t54 = t11 * t11;
+  const Scalar t55 = t53 + t54;
+  const Scalar t56 = t37 + t38;
+  const Scalar t57 = k[31] * t52 - (k[28] * t55 + k[29] * t56);
+  const Scalar t58 = t46 + t57;
+  const Scalar t59 = k[13] * s6 - k[12] * c6;
+  const Scalar t60 = t19 * t15;
+  const Scalar t61 = c4 * t31 - s4 * t27;
+  const Scalar t62 = t11 * t14;
+  const Scalar t63 = t61 - t62;
+  const Scalar t64 = t15 * t18;
+  const Scalar t65 = t63 + t64;
+  const Scalar t66 = t60 + (t60 - t65);
+  const Scalar t67 = k[14] * c6 - k[15] * s6;
+  const Scalar t68 = k[16] + s6 * t67;
+  const Scalar t69 = t19 * t44 - t45;
+  const Scalar t70 = c6 * t67;
+  const Scalar t71 = k[17] - t70;
+  const Scalar t72 = t20 * t59 + (t66 * t68 - t69 * t71);
+  const Scalar t73 = k[12] * s6 + k[13] * c6;
+  const Scalar t74 = t53 - t54;
+  const Scalar t75 = t8 * t8;
+  const Scalar t76 = t75 + t53;
+  const Scalar t77 = t74 - t76;
+  const Scalar t78 = c3 * t0 - k[6] * t30;
+  const Scalar t79 = k[5] * t77 - t78;
+  const Scalar t80 = k[5] * t61 + (s4 * t47 + c4 * t51);
+  const Scalar t81 = c5 * t79 - s5 * t80;
+  const Scalar t82 = t63 - t64;
+  const Scalar t83 = t10 - t16;
+  const Scalar t84 = t55 + t83;
+  const Scalar t85 = t17 - t84;
+  const Scalar t86 = (k[11] * t45 + k[10] * t41) + k[9] * (t85 + t83);
+  const Scalar t87 = ((t72 - t41 * t73) - t81 * t22) + (k[7] * t52 - (k[8] * t82 + t86));
+  const Scalar t88 = (k[10] * t45 - k[21] * t41) + (k[8] * t83 - k[9] * t65);
+  const Scalar t89 = c5 * t80 + s5 * t79;
+  const Scalar t90 = k[20] - t70;
+  const Scalar t91 = t83 * t68 - (t71 * t40 - t90 * t41);
+  const Scalar t92 = (t22 * t89 - t52 * t42) + ((t65 * t59 + t73 * t45) + t91);
+  const Scalar t93 = (k[22] * t52 - t88) - t92;
+  const Scalar t94 = t63 - t62;
+  const Scalar t95 = k[23] * (t75 - t53) - (k[26] * t34 - k[27] * t94);
+  const Scalar t96 = (c5 * t87 + s5 * t93) + (k[28] * t79 - (t95 + k[24] * t56));
+  const Scalar t97 = k[5] * t58 - t96;
+  const Scalar t98 = t21 + t83;
+  const Scalar t99 = (t90 * t66 + t69 * t68) - ((t17 - t98) * t73 + t40 * t59);
+  const Scalar t100 = (k[21] * t82 - k[11] * t65) - k[10] * t85;
+  const Scalar t101 = (k[22] * t81 - k[7] * t89) + ((k[9] * t40 - k[8] * t43) + t100);
+  const Scalar t102 = (t99 + t81 * t42) + t101;
+  const Scalar t103 = (k[24] * t74 + k[23] * t39) + (k[27] * t34 + k[25] * t94);
+  const Scalar t104 = (k[22] * t84 - k[7] * t65) + (t98 * t42 - t40 * t22);
+  const Scalar t105 = (t66 * t42 - t69 * t22) - (k[7] * t17 + k[22] * t82);
+  const Scalar t106 = k[31] * t80 + (k[29] * t76 - k[28] * t39);
+  const Scalar t107 = (c5 * t104 + s5 * t105) + t106;
+  const Scalar t108 = (t102 - (t103 - k[29] * t79)) + k[5] * t107;
+  const Scalar t109 = t48 - t49;
+  const Scalar t110 = t25 + t26;
+  const Scalar t111 = k[4] * t109 - (k[32] * t27 - k[3] * t110);
+  const Scalar t112 = ((k[1] * t30 - k[2] * t35) - t111) + k[30] * t78;
+  const Scalar t113 = (c4 * t97 + s4 * t108) + t112;
+  const Scalar t114 = (k[28] * t34 + k[29] * t94) + k[31] * t79;
+  const Scalar t115 = k[30] * t110 + (t114 - (c5 * t105 - s5 * t104));
+  const Scalar t116 = t109 - t77;
+  const Scalar t117 = k[30] * t116 - (c4 * t58 + s4 * t107);
+  const Scalar t118 = c2 * (t113 + (s3 * t115 - c3 * t117));
+  const Scalar t119 = t37 + t36;
+  const Scalar t120 = (k[1] * (t50 - t116) + k[2] * t27) - (k[4] * t31 - k[3] * t119);
+  const Scalar t121 = (k[26] * t39 - k[25] * t56) + k[27] * (t75 - t54);
+  const Scalar t122 = (k[29] * t52 + k[28] * t80) + ((k[23] * t61 + k[24] * t32) - t121);
+  const Scalar t123 = t122 + (c5 * t93 - s5 * t87);
+  const Scalar t124 = ((t120 - k[0] * t50) - t123) + k[6] * t117;
+  const Scalar t125 = k[2] * (t50 + t77) - (k[4] * t119 + k[32] * t31);
+  const Scalar t126 = (c4 * t108 - s4 * t97) + (t125 - k[1] * t110);
+  const Scalar t127 = k[6] * t115 + t126;
+  const Scalar t128 = (s4 * t58 - c4 * t107) + k[30] * t119;
+  const Scalar t129 = s2 * ((s3 * t124 + c3 * t127) - t128);
+  const Scalar t130 = k[37] + c2 * (k[35] * s2 - k[36] * c2);
+  const Scalar t131 = t28 * t130 + t1 * (k[39] * s2 - k[38] * c2);
+  const Scalar t132 = (t0 + t1) * t2 + ((t118 + t129) - (t0 * t2 + t131));
+  const Scalar t133 = (c3 * t124 - s3 * t127) + t0 * t130;
   JointVector<Scalar> result;
-  result[0] = (t0 + t1) * t2 - t130;
-  result[1] = t131;
-  result[2] = t117;
-  result[3] = t126;
-  result[4] = t101;
-  result[5] = t109;
+  result[0] = t132;
+  result[1] = t133;
+  result[2] = t113;
+  result[3] = -t123;
+  result[4] = -t102;
+  result[5] = t92;
   return result;
 }
 
@@ -669,82 +705,106 @@ MassMatrixConstants<Scalar> mass_matrix_constants(const BasicGeometry<Scalar>& g
   const Scalar t2 = inertia.c6z * inertia.m6;
   const Scalar t3 = inertia.c6x * inertia.m6;
   const Scalar t4 = inertia.c5z * inertia.m5;
-  const Scalar t5 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t6 = (inertia.I6xx - t5) - inertia.c6x * t3;
-  const Scalar t7 = inertia.c6z * t2 - (inertia.I6zz - t5);
-  const Scalar t8 = inertia.I6xz - inertia.c6z * t3;
-  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t10 = ((inertia.I6yy - t5) - inertia.c6y * t0) - (inertia.c5y * t1 - (inertia.I5yy - t9));
-  const Scalar t11 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t5 = g.d4 / g.l1;
+  const Scalar t6 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t7 = (inertia.I6xx - t6) - inertia.c6x * t3;
+  const Scalar t8 = inertia.c6z * t2 - (inertia.I6zz - t6);
+  const Scalar t9 = inertia.I6xz - inertia.c6z * t3;
+  const Scalar t10 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t11 = ((inertia.I6yy - t6) - inertia.c6y * t0) - (inertia.c5y * t1 - (inertia.I5yy - t10));
   const Scalar t12 = inertia.c4y * inertia.m4;
-  const Scalar t13 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t14 = t12 - g.d4 * t13;
-  const Scalar t15 = ((inertia.I4yy - t11) - inertia.c4y * t12) + g.d4 * (t12 + t14);
-  const Scalar t16 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t17 = inertia.c3y * inertia.m3;
-  const Scalar t18 = g.d4 * inertia.m3 - t17;
-  const Scalar t19 = ((inertia.I3yy - t16) - inertia.c3y * t17) - g.d4 * (t18 - t17);
-  const Scalar t20 = inertia.c4z * inertia.m4;
-  const Scalar t21 = inertia.c5x * inertia.m5;
-  const Scalar t22 = inertia.c4x * inertia.m4;
-  const Scalar t23 = (inertia.c5x * t21 - (inertia.I5xx - t9)) - ((inertia.I4xx - t11) - inertia.c4x * t22);
-  const Scalar t24 = inertia.c3x * inertia.m3;
-  const Scalar t25 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t26 = inertia.c2y * inertia.m2;
-  const Scalar t27 = inertia.m3 + t13;
-  const Scalar t28 = g.l1 * ((g.l1 * (inertia.m2 + t27) - t26) - t26);
-  const Scalar t29 = inertia.c1y * inertia.m1;
-  const Scalar t30 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t31 = (inertia.c1y * t29 - (inertia.I1yy - t30)) - g.l1 * (t29 + (t29 - g.l1 * inertia.m1));
-  const Scalar t32 = (((inertia.I2yy - t25) - inertia.c2y * t26) - t28) - t31;
-  const Scalar t33 = inertia.c2x * inertia.m2;
-  const Scalar t34 = inertia.c3z * inertia.m3;
-  const Scalar t35 = inertia.c2z * inertia.m2;
-  const Scalar t36 = g.l2 * inertia.m2 + t35;
-  const Scalar t37 = g.l2 * (t36 + t35) - ((inertia.I2zz - t25) - inertia.c2z * t35);
-  const Scalar t38 = t34 + g.l2 * t27;
-  const Scalar t39 = ((inertia.I3zz - t16) - inertia.c3z * t34) - g.l2 * (t34 + t38);
+  const Scalar t13 = g.d4 * inertia.m4;
+  const Scalar t14 = t12 - t13;
+  const Scalar t15 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t16 = g.d4 * (t12 + t14) + ((inertia.I4yy - t15) - inertia.c4y * t12);
+  const Scalar t17 = t14 + t13;
+  const Scalar t18 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t19 = t17 - g.d4 * t18;
+  const Scalar t20 = (t16 - g.d4 * (t17 + t14)) + g.d4 * (t17 + t19);
+  const Scalar t21 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t22 = inertia.c3y * inertia.m3;
+  const Scalar t23 = g.d4 * inertia.m3 - t22;
+  const Scalar t24 = ((inertia.I3yy - t21) - inertia.c3y * t22) - g.d4 * (t23 - t22);
+  const Scalar t25 = inertia.c4z * inertia.m4;
+  const Scalar t26 = inertia.c5x * inertia.m5;
+  const Scalar t27 = inertia.c4x * inertia.m4;
+  const Scalar t28 = (inertia.c5x * t26 - (inertia.I5xx - t10)) - ((inertia.I4xx - t15) - inertia.c4x * t27);
+  const Scalar t29 = inertia.c3x * inertia.m3;
+  const Scalar t30 = g.d4 * t27;
+  const Scalar t31 = g.d4 * t25;
+  const Scalar t32 = inertia.c2x * inertia.m2;
+  const Scalar t33 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t34 = g.l2 / g.l1;
+  const Scalar t35 = g.l2 * t29;
+  const Scalar t36 = inertia.c3z * inertia.m3;
+  const Scalar t37 = g.l2 * t23;
+  const Scalar t38 = (g.d4 * t36 + (inertia.I3yz - inertia.c3z * t22)) + t37;
+  const Scalar t39 = inertia.c2z * inertia.m2;
+  const Scalar t40 = g.l2 * inertia.m2 + t39;
+  const Scalar t41 = g.l2 * (t40 + t39) - ((inertia.I2zz - t33) - inertia.c2z * t39);
+  const Scalar t42 = g.l2 * inertia.m3;
+  const Scalar t43 = t36 + t42;
+  const Scalar t44 = ((inertia.I3zz - t21) - inertia.c3z * t36) - g.l2 * (t36 + t43);
+  const Scalar t45 = t43 - t42;
+  const Scalar t46 = inertia.m3 + t18;
+  const Scalar t47 = t45 + g.l2 * t46;
+  const Scalar t48 = (t44 + g.l2 * (t43 + t45)) - g.l2 * (t47 + t45);
+  const Scalar t49 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t50 = inertia.c1y * inertia.m1;
+  const Scalar t51 = (inertia.c1y * t50 - (inertia.I1yy - t49)) - g.l1 * (t50 + (t50 - g.l1 * inertia.m1));
+  const Scalar t52 = g.l1 * inertia.m2;
+  const Scalar t53 = inertia.c2y * inertia.m2;
+  const Scalar t54 = t52 - t53;
+  const Scalar t55 = g.l1 * (t54 - t53) - ((inertia.I2yy - t33) - inertia.c2y * t53);
+  const Scalar t56 = t52 - t54;
+  const Scalar t57 = g.l1 * (t56 + (t56 - g.l1 * (inertia.m2 + t46)));
+  const Scalar t58 = t51 + ((t55 + g.l1 * (t56 - t54)) - t57);
+  const Scalar t59 = g.l2 * t54 + ((inertia.I2yz - inertia.c2z * t53) + g.l1 * t39);
+  const Scalar t60 = g.l1 * t32;
   return { g.l1 * (t0 + t1),
            g.l1 * t2,
            g.l1 * t3,
            g.l1 * t4,
-           g.d4 / g.l1,
-           t6 + t7,
-           Scalar(2) * t8,
-           t7,
-           t6 - t7,
-           inertia.c5z * t4 - (inertia.I5zz - t9),
-           t10,
+           Scalar(2) * t5,
            inertia.I6xy - inertia.c6y * t3,
            inertia.I6yz - inertia.c6z * t0,
            inertia.I5yz - inertia.c5z * t1,
-           t15 + t19,
-           (inertia.I4zz - t11) - inertia.c4z * t20,
-           t23,
+           t7 + t8,
+           Scalar(2) * t9,
+           t7,
+           inertia.c5z * t4 - (inertia.I5zz - t10),
+           t11,
+           t20 + t24,
+           (inertia.I4zz - t15) - inertia.c4z * t25,
            t8,
-           inertia.I5xz - inertia.c5z * t21,
-           inertia.I5xy - inertia.c5y * t21,
-           inertia.I4xz - inertia.c4z * t22,
-           inertia.c3x * t24 - (inertia.I3xx - t16),
-           g.l1 * (t22 + t21),
-           inertia.I4xy - inertia.c4y * t22,
-           inertia.I4yz - inertia.c4z * t12,
-           g.l1 * t20,
-           (inertia.I3xy - inertia.c3y * t24) + g.d4 * t24,
-           g.l1 * (t14 - t18),
-           g.l1 * t24,
-           t32,
-           inertia.c2x * t33 - (inertia.I2xx - t25),
-           g.l2 / g.l1,
-           g.d4 * t34 + (inertia.I3yz - inertia.c3z * t17),
-           inertia.I3xz - inertia.c3z * t24,
-           (inertia.I2xz - inertia.c2z * t33) - g.l2 * t33,
-           t37 - t39,
-           inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t30),
-           g.l1 * t33,
-           inertia.I2xy - inertia.c2y * t33,
-           g.l1 * (t36 + t38),
-           (inertia.I2yz - inertia.c2z * t26) - g.l2 * t26 };
+           t28,
+           t9,
+           inertia.I5xz - inertia.c5z * t26,
+           inertia.I5xy - inertia.c5y * t26,
+           inertia.I4xz - inertia.c4z * t27,
+           inertia.c3x * t29 - (inertia.I3xx - t21),
+           g.l1 * (t27 + t26),
+           g.l1 * t25,
+           t5,
+           (t30 + (inertia.I4xy - inertia.c4y * t27)) - t30,
+           t31 - (t31 + (inertia.I4yz - inertia.c4z * t12)),
+           (inertia.I3xy - inertia.c3y * t29) + g.d4 * t29,
+           inertia.c2x * t32 - (inertia.I2xx - t33),
+           g.l1 * t29,
+           t34,
+           t35 - (t35 - (inertia.I3xz - inertia.c3z * t29)),
+           t38 - t37,
+           g.l1 * (t23 - t19),
+           (inertia.I2xz - inertia.c2z * t32) - g.l2 * t32,
+           Scalar(2) * t34,
+           t41 - t48,
+           inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t49),
+           t58,
+           g.l1 * t40 - t59,
+           g.l1 * (t47 + t40),
+           t60 - (t60 + (inertia.I2xy - inertia.c2y * t32)),
+           t60,
+           t7 - t8 };
 }
 
 namespace detail {
@@ -762,105 +822,103 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointV
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[6] * s6 - k[5] * c6;
-  const Scalar t1 = k[7] + c6 * t0;
-  const Scalar t2 = k[9] - (k[8] + t1);
-  const Scalar t3 = k[10] - t2;
-  const Scalar t4 = k[12] * c6 + k[11] * s6;
-  const Scalar t5 = k[13] + t4;
-  const Scalar t6 = c5 * t5;
-  const Scalar t7 = (t6 + t6) - s5 * (k[10] + t2);
-  const Scalar t8 = k[10] + s5 * t7;
-  const Scalar t9 = k[15] + (t3 - t8);
-  const Scalar t10 = k[12] * s6 - k[11] * c6;
-  const Scalar t11 = k[19] - t10;
-  const Scalar t12 = k[18] + (k[17] - s6 * t0);
-  const Scalar t13 = s5 * t11 - c5 * t12;
-  const Scalar t14 = k[20] - t13;
-  const Scalar t15 = k[16] + t1;
-  const Scalar t16 = Scalar(2) * s4 * t14 + c4 * (t9 + t15);
-  const Scalar t17 = t9 - c4 * t16;
-  const Scalar t18 = k[21] - t17;
-  const Scalar t19 = k[1] * c6 + k[2] * s6;
-  const Scalar t20 = k[3] + t19;
-  const Scalar t21 = s5 * t20 + k[0] * c5;
-  const Scalar t22 = k[4] * t21;
-  const Scalar t23 = k[14] + ((t22 + t22) + t8);
-  const Scalar t24 = k[2] * c6 - k[1] * s6;
-  const Scalar t25 = k[22] + t24;
-  const Scalar t26 = s5 * t12 + c5 * t11;
-  const Scalar t27 = k[4] * t25 + (k[23] + t26);
-  const Scalar t28 = k[0] * s5 - c5 * t20;
-  const Scalar t29 = k[25] - t28;
-  const Scalar t30 = k[4] * t29 + (k[24] + (c5 * t7 - t5));
-  const Scalar t31 = c4 * t27 - s4 * t30;
-  const Scalar t32 = k[26] + t31;
-  const Scalar t33 = s3 * (t18 + t23) - Scalar(2) * c3 * t32;
-  const Scalar t34 = s3 * t33 - t23;
-  const Scalar t35 = t18 - t23;
-  const Scalar t36 = k[30] - (t34 - t35);
-  const Scalar t37 = c4 * t29 + s4 * t25;
-  const Scalar t38 = k[31] * t37;
-  const Scalar t39 = t9 - t15;
-  const Scalar t40 = k[35] + (Scalar(2) * t38 + (t17 - t39));
-  const Scalar t41 = k[33] - (s4 * t16 - t14);
-  const Scalar t42 = c4 * t30 + s4 * t27;
-  const Scalar t43 = k[32] + t42;
-  const Scalar t44 = c4 * t25 - s4 * t29;
-  const Scalar t45 = k[28] + t44;
-  const Scalar t46 = k[27] + t21;
-  const Scalar t47 = c3 * t45 - s3 * t46;
-  const Scalar t48 = (c3 * t41 - s3 * t43) - k[31] * t47;
-  const Scalar t49 = c2 * (k[34] + t48);
-  const Scalar t50 = s2 * (s2 * (t36 - t40) - (t49 + t49));
-  const Scalar t51 = s3 * t45 + c3 * t46;
-  const Scalar t52 = (k[36] + (t36 - t50)) - (k[29] - (t34 - (t51 + t51)));
-  const Scalar t53 = (k[37] + t47) + (k[38] - (c3 * t33 + t32));
-  const Scalar t54 = (c3 * t43 + s3 * t41) - k[31] * t51;
-  const Scalar t55 = s2 * t53 + c2 * ((k[39] + t37) + (k[40] + t54));
-  const Scalar t56 = t38 - t39;
-  const Scalar t57 = s2 * (t44 - (s3 * t56 - c3 * t31));
-  const Scalar t58 = t3 + t22;
-  const Scalar t59 = (c4 * t58 - s4 * t13) + k[31] * t28;
-  const Scalar t60 = s4 * t21;
-  const Scalar t61 = k[31] * t60 - t26;
-  const Scalar t62 = (c3 * t59 - s3 * t61) + c4 * t21;
-  const Scalar t63 = s4 * t58 + c4 * t13;
-  const Scalar t64 = c2 * ((s3 * t28 + c3 * t60) + t63);
-  const Scalar t65 = s5 * t4 - k[8] * c5;
-  const Scalar t66 = c5 * t24;
-  const Scalar t67 = s4 * t66 + c4 * t19;
-  const Scalar t68 = t65 + k[31] * t67;
-  const Scalar t69 = s5 * t24;
-  const Scalar t70 = s4 * t19 - c4 * t66;
-  const Scalar t71 = c5 * t4 + k[8] * s5;
-  const Scalar t72 = k[4] * t70 + (s4 * t71 + c4 * t10);
-  const Scalar t73 = k[31] * t69 - t72;
-  const Scalar t74 = s2 * ((s3 * t68 - c3 * t73) + t70);
-  const Scalar t75 = (s4 * t10 - c4 * t71) - k[4] * t67;
-  const Scalar t76 = c2 * (t75 - (s3 * t69 + c3 * t67));
+  const Scalar t0 = k[8] * c6 - k[9] * s6;
+  const Scalar t1 = c6 * t0;
+  const Scalar t2 = k[11] - (k[10] - t1);
+  const Scalar t3 = k[12] - t2;
+  const Scalar t4 = k[6] * c6 + k[5] * s6;
+  const Scalar t5 = k[7] + t4;
+  const Scalar t6 = s5 * (k[12] + t2) - Scalar(2) * c5 * t5;
+  const Scalar t7 = t2 - s5 * t6;
+  const Scalar t8 = k[1] * c6 + k[2] * s6;
+  const Scalar t9 = k[3] + t8;
+  const Scalar t10 = s5 * t9 + k[0] * c5;
+  const Scalar t11 = k[13] + ((t3 + t7) + k[4] * t10);
+  const Scalar t12 = k[14] - t7;
+  const Scalar t13 = k[18] + (k[17] + s6 * t0);
+  const Scalar t14 = k[6] * s6 - k[5] * c6;
+  const Scalar t15 = k[19] - t14;
+  const Scalar t16 = c5 * t13 - s5 * t15;
+  const Scalar t17 = k[20] + t16;
+  const Scalar t18 = s4 * t17;
+  const Scalar t19 = k[16] + (k[15] - t1);
+  const Scalar t20 = (t18 + t18) + c4 * (t12 + t19);
+  const Scalar t21 = c4 * t20;
+  const Scalar t22 = t12 - t21;
+  const Scalar t23 = k[21] - t22;
+  const Scalar t24 = k[26] + (t5 + c5 * t6);
+  const Scalar t25 = s5 * t13 + c5 * t15;
+  const Scalar t26 = k[25] + t25;
+  const Scalar t27 = k[0] * s5 - c5 * t9;
+  const Scalar t28 = k[23] - t27;
+  const Scalar t29 = k[2] * c6 - k[1] * s6;
+  const Scalar t30 = k[22] + t29;
+  const Scalar t31 = s4 * t28 - c4 * t30;
+  const Scalar t32 = (s4 * t24 + c4 * t26) - k[24] * t31;
+  const Scalar t33 = k[27] + t32;
+  const Scalar t34 = s3 * (t11 + t23) - Scalar(2) * c3 * t33;
+  const Scalar t35 = s3 * t34;
+  const Scalar t36 = k[33] - t10;
+  const Scalar t37 = k[29] - t31;
+  const Scalar t38 = c3 * t36 - s3 * t37;
+  const Scalar t39 = k[28] + (t23 - t35);
+  const Scalar t40 = c4 * t28 + s4 * t30;
+  const Scalar t41 = t19 - t21;
+  const Scalar t42 = k[36] + (k[35] * t40 + t41);
+  const Scalar t43 = (k[31] - (s4 * t20 - t17)) - k[30] * t37;
+  const Scalar t44 = (s4 * t26 - c4 * t24) + k[24] * t40;
+  const Scalar t45 = k[30] * t36 + (k[32] + t44);
+  const Scalar t46 = c3 * t43 - s3 * t45;
+  const Scalar t47 = c2 * (k[34] + t46);
+  const Scalar t48 = s2 * (s2 * (t39 - t42) - (t47 + t47));
+  const Scalar t49 = (k[38] - ((t11 - t35) - (t38 + t38))) + (k[37] + (t39 - t48));
+  const Scalar t50 = (k[42] + (c3 * t37 + s3 * t36)) - (k[41] + (c3 * t34 + t33));
+  const Scalar t51 = s3 * t43 + c3 * t45;
+  const Scalar t52 = s2 * t50 - c2 * ((k[39] - t51) - (k[40] + t40));
+  const Scalar t53 = t11 - t23;
+  const Scalar t54 = t41 - t22;
+  const Scalar t55 = k[30] * t40 + t54;
+  const Scalar t56 = s2 * (t31 + (s3 * t55 - c3 * t32));
+  const Scalar t57 = s4 * t10;
+  const Scalar t58 = t25 - k[30] * t57;
+  const Scalar t59 = t3 + k[24] * t10;
+  const Scalar t60 = (s4 * t16 + c4 * t59) + k[30] * t27;
+  const Scalar t61 = (s3 * t58 + c3 * t60) + c4 * t10;
+  const Scalar t62 = c4 * t16 - s4 * t59;
+  const Scalar t63 = c2 * ((s3 * t27 + c3 * t57) - t62);
+  const Scalar t64 = k[24] * t8 + (c5 * t4 + k[43] * s5);
+  const Scalar t65 = c5 * t29;
+  const Scalar t66 = k[24] * t65 - t14;
+  const Scalar t67 = c4 * t64 + s4 * t66;
+  const Scalar t68 = s5 * t29;
+  const Scalar t69 = s4 * t65 + c4 * t8;
+  const Scalar t70 = c2 * (t67 + (s3 * t68 + c3 * t69));
+  const Scalar t71 = (s4 * t64 - c4 * t66) - k[30] * t68;
+  const Scalar t72 = k[43] * c5 - s5 * t4;
+  const Scalar t73 = t72 - k[30] * t69;
+  const Scalar t74 = (c3 * t71 - s3 * t73) + (s4 * t8 - c4 * t65);
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = t52;
-  result(0, 1) = result(1, 0) = -t55;
-  result(0, 2) = result(2, 0) = s2 * t48 - c2 * (t51 - t35);
-  result(0, 3) = result(3, 0) = -t57 - c2 * (t42 + c3 * t37);
-  result(0, 4) = result(4, 0) = s2 * t62 + t64;
-  result(0, 5) = result(5, 0) = t74 + t76;
-  result(1, 1) = t36 + t40;
-  result(1, 2) = result(2, 1) = -t54;
-  result(1, 3) = result(3, 1) = c3 * t56 + s3 * t31;
-  result(1, 4) = result(4, 1) = -s3 * t59 - c3 * t61;
-  result(1, 5) = result(5, 1) = s3 * t73 + c3 * t68;
-  result(2, 2) = t35;
-  result(2, 3) = result(3, 2) = -t42;
-  result(2, 4) = result(4, 2) = t63;
-  result(2, 5) = result(5, 2) = t75;
-  result(3, 3) = -t39;
-  result(3, 4) = result(4, 3) = t26;
-  result(3, 5) = result(5, 3) = t65;
+  result(0, 0) = t49;
+  result(0, 1) = result(1, 0) = -t52;
+  result(0, 2) = result(2, 0) = c2 * (t38 - t53) + s2 * t46;
+  result(0, 3) = result(3, 0) = t56 - c2 * (t44 + c3 * t40);
+  result(0, 4) = result(4, 0) = s2 * t61 + t63;
+  result(0, 5) = result(5, 0) = s2 * t74 - t70;
+  result(1, 1) = t39 + t42;
+  result(1, 2) = result(2, 1) = -t51;
+  result(1, 3) = result(3, 1) = c3 * t55 + s3 * t32;
+  result(1, 4) = result(4, 1) = c3 * t58 - s3 * t60;
+  result(1, 5) = result(5, 1) = -c3 * t73 - s3 * t71;
+  result(2, 2) = -t53;
+  result(2, 3) = result(3, 2) = -t44;
+  result(2, 4) = result(4, 2) = -t62;
+  result(2, 5) = result(5, 2) = -t67;
+  result(3, 3) = t54;
+  result(3, 4) = result(4, 3) = t25;
+  result(3, 5) = result(5, 3) = -t72;
   result(4, 4) = -t3;
-  result(4, 5) = result(5, 4) = -t10;
-  result(5, 5) = -k[8];
+  result(4, 5) = result(5, 4) = -t14;
+  result(5, 5) = -k[43];
   return result;
 }
 
@@ -889,75 +947,90 @@ CoriolisMatrixConstants<Scalar> coriolis_matrix_constants(const BasicGeometry<Sc
   const Scalar t2 = inertia.c6z * inertia.m6;
   const Scalar t3 = inertia.c6x * inertia.m6;
   const Scalar t4 = inertia.c5z * inertia.m5;
-  const Scalar t5 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t6 = (inertia.I6xx - t5) - inertia.c6x * t3;
-  const Scalar t7 = inertia.c6z * t2 - (inertia.I6zz - t5);
-  const Scalar t8 = inertia.I6xz - inertia.c6z * t3;
-  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t10 = ((inertia.I6yy - t5) - inertia.c6y * t0) - (inertia.c5y * t1 - (inertia.I5yy - t9));
-  const Scalar t11 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t12 = inertia.c4y * inertia.m4;
-  const Scalar t13 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t14 = t12 - g.d4 * t13;
-  const Scalar t15 = ((inertia.I4yy - t11) - inertia.c4y * t12) + g.d4 * (t12 + t14);
-  const Scalar t16 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t17 = inertia.c3y * inertia.m3;
-  const Scalar t18 = g.d4 * inertia.m3 - t17;
-  const Scalar t19 = ((inertia.I3yy - t16) - inertia.c3y * t17) - g.d4 * (t18 - t17);
-  const Scalar t20 = inertia.c4z * inertia.m4;
-  const Scalar t21 = inertia.c5x * inertia.m5;
-  const Scalar t22 = inertia.c4x * inertia.m4;
-  const Scalar t23 = (inertia.c5x * t21 - (inertia.I5xx - t9)) - ((inertia.I4xx - t11) - inertia.c4x * t22);
-  const Scalar t24 = inertia.c3x * inertia.m3;
-  const Scalar t25 = inertia.c2x * inertia.m2;
-  const Scalar t26 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t27 = inertia.c3z * inertia.m3;
-  const Scalar t28 = inertia.c2z * inertia.m2;
-  const Scalar t29 = g.l2 * inertia.m2 + t28;
-  const Scalar t30 = g.l2 * (t29 + t28) - ((inertia.I2zz - t26) - inertia.c2z * t28);
-  const Scalar t31 = t27 + g.l2 * (inertia.m3 + t13);
-  const Scalar t32 = ((inertia.I3zz - t16) - inertia.c3z * t27) - g.l2 * (t27 + t31);
-  const Scalar t33 = inertia.c2y * inertia.m2;
+  const Scalar t5 = inertia.c3y * inertia.m3;
+  const Scalar t6 = g.d4 * inertia.m3 - t5;
+  const Scalar t7 = inertia.c4y * inertia.m4;
+  const Scalar t8 = g.d4 * inertia.m4;
+  const Scalar t9 = t7 - t8;
+  const Scalar t10 = t9 + t8;
+  const Scalar t11 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t12 = t10 - g.d4 * t11;
+  const Scalar t13 = inertia.c4z * inertia.m4;
+  const Scalar t14 = inertia.c4x * inertia.m4;
+  const Scalar t15 = inertia.c5x * inertia.m5;
+  const Scalar t16 = inertia.c3x * inertia.m3;
+  const Scalar t17 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t18 = (inertia.I6xx - t17) - inertia.c6x * t3;
+  const Scalar t19 = inertia.c6z * t2 - (inertia.I6zz - t17);
+  const Scalar t20 = inertia.I6xz - inertia.c6z * t3;
+  const Scalar t21 = g.d4 * t14;
+  const Scalar t22 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t23 = ((inertia.I6yy - t17) - inertia.c6y * t0) - (inertia.c5y * t1 - (inertia.I5yy - t22));
+  const Scalar t24 = g.d4 * t13;
+  const Scalar t25 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t26 = g.d4 * (t7 + t9) + ((inertia.I4yy - t25) - inertia.c4y * t7);
+  const Scalar t27 = (t26 - g.d4 * (t10 + t9)) + g.d4 * (t10 + t12);
+  const Scalar t28 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t29 = ((inertia.I3yy - t28) - inertia.c3y * t5) - g.d4 * (t6 - t5);
+  const Scalar t30 = (inertia.c5x * t15 - (inertia.I5xx - t22)) - ((inertia.I4xx - t25) - inertia.c4x * t14);
+  const Scalar t31 = inertia.c3z * inertia.m3;
+  const Scalar t32 = g.l2 * t6;
+  const Scalar t33 = (g.d4 * t31 + (inertia.I3yz - inertia.c3z * t5)) + t32;
+  const Scalar t34 = g.l2 * t16;
+  const Scalar t35 = inertia.c2x * inertia.m2;
+  const Scalar t36 = inertia.c2z * inertia.m2;
+  const Scalar t37 = g.l2 * inertia.m2 + t36;
+  const Scalar t38 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t39 = g.l2 * (t37 + t36) - ((inertia.I2zz - t38) - inertia.c2z * t36);
+  const Scalar t40 = g.l2 * inertia.m3;
+  const Scalar t41 = t31 + t40;
+  const Scalar t42 = ((inertia.I3zz - t28) - inertia.c3z * t31) - g.l2 * (t31 + t41);
+  const Scalar t43 = t41 - t40;
+  const Scalar t44 = t43 + g.l2 * (inertia.m3 + t11);
+  const Scalar t45 = (t42 + g.l2 * (t41 + t43)) - g.l2 * (t44 + t43);
+  const Scalar t46 = g.l1 * t35;
+  const Scalar t47 = inertia.c2y * inertia.m2;
+  const Scalar t48 = g.l2 * (g.l1 * inertia.m2 - t47) + ((inertia.I2yz - inertia.c2z * t47) + g.l1 * t36);
   return { g.l1 * (t0 + t1),
            g.l1 * t2,
            g.l1 * t3,
            g.l1 * t4,
+           g.l1 * (t6 - t12),
+           g.l1 * t13,
+           g.l1 * (t14 + t15),
+           g.l1 * t16,
            g.d4 / g.l1,
-           t6 + t7,
-           Scalar(2) * t8,
-           t7,
-           t6 - t7,
-           inertia.c5z * t4 - (inertia.I5zz - t9),
-           t10,
+           t18 + t19,
+           Scalar(2) * t20,
+           t20,
+           inertia.I5xz - inertia.c5z * t15,
            inertia.I6xy - inertia.c6y * t3,
            inertia.I6yz - inertia.c6z * t0,
+           inertia.I5xy - inertia.c5y * t15,
+           (t21 + (inertia.I4xy - inertia.c4y * t14)) - t21,
+           t18,
+           inertia.c5z * t4 - (inertia.I5zz - t22),
            inertia.I5yz - inertia.c5z * t1,
-           t15 + t19,
-           (inertia.I4zz - t11) - inertia.c4z * t20,
-           t8,
-           inertia.I5xz - inertia.c5z * t21,
-           inertia.I5xy - inertia.c5y * t21,
-           inertia.I4xz - inertia.c4z * t22,
            t23,
-           inertia.c3x * t24 - (inertia.I3xx - t16),
-           g.l1 * (t22 + t21),
-           inertia.I4xy - inertia.c4y * t22,
-           inertia.I4yz - inertia.c4z * t12,
-           g.l1 * t20,
-           (inertia.I3xy - inertia.c3y * t24) + g.d4 * t24,
-           inertia.c2x * t25 - (inertia.I2xx - t26),
+           t24 - (t24 + (inertia.I4yz - inertia.c4z * t7)),
+           t27 + t29,
+           (inertia.I3xy - inertia.c3y * t16) + g.d4 * t16,
+           inertia.I4xz - inertia.c4z * t14,
+           t18 - t19,
+           t30,
+           (inertia.I4zz - t25) - inertia.c4z * t13,
+           inertia.c3x * t16 - (inertia.I3xx - t28),
            g.l2 / g.l1,
-           inertia.I3xz - inertia.c3z * t24,
-           g.l1 * t24,
-           g.l1 * (t14 - t18),
-           g.d4 * t27 + (inertia.I3yz - inertia.c3z * t17),
-           (inertia.I2xz - inertia.c2z * t25) - g.l2 * t25,
-           t30 - t32,
-           g.l1 * (t29 + t31),
-           (inertia.I2yz - inertia.c2z * t33) - g.l2 * t33,
-           g.l1 * t25,
-           inertia.I2xy - inertia.c2y * t25,
-           t6 };
+           t33 - t32,
+           t34 - (t34 - (inertia.I3xz - inertia.c3z * t16)),
+           (inertia.I2xz - inertia.c2z * t35) - g.l2 * t35,
+           t39 - t45,
+           inertia.c2x * t35 - (inertia.I2xx - t38),
+           t46 - (t46 + (inertia.I2xy - inertia.c2y * t35)),
+           t46,
+           g.l1 * (t44 + t37),
+           g.l1 * t37 - t48,
+           t19 };
 }
 
 namespace detail {
@@ -978,316 +1051,315 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const Jo
   const Scalar& c6 = angles.cosine[4];
   const Scalar t0 = k[1] * c6 + k[2] * s6;
   const Scalar t1 = k[3] + t0;
-  const Scalar t2 = s5 * t1;
-  const Scalar t3 = t2 + k[0] * c5;
-  const Scalar t4 = k[4] * t3;
-  const Scalar t5 = k[12] * c6 + k[11] * s6;
-  const Scalar t6 = k[13] + t5;
-  const Scalar t7 = c5 * t6;
-  const Scalar t8 = k[6] * s6 - k[5] * c6;
-  const Scalar t9 = k[7] + c6 * t8;
-  const Scalar t10 = k[8] + t9;
-  const Scalar t11 = k[9] - t10;
-  const Scalar t12 = (t7 + t7) - s5 * (k[10] + t11);
-  const Scalar t13 = k[10] + s5 * t12;
-  const Scalar t14 = k[14] + ((t4 + t4) + t13);
-  const Scalar t15 = k[10] - t11;
-  const Scalar t16 = k[15] + (t15 - t13);
-  const Scalar t17 = k[16] - s6 * t8;
-  const Scalar t18 = k[17] + t17;
-  const Scalar t19 = c5 * t18;
-  const Scalar t20 = k[12] * s6 - k[11] * c6;
-  const Scalar t21 = k[18] - t20;
-  const Scalar t22 = t19 - s5 * t21;
-  const Scalar t23 = k[19] + t22;
-  const Scalar t24 = s4 * t23;
-  const Scalar t25 = k[20] + t9;
-  const Scalar t26 = (t24 + t24) + c4 * (t16 + t25);
-  const Scalar t27 = c4 * t26;
-  const Scalar t28 = k[21] - (t16 - t27);
-  const Scalar t29 = k[2] * c6 - k[1] * s6;
-  const Scalar t30 = k[22] + t29;
-  const Scalar t31 = s5 * t18;
-  const Scalar t32 = t31 + c5 * t21;
-  const Scalar t33 = k[23] + t32;
-  const Scalar t34 = k[4] * t30 + t33;
-  const Scalar t35 = c5 * t1;
-  const Scalar t36 = k[0] * s5 - t35;
-  const Scalar t37 = k[25] - t36;
-  const Scalar t38 = k[24] + (c5 * t12 - t6);
-  const Scalar t39 = k[4] * t37 + t38;
-  const Scalar t40 = c4 * t34 - s4 * t39;
-  const Scalar t41 = k[26] + t40;
-  const Scalar t42 = s3 * (t14 + t28) - Scalar(2) * c3 * t41;
-  const Scalar t43 = k[27] - (s3 * t42 - t28);
-  const Scalar t44 = qd[4] * t11;
-  const Scalar t45 = qd[5] * t17;
-  const Scalar t46 = c5 * t44 - s5 * (t45 - qd[4] * t6);
-  const Scalar t47 = c5 * t46;
-  const Scalar t48 = qd[5] * t20;
-  const Scalar t49 = k[10] * qd[4] + t48;
-  const Scalar t50 = qd[4] * t7 - s5 * t49;
-  const Scalar t51 = s5 * t50;
-  const Scalar t52 = t47 + t51;
-  const Scalar t53 = qd[5] * t9;
-  const Scalar t54 = qd[4] * t21 + t53;
-  const Scalar t55 = s5 * t54 - qd[4] * t19;
-  const Scalar t56 = c4 * t52 + s4 * t55;
-  const Scalar t57 = (t49 + t51) - (t44 - t47);
-  const Scalar t58 = qd[5] * t29;
-  const Scalar t59 = k[0] * qd[4] - t58;
-  const Scalar t60 = qd[4] * t2 + c5 * t59;
-  const Scalar t61 = t60 - qd[3] * t30;
-  const Scalar t62 = ((t57 - qd[3] * t33) + t52) + k[4] * t61;
-  const Scalar t63 = qd[5] * t5;
-  const Scalar t64 = qd[5] * t10;
-  const Scalar t65 = c5 * t63 + s5 * t64;
-  const Scalar t66 = t55 + t65;
-  const Scalar t67 = qd[5] * t0;
-  const Scalar t68 = t67 + qd[3] * t37;
-  const Scalar t69 = (t66 + qd[3] * t38) + k[4] * t68;
+  const Scalar t2 = c5 * t1;
+  const Scalar t3 = k[0] * s5 - t2;
+  const Scalar t4 = k[5] - t3;
+  const Scalar t5 = k[2] * c6 - k[1] * s6;
+  const Scalar t6 = k[6] + t5;
+  const Scalar t7 = s4 * t4 - c4 * t6;
+  const Scalar t8 = k[7] - t7;
+  const Scalar t9 = qd[5] * t5;
+  const Scalar t10 = k[0] * qd[4] - t9;
+  const Scalar t11 = s5 * t10 - qd[4] * t2;
+  const Scalar t12 = qd[2] * t8 - t11;
+  const Scalar t13 = s5 * t1;
+  const Scalar t14 = qd[4] * t13 + c5 * t10;
+  const Scalar t15 = t14 - qd[3] * t6;
+  const Scalar t16 = qd[5] * t0;
+  const Scalar t17 = t16 + qd[3] * t4;
+  const Scalar t18 = s4 * t15 - c4 * t17;
+  const Scalar t19 = t13 + k[0] * c5;
+  const Scalar t20 = k[4] - t19;
+  const Scalar t21 = t18 + qd[2] * t20;
+  const Scalar t22 = c3 * t12 + s3 * t21;
+  const Scalar t23 = k[8] * t11;
+  const Scalar t24 = k[14] * c6 + k[13] * s6;
+  const Scalar t25 = k[19] + t24;
+  const Scalar t26 = qd[4] * t25;
+  const Scalar t27 = k[14] * s6 - k[13] * c6;
+  const Scalar t28 = qd[5] * t27;
+  const Scalar t29 = t28 + k[20] * qd[4];
+  const Scalar t30 = c5 * t26 - s5 * t29;
+  const Scalar t31 = k[9] * c6 - k[10] * s6;
+  const Scalar t32 = k[11] + s6 * t31;
+  const Scalar t33 = qd[5] * t32;
+  const Scalar t34 = t33 - t26;
+  const Scalar t35 = k[17] - c6 * t31;
+  const Scalar t36 = k[18] - t35;
+  const Scalar t37 = qd[4] * t36;
+  const Scalar t38 = c5 * t34 + s5 * t37;
+  const Scalar t39 = c5 * t30 + (t34 - c5 * t38);
+  const Scalar t40 = c5 * t25;
+  const Scalar t41 = (t40 + t40) - s5 * (k[20] + t36);
+  const Scalar t42 = k[21] - (c5 * t41 - t25);
+  const Scalar t43 = k[12] + t32;
+  const Scalar t44 = s5 * t43;
+  const Scalar t45 = k[15] - t27;
+  const Scalar t46 = t44 + c5 * t45;
+  const Scalar t47 = k[16] + t46;
+  const Scalar t48 = (s4 * t42 + c4 * t47) - k[8] * t7;
+  const Scalar t49 = k[23] + t48;
+  const Scalar t50 = (t23 - t39) - qd[2] * t49;
+  const Scalar t51 = s5 * t41;
+  const Scalar t52 = t51 + t36;
+  const Scalar t53 = k[27] - t52;
+  const Scalar t54 = qd[5] * t24;
+  const Scalar t55 = qd[5] * t35;
+  const Scalar t56 = s5 * t54 - c5 * t55;
+  const Scalar t57 = qd[3] * t53 - t56;
+  const Scalar t58 = c5 * t43;
+  const Scalar t59 = s5 * t45 - t58;
+  const Scalar t60 = k[24] - t59;
+  const Scalar t61 = t33 + qd[3] * t60;
+  const Scalar t62 = s4 * t57 - c4 * (t61 - t39);
+  const Scalar t63 = k[25] - t35;
+  const Scalar t64 = qd[5] * t63;
+  const Scalar t65 = qd[4] * t45 - t64;
+  const Scalar t66 = qd[4] * t44 + c5 * t65;
+  const Scalar t67 = k[26] - t63;
+  const Scalar t68 = t66 + qd[3] * t67;
+  const Scalar t69 = s4 * t61 + c4 * t68;
   const Scalar t70 = c4 * t62 + s4 * t69;
-  const Scalar t71 = t56 - t70;
-  const Scalar t72 = s5 * t5;
-  const Scalar t73 = qd[5] * t72 - c5 * t64;
-  const Scalar t74 = t73 - qd[3] * t16;
-  const Scalar t75 = c5 * t50 - s5 * t46;
-  const Scalar t76 = t45 + qd[3] * t23;
-  const Scalar t77 = s4 * (t75 - t76) + c4 * t74;
-  const Scalar t78 = c4 * t77;
-  const Scalar t79 = c5 * t54 + qd[4] * t31;
-  const Scalar t80 = qd[3] * t25 + t79;
-  const Scalar t81 = c4 * t76 - s4 * t80;
-  const Scalar t82 = s4 * t81;
-  const Scalar t83 = (t74 - t78) + (t80 + t82);
-  const Scalar t84 = s3 * t71 + c3 * t83;
-  const Scalar t85 = c4 * t39 + s4 * t34;
-  const Scalar t86 = k[32] + t85;
-  const Scalar t87 = k[31] + t3;
-  const Scalar t88 = t86 - k[28] * t87;
-  const Scalar t89 = c4 * t30 - s4 * t37;
-  const Scalar t90 = k[30] + t89;
-  const Scalar t91 = k[29] + (t23 - s4 * t26);
-  const Scalar t92 = k[28] * t90 - t91;
-  const Scalar t93 = s3 * t88 + c3 * t92;
-  const Scalar t94 = k[33] - t93;
-  const Scalar t95 = s4 * t77 + c4 * t81;
-  const Scalar t96 = t75 - t95;
-  const Scalar t97 = s4 * t68 + c4 * t61;
-  const Scalar t98 = k[28] * t97;
-  const Scalar t99 = t96 - t98;
-  const Scalar t100 = qd[1] * t94 - t99;
-  const Scalar t101 = c4 * t69 - s4 * t62;
-  const Scalar t102 = c4 * t55 - s4 * t52;
-  const Scalar t103 = qd[2] * t14 + (t101 - t102);
-  const Scalar t104 = qd[2] * t41 + t95;
-  const Scalar t105 = s5 * t59 - qd[4] * t35;
-  const Scalar t106 = t96 - k[4] * t105;
-  const Scalar t107 = t104 + t106;
-  const Scalar t108 = s3 * t103 - c3 * t107;
-  const Scalar t109 = qd[2] * t28 + t102;
-  const Scalar t110 = c3 * t104 - s3 * t109;
-  const Scalar t111 = (c3 * t108 + t107) - c3 * t110;
-  const Scalar t112 = t111 - t99;
-  const Scalar t113 = s2 * (qd[1] * t43 + t84) - c2 * (t100 - t112);
-  const Scalar t114 = t70 - qd[2] * t91;
-  const Scalar t115 = t78 - t82;
-  const Scalar t116 = (qd[2] * t86 - t115) + t83;
-  const Scalar t117 = c4 * t68 - s4 * t61;
-  const Scalar t118 = qd[2] * t87 + t117;
-  const Scalar t119 = qd[2] * t90 - t105;
-  const Scalar t120 = c3 * t118 + s3 * t119;
-  const Scalar t121 = (s3 * t114 - c3 * t116) + k[28] * t120;
-  const Scalar t122 = c4 * t37 + s4 * t30;
-  const Scalar t123 = k[28] * t122;
-  const Scalar t124 = k[34] + ((t123 + t123) + (t25 - t27));
-  const Scalar t125 = s2 * t100 - c2 * ((t121 + t84) + qd[1] * t124);
-  const Scalar t126 = c3 * t119 - s3 * t118;
-  const Scalar t127 = (c2 * t113 + s2 * t125) + ((t106 - t111) + t126);
-  const Scalar t128 = qd[1] * (k[35] + t122) + t120;
-  const Scalar t129 = qd[0] * s2;
-  const Scalar t130 = qd[0] * c2;
-  const Scalar t131 = qd[1] * (k[36] + (c3 * t88 - s3 * t92));
-  const Scalar t132 = s3 * t108;
-  const Scalar t133 = s3 * t110;
-  const Scalar t134 = t131 - ((t132 - t103) - t133);
-  const Scalar t135 = t128 - ((t94 * t129 - t124 * t130) - t134);
-  const Scalar t136 = qd[1] * (k[37] + (c3 * t90 - s3 * t87));
-  const Scalar t137 = t136 - t97;
-  const Scalar t138 = qd[1] * (k[38] - (t41 + c3 * t42));
-  const Scalar t139 = (t138 + (c3 * t71 - s3 * t83)) - (t94 * t130 - t43 * t129);
-  const Scalar t140 = s2 * t135 - c2 * (t137 + t139);
-  const Scalar t141 = c3 * t129 - qd[1] * s3;
-  const Scalar t142 = qd[1] * c3;
-  const Scalar t143 = s3 * t129 + t142;
-  const Scalar t144 = qd[2] + t130;
-  const Scalar t145 = t144 * t87 + t117;
-  const Scalar t146 = (t115 - t86 * t144) - (t41 * t141 - t143 * t14);
-  const Scalar t147 = k[28] * t145 + t146;
-  const Scalar t148 = t144 * t90 - t105;
-  const Scalar t149 = (t141 * t28 + t41 * t143) + (t56 - t144 * t91);
-  const Scalar t150 = k[28] * t148 + t149;
-  const Scalar t151 = (t141 * t90 - t143 * t87) - (c3 * t147 + s3 * t150);
-  const Scalar t152 = c2 * (t106 + (c3 * t148 - s3 * t145));
-  const Scalar t153 = s2 * t151 + t152;
-  const Scalar t154 = qd[3] + t143;
-  const Scalar t155 = t60 - t154 * t30;
-  const Scalar t156 = t37 * t154 + t67;
-  const Scalar t157 = s4 * t155 - c4 * t156;
-  const Scalar t158 = c4 * t155 + s4 * t156;
-  const Scalar t159 = t75 - k[28] * t158;
-  const Scalar t160 = s4 * t144 + c4 * t141;
-  const Scalar t161 = s4 * t141 - c4 * t144;
-  const Scalar t162 = t160 * t30 - t161 * t37;
-  const Scalar t163 = (t16 * t161 - t160 * t23) + (t65 + t154 * t38);
-  const Scalar t164 = (t57 - t33 * t154) - (t25 * t160 + t161 * t23);
-  const Scalar t165 = (c4 * t163 - s4 * t164) - k[4] * t157;
-  const Scalar t166 = k[28] * t162 + t165;
-  const Scalar t167 = s2 * (t157 - (s3 * t159 + c3 * t166));
-  const Scalar t168 = k[4] * t158 + (c4 * t164 + s4 * t163);
-  const Scalar t169 = c2 * ((c3 * t158 + s3 * t162) + t168);
-  const Scalar t170 = t167 - t169;
-  const Scalar t171 = qd[4] - t160;
-  const Scalar t172 = c5 * t161 + s5 * t154;
-  const Scalar t173 = c5 * t154 - s5 * t161;
-  const Scalar t174 = t171 * t18 - (t172 * t11 - t173 * t6);
-  const Scalar t175 = (t53 + t171 * t21) + (k[10] * t173 + t172 * t6);
-  const Scalar t176 = c5 * t174 - s5 * t175;
-  const Scalar t177 = k[0] * t173 + t172 * t1;
-  const Scalar t178 = t58 - k[0] * t171;
-  const Scalar t179 = s5 * t178 + t171 * t35;
-  const Scalar t180 = c4 * t177 + s4 * t179;
-  const Scalar t181 = t176 - k[28] * t180;
-  const Scalar t182 = s5 * t174 + c5 * t175;
-  const Scalar t183 = c4 * t179 - s4 * t177;
-  const Scalar t184 = (c4 * t45 - s4 * t182) + k[4] * t183;
-  const Scalar t185 = c5 * t178 - t171 * t2;
-  const Scalar t186 = t184 - k[28] * t185;
-  const Scalar t187 = s2 * ((s3 * t181 + c3 * t186) + t183);
-  const Scalar t188 = k[4] * t180 + (c4 * t182 + s4 * t45);
-  const Scalar t189 = c2 * ((c3 * t180 - s3 * t185) + t188);
-  const Scalar t190 = t187 + t189;
-  const Scalar t191 = qd[5] + t173;
-  const Scalar t192 = t191 * t29;
-  const Scalar t193 = t191 * t0;
-  const Scalar t194 = c6 * t171 + s6 * t172;
-  const Scalar t195 = s6 * t171 - c6 * t172;
-  const Scalar t196 = k[2] * t194 - k[1] * t195;
-  const Scalar t197 = c5 * t193 + s5 * t196;
-  const Scalar t198 = c4 * t192 - s4 * t197;
-  const Scalar t199 = (k[39] * t194 - k[16] * t195) + k[11] * t191;
-  const Scalar t200 = k[12] * t191 + (k[16] * t194 + k[7] * t195);
-  const Scalar t201 = c6 * t199 - s6 * t200;
-  const Scalar t202 = s5 * t201;
-  const Scalar t203 = k[28] * t198 + t202;
-  const Scalar t204 = c5 * t196 - s5 * t193;
-  const Scalar t205 = c5 * t201 + k[4] * t192;
-  const Scalar t206 = s6 * t199 + c6 * t200;
-  const Scalar t207 = k[4] * t197 + t206;
-  const Scalar t208 = k[28] * t204 - (s4 * t205 + c4 * t207);
-  const Scalar t209 = (s4 * t192 + c4 * t197) + (s3 * t203 - c3 * t208);
-  const Scalar t210 = c4 * t205 - s4 * t207;
-  const Scalar t211 = c2 * ((c3 * t198 + s3 * t204) + t210);
-  const Scalar t212 = s2 * t209 - t211;
-  const Scalar t213 = (c3 * t114 + s3 * t116) + k[28] * t126;
-  const Scalar t214 = s2 * (((t132 - (t109 + t133)) - t134) - t128);
-  const Scalar t215 = t140 + (c2 * (t137 - (t213 - t138)) + t214);
-  const Scalar t216 = s3 * t147 - c3 * t150;
-  const Scalar t217 = s3 * t166 - c3 * t159;
-  const Scalar t218 = c3 * t181 - s3 * t186;
-  const Scalar t219 = s3 * t208 + c3 * t203;
-  const Scalar t220 = (qd[1] * (t14 - t28) + t121) + qd[1] * (c3 * t87 + s3 * t90);
-  const Scalar t221 = c2 * (t126 + (qd[1] * t93 + (t106 + t106)));
-  const Scalar t222 = t16 - t25;
-  const Scalar t223 = qd[1] * (s3 * (t123 - t222) - c3 * t40);
-  const Scalar t224 = qd[2] * t122;
-  const Scalar t225 = qd[1] * t89 - (c3 * t97 + s3 * t224);
-  const Scalar t226 = ((t75 + t75) + qd[2] * t40) - t98;
-  const Scalar t227 = (qd[2] * t222 - t101) - k[28] * t224;
-  const Scalar t228 = qd[1] * t85 + (s3 * t226 - c3 * t227);
-  const Scalar t229 = c2 * ((t223 + t70) - t225) + s2 * ((t122 * t142 + t117) + t228);
-  const Scalar t230 = c4 * t3;
-  const Scalar t231 = s4 * t105 - qd[3] * t230;
-  const Scalar t232 = t231 - qd[2] * t36;
-  const Scalar t233 = t15 + t4;
-  const Scalar t234 = c4 * t233 + s4 * t22;
-  const Scalar t235 = k[28] * t232 - (t66 + qd[2] * t234);
-  const Scalar t236 = s4 * t3;
-  const Scalar t237 = t60 - qd[2] * t236;
-  const Scalar t238 = (t73 - t79) - qd[3] * t15;
-  const Scalar t239 = qd[3] * t22 + Scalar(2) * t45;
-  const Scalar t240 = qd[3] * t236 + c4 * t105;
-  const Scalar t241 = (s4 * t238 + c4 * t239) - k[4] * t240;
-  const Scalar t242 = k[28] * t237 + (qd[2] * t32 + t241);
-  const Scalar t243 = (s3 * t235 + c3 * t242) - qd[1] * (s4 * t233 - c4 * t22);
-  const Scalar t244 = t240 + qd[1] * (s3 * t36 + c3 * t236);
-  const Scalar t245 = s3 * (t32 - k[28] * t236) + c3 * (t234 + k[28] * t36);
-  const Scalar t246 = (c4 * t238 - s4 * t239) + k[4] * t231;
-  const Scalar t247 = (s3 * t237 - c3 * t232) + qd[1] * t230;
-  const Scalar t248 = s2 * (t243 - t244) + c2 * ((qd[1] * t245 - t246) + t247);
-  const Scalar t249 = s5 * t29;
-  const Scalar t250 = c5 * t29;
-  const Scalar t251 = s4 * t250 + c4 * t0;
-  const Scalar t252 = qd[3] * t0 + (c5 * t67 + qd[4] * t249);
-  const Scalar t253 = t58 + qd[3] * t250;
-  const Scalar t254 = qd[1] * (s3 * t249 + c3 * t251) + (c4 * t252 + s4 * t253);
-  const Scalar t255 = k[8] * qd[4] - t48;
-  const Scalar t256 = qd[3] * t20 - (c5 * t255 - qd[4] * t72);
-  const Scalar t257 = t256 - k[4] * t253;
-  const Scalar t258 = c5 * t5;
-  const Scalar t259 = t258 + k[8] * s5;
-  const Scalar t260 = (qd[3] * t259 + t63) + k[4] * t252;
-  const Scalar t261 = t72 - k[8] * c5;
-  const Scalar t262 = (s4 * t257 - c4 * t260) - qd[2] * t261;
-  const Scalar t263 = qd[2] * t251 + (s5 * t67 - qd[4] * t250);
-  const Scalar t264 = t262 - k[28] * t263;
-  const Scalar t265 = s5 * t255 + qd[4] * t258;
-  const Scalar t266 = k[4] * t250 - t20;
-  const Scalar t267 = k[4] * t0 + t259;
-  const Scalar t268 = c4 * t266 - s4 * t267;
-  const Scalar t269 = (c4 * t253 - s4 * t252) + qd[2] * t249;
-  const Scalar t270 = (t265 + qd[2] * t268) + k[28] * t269;
-  const Scalar t271 = (c3 * t264 - s3 * t270) - qd[1] * (s4 * t266 + c4 * t267);
-  const Scalar t272 = (c3 * t269 - s3 * t263) - qd[1] * (s4 * t0 - c4 * t250);
-  const Scalar t273 = c4 * t257 + s4 * t260;
-  const Scalar t274 = c3 * (t268 + k[28] * t249) - s3 * (t261 + k[28] * t251);
-  const Scalar t275 = s2 * (t254 - t271) - c2 * (t272 - (t273 - qd[1] * t274));
+  const Scalar t71 = t23 - t70;
+  const Scalar t72 = s5 * t30;
+  const Scalar t73 = s5 * t38;
+  const Scalar t74 = t72 - (t73 - t37);
+  const Scalar t75 = s5 * t65 - qd[4] * t58;
+  const Scalar t76 = s4 * t74 - c4 * t75;
+  const Scalar t77 = s4 * t60;
+  const Scalar t78 = (t77 + t77) + c4 * (t53 + t67);
+  const Scalar t79 = t67 - c4 * t78;
+  const Scalar t80 = t53 - t67;
+  const Scalar t81 = k[28] - (t79 + t80);
+  const Scalar t82 = t76 - qd[2] * t81;
+  const Scalar t83 = s3 * (t50 - t71) + c3 * t82;
+  const Scalar t84 = k[8] * t19;
+  const Scalar t85 = k[20] + t51;
+  const Scalar t86 = k[22] + (Scalar(2) * t84 + t85);
+  const Scalar t87 = s5 * t55 + c5 * t54;
+  const Scalar t88 = k[8] * t17 + (t87 - qd[3] * t42);
+  const Scalar t89 = t73 - (t72 + t29);
+  const Scalar t90 = k[8] * t15 - (t89 + qd[3] * t47);
+  const Scalar t91 = c4 * t88 - s4 * t90;
+  const Scalar t92 = qd[2] * t86 + t91;
+  const Scalar t93 = s3 * t92 + c3 * t50;
+  const Scalar t94 = s3 * t83 - c3 * t93;
+  const Scalar t95 = s4 * t88 + c4 * t90;
+  const Scalar t96 = c4 * t69;
+  const Scalar t97 = s4 * t62;
+  const Scalar t98 = t96 - t97;
+  const Scalar t99 = s3 * t95 - c3 * t98;
+  const Scalar t100 = c3 * t21 - s3 * t12;
+  const Scalar t101 = c4 * t4 + s4 * t6;
+  const Scalar t102 = k[8] * t101 + (s4 * t47 - c4 * t42);
+  const Scalar t103 = k[30] + t102;
+  const Scalar t104 = (t97 - t57) - (t96 - t68);
+  const Scalar t105 = qd[2] * t103 - (t104 - t98);
+  const Scalar t106 = k[31] - (s4 * t78 - t60);
+  const Scalar t107 = s4 * t75 + c4 * t74;
+  const Scalar t108 = t107 + t95;
+  const Scalar t109 = qd[2] * t106 - t108;
+  const Scalar t110 = k[29] * t100 + (c3 * t105 + s3 * t109);
+  const Scalar t111 = k[29] * t101;
+  const Scalar t112 = k[33] + (t79 + Scalar(2) * t111);
+  const Scalar t113 = s3 * t20 + c3 * t8;
+  const Scalar t114 = k[29] * t113 + (s3 * t103 - c3 * t106);
+  const Scalar t115 = k[32] - t114;
+  const Scalar t116 = s4 * t17 + c4 * t15;
+  const Scalar t117 = k[29] * t116;
+  const Scalar t118 = t117 - t70;
+  const Scalar t119 = qd[1] * t115 + t118;
+  const Scalar t120 = c2 * ((t99 + t110) - qd[1] * t112) + s2 * t119;
+  const Scalar t121 = (t94 + t71) - t118;
+  const Scalar t122 = c3 * t49;
+  const Scalar t123 = (t122 + t122) - s3 * (t86 + t81);
+  const Scalar t124 = k[34] + (s3 * t123 + t81);
+  const Scalar t125 = c2 * (t119 + t121) + s2 * (t99 - qd[1] * t124);
+  const Scalar t126 = (t22 + t94) + (s2 * t120 - c2 * t125);
+  const Scalar t127 = qd[1] * (k[35] - (c3 * t123 - t49));
+  const Scalar t128 = qd[0] * s2;
+  const Scalar t129 = qd[0] * c2;
+  const Scalar t130 = (t127 + (c3 * t95 + s3 * t98)) - (t128 * t124 - t129 * t115);
+  const Scalar t131 = t116 - qd[1] * (k[36] + t113);
+  const Scalar t132 = s3 * t93;
+  const Scalar t133 = c3 * t83;
+  const Scalar t134 = c3 * t20 - s3 * t8;
+  const Scalar t135 = k[29] * t134 + (c3 * t103 + s3 * t106);
+  const Scalar t136 = ((t92 - t132) - (t133 - t82)) - qd[1] * (k[38] - t135);
+  const Scalar t137 = t100 - qd[1] * (k[37] + t101);
+  const Scalar t138 = (t136 - (t128 * t115 - t129 * t112)) - t137;
+  const Scalar t139 = c2 * (t130 + t131) + s2 * t138;
+  const Scalar t140 = qd[2] + t129;
+  const Scalar t141 = t140 * t8 - t11;
+  const Scalar t142 = t18 + t20 * t140;
+  const Scalar t143 = c2 * ((c3 * t141 + s3 * t142) - t71);
+  const Scalar t144 = c3 * t128 - qd[1] * s3;
+  const Scalar t145 = qd[1] * c3;
+  const Scalar t146 = s3 * t128 + t145;
+  const Scalar t147 = (t140 * t103 - t104) + (t144 * t49 - t146 * t86);
+  const Scalar t148 = t147 + k[29] * t142;
+  const Scalar t149 = (t146 * t49 + t144 * t81) - (t140 * t106 - t107);
+  const Scalar t150 = k[29] * t141 + t149;
+  const Scalar t151 = (c3 * t148 - s3 * t150) + (t144 * t8 + t20 * t146);
+  const Scalar t152 = t143 + s2 * t151;
+  const Scalar t153 = qd[3] + t146;
+  const Scalar t154 = t153 * t4 + t16;
+  const Scalar t155 = t14 - t153 * t6;
+  const Scalar t156 = s4 * t154 + c4 * t155;
+  const Scalar t157 = k[29] * t156 - t39;
+  const Scalar t158 = s4 * t140 + c4 * t144;
+  const Scalar t159 = s4 * t144 - c4 * t140;
+  const Scalar t160 = t158 * t6 - t159 * t4;
+  const Scalar t161 = (t87 - t153 * t42) - (t158 * t60 - t159 * t53);
+  const Scalar t162 = t161 + k[8] * t154;
+  const Scalar t163 = (t89 + t153 * t47) + (t159 * t60 + t158 * t67);
+  const Scalar t164 = t163 - k[8] * t155;
+  const Scalar t165 = k[29] * t160 + (c4 * t162 + s4 * t164);
+  const Scalar t166 = (s3 * t157 - c3 * t165) - (c4 * t154 - s4 * t155);
+  const Scalar t167 = c4 * t164 - s4 * t162;
+  const Scalar t168 = c2 * ((s3 * t160 + c3 * t156) - t167);
+  const Scalar t169 = s2 * t166 - t168;
+  const Scalar t170 = qd[4] - t158;
+  const Scalar t171 = t9 - k[0] * t170;
+  const Scalar t172 = s5 * t171 + t170 * t2;
+  const Scalar t173 = t33 + k[8] * t172;
+  const Scalar t174 = c5 * t153 - s5 * t159;
+  const Scalar t175 = c5 * t159 + s5 * t153;
+  const Scalar t176 = (t170 * t45 - t64) + (k[20] * t174 + t175 * t25);
+  const Scalar t177 = (t174 * t25 - t175 * t36) + t170 * t43;
+  const Scalar t178 = k[0] * t174 + t175 * t1;
+  const Scalar t179 = (c5 * t176 + s5 * t177) + k[8] * t178;
+  const Scalar t180 = c5 * t171 - t170 * t13;
+  const Scalar t181 = (c4 * t173 - s4 * t179) - k[29] * t180;
+  const Scalar t182 = c5 * t177 - s5 * t176;
+  const Scalar t183 = c4 * t178 + s4 * t172;
+  const Scalar t184 = t182 - k[29] * t183;
+  const Scalar t185 = (c3 * t181 + s3 * t184) + (c4 * t172 - s4 * t178);
+  const Scalar t186 = s4 * t173 + c4 * t179;
+  const Scalar t187 = c2 * ((c3 * t183 - s3 * t180) + t186);
+  const Scalar t188 = s2 * t185 + t187;
+  const Scalar t189 = qd[5] + t174;
+  const Scalar t190 = t189 * t5;
+  const Scalar t191 = t189 * t0;
+  const Scalar t192 = c6 * t170 + s6 * t175;
+  const Scalar t193 = s6 * t170 - c6 * t175;
+  const Scalar t194 = k[2] * t192 - k[1] * t193;
+  const Scalar t195 = c5 * t191 + s5 * t194;
+  const Scalar t196 = c4 * t190 - s4 * t195;
+  const Scalar t197 = c5 * t194 - s5 * t191;
+  const Scalar t198 = (k[11] * t192 + k[39] * t193) + k[14] * t189;
+  const Scalar t199 = (k[11] * t193 - k[17] * t192) - k[13] * t189;
+  const Scalar t200 = c6 * t198 - s6 * t199;
+  const Scalar t201 = t200 + k[8] * t195;
+  const Scalar t202 = s6 * t198 + c6 * t199;
+  const Scalar t203 = c5 * t202 - k[8] * t190;
+  const Scalar t204 = s4 * t201 + c4 * t203;
+  const Scalar t205 = c2 * ((c3 * t196 + s3 * t197) - t204);
+  const Scalar t206 = (s4 * t203 - c4 * t201) + k[29] * t197;
+  const Scalar t207 = s5 * t202;
+  const Scalar t208 = k[29] * t196 - t207;
+  const Scalar t209 = (s4 * t190 + c4 * t195) - (c3 * t206 - s3 * t208);
+  const Scalar t210 = t205 - s2 * t209;
+  const Scalar t211 = k[29] * t22 - (c3 * t109 - s3 * t105);
+  const Scalar t212 = s2 * (t137 - (t136 - (t133 + t132))) - c2 * ((t211 + t127) + t131);
+  const Scalar t213 = c3 * t150 + s3 * t148;
+  const Scalar t214 = c3 * t157 + s3 * t165;
+  const Scalar t215 = c3 * t184 - s3 * t181;
+  const Scalar t216 = s3 * t206 + c3 * t208;
+  const Scalar t217 = (t110 - qd[1] * (t86 - t81)) + qd[1] * t134;
+  const Scalar t218 = c2 * ((Scalar(2) * t71 - qd[1] * t114) - t22);
+  const Scalar t219 = ((t39 + t39) + qd[2] * t48) - t117;
+  const Scalar t220 = qd[2] * t111 + ((t91 - t76) - qd[2] * t80);
+  const Scalar t221 = qd[1] * t102 + (s3 * t219 + c3 * t220);
+  const Scalar t222 = qd[1] * t7 + (s3 * qd[2] * t101 + c3 * t116);
+  const Scalar t223 = qd[1] * (c3 * t48 - s3 * (t111 - t80));
+  const Scalar t224 = s2 * (t221 + (t101 * t145 - t18)) + c2 * (t222 - (t223 - t108));
+  const Scalar t225 = s4 * t19;
+  const Scalar t226 = t14 - qd[2] * t225;
+  const Scalar t227 = c4 * t19;
+  const Scalar t228 = s4 * t11 - qd[3] * t227;
+  const Scalar t229 = t228 - qd[2] * t3;
+  const Scalar t230 = (s3 * t226 - c3 * t229) + qd[1] * t227;
+  const Scalar t231 = t85 - t52;
+  const Scalar t232 = qd[3] * t231 + (t66 - t56);
+  const Scalar t233 = Scalar(2) * t33 - qd[3] * t59;
+  const Scalar t234 = (c4 * t232 + s4 * t233) - k[8] * t228;
+  const Scalar t235 = t84 + t231;
+  const Scalar t236 = c4 * t235 - s4 * t59;
+  const Scalar t237 = c3 * (k[29] * t3 + t236) - s3 * (k[29] * t225 - t46);
+  const Scalar t238 = t87 + t75;
+  const Scalar t239 = (qd[2] * t236 + t238) - k[29] * t229;
+  const Scalar t240 = qd[3] * t225 + c4 * t11;
+  const Scalar t241 = (s4 * t232 - c4 * t233) + k[8] * t240;
+  const Scalar t242 = k[29] * t226 - (t241 - qd[2] * t46);
+  const Scalar t243 = qd[1] * (s4 * t235 + c4 * t59) + (s3 * t239 - c3 * t242);
+  const Scalar t244 = t240 + qd[1] * (s3 * t3 + c3 * t225);
+  const Scalar t245 = c2 * (t230 + (t234 + qd[1] * t237)) - s2 * (t243 + t244);
+  const Scalar t246 = c5 * t5;
+  const Scalar t247 = t9 + qd[3] * t246;
+  const Scalar t248 = s5 * t5;
+  const Scalar t249 = qd[3] * t0 + (c5 * t16 + qd[4] * t248);
+  const Scalar t250 = c4 * t247 - s4 * t249;
+  const Scalar t251 = t250 + qd[2] * t248;
+  const Scalar t252 = s4 * t246 + c4 * t0;
+  const Scalar t253 = qd[2] * t252 + (s5 * t16 - qd[4] * t246);
+  const Scalar t254 = s4 * t0 - c4 * t246;
+  const Scalar t255 = (c3 * t251 - s3 * t253) - qd[1] * t254;
+  const Scalar t256 = c5 * t24;
+  const Scalar t257 = k[25] * s5 + t256;
+  const Scalar t258 = (s4 * t257 + c4 * t27) + k[8] * t254;
+  const Scalar t259 = s5 * t24;
+  const Scalar t260 = k[25] * c5 - t259;
+  const Scalar t261 = c3 * (k[29] * t248 - t258) + s3 * (t260 - k[29] * t252);
+  const Scalar t262 = k[25] * qd[4] - t28;
+  const Scalar t263 = qd[3] * t27 + (qd[4] * t259 - c5 * t262);
+  const Scalar t264 = t54 + qd[3] * t257;
+  const Scalar t265 = (c4 * t263 + s4 * t264) - k[8] * t250;
+  const Scalar t266 = c4 * t249 + s4 * t247;
+  const Scalar t267 = qd[1] * (s3 * t248 + c3 * t252) + t266;
+  const Scalar t268 = k[8] * t252 + (c4 * t257 - s4 * t27);
+  const Scalar t269 = (c4 * t264 - s4 * t263) + k[8] * t266;
+  const Scalar t270 = k[29] * t253 - (qd[2] * t260 - t269);
+  const Scalar t271 = qd[4] * t256 + s5 * t262;
+  const Scalar t272 = (t271 - qd[2] * t258) + k[29] * t251;
+  const Scalar t273 = qd[1] * t268 + (c3 * t270 + s3 * t272);
+  const Scalar t274 = c2 * (t255 + (qd[1] * t261 - t265)) - s2 * (t267 + t273);
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = -t127;
-  result(0, 1) = t140;
-  result(0, 2) = -t153;
-  result(0, 3) = -t170;
-  result(0, 4) = t190;
-  result(0, 5) = t212;
-  result(1, 0) = -t215;
-  result(1, 1) = -t112;
-  result(1, 2) = -t216;
-  result(1, 3) = -t217;
-  result(1, 4) = t218;
-  result(1, 5) = t219;
-  result(2, 0) = t153 + (s2 * t220 - t221);
-  result(2, 1) = t213 + t216;
-  result(2, 2) = -t106;
-  result(2, 3) = t168;
-  result(2, 4) = t188;
-  result(2, 5) = -t210;
-  result(3, 0) = t229 + t170;
-  result(3, 1) = (c3 * t226 + s3 * t227) + t217;
-  result(3, 2) = t70 - t168;
-  result(3, 3) = t75;
-  result(3, 4) = t176;
-  result(3, 5) = t202;
-  result(4, 0) = t248 - t190;
-  result(4, 1) = (c3 * t235 - s3 * t242) - t218;
-  result(4, 2) = -t246 - t188;
-  result(4, 3) = -t66 - t176;
-  result(4, 4) = -t45;
-  result(4, 5) = -t206;
-  result(5, 0) = t275 - t212;
-  result(5, 1) = (s3 * t264 + c3 * t270) - t219;
-  result(5, 2) = t273 + t210;
-  result(5, 3) = t265 - t202;
-  result(5, 4) = t206 - t63;
+  result(0, 0) = -t126;
+  result(0, 1) = t139;
+  result(0, 2) = -t152;
+  result(0, 3) = -t169;
+  result(0, 4) = t188;
+  result(0, 5) = -t210;
+  result(1, 0) = -t139 - t212;
+  result(1, 1) = t121;
+  result(1, 2) = t213;
+  result(1, 3) = -t214;
+  result(1, 4) = t215;
+  result(1, 5) = t216;
+  result(2, 0) = t152 - (s2 * t217 - t218);
+  result(2, 1) = t211 - t213;
+  result(2, 2) = t71;
+  result(2, 3) = -t167;
+  result(2, 4) = t186;
+  result(2, 5) = t204;
+  result(3, 0) = t224 + t169;
+  result(3, 1) = t214 - (s3 * t220 - c3 * t219);
+  result(3, 2) = t167 + t108;
+  result(3, 3) = t39;
+  result(3, 4) = t182;
+  result(3, 5) = -t207;
+  result(4, 0) = t245 - t188;
+  result(4, 1) = -(s3 * t242 + c3 * t239) - t215;
+  result(4, 2) = t234 - t186;
+  result(4, 3) = -t182 - t238;
+  result(4, 4) = -t33;
+  result(4, 5) = -t200;
+  result(5, 0) = t210 - t274;
+  result(5, 1) = -(s3 * t270 - c3 * t272) - t216;
+  result(5, 2) = t265 - t204;
+  result(5, 3) = t271 + t207;
+  result(5, 4) = t200 - t54;
   result(5, 5) = Scalar(0);
   return result;
 }
@@ -1315,98 +1387,119 @@ ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6x * inertia.m6;
-  const Scalar t1 = inertia.c6y * inertia.m6;
-  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t0;
-  const Scalar t4 = inertia.c6z * inertia.m6;
-  const Scalar t5 = inertia.c6z * t4 - (inertia.I6zz - t2);
-  const Scalar t6 = t3 - t5;
-  const Scalar t7 = g.d4 / g.l1;
-  const Scalar t8 = inertia.c5y * inertia.m5;
-  const Scalar t9 = inertia.c5z * inertia.m5;
-  const Scalar t10 = inertia.I6xz - inertia.c6z * t0;
-  const Scalar t11 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t12 = ((inertia.I6yy - t2) - inertia.c6y * t1) - (inertia.c5y * t8 - (inertia.I5yy - t11));
-  const Scalar t13 = inertia.c5x * inertia.m5;
-  const Scalar t14 = inertia.c4x * inertia.m4;
-  const Scalar t15 = inertia.c4z * inertia.m4;
-  const Scalar t16 = inertia.c4y * inertia.m4;
-  const Scalar t17 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t18 = (inertia.c5x * t13 - (inertia.I5xx - t11)) - ((inertia.I4xx - t17) - inertia.c4x * t14);
-  const Scalar t19 = inertia.c3z * inertia.m3;
-  const Scalar t20 = inertia.c3y * inertia.m3;
-  const Scalar t21 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t22 = t16 - g.d4 * t21;
-  const Scalar t23 = g.d4 * inertia.m3 - t20;
-  const Scalar t24 = inertia.c3x * inertia.m3;
-  const Scalar t25 = ((inertia.I4yy - t17) - inertia.c4y * t16) + g.d4 * (t16 + t22);
-  const Scalar t26 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t27 = ((inertia.I3yy - t26) - inertia.c3y * t20) - g.d4 * (t23 - t20);
-  const Scalar t28 = inertia.c2x * inertia.m2;
-  const Scalar t29 = inertia.c2z * inertia.m2;
-  const Scalar t30 = g.l2 * inertia.m2 + t29;
-  const Scalar t31 = inertia.m3 + t21;
-  const Scalar t32 = t19 + g.l2 * t31;
-  const Scalar t33 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t34 = inertia.c2x * t28 - (inertia.I2xx - t33);
-  const Scalar t35 = g.l2 * (t30 + t29) - ((inertia.I2zz - t33) - inertia.c2z * t29);
-  const Scalar t36 = ((inertia.I3zz - t26) - inertia.c3z * t19) - g.l2 * (t19 + t32);
-  const Scalar t37 = t35 - t36;
-  const Scalar t38 = (inertia.I2xz - inertia.c2z * t28) - g.l2 * t28;
-  const Scalar t39 = inertia.c2y * inertia.m2;
-  const Scalar t40 = g.l1 * ((g.l1 * (inertia.m2 + t31) - t39) - t39);
-  const Scalar t41 = inertia.c1y * inertia.m1;
-  const Scalar t42 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t43 = (inertia.c1y * t41 - (inertia.I1yy - t42)) - g.l1 * (t41 + (t41 - g.l1 * inertia.m1));
-  const Scalar t44 = (((inertia.I2yy - t33) - inertia.c2y * t39) - t40) - t43;
-  return { inertia.I6xy - inertia.c6y * t0,
-           inertia.I6yz - inertia.c6z * t1,
-           Scalar(1) / t6,
-           g.l1 * t4,
-           g.l1 * t0,
-           t6,
-           g.l2 / g.l1,
-           t7,
-           g.l1 * (t1 + t8),
-           g.l1 * t9,
-           t3 + t5,
-           Scalar(2) * t10,
-           t3,
-           inertia.c5z * t9 - (inertia.I5zz - t11),
-           t12,
-           t10,
-           inertia.I5xz - inertia.c5z * t13,
-           inertia.I5xy - inertia.c5y * t13,
-           g.l1 * (t14 + t13),
-           g.l1 * t15,
-           inertia.I4xy - inertia.c4y * t14,
-           inertia.I5yz - inertia.c5z * t8,
-           inertia.I4yz - inertia.c4z * t16,
-           t5,
-           t18,
-           (inertia.I4zz - t17) - inertia.c4z * t15,
-           g.d4 * t19 + (inertia.I3yz - inertia.c3z * t20),
-           g.l1 * (t22 - t23),
-           g.l1 * t24,
-           inertia.I4xz - inertia.c4z * t14,
-           inertia.I3xz - inertia.c3z * t24,
-           Scalar(2) * t7,
-           t25 + t27,
-           inertia.c3x * t24 - (inertia.I3xx - t26),
+  const Scalar t0 = g.d4 / g.l1;
+  const Scalar t1 = inertia.c4x * inertia.m4;
+  const Scalar t2 = inertia.c5x * inertia.m5;
+  const Scalar t3 = inertia.c4z * inertia.m4;
+  const Scalar t4 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t5 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t6 = (inertia.c5x * t2 - (inertia.I5xx - t4)) - ((inertia.I4xx - t5) - inertia.c4x * t1);
+  const Scalar t7 = g.d4 * t3;
+  const Scalar t8 = inertia.c4y * inertia.m4;
+  const Scalar t9 = g.d4 * t1;
+  const Scalar t10 = inertia.c6x * inertia.m6;
+  const Scalar t11 = inertia.c6y * inertia.m6;
+  const Scalar t12 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t13 = (inertia.I6xx - t12) - inertia.c6x * t10;
+  const Scalar t14 = inertia.c6z * inertia.m6;
+  const Scalar t15 = inertia.c6z * t14 - (inertia.I6zz - t12);
+  const Scalar t16 = inertia.I6xz - inertia.c6z * t10;
+  const Scalar t17 = t13 - t15;
+  const Scalar t18 = inertia.c5y * inertia.m5;
+  const Scalar t19 = ((inertia.I6yy - t12) - inertia.c6y * t11) - (inertia.c5y * t18 - (inertia.I5yy - t4));
+  const Scalar t20 = inertia.c5z * inertia.m5;
+  const Scalar t21 = inertia.c2x * inertia.m2;
+  const Scalar t22 = (inertia.I2xz - inertia.c2z * t21) - g.l2 * t21;
+  const Scalar t23 = inertia.c2z * inertia.m2;
+  const Scalar t24 = g.l2 * inertia.m2 + t23;
+  const Scalar t25 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t26 = g.l2 * (t24 + t23) - ((inertia.I2zz - t25) - inertia.c2z * t23);
+  const Scalar t27 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t28 = inertia.c3z * inertia.m3;
+  const Scalar t29 = g.l2 * inertia.m3;
+  const Scalar t30 = t28 + t29;
+  const Scalar t31 = ((inertia.I3zz - t27) - inertia.c3z * t28) - g.l2 * (t28 + t30);
+  const Scalar t32 = t30 - t29;
+  const Scalar t33 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t34 = inertia.m3 + t33;
+  const Scalar t35 = t32 + g.l2 * t34;
+  const Scalar t36 = (t31 + g.l2 * (t30 + t32)) - g.l2 * (t35 + t32);
+  const Scalar t37 = t26 - t36;
+  const Scalar t38 = inertia.c2x * t21 - (inertia.I2xx - t25);
+  const Scalar t39 = g.l1 * t21;
+  const Scalar t40 = inertia.c3x * inertia.m3;
+  const Scalar t41 = inertia.c3y * inertia.m3;
+  const Scalar t42 = g.d4 * inertia.m3 - t41;
+  const Scalar t43 = g.d4 * inertia.m4;
+  const Scalar t44 = t8 - t43;
+  const Scalar t45 = t44 + t43;
+  const Scalar t46 = t45 - g.d4 * t33;
+  const Scalar t47 = g.l2 * t40;
+  const Scalar t48 = g.l2 * t42;
+  const Scalar t49 = (g.d4 * t28 + (inertia.I3yz - inertia.c3z * t41)) + t48;
+  const Scalar t50 = g.d4 * (t8 + t44) + ((inertia.I4yy - t5) - inertia.c4y * t8);
+  const Scalar t51 = (t50 - g.d4 * (t45 + t44)) + g.d4 * (t45 + t46);
+  const Scalar t52 = ((inertia.I3yy - t27) - inertia.c3y * t41) - g.d4 * (t42 - t41);
+  const Scalar t53 = g.l1 * inertia.m2;
+  const Scalar t54 = inertia.c2y * inertia.m2;
+  const Scalar t55 = t53 - t54;
+  const Scalar t56 = g.l2 * t55 + ((inertia.I2yz - inertia.c2z * t54) + g.l1 * t23);
+  const Scalar t57 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t58 = inertia.c1y * inertia.m1;
+  const Scalar t59 = t58 - g.l1 * inertia.m1;
+  const Scalar t60 = t53 - t55;
+  const Scalar t61 = t60 - g.l1 * (inertia.m2 + t34);
+  const Scalar t62 = g.l1 * g.l1 * (t59 + t61) / g.l1;
+  const Scalar t63 = (inertia.c1y * t58 - (inertia.I1yy - t57)) - g.l1 * (t58 + t59);
+  const Scalar t64 = g.l1 * (t55 - t54) - ((inertia.I2yy - t25) - inertia.c2y * t54);
+  const Scalar t65 = (t64 + g.l1 * (t60 - t55)) - g.l1 * (t60 + t61);
+  return { g.l2 / g.l1,
            gravity / g.l1,
-           (inertia.I3xy - inertia.c3y * t24) + g.d4 * t24,
-           g.l1 * t28,
-           g.l1 * (t30 + t32),
-           t34 - t37,
-           Scalar(2) * t38,
+           t0,
+           g.l1 * (t1 + t2),
+           g.l1 * t3,
+           t6,
+           (inertia.I4zz - t5) - inertia.c4z * t3,
+           inertia.I4xz - inertia.c4z * t1,
+           t7 - (t7 + (inertia.I4yz - inertia.c4z * t8)),
+           (t9 + (inertia.I4xy - inertia.c4y * t1)) - t9,
+           inertia.I6xy - inertia.c6y * t10,
+           inertia.I6yz - inertia.c6z * t11,
+           t13 + t15,
+           Scalar(2) * t16,
+           t13,
+           t17,
+           t16,
+           g.l1 * t14,
+           g.l1 * t10,
+           inertia.I5xz - inertia.c5z * t2,
+           inertia.I5yz - inertia.c5z * t18,
+           t19,
+           inertia.I5xy - inertia.c5y * t2,
+           g.l1 * (t11 + t18),
+           g.l1 * t20,
+           inertia.c5z * t20 - (inertia.I5zz - t4),
+           Scalar(1) / t17,
+           Scalar(2) * t22,
+           t37 - t38,
+           t22,
+           t39,
+           g.l1 * (t35 + t24),
+           g.l1 * t40,
+           g.l1 * (t42 - t46),
+           t47 - (t47 - (inertia.I3xz - inertia.c3z * t40)),
+           t49 - t48,
+           (inertia.I3xy - inertia.c3y * t40) + g.d4 * t40,
+           inertia.c3x * t40 - (inertia.I3xx - t27),
+           t51 + t52,
+           Scalar(2) * t0,
            t38,
-           inertia.I2xy - inertia.c2y * t28,
-           (inertia.I2yz - inertia.c2z * t39) - g.l2 * t39,
-           t34,
            t37,
-           t44,
-           inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t42) };
+           g.l1 * t24 - t56,
+           t39 - (t39 + (inertia.I2xy - inertia.c2y * t21)),
+           inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t57),
+           t62,
+           t62 + (t63 + t65) };
 }
 
 namespace detail {
@@ -1425,276 +1518,280 @@ inline JointVector<Scalar> forward_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[4] * c6 - k[3] * s6;
-  const Scalar t1 = c5 * t0;
-  const Scalar t2 = k[3] * c6 + k[4] * s6;
-  const Scalar t3 = s4 * t1 + c4 * t2;
-  const Scalar t4 = k[0] * c6 - k[1] * s6;
-  const Scalar t5 = k[0] * s6 + k[1] * c6;
-  const Scalar t6 = k[5] * s5 + c5 * t5;
-  const Scalar t7 = k[7] * t3 + (s4 * t4 + c4 * t6);
-  const Scalar t8 = k[2] * t7;
-  const Scalar t9 = k[10] * c6 - k[11] * s6;
-  const Scalar t10 = c6 * t9;
-  const Scalar t11 = k[12] - t10;
-  const Scalar t12 = k[13] - t11;
-  const Scalar t13 = k[14] - t12;
-  const Scalar t14 = k[9] + t2;
-  const Scalar t15 = s5 * t14 + k[8] * c5;
-  const Scalar t16 = t13 + k[7] * t15;
-  const Scalar t17 = k[17] + t4;
-  const Scalar t18 = k[15] + s6 * t9;
-  const Scalar t19 = k[16] + t18;
-  const Scalar t20 = s5 * t17 - c5 * t19;
-  const Scalar t21 = s4 * t16 + c4 * t20;
-  const Scalar t22 = t8 * t4 - t21;
-  const Scalar t23 = k[2] * t4;
-  const Scalar t24 = Scalar(1) / (t13 - t23 * t4);
-  const Scalar t25 = t24 * t22;
-  const Scalar t26 = k[21] + t5;
-  const Scalar t27 = c5 * t26;
-  const Scalar t28 = s5 * (k[14] + t12) - (t27 + t27);
-  const Scalar t29 = k[14] - s5 * t28;
-  const Scalar t30 = k[25] + (t13 - t29);
-  const Scalar t31 = k[29] - t20;
-  const Scalar t32 = k[23] - t10;
-  const Scalar t33 = k[24] + t32;
-  const Scalar t34 = Scalar(2) * s4 * t31 + c4 * (t30 + t33);
-  const Scalar t35 = t30 - c4 * t34;
-  const Scalar t36 = k[33] - t35;
-  const Scalar t37 = k[32] + (k[31] * t15 + t29);
-  const Scalar t38 = t36 - t37;
-  const Scalar t39 = c5 * t14 - k[8] * s5;
-  const Scalar t40 = k[19] + t39;
-  const Scalar t41 = k[18] + t0;
-  const Scalar t42 = c4 * t40 + s4 * t41;
-  const Scalar t43 = c5 * t17 + s5 * t19;
-  const Scalar t44 = k[20] + t43;
-  const Scalar t45 = k[22] - (c5 * t28 + t26);
-  const Scalar t46 = k[7] * t42 + (s4 * t44 + c4 * t45);
-  const Scalar t47 = k[5] * c5 - s5 * t5;
-  const Scalar t48 = k[2] * t47;
-  const Scalar t49 = t4 * t48 - t43;
-  const Scalar t50 = t24 * t49;
-  const Scalar t51 = (t46 - t47 * t8) - t50 * t22;
-  const Scalar t52 = t30 - t33;
-  const Scalar t53 = Scalar(1) / (t50 * t49 - (t52 - t47 * t48));
-  const Scalar t54 = t51 * t53;
-  const Scalar t55 = (t22 * t25 + (t7 * t8 + t38)) - t51 * t54;
-  const Scalar t56 = Scalar(1) / t55;
-  const Scalar t57 = s5 * t0;
-  const Scalar t58 = c2 * ((s3 * t57 + c3 * t3) + t7);
-  const Scalar t59 = c4 * t1 - s4 * t2;
-  const Scalar t60 = k[6] * t3 - t47;
-  const Scalar t61 = k[7] * t59 - (s4 * t6 - c4 * t4);
-  const Scalar t62 = t61 + k[6] * t57;
-  const Scalar t63 = s2 * (t59 - (s3 * t60 - c3 * t62));
-  const Scalar t64 = t58 + t63;
-  const Scalar t65 = s4 * t15;
-  const Scalar t66 = c2 * ((c3 * t65 - s3 * t39) + t21);
-  const Scalar t67 = k[6] * t65 - t43;
-  const Scalar t68 = (s4 * t20 - c4 * t16) + k[6] * t39;
-  const Scalar t69 = c4 * t15 - (s3 * t67 + c3 * t68);
-  const Scalar t70 = t23 * t64 - (t66 + s2 * t69);
-  const Scalar t71 = s4 * t40 - c4 * t41;
-  const Scalar t72 = (c4 * t44 - s4 * t45) - k[7] * t71;
-  const Scalar t73 = k[6] * t42;
-  const Scalar t74 = t73 - t52;
-  const Scalar t75 = s2 * ((c3 * t72 - s3 * t74) - t71);
-  const Scalar t76 = (c2 * (t46 + c3 * t42) + t75) - t64 * t48;
-  const Scalar t77 = t50 * t70 - t76;
-  const Scalar t78 = t53 * t77;
-  const Scalar t79 = k[27] + t15;
-  const Scalar t80 = k[28] - t71;
-  const Scalar t81 = c3 * t79 + s3 * t80;
-  const Scalar t82 = k[6] * t79 - (k[26] + t46);
-  const Scalar t83 = (k[30] - (s4 * t34 - t31)) - k[6] * t80;
-  const Scalar t84 = s3 * t82 + c3 * t83;
-  const Scalar t85 = t8 * t64 - (c2 * (t81 - t38) - s2 * t84);
-  const Scalar t86 = t24 * t70;
-  const Scalar t87 = t51 * t78 + (t85 + t22 * t86);
-  const Scalar t88 = t56 * t87;
-  const Scalar t89 = c3 * t60 + s3 * t62;
-  const Scalar t90 = k[2] * t89;
-  const Scalar t91 = (s3 * t72 + c3 * t74) - t90 * t47;
-  const Scalar t92 = t90 * t4 - (c3 * t67 - s3 * t68);
-  const Scalar t93 = t24 * t92;
-  const Scalar t94 = t91 - t49 * t93;
-  const Scalar t95 = t53 * t94;
-  const Scalar t96 = s3 * t83 - c3 * t82;
-  const Scalar t97 = t51 * t95 - (t22 * t93 + (t96 + t8 * t89));
-  const Scalar t98 = k[2] * t64;
-  const Scalar t99 = k[35] + t72;
-  const Scalar t100 = c3 * t99;
-  const Scalar t101 = s3 * (t36 + t37) - (t100 + t100);
-  const Scalar t102 = (k[36] - (s3 * t79 - c3 * t80)) + (k[41] - (c3 * t101 + t99));
-  const Scalar t103 = c2 * ((k[42] + t96) + (k[37] + t42)) + s2 * t102;
-  const Scalar t104 = (t70 * t93 + (t98 * t89 + t103)) + t78 * t94;
-  const Scalar t105 = t88 * t97 + t104;
-  const Scalar t106 = qd[0] * qd[0];
-  const Scalar t107 = qd[0] * qd[1];
-  const Scalar t108 = t107 + t107;
-  const Scalar t109 = c2 * t108;
-  const Scalar t110 = t106 - k[6] * t109;
-  const Scalar t111 = qd[0] * s2;
-  const Scalar t112 = qd[0] * c2;
-  const Scalar t113 = t111 * t112;
-  const Scalar t114 = k[34] * s2 + k[6] * t113;
-  const Scalar t115 = s3 * t110 + c3 * t114;
-  const Scalar t116 = s3 * t111;
-  const Scalar t117 = t116 + qd[1] * c3;
-  const Scalar t118 = t117 * t117;
-  const Scalar t119 = c3 * t111 - qd[1] * s3;
-  const Scalar t120 = t119 * t119;
-  const Scalar t121 = t118 + t120;
-  const Scalar t122 = k[34] * c2 - k[6] * t121;
-  const Scalar t123 = s2 * t107;
-  const Scalar t124 = t117 * t119;
-  const Scalar t125 = t123 - t124;
-  const Scalar t126 = t116 * t112 + c3 * t109;
-  const Scalar t127 = qd[2] + t112;
-  const Scalar t128 = t117 * t127;
-  const Scalar t129 = t126 - (t128 + t128);
-  const Scalar t130 = c4 * t125 + s4 * t129;
-  const Scalar t131 = (c4 * t115 + s4 * t122) - k[7] * t130;
-  const Scalar t132 = c4 * t129 - s4 * t125;
-  const Scalar t133 = (s4 * t115 - c4 * t122) + k[7] * t132;
-  const Scalar t134 = s4 * t127 + c4 * t119;
-  const Scalar t135 = t134 * t134;
-  const Scalar t136 = s4 * t119 - c4 * t127;
-  const Scalar t137 = t136 * t136;
-  const Scalar t138 = t135 - t137;
-  const Scalar t139 = t127 * t119;
-  const Scalar t140 = c3 * t113 - s3 * t109;
-  const Scalar t141 = t139 - t140;
-  const Scalar t142 = t136 * t134;
-  const Scalar t143 = t141 - t142;
-  const Scalar t144 = t141 + t142;
-  const Scalar t145 = k[29] * t138 + (k[24] * t143 - k[25] * t144);
-  const Scalar t146 = (k[19] * t131 + k[18] * t133) - ((k[22] * t130 - k[20] * t132) + t145);
-  const Scalar t147 = t135 + t137;
-  const Scalar t148 = s3 * t114 - c3 * t110;
-  const Scalar t149 = k[7] * t147 - t148;
-  const Scalar t150 = s5 * t149 - c5 * t133;
-  const Scalar t151 = qd[4] - t134;
-  const Scalar t152 = qd[3] + t117;
-  const Scalar t153 = c5 * t152 - s5 * t136;
-  const Scalar t154 = t151 * t153;
-  const Scalar t155 = t134 * t152;
-  const Scalar t156 = (t155 + t130) + t155;
-  const Scalar t157 = c5 * t156 + s5 * t143;
-  const Scalar t158 = t154 + (t157 + t154);
-  const Scalar t159 = t136 * t152;
-  const Scalar t160 = t159 - t132;
-  const Scalar t161 = c5 * t136 + s5 * t152;
-  const Scalar t162 = t161 * t153;
-  const Scalar t163 = t160 - t162;
-  const Scalar t164 = t151 * t151;
-  const Scalar t165 = t161 * t161;
-  const Scalar t166 = t164 - t165;
-  const Scalar t167 = s5 * t156 - c5 * t143;
-  const Scalar t168 = t167 + Scalar(2) * t161 * t151;
-  const Scalar t169 = t18 * t166 + (t11 * t168 - t32 * t167);
-  const Scalar t170 = (t150 * t0 - t131 * t2) + ((t5 * t158 + t163 * t4) + t169);
-  const Scalar t171 = (k[16] * t166 + k[17] * t163) - (k[13] * t168 - k[21] * t158);
-  const Scalar t172 = t170 + (t171 - k[9] * t131);
-  const Scalar t173 = s5 * t133 + c5 * t149;
-  const Scalar t174 = qd[5] + t153;
-  const Scalar t175 = t174 * t161;
-  const Scalar t176 = t175 + (t175 + t163);
-  const Scalar t177 = t174 * t151;
-  const Scalar t178 = t177 + (t177 - t158);
-  const Scalar t179 = t174 * t174;
-  const Scalar t180 = (t18 * t176 - t178 * t32) - (t164 - t179) * t4;
-  const Scalar t181 = t160 + t162;
-  const Scalar t182 = t153 * t153;
-  const Scalar t183 = t164 - t182;
-  const Scalar t184 = k[17] * t183 + (k[21] * t168 + k[14] * t158);
-  const Scalar t185 = (t0 * t173 - (t180 - t5 * t168)) - (k[8] * t131 + (k[16] * t181 - t184));
-  const Scalar t186 = t146 - (c5 * t172 - s5 * t185);
-  const Scalar t187 = torque[5] - t170;
-  const Scalar t188 = k[2] * t187;
-  const Scalar t189 = t179 - t165;
-  const Scalar t190 = (t178 * t18 + t11 * t176) + (t5 * t189 + t4 * t167);
-  const Scalar t191 = (k[14] * t163 - k[13] * t181) - k[21] * (t183 - t166);
-  const Scalar t192 = ((k[16] * t157 - k[17] * t167) - t191) - (k[8] * t150 - k[9] * t173);
-  const Scalar t193 = (t173 * t2 - t190) + t192;
-  const Scalar t194 = t23 * t187 + (torque[4] - t193);
-  const Scalar t195 = t24 * t194;
-  const Scalar t196 = ((torque[3] + t186) - t47 * t188) - t49 * t195;
-  const Scalar t197 = t53 * t196;
-  const Scalar t198 = k[40] - c2 * (k[39] * c2 - k[38] * s2);
-  const Scalar t199 = k[37] * s2 - k[36] * c2;
-  const Scalar t200 = t141 + t139;
-  const Scalar t201 = t121 - t147;
-  const Scalar t202 = t118 - t120;
-  const Scalar t203 = t201 - t202;
-  const Scalar t204 = (k[33] * t200 - k[35] * t129) + (k[30] * t203 + k[26] * t125);
-  const Scalar t205 = t182 + t165;
-  const Scalar t206 = (t0 * (t179 + t165) - t2 * t168) - (k[9] * t168 + k[8] * t158);
-  const Scalar t207 = (k[19] * t144 + k[18] * t205) + t206;
-  const Scalar t208 = t138 + t205;
-  const Scalar t209 = t164 + t179;
-  const Scalar t210 = (k[8] * (t189 - t209) + k[9] * t181) + (t178 * t0 + t2 * t176);
-  const Scalar t211 = (k[8] * t163 + k[9] * (t164 + t182)) + (t0 * t167 + t2 * t209);
-  const Scalar t212 = (k[18] * t143 - k[19] * t208) - (s5 * t210 + c5 * t211);
-  const Scalar t213 = (c4 * t207 + s4 * t212) - (k[27] * t125 - k[28] * (t121 - t203));
-  const Scalar t214 = (t186 - (t204 + k[28] * t122)) - k[6] * t213;
-  const Scalar t215 = t123 + t124;
-  const Scalar t216 = k[26] * t201 - (k[35] * t200 + k[32] * t129);
-  const Scalar t217 = t147 - t208;
-  const Scalar t218 = t160 + t159;
-  const Scalar t219 = k[20] * (t138 + t217) - (k[24] * t156 + k[29] * t218);
-  const Scalar t220 = (c5 * t185 + s5 * t172) + (k[18] * t149 + (t219 - k[22] * t144));
-  const Scalar t221 = k[7] * t207 - t220;
-  const Scalar t222 = (k[29] * t156 - k[25] * t218) + (k[22] * t217 + k[20] * t143);
-  const Scalar t223 = k[7] * t212 + (t193 + (k[19] * t149 + t222));
-  const Scalar t224 = ((k[30] * t215 - t216) - k[27] * t122) - (s4 * t221 - c4 * t223);
-  const Scalar t225 = (c5 * t210 - s5 * t211) - (k[18] * t156 - k[19] * t218);
-  const Scalar t226 = t225 - (k[27] * t147 + k[28] * t215);
-  const Scalar t227 = t224 + k[6] * t226;
-  const Scalar t228 = (t198 * t106 - k[34] * t199) - (c3 * t214 - s3 * t227);
-  const Scalar t229 = (t90 * t187 + (torque[1] - t228)) + t92 * t195;
-  const Scalar t230 = k[35] * t202 - (k[32] * t125 - k[33] * t215);
-  const Scalar t231 = ((k[26] * t140 + k[30] * t126) - t230) - (k[27] * t115 + k[28] * t148);
-  const Scalar t232 = (s4 * t223 + c4 * t221) - t231;
-  const Scalar t233 = ((torque[2] + t232) - t7 * t188) - t22 * t195;
-  const Scalar t234 = t233 + t51 * t197;
-  const Scalar t235 = t56 * t234;
-  const Scalar t236 = t37 - s3 * t101;
-  const Scalar t237 = k[43] + (t236 + t38);
-  const Scalar t238 = k[44] + (Scalar(2) * t73 + (t35 - t52));
-  const Scalar t239 = t92 * t93 + ((t237 + t238) + t90 * t89);
-  const Scalar t240 = t56 * t97;
-  const Scalar t241 = Scalar(1) / ((t239 - t95 * t94) - t97 * t240);
-  const Scalar t242 = ((t197 * t94 - t229) + t235 * t97) * t241;
-  const Scalar t243 = qd[1] * qd[1];
-  const Scalar t244 = (k[41] * c2 - k[42] * s2) * t243 + t198 * t108;
-  const Scalar t245 = (s4 * t207 - c4 * t212) - (k[28] * t200 + k[27] * t129);
-  const Scalar t246 = s2 * ((s3 * t214 + c3 * t227) - t245);
-  const Scalar t247 = c2 * ((s3 * t226 + c3 * t213) + t232);
-  const Scalar t248 = (t106 + t243) * t199 - ((t244 + t106 * t199) + (t246 + t247));
-  const Scalar t249 = (t98 * t187 - (torque[0] - t248)) + t86 * t194;
-  const Scalar t250 = t105 * t242 + ((t196 * t78 + t249) + t88 * t234);
-  const Scalar t251 = t105 * t241;
-  const Scalar t252 = s2 * (t237 - t238) - Scalar(2) * c2 * (k[40] + t84);
-  const Scalar t253 = (k[46] + (t237 - s2 * t252)) - (k[45] + (Scalar(2) * t81 + t236));
-  const Scalar t254 = t78 * t77 - ((t253 + t98 * t64) + t70 * t86);
-  const Scalar t255 = Scalar(1) / (t105 * t251 + (t88 * t87 + t254));
-  const Scalar t256 = t250 * t255;
-  const Scalar t257 = t256 * t251 - t242;
-  const Scalar t258 = (t235 - t88 * t256) - t257 * t240;
-  const Scalar t259 = (t257 * t95 + (t256 * t78 - t197)) - t258 * t54;
-  const Scalar t260 = (t257 * t93 - (t256 * t86 + t195)) - t258 * t25;
-  const Scalar t261 = t50 * t259 + t260;
-  const Scalar t262 = (t257 * t90 - (t256 * t98 + t188)) - t258 * t8;
+  const Scalar t0 = k[10] * s6 + k[11] * c6;
+  const Scalar t1 = c5 - k[26] * s5 * t0;
+  const Scalar t2 = k[15] * t1;
+  const Scalar t3 = k[17] * s6 - k[18] * c6;
+  const Scalar t4 = c5 * t3;
+  const Scalar t5 = k[17] * c6 + k[18] * s6;
+  const Scalar t6 = s4 * t4 - c4 * t5;
+  const Scalar t7 = t2 + k[0] * t6;
+  const Scalar t8 = s5 * t3;
+  const Scalar t9 = k[2] * t5 + (c5 * t0 + k[15] * s5);
+  const Scalar t10 = k[10] * c6 - k[11] * s6;
+  const Scalar t11 = k[2] * t4 - t10;
+  const Scalar t12 = k[0] * t8 + (s4 * t9 + c4 * t11);
+  const Scalar t13 = (s3 * t7 - c3 * t12) - (s4 * t5 + c4 * t4);
+  const Scalar t14 = s4 * t11 - c4 * t9;
+  const Scalar t15 = c2 * (t14 + (s3 * t8 + c3 * t6));
+  const Scalar t16 = s2 * t13 - t15;
+  const Scalar t17 = k[24] + t5;
+  const Scalar t18 = c5 * t17 - k[23] * s5;
+  const Scalar t19 = k[4] + t18;
+  const Scalar t20 = k[3] - t3;
+  const Scalar t21 = s4 * t19 - c4 * t20;
+  const Scalar t22 = k[20] + t0;
+  const Scalar t23 = k[13] * s6 - k[12] * c6;
+  const Scalar t24 = k[14] + c6 * t23;
+  const Scalar t25 = k[25] - t24;
+  const Scalar t26 = Scalar(2) * c5 * t22 - s5 * (k[21] + t25);
+  const Scalar t27 = k[8] + (t22 - c5 * t26);
+  const Scalar t28 = k[16] - s6 * t23;
+  const Scalar t29 = k[19] + t28;
+  const Scalar t30 = k[22] + t10;
+  const Scalar t31 = s5 * t29 + c5 * t30;
+  const Scalar t32 = k[9] + t31;
+  const Scalar t33 = (s4 * t27 + c4 * t32) - k[2] * t21;
+  const Scalar t34 = c4 * t19 + s4 * t20;
+  const Scalar t35 = k[0] * t34;
+  const Scalar t36 = k[15] - t24;
+  const Scalar t37 = k[5] - t36;
+  const Scalar t38 = k[21] - t25;
+  const Scalar t39 = k[21] + s5 * t26;
+  const Scalar t40 = k[6] + (t38 - t39);
+  const Scalar t41 = t37 - t40;
+  const Scalar t42 = t35 + t41;
+  const Scalar t43 = s2 * (t21 - (c3 * t33 - s3 * t42));
+  const Scalar t44 = (c4 * t27 - s4 * t32) - k[2] * t34;
+  const Scalar t45 = t1 * t16 + (t43 + c2 * (t44 - c3 * t34));
+  const Scalar t46 = s5 * t17 + k[23] * c5;
+  const Scalar t47 = s4 * t46;
+  const Scalar t48 = k[0] * t47 - t31;
+  const Scalar t49 = t38 + k[2] * t46;
+  const Scalar t50 = c5 * t29 - s5 * t30;
+  const Scalar t51 = (c4 * t49 + s4 * t50) - k[0] * t18;
+  const Scalar t52 = c4 * t46 - (s3 * t48 - c3 * t51);
+  const Scalar t53 = c4 * t50 - s4 * t49;
+  const Scalar t54 = c2 * ((s3 * t18 - c3 * t47) + t53);
+  const Scalar t55 = k[26] * t16;
+  const Scalar t56 = (s2 * t52 - t54) - t55 * t10;
+  const Scalar t57 = k[26] * t10;
+  const Scalar t58 = Scalar(1) / (t38 - t57 * t10);
+  const Scalar t59 = t31 - t57 * t2;
+  const Scalar t60 = t58 * t59;
+  const Scalar t61 = t45 + t56 * t60;
+  const Scalar t62 = Scalar(1) / ((t1 * t2 + t41) + t59 * t60);
+  const Scalar t63 = t61 * t62;
+  const Scalar t64 = t58 * t56;
+  const Scalar t65 = k[7] + t50;
+  const Scalar t66 = s4 * t65;
+  const Scalar t67 = c4 * (t37 + t40) + (t66 + t66);
+  const Scalar t68 = k[32] - t21;
+  const Scalar t69 = (k[34] - (s4 * t67 - t65)) - k[0] * t68;
+  const Scalar t70 = k[33] - t46;
+  const Scalar t71 = k[0] * t70 + (k[35] - t44);
+  const Scalar t72 = c3 * t69 - s3 * t71;
+  const Scalar t73 = c2 * (k[29] + t72);
+  const Scalar t74 = c4 * t67 - t40;
+  const Scalar t75 = k[41] + ((t41 - t74) + Scalar(2) * t35);
+  const Scalar t76 = k[37] + t74;
+  const Scalar t77 = k[36] + t33;
+  const Scalar t78 = c3 * t77;
+  const Scalar t79 = k[38] + (k[39] * t46 + t39);
+  const Scalar t80 = (t78 + t78) - s3 * (t76 + t79);
+  const Scalar t81 = s3 * t80;
+  const Scalar t82 = t76 + t81;
+  const Scalar t83 = k[40] + t82;
+  const Scalar t84 = s2 * ((t73 + t73) + s2 * (t75 - t83));
+  const Scalar t85 = s3 * t68 - c3 * t70;
+  const Scalar t86 = t79 + t81;
+  const Scalar t87 = (k[44] + (t84 + t83)) + (k[46] - ((t85 + (k[45] + t85)) + t86));
+  const Scalar t88 = t63 * t61 - (t64 * t56 + (t55 * t16 + t87));
+  const Scalar t89 = t53 - t57 * t14;
+  const Scalar t90 = k[26] * t14;
+  const Scalar t91 = t60 * t89 + (t90 * t2 - t44);
+  const Scalar t92 = t62 * t91;
+  const Scalar t93 = t82 - t86;
+  const Scalar t94 = (c2 * (t85 - t93) - s2 * t72) + t55 * t14;
+  const Scalar t95 = t58 * t89;
+  const Scalar t96 = t61 * t92 - (t94 + t95 * t56);
+  const Scalar t97 = t92 * t91 - (t95 * t89 + (t93 + t90 * t14));
+  const Scalar t98 = Scalar(1) / t97;
+  const Scalar t99 = t98 * t96;
+  const Scalar t100 = c3 * t7 + s3 * t12;
+  const Scalar t101 = k[26] * t100;
+  const Scalar t102 = (c3 * t48 + s3 * t51) + t101 * t10;
+  const Scalar t103 = t102 * t58;
+  const Scalar t104 = t2 * t101 + (s3 * t33 + c3 * t42);
+  const Scalar t105 = t59 * t103 - t104;
+  const Scalar t106 = t105 * t62;
+  const Scalar t107 = s3 * t69 + c3 * t71;
+  const Scalar t108 = (k[43] + (t77 - c3 * t80)) - (k[30] + (c3 * t68 + s3 * t70));
+  const Scalar t109 = c2 * ((k[42] - t107) - (k[31] + t34)) + s2 * t108;
+  const Scalar t110 = t61 * t106 - (t102 * t64 - (t109 + t55 * t100));
+  const Scalar t111 = t105 * t92 - (t102 * t95 - (t107 + t101 * t14));
+  const Scalar t112 = t98 * t111;
+  const Scalar t113 = t110 - t112 * t96;
+  const Scalar t114 = (t101 * t100 + (t75 + t83)) + t102 * t103;
+  const Scalar t115 = Scalar(1) / ((t114 - t105 * t106) + t112 * t111);
+  const Scalar t116 = t113 * t115;
+  const Scalar t117 = Scalar(1) / ((t88 - t96 * t99) + t113 * t116);
+  const Scalar t118 = qd[0] * qd[0];
+  const Scalar t119 = k[1] * s2;
+  const Scalar t120 = qd[1] * Scalar(2) * qd[0];
+  const Scalar t121 = c2 * t120;
+  const Scalar t122 = qd[0] * s2;
+  const Scalar t123 = c3 * t122;
+  const Scalar t124 = qd[0] * c2;
+  const Scalar t125 = s3 * t121 - t123 * t124;
+  const Scalar t126 = (s3 * t118 + c3 * t119) - k[0] * t125;
+  const Scalar t127 = s3 * t122;
+  const Scalar t128 = t127 + qd[1] * c3;
+  const Scalar t129 = t123 - qd[1] * s3;
+  const Scalar t130 = t128 * t129;
+  const Scalar t131 = qd[1] * t122;
+  const Scalar t132 = t130 - t131;
+  const Scalar t133 = t126 + k[2] * t132;
+  const Scalar t134 = qd[2] + t124;
+  const Scalar t135 = t128 * t134;
+  const Scalar t136 = t127 * t124 + c3 * t121;
+  const Scalar t137 = (t135 + t135) - t136;
+  const Scalar t138 = t128 * t128;
+  const Scalar t139 = t129 * t129;
+  const Scalar t140 = t138 + t139;
+  const Scalar t141 = k[1] * c2 - k[0] * t140;
+  const Scalar t142 = k[2] * t137 + t141;
+  const Scalar t143 = c4 * t133 + s4 * t142;
+  const Scalar t144 = s4 * t134 + c4 * t129;
+  const Scalar t145 = t144 * t144;
+  const Scalar t146 = s4 * t129 - c4 * t134;
+  const Scalar t147 = t146 * t146;
+  const Scalar t148 = t145 + t147;
+  const Scalar t149 = k[0] * t136 - (c3 * t118 - s3 * t119);
+  const Scalar t150 = k[2] * t148 - t149;
+  const Scalar t151 = c4 * t142 - s4 * t133;
+  const Scalar t152 = s5 * t150 + c5 * t151;
+  const Scalar t153 = qd[4] - t144;
+  const Scalar t154 = Scalar(2) * t153;
+  const Scalar t155 = qd[3] + t128;
+  const Scalar t156 = c5 * t155 - s5 * t146;
+  const Scalar t157 = t144 * t155;
+  const Scalar t158 = c4 * t132 + s4 * t137;
+  const Scalar t159 = t157 - (t158 - t157);
+  const Scalar t160 = t134 * t129;
+  const Scalar t161 = t125 + t160;
+  const Scalar t162 = t146 * t144;
+  const Scalar t163 = t161 - t162;
+  const Scalar t164 = c5 * t159 + s5 * t163;
+  const Scalar t165 = t154 * t156 + t164;
+  const Scalar t166 = t146 * t155;
+  const Scalar t167 = c4 * t137 - s4 * t132;
+  const Scalar t168 = t166 + t167;
+  const Scalar t169 = c5 * t146 + s5 * t155;
+  const Scalar t170 = t169 * t156;
+  const Scalar t171 = t168 - t170;
+  const Scalar t172 = s5 * t159 - c5 * t163;
+  const Scalar t173 = t172 + t169 * t154;
+  const Scalar t174 = t153 * t153;
+  const Scalar t175 = qd[5] + t156;
+  const Scalar t176 = t175 * t175;
+  const Scalar t177 = t174 - t176;
+  const Scalar t178 = t169 * t169;
+  const Scalar t179 = t176 - t178;
+  const Scalar t180 = t177 + t179;
+  const Scalar t181 = (t172 * t36 + t173 * t24) + t28 * t180;
+  const Scalar t182 = (t5 * t143 + t152 * t3) - ((t0 * t165 + t171 * t10) + t181);
+  const Scalar t183 = torque[5] + t182;
+  const Scalar t184 = t155 * t155;
+  const Scalar t185 = t184 - t147;
+  const Scalar t186 = t145 - t184;
+  const Scalar t187 = t185 + t186;
+  const Scalar t188 = t145 + t184;
+  const Scalar t189 = t187 - t188;
+  const Scalar t190 = t174 + t178;
+  const Scalar t191 = t189 + t190;
+  const Scalar t192 = k[22] * t191 + (k[20] * t173 + k[21] * t165);
+  const Scalar t193 = t168 + t170;
+  const Scalar t194 = t175 * t153;
+  const Scalar t195 = t194 + (t194 - t165);
+  const Scalar t196 = t175 * t169;
+  const Scalar t197 = t196 + (t196 + t171);
+  const Scalar t198 = (t195 * t36 + t197 * t28) - t177 * t10;
+  const Scalar t199 = s5 * t151 - c5 * t150;
+  const Scalar t200 = (k[23] * t143 - (t192 - k[19] * t193)) + ((t198 - t0 * t173) - t3 * t199);
+  const Scalar t201 = (k[19] * t180 + k[22] * t171) - (k[25] * t173 - k[20] * t165);
+  const Scalar t202 = (t201 - k[24] * t143) - t182;
+  const Scalar t203 = t161 + t162;
+  const Scalar t204 = k[7] * t187 + (k[5] * t163 - k[6] * t203);
+  const Scalar t205 = (k[4] * t143 - k[3] * t151) - ((k[8] * t158 + k[9] * t167) + t204);
+  const Scalar t206 = (s5 * t200 + c5 * t202) - t205;
+  const Scalar t207 = (t0 * t179 + t172 * t10) + (t197 * t24 + t195 * t28);
+  const Scalar t208 = t191 - t180;
+  const Scalar t209 = (k[21] * t171 - k[25] * t193) - k[20] * t208;
+  const Scalar t210 = (k[24] * t199 + k[23] * t152) + (t209 + (k[22] * t172 - k[19] * t164));
+  const Scalar t211 = (t5 * t199 + t207) + t210;
+  const Scalar t212 = k[26] * t183;
+  const Scalar t213 = (torque[4] + t211) + t10 * t212;
+  const Scalar t214 = (t183 * t1 - (torque[3] - t206)) - t213 * t60;
+  const Scalar t215 = t214 * t62;
+  const Scalar t216 = t130 + t131;
+  const Scalar t217 = t138 - t139;
+  const Scalar t218 = (k[37] * t216 + k[38] * t132) + k[36] * t217;
+  const Scalar t219 = (k[32] * t149 - k[33] * t126) + ((k[35] * t125 - k[34] * t136) + t218);
+  const Scalar t220 = t168 + t166;
+  const Scalar t221 = (k[5] * t159 + k[7] * t220) - k[9] * t186;
+  const Scalar t222 = (k[3] * t150 + (k[8] * t203 - t221)) - (c5 * t200 - s5 * t202);
+  const Scalar t223 = t174 + t176;
+  const Scalar t224 = ((t180 - t223) * t3 - t173 * t5) - (k[23] * t165 + k[24] * t173);
+  const Scalar t225 = (k[4] * t203 - k[3] * t189) + t224;
+  const Scalar t226 = t222 - k[2] * t225;
+  const Scalar t227 = (t197 * t5 - t195 * t3) - (k[23] * t190 - k[24] * t193);
+  const Scalar t228 = (k[23] * t171 + k[24] * (t190 - t208)) + (t5 * t223 - t3 * t172);
+  const Scalar t229 = (k[4] * t188 - k[3] * t163) + (s5 * t227 + c5 * t228);
+  const Scalar t230 = (k[7] * t159 - k[6] * t220) + (k[9] * t163 + k[8] * t185);
+  const Scalar t231 = k[2] * t229 + (t211 - (k[4] * t150 + t230));
+  const Scalar t232 = t219 - (c4 * t226 + s4 * t231);
+  const Scalar t233 = t213 * t95 - ((torque[2] + t232) + t14 * t212);
+  const Scalar t234 = (t215 * t91 + t233) * t98;
+  const Scalar t235 = t58 * t213;
+  const Scalar t236 = k[30] * c2 - k[31] * s2;
+  const Scalar t237 = k[29] - c2 * (k[27] * c2 + k[28] * s2);
+  const Scalar t238 = qd[1] * qd[1];
+  const Scalar t239 = t120 * t237 + t238 * (k[42] * s2 - k[43] * c2);
+  const Scalar t240 = (k[4] * t220 - k[3] * t159) - (s5 * t228 - c5 * t227);
+  const Scalar t241 = t240 - (k[32] * t216 - k[33] * t148);
+  const Scalar t242 = t148 + t217;
+  const Scalar t243 = (s4 * t229 - c4 * t225) + (k[33] * t132 - k[32] * t242);
+  const Scalar t244 = c2 * (t232 + (s3 * t241 - c3 * t243));
+  const Scalar t245 = t161 + t160;
+  const Scalar t246 = (c4 * t229 + s4 * t225) - (k[33] * t137 + k[32] * t245);
+  const Scalar t247 = t140 - t242;
+  const Scalar t248 = k[35] * (t217 + t247) + (k[38] * t137 - k[36] * t245);
+  const Scalar t249 = (k[33] * t141 - (t248 - k[34] * t216)) + (s4 * t226 - c4 * t231);
+  const Scalar t250 = k[0] * t241 + t249;
+  const Scalar t251 = (k[37] * t245 + k[36] * t137) - (k[35] * t132 - k[34] * t247);
+  const Scalar t252 = k[0] * t243 - ((k[32] * t141 + t251) + t206);
+  const Scalar t253 = s2 * (t246 - (c3 * t250 + s3 * t252));
+  const Scalar t254 = ((t118 * t236 - t239) - (t244 - t253)) - (t118 + t238) * t236;
+  const Scalar t255 = t56 * t235 - (t16 * t212 - (torque[0] - t254));
+  const Scalar t256 = (c3 * t252 - s3 * t250) - (t118 * t237 + k[1] * t236);
+  const Scalar t257 = ((torque[1] + t256) - t100 * t212) - t102 * t235;
+  const Scalar t258 = (t111 * t234 + (t257 - t214 * t106)) * t115;
+  const Scalar t259 = (t234 * t96 - (t255 + t215 * t61)) + t113 * t258;
+  const Scalar t260 = t117 * t259;
+  const Scalar t261 = t258 - t116 * t260;
+  const Scalar t262 = t112 * t261 - (t234 + t260 * t99);
+  const Scalar t263 = t92 * t262 + ((t215 + t63 * t260) - t106 * t261);
+  const Scalar t264 = t95 * t262 - (t103 * t261 + (t235 - t64 * t260));
+  const Scalar t265 = t264 - t60 * t263;
+  const Scalar t266 = (t101 * t261 + (t55 * t260 + t212)) + t90 * t262;
   JointVector<Scalar> result;
-  result[0] = t256;
-  result[1] = t257;
-  result[2] = t258;
-  result[3] = -t259;
-  result[4] = t261;
-  result[5] = t23 * t261 + (t262 + t259 * t48);
+  result[0] = t260;
+  result[1] = t261;
+  result[2] = -t262;
+  result[3] = -t263;
+  result[4] = t265;
+  result[5] = (t1 * t263 - t266) + t57 * t265;
   return result;
 }
 
@@ -1721,91 +1818,107 @@ KineticEnergyConstants<Scalar> kinetic_energy_constants(const BasicGeometry<Scal
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = (inertia.I6xx - t0) - inertia.c6x * t1;
-  const Scalar t3 = inertia.c6z * inertia.m6;
-  const Scalar t4 = inertia.c6z * t3 - (inertia.I6zz - t0);
-  const Scalar t5 = inertia.I6xz - inertia.c6z * t1;
-  const Scalar t6 = inertia.c5z * inertia.m5;
-  const Scalar t7 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t8 = inertia.c6y * inertia.m6;
-  const Scalar t9 = inertia.c5y * inertia.m5;
-  const Scalar t10 = ((inertia.I6yy - t0) - inertia.c6y * t8) - (inertia.c5y * t9 - (inertia.I5yy - t7));
-  const Scalar t11 = inertia.c5x * inertia.m5;
-  const Scalar t12 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t13 = inertia.c4x * inertia.m4;
-  const Scalar t14 = (inertia.c5x * t11 - (inertia.I5xx - t7)) - ((inertia.I4xx - t12) - inertia.c4x * t13);
-  const Scalar t15 = inertia.c4z * inertia.m4;
-  const Scalar t16 = g.d4 / g.l1;
-  const Scalar t17 = inertia.c4y * inertia.m4;
-  const Scalar t18 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t19 = t17 - g.d4 * t18;
-  const Scalar t20 = ((inertia.I4yy - t12) - inertia.c4y * t17) + g.d4 * (t17 + t19);
-  const Scalar t21 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t22 = inertia.c3y * inertia.m3;
-  const Scalar t23 = g.d4 * inertia.m3 - t22;
-  const Scalar t24 = ((inertia.I3yy - t21) - inertia.c3y * t22) - g.d4 * (t23 - t22);
-  const Scalar t25 = inertia.c3x * inertia.m3;
-  const Scalar t26 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t27 = inertia.c2y * inertia.m2;
-  const Scalar t28 = inertia.m3 + t18;
-  const Scalar t29 = g.l1 * ((g.l1 * (inertia.m2 + t28) - t27) - t27);
-  const Scalar t30 = inertia.c1y * inertia.m1;
-  const Scalar t31 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t32 = (inertia.c1y * t30 - (inertia.I1yy - t31)) - g.l1 * (t30 + (t30 - g.l1 * inertia.m1));
-  const Scalar t33 = (((inertia.I2yy - t26) - inertia.c2y * t27) - t29) - t32;
-  const Scalar t34 = g.l2 / g.l1;
-  const Scalar t35 = inertia.c2z * inertia.m2;
-  const Scalar t36 = g.l2 * inertia.m2 + t35;
-  const Scalar t37 = g.l2 * (t36 + t35) - ((inertia.I2zz - t26) - inertia.c2z * t35);
-  const Scalar t38 = inertia.c3z * inertia.m3;
-  const Scalar t39 = t38 + g.l2 * t28;
-  const Scalar t40 = ((inertia.I3zz - t21) - inertia.c3z * t38) - g.l2 * (t38 + t39);
-  const Scalar t41 = inertia.c2x * inertia.m2;
-  return { t2 + t4,
-           Scalar(2) * t5,
+  const Scalar t0 = inertia.c6x * inertia.m6;
+  const Scalar t1 = inertia.c6y * inertia.m6;
+  const Scalar t2 = inertia.c6z * inertia.m6;
+  const Scalar t3 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t4 = (inertia.I6xx - t3) - inertia.c6x * t0;
+  const Scalar t5 = inertia.c6z * t2 - (inertia.I6zz - t3);
+  const Scalar t6 = inertia.I6xz - inertia.c6z * t0;
+  const Scalar t7 = inertia.c5x * inertia.m5;
+  const Scalar t8 = inertia.c4x * inertia.m4;
+  const Scalar t9 = g.d4 * t8;
+  const Scalar t10 = inertia.c5y * inertia.m5;
+  const Scalar t11 = inertia.c5z * inertia.m5;
+  const Scalar t12 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t13 = ((inertia.I6yy - t3) - inertia.c6y * t1) - (inertia.c5y * t10 - (inertia.I5yy - t12));
+  const Scalar t14 = inertia.c4z * inertia.m4;
+  const Scalar t15 = g.d4 * t14;
+  const Scalar t16 = inertia.c4y * inertia.m4;
+  const Scalar t17 = inertia.c3z * inertia.m3;
+  const Scalar t18 = inertia.c3y * inertia.m3;
+  const Scalar t19 = g.d4 * inertia.m3 - t18;
+  const Scalar t20 = g.l2 * t19;
+  const Scalar t21 = (g.d4 * t17 + (inertia.I3yz - inertia.c3z * t18)) + t20;
+  const Scalar t22 = g.d4 * inertia.m4;
+  const Scalar t23 = t16 - t22;
+  const Scalar t24 = t23 + t22;
+  const Scalar t25 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t26 = t24 - g.d4 * t25;
+  const Scalar t27 = inertia.c3x * inertia.m3;
+  const Scalar t28 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t29 = (inertia.c5x * t7 - (inertia.I5xx - t12)) - ((inertia.I4xx - t28) - inertia.c4x * t8);
+  const Scalar t30 = g.l2 * t27;
+  const Scalar t31 = inertia.c2z * inertia.m2;
+  const Scalar t32 = g.l2 * inertia.m2 + t31;
+  const Scalar t33 = g.l1 * inertia.m2;
+  const Scalar t34 = inertia.c2y * inertia.m2;
+  const Scalar t35 = t33 - t34;
+  const Scalar t36 = g.l2 * t35 + ((inertia.I2yz - inertia.c2z * t34) + g.l1 * t31);
+  const Scalar t37 = g.l2 * inertia.m3;
+  const Scalar t38 = t17 + t37;
+  const Scalar t39 = t38 - t37;
+  const Scalar t40 = inertia.m3 + t25;
+  const Scalar t41 = t39 + g.l2 * t40;
+  const Scalar t42 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t43 = g.d4 * (t16 + t23) + ((inertia.I4yy - t28) - inertia.c4y * t16);
+  const Scalar t44 = (t43 - g.d4 * (t24 + t23)) + g.d4 * (t24 + t26);
+  const Scalar t45 = ((inertia.I3yy - t42) - inertia.c3y * t18) - g.d4 * (t19 - t18);
+  const Scalar t46 = inertia.c2x * inertia.m2;
+  const Scalar t47 = g.l1 * t46;
+  const Scalar t48 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t49 = g.l2 * (t32 + t31) - ((inertia.I2zz - t48) - inertia.c2z * t31);
+  const Scalar t50 = ((inertia.I3zz - t42) - inertia.c3z * t17) - g.l2 * (t17 + t38);
+  const Scalar t51 = (t50 + g.l2 * (t38 + t39)) - g.l2 * (t41 + t39);
+  const Scalar t52 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t53 = inertia.c1y * inertia.m1;
+  const Scalar t54 = (inertia.c1y * t53 - (inertia.I1yy - t52)) - g.l1 * (t53 + (t53 - g.l1 * inertia.m1));
+  const Scalar t55 = g.l1 * (t35 - t34) - ((inertia.I2yy - t48) - inertia.c2y * t34);
+  const Scalar t56 = t33 - t35;
+  const Scalar t57 = g.l1 * (t56 + (t56 - g.l1 * (inertia.m2 + t40)));
+  const Scalar t58 = t54 + ((t55 + g.l1 * (t56 - t35)) - t57);
+  return { inertia.I6xy - inertia.c6y * t0,
+           inertia.I6yz - inertia.c6z * t1,
+           g.l1 * t2,
+           g.l1 * t0,
+           g.d4 / g.l1,
+           t4 - t5,
+           g.l2 / g.l1,
+           t4 + t5,
+           Scalar(2) * t6,
+           t6,
+           inertia.I5xz - inertia.c5z * t7,
+           inertia.I5xy - inertia.c5y * t7,
+           (t9 + (inertia.I4xy - inertia.c4y * t8)) - t9,
+           inertia.I5yz - inertia.c5z * t10,
            t4,
-           t2 - t4,
-           inertia.c5z * t6 - (inertia.I5zz - t7),
-           t10,
-           t14,
-           inertia.I6xy - inertia.c6y * t1,
-           inertia.I6yz - inertia.c6z * t8,
-           inertia.I5yz - inertia.c5z * t9,
-           (inertia.I4zz - t12) - inertia.c4z * t15,
-           g.l1 * (t8 + t9),
-           g.l1 * t3,
-           g.l1 * t1,
-           g.l1 * t6,
-           Scalar(2) * t16,
-           t20 + t24,
+           inertia.c5z * t11 - (inertia.I5zz - t12),
+           t13,
+           t15 - (t15 + (inertia.I4yz - inertia.c4z * t16)),
+           g.l1 * (t8 + t7),
+           g.l1 * (t1 + t10),
+           g.l1 * t11,
+           g.l1 * t14,
+           t21 - t20,
+           g.l1 * (t19 - t26),
+           g.l1 * t27,
            t5,
-           inertia.I5xz - inertia.c5z * t11,
-           inertia.I5xy - inertia.c5y * t11,
-           inertia.I4xz - inertia.c4z * t13,
-           inertia.c3x * t25 - (inertia.I3xx - t21),
-           g.l1 * (t13 + t11),
-           t16,
-           inertia.I4xy - inertia.c4y * t13,
-           inertia.I4yz - inertia.c4z * t17,
-           g.l1 * t15,
-           (inertia.I3xy - inertia.c3y * t25) + g.d4 * t25,
-           g.l1 * (t19 - t23),
-           g.l1 * t25,
-           t33,
-           Scalar(2) * t34,
-           t37 - t40,
-           inertia.c2x * t41 - (inertia.I2xx - t26),
-           t34,
-           g.d4 * t38 + (inertia.I3yz - inertia.c3z * t22),
-           inertia.I3xz - inertia.c3z * t25,
-           (inertia.I2xz - inertia.c2z * t41) - g.l2 * t41,
-           inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t31),
-           g.l1 * (t36 + t39),
-           (inertia.I2yz - inertia.c2z * t27) - g.l2 * t27,
-           inertia.I2xy - inertia.c2y * t41,
-           g.l1 * t41 };
+           t29,
+           (inertia.I4zz - t28) - inertia.c4z * t14,
+           inertia.I4xz - inertia.c4z * t8,
+           t30 - (t30 - (inertia.I3xz - inertia.c3z * t27)),
+           g.l1 * t32 - t36,
+           g.l1 * (t41 + t32),
+           (inertia.I3xy - inertia.c3y * t27) + g.d4 * t27,
+           inertia.c3x * t27 - (inertia.I3xx - t42),
+           t44 + t45,
+           t47 - (t47 + (inertia.I2xy - inertia.c2y * t46)),
+           t47,
+           t49 - t51,
+           inertia.c2x * t46 - (inertia.I2xx - t48),
+           (inertia.I2xz - inertia.c2z * t46) - g.l2 * t46,
+           inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t52),
+           t58 };
 }
 
 namespace detail {
@@ -1824,99 +1937,95 @@ inline Scalar kinetic_energy([[maybe_unused]] const JointVector<Scalar>& q, cons
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[7] * c6 - k[8] * s6;
-  const Scalar t1 = k[8] * c6 + k[7] * s6;
-  const Scalar t2 = k[3] * c5 - s5 * t1;
-  const Scalar t3 = k[0] * c6 - k[1] * s6;
-  const Scalar t4 = k[18] + (k[17] + s6 * t3);
-  const Scalar t5 = k[19] + t0;
-  const Scalar t6 = s5 * t4 + c5 * t5;
-  const Scalar t7 = k[12] * s6 - k[13] * c6;
-  const Scalar t8 = s5 * t7;
-  const Scalar t9 = c5 * t7;
-  const Scalar t10 = k[13] * s6 + k[12] * c6;
-  const Scalar t11 = c4 * t9 + s4 * t10;
-  const Scalar t12 = c5 * t1 + k[3] * s5;
-  const Scalar t13 = k[23] * t11 - (c4 * t0 - s4 * t12);
-  const Scalar t14 = k[34] * t8 + t13;
-  const Scalar t15 = c4 * t10 - s4 * t9;
-  const Scalar t16 = k[34] * t15 - t2;
-  const Scalar t17 = k[14] + t10;
-  const Scalar t18 = k[11] * s5 - c5 * t17;
-  const Scalar t19 = k[26] - t18;
-  const Scalar t20 = k[22] - t7;
-  const Scalar t21 = c4 * t19 + s4 * t20;
-  const Scalar t22 = k[31] * t21;
-  const Scalar t23 = k[2] - c6 * t3;
-  const Scalar t24 = k[6] + t23;
-  const Scalar t25 = k[9] + t1;
-  const Scalar t26 = c5 * t25;
-  const Scalar t27 = k[4] - (k[3] + t23);
-  const Scalar t28 = (t26 + t26) - s5 * (k[5] + t27);
-  const Scalar t29 = s5 * t28 + t27;
-  const Scalar t30 = k[10] - t29;
-  const Scalar t31 = t24 - t30;
-  const Scalar t32 = Scalar(0.5) * t22 + t31;
-  const Scalar t33 = k[23] * t19 + (k[25] + (c5 * t28 - t25));
-  const Scalar t34 = k[23] * t20 + (k[24] + t6);
-  const Scalar t35 = s4 * t33 - c4 * t34;
-  const Scalar t36 = c4 * t20 - s4 * t19;
-  const Scalar t37 = k[29] + t36;
-  const Scalar t38 = s5 * t5 - c5 * t4;
-  const Scalar t39 = k[20] - t38;
-  const Scalar t40 = Scalar(2) * s4 * t39 + c4 * (t24 + t30);
-  const Scalar t41 = k[34] * t37 - (k[36] - (s4 * t40 - t39));
-  const Scalar t42 = s4 * t34 + c4 * t33;
-  const Scalar t43 = k[11] * c5 + s5 * t17;
-  const Scalar t44 = k[28] + t43;
-  const Scalar t45 = (k[35] + t42) - k[34] * t44;
-  const Scalar t46 = s3 * t41 - c3 * t45;
-  const Scalar t47 = qd[3] * (c3 * t32 - s3 * t35) + qd[2] * t46;
-  const Scalar t48 = s4 * t43;
-  const Scalar t49 = k[34] * t48 - t6;
-  const Scalar t50 = k[15] * t43;
-  const Scalar t51 = k[5] - t27;
-  const Scalar t52 = Scalar(0.5) * t50 + t51;
-  const Scalar t53 = k[34] * t18 - (s4 * t38 - c4 * t52);
-  const Scalar t54 = t47 - qd[4] * (c3 * t49 + s3 * t53);
-  const Scalar t55 = qd[5] * (s3 * t14 - c3 * t16) - t54;
-  const Scalar t56 = s2 * ((s3 * t16 + c3 * t14) + t11);
-  const Scalar t57 = (s4 * t0 + c4 * t12) + k[23] * t15;
-  const Scalar t58 = c2 * ((c3 * t15 - s3 * t8) + t57);
-  const Scalar t59 = k[27] - t35;
-  const Scalar t60 = t24 - c4 * t40;
-  const Scalar t61 = k[21] + (t31 - t60);
-  const Scalar t62 = k[16] + (t50 + (t29 + t51));
-  const Scalar t63 = s3 * (t61 + t62) - Scalar(2) * c3 * t59;
-  const Scalar t64 = (k[41] - (t59 + c3 * t63)) + (k[42] - (s3 * t44 - c3 * t37));
-  const Scalar t65 = s2 * t64 + c2 * ((k[39] + t21) + (k[40] - t46));
-  const Scalar t66 = c3 * t41 + s3 * t45;
-  const Scalar t67 = s3 * t63;
-  const Scalar t68 = t62 - t67;
-  const Scalar t69 = t61 - t67;
-  const Scalar t70 = t68 - t69;
-  const Scalar t71 = s3 * t37 + c3 * t44;
-  const Scalar t72 = qd[2] * (s2 * t66 + c2 * (t70 + t71));
-  const Scalar t73 = s2 * ((s3 * t32 + c3 * t35) - t36);
-  const Scalar t74 = qd[3] * (t73 - c2 * (t42 + c3 * t21));
-  const Scalar t75 = c4 * t38 + s4 * t52;
-  const Scalar t76 = c2 * (t75 + (c3 * t48 + s3 * t18));
-  const Scalar t77 = (c3 * t53 - s3 * t49) + c4 * t43;
-  const Scalar t78 = ((qd[1] * t65 + t72) - t74) - qd[4] * (t76 + s2 * t77);
-  const Scalar t79 = qd[1] * t55 - qd[0] * (qd[5] * (t56 - t58) - t78);
-  const Scalar t80 = (qd[4] * t75 - qd[3] * t42) - qd[5] * t57;
-  const Scalar t81 = qd[3] * (qd[5] * t2 - qd[4] * t6) + (t79 - qd[2] * t80);
-  const Scalar t82 = c2 * (k[37] - t66);
-  const Scalar t83 = k[33] + t69;
-  const Scalar t84 = k[32] + (t22 + t60);
-  const Scalar t85 = s2 * ((t82 + t82) - s2 * (t83 - t84));
-  const Scalar t86 = (k[38] + (t85 + t83)) - (k[30] + (Scalar(2) * t71 + t68));
-  const Scalar t87 = qd[0] * qd[0] * t86 + qd[1] * qd[1] * (t83 + t84);
-  const Scalar t88 = qd[3] * qd[3] * t31 + (t87 - qd[2] * qd[2] * t70);
-  const Scalar t89 = (t88 - qd[4] * qd[4] * t51) - qd[5] * k[3] * qd[5];
-  const Scalar t90 = (qd[4] * qd[5] * t0 - t81) + Scalar(0.5) * t89;
+  const Scalar t0 = k[0] * s6 + k[1] * c6;
+  const Scalar t1 = k[13] + t0;
+  const Scalar t2 = k[7] * c6 - k[8] * s6;
+  const Scalar t3 = c6 * t2;
+  const Scalar t4 = k[15] - (k[14] - t3);
+  const Scalar t5 = Scalar(2) * c5 * t1 - s5 * (k[16] + t4);
+  const Scalar t6 = s5 * t5 + t4;
+  const Scalar t7 = k[27] - t6;
+  const Scalar t8 = k[26] + (k[25] - t3);
+  const Scalar t9 = t7 - t8;
+  const Scalar t10 = k[16] - t4;
+  const Scalar t11 = k[2] * c6 + k[3] * s6;
+  const Scalar t12 = k[20] + t11;
+  const Scalar t13 = s5 * t12 + k[19] * c5;
+  const Scalar t14 = k[4] * t13;
+  const Scalar t15 = k[34] + ((t6 + t10) + (t14 + t14));
+  const Scalar t16 = k[10] + (k[9] + s6 * t2);
+  const Scalar t17 = k[0] * c6 - k[1] * s6;
+  const Scalar t18 = k[11] + t17;
+  const Scalar t19 = c5 * t16 - s5 * t18;
+  const Scalar t20 = k[28] + t19;
+  const Scalar t21 = s4 * t20;
+  const Scalar t22 = (t21 + t21) + c4 * (t7 + t8);
+  const Scalar t23 = c4 * t22;
+  const Scalar t24 = k[33] + (t23 - t7);
+  const Scalar t25 = c5 * t12 - k[19] * s5;
+  const Scalar t26 = k[21] + t25;
+  const Scalar t27 = k[2] * s6 - k[3] * c6;
+  const Scalar t28 = k[18] - t27;
+  const Scalar t29 = s4 * t26 - c4 * t28;
+  const Scalar t30 = k[17] - (c5 * t5 - t1);
+  const Scalar t31 = c5 * t18 + s5 * t16;
+  const Scalar t32 = k[12] + t31;
+  const Scalar t33 = k[4] * t29 - (s4 * t30 + c4 * t32);
+  const Scalar t34 = k[32] - t33;
+  const Scalar t35 = s3 * (t15 + t24) - Scalar(2) * c3 * t34;
+  const Scalar t36 = s3 * t35 - t24;
+  const Scalar t37 = k[38] - t36;
+  const Scalar t38 = c4 * t26 + s4 * t28;
+  const Scalar t39 = k[6] * t38;
+  const Scalar t40 = k[37] + (Scalar(2) * t39 - (t23 - t8));
+  const Scalar t41 = k[23] - t13;
+  const Scalar t42 = (s4 * t32 - c4 * t30) + k[4] * t38;
+  const Scalar t43 = k[6] * t41 + (k[22] + t42);
+  const Scalar t44 = k[24] - t29;
+  const Scalar t45 = (k[29] - (s4 * t22 - t20)) - k[6] * t44;
+  const Scalar t46 = s3 * t43 - c3 * t45;
+  const Scalar t47 = s2 * (t37 - t40) - Scalar(2) * c2 * (k[39] - t46);
+  const Scalar t48 = t15 - t24;
+  const Scalar t49 = s3 * t44 - c3 * t41;
+  const Scalar t50 = (k[40] + (t37 - s2 * t47)) + (k[41] - ((t48 - t36) + (t49 + t49)));
+  const Scalar t51 = qd[1] * qd[1] * (t37 + t40) + qd[0] * qd[0] * t50;
+  const Scalar t52 = qd[3] * qd[3] * t9 - (t51 - qd[2] * qd[2] * t48);
+  const Scalar t53 = (t52 + qd[4] * qd[4] * t10) + qd[5] * k[5] * qd[5];
+  const Scalar t54 = s4 * t13;
+  const Scalar t55 = t14 + t10;
+  const Scalar t56 = s4 * t55 - c4 * t19;
+  const Scalar t57 = c2 * ((c3 * t54 - s3 * t25) + t56);
+  const Scalar t58 = (s4 * t19 + c4 * t55) - k[6] * t25;
+  const Scalar t59 = k[6] * t54 - t31;
+  const Scalar t60 = (c3 * t58 - s3 * t59) + c4 * t13;
+  const Scalar t61 = qd[2] * (c2 * (t49 + t48) + s2 * t46);
+  const Scalar t62 = c3 * t43 + s3 * t45;
+  const Scalar t63 = (k[35] + (c3 * t35 + t34)) - (k[36] + (c3 * t44 + s3 * t41));
+  const Scalar t64 = c2 * ((k[31] + t38) - (k[30] - t62)) - s2 * t63;
+  const Scalar t65 = t39 - t9;
+  const Scalar t66 = s2 * ((c3 * t33 + s3 * t65) + t29);
+  const Scalar t67 = qd[3] * (t66 - c2 * (t42 + c3 * t38));
+  const Scalar t68 = qd[4] * (t57 + s2 * t60) - ((t61 + qd[1] * t64) - t67);
+  const Scalar t69 = c5 * t27;
+  const Scalar t70 = s5 * t27;
+  const Scalar t71 = k[4] * t69 - t17;
+  const Scalar t72 = (k[5] * s5 + c5 * t0) + k[4] * t11;
+  const Scalar t73 = k[6] * t70 + (c4 * t71 + s4 * t72);
+  const Scalar t74 = k[5] * c5 - s5 * t0;
+  const Scalar t75 = c4 * t11 - s4 * t69;
+  const Scalar t76 = t74 - k[6] * t75;
+  const Scalar t77 = (s4 * t11 + c4 * t69) + (c3 * t73 - s3 * t76);
+  const Scalar t78 = c4 * t72 - s4 * t71;
+  const Scalar t79 = c2 * (t78 + (c3 * t75 - s3 * t70));
+  const Scalar t80 = qd[0] * (t68 + qd[5] * (s2 * t77 - t79));
+  const Scalar t81 = qd[2] * t62 + qd[3] * (s3 * t33 - c3 * t65);
+  const Scalar t82 = qd[4] * (s3 * t58 + c3 * t59) + t81;
+  const Scalar t83 = qd[5] * (s3 * t73 + c3 * t76) + t82;
+  const Scalar t84 = qd[5] * t78 - (qd[4] * t56 - qd[3] * t42);
+  const Scalar t85 = ((t80 - qd[1] * t83) - qd[2] * t84) + qd[3] * (qd[4] * t31 - qd[5] * t74);
+  const Scalar t86 = Scalar(0.5) * t53 - (t85 + qd[4] * qd[5] * t17);
   Scalar result;
-  result = t90;
+  result = -t86;
   return result;
 }
 
@@ -1941,26 +2050,29 @@ PotentialEnergyConstants<Scalar> potential_energy_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = inertia.m3 + t0;
+  const Scalar t0 = g.l2 * inertia.m3;
+  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t2 = inertia.m3 + t1;
+  const Scalar t3 = g.d4 * inertia.m4;
+  const Scalar t4 = g.h1 * inertia.m1;
   return { inertia.c6z * inertia.m6,
            inertia.c6x * inertia.m6,
+           inertia.c5z * inertia.m5,
+           inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
+           inertia.c4z * inertia.m4,
            inertia.c5x * inertia.m5,
            inertia.c4x * inertia.m4,
-           inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
-           inertia.c5z * inertia.m5,
-           inertia.c4z * inertia.m4,
-           inertia.c3z * inertia.m3,
-           g.l2 * t1,
+           (inertia.c3z * inertia.m3 + t0) - t0,
+           g.l2 * t2,
            g.l2 * inertia.m2 + inertia.c2z * inertia.m2,
            inertia.c3x * inertia.m3,
-           inertia.c4y * inertia.m4,
-           g.d4 * t0,
+           (inertia.c4y * inertia.m4 - t3) + t3,
+           g.d4 * t1,
            g.d4 * inertia.m3 - inertia.c3y * inertia.m3,
            inertia.c2x * inertia.m2,
-           inertia.c1z * inertia.m1,
-           gravity,
-           (inertia.m1 + (inertia.m2 + t1)) * gravity * g.h1 };
+           t4 - (inertia.c1z * inertia.m1 + t4),
+           g.h1 * (inertia.m1 + (inertia.m2 + t2)),
+           gravity };
 }
 
 namespace detail {
@@ -1978,16 +2090,16 @@ inline Scalar potential_energy([[maybe_unused]] const JointVector<Scalar>& q, co
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[5] + (k[0] * c6 + k[1] * s6);
-  const Scalar t1 = k[12] - (k[11] + (k[4] * c5 + s5 * t0));
-  const Scalar t2 = k[6] + (c5 * t0 - k[4] * s5);
-  const Scalar t3 = k[3] + (k[2] - (k[0] * s6 - k[1] * c6));
-  const Scalar t4 = c3 * (k[10] - (s4 * t2 - c4 * t3));
-  const Scalar t5 = s2 * (k[14] + (s3 * (k[13] + t1) + t4));
-  const Scalar t6 = k[8] + (k[7] + (c4 * t2 + s4 * t3));
-  const Scalar t7 = k[16] * (k[15] + (t5 + c2 * (k[9] + t6)));
+  const Scalar t0 = k[2] + (k[0] * c6 + k[1] * s6);
+  const Scalar t1 = k[4] + (c5 * t0 - k[3] * s5);
+  const Scalar t2 = k[6] + (k[5] - (k[0] * s6 - k[1] * c6));
+  const Scalar t3 = c3 * (k[10] - (s4 * t1 - c4 * t2));
+  const Scalar t4 = k[12] - (k[11] + (s5 * t0 + k[3] * c5));
+  const Scalar t5 = s2 * (k[14] + (t3 + s3 * (k[13] + t4)));
+  const Scalar t6 = k[8] + (k[7] + (s4 * t2 + c4 * t1));
+  const Scalar t7 = k[16] - (k[15] - (t5 + c2 * (k[9] + t6)));
   Scalar result;
-  result = k[17] + t7;
+  result = k[17] * t7;
   return result;
 }
 

@@ -26,7 +26,7 @@ LoadAngles<Scalar> load_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion, under gravity in any direction.
 ///
-/// 238 multiplications, 216 additions, 6 sine/cosine pairs. Set-up: 90 multiplications, 106 additions, 6 divisions.
+/// 237 multiplications, 216 additions, 6 sine/cosine pairs. Set-up: 105 multiplications, 136 additions, 6 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1, which must not be zero.
 template <class Scalar>
@@ -46,7 +46,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces for a motion while a wrench acts on the tool from outside: those without it minus jacobian(q)^T wrench.
 ///
-/// 281 multiplications, 242 additions, 6 sine/cosine pairs. Set-up: 90 multiplications, 106 additions, 6 divisions.
+/// 280 multiplications, 241 additions, 6 sine/cosine pairs. Set-up: 105 multiplications, 136 additions, 6 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1, which must not be zero.
 template <class Scalar>
@@ -66,7 +66,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces that hold the robot at rest, under gravity in any direction.
 ///
-/// 60 multiplications, 38 additions, 6 sine/cosine pairs. Set-up: 23 multiplications, 15 additions.
+/// 60 multiplications, 38 additions, 6 sine/cosine pairs. Set-up: 26 multiplications, 21 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g,
@@ -83,7 +83,7 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const LoadAngle
 
 /// Joint accelerations for given joint forces, under gravity in any direction.
 ///
-/// 418 multiplications, 379 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 87 multiplications, 100 additions, 6
+/// 413 multiplications, 384 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 105 multiplications, 131 additions, 7
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1, which must not be zero.
@@ -92,7 +92,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
-using ForwardDynamicsWithGravityVectorConstants = std::array<Scalar, 51>;
+using ForwardDynamicsWithGravityVectorConstants = std::array<Scalar, 54>;
 template <class Scalar>
 ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_vector_constants(
     const BasicGeometry<Scalar>& g,
@@ -104,7 +104,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint accelerations for given joint forces while a wrench acts on the tool from outside.
 ///
-/// 458 multiplications, 408 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 86 multiplications, 100 additions, 6
+/// 457 multiplications, 410 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 102 multiplications, 131 additions, 7
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1, which must not be zero.
@@ -125,7 +125,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Minus the sum of m gravity . r over the links, r the centre of mass in the world, J.
 ///
-/// 27 multiplications, 32 additions, 6 sine/cosine pairs. Set-up: 26 multiplications, 9 additions.
+/// 27 multiplications, 32 additions, 6 sine/cosine pairs. Set-up: 29 multiplications, 17 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Scalar potential_energy(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g,

@@ -29,103 +29,122 @@ InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c4y * inertia.m4;
-  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t2 = t0 - g.d4 * t1;
-  const Scalar t3 = inertia.c3y * inertia.m3;
-  const Scalar t4 = g.d4 * inertia.m3 - t3;
-  const Scalar t5 = (t2 - t4) / g.d4;
-  const Scalar t6 = g.l1 * t5;
-  const Scalar t7 = g.l1 * t6;
-  const Scalar t8 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t9 = inertia.c2y * inertia.m2;
-  const Scalar t10 = inertia.m3 + t1;
-  const Scalar t11 = g.l1 * (inertia.m2 + t10) - t9;
-  const Scalar t12 = ((inertia.I2yy - t8) - inertia.c2y * t9) - g.l1 * (t11 - t9);
-  const Scalar t13 = inertia.c1y * inertia.m1;
-  const Scalar t14 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t15 = t13 - g.l1 * inertia.m1;
-  const Scalar t16 = (inertia.c1y * t13 - (inertia.I1yy - t14)) - g.l1 * (t13 + t15);
-  const Scalar t17 = inertia.c1x * inertia.m1;
-  const Scalar t18 = (t7 - (t12 - t16)) + (inertia.c1x * t17 - (inertia.I1xx - t14));
-  const Scalar t19 = inertia.c2x * inertia.m2;
-  const Scalar t20 = g.l2 * t5;
-  const Scalar t21 = inertia.c2z * inertia.m2;
-  const Scalar t22 = g.l2 * inertia.m2 + t21;
-  const Scalar t23 = inertia.c3z * inertia.m3;
-  const Scalar t24 = t23 + g.l2 * t10;
-  const Scalar t25 = inertia.c6y * inertia.m6;
-  const Scalar t26 = inertia.c5y * inertia.m5;
-  const Scalar t27 = inertia.c5z * inertia.m5;
-  const Scalar t28 = inertia.c6z * inertia.m6;
-  const Scalar t29 = inertia.c6x * inertia.m6;
-  const Scalar t30 = inertia.c4x * inertia.m4;
-  const Scalar t31 = inertia.c5x * inertia.m5;
-  const Scalar t32 = inertia.c4z * inertia.m4;
-  const Scalar t33 = inertia.c3x * inertia.m3;
-  const Scalar t34 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t35 = ((inertia.I4yy - t34) - inertia.c4y * t0) + g.d4 * (t0 + t2);
-  const Scalar t36 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t37 = ((inertia.I3yy - t36) - inertia.c3y * t3) - g.d4 * (t4 - t3);
-  const Scalar t38 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t39 = (inertia.c5x * t31 - (inertia.I5xx - t38)) - ((inertia.I4xx - t34) - inertia.c4x * t30);
-  const Scalar t40 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t41 = ((inertia.I6yy - t40) - inertia.c6y * t25) - (inertia.c5y * t26 - (inertia.I5yy - t38));
-  const Scalar t42 = (inertia.I6xx - t40) - inertia.c6x * t29;
-  const Scalar t43 = inertia.c6z * t28 - (inertia.I6zz - t40);
-  const Scalar t44 = inertia.I6xz - inertia.c6z * t29;
-  const Scalar t45 = (inertia.I2xz - inertia.c2z * t19) - g.l2 * t19;
-  const Scalar t46 = inertia.c2x * t19 - (inertia.I2xx - t8);
-  const Scalar t47 = g.l2 * (t22 + t21) - ((inertia.I2zz - t8) - inertia.c2z * t21);
-  const Scalar t48 = ((inertia.I3zz - t36) - inertia.c3z * t23) - g.l2 * (t23 + t24);
-  const Scalar t49 = g.l2 * t20 + (t47 - t48);
-  return { t18,
+  const Scalar t0 = inertia.c3y * inertia.m3;
+  const Scalar t1 = g.d4 * inertia.m3 - t0;
+  const Scalar t2 = inertia.c4y * inertia.m4;
+  const Scalar t3 = g.d4 * inertia.m4;
+  const Scalar t4 = t2 - t3;
+  const Scalar t5 = t4 + t3;
+  const Scalar t6 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t7 = t5 - g.d4 * t6;
+  const Scalar t8 = (t1 - t7) / g.d4;
+  const Scalar t9 = g.l1 * t8;
+  const Scalar t10 = g.l1 * t9;
+  const Scalar t11 = inertia.c1y * inertia.m1;
+  const Scalar t12 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t13 = t11 - g.l1 * inertia.m1;
+  const Scalar t14 = (inertia.c1y * t11 - (inertia.I1yy - t12)) - g.l1 * (t11 + t13);
+  const Scalar t15 = g.l1 * inertia.m2;
+  const Scalar t16 = inertia.c2y * inertia.m2;
+  const Scalar t17 = t15 - t16;
+  const Scalar t18 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t19 = g.l1 * (t17 - t16) - ((inertia.I2yy - t18) - inertia.c2y * t16);
+  const Scalar t20 = t15 - t17;
+  const Scalar t21 = inertia.m3 + t6;
+  const Scalar t22 = t20 - g.l1 * (inertia.m2 + t21);
+  const Scalar t23 = (t19 + g.l1 * (t20 - t17)) - g.l1 * (t20 + t22);
+  const Scalar t24 = inertia.c1x * inertia.m1;
+  const Scalar t25 = (t10 - (t14 + t23)) - (inertia.c1x * t24 - (inertia.I1xx - t12));
+  const Scalar t26 = inertia.c3x * inertia.m3;
+  const Scalar t27 = g.l2 * t26;
+  const Scalar t28 = inertia.c3z * inertia.m3;
+  const Scalar t29 = g.l2 * t1;
+  const Scalar t30 = (g.d4 * t28 + (inertia.I3yz - inertia.c3z * t0)) + t29;
+  const Scalar t31 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t32 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t33 = g.d4 * (t2 + t4) + ((inertia.I4yy - t32) - inertia.c4y * t2);
+  const Scalar t34 = (t33 - g.d4 * (t5 + t4)) + g.d4 * (t5 + t7);
+  const Scalar t35 = ((inertia.I3yy - t31) - inertia.c3y * t0) - g.d4 * (t1 - t0);
+  const Scalar t36 = inertia.c4z * inertia.m4;
+  const Scalar t37 = inertia.c4x * inertia.m4;
+  const Scalar t38 = inertia.c5x * inertia.m5;
+  const Scalar t39 = inertia.c5z * inertia.m5;
+  const Scalar t40 = inertia.c6y * inertia.m6;
+  const Scalar t41 = inertia.c5y * inertia.m5;
+  const Scalar t42 = inertia.c6z * inertia.m6;
+  const Scalar t43 = inertia.c6x * inertia.m6;
+  const Scalar t44 = g.d4 * t37;
+  const Scalar t45 = g.d4 * t36;
+  const Scalar t46 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t47 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t48 = ((inertia.I6yy - t47) - inertia.c6y * t40) - (inertia.c5y * t41 - (inertia.I5yy - t46));
+  const Scalar t49 = inertia.I6xz - inertia.c6z * t43;
+  const Scalar t50 = (inertia.I6xx - t47) - inertia.c6x * t43;
+  const Scalar t51 = inertia.c6z * t42 - (inertia.I6zz - t47);
+  const Scalar t52 = (inertia.c5x * t38 - (inertia.I5xx - t46)) - ((inertia.I4xx - t32) - inertia.c4x * t37);
+  const Scalar t53 = g.l2 * inertia.m3;
+  const Scalar t54 = t28 + t53;
+  const Scalar t55 = t54 - t53;
+  const Scalar t56 = t55 + g.l2 * t21;
+  const Scalar t57 = inertia.c2z * inertia.m2;
+  const Scalar t58 = g.l2 * inertia.m2 + t57;
+  const Scalar t59 = g.l2 * t8;
+  const Scalar t60 = inertia.c2x * inertia.m2;
+  const Scalar t61 = g.l1 * t60;
+  const Scalar t62 = g.l2 * t17 + ((inertia.I2yz - inertia.c2z * t16) + g.l1 * t57);
+  const Scalar t63 = (inertia.I2xz - inertia.c2z * t60) - g.l2 * t60;
+  const Scalar t64 = inertia.c2x * t60 - (inertia.I2xx - t18);
+  const Scalar t65 = g.l2 * (t58 + t57) - ((inertia.I2zz - t18) - inertia.c2z * t57);
+  const Scalar t66 = ((inertia.I3zz - t31) - inertia.c3z * t28) - g.l2 * (t28 + t54);
+  const Scalar t67 = (t66 + g.l2 * (t54 + t55)) - g.l2 * (t56 + t55);
+  const Scalar t68 = (t65 - t67) - g.l2 * t59;
+  return { t25,
            gravity[1] / g.l1,
            gravity[0] / g.l1,
-           g.l1 * ((t11 - t15) + t6),
-           g.l1 * t17,
-           g.l1 * t19,
-           g.l1 * (t20 + (t22 + t24)),
-           g.l1 * (t25 + t26),
-           g.l1 * t27,
-           g.l1 * t28,
-           g.l1 * t29,
+           g.l1 * (t9 + (t13 + t22)),
+           g.l1 * t24,
+           t27 - (t27 - (inertia.I3xz - inertia.c3z * t26)),
+           t30 - t29,
+           inertia.c3x * t26 - (inertia.I3xx - t31),
+           g.d4 * g.d4 * t8 + (t34 + t35),
+           (inertia.I3xy - inertia.c3y * t26) + g.d4 * t26,
            gravity[2] / g.l1,
            g.l2 / g.l1,
+           g.l1 * t26,
            g.d4 / g.l1,
-           t7,
-           g.l1 * (t30 + t31),
-           g.l1 * t32,
-           g.l1 * t33,
-           inertia.I3xz - inertia.c3z * t33,
-           (t35 + t37) - g.d4 * g.d4 * t5,
-           (inertia.I3xy - inertia.c3y * t33) + g.d4 * t33,
-           g.d4 * t23 + (inertia.I3yz - inertia.c3z * t3),
-           inertia.I4yz - inertia.c4z * t0,
-           inertia.I4xy - inertia.c4y * t30,
-           t39,
-           inertia.I4xz - inertia.c4z * t30,
-           inertia.I5yz - inertia.c5z * t26,
-           t41,
-           inertia.I5xy - inertia.c5y * t31,
-           inertia.I5xz - inertia.c5z * t31,
-           inertia.I6yz - inertia.c6z * t25,
-           inertia.I6xy - inertia.c6y * t29,
-           t42 + t43,
-           Scalar(2) * t44,
-           t43,
-           t44,
-           inertia.c5z * t27 - (inertia.I5zz - t38),
-           t42,
-           (inertia.I4zz - t34) - inertia.c4z * t32,
-           inertia.c3x * t33 - (inertia.I3xx - t36),
-           inertia.I2xy - inertia.c2y * t19,
-           (inertia.I2yz - inertia.c2z * t9) - g.l2 * t9,
-           Scalar(2) * t45,
-           t46 - t49,
-           t45,
-           t46,
-           t46 + t49 };
+           t10,
+           g.l1 * t36,
+           g.l1 * (t37 + t38),
+           g.l1 * t39,
+           g.l1 * (t40 + t41),
+           g.l1 * t42,
+           g.l1 * t43,
+           inertia.I4xz - inertia.c4z * t37,
+           (inertia.I4zz - t32) - inertia.c4z * t36,
+           (t44 + (inertia.I4xy - inertia.c4y * t37)) - t44,
+           t45 - (t45 + (inertia.I4yz - inertia.c4z * t2)),
+           inertia.c5z * t39 - (inertia.I5zz - t46),
+           t48,
+           inertia.I5yz - inertia.c5z * t41,
+           inertia.I5xz - inertia.c5z * t38,
+           inertia.I5xy - inertia.c5y * t38,
+           inertia.I6yz - inertia.c6z * t40,
+           inertia.I6xy - inertia.c6y * t43,
+           Scalar(2) * t49,
+           t50 + t51,
+           t50,
+           t49,
+           t51,
+           t52,
+           g.l1 * ((t56 + t58) - t59),
+           t61,
+           t61 - (t61 + (inertia.I2xy - inertia.c2y * t60)),
+           g.l1 * t58 - t62,
+           Scalar(2) * t63,
+           t64 - t68,
+           t63,
+           t64,
+           t64 + t68 };
 }
 
 namespace detail {
@@ -146,166 +165,163 @@ inline JointVector<Scalar> inverse_dynamics_with_gravity_vector([[maybe_unused]]
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = k[2] * s1 - k[1] * c1;
-  const Scalar t1 = k[1] * s1 + k[2] * c1;
-  const Scalar t2 = (k[4] * t0 - k[3] * t1) + k[0] * qdd[0];
-  const Scalar t3 = qd[0] * s2;
-  const Scalar t4 = qd[0] * c2;
-  const Scalar t5 = qdd[1] - t3 * t4;
-  const Scalar t6 = Scalar(2) * qd[0] * qd[1];
-  const Scalar t7 = qdd[0] * s2 + c2 * t6;
-  const Scalar t8 = s3 * t5 - c3 * t7;
-  const Scalar t9 = qd[0] * qd[0];
-  const Scalar t10 = t9 + t0;
-  const Scalar t11 = qdd[0] - t1;
-  const Scalar t12 = k[11] * s2 - c2 * t11;
-  const Scalar t13 = k[12] * t8 + (c3 * t10 + s3 * t12);
-  const Scalar t14 = qd[2] + t4;
-  const Scalar t15 = c3 * t3 - qd[1] * s3;
-  const Scalar t16 = s4 * t14 + c4 * t15;
-  const Scalar t17 = t16 * t16;
-  const Scalar t18 = s3 * t3 + qd[1] * c3;
-  const Scalar t19 = qd[3] + t18;
-  const Scalar t20 = t19 * t19;
-  const Scalar t21 = t17 - t20;
-  const Scalar t22 = s4 * t15 - c4 * t14;
-  const Scalar t23 = t22 * t22;
-  const Scalar t24 = t20 + t23;
-  const Scalar t25 = t21 + t24;
-  const Scalar t26 = t13 + k[13] * t25;
-  const Scalar t27 = t18 * t15;
-  const Scalar t28 = qdd[2] + (qdd[0] * c2 - qd[1] * t3);
-  const Scalar t29 = t27 + t28;
-  const Scalar t30 = t18 * t14;
-  const Scalar t31 = t8 + (t30 + t30);
-  const Scalar t32 = s4 * t29 - c4 * t31;
-  const Scalar t33 = t22 * t19;
-  const Scalar t34 = t32 - t33;
-  const Scalar t35 = t34 - t33;
-  const Scalar t36 = c4 * t29 + s4 * t31;
-  const Scalar t37 = t16 * t19;
-  const Scalar t38 = (t36 - t37) - t37;
-  const Scalar t39 = k[14] * t26 + (k[16] * t35 - k[15] * t38);
-  const Scalar t40 = k[9] * c6 + k[10] * s6;
-  const Scalar t41 = qdd[4] - t34;
-  const Scalar t42 = c5 * t22 + s5 * t19;
-  const Scalar t43 = c5 * t19 - s5 * t22;
-  const Scalar t44 = t42 * t43;
-  const Scalar t45 = t41 - t44;
-  const Scalar t46 = qd[5] + t43;
-  const Scalar t47 = t46 * t42;
-  const Scalar t48 = t45 + (t47 + t47);
-  const Scalar t49 = k[10] * c6 - k[9] * s6;
-  const Scalar t50 = qd[4] - t16;
-  const Scalar t51 = t50 * t43;
-  const Scalar t52 = c3 * t5 + s3 * t7;
-  const Scalar t53 = t14 * t15;
-  const Scalar t54 = t52 + t53;
-  const Scalar t55 = qdd[3] + t54;
-  const Scalar t56 = t22 * t16;
-  const Scalar t57 = t55 - t56;
-  const Scalar t58 = c5 * t38 - s5 * t57;
-  const Scalar t59 = t51 - (t58 - t51);
-  const Scalar t60 = t59 - Scalar(2) * t46 * t50;
-  const Scalar t61 = t50 * t50;
-  const Scalar t62 = t46 * t46;
-  const Scalar t63 = t61 - t62;
-  const Scalar t64 = t61 + t43 * t43;
-  const Scalar t65 = t64 - t24;
-  const Scalar t66 = t63 - t65;
-  const Scalar t67 = t61 + t62;
-  const Scalar t68 = t66 + t67;
-  const Scalar t69 = t41 + t44;
-  const Scalar t70 = (t40 * t48 - t49 * t60) - (k[7] * t68 - k[8] * t69);
-  const Scalar t71 = c5 * t57 + s5 * t38;
-  const Scalar t72 = qdd[5] + t71;
-  const Scalar t73 = (t72 * t49 - t40 * t67) - (k[7] * t45 + k[8] * t64);
-  const Scalar t74 = t27 - t28;
-  const Scalar t75 = (t39 - (c5 * t70 + s5 * t73)) + k[17] * t74;
-  const Scalar t76 = t18 * t18;
-  const Scalar t77 = t15 * t15;
-  const Scalar t78 = t76 - t77;
-  const Scalar t79 = t25 + t78;
-  const Scalar t80 = t17 + t20;
-  const Scalar t81 = t76 + t77;
-  const Scalar t82 = k[11] * c2 + s2 * t11;
-  const Scalar t83 = k[12] * t81 + t82;
-  const Scalar t84 = t83 - k[13] * t31;
-  const Scalar t85 = k[12] * t52 + (c3 * t12 - s3 * t10);
-  const Scalar t86 = t85 - k[13] * t29;
-  const Scalar t87 = c4 * t84 - s4 * t86;
-  const Scalar t88 = (k[15] * t57 - k[16] * t80) + k[14] * t87;
-  const Scalar t89 = t88 - (s5 * t70 - c5 * t73);
-  const Scalar t90 = t42 * t50;
-  const Scalar t91 = t72 - (t90 + t90);
-  const Scalar t92 = qdd[5] - t91;
-  const Scalar t93 = (t91 * t40 - (t65 - t67) * t49) - (k[7] * t59 + k[8] * t92);
-  const Scalar t94 = t55 + t56;
-  const Scalar t95 = s4 * t84 + c4 * t86;
-  const Scalar t96 = (k[16] * t94 + k[15] * t24) - k[14] * t95;
-  const Scalar t97 = t93 + t96;
-  const Scalar t98 = s4 * t89 + c4 * t97;
-  const Scalar t99 = k[17] * t79 + t98;
-  const Scalar t100 = (k[29] * t65 + k[28] * t45) - (k[36] * t92 - k[26] * t59);
-  const Scalar t101 = k[33] * s6 - k[32] * c6;
-  const Scalar t102 = c6 * t101;
-  const Scalar t103 = k[37] + t102;
-  const Scalar t104 = k[34] + t102;
-  const Scalar t105 = k[35] - s6 * t101;
-  const Scalar t106 = (t91 * t103 - t72 * t104) - t105 * t65;
-  const Scalar t107 = k[30] * s6 - k[31] * c6;
-  const Scalar t108 = k[31] * s6 + k[30] * c6;
-  const Scalar t109 = c5 * t87 - s5 * t26;
-  const Scalar t110 = (t106 + (t107 * t45 - t108 * t59)) + (t109 * t49 - t40 * t95);
-  const Scalar t111 = (t100 + k[8] * t95) - t110;
-  const Scalar t112 = t68 - t24;
-  const Scalar t113 = k[28] * t112 + (k[27] * t59 + k[26] * t92);
-  const Scalar t114 = c5 * t26 + s5 * t87;
-  const Scalar t115 = t107 * t63 + (t104 * t60 + t48 * t105);
-  const Scalar t116 = ((k[29] * t69 - t113) - k[7] * t95) - (t49 * t114 - (t115 + t108 * t91));
-  const Scalar t117 = k[23] * t21 + (k[24] * t38 + k[25] * t35);
-  const Scalar t118 = (s5 * t111 - c5 * t116) - ((k[22] * t94 - t117) - k[15] * t26);
-  const Scalar t119 = k[26] * (t112 - t65) - (k[27] * t45 - k[36] * t69);
-  const Scalar t120 = (k[8] * t114 + k[7] * t109) + (t119 + (k[28] * t71 - k[29] * t58));
-  const Scalar t121 = (t72 * t107 - t108 * t66) - (t105 * t60 - t103 * t48);
-  const Scalar t122 = t120 + (t40 * t114 - t121);
-  const Scalar t123 = (k[23] * t57 - k[22] * (t20 - t23)) + (k[38] * t35 - k[25] * t38);
-  const Scalar t124 = t122 + (t123 + k[16] * t26);
-  const Scalar t125 = k[13] * t98 - (c4 * t118 - s4 * t124);
-  const Scalar t126 = (k[39] * t74 + k[19] * t29) + k[20] * t78;
-  const Scalar t127 = k[17] * t13 - ((k[18] * t8 + k[21] * t52) + t126);
-  const Scalar t128 = t125 - t127;
-  const Scalar t129 = c2 * ((s3 * t75 - c3 * t99) - t128);
-  const Scalar t130 = t81 - t79;
-  const Scalar t131 = t53 + t54;
-  const Scalar t132 = (k[18] * t130 - k[21] * t29) + (k[20] * t31 + k[39] * t131);
-  const Scalar t133 = k[25] * (t80 - t24) + (k[24] * t57 - k[38] * t94);
-  const Scalar t134 = ((k[22] * t36 + k[23] * t32) - t133) - (k[16] * t95 - k[15] * t87);
-  const Scalar t135 = t134 - (s5 * t116 + c5 * t111);
-  const Scalar t136 = ((k[17] * t83 - t132) + t135) - k[12] * t99;
-  const Scalar t137 = k[21] * (t78 + t130) + (k[19] * t31 - k[20] * t131);
-  const Scalar t138 = s4 * t97 - c4 * t89;
-  const Scalar t139 = (s4 * t118 + c4 * t124) - k[13] * t138;
-  const Scalar t140 = ((k[18] * t74 - t137) + t139) - k[12] * t75;
-  const Scalar t141 = (s3 * t136 + c3 * t140) - (t138 - k[17] * t131);
-  const Scalar t142 = k[6] * s2 - k[5] * c2;
-  const Scalar t143 = k[43] * s2 - k[42] * c2;
-  const Scalar t144 = k[44] + c2 * t143;
-  const Scalar t145 = t144 * t6 - qdd[0] * (k[45] - s2 * t143);
-  const Scalar t146 = qd[1] * qd[1];
-  const Scalar t147 = k[40] * s2 + k[41] * c2;
-  const Scalar t148 = (k[40] * c2 - k[41] * s2) * t146 + qdd[1] * t147;
-  const Scalar t149 = (t129 - s2 * t141) - (t10 * t142 + (t145 + t148));
-  const Scalar t150 = qdd[1] * (k[5] * s2 + k[6] * c2) - (t9 + t146) * t142;
-  const Scalar t151 = (k[46] * qdd[1] + t144 * t9) - qdd[0] * t147;
-  const Scalar t152 = (s3 * t140 - c3 * t136) + (t151 - (k[5] * t82 - k[6] * t12));
+  const Scalar t0 = qd[0] * c2;
+  const Scalar t1 = qd[2] + t0;
+  const Scalar t2 = qd[0] * s2;
+  const Scalar t3 = c3 * t2 - qd[1] * s3;
+  const Scalar t4 = t1 * t3;
+  const Scalar t5 = qd[1] * (qd[0] + qd[0]);
+  const Scalar t6 = qdd[0] * s2 + c2 * t5;
+  const Scalar t7 = qdd[1] - t2 * t0;
+  const Scalar t8 = s3 * t6 + c3 * t7;
+  const Scalar t9 = t4 + t8;
+  const Scalar t10 = t9 + t4;
+  const Scalar t11 = k[1] * s1 + k[2] * c1;
+  const Scalar t12 = qdd[0] - t11;
+  const Scalar t13 = s3 * t2 + qd[1] * c3;
+  const Scalar t14 = t13 * t13;
+  const Scalar t15 = t3 * t3;
+  const Scalar t16 = t14 + t15;
+  const Scalar t17 = (k[10] * c2 + s2 * t12) + k[11] * t16;
+  const Scalar t18 = k[11] * t7 + (k[10] * s2 - c2 * t12);
+  const Scalar t19 = qd[0] * qd[0];
+  const Scalar t20 = k[2] * s1 - k[1] * c1;
+  const Scalar t21 = t19 + t20;
+  const Scalar t22 = t21 - k[11] * t6;
+  const Scalar t23 = c3 * t18 - s3 * t22;
+  const Scalar t24 = t13 * t3;
+  const Scalar t25 = qdd[2] + (qdd[0] * c2 - qd[1] * t2);
+  const Scalar t26 = t24 + t25;
+  const Scalar t27 = c3 * t6 - s3 * t7;
+  const Scalar t28 = t13 * (t1 + t1) - t27;
+  const Scalar t29 = c4 * t26 + s4 * t28;
+  const Scalar t30 = (s4 * t17 + c4 * t23) - k[13] * t29;
+  const Scalar t31 = s4 * t3 - c4 * t1;
+  const Scalar t32 = s4 * t1 + c4 * t3;
+  const Scalar t33 = t31 * t32;
+  const Scalar t34 = qdd[3] + t9;
+  const Scalar t35 = t33 + t34;
+  const Scalar t36 = qd[3] + t13;
+  const Scalar t37 = c5 * t36 - s5 * t31;
+  const Scalar t38 = t37 * t37;
+  const Scalar t39 = c5 * t31 + s5 * t36;
+  const Scalar t40 = t39 * t39;
+  const Scalar t41 = t38 + t40;
+  const Scalar t42 = k[14] * t30 + (k[15] * t35 + k[16] * t41);
+  const Scalar t43 = qd[5] + t37;
+  const Scalar t44 = t43 * t43;
+  const Scalar t45 = t44 + t40;
+  const Scalar t46 = k[19] * s6 - k[20] * c6;
+  const Scalar t47 = t32 * t36;
+  const Scalar t48 = (t29 - t47) - t47;
+  const Scalar t49 = t33 - t34;
+  const Scalar t50 = s5 * t48 - c5 * t49;
+  const Scalar t51 = qdd[5] + t50;
+  const Scalar t52 = qd[4] - t32;
+  const Scalar t53 = Scalar(2) * t52;
+  const Scalar t54 = t51 - t39 * t53;
+  const Scalar t55 = k[19] * c6 + k[20] * s6;
+  const Scalar t56 = qdd[5] - t54;
+  const Scalar t57 = c5 * t48 + s5 * t49;
+  const Scalar t58 = t57 - t53 * t37;
+  const Scalar t59 = (t45 * t46 - t54 * t55) + (k[17] * t56 - k[18] * t58);
+  const Scalar t60 = t42 - t59;
+  const Scalar t61 = c4 * t28 - s4 * t26;
+  const Scalar t62 = (c4 * t17 - s4 * t23) - k[13] * t61;
+  const Scalar t63 = t32 * t32;
+  const Scalar t64 = t31 * t31;
+  const Scalar t65 = t63 - t64;
+  const Scalar t66 = t65 + t41;
+  const Scalar t67 = k[14] * t62 + (k[16] * t49 + k[15] * t66);
+  const Scalar t68 = t52 * t52;
+  const Scalar t69 = t31 * t36;
+  const Scalar t70 = t61 + t69;
+  const Scalar t71 = qdd[4] + t70;
+  const Scalar t72 = t39 * t37;
+  const Scalar t73 = t71 - t72;
+  const Scalar t74 = t68 - t40;
+  const Scalar t75 = t41 + t74;
+  const Scalar t76 = (t55 * (t68 + t44) + t51 * t46) + (k[18] * t73 + k[17] * t75);
+  const Scalar t77 = t43 * t39;
+  const Scalar t78 = t77 + (t77 + t73);
+  const Scalar t79 = t43 * t52;
+  const Scalar t80 = t79 + (t79 + t58);
+  const Scalar t81 = t71 + t72;
+  const Scalar t82 = t68 - t38;
+  const Scalar t83 = t41 + t82;
+  const Scalar t84 = (t78 * t55 - t80 * t46) + (k[17] * t81 - k[18] * t83);
+  const Scalar t85 = t67 + (c5 * t76 + s5 * t84);
+  const Scalar t86 = k[12] * t10 - (s4 * t60 + c4 * t85);
+  const Scalar t87 = t24 - t25;
+  const Scalar t88 = t63 + t64;
+  const Scalar t89 = t16 - t88;
+  const Scalar t90 = (k[9] * t10 - k[8] * t28) - k[6] * t89;
+  const Scalar t91 = c3 * t22 + s3 * t18;
+  const Scalar t92 = t91 + k[13] * t88;
+  const Scalar t93 = t70 + t69;
+  const Scalar t94 = t88 - t66;
+  const Scalar t95 = (k[21] * t93 - k[37] * t48) - k[23] * (t65 + t94);
+  const Scalar t96 = (k[26] * t58 - k[27] * t56) - k[29] * t82;
+  const Scalar t97 = s5 * t62 + c5 * t92;
+  const Scalar t98 = k[33] * c6 - k[32] * s6;
+  const Scalar t99 = k[35] + s6 * t98;
+  const Scalar t100 = c6 * t98;
+  const Scalar t101 = k[36] - t100;
+  const Scalar t102 = k[30] * s6 - k[31] * c6;
+  const Scalar t103 = t45 - t83;
+  const Scalar t104 = (t78 * t99 - t80 * t101) - t102 * t103;
+  const Scalar t105 = k[31] * s6 + k[30] * c6;
+  const Scalar t106 = ((k[28] * t81 + t96) - k[18] * t30) + (t97 * t46 + (t104 + t54 * t105));
+  const Scalar t107 = (k[28] * t74 + k[29] * t73) - (k[25] * t56 + k[27] * t58);
+  const Scalar t108 = k[34] - t100;
+  const Scalar t109 = t99 * t74 - (t54 * t108 - t51 * t101);
+  const Scalar t110 = c5 * t62 - s5 * t92;
+  const Scalar t111 = (t109 - (t105 * t58 + t102 * t73)) + (t46 * t110 + t55 * t30);
+  const Scalar t112 = (k[17] * t30 + t107) + t111;
+  const Scalar t113 = (k[16] * t92 - (t95 - k[24] * t35)) - (c5 * t106 - s5 * t112);
+  const Scalar t114 = k[13] * t60 - t113;
+  const Scalar t115 = (k[21] * t48 + k[22] * t93) + (k[24] * t94 + k[23] * t49);
+  const Scalar t116 = (t105 * (t103 + t74) + t51 * t102) + (t108 * t78 + t80 * t99);
+  const Scalar t117 = k[27] * (t75 - t83) - (k[25] * t81 - k[26] * t73);
+  const Scalar t118 = ((k[28] * t57 - k[29] * t50) + t117) - (k[17] * t97 + k[18] * t110);
+  const Scalar t119 = (t116 - t97 * t55) + t118;
+  const Scalar t120 = k[13] * t85 + ((t115 - k[15] * t92) + t119);
+  const Scalar t121 = (k[5] * t87 + t90) - (s4 * t114 + c4 * t120);
+  const Scalar t122 = (k[15] * t93 + k[16] * t48) + k[14] * t92;
+  const Scalar t123 = k[12] * t87 + ((s5 * t76 - c5 * t84) - t122);
+  const Scalar t124 = t121 - k[11] * t123;
+  const Scalar t125 = (k[22] * t35 + k[37] * t49) - k[21] * t65;
+  const Scalar t126 = (t125 - (k[23] * t61 + k[24] * t29)) - (k[15] * t30 - k[16] * t62);
+  const Scalar t127 = t126 - (s5 * t106 + c5 * t112);
+  const Scalar t128 = t14 - t15;
+  const Scalar t129 = (k[9] * t28 + k[7] * t10) + (k[5] * (t89 - t128) - k[6] * t26);
+  const Scalar t130 = (s4 * t85 - c4 * t60) - k[12] * (t88 + t128);
+  const Scalar t131 = (t127 - (t129 - k[12] * t17)) + k[11] * t130;
+  const Scalar t132 = s2 * (t86 + (c3 * t124 + s3 * t131));
+  const Scalar t133 = k[9] * t128 + (k[7] * t87 + k[8] * t26);
+  const Scalar t134 = k[12] * t91 + ((k[5] * t27 - k[6] * t8) - t133);
+  const Scalar t135 = t134 + (s4 * t120 - c4 * t114);
+  const Scalar t136 = c2 * ((c3 * t130 + s3 * t123) + t135);
+  const Scalar t137 = k[39] * c2 - k[38] * s2;
+  const Scalar t138 = qd[1] * qd[1];
+  const Scalar t139 = k[40] * s2 + k[41] * c2;
+  const Scalar t140 = (k[40] * c2 - k[41] * s2) * t138 + qdd[1] * t139;
+  const Scalar t141 = k[43] * s2 - k[42] * c2;
+  const Scalar t142 = k[44] + c2 * t141;
+  const Scalar t143 = t142 * t5 - qdd[0] * (k[45] - s2 * t141);
+  const Scalar t144 = (t132 - t136) - (t21 * t137 + (t140 - t143));
+  const Scalar t145 = k[39] * s2 + k[38] * c2;
+  const Scalar t146 = t144 + ((t19 + t138) * t137 + qdd[1] * t145);
+  const Scalar t147 = k[0] * qdd[0] - (k[4] * t20 + k[3] * t11);
+  const Scalar t148 = (k[46] * qdd[1] + t142 * t19) + qdd[0] * t139;
+  const Scalar t149 = (s3 * t124 - c3 * t131) - ((t12 * t145 + k[10] * t137) - t148);
   JointVector<Scalar> result;
-  result[0] = t2 + (t149 - t150);
-  result[1] = t152;
-  result[2] = -t128;
-  result[3] = -t135;
-  result[4] = t122;
-  result[5] = -t110;
+  result[0] = -t146 - t147;
+  result[1] = t149;
+  result[2] = t135;
+  result[3] = -t127;
+  result[4] = -t119;
+  result[5] = t111;
   return result;
 }
 
@@ -334,104 +350,123 @@ InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constant
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c4y * inertia.m4;
-  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t2 = t0 - g.d4 * t1;
-  const Scalar t3 = inertia.c3y * inertia.m3;
-  const Scalar t4 = g.d4 * inertia.m3 - t3;
-  const Scalar t5 = (t2 - t4) / g.d4;
-  const Scalar t6 = g.l1 * t5;
-  const Scalar t7 = g.l1 * t6;
-  const Scalar t8 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t9 = inertia.c2y * inertia.m2;
-  const Scalar t10 = inertia.m3 + t1;
-  const Scalar t11 = g.l1 * (inertia.m2 + t10) - t9;
-  const Scalar t12 = ((inertia.I2yy - t8) - inertia.c2y * t9) - g.l1 * (t11 - t9);
-  const Scalar t13 = inertia.c1y * inertia.m1;
-  const Scalar t14 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t15 = t13 - g.l1 * inertia.m1;
-  const Scalar t16 = (inertia.c1y * t13 - (inertia.I1yy - t14)) - g.l1 * (t13 + t15);
-  const Scalar t17 = inertia.c1x * inertia.m1;
-  const Scalar t18 = (t7 - (t12 - t16)) + (inertia.c1x * t17 - (inertia.I1xx - t14));
-  const Scalar t19 = inertia.c4x * inertia.m4;
-  const Scalar t20 = inertia.c5x * inertia.m5;
-  const Scalar t21 = inertia.c4z * inertia.m4;
-  const Scalar t22 = inertia.c6z * inertia.m6;
-  const Scalar t23 = inertia.c6x * inertia.m6;
-  const Scalar t24 = inertia.c5z * inertia.m5;
-  const Scalar t25 = inertia.c6y * inertia.m6;
-  const Scalar t26 = inertia.c5y * inertia.m5;
-  const Scalar t27 = inertia.c3x * inertia.m3;
-  const Scalar t28 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t29 = (inertia.I6xx - t28) - inertia.c6x * t23;
-  const Scalar t30 = inertia.c6z * t22 - (inertia.I6zz - t28);
-  const Scalar t31 = inertia.I6xz - inertia.c6z * t23;
-  const Scalar t32 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t33 = ((inertia.I6yy - t28) - inertia.c6y * t25) - (inertia.c5y * t26 - (inertia.I5yy - t32));
-  const Scalar t34 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t35 = (inertia.c5x * t20 - (inertia.I5xx - t32)) - ((inertia.I4xx - t34) - inertia.c4x * t19);
-  const Scalar t36 = inertia.c3z * inertia.m3;
-  const Scalar t37 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t38 = ((inertia.I4yy - t34) - inertia.c4y * t0) + g.d4 * (t0 + t2);
-  const Scalar t39 = ((inertia.I3yy - t37) - inertia.c3y * t3) - g.d4 * (t4 - t3);
-  const Scalar t40 = g.l2 * t5;
-  const Scalar t41 = inertia.c2z * inertia.m2;
-  const Scalar t42 = g.l2 * inertia.m2 + t41;
-  const Scalar t43 = t36 + g.l2 * t10;
-  const Scalar t44 = inertia.c2x * inertia.m2;
-  const Scalar t45 = (inertia.I2xz - inertia.c2z * t44) - g.l2 * t44;
-  const Scalar t46 = inertia.c2x * t44 - (inertia.I2xx - t8);
-  const Scalar t47 = g.l2 * (t42 + t41) - ((inertia.I2zz - t8) - inertia.c2z * t41);
-  const Scalar t48 = ((inertia.I3zz - t37) - inertia.c3z * t36) - g.l2 * (t36 + t43);
-  const Scalar t49 = g.l2 * t40 + (t47 - t48);
-  return { t18,
+  const Scalar t0 = inertia.c3y * inertia.m3;
+  const Scalar t1 = g.d4 * inertia.m3 - t0;
+  const Scalar t2 = inertia.c4y * inertia.m4;
+  const Scalar t3 = g.d4 * inertia.m4;
+  const Scalar t4 = t2 - t3;
+  const Scalar t5 = t4 + t3;
+  const Scalar t6 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t7 = t5 - g.d4 * t6;
+  const Scalar t8 = (t1 - t7) / g.d4;
+  const Scalar t9 = g.l1 * t8;
+  const Scalar t10 = g.l1 * t9;
+  const Scalar t11 = inertia.c1y * inertia.m1;
+  const Scalar t12 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t13 = t11 - g.l1 * inertia.m1;
+  const Scalar t14 = (inertia.c1y * t11 - (inertia.I1yy - t12)) - g.l1 * (t11 + t13);
+  const Scalar t15 = g.l1 * inertia.m2;
+  const Scalar t16 = inertia.c2y * inertia.m2;
+  const Scalar t17 = t15 - t16;
+  const Scalar t18 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t19 = g.l1 * (t17 - t16) - ((inertia.I2yy - t18) - inertia.c2y * t16);
+  const Scalar t20 = t15 - t17;
+  const Scalar t21 = inertia.m3 + t6;
+  const Scalar t22 = t20 - g.l1 * (inertia.m2 + t21);
+  const Scalar t23 = (t19 + g.l1 * (t20 - t17)) - g.l1 * (t20 + t22);
+  const Scalar t24 = inertia.c1x * inertia.m1;
+  const Scalar t25 = (t10 - (t14 + t23)) - (inertia.c1x * t24 - (inertia.I1xx - t12));
+  const Scalar t26 = inertia.c3z * inertia.m3;
+  const Scalar t27 = g.l2 * inertia.m3;
+  const Scalar t28 = t26 + t27;
+  const Scalar t29 = t28 - t27;
+  const Scalar t30 = t29 + g.l2 * t21;
+  const Scalar t31 = inertia.c2z * inertia.m2;
+  const Scalar t32 = g.l2 * inertia.m2 + t31;
+  const Scalar t33 = g.l2 * t8;
+  const Scalar t34 = inertia.c2x * inertia.m2;
+  const Scalar t35 = g.l1 * t34;
+  const Scalar t36 = g.l2 * t17 + ((inertia.I2yz - inertia.c2z * t16) + g.l1 * t31);
+  const Scalar t37 = (inertia.I2xz - inertia.c2z * t34) - g.l2 * t34;
+  const Scalar t38 = inertia.c2x * t34 - (inertia.I2xx - t18);
+  const Scalar t39 = g.l2 * (t32 + t31) - ((inertia.I2zz - t18) - inertia.c2z * t31);
+  const Scalar t40 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t41 = ((inertia.I3zz - t40) - inertia.c3z * t26) - g.l2 * (t26 + t28);
+  const Scalar t42 = (t41 + g.l2 * (t28 + t29)) - g.l2 * (t30 + t29);
+  const Scalar t43 = (t39 - t42) - g.l2 * t33;
+  const Scalar t44 = inertia.c3x * inertia.m3;
+  const Scalar t45 = inertia.c6y * inertia.m6;
+  const Scalar t46 = inertia.c5y * inertia.m5;
+  const Scalar t47 = inertia.c5z * inertia.m5;
+  const Scalar t48 = inertia.c6z * inertia.m6;
+  const Scalar t49 = inertia.c6x * inertia.m6;
+  const Scalar t50 = inertia.c4z * inertia.m4;
+  const Scalar t51 = inertia.c4x * inertia.m4;
+  const Scalar t52 = inertia.c5x * inertia.m5;
+  const Scalar t53 = g.l2 * t44;
+  const Scalar t54 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t55 = g.d4 * (t2 + t4) + ((inertia.I4yy - t54) - inertia.c4y * t2);
+  const Scalar t56 = (t55 - g.d4 * (t5 + t4)) + g.d4 * (t5 + t7);
+  const Scalar t57 = ((inertia.I3yy - t40) - inertia.c3y * t0) - g.d4 * (t1 - t0);
+  const Scalar t58 = g.l2 * t1;
+  const Scalar t59 = (g.d4 * t26 + (inertia.I3yz - inertia.c3z * t0)) + t58;
+  const Scalar t60 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t61 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t62 = ((inertia.I6yy - t61) - inertia.c6y * t45) - (inertia.c5y * t46 - (inertia.I5yy - t60));
+  const Scalar t63 = inertia.I6xz - inertia.c6z * t49;
+  const Scalar t64 = (inertia.I6xx - t61) - inertia.c6x * t49;
+  const Scalar t65 = inertia.c6z * t48 - (inertia.I6zz - t61);
+  const Scalar t66 = g.d4 * t50;
+  const Scalar t67 = g.d4 * t51;
+  const Scalar t68 = (inertia.c5x * t52 - (inertia.I5xx - t60)) - ((inertia.I4xx - t54) - inertia.c4x * t51);
+  return { t25,
            gravity[1] / g.l1,
            gravity[0] / g.l1,
-           g.l1 * ((t11 - t15) + t6),
-           g.l1 * t17,
+           g.l1 * (t9 + (t13 + t22)),
+           g.l1 * t24,
+           g.l1 * ((t30 + t32) - t33),
+           t35,
+           t35 - (t35 + (inertia.I2xy - inertia.c2y * t34)),
+           g.l1 * t32 - t36,
+           Scalar(2) * t37,
+           t38 - t43,
+           t38,
+           t37,
+           g.l1 * t44,
+           g.l1 * (t45 + t46),
+           g.l1 * t47,
+           g.l1 * t48,
+           g.l1 * t49,
+           g.l1,
            g.l2 / g.l1,
            gravity[2] / g.l1,
            g.d4 / g.l1,
-           t7,
-           g.l1 * (t19 + t20),
-           g.l1 * t21,
-           g.l1,
-           g.l1 * t22,
-           g.l1 * t23,
-           g.l1 * t24,
-           g.l1 * (t25 + t26),
-           g.l1 * t27,
-           t29 + t30,
-           Scalar(2) * t31,
-           t30,
-           t29,
-           t31,
-           inertia.I6yz - inertia.c6z * t25,
-           inertia.I6xy - inertia.c6y * t23,
-           inertia.I5xz - inertia.c5z * t20,
-           inertia.I5xy - inertia.c5y * t20,
-           inertia.c5z * t24 - (inertia.I5zz - t32),
-           inertia.I5yz - inertia.c5z * t26,
-           t33,
-           inertia.I4xz - inertia.c4z * t19,
-           (inertia.I4zz - t34) - inertia.c4z * t21,
-           t35,
-           inertia.I4yz - inertia.c4z * t0,
-           inertia.I4xy - inertia.c4y * t19,
-           inertia.I3xz - inertia.c3z * t27,
-           g.d4 * t36 + (inertia.I3yz - inertia.c3z * t3),
-           inertia.c3x * t27 - (inertia.I3xx - t37),
-           (inertia.I3xy - inertia.c3y * t27) + g.d4 * t27,
-           (t38 + t39) - g.d4 * g.d4 * t5,
-           g.l1 * (t40 + (t42 + t43)),
-           g.l1 * t44,
-           inertia.I2xy - inertia.c2y * t44,
-           (inertia.I2yz - inertia.c2z * t9) - g.l2 * t9,
-           Scalar(2) * t45,
-           t46 - t49,
-           t45,
-           t46,
-           t46 + t49 };
+           t10,
+           g.l1 * t50,
+           g.l1 * (t51 + t52),
+           t53 - (t53 - (inertia.I3xz - inertia.c3z * t44)),
+           (inertia.I3xy - inertia.c3y * t44) + g.d4 * t44,
+           g.d4 * g.d4 * t8 + (t56 + t57),
+           t59 - t58,
+           inertia.I5xy - inertia.c5y * t52,
+           inertia.I5xz - inertia.c5z * t52,
+           inertia.c5z * t47 - (inertia.I5zz - t60),
+           t62,
+           inertia.I5yz - inertia.c5z * t46,
+           Scalar(2) * t63,
+           t64 + t65,
+           t64,
+           t63,
+           inertia.I6yz - inertia.c6z * t45,
+           inertia.I6xy - inertia.c6y * t49,
+           t66 - (t66 + (inertia.I4yz - inertia.c4z * t2)),
+           (t67 + (inertia.I4xy - inertia.c4y * t51)) - t67,
+           (inertia.I4zz - t54) - inertia.c4z * t50,
+           inertia.I4xz - inertia.c4z * t51,
+           t68,
+           t65,
+           inertia.c3x * t44 - (inertia.I3xx - t40),
+           t38 + t43 };
 }
 
 namespace detail {
@@ -452,184 +487,181 @@ inline JointVector<Scalar> inverse_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = k[2] * s1 - k[1] * c1;
-  const Scalar t1 = k[1] * s1 + k[2] * c1;
-  const Scalar t2 = (k[4] * t0 - k[3] * t1) + k[0] * qdd[0];
-  const Scalar t3 = k[39] * c2 + k[40] * s2;
-  const Scalar t4 = k[39] * s2 - k[40] * c2;
-  const Scalar t5 = qd[0] * qd[0];
-  const Scalar t6 = qd[1] * qd[1];
-  const Scalar t7 = k[12] * s6 - k[13] * c6;
-  const Scalar t8 = qd[0] * s2;
-  const Scalar t9 = s3 * t8 + qd[1] * c3;
-  const Scalar t10 = c3 * t8 - qd[1] * s3;
-  const Scalar t11 = t9 * t10;
-  const Scalar t12 = qdd[2] + (qdd[0] * c2 - qd[1] * t8);
-  const Scalar t13 = t11 + t12;
-  const Scalar t14 = qd[0] * c2;
-  const Scalar t15 = qdd[1] - t8 * t14;
-  const Scalar t16 = Scalar(2) * qd[0] * qd[1];
-  const Scalar t17 = qdd[0] * s2 + c2 * t16;
-  const Scalar t18 = s3 * t15 - c3 * t17;
-  const Scalar t19 = qd[2] + t14;
-  const Scalar t20 = t9 * t19;
-  const Scalar t21 = t18 + (t20 + t20);
-  const Scalar t22 = c4 * t13 + s4 * t21;
-  const Scalar t23 = s4 * t19 + c4 * t10;
-  const Scalar t24 = qd[3] + t9;
-  const Scalar t25 = t23 * t24;
-  const Scalar t26 = (t22 - t25) - t25;
-  const Scalar t27 = c3 * t15 + s3 * t17;
-  const Scalar t28 = t19 * t10;
-  const Scalar t29 = t27 + t28;
-  const Scalar t30 = qdd[3] + t29;
-  const Scalar t31 = s4 * t10 - c4 * t19;
-  const Scalar t32 = t31 * t23;
-  const Scalar t33 = t30 - t32;
-  const Scalar t34 = c5 * t26 - s5 * t33;
-  const Scalar t35 = qd[4] - t23;
-  const Scalar t36 = c5 * t24 - s5 * t31;
-  const Scalar t37 = t34 - Scalar(2) * t35 * t36;
-  const Scalar t38 = qd[5] + t36;
-  const Scalar t39 = t38 * t35;
-  const Scalar t40 = t37 + (t39 + t39);
-  const Scalar t41 = c5 * t31 + s5 * t24;
-  const Scalar t42 = t38 * t41;
-  const Scalar t43 = s4 * t13 - c4 * t21;
-  const Scalar t44 = t31 * t24;
-  const Scalar t45 = t43 - t44;
-  const Scalar t46 = qdd[4] - t45;
-  const Scalar t47 = t41 * t36;
-  const Scalar t48 = t46 - t47;
-  const Scalar t49 = t42 + (t42 + t48);
-  const Scalar t50 = k[13] * s6 + k[12] * c6;
-  const Scalar t51 = wrench[0] * c1 + wrench[1] * s1;
-  const Scalar t52 = wrench[2] * c2 - s2 * t51;
-  const Scalar t53 = c2 * t51 + wrench[2] * s2;
-  const Scalar t54 = wrench[0] * s1 - wrench[1] * c1;
-  const Scalar t55 = c3 * t53 - s3 * t54;
-  const Scalar t56 = c4 * t52 - s4 * t55;
-  const Scalar t57 = c3 * t54 + s3 * t53;
-  const Scalar t58 = (t7 * t40 - t49 * t50) - k[11] * (s5 * t56 + c5 * t57);
-  const Scalar t59 = t36 * t36;
-  const Scalar t60 = t59 - t41 * t41;
-  const Scalar t61 = t35 * t35;
-  const Scalar t62 = t61 + t59;
-  const Scalar t63 = t60 - t62;
-  const Scalar t64 = t46 + t47;
-  const Scalar t65 = t58 - (k[15] * t63 + k[14] * t64);
-  const Scalar t66 = t38 * t38;
-  const Scalar t67 = t61 + t66;
-  const Scalar t68 = c5 * t33 + s5 * t26;
-  const Scalar t69 = qdd[5] + t68;
-  const Scalar t70 = k[11] * (s5 * t57 - c5 * t56) - (t50 * t67 + t69 * t7);
-  const Scalar t71 = (k[15] * t48 + k[14] * t62) - t70;
-  const Scalar t72 = t23 * t23;
-  const Scalar t73 = t24 * t24;
-  const Scalar t74 = t72 + t73;
-  const Scalar t75 = qdd[0] - t1;
-  const Scalar t76 = t19 * t19;
-  const Scalar t77 = t9 * t9;
-  const Scalar t78 = t76 - t77;
-  const Scalar t79 = t61 - t66;
-  const Scalar t80 = t79 + t63;
-  const Scalar t81 = t80 + t67;
-  const Scalar t82 = t81 - t62;
-  const Scalar t83 = t72 - t73;
-  const Scalar t84 = t82 - t83;
-  const Scalar t85 = (k[6] * c2 + s2 * t75) - k[5] * (t78 + t84);
-  const Scalar t86 = k[7] * t21 - t85;
-  const Scalar t87 = t5 + t0;
-  const Scalar t88 = k[6] * s2 - c2 * t75;
-  const Scalar t89 = (s3 * t87 - c3 * t88) - k[5] * t27;
-  const Scalar t90 = t89 + k[7] * t13;
-  const Scalar t91 = c4 * t86 - s4 * t90;
-  const Scalar t92 = (k[9] * t33 - k[10] * t74) - k[8] * t91;
-  const Scalar t93 = (s5 * t65 - c5 * t71) + t92;
-  const Scalar t94 = t41 * t35;
-  const Scalar t95 = t94 - (t69 - t94);
-  const Scalar t96 = k[11] * (s4 * t52 + c4 * t55) - (t50 * t95 - t7 * t80);
-  const Scalar t97 = qdd[5] + t95;
-  const Scalar t98 = t30 + t32;
-  const Scalar t99 = c4 * t90 + s4 * t86;
-  const Scalar t100 = (k[10] * t98 - k[9] * t82) + k[8] * t99;
-  const Scalar t101 = (t96 + (k[15] * t37 - k[14] * t97)) + t100;
-  const Scalar t102 = t28 + t29;
-  const Scalar t103 = (c4 * t93 - s4 * t101) + k[16] * t102;
-  const Scalar t104 = t76 + t77;
-  const Scalar t105 = (c4 * t101 + s4 * t93) + k[16] * t104;
-  const Scalar t106 = t104 + t84;
-  const Scalar t107 = (k[37] * t21 + k[36] * t102) - (k[34] * (t106 + t78) + k[35] * t13);
-  const Scalar t108 = (k[24] * t81 + k[25] * t48) - (k[26] * t97 + k[27] * t37);
-  const Scalar t109 = k[23] * c6 - k[22] * s6;
-  const Scalar t110 = k[22] * c6 + k[23] * s6;
-  const Scalar t111 = k[17] * c6 - k[18] * s6;
-  const Scalar t112 = c6 * t111;
-  const Scalar t113 = k[20] - t112;
-  const Scalar t114 = k[19] - t112;
-  const Scalar t115 = k[21] + s6 * t111;
-  const Scalar t116 = (t113 * t95 + t69 * t114) + t81 * t115;
-  const Scalar t117 = (c3 * t87 + s3 * t88) + k[5] * t18;
-  const Scalar t118 = k[7] * t84 - t117;
-  const Scalar t119 = c5 * t91 - s5 * t118;
-  const Scalar t120 = ((t48 * t109 - t37 * t110) + t116) - (t99 * t50 + t7 * t119);
-  const Scalar t121 = wrench[3] * s1 - wrench[4] * c1;
-  const Scalar t122 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t123 = c2 * t122 + wrench[5] * s2;
-  const Scalar t124 = c3 * t121 + s3 * t123;
-  const Scalar t125 = s2 * t122 - wrench[5] * c2;
-  const Scalar t126 = c3 * t123 - s3 * t121;
-  const Scalar t127 = c4 * t125 + s4 * t126;
-  const Scalar t128 = t120 - (c5 * t124 - s5 * t127);
-  const Scalar t129 = (t108 - k[14] * t99) + t128;
-  const Scalar t130 = s5 * t91 + c5 * t118;
-  const Scalar t131 = (t49 * t115 - t40 * t114) - t79 * t109;
-  const Scalar t132 = (t7 * t130 - (t131 - t110 * t95)) + (s5 * t124 + c5 * t127);
-  const Scalar t133 = (k[28] * t37 - k[27] * t97) - k[25] * (t82 - t63);
-  const Scalar t134 = t132 - (k[15] * t99 + (t133 + k[24] * t64));
-  const Scalar t135 = t74 + t84;
-  const Scalar t136 = k[29] * (t83 + t135) + (k[31] * t33 - k[30] * t98);
-  const Scalar t137 = (t136 - (k[33] * t43 + k[32] * t22)) - (k[10] * t99 - k[9] * t91);
-  const Scalar t138 = (c5 * t129 - s5 * t134) + t137;
-  const Scalar t139 = k[5] * t105 - ((k[16] * t85 - t107) - t138);
-  const Scalar t140 = t45 - t44;
-  const Scalar t141 = k[8] * t118 - (k[10] * t140 - k[9] * t26);
-  const Scalar t142 = t11 - t12;
-  const Scalar t143 = ((c5 * t65 + s5 * t71) - t141) + k[16] * t142;
-  const Scalar t144 = (k[32] * t135 - k[33] * t33) + (k[29] * t26 - k[30] * t140);
-  const Scalar t145 = (k[26] * t64 - k[28] * t48) - k[27] * t60;
-  const Scalar t146 = (k[14] * t130 + k[15] * t119) - (t145 + (k[25] * t68 - k[24] * t34));
-  const Scalar t147 = (t69 * t109 - (t63 + t67) * t110) - (t49 * t113 + t40 * t115);
-  const Scalar t148 = (s4 * t125 - c4 * t126) + (t50 * t130 - t147);
-  const Scalar t149 = t146 + t148;
-  const Scalar t150 = k[7] * t93 - ((t144 + k[10] * t118) + t149);
-  const Scalar t151 = (k[31] * t26 + k[29] * t140) + k[33] * t83;
-  const Scalar t152 = (k[9] * t118 + (k[32] * t98 - t151)) - (c5 * t134 + s5 * t129);
-  const Scalar t153 = k[7] * t101 + t152;
-  const Scalar t154 = (k[37] * t102 - k[38] * t21) + k[35] * t78;
-  const Scalar t155 = (c4 * t150 - s4 * t153) + (k[34] * t142 + t154);
-  const Scalar t156 = k[5] * t143 - t155;
-  const Scalar t157 = s2 * (t103 - (s3 * t139 + c3 * t156));
-  const Scalar t158 = k[37] * t106 + (k[38] * t13 + k[36] * t142);
-  const Scalar t159 = ((k[34] * t18 + k[35] * t27) + t158) - k[16] * t117;
-  const Scalar t160 = t159 + (s4 * t150 + c4 * t153);
-  const Scalar t161 = c2 * (t160 + (c3 * t105 - s3 * t143));
-  const Scalar t162 = k[42] * c2 + k[41] * s2;
-  const Scalar t163 = (k[41] * c2 - k[42] * s2) * t6 + qdd[1] * t162;
-  const Scalar t164 = k[43] * c2 - k[44] * s2;
-  const Scalar t165 = k[45] - c2 * t164;
-  const Scalar t166 = t16 * t165 - qdd[0] * (k[46] + s2 * t164);
-  const Scalar t167 = (t157 + t161) + ((t163 + t166) + t4 * t87);
-  const Scalar t168 = (qdd[1] * t3 - t4 * (t5 + t6)) + t167;
-  const Scalar t169 = (k[47] * qdd[1] + t5 * t165) - qdd[0] * t162;
-  const Scalar t170 = (t169 + (k[6] * t4 - t75 * t3)) + (c3 * t139 - s3 * t156);
+  const Scalar t0 = k[9] * c2 - k[10] * s2;
+  const Scalar t1 = k[12] - c2 * t0;
+  const Scalar t2 = qd[0] * (qd[1] + qd[1]);
+  const Scalar t3 = t1 * t2 - qdd[0] * (k[11] + s2 * t0);
+  const Scalar t4 = k[8] * c2 + k[7] * s2;
+  const Scalar t5 = qd[1] * qd[1];
+  const Scalar t6 = qdd[1] * t4 - t5 * (k[8] * s2 - k[7] * c2);
+  const Scalar t7 = k[5] * s2 - k[6] * c2;
+  const Scalar t8 = qd[0] * qd[0];
+  const Scalar t9 = k[2] * s1 - k[1] * c1;
+  const Scalar t10 = t8 + t9;
+  const Scalar t11 = c2 * t2 + qdd[0] * s2;
+  const Scalar t12 = qd[0] * s2;
+  const Scalar t13 = qd[0] * c2;
+  const Scalar t14 = qdd[1] - t12 * t13;
+  const Scalar t15 = c3 * t11 - s3 * t14;
+  const Scalar t16 = c3 * t14 + s3 * t11;
+  const Scalar t17 = s3 * t12 + qd[1] * c3;
+  const Scalar t18 = c3 * t12 - qd[1] * s3;
+  const Scalar t19 = t17 * t18;
+  const Scalar t20 = qdd[2] + (qdd[0] * c2 - qd[1] * t12);
+  const Scalar t21 = t19 + t20;
+  const Scalar t22 = t19 - t20;
+  const Scalar t23 = t17 * t17;
+  const Scalar t24 = t18 * t18;
+  const Scalar t25 = t23 - t24;
+  const Scalar t26 = (k[27] * t21 + k[46] * t22) + k[26] * t25;
+  const Scalar t27 = k[1] * s1 + k[2] * c1;
+  const Scalar t28 = qdd[0] - t27;
+  const Scalar t29 = c2 * t28 - k[20] * s2;
+  const Scalar t30 = k[19] * t15 - (c3 * t10 - s3 * t29);
+  const Scalar t31 = ((k[25] * t15 - k[28] * t16) - t26) - k[13] * t30;
+  const Scalar t32 = k[17] * s6 + k[16] * c6;
+  const Scalar t33 = qd[2] + t13;
+  const Scalar t34 = s4 * t33 + c4 * t18;
+  const Scalar t35 = qd[3] + t17;
+  const Scalar t36 = t34 * t35;
+  const Scalar t37 = t17 * t33;
+  const Scalar t38 = (t37 - t15) + t37;
+  const Scalar t39 = c4 * t21 + s4 * t38;
+  const Scalar t40 = (t36 + t36) - t39;
+  const Scalar t41 = t33 * t18;
+  const Scalar t42 = t41 + t16;
+  const Scalar t43 = qdd[3] + t42;
+  const Scalar t44 = s4 * t18 - c4 * t33;
+  const Scalar t45 = t44 * t34;
+  const Scalar t46 = t43 - t45;
+  const Scalar t47 = s5 * t40 - c5 * t46;
+  const Scalar t48 = c5 * t44 + s5 * t35;
+  const Scalar t49 = qd[4] - t34;
+  const Scalar t50 = Scalar(2) * t49;
+  const Scalar t51 = t48 * t50;
+  const Scalar t52 = t47 + t51;
+  const Scalar t53 = qdd[5] - t52;
+  const Scalar t54 = c5 * t35 - s5 * t44;
+  const Scalar t55 = qd[5] + t54;
+  const Scalar t56 = t48 * t48;
+  const Scalar t57 = t55 * t55 + t56;
+  const Scalar t58 = k[17] * c6 - k[16] * s6;
+  const Scalar t59 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t60 = wrench[2] * c2 - s2 * t59;
+  const Scalar t61 = c2 * t59 + wrench[2] * s2;
+  const Scalar t62 = wrench[0] * s1 - wrench[1] * c1;
+  const Scalar t63 = c3 * t61 - s3 * t62;
+  const Scalar t64 = (t32 * t53 + t57 * t58) + k[18] * (s4 * t60 + c4 * t63);
+  const Scalar t65 = s5 * t46 + c5 * t40;
+  const Scalar t66 = t65 + t50 * t54;
+  const Scalar t67 = t23 + t24;
+  const Scalar t68 = k[20] * c2 + s2 * t28;
+  const Scalar t69 = k[19] * t67 + t68;
+  const Scalar t70 = (c3 * t29 + s3 * t10) - k[19] * t16;
+  const Scalar t71 = k[21] * t39 - (s4 * t69 - c4 * t70);
+  const Scalar t72 = t43 + t45;
+  const Scalar t73 = t49 * t49;
+  const Scalar t74 = t54 * t54;
+  const Scalar t75 = t73 + t74;
+  const Scalar t76 = t73 - t56;
+  const Scalar t77 = t75 - t76;
+  const Scalar t78 = k[22] * t71 - (k[23] * t72 + k[24] * t77);
+  const Scalar t79 = (t64 - (k[14] * t66 + k[15] * t52)) - t78;
+  const Scalar t80 = wrench[3] * s1 - wrench[4] * c1;
+  const Scalar t81 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t82 = c2 * t81 + wrench[5] * s2;
+  const Scalar t83 = c3 * t80 + s3 * t82;
+  const Scalar t84 = s2 * t81 - wrench[5] * c2;
+  const Scalar t85 = c3 * t82 - s3 * t80;
+  const Scalar t86 = c4 * t84 + s4 * t85;
+  const Scalar t87 = t34 * t34;
+  const Scalar t88 = t44 * t44;
+  const Scalar t89 = t87 + t88;
+  const Scalar t90 = k[21] * t89 - t30;
+  const Scalar t91 = s4 * t21 - c4 * t38;
+  const Scalar t92 = k[21] * t91 + (c4 * t69 + s4 * t70);
+  const Scalar t93 = c5 * t90 + s5 * t92;
+  const Scalar t94 = k[34] * s6 - k[35] * c6;
+  const Scalar t95 = c6 * t94;
+  const Scalar t96 = k[45] + t95;
+  const Scalar t97 = t66 - t55 * t50;
+  const Scalar t98 = t55 * t48;
+  const Scalar t99 = t44 * t35;
+  const Scalar t100 = t91 - t99;
+  const Scalar t101 = qdd[4] - t100;
+  const Scalar t102 = t48 * t54;
+  const Scalar t103 = t101 - t102;
+  const Scalar t104 = t98 + (t98 + t103);
+  const Scalar t105 = k[37] - s6 * t94;
+  const Scalar t106 = k[39] * c6 - k[38] * s6;
+  const Scalar t107 = t73 - t74;
+  const Scalar t108 = t77 + t107;
+  const Scalar t109 = (t96 * t97 + t104 * t105) + t106 * (t57 - t108);
+  const Scalar t110 = k[38] * c6 + k[39] * s6;
+  const Scalar t111 = (s5 * t83 + c5 * t86) + (t58 * t93 - (t109 + t110 * t53));
+  const Scalar t112 = t101 + t102;
+  const Scalar t113 = (k[33] * t52 + k[32] * t66) + k[29] * t107;
+  const Scalar t114 = t111 - (k[14] * t71 + (k[30] * t112 - t113));
+  const Scalar t115 = t53 + t51;
+  const Scalar t116 = k[36] + t95;
+  const Scalar t117 = t105 * t76 + (t115 * t96 - t116 * t53);
+  const Scalar t118 = s5 * t90 - c5 * t92;
+  const Scalar t119 = (t117 + (t66 * t110 + t106 * t103)) + (t58 * t118 - t32 * t71);
+  const Scalar t120 = t119 - (c5 * t83 - s5 * t86);
+  const Scalar t121 = (k[31] * t52 - k[33] * t66) - (k[30] * t76 + k[29] * t103);
+  const Scalar t122 = t120 - (k[15] * t71 + t121);
+  const Scalar t123 = t100 - t99;
+  const Scalar t124 = k[41] * (t89 - t77) - (k[44] * t40 - k[43] * t123);
+  const Scalar t125 = (c5 * t114 + s5 * t122) + ((k[40] * t72 + t124) + k[24] * t90);
+  const Scalar t126 = k[21] * t79 - t125;
+  const Scalar t127 = t87 - t88;
+  const Scalar t128 = t127 + t77;
+  const Scalar t129 = (k[24] * t46 - k[23] * t128) - k[22] * t92;
+  const Scalar t130 = t57 + t76;
+  const Scalar t131 = c3 * t62 + s3 * t61;
+  const Scalar t132 = c4 * t60 - s4 * t63;
+  const Scalar t133 = (t115 * t58 - t32 * t130) + k[18] * (s5 * t131 - c5 * t132);
+  const Scalar t134 = (k[15] * t75 + k[14] * t103) - t133;
+  const Scalar t135 = (t32 * t104 - t58 * t97) + k[18] * (s5 * t132 + c5 * t131);
+  const Scalar t136 = t135 + (k[15] * t112 - k[14] * t108);
+  const Scalar t137 = t129 - (c5 * t134 + s5 * t136);
+  const Scalar t138 = (t116 * t104 - t105 * t97) + ((t130 - t108) * t110 - t115 * t106);
+  const Scalar t139 = (s4 * t84 - c4 * t85) + (t138 - t32 * t93);
+  const Scalar t140 = (k[32] * t103 - k[31] * t112) + k[33] * (t74 - t56);
+  const Scalar t141 = (k[14] * t118 - k[15] * t93) + ((k[29] * t47 - k[30] * t65) + t140);
+  const Scalar t142 = t139 + t141;
+  const Scalar t143 = (k[40] * (t89 - t128) - k[41] * t46) - (k[42] * t123 + k[43] * t40);
+  const Scalar t144 = k[21] * t137 - (t142 - (k[23] * t90 - t143));
+  const Scalar t145 = t31 - (c4 * t126 + s4 * t144);
+  const Scalar t146 = k[22] * t90 - (k[24] * t40 + k[23] * t123);
+  const Scalar t147 = k[13] * t22 + ((s5 * t134 - c5 * t136) - t146);
+  const Scalar t148 = t89 + t25;
+  const Scalar t149 = k[13] * t148 + (c4 * t79 + s4 * t137);
+  const Scalar t150 = c2 * (t145 + (s3 * t147 - c3 * t149));
+  const Scalar t151 = t67 - t148;
+  const Scalar t152 = t41 + t42;
+  const Scalar t153 = (k[25] * t151 - k[28] * t21) + (k[46] * t152 + k[26] * t38);
+  const Scalar t154 = (k[42] * t72 - k[44] * t46) - k[43] * t127;
+  const Scalar t155 = (k[23] * t71 + k[24] * t92) - ((k[40] * t39 - k[41] * t91) - t154);
+  const Scalar t156 = (c5 * t122 - s5 * t114) - t155;
+  const Scalar t157 = ((k[13] * t69 - t153) - t156) - k[19] * t149;
+  const Scalar t158 = (k[26] * t152 - k[27] * t38) - k[28] * (t25 + t151);
+  const Scalar t159 = (k[25] * t22 + t158) + (c4 * t144 - s4 * t126);
+  const Scalar t160 = k[19] * t147 - t159;
+  const Scalar t161 = k[13] * t152 - (s4 * t79 - c4 * t137);
+  const Scalar t162 = s2 * ((s3 * t157 - c3 * t160) + t161);
+  const Scalar t163 = ((t3 - t6) + t7 * t10) - (t150 - t162);
+  const Scalar t164 = t7 * (t8 + t5) - qdd[1] * (k[6] * s2 + k[5] * c2);
+  const Scalar t165 = k[0] * qdd[0] - (k[4] * t9 + k[3] * t27);
+  const Scalar t166 = (k[47] * qdd[1] + t8 * t1) + qdd[0] * t4;
+  const Scalar t167 = (t166 - (k[6] * t68 + k[5] * t29)) - (c3 * t157 + s3 * t160);
   JointVector<Scalar> result;
-  result[0] = t2 - t168;
-  result[1] = t170;
-  result[2] = -t160;
-  result[3] = t138;
-  result[4] = -t149;
-  result[5] = t128;
+  result[0] = -(t163 - t164) - t165;
+  result[1] = t167;
+  result[2] = t145;
+  result[3] = t156;
+  result[4] = -t142;
+  result[5] = t120;
   return result;
 }
 
@@ -659,26 +691,28 @@ GravityTorqueWithGravityVectorConstants<Scalar> gravity_torque_with_gravity_vect
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = inertia.m3 + t0;
-  const Scalar t2 = (g.l1 * (inertia.m2 + t1) - inertia.c2y * inertia.m2)
-      - (inertia.c1y * inertia.m1 - g.l1 * inertia.m1);
-  const Scalar t3 = (inertia.c4y * inertia.m4 - g.d4 * t0) - (g.d4 * inertia.m3 - inertia.c3y * inertia.m3);
-  const Scalar t4 = (g.l2 * inertia.m2 + inertia.c2z * inertia.m2) + (inertia.c3z * inertia.m3 + g.l2 * t1);
+  const Scalar t0 = g.l1 * inertia.m2;
+  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t2 = inertia.m3 + t1;
+  const Scalar t3 = (t0 - (t0 - inertia.c2y * inertia.m2)) - g.l1 * (inertia.m2 + t2);
+  const Scalar t4 = g.l2 * inertia.m3;
+  const Scalar t5 = ((inertia.c3z * inertia.m3 + t4) - t4) + g.l2 * t2;
+  const Scalar t6 = g.d4 * inertia.m4;
+  const Scalar t7 = ((inertia.c4y * inertia.m4 - t6) + t6) - g.d4 * t1;
   return { gravity[1],
            gravity[0],
-           t2,
+           (inertia.c1y * inertia.m1 - g.l1 * inertia.m1) + t3,
            inertia.c1x * inertia.m1,
+           t5 + (g.l2 * inertia.m2 + inertia.c2z * inertia.m2),
            gravity[2],
+           (g.d4 * inertia.m3 - inertia.c3y * inertia.m3) - t7,
+           inertia.c4x * inertia.m4 + inertia.c5x * inertia.m5,
+           inertia.c5z * inertia.m5,
            inertia.c6z * inertia.m6,
            inertia.c6x * inertia.m6,
            inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
-           inertia.c5z * inertia.m5,
-           inertia.c4x * inertia.m4 + inertia.c5x * inertia.m5,
            inertia.c4z * inertia.m4,
            inertia.c3x * inertia.m3,
-           t3,
-           t4,
            inertia.c2x * inertia.m2 };
 }
 
@@ -702,35 +736,35 @@ inline JointVector<Scalar> gravity_torque_with_gravity_vector([[maybe_unused]] c
   const Scalar& c6 = angles.cosine[5];
   const Scalar t0 = k[0] * s1 + k[1] * c1;
   const Scalar t1 = k[1] * s1 - k[0] * c1;
-  const Scalar t2 = k[4] * s2 + c2 * t0;
-  const Scalar t3 = s3 * t2 + c3 * t1;
-  const Scalar t4 = c3 * t2 - s3 * t1;
-  const Scalar t5 = s2 * t0 - k[4] * c2;
-  const Scalar t6 = s4 * t4 + c4 * t5;
-  const Scalar t7 = s5 * t6 - c5 * t3;
-  const Scalar t8 = s5 * t3 + c5 * t6;
-  const Scalar t9 = k[6] * s6 + k[5] * c6;
-  const Scalar t10 = (k[8] * t7 + k[7] * t8) + t9 * t7;
-  const Scalar t11 = k[10] * t3 - t10;
-  const Scalar t12 = k[6] * c6 - k[5] * s6;
-  const Scalar t13 = s4 * t5 - c4 * t4;
-  const Scalar t14 = t7 * t12 + k[7] * t13;
-  const Scalar t15 = t9 * t13 - t8 * t12;
-  const Scalar t16 = k[8] * t13 + t15;
-  const Scalar t17 = (c5 * t14 + s5 * t16) - k[9] * t3;
-  const Scalar t18 = (k[11] * t3 + k[12] * t4) - (s4 * t11 + c4 * t17);
-  const Scalar t19 = k[12] * t5 + (s4 * t17 - c4 * t11);
-  const Scalar t20 = (c5 * t16 - s5 * t14) - (k[9] * t6 - k[10] * t13);
-  const Scalar t21 = t20 - k[11] * t5;
-  const Scalar t22 = k[13] * t1 - (c3 * t19 - s3 * t21);
+  const Scalar t2 = k[5] * s2 + c2 * t0;
+  const Scalar t3 = s3 * t1 - c3 * t2;
+  const Scalar t4 = s3 * t2 + c3 * t1;
+  const Scalar t5 = k[9] * c6 + k[10] * s6;
+  const Scalar t6 = s2 * t0 - k[5] * c2;
+  const Scalar t7 = s4 * t3 - c4 * t6;
+  const Scalar t8 = s5 * t7 + c5 * t4;
+  const Scalar t9 = s5 * t4 - c5 * t7;
+  const Scalar t10 = t5 * t8 - (k[11] * t9 - k[8] * t8);
+  const Scalar t11 = t10 + k[12] * t4;
+  const Scalar t12 = c4 * t3 + s4 * t6;
+  const Scalar t13 = k[10] * c6 - k[9] * s6;
+  const Scalar t14 = k[11] * t12 - t13 * t8;
+  const Scalar t15 = t12 * t5 - t9 * t13;
+  const Scalar t16 = k[8] * t12 + t15;
+  const Scalar t17 = (c5 * t14 + s5 * t16) - k[7] * t4;
+  const Scalar t18 = (k[6] * t3 + k[13] * t4) - (s4 * t11 + c4 * t17);
+  const Scalar t19 = (s5 * t14 - c5 * t16) - (k[7] * t7 + k[12] * t12);
+  const Scalar t20 = k[13] * t6 + t19;
+  const Scalar t21 = k[6] * t6 + (c4 * t11 - s4 * t17);
+  const Scalar t22 = k[4] * t1 - (s3 * t20 - c3 * t21);
   const Scalar t23 = c2 * (t18 + k[14] * t1) - s2 * t22;
-  const Scalar t24 = (c3 * t21 + s3 * t19) - (k[14] * t5 + k[13] * t2);
+  const Scalar t24 = (k[4] * t2 + k[14] * t6) + (c3 * t20 + s3 * t21);
   JointVector<Scalar> result;
-  result[0] = t23 - (k[2] * t0 - k[3] * t1);
-  result[1] = -t24;
+  result[0] = (k[2] * t0 + k[3] * t1) + t23;
+  result[1] = t24;
   result[2] = t18;
-  result[3] = -t20;
-  result[4] = -t10;
+  result[3] = t19;
+  result[4] = t10;
   result[5] = -t15;
   return result;
 }
@@ -760,103 +794,129 @@ ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_
   using std::cos;
   using std::sin;
   const Scalar t0 = inertia.c6y * inertia.m6;
-  const Scalar t1 = inertia.c6x * inertia.m6;
+  const Scalar t1 = inertia.I6yz - inertia.c6z * t0;
   const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t1;
-  const Scalar t4 = inertia.c6z * inertia.m6;
-  const Scalar t5 = inertia.c6z * t4 - (inertia.I6zz - t2);
-  const Scalar t6 = t3 - t5;
-  const Scalar t7 = g.d4 / g.l1;
-  const Scalar t8 = inertia.c5z * inertia.m5;
-  const Scalar t9 = inertia.c5y * inertia.m5;
-  const Scalar t10 = inertia.c5x * inertia.m5;
-  const Scalar t11 = inertia.I6xz - inertia.c6z * t1;
+  const Scalar t3 = inertia.c6x * inertia.m6;
+  const Scalar t4 = (inertia.I6xx - t2) - inertia.c6x * t3;
+  const Scalar t5 = inertia.c6z * inertia.m6;
+  const Scalar t6 = inertia.c6z * t5 - (inertia.I6zz - t2);
+  const Scalar t7 = t4 - t6;
+  const Scalar t8 = Scalar(1) / t7;
+  const Scalar t9 = inertia.I6xy - inertia.c6y * t3;
+  const Scalar t10 = inertia.I6xz - inertia.c6z * t3;
+  const Scalar t11 = inertia.c5z * inertia.m5;
   const Scalar t12 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t13 = ((inertia.I6yy - t2) - inertia.c6y * t0) - (inertia.c5y * t9 - (inertia.I5yy - t12));
-  const Scalar t14 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t15 = inertia.c4y * inertia.m4;
-  const Scalar t16 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t17 = t15 - g.d4 * t16;
-  const Scalar t18 = ((inertia.I4yy - t14) - inertia.c4y * t15) + g.d4 * (t15 + t17);
-  const Scalar t19 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t20 = inertia.c3y * inertia.m3;
-  const Scalar t21 = g.d4 * inertia.m3 - t20;
-  const Scalar t22 = ((inertia.I3yy - t19) - inertia.c3y * t20) - g.d4 * (t21 - t20);
-  const Scalar t23 = inertia.c4x * inertia.m4;
-  const Scalar t24 = (inertia.c5x * t10 - (inertia.I5xx - t12)) - ((inertia.I4xx - t14) - inertia.c4x * t23);
-  const Scalar t25 = inertia.c4z * inertia.m4;
-  const Scalar t26 = inertia.c3x * inertia.m3;
-  const Scalar t27 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t28 = inertia.c2y * inertia.m2;
-  const Scalar t29 = inertia.m3 + t16;
-  const Scalar t30 = g.l1 * (inertia.m2 + t29) - t28;
-  const Scalar t31 = ((inertia.I2yy - t27) - inertia.c2y * t28) - g.l1 * (t30 - t28);
-  const Scalar t32 = inertia.c1y * inertia.m1;
-  const Scalar t33 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t34 = t32 - g.l1 * inertia.m1;
-  const Scalar t35 = (inertia.c1y * t32 - (inertia.I1yy - t33)) - g.l1 * (t32 + t34);
+  const Scalar t13 = inertia.c5y * inertia.m5;
+  const Scalar t14 = ((inertia.I6yy - t2) - inertia.c6y * t0) - (inertia.c5y * t13 - (inertia.I5yy - t12));
+  const Scalar t15 = inertia.c5x * inertia.m5;
+  const Scalar t16 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t17 = inertia.c4z * inertia.m4;
+  const Scalar t18 = inertia.c4x * inertia.m4;
+  const Scalar t19 = (inertia.c5x * t15 - (inertia.I5xx - t12)) - ((inertia.I4xx - t16) - inertia.c4x * t18);
+  const Scalar t20 = g.d4 / g.l1;
+  const Scalar t21 = g.d4 * t18;
+  const Scalar t22 = g.d4 * t17;
+  const Scalar t23 = inertia.c4y * inertia.m4;
+  const Scalar t24 = inertia.c3x * inertia.m3;
+  const Scalar t25 = g.d4 * inertia.m4;
+  const Scalar t26 = t23 - t25;
+  const Scalar t27 = g.d4 * (t23 + t26) + ((inertia.I4yy - t16) - inertia.c4y * t23);
+  const Scalar t28 = t26 + t25;
+  const Scalar t29 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t30 = t28 - g.d4 * t29;
+  const Scalar t31 = (t27 - g.d4 * (t28 + t26)) + g.d4 * (t28 + t30);
+  const Scalar t32 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t33 = inertia.c3y * inertia.m3;
+  const Scalar t34 = g.d4 * inertia.m3 - t33;
+  const Scalar t35 = ((inertia.I3yy - t32) - inertia.c3y * t33) - g.d4 * (t34 - t33);
   const Scalar t36 = inertia.c2x * inertia.m2;
-  const Scalar t37 = inertia.c2x * t36 - (inertia.I2xx - t27);
-  const Scalar t38 = inertia.c3z * inertia.m3;
-  const Scalar t39 = (inertia.I2xz - inertia.c2z * t36) - g.l2 * t36;
-  const Scalar t40 = inertia.c2z * inertia.m2;
-  const Scalar t41 = g.l2 * inertia.m2 + t40;
-  const Scalar t42 = g.l2 * (t41 + t40) - ((inertia.I2zz - t27) - inertia.c2z * t40);
-  const Scalar t43 = t38 + g.l2 * t29;
-  const Scalar t44 = ((inertia.I3zz - t19) - inertia.c3z * t38) - g.l2 * (t38 + t43);
-  const Scalar t45 = t42 - t44;
-  const Scalar t46 = inertia.c1x * inertia.m1;
-  return { inertia.I6yz - inertia.c6z * t0,
-           inertia.I6xy - inertia.c6y * t1,
-           t6,
-           g.l1 * t4,
-           g.l1 * t1,
+  const Scalar t37 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t38 = inertia.c2x * t36 - (inertia.I2xx - t37);
+  const Scalar t39 = inertia.c2z * inertia.m2;
+  const Scalar t40 = g.l2 * inertia.m2 + t39;
+  const Scalar t41 = g.l2 * (t40 + t39) - ((inertia.I2zz - t37) - inertia.c2z * t39);
+  const Scalar t42 = inertia.c3z * inertia.m3;
+  const Scalar t43 = g.l2 * inertia.m3;
+  const Scalar t44 = t42 + t43;
+  const Scalar t45 = ((inertia.I3zz - t32) - inertia.c3z * t42) - g.l2 * (t42 + t44);
+  const Scalar t46 = t44 - t43;
+  const Scalar t47 = inertia.m3 + t29;
+  const Scalar t48 = t46 + g.l2 * t47;
+  const Scalar t49 = (t45 + g.l2 * (t44 + t46)) - g.l2 * (t48 + t46);
+  const Scalar t50 = t41 - t49;
+  const Scalar t51 = g.l2 * t34;
+  const Scalar t52 = (g.d4 * t42 + (inertia.I3yz - inertia.c3z * t33)) + t51;
+  const Scalar t53 = g.l2 * t24;
+  const Scalar t54 = g.l1 * t36;
+  const Scalar t55 = g.l1 * inertia.m2;
+  const Scalar t56 = inertia.c2y * inertia.m2;
+  const Scalar t57 = t55 - t56;
+  const Scalar t58 = g.l2 * t57 + ((inertia.I2yz - inertia.c2z * t56) + g.l1 * t39);
+  const Scalar t59 = inertia.c1y * inertia.m1;
+  const Scalar t60 = t59 - g.l1 * inertia.m1;
+  const Scalar t61 = t55 - t57;
+  const Scalar t62 = t61 - g.l1 * (inertia.m2 + t47);
+  const Scalar t63 = g.l1 * g.l1 * (t60 + t62) / g.l1;
+  const Scalar t64 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t65 = (inertia.c1y * t59 - (inertia.I1yy - t64)) - g.l1 * (t59 + t60);
+  const Scalar t66 = g.l1 * (t57 - t56) - ((inertia.I2yy - t37) - inertia.c2y * t56);
+  const Scalar t67 = (t66 + g.l1 * (t61 - t57)) - g.l1 * (t61 + t62);
+  const Scalar t68 = (inertia.I2xz - inertia.c2z * t36) - g.l2 * t36;
+  const Scalar t69 = inertia.c1x * inertia.m1;
+  return { t1 * t8,
+           t8 * t9,
            t7,
+           Scalar(2) * t10,
+           t4 + t6,
+           t4,
+           inertia.c5z * t11 - (inertia.I5zz - t12),
+           t14,
+           inertia.I5xy - inertia.c5y * t15,
+           t10,
+           inertia.I5xz - inertia.c5z * t15,
+           t1,
+           t9,
+           t8,
+           Scalar(2) * t14,
+           inertia.I5yz - inertia.c5z * t13,
+           (inertia.I4zz - t16) - inertia.c4z * t17,
+           t6,
+           t19,
+           g.l1 * t5,
+           g.l1 * t3,
+           t20,
            g.l2 / g.l1,
-           Scalar(1) / t6,
-           g.l1 * t8,
-           g.l1 * (t0 + t9),
-           inertia.I5xy - inertia.c5y * t10,
-           t3 + t5,
-           Scalar(2) * t11,
-           t11,
-           inertia.I5xz - inertia.c5z * t10,
-           t3,
-           inertia.c5z * t8 - (inertia.I5zz - t12),
-           t13,
-           Scalar(2) * t13,
-           Scalar(2) * t7,
-           inertia.I5yz - inertia.c5z * t9,
-           t18 + t22,
-           t24,
-           (inertia.I4zz - t14) - inertia.c4z * t25,
-           inertia.I4xz - inertia.c4z * t23,
-           inertia.c3x * t26 - (inertia.I3xx - t19),
-           g.l1 * (t23 + t10),
-           g.l1 * t25,
-           inertia.I4xy - inertia.c4y * t23,
-           inertia.I4yz - inertia.c4z * t15,
-           (inertia.I3xy - inertia.c3y * t26) + g.d4 * t26,
-           g.l1 * (t17 - t21),
-           g.l1 * t26,
-           t31 - t35,
-           t37,
-           g.d4 * t38 + (inertia.I3yz - inertia.c3z * t20),
-           inertia.I3xz - inertia.c3z * t26,
-           t39,
-           t45,
-           inertia.c1x * t46 - (inertia.I1xx - t33),
-           inertia.I2xy - inertia.c2y * t36,
-           g.l1 * t36,
-           g.l1 * (t41 + t43),
-           (inertia.I2yz - inertia.c2z * t28) - g.l2 * t28,
+           g.l1 * t11,
+           g.l1 * (t0 + t13),
+           g.l1 * (t18 + t15),
+           (t21 + (inertia.I4xy - inertia.c4y * t18)) - t21,
+           t22 - (t22 + (inertia.I4yz - inertia.c4z * t23)),
+           g.l1 * t17,
+           (inertia.I3xy - inertia.c3y * t24) + g.d4 * t24,
+           Scalar(2) * t20,
+           t31 + t35,
+           inertia.I4xz - inertia.c4z * t18,
+           inertia.c3x * t24 - (inertia.I3xx - t32),
+           t38,
+           t50,
+           g.l1 * (t34 - t30),
+           t52 - t51,
+           t53 - (t53 - (inertia.I3xz - inertia.c3z * t24)),
+           g.l1 * t24,
+           t54 - (t54 + (inertia.I2xy - inertia.c2y * t36)),
+           t54,
+           g.l1 * (t48 + t40),
+           g.l1 * t40 - t58,
+           t63,
+           t63 + (t65 + t67),
+           t68,
+           inertia.c1x * t69 - (inertia.I1xx - t64),
            gravity[2] / g.l1,
            gravity[1] / g.l1,
            gravity[0] / g.l1,
-           Scalar(2) * t39,
-           t37 - t45,
-           g.l1 * (t30 - t34),
-           g.l1 * t46 };
+           t50 - t38,
+           Scalar(2) * t68,
+           g.l1 * t69 };
 }
 
 namespace detail {
@@ -877,282 +937,278 @@ inline JointVector<Scalar> forward_dynamics_with_gravity_vector([[maybe_unused]]
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = k[12] * s6 - k[11] * c6;
-  const Scalar t1 = k[15] + c6 * t0;
-  const Scalar t2 = k[2] - t1;
-  const Scalar t3 = k[22] - t2;
-  const Scalar t4 = k[17] + (k[16] - t1);
-  const Scalar t5 = k[18] - t4;
-  const Scalar t6 = k[0] * c6 + k[1] * s6;
-  const Scalar t7 = k[20] + t6;
-  const Scalar t8 = s5 * t4 - Scalar(2) * c5 * t7;
-  const Scalar t9 = k[17] - s5 * t8;
-  const Scalar t10 = k[23] + (t5 - t9);
-  const Scalar t11 = t3 - t10;
-  const Scalar t12 = k[2] * c5 - s5 * t6;
-  const Scalar t13 = k[7] * t12;
-  const Scalar t14 = k[0] * s6 - k[1] * c6;
-  const Scalar t15 = k[10] - t14;
-  const Scalar t16 = k[13] - s6 * t0;
-  const Scalar t17 = k[14] + t16;
-  const Scalar t18 = c5 * t15 + s5 * t17;
-  const Scalar t19 = t14 * t13 + t18;
-  const Scalar t20 = k[7] * t14;
-  const Scalar t21 = Scalar(1) / (t5 - t14 * t20);
-  const Scalar t22 = t21 * t19;
-  const Scalar t23 = Scalar(1) / ((t11 + t13 * t12) + t19 * t22);
-  const Scalar t24 = k[3] * c6 + k[4] * s6;
-  const Scalar t25 = k[8] + t24;
-  const Scalar t26 = s5 * t25 + k[9] * c5;
-  const Scalar t27 = s4 * t26;
-  const Scalar t28 = k[6] * t27 - t18;
-  const Scalar t29 = c5 * t25 - k[9] * s5;
-  const Scalar t30 = t5 + k[5] * t26;
-  const Scalar t31 = s5 * t15 - c5 * t17;
-  const Scalar t32 = k[6] * t29 - (c4 * t30 - s4 * t31);
-  const Scalar t33 = k[4] * c6 - k[3] * s6;
-  const Scalar t34 = c5 * t33;
-  const Scalar t35 = t14 - k[5] * t34;
-  const Scalar t36 = (c5 * t6 + k[2] * s5) + k[5] * t24;
-  const Scalar t37 = s5 * t33;
-  const Scalar t38 = (c4 * t35 + s4 * t36) - k[6] * t37;
-  const Scalar t39 = s4 * t34 + c4 * t24;
-  const Scalar t40 = k[6] * t39 - t12;
-  const Scalar t41 = s3 * t38 - c3 * t40;
-  const Scalar t42 = (c3 * t28 - s3 * t32) - t41 * t20;
-  const Scalar t43 = t21 * t42;
-  const Scalar t44 = k[7] * t41;
-  const Scalar t45 = k[26] + t33;
-  const Scalar t46 = k[27] + t29;
-  const Scalar t47 = c4 * t45 - s4 * t46;
-  const Scalar t48 = k[29] - (c5 * t8 + t7);
-  const Scalar t49 = k[28] + t18;
-  const Scalar t50 = k[5] * t47 - (s4 * t48 - c4 * t49);
-  const Scalar t51 = c4 * t46 + s4 * t45;
-  const Scalar t52 = k[6] * t51;
-  const Scalar t53 = t11 + t52;
-  const Scalar t54 = t44 * t12 + (s3 * t50 + c3 * t53);
-  const Scalar t55 = t43 * t19 - t54;
-  const Scalar t56 = t23 * t55;
-  const Scalar t57 = k[24] - t31;
-  const Scalar t58 = s4 * t57;
-  const Scalar t59 = c4 * (t3 + t10) + (t58 + t58);
-  const Scalar t60 = c4 * t59 - t3;
-  const Scalar t61 = k[38] + (Scalar(2) * t52 - t60);
-  const Scalar t62 = k[30] + t50;
-  const Scalar t63 = c3 * t62;
-  const Scalar t64 = k[25] + (t11 + t60);
-  const Scalar t65 = k[21] + (k[19] * t26 + t9);
-  const Scalar t66 = (t63 + t63) - s3 * (t64 + t65);
-  const Scalar t67 = s3 * t66 + t65;
-  const Scalar t68 = t64 - t65;
-  const Scalar t69 = k[34] + (t67 + t68);
-  const Scalar t70 = t43 * t42 + ((t61 + t69) + t44 * t41);
-  const Scalar t71 = s4 * t35 - c4 * t36;
-  const Scalar t72 = k[36] - (s4 * t59 - t57);
-  const Scalar t73 = k[5] * t51 + (c4 * t48 + s4 * t49);
-  const Scalar t74 = k[35] + t73;
-  const Scalar t75 = k[31] + t26;
-  const Scalar t76 = k[32] + t47;
-  const Scalar t77 = c3 * t75 + s3 * t76;
-  const Scalar t78 = (s3 * t72 + c3 * t74) - k[6] * t77;
-  const Scalar t79 = s4 * t30 + c4 * t31;
-  const Scalar t80 = k[7] * t71;
-  const Scalar t81 = t79 - t14 * t80;
-  const Scalar t82 = t81 * t21;
-  const Scalar t83 = t19 * t82 - (t80 * t12 + t73);
-  const Scalar t84 = ((t44 * t71 + t78) + t42 * t82) - t56 * t83;
-  const Scalar t85 = t23 * t83;
-  const Scalar t86 = (t81 * t82 + (t80 * t71 + t68)) - t85 * t83;
-  const Scalar t87 = Scalar(1) / t86;
-  const Scalar t88 = t87 * t84;
-  const Scalar t89 = Scalar(1) / ((t56 * t55 - t70) + t84 * t88);
-  const Scalar t90 = (c4 * t34 - s4 * t24) - (c3 * t38 + s3 * t40);
-  const Scalar t91 = c2 * ((s3 * t37 + c3 * t39) - t71);
-  const Scalar t92 = s2 * t90 + t91;
-  const Scalar t93 = k[7] * t92;
-  const Scalar t94 = c2 * (t79 + (c3 * t27 - s3 * t29));
-  const Scalar t95 = c4 * t26 - (s3 * t28 + c3 * t32);
-  const Scalar t96 = t14 * t93 + (t94 + s2 * t95);
-  const Scalar t97 = t96 * t21;
-  const Scalar t98 = s3 * t75 - c3 * t76;
-  const Scalar t99 = (c3 * t72 - s3 * t74) + k[6] * t98;
-  const Scalar t100 = t93 * t71 - (s2 * t99 - c2 * (t77 - t68));
-  const Scalar t101 = s2 * ((c3 * t50 - s3 * t53) + t47);
-  const Scalar t102 = (t101 + c2 * (c3 * t51 + t73)) - t92 * t13;
-  const Scalar t103 = t102 - t96 * t22;
-  const Scalar t104 = (t81 * t97 - t100) + t103 * t85;
-  const Scalar t105 = (k[41] - t98) + (k[40] - (t62 - c3 * t66));
-  const Scalar t106 = s2 * t105 + c2 * ((k[42] + t51) + (k[43] + t78));
-  const Scalar t107 = t103 * t56 - ((t41 * t93 - t106) - t97 * t42);
-  const Scalar t108 = t104 * t88 - t107;
-  const Scalar t109 = t89 * t108;
-  const Scalar t110 = s2 * (t61 - t69) + Scalar(2) * c2 * (k[37] + t99);
-  const Scalar t111 = (k[33] + (t67 + (t77 + t77))) - (k[39] + (s2 * t110 + t69));
-  const Scalar t112 = t103 * t23;
-  const Scalar t113 = ((t111 - t92 * t93) - t97 * t96) + t103 * t112;
-  const Scalar t114 = t104 * t87;
-  const Scalar t115 = Scalar(1) / (t109 * t108 - (t113 + t104 * t114));
-  const Scalar t116 = qd[0] * qd[1];
-  const Scalar t117 = s2 * t116;
-  const Scalar t118 = qd[0] * s2;
-  const Scalar t119 = s3 * t118;
-  const Scalar t120 = t119 + qd[1] * c3;
-  const Scalar t121 = c3 * t118;
-  const Scalar t122 = t121 - qd[1] * s3;
-  const Scalar t123 = t120 * t122;
-  const Scalar t124 = t117 - t123;
-  const Scalar t125 = k[46] * c1 + k[45] * s1;
-  const Scalar t126 = c2 * t125 + k[44] * s2;
-  const Scalar t127 = qd[0] * c2;
-  const Scalar t128 = t126 - k[6] * t118 * t127;
-  const Scalar t129 = qd[0] * qd[0];
-  const Scalar t130 = k[45] * c1 - k[46] * s1;
-  const Scalar t131 = t129 - t130;
-  const Scalar t132 = Scalar(2) * t116;
-  const Scalar t133 = c2 * t132;
-  const Scalar t134 = t131 - k[6] * t133;
-  const Scalar t135 = c3 * t128 - s3 * t134;
-  const Scalar t136 = k[5] * t124 + t135;
-  const Scalar t137 = qd[2] + t127;
-  const Scalar t138 = t120 * t137;
-  const Scalar t139 = t119 * t127 + c3 * t133;
-  const Scalar t140 = (t138 + t138) - t139;
-  const Scalar t141 = t120 * t120;
-  const Scalar t142 = t122 * t122;
-  const Scalar t143 = t141 + t142;
-  const Scalar t144 = s2 * t125 - k[44] * c2;
-  const Scalar t145 = k[6] * t143 - t144;
-  const Scalar t146 = k[5] * t140 - t145;
-  const Scalar t147 = c4 * t136 - s4 * t146;
-  const Scalar t148 = s4 * t136 + c4 * t146;
-  const Scalar t149 = t141 - t142;
-  const Scalar t150 = t137 * t137 + t141;
-  const Scalar t151 = t149 - t150;
-  const Scalar t152 = s4 * t137 + c4 * t122;
-  const Scalar t153 = t152 * t152;
-  const Scalar t154 = qd[3] + t120;
-  const Scalar t155 = t154 * t154;
-  const Scalar t156 = t153 + t155;
-  const Scalar t157 = t151 + t156;
-  const Scalar t158 = t153 - t155;
-  const Scalar t159 = t137 * t122;
-  const Scalar t160 = t121 * t127 - s3 * t133;
-  const Scalar t161 = t159 - t160;
-  const Scalar t162 = s4 * t122 - c4 * t137;
-  const Scalar t163 = t162 * t152;
-  const Scalar t164 = t161 + t163;
-  const Scalar t165 = t161 - t163;
-  const Scalar t166 = k[24] * (t157 + t158) - (k[23] * t164 - k[22] * t165);
-  const Scalar t167 = c4 * t124 - s4 * t140;
-  const Scalar t168 = c4 * t140 + s4 * t124;
-  const Scalar t169 = (k[27] * t147 + k[26] * t148) + (t166 + (k[29] * t167 + k[28] * t168));
-  const Scalar t170 = qd[4] - t152;
-  const Scalar t171 = c5 * t154 - s5 * t162;
-  const Scalar t172 = t152 * t154;
-  const Scalar t173 = t167 + (t172 + t172);
-  const Scalar t174 = s5 * t165 + c5 * t173;
-  const Scalar t175 = Scalar(2) * t170 * t171 + t174;
-  const Scalar t176 = s5 * t173 - c5 * t165;
-  const Scalar t177 = c5 * t162 + s5 * t154;
-  const Scalar t178 = t176 + Scalar(2) * t177 * t170;
-  const Scalar t179 = t162 * t154;
-  const Scalar t180 = t168 + t179;
-  const Scalar t181 = t177 * t171;
-  const Scalar t182 = t180 - t181;
-  const Scalar t183 = qd[5] + t171;
-  const Scalar t184 = t183 * t183;
-  const Scalar t185 = t177 * t177;
-  const Scalar t186 = t184 + t185;
-  const Scalar t187 = t170 * t170;
-  const Scalar t188 = t187 + t184;
-  const Scalar t189 = t186 - t188;
-  const Scalar t190 = (k[20] * t175 - k[16] * t178) + (k[10] * t182 - k[14] * t189);
-  const Scalar t191 = s3 * t128 + c3 * t134;
-  const Scalar t192 = t191 - k[5] * t151;
-  const Scalar t193 = s5 * t192 + c5 * t148;
-  const Scalar t194 = (t2 * t176 + t178 * t1) - t189 * t16;
-  const Scalar t195 = (t147 * t24 + t33 * t193) + ((t6 * t175 - t14 * t182) + t194);
-  const Scalar t196 = (t190 + k[8] * t147) + t195;
-  const Scalar t197 = t175 - Scalar(2) * t183 * t170;
-  const Scalar t198 = Scalar(2) * t183 * t177 + t182;
-  const Scalar t199 = t14 * (t187 - t184) - (t2 * t197 - t198 * t16);
-  const Scalar t200 = c5 * t192 - s5 * t148;
-  const Scalar t201 = t151 + t158;
-  const Scalar t202 = t187 + t185;
-  const Scalar t203 = k[10] * (t201 + t202) + (k[17] * t175 + k[20] * t178);
-  const Scalar t204 = t180 + t181;
-  const Scalar t205 = ((t199 - t6 * t178) - t33 * t200) - ((t203 - k[14] * t204) + k[9] * t147);
-  const Scalar t206 = t169 + (c5 * t196 + s5 * t205);
-  const Scalar t207 = torque[5] - t195;
-  const Scalar t208 = t201 + t189;
-  const Scalar t209 = k[20] * (t208 + t202) + (k[16] * t204 - k[17] * t182);
-  const Scalar t210 = ((k[10] * t176 - k[14] * t174) - t209) + (k[9] * t193 - k[8] * t200);
-  const Scalar t211 = (t6 * (t202 - t188) + t14 * t176) - (t198 * t1 - t197 * t16);
-  const Scalar t212 = t210 - (t200 * t24 + t211);
-  const Scalar t213 = (torque[4] + t212) - t207 * t20;
-  const Scalar t214 = t213 * t21;
-  const Scalar t215 = ((torque[3] - t206) - t207 * t13) + t19 * t214;
-  const Scalar t216 = t215 * t23;
-  const Scalar t217 = k[7] * t207;
-  const Scalar t218 = t117 + t123;
-  const Scalar t219 = t180 + t179;
-  const Scalar t220 = (k[9] * t182 - k[8] * t208) + (t33 * t176 + t24 * t188);
-  const Scalar t221 = (k[9] * t202 - k[8] * t204) + (t33 * t197 - t198 * t24);
-  const Scalar t222 = (k[27] * t219 - k[26] * t173) - (s5 * t220 + c5 * t221);
-  const Scalar t223 = (k[31] * t151 - k[32] * t218) + t222;
-  const Scalar t224 = t143 + t151;
-  const Scalar t225 = t161 + t159;
-  const Scalar t226 = k[35] * t224 + (k[21] * t140 - k[30] * t225);
-  const Scalar t227 = k[28] * t158 - (k[22] * t173 + k[24] * t219);
-  const Scalar t228 = (s5 * t196 - c5 * t205) - ((k[29] * t164 - t227) - k[26] * t192);
-  const Scalar t229 = (k[23] * t219 - k[24] * t173) - (k[28] * t165 - k[29] * t157);
-  const Scalar t230 = (t229 - k[27] * t192) + t212;
-  const Scalar t231 = (k[9] * t175 + k[8] * t178) + (t24 * t178 - t33 * t186);
-  const Scalar t232 = (k[27] * t164 - k[26] * t201) - t231;
-  const Scalar t233 = (s5 * t221 - c5 * t220) - (k[27] * t156 - k[26] * t165);
-  const Scalar t234 = s4 * t232 - c4 * t233;
-  const Scalar t235 = (s4 * t228 - c4 * t230) - k[5] * t234;
-  const Scalar t236 = (k[31] * t145 + (k[36] * t218 - t226)) + t235;
-  const Scalar t237 = k[6] * t223 + t236;
-  const Scalar t238 = (k[25] * t225 + k[30] * t140) + (k[35] * t124 + k[36] * (t224 - t149));
-  const Scalar t239 = s4 * t233 + c4 * t232;
-  const Scalar t240 = t239 - (k[31] * t124 - k[32] * t150);
-  const Scalar t241 = ((k[32] * t145 - t238) - t206) - k[6] * t240;
-  const Scalar t242 = k[37] + c2 * (k[48] * s2 - k[47] * c2);
-  const Scalar t243 = (k[42] * t126 + k[41] * t144) + t129 * t242;
-  const Scalar t244 = torque[1] - ((s3 * t237 - c3 * t241) + t243);
-  const Scalar t245 = t216 * t55 - ((t217 * t41 - t244) + t43 * t213);
-  const Scalar t246 = k[5] * t239 - (c4 * t228 + s4 * t230);
-  const Scalar t247 = k[30] * t149 - (k[21] * t124 - k[25] * t218);
-  const Scalar t248 = (t247 - (k[36] * t139 + k[35] * t160)) - (k[31] * t135 + k[32] * t191);
-  const Scalar t249 = t246 + t248;
-  const Scalar t250 = (t217 * t71 + (torque[2] + t249)) + t213 * t82;
-  const Scalar t251 = t250 - t216 * t83;
-  const Scalar t252 = t89 * (t245 + t251 * t88);
-  const Scalar t253 = qd[1] * qd[1];
-  const Scalar t254 = t253 * (k[40] * c2 - k[43] * s2) + t242 * t132;
-  const Scalar t255 = k[41] * c2 - k[42] * s2;
-  const Scalar t256 = c2 * (t249 + (c3 * t240 + s3 * t223));
-  const Scalar t257 = (t234 + (k[31] * t140 - k[32] * t225)) - (s3 * t241 + c3 * t237);
-  const Scalar t258 = (t254 - t255 * t131) + (t256 - s2 * t257);
-  const Scalar t259 = (t258 + (t129 + t253) * t255) + (k[49] * t125 + k[50] * t130);
-  const Scalar t260 = t97 * t213 + ((torque[0] + t259) - t207 * t93);
-  const Scalar t261 = t252 * t108 + ((t260 + t215 * t112) - t251 * t114);
-  const Scalar t262 = t115 * t261;
-  const Scalar t263 = t252 - t109 * t262;
-  const Scalar t264 = t263 * t88 + (t262 * t114 - t251 * t87);
-  const Scalar t265 = (t263 * t56 - (t112 * t262 + t216)) - t264 * t85;
-  const Scalar t266 = (t263 * t43 + (t97 * t262 - t214)) - t264 * t82;
-  const Scalar t267 = t266 - t265 * t22;
-  const Scalar t268 = (t44 * t263 - (t217 + t93 * t262)) - t264 * t80;
+  const Scalar t0 = k[19] * s6 - k[20] * c6;
+  const Scalar t1 = k[25] - t0;
+  const Scalar t2 = k[0] * s6 - k[1] * c6;
+  const Scalar t3 = k[2] * t2;
+  const Scalar t4 = k[8] - t3;
+  const Scalar t5 = k[4] * c6 - k[3] * s6;
+  const Scalar t6 = k[9] + s6 * t5;
+  const Scalar t7 = k[10] + t6;
+  const Scalar t8 = c5 * t4 + s5 * t7;
+  const Scalar t9 = k[21] * t1 + (k[26] + t8);
+  const Scalar t10 = k[19] * c6 + k[20] * s6;
+  const Scalar t11 = k[23] + t10;
+  const Scalar t12 = k[24] * s5 - c5 * t11;
+  const Scalar t13 = k[28] - t12;
+  const Scalar t14 = k[12] * s6 + k[11] * c6;
+  const Scalar t15 = k[15] + t14;
+  const Scalar t16 = c6 * t5;
+  const Scalar t17 = k[5] - t16;
+  const Scalar t18 = k[6] - t17;
+  const Scalar t19 = k[7] - t18;
+  const Scalar t20 = s5 * (k[14] - t19) - c5 * Scalar(2) * t15;
+  const Scalar t21 = k[21] * t13 - (k[27] + (t15 + c5 * t20));
+  const Scalar t22 = c4 * t9 - s4 * t21;
+  const Scalar t23 = k[17] - t16;
+  const Scalar t24 = k[18] + t23;
+  const Scalar t25 = s5 * t20;
+  const Scalar t26 = k[16] + (t25 - t18);
+  const Scalar t27 = t24 - t26;
+  const Scalar t28 = c4 * t13 + s4 * t1;
+  const Scalar t29 = k[22] * t28;
+  const Scalar t30 = t27 + t29;
+  const Scalar t31 = c5 * t0;
+  const Scalar t32 = c4 * t10 - s4 * t31;
+  const Scalar t33 = c5 - k[13] * s5 * t14;
+  const Scalar t34 = k[2] * t33;
+  const Scalar t35 = k[22] * t32 - t34;
+  const Scalar t36 = s5 * t0;
+  const Scalar t37 = c5 * t14 + k[2] * s5;
+  const Scalar t38 = c4 * t31 + s4 * t10;
+  const Scalar t39 = (s4 * t37 + c4 * t3) + k[21] * t38;
+  const Scalar t40 = k[22] * t36 + t39;
+  const Scalar t41 = c3 * t35 - s3 * t40;
+  const Scalar t42 = (s3 * t22 + c3 * t30) - t41 * t33;
+  const Scalar t43 = k[24] * c5 + s5 * t11;
+  const Scalar t44 = k[21] * t43 + t19;
+  const Scalar t45 = c5 * t7 - s5 * t4;
+  const Scalar t46 = k[22] * t12 + (c4 * t44 + s4 * t45);
+  const Scalar t47 = s4 * t43;
+  const Scalar t48 = k[22] * t47 - t8;
+  const Scalar t49 = k[13] * t41;
+  const Scalar t50 = (s3 * t46 + c3 * t48) + t49 * t3;
+  const Scalar t51 = Scalar(1) / (t2 * t3 - t19);
+  const Scalar t52 = t50 * t51;
+  const Scalar t53 = t2 * t34 + t8;
+  const Scalar t54 = t42 + t52 * t53;
+  const Scalar t55 = t51 * t53;
+  const Scalar t56 = Scalar(1) / ((t27 + t33 * t34) - t55 * t53);
+  const Scalar t57 = t54 * t56;
+  const Scalar t58 = k[29] + t22;
+  const Scalar t59 = k[32] + t45;
+  const Scalar t60 = t59 * (s4 + s4) + c4 * (t24 + t26);
+  const Scalar t61 = c4 * t60 - t24;
+  const Scalar t62 = k[33] + (t61 + t27);
+  const Scalar t63 = k[31] + ((k[7] - t25) + k[30] * t43);
+  const Scalar t64 = Scalar(2) * c3 * t58 - s3 * (t62 + t63);
+  const Scalar t65 = s3 * t64;
+  const Scalar t66 = k[34] + (t65 + t62);
+  const Scalar t67 = k[35] - (t61 - Scalar(2) * t29);
+  const Scalar t68 = t50 * t52 - (t41 * t49 + (t66 + t67));
+  const Scalar t69 = c4 * t45 - s4 * t44;
+  const Scalar t70 = (c4 * t37 - s4 * t3) + k[21] * t32;
+  const Scalar t71 = k[13] * t70;
+  const Scalar t72 = t69 - t3 * t71;
+  const Scalar t73 = t72 * t51;
+  const Scalar t74 = t62 - t63;
+  const Scalar t75 = s4 * t9 + c4 * t21;
+  const Scalar t76 = t53 * t73 + (t70 * t33 - t75);
+  const Scalar t77 = t76 * t56;
+  const Scalar t78 = (t72 * t73 - (t70 * t71 + t74)) + t76 * t77;
+  const Scalar t79 = Scalar(1) / t78;
+  const Scalar t80 = k[36] - t43;
+  const Scalar t81 = k[22] * t80 + (k[37] + t75);
+  const Scalar t82 = c4 * t1 - s4 * t13;
+  const Scalar t83 = k[39] + t82;
+  const Scalar t84 = k[22] * t83 - (k[38] + (t59 - s4 * t60));
+  const Scalar t85 = c3 * t81 - s3 * t84;
+  const Scalar t86 = t54 * t77 + (t72 * t52 + (t85 + t70 * t49));
+  const Scalar t87 = t79 * t86;
+  const Scalar t88 = Scalar(1) / ((t54 * t57 + t68) - t87 * t86);
+  const Scalar t89 = c2 * (t70 - (s3 * t36 - c3 * t32));
+  const Scalar t90 = s2 * (t38 + (s3 * t35 + c3 * t40));
+  const Scalar t91 = t89 - t90;
+  const Scalar t92 = k[13] * t91;
+  const Scalar t93 = (c3 * t46 - s3 * t48) + c4 * t43;
+  const Scalar t94 = c2 * (t69 - (c3 * t47 + s3 * t12));
+  const Scalar t95 = t92 * t3 + (s2 * t93 - t94);
+  const Scalar t96 = t95 * t51;
+  const Scalar t97 = (k[41] + (c3 * t83 + s3 * t80)) - (k[40] + (t58 - c3 * t64));
+  const Scalar t98 = s2 * t97 - c2 * ((k[43] - t85) - (k[42] + t28));
+  const Scalar t99 = s2 * ((s3 * t30 - c3 * t22) - t82);
+  const Scalar t100 = t33 * t91 - (c2 * (c3 * t28 + t75) - t99);
+  const Scalar t101 = t100 - t96 * t53;
+  const Scalar t102 = (t50 * t96 - (t41 * t92 + t98)) - t57 * t101;
+  const Scalar t103 = t56 * t101;
+  const Scalar t104 = c3 * t80 - s3 * t83;
+  const Scalar t105 = s3 * t81 + c3 * t84;
+  const Scalar t106 = t91 * t71 + (c2 * (t104 + t74) - s2 * t105);
+  const Scalar t107 = t103 * t76 - (t106 + t95 * t73);
+  const Scalar t108 = t102 + t87 * t107;
+  const Scalar t109 = t88 * t108;
+  const Scalar t110 = k[45] + ((t104 - (k[44] - t104)) - (t65 + t63));
+  const Scalar t111 = c2 + c2;
+  const Scalar t112 = t111 * (k[46] - t105) - s2 * (t66 - t67);
+  const Scalar t113 = t91 * t92 + (t110 + (k[47] + (s2 * t112 + t66)));
+  const Scalar t114 = t79 * t107;
+  const Scalar t115 = ((t96 * t95 - t113) + t103 * t101) - t107 * t114;
+  const Scalar t116 = qd[0] * s2;
+  const Scalar t117 = s3 * t116;
+  const Scalar t118 = t117 + qd[1] * c3;
+  const Scalar t119 = qd[0] * c2;
+  const Scalar t120 = qd[2] + t119;
+  const Scalar t121 = t118 * t120;
+  const Scalar t122 = qd[0] * qd[1];
+  const Scalar t123 = t111 * t122;
+  const Scalar t124 = t117 * t119 + c3 * t123;
+  const Scalar t125 = t121 + (t121 - t124);
+  const Scalar t126 = c3 * t116 - qd[1] * s3;
+  const Scalar t127 = t118 * t126;
+  const Scalar t128 = qd[1] * t116;
+  const Scalar t129 = t127 - t128;
+  const Scalar t130 = c4 * t125 - s4 * t129;
+  const Scalar t131 = s4 * t126 - c4 * t120;
+  const Scalar t132 = qd[3] + t118;
+  const Scalar t133 = t131 * t132;
+  const Scalar t134 = t130 + t133;
+  const Scalar t135 = c5 * t131 + s5 * t132;
+  const Scalar t136 = c5 * t132 - s5 * t131;
+  const Scalar t137 = t135 * t136;
+  const Scalar t138 = t134 - t137;
+  const Scalar t139 = c4 * t129 + s4 * t125;
+  const Scalar t140 = s4 * t120 + c4 * t126;
+  const Scalar t141 = t140 * t132;
+  const Scalar t142 = (t139 - t141) - t141;
+  const Scalar t143 = t116 * t119;
+  const Scalar t144 = c3 * t143 - s3 * t123;
+  const Scalar t145 = t120 * t126;
+  const Scalar t146 = t144 - t145;
+  const Scalar t147 = t131 * t140;
+  const Scalar t148 = t146 + t147;
+  const Scalar t149 = c5 * t142 + s5 * t148;
+  const Scalar t150 = qd[4] - t140;
+  const Scalar t151 = t150 + t150;
+  const Scalar t152 = t149 - t151 * t136;
+  const Scalar t153 = t150 * t150;
+  const Scalar t154 = t135 * t135;
+  const Scalar t155 = t153 - t154;
+  const Scalar t156 = c5 * t148 - s5 * t142;
+  const Scalar t157 = t156 + t151 * t135;
+  const Scalar t158 = t6 * t155 - (t23 * t156 - t17 * t157);
+  const Scalar t159 = qd[0] * qd[0];
+  const Scalar t160 = k[50] * s1 - k[49] * c1;
+  const Scalar t161 = t159 + t160;
+  const Scalar t162 = k[22] * t123 - t161;
+  const Scalar t163 = k[49] * s1 + k[50] * c1;
+  const Scalar t164 = c2 * t163 + k[48] * s2;
+  const Scalar t165 = k[22] * t143 - t164;
+  const Scalar t166 = s3 * t162 - c3 * t165;
+  const Scalar t167 = s2 * t163 - k[48] * c2;
+  const Scalar t168 = t140 * t140;
+  const Scalar t169 = t131 * t131;
+  const Scalar t170 = t168 + t169;
+  const Scalar t171 = t120 * t120;
+  const Scalar t172 = t118 * t118;
+  const Scalar t173 = t171 - t172;
+  const Scalar t174 = t167 - k[22] * (t170 - t173);
+  const Scalar t175 = (s4 * t166 + c4 * t174) + k[21] * t130;
+  const Scalar t176 = s3 * t165 + c3 * t162;
+  const Scalar t177 = t176 - k[21] * t170;
+  const Scalar t178 = c5 * t175 - s5 * t177;
+  const Scalar t179 = k[21] * t139 + (s4 * t174 - c4 * t166);
+  const Scalar t180 = ((t3 * t138 + t152 * t14) - t158) + (t178 * t0 + t179 * t10);
+  const Scalar t181 = k[13] * (torque[5] + t180);
+  const Scalar t182 = t127 + t128;
+  const Scalar t183 = t146 - t145;
+  const Scalar t184 = k[37] * t173 - (k[31] * t125 + k[29] * t183);
+  const Scalar t185 = t153 + t154;
+  const Scalar t186 = qd[5] + t136;
+  const Scalar t187 = t153 - t186 * t186;
+  const Scalar t188 = t187 - t155;
+  const Scalar t189 = t185 - t188;
+  const Scalar t190 = (t157 * t10 + (t189 - t155) * t0) - (k[24] * t152 - k[23] * t157);
+  const Scalar t191 = t136 * t136;
+  const Scalar t192 = t191 + t154;
+  const Scalar t193 = t146 - t147;
+  const Scalar t194 = t190 - (k[25] * t192 - k[28] * t193);
+  const Scalar t195 = t133 + t134;
+  const Scalar t196 = t170 - t192;
+  const Scalar t197 = (k[18] * t142 - k[32] * t195) + k[26] * t196;
+  const Scalar t198 = (k[10] * t155 + k[8] * t138) - (k[6] * t157 + k[15] * t152);
+  const Scalar t199 = t180 + (k[23] * t179 - t198);
+  const Scalar t200 = t153 - t191;
+  const Scalar t201 = k[8] * t200 - (k[7] * t152 - k[15] * t157);
+  const Scalar t202 = t134 + t137;
+  const Scalar t203 = s5 * t175 + c5 * t177;
+  const Scalar t204 = t186 * t150;
+  const Scalar t205 = t204 + (t204 + t152);
+  const Scalar t206 = t186 * t135;
+  const Scalar t207 = t206 + (t206 + t138);
+  const Scalar t208 = t3 * t187 - (t23 * t205 - t207 * t6);
+  const Scalar t209 = ((t201 - k[10] * t202) - k[24] * t179) + (t203 * t0 - (t208 - t157 * t14));
+  const Scalar t210 = (k[25] * t177 - (t197 - k[27] * t193)) + (s5 * t199 - c5 * t209);
+  const Scalar t211 = k[21] * t194 - t210;
+  const Scalar t212 = t168 - t169;
+  const Scalar t213 = (t207 * t10 - t0 * t205) - (k[24] * t185 - k[23] * t202);
+  const Scalar t214 = (k[24] * t138 + k[23] * (t153 + t191)) - (t156 * t0 - t189 * t10);
+  const Scalar t215 = (k[28] * (t212 + t192) + k[25] * t148) + (s5 * t213 + c5 * t214);
+  const Scalar t216 = (k[26] * t148 - k[27] * (t212 - t196)) + (k[32] * t142 + k[16] * t195);
+  const Scalar t217 = (t188 * t14 + t156 * t3) - (t6 * t205 + t207 * t17);
+  const Scalar t218 = (k[6] * t202 - k[7] * t138) + k[15] * (t200 - t155);
+  const Scalar t219 = (k[23] * t203 + k[24] * t178) + ((k[8] * t156 + k[10] * t149) - t218);
+  const Scalar t220 = (t10 * t203 - t217) + t219;
+  const Scalar t221 = k[21] * t215 + ((k[28] * t177 + t216) + t220);
+  const Scalar t222 = (k[36] * t174 + (k[38] * t182 + t184)) + (s4 * t211 - c4 * t221);
+  const Scalar t223 = (s5 * t214 - c5 * t213) - (k[28] * t195 + k[25] * t142);
+  const Scalar t224 = t223 + (k[39] * t182 - k[36] * t170);
+  const Scalar t225 = t222 - k[22] * t224;
+  const Scalar t226 = (k[16] * t193 - k[18] * t148) + k[32] * t212;
+  const Scalar t227 = ((k[27] * t139 + k[26] * t130) + t226) + (k[25] * t175 - k[28] * t179);
+  const Scalar t228 = (c5 * t199 + s5 * t209) - t227;
+  const Scalar t229 = t171 + t172;
+  const Scalar t230 = t170 - t229;
+  const Scalar t231 = (k[38] * (t173 - t230) + k[37] * t129) - (k[29] * t125 - k[33] * t183);
+  const Scalar t232 = (k[36] * t129 - k[39] * t229) + (c4 * t194 + s4 * t215);
+  const Scalar t233 = (t228 - (k[39] * t174 - t231)) + k[22] * t232;
+  const Scalar t234 = k[46] - c2 * (k[52] * c2 + k[51] * s2);
+  const Scalar t235 = (k[42] * t164 + k[41] * t167) + t159 * t234;
+  const Scalar t236 = torque[1] - ((s3 * t225 - c3 * t233) + t235);
+  const Scalar t237 = (torque[4] + t220) - t181 * t3;
+  const Scalar t238 = t237 * t51;
+  const Scalar t239 = (t181 * t34 - (torque[3] + t228)) + t55 * t237;
+  const Scalar t240 = ((t41 * t181 + t236) + t50 * t238) + t57 * t239;
+  const Scalar t241 = (k[31] * t129 + k[33] * t182) - k[29] * t230;
+  const Scalar t242 = (k[36] * t166 + k[39] * t176) + (t241 - (k[38] * t124 + k[37] * t144));
+  const Scalar t243 = t242 - (s4 * t221 + c4 * t211);
+  const Scalar t244 = (t70 * t181 - (torque[2] + t243)) - t237 * t73;
+  const Scalar t245 = t56 * t239;
+  const Scalar t246 = t244 - t76 * t245;
+  const Scalar t247 = t240 + t87 * t246;
+  const Scalar t248 = (s4 * t194 - c4 * t215) - (k[39] * t183 - k[36] * t125);
+  const Scalar t249 = s2 * (t248 + (s3 * t233 + c3 * t225));
+  const Scalar t250 = c2 * ((c3 * t232 + s3 * t224) - t243);
+  const Scalar t251 = k[41] * c2 - k[42] * s2;
+  const Scalar t252 = qd[1] * qd[1];
+  const Scalar t253 = t252 * (k[40] * c2 - k[43] * s2) - t234 * (t122 + t122);
+  const Scalar t254 = ((t249 - t250) - (t251 * t161 + t253)) - (k[44] * t163 - (t159 + t252) * t251);
+  const Scalar t255 = t181 * t91 - (torque[0] + (t254 - k[53] * t160));
+  const Scalar t256 = t79 * t246;
+  const Scalar t257 = (t103 * t239 - (t255 + t96 * t237)) + t256 * t107;
+  const Scalar t258 = Scalar(1) / (t109 * t108 - t115) * (t247 * t109 + t257);
+  const Scalar t259 = t88 * t247 - t109 * t258;
+  const Scalar t260 = t87 * t259 + (t256 - t114 * t258);
+  const Scalar t261 = ((t245 + t103 * t258) - t259 * t57) + t77 * t260;
+  const Scalar t262 = t260 * t73 - (t52 * t259 + (t96 * t258 - t238));
+  const Scalar t263 = t261 * t55 + t262;
+  const Scalar t264 = t260 * t71 + (t49 * t259 + (t181 + t92 * t258));
   JointVector<Scalar> result;
-  result[0] = t262;
-  result[1] = -t263;
-  result[2] = -t264;
-  result[3] = -t265;
-  result[4] = t267;
-  result[5] = (t13 * t265 + t268) - t20 * t267;
+  result[0] = t258;
+  result[1] = -t259;
+  result[2] = t260;
+  result[3] = -t261;
+  result[4] = t263;
+  result[5] = (t261 * t33 - t264) - t2 * t263;
   return result;
 }
 
@@ -1181,104 +1237,124 @@ ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constant
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
+  const Scalar t0 = inertia.c6z * inertia.m6;
   const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t1;
-  const Scalar t4 = inertia.c6z * inertia.m6;
-  const Scalar t5 = inertia.c6z * t4 - (inertia.I6zz - t2);
-  const Scalar t6 = t3 - t5;
-  const Scalar t7 = g.d4 / g.l1;
-  const Scalar t8 = inertia.c5z * inertia.m5;
-  const Scalar t9 = inertia.c5y * inertia.m5;
-  const Scalar t10 = inertia.I6xz - inertia.c6z * t1;
-  const Scalar t11 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t12 = ((inertia.I6yy - t2) - inertia.c6y * t0) - (inertia.c5y * t9 - (inertia.I5yy - t11));
-  const Scalar t13 = inertia.c5x * inertia.m5;
-  const Scalar t14 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t15 = inertia.c4y * inertia.m4;
-  const Scalar t16 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t17 = t15 - g.d4 * t16;
-  const Scalar t18 = ((inertia.I4yy - t14) - inertia.c4y * t15) + g.d4 * (t15 + t17);
-  const Scalar t19 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t20 = inertia.c3y * inertia.m3;
-  const Scalar t21 = g.d4 * inertia.m3 - t20;
-  const Scalar t22 = ((inertia.I3yy - t19) - inertia.c3y * t20) - g.d4 * (t21 - t20);
-  const Scalar t23 = inertia.c4z * inertia.m4;
-  const Scalar t24 = inertia.c4x * inertia.m4;
-  const Scalar t25 = (inertia.c5x * t13 - (inertia.I5xx - t11)) - ((inertia.I4xx - t14) - inertia.c4x * t24);
-  const Scalar t26 = inertia.c3x * inertia.m3;
-  const Scalar t27 = inertia.c2x * inertia.m2;
-  const Scalar t28 = inertia.c3z * inertia.m3;
-  const Scalar t29 = inertia.c2y * inertia.m2;
-  const Scalar t30 = inertia.c2z * inertia.m2;
-  const Scalar t31 = g.l2 * inertia.m2 + t30;
-  const Scalar t32 = inertia.m3 + t16;
-  const Scalar t33 = t28 + g.l2 * t32;
-  const Scalar t34 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t35 = g.l2 * (t31 + t30) - ((inertia.I2zz - t34) - inertia.c2z * t30);
-  const Scalar t36 = ((inertia.I3zz - t19) - inertia.c3z * t28) - g.l2 * (t28 + t33);
-  const Scalar t37 = t35 - t36;
-  const Scalar t38 = inertia.c2x * t27 - (inertia.I2xx - t34);
-  const Scalar t39 = (inertia.I2xz - inertia.c2z * t27) - g.l2 * t27;
-  const Scalar t40 = inertia.c1x * inertia.m1;
-  const Scalar t41 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t42 = g.l1 * (inertia.m2 + t32) - t29;
-  const Scalar t43 = ((inertia.I2yy - t34) - inertia.c2y * t29) - g.l1 * (t42 - t29);
-  const Scalar t44 = inertia.c1y * inertia.m1;
-  const Scalar t45 = t44 - g.l1 * inertia.m1;
-  const Scalar t46 = (inertia.c1y * t44 - (inertia.I1yy - t41)) - g.l1 * (t44 + t45);
-  return { inertia.I6yz - inertia.c6z * t0,
-           inertia.I6xy - inertia.c6y * t1,
-           t6,
-           g.l1 * t4,
+  const Scalar t2 = inertia.c5z * inertia.m5;
+  const Scalar t3 = inertia.c6y * inertia.m6;
+  const Scalar t4 = inertia.c5y * inertia.m5;
+  const Scalar t5 = inertia.c3y * inertia.m3;
+  const Scalar t6 = g.d4 * inertia.m3 - t5;
+  const Scalar t7 = inertia.c4y * inertia.m4;
+  const Scalar t8 = g.d4 * inertia.m4;
+  const Scalar t9 = t7 - t8;
+  const Scalar t10 = t9 + t8;
+  const Scalar t11 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t12 = t10 - g.d4 * t11;
+  const Scalar t13 = inertia.c4z * inertia.m4;
+  const Scalar t14 = g.d4 / g.l1;
+  const Scalar t15 = inertia.I6xz - inertia.c6z * t1;
+  const Scalar t16 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t17 = (inertia.I6xx - t16) - inertia.c6x * t1;
+  const Scalar t18 = inertia.c6z * t0 - (inertia.I6zz - t16);
+  const Scalar t19 = t17 - t18;
+  const Scalar t20 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t21 = ((inertia.I6yy - t16) - inertia.c6y * t3) - (inertia.c5y * t4 - (inertia.I5yy - t20));
+  const Scalar t22 = g.d4 * t13;
+  const Scalar t23 = inertia.c4x * inertia.m4;
+  const Scalar t24 = inertia.c5x * inertia.m5;
+  const Scalar t25 = g.d4 * t23;
+  const Scalar t26 = inertia.c3z * inertia.m3;
+  const Scalar t27 = g.l2 * t6;
+  const Scalar t28 = (g.d4 * t26 + (inertia.I3yz - inertia.c3z * t5)) + t27;
+  const Scalar t29 = inertia.c3x * inertia.m3;
+  const Scalar t30 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t31 = (inertia.c5x * t24 - (inertia.I5xx - t20)) - ((inertia.I4xx - t30) - inertia.c4x * t23);
+  const Scalar t32 = g.l2 * t29;
+  const Scalar t33 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t34 = g.d4 * (t7 + t9) + ((inertia.I4yy - t30) - inertia.c4y * t7);
+  const Scalar t35 = (t34 - g.d4 * (t10 + t9)) + g.d4 * (t10 + t12);
+  const Scalar t36 = ((inertia.I3yy - t33) - inertia.c3y * t5) - g.d4 * (t6 - t5);
+  const Scalar t37 = inertia.c2x * inertia.m2;
+  const Scalar t38 = g.l1 * t37;
+  const Scalar t39 = g.l2 * inertia.m3;
+  const Scalar t40 = t26 + t39;
+  const Scalar t41 = t40 - t39;
+  const Scalar t42 = inertia.m3 + t11;
+  const Scalar t43 = t41 + g.l2 * t42;
+  const Scalar t44 = inertia.c2z * inertia.m2;
+  const Scalar t45 = g.l2 * inertia.m2 + t44;
+  const Scalar t46 = g.l1 * inertia.m2;
+  const Scalar t47 = inertia.c2y * inertia.m2;
+  const Scalar t48 = t46 - t47;
+  const Scalar t49 = g.l2 * t48 + ((inertia.I2yz - inertia.c2z * t47) + g.l1 * t44);
+  const Scalar t50 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t51 = inertia.c2x * t37 - (inertia.I2xx - t50);
+  const Scalar t52 = g.l2 * (t45 + t44) - ((inertia.I2zz - t50) - inertia.c2z * t44);
+  const Scalar t53 = ((inertia.I3zz - t33) - inertia.c3z * t26) - g.l2 * (t26 + t40);
+  const Scalar t54 = (t53 + g.l2 * (t40 + t41)) - g.l2 * (t43 + t41);
+  const Scalar t55 = t52 - t54;
+  const Scalar t56 = inertia.c1y * inertia.m1;
+  const Scalar t57 = t56 - g.l1 * inertia.m1;
+  const Scalar t58 = t46 - t48;
+  const Scalar t59 = t58 - g.l1 * (inertia.m2 + t42);
+  const Scalar t60 = g.l1 * g.l1 * (t57 + t59) / g.l1;
+  const Scalar t61 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t62 = (inertia.c1y * t56 - (inertia.I1yy - t61)) - g.l1 * (t56 + t57);
+  const Scalar t63 = g.l1 * (t48 - t47) - ((inertia.I2yy - t50) - inertia.c2y * t47);
+  const Scalar t64 = (t63 + g.l1 * (t58 - t48)) - g.l1 * (t58 + t59);
+  const Scalar t65 = (inertia.I2xz - inertia.c2z * t37) - g.l2 * t37;
+  const Scalar t66 = inertia.c1x * inertia.m1;
+  return { g.l1 * t0,
            g.l1 * t1,
-           t7,
+           g.l1 * t2,
+           g.l1 * (t3 + t4),
+           g.l1 * (t6 - t12),
            g.l2 / g.l1,
-           Scalar(1) / t6,
-           g.l1 * t8,
-           g.l1 * (t0 + t9),
-           t3 + t5,
-           Scalar(2) * t10,
-           t3,
-           inertia.c5z * t8 - (inertia.I5zz - t11),
-           t12,
-           inertia.I5yz - inertia.c5z * t9,
-           inertia.I5xy - inertia.c5y * t13,
-           t10,
-           inertia.I5xz - inertia.c5z * t13,
-           Scalar(2) * t7,
-           t18 + t22,
-           (inertia.I4zz - t14) - inertia.c4z * t23,
-           t25,
-           inertia.I4xz - inertia.c4z * t24,
-           inertia.c3x * t26 - (inertia.I3xx - t19),
-           g.l1 * (t24 + t13),
-           inertia.I4xy - inertia.c4y * t24,
-           g.l1 * t23,
-           inertia.I4yz - inertia.c4z * t15,
-           (inertia.I3xy - inertia.c3y * t26) + g.d4 * t26,
-           inertia.I2xy - inertia.c2y * t27,
-           g.l1 * (t17 - t21),
-           g.l1 * t26,
-           g.l1 * t27,
-           inertia.I3xz - inertia.c3z * t26,
-           g.d4 * t28 + (inertia.I3yz - inertia.c3z * t20),
-           (inertia.I2yz - inertia.c2z * t29) - g.l2 * t29,
-           g.l1 * (t31 + t33),
-           t37,
+           g.l1 * t13,
+           t14,
+           inertia.I6yz - inertia.c6z * t3,
+           inertia.I6xy - inertia.c6y * t1,
+           inertia.I5yz - inertia.c5z * t4,
+           Scalar(2) * t15,
+           t17 + t18,
+           t18,
+           t19,
+           inertia.c5z * t2 - (inertia.I5zz - t20),
+           t21,
+           t22 - (t22 + (inertia.I4yz - inertia.c4z * t7)),
+           g.l1 * (t23 + t24),
+           inertia.I5xy - inertia.c5y * t24,
+           t15,
+           inertia.I5xz - inertia.c5z * t24,
+           (t25 + (inertia.I4xy - inertia.c4y * t23)) - t25,
+           t28 - t27,
+           g.l1 * t29,
+           t31,
+           (inertia.I4zz - t30) - inertia.c4z * t13,
+           inertia.I4xz - inertia.c4z * t23,
+           t32 - (t32 - (inertia.I3xz - inertia.c3z * t29)),
+           Scalar(1) / t19,
+           inertia.c3x * t29 - (inertia.I3xx - t33),
+           (inertia.I3xy - inertia.c3y * t29) + g.d4 * t29,
+           Scalar(2) * t14,
+           t35 + t36,
            t38,
-           t39,
-           inertia.c1x * t40 - (inertia.I1xx - t41),
-           t43 - t46,
-           gravity[0] / g.l1,
-           gravity[1] / g.l1,
+           t38 - (t38 + (inertia.I2xy - inertia.c2y * t37)),
+           g.l1 * (t43 + t45),
+           g.l1 * t45 - t49,
+           t51,
+           t55,
+           t60,
+           t60 + (t62 + t64),
+           t65,
+           inertia.c1x * t66 - (inertia.I1xx - t61),
            gravity[2] / g.l1,
+           gravity[1] / g.l1,
+           gravity[0] / g.l1,
            g.l1,
-           Scalar(2) * t39,
-           t38 - t37,
-           g.l1 * (t42 - t45),
-           g.l1 * t40 };
+           t55 - t51,
+           Scalar(2) * t65,
+           g.l1 * t66 };
 }
 
 namespace detail {
@@ -1300,308 +1376,308 @@ inline JointVector<Scalar> forward_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = k[10] * c6 - k[11] * s6;
-  const Scalar t1 = k[17] + s6 * t0;
-  const Scalar t2 = k[18] + t1;
-  const Scalar t3 = k[0] * s6 - k[1] * c6;
-  const Scalar t4 = k[16] - t3;
-  const Scalar t5 = s5 * t2 + c5 * t4;
-  const Scalar t6 = k[7] * t3;
-  const Scalar t7 = k[0] * c6 + k[1] * s6;
-  const Scalar t8 = c5 - k[7] * s5 * t7;
-  const Scalar t9 = k[2] * t8;
-  const Scalar t10 = t5 + t6 * t9;
-  const Scalar t11 = k[15] + t7;
-  const Scalar t12 = c5 * t11;
-  const Scalar t13 = k[12] - c6 * t0;
-  const Scalar t14 = k[13] - t13;
-  const Scalar t15 = (t12 + t12) - s5 * (k[14] + t14);
-  const Scalar t16 = s5 * t15;
-  const Scalar t17 = k[14] + t16;
-  const Scalar t18 = t16 + t14;
-  const Scalar t19 = t17 - t18;
-  const Scalar t20 = Scalar(1) / (t3 * t6 - t19);
-  const Scalar t21 = t20 * t10;
-  const Scalar t22 = k[2] - t13;
-  const Scalar t23 = k[22] - t22;
-  const Scalar t24 = k[21] - t18;
-  const Scalar t25 = c5 * t2 - s5 * t4;
-  const Scalar t26 = k[23] + t25;
-  const Scalar t27 = s4 * t26;
-  const Scalar t28 = c4 * (t23 + t24) + (t27 + t27);
-  const Scalar t29 = c4 * t28;
-  const Scalar t30 = t23 - t29;
-  const Scalar t31 = t29 - t24;
-  const Scalar t32 = t30 + t31;
-  const Scalar t33 = Scalar(1) / (t10 * t21 - (t8 * t9 + t32));
-  const Scalar t34 = k[4] * c6 - k[3] * s6;
-  const Scalar t35 = c5 * t34;
-  const Scalar t36 = k[3] * c6 + k[4] * s6;
-  const Scalar t37 = s4 * t35 + c4 * t36;
-  const Scalar t38 = k[6] * t37 - t9;
-  const Scalar t39 = c4 * t35 - s4 * t36;
-  const Scalar t40 = c5 * t7 + k[2] * s5;
-  const Scalar t41 = k[5] * t39 - (s4 * t40 + c4 * t3);
-  const Scalar t42 = s5 * t34;
-  const Scalar t43 = t41 + k[6] * t42;
-  const Scalar t44 = c3 * t38 + s3 * t43;
-  const Scalar t45 = k[8] + t36;
-  const Scalar t46 = c5 * t45 - k[9] * s5;
-  const Scalar t47 = s5 * t45 + k[9] * c5;
-  const Scalar t48 = k[5] * t47 + t19;
-  const Scalar t49 = k[6] * t46 - (c4 * t48 + s4 * t25);
-  const Scalar t50 = s4 * t47;
-  const Scalar t51 = t5 - k[6] * t50;
-  const Scalar t52 = t44 * t6 - (s3 * t49 + c3 * t51);
-  const Scalar t53 = t20 * t52;
-  const Scalar t54 = k[25] + t34;
-  const Scalar t55 = k[5] * t54 + (k[26] + t5);
-  const Scalar t56 = k[27] + t46;
-  const Scalar t57 = (k[28] + (c5 * t15 - t11)) + k[5] * t56;
-  const Scalar t58 = c4 * t55 - s4 * t57;
-  const Scalar t59 = s4 * t54 + c4 * t56;
-  const Scalar t60 = k[6] * t59;
-  const Scalar t61 = t32 + t60;
-  const Scalar t62 = (s3 * t58 + c3 * t61) - t44 * t8;
-  const Scalar t63 = t10 * t53 + t62;
-  const Scalar t64 = t33 * t63;
-  const Scalar t65 = c4 * t54 - s4 * t56;
-  const Scalar t66 = s2 * ((s3 * t61 - c3 * t58) - t65);
-  const Scalar t67 = s4 * t55 + c4 * t57;
-  const Scalar t68 = s2 * ((s3 * t38 - c3 * t43) - t39);
-  const Scalar t69 = k[5] * t37 - (s4 * t3 - c4 * t40);
-  const Scalar t70 = c2 * ((s3 * t42 + c3 * t37) + t69);
-  const Scalar t71 = t68 - t70;
-  const Scalar t72 = k[7] * t71;
-  const Scalar t73 = (t66 - c2 * (t67 + c3 * t59)) - t72 * t9;
-  const Scalar t74 = s4 * t48 - c4 * t25;
-  const Scalar t75 = c2 * (t74 + (c3 * t50 - s3 * t46));
-  const Scalar t76 = c4 * t47 - (c3 * t49 - s3 * t51);
-  const Scalar t77 = t3 * t72 - (t75 + s2 * t76);
-  const Scalar t78 = t73 + t77 * t21;
-  const Scalar t79 = k[31] + t47;
-  const Scalar t80 = k[32] + t65;
-  const Scalar t81 = c3 * t79 + s3 * t80;
-  const Scalar t82 = k[35] + t67;
-  const Scalar t83 = k[34] + (t26 - s4 * t28);
-  const Scalar t84 = k[6] * t81 - (c3 * t82 + s3 * t83);
-  const Scalar t85 = k[29] + t58;
-  const Scalar t86 = c3 * t85;
-  const Scalar t87 = k[24] + t31;
-  const Scalar t88 = k[20] + (t17 + k[19] * t47);
-  const Scalar t89 = (t86 + t86) - s3 * (t87 + t88);
-  const Scalar t90 = s3 * t79 - c3 * t80;
-  const Scalar t91 = (k[30] + (c3 * t89 - t85)) + (k[33] - t90);
-  const Scalar t92 = c2 * ((k[36] - t84) + (k[37] + t59)) + s2 * t91;
-  const Scalar t93 = t64 * t78 - (t77 * t53 + (t92 - t44 * t72));
-  const Scalar t94 = k[7] * t69;
-  const Scalar t95 = t3 * t94 + t74;
-  const Scalar t96 = t20 * t95;
-  const Scalar t97 = k[7] * t44;
-  const Scalar t98 = (t67 - t94 * t9) + t95 * t21;
-  const Scalar t99 = (t52 * t96 - (t69 * t97 - t84)) - t64 * t98;
-  const Scalar t100 = t78 * t33;
-  const Scalar t101 = t20 * t77;
-  const Scalar t102 = (c3 * t83 - s3 * t82) + k[6] * t90;
-  const Scalar t103 = t87 - t88;
-  const Scalar t104 = t72 * t69 - (s2 * t102 - c2 * (t81 - t103));
-  const Scalar t105 = t100 * t98 - (t101 * t95 - t104);
-  const Scalar t106 = t33 * t98;
-  const Scalar t107 = t106 * t98 - (t95 * t96 - (t69 * t94 + t103));
-  const Scalar t108 = Scalar(1) / t107;
-  const Scalar t109 = t105 * t108;
-  const Scalar t110 = t93 + t99 * t109;
-  const Scalar t111 = qd[0] * c2;
-  const Scalar t112 = qd[2] + t111;
-  const Scalar t113 = qd[0] * s2;
-  const Scalar t114 = c3 * t113 - qd[1] * s3;
-  const Scalar t115 = s4 * t112 + c4 * t114;
-  const Scalar t116 = qd[4] - t115;
-  const Scalar t117 = t116 * t116;
-  const Scalar t118 = s3 * t113 + qd[1] * c3;
-  const Scalar t119 = qd[3] + t118;
-  const Scalar t120 = s4 * t114 - c4 * t112;
-  const Scalar t121 = c5 * t119 - s5 * t120;
-  const Scalar t122 = qd[5] + t121;
-  const Scalar t123 = t117 + t122 * t122;
-  const Scalar t124 = t121 * t121;
-  const Scalar t125 = t117 - t124;
-  const Scalar t126 = t119 * t119;
-  const Scalar t127 = t120 * t120;
-  const Scalar t128 = t126 + t127;
-  const Scalar t129 = t125 + t128;
-  const Scalar t130 = t123 - t129;
-  const Scalar t131 = t117 + t124;
-  const Scalar t132 = t131 - t128;
-  const Scalar t133 = t130 - t132;
-  const Scalar t134 = qd[0] * qd[1];
-  const Scalar t135 = s2 * t134;
-  const Scalar t136 = t118 * t114;
-  const Scalar t137 = t135 - t136;
-  const Scalar t138 = t118 * t112;
-  const Scalar t139 = t134 + t134;
-  const Scalar t140 = c2 * t139;
-  const Scalar t141 = t113 * t111;
-  const Scalar t142 = c3 * t140 + s3 * t141;
-  const Scalar t143 = t138 + (t138 - t142);
-  const Scalar t144 = c4 * t137 - s4 * t143;
-  const Scalar t145 = Scalar(2) * t115 * t119 + t144;
-  const Scalar t146 = t112 * t114;
-  const Scalar t147 = c3 * t141 - s3 * t140;
-  const Scalar t148 = t146 - t147;
-  const Scalar t149 = t120 * t115;
-  const Scalar t150 = t148 - t149;
-  const Scalar t151 = s5 * t145 - c5 * t150;
-  const Scalar t152 = c5 * t120 + s5 * t119;
-  const Scalar t153 = t151 + Scalar(2) * t152 * t116;
-  const Scalar t154 = wrench[0] * c1 + wrench[1] * s1;
-  const Scalar t155 = wrench[2] * c2 - s2 * t154;
-  const Scalar t156 = c2 * t154 + wrench[2] * s2;
-  const Scalar t157 = wrench[0] * s1 - wrench[1] * c1;
-  const Scalar t158 = c3 * t156 - s3 * t157;
-  const Scalar t159 = ((t133 + t129) * t34 - t153 * t36) + k[46] * (s4 * t155 + c4 * t158);
-  const Scalar t160 = c5 * t145 + s5 * t150;
-  const Scalar t161 = t116 * t121;
-  const Scalar t162 = (t160 + t161) + t161;
-  const Scalar t163 = t148 + t149;
-  const Scalar t164 = (t159 - (k[9] * t162 + k[8] * t153)) + (k[25] * t128 + k[27] * t163);
-  const Scalar t165 = t126 - t127;
-  const Scalar t166 = t112 * t112;
-  const Scalar t167 = t114 * t114;
-  const Scalar t168 = t166 + t167;
-  const Scalar t169 = t165 + t168;
-  const Scalar t170 = s4 * t137 + c4 * t143;
-  const Scalar t171 = t120 * t119;
-  const Scalar t172 = t170 + t171;
-  const Scalar t173 = t152 * t121;
-  const Scalar t174 = t172 - t173;
-  const Scalar t175 = c3 * t157 + s3 * t156;
-  const Scalar t176 = c4 * t155 - s4 * t158;
-  const Scalar t177 = k[46] * (s5 * t175 - c5 * t176) - (t34 * t151 + t36 * t123);
-  const Scalar t178 = (k[9] * t174 + k[8] * t131) - t177;
-  const Scalar t179 = t122 * t116;
-  const Scalar t180 = t162 - (t179 + t179);
-  const Scalar t181 = t122 * t152;
-  const Scalar t182 = t181 + (t174 + t181);
-  const Scalar t183 = k[46] * (s5 * t176 + c5 * t175) - (t34 * t180 - t182 * t36);
-  const Scalar t184 = t172 + t173;
-  const Scalar t185 = t183 + (k[8] * t184 - k[9] * t129);
-  const Scalar t186 = (k[27] * t169 - k[25] * t150) + (c5 * t178 + s5 * t185);
-  const Scalar t187 = c4 * t164 - s4 * t186;
+  const Scalar t0 = k[12] * c6 - k[11] * s6;
+  const Scalar t1 = k[20] + s6 * t0;
+  const Scalar t2 = k[21] + t1;
+  const Scalar t3 = k[9] * c6 - k[8] * s6;
+  const Scalar t4 = k[19] + t3;
+  const Scalar t5 = c5 * t2 - s5 * t4;
+  const Scalar t6 = k[27] + t5;
+  const Scalar t7 = k[13] - c6 * t0;
+  const Scalar t8 = k[25] + t7;
+  const Scalar t9 = k[14] + t7;
+  const Scalar t10 = k[15] - t9;
+  const Scalar t11 = k[8] * c6 + k[9] * s6;
+  const Scalar t12 = k[10] + t11;
+  const Scalar t13 = c5 * t12;
+  const Scalar t14 = s5 * (k[16] + t10) - (t13 + t13);
+  const Scalar t15 = s5 * t14 - t10;
+  const Scalar t16 = k[26] + t15;
+  const Scalar t17 = Scalar(2) * s4 * t6 + c4 * (t8 + t16);
+  const Scalar t18 = k[0] * s6 - k[1] * c6;
+  const Scalar t19 = k[18] - t18;
+  const Scalar t20 = k[0] * c6 + k[1] * s6;
+  const Scalar t21 = k[2] + t20;
+  const Scalar t22 = c5 * t21 - k[3] * s5;
+  const Scalar t23 = k[6] + t22;
+  const Scalar t24 = c4 * t19 - s4 * t23;
+  const Scalar t25 = k[24] + t24;
+  const Scalar t26 = (k[28] + (t6 - s4 * t17)) - k[5] * t25;
+  const Scalar t27 = s5 * t2 + c5 * t4;
+  const Scalar t28 = k[7] * t19 + (k[22] + t27);
+  const Scalar t29 = (k[17] + (t12 + c5 * t14)) - k[7] * t23;
+  const Scalar t30 = s4 * t28 - c4 * t29;
+  const Scalar t31 = s5 * t21 + k[3] * c5;
+  const Scalar t32 = k[4] - t31;
+  const Scalar t33 = (k[23] + t30) + k[5] * t32;
+  const Scalar t34 = c3 * t26 - s3 * t33;
+  const Scalar t35 = s3 * t25 - c3 * t32;
+  const Scalar t36 = k[16] - t10;
+  const Scalar t37 = k[33] - ((t15 - t36) - k[32] * t31);
+  const Scalar t38 = c4 * t17;
+  const Scalar t39 = t16 - t38;
+  const Scalar t40 = k[30] - t39;
+  const Scalar t41 = s4 * t29 + c4 * t28;
+  const Scalar t42 = k[31] + t41;
+  const Scalar t43 = s3 * (t37 + t40) - Scalar(2) * c3 * t42;
+  const Scalar t44 = s3 * t43;
+  const Scalar t45 = t37 - t44;
+  const Scalar t46 = t40 - t44;
+  const Scalar t47 = t45 - t46;
+  const Scalar t48 = s5 * t18;
+  const Scalar t49 = c5 * t18;
+  const Scalar t50 = t3 - k[7] * t49;
+  const Scalar t51 = (c5 * t11 + k[14] * s5) + k[7] * t20;
+  const Scalar t52 = k[5] * t48 - (c4 * t50 - s4 * t51);
+  const Scalar t53 = k[14] * c5 - s5 * t11;
+  const Scalar t54 = s4 * t49 - c4 * t20;
+  const Scalar t55 = t53 + k[5] * t54;
+  const Scalar t56 = (c3 * t52 - s3 * t55) + (c4 * t49 + s4 * t20);
+  const Scalar t57 = c4 * t51 + s4 * t50;
+  const Scalar t58 = c2 * ((c3 * t54 + s3 * t48) - t57);
+  const Scalar t59 = s2 * t56 + t58;
+  const Scalar t60 = k[29] * t59;
+  const Scalar t61 = (s2 * t34 - c2 * (t35 + t47)) - t60 * t57;
+  const Scalar t62 = k[29] * t57;
+  const Scalar t63 = k[7] * t31 + t36;
+  const Scalar t64 = c4 * t5 - s4 * t63;
+  const Scalar t65 = t3 * t62 + t64;
+  const Scalar t66 = s4 * t31;
+  const Scalar t67 = k[5] * t66 - t27;
+  const Scalar t68 = (s4 * t5 + c4 * t63) - k[5] * t22;
+  const Scalar t69 = c4 * t31 - (s3 * t67 - c3 * t68);
+  const Scalar t70 = c2 * ((s3 * t22 - c3 * t66) + t64);
+  const Scalar t71 = k[29] * t3;
+  const Scalar t72 = (s2 * t69 - t70) + t59 * t71;
+  const Scalar t73 = Scalar(1) / (t3 * t71 - t36);
+  const Scalar t74 = t72 * t73;
+  const Scalar t75 = k[29] * t53;
+  const Scalar t76 = c4 * t23 + s4 * t19;
+  const Scalar t77 = k[5] * t76;
+  const Scalar t78 = t8 - t38;
+  const Scalar t79 = t39 - t78;
+  const Scalar t80 = t77 - t79;
+  const Scalar t81 = s2 * ((c3 * t41 - s3 * t80) + t24);
+  const Scalar t82 = t75 * t59 + (t81 + c2 * (c3 * t76 + t30));
+  const Scalar t83 = t3 * t75 - t27;
+  const Scalar t84 = t82 - t83 * t74;
+  const Scalar t85 = t73 * t83;
+  const Scalar t86 = Scalar(1) / (t83 * t85 - (t53 * t75 - t79));
+  const Scalar t87 = t65 * t73;
+  const Scalar t88 = t83 * t87 - (t57 * t75 - t30);
+  const Scalar t89 = t86 * t88;
+  const Scalar t90 = (t61 + t65 * t74) + t84 * t89;
+  const Scalar t91 = ((t62 * t57 - t47) - t65 * t87) + t88 * t89;
+  const Scalar t92 = Scalar(1) / t91;
+  const Scalar t93 = t90 * t92;
+  const Scalar t94 = k[38] + t46;
+  const Scalar t95 = k[39] + (t78 + (t77 + t77));
+  const Scalar t96 = c2 * (k[42] + t34);
+  const Scalar t97 = s2 * (s2 * (t94 - t95) - (t96 + t96));
+  const Scalar t98 = (k[43] + (t94 - t97)) + (k[41] - (t45 + (t35 + (k[40] + t35))));
+  const Scalar t99 = t86 * t84;
+  const Scalar t100 = (t72 * t74 - (t60 * t59 + t98)) - t84 * t99;
+  const Scalar t101 = s3 * t52 + c3 * t55;
+  const Scalar t102 = (s3 * t68 + c3 * t67) + t71 * t101;
+  const Scalar t103 = t75 * t101 + (s3 * t41 + c3 * t80);
+  const Scalar t104 = t85 * t102 - t103;
+  const Scalar t105 = k[29] * t101;
+  const Scalar t106 = s3 * t26 + c3 * t33;
+  const Scalar t107 = t104 * t89 + ((t105 * t57 - t106) - t87 * t102);
+  const Scalar t108 = t107 * t92;
+  const Scalar t109 = t73 * t102;
+  const Scalar t110 = t109 * t102 - ((t94 + t95) + t105 * t101);
+  const Scalar t111 = t86 * t104;
+  const Scalar t112 = Scalar(1) / (t108 * t107 + (t110 - t104 * t111));
+  const Scalar t113 = (k[35] + (t42 + c3 * t43)) - (k[34] + (s3 * t32 + c3 * t25));
+  const Scalar t114 = s2 * t113 - c2 * ((k[36] + t76) - (k[37] - t106));
+  const Scalar t115 = ((t114 - t60 * t101) + t72 * t109) + t104 * t99;
+  const Scalar t116 = t108 * t90 - t115;
+  const Scalar t117 = t112 * t116;
+  const Scalar t118 = Scalar(1) / ((t93 * t90 + t100) - t117 * t116);
+  const Scalar t119 = qd[0] * c2;
+  const Scalar t120 = qd[2] + t119;
+  const Scalar t121 = qd[0] * s2;
+  const Scalar t122 = c3 * t121 - qd[1] * s3;
+  const Scalar t123 = s4 * t120 + c4 * t122;
+  const Scalar t124 = qd[4] - t123;
+  const Scalar t125 = t124 * t124;
+  const Scalar t126 = s4 * t122 - c4 * t120;
+  const Scalar t127 = s3 * t121;
+  const Scalar t128 = t127 + qd[1] * c3;
+  const Scalar t129 = qd[3] + t128;
+  const Scalar t130 = c5 * t126 + s5 * t129;
+  const Scalar t131 = t130 * t130;
+  const Scalar t132 = t125 - t131;
+  const Scalar t133 = t121 * t119;
+  const Scalar t134 = Scalar(2) * qd[0] * qd[1];
+  const Scalar t135 = c2 * t134;
+  const Scalar t136 = c3 * t133 - s3 * t135;
+  const Scalar t137 = t120 * t122;
+  const Scalar t138 = t136 - t137;
+  const Scalar t139 = t126 * t123;
+  const Scalar t140 = t138 + t139;
+  const Scalar t141 = t123 * t129;
+  const Scalar t142 = t128 * t120;
+  const Scalar t143 = t127 * t119 + c3 * t135;
+  const Scalar t144 = t142 + (t142 - t143);
+  const Scalar t145 = t128 * t122;
+  const Scalar t146 = qd[1] * t121;
+  const Scalar t147 = t145 - t146;
+  const Scalar t148 = s4 * t144 + c4 * t147;
+  const Scalar t149 = (t141 + t141) - t148;
+  const Scalar t150 = c5 * t140 + s5 * t149;
+  const Scalar t151 = t130 * t124;
+  const Scalar t152 = t151 + (t151 + t150);
+  const Scalar t153 = t1 * t132 - (t150 * t7 - t152 * t9);
+  const Scalar t154 = s5 * t140 - c5 * t149;
+  const Scalar t155 = c5 * t129 - s5 * t126;
+  const Scalar t156 = t124 * t155;
+  const Scalar t157 = (t154 - t156) - t156;
+  const Scalar t158 = t126 * t129;
+  const Scalar t159 = c4 * t144 - s4 * t147;
+  const Scalar t160 = t158 + t159;
+  const Scalar t161 = t130 * t155;
+  const Scalar t162 = t160 - t161;
+  const Scalar t163 = t128 * t128;
+  const Scalar t164 = t122 * t122;
+  const Scalar t165 = t163 + t164;
+  const Scalar t166 = k[46] * c1 + k[45] * s1;
+  const Scalar t167 = s2 * t166 - k[44] * c2;
+  const Scalar t168 = k[5] * t165 - t167;
+  const Scalar t169 = t168 - k[7] * t144;
+  const Scalar t170 = qd[0] * qd[0];
+  const Scalar t171 = k[45] * c1 - k[46] * s1;
+  const Scalar t172 = t170 - t171;
+  const Scalar t173 = t172 - k[5] * t135;
+  const Scalar t174 = c2 * t166 + k[44] * s2;
+  const Scalar t175 = k[5] * t133 - t174;
+  const Scalar t176 = s3 * t173 + c3 * t175;
+  const Scalar t177 = k[7] * t147 + t176;
+  const Scalar t178 = c4 * t169 + s4 * t177;
+  const Scalar t179 = t123 * t123;
+  const Scalar t180 = t126 * t126;
+  const Scalar t181 = t179 + t180;
+  const Scalar t182 = s3 * t175 - c3 * t173;
+  const Scalar t183 = k[7] * t181 - t182;
+  const Scalar t184 = c5 * t178 - s5 * t183;
+  const Scalar t185 = c4 * t177 - s4 * t169;
+  const Scalar t186 = (t153 - (t157 * t11 - t3 * t162)) + (t18 * t184 - t20 * t185);
+  const Scalar t187 = wrench[3] * s1 - wrench[4] * c1;
   const Scalar t188 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t189 = s2 * t188 - wrench[5] * c2;
-  const Scalar t190 = c2 * t188 + wrench[5] * s2;
-  const Scalar t191 = wrench[3] * s1 - wrench[4] * c1;
-  const Scalar t192 = c3 * t190 - s3 * t191;
-  const Scalar t193 = (t7 * t130 - t3 * t151) - (t1 * t180 - t182 * t13);
-  const Scalar t194 = k[43] * c1 + k[44] * s1;
-  const Scalar t195 = c2 * t194 + k[45] * s2;
-  const Scalar t196 = t195 - k[6] * t141;
-  const Scalar t197 = qd[0] * qd[0];
-  const Scalar t198 = k[44] * c1 - k[43] * s1;
-  const Scalar t199 = t197 - t198;
-  const Scalar t200 = t199 - k[6] * t140;
-  const Scalar t201 = s3 * t196 + c3 * t200;
-  const Scalar t202 = k[5] * t168 + t201;
-  const Scalar t203 = t118 * t118 + t167;
-  const Scalar t204 = k[45] * c2 - s2 * t194;
-  const Scalar t205 = k[6] * t203 + t204;
-  const Scalar t206 = s3 * t200 - c3 * t196;
-  const Scalar t207 = (c4 * t205 + s4 * t206) - k[5] * t170;
-  const Scalar t208 = c5 * t202 + s5 * t207;
-  const Scalar t209 = (s4 * t189 - c4 * t192) + (t193 - t36 * t208);
-  const Scalar t210 = (k[14] * t174 - k[13] * t184) - k[15] * (t125 - t132);
-  const Scalar t211 = s5 * t202 - c5 * t207;
-  const Scalar t212 = ((k[16] * t151 - k[18] * t160) + t210) + (k[9] * t211 - k[8] * t208);
-  const Scalar t213 = t209 + t212;
-  const Scalar t214 = t172 + t171;
-  const Scalar t215 = (k[28] * t165 - k[26] * t150) - (k[23] * t145 - k[21] * t214);
-  const Scalar t216 = t213 + (t215 - k[27] * t202);
-  const Scalar t217 = t169 - t128;
-  const Scalar t218 = (k[23] * t214 + k[22] * t145) - k[26] * (t217 - t165);
-  const Scalar t219 = (t22 * t180 - t182 * t1) + t3 * t133;
-  const Scalar t220 = c3 * t191 + s3 * t190;
-  const Scalar t221 = c4 * t189 + s4 * t192;
-  const Scalar t222 = (t34 * t208 + (t7 * t153 + t219)) + (s5 * t220 + c5 * t221);
-  const Scalar t223 = (k[14] * t162 + k[15] * t153) + k[16] * t125;
-  const Scalar t224 = k[5] * t144 - (c4 * t206 - s4 * t205);
-  const Scalar t225 = t222 - ((k[18] * t184 - t223) - k[9] * t224);
-  const Scalar t226 = (t153 * t13 + t22 * t151) + t1 * t132;
-  const Scalar t227 = ((t174 * t3 - t162 * t7) - t226) - (t36 * t224 + t34 * t211);
-  const Scalar t228 = t227 + (c5 * t220 - s5 * t221);
-  const Scalar t229 = (k[15] * t162 - k[13] * t153) + (k[18] * t132 + k[16] * t174);
-  const Scalar t230 = t228 - (t229 + k[8] * t224);
-  const Scalar t231 = ((t218 + k[28] * t163) - k[25] * t202) - (c5 * t225 - s5 * t230);
-  const Scalar t232 = k[5] * t187 - (s4 * t216 - c4 * t231);
-  const Scalar t233 = t166 - t167;
-  const Scalar t234 = t203 + t233;
-  const Scalar t235 = t234 - t168;
-  const Scalar t236 = t135 + t136;
-  const Scalar t237 = k[29] * t235 - (k[20] * t137 - k[24] * t236);
-  const Scalar t238 = (k[31] * t206 - k[32] * t201) + (t237 - (k[35] * t147 + k[34] * t142));
-  const Scalar t239 = t232 + t238;
-  const Scalar t240 = torque[5] + t228;
-  const Scalar t241 = k[7] * t240;
-  const Scalar t242 = (torque[4] + t213) - t3 * t241;
-  const Scalar t243 = t20 * t242;
-  const Scalar t244 = ((torque[2] + t239) - t241 * t69) - t95 * t243;
-  const Scalar t245 = (k[22] * t150 - k[21] * t163) + k[23] * t217;
-  const Scalar t246 = (k[25] * t207 - k[27] * t224) - ((k[28] * t144 + k[26] * t170) + t245);
-  const Scalar t247 = (c5 * t230 + s5 * t225) + t246;
-  const Scalar t248 = t242 * t21 - ((torque[3] + t247) - t241 * t9);
-  const Scalar t249 = t244 + t248 * t106;
-  const Scalar t250 = t108 * t249;
-  const Scalar t251 = k[40] + c2 * (k[48] * s2 - k[47] * c2);
-  const Scalar t252 = (k[37] * t195 - k[33] * t204) + t197 * t251;
-  const Scalar t253 = (k[27] * t214 - k[25] * t145) - (s5 * t178 - c5 * t185);
-  const Scalar t254 = t253 - (k[32] * t236 + k[31] * t168);
-  const Scalar t255 = t148 + t146;
-  const Scalar t256 = k[35] * (t235 - t233) - (k[29] * t255 - k[20] * t143);
-  const Scalar t257 = s4 * t164 + c4 * t186;
-  const Scalar t258 = (c4 * t216 + s4 * t231) + k[5] * t257;
-  const Scalar t259 = (k[31] * t205 + (k[34] * t236 - t256)) - t258;
-  const Scalar t260 = k[6] * t254 + t259;
-  const Scalar t261 = (k[35] * t137 - k[34] * t233) + (k[24] * t255 + k[29] * t143);
-  const Scalar t262 = t187 - (k[31] * t137 - k[32] * t234);
-  const Scalar t263 = ((k[32] * t205 - t261) + t247) - k[6] * t262;
-  const Scalar t264 = torque[1] - (t252 + (s3 * t260 - c3 * t263));
-  const Scalar t265 = t248 * t33;
-  const Scalar t266 = (t52 * t243 + (t240 * t97 + t264)) - t63 * t265;
-  const Scalar t267 = t99 * t108;
-  const Scalar t268 = k[38] + (Scalar(2) * t60 + t30);
-  const Scalar t269 = s3 * t89 + t87;
-  const Scalar t270 = k[39] + t269;
-  const Scalar t271 = t53 * t52 - (t44 * t97 + (t268 + t270));
-  const Scalar t272 = Scalar(1) / (t99 * t267 - (t64 * t63 - t271));
-  const Scalar t273 = (t99 * t250 - t266) * t272;
-  const Scalar t274 = qd[1] * qd[1];
-  const Scalar t275 = k[37] * s2 - k[33] * c2;
-  const Scalar t276 = (c3 * t260 + s3 * t263) - ((k[31] * t143 - k[32] * t255) + t257);
-  const Scalar t277 = c2 * ((c3 * t262 + s3 * t254) + t239);
-  const Scalar t278 = t274 * (k[30] * c2 - k[36] * s2) + t139 * t251;
-  const Scalar t279 = (s2 * t276 + t277) + (t278 + t199 * t275);
-  const Scalar t280 = (k[49] * t194 + k[50] * t198) - ((t197 + t274) * t275 - t279);
-  const Scalar t281 = (t71 * t241 + (torque[0] + t280)) + t77 * t243;
-  const Scalar t282 = t110 * t273 - (t249 * t109 - (t248 * t100 - t281));
-  const Scalar t283 = t110 * t272;
-  const Scalar t284 = s2 * (t268 - t270) + Scalar(2) * c2 * (k[40] + t102);
-  const Scalar t285 = (k[42] - ((t103 - t269) - Scalar(2) * t81)) - (k[41] + (s2 * t284 + t270));
-  const Scalar t286 = t78 * t100 - (t101 * t77 - (t71 * t72 - t285));
-  const Scalar t287 = Scalar(1) / (t110 * t283 + (t286 - t105 * t109));
-  const Scalar t288 = t282 * t287;
-  const Scalar t289 = t288 * t283 - t273;
-  const Scalar t290 = t267 * t289 + (t250 - t288 * t109);
-  const Scalar t291 = (t64 * t289 + (t288 * t100 - t265)) + t106 * t290;
-  const Scalar t292 = (t53 * t289 + (t101 * t288 - t243)) + t290 * t96;
-  const Scalar t293 = t292 - t291 * t21;
-  const Scalar t294 = t94 * t290 + ((t241 + t288 * t72) + t97 * t289);
+  const Scalar t189 = c2 * t188 + wrench[5] * s2;
+  const Scalar t190 = c3 * t187 + s3 * t189;
+  const Scalar t191 = s2 * t188 - wrench[5] * c2;
+  const Scalar t192 = c3 * t189 - s3 * t187;
+  const Scalar t193 = c4 * t191 + s4 * t192;
+  const Scalar t194 = t186 - (c5 * t190 - s5 * t193);
+  const Scalar t195 = torque[5] - t194;
+  const Scalar t196 = k[29] * t195;
+  const Scalar t197 = t138 - t139;
+  const Scalar t198 = t179 - t180;
+  const Scalar t199 = (k[25] * t140 - k[26] * t197) - k[27] * t198;
+  const Scalar t200 = (k[18] * t178 + k[6] * t185) + (t199 - (k[17] * t148 + k[22] * t159));
+  const Scalar t201 = c5 * t183 + s5 * t178;
+  const Scalar t202 = qd[5] + t155;
+  const Scalar t203 = t202 * t202 + t131;
+  const Scalar t204 = t155 * t155;
+  const Scalar t205 = t204 - t131;
+  const Scalar t206 = t125 + t204;
+  const Scalar t207 = t205 - t206;
+  const Scalar t208 = t203 + t207;
+  const Scalar t209 = t202 * t124;
+  const Scalar t210 = t209 + (t157 + t209);
+  const Scalar t211 = t162 + Scalar(2) * t202 * t130;
+  const Scalar t212 = t3 * t208 - (t7 * t210 - t211 * t1);
+  const Scalar t213 = (t18 * t201 - (t152 * t11 - t212)) - (s5 * t190 + c5 * t193);
+  const Scalar t214 = t206 - t132;
+  const Scalar t215 = k[19] * (t214 + t207) - (k[10] * t152 - k[16] * t157);
+  const Scalar t216 = t160 + t161;
+  const Scalar t217 = t213 + (k[3] * t185 + (t215 + k[21] * t216));
+  const Scalar t218 = (k[10] * t157 + k[15] * t152) - (k[21] * t132 + k[19] * t162);
+  const Scalar t219 = (k[2] * t185 + t218) - t194;
+  const Scalar t220 = t200 - (s5 * t217 - c5 * t219);
+  const Scalar t221 = t208 + t132;
+  const Scalar t222 = (t211 * t9 + t1 * t210) + (t11 * t221 + t3 * t150);
+  const Scalar t223 = (s4 * t191 - c4 * t192) - (t20 * t201 - t222);
+  const Scalar t224 = (k[15] * t216 - k[16] * t162) - k[10] * t205;
+  const Scalar t225 = (t224 - (k[21] * t154 + k[19] * t150)) + (k[3] * t184 + k[2] * t201);
+  const Scalar t226 = t223 - t225;
+  const Scalar t227 = (torque[4] + t226) + t195 * t71;
+  const Scalar t228 = (t53 * t196 - (torque[3] + t220)) - t227 * t85;
+  const Scalar t229 = t73 * t227;
+  const Scalar t230 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t231 = wrench[2] * c2 - s2 * t230;
+  const Scalar t232 = c2 * t230 + wrench[2] * s2;
+  const Scalar t233 = wrench[0] * s1 - wrench[1] * c1;
+  const Scalar t234 = c3 * t232 - s3 * t233;
+  const Scalar t235 = k[47] * (s4 * t231 + c4 * t234) - (t152 * t20 + t18 * t203);
+  const Scalar t236 = ((k[2] * t152 - k[3] * t157) - t235) + (k[6] * t197 - k[18] * t214);
+  const Scalar t237 = c3 * t233 + s3 * t232;
+  const Scalar t238 = c4 * t231 - s4 * t234;
+  const Scalar t239 = k[47] * (s5 * t237 - c5 * t238) + (t18 * t150 - t20 * (t221 - t207));
+  const Scalar t240 = (k[2] * t206 + k[3] * t162) - t239;
+  const Scalar t241 = (t18 * t210 - t20 * t211) - k[47] * (s5 * t238 + c5 * t237);
+  const Scalar t242 = t241 - (k[2] * t216 + k[3] * t207);
+  const Scalar t243 = t198 + t214;
+  const Scalar t244 = (c5 * t240 - s5 * t242) + (k[18] * t140 + k[6] * t243);
+  const Scalar t245 = c4 * t236 + s4 * t244;
+  const Scalar t246 = t158 + t160;
+  const Scalar t247 = k[22] * (t181 - t214) - (k[25] * t149 + k[27] * t246);
+  const Scalar t248 = (k[18] * t183 - (k[17] * t197 - t247)) - (c5 * t217 + s5 * t219);
+  const Scalar t249 = (k[27] * t149 - k[26] * t246) - (k[22] * t140 + k[17] * (t181 - t243));
+  const Scalar t250 = (k[6] * t183 + t249) - t226;
+  const Scalar t251 = k[7] * t245 + (c4 * t248 - s4 * t250);
+  const Scalar t252 = t163 - t164;
+  const Scalar t253 = t145 + t146;
+  const Scalar t254 = k[31] * t252 + (k[33] * t147 + k[30] * t253);
+  const Scalar t255 = (k[4] * t176 - k[24] * t182) + ((k[28] * t143 + k[23] * t136) - t254);
+  const Scalar t256 = t251 + t255;
+  const Scalar t257 = t65 * t229 + ((torque[2] - t256) - t62 * t195);
+  const Scalar t258 = t228 * t89 + t257;
+  const Scalar t259 = t258 * t92;
+  const Scalar t260 = t137 - t138;
+  const Scalar t261 = c4 * t244 - s4 * t236;
+  const Scalar t262 = (k[6] * t246 - k[18] * t149) - (s5 * t240 + c5 * t242);
+  const Scalar t263 = (k[4] * t181 - k[24] * t253) + t262;
+  const Scalar t264 = t165 - t181;
+  const Scalar t265 = k[23] * t264 - (k[31] * t260 - k[33] * t144);
+  const Scalar t266 = k[7] * t261 - (s4 * t248 + c4 * t250);
+  const Scalar t267 = (k[4] * t168 - (k[28] * t253 - t265)) + t266;
+  const Scalar t268 = k[5] * t263 - t267;
+  const Scalar t269 = t264 - t252;
+  const Scalar t270 = t245 - (k[24] * (t165 - t269) - k[4] * t147);
+  const Scalar t271 = (k[28] * t269 - k[23] * t147) + (k[30] * t260 + k[31] * t144);
+  const Scalar t272 = k[5] * t270 - ((t271 - k[24] * t168) - t220);
+  const Scalar t273 = ((k[24] * t260 + k[4] * t144) - t261) + (c3 * t268 + s3 * t272);
+  const Scalar t274 = c2 * ((s3 * t263 - c3 * t270) - t256);
+  const Scalar t275 = k[34] * c2 - k[36] * s2;
+  const Scalar t276 = k[42] - c2 * (k[48] * s2 + k[49] * c2);
+  const Scalar t277 = qd[1] * qd[1];
+  const Scalar t278 = t134 * t276 - (k[35] * c2 - k[37] * s2) * t277;
+  const Scalar t279 = (s2 * t273 + t274) - (t172 * t275 - t278);
+  const Scalar t280 = t279 - (k[40] * t166 - (t170 + t277) * t275);
+  const Scalar t281 = t196 * t59 + (torque[0] + (k[50] * t171 + t280));
+  const Scalar t282 = t259 * t90 - (t228 * t99 + (t281 - t72 * t229));
+  const Scalar t283 = t170 * t276 + (k[34] * t167 + k[36] * t174);
+  const Scalar t284 = torque[1] - ((s3 * t268 - c3 * t272) + t283);
+  const Scalar t285 = t86 * t228;
+  const Scalar t286 = ((t284 - t196 * t101) + t229 * t102) + t104 * t285;
+  const Scalar t287 = t112 * (t108 * t258 - t286);
+  const Scalar t288 = t118 * (t282 - t287 * t116);
+  const Scalar t289 = t287 - t117 * t288;
+  const Scalar t290 = t108 * t289 + (t93 * t288 - t259);
+  const Scalar t291 = t89 * t290 + ((t285 - t99 * t288) - t111 * t289);
+  const Scalar t292 = (t289 * t109 - (t74 * t288 - t229)) - t290 * t87;
+  const Scalar t293 = t291 * t85 + t292;
+  const Scalar t294 = t62 * t290 - (t105 * t289 - (t60 * t288 - t196));
   JointVector<Scalar> result;
-  result[0] = -t288;
-  result[1] = -t289;
-  result[2] = t290;
-  result[3] = -t291;
-  result[4] = -t293;
-  result[5] = (t291 * t8 - t294) + t6 * t293;
+  result[0] = t288;
+  result[1] = t289;
+  result[2] = -t290;
+  result[3] = t291;
+  result[4] = t293;
+  result[5] = t293 * t71 + (t294 - t291 * t75);
   return result;
 }
 
@@ -1631,33 +1707,37 @@ PotentialEnergyWithGravityVectorConstants<Scalar> potential_energy_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = inertia.m3 + t0;
-  const Scalar t2 = inertia.m2 + t1;
-  return { inertia.c6x * inertia.m6,
+  const Scalar t0 = g.d4 * inertia.m4;
+  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t2 = g.l2 * inertia.m3;
+  const Scalar t3 = inertia.m3 + t1;
+  const Scalar t4 = g.h1 * inertia.m1;
+  const Scalar t5 = inertia.m2 + t3;
+  const Scalar t6 = g.l1 * inertia.m2;
+  return { inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
            inertia.c6z * inertia.m6,
+           inertia.c6x * inertia.m6,
            inertia.c5z * inertia.m5,
-           inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
            inertia.c4z * inertia.m4,
            inertia.c5x * inertia.m5,
            inertia.c4x * inertia.m4,
-           inertia.c3z * inertia.m3,
-           g.l2 * t1,
-           g.l2 * inertia.m2 + inertia.c2z * inertia.m2,
            inertia.c3x * inertia.m3,
-           inertia.c4y * inertia.m4,
-           g.d4 * t0,
+           (inertia.c4y * inertia.m4 - t0) + t0,
+           g.d4 * t1,
            g.d4 * inertia.m3 - inertia.c3y * inertia.m3,
            inertia.c2x * inertia.m2,
-           inertia.c1z * inertia.m1,
+           (inertia.c3z * inertia.m3 + t2) - t2,
+           g.l2 * t3,
+           g.l2 * inertia.m2 + inertia.c2z * inertia.m2,
+           t4 - (inertia.c1z * inertia.m1 + t4),
+           g.h1 * (inertia.m1 + t5),
            gravity[2],
-           inertia.c1x * inertia.m1,
-           inertia.c2y * inertia.m2,
-           g.l1 * t2,
+           t6 - (t6 - inertia.c2y * inertia.m2),
+           g.l1 * t5,
            inertia.c1y * inertia.m1 - g.l1 * inertia.m1,
+           inertia.c1x * inertia.m1,
            gravity[0],
-           gravity[1],
-           (inertia.m1 + t2) * gravity[2] * g.h1 };
+           gravity[1] };
 }
 
 namespace detail {
@@ -1677,22 +1757,22 @@ inline Scalar potential_energy_with_gravity_vector([[maybe_unused]] const JointV
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = k[6] + (k[5] + (k[0] * c6 - k[1] * s6));
-  const Scalar t1 = k[2] + (k[0] * s6 + k[1] * c6);
-  const Scalar t2 = k[4] - (k[3] * s5 - c5 * t1);
-  const Scalar t3 = k[10] + (c4 * t0 - s4 * t2);
-  const Scalar t4 = k[12] - (k[11] + (s5 * t1 + k[3] * c5));
-  const Scalar t5 = k[13] + t4;
+  const Scalar t0 = k[6] + (k[5] + (k[2] * c6 - k[1] * s6));
+  const Scalar t1 = k[3] + (k[1] * c6 + k[2] * s6);
+  const Scalar t2 = k[4] - (k[0] * s5 - c5 * t1);
+  const Scalar t3 = k[7] + (c4 * t0 - s4 * t2);
+  const Scalar t4 = k[9] - (k[8] + (s5 * t1 + k[0] * c5));
+  const Scalar t5 = k[10] + t4;
   const Scalar t6 = k[19] - (k[18] + (s3 * t3 - c3 * t5));
   const Scalar t7 = k[20] - t6;
-  const Scalar t8 = k[8] + (k[7] + (s4 * t0 + c4 * t2));
-  const Scalar t9 = k[9] + t8;
-  const Scalar t10 = k[14] + (s3 * t5 + c3 * t3);
-  const Scalar t11 = k[17] - (s2 * t9 - c2 * t10);
-  const Scalar t12 = k[22] * (c1 * t7 + s1 * t11) + k[21] * (c1 * t11 - s1 * t7);
-  const Scalar t13 = k[16] * (k[15] + (c2 * t9 + s2 * t10));
+  const Scalar t8 = k[11] + (s3 * t5 + c3 * t3);
+  const Scalar t9 = k[13] + (k[12] + (s4 * t0 + c4 * t2));
+  const Scalar t10 = k[14] + t9;
+  const Scalar t11 = k[21] + (c2 * t8 - s2 * t10);
+  const Scalar t12 = k[23] * (c1 * t7 + s1 * t11) + k[22] * (c1 * t11 - s1 * t7);
+  const Scalar t13 = k[16] - (k[15] - (c2 * t10 + s2 * t8));
   Scalar result;
-  result = -k[23] - (t12 + t13);
+  result = -t12 - k[17] * t13;
   return result;
 }
 

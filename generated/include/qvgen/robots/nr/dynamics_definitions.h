@@ -27,99 +27,111 @@ InverseDynamicsConstants<Scalar> inverse_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c4z * inertia.m4;
-  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t2 = t0 - g.d4 * t1;
-  const Scalar t3 = inertia.c3z * inertia.m3;
-  const Scalar t4 = t3 - g.d4 * inertia.m3;
-  const Scalar t5 = (t2 + t4) / g.d4;
-  const Scalar t6 = g.l2 * t5;
-  const Scalar t7 = g.l2 * t6;
-  const Scalar t8 = inertia.c4y * inertia.m4;
-  const Scalar t9 = inertia.c5y * inertia.m5;
-  const Scalar t10 = inertia.c4x * inertia.m4;
-  const Scalar t11 = inertia.c6y * inertia.m6;
-  const Scalar t12 = inertia.c6x * inertia.m6;
-  const Scalar t13 = inertia.c5x * inertia.m5;
-  const Scalar t14 = inertia.c5z * inertia.m5;
-  const Scalar t15 = inertia.c6z * inertia.m6;
-  const Scalar t16 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t17 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t18 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t19 = (inertia.c6z * t15 - (inertia.I6zz - t18)) + (inertia.c5z * t14 - (inertia.I5zz - t17));
-  const Scalar t20 = (inertia.I6xx - t18) - inertia.c6x * t12;
-  const Scalar t21 = (inertia.I6yy - t18) - inertia.c6y * t11;
-  const Scalar t22 = inertia.I6xy - inertia.c6y * t12;
-  const Scalar t23 = ((inertia.I4yy - t16) - inertia.c4y * t8) - (inertia.c5y * t9 - (inertia.I5yy - t17));
-  const Scalar t24 = inertia.c3x * inertia.m3;
-  const Scalar t25 = inertia.c3y * inertia.m3;
-  const Scalar t26 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t27 = ((inertia.I3zz - t26) - inertia.c3z * t3) + g.d4 * (t3 + t4);
-  const Scalar t28 = ((inertia.I4zz - t16) - inertia.c4z * t0) + g.d4 * (t2 + t0);
-  const Scalar t29 = inertia.c2y * inertia.m2;
-  const Scalar t30 = inertia.c2x * inertia.m2;
-  const Scalar t31 = g.l2 * t25 - ((inertia.I2xy - inertia.c2y * t30) - g.l2 * t29);
-  const Scalar t32 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t33 = g.l2 * inertia.m2 + t30;
-  const Scalar t34 = (inertia.c2x * t30 - (inertia.I2xx - t32)) + g.l2 * (t30 + t33);
-  const Scalar t35 = inertia.m3 + t1;
-  const Scalar t36 = g.l2 * t35;
-  const Scalar t37 = t7 + (t34 + g.l2 * t36);
-  const Scalar t38 = inertia.c2z * inertia.m2;
-  const Scalar t39 = (inertia.I2zz - t32) - inertia.c2z * t38;
-  const Scalar t40 = g.l2 * t38;
-  const Scalar t41 = (inertia.I2xz - inertia.c2z * t30) - t40;
-  const Scalar t42 = ((inertia.I3yy - t26) - inertia.c3y * t25) + ((inertia.I2yy - t32) - inertia.c2y * t29);
-  const Scalar t43 = t25 + t29;
-  const Scalar t44 = g.d2 * (t43 + (t43 + g.d2 * (inertia.m2 + t35)));
-  const Scalar t45 = inertia.c1y * inertia.m1;
-  const Scalar t46 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t47 = (inertia.c1y * t45 - (inertia.I1yy - t46)) + g.d2 * ((t45 + g.d2 * inertia.m1) + t45);
-  const Scalar t48 = g.d2 * g.d2 * t5 - ((t42 - t44) - t47);
-  const Scalar t49 = t48 + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t46));
-  return { g.d2 / g.l2,
-           gravity / g.l2,
-           g.d4 / g.l2,
-           t7,
-           g.l2 * (t8 + t9),
-           g.l2 * t10,
-           g.l2 * t11,
-           g.l2 * t12,
-           g.l2 * t13,
-           g.l2 * (t14 + t15),
-           inertia.I4yz - inertia.c4z * t8,
-           inertia.I4xz - inertia.c4z * t10,
-           (inertia.I4xx - t16) - inertia.c4x * t10,
-           inertia.I4xy - inertia.c4y * t10,
-           inertia.c5x * t13 - (inertia.I5xx - t17),
-           t19,
-           inertia.I5xz - inertia.c5z * t13,
-           inertia.I5yz - inertia.c5z * t9,
-           inertia.I5xy - inertia.c5y * t13,
-           inertia.I6xz - inertia.c6z * t12,
-           inertia.I6yz - inertia.c6z * t11,
-           t20 - t21,
-           Scalar(2) * t22,
-           t22,
-           t20,
-           t23,
-           t21,
-           inertia.I3xy - inertia.c3y * t24,
-           g.d4 * t25 + (inertia.I3yz - inertia.c3z * t25),
-           g.d4 * g.d4 * t5 - (t27 + t28),
-           g.d4 * t24 + (inertia.I3xz - inertia.c3z * t24),
-           g.l2 * t24,
-           inertia.c3x * t24 - (inertia.I3xx - t26),
-           inertia.I2yz - inertia.c2z * t29,
-           t31,
-           t37 + t39,
-           Scalar(2) * t41,
-           t41,
-           t37,
+  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t1 = inertia.m3 + t0;
+  const Scalar t2 = g.d2 * inertia.m3;
+  const Scalar t3 = inertia.c3y * inertia.m3;
+  const Scalar t4 = t2 + t3;
+  const Scalar t5 = t4 - t2;
+  const Scalar t6 = g.d2 * t1 + t5;
+  const Scalar t7 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t8 = ((inertia.I3yy - t7) - inertia.c3y * t3) - g.d2 * (t4 + t3);
+  const Scalar t9 = g.d2 * (t6 + t5) - (g.d2 * (t4 + t5) + t8);
+  const Scalar t10 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t11 = inertia.c2y * inertia.m2;
+  const Scalar t12 = ((inertia.I2yy - t10) - inertia.c2y * t11) - g.d2 * ((g.d2 * inertia.m2 + t11) + t11);
+  const Scalar t13 = inertia.c1y * inertia.m1;
+  const Scalar t14 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t15 = (inertia.c1y * t13 - (inertia.I1yy - t14)) + g.d2 * ((t13 + g.d2 * inertia.m1) + t13);
+  const Scalar t16 = inertia.c3z * inertia.m3;
+  const Scalar t17 = t16 - g.d4 * inertia.m3;
+  const Scalar t18 = inertia.c4z * inertia.m4;
+  const Scalar t19 = g.d4 * inertia.m4;
+  const Scalar t20 = t18 - t19;
+  const Scalar t21 = t20 + t19;
+  const Scalar t22 = t21 - g.d4 * t0;
+  const Scalar t23 = (t17 + t22) / g.d4;
+  const Scalar t24 = g.d2 * t23;
+  const Scalar t25 = g.d2 * t24;
+  const Scalar t26 = (((t9 - t12) + t15) + t25) + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t14));
+  const Scalar t27 = inertia.c3x * inertia.m3;
+  const Scalar t28 = g.d2 * t27;
+  const Scalar t29 = inertia.c6y * inertia.m6;
+  const Scalar t30 = inertia.c6x * inertia.m6;
+  const Scalar t31 = inertia.c5z * inertia.m5;
+  const Scalar t32 = inertia.c6z * inertia.m6;
+  const Scalar t33 = inertia.c5x * inertia.m5;
+  const Scalar t34 = inertia.c4x * inertia.m4;
+  const Scalar t35 = inertia.c4y * inertia.m4;
+  const Scalar t36 = inertia.c5y * inertia.m5;
+  const Scalar t37 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t38 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t39 = (inertia.c6z * t32 - (inertia.I6zz - t38)) + (inertia.c5z * t31 - (inertia.I5zz - t37));
+  const Scalar t40 = (inertia.I6xx - t38) - inertia.c6x * t30;
+  const Scalar t41 = (inertia.I6yy - t38) - inertia.c6y * t29;
+  const Scalar t42 = inertia.I6xy - inertia.c6y * t30;
+  const Scalar t43 = g.d4 * t35;
+  const Scalar t44 = g.d4 * t34;
+  const Scalar t45 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t46 = ((inertia.I4yy - t45) - inertia.c4y * t35) - (inertia.c5y * t36 - (inertia.I5yy - t37));
+  const Scalar t47 = g.d4 * t4 - (g.d2 * t16 - (inertia.I3yz - inertia.c3z * t3));
+  const Scalar t48 = g.d4 * (t18 + t20) + ((inertia.I4zz - t45) - inertia.c4z * t18);
+  const Scalar t49 = (g.d4 * (t21 + t20) - t48) - g.d4 * (t21 + t22);
+  const Scalar t50 = ((inertia.I3zz - t7) - inertia.c3z * t16) + g.d4 * (t16 + t17);
+  const Scalar t51 = g.l2 * t23;
+  const Scalar t52 = inertia.c2x * inertia.m2;
+  const Scalar t53 = g.l2 * inertia.m2 + t52;
+  const Scalar t54 = (inertia.c2x * t52 - (inertia.I2xx - t10)) + g.l2 * (t52 + t53);
+  const Scalar t55 = g.l2 * t1;
+  const Scalar t56 = g.l2 * t51 + (t54 + g.l2 * t55);
+  const Scalar t57 = inertia.c2z * inertia.m2;
+  const Scalar t58 = (inertia.I2zz - t10) - inertia.c2z * t57;
+  const Scalar t59 = (inertia.I2xz - inertia.c2z * t52) - g.l2 * t57;
+  const Scalar t60 = ((inertia.I2xy - inertia.c2y * t52) - g.l2 * t11) - g.d2 * t53;
+  const Scalar t61 = g.d2 * t57;
+  return { t26,
+           t28,
+           g.d2 * t29,
+           g.d2 * t30,
+           g.d2 * (t31 + t32),
+           g.d2 * t33,
+           g.d4 / g.d2,
+           gravity / g.d2,
+           g.l2 / g.d2,
+           t25,
+           g.d2 * t34,
+           g.d2 * (t35 + t36),
+           inertia.I5xz - inertia.c5z * t33,
+           inertia.c5x * t33 - (inertia.I5xx - t37),
+           t39,
+           inertia.I5xy - inertia.c5y * t33,
+           inertia.I5yz - inertia.c5z * t36,
+           inertia.I6xz - inertia.c6z * t30,
+           inertia.I6yz - inertia.c6z * t29,
+           t40 - t41,
+           Scalar(2) * t42,
            t40,
-           g.l2 * ((t36 + t33) + t6),
-           t49,
-           t37 - t39 };
+           t42,
+           t43 - (t43 + (inertia.I4yz - inertia.c4z * t35)),
+           t44 - ((inertia.I4xz - inertia.c4z * t34) + t44),
+           inertia.I4xy - inertia.c4y * t34,
+           (inertia.I4xx - t45) - inertia.c4x * t34,
+           t46,
+           t41,
+           t28 + ((inertia.I3xy - inertia.c3y * t27) - t28),
+           g.d2 * t17 + t47,
+           g.d4 * g.d4 * t23 + (t49 - t50),
+           g.d4 * t27 + (inertia.I3xz - inertia.c3z * t27),
+           inertia.c3x * t27 - (inertia.I3xx - t7),
+           t56 + t58,
+           Scalar(2) * t59,
+           t56,
+           t59,
+           g.l2 * t24 - (t60 - g.l2 * t6),
+           t61 - (inertia.I2yz - inertia.c2z * t11),
+           g.d2 * ((t55 + t53) + t51),
+           t61,
+           t56 - t58 };
 }
 
 namespace detail {
@@ -138,158 +150,150 @@ inline JointVector<Scalar> inverse_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[39] * s2 + k[40] * c2;
-  const Scalar t1 = qd[0] * qd[0];
-  const Scalar t2 = k[0] * t1;
-  const Scalar t3 = k[35] * s2 + k[36] * c2;
+  const Scalar t0 = qd[1] * qd[1];
+  const Scalar t1 = k[39] * c2 - k[38] * s2;
+  const Scalar t2 = t0 * (k[39] * s2 + k[38] * c2) - qdd[1] * t1;
+  const Scalar t3 = k[35] * c2 + k[34] * s2;
   const Scalar t4 = k[37] - c2 * t3;
-  const Scalar t5 = qd[0] * qd[1];
-  const Scalar t6 = t5 + t5;
-  const Scalar t7 = t4 * t6 + qdd[0] * (k[38] - s2 * t3);
-  const Scalar t8 = k[34] * s2 + k[33] * c2;
-  const Scalar t9 = qd[1] * qd[1];
-  const Scalar t10 = qdd[1] * t8 - t9 * (k[33] * s2 - k[34] * c2);
-  const Scalar t11 = c3 * s2 + c2 * s3;
-  const Scalar t12 = qd[0] * t11;
-  const Scalar t13 = qd[1] + qd[2];
-  const Scalar t14 = t12 * t13;
-  const Scalar t15 = s2 * s3 - c2 * c3;
-  const Scalar t16 = qdd[0] * t15;
-  const Scalar t17 = t14 + t16;
-  const Scalar t18 = t14 + t17;
-  const Scalar t19 = c4 * t13 - s4 * t12;
-  const Scalar t20 = s4 * t13 + c4 * t12;
-  const Scalar t21 = t19 * t20;
-  const Scalar t22 = qdd[3] + t17;
-  const Scalar t23 = t21 - t22;
-  const Scalar t24 = qd[0] * t15;
-  const Scalar t25 = qd[3] + t24;
-  const Scalar t26 = t19 * t25;
-  const Scalar t27 = qdd[0] * t11;
-  const Scalar t28 = Scalar(2) * t13 * t24 - t27;
-  const Scalar t29 = t12 * t24;
-  const Scalar t30 = qdd[1] + qdd[2];
-  const Scalar t31 = t29 + t30;
-  const Scalar t32 = c4 * t28 - s4 * t31;
-  const Scalar t33 = t26 - (t32 - t26);
-  const Scalar t34 = c5 * t23 - s5 * t33;
-  const Scalar t35 = qd[4] + t19;
-  const Scalar t36 = s5 * t25 - c5 * t20;
-  const Scalar t37 = Scalar(2) * t35 * t36;
-  const Scalar t38 = t34 + t37;
-  const Scalar t39 = s5 * t20 + c5 * t25;
-  const Scalar t40 = t35 * t39;
-  const Scalar t41 = c5 * t33 + s5 * t23;
-  const Scalar t42 = (t40 - t41) + t40;
-  const Scalar t43 = k[7] * c6 + k[6] * s6;
-  const Scalar t44 = qdd[5] - t34;
-  const Scalar t45 = t37 - t44;
-  const Scalar t46 = t36 * t36;
-  const Scalar t47 = t35 * t35;
-  const Scalar t48 = t46 - t47;
-  const Scalar t49 = t46 + t47;
-  const Scalar t50 = qd[5] + t39;
-  const Scalar t51 = t46 - t50 * t50;
-  const Scalar t52 = t49 - t51;
-  const Scalar t53 = k[6] * c6 - k[7] * s6;
-  const Scalar t54 = (k[8] * t38 - k[9] * t42) + (t43 * t45 - (t48 + t52) * t53);
-  const Scalar t55 = t1 + t9;
-  const Scalar t56 = qd[0] * s2;
-  const Scalar t57 = k[0] * qdd[0];
-  const Scalar t58 = k[1] * s2 + c2 * t57;
-  const Scalar t59 = (t55 - t56 * t56) + t58;
-  const Scalar t60 = s2 * t57 - k[1] * c2;
-  const Scalar t61 = t60 + (qdd[1] + t56 * qd[0] * c2);
-  const Scalar t62 = c3 * t59 - s3 * t61;
-  const Scalar t63 = t2 + (s2 * t6 - qdd[0] * c2);
-  const Scalar t64 = (s4 * t62 + c4 * t63) - k[2] * t32;
-  const Scalar t65 = t21 + t22;
-  const Scalar t66 = t20 * t20;
-  const Scalar t67 = t25 * t25;
-  const Scalar t68 = t66 + t67;
-  const Scalar t69 = k[3] * t64 - (k[5] * t65 + k[4] * t68);
-  const Scalar t70 = t54 + t69;
-  const Scalar t71 = t39 * t36;
-  const Scalar t72 = t20 * t25;
-  const Scalar t73 = c4 * t31 + s4 * t28;
-  const Scalar t74 = t72 - t73;
-  const Scalar t75 = qdd[4] - t74;
-  const Scalar t76 = t71 + t75;
-  const Scalar t77 = t35 * t50;
-  const Scalar t78 = t77 + (t77 - t42);
-  const Scalar t79 = t71 - t75;
-  const Scalar t80 = Scalar(2) * t50 * t36 - t79;
-  const Scalar t81 = (k[9] * t49 + k[8] * t76) + (t78 * t53 + t43 * t80);
-  const Scalar t82 = t68 - t48;
-  const Scalar t83 = (k[8] * t82 + k[9] * t79) + (t43 * t52 - t44 * t53);
-  const Scalar t84 = t12 * t12;
-  const Scalar t85 = t13 * t13;
-  const Scalar t86 = t84 + t85;
-  const Scalar t87 = t68 - t86;
-  const Scalar t88 = t66 - t67;
-  const Scalar t89 = t87 + t88;
-  const Scalar t90 = k[2] * t73 + (c4 * t62 - s4 * t63);
-  const Scalar t91 = (k[4] * t23 + k[5] * (t68 - t89)) - k[3] * t90;
-  const Scalar t92 = (s5 * t81 + c5 * t83) + t91;
-  const Scalar t93 = c4 * t70 + s4 * t92;
-  const Scalar t94 = t84 - t85;
-  const Scalar t95 = (k[32] * t18 - k[30] * t28) - (k[27] * t94 + k[28] * t31);
-  const Scalar t96 = (k[16] * t38 + k[15] * t42) - k[17] * (t68 - t49);
-  const Scalar t97 = k[19] * c6 + k[20] * s6;
-  const Scalar t98 = k[19] * s6 - k[20] * c6;
-  const Scalar t99 = k[22] * c6 - k[21] * s6;
-  const Scalar t100 = k[23] - c6 * t99;
-  const Scalar t101 = s6 * t99;
-  const Scalar t102 = k[26] - t101;
-  const Scalar t103 = (t51 - t48) * t98 + (t80 * t100 - t78 * t102);
-  const Scalar t104 = s3 * t59 + c3 * t61;
-  const Scalar t105 = k[2] * t86 - t104;
-  const Scalar t106 = c5 * t105 - s5 * t90;
-  const Scalar t107 = ((t96 + k[18] * t76) + k[9] * t64) + ((t97 * t45 - t103) + t106 * t53);
-  const Scalar t108 = (k[18] * t48 - k[17] * t79) + (k[16] * t42 + k[14] * t38);
-  const Scalar t109 = k[24] + t101;
-  const Scalar t110 = (t109 * t45 - t44 * t102) + t48 * t100;
-  const Scalar t111 = c5 * t90 + s5 * t105;
-  const Scalar t112 = ((t97 * t42 + t79 * t98) - t110) + (t111 * t53 - t43 * t64);
-  const Scalar t113 = (k[8] * t64 - t108) - t112;
-  const Scalar t114 = k[13] * t89 - (k[25] * t23 - k[12] * t65);
-  const Scalar t115 = ((k[10] * t73 + k[11] * t32) + t114) - (k[5] * t64 - k[4] * t90);
-  const Scalar t116 = (s5 * t107 + c5 * t113) - t115;
-  const Scalar t117 = t74 + t72;
-  const Scalar t118 = (k[13] * t117 - k[25] * t33) + k[10] * t87;
-  const Scalar t119 = (s5 * t113 - c5 * t107) + ((t118 + k[11] * t65) - k[4] * t105);
-  const Scalar t120 = k[16] * (t49 - t82) - (k[14] * t76 - k[15] * t79);
-  const Scalar t121 = (k[8] * t106 + k[9] * t111) + ((k[18] * t41 - k[17] * t34) + t120);
-  const Scalar t122 = (t78 * t100 - t80 * t109) - (t51 * t97 - t44 * t98);
-  const Scalar t123 = t121 + (t106 * t43 - t122);
-  const Scalar t124 = (k[12] * t117 - k[13] * t33) + (k[10] * t23 - k[11] * t88);
-  const Scalar t125 = t123 - (t124 - k[5] * t105);
-  const Scalar t126 = k[2] * t93 - (c4 * t119 + s4 * t125);
-  const Scalar t127 = t29 - t30;
-  const Scalar t128 = t1 - t94;
-  const Scalar t129 = t86 - t128;
-  const Scalar t130 = (k[29] * t28 - k[30] * t18) + k[28] * (t129 - t94);
-  const Scalar t131 = ((k[31] * t63 + t95) + t116) * t15 - (t126 - (k[27] * t127 - t130)) * t11;
-  const Scalar t132 = (t0 * t2 - (t7 + t10)) + (c2 * (k[31] * t18 - t93) - t131);
-  const Scalar t133 = t0 * t55 - qdd[1] * (k[39] * c2 - k[40] * s2);
-  const Scalar t134 = s4 * t70 - c4 * t92;
-  const Scalar t135 = k[31] * t128 - t134;
-  const Scalar t136 = k[3] * t105 - (k[5] * t117 - k[4] * t33);
-  const Scalar t137 = (t136 - (s5 * t83 - c5 * t81)) - k[31] * t127;
-  const Scalar t138 = k[0] * (t133 - (t15 * t135 - t11 * t137));
-  const Scalar t139 = qdd[0] * t8 + (k[42] * qdd[1] - t1 * t4);
-  const Scalar t140 = k[2] * t134 + (c4 * t125 - s4 * t119);
-  const Scalar t141 = k[30] * t129 + (k[32] * t127 - k[29] * t31);
-  const Scalar t142 = k[31] * t104 - ((k[28] * t16 + k[27] * t27) + t141);
-  const Scalar t143 = t140 - t142;
-  const Scalar t144 = ((k[39] * t58 - k[40] * t60) - t139) + ((s3 * t135 - c3 * t137) + t143);
+  const Scalar t5 = Scalar(2) * qd[0] * qd[1];
+  const Scalar t6 = t4 * t5 + qdd[0] * (k[36] - s2 * t3);
+  const Scalar t7 = c3 * s2 + c2 * s3;
+  const Scalar t8 = qd[0] * t7;
+  const Scalar t9 = t8 * t8;
+  const Scalar t10 = qd[1] + qd[2];
+  const Scalar t11 = t10 * t10;
+  const Scalar t12 = t9 - t11;
+  const Scalar t13 = s2 * s3 - c2 * c3;
+  const Scalar t14 = qd[0] * t13;
+  const Scalar t15 = t8 * t14;
+  const Scalar t16 = qdd[1] + qdd[2];
+  const Scalar t17 = t15 + t16;
+  const Scalar t18 = t8 * t10;
+  const Scalar t19 = qdd[0] * t13;
+  const Scalar t20 = t18 + t19;
+  const Scalar t21 = t18 + t20;
+  const Scalar t22 = qdd[0] * t7;
+  const Scalar t23 = Scalar(2) * t10 * t14 - t22;
+  const Scalar t24 = (k[29] * t12 + k[30] * t17) - (k[33] * t21 - k[32] * t23);
+  const Scalar t25 = qd[0] * qd[0];
+  const Scalar t26 = t25 + k[8] * (s2 * t5 - qdd[0] * c2);
+  const Scalar t27 = s4 * t10 + c4 * t8;
+  const Scalar t28 = t27 * t27;
+  const Scalar t29 = qd[3] + t14;
+  const Scalar t30 = t29 * t29;
+  const Scalar t31 = t28 + t30;
+  const Scalar t32 = t9 + t11;
+  const Scalar t33 = t28 - t30;
+  const Scalar t34 = t32 - t33;
+  const Scalar t35 = c4 * t10 - s4 * t8;
+  const Scalar t36 = t35 * t27;
+  const Scalar t37 = qdd[3] + t20;
+  const Scalar t38 = t36 - t37;
+  const Scalar t39 = t36 + t37;
+  const Scalar t40 = k[25] * (t31 - t34) - (k[27] * t38 - k[26] * t39);
+  const Scalar t41 = c4 * t23 - s4 * t17;
+  const Scalar t42 = c4 * t17 + s4 * t23;
+  const Scalar t43 = qd[0] * c2;
+  const Scalar t44 = k[7] * c2;
+  const Scalar t45 = k[8] * (qdd[1] + qd[0] * s2 * t43) - t44;
+  const Scalar t46 = k[7] * s2;
+  const Scalar t47 = t46 + k[8] * (t0 + t43 * t43);
+  const Scalar t48 = (s3 * t45 - c3 * t47) + t19;
+  const Scalar t49 = k[6] * t41 - (c4 * t26 - s4 * t48);
+  const Scalar t50 = (c4 * t48 + s4 * t26) - k[6] * t42;
+  const Scalar t51 = (t40 - (k[24] * t41 + k[23] * t42)) + (k[10] * t49 - k[11] * t50);
+  const Scalar t52 = qd[4] + t35;
+  const Scalar t53 = s5 * t27 + c5 * t29;
+  const Scalar t54 = t52 * t53;
+  const Scalar t55 = t35 * (t29 + t29) - t41;
+  const Scalar t56 = c5 * t55 + s5 * t38;
+  const Scalar t57 = (t54 - t56) + t54;
+  const Scalar t58 = s5 * t55 - c5 * t38;
+  const Scalar t59 = s5 * t29 - c5 * t27;
+  const Scalar t60 = t59 + t59;
+  const Scalar t61 = t52 * t60;
+  const Scalar t62 = t58 - t61;
+  const Scalar t63 = t59 * t59;
+  const Scalar t64 = t52 * t52;
+  const Scalar t65 = t63 - t64;
+  const Scalar t66 = t53 * t59;
+  const Scalar t67 = t27 * t29;
+  const Scalar t68 = t67 - t42;
+  const Scalar t69 = qdd[4] - t68;
+  const Scalar t70 = t66 - t69;
+  const Scalar t71 = (k[12] * t57 - k[13] * t62) + (k[15] * t65 - k[16] * t70);
+  const Scalar t72 = k[17] * s6 - k[18] * c6;
+  const Scalar t73 = k[17] * c6 + k[18] * s6;
+  const Scalar t74 = qdd[5] + t58;
+  const Scalar t75 = k[19] * s6 - k[20] * c6;
+  const Scalar t76 = s6 * t75;
+  const Scalar t77 = k[28] + t76;
+  const Scalar t78 = t74 - t61;
+  const Scalar t79 = k[21] - t76;
+  const Scalar t80 = k[22] + c6 * t75;
+  const Scalar t81 = (t74 * t77 + t78 * t79) - t65 * t80;
+  const Scalar t82 = k[2] * c6 - k[3] * s6;
+  const Scalar t83 = (c3 * t45 + s3 * t47) + t22;
+  const Scalar t84 = t83 - k[6] * t32;
+  const Scalar t85 = s5 * t84 + c5 * t50;
+  const Scalar t86 = k[2] * s6 + k[3] * c6;
+  const Scalar t87 = ((t72 * t70 + t73 * t57) + t81) - (t82 * t85 - t49 * t86);
+  const Scalar t88 = (t71 + k[5] * t49) + t87;
+  const Scalar t89 = c5 * t84 - s5 * t50;
+  const Scalar t90 = qd[5] + t53;
+  const Scalar t91 = t52 * t90;
+  const Scalar t92 = t91 + (t91 - t57);
+  const Scalar t93 = t70 - t60 * t90;
+  const Scalar t94 = t63 - t90 * t90;
+  const Scalar t95 = t94 - t65;
+  const Scalar t96 = (t77 * t92 + t80 * t93) - t95 * t72;
+  const Scalar t97 = t63 + t64;
+  const Scalar t98 = k[16] * (t31 - t97) + (k[12] * t62 - k[14] * t57);
+  const Scalar t99 = t66 + t69;
+  const Scalar t100 = (t82 * t89 - (t96 - t73 * t78)) + ((t98 - k[15] * t99) + k[4] * t49);
+  const Scalar t101 = t51 + (c5 * t88 + s5 * t100);
+  const Scalar t102 = t25 - t12;
+  const Scalar t103 = (k[5] * t99 + k[4] * t97) - (t93 * t86 - t82 * t92);
+  const Scalar t104 = t31 - t65;
+  const Scalar t105 = ((t97 - t94) * t86 - t74 * t82) + (k[5] * t104 + k[4] * t70);
+  const Scalar t106 = (k[11] * t38 + k[10] * t34) + k[9] * t50;
+  const Scalar t107 = (s5 * t103 + c5 * t105) + t106;
+  const Scalar t108 = (t78 * t86 + t82 * (t97 - t95)) + (k[5] * t62 + k[4] * t57);
+  const Scalar t109 = k[9] * t49 + (k[10] * t39 + k[11] * t31);
+  const Scalar t110 = t108 + t109;
+  const Scalar t111 = k[1] * t102 + (c4 * t107 + s4 * t110);
+  const Scalar t112 = (((t24 - k[1] * t26) + t101) + t111) * t13;
+  const Scalar t113 = t15 - t16;
+  const Scalar t114 = t68 + t67;
+  const Scalar t115 = (k[10] * t114 - k[11] * t55) + k[9] * t84;
+  const Scalar t116 = k[1] * t113 + ((s5 * t105 - c5 * t103) + t115);
+  const Scalar t117 = t32 - t102;
+  const Scalar t118 = k[30] * (t117 - t12) - (k[32] * t21 - k[31] * t23);
+  const Scalar t119 = (t74 * t72 - t94 * t73) + (t93 * t79 + t80 * t92);
+  const Scalar t120 = (k[14] * t70 - k[13] * t99) + k[12] * (t97 - t104);
+  const Scalar t121 = (k[4] * t85 + k[5] * t89) - ((k[15] * t56 + k[16] * t58) + t120);
+  const Scalar t122 = (t89 * t86 + t119) + t121;
+  const Scalar t123 = (k[25] * t55 - k[26] * t114) - (k[24] * t33 - k[23] * t38);
+  const Scalar t124 = (t122 + (k[10] * t84 - t123)) + k[6] * t107;
+  const Scalar t125 = k[23] * (t31 - t32) - (k[25] * t114 - k[27] * t55);
+  const Scalar t126 = (c5 * t100 - s5 * t88) - ((k[24] * t39 + t125) - k[11] * t84);
+  const Scalar t127 = t126 + k[6] * t110;
+  const Scalar t128 = (t118 - k[29] * t113) + (s4 * t124 - c4 * t127);
+  const Scalar t129 = (s4 * t107 - c4 * t110) - k[1] * t21;
+  const Scalar t130 = (t112 + (t116 + t128) * t7) - t129 * k[8] * c2;
+  const Scalar t131 = (k[31] * t17 - k[33] * t113) - k[32] * t117;
+  const Scalar t132 = k[1] * t83 - ((k[30] * t19 + k[29] * t22) - t131);
+  const Scalar t133 = (s4 * t127 + c4 * t124) + t132;
+  const Scalar t134 = t133 - k[8] * (c3 * t116 + s3 * t111);
+  const Scalar t135 = (t25 * t4 - k[42] * qdd[1]) + qdd[0] * t1;
+  const Scalar t136 = t134 - (t135 + (k[41] * t46 + k[40] * t44));
   JointVector<Scalar> result;
-  result[0] = k[41] * qdd[0] - (t132 - t138);
-  result[1] = -t144;
-  result[2] = -t143;
-  result[3] = t116;
-  result[4] = -t123;
-  result[5] = -t112;
+  result[0] = k[0] * qdd[0] + ((t2 + t6) - t130);
+  result[1] = t136;
+  result[2] = t133;
+  result[3] = -t101;
+  result[4] = t122;
+  result[5] = -t87;
   return result;
 }
 
@@ -317,20 +321,21 @@ GravityTorqueConstants<Scalar> gravity_torque_constants(const BasicGeometry<Scal
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = (inertia.c4z * inertia.m4 - g.d4 * t0) + (inertia.c3z * inertia.m3 - g.d4 * inertia.m3);
-  const Scalar t2 = g.l2 * (inertia.m3 + t0) + (g.l2 * inertia.m2 + inertia.c2x * inertia.m2);
+  const Scalar t0 = g.d4 * inertia.m4;
+  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t2 = ((inertia.c4z * inertia.m4 - t0) + t0) - g.d4 * t1;
+  const Scalar t3 = g.l2 * (inertia.m3 + t1) + (g.l2 * inertia.m2 + inertia.c2x * inertia.m2);
   return { gravity,
            inertia.c3x * inertia.m3,
-           t1,
-           inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
-           inertia.c5x * inertia.m5,
+           (inertia.c3z * inertia.m3 - g.d4 * inertia.m3) + t2,
+           inertia.c4y * inertia.m4 + inertia.c5y * inertia.m5,
            inertia.c6x * inertia.m6,
            inertia.c6y * inertia.m6,
+           inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
+           inertia.c5x * inertia.m5,
            inertia.c4x * inertia.m4,
-           inertia.c4y * inertia.m4 + inertia.c5y * inertia.m5,
-           t2,
-           inertia.c2z * inertia.m2 };
+           inertia.c2z * inertia.m2,
+           t3 };
 }
 
 namespace detail {
@@ -352,27 +357,27 @@ inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Sca
   const Scalar t1 = k[0] * s2;
   const Scalar t2 = s3 * t0 + c3 * t1;
   const Scalar t3 = s3 * t1 - c3 * t0;
-  const Scalar t4 = k[6] * s6 + k[5] * c6;
-  const Scalar t5 = c4 * t2;
-  const Scalar t6 = c5 * t3 + s5 * t5;
-  const Scalar t7 = s5 * t3 - c5 * t5;
-  const Scalar t8 = t4 * t6 + (k[3] * t7 + k[4] * t6);
-  const Scalar t9 = k[6] * c6 - k[5] * s6;
-  const Scalar t10 = s4 * t2;
-  const Scalar t11 = t7 * t9 + t4 * t10;
-  const Scalar t12 = t11 + k[4] * t10;
-  const Scalar t13 = t9 * t6 - k[3] * t10;
-  const Scalar t14 = k[8] * t3 + (s5 * t12 + c5 * t13);
-  const Scalar t15 = c4 * (k[7] * t3 + t8) + s4 * t14;
+  const Scalar t4 = s4 * t2;
+  const Scalar t5 = k[4] * s6 - k[5] * c6;
+  const Scalar t6 = c4 * t2;
+  const Scalar t7 = c5 * t3 + s5 * t6;
+  const Scalar t8 = k[6] * t4 + t5 * t7;
+  const Scalar t9 = s5 * t3 - c5 * t6;
+  const Scalar t10 = k[4] * c6 + k[5] * s6;
+  const Scalar t11 = t5 * t9 - t4 * t10;
+  const Scalar t12 = t11 - k[7] * t4;
+  const Scalar t13 = k[3] * t3 - (c5 * t8 + s5 * t12);
+  const Scalar t14 = (k[6] * t9 + k[7] * t7) + t10 * t7;
+  const Scalar t15 = s4 * t13 + c4 * (t14 + k[8] * t3);
   const Scalar t16 = (k[2] * t2 - k[1] * t3) - t15;
-  const Scalar t17 = (s5 * t13 - c5 * t12) + (k[8] * t5 - k[7] * t10);
+  const Scalar t17 = (c5 * t12 - s5 * t8) - (k[8] * t4 - k[3] * t6);
   JointVector<Scalar> result;
   result[0] = Scalar(0);
-  result[1] = -t16 - (k[10] * t1 + k[9] * t0);
+  result[1] = -(k[10] * t0 + k[9] * t1) - t16;
   result[2] = -t16;
   result[3] = -t17;
-  result[4] = t8;
-  result[5] = t11;
+  result[4] = t14;
+  result[5] = -t11;
   return result;
 }
 
@@ -397,94 +402,101 @@ CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Sc
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c3y * inertia.m3;
-  const Scalar t1 = inertia.c2x * inertia.m2;
-  const Scalar t2 = inertia.c2y * inertia.m2;
-  const Scalar t3 = g.l2 * t0 - ((inertia.I2xy - inertia.c2y * t1) - g.l2 * t2);
-  const Scalar t4 = inertia.c4z * inertia.m4;
-  const Scalar t5 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t6 = t4 - g.d4 * t5;
-  const Scalar t7 = inertia.c3z * inertia.m3;
-  const Scalar t8 = t7 - g.d4 * inertia.m3;
-  const Scalar t9 = (t6 + t8) / g.d4;
-  const Scalar t10 = g.l2 * t9;
-  const Scalar t11 = g.l2 * t10;
-  const Scalar t12 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t13 = g.l2 * inertia.m2 + t1;
-  const Scalar t14 = (inertia.c2x * t1 - (inertia.I2xx - t12)) + g.l2 * (t1 + t13);
-  const Scalar t15 = g.l2 * (inertia.m3 + t5);
-  const Scalar t16 = inertia.c2z * inertia.m2;
-  const Scalar t17 = (t11 + (t14 + g.l2 * t15)) + ((inertia.I2zz - t12) - inertia.c2z * t16);
-  const Scalar t18 = g.l2 * t16;
-  const Scalar t19 = (inertia.I2xz - inertia.c2z * t1) - t18;
-  const Scalar t20 = g.d4 / g.l2;
-  const Scalar t21 = inertia.c5z * inertia.m5;
-  const Scalar t22 = inertia.c6z * inertia.m6;
+  const Scalar t0 = inertia.c3z * inertia.m3;
+  const Scalar t1 = t0 - g.d4 * inertia.m3;
+  const Scalar t2 = inertia.c4z * inertia.m4;
+  const Scalar t3 = g.d4 * inertia.m4;
+  const Scalar t4 = t2 - t3;
+  const Scalar t5 = t4 + t3;
+  const Scalar t6 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t7 = t5 - g.d4 * t6;
+  const Scalar t8 = (t1 + t7) / g.d4;
+  const Scalar t9 = inertia.c2x * inertia.m2;
+  const Scalar t10 = inertia.c2y * inertia.m2;
+  const Scalar t11 = g.l2 * inertia.m2 + t9;
+  const Scalar t12 = ((inertia.I2xy - inertia.c2y * t9) - g.l2 * t10) - g.d2 * t11;
+  const Scalar t13 = inertia.m3 + t6;
+  const Scalar t14 = g.d2 * inertia.m3;
+  const Scalar t15 = inertia.c3y * inertia.m3;
+  const Scalar t16 = t14 + t15;
+  const Scalar t17 = t12 - g.l2 * (g.d2 * t13 + (t16 - t14));
+  const Scalar t18 = inertia.c2z * inertia.m2;
+  const Scalar t19 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t20 = (inertia.c2x * t9 - (inertia.I2xx - t19)) + g.l2 * (t9 + t11);
+  const Scalar t21 = g.l2 * g.l2 * t8 + (t20 + g.l2 * g.l2 * t13);
+  const Scalar t22 = (inertia.I2xz - inertia.c2z * t9) - g.l2 * t18;
   const Scalar t23 = inertia.c5x * inertia.m5;
-  const Scalar t24 = inertia.c5y * inertia.m5;
-  const Scalar t25 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t26 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t27 = (inertia.c6z * t22 - (inertia.I6zz - t25)) + (inertia.c5z * t21 - (inertia.I5zz - t26));
-  const Scalar t28 = inertia.c6y * inertia.m6;
-  const Scalar t29 = inertia.c6x * inertia.m6;
-  const Scalar t30 = (inertia.I6xx - t25) - inertia.c6x * t29;
-  const Scalar t31 = (inertia.I6yy - t25) - inertia.c6y * t28;
-  const Scalar t32 = inertia.I6xy - inertia.c6y * t29;
-  const Scalar t33 = inertia.c4y * inertia.m4;
-  const Scalar t34 = inertia.c4x * inertia.m4;
-  const Scalar t35 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t36 = ((inertia.I4yy - t35) - inertia.c4y * t33) - (inertia.c5y * t24 - (inertia.I5yy - t26));
-  const Scalar t37 = inertia.c3x * inertia.m3;
-  const Scalar t38 = g.d4 * t37 + (inertia.I3xz - inertia.c3z * t37);
-  const Scalar t39 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t40 = ((inertia.I3zz - t39) - inertia.c3z * t7) + g.d4 * (t7 + t8);
-  const Scalar t41 = ((inertia.I4zz - t35) - inertia.c4z * t4) + g.d4 * (t6 + t4);
-  const Scalar t42 = g.d4 * g.d4 * t9 - (t40 + t41);
-  const Scalar t43 = inertia.c3x * t37 - (inertia.I3xx - t39);
-  const Scalar t44 = g.l2 * t37;
-  return { t3,
-           inertia.I2yz - inertia.c2z * t2,
-           t17,
-           Scalar(2) * t19,
-           t19,
-           g.d2 / g.l2,
-           t18,
-           g.l2 * ((t15 + t13) + t10),
-           Scalar(2) * t20,
-           t20,
-           g.l2 * (t21 + t22),
-           inertia.I5xy - inertia.c5y * t23,
-           inertia.I5yz - inertia.c5z * t24,
-           inertia.I5xz - inertia.c5z * t23,
-           t27,
-           g.l2 * t28,
-           g.l2 * t29,
-           inertia.I6xz - inertia.c6z * t29,
-           inertia.I6yz - inertia.c6z * t28,
-           t30 - t31,
-           Scalar(2) * t32,
-           t32,
+  const Scalar t24 = inertia.c5z * inertia.m5;
+  const Scalar t25 = inertia.c6z * inertia.m6;
+  const Scalar t26 = inertia.c6y * inertia.m6;
+  const Scalar t27 = inertia.c6x * inertia.m6;
+  const Scalar t28 = inertia.c4y * inertia.m4;
+  const Scalar t29 = inertia.c5y * inertia.m5;
+  const Scalar t30 = inertia.c4x * inertia.m4;
+  const Scalar t31 = g.d4 * t30;
+  const Scalar t32 = g.l2 / g.d4;
+  const Scalar t33 = g.d4 * g.d4 * t8;
+  const Scalar t34 = inertia.c3x * inertia.m3;
+  const Scalar t35 = g.d4 * t34;
+  const Scalar t36 = g.d2 * t34;
+  const Scalar t37 = g.d4 * t16 - (g.d2 * t0 - (inertia.I3yz - inertia.c3z * t15));
+  const Scalar t38 = t35 + (inertia.I3xz - inertia.c3z * t34);
+  const Scalar t39 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t40 = g.d4 * (t2 + t4) + ((inertia.I4zz - t39) - inertia.c4z * t2);
+  const Scalar t41 = (g.d4 * (t5 + t4) - t40) - g.d4 * (t5 + t7);
+  const Scalar t42 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t43 = ((inertia.I3zz - t42) - inertia.c3z * t0) + g.d4 * (t0 + t1);
+  const Scalar t44 = t33 + (t41 - t43);
+  const Scalar t45 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t46 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t47 = (inertia.I6xx - t46) - inertia.c6x * t27;
+  const Scalar t48 = (inertia.I6yy - t46) - inertia.c6y * t26;
+  const Scalar t49 = inertia.I6xy - inertia.c6y * t27;
+  const Scalar t50 = (inertia.c6z * t25 - (inertia.I6zz - t46)) + (inertia.c5z * t24 - (inertia.I5zz - t45));
+  const Scalar t51 = ((inertia.I4yy - t39) - inertia.c4y * t28) - (inertia.c5y * t29 - (inertia.I5yy - t45));
+  const Scalar t52 = g.d4 * t28;
+  const Scalar t53 = inertia.c3x * t34 - (inertia.I3xx - t42);
+  return { g.l2 * g.d2 * t8 - t17,
+           g.d2 * t18 - (inertia.I2yz - inertia.c2z * t10),
+           t21 + ((inertia.I2zz - t19) - inertia.c2z * t18),
+           Scalar(2) * t22,
+           t22,
+           g.d4 * t23,
+           g.d4 * (t24 + t25),
+           g.d4 * t26,
+           g.d4 * t27,
+           g.d4 * (t28 + t29),
            t31,
-           t30,
-           inertia.c5x * t23 - (inertia.I5xx - t26),
-           g.l2 * t23,
-           g.l2 * (t33 + t24),
-           inertia.I4yz - inertia.c4z * t33,
-           inertia.I4xy - inertia.c4y * t34,
-           t36,
-           inertia.I4xz - inertia.c4z * t34,
-           t11,
-           g.l2 * t34,
-           (inertia.I4xx - t35) - inertia.c4x * t34,
-           inertia.I3xy - inertia.c3y * t37,
-           g.d4 * t0 + (inertia.I3yz - inertia.c3z * t0),
+           t32,
+           t33,
+           t35,
+           g.d2 / g.d4,
+           t36 + ((inertia.I3xy - inertia.c3y * t34) - t36),
+           g.d2 * t1 + t37,
            Scalar(2) * t38,
-           Scalar(2) * t42,
-           Scalar(2) * t43,
-           t38,
            t44,
-           Scalar(2) * t44,
-           t43 - t42 };
+           Scalar(2) * t32,
+           inertia.c5x * t23 - (inertia.I5xx - t45),
+           inertia.I5xz - inertia.c5z * t23,
+           inertia.I5xy - inertia.c5y * t23,
+           inertia.I5yz - inertia.c5z * t29,
+           inertia.I6xz - inertia.c6z * t27,
+           inertia.I6yz - inertia.c6z * t26,
+           t47 - t48,
+           Scalar(2) * t49,
+           t47,
+           t48,
+           t49,
+           t50,
+           t31 - ((inertia.I4xz - inertia.c4z * t30) + t31),
+           t51,
+           inertia.I4xy - inertia.c4y * t30,
+           t52 - (t52 + (inertia.I4yz - inertia.c4z * t28)),
+           (inertia.I4xx - t39) - inertia.c4x * t30,
+           Scalar(2) * t53,
+           Scalar(2) * t35,
+           t44 - t53,
+           t38 };
 }
 
 namespace detail {
@@ -503,138 +515,136 @@ inline JointVector<Scalar> coriolis_torque([[maybe_unused]] const JointVector<Sc
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = qd[0] * qd[0];
-  const Scalar t1 = qd[1] * qd[1];
-  const Scalar t2 = k[6] * s2 + k[7] * c2;
-  const Scalar t3 = qd[1] + qd[2];
-  const Scalar t4 = c3 * s2;
-  const Scalar t5 = t4 + c2 * s3;
-  const Scalar t6 = qd[0] * t5;
-  const Scalar t7 = s4 * t3 + c4 * t6;
-  const Scalar t8 = s2 * s3;
-  const Scalar t9 = t8 - c2 * c3;
-  const Scalar t10 = qd[0] * t9;
-  const Scalar t11 = qd[3] + t10;
-  const Scalar t12 = s5 * t7 + c5 * t11;
-  const Scalar t13 = s5 * t11 - c5 * t7;
-  const Scalar t14 = t12 * t13;
-  const Scalar t15 = t3 * t10;
-  const Scalar t16 = t15 + t15;
-  const Scalar t17 = t6 * t10;
-  const Scalar t18 = s4 * t16 + c4 * t17;
-  const Scalar t19 = t7 * t11;
-  const Scalar t20 = t18 - t19;
-  const Scalar t21 = t14 + t20;
-  const Scalar t22 = t13 * t13;
-  const Scalar t23 = qd[5] + t12;
-  const Scalar t24 = t23 * t23;
-  const Scalar t25 = t22 - t24;
-  const Scalar t26 = c4 * t3 - s4 * t6;
-  const Scalar t27 = qd[4] + t26;
-  const Scalar t28 = t24 + t27 * t27;
-  const Scalar t29 = t25 + t28;
-  const Scalar t30 = t27 * t23;
-  const Scalar t31 = t26 * t11;
-  const Scalar t32 = c4 * t16 - s4 * t17;
-  const Scalar t33 = t31 - (t32 - t31);
-  const Scalar t34 = t6 * t3;
-  const Scalar t35 = t26 * t7;
-  const Scalar t36 = t34 - t35;
-  const Scalar t37 = c5 * t33 - s5 * t36;
-  const Scalar t38 = t27 * t12;
-  const Scalar t39 = (t37 - t38) - t38;
-  const Scalar t40 = (t30 + t30) + t39;
-  const Scalar t41 = k[16] * s6 - k[15] * c6;
-  const Scalar t42 = k[16] * c6 + k[15] * s6;
-  const Scalar t43 = t14 - t20;
-  const Scalar t44 = t23 * t13;
-  const Scalar t45 = (t43 - t44) - t44;
-  const Scalar t46 = (k[25] * t21 + k[10] * t29) - (t40 * t41 + t42 * t45);
-  const Scalar t47 = t7 * t7;
-  const Scalar t48 = t11 * t11;
-  const Scalar t49 = t47 + t48;
-  const Scalar t50 = t49 - t29;
-  const Scalar t51 = t22 + t24;
-  const Scalar t52 = t51 - t28;
-  const Scalar t53 = t50 - t52;
-  const Scalar t54 = c5 * t36 + s5 * t33;
-  const Scalar t55 = (k[25] * (t53 + t29) + k[10] * t43) + (t54 * t41 + t42 * t28);
-  const Scalar t56 = qd[0] * c2;
-  const Scalar t57 = t1 + t56 * t56;
-  const Scalar t58 = (qd[0] * t8 * t56 - c3 * t57) - k[9] * t17;
-  const Scalar t59 = Scalar(2) * qd[0] * qd[1];
-  const Scalar t60 = k[5] * t0;
-  const Scalar t61 = s2 * t59 + t60;
-  const Scalar t62 = k[8] * t15 - t61;
-  const Scalar t63 = c4 * t58 - s4 * t62;
-  const Scalar t64 = t3 * t3;
-  const Scalar t65 = t10 * t10;
-  const Scalar t66 = t64 - t65;
-  const Scalar t67 = t0 + t66;
-  const Scalar t68 = t47 - t48;
-  const Scalar t69 = t67 - t68;
-  const Scalar t70 = k[31] * t63 + (k[32] * t69 - k[26] * t36);
-  const Scalar t71 = (s5 * t46 + c5 * t55) + t70;
-  const Scalar t72 = t34 + t35;
-  const Scalar t73 = s4 * t58 + c4 * t62;
-  const Scalar t74 = (k[32] * t72 + k[26] * t49) + k[31] * t73;
-  const Scalar t75 = Scalar(2) * t27 * t13 - t54;
-  const Scalar t76 = (t51 * t41 + t42 * t75) + (k[10] * t39 + k[25] * t75);
-  const Scalar t77 = t74 - t76;
-  const Scalar t78 = t64 + t65;
-  const Scalar t79 = (c4 * t71 + s4 * t77) + k[40] * t78;
-  const Scalar t80 = t19 - t20;
-  const Scalar t81 = t56 * qd[0] * t4 + s3 * t57;
-  const Scalar t82 = k[9] * t67 - t81;
-  const Scalar t83 = (k[26] * t33 - k[32] * t80) + k[31] * t82;
-  const Scalar t84 = k[40] * t17 + ((s5 * t55 - c5 * t46) - t83);
-  const Scalar t85 = (t0 + t1) * t2 - (t79 * t9 + t84 * t5);
-  const Scalar t86 = k[4] - c2 * (k[3] * c2 + k[2] * s2);
-  const Scalar t87 = t86 * t59 - (k[1] * s2 - k[0] * c2) * t1;
-  const Scalar t88 = k[41] * t34 + (c4 * t77 - s4 * t71);
-  const Scalar t89 = c5 * t63 - s5 * t82;
-  const Scalar t90 = k[17] * c6 + k[18] * s6;
-  const Scalar t91 = k[17] * s6 - k[18] * c6;
-  const Scalar t92 = k[19] * s6 - k[20] * c6;
-  const Scalar t93 = k[21] + c6 * t92;
-  const Scalar t94 = s6 * t92;
-  const Scalar t95 = k[23] - t94;
-  const Scalar t96 = k[22] + t94;
-  const Scalar t97 = t52 * t93 + (t95 * t75 - t96 * t54);
-  const Scalar t98 = (t89 * t41 + t42 * t73) - ((t90 * t39 - t43 * t91) + t97);
-  const Scalar t99 = (k[12] * t43 - k[11] * t52) - (k[24] * t75 - k[13] * t39);
-  const Scalar t100 = t98 + (k[25] * t73 - t99);
-  const Scalar t101 = (k[13] * t75 - k[14] * t39) - k[12] * t50;
-  const Scalar t102 = (t29 - t51) * t91 - (t45 * t93 + t96 * t40);
-  const Scalar t103 = s5 * t63 + c5 * t82;
-  const Scalar t104 = ((t101 + k[11] * t21) - k[10] * t73) - ((t102 - t90 * t75) + t103 * t41);
-  const Scalar t105 = k[28] * (t49 - t69) + (k[33] * t72 + k[29] * t36);
-  const Scalar t106 = ((k[27] * t18 + k[30] * t32) + t105) + (k[32] * t73 - k[26] * t63);
-  const Scalar t107 = (c5 * t100 - s5 * t104) + t106;
-  const Scalar t108 = (k[38] * t34 - k[39] * t16) - (k[35] * t17 + k[34] * (t0 - t78));
-  const Scalar t109 = k[27] * (t49 - t67) + (k[28] * t80 - k[29] * t33);
-  const Scalar t110 = (c5 * t104 + s5 * t100) - ((t109 + k[30] * t72) - k[26] * t82);
-  const Scalar t111 = k[9] * t77 - t110;
-  const Scalar t112 = (k[14] * t43 - k[24] * t21) - k[13] * t53;
-  const Scalar t113 = (k[25] * t103 - k[10] * t89) + ((k[12] * t54 + k[11] * t37) + t112);
-  const Scalar t114 = (t95 * t45 + t40 * t93) + (t91 * t54 - t25 * t90);
-  const Scalar t115 = t113 - (t114 - t42 * t103);
-  const Scalar t116 = (k[27] * t36 + k[30] * t68) - (k[33] * t80 - k[28] * t33);
-  const Scalar t117 = (t115 + (t116 + k[32] * t82)) - k[9] * t71;
-  const Scalar t118 = (k[37] * t15 - k[36] * t34) + k[35] * t66;
-  const Scalar t119 = (c4 * t111 + s4 * t117) - (t118 - k[34] * t17);
-  const Scalar t120 = t9 * (t107 - (t108 + k[40] * t61)) - t5 * t119;
-  const Scalar t121 = (t2 * t60 - t87) + (c2 * t88 + t120);
-  const Scalar t122 = (k[39] * (t67 - t78) + k[42] * t17) - k[40] * t81;
-  const Scalar t123 = (s4 * t111 - c4 * t117) - t122;
-  const Scalar t124 = ((s3 * t79 + c3 * t84) - t123) + t0 * t86;
+  const Scalar t0 = qd[1] * qd[1];
+  const Scalar t1 = qd[0] * qd[1];
+  const Scalar t2 = k[4] - c2 * (k[3] * c2 + k[2] * s2);
+  const Scalar t3 = t0 * (k[1] * s2 + k[0] * c2) + Scalar(2) * t1 * t2;
+  const Scalar t4 = c3 * s2 + c2 * s3;
+  const Scalar t5 = qd[0] * t4;
+  const Scalar t6 = qd[1] + qd[2];
+  const Scalar t7 = t5 * t6;
+  const Scalar t8 = c4 * t6 - s4 * t5;
+  const Scalar t9 = s4 * t6 + c4 * t5;
+  const Scalar t10 = t8 * t9;
+  const Scalar t11 = t7 - t10;
+  const Scalar t12 = s2 * s3 - c2 * c3;
+  const Scalar t13 = qd[0] * t12;
+  const Scalar t14 = qd[3] + t13;
+  const Scalar t15 = t8 * t14;
+  const Scalar t16 = t6 * t13;
+  const Scalar t17 = t16 + t16;
+  const Scalar t18 = t5 * t13;
+  const Scalar t19 = c4 * t17 - s4 * t18;
+  const Scalar t20 = t15 - (t19 - t15);
+  const Scalar t21 = c5 * t11 + s5 * t20;
+  const Scalar t22 = k[7] * c6 - k[8] * s6;
+  const Scalar t23 = k[8] * c6 + k[7] * s6;
+  const Scalar t24 = s5 * t14 - c5 * t9;
+  const Scalar t25 = t24 * t24;
+  const Scalar t26 = qd[4] + t8;
+  const Scalar t27 = t26 * t26;
+  const Scalar t28 = t25 - t27;
+  const Scalar t29 = t25 + t27;
+  const Scalar t30 = s5 * t9 + c5 * t14;
+  const Scalar t31 = qd[5] + t30;
+  const Scalar t32 = t31 * t31;
+  const Scalar t33 = t32 - t27;
+  const Scalar t34 = t29 + t33;
+  const Scalar t35 = t9 * t9;
+  const Scalar t36 = t14 * t14;
+  const Scalar t37 = t35 + t36;
+  const Scalar t38 = t37 - t28;
+  const Scalar t39 = t30 * t24;
+  const Scalar t40 = s4 * t17 + c4 * t18;
+  const Scalar t41 = t9 * t14;
+  const Scalar t42 = t40 - t41;
+  const Scalar t43 = t39 - t42;
+  const Scalar t44 = (t21 * t22 + t23 * (t28 - t34)) - (k[5] * t38 + k[6] * t43);
+  const Scalar t45 = t31 * t24;
+  const Scalar t46 = (t43 - t45) - t45;
+  const Scalar t47 = Scalar(2) * t26;
+  const Scalar t48 = c5 * t20 - s5 * t11;
+  const Scalar t49 = t26 * t30;
+  const Scalar t50 = (t48 - t49) - t49;
+  const Scalar t51 = t47 * t31 + t50;
+  const Scalar t52 = t39 + t42;
+  const Scalar t53 = (t23 * t46 - t51 * t22) - (k[6] * t29 + k[5] * t52);
+  const Scalar t54 = qd[0] * qd[0];
+  const Scalar t55 = k[19] * s2 * t1 + k[14] * t54;
+  const Scalar t56 = t55 - t17;
+  const Scalar t57 = qd[0] * c2;
+  const Scalar t58 = k[11] * (t0 + t57 * t57);
+  const Scalar t59 = k[11] * qd[0] * s2 * t57;
+  const Scalar t60 = (c3 * t58 - s3 * t59) + t18;
+  const Scalar t61 = s4 * t56 - c4 * t60;
+  const Scalar t62 = t6 * t6;
+  const Scalar t63 = t13 * t13;
+  const Scalar t64 = t62 - t63;
+  const Scalar t65 = t54 + t64;
+  const Scalar t66 = t37 - t65;
+  const Scalar t67 = t35 - t36;
+  const Scalar t68 = t66 + t67;
+  const Scalar t69 = k[12] * t61 + (k[10] * (t37 - t68) - k[9] * t11);
+  const Scalar t70 = (c5 * t44 + s5 * t53) - t69;
+  const Scalar t71 = t7 + t10;
+  const Scalar t72 = c4 * t56 + s4 * t60;
+  const Scalar t73 = (k[9] * t37 + k[10] * t71) - k[12] * t72;
+  const Scalar t74 = t21 - t47 * t24;
+  const Scalar t75 = (t23 * t74 + t34 * t22) + (k[5] * t74 - k[6] * t50);
+  const Scalar t76 = t73 + t75;
+  const Scalar t77 = k[38] * t7 + (s4 * t70 + c4 * t76);
+  const Scalar t78 = k[16] * t64 - (k[17] * t7 - k[18] * t17);
+  const Scalar t79 = k[27] * c6 - k[26] * s6;
+  const Scalar t80 = k[30] - c6 * t79;
+  const Scalar t81 = s6 * t79;
+  const Scalar t82 = k[29] - t81;
+  const Scalar t83 = k[25] * c6 - k[24] * s6;
+  const Scalar t84 = (t46 * t80 + t82 * t51) - t33 * t83;
+  const Scalar t85 = k[25] * s6 + k[24] * c6;
+  const Scalar t86 = s3 * t58 + c3 * t59;
+  const Scalar t87 = t86 - t65;
+  const Scalar t88 = s5 * t61 - c5 * t87;
+  const Scalar t89 = t29 - t38;
+  const Scalar t90 = k[23] * (t89 - t28) - (k[31] * t50 + k[21] * t74);
+  const Scalar t91 = ((t84 - t85 * t74) + t88 * t22) + ((k[22] * t52 + t90) + k[6] * t72);
+  const Scalar t92 = (k[20] * t74 + k[21] * t50) - (k[22] * t28 - k[23] * t43);
+  const Scalar t93 = k[28] + t81;
+  const Scalar t94 = (t82 * t21 + t93 * t74) - t28 * t80;
+  const Scalar t95 = c5 * t61 + s5 * t87;
+  const Scalar t96 = ((t85 * t50 + t43 * t83) - t94) + (t95 * t22 + t23 * t72);
+  const Scalar t97 = (t92 + k[5] * t72) + t96;
+  const Scalar t98 = t41 - t42;
+  const Scalar t99 = k[35] * t66 - (k[34] * t98 - k[33] * t20);
+  const Scalar t100 = (c5 * t91 - s5 * t97) + ((t99 + k[32] * t71) - k[9] * t87);
+  const Scalar t101 = t76 - t100;
+  const Scalar t102 = ((t25 - t32) * t85 + t21 * t83) - (t51 * t80 + t93 * t46);
+  const Scalar t103 = (k[20] * t52 - k[31] * t43) - k[21] * t89;
+  const Scalar t104 = (t103 - (k[23] * t21 + k[22] * t48)) - (k[5] * t88 - k[6] * t95);
+  const Scalar t105 = (t23 * t88 + t102) - t104;
+  const Scalar t106 = (k[36] * t98 - k[34] * t20) + (k[32] * t67 + k[35] * t11);
+  const Scalar t107 = t70 + (t105 - (t106 + k[10] * t87));
+  const Scalar t108 = (t78 - k[15] * t18) - (c4 * t101 + s4 * t107);
+  const Scalar t109 = (k[9] * t20 - k[10] * t98) - k[12] * t87;
+  const Scalar t110 = k[13] * t18 - ((s5 * t44 - c5 * t53) + t109);
+  const Scalar t111 = t62 + t63;
+  const Scalar t112 = t65 - t111;
+  const Scalar t113 = (k[16] * t18 - k[15] * (t64 - t112)) + (k[17] * t16 - k[37] * t7);
+  const Scalar t114 = (k[36] * t71 + k[33] * t11) + k[34] * t68;
+  const Scalar t115 = (k[10] * t72 + k[9] * t61) - (t114 - (k[35] * t40 + k[32] * t19));
+  const Scalar t116 = (s5 * t91 + c5 * t97) + t115;
+  const Scalar t117 = (c4 * t70 - s4 * t76) - k[13] * t111;
+  const Scalar t118 = ((t113 - k[13] * t55) - t116) - k[14] * t117;
+  const Scalar t119 = (t108 + k[14] * t110) * t4 + t12 * t118;
+  const Scalar t120 = k[13] * t86 - (k[40] * t112 - k[39] * t18);
+  const Scalar t121 = t120 + (s4 * t101 - c4 * t107);
+  const Scalar t122 = t121 - k[11] * (c3 * t110 - s3 * t117);
   JointVector<Scalar> result;
-  result[0] = k[5] * t85 - t121;
-  result[1] = -t124;
-  result[2] = t123;
-  result[3] = -t107;
-  result[4] = -t115;
-  result[5] = -t98;
+  result[0] = t3 - (c2 * k[11] * t77 + t119);
+  result[1] = t122 - t54 * t2;
+  result[2] = t121;
+  result[3] = t116;
+  result[4] = -t105;
+  result[5] = t96;
   return result;
 }
 
@@ -660,92 +670,100 @@ MassMatrixConstants<Scalar> mass_matrix_constants(const BasicGeometry<Scalar>& g
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = (inertia.I6xx - t0) - inertia.c6x * t1;
-  const Scalar t3 = inertia.c6y * inertia.m6;
-  const Scalar t4 = (inertia.I6yy - t0) - inertia.c6y * t3;
-  const Scalar t5 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t6 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t7 = inertia.c4y * inertia.m4;
-  const Scalar t8 = inertia.c5y * inertia.m5;
-  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t10 = ((inertia.I4yy - t6) - inertia.c4y * t7) - (inertia.c5y * t8 - (inertia.I5yy - t9));
-  const Scalar t11 = inertia.c5x * inertia.m5;
-  const Scalar t12 = inertia.c6z * inertia.m6;
-  const Scalar t13 = inertia.c5z * inertia.m5;
-  const Scalar t14 = (inertia.c6z * t12 - (inertia.I6zz - t0)) + (inertia.c5z * t13 - (inertia.I5zz - t9));
-  const Scalar t15 = inertia.c4x * inertia.m4;
-  const Scalar t16 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t17 = inertia.c3y * inertia.m3;
-  const Scalar t18 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t19 = inertia.c2y * inertia.m2;
-  const Scalar t20 = ((inertia.I3yy - t16) - inertia.c3y * t17) + ((inertia.I2yy - t18) - inertia.c2y * t19);
-  const Scalar t21 = t17 + t19;
-  const Scalar t22 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t23 = inertia.m3 + t22;
-  const Scalar t24 = g.d2 * (t21 + (t21 + g.d2 * (inertia.m2 + t23)));
-  const Scalar t25 = inertia.c1y * inertia.m1;
-  const Scalar t26 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t27 = (inertia.c1y * t25 - (inertia.I1yy - t26)) + g.d2 * ((t25 + g.d2 * inertia.m1) + t25);
-  const Scalar t28 = g.d4 / g.d2;
-  const Scalar t29 = inertia.c3x * inertia.m3;
-  const Scalar t30 = inertia.c3z * inertia.m3;
-  const Scalar t31 = t30 - g.d4 * inertia.m3;
-  const Scalar t32 = ((inertia.I3zz - t16) - inertia.c3z * t30) + g.d4 * (t30 + t31);
-  const Scalar t33 = inertia.c4z * inertia.m4;
-  const Scalar t34 = t33 - g.d4 * t22;
-  const Scalar t35 = ((inertia.I4zz - t6) - inertia.c4z * t33) + g.d4 * (t34 + t33);
-  const Scalar t36 = g.l2 / g.d2;
-  const Scalar t37 = inertia.c2x * inertia.m2;
-  const Scalar t38 = g.l2 * inertia.m2 + t37;
-  const Scalar t39 = (inertia.c2x * t37 - (inertia.I2xx - t18)) + g.l2 * (t37 + t38);
-  const Scalar t40 = g.l2 * t23;
-  const Scalar t41 = inertia.c2z * inertia.m2;
-  const Scalar t42 = g.l2 * t17 - ((inertia.I2xy - inertia.c2y * t37) - g.l2 * t19);
-  return { t2 - t4,
-           Scalar(2) * t5,
+  const Scalar t0 = inertia.c6x * inertia.m6;
+  const Scalar t1 = inertia.c6y * inertia.m6;
+  const Scalar t2 = inertia.c5x * inertia.m5;
+  const Scalar t3 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t4 = (inertia.I6xx - t3) - inertia.c6x * t0;
+  const Scalar t5 = (inertia.I6yy - t3) - inertia.c6y * t1;
+  const Scalar t6 = inertia.I6xy - inertia.c6y * t0;
+  const Scalar t7 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t8 = inertia.c6z * inertia.m6;
+  const Scalar t9 = inertia.c5z * inertia.m5;
+  const Scalar t10 = (inertia.c6z * t8 - (inertia.I6zz - t3)) + (inertia.c5z * t9 - (inertia.I5zz - t7));
+  const Scalar t11 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t12 = inertia.c4x * inertia.m4;
+  const Scalar t13 = inertia.c4y * inertia.m4;
+  const Scalar t14 = inertia.c5y * inertia.m5;
+  const Scalar t15 = ((inertia.I4yy - t11) - inertia.c4y * t13) - (inertia.c5y * t14 - (inertia.I5yy - t7));
+  const Scalar t16 = inertia.c3x * inertia.m3;
+  const Scalar t17 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t18 = inertia.c4z * inertia.m4;
+  const Scalar t19 = g.d4 * inertia.m4;
+  const Scalar t20 = t18 - t19;
+  const Scalar t21 = t20 + t19;
+  const Scalar t22 = g.d4 * (t18 + t20) + ((inertia.I4zz - t11) - inertia.c4z * t18);
+  const Scalar t23 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t24 = t21 - g.d4 * t23;
+  const Scalar t25 = (g.d4 * (t21 + t20) - t22) - g.d4 * (t21 + t24);
+  const Scalar t26 = inertia.c3z * inertia.m3;
+  const Scalar t27 = t26 - g.d4 * inertia.m3;
+  const Scalar t28 = ((inertia.I3zz - t17) - inertia.c3z * t26) + g.d4 * (t26 + t27);
+  const Scalar t29 = g.d4 * t13;
+  const Scalar t30 = g.d4 * t12;
+  const Scalar t31 = g.d2 * t16;
+  const Scalar t32 = g.l2 / g.d2;
+  const Scalar t33 = inertia.c2x * inertia.m2;
+  const Scalar t34 = inertia.c2z * inertia.m2;
+  const Scalar t35 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t36 = g.l2 * inertia.m2 + t33;
+  const Scalar t37 = (inertia.c2x * t33 - (inertia.I2xx - t35)) + g.l2 * (t33 + t36);
+  const Scalar t38 = inertia.m3 + t23;
+  const Scalar t39 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t40 = g.d2 * inertia.m3;
+  const Scalar t41 = inertia.c3y * inertia.m3;
+  const Scalar t42 = t40 + t41;
+  const Scalar t43 = t42 - t40;
+  const Scalar t44 = g.d2 * t38 + t43;
+  const Scalar t45 = ((inertia.I3yy - t17) - inertia.c3y * t41) - g.d2 * (t42 + t41);
+  const Scalar t46 = g.d2 * (t44 + t43) - (g.d2 * (t42 + t43) + t45);
+  const Scalar t47 = inertia.c2y * inertia.m2;
+  const Scalar t48 = ((inertia.I2yy - t35) - inertia.c2y * t47) - g.d2 * ((g.d2 * inertia.m2 + t47) + t47);
+  const Scalar t49 = inertia.c1y * inertia.m1;
+  const Scalar t50 = (inertia.c1y * t49 - (inertia.I1yy - t39)) + g.d2 * ((t49 + g.d2 * inertia.m1) + t49);
+  const Scalar t51 = g.d4 * t42 - (g.d2 * t26 - (inertia.I3yz - inertia.c3z * t41));
+  const Scalar t52 = ((inertia.I2xy - inertia.c2y * t33) - g.l2 * t47) - g.d2 * t36;
+  return { inertia.I6xz - inertia.c6z * t0,
+           inertia.I6yz - inertia.c6z * t1,
+           inertia.I5xz - inertia.c5z * t2,
+           t4 - t5,
+           Scalar(2) * t6,
            t4,
+           inertia.c5x * t2 - (inertia.I5xx - t7),
            t10,
-           inertia.I6xz - inertia.c6z * t1,
-           inertia.I6yz - inertia.c6z * t3,
-           inertia.I5xz - inertia.c5z * t11,
-           t2 + t4,
-           inertia.c5x * t11 - (inertia.I5xx - t9),
-           t14,
-           (inertia.I4xx - t6) - inertia.c4x * t15,
+           (inertia.I4xx - t11) - inertia.c4x * t12,
            t5,
-           inertia.I5xy - inertia.c5y * t11,
-           inertia.I5yz - inertia.c5z * t8,
-           inertia.I4xy - inertia.c4y * t15,
-           g.d2 * t3,
+           t15,
+           inertia.I5yz - inertia.c5z * t14,
+           t6,
+           inertia.I5xy - inertia.c5y * t2,
+           inertia.I4xy - inertia.c4y * t12,
+           inertia.c3x * t16 - (inertia.I3xx - t17),
+           g.d2 * (t9 + t8),
            g.d2 * t1,
-           g.d2 * (t7 + t8),
-           g.d2 * (t13 + t12),
-           g.d2 * t11,
-           g.d2 * t15,
-           (t20 - t24) - t27,
-           t28,
-           inertia.I4xz - inertia.c4z * t15,
-           inertia.I4yz - inertia.c4z * t7,
-           g.d4 * t29 + (inertia.I3xz - inertia.c3z * t29),
-           Scalar(2) * t28,
-           t32 + t35,
-           inertia.c3x * t29 - (inertia.I3xx - t16),
-           g.d2 * t29,
-           g.d2 * (t34 + t31),
-           Scalar(2) * t36,
-           t39 + g.l2 * t40,
-           t36,
-           (inertia.I2xz - inertia.c2z * t37) - g.l2 * t41,
-           (inertia.I2zz - t18) - inertia.c2z * t41,
-           inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t26),
-           g.d2 * t41,
-           inertia.I3xy - inertia.c3y * t29,
-           g.d4 * t17 + (inertia.I3yz - inertia.c3z * t17),
-           inertia.I2yz - inertia.c2z * t19,
-           g.d2 * (t40 + t38),
-           t42 };
+           g.d2 * t0,
+           g.d2 * t2,
+           g.d4 / g.d2,
+           t25 - t28,
+           t29 - (t29 + (inertia.I4yz - inertia.c4z * t13)),
+           g.d2 * (t13 + t14),
+           t30 - ((inertia.I4xz - inertia.c4z * t12) + t30),
+           g.d2 * t12,
+           g.d4 * t16 + (inertia.I3xz - inertia.c3z * t16),
+           g.d2 * (t27 + t24),
+           t31,
+           t32,
+           (inertia.I2xz - inertia.c2z * t33) - g.l2 * t34,
+           (inertia.I2zz - t35) - inertia.c2z * t34,
+           Scalar(2) * t32,
+           t37 + g.l2 * g.l2 * t38,
+           inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t39),
+           (t46 - t48) + t50,
+           g.d2 * t27 + t51,
+           t31 + ((inertia.I3xy - inertia.c3y * t16) - t31),
+           t52 - g.l2 * t44,
+           g.d2 * t34 - (inertia.I2yz - inertia.c2z * t47),
+           t4 + t5 };
 }
 
 namespace detail {
@@ -763,105 +781,106 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointV
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[16] * c6 + k[15] * s6;
-  const Scalar t1 = k[19] + t0;
-  const Scalar t2 = c5 * t1 + k[18] * s5;
-  const Scalar t3 = k[20] + t2;
-  const Scalar t4 = k[16] * s6 - k[15] * c6;
-  const Scalar t5 = k[17] - t4;
-  const Scalar t6 = s4 * t3 - c4 * t5;
-  const Scalar t7 = k[0] * s6 - k[1] * c6;
-  const Scalar t8 = k[2] + s6 * t7;
-  const Scalar t9 = k[3] + t8;
-  const Scalar t10 = k[8] - (k[7] - t8);
-  const Scalar t11 = k[9] + t10;
-  const Scalar t12 = k[4] * c6 + k[5] * s6;
-  const Scalar t13 = k[6] + t12;
-  const Scalar t14 = s5 * (k[9] - t10) - Scalar(2) * c5 * t13;
-  const Scalar t15 = k[9] - s5 * t14;
-  const Scalar t16 = k[10] - (t11 - t15);
-  const Scalar t17 = k[12] - (k[11] + c6 * t7);
-  const Scalar t18 = k[4] * s6 - k[5] * c6;
-  const Scalar t19 = k[13] - t18;
-  const Scalar t20 = c5 * t17 + s5 * t19;
-  const Scalar t21 = k[14] + t20;
-  const Scalar t22 = c4 * t21;
-  const Scalar t23 = s4 * (t9 - t16) + (t22 + t22);
-  const Scalar t24 = s4 * t23 + t16;
-  const Scalar t25 = t9 + t16;
-  const Scalar t26 = c5 * t19 - s5 * t17;
-  const Scalar t27 = k[22] * t5 + (k[24] + t26);
-  const Scalar t28 = (k[23] - (c5 * t14 + t13)) + k[22] * t3;
-  const Scalar t29 = s4 * t27 + c4 * t28;
-  const Scalar t30 = k[25] + t29;
-  const Scalar t31 = k[18] * c5 - s5 * t1;
-  const Scalar t32 = k[27] + (k[26] * t31 - t15);
-  const Scalar t33 = k[28] - t24;
-  const Scalar t34 = c3 * t30;
-  const Scalar t35 = s3 * (t32 + t33) + (t34 + t34);
-  const Scalar t36 = s4 * t5 + c4 * t3;
-  const Scalar t37 = k[29] + t36;
-  const Scalar t38 = k[30] + t31;
-  const Scalar t39 = s3 * t37 - c3 * t38;
-  const Scalar t40 = k[34] - ((t30 - c3 * t35) - k[33] * t39);
-  const Scalar t41 = s3 * t35;
-  const Scalar t42 = k[35] + (t32 - t41);
-  const Scalar t43 = c3 * t37 + s3 * t38;
-  const Scalar t44 = k[32] + (k[31] * t43 - (t41 - t33));
-  const Scalar t45 = Scalar(2) * c2 * t40 + s2 * (t42 + t44);
-  const Scalar t46 = (k[21] + (Scalar(2) * t6 - (t24 - t25))) - (k[36] - (s2 * t45 - t44));
-  const Scalar t47 = k[33] * t6;
-  const Scalar t48 = c4 * t27 - s4 * t28;
-  const Scalar t49 = k[39] + t48;
-  const Scalar t50 = k[38] - (t21 - c4 * t23);
-  const Scalar t51 = s3 * t49 + c3 * t50;
-  const Scalar t52 = s2 * ((k[42] - (t47 + t51)) + (k[41] + t43));
-  const Scalar t53 = s3 * t50 - c3 * t49;
-  const Scalar t54 = t52 + c2 * ((k[40] - t53) - (k[37] - t39));
-  const Scalar t55 = s2 * (t51 - t43) + c2 * (t53 - t39);
+  const Scalar t0 = k[0] * c6 + k[1] * s6;
+  const Scalar t1 = k[2] + t0;
+  const Scalar t2 = k[4] * c6 - k[3] * s6;
+  const Scalar t3 = s6 * t2;
+  const Scalar t4 = k[6] - (k[5] + t3);
+  const Scalar t5 = s5 * (k[7] - t4) - Scalar(2) * c5 * t1;
+  const Scalar t6 = k[17] * s6 + k[18] * c6;
+  const Scalar t7 = k[19] + t6;
+  const Scalar t8 = k[16] * s5 + c5 * t7;
+  const Scalar t9 = k[25] + t8;
+  const Scalar t10 = (k[24] + (t1 + c5 * t5)) - k[20] * t9;
+  const Scalar t11 = k[17] * c6 - k[18] * s6;
+  const Scalar t12 = k[23] + t11;
+  const Scalar t13 = k[0] * s6 - k[1] * c6;
+  const Scalar t14 = k[11] - t13;
+  const Scalar t15 = k[13] - (k[12] - c6 * t2);
+  const Scalar t16 = c5 * t14 - s5 * t15;
+  const Scalar t17 = k[20] * t12 - (k[22] - t16);
+  const Scalar t18 = c4 * t10 - s4 * t17;
+  const Scalar t19 = k[26] - t18;
+  const Scalar t20 = s5 * t5;
+  const Scalar t21 = t20 + t4;
+  const Scalar t22 = k[8] - t21;
+  const Scalar t23 = k[10] + (k[9] - t3);
+  const Scalar t24 = s5 * t14 + c5 * t15;
+  const Scalar t25 = k[14] + t24;
+  const Scalar t26 = c4 * t25;
+  const Scalar t27 = s4 * (t22 - t23) - (t26 + t26);
+  const Scalar t28 = s4 * t27;
+  const Scalar t29 = t22 - t28;
+  const Scalar t30 = k[15] - t29;
+  const Scalar t31 = k[16] * c5 - s5 * t7;
+  const Scalar t32 = k[20] * t31;
+  const Scalar t33 = k[7] - t20;
+  const Scalar t34 = k[21] - (Scalar(2) * t32 - t33);
+  const Scalar t35 = Scalar(2) * c3 * t19 + s3 * (t30 - t34);
+  const Scalar t36 = s3 * t35 + t34;
+  const Scalar t37 = k[31] - t36;
+  const Scalar t38 = t30 + t34;
+  const Scalar t39 = c4 * t9 + s4 * t12;
+  const Scalar t40 = k[28] + t39;
+  const Scalar t41 = k[27] + t31;
+  const Scalar t42 = c3 * t40 + s3 * t41;
+  const Scalar t43 = k[33] + ((t38 - t36) + k[32] * t42);
+  const Scalar t44 = k[29] * (c3 * t41 - s3 * t40) + (t19 - c3 * t35);
+  const Scalar t45 = s2 * (t37 + t43) + Scalar(2) * c2 * (k[30] - t44);
+  const Scalar t46 = s4 * t9 - c4 * t12;
+  const Scalar t47 = t28 + t23;
+  const Scalar t48 = (k[34] - (s2 * t45 - t43)) + (k[35] - ((t46 + t46) + t47));
+  const Scalar t49 = c4 * t17 + s4 * t10;
+  const Scalar t50 = t41 - (k[36] + t49);
+  const Scalar t51 = (k[37] - (t25 + c4 * t27)) - t40;
+  const Scalar t52 = c3 * t50 + s3 * t51;
+  const Scalar t53 = k[29] * t46;
+  const Scalar t54 = s3 * t50 - c3 * t51;
+  const Scalar t55 = c2 * (k[39] + t52) + s2 * (k[38] + (t53 - t54));
   const Scalar t56 = s2 * s3 - c2 * c3;
-  const Scalar t57 = c3 * s2 + c2 * s3;
-  const Scalar t58 = k[33] * c2;
-  const Scalar t59 = (t56 * t25 - t29 * t57) + t58 * t36;
-  const Scalar t60 = k[22] * t31 - t11;
-  const Scalar t61 = (s4 * t60 - c4 * t20) * t57 - t26 * t56;
-  const Scalar t62 = c4 * t31;
-  const Scalar t63 = (t58 * s4 * t31 - t61) - (t56 * t62 + t2 * t57);
-  const Scalar t64 = k[22] * t0 + (c5 * t12 - k[7] * s5);
-  const Scalar t65 = c5 * t4;
-  const Scalar t66 = t18 + k[22] * t65;
-  const Scalar t67 = s5 * t12 + k[7] * c5;
-  const Scalar t68 = (c4 * t64 - s4 * t66) * t57 - t56 * t67;
-  const Scalar t69 = t68 - (c4 * t0 - s4 * t65) * t58;
-  const Scalar t70 = s5 * t4;
-  const Scalar t71 = s4 * t0 + c4 * t65;
-  const Scalar t72 = t32 - t33;
-  const Scalar t73 = s4 * t20 + c4 * t60;
-  const Scalar t74 = k[33] * (c3 * t2 + s3 * t62) - t73;
-  const Scalar t75 = c4 * t66 + s4 * t64;
-  const Scalar t76 = t75 - k[33] * (s3 * t71 + c3 * t70);
+  const Scalar t57 = t29 + t47;
+  const Scalar t58 = c3 * s2 + c2 * s3;
+  const Scalar t59 = k[29] * c2;
+  const Scalar t60 = (t56 * (t57 + t46) + t18 * t58) + t39 * t59;
+  const Scalar t61 = c4 * t31;
+  const Scalar t62 = t21 + t33;
+  const Scalar t63 = t32 - t62;
+  const Scalar t64 = (t8 + (s4 * t63 - c4 * t24)) * t58;
+  const Scalar t65 = s4 * t31 * t59 + (t56 * (t16 - t61) - t64);
+  const Scalar t66 = c5 * t11;
+  const Scalar t67 = s5 * t11;
+  const Scalar t68 = (k[40] * s5 - c5 * t0) - k[20] * t6;
+  const Scalar t69 = t13 - k[20] * t66;
+  const Scalar t70 = t58 * (t67 - (c4 * t68 + s4 * t69));
+  const Scalar t71 = c4 * t66 - s4 * t6;
+  const Scalar t72 = s5 * t0 + k[40] * c5;
+  const Scalar t73 = (s4 * t66 + c4 * t6) * t59 - (t70 + t56 * (t71 - t72));
+  const Scalar t74 = c4 * t63 + s4 * t24;
+  const Scalar t75 = k[29] * (c3 * t8 + s3 * t61) - t74;
+  const Scalar t76 = c4 * t69 - s4 * t68;
+  const Scalar t77 = t76 + k[29] * (s3 * t71 + c3 * t67);
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = -t46;
-  result(0, 1) = result(1, 0) = t54;
-  result(0, 2) = result(2, 0) = -t55;
-  result(0, 3) = result(3, 0) = -t59 - t56 * t6;
-  result(0, 4) = result(4, 0) = -t63;
-  result(0, 5) = result(5, 0) = t69 - (t70 * t57 + t56 * t71);
-  result(1, 1) = t44 - t42;
-  result(1, 2) = result(2, 1) = k[33] * t43 - t72;
-  result(1, 3) = result(3, 1) = -s3 * t47 - t48;
-  result(1, 4) = result(4, 1) = t74;
-  result(1, 5) = result(5, 1) = t76;
-  result(2, 2) = -t72;
-  result(2, 3) = result(3, 2) = -t48;
-  result(2, 4) = result(4, 2) = -t73;
-  result(2, 5) = result(5, 2) = t75;
-  result(3, 3) = -t25;
-  result(3, 4) = result(4, 3) = -t26;
-  result(3, 5) = result(5, 3) = -t67;
-  result(4, 4) = t11;
-  result(4, 5) = result(5, 4) = t18;
-  result(5, 5) = -k[7];
+  result(0, 0) = t48;
+  result(0, 1) = result(1, 0) = -t55;
+  result(0, 2) = result(2, 0) = s2 * t54 - c2 * t52;
+  result(0, 3) = result(3, 0) = -t60;
+  result(0, 4) = result(4, 0) = -t65;
+  result(0, 5) = result(5, 0) = -t73;
+  result(1, 1) = t43 - t37;
+  result(1, 2) = result(2, 1) = t38 + k[29] * t42;
+  result(1, 3) = result(3, 1) = -t49 - s3 * t53;
+  result(1, 4) = result(4, 1) = t75;
+  result(1, 5) = result(5, 1) = t77;
+  result(2, 2) = t38;
+  result(2, 3) = result(3, 2) = -t49;
+  result(2, 4) = result(4, 2) = -t74;
+  result(2, 5) = result(5, 2) = t76;
+  result(3, 3) = -t57;
+  result(3, 4) = result(4, 3) = -t16;
+  result(3, 5) = result(5, 3) = -t72;
+  result(4, 4) = t62;
+  result(4, 5) = result(5, 4) = t13;
+  result(5, 5) = -k[40];
   return result;
 }
 
@@ -885,84 +904,91 @@ CoriolisMatrixConstants<Scalar> coriolis_matrix_constants(const BasicGeometry<Sc
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6x * inertia.m6;
-  const Scalar t1 = inertia.c6y * inertia.m6;
-  const Scalar t2 = inertia.c5x * inertia.m5;
-  const Scalar t3 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t4 = (inertia.I6xx - t3) - inertia.c6x * t0;
-  const Scalar t5 = (inertia.I6yy - t3) - inertia.c6y * t1;
-  const Scalar t6 = inertia.I6xy - inertia.c6y * t0;
-  const Scalar t7 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t8 = inertia.c6z * inertia.m6;
-  const Scalar t9 = inertia.c5z * inertia.m5;
-  const Scalar t10 = (inertia.c6z * t8 - (inertia.I6zz - t3)) + (inertia.c5z * t9 - (inertia.I5zz - t7));
-  const Scalar t11 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t0 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t1 = inertia.c6x * inertia.m6;
+  const Scalar t2 = (inertia.I6xx - t0) - inertia.c6x * t1;
+  const Scalar t3 = inertia.c6y * inertia.m6;
+  const Scalar t4 = (inertia.I6yy - t0) - inertia.c6y * t3;
+  const Scalar t5 = inertia.I6xy - inertia.c6y * t1;
+  const Scalar t6 = inertia.c5y * inertia.m5;
+  const Scalar t7 = inertia.c5x * inertia.m5;
+  const Scalar t8 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t9 = inertia.c4y * inertia.m4;
+  const Scalar t10 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t11 = ((inertia.I4yy - t8) - inertia.c4y * t9) - (inertia.c5y * t6 - (inertia.I5yy - t10));
   const Scalar t12 = inertia.c4x * inertia.m4;
-  const Scalar t13 = inertia.c5y * inertia.m5;
-  const Scalar t14 = inertia.c4y * inertia.m4;
-  const Scalar t15 = ((inertia.I4yy - t11) - inertia.c4y * t14) - (inertia.c5y * t13 - (inertia.I5yy - t7));
-  const Scalar t16 = inertia.c3x * inertia.m3;
-  const Scalar t17 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t18 = g.d4 / g.d2;
-  const Scalar t19 = inertia.c3z * inertia.m3;
-  const Scalar t20 = t19 - g.d4 * inertia.m3;
-  const Scalar t21 = ((inertia.I3zz - t17) - inertia.c3z * t19) + g.d4 * (t19 + t20);
-  const Scalar t22 = inertia.c4z * inertia.m4;
+  const Scalar t13 = inertia.c6z * inertia.m6;
+  const Scalar t14 = inertia.c5z * inertia.m5;
+  const Scalar t15 = (inertia.c6z * t13 - (inertia.I6zz - t0)) + (inertia.c5z * t14 - (inertia.I5zz - t10));
+  const Scalar t16 = g.d4 * t12;
+  const Scalar t17 = g.d4 * t9;
+  const Scalar t18 = inertia.c4z * inertia.m4;
+  const Scalar t19 = g.d4 * inertia.m4;
+  const Scalar t20 = t18 - t19;
+  const Scalar t21 = t20 + t19;
+  const Scalar t22 = g.d4 * (t18 + t20) + ((inertia.I4zz - t8) - inertia.c4z * t18);
   const Scalar t23 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t24 = t22 - g.d4 * t23;
-  const Scalar t25 = ((inertia.I4zz - t11) - inertia.c4z * t22) + g.d4 * (t24 + t22);
-  const Scalar t26 = g.l2 / g.d2;
-  const Scalar t27 = inertia.c2x * inertia.m2;
-  const Scalar t28 = inertia.c2z * inertia.m2;
-  const Scalar t29 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t30 = g.l2 * inertia.m2 + t27;
-  const Scalar t31 = (inertia.c2x * t27 - (inertia.I2xx - t29)) + g.l2 * (t27 + t30);
-  const Scalar t32 = g.l2 * (inertia.m3 + t23);
-  const Scalar t33 = inertia.c3y * inertia.m3;
-  const Scalar t34 = inertia.c2y * inertia.m2;
-  const Scalar t35 = g.l2 * t33 - ((inertia.I2xy - inertia.c2y * t27) - g.l2 * t34);
-  return { inertia.I6xz - inertia.c6z * t0,
-           inertia.I6yz - inertia.c6z * t1,
-           inertia.I5xz - inertia.c5z * t2,
-           t4 - t5,
-           Scalar(2) * t6,
+  const Scalar t24 = t21 - g.d4 * t23;
+  const Scalar t25 = (g.d4 * (t21 + t20) - t22) - g.d4 * (t21 + t24);
+  const Scalar t26 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t27 = inertia.c3z * inertia.m3;
+  const Scalar t28 = t27 - g.d4 * inertia.m3;
+  const Scalar t29 = ((inertia.I3zz - t26) - inertia.c3z * t27) + g.d4 * (t27 + t28);
+  const Scalar t30 = inertia.c3x * inertia.m3;
+  const Scalar t31 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t32 = inertia.c2z * inertia.m2;
+  const Scalar t33 = g.d2 * t30;
+  const Scalar t34 = g.l2 / g.d2;
+  const Scalar t35 = inertia.c2x * inertia.m2;
+  const Scalar t36 = g.l2 * inertia.m2 + t35;
+  const Scalar t37 = (inertia.c2x * t35 - (inertia.I2xx - t31)) + g.l2 * (t35 + t36);
+  const Scalar t38 = inertia.m3 + t23;
+  const Scalar t39 = g.d2 * inertia.m3;
+  const Scalar t40 = inertia.c3y * inertia.m3;
+  const Scalar t41 = t39 + t40;
+  const Scalar t42 = g.d4 * t41 - (g.d2 * t27 - (inertia.I3yz - inertia.c3z * t40));
+  const Scalar t43 = inertia.c2y * inertia.m2;
+  const Scalar t44 = ((inertia.I2xy - inertia.c2y * t35) - g.l2 * t43) - g.d2 * t36;
+  const Scalar t45 = t44 - g.l2 * (g.d2 * t38 + (t41 - t39));
+  return { t2 - t4,
+           Scalar(2) * t5,
            t4,
-           inertia.c5x * t2 - (inertia.I5xx - t7),
-           t10,
-           (inertia.I4xx - t11) - inertia.c4x * t12,
-           t6,
-           inertia.I5xy - inertia.c5y * t2,
-           inertia.I5yz - inertia.c5z * t13,
-           inertia.I4xy - inertia.c4y * t12,
+           inertia.I6xz - inertia.c6z * t1,
+           inertia.I6yz - inertia.c6z * t3,
+           inertia.I5yz - inertia.c5z * t6,
            t5,
+           inertia.I5xy - inertia.c5y * t7,
+           t11,
+           inertia.I4xy - inertia.c4y * t12,
+           inertia.I5xz - inertia.c5z * t7,
            t15,
-           inertia.c3x * t16 - (inertia.I3xx - t17),
-           inertia.I4yz - inertia.c4z * t14,
-           inertia.I4xz - inertia.c4z * t12,
+           t2,
+           inertia.c5x * t7 - (inertia.I5xx - t10),
+           (inertia.I4xx - t8) - inertia.c4x * t12,
+           g.d2 * t3,
            g.d2 * t1,
-           g.d2 * t0,
            g.d2 * (t14 + t13),
-           g.d2 * (t9 + t8),
-           g.d2 * t2,
+           g.d2 * t7,
+           g.d2 * (t9 + t6),
            g.d2 * t12,
-           t18,
-           g.d4 * t16 + (inertia.I3xz - inertia.c3z * t16),
-           Scalar(2) * t18,
-           t21 + t25,
-           g.d2 * (t24 + t20),
-           g.d2 * t16,
-           t26,
-           (inertia.I2xz - inertia.c2z * t27) - g.l2 * t28,
-           Scalar(2) * t26,
-           t31 + g.l2 * t32,
-           (inertia.I2zz - t29) - inertia.c2z * t28,
-           g.d4 * t33 + (inertia.I3yz - inertia.c3z * t33),
-           inertia.I3xy - inertia.c3y * t16,
-           inertia.I2yz - inertia.c2z * t34,
-           g.d2 * t28,
-           t35,
-           g.d2 * (t32 + t30),
-           t4 + t5 };
+           t16 - ((inertia.I4xz - inertia.c4z * t12) + t16),
+           g.d4 / g.d2,
+           t17 - (t17 + (inertia.I4yz - inertia.c4z * t9)),
+           t25 - t29,
+           g.d4 * t30 + (inertia.I3xz - inertia.c3z * t30),
+           inertia.c3x * t30 - (inertia.I3xx - t26),
+           (inertia.I2zz - t31) - inertia.c2z * t32,
+           g.d2 * (t28 + t24),
+           t33,
+           t34,
+           (inertia.I2xz - inertia.c2z * t35) - g.l2 * t32,
+           Scalar(2) * t34,
+           t37 + g.l2 * g.l2 * t38,
+           g.d2 * t28 + t42,
+           t33 + ((inertia.I3xy - inertia.c3y * t30) - t33),
+           g.d2 * t32 - (inertia.I2yz - inertia.c2z * t43),
+           t45,
+           t2 + t4 };
 }
 
 namespace detail {
@@ -981,310 +1007,303 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const Jo
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[18] * s6 + k[19] * c6;
-  const Scalar t1 = k[22] + t0;
-  const Scalar t2 = s5 * t1;
-  const Scalar t3 = t2 - k[21] * c5;
-  const Scalar t4 = k[28] - t3;
-  const Scalar t5 = k[19] * s6 - k[18] * c6;
-  const Scalar t6 = qd[5] * t5;
-  const Scalar t7 = k[21] * qd[4] - t6;
-  const Scalar t8 = qd[4] * t2 - c5 * t7;
-  const Scalar t9 = k[20] - t5;
-  const Scalar t10 = t8 - qd[3] * t9;
-  const Scalar t11 = c5 * t1;
-  const Scalar t12 = k[21] * s5 + t11;
-  const Scalar t13 = k[23] + t12;
-  const Scalar t14 = qd[5] * t0;
-  const Scalar t15 = qd[3] * t13 + t14;
-  const Scalar t16 = c4 * t10 + s4 * t15;
-  const Scalar t17 = qd[2] * t4 - t16;
-  const Scalar t18 = s5 * t7 + qd[4] * t11;
-  const Scalar t19 = c4 * t13 + s4 * t9;
-  const Scalar t20 = k[29] + t19;
-  const Scalar t21 = t18 + qd[2] * t20;
-  const Scalar t22 = c3 * t17 - s3 * t21;
-  const Scalar t23 = k[0] * c6 + k[1] * s6;
-  const Scalar t24 = s5 * t23;
-  const Scalar t25 = k[4] * c6 - k[3] * s6;
-  const Scalar t26 = s6 * t25;
-  const Scalar t27 = k[5] + t26;
-  const Scalar t28 = qd[5] * t27;
-  const Scalar t29 = qd[5] * t24 + c5 * t28;
-  const Scalar t30 = k[6] - t27;
-  const Scalar t31 = k[7] + t30;
-  const Scalar t32 = k[2] + t23;
-  const Scalar t33 = s5 * (k[7] - t30) - Scalar(2) * c5 * t32;
-  const Scalar t34 = k[7] - s5 * t33;
-  const Scalar t35 = k[8] - (t31 - t34);
-  const Scalar t36 = t29 + qd[3] * t35;
-  const Scalar t37 = qd[4] * t32;
-  const Scalar t38 = k[0] * s6 - k[1] * c6;
-  const Scalar t39 = qd[5] * t38;
-  const Scalar t40 = k[7] * qd[4] + t39;
-  const Scalar t41 = c5 * t40 + s5 * t37;
-  const Scalar t42 = k[9] - c6 * t25;
-  const Scalar t43 = qd[5] * t42;
-  const Scalar t44 = qd[4] * t30;
-  const Scalar t45 = s5 * (t43 - t37) + c5 * t44;
-  const Scalar t46 = (t37 - s5 * t41) + s5 * t45;
-  const Scalar t47 = k[11] - t38;
-  const Scalar t48 = k[10] - t42;
-  const Scalar t49 = c5 * t48;
-  const Scalar t50 = s5 * t47 + t49;
-  const Scalar t51 = k[12] + t50;
-  const Scalar t52 = t43 - qd[3] * t51;
-  const Scalar t53 = c4 * t36 + s4 * (t46 - t52);
-  const Scalar t54 = k[13] - t26;
-  const Scalar t55 = qd[5] * t54;
-  const Scalar t56 = t55 + qd[4] * t47;
-  const Scalar t57 = s5 * t48;
-  const Scalar t58 = c5 * t56 - qd[4] * t57;
-  const Scalar t59 = k[14] + t54;
-  const Scalar t60 = t58 + qd[3] * t59;
-  const Scalar t61 = c4 * t52 - s4 * t60;
-  const Scalar t62 = s4 * t53 + c4 * t61;
-  const Scalar t63 = t62 + k[24] * t18;
-  const Scalar t64 = k[30] * t22 + t63;
-  const Scalar t65 = c5 * t47 - t57;
-  const Scalar t66 = k[16] + t65;
-  const Scalar t67 = k[17] - (t32 + c5 * t33);
-  const Scalar t68 = k[24] * t19 + (s4 * t66 + c4 * t67);
-  const Scalar t69 = k[25] + t68;
-  const Scalar t70 = (t46 - t62) + qd[2] * t69;
-  const Scalar t71 = c4 * t51;
-  const Scalar t72 = (t71 + t71) + s4 * (t59 - t35);
-  const Scalar t73 = k[15] - (s4 * t72 + t35);
-  const Scalar t74 = c5 * t41;
-  const Scalar t75 = c5 * t45;
-  const Scalar t76 = (t40 - t74) + t75;
-  const Scalar t77 = qd[4] * t49 + s5 * t56;
-  const Scalar t78 = c4 * t76 - s4 * t77;
-  const Scalar t79 = qd[2] * t73 + t78;
-  const Scalar t80 = c3 * t70 + s3 * t79;
-  const Scalar t81 = (t44 - t75) + t74;
-  const Scalar t82 = (t76 - (t81 - qd[3] * t66)) - k[24] * t10;
-  const Scalar t83 = c5 * t23;
-  const Scalar t84 = qd[5] * t83 - s5 * t28;
-  const Scalar t85 = t77 + t84;
-  const Scalar t86 = (qd[3] * t67 + t85) + k[24] * t15;
-  const Scalar t87 = c4 * t82 - s4 * t86;
-  const Scalar t88 = k[27] - (t34 + k[26] * t3);
-  const Scalar t89 = (t87 - t78) + qd[2] * t88;
-  const Scalar t90 = c3 * t89 - s3 * (t70 + t63);
-  const Scalar t91 = s3 * t20 - c3 * t4;
-  const Scalar t92 = c3 * t69;
-  const Scalar t93 = (t92 + t92) + s3 * (t73 + t88);
-  const Scalar t94 = k[31] + (k[30] * t91 - (t69 - c3 * t93));
-  const Scalar t95 = ((c3 * t80 + s3 * t90) + t63) + qd[1] * t94;
-  const Scalar t96 = s3 * t93;
-  const Scalar t97 = s3 * t4 + c3 * t20;
-  const Scalar t98 = k[33] - ((t96 - t73) - k[32] * t97);
-  const Scalar t99 = c3 * t90;
-  const Scalar t100 = s3 * t80;
-  const Scalar t101 = c3 * t21 + s3 * t17;
-  const Scalar t102 = ((t89 - t99) - (t79 - t100)) - k[30] * t101;
-  const Scalar t103 = c2 * (t64 - t95) - s2 * (qd[1] * t98 - t102);
-  const Scalar t104 = k[34] - (t96 - t88);
-  const Scalar t105 = s2 * t95 - c2 * (qd[1] * t104 + (t99 - t100));
-  const Scalar t106 = s4 * t10 - c4 * t15;
-  const Scalar t107 = (c2 * t103 + s2 * t105) + (t106 - t62);
-  const Scalar t108 = qd[0] * s2;
-  const Scalar t109 = qd[0] * c2;
-  const Scalar t110 = c4 * t53;
-  const Scalar t111 = s4 * t61;
-  const Scalar t112 = (t36 - t110) + (t111 + t60);
-  const Scalar t113 = s4 * t13 - c4 * t9;
-  const Scalar t114 = (s4 * t67 - c4 * t66) + k[24] * t113;
-  const Scalar t115 = k[35] - t114;
-  const Scalar t116 = t112 + qd[2] * t115;
-  const Scalar t117 = k[36] - (t51 - c4 * t72);
-  const Scalar t118 = qd[2] * t117;
-  const Scalar t119 = s4 * t76 + c4 * t77;
+  const Scalar t0 = k[16] * s6 - k[15] * c6;
+  const Scalar t1 = k[19] - t0;
+  const Scalar t2 = k[0] * s6 - k[1] * c6;
+  const Scalar t3 = k[6] + c6 * t2;
+  const Scalar t4 = k[7] - t3;
+  const Scalar t5 = s5 * t4;
+  const Scalar t6 = k[4] * c6 - k[3] * s6;
+  const Scalar t7 = k[5] + t6;
+  const Scalar t8 = t5 - c5 * t7;
+  const Scalar t9 = k[23] + t8;
+  const Scalar t10 = k[22] * t1 - t9;
+  const Scalar t11 = k[16] * c6 + k[15] * s6;
+  const Scalar t12 = k[18] + t11;
+  const Scalar t13 = c5 * t12;
+  const Scalar t14 = k[17] * s5 + t13;
+  const Scalar t15 = k[20] + t14;
+  const Scalar t16 = k[3] * c6 + k[4] * s6;
+  const Scalar t17 = k[10] + t16;
+  const Scalar t18 = c5 * t17;
+  const Scalar t19 = s6 * t2;
+  const Scalar t20 = k[12] - t19;
+  const Scalar t21 = k[13] - t20;
+  const Scalar t22 = (t18 + t18) - s5 * (k[11] - t21);
+  const Scalar t23 = k[21] + (t17 - c5 * t22);
+  const Scalar t24 = k[22] * t15 - t23;
+  const Scalar t25 = s4 * t10 + c4 * t24;
+  const Scalar t26 = k[25] + t25;
+  const Scalar t27 = c5 * t4;
+  const Scalar t28 = t27 + s5 * t7;
+  const Scalar t29 = k[9] + t28;
+  const Scalar t30 = qd[5] * t3;
+  const Scalar t31 = qd[3] * t29 - t30;
+  const Scalar t32 = k[2] + t19;
+  const Scalar t33 = k[8] + t32;
+  const Scalar t34 = qd[5] * t32;
+  const Scalar t35 = qd[4] * t7 + t34;
+  const Scalar t36 = qd[4] * t5 - c5 * t35;
+  const Scalar t37 = qd[3] * t33 - t36;
+  const Scalar t38 = s4 * t31 - c4 * t37;
+  const Scalar t39 = qd[4] * t17;
+  const Scalar t40 = qd[5] * t6;
+  const Scalar t41 = k[11] * qd[4] - t40;
+  const Scalar t42 = c5 * t39 - s5 * t41;
+  const Scalar t43 = qd[4] * t21;
+  const Scalar t44 = s5 * (t39 - t30) - c5 * t43;
+  const Scalar t45 = c5 * t42 - s5 * t44;
+  const Scalar t46 = qd[5] * t20;
+  const Scalar t47 = qd[5] * t16;
+  const Scalar t48 = c5 * t46 + s5 * t47;
+  const Scalar t49 = s5 * t22;
+  const Scalar t50 = k[14] - (t21 - t49);
+  const Scalar t51 = t48 + qd[3] * t50;
+  const Scalar t52 = c4 * (t45 + t31) - s4 * t51;
+  const Scalar t53 = s4 * t38 - c4 * t52;
+  const Scalar t54 = qd[2] * t26 - t53;
+  const Scalar t55 = s5 * t42;
+  const Scalar t56 = c5 * t44;
+  const Scalar t57 = t55 + t56;
+  const Scalar t58 = qd[4] * t27 + s5 * t35;
+  const Scalar t59 = c4 * t57 + s4 * t58;
+  const Scalar t60 = Scalar(2) * c4 * t29 - s4 * (t50 - t33);
+  const Scalar t61 = k[26] - (t50 + s4 * t60);
+  const Scalar t62 = t59 - qd[2] * t61;
+  const Scalar t63 = s3 * t54 + c3 * t62;
+  const Scalar t64 = t45 + t53;
+  const Scalar t65 = qd[5] * t0;
+  const Scalar t66 = t65 - k[17] * qd[4];
+  const Scalar t67 = s5 * t66 - qd[4] * t13;
+  const Scalar t68 = k[22] * t67;
+  const Scalar t69 = t64 - t68;
+  const Scalar t70 = s5 * t12;
+  const Scalar t71 = t70 - k[17] * c5;
+  const Scalar t72 = k[22] * t71;
+  const Scalar t73 = k[24] + ((k[11] + t49) + (t72 + t72));
+  const Scalar t74 = qd[5] * t11;
+  const Scalar t75 = qd[3] * t15 + t74;
+  const Scalar t76 = c5 * t16;
+  const Scalar t77 = s5 * t46 - qd[5] * t76;
+  const Scalar t78 = k[22] * t75 - (qd[3] * t23 + t77);
+  const Scalar t79 = qd[4] * t70 + c5 * t66;
+  const Scalar t80 = qd[3] * t1 - t79;
+  const Scalar t81 = (t41 + t55) + (t43 + t56);
+  const Scalar t82 = k[22] * t80 - (t81 + qd[3] * t9);
+  const Scalar t83 = s4 * t78 - c4 * t82;
+  const Scalar t84 = qd[2] * t73 + t83;
+  const Scalar t85 = c3 * (t69 + t54) - s3 * t84;
+  const Scalar t86 = s3 * (t61 - t73) + Scalar(2) * c3 * t26;
+  const Scalar t87 = k[28] - t71;
+  const Scalar t88 = c4 * t15 + s4 * t1;
+  const Scalar t89 = k[29] + t88;
+  const Scalar t90 = (c3 * t86 - t26) - k[30] * (c3 * t87 - s3 * t89);
+  const Scalar t91 = k[31] + t90;
+  const Scalar t92 = (s3 * t63 - c3 * t85) - qd[1] * t91;
+  const Scalar t93 = qd[2] * t89 - t67;
+  const Scalar t94 = s4 * t75 - c4 * t80;
+  const Scalar t95 = qd[2] * t87 - t94;
+  const Scalar t96 = t69 - k[30] * (s3 * t93 - c3 * t95);
+  const Scalar t97 = s3 * t86;
+  const Scalar t98 = (t61 - t97) + k[32] * (c3 * t89 + s3 * t87);
+  const Scalar t99 = k[33] + t98;
+  const Scalar t100 = s3 * t85;
+  const Scalar t101 = c3 * t63;
+  const Scalar t102 = (t100 + t101) - k[30] * (c3 * t93 + s3 * t95);
+  const Scalar t103 = c2 * (t92 + t96) - s2 * (qd[1] * t99 - t102);
+  const Scalar t104 = k[27] - (t73 + t97);
+  const Scalar t105 = qd[1] * t104 + ((t62 - t101) - (t100 + t84));
+  const Scalar t106 = c2 * t103 - s2 * (s2 * t92 + c2 * t105);
+  const Scalar t107 = s4 * t80 + c4 * t75;
+  const Scalar t108 = qd[0] * c2;
+  const Scalar t109 = qd[0] * s2;
+  const Scalar t110 = k[34] - (s4 * t24 - c4 * t10);
+  const Scalar t111 = t110 - t87;
+  const Scalar t112 = k[35] - (t29 - c4 * t60);
+  const Scalar t113 = t112 - t89;
+  const Scalar t114 = s3 * t111 + c3 * t113;
+  const Scalar t115 = s4 * t15 - c4 * t1;
+  const Scalar t116 = c4 * t58 - s4 * t57;
+  const Scalar t117 = t93 - (qd[2] * t112 + t116);
+  const Scalar t118 = c4 * t38;
+  const Scalar t119 = s4 * t52;
   const Scalar t120 = t118 + t119;
-  const Scalar t121 = s3 * t117 - c3 * t115;
-  const Scalar t122 = qd[1] * (k[37] - t121);
-  const Scalar t123 = (t94 * t108 - t104 * t109) - ((c3 * t116 - s3 * t120) + t122);
-  const Scalar t124 = qd[1] * (k[38] - t91) + t22;
-  const Scalar t125 = qd[1] * (k[40] + t97) + t101;
-  const Scalar t126 = c3 * t117 + s3 * t115;
-  const Scalar t127 = qd[1] * (k[39] - (t126 + k[30] * t113));
-  const Scalar t128 = ((c3 * t120 + s3 * t116) - t127) + (t98 * t108 + t94 * t109);
-  const Scalar t129 = s2 * (t123 + t124) + c2 * (t125 - t128);
-  const Scalar t130 = qd[1] * t91 - t22;
-  const Scalar t131 = s2 * t130 - c2 * (qd[1] * t97 + t101);
-  const Scalar t132 = qd[1] + qd[2];
+  const Scalar t121 = (t120 - qd[2] * t110) + t95;
+  const Scalar t122 = c3 * t117 + s3 * t121;
+  const Scalar t123 = qd[1] * (k[37] + (t114 + k[30] * t115)) - t122;
+  const Scalar t124 = c2 * ((t91 * t108 + t99 * t109) + t123);
+  const Scalar t125 = s3 * t113 - c3 * t111;
+  const Scalar t126 = s3 * t117 - c3 * t121;
+  const Scalar t127 = qd[1] * (k[36] + t125) - t126;
+  const Scalar t128 = s2 * (t127 + (t91 * t109 - t108 * t104));
+  const Scalar t129 = t124 - t128;
+  const Scalar t130 = s2 * s3 - c2 * c3;
+  const Scalar t131 = qd[1] + qd[2];
+  const Scalar t132 = qd[0] * t130;
   const Scalar t133 = c3 * s2 + c2 * s3;
   const Scalar t134 = qd[0] * t133;
-  const Scalar t135 = s2 * s3 - c2 * c3;
-  const Scalar t136 = qd[0] * t135;
-  const Scalar t137 = (t112 + t132 * t115) - (t134 * t69 + t88 * t136);
-  const Scalar t138 = (t119 + t132 * t117) - (t69 * t136 - t134 * t73);
-  const Scalar t139 = k[30] * c2;
-  const Scalar t140 = (t137 * t133 - t135 * t138) + t139 * (t4 * t136 + t134 * t20);
-  const Scalar t141 = s4 * t132 + c4 * t134;
-  const Scalar t142 = c4 * t132 - s4 * t134;
-  const Scalar t143 = t141 * t13 - t142 * t9;
-  const Scalar t144 = qd[3] + t136;
-  const Scalar t145 = t14 + t144 * t13;
-  const Scalar t146 = t8 - t9 * t144;
-  const Scalar t147 = c4 * t145 - s4 * t146;
-  const Scalar t148 = (t81 - t66 * t144) - (t51 * t141 - t142 * t59);
-  const Scalar t149 = k[24] * t146 + t148;
-  const Scalar t150 = (t144 * t67 + t84) - (t142 * t51 - t141 * t35);
-  const Scalar t151 = t150 + k[24] * t145;
-  const Scalar t152 = t135 * t46 + (c4 * t149 + s4 * t151) * t133;
-  const Scalar t153 = t139 * (c4 * t146 + s4 * t145) - t152;
-  const Scalar t154 = (t143 * t133 + t135 * t147) - t153;
-  const Scalar t155 = qd[4] + t142;
-  const Scalar t156 = k[21] * t155 - t6;
-  const Scalar t157 = t155 * t11 + s5 * t156;
-  const Scalar t158 = s5 * t144 - c5 * t141;
-  const Scalar t159 = s5 * t141 + c5 * t144;
-  const Scalar t160 = t1 * t158 - k[21] * t159;
-  const Scalar t161 = s4 * t157 + c4 * t160;
-  const Scalar t162 = (t55 + t155 * t47) + (t32 * t158 + k[7] * t159);
-  const Scalar t163 = (t159 * t32 + t30 * t158) - t155 * t48;
-  const Scalar t164 = c5 * t162 + s5 * t163;
-  const Scalar t165 = k[24] * t161 + (s4 * t43 + c4 * t164);
-  const Scalar t166 = c5 * t163 - s5 * t162;
-  const Scalar t167 = (t165 * t133 + t135 * t166) - t139 * t161;
-  const Scalar t168 = t155 * t2 - c5 * t156;
-  const Scalar t169 = s4 * t160 - c4 * t157;
-  const Scalar t170 = t167 + (t168 * t133 - t135 * t169);
-  const Scalar t171 = qd[5] + t159;
-  const Scalar t172 = t5 * t171;
-  const Scalar t173 = t171 * t0;
-  const Scalar t174 = c6 * t155 + s6 * t158;
-  const Scalar t175 = c6 * t158 - s6 * t155;
-  const Scalar t176 = k[18] * t174 + k[19] * t175;
-  const Scalar t177 = c5 * t173 + s5 * t176;
-  const Scalar t178 = s4 * t172 - c4 * t177;
-  const Scalar t179 = s5 * t173 - c5 * t176;
-  const Scalar t180 = c4 * t172 + s4 * t177;
-  const Scalar t181 = k[0] * t171 - (k[5] * t175 + k[9] * t174);
-  const Scalar t182 = (k[13] * t174 + k[9] * t175) - k[1] * t171;
-  const Scalar t183 = c6 * t181 - s6 * t182;
-  const Scalar t184 = s6 * t181 + c6 * t182;
-  const Scalar t185 = c5 * t184;
-  const Scalar t186 = k[24] * t180 + (s4 * t183 + c4 * t185);
-  const Scalar t187 = s5 * t184;
-  const Scalar t188 = t139 * t180 - (t186 * t133 - t135 * t187);
-  const Scalar t189 = (t178 * t135 - t179 * t133) + t188;
-  const Scalar t190 = (t110 - t111) - t116;
-  const Scalar t191 = c4 * t86 + s4 * t82;
-  const Scalar t192 = t118 + t191;
-  const Scalar t193 = c3 * t190 + s3 * t192;
-  const Scalar t194 = s2 * ((t122 - (k[30] * t106 + t193)) - t124);
-  const Scalar t195 = s3 * t190 - c3 * t192;
-  const Scalar t196 = (t194 - c2 * (t125 + (t195 + t127))) + t129;
-  const Scalar t197 = k[30] * t130;
-  const Scalar t198 = s4 * t149 - c4 * t151;
-  const Scalar t199 = k[30] * (c3 * t143 + s3 * t147) + t198;
-  const Scalar t200 = k[24] * t169 - (c4 * t43 - s4 * t164);
-  const Scalar t201 = k[30] * (s3 * t169 - c3 * t168) - t200;
-  const Scalar t202 = k[24] * t178 + (s4 * t185 - c4 * t183);
-  const Scalar t203 = t202 - k[30] * (s3 * t178 - c3 * t179);
-  const Scalar t204 = s2 * (qd[1] * t121 + t193) + c2 * (t195 - qd[1] * t126);
-  const Scalar t205 = t59 + t35;
-  const Scalar t206 = k[30] * t19 - (s3 * t68 + c3 * t205);
-  const Scalar t207 = t87 - qd[2] * t205;
-  const Scalar t208 = qd[2] * t68 + (t46 + t46);
-  const Scalar t209 = qd[1] * t206 + (c3 * t207 - s3 * t208);
-  const Scalar t210 = c3 * t113;
-  const Scalar t211 = s3 * t106 - qd[2] * t210;
-  const Scalar t212 = k[30] * t16 + (s3 * t207 + c3 * t208);
-  const Scalar t213 = qd[1] * (c3 * t68 - s3 * t205) + t212;
-  const Scalar t214 = s3 * t113;
-  const Scalar t215 = qd[1] * t214 + (c3 * t106 + qd[2] * t214);
-  const Scalar t216 = s2 * (t209 - (qd[1] * t210 - t211)) + c2 * (t213 - t215);
-  const Scalar t217 = s4 * (t31 + k[24] * t3) + c4 * t50;
-  const Scalar t218 = s4 * t3;
-  const Scalar t219 = (s3 * t217 - c3 * t65) - k[30] * t218;
-  const Scalar t220 = (t43 + t43) - qd[3] * t50;
-  const Scalar t221 = qd[3] * t31 + (t58 - t29);
-  const Scalar t222 = c4 * t3;
-  const Scalar t223 = qd[3] * t222 + s4 * t18;
-  const Scalar t224 = (s4 * t220 + c4 * t221) + k[24] * t223;
-  const Scalar t225 = qd[2] * t65 + t224;
-  const Scalar t226 = qd[2] * t217 + t85;
-  const Scalar t227 = qd[1] * t219 - (c3 * t225 - s3 * t226);
-  const Scalar t228 = qd[3] * t218 - c4 * t18;
-  const Scalar t229 = t228 - qd[2] * t12;
-  const Scalar t230 = t8 + qd[2] * t222;
-  const Scalar t231 = s3 * t229 - c3 * t230;
-  const Scalar t232 = qd[1] * (c3 * t222 + s3 * t12) - t231;
-  const Scalar t233 = (s3 * t230 + c3 * t229) - qd[1] * (c3 * t12 - s3 * t222);
-  const Scalar t234 = k[30] * t223 - (c3 * t226 + s3 * t225);
-  const Scalar t235 = qd[1] * (c3 * t217 + s3 * t65) - t234;
-  const Scalar t236 = s2 * (t227 - t232) - c2 * (t233 + t235);
-  const Scalar t237 = k[24] * t228 + (s4 * t221 - c4 * t220);
-  const Scalar t238 = c5 * t5;
-  const Scalar t239 = s4 * t0 + c4 * t238;
-  const Scalar t240 = s5 * t5;
-  const Scalar t241 = (c5 * t14 - qd[4] * t240) + qd[3] * t0;
-  const Scalar t242 = qd[3] * t238 + t6;
-  const Scalar t243 = c4 * t241 - s4 * t242;
-  const Scalar t244 = qd[2] * t240 - t243;
-  const Scalar t245 = (qd[4] * t238 + s5 * t14) + qd[2] * t239;
-  const Scalar t246 = qd[1] * (s3 * t239 + c3 * t240) + (c3 * t244 + s3 * t245);
-  const Scalar t247 = k[41] * c5 + t24;
-  const Scalar t248 = k[41] * s5 - t83;
-  const Scalar t249 = s4 * t238 - c4 * t0;
-  const Scalar t250 = (s4 * t38 + c4 * t248) + k[24] * t249;
-  const Scalar t251 = s4 * t241 + c4 * t242;
-  const Scalar t252 = t39 + k[41] * qd[4];
-  const Scalar t253 = qd[4] * t83 - s5 * t252;
-  const Scalar t254 = t253 - qd[2] * t250;
-  const Scalar t255 = qd[5] * t23;
-  const Scalar t256 = qd[3] * t248 - t255;
-  const Scalar t257 = (c5 * t252 + qd[4] * t24) + qd[3] * t38;
-  const Scalar t258 = (s4 * t256 - c4 * t257) - k[24] * t251;
-  const Scalar t259 = qd[2] * t247 - t258;
-  const Scalar t260 = k[30] * t251 + (c3 * t254 - s3 * t259);
-  const Scalar t261 = qd[1] * (s3 * t247 + c3 * t250) - t260;
-  const Scalar t262 = k[30] * t249 + (c3 * t247 - s3 * t250);
-  const Scalar t263 = (c3 * t259 + s3 * t254) + qd[1] * t262;
-  const Scalar t264 = s3 * t244 - c3 * t245;
-  const Scalar t265 = t264 - qd[1] * (c3 * t239 - s3 * t240);
-  const Scalar t266 = c2 * (t246 + t261) + s2 * (t263 - t265);
-  const Scalar t267 = (c4 * t256 + s4 * t257) - k[24] * t243;
+  const Scalar t135 = (t131 * t112 + t116) - (t26 * t132 - t134 * t61);
+  const Scalar t136 = t67 - t131 * t89;
+  const Scalar t137 = t131 * t87 - t94;
+  const Scalar t138 = (t131 * t110 - t120) - (t26 * t134 - t73 * t132);
+  const Scalar t139 = t130 * (t135 + t136) + t133 * (t137 - t138);
+  const Scalar t140 = k[30] * c2;
+  const Scalar t141 = t139 - t140 * (t132 * t87 + t134 * t89);
+  const Scalar t142 = qd[3] + t132;
+  const Scalar t143 = t1 * t142 - t79;
+  const Scalar t144 = s4 * t131 + c4 * t134;
+  const Scalar t145 = c4 * t131 - s4 * t134;
+  const Scalar t146 = (t29 * t144 - t145 * t33) - (t142 * t9 + t81);
+  const Scalar t147 = k[22] * t143 + t146;
+  const Scalar t148 = (t50 * t144 - t29 * t145) - (t142 * t23 + t77);
+  const Scalar t149 = t142 * t15 + t74;
+  const Scalar t150 = t148 + k[22] * t149;
+  const Scalar t151 = t144 * t15 - t1 * t145;
+  const Scalar t152 = ((c4 * t147 - s4 * t150) - t151) * t133;
+  const Scalar t153 = s4 * t143 + c4 * t149;
+  const Scalar t154 = (t152 - t130 * (t45 + t153)) - (c4 * t143 - s4 * t149) * t140;
+  const Scalar t155 = qd[4] + t145;
+  const Scalar t156 = k[17] * t155 - t65;
+  const Scalar t157 = s5 * t156 + t155 * t13;
+  const Scalar t158 = s5 * t144 + c5 * t142;
+  const Scalar t159 = s5 * t142 - c5 * t144;
+  const Scalar t160 = k[17] * t158 - t12 * t159;
+  const Scalar t161 = c4 * t157 + s4 * t160;
+  const Scalar t162 = (t17 * t158 + t21 * t159) - t155 * t4;
+  const Scalar t163 = (t155 * t7 + t34) + (t17 * t159 + k[11] * t158);
+  const Scalar t164 = c5 * t162 - s5 * t163;
+  const Scalar t165 = t155 * t70 - c5 * t156;
+  const Scalar t166 = c5 * t163 + s5 * t162;
+  const Scalar t167 = c4 * t160 - s4 * t157;
+  const Scalar t168 = (c4 * t166 + s4 * t30) - k[22] * t167;
+  const Scalar t169 = t130 * (t161 + t164) + (t165 + t168) * t133;
+  const Scalar t170 = t169 + t140 * t167;
+  const Scalar t171 = c6 * t155 + s6 * t159;
+  const Scalar t172 = c6 * t159 - s6 * t155;
+  const Scalar t173 = k[15] * t171 + k[16] * t172;
+  const Scalar t174 = qd[5] + t158;
+  const Scalar t175 = t11 * t174;
+  const Scalar t176 = s5 * t173 + c5 * t175;
+  const Scalar t177 = t174 * t0;
+  const Scalar t178 = c4 * t176 - s4 * t177;
+  const Scalar t179 = (k[2] * t171 + k[6] * t172) - k[4] * t174;
+  const Scalar t180 = (k[6] * t171 + k[12] * t172) - k[3] * t174;
+  const Scalar t181 = c6 * t179 - s6 * t180;
+  const Scalar t182 = s5 * t181;
+  const Scalar t183 = s6 * t179 + c6 * t180;
+  const Scalar t184 = k[22] * t176 - t183;
+  const Scalar t185 = c5 * t181 + k[22] * t177;
+  const Scalar t186 = c5 * t173 - s5 * t175;
+  const Scalar t187 = ((s4 * t184 + c4 * t185) - t186) * t133;
+  const Scalar t188 = t140 * (s4 * t176 + c4 * t177) - (t130 * (t178 - t182) + t187);
+  const Scalar t189 = s4 * t82 + c4 * t78;
+  const Scalar t190 = (t51 + t119) + (t37 + t118);
+  const Scalar t191 = c3 * t189 - s3 * t190;
+  const Scalar t192 = c3 * t190 + s3 * t189;
+  const Scalar t193 = c2 * (t191 + t123) - s2 * (t127 + (t192 - k[30] * t107));
+  const Scalar t194 = k[30] * (s3 * t136 + c3 * t137);
+  const Scalar t195 = c4 * t150 + s4 * t147;
+  const Scalar t196 = k[30] * (s3 * t153 + c3 * t151) - t195;
+  const Scalar t197 = k[22] * t161 - (s4 * t166 - c4 * t30);
+  const Scalar t198 = t197 - k[30] * (s3 * t161 + c3 * t165);
+  const Scalar t199 = c4 * t184 - s4 * t185;
+  const Scalar t200 = t199 + k[30] * (c3 * t186 - s3 * t178);
+  const Scalar t201 = s2 * (qd[1] * t125 + (t192 - t126)) - c2 * ((t191 - t122) + qd[1] * t114);
+  const Scalar t202 = qd[2] * t115;
+  const Scalar t203 = t50 + t33;
+  const Scalar t204 = t202 + (qd[2] * t203 + (t83 + t59));
+  const Scalar t205 = (qd[2] * t25 + Scalar(2) * t45) + t107;
+  const Scalar t206 = t115 + t203;
+  const Scalar t207 = k[30] * t88 - (s3 * t25 + c3 * t206);
+  const Scalar t208 = (c3 * t204 + s3 * t205) - qd[1] * t207;
+  const Scalar t209 = (s3 * t204 - c3 * t205) - k[30] * t94;
+  const Scalar t210 = t209 + qd[1] * (s3 * t206 - c3 * t25);
+  const Scalar t211 = t189 + t116;
+  const Scalar t212 = k[30] * (c3 * t202 + s3 * t107) - t211;
+  const Scalar t213 = k[11] + t21;
+  const Scalar t214 = s4 * (t213 + t72) + c4 * t28;
+  const Scalar t215 = t14 - t214;
+  const Scalar t216 = c4 * t71;
+  const Scalar t217 = t216 - t8;
+  const Scalar t218 = s4 * t71;
+  const Scalar t219 = (s3 * t215 + c3 * t217) + k[30] * t218;
+  const Scalar t220 = t58 - t77;
+  const Scalar t221 = (c4 * t67 + qd[3] * t218) - qd[2] * t14;
+  const Scalar t222 = (t220 + qd[2] * t214) + t221;
+  const Scalar t223 = (qd[3] * t28 - (t30 + t30)) + t68;
+  const Scalar t224 = qd[3] * t72 - ((t48 + t36) - qd[3] * t213);
+  const Scalar t225 = qd[2] * t8 + (s4 * t223 - c4 * t224);
+  const Scalar t226 = qd[2] * t216 + t79;
+  const Scalar t227 = t225 - t226;
+  const Scalar t228 = qd[1] * t219 - (s3 * t222 + c3 * t227);
+  const Scalar t229 = (c3 * t222 - s3 * t227) + k[30] * (s4 * t67 - qd[3] * t216);
+  const Scalar t230 = qd[1] * (c3 * t215 - s3 * t217) - t229;
+  const Scalar t231 = s4 * t224 + c4 * t223;
+  const Scalar t232 = t231 + k[30] * (c3 * t226 - s3 * t221);
+  const Scalar t233 = s5 * t16;
+  const Scalar t234 = k[38] * c5 + t233;
+  const Scalar t235 = c5 * t0;
+  const Scalar t236 = s4 * t11 + c4 * t235;
+  const Scalar t237 = t234 + t236;
+  const Scalar t238 = s5 * t0;
+  const Scalar t239 = t76 - k[38] * s5;
+  const Scalar t240 = c4 * t11 - s4 * t235;
+  const Scalar t241 = (s4 * t6 + c4 * t239) + k[22] * t240;
+  const Scalar t242 = t238 - t241;
+  const Scalar t243 = qd[3] * t235 + t65;
+  const Scalar t244 = (qd[4] * t238 - c5 * t74) - qd[3] * t11;
+  const Scalar t245 = k[38] * qd[4] - t40;
+  const Scalar t246 = qd[4] * t76 - s5 * t245;
+  const Scalar t247 = (c4 * t244 + s4 * t243) + qd[2] * t238;
+  const Scalar t248 = (qd[2] * t241 + t246) - t247;
+  const Scalar t249 = k[22] * t244 - (qd[3] * t239 + t47);
+  const Scalar t250 = qd[3] * t6 - (qd[4] * t233 + c5 * t245);
+  const Scalar t251 = t250 - k[22] * t243;
+  const Scalar t252 = qd[2] * t234 - (s4 * t249 + c4 * t251);
+  const Scalar t253 = (s5 * t74 + qd[4] * t235) + qd[2] * t236;
+  const Scalar t254 = t252 + t253;
+  const Scalar t255 = k[30] * (c4 * t243 - s4 * t244) + (c3 * t248 - s3 * t254);
+  const Scalar t256 = qd[1] * (s3 * t237 + c3 * t242) - t255;
+  const Scalar t257 = (c3 * t237 - s3 * t242) - k[30] * t240;
+  const Scalar t258 = qd[1] * t257 + (s3 * t248 + c3 * t254);
+  const Scalar t259 = c4 * t249 - s4 * t251;
+  const Scalar t260 = k[30] * (c3 * t253 - s3 * t247) + t259;
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = t107;
-  result(0, 1) = t129;
-  result(0, 2) = -t131 - t140;
-  result(0, 3) = -t154;
+  result(0, 0) = t106 - (t107 + t64);
+  result(0, 1) = -t129;
+  result(0, 2) = t141;
+  result(0, 3) = t154;
   result(0, 4) = -t170;
-  result(0, 5) = t189;
-  result(1, 0) = -t196;
-  result(1, 1) = t64;
-  result(1, 2) = t63 - t197;
-  result(1, 3) = -t199;
-  result(1, 4) = t201;
-  result(1, 5) = -t203;
-  result(2, 0) = t204 + t140;
-  result(2, 1) = t197 + t64;
-  result(2, 2) = t63;
-  result(2, 3) = -t198;
-  result(2, 4) = -t200;
-  result(2, 5) = -t202;
-  result(3, 0) = t154 + t216;
-  result(3, 1) = t199 + (t191 + k[30] * t211);
-  result(3, 2) = t191 + t198;
-  result(3, 3) = -t46;
-  result(3, 4) = -t166;
-  result(3, 5) = t187;
-  result(4, 0) = t236 + t170;
-  result(4, 1) = -t201 - (t237 - k[30] * t231);
-  result(4, 2) = t200 - t237;
-  result(4, 3) = t166 + t85;
-  result(4, 4) = t43;
-  result(4, 5) = t183;
-  result(5, 0) = -t189 - t266;
-  result(5, 1) = t203 - (t267 - k[30] * t264);
-  result(5, 2) = t202 - t267;
-  result(5, 3) = -t253 - t187;
-  result(5, 4) = t255 - t183;
+  result(0, 5) = t188;
+  result(1, 0) = t129 - t193;
+  result(1, 1) = t96;
+  result(1, 2) = t194 + t69;
+  result(1, 3) = -t196;
+  result(1, 4) = t198;
+  result(1, 5) = t200;
+  result(2, 0) = t201 - t141;
+  result(2, 1) = t96 - t194;
+  result(2, 2) = t69;
+  result(2, 3) = t195;
+  result(2, 4) = t197;
+  result(2, 5) = t199;
+  result(3, 0) = -t154 - (s2 * t208 + c2 * t210);
+  result(3, 1) = t196 - t212;
+  result(3, 2) = t211 - t195;
+  result(3, 3) = -t45;
+  result(3, 4) = -t164;
+  result(3, 5) = t182;
+  result(4, 0) = t170 - (s2 * t228 - c2 * t230);
+  result(4, 1) = -t232 - t198;
+  result(4, 2) = -t231 - t197;
+  result(4, 3) = t164 + t220;
+  result(4, 4) = t30;
+  result(4, 5) = -t183;
+  result(5, 0) = -(c2 * t256 + s2 * t258) - t188;
+  result(5, 1) = -t260 - t200;
+  result(5, 2) = -t199 - t259;
+  result(5, 3) = -t182 - t246;
+  result(5, 4) = t47 + t183;
   result(5, 5) = Scalar(0);
   return result;
 }
@@ -1312,110 +1331,126 @@ ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6x * inertia.m6;
-  const Scalar t1 = inertia.c6y * inertia.m6;
-  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t0;
-  const Scalar t4 = (inertia.I6yy - t2) - inertia.c6y * t1;
-  const Scalar t5 = t3 + t4;
-  const Scalar t6 = inertia.I6xy - inertia.c6y * t0;
-  const Scalar t7 = inertia.c5x * inertia.m5;
-  const Scalar t8 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t9 = inertia.c6z * inertia.m6;
-  const Scalar t10 = inertia.c5z * inertia.m5;
-  const Scalar t11 = (inertia.c6z * t9 - (inertia.I6zz - t2)) + (inertia.c5z * t10 - (inertia.I5zz - t8));
-  const Scalar t12 = inertia.c5y * inertia.m5;
-  const Scalar t13 = inertia.c4y * inertia.m4;
-  const Scalar t14 = inertia.c4x * inertia.m4;
-  const Scalar t15 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t16 = ((inertia.I4yy - t15) - inertia.c4y * t13) - (inertia.c5y * t12 - (inertia.I5yy - t8));
-  const Scalar t17 = g.d2 / g.l2;
-  const Scalar t18 = inertia.c4z * inertia.m4;
-  const Scalar t19 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t20 = t18 - g.d4 * t19;
-  const Scalar t21 = inertia.c3z * inertia.m3;
-  const Scalar t22 = t21 - g.d4 * inertia.m3;
-  const Scalar t23 = inertia.c3x * inertia.m3;
-  const Scalar t24 = g.l2 * t23;
-  const Scalar t25 = g.d4 * t23 + (inertia.I3xz - inertia.c3z * t23);
-  const Scalar t26 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t27 = inertia.c3x * t23 - (inertia.I3xx - t26);
-  const Scalar t28 = ((inertia.I3zz - t26) - inertia.c3z * t21) + g.d4 * (t21 + t22);
-  const Scalar t29 = ((inertia.I4zz - t15) - inertia.c4z * t18) + g.d4 * (t20 + t18);
-  const Scalar t30 = t28 + t29;
-  const Scalar t31 = inertia.c2z * inertia.m2;
-  const Scalar t32 = g.l2 * t31;
-  const Scalar t33 = inertia.m3 + t19;
-  const Scalar t34 = g.l2 * t33;
-  const Scalar t35 = inertia.c2x * inertia.m2;
-  const Scalar t36 = g.l2 * inertia.m2 + t35;
-  const Scalar t37 = g.l2 * (t34 + t36);
-  const Scalar t38 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t39 = (inertia.I2zz - t38) - inertia.c2z * t31;
-  const Scalar t40 = (inertia.c2x * t35 - (inertia.I2xx - t38)) + g.l2 * (t35 + t36);
-  const Scalar t41 = t40 + g.l2 * t34;
-  const Scalar t42 = (inertia.I2xz - inertia.c2z * t35) - t32;
-  const Scalar t43 = inertia.c3y * inertia.m3;
-  const Scalar t44 = inertia.c2y * inertia.m2;
-  const Scalar t45 = g.l2 * t43 - ((inertia.I2xy - inertia.c2y * t35) - g.l2 * t44);
-  const Scalar t46 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t47 = ((inertia.I3yy - t26) - inertia.c3y * t43) + ((inertia.I2yy - t38) - inertia.c2y * t44);
-  const Scalar t48 = t43 + t44;
-  const Scalar t49 = g.d2 * (t48 + (t48 + g.d2 * (inertia.m2 + t33)));
-  const Scalar t50 = inertia.c1y * inertia.m1;
-  const Scalar t51 = (inertia.c1y * t50 - (inertia.I1yy - t46)) + g.d2 * ((t50 + g.d2 * inertia.m1) + t50);
-  return { inertia.I6xz - inertia.c6z * t0,
-           inertia.I6yz - inertia.c6z * t1,
-           Scalar(1) / t5,
-           t3 - t4,
-           Scalar(2) * t6,
-           t4,
+  const Scalar t0 = inertia.c4x * inertia.m4;
+  const Scalar t1 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t2 = inertia.c4y * inertia.m4;
+  const Scalar t3 = inertia.c5y * inertia.m5;
+  const Scalar t4 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t5 = ((inertia.I4yy - t1) - inertia.c4y * t2) - (inertia.c5y * t3 - (inertia.I5yy - t4));
+  const Scalar t6 = g.d4 * t2;
+  const Scalar t7 = g.d4 * t0;
+  const Scalar t8 = gravity / g.l2;
+  const Scalar t9 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t10 = inertia.c6x * inertia.m6;
+  const Scalar t11 = (inertia.I6xx - t9) - inertia.c6x * t10;
+  const Scalar t12 = inertia.c6y * inertia.m6;
+  const Scalar t13 = (inertia.I6yy - t9) - inertia.c6y * t12;
+  const Scalar t14 = inertia.I6xy - inertia.c6y * t10;
+  const Scalar t15 = t11 + t13;
+  const Scalar t16 = inertia.I6yz - inertia.c6z * t12;
+  const Scalar t17 = Scalar(1) / t15;
+  const Scalar t18 = inertia.I6xz - inertia.c6z * t10;
+  const Scalar t19 = inertia.c5x * inertia.m5;
+  const Scalar t20 = inertia.c6z * inertia.m6;
+  const Scalar t21 = inertia.c5z * inertia.m5;
+  const Scalar t22 = (inertia.c6z * t20 - (inertia.I6zz - t9)) + (inertia.c5z * t21 - (inertia.I5zz - t4));
+  const Scalar t23 = inertia.c2x * inertia.m2;
+  const Scalar t24 = inertia.c2y * inertia.m2;
+  const Scalar t25 = g.l2 * inertia.m2 + t23;
+  const Scalar t26 = ((inertia.I2xy - inertia.c2y * t23) - g.l2 * t24) - g.d2 * t25;
+  const Scalar t27 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t28 = inertia.m3 + t27;
+  const Scalar t29 = g.d2 * inertia.m3;
+  const Scalar t30 = inertia.c3y * inertia.m3;
+  const Scalar t31 = t29 + t30;
+  const Scalar t32 = t31 - t29;
+  const Scalar t33 = g.d2 * t28 + t32;
+  const Scalar t34 = inertia.c2z * inertia.m2;
+  const Scalar t35 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t36 = (inertia.I2zz - t35) - inertia.c2z * t34;
+  const Scalar t37 = (inertia.c2x * t23 - (inertia.I2xx - t35)) + g.l2 * (t23 + t25);
+  const Scalar t38 = g.l2 * t28;
+  const Scalar t39 = t37 + g.l2 * t38;
+  const Scalar t40 = g.l2 * t34;
+  const Scalar t41 = (inertia.I2xz - inertia.c2z * t23) - t40;
+  const Scalar t42 = inertia.c3x * inertia.m3;
+  const Scalar t43 = g.d2 * t42;
+  const Scalar t44 = inertia.c3z * inertia.m3;
+  const Scalar t45 = t44 - g.d4 * inertia.m3;
+  const Scalar t46 = g.d4 * t31 - (g.d2 * t44 - (inertia.I3yz - inertia.c3z * t30));
+  const Scalar t47 = inertia.c4z * inertia.m4;
+  const Scalar t48 = g.d4 * inertia.m4;
+  const Scalar t49 = t47 - t48;
+  const Scalar t50 = t49 + t48;
+  const Scalar t51 = g.d4 * (t47 + t49) + ((inertia.I4zz - t1) - inertia.c4z * t47);
+  const Scalar t52 = t50 - g.d4 * t27;
+  const Scalar t53 = (g.d4 * (t50 + t49) - t51) - g.d4 * (t50 + t52);
+  const Scalar t54 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t55 = ((inertia.I3zz - t54) - inertia.c3z * t44) + g.d4 * (t44 + t45);
+  const Scalar t56 = t53 - t55;
+  const Scalar t57 = g.d4 * t42 + (inertia.I3xz - inertia.c3z * t42);
+  const Scalar t58 = g.l2 * (t45 + t52);
+  const Scalar t59 = g.l2 * t42;
+  const Scalar t60 = inertia.c3x * t42 - (inertia.I3xx - t54);
+  const Scalar t61 = ((inertia.I3yy - t54) - inertia.c3y * t30) - g.d2 * (t31 + t30);
+  const Scalar t62 = g.d2 * (t33 + t32) - (g.d2 * (t31 + t32) + t61);
+  const Scalar t63 = ((inertia.I2yy - t35) - inertia.c2y * t24) - g.d2 * ((g.d2 * inertia.m2 + t24) + t24);
+  const Scalar t64 = inertia.c1y * inertia.m1;
+  const Scalar t65 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t66 = (inertia.c1y * t64 - (inertia.I1yy - t65)) + g.d2 * ((t64 + g.d2 * inertia.m1) + t64);
+  return { inertia.I4xy - inertia.c4y * t0,
            t5,
-           inertia.c5x * t7 - (inertia.I5xx - t8),
-           t11,
-           g.l2 * t1,
-           g.l2 * t0,
+           (inertia.I4xx - t1) - inertia.c4x * t0,
+           t6 - (t6 + (inertia.I4yz - inertia.c4z * t2)),
+           t7 - ((inertia.I4xz - inertia.c4z * t0) + t7),
            g.d4 / g.l2,
-           g.l2 * t7,
-           g.l2 * (t10 + t9),
-           t6,
-           inertia.I5xy - inertia.c5y * t7,
-           inertia.I5yz - inertia.c5z * t12,
-           g.l2 * (t13 + t12),
-           g.l2 * t14,
-           inertia.I4yz - inertia.c4z * t13,
-           inertia.I5xz - inertia.c5z * t7,
-           inertia.I4xz - inertia.c4z * t14,
-           (inertia.I4xx - t15) - inertia.c4x * t14,
+           g.d2 / g.l2,
+           t8,
+           g.l2 * t0,
+           g.l2 * (t2 + t3),
+           t11 - t13,
+           Scalar(2) * t14,
+           t13,
+           t15,
+           t14,
+           t16 * t17,
+           t18 * t17,
+           t18,
            t16,
+           g.l2 * t12,
+           g.l2 * t10,
+           inertia.c5x * t19 - (inertia.I5xx - t4),
+           inertia.I5xz - inertia.c5z * t19,
+           inertia.I5yz - inertia.c5z * t3,
+           inertia.I5xy - inertia.c5y * t19,
+           g.l2 * t19,
+           t22,
+           g.l2 * (t21 + t20),
            t17,
-           gravity / g.l2,
-           inertia.I4xy - inertia.c4y * t14,
-           g.l2 * (t20 + t22),
-           t24,
-           t25,
-           t27 + t30,
-           t32,
-           t37,
-           t39 + t41,
-           Scalar(2) * t42,
-           t42,
-           t27,
-           t30,
-           inertia.I3xy - inertia.c3y * t23,
-           g.d4 * t43 + (inertia.I3yz - inertia.c3z * t43),
-           inertia.I2yz - inertia.c2z * t44,
-           t32 * t17,
-           t45,
-           t37 * t17,
+           Scalar(2) * t22,
+           t26 - g.l2 * t33,
+           g.d2 * t34 - (inertia.I2yz - inertia.c2z * t24),
+           t36 + t39,
+           Scalar(2) * t41,
            t41,
+           t43 + ((inertia.I3xy - inertia.c3y * t42) - t43),
+           g.d2 * t45 + t46,
+           t56,
+           Scalar(2) * t57,
+           t58,
+           t59,
+           Scalar(2) * t60,
+           t57,
+           Scalar(2) * t59,
+           Scalar(2) * t58,
+           t60,
+           t60 - t56,
+           t8 * t40,
+           g.l2 * (t38 + t25) * t8,
            t39,
-           Scalar(2) * t25,
-           Scalar(2) * t30,
-           Scalar(2) * t27,
-           Scalar(2) * t24,
-           inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t46),
-           (t47 - t49) - t51 };
+           t36,
+           (t62 - t63) + t66,
+           inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t65) };
 }
 
 namespace detail {
@@ -1434,263 +1469,255 @@ inline JointVector<Scalar> forward_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[0] * s6 - k[1] * c6;
-  const Scalar t1 = k[2] * t0;
-  const Scalar t2 = k[0] * c6 + k[1] * s6;
-  const Scalar t3 = s5 * t2 + k[6] * c5;
-  const Scalar t4 = k[4] * c6 - k[3] * s6;
-  const Scalar t5 = k[14] - c6 * t4;
-  const Scalar t6 = k[15] - t5;
-  const Scalar t7 = k[16] - t0;
-  const Scalar t8 = s5 * t6 - c5 * t7;
-  const Scalar t9 = t1 * t3 - t8;
-  const Scalar t10 = k[5] - s6 * t4;
-  const Scalar t11 = k[6] - t10;
-  const Scalar t12 = k[7] - t11;
-  const Scalar t13 = k[8] + t12;
-  const Scalar t14 = Scalar(1) / (t0 * t1 + t13);
-  const Scalar t15 = c5 * t6 + s5 * t7;
-  const Scalar t16 = k[10] * c6 + k[9] * s6;
-  const Scalar t17 = k[12] + t16;
-  const Scalar t18 = s5 * t17 - k[13] * c5;
-  const Scalar t19 = k[11] * t18;
-  const Scalar t20 = t19 + t13;
-  const Scalar t21 = s4 * t15 - c4 * t20;
-  const Scalar t22 = k[9] * c6 - k[10] * s6;
-  const Scalar t23 = c5 * t22;
-  const Scalar t24 = s4 * t16 - c4 * t23;
-  const Scalar t25 = k[6] * s5 - c5 * t2;
-  const Scalar t26 = k[11] * t24 - (s4 * t25 - c4 * t0);
-  const Scalar t27 = k[2] * t26;
-  const Scalar t28 = t21 - t0 * t27;
-  const Scalar t29 = t14 * t28;
-  const Scalar t30 = k[20] + t2;
-  const Scalar t31 = c5 * t30;
-  const Scalar t32 = s5 * (k[8] - t12) - (t31 + t31);
-  const Scalar t33 = k[13] * s5 + c5 * t17;
-  const Scalar t34 = k[18] + t33;
-  const Scalar t35 = (k[21] - (c5 * t32 + t30)) + k[11] * t34;
-  const Scalar t36 = k[17] + t22;
-  const Scalar t37 = (k[19] - t8) + k[11] * t36;
-  const Scalar t38 = s4 * t35 - c4 * t37;
-  const Scalar t39 = t9 * t29 + (t27 * t3 - t38);
-  const Scalar t40 = t14 * t9;
-  const Scalar t41 = k[23] + t10;
-  const Scalar t42 = s5 * t32;
-  const Scalar t43 = k[22] - (t12 + t42);
-  const Scalar t44 = t41 + t43;
-  const Scalar t45 = k[2] * t3;
-  const Scalar t46 = Scalar(1) / (t40 * t9 + (t44 - t45 * t3));
-  const Scalar t47 = t39 * t46;
-  const Scalar t48 = k[37] - ((k[8] - t42) + Scalar(2) * t19);
-  const Scalar t49 = k[26] + t15;
-  const Scalar t50 = Scalar(2) * c4 * t49 + s4 * (t41 - t43);
-  const Scalar t51 = t43 + s4 * t50;
-  const Scalar t52 = k[36] - t51;
-  const Scalar t53 = t48 - t52;
-  const Scalar t54 = t39 * t47 - ((t53 - t27 * t26) + t28 * t29);
-  const Scalar t55 = Scalar(1) / t54;
-  const Scalar t56 = c3 * s2 + c2 * s3;
-  const Scalar t57 = s2 * s3 - c2 * c3;
-  const Scalar t58 = c4 * t18;
-  const Scalar t59 = (s4 * t20 + c4 * t15) * t56 - t57 * t8;
-  const Scalar t60 = k[24] * (t33 * t56 - t57 * t58) + (c2 * s4 * t18 - t59);
-  const Scalar t61 = s5 * t22;
-  const Scalar t62 = c4 * t16 + s4 * t23;
-  const Scalar t63 = (s4 * t0 + c4 * t25) - k[11] * t62;
-  const Scalar t64 = c2 * t62 + (t57 * t3 + t56 * t63);
-  const Scalar t65 = k[24] * (t57 * t24 - t56 * t61) + t64;
-  const Scalar t66 = k[2] * t65;
-  const Scalar t67 = t60 - t66 * t0;
-  const Scalar t68 = s4 * t34 - c4 * t36;
-  const Scalar t69 = k[24] * t68;
-  const Scalar t70 = c4 * t34 + s4 * t36;
-  const Scalar t71 = s4 * t37 + c4 * t35;
-  const Scalar t72 = c2 * t70 - (t71 * t56 - t44 * t57);
-  const Scalar t73 = t40 * t67 + (t66 * t3 - (t69 * t57 + t72));
-  const Scalar t74 = t73 * t46;
-  const Scalar t75 = t14 * t67;
-  const Scalar t76 = k[27] - t18;
-  const Scalar t77 = k[28] + t70;
-  const Scalar t78 = s3 * t76 + c3 * t77;
-  const Scalar t79 = k[24] * t78;
-  const Scalar t80 = k[38] - (t49 - c4 * t50);
-  const Scalar t81 = k[39] - t38;
-  const Scalar t82 = c3 * t80 + s3 * t81;
-  const Scalar t83 = c3 * t81 - s3 * t80;
-  const Scalar t84 = c3 * t76 - s3 * t77;
-  const Scalar t85 = k[24] * t84;
-  const Scalar t86 = s2 * (t79 - t82) + c2 * (t83 - t85);
-  const Scalar t87 = t39 * t74 - (t28 * t75 + (t86 - t66 * t26));
-  const Scalar t88 = t55 * t87;
-  const Scalar t89 = k[29] + t71;
-  const Scalar t90 = c3 * t89;
-  const Scalar t91 = s3 * (t48 + t52) + (t90 + t90);
-  const Scalar t92 = s3 * t91 - t52;
-  const Scalar t93 = k[44] + ((t78 + t78) - t92);
-  const Scalar t94 = c2 * s2;
-  const Scalar t95 = (k[35] - (t84 + (t89 - c3 * t91))) * t94;
-  const Scalar t96 = k[45] + (t53 - t92);
-  const Scalar t97 = s2 * s2;
-  const Scalar t98 = t93 - ((t95 + t95) + (t93 + t96) * t97);
-  const Scalar t99 = (k[50] + t98) - (k[51] - ((t51 - t44) - Scalar(2) * t69));
-  const Scalar t100 = t73 * t74 - (t75 * t67 - (t99 + t66 * t65));
-  const Scalar t101 = t26 + (c3 * t61 - s3 * t24);
-  const Scalar t102 = k[2] * t101;
-  const Scalar t103 = t102 * t0 + ((c3 * t33 - s3 * t58) - t21);
-  const Scalar t104 = t103 * t14;
-  const Scalar t105 = s2 * ((k[42] - (t68 + t82)) + (k[43] + t79));
-  const Scalar t106 = c2 * ((k[41] + t85) - (k[40] + t83)) - t105;
-  const Scalar t107 = ((t38 - s3 * t68) - t45 * t101) + t104 * t9;
-  const Scalar t108 = (t104 * t67 + (t106 + t66 * t101)) - t107 * t74;
-  const Scalar t109 = t103 * t29 + (t102 * t26 + (t78 - t53));
-  const Scalar t110 = t109 - t107 * t47;
-  const Scalar t111 = t55 * t110;
-  const Scalar t112 = t108 - t111 * t87;
-  const Scalar t113 = t104 * t103 - ((t93 - t96) + t102 * t101);
-  const Scalar t114 = t107 * t46;
-  const Scalar t115 = Scalar(1) / (t110 * t111 + (t113 - t107 * t114));
-  const Scalar t116 = t112 * t115;
-  const Scalar t117 = Scalar(1) / ((t88 * t87 - t100) - t116 * t112);
-  const Scalar t118 = qd[1] + qd[2];
-  const Scalar t119 = qd[0] * t56;
-  const Scalar t120 = s4 * t118 + c4 * t119;
-  const Scalar t121 = qd[0] * t57;
-  const Scalar t122 = qd[3] + t121;
-  const Scalar t123 = s5 * t120 + c5 * t122;
-  const Scalar t124 = qd[5] + t123;
-  const Scalar t125 = s5 * t122 - c5 * t120;
-  const Scalar t126 = t123 * t125;
-  const Scalar t127 = t118 * t121;
-  const Scalar t128 = t127 + t127;
-  const Scalar t129 = t119 * t121;
-  const Scalar t130 = s4 * t128 + c4 * t129;
-  const Scalar t131 = t120 * t122;
-  const Scalar t132 = t130 - t131;
-  const Scalar t133 = t126 - t132;
-  const Scalar t134 = Scalar(2) * t124 * t125 - t133;
-  const Scalar t135 = s4 * t119;
-  const Scalar t136 = c4 * t118 - t135;
-  const Scalar t137 = qd[4] + t136;
-  const Scalar t138 = t137 * t124;
-  const Scalar t139 = t119 * t118;
-  const Scalar t140 = t136 * t120;
-  const Scalar t141 = t139 - t140;
-  const Scalar t142 = t136 * t122;
-  const Scalar t143 = t135 * t121 - c4 * t128;
-  const Scalar t144 = t142 + (t142 + t143);
-  const Scalar t145 = s5 * t141 - c5 * t144;
-  const Scalar t146 = t137 * t123;
-  const Scalar t147 = t145 + (t146 + t146);
-  const Scalar t148 = (t138 + t138) - t147;
-  const Scalar t149 = t125 * t125;
-  const Scalar t150 = t124 * t124;
-  const Scalar t151 = t149 - t150;
-  const Scalar t152 = t137 * t137;
-  const Scalar t153 = t149 - t152;
-  const Scalar t154 = t151 - t153;
-  const Scalar t155 = (t5 * t134 - t148 * t10) + t154 * t0;
-  const Scalar t156 = c5 * t141 + s5 * t144;
-  const Scalar t157 = Scalar(2) * t137 * t125 - t156;
-  const Scalar t158 = t122 * t122;
-  const Scalar t159 = t136 * t136;
-  const Scalar t160 = t158 + t159;
-  const Scalar t161 = t120 * t120 - t158;
-  const Scalar t162 = t160 + t161;
-  const Scalar t163 = qd[0] * qd[0];
-  const Scalar t164 = qd[1] * qd[1];
-  const Scalar t165 = t163 + t164;
-  const Scalar t166 = (t165 - t163 * t97) + k[25] * s2;
-  const Scalar t167 = t163 * t94 - k[25] * c2;
-  const Scalar t168 = s3 * t166 + c3 * t167;
-  const Scalar t169 = k[11] * t162 - t168;
-  const Scalar t170 = qd[0] * qd[1];
-  const Scalar t171 = t170 + t170;
-  const Scalar t172 = k[24] * t163;
-  const Scalar t173 = s2 * t171 + t172;
-  const Scalar t174 = t173 - k[11] * t128;
-  const Scalar t175 = c3 * t166 - s3 * t167;
-  const Scalar t176 = t175 + k[11] * t129;
-  const Scalar t177 = s4 * t174 - c4 * t176;
-  const Scalar t178 = c5 * t169 + s5 * t177;
-  const Scalar t179 = c4 * t174 + s4 * t176;
-  const Scalar t180 = t149 + t152;
-  const Scalar t181 = t158 - t159;
-  const Scalar t182 = t181 + t161;
-  const Scalar t183 = t182 + t160;
-  const Scalar t184 = k[16] * (t180 - t183) + (k[8] * t147 + k[20] * t157);
-  const Scalar t185 = t126 + t132;
-  const Scalar t186 = ((t155 - t157 * t2) - t178 * t22) - (k[13] * t179 + (t184 + k[15] * t185));
-  const Scalar t187 = (t157 * t11 - t10 * t156) + t5 * t153;
-  const Scalar t188 = s5 * t169 - c5 * t177;
-  const Scalar t189 = ((t2 * t147 + t0 * t133) - t187) - (t16 * t179 - t188 * t22);
-  const Scalar t190 = (k[15] * t153 - k[16] * t133) + (k[20] * t147 + k[7] * t157);
-  const Scalar t191 = t189 + (t190 - k[12] * t179);
-  const Scalar t192 = t139 + t140;
-  const Scalar t193 = k[26] * t182 + (k[23] * t141 + k[22] * t192);
-  const Scalar t194 = (k[17] * t177 + k[18] * t179) + ((k[21] * t143 - k[19] * t130) - t193);
-  const Scalar t195 = (s5 * t186 + c5 * t191) - t194;
-  const Scalar t196 = torque[5] + t189;
-  const Scalar t197 = k[2] * t196;
-  const Scalar t198 = (t2 * t151 - t0 * t156) + (t134 * t11 - t148 * t5);
-  const Scalar t199 = t183 - t153;
-  const Scalar t200 = (k[7] * t185 - k[8] * t133) - k[20] * (t180 - t199);
-  const Scalar t201 = (k[12] * t178 + k[13] * t188) - (t200 - (k[16] * t156 - k[15] * t145));
-  const Scalar t202 = (t198 + t16 * t178) + t201;
-  const Scalar t203 = t1 * t196 + (torque[4] + t202);
-  const Scalar t204 = ((torque[3] + t195) - t197 * t3) + t40 * t203;
-  const Scalar t205 = t204 * t46;
-  const Scalar t206 = t14 * t203;
-  const Scalar t207 = k[35] - c2 * (k[33] * s2 + k[34] * c2);
-  const Scalar t208 = k[32] * c2 + k[31] * s2;
-  const Scalar t209 = t119 * t119 - t121 * t121;
-  const Scalar t210 = (k[27] * t175 - k[28] * t168) + (k[30] * t129 + k[29] * t209);
-  const Scalar t211 = (t148 * t22 + t16 * t134) + (k[13] * t180 + k[12] * t185);
-  const Scalar t212 = (t22 * t156 - t16 * (t150 + t152)) - (k[12] * t199 + k[13] * t133);
-  const Scalar t213 = (k[17] * t141 - k[18] * t160) - (s5 * t211 - c5 * t212);
-  const Scalar t214 = t131 - t132;
-  const Scalar t215 = (k[19] * t141 + k[21] * t161) - (k[22] * t214 - k[26] * t144);
-  const Scalar t216 = k[11] * t213 + (t202 + (t215 + k[18] * t169));
-  const Scalar t217 = (k[23] * t144 - k[26] * t214) - k[19] * t181;
-  const Scalar t218 = (c5 * t186 - s5 * t191) - ((t217 - k[21] * t192) + k[17] * t169);
-  const Scalar t219 = (k[13] * t147 - k[12] * t157) + (t22 * (t180 - t154) - t16 * t157);
-  const Scalar t220 = t219 + (k[18] * t192 + k[17] * t183);
-  const Scalar t221 = t218 + k[11] * t220;
-  const Scalar t222 = t210 + (c4 * t216 - s4 * t221);
-  const Scalar t223 = t209 - t162;
-  const Scalar t224 = (c4 * t213 - s4 * t220) + (k[28] * t223 + k[27] * t129);
-  const Scalar t225 = (k[18] * t214 - k[17] * t144) - (s5 * t212 + c5 * t211);
-  const Scalar t226 = (k[28] * t129 - k[27] * t162) + t225;
-  const Scalar t227 = (t163 * t207 + k[25] * t208) + (t222 - (s3 * t224 - c3 * t226));
-  const Scalar t228 = t103 * t206 - (t102 * t196 + (torque[1] + t227));
-  const Scalar t229 = (t27 * t196 + (torque[2] + t222)) + t28 * t206;
-  const Scalar t230 = t39 * t205 - t229;
-  const Scalar t231 = (t107 * t205 - t228) + t230 * t111;
-  const Scalar t232 = t163 + t223;
-  const Scalar t233 = k[39] * (t232 - t209) + (k[46] * t139 + k[47] * t127);
-  const Scalar t234 = (s4 * t216 + c4 * t221) + ((k[38] * t129 + t233) - k[27] * t173);
-  const Scalar t235 = (k[29] * t128 - k[48] * t139) + (k[38] * t232 + k[39] * t129);
-  const Scalar t236 = t234 * t56 - t57 * (t195 - (k[28] * t173 - t235));
-  const Scalar t237 = (s4 * t213 + c4 * t220) + (k[49] * t139 + k[27] * t128);
-  const Scalar t238 = t164 * (k[40] * s2 - k[42] * c2) - t207 * t171;
-  const Scalar t239 = (t236 - c2 * t237) - (t172 * t208 + t238);
-  const Scalar t240 = (t57 * t224 - t226 * t56) + t165 * t208;
-  const Scalar t241 = (torque[0] - (t239 + k[24] * t240)) - t197 * t65;
-  const Scalar t242 = ((t203 * t75 - t241) - t204 * t74) + t230 * t88;
-  const Scalar t243 = t117 * (t116 * t231 + t242);
-  const Scalar t244 = t231 * t115 + t116 * t243;
-  const Scalar t245 = (t230 * t55 - t88 * t243) - t244 * t111;
-  const Scalar t246 = t245 * t47 - (t244 * t114 + (t205 - t243 * t74));
-  const Scalar t247 = t245 * t29 + ((t243 * t75 - t206) - t104 * t244);
-  const Scalar t248 = t40 * t246 - t247;
-  const Scalar t249 = ((t197 + t66 * t243) + t102 * t244) + t245 * t27;
+  const Scalar t0 = k[19] * s6 + k[20] * c6;
+  const Scalar t1 = k[19] * c6 - k[20] * s6;
+  const Scalar t2 = c5 * t1;
+  const Scalar t3 = c4 * t0 + s4 * t2;
+  const Scalar t4 = s2 * s3 - c2 * c3;
+  const Scalar t5 = s4 * t0 - c4 * t2;
+  const Scalar t6 = k[17] * c6 + k[18] * s6;
+  const Scalar t7 = s5 * t6 + k[13] * c5;
+  const Scalar t8 = k[16] * s6 - k[15] * c6;
+  const Scalar t9 = k[13] * t8;
+  const Scalar t10 = k[13] * s5 - c5 * t6;
+  const Scalar t11 = k[5] * t3 - (s4 * t9 + c4 * t10);
+  const Scalar t12 = s5 * t1;
+  const Scalar t13 = c3 * s2 + c2 * s3;
+  const Scalar t14 = t4 * (k[6] * t5 + t7) - (t11 + k[6] * t12) * t13;
+  const Scalar t15 = c2 * t3 + t14;
+  const Scalar t16 = k[28] * t15;
+  const Scalar t17 = qd[1] * qd[1];
+  const Scalar t18 = qd[0] * c2;
+  const Scalar t19 = (t17 + t18 * t18) + k[7] * s2;
+  const Scalar t20 = qd[0] * s2 * t18 - k[7] * c2;
+  const Scalar t21 = c3 * t19 - s3 * t20;
+  const Scalar t22 = qd[0] * qd[0];
+  const Scalar t23 = qd[0] * Scalar(2) * qd[1];
+  const Scalar t24 = k[6] * t22 + s2 * t23;
+  const Scalar t25 = qd[0] * t13;
+  const Scalar t26 = s4 * t25;
+  const Scalar t27 = qd[0] * t4;
+  const Scalar t28 = qd[1] + qd[2];
+  const Scalar t29 = t28 * t27;
+  const Scalar t30 = t29 + t29;
+  const Scalar t31 = t26 * t27 - c4 * t30;
+  const Scalar t32 = (s4 * t21 + c4 * t24) + k[5] * t31;
+  const Scalar t33 = t25 * t27;
+  const Scalar t34 = s4 * t30 + c4 * t33;
+  const Scalar t35 = k[5] * t34 + (c4 * t21 - s4 * t24);
+  const Scalar t36 = c3 * t20 + s3 * t19;
+  const Scalar t37 = t28 * t28;
+  const Scalar t38 = t27 * t27;
+  const Scalar t39 = t37 - t38;
+  const Scalar t40 = t22 + t39;
+  const Scalar t41 = t36 - k[5] * t40;
+  const Scalar t42 = c5 * t35 - s5 * t41;
+  const Scalar t43 = t25 * t28;
+  const Scalar t44 = c4 * t28 - t26;
+  const Scalar t45 = s4 * t28 + c4 * t25;
+  const Scalar t46 = t44 * t45;
+  const Scalar t47 = t43 - t46;
+  const Scalar t48 = qd[3] + t27;
+  const Scalar t49 = t44 * t48;
+  const Scalar t50 = t49 + (t49 + t31);
+  const Scalar t51 = s5 * t47 - c5 * t50;
+  const Scalar t52 = qd[4] + t44;
+  const Scalar t53 = s5 * t45 + c5 * t48;
+  const Scalar t54 = t52 * t53;
+  const Scalar t55 = (t51 + t54) + t54;
+  const Scalar t56 = s5 * t48 - c5 * t45;
+  const Scalar t57 = t53 * t56;
+  const Scalar t58 = t45 * t48;
+  const Scalar t59 = t34 - t58;
+  const Scalar t60 = t57 - t59;
+  const Scalar t61 = t56 * t56;
+  const Scalar t62 = t52 * t52;
+  const Scalar t63 = t61 + t62;
+  const Scalar t64 = qd[5] + t53;
+  const Scalar t65 = t64 * t64;
+  const Scalar t66 = t65 + t62;
+  const Scalar t67 = t63 - t66;
+  const Scalar t68 = t61 + t65;
+  const Scalar t69 = t63 - t68;
+  const Scalar t70 = t67 - t69;
+  const Scalar t71 = k[10] * s6 - k[11] * c6;
+  const Scalar t72 = k[14] + c6 * t71;
+  const Scalar t73 = k[12] + s6 * t71;
+  const Scalar t74 = k[13] - t73;
+  const Scalar t75 = Scalar(2) * t56;
+  const Scalar t76 = c5 * t47 + s5 * t50;
+  const Scalar t77 = t52 * t75 - t76;
+  const Scalar t78 = t70 * t72 + (t74 * t77 - t73 * t76);
+  const Scalar t79 = (t0 * t32 - t1 * t42) - ((t55 * t6 + t60 * t9) - t78);
+  const Scalar t80 = torque[5] - t79;
+  const Scalar t81 = k[34] - c2 * (k[32] * s2 + k[33] * c2);
+  const Scalar t82 = t17 * (k[30] * c2 - k[31] * s2) - t81 * t23;
+  const Scalar t83 = t48 * t48;
+  const Scalar t84 = t44 * t44;
+  const Scalar t85 = t83 - t84;
+  const Scalar t86 = t40 + t85;
+  const Scalar t87 = t70 - t86;
+  const Scalar t88 = (t1 * t76 - t0 * t66) + (k[25] * t87 - k[27] * t60);
+  const Scalar t89 = t57 + t59;
+  const Scalar t90 = t52 * t64;
+  const Scalar t91 = t55 - (t90 + t90);
+  const Scalar t92 = t60 - t75 * t64;
+  const Scalar t93 = (k[27] * t63 + k[25] * t89) - (t91 * t1 + t92 * t0);
+  const Scalar t94 = t83 + t84;
+  const Scalar t95 = (c5 * t88 - s5 * t93) - (k[8] * t94 - k[9] * t47);
+  const Scalar t96 = (t68 * t1 - t0 * t77) + (k[27] * t55 - k[25] * t77);
+  const Scalar t97 = t43 + t46;
+  const Scalar t98 = t96 + (k[9] * t86 + k[8] * t97);
+  const Scalar t99 = (s4 * t95 + c4 * t98) + (k[44] * t29 + k[43] * t43);
+  const Scalar t100 = t58 - t59;
+  const Scalar t101 = (s5 * t88 + c5 * t93) + (k[9] * t50 - k[8] * t100);
+  const Scalar t102 = t101 + (k[39] * t40 - k[40] * t33);
+  const Scalar t103 = k[36] * t39 - (k[38] * t43 - k[37] * t30);
+  const Scalar t104 = (k[0] * t100 - k[1] * t50) - k[3] * t85;
+  const Scalar t105 = t63 + t87;
+  const Scalar t106 = (k[26] * t55 + k[22] * t77) - k[23] * (t70 - t105);
+  const Scalar t107 = t69 * t9 + (t73 * t91 - t92 * t72);
+  const Scalar t108 = s5 * t35 + c5 * t41;
+  const Scalar t109 = (k[27] * t32 + (t106 + k[24] * t89)) + ((t6 * t77 - t107) - t1 * t108);
+  const Scalar t110 = (k[24] * t70 - k[23] * t60) + (k[22] * t55 + k[21] * t77);
+  const Scalar t111 = (t110 - k[25] * t32) - t79;
+  const Scalar t112 = (k[9] * t41 + (t104 - k[4] * t97)) - (c5 * t109 + s5 * t111);
+  const Scalar t113 = k[5] * t98 + t112;
+  const Scalar t114 = (k[0] * t50 - k[2] * t100) - (k[3] * t47 + k[4] * (t40 - t94));
+  const Scalar t115 = (t91 * t72 - t92 * t74) + (t67 * t6 - t76 * t9);
+  const Scalar t116 = (k[21] * t89 - k[26] * t60) - k[22] * t105;
+  const Scalar t117 = (t116 - (k[23] * t76 - k[24] * t51)) + (k[25] * t108 - k[27] * t42);
+  const Scalar t118 = (t0 * t108 - t115) + t117;
+  const Scalar t119 = k[5] * t95 - ((k[8] * t41 - t114) + t118);
+  const Scalar t120 = ((t103 - k[35] * t33) + k[39] * t24) - (c4 * t113 + s4 * t119);
+  const Scalar t121 = t37 + t38;
+  const Scalar t122 = (k[36] * t33 + k[35] * (t22 - t121)) - (k[41] * t43 - k[42] * t30);
+  const Scalar t123 = (k[1] * t47 + k[2] * t97) - k[0] * (t94 - t86);
+  const Scalar t124 = (k[8] * t32 - k[9] * t35) - (t123 + (k[4] * t31 - k[3] * t34));
+  const Scalar t125 = (c5 * t111 - s5 * t109) - t124;
+  const Scalar t126 = (s4 * t98 - c4 * t95) - (k[39] * t33 - k[40] * t121);
+  const Scalar t127 = ((k[40] * t24 - t122) - t125) - k[6] * t126;
+  const Scalar t128 = (k[6] * t102 - t120) * t13 + t4 * t127;
+  const Scalar t129 = t16 * t80 - (torque[0] + (t82 + (c2 * t99 - t128)));
+  const Scalar t130 = k[28] * t80;
+  const Scalar t131 = t130 * t9 + (torque[4] - t118);
+  const Scalar t132 = k[25] + t0;
+  const Scalar t133 = k[27] * c5 - s5 * t132;
+  const Scalar t134 = k[23] - t9;
+  const Scalar t135 = k[24] - t72;
+  const Scalar t136 = c5 * t134 - s5 * t135;
+  const Scalar t137 = c4 * t133;
+  const Scalar t138 = s5 * t134 + c5 * t135;
+  const Scalar t139 = k[21] - t74;
+  const Scalar t140 = k[26] - t139;
+  const Scalar t141 = k[29] - t140;
+  const Scalar t142 = k[5] * t133;
+  const Scalar t143 = t141 - t142;
+  const Scalar t144 = c5 * t132 + k[27] * s5;
+  const Scalar t145 = (c4 * t138 + s4 * t143) - k[6] * t144;
+  const Scalar t146 = t4 * (t136 - k[6] * t137) + t145 * t13;
+  const Scalar t147 = (c2 * s4 * t133 + t146) + t15 * t8;
+  const Scalar t148 = Scalar(1) / (t141 + t8 * t9);
+  const Scalar t149 = t147 * t148;
+  const Scalar t150 = k[28] * t7;
+  const Scalar t151 = t136 + t150 * t9;
+  const Scalar t152 = t151 * t148;
+  const Scalar t153 = k[1] + t73;
+  const Scalar t154 = k[22] + t6;
+  const Scalar t155 = s5 * t140 - Scalar(2) * c5 * t154;
+  const Scalar t156 = s5 * t155 + t139;
+  const Scalar t157 = k[2] - t156;
+  const Scalar t158 = t153 + t157;
+  const Scalar t159 = Scalar(1) / (t152 * t151 + (t158 - t150 * t7));
+  const Scalar t160 = t131 * t148;
+  const Scalar t161 = (t150 * t80 - (torque[3] + t125)) - t160 * t151;
+  const Scalar t162 = t159 * t161;
+  const Scalar t163 = k[8] + t144;
+  const Scalar t164 = k[9] + t1;
+  const Scalar t165 = s4 * t163 - c4 * t164;
+  const Scalar t166 = k[6] * t165;
+  const Scalar t167 = (k[3] - t136) - k[5] * t164;
+  const Scalar t168 = k[5] * t163 - (k[4] + (t154 + c5 * t155));
+  const Scalar t169 = s4 * t167 - c4 * t168;
+  const Scalar t170 = c4 * t163 + s4 * t164;
+  const Scalar t171 = (t4 * (t158 + t166) + t169 * t13) + c2 * t170;
+  const Scalar t172 = (t16 * t7 - t171) - t149 * t151;
+  const Scalar t173 = (k[46] * t33 + k[42] * (t40 - t121)) - (k[40] * t36 - k[39] * t21);
+  const Scalar t174 = (s4 * t113 - c4 * t119) - t173;
+  const Scalar t175 = k[5] * t5 - (s4 * t10 - c4 * t9);
+  const Scalar t176 = c4 * t143 - s4 * t138;
+  const Scalar t177 = t175 * t8 + t176;
+  const Scalar t178 = t177 * t148;
+  const Scalar t179 = ((torque[2] - t174) + t130 * t175) - t131 * t178;
+  const Scalar t180 = k[28] * t175;
+  const Scalar t181 = c4 * t167 + s4 * t168;
+  const Scalar t182 = t177 * t152 - (t7 * t180 - t181);
+  const Scalar t183 = t179 - t162 * t182;
+  const Scalar t184 = k[39] + t133;
+  const Scalar t185 = k[6] * t184 - (k[36] - t181);
+  const Scalar t186 = k[40] + t170;
+  const Scalar t187 = k[0] + t138;
+  const Scalar t188 = Scalar(2) * c4 * t187 + s4 * (t153 - t157);
+  const Scalar t189 = k[6] * t186 - (k[35] + (c4 * t188 - t187));
+  const Scalar t190 = t185 * t4 + t13 * t189;
+  const Scalar t191 = t159 * t182;
+  const Scalar t192 = ((t190 - t16 * t175) + t177 * t149) + t191 * t172;
+  const Scalar t193 = k[37] + ((t141 - t156) - Scalar(2) * t142);
+  const Scalar t194 = s4 * t188;
+  const Scalar t195 = k[45] - (t157 + t194);
+  const Scalar t196 = t193 + t195;
+  const Scalar t197 = t191 * t182 + ((t196 + t175 * t180) - t177 * t178);
+  const Scalar t198 = Scalar(1) / t197;
+  const Scalar t199 = t192 * t198;
+  const Scalar t200 = ((t129 - t131 * t149) + t162 * t172) + t183 * t199;
+  const Scalar t201 = (s3 * t5 - c3 * t12) - t175;
+  const Scalar t202 = k[28] * t201;
+  const Scalar t203 = ((s3 * t137 + c3 * t144) + t176) - t202 * t9;
+  const Scalar t204 = t203 * t148;
+  const Scalar t205 = t81 * t22 + (k[48] * c2 + k[47] * s2);
+  const Scalar t206 = t205 - ((c3 * t102 - s3 * t126) + t174);
+  const Scalar t207 = t131 * t204 - ((torque[1] + t206) - t130 * t201);
+  const Scalar t208 = t203 * t152 + (t150 * t201 - (s3 * t165 - t181));
+  const Scalar t209 = t183 * t198;
+  const Scalar t210 = t208 * t159;
+  const Scalar t211 = s3 * t184 + c3 * t186;
+  const Scalar t212 = (t175 * t202 - (t196 + t211)) + t203 * t178;
+  const Scalar t213 = t182 * t210 - t212;
+  const Scalar t214 = (t207 + t162 * t208) + t209 * t213;
+  const Scalar t215 = t198 * t213;
+  const Scalar t216 = k[42] - t169;
+  const Scalar t217 = s3 * (t193 - t195) - Scalar(2) * c3 * t216;
+  const Scalar t218 = t193 - s3 * t217;
+  const Scalar t219 = k[49] + (Scalar(2) * t211 + (t196 - t218));
+  const Scalar t220 = k[50] - t218;
+  const Scalar t221 = t203 * t204 - ((t219 - t220) + t201 * t202);
+  const Scalar t222 = Scalar(1) / (t215 * t213 + (t221 - t208 * t210));
+  const Scalar t223 = s3 * t185 + c3 * t189;
+  const Scalar t224 = s2 * (k[30] + (t165 - t223)) - ((t190 - s2 * t223) - k[31] * c2);
+  const Scalar t225 = t159 * t172;
+  const Scalar t226 = ((t224 - t16 * t201) - t203 * t149) - t208 * t225;
+  const Scalar t227 = t226 + t199 * t213;
+  const Scalar t228 = t222 * t227;
+  const Scalar t229 = (s3 * t186 - c3 * t184) - (c3 * t217 + t216);
+  const Scalar t230 = c2 * (k[34] + t229);
+  const Scalar t231 = s2 * ((t230 + t230) + s2 * (t219 + t220));
+  const Scalar t232 = (k[52] + (t219 - t231)) + (k[51] - ((t153 - t194) + (t166 + t166)));
+  const Scalar t233 = t225 * t172 + ((t15 * t16 + t232) - t149 * t147);
+  const Scalar t234 = Scalar(1) / ((t233 - t199 * t192) + t228 * t227);
+  const Scalar t235 = (t200 - t214 * t228) * t234;
+  const Scalar t236 = t214 * t222 + t235 * t228;
+  const Scalar t237 = t236 * t215 - (t209 + t199 * t235);
+  const Scalar t238 = t191 * t237 - (t236 * t210 + (t162 - t235 * t225));
+  const Scalar t239 = (t236 * t204 - (t160 - t149 * t235)) - t237 * t178;
+  const Scalar t240 = t239 + t152 * t238;
+  const Scalar t241 = ((t130 - t235 * t16) + t236 * t202) + t237 * t180;
   JointVector<Scalar> result;
-  result[0] = t243;
-  result[1] = -t244;
-  result[2] = -t245;
-  result[3] = t246;
-  result[4] = t248;
-  result[5] = t1 * t248 - (t246 * t45 + t249);
+  result[0] = -t235;
+  result[1] = t236;
+  result[2] = -t237;
+  result[3] = -t238;
+  result[4] = -t240;
+  result[5] = (t150 * t238 - t241) - t240 * t8;
   return result;
 }
 
@@ -1717,92 +1744,98 @@ KineticEnergyConstants<Scalar> kinetic_energy_constants(const BasicGeometry<Scal
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c5z * inertia.m5;
-  const Scalar t1 = inertia.c6z * inertia.m6;
-  const Scalar t2 = inertia.c6y * inertia.m6;
-  const Scalar t3 = inertia.c6x * inertia.m6;
-  const Scalar t4 = inertia.c5x * inertia.m5;
-  const Scalar t5 = inertia.c4x * inertia.m4;
-  const Scalar t6 = g.d4 / g.d2;
-  const Scalar t7 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t8 = (inertia.I6xx - t7) - inertia.c6x * t3;
-  const Scalar t9 = (inertia.I6yy - t7) - inertia.c6y * t2;
-  const Scalar t10 = inertia.I6xy - inertia.c6y * t3;
-  const Scalar t11 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t12 = (inertia.c6z * t1 - (inertia.I6zz - t7)) + (inertia.c5z * t0 - (inertia.I5zz - t11));
-  const Scalar t13 = inertia.c5y * inertia.m5;
-  const Scalar t14 = inertia.c4y * inertia.m4;
-  const Scalar t15 = g.l2 / g.d2;
+  const Scalar t0 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t1 = inertia.c6x * inertia.m6;
+  const Scalar t2 = (inertia.I6xx - t0) - inertia.c6x * t1;
+  const Scalar t3 = inertia.c6y * inertia.m6;
+  const Scalar t4 = (inertia.I6yy - t0) - inertia.c6y * t3;
+  const Scalar t5 = inertia.I6xy - inertia.c6y * t1;
+  const Scalar t6 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t7 = inertia.c4y * inertia.m4;
+  const Scalar t8 = inertia.c5y * inertia.m5;
+  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t10 = ((inertia.I4yy - t6) - inertia.c4y * t7) - (inertia.c5y * t8 - (inertia.I5yy - t9));
+  const Scalar t11 = inertia.c5x * inertia.m5;
+  const Scalar t12 = inertia.c6z * inertia.m6;
+  const Scalar t13 = inertia.c5z * inertia.m5;
+  const Scalar t14 = (inertia.c6z * t12 - (inertia.I6zz - t0)) + (inertia.c5z * t13 - (inertia.I5zz - t9));
+  const Scalar t15 = inertia.c4x * inertia.m4;
   const Scalar t16 = inertia.c4z * inertia.m4;
-  const Scalar t17 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t18 = t16 - g.d4 * t17;
-  const Scalar t19 = inertia.c3z * inertia.m3;
-  const Scalar t20 = t19 - g.d4 * inertia.m3;
-  const Scalar t21 = inertia.c3x * inertia.m3;
-  const Scalar t22 = inertia.c3y * inertia.m3;
-  const Scalar t23 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t24 = ((inertia.I4yy - t23) - inertia.c4y * t14) - (inertia.c5y * t13 - (inertia.I5yy - t11));
-  const Scalar t25 = inertia.c2y * inertia.m2;
-  const Scalar t26 = inertia.c2z * inertia.m2;
-  const Scalar t27 = inertia.m3 + t17;
-  const Scalar t28 = g.l2 * t27;
-  const Scalar t29 = inertia.c2x * inertia.m2;
-  const Scalar t30 = g.l2 * inertia.m2 + t29;
-  const Scalar t31 = g.l2 * t22 - ((inertia.I2xy - inertia.c2y * t29) - g.l2 * t25);
-  const Scalar t32 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t33 = ((inertia.I3zz - t32) - inertia.c3z * t19) + g.d4 * (t19 + t20);
-  const Scalar t34 = ((inertia.I4zz - t23) - inertia.c4z * t16) + g.d4 * (t18 + t16);
-  const Scalar t35 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t36 = (inertia.c2x * t29 - (inertia.I2xx - t35)) + g.l2 * (t29 + t30);
-  const Scalar t37 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t38 = ((inertia.I3yy - t32) - inertia.c3y * t22) + ((inertia.I2yy - t35) - inertia.c2y * t25);
-  const Scalar t39 = t22 + t25;
-  const Scalar t40 = g.d2 * (t39 + (t39 + g.d2 * (inertia.m2 + t27)));
-  const Scalar t41 = inertia.c1y * inertia.m1;
-  const Scalar t42 = (inertia.c1y * t41 - (inertia.I1yy - t37)) + g.d2 * ((t41 + g.d2 * inertia.m1) + t41);
-  return { g.d2 * (t0 + t1),
-           g.d2 * t2,
-           g.d2 * t3,
-           g.d2 * t4,
-           g.d2 * t5,
-           t6,
-           inertia.I6xz - inertia.c6z * t3,
-           inertia.I6yz - inertia.c6z * t2,
-           inertia.I5xz - inertia.c5z * t4,
-           t8 - t9,
-           Scalar(2) * t10,
-           t8,
-           inertia.c5x * t4 - (inertia.I5xx - t11),
-           t12,
-           inertia.I4xz - inertia.c4z * t5,
+  const Scalar t17 = g.d4 * inertia.m4;
+  const Scalar t18 = t16 - t17;
+  const Scalar t19 = t18 + t17;
+  const Scalar t20 = g.d4 * (t16 + t18) + ((inertia.I4zz - t6) - inertia.c4z * t16);
+  const Scalar t21 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t22 = t19 - g.d4 * t21;
+  const Scalar t23 = (g.d4 * (t19 + t18) - t20) - g.d4 * (t19 + t22);
+  const Scalar t24 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t25 = inertia.c3z * inertia.m3;
+  const Scalar t26 = t25 - g.d4 * inertia.m3;
+  const Scalar t27 = ((inertia.I3zz - t24) - inertia.c3z * t25) + g.d4 * (t25 + t26);
+  const Scalar t28 = inertia.c3x * inertia.m3;
+  const Scalar t29 = g.d4 * t7;
+  const Scalar t30 = g.d4 * t15;
+  const Scalar t31 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t32 = inertia.c2z * inertia.m2;
+  const Scalar t33 = g.d2 * t28;
+  const Scalar t34 = inertia.c2x * inertia.m2;
+  const Scalar t35 = g.l2 * inertia.m2 + t34;
+  const Scalar t36 = (inertia.c2x * t34 - (inertia.I2xx - t31)) + g.l2 * (t34 + t35);
+  const Scalar t37 = inertia.m3 + t21;
+  const Scalar t38 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t39 = g.d2 * inertia.m3;
+  const Scalar t40 = inertia.c3y * inertia.m3;
+  const Scalar t41 = t39 + t40;
+  const Scalar t42 = t41 - t39;
+  const Scalar t43 = g.d2 * t37 + t42;
+  const Scalar t44 = ((inertia.I3yy - t24) - inertia.c3y * t40) - g.d2 * (t41 + t40);
+  const Scalar t45 = g.d2 * (t43 + t42) - (g.d2 * (t41 + t42) + t44);
+  const Scalar t46 = inertia.c2y * inertia.m2;
+  const Scalar t47 = ((inertia.I2yy - t31) - inertia.c2y * t46) - g.d2 * ((g.d2 * inertia.m2 + t46) + t46);
+  const Scalar t48 = inertia.c1y * inertia.m1;
+  const Scalar t49 = (inertia.c1y * t48 - (inertia.I1yy - t38)) + g.d2 * ((t48 + g.d2 * inertia.m1) + t48);
+  const Scalar t50 = g.d4 * t41 - (g.d2 * t25 - (inertia.I3yz - inertia.c3z * t40));
+  const Scalar t51 = ((inertia.I2xy - inertia.c2y * t34) - g.l2 * t46) - g.d2 * t35;
+  return { t2 - t4,
+           Scalar(2) * t5,
+           t4,
            t10,
-           inertia.I5xy - inertia.c5y * t4,
-           inertia.I5yz - inertia.c5z * t13,
-           inertia.I4yz - inertia.c4z * t14,
-           g.d2 * (t14 + t13),
-           t8 + t9,
-           t15,
-           g.d2 * (t18 + t20),
-           g.d2 * t21,
-           g.d4 * t22 + (inertia.I3yz - inertia.c3z * t22),
-           inertia.I4xy - inertia.c4y * t5,
-           (inertia.I4xx - t23) - inertia.c4x * t5,
-           t24,
-           inertia.I3xy - inertia.c3y * t21,
-           inertia.I2yz - inertia.c2z * t25,
-           g.d2 * t26,
-           g.d2 * (t28 + t30),
-           t31,
-           Scalar(2) * t15,
-           Scalar(2) * t6,
-           t33 + t34,
-           inertia.c3x * t21 - (inertia.I3xx - t32),
-           g.d4 * t21 + (inertia.I3xz - inertia.c3z * t21),
-           t36 + g.l2 * t28,
-           (inertia.I2zz - t35) - inertia.c2z * t26,
-           (inertia.I2xz - inertia.c2z * t29) - g.l2 * t26,
-           inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t37),
-           (t38 - t40) - t42 };
+           inertia.I6xz - inertia.c6z * t1,
+           inertia.I6yz - inertia.c6z * t3,
+           inertia.I5xz - inertia.c5z * t11,
+           t2,
+           inertia.c5x * t11 - (inertia.I5xx - t9),
+           t14,
+           (inertia.I4xx - t6) - inertia.c4x * t15,
+           g.d2 * (t13 + t12),
+           g.d2 * t3,
+           g.d2 * t1,
+           g.d2 * t11,
+           g.d4 / g.d2,
+           t23 - t27,
+           inertia.I5yz - inertia.c5z * t8,
+           t5,
+           inertia.I5xy - inertia.c5y * t11,
+           inertia.I4xy - inertia.c4y * t15,
+           inertia.c3x * t28 - (inertia.I3xx - t24),
+           g.d2 * (t7 + t8),
+           g.d2 * t15,
+           t29 - (t29 + (inertia.I4yz - inertia.c4z * t7)),
+           t30 - ((inertia.I4xz - inertia.c4z * t15) + t30),
+           g.d4 * t28 + (inertia.I3xz - inertia.c3z * t28),
+           (inertia.I2zz - t31) - inertia.c2z * t32,
+           g.d2 * (t26 + t22),
+           t33,
+           g.l2 / g.d2,
+           t36 + g.l2 * g.l2 * t37,
+           (inertia.I2xz - inertia.c2z * t34) - g.l2 * t32,
+           inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t38),
+           (t45 - t47) + t49,
+           t2 + t4,
+           t33 + ((inertia.I3xy - inertia.c3y * t28) - t33),
+           g.d2 * t26 + t50,
+           t51 - g.l2 * t43,
+           g.d2 * t32 - (inertia.I2yz - inertia.c2z * t46) };
 }
 
 namespace detail {
@@ -1821,99 +1854,93 @@ inline Scalar kinetic_energy([[maybe_unused]] const JointVector<Scalar>& q, cons
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[2] * c6 + k[1] * s6;
-  const Scalar t1 = k[3] + t0;
-  const Scalar t2 = s5 * t1 - k[0] * c5;
-  const Scalar t3 = k[6] * c6 + k[7] * s6;
-  const Scalar t4 = k[8] + t3;
-  const Scalar t5 = k[10] * c6 - k[9] * s6;
-  const Scalar t6 = k[11] + s6 * t5;
-  const Scalar t7 = k[12] - t6;
-  const Scalar t8 = Scalar(2) * c5 * t4 - s5 * (k[13] - t7);
-  const Scalar t9 = s5 * t8;
-  const Scalar t10 = k[13] + t9;
-  const Scalar t11 = k[35] - (k[34] * t2 + t10);
-  const Scalar t12 = t9 - t7;
-  const Scalar t13 = k[26] + t12;
-  const Scalar t14 = k[27] + (k[20] - t6);
-  const Scalar t15 = t13 + t14;
-  const Scalar t16 = k[7] * c6 - k[6] * s6;
-  const Scalar t17 = k[17] + t16;
-  const Scalar t18 = k[16] - (k[15] - c6 * t5);
-  const Scalar t19 = s5 * t17 + c5 * t18;
-  const Scalar t20 = k[25] + t19;
-  const Scalar t21 = c4 * t20;
-  const Scalar t22 = (t21 + t21) - s4 * (t13 - t14);
-  const Scalar t23 = t14 - s4 * t22;
-  const Scalar t24 = k[36] - (t15 - t23);
-  const Scalar t25 = c5 * t1 + k[0] * s5;
-  const Scalar t26 = k[4] + t25;
-  const Scalar t27 = k[5] * t26 + (k[14] - (t4 - c5 * t8));
-  const Scalar t28 = k[1] * c6 - k[2] * s6;
-  const Scalar t29 = k[19] + t28;
-  const Scalar t30 = s5 * t18 - c5 * t17;
-  const Scalar t31 = k[5] * t29 + (k[18] - t30);
-  const Scalar t32 = c4 * t27 + s4 * t31;
-  const Scalar t33 = k[37] + t32;
-  const Scalar t34 = c3 * t33;
-  const Scalar t35 = s3 * (t11 + t24) + (t34 + t34);
-  const Scalar t36 = t11 - s3 * t35;
-  const Scalar t37 = k[39] + t36;
-  const Scalar t38 = t11 - t24;
-  const Scalar t39 = k[22] - t2;
-  const Scalar t40 = c4 * t26 + s4 * t29;
-  const Scalar t41 = k[23] + t40;
-  const Scalar t42 = s3 * t39 + c3 * t41;
-  const Scalar t43 = k[33] * t42;
-  const Scalar t44 = k[38] + ((t36 - t38) + t43);
-  const Scalar t45 = s4 * t26 - c4 * t29;
-  const Scalar t46 = s3 * t41 - c3 * t39;
-  const Scalar t47 = k[40] + (k[21] * t46 + (c3 * t35 - t33));
-  const Scalar t48 = Scalar(2) * c2 * t47 + s2 * (t37 + t44);
-  const Scalar t49 = (k[42] + (Scalar(2) * t45 + t23)) - (k[41] - (s2 * t48 - t44));
-  const Scalar t50 = qd[1] * qd[1] * (t37 - t44) + qd[0] * qd[0] * t49;
-  const Scalar t51 = (t50 + qd[2] * qd[2] * t38) + qd[3] * qd[3] * t15;
-  const Scalar t52 = t12 - t10;
-  const Scalar t53 = qd[5] * k[20] * qd[5] + (t51 + qd[4] * qd[4] * t52);
-  const Scalar t54 = s5 * t3 + k[20] * c5;
-  const Scalar t55 = c5 * t3 - k[20] * s5;
-  const Scalar t56 = c5 * t28;
-  const Scalar t57 = c4 * t56 - s4 * t0;
-  const Scalar t58 = (s4 * t55 - c4 * t16) - k[5] * t57;
-  const Scalar t59 = s4 * t27 - c4 * t31;
-  const Scalar t60 = t52 - k[5] * t2;
-  const Scalar t61 = s4 * t19 + c4 * t60;
-  const Scalar t62 = qd[5] * t58 + (qd[3] * t59 - qd[4] * t61);
-  const Scalar t63 = s5 * t28;
-  const Scalar t64 = k[21] * (c3 * t63 + s3 * t57) + t58;
-  const Scalar t65 = k[21] * t45;
-  const Scalar t66 = qd[2] * (Scalar(0.5) * t43 - t38) + qd[3] * (t59 - s3 * t65);
-  const Scalar t67 = c4 * t2;
-  const Scalar t68 = t61 + k[21] * (s3 * t67 - c3 * t25);
-  const Scalar t69 = qd[1] * (qd[5] * t64 + (t66 - qd[4] * t68));
-  const Scalar t70 = s2 * s3 - c2 * c3;
-  const Scalar t71 = c3 * s2 + c2 * s3;
-  const Scalar t72 = s4 * t56 + c4 * t0;
-  const Scalar t73 = k[5] * t72 + (c4 * t55 + s4 * t16);
-  const Scalar t74 = k[21] * c2;
-  const Scalar t75 = (t73 * t71 - t70 * t54) - t72 * t74;
-  const Scalar t76 = qd[5] * ((t70 * t57 + t63 * t71) + t75);
-  const Scalar t77 = k[28] - (t20 - c4 * t22);
-  const Scalar t78 = k[24] - t59;
-  const Scalar t79 = s3 * t77 - c3 * t78;
-  const Scalar t80 = c3 * t77 + s3 * t78;
-  const Scalar t81 = c2 * (t79 - t46) + s2 * (t80 - t42);
-  const Scalar t82 = s2 * ((k[31] + t42) + (k[32] - (t65 + t80)));
-  const Scalar t83 = t82 - c2 * ((k[30] - t46) - (k[29] - t79));
-  const Scalar t84 = t40 * t74 - (t32 * t71 - t70 * t15);
-  const Scalar t85 = (qd[2] * t81 - qd[1] * t83) + qd[3] * (t70 * t45 + t84);
-  const Scalar t86 = t71 * (s4 * t60 - c4 * t19) + t70 * t30;
-  const Scalar t87 = (t70 * t67 - t71 * t25) - (t86 + s4 * t2 * t74);
-  const Scalar t88 = t69 + qd[0] * (t76 - (t85 + qd[4] * t87));
-  const Scalar t89 = qd[3] * (qd[5] * t54 - qd[4] * t30) - (qd[2] * t62 + t88);
-  const Scalar t90 = Scalar(0.5) * t53 + (t89 + qd[4] * qd[5] * t16);
+  const Scalar t0 = k[4] * s6 - k[5] * c6;
+  const Scalar t1 = k[0] * s6 - k[1] * c6;
+  const Scalar t2 = k[19] - (k[18] + c6 * t1);
+  const Scalar t3 = k[17] - t0;
+  const Scalar t4 = c5 * t2 + s5 * t3;
+  const Scalar t5 = k[12] * s6 + k[13] * c6;
+  const Scalar t6 = k[14] + t5;
+  const Scalar t7 = k[11] * c5 - s5 * t6;
+  const Scalar t8 = k[15] * t7;
+  const Scalar t9 = s6 * t1;
+  const Scalar t10 = k[8] - (k[7] - t9);
+  const Scalar t11 = k[9] + t10;
+  const Scalar t12 = t8 - t11;
+  const Scalar t13 = s4 * t4 + c4 * t12;
+  const Scalar t14 = c5 * t3 - s5 * t2;
+  const Scalar t15 = k[24] - t14;
+  const Scalar t16 = k[4] * c6 + k[5] * s6;
+  const Scalar t17 = k[6] + t16;
+  const Scalar t18 = c5 * t17;
+  const Scalar t19 = (t18 + t18) - s5 * (k[9] - t10);
+  const Scalar t20 = k[25] - (c5 * t19 - t17);
+  const Scalar t21 = k[13] * s6 - k[12] * c6;
+  const Scalar t22 = k[22] - t21;
+  const Scalar t23 = c5 * t6 + k[11] * s5;
+  const Scalar t24 = k[23] + t23;
+  const Scalar t25 = c4 * t22 - s4 * t24;
+  const Scalar t26 = (c4 * t15 - s4 * t20) - k[15] * t25;
+  const Scalar t27 = c5 * t16 - k[35] * s5;
+  const Scalar t28 = c5 * t21;
+  const Scalar t29 = s4 * t5 + c4 * t28;
+  const Scalar t30 = (s4 * t27 + c4 * t0) + k[15] * t29;
+  const Scalar t31 = (qd[4] * t13 - qd[3] * t26) - qd[5] * t30;
+  const Scalar t32 = c3 * s2 + c2 * s3;
+  const Scalar t33 = ((s4 * t12 - c4 * t4) + t23) * t32;
+  const Scalar t34 = s2 * s3 - c2 * c3;
+  const Scalar t35 = c4 * t7;
+  const Scalar t36 = k[30] * c2;
+  const Scalar t37 = (t33 - t34 * (t14 - t35)) - t36 * s4 * t7;
+  const Scalar t38 = k[9] + s5 * t19;
+  const Scalar t39 = k[10] + (t38 - t11);
+  const Scalar t40 = k[3] + (k[2] + t9);
+  const Scalar t41 = t39 + t40;
+  const Scalar t42 = s4 * t22 + c4 * t24;
+  const Scalar t43 = k[15] * t42 - (c4 * t20 + s4 * t15);
+  const Scalar t44 = ((t25 - t41) * t34 + t43 * t32) - t36 * t42;
+  const Scalar t45 = k[28] + t7;
+  const Scalar t46 = (k[37] - t26) - t45;
+  const Scalar t47 = k[20] + t4;
+  const Scalar t48 = s4 * (t39 - t40) - Scalar(2) * c4 * t47;
+  const Scalar t49 = k[29] + t42;
+  const Scalar t50 = (k[36] - (t47 + c4 * t48)) - t49;
+  const Scalar t51 = s3 * t46 + c3 * t50;
+  const Scalar t52 = c3 * t46 - s3 * t50;
+  const Scalar t53 = k[30] * t25;
+  const Scalar t54 = c2 * (k[39] - t52) + s2 * (k[38] - (t53 - t51));
+  const Scalar t55 = qd[2] * (s2 * t51 - c2 * t52) + qd[1] * t54;
+  const Scalar t56 = c4 * t5 - s4 * t28;
+  const Scalar t57 = k[15] * t56 - (s4 * t0 - c4 * t27);
+  const Scalar t58 = s5 * t21;
+  const Scalar t59 = s5 * t16 + k[35] * c5;
+  const Scalar t60 = (t57 - t58) * t32 - t34 * (t29 + t59);
+  const Scalar t61 = (qd[4] * t37 + (qd[3] * t44 - t55)) + qd[5] * (t60 - t36 * t56);
+  const Scalar t62 = k[16] + (t38 - (t8 + t8));
+  const Scalar t63 = t40 + s4 * t48;
+  const Scalar t64 = k[21] - (t41 - t63);
+  const Scalar t65 = t62 + t64;
+  const Scalar t66 = k[30] * (c3 * t49 + s3 * t45);
+  const Scalar t67 = qd[3] * (s3 * t53 + t26) + qd[2] * (t65 + t66);
+  const Scalar t68 = t13 - k[30] * (s3 * t35 + c3 * t23);
+  const Scalar t69 = k[30] * (c3 * t58 + s3 * t29) - t30;
+  const Scalar t70 = qd[1] * ((t67 - qd[4] * t68) - qd[5] * t69);
+  const Scalar t71 = (qd[2] * t31 - (qd[0] * t61 + t70)) + qd[3] * (qd[5] * t59 + qd[4] * t14);
+  const Scalar t72 = k[26] + t43;
+  const Scalar t73 = s3 * (t62 - t64) - Scalar(2) * c3 * t72;
+  const Scalar t74 = s3 * t73 + t64;
+  const Scalar t75 = k[31] + ((t66 + t66) + t74);
+  const Scalar t76 = k[27] - (t65 - t74);
+  const Scalar t77 = k[30] * (s3 * t49 - c3 * t45) - (t72 + c3 * t73);
+  const Scalar t78 = c2 * (k[32] + t77);
+  const Scalar t79 = s2 * (s2 * (t75 + t76) + (t78 + t78));
+  const Scalar t80 = (k[34] - (t63 - (t25 + t25))) + (k[33] - (t79 - t75));
+  const Scalar t81 = qd[0] * qd[0] * t80 + qd[1] * qd[1] * (t75 - t76);
+  const Scalar t82 = (qd[2] * qd[2] * t65 + t81) - qd[3] * qd[3] * t41;
+  const Scalar t83 = qd[5] * k[35] * qd[5] - (qd[4] * qd[4] * t11 + t82);
+  const Scalar t84 = (qd[4] * qd[5] * t0 - t71) - Scalar(0.5) * t83;
   Scalar result;
-  result = -t90;
+  result = t84;
   return result;
 }
 
@@ -1938,25 +1965,27 @@ PotentialEnergyConstants<Scalar> potential_energy_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = inertia.m3 + t0;
-  return { inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
+  const Scalar t0 = g.d4 * inertia.m4;
+  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t2 = inertia.m3 + t1;
+  const Scalar t3 = g.h1 * inertia.m1;
+  return { inertia.c6x * inertia.m6,
            inertia.c6y * inertia.m6,
-           inertia.c6x * inertia.m6,
-           inertia.c5x * inertia.m5,
-           inertia.c4x * inertia.m4,
            inertia.c5y * inertia.m5,
            inertia.c4y * inertia.m4,
+           inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
+           inertia.c5x * inertia.m5,
+           inertia.c4x * inertia.m4,
            inertia.c3x * inertia.m3,
-           inertia.c4z * inertia.m4,
-           g.d4 * t0,
+           (inertia.c4z * inertia.m4 - t0) + t0,
+           g.d4 * t1,
            inertia.c3z * inertia.m3 - g.d4 * inertia.m3,
-           g.l2 * t1,
+           g.l2 * t2,
            g.l2 * inertia.m2 + inertia.c2x * inertia.m2,
            inertia.c2z * inertia.m2,
-           inertia.c1z * inertia.m1,
-           gravity,
-           (inertia.m1 + (inertia.m2 + t1)) * gravity * g.h1 };
+           t3 - (inertia.c1z * inertia.m1 + t3),
+           g.h1 * (inertia.m1 + (inertia.m2 + t2)),
+           gravity };
 }
 
 namespace detail {
@@ -1974,15 +2003,15 @@ inline Scalar potential_energy([[maybe_unused]] const JointVector<Scalar>& q, co
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[3] + (k[2] * c6 + k[1] * s6);
-  const Scalar t1 = k[9] - (k[8] - (s5 * t0 - k[0] * c5));
-  const Scalar t2 = k[10] - t1;
-  const Scalar t3 = c4 * (k[4] + (c5 * t0 + k[0] * s5));
-  const Scalar t4 = k[6] + (k[5] + (k[1] * c6 - k[2] * s6));
-  const Scalar t5 = k[7] + (t3 + s4 * t4);
-  const Scalar t6 = k[12] + (k[11] + (s3 * t2 + c3 * t5));
-  const Scalar t7 = c2 * (k[13] + (c3 * t2 - s3 * t5));
-  const Scalar t8 = k[16] + k[15] * (k[14] - (s2 * t6 - t7));
+  const Scalar t0 = k[3] + (k[2] - (k[0] * s6 - k[1] * c6));
+  const Scalar t1 = k[5] + (k[0] * c6 + k[1] * s6);
+  const Scalar t2 = c4 * (k[6] + (c5 * t1 + k[4] * s5));
+  const Scalar t3 = k[7] + (s4 * t0 + t2);
+  const Scalar t4 = k[9] - (k[8] + (k[4] * c5 - s5 * t1));
+  const Scalar t5 = k[10] - t4;
+  const Scalar t6 = c2 * (k[13] - (s3 * t3 - c3 * t5));
+  const Scalar t7 = k[12] + (k[11] + (c3 * t3 + s3 * t5));
+  const Scalar t8 = k[16] * (k[15] - (k[14] - (t6 - s2 * t7)));
   Scalar result;
   result = t8;
   return result;

@@ -17,15 +17,15 @@ struct InverseDynamicsDerivatives {
 
 /// Joint forces for a motion, and their derivatives by q and qd; the one by qdd is mass_matrix.
 ///
-/// 1208 multiplications, 1116 additions, 5 sine/cosine pairs. Set-up: 92 multiplications, 104 additions, 4 divisions.
+/// 1173 multiplications, 1075 additions, 5 sine/cosine pairs. Set-up: 106 multiplications, 128 additions, 4 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is l2, which must not be zero.
+/// The unit of length is d2, which must not be zero.
 template <class Scalar>
 InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives(const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
-using InverseDynamicsDerivativesConstants = std::array<Scalar, 47>;
+using InverseDynamicsDerivativesConstants = std::array<Scalar, 46>;
 template <class Scalar>
 InverseDynamicsDerivativesConstants<Scalar> inverse_dynamics_derivatives_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));

@@ -26,9 +26,9 @@ LoadAngles<Scalar> load_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion, under gravity in any direction.
 ///
-/// 233 multiplications, 211 additions, 6 sine/cosine pairs. Set-up: 90 multiplications, 106 additions, 6 divisions.
+/// 230 multiplications, 208 additions, 6 sine/cosine pairs. Set-up: 105 multiplications, 131 additions, 6 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is l2, which must not be zero.
+/// The unit of length is d2, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g,
@@ -46,9 +46,9 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces for a motion while a wrench acts on the tool from outside: those without it minus jacobian(q)^T wrench.
 ///
-/// 269 multiplications, 232 additions, 6 sine/cosine pairs. Set-up: 90 multiplications, 106 additions, 6 divisions.
+/// 265 multiplications, 228 additions, 6 sine/cosine pairs. Set-up: 105 multiplications, 131 additions, 6 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is l2, which must not be zero.
+/// The unit of length is d2, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g,
@@ -66,7 +66,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces that hold the robot at rest, under gravity in any direction.
 ///
-/// 59 multiplications, 37 additions, 6 sine/cosine pairs. Set-up: 23 multiplications, 15 additions.
+/// 59 multiplications, 37 additions, 6 sine/cosine pairs. Set-up: 26 multiplications, 19 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g,
@@ -83,7 +83,7 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const LoadAngle
 
 /// Joint accelerations for given joint forces, under gravity in any direction.
 ///
-/// 398 multiplications, 366 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 95 multiplications, 101 additions, 6
+/// 396 multiplications, 356 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 107 multiplications, 125 additions, 6
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l2, which must not be zero.
@@ -92,7 +92,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
-using ForwardDynamicsWithGravityVectorConstants = std::array<Scalar, 60>;
+using ForwardDynamicsWithGravityVectorConstants = std::array<Scalar, 58>;
 template <class Scalar>
 ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_vector_constants(
     const BasicGeometry<Scalar>& g,
@@ -104,7 +104,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint accelerations for given joint forces while a wrench acts on the tool from outside.
 ///
-/// 436 multiplications, 387 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 92 multiplications, 101 additions, 6
+/// 428 multiplications, 382 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 106 multiplications, 125 additions, 6
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l2, which must not be zero.
@@ -114,7 +114,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity,
         const NonDeduced<Wrench<Scalar>>& wrench);
 template <class Scalar>
-using ForwardDynamicsWithWrenchConstants = std::array<Scalar, 58>;
+using ForwardDynamicsWithWrenchConstants = std::array<Scalar, 57>;
 template <class Scalar>
 ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constants(const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
@@ -125,7 +125,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Minus the sum of m gravity . r over the links, r the centre of mass in the world, J.
 ///
-/// 27 multiplications, 32 additions, 6 sine/cosine pairs. Set-up: 26 multiplications, 9 additions.
+/// 27 multiplications, 32 additions, 6 sine/cosine pairs. Set-up: 29 multiplications, 16 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Scalar potential_energy(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g,

@@ -31,103 +31,116 @@ InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_
   using std::sin;
   const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
   const Scalar t1 = inertia.m3 + t0;
-  const Scalar t2 = g.l2 * t1;
-  const Scalar t3 = inertia.c2x * inertia.m2;
-  const Scalar t4 = g.l2 * inertia.m2 + t3;
-  const Scalar t5 = inertia.c4z * inertia.m4;
-  const Scalar t6 = t5 - g.d4 * t0;
-  const Scalar t7 = inertia.c3z * inertia.m3;
-  const Scalar t8 = t7 - g.d4 * inertia.m3;
-  const Scalar t9 = (t6 + t8) / g.d4;
-  const Scalar t10 = g.l2 * t9;
-  const Scalar t11 = inertia.c2z * inertia.m2;
-  const Scalar t12 = g.l2 * t11;
-  const Scalar t13 = inertia.c3y * inertia.m3;
-  const Scalar t14 = inertia.c2y * inertia.m2;
-  const Scalar t15 = g.l2 * t13 - ((inertia.I2xy - inertia.c2y * t3) - g.l2 * t14);
-  const Scalar t16 = g.l2 * t10;
-  const Scalar t17 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t18 = (inertia.c2x * t3 - (inertia.I2xx - t17)) + g.l2 * (t3 + t4);
-  const Scalar t19 = t16 + (t18 + g.l2 * t2);
-  const Scalar t20 = (inertia.I2zz - t17) - inertia.c2z * t11;
-  const Scalar t21 = (inertia.I2xz - inertia.c2z * t3) - t12;
-  const Scalar t22 = inertia.c3x * inertia.m3;
-  const Scalar t23 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t24 = ((inertia.I3zz - t23) - inertia.c3z * t7) + g.d4 * (t7 + t8);
-  const Scalar t25 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t26 = ((inertia.I4zz - t25) - inertia.c4z * t5) + g.d4 * (t6 + t5);
-  const Scalar t27 = inertia.c5z * inertia.m5;
-  const Scalar t28 = inertia.c6z * inertia.m6;
-  const Scalar t29 = inertia.c5x * inertia.m5;
-  const Scalar t30 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t31 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t32 = (inertia.c6z * t28 - (inertia.I6zz - t30)) + (inertia.c5z * t27 - (inertia.I5zz - t31));
-  const Scalar t33 = inertia.c5y * inertia.m5;
-  const Scalar t34 = inertia.c6y * inertia.m6;
-  const Scalar t35 = inertia.c6x * inertia.m6;
-  const Scalar t36 = inertia.I6xy - inertia.c6y * t35;
-  const Scalar t37 = (inertia.I6xx - t30) - inertia.c6x * t35;
-  const Scalar t38 = (inertia.I6yy - t30) - inertia.c6y * t34;
-  const Scalar t39 = inertia.c4x * inertia.m4;
-  const Scalar t40 = inertia.c4y * inertia.m4;
-  const Scalar t41 = ((inertia.I4yy - t25) - inertia.c4y * t40) - (inertia.c5y * t33 - (inertia.I5yy - t31));
-  const Scalar t42 = g.d2 * t9;
-  const Scalar t43 = ((inertia.I3yy - t23) - inertia.c3y * t13) + ((inertia.I2yy - t17) - inertia.c2y * t14);
-  const Scalar t44 = t13 + t14;
-  const Scalar t45 = t44 + g.d2 * (inertia.m2 + t1);
-  const Scalar t46 = inertia.c1y * inertia.m1;
-  const Scalar t47 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t48 = t46 + g.d2 * inertia.m1;
-  const Scalar t49 = (inertia.c1y * t46 - (inertia.I1yy - t47)) + g.d2 * (t48 + t46);
-  const Scalar t50 = g.d2 * t42 - ((t43 - g.d2 * (t44 + t45)) - t49);
-  const Scalar t51 = inertia.c1x * inertia.m1;
-  return { g.l2 * ((t2 + t4) + t10),
-           t12,
-           gravity[0] / g.l2,
-           gravity[1] / g.l2,
-           g.d2 / g.l2,
-           t15,
-           inertia.I2yz - inertia.c2z * t14,
-           t19 + t20,
-           Scalar(2) * t21,
-           t21,
-           t19,
-           inertia.I3xy - inertia.c3y * t22,
-           g.d4 * t22 + (inertia.I3xz - inertia.c3z * t22),
-           g.d4 * g.d4 * t9 - (t24 + t26),
-           g.d4 * t13 + (inertia.I3yz - inertia.c3z * t13),
-           gravity[2] / g.l2,
-           g.d4 / g.l2,
-           g.l2 * (t27 + t28),
-           g.l2 * t29,
-           inertia.I5xz - inertia.c5z * t29,
-           t32,
-           inertia.c5x * t29 - (inertia.I5xx - t31),
-           inertia.I5xy - inertia.c5y * t29,
-           inertia.I5yz - inertia.c5z * t33,
-           g.l2 * t34,
-           g.l2 * t35,
+  const Scalar t2 = g.d2 * inertia.m3;
+  const Scalar t3 = inertia.c3y * inertia.m3;
+  const Scalar t4 = t2 + t3;
+  const Scalar t5 = t4 - t2;
+  const Scalar t6 = g.d2 * t1 + t5;
+  const Scalar t7 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t8 = ((inertia.I3yy - t7) - inertia.c3y * t3) - g.d2 * (t4 + t3);
+  const Scalar t9 = g.d2 * (t6 + t5) - (g.d2 * (t4 + t5) + t8);
+  const Scalar t10 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t11 = inertia.c2y * inertia.m2;
+  const Scalar t12 = g.d2 * inertia.m2 + t11;
+  const Scalar t13 = ((inertia.I2yy - t10) - inertia.c2y * t11) - g.d2 * (t12 + t11);
+  const Scalar t14 = inertia.c1y * inertia.m1;
+  const Scalar t15 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t16 = t14 + g.d2 * inertia.m1;
+  const Scalar t17 = (inertia.c1y * t14 - (inertia.I1yy - t15)) + g.d2 * (t16 + t14);
+  const Scalar t18 = inertia.c3z * inertia.m3;
+  const Scalar t19 = t18 - g.d4 * inertia.m3;
+  const Scalar t20 = inertia.c4z * inertia.m4;
+  const Scalar t21 = g.d4 * inertia.m4;
+  const Scalar t22 = t20 - t21;
+  const Scalar t23 = t22 + t21;
+  const Scalar t24 = t23 - g.d4 * t0;
+  const Scalar t25 = (t19 + t24) / g.d4;
+  const Scalar t26 = g.d2 * t25;
+  const Scalar t27 = g.d2 * t26;
+  const Scalar t28 = inertia.c1x * inertia.m1;
+  const Scalar t29 = (((t9 - t13) + t17) + t27) + (inertia.c1x * t28 - (inertia.I1xx - t15));
+  const Scalar t30 = inertia.c2z * inertia.m2;
+  const Scalar t31 = g.d2 * t30;
+  const Scalar t32 = g.l2 * t1;
+  const Scalar t33 = inertia.c2x * inertia.m2;
+  const Scalar t34 = g.l2 * inertia.m2 + t33;
+  const Scalar t35 = g.l2 * t25;
+  const Scalar t36 = (inertia.I2xz - inertia.c2z * t33) - g.l2 * t30;
+  const Scalar t37 = (inertia.c2x * t33 - (inertia.I2xx - t10)) + g.l2 * (t33 + t34);
+  const Scalar t38 = g.l2 * t35 + (t37 + g.l2 * t32);
+  const Scalar t39 = (inertia.I2zz - t10) - inertia.c2z * t30;
+  const Scalar t40 = ((inertia.I2xy - inertia.c2y * t33) - g.l2 * t11) - g.d2 * t34;
+  const Scalar t41 = inertia.c3x * inertia.m3;
+  const Scalar t42 = g.d2 * t41;
+  const Scalar t43 = g.d4 * t4 - (g.d2 * t18 - (inertia.I3yz - inertia.c3z * t3));
+  const Scalar t44 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t45 = g.d4 * (t20 + t22) + ((inertia.I4zz - t44) - inertia.c4z * t20);
+  const Scalar t46 = (g.d4 * (t23 + t22) - t45) - g.d4 * (t23 + t24);
+  const Scalar t47 = ((inertia.I3zz - t7) - inertia.c3z * t18) + g.d4 * (t18 + t19);
+  const Scalar t48 = inertia.c5x * inertia.m5;
+  const Scalar t49 = inertia.c5z * inertia.m5;
+  const Scalar t50 = inertia.c6z * inertia.m6;
+  const Scalar t51 = inertia.c6y * inertia.m6;
+  const Scalar t52 = inertia.c6x * inertia.m6;
+  const Scalar t53 = inertia.c4y * inertia.m4;
+  const Scalar t54 = inertia.c5y * inertia.m5;
+  const Scalar t55 = inertia.c4x * inertia.m4;
+  const Scalar t56 = g.d4 * t53;
+  const Scalar t57 = g.d4 * t55;
+  const Scalar t58 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t59 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t60 = (inertia.c6z * t50 - (inertia.I6zz - t59)) + (inertia.c5z * t49 - (inertia.I5zz - t58));
+  const Scalar t61 = inertia.I6xy - inertia.c6y * t52;
+  const Scalar t62 = (inertia.I6xx - t59) - inertia.c6x * t52;
+  const Scalar t63 = (inertia.I6yy - t59) - inertia.c6y * t51;
+  const Scalar t64 = ((inertia.I4yy - t44) - inertia.c4y * t53) - (inertia.c5y * t54 - (inertia.I5yy - t58));
+  return { t29,
+           gravity[1] / g.d2,
+           gravity[0] / g.d2,
+           g.d2 * (t26 + (t16 + (t6 + t12))),
+           g.d2 * t28,
+           t31,
+           g.d2 * ((t32 + t34) + t35),
            Scalar(2) * t36,
-           t37 - t38,
-           t37,
+           t38 + t39,
            t36,
-           inertia.I6yz - inertia.c6z * t34,
-           inertia.I6xz - inertia.c6z * t35,
-           g.l2 * t39,
-           inertia.I4yz - inertia.c4z * t40,
-           inertia.I4xz - inertia.c4z * t39,
-           (inertia.I4xx - t25) - inertia.c4x * t39,
-           inertia.I4xy - inertia.c4y * t39,
-           t41,
-           g.l2 * (t40 + t33),
            t38,
-           t16,
-           g.l2 * t22,
-           inertia.c3x * t22 - (inertia.I3xx - t23),
-           t50 + (inertia.c1x * t51 - (inertia.I1xx - t47)),
-           g.l2 * (t42 + (t48 + t45)),
-           g.l2 * t51,
-           t19 - t20 };
+           g.l2 * t26 - (t40 - g.l2 * t6),
+           t31 - (inertia.I2yz - inertia.c2z * t11),
+           t42 + ((inertia.I3xy - inertia.c3y * t41) - t42),
+           g.d2 * t19 + t43,
+           g.d4 * g.d4 * t25 + (t46 - t47),
+           g.d4 * t41 + (inertia.I3xz - inertia.c3z * t41),
+           g.d2 * t48,
+           g.d2 * (t49 + t50),
+           g.d2 * t51,
+           g.d2 * t52,
+           g.d2 * (t53 + t54),
+           g.d2 * t55,
+           g.d4 / g.d2,
+           g.l2 / g.d2,
+           gravity[2] / g.d2,
+           t27,
+           t56 - (t56 + (inertia.I4yz - inertia.c4z * t53)),
+           t57 - ((inertia.I4xz - inertia.c4z * t55) + t57),
+           inertia.I4xy - inertia.c4y * t55,
+           (inertia.I4xx - t44) - inertia.c4x * t55,
+           inertia.c5x * t48 - (inertia.I5xx - t58),
+           t60,
+           inertia.I5xz - inertia.c5z * t48,
+           inertia.I5xy - inertia.c5y * t48,
+           inertia.I5yz - inertia.c5z * t54,
+           inertia.I6yz - inertia.c6z * t51,
+           inertia.I6xz - inertia.c6z * t52,
+           Scalar(2) * t61,
+           t62 - t63,
+           t61,
+           t62,
+           t63,
+           t64,
+           t42,
+           inertia.c3x * t41 - (inertia.I3xx - t7),
+           t38 - t39 };
 }
 
 namespace detail {
@@ -148,164 +161,163 @@ inline JointVector<Scalar> inverse_dynamics_with_gravity_vector([[maybe_unused]]
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = k[2] * c1 + k[3] * s1;
-  const Scalar t1 = k[2] * s1 - k[3] * c1;
-  const Scalar t2 = k[43] * qdd[0] + (k[44] * t0 + k[45] * t1);
-  const Scalar t3 = c3 * s2 + c2 * s3;
-  const Scalar t4 = qd[0] * t3;
-  const Scalar t5 = qd[1] + qd[2];
-  const Scalar t6 = t4 * t5;
-  const Scalar t7 = s2 * s3 - c2 * c3;
-  const Scalar t8 = qdd[0] * t7;
-  const Scalar t9 = t6 + t8;
-  const Scalar t10 = t6 + t9;
-  const Scalar t11 = c4 * t5 - s4 * t4;
-  const Scalar t12 = qd[4] + t11;
-  const Scalar t13 = qd[0] * t7;
-  const Scalar t14 = qd[3] + t13;
-  const Scalar t15 = s4 * t5 + c4 * t4;
-  const Scalar t16 = s5 * t14 - c5 * t15;
-  const Scalar t17 = t12 * t16;
-  const Scalar t18 = t17 + t17;
-  const Scalar t19 = t4 * t13;
-  const Scalar t20 = qdd[1] + qdd[2];
+  const Scalar t0 = k[2] * s1 - k[1] * c1;
+  const Scalar t1 = k[1] * s1 + k[2] * c1;
+  const Scalar t2 = k[0] * qdd[0] + (k[4] * t0 + k[3] * t1);
+  const Scalar t3 = k[8] * s2 + k[7] * c2;
+  const Scalar t4 = qd[0] * qd[1];
+  const Scalar t5 = t4 + t4;
+  const Scalar t6 = k[9] - c2 * t3;
+  const Scalar t7 = qdd[0] * (k[10] - s2 * t3) + t5 * t6;
+  const Scalar t8 = k[11] * s2 - k[12] * c2;
+  const Scalar t9 = qd[1] * qd[1];
+  const Scalar t10 = qdd[1] * t8 + t9 * (k[12] * s2 + k[11] * c2);
+  const Scalar t11 = (t7 + t10) + (k[5] * s2 + k[6] * c2) * t0;
+  const Scalar t12 = qd[1] + qd[2];
+  const Scalar t13 = s2 * s3 - c2 * c3;
+  const Scalar t14 = qd[0] * t13;
+  const Scalar t15 = c3 * s2 + c2 * s3;
+  const Scalar t16 = qdd[0] * t15;
+  const Scalar t17 = Scalar(2) * t12 * t14 - t16;
+  const Scalar t18 = qd[0] * t15;
+  const Scalar t19 = t18 * t12;
+  const Scalar t20 = qdd[0] * t13;
   const Scalar t21 = t19 + t20;
-  const Scalar t22 = qdd[0] * t3;
-  const Scalar t23 = t5 * t13;
-  const Scalar t24 = (t22 - t23) - t23;
-  const Scalar t25 = s4 * t21 + c4 * t24;
-  const Scalar t26 = t25 + Scalar(2) * t11 * t14;
-  const Scalar t27 = t11 * t15;
-  const Scalar t28 = qdd[3] + t9;
+  const Scalar t22 = t19 + t21;
+  const Scalar t23 = t12 * t12;
+  const Scalar t24 = t14 * t14;
+  const Scalar t25 = t23 - t24;
+  const Scalar t26 = (k[15] * t17 - k[16] * t22) + k[14] * t25;
+  const Scalar t27 = t18 * t14;
+  const Scalar t28 = qdd[1] + qdd[2];
   const Scalar t29 = t27 - t28;
-  const Scalar t30 = s5 * t26 - c5 * t29;
-  const Scalar t31 = qdd[5] + t30;
-  const Scalar t32 = t18 - t31;
-  const Scalar t33 = k[25] * c6 + k[24] * s6;
-  const Scalar t34 = k[25] * s6 - k[24] * c6;
-  const Scalar t35 = t16 * t16;
-  const Scalar t36 = s5 * t15 + c5 * t14;
-  const Scalar t37 = qd[5] + t36;
-  const Scalar t38 = t37 * t37;
-  const Scalar t39 = t35 + t38;
-  const Scalar t40 = t30 - t18;
-  const Scalar t41 = c5 * t26 + s5 * t29;
-  const Scalar t42 = t41 - Scalar(2) * t12 * t36;
-  const Scalar t43 = (t32 * t33 + t34 * t39) - (k[18] * t40 - k[17] * t42);
-  const Scalar t44 = t0 + k[4] * qdd[0];
-  const Scalar t45 = qd[0] * s2;
-  const Scalar t46 = (s2 * t44 + k[15] * c2) + (qdd[1] + t45 * qd[0] * c2);
-  const Scalar t47 = qd[0] * qd[0];
-  const Scalar t48 = qd[1] * qd[1];
-  const Scalar t49 = t47 + t48;
-  const Scalar t50 = (t49 - t45 * t45) - (k[15] * s2 - c2 * t44);
-  const Scalar t51 = (s3 * t46 - c3 * t50) - k[16] * t21;
-  const Scalar t52 = t1 - k[4] * t47;
-  const Scalar t53 = qd[0] * qd[1];
-  const Scalar t54 = t53 + t53;
-  const Scalar t55 = t52 - (s2 * t54 - qdd[0] * c2);
-  const Scalar t56 = t55 - k[16] * t24;
-  const Scalar t57 = s4 * t51 + c4 * t56;
-  const Scalar t58 = t5 * t5;
-  const Scalar t59 = t13 * t13;
-  const Scalar t60 = t58 - t59;
-  const Scalar t61 = t47 + t60;
-  const Scalar t62 = t14 * t14;
-  const Scalar t63 = t11 * t11;
-  const Scalar t64 = t62 + t63;
-  const Scalar t65 = t61 - t64;
-  const Scalar t66 = t62 - t63;
-  const Scalar t67 = t65 + t66;
-  const Scalar t68 = t67 + t64;
-  const Scalar t69 = t27 + t28;
-  const Scalar t70 = k[40] * t57 + (k[38] * t68 + k[32] * t69);
-  const Scalar t71 = t43 - t70;
-  const Scalar t72 = t37 * t16;
-  const Scalar t73 = c4 * t21 - s4 * t24;
-  const Scalar t74 = t15 * t14;
-  const Scalar t75 = t73 - t74;
-  const Scalar t76 = qdd[4] + t75;
-  const Scalar t77 = t36 * t16;
-  const Scalar t78 = t76 - t77;
-  const Scalar t79 = (t72 + t72) + t78;
-  const Scalar t80 = t12 * t37;
-  const Scalar t81 = t80 + (t80 + t42);
-  const Scalar t82 = t76 + t77;
-  const Scalar t83 = t38 - t12 * t12;
-  const Scalar t84 = t83 - t39;
-  const Scalar t85 = (t33 * t79 - t34 * t81) + (k[18] * t82 - k[17] * t84);
-  const Scalar t86 = t35 - t38;
-  const Scalar t87 = t86 + t83;
-  const Scalar t88 = t87 - t68;
-  const Scalar t89 = (t34 * t31 + (t39 - t87) * t33) - (k[18] * t88 + k[17] * t78);
-  const Scalar t90 = c4 * t51 - s4 * t56;
-  const Scalar t91 = k[40] * t90 + (k[32] * t64 + k[38] * t29);
-  const Scalar t92 = (s5 * t85 + c5 * t89) + t91;
-  const Scalar t93 = c4 * t71 + s4 * t92;
-  const Scalar t94 = t75 - t74;
-  const Scalar t95 = k[33] * t66 - (k[37] * t26 + k[36] * t94);
-  const Scalar t96 = c3 * t46 + s3 * t50;
-  const Scalar t97 = k[16] * t61 - t96;
-  const Scalar t98 = c5 * t90 - s5 * t97;
-  const Scalar t99 = k[30] * s6 + k[31] * c6;
-  const Scalar t100 = k[31] * s6 - k[30] * c6;
-  const Scalar t101 = k[26] * c6 - k[27] * s6;
-  const Scalar t102 = s6 * t101;
-  const Scalar t103 = k[28] + t102;
-  const Scalar t104 = k[39] - t102;
-  const Scalar t105 = k[29] - c6 * t101;
-  const Scalar t106 = (t32 * t103 - t31 * t104) + t87 * t105;
-  const Scalar t107 = (t57 * t33 + t34 * t98) - ((t42 * t99 + t100 * t78) + t106);
-  const Scalar t108 = (k[21] * t40 + k[19] * t42) - (k[22] * t87 + k[23] * t78);
-  const Scalar t109 = t107 - (t108 - k[18] * t57);
-  const Scalar t110 = t88 - t84;
-  const Scalar t111 = k[23] * (t87 - t110) + (k[20] * t42 + k[19] * t40);
-  const Scalar t112 = t83 * t100 + (t104 * t81 - t105 * t79);
-  const Scalar t113 = s5 * t90 + c5 * t97;
-  const Scalar t114 = ((t111 - k[22] * t82) + k[17] * t57) - ((t112 + t32 * t99) - t34 * t113);
-  const Scalar t115 = ((t95 + k[34] * t69) - k[38] * t97) - (s5 * t109 - c5 * t114);
-  const Scalar t116 = (k[35] * t94 + k[36] * t26) + (k[34] * t65 - k[33] * t29);
-  const Scalar t117 = k[19] * t110 - (k[20] * t78 + k[21] * t82);
-  const Scalar t118 = (k[17] * t98 - k[18] * t113) - (t117 + (k[22] * t41 + k[23] * t30));
-  const Scalar t119 = (t103 * t79 - t81 * t105) + (t86 * t99 - t31 * t100);
-  const Scalar t120 = t118 - (t33 * t113 + t119);
-  const Scalar t121 = (k[32] * t97 + t116) - t120;
-  const Scalar t122 = k[16] * t93 - (c4 * t115 + s4 * t121);
-  const Scalar t123 = k[14] * t60 - (k[13] * t24 + k[12] * t10);
-  const Scalar t124 = t19 - t20;
-  const Scalar t125 = t58 + t59;
-  const Scalar t126 = t61 - t125;
-  const Scalar t127 = (k[42] * t10 + k[12] * t24) - (k[14] * t21 - k[11] * (t60 - t126));
-  const Scalar t128 = (k[35] * t69 - k[37] * t29) + k[36] * t67;
-  const Scalar t129 = (k[38] * t90 - k[32] * t57) - (t128 - (k[34] * t25 - k[33] * t73));
-  const Scalar t130 = t129 - (c5 * t109 + s5 * t114);
-  const Scalar t131 = t3 * (t122 + (t123 - k[11] * t124)) + t7 * ((k[41] * t55 - t127) - t130);
-  const Scalar t132 = k[8] * c2 + k[7] * s2;
-  const Scalar t133 = k[9] - c2 * t132;
-  const Scalar t134 = qdd[0] * (k[10] - s2 * t132) + t54 * t133;
-  const Scalar t135 = k[5] * s2 + k[6] * c2;
-  const Scalar t136 = qdd[1] * t135 - t48 * (k[6] * s2 - k[5] * c2);
-  const Scalar t137 = k[1] * s2 + k[0] * c2;
-  const Scalar t138 = (c2 * (k[41] * t10 - t93) + t131) - ((t134 + t136) + t52 * t137);
-  const Scalar t139 = k[0] * s2 - k[1] * c2;
-  const Scalar t140 = s4 * t71 - c4 * t92;
-  const Scalar t141 = t140 - k[41] * t125;
-  const Scalar t142 = k[40] * t97 + (k[32] * t94 + k[38] * t26);
-  const Scalar t143 = k[41] * t124 - ((c5 * t85 - s5 * t89) + t142);
-  const Scalar t144 = (t49 * t137 + qdd[1] * t139) + (t7 * t141 - t3 * t143);
-  const Scalar t145 = (k[42] * t124 - k[13] * t21) + k[12] * t126;
-  const Scalar t146 = (t145 + (k[14] * t8 + k[11] * t22)) - k[41] * t96;
-  const Scalar t147 = (s4 * t115 - c4 * t121) - k[16] * t140;
-  const Scalar t148 = t146 - t147;
-  const Scalar t149 = qdd[0] * t135 + (k[46] * qdd[1] - t47 * t133);
-  const Scalar t150 = ((s3 * t141 - c3 * t143) - t148) + ((k[15] * t137 + t44 * t139) + t149);
+  const Scalar t30 = t27 + t28;
+  const Scalar t31 = k[25] * c2 + s2 * t1;
+  const Scalar t32 = qd[0] * c2;
+  const Scalar t33 = t31 + k[24] * (qdd[1] + qd[0] * s2 * t32);
+  const Scalar t34 = qdd[0] * s2 + t33;
+  const Scalar t35 = k[25] * s2 - c2 * t1;
+  const Scalar t36 = qdd[0] * c2;
+  const Scalar t37 = (t35 - k[24] * (t9 + t32 * t32)) - t36;
+  const Scalar t38 = k[23] * t30 - (s3 * t34 + c3 * t37);
+  const Scalar t39 = qd[0] * qd[0];
+  const Scalar t40 = t39 + (k[24] * (s2 * t5 - t36) - t0);
+  const Scalar t41 = t40 - k[23] * t17;
+  const Scalar t42 = s4 * t38 + c4 * t41;
+  const Scalar t43 = s4 * t12 + c4 * t18;
+  const Scalar t44 = qd[3] + t14;
+  const Scalar t45 = s5 * t43 + c5 * t44;
+  const Scalar t46 = s5 * t44 - c5 * t43;
+  const Scalar t47 = t45 * t46;
+  const Scalar t48 = t43 * t44;
+  const Scalar t49 = c4 * t30 + s4 * t17;
+  const Scalar t50 = t48 - t49;
+  const Scalar t51 = qdd[4] - t50;
+  const Scalar t52 = t47 + t51;
+  const Scalar t53 = c4 * t12 - s4 * t18;
+  const Scalar t54 = qd[4] + t53;
+  const Scalar t55 = t54 * t45;
+  const Scalar t56 = t53 * t44;
+  const Scalar t57 = c4 * t17 - s4 * t30;
+  const Scalar t58 = t56 - (t57 - t56);
+  const Scalar t59 = t53 * t43;
+  const Scalar t60 = qdd[3] + t21;
+  const Scalar t61 = t59 - t60;
+  const Scalar t62 = c5 * t58 + s5 * t61;
+  const Scalar t63 = (t55 - t62) + t55;
+  const Scalar t64 = c5 * t61 - s5 * t58;
+  const Scalar t65 = qdd[5] - t64;
+  const Scalar t66 = t54 * t46;
+  const Scalar t67 = (t65 - t66) - t66;
+  const Scalar t68 = qdd[5] - t67;
+  const Scalar t69 = t54 * t54;
+  const Scalar t70 = t45 * t45 - t69;
+  const Scalar t71 = (k[32] * t63 + k[33] * t68) - k[35] * t70;
+  const Scalar t72 = k[19] * c6 - k[20] * s6;
+  const Scalar t73 = s4 * t41 - c4 * t38;
+  const Scalar t74 = t39 + t25;
+  const Scalar t75 = c3 * t34 - s3 * t37;
+  const Scalar t76 = k[23] * t74 - t75;
+  const Scalar t77 = s5 * t73 + c5 * t76;
+  const Scalar t78 = k[37] * c6 + k[36] * s6;
+  const Scalar t79 = qd[5] + t45;
+  const Scalar t80 = Scalar(2) * t54 * t79 - t63;
+  const Scalar t81 = k[38] * c6 - k[39] * s6;
+  const Scalar t82 = s6 * t81;
+  const Scalar t83 = k[42] - t82;
+  const Scalar t84 = k[40] - c6 * t81;
+  const Scalar t85 = t47 - t51;
+  const Scalar t86 = t79 * t46;
+  const Scalar t87 = (t85 - t86) - t86;
+  const Scalar t88 = k[36] * c6 - k[37] * s6;
+  const Scalar t89 = t79 * t79;
+  const Scalar t90 = t89 - t69;
+  const Scalar t91 = (t80 * t83 + t84 * t87) - t88 * t90;
+  const Scalar t92 = (k[18] * t42 + (k[34] * t52 + t71)) + (t72 * t77 - (t78 * t67 - t91));
+  const Scalar t93 = t89 + t69;
+  const Scalar t94 = t44 * t44;
+  const Scalar t95 = t53 * t53;
+  const Scalar t96 = t94 - t95;
+  const Scalar t97 = t74 + t96;
+  const Scalar t98 = t97 - t70;
+  const Scalar t99 = t93 - t98;
+  const Scalar t100 = t90 - t99;
+  const Scalar t101 = (k[33] * t63 + k[31] * t68) + (k[34] * t100 - k[35] * t85);
+  const Scalar t102 = c5 * t73 - s5 * t76;
+  const Scalar t103 = k[19] * s6 + k[20] * c6;
+  const Scalar t104 = k[41] + t82;
+  const Scalar t105 = t84 * t100 - (t65 * t83 + t67 * t104);
+  const Scalar t106 = (t102 * t72 + t103 * t42) + ((t88 * t85 - t78 * t63) + t105);
+  const Scalar t107 = (t101 - k[17] * t42) - t106;
+  const Scalar t108 = t59 + t60;
+  const Scalar t109 = t50 + t48;
+  const Scalar t110 = k[27] * t96 - (k[29] * t109 - k[43] * t58);
+  const Scalar t111 = (c5 * t92 + s5 * t107) + ((k[28] * t108 + t110) + k[21] * t76);
+  const Scalar t112 = t94 + t95;
+  const Scalar t113 = t74 - t112;
+  const Scalar t114 = (k[28] * t113 - k[27] * t61) + (k[30] * t109 - k[29] * t58);
+  const Scalar t115 = t70 - t100;
+  const Scalar t116 = (k[32] * t85 - k[31] * t52) - k[33] * t115;
+  const Scalar t117 = (k[17] * t77 - k[18] * t102) + (t116 - (k[35] * t64 - k[34] * t62));
+  const Scalar t118 = (t87 * t104 + t84 * t80) + (t78 * t99 - t88 * t65);
+  const Scalar t119 = t117 + (t103 * t77 - t118);
+  const Scalar t120 = (t114 - k[22] * t76) - t119;
+  const Scalar t121 = (k[18] * t98 + k[17] * t52) - (t103 * t87 - t72 * t80);
+  const Scalar t122 = (k[18] * t85 + k[17] * (t115 + t98)) + (t103 * t93 - t65 * t72);
+  const Scalar t123 = k[26] * t73 + (k[22] * t112 + k[21] * t61);
+  const Scalar t124 = (s5 * t121 + c5 * t122) + t123;
+  const Scalar t125 = (k[22] * t108 + k[21] * t97) - k[26] * t42;
+  const Scalar t126 = (t72 * (t90 + t98) + t103 * t67) + (k[18] * t63 - k[17] * t68);
+  const Scalar t127 = t125 + t126;
+  const Scalar t128 = s4 * t124 - c4 * t127;
+  const Scalar t129 = (c4 * t111 + s4 * t120) + k[23] * t128;
+  const Scalar t130 = k[26] * t76 + (k[21] * t58 - k[22] * t109);
+  const Scalar t131 = k[44] * t29 - (t130 - (s5 * t122 - c5 * t121));
+  const Scalar t132 = (((t26 - k[13] * t29) + t129) + t131) * t15;
+  const Scalar t133 = t23 + t24;
+  const Scalar t134 = c4 * t124 + s4 * t127;
+  const Scalar t135 = k[44] * t133 + t134;
+  const Scalar t136 = (k[30] * t108 - k[43] * t61) + k[29] * (t113 + t96);
+  const Scalar t137 = (k[21] * t73 + k[22] * t42) + ((k[28] * t57 + k[27] * t49) - t136);
+  const Scalar t138 = (c5 * t107 - s5 * t92) - t137;
+  const Scalar t139 = t39 - t133;
+  const Scalar t140 = (k[45] * t22 - k[16] * t17) - (k[14] * t30 + k[13] * t139);
+  const Scalar t141 = t13 * (t135 + (t138 - (k[44] * t40 + t140)));
+  const Scalar t142 = (t132 + t141) - (t128 - k[44] * t22) * k[24] * c2;
+  const Scalar t143 = qdd[0] * t8 + (k[46] * qdd[1] - t39 * t6);
+  const Scalar t144 = k[16] * (t25 + t139) - (k[15] * t30 - k[45] * t29);
+  const Scalar t145 = (t144 + (k[14] * t20 + k[13] * t16)) - k[44] * t75;
+  const Scalar t146 = (c4 * t120 - s4 * t111) + k[23] * t134;
+  const Scalar t147 = t145 - t146;
+  const Scalar t148 = k[24] * (c3 * t131 + s3 * t135) + t147;
+  const Scalar t149 = (t143 + (k[5] * t35 + k[6] * t31)) - t148;
   JointVector<Scalar> result;
-  result[0] = t2 - (t138 - k[4] * t144);
-  result[1] = t150;
-  result[2] = -t148;
-  result[3] = t130;
-  result[4] = t120;
-  result[5] = -t107;
+  result[0] = t2 + (t11 - t142);
+  result[1] = t149;
+  result[2] = -t147;
+  result[3] = -t138;
+  result[4] = -t119;
+  result[5] = t106;
   return result;
 }
 
@@ -336,104 +348,117 @@ InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constant
   using std::sin;
   const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
   const Scalar t1 = inertia.m3 + t0;
-  const Scalar t2 = g.l2 * t1;
-  const Scalar t3 = inertia.c2x * inertia.m2;
-  const Scalar t4 = g.l2 * inertia.m2 + t3;
-  const Scalar t5 = inertia.c4z * inertia.m4;
-  const Scalar t6 = t5 - g.d4 * t0;
-  const Scalar t7 = inertia.c3z * inertia.m3;
-  const Scalar t8 = t7 - g.d4 * inertia.m3;
-  const Scalar t9 = (t6 + t8) / g.d4;
-  const Scalar t10 = g.l2 * t9;
-  const Scalar t11 = inertia.c2z * inertia.m2;
-  const Scalar t12 = g.l2 * t11;
-  const Scalar t13 = inertia.c3y * inertia.m3;
-  const Scalar t14 = inertia.c2y * inertia.m2;
-  const Scalar t15 = g.l2 * t13 - ((inertia.I2xy - inertia.c2y * t3) - g.l2 * t14);
-  const Scalar t16 = g.l2 * t10;
-  const Scalar t17 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t18 = (inertia.c2x * t3 - (inertia.I2xx - t17)) + g.l2 * (t3 + t4);
-  const Scalar t19 = t16 + (t18 + g.l2 * t2);
-  const Scalar t20 = (inertia.I2zz - t17) - inertia.c2z * t11;
-  const Scalar t21 = (inertia.I2xz - inertia.c2z * t3) - t12;
-  const Scalar t22 = inertia.c6y * inertia.m6;
-  const Scalar t23 = inertia.c6x * inertia.m6;
-  const Scalar t24 = inertia.c5z * inertia.m5;
-  const Scalar t25 = inertia.c6z * inertia.m6;
-  const Scalar t26 = inertia.c5x * inertia.m5;
-  const Scalar t27 = inertia.c4x * inertia.m4;
-  const Scalar t28 = inertia.c4y * inertia.m4;
-  const Scalar t29 = inertia.c5y * inertia.m5;
-  const Scalar t30 = inertia.c3x * inertia.m3;
-  const Scalar t31 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t32 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t33 = ((inertia.I4yy - t31) - inertia.c4y * t28) - (inertia.c5y * t29 - (inertia.I5yy - t32));
-  const Scalar t34 = inertia.I6xy - inertia.c6y * t23;
-  const Scalar t35 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t36 = (inertia.I6xx - t35) - inertia.c6x * t23;
-  const Scalar t37 = (inertia.I6yy - t35) - inertia.c6y * t22;
-  const Scalar t38 = (inertia.c6z * t25 - (inertia.I6zz - t35)) + (inertia.c5z * t24 - (inertia.I5zz - t32));
-  const Scalar t39 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t40 = ((inertia.I3zz - t39) - inertia.c3z * t7) + g.d4 * (t7 + t8);
-  const Scalar t41 = ((inertia.I4zz - t31) - inertia.c4z * t5) + g.d4 * (t6 + t5);
-  const Scalar t42 = g.d2 * t9;
-  const Scalar t43 = ((inertia.I3yy - t39) - inertia.c3y * t13) + ((inertia.I2yy - t17) - inertia.c2y * t14);
-  const Scalar t44 = t13 + t14;
-  const Scalar t45 = t44 + g.d2 * (inertia.m2 + t1);
-  const Scalar t46 = inertia.c1y * inertia.m1;
-  const Scalar t47 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t48 = t46 + g.d2 * inertia.m1;
-  const Scalar t49 = (inertia.c1y * t46 - (inertia.I1yy - t47)) + g.d2 * (t48 + t46);
-  const Scalar t50 = g.d2 * t42 - ((t43 - g.d2 * (t44 + t45)) - t49);
-  const Scalar t51 = inertia.c1x * inertia.m1;
-  return { g.l2 * ((t2 + t4) + t10),
-           t12,
-           gravity[0] / g.l2,
-           gravity[1] / g.l2,
-           g.d2 / g.l2,
-           t15,
-           inertia.I2yz - inertia.c2z * t14,
-           t19 + t20,
-           Scalar(2) * t21,
-           t21,
-           t19,
-           g.l2 * t22,
-           g.l2 * t23,
-           g.l2,
-           g.l2 * (t24 + t25),
-           g.l2 * t26,
-           g.d4 / g.l2,
-           gravity[2] / g.l2,
-           t16,
-           g.l2 * t27,
-           g.l2 * (t28 + t29),
-           g.l2 * t30,
-           inertia.I4xy - inertia.c4y * t27,
-           t33,
-           (inertia.I4xx - t31) - inertia.c4x * t27,
-           inertia.I4xz - inertia.c4z * t27,
-           inertia.I4yz - inertia.c4z * t28,
-           inertia.I6yz - inertia.c6z * t22,
-           inertia.I6xz - inertia.c6z * t23,
-           Scalar(2) * t34,
-           t36 - t37,
-           t34,
-           t36,
-           t37,
-           inertia.I5xz - inertia.c5z * t26,
-           inertia.c5x * t26 - (inertia.I5xx - t32),
-           inertia.I5xy - inertia.c5y * t26,
-           inertia.I5yz - inertia.c5z * t29,
-           t38,
-           g.d4 * t30 + (inertia.I3xz - inertia.c3z * t30),
-           inertia.c3x * t30 - (inertia.I3xx - t39),
-           g.d4 * t13 + (inertia.I3yz - inertia.c3z * t13),
-           inertia.I3xy - inertia.c3y * t30,
-           g.d4 * g.d4 * t9 - (t40 + t41),
-           t50 + (inertia.c1x * t51 - (inertia.I1xx - t47)),
-           g.l2 * (t42 + (t48 + t45)),
-           g.l2 * t51,
-           t19 - t20 };
+  const Scalar t2 = g.d2 * inertia.m3;
+  const Scalar t3 = inertia.c3y * inertia.m3;
+  const Scalar t4 = t2 + t3;
+  const Scalar t5 = t4 - t2;
+  const Scalar t6 = g.d2 * t1 + t5;
+  const Scalar t7 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t8 = ((inertia.I3yy - t7) - inertia.c3y * t3) - g.d2 * (t4 + t3);
+  const Scalar t9 = g.d2 * (t6 + t5) - (g.d2 * (t4 + t5) + t8);
+  const Scalar t10 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t11 = inertia.c2y * inertia.m2;
+  const Scalar t12 = g.d2 * inertia.m2 + t11;
+  const Scalar t13 = ((inertia.I2yy - t10) - inertia.c2y * t11) - g.d2 * (t12 + t11);
+  const Scalar t14 = inertia.c1y * inertia.m1;
+  const Scalar t15 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t16 = t14 + g.d2 * inertia.m1;
+  const Scalar t17 = (inertia.c1y * t14 - (inertia.I1yy - t15)) + g.d2 * (t16 + t14);
+  const Scalar t18 = inertia.c3z * inertia.m3;
+  const Scalar t19 = t18 - g.d4 * inertia.m3;
+  const Scalar t20 = inertia.c4z * inertia.m4;
+  const Scalar t21 = g.d4 * inertia.m4;
+  const Scalar t22 = t20 - t21;
+  const Scalar t23 = t22 + t21;
+  const Scalar t24 = t23 - g.d4 * t0;
+  const Scalar t25 = (t19 + t24) / g.d4;
+  const Scalar t26 = g.d2 * t25;
+  const Scalar t27 = g.d2 * t26;
+  const Scalar t28 = inertia.c1x * inertia.m1;
+  const Scalar t29 = (((t9 - t13) + t17) + t27) + (inertia.c1x * t28 - (inertia.I1xx - t15));
+  const Scalar t30 = inertia.c4y * inertia.m4;
+  const Scalar t31 = inertia.c5y * inertia.m5;
+  const Scalar t32 = inertia.c4x * inertia.m4;
+  const Scalar t33 = inertia.c6y * inertia.m6;
+  const Scalar t34 = inertia.c6x * inertia.m6;
+  const Scalar t35 = inertia.c5x * inertia.m5;
+  const Scalar t36 = inertia.c5z * inertia.m5;
+  const Scalar t37 = inertia.c6z * inertia.m6;
+  const Scalar t38 = inertia.c3x * inertia.m3;
+  const Scalar t39 = g.d2 * t38;
+  const Scalar t40 = g.d4 * t4 - (g.d2 * t18 - (inertia.I3yz - inertia.c3z * t3));
+  const Scalar t41 = g.d4 * t30;
+  const Scalar t42 = g.d4 * t32;
+  const Scalar t43 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t44 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t45 = ((inertia.I4yy - t43) - inertia.c4y * t30) - (inertia.c5y * t31 - (inertia.I5yy - t44));
+  const Scalar t46 = inertia.I6xy - inertia.c6y * t34;
+  const Scalar t47 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t48 = (inertia.I6xx - t47) - inertia.c6x * t34;
+  const Scalar t49 = (inertia.I6yy - t47) - inertia.c6y * t33;
+  const Scalar t50 = (inertia.c6z * t37 - (inertia.I6zz - t47)) + (inertia.c5z * t36 - (inertia.I5zz - t44));
+  const Scalar t51 = g.d4 * (t20 + t22) + ((inertia.I4zz - t43) - inertia.c4z * t20);
+  const Scalar t52 = (g.d4 * (t23 + t22) - t51) - g.d4 * (t23 + t24);
+  const Scalar t53 = ((inertia.I3zz - t7) - inertia.c3z * t18) + g.d4 * (t18 + t19);
+  const Scalar t54 = inertia.c2z * inertia.m2;
+  const Scalar t55 = g.d2 * t54;
+  const Scalar t56 = g.l2 * t1;
+  const Scalar t57 = inertia.c2x * inertia.m2;
+  const Scalar t58 = g.l2 * inertia.m2 + t57;
+  const Scalar t59 = g.l2 * t25;
+  const Scalar t60 = ((inertia.I2xy - inertia.c2y * t57) - g.l2 * t11) - g.d2 * t58;
+  const Scalar t61 = (inertia.I2xz - inertia.c2z * t57) - g.l2 * t54;
+  const Scalar t62 = (inertia.c2x * t57 - (inertia.I2xx - t10)) + g.l2 * (t57 + t58);
+  const Scalar t63 = g.l2 * t59 + (t62 + g.l2 * t56);
+  const Scalar t64 = (inertia.I2zz - t10) - inertia.c2z * t54;
+  return { t29,
+           gravity[1] / g.d2,
+           gravity[0] / g.d2,
+           g.d2 * (t26 + (t16 + (t6 + t12))),
+           g.d2 * t28,
+           g.d2 * (t30 + t31),
+           g.d2 * t32,
+           g.d4 / g.d2,
+           g.l2 / g.d2,
+           gravity[2] / g.d2,
+           t27,
+           g.d2,
+           g.d2 * t33,
+           g.d2 * t34,
+           g.d2 * t35,
+           g.d2 * (t36 + t37),
+           t39,
+           g.d4 * t38 + (inertia.I3xz - inertia.c3z * t38),
+           inertia.c3x * t38 - (inertia.I3xx - t7),
+           g.d2 * t19 + t40,
+           t39 + ((inertia.I3xy - inertia.c3y * t38) - t39),
+           t41 - (t41 + (inertia.I4yz - inertia.c4z * t30)),
+           t42 - ((inertia.I4xz - inertia.c4z * t32) + t42),
+           (inertia.I4xx - t43) - inertia.c4x * t32,
+           t45,
+           inertia.I4xy - inertia.c4y * t32,
+           inertia.I5yz - inertia.c5z * t31,
+           inertia.I5xy - inertia.c5y * t35,
+           inertia.c5x * t35 - (inertia.I5xx - t44),
+           inertia.I5xz - inertia.c5z * t35,
+           inertia.I6yz - inertia.c6z * t33,
+           inertia.I6xz - inertia.c6z * t34,
+           Scalar(2) * t46,
+           t48 - t49,
+           t46,
+           t48,
+           t49,
+           t50,
+           g.d4 * g.d4 * t25 + (t52 - t53),
+           t55,
+           g.d2 * ((t56 + t58) + t59),
+           g.l2 * t26 - (t60 - g.l2 * t6),
+           t55 - (inertia.I2yz - inertia.c2z * t11),
+           Scalar(2) * t61,
+           t63 + t64,
+           t61,
+           t63,
+           t63 - t64 };
 }
 
 namespace detail {
@@ -454,174 +479,171 @@ inline JointVector<Scalar> inverse_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = k[2] * c1 + k[3] * s1;
-  const Scalar t1 = k[2] * s1 - k[3] * c1;
-  const Scalar t2 = (k[45] * t0 + k[46] * t1) + k[44] * qdd[0];
-  const Scalar t3 = qd[0] * qd[0];
-  const Scalar t4 = qd[1] * qd[1];
-  const Scalar t5 = t3 + t4;
-  const Scalar t6 = k[1] * s2 + k[0] * c2;
-  const Scalar t7 = k[0] * s2 - k[1] * c2;
-  const Scalar t8 = qd[1] + qd[2];
-  const Scalar t9 = t8 * t8;
-  const Scalar t10 = s2 * s3 - c2 * c3;
-  const Scalar t11 = qd[0] * t10;
-  const Scalar t12 = t11 * t11;
-  const Scalar t13 = t9 + t12;
-  const Scalar t14 = c3 * s2 + c2 * s3;
-  const Scalar t15 = qd[0] * t14;
-  const Scalar t16 = s4 * t8 + c4 * t15;
-  const Scalar t17 = t16 * t16;
-  const Scalar t18 = qd[3] + t11;
+  const Scalar t0 = k[2] * s1 - k[1] * c1;
+  const Scalar t1 = k[1] * s1 + k[2] * c1;
+  const Scalar t2 = k[0] * qdd[0] + (k[4] * t0 + k[3] * t1);
+  const Scalar t3 = qd[1] * qd[1];
+  const Scalar t4 = k[42] * c2 - k[41] * s2;
+  const Scalar t5 = t3 * (k[41] * c2 + k[42] * s2) - qdd[1] * t4;
+  const Scalar t6 = k[43] * c2 + k[44] * s2;
+  const Scalar t7 = Scalar(2) * qd[1];
+  const Scalar t8 = k[45] - c2 * t6;
+  const Scalar t9 = qdd[0] * (k[46] - s2 * t6) + qd[0] * t7 * t8;
+  const Scalar t10 = (t5 + t9) + (k[39] * s2 + k[40] * c2) * t0;
+  const Scalar t11 = qd[1] + qd[2];
+  const Scalar t12 = c3 * s2 + c2 * s3;
+  const Scalar t13 = qd[0] * t12;
+  const Scalar t14 = s4 * t11 + c4 * t13;
+  const Scalar t15 = t14 * t14;
+  const Scalar t16 = s2 * s3 - c2 * c3;
+  const Scalar t17 = qd[0] * t16;
+  const Scalar t18 = qd[3] + t17;
   const Scalar t19 = t18 * t18;
-  const Scalar t20 = t17 + t19;
-  const Scalar t21 = t9 - t12;
-  const Scalar t22 = t3 - t13;
-  const Scalar t23 = t21 + t22;
-  const Scalar t24 = t13 + t23;
-  const Scalar t25 = t20 - t24;
-  const Scalar t26 = t17 - t19;
+  const Scalar t20 = t15 + t19;
+  const Scalar t21 = c4 * t11 - s4 * t13;
+  const Scalar t22 = t21 * t21;
+  const Scalar t23 = t15 - t22;
+  const Scalar t24 = t21 * t14;
+  const Scalar t25 = t13 * t11;
+  const Scalar t26 = qdd[0] * t16;
   const Scalar t27 = t25 + t26;
-  const Scalar t28 = c4 * t8 - s4 * t15;
-  const Scalar t29 = t28 * t16;
-  const Scalar t30 = t15 * t8;
-  const Scalar t31 = qdd[0] * t10;
-  const Scalar t32 = t30 + t31;
-  const Scalar t33 = qdd[3] + t32;
-  const Scalar t34 = t29 - t33;
-  const Scalar t35 = t15 * t11;
-  const Scalar t36 = qdd[1] + qdd[2];
-  const Scalar t37 = t35 + t36;
-  const Scalar t38 = qdd[0] * t14;
-  const Scalar t39 = t8 * t11;
-  const Scalar t40 = (t38 - t39) - t39;
-  const Scalar t41 = c4 * t37 - s4 * t40;
-  const Scalar t42 = t1 - k[4] * t3;
-  const Scalar t43 = qd[0] * qd[1];
-  const Scalar t44 = t43 + t43;
-  const Scalar t45 = t42 - (s2 * t44 - qdd[0] * c2);
-  const Scalar t46 = t0 + k[4] * qdd[0];
-  const Scalar t47 = qd[0] * s2;
-  const Scalar t48 = (c2 * t46 - k[17] * s2) + (t5 - t47 * t47);
-  const Scalar t49 = (s2 * t46 + k[17] * c2) + (qdd[1] + t47 * qd[0] * c2);
-  const Scalar t50 = c3 * t48 - s3 * t49;
-  const Scalar t51 = k[16] * t41 + (s4 * t45 + c4 * t50);
-  const Scalar t52 = (k[19] * (t20 - t27) + k[20] * t34) - k[18] * t51;
-  const Scalar t53 = t16 * t18;
-  const Scalar t54 = t41 - t53;
-  const Scalar t55 = qdd[4] + t54;
-  const Scalar t56 = s5 * t16 + c5 * t18;
-  const Scalar t57 = s5 * t18 - c5 * t16;
-  const Scalar t58 = t56 * t57;
-  const Scalar t59 = t55 - t58;
-  const Scalar t60 = t56 * t56;
-  const Scalar t61 = qd[4] + t28;
-  const Scalar t62 = t61 * t61;
-  const Scalar t63 = t60 + t62;
-  const Scalar t64 = wrench[0] * c1 + wrench[1] * s1;
-  const Scalar t65 = wrench[2] * t10 - t64 * t14;
-  const Scalar t66 = wrench[0] * s1 - wrench[1] * c1;
-  const Scalar t67 = t10 * t64 + wrench[2] * t14;
-  const Scalar t68 = s4 * t66 - c4 * t67;
-  const Scalar t69 = k[12] * c6 + k[11] * s6;
-  const Scalar t70 = qd[5] + t56;
-  const Scalar t71 = t70 * t70;
-  const Scalar t72 = t71 + t62;
-  const Scalar t73 = k[12] * s6 - k[11] * c6;
-  const Scalar t74 = t28 * t18;
-  const Scalar t75 = s4 * t37 + c4 * t40;
-  const Scalar t76 = t74 + (t74 + t75);
-  const Scalar t77 = s5 * t76 - c5 * t34;
-  const Scalar t78 = qdd[5] + t77;
-  const Scalar t79 = k[13] * (s5 * t65 + c5 * t68) + (t69 * t72 + t73 * t78);
-  const Scalar t80 = (k[14] * t59 - k[15] * t63) - t79;
-  const Scalar t81 = s5 * t34 + c5 * t76;
-  const Scalar t82 = t81 - Scalar(2) * t61 * t56;
-  const Scalar t83 = Scalar(2) * t61 * t70 + t82;
-  const Scalar t84 = t70 * t57;
-  const Scalar t85 = (t84 + t59) + t84;
-  const Scalar t86 = k[13] * (s5 * t68 - c5 * t65) - (t83 * t73 - t69 * t85);
-  const Scalar t87 = t60 - t62;
-  const Scalar t88 = t55 + t58;
-  const Scalar t89 = t86 + (k[14] * (t20 - t87) + k[15] * t88);
-  const Scalar t90 = t52 - (c5 * t80 - s5 * t89);
-  const Scalar t91 = t29 + t33;
-  const Scalar t92 = (s4 * t50 - c4 * t45) + k[16] * t75;
-  const Scalar t93 = (k[20] * t20 + k[19] * t91) - k[18] * t92;
-  const Scalar t94 = Scalar(2) * t61 * t57 - t78;
-  const Scalar t95 = qdd[5] + t94;
-  const Scalar t96 = t63 - t20;
-  const Scalar t97 = ((t72 - t96) * t73 + t69 * t94) + k[13] * (s4 * t67 + c4 * t66);
-  const Scalar t98 = t93 - ((k[15] * t95 + k[14] * t82) + t97);
-  const Scalar t99 = k[21] * t13 + (c4 * t90 + s4 * t98);
-  const Scalar t100 = t35 - t36;
-  const Scalar t101 = s3 * t48 + c3 * t49;
-  const Scalar t102 = k[16] * t24 - t101;
-  const Scalar t103 = t54 - t53;
-  const Scalar t104 = k[18] * t102 + (k[20] * t76 + k[19] * t103);
-  const Scalar t105 = k[21] * t100 - ((c5 * t89 + s5 * t80) + t104);
-  const Scalar t106 = (t5 * t6 + qdd[1] * t7) - (t99 * t10 + t105 * t14);
-  const Scalar t107 = t30 + t32;
-  const Scalar t108 = k[21] * t107 + (c4 * t98 - s4 * t90);
-  const Scalar t109 = (k[43] * t40 + k[39] * t107) - k[41] * t21;
-  const Scalar t110 = (k[22] * t76 + k[24] * t103) - (k[26] * t34 - k[25] * t26);
-  const Scalar t111 = k[34] * (t87 + t96) + (k[38] * t59 + k[35] * t88);
-  const Scalar t112 = s5 * t51 - c5 * t102;
-  const Scalar t113 = s5 * t102 + c5 * t51;
-  const Scalar t114 = ((k[36] * t81 + k[37] * t77) - t111) - (k[15] * t112 - k[14] * t113);
-  const Scalar t115 = k[27] * c6 - k[28] * s6;
-  const Scalar t116 = t71 - t62;
-  const Scalar t117 = k[28] * c6 + k[27] * s6;
-  const Scalar t118 = k[29] * c6 - k[30] * s6;
-  const Scalar t119 = s6 * t118;
-  const Scalar t120 = k[32] + t119;
-  const Scalar t121 = k[31] - c6 * t118;
-  const Scalar t122 = (t115 * t78 - (t116 + t96) * t117) + (t85 * t120 - t83 * t121);
-  const Scalar t123 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t124 = t10 * t123 + wrench[5] * t14;
-  const Scalar t125 = wrench[3] * s1 - wrench[4] * c1;
-  const Scalar t126 = (t122 - t69 * t112) - (s4 * t124 + c4 * t125);
-  const Scalar t127 = t114 + t126;
-  const Scalar t128 = k[16] * t90 - ((t110 + k[19] * t102) + t127);
-  const Scalar t129 = (k[34] * t82 - k[35] * t95) + (k[36] * t96 - k[37] * t59);
-  const Scalar t130 = t123 * t14 - wrench[5] * t10;
-  const Scalar t131 = s4 * t125 - c4 * t124;
-  const Scalar t132 = k[33] - t119;
-  const Scalar t133 = t121 * t96 + (t132 * t78 - t94 * t120);
-  const Scalar t134 = (t133 + (t115 * t59 - t82 * t117)) - (t113 * t73 + t92 * t69);
-  const Scalar t135 = (c5 * t130 + s5 * t131) - t134;
-  const Scalar t136 = (k[15] * t92 + t129) + t135;
-  const Scalar t137 = (t121 * t85 - t83 * t132) + t116 * t115;
-  const Scalar t138 = (s5 * t130 - c5 * t131) + (t73 * t112 + (t94 * t117 - t137));
-  const Scalar t139 = k[37] * t87 + (k[38] * t82 - k[34] * t95);
-  const Scalar t140 = t138 + ((k[36] * t88 - t139) + k[14] * t92);
-  const Scalar t141 = k[26] * t25 - (k[22] * t103 + k[23] * t76);
-  const Scalar t142 = (s5 * t136 - c5 * t140) + ((k[25] * t91 + t141) - k[20] * t102);
-  const Scalar t143 = k[16] * t98 + t142;
-  const Scalar t144 = (k[42] * t100 + t109) - (s4 * t128 - c4 * t143);
-  const Scalar t145 = (k[39] * t40 + k[40] * t107) - (k[41] * t37 + k[42] * t22);
-  const Scalar t146 = k[22] * t27 + (k[24] * t91 - k[23] * t34);
-  const Scalar t147 = (k[19] * t92 - k[20] * t51) - ((k[26] * t41 - k[25] * t75) + t146);
-  const Scalar t148 = (c5 * t136 + s5 * t140) + t147;
-  const Scalar t149 = t144 * t14 - t10 * ((k[21] * t45 - t145) - t148);
-  const Scalar t150 = k[8] * c2 + k[7] * s2;
-  const Scalar t151 = k[9] - c2 * t150;
-  const Scalar t152 = qdd[0] * (k[10] - s2 * t150) + t44 * t151;
-  const Scalar t153 = k[5] * s2 + k[6] * c2;
-  const Scalar t154 = qdd[1] * t153 - t4 * (k[6] * s2 - k[5] * c2);
-  const Scalar t155 = (c2 * t108 - t149) - ((t152 + t154) + t42 * t6);
-  const Scalar t156 = k[39] * t23 - (k[43] * t37 - k[40] * t100);
-  const Scalar t157 = k[21] * t101 - (t156 + (k[41] * t31 + k[42] * t38));
-  const Scalar t158 = t157 + (c4 * t128 + s4 * t143);
-  const Scalar t159 = (k[47] * qdd[1] - t3 * t151) + qdd[0] * t153;
-  const Scalar t160 = (t158 - (c3 * t105 + s3 * t99)) + ((t46 * t7 + k[17] * t6) + t159);
+  const Scalar t28 = qdd[3] + t27;
+  const Scalar t29 = t24 - t28;
+  const Scalar t30 = qdd[0] * t12;
+  const Scalar t31 = t11 * t17;
+  const Scalar t32 = (t30 - t31) - t31;
+  const Scalar t33 = qd[0] * qd[0];
+  const Scalar t34 = qd[0] * s2;
+  const Scalar t35 = (t33 - t0) + k[8] * (t7 * t34 - qdd[0] * c2);
+  const Scalar t36 = k[7] * t32 + t35;
+  const Scalar t37 = c2 * t1 - k[9] * s2;
+  const Scalar t38 = qd[0] * c2;
+  const Scalar t39 = t37 + k[8] * (t3 + t38 * t38);
+  const Scalar t40 = k[9] * c2 + s2 * t1;
+  const Scalar t41 = k[8] * (qdd[1] + t34 * t38) + t40;
+  const Scalar t42 = t13 * t17;
+  const Scalar t43 = qdd[1] + qdd[2];
+  const Scalar t44 = t42 + t43;
+  const Scalar t45 = ((c3 * t39 - s3 * t41) - t26) + k[7] * t44;
+  const Scalar t46 = s4 * t36 - c4 * t45;
+  const Scalar t47 = (k[6] * (t20 - t23) + k[5] * t29) + k[10] * t46;
+  const Scalar t48 = s5 * t14 + c5 * t18;
+  const Scalar t49 = qd[5] + t48;
+  const Scalar t50 = t49 * t49;
+  const Scalar t51 = qd[4] + t21;
+  const Scalar t52 = t50 + t51 * t51;
+  const Scalar t53 = k[12] * s6 + k[13] * c6;
+  const Scalar t54 = s4 * t44 + c4 * t32;
+  const Scalar t55 = t21 * Scalar(2) * t18 + t54;
+  const Scalar t56 = s5 * t55 - c5 * t29;
+  const Scalar t57 = qdd[5] + t56;
+  const Scalar t58 = k[13] * s6 - k[12] * c6;
+  const Scalar t59 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t60 = wrench[2] * t16 - t59 * t12;
+  const Scalar t61 = wrench[0] * s1 - wrench[1] * c1;
+  const Scalar t62 = t16 * t59 + wrench[2] * t12;
+  const Scalar t63 = s4 * t61 - c4 * t62;
+  const Scalar t64 = (t52 * t53 + t57 * t58) + k[11] * (s5 * t60 + c5 * t63);
+  const Scalar t65 = c4 * t44 - s4 * t32;
+  const Scalar t66 = t14 * t18;
+  const Scalar t67 = t65 - t66;
+  const Scalar t68 = qdd[4] + t67;
+  const Scalar t69 = s5 * t18 - c5 * t14;
+  const Scalar t70 = t48 * t69;
+  const Scalar t71 = t68 - t70;
+  const Scalar t72 = t69 * t69;
+  const Scalar t73 = t72 + t50;
+  const Scalar t74 = t73 - t52;
+  const Scalar t75 = t20 - t74;
+  const Scalar t76 = t64 - (k[15] * t71 - k[14] * t75);
+  const Scalar t77 = t68 + t70;
+  const Scalar t78 = t72 - t50;
+  const Scalar t79 = t78 + t52;
+  const Scalar t80 = Scalar(2) * t51;
+  const Scalar t81 = c5 * t55 + s5 * t29;
+  const Scalar t82 = t48 * t80 - t81;
+  const Scalar t83 = t49 + t49;
+  const Scalar t84 = t82 - t51 * t83;
+  const Scalar t85 = t83 * t69 + t71;
+  const Scalar t86 = (t84 * t58 + t53 * t85) + k[11] * (s5 * t63 - c5 * t60);
+  const Scalar t87 = (k[14] * t77 + k[15] * t79) + t86;
+  const Scalar t88 = t47 + (c5 * t76 + s5 * t87);
+  const Scalar t89 = t57 - t80 * t69;
+  const Scalar t90 = qdd[5] - t89;
+  const Scalar t91 = k[11] * (s4 * t62 + c4 * t61) - (t53 * t89 - t73 * t58);
+  const Scalar t92 = t24 + t28;
+  const Scalar t93 = c4 * t36 + s4 * t45;
+  const Scalar t94 = (k[6] * t92 + k[5] * t20) - k[10] * t93;
+  const Scalar t95 = ((k[15] * t82 - k[14] * t90) - t91) + t94;
+  const Scalar t96 = t25 + t27;
+  const Scalar t97 = (s4 * t88 - c4 * t95) - k[16] * t96;
+  const Scalar t98 = t30 + (s3 * t39 + c3 * t41);
+  const Scalar t99 = t19 - t22;
+  const Scalar t100 = t20 - t99;
+  const Scalar t101 = t98 - k[7] * t100;
+  const Scalar t102 = t67 - t66;
+  const Scalar t103 = k[10] * t101 - (k[6] * t102 + k[5] * t55);
+  const Scalar t104 = t42 - t43;
+  const Scalar t105 = ((c5 * t87 - s5 * t76) - t103) - k[16] * t104;
+  const Scalar t106 = t33 - t100;
+  const Scalar t107 = (k[17] * t96 + k[38] * t32) + k[19] * t106;
+  const Scalar t108 = c5 * t101 - s5 * t46;
+  const Scalar t109 = k[31] * s6 - k[30] * c6;
+  const Scalar t110 = k[30] * s6 + k[31] * c6;
+  const Scalar t111 = k[33] * s6 - k[32] * c6;
+  const Scalar t112 = s6 * t111;
+  const Scalar t113 = k[35] - t112;
+  const Scalar t114 = k[34] + c6 * t111;
+  const Scalar t115 = (t57 * t109 - t78 * t110) - (t113 * t85 + t84 * t114);
+  const Scalar t116 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t117 = t16 * t116 + wrench[5] * t12;
+  const Scalar t118 = wrench[3] * s1 - wrench[4] * c1;
+  const Scalar t119 = (t108 * t53 + t115) + (s4 * t117 + c4 * t118);
+  const Scalar t120 = t79 - t75;
+  const Scalar t121 = (k[28] * t77 + k[37] * t71) - k[29] * t120;
+  const Scalar t122 = s5 * t101 + c5 * t46;
+  const Scalar t123 = (t121 - (k[27] * t81 + k[26] * t56)) + (k[14] * t108 + k[15] * t122);
+  const Scalar t124 = t119 + t123;
+  const Scalar t125 = (k[23] * t102 + k[25] * t55) + (k[21] * t29 + k[22] * (t99 - t23));
+  const Scalar t126 = (t124 - (t125 - k[6] * t101)) + k[7] * t88;
+  const Scalar t127 = (k[25] * t102 + k[24] * t55) + k[21] * t99;
+  const Scalar t128 = (k[28] * t90 + k[29] * t82) + (k[27] * t74 + k[26] * t71);
+  const Scalar t129 = t116 * t12 - wrench[5] * t16;
+  const Scalar t130 = s4 * t118 - c4 * t117;
+  const Scalar t131 = k[36] + t112;
+  const Scalar t132 = t74 * t114 - (t113 * t89 + t131 * t57);
+  const Scalar t133 = (t132 - (t82 * t110 - t109 * t71)) - (t122 * t58 - t93 * t53);
+  const Scalar t134 = (c5 * t129 + s5 * t130) + t133;
+  const Scalar t135 = (t128 - k[14] * t93) - t134;
+  const Scalar t136 = (t78 - t74) * t109 + (t84 * t131 + t114 * t85);
+  const Scalar t137 = (s5 * t129 - c5 * t130) + (t108 * t58 - (t89 * t110 + t136));
+  const Scalar t138 = k[26] * (t74 - t120) - (k[37] * t82 + k[29] * t90);
+  const Scalar t139 = t137 + (k[15] * t93 - (t138 - k[27] * t77));
+  const Scalar t140 = (k[5] * t101 - (k[22] * t92 + t127)) - (s5 * t135 + c5 * t139);
+  const Scalar t141 = t140 + k[7] * t95;
+  const Scalar t142 = (t107 + k[20] * t104) - (s4 * t126 - c4 * t141);
+  const Scalar t143 = t13 * t13;
+  const Scalar t144 = t143 - (t33 - t143);
+  const Scalar t145 = (k[17] * t32 + k[18] * t96) - (k[20] * (t106 + t144) + k[19] * t44);
+  const Scalar t146 = (k[24] * t29 - k[23] * t92) - k[25] * t23;
+  const Scalar t147 = (t146 - (k[22] * t54 - k[21] * t65)) + (k[6] * t93 + k[5] * t46);
+  const Scalar t148 = (s5 * t139 - c5 * t135) + t147;
+  const Scalar t149 = (s4 * t95 + c4 * t88) - k[16] * (t144 - t100);
+  const Scalar t150 = t16 * (((k[16] * t35 + t145) + t148) - t149);
+  const Scalar t151 = k[8] * c2 * t97 + ((t105 + t142) * t12 + t150);
+  const Scalar t152 = qdd[0] * t4 - (k[47] * qdd[1] - t33 * t8);
+  const Scalar t153 = (k[18] * t104 - k[38] * t44) + k[17] * t144;
+  const Scalar t154 = k[16] * t98 - ((k[20] * t30 + k[19] * t26) + t153);
+  const Scalar t155 = (s4 * t141 + c4 * t126) + t154;
+  const Scalar t156 = k[8] * (s3 * t149 - c3 * t105) - t155;
+  const Scalar t157 = ((k[39] * t37 - k[40] * t40) + t152) + t156;
   JointVector<Scalar> result;
-  result[0] = t2 + (k[4] * t106 - t155);
-  result[1] = t160;
-  result[2] = t158;
+  result[0] = t2 + (t10 + t151);
+  result[1] = -t157;
+  result[2] = t155;
   result[3] = t148;
-  result[4] = -t127;
-  result[5] = t135;
+  result[4] = t124;
+  result[5] = t134;
   return result;
 }
 
@@ -653,24 +675,28 @@ GravityTorqueWithGravityVectorConstants<Scalar> gravity_torque_with_gravity_vect
   using std::sin;
   const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
   const Scalar t1 = inertia.m3 + t0;
-  const Scalar t2 = (inertia.c3y * inertia.m3 + inertia.c2y * inertia.m2) + g.d2 * (inertia.m2 + t1);
-  const Scalar t3 = (inertia.c4z * inertia.m4 - g.d4 * t0) + (inertia.c3z * inertia.m3 - g.d4 * inertia.m3);
-  const Scalar t4 = g.l2 * t1 + (g.l2 * inertia.m2 + inertia.c2x * inertia.m2);
-  return { gravity[1],
+  const Scalar t2 = g.l2 * t1 + (g.l2 * inertia.m2 + inertia.c2x * inertia.m2);
+  const Scalar t3 = g.d4 * inertia.m4;
+  const Scalar t4 = ((inertia.c4z * inertia.m4 - t3) + t3) - g.d4 * t0;
+  const Scalar t5 = g.d2 * inertia.m3;
+  const Scalar t6 = g.d2 * t1 + ((t5 + inertia.c3y * inertia.m3) - t5);
+  const Scalar t7 = (inertia.c1y * inertia.m1 + g.d2 * inertia.m1)
+      + (t6 + (g.d2 * inertia.m2 + inertia.c2y * inertia.m2));
+  return { t2,
+           inertia.c2z * inertia.m2,
            gravity[0],
-           (inertia.c1y * inertia.m1 + g.d2 * inertia.m1) + t2,
-           inertia.c1x * inertia.m1,
+           gravity[1],
            gravity[2],
+           inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
            inertia.c6y * inertia.m6,
            inertia.c6x * inertia.m6,
-           inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
            inertia.c5x * inertia.m5,
            inertia.c4y * inertia.m4 + inertia.c5y * inertia.m5,
            inertia.c4x * inertia.m4,
-           t3,
+           (inertia.c3z * inertia.m3 - g.d4 * inertia.m3) + t4,
            inertia.c3x * inertia.m3,
-           inertia.c2z * inertia.m2,
-           t4 };
+           t7,
+           inertia.c1x * inertia.m1 };
 }
 
 namespace detail {
@@ -691,38 +717,38 @@ inline JointVector<Scalar> gravity_torque_with_gravity_vector([[maybe_unused]] c
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = k[1] * s1 - k[0] * c1;
-  const Scalar t1 = k[14] * c2 + k[13] * s2;
-  const Scalar t2 = c3 * s2 + c2 * s3;
-  const Scalar t3 = s2 * s3 - c2 * c3;
-  const Scalar t4 = k[0] * s1 + k[1] * c1;
-  const Scalar t5 = k[4] * t2 + t3 * t4;
-  const Scalar t6 = c4 * t5 - s4 * t0;
-  const Scalar t7 = k[4] * t3 - t4 * t2;
-  const Scalar t8 = c5 * t6 - s5 * t7;
-  const Scalar t9 = c5 * t7 + s5 * t6;
-  const Scalar t10 = k[6] * c6 + k[5] * s6;
-  const Scalar t11 = (k[7] * t8 - k[8] * t9) - t9 * t10;
-  const Scalar t12 = t11 - k[10] * t7;
-  const Scalar t13 = c4 * t0 + s4 * t5;
-  const Scalar t14 = k[6] * s6 - k[5] * c6;
-  const Scalar t15 = t8 * t14 + t10 * t13;
-  const Scalar t16 = k[8] * t13 + t15;
-  const Scalar t17 = k[7] * t13 + t9 * t14;
-  const Scalar t18 = k[9] * t7 + (s5 * t16 - c5 * t17);
-  const Scalar t19 = (s4 * t12 + c4 * t18) - k[11] * t0;
-  const Scalar t20 = (k[10] * t13 - k[9] * t6) + (c5 * t16 + s5 * t17);
-  const Scalar t21 = t19 * t2 + t3 * (t20 + k[12] * t0);
-  const Scalar t22 = (t0 * t1 - t21) + (k[2] * t4 + k[3] * t0);
-  const Scalar t23 = (s4 * t18 - c4 * t12) + (k[12] * t7 - k[11] * t5);
-  const Scalar t24 = t4 * (k[13] * c2 - k[14] * s2) - k[4] * t1;
+  const Scalar t0 = k[2] * s1 - k[3] * c1;
+  const Scalar t1 = k[1] * s2 + k[0] * c2;
+  const Scalar t2 = s2 * s3 - c2 * c3;
+  const Scalar t3 = k[2] * c1 + k[3] * s1;
+  const Scalar t4 = c3 * s2 + c2 * s3;
+  const Scalar t5 = t3 * t2 + k[4] * t4;
+  const Scalar t6 = c4 * t0 + s4 * t5;
+  const Scalar t7 = k[7] * c6 + k[6] * s6;
+  const Scalar t8 = k[4] * t2 - t3 * t4;
+  const Scalar t9 = s4 * t0 - c4 * t5;
+  const Scalar t10 = s5 * t8 + c5 * t9;
+  const Scalar t11 = k[6] * c6 - k[7] * s6;
+  const Scalar t12 = t6 * t7 + t10 * t11;
+  const Scalar t13 = k[8] * t6 + t12;
+  const Scalar t14 = s5 * t9 - c5 * t8;
+  const Scalar t15 = k[5] * t6 + t14 * t11;
+  const Scalar t16 = (c5 * t13 + s5 * t15) + (k[10] * t6 + k[9] * t9);
+  const Scalar t17 = t7 * t14 + (k[8] * t14 - k[5] * t10);
+  const Scalar t18 = t17 - k[10] * t8;
+  const Scalar t19 = k[9] * t8 - (c5 * t15 - s5 * t13);
+  const Scalar t20 = k[11] * t0 - (s4 * t18 + c4 * t19);
+  const Scalar t21 = t2 * (k[12] * t0 + t16) - t4 * t20;
+  const Scalar t22 = (t0 * t1 - t21) + (k[13] * t3 + k[14] * t0);
+  const Scalar t23 = k[4] * t1 + (k[0] * s2 - k[1] * c2) * t3;
+  const Scalar t24 = (s4 * t19 - c4 * t18) + (k[12] * t8 - k[11] * t5);
   JointVector<Scalar> result;
   result[0] = t22;
-  result[1] = -t23 - t24;
-  result[2] = -t23;
-  result[3] = -t20;
-  result[4] = t11;
-  result[5] = -t15;
+  result[1] = t23 - t24;
+  result[2] = -t24;
+  result[3] = -t16;
+  result[4] = t17;
+  result[5] = -t12;
   return result;
 }
 
@@ -750,124 +776,133 @@ ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = g.d4 / g.l2;
-  const Scalar t1 = g.d2 / g.l2;
-  const Scalar t2 = inertia.c5x * inertia.m5;
-  const Scalar t3 = inertia.c5z * inertia.m5;
-  const Scalar t4 = inertia.c6z * inertia.m6;
-  const Scalar t5 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t6 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t7 = (inertia.c6z * t4 - (inertia.I6zz - t5)) + (inertia.c5z * t3 - (inertia.I5zz - t6));
-  const Scalar t8 = inertia.c5y * inertia.m5;
-  const Scalar t9 = inertia.c6y * inertia.m6;
-  const Scalar t10 = inertia.I6yz - inertia.c6z * t9;
-  const Scalar t11 = inertia.c6x * inertia.m6;
-  const Scalar t12 = (inertia.I6xx - t5) - inertia.c6x * t11;
-  const Scalar t13 = (inertia.I6yy - t5) - inertia.c6y * t9;
-  const Scalar t14 = t12 + t13;
-  const Scalar t15 = Scalar(1) / t14;
-  const Scalar t16 = inertia.I6xz - inertia.c6z * t11;
-  const Scalar t17 = inertia.I6xy - inertia.c6y * t11;
-  const Scalar t18 = inertia.c4y * inertia.m4;
-  const Scalar t19 = inertia.c4x * inertia.m4;
-  const Scalar t20 = inertia.c3x * inertia.m3;
-  const Scalar t21 = g.l2 * t20;
-  const Scalar t22 = inertia.c4z * inertia.m4;
-  const Scalar t23 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t24 = t22 - g.d4 * t23;
-  const Scalar t25 = inertia.c3z * inertia.m3;
-  const Scalar t26 = t25 - g.d4 * inertia.m3;
-  const Scalar t27 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t28 = ((inertia.I4yy - t27) - inertia.c4y * t18) - (inertia.c5y * t8 - (inertia.I5yy - t6));
-  const Scalar t29 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t30 = inertia.c3x * t20 - (inertia.I3xx - t29);
-  const Scalar t31 = ((inertia.I3zz - t29) - inertia.c3z * t25) + g.d4 * (t25 + t26);
-  const Scalar t32 = ((inertia.I4zz - t27) - inertia.c4z * t22) + g.d4 * (t24 + t22);
-  const Scalar t33 = t31 + t32;
-  const Scalar t34 = g.d4 * t20 + (inertia.I3xz - inertia.c3z * t20);
-  const Scalar t35 = inertia.c2x * inertia.m2;
-  const Scalar t36 = inertia.c2z * inertia.m2;
+  const Scalar t0 = inertia.c6y * inertia.m6;
+  const Scalar t1 = inertia.I6yz - inertia.c6z * t0;
+  const Scalar t2 = inertia.c6x * inertia.m6;
+  const Scalar t3 = inertia.I6xz - inertia.c6z * t2;
+  const Scalar t4 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t5 = (inertia.I6xx - t4) - inertia.c6x * t2;
+  const Scalar t6 = (inertia.I6yy - t4) - inertia.c6y * t0;
+  const Scalar t7 = t5 + t6;
+  const Scalar t8 = Scalar(1) / t7;
+  const Scalar t9 = g.d2 / g.l2;
+  const Scalar t10 = inertia.c4y * inertia.m4;
+  const Scalar t11 = inertia.c5y * inertia.m5;
+  const Scalar t12 = inertia.c5z * inertia.m5;
+  const Scalar t13 = inertia.c6z * inertia.m6;
+  const Scalar t14 = inertia.c5x * inertia.m5;
+  const Scalar t15 = inertia.c4x * inertia.m4;
+  const Scalar t16 = inertia.I6xy - inertia.c6y * t2;
+  const Scalar t17 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t18 = (inertia.c6z * t13 - (inertia.I6zz - t4)) + (inertia.c5z * t12 - (inertia.I5zz - t17));
+  const Scalar t19 = g.d4 * t15;
+  const Scalar t20 = g.d4 * t10;
+  const Scalar t21 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t22 = ((inertia.I4yy - t21) - inertia.c4y * t10) - (inertia.c5y * t11 - (inertia.I5yy - t17));
+  const Scalar t23 = inertia.c3z * inertia.m3;
+  const Scalar t24 = t23 - g.d4 * inertia.m3;
+  const Scalar t25 = inertia.c4z * inertia.m4;
+  const Scalar t26 = g.d4 * inertia.m4;
+  const Scalar t27 = t25 - t26;
+  const Scalar t28 = t27 + t26;
+  const Scalar t29 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t30 = t28 - g.d4 * t29;
+  const Scalar t31 = g.l2 * (t24 + t30);
+  const Scalar t32 = g.d2 * inertia.m3;
+  const Scalar t33 = inertia.c3y * inertia.m3;
+  const Scalar t34 = t32 + t33;
+  const Scalar t35 = g.d4 * t34 - (g.d2 * t23 - (inertia.I3yz - inertia.c3z * t33));
+  const Scalar t36 = inertia.c3x * inertia.m3;
   const Scalar t37 = g.l2 * t36;
-  const Scalar t38 = (inertia.I2xz - inertia.c2z * t35) - t37;
-  const Scalar t39 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t40 = (inertia.I2zz - t39) - inertia.c2z * t36;
-  const Scalar t41 = g.l2 * inertia.m2 + t35;
-  const Scalar t42 = (inertia.c2x * t35 - (inertia.I2xx - t39)) + g.l2 * (t35 + t41);
-  const Scalar t43 = inertia.m3 + t23;
-  const Scalar t44 = g.l2 * t43;
-  const Scalar t45 = t42 + g.l2 * t44;
-  const Scalar t46 = g.l2 * (t44 + t41);
-  const Scalar t47 = inertia.c3y * inertia.m3;
-  const Scalar t48 = inertia.c2y * inertia.m2;
-  const Scalar t49 = g.l2 * t47 - ((inertia.I2xy - inertia.c2y * t35) - g.l2 * t48);
-  const Scalar t50 = inertia.c1y * inertia.m1;
-  const Scalar t51 = t50 + g.d2 * inertia.m1;
-  const Scalar t52 = t47 + t48;
-  const Scalar t53 = t52 + g.d2 * (inertia.m2 + t43);
-  const Scalar t54 = inertia.c1x * inertia.m1;
-  const Scalar t55 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t56 = ((inertia.I3yy - t29) - inertia.c3y * t47) + ((inertia.I2yy - t39) - inertia.c2y * t48);
-  const Scalar t57 = (inertia.c1y * t50 - (inertia.I1yy - t55)) + g.d2 * (t51 + t50);
-  return { t0,
-           gravity[2] / g.l2,
-           gravity[1] / g.l2,
-           gravity[0] / g.l2,
-           t1,
-           Scalar(2) * t0,
-           g.l2 * t2,
-           g.l2 * (t3 + t4),
-           inertia.I5xz - inertia.c5z * t2,
+  const Scalar t38 = g.d2 * t36;
+  const Scalar t39 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t40 = inertia.c3x * t36 - (inertia.I3xx - t39);
+  const Scalar t41 = g.d4 * (t25 + t27) + ((inertia.I4zz - t21) - inertia.c4z * t25);
+  const Scalar t42 = (g.d4 * (t28 + t27) - t41) - g.d4 * (t28 + t30);
+  const Scalar t43 = ((inertia.I3zz - t39) - inertia.c3z * t23) + g.d4 * (t23 + t24);
+  const Scalar t44 = t42 - t43;
+  const Scalar t45 = g.d4 * t36 + (inertia.I3xz - inertia.c3z * t36);
+  const Scalar t46 = inertia.c2x * inertia.m2;
+  const Scalar t47 = inertia.c2z * inertia.m2;
+  const Scalar t48 = g.l2 * t47;
+  const Scalar t49 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t50 = (inertia.I2zz - t49) - inertia.c2z * t47;
+  const Scalar t51 = g.l2 * inertia.m2 + t46;
+  const Scalar t52 = (inertia.c2x * t46 - (inertia.I2xx - t49)) + g.l2 * (t46 + t51);
+  const Scalar t53 = inertia.m3 + t29;
+  const Scalar t54 = g.l2 * t53;
+  const Scalar t55 = t52 + g.l2 * t54;
+  const Scalar t56 = inertia.c1x * inertia.m1;
+  const Scalar t57 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t58 = t34 - t32;
+  const Scalar t59 = g.d2 * t53 + t58;
+  const Scalar t60 = ((inertia.I3yy - t39) - inertia.c3y * t33) - g.d2 * (t34 + t33);
+  const Scalar t61 = g.d2 * (t59 + t58) - (g.d2 * (t34 + t58) + t60);
+  const Scalar t62 = inertia.c2y * inertia.m2;
+  const Scalar t63 = g.d2 * inertia.m2 + t62;
+  const Scalar t64 = ((inertia.I2yy - t49) - inertia.c2y * t62) - g.d2 * (t63 + t62);
+  const Scalar t65 = inertia.c1y * inertia.m1;
+  const Scalar t66 = t65 + g.d2 * inertia.m1;
+  const Scalar t67 = (inertia.c1y * t65 - (inertia.I1yy - t57)) + g.d2 * (t66 + t65);
+  const Scalar t68 = ((inertia.I2xy - inertia.c2y * t46) - g.l2 * t62) - g.d2 * t51;
+  return { t1,
+           t3,
+           t8,
            t7,
-           inertia.c5x * t2 - (inertia.I5xx - t6),
-           inertia.I5xy - inertia.c5y * t2,
-           inertia.I5yz - inertia.c5z * t8,
-           t10 * t15,
-           t16 * t15,
-           t14,
-           t10,
+           g.l2 * t0,
+           g.l2 * t2,
+           t9,
+           g.d4 / g.l2,
+           t1 * t8,
+           t3 * t8,
+           g.l2 * (t10 + t11),
+           g.l2 * (t12 + t13),
+           g.l2 * t14,
+           g.l2 * t15,
+           inertia.I5xz - inertia.c5z * t14,
+           Scalar(2) * t16,
+           t5 - t6,
+           t5,
+           inertia.c5x * t14 - (inertia.I5xx - t17),
+           t18,
+           t19 - ((inertia.I4xz - inertia.c4z * t15) + t19),
+           inertia.I5yz - inertia.c5z * t11,
            t16,
-           Scalar(2) * t17,
-           t12 - t13,
-           t13,
-           t17,
-           g.l2 * t9,
-           g.l2 * t11,
-           t15,
-           Scalar(2) * t7,
-           g.l2 * (t18 + t8),
-           g.l2 * t19,
-           t21,
-           g.l2 * (t24 + t26),
-           t28,
-           inertia.I4xy - inertia.c4y * t19,
-           inertia.I4yz - inertia.c4z * t18,
-           inertia.I4xz - inertia.c4z * t19,
-           (inertia.I4xx - t27) - inertia.c4x * t19,
-           t30 + t33,
-           t34,
-           Scalar(2) * t38,
-           t40 + t45,
-           t38,
-           t46,
+           inertia.I5xy - inertia.c5y * t14,
+           t20 - (t20 + (inertia.I4yz - inertia.c4z * t10)),
+           t6,
+           t22,
+           (inertia.I4xx - t21) - inertia.c4x * t15,
+           Scalar(2) * t18,
+           t31,
+           g.d2 * t24 + t35,
            t37,
-           t33,
-           t30,
-           t45,
+           inertia.I4xy - inertia.c4y * t15,
+           t38 + ((inertia.I3xy - inertia.c3y * t36) - t38),
            t40,
-           t37 * t1,
-           g.d4 * t47 + (inertia.I3yz - inertia.c3z * t47),
-           inertia.I3xy - inertia.c3y * t20,
-           inertia.I2yz - inertia.c2z * t48,
-           t49,
-           t46 * t1,
-           Scalar(2) * t34,
-           Scalar(2) * t30,
-           Scalar(2) * t21,
-           g.l2 * (t51 + t53),
-           g.l2 * t54,
-           inertia.c1x * t54 - (inertia.I1xx - t55),
-           Scalar(2) * t1,
-           (t56 - g.d2 * (t52 + t53)) - t57 };
+           t44,
+           t45,
+           (inertia.I2xz - inertia.c2z * t46) - t48,
+           t50,
+           t55,
+           inertia.c1x * t56 - (inertia.I1xx - t57),
+           Scalar(2) * t9,
+           (t61 - t64) + t67,
+           g.d2 * t47 - (inertia.I2yz - inertia.c2z * t62),
+           t68 - g.l2 * t59,
+           gravity[0] / g.l2,
+           gravity[1] / g.l2,
+           gravity[2] / g.l2,
+           t40 - t44,
+           t48,
+           g.l2 * (t54 + t51),
+           t50 + t55,
+           Scalar(2) * t31,
+           Scalar(2) * t37,
+           Scalar(2) * t40,
+           Scalar(2) * t45,
+           g.l2 * (t66 + (t59 + t63)),
+           g.l2 * t56 };
 }
 
 namespace detail {
@@ -888,274 +923,259 @@ inline JointVector<Scalar> forward_dynamics_with_gravity_vector([[maybe_unused]]
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = k[14] * s6 - k[13] * c6;
-  const Scalar t1 = k[23] * c6 + k[22] * s6;
-  const Scalar t2 = k[22] * c6 - k[23] * s6;
-  const Scalar t3 = c5 * t2;
-  const Scalar t4 = s4 * t1 - c4 * t3;
-  const Scalar t5 = k[17] * c6 + k[16] * s6;
-  const Scalar t6 = c5 * t5 - k[15] * s5;
-  const Scalar t7 = k[15] * t0;
-  const Scalar t8 = k[0] * t4 + (s4 * t6 + c4 * t7);
-  const Scalar t9 = k[19] * s6 - k[18] * c6;
-  const Scalar t10 = k[21] + c6 * t9;
-  const Scalar t11 = k[11] - t10;
-  const Scalar t12 = k[12] - t7;
-  const Scalar t13 = c5 * t11 + s5 * t12;
-  const Scalar t14 = k[20] + s6 * t9;
-  const Scalar t15 = k[15] - t14;
-  const Scalar t16 = k[10] - t15;
-  const Scalar t17 = k[9] - t16;
-  const Scalar t18 = k[25] - t17;
-  const Scalar t19 = k[6] + t1;
-  const Scalar t20 = s5 * t19 - k[7] * c5;
-  const Scalar t21 = k[0] * t20;
-  const Scalar t22 = t18 + t21;
-  const Scalar t23 = s4 * t13 - c4 * t22;
-  const Scalar t24 = t0 * t8 - t23;
-  const Scalar t25 = Scalar(1) / (t18 + t0 * t7);
-  const Scalar t26 = c4 * t20;
-  const Scalar t27 = k[7] * s5 + c5 * t19;
-  const Scalar t28 = s5 * t2;
-  const Scalar t29 = (c3 * t28 - s3 * t4) + t8;
-  const Scalar t30 = k[24] * t29;
-  const Scalar t31 = ((s3 * t26 - c3 * t27) + t23) - t7 * t30;
-  const Scalar t32 = t25 * t31;
-  const Scalar t33 = k[8] + t5;
-  const Scalar t34 = s5 * t17 - Scalar(2) * c5 * t33;
-  const Scalar t35 = s5 * t34 + t16;
-  const Scalar t36 = k[42] - (Scalar(2) * t21 - (t35 - t18));
-  const Scalar t37 = k[34] - t35;
-  const Scalar t38 = k[31] + t13;
-  const Scalar t39 = k[30] + t14;
-  const Scalar t40 = Scalar(2) * c4 * t38 - s4 * (t37 - t39);
-  const Scalar t41 = s4 * t40;
-  const Scalar t42 = t37 + t41;
-  const Scalar t43 = k[43] - t42;
-  const Scalar t44 = t36 - t43;
-  const Scalar t45 = k[27] + t27;
-  const Scalar t46 = k[26] + t2;
-  const Scalar t47 = c4 * t45 + s4 * t46;
-  const Scalar t48 = k[28] + t47;
-  const Scalar t49 = k[29] - t20;
-  const Scalar t50 = c3 * t48 + s3 * t49;
-  const Scalar t51 = t24 * t32 - ((t44 - t50) - t30 * t8);
-  const Scalar t52 = s4 * t45 - c4 * t46;
-  const Scalar t53 = k[0] * t45 + (k[33] - (c5 * t34 + t33));
-  const Scalar t54 = c5 * t12 - s5 * t11;
-  const Scalar t55 = (k[32] + t54) + k[0] * t46;
-  const Scalar t56 = s4 * t53 - c4 * t55;
-  const Scalar t57 = s5 * t5 + k[15] * c5;
-  const Scalar t58 = t0 * t57 + t54;
-  const Scalar t59 = t25 * t58;
-  const Scalar t60 = ((s3 * t52 - t56) + t30 * t57) + t59 * t31;
-  const Scalar t61 = k[24] * t8;
-  const Scalar t62 = t24 * t25;
-  const Scalar t63 = (t57 * t61 - t56) - t58 * t62;
-  const Scalar t64 = t41 - t39;
-  const Scalar t65 = t64 - t42;
-  const Scalar t66 = k[24] * t57;
-  const Scalar t67 = Scalar(1) / ((t65 + t57 * t66) - t59 * t58);
-  const Scalar t68 = t63 * t67;
-  const Scalar t69 = t51 - t60 * t68;
-  const Scalar t70 = t63 * t68 - ((t61 * t8 - t44) - t24 * t62);
-  const Scalar t71 = Scalar(1) / t70;
-  const Scalar t72 = t69 * t71;
-  const Scalar t73 = t60 * t67;
-  const Scalar t74 = s4 * t55 + c4 * t53;
-  const Scalar t75 = k[36] + t74;
-  const Scalar t76 = c3 * t75;
-  const Scalar t77 = (t76 + t76) + s3 * (t36 + t43);
-  const Scalar t78 = s3 * t77 - t36;
-  const Scalar t79 = k[44] + (Scalar(2) * t50 - (t44 + t78));
-  const Scalar t80 = k[45] - t78;
-  const Scalar t81 = (t30 * t29 + (t79 - t80)) - t31 * t32;
-  const Scalar t82 = Scalar(1) / (t69 * t72 - (t73 * t60 - t81));
-  const Scalar t83 = c3 * s2 + c2 * s3;
-  const Scalar t84 = c4 * t1 + s4 * t3;
-  const Scalar t85 = k[0] * t84 + (c4 * t6 - s4 * t7);
-  const Scalar t86 = s2 * s3 - c2 * c3;
-  const Scalar t87 = (t83 * t85 - t57 * t86) - c2 * t84;
-  const Scalar t88 = t87 - k[4] * (t86 * t4 - t28 * t83);
-  const Scalar t89 = (s4 * t22 + c4 * t13) * t83 + t86 * t54;
-  const Scalar t90 = k[4] * (t86 * t26 - t83 * t27) + (t89 - c2 * s4 * t20);
-  const Scalar t91 = t0 * t88 - t90;
-  const Scalar t92 = t91 * t25;
-  const Scalar t93 = k[24] * t88;
-  const Scalar t94 = k[4] * t50;
-  const Scalar t95 = k[47] - t56;
-  const Scalar t96 = k[48] - (t38 - c4 * t40);
-  const Scalar t97 = s3 * t95 + c3 * t96;
-  const Scalar t98 = c3 * t95 - s3 * t96;
-  const Scalar t99 = s3 * t48 - c3 * t49;
-  const Scalar t100 = k[4] * t99;
-  const Scalar t101 = s2 * (t94 - t97) + c2 * (t98 + t100);
-  const Scalar t102 = (t86 * t65 + t74 * t83) - c2 * t47;
-  const Scalar t103 = t88 * t66 + (k[4] * t86 * t52 - t102);
-  const Scalar t104 = t103 - t92 * t58;
-  const Scalar t105 = t104 * t67;
-  const Scalar t106 = (t24 * t92 - (t8 * t93 + t101)) + t63 * t105;
-  const Scalar t107 = t106 * t71;
-  const Scalar t108 = s2 * ((k[51] + t94) + (k[50] - (t97 + t52)));
-  const Scalar t109 = t108 + c2 * ((k[49] + t98) - (k[46] - t100));
-  const Scalar t110 = ((t109 + t30 * t88) + t91 * t32) - t105 * t60;
-  const Scalar t111 = t69 * t107 - t110;
-  const Scalar t112 = t82 * t111;
-  const Scalar t113 = s2 * s2;
-  const Scalar t114 = c2 * s2;
-  const Scalar t115 = (k[39] + ((c3 * t77 - t75) + t99)) * t114;
-  const Scalar t116 = t79 - ((t79 + t80) * t113 + (t115 + t115));
-  const Scalar t117 = (k[57] + t116) - (k[59] - (t64 - k[58] * t52));
-  const Scalar t118 = t104 * t105 + (t92 * t91 - (t117 + t88 * t93));
-  const Scalar t119 = Scalar(1) / (t112 * t111 + (t118 - t106 * t107));
-  const Scalar t120 = qd[0] * qd[0];
-  const Scalar t121 = k[2] * s1 + k[3] * c1;
-  const Scalar t122 = s2 * t121 + k[1] * c2;
-  const Scalar t123 = t120 * t114 + t122;
-  const Scalar t124 = qd[1] * qd[1];
-  const Scalar t125 = t120 + t124;
-  const Scalar t126 = k[1] * s2 - c2 * t121;
-  const Scalar t127 = (t125 - t120 * t113) - t126;
-  const Scalar t128 = c3 * t123 + s3 * t127;
-  const Scalar t129 = qd[1] + qd[2];
-  const Scalar t130 = t129 * t129;
-  const Scalar t131 = qd[0] * t86;
-  const Scalar t132 = t131 * t131;
-  const Scalar t133 = t130 + t132;
-  const Scalar t134 = t130 - t132;
-  const Scalar t135 = t120 - t133;
-  const Scalar t136 = t134 + t135;
-  const Scalar t137 = t133 + t136;
-  const Scalar t138 = t128 - k[0] * t137;
-  const Scalar t139 = qd[0] * t83;
-  const Scalar t140 = t139 * t131;
-  const Scalar t141 = s3 * t123 - c3 * t127;
-  const Scalar t142 = k[0] * t140 - t141;
-  const Scalar t143 = qd[0] * qd[1];
-  const Scalar t144 = t143 + t143;
-  const Scalar t145 = k[2] * c1 - k[3] * s1;
-  const Scalar t146 = t145 + k[4] * t120;
-  const Scalar t147 = s2 * t144 + t146;
-  const Scalar t148 = t129 * t131;
-  const Scalar t149 = t147 - k[5] * t148;
-  const Scalar t150 = c4 * t142 - s4 * t149;
-  const Scalar t151 = s5 * t138 - c5 * t150;
-  const Scalar t152 = s4 * t142 + c4 * t149;
-  const Scalar t153 = s4 * t129 + c4 * t139;
-  const Scalar t154 = qd[3] + t131;
-  const Scalar t155 = s5 * t153 + c5 * t154;
-  const Scalar t156 = s5 * t154 - c5 * t153;
-  const Scalar t157 = t155 * t156;
-  const Scalar t158 = t148 + t148;
-  const Scalar t159 = s4 * t158 + c4 * t140;
-  const Scalar t160 = t153 * t154;
-  const Scalar t161 = t159 - t160;
-  const Scalar t162 = t157 - t161;
-  const Scalar t163 = c4 * t129 - s4 * t139;
-  const Scalar t164 = t163 * t154;
-  const Scalar t165 = c4 * t158 - s4 * t140;
-  const Scalar t166 = t164 - (t165 - t164);
-  const Scalar t167 = t139 * t129;
-  const Scalar t168 = t163 * t153;
-  const Scalar t169 = t167 - t168;
-  const Scalar t170 = c5 * t166 - s5 * t169;
-  const Scalar t171 = qd[4] + t163;
-  const Scalar t172 = t171 * t155;
-  const Scalar t173 = t170 - (t172 + t172);
-  const Scalar t174 = t155 * t155;
-  const Scalar t175 = t171 * t171;
-  const Scalar t176 = t174 + t175;
-  const Scalar t177 = t154 * t154;
-  const Scalar t178 = t163 * t163;
-  const Scalar t179 = t177 + t178;
-  const Scalar t180 = t137 - t179;
-  const Scalar t181 = t177 - t178;
-  const Scalar t182 = t180 + t181;
-  const Scalar t183 = t182 + t179;
-  const Scalar t184 = t176 - t183;
-  const Scalar t185 = c5 * t169 + s5 * t166;
-  const Scalar t186 = t171 * t156;
-  const Scalar t187 = t186 - (t185 - t186);
-  const Scalar t188 = t10 * t184 + (t185 * t14 - t15 * t187);
-  const Scalar t189 = (t151 * t2 + t1 * t152) - ((t7 * t162 - t173 * t5) + t188);
-  const Scalar t190 = torque[5] - t189;
-  const Scalar t191 = s5 * t150 + c5 * t138;
-  const Scalar t192 = qd[5] + t155;
-  const Scalar t193 = t192 * t192 + t175;
-  const Scalar t194 = t184 - t193;
-  const Scalar t195 = t174 - t175;
-  const Scalar t196 = t183 - t195;
-  const Scalar t197 = Scalar(2) * t192 * t156 - t162;
-  const Scalar t198 = t171 * t192;
-  const Scalar t199 = t198 + (t173 + t198);
-  const Scalar t200 = t7 * (t194 + t196) + (t10 * t197 - t199 * t14);
-  const Scalar t201 = (k[8] * t187 - k[9] * t173) - k[12] * t195;
-  const Scalar t202 = t157 + t161;
-  const Scalar t203 = (t191 * t2 + (t200 - t187 * t5)) - ((t201 + k[11] * t202) + k[7] * t152);
-  const Scalar t204 = (k[12] * t162 + k[11] * t184) + (k[8] * t173 - k[10] * t187);
-  const Scalar t205 = t189 + (t204 + k[6] * t152);
-  const Scalar t206 = t167 + t168;
-  const Scalar t207 = (k[34] * t206 + k[30] * t169) + k[31] * t182;
-  const Scalar t208 = (k[27] * t152 - k[26] * t150) - (t207 + (k[33] * t165 + k[32] * t159));
-  const Scalar t209 = (s5 * t203 - c5 * t205) - t208;
-  const Scalar t210 = (t10 * t199 - t197 * t15) + (t7 * t185 - t5 * (t196 - t193));
-  const Scalar t211 = (k[10] * t202 - k[9] * t162) + k[8] * (t176 - t196);
-  const Scalar t212 = (t211 - (k[12] * t185 + k[11] * t170)) + (k[6] * t191 + k[7] * t151);
-  const Scalar t213 = (t210 + t191 * t1) + t212;
-  const Scalar t214 = t0 * t190 + (torque[4] - t213);
-  const Scalar t215 = (t190 * t66 - (torque[3] + t209)) - t214 * t59;
-  const Scalar t216 = t160 - t161;
-  const Scalar t217 = (k[34] * t216 - k[31] * t166) - (k[32] * t169 + k[33] * t180);
-  const Scalar t218 = (k[6] * t176 + k[7] * t162) - (t185 * t2 - t1 * t193);
-  const Scalar t219 = (t1 * t197 + t199 * t2) + (k[6] * t202 + k[7] * t196);
-  const Scalar t220 = (k[27] * t179 - k[26] * t169) + (c5 * t218 + s5 * t219);
-  const Scalar t221 = (t213 + (k[27] * t138 + t217)) + k[0] * t220;
-  const Scalar t222 = (k[7] * t173 + k[6] * t187) + (t1 * t187 + t194 * t2);
-  const Scalar t223 = t222 - (k[27] * t206 + k[26] * t183);
-  const Scalar t224 = k[32] * t181 + (k[31] * t216 - k[30] * t166);
-  const Scalar t225 = ((t224 + k[33] * t206) + k[26] * t138) + (s5 * t205 + c5 * t203);
-  const Scalar t226 = k[0] * t223 - t225;
-  const Scalar t227 = (k[29] * t141 + k[28] * t128) - (k[36] * t136 + k[35] * t140);
-  const Scalar t228 = (c4 * t221 - s4 * t226) + t227;
-  const Scalar t229 = t214 * t62 - ((torque[2] - t228) + t61 * t190);
-  const Scalar t230 = t215 * t68 + t229;
-  const Scalar t231 = t230 * t71;
-  const Scalar t232 = (k[28] * t133 - k[29] * t140) - (s4 * t223 - c4 * t220);
-  const Scalar t233 = (k[26] * t166 - k[27] * t216) - (s5 * t218 - c5 * t219);
-  const Scalar t234 = t233 - (k[28] * t140 - k[29] * t137);
-  const Scalar t235 = k[39] - c2 * (k[38] * s2 + k[37] * c2);
-  const Scalar t236 = t120 * t235 - (k[40] * t122 + k[41] * t126);
-  const Scalar t237 = (t228 - (s3 * t232 - c3 * t234)) - t236;
-  const Scalar t238 = ((torque[1] - t237) + t30 * t190) + t214 * t32;
-  const Scalar t239 = t82 * (t69 * t231 + (t215 * t73 - t238));
-  const Scalar t240 = k[24] * t190;
-  const Scalar t241 = k[40] * c2 + k[41] * s2;
-  const Scalar t242 = t125 * t241 + (t234 * t83 - t86 * t232);
-  const Scalar t243 = (k[48] * t135 + k[47] * t140) - (k[53] * t167 - k[52] * t148);
-  const Scalar t244 = k[47] * t134 - (k[52] * t167 + k[42] * t158);
-  const Scalar t245 = (k[29] * t147 + (t244 - k[48] * t140)) + (s4 * t221 + c4 * t226);
-  const Scalar t246 = t86 * ((k[28] * t147 - t243) - t209) - t83 * t245;
-  const Scalar t247 = (s4 * t220 + c4 * t223) - (k[29] * t158 + k[54] * t167);
-  const Scalar t248 = t144 * t235 + t124 * (k[50] * c2 - k[49] * s2);
-  const Scalar t249 = (t246 + c2 * t247) - (t241 * t146 - t248);
-  const Scalar t250 = (k[56] * t145 - k[55] * t121) - (k[4] * t242 + t249);
-  const Scalar t251 = (t88 * t240 + (torque[0] + t250)) - t92 * t214;
-  const Scalar t252 = t239 * t111 - (t230 * t107 - (t215 * t105 - t251));
-  const Scalar t253 = t119 * t252;
-  const Scalar t254 = t239 - t112 * t253;
-  const Scalar t255 = t254 * t72 + (t253 * t107 - t231);
-  const Scalar t256 = (t253 * t105 - t215 * t67) - t254 * t73;
-  const Scalar t257 = t68 * t255 - t256;
-  const Scalar t258 = t254 * t32 - (t214 * t25 - t92 * t253);
-  const Scalar t259 = t59 * t257 - (t255 * t62 - t258);
-  const Scalar t260 = ((t240 - t253 * t93) + t30 * t254) + t61 * t255;
+  const Scalar t0 = k[0] * s6 + k[1] * c6;
+  const Scalar t1 = c5 + k[2] * s5 * t0;
+  const Scalar t2 = k[3] * t1;
+  const Scalar t3 = k[16] * s6 - k[15] * c6;
+  const Scalar t4 = s6 * t3;
+  const Scalar t5 = k[17] - t4;
+  const Scalar t6 = k[18] - t5;
+  const Scalar t7 = k[19] - t6;
+  const Scalar t8 = k[14] + t0;
+  const Scalar t9 = s5 * t7 - Scalar(2) * c5 * t8;
+  const Scalar t10 = t6 + s5 * t9;
+  const Scalar t11 = k[27] - t10;
+  const Scalar t12 = k[25] + t4;
+  const Scalar t13 = k[26] + t12;
+  const Scalar t14 = t11 + t13;
+  const Scalar t15 = k[8] * c6 - k[9] * s6;
+  const Scalar t16 = k[3] * t15;
+  const Scalar t17 = k[21] + t16;
+  const Scalar t18 = k[22] + c6 * t3;
+  const Scalar t19 = k[23] - t18;
+  const Scalar t20 = c5 * t17 - s5 * t19;
+  const Scalar t21 = t15 * t2 - t20;
+  const Scalar t22 = k[28] - t7;
+  const Scalar t23 = Scalar(1) / (t16 * t15 + t22);
+  const Scalar t24 = t23 * t21;
+  const Scalar t25 = Scalar(1) / ((t1 * t2 - t14) - t21 * t24);
+  const Scalar t26 = k[4] * c6 - k[5] * s6;
+  const Scalar t27 = c5 * t26;
+  const Scalar t28 = k[4] * s6 + k[5] * c6;
+  const Scalar t29 = c4 * t27 - s4 * t28;
+  const Scalar t30 = k[3] * s5 - c5 * t0;
+  const Scalar t31 = k[7] * t29 + (c4 * t16 + s4 * t30);
+  const Scalar t32 = k[12] + t28;
+  const Scalar t33 = c5 * t32 + k[11] * s5;
+  const Scalar t34 = k[13] + t33;
+  const Scalar t35 = k[10] + t26;
+  const Scalar t36 = s4 * t34 - c4 * t35;
+  const Scalar t37 = k[24] - t20;
+  const Scalar t38 = k[20] + (c5 * t9 + t8);
+  const Scalar t39 = k[7] * t36 + (c4 * t37 - s4 * t38);
+  const Scalar t40 = k[2] * t31;
+  const Scalar t41 = s5 * t32 - k[11] * c5;
+  const Scalar t42 = k[7] * t41;
+  const Scalar t43 = t42 + t22;
+  const Scalar t44 = c5 * t19 + s5 * t17;
+  const Scalar t45 = c4 * t43 - s4 * t44;
+  const Scalar t46 = t40 * t16 + t45;
+  const Scalar t47 = (t31 * t1 + t39) - t46 * t24;
+  const Scalar t48 = t25 * t47;
+  const Scalar t49 = c4 * t34 + s4 * t35;
+  const Scalar t50 = (s4 * t37 + c4 * t38) - k[7] * t49;
+  const Scalar t51 = k[36] - t50;
+  const Scalar t52 = k[35] + (Scalar(2) * t42 - (t10 - t22));
+  const Scalar t53 = k[32] + t44;
+  const Scalar t54 = s4 * (t11 - t13) - Scalar(2) * c4 * t53;
+  const Scalar t55 = t11 - s4 * t54;
+  const Scalar t56 = k[34] - t55;
+  const Scalar t57 = Scalar(2) * c3 * t51 - s3 * (t52 - t56);
+  const Scalar t58 = s3 * t57;
+  const Scalar t59 = t58 + t52;
+  const Scalar t60 = t58 - t56;
+  const Scalar t61 = t59 - t60;
+  const Scalar t62 = t23 * t46;
+  const Scalar t63 = t48 * t47 - ((t61 + t31 * t40) - t46 * t62);
+  const Scalar t64 = Scalar(1) / t63;
+  const Scalar t65 = qd[1] + qd[2];
+  const Scalar t66 = c3 * s2 + c2 * s3;
+  const Scalar t67 = qd[0] * t66;
+  const Scalar t68 = s4 * t65 + c4 * t67;
+  const Scalar t69 = s2 * s3 - c2 * c3;
+  const Scalar t70 = qd[0] * t69;
+  const Scalar t71 = qd[3] + t70;
+  const Scalar t72 = t68 * t71;
+  const Scalar t73 = t67 * t70;
+  const Scalar t74 = t65 * t70;
+  const Scalar t75 = Scalar(2) * t74;
+  const Scalar t76 = c4 * t73 + s4 * t75;
+  const Scalar t77 = t72 - t76;
+  const Scalar t78 = s5 * t68 + c5 * t71;
+  const Scalar t79 = s5 * t71 - c5 * t68;
+  const Scalar t80 = t78 * t79;
+  const Scalar t81 = t77 + t80;
+  const Scalar t82 = qd[5] + t78;
+  const Scalar t83 = t82 * t79;
+  const Scalar t84 = t81 - (t83 + t83);
+  const Scalar t85 = c4 * t65 - s4 * t67;
+  const Scalar t86 = qd[4] + t85;
+  const Scalar t87 = Scalar(2) * t86;
+  const Scalar t88 = c4 * t75 - s4 * t73;
+  const Scalar t89 = t85 * (t71 + t71) - t88;
+  const Scalar t90 = t67 * t65;
+  const Scalar t91 = t85 * t68;
+  const Scalar t92 = t90 - t91;
+  const Scalar t93 = c5 * t89 - s5 * t92;
+  const Scalar t94 = t78 * t87 - t93;
+  const Scalar t95 = t94 - t87 * t82;
+  const Scalar t96 = c5 * t92 + s5 * t89;
+  const Scalar t97 = t79 * t79;
+  const Scalar t98 = t82 * t82;
+  const Scalar t99 = t97 - t98;
+  const Scalar t100 = (t5 * t84 - t95 * t18) - (t16 * t96 + t0 * t99);
+  const Scalar t101 = qd[0] * qd[0];
+  const Scalar t102 = Scalar(2) * qd[0] * qd[1];
+  const Scalar t103 = k[46] * c1 - k[45] * s1;
+  const Scalar t104 = k[6] * t101 + (s2 * t102 + t103);
+  const Scalar t105 = t104 - k[7] * t75;
+  const Scalar t106 = qd[0] * c2;
+  const Scalar t107 = k[45] * c1 + k[46] * s1;
+  const Scalar t108 = k[47] * c2 + s2 * t107;
+  const Scalar t109 = qd[0] * s2 * t106 + t108;
+  const Scalar t110 = qd[1] * qd[1];
+  const Scalar t111 = k[47] * s2 - c2 * t107;
+  const Scalar t112 = (t110 + t106 * t106) - t111;
+  const Scalar t113 = s3 * t109 - c3 * t112;
+  const Scalar t114 = t113 - k[7] * t73;
+  const Scalar t115 = s4 * t105 + c4 * t114;
+  const Scalar t116 = s3 * t112 + c3 * t109;
+  const Scalar t117 = t67 * t67;
+  const Scalar t118 = t65 * t65;
+  const Scalar t119 = t117 + t118;
+  const Scalar t120 = t116 - k[7] * t119;
+  const Scalar t121 = s5 * t115 - c5 * t120;
+  const Scalar t122 = t77 - t80;
+  const Scalar t123 = t97 + t86 * t86;
+  const Scalar t124 = t71 * t71;
+  const Scalar t125 = t85 * t85;
+  const Scalar t126 = t124 - t125;
+  const Scalar t127 = t119 + t126;
+  const Scalar t128 = t123 - t127;
+  const Scalar t129 = t97 + t98;
+  const Scalar t130 = t123 - t129;
+  const Scalar t131 = t99 - t130;
+  const Scalar t132 = (k[19] * t81 + k[18] * t122) + k[14] * (t128 + t131);
+  const Scalar t133 = c5 * t115 + s5 * t120;
+  const Scalar t134 = (t132 + (k[21] * t96 + k[23] * t93)) + (k[12] * t121 - k[11] * t133);
+  const Scalar t135 = (t100 - t121 * t28) - t134;
+  const Scalar t136 = t96 - t87 * t79;
+  const Scalar t137 = t18 * t131 - (t5 * t136 + t12 * t96);
+  const Scalar t138 = c4 * t105 - s4 * t114;
+  const Scalar t139 = ((t0 * t94 - t81 * t16) - t137) - (t133 * t26 + t28 * t138);
+  const Scalar t140 = torque[5] + t139;
+  const Scalar t141 = k[2] * t140;
+  const Scalar t142 = t23 * ((torque[4] - t135) - t16 * t141);
+  const Scalar t143 = t117 - t118;
+  const Scalar t144 = t101 - t143;
+  const Scalar t145 = (k[31] * t116 + k[29] * t113) - (k[36] * (t119 - t144) + k[48] * t73);
+  const Scalar t146 = t124 + t125;
+  const Scalar t147 = t146 - t127;
+  const Scalar t148 = t77 + t72;
+  const Scalar t149 = (k[24] * t92 - k[20] * (t147 + t126)) - (k[32] * t89 - k[27] * t148);
+  const Scalar t150 = (t95 * t26 + t84 * t28) + (k[12] * t122 - k[11] * t123);
+  const Scalar t151 = (t96 * t26 - t28 * (t129 - t131)) + (k[12] * (t131 - t127) - k[11] * t81);
+  const Scalar t152 = (k[13] * t146 - k[10] * t92) - (s5 * t150 + c5 * t151);
+  const Scalar t153 = (t135 + (t149 + k[13] * t120)) + k[7] * t152;
+  const Scalar t154 = t90 + t91;
+  const Scalar t155 = (t28 * t136 + t129 * t26) + (k[12] * t136 + k[11] * t94);
+  const Scalar t156 = (k[13] * t154 + k[10] * t127) + t155;
+  const Scalar t157 = (k[18] * t136 - k[14] * t94) + (k[21] * t81 - k[23] * t131);
+  const Scalar t158 = (t157 + k[12] * t138) - t139;
+  const Scalar t159 = k[21] * t128 + (k[19] * t94 - k[14] * t136);
+  const Scalar t160 = (t84 * t18 - t95 * t12) + t16 * t130;
+  const Scalar t161 = (k[11] * t138 - (k[23] * t122 - t159)) - ((t0 * t136 - t160) - t121 * t26);
+  const Scalar t162 = (k[26] * t89 - k[32] * t148) + k[24] * t126;
+  const Scalar t163 = (s5 * t158 - c5 * t161) + (k[10] * t120 - (k[20] * t154 + t162));
+  const Scalar t164 = k[7] * t156 + t163;
+  const Scalar t165 = t145 + (c4 * t153 + s4 * t164);
+  const Scalar t166 = t142 * t46 - ((torque[2] - t165) - t31 * t141);
+  const Scalar t167 = k[32] * t147 - (k[27] * t154 + k[26] * t92);
+  const Scalar t168 = (k[13] * t138 + k[10] * t115) + ((k[20] * t88 + k[24] * t76) + t167);
+  const Scalar t169 = t168 + (c5 * t158 + s5 * t161);
+  const Scalar t170 = (t1 * t140 - (torque[3] - t169)) + t21 * t142;
+  const Scalar t171 = t166 - t48 * t170;
+  const Scalar t172 = t64 * t171;
+  const Scalar t173 = c4 * t28 + s4 * t27;
+  const Scalar t174 = s5 * t26;
+  const Scalar t175 = k[7] * t173 + (s4 * t16 - c4 * t30);
+  const Scalar t176 = (k[6] * t174 + t175) * t66 + t69 * (k[6] * t29 - t2);
+  const Scalar t177 = c2 * t173 - t176;
+  const Scalar t178 = k[29] - t41;
+  const Scalar t179 = k[6] * t178 - (k[30] - t39);
+  const Scalar t180 = k[31] + t49;
+  const Scalar t181 = (k[33] - (t53 + c4 * t54)) - k[6] * t180;
+  const Scalar t182 = t40 * t177 + (t69 * t179 - t66 * t181);
+  const Scalar t183 = c4 * t41;
+  const Scalar t184 = (s4 * t43 + c4 * t44) - k[6] * t33;
+  const Scalar t185 = t69 * (t20 + k[6] * t183) + t66 * t184;
+  const Scalar t186 = t177 * t15 - (t185 - c2 * s4 * t41);
+  const Scalar t187 = t23 * t186;
+  const Scalar t188 = k[2] * t177;
+  const Scalar t189 = t50 * t66 + t69 * (k[6] * t36 + t14);
+  const Scalar t190 = (t2 * t188 - (t189 + c2 * t49)) - t186 * t24;
+  const Scalar t191 = t25 * t190;
+  const Scalar t192 = (t182 - t187 * t46) - t191 * t47;
+  const Scalar t193 = (k[35] * t75 - k[55] * t90) - k[30] * (t101 - t119);
+  const Scalar t194 = (c4 * t164 - s4 * t153) - (k[29] * t104 - (k[33] * t73 - t193));
+  const Scalar t195 = (k[10] * t89 - k[13] * t148) - (c5 * t150 - s5 * t151);
+  const Scalar t196 = t195 + (k[29] * t119 - k[31] * t73);
+  const Scalar t197 = (k[31] * t144 - k[29] * t73) + (c4 * t152 + s4 * t156);
+  const Scalar t198 = (k[54] * t90 - k[36] * t75) - (k[33] * t143 + k[30] * t73);
+  const Scalar t199 = k[6] * t197 - ((t198 + k[31] * t104) + t169);
+  const Scalar t200 = (t194 + k[6] * t196) * t66 - t69 * t199;
+  const Scalar t201 = (k[53] * t90 + k[52] * t74) + (c4 * t156 - s4 * t152);
+  const Scalar t202 = c2 + c2;
+  const Scalar t203 = k[37] - c2 * (k[37] * t202 + k[51] * s2);
+  const Scalar t204 = t203 * t102 - (k[44] * c2 - k[43] * s2) * t110;
+  const Scalar t205 = t103 * (k[50] * c2 + k[49] * s2) - t204;
+  const Scalar t206 = (k[57] * t103 - k[56] * t107) - ((t200 - c2 * t201) - t205);
+  const Scalar t207 = ((torque[0] + t206) - t177 * t141) - t186 * t142;
+  const Scalar t208 = c2 * (k[43] + (c3 * t179 + s3 * t181));
+  const Scalar t209 = k[44] + ((c3 * t181 - s3 * t179) + t36);
+  const Scalar t210 = t31 - (s3 * t29 + c3 * t174);
+  const Scalar t211 = k[2] * t210;
+  const Scalar t212 = (t45 - (s3 * t183 - c3 * t33)) + t15 * t210;
+  const Scalar t213 = ((t208 + s2 * t209) - t211 * t177) + t187 * t212;
+  const Scalar t214 = t23 * t212;
+  const Scalar t215 = t21 * t214 - (t1 * t210 - (s3 * t36 - t39));
+  const Scalar t216 = t215 * t25;
+  const Scalar t217 = s3 * t178 + c3 * t180;
+  const Scalar t218 = t214 * t46 - ((t61 + t217) + t31 * t211);
+  const Scalar t219 = t48 * t215 - t218;
+  const Scalar t220 = t219 * t64;
+  const Scalar t221 = (t213 - t190 * t216) - t220 * t192;
+  const Scalar t222 = k[39] + ((t217 + t217) - t60);
+  const Scalar t223 = k[38] - t59;
+  const Scalar t224 = ((t222 - t223) + t211 * t210) - t214 * t212;
+  const Scalar t225 = Scalar(1) / ((t224 - t215 * t216) + t219 * t220);
+  const Scalar t226 = t221 * t225;
+  const Scalar t227 = t170 * t25;
+  const Scalar t228 = (k[49] * t111 + k[50] * t108) - t101 * t203;
+  const Scalar t229 = t228 + (t165 - (s3 * t197 - c3 * t196));
+  const Scalar t230 = (t211 * t140 - (torque[1] - t229)) + t142 * t212;
+  const Scalar t231 = (t215 * t227 + t230) + t220 * t171;
+  const Scalar t232 = (t172 * t192 - (t207 + t191 * t170)) + t226 * t231;
+  const Scalar t233 = t64 * t192;
+  const Scalar t234 = (s3 * t180 - c3 * t178) + (c3 * t57 - t51);
+  const Scalar t235 = t202 * (k[37] + t234) + s2 * (t222 + t223);
+  const Scalar t236 = (k[40] + (t222 - s2 * t235)) + (k[42] - (k[41] * t36 - (t55 - t14)));
+  const Scalar t237 = t191 * t190 - ((t236 + t177 * t188) - t187 * t186);
+  const Scalar t238 = Scalar(1) / ((t233 * t192 - t237) - t221 * t226);
+  const Scalar t239 = t232 * t238;
+  const Scalar t240 = t231 * t225 + t226 * t239;
+  const Scalar t241 = t220 * t240 + (t233 * t239 - t172);
+  const Scalar t242 = t241 * t48 + ((t191 * t239 - t227) - t240 * t216);
+  const Scalar t243 = t241 * t62 + ((t187 * t239 + t142) + t214 * t240);
+  const Scalar t244 = t243 - t242 * t24;
+  const Scalar t245 = (t211 * t240 + (t239 * t188 - t141)) + t241 * t40;
   JointVector<Scalar> result;
-  result[0] = t253;
-  result[1] = -t254;
-  result[2] = -t255;
-  result[3] = -t257;
-  result[4] = -t259;
-  result[5] = (t66 * t257 - t260) - t0 * t259;
+  result[0] = -t239;
+  result[1] = -t240;
+  result[2] = -t241;
+  result[3] = t242;
+  result[4] = t244;
+  result[5] = -(t242 * t1 - t245) - t244 * t15;
   return result;
 }
 
@@ -1186,117 +1206,127 @@ ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constant
   using std::sin;
   const Scalar t0 = inertia.c6y * inertia.m6;
   const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = g.d2 / g.l2;
-  const Scalar t3 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t4 = (inertia.I6xx - t3) - inertia.c6x * t1;
-  const Scalar t5 = (inertia.I6yy - t3) - inertia.c6y * t0;
-  const Scalar t6 = t4 + t5;
-  const Scalar t7 = inertia.c5y * inertia.m5;
-  const Scalar t8 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t9 = inertia.c5x * inertia.m5;
-  const Scalar t10 = inertia.c4y * inertia.m4;
-  const Scalar t11 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t12 = inertia.c6z * inertia.m6;
-  const Scalar t13 = inertia.c5z * inertia.m5;
-  const Scalar t14 = (inertia.c6z * t12 - (inertia.I6zz - t3)) + (inertia.c5z * t13 - (inertia.I5zz - t11));
-  const Scalar t15 = inertia.c4x * inertia.m4;
-  const Scalar t16 = inertia.c3x * inertia.m3;
-  const Scalar t17 = g.d4 * t16 + (inertia.I3xz - inertia.c3z * t16);
-  const Scalar t18 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t19 = ((inertia.I4yy - t18) - inertia.c4y * t10) - (inertia.c5y * t7 - (inertia.I5yy - t11));
-  const Scalar t20 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t21 = inertia.c3x * t16 - (inertia.I3xx - t20);
-  const Scalar t22 = inertia.c3z * inertia.m3;
-  const Scalar t23 = t22 - g.d4 * inertia.m3;
-  const Scalar t24 = ((inertia.I3zz - t20) - inertia.c3z * t22) + g.d4 * (t22 + t23);
-  const Scalar t25 = inertia.c4z * inertia.m4;
-  const Scalar t26 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t27 = t25 - g.d4 * t26;
-  const Scalar t28 = ((inertia.I4zz - t18) - inertia.c4z * t25) + g.d4 * (t27 + t25);
-  const Scalar t29 = t24 + t28;
-  const Scalar t30 = g.l2 * (t27 + t23);
-  const Scalar t31 = g.l2 * t16;
-  const Scalar t32 = inertia.c2x * inertia.m2;
-  const Scalar t33 = inertia.c2z * inertia.m2;
-  const Scalar t34 = g.l2 * t33;
-  const Scalar t35 = (inertia.I2xz - inertia.c2z * t32) - t34;
-  const Scalar t36 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t37 = (inertia.I2zz - t36) - inertia.c2z * t33;
-  const Scalar t38 = g.l2 * inertia.m2 + t32;
-  const Scalar t39 = (inertia.c2x * t32 - (inertia.I2xx - t36)) + g.l2 * (t32 + t38);
-  const Scalar t40 = inertia.m3 + t26;
-  const Scalar t41 = g.l2 * t40;
-  const Scalar t42 = t39 + g.l2 * t41;
-  const Scalar t43 = inertia.c1x * inertia.m1;
-  const Scalar t44 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t45 = inertia.c3y * inertia.m3;
-  const Scalar t46 = inertia.c2y * inertia.m2;
-  const Scalar t47 = ((inertia.I3yy - t20) - inertia.c3y * t45) + ((inertia.I2yy - t36) - inertia.c2y * t46);
-  const Scalar t48 = t45 + t46;
-  const Scalar t49 = t48 + g.d2 * (inertia.m2 + t40);
-  const Scalar t50 = inertia.c1y * inertia.m1;
-  const Scalar t51 = t50 + g.d2 * inertia.m1;
-  const Scalar t52 = (inertia.c1y * t50 - (inertia.I1yy - t44)) + g.d2 * (t51 + t50);
-  const Scalar t53 = g.l2 * (t41 + t38);
-  const Scalar t54 = g.l2 * t45 - ((inertia.I2xy - inertia.c2y * t32) - g.l2 * t46);
-  return { g.l2 * t0,
-           g.l2 * t1,
-           t2,
-           t6,
-           inertia.I6yz - inertia.c6z * t0,
+  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t1;
+  const Scalar t4 = (inertia.I6yy - t2) - inertia.c6y * t0;
+  const Scalar t5 = t3 + t4;
+  const Scalar t6 = inertia.I6xy - inertia.c6y * t1;
+  const Scalar t7 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t8 = inertia.c4y * inertia.m4;
+  const Scalar t9 = inertia.c5y * inertia.m5;
+  const Scalar t10 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t11 = ((inertia.I4yy - t7) - inertia.c4y * t8) - (inertia.c5y * t9 - (inertia.I5yy - t10));
+  const Scalar t12 = inertia.c5x * inertia.m5;
+  const Scalar t13 = inertia.c6z * inertia.m6;
+  const Scalar t14 = inertia.c5z * inertia.m5;
+  const Scalar t15 = (inertia.c6z * t13 - (inertia.I6zz - t2)) + (inertia.c5z * t14 - (inertia.I5zz - t10));
+  const Scalar t16 = inertia.c4x * inertia.m4;
+  const Scalar t17 = g.d4 / g.l2;
+  const Scalar t18 = g.d4 * t16;
+  const Scalar t19 = g.d4 * t8;
+  const Scalar t20 = inertia.c1y * inertia.m1;
+  const Scalar t21 = t20 + g.d2 * inertia.m1;
+  const Scalar t22 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t23 = inertia.m3 + t22;
+  const Scalar t24 = g.d2 * inertia.m3;
+  const Scalar t25 = inertia.c3y * inertia.m3;
+  const Scalar t26 = t24 + t25;
+  const Scalar t27 = t26 - t24;
+  const Scalar t28 = g.d2 * t23 + t27;
+  const Scalar t29 = inertia.c2y * inertia.m2;
+  const Scalar t30 = g.d2 * inertia.m2 + t29;
+  const Scalar t31 = inertia.c1x * inertia.m1;
+  const Scalar t32 = inertia.c2z * inertia.m2;
+  const Scalar t33 = g.l2 * t32;
+  const Scalar t34 = g.l2 * t23;
+  const Scalar t35 = inertia.c2x * inertia.m2;
+  const Scalar t36 = g.l2 * inertia.m2 + t35;
+  const Scalar t37 = (inertia.I2xz - inertia.c2z * t35) - t33;
+  const Scalar t38 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t39 = (inertia.I2zz - t38) - inertia.c2z * t32;
+  const Scalar t40 = (inertia.c2x * t35 - (inertia.I2xx - t38)) + g.l2 * (t35 + t36);
+  const Scalar t41 = t40 + g.l2 * t34;
+  const Scalar t42 = ((inertia.I2xy - inertia.c2y * t35) - g.l2 * t29) - g.d2 * t36;
+  const Scalar t43 = inertia.c3x * inertia.m3;
+  const Scalar t44 = g.d2 * t43;
+  const Scalar t45 = g.d4 * t43 + (inertia.I3xz - inertia.c3z * t43);
+  const Scalar t46 = inertia.c4z * inertia.m4;
+  const Scalar t47 = g.d4 * inertia.m4;
+  const Scalar t48 = t46 - t47;
+  const Scalar t49 = t48 + t47;
+  const Scalar t50 = g.d4 * (t46 + t48) + ((inertia.I4zz - t7) - inertia.c4z * t46);
+  const Scalar t51 = t49 - g.d4 * t22;
+  const Scalar t52 = (g.d4 * (t49 + t48) - t50) - g.d4 * (t49 + t51);
+  const Scalar t53 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t54 = inertia.c3z * inertia.m3;
+  const Scalar t55 = t54 - g.d4 * inertia.m3;
+  const Scalar t56 = ((inertia.I3zz - t53) - inertia.c3z * t54) + g.d4 * (t54 + t55);
+  const Scalar t57 = t52 - t56;
+  const Scalar t58 = g.d4 * t26 - (g.d2 * t54 - (inertia.I3yz - inertia.c3z * t25));
+  const Scalar t59 = g.l2 * t43;
+  const Scalar t60 = inertia.c3x * t43 - (inertia.I3xx - t53);
+  const Scalar t61 = ((inertia.I3yy - t53) - inertia.c3y * t25) - g.d2 * (t26 + t25);
+  const Scalar t62 = g.d2 * (t28 + t27) - (g.d2 * (t26 + t27) + t61);
+  const Scalar t63 = ((inertia.I2yy - t38) - inertia.c2y * t29) - g.d2 * (t30 + t29);
+  const Scalar t64 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t65 = (inertia.c1y * t20 - (inertia.I1yy - t64)) + g.d2 * (t21 + t20);
+  return { inertia.I6yz - inertia.c6z * t0,
            inertia.I6xz - inertia.c6z * t1,
-           g.d4 / g.l2,
-           Scalar(1) / t6,
-           inertia.I5yz - inertia.c5z * t7,
-           Scalar(2) * t8,
-           t4 - t5,
-           t8,
-           inertia.I5xy - inertia.c5y * t9,
-           inertia.I4yz - inertia.c4z * t10,
-           inertia.I5xz - inertia.c5z * t9,
+           Scalar(1) / t5,
+           t5,
+           Scalar(2) * t6,
+           t3 - t4,
            t4,
-           inertia.c5x * t9 - (inertia.I5xx - t11),
-           t14,
-           inertia.I4xz - inertia.c4z * t15,
-           g.l2 * (t10 + t7),
-           g.l2 * (t13 + t12),
-           g.l2 * t9,
-           g.l2 * t15,
-           t17,
-           (inertia.I4xx - t18) - inertia.c4x * t15,
-           t19,
-           inertia.I4xy - inertia.c4y * t15,
-           t21,
-           t29,
-           t30,
-           t31,
-           t35,
-           t37,
-           t42,
-           inertia.c1x * t43 - (inertia.I1xx - t44),
-           (t47 - g.d2 * (t48 + t49)) - t52,
-           inertia.I3xy - inertia.c3y * t16,
-           g.d4 * t45 + (inertia.I3yz - inertia.c3z * t45),
-           t34 * t2,
-           inertia.I2yz - inertia.c2z * t46,
-           t53 * t2,
-           t54,
-           gravity[2] / g.l2,
-           gravity[1] / g.l2,
-           gravity[0] / g.l2,
-           g.l2,
-           Scalar(2) * t30,
-           Scalar(2) * t31,
-           Scalar(2) * t21,
+           t11,
+           inertia.I5xz - inertia.c5z * t12,
+           inertia.c5x * t12 - (inertia.I5xx - t10),
+           t15,
+           Scalar(2) * t15,
+           (inertia.I4xx - t7) - inertia.c4x * t16,
+           t6,
+           inertia.I5xy - inertia.c5y * t12,
+           inertia.I5yz - inertia.c5z * t9,
+           inertia.I4xy - inertia.c4y * t16,
+           g.l2 * t0,
+           g.l2 * t1,
            Scalar(2) * t17,
-           Scalar(2) * t29,
-           t53,
-           t34,
-           Scalar(2) * t35,
-           t37 + t42,
-           g.l2 * (t51 + t49),
-           g.l2 * t43,
-           t21 + t29 };
+           g.d2 / g.l2,
+           gravity[0] / g.l2,
+           gravity[1] / g.l2,
+           t17,
+           gravity[2] / g.l2,
+           g.l2 * (t14 + t13),
+           g.l2 * t12,
+           g.l2 * t16,
+           g.l2 * (t8 + t9),
+           t18 - ((inertia.I4xz - inertia.c4z * t16) + t18),
+           t19 - (t19 + (inertia.I4yz - inertia.c4z * t8)),
+           g.l2 * (t21 + (t28 + t30)),
+           g.l2 * t31,
+           t33,
+           g.l2 * (t34 + t36),
+           Scalar(2) * t37,
+           t39 + t41,
+           t37,
+           g.d2 * t32 - (inertia.I2yz - inertia.c2z * t29),
+           t42 - g.l2 * t28,
+           g.l2,
+           t44 + ((inertia.I3xy - inertia.c3y * t43) - t44),
+           Scalar(2) * t45,
+           Scalar(2) * t57,
+           g.d2 * t55 + t58,
+           g.l2 * (t55 + t51),
+           t59,
+           Scalar(2) * t60,
+           t45,
+           Scalar(2) * t59,
+           t60 - t57,
+           t60,
+           t57,
+           t41,
+           t39,
+           (t62 - t63) + t65,
+           inertia.c1x * t31 - (inertia.I1xx - t64) };
 }
 
 namespace detail {
@@ -1318,280 +1348,277 @@ inline JointVector<Scalar> forward_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t1 = c3 * s2 + c2 * s3;
-  const Scalar t2 = s2 * s3 - c2 * c3;
-  const Scalar t3 = t0 * t1 - wrench[5] * t2;
-  const Scalar t4 = wrench[3] * s1 - wrench[4] * c1;
-  const Scalar t5 = t2 * t0 + wrench[5] * t1;
-  const Scalar t6 = s4 * t4 - c4 * t5;
-  const Scalar t7 = k[0] * s6 + k[1] * c6;
-  const Scalar t8 = qd[0] * qd[0];
-  const Scalar t9 = k[43] * c1 - k[44] * s1;
-  const Scalar t10 = k[2] * t8 + t9;
-  const Scalar t11 = qd[0] * qd[1];
-  const Scalar t12 = t11 + t11;
-  const Scalar t13 = t10 + s2 * t12;
-  const Scalar t14 = qd[1] + qd[2];
-  const Scalar t15 = qd[0] * t2;
-  const Scalar t16 = t14 * t15;
-  const Scalar t17 = Scalar(2) * t16;
-  const Scalar t18 = t13 - k[6] * t17;
-  const Scalar t19 = qd[1] * qd[1];
-  const Scalar t20 = qd[0] * c2;
-  const Scalar t21 = k[44] * c1 + k[43] * s1;
-  const Scalar t22 = c2 * t21 - k[42] * s2;
-  const Scalar t23 = (t19 + t20 * t20) + t22;
-  const Scalar t24 = k[42] * c2 + s2 * t21;
-  const Scalar t25 = qd[0] * s2 * t20 + t24;
-  const Scalar t26 = c3 * t23 - s3 * t25;
-  const Scalar t27 = qd[0] * t1;
-  const Scalar t28 = t27 * t15;
-  const Scalar t29 = t26 + k[6] * t28;
-  const Scalar t30 = c4 * t18 + s4 * t29;
-  const Scalar t31 = k[0] * c6 - k[1] * s6;
-  const Scalar t32 = s4 * t18 - c4 * t29;
-  const Scalar t33 = c4 * t27;
-  const Scalar t34 = s4 * t14 + t33;
-  const Scalar t35 = t34 * t34;
-  const Scalar t36 = s4 * t27;
-  const Scalar t37 = c4 * t14 - t36;
-  const Scalar t38 = t37 * t37;
-  const Scalar t39 = t35 + t38;
-  const Scalar t40 = s3 * t23 + c3 * t25;
-  const Scalar t41 = k[6] * t39 - t40;
-  const Scalar t42 = c5 * t32 - s5 * t41;
-  const Scalar t43 = k[4] * c6 - k[5] * s6;
-  const Scalar t44 = t15 * t33 + s4 * t17;
-  const Scalar t45 = qd[3] + t15;
-  const Scalar t46 = t34 * t45;
-  const Scalar t47 = t44 - t46;
-  const Scalar t48 = s5 * t34 + c5 * t45;
-  const Scalar t49 = s5 * t45 - c5 * t34;
-  const Scalar t50 = t48 * t49;
-  const Scalar t51 = t47 - t50;
-  const Scalar t52 = k[4] * s6 + k[5] * c6;
-  const Scalar t53 = t37 * t45;
-  const Scalar t54 = t36 * t15 - c4 * t17;
-  const Scalar t55 = t53 + (t53 + t54);
-  const Scalar t56 = t27 * t14;
-  const Scalar t57 = t37 * t34;
-  const Scalar t58 = t56 - t57;
-  const Scalar t59 = c5 * t55 - s5 * t58;
-  const Scalar t60 = qd[4] + t37;
-  const Scalar t61 = t59 - Scalar(2) * t60 * t48;
-  const Scalar t62 = k[9] * c6 - k[10] * s6;
-  const Scalar t63 = k[15] + s6 * t62;
-  const Scalar t64 = k[3] - t63;
-  const Scalar t65 = c5 * t58 + s5 * t55;
-  const Scalar t66 = t60 * t49;
-  const Scalar t67 = t66 + (t66 - t65);
-  const Scalar t68 = k[11] - c6 * t62;
-  const Scalar t69 = t49 * t49;
-  const Scalar t70 = t60 * t60;
-  const Scalar t71 = t69 - t70;
-  const Scalar t72 = (t64 * t65 - t63 * t67) - t68 * t71;
-  const Scalar t73 = (t7 * t30 + t31 * t42) - ((t43 * t51 - t52 * t61) + t72);
-  const Scalar t74 = (c5 * t3 + s5 * t6) + t73;
-  const Scalar t75 = torque[5] - t74;
-  const Scalar t76 = k[7] * t75;
-  const Scalar t77 = s5 * t32 + c5 * t41;
-  const Scalar t78 = qd[5] + t48;
-  const Scalar t79 = t78 * t78;
-  const Scalar t80 = Scalar(2) * t60 * t78 + t61;
-  const Scalar t81 = t78 * t49;
-  const Scalar t82 = (t81 + t51) + t81;
-  const Scalar t83 = (t43 * t65 + (t69 - t79) * t52) - (t68 * t80 - t63 * t82);
-  const Scalar t84 = (t7 * t77 + t83) - (s4 * t5 + c4 * t4);
-  const Scalar t85 = t47 + t50;
-  const Scalar t86 = t48 * t48;
-  const Scalar t87 = t86 - t70;
-  const Scalar t88 = (k[17] * t51 + k[16] * t85) - k[14] * (t71 - t87);
-  const Scalar t89 = (k[20] * t42 - k[21] * t77) + (t88 - (k[12] * t59 + k[8] * t65));
-  const Scalar t90 = t84 - t89;
-  const Scalar t91 = k[7] * t43;
-  const Scalar t92 = k[16] - t63;
-  const Scalar t93 = k[17] + t92;
-  const Scalar t94 = Scalar(1) / (t91 * t43 + t93);
-  const Scalar t95 = (t76 * t43 - (torque[4] + t90)) * t94;
-  const Scalar t96 = k[21] + t7;
-  const Scalar t97 = k[20] * c5 - s5 * t96;
-  const Scalar t98 = k[8] + t43;
-  const Scalar t99 = k[12] - t68;
-  const Scalar t100 = c5 * t98 - s5 * t99;
-  const Scalar t101 = c5 * t99 + s5 * t98;
-  const Scalar t102 = k[6] * t97;
-  const Scalar t103 = t93 - t102;
-  const Scalar t104 = t100 * t2 + (c4 * t101 + s4 * t103) * t1;
-  const Scalar t105 = c4 * t97;
-  const Scalar t106 = c5 * t96 + k[20] * s5;
-  const Scalar t107 = (c2 * s4 * t97 + t104) - k[2] * (t2 * t105 + t106 * t1);
-  const Scalar t108 = c5 * t31;
-  const Scalar t109 = c4 * t108 - s4 * t7;
-  const Scalar t110 = s5 * t31;
-  const Scalar t111 = c5 + k[7] * s5 * t52;
-  const Scalar t112 = k[3] * t111;
-  const Scalar t113 = k[6] * t108 + t43;
-  const Scalar t114 = k[6] * t7 - (k[3] * s5 - c5 * t52);
-  const Scalar t115 = t2 * t112 - (s4 * t113 + c4 * t114) * t1;
-  const Scalar t116 = t115 + c2 * (c4 * t7 + s4 * t108);
-  const Scalar t117 = k[2] * (t2 * t109 + t110 * t1) - t116;
-  const Scalar t118 = k[7] * t117;
-  const Scalar t119 = t107 + t118 * t43;
-  const Scalar t120 = k[37] * (t8 - t39) + (k[49] * t56 + k[50] * t16);
-  const Scalar t121 = t69 + t86;
-  const Scalar t122 = t39 - t121;
-  const Scalar t123 = t35 - t38;
-  const Scalar t124 = t47 - t46;
-  const Scalar t125 = (k[18] * (t122 + t123) + k[13] * t58) + (k[26] * t55 + k[24] * t124);
-  const Scalar t126 = t69 + t70;
-  const Scalar t127 = wrench[0] * s1 - wrench[1] * c1;
-  const Scalar t128 = wrench[0] * c1 + wrench[1] * s1;
-  const Scalar t129 = t2 * t128 + wrench[2] * t1;
-  const Scalar t130 = s4 * t127 - c4 * t129;
-  const Scalar t131 = wrench[2] * t2 - t128 * t1;
-  const Scalar t132 = k[45] * (s5 * t130 - c5 * t131) + (t7 * t82 + t31 * t80);
-  const Scalar t133 = (k[20] * t126 + k[21] * t85) + t132;
-  const Scalar t134 = t69 + t79;
-  const Scalar t135 = (t7 * (t134 - t71) - t31 * t65) + k[45] * (s5 * t131 + c5 * t130);
-  const Scalar t136 = t135 - (k[20] * t51 - k[21] * (t86 + t70));
-  const Scalar t137 = (k[22] * (t123 - t121) + k[19] * t58) - (s5 * t133 + c5 * t136);
-  const Scalar t138 = ((t125 + k[22] * t41) + t90) + k[6] * t137;
-  const Scalar t139 = k[8] * t87 + (k[17] * t61 - k[14] * t67);
-  const Scalar t140 = (t126 - t134) * t43 + (t80 * t64 - t68 * t82);
-  const Scalar t141 = (t77 * t31 + (t67 * t52 + t140)) + (s5 * t3 - c5 * t6);
-  const Scalar t142 = (k[20] * t30 - (t139 - k[12] * t85)) + t141;
-  const Scalar t143 = (k[12] * t71 + k[8] * t51) - (k[14] * t61 - k[16] * t67);
-  const Scalar t144 = (t143 - k[21] * t30) - t74;
-  const Scalar t145 = t56 + t57;
-  const Scalar t146 = (k[26] * t124 + k[25] * t55) + k[13] * t122;
-  const Scalar t147 = (c5 * t142 + s5 * t144) + (k[19] * t41 - (k[18] * t145 - t146));
-  const Scalar t148 = k[45] * (s4 * t129 + c4 * t127) + (t67 * t7 - t134 * t31);
-  const Scalar t149 = (t148 + (k[20] * t61 + k[21] * t67)) - (k[22] * t145 + k[19] * t121);
-  const Scalar t150 = t147 + k[6] * t149;
-  const Scalar t151 = ((k[36] * t28 + t120) - k[29] * t13) + (s4 * t138 - c4 * t150);
-  const Scalar t152 = (k[25] * t58 + k[24] * t145) + k[26] * t123;
-  const Scalar t153 = (k[19] * t32 + k[22] * t30) - (t152 - (k[18] * t54 - k[13] * t44));
-  const Scalar t154 = t153 - (c5 * t144 - s5 * t142);
-  const Scalar t155 = t14 * t14;
-  const Scalar t156 = (t39 - t155) - t155;
-  const Scalar t157 = (k[37] * t28 + k[36] * t156) - (k[48] * t56 - k[49] * t16);
-  const Scalar t158 = t151 * t1 + (t154 + (k[30] * t13 - t157)) * t2;
-  const Scalar t159 = (k[47] * t56 + k[46] * t16) - (c4 * t149 - s4 * t137);
-  const Scalar t160 = k[31] - c2 * (k[54] * s2 + k[53] * c2);
-  const Scalar t161 = (k[39] * s2 - k[41] * c2) * t19 - t160 * t12;
-  const Scalar t162 = k[52] * s2 + k[51] * c2;
-  const Scalar t163 = (t158 - c2 * t159) - (t161 + t10 * t162);
-  const Scalar t164 = t8 - t156;
-  const Scalar t165 = (k[30] * t164 - k[29] * t28) - (s4 * t149 + c4 * t137);
-  const Scalar t166 = (k[19] * t55 + k[22] * t124) + (c5 * t133 - s5 * t136);
-  const Scalar t167 = t166 + (k[29] * t39 - k[30] * t28);
-  const Scalar t168 = (t165 * t2 - t167 * t1) - (t8 + t19) * t162;
-  const Scalar t169 = (k[56] * t9 - k[55] * t21) - (t163 - k[2] * t168);
-  const Scalar t170 = t95 * t119 - (t118 * t75 + (torque[0] + t169));
-  const Scalar t171 = t100 - t111 * t43;
-  const Scalar t172 = (t112 * t76 - (torque[3] - t154)) + t171 * t95;
-  const Scalar t173 = t119 * t94;
-  const Scalar t174 = k[22] + t106;
-  const Scalar t175 = k[19] + t31;
-  const Scalar t176 = s4 * t174 - c4 * t175;
-  const Scalar t177 = k[2] * t176;
-  const Scalar t178 = k[13] + t100;
-  const Scalar t179 = k[14] + t52;
-  const Scalar t180 = c5 * t179;
-  const Scalar t181 = s5 * (k[17] - t92) - (t180 + t180);
-  const Scalar t182 = k[18] - (c5 * t181 + t179);
-  const Scalar t183 = s4 * t175 + c4 * t174;
-  const Scalar t184 = (s4 * t178 + c4 * t182) + k[6] * t183;
-  const Scalar t185 = k[17] - s5 * t181;
-  const Scalar t186 = k[24] + (t185 - t93);
-  const Scalar t187 = k[25] + t64;
-  const Scalar t188 = t186 + t187;
-  const Scalar t189 = (t184 * t1 - t2 * t188) - c2 * t183;
-  const Scalar t190 = t171 * t173 + ((t2 * t177 - t189) + t111 * t117);
-  const Scalar t191 = t171 * t94;
-  const Scalar t192 = Scalar(1) / (t171 * t191 + (t188 - t111 * t112));
-  const Scalar t193 = t190 * t192;
-  const Scalar t194 = c4 * t113 - s4 * t114;
-  const Scalar t195 = k[7] * t194;
-  const Scalar t196 = (c4 * t178 - s4 * t182) - k[6] * t176;
-  const Scalar t197 = s4 * t101 - c4 * t103;
-  const Scalar t198 = t197 - t91 * t194;
-  const Scalar t199 = t94 * t198;
-  const Scalar t200 = (t195 * t112 - t196) - t199 * t171;
-  const Scalar t201 = t200 * t192;
-  const Scalar t202 = k[28] - (t185 - Scalar(2) * t102);
-  const Scalar t203 = k[26] + t101;
-  const Scalar t204 = Scalar(2) * c4 * t203 - s4 * (t186 - t187);
-  const Scalar t205 = s4 * t204 + t186;
-  const Scalar t206 = k[27] - t205;
-  const Scalar t207 = t202 - t206;
-  const Scalar t208 = t200 * t201 - ((t207 - t195 * t194) + t199 * t198);
-  const Scalar t209 = Scalar(1) / t208;
-  const Scalar t210 = (k[30] * t40 - k[29] * t26) + (k[23] * (t164 - t39) - k[57] * t28);
-  const Scalar t211 = t210 - (s4 * t150 + c4 * t138);
-  const Scalar t212 = (t195 * t75 - (torque[2] - t211)) + t95 * t198;
-  const Scalar t213 = t172 * t192;
-  const Scalar t214 = t212 + t213 * t200;
-  const Scalar t215 = t209 * t214;
-  const Scalar t216 = k[29] + t97;
-  const Scalar t217 = k[30] + t183;
-  const Scalar t218 = s3 * t216 + c3 * t217;
-  const Scalar t219 = k[2] * t218;
-  const Scalar t220 = k[37] + t196;
-  const Scalar t221 = k[36] + (c4 * t204 - t203);
-  const Scalar t222 = s3 * t220 + c3 * t221;
-  const Scalar t223 = c3 * t216 - s3 * t217;
-  const Scalar t224 = k[2] * t223;
-  const Scalar t225 = c3 * t220 - s3 * t221;
-  const Scalar t226 = s2 * (t219 - t222) - c2 * (t224 - t225);
-  const Scalar t227 = t201 * t190 - ((t226 - t118 * t194) - t173 * t198);
-  const Scalar t228 = t194 - (c3 * t110 + s3 * t109);
-  const Scalar t229 = ((s3 * t105 + c3 * t106) - t197) + t91 * t228;
-  const Scalar t230 = t229 * t94;
-  const Scalar t231 = ((s3 * t176 + t196) - t111 * t228) - t171 * t230;
-  const Scalar t232 = s2 * ((k[41] - (t176 + t222)) + (k[40] + t219));
-  const Scalar t233 = t232 - c2 * ((k[38] + t224) - (k[39] + t225));
-  const Scalar t234 = t231 * t193 + (t229 * t173 + (t233 - t118 * t228));
-  const Scalar t235 = ((t218 - t207) + t195 * t228) + t199 * t229;
-  const Scalar t236 = t231 * t201 - t235;
-  const Scalar t237 = t209 * t227;
-  const Scalar t238 = t234 - t236 * t237;
-  const Scalar t239 = k[7] * t228;
-  const Scalar t240 = k[23] + t184;
-  const Scalar t241 = s3 * (t202 + t206) + Scalar(2) * c3 * t240;
-  const Scalar t242 = s3 * t241 - t202;
-  const Scalar t243 = k[32] - t242;
-  const Scalar t244 = k[33] + ((t218 + t218) - (t207 + t242));
-  const Scalar t245 = (t228 * t239 - (t243 - t244)) - t229 * t230;
-  const Scalar t246 = t231 * t192;
-  const Scalar t247 = t209 * t236;
-  const Scalar t248 = Scalar(1) / ((t245 + t246 * t231) - t236 * t247);
-  const Scalar t249 = t8 * t160 + (k[52] * t22 - k[51] * t24);
-  const Scalar t250 = (t211 + (c3 * t167 - s3 * t165)) - t249;
-  const Scalar t251 = t95 * t229 + ((torque[1] - t250) - t75 * t239);
-  const Scalar t252 = t248 * (t247 * t214 - (t213 * t231 + t251));
-  const Scalar t253 = ((t170 - t172 * t193) + t215 * t227) - t238 * t252;
-  const Scalar t254 = t238 * t248;
-  const Scalar t255 = c2 * (k[31] - ((t240 - c3 * t241) + t223));
-  const Scalar t256 = s2 * (Scalar(2) * t255 + s2 * (t243 + t244));
-  const Scalar t257 = (k[35] + ((t188 - t205) + Scalar(2) * t177)) - (k[34] - (t256 - t244));
-  const Scalar t258 = (t119 * t173 - (t118 * t117 - t257)) - t190 * t193;
-  const Scalar t259 = Scalar(1) / (t238 * t254 + (t227 * t237 + t258));
-  const Scalar t260 = t253 * t259;
-  const Scalar t261 = t254 * t260 + t252;
-  const Scalar t262 = t261 * t247 + (t215 - t237 * t260);
-  const Scalar t263 = t201 * t262 - ((t213 - t193 * t260) + t261 * t246);
-  const Scalar t264 = t199 * t262 - (t261 * t230 - (t95 - t173 * t260));
-  const Scalar t265 = t263 * t191 + t264;
-  const Scalar t266 = (t261 * t239 + (t118 * t260 - t76)) + t195 * t262;
+  const Scalar t0 = k[0] * c6 - k[1] * s6;
+  const Scalar t1 = k[15] + t0;
+  const Scalar t2 = k[4] * c6 - k[5] * s6;
+  const Scalar t3 = k[13] - c6 * t2;
+  const Scalar t4 = k[14] - t3;
+  const Scalar t5 = s5 * t1 + c5 * t4;
+  const Scalar t6 = k[17] * s6 + k[18] * c6;
+  const Scalar t7 = k[26] + t6;
+  const Scalar t8 = k[25] * c5 - s5 * t7;
+  const Scalar t9 = k[6] - s6 * t2;
+  const Scalar t10 = k[3] - t9;
+  const Scalar t11 = k[9] - t10;
+  const Scalar t12 = k[10] + t11;
+  const Scalar t13 = k[23] * t8 - t12;
+  const Scalar t14 = s4 * t5 + c4 * t13;
+  const Scalar t15 = k[2] * t0;
+  const Scalar t16 = k[0] * s6 + k[1] * c6;
+  const Scalar t17 = (k[3] * s5 - c5 * t16) - k[23] * t6;
+  const Scalar t18 = k[17] * c6 - k[18] * s6;
+  const Scalar t19 = c5 * t18;
+  const Scalar t20 = k[23] * t19 + t0;
+  const Scalar t21 = s4 * t17 + c4 * t20;
+  const Scalar t22 = t14 - t15 * t21;
+  const Scalar t23 = Scalar(1) / (t15 * t0 + t12);
+  const Scalar t24 = t22 * t23;
+  const Scalar t25 = k[8] + t16;
+  const Scalar t26 = Scalar(2) * c5 * t25 - s5 * (k[11] - t12);
+  const Scalar t27 = t11 - s5 * t26;
+  const Scalar t28 = k[12] - t27;
+  const Scalar t29 = k[16] + t5;
+  const Scalar t30 = c4 * t29;
+  const Scalar t31 = k[7] + t9;
+  const Scalar t32 = (t30 + t30) - s4 * (t28 - t31);
+  const Scalar t33 = s4 * t32;
+  const Scalar t34 = t28 + t33;
+  const Scalar t35 = k[51] - t34;
+  const Scalar t36 = k[52] - (k[19] * t8 + (t27 - t12));
+  const Scalar t37 = t35 + t36;
+  const Scalar t38 = k[2] * t21;
+  const Scalar t39 = c5 * t7 + k[25] * s5;
+  const Scalar t40 = k[27] + t39;
+  const Scalar t41 = k[23] * t40 - (k[29] + (t25 - c5 * t26));
+  const Scalar t42 = s5 * t4 - c5 * t1;
+  const Scalar t43 = k[28] + t18;
+  const Scalar t44 = (k[30] + t42) - k[23] * t43;
+  const Scalar t45 = s4 * t41 + c4 * t44;
+  const Scalar t46 = c5 + k[2] * s5 * t16;
+  const Scalar t47 = k[3] * t46;
+  const Scalar t48 = t15 * t47 + t42;
+  const Scalar t49 = (t45 + t46 * t21) + t24 * t48;
+  const Scalar t50 = t23 * t48;
+  const Scalar t51 = t33 - t31;
+  const Scalar t52 = t34 - t51;
+  const Scalar t53 = Scalar(1) / (t50 * t48 + (t52 - t46 * t47));
+  const Scalar t54 = t49 * t53;
+  const Scalar t55 = (t24 * t22 - (t37 + t21 * t38)) - t54 * t49;
+  const Scalar t56 = Scalar(1) / t55;
+  const Scalar t57 = s2 * s3 - c2 * c3;
+  const Scalar t58 = s4 * t40 - c4 * t43;
+  const Scalar t59 = k[20] * t58;
+  const Scalar t60 = c4 * t41 - s4 * t44;
+  const Scalar t61 = c3 * s2 + c2 * s3;
+  const Scalar t62 = s4 * t43 + c4 * t40;
+  const Scalar t63 = (t57 * (t59 + t52) - t60 * t61) + c2 * t62;
+  const Scalar t64 = c4 * t19 - s4 * t6;
+  const Scalar t65 = s5 * t18;
+  const Scalar t66 = k[20] * t65 - (c4 * t17 - s4 * t20);
+  const Scalar t67 = t57 * (t47 - k[20] * t64) - t66 * t61;
+  const Scalar t68 = c2 * (s4 * t19 + c4 * t6) + t67;
+  const Scalar t69 = k[2] * t68;
+  const Scalar t70 = c4 * t8;
+  const Scalar t71 = (c4 * t5 - s4 * t13) - k[20] * t39;
+  const Scalar t72 = (k[20] * t70 + t42) * t57 - t71 * t61;
+  const Scalar t73 = (t72 - c2 * s4 * t8) + t0 * t69;
+  const Scalar t74 = (t63 - t47 * t69) + t50 * t73;
+  const Scalar t75 = t53 * t74;
+  const Scalar t76 = t23 * t73;
+  const Scalar t77 = k[45] + t8;
+  const Scalar t78 = (k[44] - t45) - k[20] * t77;
+  const Scalar t79 = k[46] + t62;
+  const Scalar t80 = (k[41] - (t29 - c4 * t32)) - k[20] * t79;
+  const Scalar t81 = t57 * t78 + t61 * t80;
+  const Scalar t82 = t49 * t75 - (t22 * t76 - (t81 - t21 * t69));
+  const Scalar t83 = t56 * t82;
+  const Scalar t84 = t21 - (s3 * t64 + c3 * t65);
+  const Scalar t85 = t15 * t84 - (t14 - (s3 * t70 + c3 * t39));
+  const Scalar t86 = s3 * t77 + c3 * t79;
+  const Scalar t87 = t24 * t85 + ((t86 + t37) + t38 * t84);
+  const Scalar t88 = t23 * t85;
+  const Scalar t89 = ((t45 - s3 * t58) + t46 * t84) - t88 * t48;
+  const Scalar t90 = t87 + t54 * t89;
+  const Scalar t91 = t53 * t89;
+  const Scalar t92 = c3 * t80 + s3 * t78;
+  const Scalar t93 = ((t81 - s2 * t92) + k[38] * c2) + s2 * (k[39] + (t58 + t92));
+  const Scalar t94 = t74 * t91 - ((t84 * t69 - t93) - t88 * t73);
+  const Scalar t95 = t83 * t90 + t94;
+  const Scalar t96 = qd[0] * t57;
+  const Scalar t97 = qd[3] + t96;
+  const Scalar t98 = qd[1] + qd[2];
+  const Scalar t99 = qd[0] * t61;
+  const Scalar t100 = c4 * t99;
+  const Scalar t101 = s4 * t98 + t100;
+  const Scalar t102 = s5 * t97 - c5 * t101;
+  const Scalar t103 = t102 * t102;
+  const Scalar t104 = c4 * t98 - s4 * t99;
+  const Scalar t105 = qd[4] + t104;
+  const Scalar t106 = t105 * t105;
+  const Scalar t107 = t103 + t106;
+  const Scalar t108 = t97 * t97;
+  const Scalar t109 = t104 * t104;
+  const Scalar t110 = t108 - t109;
+  const Scalar t111 = t98 * t98;
+  const Scalar t112 = t96 * t96;
+  const Scalar t113 = t111 + t112;
+  const Scalar t114 = t111 - t112;
+  const Scalar t115 = qd[0] * qd[0];
+  const Scalar t116 = t115 - t113;
+  const Scalar t117 = t114 + t116;
+  const Scalar t118 = t113 + t117;
+  const Scalar t119 = t110 + t118;
+  const Scalar t120 = t103 - t106;
+  const Scalar t121 = t119 - t120;
+  const Scalar t122 = t98 * t96;
+  const Scalar t123 = t122 + t122;
+  const Scalar t124 = t96 * t100 + s4 * t123;
+  const Scalar t125 = t101 * t97;
+  const Scalar t126 = t124 - t125;
+  const Scalar t127 = s5 * t101 + c5 * t97;
+  const Scalar t128 = t127 * t102;
+  const Scalar t129 = t126 + t128;
+  const Scalar t130 = t126 - t128;
+  const Scalar t131 = k[8] * (t107 - t121) - (k[9] * t129 + k[10] * t130);
+  const Scalar t132 = t99 * t98;
+  const Scalar t133 = t104 * t101;
+  const Scalar t134 = t132 - t133;
+  const Scalar t135 = t104 * t97;
+  const Scalar t136 = t99 * t96;
+  const Scalar t137 = c4 * t123 - s4 * t136;
+  const Scalar t138 = (t135 + t135) - t137;
+  const Scalar t139 = c5 * t134 + s5 * t138;
+  const Scalar t140 = c5 * t138 - s5 * t134;
+  const Scalar t141 = k[22] * s1 + k[21] * c1;
+  const Scalar t142 = k[24] * c2 + s2 * t141;
+  const Scalar t143 = t115 * c2 * s2 + t142;
+  const Scalar t144 = qd[1] * qd[1];
+  const Scalar t145 = qd[0] * c2;
+  const Scalar t146 = k[24] * s2 - c2 * t141;
+  const Scalar t147 = (t144 + t145 * t145) - t146;
+  const Scalar t148 = c3 * t143 + s3 * t147;
+  const Scalar t149 = t148 - k[23] * t118;
+  const Scalar t150 = s3 * t143 - c3 * t147;
+  const Scalar t151 = t150 - k[23] * t136;
+  const Scalar t152 = qd[0] * qd[1];
+  const Scalar t153 = t152 + t152;
+  const Scalar t154 = k[22] * c1 - k[21] * s1;
+  const Scalar t155 = s2 * t153 + (t154 + k[20] * t115);
+  const Scalar t156 = k[19] * t122 - t155;
+  const Scalar t157 = c4 * t151 - s4 * t156;
+  const Scalar t158 = c5 * t149 - s5 * t157;
+  const Scalar t159 = c5 * t157 + s5 * t149;
+  const Scalar t160 = (t131 + (k[15] * t139 + k[14] * t140)) - (k[26] * t158 + k[25] * t159);
+  const Scalar t161 = qd[5] + t127;
+  const Scalar t162 = t161 * t161 - t106;
+  const Scalar t163 = t162 - t120;
+  const Scalar t164 = t105 * t127;
+  const Scalar t165 = t164 + (t164 - t140);
+  const Scalar t166 = t165 - Scalar(2) * t105 * t161;
+  const Scalar t167 = t161 * t102;
+  const Scalar t168 = t167 + (t130 + t167);
+  const Scalar t169 = (t163 * t16 - t139 * t0) - (t3 * t166 + t10 * t168);
+  const Scalar t170 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t171 = t57 * t170 + wrench[5] * t61;
+  const Scalar t172 = wrench[3] * s1 - wrench[4] * c1;
+  const Scalar t173 = (t169 + t6 * t158) + (s4 * t171 + c4 * t172);
+  const Scalar t174 = t160 - t173;
+  const Scalar t175 = c4 * t156 + s4 * t151;
+  const Scalar t176 = t105 * t102;
+  const Scalar t177 = (t139 - t176) - t176;
+  const Scalar t178 = (t177 * t10 + t139 * t9) - t120 * t3;
+  const Scalar t179 = (t18 * t159 - t6 * t175) - ((t130 * t0 + t16 * t165) + t178);
+  const Scalar t180 = t170 * t61 - wrench[5] * t57;
+  const Scalar t181 = s4 * t172 - c4 * t171;
+  const Scalar t182 = t179 + (c5 * t180 + s5 * t181);
+  const Scalar t183 = k[2] * (torque[5] - t182);
+  const Scalar t184 = (torque[4] + t174) - t183 * t0;
+  const Scalar t185 = t23 * t184;
+  const Scalar t186 = t108 + t109;
+  const Scalar t187 = t118 - t186;
+  const Scalar t188 = t126 - t125;
+  const Scalar t189 = (k[29] * t187 + k[30] * t134) - (k[16] * t138 + k[12] * t188);
+  const Scalar t190 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t191 = wrench[2] * t57 - t190 * t61;
+  const Scalar t192 = wrench[0] * s1 - wrench[1] * c1;
+  const Scalar t193 = t57 * t190 + wrench[2] * t61;
+  const Scalar t194 = s4 * t192 - c4 * t193;
+  const Scalar t195 = t163 + t107;
+  const Scalar t196 = k[40] * (s5 * t191 + c5 * t194) - (t18 * t139 - t6 * t195);
+  const Scalar t197 = (k[26] * t121 - k[25] * t130) + t196;
+  const Scalar t198 = k[40] * (s5 * t194 - c5 * t191) - (t18 * t166 - t6 * t168);
+  const Scalar t199 = t198 + (k[26] * t129 + k[25] * t107);
+  const Scalar t200 = (c5 * t197 + s5 * t199) + (k[27] * t186 - k[28] * t134);
+  const Scalar t201 = ((t189 + k[27] * t149) - t174) + k[23] * t200;
+  const Scalar t202 = k[40] * (s4 * t193 + c4 * t192) - (t18 * (t195 + t120) + t177 * t6);
+  const Scalar t203 = t132 + t133;
+  const Scalar t204 = (t202 - (k[25] * t165 + k[26] * t177)) - (k[28] * t119 + k[27] * t203);
+  const Scalar t205 = (k[16] * t188 + k[7] * t138) + k[30] * t110;
+  const Scalar t206 = k[15] * (t119 - t107) - (k[10] * t165 - k[8] * t177);
+  const Scalar t207 = t162 * t0 + (t168 * t3 + t9 * t166);
+  const Scalar t208 = (s5 * t180 - c5 * t181) - (t18 * t158 + (t16 * t177 + t207));
+  const Scalar t209 = (k[25] * t175 + (t206 - k[14] * t129)) - t208;
+  const Scalar t210 = (k[9] * t177 - k[8] * t165) - (k[15] * t130 + k[14] * t120);
+  const Scalar t211 = (t210 - k[26] * t175) + t182;
+  const Scalar t212 = ((k[29] * t203 + t205) - k[28] * t149) - (c5 * t209 + s5 * t211);
+  const Scalar t213 = k[23] * t204 + t212;
+  const Scalar t214 = (k[46] * t148 + k[45] * t150) - (k[50] * t136 + k[48] * t117);
+  const Scalar t215 = (c4 * t201 - s4 * t213) + t214;
+  const Scalar t216 = t22 * t185 + ((torque[2] - t215) - t183 * t21);
+  const Scalar t217 = k[16] * (t187 + t110) + (k[12] * t203 + k[7] * t134);
+  const Scalar t218 = (k[28] * t157 - k[27] * t175) - (t217 - (k[29] * t137 + k[30] * t124));
+  const Scalar t219 = (s5 * t209 - c5 * t211) - t218;
+  const Scalar t220 = t50 * t184 - ((torque[3] + t219) - t183 * t47);
+  const Scalar t221 = t53 * t220;
+  const Scalar t222 = (t216 - t49 * t221) * t56;
+  const Scalar t223 = k[37] - c2 * (k[35] * c2 + k[36] * s2);
+  const Scalar t224 = t115 * t223 - (k[34] * t142 + k[33] * t146);
+  const Scalar t225 = (k[46] * t113 - k[45] * t136) + (c4 * t200 - s4 * t204);
+  const Scalar t226 = (c5 * t199 - s5 * t197) + (k[28] * t138 + k[27] * t188);
+  const Scalar t227 = (k[46] * t136 - k[45] * t118) - t226;
+  const Scalar t228 = t224 + ((s3 * t225 + c3 * t227) - t215);
+  const Scalar t229 = (t183 * t84 - (torque[1] + t228)) + t185 * t85;
+  const Scalar t230 = t56 * t90;
+  const Scalar t231 = k[48] + t60;
+  const Scalar t232 = s3 * (t35 - t36) + Scalar(2) * c3 * t231;
+  const Scalar t233 = t35 - s3 * t232;
+  const Scalar t234 = k[53] + (t233 + (t86 + t86));
+  const Scalar t235 = k[54] + (t233 - t37);
+  const Scalar t236 = k[2] * t84;
+  const Scalar t237 = ((t234 - t235) + t236 * t84) - t88 * t85;
+  const Scalar t238 = Scalar(1) / (t90 * t230 + (t237 + t91 * t89));
+  const Scalar t239 = (t222 * t90 - (t89 * t221 + t229)) * t238;
+  const Scalar t240 = (k[45] * t123 + k[49] * t132) - (s4 * t200 + c4 * t204);
+  const Scalar t241 = k[44] * t114 - (k[42] * t132 - k[43] * t122);
+  const Scalar t242 = (s4 * t201 + c4 * t213) - ((k[41] * t136 - t241) - k[45] * t155);
+  const Scalar t243 = (k[47] * t132 - k[48] * t123) - (k[44] * t136 + k[41] * t116);
+  const Scalar t244 = k[20] * t225 + (t219 - (t243 + k[46] * t155));
+  const Scalar t245 = (k[20] * t227 + t242) * t61 + t57 * t244;
+  const Scalar t246 = t153 * t223 - t144 * (k[39] * c2 - k[38] * s2);
+  const Scalar t247 = t246 - t154 * (k[33] * s2 + k[34] * c2);
+  const Scalar t248 = ((c2 * t240 + t245) - t247) - (k[31] * t141 - k[32] * t154);
+  const Scalar t249 = t76 * t184 + (t68 * t183 - (torque[0] + t248));
+  const Scalar t250 = t95 * t239 + ((t74 * t221 - t249) - t222 * t82);
+  const Scalar t251 = (c3 * t232 - t231) - (c3 * t77 - s3 * t79);
+  const Scalar t252 = Scalar(2) * c2 * (k[37] + t251) + s2 * (t234 + t235);
+  const Scalar t253 = (k[55] - (Scalar(2) * t59 - t51)) + (k[56] - (s2 * t252 - t234));
+  const Scalar t254 = ((t253 + t68 * t69) - t76 * t73) + t74 * t75;
+  const Scalar t255 = t95 * t238;
+  const Scalar t256 = Scalar(1) / ((t83 * t82 + t254) - t95 * t255);
+  const Scalar t257 = t250 * t256;
+  const Scalar t258 = t257 * t255 + t239;
+  const Scalar t259 = t258 * t230 - (t222 + t83 * t257);
+  const Scalar t260 = t54 * t259 + (t91 * t258 - (t257 * t75 - t221));
+  const Scalar t261 = t24 * t259 - (t88 * t258 + (t257 * t76 - t185));
+  const Scalar t262 = t50 * t260 - t261;
+  const Scalar t263 = t38 * t259 + ((t183 + t257 * t69) + t236 * t258);
   JointVector<Scalar> result;
-  result[0] = t260;
-  result[1] = -t261;
-  result[2] = -t262;
-  result[3] = -t263;
-  result[4] = -t265;
-  result[5] = (t266 + t111 * t263) + t91 * t265;
+  result[0] = t257;
+  result[1] = t258;
+  result[2] = t259;
+  result[3] = t260;
+  result[4] = -t262;
+  result[5] = t262 * t15 - (t46 * t260 + t263);
   return result;
 }
 
@@ -1621,33 +1648,35 @@ PotentialEnergyWithGravityVectorConstants<Scalar> potential_energy_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = inertia.m3 + t0;
-  const Scalar t2 = inertia.m2 + t1;
+  const Scalar t0 = g.d4 * inertia.m4;
+  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t2 = inertia.m3 + t1;
+  const Scalar t3 = g.h1 * inertia.m1;
+  const Scalar t4 = g.d2 * inertia.m3;
   return { inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
            inertia.c6y * inertia.m6,
            inertia.c6x * inertia.m6,
            inertia.c5x * inertia.m5,
-           inertia.c4z * inertia.m4,
-           g.d4 * t0,
-           inertia.c3z * inertia.m3 - g.d4 * inertia.m3,
            inertia.c4x * inertia.m4,
            inertia.c5y * inertia.m5,
            inertia.c4y * inertia.m4,
            inertia.c3x * inertia.m3,
-           inertia.c2z * inertia.m2,
-           g.l2 * t1,
+           (inertia.c4z * inertia.m4 - t0) + t0,
+           g.d4 * t1,
+           inertia.c3z * inertia.m3 - g.d4 * inertia.m3,
+           g.l2 * t2,
            g.l2 * inertia.m2 + inertia.c2x * inertia.m2,
-           inertia.c1z * inertia.m1,
+           inertia.c2z * inertia.m2,
+           t3 - (inertia.c1z * inertia.m1 + t3),
+           g.h1 * (inertia.m1 + (inertia.m2 + t2)),
            gravity[2],
-           inertia.c3y * inertia.m3,
-           inertia.c2y * inertia.m2,
-           g.d2 * t2,
-           inertia.c1y * inertia.m1 + g.d2 * inertia.m1,
            inertia.c1x * inertia.m1,
-           gravity[1],
+           (t4 + inertia.c3y * inertia.m3) - t4,
+           g.d2 * t2,
+           g.d2 * inertia.m2 + inertia.c2y * inertia.m2,
+           inertia.c1y * inertia.m1 + g.d2 * inertia.m1,
            gravity[0],
-           (inertia.m1 + t2) * gravity[2] * g.h1 };
+           gravity[1] };
 }
 
 namespace detail {
@@ -1667,21 +1696,21 @@ inline Scalar potential_energy_with_gravity_vector([[maybe_unused]] const JointV
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = k[9] + (k[8] + (k[1] * c6 - k[2] * s6));
-  const Scalar t1 = k[3] + (k[2] * c6 + k[1] * s6);
-  const Scalar t2 = k[7] + (c5 * t1 + k[0] * s5);
-  const Scalar t3 = k[17] + (k[16] + (c4 * t0 - s4 * t2));
-  const Scalar t4 = k[19] + (k[18] + t3);
-  const Scalar t5 = k[5] - (k[4] - (s5 * t1 - k[0] * c5));
-  const Scalar t6 = k[6] - t5;
-  const Scalar t7 = k[10] + (c4 * t2 + s4 * t0);
-  const Scalar t8 = k[13] + (k[12] + (s3 * t6 + c3 * t7));
-  const Scalar t9 = k[11] + (c3 * t6 - s3 * t7);
-  const Scalar t10 = k[20] + (c2 * t8 + s2 * t9);
-  const Scalar t11 = k[21] * (c1 * t4 + s1 * t10) + k[22] * (c1 * t10 - s1 * t4);
-  const Scalar t12 = k[15] * (k[14] + (c2 * t9 - s2 * t8));
+  const Scalar t0 = k[3] + (k[2] * c6 + k[1] * s6);
+  const Scalar t1 = k[9] - (k[8] - (s5 * t0 - k[0] * c5));
+  const Scalar t2 = k[10] - t1;
+  const Scalar t3 = k[4] + (c5 * t0 + k[0] * s5);
+  const Scalar t4 = k[6] + (k[5] + (k[1] * c6 - k[2] * s6));
+  const Scalar t5 = k[7] + (c4 * t3 + s4 * t4);
+  const Scalar t6 = k[12] + (k[11] + (s3 * t2 + c3 * t5));
+  const Scalar t7 = k[13] + (c3 * t2 - s3 * t5);
+  const Scalar t8 = k[17] + (c2 * t6 + s2 * t7);
+  const Scalar t9 = k[19] + (k[18] + (c4 * t4 - s4 * t3));
+  const Scalar t10 = k[21] + (k[20] + t9);
+  const Scalar t11 = k[23] * (s1 * t8 + c1 * t10) + k[22] * (c1 * t8 - s1 * t10);
+  const Scalar t12 = k[15] - (k[14] + (s2 * t6 - c2 * t7));
   Scalar result;
-  result = -k[23] - (t11 + t12);
+  result = -t11 - k[16] * t12;
   return result;
 }
 

@@ -27,79 +27,91 @@ InverseDynamicsConstants<Scalar> inverse_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c2x * inertia.m2;
-  const Scalar t1 = inertia.c2z * inertia.m2;
-  const Scalar t2 = inertia.c4x * inertia.m4;
-  const Scalar t3 = inertia.c4y * inertia.m4;
-  const Scalar t4 = inertia.c5y * inertia.m5;
-  const Scalar t5 = inertia.c5x * inertia.m5;
-  const Scalar t6 = inertia.c5z * inertia.m5;
-  const Scalar t7 = inertia.c6z * inertia.m6;
-  const Scalar t8 = inertia.c6y * inertia.m6;
-  const Scalar t9 = inertia.c6x * inertia.m6;
-  const Scalar t10 = inertia.c3y * inertia.m3;
-  const Scalar t11 = inertia.c3x * inertia.m3;
-  const Scalar t12 = inertia.c3z * inertia.m3;
-  const Scalar t13 = inertia.c4z * inertia.m4;
-  const Scalar t14 = (inertia.I3xy - inertia.c3y * t11) + (inertia.I2xy - inertia.c2y * t0);
-  const Scalar t15 = inertia.c2y * inertia.m2;
-  const Scalar t16 = (inertia.I3yz - inertia.c3z * t10) + (inertia.I2yz - inertia.c2z * t15);
-  const Scalar t17 = (inertia.I2xz - inertia.c2z * t0) + (inertia.I3xz - inertia.c3z * t11);
-  const Scalar t18 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t19 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t20 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t21 = ((inertia.I3zz - t19) - inertia.c3z * t12) + ((inertia.I4zz - t20) - inertia.c4z * t13);
-  const Scalar t22 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t23 = (inertia.I6xx - t22) - inertia.c6x * t9;
-  const Scalar t24 = (inertia.I6yy - t22) - inertia.c6y * t8;
-  const Scalar t25 = inertia.I6xy - inertia.c6y * t9;
-  const Scalar t26 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t27 = (inertia.c6z * t7 - (inertia.I6zz - t22)) + (inertia.c5z * t6 - (inertia.I5zz - t26));
-  const Scalar t28 = ((inertia.I4yy - t20) - inertia.c4y * t3) - (inertia.c5y * t4 - (inertia.I5yy - t26));
-  const Scalar t29 = (inertia.c3x * t11 - (inertia.I3xx - t19)) + (inertia.c2x * t0 - (inertia.I2xx - t18));
-  const Scalar t30 = inertia.c1y * inertia.m1;
-  const Scalar t31 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t32 = (inertia.c1y * t30 - (inertia.I1yy - t31)) - g.d2 * (t30 + (t30 - g.d2 * inertia.m1));
-  const Scalar t33 = ((inertia.I3yy - t19) - inertia.c3y * t10) + ((inertia.I2yy - t18) - inertia.c2y * t15);
-  const Scalar t34 = t33 - g.d2 * ((g.d2 * inertia.m2 - t15) - t15);
-  const Scalar t35 = (t32 - t34) + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t31));
-  return { t0,
-           t1,
-           t2,
-           t3 + t4,
-           t5,
-           t6 + t7,
-           t8,
-           t9,
-           t10,
-           t11,
-           t12 + t13,
-           gravity,
-           g.d2,
-           inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)),
-           t14,
-           t16,
-           t17,
-           ((inertia.I2zz - t18) - inertia.c2z * t1) + t21,
-           inertia.I6xz - inertia.c6z * t9,
-           inertia.I6yz - inertia.c6z * t8,
-           t23 - t24,
-           Scalar(2) * t25,
-           t25,
-           t23,
-           inertia.I5xz - inertia.c5z * t5,
-           t27,
-           inertia.c5x * t5 - (inertia.I5xx - t26),
-           inertia.I5xy - inertia.c5y * t5,
-           inertia.I5yz - inertia.c5z * t4,
-           (inertia.I4xx - t20) - inertia.c4x * t2,
-           inertia.I4xy - inertia.c4y * t2,
-           inertia.I4yz - inertia.c4z * t3,
-           inertia.I4xz - inertia.c4z * t2,
+  const Scalar t0 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t1 = inertia.c3y * inertia.m3;
+  const Scalar t2 = g.d2 * inertia.m3 - t1;
+  const Scalar t3 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t4 = g.d2 * t3;
+  const Scalar t5 = (t2 + t4) / g.d2;
+  const Scalar t6 = g.d2 * g.d2 * t5;
+  const Scalar t7 = inertia.c1y * inertia.m1;
+  const Scalar t8 = (inertia.c1y * t7 - (inertia.I1yy - t0)) - g.d2 * (t7 + (t7 - g.d2 * inertia.m1));
+  const Scalar t9 = inertia.c2y * inertia.m2;
+  const Scalar t10 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t11 = g.d2 * ((g.d2 * inertia.m2 - t9) - t9) - ((inertia.I2yy - t10) - inertia.c2y * t9);
+  const Scalar t12 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t13 = g.d2 * (t2 - t1) - ((inertia.I3yy - t12) - inertia.c3y * t1);
+  const Scalar t14 = t6 - (t8 + (t11 + (t13 + g.d2 * t4)));
+  const Scalar t15 = (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t0)) - t14;
+  const Scalar t16 = inertia.c3x * inertia.m3;
+  const Scalar t17 = inertia.c2x * inertia.m2;
+  const Scalar t18 = (inertia.c3x * t16 - (inertia.I3xx - t12)) + (inertia.c2x * t17 - (inertia.I2xx - t10));
+  const Scalar t19 = (inertia.I2xz - inertia.c2z * t17) + (inertia.I3xz - inertia.c3z * t16);
+  const Scalar t20 = g.d2 * t16;
+  const Scalar t21 = g.d2 * t17;
+  const Scalar t22 = ((inertia.I3xy - inertia.c3y * t16) + t20) + (t21 + (inertia.I2xy - inertia.c2y * t17));
+  const Scalar t23 = inertia.c4z * inertia.m4;
+  const Scalar t24 = inertia.c3z * inertia.m3;
+  const Scalar t25 = g.d2 * t23 + (g.d2 * t24 + (inertia.I3yz - inertia.c3z * t1));
+  const Scalar t26 = inertia.c2z * inertia.m2;
+  const Scalar t27 = g.d2 * t26;
+  const Scalar t28 = Scalar(1) / g.d2;
+  const Scalar t29 = gravity / g.d2;
+  const Scalar t30 = inertia.c4y * inertia.m4;
+  const Scalar t31 = inertia.c5y * inertia.m5;
+  const Scalar t32 = inertia.c4x * inertia.m4;
+  const Scalar t33 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t34 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t35 = ((inertia.I4yy - t33) - inertia.c4y * t30) - (inertia.c5y * t31 - (inertia.I5yy - t34));
+  const Scalar t36 = inertia.c6y * inertia.m6;
+  const Scalar t37 = inertia.c6x * inertia.m6;
+  const Scalar t38 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t39 = (inertia.I6xx - t38) - inertia.c6x * t37;
+  const Scalar t40 = (inertia.I6yy - t38) - inertia.c6y * t36;
+  const Scalar t41 = inertia.I6xy - inertia.c6y * t37;
+  const Scalar t42 = inertia.c5z * inertia.m5;
+  const Scalar t43 = inertia.c6z * inertia.m6;
+  const Scalar t44 = inertia.c5x * inertia.m5;
+  const Scalar t45 = (inertia.c6z * t43 - (inertia.I6zz - t38)) + (inertia.c5z * t42 - (inertia.I5zz - t34));
+  const Scalar t46 = ((inertia.I3zz - t12) - inertia.c3z * t24) + ((inertia.I4zz - t33) - inertia.c4z * t23);
+  return { t15,
+           t18,
+           t19,
+           t22,
+           t25 + (t27 + (inertia.I2yz - inertia.c2z * t9)),
            t28,
-           t24,
+           Scalar(2) * t28,
+           t20,
            t29,
-           t35 };
+           g.d2 * (t30 + t31),
+           g.d2 * t32,
+           inertia.I4xz - inertia.c4z * t32,
+           inertia.I4yz - inertia.c4z * t30,
+           inertia.I4xy - inertia.c4y * t32,
+           (inertia.I4xx - t33) - inertia.c4x * t32,
+           t35,
+           inertia.I6yz - inertia.c6z * t36,
+           inertia.I6xz - inertia.c6z * t37,
+           t39 - t40,
+           Scalar(2) * t41,
+           t40,
+           t41,
+           g.d2 * t36,
+           g.d2 * t37,
+           g.d2 * (t42 + t43),
+           inertia.I5xy - inertia.c5y * t44,
+           t45,
+           inertia.I5xz - inertia.c5z * t44,
+           inertia.I5yz - inertia.c5z * t31,
+           t39,
+           g.d2 * t44,
+           inertia.c5x * t44 - (inertia.I5xx - t34),
+           t6,
+           ((inertia.I2zz - t10) - inertia.c2z * t26) + t46,
+           g.d2 * (t24 + t23),
+           g.d2 * g.d2 * ((inertia.m3 + t3) - t5),
+           t27,
+           t21 * t29 };
 }
 
 namespace detail {
@@ -116,141 +128,142 @@ inline JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const 
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = qd[0] * qd[0];
-  const Scalar t1 = k[12] * t0;
-  const Scalar t2 = qd[0] * s2;
-  const Scalar t3 = qd[0] * c2;
-  const Scalar t4 = t2 * t3;
-  const Scalar t5 = qdd[1] - t4;
-  const Scalar t6 = qd[1] * qd[1];
-  const Scalar t7 = t3 * t3;
-  const Scalar t8 = t6 - t7;
-  const Scalar t9 = t6 + t7;
-  const Scalar t10 = t0 + t8;
-  const Scalar t11 = t9 - t10;
-  const Scalar t12 = qdd[0] * s2;
-  const Scalar t13 = t12 + Scalar(2) * qd[1] * t3;
-  const Scalar t14 = qdd[0] * c2;
-  const Scalar t15 = qd[1] * t2;
-  const Scalar t16 = t14 - t15;
-  const Scalar t17 = t16 - t15;
-  const Scalar t18 = (k[15] * t5 + k[14] * (t8 + t11)) - (k[16] * t13 + k[35] * t17);
-  const Scalar t19 = qd[2] * qd[1];
-  const Scalar t20 = k[11] * s2 + k[12] * t14;
-  const Scalar t21 = (t19 + t19) + (q[2] * t5 - t20);
-  const Scalar t22 = (q[2] * t13 - t1) + Scalar(2) * qd[2] * t2;
-  const Scalar t23 = s4 * t21 - c4 * t22;
-  const Scalar t24 = c4 * t2 - qd[1] * s4;
-  const Scalar t25 = qd[3] + t3;
-  const Scalar t26 = s5 * t24 + c5 * t25;
-  const Scalar t27 = c5 * t24 - s5 * t25;
-  const Scalar t28 = t26 * t27;
-  const Scalar t29 = t25 * t24;
-  const Scalar t30 = s4 * t13 + c4 * t5;
-  const Scalar t31 = t29 + t30;
-  const Scalar t32 = qdd[4] - t31;
-  const Scalar t33 = t28 + t32;
-  const Scalar t34 = qd[5] + t26;
-  const Scalar t35 = t34 * t34;
-  const Scalar t36 = t27 * t27;
-  const Scalar t37 = t35 + t36;
-  const Scalar t38 = qd[1] * c4 + s4 * t2;
-  const Scalar t39 = qd[4] - t38;
-  const Scalar t40 = t35 + t39 * t39;
-  const Scalar t41 = t37 - t40;
-  const Scalar t42 = s4 * t5 - c4 * t13;
-  const Scalar t43 = t25 * t38;
-  const Scalar t44 = t42 + (t43 + t43);
-  const Scalar t45 = qdd[3] + t16;
-  const Scalar t46 = t38 * t24;
+  const Scalar t0 = qd[0] * s2;
+  const Scalar t1 = qd[1] * c4 + s4 * t0;
+  const Scalar t2 = qd[4] - t1;
+  const Scalar t3 = c4 * t0 - qd[1] * s4;
+  const Scalar t4 = qd[0] * c2;
+  const Scalar t5 = qd[3] + t4;
+  const Scalar t6 = c5 * t3 - s5 * t5;
+  const Scalar t7 = t2 * t6;
+  const Scalar t8 = qdd[0] * c2;
+  const Scalar t9 = qd[1] * t0;
+  const Scalar t10 = t8 - t9;
+  const Scalar t11 = qdd[3] + t10;
+  const Scalar t12 = t1 * t3;
+  const Scalar t13 = t11 + t12;
+  const Scalar t14 = t5 * t1;
+  const Scalar t15 = t0 * t4;
+  const Scalar t16 = qdd[1] - t15;
+  const Scalar t17 = qd[1] * t4;
+  const Scalar t18 = qdd[0] * s2;
+  const Scalar t19 = t17 + (t18 + t17);
+  const Scalar t20 = s4 * t16 - c4 * t19;
+  const Scalar t21 = (t14 + t14) + t20;
+  const Scalar t22 = c5 * t13 - s5 * t21;
+  const Scalar t23 = qdd[5] + t22;
+  const Scalar t24 = t7 + (t23 + t7);
+  const Scalar t25 = qdd[5] - t24;
+  const Scalar t26 = s5 * t3 + c5 * t5;
+  const Scalar t27 = t2 * t26;
+  const Scalar t28 = c5 * t21 + s5 * t13;
+  const Scalar t29 = t27 + (t28 + t27);
+  const Scalar t30 = k[23] * c6 - k[22] * s6;
+  const Scalar t31 = qd[5] + t26;
+  const Scalar t32 = t6 * t6;
+  const Scalar t33 = t31 * t31 + t32;
+  const Scalar t34 = k[22] * c6 + k[23] * s6;
+  const Scalar t35 = (k[30] * t25 - k[24] * t29) - (t24 * t30 - t33 * t34);
+  const Scalar t36 = qd[0] * qd[0];
+  const Scalar t37 = k[5] * q[2];
+  const Scalar t38 = k[6] * qd[2];
+  const Scalar t39 = t37 * t19 + t0 * t38;
+  const Scalar t40 = t36 - t39;
+  const Scalar t41 = k[8] * s2;
+  const Scalar t42 = (t41 - t37 * t16) - qd[1] * t38;
+  const Scalar t43 = t8 + t42;
+  const Scalar t44 = c4 * t40 - s4 * t43;
+  const Scalar t45 = qd[1] * qd[1];
+  const Scalar t46 = t0 * t0;
   const Scalar t47 = t45 + t46;
-  const Scalar t48 = s5 * t44 - c5 * t47;
-  const Scalar t49 = qdd[5] - t48;
-  const Scalar t50 = t39 * t27;
-  const Scalar t51 = t49 + (t50 + t50);
-  const Scalar t52 = qdd[5] - t51;
-  const Scalar t53 = s5 * t47 + c5 * t44;
-  const Scalar t54 = t39 * t26;
-  const Scalar t55 = (t53 + t54) + t54;
-  const Scalar t56 = (k[28] * t33 + k[27] * t41) - (k[26] * t52 + k[24] * t55);
-  const Scalar t57 = k[18] * s6 + k[19] * c6;
-  const Scalar t58 = k[19] * s6 - k[18] * c6;
-  const Scalar t59 = k[21] * c6 + k[20] * s6;
-  const Scalar t60 = k[22] - c6 * t59;
-  const Scalar t61 = s6 * t59;
-  const Scalar t62 = k[23] - t61;
-  const Scalar t63 = k[34] + t61;
-  const Scalar t64 = t41 * t60 + (t62 * t51 + t49 * t63);
-  const Scalar t65 = k[7] * c6 - k[6] * s6;
-  const Scalar t66 = k[11] * c2 - k[12] * t12;
-  const Scalar t67 = qdd[2] - (q[2] * t10 - t66);
-  const Scalar t68 = s4 * t22 + c4 * t21;
-  const Scalar t69 = s5 * t67 + c5 * t68;
-  const Scalar t70 = k[6] * c6 + k[7] * s6;
-  const Scalar t71 = ((t33 * t57 + t58 * t55) - t64) + (t65 * t23 + t69 * t70);
-  const Scalar t72 = (k[4] * t23 + t56) + t71;
-  const Scalar t73 = t28 - t32;
-  const Scalar t74 = t38 * t38;
-  const Scalar t75 = t25 * t25;
-  const Scalar t76 = t74 - t75;
-  const Scalar t77 = t10 - t76;
-  const Scalar t78 = t35 - t36;
-  const Scalar t79 = t78 - t40;
-  const Scalar t80 = t77 + t79;
-  const Scalar t81 = k[28] * t80 + (k[24] * t52 + k[25] * t55);
-  const Scalar t82 = t34 * t39;
-  const Scalar t83 = t82 + (t82 - t55);
-  const Scalar t84 = t34 * t27;
-  const Scalar t85 = (t33 - t84) - t84;
-  const Scalar t86 = (t83 * t63 + t85 * t60) + (t37 + t79) * t57;
-  const Scalar t87 = c5 * t67 - s5 * t68;
-  const Scalar t88 = ((k[27] * t73 + t81) + k[5] * t23) + ((t58 * t51 + t86) - t87 * t70);
-  const Scalar t89 = t45 - t46;
-  const Scalar t90 = t74 + t75;
-  const Scalar t91 = t77 - t90;
-  const Scalar t92 = (k[29] * t89 + k[33] * t47) - k[30] * t91;
-  const Scalar t93 = ((k[32] * t42 + k[31] * t30) + t92) - (k[2] * t23 + k[3] * t68);
-  const Scalar t94 = (c5 * t72 + s5 * t88) - t93;
-  const Scalar t95 = (k[0] * t1 - t18) + (t94 - (k[9] * t22 - k[8] * t21));
-  const Scalar t96 = (k[8] * t14 + k[9] * t9) + k[10] * t5;
-  const Scalar t97 = (k[5] * t79 + k[4] * t73) + (t83 * t70 - t65 * t85);
-  const Scalar t98 = t41 - t80;
-  const Scalar t99 = (t65 * t40 + t49 * t70) - (k[4] * (t79 + t98) + k[5] * t33);
-  const Scalar t100 = (s5 * t97 - c5 * t99) - (k[3] * t47 + k[2] * t90);
-  const Scalar t101 = (k[4] * t52 - k[5] * t55) - (t65 * t51 - t37 * t70);
-  const Scalar t102 = t101 - (k[2] * t89 - k[3] * t77);
-  const Scalar t103 = (k[13] * t21 + t96) - (c4 * t100 + s4 * t102);
-  const Scalar t104 = k[12] * ((k[1] * t5 + k[0] * t9) + t103);
-  const Scalar t105 = k[15] * t8 + (k[16] * t17 - k[17] * t13);
-  const Scalar t106 = qdd[1] + t4;
-  const Scalar t107 = (t49 * t57 - t58 * t78) - (t83 * t60 + t62 * t85);
-  const Scalar t108 = k[24] * t98 + (k[26] * t73 - k[25] * t33);
-  const Scalar t109 = (k[4] * t87 + k[5] * t69) + (t108 + (k[28] * t48 + k[27] * t53));
-  const Scalar t110 = (t107 - t87 * t65) - t109;
-  const Scalar t111 = t29 + t31;
-  const Scalar t112 = (k[29] * t111 - k[30] * t44) + (k[31] * t47 - k[32] * (t91 + t76));
-  const Scalar t113 = t110 + (t112 - k[2] * t67);
-  const Scalar t114 = (k[33] * t44 - k[30] * t111) + k[31] * t76;
-  const Scalar t115 = (s5 * t72 - c5 * t88) + ((t114 + k[32] * t89) + k[3] * t67);
-  const Scalar t116 = (k[10] * t22 + k[8] * t67) - (s4 * t113 - c4 * t115);
-  const Scalar t117 = (k[8] * t0 - k[9] * t17) + k[10] * t13;
-  const Scalar t118 = (t117 + k[13] * t22) - (s4 * t100 - c4 * t102);
-  const Scalar t119 = (k[1] * t1 - (t105 - k[14] * t106)) - (t116 + q[2] * t118);
-  const Scalar t120 = (s5 * t99 + c5 * t97) - (k[3] * t44 - k[2] * t111);
-  const Scalar t121 = k[10] * t10 - (k[9] * t106 + k[8] * t12);
-  const Scalar t122 = t120 - (t121 - k[13] * t67);
-  const Scalar t123 = k[12] * (t122 - (k[1] * t10 - k[0] * t106));
-  const Scalar t124 = c2 * (t95 - t104) - s2 * (t119 + t123);
-  const Scalar t125 = k[16] * t11 - (k[35] * t106 - k[17] * t5);
-  const Scalar t126 = (k[1] * t20 - k[0] * t66) + (t125 + (k[15] * t14 + k[14] * t12));
-  const Scalar t127 = (c4 * t113 + s4 * t115) - (k[9] * t67 + k[10] * t21);
+  const Scalar t48 = t1 * t1;
+  const Scalar t49 = t5 * t5;
+  const Scalar t50 = t48 - t49;
+  const Scalar t51 = t47 - t50;
+  const Scalar t52 = t11 - t12;
+  const Scalar t53 = k[32] * t44 - (k[9] * t51 - k[10] * t52);
+  const Scalar t54 = t35 - t53;
+  const Scalar t55 = Scalar(2) * t31;
+  const Scalar t56 = t2 * t55 - t29;
+  const Scalar t57 = s4 * t19 + c4 * t16;
+  const Scalar t58 = t5 * t3;
+  const Scalar t59 = t57 + t58;
+  const Scalar t60 = qdd[4] - t59;
+  const Scalar t61 = t26 * t6;
+  const Scalar t62 = t60 + t61;
+  const Scalar t63 = t62 - t55 * t6;
+  const Scalar t64 = t2 * t2;
+  const Scalar t65 = t64 + t32;
+  const Scalar t66 = t60 - t61;
+  const Scalar t67 = (t56 * t34 - t63 * t30) - (k[24] * t65 + k[30] * t66);
+  const Scalar t68 = t64 - t32;
+  const Scalar t69 = t33 + t68;
+  const Scalar t70 = t51 + t68;
+  const Scalar t71 = (t23 * t34 + t69 * t30) - (k[24] * t62 - k[30] * t70);
+  const Scalar t72 = t48 + t49;
+  const Scalar t73 = s4 * t40 + c4 * t43;
+  const Scalar t74 = (k[10] * t72 + k[9] * t13) - k[32] * t73;
+  const Scalar t75 = (s5 * t67 - c5 * t71) - t74;
+  const Scalar t76 = s4 * t54 + c4 * t75;
+  const Scalar t77 = t70 - t65;
+  const Scalar t78 = k[28] * (t77 - t68) + (k[26] * t29 + k[27] * t25);
+  const Scalar t79 = (t37 * t47 - k[8] * c2) - k[5] * qdd[2];
+  const Scalar t80 = t18 + t79;
+  const Scalar t81 = s5 * t73 - c5 * t80;
+  const Scalar t82 = k[17] * c6 - k[16] * s6;
+  const Scalar t83 = k[17] * s6 + k[16] * c6;
+  const Scalar t84 = t65 - t69;
+  const Scalar t85 = k[18] * s6 + k[19] * c6;
+  const Scalar t86 = s6 * t85;
+  const Scalar t87 = k[20] + t86;
+  const Scalar t88 = k[21] - c6 * t85;
+  const Scalar t89 = t83 * (t84 + t68) - (t87 * t56 + t63 * t88);
+  const Scalar t90 = ((t78 - k[25] * t66) + k[24] * t44) - (t81 * t34 + (t24 * t82 + t89));
+  const Scalar t91 = (k[27] * t29 + k[31] * t25) - (k[28] * t62 - k[25] * t68);
+  const Scalar t92 = c5 * t73 + s5 * t80;
+  const Scalar t93 = k[29] - t86;
+  const Scalar t94 = t68 * t88 - (t24 * t93 + t23 * t87);
+  const Scalar t95 = (t44 * t30 - t92 * t34) - ((t82 * t29 - t83 * t62) - t94);
+  const Scalar t96 = (k[30] * t44 - t91) + t95;
+  const Scalar t97 = t47 - t72;
+  const Scalar t98 = (k[14] * t52 + k[15] * t13) - k[13] * (t97 - t50);
+  const Scalar t99 = (k[10] * t44 - k[9] * t73) - (t98 + (k[12] * t57 + k[11] * t20));
+  const Scalar t100 = (s5 * t90 + c5 * t96) + t99;
+  const Scalar t101 = t45 - t46;
+  const Scalar t102 = t10 - t9;
+  const Scalar t103 = (k[3] * t101 + k[4] * t16) - (k[1] * t102 + k[2] * t19);
+  const Scalar t104 = c2 * (((t76 + t100) - k[7] * t39) - t103);
+  const Scalar t105 = (k[34] * t19 - k[7] * t102) + k[35] * t39;
+  const Scalar t106 = t37 * (t105 + (c4 * t54 - s4 * t75));
+  const Scalar t107 = t59 + t58;
+  const Scalar t108 = k[32] * t80 + (k[9] * t21 - k[10] * t107);
+  const Scalar t109 = t108 - (s5 * t71 + c5 * t67);
+  const Scalar t110 = k[12] * t50 - (k[13] * t107 - k[15] * t21);
+  const Scalar t111 = (c5 * t90 - s5 * t96) - ((t110 + k[11] * t52) - k[9] * t80);
+  const Scalar t112 = (k[14] * t107 - k[13] * t21) + (k[12] * t13 - k[11] * t97);
+  const Scalar t113 = (k[31] * t66 + k[26] * t62) + k[27] * t77;
+  const Scalar t114 = ((k[28] * t22 - k[25] * t28) + t113) + (k[24] * t92 - k[30] * t81);
+  const Scalar t115 = (t84 * t82 - t23 * t83) + (t93 * t63 + t56 * t88);
+  const Scalar t116 = t114 - (t115 + t81 * t30);
+  const Scalar t117 = (k[10] * t80 + t112) + t116;
+  const Scalar t118 = (t109 - (c4 * t111 + s4 * t117)) + k[34] * t39;
+  const Scalar t119 = qdd[1] + t15;
+  const Scalar t120 = t36 - t47;
+  const Scalar t121 = (k[2] * t102 - k[33] * t19) - k[4] * t120;
+  const Scalar t122 = s2 * ((t106 + t118) - (k[3] * t119 - t121));
+  const Scalar t123 = (k[7] * t79 + k[34] * t42) - (s4 * t111 - c4 * t117);
+  const Scalar t124 = t101 + t120;
+  const Scalar t125 = k[35] * t42 - (k[7] * (t124 + t47) + k[34] * t16);
+  const Scalar t126 = k[2] * t124 - (k[1] * t119 - k[33] * t16);
+  const Scalar t127 = ((k[3] * t18 + k[4] * t8) + t126) + (k[36] * t41 - k[37] * c2);
+  const Scalar t128 = (k[34] * t47 - k[7] * t119) + k[35] * t79;
   JointVector<Scalar> result;
-  result[0] = k[36] * qdd[0] + t124;
-  result[1] = -t126 - (t127 - q[2] * t103);
-  result[2] = t122;
-  result[3] = t94;
-  result[4] = t110;
-  result[5] = t71;
+  result[0] = k[0] * qdd[0] + (t104 + t122);
+  result[1] = -(t123 + t37 * (t76 + t125)) - t127;
+  result[2] = -k[5] * (t128 + t109);
+  result[3] = t100;
+  result[4] = t116;
+  result[5] = t95;
   return result;
 }
 
@@ -280,17 +293,17 @@ GravityTorqueConstants<Scalar> gravity_torque_constants([[maybe_unused]] const B
   using std::sin;
 
   return { gravity,
-           inertia.c2x * inertia.m2,
-           inertia.c2z * inertia.m2,
-           inertia.c3x * inertia.m3,
-           inertia.c3z * inertia.m3 + inertia.c4z * inertia.m4,
-           inertia.c4y * inertia.m4 + inertia.c5y * inertia.m5,
-           inertia.c5x * inertia.m5,
+           inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)),
            inertia.c6y * inertia.m6,
            inertia.c6x * inertia.m6,
+           inertia.c5x * inertia.m5,
            inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
            inertia.c4x * inertia.m4,
-           inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)) };
+           inertia.c4y * inertia.m4 + inertia.c5y * inertia.m5,
+           inertia.c3x * inertia.m3,
+           inertia.c3z * inertia.m3 + inertia.c4z * inertia.m4,
+           inertia.c2z * inertia.m2,
+           inertia.c2x * inertia.m2 };
 }
 
 namespace detail {
@@ -306,29 +319,29 @@ inline JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const An
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[0] * s2;
-  const Scalar t1 = k[0] * c2;
-  const Scalar t2 = s4 * t0;
-  const Scalar t3 = k[8] * c6 - k[7] * s6;
-  const Scalar t4 = k[7] * c6 + k[8] * s6;
-  const Scalar t5 = c4 * t0;
-  const Scalar t6 = c5 * t5 - s5 * t1;
-  const Scalar t7 = t2 * t3 + t4 * t6;
-  const Scalar t8 = t7 + k[6] * t2;
-  const Scalar t9 = c5 * t1 + s5 * t5;
-  const Scalar t10 = t4 * t9 + k[9] * t2;
-  const Scalar t11 = k[5] * t1 - (s5 * t8 - c5 * t10);
-  const Scalar t12 = t9 * t3 + (k[6] * t9 - k[9] * t6);
-  const Scalar t13 = s4 * t11 - c4 * (t12 + k[10] * t1);
-  const Scalar t14 = q[2] * k[11] * t0 + (t13 + (k[4] * t0 - k[3] * t1));
-  const Scalar t15 = (c5 * t8 + s5 * t10) + (k[10] * t2 + k[5] * t5);
+  const Scalar t0 = k[0] * c2;
+  const Scalar t1 = k[2] * c6 + k[3] * s6;
+  const Scalar t2 = k[0] * s2;
+  const Scalar t3 = c4 * t2;
+  const Scalar t4 = c5 * t0 + s5 * t3;
+  const Scalar t5 = s4 * t2;
+  const Scalar t6 = t1 * t4 + k[5] * t5;
+  const Scalar t7 = k[2] * s6 - k[3] * c6;
+  const Scalar t8 = c5 * t3 - s5 * t0;
+  const Scalar t9 = t5 * t7 - t1 * t8;
+  const Scalar t10 = t9 - k[4] * t5;
+  const Scalar t11 = k[7] * t0 + (c5 * t6 + s5 * t10);
+  const Scalar t12 = (k[5] * t8 - k[4] * t4) + t4 * t7;
+  const Scalar t13 = s4 * t11 - c4 * (k[6] * t0 - t12);
+  const Scalar t14 = (t13 - (k[8] * t0 - k[9] * t2)) + q[2] * k[1] * t2;
+  const Scalar t15 = (k[7] * t3 + k[6] * t5) - (c5 * t10 - s5 * t6);
   JointVector<Scalar> result;
   result[0] = Scalar(0);
-  result[1] = -(k[2] * t0 - k[1] * t1) - t14;
-  result[2] = k[11] * t1;
+  result[1] = (k[11] * t0 - k[10] * t2) - t14;
+  result[2] = k[1] * t0;
   result[3] = -t15;
-  result[4] = -t12;
-  result[5] = -t7;
+  result[4] = t12;
+  result[5] = t9;
   return result;
 }
 
@@ -353,74 +366,74 @@ CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Sc
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c2x * inertia.m2;
-  const Scalar t1 = inertia.c2z * inertia.m2;
-  const Scalar t2 = inertia.c3x * inertia.m3;
-  const Scalar t3 = (inertia.I2xz - inertia.c2z * t0) + (inertia.I3xz - inertia.c3z * t2);
-  const Scalar t4 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t5 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t6 = (inertia.c3x * t2 - (inertia.I3xx - t4)) + (inertia.c2x * t0 - (inertia.I2xx - t5));
-  const Scalar t7 = inertia.c3z * inertia.m3;
-  const Scalar t8 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t9 = inertia.c4z * inertia.m4;
-  const Scalar t10 = ((inertia.I3zz - t4) - inertia.c3z * t7) + ((inertia.I4zz - t8) - inertia.c4z * t9);
-  const Scalar t11 = t6 + (((inertia.I2zz - t5) - inertia.c2z * t1) + t10);
-  const Scalar t12 = (inertia.I3xy - inertia.c3y * t2) + (inertia.I2xy - inertia.c2y * t0);
-  const Scalar t13 = inertia.c3y * inertia.m3;
-  const Scalar t14 = (inertia.I3yz - inertia.c3z * t13) + (inertia.I2yz - inertia.c2z * inertia.c2y * inertia.m2);
-  const Scalar t15 = inertia.c4x * inertia.m4;
-  const Scalar t16 = inertia.c4y * inertia.m4;
-  const Scalar t17 = inertia.c6y * inertia.m6;
-  const Scalar t18 = inertia.c6x * inertia.m6;
-  const Scalar t19 = inertia.I6xy - inertia.c6y * t18;
-  const Scalar t20 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t21 = (inertia.I6xx - t20) - inertia.c6x * t18;
-  const Scalar t22 = (inertia.I6yy - t20) - inertia.c6y * t17;
-  const Scalar t23 = inertia.c5x * inertia.m5;
-  const Scalar t24 = inertia.c5z * inertia.m5;
-  const Scalar t25 = inertia.c6z * inertia.m6;
-  const Scalar t26 = inertia.c5y * inertia.m5;
-  const Scalar t27 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t28 = (inertia.c6z * t25 - (inertia.I6zz - t20)) + (inertia.c5z * t24 - (inertia.I5zz - t27));
-  const Scalar t29 = ((inertia.I4yy - t8) - inertia.c4y * t16) - (inertia.c5y * t26 - (inertia.I5yy - t27));
-  const Scalar t30 = g.d2 * g.d2 * (inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)));
-  const Scalar t31 = g.d2 * t2;
-  return { g.d2 * t0,
-           g.d2 * t1,
-           Scalar(2) * t3,
-           t11,
-           t3,
-           t12,
-           t14,
-           inertia.I4xy - inertia.c4y * t15,
-           (inertia.I4xx - t8) - inertia.c4x * t15,
-           inertia.I4yz - inertia.c4z * t16,
-           inertia.I4xz - inertia.c4z * t15,
-           Scalar(1) / g.d2,
-           g.d2 * t15,
-           inertia.I6yz - inertia.c6z * t17,
-           inertia.I6xz - inertia.c6z * t18,
-           Scalar(2) * t19,
-           t21 - t22,
+  const Scalar t0 = inertia.c3x * inertia.m3;
+  const Scalar t1 = inertia.c2x * inertia.m2;
+  const Scalar t2 = ((inertia.I3xy - inertia.c3y * t0) + g.d2 * t0) + (g.d2 * t1 + (inertia.I2xy - inertia.c2y * t1));
+  const Scalar t3 = inertia.c4z * inertia.m4;
+  const Scalar t4 = inertia.c3z * inertia.m3;
+  const Scalar t5 = inertia.c3y * inertia.m3;
+  const Scalar t6 = g.d2 * t3 + (g.d2 * t4 + (inertia.I3yz - inertia.c3z * t5));
+  const Scalar t7 = inertia.c2z * inertia.m2;
+  const Scalar t8 = g.d2 * t7 + (inertia.I2yz - inertia.c2z * inertia.c2y * inertia.m2);
+  const Scalar t9 = (inertia.I2xz - inertia.c2z * t1) + (inertia.I3xz - inertia.c3z * t0);
+  const Scalar t10 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t11 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t12 = (inertia.c3x * t0 - (inertia.I3xx - t10)) + (inertia.c2x * t1 - (inertia.I2xx - t11));
+  const Scalar t13 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t14 = ((inertia.I3zz - t10) - inertia.c3z * t4) + ((inertia.I4zz - t13) - inertia.c4z * t3);
+  const Scalar t15 = t12 + (((inertia.I2zz - t11) - inertia.c2z * t7) + t14);
+  const Scalar t16 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t17 = inertia.c4x * inertia.m4;
+  const Scalar t18 = inertia.c4y * inertia.m4;
+  const Scalar t19 = inertia.c5y * inertia.m5;
+  const Scalar t20 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t21 = ((inertia.I4yy - t13) - inertia.c4y * t18) - (inertia.c5y * t19 - (inertia.I5yy - t20));
+  const Scalar t22 = inertia.c6y * inertia.m6;
+  const Scalar t23 = inertia.c6x * inertia.m6;
+  const Scalar t24 = inertia.I6xy - inertia.c6y * t23;
+  const Scalar t25 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t26 = (inertia.I6xx - t25) - inertia.c6x * t23;
+  const Scalar t27 = (inertia.I6yy - t25) - inertia.c6y * t22;
+  const Scalar t28 = inertia.c5x * inertia.m5;
+  const Scalar t29 = inertia.c6z * inertia.m6;
+  const Scalar t30 = inertia.c5z * inertia.m5;
+  const Scalar t31 = (inertia.c6z * t29 - (inertia.I6zz - t25)) + (inertia.c5z * t30 - (inertia.I5zz - t20));
+  const Scalar t32 = t4 + t3;
+  return { t2,
+           t6 + t8,
+           Scalar(2) * t9,
+           t15,
+           t9,
+           (g.d2 * inertia.m3 - t5) + g.d2 * t16,
+           Scalar(2) * t0,
+           inertia.I4xy - inertia.c4y * t17,
+           (inertia.I4xx - t13) - inertia.c4x * t17,
            t21,
-           t19,
-           g.d2 * t17,
-           g.d2 * t18,
-           g.d2 * t23,
-           g.d2 * (t24 + t25),
-           inertia.I5xy - inertia.c5y * t23,
-           inertia.I5yz - inertia.c5z * t26,
-           inertia.c5x * t23 - (inertia.I5xx - t27),
-           t28,
-           inertia.I5xz - inertia.c5z * t23,
-           t29,
-           g.d2 * (t16 + t26),
+           inertia.I4yz - inertia.c4z * t18,
+           inertia.I4xz - inertia.c4z * t17,
+           g.d2,
+           t17,
+           t18 + t19,
            t22,
-           g.d2 * (t7 + t9),
-           g.d2 * t13,
-           t30,
-           Scalar(2) * t31,
-           t31 };
+           t23,
+           inertia.I6yz - inertia.c6z * t22,
+           inertia.I6xz - inertia.c6z * t23,
+           Scalar(2) * t24,
+           t26 - t27,
+           t24,
+           t26,
+           t27,
+           inertia.I5yz - inertia.c5z * t19,
+           inertia.I5xy - inertia.c5y * t28,
+           inertia.I5xz - inertia.c5z * t28,
+           inertia.c5x * t28 - (inertia.I5xx - t20),
+           t28,
+           t31,
+           t30 + t29,
+           t32,
+           inertia.m3 + t16,
+           Scalar(2) * t32,
+           t0 };
 }
 
 namespace detail {
@@ -437,128 +450,122 @@ inline JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const J
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[4] + c2 * (k[3] * s2 - k[2] * c2);
-  const Scalar t1 = qd[0] * qd[1];
-  const Scalar t2 = t1 + t1;
+  const Scalar t0 = qd[0] * c2;
+  const Scalar t1 = qd[0] * s2;
+  const Scalar t2 = q[2] * qd[1] * t0 + qd[2] * t1;
   const Scalar t3 = qd[1] * qd[1];
-  const Scalar t4 = t0 * t2 - t3 * (k[6] * s2 - k[5] * c2);
-  const Scalar t5 = k[1] * s2 - k[0] * c2;
-  const Scalar t6 = qd[0] * qd[0];
-  const Scalar t7 = qd[0] * s2;
-  const Scalar t8 = qd[0] * c2;
-  const Scalar t9 = t7 * t8;
-  const Scalar t10 = t8 * t8;
-  const Scalar t11 = k[11] * q[2];
-  const Scalar t12 = k[11] * qd[2];
-  const Scalar t13 = qd[1] * t12;
-  const Scalar t14 = t9 * t11 - (t13 + t13);
-  const Scalar t15 = (k[31] * t9 - k[35] * (t3 + t10)) + k[33] * t14;
-  const Scalar t16 = t6 + t3;
-  const Scalar t17 = t16 - t10;
-  const Scalar t18 = qd[1] * c4 + s4 * t7;
-  const Scalar t19 = t18 * t18;
-  const Scalar t20 = qd[3] + t8;
-  const Scalar t21 = t20 * t20;
-  const Scalar t22 = t19 + t21;
-  const Scalar t23 = t17 - t22;
-  const Scalar t24 = t19 - t21;
-  const Scalar t25 = t23 - t24;
-  const Scalar t26 = t25 + t22;
-  const Scalar t27 = s2 * t1;
-  const Scalar t28 = c4 * t7;
-  const Scalar t29 = t28 - qd[1] * s4;
-  const Scalar t30 = t18 * t29;
-  const Scalar t31 = t27 + t30;
-  const Scalar t32 = k[19] * s6 - k[20] * c6;
-  const Scalar t33 = qd[4] - t18;
-  const Scalar t34 = c5 * t29 - s5 * t20;
-  const Scalar t35 = t33 * t34;
-  const Scalar t36 = t27 - t30;
-  const Scalar t37 = c2 * t2;
-  const Scalar t38 = c4 * t37 + s4 * t9;
-  const Scalar t39 = t20 * t18;
-  const Scalar t40 = (t38 - t39) - t39;
-  const Scalar t41 = c5 * t36 - s5 * t40;
-  const Scalar t42 = (t35 + t35) - t41;
-  const Scalar t43 = s5 * t29 + c5 * t20;
-  const Scalar t44 = qd[5] + t43;
-  const Scalar t45 = t44 * t44;
-  const Scalar t46 = t34 * t34;
-  const Scalar t47 = k[19] * c6 + k[20] * s6;
-  const Scalar t48 = s5 * t36 + c5 * t40;
-  const Scalar t49 = t33 * t43;
-  const Scalar t50 = (t48 - t49) - t49;
-  const Scalar t51 = (t32 * t42 + (t45 + t46) * t47) + (k[22] * t50 - k[21] * t42);
-  const Scalar t52 = (k[29] * t26 + k[12] * t31) + t51;
-  const Scalar t53 = t33 * t33;
-  const Scalar t54 = t53 + t46;
-  const Scalar t55 = s4 * t37 - t28 * t8;
-  const Scalar t56 = t20 * t29;
-  const Scalar t57 = t55 + t56;
-  const Scalar t58 = t43 * t34;
-  const Scalar t59 = t57 + t58;
-  const Scalar t60 = t44 * t33;
-  const Scalar t61 = (t60 + t60) + t50;
-  const Scalar t62 = t44 * t34;
-  const Scalar t63 = t57 - t58;
-  const Scalar t64 = t62 + (t62 + t63);
-  const Scalar t65 = (k[22] * t54 - k[21] * t59) - (t61 * t47 - t32 * t64);
-  const Scalar t66 = t53 - t46;
-  const Scalar t67 = t26 + t66;
-  const Scalar t68 = t45 - t53;
-  const Scalar t69 = t66 + t68;
-  const Scalar t70 = (k[21] * t67 + k[22] * t63) - ((t69 + t54) * t32 + t47 * t41);
-  const Scalar t71 = (k[29] * t36 - k[12] * t22) - (s5 * t65 + c5 * t70);
-  const Scalar t72 = t15 + (s4 * t52 + c4 * t71);
-  const Scalar t73 = Scalar(2) * t12 * t7 - (t6 - t11 * t37);
-  const Scalar t74 = c4 * t14 - s4 * t73;
-  const Scalar t75 = s4 * t14 + c4 * t73;
-  const Scalar t76 = k[7] * t25 + (k[28] * t36 + k[8] * t31);
-  const Scalar t77 = (k[29] * t74 + k[12] * t75) - (t76 - (k[9] * t55 - k[10] * t38));
-  const Scalar t78 = t11 * t17;
-  const Scalar t79 = s5 * t78 + c5 * t74;
-  const Scalar t80 = k[14] * c6 - k[13] * s6;
-  const Scalar t81 = k[14] * s6 + k[13] * c6;
-  const Scalar t82 = k[16] * s6 + k[15] * c6;
-  const Scalar t83 = s6 * t82;
-  const Scalar t84 = k[17] - t83;
-  const Scalar t85 = k[30] + t83;
-  const Scalar t86 = k[18] - c6 * t82;
-  const Scalar t87 = (t84 * t42 - t85 * t41) - t86 * t66;
-  const Scalar t88 = (t47 * t79 - t75 * t32) - ((t80 * t50 - t81 * t63) - t87);
-  const Scalar t89 = (k[27] * t50 + k[25] * t42) - (k[23] * t66 + k[24] * t63);
-  const Scalar t90 = t88 - (t89 - k[21] * t75);
-  const Scalar t91 = c5 * t78 - s5 * t74;
-  const Scalar t92 = t81 * t68 + (t61 * t85 - t86 * t64);
-  const Scalar t93 = k[24] * (t54 - t26) + (k[26] * t50 + k[27] * t42);
-  const Scalar t94 = (t91 * t47 + (t92 - t80 * t42)) - (k[22] * t75 - (k[23] * t59 - t93));
-  const Scalar t95 = t77 + (c5 * t90 - s5 * t94);
-  const Scalar t96 = t72 - (t95 + (k[35] * t73 + k[32] * t14));
-  const Scalar t97 = (k[32] * t6 + k[34] * t27) + k[31] * t37;
-  const Scalar t98 = (c4 * t52 - s4 * t71) + (t97 + k[33] * t73);
-  const Scalar t99 = (t81 * t41 - t69 * t80) - (t84 * t64 - t61 * t86);
-  const Scalar t100 = k[27] * (t67 - t54) - (k[26] * t63 + k[25] * t59);
-  const Scalar t101 = (t100 + (k[23] * t48 - k[24] * t41)) + (k[22] * t79 + k[21] * t91);
-  const Scalar t102 = (t99 + t91 * t32) - t101;
-  const Scalar t103 = t57 + t56;
-  const Scalar t104 = (k[9] * t36 + k[10] * t23) - (k[7] * t40 + k[8] * t103);
-  const Scalar t105 = t102 + (t104 - k[12] * t78);
-  const Scalar t106 = k[9] * t24 - (k[28] * t40 + k[7] * t103);
-  const Scalar t107 = (k[29] * t78 - (t106 - k[10] * t31)) + (s5 * t90 + c5 * t94);
-  const Scalar t108 = (s4 * t105 - c4 * t107) - (k[32] * t78 - k[31] * t73);
-  const Scalar t109 = (s5 * t70 - c5 * t65) + (k[29] * t40 + k[12] * t103);
-  const Scalar t110 = k[33] * t78 + (k[31] * t17 - k[35] * t9);
-  const Scalar t111 = t109 - t110;
-  const Scalar t112 = c2 * t96 + s2 * ((t11 * t98 + t108) - t111);
-  const Scalar t113 = ((t4 + t5 * t6) - t112) - t5 * t16;
-  const Scalar t114 = (k[31] * t14 + k[35] * t78) - (c4 * t105 + s4 * t107);
+  const Scalar t4 = qd[0] * qd[0];
+  const Scalar t5 = t0 * t0;
+  const Scalar t6 = t3 + (t4 - t5);
+  const Scalar t7 = q[2] * t6;
+  const Scalar t8 = s4 * t1;
+  const Scalar t9 = qd[1] * c4 + t8;
+  const Scalar t10 = c4 * t1;
+  const Scalar t11 = t10 - qd[1] * s4;
+  const Scalar t12 = t9 * t11;
+  const Scalar t13 = qd[1] * t1;
+  const Scalar t14 = t12 + t13;
+  const Scalar t15 = qd[1] + qd[1];
+  const Scalar t16 = qd[0] * t15;
+  const Scalar t17 = c2 * t16;
+  const Scalar t18 = t0 * t8 + c4 * t17;
+  const Scalar t19 = qd[3] + t0;
+  const Scalar t20 = t19 * t9;
+  const Scalar t21 = (t18 - t20) - t20;
+  const Scalar t22 = t10 * t0 - s4 * t17;
+  const Scalar t23 = t19 * t11;
+  const Scalar t24 = t22 - t23;
+  const Scalar t25 = t24 - t23;
+  const Scalar t26 = t11 * t11;
+  const Scalar t27 = t19 * t19;
+  const Scalar t28 = t26 + t27;
+  const Scalar t29 = t6 - t28;
+  const Scalar t30 = (k[9] * t21 - k[7] * t25) - k[10] * t29;
+  const Scalar t31 = t1 * t0;
+  const Scalar t32 = q[2] * t31 - qd[2] * t15;
+  const Scalar t33 = Scalar(2) * t2;
+  const Scalar t34 = k[12] * t4 - t33;
+  const Scalar t35 = s4 * t32 - c4 * t34;
+  const Scalar t36 = s5 * t11 + c5 * t19;
+  const Scalar t37 = c5 * t11 - s5 * t19;
+  const Scalar t38 = t36 * t37;
+  const Scalar t39 = t38 + t24;
+  const Scalar t40 = qd[4] - t9;
+  const Scalar t41 = t40 * t40;
+  const Scalar t42 = t37 * t37;
+  const Scalar t43 = t41 - t42;
+  const Scalar t44 = Scalar(2) * t40;
+  const Scalar t45 = t12 - t13;
+  const Scalar t46 = s5 * t45 - c5 * t21;
+  const Scalar t47 = t44 * t36 + t46;
+  const Scalar t48 = t40 * t37;
+  const Scalar t49 = c5 * t45 + s5 * t21;
+  const Scalar t50 = t48 + (t48 + t49);
+  const Scalar t51 = (k[24] * t39 - k[25] * t43) - (k[26] * t47 - k[27] * t50);
+  const Scalar t52 = k[16] * c6 - k[15] * s6;
+  const Scalar t53 = s4 * t34 + c4 * t32;
+  const Scalar t54 = s5 * t7 + c5 * t53;
+  const Scalar t55 = k[16] * s6 + k[15] * c6;
+  const Scalar t56 = k[19] * c6 + k[20] * s6;
+  const Scalar t57 = s6 * t56;
+  const Scalar t58 = k[22] - t57;
+  const Scalar t59 = k[23] + t57;
+  const Scalar t60 = k[21] - c6 * t56;
+  const Scalar t61 = (t58 * t50 + t49 * t59) - t60 * t43;
+  const Scalar t62 = k[17] * s6 - k[18] * c6;
+  const Scalar t63 = k[17] * c6 + k[18] * s6;
+  const Scalar t64 = (t35 * t52 + t54 * t55) + (t61 - (t47 * t62 + t63 * t39));
+  const Scalar t65 = (k[28] * t35 - t51) + t64;
+  const Scalar t66 = c5 * t7 - s5 * t53;
+  const Scalar t67 = qd[5] + t36;
+  const Scalar t68 = t67 * t67;
+  const Scalar t69 = t68 - t41;
+  const Scalar t70 = t67 * t37;
+  const Scalar t71 = (t70 - t39) + t70;
+  const Scalar t72 = t47 - t44 * t67;
+  const Scalar t73 = t63 * t69 - (t71 * t60 + t59 * t72);
+  const Scalar t74 = t68 + t42;
+  const Scalar t75 = t74 - t69;
+  const Scalar t76 = (k[26] * t50 - k[29] * t47) + k[24] * (t75 - t28);
+  const Scalar t77 = t38 - t24;
+  const Scalar t78 = (t66 * t55 + (t73 + t50 * t62)) - (k[30] * t35 + (t76 - k[25] * t77));
+  const Scalar t79 = (k[14] * t7 + (k[11] * t14 + t30)) + (s5 * t65 + c5 * t78);
+  const Scalar t80 = (t58 * t71 + t60 * t72) + (t63 * t49 - t62 * (t68 - t42));
+  const Scalar t81 = t43 + t28;
+  const Scalar t82 = k[26] * (t75 - t81) + (k[27] * t77 - k[29] * t39);
+  const Scalar t83 = ((k[25] * t46 - k[24] * t49) + t82) - (k[30] * t54 + k[28] * t66);
+  const Scalar t84 = (t80 + t66 * t52) - t83;
+  const Scalar t85 = t26 - t27;
+  const Scalar t86 = (k[11] * t85 - k[10] * t45) + (k[8] * t25 - k[7] * t21);
+  const Scalar t87 = t84 - (t86 - k[13] * t7);
+  const Scalar t88 = (k[30] * t75 - k[28] * t77) + (t55 * t72 - t71 * t52);
+  const Scalar t89 = (t55 * t49 + t52 * (t74 + t43)) - (k[30] * t39 - k[28] * t81);
+  const Scalar t90 = (c5 * t88 - s5 * t89) + (k[13] * t25 - k[14] * t21);
+  const Scalar t91 = (c4 * t79 + s4 * t87) - k[12] * t90;
+  const Scalar t92 = k[31] * t17 - (k[5] * t4 - k[6] * t13);
+  const Scalar t93 = (t74 * t55 - t50 * t52) - (k[28] * t50 + k[30] * t47);
+  const Scalar t94 = t93 + (k[13] * t14 + k[14] * t28);
+  const Scalar t95 = (c5 * t89 + s5 * t88) + (k[13] * (t6 - t85) + k[14] * t45);
+  const Scalar t96 = (t92 + k[32] * t33) + (c4 * t94 + s4 * t95);
+  const Scalar t97 = ((k[33] * t2 + k[5] * t7) - t91) + q[2] * t96;
+  const Scalar t98 = k[7] * (t29 - t85) + (k[9] * t45 - k[8] * t14);
+  const Scalar t99 = (k[14] * t53 + k[13] * t35) + (t98 - (k[10] * t22 + k[11] * t18));
+  const Scalar t100 = (c5 * t65 - s5 * t78) + t99;
+  const Scalar t101 = c4 * t95 - s4 * t94;
+  const Scalar t102 = (t100 + k[12] * t101) - (k[5] * t32 - k[6] * t2);
+  const Scalar t103 = k[4] + c2 * (k[3] * s2 - k[2] * c2);
+  const Scalar t104 = t103 * t16 - (k[1] * s2 - k[0] * c2) * t3;
+  const Scalar t105 = (k[31] * t32 + k[34] * t7) - (s4 * t79 - c4 * t87);
+  const Scalar t106 = (k[34] * (t3 + t5) - k[31] * t31) - k[32] * t32;
+  const Scalar t107 = t4 * t103 - (t105 - q[2] * (t106 + t101));
+  const Scalar t108 = (k[31] * t6 - k[34] * t31) + k[32] * t7;
   JointVector<Scalar> result;
-  result[0] = -t113;
-  result[1] = t6 * t0 - (t11 * t72 + t114);
-  result[2] = k[11] * t111;
-  result[3] = -t95;
-  result[4] = -t102;
-  result[5] = -t88;
+  result[0] = (s2 * t97 - c2 * t102) - t104;
+  result[1] = t107;
+  result[2] = -t90 - t108;
+  result[3] = -t100;
+  result[4] = t84;
+  result[5] = -t64;
   return result;
 }
 
@@ -584,84 +591,84 @@ MassMatrixConstants<Scalar> mass_matrix_constants(const BasicGeometry<Scalar>& g
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
-  const Scalar t1 = inertia.c6x * inertia.m6;
+  const Scalar t0 = inertia.c6x * inertia.m6;
+  const Scalar t1 = inertia.c6y * inertia.m6;
   const Scalar t2 = inertia.c5x * inertia.m5;
-  const Scalar t3 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t4 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t5 = (inertia.I6xx - t4) - inertia.c6x * t1;
-  const Scalar t6 = (inertia.I6yy - t4) - inertia.c6y * t0;
-  const Scalar t7 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t8 = inertia.c6z * inertia.m6;
-  const Scalar t9 = inertia.c5z * inertia.m5;
-  const Scalar t10 = (inertia.c6z * t8 - (inertia.I6zz - t4)) + (inertia.c5z * t9 - (inertia.I5zz - t7));
-  const Scalar t11 = Scalar(1) / g.d2;
-  const Scalar t12 = inertia.c3z * inertia.m3;
-  const Scalar t13 = inertia.c4z * inertia.m4;
-  const Scalar t14 = g.d2 * g.d2 * (inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)));
-  const Scalar t15 = t11 * t14;
-  const Scalar t16 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t17 = inertia.c2z * inertia.m2;
-  const Scalar t18 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t19 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t20 = ((inertia.I3zz - t18) - inertia.c3z * t12) + ((inertia.I4zz - t19) - inertia.c4z * t13);
-  const Scalar t21 = inertia.c4y * inertia.m4;
-  const Scalar t22 = inertia.c5y * inertia.m5;
-  const Scalar t23 = ((inertia.I4yy - t19) - inertia.c4y * t21) - (inertia.c5y * t22 - (inertia.I5yy - t7));
-  const Scalar t24 = inertia.c4x * inertia.m4;
-  const Scalar t25 = inertia.c3x * inertia.m3;
-  const Scalar t26 = inertia.c2x * inertia.m2;
-  const Scalar t27 = (inertia.c3x * t25 - (inertia.I3xx - t18)) + (inertia.c2x * t26 - (inertia.I2xx - t16));
-  const Scalar t28 = (inertia.I2xz - inertia.c2z * t26) + (inertia.I3xz - inertia.c3z * t25);
-  const Scalar t29 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t30 = inertia.c3y * inertia.m3;
-  const Scalar t31 = inertia.c1y * inertia.m1;
-  const Scalar t32 = (inertia.c1y * t31 - (inertia.I1yy - t29)) - g.d2 * (t31 + (t31 - g.d2 * inertia.m1));
-  const Scalar t33 = inertia.c2y * inertia.m2;
-  const Scalar t34 = ((inertia.I3yy - t18) - inertia.c3y * t30) + ((inertia.I2yy - t16) - inertia.c2y * t33);
-  const Scalar t35 = t34 - g.d2 * ((g.d2 * inertia.m2 - t33) - t33);
-  const Scalar t36 = (inertia.I3yz - inertia.c3z * t30) + (inertia.I2yz - inertia.c2z * t33);
-  const Scalar t37 = (inertia.I3xy - inertia.c3y * t25) + (inertia.I2xy - inertia.c2y * t26);
-  return { inertia.I6yz - inertia.c6z * t0,
-           inertia.I6xz - inertia.c6z * t1,
-           inertia.I5xz - inertia.c5z * t2,
-           Scalar(2) * t3,
-           t5 - t6,
-           t5,
-           inertia.c5x * t2 - (inertia.I5xx - t7),
-           t10,
-           t11,
-           g.d2 * (t9 + t8),
-           g.d2 * t0,
+  const Scalar t3 = inertia.c5z * inertia.m5;
+  const Scalar t4 = inertia.c6z * inertia.m6;
+  const Scalar t5 = inertia.c4x * inertia.m4;
+  const Scalar t6 = inertia.c4y * inertia.m4;
+  const Scalar t7 = inertia.c5y * inertia.m5;
+  const Scalar t8 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t9 = (inertia.I6xx - t8) - inertia.c6x * t0;
+  const Scalar t10 = (inertia.I6yy - t8) - inertia.c6y * t1;
+  const Scalar t11 = inertia.I6xy - inertia.c6y * t0;
+  const Scalar t12 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t13 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t14 = ((inertia.I4yy - t12) - inertia.c4y * t6) - (inertia.c5y * t7 - (inertia.I5yy - t13));
+  const Scalar t15 = (inertia.c6z * t4 - (inertia.I6zz - t8)) + (inertia.c5z * t3 - (inertia.I5zz - t13));
+  const Scalar t16 = inertia.c1y * inertia.m1;
+  const Scalar t17 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t18 = (inertia.c1y * t16 - (inertia.I1yy - t17)) - g.d2 * (t16 + (t16 - g.d2 * inertia.m1));
+  const Scalar t19 = inertia.c2y * inertia.m2;
+  const Scalar t20 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t21 = g.d2 * ((g.d2 * inertia.m2 - t19) - t19) - ((inertia.I2yy - t20) - inertia.c2y * t19);
+  const Scalar t22 = inertia.c3y * inertia.m3;
+  const Scalar t23 = g.d2 * inertia.m3 - t22;
+  const Scalar t24 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t25 = g.d2 * (t23 - t22) - ((inertia.I3yy - t24) - inertia.c3y * t22);
+  const Scalar t26 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t27 = g.d2 * t26;
+  const Scalar t28 = inertia.c3x * inertia.m3;
+  const Scalar t29 = g.d2 * t28;
+  const Scalar t30 = Scalar(1) / g.d2;
+  const Scalar t31 = inertia.c2x * inertia.m2;
+  const Scalar t32 = (inertia.I2xz - inertia.c2z * t31) + (inertia.I3xz - inertia.c3z * t28);
+  const Scalar t33 = (inertia.c3x * t28 - (inertia.I3xx - t24)) + (inertia.c2x * t31 - (inertia.I2xx - t20));
+  const Scalar t34 = inertia.c3z * inertia.m3;
+  const Scalar t35 = inertia.c4z * inertia.m4;
+  const Scalar t36 = t30 * g.d2 * g.d2 * (inertia.m3 + t26);
+  const Scalar t37 = inertia.c2z * inertia.m2;
+  const Scalar t38 = ((inertia.I3zz - t24) - inertia.c3z * t34) + ((inertia.I4zz - t12) - inertia.c4z * t35);
+  const Scalar t39 = g.d2 * t35 + (g.d2 * t34 + (inertia.I3yz - inertia.c3z * t22));
+  const Scalar t40 = t39 + (g.d2 * t37 + (inertia.I2yz - inertia.c2z * t19));
+  const Scalar t41 = ((inertia.I3xy - inertia.c3y * t28) + t29) + (g.d2 * t31 + (inertia.I2xy - inertia.c2y * t31));
+  return { g.d2 * t0,
            g.d2 * t1,
            g.d2 * t2,
-           g.d2 * (t12 + t13),
-           t15,
-           ((inertia.I2zz - t16) - inertia.c2z * t17) + t20,
-           t6,
-           t23,
-           t3,
-           inertia.I5xy - inertia.c5y * t2,
-           inertia.I5yz - inertia.c5z * t22,
-           inertia.I4xy - inertia.c4y * t24,
-           (inertia.I4xx - t19) - inertia.c4x * t24,
-           t27,
-           g.d2 * t24,
-           g.d2 * (t21 + t22),
-           g.d2 * t25,
-           inertia.I4yz - inertia.c4z * t21,
-           inertia.I4xz - inertia.c4z * t24,
-           t28,
-           inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t29),
-           g.d2 * t30,
+           g.d2 * (t3 + t4),
+           g.d2 * t5,
+           g.d2 * (t6 + t7),
+           t9 - t10,
+           Scalar(2) * t11,
+           t10,
            t14,
-           t32 - t35,
-           g.d2 * t17,
+           t9 + t10,
+           inertia.c5x * t2 - (inertia.I5xx - t13),
+           t15,
+           inertia.I6yz - inertia.c6z * t1,
+           inertia.I6xz - inertia.c6z * t0,
+           inertia.I5xz - inertia.c5z * t2,
+           (inertia.I4xx - t12) - inertia.c4x * t5,
+           t11,
+           inertia.I5xy - inertia.c5y * t2,
+           inertia.I5yz - inertia.c5z * t7,
+           inertia.I4xy - inertia.c4y * t5,
+           t18 + (t21 + (t25 + g.d2 * t27)),
+           t29,
+           t30,
+           inertia.I4yz - inertia.c4z * t6,
+           inertia.I4xz - inertia.c4z * t5,
+           t32,
+           t33,
+           g.d2 * (t34 + t35),
            t36,
-           t37,
-           g.d2 * t26,
-           t5 + t6,
-           t11 * t15 };
+           ((inertia.I2zz - t20) - inertia.c2z * t37) + t38,
+           inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t17),
+           g.d2 * (t23 + t27),
+           t40,
+           t41,
+           t30 * t36 };
 }
 
 namespace detail {
@@ -677,90 +684,83 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q,
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[3] * c6 + k[4] * s6;
-  const Scalar t1 = s6 * t0;
-  const Scalar t2 = k[17] + (k[16] + t1);
-  const Scalar t3 = k[0] * s6 - k[1] * c6;
-  const Scalar t4 = k[2] - t3;
-  const Scalar t5 = c5 * t4;
-  const Scalar t6 = k[6] - (k[5] - t1);
-  const Scalar t7 = (t5 + t5) - s5 * (k[7] - t6);
-  const Scalar t8 = s5 * t7;
-  const Scalar t9 = t8 - t6;
-  const Scalar t10 = k[22] + t9;
-  const Scalar t11 = t2 + t10;
-  const Scalar t12 = k[0] * c6 + k[1] * s6;
-  const Scalar t13 = k[20] + t12;
-  const Scalar t14 = k[19] - (k[18] - c6 * t0);
-  const Scalar t15 = s5 * t13 + c5 * t14;
-  const Scalar t16 = k[21] + t15;
-  const Scalar t17 = s4 * (t2 - t10) - Scalar(2) * c4 * t16;
-  const Scalar t18 = t2 - s4 * t17;
-  const Scalar t19 = k[23] - (t11 - t18);
-  const Scalar t20 = c5 * t13 - s5 * t14;
-  const Scalar t21 = k[27] + t20;
-  const Scalar t22 = k[28] - (t4 - c5 * t7);
-  const Scalar t23 = s4 * t21 - c4 * t22;
-  const Scalar t24 = k[10] * s6 - k[11] * c6;
-  const Scalar t25 = k[12] - t24;
-  const Scalar t26 = c5 * t25 + k[9] * s5;
-  const Scalar t27 = k[24] + t26;
-  const Scalar t28 = k[10] * c6 + k[11] * s6;
-  const Scalar t29 = k[25] + t28;
-  const Scalar t30 = c4 * t27 - s4 * t29;
-  const Scalar t31 = k[26] + t30;
-  const Scalar t32 = k[8] * t31;
-  const Scalar t33 = c2 * (k[29] - (t23 + q[2] * t32));
-  const Scalar t34 = k[7] + t8;
-  const Scalar t35 = s5 * t25 - k[9] * c5;
-  const Scalar t36 = k[13] - t35;
-  const Scalar t37 = k[14] * q[2] + t36;
-  const Scalar t38 = k[8] * q[2];
-  const Scalar t39 = k[15] - (t34 + (t37 + t36) * t38);
-  const Scalar t40 = s2 * ((t33 + t33) - s2 * (t19 + t39));
-  const Scalar t41 = c4 * t29 + s4 * t27;
-  const Scalar t42 = k[31] + t41;
-  const Scalar t43 = k[32] - t42;
-  const Scalar t44 = (k[30] + (t19 + t40)) + (k[33] - ((t42 - t43) + t18));
-  const Scalar t45 = (k[37] + t31) + (k[36] - (t16 + c4 * t17));
-  const Scalar t46 = s4 * t22 + c4 * t21;
-  const Scalar t47 = (k[34] + t37) + (k[35] - (t42 * t38 - t46));
-  const Scalar t48 = c2 * (t11 + t41) + s2 * (t30 * t38 + t23);
-  const Scalar t49 = c4 * t35;
-  const Scalar t50 = t9 - t34;
-  const Scalar t51 = (c4 * t15 + s4 * t50) + s4 * t35 * t38;
-  const Scalar t52 = c2 * (t20 - t49) + s2 * (t26 + t51);
-  const Scalar t53 = k[38] * c5 - s5 * t3;
-  const Scalar t54 = c5 * t28;
-  const Scalar t55 = c4 * t54 - s4 * t24;
-  const Scalar t56 = s5 * t28;
-  const Scalar t57 = c5 * t3 + k[38] * s5;
-  const Scalar t58 = (s4 * t12 + c4 * t57) - t38 * (c4 * t24 + s4 * t54);
-  const Scalar t59 = c2 * (t53 + t55) + s2 * (t56 + t58);
-  const Scalar t60 = (c4 * t50 - s4 * t15) + t49 * t38;
-  const Scalar t61 = t38 * t55 + (s4 * t57 - c4 * t12);
+  const Scalar t0 = k[7] * c6 + k[6] * s6;
+  const Scalar t1 = k[8] + s6 * t0;
+  const Scalar t2 = k[9] + t1;
+  const Scalar t3 = k[14] * c6 - k[13] * s6;
+  const Scalar t4 = k[15] + t3;
+  const Scalar t5 = k[11] - (k[10] - t1);
+  const Scalar t6 = Scalar(2) * c5 * t4 - s5 * (k[12] - t5);
+  const Scalar t7 = k[12] + s5 * t6;
+  const Scalar t8 = k[12] + t5;
+  const Scalar t9 = k[16] + (t7 - t8);
+  const Scalar t10 = k[18] - (k[17] - c6 * t0);
+  const Scalar t11 = k[14] * s6 + k[13] * c6;
+  const Scalar t12 = k[19] + t11;
+  const Scalar t13 = c5 * t10 + s5 * t12;
+  const Scalar t14 = k[20] + t13;
+  const Scalar t15 = c4 * (t2 - t9) + Scalar(2) * s4 * t14;
+  const Scalar t16 = t2 - c4 * t15;
+  const Scalar t17 = k[27] - t16;
+  const Scalar t18 = k[0] * c6 - k[1] * s6;
+  const Scalar t19 = k[2] + t18;
+  const Scalar t20 = s5 * t19 - k[3] * c5;
+  const Scalar t21 = k[28] - t20;
+  const Scalar t22 = k[23] * q[2];
+  const Scalar t23 = (t21 + (t21 + k[29] * q[2])) * t22 + t7;
+  const Scalar t24 = k[30] - t23;
+  const Scalar t25 = k[0] * s6 + k[1] * c6;
+  const Scalar t26 = k[5] + t25;
+  const Scalar t27 = k[3] * s5 + c5 * t19;
+  const Scalar t28 = k[4] + t27;
+  const Scalar t29 = s4 * t26 - c4 * t28;
+  const Scalar t30 = k[23] * (k[22] - t29);
+  const Scalar t31 = k[25] - (t4 - c5 * t6);
+  const Scalar t32 = c5 * t12 - s5 * t10;
+  const Scalar t33 = k[24] + t32;
+  const Scalar t34 = c4 * t31 - s4 * t33;
+  const Scalar t35 = Scalar(2) * c2 * (k[26] - (q[2] * t30 - t34));
+  const Scalar t36 = s2 * (s2 * (t17 + t24) - t35) - t17;
+  const Scalar t37 = c4 * t26 + s4 * t28;
+  const Scalar t38 = t2 + t9;
+  const Scalar t39 = (k[31] - t36) + (k[21] - (Scalar(2) * t37 + (t38 - t16)));
+  const Scalar t40 = s2 * (k[34] - (t29 + (s4 * t15 - t14)));
+  const Scalar t41 = k[32] - t37;
+  const Scalar t42 = c4 * t33 + s4 * t31;
+  const Scalar t43 = c2 * (k[33] + (t41 * t22 + (t42 - t20)));
+  const Scalar t44 = s2 * (t29 * t22 + t34) - c2 * (t38 + t37);
+  const Scalar t45 = ((s4 * t8 - c4 * t13) - t27) - s4 * t20 * t22;
+  const Scalar t46 = c4 * t20;
+  const Scalar t47 = c5 * t3 - k[10] * s5;
+  const Scalar t48 = s5 * t25;
+  const Scalar t49 = c5 * t25;
+  const Scalar t50 = ((c4 * t47 - s4 * t11) - t48) - (c4 * t18 - s4 * t49) * t22;
+  const Scalar t51 = k[10] * c5 + s5 * t3;
+  const Scalar t52 = s4 * t18 + c4 * t49;
+  const Scalar t53 = t46 * t22 - (s4 * t13 + c4 * t8);
+  const Scalar t54 = (s4 * t47 + c4 * t11) - t52 * t22;
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = t44;
-  result(0, 1) = result(1, 0) = -s2 * t45 - c2 * t47;
-  result(0, 2) = result(2, 0) = -k[8] * s2 * t43;
-  result(0, 3) = result(3, 0) = -t48;
-  result(0, 4) = result(4, 0) = t52;
-  result(0, 5) = result(5, 0) = -t59;
-  result(1, 1) = t19 - t39;
-  result(1, 2) = result(2, 1) = t32;
-  result(1, 3) = result(3, 1) = t38 * t41 - t46;
-  result(1, 4) = result(4, 1) = t60;
-  result(1, 5) = result(5, 1) = t61;
-  result(2, 2) = k[39];
+  result(0, 0) = t39;
+  result(0, 1) = result(1, 0) = -t40 - t43;
+  result(0, 2) = result(2, 0) = -k[23] * s2 * t41;
+  result(0, 3) = result(3, 0) = t44;
+  result(0, 4) = result(4, 0) = c2 * (t32 - t46) - s2 * t45;
+  result(0, 5) = result(5, 0) = s2 * t50 - c2 * (t51 + t52);
+  result(1, 1) = t17 - t24;
+  result(1, 2) = result(2, 1) = t30;
+  result(1, 3) = result(3, 1) = t37 * t22 - t42;
+  result(1, 4) = result(4, 1) = t53;
+  result(1, 5) = result(5, 1) = -t54;
+  result(2, 2) = k[35];
   result(2, 3) = result(3, 2) = Scalar(0);
-  result(2, 4) = result(4, 2) = -k[8] * t26;
-  result(2, 5) = result(5, 2) = k[8] * t56;
-  result(3, 3) = -t11;
-  result(3, 4) = result(4, 3) = t20;
-  result(3, 5) = result(5, 3) = -t53;
-  result(4, 4) = -t50;
-  result(4, 5) = result(5, 4) = t12;
-  result(5, 5) = -k[38];
+  result(2, 4) = result(4, 2) = -k[23] * t27;
+  result(2, 5) = result(5, 2) = k[23] * t48;
+  result(3, 3) = -t38;
+  result(3, 4) = result(4, 3) = t32;
+  result(3, 5) = result(5, 3) = -t51;
+  result(4, 4) = t8;
+  result(4, 5) = result(5, 4) = t11;
+  result(5, 5) = -k[10];
   return result;
 }
 
@@ -784,74 +784,74 @@ CoriolisMatrixConstants<Scalar> coriolis_matrix_constants(const BasicGeometry<Sc
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6x * inertia.m6;
-  const Scalar t1 = inertia.I6xy - inertia.c6y * t0;
-  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t0;
-  const Scalar t4 = inertia.c6y * inertia.m6;
-  const Scalar t5 = (inertia.I6yy - t2) - inertia.c6y * t4;
-  const Scalar t6 = inertia.c5x * inertia.m5;
-  const Scalar t7 = inertia.c5y * inertia.m5;
-  const Scalar t8 = inertia.c4y * inertia.m4;
-  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t10 = inertia.c6z * inertia.m6;
-  const Scalar t11 = inertia.c5z * inertia.m5;
-  const Scalar t12 = (inertia.c6z * t10 - (inertia.I6zz - t2)) + (inertia.c5z * t11 - (inertia.I5zz - t9));
-  const Scalar t13 = inertia.c4x * inertia.m4;
-  const Scalar t14 = inertia.c3x * inertia.m3;
-  const Scalar t15 = Scalar(1) / g.d2;
-  const Scalar t16 = inertia.c2x * inertia.m2;
-  const Scalar t17 = (inertia.I2xz - inertia.c2z * t16) + (inertia.I3xz - inertia.c3z * t14);
-  const Scalar t18 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t19 = ((inertia.I4yy - t18) - inertia.c4y * t8) - (inertia.c5y * t7 - (inertia.I5yy - t9));
-  const Scalar t20 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t21 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t22 = (inertia.c3x * t14 - (inertia.I3xx - t20)) + (inertia.c2x * t16 - (inertia.I2xx - t21));
-  const Scalar t23 = inertia.c3z * inertia.m3;
-  const Scalar t24 = inertia.c4z * inertia.m4;
-  const Scalar t25 = g.d2 * g.d2 * (inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)));
-  const Scalar t26 = inertia.c2z * inertia.m2;
-  const Scalar t27 = ((inertia.I3zz - t20) - inertia.c3z * t23) + ((inertia.I4zz - t18) - inertia.c4z * t24);
-  const Scalar t28 = (inertia.I3xy - inertia.c3y * t14) + (inertia.I2xy - inertia.c2y * t16);
+  const Scalar t0 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t1 = inertia.c6x * inertia.m6;
+  const Scalar t2 = (inertia.I6xx - t0) - inertia.c6x * t1;
+  const Scalar t3 = inertia.c6y * inertia.m6;
+  const Scalar t4 = (inertia.I6yy - t0) - inertia.c6y * t3;
+  const Scalar t5 = inertia.I6xy - inertia.c6y * t1;
+  const Scalar t6 = inertia.c5y * inertia.m5;
+  const Scalar t7 = inertia.c5x * inertia.m5;
+  const Scalar t8 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t9 = inertia.c4y * inertia.m4;
+  const Scalar t10 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t11 = ((inertia.I4yy - t8) - inertia.c4y * t9) - (inertia.c5y * t6 - (inertia.I5yy - t10));
+  const Scalar t12 = inertia.c4x * inertia.m4;
+  const Scalar t13 = inertia.c6z * inertia.m6;
+  const Scalar t14 = inertia.c5z * inertia.m5;
+  const Scalar t15 = (inertia.c6z * t13 - (inertia.I6zz - t0)) + (inertia.c5z * t14 - (inertia.I5zz - t10));
+  const Scalar t16 = Scalar(1) / g.d2;
+  const Scalar t17 = inertia.c3z * inertia.m3;
+  const Scalar t18 = inertia.c4z * inertia.m4;
+  const Scalar t19 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t20 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t21 = inertia.c2z * inertia.m2;
+  const Scalar t22 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t23 = ((inertia.I3zz - t22) - inertia.c3z * t17) + ((inertia.I4zz - t8) - inertia.c4z * t18);
+  const Scalar t24 = inertia.c3x * inertia.m3;
+  const Scalar t25 = g.d2 * t24;
+  const Scalar t26 = inertia.c2x * inertia.m2;
+  const Scalar t27 = (inertia.I2xz - inertia.c2z * t26) + (inertia.I3xz - inertia.c3z * t24);
+  const Scalar t28 = (inertia.c3x * t24 - (inertia.I3xx - t22)) + (inertia.c2x * t26 - (inertia.I2xx - t20));
   const Scalar t29 = inertia.c3y * inertia.m3;
-  const Scalar t30 = (inertia.I3yz - inertia.c3z * t29) + (inertia.I2yz - inertia.c2z * inertia.c2y * inertia.m2);
-  return { Scalar(2) * t1,
-           t3 - t5,
-           t1,
-           inertia.I5xy - inertia.c5y * t6,
-           inertia.I6yz - inertia.c6z * t4,
-           inertia.I6xz - inertia.c6z * t0,
-           inertia.I5yz - inertia.c5z * t7,
-           inertia.I4yz - inertia.c4z * t8,
-           inertia.I5xz - inertia.c5z * t6,
-           t3,
-           inertia.c5x * t6 - (inertia.I5xx - t9),
-           t12,
-           inertia.I4xz - inertia.c4z * t13,
-           g.d2 * (t11 + t10),
-           g.d2 * t4,
-           g.d2 * t0,
-           g.d2 * t6,
-           g.d2 * t13,
-           g.d2 * (t8 + t7),
-           g.d2 * t14,
+  const Scalar t30 = g.d2 * ((g.d2 * inertia.m3 - t29) + g.d2 * t19);
+  const Scalar t31 = g.d2 * t18 + (g.d2 * t17 + (inertia.I3yz - inertia.c3z * t29));
+  const Scalar t32 = g.d2 * t21 + (inertia.I2yz - inertia.c2z * inertia.c2y * inertia.m2);
+  const Scalar t33 = ((inertia.I3xy - inertia.c3y * t24) + t25) + (g.d2 * t26 + (inertia.I2xy - inertia.c2y * t26));
+  return { t2 - t4,
+           Scalar(2) * t5,
+           t4,
+           inertia.I6yz - inertia.c6z * t3,
+           inertia.I6xz - inertia.c6z * t1,
+           inertia.I5yz - inertia.c5z * t6,
+           t5,
+           inertia.I5xy - inertia.c5y * t7,
+           t11,
+           inertia.I4xy - inertia.c4y * t12,
+           inertia.I5xz - inertia.c5z * t7,
+           t2 + t4,
+           inertia.c5x * t7 - (inertia.I5xx - t10),
            t15,
-           t17,
-           t3 + t5,
-           t19,
-           inertia.I4xy - inertia.c4y * t13,
-           (inertia.I4xx - t18) - inertia.c4x * t13,
-           t22,
-           g.d2 * (t23 + t24),
+           (inertia.I4xx - t8) - inertia.c4x * t12,
+           g.d2 * (t14 + t13),
+           g.d2 * t1,
+           g.d2 * t3,
+           g.d2 * t7,
+           g.d2 * (t9 + t6),
+           g.d2 * t12,
+           t16,
+           g.d2 * (t17 + t18),
+           t16 * g.d2 * g.d2 * (inertia.m3 + t19),
+           ((inertia.I2zz - t20) - inertia.c2z * t21) + t23,
+           inertia.I4xz - inertia.c4z * t12,
+           inertia.I4yz - inertia.c4z * t9,
            t25,
-           t15 * t25,
-           ((inertia.I2zz - t21) - inertia.c2z * t26) + t27,
+           t27,
            t28,
-           g.d2 * t29,
            t30,
-           g.d2 * t26,
-           g.d2 * t16,
-           t5 };
+           t31 + t32,
+           t33,
+           t2 };
 }
 
 namespace detail {
@@ -868,238 +868,236 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[0] * c6 + k[1] * s6;
-  const Scalar t1 = k[2] - c6 * t0;
-  const Scalar t2 = qd[5] * t1;
-  const Scalar t3 = k[3] - t1;
-  const Scalar t4 = c5 * t3;
-  const Scalar t5 = k[4] * c6 + k[5] * s6;
-  const Scalar t6 = k[6] + t5;
-  const Scalar t7 = t4 + s5 * t6;
-  const Scalar t8 = k[24] + t7;
-  const Scalar t9 = t2 - qd[3] * t8;
-  const Scalar t10 = s5 * t3;
-  const Scalar t11 = k[9] - s6 * t0;
-  const Scalar t12 = k[22] - t11;
-  const Scalar t13 = qd[5] * t12;
-  const Scalar t14 = t13 - qd[4] * t6;
-  const Scalar t15 = qd[4] * t10 + c5 * t14;
-  const Scalar t16 = k[23] + t12;
-  const Scalar t17 = t15 + qd[3] * t16;
-  const Scalar t18 = s4 * t9 - c4 * t17;
-  const Scalar t19 = qd[5] * t11;
-  const Scalar t20 = k[4] * s6 - k[5] * c6;
-  const Scalar t21 = s5 * t20;
-  const Scalar t22 = c5 * t19 - qd[5] * t21;
-  const Scalar t23 = k[10] - t11;
-  const Scalar t24 = k[11] + t23;
-  const Scalar t25 = k[8] - t20;
-  const Scalar t26 = c5 * t25;
-  const Scalar t27 = s5 * (k[11] - t23) - (t26 + t26);
-  const Scalar t28 = k[11] - s5 * t27;
-  const Scalar t29 = k[25] - (t24 - t28);
-  const Scalar t30 = t22 + qd[3] * t29;
-  const Scalar t31 = qd[5] * t5;
-  const Scalar t32 = t31 + k[11] * qd[4];
-  const Scalar t33 = qd[4] * t25;
-  const Scalar t34 = c5 * t32 + s5 * t33;
-  const Scalar t35 = qd[4] * t23;
-  const Scalar t36 = s5 * t35 + c5 * (t33 + t2);
-  const Scalar t37 = (s5 * t34 - c5 * t36) + t2;
-  const Scalar t38 = s4 * t30 - c4 * (t9 - t37);
-  const Scalar t39 = s4 * t18 + c4 * t38;
-  const Scalar t40 = k[20] * q[2];
-  const Scalar t41 = k[14] * c6 + k[15] * s6;
-  const Scalar t42 = k[18] + t41;
-  const Scalar t43 = k[14] * s6 - k[15] * c6;
-  const Scalar t44 = k[16] - t43;
-  const Scalar t45 = c5 * t44;
-  const Scalar t46 = k[13] * s5 + t45;
-  const Scalar t47 = k[17] + t46;
-  const Scalar t48 = s4 * t42 - c4 * t47;
-  const Scalar t49 = k[19] - t48;
-  const Scalar t50 = k[12] - (t25 + c5 * t27);
-  const Scalar t51 = t10 - c5 * t6;
-  const Scalar t52 = k[7] - t51;
-  const Scalar t53 = c4 * t50 - s4 * t52;
-  const Scalar t54 = k[21] - (t40 * t49 - t53);
-  const Scalar t55 = qd[1] * t54;
-  const Scalar t56 = c4 * t8;
-  const Scalar t57 = (t56 + t56) - s4 * (t16 - t29);
-  const Scalar t58 = k[26] - (t29 - s4 * t57);
-  const Scalar t59 = s5 * t14 - qd[4] * t4;
-  const Scalar t60 = s5 * t36;
-  const Scalar t61 = c5 * t34;
-  const Scalar t62 = (t60 - t35) + (t61 - t32);
-  const Scalar t63 = s4 * t59 + c4 * t62;
-  const Scalar t64 = k[20] * qd[2];
-  const Scalar t65 = s2 * (qd[1] * t58 + (t63 + t64 * t49));
-  const Scalar t66 = qd[5] * t43;
-  const Scalar t67 = qd[3] * t47 - t66;
-  const Scalar t68 = qd[5] * t41;
-  const Scalar t69 = t68 - k[13] * qd[4];
-  const Scalar t70 = s5 * t44;
-  const Scalar t71 = c5 * t69 + qd[4] * t70;
-  const Scalar t72 = t71 + qd[3] * t42;
-  const Scalar t73 = s4 * t67 + c4 * t72;
-  const Scalar t74 = t40 * t73;
-  const Scalar t75 = c5 * t20;
-  const Scalar t76 = s5 * t19 + qd[5] * t75;
-  const Scalar t77 = t59 - t76;
-  const Scalar t78 = qd[3] * t50 + t77;
-  const Scalar t79 = t60 + t61;
-  const Scalar t80 = (t62 + t79) + qd[3] * t52;
-  const Scalar t81 = s4 * t78 + c4 * t80;
-  const Scalar t82 = t70 - k[13] * c5;
-  const Scalar t83 = k[27] - t82;
-  const Scalar t84 = k[29] * q[2] + t83;
-  const Scalar t85 = k[30] - (t28 + (t84 + t83) * t40);
-  const Scalar t86 = c2 * ((t74 + (t63 - t81)) - qd[1] * t85);
-  const Scalar t87 = s5 * t69 - qd[4] * t45;
-  const Scalar t88 = t87 + k[28] * t64;
-  const Scalar t89 = t40 * t88 - (t37 - t64 * t83);
-  const Scalar t90 = c2 * (c2 * (t39 + t55) - t65) + s2 * (t86 - s2 * (t55 - t89));
-  const Scalar t91 = c4 * t67 - s4 * t72;
-  const Scalar t92 = c4 * t42 + s4 * t47;
-  const Scalar t93 = k[32] + t92;
-  const Scalar t94 = s4 * t62 - c4 * t59;
-  const Scalar t95 = qd[1] * (k[31] - (t8 - c4 * t57)) - (t64 * t93 + t94);
-  const Scalar t96 = qd[0] * c2;
-  const Scalar t97 = qd[0] * s2;
-  const Scalar t98 = c2 * (t95 - (t96 * t54 - t97 * t58));
-  const Scalar t99 = s4 * t38;
-  const Scalar t100 = c4 * t18;
-  const Scalar t101 = (c4 * t52 + s4 * t50) - t40 * t93;
-  const Scalar t102 = (t99 - t100) + qd[1] * (k[33] + t101);
-  const Scalar t103 = s2 * ((t85 * t96 + t97 * t54) - t102);
-  const Scalar t104 = t98 + t103;
-  const Scalar t105 = s2 * (qd[1] * (k[34] + t84) + t73) - c2 * (qd[1] * (k[35] + t49) + t88);
-  const Scalar t106 = qd[1] * (k[28] - t93);
-  const Scalar t107 = c2 * (t106 + t97 * t49) - s2 * t84 * t97;
-  const Scalar t108 = qd[3] + t96;
-  const Scalar t109 = t42 * t108 + t71;
-  const Scalar t110 = t66 - t108 * t47;
-  const Scalar t111 = qd[1] * c4;
-  const Scalar t112 = t111 + s4 * t97;
-  const Scalar t113 = c4 * t97 - qd[1] * s4;
-  const Scalar t114 = (t8 * t112 - t29 * t113) - (t108 * t50 - t76);
-  const Scalar t115 = (t52 * t108 + t79) + (t8 * t113 - t16 * t112);
-  const Scalar t116 = (c4 * t109 - s4 * t110) * t40 + (s4 * t114 - c4 * t115);
-  const Scalar t117 = t42 * t112 - t47 * t113;
-  const Scalar t118 = c4 * t110 + s4 * t109;
-  const Scalar t119 = s2 * (t116 + t117) + c2 * (t37 + t118);
-  const Scalar t120 = c5 * t113 - s5 * t108;
-  const Scalar t121 = s5 * t113 + c5 * t108;
-  const Scalar t122 = t44 * t120 + k[13] * t121;
-  const Scalar t123 = qd[4] - t112;
-  const Scalar t124 = s5 * (k[13] * t123 - t68) + t45 * t123;
-  const Scalar t125 = (t25 * t120 - k[11] * t121) - (t13 - t123 * t6);
-  const Scalar t126 = (t23 * t120 - t25 * t121) - t123 * t3;
-  const Scalar t127 = c5 * t125 + s5 * t126;
-  const Scalar t128 = (c4 * t122 - s4 * t124) * t40 - (s4 * t2 + c4 * t127);
-  const Scalar t129 = t112 * t82;
-  const Scalar t130 = t71 - t129;
-  const Scalar t131 = c5 * t126 - s5 * t125;
-  const Scalar t132 = s4 * t122 + c4 * t124;
-  const Scalar t133 = s2 * (t128 + t130) - c2 * (t131 - t132);
-  const Scalar t134 = c6 * t120 + s6 * t123;
-  const Scalar t135 = c6 * t123 - s6 * t120;
-  const Scalar t136 = qd[5] + t121;
-  const Scalar t137 = (k[9] * t134 + k[2] * t135) + k[5] * t136;
-  const Scalar t138 = (k[2] * t134 + k[36] * t135) + k[4] * t136;
-  const Scalar t139 = s6 * t137 + c6 * t138;
-  const Scalar t140 = c5 * t139;
-  const Scalar t141 = c6 * t137 - s6 * t138;
-  const Scalar t142 = t41 * t136;
-  const Scalar t143 = k[14] * t135 + k[15] * t134;
-  const Scalar t144 = t43 * t136;
-  const Scalar t145 = s5 * t143 + c5 * t144;
-  const Scalar t146 = (c4 * t140 + s4 * t141) - t40 * (c4 * t142 - s4 * t145);
-  const Scalar t147 = s5 * t144 - c5 * t143;
-  const Scalar t148 = s5 * t139;
-  const Scalar t149 = s4 * t142 + c4 * t145;
-  const Scalar t150 = s2 * (t146 - t147) - c2 * (t148 + t149);
-  const Scalar t151 = s2 * (t102 - ((t17 + t100) - (t99 - t30)));
-  const Scalar t152 = t40 * t91;
-  const Scalar t153 = c4 * t78 - s4 * t80;
-  const Scalar t154 = t151 + c2 * ((t152 - (t94 + t153)) - t95);
-  const Scalar t155 = qd[1] * t84;
-  const Scalar t156 = (s4 * t115 + c4 * t114) - t118 * t40;
-  const Scalar t157 = (c4 * t2 - s4 * t127) + t40 * t132;
-  const Scalar t158 = (c4 * t141 - s4 * t140) + t40 * t149;
-  const Scalar t159 = k[20] * ((c2 * t106 - s2 * t91) - t107);
-  const Scalar t160 = k[20] * t117;
-  const Scalar t161 = k[20] * t147;
-  const Scalar t162 = qd[1] * (t48 * t40 + t53) + Scalar(2) * t37;
-  const Scalar t163 = qd[1] * (t16 + t29) - ((t81 - t48 * t64) - t74);
-  const Scalar t164 = c2 * (t91 - t162) - s2 * (t163 + qd[1] * t92);
-  const Scalar t165 = s4 * t82;
-  const Scalar t166 = qd[3] * t24 + (t15 - t22);
-  const Scalar t167 = (t2 + t2) - qd[3] * t7;
-  const Scalar t168 = t165 * t64 - (c4 * t166 - s4 * t167);
-  const Scalar t169 = c4 * t82;
-  const Scalar t170 = t168 - (s4 * t87 - qd[3] * t169) * t40;
-  const Scalar t171 = (t111 * t82 - t71) + (t170 + qd[1] * t51);
-  const Scalar t172 = t165 * t40 - (s4 * t24 - c4 * t7);
-  const Scalar t173 = qd[3] * t165 + c4 * t87;
-  const Scalar t174 = (t77 + qd[1] * t172) + (qd[1] * t46 + t173);
-  const Scalar t175 = (s4 * t166 + c4 * t167) + t64 * t169;
-  const Scalar t176 = s5 * t41;
-  const Scalar t177 = (c5 * t66 + qd[4] * t176) + qd[3] * t43;
-  const Scalar t178 = c5 * t41;
-  const Scalar t179 = qd[3] * t178 + t68;
-  const Scalar t180 = c4 * t177 + s4 * t179;
-  const Scalar t181 = t75 + k[22] * s5;
-  const Scalar t182 = c4 * t43 + s4 * t178;
-  const Scalar t183 = (s4 * t5 + c4 * t181) - t182 * t40;
-  const Scalar t184 = t31 + k[22] * qd[4];
-  const Scalar t185 = s5 * t184 + qd[4] * t75;
-  const Scalar t186 = (t180 - qd[1] * t176) - (qd[1] * t183 - t185);
-  const Scalar t187 = qd[5] * t20;
-  const Scalar t188 = qd[3] * t181 + t187;
-  const Scalar t189 = (c5 * t184 - qd[4] * t21) + qd[3] * t5;
-  const Scalar t190 = t64 * t182 + (s4 * t188 - c4 * t189);
-  const Scalar t191 = t190 - t40 * (s4 * t177 - c4 * t179);
-  const Scalar t192 = qd[4] * t178 - s5 * t66;
-  const Scalar t193 = c4 * t178 - s4 * t43;
-  const Scalar t194 = (t191 - qd[1] * (t21 - k[22] * c5)) - (t192 - qd[1] * t193);
-  const Scalar t195 = t64 * t193 + (c4 * t188 + s4 * t189);
+  const Scalar t0 = k[0] * s6 + k[1] * c6;
+  const Scalar t1 = k[6] - c6 * t0;
+  const Scalar t2 = k[7] - t1;
+  const Scalar t3 = c5 * t2;
+  const Scalar t4 = k[3] * c6 + k[4] * s6;
+  const Scalar t5 = k[5] + t4;
+  const Scalar t6 = t3 + s5 * t5;
+  const Scalar t7 = k[9] + t6;
+  const Scalar t8 = qd[5] * t1;
+  const Scalar t9 = qd[3] * t7 - t8;
+  const Scalar t10 = k[2] + s6 * t0;
+  const Scalar t11 = k[8] + t10;
+  const Scalar t12 = s5 * t2;
+  const Scalar t13 = qd[5] * t10;
+  const Scalar t14 = qd[4] * t5 - t13;
+  const Scalar t15 = qd[4] * t12 - c5 * t14;
+  const Scalar t16 = qd[3] * t11 + t15;
+  const Scalar t17 = c4 * t9 - s4 * t16;
+  const Scalar t18 = k[4] * c6 - k[3] * s6;
+  const Scalar t19 = k[10] + t18;
+  const Scalar t20 = c5 * t19;
+  const Scalar t21 = k[11] - t10;
+  const Scalar t22 = k[12] - t21;
+  const Scalar t23 = Scalar(2) * t20 - s5 * (k[13] - t22);
+  const Scalar t24 = s5 * t23;
+  const Scalar t25 = t24 - t22;
+  const Scalar t26 = k[14] + t25;
+  const Scalar t27 = s5 * t18;
+  const Scalar t28 = qd[5] * t21;
+  const Scalar t29 = qd[5] * t27 + c5 * t28;
+  const Scalar t30 = qd[3] * t26 + t29;
+  const Scalar t31 = qd[5] * t4;
+  const Scalar t32 = t31 + k[13] * qd[4];
+  const Scalar t33 = qd[4] * t20 - s5 * t32;
+  const Scalar t34 = qd[4] * t22;
+  const Scalar t35 = c5 * t34 - s5 * (qd[4] * t19 + t8);
+  const Scalar t36 = c5 * t33 + s5 * t35;
+  const Scalar t37 = s4 * t30 - c4 * (t36 - t9);
+  const Scalar t38 = (c4 * t17 - t9) + c4 * t37;
+  const Scalar t39 = k[17] * c6 + k[16] * s6;
+  const Scalar t40 = qd[5] * t39;
+  const Scalar t41 = qd[0] * s2;
+  const Scalar t42 = qd[1] * c4 + s4 * t41;
+  const Scalar t43 = qd[4] - t42;
+  const Scalar t44 = t40 - k[15] * t43;
+  const Scalar t45 = k[17] * s6 - k[16] * c6;
+  const Scalar t46 = k[18] - t45;
+  const Scalar t47 = s5 * t46;
+  const Scalar t48 = c5 * t44 + t43 * t47;
+  const Scalar t49 = k[15] * c5 - t47;
+  const Scalar t50 = t49 * t42;
+  const Scalar t51 = t48 - t50;
+  const Scalar t52 = k[19] + t39;
+  const Scalar t53 = t51 + qd[3] * t52;
+  const Scalar t54 = c5 * t46;
+  const Scalar t55 = k[15] * s5 + t54;
+  const Scalar t56 = k[20] + t55;
+  const Scalar t57 = qd[5] * t45;
+  const Scalar t58 = qd[3] * t56 - t57;
+  const Scalar t59 = s4 * t53 - c4 * t58;
+  const Scalar t60 = k[13] + t24;
+  const Scalar t61 = k[21] * q[2];
+  const Scalar t62 = k[22] + t49;
+  const Scalar t63 = t62 + k[23] * q[2];
+  const Scalar t64 = k[24] - (t60 + t61 * (t62 + t63));
+  const Scalar t65 = s4 * t58 + c4 * t53;
+  const Scalar t66 = t61 * t65;
+  const Scalar t67 = c5 * t35;
+  const Scalar t68 = s5 * t33;
+  const Scalar t69 = (t67 - t34) - (t68 + t32);
+  const Scalar t70 = c5 * t5 - t12;
+  const Scalar t71 = k[26] + t70;
+  const Scalar t72 = t69 - qd[3] * t71;
+  const Scalar t73 = qd[5] * t18;
+  const Scalar t74 = c5 * t73 - s5 * t28;
+  const Scalar t75 = k[25] - (t19 - c5 * t23);
+  const Scalar t76 = t74 + qd[3] * t75;
+  const Scalar t77 = c4 * t72 - s4 * t76;
+  const Scalar t78 = k[21] * qd[2];
+  const Scalar t79 = qd[4] * t54 + s5 * (k[15] * qd[4] - t40);
+  const Scalar t80 = (t36 + t62 * t78) - t61 * (t79 - k[23] * qd[2]);
+  const Scalar t81 = s4 * t71 - c4 * t75;
+  const Scalar t82 = c4 * t56 - s4 * t52;
+  const Scalar t83 = k[27] + t82;
+  const Scalar t84 = k[28] - (t81 + t61 * t83);
+  const Scalar t85 = qd[1] * t84;
+  const Scalar t86 = t80 - t85;
+  const Scalar t87 = c2 * (qd[1] * t64 - (t66 + t77)) - s2 * t86;
+  const Scalar t88 = t38 + t85;
+  const Scalar t89 = c4 * (t26 - t11) - Scalar(2) * s4 * t7;
+  const Scalar t90 = k[29] - (c4 * t89 + t11);
+  const Scalar t91 = t68 - t67;
+  const Scalar t92 = s5 * t14 + qd[4] * t3;
+  const Scalar t93 = c4 * t91 - s4 * t92;
+  const Scalar t94 = s2 * (qd[1] * t90 + (t93 + t78 * t83));
+  const Scalar t95 = s2 * t87 - c2 * (c2 * t88 - t94);
+  const Scalar t96 = qd[1] * (k[32] + ((s4 * t89 + t7) + t82));
+  const Scalar t97 = c4 * t92 + s4 * t91;
+  const Scalar t98 = c4 * t52 + s4 * t56;
+  const Scalar t99 = k[30] - t98;
+  const Scalar t100 = t96 - ((t97 + t79) - t99 * t78);
+  const Scalar t101 = qd[0] * c2;
+  const Scalar t102 = c2 * (t100 - (t101 * t84 - t90 * t41));
+  const Scalar t103 = s4 * t17;
+  const Scalar t104 = s4 * t37;
+  const Scalar t105 = t61 * t99 + ((c4 * t71 + s4 * t75) + t49);
+  const Scalar t106 = (((t16 + t103) + t104) + t65) + qd[1] * (k[31] + t105);
+  const Scalar t107 = s2 * (t106 - (t41 * t84 + t64 * t101));
+  const Scalar t108 = t102 - t107;
+  const Scalar t109 = qd[1] * t99;
+  const Scalar t110 = s2 * t41 * t63 - c2 * (t109 + t41 * t83);
+  const Scalar t111 = k[21] * t110;
+  const Scalar t112 = c4 * t41 - qd[1] * s4;
+  const Scalar t113 = t52 * t42 - t56 * t112;
+  const Scalar t114 = qd[3] + t101;
+  const Scalar t115 = (t26 * t112 - t42 * t7) + (t74 + t114 * t75);
+  const Scalar t116 = (t7 * t112 - t42 * t11) - (t69 - t114 * t71);
+  const Scalar t117 = t56 * t114 - t57;
+  const Scalar t118 = t114 * t52 + t51;
+  const Scalar t119 = (t113 - (s4 * t115 + c4 * t116)) + t61 * (s4 * t117 + c4 * t118);
+  const Scalar t120 = s4 * t118 - c4 * t117;
+  const Scalar t121 = s2 * t119 + c2 * (t120 - t36);
+  const Scalar t122 = c5 * t112 - s5 * t114;
+  const Scalar t123 = s5 * t112 + c5 * t114;
+  const Scalar t124 = (t43 * t5 - t13) + (t19 * t122 - k[13] * t123);
+  const Scalar t125 = (t22 * t122 - t19 * t123) - t2 * t43;
+  const Scalar t126 = s5 * t124 - c5 * t125;
+  const Scalar t127 = s5 * t44 - t43 * t54;
+  const Scalar t128 = t46 * t122 + k[15] * t123;
+  const Scalar t129 = c4 * t127 - s4 * t128;
+  const Scalar t130 = s5 * t125 + c5 * t124;
+  const Scalar t131 = ((s4 * t8 + c4 * t130) - t48) - t61 * (s4 * t127 + c4 * t128);
+  const Scalar t132 = c2 * (t126 - t129) - s2 * t131;
+  const Scalar t133 = c6 * t122 + s6 * t43;
+  const Scalar t134 = c6 * t43 - s6 * t122;
+  const Scalar t135 = qd[5] + t123;
+  const Scalar t136 = (k[6] * t133 + k[2] * t134) + k[3] * t135;
+  const Scalar t137 = (k[33] * t133 + k[6] * t134) + k[4] * t135;
+  const Scalar t138 = c6 * t136 + s6 * t137;
+  const Scalar t139 = s5 * t138;
+  const Scalar t140 = t135 * t39;
+  const Scalar t141 = t45 * t135;
+  const Scalar t142 = k[17] * t134 + k[16] * t133;
+  const Scalar t143 = c5 * t141 + s5 * t142;
+  const Scalar t144 = s4 * t140 + c4 * t143;
+  const Scalar t145 = s5 * t141 - c5 * t142;
+  const Scalar t146 = c5 * t138;
+  const Scalar t147 = c6 * t137 - s6 * t136;
+  const Scalar t148 = t61 * (s4 * t143 - c4 * t140) - (t145 - (c4 * t146 + s4 * t147));
+  const Scalar t149 = c2 * (t139 + t144) - s2 * t148;
+  const Scalar t150 = s4 * t72 + c4 * t76;
+  const Scalar t151 = t61 * t59;
+  const Scalar t152 = s2 * (t106 + ((t104 - t30) + t103)) - c2 * ((t150 + t151) + t100);
+  const Scalar t153 = qd[1] * t63;
+  const Scalar t154 = t61 * t120 + (c4 * t115 - s4 * t116);
+  const Scalar t155 = t61 * t129 - (c4 * t8 - s4 * t130);
+  const Scalar t156 = t61 * t144 - (s4 * t146 - c4 * t147);
+  const Scalar t157 = k[21] * (s2 * t59 + c2 * t109) + t111;
+  const Scalar t158 = k[21] * t113;
+  const Scalar t159 = qd[1] * (t98 + (t26 + t11)) + (t66 - (t82 * t78 - (t77 - t93)));
+  const Scalar t160 = (Scalar(2) * t36 - t59) + qd[1] * (t81 + t61 * t82);
+  const Scalar t161 = t154 + ((t98 * t78 + (t97 - t150)) - t151);
+  const Scalar t162 = c4 * t49;
+  const Scalar t163 = (t8 + t8) - qd[3] * t6;
+  const Scalar t164 = t60 - t25;
+  const Scalar t165 = qd[3] * t164 + (t15 - t29);
+  const Scalar t166 = s4 * t49;
+  const Scalar t167 = (t51 - (s4 * t163 - c4 * t165)) + t166 * t78;
+  const Scalar t168 = t167 - t61 * (s4 * t79 - qd[3] * t162);
+  const Scalar t169 = (t55 - (s4 * t164 - c4 * t6)) - t166 * t61;
+  const Scalar t170 = c4 * t79 + qd[3] * t166;
+  const Scalar t171 = t74 - t92;
+  const Scalar t172 = s2 * (qd[1] * (t162 + t70) + t168) - c2 * (qd[1] * t169 - (t170 - t171));
+  const Scalar t173 = t162 * t78 - (c4 * t163 + s4 * t165);
+  const Scalar t174 = c5 * t39;
+  const Scalar t175 = c4 * t174 - s4 * t45;
+  const Scalar t176 = c5 * t18;
+  const Scalar t177 = k[11] * s5 - t176;
+  const Scalar t178 = t73 - qd[3] * t177;
+  const Scalar t179 = k[11] * qd[4] + t31;
+  const Scalar t180 = qd[3] * t4 + (qd[4] * t27 + c5 * t179);
+  const Scalar t181 = qd[4] * t174 - s5 * t57;
+  const Scalar t182 = c4 * t45 + s4 * t174;
+  const Scalar t183 = ((s4 * t178 + c4 * t180) + t181) - t182 * t78;
+  const Scalar t184 = s5 * t39;
+  const Scalar t185 = qd[3] * t45 + (c5 * t57 + qd[4] * t184);
+  const Scalar t186 = qd[3] * t174 + t40;
+  const Scalar t187 = t183 + t61 * (s4 * t185 - c4 * t186);
+  const Scalar t188 = qd[1] * (t175 + (t27 + k[11] * c5)) - t187;
+  const Scalar t189 = (t184 + (c4 * t177 + s4 * t4)) - t61 * t182;
+  const Scalar t190 = s4 * t186 + c4 * t185;
+  const Scalar t191 = s5 * t179 - qd[4] * t176;
+  const Scalar t192 = s2 * t188 - c2 * (qd[1] * t189 - (t190 + t191));
+  const Scalar t193 = t175 * t78 + (s4 * t180 - c4 * t178);
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = t90 - (t91 + (t39 - t37));
-  result(0, 1) = t105 - t104;
-  result(0, 2) = -k[20] * t107;
-  result(0, 3) = t119;
-  result(0, 4) = -t133;
-  result(0, 5) = -t150;
-  result(1, 0) = t154 + t104;
-  result(1, 1) = t39 + t89;
-  result(1, 2) = k[20] * t155;
-  result(1, 3) = t156;
-  result(1, 4) = t157;
-  result(1, 5) = -t158;
-  result(2, 0) = -t159;
-  result(2, 1) = -k[20] * (t155 + t73);
+  result(0, 0) = -((t38 + t36) - t59) - t95;
+  result(0, 1) = -t108;
+  result(0, 2) = t111;
+  result(0, 3) = t121;
+  result(0, 4) = -t132;
+  result(0, 5) = t149;
+  result(1, 0) = t108 + t152;
+  result(1, 1) = t88 + t86;
+  result(1, 2) = k[21] * t153;
+  result(1, 3) = -t154;
+  result(1, 4) = -t155;
+  result(1, 5) = -t156;
+  result(2, 0) = -t157;
+  result(2, 1) = -k[21] * (t153 + t65);
   result(2, 2) = Scalar(0);
-  result(2, 3) = -t160;
-  result(2, 4) = k[20] * t130;
-  result(2, 5) = -t161;
-  result(3, 0) = -t164 - t119;
-  result(3, 1) = ((t92 * t64 - t153) + t152) - t156;
-  result(3, 2) = t160;
-  result(3, 3) = t37;
-  result(3, 4) = t131;
-  result(3, 5) = t148;
-  result(4, 0) = t133 + (s2 * t171 + c2 * t174);
-  result(4, 1) = (t175 - t173 * t40) - t157;
-  result(4, 2) = k[20] * t129;
-  result(4, 3) = t77 - t131;
-  result(4, 4) = -t2;
-  result(4, 5) = t141;
-  result(5, 0) = (c2 * t186 + s2 * t194) + t150;
-  result(5, 1) = t158 + (t195 - t40 * t180);
-  result(5, 2) = t161 + k[20] * t192;
-  result(5, 3) = t185 - t148;
-  result(5, 4) = -t141 - t187;
+  result(2, 3) = -t158;
+  result(2, 4) = k[21] * t48;
+  result(2, 5) = -k[21] * t145;
+  result(3, 0) = (s2 * t159 - c2 * t160) - t121;
+  result(3, 1) = t161;
+  result(3, 2) = t158;
+  result(3, 3) = -t36;
+  result(3, 4) = -t126;
+  result(3, 5) = t139;
+  result(4, 0) = t132 - t172;
+  result(4, 1) = (t61 * t170 - t173) + t155;
+  result(4, 2) = -k[21] * t50;
+  result(4, 3) = t171 + t126;
+  result(4, 4) = -t8;
+  result(4, 5) = t147;
+  result(5, 0) = t192 - t149;
+  result(5, 1) = t156 - (t61 * t190 - t193);
+  result(5, 2) = k[21] * (t145 + t181);
+  result(5, 3) = t191 - t139;
+  result(5, 4) = t73 - t147;
   result(5, 5) = Scalar(0);
   return result;
 }
@@ -1128,93 +1126,99 @@ ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<
   using std::cos;
   using std::sin;
   const Scalar t0 = inertia.c6x * inertia.m6;
-  const Scalar t1 = inertia.I6xy - inertia.c6y * t0;
-  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t0;
-  const Scalar t4 = inertia.c6y * inertia.m6;
-  const Scalar t5 = (inertia.I6yy - t2) - inertia.c6y * t4;
-  const Scalar t6 = inertia.c5x * inertia.m5;
-  const Scalar t7 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t8 = inertia.c6z * inertia.m6;
-  const Scalar t9 = inertia.c5z * inertia.m5;
-  const Scalar t10 = (inertia.c6z * t8 - (inertia.I6zz - t2)) + (inertia.c5z * t9 - (inertia.I5zz - t7));
-  const Scalar t11 = t3 + t5;
-  const Scalar t12 = Scalar(1) / t11;
-  const Scalar t13 = inertia.c5y * inertia.m5;
-  const Scalar t14 = Scalar(1) / g.d2;
-  const Scalar t15 = g.d2 * g.d2 * (inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)));
-  const Scalar t16 = t14 * t15;
-  const Scalar t17 = inertia.c3z * inertia.m3;
-  const Scalar t18 = inertia.c4z * inertia.m4;
-  const Scalar t19 = inertia.c2z * inertia.m2;
-  const Scalar t20 = inertia.c4y * inertia.m4;
-  const Scalar t21 = inertia.c4x * inertia.m4;
-  const Scalar t22 = inertia.c3y * inertia.m3;
-  const Scalar t23 = inertia.c2y * inertia.m2;
-  const Scalar t24 = (inertia.I3yz - inertia.c3z * t22) + (inertia.I2yz - inertia.c2z * t23);
-  const Scalar t25 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t26 = ((inertia.I4yy - t25) - inertia.c4y * t20) - (inertia.c5y * t13 - (inertia.I5yy - t7));
-  const Scalar t27 = inertia.c3x * inertia.m3;
-  const Scalar t28 = inertia.c2x * inertia.m2;
-  const Scalar t29 = (inertia.I3xy - inertia.c3y * t27) + (inertia.I2xy - inertia.c2y * t28);
-  const Scalar t30 = g.d2 * t27;
-  const Scalar t31 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t32 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t33 = ((inertia.I3zz - t32) - inertia.c3z * t17) + ((inertia.I4zz - t25) - inertia.c4z * t18);
-  const Scalar t34 = ((inertia.I2zz - t31) - inertia.c2z * t19) + t33;
-  const Scalar t35 = (inertia.c3x * t27 - (inertia.I3xx - t32)) + (inertia.c2x * t28 - (inertia.I2xx - t31));
-  const Scalar t36 = (inertia.I2xz - inertia.c2z * t28) + (inertia.I3xz - inertia.c3z * t27);
-  const Scalar t37 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t38 = inertia.c1y * inertia.m1;
-  const Scalar t39 = (inertia.c1y * t38 - (inertia.I1yy - t37)) - g.d2 * (t38 + (t38 - g.d2 * inertia.m1));
-  const Scalar t40 = ((inertia.I3yy - t32) - inertia.c3y * t22) + ((inertia.I2yy - t31) - inertia.c2y * t23);
-  const Scalar t41 = t40 - g.d2 * ((g.d2 * inertia.m2 - t23) - t23);
-  return { Scalar(2) * t1,
-           t3 - t5,
-           t3,
-           inertia.c5x * t6 - (inertia.I5xx - t7),
+  const Scalar t1 = inertia.c6y * inertia.m6;
+  const Scalar t2 = inertia.c5x * inertia.m5;
+  const Scalar t3 = inertia.c5z * inertia.m5;
+  const Scalar t4 = inertia.c6z * inertia.m6;
+  const Scalar t5 = inertia.c4x * inertia.m4;
+  const Scalar t6 = inertia.c4y * inertia.m4;
+  const Scalar t7 = inertia.c5y * inertia.m5;
+  const Scalar t8 = inertia.c3x * inertia.m3;
+  const Scalar t9 = g.d2 * t8;
+  const Scalar t10 = Scalar(1) / g.d2;
+  const Scalar t11 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t12 = (inertia.I6xx - t11) - inertia.c6x * t0;
+  const Scalar t13 = (inertia.I6yy - t11) - inertia.c6y * t1;
+  const Scalar t14 = t12 + t13;
+  const Scalar t15 = Scalar(1) / t14;
+  const Scalar t16 = inertia.I6xy - inertia.c6y * t0;
+  const Scalar t17 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t18 = (inertia.c6z * t4 - (inertia.I6zz - t11)) + (inertia.c5z * t3 - (inertia.I5zz - t17));
+  const Scalar t19 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t20 = ((inertia.I4yy - t19) - inertia.c4y * t6) - (inertia.c5y * t7 - (inertia.I5yy - t17));
+  const Scalar t21 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t22 = g.d2 * g.d2 * (inertia.m3 + t21);
+  const Scalar t23 = inertia.c3y * inertia.m3;
+  const Scalar t24 = g.d2 * inertia.m3 - t23;
+  const Scalar t25 = g.d2 * t21;
+  const Scalar t26 = inertia.c2x * inertia.m2;
+  const Scalar t27 = g.d2 * t26;
+  const Scalar t28 = ((inertia.I3xy - inertia.c3y * t8) + t9) + (t27 + (inertia.I2xy - inertia.c2y * t26));
+  const Scalar t29 = inertia.c4z * inertia.m4;
+  const Scalar t30 = inertia.c3z * inertia.m3;
+  const Scalar t31 = g.d2 * t29 + (g.d2 * t30 + (inertia.I3yz - inertia.c3z * t23));
+  const Scalar t32 = inertia.c2z * inertia.m2;
+  const Scalar t33 = g.d2 * t32;
+  const Scalar t34 = inertia.c2y * inertia.m2;
+  const Scalar t35 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t36 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t37 = (inertia.c3x * t8 - (inertia.I3xx - t35)) + (inertia.c2x * t26 - (inertia.I2xx - t36));
+  const Scalar t38 = g.d2 * (t30 + t29);
+  const Scalar t39 = ((inertia.I3zz - t35) - inertia.c3z * t30) + ((inertia.I4zz - t19) - inertia.c4z * t29);
+  const Scalar t40 = ((inertia.I2zz - t36) - inertia.c2z * t32) + t39;
+  const Scalar t41 = (inertia.I2xz - inertia.c2z * t26) + (inertia.I3xz - inertia.c3z * t8);
+  const Scalar t42 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t43 = inertia.c1y * inertia.m1;
+  const Scalar t44 = (inertia.c1y * t43 - (inertia.I1yy - t42)) - g.d2 * (t43 + (t43 - g.d2 * inertia.m1));
+  const Scalar t45 = g.d2 * ((g.d2 * inertia.m2 - t34) - t34) - ((inertia.I2yy - t36) - inertia.c2y * t34);
+  const Scalar t46 = g.d2 * (t24 - t23) - ((inertia.I3yy - t35) - inertia.c3y * t23);
+  const Scalar t47 = gravity / g.d2;
+  return { g.d2 * t0,
+           g.d2 * t1,
+           g.d2 * t2,
+           g.d2 * (t3 + t4),
+           g.d2 * t5,
+           g.d2 * (t6 + t7),
+           t9,
            t10,
-           inertia.I6yz - inertia.c6z * t4,
+           inertia.I6yz - inertia.c6z * t1,
            inertia.I6xz - inertia.c6z * t0,
-           t12,
-           t1,
-           inertia.I5xy - inertia.c5y * t6,
-           inertia.I5yz - inertia.c5z * t13,
            t14,
-           g.d2 * (t9 + t8),
-           g.d2 * t4,
-           g.d2 * t0,
-           g.d2 * t6,
-           t11,
-           t16,
-           g.d2 * (t17 + t18),
-           g.d2 * t19,
-           g.d2 * (t20 + t13),
-           g.d2 * t21,
-           g.d2 * t22,
-           inertia.I5xz - inertia.c5z * t6,
-           inertia.I4xz - inertia.c4z * t21,
-           inertia.I4yz - inertia.c4z * t20,
-           t24,
-           inertia.I4xy - inertia.c4y * t21,
-           t5,
-           t26,
-           (inertia.I4xx - t25) - inertia.c4x * t21,
-           t29,
-           t30,
-           g.d2 * t28,
-           t14 * t12,
-           t14 * t16,
            t15,
-           t34,
-           t35,
-           gravity / g.d2,
-           Scalar(2) * t36,
-           t35 + t34,
-           t36,
-           Scalar(2) * t30,
-           inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t37),
-           t39 - t41 };
+           t12 - t13,
+           Scalar(2) * t16,
+           t12,
+           inertia.c5x * t2 - (inertia.I5xx - t17),
+           t18,
+           t16,
+           inertia.I5xy - inertia.c5y * t2,
+           inertia.I5yz - inertia.c5z * t7,
+           inertia.I5xz - inertia.c5z * t2,
+           Scalar(2) * t18,
+           inertia.I4xz - inertia.c4z * t5,
+           inertia.I4yz - inertia.c4z * t6,
+           t20,
+           (inertia.I4xx - t19) - inertia.c4x * t5,
+           inertia.I4xy - inertia.c4y * t5,
+           t10 * t15,
+           t10 * t10 * t22,
+           g.d2 * (t24 + t25),
+           t28,
+           t31 + (t33 + (inertia.I2yz - inertia.c2z * t34)),
+           t37,
+           t22,
+           t38,
+           t40,
+           t41,
+           inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t42),
+           t44 + (t45 + (t46 + g.d2 * t25)),
+           t47,
+           Scalar(2) * t38,
+           Scalar(2) * t9,
+           t37 + t40,
+           Scalar(2) * t41,
+           t33 * t47,
+           t27 };
 }
 
 namespace detail {
@@ -1231,236 +1235,231 @@ inline JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const 
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[14] * s6 + k[13] * c6;
-  const Scalar t1 = s5 * t0;
-  const Scalar t2 = k[34] * t1;
-  const Scalar t3 = c5 * t0;
-  const Scalar t4 = k[14] * c6 - k[13] * s6;
-  const Scalar t5 = c4 * t3 + s4 * t4;
-  const Scalar t6 = k[11] * q[2];
-  const Scalar t7 = k[6] * s6 + k[5] * c6;
-  const Scalar t8 = k[6] * c6 - k[5] * s6;
-  const Scalar t9 = k[16] * s5 - c5 * t8;
-  const Scalar t10 = t5 * t6 - (c4 * t7 - s4 * t9);
-  const Scalar t11 = k[15] + t4;
-  const Scalar t12 = k[12] * s5 + c5 * t11;
-  const Scalar t13 = k[21] + t12;
-  const Scalar t14 = k[20] + t0;
-  const Scalar t15 = c4 * t13 - s4 * t14;
-  const Scalar t16 = k[32] + t15;
-  const Scalar t17 = k[11] * t16;
-  const Scalar t18 = t7 * t2 - k[11] * t12;
-  const Scalar t19 = k[0] * c6 + k[1] * s6;
-  const Scalar t20 = s6 * t19;
-  const Scalar t21 = k[2] - t20;
-  const Scalar t22 = k[3] - t21;
-  const Scalar t23 = k[4] + t22;
-  const Scalar t24 = k[7] * t7;
-  const Scalar t25 = Scalar(1) / (t23 + t7 * t24);
-  const Scalar t26 = t18 * t25;
-  const Scalar t27 = k[7] * t10;
-  const Scalar t28 = s5 * t11 - k[12] * c5;
-  const Scalar t29 = c4 * t28;
-  const Scalar t30 = k[10] + t7;
-  const Scalar t31 = k[8] - c6 * t19;
-  const Scalar t32 = k[9] - t31;
-  const Scalar t33 = s5 * t30 + c5 * t32;
-  const Scalar t34 = t29 * t6 - (c4 * t23 + s4 * t33);
-  const Scalar t35 = t7 * t27 + t34;
-  const Scalar t36 = c5 * t30 - s5 * t32;
-  const Scalar t37 = c5 + k[7] * s5 * t8;
-  const Scalar t38 = t36 - t7 * t37;
-  const Scalar t39 = t38 * t25;
-  const Scalar t40 = k[16] * t37;
-  const Scalar t41 = t18 * t39 + t40 * t2;
-  const Scalar t42 = k[28] + t20;
-  const Scalar t43 = k[29] + t42;
-  const Scalar t44 = k[23] + t8;
-  const Scalar t45 = c5 * t44;
-  const Scalar t46 = s5 * (k[4] - t22) - (t45 + t45);
-  const Scalar t47 = k[4] - s5 * t46;
-  const Scalar t48 = k[30] - (t23 - t47);
-  const Scalar t49 = t43 + t48;
-  const Scalar t50 = Scalar(1) / (t39 * t38 + (t49 - t37 * t40));
-  const Scalar t51 = t41 * t50;
-  const Scalar t52 = t35 * t25;
-  const Scalar t53 = s4 * t13 + c4 * t14;
-  const Scalar t54 = k[24] - (t44 + c5 * t46);
-  const Scalar t55 = k[25] + t36;
-  const Scalar t56 = s4 * t54 + c4 * t55;
-  const Scalar t57 = t52 * t38 - ((t6 * t53 - t56) - t37 * t10);
-  const Scalar t58 = ((t2 * t10 + t17) - t26 * t35) + t51 * t57;
-  const Scalar t59 = qd[0] * s2;
-  const Scalar t60 = s4 * t59;
-  const Scalar t61 = qd[1] * c4 + t60;
-  const Scalar t62 = qd[4] - t61;
-  const Scalar t63 = t62 * t62;
-  const Scalar t64 = c4 * t59 - qd[1] * s4;
-  const Scalar t65 = qd[0] * c2;
-  const Scalar t66 = qd[3] + t65;
-  const Scalar t67 = c5 * t64 - s5 * t66;
-  const Scalar t68 = t63 - t67 * t67;
-  const Scalar t69 = s5 * t64 + c5 * t66;
-  const Scalar t70 = qd[5] + t69;
-  const Scalar t71 = t70 * t70;
-  const Scalar t72 = t71 - t63;
-  const Scalar t73 = t68 + t72;
-  const Scalar t74 = t71 + t63;
-  const Scalar t75 = t73 - t74;
-  const Scalar t76 = t64 * t64;
-  const Scalar t77 = t66 * t66;
-  const Scalar t78 = t76 + t77;
-  const Scalar t79 = t75 + t78;
-  const Scalar t80 = t79 + t68;
-  const Scalar t81 = t59 * t65;
-  const Scalar t82 = qd[0] * qd[1];
-  const Scalar t83 = t82 + t82;
-  const Scalar t84 = c2 * t83;
-  const Scalar t85 = c4 * t81 - s4 * t84;
-  const Scalar t86 = t66 * t64;
-  const Scalar t87 = t85 - t86;
-  const Scalar t88 = t69 * t67;
-  const Scalar t89 = t87 - t88;
-  const Scalar t90 = t87 + t88;
-  const Scalar t91 = k[23] * t80 + (k[3] * t89 + k[4] * t90);
-  const Scalar t92 = s2 * t82;
-  const Scalar t93 = t61 * t64;
-  const Scalar t94 = t92 - t93;
-  const Scalar t95 = t65 * t60 + c4 * t84;
-  const Scalar t96 = t95 - Scalar(2) * t66 * t61;
-  const Scalar t97 = s5 * t94 + c5 * t96;
-  const Scalar t98 = c5 * t94 - s5 * t96;
-  const Scalar t99 = qd[1] * qd[1];
-  const Scalar t100 = t59 * t59;
-  const Scalar t101 = t99 + t100;
-  const Scalar t102 = k[39] * c2 - t6 * t101;
-  const Scalar t103 = k[11] * qd[2];
-  const Scalar t104 = Scalar(2) * qd[1] * t103 - (k[39] * s2 + t81 * t6);
-  const Scalar t105 = t103 * t59;
-  const Scalar t106 = qd[0] * qd[0];
-  const Scalar t107 = (t105 + t105) - (t106 - t6 * t84);
-  const Scalar t108 = c4 * t104 + s4 * t107;
-  const Scalar t109 = c5 * t102 - s5 * t108;
-  const Scalar t110 = s5 * t102 + c5 * t108;
-  const Scalar t111 = (t91 + (k[9] * t97 - k[10] * t98)) - (k[15] * t109 + k[12] * t110);
-  const Scalar t112 = t70 * t62;
-  const Scalar t113 = t62 * t69;
-  const Scalar t114 = (t97 - t113) - t113;
-  const Scalar t115 = t112 + (t112 + t114);
-  const Scalar t116 = Scalar(2) * t70 * t67 - t90;
-  const Scalar t117 = (t73 * t8 - t7 * t98) - (t115 * t31 - t21 * t116);
-  const Scalar t118 = t111 + (t117 - t4 * t109);
-  const Scalar t119 = c4 * t107 - s4 * t104;
-  const Scalar t120 = t62 * t67;
-  const Scalar t121 = t120 + (t120 - t98);
-  const Scalar t122 = (t98 * t42 - t121 * t21) + t31 * t68;
-  const Scalar t123 = (t0 * t110 - t4 * t119) + (t122 + (t114 * t8 + t90 * t7));
-  const Scalar t124 = torque[5] - t123;
-  const Scalar t125 = (torque[4] - t118) + t124 * t24;
-  const Scalar t126 = t125 * t25;
-  const Scalar t127 = k[7] * t124;
-  const Scalar t128 = t101 - t78;
-  const Scalar t129 = t76 - t77;
-  const Scalar t130 = t128 - t129;
-  const Scalar t131 = t92 + t93;
-  const Scalar t132 = k[27] * t130 - (k[30] * t131 + k[29] * t94);
-  const Scalar t133 = (k[20] * t108 - k[21] * t119) + ((k[25] * t85 + k[24] * t95) - t132);
-  const Scalar t134 = k[10] * t79 - (k[23] * t121 + k[4] * t114);
-  const Scalar t135 = (t115 * t42 - t31 * t116) + t7 * t72;
-  const Scalar t136 = ((k[9] * t89 - t134) + k[12] * t119) + (t0 * t109 - (t135 - t121 * t8));
-  const Scalar t137 = (k[9] * t68 - k[10] * t90) - (k[3] * t121 + k[23] * t114);
-  const Scalar t138 = (t137 + k[15] * t119) - t123;
-  const Scalar t139 = t133 - (s5 * t136 + c5 * t138);
-  const Scalar t140 = t126 * t38 + (t40 * t127 - (torque[3] - t139));
-  const Scalar t141 = t87 - t86;
-  const Scalar t142 = (k[15] * t89 - k[12] * t75) - (t4 * t116 + t115 * t0);
-  const Scalar t143 = (k[15] * (t75 - t80) + k[12] * t90) - (t4 * t74 - t0 * t98);
-  const Scalar t144 = (k[21] * t141 - k[20] * t96) + (c5 * t142 + s5 * t143);
-  const Scalar t145 = k[36] * t102 - (k[18] * t101 - k[32] * t81);
-  const Scalar t146 = t144 - t145;
-  const Scalar t147 = k[11] * t1;
-  const Scalar t148 = ((torque[2] + k[11] * t146) + t127 * t147) - t18 * t126;
-  const Scalar t149 = (t18 * t26 - (k[35] + t147 * t2)) - t51 * t41;
-  const Scalar t150 = Scalar(1) / t149;
-  const Scalar t151 = (t51 * t140 + t148) * t150;
-  const Scalar t152 = t57 * t50;
-  const Scalar t153 = k[19] * s2 - k[33] * c2;
-  const Scalar t154 = k[42] - c2 * (k[40] * c2 - k[41] * s2);
-  const Scalar t155 = t106 + t99;
-  const Scalar t156 = k[36] * t104 + (k[32] * (t155 - t100) - k[18] * t81);
-  const Scalar t157 = (t121 * t4 + t0 * (t68 - t74)) + (k[15] * t121 - k[12] * t114);
-  const Scalar t158 = t157 - (k[21] * t131 + k[20] * t78);
-  const Scalar t159 = (k[21] * (t130 + t78) - k[20] * t94) + (s5 * t142 - c5 * t143);
-  const Scalar t160 = t156 + (s4 * t158 + c4 * t159);
-  const Scalar t161 = (k[29] * t96 - k[27] * t141) - k[25] * t128;
-  const Scalar t162 = (k[20] * t102 - (t161 + k[24] * t131)) + (c5 * t136 - s5 * t138);
-  const Scalar t163 = (k[25] * t94 + k[24] * t129) + (k[30] * t141 - k[27] * t96);
-  const Scalar t164 = (t163 + k[21] * t102) - t118;
-  const Scalar t165 = (k[32] * t102 + k[18] * t104) - (s4 * t162 - c4 * t164);
-  const Scalar t166 = (k[39] * t153 - t106 * t154) - (t6 * t160 + t165);
-  const Scalar t167 = t52 * t125 - ((torque[1] + t166) + t27 * t124);
-  const Scalar t168 = t58 * t150;
-  const Scalar t169 = k[18] - t28;
-  const Scalar t170 = t169 + k[17] * q[2];
-  const Scalar t171 = k[37] - ((t169 + t170) * t6 + t47);
-  const Scalar t172 = k[27] + t33;
-  const Scalar t173 = c4 * t172;
-  const Scalar t174 = (t173 + t173) - s4 * (t43 - t48);
-  const Scalar t175 = s4 * t174 - t48;
-  const Scalar t176 = k[38] + t175;
-  const Scalar t177 = t52 * t35 + ((t171 - t176) - t27 * t10);
-  const Scalar t178 = Scalar(1) / (t58 * t168 - (t177 - t57 * t152));
-  const Scalar t179 = (t58 * t151 + (t140 * t152 - t167)) * t178;
-  const Scalar t180 = s4 * t55 - c4 * t54;
-  const Scalar t181 = s2 * (t180 + t15 * t6) + c2 * (t49 + t53);
-  const Scalar t182 = (c4 * t9 + s4 * t7) + t6 * (c4 * t4 - s4 * t3);
-  const Scalar t183 = c2 * (t5 + t40) + s2 * (t1 + t182);
-  const Scalar t184 = (s4 * t23 - c4 * t33) - t6 * s4 * t28;
-  const Scalar t185 = s2 * (t12 - t184) - c2 * (t29 - t36);
-  const Scalar t186 = k[7] * t183;
-  const Scalar t187 = t185 - t7 * t186;
-  const Scalar t188 = (t181 - t37 * t183) + t39 * t187;
-  const Scalar t189 = t25 * t187;
-  const Scalar t190 = k[22] + t53;
-  const Scalar t191 = k[36] - t190;
-  const Scalar t192 = t18 * t189 + (t183 * t2 + k[11] * s2 * t191);
-  const Scalar t193 = t51 * t188 - t192;
-  const Scalar t194 = t193 * t150;
-  const Scalar t195 = (k[31] + (c4 * t174 - t172)) + (k[33] + t16);
-  const Scalar t196 = (k[19] + t170) + (k[26] - (t6 * t190 - t56));
-  const Scalar t197 = (s2 * t195 + c2 * t196) + t186 * t10;
-  const Scalar t198 = t58 * t194 - ((t197 + t52 * t187) - t188 * t152);
-  const Scalar t199 = t188 * t50;
-  const Scalar t200 = t83 * t154 + (k[31] * c2 - k[26] * s2) * t99;
-  const Scalar t201 = t160 - (t139 + (k[22] * t104 - k[32] * t107));
-  const Scalar t202 = (k[43] * t92 + k[22] * t106) + k[18] * t84;
-  const Scalar t203 = (k[36] * t107 + t202) - (c4 * t158 - s4 * t159);
-  const Scalar t204 = (k[22] * t102 + k[18] * t107) + (s4 * t164 + c4 * t162);
-  const Scalar t205 = c2 * t201 - s2 * ((t6 * t203 + t204) + t146);
-  const Scalar t206 = ((t106 * t153 + t200) + t205) - t155 * t153;
-  const Scalar t207 = (t124 * t186 - (torque[0] + t206)) + t125 * t189;
-  const Scalar t208 = t179 * t198 - (t193 * t151 + (t199 * t140 - t207));
-  const Scalar t209 = Scalar(2) * c2 * (k[42] - (t180 + q[2] * t17));
-  const Scalar t210 = t176 + s2 * (t209 - s2 * (t171 + t176));
-  const Scalar t211 = (k[45] - ((t49 + t175) + (t190 - t191))) + (k[44] + t210);
-  const Scalar t212 = (t189 * t187 - (t211 + t183 * t186)) - t199 * t188;
-  const Scalar t213 = t178 * t198;
-  const Scalar t214 = Scalar(1) / ((t193 * t194 - t212) - t213 * t198);
-  const Scalar t215 = t208 * t214;
-  const Scalar t216 = t213 * t215 + t179;
-  const Scalar t217 = (t194 * t215 + t151) - t216 * t168;
-  const Scalar t218 = (t140 * t50 + t199 * t215) - t216 * t152;
-  const Scalar t219 = t218 + t51 * t217;
-  const Scalar t220 = (t52 * t216 - (t189 * t215 + t126)) - t217 * t26;
-  const Scalar t221 = t39 * t219 + t220;
-  const Scalar t222 = (t27 * t216 + (t186 * t215 - t127)) - t217 * t2;
+  const Scalar t0 = k[12] * s6 + k[13] * c6;
+  const Scalar t1 = k[17] - c6 * t0;
+  const Scalar t2 = qd[0] * s2;
+  const Scalar t3 = s4 * t2;
+  const Scalar t4 = qd[1] * c4 + t3;
+  const Scalar t5 = qd[4] - t4;
+  const Scalar t6 = t5 * t5;
+  const Scalar t7 = c4 * t2 - qd[1] * s4;
+  const Scalar t8 = qd[0] * c2;
+  const Scalar t9 = qd[3] + t8;
+  const Scalar t10 = s5 * t7 + c5 * t9;
+  const Scalar t11 = t6 + t10 * t10;
+  const Scalar t12 = t7 * t7;
+  const Scalar t13 = t9 * t9;
+  const Scalar t14 = t12 + t13;
+  const Scalar t15 = t11 - t14;
+  const Scalar t16 = k[14] - s6 * t0;
+  const Scalar t17 = t5 + t5;
+  const Scalar t18 = c5 * t7 - s5 * t9;
+  const Scalar t19 = t4 * t7;
+  const Scalar t20 = qd[1] * t2;
+  const Scalar t21 = t19 - t20;
+  const Scalar t22 = qd[1] * t8;
+  const Scalar t23 = Scalar(2) * t22;
+  const Scalar t24 = t8 * t3 + c4 * t23;
+  const Scalar t25 = t24 - Scalar(2) * t9 * t4;
+  const Scalar t26 = c5 * t21 + s5 * t25;
+  const Scalar t27 = t17 * t18 + t26;
+  const Scalar t28 = k[10] - t16;
+  const Scalar t29 = t1 * t15 - (t16 * t27 + t28 * t26);
+  const Scalar t30 = k[8] * c6 + k[9] * s6;
+  const Scalar t31 = t10 * t18;
+  const Scalar t32 = t2 * t8;
+  const Scalar t33 = c4 * t32 - s4 * t23;
+  const Scalar t34 = t9 * t7;
+  const Scalar t35 = t33 - t34;
+  const Scalar t36 = t31 + t35;
+  const Scalar t37 = k[9] * c6 - k[8] * s6;
+  const Scalar t38 = c5 * t25 - s5 * t21;
+  const Scalar t39 = t38 - t17 * t10;
+  const Scalar t40 = k[0] * c6 - k[1] * s6;
+  const Scalar t41 = k[7] * q[2];
+  const Scalar t42 = k[7] * qd[2];
+  const Scalar t43 = qd[1] + qd[1];
+  const Scalar t44 = (k[39] * s2 + t32 * t41) - t42 * t43;
+  const Scalar t45 = qd[0] * qd[0];
+  const Scalar t46 = t2 * t42 + t22 * t41;
+  const Scalar t47 = Scalar(2) * t46;
+  const Scalar t48 = t45 - t47;
+  const Scalar t49 = s4 * t44 - c4 * t48;
+  const Scalar t50 = k[0] * s6 + k[1] * c6;
+  const Scalar t51 = s4 * t48 + c4 * t44;
+  const Scalar t52 = k[39] * c2;
+  const Scalar t53 = t4 * t4 + t12;
+  const Scalar t54 = t52 - t53 * t41;
+  const Scalar t55 = c5 * t51 - s5 * t54;
+  const Scalar t56 = (t29 + (t30 * t36 + t37 * t39)) - (t40 * t49 + t50 * t55);
+  const Scalar t57 = torque[5] - t56;
+  const Scalar t58 = k[11] * t57;
+  const Scalar t59 = s5 * t51 + c5 * t54;
+  const Scalar t60 = qd[5] + t10;
+  const Scalar t61 = t60 * t5;
+  const Scalar t62 = t61 + (t61 + t39);
+  const Scalar t63 = t60 * (t18 + t18) - t36;
+  const Scalar t64 = t60 * t60;
+  const Scalar t65 = t64 - t6;
+  const Scalar t66 = (t1 * t62 - t16 * t63) - (t30 * t26 + t37 * (t15 + t65));
+  const Scalar t67 = t31 - t35;
+  const Scalar t68 = t64 + t6;
+  const Scalar t69 = t15 - t68;
+  const Scalar t70 = t65 + t69;
+  const Scalar t71 = t70 + t14;
+  const Scalar t72 = (k[16] * t36 - k[15] * t67) + k[20] * (t71 + t15);
+  const Scalar t73 = ((k[18] * t38 + k[19] * t26) + t72) - (k[2] * t59 - k[3] * t55);
+  const Scalar t74 = (t59 * t40 + t66) - t73;
+  const Scalar t75 = t58 * t30 + (torque[4] + t74);
+  const Scalar t76 = k[15] - t16;
+  const Scalar t77 = k[16] + t76;
+  const Scalar t78 = k[11] * t30;
+  const Scalar t79 = Scalar(1) / (t77 + t30 * t78);
+  const Scalar t80 = c5 * t50;
+  const Scalar t81 = k[10] * s5 - c5 * t37;
+  const Scalar t82 = s5 * t50;
+  const Scalar t83 = (c4 * t40 - s4 * t80) * t41 + ((s4 * t30 + c4 * t81) + t82);
+  const Scalar t84 = c5 + k[11] * s5 * t37;
+  const Scalar t85 = k[10] * t84;
+  const Scalar t86 = s4 * t40 + c4 * t80;
+  const Scalar t87 = s2 * t83 + c2 * (t85 + t86);
+  const Scalar t88 = k[11] * t87;
+  const Scalar t89 = k[2] + t40;
+  const Scalar t90 = s5 * t89 - k[3] * c5;
+  const Scalar t91 = k[3] * s5 + c5 * t89;
+  const Scalar t92 = k[18] - t1;
+  const Scalar t93 = k[19] + t30;
+  const Scalar t94 = c5 * t92 + s5 * t93;
+  const Scalar t95 = t41 * s4 * t90 + (t91 - (s4 * t77 - c4 * t94));
+  const Scalar t96 = c5 * t93 - s5 * t92;
+  const Scalar t97 = c4 * t90;
+  const Scalar t98 = t30 * t88 - (s2 * t95 + c2 * (t96 - t97));
+  const Scalar t99 = t79 * t98;
+  const Scalar t100 = (k[3] * t36 - k[2] * t11) - (t50 * t26 + t40 * t68);
+  const Scalar t101 = (k[3] * t70 + k[2] * t67) + (t50 * t62 + t40 * t63);
+  const Scalar t102 = t12 - t13;
+  const Scalar t103 = t53 - t102;
+  const Scalar t104 = (c5 * t100 + s5 * t101) - (k[4] * t103 + k[5] * t21);
+  const Scalar t105 = (t50 * t69 + t40 * t27) + (k[2] * t27 - k[3] * t39);
+  const Scalar t106 = t19 + t20;
+  const Scalar t107 = t105 - (k[4] * t106 + k[5] * t14);
+  const Scalar t108 = (k[29] * t45 - k[41] * t20) - k[40] * t22;
+  const Scalar t109 = (s4 * t104 + c4 * t107) - (k[33] * t47 - t108);
+  const Scalar t110 = t35 - t34;
+  const Scalar t111 = t103 - t14;
+  const Scalar t112 = (k[26] * t110 - k[24] * t25) + k[23] * (t111 + t102);
+  const Scalar t113 = (k[15] * t27 + k[20] * t39) + (k[19] * t36 - k[18] * t15);
+  const Scalar t114 = t56 + (t113 - k[2] * t49);
+  const Scalar t115 = (t1 * t63 - t28 * t62) - t30 * t65;
+  const Scalar t116 = (k[20] * t27 + k[16] * t39) - k[19] * t71;
+  const Scalar t117 = ((t115 + t37 * t27) + t50 * t59) - ((k[18] * t67 - t116) - k[3] * t49);
+  const Scalar t118 = (k[5] * t54 - (k[22] * t106 - t112)) + (s5 * t114 + c5 * t117);
+  const Scalar t119 = (k[23] * t21 - k[22] * t102) - (k[25] * t110 - k[26] * t25);
+  const Scalar t120 = (t119 - k[4] * t54) - t74;
+  const Scalar t121 = (s5 * t100 - c5 * t101) - (k[5] * t25 - k[4] * t110);
+  const Scalar t122 = ((c4 * t118 - s4 * t120) + t121) + (k[40] * t46 - k[29] * t54);
+  const Scalar t123 = c4 * t104 - s4 * t107;
+  const Scalar t124 = k[26] * t111 + (k[24] * t21 - k[25] * t106);
+  const Scalar t125 = (k[4] * t49 + k[5] * t51) - ((k[22] * t24 + k[23] * t33) - t124);
+  const Scalar t126 = (s5 * t117 - c5 * t114) + t125;
+  const Scalar t127 = (t123 - t126) + (k[29] * t44 - k[6] * t47);
+  const Scalar t128 = s2 * (t41 * t109 - t122) - c2 * t127;
+  const Scalar t129 = k[36] + c2 * (k[42] * s2 - k[43] * c2);
+  const Scalar t130 = qd[1] * qd[1];
+  const Scalar t131 = t129 * qd[0] * t43 + t130 * (k[30] * c2 - k[31] * s2);
+  const Scalar t132 = t75 * t99 + ((torque[0] + (t128 + t131)) - t57 * t88);
+  const Scalar t133 = t96 - t84 * t30;
+  const Scalar t134 = t79 * t133;
+  const Scalar t135 = k[20] + t37;
+  const Scalar t136 = c5 * t135;
+  const Scalar t137 = (t136 + t136) - s5 * (k[21] - t77);
+  const Scalar t138 = s5 * t137;
+  const Scalar t139 = k[25] + (t138 - t76);
+  const Scalar t140 = k[24] + t28;
+  const Scalar t141 = k[26] + t94;
+  const Scalar t142 = s4 * t141;
+  const Scalar t143 = c4 * (t139 - t140) - (t142 + t142);
+  const Scalar t144 = c4 * t143;
+  const Scalar t145 = t144 + t140;
+  const Scalar t146 = t139 - t144;
+  const Scalar t147 = t145 + t146;
+  const Scalar t148 = Scalar(1) / (t134 * t133 - (t84 * t85 - t147));
+  const Scalar t149 = k[5] + t50;
+  const Scalar t150 = k[4] + t91;
+  const Scalar t151 = c4 * t149 + s4 * t150;
+  const Scalar t152 = s4 * t149 - c4 * t150;
+  const Scalar t153 = k[22] + (c5 * t137 - t135);
+  const Scalar t154 = k[23] + t96;
+  const Scalar t155 = c4 * t153 - s4 * t154;
+  const Scalar t156 = c2 * (t151 + t147) - s2 * (t152 * t41 + t155);
+  const Scalar t157 = (t156 - t84 * t87) - t134 * t98;
+  const Scalar t158 = t148 * t157;
+  const Scalar t159 = t79 * t75;
+  const Scalar t160 = t159 * t133 + (t84 * t57 - (torque[3] + t126));
+  const Scalar t161 = k[29] - t151;
+  const Scalar t162 = k[7] * t82;
+  const Scalar t163 = k[7] * t91 - t162 * t78;
+  const Scalar t164 = (k[7] * s2 * t161 + t162 * t88) + t163 * t99;
+  const Scalar t165 = t163 * t134 - t84 * t162;
+  const Scalar t166 = t164 + t158 * t165;
+  const Scalar t167 = t148 * t165;
+  const Scalar t168 = k[27] * t82;
+  const Scalar t169 = t79 * t163;
+  const Scalar t170 = t165 * t167 + ((k[28] + t162 * t168) - t163 * t169);
+  const Scalar t171 = Scalar(1) / t170;
+  const Scalar t172 = (k[34] * t53 - k[6] * t32) - k[33] * t54;
+  const Scalar t173 = (torque[2] + k[7] * (t121 + t172)) + t57 * t168;
+  const Scalar t174 = t171 * ((t173 + t75 * t169) - t167 * t160);
+  const Scalar t175 = (s4 * t81 - c4 * t30) + t86 * t41;
+  const Scalar t176 = k[11] * t175;
+  const Scalar t177 = s2 * (k[30] - (t152 - (t141 + s4 * t143)));
+  const Scalar t178 = s4 * t153 + c4 * t154;
+  const Scalar t179 = c2 * (k[31] + ((t178 - t90) + t161 * t41));
+  const Scalar t180 = t41 * t97 - (s4 * t94 + c4 * t77);
+  const Scalar t181 = t180 + t175 * t78;
+  const Scalar t182 = t181 * t79;
+  const Scalar t183 = (t87 * t176 + (t177 + t179)) - t182 * t98;
+  const Scalar t184 = t181 * t134 - ((t151 * t41 - t178) - t175 * t84);
+  const Scalar t185 = k[7] * (k[6] - t152);
+  const Scalar t186 = t167 * t184 - ((t185 + t162 * t176) + t182 * t163);
+  const Scalar t187 = t171 * t186;
+  const Scalar t188 = (t183 - t158 * t184) + t166 * t187;
+  const Scalar t189 = t148 * t184;
+  const Scalar t190 = (k[6] * t54 - k[34] * t44) - (s4 * t118 + c4 * t120);
+  const Scalar t191 = k[6] * (t130 + t8 * t8) - k[34] * t32;
+  const Scalar t192 = t190 - (t123 - (t191 - k[33] * t44)) * t41;
+  const Scalar t193 = t45 * t129 + (k[45] * t52 - k[44] * s2);
+  const Scalar t194 = t182 * t75 - (t175 * t58 + (torque[1] - (t192 + t193)));
+  const Scalar t195 = k[34] - t90;
+  const Scalar t196 = ((k[33] * t41 + t195) + t195) * t41 + (k[16] + t138);
+  const Scalar t197 = k[35] - t196;
+  const Scalar t198 = k[32] - t145;
+  const Scalar t199 = t182 * t181 + ((t197 - t198) - t175 * t176);
+  const Scalar t200 = Scalar(1) / (t186 * t187 - (t189 * t184 - t199));
+  const Scalar t201 = (t186 * t174 + (t189 * t160 - t194)) * t200;
+  const Scalar t202 = ((t132 + t158 * t160) + t166 * t174) - t188 * t201;
+  const Scalar t203 = t188 * t200;
+  const Scalar t204 = Scalar(2) * c2 * (k[36] - (q[2] * t185 - t155));
+  const Scalar t205 = s2 * (s2 * (t197 + t198) - t204) - t198;
+  const Scalar t206 = (k[37] - t205) + (k[38] - (t146 + (t151 + t151)));
+  const Scalar t207 = (t99 * t98 - (t206 + t87 * t88)) - t158 * t157;
+  const Scalar t208 = t166 * t171;
+  const Scalar t209 = Scalar(1) / (t188 * t203 - (t207 + t166 * t208));
+  const Scalar t210 = t202 * t209;
+  const Scalar t211 = t210 * t203 + t201;
+  const Scalar t212 = (t210 * t208 + t174) - t211 * t187;
+  const Scalar t213 = t211 * t189 - (t158 * t210 - t148 * t160);
+  const Scalar t214 = t167 * t212 + t213;
+  const Scalar t215 = ((t159 + t210 * t99) + t182 * t211) + t169 * t212;
+  const Scalar t216 = t214 * t134 - t215;
+  const Scalar t217 = (t211 * t176 + (t58 + t210 * t88)) - t168 * t212;
   JointVector<Scalar> result;
-  result[0] = -t215;
-  result[1] = t216;
-  result[2] = -t217;
-  result[3] = t219;
-  result[4] = -t221;
-  result[5] = -(t37 * t219 - t222) - t24 * t221;
+  result[0] = t210;
+  result[1] = -t211;
+  result[2] = t212;
+  result[3] = t214;
+  result[4] = -t216;
+  result[5] = -t216 * t78 - (t217 + t84 * t214);
   return result;
 }
 
@@ -1487,84 +1486,85 @@ KineticEnergyConstants<Scalar> kinetic_energy_constants(const BasicGeometry<Scal
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
-  const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t1;
-  const Scalar t4 = (inertia.I6yy - t2) - inertia.c6y * t0;
-  const Scalar t5 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t6 = inertia.c5x * inertia.m5;
+  const Scalar t0 = inertia.c6x * inertia.m6;
+  const Scalar t1 = inertia.c6y * inertia.m6;
+  const Scalar t2 = inertia.c5x * inertia.m5;
+  const Scalar t3 = inertia.c5z * inertia.m5;
+  const Scalar t4 = inertia.c6z * inertia.m6;
+  const Scalar t5 = inertia.c4x * inertia.m4;
+  const Scalar t6 = inertia.c4y * inertia.m4;
   const Scalar t7 = inertia.c5y * inertia.m5;
-  const Scalar t8 = inertia.c5z * inertia.m5;
-  const Scalar t9 = inertia.c6z * inertia.m6;
-  const Scalar t10 = Scalar(1) / g.d2;
-  const Scalar t11 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t12 = (inertia.c6z * t9 - (inertia.I6zz - t2)) + (inertia.c5z * t8 - (inertia.I5zz - t11));
-  const Scalar t13 = inertia.c4y * inertia.m4;
-  const Scalar t14 = inertia.c4x * inertia.m4;
-  const Scalar t15 = inertia.c3x * inertia.m3;
-  const Scalar t16 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t17 = ((inertia.I4yy - t16) - inertia.c4y * t13) - (inertia.c5y * t7 - (inertia.I5yy - t11));
-  const Scalar t18 = inertia.c3y * inertia.m3;
-  const Scalar t19 = g.d2 * g.d2 * (inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)));
-  const Scalar t20 = t10 * t19;
-  const Scalar t21 = inertia.c3z * inertia.m3;
-  const Scalar t22 = inertia.c4z * inertia.m4;
-  const Scalar t23 = inertia.c2z * inertia.m2;
-  const Scalar t24 = inertia.c2y * inertia.m2;
-  const Scalar t25 = (inertia.I3yz - inertia.c3z * t18) + (inertia.I2yz - inertia.c2z * t24);
-  const Scalar t26 = inertia.c2x * inertia.m2;
-  const Scalar t27 = (inertia.I3xy - inertia.c3y * t15) + (inertia.I2xy - inertia.c2y * t26);
-  const Scalar t28 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t29 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t30 = (inertia.c3x * t15 - (inertia.I3xx - t28)) + (inertia.c2x * t26 - (inertia.I2xx - t29));
-  const Scalar t31 = (inertia.I2xz - inertia.c2z * t26) + (inertia.I3xz - inertia.c3z * t15);
-  const Scalar t32 = ((inertia.I3zz - t28) - inertia.c3z * t21) + ((inertia.I4zz - t16) - inertia.c4z * t22);
-  const Scalar t33 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t34 = inertia.c1y * inertia.m1;
-  const Scalar t35 = (inertia.c1y * t34 - (inertia.I1yy - t33)) - g.d2 * (t34 + (t34 - g.d2 * inertia.m1));
-  const Scalar t36 = ((inertia.I3yy - t28) - inertia.c3y * t18) + ((inertia.I2yy - t29) - inertia.c2y * t24);
-  const Scalar t37 = t36 - g.d2 * ((g.d2 * inertia.m2 - t24) - t24);
-  return { inertia.I6yz - inertia.c6z * t0,
-           inertia.I6xz - inertia.c6z * t1,
-           t3 + t4,
-           Scalar(2) * t5,
-           t3 - t4,
-           t5,
-           inertia.I5xy - inertia.c5y * t6,
-           inertia.I5yz - inertia.c5z * t7,
-           g.d2 * (t8 + t9),
-           g.d2 * t0,
+  const Scalar t8 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t9 = (inertia.I6xx - t8) - inertia.c6x * t0;
+  const Scalar t10 = (inertia.I6yy - t8) - inertia.c6y * t1;
+  const Scalar t11 = inertia.I6xy - inertia.c6y * t0;
+  const Scalar t12 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t13 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t14 = ((inertia.I4yy - t12) - inertia.c4y * t6) - (inertia.c5y * t7 - (inertia.I5yy - t13));
+  const Scalar t15 = (inertia.c6z * t4 - (inertia.I6zz - t8)) + (inertia.c5z * t3 - (inertia.I5zz - t13));
+  const Scalar t16 = inertia.c1y * inertia.m1;
+  const Scalar t17 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t18 = (inertia.c1y * t16 - (inertia.I1yy - t17)) - g.d2 * (t16 + (t16 - g.d2 * inertia.m1));
+  const Scalar t19 = inertia.c2y * inertia.m2;
+  const Scalar t20 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t21 = g.d2 * ((g.d2 * inertia.m2 - t19) - t19) - ((inertia.I2yy - t20) - inertia.c2y * t19);
+  const Scalar t22 = inertia.c3y * inertia.m3;
+  const Scalar t23 = g.d2 * inertia.m3 - t22;
+  const Scalar t24 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t25 = g.d2 * (t23 - t22) - ((inertia.I3yy - t24) - inertia.c3y * t22);
+  const Scalar t26 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t27 = g.d2 * t26;
+  const Scalar t28 = Scalar(1) / g.d2;
+  const Scalar t29 = inertia.c3z * inertia.m3;
+  const Scalar t30 = inertia.c4z * inertia.m4;
+  const Scalar t31 = t28 * g.d2 * g.d2 * (inertia.m3 + t26);
+  const Scalar t32 = inertia.c2z * inertia.m2;
+  const Scalar t33 = ((inertia.I3zz - t24) - inertia.c3z * t29) + ((inertia.I4zz - t12) - inertia.c4z * t30);
+  const Scalar t34 = inertia.c3x * inertia.m3;
+  const Scalar t35 = inertia.c2x * inertia.m2;
+  const Scalar t36 = (inertia.c3x * t34 - (inertia.I3xx - t24)) + (inertia.c2x * t35 - (inertia.I2xx - t20));
+  const Scalar t37 = g.d2 * t34;
+  const Scalar t38 = (inertia.I2xz - inertia.c2z * t35) + (inertia.I3xz - inertia.c3z * t34);
+  const Scalar t39 = ((inertia.I3xy - inertia.c3y * t34) + t37) + (g.d2 * t35 + (inertia.I2xy - inertia.c2y * t35));
+  const Scalar t40 = g.d2 * t30 + (g.d2 * t29 + (inertia.I3yz - inertia.c3z * t22));
+  const Scalar t41 = t40 + (g.d2 * t32 + (inertia.I2yz - inertia.c2z * t19));
+  return { g.d2 * t0,
            g.d2 * t1,
-           g.d2 * t6,
+           g.d2 * t2,
+           g.d2 * (t3 + t4),
+           g.d2 * t5,
+           g.d2 * (t6 + t7),
+           t9 - t10,
+           Scalar(2) * t11,
            t10,
-           inertia.I5xz - inertia.c5z * t6,
-           t3,
-           inertia.c5x * t6 - (inertia.I5xx - t11),
-           t12,
-           g.d2 * (t13 + t7),
-           g.d2 * t14,
-           inertia.I4xz - inertia.c4z * t14,
-           inertia.I4yz - inertia.c4z * t13,
-           g.d2 * t15,
-           t4,
-           t17,
-           inertia.I4xy - inertia.c4y * t14,
-           (inertia.I4xx - t16) - inertia.c4x * t14,
-           g.d2 * t18,
-           t19,
-           t20,
-           g.d2 * (t21 + t22),
-           g.d2 * t23,
-           t25,
-           t27,
-           g.d2 * t26,
-           t30,
+           t14,
+           t9,
+           inertia.c5x * t2 - (inertia.I5xx - t13),
+           t15,
+           inertia.I6yz - inertia.c6z * t1,
+           inertia.I6xz - inertia.c6z * t0,
+           inertia.I5xz - inertia.c5z * t2,
+           (inertia.I4xx - t12) - inertia.c4x * t5,
+           t11,
+           inertia.I5xy - inertia.c5y * t2,
+           inertia.I5yz - inertia.c5z * t7,
+           inertia.I4xy - inertia.c4y * t5,
+           t18 + (t21 + (t25 + g.d2 * t27)),
+           t28,
+           g.d2 * (t29 + t30),
            t31,
-           ((inertia.I2zz - t29) - inertia.c2z * t23) + t32,
-           inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t33),
-           t35 - t37,
-           t10 * t20 };
+           ((inertia.I2zz - t20) - inertia.c2z * t32) + t33,
+           t36,
+           t37,
+           inertia.I4yz - inertia.c4z * t6,
+           inertia.I4xz - inertia.c4z * t5,
+           t38,
+           inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t17),
+           t28 * t31,
+           t9 + t10,
+           t39,
+           g.d2 * (t23 + t27),
+           t41 };
 }
 
 namespace detail {
@@ -1580,81 +1580,77 @@ inline Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Sca
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[0] * s6 - k[1] * c6;
-  const Scalar t1 = k[2] * c5 - s5 * t0;
-  const Scalar t2 = k[0] * c6 + k[1] * s6;
-  const Scalar t3 = k[7] + t2;
-  const Scalar t4 = k[3] * c6 + k[4] * s6;
-  const Scalar t5 = k[6] - (k[5] - c6 * t4);
-  const Scalar t6 = c5 * t3 - s5 * t5;
-  const Scalar t7 = k[9] * c6 + k[10] * s6;
-  const Scalar t8 = s5 * t7;
-  const Scalar t9 = k[10] * c6 - k[9] * s6;
-  const Scalar t10 = k[11] + t9;
-  const Scalar t11 = k[8] * s5 + c5 * t10;
-  const Scalar t12 = qd[5] * k[12] * t8 - qd[4] * k[12] * t11;
-  const Scalar t13 = c5 * t7;
-  const Scalar t14 = s4 * t9 + c4 * t13;
-  const Scalar t15 = k[12] * q[2];
-  const Scalar t16 = c5 * t0 + k[2] * s5;
-  const Scalar t17 = (c4 * t9 - s4 * t13) * t15 + (s4 * t2 + c4 * t16);
-  const Scalar t18 = c2 * (t14 + t1) + s2 * (t17 + t8);
-  const Scalar t19 = k[17] + t7;
-  const Scalar t20 = k[18] + t11;
-  const Scalar t21 = c4 * t19 + s4 * t20;
-  const Scalar t22 = k[26] + t21;
-  const Scalar t23 = k[27] - t22;
-  const Scalar t24 = k[13] - t0;
-  const Scalar t25 = c5 * t24;
-  const Scalar t26 = s6 * t4;
-  const Scalar t27 = k[15] - (k[14] - t26);
-  const Scalar t28 = (t25 + t25) - s5 * (k[16] - t27);
-  const Scalar t29 = s5 * t28;
-  const Scalar t30 = t29 - t27;
-  const Scalar t31 = k[25] + t30;
-  const Scalar t32 = k[23] + (k[22] + t26);
-  const Scalar t33 = c5 * t5 + s5 * t3;
-  const Scalar t34 = k[24] + t33;
-  const Scalar t35 = s4 * (t31 - t32) + Scalar(2) * c4 * t34;
-  const Scalar t36 = s4 * t19 - c4 * t20;
-  const Scalar t37 = k[21] - t36;
-  const Scalar t38 = (k[32] + (c4 * t35 - t34)) + (k[33] + t37);
-  const Scalar t39 = s5 * t10 - k[8] * c5;
-  const Scalar t40 = k[29] - t39;
-  const Scalar t41 = k[28] * q[2] + t40;
-  const Scalar t42 = k[20] + t6;
-  const Scalar t43 = k[19] + (c5 * t28 - t24);
-  const Scalar t44 = c4 * t42 + s4 * t43;
-  const Scalar t45 = (k[30] + t41) + (k[31] - (t22 * t15 - t44));
-  const Scalar t46 = qd[2] * k[12] * s2 * t23 + qd[1] * (s2 * t38 + c2 * t45);
-  const Scalar t47 = s4 * t35;
-  const Scalar t48 = t47 + t32;
-  const Scalar t49 = t31 - t47;
-  const Scalar t50 = t48 + t49;
-  const Scalar t51 = s4 * t42 - c4 * t43;
-  const Scalar t52 = c2 * (t50 + t21) + s2 * (t51 - t15 * t36);
-  const Scalar t53 = k[16] + t29;
-  const Scalar t54 = t30 - t53;
-  const Scalar t55 = t15 * s4 * t39 + (c4 * t33 + s4 * t54);
-  const Scalar t56 = c4 * t39;
-  const Scalar t57 = s2 * (t11 + t55) + c2 * (t6 - t56);
-  const Scalar t58 = qd[5] * t18 + ((t46 + qd[3] * t52) - qd[4] * t57);
-  const Scalar t59 = t14 * t15 + (s4 * t16 - c4 * t2);
-  const Scalar t60 = t56 * t15 + (c4 * t54 - s4 * t33);
-  const Scalar t61 = qd[2] * k[12] * t37 - qd[3] * (t44 - t21 * t15);
-  const Scalar t62 = qd[1] * (qd[5] * t59 + (qd[4] * t60 + t61));
-  const Scalar t63 = qd[3] * (qd[5] * t1 - qd[4] * t6) - (qd[2] * t12 - (qd[0] * t58 - t62));
-  const Scalar t64 = k[34] - t49;
-  const Scalar t65 = k[36] - (t15 * (t41 + t40) + t53);
-  const Scalar t66 = c2 * (k[35] - (t51 + t37 * t15));
-  const Scalar t67 = s2 * (s2 * (t64 + t65) - (t66 + t66));
-  const Scalar t68 = (k[38] - ((t22 - t23) + t48)) + (k[37] - (t67 - t64));
-  const Scalar t69 = qd[1] * qd[1] * (t64 - t65) + qd[0] * qd[0] * t68;
-  const Scalar t70 = (qd[2] * k[39] * qd[2] + t69) - qd[3] * qd[3] * t50;
-  const Scalar t71 = (qd[4] * qd[4] * t54 - t70) + qd[5] * k[2] * qd[5];
-  const Scalar t72 = (t63 - qd[4] * qd[5] * t2) + Scalar(0.5) * t71;
+  const Scalar t0 = k[14] * s6 + k[13] * c6;
+  const Scalar t1 = k[0] * s6 + k[1] * c6;
+  const Scalar t2 = s5 * t1;
+  const Scalar t3 = k[0] * c6 - k[1] * s6;
+  const Scalar t4 = k[2] + t3;
+  const Scalar t5 = k[3] * s5 + c5 * t4;
+  const Scalar t6 = qd[5] * k[22] * t2 - qd[4] * k[22] * t5;
+  const Scalar t7 = k[14] * c6 - k[13] * s6;
+  const Scalar t8 = s5 * t7 + k[33] * c5;
+  const Scalar t9 = c5 * t1;
+  const Scalar t10 = s4 * t3 + c4 * t9;
+  const Scalar t11 = k[33] * s5 - c5 * t7;
+  const Scalar t12 = k[22] * q[2];
+  const Scalar t13 = ((c4 * t11 + s4 * t0) + t2) + (c4 * t3 - s4 * t9) * t12;
+  const Scalar t14 = qd[5] * (c2 * (t8 + t10) + s2 * t13);
+  const Scalar t15 = k[19] + t0;
+  const Scalar t16 = k[7] * c6 + k[6] * s6;
+  const Scalar t17 = k[18] - (k[17] - c6 * t16);
+  const Scalar t18 = c5 * t15 - s5 * t17;
+  const Scalar t19 = s5 * t4 - k[3] * c5;
+  const Scalar t20 = c4 * t19;
+  const Scalar t21 = k[15] + t7;
+  const Scalar t22 = s6 * t16;
+  const Scalar t23 = k[11] - (k[10] - t22);
+  const Scalar t24 = Scalar(2) * c5 * t21 - s5 * (k[12] - t23);
+  const Scalar t25 = s5 * t24;
+  const Scalar t26 = k[12] + t25;
+  const Scalar t27 = t25 - t23;
+  const Scalar t28 = t26 - t27;
+  const Scalar t29 = c5 * t17 + s5 * t15;
+  const Scalar t30 = ((s4 * t28 - c4 * t29) - t5) - t12 * s4 * t19;
+  const Scalar t31 = qd[4] * (c2 * (t18 - t20) - s2 * t30);
+  const Scalar t32 = k[5] + t1;
+  const Scalar t33 = k[4] + t5;
+  const Scalar t34 = c4 * t32 + s4 * t33;
+  const Scalar t35 = k[35] - t34;
+  const Scalar t36 = k[28] + t18;
+  const Scalar t37 = k[29] - (t21 - c5 * t24);
+  const Scalar t38 = c4 * t36 + s4 * t37;
+  const Scalar t39 = c2 * (k[36] + (t35 * t12 + (t38 - t19)));
+  const Scalar t40 = k[20] + t29;
+  const Scalar t41 = k[16] + t27;
+  const Scalar t42 = k[9] + (k[8] + t22);
+  const Scalar t43 = Scalar(2) * s4 * t40 - c4 * (t41 - t42);
+  const Scalar t44 = s4 * t32 - c4 * t33;
+  const Scalar t45 = s2 * (k[34] + ((t40 - s4 * t43) - t44));
+  const Scalar t46 = qd[1] * (t39 + t45) + qd[2] * k[22] * s2 * t35;
+  const Scalar t47 = s4 * t36 - c4 * t37;
+  const Scalar t48 = t41 + t42;
+  const Scalar t49 = s2 * (t44 * t12 - t47) - c2 * (t34 + t48);
+  const Scalar t50 = qd[0] * (t14 - (t31 - (t46 - qd[3] * t49)));
+  const Scalar t51 = t12 * t20 - (c4 * t28 + s4 * t29);
+  const Scalar t52 = k[27] - t44;
+  const Scalar t53 = qd[3] * (t38 - t12 * t34) - qd[2] * k[22] * t52;
+  const Scalar t54 = t10 * t12 - (c4 * t0 - s4 * t11);
+  const Scalar t55 = qd[1] * ((qd[4] * t51 - t53) + qd[5] * t54);
+  const Scalar t56 = (qd[2] * t6 - (t50 - t55)) + qd[3] * (qd[4] * t18 - qd[5] * t8);
+  const Scalar t57 = c4 * t43;
+  const Scalar t58 = k[26] + (t57 - t42);
+  const Scalar t59 = k[23] - t19;
+  const Scalar t60 = t26 + (t59 + (t59 + k[24] * q[2])) * t12;
+  const Scalar t61 = k[25] - t60;
+  const Scalar t62 = Scalar(2) * c2 * (k[30] - (t52 * t12 + t47));
+  const Scalar t63 = t58 - s2 * (s2 * (t58 + t61) - t62);
+  const Scalar t64 = (k[31] + t63) + (k[21] - (Scalar(2) * t34 + (t57 + t41)));
+  const Scalar t65 = qd[1] * qd[1] * (t58 - t61) + qd[0] * qd[0] * t64;
+  const Scalar t66 = qd[3] * qd[3] * t48 - (qd[2] * k[32] * qd[2] + t65);
+  const Scalar t67 = (t66 - qd[4] * qd[4] * t28) + qd[5] * k[33] * qd[5];
+  const Scalar t68 = (qd[4] * qd[5] * t0 + t56) - Scalar(0.5) * t67;
   Scalar result;
-  result = -t72;
+  result = t68;
   return result;
 }
 
@@ -1680,8 +1676,9 @@ PotentialEnergyConstants<Scalar> potential_energy_constants(const BasicGeometry<
   using std::cos;
   using std::sin;
   const Scalar t0 = inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6));
-  return { inertia.c6y * inertia.m6,
-           inertia.c6x * inertia.m6,
+  const Scalar t1 = g.h1 * inertia.m1;
+  return { inertia.c6x * inertia.m6,
+           inertia.c6y * inertia.m6,
            inertia.c5x * inertia.m5,
            inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
            inertia.c4z * inertia.m4,
@@ -1693,9 +1690,9 @@ PotentialEnergyConstants<Scalar> potential_energy_constants(const BasicGeometry<
            inertia.c4x * inertia.m4,
            inertia.c3x * inertia.m3,
            inertia.c2x * inertia.m2,
-           inertia.c1z * inertia.m1,
-           gravity,
-           (inertia.m1 + (inertia.m2 + t0)) * gravity * g.h1 };
+           t1 - (inertia.c1z * inertia.m1 + t1),
+           g.h1 * (inertia.m1 + (inertia.m2 + t0)),
+           gravity };
 }
 
 namespace detail {
@@ -1711,14 +1708,14 @@ inline Scalar potential_energy(const JointVector<Scalar>& q, const Angles& angle
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[2] - (k[0] * s6 - k[1] * c6);
-  const Scalar t1 = k[5] + (k[4] + (k[3] * c5 - s5 * t0));
-  const Scalar t2 = k[9] + (k[8] + (k[0] * c6 + k[1] * s6));
-  const Scalar t3 = c4 * (k[10] + (k[3] * s5 + c5 * t0));
-  const Scalar t4 = s2 * (k[12] + (k[11] - (s4 * t2 - t3)));
-  const Scalar t5 = c2 * (k[7] + (k[6] * q[2] + t1)) + t4;
+  const Scalar t0 = k[2] + (k[0] * c6 - k[1] * s6);
+  const Scalar t1 = k[5] + (k[4] - (s5 * t0 - k[3] * c5));
+  const Scalar t2 = c4 * (k[10] + (k[3] * s5 + c5 * t0));
+  const Scalar t3 = k[9] + (k[8] + (k[0] * s6 + k[1] * c6));
+  const Scalar t4 = s2 * (k[12] + (k[11] + (t2 - s4 * t3)));
+  const Scalar t5 = c2 * (k[7] + (t1 + k[6] * q[2])) + t4;
   Scalar result;
-  result = k[15] + k[14] * (k[13] + t5);
+  result = k[15] * (k[14] - (k[13] - t5));
   return result;
 }
 

@@ -28,85 +28,99 @@ InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c3x * inertia.m3;
-  const Scalar t1 = inertia.c3y * inertia.m3;
-  const Scalar t2 = inertia.c4x * inertia.m4;
-  const Scalar t3 = inertia.c4y * inertia.m4;
-  const Scalar t4 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t5 = inertia.c5y * inertia.m5;
-  const Scalar t6 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t7 = ((inertia.I4yy - t4) - inertia.c4y * t3) - (inertia.c5y * t5 - (inertia.I5yy - t6));
-  const Scalar t8 = inertia.c6z * inertia.m6;
-  const Scalar t9 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t10 = inertia.c5z * inertia.m5;
-  const Scalar t11 = (inertia.c6z * t8 - (inertia.I6zz - t9)) + (inertia.c5z * t10 - (inertia.I5zz - t6));
-  const Scalar t12 = inertia.c5x * inertia.m5;
-  const Scalar t13 = inertia.c6y * inertia.m6;
-  const Scalar t14 = inertia.c6x * inertia.m6;
-  const Scalar t15 = inertia.I6xy - inertia.c6y * t14;
-  const Scalar t16 = (inertia.I6xx - t9) - inertia.c6x * t14;
-  const Scalar t17 = (inertia.I6yy - t9) - inertia.c6y * t13;
-  const Scalar t18 = inertia.c2x * inertia.m2;
-  const Scalar t19 = (inertia.I2xz - inertia.c2z * t18) + (inertia.I3xz - inertia.c3z * t0);
-  const Scalar t20 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t21 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t22 = (inertia.c3x * t0 - (inertia.I3xx - t20)) + (inertia.c2x * t18 - (inertia.I2xx - t21));
-  const Scalar t23 = (inertia.I3xy - inertia.c3y * t0) + (inertia.I2xy - inertia.c2y * t18);
-  const Scalar t24 = inertia.c2y * inertia.m2;
-  const Scalar t25 = (inertia.I3yz - inertia.c3z * t1) + (inertia.I2yz - inertia.c2z * t24);
-  const Scalar t26 = inertia.c2z * inertia.m2;
-  const Scalar t27 = inertia.c3z * inertia.m3;
-  const Scalar t28 = inertia.c4z * inertia.m4;
-  const Scalar t29 = ((inertia.I3zz - t20) - inertia.c3z * t27) + ((inertia.I4zz - t4) - inertia.c4z * t28);
-  const Scalar t30 = inertia.c1y * inertia.m1;
-  const Scalar t31 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t32 = t30 - g.d2 * inertia.m1;
-  const Scalar t33 = (inertia.c1y * t30 - (inertia.I1yy - t31)) - g.d2 * (t30 + t32);
-  const Scalar t34 = ((inertia.I3yy - t20) - inertia.c3y * t1) + ((inertia.I2yy - t21) - inertia.c2y * t24);
-  const Scalar t35 = g.d2 * inertia.m2 - t24;
-  const Scalar t36 = inertia.c1x * inertia.m1;
-  const Scalar t37 = (t33 - (t34 - g.d2 * (t35 - t24))) + (inertia.c1x * t36 - (inertia.I1xx - t31));
-  return { g.d2,
-           gravity[0],
-           gravity[1],
-           t0,
-           gravity[2],
-           t1,
-           inertia.I4xz - inertia.c4z * t2,
-           inertia.I4yz - inertia.c4z * t3,
-           (inertia.I4xx - t4) - inertia.c4x * t2,
-           t7,
-           inertia.I4xy - inertia.c4y * t2,
-           t3 + t5,
-           t2,
-           inertia.I5yz - inertia.c5z * t5,
-           t11,
-           inertia.I5xz - inertia.c5z * t12,
-           inertia.I5xy - inertia.c5y * t12,
-           t10 + t8,
-           t13,
-           t14,
-           inertia.I6xz - inertia.c6z * t14,
-           inertia.I6yz - inertia.c6z * t13,
-           Scalar(2) * t15,
-           t16 - t17,
-           t15,
-           t17,
-           inertia.c5x * t12 - (inertia.I5xx - t6),
-           t12,
-           t16,
+  const Scalar t0 = inertia.c1x * inertia.m1;
+  const Scalar t1 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t2 = inertia.c3y * inertia.m3;
+  const Scalar t3 = g.d2 * inertia.m3 - t2;
+  const Scalar t4 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t5 = g.d2 * t4;
+  const Scalar t6 = (t3 + t5) / g.d2;
+  const Scalar t7 = g.d2 * g.d2 * t6;
+  const Scalar t8 = inertia.c1y * inertia.m1;
+  const Scalar t9 = t8 - g.d2 * inertia.m1;
+  const Scalar t10 = (inertia.c1y * t8 - (inertia.I1yy - t1)) - g.d2 * (t8 + t9);
+  const Scalar t11 = inertia.c2y * inertia.m2;
+  const Scalar t12 = g.d2 * inertia.m2 - t11;
+  const Scalar t13 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t14 = g.d2 * (t12 - t11) - ((inertia.I2yy - t13) - inertia.c2y * t11);
+  const Scalar t15 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t16 = g.d2 * (t3 - t2) - ((inertia.I3yy - t15) - inertia.c3y * t2);
+  const Scalar t17 = t7 - (t10 + (t14 + (t16 + g.d2 * t5)));
+  const Scalar t18 = Scalar(1) / g.d2;
+  const Scalar t19 = inertia.c4y * inertia.m4;
+  const Scalar t20 = inertia.c5y * inertia.m5;
+  const Scalar t21 = inertia.c4x * inertia.m4;
+  const Scalar t22 = inertia.c5x * inertia.m5;
+  const Scalar t23 = inertia.c5z * inertia.m5;
+  const Scalar t24 = inertia.c6z * inertia.m6;
+  const Scalar t25 = inertia.c6x * inertia.m6;
+  const Scalar t26 = inertia.c6y * inertia.m6;
+  const Scalar t27 = inertia.I6xy - inertia.c6y * t25;
+  const Scalar t28 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t29 = (inertia.I6xx - t28) - inertia.c6x * t25;
+  const Scalar t30 = (inertia.I6yy - t28) - inertia.c6y * t26;
+  const Scalar t31 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t32 = (inertia.c6z * t24 - (inertia.I6zz - t28)) + (inertia.c5z * t23 - (inertia.I5zz - t31));
+  const Scalar t33 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t34 = ((inertia.I4yy - t33) - inertia.c4y * t19) - (inertia.c5y * t20 - (inertia.I5yy - t31));
+  const Scalar t35 = inertia.c3z * inertia.m3;
+  const Scalar t36 = inertia.c4z * inertia.m4;
+  const Scalar t37 = inertia.c3x * inertia.m3;
+  const Scalar t38 = g.d2 * t37;
+  const Scalar t39 = inertia.c2x * inertia.m2;
+  const Scalar t40 = g.d2 * t39;
+  const Scalar t41 = ((inertia.I3xy - inertia.c3y * t37) + t38) + (t40 + (inertia.I2xy - inertia.c2y * t39));
+  const Scalar t42 = g.d2 * t36 + (g.d2 * t35 + (inertia.I3yz - inertia.c3z * t2));
+  const Scalar t43 = inertia.c2z * inertia.m2;
+  const Scalar t44 = g.d2 * t43;
+  const Scalar t45 = (inertia.I2xz - inertia.c2z * t39) + (inertia.I3xz - inertia.c3z * t37);
+  const Scalar t46 = (inertia.c3x * t37 - (inertia.I3xx - t15)) + (inertia.c2x * t39 - (inertia.I2xx - t13));
+  const Scalar t47 = ((inertia.I3zz - t15) - inertia.c3z * t35) + ((inertia.I4zz - t33) - inertia.c4z * t36);
+  const Scalar t48 = ((inertia.I2zz - t13) - inertia.c2z * t43) + t47;
+  return { (inertia.c1x * t0 - (inertia.I1xx - t1)) - t17,
+           gravity[0] / g.d2,
+           gravity[1] / g.d2,
+           g.d2 * (t12 - t9),
+           g.d2 * t0,
            t18,
-           t19,
-           t22,
-           t23,
-           t25,
-           t26,
-           inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)),
-           t27 + t28,
-           ((inertia.I2zz - t21) - inertia.c2z * t26) + t29,
-           t37,
-           t35 - t32,
-           t36 };
+           gravity[2] / g.d2,
+           t7,
+           g.d2 * (t19 + t20),
+           g.d2 * t21,
+           g.d2 * t22,
+           g.d2 * (t23 + t24),
+           g.d2 * t25,
+           g.d2 * t26,
+           Scalar(2) * t27,
+           t29 - t30,
+           t29,
+           t27,
+           inertia.I6yz - inertia.c6z * t26,
+           inertia.I6xz - inertia.c6z * t25,
+           Scalar(2) * t18,
+           t32,
+           inertia.c5x * t22 - (inertia.I5xx - t31),
+           inertia.I5xz - inertia.c5z * t22,
+           inertia.I5xy - inertia.c5y * t22,
+           inertia.I5yz - inertia.c5z * t20,
+           inertia.I4yz - inertia.c4z * t19,
+           inertia.I4xz - inertia.c4z * t21,
+           (inertia.I4xx - t33) - inertia.c4x * t21,
+           inertia.I4xy - inertia.c4y * t21,
+           t34,
+           t30,
+           g.d2 * (t35 + t36),
+           t38,
+           g.d2 * g.d2 * ((inertia.m3 + t4) - t6),
+           t41,
+           t42 + (t44 + (inertia.I2yz - inertia.c2z * t11)),
+           Scalar(2) * t45,
+           t46 + t48,
+           t46,
+           t45,
+           t44,
+           t40,
+           t46 - t48 };
 }
 
 namespace detail {
@@ -125,144 +139,142 @@ inline JointVector<Scalar> inverse_dynamics_with_gravity_vector(const JointVecto
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[1] * s1 - k[2] * c1;
-  const Scalar t1 = k[2] * s1 + k[1] * c1;
-  const Scalar t2 = k[38] * qdd[0] + (k[40] * t0 - k[39] * t1);
-  const Scalar t3 = qd[0] * qd[0];
-  const Scalar t4 = k[0] * t3 + t0;
-  const Scalar t5 = qdd[0] * s2;
-  const Scalar t6 = qd[0] * c2;
-  const Scalar t7 = t5 + Scalar(2) * qd[1] * t6;
-  const Scalar t8 = qd[0] * s2;
-  const Scalar t9 = (t4 - q[2] * t7) - Scalar(2) * qd[2] * t8;
-  const Scalar t10 = k[0] * qdd[0] - t1;
-  const Scalar t11 = c2 * t10 - k[4] * s2;
-  const Scalar t12 = t8 * t6;
-  const Scalar t13 = qdd[1] - t12;
-  const Scalar t14 = Scalar(2) * qd[2] * qd[1] - (t11 - q[2] * t13);
-  const Scalar t15 = s4 * t14 + c4 * t9;
-  const Scalar t16 = s4 * t9 - c4 * t14;
-  const Scalar t17 = s4 * t13 - c4 * t7;
-  const Scalar t18 = s4 * t7 + c4 * t13;
-  const Scalar t19 = qd[1] * qd[1];
-  const Scalar t20 = t6 * t6;
-  const Scalar t21 = t19 - t20;
-  const Scalar t22 = t3 + t21;
-  const Scalar t23 = qd[1] * c4 + s4 * t8;
-  const Scalar t24 = t23 * t23;
-  const Scalar t25 = qd[3] + t6;
-  const Scalar t26 = t25 * t25;
-  const Scalar t27 = t24 + t26;
-  const Scalar t28 = t22 - t27;
-  const Scalar t29 = t24 - t26;
-  const Scalar t30 = t28 - t29;
-  const Scalar t31 = qdd[0] * c2;
-  const Scalar t32 = qd[1] * t8;
-  const Scalar t33 = t31 - t32;
-  const Scalar t34 = qdd[3] + t33;
-  const Scalar t35 = c4 * t8 - qd[1] * s4;
-  const Scalar t36 = t23 * t35;
-  const Scalar t37 = t34 - t36;
-  const Scalar t38 = t34 + t36;
-  const Scalar t39 = k[10] * t30 - (k[8] * t37 + k[9] * t38);
-  const Scalar t40 = (k[12] * t15 - k[11] * t16) - ((k[6] * t17 + k[7] * t18) - t39);
-  const Scalar t41 = qd[4] - t23;
-  const Scalar t42 = c5 * t35 - s5 * t25;
-  const Scalar t43 = t41 * t42;
-  const Scalar t44 = t17 + Scalar(2) * t25 * t23;
-  const Scalar t45 = c5 * t38 - s5 * t44;
-  const Scalar t46 = qdd[5] + t45;
-  const Scalar t47 = t43 + (t43 + t46);
-  const Scalar t48 = qdd[5] - t47;
-  const Scalar t49 = s5 * t38 + c5 * t44;
-  const Scalar t50 = s5 * t35 + c5 * t25;
-  const Scalar t51 = t41 * t50;
-  const Scalar t52 = (t49 + t51) + t51;
-  const Scalar t53 = qd[5] + t50;
-  const Scalar t54 = t53 * t53;
-  const Scalar t55 = t41 * t41;
-  const Scalar t56 = t54 - t55;
-  const Scalar t57 = t30 + t27;
-  const Scalar t58 = t55 + t50 * t50;
-  const Scalar t59 = t57 - t58;
-  const Scalar t60 = t56 - t59;
-  const Scalar t61 = t54 + t55;
-  const Scalar t62 = t60 - t61;
-  const Scalar t63 = t62 + t57;
-  const Scalar t64 = (k[15] * t48 + k[14] * t52) + k[13] * t63;
-  const Scalar t65 = t50 * t42;
-  const Scalar t66 = t25 * t35;
-  const Scalar t67 = t66 + t18;
-  const Scalar t68 = qdd[4] - t67;
-  const Scalar t69 = t65 - t68;
-  const Scalar t70 = s2 * t10 + k[4] * c2;
-  const Scalar t71 = qdd[2] - (q[2] * t22 + t70);
-  const Scalar t72 = c5 * t71 + s5 * t16;
-  const Scalar t73 = k[19] * s6 + k[18] * c6;
-  const Scalar t74 = k[20] * c6 - k[21] * s6;
-  const Scalar t75 = k[21] * c6 + k[20] * s6;
-  const Scalar t76 = k[22] * c6 + k[23] * s6;
-  const Scalar t77 = s6 * t76;
-  const Scalar t78 = k[25] + t77;
-  const Scalar t79 = t53 * t41;
-  const Scalar t80 = t52 - (t79 + t79);
-  const Scalar t81 = k[24] - c6 * t76;
-  const Scalar t82 = t65 + t68;
-  const Scalar t83 = t53 * t42;
-  const Scalar t84 = (t82 - t83) - t83;
-  const Scalar t85 = t75 * t56 - (t78 * t80 - t81 * t84);
-  const Scalar t86 = (k[17] * t15 + (t64 + k[16] * t69)) - (t72 * t73 + (t74 * t47 - t85));
-  const Scalar t87 = (k[16] * t59 + k[13] * t82) - (k[15] * t52 + k[26] * t48);
-  const Scalar t88 = k[18] * s6 - k[19] * c6;
-  const Scalar t89 = c5 * t16 - s5 * t71;
-  const Scalar t90 = k[28] - t77;
-  const Scalar t91 = (t78 * t46 + t90 * t47) + t81 * t59;
-  const Scalar t92 = (t88 * t15 + t89 * t73) + (t91 - (t75 * t82 - t52 * t74));
-  const Scalar t93 = (t87 + k[27] * t15) - t92;
-  const Scalar t94 = t40 + (s5 * t86 + c5 * t93);
-  const Scalar t95 = t33 - t32;
-  const Scalar t96 = t19 + t20;
-  const Scalar t97 = t96 - t3;
-  const Scalar t98 = (k[30] * t7 + k[31] * t95) - (k[32] * t97 + k[33] * t13);
-  const Scalar t99 = ((k[3] * t9 + k[5] * t14) + t94) + (t98 + k[29] * t4);
-  const Scalar t100 = (k[17] * t52 - k[27] * t48) - (t88 * t47 - (t62 - t56) * t73);
-  const Scalar t101 = t100 + (k[12] * t37 - k[11] * t57);
-  const Scalar t102 = (t80 * t73 - t84 * t88) - (k[27] * t69 + k[17] * t62);
-  const Scalar t103 = (k[17] * t82 - k[27] * t58) - (t46 * t73 - t88 * t61);
-  const Scalar t104 = (s5 * t102 - c5 * t103) + (k[11] * t38 + k[12] * t27);
-  const Scalar t105 = k[36] * t13 + (k[3] * t96 + k[5] * t31);
-  const Scalar t106 = (s4 * t101 + c4 * t104) + (k[35] * t14 + t105);
-  const Scalar t107 = k[0] * ((k[29] * t96 + k[34] * t13) + t106);
-  const Scalar t108 = t66 + t67;
-  const Scalar t109 = (k[9] * t44 - k[10] * t108) + k[7] * t29;
-  const Scalar t110 = (k[11] * t71 + (k[6] * t37 + t109)) - (c5 * t86 - s5 * t93);
-  const Scalar t111 = k[15] * (t63 - t59) - (k[26] * t69 - k[14] * t82);
-  const Scalar t112 = (k[27] * t72 - k[17] * t89) + ((k[16] * t49 - k[13] * t45) - t111);
-  const Scalar t113 = (t74 * t60 + t75 * t46) + (t81 * t80 - t90 * t84);
-  const Scalar t114 = t112 - (t72 * t88 + t113);
-  const Scalar t115 = (k[10] * t44 - k[8] * t108) + (k[6] * t28 - k[7] * t38);
-  const Scalar t116 = t114 + (k[12] * t71 + t115);
-  const Scalar t117 = (k[36] * t9 - k[5] * t71) - (c4 * t110 + s4 * t116);
-  const Scalar t118 = k[36] * t7 + (k[5] * t3 - k[3] * t95);
-  const Scalar t119 = (k[35] * t9 - t118) - (s4 * t104 - c4 * t101);
-  const Scalar t120 = qdd[1] + t12;
-  const Scalar t121 = k[33] * t21 - (k[37] * t7 - k[30] * t95);
-  const Scalar t122 = (t117 + q[2] * t119) + (k[34] * t4 + (k[32] * t120 - t121));
-  const Scalar t123 = (k[5] * t5 + k[3] * t120) - k[36] * t22;
-  const Scalar t124 = (k[12] * t108 - k[11] * t44) - (s5 * t103 + c5 * t102);
-  const Scalar t125 = (t123 + k[35] * t71) + t124;
-  const Scalar t126 = k[0] * ((k[34] * t22 - k[29] * t120) - t125);
-  const Scalar t127 = c2 * (t99 - t107) - s2 * (t122 - t126);
-  const Scalar t128 = (k[37] * t13 - k[31] * t120) + k[30] * (t97 - t21);
-  const Scalar t129 = (k[34] * t11 + k[29] * t70) + (t128 + (k[32] * t5 + k[33] * t31));
-  const Scalar t130 = (k[36] * t14 + k[3] * t71) - (s4 * t110 - c4 * t116);
+  const Scalar t0 = k[20] * qd[2];
+  const Scalar t1 = qd[0] * s2;
+  const Scalar t2 = k[5] * q[2];
+  const Scalar t3 = qd[1] * Scalar(2) * qd[0];
+  const Scalar t4 = qdd[0] * s2;
+  const Scalar t5 = c2 * t3 + t4;
+  const Scalar t6 = k[1] * s1 - k[2] * c1;
+  const Scalar t7 = t0 * t1 + (t2 * t5 - t6);
+  const Scalar t8 = qd[0] * qd[0];
+  const Scalar t9 = t7 - t8;
+  const Scalar t10 = k[2] * s1 + k[1] * c1;
+  const Scalar t11 = k[6] * s2 + c2 * t10;
+  const Scalar t12 = qd[0] * c2;
+  const Scalar t13 = t1 * t12;
+  const Scalar t14 = qdd[1] - t13;
+  const Scalar t15 = qd[1] * t0 + (t11 + t2 * t14);
+  const Scalar t16 = qdd[0] * c2;
+  const Scalar t17 = t15 - t16;
+  const Scalar t18 = s4 * t9 + c4 * t17;
+  const Scalar t19 = qd[1] * t1;
+  const Scalar t20 = t16 - t19;
+  const Scalar t21 = qdd[3] + t20;
+  const Scalar t22 = qd[1] * c4 + s4 * t1;
+  const Scalar t23 = c4 * t1 - qd[1] * s4;
+  const Scalar t24 = t22 * t23;
+  const Scalar t25 = t21 + t24;
+  const Scalar t26 = t22 * t22;
+  const Scalar t27 = qd[3] + t12;
+  const Scalar t28 = t27 * t27;
+  const Scalar t29 = t26 + t28;
+  const Scalar t30 = k[7] * t18 + (k[8] * t25 + k[9] * t29);
+  const Scalar t31 = s5 * t23 + c5 * t27;
+  const Scalar t32 = qd[5] + t31;
+  const Scalar t33 = Scalar(2) * t32;
+  const Scalar t34 = c5 * t23 - s5 * t27;
+  const Scalar t35 = s4 * t5 + c4 * t14;
+  const Scalar t36 = t27 * t23;
+  const Scalar t37 = t35 + t36;
+  const Scalar t38 = qdd[4] - t37;
+  const Scalar t39 = t31 * t34;
+  const Scalar t40 = t38 + t39;
+  const Scalar t41 = t33 * t34 - t40;
+  const Scalar t42 = k[13] * s6 - k[12] * c6;
+  const Scalar t43 = qd[4] - t22;
+  const Scalar t44 = c4 * t5 - s4 * t14;
+  const Scalar t45 = t44 - (t27 + t27) * t22;
+  const Scalar t46 = s5 * t25 - c5 * t45;
+  const Scalar t47 = t43 * t31;
+  const Scalar t48 = (t46 + t47) + t47;
+  const Scalar t49 = t43 * t33 - t48;
+  const Scalar t50 = k[12] * s6 + k[13] * c6;
+  const Scalar t51 = t43 * t43;
+  const Scalar t52 = t34 * t34;
+  const Scalar t53 = t51 + t52;
+  const Scalar t54 = t38 - t39;
+  const Scalar t55 = (t41 * t42 - t49 * t50) + (k[11] * t53 + k[10] * t54);
+  const Scalar t56 = s5 * t45 + c5 * t25;
+  const Scalar t57 = qdd[5] + t56;
+  const Scalar t58 = t51 - t52;
+  const Scalar t59 = t32 * t32 - t51;
+  const Scalar t60 = t58 + t59;
+  const Scalar t61 = qd[1] * qd[1];
+  const Scalar t62 = t1 * t1;
+  const Scalar t63 = t61 + t62;
+  const Scalar t64 = t26 - t28;
+  const Scalar t65 = t63 - t64;
+  const Scalar t66 = t65 + t58;
+  const Scalar t67 = (t57 * t50 - t42 * (t60 + t53)) + (k[10] * t66 - k[11] * t40);
+  const Scalar t68 = t30 + (s5 * t55 + c5 * t67);
+  const Scalar t69 = t21 - t24;
+  const Scalar t70 = c4 * t9 - s4 * t17;
+  const Scalar t71 = (k[9] * t69 - k[8] * t65) - k[7] * t70;
+  const Scalar t72 = t43 * t34;
+  const Scalar t73 = (t57 + t72) + t72;
+  const Scalar t74 = qdd[5] - t73;
+  const Scalar t75 = (k[10] * t74 - k[11] * t48) + (t42 * t73 + (t53 + t59) * t50);
+  const Scalar t76 = t71 - t75;
+  const Scalar t77 = c4 * t68 + s4 * t76;
+  const Scalar t78 = t63 - t29;
+  const Scalar t79 = k[29] * (t78 - t64) - (k[30] * t25 + k[28] * t69);
+  const Scalar t80 = (t79 + (k[27] * t44 - k[26] * t35)) - (k[9] * t70 - k[8] * t18);
+  const Scalar t81 = k[6] * c2 - s2 * t10;
+  const Scalar t82 = (t2 * t63 + t81) - k[5] * qdd[2];
+  const Scalar t83 = t4 + t82;
+  const Scalar t84 = s5 * t83 - c5 * t18;
+  const Scalar t85 = k[14] * c6 + k[15] * s6;
+  const Scalar t86 = s6 * t85;
+  const Scalar t87 = k[16] - t86;
+  const Scalar t88 = k[31] + t86;
+  const Scalar t89 = k[17] - c6 * t85;
+  const Scalar t90 = (t73 * t87 + t57 * t88) - t89 * t58;
+  const Scalar t91 = k[19] * s6 + k[18] * c6;
+  const Scalar t92 = k[18] * s6 - k[19] * c6;
+  const Scalar t93 = (t84 * t50 - t42 * t70) + (t90 - (t40 * t91 + t48 * t92));
+  const Scalar t94 = (k[24] * t58 - k[25] * t40) + (k[22] * t74 + k[23] * t48);
+  const Scalar t95 = t93 + (k[10] * t70 + t94);
+  const Scalar t96 = t59 * t91 + (t49 * t88 - t41 * t89);
+  const Scalar t97 = s5 * t18 + c5 * t83;
+  const Scalar t98 = (k[23] * t74 + k[21] * t48) + k[25] * (t65 - t53);
+  const Scalar t99 = ((t92 * t73 + t96) + t97 * t50) - (k[11] * t70 + (k[24] * t54 - t98));
+  const Scalar t100 = t80 - (c5 * t95 - s5 * t99);
+  const Scalar t101 = t37 + t36;
+  const Scalar t102 = (k[26] * t25 - k[27] * t78) + (k[29] * t45 + k[28] * t101);
+  const Scalar t103 = (k[21] * t40 + k[22] * t54) + k[23] * (t66 - t53);
+  const Scalar t104 = (k[10] * t97 + k[11] * t84) + ((k[25] * t56 - k[24] * t46) + t103);
+  const Scalar t105 = (t60 * t92 - t57 * t91) - (t41 * t87 - t89 * t49);
+  const Scalar t106 = t104 - (t105 + t97 * t42);
+  const Scalar t107 = (t102 + k[9] * t83) + t106;
+  const Scalar t108 = (k[29] * t101 + k[30] * t45) - k[26] * t64;
+  const Scalar t109 = ((k[27] * t69 - t108) - k[8] * t83) - (s5 * t95 + c5 * t99);
+  const Scalar t110 = k[7] * t83 - (k[9] * t101 + k[8] * t45);
+  const Scalar t111 = (c5 * t55 - s5 * t67) + t110;
+  const Scalar t112 = ((s4 * t107 - c4 * t109) - t111) - k[32] * t7;
+  const Scalar t113 = (k[32] * t5 - k[33] * (t20 - t19)) + k[34] * t7;
+  const Scalar t114 = t2 * (t113 - (c4 * t76 - s4 * t68));
+  const Scalar t115 = c2 * (k[33] * t7 + (t77 - t100)) + s2 * (t112 - t114);
+  const Scalar t116 = k[35] * s2 + k[36] * c2;
+  const Scalar t117 = t61 * (k[35] * c2 - k[36] * s2) + qdd[1] * t116;
+  const Scalar t118 = k[38] * s2 - k[37] * c2;
+  const Scalar t119 = k[40] + c2 * t118;
+  const Scalar t120 = t119 * t3 - qdd[0] * (k[39] - s2 * t118);
+  const Scalar t121 = t6 * (k[42] * c2 - k[41] * s2) - (t117 + t120);
+  const Scalar t122 = k[0] * qdd[0] - (k[3] * t10 - k[4] * t6);
+  const Scalar t123 = (t8 * t119 + k[43] * qdd[1]) - qdd[0] * t116;
+  const Scalar t124 = (s4 * t109 + c4 * t107) - (k[32] * t15 - k[33] * t82);
+  const Scalar t125 = k[32] * t14 + k[33] * (t61 + (t8 - t62));
+  const Scalar t126 = t124 - t2 * ((t125 + k[34] * t15) + t77);
+  const Scalar t127 = ((k[42] * t81 - k[41] * t11) - t123) + t126;
+  const Scalar t128 = (k[33] * (qdd[1] + t13) - k[32] * t63) - k[34] * t82;
   JointVector<Scalar> result;
-  result[0] = t2 + t127;
-  result[1] = (q[2] * t106 + t130) - t129;
-  result[2] = t125;
-  result[3] = t94;
-  result[4] = -t114;
-  result[5] = -t92;
+  result[0] = t122 - (t115 - t121);
+  result[1] = -t127;
+  result[2] = k[5] * (t128 - t111);
+  result[3] = t100;
+  result[4] = t106;
+  result[5] = -t93;
   return result;
 }
 
@@ -291,85 +303,98 @@ InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constant
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c3x * inertia.m3;
-  const Scalar t1 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t2 = inertia.c2x * inertia.m2;
-  const Scalar t3 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t4 = (inertia.c3x * t0 - (inertia.I3xx - t1)) + (inertia.c2x * t2 - (inertia.I2xx - t3));
-  const Scalar t5 = (inertia.I2xz - inertia.c2z * t2) + (inertia.I3xz - inertia.c3z * t0);
-  const Scalar t6 = inertia.c3y * inertia.m3;
-  const Scalar t7 = inertia.c2y * inertia.m2;
-  const Scalar t8 = (inertia.I3yz - inertia.c3z * t6) + (inertia.I2yz - inertia.c2z * t7);
-  const Scalar t9 = (inertia.I3xy - inertia.c3y * t0) + (inertia.I2xy - inertia.c2y * t2);
-  const Scalar t10 = inertia.c6y * inertia.m6;
-  const Scalar t11 = inertia.c6x * inertia.m6;
-  const Scalar t12 = inertia.I6xy - inertia.c6y * t11;
-  const Scalar t13 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t14 = (inertia.I6xx - t13) - inertia.c6x * t11;
-  const Scalar t15 = (inertia.I6yy - t13) - inertia.c6y * t10;
-  const Scalar t16 = inertia.c5y * inertia.m5;
-  const Scalar t17 = inertia.c6z * inertia.m6;
-  const Scalar t18 = inertia.c5z * inertia.m5;
-  const Scalar t19 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t20 = (inertia.c6z * t17 - (inertia.I6zz - t13)) + (inertia.c5z * t18 - (inertia.I5zz - t19));
-  const Scalar t21 = inertia.c5x * inertia.m5;
-  const Scalar t22 = inertia.c4x * inertia.m4;
-  const Scalar t23 = inertia.c4y * inertia.m4;
-  const Scalar t24 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t25 = ((inertia.I4yy - t24) - inertia.c4y * t23) - (inertia.c5y * t16 - (inertia.I5yy - t19));
-  const Scalar t26 = inertia.c3z * inertia.m3;
-  const Scalar t27 = inertia.c4z * inertia.m4;
-  const Scalar t28 = inertia.c2z * inertia.m2;
-  const Scalar t29 = ((inertia.I3zz - t1) - inertia.c3z * t26) + ((inertia.I4zz - t24) - inertia.c4z * t27);
-  const Scalar t30 = inertia.c1y * inertia.m1;
-  const Scalar t31 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t32 = t30 - g.d2 * inertia.m1;
-  const Scalar t33 = (inertia.c1y * t30 - (inertia.I1yy - t31)) - g.d2 * (t30 + t32);
-  const Scalar t34 = ((inertia.I3yy - t1) - inertia.c3y * t6) + ((inertia.I2yy - t3) - inertia.c2y * t7);
-  const Scalar t35 = g.d2 * inertia.m2 - t7;
-  const Scalar t36 = inertia.c1x * inertia.m1;
-  const Scalar t37 = (t33 - (t34 - g.d2 * (t35 - t7))) + (inertia.c1x * t36 - (inertia.I1xx - t31));
-  return { t4,
-           t5,
-           t8,
-           t9,
-           g.d2,
-           gravity[0],
-           gravity[1],
-           t2,
-           t0,
-           gravity[2],
-           t6,
-           t10,
-           t11,
-           inertia.I6xz - inertia.c6z * t11,
-           inertia.I6yz - inertia.c6z * t10,
-           Scalar(2) * t12,
-           t14 - t15,
-           t15,
-           t12,
-           inertia.I5yz - inertia.c5z * t16,
-           t20,
-           inertia.I5xz - inertia.c5z * t21,
-           inertia.I5xy - inertia.c5y * t21,
-           t18 + t17,
-           t14,
-           inertia.c5x * t21 - (inertia.I5xx - t19),
-           t21,
-           inertia.I4xz - inertia.c4z * t22,
-           inertia.I4yz - inertia.c4z * t23,
-           (inertia.I4xx - t24) - inertia.c4x * t22,
-           t25,
-           inertia.I4xy - inertia.c4y * t22,
-           t23 + t16,
+  const Scalar t0 = inertia.c1x * inertia.m1;
+  const Scalar t1 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t2 = inertia.c3y * inertia.m3;
+  const Scalar t3 = g.d2 * inertia.m3 - t2;
+  const Scalar t4 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t5 = g.d2 * t4;
+  const Scalar t6 = (t3 + t5) / g.d2;
+  const Scalar t7 = g.d2 * g.d2 * t6;
+  const Scalar t8 = inertia.c1y * inertia.m1;
+  const Scalar t9 = t8 - g.d2 * inertia.m1;
+  const Scalar t10 = (inertia.c1y * t8 - (inertia.I1yy - t1)) - g.d2 * (t8 + t9);
+  const Scalar t11 = inertia.c2y * inertia.m2;
+  const Scalar t12 = g.d2 * inertia.m2 - t11;
+  const Scalar t13 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t14 = g.d2 * (t12 - t11) - ((inertia.I2yy - t13) - inertia.c2y * t11);
+  const Scalar t15 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t16 = g.d2 * (t3 - t2) - ((inertia.I3yy - t15) - inertia.c3y * t2);
+  const Scalar t17 = t7 - (t10 + (t14 + (t16 + g.d2 * t5)));
+  const Scalar t18 = inertia.c3x * inertia.m3;
+  const Scalar t19 = g.d2 * t18;
+  const Scalar t20 = inertia.c2x * inertia.m2;
+  const Scalar t21 = g.d2 * t20;
+  const Scalar t22 = ((inertia.I3xy - inertia.c3y * t18) + t19) + (t21 + (inertia.I2xy - inertia.c2y * t20));
+  const Scalar t23 = inertia.c4z * inertia.m4;
+  const Scalar t24 = inertia.c3z * inertia.m3;
+  const Scalar t25 = g.d2 * t23 + (g.d2 * t24 + (inertia.I3yz - inertia.c3z * t2));
+  const Scalar t26 = inertia.c2z * inertia.m2;
+  const Scalar t27 = g.d2 * t26;
+  const Scalar t28 = (inertia.I2xz - inertia.c2z * t20) + (inertia.I3xz - inertia.c3z * t18);
+  const Scalar t29 = (inertia.c3x * t18 - (inertia.I3xx - t15)) + (inertia.c2x * t20 - (inertia.I2xx - t13));
+  const Scalar t30 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t31 = ((inertia.I3zz - t15) - inertia.c3z * t24) + ((inertia.I4zz - t30) - inertia.c4z * t23);
+  const Scalar t32 = ((inertia.I2zz - t13) - inertia.c2z * t26) + t31;
+  const Scalar t33 = inertia.c5x * inertia.m5;
+  const Scalar t34 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t35 = inertia.c5y * inertia.m5;
+  const Scalar t36 = inertia.c6x * inertia.m6;
+  const Scalar t37 = inertia.I6xy - inertia.c6y * t36;
+  const Scalar t38 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t39 = (inertia.I6xx - t38) - inertia.c6x * t36;
+  const Scalar t40 = inertia.c6y * inertia.m6;
+  const Scalar t41 = (inertia.I6yy - t38) - inertia.c6y * t40;
+  const Scalar t42 = inertia.c5z * inertia.m5;
+  const Scalar t43 = inertia.c6z * inertia.m6;
+  const Scalar t44 = (inertia.c6z * t43 - (inertia.I6zz - t38)) + (inertia.c5z * t42 - (inertia.I5zz - t34));
+  const Scalar t45 = inertia.c4y * inertia.m4;
+  const Scalar t46 = inertia.c4x * inertia.m4;
+  const Scalar t47 = ((inertia.I4yy - t30) - inertia.c4y * t45) - (inertia.c5y * t35 - (inertia.I5yy - t34));
+  return { (inertia.c1x * t0 - (inertia.I1xx - t1)) - t17,
+           gravity[0] / g.d2,
+           gravity[1] / g.d2,
+           g.d2 * (t12 - t9),
+           g.d2 * t0,
            t22,
-           inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)),
-           t26 + t27,
+           t25 + (t27 + (inertia.I2yz - inertia.c2z * t11)),
+           Scalar(2) * t28,
+           t29 + t32,
+           t29,
            t28,
-           ((inertia.I2zz - t3) - inertia.c2z * t28) + t29,
+           t27,
+           t21,
+           Scalar(1) / g.d2,
+           t19,
+           inertia.c5x * t33 - (inertia.I5xx - t34),
+           inertia.I5xz - inertia.c5z * t33,
+           inertia.I5xy - inertia.c5y * t33,
+           inertia.I5yz - inertia.c5z * t35,
+           gravity[2] / g.d2,
+           g.d2 * t33,
+           Scalar(2) * t37,
+           t39 - t41,
+           t41,
+           t39,
            t37,
-           t35 - t32,
-           t36 };
+           inertia.I6yz - inertia.c6z * t40,
+           inertia.I6xz - inertia.c6z * t36,
+           g.d2 * t36,
+           g.d2 * t40,
+           g.d2 * (t42 + t43),
+           t44,
+           inertia.I4yz - inertia.c4z * t45,
+           inertia.I4xz - inertia.c4z * t46,
+           inertia.I4xy - inertia.c4y * t46,
+           (inertia.I4xx - t30) - inertia.c4x * t46,
+           t47,
+           g.d2 * t46,
+           g.d2 * (t45 + t35),
+           t7,
+           g.d2,
+           g.d2 * (t24 + t23),
+           g.d2 * g.d2 * ((inertia.m3 + t4) - t6),
+           t29 - t32 };
 }
 
 namespace detail {
@@ -388,158 +413,162 @@ inline JointVector<Scalar> inverse_dynamics_with_wrench(const JointVector<Scalar
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = qd[0] * s2;
-  const Scalar t1 = qd[0] * c2;
-  const Scalar t2 = t0 * t1;
-  const Scalar t3 = qdd[1] - t2;
-  const Scalar t4 = qd[1] * t1;
-  const Scalar t5 = qdd[0] * s2;
-  const Scalar t6 = (t4 + t4) + t5;
-  const Scalar t7 = s4 * t3 - c4 * t6;
-  const Scalar t8 = qd[3] + t1;
-  const Scalar t9 = qd[1] * c4 + s4 * t0;
-  const Scalar t10 = t7 + Scalar(2) * t8 * t9;
-  const Scalar t11 = qdd[0] * c2;
-  const Scalar t12 = qd[1] * t0;
-  const Scalar t13 = t11 - t12;
-  const Scalar t14 = qdd[3] + t13;
-  const Scalar t15 = c4 * t0 - qd[1] * s4;
-  const Scalar t16 = t9 * t15;
-  const Scalar t17 = t14 + t16;
-  const Scalar t18 = s5 * t10 - c5 * t17;
-  const Scalar t19 = s5 * t17 + c5 * t10;
-  const Scalar t20 = qd[4] - t9;
-  const Scalar t21 = t20 * t20;
-  const Scalar t22 = c5 * t15 - s5 * t8;
-  const Scalar t23 = t21 - t22 * t22;
-  const Scalar t24 = s5 * t15 + c5 * t8;
-  const Scalar t25 = qd[5] + t24;
-  const Scalar t26 = t25 * t25;
-  const Scalar t27 = t26 + t21;
-  const Scalar t28 = t23 - t27;
-  const Scalar t29 = t26 - t21;
-  const Scalar t30 = t28 + t29;
-  const Scalar t31 = t15 * t15;
-  const Scalar t32 = t8 * t8;
-  const Scalar t33 = t31 + t32;
-  const Scalar t34 = t23 + t33;
-  const Scalar t35 = t30 + t34;
-  const Scalar t36 = t24 * t22;
-  const Scalar t37 = s4 * t6 + c4 * t3;
-  const Scalar t38 = t8 * t15;
-  const Scalar t39 = t37 + t38;
-  const Scalar t40 = qdd[4] - t39;
-  const Scalar t41 = t36 + t40;
-  const Scalar t42 = t36 - t40;
-  const Scalar t43 = k[21] * t35 + (k[20] * t41 - k[25] * t42);
-  const Scalar t44 = k[6] * s1 + k[5] * c1;
-  const Scalar t45 = t44 - k[4] * qdd[0];
-  const Scalar t46 = c2 * t45 + k[9] * s2;
-  const Scalar t47 = Scalar(2) * qd[2] * qd[1] + (q[2] * t3 + t46);
-  const Scalar t48 = k[5] * s1 - k[6] * c1;
-  const Scalar t49 = qd[0] * qd[0];
-  const Scalar t50 = t48 + k[4] * t49;
-  const Scalar t51 = (q[2] * t6 - t50) + Scalar(2) * qd[2] * t0;
-  const Scalar t52 = c4 * t47 + s4 * t51;
-  const Scalar t53 = s2 * t45 - k[9] * c2;
-  const Scalar t54 = qd[1] * qd[1];
-  const Scalar t55 = t0 * t0;
-  const Scalar t56 = t54 + t55;
-  const Scalar t57 = qdd[2] + (t53 - q[2] * t56);
-  const Scalar t58 = s5 * t52 - c5 * t57;
-  const Scalar t59 = s5 * t57 + c5 * t52;
-  const Scalar t60 = ((k[19] * t18 + k[22] * t19) - t43) - (k[26] * t58 - k[23] * t59);
-  const Scalar t61 = t20 * t24;
-  const Scalar t62 = (t19 + t61) + t61;
-  const Scalar t63 = Scalar(2) * t25 * t20 - t62;
-  const Scalar t64 = k[16] * s6 + k[15] * c6;
-  const Scalar t65 = k[18] - c6 * t64;
-  const Scalar t66 = s6 * t64;
-  const Scalar t67 = k[24] - t66;
-  const Scalar t68 = t25 * t22;
-  const Scalar t69 = t41 - (t68 + t68);
-  const Scalar t70 = Scalar(2) * t20 * t22;
-  const Scalar t71 = t18 - t70;
-  const Scalar t72 = qdd[5] - t71;
-  const Scalar t73 = t72 - t70;
-  const Scalar t74 = k[14] * c6 + k[13] * s6;
-  const Scalar t75 = k[14] * s6 - k[13] * c6;
-  const Scalar t76 = (t63 * t65 + t67 * t69) - (t73 * t74 - t75 * (t30 + t27));
-  const Scalar t77 = k[12] * c6 - k[11] * s6;
-  const Scalar t78 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t79 = c2 * t78 + wrench[5] * s2;
-  const Scalar t80 = wrench[3] * s1 - wrench[4] * c1;
-  const Scalar t81 = (t76 - t77 * t58) - (s4 * t79 + c4 * t80);
-  const Scalar t82 = t60 + t81;
-  const Scalar t83 = t39 + t38;
-  const Scalar t84 = t31 - t32;
-  const Scalar t85 = (k[29] * t83 - k[31] * t10) + (k[28] * t17 - k[27] * t84);
-  const Scalar t86 = t82 + (k[33] * t57 - t85);
-  const Scalar t87 = k[19] * (t35 - t23) + (k[21] * t71 + k[20] * t62);
-  const Scalar t88 = s4 * t47 - c4 * t51;
-  const Scalar t89 = s4 * t80 - c4 * t79;
-  const Scalar t90 = s2 * t78 - wrench[5] * c2;
-  const Scalar t91 = k[12] * s6 + k[11] * c6;
-  const Scalar t92 = k[17] + t66;
-  const Scalar t93 = t74 * t29 + (t63 * t92 + t65 * t69);
-  const Scalar t94 = (c5 * t89 - s5 * t90) - (t91 * t58 + (t93 + t75 * t72));
-  const Scalar t95 = ((k[22] * t42 + t87) + k[23] * t88) - t94;
-  const Scalar t96 = (k[25] * t71 + k[21] * t62) + (k[22] * t23 - k[19] * t41);
-  const Scalar t97 = (t72 * t67 + t73 * t92) - t65 * t23;
-  const Scalar t98 = ((t75 * t62 + t74 * t41) - t97) + (t77 * t88 + t59 * t91);
-  const Scalar t99 = t98 + (s5 * t89 + c5 * t90);
-  const Scalar t100 = (k[26] * t88 - t96) + t99;
-  const Scalar t101 = t14 - t16;
-  const Scalar t102 = t56 - t84;
-  const Scalar t103 = t102 - t33;
-  const Scalar t104 = k[28] * (t103 + t84) + (k[30] * t10 - k[31] * t83);
-  const Scalar t105 = (c5 * t95 - s5 * t100) - (k[32] * t57 + (k[27] * t101 + t104));
-  const Scalar t106 = (s4 * t86 - c4 * t105) + (k[10] * t57 + k[35] * t51);
-  const Scalar t107 = wrench[0] * c1 + wrench[1] * s1;
-  const Scalar t108 = c2 * t107 + wrench[2] * s2;
-  const Scalar t109 = wrench[0] * s1 - wrench[1] * c1;
-  const Scalar t110 = (s4 * t108 + c4 * t109) + (t28 * t91 + t77 * t72);
-  const Scalar t111 = (k[33] * t101 - k[32] * t33) + (t110 + (k[23] * t62 - k[26] * t71));
-  const Scalar t112 = c4 * t108 - s4 * t109;
-  const Scalar t113 = wrench[2] * c2 - s2 * t107;
-  const Scalar t114 = (t63 * t91 - t77 * t69) - (s5 * t112 + c5 * t113);
-  const Scalar t115 = (k[23] * t30 + k[26] * t42) + t114;
-  const Scalar t116 = (t77 * t27 + t73 * t91) - (s5 * t113 - c5 * t112);
-  const Scalar t117 = t116 - (k[23] * t41 - k[26] * t34);
-  const Scalar t118 = (k[32] * t17 + k[33] * t102) - (s5 * t115 - c5 * t117);
-  const Scalar t119 = t13 - t12;
-  const Scalar t120 = (k[10] * t49 - k[8] * t119) + k[35] * t6;
-  const Scalar t121 = (c4 * t111 - s4 * t118) - (k[34] * t51 + t120);
-  const Scalar t122 = t49 - t56;
-  const Scalar t123 = (k[37] * t6 - k[1] * t119) + k[2] * t122;
-  const Scalar t124 = qdd[1] + t2;
-  const Scalar t125 = (t106 - q[2] * t121) - (k[36] * t50 + (t123 + k[3] * t124));
-  const Scalar t126 = (k[8] * t124 + k[10] * t5) - k[35] * t56;
-  const Scalar t127 = (s5 * t117 + c5 * t115) + (k[33] * t83 - k[32] * t10);
-  const Scalar t128 = (k[34] * t57 + t126) + t127;
-  const Scalar t129 = k[4] * ((k[7] * t124 - k[36] * t56) + t128);
-  const Scalar t130 = t54 - t55;
-  const Scalar t131 = t49 + t130;
-  const Scalar t132 = k[35] * t3 + (k[10] * t11 + k[8] * t131);
-  const Scalar t133 = (k[34] * t47 + t132) + (c4 * t118 + s4 * t111);
-  const Scalar t134 = k[4] * (t133 + (k[7] * t131 + k[36] * t3));
-  const Scalar t135 = (k[1] * t6 + k[0] * t119) - (k[2] * t3 + k[3] * t130);
-  const Scalar t136 = k[31] * t103 + (k[29] * t101 + k[30] * t17);
-  const Scalar t137 = (k[33] * t88 + k[32] * t52) - ((k[28] * t37 + k[27] * t7) + t136);
-  const Scalar t138 = (c5 * t100 + s5 * t95) + t137;
-  const Scalar t139 = (k[7] * t50 + t135) + (t138 - (k[8] * t51 - k[10] * t47));
-  const Scalar t140 = s2 * (t125 - t129) - c2 * (t134 - t139);
-  const Scalar t141 = k[38] * qdd[0] - (k[39] * t44 - k[40] * t48);
-  const Scalar t142 = (k[35] * t47 + k[8] * t57) + (c4 * t86 + s4 * t105);
-  const Scalar t143 = k[1] * (t130 + t122) + (k[37] * t3 - k[0] * t124);
-  const Scalar t144 = (t143 + (k[2] * t11 + k[3] * t5)) - (k[7] * t53 + k[36] * t46);
+  const Scalar t0 = k[2] * s1 + k[1] * c1;
+  const Scalar t1 = k[1] * s1 - k[2] * c1;
+  const Scalar t2 = k[0] * qdd[0] - (k[3] * t0 - k[4] * t1);
+  const Scalar t3 = qd[0] * s2;
+  const Scalar t4 = k[13] * qd[2];
+  const Scalar t5 = t3 * t4;
+  const Scalar t6 = qd[1] + qd[1];
+  const Scalar t7 = qd[0] * t6;
+  const Scalar t8 = qdd[0] * s2;
+  const Scalar t9 = c2 * t7 + t8;
+  const Scalar t10 = k[13] * q[2];
+  const Scalar t11 = (t5 + t5) - (t1 - t9 * t10);
+  const Scalar t12 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t13 = wrench[2] * c2 - s2 * t12;
+  const Scalar t14 = c2 * t12 + wrench[2] * s2;
+  const Scalar t15 = wrench[0] * s1 - wrench[1] * c1;
+  const Scalar t16 = c4 * t14 - s4 * t15;
+  const Scalar t17 = qd[0] * c2;
+  const Scalar t18 = t3 * t17;
+  const Scalar t19 = qdd[1] - t18;
+  const Scalar t20 = c4 * t9 - s4 * t19;
+  const Scalar t21 = qd[3] + t17;
+  const Scalar t22 = qd[1] * c4 + s4 * t3;
+  const Scalar t23 = t21 * t22;
+  const Scalar t24 = (t20 - t23) - t23;
+  const Scalar t25 = qdd[0] * c2;
+  const Scalar t26 = qd[1] * t3;
+  const Scalar t27 = t25 - t26;
+  const Scalar t28 = qdd[3] + t27;
+  const Scalar t29 = c4 * t3 - qd[1] * s4;
+  const Scalar t30 = t22 * t29;
+  const Scalar t31 = t28 + t30;
+  const Scalar t32 = s5 * t24 + c5 * t31;
+  const Scalar t33 = qdd[5] + t32;
+  const Scalar t34 = k[29] * c6 + k[28] * s6;
+  const Scalar t35 = k[28] * c6 - k[29] * s6;
+  const Scalar t36 = s5 * t29 + c5 * t21;
+  const Scalar t37 = qd[5] + t36;
+  const Scalar t38 = t37 * t37;
+  const Scalar t39 = qd[4] - t22;
+  const Scalar t40 = t39 * t39;
+  const Scalar t41 = t38 + t40;
+  const Scalar t42 = k[40] * (s5 * t13 - c5 * t16) - (t33 * t34 + t35 * t41);
+  const Scalar t43 = s4 * t9 + c4 * t19;
+  const Scalar t44 = t21 * t29;
+  const Scalar t45 = t43 + t44;
+  const Scalar t46 = qdd[4] - t45;
+  const Scalar t47 = c5 * t29 - s5 * t21;
+  const Scalar t48 = t36 * t47;
+  const Scalar t49 = t46 + t48;
+  const Scalar t50 = t36 * t36;
+  const Scalar t51 = t42 + (k[30] * t49 - k[20] * (t40 + t50));
+  const Scalar t52 = t40 - t50;
+  const Scalar t53 = t29 * t29;
+  const Scalar t54 = t21 * t21;
+  const Scalar t55 = t53 + t54;
+  const Scalar t56 = t52 + t55;
+  const Scalar t57 = t46 - t48;
+  const Scalar t58 = t37 * t39;
+  const Scalar t59 = s5 * t31 - c5 * t24;
+  const Scalar t60 = t39 * t36;
+  const Scalar t61 = (t59 + t60) + t60;
+  const Scalar t62 = t58 - (t61 - t58);
+  const Scalar t63 = t37 * t47;
+  const Scalar t64 = t63 - (t49 - t63);
+  const Scalar t65 = (t62 * t34 + t64 * t35) - k[40] * (s5 * t16 + c5 * t13);
+  const Scalar t66 = (k[30] * t56 + k[20] * t57) - t65;
+  const Scalar t67 = t22 * t22;
+  const Scalar t68 = t67 - t53;
+  const Scalar t69 = t68 + t55;
+  const Scalar t70 = k[19] * s2 + c2 * t0;
+  const Scalar t71 = t4 * t6 + (t19 * t10 + t70);
+  const Scalar t72 = t25 - t71;
+  const Scalar t73 = qd[0] * qd[0];
+  const Scalar t74 = t73 - t11;
+  const Scalar t75 = c4 * t72 + s4 * t74;
+  const Scalar t76 = (k[38] * t31 + k[37] * t69) - k[39] * t75;
+  const Scalar t77 = (c5 * t51 - s5 * t66) - t76;
+  const Scalar t78 = Scalar(2) * t39 * t47;
+  const Scalar t79 = t33 + t78;
+  const Scalar t80 = t38 - t40;
+  const Scalar t81 = t56 + t80;
+  const Scalar t82 = k[40] * (s4 * t14 + c4 * t15) + (t35 * t79 - t34 * t81);
+  const Scalar t83 = t32 + t78;
+  const Scalar t84 = s4 * t72 - c4 * t74;
+  const Scalar t85 = t28 - t30;
+  const Scalar t86 = k[39] * t84 - (k[37] * t85 - k[38] * t55);
+  const Scalar t87 = (t82 + (k[20] * t83 + k[30] * t61)) - t86;
+  const Scalar t88 = c4 * t77 - s4 * t87;
+  const Scalar t89 = t41 - t81;
+  const Scalar t90 = (k[17] * t89 - k[18] * t49) + (k[16] * t61 - k[15] * t83);
+  const Scalar t91 = wrench[3] * s1 - wrench[4] * c1;
+  const Scalar t92 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t93 = c2 * t92 + wrench[5] * s2;
+  const Scalar t94 = s4 * t91 - c4 * t93;
+  const Scalar t95 = s2 * t92 - wrench[5] * c2;
+  const Scalar t96 = t67 + t53;
+  const Scalar t97 = s2 * t0 - k[19] * c2;
+  const Scalar t98 = k[13] * qdd[2] - (t96 * t10 - t97);
+  const Scalar t99 = t98 - t8;
+  const Scalar t100 = s5 * t99 - c5 * t75;
+  const Scalar t101 = k[27] * c6 - k[26] * s6;
+  const Scalar t102 = k[26] * c6 + k[27] * s6;
+  const Scalar t103 = k[21] * c6 + k[22] * s6;
+  const Scalar t104 = s6 * t103;
+  const Scalar t105 = k[24] - t104;
+  const Scalar t106 = k[23] + t104;
+  const Scalar t107 = k[25] - c6 * t103;
+  const Scalar t108 = (t105 * t79 + t106 * t33) - t107 * t89;
+  const Scalar t109 = (t100 * t34 - t84 * t35) - ((t61 * t101 - t102 * t49) + t108);
+  const Scalar t110 = (s5 * t94 + c5 * t95) + t109;
+  const Scalar t111 = (t90 + k[20] * t84) - t110;
+  const Scalar t112 = k[18] * t52 + (k[16] * t83 - k[31] * t61);
+  const Scalar t113 = s5 * t75 + c5 * t99;
+  const Scalar t114 = t102 * t80 - (t64 * t107 - t62 * t106);
+  const Scalar t115 = (c5 * t94 - s5 * t95) + (t113 * t34 - (t114 - t101 * t79));
+  const Scalar t116 = (k[30] * t84 + (k[17] * t57 + t112)) + t115;
+  const Scalar t117 = k[34] * t68 + (k[35] * t85 + k[36] * t31);
+  const Scalar t118 = ((k[33] * t20 - k[32] * t43) - t117) - (k[38] * t75 + k[37] * t84);
+  const Scalar t119 = (c5 * t111 + s5 * t116) - t118;
+  const Scalar t120 = t45 + t44;
+  const Scalar t121 = (k[32] * t31 - k[33] * (t96 - t69)) + (k[35] * t120 + k[34] * t24);
+  const Scalar t122 = (t62 * t107 - t64 * t105) - (t101 * (t80 + t89) + t102 * t33);
+  const Scalar t123 = (s4 * t93 + c4 * t91) - (t35 * t113 + t122);
+  const Scalar t124 = k[16] * (t52 - t89) - (k[15] * t57 + k[31] * t49);
+  const Scalar t125 = ((k[18] * t32 - k[17] * t59) - t124) - (k[20] * t113 + k[30] * t100);
+  const Scalar t126 = t123 + t125;
+  const Scalar t127 = (t121 - k[37] * t99) + t126;
+  const Scalar t128 = (k[36] * t24 + k[34] * t120) - k[32] * (t67 - t54);
+  const Scalar t129 = (c5 * t116 - s5 * t111) + ((k[33] * t85 - t128) + k[38] * t99);
+  const Scalar t130 = (k[38] * t24 + k[37] * t120) + k[39] * t99;
+  const Scalar t131 = t130 - (s5 * t51 + c5 * t66);
+  const Scalar t132 = k[41] * t11 - ((s4 * t127 - c4 * t129) + t131);
+  const Scalar t133 = (k[41] * t9 - k[14] * (t27 - t26)) + k[42] * t11;
+  const Scalar t134 = (t133 - (s4 * t77 + c4 * t87)) * t10;
+  const Scalar t135 = c2 * (k[14] * t11 - (t88 - t119)) - s2 * (t132 + t134);
+  const Scalar t136 = k[5] * s2 + k[6] * c2;
+  const Scalar t137 = qd[1] * qd[1];
+  const Scalar t138 = qdd[1] * t136 - t137 * (k[6] * s2 - k[5] * c2);
+  const Scalar t139 = k[8] * s2 - k[7] * c2;
+  const Scalar t140 = k[10] + c2 * t139;
+  const Scalar t141 = qdd[0] * (k[9] - s2 * t139) - t140 * t7;
+  const Scalar t142 = t1 * (k[11] * s2 - k[12] * c2) + (t138 - t141);
+  const Scalar t143 = (k[41] * t71 + k[14] * t98) - (c4 * t127 + s4 * t129);
+  const Scalar t144 = k[41] * t19 + k[14] * (t137 + t17 * t17);
+  const Scalar t145 = t143 - (t88 - (t144 + k[42] * t71)) * t10;
+  const Scalar t146 = qdd[0] * t136 - (t73 * t140 + k[43] * qdd[1]);
+  const Scalar t147 = t145 - (t146 - (k[11] * t70 + k[12] * t97));
+  const Scalar t148 = k[42] * t98 + (k[14] * (qdd[1] + t18) - k[41] * t96);
   JointVector<Scalar> result;
-  result[0] = t140 + t141;
-  result[1] = (q[2] * t133 + t142) - t144;
-  result[2] = t128;
-  result[3] = t138;
-  result[4] = -t82;
-  result[5] = t99;
+  result[0] = t2 - (t135 + t142);
+  result[1] = t147;
+  result[2] = k[13] * (t148 + t131);
+  result[3] = -t119;
+  result[4] = t126;
+  result[5] = t110;
   return result;
 }
 
@@ -569,26 +598,26 @@ GravityTorqueWithGravityVectorConstants<Scalar> gravity_torque_with_gravity_vect
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6));
-  const Scalar t1 = (g.d2 * inertia.m2 - inertia.c2y * inertia.m2) - (inertia.c1y * inertia.m1 - g.d2 * inertia.m1);
-  return { gravity[0],
-           gravity[1],
+  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t1 = (g.d2 * inertia.m3 - inertia.c3y * inertia.m3) + g.d2 * t0;
+  const Scalar t2 = (g.d2 * inertia.m2 - inertia.c2y * inertia.m2) - (inertia.c1y * inertia.m1 - g.d2 * inertia.m1);
+  return { gravity[1],
+           gravity[0],
            inertia.c2x * inertia.m2,
            gravity[2],
-           inertia.c3y * inertia.m3,
-           inertia.c3x * inertia.m3,
-           inertia.c4y * inertia.m4 + inertia.c5y * inertia.m5,
-           inertia.c4x * inertia.m4,
            inertia.c6y * inertia.m6,
            inertia.c6x * inertia.m6,
-           inertia.c5x * inertia.m5,
            inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
-           t0,
-           inertia.c3z * inertia.m3 + inertia.c4z * inertia.m4,
-           inertia.c2z * inertia.m2,
-           g.d2 * t0,
+           inertia.c5x * inertia.m5,
+           inertia.c4x * inertia.m4,
+           inertia.c4y * inertia.m4 + inertia.c5y * inertia.m5,
+           inertia.c3x * inertia.m3,
            t1,
-           inertia.c1x * inertia.m1 };
+           inertia.c3z * inertia.m3 + inertia.c4z * inertia.m4,
+           inertia.m3 + t0,
+           inertia.c2z * inertia.m2,
+           inertia.c1x * inertia.m1,
+           t2 };
 }
 
 namespace detail {
@@ -606,36 +635,36 @@ inline JointVector<Scalar> gravity_torque_with_gravity_vector(const JointVector<
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[1] * s1 + k[0] * c1;
-  const Scalar t1 = k[0] * s1 - k[1] * c1;
-  const Scalar t2 = k[3] * c2 - s2 * t0;
-  const Scalar t3 = k[9] * c6 - k[8] * s6;
-  const Scalar t4 = k[3] * s2 + c2 * t0;
-  const Scalar t5 = s4 * t1 - c4 * t4;
-  const Scalar t6 = c5 * t2 - s5 * t5;
-  const Scalar t7 = c5 * t5 + s5 * t2;
-  const Scalar t8 = t3 * t6 + (k[11] * t7 + k[10] * t6);
-  const Scalar t9 = k[7] * t2 + t8;
-  const Scalar t10 = k[8] * c6 + k[9] * s6;
-  const Scalar t11 = c4 * t1 + s4 * t4;
-  const Scalar t12 = t10 * t7 - t11 * t3;
-  const Scalar t13 = t12 - k[10] * t11;
-  const Scalar t14 = t10 * t6 + k[11] * t11;
-  const Scalar t15 = (s5 * t13 + c5 * t14) + k[6] * t2;
-  const Scalar t16 = (s4 * t9 + c4 * t15) + (k[13] * t1 + k[4] * t2);
-  const Scalar t17 = (q[2] * k[12] * t1 + t16) + k[14] * t1;
-  const Scalar t18 = (k[6] * t5 - k[7] * t11) + (c5 * t13 - s5 * t14);
-  const Scalar t19 = ((k[4] * t4 + k[5] * t1) - t18) + k[2] * t1;
-  const Scalar t20 = (s2 * t17 - c2 * t19) + k[15] * t0;
-  const Scalar t21 = (k[5] * t2 - k[13] * t4) - (s4 * t15 - c4 * t9);
-  const Scalar t22 = (q[2] * k[12] * t4 - t21) + (k[14] * t4 - k[2] * t2);
+  const Scalar t0 = k[1] * s1 - k[0] * c1;
+  const Scalar t1 = k[0] * s1 + k[1] * c1;
+  const Scalar t2 = c2 * t1 + k[3] * s2;
+  const Scalar t3 = c4 * t0 + s4 * t2;
+  const Scalar t4 = c4 * t2 - s4 * t0;
+  const Scalar t5 = k[4] * s6 - k[5] * c6;
+  const Scalar t6 = k[4] * c6 + k[5] * s6;
+  const Scalar t7 = k[3] * c2 - s2 * t1;
+  const Scalar t8 = c5 * t4 - s5 * t7;
+  const Scalar t9 = t5 * t3 - t6 * t8;
+  const Scalar t10 = k[7] * t3 - t9;
+  const Scalar t11 = c5 * t7 + s5 * t4;
+  const Scalar t12 = k[6] * t3 + t11 * t6;
+  const Scalar t13 = (k[8] * t3 + k[9] * t4) + (c5 * t10 + s5 * t12);
+  const Scalar t14 = k[2] * t0 + (t13 - (k[11] * t2 - k[10] * t0));
+  const Scalar t15 = k[9] * t7 + (c5 * t12 - s5 * t10);
+  const Scalar t16 = (k[7] * t11 - k[6] * t8) - t11 * t5;
+  const Scalar t17 = t16 + k[8] * t7;
+  const Scalar t18 = (c4 * t15 + s4 * t17) + (k[12] * t0 - k[11] * t7);
+  const Scalar t19 = (q[2] * k[13] * t0 + t18) + k[14] * t0;
+  const Scalar t20 = (k[15] * t0 - k[16] * t1) + (c2 * t14 - s2 * t19);
+  const Scalar t21 = (k[10] * t7 - k[12] * t2) - (s4 * t15 - c4 * t17);
+  const Scalar t22 = (q[2] * k[13] * t2 - t21) - (k[2] * t7 - k[14] * t2);
   JointVector<Scalar> result;
-  result[0] = -(k[16] * t0 - k[17] * t1) - t20;
+  result[0] = t20;
   result[1] = t22;
-  result[2] = -k[12] * t2;
-  result[3] = -t18;
-  result[4] = t8;
-  result[5] = -t12;
+  result[2] = -k[13] * t7;
+  result[3] = t13;
+  result[4] = t16;
+  result[5] = -t9;
   return result;
 }
 
@@ -663,95 +692,107 @@ ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_
   using std::cos;
   using std::sin;
   const Scalar t0 = inertia.c6x * inertia.m6;
-  const Scalar t1 = inertia.I6xy - inertia.c6y * t0;
+  const Scalar t1 = inertia.I6xz - inertia.c6z * t0;
   const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
   const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t0;
   const Scalar t4 = inertia.c6y * inertia.m6;
   const Scalar t5 = (inertia.I6yy - t2) - inertia.c6y * t4;
-  const Scalar t6 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t7 = inertia.c4y * inertia.m4;
-  const Scalar t8 = inertia.c5y * inertia.m5;
-  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t10 = ((inertia.I4yy - t6) - inertia.c4y * t7) - (inertia.c5y * t8 - (inertia.I5yy - t9));
-  const Scalar t11 = t3 + t5;
-  const Scalar t12 = inertia.c5x * inertia.m5;
+  const Scalar t6 = t3 + t5;
+  const Scalar t7 = Scalar(1) / t6;
+  const Scalar t8 = inertia.I6yz - inertia.c6z * t4;
+  const Scalar t9 = inertia.c5y * inertia.m5;
+  const Scalar t10 = inertia.I6xy - inertia.c6y * t0;
+  const Scalar t11 = inertia.c5x * inertia.m5;
+  const Scalar t12 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
   const Scalar t13 = inertia.c6z * inertia.m6;
   const Scalar t14 = inertia.c5z * inertia.m5;
-  const Scalar t15 = (inertia.c6z * t13 - (inertia.I6zz - t2)) + (inertia.c5z * t14 - (inertia.I5zz - t9));
-  const Scalar t16 = inertia.c4x * inertia.m4;
-  const Scalar t17 = Scalar(1) / t11;
-  const Scalar t18 = Scalar(1) / g.d2;
-  const Scalar t19 = g.d2 * g.d2 * (inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)));
-  const Scalar t20 = inertia.c3z * inertia.m3;
-  const Scalar t21 = inertia.c4z * inertia.m4;
-  const Scalar t22 = inertia.c2z * inertia.m2;
-  const Scalar t23 = inertia.c3y * inertia.m3;
-  const Scalar t24 = inertia.c2y * inertia.m2;
-  const Scalar t25 = (inertia.I3yz - inertia.c3z * t23) + (inertia.I2yz - inertia.c2z * t24);
-  const Scalar t26 = inertia.c3x * inertia.m3;
-  const Scalar t27 = g.d2 * t26;
-  const Scalar t28 = inertia.c2x * inertia.m2;
-  const Scalar t29 = (inertia.I3xy - inertia.c3y * t26) + (inertia.I2xy - inertia.c2y * t28);
-  const Scalar t30 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t31 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t32 = (inertia.c3x * t26 - (inertia.I3xx - t30)) + (inertia.c2x * t28 - (inertia.I2xx - t31));
-  const Scalar t33 = ((inertia.I3zz - t30) - inertia.c3z * t20) + ((inertia.I4zz - t6) - inertia.c4z * t21);
-  const Scalar t34 = ((inertia.I2zz - t31) - inertia.c2z * t22) + t33;
-  const Scalar t35 = (inertia.I2xz - inertia.c2z * t28) + (inertia.I3xz - inertia.c3z * t26);
+  const Scalar t15 = (inertia.c6z * t13 - (inertia.I6zz - t2)) + (inertia.c5z * t14 - (inertia.I5zz - t12));
+  const Scalar t16 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t17 = inertia.c4x * inertia.m4;
+  const Scalar t18 = inertia.c4y * inertia.m4;
+  const Scalar t19 = ((inertia.I4yy - t16) - inertia.c4y * t18) - (inertia.c5y * t9 - (inertia.I5yy - t12));
+  const Scalar t20 = Scalar(1) / g.d2;
+  const Scalar t21 = inertia.c3x * inertia.m3;
+  const Scalar t22 = g.d2 * t21;
+  const Scalar t23 = inertia.c2x * inertia.m2;
+  const Scalar t24 = (inertia.I2xz - inertia.c2z * t23) + (inertia.I3xz - inertia.c3z * t21);
+  const Scalar t25 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t26 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t27 = (inertia.c3x * t21 - (inertia.I3xx - t25)) + (inertia.c2x * t23 - (inertia.I2xx - t26));
+  const Scalar t28 = inertia.c3z * inertia.m3;
+  const Scalar t29 = inertia.c4z * inertia.m4;
+  const Scalar t30 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t31 = g.d2 * g.d2 * (inertia.m3 + t30);
+  const Scalar t32 = t20 * t31;
+  const Scalar t33 = inertia.c2z * inertia.m2;
+  const Scalar t34 = ((inertia.I3zz - t25) - inertia.c3z * t28) + ((inertia.I4zz - t16) - inertia.c4z * t29);
+  const Scalar t35 = ((inertia.I2zz - t26) - inertia.c2z * t33) + t34;
   const Scalar t36 = inertia.c1x * inertia.m1;
   const Scalar t37 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
   const Scalar t38 = inertia.c1y * inertia.m1;
   const Scalar t39 = t38 - g.d2 * inertia.m1;
   const Scalar t40 = (inertia.c1y * t38 - (inertia.I1yy - t37)) - g.d2 * (t38 + t39);
-  const Scalar t41 = ((inertia.I3yy - t30) - inertia.c3y * t23) + ((inertia.I2yy - t31) - inertia.c2y * t24);
-  const Scalar t42 = g.d2 * inertia.m2 - t24;
-  return { Scalar(2) * t1,
+  const Scalar t41 = inertia.c2y * inertia.m2;
+  const Scalar t42 = g.d2 * inertia.m2 - t41;
+  const Scalar t43 = g.d2 * (t42 - t41) - ((inertia.I2yy - t26) - inertia.c2y * t41);
+  const Scalar t44 = inertia.c3y * inertia.m3;
+  const Scalar t45 = g.d2 * inertia.m3 - t44;
+  const Scalar t46 = g.d2 * (t45 - t44) - ((inertia.I3yy - t25) - inertia.c3y * t44);
+  const Scalar t47 = g.d2 * t30;
+  const Scalar t48 = g.d2 * t23;
+  const Scalar t49 = ((inertia.I3xy - inertia.c3y * t21) + t22) + (t48 + (inertia.I2xy - inertia.c2y * t23));
+  const Scalar t50 = g.d2 * t29 + (g.d2 * t28 + (inertia.I3yz - inertia.c3z * t44));
+  const Scalar t51 = g.d2 * t33;
+  return { t1 * t7,
+           t8 * t7,
+           t6,
+           inertia.I5yz - inertia.c5z * t9,
+           Scalar(2) * t10,
            t3 - t5,
-           t5,
            t10,
-           t11,
-           inertia.c5x * t12 - (inertia.I5xx - t9),
-           t15,
-           inertia.I6yz - inertia.c6z * t4,
-           inertia.I6xz - inertia.c6z * t0,
-           inertia.I5xz - inertia.c5z * t12,
-           Scalar(2) * t15,
-           (inertia.I4xx - t6) - inertia.c4x * t16,
-           t17,
-           inertia.I5yz - inertia.c5z * t8,
+           inertia.I5xy - inertia.c5y * t11,
+           t8,
            t1,
-           inertia.I5xy - inertia.c5y * t12,
+           t7,
+           t3,
+           inertia.c5x * t11 - (inertia.I5xx - t12),
+           t15,
+           Scalar(2) * t15,
+           inertia.I5xz - inertia.c5z * t11,
+           (inertia.I4xx - t16) - inertia.c4x * t17,
+           t19,
+           g.d2 * (t14 + t13),
            g.d2 * t0,
            g.d2 * t4,
-           t18,
-           g.d2 * (t14 + t13),
-           g.d2 * t12,
-           g.d2 * t16,
-           g.d2 * (t7 + t8),
-           inertia.I4yz - inertia.c4z * t7,
-           inertia.I4xz - inertia.c4z * t16,
-           t19,
-           g.d2 * (t20 + t21),
-           g.d2 * t22,
-           g.d2 * t23,
-           t25,
+           g.d2 * t11,
+           t20,
+           g.d2 * t17,
+           g.d2 * (t18 + t9),
+           inertia.I4yz - inertia.c4z * t18,
+           inertia.I4xz - inertia.c4z * t17,
+           t22,
+           t24,
+           inertia.I4xy - inertia.c4y * t17,
            t27,
-           g.d2 * t28,
-           inertia.I4xy - inertia.c4y * t16,
-           t29,
-           t18 * t17,
-           t18 * t18 * t19,
+           g.d2 * (t28 + t29),
            t32,
-           t34,
            t35,
            inertia.c1x * t36 - (inertia.I1xx - t37),
-           t40 - (t41 - g.d2 * (t42 - t24)),
-           gravity[2] / g.d2,
-           gravity[1] / g.d2,
+           t40 + (t43 + (t46 + g.d2 * t47)),
+           t20 * t7,
+           g.d2 * (t45 + t47),
+           t20 * t32,
+           t49,
+           t50 + (t51 + (inertia.I2yz - inertia.c2z * t41)),
            gravity[0] / g.d2,
-           Scalar(2) * t35,
-           t32 + t34,
-           Scalar(2) * t27,
+           gravity[1] / g.d2,
+           gravity[2] / g.d2,
+           Scalar(2) * t20,
+           t31,
+           t51,
+           t48,
+           t27 + t35,
+           Scalar(2) * t22,
            g.d2 * (t42 - t39),
            g.d2 * t36 };
 }
@@ -772,236 +813,232 @@ inline JointVector<Scalar> forward_dynamics_with_gravity_vector(const JointVecto
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[17] * c6 + k[16] * s6;
-  const Scalar t1 = s5 * t0;
-  const Scalar t2 = k[34] * t1;
-  const Scalar t3 = k[4] * t2;
-  const Scalar t4 = k[7] * c6 + k[8] * s6;
-  const Scalar t5 = k[12] * t4;
-  const Scalar t6 = k[0] * c6 + k[1] * s6;
-  const Scalar t7 = k[2] + s6 * t6;
-  const Scalar t8 = k[4] - t7;
-  const Scalar t9 = k[6] - (k[5] - t8);
-  const Scalar t10 = k[10] - t9;
-  const Scalar t11 = Scalar(1) / (t4 * t5 + t10);
-  const Scalar t12 = k[17] * s6 - k[16] * c6;
-  const Scalar t13 = k[20] - t12;
-  const Scalar t14 = c5 * t13 + k[19] * s5;
-  const Scalar t15 = k[18] * t14 - t5 * t3;
-  const Scalar t16 = t11 * t15;
-  const Scalar t17 = k[13] + t4;
-  const Scalar t18 = k[14] - c6 * t6;
-  const Scalar t19 = k[15] - t18;
+  const Scalar t0 = k[4] * c6 + k[5] * s6;
+  const Scalar t1 = k[11] - s6 * t0;
+  const Scalar t2 = k[12] - t1;
+  const Scalar t3 = k[13] - t2;
+  const Scalar t4 = k[14] - t3;
+  const Scalar t5 = k[0] * s6 + k[1] * c6;
+  const Scalar t6 = k[2] * t5;
+  const Scalar t7 = Scalar(1) / (t4 + t5 * t6);
+  const Scalar t8 = k[19] * s6 + k[20] * c6;
+  const Scalar t9 = s5 * t8;
+  const Scalar t10 = k[36] * t9;
+  const Scalar t11 = k[2] * t10;
+  const Scalar t12 = k[19] * c6 - k[20] * s6;
+  const Scalar t13 = k[21] + t12;
+  const Scalar t14 = k[18] * s5 + c5 * t13;
+  const Scalar t15 = t5 * t11 - k[22] * t14;
+  const Scalar t16 = t7 * t15;
+  const Scalar t17 = k[3] + t6;
+  const Scalar t18 = k[6] - c6 * t0;
+  const Scalar t19 = k[7] - t18;
   const Scalar t20 = c5 * t17 - s5 * t19;
-  const Scalar t21 = k[8] * c6 - k[7] * s6;
-  const Scalar t22 = k[4] * c5 + s5 * t21;
-  const Scalar t23 = k[12] * t22;
-  const Scalar t24 = t20 - t4 * t23;
-  const Scalar t25 = t24 * t11;
-  const Scalar t26 = k[9] + t21;
-  const Scalar t27 = Scalar(2) * c5 * t26 - s5 * t9;
-  const Scalar t28 = k[6] + s5 * t27;
-  const Scalar t29 = k[11] - (t10 - t28);
-  const Scalar t30 = k[3] + t7;
-  const Scalar t31 = t29 + t30;
-  const Scalar t32 = Scalar(1) / (t24 * t25 - (t23 * t22 - t31));
-  const Scalar t33 = t2 * t22 - t24 * t16;
-  const Scalar t34 = t32 * t33;
-  const Scalar t35 = ((k[35] + t2 * t3) - t16 * t15) + t34 * t33;
-  const Scalar t36 = Scalar(1) / t35;
-  const Scalar t37 = k[18] * q[2];
-  const Scalar t38 = k[19] * c5 - s5 * t13;
-  const Scalar t39 = c5 * t19 + s5 * t17;
-  const Scalar t40 = t37 * s4 * t38 - (c4 * t39 - s4 * t10);
-  const Scalar t41 = c4 * t38;
-  const Scalar t42 = s2 * (t40 - t14) - c2 * (t20 + t41);
-  const Scalar t43 = c5 * t0;
-  const Scalar t44 = c4 * t43 - s4 * t12;
-  const Scalar t45 = k[4] * s5 - c5 * t21;
-  const Scalar t46 = (s4 * t4 + c4 * t45) - t37 * (c4 * t12 + s4 * t43);
-  const Scalar t47 = c2 * (t44 + t22) + s2 * (t1 + t46);
-  const Scalar t48 = k[12] * t47;
-  const Scalar t49 = t42 + t4 * t48;
-  const Scalar t50 = k[21] + t14;
-  const Scalar t51 = k[22] + t0;
-  const Scalar t52 = s4 * t50 + c4 * t51;
-  const Scalar t53 = k[23] + t20;
-  const Scalar t54 = k[24] - (t26 - c5 * t27);
-  const Scalar t55 = s4 * t53 - c4 * t54;
-  const Scalar t56 = c4 * t50 - s4 * t51;
-  const Scalar t57 = c2 * (t52 + t31) + s2 * (t55 + t37 * t56);
-  const Scalar t58 = t49 * t25 + (t47 * t23 - t57);
-  const Scalar t59 = t32 * t58;
-  const Scalar t60 = t49 * t11;
-  const Scalar t61 = k[28] + t52;
-  const Scalar t62 = k[25] - t61;
-  const Scalar t63 = t60 * t15 + (k[18] * s2 * t62 + t47 * t2);
-  const Scalar t64 = t59 * t33 + t63;
-  const Scalar t65 = t36 * t64;
-  const Scalar t66 = qd[0] * qd[0];
-  const Scalar t67 = k[42] * c1 - k[43] * s1;
-  const Scalar t68 = t66 - t67;
-  const Scalar t69 = qd[0] * qd[1];
-  const Scalar t70 = t69 + t69;
-  const Scalar t71 = c2 * t70;
-  const Scalar t72 = qd[0] * s2;
-  const Scalar t73 = k[18] * qd[2];
-  const Scalar t74 = (t68 - t71 * t37) - Scalar(2) * t72 * t73;
-  const Scalar t75 = k[42] * s1 + k[43] * c1;
-  const Scalar t76 = k[41] * s2 + c2 * t75;
-  const Scalar t77 = qd[0] * c2;
-  const Scalar t78 = t72 * t77;
-  const Scalar t79 = Scalar(2) * qd[1] * t73 + (t76 - t78 * t37);
-  const Scalar t80 = c4 * t74 + s4 * t79;
-  const Scalar t81 = s4 * t74 - c4 * t79;
-  const Scalar t82 = qd[1] * qd[1];
-  const Scalar t83 = t66 + t82;
-  const Scalar t84 = t77 * t77;
-  const Scalar t85 = t83 - t84;
-  const Scalar t86 = s2 * t75 - k[41] * c2;
-  const Scalar t87 = t85 * t37 - t86;
-  const Scalar t88 = c5 * t81 + s5 * t87;
-  const Scalar t89 = qd[1] * c4 + s4 * t72;
-  const Scalar t90 = qd[4] - t89;
-  const Scalar t91 = c4 * t72;
-  const Scalar t92 = t91 - qd[1] * s4;
-  const Scalar t93 = qd[3] + t77;
-  const Scalar t94 = s5 * t92 + c5 * t93;
-  const Scalar t95 = t90 * t94;
-  const Scalar t96 = s2 * t69;
-  const Scalar t97 = t89 * t92;
-  const Scalar t98 = t96 - t97;
-  const Scalar t99 = c4 * t71 + s4 * t78;
-  const Scalar t100 = t99 - Scalar(2) * t93 * t89;
-  const Scalar t101 = s5 * t98 + c5 * t100;
-  const Scalar t102 = t95 - (t101 - t95);
-  const Scalar t103 = s4 * t71 - t91 * t77;
-  const Scalar t104 = t93 * t92;
-  const Scalar t105 = t103 + t104;
-  const Scalar t106 = c5 * t92 - s5 * t93;
-  const Scalar t107 = t94 * t106;
-  const Scalar t108 = t105 - t107;
-  const Scalar t109 = t90 * t106;
-  const Scalar t110 = c5 * t98 - s5 * t100;
-  const Scalar t111 = t109 + (t109 - t110);
-  const Scalar t112 = t90 * t90;
-  const Scalar t113 = t106 * t106;
-  const Scalar t114 = t112 - t113;
-  const Scalar t115 = (t111 * t8 - t7 * t110) - t114 * t18;
-  const Scalar t116 = (t80 * t12 + t88 * t0) + ((t102 * t21 + t4 * t108) + t115);
-  const Scalar t117 = torque[5] + t116;
-  const Scalar t118 = t105 + t107;
-  const Scalar t119 = t112 + t113;
-  const Scalar t120 = t92 * t92;
-  const Scalar t121 = t93 * t93;
-  const Scalar t122 = t120 + t121;
-  const Scalar t123 = t119 - t122;
-  const Scalar t124 = (k[6] * t108 + k[5] * t118) + k[9] * (t123 - t114);
-  const Scalar t125 = s5 * t81 - c5 * t87;
-  const Scalar t126 = (t124 + (k[13] * t110 - k[15] * t101)) - (k[19] * t88 - k[20] * t125);
-  const Scalar t127 = qd[5] + t94;
-  const Scalar t128 = t127 * t127 + t113;
-  const Scalar t129 = t128 - t119;
-  const Scalar t130 = t129 + t114;
-  const Scalar t131 = t127 * t106;
-  const Scalar t132 = t131 + (t131 + t108);
-  const Scalar t133 = Scalar(2) * t127 * t90 - t102;
-  const Scalar t134 = (t4 * t110 - t130 * t21) - (t8 * t132 - t133 * t18);
-  const Scalar t135 = t126 + (t134 - t12 * t125);
-  const Scalar t136 = t5 * t117 + (torque[4] + t135);
-  const Scalar t137 = t136 * t11;
-  const Scalar t138 = k[12] * t117;
-  const Scalar t139 = t96 + t97;
-  const Scalar t140 = t85 - t122;
-  const Scalar t141 = t120 - t121;
-  const Scalar t142 = (k[3] * t98 + k[11] * t139) - k[32] * (t140 - t141);
-  const Scalar t143 = ((k[23] * t103 - k[24] * t99) - t142) + (k[22] * t81 - k[21] * t80);
-  const Scalar t144 = (k[9] * t111 - k[6] * t102) + k[13] * t123;
-  const Scalar t145 = t4 * t129 - (t132 * t18 - t133 * t7);
-  const Scalar t146 = ((k[15] * t118 - t144) + k[19] * t80) + ((t145 - t111 * t21) - t125 * t0);
-  const Scalar t147 = (k[5] * t111 - k[9] * t102) - (k[15] * t114 + k[13] * t108);
-  const Scalar t148 = (t147 + k[20] * t80) - t116;
-  const Scalar t149 = t143 - (s5 * t146 + c5 * t148);
-  const Scalar t150 = t24 * t137 + (t138 * t22 - (torque[3] + t149));
-  const Scalar t151 = t32 * t150;
-  const Scalar t152 = (k[30] * t78 - k[26] * t85) - k[25] * t87;
-  const Scalar t153 = t105 + t104;
-  const Scalar t154 = (k[19] * t108 + k[20] * (t114 + t122)) - (t110 * t0 + t12 * (t130 + t119));
-  const Scalar t155 = (t133 * t0 - t12 * t132) - (k[19] * t119 - k[20] * t118);
-  const Scalar t156 = (k[21] * t153 + k[22] * t100) + (s5 * t154 + c5 * t155);
-  const Scalar t157 = t152 + t156;
-  const Scalar t158 = (t138 * t3 + (torque[2] - k[18] * t157)) + t136 * t16;
-  const Scalar t159 = t151 * t33 + t158;
-  const Scalar t160 = k[27] * s2 - k[31] * c2;
-  const Scalar t161 = k[38] - c2 * (k[44] * c2 - k[45] * s2);
-  const Scalar t162 = (k[33] * c2 - k[29] * s2) * t82 + t70 * t161;
-  const Scalar t163 = (s5 * t155 - c5 * t154) - (k[21] * (t85 - t141) - k[22] * t98);
-  const Scalar t164 = (t12 * t111 + t128 * t0) - (k[20] * t111 + k[19] * t102);
-  const Scalar t165 = t164 + (k[22] * t122 + k[21] * t139);
-  const Scalar t166 = (k[30] * (t82 + t84) - k[26] * t78) + k[25] * t79;
-  const Scalar t167 = (c4 * t163 + s4 * t165) - t166;
-  const Scalar t168 = t167 - (t149 - (k[28] * t79 + k[30] * t74));
-  const Scalar t169 = (k[11] * t153 + k[32] * t100) - (k[23] * t98 + k[24] * t141);
-  const Scalar t170 = t135 - (t169 + k[21] * t87);
-  const Scalar t171 = (k[32] * t153 + k[3] * t100) - k[23] * t140;
-  const Scalar t172 = ((t171 + k[24] * t139) + k[22] * t87) + (c5 * t146 - s5 * t148);
-  const Scalar t173 = (s4 * t170 - c4 * t172) - (k[26] * t74 + k[28] * t87);
-  const Scalar t174 = k[26] * t71 + (k[46] * t96 + k[28] * t66);
-  const Scalar t175 = (s4 * t163 - c4 * t165) - (t174 - k[25] * t74);
-  const Scalar t176 = c2 * t168 + s2 * ((t173 - t175 * t37) - t157);
-  const Scalar t177 = ((t68 * t160 + t162) - t176) - t83 * t160;
-  const Scalar t178 = torque[0] + (t177 + (k[48] * t67 + k[47] * t75));
-  const Scalar t179 = (t49 * t137 + (t178 - t48 * t117)) - t151 * t58;
-  const Scalar t180 = (s4 * t45 - c4 * t4) + t44 * t37;
-  const Scalar t181 = t41 * t37 + (c4 * t10 + s4 * t39);
-  const Scalar t182 = t5 * t180 - t181;
-  const Scalar t183 = c4 * t53 + s4 * t54;
-  const Scalar t184 = k[12] * t180;
-  const Scalar t185 = t182 * t25 - ((t52 * t37 - t183) - t22 * t184);
-  const Scalar t186 = t32 * t185;
-  const Scalar t187 = k[26] + t38;
-  const Scalar t188 = t187 + k[25] * t37;
-  const Scalar t189 = k[37] - (t37 * (t187 + t188) + t28);
-  const Scalar t190 = k[32] + t39;
-  const Scalar t191 = c4 * t190;
-  const Scalar t192 = s4 * (t29 - t30) + (t191 + t191);
-  const Scalar t193 = s4 * t192;
-  const Scalar t194 = k[36] - (t29 - t193);
-  const Scalar t195 = t182 * t11;
-  const Scalar t196 = ((t189 - t194) - t180 * t184) + t182 * t195;
-  const Scalar t197 = k[30] + t56;
-  const Scalar t198 = k[18] * t197;
-  const Scalar t199 = t185 * t34 + ((t2 * t180 + t198) + t182 * t16);
-  const Scalar t200 = t36 * t199;
-  const Scalar t201 = Scalar(1) / ((t186 * t185 - t196) - t200 * t199);
-  const Scalar t202 = (k[27] + t188) + (k[29] - (t61 * t37 - t183));
-  const Scalar t203 = (k[31] + t197) + (k[33] + (c4 * t192 - t190));
-  const Scalar t204 = (c2 * t202 + s2 * t203) + t47 * t184;
-  const Scalar t205 = ((t204 - t182 * t60) + t185 * t59) - t200 * t64;
-  const Scalar t206 = t201 * t205;
-  const Scalar t207 = (k[27] * t76 + k[31] * t86) + t66 * t161;
-  const Scalar t208 = (k[30] * t87 - k[26] * t79) - (s4 * t172 + c4 * t170);
-  const Scalar t209 = (torque[1] - (t207 - (t167 * t37 + t208))) + t117 * t184;
-  const Scalar t210 = t200 * t159 - (t186 * t150 + (t209 - t182 * t137));
-  const Scalar t211 = Scalar(2) * c2 * (k[38] - (t55 + q[2] * t198));
-  const Scalar t212 = s2 * (t211 - s2 * (t189 + t194)) + t194;
-  const Scalar t213 = (k[40] + ((t62 - t61) - (t193 + t30))) + (k[39] + t212);
-  const Scalar t214 = (t49 * t60 - (t213 + t47 * t48)) - t58 * t59;
-  const Scalar t215 = Scalar(1) / (t206 * t205 + (t65 * t64 + t214));
-  const Scalar t216 = ((t65 * t159 + t179) - t206 * t210) * t215;
-  const Scalar t217 = t206 * t216 + t201 * t210;
-  const Scalar t218 = (t36 * t159 - t65 * t216) + t200 * t217;
-  const Scalar t219 = t218 * t34 - ((t151 - t59 * t216) + t186 * t217);
-  const Scalar t220 = ((t60 * t216 - t137) - t195 * t217) - t16 * t218;
-  const Scalar t221 = t220 - t25 * t219;
-  const Scalar t222 = (t184 * t217 - (t48 * t216 - t138)) - t2 * t218;
+  const Scalar t21 = k[9] * c6 - k[8] * s6;
+  const Scalar t22 = c5 + k[10] * s5 * t21;
+  const Scalar t23 = k[2] * t22;
+  const Scalar t24 = t20 - t5 * t23;
+  const Scalar t25 = t16 * t24 + t11 * t22;
+  const Scalar t26 = k[15] + t21;
+  const Scalar t27 = s5 * t3 - c5 * Scalar(2) * t26;
+  const Scalar t28 = t2 + s5 * t27;
+  const Scalar t29 = k[16] - t28;
+  const Scalar t30 = k[2] - t1;
+  const Scalar t31 = k[17] + t30;
+  const Scalar t32 = t29 + t31;
+  const Scalar t33 = t7 * t24;
+  const Scalar t34 = Scalar(1) / ((t22 * t23 - t32) - t33 * t24);
+  const Scalar t35 = t25 * t34;
+  const Scalar t36 = t35 * t25 + (t15 * t16 - (k[38] + t11 * t10));
+  const Scalar t37 = Scalar(1) / t36;
+  const Scalar t38 = c5 * t21 - k[2] * s5;
+  const Scalar t39 = c5 * t8;
+  const Scalar t40 = s4 * t12 + c4 * t39;
+  const Scalar t41 = k[22] * q[2];
+  const Scalar t42 = (s4 * t38 + c4 * t6) - t40 * t41;
+  const Scalar t43 = k[10] * t42;
+  const Scalar t44 = k[23] + t14;
+  const Scalar t45 = k[24] + t8;
+  const Scalar t46 = c4 * t44 - s4 * t45;
+  const Scalar t47 = k[22] * (k[27] + t46);
+  const Scalar t48 = k[18] * c5 - s5 * t13;
+  const Scalar t49 = c4 * t48;
+  const Scalar t50 = s5 * t17 + c5 * t19;
+  const Scalar t51 = t41 * t49 + (c4 * t4 + s4 * t50);
+  const Scalar t52 = t6 * t43 + t51;
+  const Scalar t53 = t7 * t52;
+  const Scalar t54 = s4 * t44 + c4 * t45;
+  const Scalar t55 = k[26] - (t26 + c5 * t27);
+  const Scalar t56 = k[25] + t20;
+  const Scalar t57 = s4 * t55 + c4 * t56;
+  const Scalar t58 = t33 * t52 + (t42 * t22 + (t54 * t41 - t57));
+  const Scalar t59 = ((t11 * t43 - t47) - t15 * t53) - t35 * t58;
+  const Scalar t60 = t37 * t59;
+  const Scalar t61 = k[29] + t50;
+  const Scalar t62 = s4 * Scalar(2) * t61 - c4 * (t29 - t31);
+  const Scalar t63 = c4 * t62 - t31;
+  const Scalar t64 = k[30] + t63;
+  const Scalar t65 = k[31] + t48;
+  const Scalar t66 = (t65 + (t65 + k[32] * q[2])) * t41 + (t4 - t28);
+  const Scalar t67 = k[33] - t66;
+  const Scalar t68 = (t42 * t43 + (t64 - t67)) - t52 * t53;
+  const Scalar t69 = t58 * t34;
+  const Scalar t70 = Scalar(1) / (t60 * t59 + (t68 - t58 * t69));
+  const Scalar t71 = qd[0] * s2;
+  const Scalar t72 = k[44] * qd[2];
+  const Scalar t73 = qd[0] * qd[1];
+  const Scalar t74 = Scalar(2) * t73;
+  const Scalar t75 = c2 * t74;
+  const Scalar t76 = k[41] * s1 - k[42] * c1;
+  const Scalar t77 = t71 * t72 + (t75 * t41 - t76);
+  const Scalar t78 = qd[0] * qd[0];
+  const Scalar t79 = t77 - t78;
+  const Scalar t80 = qd[0] * c2;
+  const Scalar t81 = t71 * t80;
+  const Scalar t82 = k[42] * s1 + k[41] * c1;
+  const Scalar t83 = k[43] * s2 + c2 * t82;
+  const Scalar t84 = qd[1] * t72 - (t81 * t41 - t83);
+  const Scalar t85 = c4 * t79 - s4 * t84;
+  const Scalar t86 = c4 * t71 - qd[1] * s4;
+  const Scalar t87 = qd[3] + t80;
+  const Scalar t88 = c5 * t86 - s5 * t87;
+  const Scalar t89 = t88 * t88;
+  const Scalar t90 = s5 * t86 + c5 * t87;
+  const Scalar t91 = t90 * t90;
+  const Scalar t92 = t89 + t91;
+  const Scalar t93 = qd[1] * c4 + s4 * t71;
+  const Scalar t94 = t93 * t93;
+  const Scalar t95 = t87 * t87;
+  const Scalar t96 = t94 - t95;
+  const Scalar t97 = t92 + t96;
+  const Scalar t98 = s2 * t82 - k[43] * c2;
+  const Scalar t99 = t97 * t41 - t98;
+  const Scalar t100 = s4 * t79 + c4 * t84;
+  const Scalar t101 = s5 * t99 - c5 * t100;
+  const Scalar t102 = qd[5] + t90;
+  const Scalar t103 = t102 * t102;
+  const Scalar t104 = t103 + t89;
+  const Scalar t105 = qd[4] - t93;
+  const Scalar t106 = t105 * t105;
+  const Scalar t107 = t103 + t106;
+  const Scalar t108 = t104 - t107;
+  const Scalar t109 = c4 * t75 + s4 * t81;
+  const Scalar t110 = t109 - (t87 + t87) * t93;
+  const Scalar t111 = s2 * t73;
+  const Scalar t112 = t93 * t86;
+  const Scalar t113 = t111 - t112;
+  const Scalar t114 = s5 * t110 - c5 * t113;
+  const Scalar t115 = Scalar(2) * t105;
+  const Scalar t116 = t115 * t88 + t114;
+  const Scalar t117 = t108 * t18 + (t30 * t114 + t116 * t1);
+  const Scalar t118 = s5 * t113 + c5 * t110;
+  const Scalar t119 = t118 - t115 * t90;
+  const Scalar t120 = t90 * t88;
+  const Scalar t121 = c4 * t81 - s4 * t75;
+  const Scalar t122 = t87 * t86;
+  const Scalar t123 = t121 - t122;
+  const Scalar t124 = t120 + t123;
+  const Scalar t125 = (t12 * t85 + t101 * t8) + (t117 - (t21 * t119 + t6 * t124));
+  const Scalar t126 = torque[5] + t125;
+  const Scalar t127 = k[10] * t126;
+  const Scalar t128 = s5 * t100 + c5 * t99;
+  const Scalar t129 = t102 * t88;
+  const Scalar t130 = (t124 - t129) - t129;
+  const Scalar t131 = t115 * t102 + t119;
+  const Scalar t132 = t103 - t89;
+  const Scalar t133 = (t130 * t1 + t131 * t18) - (t21 * t132 + t6 * t114);
+  const Scalar t134 = t120 - t123;
+  const Scalar t135 = t89 - t91;
+  const Scalar t136 = (k[13] * t124 - k[12] * t134) - k[15] * t135;
+  const Scalar t137 = (t136 + (k[3] * t114 + k[7] * t118)) + (k[21] * t128 + k[18] * t101);
+  const Scalar t138 = (t12 * t128 - t133) + t137;
+  const Scalar t139 = t6 * t127 + (torque[4] - t138);
+  const Scalar t140 = t94 + t95;
+  const Scalar t141 = t97 - t140;
+  const Scalar t142 = t111 + t112;
+  const Scalar t143 = k[29] * (t141 - t96) + (k[17] * t113 + k[16] * t142);
+  const Scalar t144 = ((k[26] * t109 + k[25] * t121) + t143) - (k[23] * t85 - k[24] * t100);
+  const Scalar t145 = (k[12] * t116 + k[15] * t119) + (k[7] * t108 + k[3] * t124);
+  const Scalar t146 = t125 - (t145 - k[21] * t85);
+  const Scalar t147 = t132 - t107;
+  const Scalar t148 = (t104 + t147) * t6 + (t131 * t30 + t130 * t18);
+  const Scalar t149 = k[3] * (t108 - t135) - (k[13] * t119 + k[15] * t116);
+  const Scalar t150 = (t8 * t128 - (t21 * t116 - t148)) + ((k[7] * t134 + t149) - k[18] * t85);
+  const Scalar t151 = t144 - (c5 * t146 - s5 * t150);
+  const Scalar t152 = t33 * t139 - ((torque[3] - t151) - t126 * t22);
+  const Scalar t153 = t152 * t34;
+  const Scalar t154 = (k[27] * t81 - k[31] * t97) - k[45] * t99;
+  const Scalar t155 = (t131 * t8 - t12 * t130) + (k[18] * t147 + k[21] * t134);
+  const Scalar t156 = (t12 * t107 + t8 * t114) - (k[18] * t124 - k[21] * (t106 + t91));
+  const Scalar t157 = t123 - t122;
+  const Scalar t158 = (c5 * t155 + s5 * t156) - (k[23] * t157 - k[24] * t110);
+  const Scalar t159 = (torque[2] - k[22] * (t154 + t158)) + t126 * t10;
+  const Scalar t160 = t7 * t139;
+  const Scalar t161 = t25 * t153 - (t159 - t15 * t160);
+  const Scalar t162 = c2 + c2;
+  const Scalar t163 = k[28] + c2 * (k[48] * s2 - k[28] * t162);
+  const Scalar t164 = (k[47] * t98 + k[46] * t83) + t163 * t78;
+  const Scalar t165 = qd[1] * qd[1];
+  const Scalar t166 = k[31] * t81 - k[27] * (t165 + t80 * t80);
+  const Scalar t167 = (c5 * t156 - s5 * t155) + (k[23] * t140 - k[24] * t113);
+  const Scalar t168 = (t12 * t116 - t104 * t8) + (k[21] * t116 - k[18] * t119);
+  const Scalar t169 = (k[24] * t92 + k[23] * t142) - t168;
+  const Scalar t170 = c4 * t167 - s4 * t169;
+  const Scalar t171 = (k[25] * t113 + k[26] * t141) - (k[29] * t110 - k[16] * t157);
+  const Scalar t172 = (t171 - k[23] * t99) - t138;
+  const Scalar t173 = (k[29] * t157 - k[17] * t110) + k[25] * t96;
+  const Scalar t174 = (c5 * t150 + s5 * t146) + (k[24] * t99 + (k[26] * t142 - t173));
+  const Scalar t175 = (k[27] * t99 - k[31] * t84) - (c4 * t172 + s4 * t174);
+  const Scalar t176 = t41 * ((k[45] * t84 - t166) + t170) - t175;
+  const Scalar t177 = (t126 * t43 - (torque[1] - (t164 + t176))) - t139 * t53;
+  const Scalar t178 = t70 * (t161 * t60 - (t177 - t152 * t69));
+  const Scalar t179 = c4 * t55 - s4 * t56;
+  const Scalar t180 = s2 * (t179 - t46 * t41) - c2 * (t54 + t32);
+  const Scalar t181 = (t9 + (s4 * t6 - c4 * t38)) + (c4 * t12 - s4 * t39) * t41;
+  const Scalar t182 = c2 * (t40 + t23) + s2 * t181;
+  const Scalar t183 = k[10] * t182;
+  const Scalar t184 = (t14 - (s4 * t4 - c4 * t50)) - s4 * t48 * t41;
+  const Scalar t185 = (c2 * (t20 + t49) + s2 * t184) - t5 * t182;
+  const Scalar t186 = t7 * t185;
+  const Scalar t187 = (t180 + t23 * t183) - t186 * t24;
+  const Scalar t188 = k[37] - t54;
+  const Scalar t189 = t185 * t16 + (t11 * t183 + k[22] * s2 * t188);
+  const Scalar t190 = t35 * t187 - t189;
+  const Scalar t191 = t187 * t34;
+  const Scalar t192 = s2 * (k[39] + (t46 - (s4 * t62 - t61)));
+  const Scalar t193 = c2 * (k[40] + ((t48 + t57) + t41 * t188));
+  const Scalar t194 = (t43 * t182 - (t192 + t193)) + t53 * t185;
+  const Scalar t195 = t60 * t190 + (t191 * t58 - t194);
+  const Scalar t196 = t37 * t190;
+  const Scalar t197 = (k[37] * t99 + k[31] * t77) - ((c4 * t174 - s4 * t172) + t158);
+  const Scalar t198 = k[31] * t75 + (k[49] * t111 - k[37] * t78);
+  const Scalar t199 = (c4 * t169 + s4 * t167) + (t198 + k[45] * t77);
+  const Scalar t200 = (k[27] * t77 + k[37] * t84) - (t151 - t170);
+  const Scalar t201 = s2 * (t197 + t199 * t41) - c2 * t200;
+  const Scalar t202 = t165 * (k[39] * c2 - k[40] * s2) + t163 * t74;
+  const Scalar t203 = t202 + (k[46] * s2 - k[47] * c2) * t76;
+  const Scalar t204 = (t201 - t203) - (k[50] * t82 - k[51] * t76);
+  const Scalar t205 = ((torque[0] - t204) - t126 * t183) - t139 * t186;
+  const Scalar t206 = t178 * t195 - (t161 * t196 - (t187 * t153 + t205));
+  const Scalar t207 = t195 * t70;
+  const Scalar t208 = (k[28] + (t179 - q[2] * t47)) * t162 - s2 * (t64 + t67);
+  const Scalar t209 = (k[34] + (t64 + s2 * t208)) + (k[35] - ((t63 + t32) + (t54 + t54)));
+  const Scalar t210 = t191 * t187 - ((t209 + t182 * t183) - t186 * t185);
+  const Scalar t211 = Scalar(1) / (t195 * t207 - (t190 * t196 - t210));
+  const Scalar t212 = t206 * t211;
+  const Scalar t213 = t178 - t212 * t207;
+  const Scalar t214 = (t161 * t37 - t212 * t196) - t60 * t213;
+  const Scalar t215 = t35 * t214 - (t213 * t69 - (t191 * t212 - t153));
+  const Scalar t216 = (t213 * t53 + (t212 * t186 + t160)) - t214 * t16;
+  const Scalar t217 = t33 * t215 - t216;
+  const Scalar t218 = t214 * t10 + ((t212 * t183 - t127) - t213 * t43);
   JointVector<Scalar> result;
-  result[0] = -t216;
-  result[1] = -t217;
-  result[2] = t218;
-  result[3] = -t219;
-  result[4] = -t221;
-  result[5] = -(t222 - t23 * t219) - t5 * t221;
+  result[0] = -t212;
+  result[1] = t213;
+  result[2] = t214;
+  result[3] = t215;
+  result[4] = -t217;
+  result[5] = -(t22 * t215 - t218) - t5 * t217;
   return result;
 }
 
@@ -1030,100 +1067,111 @@ ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constant
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = Scalar(1) / g.d2;
-  const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = inertia.c6y * inertia.m6;
-  const Scalar t3 = inertia.c4y * inertia.m4;
-  const Scalar t4 = inertia.c5y * inertia.m5;
-  const Scalar t5 = inertia.c5z * inertia.m5;
-  const Scalar t6 = inertia.c6z * inertia.m6;
+  const Scalar t0 = inertia.c6x * inertia.m6;
+  const Scalar t1 = inertia.I6xy - inertia.c6y * t0;
+  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t0;
+  const Scalar t4 = inertia.c6y * inertia.m6;
+  const Scalar t5 = (inertia.I6yy - t2) - inertia.c6y * t4;
+  const Scalar t6 = t3 + t5;
   const Scalar t7 = inertia.c5x * inertia.m5;
-  const Scalar t8 = inertia.c4x * inertia.m4;
-  const Scalar t9 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t10 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t11 = (inertia.I6xx - t10) - inertia.c6x * t1;
-  const Scalar t12 = (inertia.I6yy - t10) - inertia.c6y * t2;
-  const Scalar t13 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t14 = (inertia.c6z * t6 - (inertia.I6zz - t10)) + (inertia.c5z * t5 - (inertia.I5zz - t13));
-  const Scalar t15 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t16 = ((inertia.I4yy - t15) - inertia.c4y * t3) - (inertia.c5y * t4 - (inertia.I5yy - t13));
-  const Scalar t17 = t11 + t12;
-  const Scalar t18 = inertia.c3y * inertia.m3;
-  const Scalar t19 = inertia.c2y * inertia.m2;
-  const Scalar t20 = (inertia.I3yz - inertia.c3z * t18) + (inertia.I2yz - inertia.c2z * t19);
-  const Scalar t21 = inertia.c3z * inertia.m3;
-  const Scalar t22 = inertia.c4z * inertia.m4;
-  const Scalar t23 = g.d2 * g.d2 * (inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)));
-  const Scalar t24 = t0 * t23;
-  const Scalar t25 = inertia.c2z * inertia.m2;
-  const Scalar t26 = inertia.c3x * inertia.m3;
-  const Scalar t27 = inertia.c2x * inertia.m2;
-  const Scalar t28 = (inertia.I3xy - inertia.c3y * t26) + (inertia.I2xy - inertia.c2y * t27);
-  const Scalar t29 = g.d2 * t26;
-  const Scalar t30 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t31 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t32 = (inertia.c3x * t26 - (inertia.I3xx - t30)) + (inertia.c2x * t27 - (inertia.I2xx - t31));
-  const Scalar t33 = ((inertia.I3zz - t30) - inertia.c3z * t21) + ((inertia.I4zz - t15) - inertia.c4z * t22);
-  const Scalar t34 = ((inertia.I2zz - t31) - inertia.c2z * t25) + t33;
-  const Scalar t35 = (inertia.I2xz - inertia.c2z * t27) + (inertia.I3xz - inertia.c3z * t26);
-  const Scalar t36 = g.d2 * inertia.m2 - t19;
-  const Scalar t37 = inertia.c1y * inertia.m1;
-  const Scalar t38 = t37 - g.d2 * inertia.m1;
-  const Scalar t39 = inertia.c1x * inertia.m1;
-  const Scalar t40 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t41 = (inertia.c1y * t37 - (inertia.I1yy - t40)) - g.d2 * (t37 + t38);
-  const Scalar t42 = ((inertia.I3yy - t30) - inertia.c3y * t18) + ((inertia.I2yy - t31) - inertia.c2y * t19);
-  return { t0,
-           g.d2 * t1,
-           g.d2 * t2,
-           g.d2 * (t3 + t4),
-           g.d2 * (t5 + t6),
-           g.d2 * t7,
-           g.d2 * t8,
-           inertia.I6yz - inertia.c6z * t2,
-           inertia.I6xz - inertia.c6z * t1,
-           inertia.I5xz - inertia.c5z * t7,
-           Scalar(2) * t9,
-           t11 - t12,
+  const Scalar t8 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t9 = inertia.c6z * inertia.m6;
+  const Scalar t10 = inertia.c5z * inertia.m5;
+  const Scalar t11 = (inertia.c6z * t9 - (inertia.I6zz - t2)) + (inertia.c5z * t10 - (inertia.I5zz - t8));
+  const Scalar t12 = inertia.I6xz - inertia.c6z * t0;
+  const Scalar t13 = Scalar(1) / t6;
+  const Scalar t14 = inertia.I6yz - inertia.c6z * t4;
+  const Scalar t15 = Scalar(1) / g.d2;
+  const Scalar t16 = inertia.c5y * inertia.m5;
+  const Scalar t17 = inertia.c4x * inertia.m4;
+  const Scalar t18 = inertia.c4y * inertia.m4;
+  const Scalar t19 = inertia.c3y * inertia.m3;
+  const Scalar t20 = g.d2 * inertia.m3 - t19;
+  const Scalar t21 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t22 = g.d2 * t21;
+  const Scalar t23 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t24 = ((inertia.I4yy - t23) - inertia.c4y * t18) - (inertia.c5y * t16 - (inertia.I5yy - t8));
+  const Scalar t25 = g.d2 * g.d2 * (inertia.m3 + t21);
+  const Scalar t26 = t15 * t25;
+  const Scalar t27 = inertia.c1y * inertia.m1;
+  const Scalar t28 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t29 = t27 - g.d2 * inertia.m1;
+  const Scalar t30 = (inertia.c1y * t27 - (inertia.I1yy - t28)) - g.d2 * (t27 + t29);
+  const Scalar t31 = inertia.c2y * inertia.m2;
+  const Scalar t32 = g.d2 * inertia.m2 - t31;
+  const Scalar t33 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t34 = g.d2 * (t32 - t31) - ((inertia.I2yy - t33) - inertia.c2y * t31);
+  const Scalar t35 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t36 = g.d2 * (t20 - t19) - ((inertia.I3yy - t35) - inertia.c3y * t19);
+  const Scalar t37 = inertia.c3x * inertia.m3;
+  const Scalar t38 = inertia.c2x * inertia.m2;
+  const Scalar t39 = (inertia.c3x * t37 - (inertia.I3xx - t35)) + (inertia.c2x * t38 - (inertia.I2xx - t33));
+  const Scalar t40 = inertia.c3z * inertia.m3;
+  const Scalar t41 = inertia.c4z * inertia.m4;
+  const Scalar t42 = inertia.c2z * inertia.m2;
+  const Scalar t43 = ((inertia.I3zz - t35) - inertia.c3z * t40) + ((inertia.I4zz - t23) - inertia.c4z * t41);
+  const Scalar t44 = ((inertia.I2zz - t33) - inertia.c2z * t42) + t43;
+  const Scalar t45 = g.d2 * t37;
+  const Scalar t46 = (inertia.I2xz - inertia.c2z * t38) + (inertia.I3xz - inertia.c3z * t37);
+  const Scalar t47 = inertia.c1x * inertia.m1;
+  const Scalar t48 = g.d2 * t41 + (g.d2 * t40 + (inertia.I3yz - inertia.c3z * t19));
+  const Scalar t49 = g.d2 * t42;
+  const Scalar t50 = g.d2 * t38;
+  const Scalar t51 = ((inertia.I3xy - inertia.c3y * t37) + t45) + (t50 + (inertia.I2xy - inertia.c2y * t38));
+  return { Scalar(2) * t1,
+           t3 - t5,
+           t5,
+           t6,
+           inertia.c5x * t7 - (inertia.I5xx - t8),
            t11,
-           inertia.c5x * t7 - (inertia.I5xx - t13),
+           Scalar(2) * t11,
+           t12 * t13,
+           t14 * t13,
+           g.d2 * t0,
+           g.d2 * t4,
+           t15 * t13,
+           g.d2 * (t10 + t9),
+           g.d2 * t7,
+           t15,
            t14,
-           inertia.I4xz - inertia.c4z * t8,
-           inertia.I5yz - inertia.c5z * t4,
-           t9,
-           inertia.I5xy - inertia.c5y * t7,
-           inertia.I4yz - inertia.c4z * t3,
            t12,
-           t16,
-           (inertia.I4xx - t15) - inertia.c4x * t8,
-           inertia.I4xy - inertia.c4y * t8,
-           Scalar(1) / t17,
-           t17,
-           Scalar(2) * t14,
-           g.d2 * t18,
-           t20,
-           g.d2 * (t21 + t22),
+           t13,
+           inertia.I5yz - inertia.c5z * t16,
+           t1,
+           inertia.I5xy - inertia.c5y * t7,
+           g.d2 * t17,
+           g.d2 * (t18 + t16),
+           g.d2 * (t20 + t22),
+           inertia.I4yz - inertia.c4z * t18,
+           inertia.I5xz - inertia.c5z * t7,
+           inertia.I4xz - inertia.c4z * t17,
+           (inertia.I4xx - t23) - inertia.c4x * t17,
            t24,
-           g.d2 * t25,
-           t28,
-           t29,
-           g.d2 * t27,
-           t0 * t24,
-           t23,
-           t32,
-           t34,
-           gravity[2] / g.d2,
-           gravity[1] / g.d2,
+           inertia.I4xy - inertia.c4y * t17,
+           t15 * t26,
+           t30 + (t34 + (t36 + g.d2 * t22)),
+           t39,
+           g.d2 * (t40 + t41),
+           t26,
+           t44,
+           t45,
+           t46,
+           inertia.c1x * t47 - (inertia.I1xx - t28),
+           t48 + (t49 + (inertia.I2yz - inertia.c2z * t31)),
+           t51,
            gravity[0] / g.d2,
+           gravity[1] / g.d2,
+           gravity[2] / g.d2,
+           t25,
            g.d2,
-           Scalar(2) * t35,
-           t32 + t34,
-           t35,
-           Scalar(2) * t29,
-           g.d2 * (t36 - t38),
-           g.d2 * t39,
-           t41 - (t42 - g.d2 * (t36 - t19)),
-           inertia.c1x * t39 - (inertia.I1xx - t40) };
+           Scalar(2) * t46,
+           t39 + t44,
+           t49,
+           t50,
+           g.d2 * (t32 - t29),
+           g.d2 * t47,
+           Scalar(2) * t45 };
 }
 
 namespace detail {
@@ -1142,258 +1190,251 @@ inline JointVector<Scalar> forward_dynamics_with_wrench(const JointVector<Scalar
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[7] * c6 + k[8] * s6;
-  const Scalar t1 = k[8] * c6 - k[7] * s6;
-  const Scalar t2 = k[25] * s5 - c5 * t1;
-  const Scalar t3 = k[0] * q[2];
-  const Scalar t4 = k[1] * c6 - k[2] * s6;
-  const Scalar t5 = k[2] * c6 + k[1] * s6;
-  const Scalar t6 = c5 * t5;
-  const Scalar t7 = (s4 * t0 + c4 * t2) + t3 * (c4 * t4 - s4 * t6);
-  const Scalar t8 = s5 * t5;
-  const Scalar t9 = c5 + k[24] * s5 * t1;
-  const Scalar t10 = k[25] * t9;
-  const Scalar t11 = c4 * t6 + s4 * t4;
-  const Scalar t12 = s2 * (t7 + t8) + c2 * (t10 + t11);
-  const Scalar t13 = k[24] * t12;
-  const Scalar t14 = k[16] + t0;
-  const Scalar t15 = k[10] * c6 + k[11] * s6;
-  const Scalar t16 = k[17] - c6 * t15;
-  const Scalar t17 = k[18] - t16;
-  const Scalar t18 = c5 * t14 - s5 * t17;
-  const Scalar t19 = k[5] + t4;
-  const Scalar t20 = k[4] * c5 - s5 * t19;
-  const Scalar t21 = c4 * t20;
-  const Scalar t22 = s5 * t14 + c5 * t17;
-  const Scalar t23 = s6 * t15;
-  const Scalar t24 = k[12] - t23;
-  const Scalar t25 = k[13] - t24;
-  const Scalar t26 = k[14] - t25;
-  const Scalar t27 = k[26] - t26;
-  const Scalar t28 = (c4 * t22 - s4 * t27) - t3 * s4 * t20;
-  const Scalar t29 = k[4] * s5 + c5 * t19;
-  const Scalar t30 = c2 * (t18 + t21) + s2 * (t28 + t29);
-  const Scalar t31 = t0 * t13 - t30;
-  const Scalar t32 = k[24] * t0;
-  const Scalar t33 = Scalar(1) / (t0 * t32 + t27);
-  const Scalar t34 = t31 * t33;
-  const Scalar t35 = k[3] + t5;
-  const Scalar t36 = k[6] + t29;
-  const Scalar t37 = c4 * t35 + s4 * t36;
-  const Scalar t38 = k[27] + t37;
-  const Scalar t39 = k[36] - t38;
-  const Scalar t40 = k[20] + t23;
-  const Scalar t41 = k[21] + t40;
-  const Scalar t42 = k[23] + t22;
-  const Scalar t43 = k[9] + t1;
-  const Scalar t44 = c5 * t43;
-  const Scalar t45 = (t44 + t44) - s5 * t26;
-  const Scalar t46 = s5 * t45 - t25;
-  const Scalar t47 = k[22] + t46;
-  const Scalar t48 = Scalar(2) * c4 * t42 - s4 * (t41 - t47);
-  const Scalar t49 = s4 * t48;
-  const Scalar t50 = t41 + t49;
-  const Scalar t51 = k[29] + t20;
-  const Scalar t52 = k[30] * q[2] + t51;
-  const Scalar t53 = k[38] - ((t46 + t27) + t3 * (t52 + t51));
-  const Scalar t54 = t47 - t49;
-  const Scalar t55 = k[37] - t54;
-  const Scalar t56 = k[15] - (t43 - c5 * t45);
-  const Scalar t57 = k[19] + t18;
-  const Scalar t58 = c4 * t56 - s4 * t57;
-  const Scalar t59 = s4 * t35 - c4 * t36;
-  const Scalar t60 = k[33] - t59;
-  const Scalar t61 = Scalar(2) * c2 * (k[45] + (t58 - t60 * t3));
-  const Scalar t62 = s2 * (s2 * (t53 + t55) - t61) - t55;
-  const Scalar t63 = (k[49] + ((t39 - t38) - t50)) + (k[50] - t62);
-  const Scalar t64 = t54 + t50;
-  const Scalar t65 = c2 * (t37 + t64) - s2 * (t58 + t59 * t3);
-  const Scalar t66 = t18 - t32 * t10;
-  const Scalar t67 = t66 * t33;
-  const Scalar t68 = (t65 - t9 * t12) - t31 * t67;
-  const Scalar t69 = Scalar(1) / (t66 * t67 + (t64 - t9 * t10));
-  const Scalar t70 = t68 * t69;
-  const Scalar t71 = (t31 * t34 - (t13 * t12 + t63)) - t68 * t70;
-  const Scalar t72 = k[0] * t8;
-  const Scalar t73 = t32 * t72 - k[0] * t29;
-  const Scalar t74 = t34 * t73 - (t13 * t72 + k[0] * s2 * t39);
-  const Scalar t75 = k[24] * t72;
-  const Scalar t76 = t73 * t67 + t10 * t75;
-  const Scalar t77 = t74 + t76 * t70;
-  const Scalar t78 = t73 * t33;
-  const Scalar t79 = t69 * t76;
-  const Scalar t80 = ((k[35] + t75 * t72) - t78 * t73) + t76 * t79;
-  const Scalar t81 = Scalar(1) / t80;
-  const Scalar t82 = t81 * t77;
-  const Scalar t83 = t3 * t11 - (c4 * t0 - s4 * t2);
-  const Scalar t84 = k[24] * t83;
-  const Scalar t85 = (c4 * t27 + s4 * t22) + t3 * t21;
-  const Scalar t86 = t0 * t84 - t85;
-  const Scalar t87 = c4 * t57 + s4 * t56;
-  const Scalar t88 = t86 * t67 - ((t37 * t3 - t87) - t9 * t83);
-  const Scalar t89 = t69 * t88;
-  const Scalar t90 = t86 * t33;
-  const Scalar t91 = ((t53 - t55) - t83 * t84) + t86 * t90;
-  const Scalar t92 = (t84 * t72 + k[0] * t60) - t73 * t90;
-  const Scalar t93 = t92 + t76 * t89;
-  const Scalar t94 = t93 * t81;
-  const Scalar t95 = Scalar(1) / ((t88 * t89 - t91) - t93 * t94);
-  const Scalar t96 = (k[34] + t60) + (k[32] + (c4 * t48 - t42));
-  const Scalar t97 = (k[28] + (t87 - t3 * t38)) + (k[31] + t52);
-  const Scalar t98 = t13 * t83 + (s2 * t96 + c2 * t97);
-  const Scalar t99 = (t88 * t70 - (t98 - t34 * t86)) - t77 * t94;
-  const Scalar t100 = t95 * t99;
-  const Scalar t101 = Scalar(1) / ((t71 + t77 * t82) + t100 * t99);
-  const Scalar t102 = qd[0] * s2;
+  const Scalar t0 = k[14] * q[2];
+  const Scalar t1 = k[9] * c6 - k[10] * s6;
+  const Scalar t2 = k[10] * c6 + k[9] * s6;
+  const Scalar t3 = c5 * t2;
+  const Scalar t4 = s4 * t1 + c4 * t3;
+  const Scalar t5 = k[8] * c6 + k[7] * s6;
+  const Scalar t6 = k[3] * t5;
+  const Scalar t7 = k[16] * c6 - k[15] * s6;
+  const Scalar t8 = k[3] * s5 - c5 * t7;
+  const Scalar t9 = t0 * t4 - (c4 * t6 - s4 * t8);
+  const Scalar t10 = k[17] * t9;
+  const Scalar t11 = c5 + k[17] * s5 * t7;
+  const Scalar t12 = k[3] * t11;
+  const Scalar t13 = k[13] + t1;
+  const Scalar t14 = k[12] * s5 + c5 * t13;
+  const Scalar t15 = k[21] + t14;
+  const Scalar t16 = k[22] + t2;
+  const Scalar t17 = s4 * t15 + c4 * t16;
+  const Scalar t18 = k[0] * c6 + k[1] * s6;
+  const Scalar t19 = k[19] - c6 * t18;
+  const Scalar t20 = k[20] - t19;
+  const Scalar t21 = k[18] + t6;
+  const Scalar t22 = s5 * t20 - c5 * t21;
+  const Scalar t23 = k[24] - t22;
+  const Scalar t24 = k[2] + s6 * t18;
+  const Scalar t25 = k[3] - t24;
+  const Scalar t26 = k[4] - t25;
+  const Scalar t27 = k[5] - t26;
+  const Scalar t28 = k[25] + t7;
+  const Scalar t29 = s5 * t27 - Scalar(2) * c5 * t28;
+  const Scalar t30 = k[26] - (c5 * t29 + t28);
+  const Scalar t31 = c4 * t23 + s4 * t30;
+  const Scalar t32 = t22 + t5 * t12;
+  const Scalar t33 = k[6] - t27;
+  const Scalar t34 = Scalar(1) / (t5 * t6 + t33);
+  const Scalar t35 = t32 * t34;
+  const Scalar t36 = k[12] * c5 - s5 * t13;
+  const Scalar t37 = c4 * t36;
+  const Scalar t38 = c5 * t20 + s5 * t21;
+  const Scalar t39 = t37 * t0 + (c4 * t33 + s4 * t38);
+  const Scalar t40 = t6 * t10 - t39;
+  const Scalar t41 = (t10 * t12 - (t17 * t0 - t31)) - t35 * t40;
+  const Scalar t42 = k[28] + t24;
+  const Scalar t43 = s5 * t29;
+  const Scalar t44 = k[27] - (t26 + t43);
+  const Scalar t45 = k[29] + t38;
+  const Scalar t46 = c4 * (t42 - t44) + Scalar(2) * s4 * t45;
+  const Scalar t47 = c4 * t46;
+  const Scalar t48 = t47 + t44;
+  const Scalar t49 = t42 - t47;
+  const Scalar t50 = t48 + t49;
+  const Scalar t51 = Scalar(1) / (t32 * t35 - (t12 * t11 - t50));
+  const Scalar t52 = s4 * t16 - c4 * t15;
+  const Scalar t53 = s4 * t23 - c4 * t30;
+  const Scalar t54 = c2 * (t17 + t50) - s2 * (t52 * t0 - t53);
+  const Scalar t55 = s5 * t2;
+  const Scalar t56 = (s4 * t3 - c4 * t1) * t0 - ((c4 * t8 + s4 * t6) + t55);
+  const Scalar t57 = c2 * (t12 + t4) - s2 * t56;
+  const Scalar t58 = k[17] * t57;
+  const Scalar t59 = (t14 + (c4 * t38 - s4 * t33)) - s4 * t36 * t0;
+  const Scalar t60 = (s2 * t59 - c2 * (t22 - t37)) - t6 * t58;
+  const Scalar t61 = (t54 - t12 * t58) - t60 * t35;
+  const Scalar t62 = t51 * t61;
+  const Scalar t63 = s2 * (k[40] + ((t45 - s4 * t46) - t52));
+  const Scalar t64 = k[23] - t17;
+  const Scalar t65 = c2 * (k[39] + (t0 * t64 + (t36 + t31)));
+  const Scalar t66 = t60 * t34;
+  const Scalar t67 = ((t63 + t65) + t10 * t57) + t66 * t40;
+  const Scalar t68 = k[11] * t55;
+  const Scalar t69 = k[14] * t14 - t6 * t68;
+  const Scalar t70 = t34 * t69;
+  const Scalar t71 = t12 * t68 + t70 * t32;
+  const Scalar t72 = t51 * t71;
+  const Scalar t73 = k[14] * t55;
+  const Scalar t74 = t72 * t71 + ((k[30] + t73 * t68) - t70 * t69);
+  const Scalar t75 = Scalar(1) / t74;
+  const Scalar t76 = t70 * t60 - (k[14] * s2 * t64 + t73 * t58);
+  const Scalar t77 = t76 + t72 * t61;
+  const Scalar t78 = t75 * t77;
+  const Scalar t79 = k[36] - t52;
+  const Scalar t80 = (t10 * t73 + k[14] * t79) + t70 * t40;
+  const Scalar t81 = t41 * t72 + t80;
+  const Scalar t82 = (t41 * t62 - t67) - t78 * t81;
+  const Scalar t83 = k[32] - t49;
+  const Scalar t84 = k[33] + t36;
+  const Scalar t85 = (t84 + (k[34] * q[2] + t84)) * t0 + (k[5] - t43);
+  const Scalar t86 = k[35] - t85;
+  const Scalar t87 = t34 * t40;
+  const Scalar t88 = ((t83 - t86) + t10 * t9) - t87 * t40;
+  const Scalar t89 = t41 * t51;
+  const Scalar t90 = t75 * t81;
+  const Scalar t91 = Scalar(1) / ((t88 + t41 * t89) - t81 * t90);
+  const Scalar t92 = t82 * t91;
+  const Scalar t93 = Scalar(2) * c2 * (k[37] - (t0 * t79 + t53));
+  const Scalar t94 = t83 - s2 * (s2 * (t83 + t86) - t93);
+  const Scalar t95 = (k[38] + t94) + (k[31] - (t48 + Scalar(2) * t17));
+  const Scalar t96 = t62 * t61 + ((t57 * t58 + t95) - t66 * t60);
+  const Scalar t97 = Scalar(1) / (t92 * t82 + (t77 * t78 - t96));
+  const Scalar t98 = qd[0] * s2;
+  const Scalar t99 = qd[1] * c4 + s4 * t98;
+  const Scalar t100 = qd[4] - t99;
+  const Scalar t101 = t100 * t100;
+  const Scalar t102 = c4 * t98 - qd[1] * s4;
   const Scalar t103 = qd[0] * c2;
-  const Scalar t104 = t102 * t103;
-  const Scalar t105 = qd[1] * qd[1];
-  const Scalar t106 = t102 * t102;
-  const Scalar t107 = t105 + t106;
-  const Scalar t108 = k[41] * c1 + k[40] * s1;
-  const Scalar t109 = k[39] * c2 - s2 * t108;
-  const Scalar t110 = t109 + t3 * t107;
-  const Scalar t111 = (k[33] * t104 - k[29] * t107) - k[36] * t110;
-  const Scalar t112 = Scalar(2) * qd[0] * qd[1];
+  const Scalar t104 = qd[3] + t103;
+  const Scalar t105 = c5 * t102 - s5 * t104;
+  const Scalar t106 = t105 * t105;
+  const Scalar t107 = t101 - t106;
+  const Scalar t108 = t99 * t102;
+  const Scalar t109 = qd[1] * t98;
+  const Scalar t110 = t108 - t109;
+  const Scalar t111 = qd[1] + qd[1];
+  const Scalar t112 = qd[0] * t111;
   const Scalar t113 = c2 * t112;
-  const Scalar t114 = c4 * t104 - s4 * t113;
-  const Scalar t115 = qd[3] + t103;
-  const Scalar t116 = c4 * t102 - qd[1] * s4;
-  const Scalar t117 = t115 * t116;
-  const Scalar t118 = t114 - t117;
-  const Scalar t119 = t118 - t117;
-  const Scalar t120 = c4 * t113 + s4 * t104;
-  const Scalar t121 = qd[1] * c4 + s4 * t102;
-  const Scalar t122 = t120 - Scalar(2) * t115 * t121;
-  const Scalar t123 = qd[4] - t121;
-  const Scalar t124 = t123 * t123;
-  const Scalar t125 = c5 * t116 - s5 * t115;
-  const Scalar t126 = t125 * t125;
-  const Scalar t127 = t124 - t126;
-  const Scalar t128 = t116 * t116;
-  const Scalar t129 = t115 * t115;
-  const Scalar t130 = t128 + t129;
-  const Scalar t131 = t127 + t130;
-  const Scalar t132 = s5 * t116 + c5 * t115;
-  const Scalar t133 = t132 * t125;
-  const Scalar t134 = t133 + t118;
-  const Scalar t135 = t121 * t116;
-  const Scalar t136 = qd[1] * t102;
-  const Scalar t137 = t135 - t136;
-  const Scalar t138 = c5 * t137 + s5 * t122;
-  const Scalar t139 = qd[5] + t132;
-  const Scalar t140 = t139 * t139;
-  const Scalar t141 = t140 + t124;
-  const Scalar t142 = wrench[0] * c1 + wrench[1] * s1;
-  const Scalar t143 = wrench[2] * c2 - s2 * t142;
-  const Scalar t144 = c2 * t142 + wrench[2] * s2;
-  const Scalar t145 = wrench[0] * s1 - wrench[1] * c1;
-  const Scalar t146 = c4 * t144 - s4 * t145;
-  const Scalar t147 = (t138 * t5 + t4 * t141) - k[42] * (s5 * t143 - c5 * t146);
-  const Scalar t148 = (k[5] * t131 - k[4] * t134) + t147;
-  const Scalar t149 = s5 * t137 - c5 * t122;
-  const Scalar t150 = t123 * t132;
-  const Scalar t151 = (t149 + t150) + t150;
-  const Scalar t152 = Scalar(2) * t139 * t123 - t151;
-  const Scalar t153 = t139 * t125;
-  const Scalar t154 = (t134 - t153) - t153;
-  const Scalar t155 = k[42] * (s5 * t146 + c5 * t143) - (t152 * t5 - t4 * t154);
-  const Scalar t156 = t140 - t124;
-  const Scalar t157 = t127 + t156;
-  const Scalar t158 = t157 - t141;
-  const Scalar t159 = t133 - t118;
-  const Scalar t160 = t155 - (k[4] * t158 + k[5] * t159);
-  const Scalar t161 = (k[6] * t119 - k[3] * t122) - (s5 * t148 - c5 * t160);
-  const Scalar t162 = t111 - t161;
-  const Scalar t163 = k[0] * qd[2];
-  const Scalar t164 = qd[0] * qd[0];
-  const Scalar t165 = k[41] * s1 - k[40] * c1;
-  const Scalar t166 = t164 + t165;
-  const Scalar t167 = Scalar(2) * t163 * t102 + (t113 * t3 - t166);
-  const Scalar t168 = k[39] * s2 + c2 * t108;
-  const Scalar t169 = qd[1] * t163;
-  const Scalar t170 = (t168 - t104 * t3) + (t169 + t169);
-  const Scalar t171 = c4 * t167 - s4 * t170;
-  const Scalar t172 = s4 * t167 + c4 * t170;
-  const Scalar t173 = s5 * t110 - c5 * t172;
-  const Scalar t174 = t123 * t125;
-  const Scalar t175 = t174 + (t138 + t174);
-  const Scalar t176 = t16 * t127 - (t138 * t40 + t175 * t24);
-  const Scalar t177 = (t171 * t4 + t5 * t173) - (t176 + (t0 * t134 - t151 * t1));
-  const Scalar t178 = wrench[3] * s1 - wrench[4] * c1;
-  const Scalar t179 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t180 = c2 * t179 + wrench[5] * s2;
-  const Scalar t181 = s4 * t178 - c4 * t180;
-  const Scalar t182 = s2 * t179 - wrench[5] * c2;
-  const Scalar t183 = t177 - (s5 * t181 + c5 * t182);
-  const Scalar t184 = torque[5] + t183;
-  const Scalar t185 = k[24] * t184;
-  const Scalar t186 = s5 * t172 + c5 * t110;
-  const Scalar t187 = t158 + t131;
-  const Scalar t188 = k[9] * t187 - (k[13] * t159 - k[14] * t134);
-  const Scalar t189 = (k[4] * t173 + k[5] * t186) + ((k[16] * t138 - k[18] * t149) + t188);
-  const Scalar t190 = (t157 * t1 + t0 * t138) - (t152 * t16 + t24 * t154);
-  const Scalar t191 = (t186 * t4 + t190) + (s4 * t180 + c4 * t178);
-  const Scalar t192 = t189 + t191;
-  const Scalar t193 = (torque[4] - t192) + t0 * t185;
-  const Scalar t194 = t193 * t33;
-  const Scalar t195 = ((torque[2] - k[0] * t162) + t185 * t72) - t194 * t73;
-  const Scalar t196 = t107 - t130;
-  const Scalar t197 = t128 - t129;
-  const Scalar t198 = t196 - t197;
-  const Scalar t199 = t135 + t136;
-  const Scalar t200 = k[23] * t198 - (k[22] * t199 - k[21] * t137);
-  const Scalar t201 = (t200 - (k[19] * t114 + k[15] * t120)) - (k[3] * t172 - k[6] * t171);
-  const Scalar t202 = (t152 * t40 + t16 * t154) + t0 * t156;
-  const Scalar t203 = (c5 * t181 - s5 * t182) - ((t202 - t175 * t1) + t186 * t5);
-  const Scalar t204 = (k[14] * t151 - k[9] * t175) + k[16] * (t187 - t127);
-  const Scalar t205 = t203 + (k[4] * t171 - (k[18] * t159 + t204));
-  const Scalar t206 = (k[18] * t127 - k[16] * t134) - (k[13] * t175 - k[9] * t151);
-  const Scalar t207 = (k[5] * t171 + t206) + t183;
-  const Scalar t208 = t201 + (s5 * t205 + c5 * t207);
-  const Scalar t209 = t193 * t67 - ((torque[3] + t208) - t10 * t185);
-  const Scalar t210 = t195 + t209 * t79;
-  const Scalar t211 = k[42] * (s4 * t144 + c4 * t145) - ((t140 + t126) * t5 - t175 * t4);
-  const Scalar t212 = (t211 + (k[5] * t175 + k[4] * t151)) - (k[6] * t199 + k[3] * t130);
-  const Scalar t213 = (s5 * t160 + c5 * t148) + (k[6] * (t198 + t130) + k[3] * t137);
-  const Scalar t214 = t164 + t105;
-  const Scalar t215 = k[36] * t170 - (k[29] * t104 - k[33] * (t214 - t106));
-  const Scalar t216 = (s4 * t212 + c4 * t213) + t215;
-  const Scalar t217 = (k[23] * t119 - k[21] * t122) + k[19] * t196;
-  const Scalar t218 = (k[3] * t110 - (t217 - k[15] * t199)) - (c5 * t205 - s5 * t207);
-  const Scalar t219 = (k[19] * t137 - k[15] * t197) - (k[22] * t119 - k[23] * t122);
-  const Scalar t220 = t192 + (k[6] * t110 + t219);
-  const Scalar t221 = (s4 * t218 - c4 * t220) - (k[33] * t110 - k[29] * t170);
-  const Scalar t222 = k[45] - c2 * (k[43] * c2 - k[44] * s2);
-  const Scalar t223 = (k[34] * t109 - k[31] * t168) - t164 * t222;
-  const Scalar t224 = (torque[1] - ((t216 * t3 + t221) - t223)) + t83 * t185;
-  const Scalar t225 = t210 * t94 - ((t224 - t194 * t86) + t209 * t89);
-  const Scalar t226 = t210 * t81;
-  const Scalar t227 = (k[27] * t110 - k[29] * t167) + (c4 * t218 + s4 * t220);
-  const Scalar t228 = (k[46] * t136 + k[27] * t164) + k[29] * t113;
-  const Scalar t229 = (s4 * t213 - c4 * t212) + (t228 + k[36] * t167);
-  const Scalar t230 = t216 + (t208 + (k[33] * t167 - k[27] * t170));
-  const Scalar t231 = s2 * (t162 + (t227 - t229 * t3)) + c2 * t230;
-  const Scalar t232 = k[34] * c2 - k[31] * s2;
-  const Scalar t233 = t112 * t222 + t105 * (k[32] * c2 - k[28] * s2);
-  const Scalar t234 = (t231 - (t166 * t232 - t233)) + t214 * t232;
-  const Scalar t235 = torque[0] - ((k[48] * t165 - k[47] * t108) - t234);
-  const Scalar t236 = (t31 * t194 + (t235 - t13 * t184)) + t209 * t70;
-  const Scalar t237 = t101 * (t225 * t100 - (t226 * t77 - t236));
-  const Scalar t238 = t237 * t100 - t95 * t225;
-  const Scalar t239 = t238 * t94 - (t226 + t237 * t82);
-  const Scalar t240 = t238 * t89 - (t237 * t70 + t209 * t69);
-  const Scalar t241 = t240 - t239 * t79;
-  const Scalar t242 = (t238 * t90 - (t194 - t237 * t34)) - t239 * t78;
-  const Scalar t243 = t242 - t241 * t67;
-  const Scalar t244 = t239 * t75 - (t238 * t84 - (t185 - t13 * t237));
+  const Scalar t114 = t98 * t103;
+  const Scalar t115 = c4 * t113 + s4 * t114;
+  const Scalar t116 = t104 * t99;
+  const Scalar t117 = (t115 - t116) - t116;
+  const Scalar t118 = c5 * t110 + s5 * t117;
+  const Scalar t119 = t100 * t105;
+  const Scalar t120 = t119 + (t119 + t118);
+  const Scalar t121 = t107 * t19 - (t24 * t118 + t25 * t120);
+  const Scalar t122 = s5 * t102 + c5 * t104;
+  const Scalar t123 = t122 * t105;
+  const Scalar t124 = c4 * t114 - s4 * t113;
+  const Scalar t125 = t104 * t102;
+  const Scalar t126 = t124 - t125;
+  const Scalar t127 = t123 + t126;
+  const Scalar t128 = s5 * t110 - c5 * t117;
+  const Scalar t129 = t128 + Scalar(2) * t100 * t122;
+  const Scalar t130 = k[14] * qd[2];
+  const Scalar t131 = k[41] * s1 - k[42] * c1;
+  const Scalar t132 = Scalar(2) * t98 * t130 - (t131 - t113 * t0);
+  const Scalar t133 = qd[0] * qd[0];
+  const Scalar t134 = t132 - t133;
+  const Scalar t135 = k[42] * s1 + k[41] * c1;
+  const Scalar t136 = k[43] * s2 + c2 * t135;
+  const Scalar t137 = (t114 * t0 - t136) - t130 * t111;
+  const Scalar t138 = c4 * t134 + s4 * t137;
+  const Scalar t139 = s4 * t134 - c4 * t137;
+  const Scalar t140 = t101 - t122 * t122;
+  const Scalar t141 = t101 + t106;
+  const Scalar t142 = t140 - t141;
+  const Scalar t143 = t99 * t99;
+  const Scalar t144 = t104 * t104;
+  const Scalar t145 = t143 + t144;
+  const Scalar t146 = t142 + t145;
+  const Scalar t147 = t143 - t144;
+  const Scalar t148 = t146 - t147;
+  const Scalar t149 = t148 - t145;
+  const Scalar t150 = s2 * t135 - k[43] * c2;
+  const Scalar t151 = t149 * t0 + t150;
+  const Scalar t152 = c5 * t139 + s5 * t151;
+  const Scalar t153 = (t121 + (t6 * t127 - t129 * t7)) - (t138 * t1 - t2 * t152);
+  const Scalar t154 = wrench[3] * s1 - wrench[4] * c1;
+  const Scalar t155 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t156 = c2 * t155 + wrench[5] * s2;
+  const Scalar t157 = s4 * t154 - c4 * t156;
+  const Scalar t158 = s2 * t155 - wrench[5] * c2;
+  const Scalar t159 = t153 + (s5 * t157 + c5 * t158);
+  const Scalar t160 = torque[5] - t159;
+  const Scalar t161 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t162 = c2 * t161 + wrench[2] * s2;
+  const Scalar t163 = wrench[0] * s1 - wrench[1] * c1;
+  const Scalar t164 = qd[5] + t122;
+  const Scalar t165 = t164 * t164 - t101;
+  const Scalar t166 = t141 + t165;
+  const Scalar t167 = k[45] * (s4 * t162 + c4 * t163) - (t2 * t166 - t1 * t120);
+  const Scalar t168 = t108 + t109;
+  const Scalar t169 = (t167 + (k[13] * t120 + k[12] * t129)) + (k[22] * t142 - k[21] * t168);
+  const Scalar t170 = t166 + t107;
+  const Scalar t171 = wrench[2] * c2 - s2 * t161;
+  const Scalar t172 = c4 * t162 - s4 * t163;
+  const Scalar t173 = (t1 * t170 + t2 * t118) - k[45] * (s5 * t171 - c5 * t172);
+  const Scalar t174 = (k[13] * (t142 - t107) + k[12] * t127) - t173;
+  const Scalar t175 = t123 - t126;
+  const Scalar t176 = t164 * t100;
+  const Scalar t177 = t176 + (t176 - t129);
+  const Scalar t178 = t164 * t105;
+  const Scalar t179 = t127 - (t178 + t178);
+  const Scalar t180 = k[45] * (s5 * t172 + c5 * t171) - (t2 * t177 - t1 * t179);
+  const Scalar t181 = (k[12] * t141 - k[13] * t175) + t180;
+  const Scalar t182 = (k[22] * t110 + k[21] * t145) - (c5 * t174 - s5 * t181);
+  const Scalar t183 = s4 * t169 + c4 * t182;
+  const Scalar t184 = t6 * t165 + (t24 * t177 + t179 * t19);
+  const Scalar t185 = c5 * t151 - s5 * t139;
+  const Scalar t186 = (c5 * t157 - s5 * t158) - ((t184 - t7 * t120) - t2 * t185);
+  const Scalar t187 = k[18] * t140 - (k[5] * t129 - k[25] * t120);
+  const Scalar t188 = t186 + (k[12] * t138 - (k[20] * t175 - t187));
+  const Scalar t189 = (k[4] * t120 - k[25] * t129) - (k[20] * t107 - k[18] * t127);
+  const Scalar t190 = (k[13] * t138 - t189) - t159;
+  const Scalar t191 = (k[28] * t110 - k[27] * t168) + k[29] * t146;
+  const Scalar t192 = ((k[26] * t115 + k[24] * t124) - t191) + (k[22] * t139 - k[21] * t138);
+  const Scalar t193 = (s5 * t188 + c5 * t190) - t192;
+  const Scalar t194 = (t183 + t193) + (k[36] * t132 - k[23] * t137);
+  const Scalar t195 = k[33] * t113 - (k[23] * t133 - k[52] * t109);
+  const Scalar t196 = (s4 * t182 - c4 * t169) + (k[44] * t132 + t195);
+  const Scalar t197 = (k[4] * t175 - k[5] * t127) + k[25] * (t140 - t107);
+  const Scalar t198 = ((k[18] * t118 - k[20] * t128) - t197) - (k[12] * t152 + k[13] * t185);
+  const Scalar t199 = (t19 * t177 + t179 * t25) + ((t141 - t170) * t7 - t6 * t118);
+  const Scalar t200 = (t185 * t1 + t199) - (s4 * t156 + c4 * t154);
+  const Scalar t201 = t198 - t200;
+  const Scalar t202 = t126 - t125;
+  const Scalar t203 = (k[24] * t110 + k[26] * t148) + (k[29] * t117 - k[27] * t202);
+  const Scalar t204 = t201 - (k[21] * t151 - t203);
+  const Scalar t205 = k[24] * t147 - (k[28] * t117 - k[29] * t202);
+  const Scalar t206 = (k[22] * t151 - (k[26] * t168 - t205)) - (s5 * t190 - c5 * t188);
+  const Scalar t207 = (s5 * t174 + c5 * t181) - (k[22] * t117 - k[21] * t202);
+  const Scalar t208 = ((s4 * t204 - c4 * t206) - t207) - (k[33] * t132 - k[23] * t151);
+  const Scalar t209 = c2 * t194 - s2 * (t0 * t196 - t208);
+  const Scalar t210 = qd[1] * qd[1];
+  const Scalar t211 = k[37] - c2 * (k[46] * c2 - k[47] * s2);
+  const Scalar t212 = (k[39] * s2 - k[40] * c2) * t210 - t211 * t112;
+  const Scalar t213 = t212 - (k[48] * s2 - k[49] * c2) * t131;
+  const Scalar t214 = (k[50] * t135 - k[51] * t131) + (t209 - t213);
+  const Scalar t215 = k[17] * t160;
+  const Scalar t216 = t6 * t215 + (torque[4] - t201);
+  const Scalar t217 = t216 * t34;
+  const Scalar t218 = (t160 * t58 - (torque[0] + t214)) + t60 * t217;
+  const Scalar t219 = ((torque[3] + t193) - t12 * t215) + t32 * t217;
+  const Scalar t220 = t219 * t51;
+  const Scalar t221 = k[44] * t151 + (k[36] * t114 + k[33] * t149);
+  const Scalar t222 = (torque[2] + k[14] * (t207 - t221)) + t215 * t73;
+  const Scalar t223 = t220 * t71 - (t222 + t70 * t216);
+  const Scalar t224 = (k[49] * t150 + k[48] * t136) + t133 * t211;
+  const Scalar t225 = k[36] * (t210 + t103 * t103) - k[33] * t114;
+  const Scalar t226 = (k[33] * t137 - k[36] * t151) + (s4 * t206 + c4 * t204);
+  const Scalar t227 = (t183 - (k[44] * t137 - t225)) * t0 - t226;
+  const Scalar t228 = t87 * t216 - ((torque[1] - (t224 + t227)) + t215 * t9);
+  const Scalar t229 = (t219 * t89 + t228) - t90 * t223;
+  const Scalar t230 = ((t218 + t219 * t62) - t78 * t223) - t92 * t229;
+  const Scalar t231 = t97 * t230;
+  const Scalar t232 = t231 * t92 + t229 * t91;
+  const Scalar t233 = t232 * t90 - (t75 * t223 + t231 * t78);
+  const Scalar t234 = t233 * t72 + ((t220 + t231 * t62) - t89 * t232);
+  const Scalar t235 = t233 * t70 + (t87 * t232 - (t66 * t231 - t217));
+  const Scalar t236 = t35 * t234 - t235;
+  const Scalar t237 = (t10 * t232 + (t215 + t231 * t58)) - t233 * t68;
   JointVector<Scalar> result;
-  result[0] = -t237;
-  result[1] = t238;
-  result[2] = -t239;
-  result[3] = -t241;
-  result[4] = -t243;
-  result[5] = -t32 * t243 - (t244 - t9 * t241);
+  result[0] = t231;
+  result[1] = -t232;
+  result[2] = t233;
+  result[3] = -t234;
+  result[4] = -t236;
+  result[5] = -(t237 - t11 * t234) - t5 * t236;
   return result;
 }
 
@@ -1423,31 +1464,32 @@ PotentialEnergyWithGravityVectorConstants<Scalar> potential_energy_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6));
-  const Scalar t1 = inertia.m2 + t0;
-  return { inertia.c6x * inertia.m6,
-           inertia.c6y * inertia.m6,
-           inertia.c5y * inertia.m5,
-           inertia.c4y * inertia.m4,
+  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t1 = inertia.m3 + t0;
+  const Scalar t2 = g.h1 * inertia.m1;
+  return { t1,
            inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
+           inertia.c6x * inertia.m6,
+           inertia.c6y * inertia.m6,
            inertia.c5x * inertia.m5,
-           inertia.c4x * inertia.m4,
-           inertia.c3y * inertia.m3,
-           inertia.c2y * inertia.m2,
-           g.d2 * t1,
-           inertia.c1y * inertia.m1 - g.d2 * inertia.m1,
-           t0,
            inertia.c4z * inertia.m4,
            inertia.c3z * inertia.m3,
            inertia.c2z * inertia.m2,
+           inertia.c4x * inertia.m4,
+           inertia.c5y * inertia.m5,
+           inertia.c4y * inertia.m4,
            inertia.c3x * inertia.m3,
            inertia.c2x * inertia.m2,
-           inertia.c1x * inertia.m1,
-           gravity[1],
-           gravity[0],
-           inertia.c1z * inertia.m1,
+           t2 - (inertia.c1z * inertia.m1 + t2),
+           g.h1 * (inertia.m1 + (inertia.m2 + t1)),
            gravity[2],
-           (inertia.m1 + t1) * gravity[2] * g.h1 };
+           inertia.c1x * inertia.m1,
+           g.d2 * t0,
+           g.d2 * inertia.m3 - inertia.c3y * inertia.m3,
+           g.d2 * inertia.m2 - inertia.c2y * inertia.m2,
+           inertia.c1y * inertia.m1 - g.d2 * inertia.m1,
+           gravity[1],
+           gravity[0] };
 }
 
 namespace detail {
@@ -1465,19 +1507,19 @@ inline Scalar potential_energy_with_gravity_vector(const JointVector<Scalar>& q,
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[5] + (k[0] * c6 - k[1] * s6);
-  const Scalar t1 = k[6] + (c5 * t0 + k[4] * s5);
-  const Scalar t2 = k[3] + (k[2] + (k[0] * s6 + k[1] * c6));
-  const Scalar t3 = k[8] + (k[7] + (s4 * t1 + c4 * t2));
-  const Scalar t4 = k[10] - (k[9] - t3);
-  const Scalar t5 = k[13] + (k[12] - (s5 * t0 - k[4] * c5));
-  const Scalar t6 = k[14] + (k[11] * q[2] + t5);
-  const Scalar t7 = k[16] + (k[15] + (c4 * t1 - s4 * t2));
-  const Scalar t8 = k[17] - (s2 * t6 - c2 * t7);
-  const Scalar t9 = k[19] * (s1 * t4 - c1 * t8) - k[18] * (c1 * t4 + s1 * t8);
-  const Scalar t10 = k[21] * (k[20] + (c2 * t6 + s2 * t7));
+  const Scalar t0 = k[4] + (k[2] * c6 - k[3] * s6);
+  const Scalar t1 = k[6] + (k[5] + (k[1] * c5 - s5 * t0));
+  const Scalar t2 = k[7] + (t1 + k[0] * q[2]);
+  const Scalar t3 = k[10] + (k[9] + (k[2] * s6 + k[3] * c6));
+  const Scalar t4 = k[8] + (c5 * t0 + k[1] * s5);
+  const Scalar t5 = k[12] + (k[11] - (s4 * t3 - c4 * t4));
+  const Scalar t6 = k[14] - (k[13] - (c2 * t2 + s2 * t5));
+  const Scalar t7 = k[18] + (k[17] - (c4 * t3 + s4 * t4));
+  const Scalar t8 = k[20] - (k[19] + t7);
+  const Scalar t9 = k[16] + (c2 * t5 - s2 * t2);
+  const Scalar t10 = k[21] * (c1 * t8 + s1 * t9) + k[22] * (c1 * t9 - s1 * t8);
   Scalar result;
-  result = (t9 - t10) - k[22];
+  result = -k[15] * t6 - t10;
   return result;
 }
 

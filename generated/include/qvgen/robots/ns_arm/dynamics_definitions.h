@@ -27,21 +27,21 @@ InverseDynamicsConstants<Scalar> inverse_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = Scalar(0.5) * (inertia.Iyy2 + (inertia.Ixx2 + inertia.Izz2));
-  const Scalar t1 = Scalar(0.5) * (inertia.Izz3 + (inertia.Ixx3 + inertia.Iyy3));
-  const Scalar t2 = (inertia.Iyy2 - t0) - (Scalar(0.25) * inertia.l3 * inertia.l3 * inertia.m3 - (inertia.Izz3 - t1));
-  const Scalar t3 = (inertia.Ixx2 - t0) + (inertia.Ixx3 - t1);
-  const Scalar t4 = Scalar(0.5) * (inertia.Izz1 + (inertia.Ixx1 + inertia.Iyy1));
-  const Scalar t5 = (Scalar(0.25) * g.d2 * g.d2 * inertia.m2 - (inertia.Izz2 - t0)) - (inertia.Iyy3 - t1);
-  return { Scalar(0.5) * g.d2 * inertia.l3 * inertia.m3,
+  const Scalar t0 = Scalar(0.5) * (inertia.Izz1 + (inertia.Ixx1 + inertia.Iyy1));
+  const Scalar t1 = Scalar(0.5) * (inertia.Iyy2 + (inertia.Ixx2 + inertia.Izz2));
+  const Scalar t2 = Scalar(0.5) * (inertia.Izz3 + (inertia.Ixx3 + inertia.Iyy3));
+  const Scalar t3 = (Scalar(0.25) * g.d2 * g.d2 * inertia.m2 - (inertia.Izz2 - t1)) - (inertia.Iyy3 - t2);
+  const Scalar t4 = (inertia.Iyy2 - t1) - (Scalar(0.25) * inertia.l3 * inertia.l3 * inertia.m3 - (inertia.Izz3 - t2));
+  const Scalar t5 = (inertia.Ixx2 - t1) + (inertia.Ixx3 - t2);
+  return { (inertia.Ixx1 - t0) - (t3 - (inertia.Iyy1 - t0)),
+           Scalar(0.5) * g.d2 * inertia.l3 * inertia.m3,
            gravity / g.d2,
            Scalar(1) / g.d2,
            g.d2 * g.d2 * inertia.m3,
-           t2,
-           t3,
-           (inertia.Ixx1 - t4) - (t5 - (inertia.Iyy1 - t4)),
-           t2 - t3,
-           t2 + t3 };
+           t4,
+           t5,
+           t4 - t5,
+           t4 + t5 };
 }
 
 namespace detail {
@@ -52,32 +52,29 @@ inline JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const 
     const InverseDynamicsConstants<Scalar>& k) {
   const Scalar& s2 = angles.sine[0];
   const Scalar& c2 = angles.cosine[0];
-  const Scalar t0 = qd[0] * c2;
-  const Scalar t1 = qd[1] * t0;
-  const Scalar t2 = qdd[0] * s2;
-  const Scalar t3 = t1 + (t2 + t1);
-  const Scalar t4 = k[2] * q[2];
-  const Scalar t5 = k[2] * qd[2];
-  const Scalar t6 = qd[0] * s2;
-  const Scalar t7 = t5 * t6;
-  const Scalar t8 = (qd[0] * qd[0] - t4 * t3) - (t7 + t7);
-  const Scalar t9 = k[0] * t8 - (k[0] * t3 + k[3] * t8) * t4;
-  const Scalar t10 = qd[1] * qd[1] + t6 * t6;
-  const Scalar t11 = k[2] * qdd[2] - (t4 * t10 + (t2 - k[1] * c2));
-  const Scalar t12 = k[3] * t11 + k[0] * t10;
+  const Scalar t0 = k[3] * q[2];
+  const Scalar t1 = qdd[0] * s2;
+  const Scalar t2 = Scalar(2) * qd[0] * qd[1];
+  const Scalar t3 = t1 + c2 * t2;
+  const Scalar t4 = k[3] * qd[2];
+  const Scalar t5 = qd[0] * s2;
+  const Scalar t6 = (t0 * t3 - qd[0] * qd[0]) + Scalar(2) * t4 * t5;
+  const Scalar t7 = t0 * (k[1] * t3 - k[4] * t6) + k[1] * t6;
+  const Scalar t8 = qd[1] * qd[1] + t5 * t5;
+  const Scalar t9 = ((t1 - k[2] * c2) + t0 * t8) - k[3] * qdd[2];
+  const Scalar t10 = k[1] * t8 - k[4] * t9;
+  const Scalar t11 = t5 * qd[0] * c2;
+  const Scalar t12 = qdd[1] - t11;
   const Scalar t13 = qdd[0] * c2;
-  const Scalar t14 = qd[1] * t6;
-  const Scalar t15 = t6 * t0;
-  const Scalar t16 = qdd[1] - t15;
-  const Scalar t17 = Scalar(2) * qd[1] * t5 + (t16 * t4 - (k[1] * s2 + t13));
-  const Scalar t18 = k[0] * t16 - k[3] * t17;
-  const Scalar t19 = c2 * (k[5] * ((t13 - t14) - t14) - t18);
-  const Scalar t20 = s2 * ((k[4] * t3 - t9) + t12) + t19;
-  const Scalar t21 = (k[0] * t17 + t4 * t18) - (k[7] * t15 - k[8] * qdd[1]);
+  const Scalar t14 = Scalar(2) * qd[1] * t4 + (t0 * t12 - (k[2] * s2 + t13));
+  const Scalar t15 = k[4] * t14 - k[1] * t12;
+  const Scalar t16 = c2 * (t15 - k[6] * (s2 * t2 - t13));
+  const Scalar t17 = s2 * ((t7 + t10) + k[5] * t3) + t16;
+  const Scalar t18 = (k[7] * t11 - k[8] * qdd[1]) - (k[1] * t14 - t0 * t15);
   JointVector<Scalar> result;
-  result[0] = -t20 - k[6] * qdd[0];
-  result[1] = -t21;
-  result[2] = k[2] * t12;
+  result[0] = -k[0] * qdd[0] - t17;
+  result[1] = t18;
+  result[2] = k[3] * t10;
   return result;
 }
 
@@ -150,10 +147,9 @@ CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Sc
   const Scalar t1 = Scalar(0.5) * (inertia.Izz3 + (inertia.Ixx3 + inertia.Iyy3));
   const Scalar t2 = (inertia.Iyy2 - t0) - (Scalar(0.25) * inertia.l3 * inertia.l3 * inertia.m3 - (inertia.Izz3 - t1));
   return { t2 - ((inertia.Ixx2 - t0) + (inertia.Ixx3 - t1)),
+           Scalar(0.5) * inertia.l3 * inertia.m3,
            g.d2,
-           inertia.m3,
-           inertia.l3 * inertia.m3,
-           Scalar(0.5) * inertia.l3 * inertia.m3 };
+           inertia.m3 };
 }
 
 namespace detail {
@@ -169,19 +165,19 @@ inline JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const J
   const Scalar t2 = t1 + t1;
   const Scalar t3 = qd[0] * s2;
   const Scalar t4 = qd[1] * qd[1] + t3 * t3;
-  const Scalar t5 = k[2] * q[2] * t4 - k[4] * t4;
-  const Scalar t6 = qd[2] * t3;
-  const Scalar t7 = (t6 + t6) - (k[1] * qd[0] * qd[0] - q[2] * t2);
-  const Scalar t8 = q[2] * (k[2] * t7 - k[3] * t1) - k[4] * t7;
+  const Scalar t5 = k[1] * t4 - k[3] * q[2] * t4;
+  const Scalar t6 = qd[2] + qd[2];
+  const Scalar t7 = (k[2] * qd[0] * qd[0] - q[2] * t2) - t3 * t6;
+  const Scalar t8 = q[2] * (k[1] * t2 + k[3] * t7) - k[1] * t7;
   const Scalar t9 = t3 * t0;
-  const Scalar t10 = Scalar(2) * qd[2] * qd[1] - q[2] * t9;
-  const Scalar t11 = k[4] * t9 + k[2] * t10;
-  const Scalar t12 = s2 * (k[1] * t5 + t8) - c2 * k[1] * t11;
-  const Scalar t13 = (q[2] * t11 - k[4] * t10) + k[0] * t9;
+  const Scalar t10 = q[2] * t9 - qd[1] * t6;
+  const Scalar t11 = k[3] * t10 - k[1] * t9;
+  const Scalar t12 = s2 * (k[2] * t5 + t8) - k[2] * c2 * t11;
+  const Scalar t13 = (k[1] * t10 - q[2] * t11) + k[0] * t9;
   JointVector<Scalar> result;
-  result[0] = t12 - t2 * k[0] * s2;
+  result[0] = -t2 * k[0] * s2 - t12;
   result[1] = t13;
-  result[2] = -t5;
+  result[2] = t5;
   return result;
 }
 
@@ -238,7 +234,7 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q,
   result(0, 1) = result(1, 0) = c2 * k[6] * t0;
   result(0, 2) = result(2, 0) = -k[7] * s2;
   result(1, 1) = -k[3] - t1;
-  result(1, 2) = result(2, 1) = Scalar(0);
+  result(1, 2) = result(2, 1) = -Scalar(0);
   result(2, 2) = k[0];
   return result;
 }
@@ -266,12 +262,13 @@ CoriolisMatrixConstants<Scalar> coriolis_matrix_constants(const BasicGeometry<Sc
   const Scalar t0 = Scalar(0.5) * (inertia.Iyy2 + (inertia.Ixx2 + inertia.Izz2));
   const Scalar t1 = Scalar(0.5) * (inertia.Izz3 + (inertia.Ixx3 + inertia.Iyy3));
   const Scalar t2 = (inertia.Iyy2 - t0) - (Scalar(0.25) * inertia.l3 * inertia.l3 * inertia.m3 - (inertia.Izz3 - t1));
-  return { inertia.m3,
+  return { (inertia.Ixx2 - t0) + (inertia.Ixx3 - t1),
+           inertia.m3,
            Scalar(0.5) * inertia.l3 * inertia.m3,
+           inertia.l3 * inertia.m3,
            t2,
-           (inertia.Ixx2 - t0) + (inertia.Ixx3 - t1),
-           g.d2,
-           g.d2 * inertia.m3 };
+           g.d2 * inertia.m3,
+           g.d2 };
 }
 
 namespace detail {
@@ -282,26 +279,27 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>
     const CoriolisMatrixConstants<Scalar>& k) {
   const Scalar& s2 = angles.sine[0];
   const Scalar& c2 = angles.cosine[0];
-  const Scalar t0 = k[1] - k[0] * q[2];
-  const Scalar t1 = k[2] + q[2] * (k[1] + t0);
-  const Scalar t2 = qd[2] * t0;
-  const Scalar t3 = s2 * (c2 * qd[1] * t1 + s2 * t2);
-  const Scalar t4 = c2 * s2;
-  const Scalar t5 = qd[0] * (k[3] - t1) * t4;
+  const Scalar t0 = k[1] * q[2];
+  const Scalar t1 = k[2] - t0;
+  const Scalar t2 = qd[2] * t1;
+  const Scalar t3 = k[4] + q[2] * (k[3] - t0);
+  const Scalar t4 = s2 * (s2 * t2 + c2 * qd[1] * t3);
+  const Scalar t5 = c2 * s2;
   const Scalar t6 = k[5] * c2;
-  const Scalar t7 = s2 * t0;
-  const Scalar t8 = t5 - (qd[2] * t6 + k[4] * qd[1] * t7);
-  const Scalar t9 = qd[0] * s2 * t7;
-  const Scalar t10 = qd[1] * t0;
+  const Scalar t7 = s2 * t1;
+  const Scalar t8 = qd[0] * t5 * (k[0] - t3);
+  const Scalar t9 = (qd[2] * t6 + qd[1] * k[6] * t7) - t8;
+  const Scalar t10 = qd[0] * s2 * t7;
+  const Scalar t11 = qd[1] * t1;
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = k[3] * qd[1] * t4 - t3;
-  result(0, 1) = t8;
-  result(0, 2) = -t9 - qd[1] * t6;
-  result(1, 0) = -t5;
+  result(0, 0) = k[0] * qd[1] * t5 - t4;
+  result(0, 1) = -t9;
+  result(0, 2) = -t10 - qd[1] * t6;
+  result(1, 0) = -t8;
   result(1, 1) = -t2;
-  result(1, 2) = -t10;
-  result(2, 0) = t9;
-  result(2, 1) = t10;
+  result(1, 2) = -t11;
+  result(2, 0) = t10;
+  result(2, 1) = t11;
   result(2, 2) = Scalar(0);
   return result;
 }
@@ -336,14 +334,14 @@ ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<
   const Scalar t4 = Scalar(0.5) * (inertia.Izz1 + (inertia.Ixx1 + inertia.Iyy1));
   const Scalar t5 = g.d2 * g.d2 * inertia.m3;
   const Scalar t6 = (Scalar(0.25) * g.d2 * g.d2 * inertia.m2 - (inertia.Izz2 - t0)) - (inertia.Iyy3 - t1);
-  return { Scalar(0.5) * inertia.l3 * inertia.m3,
-           gravity,
+  return { g.d2,
+           Scalar(0.5) * inertia.l3 * inertia.m3,
            inertia.m3,
-           t2 - t3,
-           Scalar(2) * t3,
-           g.d2,
            gravity * inertia.m3,
+           t2 - t3,
+           gravity,
            inertia.l3 * inertia.m3,
+           Scalar(2) * t3,
            t3,
            inertia.Ixx1 - t4,
            t5 + (t6 - (inertia.Iyy1 - t4)),
@@ -359,37 +357,36 @@ inline JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const 
     const ForwardDynamicsConstants<Scalar>& k) {
   const Scalar& s2 = angles.sine[0];
   const Scalar& c2 = angles.cosine[0];
-  const Scalar t0 = k[5] * s2;
-  const Scalar t1 = qd[0] * qd[0];
-  const Scalar t2 = s2 * s2;
-  const Scalar t3 = qd[1] * qd[1] + t1 * t2;
-  const Scalar t4 = k[2] * q[2];
-  const Scalar t5 = k[0] * t3 - (t4 * t3 - k[6] * c2);
-  const Scalar t6 = torque[2] - t5;
-  const Scalar t7 = qd[0] * s2;
-  const Scalar t8 = qd[0] * c2;
-  const Scalar t9 = t7 * t8;
-  const Scalar t10 = Scalar(2) * qd[2] * qd[1] - (k[1] * s2 + q[2] * t9);
-  const Scalar t11 = k[2] * t10 + k[0] * t9;
-  const Scalar t12 = qd[1] * t8;
-  const Scalar t13 = Scalar(2) * t12;
-  const Scalar t14 = (k[5] * t1 - q[2] * t13) - Scalar(2) * qd[2] * t7;
-  const Scalar t15 = q[2] * (k[7] * t12 + k[2] * t14) - k[0] * t14;
-  const Scalar t16 = k[5] * c2 * t11 + s2 * (k[5] * t5 + t15);
-  const Scalar t17 = t0 * t6 + (torque[0] + (t16 + k[3] * s2 * t13));
-  const Scalar t18 = k[0] - t4;
-  const Scalar t19 = k[5] * c2 * t18;
-  const Scalar t20 = k[3] * t9 - (k[0] * t10 - q[2] * t11);
-  const Scalar t21 = k[3] + q[2] * (k[0] + t18);
-  const Scalar t22 = Scalar(1) / (k[4] + t21);
-  const Scalar t23 = (torque[1] - t20) * t22;
-  const Scalar t24 = t19 * t22;
-  const Scalar t25 = k[11] * t2 - (k[10] - (k[9] + (k[8] + t21 * t2)));
-  const Scalar t26 = (t17 + t19 * t23) * Scalar(1) / (t19 * t24 - t25);
+  const Scalar t0 = k[0] * s2;
+  const Scalar t1 = qd[0] * s2;
+  const Scalar t2 = qd[1] * qd[1] + t1 * t1;
+  const Scalar t3 = k[2] * q[2];
+  const Scalar t4 = k[1] * t2 + (k[3] * c2 - t3 * t2);
+  const Scalar t5 = torque[2] - t4;
+  const Scalar t6 = qd[0] * c2;
+  const Scalar t7 = Scalar(2) * qd[1] * t6;
+  const Scalar t8 = Scalar(2) * qd[2];
+  const Scalar t9 = t1 * t6;
+  const Scalar t10 = qd[1] * t8 - (k[5] * s2 + q[2] * t9);
+  const Scalar t11 = k[2] * t10 + k[1] * t9;
+  const Scalar t12 = (k[0] * qd[0] * qd[0] - q[2] * t7) - t1 * t8;
+  const Scalar t13 = q[2] * (k[2] * t12 + k[1] * t7) - k[1] * t12;
+  const Scalar t14 = c2 * k[0] * t11 + s2 * (k[0] * t4 + t13);
+  const Scalar t15 = t0 * t5 + (torque[0] + (k[4] * s2 * t7 + t14));
+  const Scalar t16 = k[6] - t3;
+  const Scalar t17 = c2 * k[0] * (k[1] - t16);
+  const Scalar t18 = k[4] + q[2] * t16;
+  const Scalar t19 = Scalar(1) / (k[7] + t18);
+  const Scalar t20 = (q[2] * t11 - k[1] * t10) + k[4] * t9;
+  const Scalar t21 = t19 * (torque[1] - t20);
+  const Scalar t22 = s2 * s2;
+  const Scalar t23 = (k[10] - (k[9] + (k[8] + t18 * t22))) - k[11] * t22;
+  const Scalar t24 = t17 * t19;
+  const Scalar t25 = (t15 - t17 * t21) * Scalar(1) / (t23 + t17 * t24);
   JointVector<Scalar> result;
-  result[0] = t26;
-  result[1] = t26 * t24 - t23;
-  result[2] = k[12] * t6 + t0 * t26;
+  result[0] = t25;
+  result[1] = -t25 * t24 - t21;
+  result[2] = k[12] * t5 + t25 * t0;
   return result;
 }
 

@@ -20,21 +20,21 @@ InverseDynamicsDerivativesConstants<Scalar> inverse_dynamics_derivatives_constan
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = Scalar(0.5) * (inertia.Iyy2 + (inertia.Ixx2 + inertia.Izz2));
-  const Scalar t1 = Scalar(0.5) * (inertia.Izz3 + (inertia.Ixx3 + inertia.Iyy3));
-  const Scalar t2 = (inertia.Iyy2 - t0) - (Scalar(0.25) * inertia.l3 * inertia.l3 * inertia.m3 - (inertia.Izz3 - t1));
-  const Scalar t3 = (inertia.Ixx2 - t0) + (inertia.Ixx3 - t1);
-  const Scalar t4 = Scalar(0.5) * (inertia.Izz1 + (inertia.Ixx1 + inertia.Iyy1));
-  const Scalar t5 = (Scalar(0.25) * g.d2 * g.d2 * inertia.m2 - (inertia.Izz2 - t0)) - (inertia.Iyy3 - t1);
-  return { t2,
-           Scalar(1) / g.d2,
+  const Scalar t0 = Scalar(0.5) * (inertia.Izz1 + (inertia.Ixx1 + inertia.Iyy1));
+  const Scalar t1 = Scalar(0.5) * (inertia.Iyy2 + (inertia.Ixx2 + inertia.Izz2));
+  const Scalar t2 = Scalar(0.5) * (inertia.Izz3 + (inertia.Ixx3 + inertia.Iyy3));
+  const Scalar t3 = (Scalar(0.25) * g.d2 * g.d2 * inertia.m2 - (inertia.Izz2 - t1)) - (inertia.Iyy3 - t2);
+  const Scalar t4 = (inertia.Ixx2 - t1) + (inertia.Ixx3 - t2);
+  const Scalar t5 = (inertia.Iyy2 - t1) - (Scalar(0.25) * inertia.l3 * inertia.l3 * inertia.m3 - (inertia.Izz3 - t2));
+  return { (inertia.Ixx1 - t0) - (t3 - (inertia.Iyy1 - t0)),
+           t4,
            Scalar(0.5) * g.d2 * inertia.l3 * inertia.m3,
-           g.d2 * g.d2 * inertia.m3,
+           Scalar(1) / g.d2,
            gravity / g.d2,
-           t3,
-           (inertia.Ixx1 - t4) - (t5 - (inertia.Iyy1 - t4)),
-           t2 - t3,
-           t2 + t3 };
+           g.d2 * g.d2 * inertia.m3,
+           t5,
+           t5 - t4,
+           t5 + t4 };
 }
 
 namespace detail {
@@ -45,105 +45,98 @@ inline InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives(const Joi
     const InverseDynamicsDerivativesConstants<Scalar>& k) {
   const Scalar& s2 = angles.sine[0];
   const Scalar& c2 = angles.cosine[0];
-  const Scalar t0 = k[1] * q[2];
-  const Scalar t1 = qd[0] * qd[0];
-  const Scalar t2 = qd[0] * c2;
-  const Scalar t3 = t2 * t2;
-  const Scalar t4 = t1 - t3;
-  const Scalar t5 = qd[1] * qd[1] + t4;
-  const Scalar t6 = qdd[0] * s2;
-  const Scalar t7 = t6 - k[4] * c2;
-  const Scalar t8 = k[3] * ((t0 * t5 + t7) - k[1] * qdd[2]);
-  const Scalar t9 = t8 - k[2] * t5;
-  const Scalar t10 = qd[1] * t2;
-  const Scalar t11 = t10 + (t6 + t10);
-  const Scalar t12 = k[1] * qd[2];
-  const Scalar t13 = s2 * t12;
-  const Scalar t14 = qd[0] + qd[0];
-  const Scalar t15 = t13 * t14 - (t1 - t0 * t11);
-  const Scalar t16 = k[2] * t11;
-  const Scalar t17 = k[3] * t15 - t16;
-  const Scalar t18 = k[0] * t11 + (k[2] * t15 - t0 * t17);
-  const Scalar t19 = t9 - t18;
+  const Scalar t0 = qdd[0] * s2;
+  const Scalar t1 = qd[1] * c2;
+  const Scalar t2 = Scalar(2) * qd[0];
+  const Scalar t3 = t0 + t1 * t2;
+  const Scalar t4 = k[3] * qd[2];
+  const Scalar t5 = Scalar(2) * s2 * t4;
+  const Scalar t6 = qd[0] * qd[0];
+  const Scalar t7 = k[3] * t3;
+  const Scalar t8 = qd[0] * t5 - (t6 - q[2] * t7);
+  const Scalar t9 = k[3] * q[2];
+  const Scalar t10 = k[5] * t8 - k[2] * t3;
+  const Scalar t11 = qd[0] * c2;
+  const Scalar t12 = t11 * t11;
+  const Scalar t13 = t6 - t12;
+  const Scalar t14 = qd[1] * qd[1] + t13;
+  const Scalar t15 = t0 - k[4] * c2;
+  const Scalar t16 = k[5] * ((t9 * t14 + t15) - k[3] * qdd[2]);
+  const Scalar t17 = t16 - k[2] * t14;
+  const Scalar t18 = k[6] * t3 + ((k[2] * t8 - t9 * t10) - t17);
+  const Scalar t19 = qd[1] * s2;
   const Scalar t20 = qdd[0] * c2;
-  const Scalar t21 = qd[1] * s2;
-  const Scalar t22 = qd[0] * t21;
-  const Scalar t23 = (t20 - t22) - t22;
-  const Scalar t24 = qd[1] * t12;
-  const Scalar t25 = k[4] * s2 + t20;
-  const Scalar t26 = qd[0] * s2;
-  const Scalar t27 = c2 * t26;
-  const Scalar t28 = qd[0] * t27;
-  const Scalar t29 = qdd[1] - t28;
-  const Scalar t30 = k[1] * t29;
-  const Scalar t31 = (t24 + t24) - (t25 - q[2] * t30);
-  const Scalar t32 = k[3] * t31 - k[2] * t29;
-  const Scalar t33 = k[5] * t23 + t32;
-  const Scalar t34 = (s2 * t19 - c2 * t33) - k[6] * qdd[0];
-  const Scalar t35 = (t0 * t32 - k[2] * t31) + (k[7] * t28 - k[8] * qdd[1]);
-  const Scalar t36 = k[3] * t0;
-  const Scalar t37 = t36 * t2;
-  const Scalar t38 = k[2] * t2;
-  const Scalar t39 = t38 + t38;
-  const Scalar t40 = (t37 + t37) - t39;
-  const Scalar t41 = k[5] * t21;
-  const Scalar t42 = s2 * t26;
-  const Scalar t43 = k[2] * t42;
-  const Scalar t44 = t36 * t42;
-  const Scalar t45 = (t43 + t43) - (t44 + t44);
-  const Scalar t46 = qd[1] * c2;
-  const Scalar t47 = t46 * t0;
-  const Scalar t48 = ((t47 + t47) - t14) + Scalar(2) * t13;
-  const Scalar t49 = Scalar(2) * k[2] * qd[1];
-  const Scalar t50 = k[2] * t48 + t0 * (c2 * t49 - k[3] * t48);
-  const Scalar t51 = s2 * (t45 + (t50 + Scalar(2) * k[0] * t46));
-  const Scalar t52 = c2 * (s2 * t40 + (t41 + t41)) - t51;
-  const Scalar t53 = t0 * t40 - t0 * t39;
-  const Scalar t54 = k[1] * t45;
-  const Scalar t55 = t3 - t4;
-  const Scalar t56 = t0 * t55 - t7;
-  const Scalar t57 = k[2] * t55 - k[3] * t56;
-  const Scalar t58 = s2 * t33 + c2 * (k[5] * t11 - t57);
-  const Scalar t59 = t2 * t12;
-  const Scalar t60 = (t59 + t59) + t0 * t23;
-  const Scalar t61 = t0 * (k[2] * t23 - k[3] * t60) + k[2] * t60;
-  const Scalar t62 = k[3] * (t25 + Scalar(2) * t0 * t28) - t26 * t39;
-  const Scalar t63 = c2 * t19 - s2 * ((t61 + k[0] * t23) - t62);
-  const Scalar t64 = (k[2] * t56 + t0 * t57) + k[7] * t55;
-  const Scalar t65 = k[0] * t2;
-  const Scalar t66 = qd[1] * t36;
-  const Scalar t67 = (t66 + t66) - t49;
-  const Scalar t68 = k[3] * t12;
-  const Scalar t69 = t68 + t68;
-  const Scalar t70 = s2 * (((t65 + t65) - t53) - t67) + c2 * (t69 - Scalar(2) * k[5] * t26);
-  const Scalar t71 = k[2] * t12;
-  const Scalar t72 = k[1] * t67;
-  const Scalar t73 = k[3] * k[1] * t5;
-  const Scalar t74 = (k[1] * t17 + t36 * k[1] * t11) - k[1] * t16;
-  const Scalar t75 = k[3] * c2;
-  const Scalar t76 = (t36 * t30 + k[1] * t32) - k[2] * t30;
-  const Scalar t77 = t75 * k[1] * qd[1];
+  const Scalar t21 = t19 * t2 - t20;
+  const Scalar t22 = qd[0] * s2;
+  const Scalar t23 = t22 * t11;
+  const Scalar t24 = qdd[1] - t23;
+  const Scalar t25 = k[3] * t24;
+  const Scalar t26 = k[4] * s2 + t20;
+  const Scalar t27 = qd[1] * t4;
+  const Scalar t28 = (q[2] * t25 - t26) + (t27 + t27);
+  const Scalar t29 = k[2] * t24 - k[5] * t28;
+  const Scalar t30 = k[1] * t21 + t29;
+  const Scalar t31 = k[0] * qdd[0] + (s2 * t18 - c2 * t30);
+  const Scalar t32 = k[3] * t29;
+  const Scalar t33 = (k[7] * t23 - k[8] * qdd[1]) - (q[2] * t32 + k[2] * t28);
+  const Scalar t34 = k[6] * c2;
+  const Scalar t35 = t1 * t9;
+  const Scalar t36 = (t2 - (t35 + t35)) - t5;
+  const Scalar t37 = k[2] * qd[1];
+  const Scalar t38 = t37 + t37;
+  const Scalar t39 = k[2] * t36 - t9 * (k[5] * t36 + c2 * t38);
+  const Scalar t40 = s2 * t22;
+  const Scalar t41 = k[5] * t9;
+  const Scalar t42 = t40 * t41;
+  const Scalar t43 = Scalar(2) * k[2] * t40 - (t42 + t42);
+  const Scalar t44 = s2 * (Scalar(2) * qd[1] * t34 - (t39 - t43));
+  const Scalar t45 = t2 * k[2] * c2;
+  const Scalar t46 = t45 - Scalar(2) * t11 * t41;
+  const Scalar t47 = c2 * (Scalar(2) * k[1] * t19 - s2 * t46);
+  const Scalar t48 = s2 * t11;
+  const Scalar t49 = t48 + t48;
+  const Scalar t50 = t45 * t9 + t9 * t46;
+  const Scalar t51 = k[3] * t43;
+  const Scalar t52 = t12 - t13;
+  const Scalar t53 = t52 * t9 - t15;
+  const Scalar t54 = k[5] * t53 - k[2] * t52;
+  const Scalar t55 = s2 * t30 - c2 * (k[1] * t3 + t54);
+  const Scalar t56 = t45 * t22 - k[5] * (t26 + t49 * qd[0] * t9);
+  const Scalar t57 = t4 * t11;
+  const Scalar t58 = t9 * t21 - (t57 + t57);
+  const Scalar t59 = t9 * (k[5] * t58 - k[2] * t21) - k[2] * t58;
+  const Scalar t60 = s2 * ((t56 + t59) - k[6] * t21) + c2 * t18;
+  const Scalar t61 = (t9 * t54 - k[2] * t53) - k[7] * t52;
+  const Scalar t62 = qd[1] * t41;
+  const Scalar t63 = t38 - (t62 + t62);
+  const Scalar t64 = Scalar(2) * k[5] * t4;
+  const Scalar t65 = s2 * (t2 * t34 + (t63 + t50)) + c2 * (t64 - k[1] * s2 * t2);
+  const Scalar t66 = k[3] * t63;
+  const Scalar t67 = k[5] * k[3] * t14;
+  const Scalar t68 = (k[3] * t10 + t7 * t41) - k[2] * t7;
+  const Scalar t69 = k[5] * c2;
+  const Scalar t70 = k[3] * qd[1] * t69;
   InverseDynamicsDerivatives<Scalar> result;
-  result.torque[0] = t34;
-  result.torque[1] = t35;
-  result.torque[2] = -k[1] * t9;
+  result.torque[0] = -t31;
+  result.torque[1] = t33;
+  result.torque[2] = -k[3] * t17;
   result.by_position(0, 0) = Scalar(0);
   result.by_position(1, 0) = Scalar(0);
-  result.by_position(2, 0) = Scalar(0);
-  result.by_rate(0, 0) = t52;
-  result.by_rate(1, 0) = k[7] * Scalar(2) * t27 - s2 * t53;
-  result.by_rate(2, 0) = t54;
-  result.by_position(0, 1) = t58 + t63;
-  result.by_position(1, 1) = t64;
-  result.by_position(2, 1) = -k[1] * t62;
-  result.by_rate(0, 1) = -t70;
-  result.by_rate(1, 1) = t0 * t69 - (t71 + t71);
-  result.by_rate(2, 1) = -t72;
-  result.by_position(0, 2) = s2 * (t73 + t74) - t75 * t30;
-  result.by_position(1, 2) = t76;
-  result.by_position(2, 2) = -k[1] * t73;
-  result.by_rate(0, 2) = -(t77 + t77) - t54;
-  result.by_rate(1, 2) = t72;
+  result.by_position(2, 0) = -Scalar(0);
+  result.by_rate(0, 0) = t47 - t44;
+  result.by_rate(1, 0) = k[7] * t49 + s2 * t50;
+  result.by_rate(2, 0) = t51;
+  result.by_position(0, 1) = -t55 - t60;
+  result.by_position(1, 1) = -t61;
+  result.by_position(2, 1) = k[3] * t56;
+  result.by_rate(0, 1) = -t65;
+  result.by_rate(1, 1) = t64 * t9 - Scalar(2) * k[2] * t4;
+  result.by_rate(2, 1) = t66;
+  result.by_position(0, 2) = s2 * (t67 + t68) - t25 * t69;
+  result.by_position(1, 2) = (t25 * t41 - t32) - k[2] * t25;
+  result.by_position(2, 2) = -k[3] * t67;
+  result.by_rate(0, 2) = -t51 - (t70 + t70);
+  result.by_rate(1, 2) = -t66;
   result.by_rate(2, 2) = Scalar(0);
   return result;
 }

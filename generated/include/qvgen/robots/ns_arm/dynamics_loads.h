@@ -26,7 +26,7 @@ LoadAngles<Scalar> load_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion, under gravity in any direction.
 ///
-/// 47 multiplications, 30 additions, 2 sine/cosine pairs. Set-up: 17 multiplications, 23 additions, 4 divisions.
+/// 46 multiplications, 29 additions, 2 sine/cosine pairs. Set-up: 19 multiplications, 23 additions, 4 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d2, which must not be zero.
 /// Largest rounding error found 5.51 ulp of the largest component.
@@ -35,7 +35,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
     const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
-using InverseDynamicsWithGravityVectorConstants = std::array<Scalar, 11>;
+using InverseDynamicsWithGravityVectorConstants = std::array<Scalar, 13>;
 template <class Scalar>
 InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_vector_constants(
     const BasicGeometry<Scalar>& g,
@@ -47,7 +47,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces for a motion while a wrench acts on the tool from outside: those without it minus jacobian(q)^T wrench.
 ///
-/// 64 multiplications, 46 additions, 2 sine/cosine pairs. Set-up: 17 multiplications, 23 additions, 4 divisions.
+/// 64 multiplications, 45 additions, 2 sine/cosine pairs. Set-up: 17 multiplications, 23 additions, 4 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d2, which must not be zero.
 /// Largest rounding error found 4.24 ulp of the largest component.
@@ -68,14 +68,14 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces that hold the robot at rest, under gravity in any direction.
 ///
-/// 18 multiplications, 8 additions, 2 sine/cosine pairs. Set-up: 5 multiplications.
+/// 18 multiplications, 8 additions, 2 sine/cosine pairs. Set-up: 6 multiplications.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// Largest rounding error found 6.15 ulp of the largest component.
 template <class Scalar>
 JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
-using GravityTorqueWithGravityVectorConstants = std::array<Scalar, 7>;
+using GravityTorqueWithGravityVectorConstants = std::array<Scalar, 8>;
 template <class Scalar>
 GravityTorqueWithGravityVectorConstants<Scalar> gravity_torque_with_gravity_vector_constants(
     const BasicGeometry<Scalar>& g,
@@ -86,7 +86,7 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const LoadAngle
 
 /// Joint accelerations for given joint forces, under gravity in any direction.
 ///
-/// 56 multiplications, 40 additions, 2 divisions, 2 sine/cosine pairs. Set-up: 20 multiplications, 22 additions, 1
+/// 57 multiplications, 38 additions, 2 divisions, 2 sine/cosine pairs. Set-up: 16 multiplications, 22 additions, 1
 /// division.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// Largest rounding error found 4.4 ulp of the largest component.
@@ -95,7 +95,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
-using ForwardDynamicsWithGravityVectorConstants = std::array<Scalar, 17>;
+using ForwardDynamicsWithGravityVectorConstants = std::array<Scalar, 14>;
 template <class Scalar>
 ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_vector_constants(
     const BasicGeometry<Scalar>& g,
@@ -107,7 +107,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint accelerations for given joint forces while a wrench acts on the tool from outside.
 ///
-/// 74 multiplications, 52 additions, 2 divisions, 2 sine/cosine pairs. Set-up: 17 multiplications, 22 additions, 1
+/// 73 multiplications, 52 additions, 2 divisions, 2 sine/cosine pairs. Set-up: 17 multiplications, 22 additions, 1
 /// division.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// Largest rounding error found 3.94 ulp of the largest component.

@@ -32,19 +32,23 @@ InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_
   const Scalar t1 = Scalar(0.5) * (inertia.Iyy2 + (inertia.Ixx2 + inertia.Izz2));
   const Scalar t2 = Scalar(0.5) * (inertia.Izz3 + (inertia.Ixx3 + inertia.Iyy3));
   const Scalar t3 = (Scalar(0.25) * g.d2 * g.d2 * inertia.m2 - (inertia.Izz2 - t1)) - (inertia.Iyy3 - t2);
-  const Scalar t4 = (inertia.Iyy2 - t1) - (Scalar(0.25) * inertia.l3 * inertia.l3 * inertia.m3 - (inertia.Izz3 - t2));
-  const Scalar t5 = (inertia.Ixx2 - t1) + (inertia.Ixx3 - t2);
+  const Scalar t4 = Scalar(1) / g.d2;
+  const Scalar t5 = g.d2 * g.d2 * inertia.m3;
+  const Scalar t6 = (inertia.Iyy2 - t1) - (Scalar(0.25) * inertia.l3 * inertia.l3 * inertia.m3 - (inertia.Izz3 - t2));
+  const Scalar t7 = (inertia.Ixx2 - t1) + (inertia.Ixx3 - t2);
   return { gravity[1] / g.d2,
            gravity[0] / g.d2,
            Scalar(0.5) * g.d2 * g.d2 * inertia.m2,
            (inertia.Ixx1 - t0) - (t3 - (inertia.Iyy1 - t0)),
+           Scalar(2) * t4,
+           t4,
            Scalar(0.5) * g.d2 * inertia.l3 * inertia.m3,
-           Scalar(1) / g.d2,
-           gravity[2] / g.d2,
-           g.d2 * g.d2 * inertia.m3,
-           t4 - t5,
            t5,
-           t4 + t5 };
+           t5 * t4,
+           gravity[2] / g.d2,
+           t6 - t7,
+           t7,
+           t6 + t7 };
 }
 
 namespace detail {
@@ -57,34 +61,33 @@ inline JointVector<Scalar> inverse_dynamics_with_gravity_vector(const JointVecto
   const Scalar& c1 = angles.cosine[0];
   const Scalar& s2 = angles.sine[1];
   const Scalar& c2 = angles.cosine[1];
-  const Scalar t0 = k[5] * q[2];
-  const Scalar t1 = qd[0] * qd[0] + (k[1] * s1 - k[0] * c1);
+  const Scalar t0 = k[0] * s1 + k[1] * c1;
+  const Scalar t1 = k[10] * s2;
   const Scalar t2 = qd[0] * c2;
   const Scalar t3 = Scalar(2) * qd[1] * t2;
-  const Scalar t4 = qdd[0] * s2 + t3;
-  const Scalar t5 = qd[0] * s2;
-  const Scalar t6 = k[5] * qd[2];
-  const Scalar t7 = (t1 - t0 * t4) - Scalar(2) * t5 * t6;
-  const Scalar t8 = t0 * (k[7] * t7 + k[4] * t4) - k[4] * t7;
-  const Scalar t9 = qd[1] * qd[1] + t5 * t5;
-  const Scalar t10 = k[0] * s1 + k[1] * c1;
-  const Scalar t11 = qdd[0] - t10;
-  const Scalar t12 = t0 * t9 + (s2 * t11 + k[6] * c2);
-  const Scalar t13 = k[7] * (k[5] * qdd[2] - t12) + k[4] * t9;
-  const Scalar t14 = t5 * t2;
-  const Scalar t15 = qdd[1] - t14;
-  const Scalar t16 = (k[6] * s2 - c2 * t11) + t0 * t15;
-  const Scalar t17 = qd[1] * t6;
-  const Scalar t18 = t16 + (t17 + t17);
-  const Scalar t19 = k[7] * t18 - k[4] * t15;
-  const Scalar t20 = k[8] * s2;
-  const Scalar t21 = t20 * t3 + qdd[0] * (k[9] + s2 * t20);
-  const Scalar t22 = (s2 * (t8 + t13) + c2 * t19) + t21;
-  const Scalar t23 = (k[8] * t14 - k[10] * qdd[1]) - (k[4] * t18 - t0 * t19);
+  const Scalar t4 = t1 * t3 + qdd[0] * (k[11] + s2 * t1);
+  const Scalar t5 = qdd[0] - t0;
+  const Scalar t6 = k[5] * q[2];
+  const Scalar t7 = qd[0] * s2;
+  const Scalar t8 = t7 * t2;
+  const Scalar t9 = qdd[1] - t8;
+  const Scalar t10 = (c2 * t5 - k[9] * s2) - t6 * t9;
+  const Scalar t11 = k[4] * qd[2];
+  const Scalar t12 = t10 - qd[1] * t11;
+  const Scalar t13 = k[7] * t12 + k[6] * t9;
+  const Scalar t14 = qd[1] * qd[1] + t7 * t7;
+  const Scalar t15 = (k[9] * c2 + s2 * t5) + t6 * t14;
+  const Scalar t16 = k[6] * t14 + (k[8] * qdd[2] - k[7] * t15);
+  const Scalar t17 = qdd[0] * s2 + t3;
+  const Scalar t18 = qd[0] * qd[0] + (k[1] * s1 - k[0] * c1);
+  const Scalar t19 = t7 * t11 - (t18 - t6 * t17);
+  const Scalar t20 = t6 * (k[6] * t17 - k[7] * t19) + k[6] * t19;
+  const Scalar t21 = t4 - (c2 * t13 - s2 * (t16 + t20));
+  const Scalar t22 = (t6 * t13 - k[6] * t12) - (k[10] * t8 - k[12] * qdd[1]);
   JointVector<Scalar> result;
-  result[0] = -t22 - (k[3] * qdd[0] + k[2] * t10);
-  result[1] = t23;
-  result[2] = k[5] * t13;
+  result[0] = -(k[3] * qdd[0] + k[2] * t0) - t21;
+  result[1] = -t22;
+  result[2] = k[5] * t16;
   return result;
 }
 
@@ -112,24 +115,24 @@ InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constant
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = Scalar(0.5) * (inertia.Iyy2 + (inertia.Ixx2 + inertia.Izz2));
-  const Scalar t1 = Scalar(0.5) * (inertia.Izz3 + (inertia.Ixx3 + inertia.Iyy3));
-  const Scalar t2 = (inertia.Iyy2 - t0) - (Scalar(0.25) * inertia.l3 * inertia.l3 * inertia.m3 - (inertia.Izz3 - t1));
-  const Scalar t3 = (inertia.Ixx2 - t0) + (inertia.Ixx3 - t1);
-  const Scalar t4 = Scalar(0.5) * (inertia.Izz1 + (inertia.Ixx1 + inertia.Iyy1));
-  const Scalar t5 = (Scalar(0.25) * g.d2 * g.d2 * inertia.m2 - (inertia.Izz2 - t0)) - (inertia.Iyy3 - t1);
-  return { t2 - t3,
-           t3,
+  const Scalar t0 = Scalar(0.5) * (inertia.Izz1 + (inertia.Ixx1 + inertia.Iyy1));
+  const Scalar t1 = Scalar(0.5) * (inertia.Iyy2 + (inertia.Ixx2 + inertia.Izz2));
+  const Scalar t2 = Scalar(0.5) * (inertia.Izz3 + (inertia.Ixx3 + inertia.Iyy3));
+  const Scalar t3 = (Scalar(0.25) * g.d2 * g.d2 * inertia.m2 - (inertia.Izz2 - t1)) - (inertia.Iyy3 - t2);
+  const Scalar t4 = (inertia.Iyy2 - t1) - (Scalar(0.25) * inertia.l3 * inertia.l3 * inertia.m3 - (inertia.Izz3 - t2));
+  const Scalar t5 = (inertia.Ixx2 - t1) + (inertia.Ixx3 - t2);
+  return { gravity[1] / g.d2,
+           gravity[0] / g.d2,
+           Scalar(0.5) * g.d2 * g.d2 * inertia.m2,
+           (inertia.Ixx1 - t0) - (t3 - (inertia.Iyy1 - t0)),
            g.d2,
            Scalar(0.5) * g.d2 * inertia.l3 * inertia.m3,
-           Scalar(1) / g.d2,
            gravity[2] / g.d2,
-           gravity[1] / g.d2,
-           gravity[0] / g.d2,
+           Scalar(1) / g.d2,
            g.d2 * g.d2 * inertia.m3,
-           Scalar(0.5) * g.d2 * g.d2 * inertia.m2,
-           (inertia.Ixx1 - t4) - (t5 - (inertia.Iyy1 - t4)),
-           t2 + t3 };
+           t4 - t5,
+           t5,
+           t4 + t5 };
 }
 
 namespace detail {
@@ -142,43 +145,42 @@ inline JointVector<Scalar> inverse_dynamics_with_wrench(const JointVector<Scalar
   const Scalar& c1 = angles.cosine[0];
   const Scalar& s2 = angles.sine[1];
   const Scalar& c2 = angles.cosine[1];
-  const Scalar t0 = k[6] * s1 + k[7] * c1;
-  const Scalar t1 = qd[0] * c2;
-  const Scalar t2 = qd[1] * t1;
-  const Scalar t3 = t2 + t2;
-  const Scalar t4 = k[0] * s2;
-  const Scalar t5 = t3 * t4 + qdd[0] * (k[1] + s2 * t4);
-  const Scalar t6 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t7 = qd[0] * s2;
-  const Scalar t8 = t7 * t1;
-  const Scalar t9 = qdd[1] - t8;
-  const Scalar t10 = k[4] * q[2];
-  const Scalar t11 = qdd[0] - t0;
-  const Scalar t12 = t9 * t10 + (k[5] * s2 - c2 * t11);
-  const Scalar t13 = k[4] * qd[2];
-  const Scalar t14 = qd[1] * t13;
-  const Scalar t15 = t12 + (t14 + t14);
-  const Scalar t16 = wrench[0] * c1 + wrench[1] * s1;
-  const Scalar t17 = (k[3] * t9 - k[8] * t15) - k[2] * (c2 * t16 + wrench[2] * s2);
-  const Scalar t18 = c2 * ((s2 * t6 - wrench[5] * c2) + t17);
-  const Scalar t19 = t3 + qdd[0] * s2;
-  const Scalar t20 = qd[0] * qd[0] + (k[7] * s1 - k[6] * c1);
-  const Scalar t21 = t7 * t13;
-  const Scalar t22 = (t10 * t19 - t20) + (t21 + t21);
-  const Scalar t23 = (k[3] * t19 - k[8] * t22) + k[2] * (wrench[0] * s1 - wrench[1] * c1);
-  const Scalar t24 = k[3] * t22 + (c2 * t6 + wrench[5] * s2);
-  const Scalar t25 = qd[1] * qd[1] + t7 * t7;
-  const Scalar t26 = t10 * t25 + (s2 * t11 + k[5] * c2);
-  const Scalar t27 = k[3] * t25 + k[8] * (k[4] * qdd[2] - t26);
-  const Scalar t28 = k[2] * (wrench[2] * c2 - s2 * t16) - t27;
-  const Scalar t29 = t18 - s2 * ((t23 * t10 + t24) - t28);
-  const Scalar t30 = (k[9] * t0 + k[10] * qdd[0]) + (t5 - t29);
-  const Scalar t31 = (wrench[3] * s1 - wrench[4] * c1) + k[3] * t15;
-  const Scalar t32 = (t31 + t10 * t17) + (k[11] * qdd[1] - k[0] * t8);
+  const Scalar t0 = k[0] * s1 + k[1] * c1;
+  const Scalar t1 = k[9] * s2;
+  const Scalar t2 = qd[0] * c2;
+  const Scalar t3 = qd[1] + qd[1];
+  const Scalar t4 = t2 * t3;
+  const Scalar t5 = t1 * t4 + qdd[0] * (k[10] + s2 * t1);
+  const Scalar t6 = qd[0] * s2;
+  const Scalar t7 = k[7] * qd[2];
+  const Scalar t8 = t6 * t7;
+  const Scalar t9 = qd[0] * qd[0] + (k[1] * s1 - k[0] * c1);
+  const Scalar t10 = qdd[0] * s2 + t4;
+  const Scalar t11 = k[7] * q[2];
+  const Scalar t12 = (t8 + t8) - (t9 - t10 * t11);
+  const Scalar t13 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t14 = k[5] * t12 + (c2 * t13 + wrench[5] * s2);
+  const Scalar t15 = (k[5] * t10 - k[8] * t12) + k[4] * (wrench[0] * s1 - wrench[1] * c1);
+  const Scalar t16 = qd[1] * qd[1] + t6 * t6;
+  const Scalar t17 = qdd[0] - t0;
+  const Scalar t18 = t11 * t16 + (s2 * t17 + k[6] * c2);
+  const Scalar t19 = k[5] * t16 + k[8] * (k[7] * qdd[2] - t18);
+  const Scalar t20 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t21 = t19 - k[4] * (wrench[2] * c2 - s2 * t20);
+  const Scalar t22 = t6 * t2;
+  const Scalar t23 = qdd[1] - t22;
+  const Scalar t24 = (k[6] * s2 - c2 * t17) + t23 * t11;
+  const Scalar t25 = t7 * t3 + t24;
+  const Scalar t26 = k[4] * (c2 * t20 + wrench[2] * s2) + (k[8] * t25 - k[5] * t23);
+  const Scalar t27 = c2 * (t26 - (s2 * t13 - wrench[5] * c2));
+  const Scalar t28 = s2 * ((t14 + t15 * t11) + t21) + t27;
+  const Scalar t29 = (k[3] * qdd[0] + k[2] * t0) + (t5 + t28);
+  const Scalar t30 = k[5] * t25 + (wrench[3] * s1 - wrench[4] * c1);
+  const Scalar t31 = (k[9] * t22 - k[11] * qdd[1]) - (t30 - t26 * t11);
   JointVector<Scalar> result;
-  result[0] = -t30;
-  result[1] = -t32;
-  result[2] = -k[4] * t28;
+  result[0] = -t29;
+  result[1] = t31;
+  result[2] = k[7] * t21;
   return result;
 }
 
@@ -214,7 +216,8 @@ GravityTorqueWithGravityVectorConstants<Scalar> gravity_torque_with_gravity_vect
            inertia.m3,
            Scalar(0.5) * inertia.l3 * inertia.m3,
            g.d2 * inertia.m3,
-           gravity[2] };
+           gravity[2],
+           gravity[2] * inertia.m3 };
 }
 
 namespace detail {
@@ -233,7 +236,7 @@ inline JointVector<Scalar> gravity_torque_with_gravity_vector(const JointVector<
   JointVector<Scalar> result;
   result[0] = -(k[5] * t0 + t2) - k[2] * t0;
   result[1] = q[2] * k[3] * t3 - k[4] * t3;
-  result[2] = k[3] * (s2 * t0 - k[6] * c2);
+  result[2] = k[3] * s2 * t0 - k[7] * c2;
   return result;
 }
 
@@ -264,26 +267,22 @@ ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_
   const Scalar t1 = Scalar(0.5) * (inertia.Izz3 + (inertia.Ixx3 + inertia.Iyy3));
   const Scalar t2 = (inertia.Iyy2 - t0) - (Scalar(0.25) * inertia.l3 * inertia.l3 * inertia.m3 - (inertia.Izz3 - t1));
   const Scalar t3 = (inertia.Ixx2 - t0) + (inertia.Ixx3 - t1);
-  const Scalar t4 = g.d2 * inertia.m3;
-  const Scalar t5 = g.d2 * t4;
-  const Scalar t6 = Scalar(0.5) * (inertia.Izz1 + (inertia.Ixx1 + inertia.Iyy1));
-  const Scalar t7 = (Scalar(0.25) * g.d2 * g.d2 * inertia.m2 - (inertia.Izz2 - t0)) - (inertia.Iyy3 - t1);
-  return { gravity[2],
-           gravity[1],
+  const Scalar t4 = Scalar(0.5) * (inertia.Izz1 + (inertia.Ixx1 + inertia.Iyy1));
+  const Scalar t5 = g.d2 * g.d2 * inertia.m3;
+  const Scalar t6 = (Scalar(0.25) * g.d2 * g.d2 * inertia.m2 - (inertia.Izz2 - t0)) - (inertia.Iyy3 - t1);
+  return { gravity[1],
            gravity[0],
-           inertia.m3,
-           Scalar(0.5) * inertia.l3 * inertia.m3,
-           g.d2,
            Scalar(0.5) * g.d2 * inertia.m2,
-           inertia.l3 * inertia.m3,
            t2 - t3,
-           t4,
-           Scalar(0.5) * g.d2 * inertia.l3 * inertia.m3,
+           Scalar(0.5) * inertia.l3 * inertia.m3,
+           gravity[2],
+           inertia.m3,
+           g.d2,
            Scalar(2) * t3,
-           t5,
            t3,
-           inertia.Ixx1 - t6,
-           t5 + (t7 - (inertia.Iyy1 - t6)),
+           inertia.Ixx1 - t4,
+           t5 + (t6 - (inertia.Iyy1 - t4)),
+           t5,
            Scalar(1) / inertia.m3 };
 }
 
@@ -297,41 +296,41 @@ inline JointVector<Scalar> forward_dynamics_with_gravity_vector(const JointVecto
   const Scalar& c1 = angles.cosine[0];
   const Scalar& s2 = angles.sine[1];
   const Scalar& c2 = angles.cosine[1];
-  const Scalar t0 = k[8] + q[2] * (k[7] - k[3] * q[2]);
-  const Scalar t1 = s2 * s2;
-  const Scalar t2 = (k[15] - (k[14] + (k[13] + t0 * t1))) - k[12] * t1;
-  const Scalar t3 = Scalar(1) / (k[11] + t0);
-  const Scalar t4 = c2 * (k[10] - k[9] * q[2]);
-  const Scalar t5 = t3 * t4;
-  const Scalar t6 = qd[0] * s2;
-  const Scalar t7 = qd[0] * c2;
-  const Scalar t8 = t6 * t7;
-  const Scalar t9 = qd[2] * qd[1];
-  const Scalar t10 = k[1] * s1 + k[2] * c1;
-  const Scalar t11 = (k[0] * s2 + c2 * t10) - q[2] * t8;
-  const Scalar t12 = (t9 + t9) + t11;
-  const Scalar t13 = k[4] * t8 + k[3] * t12;
-  const Scalar t14 = k[8] * t8 - (k[4] * t12 - q[2] * t13);
-  const Scalar t15 = torque[1] - t14;
-  const Scalar t16 = k[5] * s2;
-  const Scalar t17 = qd[1] * qd[1] + t6 * t6;
-  const Scalar t18 = q[2] * t17 + (k[0] * c2 - s2 * t10);
-  const Scalar t19 = k[3] * t18 - k[4] * t17;
-  const Scalar t20 = torque[2] + t19;
-  const Scalar t21 = k[5] * qd[0] * qd[0] + (k[2] * s1 - k[1] * c1);
-  const Scalar t22 = qd[1] * t7;
-  const Scalar t23 = t22 + t22;
-  const Scalar t24 = qd[2] * t6;
-  const Scalar t25 = (t21 - q[2] * t23) - (t24 + t24);
-  const Scalar t26 = k[4] * t25 - q[2] * (k[7] * t22 + k[3] * t25);
-  const Scalar t27 = s2 * (t26 + k[5] * t19) - k[5] * c2 * t13;
-  const Scalar t28 = k[6] * t10 - (t27 - t23 * k[8] * s2);
-  const Scalar t29 = t15 * t5 + (t16 * t20 + (torque[0] + t28));
-  const Scalar t30 = Scalar(1) / (t2 + t5 * t4) * t29;
+  const Scalar t0 = qd[0] * s2;
+  const Scalar t1 = qd[0] * c2;
+  const Scalar t2 = t0 * t1;
+  const Scalar t3 = qd[1] + qd[1];
+  const Scalar t4 = k[0] * s1 + k[1] * c1;
+  const Scalar t5 = q[2] * t2 - (k[5] * s2 + c2 * t4);
+  const Scalar t6 = qd[2] * t3 - t5;
+  const Scalar t7 = k[4] * t2 + k[6] * t6;
+  const Scalar t8 = t1 * t3;
+  const Scalar t9 = qd[0] * qd[0];
+  const Scalar t10 = (k[1] * s1 - k[0] * c1) + k[7] * t9;
+  const Scalar t11 = Scalar(2) * qd[2] * t0 + (q[2] * t8 - t10);
+  const Scalar t12 = k[4] * t11 + q[2] * (k[4] * t8 - k[6] * t11);
+  const Scalar t13 = s2 * s2;
+  const Scalar t14 = qd[1] * qd[1] + t9 * t13;
+  const Scalar t15 = q[2] * t14 - (s2 * t4 - k[5] * c2);
+  const Scalar t16 = k[4] * t14 - k[6] * t15;
+  const Scalar t17 = c2 * k[7] * t7 + s2 * (t12 + k[7] * t16);
+  const Scalar t18 = (t17 + k[3] * s2 * t8) + k[2] * t4;
+  const Scalar t19 = k[7] * s2;
+  const Scalar t20 = torque[2] - t16;
+  const Scalar t21 = k[4] - k[6] * q[2];
+  const Scalar t22 = k[7] * c2 * t21;
+  const Scalar t23 = k[3] + q[2] * (k[4] + t21);
+  const Scalar t24 = Scalar(1) / (k[8] + t23);
+  const Scalar t25 = t22 * t24;
+  const Scalar t26 = k[3] * t2 + (q[2] * t7 - k[4] * t6);
+  const Scalar t27 = torque[1] - t26;
+  const Scalar t28 = ((torque[0] + t18) + t19 * t20) + t25 * t27;
+  const Scalar t29 = k[12] * t13 - (k[11] - (k[10] + (k[9] + t23 * t13)));
+  const Scalar t30 = t28 * Scalar(1) / (t25 * t22 - t29);
   JointVector<Scalar> result;
   result[0] = t30;
-  result[1] = t30 * t5 - t3 * t15;
-  result[2] = t16 * t30 + k[16] * t20;
+  result[1] = t25 * t30 - t24 * t27;
+  result[2] = t30 * t19 + k[13] * t20;
   return result;
 }
 
@@ -363,23 +362,23 @@ ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constant
   const Scalar t1 = Scalar(0.5) * (inertia.Izz3 + (inertia.Ixx3 + inertia.Iyy3));
   const Scalar t2 = (inertia.Iyy2 - t0) - (Scalar(0.25) * inertia.l3 * inertia.l3 * inertia.m3 - (inertia.Izz3 - t1));
   const Scalar t3 = (inertia.Ixx2 - t0) + (inertia.Ixx3 - t1);
-  const Scalar t4 = g.d2 * g.d2 * inertia.m3;
-  const Scalar t5 = Scalar(0.5) * (inertia.Izz1 + (inertia.Ixx1 + inertia.Iyy1));
+  const Scalar t4 = Scalar(0.5) * (inertia.Izz1 + (inertia.Ixx1 + inertia.Iyy1));
+  const Scalar t5 = g.d2 * g.d2 * inertia.m3;
   const Scalar t6 = (Scalar(0.25) * g.d2 * g.d2 * inertia.m2 - (inertia.Izz2 - t0)) - (inertia.Iyy3 - t1);
-  return { gravity[2],
+  return { g.d2,
+           gravity[2],
            gravity[1],
            gravity[0],
            inertia.m3,
            Scalar(0.5) * inertia.l3 * inertia.m3,
-           g.d2,
            Scalar(0.5) * g.d2 * inertia.m2,
            t2 - t3,
            inertia.l3 * inertia.m3,
            Scalar(2) * t3,
-           t4,
            t3,
-           inertia.Ixx1 - t5,
-           t4 + (t6 - (inertia.Iyy1 - t5)),
+           inertia.Ixx1 - t4,
+           t5 + (t6 - (inertia.Iyy1 - t4)),
+           t5,
            Scalar(1) / inertia.m3 };
 }
 
@@ -393,44 +392,45 @@ inline JointVector<Scalar> forward_dynamics_with_wrench(const JointVector<Scalar
   const Scalar& c1 = angles.cosine[0];
   const Scalar& s2 = angles.sine[1];
   const Scalar& c2 = angles.cosine[1];
-  const Scalar t0 = qd[0] * s2;
-  const Scalar t1 = qd[1] * qd[1] + t0 * t0;
-  const Scalar t2 = k[1] * s1 + k[2] * c1;
-  const Scalar t3 = q[2] * t1 + (k[0] * c2 - s2 * t2);
-  const Scalar t4 = wrench[0] * c1 + wrench[1] * s1;
-  const Scalar t5 = (k[3] * t3 - k[4] * t1) + (wrench[2] * c2 - s2 * t4);
-  const Scalar t6 = torque[2] + t5;
-  const Scalar t7 = k[5] * s2;
-  const Scalar t8 = qd[0] * c2;
-  const Scalar t9 = t0 * t8;
-  const Scalar t10 = (k[0] * s2 + c2 * t2) - q[2] * t9;
-  const Scalar t11 = Scalar(2) * qd[2] * qd[1] + t10;
-  const Scalar t12 = (c2 * t4 + wrench[2] * s2) + (k[3] * t11 + k[4] * t9);
-  const Scalar t13 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t14 = k[5] * t12 - (s2 * t13 - wrench[5] * c2);
-  const Scalar t15 = k[5] * qd[0] * qd[0] + (k[2] * s1 - k[1] * c1);
-  const Scalar t16 = qd[1] * t8;
+  const Scalar t0 = k[5] - k[4] * q[2];
+  const Scalar t1 = k[0] * c2 * t0;
+  const Scalar t2 = k[7] + q[2] * (k[5] + t0);
+  const Scalar t3 = Scalar(1) / (k[9] + t2);
+  const Scalar t4 = t1 * t3;
+  const Scalar t5 = qd[0] * s2;
+  const Scalar t6 = qd[0] * c2;
+  const Scalar t7 = t5 * t6;
+  const Scalar t8 = Scalar(2) * qd[2];
+  const Scalar t9 = k[2] * s1 + k[3] * c1;
+  const Scalar t10 = (k[1] * s2 + c2 * t9) - q[2] * t7;
+  const Scalar t11 = qd[1] * t8 + t10;
+  const Scalar t12 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t13 = (k[5] * t7 + k[4] * t11) + (c2 * t12 + wrench[2] * s2);
+  const Scalar t14 = (wrench[3] * s1 - wrench[4] * c1) + k[5] * t11;
+  const Scalar t15 = torque[1] - ((q[2] * t13 - t14) + k[7] * t7);
+  const Scalar t16 = qd[1] * t6;
   const Scalar t17 = t16 + t16;
-  const Scalar t18 = (t15 - q[2] * t17) - Scalar(2) * qd[2] * t0;
-  const Scalar t19 = k[4] * t18 - (c2 * t13 + wrench[5] * s2);
-  const Scalar t20 = (k[8] * t16 + k[3] * t18) + (wrench[0] * s1 - wrench[1] * c1);
-  const Scalar t21 = s2 * (k[5] * t5 + (t19 - q[2] * t20));
-  const Scalar t22 = (c2 * t14 - t21) + t17 * k[7] * s2;
-  const Scalar t23 = t6 * t7 + (torque[0] + (t22 + k[6] * t2));
-  const Scalar t24 = k[3] * q[2];
-  const Scalar t25 = k[7] + q[2] * (k[8] - t24);
-  const Scalar t26 = Scalar(1) / (k[9] + t25);
-  const Scalar t27 = k[5] * c2 * (k[4] - t24);
-  const Scalar t28 = t26 * t27;
-  const Scalar t29 = k[4] * t11 + (wrench[3] * s1 - wrench[4] * c1);
-  const Scalar t30 = torque[1] - (k[7] * t9 + (q[2] * t12 - t29));
-  const Scalar t31 = s2 * s2;
-  const Scalar t32 = k[10] * t31 - (k[13] - (k[12] + (k[11] + t25 * t31)));
-  const Scalar t33 = (t23 + t28 * t30) * Scalar(1) / (t28 * t27 - t32);
+  const Scalar t18 = k[0] * qd[0] * qd[0] - (k[2] * c1 - k[3] * s1);
+  const Scalar t19 = t5 * t8 - (t18 - q[2] * t17);
+  const Scalar t20 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t21 = k[5] * t19 + (c2 * t20 + wrench[5] * s2);
+  const Scalar t22 = (k[4] * t19 - k[8] * t16) - (wrench[0] * s1 - wrench[1] * c1);
+  const Scalar t23 = qd[1] * qd[1] + t5 * t5;
+  const Scalar t24 = q[2] * t23 - (s2 * t9 - k[1] * c2);
+  const Scalar t25 = (wrench[2] * c2 - s2 * t12) - (k[5] * t23 - k[4] * t24);
+  const Scalar t26 = s2 * ((t21 - q[2] * t22) - k[0] * t25);
+  const Scalar t27 = k[0] * t13 - (s2 * t20 - wrench[5] * c2);
+  const Scalar t28 = t17 * k[7] * s2 + (t26 + c2 * t27);
+  const Scalar t29 = torque[2] + t25;
+  const Scalar t30 = k[0] * s2;
+  const Scalar t31 = (torque[0] + (k[6] * t9 + t28)) + t29 * t30;
+  const Scalar t32 = s2 * s2;
+  const Scalar t33 = (k[12] - (k[11] + (k[10] + t2 * t32))) - k[13] * t32;
+  const Scalar t34 = (t4 * t15 + t31) * Scalar(1) / (t1 * t4 + t33);
   JointVector<Scalar> result;
-  result[0] = t33;
-  result[1] = t28 * t33 - t26 * t30;
-  result[2] = k[14] * t6 + t7 * t33;
+  result[0] = t34;
+  result[1] = t34 * t4 - t3 * t15;
+  result[2] = t34 * t30 + k[14] * t29;
   return result;
 }
 
@@ -460,9 +460,9 @@ PotentialEnergyWithGravityVectorConstants<Scalar> potential_energy_with_gravity_
   using std::cos;
   using std::sin;
   const Scalar t0 = inertia.m2 + inertia.m3;
-  return { Scalar(0.5) * g.d2 * inertia.m2 - g.d2 * t0,
-           inertia.m3,
+  return { inertia.m3,
            Scalar(0.5) * inertia.l3 * inertia.m3,
+           Scalar(0.5) * g.d2 * inertia.m2 - g.d2 * t0,
            gravity[1],
            gravity[0],
            Scalar(0.5) * g.h1 * inertia.m1,
@@ -479,10 +479,10 @@ inline Scalar potential_energy_with_gravity_vector(const JointVector<Scalar>& q,
   const Scalar& c1 = angles.cosine[0];
   const Scalar& s2 = angles.sine[1];
   const Scalar& c2 = angles.cosine[1];
-  const Scalar t0 = k[2] - k[1] * q[2];
+  const Scalar t0 = k[1] - k[0] * q[2];
   const Scalar t1 = s2 * t0;
-  const Scalar t2 = k[4] * (k[0] * s1 - c1 * t1) - k[3] * (k[0] * c1 + s1 * t1);
-  const Scalar t3 = k[7] - (k[6] * (k[5] + c2 * t0) + t2);
+  const Scalar t2 = k[3] * (k[2] * c1 + s1 * t1) - k[4] * (k[2] * s1 - c1 * t1);
+  const Scalar t3 = k[7] + (t2 - k[6] * (k[5] + c2 * t0));
   Scalar result;
   result = -t3;
   return result;

@@ -28,7 +28,8 @@ InverseDynamicsConstants<Scalar> inverse_dynamics_constants([[maybe_unused]] con
   using std::cos;
   using std::sin;
 
-  return { Scalar(5) * gravity };
+  return { gravity,
+           Scalar(0.3) * gravity };
 }
 
 namespace detail {
@@ -39,34 +40,29 @@ inline JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const 
     const InverseDynamicsConstants<Scalar>& k) {
   const Scalar& s2 = angles.sine[0];
   const Scalar& c2 = angles.cosine[0];
-  const Scalar t0 = qdd[0] * c2;
-  const Scalar t1 = qd[0] * s2;
-  const Scalar t2 = qd[1] * t1;
-  const Scalar t3 = qd[0] * c2;
-  const Scalar t4 = t1 * t3;
-  const Scalar t5 = qdd[1] - t4;
-  const Scalar t6 = Scalar(5) * q[2];
-  const Scalar t7 = k[0] * s2 + t0;
-  const Scalar t8 = Scalar(5) * qd[2];
-  const Scalar t9 = (t6 * t5 - t7) + Scalar(2) * qd[1] * t8;
-  const Scalar t10 = Scalar(0.08) * (t5 + t9);
-  const Scalar t11 = Scalar(0.025) * ((t0 - t2) - t2) - (t10 + Scalar(0.06) * t5);
-  const Scalar t12 = qd[1] * t3;
-  const Scalar t13 = qdd[0] * s2;
-  const Scalar t14 = t12 + (t13 + t12);
-  const Scalar t15 = qd[0] * qd[0];
-  const Scalar t16 = Scalar(2) * t1 * t8 - (t15 - t6 * t14);
-  const Scalar t17 = t6 * Scalar(0.08) * (t16 + t14) + Scalar(0.08) * t16;
-  const Scalar t18 = qd[1] * qd[1] + t1 * t1;
-  const Scalar t19 = (t6 * t18 + (t13 - k[0] * c2)) - Scalar(5) * qdd[2];
-  const Scalar t20 = Scalar(0.08) * (t18 + t19);
-  const Scalar t21 = ((Scalar(0.175) * t14 - Scalar(0.06) * t15) + t17) + (Scalar(0.06) * t18 + t20);
-  const Scalar t22 = (c2 * t11 + s2 * t21) + Scalar(0.215) * qdd[0];
-  const Scalar t23 = (Scalar(0.15) * t4 - Scalar(0.2) * qdd[1]) + Scalar(0.06) * t7;
+  const Scalar t0 = qd[0] * s2;
+  const Scalar t1 = qd[1] * qd[1] + t0 * t0;
+  const Scalar t2 = qdd[2] + (k[0] * c2 - q[2] * t1);
+  const Scalar t3 = qdd[0] * s2;
+  const Scalar t4 = qd[0] * c2;
+  const Scalar t5 = t3 + Scalar(2) * qd[1] * t4;
+  const Scalar t6 = q[2] * t5 + Scalar(2) * qd[2] * t0;
+  const Scalar t7 = qd[0] * qd[0];
+  const Scalar t8 = q[2] * (Scalar(0.4) * (t7 - t5) - Scalar(2) * t6);
+  const Scalar t9 = (Scalar(0.4) * (t2 - t6) + t8) + (Scalar(0.14) * (t7 - t1) - Scalar(0.175) * t5);
+  const Scalar t10 = t0 * t4;
+  const Scalar t11 = qdd[1] - t10;
+  const Scalar t12 = Scalar(2) * qd[2] * qd[1] - (k[0] * s2 - q[2] * t11);
+  const Scalar t13 = Scalar(0.4) * t12;
+  const Scalar t14 = qdd[0] * c2;
+  const Scalar t15 = Scalar(0.14) * t11 - (Scalar(0.025) * t14 - Scalar(0.05) * qd[1] * t0);
+  const Scalar t16 = (s2 * t9 + c2 * (t13 + t15)) - Scalar(0.295) * qdd[0];
+  const Scalar t17 = Scalar(0.14) * t14 + (Scalar(0.15) * t10 - Scalar(0.2) * qdd[1]);
+  const Scalar t18 = q[2] * (Scalar(2) * t12 + Scalar(0.4) * (t11 - t14));
   JointVector<Scalar> result;
-  result[0] = t22;
-  result[1] = (Scalar(0.08) * t9 + t6 * t10) - t23;
-  result[2] = -Scalar(5) * t20;
+  result[0] = -t16;
+  result[1] = (t13 + t18) - (k[1] * s2 + t17);
+  result[2] = Scalar(2) * t2 - Scalar(0.4) * (t3 + t1);
   return result;
 }
 
@@ -148,29 +144,25 @@ inline JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const J
     [[maybe_unused]] const CoriolisTorqueConstants<Scalar>& k) {
   const Scalar& s2 = angles.sine[0];
   const Scalar& c2 = angles.cosine[0];
-  const Scalar t0 = qd[0] * qd[0];
-  const Scalar t1 = qd[1] * qd[1];
-  const Scalar t2 = Scalar(0.06) * s2;
-  const Scalar t3 = Scalar(5) * q[2];
-  const Scalar t4 = qd[0] * s2;
-  const Scalar t5 = qd[0] * c2;
-  const Scalar t6 = t4 * t5;
-  const Scalar t7 = Scalar(0.08) * t6;
-  const Scalar t8 = Scalar(5) * qd[2];
-  const Scalar t9 = t3 * t7 - Scalar(0.16) * qd[1] * t8;
-  const Scalar t10 = t9 + t7;
-  const Scalar t11 = t1 + t4 * t4;
-  const Scalar t12 = Scalar(0.08) * (t11 + t3 * t11);
-  const Scalar t13 = qd[1] * t5;
-  const Scalar t14 = t13 + t13;
-  const Scalar t15 = t8 * t4;
-  const Scalar t16 = Scalar(0.08) * ((t15 + t15) - (t0 - t14 * t3));
-  const Scalar t17 = t12 + ((Scalar(0.08) * t14 + t16) * t3 + t16);
-  const Scalar t18 = (c2 * t10 + s2 * t17) - (t0 * t2 - t14 * Scalar(0.15) * s2);
+  const Scalar t0 = qd[0] * c2;
+  const Scalar t1 = qd[1] * t0;
+  const Scalar t2 = qd[0] * s2;
+  const Scalar t3 = q[2] * t1 + qd[2] * t2;
+  const Scalar t4 = t3 + t3;
+  const Scalar t5 = (Scalar(0.8) * t1 - Scalar(0.4) * qd[0] * qd[0]) + Scalar(2) * t4;
+  const Scalar t6 = qd[1] * qd[1];
+  const Scalar t7 = t6 + t2 * t2;
+  const Scalar t8 = q[2] * t7;
+  const Scalar t9 = s2 * (q[2] * t5 + Scalar(0.4) * (t8 + t4));
+  const Scalar t10 = t2 * t0;
+  const Scalar t11 = Scalar(2) * qd[2] * qd[1] - q[2] * t10;
+  const Scalar t12 = Scalar(0.4) * t11;
+  const Scalar t13 = Scalar(0.15) * s2 * Scalar(2) * t1 + Scalar(0.14) * s2 * t6;
+  const Scalar t14 = q[2] * (Scalar(0.4) * t10 - Scalar(2) * t11) - t12;
   JointVector<Scalar> result;
-  result[0] = (t0 + t1) * t2 + t18;
-  result[1] = -Scalar(0.15) * t6 - (t10 * t3 + t9);
-  result[2] = -Scalar(5) * t12;
+  result[0] = (t9 - c2 * t12) + t13;
+  result[1] = -Scalar(0.15) * t10 - t14;
+  result[2] = -Scalar(0.4) * t7 - Scalar(2) * t8;
   return result;
 }
 
@@ -207,14 +199,13 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q,
     [[maybe_unused]] const MassMatrixConstants<Scalar>& k) {
   const Scalar& s2 = angles.sine[0];
   const Scalar& c2 = angles.cosine[0];
-  const Scalar t0 = Scalar(0.4) + Scalar(2) * q[2];
-  const Scalar t1 = Scalar(0.175) + q[2] * (Scalar(0.4) + t0);
-  const Scalar t2 = Scalar(0.01) + (Scalar(0.025) - s2 * s2 * (Scalar(0.025) - t1));
+  const Scalar t0 = Scalar(0.175) + q[2] * (Scalar(0.4) + (Scalar(0.4) + Scalar(2) * q[2]));
+  const Scalar t1 = Scalar(0.01) + (Scalar(0.025) - (Scalar(0.025) - t0) * s2 * s2);
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = Scalar(0.285) + t2;
-  result(0, 1) = result(1, 0) = -Scalar(0.2) * c2 * (Scalar(0.3) + t0);
+  result(0, 0) = Scalar(0.285) + t1;
+  result(0, 1) = result(1, 0) = -c2 * (Scalar(0.14) + Scalar(0.4) * q[2]);
   result(0, 2) = result(2, 0) = -Scalar(0.4) * s2;
-  result(1, 1) = Scalar(0.025) + t1;
+  result(1, 1) = Scalar(0.025) + t0;
   result(1, 2) = result(2, 1) = Scalar(0);
   result(2, 2) = Scalar(2);
   return result;
@@ -257,16 +248,16 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>
   const Scalar t2 = qd[2] * t1;
   const Scalar t3 = Scalar(0.175) + q[2] * (Scalar(0.4) + t1);
   const Scalar t4 = s2 * (s2 * t2 + c2 * qd[1] * t3);
-  const Scalar t5 = Scalar(0.4) * c2;
-  const Scalar t6 = qd[2] * t5 - qd[1] * Scalar(0.2) * s2 * (Scalar(0.3) + t1);
-  const Scalar t7 = qd[0] * t0 * (Scalar(0.025) - t3);
+  const Scalar t5 = qd[0] * t0 * (Scalar(0.025) - t3);
+  const Scalar t6 = Scalar(0.4) * c2;
+  const Scalar t7 = qd[2] * t6 - s2 * qd[1] * (Scalar(0.14) + Scalar(0.4) * q[2]);
   const Scalar t8 = s2 * t1 * qd[0] * s2;
   const Scalar t9 = qd[1] * t1;
   Eigen::Matrix<Scalar, dof, dof> result;
   result(0, 0) = t4 - Scalar(0.025) * qd[1] * t0;
-  result(0, 1) = -t6 - t7;
-  result(0, 2) = t8 - qd[1] * t5;
-  result(1, 0) = t7;
+  result(0, 1) = -t5 - t7;
+  result(0, 2) = t8 - qd[1] * t6;
+  result(1, 0) = t5;
   result(1, 1) = t2;
   result(1, 2) = t9;
   result(2, 0) = -t8;
@@ -299,7 +290,8 @@ ForwardDynamicsConstants<Scalar> forward_dynamics_constants([[maybe_unused]] con
   using std::cos;
   using std::sin;
 
-  return { Scalar(5) * gravity };
+  return { Scalar(0.3) * gravity,
+           Scalar(2) * gravity };
 }
 
 namespace detail {
@@ -310,45 +302,38 @@ inline JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const 
     const ForwardDynamicsConstants<Scalar>& k) {
   const Scalar& s2 = angles.sine[0];
   const Scalar& c2 = angles.cosine[0];
-  const Scalar t0 = k[0] * s2;
-  const Scalar t1 = qd[0] * s2;
-  const Scalar t2 = qd[0] * c2;
-  const Scalar t3 = t1 * t2;
-  const Scalar t4 = Scalar(5) * q[2];
-  const Scalar t5 = Scalar(5) * qd[2];
-  const Scalar t6 = qd[1] * t5;
-  const Scalar t7 = (t0 + t3 * t4) - (t6 + t6);
-  const Scalar t8 = t3 + t7;
-  const Scalar t9 = Scalar(0.4) * q[2];
-  const Scalar t10 = (Scalar(0.06) * t0 + Scalar(0.15) * t3) + (Scalar(0.08) * t7 + t8 * t9);
-  const Scalar t11 = torque[1] + t10;
-  const Scalar t12 = Scalar(0.08) + t9;
-  const Scalar t13 = c2 * (Scalar(0.06) + t12);
-  const Scalar t14 = Scalar(0.15) + (Scalar(0.08) + t12) * t4;
-  const Scalar t15 = Scalar(1) / (Scalar(0.05) + t14);
-  const Scalar t16 = t13 * t15;
-  const Scalar t17 = Scalar(0.4) * s2;
-  const Scalar t18 = qd[1] * qd[1];
-  const Scalar t19 = qd[0] * qd[0];
-  const Scalar t20 = s2 * s2;
-  const Scalar t21 = t18 + t19 * t20;
-  const Scalar t22 = (k[0] * c2 - t4 * t21) - t21;
-  const Scalar t23 = Scalar(0.5) * (torque[2] - Scalar(0.4) * t22);
-  const Scalar t24 = Scalar(0.06) * s2;
-  const Scalar t25 = qd[1] * t2;
-  const Scalar t26 = t25 + t25;
-  const Scalar t27 = Scalar(2) * t5 * t1 - (t19 - t26 * t4);
-  const Scalar t28 = Scalar(0.08) * t27;
-  const Scalar t29 = Scalar(0.08) * t22 - ((Scalar(0.08) * t26 + t28) * t4 + t28);
-  const Scalar t30 = (t26 * Scalar(0.15) * s2 - t19 * t24) + (c2 * Scalar(0.08) * t8 - s2 * t29);
-  const Scalar t31 = t17 * t23 + (torque[0] - ((t19 + t18) * t24 + t30));
-  const Scalar t32 = Scalar(0.5) * t17;
-  const Scalar t33 = (Scalar(0.285) + (Scalar(0.01) + (Scalar(0.025) + t14 * t20))) - t17 * t32;
-  const Scalar t34 = (t11 * t16 + t31) * Scalar(1) / (t33 - t13 * t16);
+  const Scalar t0 = Scalar(2) * q[2];
+  const Scalar t1 = Scalar(0.15) + q[2] * (Scalar(0.8) + t0);
+  const Scalar t2 = Scalar(1) / (Scalar(0.05) + t1);
+  const Scalar t3 = c2 * (Scalar(0.14) + Scalar(0.2) * t0);
+  const Scalar t4 = t2 * t3;
+  const Scalar t5 = Scalar(0.285) + (Scalar(0.01) + (Scalar(0.025) + t1 * s2 * s2));
+  const Scalar t6 = Scalar(0.4) * s2;
+  const Scalar t7 = Scalar(0.2) * s2;
+  const Scalar t8 = Scalar(1) / (t4 * t3 - (t5 - t6 * t7));
+  const Scalar t9 = qd[0] * c2;
+  const Scalar t10 = qd[1] * t9;
+  const Scalar t11 = t10 + t10;
+  const Scalar t12 = qd[1] * qd[1];
+  const Scalar t13 = t11 * Scalar(0.15) * s2 + t12 * Scalar(0.14) * s2;
+  const Scalar t14 = qd[0] * s2;
+  const Scalar t15 = t14 * t9;
+  const Scalar t16 = (t15 * t0 + k[1] * s2) - Scalar(4) * qd[2] * qd[1];
+  const Scalar t17 = Scalar(0.2) * t16;
+  const Scalar t18 = Scalar(4) * (q[2] * t10 + qd[2] * t14);
+  const Scalar t19 = t12 + t14 * t14;
+  const Scalar t20 = k[1] * c2 - t0 * t19;
+  const Scalar t21 = q[2] * (Scalar(0.4) * (t11 - qd[0] * qd[0]) + t18);
+  const Scalar t22 = c2 * t17 + s2 * (Scalar(0.2) * (t18 - t20) + t21);
+  const Scalar t23 = Scalar(0.5) * (torque[2] + (Scalar(0.4) * t19 - t20));
+  const Scalar t24 = (k[0] * s2 + Scalar(0.15) * t15) + (t17 + q[2] * (Scalar(0.4) * t15 + t16));
+  const Scalar t25 = (torque[1] + t24) * t2;
+  const Scalar t26 = ((torque[0] - (t13 + t22)) + t6 * t23) + t25 * t3;
+  const Scalar t27 = t8 * t26;
   JointVector<Scalar> result;
-  result[0] = t34;
-  result[1] = t16 * t34 + t11 * t15;
-  result[2] = t23 + t32 * t34;
+  result[0] = -t27;
+  result[1] = t25 - t27 * t4;
+  result[2] = t23 - t27 * t7;
   return result;
 }
 
@@ -386,14 +371,13 @@ inline Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Sca
     [[maybe_unused]] const KineticEnergyConstants<Scalar>& k) {
   const Scalar& s2 = angles.sine[0];
   const Scalar& c2 = angles.cosine[0];
-  const Scalar t0 = Scalar(0.4) + Scalar(2) * q[2];
-  const Scalar t1 = Scalar(0.175) + q[2] * (Scalar(0.4) + t0);
-  const Scalar t2 = Scalar(0.01) + (Scalar(0.025) - s2 * s2 * (Scalar(0.025) - t1));
-  const Scalar t3 = qd[0] * qd[0] * (Scalar(0.285) + t2) + qd[1] * qd[1] * (Scalar(0.025) + t1);
-  const Scalar t4 = qd[1] * c2 * Scalar(0.2) * (Scalar(0.3) + t0) + qd[2] * Scalar(0.4) * s2;
-  const Scalar t5 = Scalar(0.5) * (t3 + qd[2] * Scalar(2) * qd[2]) - qd[0] * t4;
+  const Scalar t0 = Scalar(0.175) + q[2] * (Scalar(0.4) + (Scalar(0.4) + Scalar(2) * q[2]));
+  const Scalar t1 = Scalar(0.01) + (Scalar(0.025) - s2 * s2 * (Scalar(0.025) - t0));
+  const Scalar t2 = qd[0] * qd[0] * (Scalar(0.285) + t1) + qd[1] * qd[1] * (Scalar(0.025) + t0);
+  const Scalar t3 = qd[2] * Scalar(0.4) * s2 + qd[1] * c2 * (Scalar(0.14) + Scalar(0.4) * q[2]);
+  const Scalar t4 = Scalar(0.5) * (qd[2] * Scalar(2) * qd[2] + t2) - qd[0] * t3;
   Scalar result;
-  result = t5;
+  result = t4;
   return result;
 }
 

@@ -17,9 +17,9 @@ struct InverseDynamicsDerivatives {
 
 /// Joint forces for a motion, and their derivatives by q and qd; the one by qdd is mass_matrix.
 ///
-/// 118 multiplications, 83 additions, 1 sine/cosine pair. Set-up: 1 multiplication.
+/// 115 multiplications, 93 additions, 1 sine/cosine pair. Set-up: no operations.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// Largest rounding error found 5.03 ulp of the largest component.
+/// Largest rounding error found 3.2 ulp of the largest component.
 template <class Scalar>
 InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives(const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g = {},

@@ -29,9 +29,9 @@ InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_
   using std::cos;
   using std::sin;
 
-  return { Scalar(5) * gravity[1],
-           Scalar(5) * gravity[0],
-           Scalar(5) * gravity[2] };
+  return { gravity[2],
+           gravity[1],
+           gravity[0] };
 }
 
 namespace detail {
@@ -44,34 +44,35 @@ inline JointVector<Scalar> inverse_dynamics_with_gravity_vector(const JointVecto
   const Scalar& c1 = angles.cosine[0];
   const Scalar& s2 = angles.sine[1];
   const Scalar& c2 = angles.cosine[1];
-  const Scalar t0 = qd[0] * s2;
-  const Scalar t1 = qd[0] * c2;
-  const Scalar t2 = t0 * t1;
-  const Scalar t3 = qdd[1] - t2;
-  const Scalar t4 = Scalar(5) * qd[2];
-  const Scalar t5 = k[0] * s1 + k[1] * c1;
-  const Scalar t6 = qdd[0] - t5;
-  const Scalar t7 = c2 * t6 - k[2] * s2;
-  const Scalar t8 = Scalar(5) * q[2];
-  const Scalar t9 = Scalar(2) * qd[1] * t4 - (t7 - t3 * t8);
-  const Scalar t10 = Scalar(0.08) * (t3 + t9);
-  const Scalar t11 = qd[1] * t0;
-  const Scalar t12 = (t10 + Scalar(0.06) * t3) - Scalar(0.025) * (qdd[0] * c2 - (t11 + t11));
-  const Scalar t13 = qd[1] * t1;
-  const Scalar t14 = (t13 + t13) + qdd[0] * s2;
-  const Scalar t15 = t0 * t4;
-  const Scalar t16 = qd[0] * qd[0] + (k[1] * s1 - k[0] * c1);
-  const Scalar t17 = Scalar(0.08) * ((t15 + t15) - (t16 - t8 * t14));
-  const Scalar t18 = ((Scalar(0.08) * t14 + t17) * t8 + t17) - (Scalar(0.06) * t16 - Scalar(0.175) * t14);
-  const Scalar t19 = qd[1] * qd[1] + t0 * t0;
-  const Scalar t20 = t8 * t19 + (k[2] * c2 + s2 * t6);
-  const Scalar t21 = Scalar(0.08) * ((Scalar(5) * qdd[2] - t20) - t19);
-  const Scalar t22 = c2 * t12 - s2 * (t18 + (Scalar(0.06) * t19 - t21));
-  const Scalar t23 = Scalar(0.06) * t7 + (Scalar(0.15) * t2 - Scalar(0.2) * qdd[1]);
+  const Scalar t0 = Scalar(2) * qd[2];
+  const Scalar t1 = k[1] * s1 + k[2] * c1;
+  const Scalar t2 = k[0] * s2 + c2 * t1;
+  const Scalar t3 = qd[0] * s2;
+  const Scalar t4 = qd[0] * c2;
+  const Scalar t5 = t3 * t4;
+  const Scalar t6 = qdd[1] - t5;
+  const Scalar t7 = qd[1] * t0 + (t2 + q[2] * t6);
+  const Scalar t8 = Scalar(0.4) * t7;
+  const Scalar t9 = qdd[0] * c2;
+  const Scalar t10 = (Scalar(0.05) * qd[1] * t3 - Scalar(0.025) * t9) + Scalar(0.14) * t6;
+  const Scalar t11 = qdd[0] * s2;
+  const Scalar t12 = t11 + Scalar(2) * qd[1] * t4;
+  const Scalar t13 = k[2] * s1 - k[1] * c1;
+  const Scalar t14 = (q[2] * t12 - t13) + t3 * t0;
+  const Scalar t15 = qd[1] * qd[1] + t3 * t3;
+  const Scalar t16 = q[2] * t15 + (k[0] * c2 - s2 * t1);
+  const Scalar t17 = qdd[2] - t16;
+  const Scalar t18 = qd[0] * qd[0];
+  const Scalar t19 = q[2] * (Scalar(2) * t14 - Scalar(0.4) * (t18 - t12));
+  const Scalar t20 = (Scalar(0.175) * t12 - Scalar(0.14) * (t18 - t15)) - Scalar(0.3) * t13;
+  const Scalar t21 = s2 * ((Scalar(0.4) * (t14 - t17) + t19) + t20);
+  const Scalar t22 = (c2 * (t8 + t10) - t21) + (t1 - Scalar(0.295) * qdd[0]);
+  const Scalar t23 = q[2] * (Scalar(2) * t7 + Scalar(0.4) * (t6 - t9));
+  const Scalar t24 = (Scalar(0.2) * qdd[1] - Scalar(0.15) * t5) - Scalar(0.14) * t9;
   JointVector<Scalar> result;
-  result[0] = (Scalar(0.215) * qdd[0] - Scalar(0.2) * t5) - t22;
-  result[1] = (Scalar(0.08) * t9 + t10 * t8) - t23;
-  result[2] = Scalar(5) * t21;
+  result[0] = -t22;
+  result[1] = (t23 + t8) + (t24 + Scalar(0.3) * t2);
+  result[2] = Scalar(2) * t17 - Scalar(0.4) * (t11 + t15);
   return result;
 }
 
@@ -101,9 +102,9 @@ InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constant
   using std::cos;
   using std::sin;
 
-  return { Scalar(5) * gravity[1],
-           Scalar(5) * gravity[0],
-           Scalar(5) * gravity[2] };
+  return { gravity[2],
+           gravity[1],
+           gravity[0] };
 }
 
 namespace detail {
@@ -116,42 +117,46 @@ inline JointVector<Scalar> inverse_dynamics_with_wrench(const JointVector<Scalar
   const Scalar& c1 = angles.cosine[0];
   const Scalar& s2 = angles.sine[1];
   const Scalar& c2 = angles.cosine[1];
-  const Scalar t0 = qd[0] * s2;
-  const Scalar t1 = qd[1] * qd[1] + t0 * t0;
-  const Scalar t2 = k[0] * s1 + k[1] * c1;
-  const Scalar t3 = qdd[0] - t2;
-  const Scalar t4 = Scalar(5) * q[2];
-  const Scalar t5 = (s2 * t3 + k[2] * c2) + t4 * t1;
-  const Scalar t6 = wrench[0] * c1 + wrench[1] * s1;
-  const Scalar t7 = Scalar(0.08) * ((Scalar(5) * qdd[2] - t5) - t1) - Scalar(0.2) * (wrench[2] * c2 - s2 * t6);
-  const Scalar t8 = qd[0] * qd[0] + (k[1] * s1 - k[0] * c1);
-  const Scalar t9 = qd[0] * c2;
-  const Scalar t10 = qd[1] * t9;
-  const Scalar t11 = t10 + (qdd[0] * s2 + t10);
-  const Scalar t12 = Scalar(5) * qd[2];
-  const Scalar t13 = t0 * t12;
-  const Scalar t14 = Scalar(0.08) * ((t13 + t13) + (t4 * t11 - t8));
-  const Scalar t15 = wrench[0] * s1 - wrench[1] * c1;
-  const Scalar t16 = ((Scalar(0.08) * t11 + t14) - Scalar(0.2) * t15) * t4;
-  const Scalar t17 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t18 = Scalar(0.4) * t15 + (c2 * t17 + wrench[5] * s2);
-  const Scalar t19 = (Scalar(0.06) * t8 - Scalar(0.175) * t11) - (t16 - (t18 - t14));
-  const Scalar t20 = qd[1] * t0;
-  const Scalar t21 = Scalar(0.025) * ((qdd[0] * c2 - t20) - t20) + (s2 * t17 - wrench[5] * c2);
-  const Scalar t22 = t0 * t9;
+  const Scalar t0 = qdd[0] * s2;
+  const Scalar t1 = qd[0] * c2;
+  const Scalar t2 = qd[1] + qd[1];
+  const Scalar t3 = t0 + t1 * t2;
+  const Scalar t4 = qd[0] * qd[0];
+  const Scalar t5 = qd[0] * s2;
+  const Scalar t6 = qd[1] * qd[1] + t5 * t5;
+  const Scalar t7 = k[2] * s1 - k[1] * c1;
+  const Scalar t8 = (Scalar(0.175) * t3 - Scalar(0.14) * (t4 - t6)) - Scalar(0.3) * t7;
+  const Scalar t9 = k[2] * c1 + k[1] * s1;
+  const Scalar t10 = q[2] * t6 - (s2 * t9 - k[0] * c2);
+  const Scalar t11 = qdd[2] - t10;
+  const Scalar t12 = qd[2] * t5;
+  const Scalar t13 = (t7 - q[2] * t3) - (t12 + t12);
+  const Scalar t14 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t15 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t16 = wrench[2] * c2 - s2 * t15;
+  const Scalar t17 = wrench[0] * s1 - wrench[1] * c1;
+  const Scalar t18 = (c2 * t14 + wrench[5] * s2) - (Scalar(0.2) * t16 - Scalar(0.4) * t17);
+  const Scalar t19 = (Scalar(2) * t13 + Scalar(0.4) * (t4 - t3)) + t17;
+  const Scalar t20 = (Scalar(0.4) * (t11 + t13) + t18) + q[2] * t19;
+  const Scalar t21 = k[0] * s2 + c2 * t9;
+  const Scalar t22 = t5 * t1;
   const Scalar t23 = qdd[1] - t22;
-  const Scalar t24 = qd[1] * t12;
-  const Scalar t25 = k[2] * s2 - c2 * t3;
-  const Scalar t26 = Scalar(0.08) * ((t24 + t24) + (t23 * t4 + t25));
-  const Scalar t27 = Scalar(0.2) * (c2 * t6 + wrench[2] * s2);
-  const Scalar t28 = (t26 + Scalar(0.08) * t23) + t27;
-  const Scalar t29 = s2 * ((Scalar(0.06) * t1 - t7) - t19) + c2 * (t21 - (Scalar(0.06) * t23 + t28));
-  const Scalar t30 = Scalar(0.06) * t25 + (Scalar(0.2) * qdd[1] - Scalar(0.15) * t22);
-  const Scalar t31 = Scalar(2) * t27 - (wrench[3] * s1 - wrench[4] * c1);
+  const Scalar t24 = (t21 + q[2] * t23) + qd[2] * t2;
+  const Scalar t25 = Scalar(0.4) * t24;
+  const Scalar t26 = c2 * t15 + wrench[2] * s2;
+  const Scalar t27 = (s2 * t14 - wrench[5] * c2) - Scalar(0.2) * t26;
+  const Scalar t28 = qdd[0] * c2;
+  const Scalar t29 = Scalar(0.025) * (t5 * t2 - t28) + Scalar(0.14) * t23;
+  const Scalar t30 = s2 * (t8 - t20) - c2 * ((t25 - t27) + t29);
+  const Scalar t31 = (Scalar(0.4) * (t23 - t28) + Scalar(2) * t24) + t26;
+  const Scalar t32 = Scalar(0.4) * t26 - (wrench[3] * s1 - wrench[4] * c1);
+  const Scalar t33 = (Scalar(0.15) * t22 - Scalar(0.2) * qdd[1]) + Scalar(0.14) * t28;
+  const Scalar t34 = (q[2] * t31 + (t25 + t32)) - (t33 - Scalar(0.3) * t21);
+  const Scalar t35 = (Scalar(0.4) * (t0 + t6) - Scalar(2) * t11) + t16;
   JointVector<Scalar> result;
-  result[0] = t29 + (Scalar(0.215) * qdd[0] - Scalar(0.2) * t2);
-  result[1] = t30 + (t4 * t28 + (t26 + t31));
-  result[2] = Scalar(5) * t7;
+  result[0] = t30 + (Scalar(0.295) * qdd[0] - t9);
+  result[1] = t34;
+  result[2] = -t35;
   return result;
 }
 
@@ -196,14 +201,17 @@ inline JointVector<Scalar> gravity_torque_with_gravity_vector(const JointVector<
   const Scalar& s2 = angles.sine[1];
   const Scalar& c2 = angles.cosine[1];
   const Scalar t0 = k[0] * s1 + k[1] * c1;
-  const Scalar t1 = k[1] * s1 - k[0] * c1;
-  const Scalar t2 = (q[2] * Scalar(2) * t1 + Scalar(0.4) * t1) + Scalar(0.3) * t1;
-  const Scalar t3 = k[2] * s2 + c2 * t0;
-  const Scalar t4 = (Scalar(0.4) * t3 + q[2] * Scalar(2) * t3) + Scalar(0.3) * t3;
+  const Scalar t1 = k[2] * s2 + c2 * t0;
+  const Scalar t2 = Scalar(0.4) * t1;
+  const Scalar t3 = k[1] * s1 - k[0] * c1;
+  const Scalar t4 = s2 * t0 - k[2] * c2;
+  const Scalar t5 = Scalar(0.4) * (t3 + t4) + q[2] * Scalar(2) * t3;
+  const Scalar t6 = c2 * t2 + s2 * (t5 + Scalar(0.3) * t3);
+  const Scalar t7 = (q[2] * Scalar(2) * t1 + t2) + Scalar(0.3) * t1;
   JointVector<Scalar> result;
-  result[0] = -t0 - (s2 * t2 + Scalar(0.4) * t0);
-  result[1] = t4;
-  result[2] = Scalar(2) * (s2 * t0 - k[2] * c2);
+  result[0] = -t0 - t6;
+  result[1] = t7;
+  result[2] = Scalar(2) * t4;
   return result;
 }
 
@@ -231,9 +239,9 @@ ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_
   using std::cos;
   using std::sin;
 
-  return { Scalar(5) * gravity[2],
-           Scalar(5) * gravity[1],
-           Scalar(5) * gravity[0] };
+  return { gravity[2],
+           gravity[1],
+           gravity[0] };
 }
 
 namespace detail {
@@ -246,46 +254,40 @@ inline JointVector<Scalar> forward_dynamics_with_gravity_vector(const JointVecto
   const Scalar& c1 = angles.cosine[0];
   const Scalar& s2 = angles.sine[1];
   const Scalar& c2 = angles.cosine[1];
-  const Scalar t0 = Scalar(0.4) * q[2];
-  const Scalar t1 = c2 * (Scalar(0.06) + (Scalar(0.08) + t0));
-  const Scalar t2 = Scalar(5) * q[2];
-  const Scalar t3 = Scalar(0.15) + (Scalar(0.16) + t0) * t2;
-  const Scalar t4 = Scalar(1) / (Scalar(0.05) + t3);
-  const Scalar t5 = t1 * t4;
-  const Scalar t6 = k[2] * c1 + k[1] * s1;
-  const Scalar t7 = k[0] * s2 + c2 * t6;
-  const Scalar t8 = qd[0] * s2;
-  const Scalar t9 = qd[0] * c2;
-  const Scalar t10 = t8 * t9;
-  const Scalar t11 = Scalar(5) * qd[2];
-  const Scalar t12 = qd[1] * t11;
-  const Scalar t13 = (t7 - t10 * t2) + (t12 + t12);
-  const Scalar t14 = t10 - t13;
-  const Scalar t15 = (Scalar(0.08) * t13 - t0 * t14) - (Scalar(0.15) * t10 - Scalar(0.06) * t7);
-  const Scalar t16 = torque[1] - t15;
-  const Scalar t17 = qd[0] * qd[0];
-  const Scalar t18 = t17 + qd[1] * qd[1];
-  const Scalar t19 = t18 - t9 * t9;
-  const Scalar t20 = (k[0] * c2 - s2 * t6) + t2 * t19;
-  const Scalar t21 = t20 + t19;
-  const Scalar t22 = Scalar(0.5) * (torque[2] + Scalar(0.4) * t21);
-  const Scalar t23 = Scalar(0.4) * s2;
-  const Scalar t24 = Scalar(0.06) * s2;
-  const Scalar t25 = Scalar(2) * qd[1] * t9;
-  const Scalar t26 = t17 - (k[1] * c1 - k[2] * s1);
-  const Scalar t27 = Scalar(2) * t11 * t8 - (t26 - t2 * t25);
-  const Scalar t28 = Scalar(0.08) * t27;
-  const Scalar t29 = ((Scalar(0.08) * t25 + t28) * t2 + t28) + Scalar(0.08) * t21;
-  const Scalar t30 = (s2 * t29 + c2 * Scalar(0.08) * t14) - (t26 * t24 - Scalar(0.15) * s2 * t25);
-  const Scalar t31 = torque[0] + (Scalar(0.2) * t6 - (t18 * t24 + t30));
-  const Scalar t32 = Scalar(0.5) * t23;
-  const Scalar t33 = Scalar(0.285) + (Scalar(0.01) + (Scalar(0.025) + t3 * s2 * s2));
-  const Scalar t34 = Scalar(1) / (t5 * t1 + (t32 * t23 - t33));
-  const Scalar t35 = (t5 * t16 + (t22 * t23 + t31)) * t34;
+  const Scalar t0 = qd[0] * s2;
+  const Scalar t1 = qd[0] * c2;
+  const Scalar t2 = t0 * t1;
+  const Scalar t3 = k[2] * c1 + k[1] * s1;
+  const Scalar t4 = c2 * t3 + k[0] * s2;
+  const Scalar t5 = Scalar(2) * (q[2] * t2 - t4) - Scalar(4) * qd[2] * qd[1];
+  const Scalar t6 = Scalar(0.2) * t5;
+  const Scalar t7 = (q[2] * (t5 + Scalar(0.4) * t2) + t6) + (Scalar(0.15) * t2 - Scalar(0.3) * t4);
+  const Scalar t8 = Scalar(0.15) + q[2] * (Scalar(0.8) + Scalar(2) * q[2]);
+  const Scalar t9 = Scalar(1) / (Scalar(0.05) + t8);
+  const Scalar t10 = (torque[1] + t7) * t9;
+  const Scalar t11 = c2 * (Scalar(0.14) + Scalar(0.4) * q[2]);
+  const Scalar t12 = qd[1] * qd[1];
+  const Scalar t13 = t12 + t0 * t0;
+  const Scalar t14 = q[2] * t13 - (s2 * t3 - k[0] * c2);
+  const Scalar t15 = Scalar(0.5) * (torque[2] + (Scalar(0.4) * t13 + Scalar(2) * t14));
+  const Scalar t16 = Scalar(0.4) * s2;
+  const Scalar t17 = qd[1] * (t1 + t1);
+  const Scalar t18 = Scalar(0.15) * s2 * t17 + t12 * Scalar(0.14) * s2;
+  const Scalar t19 = k[2] * s1 - k[1] * c1;
+  const Scalar t20 = Scalar(2) * qd[2] * t0 + (q[2] * t17 - t19);
+  const Scalar t21 = Scalar(0.4) * (qd[0] * qd[0] - t17) - Scalar(2) * t20;
+  const Scalar t22 = s2 * (Scalar(0.4) * (t14 + t20) - q[2] * t21);
+  const Scalar t23 = (t18 - Scalar(0.3) * s2 * t19) + (t22 + c2 * t6);
+  const Scalar t24 = t10 * t11 + (t15 * t16 + (torque[0] - (t23 - t3)));
+  const Scalar t25 = t9 * t11;
+  const Scalar t26 = Scalar(0.285) + (Scalar(0.01) + (Scalar(0.025) + s2 * s2 * t8));
+  const Scalar t27 = Scalar(0.5) * t16;
+  const Scalar t28 = Scalar(1) / (t25 * t11 - (t26 - t16 * t27));
+  const Scalar t29 = t24 * t28;
   JointVector<Scalar> result;
-  result[0] = -t35;
-  result[1] = t4 * t16 - t5 * t35;
-  result[2] = t22 - t32 * t35;
+  result[0] = -t29;
+  result[1] = t10 - t25 * t29;
+  result[2] = t15 - t27 * t29;
   return result;
 }
 
@@ -315,9 +317,9 @@ ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constant
   using std::cos;
   using std::sin;
 
-  return { Scalar(5) * gravity[2],
-           Scalar(5) * gravity[1],
-           Scalar(5) * gravity[0] };
+  return { gravity[2],
+           gravity[1],
+           gravity[0] };
 }
 
 namespace detail {
@@ -330,56 +332,52 @@ inline JointVector<Scalar> forward_dynamics_with_wrench(const JointVector<Scalar
   const Scalar& c1 = angles.cosine[0];
   const Scalar& s2 = angles.sine[1];
   const Scalar& c2 = angles.cosine[1];
-  const Scalar t0 = Scalar(5) * q[2];
-  const Scalar t1 = Scalar(0.16) + Scalar(0.08) * t0;
-  const Scalar t2 = c2 * (Scalar(0.06) - (Scalar(0.08) - t1));
-  const Scalar t3 = Scalar(0.15) + t0 * t1;
-  const Scalar t4 = Scalar(1) / (Scalar(0.05) + t3);
-  const Scalar t5 = t4 * t2;
-  const Scalar t6 = Scalar(0.285) + (Scalar(0.01) + (Scalar(0.025) + s2 * s2 * t3));
-  const Scalar t7 = Scalar(0.08) * s2;
-  const Scalar t8 = Scalar(1) / (t2 * t5 - (t6 - s2 * t7));
-  const Scalar t9 = Scalar(2.5) * t7;
-  const Scalar t10 = wrench[0] * c1 + wrench[1] * s1;
-  const Scalar t11 = k[1] * s1 + k[2] * c1;
-  const Scalar t12 = qd[1] * qd[1];
-  const Scalar t13 = qd[0] * s2;
-  const Scalar t14 = t12 + t13 * t13;
-  const Scalar t15 = (k[0] * c2 - s2 * t11) + t0 * t14;
-  const Scalar t16 = Scalar(0.2) * (wrench[2] * c2 - s2 * t10) + Scalar(0.08) * (t15 + t14);
-  const Scalar t17 = torque[2] + Scalar(5) * t16;
-  const Scalar t18 = qd[0] * qd[0];
-  const Scalar t19 = Scalar(0.06) * s2;
-  const Scalar t20 = wrench[0] * s1 - wrench[1] * c1;
-  const Scalar t21 = qd[0] * c2;
-  const Scalar t22 = qd[1] * t21;
-  const Scalar t23 = t22 + t22;
-  const Scalar t24 = t18 + (k[2] * s1 - k[1] * c1);
-  const Scalar t25 = Scalar(5) * qd[2];
-  const Scalar t26 = t25 * t13;
-  const Scalar t27 = Scalar(0.08) * ((t23 * t0 - t24) + (t26 + t26));
-  const Scalar t28 = t0 * (Scalar(0.2) * t20 - (t27 + Scalar(0.08) * t23));
-  const Scalar t29 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t30 = Scalar(0.4) * t20 + (c2 * t29 + wrench[5] * s2);
-  const Scalar t31 = t13 * t21;
-  const Scalar t32 = k[0] * s2 + c2 * t11;
-  const Scalar t33 = (t31 * t0 - t32) - Scalar(2) * qd[1] * t25;
-  const Scalar t34 = Scalar(0.08) * t33;
-  const Scalar t35 = c2 * t10 + wrench[2] * s2;
-  const Scalar t36 = (t34 + Scalar(0.08) * t31) - Scalar(0.2) * t35;
-  const Scalar t37 = c2 * (t36 + (s2 * t29 - wrench[5] * c2));
-  const Scalar t38 = s2 * (t16 - (t28 - (t27 - t30))) + t37;
-  const Scalar t39 = t38 + (t23 * Scalar(0.15) * s2 - t24 * t19);
-  const Scalar t40 = Scalar(0.2) * t11 - ((t18 + t12) * t19 + t39);
-  const Scalar t41 = Scalar(0.4) * t35 - (wrench[3] * s1 - wrench[4] * c1);
-  const Scalar t42 = (Scalar(0.15) * t31 - Scalar(0.06) * t32) - ((t41 - t34) - t0 * t36);
-  const Scalar t43 = t4 * (torque[1] + t42);
-  const Scalar t44 = (t9 * t17 + (torque[0] + t40)) + t2 * t43;
-  const Scalar t45 = t8 * t44;
+  const Scalar t0 = c2 * (Scalar(0.14) + Scalar(0.4) * q[2]);
+  const Scalar t1 = Scalar(0.15) + q[2] * (Scalar(0.8) + Scalar(2) * q[2]);
+  const Scalar t2 = Scalar(1) / (Scalar(0.05) + t1);
+  const Scalar t3 = t2 * t0;
+  const Scalar t4 = Scalar(0.285) + (Scalar(0.01) + (Scalar(0.025) + s2 * s2 * t1));
+  const Scalar t5 = Scalar(0.2) * s2;
+  const Scalar t6 = Scalar(2) * t5;
+  const Scalar t7 = Scalar(1) / (t0 * t3 - (t4 - t5 * t6));
+  const Scalar t8 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t9 = wrench[2] * c2 - s2 * t8;
+  const Scalar t10 = qd[1] * qd[1];
+  const Scalar t11 = qd[0] * s2;
+  const Scalar t12 = t10 + t11 * t11;
+  const Scalar t13 = k[2] * c1 + k[1] * s1;
+  const Scalar t14 = q[2] * t12 - (s2 * t13 - k[0] * c2);
+  const Scalar t15 = torque[2] + (t9 + (Scalar(0.4) * t12 + Scalar(2) * t14));
+  const Scalar t16 = Scalar(0.5) * t15;
+  const Scalar t17 = k[0] * s2 + c2 * t13;
+  const Scalar t18 = qd[0] * c2;
+  const Scalar t19 = t11 * t18;
+  const Scalar t20 = qd[2] + qd[2];
+  const Scalar t21 = Scalar(2) * ((t17 - q[2] * t19) + qd[1] * t20);
+  const Scalar t22 = Scalar(0.2) * t21;
+  const Scalar t23 = c2 * t8 + wrench[2] * s2;
+  const Scalar t24 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t25 = Scalar(0.2) * t23 - (s2 * t24 - wrench[5] * c2);
+  const Scalar t26 = k[2] * s1 - k[1] * c1;
+  const Scalar t27 = qd[1] * t18;
+  const Scalar t28 = t27 + t27;
+  const Scalar t29 = (t26 - q[2] * t28) - t11 * t20;
+  const Scalar t30 = wrench[0] * s1 - wrench[1] * c1;
+  const Scalar t31 = (Scalar(0.2) * t9 - Scalar(0.4) * t30) - (c2 * t24 + wrench[5] * s2);
+  const Scalar t32 = Scalar(0.4) * (t28 - qd[0] * qd[0]) - Scalar(2) * t29;
+  const Scalar t33 = (Scalar(0.4) * (t14 - t29) + t31) + q[2] * (t32 - t30);
+  const Scalar t34 = t28 * Scalar(0.15) * s2 + t10 * Scalar(0.14) * s2;
+  const Scalar t35 = (c2 * (t22 + t25) - s2 * t33) + (t26 * Scalar(0.3) * s2 - t34);
+  const Scalar t36 = Scalar(0.4) * t23 - (wrench[3] * s1 - wrench[4] * c1);
+  const Scalar t37 = q[2] * ((Scalar(0.4) * t19 - t21) - t23) - (t22 + t36);
+  const Scalar t38 = torque[1] + ((Scalar(0.15) * t19 - Scalar(0.3) * t17) + t37);
+  const Scalar t39 = t2 * t38;
+  const Scalar t40 = (t16 * t6 + (torque[0] + (t35 + t13))) + t39 * t0;
+  const Scalar t41 = t7 * t40;
   JointVector<Scalar> result;
-  result[0] = -t45;
-  result[1] = t43 - t45 * t5;
-  result[2] = Scalar(0.5) * t17 - t9 * t45;
+  result[0] = -t41;
+  result[1] = t39 - t41 * t3;
+  result[2] = t16 - t41 * t5;
   return result;
 }
 
@@ -409,9 +407,9 @@ PotentialEnergyWithGravityVectorConstants<Scalar> potential_energy_with_gravity_
   using std::cos;
   using std::sin;
 
-  return { gravity[2],
+  return { gravity[1],
            gravity[0],
-           gravity[1] };
+           gravity[2] };
 }
 
 namespace detail {
@@ -425,8 +423,8 @@ inline Scalar potential_energy_with_gravity_vector(const JointVector<Scalar>& q,
   const Scalar& c2 = angles.cosine[1];
   const Scalar t0 = Scalar(0.3) + (Scalar(0.4) + Scalar(2) * q[2]);
   const Scalar t1 = s2 * t0;
-  const Scalar t2 = k[2] * (s1 * t1 + Scalar(1.4) * c1) + k[1] * (c1 * t1 - Scalar(1.4) * s1);
-  const Scalar t3 = k[0] * (Scalar(4.5) - (Scalar(1) - c2 * t0)) - t2;
+  const Scalar t2 = k[0] * (s1 * t1 + Scalar(1.4) * c1) + k[1] * (c1 * t1 - Scalar(1.4) * s1);
+  const Scalar t3 = k[2] * (Scalar(4.5) - (Scalar(1) - c2 * t0)) - t2;
   Scalar result;
   result = -t3;
   return result;

@@ -97,15 +97,15 @@ DynamicsAngles<Scalar> dynamics_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion: Newton-Euler recursion in base parameters (thesis 5.1-5.15).
 ///
-/// 231 multiplications, 207 additions, 5 sine/cosine pairs. Set-up: 85 multiplications, 94 additions, 5 divisions.
+/// 228 multiplications, 209 additions, 5 sine/cosine pairs. Set-up: 91 multiplications, 104 additions, 5 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is -a2, which must not be zero.
+/// The unit of length is d1, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
-using InverseDynamicsConstants = std::array<Scalar, 44>;
+using InverseDynamicsConstants = std::array<Scalar, 45>;
 template <class Scalar>
 InverseDynamicsConstants<Scalar> inverse_dynamics_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
@@ -116,7 +116,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces that hold the robot against gravity at rest.
 ///
-/// 38 multiplications, 22 additions, 5 sine/cosine pairs. Set-up: 16 multiplications, 9 additions.
+/// 38 multiplications, 22 additions, 5 sine/cosine pairs. Set-up: 17 multiplications, 11 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},
@@ -132,7 +132,7 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const DynamicsA
 
 /// Joint forces that come from the joint rates alone, C(q, qd) qd, without friction.
 ///
-/// 207 multiplications, 180 additions, 5 sine/cosine pairs. Set-up: 79 multiplications, 78 additions, 4 divisions.
+/// 206 multiplications, 178 additions, 5 sine/cosine pairs. Set-up: 86 multiplications, 88 additions, 4 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d1, which must not be zero.
 template <class Scalar>
@@ -140,7 +140,7 @@ JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVec
     const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using CoriolisTorqueConstants = std::array<Scalar, 43>;
+using CoriolisTorqueConstants = std::array<Scalar, 44>;
 template <class Scalar>
 CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
@@ -151,14 +151,14 @@ JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVec
 
 /// Symmetric, positive definite M(q), by composite bodies in base parameters; rotors included.
 ///
-/// 112 multiplications, 122 additions, 5 sine/cosine pairs. Set-up: 77 multiplications, 85 additions, 3 divisions.
+/// 114 multiplications, 120 additions, 5 sine/cosine pairs. Set-up: 84 multiplications, 95 additions, 3 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is -a3, which must not be zero.
+/// The unit of length is a3, which must not be zero.
 template <class Scalar>
 Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using MassMatrixConstants = std::array<Scalar, 44>;
+using MassMatrixConstants = std::array<Scalar, 45>;
 template <class Scalar>
 MassMatrixConstants<Scalar> mass_matrix_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
@@ -168,9 +168,9 @@ Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const 
 
 /// C(q, qd) of Christoffel's symbols: C qd is coriolis_torque, dM/dt - 2 C is skew-symmetric.
 ///
-/// 431 multiplications, 373 additions, 5 sine/cosine pairs. Set-up: 68 multiplications, 71 additions, 3 divisions.
+/// 433 multiplications, 372 additions, 5 sine/cosine pairs. Set-up: 73 multiplications, 81 additions, 3 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is -a3, which must not be zero.
+/// The unit of length is a3, which must not be zero.
 template <class Scalar>
 Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {},
@@ -187,16 +187,16 @@ Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, co
 
 /// Joint accelerations for given joint forces: M qdd = torque - C qd - gravity, by M = U D U^T.
 ///
-/// 394 multiplications, 367 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 81 multiplications, 87 additions, 5
+/// 394 multiplications, 366 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 86 multiplications, 97 additions, 5
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is -a3, which must not be zero.
+/// The unit of length is a3, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
-using ForwardDynamicsConstants = std::array<Scalar, 51>;
+using ForwardDynamicsConstants = std::array<Scalar, 52>;
 template <class Scalar>
 ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
@@ -207,14 +207,14 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// qd^T M qd / 2, J.
 ///
-/// 148 multiplications, 139 additions, 5 sine/cosine pairs. Set-up: 77 multiplications, 85 additions, 3 divisions.
+/// 148 multiplications, 139 additions, 5 sine/cosine pairs. Set-up: 84 multiplications, 95 additions, 3 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is -a3, which must not be zero.
+/// The unit of length is a3, which must not be zero.
 template <class Scalar>
 Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using KineticEnergyConstants = std::array<Scalar, 44>;
+using KineticEnergyConstants = std::array<Scalar, 45>;
 template <class Scalar>
 KineticEnergyConstants<Scalar> kinetic_energy_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
@@ -224,7 +224,7 @@ Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Scalar>& q
 
 /// Sum of m g z over the links, z of the centre of mass in the world, J.
 ///
-/// 17 multiplications, 22 additions, 5 sine/cosine pairs. Set-up: 19 multiplications, 7 additions.
+/// 17 multiplications, 22 additions, 5 sine/cosine pairs. Set-up: 20 multiplications, 9 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Scalar potential_energy(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},

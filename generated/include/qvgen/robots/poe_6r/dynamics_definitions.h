@@ -27,97 +27,104 @@ InverseDynamicsConstants<Scalar> inverse_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = inertia.m3 + t0;
-  const Scalar t2 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t3 = g.d1 * g.d1 * (inertia.m2 + t1) + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t2));
-  const Scalar t4 = inertia.c4x * inertia.m4;
-  const Scalar t5 = t4 + g.d2 * t0;
+  const Scalar t0 = g.d2 * inertia.m4;
+  const Scalar t1 = inertia.c4x * inertia.m4;
+  const Scalar t2 = t0 + t1;
+  const Scalar t3 = t0 - t2;
+  const Scalar t4 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t5 = t3 - g.d2 * t4;
   const Scalar t6 = inertia.c3x * inertia.m3;
-  const Scalar t7 = (t5 + t6) / g.d2;
-  const Scalar t8 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t9 = inertia.c3y * inertia.m3;
-  const Scalar t10 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t11 = inertia.c2y * inertia.m2;
-  const Scalar t12 = ((inertia.I3yy - t8) - inertia.c3y * t9) + ((inertia.I2yy - t10) - inertia.c2y * t11);
-  const Scalar t13 = t12 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t2));
-  const Scalar t14 = inertia.c2x * inertia.m2;
-  const Scalar t15 = inertia.I2xz - inertia.c2z * t14;
-  const Scalar t16 = g.a2 * t7;
-  const Scalar t17 = g.a2 * t16;
-  const Scalar t18 = g.a2 * t1;
-  const Scalar t19 = inertia.c2z * inertia.m2;
-  const Scalar t20 = g.a2 * t18 - ((inertia.I2zz - t10) - inertia.c2z * t19);
-  const Scalar t21 = t17 - t20;
-  const Scalar t22 = inertia.c2x * t14 - (inertia.I2xx - t10);
-  const Scalar t23 = inertia.c6z * inertia.m6;
-  const Scalar t24 = inertia.c6y * inertia.m6;
-  const Scalar t25 = inertia.c5z * inertia.m5;
-  const Scalar t26 = inertia.c6x * inertia.m6;
-  const Scalar t27 = inertia.c5x * inertia.m5;
-  const Scalar t28 = inertia.c4y * inertia.m4;
-  const Scalar t29 = inertia.c5y * inertia.m5;
-  const Scalar t30 = inertia.c4z * inertia.m4;
-  const Scalar t31 = inertia.c3z * inertia.m3;
-  const Scalar t32 = g.a3 * t0;
-  const Scalar t33 = g.a3 * t7;
-  const Scalar t34 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t35 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t36 = ((inertia.I6xx - t34) - inertia.c6x * t26) - (inertia.c5x * t27 - (inertia.I5xx - t35));
-  const Scalar t37 = inertia.I6yz - inertia.c6z * t24;
-  const Scalar t38 = inertia.c6z * t23 - (inertia.I6zz - t34);
-  const Scalar t39 = (inertia.I6yy - t34) - inertia.c6y * t24;
-  const Scalar t40 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t41 = ((inertia.I4yy - t40) - inertia.c4y * t28) - (inertia.c5y * t29 - (inertia.I5yy - t35));
-  const Scalar t42 = g.d2 * t7;
-  const Scalar t43 = (g.a3 * t5 - (inertia.I3xz - inertia.c3z * t6)) - g.a3 * t42;
-  const Scalar t44 = g.d2 * (t5 + t4) - ((inertia.I4xx - t40) - inertia.c4x * t4);
-  const Scalar t45 = ((inertia.c3x * t6 - (inertia.I3xx - t8)) + t44) - g.d2 * t42;
-  const Scalar t46 = ((inertia.I3zz - t8) - inertia.c3z * t31) - g.a3 * t32;
-  return { (t3 - g.d1 * g.d1 * t7) - t13,
-           g.a2 * t9 - (inertia.I2yz - inertia.c2z * t11),
-           inertia.I2xy - inertia.c2y * t14,
-           Scalar(2) * t15,
-           t21 + t22,
-           t15,
-           t21,
-           g.a2 * (t16 - (t18 + t19)),
-           g.a2 * t14,
-           g.d1 / g.a2,
-           g.a2 * t23,
-           g.a2 * t24,
-           g.a2 * t25,
-           g.a2 * (t26 + t27),
-           g.a2 * (t28 + t29),
-           g.a2 * t30,
-           g.d2 / g.a2,
-           g.a3 / g.a2,
-           gravity / g.a2,
+  const Scalar t7 = inertia.c3z * inertia.m3;
+  const Scalar t8 = g.a3 * t4;
+  const Scalar t9 = (t7 + t8) / g.a3;
+  const Scalar t10 = g.d2 * t9;
+  const Scalar t11 = inertia.c6z * inertia.m6;
+  const Scalar t12 = inertia.c6y * inertia.m6;
+  const Scalar t13 = inertia.c5z * inertia.m5;
+  const Scalar t14 = inertia.c6x * inertia.m6;
+  const Scalar t15 = inertia.c5x * inertia.m5;
+  const Scalar t16 = g.a2 / g.d1;
+  const Scalar t17 = g.d1 * g.d1 * t9;
+  const Scalar t18 = inertia.c4y * inertia.m4;
+  const Scalar t19 = inertia.c5y * inertia.m5;
+  const Scalar t20 = inertia.c4z * inertia.m4;
+  const Scalar t21 = g.d2 * t18;
+  const Scalar t22 = g.d2 * t20;
+  const Scalar t23 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t24 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t25 = ((inertia.I4yy - t23) - inertia.c4y * t18) - (inertia.c5y * t19 - (inertia.I5yy - t24));
+  const Scalar t26 = inertia.I6yz - inertia.c6z * t12;
+  const Scalar t27 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t28 = inertia.c6z * t11 - (inertia.I6zz - t27);
+  const Scalar t29 = (inertia.I6yy - t27) - inertia.c6y * t12;
+  const Scalar t30 = ((inertia.I6xx - t27) - inertia.c6x * t14) - (inertia.c5x * t15 - (inertia.I5xx - t24));
+  const Scalar t31 = inertia.c3y * inertia.m3;
+  const Scalar t32 = g.a3 * t10 + (g.a3 * t5 + (inertia.I3xz - inertia.c3z * t6));
+  const Scalar t33 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t34 = ((inertia.I3zz - t33) - inertia.c3z * t7) - g.a3 * t8;
+  const Scalar t35 = g.d2 * (t1 + t2) - ((inertia.I4xx - t23) - inertia.c4x * t1);
+  const Scalar t36 = g.d2 * (t5 + t3) + (g.d2 * (t2 - t3) - t35);
+  const Scalar t37 = g.d2 * t10 - ((inertia.c3x * t6 - (inertia.I3xx - t33)) - t36);
+  const Scalar t38 = inertia.m3 + t4;
+  const Scalar t39 = g.a2 * t38;
+  const Scalar t40 = inertia.c2z * inertia.m2;
+  const Scalar t41 = g.a2 * t9;
+  const Scalar t42 = inertia.c2x * inertia.m2;
+  const Scalar t43 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t44 = g.a2 * t39 - ((inertia.I2zz - t43) - inertia.c2z * t40);
+  const Scalar t45 = t44 - g.a2 * t41;
+  const Scalar t46 = inertia.c2x * t42 - (inertia.I2xx - t43);
+  const Scalar t47 = inertia.I2xz - inertia.c2z * t42;
+  const Scalar t48 = inertia.c2y * inertia.m2;
+  const Scalar t49 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t50 = g.d1 * g.d1 * (inertia.m2 + t38) + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t49));
+  const Scalar t51 = ((inertia.I3yy - t33) - inertia.c3y * t31) + ((inertia.I2yy - t43) - inertia.c2y * t48);
+  const Scalar t52 = t51 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t49));
+  return { g.d1 * ((t5 - t6) + t10),
+           g.d1 * t11,
+           g.d1 * t12,
+           g.d1 * t13,
+           g.d1 * (t14 + t15),
+           t16,
+           Scalar(2) * t16,
+           g.a3 / g.d1,
+           g.d2 / g.d1,
+           gravity / g.d1,
            t17,
-           g.a2 * ((t31 + t32) - t33),
-           inertia.I5xy - inertia.c5y * t27,
-           inertia.I5yz - inertia.c5z * t29,
-           t36,
-           inertia.c5z * t25 - (inertia.I5zz - t35),
-           inertia.I5xz - inertia.c5z * t27,
-           Scalar(2) * t37,
-           t38 + t39,
-           t39,
-           t37,
-           inertia.I6xz - inertia.c6z * t26,
-           inertia.I6xy - inertia.c6y * t26,
-           inertia.I4xy - inertia.c4y * t4,
-           inertia.I4xz - inertia.c4z * t4,
-           (inertia.I4zz - t40) - inertia.c4z * t30,
-           inertia.I4yz - inertia.c4z * t28,
-           t41,
-           t38,
-           t43,
-           t45,
+           g.d1 * (t18 + t19),
+           g.d1 * t20,
+           t21 - (t21 - (inertia.I4xy - inertia.c4y * t1)),
+           t22 + ((inertia.I4xz - inertia.c4z * t1) - t22),
+           (inertia.I4zz - t23) - inertia.c4z * t20,
+           t25,
+           inertia.I4yz - inertia.c4z * t18,
+           inertia.I6xz - inertia.c6z * t14,
+           inertia.I6xy - inertia.c6y * t14,
+           Scalar(2) * t26,
+           t28 + t29,
+           t28,
+           t29,
+           t26,
+           inertia.I5xy - inertia.c5y * t15,
+           inertia.I5yz - inertia.c5z * t19,
+           inertia.I5xz - inertia.c5z * t15,
+           inertia.c5z * t13 - (inertia.I5zz - t24),
+           t30,
+           inertia.I3yz - inertia.c3z * t31,
            inertia.I3xy - inertia.c3y * t6,
-           inertia.I3yz - inertia.c3z * t9,
-           g.a3 * t33 + t46,
-           t21 - t22 };
+           t32,
+           g.a3 * g.a3 * t9 + t34,
+           t37,
+           g.d1 * ((t39 + t40) - t41),
+           g.d1 * t42,
+           t45 - t46,
+           Scalar(2) * t47,
+           t45,
+           t47,
+           g.a2 * t31 - (inertia.I2yz - inertia.c2z * t48),
+           inertia.I2xy - inertia.c2y * t42,
+           (t17 - t50) + t52,
+           t45 + t46 };
 }
 
 namespace detail {
@@ -136,162 +143,161 @@ inline JointVector<Scalar> inverse_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = c3 * s2 + c2 * s3;
-  const Scalar t1 = qdd[0] * t0;
-  const Scalar t2 = qd[1] + qd[2];
-  const Scalar t3 = s2 * s3 - c2 * c3;
-  const Scalar t4 = qd[0] * t3;
-  const Scalar t5 = t2 * t4;
-  const Scalar t6 = t1 - t5;
-  const Scalar t7 = t6 - t5;
-  const Scalar t8 = qd[0] * t0;
-  const Scalar t9 = t8 * t8;
-  const Scalar t10 = t2 * t2;
-  const Scalar t11 = t9 + t10;
-  const Scalar t12 = qd[0] * s2;
-  const Scalar t13 = qd[0] * qd[0];
-  const Scalar t14 = k[9] * t13;
-  const Scalar t15 = (qdd[1] - t12 * qd[0] * c2) - (k[18] * s2 + c2 * t14);
-  const Scalar t16 = qd[1] * qd[1];
-  const Scalar t17 = (t16 + t12 * t12) + (s2 * t14 - k[18] * c2);
-  const Scalar t18 = k[17] * t11 - (s3 * t15 - c3 * t17);
-  const Scalar t19 = t8 * t4;
-  const Scalar t20 = qdd[1] + qdd[2];
-  const Scalar t21 = t19 - t20;
-  const Scalar t22 = t18 - k[16] * t21;
-  const Scalar t23 = Scalar(2) * qd[0] * qd[1];
-  const Scalar t24 = (qdd[0] * s2 + c2 * t23) + k[9] * qdd[0];
-  const Scalar t25 = t8 * t2;
-  const Scalar t26 = qdd[0] * t3;
-  const Scalar t27 = (t25 + t25) + t26;
-  const Scalar t28 = (k[17] * t7 + t24) - k[16] * t27;
-  const Scalar t29 = s4 * t22 - c4 * t28;
-  const Scalar t30 = s4 * t4 - c4 * t2;
-  const Scalar t31 = t30 * t30;
-  const Scalar t32 = qd[3] - t8;
-  const Scalar t33 = t32 * t32;
-  const Scalar t34 = t31 - t33;
-  const Scalar t35 = t9 - t10;
-  const Scalar t36 = t13 - t35;
-  const Scalar t37 = t34 - t36;
-  const Scalar t38 = qdd[3] - t6;
-  const Scalar t39 = s4 * t2 + c4 * t4;
-  const Scalar t40 = t39 * t30;
-  const Scalar t41 = t38 - t40;
-  const Scalar t42 = k[19] * t29 - (k[14] * t37 - k[15] * t41);
-  const Scalar t43 = t38 + t40;
-  const Scalar t44 = c4 * t27 - s4 * t21;
-  const Scalar t45 = t44 - Scalar(2) * t32 * t30;
-  const Scalar t46 = s5 * t43 - c5 * t45;
-  const Scalar t47 = qd[4] - t30;
-  const Scalar t48 = s5 * t39 + c5 * t32;
-  const Scalar t49 = t47 * t48;
-  const Scalar t50 = t46 + (t49 + t49);
-  const Scalar t51 = c5 * t43 + s5 * t45;
-  const Scalar t52 = c5 * t39 - s5 * t32;
-  const Scalar t53 = Scalar(2) * t47 * t52;
-  const Scalar t54 = t51 + t53;
-  const Scalar t55 = k[10] * s6 - k[11] * c6;
-  const Scalar t56 = t47 * t47;
-  const Scalar t57 = t48 * t48;
-  const Scalar t58 = t56 + t57;
-  const Scalar t59 = t58 + t37;
-  const Scalar t60 = t56 - t57;
-  const Scalar t61 = t59 - t60;
-  const Scalar t62 = t58 - t61;
-  const Scalar t63 = qd[5] + t48;
-  const Scalar t64 = t56 + t63 * t63;
-  const Scalar t65 = t64 - t62;
-  const Scalar t66 = t65 - t59;
-  const Scalar t67 = qdd[5] + t54;
-  const Scalar t68 = k[10] * c6 + k[11] * s6;
-  const Scalar t69 = (k[13] * t50 - k[12] * t54) + (t55 * (t62 + t66) - t67 * t68);
-  const Scalar t70 = t42 - t69;
-  const Scalar t71 = s4 * t28 + c4 * t22;
-  const Scalar t72 = t31 + t33;
-  const Scalar t73 = k[19] * t71 + (k[15] * t72 - k[14] * t43);
-  const Scalar t74 = t63 * t47;
-  const Scalar t75 = t74 - (t50 - t74);
-  const Scalar t76 = t63 * t52;
-  const Scalar t77 = t48 * t52;
-  const Scalar t78 = s4 * t27 + c4 * t21;
-  const Scalar t79 = t32 * t39;
-  const Scalar t80 = t78 + t79;
-  const Scalar t81 = qdd[4] - t80;
-  const Scalar t82 = t77 + t81;
-  const Scalar t83 = t76 - (t82 - t76);
-  const Scalar t84 = t77 - t81;
-  const Scalar t85 = (t75 * t55 + t68 * t83) + (k[13] * t62 + k[12] * t84);
-  const Scalar t86 = t67 - t53;
-  const Scalar t87 = (t64 * t68 + t86 * t55) + (k[13] * t82 + k[12] * t58);
-  const Scalar t88 = t73 - (s5 * t85 - c5 * t87);
-  const Scalar t89 = c4 * t70 - s4 * t88;
-  const Scalar t90 = k[20] * t7 - t89;
-  const Scalar t91 = t13 - t11;
-  const Scalar t92 = (k[41] * t91 + k[40] * t21) - (k[42] * t7 + k[38] * t27);
-  const Scalar t93 = t37 + t72;
-  const Scalar t94 = k[35] * t93 - (k[34] * t41 + k[36] * t43);
-  const Scalar t95 = ((k[33] * t44 + k[32] * t78) - t94) + (k[14] * t71 - k[15] * t29);
-  const Scalar t96 = k[27] * c6 - k[26] * s6;
-  const Scalar t97 = c6 * t96;
-  const Scalar t98 = k[37] - t97;
-  const Scalar t99 = k[29] + s6 * t96;
-  const Scalar t100 = k[30] * s6 - k[31] * c6;
-  const Scalar t101 = (t75 * t98 + t99 * t83) + t100 * t66;
-  const Scalar t102 = k[31] * s6 + k[30] * c6;
-  const Scalar t103 = t19 + t20;
-  const Scalar t104 = c3 * t15 + s3 * t17;
-  const Scalar t105 = (k[17] * t103 + t104) - k[16] * t36;
-  const Scalar t106 = c5 * t105 + s5 * t71;
-  const Scalar t107 = (k[25] * t54 - k[23] * t50) - k[21] * t60;
-  const Scalar t108 = ((t101 - t102 * t67) - t106 * t55) + ((k[22] * t84 - t107) + k[13] * t29);
-  const Scalar t109 = c5 * t71 - s5 * t105;
-  const Scalar t110 = k[28] - t97;
-  const Scalar t111 = t99 * t59 + (t86 * t98 - t67 * t110);
-  const Scalar t112 = (t29 * t68 + t55 * t109) - ((t82 * t100 - t50 * t102) - t111);
-  const Scalar t113 = (k[24] * t54 + k[25] * t50) + (k[22] * t59 + k[21] * t82);
-  const Scalar t114 = t112 + (t113 + k[12] * t29);
-  const Scalar t115 = t95 + (s5 * t108 - c5 * t114);
-  const Scalar t116 = (k[20] * t24 + t92) - (k[17] * t89 - t115);
-  const Scalar t117 = k[40] * t35 + (k[38] * t7 - k[39] * t27);
-  const Scalar t118 = t80 + t79;
-  const Scalar t119 = (k[35] * t118 - k[36] * t45) + k[32] * t34;
-  const Scalar t120 = (s5 * t114 + c5 * t108) + (k[14] * t105 + (t119 - k[33] * t41));
-  const Scalar t121 = t120 + k[16] * t70;
-  const Scalar t122 = (k[34] * t118 - k[35] * t45) + (k[32] * t43 - k[33] * (t93 - t34));
-  const Scalar t123 = (t102 * t65 + t100 * t86) + (t75 * t99 - t110 * t83);
-  const Scalar t124 = (k[24] * t84 + k[23] * t82) + k[25] * t61;
-  const Scalar t125 = (k[13] * t109 + k[12] * t106) - (t124 - (k[21] * t51 + k[22] * t46));
-  const Scalar t126 = (t68 * t106 - t123) + t125;
-  const Scalar t127 = k[16] * t88 + ((k[15] * t105 + t122) + t126);
-  const Scalar t128 = (k[41] * t103 + t117) - (c4 * t121 - s4 * t127);
-  const Scalar t129 = s2 * t90 + (t116 * t0 - t3 * t128);
-  const Scalar t130 = k[4] * c2 - k[3] * s2;
-  const Scalar t131 = k[5] + s2 * t130;
-  const Scalar t132 = t131 * t23 + qdd[0] * (k[6] - c2 * t130);
-  const Scalar t133 = k[2] * s2 + k[1] * c2;
-  const Scalar t134 = t16 * (k[1] * s2 - k[2] * c2) - qdd[1] * t133;
-  const Scalar t135 = k[8] * c2 - k[7] * s2;
-  const Scalar t136 = qdd[0] * t135;
-  const Scalar t137 = k[8] * s2 + k[7] * c2;
-  const Scalar t138 = (t129 - ((t132 - t134) - k[9] * t136)) + k[9] * (t90 + (t136 - t137 * t23));
-  const Scalar t139 = qdd[0] * t133 - (t13 * t131 - k[43] * qdd[1]);
-  const Scalar t140 = k[19] * t105 - (k[15] * t118 - k[14] * t45);
-  const Scalar t141 = t140 - (c5 * t85 + s5 * t87);
-  const Scalar t142 = k[17] * t141 + (s4 * t121 + c4 * t127);
-  const Scalar t143 = (k[42] * t103 + k[39] * t21) + k[38] * (t91 - t35);
-  const Scalar t144 = k[20] * t104 - ((k[41] * t26 + k[40] * t1) + t143);
-  const Scalar t145 = t142 + t144;
-  const Scalar t146 = (c4 * t88 + s4 * t70) + k[20] * t11;
-  const Scalar t147 = c3 * (k[20] * t103 + t141) - s3 * t146;
-  const Scalar t148 = (t139 - (t14 * t137 - k[18] * t135)) - (t145 + t147);
+  const Scalar t0 = qd[1] * qd[1];
+  const Scalar t1 = k[41] * c2 + k[42] * s2;
+  const Scalar t2 = t0 * (k[42] * c2 - k[41] * s2) + qdd[1] * t1;
+  const Scalar t3 = k[38] * s2 + k[37] * c2;
+  const Scalar t4 = k[40] - s2 * t3;
+  const Scalar t5 = qd[0] * qd[1];
+  const Scalar t6 = Scalar(2) * t5;
+  const Scalar t7 = t4 * t6 - qdd[0] * (k[39] - c2 * t3);
+  const Scalar t8 = qdd[0] * (k[35] * s2 + k[36] * c2);
+  const Scalar t9 = k[5] * s2;
+  const Scalar t10 = k[2] * c6 - k[1] * s6;
+  const Scalar t11 = qd[1] + qd[2];
+  const Scalar t12 = s2 * s3 - c2 * c3;
+  const Scalar t13 = qd[0] * t12;
+  const Scalar t14 = s4 * t11 + c4 * t13;
+  const Scalar t15 = c3 * s2 + c2 * s3;
+  const Scalar t16 = qd[0] * t15;
+  const Scalar t17 = qd[3] - t16;
+  const Scalar t18 = s5 * t14 + c5 * t17;
+  const Scalar t19 = qd[5] + t18;
+  const Scalar t20 = s4 * t13 - c4 * t11;
+  const Scalar t21 = qd[4] - t20;
+  const Scalar t22 = t19 * t21;
+  const Scalar t23 = qdd[0] * t15;
+  const Scalar t24 = t11 * t13;
+  const Scalar t25 = t23 - t24;
+  const Scalar t26 = qdd[3] - t25;
+  const Scalar t27 = t14 * t20;
+  const Scalar t28 = t26 + t27;
+  const Scalar t29 = t16 * t11;
+  const Scalar t30 = qdd[0] * t12;
+  const Scalar t31 = t29 + (t29 + t30);
+  const Scalar t32 = t16 * t13;
+  const Scalar t33 = qdd[1] + qdd[2];
+  const Scalar t34 = t32 - t33;
+  const Scalar t35 = c4 * t31 - s4 * t34;
+  const Scalar t36 = t17 * t20;
+  const Scalar t37 = (t35 - t36) - t36;
+  const Scalar t38 = s5 * t28 - c5 * t37;
+  const Scalar t39 = t21 * t18;
+  const Scalar t40 = t38 + (t39 + t39);
+  const Scalar t41 = t22 - (t40 - t22);
+  const Scalar t42 = c5 * t14 - s5 * t17;
+  const Scalar t43 = t19 * t42;
+  const Scalar t44 = t18 * t42;
+  const Scalar t45 = c4 * t34 + s4 * t31;
+  const Scalar t46 = t17 * t14;
+  const Scalar t47 = t45 + t46;
+  const Scalar t48 = qdd[4] - t47;
+  const Scalar t49 = t44 + t48;
+  const Scalar t50 = (t43 - t49) + t43;
+  const Scalar t51 = k[1] * c6 + k[2] * s6;
+  const Scalar t52 = t21 * t21;
+  const Scalar t53 = t42 * t42;
+  const Scalar t54 = t52 + t53;
+  const Scalar t55 = t44 - t48;
+  const Scalar t56 = (t10 * t41 - t50 * t51) - (k[4] * t54 + k[3] * t55);
+  const Scalar t57 = t52 - t53;
+  const Scalar t58 = t20 * t20;
+  const Scalar t59 = t17 * t17;
+  const Scalar t60 = t58 - t59;
+  const Scalar t61 = qd[0] * qd[0];
+  const Scalar t62 = t16 * t16;
+  const Scalar t63 = t11 * t11;
+  const Scalar t64 = t62 - t63;
+  const Scalar t65 = t61 - t64;
+  const Scalar t66 = t60 - t65;
+  const Scalar t67 = t57 - t66;
+  const Scalar t68 = t19 * t19;
+  const Scalar t69 = c5 * t28 + s5 * t37;
+  const Scalar t70 = qdd[5] + t69;
+  const Scalar t71 = (k[4] * t49 + k[3] * t67) + ((t52 + t68) * t51 - t10 * t70);
+  const Scalar t72 = c2 * t61 + k[9] * s2;
+  const Scalar t73 = s2 * t61;
+  const Scalar t74 = t72 - k[5] * (qdd[1] - c2 * t73);
+  const Scalar t75 = k[9] * c2 - t73;
+  const Scalar t76 = k[5] * (t0 + s2 * t73) - t75;
+  const Scalar t77 = s3 * t74 + c3 * t76;
+  const Scalar t78 = t62 + t63;
+  const Scalar t79 = k[8] * t34 - (t77 + k[7] * t78);
+  const Scalar t80 = qdd[0] + (qdd[0] * t9 + k[6] * c2 * t5);
+  const Scalar t81 = t25 - t24;
+  const Scalar t82 = k[8] * t31 - (t80 + k[7] * t81);
+  const Scalar t83 = c4 * t79 + s4 * t82;
+  const Scalar t84 = t58 + t59;
+  const Scalar t85 = k[10] * t83 - (k[12] * t84 - k[11] * t28);
+  const Scalar t86 = (s5 * t56 + c5 * t71) - t85;
+  const Scalar t87 = t21 * t42;
+  const Scalar t88 = t87 + (t69 + t87);
+  const Scalar t89 = qdd[5] + t88;
+  const Scalar t90 = t68 + t53;
+  const Scalar t91 = (t89 * t51 + t90 * t10) + (k[3] * t88 - k[4] * t40);
+  const Scalar t92 = s4 * t79 - c4 * t82;
+  const Scalar t93 = t26 - t27;
+  const Scalar t94 = k[10] * t92 - (k[12] * t93 - k[11] * t66);
+  const Scalar t95 = t91 - t94;
+  const Scalar t96 = s4 * t86 - c4 * t95;
+  const Scalar t97 = t96 + k[0] * t31;
+  const Scalar t98 = t32 + t33;
+  const Scalar t99 = (s3 * t76 - c3 * t74) + k[7] * t98;
+  const Scalar t100 = k[8] * t65 - t99;
+  const Scalar t101 = t47 + t46;
+  const Scalar t102 = t84 - t65;
+  const Scalar t103 = (k[15] * t101 - k[17] * t37) + (k[13] * t28 - k[14] * t102);
+  const Scalar t104 = (k[29] * t49 + k[28] * t55) + k[27] * (t67 - t54);
+  const Scalar t105 = c5 * t83 - s5 * t100;
+  const Scalar t106 = s5 * t83 + c5 * t100;
+  const Scalar t107 = (t104 - (k[26] * t38 + k[25] * t69)) + (k[4] * t105 + k[3] * t106);
+  const Scalar t108 = k[21] * c6 - k[20] * s6;
+  const Scalar t109 = c6 * t108;
+  const Scalar t110 = k[23] - t109;
+  const Scalar t111 = k[24] + s6 * t108;
+  const Scalar t112 = k[18] * s6 - k[19] * c6;
+  const Scalar t113 = k[19] * s6 + k[18] * c6;
+  const Scalar t114 = (t110 * t50 - t111 * t41) - (t112 * t70 + (t68 - t53) * t113);
+  const Scalar t115 = t107 - (t114 - t51 * t106);
+  const Scalar t116 = (k[12] * t100 - t103) + t115;
+  const Scalar t117 = k[22] - t109;
+  const Scalar t118 = (t117 * t70 - t89 * t110) + t57 * t111;
+  const Scalar t119 = (t51 * t92 - t105 * t10) - ((t40 * t113 - t49 * t112) + t118);
+  const Scalar t120 = (k[25] * t49 + k[26] * t57) + (k[28] * t88 + k[27] * t40);
+  const Scalar t121 = t119 + (k[3] * t92 - t120);
+  const Scalar t122 = (k[27] * t88 - k[29] * t40) - k[25] * (t66 + t54);
+  const Scalar t123 = (t90 - t54) * t112 + (t50 * t111 + t117 * t41);
+  const Scalar t124 = (k[4] * t92 + (t122 - k[26] * t55)) + (t10 * t106 - (t123 - t89 * t113));
+  const Scalar t125 = k[13] * t60 - (k[16] * t37 - k[17] * t101);
+  const Scalar t126 = (s5 * t121 + c5 * t124) - ((t125 - k[14] * t93) - k[11] * t100);
+  const Scalar t127 = k[8] * t96 - (s4 * t116 - c4 * t126);
+  const Scalar t128 = (k[34] * t31 - k[32] * t81) + k[31] * t64;
+  const Scalar t129 = t127 - (k[0] * t80 - (t128 + k[30] * t98));
+  const Scalar t130 = (k[16] * t28 + k[15] * t93) - k[17] * (t102 + t60);
+  const Scalar t131 = (t130 + (k[14] * t35 + k[13] * t45)) - (k[11] * t83 - k[12] * t92);
+  const Scalar t132 = (s5 * t124 - c5 * t121) - t131;
+  const Scalar t133 = t78 - t65;
+  const Scalar t134 = (k[32] * t31 - k[33] * t81) + (k[31] * t34 - k[30] * (t133 - t64));
+  const Scalar t135 = t12 * t129 - ((k[7] * t96 - t132) + t134) * t15;
+  const Scalar t136 = ((t2 + t7) - t8) - (t9 * t97 - t135);
+  const Scalar t137 = (k[35] * c2 - k[36] * s2) * t6 + t8;
+  const Scalar t138 = (k[34] * t34 - k[33] * t98) - k[32] * t133;
+  const Scalar t139 = k[0] * t77 - (t138 - (k[30] * t30 + k[31] * t23));
+  const Scalar t140 = k[10] * t100 + (k[12] * t101 - k[11] * t37);
+  const Scalar t141 = t140 - (c5 * t56 - s5 * t71);
+  const Scalar t142 = s4 * t95 + c4 * t86;
+  const Scalar t143 = (c4 * t116 + s4 * t126) - k[8] * t142;
+  const Scalar t144 = t139 + (k[7] * t141 + t143);
+  const Scalar t145 = c3 * (t141 - k[0] * t65) + s3 * (t142 + k[0] * t34);
+  const Scalar t146 = qdd[0] * t1 - (t4 * t61 + k[44] * qdd[1]);
+  const Scalar t147 = (t144 + k[5] * t145) + (t146 + (k[35] * t72 + k[36] * t75));
   JointVector<Scalar> result;
-  result[0] = k[0] * qdd[0] + t138;
-  result[1] = -t148;
-  result[2] = t145;
-  result[3] = -t115;
-  result[4] = t126;
-  result[5] = t112;
+  result[0] = -k[43] * qdd[0] - (t136 - (t137 + t97));
+  result[1] = -t147;
+  result[2] = -t144;
+  result[3] = t132;
+  result[4] = -t115;
+  result[5] = -t119;
   return result;
 }
 
@@ -320,18 +326,19 @@ GravityTorqueConstants<Scalar> gravity_torque_constants(const BasicGeometry<Scal
   using std::cos;
   using std::sin;
   const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = (inertia.c4x * inertia.m4 + g.d2 * t0) + inertia.c3x * inertia.m3;
+  const Scalar t1 = g.d2 * inertia.m4;
+  const Scalar t2 = (t1 - (t1 + inertia.c4x * inertia.m4)) - g.d2 * t0;
   return { gravity,
-           t1,
-           inertia.c3z * inertia.m3 + g.a3 * t0,
-           inertia.c6x * inertia.m6 + inertia.c5x * inertia.m5,
+           g.a2 * (inertia.m3 + t0) + inertia.c2z * inertia.m2,
+           inertia.c2x * inertia.m2,
            inertia.c5z * inertia.m5,
            inertia.c6z * inertia.m6,
            inertia.c6y * inertia.m6,
-           inertia.c4z * inertia.m4,
+           inertia.c6x * inertia.m6 + inertia.c5x * inertia.m5,
            inertia.c4y * inertia.m4 + inertia.c5y * inertia.m5,
-           inertia.c2x * inertia.m2,
-           g.a2 * (inertia.m3 + t0) + inertia.c2z * inertia.m2 };
+           inertia.c4z * inertia.m4,
+           inertia.c3z * inertia.m3 + g.a3 * t0,
+           t2 - inertia.c3x * inertia.m3 };
 }
 
 namespace detail {
@@ -351,25 +358,25 @@ inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Sca
   const Scalar& c6 = angles.cosine[4];
   const Scalar t0 = k[0] * c2;
   const Scalar t1 = k[0] * s2;
-  const Scalar t2 = s3 * t0 + c3 * t1;
-  const Scalar t3 = s3 * t1 - c3 * t0;
-  const Scalar t4 = s4 * t3;
-  const Scalar t5 = k[6] * s6 + k[5] * c6;
-  const Scalar t6 = c4 * t3;
-  const Scalar t7 = s5 * t2 + c5 * t6;
-  const Scalar t8 = k[6] * c6 - k[5] * s6;
-  const Scalar t9 = t5 * t4 - t7 * t8;
-  const Scalar t10 = k[4] * t4 + t9;
-  const Scalar t11 = c5 * t2 - s5 * t6;
-  const Scalar t12 = t11 * t8 - k[3] * t4;
-  const Scalar t13 = (s5 * t10 - c5 * t12) - k[8] * t2;
-  const Scalar t14 = t5 * t11 + (k[4] * t11 - k[3] * t7);
-  const Scalar t15 = s4 * t13 - c4 * (k[7] * t2 + t14);
-  const Scalar t16 = (k[2] * t2 - k[1] * t3) - t15;
-  const Scalar t17 = (c5 * t10 + s5 * t12) - (k[8] * t6 - k[7] * t4);
+  const Scalar t2 = s3 * t1 - c3 * t0;
+  const Scalar t3 = s3 * t0 + c3 * t1;
+  const Scalar t4 = k[4] * c6 + k[5] * s6;
+  const Scalar t5 = s4 * t2;
+  const Scalar t6 = k[4] * s6 - k[5] * c6;
+  const Scalar t7 = c4 * t2;
+  const Scalar t8 = s5 * t3 + c5 * t7;
+  const Scalar t9 = t4 * t5 + t6 * t8;
+  const Scalar t10 = t9 + k[3] * t5;
+  const Scalar t11 = c5 * t3 - s5 * t7;
+  const Scalar t12 = k[6] * t5 + t6 * t11;
+  const Scalar t13 = k[7] * t3 - (s5 * t10 + c5 * t12);
+  const Scalar t14 = (k[3] * t11 - k[6] * t8) + t11 * t4;
+  const Scalar t15 = s4 * t13 + c4 * (k[8] * t3 + t14);
+  const Scalar t16 = (k[10] * t2 + k[9] * t3) + t15;
+  const Scalar t17 = (c5 * t10 - s5 * t12) - (k[7] * t7 - k[8] * t5);
   JointVector<Scalar> result;
   result[0] = Scalar(0);
-  result[1] = -t16 - (k[10] * t1 + k[9] * t0);
+  result[1] = -(k[2] * t0 + k[1] * t1) - t16;
   result[2] = -t16;
   result[3] = t17;
   result[4] = -t14;
@@ -398,90 +405,99 @@ CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Sc
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = g.a2 * (inertia.m3 + t0);
-  const Scalar t2 = inertia.c2z * inertia.m2;
-  const Scalar t3 = inertia.c3z * inertia.m3;
-  const Scalar t4 = g.a3 * t0;
-  const Scalar t5 = (t3 + t4) / g.a3;
-  const Scalar t6 = g.a2 * t5;
-  const Scalar t7 = inertia.c2x * inertia.m2;
-  const Scalar t8 = inertia.c4z * inertia.m4;
-  const Scalar t9 = inertia.c4y * inertia.m4;
-  const Scalar t10 = inertia.c5y * inertia.m5;
-  const Scalar t11 = inertia.c6x * inertia.m6;
-  const Scalar t12 = inertia.c5x * inertia.m5;
-  const Scalar t13 = inertia.c5z * inertia.m5;
-  const Scalar t14 = inertia.c6z * inertia.m6;
-  const Scalar t15 = inertia.c6y * inertia.m6;
-  const Scalar t16 = g.d2 * t5;
-  const Scalar t17 = inertia.c4x * inertia.m4;
-  const Scalar t18 = t17 + g.d2 * t0;
-  const Scalar t19 = inertia.c3x * inertia.m3;
-  const Scalar t20 = g.d1 * (t16 - (t18 + t19));
-  const Scalar t21 = inertia.c3y * inertia.m3;
-  const Scalar t22 = (g.a3 * t18 - (inertia.I3xz - inertia.c3z * t19)) - g.a3 * t16;
-  const Scalar t23 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t24 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t25 = g.d2 * (t18 + t17) - ((inertia.I4xx - t24) - inertia.c4x * t17);
-  const Scalar t26 = ((inertia.c3x * t19 - (inertia.I3xx - t23)) + t25) - g.d2 * t16;
-  const Scalar t27 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t28 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t29 = ((inertia.I6xx - t27) - inertia.c6x * t11) - (inertia.c5x * t12 - (inertia.I5xx - t28));
-  const Scalar t30 = inertia.I6yz - inertia.c6z * t15;
-  const Scalar t31 = inertia.c6z * t14 - (inertia.I6zz - t27);
-  const Scalar t32 = (inertia.I6yy - t27) - inertia.c6y * t15;
-  const Scalar t33 = ((inertia.I4yy - t24) - inertia.c4y * t9) - (inertia.c5y * t10 - (inertia.I5yy - t28));
-  const Scalar t34 = ((inertia.I3zz - t23) - inertia.c3z * t3) - g.a3 * t4;
-  const Scalar t35 = g.a3 * g.a3 * t5 + t34;
-  const Scalar t36 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t37 = g.a2 * t1 - ((inertia.I2zz - t36) - inertia.c2z * t2);
-  const Scalar t38 = (t37 - g.a2 * t6) - (inertia.c2x * t7 - (inertia.I2xx - t36));
-  const Scalar t39 = inertia.I2xz - inertia.c2z * t7;
-  const Scalar t40 = g.a2 * t21 - (inertia.I2yz - inertia.c2z * inertia.c2y * inertia.m2);
-  return { g.d1 * ((t1 + t2) - t6),
-           g.d1 * t7,
-           g.a3 / g.d1,
-           g.a2 / g.d1,
-           g.d2 / g.d1,
-           g.d1 * g.d1 * t5,
-           g.d1 * t8,
-           g.d1 * (t9 + t10),
-           g.d1 * (t11 + t12),
-           g.d1 * t13,
-           g.d1 * t14,
+  const Scalar t0 = g.d2 * inertia.m4;
+  const Scalar t1 = inertia.c4x * inertia.m4;
+  const Scalar t2 = t0 + t1;
+  const Scalar t3 = t0 - t2;
+  const Scalar t4 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t5 = t3 - g.d2 * t4;
+  const Scalar t6 = inertia.c3x * inertia.m3;
+  const Scalar t7 = (t5 - t6) / g.d2;
+  const Scalar t8 = g.a3 * t7;
+  const Scalar t9 = inertia.c3z * inertia.m3;
+  const Scalar t10 = g.a3 * t4;
+  const Scalar t11 = g.d1 * (t8 + (t9 + t10));
+  const Scalar t12 = inertia.c5z * inertia.m5;
+  const Scalar t13 = inertia.c6x * inertia.m6;
+  const Scalar t14 = inertia.c5x * inertia.m5;
+  const Scalar t15 = inertia.c6z * inertia.m6;
+  const Scalar t16 = inertia.c6y * inertia.m6;
+  const Scalar t17 = inertia.c4y * inertia.m4;
+  const Scalar t18 = inertia.c5y * inertia.m5;
+  const Scalar t19 = inertia.c4z * inertia.m4;
+  const Scalar t20 = g.a3 / g.d1;
+  const Scalar t21 = inertia.c2x * inertia.m2;
+  const Scalar t22 = g.a2 * t7;
+  const Scalar t23 = g.a2 * (inertia.m3 + t4);
+  const Scalar t24 = inertia.c2z * inertia.m2;
+  const Scalar t25 = g.d2 * t19;
+  const Scalar t26 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t27 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t28 = ((inertia.I4yy - t26) - inertia.c4y * t17) - (inertia.c5y * t18 - (inertia.I5yy - t27));
+  const Scalar t29 = g.d2 * t17;
+  const Scalar t30 = inertia.I6yz - inertia.c6z * t16;
+  const Scalar t31 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t32 = inertia.c6z * t15 - (inertia.I6zz - t31);
+  const Scalar t33 = (inertia.I6yy - t31) - inertia.c6y * t16;
+  const Scalar t34 = ((inertia.I6xx - t31) - inertia.c6x * t13) - (inertia.c5x * t14 - (inertia.I5xx - t27));
+  const Scalar t35 = inertia.c3y * inertia.m3;
+  const Scalar t36 = g.d2 * t7;
+  const Scalar t37 = g.a3 * t36 - (g.a3 * t5 + (inertia.I3xz - inertia.c3z * t6));
+  const Scalar t38 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t39 = g.d2 * (t1 + t2) - ((inertia.I4xx - t26) - inertia.c4x * t1);
+  const Scalar t40 = g.d2 * (t5 + t3) + (g.d2 * (t2 - t3) - t39);
+  const Scalar t41 = g.d2 * t36 + ((inertia.c3x * t6 - (inertia.I3xx - t38)) - t40);
+  const Scalar t42 = ((inertia.I3zz - t38) - inertia.c3z * t9) - g.a3 * t10;
+  const Scalar t43 = t42 - g.a3 * t8;
+  const Scalar t44 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t45 = g.a2 * t23 - ((inertia.I2zz - t44) - inertia.c2z * t24);
+  const Scalar t46 = (inertia.c2x * t21 - (inertia.I2xx - t44)) - (t45 + g.a2 * t22);
+  const Scalar t47 = inertia.I2xz - inertia.c2z * t21;
+  const Scalar t48 = g.a2 * t35 - (inertia.I2yz - inertia.c2z * inertia.c2y * inertia.m2);
+  return { Scalar(2) * t11,
+           g.d1 * t12,
+           g.d1 * (t13 + t14),
            g.d1 * t15,
-           t20,
+           g.d1 * t16,
+           g.d1 * (t17 + t18),
+           g.d1 * t19,
+           g.d2 / g.d1,
+           g.a2 / g.d1,
            Scalar(2) * t20,
-           inertia.I3yz - inertia.c3z * t21,
-           inertia.I3xy - inertia.c3y * t19,
-           Scalar(2) * t22,
-           t26,
-           (inertia.I4zz - t24) - inertia.c4z * t8,
-           inertia.I4yz - inertia.c4z * t9,
-           inertia.I4xy - inertia.c4y * t17,
-           inertia.I4xz - inertia.c4z * t17,
-           inertia.I5xy - inertia.c5y * t12,
-           inertia.I5yz - inertia.c5z * t10,
-           inertia.I5xz - inertia.c5z * t12,
-           t29,
-           inertia.c5z * t13 - (inertia.I5zz - t28),
-           inertia.I6xz - inertia.c6z * t11,
-           inertia.I6xy - inertia.c6y * t11,
+           t20,
+           g.d1 * g.d1 * t7,
+           g.d1 * t21,
+           g.d1 * (t22 + (t23 + t24)),
+           t25 + ((inertia.I4xz - inertia.c4z * t1) - t25),
+           t28,
+           inertia.I4yz - inertia.c4z * t17,
+           t29 - (t29 - (inertia.I4xy - inertia.c4y * t1)),
+           inertia.I6xz - inertia.c6z * t13,
+           inertia.I6xy - inertia.c6y * t13,
            Scalar(2) * t30,
-           t31 + t32,
-           t30,
+           t32 + t33,
            t32,
-           t31,
            t33,
-           Scalar(2) * t35,
-           t22,
-           t38,
-           Scalar(2) * t39,
-           t39,
-           t40,
-           inertia.I2xy - inertia.c2y * t7,
-           t26 + t35 };
+           t30,
+           inertia.I5xz - inertia.c5z * t14,
+           inertia.c5z * t12 - (inertia.I5zz - t27),
+           inertia.I5yz - inertia.c5z * t18,
+           inertia.I5xy - inertia.c5y * t14,
+           t34,
+           (inertia.I4zz - t26) - inertia.c4z * t19,
+           inertia.I3yz - inertia.c3z * t35,
+           inertia.I3xy - inertia.c3y * t6,
+           Scalar(2) * t37,
+           Scalar(2) * t41,
+           t11,
+           Scalar(2) * t43,
+           t37,
+           t46,
+           Scalar(2) * t47,
+           t47,
+           t48,
+           inertia.I2xy - inertia.c2y * t21,
+           t43 + t41 };
 }
 
 namespace detail {
@@ -500,146 +516,142 @@ inline JointVector<Scalar> coriolis_torque([[maybe_unused]] const JointVector<Sc
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[1] * s2 - k[0] * c2;
-  const Scalar t1 = qd[0] * qd[1];
-  const Scalar t2 = t1 + t1;
-  const Scalar t3 = k[10] * c6 + k[11] * s6;
-  const Scalar t4 = s2 * s3 - c2 * c3;
-  const Scalar t5 = qd[0] * t4;
-  const Scalar t6 = s4 * t5;
-  const Scalar t7 = qd[1] + qd[2];
-  const Scalar t8 = t6 - c4 * t7;
-  const Scalar t9 = qd[4] - t8;
-  const Scalar t10 = s4 * t7 + c4 * t5;
-  const Scalar t11 = c3 * s2 + c2 * s3;
-  const Scalar t12 = qd[0] * t11;
-  const Scalar t13 = qd[3] - t12;
-  const Scalar t14 = c5 * t10 - s5 * t13;
-  const Scalar t15 = t9 * t14;
-  const Scalar t16 = t12 * t7;
-  const Scalar t17 = t16 + t16;
-  const Scalar t18 = t12 * t6 - c4 * t17;
-  const Scalar t19 = Scalar(2) * t13 * t8 + t18;
-  const Scalar t20 = t10 * t8;
-  const Scalar t21 = t7 * t5;
-  const Scalar t22 = t20 + t21;
-  const Scalar t23 = s5 * t19 - c5 * t22;
-  const Scalar t24 = t15 + (t15 - t23);
-  const Scalar t25 = k[10] * s6 - k[11] * c6;
-  const Scalar t26 = t12 * t12;
-  const Scalar t27 = t7 * t7;
-  const Scalar t28 = t26 + t27;
-  const Scalar t29 = qd[0] * qd[0];
-  const Scalar t30 = t29 - t28;
-  const Scalar t31 = t26 - t27;
-  const Scalar t32 = t30 - t31;
-  const Scalar t33 = t28 + t32;
-  const Scalar t34 = t8 * t8;
-  const Scalar t35 = t13 * t13;
-  const Scalar t36 = t34 - t35;
-  const Scalar t37 = t33 - t36;
-  const Scalar t38 = t9 * t9;
-  const Scalar t39 = s5 * t10 + c5 * t13;
-  const Scalar t40 = t39 * t39;
-  const Scalar t41 = t38 - t40;
-  const Scalar t42 = t37 + t41;
-  const Scalar t43 = qd[5] + t39;
-  const Scalar t44 = t43 * t43;
-  const Scalar t45 = t38 - t44;
-  const Scalar t46 = s5 * t22 + c5 * t19;
-  const Scalar t47 = t9 * t39;
-  const Scalar t48 = t46 + (t47 + t47);
-  const Scalar t49 = (t3 * t24 - t25 * (t42 - t45)) + (k[9] * t24 - k[8] * t48);
-  const Scalar t50 = t20 - t21;
-  const Scalar t51 = s2 * t29;
-  const Scalar t52 = qd[1] * qd[1];
-  const Scalar t53 = t51 + k[3] * (t52 + s2 * t51);
-  const Scalar t54 = c2 * t29;
-  const Scalar t55 = k[3] * s2;
-  const Scalar t56 = t54 + t54 * t55;
-  const Scalar t57 = c3 * t53 + s3 * t56;
-  const Scalar t58 = t12 * t5;
-  const Scalar t59 = (k[2] * t28 + t57) - k[4] * t58;
-  const Scalar t60 = k[3] * c2 * t1;
-  const Scalar t61 = Scalar(2) * (k[4] * t16 + (k[2] * t21 - t60));
-  const Scalar t62 = s4 * t59 + c4 * t61;
-  const Scalar t63 = (k[6] * t50 - k[7] * t37) - k[5] * t62;
-  const Scalar t64 = t49 - t63;
-  const Scalar t65 = t39 * t14;
-  const Scalar t66 = c4 * t58 + s4 * t17;
-  const Scalar t67 = t13 * t10;
-  const Scalar t68 = t66 + t67;
-  const Scalar t69 = t65 + t68;
-  const Scalar t70 = t43 * t9;
-  const Scalar t71 = t70 + (t70 - t48);
-  const Scalar t72 = t43 * t14;
-  const Scalar t73 = t65 - t68;
-  const Scalar t74 = t72 + (t72 - t73);
-  const Scalar t75 = (k[9] * t69 + k[8] * t42) + (t25 * t71 + t74 * t3);
-  const Scalar t76 = t38 + t44;
-  const Scalar t77 = t38 + t40;
-  const Scalar t78 = (t76 * t3 - t25 * t23) + (k[9] * t77 + k[8] * t73);
-  const Scalar t79 = t34 + t35;
-  const Scalar t80 = s4 * t61 - c4 * t59;
-  const Scalar t81 = (k[6] * t79 - k[7] * t22) - k[5] * t80;
-  const Scalar t82 = (s5 * t75 - c5 * t78) - t81;
-  const Scalar t83 = c4 * t64 + s4 * t82;
-  const Scalar t84 = t83 - k[12] * t17;
-  const Scalar t85 = (k[36] * t17 - k[35] * t21) - (k[15] * t58 + k[14] * t30);
-  const Scalar t86 = t79 - t37;
-  const Scalar t87 = k[19] * t86 + (k[18] * t50 - k[34] * t22);
-  const Scalar t88 = (k[7] * t80 + k[6] * t62) + (t87 + (k[21] * t18 - k[20] * t66));
-  const Scalar t89 = t76 - t42;
-  const Scalar t90 = t89 + t45;
-  const Scalar t91 = (k[23] * t90 + k[22] * t73) + (k[26] * t24 + k[24] * t48);
-  const Scalar t92 = k[2] * t58 - (c3 * t56 - s3 * t53);
-  const Scalar t93 = k[4] * t33 - t92;
-  const Scalar t94 = c5 * t80 - s5 * t93;
-  const Scalar t95 = k[27] * c6 + k[28] * s6;
-  const Scalar t96 = k[28] * c6 - k[27] * s6;
-  const Scalar t97 = k[30] * c6 - k[29] * s6;
-  const Scalar t98 = c6 * t97;
-  const Scalar t99 = k[33] - t98;
-  const Scalar t100 = k[32] - t98;
-  const Scalar t101 = k[31] + s6 * t97;
-  const Scalar t102 = (t99 * t23 + t100 * t24) - t90 * t101;
-  const Scalar t103 = (t25 * t94 - t3 * t62) - ((t95 * t48 + t96 * t73) - t102);
-  const Scalar t104 = (t91 + k[9] * t62) - t103;
-  const Scalar t105 = c5 * t93 + s5 * t80;
-  const Scalar t106 = t96 * t45 + (t74 * t101 + t99 * t71);
-  const Scalar t107 = (k[25] * t48 - k[24] * t24) + k[22] * t41;
-  const Scalar t108 = (t25 * t105 - (t24 * t95 - t106)) + ((k[23] * t69 + t107) + k[8] * t62);
-  const Scalar t109 = t88 + (c5 * t104 - s5 * t108);
-  const Scalar t110 = t68 + t67;
-  const Scalar t111 = k[20] * t36 + (k[34] * t19 + k[19] * t110);
-  const Scalar t112 = (s5 * t104 + c5 * t108) + ((k[21] * t50 + t111) - k[7] * t93);
-  const Scalar t113 = (k[19] * t19 + k[18] * t110) + (k[20] * t22 - k[21] * (t86 - t36));
-  const Scalar t114 = (k[26] * t69 + k[25] * t73) + k[24] * (t77 - t42);
-  const Scalar t115 = (k[8] * t94 + k[9] * t105) + ((k[22] * t23 - k[23] * t46) + t114);
-  const Scalar t116 = (t89 * t95 + t96 * t23) + (t101 * t71 - t74 * t100);
-  const Scalar t117 = t115 + (t3 * t105 + t116);
-  const Scalar t118 = (t113 - k[6] * t93) - t117;
-  const Scalar t119 = k[4] * t83 + (c4 * t112 - s4 * t118);
-  const Scalar t120 = k[15] * t31 - (k[16] * t21 + k[17] * t17);
-  const Scalar t121 = t119 - ((k[14] * t58 + t120) - k[13] * t60);
-  const Scalar t122 = t11 * (t85 + (t109 + k[2] * t83)) - t4 * t121;
-  const Scalar t123 = k[39] - s2 * (k[38] * s2 + k[37] * c2);
-  const Scalar t124 = t123 * t2 - t52 * (k[40] * s2 - k[41] * c2);
-  const Scalar t125 = (t0 * t2 + t84) + ((t84 * t55 + t122) + t124);
-  const Scalar t126 = (k[7] * t19 + k[6] * t110) + k[5] * t93;
-  const Scalar t127 = (s5 * t78 + c5 * t75) + t126;
-  const Scalar t128 = c4 * t82 - s4 * t64;
-  const Scalar t129 = (c4 * t118 + s4 * t112) - k[4] * t128;
-  const Scalar t130 = k[12] * t57 + (k[36] * t32 + k[42] * t58);
-  const Scalar t131 = (k[2] * t127 - t129) + t130;
-  const Scalar t132 = s3 * (k[12] * t58 - t128) - c3 * (k[12] * t33 - t127);
-  const Scalar t133 = (t131 + k[3] * t132) - t29 * (t0 + t123);
+  const Scalar t0 = qd[0] * qd[1];
+  const Scalar t1 = t0 + t0;
+  const Scalar t2 = k[12] * s2 - k[13] * c2;
+  const Scalar t3 = c3 * s2 + c2 * s3;
+  const Scalar t4 = qd[0] * t3;
+  const Scalar t5 = s2 * s3 - c2 * c3;
+  const Scalar t6 = qd[0] * t5;
+  const Scalar t7 = s4 * t6;
+  const Scalar t8 = qd[1] + qd[2];
+  const Scalar t9 = t4 * t8;
+  const Scalar t10 = t9 + t9;
+  const Scalar t11 = t4 * t7 - c4 * t10;
+  const Scalar t12 = t8 * t6;
+  const Scalar t13 = k[8] * c2 * t1;
+  const Scalar t14 = k[9] * t12 - t13;
+  const Scalar t15 = t4 * t4;
+  const Scalar t16 = t8 * t8;
+  const Scalar t17 = t15 + t16;
+  const Scalar t18 = qd[0] * qd[0];
+  const Scalar t19 = c2 * t18;
+  const Scalar t20 = k[8] * s2;
+  const Scalar t21 = t19 + t19 * t20;
+  const Scalar t22 = s2 * t18;
+  const Scalar t23 = qd[1] * qd[1];
+  const Scalar t24 = t22 + k[8] * (t23 + s2 * t22);
+  const Scalar t25 = k[10] * t17 + (s3 * t21 + c3 * t24);
+  const Scalar t26 = k[7] * t11 - (c4 * t14 + s4 * t25);
+  const Scalar t27 = s4 * t8 + c4 * t6;
+  const Scalar t28 = t7 - c4 * t8;
+  const Scalar t29 = t27 * t28;
+  const Scalar t30 = t29 - t12;
+  const Scalar t31 = t28 * t28;
+  const Scalar t32 = qd[3] - t4;
+  const Scalar t33 = t32 * t32;
+  const Scalar t34 = t31 - t33;
+  const Scalar t35 = t15 - t16;
+  const Scalar t36 = t18 - t35;
+  const Scalar t37 = t34 - t36;
+  const Scalar t38 = k[11] * t26 - (k[6] * t30 + k[5] * t37);
+  const Scalar t39 = c5 * t27 - s5 * t32;
+  const Scalar t40 = qd[4] - t28;
+  const Scalar t41 = Scalar(2) * t40;
+  const Scalar t42 = t29 + t12;
+  const Scalar t43 = t32 * t28;
+  const Scalar t44 = (t43 + t11) + t43;
+  const Scalar t45 = c5 * t42 - s5 * t44;
+  const Scalar t46 = t39 * t41 + t45;
+  const Scalar t47 = s5 * t42 + c5 * t44;
+  const Scalar t48 = s5 * t27 + c5 * t32;
+  const Scalar t49 = t47 + t48 * t41;
+  const Scalar t50 = k[3] * c6 + k[4] * s6;
+  const Scalar t51 = k[4] * c6 - k[3] * s6;
+  const Scalar t52 = t40 * t40;
+  const Scalar t53 = t39 * t39;
+  const Scalar t54 = t52 - t53;
+  const Scalar t55 = qd[5] + t48;
+  const Scalar t56 = t55 * t55;
+  const Scalar t57 = t56 - t53;
+  const Scalar t58 = t54 - t57;
+  const Scalar t59 = t52 + t56;
+  const Scalar t60 = t57 - t59;
+  const Scalar t61 = (k[1] * t46 - k[2] * t49) + (t50 * t46 - t51 * (t58 + t60));
+  const Scalar t62 = t38 + t61;
+  const Scalar t63 = t48 * t39;
+  const Scalar t64 = t4 * t6;
+  const Scalar t65 = c4 * t64 + s4 * t10;
+  const Scalar t66 = t32 * t27;
+  const Scalar t67 = t65 + t66;
+  const Scalar t68 = t63 - t67;
+  const Scalar t69 = t54 - t37;
+  const Scalar t70 = (k[2] * t68 + k[1] * t69) + (t59 * t50 - t51 * t45);
+  const Scalar t71 = t63 + t67;
+  const Scalar t72 = t55 * t39;
+  const Scalar t73 = t72 + (t72 - t68);
+  const Scalar t74 = t49 - t55 * t41;
+  const Scalar t75 = (k[1] * t71 - k[2] * t60) + (t73 * t50 + t51 * t74);
+  const Scalar t76 = t31 + t33;
+  const Scalar t77 = (c4 * t25 - s4 * t14) - k[7] * t65;
+  const Scalar t78 = (k[6] * t76 - k[5] * t42) - k[11] * t77;
+  const Scalar t79 = (c5 * t70 - s5 * t75) + t78;
+  const Scalar t80 = c4 * t62 - s4 * t79;
+  const Scalar t81 = t80 + k[0] * t12;
+  const Scalar t82 = t69 + t60;
+  const Scalar t83 = (k[26] * t71 + k[29] * t68) + k[25] * t82;
+  const Scalar t84 = s3 * t24 - c3 * t21;
+  const Scalar t85 = k[7] * t36 - (t84 + k[10] * t64);
+  const Scalar t86 = c5 * t85 - s5 * t77;
+  const Scalar t87 = c5 * t77 + s5 * t85;
+  const Scalar t88 = (t83 - (k[28] * t45 + k[27] * t47)) + (k[1] * t86 - k[2] * t87);
+  const Scalar t89 = k[21] * c6 - k[20] * s6;
+  const Scalar t90 = c6 * t89;
+  const Scalar t91 = k[23] - t90;
+  const Scalar t92 = k[24] + s6 * t89;
+  const Scalar t93 = k[18] * s6 - k[19] * c6;
+  const Scalar t94 = k[19] * s6 + k[18] * c6;
+  const Scalar t95 = (t73 * t91 + t92 * t74) - (t93 * t45 + t57 * t94);
+  const Scalar t96 = t88 + (t86 * t50 - t95);
+  const Scalar t97 = t76 - t36;
+  const Scalar t98 = t67 + t66;
+  const Scalar t99 = (k[17] * t42 - k[14] * t97) + (k[16] * t44 + k[30] * t98);
+  const Scalar t100 = k[7] * t79 - (t96 - (t99 - k[6] * t85));
+  const Scalar t101 = k[22] - t90;
+  const Scalar t102 = t54 * t92 + (t101 * t45 - t91 * t46);
+  const Scalar t103 = ((t68 * t93 - t49 * t94) - t102) + (t26 * t50 + t51 * t87);
+  const Scalar t104 = (k[28] * t68 + k[27] * t54) + (k[26] * t46 + k[25] * t49);
+  const Scalar t105 = t103 + (k[1] * t26 - t104);
+  const Scalar t106 = (k[29] * t49 - k[25] * t46) + k[28] * (t54 - t82);
+  const Scalar t107 = t58 * t93 - (t73 * t92 - t101 * t74);
+  const Scalar t108 = ((t106 + k[27] * t71) - k[2] * t26) - ((t46 * t94 + t107) + t86 * t51);
+  const Scalar t109 = k[17] * t34 + (k[15] * t44 + k[16] * t98);
+  const Scalar t110 = (s5 * t105 - c5 * t108) - ((t109 + k[14] * t30) - k[5] * t85);
+  const Scalar t111 = t110 - k[7] * t62;
+  const Scalar t112 = (k[33] * t12 + k[34] * t9) - k[32] * t35;
+  const Scalar t113 = (s4 * t100 + c4 * t111) - (t112 - k[31] * t64);
+  const Scalar t114 = (k[36] * t12 - k[37] * t10) + (k[32] * t64 + k[31] * (t18 - t17));
+  const Scalar t115 = (k[30] * t30 - k[15] * t42) + k[16] * (t97 + t34);
+  const Scalar t116 = (k[6] * t26 + k[5] * t77) - ((k[14] * t11 - k[17] * t65) + t115);
+  const Scalar t117 = (c5 * t105 + s5 * t108) + t116;
+  const Scalar t118 = (k[35] * t13 + t114) - (k[10] * t80 - t117);
+  const Scalar t119 = t81 * t20 + (t5 * t113 - t118 * t3);
+  const Scalar t120 = k[40] - s2 * (k[39] * s2 - k[38] * c2);
+  const Scalar t121 = t1 * t120 + t23 * (k[42] * c2 - k[41] * s2);
+  const Scalar t122 = k[11] * t85 - (k[6] * t98 + k[5] * t44);
+  const Scalar t123 = (c5 * t75 + s5 * t70) - t122;
+  const Scalar t124 = (s4 * t111 - c4 * t100) + k[10] * t123;
+  const Scalar t125 = (k[43] * t64 - k[37] * (t17 - t36)) - k[35] * t84;
+  const Scalar t126 = t124 + t125;
+  const Scalar t127 = k[35] * t17 + (c4 * t79 + s4 * t62);
+  const Scalar t128 = c3 * (t123 - k[35] * t64) + s3 * t127;
+  const Scalar t129 = t18 * (t2 + t120) - (t126 + k[8] * t128);
   JointVector<Scalar> result;
-  result[0] = -t125;
-  result[1] = -t133;
-  result[2] = -t131;
-  result[3] = t109;
-  result[4] = -t117;
+  result[0] = -(t1 * t2 + t81) - (t119 + t121);
+  result[1] = t129;
+  result[2] = -t126;
+  result[3] = -t117;
+  result[4] = -t96;
   result[5] = -t103;
   return result;
 }
@@ -666,88 +678,97 @@ MassMatrixConstants<Scalar> mass_matrix_constants(const BasicGeometry<Scalar>& g
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6x * inertia.m6;
-  const Scalar t1 = inertia.c5x * inertia.m5;
+  const Scalar t0 = inertia.c6y * inertia.m6;
+  const Scalar t1 = inertia.I6yz - inertia.c6z * t0;
   const Scalar t2 = inertia.c6z * inertia.m6;
-  const Scalar t3 = inertia.c6y * inertia.m6;
-  const Scalar t4 = inertia.c5z * inertia.m5;
-  const Scalar t5 = inertia.c4z * inertia.m4;
-  const Scalar t6 = inertia.c4y * inertia.m4;
-  const Scalar t7 = inertia.c5y * inertia.m5;
-  const Scalar t8 = inertia.c3z * inertia.m3;
-  const Scalar t9 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t10 = g.a3 * t9;
-  const Scalar t11 = inertia.c4x * inertia.m4;
-  const Scalar t12 = t11 + g.d2 * t9;
-  const Scalar t13 = inertia.c3x * inertia.m3;
-  const Scalar t14 = inertia.m3 + t9;
-  const Scalar t15 = g.a2 * t14;
-  const Scalar t16 = inertia.c2z * inertia.m2;
-  const Scalar t17 = inertia.c2x * inertia.m2;
-  const Scalar t18 = g.d1 / g.a3;
-  const Scalar t19 = inertia.I6yz - inertia.c6z * t3;
-  const Scalar t20 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t21 = inertia.c6z * t2 - (inertia.I6zz - t20);
-  const Scalar t22 = (inertia.I6yy - t20) - inertia.c6y * t3;
-  const Scalar t23 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t24 = ((inertia.I6xx - t20) - inertia.c6x * t0) - (inertia.c5x * t1 - (inertia.I5xx - t23));
-  const Scalar t25 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t26 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t27 = g.d2 * (t12 + t11) - ((inertia.I4xx - t26) - inertia.c4x * t11);
-  const Scalar t28 = ((inertia.I4yy - t26) - inertia.c4y * t6) - (inertia.c5y * t7 - (inertia.I5yy - t23));
-  const Scalar t29 = ((inertia.I3zz - t25) - inertia.c3z * t8) - g.a3 * t10;
-  const Scalar t30 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t31 = g.a2 * t15 - ((inertia.I2zz - t30) - inertia.c2z * t16);
-  const Scalar t32 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t33 = g.d1 * g.d1 * (inertia.m2 + t14) + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t32));
-  const Scalar t34 = inertia.c3y * inertia.m3;
-  const Scalar t35 = inertia.c2y * inertia.m2;
-  const Scalar t36 = ((inertia.I3yy - t25) - inertia.c3y * t34) + ((inertia.I2yy - t30) - inertia.c2y * t35);
-  const Scalar t37 = t36 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t32));
-  return { g.a3 * (t0 + t1),
-           g.a3 * t2,
-           g.a3 * t3,
-           g.a3 * t4,
-           g.a3 * t5,
-           g.a3 * (t6 + t7),
-           g.a3 * (t8 + t10),
-           g.a3 * (t12 + t13),
-           g.a3 * (t15 + t16),
-           g.a3 * t17,
-           Scalar(2) * t18,
-           g.a2 / g.a3,
-           Scalar(2) * t19,
-           t21 + t22,
+  const Scalar t3 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t4 = inertia.c6z * t2 - (inertia.I6zz - t3);
+  const Scalar t5 = (inertia.I6yy - t3) - inertia.c6y * t0;
+  const Scalar t6 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t7 = inertia.c4y * inertia.m4;
+  const Scalar t8 = inertia.c5y * inertia.m5;
+  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t10 = ((inertia.I4yy - t6) - inertia.c4y * t7) - (inertia.c5y * t8 - (inertia.I5yy - t9));
+  const Scalar t11 = inertia.c5z * inertia.m5;
+  const Scalar t12 = inertia.c6x * inertia.m6;
+  const Scalar t13 = inertia.c5x * inertia.m5;
+  const Scalar t14 = ((inertia.I6xx - t3) - inertia.c6x * t12) - (inertia.c5x * t13 - (inertia.I5xx - t9));
+  const Scalar t15 = inertia.c4z * inertia.m4;
+  const Scalar t16 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t17 = inertia.c3y * inertia.m3;
+  const Scalar t18 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t19 = inertia.c2y * inertia.m2;
+  const Scalar t20 = ((inertia.I3yy - t16) - inertia.c3y * t17) + ((inertia.I2yy - t18) - inertia.c2y * t19);
+  const Scalar t21 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t22 = t20 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t21));
+  const Scalar t23 = g.d2 * inertia.m4;
+  const Scalar t24 = inertia.c4x * inertia.m4;
+  const Scalar t25 = t23 + t24;
+  const Scalar t26 = t23 - t25;
+  const Scalar t27 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t28 = t26 - g.d2 * t27;
+  const Scalar t29 = inertia.c3x * inertia.m3;
+  const Scalar t30 = inertia.c3z * inertia.m3;
+  const Scalar t31 = g.a3 * t27;
+  const Scalar t32 = inertia.m3 + t27;
+  const Scalar t33 = g.a2 * t32;
+  const Scalar t34 = inertia.c2z * inertia.m2;
+  const Scalar t35 = inertia.c2x * inertia.m2;
+  const Scalar t36 = g.d1 / g.a3;
+  const Scalar t37 = g.d2 / g.a3;
+  const Scalar t38 = g.d2 * (t24 + t25) - ((inertia.I4xx - t6) - inertia.c4x * t24);
+  const Scalar t39 = g.d2 * (t28 + t26) + (g.d2 * (t25 - t26) - t38);
+  const Scalar t40 = ((inertia.I3zz - t16) - inertia.c3z * t30) - g.a3 * t31;
+  const Scalar t41 = g.d2 * t15;
+  const Scalar t42 = g.d2 * t7;
+  const Scalar t43 = g.a2 / g.a3;
+  const Scalar t44 = g.a2 * t33 - ((inertia.I2zz - t18) - inertia.c2z * t34);
+  const Scalar t45 = g.d1 * g.d1 * (inertia.m2 + t32) + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t21));
+  return { Scalar(2) * t1,
+           t4 + t5,
+           t4,
+           t10,
+           t4 - t5,
+           inertia.c5z * t11 - (inertia.I5zz - t9),
+           t14,
+           inertia.I6xz - inertia.c6z * t12,
+           inertia.I6xy - inertia.c6y * t12,
+           inertia.I5xz - inertia.c5z * t13,
+           (inertia.I4zz - t6) - inertia.c4z * t15,
+           t1,
+           inertia.I5yz - inertia.c5z * t8,
+           inertia.I5xy - inertia.c5y * t13,
+           inertia.I4yz - inertia.c4z * t7,
            t22,
-           inertia.c5z * t4 - (inertia.I5zz - t23),
-           t24,
-           inertia.I6xz - inertia.c6z * t0,
-           inertia.I6xy - inertia.c6y * t0,
-           inertia.I5xz - inertia.c5z * t1,
-           g.d2 / g.a3,
-           (inertia.c3x * t13 - (inertia.I3xx - t25)) + t27,
-           (inertia.I4zz - t26) - inertia.c4z * t5,
-           t21,
-           t28,
-           t19,
-           inertia.I5yz - inertia.c5z * t7,
-           inertia.I5xy - inertia.c5y * t1,
-           inertia.I4yz - inertia.c4z * t6,
-           t29,
-           inertia.I4xy - inertia.c4y * t11,
-           inertia.I4xz - inertia.c4z * t11,
-           g.a3 * t12 - (inertia.I3xz - inertia.c3z * t13),
-           t31,
-           inertia.I2xz - inertia.c2z * t17,
-           inertia.c2x * t17 - (inertia.I2xx - t30),
-           t33,
+           g.a3 * (t12 + t13),
+           g.a3 * t2,
+           g.a3 * t0,
+           g.a3 * t11,
+           g.a3 * (t28 - t29),
+           g.a3 * t15,
+           g.a3 * (t7 + t8),
+           g.a3 * (t30 + t31),
+           g.a3 * (t33 + t34),
+           g.a3 * t35,
+           Scalar(2) * t36,
+           Scalar(2) * t37,
+           (inertia.c3x * t29 - (inertia.I3xx - t16)) - t39,
+           t40,
            t37,
-           inertia.I3yz - inertia.c3z * t34,
-           inertia.I3xy - inertia.c3y * t13,
-           inertia.I2xy - inertia.c2y * t17,
-           g.a2 * t34 - (inertia.I2yz - inertia.c2z * t35),
-           t18,
-           t21 - t22 };
+           t41 + ((inertia.I4xz - inertia.c4z * t24) - t41),
+           t42 - (t42 - (inertia.I4xy - inertia.c4y * t24)),
+           g.a3 * t28 + (inertia.I3xz - inertia.c3z * t29),
+           inertia.c2x * t35 - (inertia.I2xx - t18),
+           Scalar(2) * t43,
+           t44,
+           t43,
+           inertia.I2xz - inertia.c2z * t35,
+           t45,
+           inertia.I3yz - inertia.c3z * t17,
+           inertia.I3xy - inertia.c3y * t29,
+           inertia.I2xy - inertia.c2y * t35,
+           g.a2 * t17 - (inertia.I2yz - inertia.c2z * t19),
+           t36 };
 }
 
 namespace detail {
@@ -765,106 +786,102 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointV
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[1] * c6 + k[2] * s6;
-  const Scalar t1 = k[3] + t0;
-  const Scalar t2 = k[0] * s5 - c5 * t1;
-  const Scalar t3 = k[4] - t2;
-  const Scalar t4 = k[2] * c6 - k[1] * s6;
-  const Scalar t5 = k[5] + t4;
-  const Scalar t6 = c4 * t3 + s4 * t5;
-  const Scalar t7 = k[12] * s6 - k[13] * c6;
-  const Scalar t8 = c6 * t7;
-  const Scalar t9 = k[15] - (k[14] + t8);
-  const Scalar t10 = k[17] * c6 + k[18] * s6;
-  const Scalar t11 = k[19] + t10;
-  const Scalar t12 = c5 * t11;
-  const Scalar t13 = s5 * (k[16] + t9) - (t12 + t12);
-  const Scalar t14 = s5 * t13;
-  const Scalar t15 = k[22] + (t14 - t9);
-  const Scalar t16 = k[26] + (k[25] - s6 * t7);
-  const Scalar t17 = k[17] * s6 - k[18] * c6;
-  const Scalar t18 = k[27] - t17;
-  const Scalar t19 = c5 * t16 - s5 * t18;
-  const Scalar t20 = k[28] + t19;
-  const Scalar t21 = c4 * t20;
-  const Scalar t22 = k[24] - (k[23] + t8);
-  const Scalar t23 = (t21 + t21) - s4 * (t15 - t22);
-  const Scalar t24 = s4 * t23;
-  const Scalar t25 = k[29] - (Scalar(2) * t6 - (t15 + t24));
-  const Scalar t26 = s5 * t1 + k[0] * c5;
-  const Scalar t27 = k[20] * t26;
-  const Scalar t28 = k[21] - ((k[16] - t14) - (t27 + t27));
-  const Scalar t29 = c5 * t18 + s5 * t16;
-  const Scalar t30 = k[20] * t5 - (k[30] + t29);
-  const Scalar t31 = k[20] * t3 - (k[31] - (t11 + c5 * t13));
-  const Scalar t32 = s4 * t30 + c4 * t31;
-  const Scalar t33 = k[32] + (t32 + t26);
-  const Scalar t34 = c3 * t33;
-  const Scalar t35 = s3 * (t25 + t28) - (t34 + t34);
-  const Scalar t36 = s3 * t35 - t25;
-  const Scalar t37 = k[6] + t6;
-  const Scalar t38 = k[7] + t26;
-  const Scalar t39 = c3 * t37 - s3 * t38;
-  const Scalar t40 = k[11] * t39;
-  const Scalar t41 = k[33] + (t36 + Scalar(2) * t40);
-  const Scalar t42 = t25 - t28;
-  const Scalar t43 = k[35] - (t42 + t36);
-  const Scalar t44 = s3 * t37 + c3 * t38;
-  const Scalar t45 = k[34] - (k[11] * t44 - (c3 * t35 + t33));
-  const Scalar t46 = s2 * t45;
-  const Scalar t47 = c2 * (c2 * (t41 - t43) + (t46 + t46));
-  const Scalar t48 = s2 * (k[8] + t39) + c2 * (k[9] + t44);
-  const Scalar t49 = (k[36] - ((t47 - t41) - k[10] * t48)) - (k[37] + (t22 - t24));
-  const Scalar t50 = s4 * t3 - c4 * t5;
-  const Scalar t51 = k[38] + (t50 + (c4 * t23 - t20));
-  const Scalar t52 = c4 * t30 - s4 * t31;
-  const Scalar t53 = k[39] - t52;
-  const Scalar t54 = s3 * t51 + c3 * t53;
-  const Scalar t55 = s3 * t53 - c3 * t51;
-  const Scalar t56 = k[11] * t50;
-  const Scalar t57 = s2 * (k[40] + t54) + c2 * (k[41] + (t55 - t56));
-  const Scalar t58 = k[11] * s2;
-  const Scalar t59 = s2 * s3 - c2 * c3;
-  const Scalar t60 = t15 + t22;
-  const Scalar t61 = c3 * s2 + c2 * s3;
-  const Scalar t62 = t58 * t6 - (t32 * t59 + (t60 - t6) * t61);
-  const Scalar t63 = s4 * t26;
-  const Scalar t64 = k[16] - t9;
-  const Scalar t65 = t64 - t27;
-  const Scalar t66 = t61 * (t29 - t63) + t59 * (c4 * t19 - s4 * t65);
-  const Scalar t67 = k[20] * t0 - (c5 * t10 - k[43] * s5);
-  const Scalar t68 = c5 * t4;
-  const Scalar t69 = t17 + k[20] * t68;
-  const Scalar t70 = s4 * t68 + c4 * t0;
-  const Scalar t71 = k[43] * c5 + s5 * t10;
-  const Scalar t72 = t59 * (c4 * t67 + s4 * t69) - (t70 + t71) * t61;
-  const Scalar t73 = (s4 * t19 + c4 * t65) + t2;
-  const Scalar t74 = k[11] * (s3 * c4 * t26 + c3 * t2);
-  const Scalar t75 = s5 * t4;
-  const Scalar t76 = s3 * (s4 * t0 - c4 * t68) - c3 * t75;
-  const Scalar t77 = t75 + (s4 * t67 - c4 * t69);
+  const Scalar t0 = k[0] * s6 - k[1] * c6;
+  const Scalar t1 = k[2] + c6 * t0;
+  const Scalar t2 = k[5] + (k[4] - t1);
+  const Scalar t3 = k[7] * c6 + k[8] * s6;
+  const Scalar t4 = k[9] + t3;
+  const Scalar t5 = s5 * (k[6] + t2) - Scalar(2) * c5 * t4;
+  const Scalar t6 = k[6] - s5 * t5;
+  const Scalar t7 = k[6] - t2;
+  const Scalar t8 = k[10] - (t6 - t7);
+  const Scalar t9 = k[3] - t1;
+  const Scalar t10 = k[8] * c6 - k[7] * s6;
+  const Scalar t11 = k[13] + t10;
+  const Scalar t12 = k[12] + (k[11] - s6 * t0);
+  const Scalar t13 = s5 * t11 - c5 * t12;
+  const Scalar t14 = k[14] - t13;
+  const Scalar t15 = c4 * t14;
+  const Scalar t16 = s4 * (t8 - t9) - (t15 + t15);
+  const Scalar t17 = s4 * t16;
+  const Scalar t18 = k[17] * s6 - k[18] * c6;
+  const Scalar t19 = k[22] - t18;
+  const Scalar t20 = k[17] * c6 + k[18] * s6;
+  const Scalar t21 = k[19] + t20;
+  const Scalar t22 = c5 * t21 - k[16] * s5;
+  const Scalar t23 = k[21] + t22;
+  const Scalar t24 = s4 * t19 + c4 * t23;
+  const Scalar t25 = k[29] - ((t24 + t24) - (t8 - t17));
+  const Scalar t26 = s5 * t21 + k[16] * c5;
+  const Scalar t27 = k[28] - (t6 - k[27] * t26);
+  const Scalar t28 = k[31] - (t4 + c5 * t5);
+  const Scalar t29 = c5 * t11 + s5 * t12;
+  const Scalar t30 = k[32] + t29;
+  const Scalar t31 = (c4 * t28 + s4 * t30) - k[30] * t24;
+  const Scalar t32 = k[33] - (t26 - t31);
+  const Scalar t33 = c3 * t32;
+  const Scalar t34 = s3 * (t27 + t25) + (t33 + t33);
+  const Scalar t35 = t25 - s3 * t34;
+  const Scalar t36 = k[20] - t26;
+  const Scalar t37 = k[23] + t24;
+  const Scalar t38 = s3 * t36 + c3 * t37;
+  const Scalar t39 = k[36] - (t35 - k[35] * t38);
+  const Scalar t40 = t27 - t25;
+  const Scalar t41 = k[34] + (t40 + t35);
+  const Scalar t42 = c3 * t36 - s3 * t37;
+  const Scalar t43 = k[38] + (k[37] * t42 - (t32 - c3 * t34));
+  const Scalar t44 = c2 * (t39 - t41) + Scalar(2) * s2 * t43;
+  const Scalar t45 = c2 * (k[25] - t42) + s2 * (k[24] + t38);
+  const Scalar t46 = k[39] - ((c2 * t44 - t39) - k[26] * t45);
+  const Scalar t47 = s4 * t23 - c4 * t19;
+  const Scalar t48 = k[37] * t47;
+  const Scalar t49 = k[30] * t47 + (c4 * t30 - s4 * t28);
+  const Scalar t50 = k[41] + t49;
+  const Scalar t51 = k[40] + (t47 - (c4 * t16 + t14));
+  const Scalar t52 = s3 * t50 - c3 * t51;
+  const Scalar t53 = s3 * t51 + c3 * t50;
+  const Scalar t54 = c2 * (k[43] - (t48 - t52)) + s2 * (k[42] + t53);
+  const Scalar t55 = t8 + t9;
+  const Scalar t56 = c3 * s2 + c2 * s3;
+  const Scalar t57 = s2 * s3 - c2 * c3;
+  const Scalar t58 = k[37] * s2;
+  const Scalar t59 = ((t24 - t55) * t56 + t57 * t31) + t24 * t58;
+  const Scalar t60 = s4 * t26;
+  const Scalar t61 = k[30] * t26 - t7;
+  const Scalar t62 = (t60 - t29) * t56 - t57 * (s4 * t61 - c4 * t13);
+  const Scalar t63 = c5 * t18;
+  const Scalar t64 = s4 * t63 - c4 * t20;
+  const Scalar t65 = k[4] * c5 + s5 * t3;
+  const Scalar t66 = (k[4] * s5 - c5 * t3) + k[30] * t20;
+  const Scalar t67 = t10 + k[30] * t63;
+  const Scalar t68 = (t65 - t64) * t56 - t57 * (c4 * t66 - s4 * t67);
+  const Scalar t69 = k[37] * (s3 * c4 * t26 - c3 * t22);
+  const Scalar t70 = (s4 * t13 + c4 * t61) + t22;
+  const Scalar t71 = s5 * t18;
+  const Scalar t72 = s3 * (s4 * t20 + c4 * t63) + c3 * t71;
+  const Scalar t73 = t71 - (s4 * t66 + c4 * t67);
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = t49;
-  result(0, 1) = result(1, 0) = -t57;
-  result(0, 2) = result(2, 0) = -c2 * t55 - s2 * t54;
-  result(0, 3) = result(3, 0) = -t62 - k[42] * t6;
-  result(0, 4) = result(4, 0) = k[42] * t63 - (t66 - t58 * t63);
-  result(0, 5) = result(5, 0) = (t72 - t58 * t70) - k[42] * t70;
-  result(1, 1) = t41 + t43;
-  result(1, 2) = result(2, 1) = t40 - t42;
-  result(1, 3) = result(3, 1) = -t52 - s3 * t56;
-  result(1, 4) = result(4, 1) = -t73 - t74;
-  result(1, 5) = result(5, 1) = t77 - k[11] * t76;
-  result(2, 2) = -t42;
-  result(2, 3) = result(3, 2) = -t52;
-  result(2, 4) = result(4, 2) = -t73;
-  result(2, 5) = result(5, 2) = t77;
-  result(3, 3) = -t60;
+  result(0, 0) = t46 - (k[15] + (t17 + t9));
+  result(0, 1) = result(1, 0) = -t54;
+  result(0, 2) = result(2, 0) = -s2 * t53 - c2 * t52;
+  result(0, 3) = result(3, 0) = -k[44] * t24 - t59;
+  result(0, 4) = result(4, 0) = (t60 * t58 + t62) + k[44] * t60;
+  result(0, 5) = result(5, 0) = k[44] * t64 + (t64 * t58 - t68);
+  result(1, 1) = t39 + t41;
+  result(1, 2) = result(2, 1) = t40 + k[37] * t38;
+  result(1, 3) = result(3, 1) = t49 - s3 * t48;
+  result(1, 4) = result(4, 1) = t70 - t69;
+  result(1, 5) = result(5, 1) = -k[37] * t72 - t73;
+  result(2, 2) = t40;
+  result(2, 3) = result(3, 2) = t49;
+  result(2, 4) = result(4, 2) = t70;
+  result(2, 5) = result(5, 2) = -t73;
+  result(3, 3) = -t55;
   result(3, 4) = result(4, 3) = t29;
-  result(3, 5) = result(5, 3) = t71;
-  result(4, 4) = -t64;
-  result(4, 5) = result(5, 4) = -t17;
-  result(5, 5) = k[43];
+  result(3, 5) = result(5, 3) = t65;
+  result(4, 4) = -t7;
+  result(4, 5) = result(5, 4) = t10;
+  result(5, 5) = k[4];
   return result;
 }
 
@@ -890,79 +907,85 @@ CoriolisMatrixConstants<Scalar> coriolis_matrix_constants(const BasicGeometry<Sc
   using std::sin;
   const Scalar t0 = inertia.c6x * inertia.m6;
   const Scalar t1 = inertia.c5x * inertia.m5;
-  const Scalar t2 = inertia.c6y * inertia.m6;
-  const Scalar t3 = inertia.I6yz - inertia.c6z * t2;
-  const Scalar t4 = inertia.c6z * inertia.m6;
-  const Scalar t5 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t6 = inertia.c6z * t4 - (inertia.I6zz - t5);
-  const Scalar t7 = (inertia.I6yy - t5) - inertia.c6y * t2;
-  const Scalar t8 = inertia.c5y * inertia.m5;
-  const Scalar t9 = inertia.c5z * inertia.m5;
-  const Scalar t10 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t11 = ((inertia.I6xx - t5) - inertia.c6x * t0) - (inertia.c5x * t1 - (inertia.I5xx - t10));
-  const Scalar t12 = inertia.c4y * inertia.m4;
-  const Scalar t13 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t14 = ((inertia.I4yy - t13) - inertia.c4y * t12) - (inertia.c5y * t8 - (inertia.I5yy - t10));
-  const Scalar t15 = inertia.c4z * inertia.m4;
-  const Scalar t16 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t17 = inertia.c3z * inertia.m3;
-  const Scalar t18 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t19 = g.a3 * t18;
-  const Scalar t20 = ((inertia.I3zz - t16) - inertia.c3z * t17) - g.a3 * t19;
-  const Scalar t21 = inertia.c4x * inertia.m4;
-  const Scalar t22 = t21 + g.d2 * t18;
-  const Scalar t23 = inertia.c3x * inertia.m3;
-  const Scalar t24 = g.d2 * (t22 + t21) - ((inertia.I4xx - t13) - inertia.c4x * t21);
-  const Scalar t25 = inertia.c2x * inertia.m2;
-  const Scalar t26 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t27 = g.a2 / g.a3;
-  const Scalar t28 = g.a2 * (inertia.m3 + t18);
-  const Scalar t29 = inertia.c2z * inertia.m2;
-  const Scalar t30 = g.a2 * t28 - ((inertia.I2zz - t26) - inertia.c2z * t29);
-  const Scalar t31 = inertia.c3y * inertia.m3;
-  const Scalar t32 = g.a2 * t31 - (inertia.I2yz - inertia.c2z * inertia.c2y * inertia.m2);
-  return { inertia.I6xz - inertia.c6z * t0,
+  const Scalar t2 = inertia.c6z * inertia.m6;
+  const Scalar t3 = inertia.c6y * inertia.m6;
+  const Scalar t4 = inertia.c5z * inertia.m5;
+  const Scalar t5 = inertia.I6yz - inertia.c6z * t3;
+  const Scalar t6 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t7 = inertia.c6z * t2 - (inertia.I6zz - t6);
+  const Scalar t8 = (inertia.I6yy - t6) - inertia.c6y * t3;
+  const Scalar t9 = inertia.c5y * inertia.m5;
+  const Scalar t10 = inertia.c4y * inertia.m4;
+  const Scalar t11 = g.d2 * t10;
+  const Scalar t12 = inertia.c4x * inertia.m4;
+  const Scalar t13 = inertia.c4z * inertia.m4;
+  const Scalar t14 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t15 = ((inertia.I6xx - t6) - inertia.c6x * t0) - (inertia.c5x * t1 - (inertia.I5xx - t14));
+  const Scalar t16 = g.d2 * t13;
+  const Scalar t17 = g.d2 * inertia.m4;
+  const Scalar t18 = t17 + t12;
+  const Scalar t19 = t17 - t18;
+  const Scalar t20 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t21 = t19 - g.d2 * t20;
+  const Scalar t22 = inertia.c3x * inertia.m3;
+  const Scalar t23 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t24 = ((inertia.I4yy - t23) - inertia.c4y * t10) - (inertia.c5y * t9 - (inertia.I5yy - t14));
+  const Scalar t25 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t26 = inertia.c3z * inertia.m3;
+  const Scalar t27 = g.a3 * t20;
+  const Scalar t28 = ((inertia.I3zz - t25) - inertia.c3z * t26) - g.a3 * t27;
+  const Scalar t29 = g.d2 * (t12 + t18) - ((inertia.I4xx - t23) - inertia.c4x * t12);
+  const Scalar t30 = g.d2 * (t21 + t19) + (g.d2 * (t18 - t19) - t29);
+  const Scalar t31 = g.a2 / g.a3;
+  const Scalar t32 = g.a2 * (inertia.m3 + t20);
+  const Scalar t33 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t34 = inertia.c2z * inertia.m2;
+  const Scalar t35 = g.a2 * t32 - ((inertia.I2zz - t33) - inertia.c2z * t34);
+  const Scalar t36 = inertia.c2x * inertia.m2;
+  const Scalar t37 = inertia.c3y * inertia.m3;
+  const Scalar t38 = g.a2 * t37 - (inertia.I2yz - inertia.c2z * inertia.c2y * inertia.m2);
+  return { g.a3 * (t0 + t1),
+           g.a3 * t2,
+           g.a3 * t3,
+           g.a3 * t4,
+           inertia.I6xz - inertia.c6z * t0,
            inertia.I6xy - inertia.c6y * t0,
            inertia.I5xy - inertia.c5y * t1,
-           Scalar(2) * t3,
-           t6 + t7,
-           t6,
-           t3,
-           inertia.I5yz - inertia.c5z * t8,
-           inertia.I5xz - inertia.c5z * t1,
-           t6 - t7,
-           inertia.c5z * t9 - (inertia.I5zz - t10),
-           t11,
-           g.a3 * t4,
-           g.a3 * t2,
-           g.a3 * (t0 + t1),
-           g.a3 * t9,
-           inertia.I4yz - inertia.c4z * t12,
-           t14,
-           (inertia.I4zz - t13) - inertia.c4z * t15,
-           g.a3 * t15,
-           g.a3 * (t12 + t8),
-           t20,
+           Scalar(2) * t5,
+           t7 + t8,
+           t5,
+           inertia.I5yz - inertia.c5z * t9,
+           t11 - (t11 - (inertia.I4xy - inertia.c4y * t12)),
+           g.a3 * (t10 + t9),
            g.d2 / g.a3,
-           inertia.I4xz - inertia.c4z * t21,
-           inertia.I4xy - inertia.c4y * t21,
-           g.a3 * t22 - (inertia.I3xz - inertia.c3z * t23),
-           (inertia.c3x * t23 - (inertia.I3xx - t16)) + t24,
-           inertia.c2x * t25 - (inertia.I2xx - t26),
-           g.a3 * (t17 + t19),
-           g.a3 * (t22 + t23),
-           t27,
-           inertia.I2xz - inertia.c2z * t25,
-           Scalar(2) * t27,
-           t30,
-           g.a3 * t25,
-           g.a3 * (t28 + t29),
+           g.a3 * t13,
+           t8,
+           inertia.c5z * t4 - (inertia.I5zz - t14),
+           t15,
+           inertia.I5xz - inertia.c5z * t1,
+           t16 + ((inertia.I4xz - inertia.c4z * t12) - t16),
+           g.a3 * t21 + (inertia.I3xz - inertia.c3z * t22),
+           t7,
+           t24,
+           (inertia.I4zz - t23) - inertia.c4z * t13,
+           inertia.I4yz - inertia.c4z * t10,
+           t28,
+           (inertia.c3x * t22 - (inertia.I3xx - t25)) - t30,
+           g.a3 * (t21 - t22),
+           g.a3 * (t26 + t27),
+           Scalar(2) * t31,
+           t35,
+           t31,
+           inertia.I2xz - inertia.c2z * t36,
+           inertia.c2x * t36 - (inertia.I2xx - t33),
+           g.a3 * t36,
+           g.a3 * (t32 + t34),
            g.d1 / g.a3,
-           inertia.I3xy - inertia.c3y * t23,
-           inertia.I3yz - inertia.c3z * t31,
-           t32,
-           inertia.I2xy - inertia.c2y * t25,
-           t7 };
+           inertia.I3yz - inertia.c3z * t37,
+           inertia.I3xy - inertia.c3y * t22,
+           t38,
+           inertia.I2xy - inertia.c2y * t36,
+           t7 - t8 };
 }
 
 namespace detail {
@@ -981,304 +1004,308 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const Jo
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[4] * c6 - k[3] * s6;
-  const Scalar t1 = k[5] - c6 * t0;
-  const Scalar t2 = k[9] - t1;
-  const Scalar t3 = k[10] + t2;
-  const Scalar t4 = qd[4] * t3;
-  const Scalar t5 = k[6] + s6 * t0;
-  const Scalar t6 = qd[5] * t5;
-  const Scalar t7 = k[0] * c6 + k[1] * s6;
-  const Scalar t8 = k[8] + t7;
-  const Scalar t9 = c5 * t4 - s5 * (t6 - qd[4] * t8);
-  const Scalar t10 = c5 * t8;
-  const Scalar t11 = k[0] * s6 - k[1] * c6;
-  const Scalar t12 = qd[5] * t11;
-  const Scalar t13 = k[11] * qd[4] + t12;
-  const Scalar t14 = qd[4] * t10 - s5 * t13;
-  const Scalar t15 = s5 * t9 - c5 * t14;
-  const Scalar t16 = k[7] + t5;
-  const Scalar t17 = c5 * t16;
-  const Scalar t18 = k[2] - t11;
-  const Scalar t19 = t17 - s5 * t18;
-  const Scalar t20 = k[16] + t19;
-  const Scalar t21 = t6 + qd[3] * t20;
-  const Scalar t22 = s5 * (k[11] + t3) - (t10 + t10);
-  const Scalar t23 = s5 * t22;
-  const Scalar t24 = t3 - t23;
-  const Scalar t25 = k[18] - t24;
-  const Scalar t26 = qd[5] * t2;
-  const Scalar t27 = qd[5] * t7;
-  const Scalar t28 = c5 * t26 + s5 * t27;
-  const Scalar t29 = qd[3] * t25 - t28;
-  const Scalar t30 = s4 * (t15 + t21) + c4 * t29;
-  const Scalar t31 = k[17] - t1;
-  const Scalar t32 = s5 * t16;
-  const Scalar t33 = qd[5] * t1;
-  const Scalar t34 = t33 + qd[4] * t18;
-  const Scalar t35 = qd[4] * t32 + c5 * t34;
-  const Scalar t36 = qd[3] * t31 - t35;
-  const Scalar t37 = c4 * t21 + s4 * t36;
-  const Scalar t38 = s4 * t30 - c4 * t37;
-  const Scalar t39 = k[12] * s6 - k[13] * c6;
-  const Scalar t40 = k[20] - t39;
-  const Scalar t41 = k[13] * s6 + k[12] * c6;
-  const Scalar t42 = k[15] + t41;
-  const Scalar t43 = c5 * t42;
-  const Scalar t44 = t43 - k[14] * s5;
-  const Scalar t45 = k[19] + t44;
-  const Scalar t46 = s4 * t40 + c4 * t45;
-  const Scalar t47 = k[28] + t46;
-  const Scalar t48 = s5 * t42;
-  const Scalar t49 = t48 + k[14] * c5;
-  const Scalar t50 = k[29] + t49;
-  const Scalar t51 = s3 * t47 + c3 * t50;
-  const Scalar t52 = t32 + c5 * t18;
-  const Scalar t53 = k[24] + t52;
-  const Scalar t54 = k[23] - (c5 * t22 + t8);
-  const Scalar t55 = k[22] * t46 - (s4 * t53 + c4 * t54);
-  const Scalar t56 = k[25] + (t49 + t55);
-  const Scalar t57 = c3 * t56;
-  const Scalar t58 = Scalar(2) * c4 * t20 + s4 * (t31 - t25);
-  const Scalar t59 = k[21] + ((s4 * t58 + t25) - (t46 + t46));
-  const Scalar t60 = k[11] - t23;
-  const Scalar t61 = k[22] * t49;
-  const Scalar t62 = k[26] - (t60 - (t61 + t61));
-  const Scalar t63 = (t57 + t57) - s3 * (t59 + t62);
-  const Scalar t64 = k[31] - (k[30] * t51 - (t56 - c3 * t63));
-  const Scalar t65 = qd[5] * t41;
-  const Scalar t66 = t65 + qd[3] * t45;
-  const Scalar t67 = qd[4] * t17 - s5 * t34;
-  const Scalar t68 = c5 * t7;
-  const Scalar t69 = qd[5] * t68 - s5 * t26;
-  const Scalar t70 = t67 - t69;
-  const Scalar t71 = k[22] * t66 + (t70 - qd[3] * t54);
-  const Scalar t72 = qd[5] * t39;
-  const Scalar t73 = t72 + k[14] * qd[4];
-  const Scalar t74 = qd[4] * t48 + c5 * t73;
-  const Scalar t75 = qd[3] * t40 - t74;
-  const Scalar t76 = s5 * t14;
-  const Scalar t77 = c5 * t9;
-  const Scalar t78 = (t76 + t13) + (t77 - t4);
-  const Scalar t79 = t77 + t76;
-  const Scalar t80 = k[22] * t75 + ((t78 - qd[3] * t53) + t79);
-  const Scalar t81 = s4 * t71 - c4 * t80;
-  const Scalar t82 = c4 * t79 - s4 * t67;
-  const Scalar t83 = qd[2] * t62 + (t81 + t82);
-  const Scalar t84 = qd[4] * t43 - s5 * t73;
-  const Scalar t85 = k[22] * t84;
-  const Scalar t86 = t15 + t85;
-  const Scalar t87 = qd[2] * t56 + t86;
-  const Scalar t88 = s3 * t83 - c3 * t87;
-  const Scalar t89 = c4 * t75 - s4 * t66;
-  const Scalar t90 = (t89 - (t15 - t38)) + t86;
-  const Scalar t91 = (t84 + t82) - qd[2] * t59;
-  const Scalar t92 = s3 * (t87 - t90) - c3 * t91;
-  const Scalar t93 = qd[1] * t64 + (c3 * t88 + s3 * t92);
-  const Scalar t94 = c3 * t92;
-  const Scalar t95 = s3 * t88;
-  const Scalar t96 = s3 * t63;
-  const Scalar t97 = k[27] + (t96 + t62);
-  const Scalar t98 = ((t94 + t91) + (t83 - t95)) + qd[1] * t97;
-  const Scalar t99 = s3 * t50 - c3 * t47;
-  const Scalar t100 = k[33] - ((t59 + t96) + k[32] * t99);
-  const Scalar t101 = qd[2] * t50 - t89;
-  const Scalar t102 = t84 + qd[2] * t47;
-  const Scalar t103 = s3 * t101 - c3 * t102;
-  const Scalar t104 = qd[1] * t100 - (k[30] * t103 + (t94 - t95));
-  const Scalar t105 = c3 * t101 + s3 * t102;
-  const Scalar t106 = k[30] * t105 - t90;
-  const Scalar t107 = s2 * (c2 * t104 - s2 * (t106 - t93));
-  const Scalar t108 = c2 * (c2 * t93 + s2 * t98) - t107;
-  const Scalar t109 = k[34] + t51;
-  const Scalar t110 = k[35] - t99;
-  const Scalar t111 = s2 * (qd[1] * t109 + t105) + c2 * (t103 - qd[1] * t110);
-  const Scalar t112 = qd[0] * s2;
-  const Scalar t113 = qd[0] * c2;
-  const Scalar t114 = c4 * t67 + s4 * t79;
-  const Scalar t115 = c4 * t40 - s4 * t45;
-  const Scalar t116 = k[38] - (t115 - (c4 * t58 - t20));
-  const Scalar t117 = qd[2] * t116;
-  const Scalar t118 = t114 + t117;
-  const Scalar t119 = k[22] * t115 - (c4 * t53 - s4 * t54);
-  const Scalar t120 = k[37] - t119;
-  const Scalar t121 = c4 * t30;
-  const Scalar t122 = s4 * t37;
-  const Scalar t123 = (t121 - t29) - (t36 - t122);
-  const Scalar t124 = qd[2] * t120 + t123;
-  const Scalar t125 = s3 * t120 - c3 * t116;
-  const Scalar t126 = qd[1] * (k[39] + (k[30] * t115 + t125));
-  const Scalar t127 = ((c3 * t118 - s3 * t124) - t126) - (t113 * t100 + t112 * t64);
-  const Scalar t128 = s3 * t116 + c3 * t120;
-  const Scalar t129 = qd[1] * (k[40] + t128);
-  const Scalar t130 = (t129 + (c3 * t124 + s3 * t118)) + (t112 * t97 + t113 * t64);
-  const Scalar t131 = k[36] * (t109 * t112 - t113 * t110) + (s2 * t127 + c2 * t130);
-  const Scalar t132 = s2 * s3 - c2 * c3;
-  const Scalar t133 = qd[0] * t132;
-  const Scalar t134 = c3 * s2 + c2 * s3;
-  const Scalar t135 = qd[0] * t134;
-  const Scalar t136 = t47 * t133 + t135 * t50;
-  const Scalar t137 = k[30] * s2;
-  const Scalar t138 = qd[1] + qd[2];
-  const Scalar t139 = (t138 * t120 + t123) + (t135 * t62 + t56 * t133);
-  const Scalar t140 = (t135 * t56 - t59 * t133) + (t138 * t116 + t114);
-  const Scalar t141 = t136 * t137 - (t132 * t139 - t140 * t134);
-  const Scalar t142 = t141 + k[36] * t136;
-  const Scalar t143 = qd[3] - t135;
-  const Scalar t144 = t143 * t40 - t74;
-  const Scalar t145 = t65 + t143 * t45;
-  const Scalar t146 = c4 * t144 - s4 * t145;
-  const Scalar t147 = s4 * t138 + c4 * t133;
-  const Scalar t148 = s4 * t133 - c4 * t138;
-  const Scalar t149 = (t143 * t53 - t78) - (t147 * t20 + t31 * t148);
-  const Scalar t150 = t149 - k[22] * t144;
-  const Scalar t151 = (t148 * t20 + t25 * t147) - (t69 + t143 * t54);
-  const Scalar t152 = k[22] * t145 + t151;
-  const Scalar t153 = (t15 - t146) * t134 - t132 * (c4 * t150 + s4 * t152);
-  const Scalar t154 = (t153 - t146 * t137) - k[36] * t146;
-  const Scalar t155 = qd[4] - t148;
-  const Scalar t156 = k[14] * t155 + t72;
-  const Scalar t157 = t155 * t43 - s5 * t156;
-  const Scalar t158 = s5 * t147 + c5 * t143;
-  const Scalar t159 = c5 * t147 - s5 * t143;
-  const Scalar t160 = k[14] * t158 - t159 * t42;
-  const Scalar t161 = s4 * t157 + c4 * t160;
-  const Scalar t162 = (t8 * t158 + t159 * t3) + t155 * t16;
-  const Scalar t163 = (t8 * t159 - k[11] * t158) - (t155 * t18 + t33);
-  const Scalar t164 = k[22] * t160 - (s5 * t162 - c5 * t163);
-  const Scalar t165 = t6 - k[22] * t157;
-  const Scalar t166 = s5 * t163 + c5 * t162;
-  const Scalar t167 = (c4 * t164 - s4 * t165) * t132 + (t166 - t161) * t134;
-  const Scalar t168 = (t161 * t137 - t167) + k[36] * t161;
-  const Scalar t169 = qd[5] + t158;
-  const Scalar t170 = c6 * t155 - s6 * t159;
-  const Scalar t171 = c6 * t159 + s6 * t155;
-  const Scalar t172 = k[1] * t169 + (k[41] * t170 - k[6] * t171);
-  const Scalar t173 = k[0] * t169 + (k[6] * t170 + k[5] * t171);
-  const Scalar t174 = s6 * t172 + c6 * t173;
-  const Scalar t175 = k[12] * t171 - k[13] * t170;
-  const Scalar t176 = t169 * t41;
-  const Scalar t177 = s5 * t175 - c5 * t176;
-  const Scalar t178 = t174 + k[22] * t177;
-  const Scalar t179 = t169 * t39;
-  const Scalar t180 = c6 * t172 - s6 * t173;
-  const Scalar t181 = k[22] * t179 + c5 * t180;
-  const Scalar t182 = s5 * t180;
-  const Scalar t183 = c4 * t179 - s4 * t177;
-  const Scalar t184 = t132 * (s4 * t178 - c4 * t181) - (t182 - t183) * t134;
-  const Scalar t185 = (t184 + t183 * t137) + k[36] * t183;
-  const Scalar t186 = c4 * t71 + s4 * t80;
-  const Scalar t187 = t117 + t186;
-  const Scalar t188 = c4 * t66 + s4 * t75;
-  const Scalar t189 = ((t121 + t122) - t188) + t124;
-  const Scalar t190 = s3 * t187 + c3 * t189;
-  const Scalar t191 = c3 * t187 - s3 * t189;
-  const Scalar t192 = c2 * ((t190 - k[30] * t188) + t129) + s2 * (t191 - t126);
-  const Scalar t193 = s3 * (t84 + t138 * t47) - c3 * (t89 - t138 * t50);
-  const Scalar t194 = k[30] * t193;
-  const Scalar t195 = t148 * t40 + t147 * t45;
-  const Scalar t196 = t195 - (c4 * t152 - s4 * t150);
-  const Scalar t197 = c3 * t195 + s3 * (s4 * t144 + c4 * t145);
-  const Scalar t198 = t196 + k[30] * t197;
-  const Scalar t199 = c5 * t156 + t48 * t155;
-  const Scalar t200 = (s4 * t164 + c4 * t165) + t199;
-  const Scalar t201 = c3 * t199 + s3 * (c4 * t157 - s4 * t160);
-  const Scalar t202 = t200 + k[30] * t201;
-  const Scalar t203 = s5 * t176 + c5 * t175;
-  const Scalar t204 = s3 * (s4 * t179 + c4 * t177) - c3 * t203;
-  const Scalar t205 = (s4 * t181 + c4 * t178) + t203;
-  const Scalar t206 = k[30] * t204 - t205;
-  const Scalar t207 = s2 * (t191 - qd[1] * t125) + c2 * (t190 + qd[1] * t128);
-  const Scalar t208 = (t31 + t25) - t46;
-  const Scalar t209 = k[30] * t46 - (c3 * t208 + s3 * t55);
-  const Scalar t210 = (Scalar(2) * t15 - t89) + qd[2] * t55;
-  const Scalar t211 = qd[2] * t208 + t81;
-  const Scalar t212 = qd[1] * t209 - (s3 * t210 + c3 * t211);
-  const Scalar t213 = (c3 * t210 - s3 * t211) - k[30] * t89;
-  const Scalar t214 = qd[1] * (c3 * t55 - s3 * t208) + t213;
-  const Scalar t215 = k[36] * t89 + (c2 * t212 - s2 * t214);
-  const Scalar t216 = k[30] * (s3 * t188 - c3 * qd[2] * t115);
-  const Scalar t217 = c4 * t49;
-  const Scalar t218 = s4 * t84 + qd[3] * t217;
-  const Scalar t219 = t60 - t24;
-  const Scalar t220 = s4 * (t61 - t219) + c4 * t19;
-  const Scalar t221 = s4 * t49;
-  const Scalar t222 = t221 - t52;
-  const Scalar t223 = (t218 - t70) - qd[2] * t220;
-  const Scalar t224 = t85 - (qd[3] * t19 + (t6 + t6));
-  const Scalar t225 = qd[3] * t61 - (qd[3] * t219 + (t35 - t28));
-  const Scalar t226 = (s4 * t224 + c4 * t225) + qd[2] * t222;
-  const Scalar t227 = (c3 * t223 - s3 * t226) + k[30] * t218;
-  const Scalar t228 = qd[1] * (c3 * t220 + s3 * t222) - t227;
-  const Scalar t229 = (s3 * t220 - c3 * t222) - k[30] * t221;
-  const Scalar t230 = qd[1] * t229 - (c3 * t226 + s3 * t223);
-  const Scalar t231 = k[36] * t218 - (s2 * t228 + c2 * t230);
-  const Scalar t232 = (s4 * t225 - c4 * t224) + t74;
-  const Scalar t233 = (c4 * t84 - qd[3] * t221) + qd[2] * t44;
-  const Scalar t234 = s3 * t233 + c3 * (t74 + qd[2] * t217);
-  const Scalar t235 = c5 * t39;
-  const Scalar t236 = c4 * t41 - s4 * t235;
-  const Scalar t237 = t68 - k[9] * s5;
-  const Scalar t238 = (s4 * t11 - c4 * t237) + k[22] * t236;
-  const Scalar t239 = s5 * t7;
-  const Scalar t240 = t236 + (t239 + k[9] * c5);
-  const Scalar t241 = k[30] * t236 - (s3 * t238 - c3 * t240);
-  const Scalar t242 = s5 * t39;
-  const Scalar t243 = qd[3] * t41 - (qd[4] * t242 - c5 * t65);
-  const Scalar t244 = t72 + qd[3] * t235;
-  const Scalar t245 = s4 * t243 + c4 * t244;
-  const Scalar t246 = t12 + k[9] * qd[4];
-  const Scalar t247 = qd[4] * t68 - s5 * t246;
-  const Scalar t248 = (t245 - t247) + qd[2] * t238;
-  const Scalar t249 = (qd[3] * t237 + t27) - k[22] * t243;
-  const Scalar t250 = (c5 * t246 + qd[4] * t239) + qd[3] * t11;
-  const Scalar t251 = k[22] * t244 - t250;
-  const Scalar t252 = qd[2] * t240 + (s4 * t249 - c4 * t251);
-  const Scalar t253 = qd[1] * t241 - (s3 * t248 - c3 * t252);
-  const Scalar t254 = (c3 * t248 + s3 * t252) + k[30] * t245;
-  const Scalar t255 = t254 + qd[1] * (c3 * t238 + s3 * t240);
-  const Scalar t256 = (c2 * t253 - s2 * t255) - k[36] * t245;
-  const Scalar t257 = s5 * t65 + qd[4] * t235;
-  const Scalar t258 = (s4 * t251 + c4 * t249) + t257;
-  const Scalar t259 = qd[2] * (c4 * t235 + s4 * t41) + t257;
-  const Scalar t260 = (s4 * t244 - c4 * t243) + qd[2] * t242;
-  const Scalar t261 = t258 + k[30] * (c3 * t259 - s3 * t260);
+  const Scalar t0 = k[8] * c6 - k[7] * s6;
+  const Scalar t1 = k[9] + s6 * t0;
+  const Scalar t2 = k[10] + t1;
+  const Scalar t3 = c5 * t2;
+  const Scalar t4 = k[4] * s6 - k[5] * c6;
+  const Scalar t5 = k[6] - t4;
+  const Scalar t6 = t3 - s5 * t5;
+  const Scalar t7 = k[24] + t6;
+  const Scalar t8 = qd[5] * t1;
+  const Scalar t9 = qd[3] * t7 + t8;
+  const Scalar t10 = c6 * t0;
+  const Scalar t11 = k[21] - t10;
+  const Scalar t12 = k[22] - t11;
+  const Scalar t13 = s5 * t2;
+  const Scalar t14 = qd[5] * t11;
+  const Scalar t15 = qd[4] * t5 + t14;
+  const Scalar t16 = qd[4] * t13 + c5 * t15;
+  const Scalar t17 = qd[3] * t12 - t16;
+  const Scalar t18 = c4 * t9 + s4 * t17;
+  const Scalar t19 = k[4] * c6 + k[5] * s6;
+  const Scalar t20 = qd[5] * t19;
+  const Scalar t21 = k[15] - t10;
+  const Scalar t22 = qd[5] * t21;
+  const Scalar t23 = s5 * t20 - c5 * t22;
+  const Scalar t24 = k[16] - t21;
+  const Scalar t25 = k[18] + t19;
+  const Scalar t26 = c5 * t25;
+  const Scalar t27 = Scalar(2) * t26 - s5 * (k[17] + t24);
+  const Scalar t28 = s5 * t27;
+  const Scalar t29 = t24 + t28;
+  const Scalar t30 = k[23] - t29;
+  const Scalar t31 = t23 - qd[3] * t30;
+  const Scalar t32 = qd[5] * t4;
+  const Scalar t33 = t32 + k[17] * qd[4];
+  const Scalar t34 = s5 * t33 - qd[4] * t26;
+  const Scalar t35 = qd[4] * t24;
+  const Scalar t36 = c5 * t35 + s5 * (qd[4] * t25 - t8);
+  const Scalar t37 = c5 * t34 + s5 * t36;
+  const Scalar t38 = c4 * t31 - s4 * (t9 + t37);
+  const Scalar t39 = c4 * t18 + s4 * t38;
+  const Scalar t40 = k[1] * c6 + k[2] * s6;
+  const Scalar t41 = k[3] + t40;
+  const Scalar t42 = s5 * t41;
+  const Scalar t43 = k[2] * c6 - k[1] * s6;
+  const Scalar t44 = qd[5] * t43;
+  const Scalar t45 = k[0] * qd[4] - t44;
+  const Scalar t46 = qd[4] * t42 + c5 * t45;
+  const Scalar t47 = k[12] + t43;
+  const Scalar t48 = t46 - qd[3] * t47;
+  const Scalar t49 = c5 * t41;
+  const Scalar t50 = k[0] * s5 - t49;
+  const Scalar t51 = k[14] - t50;
+  const Scalar t52 = qd[5] * t40;
+  const Scalar t53 = qd[3] * t51 + t52;
+  const Scalar t54 = c4 * t48 + s4 * t53;
+  const Scalar t55 = t42 + k[0] * c5;
+  const Scalar t56 = k[27] - t55;
+  const Scalar t57 = t54 - qd[2] * t56;
+  const Scalar t58 = c4 * t51 + s4 * t47;
+  const Scalar t59 = k[28] + t58;
+  const Scalar t60 = s5 * t45 - qd[4] * t49;
+  const Scalar t61 = qd[2] * t59 - t60;
+  const Scalar t62 = s3 * t57 - c3 * t61;
+  const Scalar t63 = s3 * t56 + c3 * t59;
+  const Scalar t64 = k[35] + t63;
+  const Scalar t65 = c3 * t57 + s3 * t61;
+  const Scalar t66 = c3 * t56 - s3 * t59;
+  const Scalar t67 = k[34] - t66;
+  const Scalar t68 = c2 * (t62 - qd[1] * t64) + s2 * (t65 + qd[1] * t67);
+  const Scalar t69 = s5 * t15 - qd[4] * t3;
+  const Scalar t70 = c5 * t36;
+  const Scalar t71 = s5 * t34;
+  const Scalar t72 = t70 - t71;
+  const Scalar t73 = s4 * t69 + c4 * t72;
+  const Scalar t74 = c4 * t7;
+  const Scalar t75 = s4 * (t30 - t12) - (t74 + t74);
+  const Scalar t76 = k[25] - (Scalar(2) * t58 - (t30 - s4 * t75));
+  const Scalar t77 = (t73 - t60) - qd[2] * t76;
+  const Scalar t78 = k[13] * t60;
+  const Scalar t79 = t78 - t37;
+  const Scalar t80 = c5 * t5 + t13;
+  const Scalar t81 = k[11] + t80;
+  const Scalar t82 = t81 - k[13] * t47;
+  const Scalar t83 = k[19] - (t25 - c5 * t27);
+  const Scalar t84 = t83 - k[13] * t51;
+  const Scalar t85 = s4 * t82 + c4 * t84;
+  const Scalar t86 = k[20] + (t85 - t55);
+  const Scalar t87 = t79 + qd[2] * t86;
+  const Scalar t88 = t79 + (t54 + (t39 + t37));
+  const Scalar t89 = c3 * t77 + s3 * (t87 - t88);
+  const Scalar t90 = (t33 - t71) - (t35 - t70);
+  const Scalar t91 = (qd[3] * t81 - t90) + k[13] * t48;
+  const Scalar t92 = s5 * t22 + c5 * t20;
+  const Scalar t93 = (t92 + qd[3] * t83) - k[13] * t53;
+  const Scalar t94 = c4 * t91 - s4 * t93;
+  const Scalar t95 = k[17] + t28;
+  const Scalar t96 = k[13] * t55;
+  const Scalar t97 = k[26] - (t95 - (t96 + t96));
+  const Scalar t98 = t94 + qd[2] * t97;
+  const Scalar t99 = s3 * t87 - c3 * t98;
+  const Scalar t100 = s3 * (t76 + t97) + Scalar(2) * c3 * t86;
+  const Scalar t101 = k[32] + (k[31] * t66 - (t86 - c3 * t100));
+  const Scalar t102 = (s3 * t89 - (t87 - s3 * t99)) - qd[1] * t101;
+  const Scalar t103 = s3 * t100;
+  const Scalar t104 = k[33] - (t103 - t97);
+  const Scalar t105 = c3 * t89;
+  const Scalar t106 = c3 * t99;
+  const Scalar t107 = s2 * (qd[1] * t104 - ((t105 - t77) + t106));
+  const Scalar t108 = t88 + k[31] * t65;
+  const Scalar t109 = k[30] + (k[29] * t63 - (t76 - t103));
+  const Scalar t110 = qd[1] * t109 + (((t106 + t98) + t105) - k[31] * t62);
+  const Scalar t111 = s2 * (s2 * (t108 + t102) - c2 * t110);
+  const Scalar t112 = k[36] * t68 - (c2 * (c2 * t102 - t107) - t111);
+  const Scalar t113 = k[38] + (c4 * t82 - s4 * t84);
+  const Scalar t114 = s4 * t18;
+  const Scalar t115 = c4 * t38;
+  const Scalar t116 = (t114 - t17) - (t115 - t31);
+  const Scalar t117 = qd[2] * t113 + t116;
+  const Scalar t118 = c4 * t47 - s4 * t51;
+  const Scalar t119 = k[37] - ((c4 * t75 + t7) + t118);
+  const Scalar t120 = s4 * t72 - c4 * t69;
+  const Scalar t121 = s4 * t91 + c4 * t93;
+  const Scalar t122 = t120 - t121;
+  const Scalar t123 = qd[2] * t119 + t122;
+  const Scalar t124 = c3 * t113 + s3 * t119;
+  const Scalar t125 = qd[1] * (k[40] + t124);
+  const Scalar t126 = (c3 * t117 + s3 * (t123 + t121)) + t125;
+  const Scalar t127 = qd[0] * c2;
+  const Scalar t128 = qd[0] * s2;
+  const Scalar t129 = c2 * (t126 + (t101 * t127 + t104 * t128));
+  const Scalar t130 = s3 * t113 - c3 * t119;
+  const Scalar t131 = s4 * t48 - c4 * t53;
+  const Scalar t132 = (t115 - t114) - t131;
+  const Scalar t133 = t132 - t117;
+  const Scalar t134 = c3 * t123 + s3 * t133;
+  const Scalar t135 = qd[1] * (k[39] + (k[31] * t118 + t130)) - t134;
+  const Scalar t136 = (t101 * t128 + t127 * t109) + (t135 - (c3 * t121 - s3 * t132));
+  const Scalar t137 = (t129 - s2 * t136) + k[36] * (t128 * t67 - t64 * t127);
+  const Scalar t138 = s2 * s3 - c2 * c3;
+  const Scalar t139 = qd[0] * t138;
+  const Scalar t140 = c3 * s2 + c2 * s3;
+  const Scalar t141 = qd[0] * t140;
+  const Scalar t142 = qd[1] + qd[2];
+  const Scalar t143 = (t76 * t139 + t86 * t141) - (t120 + t142 * t119);
+  const Scalar t144 = (t142 * t113 + t116) - (t86 * t139 - t141 * t97);
+  const Scalar t145 = t141 * t56 - t59 * t139;
+  const Scalar t146 = k[31] * s2;
+  const Scalar t147 = (t143 * t140 + t138 * t144) + t145 * t146;
+  const Scalar t148 = t147 + k[36] * t145;
+  const Scalar t149 = qd[3] - t141;
+  const Scalar t150 = t52 + t149 * t51;
+  const Scalar t151 = t46 - t149 * t47;
+  const Scalar t152 = s4 * t150 + c4 * t151;
+  const Scalar t153 = s4 * t142 + c4 * t139;
+  const Scalar t154 = s4 * t139 - c4 * t142;
+  const Scalar t155 = (t153 * t7 + t12 * t154) + (t90 - t149 * t81);
+  const Scalar t156 = k[13] * t151 - t155;
+  const Scalar t157 = (t154 * t7 + t30 * t153) - (t92 + t149 * t83);
+  const Scalar t158 = t157 + k[13] * t150;
+  const Scalar t159 = (t152 + t37) * t140 - t138 * (c4 * t156 + s4 * t158);
+  const Scalar t160 = (t159 + t152 * t146) + k[36] * t152;
+  const Scalar t161 = qd[4] - t154;
+  const Scalar t162 = t44 - k[0] * t161;
+  const Scalar t163 = s5 * t162 + t161 * t49;
+  const Scalar t164 = s5 * t153 + c5 * t149;
+  const Scalar t165 = c5 * t153 - s5 * t149;
+  const Scalar t166 = k[0] * t164 - t165 * t41;
+  const Scalar t167 = s4 * t163 + c4 * t166;
+  const Scalar t168 = t2 * t161 + (t164 * t25 + t24 * t165);
+  const Scalar t169 = (t14 + t5 * t161) + (k[17] * t164 - t165 * t25);
+  const Scalar t170 = c5 * t168 - s5 * t169;
+  const Scalar t171 = (c5 * t169 + s5 * t168) - k[13] * t166;
+  const Scalar t172 = k[13] * t163 - t8;
+  const Scalar t173 = (t167 - t170) * t140 + (c4 * t171 - s4 * t172) * t138;
+  const Scalar t174 = (t173 + t167 * t146) + k[36] * t167;
+  const Scalar t175 = qd[5] + t164;
+  const Scalar t176 = t175 * t40;
+  const Scalar t177 = c6 * t165 + s6 * t161;
+  const Scalar t178 = c6 * t161 - s6 * t165;
+  const Scalar t179 = k[1] * t177 - k[2] * t178;
+  const Scalar t180 = c5 * t176 - s5 * t179;
+  const Scalar t181 = t175 * t43;
+  const Scalar t182 = s4 * t180 - c4 * t181;
+  const Scalar t183 = k[5] * t175 - (k[9] * t177 - k[15] * t178);
+  const Scalar t184 = k[4] * t175 + (k[9] * t178 + k[21] * t177);
+  const Scalar t185 = c6 * t183 - s6 * t184;
+  const Scalar t186 = c5 * t185;
+  const Scalar t187 = c6 * t184 + s6 * t183;
+  const Scalar t188 = (c4 * t186 - s4 * t187) + k[13] * t182;
+  const Scalar t189 = s5 * t185;
+  const Scalar t190 = t182 * t146 - (t138 * t188 + (t189 - t182) * t140);
+  const Scalar t191 = t190 + k[36] * t182;
+  const Scalar t192 = s3 * t123 - c3 * t133;
+  const Scalar t193 = s2 * t135 - c2 * ((t192 + k[31] * t131) + t125);
+  const Scalar t194 = s3 * (t59 * t142 - t60) + c3 * (t54 - t142 * t56);
+  const Scalar t195 = k[31] * t194;
+  const Scalar t196 = t153 * t51 + t47 * t154;
+  const Scalar t197 = t196 + (s4 * t156 - c4 * t158);
+  const Scalar t198 = s3 * (s4 * t151 - c4 * t150) - c3 * t196;
+  const Scalar t199 = t197 - k[31] * t198;
+  const Scalar t200 = c5 * t162 - t161 * t42;
+  const Scalar t201 = (c4 * t172 + s4 * t171) + t200;
+  const Scalar t202 = s3 * (s4 * t166 - c4 * t163) + c3 * t200;
+  const Scalar t203 = t201 + k[31] * t202;
+  const Scalar t204 = s4 * t181 + c4 * t180;
+  const Scalar t205 = s5 * t176 + c5 * t179;
+  const Scalar t206 = k[13] * t204 - (s4 * t186 + c4 * t187);
+  const Scalar t207 = t206 - t205;
+  const Scalar t208 = k[31] * (s3 * t204 + c3 * t205) - t207;
+  const Scalar t209 = c2 * (t192 + qd[1] * t124) - s2 * (qd[1] * t130 - t134);
+  const Scalar t210 = t58 - (t30 + t12);
+  const Scalar t211 = (t94 - t73) - qd[2] * t210;
+  const Scalar t212 = (t54 + Scalar(2) * t37) - qd[2] * t85;
+  const Scalar t213 = k[31] * t58 + (s3 * t85 + c3 * t210);
+  const Scalar t214 = (c3 * t211 + s3 * t212) - qd[1] * t213;
+  const Scalar t215 = k[31] * t54 - (s3 * t211 - c3 * t212);
+  const Scalar t216 = qd[1] * (s3 * t210 - c3 * t85) + t215;
+  const Scalar t217 = (c2 * t214 + s2 * t216) + k[36] * t54;
+  const Scalar t218 = k[31] * (s3 * t131 + c3 * qd[2] * t118);
+  const Scalar t219 = s4 * t55;
+  const Scalar t220 = t80 - t219;
+  const Scalar t221 = t95 - t29;
+  const Scalar t222 = qd[3] * t96 + ((t23 - t16) - qd[3] * t221);
+  const Scalar t223 = t78 + ((t8 + t8) + qd[3] * t6);
+  const Scalar t224 = qd[2] * t220 - (c4 * t222 - s4 * t223);
+  const Scalar t225 = c4 * t55;
+  const Scalar t226 = s4 * t60 - qd[3] * t225;
+  const Scalar t227 = t92 + t69;
+  const Scalar t228 = c4 * t6 + s4 * (t96 - t221);
+  const Scalar t229 = (t226 - t227) + qd[2] * t228;
+  const Scalar t230 = (s3 * t224 - c3 * t229) - k[31] * t226;
+  const Scalar t231 = t230 + qd[1] * (s3 * t220 - c3 * t228);
+  const Scalar t232 = k[31] * t219 - (c3 * t220 + s3 * t228);
+  const Scalar t233 = (s3 * t229 + c3 * t224) - qd[1] * t232;
+  const Scalar t234 = (s2 * t231 - c2 * t233) - k[36] * t226;
+  const Scalar t235 = t46 + (s4 * t222 + c4 * t223);
+  const Scalar t236 = (qd[3] * t219 + c4 * t60) + qd[2] * t50;
+  const Scalar t237 = s3 * t236 - c3 * (t46 + qd[2] * t225);
+  const Scalar t238 = c5 * t43;
+  const Scalar t239 = t44 + qd[3] * t238;
+  const Scalar t240 = s5 * t43;
+  const Scalar t241 = qd[3] * t40 + (c5 * t52 + qd[4] * t240);
+  const Scalar t242 = c4 * t239 - s4 * t241;
+  const Scalar t243 = s4 * t238 + c4 * t40;
+  const Scalar t244 = c5 * t19;
+  const Scalar t245 = k[41] * s5 - t244;
+  const Scalar t246 = (s4 * t4 + c4 * t245) + k[13] * t243;
+  const Scalar t247 = s5 * t19;
+  const Scalar t248 = (t247 + k[41] * c5) + t243;
+  const Scalar t249 = k[31] * t243 - (s3 * t246 - c3 * t248);
+  const Scalar t250 = t32 + k[41] * qd[4];
+  const Scalar t251 = qd[4] * t244 - s5 * t250;
+  const Scalar t252 = qd[2] * t246 - (t251 + t242);
+  const Scalar t253 = qd[3] * t4 + (c5 * t250 + qd[4] * t247);
+  const Scalar t254 = k[13] * t239 + t253;
+  const Scalar t255 = (qd[3] * t245 - t20) + k[13] * t241;
+  const Scalar t256 = qd[2] * t248 + (c4 * t254 - s4 * t255);
+  const Scalar t257 = qd[1] * t249 - (s3 * t252 - c3 * t256);
+  const Scalar t258 = k[31] * t242 - (c3 * t252 + s3 * t256);
+  const Scalar t259 = t258 - qd[1] * (s3 * t248 + c3 * t246);
+  const Scalar t260 = k[36] * t242 + (c2 * t257 + s2 * t259);
+  const Scalar t261 = qd[2] * t240 + (c4 * t241 + s4 * t239);
+  const Scalar t262 = s5 * t52 - qd[4] * t238;
+  const Scalar t263 = qd[2] * (s4 * t40 - c4 * t238) + t262;
+  const Scalar t264 = (s4 * t254 + c4 * t255) - t262;
+  const Scalar t265 = k[31] * (s3 * t261 + c3 * t263) - t264;
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = -t38 - (t108 + k[36] * t111);
-  result(0, 1) = -t131;
-  result(0, 2) = -t142;
-  result(0, 3) = t154;
-  result(0, 4) = t168;
-  result(0, 5) = t185;
-  result(1, 0) = t131 - t192;
-  result(1, 1) = -t106;
-  result(1, 2) = t90 - t194;
-  result(1, 3) = -t198;
-  result(1, 4) = -t202;
-  result(1, 5) = t206;
-  result(2, 0) = t142 - t207;
-  result(2, 1) = t194 - t106;
-  result(2, 2) = t90;
-  result(2, 3) = -t196;
-  result(2, 4) = -t200;
-  result(2, 5) = -t205;
-  result(3, 0) = -t154 - t215;
-  result(3, 1) = (t186 - t216) + t198;
-  result(3, 2) = t186 + t196;
-  result(3, 3) = -t15;
-  result(3, 4) = t166;
-  result(3, 5) = t182;
-  result(4, 0) = t231 - t168;
-  result(4, 1) = t202 - (t232 + k[30] * t234);
-  result(4, 2) = t200 - t232;
-  result(4, 3) = t70 - t166;
-  result(4, 4) = -t6;
-  result(4, 5) = -t174;
-  result(5, 0) = -t185 - t256;
-  result(5, 1) = -t261 - t206;
-  result(5, 2) = t205 - t258;
-  result(5, 3) = t247 - t182;
-  result(5, 4) = t174 - t27;
+  result(0, 0) = t39 - t112;
+  result(0, 1) = -t137;
+  result(0, 2) = t148;
+  result(0, 3) = t160;
+  result(0, 4) = t174;
+  result(0, 5) = t191;
+  result(1, 0) = t193 + t137;
+  result(1, 1) = -t108;
+  result(1, 2) = -t88 - t195;
+  result(1, 3) = -t199;
+  result(1, 4) = t203;
+  result(1, 5) = -t208;
+  result(2, 0) = -t148 - t209;
+  result(2, 1) = t195 - t108;
+  result(2, 2) = -t88;
+  result(2, 3) = -t197;
+  result(2, 4) = t201;
+  result(2, 5) = t207;
+  result(3, 0) = t217 - t160;
+  result(3, 1) = (t218 + t122) + t199;
+  result(3, 2) = t197 + t122;
+  result(3, 3) = -t37;
+  result(3, 4) = t170;
+  result(3, 5) = t189;
+  result(4, 0) = t234 - t174;
+  result(4, 1) = -t203 - (t235 - k[31] * t237);
+  result(4, 2) = -t235 - t201;
+  result(4, 3) = -t227 - t170;
+  result(4, 4) = -t8;
+  result(4, 5) = -t187;
+  result(5, 0) = -t191 - t260;
+  result(5, 1) = t208 - t265;
+  result(5, 2) = t264 - t207;
+  result(5, 3) = t251 - t189;
+  result(5, 4) = t187 - t20;
   result(5, 5) = Scalar(0);
   return result;
 }
@@ -1306,102 +1333,109 @@ ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6x * inertia.m6;
-  const Scalar t1 = inertia.c5x * inertia.m5;
-  const Scalar t2 = inertia.c6y * inertia.m6;
-  const Scalar t3 = inertia.I6yz - inertia.c6z * t2;
-  const Scalar t4 = inertia.c6z * inertia.m6;
-  const Scalar t5 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t6 = inertia.c6z * t4 - (inertia.I6zz - t5);
-  const Scalar t7 = (inertia.I6yy - t5) - inertia.c6y * t2;
-  const Scalar t8 = inertia.c5y * inertia.m5;
-  const Scalar t9 = t6 - t7;
-  const Scalar t10 = inertia.c5z * inertia.m5;
-  const Scalar t11 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t12 = ((inertia.I6xx - t5) - inertia.c6x * t0) - (inertia.c5x * t1 - (inertia.I5xx - t11));
-  const Scalar t13 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t14 = inertia.c4y * inertia.m4;
-  const Scalar t15 = ((inertia.I4yy - t13) - inertia.c4y * t14) - (inertia.c5y * t8 - (inertia.I5yy - t11));
-  const Scalar t16 = inertia.c4z * inertia.m4;
-  const Scalar t17 = inertia.c4x * inertia.m4;
-  const Scalar t18 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t19 = inertia.c3z * inertia.m3;
-  const Scalar t20 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t21 = g.a3 * t20;
-  const Scalar t22 = ((inertia.I3zz - t18) - inertia.c3z * t19) - g.a3 * t21;
-  const Scalar t23 = inertia.c3x * inertia.m3;
-  const Scalar t24 = t17 + g.d2 * t20;
-  const Scalar t25 = g.d2 * (t24 + t17) - ((inertia.I4xx - t13) - inertia.c4x * t17);
-  const Scalar t26 = (inertia.c3x * t23 - (inertia.I3xx - t18)) + t25;
-  const Scalar t27 = g.d1 / g.a3;
-  const Scalar t28 = g.a2 / g.a3;
-  const Scalar t29 = inertia.c3y * inertia.m3;
-  const Scalar t30 = g.a3 * (t19 + t21);
-  const Scalar t31 = inertia.c2x * inertia.m2;
-  const Scalar t32 = inertia.c2y * inertia.m2;
-  const Scalar t33 = g.a3 * t24 - (inertia.I3xz - inertia.c3z * t23);
-  const Scalar t34 = inertia.m3 + t20;
-  const Scalar t35 = g.a2 * t34;
-  const Scalar t36 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t37 = inertia.c2z * inertia.m2;
-  const Scalar t38 = g.a2 * t35 - ((inertia.I2zz - t36) - inertia.c2z * t37);
-  const Scalar t39 = inertia.c2x * t31 - (inertia.I2xx - t36);
-  const Scalar t40 = inertia.I2xz - inertia.c2z * t31;
-  const Scalar t41 = ((inertia.I3yy - t18) - inertia.c3y * t29) + ((inertia.I2yy - t36) - inertia.c2y * t32);
-  const Scalar t42 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t43 = t41 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t42));
-  const Scalar t44 = g.d1 * g.d1 * (inertia.m2 + t34) + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t42));
-  return { inertia.I6xz - inertia.c6z * t0,
-           inertia.I6xy - inertia.c6y * t0,
-           inertia.I5xy - inertia.c5y * t1,
-           Scalar(2) * t3,
-           t6 + t7,
-           t3,
-           inertia.I5yz - inertia.c5z * t8,
+  const Scalar t0 = g.d1 / g.a3;
+  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t2 = inertia.m3 + t1;
+  const Scalar t3 = g.a2 * t2;
+  const Scalar t4 = inertia.c2z * inertia.m2;
+  const Scalar t5 = inertia.c2x * inertia.m2;
+  const Scalar t6 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t7 = g.a2 * t3 - ((inertia.I2zz - t6) - inertia.c2z * t4);
+  const Scalar t8 = inertia.c2x * t5 - (inertia.I2xx - t6);
+  const Scalar t9 = inertia.I2xz - inertia.c2z * t5;
+  const Scalar t10 = g.d2 * inertia.m4;
+  const Scalar t11 = inertia.c4x * inertia.m4;
+  const Scalar t12 = t10 + t11;
+  const Scalar t13 = t10 - t12;
+  const Scalar t14 = t13 - g.d2 * t1;
+  const Scalar t15 = inertia.c3x * inertia.m3;
+  const Scalar t16 = inertia.c3z * inertia.m3;
+  const Scalar t17 = g.a3 * t1;
+  const Scalar t18 = inertia.c5z * inertia.m5;
+  const Scalar t19 = inertia.c6x * inertia.m6;
+  const Scalar t20 = inertia.c5x * inertia.m5;
+  const Scalar t21 = inertia.c6z * inertia.m6;
+  const Scalar t22 = inertia.c6y * inertia.m6;
+  const Scalar t23 = inertia.c4z * inertia.m4;
+  const Scalar t24 = inertia.c4y * inertia.m4;
+  const Scalar t25 = inertia.c5y * inertia.m5;
+  const Scalar t26 = inertia.I6xz - inertia.c6z * t19;
+  const Scalar t27 = inertia.I6xy - inertia.c6y * t19;
+  const Scalar t28 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t29 = inertia.c6z * t21 - (inertia.I6zz - t28);
+  const Scalar t30 = (inertia.I6yy - t28) - inertia.c6y * t22;
+  const Scalar t31 = t29 - t30;
+  const Scalar t32 = Scalar(1) / t31;
+  const Scalar t33 = inertia.I6yz - inertia.c6z * t22;
+  const Scalar t34 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t35 = ((inertia.I6xx - t28) - inertia.c6x * t19) - (inertia.c5x * t20 - (inertia.I5xx - t34));
+  const Scalar t36 = g.d2 * t24;
+  const Scalar t37 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t38 = ((inertia.I4yy - t37) - inertia.c4y * t24) - (inertia.c5y * t25 - (inertia.I5yy - t34));
+  const Scalar t39 = g.d2 * t23;
+  const Scalar t40 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t41 = ((inertia.I3zz - t40) - inertia.c3z * t16) - g.a3 * t17;
+  const Scalar t42 = g.d2 * (t11 + t12) - ((inertia.I4xx - t37) - inertia.c4x * t11);
+  const Scalar t43 = g.d2 * (t14 + t13) + (g.d2 * (t12 - t13) - t42);
+  const Scalar t44 = (inertia.c3x * t15 - (inertia.I3xx - t40)) - t43;
+  const Scalar t45 = inertia.c3y * inertia.m3;
+  const Scalar t46 = inertia.c2y * inertia.m2;
+  const Scalar t47 = ((inertia.I3yy - t40) - inertia.c3y * t45) + ((inertia.I2yy - t6) - inertia.c2y * t46);
+  const Scalar t48 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t49 = t47 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t48));
+  const Scalar t50 = g.d1 * g.d1 * (inertia.m2 + t2) + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t48));
+  return { gravity / g.a3,
+           t0,
+           g.a3 * (t3 + t4),
+           g.a3 * t5,
+           t7 - t8,
+           Scalar(2) * t9,
            t9,
-           Scalar(1) / t9,
-           t6,
-           inertia.c5z * t10 - (inertia.I5zz - t11),
-           t12,
-           Scalar(2) * t12,
-           t15,
-           inertia.I5xz - inertia.c5z * t1,
-           (inertia.I4zz - t13) - inertia.c4z * t16,
-           g.a3 * t4,
-           g.a3 * t2,
-           g.d2 / g.a3,
-           g.a3 * (t0 + t1),
-           g.a3 * t10,
-           g.a3 * (t14 + t8),
-           g.a3 * t16,
-           inertia.I4xz - inertia.c4z * t17,
-           inertia.I4xy - inertia.c4y * t17,
-           inertia.I4yz - inertia.c4z * t14,
-           t22,
+           g.a3 * (t14 - t15),
+           g.a3 * (t16 + t17),
+           g.a3 * t18,
+           g.a3 * (t19 + t20),
+           g.a3 * t21,
+           g.a3 * t22,
+           g.a3 * t23,
+           g.a3 * (t24 + t25),
+           g.a2 / g.a3,
            t26,
            t27,
-           t28,
-           inertia.I3yz - inertia.c3z * t29,
-           inertia.I3xy - inertia.c3y * t23,
-           t30,
-           g.a3 * (t24 + t23),
-           inertia.I2xy - inertia.c2y * t31,
-           g.a2 * t29 - (inertia.I2yz - inertia.c2z * t32),
-           t33,
-           t38,
-           t39,
-           gravity / g.a3,
-           t26 + t22,
-           g.a3 * (t35 + t37),
-           g.a3 * t31,
-           Scalar(2) * t40,
-           t38 - t39,
-           t40,
+           t32 * t26,
+           t32 * t27,
+           t31,
            Scalar(2) * t33,
-           t28 * t30,
-           t43,
-           Scalar(2) * t27,
-           t44 };
+           t29 + t30,
+           t29,
+           t33,
+           g.d2 / g.a3,
+           inertia.I5yz - inertia.c5z * t25,
+           inertia.I5xy - inertia.c5y * t20,
+           inertia.I5xz - inertia.c5z * t20,
+           t35,
+           inertia.c5z * t18 - (inertia.I5zz - t34),
+           t30,
+           t36 - (t36 - (inertia.I4xy - inertia.c4y * t11)),
+           inertia.I4yz - inertia.c4z * t24,
+           t38,
+           t39 + ((inertia.I4xz - inertia.c4z * t11) - t39),
+           (inertia.I4zz - t37) - inertia.c4z * t23,
+           t41 + t44,
+           g.a3 * t14 + (inertia.I3xz - inertia.c3z * t15),
+           t32,
+           Scalar(2) * t35,
+           t41,
+           t44,
+           t8,
+           t7,
+           inertia.I3yz - inertia.c3z * t45,
+           inertia.I3xy - inertia.c3y * t15,
+           inertia.I2xy - inertia.c2y * t5,
+           g.a2 * t45 - (inertia.I2yz - inertia.c2z * t46),
+           t49,
+           Scalar(2) * t0,
+           t50 };
 }
 
 namespace detail {
@@ -1420,267 +1454,266 @@ inline JointVector<Scalar> forward_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[0] * s6 - k[1] * c6;
-  const Scalar t1 = k[8] * t0;
-  const Scalar t2 = k[4] * c6 - k[3] * s6;
-  const Scalar t3 = k[9] - c6 * t2;
-  const Scalar t4 = k[7] - t3;
-  const Scalar t5 = k[11] + (k[10] + t4);
-  const Scalar t6 = k[12] - t5;
-  const Scalar t7 = Scalar(1) / (t0 * t1 + t6);
+  const Scalar t0 = k[12] * s6 + k[11] * c6;
+  const Scalar t1 = k[9] + t0;
+  const Scalar t2 = c5 * t1 - k[10] * s5;
+  const Scalar t3 = k[13] + t2;
+  const Scalar t4 = k[12] * c6 - k[11] * s6;
+  const Scalar t5 = k[14] + t4;
+  const Scalar t6 = c4 * t3 + s4 * t5;
+  const Scalar t7 = k[15] * s2;
   const Scalar t8 = k[17] * s6 + k[16] * c6;
-  const Scalar t9 = k[20] + t8;
-  const Scalar t10 = c5 * t9 - k[19] * s5;
-  const Scalar t11 = s5 * t9 + k[19] * c5;
-  const Scalar t12 = k[29] * (c3 * t10 - s3 * c4 * t11);
-  const Scalar t13 = k[2] - t0;
-  const Scalar t14 = k[5] + s6 * t2;
-  const Scalar t15 = k[6] + t14;
-  const Scalar t16 = s5 * t13 - c5 * t15;
-  const Scalar t17 = k[18] * t11;
-  const Scalar t18 = t17 - t6;
-  const Scalar t19 = (s4 * t16 + c4 * t18) + t10;
-  const Scalar t20 = k[17] * c6 - k[16] * s6;
-  const Scalar t21 = s5 * t20;
-  const Scalar t22 = c5 * t20;
-  const Scalar t23 = c4 * t22 - s4 * t8;
-  const Scalar t24 = k[0] * c6 + k[1] * s6;
-  const Scalar t25 = k[7] * s5 - c5 * t24;
-  const Scalar t26 = (s4 * t25 - c4 * t0) - k[18] * t23;
-  const Scalar t27 = t21 + t26;
-  const Scalar t28 = k[29] * (c3 * t21 + s3 * t23) + t27;
-  const Scalar t29 = (t12 + t19) + t28 * t1;
-  const Scalar t30 = t7 * t29;
-  const Scalar t31 = k[8] * t28;
-  const Scalar t32 = k[14] + t24;
-  const Scalar t33 = s5 * t5 - Scalar(2) * c5 * t32;
-  const Scalar t34 = k[11] - s5 * t33;
-  const Scalar t35 = k[27] + ((t17 + t17) - t34);
-  const Scalar t36 = s5 * t15 + c5 * t13;
-  const Scalar t37 = k[24] + t36;
-  const Scalar t38 = k[23] - (c5 * t33 + t32);
-  const Scalar t39 = k[22] + t10;
-  const Scalar t40 = k[21] + t20;
-  const Scalar t41 = c4 * t39 + s4 * t40;
-  const Scalar t42 = (s4 * t37 + c4 * t38) - k[18] * t41;
-  const Scalar t43 = k[36] - (t42 - t11);
-  const Scalar t44 = k[15] - (t34 - t6);
-  const Scalar t45 = k[25] - t16;
-  const Scalar t46 = c4 * t45;
-  const Scalar t47 = k[13] - t3;
-  const Scalar t48 = (t46 + t46) - s4 * (t44 - t47);
-  const Scalar t49 = s4 * t48;
-  const Scalar t50 = k[26] + ((t44 + t49) - (t41 + t41));
-  const Scalar t51 = Scalar(2) * c3 * t43 - s3 * (t35 + t50);
-  const Scalar t52 = t35 + s3 * t51;
-  const Scalar t53 = k[38] + t52;
-  const Scalar t54 = t35 - t50;
-  const Scalar t55 = k[32] + t41;
-  const Scalar t56 = k[33] + t11;
-  const Scalar t57 = c3 * t55 - s3 * t56;
-  const Scalar t58 = k[29] * t57;
-  const Scalar t59 = k[37] + ((t54 - t52) + Scalar(2) * t58);
-  const Scalar t60 = t30 * t29 - (t28 * t31 - (t53 + t59));
-  const Scalar t61 = k[7] * c5 + s5 * t24;
-  const Scalar t62 = k[8] * t61;
-  const Scalar t63 = t44 + t47;
-  const Scalar t64 = t36 + t0 * t62;
-  const Scalar t65 = t64 * t7;
-  const Scalar t66 = Scalar(1) / ((t61 * t62 + t63) - t64 * t65);
-  const Scalar t67 = c4 * t40 - s4 * t39;
-  const Scalar t68 = (s4 * t38 - c4 * t37) + k[18] * t67;
-  const Scalar t69 = k[29] * t67;
-  const Scalar t70 = (t61 * t31 + (t68 - s3 * t69)) - t30 * t64;
-  const Scalar t71 = t66 * t70;
-  const Scalar t72 = k[8] * t27;
-  const Scalar t73 = t27 * t1 + t19;
-  const Scalar t74 = t73 * t7;
-  const Scalar t75 = t73 * t65 - (t27 * t62 + t68);
-  const Scalar t76 = t66 * t75;
-  const Scalar t77 = ((t27 * t72 - t54) - t73 * t74) - t76 * t75;
-  const Scalar t78 = Scalar(1) / t77;
-  const Scalar t79 = t74 * t29 - (t28 * t72 - (t54 + t58));
-  const Scalar t80 = t79 - t71 * t75;
-  const Scalar t81 = t78 * t80;
-  const Scalar t82 = Scalar(1) / ((t60 + t71 * t70) + t81 * t80);
-  const Scalar t83 = c4 * t8 + s4 * t22;
-  const Scalar t84 = k[29] * s2;
-  const Scalar t85 = s2 * s3 - c2 * c3;
-  const Scalar t86 = k[18] * t83 + (s4 * t0 + c4 * t25);
-  const Scalar t87 = c3 * s2 + c2 * s3;
-  const Scalar t88 = t83 * t84 - (t85 * t86 - (t61 + t83) * t87);
-  const Scalar t89 = k[28] * t83 + t88;
-  const Scalar t90 = k[30] - ((t45 - c4 * t48) + t67);
-  const Scalar t91 = k[31] - t68;
-  const Scalar t92 = t85 * t90 + t91 * t87;
-  const Scalar t93 = k[8] * t89;
-  const Scalar t94 = s4 * t11;
-  const Scalar t95 = t85 * (c4 * t16 - s4 * t18) - (t36 - t94) * t87;
-  const Scalar t96 = t0 * t93 - ((t95 + t94 * t84) + k[28] * t94);
-  const Scalar t97 = t96 * t7;
-  const Scalar t98 = ((t41 - t63) * t87 + t85 * t42) + t41 * t84;
-  const Scalar t99 = ((k[28] * t41 + t98) - t89 * t62) + t96 * t65;
-  const Scalar t100 = ((t89 * t72 - t92) - t73 * t97) - t99 * t76;
-  const Scalar t101 = t100 * t78;
-  const Scalar t102 = s3 * t91 - c3 * t90;
-  const Scalar t103 = ((c2 * t102 - t92) - k[34] * s2) - c2 * (k[35] + (t69 + t102));
-  const Scalar t104 = ((t28 * t93 + t103) - t96 * t30) + t99 * t71;
-  const Scalar t105 = t101 * t80 + t104;
-  const Scalar t106 = t82 * t105;
-  const Scalar t107 = t99 * t66;
-  const Scalar t108 = s3 * t55 + c3 * t56;
-  const Scalar t109 = k[45] - (k[29] * t108 - (t43 - c3 * t51));
-  const Scalar t110 = s2 * t109;
-  const Scalar t111 = c2 * (c2 * (t53 - t59) - (t110 + t110));
-  const Scalar t112 = s2 * (k[41] + t57) + c2 * (k[42] + t108);
-  const Scalar t113 = (k[48] - (t49 - t47)) - (k[50] + ((t59 + t111) + k[49] * t112));
-  const Scalar t114 = t99 * t107 - ((t89 * t93 + t113) - t96 * t97);
-  const Scalar t115 = Scalar(1) / (t106 * t105 - (t101 * t100 + t114));
-  const Scalar t116 = qd[1] + qd[2];
-  const Scalar t117 = qd[0] * t85;
-  const Scalar t118 = c4 * t117;
-  const Scalar t119 = s4 * t116 + t118;
-  const Scalar t120 = qd[0] * t87;
-  const Scalar t121 = qd[3] - t120;
-  const Scalar t122 = s5 * t119 + c5 * t121;
-  const Scalar t123 = c5 * t119 - s5 * t121;
-  const Scalar t124 = t122 * t123;
-  const Scalar t125 = t120 * t116;
-  const Scalar t126 = t125 + t125;
-  const Scalar t127 = t120 * t118 + s4 * t126;
-  const Scalar t128 = t121 * t119;
-  const Scalar t129 = t127 + t128;
-  const Scalar t130 = t124 - t129;
-  const Scalar t131 = t124 + t129;
-  const Scalar t132 = qd[5] + t122;
-  const Scalar t133 = t132 * t132;
-  const Scalar t134 = t123 * t123;
-  const Scalar t135 = t133 - t134;
-  const Scalar t136 = t133 + t134;
-  const Scalar t137 = s4 * t117 - c4 * t116;
-  const Scalar t138 = qd[4] - t137;
-  const Scalar t139 = t138 * t138 + t133;
-  const Scalar t140 = t135 - t139;
-  const Scalar t141 = t136 + t140;
-  const Scalar t142 = t135 - t141;
-  const Scalar t143 = t119 * t119;
-  const Scalar t144 = t121 * t121;
-  const Scalar t145 = t143 + t144;
-  const Scalar t146 = t142 + t145;
-  const Scalar t147 = t146 + t140;
-  const Scalar t148 = (k[11] * t130 + k[10] * t131) + k[14] * t147;
-  const Scalar t149 = t119 * t137;
-  const Scalar t150 = t116 * t117;
-  const Scalar t151 = t149 + t150;
-  const Scalar t152 = t120 * t117;
-  const Scalar t153 = c4 * t126 - s4 * t152;
-  const Scalar t154 = t121 * t137;
-  const Scalar t155 = (t153 - t154) - t154;
-  const Scalar t156 = s5 * t151 - c5 * t155;
-  const Scalar t157 = c5 * t151 + s5 * t155;
-  const Scalar t158 = qd[0] * qd[0];
-  const Scalar t159 = k[28] * t158;
-  const Scalar t160 = k[39] * s2 + c2 * t159;
-  const Scalar t161 = k[29] * t158 * c2 * s2 + t160;
-  const Scalar t162 = qd[1] * qd[1];
-  const Scalar t163 = qd[0] * s2;
-  const Scalar t164 = k[39] * c2 - s2 * t159;
-  const Scalar t165 = k[29] * (t162 + t163 * t163) - t164;
-  const Scalar t166 = c3 * t161 - s3 * t165;
-  const Scalar t167 = t116 * t116;
-  const Scalar t168 = t117 * t117;
-  const Scalar t169 = t167 + t168;
-  const Scalar t170 = (t166 - t152) + k[18] * t169;
-  const Scalar t171 = t150 + t150;
-  const Scalar t172 = qd[0] * qd[1];
-  const Scalar t173 = t172 + t172;
-  const Scalar t174 = c2 * t173;
-  const Scalar t175 = k[29] * t174;
-  const Scalar t176 = t171 - t175;
-  const Scalar t177 = t167 - t168;
-  const Scalar t178 = t158 + t177;
-  const Scalar t179 = c3 * t165 + s3 * t161;
-  const Scalar t180 = t178 + t179;
-  const Scalar t181 = (s4 * t176 - c4 * t180) + k[18] * t127;
-  const Scalar t182 = c5 * t170 + s5 * t181;
-  const Scalar t183 = c5 * t181 - s5 * t170;
-  const Scalar t184 = (t148 - (k[6] * t156 + k[2] * t157)) + (k[20] * t182 + k[19] * t183);
-  const Scalar t185 = t132 * t123;
-  const Scalar t186 = (t185 - t130) + t185;
-  const Scalar t187 = t138 * t122;
-  const Scalar t188 = t187 + (t187 + t156);
-  const Scalar t189 = Scalar(2) * t132 * t138 - t188;
-  const Scalar t190 = (t0 * t157 + t135 * t24) + (t186 * t4 + t189 * t14);
-  const Scalar t191 = t184 + (t190 + t8 * t182);
-  const Scalar t192 = (s4 * t180 + c4 * t176) + k[18] * t153;
-  const Scalar t193 = t157 + Scalar(2) * t138 * t123;
-  const Scalar t194 = (t193 * t4 + t3 * t157) + t14 * t142;
-  const Scalar t195 = (t8 * t192 + t183 * t20) + (t194 - (t0 * t130 - t24 * t188));
-  const Scalar t196 = torque[5] - t195;
-  const Scalar t197 = k[8] * t196;
-  const Scalar t198 = (torque[4] + t191) + t0 * t197;
-  const Scalar t199 = t169 - t145;
-  const Scalar t200 = t143 - t144;
-  const Scalar t201 = t199 - t200;
-  const Scalar t202 = t149 - t150;
-  const Scalar t203 = k[25] * t201 + (k[15] * t202 - k[13] * t151);
-  const Scalar t204 = ((k[23] * t153 + k[24] * t127) - t203) - (k[21] * t181 + k[22] * t192);
-  const Scalar t205 = (k[6] * t142 + k[2] * t130) + (k[14] * t188 + k[10] * t193);
-  const Scalar t206 = (t205 + k[20] * t192) + t195;
-  const Scalar t207 = t0 * t141 + (t186 * t14 + t189 * t3);
-  const Scalar t208 = (k[11] * t188 - k[14] * t193) - k[2] * (t147 - t142);
-  const Scalar t209 = (t20 * t182 + (t24 * t193 - t207)) - ((t208 + k[6] * t131) + k[19] * t192);
-  const Scalar t210 = t204 - (c5 * t206 + s5 * t209);
-  const Scalar t211 = t198 * t65 - (t61 * t197 - (torque[3] + t210));
-  const Scalar t212 = t128 + t129;
-  const Scalar t213 = (k[19] * t130 + k[20] * t146) + (t8 * t139 - t20 * t157);
-  const Scalar t214 = (t189 * t20 - t8 * t186) + (k[19] * t140 - k[20] * t131);
-  const Scalar t215 = (k[21] * t155 - k[22] * t212) - (s5 * t213 - c5 * t214);
-  const Scalar t216 = (k[25] * t212 - k[13] * t155) + k[24] * t199;
-  const Scalar t217 = (s5 * t206 - c5 * t209) + ((t216 + k[23] * t202) - k[21] * t170);
-  const Scalar t218 = (t136 * t20 + t8 * t193) + (k[20] * t193 - k[19] * t188);
-  const Scalar t219 = t218 - (k[22] * t202 - k[21] * t145);
-  const Scalar t220 = t217 + k[18] * t219;
-  const Scalar t221 = (k[25] * t155 - k[15] * t212) - (k[24] * t151 + k[23] * t200);
-  const Scalar t222 = (c5 * t213 + s5 * t214) + (k[22] * (t201 + t145) - k[21] * t151);
-  const Scalar t223 = ((k[22] * t170 + t221) + t191) - k[18] * t222;
-  const Scalar t224 = (k[33] * t179 - k[32] * t166) - (k[40] * t152 - k[36] * (t178 - t169));
-  const Scalar t225 = (t215 + (s4 * t220 - c4 * t223)) + t224;
-  const Scalar t226 = ((torque[2] - t225) - t196 * t72) + t198 * t74;
-  const Scalar t227 = t76 * t211 + t226;
-  const Scalar t228 = k[45] - s2 * (k[44] * c2 + k[43] * s2);
-  const Scalar t229 = t158 * t228 - (k[41] * t160 + k[42] * t164);
-  const Scalar t230 = c3 * (t215 + (k[32] * t152 - k[33] * t169));
-  const Scalar t231 = (c4 * t222 + s4 * t219) + (k[32] * t178 - k[33] * t152);
-  const Scalar t232 = t229 + (t225 + k[29] * (t230 - s3 * t231));
-  const Scalar t233 = ((torque[1] - t232) - t197 * t28) + t30 * t198;
-  const Scalar t234 = t66 * t211;
-  const Scalar t235 = t82 * (t81 * t227 + (t233 - t70 * t234));
-  const Scalar t236 = t228 * t173 - (k[35] * s2 - k[34] * c2) * t162;
-  const Scalar t237 = c4 * t219 - s4 * t222;
-  const Scalar t238 = (k[32] * t171 + k[33] * t126) + t237;
-  const Scalar t239 = (k[30] * t177 - k[31] * t152) - (k[26] * t171 - k[46] * t125);
-  const Scalar t240 = ((t210 - t237) + (k[47] * t174 - t239)) * t87;
-  const Scalar t241 = k[31] * (t158 - t169) - (k[36] * t171 + k[27] * t126);
-  const Scalar t242 = (c4 * t220 + s4 * t223) - (k[33] * t175 + (k[30] * t152 + t241));
-  const Scalar t243 = t236 + (t238 * t84 - (t240 + t85 * t242));
-  const Scalar t244 = (k[41] * c2 - k[42] * s2) * t173 - t238;
-  const Scalar t245 = t89 * t197 + (torque[0] + (t243 - k[28] * t244));
-  const Scalar t246 = (t107 * t211 - (t245 - t198 * t97)) - t227 * t101;
-  const Scalar t247 = t115 * (t235 * t105 + t246);
-  const Scalar t248 = t235 - t106 * t247;
-  const Scalar t249 = t81 * t248 + (t101 * t247 - t227 * t78);
-  const Scalar t250 = t76 * t249 - ((t107 * t247 + t234) + t248 * t71);
-  const Scalar t251 = (t97 * t247 + t7 * t198) - t30 * t248;
-  const Scalar t252 = (t251 - t249 * t74) - t250 * t65;
-  const Scalar t253 = t72 * t249 - ((t197 + t93 * t247) - t248 * t31);
+  const Scalar t9 = k[28] + t8;
+  const Scalar t10 = k[22] * c6 - k[21] * s6;
+  const Scalar t11 = c6 * t10;
+  const Scalar t12 = k[31] - t11;
+  const Scalar t13 = k[30] - t12;
+  const Scalar t14 = k[29] - t13;
+  const Scalar t15 = c5 * t9;
+  const Scalar t16 = s5 * (k[40] - t14) - (t15 + t15);
+  const Scalar t17 = k[25] * t3 - (k[35] - (t9 + c5 * t16));
+  const Scalar t18 = k[18] * s6 - k[19] * c6;
+  const Scalar t19 = k[20] * t18;
+  const Scalar t20 = k[27] - t19;
+  const Scalar t21 = k[24] + s6 * t10;
+  const Scalar t22 = k[26] + t21;
+  const Scalar t23 = c5 * t20 + s5 * t22;
+  const Scalar t24 = (k[32] + t23) - k[25] * t5;
+  const Scalar t25 = c4 * t17 - s4 * t24;
+  const Scalar t26 = s2 * s3 - c2 * c3;
+  const Scalar t27 = t13 - s5 * t16;
+  const Scalar t28 = k[36] - t27;
+  const Scalar t29 = k[23] - t11;
+  const Scalar t30 = k[34] - t29;
+  const Scalar t31 = c5 * t22 - s5 * t20;
+  const Scalar t32 = k[33] + t31;
+  const Scalar t33 = c4 * t32;
+  const Scalar t34 = s4 * (t28 - t30) - (t33 + t33);
+  const Scalar t35 = s4 * t34;
+  const Scalar t36 = t35 + t30;
+  const Scalar t37 = t35 - t28;
+  const Scalar t38 = t36 - t37;
+  const Scalar t39 = c3 * s2 + c2 * s3;
+  const Scalar t40 = t7 * t6 - (t25 * t26 - (t6 - t38) * t39);
+  const Scalar t41 = c5 + k[39] * s5 * t8;
+  const Scalar t42 = k[20] * t41;
+  const Scalar t43 = c5 * t4;
+  const Scalar t44 = c4 * t0 + s4 * t43;
+  const Scalar t45 = k[25] * t0 - (c5 * t8 - k[20] * s5);
+  const Scalar t46 = k[25] * t43 + t19;
+  const Scalar t47 = (t44 + t42) * t39 - t26 * (c4 * t45 + s4 * t46);
+  const Scalar t48 = k[1] * t44 + (t7 * t44 + t47);
+  const Scalar t49 = k[39] * t48;
+  const Scalar t50 = t42 * t18 + t23;
+  const Scalar t51 = k[10] * c5 + s5 * t1;
+  const Scalar t52 = s4 * t51;
+  const Scalar t53 = k[25] * t51;
+  const Scalar t54 = t14 - t53;
+  const Scalar t55 = t26 * (c4 * t31 - s4 * t54) - (t52 - t23) * t39;
+  const Scalar t56 = t48 * t18 - (k[1] * t52 - (t55 - t52 * t7));
+  const Scalar t57 = Scalar(1) / (t19 * t18 + t14);
+  const Scalar t58 = t56 * t57;
+  const Scalar t59 = ((k[1] * t6 + t40) - t42 * t49) + t50 * t58;
+  const Scalar t60 = qd[0] * t39;
+  const Scalar t61 = qd[0] * t26;
+  const Scalar t62 = t60 * t61;
+  const Scalar t63 = qd[1] + qd[2];
+  const Scalar t64 = s4 * t63;
+  const Scalar t65 = t60 + t60;
+  const Scalar t66 = c4 * t62 + t64 * t65;
+  const Scalar t67 = qd[3] - t60;
+  const Scalar t68 = t64 + c4 * t61;
+  const Scalar t69 = t67 * t68;
+  const Scalar t70 = t66 + t69;
+  const Scalar t71 = s5 * t68 + c5 * t67;
+  const Scalar t72 = c5 * t68 - s5 * t67;
+  const Scalar t73 = t71 * t72;
+  const Scalar t74 = t70 - t73;
+  const Scalar t75 = s4 * t61 - c4 * t63;
+  const Scalar t76 = qd[4] - t75;
+  const Scalar t77 = t76 * t71;
+  const Scalar t78 = t63 * t61;
+  const Scalar t79 = t68 * t75 + t78;
+  const Scalar t80 = t63 * t65;
+  const Scalar t81 = c4 * t80 - s4 * t62;
+  const Scalar t82 = t67 * t75;
+  const Scalar t83 = (t81 - t82) - t82;
+  const Scalar t84 = s5 * t79 - c5 * t83;
+  const Scalar t85 = t77 + (t84 + t77);
+  const Scalar t86 = qd[5] + t71;
+  const Scalar t87 = t86 * t86;
+  const Scalar t88 = t72 * t72;
+  const Scalar t89 = t87 - t88;
+  const Scalar t90 = t87 + t88;
+  const Scalar t91 = t76 * t76 + t87;
+  const Scalar t92 = t89 - t91;
+  const Scalar t93 = t90 + t92;
+  const Scalar t94 = t89 - t93;
+  const Scalar t95 = s5 * t83 + c5 * t79;
+  const Scalar t96 = t76 + t76;
+  const Scalar t97 = t95 + t72 * t96;
+  const Scalar t98 = t94 * t21 - (t12 * t97 - t29 * t95);
+  const Scalar t99 = qd[0] * qd[0];
+  const Scalar t100 = t63 * t63;
+  const Scalar t101 = t61 * t61;
+  const Scalar t102 = t100 - t101;
+  const Scalar t103 = t99 + t102;
+  const Scalar t104 = k[1] * t99;
+  const Scalar t105 = k[0] * s2 + c2 * t104;
+  const Scalar t106 = k[15] * t99 * c2 * s2 + t105;
+  const Scalar t107 = qd[1] * qd[1];
+  const Scalar t108 = qd[0] * s2;
+  const Scalar t109 = s2 * t104 - k[0] * c2;
+  const Scalar t110 = k[15] * (t107 + t108 * t108) + t109;
+  const Scalar t111 = s3 * t106 + c3 * t110;
+  const Scalar t112 = k[25] * t62 - (t103 + t111);
+  const Scalar t113 = Scalar(2) * t78;
+  const Scalar t114 = qd[1] * (qd[0] + qd[0]);
+  const Scalar t115 = t114 * k[15] * c2;
+  const Scalar t116 = (t113 - t115) + k[25] * t80;
+  const Scalar t117 = c4 * t112 + s4 * t116;
+  const Scalar t118 = s3 * t110 - c3 * t106;
+  const Scalar t119 = t100 + t101;
+  const Scalar t120 = (t118 + t62) - k[25] * t119;
+  const Scalar t121 = c5 * t117 + s5 * t120;
+  const Scalar t122 = c4 * t116 - s4 * t112;
+  const Scalar t123 = ((t19 * t74 + t8 * t85) + t98) + (t4 * t121 + t122 * t0);
+  const Scalar t124 = torque[5] - t123;
+  const Scalar t125 = k[39] * t124;
+  const Scalar t126 = t75 * t75;
+  const Scalar t127 = t67 * t67;
+  const Scalar t128 = t126 - t127;
+  const Scalar t129 = t119 - t128;
+  const Scalar t130 = t129 + t94;
+  const Scalar t131 = t130 + t92;
+  const Scalar t132 = t70 + t73;
+  const Scalar t133 = k[28] * t131 - (k[29] * t74 - k[30] * t132);
+  const Scalar t134 = c5 * t120 - s5 * t117;
+  const Scalar t135 = ((k[26] * t84 + k[27] * t95) - t133) + (k[9] * t134 - k[10] * t121);
+  const Scalar t136 = t86 * Scalar(2) * t72 + t74;
+  const Scalar t137 = t85 - t86 * t96;
+  const Scalar t138 = (t19 * t95 + t89 * t8) - (t12 * t136 + t21 * t137);
+  const Scalar t139 = t135 - (t138 - t134 * t0);
+  const Scalar t140 = t19 * t125 + (torque[4] - t139);
+  const Scalar t141 = t140 * t57;
+  const Scalar t142 = t113 - t79;
+  const Scalar t143 = t126 + t127;
+  const Scalar t144 = (k[36] * t142 + k[34] * t79) + k[33] * (t129 - t143);
+  const Scalar t145 = (t144 + (k[35] * t81 + k[32] * t66)) - (k[14] * t117 + k[13] * t122);
+  const Scalar t146 = (k[28] * t85 + k[30] * t97) - (k[27] * t74 - k[26] * t94);
+  const Scalar t147 = t123 + (t146 + k[9] * t122);
+  const Scalar t148 = k[27] * (t94 - t131) - (k[28] * t97 - k[29] * t85);
+  const Scalar t149 = t19 * t93 - (t29 * t137 - t136 * t21);
+  const Scalar t150 = ((t148 + k[26] * t132) + k[10] * t122) + (t4 * t134 - (t8 * t97 - t149));
+  const Scalar t151 = t145 - (c5 * t147 - s5 * t150);
+  const Scalar t152 = t50 * t141 - (t124 * t41 - (torque[3] + t151));
+  const Scalar t153 = t50 * t57;
+  const Scalar t154 = Scalar(1) / (t50 * t153 - (t41 * t42 + t38));
+  const Scalar t155 = t152 * t154;
+  const Scalar t156 = k[6] - s2 * (k[5] * s2 + k[4] * c2);
+  const Scalar t157 = t114 * t156 - t107 * (k[48] * s2 - k[47] * c2);
+  const Scalar t158 = (k[10] * t92 - k[9] * t132) - (t4 * t137 + t136 * t0);
+  const Scalar t159 = (t91 * t0 - t4 * t95) - (k[10] * t74 - k[9] * t130);
+  const Scalar t160 = (s5 * t158 + c5 * t159) + (k[13] * t143 - k[14] * t79);
+  const Scalar t161 = (k[9] * t97 - k[10] * t85) + (t97 * t0 + t4 * t90);
+  const Scalar t162 = (k[13] * t142 + k[14] * t129) + t161;
+  const Scalar t163 = s4 * t160 - c4 * t162;
+  const Scalar t164 = t163 + (k[7] * t80 - k[8] * t113);
+  const Scalar t165 = t70 + t69;
+  const Scalar t166 = (k[34] * t83 - k[33] * t165) - k[32] * t128;
+  const Scalar t167 = (s5 * t147 + c5 * t150) - ((t166 + k[35] * t142) - k[14] * t120);
+  const Scalar t168 = k[25] * t162 + t167;
+  const Scalar t169 = (k[33] * t83 - k[36] * t165) - (k[32] * t79 + k[35] * (t119 - t143));
+  const Scalar t170 = k[25] * t160 + (t139 - (t169 - k[13] * t120));
+  const Scalar t171 = k[46] * (t99 - t119) + (k[38] * t113 - k[42] * t80);
+  const Scalar t172 = (c4 * t168 - s4 * t170) - ((t171 + k[45] * t62) - k[7] * t115);
+  const Scalar t173 = (k[38] * t80 + k[41] * t113) - (k[45] * t102 - k[46] * t62);
+  const Scalar t174 = ((t163 + t151) + (k[8] * t115 + t173)) * t39;
+  const Scalar t175 = t157 - (t164 * t7 + (t26 * t172 + t174));
+  const Scalar t176 = t164 - t114 * (k[3] * s2 - k[2] * c2);
+  const Scalar t177 = (torque[0] + (t175 - k[1] * t176)) + t124 * t49;
+  const Scalar t178 = s5 * t4;
+  const Scalar t179 = (s4 * t45 - c4 * t46) + t178;
+  const Scalar t180 = k[39] * t179;
+  const Scalar t181 = k[41] - (Scalar(2) * t6 + t37);
+  const Scalar t182 = k[42] + (Scalar(2) * t53 - (t14 + t27));
+  const Scalar t183 = t181 - t182;
+  const Scalar t184 = t2 - (c4 * t54 + s4 * t31);
+  const Scalar t185 = t184 + t19 * t180;
+  const Scalar t186 = t57 * t185;
+  const Scalar t187 = c4 * t24 + s4 * t17;
+  const Scalar t188 = (t180 * t42 - t187) - t186 * t50;
+  const Scalar t189 = t188 * t154;
+  const Scalar t190 = ((t180 * t179 + t183) - t186 * t185) + t188 * t189;
+  const Scalar t191 = Scalar(1) / t190;
+  const Scalar t192 = (k[8] * t118 - k[7] * t111) - (k[37] * t62 + k[38] * (t103 - t119));
+  const Scalar t193 = (k[14] * t83 - k[13] * t165) + (c5 * t158 - s5 * t159);
+  const Scalar t194 = t192 + ((s4 * t168 + c4 * t170) + t193);
+  const Scalar t195 = t185 * t141 + ((torque[2] - t194) - t125 * t179);
+  const Scalar t196 = t191 * (t195 + t188 * t155);
+  const Scalar t197 = t59 * t154;
+  const Scalar t198 = s4 * t3 - c4 * t5;
+  const Scalar t199 = k[45] + (t198 - (t32 + c4 * t34));
+  const Scalar t200 = k[46] + t187;
+  const Scalar t201 = t26 * t199 + t200 * t39;
+  const Scalar t202 = t197 * t188 - ((t179 * t49 - t201) - t58 * t185);
+  const Scalar t203 = (t59 * t155 + (t177 - t56 * t141)) - t196 * t202;
+  const Scalar t204 = k[38] - (t25 + t51);
+  const Scalar t205 = Scalar(2) * c3 * t204 + s3 * (t181 + t182);
+  const Scalar t206 = t182 - s3 * t205;
+  const Scalar t207 = k[8] + t6;
+  const Scalar t208 = k[7] - t51;
+  const Scalar t209 = c3 * t207 + s3 * t208;
+  const Scalar t210 = k[15] * t209;
+  const Scalar t211 = k[44] - ((t183 + t206) - (t210 + t210));
+  const Scalar t212 = k[43] + t206;
+  const Scalar t213 = c3 * t178 - s3 * (s4 * t0 - c4 * t43);
+  const Scalar t214 = t179 + k[15] * t213;
+  const Scalar t215 = k[39] * t214;
+  const Scalar t216 = k[15] * (c3 * t2 - s3 * c4 * t51);
+  const Scalar t217 = (t184 + t216) + t214 * t18;
+  const Scalar t218 = t217 * t57;
+  const Scalar t219 = ((t211 + t212) - t214 * t215) + t218 * t217;
+  const Scalar t220 = k[15] * t198;
+  const Scalar t221 = ((s3 * t220 - t187) + t214 * t41) - t218 * t50;
+  const Scalar t222 = t221 * t154;
+  const Scalar t223 = t218 * t185 - (t215 * t179 - (t210 - t183));
+  const Scalar t224 = t223 - t188 * t222;
+  const Scalar t225 = t191 * t224;
+  const Scalar t226 = Scalar(1) / ((t219 - t221 * t222) + t224 * t225);
+  const Scalar t227 = s3 * t200 - c3 * t199;
+  const Scalar t228 = c2 * (k[48] - (t220 - t227)) - ((c2 * t227 - t201) - k[47] * s2);
+  const Scalar t229 = t221 * t197 - ((t215 * t48 - t228) - t218 * t56);
+  const Scalar t230 = t225 * t202 + t229;
+  const Scalar t231 = t226 * t230;
+  const Scalar t232 = (k[3] * t109 - k[2] * t105) + t99 * t156;
+  const Scalar t233 = (s4 * t162 + c4 * t160) + (k[8] * t103 + k[7] * t62);
+  const Scalar t234 = c3 * (t193 + (k[8] * t62 + k[7] * t119));
+  const Scalar t235 = t232 - (k[15] * (s3 * t233 - t234) - t194);
+  const Scalar t236 = t218 * t140 - (t215 * t124 - (torque[1] - t235));
+  const Scalar t237 = t224 * t196 + (t221 * t155 + t236);
+  const Scalar t238 = t191 * t202;
+  const Scalar t239 = c3 * t208 - s3 * t207;
+  const Scalar t240 = s2 * (k[2] + t209) + c2 * (k[3] - t239);
+  const Scalar t241 = k[6] - ((t204 - c3 * t205) - k[15] * t239);
+  const Scalar t242 = s2 * (t241 + t241) + c2 * (t211 - t212);
+  const Scalar t243 = k[51] + (k[50] * t240 + (t211 - c2 * t242));
+  const Scalar t244 = t58 * t56 - (t48 * t49 + ((k[49] + t36) - t243));
+  const Scalar t245 = (t238 * t202 - (t59 * t197 - t244)) - t231 * t230;
+  const Scalar t246 = (t203 + t231 * t237) * Scalar(1) / t245;
+  const Scalar t247 = t231 * t246 + t226 * t237;
+  const Scalar t248 = t247 * t225 - (t196 + t238 * t246);
+  const Scalar t249 = t189 * t248 + ((t197 * t246 + t155) + t247 * t222);
+  const Scalar t250 = ((t141 + t58 * t246) - t218 * t247) - t186 * t248;
+  const Scalar t251 = t250 - t249 * t153;
+  const Scalar t252 = t180 * t248 - ((t49 * t246 + t125) - t247 * t215);
   JointVector<Scalar> result;
-  result[0] = t247;
-  result[1] = t248;
-  result[2] = t249;
-  result[3] = t250;
-  result[4] = -t252;
-  result[5] = -t252 * t1 - (t253 + t250 * t62);
+  result[0] = t246;
+  result[1] = t247;
+  result[2] = t248;
+  result[3] = t249;
+  result[4] = -t251;
+  result[5] = -(t249 * t41 + t252) - t251 * t18;
   return result;
 }
 
@@ -1707,88 +1740,97 @@ KineticEnergyConstants<Scalar> kinetic_energy_constants(const BasicGeometry<Scal
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6z * inertia.m6;
-  const Scalar t1 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t2 = inertia.c6z * t0 - (inertia.I6zz - t1);
-  const Scalar t3 = inertia.c6y * inertia.m6;
-  const Scalar t4 = (inertia.I6yy - t1) - inertia.c6y * t3;
-  const Scalar t5 = inertia.c6x * inertia.m6;
-  const Scalar t6 = inertia.c5x * inertia.m5;
-  const Scalar t7 = inertia.I6yz - inertia.c6z * t3;
-  const Scalar t8 = inertia.c5y * inertia.m5;
-  const Scalar t9 = inertia.c5z * inertia.m5;
+  const Scalar t0 = inertia.c6x * inertia.m6;
+  const Scalar t1 = inertia.c6z * inertia.m6;
+  const Scalar t2 = inertia.c6y * inertia.m6;
+  const Scalar t3 = g.d2 / g.a3;
+  const Scalar t4 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t5 = inertia.c6z * t1 - (inertia.I6zz - t4);
+  const Scalar t6 = (inertia.I6yy - t4) - inertia.c6y * t2;
+  const Scalar t7 = inertia.c5z * inertia.m5;
+  const Scalar t8 = inertia.c5x * inertia.m5;
+  const Scalar t9 = inertia.I6yz - inertia.c6z * t2;
   const Scalar t10 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t11 = ((inertia.I6xx - t1) - inertia.c6x * t5) - (inertia.c5x * t6 - (inertia.I5xx - t10));
-  const Scalar t12 = inertia.c3x * inertia.m3;
-  const Scalar t13 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t14 = inertia.c4x * inertia.m4;
-  const Scalar t15 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t16 = t14 + g.d2 * t15;
-  const Scalar t17 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t18 = g.d2 * (t16 + t14) - ((inertia.I4xx - t17) - inertia.c4x * t14);
-  const Scalar t19 = inertia.c4z * inertia.m4;
-  const Scalar t20 = inertia.c4y * inertia.m4;
-  const Scalar t21 = ((inertia.I4yy - t17) - inertia.c4y * t20) - (inertia.c5y * t8 - (inertia.I5yy - t10));
-  const Scalar t22 = inertia.c3z * inertia.m3;
-  const Scalar t23 = g.a3 * t15;
-  const Scalar t24 = ((inertia.I3zz - t13) - inertia.c3z * t22) - g.a3 * t23;
-  const Scalar t25 = g.d1 / g.a3;
-  const Scalar t26 = inertia.c3y * inertia.m3;
-  const Scalar t27 = inertia.c2x * inertia.m2;
-  const Scalar t28 = inertia.c2y * inertia.m2;
-  const Scalar t29 = inertia.m3 + t15;
-  const Scalar t30 = g.a2 * t29;
-  const Scalar t31 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t32 = inertia.c2z * inertia.m2;
-  const Scalar t33 = g.a2 * t30 - ((inertia.I2zz - t31) - inertia.c2z * t32);
-  const Scalar t34 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t35 = g.d1 * g.d1 * (inertia.m2 + t29) + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t34));
-  const Scalar t36 = ((inertia.I3yy - t13) - inertia.c3y * t26) + ((inertia.I2yy - t31) - inertia.c2y * t28);
-  const Scalar t37 = t36 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t34));
-  return { t2 - t4,
-           inertia.I6xz - inertia.c6z * t5,
-           inertia.I6xy - inertia.c6y * t5,
-           inertia.I5xy - inertia.c5y * t6,
-           Scalar(2) * t7,
-           t2 + t4,
-           t7,
-           inertia.I5yz - inertia.c5z * t8,
-           g.a3 * (t5 + t6),
-           g.a3 * t0,
-           g.a3 * t3,
-           g.a3 * t9,
-           g.a2 / g.a3,
-           t4,
-           inertia.c5z * t9 - (inertia.I5zz - t10),
+  const Scalar t11 = ((inertia.I6xx - t4) - inertia.c6x * t0) - (inertia.c5x * t8 - (inertia.I5xx - t10));
+  const Scalar t12 = inertia.c5y * inertia.m5;
+  const Scalar t13 = inertia.c4y * inertia.m4;
+  const Scalar t14 = g.d2 * t13;
+  const Scalar t15 = inertia.c4x * inertia.m4;
+  const Scalar t16 = inertia.c4z * inertia.m4;
+  const Scalar t17 = g.d2 * t16;
+  const Scalar t18 = g.a2 / g.a3;
+  const Scalar t19 = g.d2 * inertia.m4;
+  const Scalar t20 = t19 + t15;
+  const Scalar t21 = t19 - t20;
+  const Scalar t22 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t23 = t21 - g.d2 * t22;
+  const Scalar t24 = inertia.c3x * inertia.m3;
+  const Scalar t25 = inertia.c3z * inertia.m3;
+  const Scalar t26 = g.a3 * t22;
+  const Scalar t27 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t28 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t29 = g.d2 * (t15 + t20) - ((inertia.I4xx - t28) - inertia.c4x * t15);
+  const Scalar t30 = g.d2 * (t23 + t21) + (g.d2 * (t20 - t21) - t29);
+  const Scalar t31 = ((inertia.I4yy - t28) - inertia.c4y * t13) - (inertia.c5y * t12 - (inertia.I5yy - t10));
+  const Scalar t32 = ((inertia.I3zz - t27) - inertia.c3z * t25) - g.a3 * t26;
+  const Scalar t33 = g.d1 / g.a3;
+  const Scalar t34 = inertia.c3y * inertia.m3;
+  const Scalar t35 = inertia.c2x * inertia.m2;
+  const Scalar t36 = inertia.c2y * inertia.m2;
+  const Scalar t37 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t38 = inertia.m3 + t22;
+  const Scalar t39 = g.a2 * t38;
+  const Scalar t40 = inertia.c2z * inertia.m2;
+  const Scalar t41 = g.a2 * t39 - ((inertia.I2zz - t37) - inertia.c2z * t40);
+  const Scalar t42 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t43 = g.d1 * g.d1 * (inertia.m2 + t38) + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t42));
+  const Scalar t44 = ((inertia.I3yy - t27) - inertia.c3y * t34) + ((inertia.I2yy - t37) - inertia.c2y * t36);
+  const Scalar t45 = t44 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t42));
+  return { inertia.I6xz - inertia.c6z * t0,
+           inertia.I6xy - inertia.c6y * t0,
+           g.a3 * t1,
+           g.a3 * t2,
+           t3,
+           t5 - t6,
+           g.a3 * t7,
+           g.a3 * (t0 + t8),
+           Scalar(2) * t3,
+           Scalar(2) * t9,
+           t5 + t6,
+           t5,
+           inertia.c5z * t7 - (inertia.I5zz - t10),
            t11,
-           g.d2 / g.a3,
-           inertia.I5xz - inertia.c5z * t6,
-           (inertia.c3x * t12 - (inertia.I3xx - t13)) + t18,
-           g.a3 * t19,
-           g.a3 * (t20 + t8),
-           (inertia.I4zz - t17) - inertia.c4z * t19,
-           inertia.I4yz - inertia.c4z * t20,
-           t2,
-           t21,
-           t24,
-           g.a3 * (t22 + t23),
-           g.a3 * (t16 + t12),
-           inertia.I4xz - inertia.c4z * t14,
-           inertia.I4xy - inertia.c4y * t14,
-           t25,
-           inertia.I3yz - inertia.c3z * t26,
-           inertia.I3xy - inertia.c3y * t12,
-           inertia.I2xy - inertia.c2y * t27,
-           g.a2 * t26 - (inertia.I2yz - inertia.c2z * t28),
-           g.a3 * t16 - (inertia.I3xz - inertia.c3z * t12),
+           t9,
+           inertia.I5yz - inertia.c5z * t12,
+           inertia.I5xy - inertia.c5y * t8,
+           t14 - (t14 - (inertia.I4xy - inertia.c4y * t15)),
+           g.a3 * (t13 + t12),
+           g.a3 * t16,
+           inertia.I5xz - inertia.c5z * t8,
+           t17 + ((inertia.I4xz - inertia.c4z * t15) - t17),
+           t18,
+           g.a3 * (t23 - t24),
+           g.a3 * (t25 + t26),
+           (inertia.c3x * t24 - (inertia.I3xx - t27)) - t30,
+           (inertia.I4zz - t28) - inertia.c4z * t16,
+           t31,
+           inertia.I4yz - inertia.c4z * t13,
+           t32,
            t33,
-           inertia.c2x * t27 - (inertia.I2xx - t31),
-           g.a3 * (t30 + t32),
-           g.a3 * t27,
-           Scalar(2) * t25,
-           inertia.I2xz - inertia.c2z * t27,
-           t35,
-           t37 };
+           inertia.I3yz - inertia.c3z * t34,
+           inertia.I3xy - inertia.c3y * t24,
+           inertia.I2xy - inertia.c2y * t35,
+           g.a2 * t34 - (inertia.I2yz - inertia.c2z * t36),
+           g.a3 * t23 + (inertia.I3xz - inertia.c3z * t24),
+           inertia.c2x * t35 - (inertia.I2xx - t37),
+           Scalar(2) * t18,
+           t41,
+           g.a3 * (t39 + t40),
+           g.a3 * t35,
+           Scalar(2) * t33,
+           inertia.I2xz - inertia.c2z * t35,
+           t43,
+           t45 };
 }
 
 namespace detail {
@@ -1807,96 +1849,95 @@ inline Scalar kinetic_energy([[maybe_unused]] const JointVector<Scalar>& q, cons
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[4] * s6 - k[5] * c6;
-  const Scalar t1 = c6 * t0;
-  const Scalar t2 = k[14] - (k[13] + t1);
-  const Scalar t3 = k[15] - t2;
-  const Scalar t4 = k[24] - (k[23] + t1);
-  const Scalar t5 = k[1] * c6 + k[2] * s6;
-  const Scalar t6 = k[17] + t5;
-  const Scalar t7 = Scalar(2) * c5 * t6 - s5 * (k[15] + t2);
-  const Scalar t8 = t2 + s5 * t7;
-  const Scalar t9 = k[21] - t8;
-  const Scalar t10 = t4 + t9;
-  const Scalar t11 = k[9] * c6 + k[10] * s6;
-  const Scalar t12 = k[11] + t11;
-  const Scalar t13 = s5 * t12 + k[8] * c5;
-  const Scalar t14 = k[16] * t13;
-  const Scalar t15 = k[18] - ((t3 + t8) - (t14 + t14));
-  const Scalar t16 = k[7] + (k[6] - s6 * t0);
-  const Scalar t17 = k[2] * c6 - k[1] * s6;
-  const Scalar t18 = k[3] + t17;
-  const Scalar t19 = c5 * t16 - s5 * t18;
-  const Scalar t20 = k[22] + t19;
-  const Scalar t21 = s4 * (t4 - t9) + Scalar(2) * c4 * t20;
-  const Scalar t22 = s4 * t21;
-  const Scalar t23 = c5 * t12 - k[8] * s5;
-  const Scalar t24 = k[19] + t23;
-  const Scalar t25 = k[10] * c6 - k[9] * s6;
-  const Scalar t26 = k[20] + t25;
-  const Scalar t27 = c4 * t24 + s4 * t26;
-  const Scalar t28 = k[25] + ((t22 + t9) - Scalar(2) * t27);
-  const Scalar t29 = t15 - t28;
-  const Scalar t30 = s5 * t16 + c5 * t18;
-  const Scalar t31 = (k[29] + t30) - k[16] * t26;
-  const Scalar t32 = (k[28] + (c5 * t7 - t6)) - k[16] * t24;
-  const Scalar t33 = s4 * t31 + c4 * t32;
-  const Scalar t34 = k[35] - (t33 - t13);
-  const Scalar t35 = Scalar(2) * c3 * t34 - s3 * (t15 + t28);
-  const Scalar t36 = t15 + s3 * t35;
-  const Scalar t37 = k[26] + t27;
-  const Scalar t38 = k[27] + t13;
-  const Scalar t39 = c3 * t37 - s3 * t38;
-  const Scalar t40 = k[12] * t39;
-  const Scalar t41 = k[36] + ((t29 - t36) + Scalar(2) * t40);
-  const Scalar t42 = k[37] + t36;
-  const Scalar t43 = s3 * t37 + c3 * t38;
-  const Scalar t44 = k[41] - (k[12] * t43 - (t34 - c3 * t35));
-  const Scalar t45 = s2 * t44;
-  const Scalar t46 = c2 * (c2 * (t41 - t42) + (t45 + t45));
-  const Scalar t47 = s2 * (k[38] + t39) + c2 * (k[39] + t43);
-  const Scalar t48 = (k[42] + ((t41 - t46) + k[40] * t47)) - (k[43] - (t22 - t4));
-  const Scalar t49 = qd[1] * qd[1] * (t41 + t42) + qd[0] * qd[0] * t48;
-  const Scalar t50 = qd[3] * qd[3] * t10 - (t49 + qd[2] * qd[2] * t29);
-  const Scalar t51 = (qd[4] * qd[4] * t3 + t50) - qd[5] * k[0] * qd[5];
-  const Scalar t52 = c5 * t5 - k[0] * s5;
-  const Scalar t53 = c5 * t25;
-  const Scalar t54 = s4 * t11 - c4 * t53;
-  const Scalar t55 = (s4 * t52 - c4 * t17) - k[16] * t54;
-  const Scalar t56 = s5 * t25;
-  const Scalar t57 = t55 - t56;
-  const Scalar t58 = s4 * t32 - c4 * t31;
-  const Scalar t59 = t3 - t14;
-  const Scalar t60 = t23 - (s4 * t19 + c4 * t59);
-  const Scalar t61 = qd[5] * t57 + (qd[3] * t58 - qd[4] * t60);
-  const Scalar t62 = c4 * t26 - s4 * t24;
-  const Scalar t63 = k[12] * t62;
-  const Scalar t64 = qd[2] * (t29 + t40) - qd[3] * (t58 - s3 * t63);
-  const Scalar t65 = k[12] * (s3 * c4 * t13 - c3 * t23);
-  const Scalar t66 = k[12] * (c3 * t56 - s3 * t54) - t57;
-  const Scalar t67 = (t64 + qd[4] * (t60 - t65)) + qd[5] * t66;
-  const Scalar t68 = s4 * t53 + c4 * t11;
-  const Scalar t69 = k[12] * s2;
-  const Scalar t70 = k[0] * c5 + s5 * t5;
-  const Scalar t71 = c3 * s2 + c2 * s3;
-  const Scalar t72 = s2 * s3 - c2 * c3;
-  const Scalar t73 = (c4 * t52 + s4 * t17) - k[16] * t68;
-  const Scalar t74 = t69 * t68 + ((t68 + t70) * t71 + t72 * t73);
-  const Scalar t75 = ((t10 - t27) * t71 - t33 * t72) - t69 * t27;
-  const Scalar t76 = k[31] - ((t20 - c4 * t21) + t62);
-  const Scalar t77 = k[32] - t58;
-  const Scalar t78 = k[34] - ((c3 * t76 - s3 * t77) - t63);
-  const Scalar t79 = s2 * (k[33] + (c3 * t77 + s3 * t76));
-  const Scalar t80 = qd[2] * (t72 * t76 + t77 * t71) + qd[1] * (c2 * t78 + t79);
-  const Scalar t81 = s4 * t13;
-  const Scalar t82 = (t81 - t30) * t71 - t72 * (c4 * t19 - s4 * t59);
-  const Scalar t83 = qd[4] * (k[30] * t81 + (t69 * t81 + t82));
-  const Scalar t84 = (qd[3] * (k[30] * t27 - t75) + t80) - t83;
-  const Scalar t85 = qd[0] * (qd[5] * (k[30] * t68 + t74) + t84);
-  const Scalar t86 = (qd[2] * t61 - (qd[1] * t67 - t85)) - qd[3] * (qd[4] * t30 + qd[5] * t70);
-  const Scalar t87 = Scalar(0.5) * t51 + (t86 - qd[4] * qd[5] * t17);
+  const Scalar t0 = k[10] * c6 - k[9] * s6;
+  const Scalar t1 = k[11] - c6 * t0;
+  const Scalar t2 = k[12] + (k[5] - t1);
+  const Scalar t3 = k[13] - t2;
+  const Scalar t4 = k[0] * c6 + k[1] * s6;
+  const Scalar t5 = k[20] + t4;
+  const Scalar t6 = s5 * (k[13] + t2) - Scalar(2) * c5 * t5;
+  const Scalar t7 = t2 - s5 * t6;
+  const Scalar t8 = k[2] * c6 + k[3] * s6;
+  const Scalar t9 = k[6] + t8;
+  const Scalar t10 = k[7] * c5 + s5 * t9;
+  const Scalar t11 = k[8] * t10;
+  const Scalar t12 = k[25] - ((t3 + t7) - t11);
+  const Scalar t13 = k[26] - t7;
+  const Scalar t14 = k[27] - t1;
+  const Scalar t15 = k[15] + (k[14] + s6 * t0);
+  const Scalar t16 = k[0] * s6 - k[1] * c6;
+  const Scalar t17 = k[16] - t16;
+  const Scalar t18 = c5 * t15 - s5 * t17;
+  const Scalar t19 = k[28] + t18;
+  const Scalar t20 = s4 * (t13 - t14) - Scalar(2) * c4 * t19;
+  const Scalar t21 = s4 * t20;
+  const Scalar t22 = k[2] * s6 - k[3] * c6;
+  const Scalar t23 = k[18] - t22;
+  const Scalar t24 = k[7] * s5 - c5 * t9;
+  const Scalar t25 = k[19] - t24;
+  const Scalar t26 = s4 * t23 + c4 * t25;
+  const Scalar t27 = k[29] + ((t13 - t21) - Scalar(2) * t26);
+  const Scalar t28 = s5 * t15 + c5 * t17;
+  const Scalar t29 = k[4] * t23 - (k[17] + t28);
+  const Scalar t30 = (k[21] - (t5 + c5 * t6)) - k[4] * t25;
+  const Scalar t31 = s4 * t29 - c4 * t30;
+  const Scalar t32 = k[35] - (t31 + t10);
+  const Scalar t33 = c3 * t32;
+  const Scalar t34 = s3 * (t12 + t27) + (t33 + t33);
+  const Scalar t35 = s3 * t34 - t12;
+  const Scalar t36 = k[36] - t35;
+  const Scalar t37 = t12 - t27;
+  const Scalar t38 = k[23] - t10;
+  const Scalar t39 = k[24] + t26;
+  const Scalar t40 = s3 * t38 + c3 * t39;
+  const Scalar t41 = k[38] + ((t37 + t35) + k[37] * t40);
+  const Scalar t42 = c3 * t38 - s3 * t39;
+  const Scalar t43 = k[42] - ((t32 - c3 * t34) - k[22] * t42);
+  const Scalar t44 = s2 * t43;
+  const Scalar t45 = c2 * (c2 * (t36 - t41) - (t44 + t44));
+  const Scalar t46 = s2 * (k[39] + t40) + c2 * (k[40] - t42);
+  const Scalar t47 = (k[43] + ((t45 + t41) + k[41] * t46)) - (k[44] + (t21 + t14));
+  const Scalar t48 = qd[0] * qd[0] * t47 + qd[1] * qd[1] * (t36 + t41);
+  const Scalar t49 = t13 + t14;
+  const Scalar t50 = (t48 + qd[2] * qd[2] * t37) - qd[3] * qd[3] * t49;
+  const Scalar t51 = (qd[4] * qd[4] * t3 - t50) - qd[5] * k[5] * qd[5];
+  const Scalar t52 = t3 - Scalar(0.5) * t11;
+  const Scalar t53 = (s4 * t18 + c4 * t52) + t24;
+  const Scalar t54 = k[22] * (c3 * t24 + s3 * c4 * t10);
+  const Scalar t55 = s4 * t25 - c4 * t23;
+  const Scalar t56 = k[22] * t55;
+  const Scalar t57 = s4 * t30 + c4 * t29;
+  const Scalar t58 = qd[3] * (s3 * t56 + t57) - qd[2] * (k[22] * t40 + t37);
+  const Scalar t59 = c5 * t22;
+  const Scalar t60 = s5 * t22;
+  const Scalar t61 = s3 * (s4 * t8 + c4 * t59) + c3 * t60;
+  const Scalar t62 = k[4] * t8 + (k[5] * s5 - c5 * t4);
+  const Scalar t63 = k[4] * t59 - t16;
+  const Scalar t64 = t60 - (s4 * t62 + c4 * t63);
+  const Scalar t65 = (qd[4] * (t53 + t54) + t58) + qd[5] * (k[22] * t61 + t64);
+  const Scalar t66 = s4 * t10;
+  const Scalar t67 = c3 * s2 + c2 * s3;
+  const Scalar t68 = s2 * s3 - c2 * c3;
+  const Scalar t69 = (t66 - t28) * t67 + t68 * (s4 * t52 - c4 * t18);
+  const Scalar t70 = k[22] * s2;
+  const Scalar t71 = qd[4] * ((t69 + t70 * t66) + k[30] * t66);
+  const Scalar t72 = ((t49 - t26) * t67 + t31 * t68) - t70 * t26;
+  const Scalar t73 = k[31] + (t55 - (t19 + c4 * t20));
+  const Scalar t74 = k[32] - t57;
+  const Scalar t75 = s2 * (k[33] + (s3 * t73 + c3 * t74));
+  const Scalar t76 = k[34] - ((c3 * t73 - s3 * t74) + t56);
+  const Scalar t77 = qd[1] * (t75 + c2 * t76) + qd[2] * (t67 * t74 + t68 * t73);
+  const Scalar t78 = t71 + (qd[3] * (t72 - k[30] * t26) - t77);
+  const Scalar t79 = c4 * t8 - s4 * t59;
+  const Scalar t80 = k[5] * c5 + s5 * t4;
+  const Scalar t81 = (t79 + t80) * t67 + t68 * (s4 * t63 - c4 * t62);
+  const Scalar t82 = qd[5] * (k[30] * t79 + (t70 * t79 + t81));
+  const Scalar t83 = qd[5] * t64 + (qd[3] * t57 + qd[4] * t53);
+  const Scalar t84 = (qd[1] * t65 - qd[0] * (t78 - t82)) + qd[2] * t83;
+  const Scalar t85 = t84 - qd[3] * (qd[5] * t80 + qd[4] * t28);
+  const Scalar t86 = Scalar(0.5) * t51 + (t85 + qd[4] * qd[5] * t16);
   Scalar result;
-  result = -t87;
+  result = -t86;
   return result;
 }
 
@@ -1921,25 +1962,26 @@ PotentialEnergyConstants<Scalar> potential_energy_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = inertia.m3 + t0;
+  const Scalar t0 = g.d2 * inertia.m4;
+  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t2 = inertia.m3 + t1;
   return { inertia.c6x * inertia.m6 + inertia.c5x * inertia.m5,
            inertia.c6z * inertia.m6,
            inertia.c6y * inertia.m6,
            inertia.c5z * inertia.m5,
-           inertia.c4x * inertia.m4,
-           g.d2 * t0,
+           t0 - (t0 + inertia.c4x * inertia.m4),
+           g.d2 * t1,
            inertia.c3x * inertia.m3,
+           inertia.c4z * inertia.m4,
            inertia.c5y * inertia.m5,
            inertia.c4y * inertia.m4,
-           inertia.c4z * inertia.m4,
-           g.a3 * t0,
+           g.a3 * t1,
            inertia.c3z * inertia.m3,
-           inertia.c2x * inertia.m2,
-           g.a2 * t1,
+           g.a2 * t2,
            inertia.c2z * inertia.m2,
+           inertia.c2x * inertia.m2,
            inertia.c1z * inertia.m1 - g.a1 * inertia.m1,
-           g.a1 * (inertia.m1 + (inertia.m2 + t1)),
+           g.a1 * (inertia.m1 + (inertia.m2 + t2)),
            gravity };
 }
 
@@ -1958,15 +2000,15 @@ inline Scalar potential_energy([[maybe_unused]] const JointVector<Scalar>& q, co
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[3] + (k[1] * c6 + k[2] * s6);
-  const Scalar t1 = k[5] + (k[4] + (s5 * t0 + k[0] * c5));
-  const Scalar t2 = k[6] + t1;
-  const Scalar t3 = k[8] + (k[7] + (k[2] * c6 - k[1] * s6));
-  const Scalar t4 = c4 * (k[9] - (k[0] * s5 - c5 * t0));
-  const Scalar t5 = k[11] + (k[10] + (s4 * t3 + t4));
-  const Scalar t6 = k[14] + (k[13] - (s3 * t2 - c3 * t5));
-  const Scalar t7 = s2 * (k[12] + (s3 * t5 + c3 * t2));
-  const Scalar t8 = k[17] * (k[16] + (k[15] + (c2 * t6 - t7)));
+  const Scalar t0 = k[9] + (k[8] + (k[2] * c6 - k[1] * s6));
+  const Scalar t1 = k[3] + (k[1] * c6 + k[2] * s6);
+  const Scalar t2 = c4 * (k[7] - (k[0] * s5 - c5 * t1));
+  const Scalar t3 = k[11] + (k[10] + (s4 * t0 + t2));
+  const Scalar t4 = k[5] - (k[4] - (s5 * t1 + k[0] * c5));
+  const Scalar t5 = k[6] + t4;
+  const Scalar t6 = s2 * (k[14] + (s3 * t3 + c3 * t5));
+  const Scalar t7 = k[13] + (k[12] + (c3 * t3 - s3 * t5));
+  const Scalar t8 = k[17] * (k[16] + (k[15] - (t6 - c2 * t7)));
   Scalar result;
   result = t8;
   return result;

@@ -17,15 +17,15 @@ struct InverseDynamicsDerivatives {
 
 /// Joint forces for a motion, and their derivatives by q and qd; the one by qdd is mass_matrix.
 ///
-/// 1232 multiplications, 1135 additions, 5 sine/cosine pairs. Set-up: 86 multiplications, 94 additions, 5 divisions.
+/// 1235 multiplications, 1126 additions, 5 sine/cosine pairs. Set-up: 93 multiplications, 104 additions, 5 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is -a2, which must not be zero.
+/// The unit of length is d1, which must not be zero.
 template <class Scalar>
 InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives(const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
-using InverseDynamicsDerivativesConstants = std::array<Scalar, 45>;
+using InverseDynamicsDerivativesConstants = std::array<Scalar, 47>;
 template <class Scalar>
 InverseDynamicsDerivativesConstants<Scalar> inverse_dynamics_derivatives_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));

@@ -26,9 +26,9 @@ LoadAngles<Scalar> load_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion, under gravity in any direction.
 ///
-/// 236 multiplications, 214 additions, 6 sine/cosine pairs. Set-up: 87 multiplications, 98 additions, 7 divisions.
+/// 240 multiplications, 212 additions, 6 sine/cosine pairs. Set-up: 92 multiplications, 108 additions, 7 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is -a2, which must not be zero.
+/// The unit of length is d1, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g,
@@ -46,9 +46,9 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces for a motion while a wrench acts on the tool from outside: those without it minus jacobian(q)^T wrench.
 ///
-/// 274 multiplications, 237 additions, 6 sine/cosine pairs. Set-up: 88 multiplications, 98 additions, 8 divisions.
+/// 275 multiplications, 238 additions, 6 sine/cosine pairs. Set-up: 93 multiplications, 108 additions, 8 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is -a2, which must not be zero.
+/// The unit of length is d1, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g,
@@ -66,7 +66,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces that hold the robot at rest, under gravity in any direction.
 ///
-/// 59 multiplications, 37 additions, 6 sine/cosine pairs. Set-up: 21 multiplications, 13 additions.
+/// 59 multiplications, 37 additions, 6 sine/cosine pairs. Set-up: 22 multiplications, 15 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g,
@@ -83,16 +83,16 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const LoadAngle
 
 /// Joint accelerations for given joint forces, under gravity in any direction.
 ///
-/// 403 multiplications, 374 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 89 multiplications, 90 additions, 7
+/// 402 multiplications, 374 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 89 multiplications, 100 additions, 7
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is -a3, which must not be zero.
+/// The unit of length is a3, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
-using ForwardDynamicsWithGravityVectorConstants = std::array<Scalar, 62>;
+using ForwardDynamicsWithGravityVectorConstants = std::array<Scalar, 57>;
 template <class Scalar>
 ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_vector_constants(
     const BasicGeometry<Scalar>& g,
@@ -104,17 +104,17 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint accelerations for given joint forces while a wrench acts on the tool from outside.
 ///
-/// 444 multiplications, 394 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 83 multiplications, 90 additions, 8
+/// 440 multiplications, 397 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 91 multiplications, 100 additions, 8
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is -a3, which must not be zero.
+/// The unit of length is a3, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity,
         const NonDeduced<Wrench<Scalar>>& wrench);
 template <class Scalar>
-using ForwardDynamicsWithWrenchConstants = std::array<Scalar, 58>;
+using ForwardDynamicsWithWrenchConstants = std::array<Scalar, 61>;
 template <class Scalar>
 ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constants(const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
@@ -125,7 +125,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Minus the sum of m gravity . r over the links, r the centre of mass in the world, J.
 ///
-/// 27 multiplications, 33 additions, 6 sine/cosine pairs. Set-up: 24 multiplications, 7 additions.
+/// 27 multiplications, 33 additions, 6 sine/cosine pairs. Set-up: 25 multiplications, 9 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Scalar potential_energy(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g,

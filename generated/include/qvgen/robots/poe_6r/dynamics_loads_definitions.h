@@ -29,105 +29,110 @@ InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = inertia.m3 + t0;
-  const Scalar t2 = g.d1 * (inertia.m2 + t1);
-  const Scalar t3 = inertia.c1x * inertia.m1;
-  const Scalar t4 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t5 = g.d1 * t2 + (inertia.c1x * t3 - (inertia.I1xx - t4));
-  const Scalar t6 = inertia.c4x * inertia.m4;
-  const Scalar t7 = t6 + g.d2 * t0;
-  const Scalar t8 = inertia.c3x * inertia.m3;
-  const Scalar t9 = (t7 + t8) / g.d2;
-  const Scalar t10 = g.d1 * t9;
+  const Scalar t0 = inertia.c3z * inertia.m3;
+  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t2 = g.a3 * t1;
+  const Scalar t3 = (t0 + t2) / g.a3;
+  const Scalar t4 = g.d1 * t3;
+  const Scalar t5 = g.d1 * t4;
+  const Scalar t6 = inertia.m3 + t1;
+  const Scalar t7 = g.d1 * (inertia.m2 + t6);
+  const Scalar t8 = inertia.c1x * inertia.m1;
+  const Scalar t9 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t10 = g.d1 * t7 + (inertia.c1x * t8 - (inertia.I1xx - t9));
   const Scalar t11 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
   const Scalar t12 = inertia.c3y * inertia.m3;
   const Scalar t13 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
   const Scalar t14 = inertia.c2y * inertia.m2;
   const Scalar t15 = ((inertia.I3yy - t11) - inertia.c3y * t12) + ((inertia.I2yy - t13) - inertia.c2y * t14);
   const Scalar t16 = inertia.c1y * inertia.m1;
-  const Scalar t17 = (t5 - g.d1 * t10) - (t15 - (inertia.c1y * t16 - (inertia.I1yy - t4)));
-  const Scalar t18 = inertia.c3z * inertia.m3;
-  const Scalar t19 = g.a3 * t0;
-  const Scalar t20 = g.a3 * t9;
-  const Scalar t21 = inertia.c4y * inertia.m4;
-  const Scalar t22 = inertia.c5y * inertia.m5;
-  const Scalar t23 = inertia.c4z * inertia.m4;
-  const Scalar t24 = g.a2 * t9;
-  const Scalar t25 = g.a2 * t24;
-  const Scalar t26 = inertia.c6y * inertia.m6;
-  const Scalar t27 = inertia.c6z * inertia.m6;
-  const Scalar t28 = inertia.c6x * inertia.m6;
-  const Scalar t29 = inertia.c5x * inertia.m5;
-  const Scalar t30 = inertia.c5z * inertia.m5;
-  const Scalar t31 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t32 = inertia.c6z * t27 - (inertia.I6zz - t31);
-  const Scalar t33 = (inertia.I6yy - t31) - inertia.c6y * t26;
-  const Scalar t34 = inertia.I6yz - inertia.c6z * t26;
+  const Scalar t17 = (t5 - t10) + (t15 - (inertia.c1y * t16 - (inertia.I1yy - t9)));
+  const Scalar t18 = inertia.c2x * inertia.m2;
+  const Scalar t19 = inertia.I2xz - inertia.c2z * t18;
+  const Scalar t20 = g.a2 * t6;
+  const Scalar t21 = inertia.c2z * inertia.m2;
+  const Scalar t22 = g.a2 * t20 - ((inertia.I2zz - t13) - inertia.c2z * t21);
+  const Scalar t23 = g.a2 * t3;
+  const Scalar t24 = t22 - g.a2 * t23;
+  const Scalar t25 = inertia.c2x * t18 - (inertia.I2xx - t13);
+  const Scalar t26 = inertia.c4z * inertia.m4;
+  const Scalar t27 = g.d2 * t26;
+  const Scalar t28 = inertia.c4x * inertia.m4;
+  const Scalar t29 = inertia.c4y * inertia.m4;
+  const Scalar t30 = g.d2 * t29;
+  const Scalar t31 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t32 = inertia.c5x * inertia.m5;
+  const Scalar t33 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t34 = inertia.c6x * inertia.m6;
   const Scalar t35 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t36 = ((inertia.I6xx - t31) - inertia.c6x * t28) - (inertia.c5x * t29 - (inertia.I5xx - t35));
-  const Scalar t37 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t38 = ((inertia.I4yy - t37) - inertia.c4y * t21) - (inertia.c5y * t22 - (inertia.I5yy - t35));
-  const Scalar t39 = ((inertia.I3zz - t11) - inertia.c3z * t18) - g.a3 * t19;
-  const Scalar t40 = g.d2 * t9;
-  const Scalar t41 = (g.a3 * t7 - (inertia.I3xz - inertia.c3z * t8)) - g.a3 * t40;
-  const Scalar t42 = g.d2 * (t7 + t6) - ((inertia.I4xx - t37) - inertia.c4x * t6);
-  const Scalar t43 = ((inertia.c3x * t8 - (inertia.I3xx - t11)) + t42) - g.d2 * t40;
-  const Scalar t44 = g.a2 * t1;
-  const Scalar t45 = inertia.c2z * inertia.m2;
-  const Scalar t46 = g.a2 * t44 - ((inertia.I2zz - t13) - inertia.c2z * t45);
-  const Scalar t47 = t25 - t46;
-  const Scalar t48 = inertia.c2x * inertia.m2;
-  const Scalar t49 = inertia.c2x * t48 - (inertia.I2xx - t13);
-  const Scalar t50 = inertia.I2xz - inertia.c2z * t48;
+  const Scalar t36 = ((inertia.I6xx - t33) - inertia.c6x * t34) - (inertia.c5x * t32 - (inertia.I5xx - t35));
+  const Scalar t37 = inertia.c5z * inertia.m5;
+  const Scalar t38 = inertia.c5y * inertia.m5;
+  const Scalar t39 = inertia.c6z * inertia.m6;
+  const Scalar t40 = inertia.c6z * t39 - (inertia.I6zz - t33);
+  const Scalar t41 = inertia.c6y * inertia.m6;
+  const Scalar t42 = (inertia.I6yy - t33) - inertia.c6y * t41;
+  const Scalar t43 = inertia.I6yz - inertia.c6z * t41;
+  const Scalar t44 = ((inertia.I4yy - t31) - inertia.c4y * t29) - (inertia.c5y * t38 - (inertia.I5yy - t35));
+  const Scalar t45 = inertia.c3x * inertia.m3;
+  const Scalar t46 = g.d2 * t3;
+  const Scalar t47 = g.d2 * inertia.m4;
+  const Scalar t48 = t47 + t28;
+  const Scalar t49 = t47 - t48;
+  const Scalar t50 = t49 - g.d2 * t1;
+  const Scalar t51 = g.d2 * (t28 + t48) - ((inertia.I4xx - t31) - inertia.c4x * t28);
+  const Scalar t52 = g.d2 * (t50 + t49) + (g.d2 * (t48 - t49) - t51);
+  const Scalar t53 = g.d2 * t46 - ((inertia.c3x * t45 - (inertia.I3xx - t11)) - t52);
+  const Scalar t54 = g.a3 * t46 + (g.a3 * t50 + (inertia.I3xz - inertia.c3z * t45));
+  const Scalar t55 = ((inertia.I3zz - t11) - inertia.c3z * t0) - g.a3 * t2;
   return { t17,
-           gravity[1] / g.a2,
-           gravity[0] / g.a2,
-           g.a2 * ((t12 + t14) + t16),
-           g.a2 * (t10 - (t3 + t2)),
-           g.a2 * ((t18 + t19) - t20),
-           g.a2 * (t21 + t22),
-           g.a2 * t23,
-           g.d2 / g.a2,
-           g.a3 / g.a2,
-           g.d1 / g.a2,
-           gravity[2] / g.a2,
-           t25,
-           g.a2 * t26,
-           g.a2 * t27,
-           g.a2 * (t28 + t29),
-           g.a2 * t30,
-           inertia.I6xz - inertia.c6z * t28,
-           inertia.I6xy - inertia.c6y * t28,
-           t32 + t33,
-           Scalar(2) * t34,
-           t34,
-           t32,
-           t33,
-           inertia.I5yz - inertia.c5z * t22,
-           inertia.I5xy - inertia.c5y * t29,
-           inertia.c5z * t30 - (inertia.I5zz - t35),
-           inertia.I5xz - inertia.c5z * t29,
-           t36,
-           inertia.I4yz - inertia.c4z * t21,
-           t38,
-           (inertia.I4zz - t37) - inertia.c4z * t23,
-           inertia.I4xz - inertia.c4z * t6,
-           inertia.I4xy - inertia.c4y * t6,
-           inertia.I3xy - inertia.c3y * t8,
-           inertia.I3yz - inertia.c3z * t12,
-           g.a3 * t20 + t39,
-           t41,
-           t43,
-           t47 + t49,
-           Scalar(2) * t50,
-           t50,
-           t47,
+           gravity[1] / g.d1,
+           gravity[0] / g.d1,
+           g.d1 * ((t12 + t14) + t16),
+           g.d1 * ((t8 + t7) - t4),
            g.a2 * t12 - (inertia.I2yz - inertia.c2z * t14),
-           inertia.I2xy - inertia.c2y * t48,
-           g.a2 * t48,
-           g.a2 * (t24 - (t44 + t45)),
-           t47 - t49 };
+           inertia.I2xy - inertia.c2y * t18,
+           Scalar(2) * t19,
+           t24 - t25,
+           t19,
+           t24,
+           g.d1 * t18,
+           g.d1 * ((t20 + t21) - t23),
+           t27 + ((inertia.I4xz - inertia.c4z * t28) - t27),
+           t30 - (t30 - (inertia.I4xy - inertia.c4y * t28)),
+           inertia.I4yz - inertia.c4z * t29,
+           (inertia.I4zz - t31) - inertia.c4z * t26,
+           g.d2 / g.d1,
+           g.a3 / g.d1,
+           gravity[2] / g.d1,
+           g.a2 / g.d1,
+           g.d1 * t26,
+           inertia.I5xz - inertia.c5z * t32,
+           t36,
+           inertia.c5z * t37 - (inertia.I5zz - t35),
+           inertia.I5yz - inertia.c5z * t38,
+           inertia.I5xy - inertia.c5y * t32,
+           g.d1 * (t34 + t32),
+           g.d1 * t37,
+           inertia.I6xz - inertia.c6z * t34,
+           inertia.I6xy - inertia.c6y * t34,
+           t40 + t42,
+           Scalar(2) * t43,
+           t43,
+           t42,
+           g.d1 * t41,
+           g.d1 * t39,
+           t44,
+           g.d1 * (t29 + t38),
+           t40,
+           t5,
+           inertia.I3xy - inertia.c3y * t45,
+           t53,
+           t54,
+           inertia.I3yz - inertia.c3z * t12,
+           g.d1 * ((t50 - t45) + t46),
+           g.a3 * g.a3 * t3 + t55,
+           t24 + t25 };
 }
 
 namespace detail {
@@ -149,168 +154,160 @@ inline JointVector<Scalar> inverse_dynamics_with_gravity_vector([[maybe_unused]]
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
   const Scalar t0 = c3 * s2 + c2 * s3;
-  const Scalar t1 = qdd[0] * t0;
-  const Scalar t2 = qd[1] + qd[2];
-  const Scalar t3 = s2 * s3 - c2 * c3;
-  const Scalar t4 = qd[0] * t3;
-  const Scalar t5 = t2 * t4;
-  const Scalar t6 = t1 - t5;
-  const Scalar t7 = qdd[3] - t6;
-  const Scalar t8 = s4 * t2 + c4 * t4;
-  const Scalar t9 = s4 * t4 - c4 * t2;
-  const Scalar t10 = t8 * t9;
-  const Scalar t11 = t7 + t10;
-  const Scalar t12 = qd[0] * t0;
-  const Scalar t13 = qd[3] - t12;
-  const Scalar t14 = t13 * t9;
-  const Scalar t15 = qdd[0] * t3;
-  const Scalar t16 = t15 + Scalar(2) * t12 * t2;
-  const Scalar t17 = t12 * t4;
-  const Scalar t18 = qdd[1] + qdd[2];
-  const Scalar t19 = t17 - t18;
-  const Scalar t20 = c4 * t16 - s4 * t19;
-  const Scalar t21 = t14 - (t20 - t14);
-  const Scalar t22 = s5 * t11 + c5 * t21;
-  const Scalar t23 = qd[4] - t9;
-  const Scalar t24 = s5 * t8 + c5 * t13;
-  const Scalar t25 = t23 * t24;
-  const Scalar t26 = t22 + (t25 + t25);
-  const Scalar t27 = c5 * t11 - s5 * t21;
-  const Scalar t28 = c5 * t8 - s5 * t13;
-  const Scalar t29 = t23 * t28;
-  const Scalar t30 = t29 + t29;
-  const Scalar t31 = t27 + t30;
-  const Scalar t32 = k[14] * c6 + k[13] * s6;
-  const Scalar t33 = qdd[5] + t31;
-  const Scalar t34 = k[14] * s6 - k[13] * c6;
-  const Scalar t35 = t23 * t23;
-  const Scalar t36 = t28 * t28;
-  const Scalar t37 = t35 + t36;
-  const Scalar t38 = qd[5] + t24;
-  const Scalar t39 = t38 * t38;
-  const Scalar t40 = t35 - t39;
-  const Scalar t41 = t37 - t40;
-  const Scalar t42 = (k[15] * t26 - k[16] * t31) - (t32 * t33 - t34 * t41);
-  const Scalar t43 = t7 - t10;
-  const Scalar t44 = t8 * t8;
-  const Scalar t45 = t13 * t13;
-  const Scalar t46 = t44 + t45;
-  const Scalar t47 = t2 * t2;
-  const Scalar t48 = t4 * t4;
-  const Scalar t49 = t47 + t48;
-  const Scalar t50 = t47 - t48;
-  const Scalar t51 = qd[0] * qd[0];
-  const Scalar t52 = t51 - t49;
-  const Scalar t53 = t50 + t52;
-  const Scalar t54 = t49 + t53;
-  const Scalar t55 = qd[0] * s2;
-  const Scalar t56 = k[1] * s1 + k[2] * c1;
-  const Scalar t57 = k[10] * t51 + t56;
-  const Scalar t58 = k[11] * s2 - c2 * t57;
-  const Scalar t59 = (qdd[1] - t55 * qd[0] * c2) + t58;
-  const Scalar t60 = s2 * t57 + k[11] * c2;
-  const Scalar t61 = qd[1] * qd[1];
-  const Scalar t62 = t60 + (t61 + t55 * t55);
-  const Scalar t63 = k[9] * t54 - (s3 * t59 - c3 * t62);
-  const Scalar t64 = t63 - k[8] * t19;
-  const Scalar t65 = k[2] * s1 - k[1] * c1;
-  const Scalar t66 = t65 + k[10] * qdd[0];
-  const Scalar t67 = qd[0] * qd[1];
-  const Scalar t68 = t67 + t67;
-  const Scalar t69 = qdd[0] * s2 + c2 * t68;
-  const Scalar t70 = t66 + t69;
-  const Scalar t71 = t6 - t5;
-  const Scalar t72 = k[8] * t16 - (t70 + k[9] * t71);
-  const Scalar t73 = s4 * t64 + c4 * t72;
-  const Scalar t74 = (k[7] * t43 + k[6] * t46) + k[12] * t73;
-  const Scalar t75 = t42 - t74;
-  const Scalar t76 = t44 - t45;
-  const Scalar t77 = t76 - t49;
-  const Scalar t78 = c4 * t64 - s4 * t72;
-  const Scalar t79 = (k[7] * t77 + k[6] * t11) - k[12] * t78;
-  const Scalar t80 = s4 * t16 + c4 * t19;
-  const Scalar t81 = t13 * t8;
-  const Scalar t82 = t80 + t81;
-  const Scalar t83 = qdd[4] - t82;
-  const Scalar t84 = t24 * t28;
-  const Scalar t85 = t83 + t84;
-  const Scalar t86 = t85 - Scalar(2) * t38 * t28;
-  const Scalar t87 = t38 * t23;
-  const Scalar t88 = t26 - (t87 + t87);
-  const Scalar t89 = t83 - t84;
-  const Scalar t90 = (t86 * t32 + t34 * t88) + (k[16] * t89 - k[15] * t37);
-  const Scalar t91 = t30 - t33;
-  const Scalar t92 = t35 + t39;
-  const Scalar t93 = t92 - t41;
-  const Scalar t94 = t93 + t46;
-  const Scalar t95 = (t34 * t91 - t92 * t32) - (k[16] * t94 + k[15] * t85);
-  const Scalar t96 = t79 - (s5 * t90 - c5 * t95);
-  const Scalar t97 = c4 * t75 - s4 * t96;
-  const Scalar t98 = t97 + k[5] * t71;
-  const Scalar t99 = k[45] * (s2 * t68 - qdd[0] * c2) + k[46] * t69;
-  const Scalar t100 = k[43] * c2 + k[44] * s2;
-  const Scalar t101 = (k[44] * c2 - k[43] * s2) * t61 + qdd[1] * t100;
-  const Scalar t102 = k[39] * c2 - k[40] * s2;
-  const Scalar t103 = k[41] + s2 * t102;
-  const Scalar t104 = t103 * t68 + qdd[0] * (k[42] - c2 * t102);
-  const Scalar t105 = (t101 + t104) + t66 * (k[46] * s2 - k[45] * c2);
-  const Scalar t106 = t17 + t18;
-  const Scalar t107 = k[34] * t52 + (k[37] * t71 - k[38] * t16);
-  const Scalar t108 = t37 - t94;
-  const Scalar t109 = (k[28] * t26 - k[27] * t31) + k[25] * (t93 + t108);
-  const Scalar t110 = k[17] * s6 - k[18] * c6;
-  const Scalar t111 = k[19] * c6 - k[20] * s6;
-  const Scalar t112 = c6 * t111;
-  const Scalar t113 = k[22] - t112;
-  const Scalar t114 = k[21] + s6 * t111;
-  const Scalar t115 = t110 * t40 + (t113 * t88 + t86 * t114);
-  const Scalar t116 = k[17] * c6 + k[18] * s6;
-  const Scalar t117 = c3 * t59 + s3 * t62;
-  const Scalar t118 = (k[9] * t106 + t117) - k[8] * t49;
-  const Scalar t119 = c5 * t118 + s5 * t78;
-  const Scalar t120 = ((t109 - k[24] * t89) + k[15] * t73) - ((t115 + t116 * t33) + t34 * t119);
-  const Scalar t121 = (k[24] * t93 + k[25] * t85) + (k[27] * t26 + k[26] * t31);
-  const Scalar t122 = k[23] - t112;
-  const Scalar t123 = t93 * t114 - (t122 * t33 + t113 * t91);
-  const Scalar t124 = s5 * t118 - c5 * t78;
-  const Scalar t125 = (t123 - (t85 * t110 - t26 * t116)) - (t34 * t124 - t32 * t73);
-  const Scalar t126 = (t121 + k[16] * t73) + t125;
-  const Scalar t127 = t82 + t81;
-  const Scalar t128 = (k[29] * t127 + k[30] * t21) + k[33] * (t49 - t46);
-  const Scalar t129 = (c5 * t120 + s5 * t126) - ((k[32] * t43 - t128) - k[6] * t118);
-  const Scalar t130 = t129 - k[8] * t75;
-  const Scalar t131 = k[27] * t108 - (k[28] * t85 - k[26] * t89);
-  const Scalar t132 = ((k[24] * t22 + k[25] * t27) + t131) + (k[16] * t119 - k[15] * t124);
-  const Scalar t133 = (t86 * t122 - t88 * t114) - (t110 * t91 - (t39 - t36) * t116);
-  const Scalar t134 = t132 - (t133 - t32 * t119);
-  const Scalar t135 = (k[31] * t127 + k[29] * t21) + (k[33] * t11 + k[32] * t76);
-  const Scalar t136 = k[8] * t96 - (t134 + (k[7] * t118 + t135));
-  const Scalar t137 = (k[35] * t106 + t107) - (c4 * t130 + s4 * t136);
-  const Scalar t138 = (k[35] * t50 - k[34] * t19) + (k[37] * t16 + k[36] * t71);
-  const Scalar t139 = (k[30] * t11 + k[31] * t43) + k[29] * (t77 + t46);
-  const Scalar t140 = (k[6] * t78 - k[7] * t73) + (t139 + (k[32] * t20 + k[33] * t80));
-  const Scalar t141 = t140 - (c5 * t126 - s5 * t120);
-  const Scalar t142 = (t138 - k[5] * t70) - (t141 + k[9] * t97);
-  const Scalar t143 = s2 * t98 - (t137 * t3 + t142 * t0);
-  const Scalar t144 = (k[4] * t65 - k[3] * t56) - k[0] * qdd[0];
-  const Scalar t145 = (k[10] * (t98 - t99) - (t105 - t143)) - t144;
-  const Scalar t146 = (c4 * t96 + s4 * t75) - k[5] * t54;
-  const Scalar t147 = k[12] * t118 - (k[7] * t127 + k[6] * t21);
-  const Scalar t148 = (c5 * t90 + s5 * t95) + t147;
-  const Scalar t149 = s3 * t146 + c3 * (t148 + k[5] * t106);
-  const Scalar t150 = (c4 * t136 - s4 * t130) - k[9] * t148;
-  const Scalar t151 = (k[36] * t106 + k[38] * t19) - k[37] * t53;
-  const Scalar t152 = k[5] * t117 - ((k[34] * t1 + k[35] * t15) + t151);
-  const Scalar t153 = t150 - t152;
-  const Scalar t154 = qdd[0] * t100 - (t103 * t51 - k[47] * qdd[1]);
-  const Scalar t155 = (t149 - t153) - (t154 + (k[46] * t58 - k[45] * t60));
+  const Scalar t1 = qd[0] * t0;
+  const Scalar t2 = s2 * s3 - c2 * c3;
+  const Scalar t3 = qd[0] * t2;
+  const Scalar t4 = t1 * t3;
+  const Scalar t5 = qdd[1] + qdd[2];
+  const Scalar t6 = t4 - t5;
+  const Scalar t7 = qd[0] * qd[0];
+  const Scalar t8 = t1 * t1;
+  const Scalar t9 = qd[1] + qd[2];
+  const Scalar t10 = t9 * t9;
+  const Scalar t11 = t8 + t10;
+  const Scalar t12 = qdd[0] * t0;
+  const Scalar t13 = t9 * t3;
+  const Scalar t14 = t12 - t13;
+  const Scalar t15 = t14 - t13;
+  const Scalar t16 = t1 * t9;
+  const Scalar t17 = qdd[0] * t2;
+  const Scalar t18 = t16 + (t16 + t17);
+  const Scalar t19 = (k[41] * t6 + k[44] * (t7 - t11)) - (k[46] * t15 - k[43] * t18);
+  const Scalar t20 = qd[1] * qd[1];
+  const Scalar t21 = qd[0] * s2;
+  const Scalar t22 = k[1] * s1 + k[2] * c1;
+  const Scalar t23 = t7 + t22;
+  const Scalar t24 = s2 * t23 + k[19] * c2;
+  const Scalar t25 = k[20] * (t20 + t21 * t21) + t24;
+  const Scalar t26 = c2 * t23 - k[19] * s2;
+  const Scalar t27 = t26 - k[20] * (qdd[1] - t21 * qd[0] * c2);
+  const Scalar t28 = c3 * t25 + s3 * t27;
+  const Scalar t29 = k[17] * t6 - (k[18] * t11 + t28);
+  const Scalar t30 = Scalar(2) * qd[0] * qd[1];
+  const Scalar t31 = qdd[0] * s2 + c2 * t30;
+  const Scalar t32 = k[2] * s1 - k[1] * c1;
+  const Scalar t33 = qdd[0] + t32;
+  const Scalar t34 = k[20] * t31 + t33;
+  const Scalar t35 = (k[18] * t15 + t34) - k[17] * t18;
+  const Scalar t36 = c4 * t29 - s4 * t35;
+  const Scalar t37 = c4 * t35 + s4 * t29;
+  const Scalar t38 = c4 * t6 + s4 * t18;
+  const Scalar t39 = c4 * t18 - s4 * t6;
+  const Scalar t40 = t8 - t10;
+  const Scalar t41 = t7 - t40;
+  const Scalar t42 = s4 * t9 + c4 * t3;
+  const Scalar t43 = t42 * t42;
+  const Scalar t44 = qd[3] - t1;
+  const Scalar t45 = t44 * t44;
+  const Scalar t46 = t43 + t45;
+  const Scalar t47 = t41 - t46;
+  const Scalar t48 = t43 - t45;
+  const Scalar t49 = qdd[3] - t14;
+  const Scalar t50 = s4 * t3 - c4 * t9;
+  const Scalar t51 = t42 * t50;
+  const Scalar t52 = t49 + t51;
+  const Scalar t53 = t49 - t51;
+  const Scalar t54 = k[15] * (t47 - t48) - (k[37] * t52 + k[16] * t53);
+  const Scalar t55 = (k[38] * t36 - k[21] * t37) - ((k[14] * t38 + k[13] * t39) - t54);
+  const Scalar t56 = k[29] * c6 + k[30] * s6;
+  const Scalar t57 = t44 * t50;
+  const Scalar t58 = (t39 - t57) - t57;
+  const Scalar t59 = s5 * t52 - c5 * t58;
+  const Scalar t60 = qd[4] - t50;
+  const Scalar t61 = s5 * t42 + c5 * t44;
+  const Scalar t62 = t60 * t61;
+  const Scalar t63 = (t59 + t62) + t62;
+  const Scalar t64 = c5 * t42 - s5 * t44;
+  const Scalar t65 = t61 * t64;
+  const Scalar t66 = t44 * t42;
+  const Scalar t67 = t38 + t66;
+  const Scalar t68 = qdd[4] - t67;
+  const Scalar t69 = t65 + t68;
+  const Scalar t70 = k[30] * c6 - k[29] * s6;
+  const Scalar t71 = t60 * t60;
+  const Scalar t72 = t64 * t64;
+  const Scalar t73 = t71 - t72;
+  const Scalar t74 = k[32] * s6 - k[31] * c6;
+  const Scalar t75 = k[33] - s6 * t74;
+  const Scalar t76 = c6 * t74;
+  const Scalar t77 = k[39] + t76;
+  const Scalar t78 = c5 * t52 + s5 * t58;
+  const Scalar t79 = qdd[5] + t78;
+  const Scalar t80 = t79 + Scalar(2) * t60 * t64;
+  const Scalar t81 = k[34] + t76;
+  const Scalar t82 = t73 * t75 + (t77 * t79 - t80 * t81);
+  const Scalar t83 = k[36] * c6 + k[35] * s6;
+  const Scalar t84 = t4 + t5;
+  const Scalar t85 = k[18] * t84 + (s3 * t25 - c3 * t27);
+  const Scalar t86 = t85 - k[17] * t41;
+  const Scalar t87 = s5 * t86 + c5 * t36;
+  const Scalar t88 = k[35] * c6 - k[36] * s6;
+  const Scalar t89 = ((t56 * t63 + t69 * t70) + t82) - (t83 * t37 - t87 * t88);
+  const Scalar t90 = qdd[5] - t80;
+  const Scalar t91 = (k[25] * t73 + k[26] * t69) - (k[24] * t90 - k[22] * t63);
+  const Scalar t92 = t89 + (t91 - k[28] * t37);
+  const Scalar t93 = t71 + t72;
+  const Scalar t94 = t46 - t93;
+  const Scalar t95 = k[26] * t94 - (k[22] * t90 + k[23] * t63);
+  const Scalar t96 = t65 - t68;
+  const Scalar t97 = qd[5] + t61;
+  const Scalar t98 = t69 - Scalar(2) * t97 * t64;
+  const Scalar t99 = t63 - Scalar(2) * t97 * t60;
+  const Scalar t100 = t71 + t97 * t97;
+  const Scalar t101 = t73 - t100;
+  const Scalar t102 = (t75 * t98 + t99 * t77) - (t101 + t93) * t70;
+  const Scalar t103 = s5 * t36 - c5 * t86;
+  const Scalar t104 = ((t95 - k[25] * t96) + k[27] * t37) + ((t102 + t56 * t80) + t103 * t88);
+  const Scalar t105 = t55 + (c5 * t92 + s5 * t104);
+  const Scalar t106 = k[40] * t36 + (k[21] * (t48 - t41) + k[38] * t52);
+  const Scalar t107 = (t99 * t88 - t83 * t98) + (k[27] * t93 + k[28] * t96);
+  const Scalar t108 = t73 + t94;
+  const Scalar t109 = (k[28] * (t93 + t108) + k[27] * t69) + (t100 * t83 - t79 * t88);
+  const Scalar t110 = t106 + (s5 * t107 - c5 * t109);
+  const Scalar t111 = k[40] * t37 - (k[38] * t46 + k[21] * t53);
+  const Scalar t112 = (t80 * t83 - t101 * t88) - (k[27] * t63 + k[28] * t90);
+  const Scalar t113 = t111 - t112;
+  const Scalar t114 = s4 * t110 - c4 * t113;
+  const Scalar t115 = t67 + t66;
+  const Scalar t116 = (k[15] * t115 - k[37] * t58) + k[14] * t47;
+  const Scalar t117 = (c5 * t104 - s5 * t92) - (k[38] * t86 - (k[13] * t53 - t116));
+  const Scalar t118 = (t98 * t81 - t75 * t99) + (t56 * (t100 - t93) - t70 * t79);
+  const Scalar t119 = k[22] * t108 + (k[23] * t69 + k[24] * t96);
+  const Scalar t120 = (t119 - (k[26] * t78 + k[25] * t59)) + (k[28] * t103 + k[27] * t87);
+  const Scalar t121 = (t118 + t103 * t83) + t120;
+  const Scalar t122 = (k[15] * t58 - k[16] * t115) - (k[14] * t52 + k[13] * t48);
+  const Scalar t123 = t121 - (k[21] * t86 - t122);
+  const Scalar t124 = k[17] * t114 - (c4 * t117 - s4 * t123);
+  const Scalar t125 = (k[43] * t15 - k[42] * t18) - k[41] * t40;
+  const Scalar t126 = t124 + (k[45] * t34 + (t125 - k[44] * t84));
+  const Scalar t127 = t0 * (t19 - (t105 + k[18] * t114)) + t126 * t2;
+  const Scalar t128 = t114 - k[45] * t18;
+  const Scalar t129 = k[8] * c2 + k[7] * s2;
+  const Scalar t130 = k[9] - s2 * t129;
+  const Scalar t131 = qdd[0] * (k[10] - c2 * t129) - t130 * t30;
+  const Scalar t132 = k[6] * s2 + k[5] * c2;
+  const Scalar t133 = qdd[1] * t132 - (k[5] * s2 - k[6] * c2) * t20;
+  const Scalar t134 = (k[12] * s2 + k[11] * c2) * t33 + (t131 - t133);
+  const Scalar t135 = k[11] * (s2 * t30 - qdd[0] * c2) - k[12] * t31;
+  const Scalar t136 = ((t127 - s2 * k[20] * t128) + t134) - (t135 + t128);
+  const Scalar t137 = k[0] * qdd[0] - (k[4] * t32 + k[3] * t22);
+  const Scalar t138 = qdd[0] * t132 - (k[47] * qdd[1] + t7 * t130);
+  const Scalar t139 = s4 * t113 + c4 * t110;
+  const Scalar t140 = (k[38] * t58 - k[21] * t115) + k[40] * t86;
+  const Scalar t141 = (s5 * t109 + c5 * t107) - t140;
+  const Scalar t142 = s3 * (t139 - k[45] * t6) + c3 * (k[45] * t41 - t141);
+  const Scalar t143 = k[43] * (t11 - t41) - (k[42] * t6 - k[46] * t84);
+  const Scalar t144 = (t143 + (k[41] * t12 + k[44] * t17)) + k[45] * t28;
+  const Scalar t145 = k[17] * t139 + (s4 * t117 + c4 * t123);
+  const Scalar t146 = t144 + (t145 + k[18] * t141);
+  const Scalar t147 = ((k[11] * t24 - k[12] * t26) - t138) + (k[20] * t142 - t146);
   JointVector<Scalar> result;
-  result[0] = t145;
-  result[1] = t155;
-  result[2] = -t153;
-  result[3] = -t141;
-  result[4] = t134;
-  result[5] = t125;
+  result[0] = t136 - t137;
+  result[1] = t147;
+  result[2] = -t146;
+  result[3] = t105;
+  result[4] = -t121;
+  result[5] = t89;
   return result;
 }
 
@@ -339,109 +336,114 @@ InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constant
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = inertia.m3 + t0;
-  const Scalar t2 = g.d1 * (inertia.m2 + t1);
-  const Scalar t3 = inertia.c1x * inertia.m1;
-  const Scalar t4 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t5 = g.d1 * t2 + (inertia.c1x * t3 - (inertia.I1xx - t4));
-  const Scalar t6 = inertia.c4x * inertia.m4;
-  const Scalar t7 = t6 + g.d2 * t0;
-  const Scalar t8 = inertia.c3x * inertia.m3;
-  const Scalar t9 = (t7 + t8) / g.d2;
-  const Scalar t10 = g.d1 * t9;
+  const Scalar t0 = inertia.c3z * inertia.m3;
+  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t2 = g.a3 * t1;
+  const Scalar t3 = (t0 + t2) / g.a3;
+  const Scalar t4 = g.d1 * t3;
+  const Scalar t5 = g.d1 * t4;
+  const Scalar t6 = inertia.m3 + t1;
+  const Scalar t7 = g.d1 * (inertia.m2 + t6);
+  const Scalar t8 = inertia.c1x * inertia.m1;
+  const Scalar t9 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t10 = g.d1 * t7 + (inertia.c1x * t8 - (inertia.I1xx - t9));
   const Scalar t11 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
   const Scalar t12 = inertia.c3y * inertia.m3;
   const Scalar t13 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
   const Scalar t14 = inertia.c2y * inertia.m2;
   const Scalar t15 = ((inertia.I3yy - t11) - inertia.c3y * t12) + ((inertia.I2yy - t13) - inertia.c2y * t14);
   const Scalar t16 = inertia.c1y * inertia.m1;
-  const Scalar t17 = (t5 - g.d1 * t10) - (t15 - (inertia.c1y * t16 - (inertia.I1yy - t4)));
+  const Scalar t17 = (t5 - t10) + (t15 - (inertia.c1y * t16 - (inertia.I1yy - t9)));
   const Scalar t18 = inertia.c2x * inertia.m2;
-  const Scalar t19 = g.a2 * t9;
-  const Scalar t20 = g.a2 * t19;
-  const Scalar t21 = g.a2 * t1;
-  const Scalar t22 = inertia.c2z * inertia.m2;
-  const Scalar t23 = g.a2 * t21 - ((inertia.I2zz - t13) - inertia.c2z * t22);
-  const Scalar t24 = t20 - t23;
+  const Scalar t19 = inertia.I2xz - inertia.c2z * t18;
+  const Scalar t20 = g.a2 * t6;
+  const Scalar t21 = inertia.c2z * inertia.m2;
+  const Scalar t22 = g.a2 * t20 - ((inertia.I2zz - t13) - inertia.c2z * t21);
+  const Scalar t23 = g.a2 * t3;
+  const Scalar t24 = t22 - g.a2 * t23;
   const Scalar t25 = inertia.c2x * t18 - (inertia.I2xx - t13);
-  const Scalar t26 = inertia.I2xz - inertia.c2z * t18;
-  const Scalar t27 = g.d2 * t9;
-  const Scalar t28 = (g.a3 * t7 - (inertia.I3xz - inertia.c3z * t8)) - g.a3 * t27;
-  const Scalar t29 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t30 = g.d2 * (t7 + t6) - ((inertia.I4xx - t29) - inertia.c4x * t6);
-  const Scalar t31 = ((inertia.c3x * t8 - (inertia.I3xx - t11)) + t30) - g.d2 * t27;
-  const Scalar t32 = inertia.c4z * inertia.m4;
-  const Scalar t33 = inertia.c4y * inertia.m4;
-  const Scalar t34 = g.d3 / g.a2;
-  const Scalar t35 = inertia.c6z * inertia.m6;
-  const Scalar t36 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t37 = inertia.c6z * t35 - (inertia.I6zz - t36);
-  const Scalar t38 = inertia.c6y * inertia.m6;
-  const Scalar t39 = (inertia.I6yy - t36) - inertia.c6y * t38;
-  const Scalar t40 = inertia.I6yz - inertia.c6z * t38;
-  const Scalar t41 = inertia.c6x * inertia.m6;
-  const Scalar t42 = inertia.c5z * inertia.m5;
-  const Scalar t43 = inertia.c5x * inertia.m5;
-  const Scalar t44 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t45 = ((inertia.I6xx - t36) - inertia.c6x * t41) - (inertia.c5x * t43 - (inertia.I5xx - t44));
-  const Scalar t46 = inertia.c5y * inertia.m5;
-  const Scalar t47 = ((inertia.I4yy - t29) - inertia.c4y * t33) - (inertia.c5y * t46 - (inertia.I5yy - t44));
-  const Scalar t48 = g.a3 * t9;
-  const Scalar t49 = inertia.c3z * inertia.m3;
-  const Scalar t50 = g.a3 * t0;
-  const Scalar t51 = ((inertia.I3zz - t11) - inertia.c3z * t49) - g.a3 * t50;
+  const Scalar t26 = inertia.c5z * inertia.m5;
+  const Scalar t27 = inertia.c5y * inertia.m5;
+  const Scalar t28 = inertia.c5x * inertia.m5;
+  const Scalar t29 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t30 = inertia.c6z * inertia.m6;
+  const Scalar t31 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t32 = inertia.c6z * t30 - (inertia.I6zz - t31);
+  const Scalar t33 = inertia.c6y * inertia.m6;
+  const Scalar t34 = (inertia.I6yy - t31) - inertia.c6y * t33;
+  const Scalar t35 = inertia.I6yz - inertia.c6z * t33;
+  const Scalar t36 = inertia.c6x * inertia.m6;
+  const Scalar t37 = ((inertia.I6xx - t31) - inertia.c6x * t36) - (inertia.c5x * t28 - (inertia.I5xx - t29));
+  const Scalar t38 = g.d3 / g.d1;
+  const Scalar t39 = inertia.c4z * inertia.m4;
+  const Scalar t40 = inertia.c4y * inertia.m4;
+  const Scalar t41 = g.d2 * t40;
+  const Scalar t42 = inertia.c4x * inertia.m4;
+  const Scalar t43 = g.d2 * t39;
+  const Scalar t44 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t45 = ((inertia.I4yy - t44) - inertia.c4y * t40) - (inertia.c5y * t27 - (inertia.I5yy - t29));
+  const Scalar t46 = inertia.c3x * inertia.m3;
+  const Scalar t47 = ((inertia.I3zz - t11) - inertia.c3z * t0) - g.a3 * t2;
+  const Scalar t48 = g.d2 * t3;
+  const Scalar t49 = g.d2 * inertia.m4;
+  const Scalar t50 = t49 + t42;
+  const Scalar t51 = t49 - t50;
+  const Scalar t52 = t51 - g.d2 * t1;
+  const Scalar t53 = g.a3 * t48 + (g.a3 * t52 + (inertia.I3xz - inertia.c3z * t46));
+  const Scalar t54 = g.d2 * (t42 + t50) - ((inertia.I4xx - t44) - inertia.c4x * t42);
+  const Scalar t55 = g.d2 * (t52 + t51) + (g.d2 * (t50 - t51) - t54);
+  const Scalar t56 = g.d2 * t48 - ((inertia.c3x * t46 - (inertia.I3xx - t11)) - t55);
   return { t17,
-           gravity[1] / g.a2,
-           gravity[0] / g.a2,
-           g.a2 * ((t12 + t14) + t16),
-           g.a2 * (t10 - (t3 + t2)),
+           gravity[1] / g.d1,
+           gravity[0] / g.d1,
+           g.d1 * ((t12 + t14) + t16),
+           g.d1 * ((t8 + t7) - t4),
            g.a2 * t12 - (inertia.I2yz - inertia.c2z * t14),
            inertia.I2xy - inertia.c2y * t18,
-           t24 + t25,
-           Scalar(2) * t26,
-           t26,
+           Scalar(2) * t19,
+           t24 - t25,
+           t19,
            t24,
-           g.d1 / g.a2,
-           g.a2 * t18,
-           g.a2 * (t19 - (t21 + t22)),
-           inertia.I3xy - inertia.c3y * t8,
-           t28,
-           t31,
-           inertia.I3yz - inertia.c3z * t12,
-           inertia.I4xz - inertia.c4z * t6,
-           inertia.I4xy - inertia.c4y * t6,
-           (inertia.I4zz - t29) - inertia.c4z * t32,
-           inertia.I4yz - inertia.c4z * t33,
-           gravity[2] / g.a2,
-           g.a3 / g.a2,
-           g.d2 / g.a2,
-           g.a2 * t32,
-           g.a2,
+           g.d1 * t18,
+           g.d1 * ((t20 + t21) - t23),
+           g.d2 / g.d1,
+           gravity[2] / g.d1,
+           g.a2 / g.d1,
+           g.a3 / g.d1,
+           g.d1 * t26,
+           inertia.I5yz - inertia.c5z * t27,
+           inertia.I5xy - inertia.c5y * t28,
+           inertia.c5z * t26 - (inertia.I5zz - t29),
+           inertia.I5xz - inertia.c5z * t28,
+           t32 + t34,
+           Scalar(2) * t35,
+           t35,
+           t32,
            t34,
-           t37 + t39,
-           Scalar(2) * t40,
-           t39,
-           t40,
-           inertia.I6xz - inertia.c6z * t41,
-           inertia.I6xy - inertia.c6y * t41,
-           g.a2 * t38,
-           g.a2 * t35,
-           g.a2 * t42,
-           g.a2 * (t41 + t43),
-           t45,
-           inertia.c5z * t42 - (inertia.I5zz - t44),
-           inertia.I5xz - inertia.c5z * t43,
-           inertia.I5yz - inertia.c5z * t46,
-           inertia.I5xy - inertia.c5y * t43,
-           t20,
-           g.a2 * (t33 + t46),
+           inertia.I6xz - inertia.c6z * t36,
+           inertia.I6xy - inertia.c6y * t36,
+           g.d1 * t33,
+           g.d1 * t30,
            t37,
-           g.a2 * t34,
-           t47,
-           g.a3 * t48 + t51,
-           g.a2 * ((t49 + t50) - t48),
-           t24 - t25 };
+           g.d1 * (t36 + t28),
+           g.d1 * t38,
+           g.d1 * t39,
+           g.d1 * (t40 + t27),
+           t41 - (t41 - (inertia.I4xy - inertia.c4y * t42)),
+           t43 + ((inertia.I4xz - inertia.c4z * t42) - t43),
+           inertia.I4yz - inertia.c4z * t40,
+           t45,
+           (inertia.I4zz - t44) - inertia.c4z * t39,
+           g.d1,
+           t5,
+           inertia.I3xy - inertia.c3y * t46,
+           inertia.I3yz - inertia.c3z * t12,
+           g.a3 * g.a3 * t3 + t47,
+           t53,
+           t38,
+           t56,
+           g.d1 * ((t52 - t46) + t48),
+           t24 + t25 };
 }
 
 namespace detail {
@@ -462,179 +464,181 @@ inline JointVector<Scalar> inverse_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = k[2] * s1 - k[1] * c1;
-  const Scalar t1 = k[11] * qdd[0] + t0;
-  const Scalar t2 = k[13] * s2 - k[12] * c2;
-  const Scalar t3 = k[8] * s2 - k[7] * c2;
+  const Scalar t0 = k[12] * s2 + k[11] * c2;
+  const Scalar t1 = k[2] * s1 - k[1] * c1;
+  const Scalar t2 = qdd[0] + t1;
+  const Scalar t3 = k[8] * c2 + k[7] * s2;
   const Scalar t4 = k[9] - s2 * t3;
   const Scalar t5 = Scalar(2) * qd[0] * qd[1];
-  const Scalar t6 = t4 * t5 + qdd[0] * (k[10] + c2 * t3);
+  const Scalar t6 = qdd[0] * (k[10] - c2 * t3) - t4 * t5;
   const Scalar t7 = k[6] * s2 + k[5] * c2;
   const Scalar t8 = qd[1] * qd[1];
   const Scalar t9 = qdd[1] * t7 - (k[5] * s2 - k[6] * c2) * t8;
-  const Scalar t10 = s2 * s3 - c2 * c3;
-  const Scalar t11 = c3 * s2 + c2 * s3;
-  const Scalar t12 = qd[0] * t11;
-  const Scalar t13 = qd[0] * t10;
-  const Scalar t14 = t12 * t13;
-  const Scalar t15 = qdd[1] + qdd[2];
-  const Scalar t16 = t14 + t15;
-  const Scalar t17 = t12 * t12;
-  const Scalar t18 = qd[1] + qd[2];
-  const Scalar t19 = t18 * t18;
+  const Scalar t10 = c3 * s2 + c2 * s3;
+  const Scalar t11 = qd[0] * t10;
+  const Scalar t12 = qd[1] + qd[2];
+  const Scalar t13 = t11 * t12;
+  const Scalar t14 = s2 * s3 - c2 * c3;
+  const Scalar t15 = qdd[0] * t14;
+  const Scalar t16 = (t13 + t13) + t15;
+  const Scalar t17 = qdd[0] * t10;
+  const Scalar t18 = qd[0] * t14;
+  const Scalar t19 = t12 * t18;
   const Scalar t20 = t17 - t19;
-  const Scalar t21 = qdd[0] * t11;
-  const Scalar t22 = t18 * t13;
-  const Scalar t23 = t21 - t22;
-  const Scalar t24 = t23 - t22;
-  const Scalar t25 = t12 * t18;
-  const Scalar t26 = qdd[0] * t10;
-  const Scalar t27 = t25 + (t25 + t26);
-  const Scalar t28 = k[14] * t20 + (k[15] * t24 - k[16] * t27);
-  const Scalar t29 = s4 * t18 + c4 * t13;
-  const Scalar t30 = qd[3] - t12;
-  const Scalar t31 = s5 * t29 + c5 * t30;
-  const Scalar t32 = c5 * t29 - s5 * t30;
-  const Scalar t33 = t31 * t32;
-  const Scalar t34 = t14 - t15;
-  const Scalar t35 = c4 * t34 + s4 * t27;
-  const Scalar t36 = t30 * t29;
-  const Scalar t37 = t35 + t36;
-  const Scalar t38 = qdd[4] - t37;
-  const Scalar t39 = t33 + t38;
-  const Scalar t40 = t33 - t38;
-  const Scalar t41 = qd[5] + t31;
-  const Scalar t42 = t41 * t41;
-  const Scalar t43 = t32 * t32;
-  const Scalar t44 = t42 - t43;
-  const Scalar t45 = s4 * t13 - c4 * t18;
-  const Scalar t46 = qd[4] - t45;
-  const Scalar t47 = t46 * t46 - t43;
-  const Scalar t48 = t42 + t43;
-  const Scalar t49 = t47 + t48;
-  const Scalar t50 = t44 - t49;
-  const Scalar t51 = t29 * t29;
-  const Scalar t52 = t30 * t30;
-  const Scalar t53 = t51 + t52;
-  const Scalar t54 = t47 + t53;
-  const Scalar t55 = (k[38] * t39 + k[39] * t40) + k[40] * (t50 + t54);
-  const Scalar t56 = qdd[3] - t23;
-  const Scalar t57 = t29 * t45;
-  const Scalar t58 = t56 + t57;
-  const Scalar t59 = t30 * t45;
-  const Scalar t60 = c4 * t27 - s4 * t34;
-  const Scalar t61 = (t59 + t59) - t60;
-  const Scalar t62 = s5 * t58 + c5 * t61;
-  const Scalar t63 = c5 * t58 - s5 * t61;
-  const Scalar t64 = t1 + (qdd[0] * s2 + c2 * t5);
-  const Scalar t65 = t64 + k[23] * t24;
-  const Scalar t66 = t17 + t19;
-  const Scalar t67 = qd[0] * s2;
-  const Scalar t68 = qd[0] * qd[0];
-  const Scalar t69 = k[1] * s1 + k[2] * c1;
-  const Scalar t70 = k[11] * t68 + t69;
-  const Scalar t71 = (qdd[1] - t67 * qd[0] * c2) + (k[22] * s2 - c2 * t70);
-  const Scalar t72 = (s2 * t70 + k[22] * c2) + (t8 + t67 * t67);
-  const Scalar t73 = k[23] * t66 - (s3 * t71 - c3 * t72);
-  const Scalar t74 = (s4 * t65 + c4 * t73) - k[24] * t35;
-  const Scalar t75 = t68 - t20;
-  const Scalar t76 = c3 * t71 + s3 * t72;
-  const Scalar t77 = k[24] * t75 - (t76 + k[23] * t16);
-  const Scalar t78 = c5 * t74 + s5 * t77;
-  const Scalar t79 = s5 * t74 - c5 * t77;
-  const Scalar t80 = (t55 - (k[41] * t62 + k[42] * t63)) - (k[37] * t78 + k[36] * t79);
-  const Scalar t81 = t39 - Scalar(2) * t41 * t32;
-  const Scalar t82 = k[28] * c6 - k[29] * s6;
-  const Scalar t83 = c6 * t82;
-  const Scalar t84 = k[30] - t83;
-  const Scalar t85 = k[31] + s6 * t82;
-  const Scalar t86 = Scalar(2) * t46 * t31 + t62;
-  const Scalar t87 = t41 * t46;
-  const Scalar t88 = (t86 - t87) - t87;
-  const Scalar t89 = qdd[5] + t63;
-  const Scalar t90 = k[33] * c6 - k[32] * s6;
-  const Scalar t91 = k[33] * s6 + k[32] * c6;
-  const Scalar t92 = (t81 * t84 - t85 * t88) - (t89 * t90 - t44 * t91);
-  const Scalar t93 = k[34] * s6 + k[35] * c6;
-  const Scalar t94 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t95 = t94 * t11 - wrench[5] * t10;
-  const Scalar t96 = wrench[3] * s1 - wrench[4] * c1;
-  const Scalar t97 = wrench[0] * c1 + wrench[1] * s1;
-  const Scalar t98 = wrench[2] * t10 - t97 * t11;
-  const Scalar t99 = wrench[0] * s1 - wrench[1] * c1;
-  const Scalar t100 = c4 * t98 - s4 * t99;
-  const Scalar t101 = t10 * t97 + wrench[2] * t11;
-  const Scalar t102 = k[26] * (c5 * t100 + s5 * t101);
-  const Scalar t103 = (s4 * t95 - c4 * t96) + k[27] * t102;
-  const Scalar t104 = t80 + ((t92 - t79 * t93) + t103);
-  const Scalar t105 = t51 - t52;
-  const Scalar t106 = t37 + t36;
-  const Scalar t107 = (k[18] * t105 + k[19] * t58) + (k[21] * t61 + k[20] * t106);
-  const Scalar t108 = k[35] * s6 - k[34] * c6;
-  const Scalar t109 = k[26] * (c5 * t101 - s5 * t100) + (t81 * t93 + t88 * t108);
-  const Scalar t110 = (k[36] * t40 - k[37] * t50) - t109;
-  const Scalar t111 = (t102 - (t49 * t93 + t89 * t108)) - (k[37] * t39 + k[36] * t54);
-  const Scalar t112 = t105 - t75;
-  const Scalar t113 = k[43] * t74 - (k[25] * t112 + k[44] * t58);
-  const Scalar t114 = (s5 * t110 + c5 * t111) - t113;
-  const Scalar t115 = (t104 - (t107 - k[25] * t77)) + k[24] * t114;
-  const Scalar t116 = k[24] * t60 - (c4 * t65 - s4 * t73);
-  const Scalar t117 = t56 - t57;
-  const Scalar t118 = k[43] * t116 + (k[44] * t53 + k[25] * t117);
-  const Scalar t119 = t46 * t32;
-  const Scalar t120 = (t119 + t119) + t63;
-  const Scalar t121 = qdd[5] + t120;
-  const Scalar t122 = s4 * t98 + c4 * t99;
-  const Scalar t123 = (t121 * t93 - t48 * t108) - k[26] * t122;
-  const Scalar t124 = t118 - ((k[37] * t86 - k[36] * t120) - t123);
-  const Scalar t125 = k[45] - t83;
-  const Scalar t126 = (t88 * t125 + t85 * t81) + (t50 + t48) * t90;
-  const Scalar t127 = s4 * t96 + c4 * t95;
-  const Scalar t128 = t10 * t94 + wrench[5] * t11;
-  const Scalar t129 = (c5 * t127 - s5 * t128) - k[46] * t122;
-  const Scalar t130 = (t108 * t79 + (t121 * t91 + t126)) - t129;
-  const Scalar t131 = (k[40] * t120 - k[38] * t86) + k[42] * (t50 + t53);
-  const Scalar t132 = t130 + ((t131 - k[41] * t40) - k[37] * t116);
-  const Scalar t133 = (k[41] * t47 + k[42] * t39) + (k[39] * t120 + k[40] * t86);
-  const Scalar t134 = (t89 * t125 - t121 * t84) + t47 * t85;
-  const Scalar t135 = ((t39 * t90 + t91 * t86) + t134) + (t78 * t108 + t116 * t93);
-  const Scalar t136 = t135 + (s5 * t127 + c5 * t128);
-  const Scalar t137 = (t133 + k[36] * t116) + t136;
-  const Scalar t138 = t112 + t53;
-  const Scalar t139 = (k[47] * t61 + k[21] * t106) + k[19] * (t105 - t138);
-  const Scalar t140 = (c5 * t132 - s5 * t137) + (k[44] * t77 - (t139 - k[18] * t117));
-  const Scalar t141 = k[24] * t124 - t140;
-  const Scalar t142 = (k[17] * t16 + t28) - (s4 * t115 + c4 * t141);
-  const Scalar t143 = s4 * t114 + c4 * t124;
-  const Scalar t144 = (k[20] * t117 + k[47] * t58) + k[21] * t138;
-  const Scalar t145 = (k[44] * t74 - k[25] * t116) + ((k[19] * t35 + k[18] * t60) + t144);
-  const Scalar t146 = (c5 * t137 + s5 * t132) - t145;
-  const Scalar t147 = t68 - t66;
-  const Scalar t148 = (k[48] * t24 + k[15] * t27) - (k[14] * t34 + k[17] * t147);
-  const Scalar t149 = (k[23] * t143 + t146) - (k[49] * t64 - t148);
-  const Scalar t150 = t143 - k[49] * t24;
-  const Scalar t151 = (t10 * t142 + t149 * t11) + s2 * t150;
-  const Scalar t152 = k[12] * s2 + k[13] * c2;
-  const Scalar t153 = k[11] * ((qdd[0] * t2 + t152 * t5) + t150);
-  const Scalar t154 = ((t1 * t2 + (t6 + t9)) + t151) + t153;
-  const Scalar t155 = (k[4] * t0 - k[3] * t69) - k[0] * qdd[0];
-  const Scalar t156 = qdd[0] * t7 + (k[50] * qdd[1] - t68 * t4);
-  const Scalar t157 = (k[48] * t16 + k[16] * t34) + k[15] * (t147 - t20);
-  const Scalar t158 = (t157 + (k[17] * t26 + k[14] * t21)) - k[49] * t76;
-  const Scalar t159 = k[43] * t77 + (k[25] * t106 + k[44] * t61);
-  const Scalar t160 = (s5 * t111 - c5 * t110) - t159;
-  const Scalar t161 = k[23] * t160 + (s4 * t141 - c4 * t115);
-  const Scalar t162 = t158 - t161;
-  const Scalar t163 = k[49] * t66 - (c4 * t114 - s4 * t124);
-  const Scalar t164 = s3 * t163 - c3 * (k[49] * t16 + t160);
-  const Scalar t165 = ((t152 * t70 - k[22] * t2) - t156) - (t162 + t164);
+  const Scalar t21 = t20 - t19;
+  const Scalar t22 = t11 * t18;
+  const Scalar t23 = qdd[1] + qdd[2];
+  const Scalar t24 = t22 - t23;
+  const Scalar t25 = qd[0] * qd[0];
+  const Scalar t26 = t11 * t11;
+  const Scalar t27 = t12 * t12;
+  const Scalar t28 = t26 + t27;
+  const Scalar t29 = (k[46] * t16 - k[45] * t21) + (k[43] * t24 + k[44] * (t25 - t28));
+  const Scalar t30 = s4 * t12 + c4 * t18;
+  const Scalar t31 = t30 * t30;
+  const Scalar t32 = qd[3] - t11;
+  const Scalar t33 = t32 * t32;
+  const Scalar t34 = t31 + t33;
+  const Scalar t35 = s4 * t18 - c4 * t12;
+  const Scalar t36 = qd[4] - t35;
+  const Scalar t37 = t36 * t36;
+  const Scalar t38 = c5 * t30 - s5 * t32;
+  const Scalar t39 = t38 * t38;
+  const Scalar t40 = t37 - t39;
+  const Scalar t41 = s5 * t30 + c5 * t32;
+  const Scalar t42 = qd[5] + t41;
+  const Scalar t43 = t42 * t42;
+  const Scalar t44 = t43 + t39;
+  const Scalar t45 = t40 + t44;
+  const Scalar t46 = t37 - t43;
+  const Scalar t47 = t40 - t46;
+  const Scalar t48 = t45 - t47;
+  const Scalar t49 = t36 * t38;
+  const Scalar t50 = qdd[3] - t20;
+  const Scalar t51 = t30 * t35;
+  const Scalar t52 = t50 + t51;
+  const Scalar t53 = c4 * t16 - s4 * t24;
+  const Scalar t54 = t32 * t35;
+  const Scalar t55 = (t53 - t54) - t54;
+  const Scalar t56 = c5 * t52 + s5 * t55;
+  const Scalar t57 = t49 + (t49 + t56);
+  const Scalar t58 = c5 * t55 - s5 * t52;
+  const Scalar t59 = t36 * t41;
+  const Scalar t60 = (t58 - t59) - t59;
+  const Scalar t61 = k[19] * (t34 - t48) + (k[21] * t57 + k[31] * t60);
+  const Scalar t62 = t41 * t38;
+  const Scalar t63 = s4 * t16 + c4 * t24;
+  const Scalar t64 = t32 * t30;
+  const Scalar t65 = t63 + t64;
+  const Scalar t66 = qdd[4] - t65;
+  const Scalar t67 = t62 - t66;
+  const Scalar t68 = k[1] * s1 + k[2] * c1;
+  const Scalar t69 = t25 + t68;
+  const Scalar t70 = qd[0] * s2;
+  const Scalar t71 = (k[14] * c2 + s2 * t69) + k[15] * (t8 + t70 * t70);
+  const Scalar t72 = k[15] * (qdd[1] - t70 * qd[0] * c2) - (c2 * t69 - k[14] * s2);
+  const Scalar t73 = c3 * t71 - s3 * t72;
+  const Scalar t74 = k[13] * t24 - (k[16] * t28 + t73);
+  const Scalar t75 = k[15] * (qdd[0] * s2 + c2 * t5) + t2;
+  const Scalar t76 = k[13] * t16 - (k[16] * t21 + t75);
+  const Scalar t77 = s4 * t74 - c4 * t76;
+  const Scalar t78 = wrench[3] * s1 - wrench[4] * c1;
+  const Scalar t79 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t80 = t79 * t10 - wrench[5] * t14;
+  const Scalar t81 = s4 * t78 + c4 * t80;
+  const Scalar t82 = t14 * t79 + wrench[5] * t10;
+  const Scalar t83 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t84 = wrench[2] * t14 - t83 * t10;
+  const Scalar t85 = wrench[0] * s1 - wrench[1] * c1;
+  const Scalar t86 = s4 * t84 + c4 * t85;
+  const Scalar t87 = (c5 * t81 - s5 * t82) - k[33] * t86;
+  const Scalar t88 = k[28] * c6 - k[27] * s6;
+  const Scalar t89 = t62 + t66;
+  const Scalar t90 = t89 - Scalar(2) * t42 * t38;
+  const Scalar t91 = k[22] * c6 - k[23] * s6;
+  const Scalar t92 = k[24] + s6 * t91;
+  const Scalar t93 = c6 * t91;
+  const Scalar t94 = k[25] - t93;
+  const Scalar t95 = t42 * t36;
+  const Scalar t96 = t95 + (t95 + t60);
+  const Scalar t97 = t88 * t46 - (t90 * t92 - t94 * t96);
+  const Scalar t98 = k[27] * c6 + k[28] * s6;
+  const Scalar t99 = qdd[5] + t57;
+  const Scalar t100 = k[29] * c6 - k[30] * s6;
+  const Scalar t101 = c4 * t74 + s4 * t76;
+  const Scalar t102 = t22 + t23;
+  const Scalar t103 = (s3 * t71 + c3 * t72) + k[16] * t102;
+  const Scalar t104 = t26 - t27;
+  const Scalar t105 = t25 - t104;
+  const Scalar t106 = t103 - k[13] * t105;
+  const Scalar t107 = s5 * t101 - c5 * t106;
+  const Scalar t108 = t87 + ((t97 - t98 * t99) - t100 * t107);
+  const Scalar t109 = ((t61 - k[18] * t67) + k[32] * t77) - t108;
+  const Scalar t110 = k[26] - t93;
+  const Scalar t111 = qdd[5] + t56;
+  const Scalar t112 = (t110 * t99 - t94 * t111) - t40 * t92;
+  const Scalar t113 = k[30] * c6 + k[29] * s6;
+  const Scalar t114 = c5 * t101 + s5 * t106;
+  const Scalar t115 = (t112 + (t98 * t60 - t89 * t88)) + (t113 * t77 - t100 * t114);
+  const Scalar t116 = t115 - (s5 * t81 + c5 * t82);
+  const Scalar t117 = (k[20] * t57 - k[21] * t60) + (k[18] * t40 + k[19] * t89);
+  const Scalar t118 = t116 - (t117 - k[17] * t77);
+  const Scalar t119 = t31 - t33;
+  const Scalar t120 = t119 - t105;
+  const Scalar t121 = t120 + t34;
+  const Scalar t122 = t50 - t51;
+  const Scalar t123 = k[38] * t121 + (k[39] * t52 + k[40] * t122);
+  const Scalar t124 = (k[34] * t77 - k[35] * t101) + (t123 + (k[37] * t53 + k[36] * t63));
+  const Scalar t125 = (s5 * t109 - c5 * t118) - t124;
+  const Scalar t126 = (k[35] * t34 + k[34] * t122) - k[42] * t77;
+  const Scalar t127 = (t44 * t100 + t113 * t99) - k[41] * t86;
+  const Scalar t128 = t126 + ((k[17] * t57 + k[32] * t60) + t127);
+  const Scalar t129 = (k[34] * t120 + k[35] * t52) + k[42] * t101;
+  const Scalar t130 = t14 * t83 + wrench[2] * t10;
+  const Scalar t131 = c4 * t84 - s4 * t85;
+  const Scalar t132 = (t100 * t96 + t113 * t90) + k[41] * (c5 * t130 - s5 * t131);
+  const Scalar t133 = t132 - (k[17] * t67 + k[32] * t48);
+  const Scalar t134 = k[41] * (c5 * t131 + s5 * t130);
+  const Scalar t135 = t40 + t34;
+  const Scalar t136 = (t134 + (t111 * t100 - t113 * t45)) - (k[32] * t89 + k[17] * t135);
+  const Scalar t137 = t129 - (s5 * t133 - c5 * t136);
+  const Scalar t138 = c4 * t128 + s4 * t137;
+  const Scalar t139 = k[43] * t104 - (k[46] * t21 - k[48] * t16);
+  const Scalar t140 = k[21] * (t135 - t48) + (k[20] * t67 + k[31] * t89);
+  const Scalar t141 = (k[17] * t107 + k[32] * t114) + (t140 + (k[18] * t58 - k[19] * t56));
+  const Scalar t142 = (s4 * t80 - c4 * t78) + k[47] * t134;
+  const Scalar t143 = (t110 * t90 + t96 * t92) + (t98 * t47 - t111 * t88);
+  const Scalar t144 = t141 + (t142 + (t113 * t107 + t143));
+  const Scalar t145 = t65 + t64;
+  const Scalar t146 = (k[38] * t55 - k[40] * t145) - (k[36] * t52 + k[37] * t119);
+  const Scalar t147 = t144 + (t146 - k[34] * t106);
+  const Scalar t148 = (k[38] * t145 - k[39] * t55) + k[36] * (t119 - t121);
+  const Scalar t149 = ((k[37] * t122 - t148) - k[35] * t106) + (c5 * t109 + s5 * t118);
+  const Scalar t150 = (s4 * t147 - c4 * t149) + k[13] * t138;
+  const Scalar t151 = ((t139 + k[44] * t102) - k[49] * t75) - t150;
+  const Scalar t152 = (t29 - (t125 + k[16] * t138)) * t10 - t14 * t151;
+  const Scalar t153 = t138 - k[49] * t16;
+  const Scalar t154 = (t0 * t2 + (t6 - t9)) + (t152 - k[15] * s2 * t153);
+  const Scalar t155 = k[11] * s2 - k[12] * c2;
+  const Scalar t156 = t154 - (t153 - (qdd[0] * t0 - t155 * t5));
+  const Scalar t157 = k[0] * qdd[0] - (k[4] * t1 + k[3] * t68);
+  const Scalar t158 = (k[34] * t145 - k[35] * t55) - k[42] * t106;
+  const Scalar t159 = t158 - (s5 * t136 + c5 * t133);
+  const Scalar t160 = s4 * t128 - c4 * t137;
+  const Scalar t161 = c3 * (k[49] * t105 - t159) - s3 * (t160 + k[49] * t24);
+  const Scalar t162 = k[46] * (t28 - t105) - (k[48] * t24 - k[45] * t102);
+  const Scalar t163 = k[49] * t73 + ((k[43] * t17 + k[44] * t15) + t162);
+  const Scalar t164 = k[13] * t160 - (c4 * t147 + s4 * t149);
+  const Scalar t165 = t163 + (k[16] * t159 - t164);
+  const Scalar t166 = qdd[0] * t7 - (k[50] * qdd[1] + t25 * t4);
+  const Scalar t167 = (k[15] * t161 - t165) + ((k[14] * t0 + t155 * t69) - t166);
   JointVector<Scalar> result;
-  result[0] = -t154 - t155;
-  result[1] = t165;
-  result[2] = -t162;
-  result[3] = t146;
-  result[4] = -t104;
-  result[5] = t136;
+  result[0] = t156 - t157;
+  result[1] = t167;
+  result[2] = -t165;
+  result[3] = t125;
+  result[4] = -t144;
+  result[5] = -t116;
   return result;
 }
 
@@ -667,22 +671,23 @@ GravityTorqueWithGravityVectorConstants<Scalar> gravity_torque_with_gravity_vect
   const Scalar t0 = (inertia.c3y * inertia.m3 + inertia.c2y * inertia.m2) + inertia.c1y * inertia.m1;
   const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
   const Scalar t2 = inertia.m3 + t1;
-  const Scalar t3 = (inertia.c4x * inertia.m4 + g.d2 * t1) + inertia.c3x * inertia.m3;
+  const Scalar t3 = g.d2 * inertia.m4;
+  const Scalar t4 = (t3 - (t3 + inertia.c4x * inertia.m4)) - g.d2 * t1;
   return { gravity[1],
            gravity[0],
            t0,
            inertia.c1x * inertia.m1 + g.d1 * (inertia.m2 + t2),
-           g.a2 * t2 + inertia.c2z * inertia.m2,
-           inertia.c2x * inertia.m2,
+           inertia.c3z * inertia.m3 + g.a3 * t1,
            gravity[2],
            inertia.c4y * inertia.m4 + inertia.c5y * inertia.m5,
            inertia.c4z * inertia.m4,
+           inertia.c6x * inertia.m6 + inertia.c5x * inertia.m5,
            inertia.c6z * inertia.m6,
            inertia.c6y * inertia.m6,
-           inertia.c6x * inertia.m6 + inertia.c5x * inertia.m5,
            inertia.c5z * inertia.m5,
-           inertia.c3z * inertia.m3 + g.a3 * t1,
-           t3 };
+           t4 - inertia.c3x * inertia.m3,
+           inertia.c2x * inertia.m2,
+           g.a2 * t2 + inertia.c2z * inertia.m2 };
 }
 
 namespace detail {
@@ -703,38 +708,38 @@ inline JointVector<Scalar> gravity_torque_with_gravity_vector([[maybe_unused]] c
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = c3 * s2 + c2 * s3;
+  const Scalar t0 = s2 * s3 - c2 * c3;
   const Scalar t1 = k[1] * s1 - k[0] * c1;
-  const Scalar t2 = s2 * s3 - c2 * c3;
+  const Scalar t2 = c3 * s2 + c2 * s3;
   const Scalar t3 = k[0] * s1 + k[1] * c1;
-  const Scalar t4 = k[6] * t2 - t3 * t0;
-  const Scalar t5 = s4 * t1 - c4 * t4;
-  const Scalar t6 = k[6] * t0 + t2 * t3;
-  const Scalar t7 = c5 * t5 - s5 * t6;
-  const Scalar t8 = k[10] * c6 - k[9] * s6;
-  const Scalar t9 = k[9] * c6 + k[10] * s6;
-  const Scalar t10 = c4 * t1 + s4 * t4;
-  const Scalar t11 = t7 * t8 + t9 * t10;
-  const Scalar t12 = t11 + k[12] * t10;
-  const Scalar t13 = s5 * t5 + c5 * t6;
-  const Scalar t14 = k[11] * t10 - t8 * t13;
-  const Scalar t15 = (c5 * t12 - s5 * t14) + (k[8] * t10 + k[7] * t5);
-  const Scalar t16 = t9 * t13 + (k[11] * t7 + k[12] * t13);
-  const Scalar t17 = k[8] * t6 + t16;
-  const Scalar t18 = (c5 * t14 + s5 * t12) - k[7] * t6;
-  const Scalar t19 = k[14] * t1 + (s4 * t17 + c4 * t18);
-  const Scalar t20 = t0 * (k[13] * t1 + t15) - t2 * t19;
-  const Scalar t21 = k[4] * s2 + k[5] * c2;
-  const Scalar t22 = (t20 + t21 * t1) + (k[2] * t3 + k[3] * t1);
-  const Scalar t23 = t3 * (k[5] * s2 - k[4] * c2) + k[6] * t21;
-  const Scalar t24 = (c4 * t17 - s4 * t18) + (k[13] * t6 - k[14] * t4);
+  const Scalar t4 = k[5] * t2 + t0 * t3;
+  const Scalar t5 = k[10] * c6 - k[9] * s6;
+  const Scalar t6 = t3 * t2 - k[5] * t0;
+  const Scalar t7 = s4 * t1 + c4 * t6;
+  const Scalar t8 = s5 * t4 - c5 * t7;
+  const Scalar t9 = c4 * t1 - s4 * t6;
+  const Scalar t10 = k[9] * c6 + k[10] * s6;
+  const Scalar t11 = t5 * t8 - t9 * t10;
+  const Scalar t12 = t11 - k[11] * t9;
+  const Scalar t13 = s5 * t7 + c5 * t4;
+  const Scalar t14 = t5 * t13 - k[8] * t9;
+  const Scalar t15 = k[6] * t4 + (s5 * t12 + c5 * t14);
+  const Scalar t16 = t10 * t13 - (k[8] * t8 - k[11] * t13);
+  const Scalar t17 = t16 + k[7] * t4;
+  const Scalar t18 = k[12] * t1 + (c4 * t15 - s4 * t17);
+  const Scalar t19 = (k[7] * t9 + k[6] * t7) + (s5 * t14 - c5 * t12);
+  const Scalar t20 = t0 * t18 + (k[4] * t1 + t19) * t2;
+  const Scalar t21 = k[13] * c2 + k[14] * s2;
+  const Scalar t22 = (t20 + t1 * t21) + (k[2] * t3 + k[3] * t1);
+  const Scalar t23 = t3 * (k[14] * c2 - k[13] * s2) - k[5] * t21;
+  const Scalar t24 = (k[4] * t4 - k[12] * t6) + (s4 * t15 + c4 * t17);
   JointVector<Scalar> result;
   result[0] = t22;
-  result[1] = t23 + t24;
+  result[1] = t24 - t23;
   result[2] = t24;
-  result[3] = -t15;
+  result[3] = -t19;
   result[4] = t16;
-  result[5] = -t11;
+  result[5] = t11;
   return result;
 }
 
@@ -762,118 +767,116 @@ ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
-  const Scalar t1 = inertia.c6z * inertia.m6;
-  const Scalar t2 = inertia.c5z * inertia.m5;
-  const Scalar t3 = inertia.c6x * inertia.m6;
-  const Scalar t4 = inertia.c5x * inertia.m5;
-  const Scalar t5 = inertia.c4z * inertia.m4;
-  const Scalar t6 = inertia.I6xz - inertia.c6z * t3;
-  const Scalar t7 = inertia.I6xy - inertia.c6y * t3;
-  const Scalar t8 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t9 = inertia.c6z * t1 - (inertia.I6zz - t8);
-  const Scalar t10 = (inertia.I6yy - t8) - inertia.c6y * t0;
-  const Scalar t11 = inertia.I6yz - inertia.c6z * t0;
-  const Scalar t12 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t13 = ((inertia.I6xx - t8) - inertia.c6x * t3) - (inertia.c5x * t4 - (inertia.I5xx - t12));
-  const Scalar t14 = inertia.c4x * inertia.m4;
-  const Scalar t15 = inertia.c4y * inertia.m4;
-  const Scalar t16 = inertia.c5y * inertia.m5;
-  const Scalar t17 = t9 - t10;
-  const Scalar t18 = Scalar(1) / t17;
-  const Scalar t19 = g.a2 / g.a3;
-  const Scalar t20 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t21 = ((inertia.I4yy - t20) - inertia.c4y * t15) - (inertia.c5y * t16 - (inertia.I5yy - t12));
-  const Scalar t22 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t23 = t14 + g.d2 * t22;
-  const Scalar t24 = inertia.c3x * inertia.m3;
-  const Scalar t25 = g.a3 * t23 - (inertia.I3xz - inertia.c3z * t24);
-  const Scalar t26 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t27 = inertia.c3z * inertia.m3;
-  const Scalar t28 = g.a3 * t22;
-  const Scalar t29 = ((inertia.I3zz - t26) - inertia.c3z * t27) - g.a3 * t28;
-  const Scalar t30 = g.d2 * (t23 + t14) - ((inertia.I4xx - t20) - inertia.c4x * t14);
-  const Scalar t31 = (inertia.c3x * t24 - (inertia.I3xx - t26)) + t30;
-  const Scalar t32 = inertia.c2x * inertia.m2;
-  const Scalar t33 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t34 = inertia.c2x * t32 - (inertia.I2xx - t33);
-  const Scalar t35 = g.a3 * (t27 + t28);
-  const Scalar t36 = inertia.m3 + t22;
-  const Scalar t37 = g.a2 * t36;
-  const Scalar t38 = inertia.c2z * inertia.m2;
-  const Scalar t39 = g.a2 * t37 - ((inertia.I2zz - t33) - inertia.c2z * t38);
-  const Scalar t40 = g.d1 / g.a3;
-  const Scalar t41 = inertia.I2xz - inertia.c2z * t32;
-  const Scalar t42 = inertia.c3y * inertia.m3;
-  const Scalar t43 = inertia.c2y * inertia.m2;
-  const Scalar t44 = inertia.c1y * inertia.m1;
-  const Scalar t45 = inertia.c1x * inertia.m1;
-  const Scalar t46 = g.d1 * (inertia.m2 + t36);
-  const Scalar t47 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t48 = g.d1 * t46 + (inertia.c1x * t45 - (inertia.I1xx - t47));
-  const Scalar t49 = ((inertia.I3yy - t26) - inertia.c3y * t42) + ((inertia.I2yy - t33) - inertia.c2y * t43);
+  const Scalar t0 = inertia.c4z * inertia.m4;
+  const Scalar t1 = inertia.c4y * inertia.m4;
+  const Scalar t2 = inertia.c5y * inertia.m5;
+  const Scalar t3 = inertia.c6y * inertia.m6;
+  const Scalar t4 = inertia.c6z * inertia.m6;
+  const Scalar t5 = inertia.c6x * inertia.m6;
+  const Scalar t6 = inertia.c5x * inertia.m5;
+  const Scalar t7 = inertia.c5z * inertia.m5;
+  const Scalar t8 = g.d1 / g.a3;
+  const Scalar t9 = g.a2 / g.a3;
+  const Scalar t10 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t11 = inertia.c6z * t4 - (inertia.I6zz - t10);
+  const Scalar t12 = (inertia.I6yy - t10) - inertia.c6y * t3;
+  const Scalar t13 = inertia.I6yz - inertia.c6z * t3;
+  const Scalar t14 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t15 = ((inertia.I6xx - t10) - inertia.c6x * t5) - (inertia.c5x * t6 - (inertia.I5xx - t14));
+  const Scalar t16 = g.d2 * t1;
+  const Scalar t17 = inertia.c4x * inertia.m4;
+  const Scalar t18 = g.d2 * t0;
+  const Scalar t19 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t20 = ((inertia.I4yy - t19) - inertia.c4y * t1) - (inertia.c5y * t2 - (inertia.I5yy - t14));
+  const Scalar t21 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t22 = inertia.c3z * inertia.m3;
+  const Scalar t23 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t24 = g.a3 * t23;
+  const Scalar t25 = ((inertia.I3zz - t21) - inertia.c3z * t22) - g.a3 * t24;
+  const Scalar t26 = inertia.c3x * inertia.m3;
+  const Scalar t27 = g.d2 * inertia.m4;
+  const Scalar t28 = t27 + t17;
+  const Scalar t29 = t27 - t28;
+  const Scalar t30 = t29 - g.d2 * t23;
+  const Scalar t31 = g.d2 * (t17 + t28) - ((inertia.I4xx - t19) - inertia.c4x * t17);
+  const Scalar t32 = g.d2 * (t30 + t29) + (g.d2 * (t28 - t29) - t31);
+  const Scalar t33 = (inertia.c3x * t26 - (inertia.I3xx - t21)) - t32;
+  const Scalar t34 = g.a3 * t30 + (inertia.I3xz - inertia.c3z * t26);
+  const Scalar t35 = t11 - t12;
+  const Scalar t36 = Scalar(1) / t35;
+  const Scalar t37 = inertia.c3y * inertia.m3;
+  const Scalar t38 = inertia.c2x * inertia.m2;
+  const Scalar t39 = inertia.m3 + t23;
+  const Scalar t40 = g.a2 * t39;
+  const Scalar t41 = inertia.c2z * inertia.m2;
+  const Scalar t42 = inertia.c2y * inertia.m2;
+  const Scalar t43 = inertia.I2xz - inertia.c2z * t38;
+  const Scalar t44 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t45 = g.a2 * t40 - ((inertia.I2zz - t44) - inertia.c2z * t41);
+  const Scalar t46 = inertia.c2x * t38 - (inertia.I2xx - t44);
+  const Scalar t47 = inertia.c1y * inertia.m1;
+  const Scalar t48 = inertia.c1x * inertia.m1;
+  const Scalar t49 = g.d1 * (inertia.m2 + t39);
+  const Scalar t50 = ((inertia.I3yy - t21) - inertia.c3y * t37) + ((inertia.I2yy - t44) - inertia.c2y * t42);
+  const Scalar t51 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t52 = g.d1 * t49 + (inertia.c1x * t48 - (inertia.I1xx - t51));
   return { g.a3 * t0,
-           g.a3 * t1,
-           g.a3 * t2,
-           g.a3 * (t3 + t4),
-           g.a3 * t5,
+           g.a3 * (t1 + t2),
+           g.a3 * t3,
+           g.a3 * t4,
+           g.a3 * (t5 + t6),
+           g.a3 * t7,
            g.d2 / g.a3,
-           t6,
-           t7,
-           inertia.I5xz - inertia.c5z * t4,
-           t9 + t10,
-           Scalar(2) * t11,
-           t10,
-           inertia.c5z * t2 - (inertia.I5zz - t12),
-           t13,
-           Scalar(2) * t13,
-           inertia.I4xz - inertia.c4z * t14,
-           g.a3 * (t15 + t16),
-           t18 * t6,
-           t18 * t7,
-           t17,
-           inertia.I5xy - inertia.c5y * t4,
-           t11,
-           inertia.I5yz - inertia.c5z * t16,
-           inertia.I4xy - inertia.c4y * t14,
-           t19,
-           t18,
-           t18 * t19,
-           (inertia.I4zz - t20) - inertia.c4z * t5,
-           t9,
-           t21,
-           t25,
-           inertia.I4yz - inertia.c4z * t15,
-           t29,
-           t31,
-           t34,
-           t35,
-           g.a3 * (t23 + t24),
-           Scalar(2) * t19,
-           t39,
            gravity[2] / g.a3,
            gravity[1] / g.a3,
            gravity[0] / g.a3,
-           t40,
-           t31 + t29,
-           t39 - t34,
-           Scalar(2) * t41,
-           t41,
-           g.a3 * (t37 + t38),
-           g.a3 * t32,
-           inertia.I3xy - inertia.c3y * t24,
-           inertia.I3yz - inertia.c3z * t42,
-           inertia.I2xy - inertia.c2y * t32,
-           g.a2 * t42 - (inertia.I2yz - inertia.c2z * t43),
-           Scalar(2) * t31,
-           Scalar(2) * t25,
-           Scalar(2) * t29,
-           Scalar(2) * t35,
-           g.a3 * ((t42 + t43) + t44),
-           g.a3 * (t45 + t46),
-           Scalar(2) * t40,
-           t48,
-           t49 - (inertia.c1y * t44 - (inertia.I1yy - t47)) };
+           t8,
+           t9,
+           t11 + t12,
+           Scalar(2) * t13,
+           t13,
+           t12,
+           inertia.I6xz - inertia.c6z * t5,
+           inertia.I6xy - inertia.c6y * t5,
+           inertia.I5xz - inertia.c5z * t6,
+           inertia.c5z * t7 - (inertia.I5zz - t14),
+           t15,
+           inertia.I5yz - inertia.c5z * t2,
+           inertia.I5xy - inertia.c5y * t6,
+           t16 - (t16 - (inertia.I4xy - inertia.c4y * t17)),
+           t18 + ((inertia.I4xz - inertia.c4z * t17) - t18),
+           (inertia.I4zz - t19) - inertia.c4z * t0,
+           inertia.I4yz - inertia.c4z * t1,
+           t20,
+           t11,
+           t25 + t33,
+           t34,
+           g.a3 * (t22 + t24),
+           g.a3 * (t30 - t26),
+           t36,
+           t35,
+           Scalar(2) * t15,
+           t25,
+           t33,
+           inertia.I3xy - inertia.c3y * t26,
+           inertia.I3yz - inertia.c3z * t37,
+           g.a3 * t38,
+           g.a3 * (t40 + t41),
+           inertia.I2xy - inertia.c2y * t38,
+           g.a2 * t37 - (inertia.I2yz - inertia.c2z * t42),
+           Scalar(2) * t43,
+           t45 - t46,
+           t43,
+           Scalar(2) * t34,
+           Scalar(2) * t33,
+           g.a3 * ((t37 + t42) + t47),
+           g.a3 * (t48 + t49),
+           t36 * t9,
+           t46,
+           t45,
+           t50 - (inertia.c1y * t47 - (inertia.I1yy - t51)),
+           Scalar(2) * t8,
+           t52 };
 }
 
 namespace detail {
@@ -894,270 +897,270 @@ inline JointVector<Scalar> forward_dynamics_with_gravity_vector([[maybe_unused]]
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = k[6] * c6 + k[7] * s6;
-  const Scalar t1 = k[8] + t0;
-  const Scalar t2 = c5 * t1;
-  const Scalar t3 = k[9] * c6 - k[10] * s6;
-  const Scalar t4 = c6 * t3;
-  const Scalar t5 = k[11] - t4;
-  const Scalar t6 = k[12] - t5;
-  const Scalar t7 = k[13] - t6;
-  const Scalar t8 = (t2 + t2) - s5 * (k[14] - t7);
-  const Scalar t9 = k[0] * s6 + k[1] * c6;
-  const Scalar t10 = k[2] + t9;
-  const Scalar t11 = k[3] * s5 - c5 * t10;
-  const Scalar t12 = k[4] - t11;
-  const Scalar t13 = (k[15] - (t1 - c5 * t8)) - k[5] * t12;
-  const Scalar t14 = k[17] * s6 - k[18] * c6;
-  const Scalar t15 = k[19] * t14;
-  const Scalar t16 = k[20] - t15;
-  const Scalar t17 = k[21] + s6 * t3;
-  const Scalar t18 = k[22] + t17;
-  const Scalar t19 = c5 * t16 + s5 * t18;
-  const Scalar t20 = k[0] * c6 - k[1] * s6;
-  const Scalar t21 = k[16] + t20;
-  const Scalar t22 = (k[23] + t19) - k[5] * t21;
-  const Scalar t23 = s4 * t13 - c4 * t22;
-  const Scalar t24 = k[49] - t23;
-  const Scalar t25 = c3 * s2 + c2 * s3;
-  const Scalar t26 = s2 * s3 - c2 * c3;
-  const Scalar t27 = c4 * t21 - s4 * t12;
-  const Scalar t28 = s5 * t16 - c5 * t18;
-  const Scalar t29 = k[31] - t28;
-  const Scalar t30 = k[28] - t4;
-  const Scalar t31 = k[29] - t30;
-  const Scalar t32 = s5 * t8;
-  const Scalar t33 = k[27] - (t32 + t6);
-  const Scalar t34 = Scalar(2) * c4 * t29 + s4 * (t31 - t33);
-  const Scalar t35 = k[50] - (t27 + (t29 - c4 * t34));
-  const Scalar t36 = t24 * t25 + t26 * t35;
-  const Scalar t37 = (c5 * t0 - k[19] * s5) - k[5] * t9;
-  const Scalar t38 = c5 * t20;
-  const Scalar t39 = k[5] * t38 + t15;
-  const Scalar t40 = s5 * t20;
-  const Scalar t41 = (s4 * t37 + c4 * t39) - t40;
-  const Scalar t42 = k[25] * t41;
-  const Scalar t43 = c4 * t9 + s4 * t38;
-  const Scalar t44 = k[24] * s2;
-  const Scalar t45 = c5 + k[25] * s5 * t0;
-  const Scalar t46 = k[19] * t45;
-  const Scalar t47 = t26 * (c4 * t37 - s4 * t39) + (t43 + t46) * t25;
-  const Scalar t48 = (t43 * t44 + t47) + k[42] * t43;
-  const Scalar t49 = Scalar(1) / (t7 + t14 * t15);
-  const Scalar t50 = s5 * t10 + k[3] * c5;
-  const Scalar t51 = s4 * t50;
-  const Scalar t52 = k[5] * t50;
-  const Scalar t53 = t7 - t52;
-  const Scalar t54 = (t19 - t51) * t25 - (s4 * t53 + c4 * t28) * t26;
-  const Scalar t55 = t14 * t48 - ((t51 * t44 - t54) + k[42] * t51);
-  const Scalar t56 = t49 * t55;
-  const Scalar t57 = t11 - (s4 * t28 - c4 * t53);
-  const Scalar t58 = t57 + t14 * t41;
-  const Scalar t59 = t19 + t14 * t46;
-  const Scalar t60 = t49 * t59;
-  const Scalar t61 = (t23 - t45 * t41) + t60 * t58;
-  const Scalar t62 = c4 * t12 + s4 * t21;
-  const Scalar t63 = t31 + t33;
-  const Scalar t64 = c4 * t13 + s4 * t22;
-  const Scalar t65 = t62 * t44 - ((t63 - t62) * t25 - t26 * t64);
-  const Scalar t66 = t56 * t59 - (t45 * t48 - (k[42] * t62 + t65));
-  const Scalar t67 = Scalar(1) / ((t63 + t45 * t46) - t60 * t59);
-  const Scalar t68 = t66 * t67;
-  const Scalar t69 = ((t36 + t42 * t48) - t56 * t58) - t61 * t68;
-  const Scalar t70 = k[33] - ((k[13] + t32) - (t52 + t52));
-  const Scalar t71 = s4 * t34;
-  const Scalar t72 = k[32] + ((t71 + t33) - Scalar(2) * t62);
-  const Scalar t73 = t70 - t72;
-  const Scalar t74 = t49 * t58;
-  const Scalar t75 = t67 * t61;
-  const Scalar t76 = ((t73 - t42 * t41) + t74 * t58) + t75 * t61;
-  const Scalar t77 = Scalar(1) / t76;
-  const Scalar t78 = c3 * t40 + s3 * (c4 * t38 - s4 * t9);
-  const Scalar t79 = t42 - k[26] * t78;
-  const Scalar t80 = k[19] * t79;
-  const Scalar t81 = k[24] * t27;
-  const Scalar t82 = k[24] * (s3 * c4 * t50 + c3 * t11);
-  const Scalar t83 = t79 * t15 + (t57 + t82);
-  const Scalar t84 = t49 * t83;
-  const Scalar t85 = (t45 * t80 - (t23 - s3 * t81)) - t59 * t84;
-  const Scalar t86 = k[35] + t62;
-  const Scalar t87 = k[36] + t50;
-  const Scalar t88 = c3 * t86 - s3 * t87;
-  const Scalar t89 = (t79 * t41 - (k[24] * t88 + t73)) - t58 * t84;
-  const Scalar t90 = t85 * t75 + t89;
-  const Scalar t91 = t77 * t90;
-  const Scalar t92 = t85 * t67;
-  const Scalar t93 = s3 * t24 - c3 * t35;
-  const Scalar t94 = ((c2 * t93 - t36) - k[51] * s2) - c2 * (k[52] + (t81 + t93));
-  const Scalar t95 = t66 * t92 - (t55 * t84 - (t79 * t48 - t94));
-  const Scalar t96 = t69 * t91 + t95;
-  const Scalar t97 = k[30] + (t50 - t64);
-  const Scalar t98 = c3 * t97;
-  const Scalar t99 = (t98 + t98) - s3 * (t70 + t72);
-  const Scalar t100 = s3 * t99;
-  const Scalar t101 = k[38] + (k[37] * t88 - (t100 + t72));
-  const Scalar t102 = k[34] + (t70 + t100);
-  const Scalar t103 = (t79 * t80 - (t101 + t102)) - t83 * t84;
-  const Scalar t104 = Scalar(1) / ((t85 * t92 - t103) - t91 * t90);
-  const Scalar t105 = t96 * t104;
-  const Scalar t106 = k[24] * (c3 * t87 + s3 * t86) + (c3 * t99 - t97);
-  const Scalar t107 = s2 * (k[46] - t106);
-  const Scalar t108 = c2 * (c2 * (t101 - t102) + (t107 + t107));
-  const Scalar t109 = k[48] * c2 + k[47] * s2;
-  const Scalar t110 = k[59] * (t109 + (t86 * t25 - t26 * t87));
-  const Scalar t111 = (k[61] - (t71 - t31)) - (k[60] + ((t101 - t108) + t110));
-  const Scalar t112 = k[25] * t48;
-  const Scalar t113 = t66 * t68 + (t56 * t55 - (t111 + t112 * t48));
-  const Scalar t114 = t77 * t69;
-  const Scalar t115 = Scalar(1) / (t96 * t105 - (t113 - t114 * t69));
-  const Scalar t116 = qd[1] + qd[2];
-  const Scalar t117 = qd[0] * t26;
-  const Scalar t118 = c4 * t117;
-  const Scalar t119 = s4 * t116 + t118;
-  const Scalar t120 = qd[0] * t25;
-  const Scalar t121 = qd[3] - t120;
-  const Scalar t122 = s5 * t119 + c5 * t121;
-  const Scalar t123 = c5 * t119 - s5 * t121;
-  const Scalar t124 = t122 * t123;
-  const Scalar t125 = t120 * t116;
-  const Scalar t126 = Scalar(2) * t125;
-  const Scalar t127 = s4 * t126 + t120 * t118;
-  const Scalar t128 = t121 * t119;
-  const Scalar t129 = t127 + t128;
-  const Scalar t130 = t124 - t129;
-  const Scalar t131 = s4 * t117;
-  const Scalar t132 = t131 - c4 * t116;
-  const Scalar t133 = qd[4] - t132;
-  const Scalar t134 = t133 * t122;
-  const Scalar t135 = t121 * t132;
-  const Scalar t136 = t120 * t131 - c4 * t126;
-  const Scalar t137 = (t135 + t135) + t136;
-  const Scalar t138 = t116 * t117;
-  const Scalar t139 = t138 + t138;
-  const Scalar t140 = t119 * t132 - t138;
-  const Scalar t141 = t139 + t140;
-  const Scalar t142 = c5 * t137 + s5 * t141;
-  const Scalar t143 = (t134 + t134) + t142;
-  const Scalar t144 = t133 * t133;
-  const Scalar t145 = t123 * t123;
-  const Scalar t146 = t144 - t145;
-  const Scalar t147 = c5 * t141 - s5 * t137;
-  const Scalar t148 = t133 * t123;
-  const Scalar t149 = t147 + (t148 + t148);
-  const Scalar t150 = t146 * t17 + (t147 * t30 - t5 * t149);
-  const Scalar t151 = qd[0] * qd[0];
-  const Scalar t152 = t116 * t116;
-  const Scalar t153 = t117 * t117;
-  const Scalar t154 = t152 - t153;
-  const Scalar t155 = t151 + t154;
-  const Scalar t156 = k[41] * c1 + k[40] * s1;
-  const Scalar t157 = t156 + k[42] * t151;
-  const Scalar t158 = k[39] * s2 - c2 * t157;
-  const Scalar t159 = t158 - k[24] * t151 * c2 * s2;
-  const Scalar t160 = qd[1] * qd[1];
-  const Scalar t161 = qd[0] * s2;
-  const Scalar t162 = s2 * t157 + k[39] * c2;
-  const Scalar t163 = k[24] * (t160 + t161 * t161) + t162;
-  const Scalar t164 = s3 * t159 - c3 * t163;
-  const Scalar t165 = t120 * t117;
-  const Scalar t166 = (t155 - t164) - k[5] * t165;
-  const Scalar t167 = qd[0] * qd[1];
-  const Scalar t168 = t167 + t167;
-  const Scalar t169 = k[41] * s1 - k[40] * c1;
-  const Scalar t170 = k[24] * c2 * t168 + t169;
-  const Scalar t171 = (t139 - t170) + k[5] * t126;
-  const Scalar t172 = c4 * t166 - s4 * t171;
-  const Scalar t173 = c3 * t159 + s3 * t163;
-  const Scalar t174 = t152 + t153;
-  const Scalar t175 = (t165 + t173) - k[5] * t174;
-  const Scalar t176 = c5 * t172 - s5 * t175;
-  const Scalar t177 = s4 * t166 + c4 * t171;
-  const Scalar t178 = ((t15 * t130 - t143 * t0) - t150) + (t176 * t20 - t9 * t177);
-  const Scalar t179 = torque[5] + t178;
-  const Scalar t180 = qd[5] + t122;
-  const Scalar t181 = t180 * t133;
-  const Scalar t182 = t181 - (t143 - t181);
-  const Scalar t183 = Scalar(2) * t180 * t123 - t130;
-  const Scalar t184 = t180 * t180;
-  const Scalar t185 = t184 - t145;
-  const Scalar t186 = (t182 * t17 - t5 * t183) + (t147 * t15 + t185 * t0);
-  const Scalar t187 = c5 * t175 + s5 * t172;
-  const Scalar t188 = t132 * t132;
-  const Scalar t189 = t121 * t121;
-  const Scalar t190 = t188 - t189;
-  const Scalar t191 = t174 - t190;
-  const Scalar t192 = t144 + t184;
-  const Scalar t193 = t185 - t192;
-  const Scalar t194 = t191 + t193;
-  const Scalar t195 = t124 + t129;
-  const Scalar t196 = k[8] * (t146 + t194) + (k[12] * t195 + k[13] * t130);
-  const Scalar t197 = ((k[20] * t147 + k[22] * t142) - t196) + (k[3] * t176 + k[2] * t187);
-  const Scalar t198 = (t186 - t9 * t187) - t197;
-  const Scalar t199 = t14 * t179 + (torque[4] + t198);
-  const Scalar t200 = t188 + t189;
-  const Scalar t201 = t174 - t200;
-  const Scalar t202 = k[31] * (t190 - t201) - (k[29] * t141 - k[27] * t140);
-  const Scalar t203 = ((k[15] * t136 - k[23] * t127) + t202) - (k[16] * t172 - k[4] * t177);
-  const Scalar t204 = (t146 - t185) * t15 - (t183 * t17 + t30 * t182);
-  const Scalar t205 = (k[13] * t143 - k[8] * t149) - k[20] * t194;
-  const Scalar t206 = ((t149 * t0 + t204) - t187 * t20) - (k[3] * t177 + (k[22] * t195 + t205));
-  const Scalar t207 = (k[12] * t149 + k[8] * t143) + (k[22] * t146 + k[20] * t130);
-  const Scalar t208 = (t207 + k[2] * t177) - t178;
-  const Scalar t209 = t203 + (s5 * t206 + c5 * t208);
-  const Scalar t210 = t60 * t199 + ((torque[3] - t209) - t45 * t179);
-  const Scalar t211 = t155 - t174;
-  const Scalar t212 = (k[35] * t173 - k[36] * t164) + (k[30] * t211 - k[43] * t165);
-  const Scalar t213 = t129 + t128;
-  const Scalar t214 = (k[3] * t130 + k[2] * (t146 + t191)) + (t9 * t192 - t147 * t20);
-  const Scalar t215 = (t9 * t183 - t20 * t182) - (k[3] * t193 - k[2] * t195);
-  const Scalar t216 = (k[16] * t137 + k[4] * t213) + (s5 * t214 + c5 * t215);
-  const Scalar t217 = (k[4] * t200 - k[16] * t141) - (s5 * t215 - c5 * t214);
-  const Scalar t218 = (k[15] * t201 + k[23] * t141) + (k[27] * t213 + k[31] * t137);
-  const Scalar t219 = k[5] * t217 - (t198 - (t218 + k[4] * t175));
-  const Scalar t220 = (t9 * t149 - (t146 - t192) * t20) - (k[3] * t143 - k[2] * t149);
-  const Scalar t221 = (k[4] * t140 - k[16] * t191) - t220;
-  const Scalar t222 = k[23] * t190 + (k[29] * t137 + k[31] * t213);
-  const Scalar t223 = ((k[15] * t140 + t222) + k[16] * t175) - (c5 * t206 - s5 * t208);
-  const Scalar t224 = k[5] * t221 - t223;
-  const Scalar t225 = t212 - (t216 - (c4 * t219 - s4 * t224));
-  const Scalar t226 = t74 * t199 - ((torque[2] - t225) + t42 * t179);
-  const Scalar t227 = t75 * t210 + t226;
-  const Scalar t228 = t67 * t210;
-  const Scalar t229 = t49 * t199;
-  const Scalar t230 = c4 * t221 + s4 * t217;
-  const Scalar t231 = (k[56] * t138 + k[36] * t126) - t230;
-  const Scalar t232 = t168 * (k[48] * s2 - k[47] * c2) + t231;
-  const Scalar t233 = (k[50] * t154 - k[49] * t165) - (k[55] * t138 - k[30] * t126);
-  const Scalar t234 = ((t230 - t209) - (t233 - k[35] * t170)) * t25;
-  const Scalar t235 = (k[53] * t125 + k[54] * t138) + k[49] * (t154 - t211);
-  const Scalar t236 = (c4 * t224 + s4 * t219) - ((t235 - k[50] * t165) - k[36] * t170);
-  const Scalar t237 = k[46] - s2 * (k[44] * c2 + k[45] * s2);
-  const Scalar t238 = t160 * (k[52] * s2 - k[51] * c2) - t237 * t168;
-  const Scalar t239 = ((t234 - t26 * t236) - t44 * t231) + (t238 + t169 * t109);
-  const Scalar t240 = (k[58] * t169 + k[57] * t156) - (k[42] * t232 - t239);
-  const Scalar t241 = t229 * t55 - ((torque[0] - t240) + t112 * t179);
-  const Scalar t242 = k[25] * t179;
-  const Scalar t243 = c3 * (t216 - (k[35] * t165 - k[36] * t174));
-  const Scalar t244 = (k[36] * t165 - k[35] * t155) + (s4 * t221 - c4 * t217);
-  const Scalar t245 = (k[47] * t158 + k[48] * t162) + t151 * t237;
-  const Scalar t246 = (k[24] * (t243 - s3 * t244) - t225) - t245;
-  const Scalar t247 = t83 * t229 - (t242 * t80 + (torque[1] + t246));
-  const Scalar t248 = (t227 * t91 - (t92 * t210 - t247)) * t104;
-  const Scalar t249 = (t227 * t114 + (t228 * t66 + t241)) + t248 * t96;
-  const Scalar t250 = t115 * t249;
-  const Scalar t251 = t248 - t250 * t105;
-  const Scalar t252 = (t250 * t114 - t227 * t77) - t251 * t91;
-  const Scalar t253 = (t251 * t92 + (t228 + t250 * t68)) + t75 * t252;
-  const Scalar t254 = t74 * t252 - (t251 * t84 - (t250 * t56 + t229));
-  const Scalar t255 = t60 * t253 + t254;
-  const Scalar t256 = (t251 * t79 - (t250 * t112 + t242)) - t42 * t252;
+  const Scalar t0 = k[17] * c6 - k[16] * s6;
+  const Scalar t1 = k[33] * t0;
+  const Scalar t2 = k[2] * c6 - k[3] * s6;
+  const Scalar t3 = c5 * t2;
+  const Scalar t4 = k[2] * s6 + k[3] * c6;
+  const Scalar t5 = c4 * t3 - s4 * t4;
+  const Scalar t6 = k[17] * s6 + k[16] * c6;
+  const Scalar t7 = k[34] * s5 - c5 * t6;
+  const Scalar t8 = k[6] * t5 - (c4 * t0 + s4 * t7);
+  const Scalar t9 = s5 * t2;
+  const Scalar t10 = t8 - t9;
+  const Scalar t11 = k[5] + t4;
+  const Scalar t12 = k[4] * s5 - c5 * t11;
+  const Scalar t13 = k[13] * s6 - k[12] * c6;
+  const Scalar t14 = c6 * t13;
+  const Scalar t15 = k[15] + t14;
+  const Scalar t16 = k[20] - (k[19] - t15);
+  const Scalar t17 = k[4] * c5 + s5 * t11;
+  const Scalar t18 = k[6] * t17;
+  const Scalar t19 = t16 - t18;
+  const Scalar t20 = k[14] - s6 * t13;
+  const Scalar t21 = k[21] + t20;
+  const Scalar t22 = k[22] + t0;
+  const Scalar t23 = c5 * t21 - s5 * t22;
+  const Scalar t24 = t12 + (c4 * t19 + s4 * t23);
+  const Scalar t25 = t1 * t10 - t24;
+  const Scalar t26 = Scalar(1) / (t16 + t1 * t0);
+  const Scalar t27 = t25 * t26;
+  const Scalar t28 = k[1] + t2;
+  const Scalar t29 = k[0] - t12;
+  const Scalar t30 = s4 * t28 + c4 * t29;
+  const Scalar t31 = k[18] + t6;
+  const Scalar t32 = s5 * (k[35] - t16) - Scalar(2) * c5 * t31;
+  const Scalar t33 = k[20] - s5 * t32;
+  const Scalar t34 = k[25] + (t16 - t33);
+  const Scalar t35 = k[28] + t14;
+  const Scalar t36 = k[27] - t35;
+  const Scalar t37 = k[26] + t23;
+  const Scalar t38 = c4 * t37;
+  const Scalar t39 = s4 * (t36 - t34) + (t38 + t38);
+  const Scalar t40 = s4 * t39;
+  const Scalar t41 = t34 + t40;
+  const Scalar t42 = k[36] - (Scalar(2) * t30 - t41);
+  const Scalar t43 = k[37] + ((t18 + t18) - t33);
+  const Scalar t44 = t42 - t43;
+  const Scalar t45 = k[33] * t10;
+  const Scalar t46 = s5 * t6 + k[34] * c5;
+  const Scalar t47 = k[33] * t46;
+  const Scalar t48 = t36 - t40;
+  const Scalar t49 = t41 + t48;
+  const Scalar t50 = c5 * t22 + s5 * t21;
+  const Scalar t51 = t47 * t0 - t50;
+  const Scalar t52 = t51 * t26;
+  const Scalar t53 = Scalar(1) / ((t47 * t46 + t49) - t51 * t52);
+  const Scalar t54 = k[24] - (t31 + c5 * t32);
+  const Scalar t55 = k[23] + t50;
+  const Scalar t56 = c4 * t28 - s4 * t29;
+  const Scalar t57 = (s4 * t54 - c4 * t55) + k[6] * t56;
+  const Scalar t58 = (t57 - t45 * t46) + t25 * t52;
+  const Scalar t59 = t53 * t58;
+  const Scalar t60 = (t27 * t25 - (t44 + t45 * t10)) + t59 * t58;
+  const Scalar t61 = Scalar(1) / t60;
+  const Scalar t62 = s4 * t17;
+  const Scalar t63 = k[11] * s2;
+  const Scalar t64 = c3 * s2 + c2 * s3;
+  const Scalar t65 = s2 * s3 - c2 * c3;
+  const Scalar t66 = (t62 - t50) * t64 + t65 * (s4 * t19 - c4 * t23);
+  const Scalar t67 = s4 * t3 + c4 * t4;
+  const Scalar t68 = (s4 * t0 - c4 * t7) - k[6] * t67;
+  const Scalar t69 = t63 * t67 + ((t67 + t46) * t64 + t68 * t65);
+  const Scalar t70 = k[10] * t67 + t69;
+  const Scalar t71 = (k[10] * t62 + (t63 * t62 + t66)) + t1 * t70;
+  const Scalar t72 = t71 * t26;
+  const Scalar t73 = k[6] * t30 - (c4 * t54 + s4 * t55);
+  const Scalar t74 = (t65 * t73 + t64 * (t49 - t30)) - t63 * t30;
+  const Scalar t75 = k[33] * t70;
+  const Scalar t76 = t51 * t72 - ((t74 - k[10] * t30) + t75 * t46);
+  const Scalar t77 = t53 * t76;
+  const Scalar t78 = k[38] - t57;
+  const Scalar t79 = k[39] + ((c4 * t39 - t37) - t56);
+  const Scalar t80 = t78 * t64 + t65 * t79;
+  const Scalar t81 = t58 * t77 + (t72 * t25 - (t80 + t75 * t10));
+  const Scalar t82 = t61 * t81;
+  const Scalar t83 = k[30] - (t73 + t17);
+  const Scalar t84 = c3 * t83;
+  const Scalar t85 = (t84 + t84) + s3 * (t42 + t43);
+  const Scalar t86 = s3 * t85;
+  const Scalar t87 = k[31] + t30;
+  const Scalar t88 = k[32] - t17;
+  const Scalar t89 = k[11] * (c3 * t87 + s3 * t88);
+  const Scalar t90 = k[53] - ((t42 - t86) - Scalar(2) * t89);
+  const Scalar t91 = k[52] - (t86 - t43);
+  const Scalar t92 = c2 * c2;
+  const Scalar t93 = (t83 - c3 * t85) + k[11] * (s3 * t87 - c3 * t88);
+  const Scalar t94 = c2 * s2;
+  const Scalar t95 = (k[46] - t93) * t94;
+  const Scalar t96 = ((t90 - t91) * t92 + (t95 + t95)) - t90;
+  const Scalar t97 = k[40] * c2 + k[41] * s2;
+  const Scalar t98 = k[55] * ((t87 * t64 + t65 * t88) + t97);
+  const Scalar t99 = t75 * t70 + ((k[54] + t48) - (k[56] - (t96 - t98)));
+  const Scalar t100 = t82 * t81 + ((t99 - t72 * t71) - t77 * t76);
+  const Scalar t101 = k[11] * (c3 * t12 + s3 * c4 * t17);
+  const Scalar t102 = k[51] * (c3 * t9 + s3 * t5) - t45;
+  const Scalar t103 = k[34] * t102;
+  const Scalar t104 = (t101 + t24) + t1 * t103;
+  const Scalar t105 = t27 * t104 - ((t89 - t44) + t103 * t45);
+  const Scalar t106 = k[11] * t56;
+  const Scalar t107 = t104 * t26;
+  const Scalar t108 = (t102 * t46 + (t57 - s3 * t106)) - t51 * t107;
+  const Scalar t109 = t53 * t108;
+  const Scalar t110 = t105 - t109 * t58;
+  const Scalar t111 = t61 * t110;
+  const Scalar t112 = s3 * t78 - c3 * t79;
+  const Scalar t113 = ((t80 - c2 * t112) + k[42] * s2) + c2 * (k[43] + (t112 + t106));
+  const Scalar t114 = ((t113 - t102 * t70) + t71 * t107) - t109 * t76;
+  const Scalar t115 = t111 * t81 - t114;
+  const Scalar t116 = t104 * t107 - (t102 * t103 - (t90 + t91));
+  const Scalar t117 = Scalar(1) / ((t116 + t109 * t108) - t110 * t111);
+  const Scalar t118 = t115 * t117;
+  const Scalar t119 = qd[0] * t64;
+  const Scalar t120 = qd[0] * t65;
+  const Scalar t121 = t119 * t120;
+  const Scalar t122 = qd[0] * qd[0];
+  const Scalar t123 = k[8] * s1 + k[9] * c1;
+  const Scalar t124 = k[10] * t122 + t123;
+  const Scalar t125 = s2 * t124 + k[7] * c2;
+  const Scalar t126 = qd[1] * qd[1];
+  const Scalar t127 = t125 + k[11] * ((t122 + t126) - t122 * t92);
+  const Scalar t128 = c2 * t124 - k[7] * s2;
+  const Scalar t129 = k[11] * t122 * t94 + t128;
+  const Scalar t130 = s3 * t127 - c3 * t129;
+  const Scalar t131 = qd[1] + qd[2];
+  const Scalar t132 = t131 * t131;
+  const Scalar t133 = t120 * t120;
+  const Scalar t134 = t132 + t133;
+  const Scalar t135 = (t121 + t130) - k[6] * t134;
+  const Scalar t136 = qd[0] * qd[1];
+  const Scalar t137 = t136 + t136;
+  const Scalar t138 = k[9] * s1 - k[8] * c1;
+  const Scalar t139 = k[11] * c2 * t137 + t138;
+  const Scalar t140 = t131 * t120;
+  const Scalar t141 = t140 + t140;
+  const Scalar t142 = t139 - t141;
+  const Scalar t143 = s3 * t129 + c3 * t127;
+  const Scalar t144 = t132 - t133;
+  const Scalar t145 = t122 + t144;
+  const Scalar t146 = t143 + t145;
+  const Scalar t147 = c4 * t120;
+  const Scalar t148 = t119 * t131;
+  const Scalar t149 = t148 + t148;
+  const Scalar t150 = t119 * t147 + s4 * t149;
+  const Scalar t151 = (s4 * t142 + c4 * t146) - k[6] * t150;
+  const Scalar t152 = c5 * t135 + s5 * t151;
+  const Scalar t153 = s4 * t131 + t147;
+  const Scalar t154 = s4 * t120 - c4 * t131;
+  const Scalar t155 = t153 * t154 + t140;
+  const Scalar t156 = c4 * t149 - s4 * t121;
+  const Scalar t157 = qd[3] - t119;
+  const Scalar t158 = t157 * t154;
+  const Scalar t159 = (t156 - t158) - t158;
+  const Scalar t160 = c5 * t155 + s5 * t159;
+  const Scalar t161 = qd[4] - t154;
+  const Scalar t162 = t161 * t161;
+  const Scalar t163 = c5 * t153 - s5 * t157;
+  const Scalar t164 = t163 * t163;
+  const Scalar t165 = t162 + t164;
+  const Scalar t166 = t162 - t164;
+  const Scalar t167 = s5 * t153 + c5 * t157;
+  const Scalar t168 = qd[5] + t167;
+  const Scalar t169 = t162 - t168 * t168;
+  const Scalar t170 = t165 - t169;
+  const Scalar t171 = t166 + t170;
+  const Scalar t172 = s5 * t155 - c5 * t159;
+  const Scalar t173 = Scalar(2) * t161;
+  const Scalar t174 = t172 + t167 * t173;
+  const Scalar t175 = t174 - t168 * t173;
+  const Scalar t176 = t167 * t163;
+  const Scalar t177 = t157 * t153;
+  const Scalar t178 = t150 + t177;
+  const Scalar t179 = t176 - t178;
+  const Scalar t180 = t179 - Scalar(2) * t168 * t163;
+  const Scalar t181 = (t0 * t160 + t6 * (t165 - t171)) + (t175 * t20 - t15 * t180);
+  const Scalar t182 = s5 * t135 - c5 * t151;
+  const Scalar t183 = t176 + t178;
+  const Scalar t184 = t153 * t153;
+  const Scalar t185 = t157 * t157;
+  const Scalar t186 = t184 + t185;
+  const Scalar t187 = t166 + t186;
+  const Scalar t188 = t165 - t187;
+  const Scalar t189 = (k[19] * t183 + k[20] * t179) - k[18] * t188;
+  const Scalar t190 = (k[4] * t182 - k[5] * t152) + (t189 - (k[21] * t172 + k[22] * t160));
+  const Scalar t191 = (t152 * t4 + t181) - t190;
+  const Scalar t192 = t161 * t163;
+  const Scalar t193 = t192 + (t192 + t160);
+  const Scalar t194 = (t193 * t15 - t35 * t160) - t166 * t20;
+  const Scalar t195 = k[6] * t156 + (s4 * t146 - c4 * t142);
+  const Scalar t196 = (t194 - (t179 * t0 + t6 * t174)) - (t182 * t2 + t195 * t4);
+  const Scalar t197 = torque[5] + t196;
+  const Scalar t198 = k[33] * t197;
+  const Scalar t199 = (torque[4] - t191) - t198 * t0;
+  const Scalar t200 = t199 * t26;
+  const Scalar t201 = t145 - t134;
+  const Scalar t202 = (k[31] * t130 - k[32] * t143) - (k[30] * t201 + k[29] * t121);
+  const Scalar t203 = (t180 * t4 - t175 * t2) - (k[4] * t165 + k[5] * t183);
+  const Scalar t204 = (t4 * t171 - t2 * t160) + (k[4] * t179 + k[5] * t187);
+  const Scalar t205 = t177 + t178;
+  const Scalar t206 = (c5 * t203 - s5 * t204) + (k[1] * t159 - k[0] * t205);
+  const Scalar t207 = t184 - t185;
+  const Scalar t208 = t207 - t134;
+  const Scalar t209 = (k[0] * t208 + k[1] * t155) - (c5 * t204 + s5 * t203);
+  const Scalar t210 = (k[26] * t159 - k[25] * t205) - (k[24] * t207 + k[23] * t155);
+  const Scalar t211 = k[6] * t209 + ((t210 - k[0] * t135) - t191);
+  const Scalar t212 = (k[27] * t159 - k[26] * t205) - k[23] * (t134 - t186);
+  const Scalar t213 = t141 - t155;
+  const Scalar t214 = (k[21] * t166 + k[22] * t179) + (k[18] * t174 + k[19] * t193);
+  const Scalar t215 = (t214 + k[5] * t195) - t196;
+  const Scalar t216 = k[22] * (t166 + t188) + (k[20] * t174 - k[18] * t193);
+  const Scalar t217 = t0 * t169 - (t175 * t35 + t180 * t20);
+  const Scalar t218 = (k[4] * t195 + (k[21] * t183 + t216)) - ((t193 * t6 - t217) - t2 * t152);
+  const Scalar t219 = ((t212 + k[24] * t213) - k[1] * t135) - (s5 * t215 + c5 * t218);
+  const Scalar t220 = (k[5] * t193 - k[4] * t174) + (t2 * t170 + t193 * t4);
+  const Scalar t221 = t220 + (k[1] * t186 + k[0] * t213);
+  const Scalar t222 = t219 - k[6] * t221;
+  const Scalar t223 = t202 + (t206 - (c4 * t211 + s4 * t222));
+  const Scalar t224 = t200 * t25 + (t198 * t10 + (torque[2] - t223));
+  const Scalar t225 = (k[25] * t213 + k[27] * t155) + k[26] * (t208 + t186);
+  const Scalar t226 = (k[0] * t195 - k[1] * t151) - ((k[23] * t150 + k[24] * t156) + t225);
+  const Scalar t227 = t226 - (s5 * t218 - c5 * t215);
+  const Scalar t228 = ((torque[3] - t227) - t198 * t46) - t51 * t200;
+  const Scalar t229 = t228 * t53;
+  const Scalar t230 = t224 - t229 * t58;
+  const Scalar t231 = c4 * t221 + s4 * t209;
+  const Scalar t232 = (k[32] * t149 - k[31] * t141) - t231;
+  const Scalar t233 = t232 - t137 * (k[40] * s2 - k[41] * c2);
+  const Scalar t234 = k[38] * (t144 - t201) + (k[48] * t148 - k[30] * t141);
+  const Scalar t235 = ((t234 - k[39] * t121) + k[32] * t139) + (s4 * t211 - c4 * t222);
+  const Scalar t236 = (k[39] * t144 - k[38] * t121) - (k[47] * t148 + k[36] * t141);
+  const Scalar t237 = t64 * ((k[31] * t139 - t236) - (t227 + t231));
+  const Scalar t238 = k[46] - s2 * (k[44] * s2 + k[45] * c2);
+  const Scalar t239 = t137 * t238 - (k[43] * s2 - k[42] * c2) * t126;
+  const Scalar t240 = ((t65 * t235 + t237) + t63 * t232) + (t138 * t97 - t239);
+  const Scalar t241 = (k[10] * t233 + t240) + (k[50] * t138 + k[49] * t123);
+  const Scalar t242 = t72 * t199 + (t75 * t197 + (torque[0] - t241));
+  const Scalar t243 = (k[40] * t125 - k[41] * t128) + t122 * t238;
+  const Scalar t244 = (k[32] * t121 + k[31] * t145) - (c4 * t209 - s4 * t221);
+  const Scalar t245 = c3 * ((k[32] * t134 + k[31] * t121) + t206);
+  const Scalar t246 = t243 + (t223 - k[11] * (s3 * t244 - t245));
+  const Scalar t247 = t200 * t104 - ((torque[1] - t246) - t102 * t197);
+  const Scalar t248 = t230 * t111 - (t229 * t108 + t247);
+  const Scalar t249 = (t230 * t82 + (t229 * t76 - t242)) + t248 * t118;
+  const Scalar t250 = Scalar(1) / (t100 + t115 * t118) * t249;
+  const Scalar t251 = t250 * t118 - t248 * t117;
+  const Scalar t252 = t251 * t111 - (t61 * t230 - t250 * t82);
+  const Scalar t253 = t59 * t252 - ((t229 + t250 * t77) - t109 * t251);
+  const Scalar t254 = t252 * t27 - (t251 * t107 + (t250 * t72 - t200));
+  const Scalar t255 = t253 * t52 + t254;
+  const Scalar t256 = t252 * t45 - (t102 * t251 + (t198 + t75 * t250));
   JointVector<Scalar> result;
   result[0] = t250;
   result[1] = -t251;
-  result[2] = t252;
-  result[3] = -t253;
+  result[2] = -t252;
+  result[3] = t253;
   result[4] = -t255;
-  result[5] = -t14 * t255 - (t256 - t45 * t253);
+  result[5] = t1 * t255 - (t256 + t47 * t253);
   return result;
 }
 
@@ -1186,110 +1189,121 @@ ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constant
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6x * inertia.m6;
-  const Scalar t1 = inertia.c6z * inertia.m6;
-  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t3 = inertia.c6z * t1 - (inertia.I6zz - t2);
-  const Scalar t4 = inertia.c6y * inertia.m6;
-  const Scalar t5 = (inertia.I6yy - t2) - inertia.c6y * t4;
-  const Scalar t6 = t3 - t5;
-  const Scalar t7 = inertia.I6yz - inertia.c6z * t4;
-  const Scalar t8 = inertia.c5z * inertia.m5;
-  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t10 = inertia.c5x * inertia.m5;
-  const Scalar t11 = ((inertia.I6xx - t2) - inertia.c6x * t0) - (inertia.c5x * t10 - (inertia.I5xx - t9));
-  const Scalar t12 = inertia.c5y * inertia.m5;
-  const Scalar t13 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t14 = inertia.c4z * inertia.m4;
-  const Scalar t15 = inertia.c4y * inertia.m4;
-  const Scalar t16 = ((inertia.I4yy - t13) - inertia.c4y * t15) - (inertia.c5y * t12 - (inertia.I5yy - t9));
-  const Scalar t17 = g.d2 / g.a3;
-  const Scalar t18 = g.d1 / g.a3;
-  const Scalar t19 = inertia.c4x * inertia.m4;
-  const Scalar t20 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t21 = inertia.c3y * inertia.m3;
-  const Scalar t22 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t23 = inertia.c2y * inertia.m2;
-  const Scalar t24 = ((inertia.I3yy - t20) - inertia.c3y * t21) + ((inertia.I2yy - t22) - inertia.c2y * t23);
-  const Scalar t25 = inertia.c1y * inertia.m1;
-  const Scalar t26 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t27 = inertia.c2x * inertia.m2;
-  const Scalar t28 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t29 = inertia.m3 + t28;
-  const Scalar t30 = g.a2 * t29;
-  const Scalar t31 = inertia.c2z * inertia.m2;
-  const Scalar t32 = t19 + g.d2 * t28;
-  const Scalar t33 = inertia.c3x * inertia.m3;
-  const Scalar t34 = inertia.c3z * inertia.m3;
-  const Scalar t35 = g.a3 * t28;
-  const Scalar t36 = g.d2 * (t32 + t19) - ((inertia.I4xx - t13) - inertia.c4x * t19);
-  const Scalar t37 = (inertia.c3x * t33 - (inertia.I3xx - t20)) + t36;
-  const Scalar t38 = ((inertia.I3zz - t20) - inertia.c3z * t34) - g.a3 * t35;
-  const Scalar t39 = g.a3 * t32 - (inertia.I3xz - inertia.c3z * t33);
-  const Scalar t40 = inertia.I2xz - inertia.c2z * t27;
-  const Scalar t41 = inertia.c2x * t27 - (inertia.I2xx - t22);
-  const Scalar t42 = g.a2 * t30 - ((inertia.I2zz - t22) - inertia.c2z * t31);
-  const Scalar t43 = g.d1 * (inertia.m2 + t29);
-  const Scalar t44 = inertia.c1x * inertia.m1;
-  const Scalar t45 = g.d1 * t43 + (inertia.c1x * t44 - (inertia.I1xx - t26));
-  return { inertia.I6xz - inertia.c6z * t0,
-           inertia.I6xy - inertia.c6y * t0,
-           Scalar(1) / t6,
-           t3 + t5,
-           Scalar(2) * t7,
+  const Scalar t0 = inertia.c6z * inertia.m6;
+  const Scalar t1 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t2 = inertia.c6z * t0 - (inertia.I6zz - t1);
+  const Scalar t3 = inertia.c6y * inertia.m6;
+  const Scalar t4 = (inertia.I6yy - t1) - inertia.c6y * t3;
+  const Scalar t5 = inertia.I6yz - inertia.c6z * t3;
+  const Scalar t6 = inertia.c5y * inertia.m5;
+  const Scalar t7 = inertia.c6x * inertia.m6;
+  const Scalar t8 = inertia.c5x * inertia.m5;
+  const Scalar t9 = t2 - t4;
+  const Scalar t10 = Scalar(1) / t9;
+  const Scalar t11 = inertia.c5z * inertia.m5;
+  const Scalar t12 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t13 = ((inertia.I6xx - t1) - inertia.c6x * t7) - (inertia.c5x * t8 - (inertia.I5xx - t12));
+  const Scalar t14 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t15 = inertia.c4z * inertia.m4;
+  const Scalar t16 = inertia.c4y * inertia.m4;
+  const Scalar t17 = ((inertia.I4yy - t14) - inertia.c4y * t16) - (inertia.c5y * t6 - (inertia.I5yy - t12));
+  const Scalar t18 = g.d2 / g.a3;
+  const Scalar t19 = g.a2 / g.a3;
+  const Scalar t20 = g.d1 / g.a3;
+  const Scalar t21 = g.d2 * t15;
+  const Scalar t22 = inertia.c4x * inertia.m4;
+  const Scalar t23 = g.d2 * t16;
+  const Scalar t24 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t25 = inertia.c3y * inertia.m3;
+  const Scalar t26 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t27 = inertia.c2y * inertia.m2;
+  const Scalar t28 = ((inertia.I3yy - t24) - inertia.c3y * t25) + ((inertia.I2yy - t26) - inertia.c2y * t27);
+  const Scalar t29 = inertia.c1y * inertia.m1;
+  const Scalar t30 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t31 = g.d2 * inertia.m4;
+  const Scalar t32 = t31 + t22;
+  const Scalar t33 = t31 - t32;
+  const Scalar t34 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t35 = t33 - g.d2 * t34;
+  const Scalar t36 = inertia.c3x * inertia.m3;
+  const Scalar t37 = inertia.c3z * inertia.m3;
+  const Scalar t38 = g.a3 * t34;
+  const Scalar t39 = g.d2 * (t22 + t32) - ((inertia.I4xx - t14) - inertia.c4x * t22);
+  const Scalar t40 = g.d2 * (t35 + t33) + (g.d2 * (t32 - t33) - t39);
+  const Scalar t41 = (inertia.c3x * t36 - (inertia.I3xx - t24)) - t40;
+  const Scalar t42 = ((inertia.I3zz - t24) - inertia.c3z * t37) - g.a3 * t38;
+  const Scalar t43 = g.a3 * t35 + (inertia.I3xz - inertia.c3z * t36);
+  const Scalar t44 = inertia.c2x * inertia.m2;
+  const Scalar t45 = inertia.I2xz - inertia.c2z * t44;
+  const Scalar t46 = inertia.c2x * t44 - (inertia.I2xx - t26);
+  const Scalar t47 = inertia.m3 + t34;
+  const Scalar t48 = g.a2 * t47;
+  const Scalar t49 = inertia.c2z * inertia.m2;
+  const Scalar t50 = g.a2 * t48 - ((inertia.I2zz - t26) - inertia.c2z * t49);
+  const Scalar t51 = g.d1 * (inertia.m2 + t47);
+  const Scalar t52 = inertia.c1x * inertia.m1;
+  const Scalar t53 = g.d1 * t51 + (inertia.c1x * t52 - (inertia.I1xx - t30));
+  return { t2 + t4,
+           Scalar(2) * t5,
            t5,
-           inertia.c5z * t8 - (inertia.I5zz - t9),
-           t11,
-           t6,
-           inertia.I5xy - inertia.c5y * t10,
-           t7,
-           inertia.I5yz - inertia.c5z * t12,
-           inertia.I5xz - inertia.c5z * t10,
-           Scalar(2) * t11,
-           (inertia.I4zz - t13) - inertia.c4z * t14,
-           inertia.I4yz - inertia.c4z * t15,
-           t3,
-           t16,
-           g.a2 / g.a3,
-           g.a3 * t4,
-           g.a3 * t1,
+           inertia.I5yz - inertia.c5z * t6,
+           inertia.I6xz - inertia.c6z * t7,
+           inertia.I6xy - inertia.c6y * t7,
+           inertia.I5xy - inertia.c5y * t8,
+           t10,
+           t9,
+           t4,
+           inertia.c5z * t11 - (inertia.I5zz - t12),
+           t13,
+           Scalar(2) * t13,
+           inertia.I5xz - inertia.c5z * t8,
+           (inertia.I4zz - t14) - inertia.c4z * t15,
+           t2,
            t17,
+           inertia.I4yz - inertia.c4z * t16,
+           g.a3 * (t7 + t8),
+           g.a3 * t3,
+           g.a3 * t0,
+           g.a3 * t11,
            t18,
-           g.a3 * (t0 + t10),
-           g.a3 * t8,
-           g.a3 * t14,
-           g.a3 * (t15 + t12),
-           inertia.I4xz - inertia.c4z * t19,
-           inertia.I4xy - inertia.c4y * t19,
-           t24 - (inertia.c1y * t25 - (inertia.I1yy - t26)),
-           g.a3 * t27,
-           g.a3 * (t30 + t31),
-           g.a3 * (t32 + t33),
-           g.a3 * (t34 + t35),
+           t19,
+           t20,
+           g.a3 * (t16 + t6),
+           g.a3 * t15,
+           t21 + ((inertia.I4xz - inertia.c4z * t22) - t21),
+           t23 - (t23 - (inertia.I4xy - inertia.c4y * t22)),
+           t28 - (inertia.c1y * t29 - (inertia.I1yy - t30)),
+           g.a3 * (t35 - t36),
+           g.a3 * (t37 + t38),
            Scalar(2) * t18,
-           Scalar(2) * t17,
-           t37,
-           t38,
-           t39,
-           t40,
            t41,
            t42,
+           t43,
            t45,
-           inertia.I3yz - inertia.c3z * t21,
-           inertia.I3xy - inertia.c3y * t33,
-           inertia.I2xy - inertia.c2y * t27,
-           g.a2 * t21 - (inertia.I2yz - inertia.c2z * t23),
+           t46,
+           t50,
+           g.a3 * (t48 + t49),
+           g.a3 * t44,
+           Scalar(2) * t20,
+           t53,
+           inertia.I3yz - inertia.c3z * t25,
+           inertia.I3xy - inertia.c3y * t36,
+           t10 * t19,
+           g.a2 * t25 - (inertia.I2yz - inertia.c2z * t27),
+           inertia.I2xy - inertia.c2y * t44,
            gravity[1] / g.a3,
            gravity[0] / g.a3,
            gravity[2] / g.a3,
+           Scalar(2) * t19,
            g.a3,
            g.d3 / g.a3,
-           t37 + t38,
-           t42 - t41,
-           Scalar(2) * t40,
-           Scalar(2) * t39,
-           g.a3 * ((t21 + t23) + t25),
-           g.a3 * (t44 + t43) };
+           t42 + t41,
+           Scalar(2) * t45,
+           t50 - t46,
+           Scalar(2) * t42,
+           Scalar(2) * t43,
+           g.a3 * ((t25 + t27) + t29),
+           g.a3 * (t52 + t51) };
 }
 
 namespace detail {
@@ -1312,283 +1326,285 @@ inline JointVector<Scalar> forward_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
   const Scalar t0 = k[19] * s6 + k[20] * c6;
-  const Scalar t1 = k[24] + t0;
-  const Scalar t2 = s5 * t1 + k[23] * c5;
-  const Scalar t3 = c5 * t1 - k[23] * s5;
-  const Scalar t4 = k[18] * (s3 * c4 * t2 - c3 * t3);
-  const Scalar t5 = k[3] * c6 - k[4] * s6;
-  const Scalar t6 = k[10] + s6 * t5;
-  const Scalar t7 = k[11] + t6;
-  const Scalar t8 = k[0] * s6 - k[1] * c6;
-  const Scalar t9 = k[9] - t8;
-  const Scalar t10 = c5 * t7 - s5 * t9;
-  const Scalar t11 = c6 * t5;
-  const Scalar t12 = k[5] - t11;
-  const Scalar t13 = k[7] - (k[6] - t12);
-  const Scalar t14 = k[21] * t2 - t13;
-  const Scalar t15 = (s4 * t10 - c4 * t14) - t3;
-  const Scalar t16 = k[19] * c6 - k[20] * s6;
-  const Scalar t17 = c5 * t16;
-  const Scalar t18 = s5 * t16;
-  const Scalar t19 = s3 * (s4 * t0 - c4 * t17) - c3 * t18;
-  const Scalar t20 = k[0] * c6 + k[1] * s6;
-  const Scalar t21 = k[21] * t0 + (k[8] * s5 - c5 * t20);
-  const Scalar t22 = t8 + k[21] * t17;
-  const Scalar t23 = t18 + (s4 * t21 - c4 * t22);
-  const Scalar t24 = k[18] * t19 - t23;
-  const Scalar t25 = k[2] * t8;
-  const Scalar t26 = (t4 + t15) + t24 * t25;
-  const Scalar t27 = Scalar(1) / (t13 + t8 * t25);
-  const Scalar t28 = t26 * t27;
-  const Scalar t29 = s5 * t20 + k[8] * c5;
-  const Scalar t30 = s5 * t7 + c5 * t9;
-  const Scalar t31 = t29 * t25 + t30;
-  const Scalar t32 = k[25] + t3;
-  const Scalar t33 = k[26] + t16;
-  const Scalar t34 = s4 * t32 - c4 * t33;
-  const Scalar t35 = k[12] + t20;
-  const Scalar t36 = Scalar(2) * c5 * t35 - s5 * (k[13] - t13);
-  const Scalar t37 = k[27] + (c5 * t36 - t35);
-  const Scalar t38 = k[28] + t30;
-  const Scalar t39 = k[21] * t34 - (s4 * t37 - c4 * t38);
-  const Scalar t40 = k[18] * t34;
-  const Scalar t41 = k[2] * t24;
-  const Scalar t42 = t28 * t31 - ((t39 - s3 * t40) + t29 * t41);
-  const Scalar t43 = k[2] * t29;
-  const Scalar t44 = k[15] + t10;
-  const Scalar t45 = c4 * t44;
-  const Scalar t46 = k[16] - t11;
-  const Scalar t47 = k[17] - t46;
-  const Scalar t48 = k[7] + s5 * t36;
-  const Scalar t49 = k[14] + (t13 - t48);
-  const Scalar t50 = (t45 + t45) + s4 * (t47 - t49);
-  const Scalar t51 = s4 * t50;
-  const Scalar t52 = t51 + t49;
-  const Scalar t53 = t51 - t47;
-  const Scalar t54 = t52 - t53;
-  const Scalar t55 = t27 * t31;
-  const Scalar t56 = Scalar(1) / ((t29 * t43 + t54) - t55 * t31);
-  const Scalar t57 = t56 * t42;
-  const Scalar t58 = s4 * t33 + c4 * t32;
-  const Scalar t59 = k[37] + (t52 - Scalar(2) * t58);
-  const Scalar t60 = k[36] + (k[35] * t2 - t48);
-  const Scalar t61 = k[21] * t58 - (s4 * t38 + c4 * t37);
-  const Scalar t62 = k[38] + (t2 + t61);
-  const Scalar t63 = s3 * (t59 + t60) - Scalar(2) * c3 * t62;
-  const Scalar t64 = s3 * t63 - t60;
-  const Scalar t65 = k[40] - t64;
-  const Scalar t66 = k[32] + t2;
-  const Scalar t67 = k[33] + t58;
-  const Scalar t68 = k[18] * (s3 * t66 - c3 * t67);
-  const Scalar t69 = t59 - t60;
-  const Scalar t70 = k[41] - ((t68 + t68) - (t64 - t69));
-  const Scalar t71 = t26 * t28 + ((t65 + t70) - t24 * t41);
-  const Scalar t72 = t25 * t23 - t15;
-  const Scalar t73 = t72 * t27;
-  const Scalar t74 = k[2] * t23;
-  const Scalar t75 = t73 * t31 + (t39 - t29 * t74);
-  const Scalar t76 = t56 * t75;
-  const Scalar t77 = t73 * t26 + ((t69 + t68) - t41 * t23);
-  const Scalar t78 = t42 * t76 + t77;
-  const Scalar t79 = t76 * t75 + (t72 * t73 - (t69 + t23 * t74));
-  const Scalar t80 = Scalar(1) / t79;
-  const Scalar t81 = t78 * t80;
-  const Scalar t82 = Scalar(1) / ((t42 * t57 + t71) - t78 * t81);
-  const Scalar t83 = c4 * t0 + s4 * t17;
-  const Scalar t84 = c3 * s2 + c2 * s3;
-  const Scalar t85 = s2 * s3 - c2 * c3;
-  const Scalar t86 = (t83 + t29) * t84 - (s4 * t22 + c4 * t21) * t85;
-  const Scalar t87 = k[18] * s2;
-  const Scalar t88 = k[22] * t83 + (t86 + t87 * t83);
-  const Scalar t89 = k[2] * t88;
-  const Scalar t90 = ((t58 - t54) * t84 - t85 * t61) + t87 * t58;
-  const Scalar t91 = s4 * t2;
-  const Scalar t92 = (s4 * t14 + c4 * t10) * t85 - (t91 - t30) * t84;
-  const Scalar t93 = t25 * t88 - (k[22] * t91 + (t91 * t87 - t92));
-  const Scalar t94 = t27 * t93;
-  const Scalar t95 = (t29 * t89 - (t90 + k[22] * t58)) - t94 * t31;
-  const Scalar t96 = t56 * t95;
-  const Scalar t97 = k[43] + (t34 + (c4 * t50 - t44));
-  const Scalar t98 = k[44] + t39;
-  const Scalar t99 = t85 * t97 + t98 * t84;
-  const Scalar t100 = t96 * t75 - (t72 * t94 - (t88 * t74 - t99));
-  const Scalar t101 = t100 * t80;
-  const Scalar t102 = s3 * t98 - c3 * t97;
-  const Scalar t103 = ((c2 * t102 - t99) - k[45] * s2) - c2 * (k[46] - (t40 - t102));
-  const Scalar t104 = t57 * t95 + ((t41 * t88 - t103) - t26 * t94);
-  const Scalar t105 = t101 * t78 - t104;
-  const Scalar t106 = t82 * t105;
-  const Scalar t107 = qd[0] * t84;
-  const Scalar t108 = qd[0] * t85;
-  const Scalar t109 = t107 * t108;
-  const Scalar t110 = qd[0] * qd[0];
-  const Scalar t111 = qd[1] + qd[2];
-  const Scalar t112 = t111 * t111;
-  const Scalar t113 = t108 * t108;
-  const Scalar t114 = t112 - t113;
-  const Scalar t115 = t110 + t114;
-  const Scalar t116 = k[47] * s1 + k[48] * c1;
-  const Scalar t117 = t116 + k[22] * t110;
-  const Scalar t118 = qd[1] * qd[1];
-  const Scalar t119 = qd[0] * s2;
-  const Scalar t120 = k[18] * (t118 + t119 * t119);
-  const Scalar t121 = c2 * s2;
-  const Scalar t122 = k[18] * t110 * t121;
-  const Scalar t123 = (k[49] * t85 - t117 * t84) - (c3 * t120 + s3 * t122);
-  const Scalar t124 = k[21] * t109 - (t115 - t123);
-  const Scalar t125 = t107 * t111;
-  const Scalar t126 = Scalar(2) * qd[0] * qd[1];
-  const Scalar t127 = k[48] * s1 - k[47] * c1;
-  const Scalar t128 = t126 * k[18] * c2 + t127;
-  const Scalar t129 = t111 * t108;
-  const Scalar t130 = Scalar(2) * t129;
-  const Scalar t131 = k[35] * t125 - (t128 - t130);
-  const Scalar t132 = c4 * t124 + s4 * t131;
-  const Scalar t133 = t112 + t113;
-  const Scalar t134 = (c3 * t122 - s3 * t120) - (k[49] * t84 + t85 * t117);
-  const Scalar t135 = k[21] * t133 - (t109 - t134);
-  const Scalar t136 = s5 * t132 + c5 * t135;
-  const Scalar t137 = s4 * t108;
-  const Scalar t138 = t137 - c4 * t111;
-  const Scalar t139 = qd[4] - t138;
-  const Scalar t140 = c4 * t108;
-  const Scalar t141 = s4 * t111 + t140;
-  const Scalar t142 = qd[3] - t107;
-  const Scalar t143 = s5 * t141 + c5 * t142;
-  const Scalar t144 = t141 * t138 + t129;
-  const Scalar t145 = t142 * t138;
-  const Scalar t146 = Scalar(2) * t125;
-  const Scalar t147 = t107 * t137 - c4 * t146;
-  const Scalar t148 = (t145 + t145) + t147;
-  const Scalar t149 = s5 * t144 + c5 * t148;
-  const Scalar t150 = Scalar(2) * t139 * t143 + t149;
-  const Scalar t151 = qd[5] + t143;
-  const Scalar t152 = t150 - Scalar(2) * t151 * t139;
-  const Scalar t153 = c5 * t141 - s5 * t142;
-  const Scalar t154 = t151 * t153;
-  const Scalar t155 = t143 * t153;
-  const Scalar t156 = s4 * t146 + t107 * t140;
-  const Scalar t157 = t142 * t141;
-  const Scalar t158 = t156 + t157;
-  const Scalar t159 = t155 - t158;
-  const Scalar t160 = t154 + (t154 - t159);
-  const Scalar t161 = t139 * t139;
-  const Scalar t162 = t153 * t153;
-  const Scalar t163 = t161 - t162;
-  const Scalar t164 = t151 * t151;
-  const Scalar t165 = t161 - t164;
-  const Scalar t166 = t163 - t165;
-  const Scalar t167 = c5 * t144 - s5 * t148;
-  const Scalar t168 = (t6 * t152 + t12 * t160) - (t20 * t166 + t8 * t167);
-  const Scalar t169 = wrench[0] * c1 + wrench[1] * s1;
-  const Scalar t170 = wrench[2] * t85 - t169 * t84;
-  const Scalar t171 = wrench[0] * s1 - wrench[1] * c1;
-  const Scalar t172 = c4 * t170 - s4 * t171;
-  const Scalar t173 = t85 * t169 + wrench[2] * t84;
-  const Scalar t174 = k[50] * (c5 * t172 + s5 * t173);
-  const Scalar t175 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t176 = t175 * t84 - wrench[5] * t85;
-  const Scalar t177 = wrench[3] * s1 - wrench[4] * c1;
-  const Scalar t178 = k[51] * t174 + (s4 * t176 - c4 * t177);
-  const Scalar t179 = c5 * t132 - s5 * t135;
-  const Scalar t180 = t155 + t158;
-  const Scalar t181 = t141 * t141;
-  const Scalar t182 = t142 * t142;
-  const Scalar t183 = t181 + t182;
-  const Scalar t184 = t163 + t183;
-  const Scalar t185 = t164 + t162;
-  const Scalar t186 = t163 + t185;
-  const Scalar t187 = t186 - t166;
-  const Scalar t188 = t184 - t187;
-  const Scalar t189 = (k[6] * t180 + k[7] * t159) + k[12] * t188;
-  const Scalar t190 = (k[24] * t136 + k[23] * t179) + (t189 - (k[9] * t167 + k[11] * t149));
-  const Scalar t191 = ((t0 * t136 - t168) + t178) + t190;
-  const Scalar t192 = s4 * t177 + c4 * t176;
-  const Scalar t193 = t85 * t175 + wrench[5] * t84;
-  const Scalar t194 = t139 * t153;
-  const Scalar t195 = t194 + (t194 + t167);
-  const Scalar t196 = (t12 * t195 - t46 * t167) - t163 * t6;
-  const Scalar t197 = s4 * t124 - c4 * t131;
-  const Scalar t198 = (t196 + (t8 * t159 - t20 * t150)) - (t179 * t16 - t0 * t197);
-  const Scalar t199 = (s5 * t192 + c5 * t193) - t198;
-  const Scalar t200 = torque[5] - t199;
-  const Scalar t201 = (torque[4] + t191) + t200 * t25;
-  const Scalar t202 = t27 * t201;
-  const Scalar t203 = (k[9] * t159 + k[11] * t163) + (k[12] * t150 + k[6] * t195);
-  const Scalar t204 = (k[24] * t197 - t203) - t199;
-  const Scalar t205 = k[50] * (s4 * t170 + c4 * t171);
-  const Scalar t206 = (c5 * t192 - s5 * t193) - k[51] * t205;
-  const Scalar t207 = t8 * t165 + (t46 * t152 - t160 * t6);
-  const Scalar t208 = t206 - (t136 * t16 + (t20 * t195 + t207));
-  const Scalar t209 = k[9] * (t163 - t188) + (k[7] * t150 - k[12] * t195);
-  const Scalar t210 = t208 + ((t209 + k[11] * t180) - k[23] * t197);
-  const Scalar t211 = t130 - t144;
-  const Scalar t212 = t158 + t157;
-  const Scalar t213 = (k[15] * t212 + k[17] * t148) + k[28] * (t133 - t183);
-  const Scalar t214 = (s5 * t204 - c5 * t210) + (k[26] * t135 + (k[27] * t211 - t213));
-  const Scalar t215 = (k[23] * t150 - k[24] * t195) - ((t0 * t195 + t185 * t16) - t205);
-  const Scalar t216 = (k[25] * t211 + k[26] * t183) - t215;
-  const Scalar t217 = t214 - k[21] * t216;
-  const Scalar t218 = t181 - t182;
-  const Scalar t219 = (k[14] * t212 + k[15] * t148) + (k[28] * t144 + k[27] * t218);
-  const Scalar t220 = t218 - t133;
-  const Scalar t221 = (k[23] * t159 + k[24] * t184) + ((t0 * t186 - t16 * t167) - t174);
-  const Scalar t222 = (t0 * t160 + t16 * t152) - k[50] * (c5 * t173 - s5 * t172);
-  const Scalar t223 = t222 + (k[24] * t180 + k[23] * t187);
-  const Scalar t224 = (k[26] * t144 + k[25] * t220) - (c5 * t221 - s5 * t223);
-  const Scalar t225 = (t191 - (t219 - k[25] * t135)) + k[21] * t224;
-  const Scalar t226 = (k[26] * t148 + k[25] * t212) + (s5 * t221 + c5 * t223);
-  const Scalar t227 = (k[33] * t134 + k[32] * t123) - (k[38] * (t115 - t133) - k[52] * t109);
-  const Scalar t228 = ((s4 * t217 + c4 * t225) + t226) + t227;
-  const Scalar t229 = (s4 * t216 - c4 * t224) - (k[32] * t109 - k[33] * t115);
-  const Scalar t230 = c3 * ((k[32] * t133 - k[33] * t109) + t226);
-  const Scalar t231 = k[31] * c2 - k[30] * s2;
-  const Scalar t232 = k[30] * c2 + k[31] * s2;
-  const Scalar t233 = k[39] - s2 * (k[54] * s2 + k[53] * c2);
-  const Scalar t234 = (t117 * t231 - k[49] * t232) - t233 * t110;
-  const Scalar t235 = (t228 + k[18] * (s3 * t229 + t230)) + t234;
-  const Scalar t236 = k[2] * t200;
-  const Scalar t237 = t26 * t202 - ((torque[1] + t235) + t24 * t236);
-  const Scalar t238 = (k[17] * t144 + k[14] * t211) + k[15] * (t220 + t183);
-  const Scalar t239 = (k[26] * t132 - k[25] * t197) - (t238 - (k[27] * t147 - k[28] * t156));
-  const Scalar t240 = (c5 * t204 + s5 * t210) - t239;
-  const Scalar t241 = t202 * t31 + ((torque[3] + t240) - t200 * t43);
-  const Scalar t242 = t56 * t241;
-  const Scalar t243 = (t23 * t236 - (torque[2] + t228)) - t73 * t201;
-  const Scalar t244 = (t76 * t241 - t243) * t80;
-  const Scalar t245 = (t237 + t242 * t42) - t78 * t244;
-  const Scalar t246 = t118 * (k[46] * s2 - k[45] * c2) - t233 * t126;
-  const Scalar t247 = (k[37] * t130 - k[55] * t125) + (k[44] * t109 - k[43] * t114);
-  const Scalar t248 = s4 * t224 + c4 * t216;
-  const Scalar t249 = ((t247 + k[33] * t128) - (t248 - t240)) * t84;
-  const Scalar t250 = k[44] * (t110 - t133) - (k[38] * t130 + k[36] * t146);
-  const Scalar t251 = (s4 * t225 - c4 * t217) - ((t250 + k[43] * t109) + k[32] * t128);
-  const Scalar t252 = (k[32] * t146 + k[33] * t130) + t248;
-  const Scalar t253 = (t246 + t232 * t127) + ((t249 + t85 * t251) - t87 * t252);
-  const Scalar t254 = (t253 - k[22] * (t252 - t231 * t126)) + (k[56] * t116 + k[57] * t127);
-  const Scalar t255 = ((torque[0] - t254) + t200 * t89) - t201 * t94;
-  const Scalar t256 = t106 * t245 + ((t242 * t95 + t255) - t100 * t244);
-  const Scalar t257 = k[34] * ((t67 * t84 - t85 * t66) + t232);
-  const Scalar t258 = (c3 * t63 + t62) - k[18] * (s3 * t67 + c3 * t66);
-  const Scalar t259 = t121 * (k[39] + t258);
-  const Scalar t260 = c2 * c2 * (t65 - t70) - (t259 + t259);
-  const Scalar t261 = (k[29] - t53) - (k[42] + (t257 + (t70 + t260)));
-  const Scalar t262 = t96 * t95 + (t94 * t93 - (t261 + t88 * t89));
-  const Scalar t263 = Scalar(1) / ((t262 - t100 * t101) - t106 * t105);
-  const Scalar t264 = t256 * t263;
-  const Scalar t265 = t106 * t264 + t245 * t82;
-  const Scalar t266 = t81 * t265 + (t264 * t101 - t244);
-  const Scalar t267 = ((t242 - t264 * t96) - t57 * t265) + t266 * t76;
-  const Scalar t268 = (t28 * t265 - (t264 * t94 + t202)) - t73 * t266;
-  const Scalar t269 = t55 * t267 - t268;
-  const Scalar t270 = t266 * t74 - (t41 * t265 - (t264 * t89 + t236));
+  const Scalar t1 = k[21] + t0;
+  const Scalar t2 = k[18] * s5 - c5 * t1;
+  const Scalar t3 = k[26] - t2;
+  const Scalar t4 = k[19] * c6 - k[20] * s6;
+  const Scalar t5 = k[25] + t4;
+  const Scalar t6 = s4 * t3 - c4 * t5;
+  const Scalar t7 = k[0] * c6 - k[1] * s6;
+  const Scalar t8 = k[2] + s6 * t7;
+  const Scalar t9 = k[3] + t8;
+  const Scalar t10 = k[4] * s6 - k[5] * c6;
+  const Scalar t11 = k[6] - t10;
+  const Scalar t12 = c5 * t9 - s5 * t11;
+  const Scalar t13 = k[17] + t12;
+  const Scalar t14 = c6 * t7;
+  const Scalar t15 = k[15] - t14;
+  const Scalar t16 = k[16] - t15;
+  const Scalar t17 = k[9] - t14;
+  const Scalar t18 = k[10] - t17;
+  const Scalar t19 = k[11] + t18;
+  const Scalar t20 = k[4] * c6 + k[5] * s6;
+  const Scalar t21 = k[13] + t20;
+  const Scalar t22 = s5 * t19 - c5 * Scalar(2) * t21;
+  const Scalar t23 = s5 * t22 - t18;
+  const Scalar t24 = k[14] + t23;
+  const Scalar t25 = c4 * t13;
+  const Scalar t26 = s4 * (t16 - t24) + (t25 + t25);
+  const Scalar t27 = k[43] + (t6 - (t13 - c4 * t26));
+  const Scalar t28 = c5 * t11 + s5 * t9;
+  const Scalar t29 = k[28] + t28;
+  const Scalar t30 = k[27] - (c5 * t22 + t21);
+  const Scalar t31 = k[22] * t6 + (c4 * t29 - s4 * t30);
+  const Scalar t32 = k[44] + t31;
+  const Scalar t33 = c3 * t27 - s3 * t32;
+  const Scalar t34 = k[23] * t6;
+  const Scalar t35 = c3 * s2 + c2 * s3;
+  const Scalar t36 = s2 * s3 - c2 * c3;
+  const Scalar t37 = t32 * t35 + t36 * t27;
+  const Scalar t38 = c2 * (k[46] - (t33 + t34)) + ((t37 + c2 * t33) + k[47] * s2);
+  const Scalar t39 = k[22] * t0 - (c5 * t20 - k[8] * s5);
+  const Scalar t40 = c5 * t4;
+  const Scalar t41 = t10 + k[22] * t40;
+  const Scalar t42 = c4 * t0 + s4 * t40;
+  const Scalar t43 = c5 + k[7] * s5 * t20;
+  const Scalar t44 = k[8] * t43;
+  const Scalar t45 = (c4 * t39 + s4 * t41) * t36 - (t42 + t44) * t35;
+  const Scalar t46 = k[23] * s2;
+  const Scalar t47 = (t45 - t42 * t46) - k[24] * t42;
+  const Scalar t48 = k[7] * t47;
+  const Scalar t49 = s5 * t4;
+  const Scalar t50 = (s4 * t39 - c4 * t41) + t49;
+  const Scalar t51 = k[7] * t50;
+  const Scalar t52 = s3 * (s4 * t0 - c4 * t40) - c3 * t49;
+  const Scalar t53 = t51 - k[45] * t52;
+  const Scalar t54 = k[8] * t53;
+  const Scalar t55 = k[18] * c5 + s5 * t1;
+  const Scalar t56 = s4 * t55;
+  const Scalar t57 = k[12] - t19;
+  const Scalar t58 = k[22] * t55 - t57;
+  const Scalar t59 = t36 * (c4 * t12 + s4 * t58) - (t56 - t28) * t35;
+  const Scalar t60 = k[7] * t10;
+  const Scalar t61 = ((t56 * t46 - t59) + k[24] * t56) + t47 * t60;
+  const Scalar t62 = t2 - (c4 * t58 - s4 * t12);
+  const Scalar t63 = k[23] * (s3 * c4 * t55 + c3 * t2);
+  const Scalar t64 = t54 * t60 - (t62 + t63);
+  const Scalar t65 = Scalar(1) / (t57 + t10 * t60);
+  const Scalar t66 = t64 * t65;
+  const Scalar t67 = t28 + t60 * t44;
+  const Scalar t68 = t67 * t65;
+  const Scalar t69 = t68 * t64 - (t43 * t54 + (s3 * t34 - t31));
+  const Scalar t70 = s4 * t26;
+  const Scalar t71 = t24 + t70;
+  const Scalar t72 = t16 - t70;
+  const Scalar t73 = t71 + t72;
+  const Scalar t74 = Scalar(1) / ((t43 * t44 + t73) - t68 * t67);
+  const Scalar t75 = t69 * t74;
+  const Scalar t76 = c4 * t3 + s4 * t5;
+  const Scalar t77 = k[22] * t76 - (s4 * t29 + c4 * t30);
+  const Scalar t78 = ((t76 - t73) * t35 - t77 * t36) + t76 * t46;
+  const Scalar t79 = t68 * t61 - (t43 * t47 + (t78 + k[24] * t76));
+  const Scalar t80 = ((t38 + t48 * t54) - t61 * t66) - t75 * t79;
+  const Scalar t81 = t50 * t60 - t62;
+  const Scalar t82 = t81 * t65;
+  const Scalar t83 = t67 * t82 - (t51 * t44 - t31);
+  const Scalar t84 = t83 * t74;
+  const Scalar t85 = t84 * t79 + (t61 * t82 - (t48 * t50 + t37));
+  const Scalar t86 = k[33] + (k[32] * t55 + (t23 - t57));
+  const Scalar t87 = k[34] - ((t76 + t76) - t71);
+  const Scalar t88 = t86 - t87;
+  const Scalar t89 = (t81 * t82 + (t88 - t51 * t50)) + t84 * t83;
+  const Scalar t90 = Scalar(1) / t89;
+  const Scalar t91 = t85 * t90;
+  const Scalar t92 = k[30] - t55;
+  const Scalar t93 = k[31] + t76;
+  const Scalar t94 = k[23] * (s3 * t92 + c3 * t93);
+  const Scalar t95 = t81 * t66 + ((t88 + t94) - t51 * t54);
+  const Scalar t96 = t95 + t84 * t69;
+  const Scalar t97 = t80 + t91 * t96;
+  const Scalar t98 = qd[0] * t35;
+  const Scalar t99 = qd[0] * t36;
+  const Scalar t100 = t98 * t99;
+  const Scalar t101 = qd[0] * qd[0];
+  const Scalar t102 = qd[1] + qd[2];
+  const Scalar t103 = t102 * t102;
+  const Scalar t104 = t99 * t99;
+  const Scalar t105 = t103 - t104;
+  const Scalar t106 = t101 + t105;
+  const Scalar t107 = k[48] * s1 + k[49] * c1;
+  const Scalar t108 = t107 + k[24] * t101;
+  const Scalar t109 = qd[1] * qd[1];
+  const Scalar t110 = qd[0] * s2;
+  const Scalar t111 = (s2 * t108 + k[50] * c2) + k[23] * (t109 + t110 * t110);
+  const Scalar t112 = k[23] * t101 * c2 * s2 - (k[50] * s2 - c2 * t108);
+  const Scalar t113 = c3 * t111 + s3 * t112;
+  const Scalar t114 = k[22] * t100 - (t106 + t113);
+  const Scalar t115 = qd[0] * qd[1];
+  const Scalar t116 = k[49] * s1 - k[48] * c1;
+  const Scalar t117 = k[51] * c2 * t115 + t116;
+  const Scalar t118 = s4 * t102 + c4 * t99;
+  const Scalar t119 = s4 * t99;
+  const Scalar t120 = t119 - c4 * t102;
+  const Scalar t121 = t118 * t120;
+  const Scalar t122 = t102 * t99;
+  const Scalar t123 = t121 + t122;
+  const Scalar t124 = t121 - t122;
+  const Scalar t125 = t123 - t124;
+  const Scalar t126 = t98 * t102;
+  const Scalar t127 = (t117 - t125) - k[32] * t126;
+  const Scalar t128 = s4 * t114 + c4 * t127;
+  const Scalar t129 = c4 * t114 - s4 * t127;
+  const Scalar t130 = s3 * t111 - c3 * t112;
+  const Scalar t131 = t103 + t104;
+  const Scalar t132 = (t130 + t100) - k[22] * t131;
+  const Scalar t133 = c5 * t129 + s5 * t132;
+  const Scalar t134 = qd[3] - t98;
+  const Scalar t135 = c5 * t118 - s5 * t134;
+  const Scalar t136 = qd[4] - t120;
+  const Scalar t137 = Scalar(2) * t136;
+  const Scalar t138 = Scalar(2) * t126;
+  const Scalar t139 = t98 * t119 - c4 * t138;
+  const Scalar t140 = t134 * t120;
+  const Scalar t141 = (t139 + t140) + t140;
+  const Scalar t142 = c5 * t123 - s5 * t141;
+  const Scalar t143 = t135 * t137 + t142;
+  const Scalar t144 = t136 * t136;
+  const Scalar t145 = t135 * t135;
+  const Scalar t146 = t144 - t145;
+  const Scalar t147 = (t143 * t17 - t15 * t142) - t146 * t8;
+  const Scalar t148 = s5 * t118 + c5 * t134;
+  const Scalar t149 = t148 * t135;
+  const Scalar t150 = s4 * t138 + c4 * t100;
+  const Scalar t151 = t134 * t118;
+  const Scalar t152 = t150 + t151;
+  const Scalar t153 = t149 - t152;
+  const Scalar t154 = s5 * t123 + c5 * t141;
+  const Scalar t155 = t154 + t148 * t137;
+  const Scalar t156 = (t0 * t128 - t4 * t133) + (t147 + (t153 * t10 - t20 * t155));
+  const Scalar t157 = wrench[3] * s1 - wrench[4] * c1;
+  const Scalar t158 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t159 = t158 * t35 - wrench[5] * t36;
+  const Scalar t160 = s4 * t157 + c4 * t159;
+  const Scalar t161 = t36 * t158 + wrench[5] * t35;
+  const Scalar t162 = t156 - (s5 * t160 + c5 * t161);
+  const Scalar t163 = torque[5] + t162;
+  const Scalar t164 = k[7] * t163;
+  const Scalar t165 = t101 - t131;
+  const Scalar t166 = (k[31] * t130 - k[30] * t113) - (k[54] * t100 + k[35] * (t105 + t165));
+  const Scalar t167 = t120 * t120;
+  const Scalar t168 = t134 * t134;
+  const Scalar t169 = t167 + t168;
+  const Scalar t170 = t167 - t168;
+  const Scalar t171 = t131 - t170;
+  const Scalar t172 = qd[5] + t148;
+  const Scalar t173 = t172 * t172 - t145;
+  const Scalar t174 = t144 + t145;
+  const Scalar t175 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t176 = wrench[2] * t36 - t175 * t35;
+  const Scalar t177 = wrench[0] * s1 - wrench[1] * c1;
+  const Scalar t178 = c4 * t176 - s4 * t177;
+  const Scalar t179 = t36 * t175 + wrench[2] * t35;
+  const Scalar t180 = k[52] * (c5 * t178 + s5 * t179);
+  const Scalar t181 = (t0 * (t173 + t174) - t4 * t142) - t180;
+  const Scalar t182 = (k[18] * t153 + k[21] * (t146 + t171)) + t181;
+  const Scalar t183 = t172 * t135;
+  const Scalar t184 = t183 - (t153 - t183);
+  const Scalar t185 = t172 * t136;
+  const Scalar t186 = (t185 - t155) + t185;
+  const Scalar t187 = (t0 * t184 - t4 * t186) - k[52] * (c5 * t179 - s5 * t178);
+  const Scalar t188 = t149 + t152;
+  const Scalar t189 = t187 + (k[21] * t188 + k[18] * t174);
+  const Scalar t190 = (k[25] * t123 - k[26] * t169) - (c5 * t182 - s5 * t189);
+  const Scalar t191 = t171 - t174;
+  const Scalar t192 = (k[10] * t188 + k[11] * t153) + k[13] * (t146 + t191);
+  const Scalar t193 = c5 * t132 - s5 * t129;
+  const Scalar t194 = ((k[3] * t154 + k[6] * t142) - t192) - (k[18] * t133 - k[21] * t193);
+  const Scalar t195 = (s4 * t159 - c4 * t157) + k[53] * t180;
+  const Scalar t196 = (t173 * t20 + t10 * t142) + (t8 * t186 - t17 * t184);
+  const Scalar t197 = t194 - (t195 + (t196 - t0 * t193));
+  const Scalar t198 = t152 + t151;
+  const Scalar t199 = (k[28] * t123 + k[27] * (t131 - t169)) + (k[14] * t198 + k[17] * t141);
+  const Scalar t200 = k[22] * t190 - (t197 + (k[26] * t132 + t199));
+  const Scalar t201 = k[28] * t170 + (k[16] * t141 + k[17] * t198);
+  const Scalar t202 = k[52] * (s4 * t176 + c4 * t177);
+  const Scalar t203 = (c5 * t160 - s5 * t161) - k[53] * t202;
+  const Scalar t204 = t146 - t173;
+  const Scalar t205 = t10 * t204 - (t8 * t184 + t15 * t186);
+  const Scalar t206 = t203 - ((t143 * t20 + t205) - t4 * t193);
+  const Scalar t207 = (k[13] * t143 - k[11] * t155) + k[6] * t191;
+  const Scalar t208 = t206 + ((k[3] * t188 - t207) - k[18] * t128);
+  const Scalar t209 = (k[6] * t153 + k[3] * t146) + (k[10] * t143 + k[13] * t155);
+  const Scalar t210 = (k[21] * t128 - t209) + t162;
+  const Scalar t211 = (k[25] * t132 + (t201 + k[27] * t124)) + (c5 * t208 - s5 * t210);
+  const Scalar t212 = t202 + (t4 * (t204 - t174) - t0 * t143);
+  const Scalar t213 = (k[26] * t124 - k[25] * t171) + (t212 + (k[18] * t155 - k[21] * t143));
+  const Scalar t214 = t211 - k[22] * t213;
+  const Scalar t215 = (s5 * t182 + c5 * t189) + (k[25] * t141 + k[26] * t198);
+  const Scalar t216 = t166 - ((c4 * t200 - s4 * t214) + t215);
+  const Scalar t217 = (torque[4] - t197) + t163 * t60;
+  const Scalar t218 = t217 * t65;
+  const Scalar t219 = (t50 * t164 - (torque[2] - t216)) - t81 * t218;
+  const Scalar t220 = (k[14] * t124 - k[16] * t123) - k[17] * (t171 - t169);
+  const Scalar t221 = (k[25] * t129 - k[26] * t128) + (t220 + (k[27] * t139 - k[28] * t150));
+  const Scalar t222 = (s5 * t208 + c5 * t210) - t221;
+  const Scalar t223 = t68 * t217 - (t43 * t163 - (torque[3] + t222));
+  const Scalar t224 = t223 * t74;
+  const Scalar t225 = t219 - t224 * t83;
+  const Scalar t226 = t90 * t96;
+  const Scalar t227 = k[36] - s2 * (k[55] * s2 + k[56] * c2);
+  const Scalar t228 = k[39] * s2 + k[40] * c2;
+  const Scalar t229 = k[39] * c2 - k[40] * s2;
+  const Scalar t230 = t101 * t227 + (k[50] * t228 - t108 * t229);
+  const Scalar t231 = (c4 * t190 + s4 * t213) - (k[30] * t100 + k[31] * t106);
+  const Scalar t232 = c3 * ((k[30] * t131 + k[31] * t100) - t215);
+  const Scalar t233 = t230 + (k[23] * (s3 * t231 + t232) + t216);
+  const Scalar t234 = t64 * t218 + ((torque[1] - t233) - t163 * t53);
+  const Scalar t235 = k[35] - (t77 + t55);
+  const Scalar t236 = c3 * t235;
+  const Scalar t237 = (t236 + t236) + s3 * (t86 + t87);
+  const Scalar t238 = s3 * t237 - t87;
+  const Scalar t239 = k[37] + (t88 - t238);
+  const Scalar t240 = k[38] + (t238 + Scalar(2) * t94);
+  const Scalar t241 = ((t239 + t240) - t54 * t53) + t66 * t64;
+  const Scalar t242 = Scalar(1) / ((t69 * t75 + t241) - t226 * t96);
+  const Scalar t243 = (t225 * t226 + (t234 + t223 * t75)) * t242;
+  const Scalar t244 = t115 + t115;
+  const Scalar t245 = (k[46] * s2 - k[47] * c2) * t109 - t244 * t227;
+  const Scalar t246 = s4 * t190 - c4 * t213;
+  const Scalar t247 = (k[57] * t122 + k[58] * t126) + (k[44] * t100 - k[43] * t105);
+  const Scalar t248 = ((t222 - t246) + (k[31] * t117 + t247)) * t35;
+  const Scalar t249 = k[44] * t165 - (k[33] * t138 - k[35] * t125);
+  const Scalar t250 = (c4 * t214 + s4 * t200) + (k[30] * t117 - (t249 + k[43] * t100));
+  const Scalar t251 = (k[31] * t125 - k[30] * t138) + t246;
+  const Scalar t252 = (t245 + t228 * t116) + ((t248 + t36 * t250) - t251 * t46);
+  const Scalar t253 = (k[59] * t107 + k[60] * t116) + (t252 - k[24] * (t251 - t229 * t244));
+  const Scalar t254 = (t164 * t47 - (torque[0] - t253)) - t61 * t218;
+  const Scalar t255 = t97 * t243 + ((t224 * t79 - t254) + t91 * t225);
+  const Scalar t256 = t79 * t74;
+  const Scalar t257 = k[41] * (t228 + (t93 * t35 + t36 * t92));
+  const Scalar t258 = (c3 * t237 - t235) - k[23] * (s3 * t93 - c3 * t92);
+  const Scalar t259 = s2 * (k[36] + t258);
+  const Scalar t260 = c2 * ((t259 + t259) - c2 * (t239 - t240));
+  const Scalar t261 = (k[29] + t72) - (k[42] + (t257 + (t240 - t260)));
+  const Scalar t262 = t61 * t65;
+  const Scalar t263 = t79 * t256 - ((t261 + t48 * t47) - t61 * t262);
+  const Scalar t264 = t242 * t97;
+  const Scalar t265 = Scalar(1) / ((t91 * t85 - t263) + t97 * t264);
+  const Scalar t266 = t255 * t265;
+  const Scalar t267 = t266 * t264 - t243;
+  const Scalar t268 = (t225 * t90 - t91 * t266) - t267 * t226;
+  const Scalar t269 = ((t224 + t266 * t256) + t75 * t267) + t84 * t268;
+  const Scalar t270 = t268 * t82 + ((t218 + t266 * t262) + t66 * t267);
+  const Scalar t271 = t68 * t269 + t270;
+  const Scalar t272 = ((t164 + t48 * t266) + t267 * t53) + t51 * t268;
   JointVector<Scalar> result;
-  result[0] = t264;
-  result[1] = -t265;
-  result[2] = -t266;
-  result[3] = -t267;
-  result[4] = -t269;
-  result[5] = (t270 + t267 * t43) - t25 * t269;
+  result[0] = -t266;
+  result[1] = -t267;
+  result[2] = -t268;
+  result[3] = -t269;
+  result[4] = -t271;
+  result[5] = (t272 + t269 * t43) - t271 * t60;
   return result;
 }
 
@@ -1619,8 +1635,9 @@ PotentialEnergyWithGravityVectorConstants<Scalar> potential_energy_with_gravity_
   using std::cos;
   using std::sin;
   const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = inertia.m3 + t0;
-  const Scalar t2 = inertia.m2 + t1;
+  const Scalar t1 = g.d2 * inertia.m4;
+  const Scalar t2 = inertia.m3 + t0;
+  const Scalar t3 = inertia.m2 + t2;
   return { inertia.c6y * inertia.m6,
            inertia.c6z * inertia.m6,
            inertia.c5y * inertia.m5,
@@ -1628,24 +1645,24 @@ PotentialEnergyWithGravityVectorConstants<Scalar> potential_energy_with_gravity_
            inertia.c6x * inertia.m6 + inertia.c5x * inertia.m5,
            inertia.c5z * inertia.m5,
            inertia.c4z * inertia.m4,
-           g.a3 * t0,
-           inertia.c3z * inertia.m3,
-           inertia.c4x * inertia.m4,
-           g.d2 * t0,
-           inertia.c3x * inertia.m3,
-           inertia.c2x * inertia.m2,
-           g.a2 * t1,
-           inertia.c2z * inertia.m2,
-           inertia.c1z * inertia.m1 - g.a1 * inertia.m1,
-           g.a1 * (inertia.m1 + t2),
-           gravity[2],
-           g.d1 * t2,
-           inertia.c1x * inertia.m1,
            inertia.c3y * inertia.m3,
            inertia.c2y * inertia.m2,
            inertia.c1y * inertia.m1,
+           g.a3 * t0,
+           inertia.c3z * inertia.m3,
+           t1 - (t1 + inertia.c4x * inertia.m4),
+           g.d2 * t0,
+           inertia.c3x * inertia.m3,
+           g.a2 * t2,
+           inertia.c2z * inertia.m2,
+           inertia.c2x * inertia.m2,
+           g.d1 * t3,
+           inertia.c1x * inertia.m1,
+           gravity[1],
            gravity[0],
-           gravity[1] };
+           inertia.c1z * inertia.m1 - g.a1 * inertia.m1,
+           g.a1 * (inertia.m1 + t3),
+           gravity[2] };
 }
 
 namespace detail {
@@ -1668,18 +1685,18 @@ inline Scalar potential_energy_with_gravity_vector([[maybe_unused]] const JointV
   const Scalar t0 = k[5] + (k[0] * s6 + k[1] * c6);
   const Scalar t1 = k[6] - (k[4] * s5 - c5 * t0);
   const Scalar t2 = k[3] + (k[2] + (k[0] * c6 - k[1] * s6));
-  const Scalar t3 = k[8] + (k[7] + (c4 * t1 + s4 * t2));
-  const Scalar t4 = k[10] + (k[9] + (s5 * t0 + k[4] * c5));
-  const Scalar t5 = k[11] + t4;
-  const Scalar t6 = k[14] + (k[13] + (c3 * t3 - s3 * t5));
-  const Scalar t7 = k[12] + (s3 * t3 + c3 * t5);
-  const Scalar t8 = k[19] + (k[18] + (s2 * t6 + c2 * t7));
-  const Scalar t9 = k[21] + (k[20] + (c4 * t2 - s4 * t1));
-  const Scalar t10 = k[22] + t9;
-  const Scalar t11 = k[24] * (s1 * t8 + c1 * t10) + k[23] * (c1 * t8 - s1 * t10);
-  const Scalar t12 = k[16] + (k[15] - (s2 * t7 - c2 * t6));
+  const Scalar t3 = k[11] + (k[10] + (c4 * t1 + s4 * t2));
+  const Scalar t4 = k[13] - (k[12] - (s5 * t0 + k[4] * c5));
+  const Scalar t5 = k[14] + t4;
+  const Scalar t6 = k[17] + (s3 * t3 + c3 * t5);
+  const Scalar t7 = k[16] + (k[15] + (c3 * t3 - s3 * t5));
+  const Scalar t8 = k[23] + (k[22] - (s2 * t6 - c2 * t7));
+  const Scalar t9 = k[8] + (k[7] + (c4 * t2 - s4 * t1));
+  const Scalar t10 = k[9] + t9;
+  const Scalar t11 = k[19] + (k[18] + (s2 * t7 + c2 * t6));
+  const Scalar t12 = k[20] * (c1 * t10 + s1 * t11) + k[21] * (c1 * t11 - s1 * t10);
   Scalar result;
-  result = -t11 - k[17] * t12;
+  result = -k[24] * t8 - t12;
   return result;
 }
 

@@ -97,7 +97,7 @@ DynamicsAngles<Scalar> dynamics_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion: Newton-Euler recursion in base parameters (thesis 5.1-5.15).
 ///
-/// 191 multiplications, 182 additions, 4 sine/cosine pairs. Set-up: 71 multiplications, 85 additions, 4 divisions.
+/// 192 multiplications, 179 additions, 4 sine/cosine pairs. Set-up: 71 multiplications, 85 additions, 4 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d4, which must not be zero.
 template <class Scalar>
@@ -132,7 +132,7 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const DynamicsA
 
 /// Joint forces that come from the joint rates alone, C(q, qd) qd, without friction.
 ///
-/// 180 multiplications, 161 additions, 4 sine/cosine pairs. Set-up: 64 multiplications, 65 additions, 3 divisions.
+/// 179 multiplications, 161 additions, 4 sine/cosine pairs. Set-up: 64 multiplications, 65 additions, 3 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d4, which must not be zero.
 template <class Scalar>
@@ -151,7 +151,7 @@ JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVec
 
 /// Symmetric, positive definite M(q), by composite bodies in base parameters; rotors included.
 ///
-/// 89 multiplications, 88 additions, 4 sine/cosine pairs. Set-up: 59 multiplications, 83 additions.
+/// 87 multiplications, 90 additions, 4 sine/cosine pairs. Set-up: 59 multiplications, 83 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},
@@ -167,7 +167,7 @@ Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const 
 
 /// C(q, qd) of Christoffel's symbols: C qd is coriolis_torque, dM/dt - 2 C is skew-symmetric.
 ///
-/// 326 multiplications, 258 additions, 4 sine/cosine pairs. Set-up: 48 multiplications, 63 additions.
+/// 328 multiplications, 256 additions, 4 sine/cosine pairs. Set-up: 48 multiplications, 63 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
@@ -185,7 +185,7 @@ Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, co
 
 /// Joint accelerations for given joint forces: M qdd = torque - C qd - gravity, by M = U D U^T.
 ///
-/// 345 multiplications, 313 additions, 5 divisions, 4 sine/cosine pairs. Set-up: 81 multiplications, 87 additions, 5
+/// 344 multiplications, 313 additions, 5 divisions, 4 sine/cosine pairs. Set-up: 80 multiplications, 87 additions, 5
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d4, which must not be zero.
@@ -194,7 +194,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
-using ForwardDynamicsConstants = std::array<Scalar, 51>;
+using ForwardDynamicsConstants = std::array<Scalar, 49>;
 template <class Scalar>
 ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
@@ -205,13 +205,13 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// qd^T M qd / 2, J.
 ///
-/// 120 multiplications, 108 additions, 4 sine/cosine pairs. Set-up: 59 multiplications, 83 additions.
+/// 123 multiplications, 105 additions, 4 sine/cosine pairs. Set-up: 59 multiplications, 83 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using KineticEnergyConstants = std::array<Scalar, 37>;
+using KineticEnergyConstants = std::array<Scalar, 38>;
 template <class Scalar>
 KineticEnergyConstants<Scalar> kinetic_energy_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});

@@ -27,82 +27,82 @@ InverseDynamicsConstants<Scalar> inverse_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c1y * inertia.m1;
-  const Scalar t1 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t2 = g.l2 * ((t0 - g.l2 * inertia.m1) + t0) - (inertia.c1y * t0 - (inertia.I1yy - t1));
-  const Scalar t3 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t4 = inertia.c3y * inertia.m3;
-  const Scalar t5 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t6 = inertia.c2y * inertia.m2;
-  const Scalar t7 = ((inertia.I3yy - t3) - inertia.c3y * t4) + ((inertia.I2yy - t5) - inertia.c2y * t6);
-  const Scalar t8 = inertia.c2x * inertia.m2;
-  const Scalar t9 = (inertia.c2x * t8 - (inertia.I2xx - t5))
-      + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t1));
-  const Scalar t10 = inertia.c3x * inertia.m3;
-  const Scalar t11 = inertia.c3z * inertia.m3;
-  const Scalar t12 = g.d4 * t11;
-  const Scalar t13 = g.d4 * inertia.m3 + t10;
-  const Scalar t14 = (inertia.c3x * t10 - (inertia.I3xx - t3)) + g.d4 * (t10 + t13);
-  const Scalar t15 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t16 = inertia.c4x * inertia.m4;
-  const Scalar t17 = g.d4 * t15 + t16;
-  const Scalar t18 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t19 = g.d4 * (t17 + t16) - ((inertia.I4xx - t18) - inertia.c4x * t16);
-  const Scalar t20 = (t17 + t13) / g.d4;
-  const Scalar t21 = g.d4 * g.d4 * t20;
-  const Scalar t22 = inertia.c6x * inertia.m6;
-  const Scalar t23 = inertia.c6z * inertia.m6;
-  const Scalar t24 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t25 = inertia.c6z * t23 - (inertia.I6zz - t24);
-  const Scalar t26 = inertia.c6y * inertia.m6;
-  const Scalar t27 = (inertia.I6yy - t24) - inertia.c6y * t26;
-  const Scalar t28 = inertia.I6yz - inertia.c6z * t26;
-  const Scalar t29 = inertia.c5x * inertia.m5;
-  const Scalar t30 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t31 = ((inertia.I6xx - t24) - inertia.c6x * t22) - (inertia.c5x * t29 - (inertia.I5xx - t30));
-  const Scalar t32 = inertia.c5y * inertia.m5;
-  const Scalar t33 = inertia.c5z * inertia.m5;
-  const Scalar t34 = inertia.c4y * inertia.m4;
-  const Scalar t35 = ((inertia.I4yy - t18) - inertia.c4y * t34) - (inertia.c5y * t32 - (inertia.I5yy - t30));
-  const Scalar t36 = inertia.c4z * inertia.m4;
-  const Scalar t37 = g.d4 * g.d4 * ((inertia.m2 + (inertia.m3 + t15)) - t20);
-  return { (t2 + t7) - t9,
-           inertia.I3yz - inertia.c3z * t4,
-           g.d4 * t4 - (inertia.I3xy - inertia.c3y * t10),
-           t12 - (inertia.I3xz - inertia.c3z * t10),
-           (t14 + t19) - t21,
-           inertia.I6xz - inertia.c6z * t22,
-           inertia.I6xy - inertia.c6y * t22,
-           t25 + t27,
-           Scalar(2) * t28,
-           t25,
-           t28,
-           Scalar(1) / g.d4,
+  const Scalar t0 = inertia.c3y * inertia.m3;
+  const Scalar t1 = inertia.c2y * inertia.m2;
+  const Scalar t2 = inertia.c2x * inertia.m2;
+  const Scalar t3 = inertia.c3x * inertia.m3;
+  const Scalar t4 = inertia.c3z * inertia.m3;
+  const Scalar t5 = g.d4 * t4;
+  const Scalar t6 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t7 = inertia.c4y * inertia.m4;
+  const Scalar t8 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t9 = inertia.c4z * inertia.m4;
+  const Scalar t10 = inertia.c5y * inertia.m5;
+  const Scalar t11 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t12 = ((inertia.I4yy - t8) - inertia.c4y * t7) - (inertia.c5y * t10 - (inertia.I5yy - t11));
+  const Scalar t13 = inertia.c4x * inertia.m4;
+  const Scalar t14 = inertia.c5x * inertia.m5;
+  const Scalar t15 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t16 = inertia.c6x * inertia.m6;
+  const Scalar t17 = ((inertia.I6xx - t15) - inertia.c6x * t16) - (inertia.c5x * t14 - (inertia.I5xx - t11));
+  const Scalar t18 = inertia.c6z * inertia.m6;
+  const Scalar t19 = inertia.c6z * t18 - (inertia.I6zz - t15);
+  const Scalar t20 = inertia.c6y * inertia.m6;
+  const Scalar t21 = (inertia.I6yy - t15) - inertia.c6y * t20;
+  const Scalar t22 = inertia.I6yz - inertia.c6z * t20;
+  const Scalar t23 = inertia.c5z * inertia.m5;
+  const Scalar t24 = g.d4 * inertia.m3 + t3;
+  const Scalar t25 = (inertia.c3x * t3 - (inertia.I3xx - t6)) + g.d4 * (t3 + t24);
+  const Scalar t26 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t27 = g.d4 * t26 + t13;
+  const Scalar t28 = g.d4 * (t27 + t13) - ((inertia.I4xx - t8) - inertia.c4x * t13);
+  const Scalar t29 = (t27 + t24) / g.d4;
+  const Scalar t30 = g.d4 * g.d4 * t29;
+  const Scalar t31 = g.d4 * g.d4 * ((inertia.m2 + (inertia.m3 + t26)) - t29);
+  const Scalar t32 = inertia.c1y * inertia.m1;
+  const Scalar t33 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t34 = g.l2 * ((t32 - g.l2 * inertia.m1) + t32) - (inertia.c1y * t32 - (inertia.I1yy - t33));
+  const Scalar t35 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t36 = ((inertia.I3yy - t6) - inertia.c3y * t0) + ((inertia.I2yy - t35) - inertia.c2y * t1);
+  const Scalar t37 = (inertia.c2x * t2 - (inertia.I2xx - t35))
+      + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t33));
+  return { Scalar(1) / g.d4,
            g.l2 / g.d4,
-           gravity / g.d4,
-           g.d4 * t23,
-           g.d4 * t26,
-           t31,
-           inertia.I5xz - inertia.c5z * t29,
-           inertia.I5xy - inertia.c5y * t29,
-           inertia.I5yz - inertia.c5z * t32,
-           g.d4 * (t22 + t29),
-           t27,
-           g.d4 * t33,
-           inertia.c5z * t33 - (inertia.I5zz - t30),
-           g.d4 * (t34 + t32),
-           inertia.I4xy - inertia.c4y * t16,
-           t35,
-           inertia.I4yz - inertia.c4z * t34,
-           inertia.I4xz - inertia.c4z * t16,
-           g.d4 * t36,
-           (inertia.I4zz - t18) - inertia.c4z * t36,
-           t21,
+           g.d4 * (t0 + t1),
+           g.d4 * t2,
+           inertia.I3yz - inertia.c3z * t0,
+           g.d4 * t0 - (inertia.I3xy - inertia.c3y * t3),
+           t5 - (inertia.I3xz - inertia.c3z * t3),
+           (inertia.I3zz - t6) - inertia.c3z * t4,
+           t5,
+           inertia.I4yz - inertia.c4z * t7,
+           (inertia.I4zz - t8) - inertia.c4z * t9,
            t12,
-           (inertia.I3zz - t3) - inertia.c3z * t11,
-           g.d4 * (t4 + t6),
-           g.d4 * t8,
-           t37 };
+           inertia.I4xy - inertia.c4y * t13,
+           inertia.I4xz - inertia.c4z * t13,
+           gravity / g.d4,
+           g.d4 * (t7 + t10),
+           g.d4 * t9,
+           inertia.I5yz - inertia.c5z * t10,
+           inertia.I5xz - inertia.c5z * t14,
+           t17,
+           inertia.I5xy - inertia.c5y * t14,
+           g.d4 * (t16 + t14),
+           inertia.I6xz - inertia.c6z * t16,
+           inertia.I6xy - inertia.c6y * t16,
+           t19 + t21,
+           Scalar(2) * t22,
+           t19,
+           t22,
+           g.d4 * t18,
+           g.d4 * t20,
+           t21,
+           g.d4 * t23,
+           inertia.c5z * t23 - (inertia.I5zz - t11),
+           (t25 + t28) - t30,
+           t30,
+           t31,
+           (t34 + t36) - t37 };
 }
 
 namespace detail {
@@ -119,140 +119,134 @@ inline JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const 
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[12] + k[11] * q[1];
-  const Scalar t1 = qd[0] * k[11] * qd[1];
-  const Scalar t2 = qdd[0] * t0 + (t1 + t1);
-  const Scalar t3 = qd[0] * qd[0];
-  const Scalar t4 = k[36] * t2 - (k[34] * qdd[0] + k[35] * t3);
-  const Scalar t5 = qd[0] * s3;
-  const Scalar t6 = qd[0] * c3;
-  const Scalar t7 = t5 * t6;
-  const Scalar t8 = qdd[2] - t7;
-  const Scalar t9 = k[13] * s3 + c3 * t2;
-  const Scalar t10 = t5 * t5;
-  const Scalar t11 = qd[2] * qd[2];
-  const Scalar t12 = t10 - t11;
-  const Scalar t13 = t3 - t12;
-  const Scalar t14 = t9 - t13;
-  const Scalar t15 = qdd[0] * c3;
-  const Scalar t16 = qd[2] * t5;
-  const Scalar t17 = t15 - (t16 + t16);
-  const Scalar t18 = qdd[2] + t7;
-  const Scalar t19 = s4 * t17 - c4 * t18;
-  const Scalar t20 = qd[3] + t5;
-  const Scalar t21 = c4 * t6 + qd[2] * s4;
-  const Scalar t22 = t20 * t21;
-  const Scalar t23 = t19 + t22;
-  const Scalar t24 = t23 + t22;
-  const Scalar t25 = qd[2] * c4 - s4 * t6;
-  const Scalar t26 = c4 * t17 + s4 * t18;
-  const Scalar t27 = Scalar(2) * t20 * t25 + t26;
-  const Scalar t28 = k[31] * t14 + (k[29] * t24 - k[24] * t27);
-  const Scalar t29 = qd[4] + t25;
-  const Scalar t30 = c5 * t20 + s5 * t21;
-  const Scalar t31 = qd[5] + t30;
-  const Scalar t32 = t29 * t31;
-  const Scalar t33 = t30 * t29;
-  const Scalar t34 = qd[2] * t6;
-  const Scalar t35 = qdd[0] * s3;
-  const Scalar t36 = t34 + t35;
-  const Scalar t37 = qdd[3] + t36;
-  const Scalar t38 = t21 * t25;
-  const Scalar t39 = t37 - t38;
-  const Scalar t40 = c5 * t27 - s5 * t39;
-  const Scalar t41 = (t33 + t33) - t40;
-  const Scalar t42 = t32 + (t32 - t41);
-  const Scalar t43 = k[14] * s6 - k[15] * c6;
-  const Scalar t44 = k[14] * c6 + k[15] * s6;
-  const Scalar t45 = c5 * t21 - s5 * t20;
-  const Scalar t46 = t31 * t45;
-  const Scalar t47 = qdd[4] - t23;
-  const Scalar t48 = t30 * t45;
-  const Scalar t49 = t47 + t48;
-  const Scalar t50 = t46 - (t49 - t46);
-  const Scalar t51 = t45 * t45;
-  const Scalar t52 = t29 * t29;
-  const Scalar t53 = t51 + t52;
-  const Scalar t54 = t47 - t48;
-  const Scalar t55 = (t42 * t43 + t44 * t50) - (k[20] * t53 + k[22] * t54);
-  const Scalar t56 = t51 - t52;
-  const Scalar t57 = t20 * t20;
-  const Scalar t58 = t21 * t21;
-  const Scalar t59 = t57 + t58;
-  const Scalar t60 = t56 - t59;
-  const Scalar t61 = t31 * t31;
-  const Scalar t62 = t61 + t52;
-  const Scalar t63 = t29 * t45;
-  const Scalar t64 = t63 + t63;
-  const Scalar t65 = s5 * t27 + c5 * t39;
-  const Scalar t66 = t64 + t65;
-  const Scalar t67 = qdd[5] + t66;
-  const Scalar t68 = t64 - t67;
-  const Scalar t69 = (k[20] * t49 + k[22] * t60) - (t44 * t62 - t43 * t68);
-  const Scalar t70 = k[32] * t8 - (t28 + (c5 * t55 - s5 * t69));
-  const Scalar t71 = (k[22] * t66 + k[20] * t41) - (t43 * (t56 + t62) - t44 * t67);
-  const Scalar t72 = t37 + t38;
-  const Scalar t73 = (k[13] * c3 - s3 * t2) + t18;
-  const Scalar t74 = k[11] * qdd[1] - t3 * t0;
-  const Scalar t75 = t17 - t74;
-  const Scalar t76 = s4 * t73 + c4 * t75;
-  const Scalar t77 = (k[24] * t59 + k[29] * t72) - k[31] * t76;
-  const Scalar t78 = t71 + t77;
-  const Scalar t79 = c4 * t73 - s4 * t75;
-  const Scalar t80 = t57 - t58;
-  const Scalar t81 = k[31] * t79 - (k[29] * (t80 + t13) - k[24] * t39);
-  const Scalar t82 = t81 + (c5 * t69 + s5 * t55);
-  const Scalar t83 = s4 * t78 - c4 * t82;
-  const Scalar t84 = t10 + t11;
-  const Scalar t85 = c3 * t70 - s3 * (t83 + k[32] * t84);
-  const Scalar t86 = t59 - t13;
-  const Scalar t87 = (k[26] * t39 + k[30] * t72) - k[27] * (t80 - t86);
-  const Scalar t88 = (k[29] * t76 - k[24] * t79) - ((k[28] * t26 + k[25] * t19) - t87);
-  const Scalar t89 = k[7] * c6 - k[8] * s6;
-  const Scalar t90 = k[10] + s6 * t89;
-  const Scalar t91 = c6 * t89;
-  const Scalar t92 = k[21] - t91;
-  const Scalar t93 = k[9] - t91;
-  const Scalar t94 = t56 * t90 + (t67 * t92 + t93 * t68);
-  const Scalar t95 = k[6] * s6 + k[5] * c6;
-  const Scalar t96 = k[6] * c6 - k[5] * s6;
-  const Scalar t97 = c5 * t79 - s5 * t14;
-  const Scalar t98 = (t94 + (t95 * t41 + t49 * t96)) + (t43 * t97 + t44 * t76);
-  const Scalar t99 = (k[18] * t49 + k[19] * t56) + (k[17] * t41 - k[23] * t66);
-  const Scalar t100 = t98 + (t99 + k[22] * t76);
-  const Scalar t101 = c5 * t14 + s5 * t79;
-  const Scalar t102 = t61 - t51;
-  const Scalar t103 = (t90 * t50 + t42 * t93) + (t56 + t102) * t96;
-  const Scalar t104 = (k[16] * t41 + k[17] * t66) + k[18] * (t59 - t53);
-  const Scalar t105 = (t43 * t101 + (t95 * t67 + t103)) + (k[20] * t76 - (k[19] * t54 - t104));
-  const Scalar t106 = t88 + (c5 * t100 + s5 * t105);
-  const Scalar t107 = t3 - t84;
-  const Scalar t108 = t34 + t36;
-  const Scalar t109 = (k[1] * t107 - k[2] * t18) + (k[33] * t108 + k[3] * t17);
-  const Scalar t110 = c4 * t78 + s4 * t82;
-  const Scalar t111 = k[25] * t86 - (k[26] * t27 - k[27] * t24);
-  const Scalar t112 = (c5 * t105 - s5 * t100) - (k[24] * t14 - (k[28] * t72 + t111));
-  const Scalar t113 = (k[23] * t54 - k[16] * t49) - k[17] * (t53 + t60);
-  const Scalar t114 = (k[20] * t97 - k[22] * t101) - ((k[19] * t40 + k[18] * t65) - t113);
-  const Scalar t115 = (t92 * t50 - t42 * t90) + (t96 * t68 + t95 * t102);
-  const Scalar t116 = t114 + (t115 - t44 * t101);
-  const Scalar t117 = (k[30] * t24 - k[27] * t27) + (k[28] * t80 - k[25] * t39);
-  const Scalar t118 = t116 - (k[29] * t14 - t117);
-  const Scalar t119 = k[2] * t12 + (k[3] * t108 - k[4] * t17);
-  const Scalar t120 = (t110 - (c4 * t112 - s4 * t118)) + (t119 + k[1] * t8);
-  const Scalar t121 = s3 * (t106 - (k[32] * t74 - t109)) + c3 * t120;
-  const Scalar t122 = (t4 - t85) * t0 - ((k[34] * t2 + k[35] * t74) + t121);
-  const Scalar t123 = k[36] * t74 - (k[35] * qdd[0] - k[34] * t3);
-  const Scalar t124 = (k[33] * t8 - k[4] * t18) - k[3] * (t107 - t12);
-  const Scalar t125 = k[32] * t9 + (t124 + (k[1] * t15 - k[2] * t35));
-  const Scalar t126 = ((s4 * t112 + c4 * t118) - t83) - t125;
+  const Scalar t0 = qd[0] * qd[0];
+  const Scalar t1 = k[1] + k[0] * q[1];
+  const Scalar t2 = t0 * t1 - k[0] * qdd[1];
+  const Scalar t3 = qd[0] * s3;
+  const Scalar t4 = qd[2] * t3;
+  const Scalar t5 = qdd[0] * c3;
+  const Scalar t6 = t4 + (t4 - t5);
+  const Scalar t7 = t2 - t6;
+  const Scalar t8 = qd[0] * c3;
+  const Scalar t9 = t3 * t8;
+  const Scalar t10 = qdd[2] + t9;
+  const Scalar t11 = qdd[0] * t1 + Scalar(2) * qd[0] * k[0] * qd[1];
+  const Scalar t12 = t10 - (s3 * t11 - k[14] * c3);
+  const Scalar t13 = s4 * t7 - c4 * t12;
+  const Scalar t14 = c3 * t11 + k[14] * s3;
+  const Scalar t15 = t8 * t8;
+  const Scalar t16 = qd[2] * qd[2];
+  const Scalar t17 = t15 + t16;
+  const Scalar t18 = t14 - t17;
+  const Scalar t19 = s5 * t13 - c5 * t18;
+  const Scalar t20 = s5 * t18 + c5 * t13;
+  const Scalar t21 = c4 * t6 - s4 * t10;
+  const Scalar t22 = qd[3] + t3;
+  const Scalar t23 = qd[2] * c4 - s4 * t8;
+  const Scalar t24 = t21 - Scalar(2) * t22 * t23;
+  const Scalar t25 = qd[2] * t8;
+  const Scalar t26 = qdd[0] * s3;
+  const Scalar t27 = t25 + t26;
+  const Scalar t28 = qdd[3] + t27;
+  const Scalar t29 = c4 * t8 + qd[2] * s4;
+  const Scalar t30 = t29 * t23;
+  const Scalar t31 = t28 - t30;
+  const Scalar t32 = s5 * t24 - c5 * t31;
+  const Scalar t33 = c5 * t24 + s5 * t31;
+  const Scalar t34 = c5 * t29 - s5 * t22;
+  const Scalar t35 = t34 * t34;
+  const Scalar t36 = qd[4] + t23;
+  const Scalar t37 = t36 * t36;
+  const Scalar t38 = t35 + t37;
+  const Scalar t39 = t35 - t37;
+  const Scalar t40 = t23 * t23;
+  const Scalar t41 = t22 * t22;
+  const Scalar t42 = t40 - t41;
+  const Scalar t43 = t17 - t42;
+  const Scalar t44 = t39 - t43;
+  const Scalar t45 = c5 * t22 + s5 * t29;
+  const Scalar t46 = t45 * t34;
+  const Scalar t47 = s4 * t6 + c4 * t10;
+  const Scalar t48 = t22 * t29;
+  const Scalar t49 = t47 - t48;
+  const Scalar t50 = qdd[4] + t49;
+  const Scalar t51 = t46 + t50;
+  const Scalar t52 = t46 - t50;
+  const Scalar t53 = k[18] * (t38 + t44) + (k[19] * t51 + k[32] * t52);
+  const Scalar t54 = (k[31] * t19 - k[21] * t20) + ((k[20] * t32 + k[17] * t33) - t53);
+  const Scalar t55 = k[28] * c6 + k[29] * s6;
+  const Scalar t56 = qdd[5] - t32;
+  const Scalar t57 = k[23] * c6 - k[22] * s6;
+  const Scalar t58 = qd[5] + t45;
+  const Scalar t59 = t58 * t58 - t37;
+  const Scalar t60 = k[22] * c6 + k[23] * s6;
+  const Scalar t61 = k[25] * s6 - k[24] * c6;
+  const Scalar t62 = k[27] - s6 * t61;
+  const Scalar t63 = t36 + t36;
+  const Scalar t64 = t63 * t45 + t33;
+  const Scalar t65 = t63 * t58 - t64;
+  const Scalar t66 = (t58 + t58) * t34 - t51;
+  const Scalar t67 = c6 * t61;
+  const Scalar t68 = k[30] + t67;
+  const Scalar t69 = (t56 * t57 + (t39 - t59) * t60) + (t62 * t65 - t66 * t68);
+  const Scalar t70 = t54 + (t55 * t19 - t69);
+  const Scalar t71 = t48 - t49;
+  const Scalar t72 = t40 + t41;
+  const Scalar t73 = (k[9] * t24 + k[10] * t71) - (k[13] * (t17 - t72) + k[12] * t31);
+  const Scalar t74 = t70 + (t73 - k[16] * t18);
+  const Scalar t75 = s4 * t12 + c4 * t7;
+  const Scalar t76 = t63 * t34;
+  const Scalar t77 = t32 - t76;
+  const Scalar t78 = (k[17] * t39 + k[20] * t51) + (k[32] * t77 + k[18] * t64);
+  const Scalar t79 = t76 + t56;
+  const Scalar t80 = k[26] + t67;
+  const Scalar t81 = (t79 * t68 - t80 * t56) + t39 * t62;
+  const Scalar t82 = k[29] * c6 - k[28] * s6;
+  const Scalar t83 = ((t64 * t60 + t51 * t57) + t81) + (t82 * t20 + t55 * t75);
+  const Scalar t84 = (k[31] * t75 + t78) + t83;
+  const Scalar t85 = (t80 * t65 + t62 * t66) + t59 * t57;
+  const Scalar t86 = (k[19] * t64 - k[18] * t77) + k[20] * (t43 - t38);
+  const Scalar t87 = ((t79 * t60 + t85) + t82 * t19) + (k[21] * t75 + (t86 + k[17] * t52));
+  const Scalar t88 = t28 + t30;
+  const Scalar t89 = k[12] * t42 - (k[11] * t24 + k[9] * t71);
+  const Scalar t90 = (s5 * t84 - c5 * t87) - ((k[13] * t88 - t89) - k[15] * t18);
+  const Scalar t91 = (t82 * t65 - t66 * t55) - (k[31] * t52 - k[21] * t38);
+  const Scalar t92 = t59 + t38;
+  const Scalar t93 = (t82 * t56 + (t39 - t92) * t55) + (k[31] * t44 + k[21] * t51);
+  const Scalar t94 = (k[15] * t31 - k[16] * t72) - k[34] * t13;
+  const Scalar t95 = (s5 * t91 - c5 * t93) - t94;
+  const Scalar t96 = (t79 * t55 + t82 * t92) + (k[21] * t64 - k[31] * t77);
+  const Scalar t97 = k[34] * t75 - (k[15] * t43 + k[16] * t88);
+  const Scalar t98 = t96 - t97;
+  const Scalar t99 = s4 * t95 - c4 * t98;
+  const Scalar t100 = qdd[2] - t9;
+  const Scalar t101 = t25 + t27;
+  const Scalar t102 = k[5] * (t0 - t17) + (k[33] * t6 + k[6] * t101);
+  const Scalar t103 = ((s4 * t74 + c4 * t90) - t99) + (k[4] * t100 + t102);
+  const Scalar t104 = t15 - t16;
+  const Scalar t105 = (k[6] * t6 - k[7] * t101) - (k[4] * t104 - k[5] * t10);
+  const Scalar t106 = k[9] * (t43 - t72) + (k[10] * t88 + k[11] * t31);
+  const Scalar t107 = ((k[12] * t47 + k[13] * t21) + t106) + (k[16] * t75 + k[15] * t13);
+  const Scalar t108 = (s5 * t87 + c5 * t84) + t107;
+  const Scalar t109 = c3 * t103 - s3 * ((t105 - k[8] * t2) - t108);
+  const Scalar t110 = k[34] * t18 + (k[16] * t71 + k[15] * t24);
+  const Scalar t111 = k[8] * t100 - (t110 - (c5 * t91 + s5 * t93));
+  const Scalar t112 = s4 * t98 + c4 * t95;
+  const Scalar t113 = t0 - t104;
+  const Scalar t114 = c3 * t111 - s3 * (t112 + k[8] * t113);
+  const Scalar t115 = (k[3] * t0 + k[2] * qdd[0]) - k[35] * t11;
+  const Scalar t116 = (t109 - (k[3] * t2 - k[2] * t11)) + t1 * (t114 + t115);
+  const Scalar t117 = (k[2] * t0 - k[3] * qdd[0]) - k[35] * t2;
+  const Scalar t118 = k[6] * (t17 - t113) + (k[33] * t10 - k[7] * t100);
+  const Scalar t119 = (t118 + (k[5] * t26 - k[4] * t5)) - k[8] * t14;
+  const Scalar t120 = (t112 + (s4 * t90 - c4 * t74)) - t119;
   JointVector<Scalar> result;
-  result[0] = t122 - k[0] * qdd[0];
-  result[1] = k[11] * ((k[32] * t108 + t110) + t123);
-  result[2] = t126;
-  result[3] = -t106;
-  result[4] = t116;
-  result[5] = -t98;
+  result[0] = -k[36] * qdd[0] - t116;
+  result[1] = k[0] * ((k[8] * t101 - t99) + t117);
+  result[2] = -t120;
+  result[3] = -t108;
+  result[4] = t70;
+  result[5] = -t83;
   return result;
 }
 
@@ -282,14 +276,14 @@ GravityTorqueConstants<Scalar> gravity_torque_constants(const BasicGeometry<Scal
   using std::sin;
   const Scalar t0 = g.d4 * (inertia.m4 + (inertia.m5 + inertia.m6)) + inertia.c4x * inertia.m4;
   return { gravity,
+           inertia.c3z * inertia.m3,
+           t0 + (g.d4 * inertia.m3 + inertia.c3x * inertia.m3),
+           inertia.c4y * inertia.m4 + inertia.c5y * inertia.m5,
            inertia.c6z * inertia.m6,
            inertia.c6y * inertia.m6,
-           inertia.c6x * inertia.m6 + inertia.c5x * inertia.m5,
            inertia.c5z * inertia.m5,
-           inertia.c4z * inertia.m4,
-           inertia.c4y * inertia.m4 + inertia.c5y * inertia.m5,
-           inertia.c3z * inertia.m3,
-           t0 + (g.d4 * inertia.m3 + inertia.c3x * inertia.m3) };
+           inertia.c6x * inertia.m6 + inertia.c5x * inertia.m5,
+           inertia.c4z * inertia.m4 };
 }
 
 namespace detail {
@@ -305,28 +299,28 @@ inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Sca
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[0] * c3;
-  const Scalar t1 = k[0] * s3;
-  const Scalar t2 = c4 * t0;
-  const Scalar t3 = c5 * t1 + s5 * t2;
-  const Scalar t4 = k[1] * c6 + k[2] * s6;
-  const Scalar t5 = s5 * t1 - c5 * t2;
-  const Scalar t6 = t3 * t4 + (k[4] * t3 + k[3] * t5);
-  const Scalar t7 = s4 * t0;
-  const Scalar t8 = k[2] * c6 - k[1] * s6;
-  const Scalar t9 = k[3] * t7 - t3 * t8;
-  const Scalar t10 = t5 * t8 + t7 * t4;
-  const Scalar t11 = k[4] * t7 + t10;
-  const Scalar t12 = (c5 * t9 - s5 * t11) - k[6] * t1;
-  const Scalar t13 = c4 * (k[5] * t1 + t6) - s4 * t12;
-  const Scalar t14 = (s5 * t9 + c5 * t11) + (k[5] * t7 - k[6] * t2);
+  const Scalar t0 = k[0] * s3;
+  const Scalar t1 = k[0] * c3;
+  const Scalar t2 = c4 * t1;
+  const Scalar t3 = c5 * t0 + s5 * t2;
+  const Scalar t4 = k[4] * c6 + k[5] * s6;
+  const Scalar t5 = s5 * t0 - c5 * t2;
+  const Scalar t6 = t3 * t4 + (k[7] * t5 + k[6] * t3);
+  const Scalar t7 = s4 * t1;
+  const Scalar t8 = k[4] * s6 - k[5] * c6;
+  const Scalar t9 = t4 * t7 - t5 * t8;
+  const Scalar t10 = t9 + k[6] * t7;
+  const Scalar t11 = k[7] * t7 + t8 * t3;
+  const Scalar t12 = (s5 * t10 - c5 * t11) + k[3] * t0;
+  const Scalar t13 = c4 * (k[8] * t0 + t6) + s4 * t12;
+  const Scalar t14 = (s5 * t11 + c5 * t10) + (k[8] * t7 - k[3] * t2);
   JointVector<Scalar> result;
   result[0] = Scalar(0);
   result[1] = Scalar(0);
-  result[2] = (k[8] * t0 - k[7] * t1) - t13;
+  result[2] = -t13 - (k[1] * t0 - k[2] * t1);
   result[3] = -t14;
   result[4] = -t6;
-  result[5] = -t10;
+  result[5] = -t9;
   return result;
 }
 
@@ -351,79 +345,79 @@ CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Sc
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
-  const Scalar t1 = inertia.c6z * inertia.m6;
-  const Scalar t2 = inertia.c5z * inertia.m5;
-  const Scalar t3 = inertia.c6x * inertia.m6;
-  const Scalar t4 = inertia.c5x * inertia.m5;
-  const Scalar t5 = Scalar(1) / g.d4;
-  const Scalar t6 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t7 = inertia.c4x * inertia.m4;
-  const Scalar t8 = g.d4 * t6 + t7;
-  const Scalar t9 = inertia.c3x * inertia.m3;
-  const Scalar t10 = g.d4 * inertia.m3 + t9;
-  const Scalar t11 = (t8 + t10) / g.d4;
-  const Scalar t12 = g.d4 * g.d4 * t11;
-  const Scalar t13 = inertia.c4y * inertia.m4;
-  const Scalar t14 = inertia.c5y * inertia.m5;
-  const Scalar t15 = inertia.c4z * inertia.m4;
-  const Scalar t16 = inertia.c3z * inertia.m3;
-  const Scalar t17 = g.d4 * t16;
-  const Scalar t18 = g.d4 * g.d4 * ((inertia.m2 + (inertia.m3 + t6)) - t11);
-  const Scalar t19 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t20 = inertia.c6z * t1 - (inertia.I6zz - t19);
-  const Scalar t21 = (inertia.I6yy - t19) - inertia.c6y * t0;
-  const Scalar t22 = inertia.I6yz - inertia.c6z * t0;
-  const Scalar t23 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t24 = ((inertia.I6xx - t19) - inertia.c6x * t3) - (inertia.c5x * t4 - (inertia.I5xx - t23));
-  const Scalar t25 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t26 = ((inertia.I4yy - t25) - inertia.c4y * t13) - (inertia.c5y * t14 - (inertia.I5yy - t23));
-  const Scalar t27 = inertia.c3y * inertia.m3;
-  const Scalar t28 = t17 - (inertia.I3xz - inertia.c3z * t9);
-  const Scalar t29 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t30 = (inertia.c3x * t9 - (inertia.I3xx - t29)) + g.d4 * (t9 + t10);
-  const Scalar t31 = g.d4 * (t8 + t7) - ((inertia.I4xx - t25) - inertia.c4x * t7);
-  const Scalar t32 = (t30 + t31) - t12;
-  const Scalar t33 = (inertia.I3zz - t29) - inertia.c3z * t16;
-  return { g.d4 * t0,
-           g.d4 * t1,
-           g.d4 * t2,
-           g.d4 * (t3 + t4),
-           Scalar(2) * t5,
-           t5,
+  const Scalar t0 = Scalar(1) / g.d4;
+  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t2 = inertia.c4x * inertia.m4;
+  const Scalar t3 = g.d4 * t1 + t2;
+  const Scalar t4 = inertia.c3x * inertia.m3;
+  const Scalar t5 = g.d4 * inertia.m3 + t4;
+  const Scalar t6 = (t3 + t5) / g.d4;
+  const Scalar t7 = g.d4 * g.d4 * ((inertia.m2 + (inertia.m3 + t1)) - t6);
+  const Scalar t8 = inertia.c4z * inertia.m4;
+  const Scalar t9 = inertia.c4y * inertia.m4;
+  const Scalar t10 = inertia.c5y * inertia.m5;
+  const Scalar t11 = g.d4 * g.d4 * t6;
+  const Scalar t12 = inertia.c6x * inertia.m6;
+  const Scalar t13 = inertia.c5x * inertia.m5;
+  const Scalar t14 = inertia.c5z * inertia.m5;
+  const Scalar t15 = inertia.c6y * inertia.m6;
+  const Scalar t16 = inertia.c6z * inertia.m6;
+  const Scalar t17 = inertia.c3z * inertia.m3;
+  const Scalar t18 = g.d4 * t17;
+  const Scalar t19 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t20 = (inertia.c3x * t4 - (inertia.I3xx - t19)) + g.d4 * (t4 + t5);
+  const Scalar t21 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t22 = g.d4 * (t3 + t2) - ((inertia.I4xx - t21) - inertia.c4x * t2);
+  const Scalar t23 = (t20 + t22) - t11;
+  const Scalar t24 = t18 - (inertia.I3xz - inertia.c3z * t4);
+  const Scalar t25 = inertia.c3y * inertia.m3;
+  const Scalar t26 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t27 = ((inertia.I4yy - t21) - inertia.c4y * t9) - (inertia.c5y * t10 - (inertia.I5yy - t26));
+  const Scalar t28 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t29 = inertia.c6z * t16 - (inertia.I6zz - t28);
+  const Scalar t30 = (inertia.I6yy - t28) - inertia.c6y * t15;
+  const Scalar t31 = inertia.I6yz - inertia.c6z * t15;
+  const Scalar t32 = ((inertia.I6xx - t28) - inertia.c6x * t12) - (inertia.c5x * t13 - (inertia.I5xx - t26));
+  const Scalar t33 = (inertia.I3zz - t19) - inertia.c3z * t17;
+  return { g.d4 * inertia.c2x * inertia.m2,
+           Scalar(2) * t0,
+           t7,
+           g.d4 * t8,
+           g.d4 * (t9 + t10),
+           t0,
            g.l2 / g.d4,
-           t12,
-           g.d4 * (t13 + t14),
+           t11,
+           g.d4 * (t12 + t13),
+           g.d4 * t14,
            g.d4 * t15,
-           t17,
-           g.d4 * inertia.c2x * inertia.m2,
+           g.d4 * t16,
            t18,
-           inertia.I6xz - inertia.c6z * t3,
-           inertia.I6xy - inertia.c6y * t3,
-           t20 + t21,
-           Scalar(2) * t22,
-           t22,
-           t20,
-           inertia.I5yz - inertia.c5z * t14,
-           inertia.I5xy - inertia.c5y * t4,
-           inertia.I5xz - inertia.c5z * t4,
-           t24,
-           inertia.c5z * t2 - (inertia.I5zz - t23),
-           t21,
-           inertia.I4yz - inertia.c4z * t13,
-           t26,
-           inertia.I4xy - inertia.c4y * t7,
-           inertia.I4xz - inertia.c4z * t7,
-           (inertia.I4zz - t25) - inertia.c4z * t15,
-           inertia.I3yz - inertia.c3z * t27,
-           g.d4 * t27 - (inertia.I3xy - inertia.c3y * t9),
-           Scalar(2) * t28,
+           t23,
+           Scalar(2) * t24,
+           g.d4 * t25 - (inertia.I3xy - inertia.c3y * t4),
+           inertia.I3yz - inertia.c3z * t25,
+           t27,
+           inertia.I4yz - inertia.c4z * t9,
+           inertia.I4xy - inertia.c4y * t2,
+           inertia.I4xz - inertia.c4z * t2,
+           inertia.I6xz - inertia.c6z * t12,
+           inertia.I6xy - inertia.c6y * t12,
+           t29 + t30,
+           Scalar(2) * t31,
+           t31,
+           t29,
+           inertia.I5yz - inertia.c5z * t10,
+           inertia.I5xz - inertia.c5z * t13,
            t32,
+           inertia.I5xy - inertia.c5y * t13,
+           t30,
+           inertia.c5z * t14 - (inertia.I5zz - t26),
+           (inertia.I4zz - t21) - inertia.c4z * t8,
+           t24,
            Scalar(2) * t33,
-           g.d4 * (t27 + inertia.c2y * inertia.m2),
-           Scalar(2) * t17,
-           t28,
-           t33 + t32 };
+           g.d4 * (t25 + inertia.c2y * inertia.m2),
+           Scalar(2) * t18,
+           t33 + t23 };
 }
 
 namespace detail {
@@ -442,131 +436,127 @@ inline JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const J
   const Scalar& c6 = angles.cosine[3];
   const Scalar t0 = k[6] + k[5] * q[1];
   const Scalar t1 = qd[0] * qd[0];
-  const Scalar t2 = t1 * t0;
-  const Scalar t3 = qd[0] * s3;
-  const Scalar t4 = qd[2] * t3;
-  const Scalar t5 = t4 + t4;
-  const Scalar t6 = t2 - t5;
-  const Scalar t7 = qd[0] * c3;
-  const Scalar t8 = k[4] * qd[1];
-  const Scalar t9 = t3 * (t7 - t8);
-  const Scalar t10 = c4 * t6 + s4 * t9;
-  const Scalar t11 = s4 * t7;
-  const Scalar t12 = qd[2] * c4 - t11;
-  const Scalar t13 = t12 * t12;
-  const Scalar t14 = qd[3] + t3;
-  const Scalar t15 = t14 * t14;
-  const Scalar t16 = t13 + t15;
-  const Scalar t17 = t13 - t15;
-  const Scalar t18 = t3 * t3;
-  const Scalar t19 = qd[2] * qd[2];
-  const Scalar t20 = t18 + t19;
-  const Scalar t21 = t1 - t20;
-  const Scalar t22 = t18 - t19;
-  const Scalar t23 = t21 - t22;
-  const Scalar t24 = t23 + t20;
-  const Scalar t25 = t24 - t16;
-  const Scalar t26 = t17 - t25;
-  const Scalar t27 = t16 - t26;
-  const Scalar t28 = qd[2] * t7;
-  const Scalar t29 = c4 * t7;
-  const Scalar t30 = t29 + qd[2] * s4;
-  const Scalar t31 = t30 * t12;
-  const Scalar t32 = t28 + t31;
-  const Scalar t33 = k[7] * t10 - (k[8] * t27 + k[9] * t32);
-  const Scalar t34 = qd[4] + t12;
-  const Scalar t35 = c5 * t30 - s5 * t14;
-  const Scalar t36 = t34 * t35;
-  const Scalar t37 = t28 - t31;
-  const Scalar t38 = t14 * t12;
-  const Scalar t39 = c4 * t5 - t3 * t11;
-  const Scalar t40 = (t38 + t38) - t39;
-  const Scalar t41 = c5 * t37 + s5 * t40;
-  const Scalar t42 = t36 + (t36 + t41);
-  const Scalar t43 = c5 * t14 + s5 * t30;
-  const Scalar t44 = t43 * t34;
-  const Scalar t45 = s5 * t37 - c5 * t40;
-  const Scalar t46 = t44 + (t44 + t45);
-  const Scalar t47 = qd[5] + t43;
-  const Scalar t48 = t47 * t47;
-  const Scalar t49 = t35 * t35;
-  const Scalar t50 = t48 + t49;
-  const Scalar t51 = k[0] * c6 - k[1] * s6;
-  const Scalar t52 = k[0] * s6 + k[1] * c6;
-  const Scalar t53 = (k[2] * t42 + k[3] * t46) + (t50 * t51 + t52 * t42);
-  const Scalar t54 = t33 - t53;
-  const Scalar t55 = t48 - t34 * t34;
-  const Scalar t56 = t48 - t49;
-  const Scalar t57 = t55 - t56;
-  const Scalar t58 = t50 - t57;
-  const Scalar t59 = t58 - t56;
-  const Scalar t60 = t43 * t35;
-  const Scalar t61 = t14 * t30;
-  const Scalar t62 = t29 * t3 + s4 * t5;
-  const Scalar t63 = t61 - t62;
-  const Scalar t64 = t60 + t63;
-  const Scalar t65 = Scalar(2) * t34 * t47 - t46;
-  const Scalar t66 = t60 - t63;
-  const Scalar t67 = t66 - Scalar(2) * t47 * t35;
-  const Scalar t68 = (k[3] * t59 - k[2] * t64) + (t65 * t51 + t52 * t67);
-  const Scalar t69 = t57 - t27;
-  const Scalar t70 = (t52 * t58 - t41 * t51) - (k[3] * t66 + k[2] * t69);
-  const Scalar t71 = s4 * t6 - c4 * t9;
-  const Scalar t72 = (k[8] * t37 - k[9] * t16) - k[7] * t71;
-  const Scalar t73 = (s5 * t68 + c5 * t70) - t72;
-  const Scalar t74 = s4 * t54 - c4 * t73;
-  const Scalar t75 = t7 * t8;
-  const Scalar t76 = t24 - t75;
-  const Scalar t77 = t63 + t61;
-  const Scalar t78 = k[7] * t76 + (k[8] * t40 - k[9] * t77);
-  const Scalar t79 = t3 * t7;
-  const Scalar t80 = ((c5 * t68 - s5 * t70) + t78) - k[10] * t79;
-  const Scalar t81 = s3 * (t74 - k[10] * t20) + c3 * t80;
-  const Scalar t82 = qd[0] * t8;
-  const Scalar t83 = t0 * (t81 + (k[11] * t1 - k[12] * t82));
-  const Scalar t84 = (k[34] * t28 - k[32] * t4) - (k[31] * t79 - k[30] * t21);
-  const Scalar t85 = k[14] * c6 - k[13] * s6;
-  const Scalar t86 = k[14] * s6 + k[13] * c6;
-  const Scalar t87 = k[16] * s6 - k[15] * c6;
-  const Scalar t88 = c6 * t87;
-  const Scalar t89 = k[24] + t88;
-  const Scalar t90 = k[18] + t88;
-  const Scalar t91 = k[17] - s6 * t87;
-  const Scalar t92 = (t42 * t89 - t90 * t41) + t91 * t57;
-  const Scalar t93 = s5 * t76 - c5 * t71;
-  const Scalar t94 = ((t66 * t85 + t86 * t46) + t92) + (t52 * t10 - t93 * t51);
-  const Scalar t95 = (k[19] * t57 + k[20] * t66) - (k[23] * t42 - k[21] * t46);
-  const Scalar t96 = t94 + (k[2] * t10 + t95);
-  const Scalar t97 = (k[21] * t42 + k[22] * t46) - k[20] * (t59 - t27);
-  const Scalar t98 = s5 * t71 + c5 * t76;
-  const Scalar t99 = t55 * t85 - (t91 * t67 - t90 * t65);
-  const Scalar t100 = ((t97 + k[19] * t64) + k[3] * t10) + (t98 * t51 + (t86 * t42 + t99));
-  const Scalar t101 = k[25] * t26 - (k[26] * t37 + k[29] * t32);
-  const Scalar t102 = ((k[28] * t39 + k[27] * t62) - t101) + (k[8] * t71 + k[9] * t10);
-  const Scalar t103 = (c5 * t96 + s5 * t100) + t102;
-  const Scalar t104 = k[27] * t17 - (k[25] * t77 - k[26] * t40);
-  const Scalar t105 = ((t104 - k[28] * t32) - k[8] * t76) + (s5 * t96 - c5 * t100);
-  const Scalar t106 = (k[27] * t37 + k[28] * t25) - (k[29] * t77 - k[25] * t40);
-  const Scalar t107 = (t86 * t56 - t41 * t85) - (t89 * t67 + t91 * t65);
-  const Scalar t108 = (k[23] * t64 + k[22] * t66) + k[21] * (t69 + t59);
-  const Scalar t109 = (k[3] * t93 + k[2] * t98) + ((k[19] * t45 - k[20] * t41) - t108);
-  const Scalar t110 = (t52 * t98 + t107) + t109;
-  const Scalar t111 = (t106 - k[9] * t76) - t110;
-  const Scalar t112 = c4 * t54 + s4 * t73;
-  const Scalar t113 = k[31] * t22 + (k[32] * t28 + k[33] * t5);
-  const Scalar t114 = ((c4 * t105 - s4 * t111) - t112) - (k[30] * t79 - t113);
-  const Scalar t115 = s3 * ((k[10] * t2 + t84) + t103) + c3 * t114;
-  const Scalar t116 = t83 + ((k[35] * t82 - k[11] * t2) + t115);
-  const Scalar t117 = (k[36] * t28 - t112) - (k[12] * t2 - k[35] * t1);
-  const Scalar t118 = (k[38] * t79 + k[37] * t23) - k[10] * t75;
-  const Scalar t119 = ((c4 * t111 + s4 * t105) - t74) - t118;
+  const Scalar t2 = k[0] * t1;
+  const Scalar t3 = k[1] * qd[1];
+  const Scalar t4 = qd[0] * t3;
+  const Scalar t5 = qd[0] * c3;
+  const Scalar t6 = qd[2] * t5;
+  const Scalar t7 = c4 * t5;
+  const Scalar t8 = t7 + qd[2] * s4;
+  const Scalar t9 = qd[2] * c4 - s4 * t5;
+  const Scalar t10 = t8 * t9;
+  const Scalar t11 = t6 - t10;
+  const Scalar t12 = qd[0] * s3;
+  const Scalar t13 = qd[3] + t12;
+  const Scalar t14 = t13 * t13;
+  const Scalar t15 = t8 * t8;
+  const Scalar t16 = t14 - t15;
+  const Scalar t17 = t12 * t12;
+  const Scalar t18 = qd[2] * qd[2];
+  const Scalar t19 = t17 - t18;
+  const Scalar t20 = t1 - t19;
+  const Scalar t21 = t16 + t20;
+  const Scalar t22 = t1 * t0;
+  const Scalar t23 = qd[2] * t12;
+  const Scalar t24 = t23 + t23;
+  const Scalar t25 = t22 - t24;
+  const Scalar t26 = t12 * (t5 - t3);
+  const Scalar t27 = s4 * t25 - c4 * t26;
+  const Scalar t28 = (k[4] * t11 - k[3] * t21) - k[7] * t27;
+  const Scalar t29 = t14 + t15;
+  const Scalar t30 = c5 * t13 + s5 * t8;
+  const Scalar t31 = qd[5] + t30;
+  const Scalar t32 = t31 * t31;
+  const Scalar t33 = c5 * t8 - s5 * t13;
+  const Scalar t34 = t33 * t33;
+  const Scalar t35 = t32 - t34;
+  const Scalar t36 = t32 + t34;
+  const Scalar t37 = qd[4] + t9;
+  const Scalar t38 = t32 + t37 * t37;
+  const Scalar t39 = t35 - t38;
+  const Scalar t40 = t36 + t39;
+  const Scalar t41 = t35 - t40;
+  const Scalar t42 = t30 * t33;
+  const Scalar t43 = t13 * t8;
+  const Scalar t44 = t7 * t12 + s4 * t24;
+  const Scalar t45 = t43 - t44;
+  const Scalar t46 = t42 - t45;
+  const Scalar t47 = k[10] * s6 + k[11] * c6;
+  const Scalar t48 = t13 * t9;
+  const Scalar t49 = t12 * t5;
+  const Scalar t50 = s4 * t49 - c4 * t24;
+  const Scalar t51 = t48 + (t48 + t50);
+  const Scalar t52 = s5 * t51 + c5 * t11;
+  const Scalar t53 = k[10] * c6 - k[11] * s6;
+  const Scalar t54 = (k[9] * (t29 + t41) - k[8] * t46) + (t47 * t38 - t52 * t53);
+  const Scalar t55 = t42 + t45;
+  const Scalar t56 = t37 * t31;
+  const Scalar t57 = s5 * t11 - c5 * t51;
+  const Scalar t58 = (t30 + t30) * t37 + t57;
+  const Scalar t59 = t56 + (t56 - t58);
+  const Scalar t60 = Scalar(2) * t33;
+  const Scalar t61 = t46 - t60 * t31;
+  const Scalar t62 = (k[8] * t39 + k[9] * t55) - (t59 * t53 + t47 * t61);
+  const Scalar t63 = t28 - (c5 * t54 - s5 * t62);
+  const Scalar t64 = t52 + t60 * t37;
+  const Scalar t65 = (t36 * t53 + t47 * t64) + (k[8] * t58 + k[9] * t64);
+  const Scalar t66 = c4 * t25 + s4 * t26;
+  const Scalar t67 = t6 + t10;
+  const Scalar t68 = k[7] * t66 - (k[3] * t67 + k[4] * t29);
+  const Scalar t69 = t65 - t68;
+  const Scalar t70 = t17 + t18;
+  const Scalar t71 = (c4 * t63 - s4 * t69) - k[12] * t70;
+  const Scalar t72 = t45 + t43;
+  const Scalar t73 = c3 * t4;
+  const Scalar t74 = t73 - t20;
+  const Scalar t75 = (k[3] * t72 - k[4] * t51) + k[7] * t74;
+  const Scalar t76 = k[12] * t49 + ((c5 * t62 + s5 * t54) + t75);
+  const Scalar t77 = (t2 - k[2] * t4) + (s3 * t71 - c3 * t76);
+  const Scalar t78 = (k[32] * t64 - k[28] * t58) - (k[30] * t46 - k[27] * t41);
+  const Scalar t79 = c5 * t27 + s5 * t74;
+  const Scalar t80 = k[22] * c6 - k[21] * s6;
+  const Scalar t81 = k[21] * c6 + k[22] * s6;
+  const Scalar t82 = k[23] * c6 - k[24] * s6;
+  const Scalar t83 = c6 * t82;
+  const Scalar t84 = k[31] - t83;
+  const Scalar t85 = k[26] - t83;
+  const Scalar t86 = k[25] + s6 * t82;
+  const Scalar t87 = (t84 * t64 - t52 * t85) - t41 * t86;
+  const Scalar t88 = (t47 * t66 + t79 * t53) + ((t80 * t46 + t58 * t81) + t87);
+  const Scalar t89 = (k[9] * t66 - t78) + t88;
+  const Scalar t90 = t29 + t39;
+  const Scalar t91 = (k[29] * t58 + k[28] * t64) + k[30] * t90;
+  const Scalar t92 = s5 * t27 - c5 * t74;
+  const Scalar t93 = t80 * t40 + (t59 * t85 - t61 * t86);
+  const Scalar t94 = (k[8] * t66 + (t91 + k[27] * t55)) + (t92 * t53 + (t81 * t64 + t93));
+  const Scalar t95 = (k[18] * t72 - k[17] * t51) + k[19] * (t29 - t20);
+  const Scalar t96 = (s5 * t89 - c5 * t94) - ((k[20] * t67 + t95) - k[4] * t74);
+  const Scalar t97 = t69 + t96;
+  const Scalar t98 = (k[18] * t51 - k[33] * t72) - (k[20] * t16 - k[19] * t11);
+  const Scalar t99 = k[28] * (t90 + t41) - (k[32] * t55 + k[29] * t46);
+  const Scalar t100 = (k[8] * t79 - k[9] * t92) - (t99 + (k[27] * t57 - k[30] * t52));
+  const Scalar t101 = (t80 * t52 - t35 * t81) + (t59 * t86 + t61 * t84);
+  const Scalar t102 = t100 - (t47 * t92 - t101);
+  const Scalar t103 = ((k[3] * t74 + t98) + t102) - t63;
+  const Scalar t104 = (k[13] * t24 + k[14] * t6) + k[15] * t19;
+  const Scalar t105 = (c4 * t97 - s4 * t103) + (t104 - k[16] * t49);
+  const Scalar t106 = t1 - t70;
+  const Scalar t107 = (k[34] * t24 - k[35] * t6) - (k[16] * t106 - k[15] * t49);
+  const Scalar t108 = k[18] * (t29 - t21) + (k[17] * t11 + k[33] * t67);
+  const Scalar t109 = ((k[19] * t44 - k[20] * t50) + t108) + (k[4] * t27 + k[3] * t66);
+  const Scalar t110 = (s5 * t94 + c5 * t89) + t109;
+  const Scalar t111 = c3 * t105 + s3 * ((k[12] * t22 - t107) + t110);
+  const Scalar t112 = t0 * t77 + (t111 + (k[36] * t4 - t2 * t0));
+  const Scalar t113 = k[37] * t6 + (c4 * t69 + s4 * t63);
+  const Scalar t114 = k[5] * ((k[36] * t1 - k[2] * t22) + t113);
+  const Scalar t115 = (k[38] * t49 + k[34] * (t106 - t19)) - k[12] * t73;
   JointVector<Scalar> result;
-  result[0] = -t116;
-  result[1] = k[5] * t117;
-  result[2] = -t119;
-  result[3] = -t103;
-  result[4] = t110;
-  result[5] = -t94;
+  result[0] = -t112;
+  result[1] = t114;
+  result[2] = t115 - (s4 * t97 + c4 * t103);
+  result[3] = -t110;
+  result[4] = -t102;
+  result[5] = -t88;
   return result;
 }
 
@@ -592,22 +582,22 @@ MassMatrixConstants<Scalar> mass_matrix_constants(const BasicGeometry<Scalar>& g
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6x * inertia.m6;
-  const Scalar t1 = inertia.c5x * inertia.m5;
-  const Scalar t2 = inertia.c6y * inertia.m6;
-  const Scalar t3 = inertia.I6yz - inertia.c6z * t2;
-  const Scalar t4 = inertia.c6z * inertia.m6;
-  const Scalar t5 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t6 = inertia.c6z * t4 - (inertia.I6zz - t5);
-  const Scalar t7 = (inertia.I6yy - t5) - inertia.c6y * t2;
-  const Scalar t8 = inertia.c5y * inertia.m5;
-  const Scalar t9 = inertia.c4y * inertia.m4;
-  const Scalar t10 = inertia.c5z * inertia.m5;
-  const Scalar t11 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t12 = ((inertia.I6xx - t5) - inertia.c6x * t0) - (inertia.c5x * t1 - (inertia.I5xx - t11));
-  const Scalar t13 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t14 = inertia.c4z * inertia.m4;
-  const Scalar t15 = ((inertia.I4yy - t13) - inertia.c4y * t9) - (inertia.c5y * t8 - (inertia.I5yy - t11));
+  const Scalar t0 = inertia.c6y * inertia.m6;
+  const Scalar t1 = inertia.I6yz - inertia.c6z * t0;
+  const Scalar t2 = inertia.c6z * inertia.m6;
+  const Scalar t3 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t4 = inertia.c6z * t2 - (inertia.I6zz - t3);
+  const Scalar t5 = (inertia.I6yy - t3) - inertia.c6y * t0;
+  const Scalar t6 = inertia.c5z * inertia.m5;
+  const Scalar t7 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t8 = inertia.c6x * inertia.m6;
+  const Scalar t9 = inertia.c5x * inertia.m5;
+  const Scalar t10 = ((inertia.I6xx - t3) - inertia.c6x * t8) - (inertia.c5x * t9 - (inertia.I5xx - t7));
+  const Scalar t11 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t12 = inertia.c4z * inertia.m4;
+  const Scalar t13 = inertia.c4y * inertia.m4;
+  const Scalar t14 = inertia.c5y * inertia.m5;
+  const Scalar t15 = ((inertia.I4yy - t11) - inertia.c4y * t13) - (inertia.c5y * t14 - (inertia.I5yy - t7));
   const Scalar t16 = inertia.c3y * inertia.m3;
   const Scalar t17 = inertia.c2y * inertia.m2;
   const Scalar t18 = inertia.m4 + (inertia.m5 + inertia.m6);
@@ -617,54 +607,54 @@ MassMatrixConstants<Scalar> mass_matrix_constants(const BasicGeometry<Scalar>& g
   const Scalar t22 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
   const Scalar t23 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
   const Scalar t24 = ((inertia.I3yy - t22) - inertia.c3y * t16) + ((inertia.I2yy - t23) - inertia.c2y * t17);
-  const Scalar t25 = inertia.c3z * inertia.m3;
-  const Scalar t26 = inertia.c3x * inertia.m3;
-  const Scalar t27 = g.d4 * inertia.m3 + t26;
-  const Scalar t28 = (inertia.c3x * t26 - (inertia.I3xx - t22)) + g.d4 * (t26 + t27);
-  const Scalar t29 = inertia.c4x * inertia.m4;
-  const Scalar t30 = g.d4 * t18 + t29;
-  const Scalar t31 = g.d4 * (t30 + t29) - ((inertia.I4xx - t13) - inertia.c4x * t29);
+  const Scalar t25 = inertia.c4x * inertia.m4;
+  const Scalar t26 = inertia.c3z * inertia.m3;
+  const Scalar t27 = inertia.c3x * inertia.m3;
+  const Scalar t28 = g.d4 * inertia.m3 + t27;
+  const Scalar t29 = (inertia.c3x * t27 - (inertia.I3xx - t22)) + g.d4 * (t27 + t28);
+  const Scalar t30 = g.d4 * t18 + t25;
+  const Scalar t31 = g.d4 * (t30 + t25) - ((inertia.I4xx - t11) - inertia.c4x * t25);
   const Scalar t32 = inertia.c2x * inertia.m2;
   const Scalar t33 = (inertia.c2x * t32 - (inertia.I2xx - t23))
       + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t20));
-  return { inertia.I6xy - inertia.c6y * t0,
-           inertia.I6xz - inertia.c6z * t0,
-           inertia.I5xy - inertia.c5y * t1,
-           Scalar(2) * t3,
-           t6 + t7,
-           t3,
-           inertia.I5yz - inertia.c5z * t8,
-           inertia.I4yz - inertia.c4z * t9,
-           t7,
-           inertia.c5z * t10 - (inertia.I5zz - t11),
-           t12,
-           inertia.I5xz - inertia.c5z * t1,
-           (inertia.I4zz - t13) - inertia.c4z * t14,
-           t6,
-           t15,
-           g.l2,
-           t4,
-           t2,
-           t9 + t8,
-           t0 + t1,
+  return { Scalar(2) * t1,
+           t4 + t5,
+           t5,
+           inertia.c5z * t6 - (inertia.I5zz - t7),
            t10,
-           t14,
+           inertia.I6xz - inertia.c6z * t8,
+           inertia.I6xy - inertia.c6y * t8,
+           inertia.I5xz - inertia.c5z * t9,
+           (inertia.I4zz - t11) - inertia.c4z * t12,
+           t4,
+           t15,
+           t1,
+           inertia.I5yz - inertia.c5z * t14,
+           inertia.I5xy - inertia.c5y * t9,
+           inertia.I4yz - inertia.c4z * t13,
+           g.l2,
+           t2,
+           t0,
+           t6,
+           t8 + t9,
+           t12,
+           t13 + t14,
            t16 + t17,
            inertia.m2 + (inertia.m3 + t18),
            t21 + t24,
-           (inertia.I3zz - t22) - inertia.c3z * t25,
+           inertia.I4xy - inertia.c4y * t25,
            g.d4,
-           t28 + t31,
-           inertia.I4xy - inertia.c4y * t29,
-           inertia.I4xz - inertia.c4z * t29,
-           g.d4 * t25 - (inertia.I3xz - inertia.c3z * t26),
+           inertia.I4xz - inertia.c4z * t25,
+           g.d4 * t26 - (inertia.I3xz - inertia.c3z * t27),
+           t29 + t31,
+           (inertia.I3zz - t22) - inertia.c3z * t26,
            t33,
-           t25,
-           t30 + t27,
+           t30 + t28,
+           t26,
            t32,
-           g.d4 * t16 - (inertia.I3xy - inertia.c3y * t26),
            inertia.I3yz - inertia.c3z * t16,
-           t6 - t7 };
+           g.d4 * t16 - (inertia.I3xy - inertia.c3y * t27),
+           t4 - t5 };
 }
 
 namespace detail {
@@ -680,81 +670,85 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q,
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[4] * c6 - k[3] * s6;
+  const Scalar t0 = k[0] * s6 - k[1] * c6;
   const Scalar t1 = c6 * t0;
-  const Scalar t2 = k[14] - (k[13] - t1);
-  const Scalar t3 = k[9] - (k[8] - t1);
-  const Scalar t4 = k[0] * s6 + k[1] * c6;
-  const Scalar t5 = k[11] + t4;
-  const Scalar t6 = s5 * (k[10] + t3) + Scalar(2) * c5 * t5;
-  const Scalar t7 = t3 - s5 * t6;
-  const Scalar t8 = k[12] - t7;
-  const Scalar t9 = k[0] * c6 - k[1] * s6;
-  const Scalar t10 = k[2] + t9;
-  const Scalar t11 = k[6] + (k[5] + s6 * t0);
-  const Scalar t12 = s5 * t10 + c5 * t11;
-  const Scalar t13 = k[7] + t12;
-  const Scalar t14 = s4 * (t2 - t8) + Scalar(2) * c4 * t13;
-  const Scalar t15 = t2 - s4 * t14;
-  const Scalar t16 = k[15] + q[1];
-  const Scalar t17 = k[17] * c6 - k[16] * s6;
-  const Scalar t18 = k[18] + t17;
-  const Scalar t19 = k[17] * s6 + k[16] * c6;
-  const Scalar t20 = k[20] + t19;
-  const Scalar t21 = c5 * t20 + k[19] * s5;
-  const Scalar t22 = k[21] + t21;
-  const Scalar t23 = c4 * t18 - s4 * t22;
-  const Scalar t24 = k[22] + t23;
-  const Scalar t25 = t15 - t16 * ((k[23] * t16 - t24) - t24);
-  const Scalar t26 = t2 + t8;
-  const Scalar t27 = k[25] - (t15 - t26);
-  const Scalar t28 = k[29] - (t5 - c5 * t6);
-  const Scalar t29 = s5 * t11 - c5 * t10;
-  const Scalar t30 = k[28] - t29;
-  const Scalar t31 = c4 * t22 + s4 * t18;
-  const Scalar t32 = (c4 * t28 + s4 * t30) - k[26] * t31;
-  const Scalar t33 = s3 * (k[30] - t32);
-  const Scalar t34 = k[10] - t3;
-  const Scalar t35 = s5 * t20 - k[19] * c5;
-  const Scalar t36 = k[26] * t35;
-  const Scalar t37 = k[27] - ((t7 + t34) + (t36 + t36));
-  const Scalar t38 = c3 * ((t33 + t33) - c3 * (t37 + t27));
-  const Scalar t39 = k[32] + t31;
-  const Scalar t40 = k[33] - t35;
-  const Scalar t41 = k[26] * t23 - (c4 * t30 - s4 * t28);
-  const Scalar t42 = s3 * (k[35] + t41) - c3 * (k[36] - (t13 - c4 * t14));
-  const Scalar t43 = t42 - t16 * (s3 * t40 + c3 * t39);
-  const Scalar t44 = (c3 * t32 - s3 * t26) - t16 * s3 * t23;
-  const Scalar t45 = t34 + t36;
-  const Scalar t46 = s3 * t29 + c3 * (s4 * t45 - c4 * t12);
-  const Scalar t47 = t16 * (s3 * c4 * t35 - c3 * t21);
-  const Scalar t48 = k[37] * c5 - s5 * t4;
-  const Scalar t49 = k[26] * t19 - (k[37] * s5 + c5 * t4);
-  const Scalar t50 = c5 * t17;
-  const Scalar t51 = t9 - k[26] * t50;
-  const Scalar t52 = s3 * t48 - c3 * (c4 * t49 - s4 * t51);
-  const Scalar t53 = c3 * s5 * t17 + s3 * (c4 * t50 - s4 * t19);
+  const Scalar t2 = k[10] - (k[9] + t1);
+  const Scalar t3 = k[6] * s6 + k[5] * c6;
+  const Scalar t4 = k[7] + t3;
+  const Scalar t5 = c5 * t4;
+  const Scalar t6 = k[3] - (k[2] + t1);
+  const Scalar t7 = (t5 + t5) + s5 * (k[4] + t6);
+  const Scalar t8 = s5 * t7;
+  const Scalar t9 = k[8] + (t8 - t6);
+  const Scalar t10 = k[6] * c6 - k[5] * s6;
+  const Scalar t11 = k[13] + t10;
+  const Scalar t12 = k[12] + (k[11] - s6 * t0);
+  const Scalar t13 = s5 * t11 + c5 * t12;
+  const Scalar t14 = k[14] + t13;
+  const Scalar t15 = c4 * t14;
+  const Scalar t16 = s4 * (t2 - t9) + (t15 + t15);
+  const Scalar t17 = s4 * t16 + t9;
+  const Scalar t18 = k[30] + t17;
+  const Scalar t19 = c5 * t11 - s5 * t12;
+  const Scalar t20 = k[17] * c6 - k[16] * s6;
+  const Scalar t21 = k[21] + t20;
+  const Scalar t22 = (k[25] + t19) - k[26] * t21;
+  const Scalar t23 = k[17] * s6 + k[16] * c6;
+  const Scalar t24 = k[18] + t23;
+  const Scalar t25 = c5 * t24 + k[19] * s5;
+  const Scalar t26 = k[20] + t25;
+  const Scalar t27 = k[26] * t26 - (k[27] + (c5 * t7 - t4));
+  const Scalar t28 = s4 * t22 - c4 * t27;
+  const Scalar t29 = s3 * (k[28] - t28);
+  const Scalar t30 = s5 * t24 - k[19] * c5;
+  const Scalar t31 = k[26] * t30;
+  const Scalar t32 = k[29] - ((t31 + t31) + (k[4] - t8));
+  const Scalar t33 = c3 * ((t29 + t29) - c3 * (t18 + t32));
+  const Scalar t34 = k[15] + q[1];
+  const Scalar t35 = s4 * t26 - c4 * t21;
+  const Scalar t36 = k[22] - t35;
+  const Scalar t37 = t2 + t9;
+  const Scalar t38 = t34 * (t36 + (t36 - k[23] * t34)) + (t37 - t17);
+  const Scalar t39 = k[32] - t30;
+  const Scalar t40 = s4 * t21 + c4 * t26;
+  const Scalar t41 = k[33] + t40;
+  const Scalar t42 = c4 * t22 + s4 * t27;
+  const Scalar t43 = c3 * (k[35] + (c4 * t16 - t14)) - s3 * (k[36] - t42);
+  const Scalar t44 = t34 * (s3 * t39 + c3 * t41) + t43;
+  const Scalar t45 = (s3 * t37 - c3 * t28) - t34 * s3 * t35;
+  const Scalar t46 = k[4] - t6;
+  const Scalar t47 = t31 + t46;
+  const Scalar t48 = c3 * (s4 * t47 - c4 * t13) - s3 * t19;
+  const Scalar t49 = t34 * (s3 * c4 * t30 - c3 * t25);
+  const Scalar t50 = k[37] * c5 - s5 * t3;
+  const Scalar t51 = k[37] * s5 + c5 * t3;
+  const Scalar t52 = c5 * t20;
+  const Scalar t53 = c4 * t23 + s4 * t52;
+  const Scalar t54 = (s4 * t10 + c4 * t51) - k[26] * t53;
+  const Scalar t55 = c4 * t52 - s4 * t23;
+  const Scalar t56 = t34 * (c3 * s5 * t20 + s3 * t55);
+  const Scalar t57 = k[26] * t55 + (s4 * t51 - c4 * t10);
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = (k[31] - (t27 + t38)) - (k[24] + t25);
-  result(0, 1) = result(1, 0) = (s3 * t39 - c3 * t40) - k[34];
-  result(0, 2) = result(2, 0) = t43;
-  result(0, 3) = result(3, 0) = t44;
-  result(0, 4) = result(4, 0) = t46 + t47;
-  result(0, 5) = result(5, 0) = t52 - t16 * t53;
+  result(0, 0) = (k[31] - (t18 + t33)) - (k[24] + t38);
+  result(0, 1) = result(1, 0) = -k[34] - (c3 * t39 - s3 * t41);
+  result(0, 2) = result(2, 0) = -t44;
+  result(0, 3) = result(3, 0) = -t45;
+  result(0, 4) = result(4, 0) = t48 + t49;
+  result(0, 5) = result(5, 0) = (s3 * t50 + c3 * t54) - t56;
   result(1, 1) = k[23];
   result(1, 2) = result(2, 1) = Scalar(0);
-  result(1, 3) = result(3, 1) = t31;
-  result(1, 4) = result(4, 1) = -s4 * t35;
-  result(1, 5) = result(5, 1) = c4 * t19 + s4 * t50;
-  result(2, 2) = t37 - t27;
-  result(2, 3) = result(3, 2) = t41;
-  result(2, 4) = result(4, 2) = -s4 * t12 - c4 * t45;
-  result(2, 5) = result(5, 2) = -s4 * t49 - c4 * t51;
-  result(3, 3) = -t26;
-  result(3, 4) = result(4, 3) = t29;
-  result(3, 5) = result(5, 3) = t48;
-  result(4, 4) = -t34;
-  result(4, 5) = result(5, 4) = -t9;
+  result(1, 3) = result(3, 1) = t40;
+  result(1, 4) = result(4, 1) = -s4 * t30;
+  result(1, 5) = result(5, 1) = t53;
+  result(2, 2) = t32 - t18;
+  result(2, 3) = result(3, 2) = -t42;
+  result(2, 4) = result(4, 2) = -s4 * t13 - c4 * t47;
+  result(2, 5) = result(5, 2) = t57;
+  result(3, 3) = -t37;
+  result(3, 4) = result(4, 3) = -t19;
+  result(3, 5) = result(5, 3) = t50;
+  result(4, 4) = -t46;
+  result(4, 5) = result(5, 4) = -t10;
   result(5, 5) = k[37];
   return result;
 }
@@ -779,68 +773,68 @@ CoriolisMatrixConstants<Scalar> coriolis_matrix_constants(const BasicGeometry<Sc
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6z * inertia.m6;
-  const Scalar t1 = inertia.c6y * inertia.m6;
-  const Scalar t2 = inertia.c5z * inertia.m5;
-  const Scalar t3 = inertia.c6x * inertia.m6;
-  const Scalar t4 = inertia.c5x * inertia.m5;
-  const Scalar t5 = inertia.c4y * inertia.m4;
-  const Scalar t6 = inertia.c5y * inertia.m5;
-  const Scalar t7 = inertia.c4z * inertia.m4;
-  const Scalar t8 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t10 = ((inertia.I6xx - t8) - inertia.c6x * t3) - (inertia.c5x * t4 - (inertia.I5xx - t9));
-  const Scalar t11 = inertia.I6yz - inertia.c6z * t1;
-  const Scalar t12 = inertia.c6z * t0 - (inertia.I6zz - t8);
-  const Scalar t13 = (inertia.I6yy - t8) - inertia.c6y * t1;
-  const Scalar t14 = inertia.c4x * inertia.m4;
-  const Scalar t15 = inertia.c3x * inertia.m3;
-  const Scalar t16 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t17 = g.d4 * inertia.m3 + t15;
-  const Scalar t18 = (inertia.c3x * t15 - (inertia.I3xx - t16)) + g.d4 * (t15 + t17);
-  const Scalar t19 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t20 = g.d4 * t19 + t14;
-  const Scalar t21 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t22 = g.d4 * (t20 + t14) - ((inertia.I4xx - t21) - inertia.c4x * t14);
-  const Scalar t23 = ((inertia.I4yy - t21) - inertia.c4y * t5) - (inertia.c5y * t6 - (inertia.I5yy - t9));
-  const Scalar t24 = inertia.c3z * inertia.m3;
-  const Scalar t25 = inertia.c3y * inertia.m3;
-  return { t0,
+  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t1 = inertia.c6z * inertia.m6;
+  const Scalar t2 = inertia.c6y * inertia.m6;
+  const Scalar t3 = inertia.c5z * inertia.m5;
+  const Scalar t4 = inertia.c6x * inertia.m6;
+  const Scalar t5 = inertia.c5x * inertia.m5;
+  const Scalar t6 = inertia.c4z * inertia.m4;
+  const Scalar t7 = inertia.c4y * inertia.m4;
+  const Scalar t8 = inertia.c5y * inertia.m5;
+  const Scalar t9 = inertia.c3y * inertia.m3;
+  const Scalar t10 = inertia.I6yz - inertia.c6z * t2;
+  const Scalar t11 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t12 = inertia.c6z * t1 - (inertia.I6zz - t11);
+  const Scalar t13 = (inertia.I6yy - t11) - inertia.c6y * t2;
+  const Scalar t14 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t15 = ((inertia.I6xx - t11) - inertia.c6x * t4) - (inertia.c5x * t5 - (inertia.I5xx - t14));
+  const Scalar t16 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t17 = ((inertia.I4yy - t16) - inertia.c4y * t7) - (inertia.c5y * t8 - (inertia.I5yy - t14));
+  const Scalar t18 = inertia.c4x * inertia.m4;
+  const Scalar t19 = inertia.c3z * inertia.m3;
+  const Scalar t20 = inertia.c3x * inertia.m3;
+  const Scalar t21 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t22 = g.d4 * inertia.m3 + t20;
+  const Scalar t23 = (inertia.c3x * t20 - (inertia.I3xx - t21)) + g.d4 * (t20 + t22);
+  const Scalar t24 = g.d4 * t0 + t18;
+  const Scalar t25 = g.d4 * (t24 + t18) - ((inertia.I4xx - t16) - inertia.c4x * t18);
+  return { g.l2,
+           inertia.m2 + (inertia.m3 + t0),
            t1,
            t2,
-           t3 + t4,
-           t5 + t6,
-           t7,
-           g.d4,
-           inertia.I6xy - inertia.c6y * t3,
-           inertia.I6xz - inertia.c6z * t3,
-           t10,
-           inertia.I5xz - inertia.c5z * t4,
-           Scalar(2) * t11,
+           t3,
+           t4 + t5,
+           t6,
+           t7 + t8,
+           t9 + inertia.c2y * inertia.m2,
+           Scalar(2) * t10,
            t12 + t13,
            t13,
-           inertia.c5z * t2 - (inertia.I5zz - t9),
-           t11,
-           inertia.I5yz - inertia.c5z * t6,
-           inertia.I5xy - inertia.c5y * t4,
-           inertia.I4xy - inertia.c4y * t14,
-           t12,
-           inertia.I4xz - inertia.c4z * t14,
+           inertia.c5z * t3 - (inertia.I5zz - t14),
+           t10,
+           inertia.I6xz - inertia.c6z * t4,
+           inertia.I6xy - inertia.c6y * t4,
+           inertia.I5xz - inertia.c5z * t5,
+           t15,
+           inertia.I5yz - inertia.c5z * t8,
+           inertia.I5xy - inertia.c5y * t5,
+           inertia.I4yz - inertia.c4z * t7,
+           (inertia.I4zz - t16) - inertia.c4z * t6,
+           t12 - t13,
+           t17,
+           inertia.I4xy - inertia.c4y * t18,
+           inertia.I4xz - inertia.c4z * t18,
+           g.d4,
+           g.d4 * t19 - (inertia.I3xz - inertia.c3z * t20),
+           (inertia.I3zz - t21) - inertia.c3z * t19,
            Scalar(2) * g.d4,
-           t18 + t22,
-           inertia.I4yz - inertia.c4z * t5,
-           (inertia.I4zz - t21) - inertia.c4z * t7,
-           t23,
-           g.d4 * t24 - (inertia.I3xz - inertia.c3z * t15),
-           (inertia.I3zz - t16) - inertia.c3z * t24,
-           t25 + inertia.c2y * inertia.m2,
-           g.l2,
-           inertia.m2 + (inertia.m3 + t19),
-           t20 + t17,
-           t24,
-           inertia.I3yz - inertia.c3z * t25,
-           g.d4 * t25 - (inertia.I3xy - inertia.c3y * t15),
-           t12 - t13 };
+           t23 + t25,
+           t19,
+           t24 + t22,
+           g.d4 * t9 - (inertia.I3xy - inertia.c3y * t20),
+           inertia.I3yz - inertia.c3z * t9,
+           t12 };
 }
 
 namespace detail {
@@ -857,235 +851,228 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[12] * c6 - k[11] * s6;
-  const Scalar t1 = k[15] + s6 * t0;
-  const Scalar t2 = k[16] + t1;
-  const Scalar t3 = c5 * t2;
-  const Scalar t4 = k[7] * c6 - k[8] * s6;
-  const Scalar t5 = k[17] + t4;
-  const Scalar t6 = c6 * t0;
-  const Scalar t7 = k[19] - t6;
-  const Scalar t8 = qd[5] * t7;
-  const Scalar t9 = qd[4] * t5 - t8;
-  const Scalar t10 = qd[4] * t3 + s5 * t9;
-  const Scalar t11 = qd[5] * t1;
-  const Scalar t12 = k[8] * c6 + k[7] * s6;
-  const Scalar t13 = k[10] + t12;
-  const Scalar t14 = qd[4] * t13;
-  const Scalar t15 = k[13] - t6;
-  const Scalar t16 = k[14] - t15;
-  const Scalar t17 = qd[4] * t16;
-  const Scalar t18 = c5 * (t11 + t14) + s5 * t17;
-  const Scalar t19 = s5 * t18;
-  const Scalar t20 = qd[5] * t4;
-  const Scalar t21 = t20 + k[9] * qd[4];
-  const Scalar t22 = s5 * t14 - c5 * t21;
-  const Scalar t23 = c5 * t22;
-  const Scalar t24 = (t19 - t17) + (t21 + t23);
-  const Scalar t25 = s4 * t10 + c4 * t24;
-  const Scalar t26 = c5 * t12;
-  const Scalar t27 = qd[5] * t15;
-  const Scalar t28 = qd[5] * t26 - s5 * t27;
-  const Scalar t29 = t10 + t28;
-  const Scalar t30 = Scalar(2) * c5 * t13 + s5 * (k[9] + t16);
-  const Scalar t31 = k[20] - (t13 - c5 * t30);
-  const Scalar t32 = t29 + qd[3] * t31;
-  const Scalar t33 = t19 + t23;
-  const Scalar t34 = s5 * t2;
-  const Scalar t35 = t34 - c5 * t5;
-  const Scalar t36 = k[18] - t35;
-  const Scalar t37 = t24 + (t33 - qd[3] * t36);
-  const Scalar t38 = k[0] * s6 - k[1] * c6;
-  const Scalar t39 = qd[5] * t38;
-  const Scalar t40 = k[3] * qd[4] - t39;
-  const Scalar t41 = k[0] * c6 + k[1] * s6;
-  const Scalar t42 = k[2] + t41;
+  const Scalar t0 = k[2] * c6 + k[3] * s6;
+  const Scalar t1 = k[4] + t0;
+  const Scalar t2 = c5 * t1;
+  const Scalar t3 = t2 + k[5] * s5;
+  const Scalar t4 = k[6] + t3;
+  const Scalar t5 = qd[5] * t0;
+  const Scalar t6 = qd[3] * t4 + t5;
+  const Scalar t7 = k[10] * c6 - k[9] * s6;
+  const Scalar t8 = k[11] - c6 * t7;
+  const Scalar t9 = qd[5] * t8;
+  const Scalar t10 = k[14] * c6 + k[15] * s6;
+  const Scalar t11 = c5 * t10;
+  const Scalar t12 = s5 * t9 - qd[5] * t11;
+  const Scalar t13 = k[22] + t8;
+  const Scalar t14 = qd[5] * t13;
+  const Scalar t15 = k[14] * s6 - k[15] * c6;
+  const Scalar t16 = k[19] - t15;
+  const Scalar t17 = t14 - qd[4] * t16;
+  const Scalar t18 = k[13] + s6 * t7;
+  const Scalar t19 = k[18] + t18;
+  const Scalar t20 = c5 * t19;
+  const Scalar t21 = s5 * t17 - qd[4] * t20;
+  const Scalar t22 = t12 + t21;
+  const Scalar t23 = k[16] + t10;
+  const Scalar t24 = k[12] - t8;
+  const Scalar t25 = Scalar(2) * c5 * t23 + s5 * (k[17] + t24);
+  const Scalar t26 = k[25] + (c5 * t25 - t23);
+  const Scalar t27 = k[26] * t6 + (t22 - qd[3] * t26);
+  const Scalar t28 = k[2] * s6 - k[3] * c6;
+  const Scalar t29 = k[7] - t28;
+  const Scalar t30 = s5 * t1;
+  const Scalar t31 = qd[5] * t28;
+  const Scalar t32 = t31 - k[5] * qd[4];
+  const Scalar t33 = qd[4] * t30 + c5 * t32;
+  const Scalar t34 = qd[3] * t29 - t33;
+  const Scalar t35 = qd[5] * t18;
+  const Scalar t36 = qd[4] * t23;
+  const Scalar t37 = qd[4] * t24;
+  const Scalar t38 = s5 * (t35 + t36) - c5 * t37;
+  const Scalar t39 = c5 * t38;
+  const Scalar t40 = qd[5] * t15;
+  const Scalar t41 = t40 - k[17] * qd[4];
+  const Scalar t42 = c5 * t36 - s5 * t41;
   const Scalar t43 = s5 * t42;
-  const Scalar t44 = c5 * t40 - qd[4] * t43;
-  const Scalar t45 = k[4] - t38;
-  const Scalar t46 = t44 + qd[3] * t45;
-  const Scalar t47 = qd[5] * t41;
-  const Scalar t48 = c5 * t42;
-  const Scalar t49 = t48 + k[3] * s5;
-  const Scalar t50 = k[5] + t49;
-  const Scalar t51 = t47 + qd[3] * t50;
-  const Scalar t52 = c4 * t46 - s4 * t51;
-  const Scalar t53 = (s4 * t32 + c4 * t37) + k[6] * t52;
-  const Scalar t54 = t43 - k[3] * c5;
-  const Scalar t55 = s5 * t30;
-  const Scalar t56 = k[9] - t55;
-  const Scalar t57 = k[22] - (k[21] * t54 + t56);
-  const Scalar t58 = qd[4] * t48 + s5 * t40;
-  const Scalar t59 = k[6] * t58;
-  const Scalar t60 = s5 * t22 - c5 * t18;
-  const Scalar t61 = t60 + t11;
-  const Scalar t62 = t3 + s5 * t5;
-  const Scalar t63 = k[23] + t62;
-  const Scalar t64 = qd[3] * t63 - t60;
-  const Scalar t65 = k[25] - t7;
-  const Scalar t66 = c5 * t9 - qd[4] * t34;
-  const Scalar t67 = qd[3] * t65 + t66;
-  const Scalar t68 = s4 * (t61 + t64) - c4 * t67;
-  const Scalar t69 = t55 - t16;
-  const Scalar t70 = k[24] + t69;
-  const Scalar t71 = s5 * t12;
-  const Scalar t72 = c5 * t27 + qd[5] * t71;
-  const Scalar t73 = qd[3] * t70 + t72;
-  const Scalar t74 = c4 * t64 - s4 * t73;
-  const Scalar t75 = s4 * t68 - c4 * t74;
-  const Scalar t76 = t75 - t61;
-  const Scalar t77 = t59 - t76;
-  const Scalar t78 = t31 - k[6] * t50;
-  const Scalar t79 = t36 - k[6] * t45;
-  const Scalar t80 = c4 * t78 + s4 * t79;
-  const Scalar t81 = k[26] - t80;
-  const Scalar t82 = t75 + qd[2] * t81;
-  const Scalar t83 = s3 * ((t25 - t53) - qd[2] * t57) - c3 * (t77 + t82);
-  const Scalar t84 = s4 * (t65 - t70) + Scalar(2) * c4 * t63;
-  const Scalar t85 = k[27] + (t70 + s4 * t84);
-  const Scalar t86 = s3 * t82 - c3 * (t25 + qd[2] * t85);
-  const Scalar t87 = c4 * t45 - s4 * t50;
-  const Scalar t88 = k[28] + t87;
-  const Scalar t89 = s4 * t46 + c4 * t51;
-  const Scalar t90 = k[29] + q[1];
-  const Scalar t91 = (t76 + qd[1] * t88) - (k[30] * qd[1] + t89) * t90;
-  const Scalar t92 = qd[0] * (t88 - k[30] * t90);
-  const Scalar t93 = k[32] + (c4 * t50 + s4 * t45);
-  const Scalar t94 = t58 + qd[2] * t93;
-  const Scalar t95 = k[31] - t54;
-  const Scalar t96 = qd[2] * t95 + t52;
-  const Scalar t97 = qd[0] * s3;
-  const Scalar t98 = qd[0] * c3;
-  const Scalar t99 = s4 * t74;
-  const Scalar t100 = c4 * t68;
-  const Scalar t101 = qd[2] * (k[34] + (s4 * t78 - c4 * t79));
-  const Scalar t102 = (t99 + t100) + t101;
-  const Scalar t103 = c3 * ((t97 * t57 + t98 * t81) - t102);
-  const Scalar t104 = qd[2] * (k[33] + (c4 * t84 - t63));
-  const Scalar t105 = (t97 * t81 - t98 * t85) + (t104 - (s4 * t24 - c4 * t10));
-  const Scalar t106 = t103 - s3 * t105;
-  const Scalar t107 = (s3 * t94 - c3 * t96) * t90 - t106;
-  const Scalar t108 = qd[3] + t97;
-  const Scalar t109 = t47 + t108 * t50;
-  const Scalar t110 = t45 * t108 + t44;
-  const Scalar t111 = qd[2] * c4;
-  const Scalar t112 = t111 - s4 * t98;
-  const Scalar t113 = c4 * t98 + qd[2] * s4;
-  const Scalar t114 = s3 * (c4 * t109 + s4 * t110) - c3 * (t45 * t112 - t113 * t50);
-  const Scalar t115 = (t33 - t36 * t108) - (t63 * t113 - t65 * t112);
-  const Scalar t116 = k[6] * t110 + t115;
-  const Scalar t117 = (t31 * t108 + t28) + (t70 * t113 - t63 * t112);
-  const Scalar t118 = k[6] * t109 - t117;
-  const Scalar t119 = c3 * (c4 * t116 - s4 * t118) - s3 * t61;
-  const Scalar t120 = t114 * t90 - t119;
-  const Scalar t121 = qd[4] + t112;
-  const Scalar t122 = k[3] * t121 - t39;
-  const Scalar t123 = s5 * t122 + t48 * t121;
-  const Scalar t124 = t11 + k[6] * t123;
-  const Scalar t125 = c5 * t113 - s5 * t108;
-  const Scalar t126 = c5 * t108 + s5 * t113;
-  const Scalar t127 = t42 * t125 + k[3] * t126;
-  const Scalar t128 = (t16 * t125 - t13 * t126) + t121 * t2;
-  const Scalar t129 = (t8 - t5 * t121) + (t13 * t125 + k[9] * t126);
-  const Scalar t130 = k[6] * t127 - (s5 * t128 + c5 * t129);
-  const Scalar t131 = s5 * t129 - c5 * t128;
-  const Scalar t132 = c3 * (s4 * t124 - c4 * t130) - s3 * t131;
-  const Scalar t133 = s3 * (c4 * t123 + s4 * t127) - c3 * (c5 * t122 - t43 * t121);
-  const Scalar t134 = t132 + t133 * t90;
-  const Scalar t135 = s6 * t121 + c6 * t125;
-  const Scalar t136 = c6 * t121 - s6 * t125;
-  const Scalar t137 = qd[5] + t126;
-  const Scalar t138 = (k[15] * t135 - k[13] * t136) + k[7] * t137;
-  const Scalar t139 = k[8] * t137 - (k[19] * t135 + k[15] * t136);
-  const Scalar t140 = c6 * t138 - s6 * t139;
-  const Scalar t141 = s5 * t140;
-  const Scalar t142 = t38 * t137;
-  const Scalar t143 = k[6] * t142 + c5 * t140;
-  const Scalar t144 = t41 * t137;
-  const Scalar t145 = k[1] * t136 - k[0] * t135;
-  const Scalar t146 = c5 * t144 + s5 * t145;
-  const Scalar t147 = s6 * t138 + c6 * t139;
-  const Scalar t148 = k[6] * t146 - t147;
-  const Scalar t149 = s3 * t141 - c3 * (c4 * t143 + s4 * t148);
-  const Scalar t150 = c3 * (s5 * t144 - c5 * t145) + s3 * (c4 * t146 - s4 * t142);
-  const Scalar t151 = t149 - t150 * t90;
-  const Scalar t152 = s3 * t95 + c3 * t93;
-  const Scalar t153 = qd[0] * t152;
-  const Scalar t154 = t97 * t87;
-  const Scalar t155 = k[6] * t89 + (s4 * t37 - c4 * t32);
-  const Scalar t156 = c3 * (((t100 + t67) + (t99 + t73)) + t102);
-  const Scalar t157 = qd[1] * t152 - (s3 * (t104 - t155) + t156);
-  const Scalar t158 = c4 * t118 + s4 * t116;
-  const Scalar t159 = c4 * t124 + s4 * t130;
-  const Scalar t160 = c4 * t148 - s4 * t143;
-  const Scalar t161 = (s3 * t89 - c3 * qd[2] * t87) * t90;
-  const Scalar t162 = s3 * ((t61 + t61) - qd[2] * t80) - c3 * (qd[2] * (t65 + t70) + t53);
-  const Scalar t163 = (t161 - (qd[1] * s3 * t87 - t162)) - t120;
-  const Scalar t164 = (qd[3] * s4 * t54 - c4 * t58) - qd[2] * t49;
-  const Scalar t165 = c3 * (t54 * t111 - t44) - s3 * t164;
-  const Scalar t166 = s3 * c4 * t54 - c3 * t49;
-  const Scalar t167 = (qd[3] * t62 + (t11 + t11)) + t59;
-  const Scalar t168 = t69 + t56;
-  const Scalar t169 = k[6] * t54;
-  const Scalar t170 = (qd[3] * t168 - (t66 - t72)) + qd[3] * t169;
-  const Scalar t171 = (s4 * t167 + c4 * t170) + qd[2] * t35;
-  const Scalar t172 = qd[2] * (s4 * (t168 + t169) - c4 * t62);
-  const Scalar t173 = qd[1] * t166 + (c3 * t171 + s3 * (t29 - t172));
-  const Scalar t174 = c5 * t38;
-  const Scalar t175 = c4 * t174 + s4 * t41;
-  const Scalar t176 = (s5 * t47 + qd[4] * t174) + qd[2] * t175;
-  const Scalar t177 = s5 * t38;
-  const Scalar t178 = qd[3] * t174 + t39;
-  const Scalar t179 = (c5 * t47 - qd[4] * t177) + qd[3] * t41;
-  const Scalar t180 = qd[2] * t177 + (s4 * t178 - c4 * t179);
-  const Scalar t181 = t20 + k[35] * qd[4];
-  const Scalar t182 = qd[4] * t26 + s5 * t181;
-  const Scalar t183 = t26 + k[35] * s5;
-  const Scalar t184 = c4 * (k[6] * t41 - t183) - s4 * (k[6] * t174 + t4);
-  const Scalar t185 = (c5 * t181 - qd[4] * t71) + qd[3] * t4;
-  const Scalar t186 = k[6] * t178 + t185;
-  const Scalar t187 = qd[5] * t12;
-  const Scalar t188 = k[6] * t179 - (t187 + qd[3] * t183);
-  const Scalar t189 = qd[2] * (t71 - k[35] * c5) - (c4 * t186 + s4 * t188);
-  const Scalar t190 = s3 * (t182 - qd[2] * t184) + c3 * t189;
-  const Scalar t191 = s3 * t175 + c3 * t177;
-  const Scalar t192 = t90 * (c3 * t176 - s3 * t180) - (t190 - qd[1] * t191);
+  const Scalar t44 = t39 + t43;
+  const Scalar t45 = (t39 + t37) + (t41 + t43);
+  const Scalar t46 = s5 * t19;
+  const Scalar t47 = c5 * t16 - t46;
+  const Scalar t48 = k[24] + t47;
+  const Scalar t49 = k[26] * t34 + ((t44 + t45) - qd[3] * t48);
+  const Scalar t50 = s4 * t27 - c4 * t49;
+  const Scalar t51 = s4 * t21 - c4 * t44;
+  const Scalar t52 = k[17] - s5 * t25;
+  const Scalar t53 = k[5] * c5 - t30;
+  const Scalar t54 = k[30] - (t52 - k[29] * t53);
+  const Scalar t55 = t20 + s5 * t16;
+  const Scalar t56 = k[20] + t55;
+  const Scalar t57 = t35 + qd[3] * t56;
+  const Scalar t58 = qd[4] * t46 + c5 * t17;
+  const Scalar t59 = k[23] - t13;
+  const Scalar t60 = t58 - qd[3] * t59;
+  const Scalar t61 = c4 * t57 - s4 * t60;
+  const Scalar t62 = s5 * t38 - c5 * t42;
+  const Scalar t63 = s5 * t10;
+  const Scalar t64 = c5 * t9 + qd[5] * t63;
+  const Scalar t65 = k[17] - t24;
+  const Scalar t66 = k[21] - (t52 - t65);
+  const Scalar t67 = t64 + qd[3] * t66;
+  const Scalar t68 = c4 * (t57 - t62) - s4 * t67;
+  const Scalar t69 = (t57 - c4 * t61) - c4 * t68;
+  const Scalar t70 = s4 * t29 + c4 * t4;
+  const Scalar t71 = (c4 * t26 + s4 * t48) - k[26] * t70;
+  const Scalar t72 = k[27] - t71;
+  const Scalar t73 = t69 + qd[2] * t72;
+  const Scalar t74 = s5 * t32 - qd[4] * t2;
+  const Scalar t75 = k[26] * t74;
+  const Scalar t76 = t69 - t62;
+  const Scalar t77 = t75 + t76;
+  const Scalar t78 = s3 * ((t50 - t51) - qd[2] * t54) - c3 * (t73 - t77);
+  const Scalar t79 = s4 * (t59 - t66) + Scalar(2) * c4 * t56;
+  const Scalar t80 = k[28] + (s4 * t79 + t66);
+  const Scalar t81 = s3 * t73 - c3 * (qd[2] * t80 - t51);
+  const Scalar t82 = s4 * t34 + c4 * t6;
+  const Scalar t83 = k[0] + q[1];
+  const Scalar t84 = s4 * t4 - c4 * t29;
+  const Scalar t85 = k[8] - t84;
+  const Scalar t86 = (t82 + k[1] * qd[1]) * t83 - (qd[1] * t85 + t76);
+  const Scalar t87 = qd[0] * (k[1] * t83 - t85);
+  const Scalar t88 = k[31] + t70;
+  const Scalar t89 = t74 - qd[2] * t88;
+  const Scalar t90 = s3 * t84;
+  const Scalar t91 = qd[0] * t90;
+  const Scalar t92 = qd[0] * s3;
+  const Scalar t93 = qd[3] + t92;
+  const Scalar t94 = t33 - t93 * t29;
+  const Scalar t95 = t4 * t93 + t5;
+  const Scalar t96 = c4 * t94 + s4 * t95;
+  const Scalar t97 = k[32] + t53;
+  const Scalar t98 = (t91 - t96) + qd[2] * t97;
+  const Scalar t99 = (s4 * t26 - c4 * t48) - k[26] * t84;
+  const Scalar t100 = s4 * t68;
+  const Scalar t101 = s4 * t61;
+  const Scalar t102 = qd[2] * (k[33] + t99) + (t100 + (t60 + t101));
+  const Scalar t103 = qd[0] * c3;
+  const Scalar t104 = c3 * (t102 - (t92 * t54 + t72 * t103));
+  const Scalar t105 = qd[2] * (k[34] - (t56 - c4 * t79));
+  const Scalar t106 = ((s4 * t44 + c4 * t21) - t105) + (t103 * t80 - t92 * t72);
+  const Scalar t107 = t104 - s3 * t106;
+  const Scalar t108 = (s3 * t89 + c3 * t98) * t83 - t107;
+  const Scalar t109 = c4 * t103 + qd[2] * s4;
+  const Scalar t110 = qd[2] * c4;
+  const Scalar t111 = t110 - s4 * t103;
+  const Scalar t112 = (t56 * t109 - t59 * t111) + (t93 * t48 - t45);
+  const Scalar t113 = (t56 * t111 - t109 * t66) - (t26 * t93 - t12);
+  const Scalar t114 = k[26] * t96 + (c4 * t112 + s4 * t113);
+  const Scalar t115 = c4 * t95 - s4 * t94;
+  const Scalar t116 = c3 * (t111 * t29 - t4 * t109) - s3 * t115;
+  const Scalar t117 = (c3 * t114 + s3 * t62) - t116 * t83;
+  const Scalar t118 = qd[4] + t111;
+  const Scalar t119 = k[5] * t118 - t31;
+  const Scalar t120 = c5 * t109 - s5 * t93;
+  const Scalar t121 = c5 * t93 + s5 * t109;
+  const Scalar t122 = t1 * t120 + k[5] * t121;
+  const Scalar t123 = t2 * t118 + s5 * t119;
+  const Scalar t124 = c3 * (c5 * t119 - t30 * t118) - s3 * (s4 * t122 + c4 * t123);
+  const Scalar t125 = t19 * t118 + (t24 * t120 - t121 * t23);
+  const Scalar t126 = (t16 * t118 - t14) - (k[17] * t121 + t120 * t23);
+  const Scalar t127 = c5 * t125 + s5 * t126;
+  const Scalar t128 = t35 + k[26] * t123;
+  const Scalar t129 = (s5 * t125 - c5 * t126) - k[26] * t122;
+  const Scalar t130 = s3 * t127 + c3 * (s4 * t128 + c4 * t129);
+  const Scalar t131 = t124 * t83 - t130;
+  const Scalar t132 = qd[5] + t121;
+  const Scalar t133 = s6 * t118 + c6 * t120;
+  const Scalar t134 = c6 * t118 - s6 * t120;
+  const Scalar t135 = k[15] * t132 + (k[13] * t133 - k[11] * t134);
+  const Scalar t136 = (k[35] * t133 + k[13] * t134) - k[14] * t132;
+  const Scalar t137 = s6 * t135 - c6 * t136;
+  const Scalar t138 = t0 * t132;
+  const Scalar t139 = k[3] * t134 - k[2] * t133;
+  const Scalar t140 = c5 * t138 + s5 * t139;
+  const Scalar t141 = t137 - k[26] * t140;
+  const Scalar t142 = c6 * t135 + s6 * t136;
+  const Scalar t143 = t132 * t28;
+  const Scalar t144 = c5 * t142 + k[26] * t143;
+  const Scalar t145 = s5 * t142;
+  const Scalar t146 = c3 * (s4 * t141 - c4 * t144) + s3 * t145;
+  const Scalar t147 = c3 * (s5 * t138 - c5 * t139) - s3 * (s4 * t143 - c4 * t140);
+  const Scalar t148 = t146 - t147 * t83;
+  const Scalar t149 = c3 * t88 + s3 * t97;
+  const Scalar t150 = qd[0] * t149;
+  const Scalar t151 = s4 * t49 + c4 * t27;
+  const Scalar t152 = c3 * (((t67 + t100) + t101) + t102) - s3 * (t151 - t105);
+  const Scalar t153 = (c4 * t113 - s4 * t112) + k[26] * t115;
+  const Scalar t154 = c4 * t128 - s4 * t129;
+  const Scalar t155 = s4 * t144 + c4 * t141;
+  const Scalar t156 = c3 * (qd[2] * (t59 + t66) - t50) - s3 * (Scalar(2) * t62 - qd[2] * t71);
+  const Scalar t157 = (qd[2] * c3 * t84 + s3 * t82) * t83;
+  const Scalar t158 = k[26] * t53;
+  const Scalar t159 = qd[2] * (s4 * (t158 - t65) + c4 * t55);
+  const Scalar t160 = (qd[3] * t65 + (t64 + t58)) - qd[3] * t158;
+  const Scalar t161 = (qd[3] * t55 + Scalar(2) * t35) - t75;
+  const Scalar t162 = (c4 * t160 + s4 * t161) - qd[2] * t47;
+  const Scalar t163 = c3 * t3 + s3 * c4 * t53;
+  const Scalar t164 = (s3 * (t22 - t159) - c3 * t162) + qd[1] * t163;
+  const Scalar t165 = qd[2] * t3 + (qd[3] * s4 * t53 - c4 * t74);
+  const Scalar t166 = s3 * t165 + c3 * (t33 - t110 * t53);
+  const Scalar t167 = c5 * t28;
+  const Scalar t168 = s4 * t0 + c4 * t167;
+  const Scalar t169 = qd[2] * t168 + (qd[4] * t167 + s5 * t5);
+  const Scalar t170 = s5 * t28;
+  const Scalar t171 = t31 + qd[3] * t167;
+  const Scalar t172 = (qd[4] * t170 - c5 * t5) - qd[3] * t0;
+  const Scalar t173 = qd[2] * t170 + (s4 * t171 + c4 * t172);
+  const Scalar t174 = s3 * t168 + c3 * t170;
+  const Scalar t175 = t40 - k[22] * qd[4];
+  const Scalar t176 = s5 * t175 - qd[4] * t11;
+  const Scalar t177 = k[22] * s5 + t11;
+  const Scalar t178 = c4 * (t177 - k[26] * t0) - s4 * (t15 - k[26] * t167);
+  const Scalar t179 = qd[5] * t10;
+  const Scalar t180 = (qd[3] * t177 + t179) + k[26] * t172;
+  const Scalar t181 = (qd[4] * t63 + c5 * t175) + qd[3] * t15;
+  const Scalar t182 = k[26] * t171 - t181;
+  const Scalar t183 = qd[2] * (t63 - k[22] * c5) + (s4 * t180 - c4 * t182);
+  const Scalar t184 = s3 * (t176 - qd[2] * t178) - c3 * t183;
+  const Scalar t185 = (c3 * t169 - s3 * t173) * t83 + (qd[1] * t174 + t184);
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = (c3 * t83 + s3 * t86) - t91;
-  result(0, 1) = -t92;
-  result(0, 2) = t107;
-  result(0, 3) = t120;
-  result(0, 4) = t134;
-  result(0, 5) = -t151;
-  result(1, 0) = (c3 * t94 + s3 * t96) + t92;
+  result(0, 0) = (c3 * t78 + s3 * t81) + t86;
+  result(0, 1) = t87;
+  result(0, 2) = -t108;
+  result(0, 3) = t117;
+  result(0, 4) = -t131;
+  result(0, 5) = -t148;
+  result(1, 0) = (s3 * t98 - c3 * t89) - t87;
   result(1, 1) = Scalar(0);
-  result(1, 2) = t153;
-  result(1, 3) = t154 + t52;
-  result(1, 4) = c4 * t127 - s4 * t123;
-  result(1, 5) = -c4 * t142 - s4 * t146;
-  result(2, 0) = t106 - t157;
-  result(2, 1) = -t153;
-  result(2, 2) = -t77;
-  result(2, 3) = -t158;
-  result(2, 4) = -t159;
-  result(2, 5) = -t160;
-  result(3, 0) = t163;
-  result(3, 1) = -t154;
-  result(3, 2) = t158 - t155;
-  result(3, 3) = t61;
-  result(3, 4) = -t131;
-  result(3, 5) = -t141;
-  result(4, 0) = (t165 * t90 + t173) - t134;
-  result(4, 1) = qd[0] * t166;
-  result(4, 2) = (s4 * t170 - c4 * t167) + t159;
-  result(4, 3) = t29 + t131;
-  result(4, 4) = -t11;
-  result(4, 5) = t147;
-  result(5, 0) = t192 + t151;
-  result(5, 1) = qd[0] * t191;
-  result(5, 2) = (s4 * t186 - c4 * t188) + t160;
-  result(5, 3) = t141 - t182;
-  result(5, 4) = t187 - t147;
+  result(1, 2) = t150;
+  result(1, 3) = -t96;
+  result(1, 4) = c4 * t122 - s4 * t123;
+  result(1, 5) = -c4 * t143 - s4 * t140;
+  result(2, 0) = -(qd[1] * t149 - t152) - t107;
+  result(2, 1) = -t150;
+  result(2, 2) = t77;
+  result(2, 3) = -t153;
+  result(2, 4) = -t154;
+  result(2, 5) = t155;
+  result(3, 0) = -t117 - ((t156 - qd[1] * t90) - t157);
+  result(3, 1) = t91;
+  result(3, 2) = t153 - t151;
+  result(3, 3) = t62;
+  result(3, 4) = t127;
+  result(3, 5) = -t145;
+  result(4, 0) = t131 - (t164 - t166 * t83);
+  result(4, 1) = -qd[0] * t163;
+  result(4, 2) = t154 + (s4 * t160 - c4 * t161);
+  result(4, 3) = -t127 - t22;
+  result(4, 4) = -t35;
+  result(4, 5) = t137;
+  result(5, 0) = t148 + t185;
+  result(5, 1) = qd[0] * t174;
+  result(5, 2) = (c4 * t180 + s4 * t182) - t155;
+  result(5, 3) = t145 + t176;
+  result(5, 4) = t179 - t137;
   result(5, 5) = Scalar(0);
   return result;
 }
@@ -1113,106 +1100,101 @@ ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = Scalar(1) / g.d4;
-  const Scalar t1 = inertia.c5z * inertia.m5;
-  const Scalar t2 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t3 = inertia.c5x * inertia.m5;
-  const Scalar t4 = inertia.c5y * inertia.m5;
-  const Scalar t5 = inertia.c6z * inertia.m6;
-  const Scalar t6 = inertia.c6y * inertia.m6;
-  const Scalar t7 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t8 = inertia.c6z * t5 - (inertia.I6zz - t7);
-  const Scalar t9 = (inertia.I6yy - t7) - inertia.c6y * t6;
-  const Scalar t10 = inertia.I6yz - inertia.c6z * t6;
-  const Scalar t11 = t8 - t9;
-  const Scalar t12 = Scalar(1) / t11;
-  const Scalar t13 = inertia.c6x * inertia.m6;
-  const Scalar t14 = inertia.I6xy - inertia.c6y * t13;
-  const Scalar t15 = inertia.I6xz - inertia.c6z * t13;
-  const Scalar t16 = ((inertia.I6xx - t7) - inertia.c6x * t13) - (inertia.c5x * t3 - (inertia.I5xx - t2));
-  const Scalar t17 = inertia.c4y * inertia.m4;
-  const Scalar t18 = inertia.c4z * inertia.m4;
-  const Scalar t19 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t20 = ((inertia.I4yy - t19) - inertia.c4y * t17) - (inertia.c5y * t4 - (inertia.I5yy - t2));
-  const Scalar t21 = inertia.c4x * inertia.m4;
-  const Scalar t22 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t23 = g.d4 * t22 + t21;
-  const Scalar t24 = inertia.c3x * inertia.m3;
-  const Scalar t25 = g.d4 * inertia.m3 + t24;
-  const Scalar t26 = (t23 + t25) / g.d4;
-  const Scalar t27 = g.d4 * g.d4 * t26;
-  const Scalar t28 = inertia.c3z * inertia.m3;
-  const Scalar t29 = g.d4 * t28;
-  const Scalar t30 = g.d4 * g.d4 * ((inertia.m2 + (inertia.m3 + t22)) - t26);
-  const Scalar t31 = inertia.c2x * inertia.m2;
-  const Scalar t32 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t33 = (inertia.I3zz - t32) - inertia.c3z * t28;
-  const Scalar t34 = t29 - (inertia.I3xz - inertia.c3z * t24);
-  const Scalar t35 = inertia.c3y * inertia.m3;
-  const Scalar t36 = (inertia.c3x * t24 - (inertia.I3xx - t32)) + g.d4 * (t24 + t25);
-  const Scalar t37 = g.d4 * (t23 + t21) - ((inertia.I4xx - t19) - inertia.c4x * t21);
-  const Scalar t38 = (t36 + t37) - t27;
-  const Scalar t39 = inertia.c2y * inertia.m2;
-  const Scalar t40 = g.d4 * (t35 + t39);
-  const Scalar t41 = t27 + t30;
-  const Scalar t42 = inertia.c1y * inertia.m1;
-  const Scalar t43 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t44 = g.l2 * ((t42 - g.l2 * inertia.m1) + t42) - (inertia.c1y * t42 - (inertia.I1yy - t43));
-  const Scalar t45 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t46 = ((inertia.I3yy - t32) - inertia.c3y * t35) + ((inertia.I2yy - t45) - inertia.c2y * t39);
-  const Scalar t47 = (inertia.c2x * t31 - (inertia.I2xx - t45))
-      + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t43));
-  return { t0,
-           gravity / g.d4,
-           g.l2 / g.d4,
+  const Scalar t0 = inertia.c6z * inertia.m6;
+  const Scalar t1 = inertia.c6y * inertia.m6;
+  const Scalar t2 = inertia.c4y * inertia.m4;
+  const Scalar t3 = inertia.c5y * inertia.m5;
+  const Scalar t4 = inertia.c5z * inertia.m5;
+  const Scalar t5 = inertia.c6x * inertia.m6;
+  const Scalar t6 = inertia.c5x * inertia.m5;
+  const Scalar t7 = inertia.c4z * inertia.m4;
+  const Scalar t8 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t9 = inertia.c6z * t0 - (inertia.I6zz - t8);
+  const Scalar t10 = (inertia.I6yy - t8) - inertia.c6y * t1;
+  const Scalar t11 = inertia.I6yz - inertia.c6z * t1;
+  const Scalar t12 = inertia.c4x * inertia.m4;
+  const Scalar t13 = t9 - t10;
+  const Scalar t14 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t15 = ((inertia.I6xx - t8) - inertia.c6x * t5) - (inertia.c5x * t6 - (inertia.I5xx - t14));
+  const Scalar t16 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t17 = ((inertia.I4yy - t16) - inertia.c4y * t2) - (inertia.c5y * t3 - (inertia.I5yy - t14));
+  const Scalar t18 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t19 = inertia.c3z * inertia.m3;
+  const Scalar t20 = (inertia.I3zz - t18) - inertia.c3z * t19;
+  const Scalar t21 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t22 = g.d4 * t21 + t12;
+  const Scalar t23 = inertia.c3x * inertia.m3;
+  const Scalar t24 = g.d4 * inertia.m3 + t23;
+  const Scalar t25 = (t22 + t24) / g.d4;
+  const Scalar t26 = g.d4 * g.d4 * t25;
+  const Scalar t27 = (inertia.c3x * t23 - (inertia.I3xx - t18)) + g.d4 * (t23 + t24);
+  const Scalar t28 = g.d4 * (t22 + t12) - ((inertia.I4xx - t16) - inertia.c4x * t12);
+  const Scalar t29 = (t27 + t28) - t26;
+  const Scalar t30 = Scalar(1) / g.d4;
+  const Scalar t31 = g.d4 * t19;
+  const Scalar t32 = inertia.c3y * inertia.m3;
+  const Scalar t33 = t31 - (inertia.I3xz - inertia.c3z * t23);
+  const Scalar t34 = inertia.c2x * inertia.m2;
+  const Scalar t35 = inertia.c2y * inertia.m2;
+  const Scalar t36 = g.d4 * (t32 + t35);
+  const Scalar t37 = g.d4 * g.d4 * ((inertia.m2 + (inertia.m3 + t21)) - t25);
+  const Scalar t38 = t26 + t37;
+  const Scalar t39 = inertia.c1y * inertia.m1;
+  const Scalar t40 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t41 = g.l2 * ((t39 - g.l2 * inertia.m1) + t39) - (inertia.c1y * t39 - (inertia.I1yy - t40));
+  const Scalar t42 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t43 = ((inertia.I3yy - t18) - inertia.c3y * t32) + ((inertia.I2yy - t42) - inertia.c2y * t35);
+  const Scalar t44 = (inertia.c2x * t34 - (inertia.I2xx - t42))
+      + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t40));
+  return { g.d4 * t0,
            g.d4 * t1,
-           inertia.c5z * t1 - (inertia.I5zz - t2),
-           inertia.I5xz - inertia.c5z * t3,
-           inertia.I5xy - inertia.c5y * t3,
-           inertia.I5yz - inertia.c5z * t4,
-           g.d4 * t5,
-           g.d4 * t6,
-           t8 + t9,
-           Scalar(2) * t10,
-           t9,
-           t8,
-           t10,
-           t12 * t14,
-           t12 * t15,
+           g.d4 * (t2 + t3),
+           g.d4 * t4,
+           g.d4 * (t5 + t6),
+           g.d4 * t7,
+           inertia.I6xz - inertia.c6z * t5,
+           inertia.I6xy - inertia.c6y * t5,
+           inertia.I5xy - inertia.c5y * t6,
+           t9 + t10,
+           Scalar(2) * t11,
            t11,
+           inertia.I5yz - inertia.c5z * t3,
+           inertia.I4xy - inertia.c4y * t12,
+           inertia.I5xz - inertia.c5z * t6,
+           t9,
+           t13,
+           inertia.c5z * t4 - (inertia.I5zz - t14),
            t15,
-           t14,
-           t16,
-           g.d4 * (t13 + t3),
-           g.d4 * (t17 + t4),
-           g.d4 * t18,
+           inertia.I4xz - inertia.c4z * t12,
+           Scalar(1) / t13,
+           Scalar(2) * t15,
+           (inertia.I4zz - t16) - inertia.c4z * t7,
+           t17,
+           inertia.I4yz - inertia.c4z * t2,
            t20,
-           (inertia.I4zz - t19) - inertia.c4z * t18,
-           inertia.I4yz - inertia.c4z * t17,
-           inertia.I4xz - inertia.c4z * t21,
-           inertia.I4xy - inertia.c4y * t21,
-           t12,
-           Scalar(2) * t16,
-           t27,
+           t26,
            t29,
-           Scalar(2) * t30,
-           g.d4 * t31,
-           Scalar(2) * t33,
-           t34,
-           inertia.I3yz - inertia.c3z * t35,
-           g.d4 * t35 - (inertia.I3xy - inertia.c3y * t24),
-           Scalar(2) * t34,
-           t38,
-           Scalar(2) * t40,
-           t33 + t38,
-           t33,
-           t41 * t0 * t0,
-           Scalar(2) * t29,
            t30,
-           t40,
-           t41,
-           t44 + t46,
-           t47 };
+           g.l2 / g.d4,
+           t31,
+           g.d4 * t32 - (inertia.I3xy - inertia.c3y * t23),
+           inertia.I3yz - inertia.c3z * t32,
+           gravity / g.d4,
+           t33,
+           t20 + t29,
+           g.d4 * t34,
+           Scalar(2) * t36,
+           Scalar(2) * t33,
+           Scalar(2) * t29,
+           Scalar(2) * t20,
+           Scalar(2) * t37,
+           Scalar(2) * t31,
+           t37,
+           t36,
+           t38 * t30 * t30,
+           t38,
+           t41 + t43,
+           t44 };
 }
 
 namespace detail {
@@ -1229,233 +1211,230 @@ inline JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const 
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[8] * c6 + k[9] * s6;
-  const Scalar t1 = k[19] * s6 + k[18] * c6;
-  const Scalar t2 = t0 - (k[17] * s5 + c5 * t1);
-  const Scalar t3 = k[16] * s6 - k[15] * c6;
-  const Scalar t4 = k[17] * t3;
-  const Scalar t5 = k[9] * c6 - k[8] * s6;
-  const Scalar t6 = c5 * t5;
-  const Scalar t7 = t4 + t6;
-  const Scalar t8 = s4 * t2 - c4 * t7;
-  const Scalar t9 = k[0] * (c4 * t0 + s4 * t6);
-  const Scalar t10 = k[29] * t9;
-  const Scalar t11 = k[29] * t8;
-  const Scalar t12 = k[10] * c6 - k[11] * s6;
-  const Scalar t13 = k[14] + s6 * t12;
-  const Scalar t14 = k[7] + t13;
-  const Scalar t15 = k[6] - t4;
-  const Scalar t16 = c5 * t14 + s5 * t15;
-  const Scalar t17 = c6 * t12;
-  const Scalar t18 = k[12] - t17;
-  const Scalar t19 = k[20] - (k[4] - t18);
-  const Scalar t20 = k[3] + t0;
-  const Scalar t21 = s5 * t20 - k[21] * c5;
-  const Scalar t22 = t19 + t21;
-  const Scalar t23 = t4 * t11 - (s4 * t16 + c4 * t22);
-  const Scalar t24 = Scalar(1) / (t19 + t4 * t3);
-  const Scalar t25 = t23 * t24;
-  const Scalar t26 = k[0] * s4 * t21 + t9 * t3;
-  const Scalar t27 = k[5] + t1;
-  const Scalar t28 = Scalar(2) * c5 * t27 + s5 * (k[30] - t19);
-  const Scalar t29 = k[21] * s5 + c5 * t20;
-  const Scalar t30 = k[23] + t29;
-  const Scalar t31 = (k[27] + (c5 * t28 - t27)) - t30;
-  const Scalar t32 = k[22] + t5;
-  const Scalar t33 = s5 * t14 - c5 * t15;
-  const Scalar t34 = t32 - (k[28] - t33);
-  const Scalar t35 = s4 * t31 + c4 * t34;
-  const Scalar t36 = s5 * t1 - k[17] * c5;
-  const Scalar t37 = k[29] * t36;
-  const Scalar t38 = t4 * t37 + t33;
-  const Scalar t39 = t24 * t38;
-  const Scalar t40 = (t35 - t37 * t8) + t23 * t39;
-  const Scalar t41 = k[13] - t17;
-  const Scalar t42 = k[24] - t41;
-  const Scalar t43 = k[20] - s5 * t28;
-  const Scalar t44 = k[25] + (t19 - t43);
-  const Scalar t45 = k[26] + t16;
-  const Scalar t46 = s4 * (t42 - t44) + Scalar(2) * c4 * t45;
-  const Scalar t47 = s4 * t46;
-  const Scalar t48 = t47 - t42;
-  const Scalar t49 = t47 + t44;
-  const Scalar t50 = t48 - t49;
-  const Scalar t51 = Scalar(1) / (t39 * t38 - (t36 * t37 - t50));
-  const Scalar t52 = c4 * t30 + s4 * t32;
-  const Scalar t53 = (k[0] * t52 + t36 * t10) - t39 * t26;
-  const Scalar t54 = t51 * t53;
-  const Scalar t55 = (t8 * t10 - t25 * t26) - t40 * t54;
-  const Scalar t56 = t51 * t40;
-  const Scalar t57 = k[31] - t21;
-  const Scalar t58 = k[40] - (t43 - (t57 - t21));
-  const Scalar t59 = k[43] + t49;
-  const Scalar t60 = t25 * t23 - (t11 * t8 - (t58 - t59));
-  const Scalar t61 = Scalar(1) / (t40 * t56 - t60);
-  const Scalar t62 = t55 * t61;
-  const Scalar t63 = t24 * t26;
-  const Scalar t64 = t54 * t53 - ((k[44] - t9 * t10) + t26 * t63);
-  const Scalar t65 = Scalar(1) / (t55 * t62 - t64);
-  const Scalar t66 = qd[0] * c3;
-  const Scalar t67 = s4 * t66;
-  const Scalar t68 = qd[2] * c4 - t67;
-  const Scalar t69 = qd[4] + t68;
-  const Scalar t70 = c4 * t66 + qd[2] * s4;
-  const Scalar t71 = qd[0] * s3;
-  const Scalar t72 = qd[3] + t71;
-  const Scalar t73 = c5 * t70 - s5 * t72;
-  const Scalar t74 = t69 * t73;
-  const Scalar t75 = qd[2] * t66;
-  const Scalar t76 = t70 * t68;
-  const Scalar t77 = t75 - t76;
-  const Scalar t78 = Scalar(2) * qd[2] * t71;
-  const Scalar t79 = c4 * t78 - t71 * t67;
-  const Scalar t80 = t72 * t68;
-  const Scalar t81 = t79 - (t80 + t80);
-  const Scalar t82 = c5 * t77 - s5 * t81;
-  const Scalar t83 = t74 + (t74 + t82);
-  const Scalar t84 = c5 * t72 + s5 * t70;
-  const Scalar t85 = t84 * t69;
-  const Scalar t86 = s5 * t77 + c5 * t81;
-  const Scalar t87 = t85 + (t85 + t86);
-  const Scalar t88 = t68 * t68;
-  const Scalar t89 = t72 * t72;
-  const Scalar t90 = t88 + t89;
-  const Scalar t91 = t66 * t66;
-  const Scalar t92 = qd[2] * qd[2];
-  const Scalar t93 = t91 + t92;
-  const Scalar t94 = t93 - t90;
-  const Scalar t95 = t88 - t89;
-  const Scalar t96 = t94 - t95;
-  const Scalar t97 = t90 + t96;
-  const Scalar t98 = t69 * t69;
-  const Scalar t99 = t98 + t84 * t84;
-  const Scalar t100 = t97 - t99;
-  const Scalar t101 = qd[5] + t84;
-  const Scalar t102 = t101 * t101;
-  const Scalar t103 = t102 + t98;
-  const Scalar t104 = t100 + t103;
-  const Scalar t105 = (k[3] * t83 + k[21] * t87) + (t5 * t104 + t0 * t83);
-  const Scalar t106 = qd[0] * qd[0];
-  const Scalar t107 = k[2] + k[0] * q[1];
-  const Scalar t108 = t106 * t107;
-  const Scalar t109 = k[0] * qd[1];
-  const Scalar t110 = Scalar(2) * t71 * t109 - k[1] * c3;
-  const Scalar t111 = t79 - (c4 * t108 - s4 * t110);
-  const Scalar t112 = t75 + t76;
-  const Scalar t113 = k[31] * t111 + (k[23] * t112 + k[22] * t97);
-  const Scalar t114 = t105 + t113;
-  const Scalar t115 = t71 * t66;
-  const Scalar t116 = c4 * t115 + s4 * t78;
-  const Scalar t117 = t116 - (c4 * t110 + s4 * t108);
-  const Scalar t118 = (k[22] * t77 - k[23] * t90) + k[31] * t117;
-  const Scalar t119 = t69 * t101;
-  const Scalar t120 = t119 + (t119 - t87);
-  const Scalar t121 = t101 * t73;
-  const Scalar t122 = t84 * t73;
-  const Scalar t123 = t72 * t70;
-  const Scalar t124 = t116 - t123;
-  const Scalar t125 = t122 + t124;
-  const Scalar t126 = (t121 - t125) + t121;
-  const Scalar t127 = t102 - t98;
-  const Scalar t128 = t127 - t104;
-  const Scalar t129 = t122 - t124;
-  const Scalar t130 = (t5 * t120 - t0 * t126) - (k[21] * t128 + k[3] * t129);
-  const Scalar t131 = (t0 * t103 - t5 * t82) + (k[3] * t99 - k[21] * t125);
-  const Scalar t132 = t118 - (s5 * t130 + c5 * t131);
-  const Scalar t133 = (c4 * t114 + s4 * t132) + k[45] * t75;
-  const Scalar t134 = k[0] * (t133 - (k[46] * t108 - k[47] * t106));
-  const Scalar t135 = (t18 * t83 - t82 * t41) + t100 * t13;
-  const Scalar t136 = t109 * t66;
-  const Scalar t137 = (t136 + t136) + k[1] * s3;
-  const Scalar t138 = t93 - t137;
-  const Scalar t139 = c5 * t117 + s5 * t138;
-  const Scalar t140 = ((t4 * t125 - t87 * t1) - t135) + (t139 * t5 + t0 * t111);
-  const Scalar t141 = torque[5] - t140;
-  const Scalar t142 = s5 * t117 - c5 * t138;
-  const Scalar t143 = (t4 * t82 + (t128 + t103) * t1) + (t18 * t126 - t120 * t13);
-  const Scalar t144 = k[5] * (t128 + t99) - (k[4] * t129 + k[20] * t125);
-  const Scalar t145 = (k[21] * t139 - k[3] * t142) - ((k[6] * t82 - k[7] * t86) - t144);
-  const Scalar t146 = (t142 * t0 - t143) - t145;
-  const Scalar t147 = t3 * t141 - (torque[4] + t146);
-  const Scalar t148 = t147 * t24;
-  const Scalar t149 = ((torque[1] - t134) - t141 * t10) + t148 * t26;
-  const Scalar t150 = k[29] * t141;
-  const Scalar t151 = (k[5] * t87 - k[4] * t83) + (k[6] * t125 + k[7] * t100);
-  const Scalar t152 = (t151 - k[3] * t111) - t140;
-  const Scalar t153 = (t126 * t13 + t120 * t41) - t4 * t127;
-  const Scalar t154 = (k[5] * t83 + k[20] * t87) + k[6] * (t128 + t97);
-  const Scalar t155 = ((t153 + t1 * t83) - t142 * t5) - (k[21] * t111 - (k[7] * t129 + t154));
-  const Scalar t156 = (k[24] * t77 + k[25] * t112) + k[26] * t96;
-  const Scalar t157 = (k[22] * t117 + k[23] * t111) - ((k[27] * t79 + k[28] * t116) + t156);
-  const Scalar t158 = (c5 * t152 + s5 * t155) - t157;
-  const Scalar t159 = t147 * t39 - (t150 * t36 + (torque[3] + t158));
-  const Scalar t160 = t106 - t93;
-  const Scalar t161 = t91 - t92;
-  const Scalar t162 = k[32] * t137 + (k[36] * (t160 - t161) - k[42] * t115);
-  const Scalar t163 = t123 - t124;
-  const Scalar t164 = (k[28] * t77 + k[27] * t94) - (k[26] * t81 + k[25] * t163);
-  const Scalar t165 = (t146 - (k[23] * t138 - t164)) - t132;
-  const Scalar t166 = (k[26] * t163 + k[24] * t81) - k[28] * t95;
-  const Scalar t167 = (k[22] * t138 + (t166 + k[27] * t112)) - (s5 * t152 - c5 * t155);
-  const Scalar t168 = t114 - t167;
-  const Scalar t169 = torque[2] + (t162 + (c4 * t165 + s4 * t168));
-  const Scalar t170 = t159 * t56 + ((t169 + t150 * t8) - t25 * t147);
-  const Scalar t171 = t65 * ((t149 + t159 * t54) + t62 * t170);
-  const Scalar t172 = c3 * (k[37] + (c4 * t46 - t45)) - s3 * (k[38] + t35);
-  const Scalar t173 = k[32] + t52;
-  const Scalar t174 = t172 + t107 * (s3 * t57 + c3 * t173);
-  const Scalar t175 = s3 * t36 + c3 * (s4 * t7 + c4 * t2);
-  const Scalar t176 = c3 * s5 * t5 - s3 * (s4 * t0 - c4 * t6);
-  const Scalar t177 = t175 + t107 * t176;
-  const Scalar t178 = t107 * (s3 * c4 * t21 - c3 * t29);
-  const Scalar t179 = c3 * (c4 * t16 - s4 * t22) - s3 * t33;
-  const Scalar t180 = (t178 - t179) + t177 * t3;
-  const Scalar t181 = t180 * t24;
-  const Scalar t182 = c4 * t31 - s4 * t34;
-  const Scalar t183 = c4 * t32 - s4 * t30;
-  const Scalar t184 = (s3 * t50 + c3 * t182) - t107 * s3 * t183;
-  const Scalar t185 = (t177 * t37 - t184) - t181 * t38;
-  const Scalar t186 = t185 * t51;
-  const Scalar t187 = ((t174 + t11 * t177) - t23 * t181) - t186 * t40;
-  const Scalar t188 = k[0] * (k[34] - (s3 * t173 - c3 * t57));
-  const Scalar t189 = ((t188 - t177 * t10) + t26 * t181) - t186 * t53;
-  const Scalar t190 = t187 * t62 + t189;
-  const Scalar t191 = (k[35] * t75 - k[36] * t78) - (k[38] * t115 - k[37] * t161);
-  const Scalar t192 = (k[40] * t78 + k[39] * t75) + k[38] * t160;
-  const Scalar t193 = (k[37] * t115 - t192) - (c4 * t168 - s4 * t165);
-  const Scalar t194 = s3 * (t158 + (t191 + k[32] * t108)) - c3 * t193;
-  const Scalar t195 = qd[0] * t109;
-  const Scalar t196 = (s4 * t114 - c4 * t132) + k[32] * (t106 - t161);
-  const Scalar t197 = (k[22] * t81 + k[23] * t163) - k[31] * t138;
-  const Scalar t198 = (t197 - (c5 * t130 - s5 * t131)) + k[32] * t115;
-  const Scalar t199 = (s3 * t196 + c3 * t198) + (k[33] * t195 - k[34] * t106);
-  const Scalar t200 = (t194 + (k[41] * t195 - k[34] * t108)) - t107 * t199;
-  const Scalar t201 = (t177 * t150 + (torque[0] + t200)) - t180 * t148;
-  const Scalar t202 = t187 * t61;
-  const Scalar t203 = t171 * t190 - ((t186 * t159 - t201) + t202 * t170);
-  const Scalar t204 = k[29] * t177;
-  const Scalar t205 = k[47] + t183;
-  const Scalar t206 = t48 - t107 * (t205 - (k[48] * t107 - t205));
-  const Scalar t207 = c3 * (t58 + t59) - Scalar(2) * s3 * (k[36] - t182);
-  const Scalar t208 = (k[49] - t206) - (k[50] + (c3 * t207 - t59));
-  const Scalar t209 = ((t204 * t177 + t208) - t180 * t181) + t185 * t186;
-  const Scalar t210 = t65 * t190;
-  const Scalar t211 = Scalar(1) / ((t187 * t202 - t209) - t210 * t190);
-  const Scalar t212 = t203 * t211;
-  const Scalar t213 = t171 + t210 * t212;
-  const Scalar t214 = (t202 * t212 + t61 * t170) - t213 * t62;
-  const Scalar t215 = t213 * t54 + (t51 * t159 - t186 * t212);
-  const Scalar t216 = t215 - t214 * t56;
-  const Scalar t217 = t25 * t214 - ((t148 + t212 * t181) - t213 * t63);
-  const Scalar t218 = t217 + t39 * t216;
-  const Scalar t219 = (t213 * t10 - (t204 * t212 + t150)) + t214 * t11;
+  const Scalar t0 = k[0] * c6 + k[1] * s6;
+  const Scalar t1 = k[3] + t0;
+  const Scalar t2 = k[4] * c5 - s5 * t1;
+  const Scalar t3 = k[0] * s6 - k[1] * c6;
+  const Scalar t4 = c5 * t3;
+  const Scalar t5 = k[28] * (s4 * t4 - c4 * t0);
+  const Scalar t6 = k[20] * t5;
+  const Scalar t7 = k[7] * c6 - k[6] * s6;
+  const Scalar t8 = k[28] * s4 * t2 - t6 * t7;
+  const Scalar t9 = k[20] * t7;
+  const Scalar t10 = k[9] * c6 - k[10] * s6;
+  const Scalar t11 = k[15] - c6 * t10;
+  const Scalar t12 = k[16] - t11;
+  const Scalar t13 = k[18] + (k[17] + t12);
+  const Scalar t14 = k[21] - t13;
+  const Scalar t15 = Scalar(1) / (t7 * t9 + t14);
+  const Scalar t16 = t8 * t15;
+  const Scalar t17 = k[6] * c6 + k[7] * s6;
+  const Scalar t18 = c5 - k[20] * s5 * t17;
+  const Scalar t19 = k[16] * t18;
+  const Scalar t20 = k[8] + t7;
+  const Scalar t21 = k[11] + s6 * t10;
+  const Scalar t22 = k[12] + t21;
+  const Scalar t23 = c5 * t20 - s5 * t22;
+  const Scalar t24 = t19 * t9 - t23;
+  const Scalar t25 = t15 * t24;
+  const Scalar t26 = k[2] - t3;
+  const Scalar t27 = k[4] * s5 + c5 * t1;
+  const Scalar t28 = k[5] + t27;
+  const Scalar t29 = s4 * t26 + c4 * t28;
+  const Scalar t30 = t8 * t25 + (k[28] * t29 + t5 * t18);
+  const Scalar t31 = k[14] + t17;
+  const Scalar t32 = c5 * t31;
+  const Scalar t33 = s5 * t13 + (t32 + t32);
+  const Scalar t34 = k[18] - s5 * t33;
+  const Scalar t35 = k[22] - (t34 - t14);
+  const Scalar t36 = k[23] - t11;
+  const Scalar t37 = t35 + t36;
+  const Scalar t38 = Scalar(1) / (t25 * t24 - (t37 + t19 * t18));
+  const Scalar t39 = t30 * t38;
+  const Scalar t40 = (t8 * t16 + (k[45] - t5 * t6)) - t30 * t39;
+  const Scalar t41 = t0 - (k[16] * s5 + c5 * t17);
+  const Scalar t42 = t4 + t7;
+  const Scalar t43 = s4 * t41 + c4 * t42;
+  const Scalar t44 = k[20] * t43;
+  const Scalar t45 = s5 * t20 + c5 * t22;
+  const Scalar t46 = t2 - t14;
+  const Scalar t47 = t44 * t7 + (s4 * t45 - c4 * t46);
+  const Scalar t48 = t15 * t47;
+  const Scalar t49 = c4 * t26 - s4 * t28;
+  const Scalar t50 = k[13] + t23;
+  const Scalar t51 = k[19] - (t31 - c5 * t33);
+  const Scalar t52 = t49 - (c4 * t50 - s4 * t51);
+  const Scalar t53 = (t52 + t43 * t18) - t48 * t24;
+  const Scalar t54 = (t8 * t48 + t44 * t5) + t39 * t53;
+  const Scalar t55 = t38 * t53;
+  const Scalar t56 = k[24] + t45;
+  const Scalar t57 = s4 * (t35 - t36) - t56 * (c4 + c4);
+  const Scalar t58 = s4 * t57 + t36;
+  const Scalar t59 = k[25] + (t37 - t58);
+  const Scalar t60 = k[26] + t2;
+  const Scalar t61 = k[27] - (t34 - (t2 + t60));
+  const Scalar t62 = t47 * t48 - (t44 * t43 + (t59 - t61));
+  const Scalar t63 = Scalar(1) / (t55 * t53 - t62);
+  const Scalar t64 = t54 * t63;
+  const Scalar t65 = Scalar(1) / (t40 + t64 * t54);
+  const Scalar t66 = s3 * t19 - c3 * (c4 * t41 - s4 * t42);
+  const Scalar t67 = k[29] + k[28] * q[1];
+  const Scalar t68 = s3 * (c4 * t4 + s4 * t0) + c3 * s5 * t3;
+  const Scalar t69 = t66 + t67 * t68;
+  const Scalar t70 = t29 - (s4 * t50 + c4 * t51);
+  const Scalar t71 = (s3 * t37 + c3 * t70) + t67 * s3 * t49;
+  const Scalar t72 = t67 * (c3 * t27 + s3 * c4 * t2);
+  const Scalar t73 = c3 * (s4 * t46 + c4 * t45) + s3 * t23;
+  const Scalar t74 = (t72 + t73) - t69 * t9;
+  const Scalar t75 = t15 * t74;
+  const Scalar t76 = (t69 * t18 + t71) + t75 * t24;
+  const Scalar t77 = t76 * t38;
+  const Scalar t78 = k[30] + t29;
+  const Scalar t79 = k[28] * (k[36] + (c3 * t60 - s3 * t78));
+  const Scalar t80 = k[20] * t69;
+  const Scalar t81 = t30 * t77 - (t16 * t74 + (t79 - t5 * t80));
+  const Scalar t82 = c3 * (k[32] - (c4 * t57 + t56)) - s3 * (k[31] + t52);
+  const Scalar t83 = t67 * (c3 * t78 + s3 * t60) + t82;
+  const Scalar t84 = (t75 * t47 - (t83 - t80 * t43)) + t77 * t53;
+  const Scalar t85 = t81 - t84 * t64;
+  const Scalar t86 = t65 * t85;
+  const Scalar t87 = Scalar(2) * s3;
+  const Scalar t88 = (k[34] + t70) * t87 - c3 * (t59 + t61);
+  const Scalar t89 = k[44] + t49;
+  const Scalar t90 = t67 * ((k[46] * t67 - t89) - t89) - t58;
+  const Scalar t91 = (k[48] - (t59 + c3 * t88)) - (k[47] - t90);
+  const Scalar t92 = t76 * t77 - (t75 * t74 - (t80 * t69 - t91));
+  const Scalar t93 = t84 * t63;
+  const Scalar t94 = Scalar(1) / (t86 * t85 + (t92 - t84 * t93));
+  const Scalar t95 = qd[0] * c3;
+  const Scalar t96 = t95 * t95;
+  const Scalar t97 = qd[2] * qd[2];
+  const Scalar t98 = t96 + t97;
+  const Scalar t99 = qd[0] * k[28] * qd[1];
+  const Scalar t100 = Scalar(2) * c3 * t99 + k[33] * s3;
+  const Scalar t101 = t98 - t100;
+  const Scalar t102 = qd[0] * qd[0];
+  const Scalar t103 = t67 * t102;
+  const Scalar t104 = k[33] * c3 - t99 * t87;
+  const Scalar t105 = c4 * t95;
+  const Scalar t106 = qd[0] * s3;
+  const Scalar t107 = qd[2] * t106;
+  const Scalar t108 = t107 + t107;
+  const Scalar t109 = t105 * t106 + s4 * t108;
+  const Scalar t110 = (s4 * t103 - c4 * t104) - t109;
+  const Scalar t111 = s5 * t101 - c5 * t110;
+  const Scalar t112 = c5 * t101 + s5 * t110;
+  const Scalar t113 = qd[3] + t106;
+  const Scalar t114 = t105 + qd[2] * s4;
+  const Scalar t115 = c5 * t113 + s5 * t114;
+  const Scalar t116 = c5 * t114 - s5 * t113;
+  const Scalar t117 = t115 * t116;
+  const Scalar t118 = t113 * t114;
+  const Scalar t119 = t118 - t109;
+  const Scalar t120 = t117 - t119;
+  const Scalar t121 = t117 + t119;
+  const Scalar t122 = t116 * t116;
+  const Scalar t123 = t115 * t115;
+  const Scalar t124 = (k[18] * t120 + k[17] * t121) + k[14] * (t122 - t123);
+  const Scalar t125 = qd[2] * t95;
+  const Scalar t126 = s4 * t95;
+  const Scalar t127 = qd[2] * c4 - t126;
+  const Scalar t128 = t114 * t127;
+  const Scalar t129 = t125 - t128;
+  const Scalar t130 = t113 * t127;
+  const Scalar t131 = c4 * t108 - t106 * t126;
+  const Scalar t132 = t130 + (t130 - t131);
+  const Scalar t133 = s5 * t129 - c5 * t132;
+  const Scalar t134 = c5 * t129 + s5 * t132;
+  const Scalar t135 = (k[4] * t111 + k[3] * t112) - (t124 - (k[12] * t133 - k[8] * t134));
+  const Scalar t136 = qd[5] + t115;
+  const Scalar t137 = t136 * t136;
+  const Scalar t138 = t136 * t116;
+  const Scalar t139 = t120 - (t138 + t138);
+  const Scalar t140 = qd[4] + t127;
+  const Scalar t141 = t115 * t140;
+  const Scalar t142 = t141 + (t141 + t133);
+  const Scalar t143 = Scalar(2) * t140;
+  const Scalar t144 = t142 - t143 * t136;
+  const Scalar t145 = (t134 * t7 - (t137 - t122) * t17) - (t12 * t139 + t144 * t21);
+  const Scalar t146 = t135 - (t145 - t0 * t112);
+  const Scalar t147 = (c4 * t103 + s4 * t104) - t131;
+  const Scalar t148 = t134 + t143 * t116;
+  const Scalar t149 = t140 * t140;
+  const Scalar t150 = t122 - t149;
+  const Scalar t151 = (t148 * t12 + t134 * t11) - t150 * t21;
+  const Scalar t152 = (t3 * t111 + t0 * t147) - (t151 - (t120 * t7 + t142 * t17));
+  const Scalar t153 = torque[5] + t152;
+  const Scalar t154 = k[20] * t153;
+  const Scalar t155 = (torque[4] - t146) + t154 * t7;
+  const Scalar t156 = (k[12] * t150 + k[8] * t120) - (k[17] * t148 - k[14] * t142);
+  const Scalar t157 = t152 + (t156 + k[3] * t147);
+  const Scalar t158 = (t144 * t11 + t21 * t139) - (t137 - t149) * t7;
+  const Scalar t159 = t122 + t149;
+  const Scalar t160 = t122 + t123;
+  const Scalar t161 = (k[18] * t142 + k[14] * t148) - k[8] * (t159 - t160);
+  const Scalar t162 = ((t158 - t148 * t17) + t3 * t112) - ((t161 + k[12] * t121) + k[4] * t147);
+  const Scalar t163 = t127 * t127 - t114 * t114;
+  const Scalar t164 = t125 + t128;
+  const Scalar t165 = k[24] * t163 - (k[22] * t164 + k[23] * t129);
+  const Scalar t166 = (t165 - (k[19] * t131 + k[13] * t109)) - (k[2] * t110 + k[5] * t147);
+  const Scalar t167 = (c5 * t157 - s5 * t162) - t166;
+  const Scalar t168 = t25 * t155 + ((torque[3] + t167) - t153 * t18);
+  const Scalar t169 = t137 + t122;
+  const Scalar t170 = (t3 * t169 - t148 * t0) - (k[4] * t142 + k[3] * t148);
+  const Scalar t171 = k[26] * t147 - (k[5] * t164 + k[2] * t160);
+  const Scalar t172 = t170 + t171;
+  const Scalar t173 = t98 - t160;
+  const Scalar t174 = t173 - t163;
+  const Scalar t175 = (k[5] * (t98 - t174) - k[2] * t129) + k[26] * t110;
+  const Scalar t176 = ((t150 - t169) * t0 - t134 * t3) + (k[3] * (t150 - t160) + k[4] * t120);
+  const Scalar t177 = (t0 * t139 + t3 * t144) - (k[3] * t121 - k[4] * t159);
+  const Scalar t178 = t175 - (c5 * t176 - s5 * t177);
+  const Scalar t179 = c4 * t172 + s4 * t178;
+  const Scalar t180 = (k[43] * t103 - k[44] * t102) + (t179 - k[42] * t125);
+  const Scalar t181 = t16 * t155 + (t6 * t153 + (torque[1] + k[28] * t180));
+  const Scalar t182 = t155 * t15;
+  const Scalar t183 = s4 * t172 - c4 * t178;
+  const Scalar t184 = t119 + t118;
+  const Scalar t185 = k[13] * t173 + (k[23] * t132 - k[24] * t184);
+  const Scalar t186 = (k[2] * t101 + (k[19] * t164 - t185)) - (c5 * t162 + s5 * t157);
+  const Scalar t187 = (k[24] * t132 - k[22] * t184) + (k[13] * t129 + k[19] * t174);
+  const Scalar t188 = (k[5] * t101 - t187) + t146;
+  const Scalar t189 = t106 * t95;
+  const Scalar t190 = t102 - t98;
+  const Scalar t191 = t96 - t97;
+  const Scalar t192 = (k[35] * t189 - k[34] * (t190 - t191)) - k[30] * t100;
+  const Scalar t193 = (t183 + (s4 * t186 + c4 * t188)) + t192;
+  const Scalar t194 = t182 * t47 - (t154 * t43 + (torque[2] - t193));
+  const Scalar t195 = t194 + t55 * t168;
+  const Scalar t196 = t195 * t63;
+  const Scalar t197 = (t168 * t39 - t181) - t54 * t196;
+  const Scalar t198 = (k[38] * t107 - k[40] * t125) + (k[31] * t189 - k[32] * t191);
+  const Scalar t199 = k[31] * t190 + (k[38] * t125 + k[39] * t107);
+  const Scalar t200 = (t199 - k[32] * t189) + ((s4 * t188 - c4 * t186) - t179);
+  const Scalar t201 = s3 * ((k[30] * t103 - t198) + t167) + c3 * t200;
+  const Scalar t202 = k[36] * t102;
+  const Scalar t203 = k[26] * t101 + (k[2] * t132 - k[5] * t184);
+  const Scalar t204 = k[30] * t189 - (t203 + (s5 * t176 + c5 * t177));
+  const Scalar t205 = c3 * t204 - s3 * (t183 - k[30] * (t102 - t191));
+  const Scalar t206 = (t201 - (t202 * t67 - k[37] * t99)) + t67 * ((t202 - k[41] * t99) - t205);
+  const Scalar t207 = t182 * t74 - ((torque[0] + t206) - t80 * t153);
+  const Scalar t208 = t168 * t38;
+  const Scalar t209 = t86 * t197 - (t93 * t195 + (t207 - t76 * t208));
+  const Scalar t210 = t94 * t209;
+  const Scalar t211 = t65 * t197 - t86 * t210;
+  const Scalar t212 = (t210 * t93 - t196) - t211 * t64;
+  const Scalar t213 = (t211 * t39 - (t77 * t210 - t208)) + t55 * t212;
+  const Scalar t214 = (t211 * t16 + (t182 - t75 * t210)) - t212 * t48;
+  const Scalar t215 = t213 * t25 - t214;
+  const Scalar t216 = t44 * t212 + (t211 * t6 - (t154 + t80 * t210));
   JointVector<Scalar> result;
-  result[0] = t212;
-  result[1] = t213;
-  result[2] = -t214;
-  result[3] = -t216;
-  result[4] = -t218;
-  result[5] = t218 * t3 - (t37 * t216 + t219);
+  result[0] = -t210;
+  result[1] = -t211;
+  result[2] = -t212;
+  result[3] = t213;
+  result[4] = t215;
+  result[5] = t215 * t9 - (t216 + t213 * t18);
   return result;
 }
 
@@ -1482,78 +1461,79 @@ KineticEnergyConstants<Scalar> kinetic_energy_constants(const BasicGeometry<Scal
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6x * inertia.m6;
-  const Scalar t1 = inertia.c6z * inertia.m6;
-  const Scalar t2 = inertia.c6y * inertia.m6;
-  const Scalar t3 = inertia.c5z * inertia.m5;
-  const Scalar t4 = inertia.c5x * inertia.m5;
-  const Scalar t5 = inertia.I6yz - inertia.c6z * t2;
-  const Scalar t6 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t7 = inertia.c6z * t1 - (inertia.I6zz - t6);
-  const Scalar t8 = (inertia.I6yy - t6) - inertia.c6y * t2;
-  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t10 = ((inertia.I6xx - t6) - inertia.c6x * t0) - (inertia.c5x * t4 - (inertia.I5xx - t9));
-  const Scalar t11 = inertia.c5y * inertia.m5;
-  const Scalar t12 = inertia.c4z * inertia.m4;
-  const Scalar t13 = inertia.c4y * inertia.m4;
-  const Scalar t14 = inertia.c3z * inertia.m3;
-  const Scalar t15 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t16 = inertia.c4x * inertia.m4;
-  const Scalar t17 = g.d4 * t15 + t16;
+  const Scalar t0 = inertia.c6y * inertia.m6;
+  const Scalar t1 = inertia.I6yz - inertia.c6z * t0;
+  const Scalar t2 = inertia.c6z * inertia.m6;
+  const Scalar t3 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t4 = inertia.c6z * t2 - (inertia.I6zz - t3);
+  const Scalar t5 = (inertia.I6yy - t3) - inertia.c6y * t0;
+  const Scalar t6 = inertia.c5z * inertia.m5;
+  const Scalar t7 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t8 = inertia.c6x * inertia.m6;
+  const Scalar t9 = inertia.c5x * inertia.m5;
+  const Scalar t10 = ((inertia.I6xx - t3) - inertia.c6x * t8) - (inertia.c5x * t9 - (inertia.I5xx - t7));
+  const Scalar t11 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t12 = inertia.c4y * inertia.m4;
+  const Scalar t13 = inertia.c5y * inertia.m5;
+  const Scalar t14 = ((inertia.I4yy - t11) - inertia.c4y * t12) - (inertia.c5y * t13 - (inertia.I5yy - t7));
+  const Scalar t15 = inertia.c4z * inertia.m4;
+  const Scalar t16 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t17 = inertia.c3z * inertia.m3;
   const Scalar t18 = inertia.c3x * inertia.m3;
   const Scalar t19 = g.d4 * inertia.m3 + t18;
-  const Scalar t20 = inertia.c2x * inertia.m2;
-  const Scalar t21 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t22 = ((inertia.I4yy - t21) - inertia.c4y * t13) - (inertia.c5y * t11 - (inertia.I5yy - t9));
-  const Scalar t23 = inertia.c3y * inertia.m3;
-  const Scalar t24 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t25 = (inertia.c3x * t18 - (inertia.I3xx - t24)) + g.d4 * (t18 + t19);
-  const Scalar t26 = g.d4 * (t17 + t16) - ((inertia.I4xx - t21) - inertia.c4x * t16);
-  const Scalar t27 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t28 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t29 = (inertia.c2x * t20 - (inertia.I2xx - t27))
-      + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t28));
+  const Scalar t20 = (inertia.c3x * t18 - (inertia.I3xx - t16)) + g.d4 * (t18 + t19);
+  const Scalar t21 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t22 = inertia.c4x * inertia.m4;
+  const Scalar t23 = g.d4 * t21 + t22;
+  const Scalar t24 = g.d4 * (t23 + t22) - ((inertia.I4xx - t11) - inertia.c4x * t22);
+  const Scalar t25 = inertia.c2x * inertia.m2;
+  const Scalar t26 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t27 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t28 = (inertia.c2x * t25 - (inertia.I2xx - t26))
+      + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t27));
+  const Scalar t29 = inertia.c3y * inertia.m3;
   const Scalar t30 = inertia.c2y * inertia.m2;
   const Scalar t31 = inertia.c1y * inertia.m1;
-  const Scalar t32 = g.l2 * ((t31 - g.l2 * inertia.m1) + t31) - (inertia.c1y * t31 - (inertia.I1yy - t28));
-  const Scalar t33 = ((inertia.I3yy - t24) - inertia.c3y * t23) + ((inertia.I2yy - t27) - inertia.c2y * t30);
-  return { inertia.I6xy - inertia.c6y * t0,
-           inertia.I6xz - inertia.c6z * t0,
-           t1,
-           t2,
-           t3,
-           t0 + t4,
-           g.d4,
-           Scalar(2) * t5,
-           t7 + t8,
-           t8,
-           inertia.c5z * t3 - (inertia.I5zz - t9),
-           t10,
-           inertia.I5xy - inertia.c5y * t4,
+  const Scalar t32 = g.l2 * ((t31 - g.l2 * inertia.m1) + t31) - (inertia.c1y * t31 - (inertia.I1yy - t27));
+  const Scalar t33 = ((inertia.I3yy - t16) - inertia.c3y * t29) + ((inertia.I2yy - t26) - inertia.c2y * t30);
+  return { Scalar(2) * t1,
+           t4 + t5,
            t5,
-           inertia.I5yz - inertia.c5z * t11,
-           g.l2,
-           t12,
-           t13 + t11,
+           inertia.c5z * t6 - (inertia.I5zz - t7),
+           t10,
+           t4,
            t14,
-           t17 + t19,
-           t20,
-           inertia.I4yz - inertia.c4z * t13,
-           t7 - t8,
-           t22,
-           inertia.I5xz - inertia.c5z * t4,
-           (inertia.I4zz - t21) - inertia.c4z * t12,
-           inertia.I3yz - inertia.c3z * t23,
-           inertia.I4xy - inertia.c4y * t16,
-           inertia.I4xz - inertia.c4z * t16,
-           g.d4 * t23 - (inertia.I3xy - inertia.c3y * t18),
-           (inertia.I3zz - t24) - inertia.c3z * t14,
-           g.d4 * t14 - (inertia.I3xz - inertia.c3z * t18),
-           t25 + t26,
-           t29,
-           t23 + t30,
-           inertia.m2 + (inertia.m3 + t15),
-           t32 + t33 };
+           inertia.I6xz - inertia.c6z * t8,
+           inertia.I6xy - inertia.c6y * t8,
+           inertia.I5xz - inertia.c5z * t9,
+           (inertia.I4zz - t11) - inertia.c4z * t15,
+           t1,
+           inertia.I5yz - inertia.c5z * t13,
+           inertia.I5xy - inertia.c5y * t9,
+           inertia.I4yz - inertia.c4z * t12,
+           (inertia.I3zz - t16) - inertia.c3z * t17,
+           t8 + t9,
+           t2,
+           t0,
+           t6,
+           g.d4,
+           t20 + t24,
+           inertia.I4xy - inertia.c4y * t22,
+           t12 + t13,
+           inertia.I4xz - inertia.c4z * t22,
+           t15,
+           g.d4 * t17 - (inertia.I3xz - inertia.c3z * t18),
+           t28,
+           g.l2,
+           t29 + t30,
+           inertia.m2 + (inertia.m3 + t21),
+           t32 + t33,
+           t4 - t5,
+           t23 + t19,
+           t17,
+           t25,
+           g.d4 * t29 - (inertia.I3xy - inertia.c3y * t18),
+           inertia.I3yz - inertia.c3z * t29 };
 }
 
 namespace detail {
@@ -1569,77 +1549,73 @@ inline Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Sca
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[0] * c6 - k[1] * s6;
-  const Scalar t1 = k[12] + t0;
-  const Scalar t2 = k[8] * c6 - k[7] * s6;
-  const Scalar t3 = k[14] + (k[13] + s6 * t2);
+  const Scalar t0 = k[8] * c6 - k[7] * s6;
+  const Scalar t1 = k[13] + t0;
+  const Scalar t2 = k[0] * s6 - k[1] * c6;
+  const Scalar t3 = k[12] + (k[11] - s6 * t2);
   const Scalar t4 = c5 * t1 - s5 * t3;
-  const Scalar t5 = k[0] * s6 + k[1] * c6;
-  const Scalar t6 = s5 * t5 - k[22] * c5;
-  const Scalar t7 = k[2] * c6 + k[3] * s6;
-  const Scalar t8 = k[6] * t7 - (k[22] * s5 + c5 * t5);
-  const Scalar t9 = k[2] * s6 - k[3] * c6;
-  const Scalar t10 = c5 * t9;
-  const Scalar t11 = t0 + k[6] * t10;
-  const Scalar t12 = c5 * t3 + s5 * t1;
-  const Scalar t13 = k[4] + t7;
-  const Scalar t14 = k[5] * c5 - s5 * t13;
-  const Scalar t15 = k[6] * t14;
-  const Scalar t16 = k[9] - c6 * t2;
-  const Scalar t17 = k[10] - t16;
-  const Scalar t18 = k[11] - t17;
-  const Scalar t19 = t15 - t18;
-  const Scalar t20 = c5 * t13 + k[5] * s5;
-  const Scalar t21 = k[16] + t20;
-  const Scalar t22 = k[24] + t5;
-  const Scalar t23 = c5 * t22;
-  const Scalar t24 = s5 * (k[11] + t17) + (t23 + t23);
-  const Scalar t25 = k[6] * t21 - (k[28] - (t22 - c5 * t24));
-  const Scalar t26 = k[17] - t9;
-  const Scalar t27 = k[6] * t26 - (k[27] + t4);
-  const Scalar t28 = s4 * t25 - c4 * t27;
-  const Scalar t29 = qd[4] * (s4 * t12 - c4 * t19) + qd[3] * t28;
-  const Scalar t30 = qd[5] * (s4 * t8 + c4 * t11) + t29;
-  const Scalar t31 = k[15] + q[1];
-  const Scalar t32 = c4 * t26 - s4 * t21;
-  const Scalar t33 = k[21] + t12;
-  const Scalar t34 = c4 * t33;
-  const Scalar t35 = s5 * t24 - t17;
-  const Scalar t36 = k[25] + t35;
-  const Scalar t37 = k[23] - (k[22] + t16);
-  const Scalar t38 = (t34 + t34) - s4 * (t36 - t37);
-  const Scalar t39 = s4 * t38;
-  const Scalar t40 = t39 - t37;
-  const Scalar t41 = t36 + t39;
-  const Scalar t42 = t40 - t41;
-  const Scalar t43 = s4 * t27 + c4 * t25;
-  const Scalar t44 = t31 * s3 * t32 - (s3 * t42 - c3 * t43);
-  const Scalar t45 = k[19] + t14;
-  const Scalar t46 = c4 * t21 + s4 * t26;
-  const Scalar t47 = k[18] + t46;
-  const Scalar t48 = c3 * (k[26] - (t33 - c4 * t38)) - s3 * (k[29] - t28);
-  const Scalar t49 = t31 * (s3 * t45 + c3 * t47) + t48;
-  const Scalar t50 = qd[1] * (k[20] + (c3 * t45 - s3 * t47));
-  const Scalar t51 = t31 * (c3 * t20 + s3 * c4 * t14);
-  const Scalar t52 = c3 * (c4 * t12 + s4 * t19) + s3 * t4;
-  const Scalar t53 = (qd[3] * t44 + (qd[2] * t49 + t50)) + qd[4] * (t51 + t52);
-  const Scalar t54 = s3 * t6 + c3 * (c4 * t8 - s4 * t11);
-  const Scalar t55 = s3 * (s4 * t7 + c4 * t10) + c3 * s5 * t9;
-  const Scalar t56 = qd[0] * (t53 + qd[5] * (t54 - t31 * t55));
-  const Scalar t57 = qd[5] * (c4 * t7 - s4 * t10) + (qd[3] * t46 + qd[4] * s4 * t14);
-  const Scalar t58 = qd[3] * (qd[4] * t4 + qd[5] * t6) + (qd[2] * t30 + (t56 - qd[1] * t57));
-  const Scalar t59 = k[30] + t41;
-  const Scalar t60 = k[32] + ((t35 - t18) + (t15 + t15));
-  const Scalar t61 = c3 * (t59 + t60) - Scalar(2) * s3 * (k[31] + t43);
-  const Scalar t62 = k[34] + t32;
-  const Scalar t63 = t40 - t31 * (t62 + (t62 - k[35] * t31));
-  const Scalar t64 = (k[33] - (t59 - c3 * t61)) - (k[36] - t63);
-  const Scalar t65 = qd[1] * k[35] * qd[1] + qd[0] * qd[0] * t64;
-  const Scalar t66 = qd[3] * qd[3] * t42 + (t65 - qd[2] * qd[2] * (t59 - t60));
-  const Scalar t67 = qd[5] * k[22] * qd[5] + (t66 - qd[4] * qd[4] * t18);
-  const Scalar t68 = (qd[4] * qd[5] * t0 + t58) - Scalar(0.5) * t67;
+  const Scalar t5 = k[7] * c6 + k[8] * s6;
+  const Scalar t6 = k[32] * c5 - s5 * t5;
+  const Scalar t7 = k[17] * s6 - k[18] * c6;
+  const Scalar t8 = c5 * t7;
+  const Scalar t9 = k[17] * c6 + k[18] * s6;
+  const Scalar t10 = k[19] + t9;
+  const Scalar t11 = c5 * t10 + k[16] * s5;
+  const Scalar t12 = k[25] + t11;
+  const Scalar t13 = k[23] - t7;
+  const Scalar t14 = c4 * t12 + s4 * t13;
+  const Scalar t15 = s5 * t10 - k[16] * c5;
+  const Scalar t16 = qd[5] * (s4 * t8 - c4 * t9) - (qd[3] * t14 - qd[4] * s4 * t15);
+  const Scalar t17 = k[28] + q[1];
+  const Scalar t18 = (c3 * t11 - s3 * c4 * t15) * t17;
+  const Scalar t19 = k[20] * t15;
+  const Scalar t20 = c6 * t2;
+  const Scalar t21 = k[3] - (k[2] + t20);
+  const Scalar t22 = k[4] - t21;
+  const Scalar t23 = t19 + t22;
+  const Scalar t24 = s5 * t1 + c5 * t3;
+  const Scalar t25 = s3 * t4 - c3 * (s4 * t23 - c4 * t24);
+  const Scalar t26 = c4 * t13 - s4 * t12;
+  const Scalar t27 = k[6] - (k[5] + t20);
+  const Scalar t28 = k[9] + t5;
+  const Scalar t29 = Scalar(2) * c5 * t28 + s5 * (k[4] + t21);
+  const Scalar t30 = s5 * t29;
+  const Scalar t31 = k[10] + (t30 - t21);
+  const Scalar t32 = t27 + t31;
+  const Scalar t33 = (k[24] + (c5 * t29 - t28)) - k[20] * t12;
+  const Scalar t34 = (k[22] + t4) - k[20] * t13;
+  const Scalar t35 = c4 * t33 + s4 * t34;
+  const Scalar t36 = s3 * t26 * t17 + (s3 * t32 - c3 * t35);
+  const Scalar t37 = k[33] - t15;
+  const Scalar t38 = k[34] + t14;
+  const Scalar t39 = k[14] + t24;
+  const Scalar t40 = Scalar(2) * c4 * t39 + s4 * (t27 - t31);
+  const Scalar t41 = s4 * t33 - c4 * t34;
+  const Scalar t42 = c3 * (k[37] + (c4 * t40 - t39)) - s3 * (k[36] + t41);
+  const Scalar t43 = t17 * (s3 * t37 + c3 * t38) + t42;
+  const Scalar t44 = qd[1] * (k[35] - (s3 * t38 - c3 * t37));
+  const Scalar t45 = qd[4] * (t18 + t25) + (qd[3] * t36 + (qd[2] * t43 + t44));
+  const Scalar t46 = k[20] * t9 - (k[32] * s5 + c5 * t5);
+  const Scalar t47 = t0 + k[20] * t8;
+  const Scalar t48 = s3 * t6 - c3 * (c4 * t46 - s4 * t47);
+  const Scalar t49 = s3 * (s4 * t9 + c4 * t8) + c3 * s5 * t7;
+  const Scalar t50 = qd[0] * (t45 - qd[5] * (t48 + t17 * t49));
+  const Scalar t51 = qd[4] * (c4 * t23 + s4 * t24) - qd[3] * t41;
+  const Scalar t52 = t51 + qd[5] * (c4 * t47 + s4 * t46);
+  const Scalar t53 = qd[3] * (qd[4] * t4 - qd[5] * t6) + ((qd[1] * t16 + t50) + qd[2] * t52);
+  const Scalar t54 = k[29] + t26;
+  const Scalar t55 = s4 * t40;
+  const Scalar t56 = t17 * ((k[30] * t17 - t54) - t54) - (t27 - t55);
+  const Scalar t57 = k[15] + (t31 + t55);
+  const Scalar t58 = k[21] - ((k[4] - t30) + Scalar(2) * t19);
+  const Scalar t59 = Scalar(2) * s3 * (k[26] - t35) - c3 * (t57 + t58);
+  const Scalar t60 = (k[31] - t56) - (k[27] - (t57 + c3 * t59));
+  const Scalar t61 = qd[1] * k[30] * qd[1] - qd[0] * qd[0] * t60;
+  const Scalar t62 = (t61 - qd[2] * qd[2] * (t57 - t58)) - qd[3] * qd[3] * t32;
+  const Scalar t63 = qd[5] * k[32] * qd[5] - (qd[4] * qd[4] * t22 - t62);
+  const Scalar t64 = (qd[4] * qd[5] * t0 + t53) - Scalar(0.5) * t63;
   Scalar result;
-  result = -t68;
+  result = -t64;
   return result;
 }
 
@@ -1666,17 +1642,17 @@ PotentialEnergyConstants<Scalar> potential_energy_constants(const BasicGeometry<
   using std::sin;
   const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
   const Scalar t1 = (inertia.m1 + (inertia.m2 + (inertia.m3 + t0))) * gravity * g.h1;
-  return { inertia.c6x * inertia.m6 + inertia.c5x * inertia.m5,
-           inertia.c6y * inertia.m6,
+  return { inertia.c6y * inertia.m6,
            inertia.c6z * inertia.m6,
            inertia.c5z * inertia.m5,
-           inertia.c4x * inertia.m4,
-           g.d4 * t0,
-           g.d4 * inertia.m3 + inertia.c3x * inertia.m3,
+           inertia.c6x * inertia.m6 + inertia.c5x * inertia.m5,
            inertia.c4z * inertia.m4,
            inertia.c5y * inertia.m5,
            inertia.c4y * inertia.m4,
            inertia.c3z * inertia.m3,
+           inertia.c4x * inertia.m4,
+           g.d4 * t0,
+           g.d4 * inertia.m3 + inertia.c3x * inertia.m3,
            inertia.c2z * inertia.m2,
            inertia.c1z * inertia.m1,
            gravity,
@@ -1696,11 +1672,11 @@ inline Scalar potential_energy([[maybe_unused]] const JointVector<Scalar>& q, co
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[3] + (k[2] * c6 + k[1] * s6);
-  const Scalar t1 = c4 * (k[7] + (c5 * t0 + k[0] * s5));
-  const Scalar t2 = k[9] + (k[8] + (k[1] * c6 - k[2] * s6));
-  const Scalar t3 = k[5] + (k[4] - (s5 * t0 - k[0] * c5));
-  const Scalar t4 = c3 * (k[10] + (t1 + s4 * t2)) + s3 * (k[6] + t3);
+  const Scalar t0 = k[6] + (k[5] + (k[0] * c6 - k[1] * s6));
+  const Scalar t1 = k[2] + (k[0] * s6 + k[1] * c6);
+  const Scalar t2 = c4 * (k[4] + (k[3] * s5 + c5 * t1));
+  const Scalar t3 = k[9] + (k[8] - (s5 * t1 - k[3] * c5));
+  const Scalar t4 = c3 * (k[7] + (s4 * t0 + t2)) + s3 * (k[10] + t3);
   Scalar result;
   result = k[14] + k[13] * (k[12] + (k[11] + t4));
   return result;

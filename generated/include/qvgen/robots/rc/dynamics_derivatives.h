@@ -17,7 +17,7 @@ struct InverseDynamicsDerivatives {
 
 /// Joint forces for a motion, and their derivatives by q and qd; the one by qdd is mass_matrix.
 ///
-/// 1096 multiplications, 980 additions, 4 sine/cosine pairs. Set-up: 71 multiplications, 85 additions, 4 divisions.
+/// 1081 multiplications, 944 additions, 4 sine/cosine pairs. Set-up: 71 multiplications, 85 additions, 4 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d4, which must not be zero.
 template <class Scalar>

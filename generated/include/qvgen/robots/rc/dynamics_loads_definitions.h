@@ -40,75 +40,75 @@ InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_
   const Scalar t9 = inertia.c2x * inertia.m2;
   const Scalar t10 = inertia.c1x * inertia.m1;
   const Scalar t11 = (inertia.c2x * t9 - (inertia.I2xx - t6)) + (inertia.c1x * t10 - (inertia.I1xx - t2));
-  const Scalar t12 = inertia.c3z * inertia.m3;
-  const Scalar t13 = g.d4 * t12;
-  const Scalar t14 = inertia.c3x * inertia.m3;
-  const Scalar t15 = inertia.c6x * inertia.m6;
-  const Scalar t16 = inertia.c6y * inertia.m6;
-  const Scalar t17 = inertia.I6yz - inertia.c6z * t16;
-  const Scalar t18 = inertia.c6z * inertia.m6;
-  const Scalar t19 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t20 = inertia.c6z * t18 - (inertia.I6zz - t19);
-  const Scalar t21 = (inertia.I6yy - t19) - inertia.c6y * t16;
-  const Scalar t22 = inertia.c5x * inertia.m5;
-  const Scalar t23 = inertia.c5y * inertia.m5;
-  const Scalar t24 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t25 = ((inertia.I6xx - t19) - inertia.c6x * t15) - (inertia.c5x * t22 - (inertia.I5xx - t24));
-  const Scalar t26 = inertia.c5z * inertia.m5;
-  const Scalar t27 = inertia.c4z * inertia.m4;
-  const Scalar t28 = inertia.c4y * inertia.m4;
-  const Scalar t29 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t30 = ((inertia.I4yy - t29) - inertia.c4y * t28) - (inertia.c5y * t23 - (inertia.I5yy - t24));
-  const Scalar t31 = inertia.c4x * inertia.m4;
-  const Scalar t32 = g.d4 * inertia.m3 + t14;
-  const Scalar t33 = (inertia.c3x * t14 - (inertia.I3xx - t4)) + g.d4 * (t14 + t32);
-  const Scalar t34 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t35 = g.d4 * t34 + t31;
-  const Scalar t36 = g.d4 * (t35 + t31) - ((inertia.I4xx - t29) - inertia.c4x * t31);
-  const Scalar t37 = (t35 + t32) / g.d4;
-  const Scalar t38 = g.d4 * g.d4 * t37;
-  const Scalar t39 = g.d4 * g.d4 * ((inertia.m2 + (inertia.m3 + t34)) - t37);
+  const Scalar t12 = inertia.c4y * inertia.m4;
+  const Scalar t13 = inertia.c5y * inertia.m5;
+  const Scalar t14 = inertia.c4z * inertia.m4;
+  const Scalar t15 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t16 = inertia.c4x * inertia.m4;
+  const Scalar t17 = g.d4 * t15 + t16;
+  const Scalar t18 = inertia.c3x * inertia.m3;
+  const Scalar t19 = g.d4 * inertia.m3 + t18;
+  const Scalar t20 = (t17 + t19) / g.d4;
+  const Scalar t21 = g.d4 * g.d4 * t20;
+  const Scalar t22 = inertia.c5z * inertia.m5;
+  const Scalar t23 = inertia.c6x * inertia.m6;
+  const Scalar t24 = inertia.c5x * inertia.m5;
+  const Scalar t25 = inertia.c6y * inertia.m6;
+  const Scalar t26 = inertia.c6z * inertia.m6;
+  const Scalar t27 = inertia.c3z * inertia.m3;
+  const Scalar t28 = g.d4 * t27;
+  const Scalar t29 = g.d4 * g.d4 * ((inertia.m2 + (inertia.m3 + t15)) - t20);
+  const Scalar t30 = (inertia.c3x * t18 - (inertia.I3xx - t4)) + g.d4 * (t18 + t19);
+  const Scalar t31 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t32 = g.d4 * (t17 + t16) - ((inertia.I4xx - t31) - inertia.c4x * t16);
+  const Scalar t33 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t34 = ((inertia.I4yy - t31) - inertia.c4y * t12) - (inertia.c5y * t13 - (inertia.I5yy - t33));
+  const Scalar t35 = inertia.I6yz - inertia.c6z * t25;
+  const Scalar t36 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t37 = inertia.c6z * t26 - (inertia.I6zz - t36);
+  const Scalar t38 = (inertia.I6yy - t36) - inertia.c6y * t25;
+  const Scalar t39 = ((inertia.I6xx - t36) - inertia.c6x * t23) - (inertia.c5x * t24 - (inertia.I5xx - t33));
   return { (t3 + t8) - t11,
            gravity[1] / g.d4,
            gravity[0] / g.d4,
            g.d4 * t1,
            g.d4 * t10,
-           t13 - (inertia.I3xz - inertia.c3z * t14),
-           (inertia.I3zz - t4) - inertia.c3z * t12,
-           g.d4 * t5 - (inertia.I3xy - inertia.c3y * t14),
-           inertia.I3yz - inertia.c3z * t5,
+           g.d4 * (t12 + t13),
+           g.d4 * t14,
+           gravity[2] / g.d4,
            Scalar(1) / g.d4,
            g.l2 / g.d4,
-           t13,
-           inertia.I6xz - inertia.c6z * t15,
-           inertia.I6xy - inertia.c6y * t15,
-           Scalar(2) * t17,
-           t20 + t21,
-           t17,
-           t20,
-           g.d4 * t16,
-           g.d4 * t18,
-           gravity[2] / g.d4,
-           g.d4 * (t15 + t22),
-           inertia.I5yz - inertia.c5z * t23,
-           inertia.I5xz - inertia.c5z * t22,
-           t25,
-           inertia.I5xy - inertia.c5y * t22,
            t21,
-           inertia.c5z * t26 - (inertia.I5zz - t24),
+           g.d4 * t22,
+           g.d4 * (t23 + t24),
+           g.d4 * t25,
            g.d4 * t26,
-           g.d4 * t27,
-           g.d4 * (t28 + t23),
-           inertia.I4yz - inertia.c4z * t28,
-           t30,
-           (inertia.I4zz - t29) - inertia.c4z * t27,
-           inertia.I4xz - inertia.c4z * t31,
-           inertia.I4xy - inertia.c4y * t31,
-           (t33 + t36) - t38,
-           t38,
+           t28,
            g.d4 * (t5 + t7),
            g.d4 * t9,
-           t39 };
+           t29,
+           inertia.I3yz - inertia.c3z * t5,
+           g.d4 * t5 - (inertia.I3xy - inertia.c3y * t18),
+           (t30 + t32) - t21,
+           t28 - (inertia.I3xz - inertia.c3z * t18),
+           inertia.I4xz - inertia.c4z * t16,
+           t34,
+           inertia.I4yz - inertia.c4z * t12,
+           inertia.I4xy - inertia.c4y * t16,
+           Scalar(2) * t35,
+           t37 + t38,
+           t35,
+           t37,
+           t38,
+           inertia.I6xz - inertia.c6z * t23,
+           inertia.I6xy - inertia.c6y * t23,
+           inertia.I5xy - inertia.c5y * t24,
+           inertia.I5yz - inertia.c5z * t13,
+           inertia.c5z * t22 - (inertia.I5zz - t33),
+           inertia.I5xz - inertia.c5z * t24,
+           t39,
+           (inertia.I4zz - t31) - inertia.c4z * t14,
+           (inertia.I3zz - t4) - inertia.c3z * t27 };
 }
 
 namespace detail {
@@ -127,142 +127,143 @@ inline JointVector<Scalar> inverse_dynamics_with_gravity_vector(const JointVecto
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = qd[0] * s3;
-  const Scalar t1 = qd[0] * c3;
-  const Scalar t2 = t0 * t1;
-  const Scalar t3 = qdd[2] + t2;
-  const Scalar t4 = k[10] + k[9] * q[1];
-  const Scalar t5 = k[1] * s1 + k[2] * c1;
-  const Scalar t6 = qd[0] * k[9] * qd[1];
-  const Scalar t7 = (qdd[0] * t4 - t5) + (t6 + t6);
-  const Scalar t8 = t3 - (k[20] * c3 + s3 * t7);
-  const Scalar t9 = qdd[0] * c3;
-  const Scalar t10 = Scalar(2) * qd[2] * t0 - t9;
+  const Scalar t0 = k[2] * s1 - k[1] * c1;
+  const Scalar t1 = k[1] * s1 + k[2] * c1;
+  const Scalar t2 = k[0] * qdd[0] - (k[4] * t0 + k[3] * t1);
+  const Scalar t3 = qd[0] * s3;
+  const Scalar t4 = qd[2] * t3;
+  const Scalar t5 = qdd[0] * c3;
+  const Scalar t6 = t4 + (t4 - t5);
+  const Scalar t7 = qd[0] * c3;
+  const Scalar t8 = t3 * t7;
+  const Scalar t9 = qdd[2] + t8;
+  const Scalar t10 = c4 * t6 - s4 * t9;
   const Scalar t11 = qd[0] * qd[0];
-  const Scalar t12 = k[2] * s1 - k[1] * c1;
-  const Scalar t13 = k[9] * qdd[1] - (t11 * t4 + t12);
-  const Scalar t14 = t10 + t13;
-  const Scalar t15 = c4 * t8 + s4 * t14;
-  const Scalar t16 = qd[2] * t1;
-  const Scalar t17 = qdd[0] * s3;
-  const Scalar t18 = t16 + t17;
-  const Scalar t19 = qdd[3] + t18;
-  const Scalar t20 = c4 * t1 + qd[2] * s4;
-  const Scalar t21 = qd[2] * c4 - s4 * t1;
-  const Scalar t22 = t20 * t21;
-  const Scalar t23 = t19 - t22;
-  const Scalar t24 = t1 * t1;
-  const Scalar t25 = qd[2] * qd[2];
-  const Scalar t26 = t24 + t25;
-  const Scalar t27 = qd[3] + t0;
-  const Scalar t28 = t27 * t27;
-  const Scalar t29 = t20 * t20;
-  const Scalar t30 = t28 - t29;
-  const Scalar t31 = k[37] * t15 + (k[30] * t23 - k[29] * (t26 + t30));
-  const Scalar t32 = c5 * t27 + s5 * t20;
-  const Scalar t33 = c5 * t20 - s5 * t27;
-  const Scalar t34 = t32 * t33;
-  const Scalar t35 = t27 * t20;
-  const Scalar t36 = s4 * t10 + c4 * t3;
+  const Scalar t12 = k[9] + k[8] * q[1];
+  const Scalar t13 = k[8] * qdd[1] - (t11 * t12 + t0);
+  const Scalar t14 = Scalar(2) * qd[0] * k[8] * qd[1] - (t1 - qdd[0] * t12);
+  const Scalar t15 = s3 * t14 + k[7] * c3;
+  const Scalar t16 = t10 + (c4 * t13 + s4 * t15);
+  const Scalar t17 = qd[3] + t3;
+  const Scalar t18 = c4 * t7 + qd[2] * s4;
+  const Scalar t19 = c5 * t17 + s5 * t18;
+  const Scalar t20 = c5 * t18 - s5 * t17;
+  const Scalar t21 = t19 * t20;
+  const Scalar t22 = s4 * t6 + c4 * t9;
+  const Scalar t23 = t17 * t18;
+  const Scalar t24 = t22 - t23;
+  const Scalar t25 = qdd[4] + t24;
+  const Scalar t26 = t21 - t25;
+  const Scalar t27 = qd[2] * c4 - s4 * t7;
+  const Scalar t28 = qd[4] + t27;
+  const Scalar t29 = t28 * t20;
+  const Scalar t30 = t17 * t27;
+  const Scalar t31 = t30 + (t30 - t10);
+  const Scalar t32 = qd[2] * t7;
+  const Scalar t33 = qdd[0] * s3;
+  const Scalar t34 = t32 + t33;
+  const Scalar t35 = qdd[3] + t34;
+  const Scalar t36 = t18 * t27;
   const Scalar t37 = t35 - t36;
-  const Scalar t38 = qdd[4] - t37;
-  const Scalar t39 = t34 + t38;
-  const Scalar t40 = qd[4] + t21;
-  const Scalar t41 = t40 * t40;
-  const Scalar t42 = t32 * t32;
-  const Scalar t43 = t41 + t42;
-  const Scalar t44 = k[19] * s6 - k[18] * c6;
-  const Scalar t45 = t27 * t21;
-  const Scalar t46 = c4 * t10 - s4 * t3;
-  const Scalar t47 = (t45 + t45) - t46;
-  const Scalar t48 = s5 * t47 + c5 * t23;
-  const Scalar t49 = qdd[5] + t48;
-  const Scalar t50 = k[18] * s6 + k[19] * c6;
-  const Scalar t51 = qd[5] + t32;
-  const Scalar t52 = t51 * t51 + t41;
-  const Scalar t53 = (k[21] * t39 - k[28] * t43) - (t44 * t49 + t50 * t52);
-  const Scalar t54 = t40 * t51;
-  const Scalar t55 = t32 * t40;
-  const Scalar t56 = s5 * t23 - c5 * t47;
-  const Scalar t57 = (t55 + t55) + t56;
-  const Scalar t58 = t54 + (t54 - t57);
-  const Scalar t59 = t51 * t33;
-  const Scalar t60 = (t39 - t59) - t59;
-  const Scalar t61 = t28 + t29;
-  const Scalar t62 = t41 - t42;
+  const Scalar t38 = s5 * t31 + c5 * t37;
+  const Scalar t39 = t29 + (t29 + t38);
+  const Scalar t40 = t19 * t28;
+  const Scalar t41 = s5 * t37 - c5 * t31;
+  const Scalar t42 = (t40 + t40) + t41;
+  const Scalar t43 = t20 * t20;
+  const Scalar t44 = t28 * t28;
+  const Scalar t45 = t43 - t44;
+  const Scalar t46 = t43 + t44;
+  const Scalar t47 = t17 * t17;
+  const Scalar t48 = t18 * t18;
+  const Scalar t49 = t47 + t48;
+  const Scalar t50 = t45 - t49;
+  const Scalar t51 = t46 + t50;
+  const Scalar t52 = (k[37] * t39 + k[38] * t42) + k[34] * (t45 - t51);
+  const Scalar t53 = k[14] * s6 - k[13] * c6;
+  const Scalar t54 = t22 - (c4 * t15 - s4 * t13);
+  const Scalar t55 = t3 * t3;
+  const Scalar t56 = qd[2] * qd[2];
+  const Scalar t57 = t55 + t56;
+  const Scalar t58 = t11 - t57;
+  const Scalar t59 = t55 - t56;
+  const Scalar t60 = t58 - t59;
+  const Scalar t61 = t60 + t57;
+  const Scalar t62 = k[7] * s3 - c3 * t14;
   const Scalar t63 = t61 + t62;
-  const Scalar t64 = t34 - t38;
-  const Scalar t65 = (t44 * t58 - t60 * t50) - (k[21] * t63 - k[28] * t64);
-  const Scalar t66 = t31 + (c5 * t53 + s5 * t65);
-  const Scalar t67 = k[20] * s3 - c3 * t7;
-  const Scalar t68 = t26 + t67;
-  const Scalar t69 = t37 + t35;
-  const Scalar t70 = (k[31] * t47 - k[33] * t69) + (k[35] * t23 - k[34] * t30);
-  const Scalar t71 = (k[24] * t39 + k[27] * t64) + k[23] * (t63 - t43);
-  const Scalar t72 = s5 * t15 - c5 * t68;
-  const Scalar t73 = c5 * t15 + s5 * t68;
-  const Scalar t74 = ((k[25] * t48 - k[22] * t56) + t71) + (k[28] * t72 - k[21] * t73);
-  const Scalar t75 = k[14] * s6 - k[15] * c6;
-  const Scalar t76 = c6 * t75;
-  const Scalar t77 = k[26] + t76;
-  const Scalar t78 = k[16] - s6 * t75;
-  const Scalar t79 = k[13] * s6 + k[12] * c6;
-  const Scalar t80 = t61 - t43;
-  const Scalar t81 = t80 + t52;
-  const Scalar t82 = t81 - t63;
-  const Scalar t83 = k[12] * s6 - k[13] * c6;
-  const Scalar t84 = (t60 * t77 + t58 * t78) + (t79 * (t80 - t82) - t49 * t83);
-  const Scalar t85 = t74 + (t84 + t72 * t50);
-  const Scalar t86 = t66 + ((k[29] * t68 - t70) - t85);
-  const Scalar t87 = t40 * t33;
-  const Scalar t88 = (t87 + t87) + t49;
-  const Scalar t89 = qdd[5] - t88;
-  const Scalar t90 = (k[28] * t89 - k[21] * t57) - (t88 * t50 - t44 * t81);
-  const Scalar t91 = t19 + t22;
-  const Scalar t92 = c4 * t14 - s4 * t8;
-  const Scalar t93 = (k[30] * t61 + k[29] * t91) + k[37] * t92;
-  const Scalar t94 = t90 - t93;
-  const Scalar t95 = k[17] + t76;
-  const Scalar t96 = (t95 * t49 - t88 * t77) - t80 * t78;
-  const Scalar t97 = (t96 - (t57 * t79 - t83 * t39)) - (t73 * t44 - t92 * t50);
-  const Scalar t98 = (k[23] * t57 + k[27] * t89) + (k[25] * t39 + k[22] * t80);
-  const Scalar t99 = t97 + (k[28] * t92 - t98);
-  const Scalar t100 = (k[23] * t89 - k[24] * t57) + k[25] * t62;
-  const Scalar t101 = t82 * t83 + (t60 * t78 - t95 * t58);
-  const Scalar t102 = ((k[22] * t64 - t100) - k[21] * t92) + (t44 * t72 + (t79 * t88 - t101));
-  const Scalar t103 = t61 - t26;
-  const Scalar t104 = (k[31] * t69 - k[32] * t47) + k[35] * t103;
-  const Scalar t105 = (s5 * t99 + c5 * t102) + (k[30] * t68 + (t104 + k[34] * t91));
-  const Scalar t106 = t94 + t105;
-  const Scalar t107 = qdd[2] - t2;
-  const Scalar t108 = t16 + t18;
-  const Scalar t109 = (k[36] * t10 + k[5] * t108) + k[7] * (t11 - t26);
-  const Scalar t110 = (s4 * t86 - c4 * t106) + (k[8] * t107 + t109);
-  const Scalar t111 = k[31] * (t30 - t103) - (k[32] * t23 + k[33] * t91);
-  const Scalar t112 = (t111 - (k[35] * t36 + k[34] * t46)) + (k[30] * t15 + k[29] * t92);
-  const Scalar t113 = t112 - (s5 * t102 - c5 * t99);
-  const Scalar t114 = t24 - t25;
-  const Scalar t115 = (k[7] * t3 - k[8] * t114) + (k[5] * t10 - k[6] * t108);
-  const Scalar t116 = c3 * t110 - s3 * (t113 + (t115 + k[11] * t13));
-  const Scalar t117 = k[40] * t7 - (k[39] * t11 + k[38] * qdd[0]);
-  const Scalar t118 = k[37] * t68 + (k[30] * t47 - k[29] * t69);
-  const Scalar t119 = k[11] * t107 - ((c5 * t65 - s5 * t53) - t118);
-  const Scalar t120 = t11 - t114;
-  const Scalar t121 = k[11] * t120 - (c4 * t66 + s4 * t94);
-  const Scalar t122 = (t117 - (c3 * t119 - s3 * t121)) * t4;
-  const Scalar t123 = (t116 + (k[39] * t13 + k[38] * t7)) - t122;
-  const Scalar t124 = k[0] * qdd[0] - (k[4] * t12 + k[3] * t5);
-  const Scalar t125 = (c4 * t94 - s4 * t66) - k[11] * t108;
-  const Scalar t126 = k[40] * t13 + (k[38] * t11 - k[39] * qdd[0]);
-  const Scalar t127 = (k[6] * t107 - k[36] * t3) - k[5] * (t26 - t120);
-  const Scalar t128 = (t127 - (k[7] * t17 - k[8] * t9)) - k[11] * t67;
+  const Scalar t64 = s5 * t54 - c5 * t63;
+  const Scalar t65 = qd[5] + t19;
+  const Scalar t66 = t28 * t65;
+  const Scalar t67 = t66 + (t66 - t42);
+  const Scalar t68 = k[28] * c6 - k[27] * s6;
+  const Scalar t69 = c6 * t68;
+  const Scalar t70 = k[30] - t69;
+  const Scalar t71 = k[29] + s6 * t68;
+  const Scalar t72 = t65 * t20;
+  const Scalar t73 = t21 + t25;
+  const Scalar t74 = t72 + (t72 - t73);
+  const Scalar t75 = t65 * t65;
+  const Scalar t76 = t75 + t43;
+  const Scalar t77 = t46 - t76;
+  const Scalar t78 = k[33] * c6 - k[32] * s6;
+  const Scalar t79 = (t67 * t70 + t71 * t74) - t77 * t78;
+  const Scalar t80 = k[33] * s6 + k[32] * c6;
+  const Scalar t81 = qdd[5] + t39;
+  const Scalar t82 = (k[12] * t16 - (k[35] * t26 + t52)) - (t53 * t64 + (t79 + t80 * t81));
+  const Scalar t83 = s5 * t63 + c5 * t54;
+  const Scalar t84 = k[14] * c6 + k[13] * s6;
+  const Scalar t85 = k[31] - t69;
+  const Scalar t86 = qdd[5] + t38;
+  const Scalar t87 = (t85 * t81 - t70 * t86) + t45 * t71;
+  const Scalar t88 = (t53 * t83 - t84 * t16) + (t87 + (t73 * t78 + t42 * t80));
+  const Scalar t89 = (k[34] * t73 + k[35] * t45) - (k[36] * t39 - k[37] * t42);
+  const Scalar t90 = t88 + (t89 - k[11] * t16);
+  const Scalar t91 = t35 + t36;
+  const Scalar t92 = t47 - t48;
+  const Scalar t93 = t61 + t92;
+  const Scalar t94 = (k[24] * t37 + k[39] * t91) + k[25] * (t49 - t93);
+  const Scalar t95 = (t94 + (k[26] * t22 + k[23] * t10)) - (k[6] * t16 + k[5] * t54);
+  const Scalar t96 = (s5 * t82 - c5 * t90) - t95;
+  const Scalar t97 = t32 + t34;
+  const Scalar t98 = (k[40] * t97 - k[22] * t6) + (k[19] * t58 - k[20] * t9);
+  const Scalar t99 = qdd[2] - t8;
+  const Scalar t100 = k[20] * t59 + (k[22] * t97 + k[21] * t6);
+  const Scalar t101 = (k[6] * t93 - k[5] * t37) - k[10] * t54;
+  const Scalar t102 = (t84 * (t75 + t44) + t53 * t86) - (k[11] * t50 + k[12] * t73);
+  const Scalar t103 = (t53 * t67 + t84 * t74) + (k[11] * t26 - k[12] * t46);
+  const Scalar t104 = t101 + (c5 * t102 - s5 * t103);
+  const Scalar t105 = t23 - t24;
+  const Scalar t106 = (k[25] * t31 - k[39] * t105) - (k[23] * t92 - k[26] * t37);
+  const Scalar t107 = (t85 * t74 - t67 * t71) - (t86 * t78 + t80 * (t45 + t77));
+  const Scalar t108 = (k[36] * t26 + k[38] * t73) + k[37] * t51;
+  const Scalar t109 = ((k[34] * t38 - k[35] * t41) + t108) + (k[11] * t64 - k[12] * t83);
+  const Scalar t110 = (t64 * t84 - t107) + t109;
+  const Scalar t111 = t104 + ((t106 - k[6] * t63) + t110);
+  const Scalar t112 = k[26] * (t49 - t61) + (k[25] * t105 - k[24] * t31);
+  const Scalar t113 = (s5 * t90 + c5 * t82) - ((t112 + k[23] * t91) + k[5] * t63);
+  const Scalar t114 = (k[11] * t39 + k[12] * t42) + (t84 * t81 - t53 * t76);
+  const Scalar t115 = (k[5] * t49 + k[6] * t91) + k[10] * t16;
+  const Scalar t116 = t114 + t115;
+  const Scalar t117 = t113 + t116;
+  const Scalar t118 = (k[19] * t99 + t100) - (s4 * t111 - c4 * t117);
+  const Scalar t119 = s3 * (t96 - (t98 - k[15] * t13)) - c3 * t118;
+  const Scalar t120 = (k[17] * t11 + k[16] * qdd[0]) - k[18] * t14;
+  const Scalar t121 = (c4 * t104 + s4 * t116) + k[15] * t57;
+  const Scalar t122 = (k[5] * t31 - k[6] * t105) + k[10] * t63;
+  const Scalar t123 = (t122 - (c5 * t103 + s5 * t102)) + k[15] * t99;
+  const Scalar t124 = (t120 - (s3 * t121 - c3 * t123)) * t12;
+  const Scalar t125 = (t119 - (k[16] * t14 + k[17] * t13)) - t124;
+  const Scalar t126 = k[15] * t97 + (c4 * t116 - s4 * t104);
+  const Scalar t127 = (k[17] * qdd[0] - k[16] * t11) - k[18] * t13;
+  const Scalar t128 = k[22] * t60 + (k[21] * t9 - k[40] * t99);
+  const Scalar t129 = (t128 + (k[20] * t33 - k[19] * t5)) + k[15] * t62;
   JointVector<Scalar> result;
-  result[0] = -t123 - t124;
-  result[1] = -k[9] * (t125 - t126);
-  result[2] = (c4 * t86 + s4 * t106) - t128;
-  result[3] = t113;
-  result[4] = -t85;
-  result[5] = t97;
+  result[0] = t125 - t2;
+  result[1] = k[8] * (t126 - t127);
+  result[2] = t129 - (s4 * t117 + c4 * t111);
+  result[3] = t96;
+  result[4] = -t110;
+  result[5] = -t88;
   return result;
 }
 
@@ -291,88 +292,88 @@ InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constant
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c3z * inertia.m3;
-  const Scalar t1 = g.d4 * t0;
-  const Scalar t2 = inertia.c3x * inertia.m3;
-  const Scalar t3 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t4 = inertia.c3y * inertia.m3;
-  const Scalar t5 = inertia.c4z * inertia.m4;
-  const Scalar t6 = inertia.c4y * inertia.m4;
-  const Scalar t7 = inertia.c5y * inertia.m5;
-  const Scalar t8 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t10 = ((inertia.I4yy - t8) - inertia.c4y * t6) - (inertia.c5y * t7 - (inertia.I5yy - t9));
-  const Scalar t11 = inertia.c4x * inertia.m4;
-  const Scalar t12 = inertia.c6y * inertia.m6;
-  const Scalar t13 = inertia.c6z * inertia.m6;
-  const Scalar t14 = inertia.I6yz - inertia.c6z * t12;
-  const Scalar t15 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t16 = inertia.c6z * t13 - (inertia.I6zz - t15);
-  const Scalar t17 = (inertia.I6yy - t15) - inertia.c6y * t12;
-  const Scalar t18 = inertia.c6x * inertia.m6;
-  const Scalar t19 = inertia.c5x * inertia.m5;
-  const Scalar t20 = ((inertia.I6xx - t15) - inertia.c6x * t18) - (inertia.c5x * t19 - (inertia.I5xx - t9));
-  const Scalar t21 = inertia.c5z * inertia.m5;
-  const Scalar t22 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t23 = g.d4 * t22 + t11;
-  const Scalar t24 = g.d4 * inertia.m3 + t2;
-  const Scalar t25 = (t23 + t24) / g.d4;
-  const Scalar t26 = g.d4 * g.d4 * t25;
-  const Scalar t27 = (inertia.c3x * t2 - (inertia.I3xx - t3)) + g.d4 * (t2 + t24);
-  const Scalar t28 = g.d4 * (t23 + t11) - ((inertia.I4xx - t8) - inertia.c4x * t11);
-  const Scalar t29 = inertia.c2y * inertia.m2;
-  const Scalar t30 = inertia.c2x * inertia.m2;
-  const Scalar t31 = g.d4 * g.d4 * ((inertia.m2 + (inertia.m3 + t22)) - t25);
-  const Scalar t32 = inertia.c1y * inertia.m1;
-  const Scalar t33 = t32 - g.l2 * inertia.m1;
-  const Scalar t34 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t35 = g.l2 * (t33 + t32) - (inertia.c1y * t32 - (inertia.I1yy - t34));
-  const Scalar t36 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t37 = ((inertia.I3yy - t3) - inertia.c3y * t4) + ((inertia.I2yy - t36) - inertia.c2y * t29);
-  const Scalar t38 = inertia.c1x * inertia.m1;
-  const Scalar t39 = (inertia.c2x * t30 - (inertia.I2xx - t36)) + (inertia.c1x * t38 - (inertia.I1xx - t34));
-  return { t1 - (inertia.I3xz - inertia.c3z * t2),
-           (inertia.I3zz - t3) - inertia.c3z * t0,
-           g.d4 * t4 - (inertia.I3xy - inertia.c3y * t2),
-           inertia.I3yz - inertia.c3z * t4,
+  const Scalar t0 = inertia.c1y * inertia.m1;
+  const Scalar t1 = t0 - g.l2 * inertia.m1;
+  const Scalar t2 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t3 = g.l2 * (t1 + t0) - (inertia.c1y * t0 - (inertia.I1yy - t2));
+  const Scalar t4 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t5 = inertia.c3y * inertia.m3;
+  const Scalar t6 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t7 = inertia.c2y * inertia.m2;
+  const Scalar t8 = ((inertia.I3yy - t4) - inertia.c3y * t5) + ((inertia.I2yy - t6) - inertia.c2y * t7);
+  const Scalar t9 = inertia.c2x * inertia.m2;
+  const Scalar t10 = inertia.c1x * inertia.m1;
+  const Scalar t11 = (inertia.c2x * t9 - (inertia.I2xx - t6)) + (inertia.c1x * t10 - (inertia.I1xx - t2));
+  const Scalar t12 = inertia.c3z * inertia.m3;
+  const Scalar t13 = g.d4 * t12;
+  const Scalar t14 = inertia.c3x * inertia.m3;
+  const Scalar t15 = inertia.c4y * inertia.m4;
+  const Scalar t16 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t17 = inertia.c4z * inertia.m4;
+  const Scalar t18 = inertia.c5y * inertia.m5;
+  const Scalar t19 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t20 = ((inertia.I4yy - t16) - inertia.c4y * t15) - (inertia.c5y * t18 - (inertia.I5yy - t19));
+  const Scalar t21 = inertia.c4x * inertia.m4;
+  const Scalar t22 = inertia.c5x * inertia.m5;
+  const Scalar t23 = inertia.c5z * inertia.m5;
+  const Scalar t24 = inertia.c6x * inertia.m6;
+  const Scalar t25 = inertia.c6y * inertia.m6;
+  const Scalar t26 = inertia.I6yz - inertia.c6z * t25;
+  const Scalar t27 = inertia.c6z * inertia.m6;
+  const Scalar t28 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t29 = inertia.c6z * t27 - (inertia.I6zz - t28);
+  const Scalar t30 = (inertia.I6yy - t28) - inertia.c6y * t25;
+  const Scalar t31 = ((inertia.I6xx - t28) - inertia.c6x * t24) - (inertia.c5x * t22 - (inertia.I5xx - t19));
+  const Scalar t32 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t33 = g.d4 * t32 + t21;
+  const Scalar t34 = g.d4 * inertia.m3 + t14;
+  const Scalar t35 = (t33 + t34) / g.d4;
+  const Scalar t36 = g.d4 * g.d4 * t35;
+  const Scalar t37 = (inertia.c3x * t14 - (inertia.I3xx - t4)) + g.d4 * (t14 + t34);
+  const Scalar t38 = g.d4 * (t33 + t21) - ((inertia.I4xx - t16) - inertia.c4x * t21);
+  const Scalar t39 = g.d4 * g.d4 * ((inertia.m2 + (inertia.m3 + t32)) - t35);
+  return { (t3 + t8) - t11,
+           gravity[1] / g.d4,
+           gravity[0] / g.d4,
+           g.d4 * t1,
+           g.d4 * t10,
            Scalar(1) / g.d4,
            g.l2 / g.d4,
-           gravity[0] / g.d4,
-           gravity[1] / g.d4,
-           t1,
-           gravity[2] / g.d4,
-           g.d4 * t5,
-           g.d4 * (t6 + t7),
-           inertia.I4yz - inertia.c4z * t6,
-           t10,
-           (inertia.I4zz - t8) - inertia.c4z * t5,
-           inertia.I4xz - inertia.c4z * t11,
-           inertia.I4xy - inertia.c4y * t11,
-           g.d4 * t12,
-           g.d4 * t13,
-           Scalar(2) * t14,
-           t16 + t17,
-           t16,
-           t14,
-           inertia.I6xz - inertia.c6z * t18,
-           inertia.I6xy - inertia.c6y * t18,
-           inertia.I5yz - inertia.c5z * t7,
-           inertia.I5xy - inertia.c5y * t19,
-           inertia.I5xz - inertia.c5z * t19,
+           g.d4 * (t5 + t7),
+           g.d4 * t9,
+           t13 - (inertia.I3xz - inertia.c3z * t14),
+           (inertia.I3zz - t4) - inertia.c3z * t12,
+           inertia.I3yz - inertia.c3z * t5,
+           g.d4 * t5 - (inertia.I3xy - inertia.c3y * t14),
+           t13,
+           inertia.I4yz - inertia.c4z * t15,
+           (inertia.I4zz - t16) - inertia.c4z * t17,
            t20,
-           g.d4 * (t18 + t19),
-           t17,
-           g.d4 * t21,
-           inertia.c5z * t21 - (inertia.I5zz - t9),
-           g.d4,
+           inertia.I4xz - inertia.c4z * t21,
+           inertia.I4xy - inertia.c4y * t21,
+           gravity[2] / g.d4,
+           g.d4 * (t15 + t18),
+           g.d4 * t17,
+           inertia.I5xz - inertia.c5z * t22,
+           inertia.c5z * t23 - (inertia.I5zz - t19),
+           inertia.I5yz - inertia.c5z * t18,
+           inertia.I5xy - inertia.c5y * t22,
+           g.d4 * t23,
+           inertia.I6xz - inertia.c6z * t24,
+           inertia.I6xy - inertia.c6y * t24,
+           Scalar(2) * t26,
+           t29 + t30,
            t26,
-           (t27 + t28) - t26,
-           g.d4 * (t4 + t29),
-           g.d4 * t30,
+           t30,
+           t29,
+           g.d4 * t25,
+           g.d4 * t27,
+           g.d4 * (t24 + t22),
            t31,
-           (t35 + t37) - t39,
-           g.d4 * t33,
-           g.d4 * t38 };
+           g.d4,
+           t36,
+           (t37 + t38) - t36,
+           t39 };
 }
 
 namespace detail {
@@ -391,154 +392,155 @@ inline JointVector<Scalar> inverse_dynamics_with_wrench(const JointVector<Scalar
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[6] * s1 - k[7] * c1;
-  const Scalar t1 = k[7] * s1 + k[6] * c1;
-  const Scalar t2 = (k[41] * t0 + k[40] * t1) - k[39] * qdd[0];
-  const Scalar t3 = wrench[0] * c1 + wrench[1] * s1;
-  const Scalar t4 = wrench[2] * c3 - s3 * t3;
-  const Scalar t5 = wrench[0] * s1 - wrench[1] * c1;
-  const Scalar t6 = c4 * t4 + s4 * t5;
-  const Scalar t7 = c3 * t3 + wrench[2] * s3;
-  const Scalar t8 = k[17] * c6 - k[18] * s6;
-  const Scalar t9 = qd[0] * s3;
-  const Scalar t10 = qd[3] + t9;
-  const Scalar t11 = qd[0] * c3;
-  const Scalar t12 = qd[2] * c4 - s4 * t11;
-  const Scalar t13 = t10 * t12;
-  const Scalar t14 = qdd[0] * c3;
-  const Scalar t15 = Scalar(2) * qd[2] * t9 - t14;
-  const Scalar t16 = t9 * t11;
-  const Scalar t17 = qdd[2] + t16;
-  const Scalar t18 = c4 * t15 - s4 * t17;
-  const Scalar t19 = (t13 + t13) - t18;
-  const Scalar t20 = qd[2] * t11;
-  const Scalar t21 = qdd[0] * s3;
-  const Scalar t22 = t20 + t21;
-  const Scalar t23 = qdd[3] + t22;
-  const Scalar t24 = c4 * t11 + qd[2] * s4;
-  const Scalar t25 = t24 * t12;
-  const Scalar t26 = t23 - t25;
-  const Scalar t27 = s5 * t19 + c5 * t26;
-  const Scalar t28 = qdd[5] + t27;
-  const Scalar t29 = c5 * t24 - s5 * t10;
-  const Scalar t30 = t29 * t29;
-  const Scalar t31 = qd[4] + t12;
-  const Scalar t32 = t31 * t31;
-  const Scalar t33 = t30 - t32;
-  const Scalar t34 = c5 * t10 + s5 * t24;
-  const Scalar t35 = qd[5] + t34;
-  const Scalar t36 = t35 * t35 - t32;
-  const Scalar t37 = t30 + t32;
-  const Scalar t38 = t36 + t37;
-  const Scalar t39 = t33 - t38;
-  const Scalar t40 = k[17] * s6 + k[18] * c6;
-  const Scalar t41 = k[33] * (c5 * t6 - s5 * t7) - (t8 * t28 + t39 * t40);
-  const Scalar t42 = t34 * t29;
-  const Scalar t43 = t10 * t24;
-  const Scalar t44 = s4 * t15 + c4 * t17;
-  const Scalar t45 = t43 - t44;
-  const Scalar t46 = qdd[4] - t45;
-  const Scalar t47 = t42 + t46;
-  const Scalar t48 = t12 * t12;
-  const Scalar t49 = t10 * t10;
-  const Scalar t50 = t48 + t49;
-  const Scalar t51 = t11 * t11;
-  const Scalar t52 = qd[2] * qd[2];
-  const Scalar t53 = t51 + t52;
-  const Scalar t54 = t53 - t50;
-  const Scalar t55 = t48 - t49;
-  const Scalar t56 = t54 - t55;
-  const Scalar t57 = t50 + t56;
-  const Scalar t58 = t41 - (k[29] * t47 + k[31] * (t33 - t57));
-  const Scalar t59 = t42 - t46;
-  const Scalar t60 = t35 * t29;
-  const Scalar t61 = t47 - (t60 + t60);
-  const Scalar t62 = t34 * t31;
-  const Scalar t63 = s5 * t26 - c5 * t19;
-  const Scalar t64 = t62 + (t62 + t63);
-  const Scalar t65 = Scalar(2) * t31 * t35 - t64;
-  const Scalar t66 = k[33] * (s5 * t6 + c5 * t7) + (t61 * t40 + t65 * t8);
-  const Scalar t67 = (k[29] * t37 - k[31] * t59) + t66;
-  const Scalar t68 = k[5] + k[4] * q[1];
-  const Scalar t69 = (t1 - qdd[0] * t68) - Scalar(2) * qd[0] * k[4] * qd[1];
-  const Scalar t70 = k[9] * s3 + c3 * t69;
-  const Scalar t71 = t53 + t70;
-  const Scalar t72 = t45 + t43;
-  const Scalar t73 = k[34] * t71 - (k[10] * t72 - k[11] * t19);
-  const Scalar t74 = qdd[2] - t16;
-  const Scalar t75 = ((s5 * t58 - c5 * t67) - t73) - k[8] * t74;
-  const Scalar t76 = qd[0] * qd[0];
-  const Scalar t77 = t51 - t52;
-  const Scalar t78 = (t0 + t76 * t68) - k[4] * qdd[1];
-  const Scalar t79 = s3 * t69 - k[9] * c3;
-  const Scalar t80 = (s4 * t78 - c4 * t79) - t44;
-  const Scalar t81 = (k[10] * t50 - k[11] * t26) + k[34] * t80;
-  const Scalar t82 = t81 + (s5 * t67 + c5 * t58);
-  const Scalar t83 = t18 - (s4 * t79 + c4 * t78);
-  const Scalar t84 = t23 + t25;
-  const Scalar t85 = k[34] * t83 + (k[11] * t57 + k[10] * t84);
-  const Scalar t86 = Scalar(2) * t31 * t29 + t28;
-  const Scalar t87 = (t40 * t86 + t8 * t38) + k[33] * (s4 * t4 - c4 * t5);
-  const Scalar t88 = qdd[5] - t86;
-  const Scalar t89 = t85 + (t87 - (k[31] * t88 - k[29] * t64));
-  const Scalar t90 = k[8] * (t76 - t77) + (c4 * t82 + s4 * t89);
-  const Scalar t91 = (k[36] * qdd[0] + k[37] * t76) + k[38] * t69;
-  const Scalar t92 = ((c3 * t75 + s3 * t90) - t91) * t68;
-  const Scalar t93 = k[12] * t56 + (k[13] * t26 + k[14] * t84);
-  const Scalar t94 = (t93 + (k[15] * t18 + k[16] * t44)) - (k[10] * t83 - k[11] * t80);
-  const Scalar t95 = t37 - t57;
-  const Scalar t96 = (k[27] * t88 - k[28] * t64) + k[26] * t95;
-  const Scalar t97 = k[23] * c6 + k[24] * s6;
-  const Scalar t98 = k[24] * c6 - k[23] * s6;
-  const Scalar t99 = k[19] * s6 - k[20] * c6;
-  const Scalar t100 = k[22] - s6 * t99;
-  const Scalar t101 = c6 * t99;
-  const Scalar t102 = k[21] + t101;
-  const Scalar t103 = t36 * t98 - (t61 * t100 - t65 * t102);
-  const Scalar t104 = c5 * t71 + s5 * t80;
-  const Scalar t105 = wrench[3] * s1 - wrench[4] * c1;
-  const Scalar t106 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t107 = s3 * t106 - wrench[5] * c3;
-  const Scalar t108 = s4 * t105 - c4 * t107;
-  const Scalar t109 = wrench[5] * s3 + c3 * t106;
-  const Scalar t110 = ((t97 * t86 + t103) + t104 * t8) - (c5 * t108 - s5 * t109);
-  const Scalar t111 = (k[29] * t83 - (k[25] * t59 - t96)) - t110;
-  const Scalar t112 = (k[26] * t47 + k[25] * t33) + (k[32] * t88 + k[27] * t64);
-  const Scalar t113 = k[30] + t101;
-  const Scalar t114 = (t28 * t102 - t113 * t86) - t33 * t100;
-  const Scalar t115 = c5 * t80 - s5 * t71;
-  const Scalar t116 = (t114 - (t97 * t64 + t98 * t47)) - (t8 * t115 - t83 * t40);
-  const Scalar t117 = (c5 * t109 + s5 * t108) - t116;
-  const Scalar t118 = (k[31] * t83 - t112) - t117;
-  const Scalar t119 = t94 - (s5 * t111 + c5 * t118);
-  const Scalar t120 = t20 + t22;
-  const Scalar t121 = (k[1] * t120 - k[0] * t15) + (k[3] * t77 - k[2] * t17);
-  const Scalar t122 = (k[12] * t19 - k[14] * t72) + (k[16] * t26 + k[15] * t54);
-  const Scalar t123 = (t98 * t28 + t97 * (t39 + t37)) + (t61 * t113 + t65 * t100);
-  const Scalar t124 = (t104 * t40 - t123) - (s4 * t107 + c4 * t105);
-  const Scalar t125 = (k[28] * t47 + k[32] * t59) + k[27] * (t33 + t95);
-  const Scalar t126 = ((k[25] * t63 - k[26] * t27) - t125) + (k[31] * t104 - k[29] * t115);
-  const Scalar t127 = t124 + t126;
-  const Scalar t128 = ((t122 - k[10] * t71) - t127) + t82;
-  const Scalar t129 = (k[13] * t19 - k[12] * t72) + k[16] * t55;
-  const Scalar t130 = (c5 * t111 - s5 * t118) + ((t129 - k[15] * t84) - k[11] * t71);
-  const Scalar t131 = t130 + t89;
-  const Scalar t132 = t76 - t53;
-  const Scalar t133 = k[2] * t132 + (k[0] * t120 + k[35] * t15);
-  const Scalar t134 = (s4 * t128 - c4 * t131) - (k[3] * t74 + t133);
-  const Scalar t135 = s3 * (t119 + (k[8] * t78 + t121)) - c3 * t134;
-  const Scalar t136 = t92 + ((k[37] * t78 + k[36] * t69) - t135);
-  const Scalar t137 = (k[36] * t76 - k[37] * qdd[0]) - k[38] * t78;
-  const Scalar t138 = (c4 * t89 - s4 * t82) + k[8] * t120;
-  const Scalar t139 = k[0] * (t132 - t77) + (k[1] * t74 - k[35] * t17);
-  const Scalar t140 = k[8] * t70 - ((k[3] * t14 - k[2] * t21) + t139);
+  const Scalar t0 = qd[0] * qd[0];
+  const Scalar t1 = k[6] + k[5] * q[1];
+  const Scalar t2 = k[2] * s1 - k[1] * c1;
+  const Scalar t3 = k[5] * qdd[1] - (t0 * t1 + t2);
+  const Scalar t4 = k[1] * s1 + k[2] * c1;
+  const Scalar t5 = (qdd[0] * t1 - t4) + Scalar(2) * qd[0] * k[5] * qd[1];
+  const Scalar t6 = qd[0] * s3;
+  const Scalar t7 = qdd[0] * c3;
+  const Scalar t8 = Scalar(2) * qd[2] * t6 - t7;
+  const Scalar t9 = t8 + t3;
+  const Scalar t10 = qd[0] * c3;
+  const Scalar t11 = t6 * t10;
+  const Scalar t12 = qdd[2] + t11;
+  const Scalar t13 = t12 - (k[19] * c3 + s3 * t5);
+  const Scalar t14 = s4 * t9 + c4 * t13;
+  const Scalar t15 = c4 * t9 - s4 * t13;
+  const Scalar t16 = s4 * t8 + c4 * t12;
+  const Scalar t17 = c4 * t8 - s4 * t12;
+  const Scalar t18 = qd[2] * t10;
+  const Scalar t19 = qdd[0] * s3;
+  const Scalar t20 = t18 + t19;
+  const Scalar t21 = qdd[3] + t20;
+  const Scalar t22 = c4 * t10 + qd[2] * s4;
+  const Scalar t23 = qd[2] * c4 - s4 * t10;
+  const Scalar t24 = t22 * t23;
+  const Scalar t25 = t21 - t24;
+  const Scalar t26 = t21 + t24;
+  const Scalar t27 = qd[3] + t6;
+  const Scalar t28 = t27 * t27;
+  const Scalar t29 = t22 * t22;
+  const Scalar t30 = t28 - t29;
+  const Scalar t31 = t28 + t29;
+  const Scalar t32 = t10 * t10;
+  const Scalar t33 = qd[2] * qd[2];
+  const Scalar t34 = t32 + t33;
+  const Scalar t35 = t31 - t34;
+  const Scalar t36 = t30 - t35;
+  const Scalar t37 = (k[16] * t25 + k[15] * t26) - k[14] * t36;
+  const Scalar t38 = (k[20] * t14 + k[21] * t15) - ((k[18] * t16 + k[17] * t17) + t37);
+  const Scalar t39 = c5 * t22 - s5 * t27;
+  const Scalar t40 = qd[4] + t23;
+  const Scalar t41 = t40 * t40;
+  const Scalar t42 = t39 * t39 + t41;
+  const Scalar t43 = t27 * t23;
+  const Scalar t44 = (t43 + t43) - t17;
+  const Scalar t45 = s5 * t44 + c5 * t25;
+  const Scalar t46 = qdd[5] + t45;
+  const Scalar t47 = t39 + t39;
+  const Scalar t48 = t46 + t47 * t40;
+  const Scalar t49 = qdd[5] - t48;
+  const Scalar t50 = c5 * t27 + s5 * t22;
+  const Scalar t51 = t50 * t40;
+  const Scalar t52 = s5 * t25 - c5 * t44;
+  const Scalar t53 = t51 + (t51 + t52);
+  const Scalar t54 = k[25] * (t31 - t42) - (k[22] * t49 - k[37] * t53);
+  const Scalar t55 = t50 * t39;
+  const Scalar t56 = t27 * t22;
+  const Scalar t57 = t56 - t16;
+  const Scalar t58 = qdd[4] - t57;
+  const Scalar t59 = t55 - t58;
+  const Scalar t60 = wrench[3] * s1 - wrench[4] * c1;
+  const Scalar t61 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t62 = s3 * t61 - wrench[5] * c3;
+  const Scalar t63 = s4 * t60 - c4 * t62;
+  const Scalar t64 = wrench[5] * s3 + c3 * t61;
+  const Scalar t65 = k[27] * c6 + k[28] * s6;
+  const Scalar t66 = k[30] * c6 - k[29] * s6;
+  const Scalar t67 = c6 * t66;
+  const Scalar t68 = k[33] - t67;
+  const Scalar t69 = qd[5] + t50;
+  const Scalar t70 = t40 * t69;
+  const Scalar t71 = t70 + (t70 - t53);
+  const Scalar t72 = k[31] + s6 * t66;
+  const Scalar t73 = t55 + t58;
+  const Scalar t74 = t73 - t47 * t69;
+  const Scalar t75 = t69 * t69;
+  const Scalar t76 = t75 - t41;
+  const Scalar t77 = k[28] * c6 - k[27] * s6;
+  const Scalar t78 = (t68 * t71 - t72 * t74) + t76 * t77;
+  const Scalar t79 = c3 * t5 - k[19] * s3;
+  const Scalar t80 = t34 - t79;
+  const Scalar t81 = s5 * t14 - c5 * t80;
+  const Scalar t82 = k[35] * s6 - k[34] * c6;
+  const Scalar t83 = (c5 * t63 - s5 * t64) - ((t65 * t48 + t78) + t81 * t82);
+  const Scalar t84 = ((t54 + k[24] * t59) - k[36] * t15) - t83;
+  const Scalar t85 = t75 + t41;
+  const Scalar t86 = t42 - t85;
+  const Scalar t87 = t76 + t86;
+  const Scalar t88 = (k[23] * t49 + k[22] * t53) + (k[24] * t87 + k[25] * t73);
+  const Scalar t89 = c5 * t14 + s5 * t80;
+  const Scalar t90 = k[34] * s6 + k[35] * c6;
+  const Scalar t91 = k[32] - t67;
+  const Scalar t92 = t87 * t72 - (t68 * t46 - t91 * t48);
+  const Scalar t93 = (t82 * t89 - t15 * t90) + (t92 + (t65 * t53 + t73 * t77));
+  const Scalar t94 = (c5 * t64 + s5 * t63) + t93;
+  const Scalar t95 = (k[26] * t15 - t88) - t94;
+  const Scalar t96 = t38 - (s5 * t84 - c5 * t95);
+  const Scalar t97 = t32 - t33;
+  const Scalar t98 = t18 + t20;
+  const Scalar t99 = (k[11] * t97 - k[12] * t12) + (k[10] * t98 - k[9] * t8);
+  const Scalar t100 = qdd[2] - t11;
+  const Scalar t101 = (k[9] * t98 + k[40] * t8) + k[12] * (t0 - t34);
+  const Scalar t102 = t57 + t56;
+  const Scalar t103 = k[18] * t35 - (k[16] * t44 - k[14] * t102);
+  const Scalar t104 = (c5 * t84 + s5 * t95) + ((k[17] * t26 + t103) + k[20] * t80);
+  const Scalar t105 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t106 = wrench[2] * c3 - s3 * t105;
+  const Scalar t107 = wrench[0] * s1 - wrench[1] * c1;
+  const Scalar t108 = ((t76 + t42) * t82 - t48 * t90) - k[38] * (s4 * t106 - c4 * t107);
+  const Scalar t109 = k[39] * t15 + (k[21] * t26 + k[20] * t31);
+  const Scalar t110 = ((k[36] * t53 - k[26] * t49) - t108) + t109;
+  const Scalar t111 = t104 - t110;
+  const Scalar t112 = t87 - t31;
+  const Scalar t113 = c4 * t106 + s4 * t107;
+  const Scalar t114 = c3 * t105 + wrench[2] * s3;
+  const Scalar t115 = k[38] * (c5 * t113 - s5 * t114) + (t46 * t82 + t90 * t85);
+  const Scalar t116 = (k[36] * t73 + k[26] * t112) - t115;
+  const Scalar t117 = k[38] * (s5 * t113 + c5 * t114) + (t90 * t74 - t82 * t71);
+  const Scalar t118 = t117 - (k[26] * t59 - k[36] * t42);
+  const Scalar t119 = (k[20] * t25 - k[21] * (t31 + t36)) + k[39] * t14;
+  const Scalar t120 = (c5 * t116 - s5 * t118) + t119;
+  const Scalar t121 = (t91 * t74 + t72 * t71) + (t86 * t65 + t46 * t77);
+  const Scalar t122 = (t81 * t90 + t121) + (s4 * t62 + c4 * t60);
+  const Scalar t123 = (k[23] * t59 + k[37] * t73) + k[22] * (t112 + t42);
+  const Scalar t124 = (t123 - (k[24] * t52 - k[25] * t45)) - (k[36] * t89 - k[26] * t81);
+  const Scalar t125 = t122 + t124;
+  const Scalar t126 = (k[15] * t102 - k[14] * t44) + (k[17] * t30 - k[18] * t25);
+  const Scalar t127 = t120 - (t125 - (t126 + k[21] * t80));
+  const Scalar t128 = (k[11] * t100 + t101) - (c4 * t111 - s4 * t127);
+  const Scalar t129 = s3 * (t96 - (t99 - k[13] * t3)) - c3 * t128;
+  const Scalar t130 = k[41] * t5 - (k[7] * qdd[0] + k[8] * t0);
+  const Scalar t131 = t0 - t97;
+  const Scalar t132 = k[13] * t131 - (c4 * t120 - s4 * t110);
+  const Scalar t133 = (k[20] * t44 - k[21] * t102) + k[39] * t80;
+  const Scalar t134 = (t133 + (c5 * t118 + s5 * t116)) + k[13] * t100;
+  const Scalar t135 = t1 * (t130 + (s3 * t132 - c3 * t134));
+  const Scalar t136 = ((k[8] * t3 + k[7] * t5) - t129) - t135;
+  const Scalar t137 = k[0] * qdd[0] - (k[4] * t2 + k[3] * t4);
+  const Scalar t138 = k[13] * t98 + (s4 * t120 + c4 * t110);
+  const Scalar t139 = k[41] * t3 + (k[7] * t0 - k[8] * qdd[0]);
+  const Scalar t140 = k[9] * (t34 - t131) + (k[40] * t12 - k[10] * t100);
+  const Scalar t141 = ((k[11] * t7 - k[12] * t19) - t140) + k[13] * t79;
   JointVector<Scalar> result;
-  result[0] = t2 + t136;
-  result[1] = k[4] * (t137 + t138);
-  result[2] = t140 - (c4 * t128 + s4 * t131);
-  result[3] = -t119;
-  result[4] = t127;
-  result[5] = -t117;
+  result[0] = -t136 - t137;
+  result[1] = k[5] * (t138 + t139);
+  result[2] = (c4 * t127 + s4 * t111) - t141;
+  result[3] = t96;
+  result[4] = -t125;
+  result[5] = -t94;
   return result;
 }
 
@@ -578,14 +580,14 @@ GravityTorqueWithGravityVectorConstants<Scalar> gravity_torque_with_gravity_vect
            g.l2,
            inertia.c2x * inertia.m2,
            inertia.c3y * inertia.m3 + inertia.c2y * inertia.m2,
+           inertia.c3z * inertia.m3,
            gravity[2],
-           inertia.c5z * inertia.m5,
            inertia.c6z * inertia.m6,
            inertia.c6y * inertia.m6,
            inertia.c6x * inertia.m6 + inertia.c5x * inertia.m5,
-           inertia.c4y * inertia.m4 + inertia.c5y * inertia.m5,
+           inertia.c5z * inertia.m5,
            inertia.c4z * inertia.m4,
-           inertia.c3z * inertia.m3,
+           inertia.c4y * inertia.m4 + inertia.c5y * inertia.m5,
            t1 };
 }
 
@@ -606,31 +608,31 @@ inline JointVector<Scalar> gravity_torque_with_gravity_vector(const JointVector<
   const Scalar& c6 = angles.cosine[4];
   const Scalar t0 = k[0] * s1 + k[1] * c1;
   const Scalar t1 = k[1] * s1 - k[0] * c1;
-  const Scalar t2 = s3 * t0 - k[8] * c3;
-  const Scalar t3 = c4 * t2 - s4 * t1;
-  const Scalar t4 = c4 * t1 + s4 * t2;
-  const Scalar t5 = k[8] * s3 + c3 * t0;
-  const Scalar t6 = c5 * t3 + s5 * t5;
-  const Scalar t7 = k[10] * s6 - k[11] * c6;
-  const Scalar t8 = k[10] * c6 + k[11] * s6;
-  const Scalar t9 = t6 * t7 + t8 * t4;
-  const Scalar t10 = t9 + k[9] * t4;
-  const Scalar t11 = s5 * t3 - c5 * t5;
-  const Scalar t12 = k[12] * t4 + t7 * t11;
-  const Scalar t13 = (k[13] * t3 - k[14] * t4) - (c5 * t10 + s5 * t12);
-  const Scalar t14 = t8 * t11 + (k[9] * t11 - k[12] * t6);
-  const Scalar t15 = t14 - k[14] * t5;
-  const Scalar t16 = k[13] * t5 - (s5 * t10 - c5 * t12);
-  const Scalar t17 = k[16] * t1 + (s4 * t15 + c4 * t16);
-  const Scalar t18 = s3 * (t13 - k[15] * t1) + c3 * t17;
-  const Scalar t19 = (k[5] + q[1]) * k[4] * t0 - ((k[6] * t1 + k[7] * t0) + t18);
-  const Scalar t20 = (c4 * t15 - s4 * t16) - (k[15] * t5 + k[16] * t2);
+  const Scalar t2 = s3 * t0 - k[9] * c3;
+  const Scalar t3 = c4 * t1 + s4 * t2;
+  const Scalar t4 = k[10] * c6 + k[11] * s6;
+  const Scalar t5 = k[9] * s3 + c3 * t0;
+  const Scalar t6 = c4 * t2 - s4 * t1;
+  const Scalar t7 = s5 * t5 + c5 * t6;
+  const Scalar t8 = k[10] * s6 - k[11] * c6;
+  const Scalar t9 = t3 * t4 + t7 * t8;
+  const Scalar t10 = t9 + k[13] * t3;
+  const Scalar t11 = c5 * t5 - s5 * t6;
+  const Scalar t12 = k[12] * t3 - t8 * t11;
+  const Scalar t13 = (c5 * t10 + s5 * t12) + (k[14] * t3 - k[15] * t6);
+  const Scalar t14 = t4 * t11 + (k[12] * t7 + k[13] * t11);
+  const Scalar t15 = k[14] * t5 + t14;
+  const Scalar t16 = k[15] * t5 - (s5 * t10 - c5 * t12);
+  const Scalar t17 = (s4 * t15 - c4 * t16) - k[16] * t1;
+  const Scalar t18 = s3 * (t13 + k[8] * t1) + c3 * t17;
+  const Scalar t19 = (k[5] + q[1]) * k[4] * t0 - ((k[6] * t1 + k[7] * t0) - t18);
+  const Scalar t20 = (k[16] * t2 + k[8] * t5) + (s4 * t16 + c4 * t15);
   JointVector<Scalar> result;
   result[0] = (k[2] * t0 + k[3] * t1) - t19;
   result[1] = -k[4] * t1;
-  result[2] = -t20;
-  result[3] = t13;
-  result[4] = -t14;
+  result[2] = t20;
+  result[3] = -t13;
+  result[4] = t14;
   result[5] = -t9;
   return result;
 }
@@ -658,101 +660,102 @@ ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6x * inertia.m6;
+  const Scalar t0 = inertia.c6y * inertia.m6;
   const Scalar t1 = inertia.c6z * inertia.m6;
-  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t3 = inertia.c6z * t1 - (inertia.I6zz - t2);
-  const Scalar t4 = inertia.c6y * inertia.m6;
-  const Scalar t5 = (inertia.I6yy - t2) - inertia.c6y * t4;
-  const Scalar t6 = t3 - t5;
-  const Scalar t7 = Scalar(1) / g.d4;
-  const Scalar t8 = inertia.c5x * inertia.m5;
-  const Scalar t9 = inertia.I6yz - inertia.c6z * t4;
-  const Scalar t10 = inertia.c5z * inertia.m5;
-  const Scalar t11 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t12 = ((inertia.I6xx - t2) - inertia.c6x * t0) - (inertia.c5x * t8 - (inertia.I5xx - t11));
-  const Scalar t13 = inertia.c4x * inertia.m4;
-  const Scalar t14 = inertia.c4z * inertia.m4;
-  const Scalar t15 = inertia.c5y * inertia.m5;
-  const Scalar t16 = inertia.c4y * inertia.m4;
-  const Scalar t17 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t18 = ((inertia.I4yy - t17) - inertia.c4y * t16) - (inertia.c5y * t15 - (inertia.I5yy - t11));
-  const Scalar t19 = inertia.c1y * inertia.m1;
-  const Scalar t20 = t19 - g.l2 * inertia.m1;
-  const Scalar t21 = inertia.c1x * inertia.m1;
-  const Scalar t22 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t23 = g.d4 * t22 + t13;
-  const Scalar t24 = inertia.c3x * inertia.m3;
-  const Scalar t25 = g.d4 * inertia.m3 + t24;
-  const Scalar t26 = (t23 + t25) / g.d4;
-  const Scalar t27 = g.d4 * g.d4 * ((inertia.m2 + (inertia.m3 + t22)) - t26);
-  const Scalar t28 = inertia.c2x * inertia.m2;
-  const Scalar t29 = inertia.c3z * inertia.m3;
-  const Scalar t30 = g.d4 * t29;
-  const Scalar t31 = g.d4 * g.d4 * t26;
-  const Scalar t32 = inertia.c3y * inertia.m3;
-  const Scalar t33 = inertia.c2y * inertia.m2;
-  const Scalar t34 = t30 - (inertia.I3xz - inertia.c3z * t24);
-  const Scalar t35 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t36 = (inertia.c3x * t24 - (inertia.I3xx - t35)) + g.d4 * (t24 + t25);
-  const Scalar t37 = g.d4 * (t23 + t13) - ((inertia.I4xx - t17) - inertia.c4x * t13);
-  const Scalar t38 = (t36 + t37) - t31;
-  const Scalar t39 = (inertia.I3zz - t35) - inertia.c3z * t29;
-  const Scalar t40 = t31 + t27;
-  const Scalar t41 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t42 = g.l2 * (t20 + t19) - (inertia.c1y * t19 - (inertia.I1yy - t41));
-  const Scalar t43 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t44 = ((inertia.I3yy - t35) - inertia.c3y * t32) + ((inertia.I2yy - t43) - inertia.c2y * t33);
-  const Scalar t45 = (inertia.c2x * t28 - (inertia.I2xx - t43)) + (inertia.c1x * t21 - (inertia.I1xx - t41));
-  return { inertia.I6xz - inertia.c6z * t0,
-           inertia.I6xy - inertia.c6y * t0,
-           Scalar(1) / t6,
-           t6,
-           g.d4 * t4,
+  const Scalar t2 = Scalar(1) / g.d4;
+  const Scalar t3 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t4 = inertia.c6z * t1 - (inertia.I6zz - t3);
+  const Scalar t5 = (inertia.I6yy - t3) - inertia.c6y * t0;
+  const Scalar t6 = t4 - t5;
+  const Scalar t7 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t8 = inertia.c4x * inertia.m4;
+  const Scalar t9 = g.d4 * t7 + t8;
+  const Scalar t10 = inertia.c3x * inertia.m3;
+  const Scalar t11 = g.d4 * inertia.m3 + t10;
+  const Scalar t12 = (t9 + t11) / g.d4;
+  const Scalar t13 = g.d4 * g.d4 * t12;
+  const Scalar t14 = g.d4 * g.d4 * ((inertia.m2 + (inertia.m3 + t7)) - t12);
+  const Scalar t15 = t13 + t14;
+  const Scalar t16 = inertia.c6x * inertia.m6;
+  const Scalar t17 = inertia.c5x * inertia.m5;
+  const Scalar t18 = inertia.c5z * inertia.m5;
+  const Scalar t19 = inertia.I6yz - inertia.c6z * t0;
+  const Scalar t20 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t21 = ((inertia.I6xx - t3) - inertia.c6x * t16) - (inertia.c5x * t17 - (inertia.I5xx - t20));
+  const Scalar t22 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t23 = inertia.c4y * inertia.m4;
+  const Scalar t24 = inertia.c5y * inertia.m5;
+  const Scalar t25 = ((inertia.I4yy - t22) - inertia.c4y * t23) - (inertia.c5y * t24 - (inertia.I5yy - t20));
+  const Scalar t26 = inertia.c4z * inertia.m4;
+  const Scalar t27 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t28 = inertia.c3z * inertia.m3;
+  const Scalar t29 = (inertia.I3zz - t27) - inertia.c3z * t28;
+  const Scalar t30 = (inertia.c3x * t10 - (inertia.I3xx - t27)) + g.d4 * (t10 + t11);
+  const Scalar t31 = g.d4 * (t9 + t8) - ((inertia.I4xx - t22) - inertia.c4x * t8);
+  const Scalar t32 = (t30 + t31) - t13;
+  const Scalar t33 = g.d4 * t28;
+  const Scalar t34 = inertia.c2x * inertia.m2;
+  const Scalar t35 = inertia.c3y * inertia.m3;
+  const Scalar t36 = t33 - (inertia.I3xz - inertia.c3z * t10);
+  const Scalar t37 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t38 = inertia.c1x * inertia.m1;
+  const Scalar t39 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t40 = (inertia.c2x * t34 - (inertia.I2xx - t37)) + (inertia.c1x * t38 - (inertia.I1xx - t39));
+  const Scalar t41 = inertia.c2y * inertia.m2;
+  const Scalar t42 = inertia.c1y * inertia.m1;
+  const Scalar t43 = t42 - g.l2 * inertia.m1;
+  const Scalar t44 = g.l2 * (t43 + t42) - (inertia.c1y * t42 - (inertia.I1yy - t39));
+  const Scalar t45 = ((inertia.I3yy - t27) - inertia.c3y * t35) + ((inertia.I2yy - t37) - inertia.c2y * t41);
+  return { g.d4 * t0,
            g.d4 * t1,
-           t7,
+           t2,
+           Scalar(1) / t6,
+           t15 * t2 * t2,
+           g.d4 * (t16 + t17),
+           g.d4 * t18,
+           inertia.I6xz - inertia.c6z * t16,
+           inertia.I6xy - inertia.c6y * t16,
+           Scalar(2) * t19,
+           t4 + t5,
+           t5,
+           inertia.c5z * t18 - (inertia.I5zz - t20),
+           t21,
+           t4,
+           t25,
+           inertia.I5xz - inertia.c5z * t17,
+           (inertia.I4zz - t22) - inertia.c4z * t26,
+           t6,
+           inertia.I5xy - inertia.c5y * t17,
+           t19,
+           inertia.I5yz - inertia.c5z * t24,
+           g.d4 * t26,
+           g.d4 * (t23 + t24),
+           inertia.I4xy - inertia.c4y * t8,
+           inertia.I4xz - inertia.c4z * t8,
+           inertia.I4yz - inertia.c4z * t23,
+           t29,
+           t13,
+           t32,
            g.l2 / g.d4,
-           inertia.I5xz - inertia.c5z * t8,
-           Scalar(2) * t9,
-           t3 + t5,
-           t3,
-           inertia.c5z * t10 - (inertia.I5zz - t11),
-           t12,
-           inertia.I4xz - inertia.c4z * t13,
-           g.d4 * (t0 + t8),
-           g.d4 * t10,
-           g.d4 * t14,
-           t9,
-           inertia.I5yz - inertia.c5z * t15,
-           inertia.I5xy - inertia.c5y * t8,
-           inertia.I4xy - inertia.c4y * t13,
-           g.d4 * (t16 + t15),
-           (inertia.I4zz - t17) - inertia.c4z * t14,
-           t18,
-           gravity[2] / g.d4,
-           gravity[1] / g.d4,
-           gravity[0] / g.d4,
-           inertia.I4yz - inertia.c4z * t16,
-           g.d4 * t20,
-           g.d4 * t21,
-           t27,
-           g.d4 * t28,
-           t30,
-           t31,
-           g.d4 * (t32 + t33),
-           Scalar(2) * t34,
-           t38,
-           g.d4 * t32 - (inertia.I3xy - inertia.c3y * t24),
-           inertia.I3yz - inertia.c3z * t32,
-           Scalar(2) * t39,
-           t34,
-           t39 + t38,
-           t39,
-           t40 * t7 * t7,
-           Scalar(2) * t30,
+           t33,
+           g.d4 * t34,
+           g.d4 * t35 - (inertia.I3xy - inertia.c3y * t10),
+           inertia.I3yz - inertia.c3z * t35,
+           t36,
            t40,
-           t42 + t44,
-           t45 };
+           t15,
+           g.d4 * (t35 + t41),
+           t44 + t45,
+           gravity[0] / g.d4,
+           gravity[1] / g.d4,
+           gravity[2] / g.d4,
+           Scalar(2) * t36,
+           Scalar(2) * t29,
+           t14,
+           g.d4 * t43,
+           g.d4 * t38,
+           t29 + t32,
+           Scalar(2) * t33 };
 }
 
 namespace detail {
@@ -771,234 +774,235 @@ inline JointVector<Scalar> forward_dynamics_with_gravity_vector(const JointVecto
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[4] * s6 + k[5] * c6;
-  const Scalar t1 = k[4] * c6 - k[5] * s6;
-  const Scalar t2 = c5 * t1;
-  const Scalar t3 = k[6] * (c4 * t0 + s4 * t2);
-  const Scalar t4 = k[0] * c6 + k[1] * s6;
-  const Scalar t5 = t0 - (k[3] * s5 + c5 * t4);
-  const Scalar t6 = k[0] * s6 - k[1] * c6;
-  const Scalar t7 = t6 + t2;
-  const Scalar t8 = s4 * t5 - c4 * t7;
-  const Scalar t9 = k[2] * t8;
-  const Scalar t10 = k[16] + t0;
-  const Scalar t11 = k[15] * c5 - s5 * t10;
-  const Scalar t12 = k[2] * t3;
-  const Scalar t13 = k[6] * s4 * t11 - t6 * t12;
-  const Scalar t14 = k[10] * c6 - k[9] * s6;
-  const Scalar t15 = k[11] - c6 * t14;
-  const Scalar t16 = k[3] - t15;
-  const Scalar t17 = k[12] + t16;
-  const Scalar t18 = k[13] - t17;
-  const Scalar t19 = k[2] * t6;
-  const Scalar t20 = Scalar(1) / (t18 + t6 * t19);
-  const Scalar t21 = t13 * t20;
-  const Scalar t22 = t18 - t11;
-  const Scalar t23 = k[18] + s6 * t14;
-  const Scalar t24 = k[19] + t23;
-  const Scalar t25 = k[20] - t6;
-  const Scalar t26 = c5 * t24 + s5 * t25;
-  const Scalar t27 = (c4 * t22 + s4 * t26) - t6 * t9;
-  const Scalar t28 = c5 * t25 - s5 * t24;
-  const Scalar t29 = c5 - k[2] * s5 * t4;
-  const Scalar t30 = k[3] * t29;
-  const Scalar t31 = t28 + t19 * t30;
-  const Scalar t32 = t20 * t31;
-  const Scalar t33 = k[8] + t4;
-  const Scalar t34 = s5 * (k[13] + t17) + Scalar(2) * c5 * t33;
-  const Scalar t35 = s5 * t34 - t17;
-  const Scalar t36 = k[23] + t35;
-  const Scalar t37 = k[24] - t15;
-  const Scalar t38 = t36 + t37;
-  const Scalar t39 = Scalar(1) / (t32 * t31 - (t38 + t30 * t29));
-  const Scalar t40 = t27 * t20;
-  const Scalar t41 = c5 * t10 + k[15] * s5;
-  const Scalar t42 = k[17] + t41;
-  const Scalar t43 = (k[14] - (t33 - c5 * t34)) - t42;
-  const Scalar t44 = k[22] + t1;
-  const Scalar t45 = t44 - (k[21] + t28);
-  const Scalar t46 = s4 * t43 + c4 * t45;
-  const Scalar t47 = t40 * t31 + (t30 * t9 + t46);
-  const Scalar t48 = t39 * t47;
-  const Scalar t49 = c4 * t42 + s4 * t44;
-  const Scalar t50 = t21 * t31 - (k[6] * t49 - t3 * t29);
-  const Scalar t51 = (t3 * t9 - t21 * t27) + t48 * t50;
-  const Scalar t52 = k[28] + t26;
-  const Scalar t53 = Scalar(2) * c4 * t52 - s4 * (t36 - t37);
-  const Scalar t54 = s4 * t53 - t37;
-  const Scalar t55 = k[43] + (t38 + t54);
-  const Scalar t56 = k[34] + t11;
-  const Scalar t57 = k[37] + ((t56 + t11) - (t18 - t35));
-  const Scalar t58 = ((t55 - t57) + t8 * t9) - t27 * t40;
-  const Scalar t59 = Scalar(1) / (t47 * t48 + t58);
-  const Scalar t60 = c3 * (k[39] + (c4 * t53 - t52)) - s3 * (k[38] + t46);
-  const Scalar t61 = k[33] + t49;
-  const Scalar t62 = k[7] + k[6] * q[1];
-  const Scalar t63 = t60 + (c3 * t61 + s3 * t56) * t62;
-  const Scalar t64 = s3 * t30 - c3 * (c4 * t5 + s4 * t7);
-  const Scalar t65 = s3 * (c4 * t2 - s4 * t0) + c3 * s5 * t1;
-  const Scalar t66 = t64 - t62 * t65;
-  const Scalar t67 = k[2] * t66;
-  const Scalar t68 = (s3 * c4 * t11 + c3 * t41) * t62;
-  const Scalar t69 = c3 * (s4 * t22 - c4 * t26) - s3 * t28;
-  const Scalar t70 = (t68 - t69) + t19 * t66;
-  const Scalar t71 = s4 * t45 - c4 * t43;
-  const Scalar t72 = c4 * t44 - s4 * t42;
-  const Scalar t73 = (c3 * t71 + s3 * t38) + t62 * s3 * t72;
-  const Scalar t74 = t20 * t70;
-  const Scalar t75 = (t73 + t66 * t29) - t74 * t31;
-  const Scalar t76 = t39 * t75;
-  const Scalar t77 = ((t63 - t8 * t67) - t40 * t70) - t76 * t47;
-  const Scalar t78 = t59 * t77;
-  const Scalar t79 = k[6] * (k[32] - (s3 * t61 - c3 * t56));
-  const Scalar t80 = t76 * t50 + ((t79 + t66 * t12) + t13 * t74);
-  const Scalar t81 = t51 * t78 + t80;
-  const Scalar t82 = t51 * t59;
-  const Scalar t83 = t39 * t50;
-  const Scalar t84 = (t13 * t21 + (k[44] - t3 * t12)) - t83 * t50;
-  const Scalar t85 = Scalar(1) / (t51 * t82 + t84);
-  const Scalar t86 = qd[0] * s3;
-  const Scalar t87 = qd[0] * c3;
-  const Scalar t88 = t86 * t87;
-  const Scalar t89 = qd[0] * k[6] * qd[1];
-  const Scalar t90 = k[26] * s1 + k[27] * c1;
-  const Scalar t91 = (t89 + t89) - t90;
-  const Scalar t92 = t88 - (k[25] * c3 + s3 * t91);
-  const Scalar t93 = k[27] * s1 - k[26] * c1;
-  const Scalar t94 = qd[0] * qd[0];
-  const Scalar t95 = t93 + t94 * t62;
-  const Scalar t96 = qd[2] * t86;
-  const Scalar t97 = Scalar(2) * t96;
-  const Scalar t98 = t95 - t97;
-  const Scalar t99 = s4 * t92 + c4 * t98;
-  const Scalar t100 = t86 * t86;
-  const Scalar t101 = qd[2] * qd[2];
-  const Scalar t102 = t100 + t101;
-  const Scalar t103 = t94 - t102;
-  const Scalar t104 = t100 - t101;
-  const Scalar t105 = t103 - t104;
-  const Scalar t106 = t105 + t102;
-  const Scalar t107 = k[25] * s3 - c3 * t91;
-  const Scalar t108 = t106 + t107;
-  const Scalar t109 = s4 * t98 - c4 * t92;
-  const Scalar t110 = s5 * t108 - c5 * t109;
-  const Scalar t111 = qd[3] + t86;
-  const Scalar t112 = c4 * t87 + qd[2] * s4;
-  const Scalar t113 = c5 * t111 + s5 * t112;
-  const Scalar t114 = c5 * t112 - s5 * t111;
-  const Scalar t115 = t113 * t114;
-  const Scalar t116 = c4 * t88 + s4 * t97;
-  const Scalar t117 = t111 * t112;
-  const Scalar t118 = t116 - t117;
-  const Scalar t119 = t115 + t118;
-  const Scalar t120 = qd[2] * c4 - s4 * t87;
-  const Scalar t121 = qd[4] + t120;
-  const Scalar t122 = t113 * t121;
-  const Scalar t123 = c4 * t97 - s4 * t88;
-  const Scalar t124 = Scalar(2) * t111 * t120 - t123;
-  const Scalar t125 = qd[2] * t87;
-  const Scalar t126 = t112 * t120;
-  const Scalar t127 = t125 - t126;
-  const Scalar t128 = c5 * t124 - s5 * t127;
-  const Scalar t129 = (t122 + t122) - t128;
-  const Scalar t130 = t114 * t114;
-  const Scalar t131 = t121 * t121;
-  const Scalar t132 = t130 - t131;
-  const Scalar t133 = c5 * t127 + s5 * t124;
-  const Scalar t134 = t121 * t114;
-  const Scalar t135 = (t134 + t134) + t133;
-  const Scalar t136 = t132 * t23 - (t15 * t133 + t16 * t135);
-  const Scalar t137 = (t99 * t0 - t110 * t1) - ((t6 * t119 - t4 * t129) - t136);
-  const Scalar t138 = torque[5] + t137;
-  const Scalar t139 = c5 * t108 + s5 * t109;
-  const Scalar t140 = qd[5] + t113;
-  const Scalar t141 = t140 * t140;
-  const Scalar t142 = t141 + t130;
-  const Scalar t143 = t132 - t142;
-  const Scalar t144 = t141 - t131;
-  const Scalar t145 = t144 - t142;
-  const Scalar t146 = t140 * t114;
-  const Scalar t147 = (t146 - t119) + t146;
-  const Scalar t148 = Scalar(2) * t121 * t140 - t129;
-  const Scalar t149 = (t6 * t133 - (t143 - t145) * t4) - (t16 * t147 + t23 * t148);
-  const Scalar t150 = t115 - t118;
-  const Scalar t151 = t111 * t111;
-  const Scalar t152 = t112 * t112;
-  const Scalar t153 = t151 + t152;
-  const Scalar t154 = t153 + t145;
-  const Scalar t155 = t132 - t154;
-  const Scalar t156 = (k[12] * t150 + k[13] * t119) + k[8] * t155;
-  const Scalar t157 = (k[15] * t110 + k[16] * t139) - (t156 + (k[20] * t133 + k[19] * t128));
-  const Scalar t158 = (t0 * t139 + t149) + t157;
-  const Scalar t159 = t138 * t19 - (torque[4] - t158);
-  const Scalar t160 = (t23 * t147 + t15 * t148) - t6 * t144;
-  const Scalar t161 = k[20] * t154 + (k[8] * t135 + k[13] * t129);
-  const Scalar t162 = ((t160 + t4 * t135) + t1 * t139) + (k[15] * t99 + (t161 + k[19] * t150));
-  const Scalar t163 = (k[12] * t135 - k[8] * t129) - (k[20] * t119 + k[19] * t132);
-  const Scalar t164 = t137 - (t163 - k[16] * t99);
-  const Scalar t165 = t125 + t126;
-  const Scalar t166 = t151 - t152;
-  const Scalar t167 = t106 + t166;
-  const Scalar t168 = (k[23] * t165 + k[24] * t127) + k[28] * (t153 - t167);
-  const Scalar t169 = (k[17] * t99 + k[22] * t109) + ((k[14] * t123 + k[21] * t116) + t168);
-  const Scalar t170 = (s5 * t162 + c5 * t164) + t169;
-  const Scalar t171 = t32 * t159 + ((torque[3] + t170) - t138 * t29);
-  const Scalar t172 = k[2] * t138;
-  const Scalar t173 = k[34] * t109 + (k[17] * t167 - k[22] * t127);
-  const Scalar t174 = (t1 * t133 + t143 * t0) + (k[16] * (t155 + t145) + k[15] * t119);
-  const Scalar t175 = (t0 * t147 - t1 * t148) + (k[16] * t150 + k[15] * t145);
-  const Scalar t176 = t173 - (c5 * t174 + s5 * t175);
-  const Scalar t177 = (t142 * t1 + t135 * t0) + (k[15] * t129 + k[16] * t135);
-  const Scalar t178 = k[34] * t99 - (k[22] * t153 + k[17] * t165);
-  const Scalar t179 = t177 - t178;
-  const Scalar t180 = k[45] * t125 - (s4 * t176 - c4 * t179);
-  const Scalar t181 = k[6] * ((k[35] * t94 - k[31] * t95) + t180);
-  const Scalar t182 = t21 * t159 + (t172 * t3 - (torque[1] - t181));
-  const Scalar t183 = t159 * t20;
-  const Scalar t184 = t117 - t118;
-  const Scalar t185 = k[21] * (t153 - t106) - (k[24] * t124 - k[28] * t184);
-  const Scalar t186 = (c5 * t162 - s5 * t164) + (k[22] * t108 + (k[14] * t165 + t185));
-  const Scalar t187 = t179 - t186;
-  const Scalar t188 = (k[21] * t127 - k[14] * t166) - (k[23] * t184 - k[28] * t124);
-  const Scalar t189 = t176 - ((k[17] * t108 - t188) + t158);
-  const Scalar t190 = k[33] * t107 + (k[41] * t105 + k[42] * t88);
-  const Scalar t191 = torque[2] + ((s4 * t187 + c4 * t189) - t190);
-  const Scalar t192 = t39 * t171;
-  const Scalar t193 = (t27 * t183 + (t191 + t138 * t9)) - t192 * t47;
-  const Scalar t194 = t193 * t59;
-  const Scalar t195 = t85 * ((t171 * t83 - t182) + t51 * t194);
-  const Scalar t196 = (k[38] * t88 - k[39] * t103) + (k[36] * t96 - k[40] * t125);
-  const Scalar t197 = k[38] * t104 + (k[37] * t97 + k[36] * t125);
-  const Scalar t198 = (s4 * t189 - c4 * t187) + (k[39] * t88 - t197);
-  const Scalar t199 = s3 * ((k[33] * t95 - t196) + t170) - c3 * t198;
-  const Scalar t200 = (s4 * t179 + c4 * t176) + k[33] * t102;
-  const Scalar t201 = (k[22] * t124 - k[17] * t184) + k[34] * t108;
-  const Scalar t202 = (t201 - (c5 * t175 - s5 * t174)) - k[33] * t88;
-  const Scalar t203 = (s3 * t200 - c3 * t202) + (k[31] * t91 - k[32] * t94);
-  const Scalar t204 = (t199 + (k[35] * t91 - k[32] * t95)) - t62 * t203;
-  const Scalar t205 = torque[0] + (t204 - (k[29] * t90 + k[30] * t93));
-  const Scalar t206 = (t70 * t183 + (t205 - t172 * t66)) + t76 * t171;
-  const Scalar t207 = t81 * t85;
-  const Scalar t208 = k[35] + t72;
-  const Scalar t209 = t54 - t62 * (t208 - (k[46] * t62 - t208));
-  const Scalar t210 = Scalar(2) * s3 * (k[41] + t71) - c3 * (t55 + t57);
-  const Scalar t211 = (k[47] - t209) - (k[48] - (c3 * t210 + t55));
-  const Scalar t212 = (t74 * t70 - (t211 + t66 * t67)) - t76 * t75;
-  const Scalar t213 = Scalar(1) / (t207 * t81 - (t78 * t77 + t212));
-  const Scalar t214 = (t81 * t195 - (t194 * t77 - t206)) * t213;
-  const Scalar t215 = t207 * t214 - t195;
-  const Scalar t216 = t215 * t82 - (t78 * t214 - t194);
-  const Scalar t217 = t216 * t48 + ((t192 - t76 * t214) - t215 * t83);
-  const Scalar t218 = t40 * t216 + ((t214 * t74 + t183) - t215 * t21);
-  const Scalar t219 = t217 * t32 - t218;
-  const Scalar t220 = t216 * t9 - (t215 * t12 + (t214 * t67 + t172));
+  const Scalar t0 = k[10] * c6 - k[9] * s6;
+  const Scalar t1 = c6 * t0;
+  const Scalar t2 = k[11] - t1;
+  const Scalar t3 = k[12] - t2;
+  const Scalar t4 = k[7] * c6 + k[8] * s6;
+  const Scalar t5 = k[16] + t4;
+  const Scalar t6 = c5 * t5;
+  const Scalar t7 = s5 * (k[13] + t3) + (t6 + t6);
+  const Scalar t8 = k[13] - s5 * t7;
+  const Scalar t9 = k[13] - t3;
+  const Scalar t10 = k[17] - (t8 - t9);
+  const Scalar t11 = k[14] - t1;
+  const Scalar t12 = k[15] - t11;
+  const Scalar t13 = t10 + t12;
+  const Scalar t14 = k[18] * c5 - s5 * t4;
+  const Scalar t15 = k[3] * t14;
+  const Scalar t16 = k[8] * c6 - k[7] * s6;
+  const Scalar t17 = k[19] + t16;
+  const Scalar t18 = k[20] + s6 * t0;
+  const Scalar t19 = k[21] + t18;
+  const Scalar t20 = c5 * t17 - s5 * t19;
+  const Scalar t21 = t15 * t16 - t20;
+  const Scalar t22 = k[3] * t16;
+  const Scalar t23 = Scalar(1) / (t9 + t22 * t16);
+  const Scalar t24 = t21 * t23;
+  const Scalar t25 = Scalar(1) / ((t13 + t15 * t14) - t24 * t21);
+  const Scalar t26 = k[41] * s1 + k[40] * c1;
+  const Scalar t27 = Scalar(2) * qd[0] * k[2] * qd[1] - t26;
+  const Scalar t28 = c3 * t27 - k[42] * s3;
+  const Scalar t29 = qd[0] * qd[0];
+  const Scalar t30 = qd[0] * s3;
+  const Scalar t31 = t30 * t30;
+  const Scalar t32 = qd[2] * qd[2];
+  const Scalar t33 = t31 - t32;
+  const Scalar t34 = t29 - t33;
+  const Scalar t35 = t28 - t34;
+  const Scalar t36 = k[41] * c1 - k[40] * s1;
+  const Scalar t37 = k[30] + k[2] * q[1];
+  const Scalar t38 = t36 - t29 * t37;
+  const Scalar t39 = s3 * t27 + k[42] * c3;
+  const Scalar t40 = qd[0] * c3;
+  const Scalar t41 = c4 * t40;
+  const Scalar t42 = qd[2] * t30;
+  const Scalar t43 = Scalar(2) * t42;
+  const Scalar t44 = t41 * t30 + s4 * t43;
+  const Scalar t45 = (s4 * t38 - c4 * t39) + t44;
+  const Scalar t46 = s5 * t35 - c5 * t45;
+  const Scalar t47 = k[0] * c6 - k[1] * s6;
+  const Scalar t48 = k[0] * s6 + k[1] * c6;
+  const Scalar t49 = s4 * t40;
+  const Scalar t50 = c4 * t43 - t30 * t49;
+  const Scalar t51 = t50 + (s4 * t39 + c4 * t38);
+  const Scalar t52 = qd[3] + t30;
+  const Scalar t53 = t41 + qd[2] * s4;
+  const Scalar t54 = c5 * t52 + s5 * t53;
+  const Scalar t55 = qd[2] * c4 - t49;
+  const Scalar t56 = qd[4] + t55;
+  const Scalar t57 = t54 * t56;
+  const Scalar t58 = qd[2] * t40;
+  const Scalar t59 = t53 * t55;
+  const Scalar t60 = t58 - t59;
+  const Scalar t61 = t52 * t55;
+  const Scalar t62 = t61 - (t50 - t61);
+  const Scalar t63 = s5 * t60 - c5 * t62;
+  const Scalar t64 = t57 + (t57 + t63);
+  const Scalar t65 = c5 * t53 - s5 * t52;
+  const Scalar t66 = t54 * t65;
+  const Scalar t67 = t52 * t53;
+  const Scalar t68 = t44 - t67;
+  const Scalar t69 = t66 + t68;
+  const Scalar t70 = t65 * t65;
+  const Scalar t71 = t56 * t56;
+  const Scalar t72 = t70 - t71;
+  const Scalar t73 = s5 * t62 + c5 * t60;
+  const Scalar t74 = t73 + Scalar(2) * t56 * t65;
+  const Scalar t75 = t72 * t18 - (t73 * t11 - t2 * t74);
+  const Scalar t76 = (t46 * t47 - t48 * t51) + ((t4 * t64 + t69 * t16) + t75);
+  const Scalar t77 = torque[5] + t76;
+  const Scalar t78 = k[3] * t77;
+  const Scalar t79 = c5 * t35 + s5 * t45;
+  const Scalar t80 = qd[5] + t54;
+  const Scalar t81 = t80 * t80 - t71;
+  const Scalar t82 = t64 - Scalar(2) * t56 * t80;
+  const Scalar t83 = t69 - Scalar(2) * t80 * t65;
+  const Scalar t84 = t81 * t16 - (t82 * t11 + t83 * t18);
+  const Scalar t85 = t66 - t68;
+  const Scalar t86 = t52 * t52;
+  const Scalar t87 = t53 * t53;
+  const Scalar t88 = t86 + t87;
+  const Scalar t89 = t70 + t71;
+  const Scalar t90 = t88 - t89;
+  const Scalar t91 = (k[16] * t74 + k[13] * t64) + k[19] * t90;
+  const Scalar t92 = (t79 * t47 - (t84 + t4 * t74)) - ((k[21] * t85 + t91) - k[5] * t51);
+  const Scalar t93 = (k[16] * t64 - k[12] * t74) + (k[21] * t72 + k[19] * t69);
+  const Scalar t94 = t76 - (k[6] * t51 - t93);
+  const Scalar t95 = t58 + t59;
+  const Scalar t96 = t86 - t87;
+  const Scalar t97 = t88 - t34;
+  const Scalar t98 = t96 - t97;
+  const Scalar t99 = (k[17] * t95 + k[15] * t60) - k[26] * t98;
+  const Scalar t100 = (t99 + (k[25] * t50 + k[24] * t44)) - (k[23] * t45 + k[22] * t51);
+  const Scalar t101 = (s5 * t92 - c5 * t94) - t100;
+  const Scalar t102 = (t4 * (t72 - t81) + t73 * t16) + (t83 * t2 - t82 * t18);
+  const Scalar t103 = t72 - t90;
+  const Scalar t104 = k[16] * t103 + (k[13] * t69 + k[12] * t85);
+  const Scalar t105 = (t104 - (k[21] * t63 - k[19] * t73)) + (k[5] * t46 + k[6] * t79);
+  const Scalar t106 = (t102 + t48 * t79) + t105;
+  const Scalar t107 = t22 * t77 + (torque[4] + t106);
+  const Scalar t108 = (t78 * t14 - (torque[3] - t101)) - t24 * t107;
+  const Scalar t109 = t25 * t108;
+  const Scalar t110 = t48 - (k[18] * s5 + c5 * t4);
+  const Scalar t111 = c5 * t47;
+  const Scalar t112 = t111 - t16;
+  const Scalar t113 = s3 * t14 - c3 * (c4 * t110 + s4 * t112);
+  const Scalar t114 = c3 * s5 * t47 + s3 * (c4 * t111 - s4 * t48);
+  const Scalar t115 = t113 - t37 * t114;
+  const Scalar t116 = k[6] + t48;
+  const Scalar t117 = k[5] * s5 + c5 * t116;
+  const Scalar t118 = k[5] * c5 - s5 * t116;
+  const Scalar t119 = t37 * (c3 * t117 + s3 * c4 * t118);
+  const Scalar t120 = s5 * t17 + c5 * t19;
+  const Scalar t121 = t9 - t118;
+  const Scalar t122 = s3 * t20 + c3 * (c4 * t120 - s4 * t121);
+  const Scalar t123 = t22 * t115 - (t119 + t122);
+  const Scalar t124 = k[3] * t115;
+  const Scalar t125 = k[23] + t47;
+  const Scalar t126 = t125 - (k[24] + t20);
+  const Scalar t127 = k[22] + t117;
+  const Scalar t128 = (k[25] + (c5 * t7 - t5)) - t127;
+  const Scalar t129 = s4 * t126 - c4 * t128;
+  const Scalar t130 = s4 * t127 - c4 * t125;
+  const Scalar t131 = (s3 * t13 + c3 * t129) - t37 * s3 * t130;
+  const Scalar t132 = t24 * t123 - (t124 * t14 + t131);
+  const Scalar t133 = t31 + t32;
+  const Scalar t134 = (t82 * t47 - t48 * t83) - (k[5] * t89 - k[6] * t85);
+  const Scalar t135 = t81 + t89;
+  const Scalar t136 = (k[6] * (t89 - t103) - k[5] * t69) - (t48 * (t72 - t135) + t73 * t47);
+  const Scalar t137 = k[28] * t45 - (k[22] * (t88 + t98) - k[23] * t60);
+  const Scalar t138 = (s5 * t134 - c5 * t136) + t137;
+  const Scalar t139 = (t48 * t74 + t135 * t47) + (k[5] * t64 + k[6] * t74);
+  const Scalar t140 = k[28] * t51 + (k[22] * t95 + k[23] * t88);
+  const Scalar t141 = t139 + t140;
+  const Scalar t142 = c4 * t138 - s4 * t141;
+  const Scalar t143 = t67 - t68;
+  const Scalar t144 = (k[22] * t143 - k[23] * t62) + k[28] * t35;
+  const Scalar t145 = t30 * t40;
+  const Scalar t146 = (t144 + (c5 * t134 + s5 * t136)) + k[31] * t145;
+  const Scalar t147 = s3 * (k[31] * t133 - t142) + c3 * t146;
+  const Scalar t148 = t37 * ((k[45] * t27 - k[32] * t29) + t147);
+  const Scalar t149 = k[33] * t33 + (k[29] * t43 + k[43] * t58);
+  const Scalar t150 = c4 * t141 + s4 * t138;
+  const Scalar t151 = (k[26] * t62 - k[17] * t143) - (k[25] * t96 - k[24] * t60);
+  const Scalar t152 = t106 + (k[22] * t35 + t151);
+  const Scalar t153 = k[24] * t97 - (k[15] * t62 - k[26] * t143);
+  const Scalar t154 = ((t153 + k[25] * t95) - k[23] * t35) - (s5 * t94 + c5 * t92);
+  const Scalar t155 = (k[34] * t145 - t149) - (t150 - (s4 * t152 + c4 * t154));
+  const Scalar t156 = t29 - t133;
+  const Scalar t157 = (k[43] * t42 - k[44] * t58) + (k[33] * t145 - k[34] * t156);
+  const Scalar t158 = c3 * t155 + s3 * (t101 + (k[31] * t38 + t157));
+  const Scalar t159 = t148 + (t158 - (k[32] * t38 + k[38] * t27));
+  const Scalar t160 = torque[0] - ((k[46] * t26 - k[47] * t36) + t159);
+  const Scalar t161 = t107 * t23;
+  const Scalar t162 = t109 * t132 + ((t115 * t78 - t160) - t161 * t123);
+  const Scalar t163 = s4 * t110 - c4 * t112;
+  const Scalar t164 = k[3] * t163;
+  const Scalar t165 = c4 * t126 + s4 * t128;
+  const Scalar t166 = (c4 * t121 + s4 * t120) + t22 * t163;
+  const Scalar t167 = t23 * t166;
+  const Scalar t168 = (t164 * t14 + t165) - t21 * t167;
+  const Scalar t169 = (k[48] * t145 + k[35] * (t156 - t33)) - k[31] * t28;
+  const Scalar t170 = ((s4 * t154 - c4 * t152) + t142) + t169;
+  const Scalar t171 = t161 * t166 - ((torque[2] - t170) + t163 * t78);
+  const Scalar t172 = t168 * t109 + t171;
+  const Scalar t173 = t23 * t123;
+  const Scalar t174 = k[26] + t120;
+  const Scalar t175 = c4 * t174;
+  const Scalar t176 = s4 * (t10 - t12) - (t175 + t175);
+  const Scalar t177 = c3 * (k[34] - (t174 + c4 * t176)) - s3 * (k[33] + t165);
+  const Scalar t178 = k[28] + t118;
+  const Scalar t179 = c4 * t127 + s4 * t125;
+  const Scalar t180 = k[31] + t179;
+  const Scalar t181 = t177 + t37 * (s3 * t178 + c3 * t180);
+  const Scalar t182 = t168 * t25;
+  const Scalar t183 = (t173 * t166 - (t163 * t124 - t181)) - t182 * t132;
+  const Scalar t184 = k[29] - (t8 - (t178 + t118));
+  const Scalar t185 = t10 - s4 * t176;
+  const Scalar t186 = k[27] + t185;
+  const Scalar t187 = t167 * t166 + ((t184 - t186) - t163 * t164);
+  const Scalar t188 = Scalar(1) / (t168 * t182 + t187);
+  const Scalar t189 = t183 * t188;
+  const Scalar t190 = k[2] * (c4 * t48 + s4 * t111);
+  const Scalar t191 = k[3] * t190;
+  const Scalar t192 = k[2] * s4 * t118 + t191 * t16;
+  const Scalar t193 = t192 * t23;
+  const Scalar t194 = t21 * t193 - (t191 * t14 - k[2] * t179);
+  const Scalar t195 = t182 * t194 + (t191 * t163 - t193 * t166);
+  const Scalar t196 = t195 * t188;
+  const Scalar t197 = t25 * t194;
+  const Scalar t198 = (t192 * t193 + (k[4] - t191 * t190)) + t194 * t197;
+  const Scalar t199 = Scalar(1) / (t195 * t196 - t198);
+  const Scalar t200 = k[2] * (k[32] + (c3 * t178 - s3 * t180));
+  const Scalar t201 = ((t200 + t191 * t115) - t173 * t192) - t132 * t197;
+  const Scalar t202 = t201 - t189 * t195;
+  const Scalar t203 = t199 * t202;
+  const Scalar t204 = (k[38] * t29 + k[45] * t38) + (t150 + k[49] * t58);
+  const Scalar t205 = t107 * t193 - (t190 * t78 - (torque[1] - k[2] * t204));
+  const Scalar t206 = t172 * t188;
+  const Scalar t207 = (t108 * t197 - t205) - t195 * t206;
+  const Scalar t208 = t25 * t132;
+  const Scalar t209 = s3 * (k[35] + t129);
+  const Scalar t210 = c3 * (c3 * (t184 + t186) - (t209 + t209));
+  const Scalar t211 = k[38] - t130;
+  const Scalar t212 = (t185 - t13) - ((t211 - k[37] * t37) + t211) * t37;
+  const Scalar t213 = t115 * t124 - ((k[36] + (t210 - t186)) - (k[39] - t212));
+  const Scalar t214 = (t132 * t208 + (t173 * t123 - t213)) - t183 * t189;
+  const Scalar t215 = ((t162 + t172 * t189) - t203 * t207) * Scalar(1) / (t214 + t203 * t202);
+  const Scalar t216 = t199 * t207 + t203 * t215;
+  const Scalar t217 = t216 * t196 + (t189 * t215 + t206);
+  const Scalar t218 = (t197 * t216 - (t208 * t215 - t109)) - t182 * t217;
+  const Scalar t219 = (t216 * t193 - (t161 + t173 * t215)) + t217 * t167;
+  const Scalar t220 = t24 * t218 + t219;
+  const Scalar t221 = t217 * t164 - ((t215 * t124 + t78) - t191 * t216);
   JointVector<Scalar> result;
-  result[0] = -t214;
-  result[1] = -t215;
-  result[2] = -t216;
-  result[3] = t217;
-  result[4] = -t219;
-  result[5] = t219 * t19 - (t220 + t217 * t29);
+  result[0] = -t215;
+  result[1] = t216;
+  result[2] = -t217;
+  result[3] = t218;
+  result[4] = t220;
+  result[5] = t22 * t220 - (t221 + t15 * t218);
   return result;
 }
 
@@ -1027,106 +1031,107 @@ ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constant
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
+  const Scalar t0 = inertia.c6x * inertia.m6;
   const Scalar t1 = inertia.c6z * inertia.m6;
-  const Scalar t2 = Scalar(1) / g.d4;
-  const Scalar t3 = inertia.c6x * inertia.m6;
-  const Scalar t4 = inertia.I6yz - inertia.c6z * t0;
-  const Scalar t5 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t6 = inertia.c6z * t1 - (inertia.I6zz - t5);
-  const Scalar t7 = (inertia.I6yy - t5) - inertia.c6y * t0;
-  const Scalar t8 = t6 - t7;
-  const Scalar t9 = Scalar(1) / t8;
-  const Scalar t10 = inertia.c5z * inertia.m5;
-  const Scalar t11 = inertia.c5x * inertia.m5;
+  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t3 = inertia.c6z * t1 - (inertia.I6zz - t2);
+  const Scalar t4 = inertia.c6y * inertia.m6;
+  const Scalar t5 = (inertia.I6yy - t2) - inertia.c6y * t4;
+  const Scalar t6 = t3 - t5;
+  const Scalar t7 = Scalar(1) / t6;
+  const Scalar t8 = inertia.c5x * inertia.m5;
+  const Scalar t9 = inertia.I6yz - inertia.c6z * t4;
+  const Scalar t10 = inertia.c5y * inertia.m5;
+  const Scalar t11 = inertia.c5z * inertia.m5;
   const Scalar t12 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t13 = ((inertia.I6xx - t5) - inertia.c6x * t3) - (inertia.c5x * t11 - (inertia.I5xx - t12));
-  const Scalar t14 = inertia.c5y * inertia.m5;
-  const Scalar t15 = inertia.c3z * inertia.m3;
-  const Scalar t16 = g.d4 * t15;
-  const Scalar t17 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t18 = (inertia.I3zz - t17) - inertia.c3z * t15;
-  const Scalar t19 = inertia.c3x * inertia.m3;
-  const Scalar t20 = g.d4 * inertia.m3 + t19;
-  const Scalar t21 = (inertia.c3x * t19 - (inertia.I3xx - t17)) + g.d4 * (t19 + t20);
+  const Scalar t13 = ((inertia.I6xx - t2) - inertia.c6x * t0) - (inertia.c5x * t8 - (inertia.I5xx - t12));
+  const Scalar t14 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t15 = inertia.c4y * inertia.m4;
+  const Scalar t16 = ((inertia.I4yy - t14) - inertia.c4y * t15) - (inertia.c5y * t10 - (inertia.I5yy - t12));
+  const Scalar t17 = inertia.c4z * inertia.m4;
+  const Scalar t18 = Scalar(1) / g.d4;
+  const Scalar t19 = inertia.c4x * inertia.m4;
+  const Scalar t20 = inertia.c3z * inertia.m3;
+  const Scalar t21 = g.d4 * t20;
   const Scalar t22 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t23 = inertia.c4x * inertia.m4;
-  const Scalar t24 = g.d4 * t22 + t23;
-  const Scalar t25 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t26 = g.d4 * (t24 + t23) - ((inertia.I4xx - t25) - inertia.c4x * t23);
-  const Scalar t27 = (t24 + t20) / g.d4;
-  const Scalar t28 = g.d4 * g.d4 * t27;
-  const Scalar t29 = (t21 + t26) - t28;
-  const Scalar t30 = t16 - (inertia.I3xz - inertia.c3z * t19);
-  const Scalar t31 = inertia.c4y * inertia.m4;
-  const Scalar t32 = ((inertia.I4yy - t25) - inertia.c4y * t31) - (inertia.c5y * t14 - (inertia.I5yy - t12));
-  const Scalar t33 = inertia.c4z * inertia.m4;
-  const Scalar t34 = inertia.c3y * inertia.m3;
-  const Scalar t35 = inertia.c2x * inertia.m2;
-  const Scalar t36 = inertia.c2y * inertia.m2;
-  const Scalar t37 = g.d4 * g.d4 * ((inertia.m2 + (inertia.m3 + t22)) - t27);
+  const Scalar t23 = g.d4 * t22 + t19;
+  const Scalar t24 = inertia.c3x * inertia.m3;
+  const Scalar t25 = g.d4 * inertia.m3 + t24;
+  const Scalar t26 = (t23 + t25) / g.d4;
+  const Scalar t27 = g.d4 * g.d4 * t26;
+  const Scalar t28 = g.d4 * g.d4 * ((inertia.m2 + (inertia.m3 + t22)) - t26);
+  const Scalar t29 = inertia.c2x * inertia.m2;
+  const Scalar t30 = inertia.c3y * inertia.m3;
+  const Scalar t31 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t32 = (inertia.c3x * t24 - (inertia.I3xx - t31)) + g.d4 * (t24 + t25);
+  const Scalar t33 = g.d4 * (t23 + t19) - ((inertia.I4xx - t14) - inertia.c4x * t19);
+  const Scalar t34 = (t32 + t33) - t27;
+  const Scalar t35 = t21 - (inertia.I3xz - inertia.c3z * t24);
+  const Scalar t36 = (inertia.I3zz - t31) - inertia.c3z * t20;
+  const Scalar t37 = inertia.c2y * inertia.m2;
   const Scalar t38 = inertia.c1y * inertia.m1;
   const Scalar t39 = t38 - g.l2 * inertia.m1;
   const Scalar t40 = inertia.c1x * inertia.m1;
-  const Scalar t41 = t28 + t37;
-  const Scalar t42 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t43 = g.l2 * (t39 + t38) - (inertia.c1y * t38 - (inertia.I1yy - t42));
-  const Scalar t44 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t45 = ((inertia.I3yy - t17) - inertia.c3y * t34) + ((inertia.I2yy - t44) - inertia.c2y * t36);
-  const Scalar t46 = (inertia.c2x * t35 - (inertia.I2xx - t44)) + (inertia.c1x * t40 - (inertia.I1xx - t42));
-  return { g.d4 * t0,
-           g.d4 * t1,
-           gravity[2] / g.d4,
-           gravity[1] / g.d4,
-           gravity[0] / g.d4,
-           t2,
-           g.l2 / g.d4,
-           inertia.I6xz - inertia.c6z * t3,
-           inertia.I6xy - inertia.c6y * t3,
-           Scalar(2) * t4,
-           t6 + t7,
-           t4,
+  const Scalar t41 = t27 + t28;
+  const Scalar t42 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t43 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t44 = (inertia.c2x * t29 - (inertia.I2xx - t42)) + (inertia.c1x * t40 - (inertia.I1xx - t43));
+  const Scalar t45 = g.l2 * (t39 + t38) - (inertia.c1y * t38 - (inertia.I1yy - t43));
+  const Scalar t46 = ((inertia.I3yy - t31) - inertia.c3y * t30) + ((inertia.I2yy - t42) - inertia.c2y * t37);
+  return { inertia.I6xz - inertia.c6z * t0,
+           inertia.I6xy - inertia.c6y * t0,
            t6,
            t7,
+           inertia.I5xy - inertia.c5y * t8,
+           Scalar(2) * t9,
+           t3 + t5,
            t9,
-           g.d4 * t10,
-           g.d4 * (t3 + t11),
-           inertia.I5xz - inertia.c5z * t11,
-           inertia.c5z * t10 - (inertia.I5zz - t12),
+           inertia.I5yz - inertia.c5z * t10,
+           t5,
+           inertia.c5z * t11 - (inertia.I5zz - t12),
            t13,
-           inertia.I5yz - inertia.c5z * t14,
-           inertia.I5xy - inertia.c5y * t11,
-           t8,
+           Scalar(2) * t13,
+           t3,
            t16,
-           t18 + t29,
-           t30,
-           inertia.I4xy - inertia.c4y * t23,
-           t32,
-           inertia.I4yz - inertia.c4z * t31,
-           inertia.I4xz - inertia.c4z * t23,
-           g.d4 * (t31 + t14),
+           inertia.I5xz - inertia.c5z * t8,
+           (inertia.I4zz - t14) - inertia.c4z * t17,
+           g.d4 * t4,
+           g.d4 * t1,
+           t18,
+           g.l2 / g.d4,
+           g.d4 * t11,
+           g.d4 * (t0 + t8),
+           inertia.I4xy - inertia.c4y * t19,
+           inertia.I4xz - inertia.c4z * t19,
+           g.d4 * t17,
+           g.d4 * (t15 + t10),
+           gravity[1] / g.d4,
+           gravity[0] / g.d4,
+           gravity[2] / g.d4,
+           inertia.I4yz - inertia.c4z * t15,
+           t21,
+           t27,
            g.d4,
            t28,
-           g.d4 * t33,
-           (inertia.I4zz - t25) - inertia.c4z * t33,
-           inertia.I3yz - inertia.c3z * t34,
-           g.d4 * t34 - (inertia.I3xy - inertia.c3y * t19),
-           t29,
-           t18,
-           g.d4 * t35,
-           g.d4 * (t34 + t36),
-           Scalar(2) * t30,
-           Scalar(2) * t29,
-           Scalar(2) * t18,
-           t37,
+           g.d4 * t29,
+           g.d4 * t30 - (inertia.I3xy - inertia.c3y * t24),
+           Scalar(2) * t34,
+           Scalar(2) * t35,
+           inertia.I3yz - inertia.c3z * t30,
+           t35,
+           Scalar(2) * t36,
+           g.d4 * (t30 + t37),
            g.d4 * t39,
            g.d4 * t40,
-           t9 * t2,
-           Scalar(2) * t16,
-           t41 * t2 * t2,
+           t36 + t34,
+           t36,
+           t34,
+           t7 * t18,
+           Scalar(2) * t21,
+           t41 * t18 * t18,
+           t44,
            t41,
-           t43 + t45,
-           t46 };
+           t45 + t46 };
 }
 
 namespace detail {
@@ -1145,253 +1150,253 @@ inline JointVector<Scalar> forward_dynamics_with_wrench(const JointVector<Scalar
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[0] * s6 + k[1] * c6;
-  const Scalar t1 = k[7] * c6 + k[8] * s6;
-  const Scalar t2 = t0 - (k[22] * s5 + c5 * t1);
-  const Scalar t3 = k[0] * c6 - k[1] * s6;
-  const Scalar t4 = c5 * t3;
-  const Scalar t5 = k[8] * c6 - k[7] * s6;
-  const Scalar t6 = t4 - t5;
-  const Scalar t7 = s4 * t2 - c4 * t6;
-  const Scalar t8 = k[14] * t7;
-  const Scalar t9 = k[17] + t1;
-  const Scalar t10 = c5 * t9;
-  const Scalar t11 = k[10] * c6 - k[9] * s6;
-  const Scalar t12 = c6 * t11;
-  const Scalar t13 = k[13] - t12;
-  const Scalar t14 = k[18] - t13;
-  const Scalar t15 = (t10 + t10) + s5 * (k[19] + t14);
-  const Scalar t16 = k[19] - s5 * t15;
-  const Scalar t17 = k[15] + t0;
-  const Scalar t18 = s5 * t17 - k[16] * c5;
-  const Scalar t19 = k[32] - t18;
-  const Scalar t20 = k[37] - (t16 - (t19 - t18));
-  const Scalar t21 = k[11] + s6 * t11;
-  const Scalar t22 = k[20] + t21;
-  const Scalar t23 = k[21] + t5;
-  const Scalar t24 = c5 * t22 + s5 * t23;
-  const Scalar t25 = k[28] + t24;
-  const Scalar t26 = c4 * t25;
-  const Scalar t27 = k[19] - t14;
-  const Scalar t28 = k[34] + (t27 - t16);
-  const Scalar t29 = k[12] - t12;
-  const Scalar t30 = k[27] - t29;
-  const Scalar t31 = (t26 + t26) - s4 * (t28 - t30);
-  const Scalar t32 = s4 * t31 - t30;
-  const Scalar t33 = t28 + t30;
-  const Scalar t34 = k[38] + (t32 + t33);
-  const Scalar t35 = k[14] * t5;
-  const Scalar t36 = t18 + t27;
-  const Scalar t37 = t35 * t7 + (s4 * t24 + c4 * t36);
-  const Scalar t38 = Scalar(1) / (t27 + t35 * t5);
-  const Scalar t39 = t38 * t37;
-  const Scalar t40 = (t8 * t7 - (t20 - t34)) - t37 * t39;
-  const Scalar t41 = c5 - k[14] * s5 * t1;
-  const Scalar t42 = k[22] * t41;
-  const Scalar t43 = c5 * t23 - s5 * t22;
-  const Scalar t44 = t41 * t5 - t43;
-  const Scalar t45 = t38 * t44;
-  const Scalar t46 = Scalar(1) / ((t33 + t41 * t42) - t44 * t45);
-  const Scalar t47 = c5 * t17 + k[16] * s5;
-  const Scalar t48 = k[33] + t47;
-  const Scalar t49 = t48 - (k[29] + (c5 * t15 - t9));
-  const Scalar t50 = k[30] + t3;
-  const Scalar t51 = (k[26] + t43) - t50;
-  const Scalar t52 = s4 * t49 + c4 * t51;
-  const Scalar t53 = (t52 - t42 * t8) + t37 * t45;
-  const Scalar t54 = t46 * t53;
-  const Scalar t55 = Scalar(1) / (t40 - t54 * t53);
-  const Scalar t56 = k[47] * (c4 * t0 + s4 * t4);
-  const Scalar t57 = k[22] * t56;
-  const Scalar t58 = k[5] * s4 * t18 - t57 * t35;
-  const Scalar t59 = t38 * t58;
-  const Scalar t60 = s4 * t50 + c4 * t48;
-  const Scalar t61 = t58 * t45 - (k[5] * t60 - t56 * t42);
-  const Scalar t62 = (t56 * t7 + t59 * t37) + t61 * t54;
-  const Scalar t63 = t55 * t62;
-  const Scalar t64 = t46 * t61;
-  const Scalar t65 = t61 * t64 + ((k[49] - t56 * t57) + t59 * t58);
-  const Scalar t66 = Scalar(1) / (t63 * t62 + t65);
-  const Scalar t67 = k[6] + k[5] * q[1];
-  const Scalar t68 = t67 * (c3 * t47 - s3 * c4 * t18);
-  const Scalar t69 = s3 * t43 + c3 * (c4 * t24 - s4 * t36);
-  const Scalar t70 = c3 * s5 * t3 + s3 * (c4 * t4 - s4 * t0);
-  const Scalar t71 = s3 * t42 - c3 * (c4 * t2 + s4 * t6);
-  const Scalar t72 = t67 * t70 - t71;
-  const Scalar t73 = k[14] * t72;
-  const Scalar t74 = (t68 + t69) + t73 * t5;
-  const Scalar t75 = t38 * t74;
-  const Scalar t76 = s4 * t48 - c4 * t50;
-  const Scalar t77 = c4 * t49 - s4 * t51;
-  const Scalar t78 = t67 * s3 * t76 - (c3 * t77 + s3 * t33);
-  const Scalar t79 = t75 * t44 - (t42 * t73 + t78);
-  const Scalar t80 = t46 * t79;
-  const Scalar t81 = k[23] + t60;
-  const Scalar t82 = k[5] * (k[39] - (s3 * t81 - c3 * t19));
-  const Scalar t83 = t61 * t80 + (t75 * t58 + (t56 * t72 - t82));
-  const Scalar t84 = c3 * (k[35] - (t25 - c4 * t31)) - s3 * (k[36] - t52);
-  const Scalar t85 = t84 + t67 * (s3 * t19 + c3 * t81);
-  const Scalar t86 = (t75 * t37 - (t73 * t7 + t85)) + t79 * t54;
-  const Scalar t87 = t83 + t63 * t86;
-  const Scalar t88 = t66 * t87;
-  const Scalar t89 = t55 * t86;
-  const Scalar t90 = k[40] - t76;
-  const Scalar t91 = t67 * (t90 + (t90 - k[50] * t67)) - t32;
-  const Scalar t92 = s3 * (k[25] + t77);
-  const Scalar t93 = c3 * (c3 * (t20 + t34) - (t92 + t92));
-  const Scalar t94 = ((k[51] + t91) - (k[52] + (t93 - t34))) + t73 * t72;
-  const Scalar t95 = t89 * t86 + (t79 * t80 - (t94 - t75 * t74));
-  const Scalar t96 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t97 = wrench[5] * s3 + c3 * t96;
-  const Scalar t98 = wrench[3] * s1 - wrench[4] * c1;
-  const Scalar t99 = s3 * t96 - wrench[5] * c3;
-  const Scalar t100 = s4 * t98 - c4 * t99;
-  const Scalar t101 = qd[0] * s3;
-  const Scalar t102 = qd[3] + t101;
-  const Scalar t103 = qd[0] * c3;
-  const Scalar t104 = c4 * t103 + qd[2] * s4;
-  const Scalar t105 = c5 * t102 + s5 * t104;
-  const Scalar t106 = qd[5] + t105;
-  const Scalar t107 = t106 * t106;
-  const Scalar t108 = s4 * t103;
-  const Scalar t109 = qd[2] * c4 - t108;
-  const Scalar t110 = qd[4] + t109;
-  const Scalar t111 = t110 * t110;
-  const Scalar t112 = t107 - t111;
-  const Scalar t113 = c5 * t104 - s5 * t102;
-  const Scalar t114 = t113 * t113;
-  const Scalar t115 = t107 - t114;
-  const Scalar t116 = t112 - t115;
-  const Scalar t117 = qd[2] * t103;
-  const Scalar t118 = t104 * t109;
-  const Scalar t119 = t117 - t118;
-  const Scalar t120 = t102 * t109;
-  const Scalar t121 = qd[2] * t101;
-  const Scalar t122 = t121 + t121;
-  const Scalar t123 = c4 * t122 - t101 * t108;
-  const Scalar t124 = t120 + (t120 - t123);
-  const Scalar t125 = c5 * t119 + s5 * t124;
-  const Scalar t126 = t110 * t113;
-  const Scalar t127 = t126 + (t125 + t126);
-  const Scalar t128 = t21 * t116 - (t125 * t29 - t127 * t13);
-  const Scalar t129 = t105 * t113;
-  const Scalar t130 = t101 * t103;
-  const Scalar t131 = c4 * t130 + s4 * t122;
-  const Scalar t132 = t102 * t104;
-  const Scalar t133 = t131 - t132;
-  const Scalar t134 = t129 + t133;
-  const Scalar t135 = t105 * t110;
-  const Scalar t136 = s5 * t119 - c5 * t124;
-  const Scalar t137 = (t135 + t135) + t136;
-  const Scalar t138 = k[4] * s1 - k[3] * c1;
-  const Scalar t139 = qd[0] * qd[0];
-  const Scalar t140 = t138 + t139 * t67;
-  const Scalar t141 = t140 - t122;
-  const Scalar t142 = qd[0] * k[5] * qd[1];
-  const Scalar t143 = k[4] * c1 + k[3] * s1;
-  const Scalar t144 = (t142 + t142) - t143;
-  const Scalar t145 = t130 - (k[2] * c3 + s3 * t144);
-  const Scalar t146 = c4 * t141 + s4 * t145;
-  const Scalar t147 = c4 * t145 - s4 * t141;
-  const Scalar t148 = t103 * t103;
-  const Scalar t149 = qd[2] * qd[2];
-  const Scalar t150 = t148 + t149;
-  const Scalar t151 = k[2] * s3 - c3 * t144;
-  const Scalar t152 = t150 + t151;
-  const Scalar t153 = c5 * t147 + s5 * t152;
-  const Scalar t154 = (t128 + (t134 * t5 + t1 * t137)) + (t0 * t146 - t153 * t3);
-  const Scalar t155 = (c5 * t97 + s5 * t100) + t154;
-  const Scalar t156 = torque[5] + t155;
-  const Scalar t157 = k[14] * t156;
-  const Scalar t158 = c5 * t152 - s5 * t147;
-  const Scalar t159 = t129 - t133;
-  const Scalar t160 = t109 * t109;
-  const Scalar t161 = t102 * t102;
-  const Scalar t162 = t160 - t161;
-  const Scalar t163 = t150 - t162;
-  const Scalar t164 = t114 + t111;
-  const Scalar t165 = t163 - t164;
-  const Scalar t166 = t116 - t165;
-  const Scalar t167 = (k[19] * t134 + k[18] * t159) + k[17] * t166;
-  const Scalar t168 = (k[15] * t158 + k[16] * t153) - (t167 - (k[20] * t136 - k[21] * t125));
-  const Scalar t169 = t110 * t106;
-  const Scalar t170 = t137 - (t169 + t169);
-  const Scalar t171 = t134 - Scalar(2) * t106 * t113;
-  const Scalar t172 = (t170 * t21 - t13 * t171) + (t1 * t115 - t125 * t5);
-  const Scalar t173 = (t172 + t0 * t158) - (s4 * t99 + c4 * t98);
-  const Scalar t174 = t168 + t173;
-  const Scalar t175 = t157 * t5 + (torque[4] - t174);
-  const Scalar t176 = t160 + t161;
-  const Scalar t177 = (k[33] * t176 - k[30] * t119) - k[32] * t147;
-  const Scalar t178 = wrench[0] * c1 + wrench[1] * s1;
-  const Scalar t179 = wrench[2] * c3 - s3 * t178;
-  const Scalar t180 = wrench[0] * s1 - wrench[1] * c1;
-  const Scalar t181 = c4 * t179 + s4 * t180;
-  const Scalar t182 = c3 * t178 + wrench[2] * s3;
-  const Scalar t183 = (t170 * t3 - t0 * t171) - k[31] * (s5 * t181 + c5 * t182);
-  const Scalar t184 = (k[16] * t164 - k[15] * t159) - t183;
-  const Scalar t185 = t107 + t111;
-  const Scalar t186 = (t125 * t3 - t0 * t185) - k[31] * (c5 * t181 - s5 * t182);
-  const Scalar t187 = (k[16] * t134 - k[15] * (t164 - t166)) + t186;
-  const Scalar t188 = t177 + (s5 * t184 - c5 * t187);
-  const Scalar t189 = t132 - t133;
-  const Scalar t190 = t150 - t176;
-  const Scalar t191 = (k[34] * t189 - k[28] * t124) - (k[26] * t119 + k[29] * t190);
-  const Scalar t192 = t188 - (t174 + (t191 + k[33] * t152));
-  const Scalar t193 = k[31] * (s4 * t179 - c4 * t180) + (t0 * t127 + t3 * (t116 + t185));
-  const Scalar t194 = t117 + t118;
-  const Scalar t195 = k[32] * t146 - (k[30] * t163 + k[33] * t194);
-  const Scalar t196 = (t193 + (k[16] * t137 + k[15] * t127)) - t195;
-  const Scalar t197 = (k[27] * t124 - k[28] * t189) + k[26] * t162;
-  const Scalar t198 = (t21 * t171 + t29 * t170) - t112 * t5;
-  const Scalar t199 = (c5 * t100 - s5 * t97) - ((t1 * t127 - t198) + t158 * t3);
-  const Scalar t200 = k[21] * t165 + (k[17] * t127 + k[19] * t137);
-  const Scalar t201 = t199 - (k[16] * t146 + (t200 + k[20] * t159));
-  const Scalar t202 = (k[18] * t127 - k[17] * t137) - (k[20] * t116 + k[21] * t134);
-  const Scalar t203 = t155 + (k[15] * t146 - t202);
-  const Scalar t204 = ((k[29] * t194 - t197) + k[30] * t152) - (c5 * t201 + s5 * t203);
-  const Scalar t205 = t196 - t204;
-  const Scalar t206 = t148 - t149;
-  const Scalar t207 = t139 - t206;
-  const Scalar t208 = k[23] * t151 + (k[24] * t130 + k[25] * (t150 - t207));
-  const Scalar t209 = torque[2] + ((c4 * t192 + s4 * t205) - t208);
-  const Scalar t210 = t38 * t175;
-  const Scalar t211 = k[28] * (t190 - t162) + (k[27] * t119 + k[34] * t194);
-  const Scalar t212 = (k[30] * t147 - k[33] * t146) - ((k[26] * t131 + k[29] * t123) + t211);
-  const Scalar t213 = t212 + (s5 * t201 - c5 * t203);
-  const Scalar t214 = t44 * t210 - (t41 * t156 - (torque[3] - t213));
-  const Scalar t215 = (t39 * t175 - (t8 * t156 + t209)) + t54 * t214;
-  const Scalar t216 = t55 * t215;
-  const Scalar t217 = k[48] * t117 - (s4 * t188 - c4 * t196);
-  const Scalar t218 = k[5] * (t217 + (k[40] * t139 - k[44] * t140));
-  const Scalar t219 = ((torque[1] - t218) - t56 * t156) - t58 * t210;
-  const Scalar t220 = t216 * t62 + (t64 * t214 - t219);
-  const Scalar t221 = t46 * t214;
-  const Scalar t222 = k[36] * (t139 - t150) + (k[42] * t121 + k[41] * t117);
-  const Scalar t223 = (s4 * t192 - c4 * t205) + (k[35] * t130 - t222);
-  const Scalar t224 = (k[36] * t130 - k[35] * t206) - (k[43] * t117 - k[25] * t122);
-  const Scalar t225 = c3 * t223 - s3 * ((k[23] * t140 - t224) - t213);
-  const Scalar t226 = k[23] * t207 + (c4 * t188 + s4 * t196);
-  const Scalar t227 = (k[33] * t189 - k[30] * t124) - k[32] * t152;
-  const Scalar t228 = k[23] * t130 - ((s5 * t187 + c5 * t184) - t227);
-  const Scalar t229 = (s3 * t226 + c3 * t228) + (k[44] * t144 - k[39] * t139);
-  const Scalar t230 = (t225 + (k[39] * t140 - k[40] * t144)) + t67 * t229;
-  const Scalar t231 = torque[0] - (t230 + (k[45] * t143 + k[46] * t138));
-  const Scalar t232 = t221 * t79 + (t74 * t210 - (t157 * t72 + t231));
-  const Scalar t233 = Scalar(1) / (t88 * t87 - t95) * (t88 * t220 - (t89 * t215 + t232));
-  const Scalar t234 = t220 * t66 - t88 * t233;
-  const Scalar t235 = t234 * t63 + (t89 * t233 - t216);
-  const Scalar t236 = t54 * t235 + (t234 * t64 - (t221 - t233 * t80));
-  const Scalar t237 = (t234 * t59 + (t75 * t233 - t210)) + t39 * t235;
-  const Scalar t238 = t236 * t45 + t237;
-  const Scalar t239 = t235 * t8 + ((t233 * t73 - t157) - t234 * t56);
+  const Scalar t0 = k[0] * c6 + k[1] * s6;
+  const Scalar t1 = k[2] * c5 - s5 * t0;
+  const Scalar t2 = k[3] * t1;
+  const Scalar t3 = k[6] * c6 - k[5] * s6;
+  const Scalar t4 = c6 * t3;
+  const Scalar t5 = k[13] - t4;
+  const Scalar t6 = k[14] - t5;
+  const Scalar t7 = k[9] - t4;
+  const Scalar t8 = k[10] - t7;
+  const Scalar t9 = k[11] + t8;
+  const Scalar t10 = k[15] + t0;
+  const Scalar t11 = s5 * t9 + Scalar(2) * c5 * t10;
+  const Scalar t12 = t8 - s5 * t11;
+  const Scalar t13 = k[16] - t12;
+  const Scalar t14 = t6 + t13;
+  const Scalar t15 = k[0] * s6 - k[1] * c6;
+  const Scalar t16 = k[4] - t15;
+  const Scalar t17 = k[7] + s6 * t3;
+  const Scalar t18 = k[8] + t17;
+  const Scalar t19 = c5 * t16 - s5 * t18;
+  const Scalar t20 = t19 + t15 * t2;
+  const Scalar t21 = k[3] * t15;
+  const Scalar t22 = k[12] - t9;
+  const Scalar t23 = Scalar(1) / (t15 * t21 + t22);
+  const Scalar t24 = t20 * t23;
+  const Scalar t25 = Scalar(1) / ((t2 * t1 + t14) - t24 * t20);
+  const Scalar t26 = k[20] + k[19] * q[1];
+  const Scalar t27 = k[17] * c6 - k[18] * s6;
+  const Scalar t28 = c5 * t27;
+  const Scalar t29 = k[17] * s6 + k[18] * c6;
+  const Scalar t30 = s3 * (c4 * t28 - s4 * t29) + c3 * s5 * t27;
+  const Scalar t31 = t28 + t15;
+  const Scalar t32 = (c5 * t0 + k[2] * s5) - t29;
+  const Scalar t33 = s3 * t1 - c3 * (s4 * t31 - c4 * t32);
+  const Scalar t34 = t26 * t30 - t33;
+  const Scalar t35 = k[3] * t34;
+  const Scalar t36 = k[23] + t19;
+  const Scalar t37 = k[24] + (c5 * t11 - t10);
+  const Scalar t38 = k[21] + t29;
+  const Scalar t39 = k[22] * s5 + c5 * t38;
+  const Scalar t40 = k[25] + t39;
+  const Scalar t41 = k[26] + t27;
+  const Scalar t42 = c4 * t40 + s4 * t41;
+  const Scalar t43 = (s4 * t36 + c4 * t37) - t42;
+  const Scalar t44 = s4 * t40 - c4 * t41;
+  const Scalar t45 = (s3 * t14 - c3 * t43) - s3 * t44 * t26;
+  const Scalar t46 = s5 * t38 - k[22] * c5;
+  const Scalar t47 = (c3 * t39 - s3 * c4 * t46) * t26;
+  const Scalar t48 = t22 + t46;
+  const Scalar t49 = s5 * t16 + c5 * t18;
+  const Scalar t50 = s3 * t19 - c3 * (s4 * t48 - c4 * t49);
+  const Scalar t51 = (t47 + t50) - t34 * t21;
+  const Scalar t52 = (t35 * t1 - t45) + t24 * t51;
+  const Scalar t53 = t25 * t52;
+  const Scalar t54 = t51 * t23;
+  const Scalar t55 = k[42] - t44;
+  const Scalar t56 = k[30] + t49;
+  const Scalar t57 = c4 * t56;
+  const Scalar t58 = s4 * (t6 - t13) + (t57 + t57);
+  const Scalar t59 = t6 - s4 * t58;
+  const Scalar t60 = t26 * ((k[52] * t26 - t55) - t55) - t59;
+  const Scalar t61 = k[46] + (t14 - t59);
+  const Scalar t62 = k[32] - t46;
+  const Scalar t63 = k[47] + ((t62 - t46) - (t22 + t12));
+  const Scalar t64 = s3 * (k[40] - t43);
+  const Scalar t65 = c3 * (c3 * (t61 + t63) - (t64 + t64));
+  const Scalar t66 = t35 * t34 + ((k[53] - t60) - (k[51] - (t61 - t65)));
+  const Scalar t67 = t44 + (c4 * t36 - s4 * t37);
+  const Scalar t68 = c4 * t31 + s4 * t32;
+  const Scalar t69 = k[3] * t68;
+  const Scalar t70 = (c4 * t48 + s4 * t49) + t68 * t21;
+  const Scalar t71 = t70 * t23;
+  const Scalar t72 = (t67 + t69 * t1) - t20 * t71;
+  const Scalar t73 = t25 * t72;
+  const Scalar t74 = (t69 * t68 + (t61 - t63)) - t70 * t71;
+  const Scalar t75 = Scalar(1) / (t72 * t73 - t74);
+  const Scalar t76 = s3 * (k[36] - t67) - c3 * (k[39] + (c4 * t58 - t56));
+  const Scalar t77 = k[31] + t42;
+  const Scalar t78 = t76 - t26 * (c3 * t77 + s3 * t62);
+  const Scalar t79 = t73 * t52 - (t51 * t71 + (t35 * t68 + t78));
+  const Scalar t80 = t75 * t79;
+  const Scalar t81 = (t53 * t52 + (t51 * t54 - t66)) - t80 * t79;
+  const Scalar t82 = k[48] * (s4 * t28 + c4 * t29);
+  const Scalar t83 = k[2] * t82;
+  const Scalar t84 = t21 * t83 + k[19] * s4 * t46;
+  const Scalar t85 = t84 * t23;
+  const Scalar t86 = (t2 * t83 - k[19] * t42) - t85 * t20;
+  const Scalar t87 = t25 * t86;
+  const Scalar t88 = (t84 * t71 - t68 * t82) + t87 * t72;
+  const Scalar t89 = k[19] * (k[35] + (c3 * t62 - s3 * t77));
+  const Scalar t90 = t86 * t53 - ((t35 * t83 - t89) + t85 * t51);
+  const Scalar t91 = t88 * t80 - t90;
+  const Scalar t92 = t88 * t75;
+  const Scalar t93 = t87 * t86 + (t85 * t84 + (k[50] - t83 * t82));
+  const Scalar t94 = Scalar(1) / (t88 * t92 - t93);
+  const Scalar t95 = t91 * t94;
+  const Scalar t96 = qd[0] * s3;
+  const Scalar t97 = qd[0] * c3;
+  const Scalar t98 = t96 * t97;
+  const Scalar t99 = k[27] * s1 + k[28] * c1;
+  const Scalar t100 = Scalar(2) * qd[0] * k[19] * qd[1] - t99;
+  const Scalar t101 = t98 - (s3 * t100 + k[29] * c3);
+  const Scalar t102 = qd[0] * qd[0];
+  const Scalar t103 = k[28] * s1 - k[27] * c1;
+  const Scalar t104 = t102 * t26 + t103;
+  const Scalar t105 = qd[2] * t96;
+  const Scalar t106 = t105 + t105;
+  const Scalar t107 = t104 - t106;
+  const Scalar t108 = c4 * t101 - s4 * t107;
+  const Scalar t109 = t96 * t96;
+  const Scalar t110 = qd[2] * qd[2];
+  const Scalar t111 = t109 - t110;
+  const Scalar t112 = t102 - t111;
+  const Scalar t113 = k[29] * s3 - c3 * t100;
+  const Scalar t114 = t112 + t113;
+  const Scalar t115 = s5 * t108 - c5 * t114;
+  const Scalar t116 = c5 * t108 + s5 * t114;
+  const Scalar t117 = qd[2] * t97;
+  const Scalar t118 = c4 * t97;
+  const Scalar t119 = t118 + qd[2] * s4;
+  const Scalar t120 = s4 * t97;
+  const Scalar t121 = qd[2] * c4 - t120;
+  const Scalar t122 = t119 * t121;
+  const Scalar t123 = t117 - t122;
+  const Scalar t124 = qd[3] + t96;
+  const Scalar t125 = c4 * t106 - t96 * t120;
+  const Scalar t126 = Scalar(2) * t124 * t121 - t125;
+  const Scalar t127 = c5 * t123 + s5 * t126;
+  const Scalar t128 = c5 * t126 - s5 * t123;
+  const Scalar t129 = c5 * t119 - s5 * t124;
+  const Scalar t130 = t129 * t129;
+  const Scalar t131 = qd[4] + t121;
+  const Scalar t132 = t130 - t131 * t131;
+  const Scalar t133 = t121 * t121;
+  const Scalar t134 = t124 * t124;
+  const Scalar t135 = t133 - t134;
+  const Scalar t136 = t133 + t134;
+  const Scalar t137 = t136 - t112;
+  const Scalar t138 = t135 + t137;
+  const Scalar t139 = t138 - t136;
+  const Scalar t140 = c5 * t124 + s5 * t119;
+  const Scalar t141 = qd[5] + t140;
+  const Scalar t142 = t141 * t141;
+  const Scalar t143 = t142 + t130;
+  const Scalar t144 = t132 - t143;
+  const Scalar t145 = t142 - t130;
+  const Scalar t146 = t144 + t145;
+  const Scalar t147 = t139 - t146;
+  const Scalar t148 = t140 * t129;
+  const Scalar t149 = t124 * t119;
+  const Scalar t150 = t118 * t96 + s4 * t106;
+  const Scalar t151 = t149 - t150;
+  const Scalar t152 = t148 - t151;
+  const Scalar t153 = t148 + t151;
+  const Scalar t154 = k[15] * (t132 + t147) + (k[11] * t152 + k[10] * t153);
+  const Scalar t155 = (k[21] * t115 - k[22] * t116) + ((k[4] * t127 + k[8] * t128) + t154);
+  const Scalar t156 = t141 * t129;
+  const Scalar t157 = (t152 - t156) - t156;
+  const Scalar t158 = t131 * t141;
+  const Scalar t159 = t140 * t131;
+  const Scalar t160 = (t159 - t128) + t159;
+  const Scalar t161 = t158 + (t158 - t160);
+  const Scalar t162 = (t15 * t127 + t0 * t145) - (t7 * t157 + t161 * t17);
+  const Scalar t163 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t164 = s3 * t163 - wrench[5] * c3;
+  const Scalar t165 = wrench[3] * s1 - wrench[4] * c1;
+  const Scalar t166 = (t162 - t29 * t115) - (s4 * t164 + c4 * t165);
+  const Scalar t167 = t155 - t166;
+  const Scalar t168 = wrench[5] * s3 + c3 * t163;
+  const Scalar t169 = s4 * t165 - c4 * t164;
+  const Scalar t170 = s4 * t101 + c4 * t107;
+  const Scalar t171 = t131 * t129;
+  const Scalar t172 = (t171 + t171) + t127;
+  const Scalar t173 = (t5 * t127 - t7 * t172) - t132 * t17;
+  const Scalar t174 = (t27 * t116 - t29 * t170) + ((t152 * t15 - t0 * t160) + t173);
+  const Scalar t175 = (c5 * t168 + s5 * t169) - t174;
+  const Scalar t176 = torque[5] + t175;
+  const Scalar t177 = k[3] * t176;
+  const Scalar t178 = (torque[4] + t167) - t177 * t15;
+  const Scalar t179 = t178 * t23;
+  const Scalar t180 = t117 + t122;
+  const Scalar t181 = k[30] * t138 - (k[14] * t123 + k[16] * t180);
+  const Scalar t182 = (k[26] * t108 - k[25] * t170) + (t181 - (k[24] * t125 + k[23] * t150));
+  const Scalar t183 = k[4] * t147 - (k[15] * t172 + k[11] * t160);
+  const Scalar t184 = (t161 * t5 - t17 * t157) - (t143 + t146) * t15;
+  const Scalar t185 = (c5 * t169 - s5 * t168) - ((t0 * t172 + t184) - t27 * t115);
+  const Scalar t186 = (k[22] * t170 + (k[8] * t153 - t183)) - t185;
+  const Scalar t187 = (k[8] * t132 + k[4] * t152) - (k[10] * t172 - k[15] * t160);
+  const Scalar t188 = (t187 + k[21] * t170) + t175;
+  const Scalar t189 = t182 - (s5 * t186 + c5 * t188);
+  const Scalar t190 = t20 * t179 - ((torque[3] - t189) - t176 * t2);
+  const Scalar t191 = t109 + t110;
+  const Scalar t192 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t193 = wrench[2] * c3 - s3 * t192;
+  const Scalar t194 = wrench[0] * s1 - wrench[1] * c1;
+  const Scalar t195 = k[33] * (s4 * t193 - c4 * t194) + (t29 * t172 + t27 * t143);
+  const Scalar t196 = (k[26] * t139 - k[25] * t180) + k[32] * t170;
+  const Scalar t197 = ((k[22] * t160 + k[21] * t172) + t195) - t196;
+  const Scalar t198 = (k[26] * t123 - k[25] * t136) + k[32] * t108;
+  const Scalar t199 = c4 * t193 + s4 * t194;
+  const Scalar t200 = c3 * t192 + wrench[2] * s3;
+  const Scalar t201 = k[33] * (s5 * t199 + c5 * t200) + (t27 * t161 + t29 * t157);
+  const Scalar t202 = t201 - (k[21] * t153 + k[22] * t146);
+  const Scalar t203 = (t27 * t127 + t144 * t29) - k[33] * (c5 * t199 - s5 * t200);
+  const Scalar t204 = t203 + (k[22] * t152 + k[21] * (t132 + t139));
+  const Scalar t205 = t198 - (s5 * t202 - c5 * t204);
+  const Scalar t206 = k[31] * t191 + (s4 * t197 - c4 * t205);
+  const Scalar t207 = t151 + t149;
+  const Scalar t208 = (k[25] * t207 - k[26] * t126) - k[32] * t114;
+  const Scalar t209 = k[31] * t98 + (t208 - (s5 * t204 + c5 * t202));
+  const Scalar t210 = (k[34] * t100 - k[35] * t102) + (s3 * t206 + c3 * t209);
+  const Scalar t211 = k[36] * t111 + (k[38] * t117 + k[37] * t105);
+  const Scalar t212 = k[23] * t135 + (k[14] * t126 - k[30] * t207);
+  const Scalar t213 = ((k[24] * t180 - t212) + k[26] * t114) - (s5 * t188 - c5 * t186);
+  const Scalar t214 = t197 - t213;
+  const Scalar t215 = (k[24] * t137 - k[23] * t123) - (k[30] * t126 - k[16] * t207);
+  const Scalar t216 = t205 + ((k[25] * t114 + t215) - t167);
+  const Scalar t217 = (t211 - k[39] * t98) + (c4 * t214 + s4 * t216);
+  const Scalar t218 = t112 - t191;
+  const Scalar t219 = (k[36] * t98 - k[39] * (t218 + t111)) + (k[40] * t106 - k[41] * t117);
+  const Scalar t220 = c3 * t217 - s3 * ((t219 - k[31] * t104) + t189);
+  const Scalar t221 = t26 * t210 + ((k[35] * t104 - k[42] * t100) - t220);
+  const Scalar t222 = torque[0] - (t221 + (k[44] * t103 + k[43] * t99));
+  const Scalar t223 = t190 * t53 - ((t35 * t176 + t222) - t51 * t179);
+  const Scalar t224 = k[31] * t113 + (k[40] * t218 + k[45] * t98);
+  const Scalar t225 = torque[2] - ((c4 * t216 - s4 * t214) + t224);
+  const Scalar t226 = t25 * t190;
+  const Scalar t227 = (t178 * t71 - (t225 - t177 * t68)) - t226 * t72;
+  const Scalar t228 = t75 * t227;
+  const Scalar t229 = (c4 * t197 + s4 * t205) + k[49] * t117;
+  const Scalar t230 = k[19] * (t229 - (k[34] * t104 - k[42] * t102));
+  const Scalar t231 = t85 * t178 - ((torque[1] - t230) - t177 * t83);
+  const Scalar t232 = t94 * (t228 * t88 - (t231 - t226 * t86));
+  const Scalar t233 = Scalar(1) / (t81 + t91 * t95) * ((t223 + t227 * t80) - t91 * t232);
+  const Scalar t234 = t232 + t95 * t233;
+  const Scalar t235 = (t228 + t233 * t80) - t234 * t92;
+  const Scalar t236 = (t87 * t234 + (t226 - t53 * t233)) + t235 * t73;
+  const Scalar t237 = t235 * t71 + (t85 * t234 + (t54 * t233 - t179));
+  const Scalar t238 = t24 * t236 - t237;
+  const Scalar t239 = t235 * t69 + ((t177 - t35 * t233) + t234 * t82);
   JointVector<Scalar> result;
   result[0] = -t233;
   result[1] = -t234;
   result[2] = -t235;
   result[3] = t236;
-  result[4] = t238;
-  result[5] = t35 * t238 - (t239 + t41 * t236);
+  result[4] = -t238;
+  result[5] = t238 * t21 - (t2 * t236 - t239);
   return result;
 }
 
@@ -1423,29 +1428,29 @@ PotentialEnergyWithGravityVectorConstants<Scalar> potential_energy_with_gravity_
   using std::sin;
   const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
   const Scalar t1 = inertia.m2 + (inertia.m3 + t0);
-  return { inertia.c6x * inertia.m6 + inertia.c5x * inertia.m5,
-           inertia.c6z * inertia.m6,
+  return { inertia.c6z * inertia.m6,
            inertia.c6y * inertia.m6,
-           inertia.c5z * inertia.m5,
-           inertia.c4z * inertia.m4,
            inertia.c5y * inertia.m5,
            inertia.c4y * inertia.m4,
+           inertia.c5z * inertia.m5,
+           inertia.c6x * inertia.m6 + inertia.c5x * inertia.m5,
+           inertia.c4z * inertia.m4,
+           inertia.c3y * inertia.m3,
+           inertia.c2y * inertia.m2,
+           g.l2,
+           t1,
+           inertia.c1y * inertia.m1 - g.l2 * inertia.m1,
            inertia.c3z * inertia.m3,
            inertia.c4x * inertia.m4,
            g.d4 * t0,
            g.d4 * inertia.m3 + inertia.c3x * inertia.m3,
+           inertia.c2x * inertia.m2,
+           inertia.c1x * inertia.m1,
+           gravity[1],
+           gravity[0],
            inertia.c2z * inertia.m2,
            inertia.c1z * inertia.m1,
            gravity[2],
-           g.l2,
-           t1,
-           inertia.c3y * inertia.m3,
-           inertia.c2y * inertia.m2,
-           inertia.c1y * inertia.m1 - g.l2 * inertia.m1,
-           inertia.c2x * inertia.m2,
-           inertia.c1x * inertia.m1,
-           gravity[0],
-           gravity[1],
            (inertia.m1 + t1) * gravity[2] * g.h1 };
 }
 
@@ -1464,19 +1469,19 @@ inline Scalar potential_energy_with_gravity_vector(const JointVector<Scalar>& q,
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[6] + (k[5] + (k[2] * c6 - k[1] * s6));
-  const Scalar t1 = k[3] + (k[1] * c6 + k[2] * s6);
-  const Scalar t2 = k[4] + (k[0] * s5 + c5 * t1);
-  const Scalar t3 = k[17] + (k[16] + (c4 * t0 - s4 * t2));
-  const Scalar t4 = k[18] - (k[15] * (k[14] + q[1]) - t3);
-  const Scalar t5 = k[9] + (k[8] - (s5 * t1 - k[0] * c5));
-  const Scalar t6 = k[10] + t5;
-  const Scalar t7 = k[7] + (c4 * t2 + s4 * t0);
-  const Scalar t8 = k[20] + (k[19] + (c3 * t6 - s3 * t7));
-  const Scalar t9 = k[21] * (s1 * t4 - c1 * t8) - k[22] * (c1 * t4 + s1 * t8);
-  const Scalar t10 = k[12] + (k[11] + (c3 * t7 + s3 * t6));
+  const Scalar t0 = k[4] + (k[0] * c6 + k[1] * s6);
+  const Scalar t1 = k[6] + (k[5] * s5 + c5 * t0);
+  const Scalar t2 = k[3] + (k[2] - (k[0] * s6 - k[1] * c6));
+  const Scalar t3 = k[12] + (c4 * t1 + s4 * t2);
+  const Scalar t4 = k[14] + (k[13] + (k[5] * c5 - s5 * t0));
+  const Scalar t5 = k[15] + t4;
+  const Scalar t6 = k[17] + (k[16] - (s3 * t3 - c3 * t5));
+  const Scalar t7 = k[8] + (k[7] - (s4 * t1 - c4 * t2));
+  const Scalar t8 = k[11] - (k[10] * (k[9] + q[1]) - t7);
+  const Scalar t9 = k[18] * (s1 * t6 + c1 * t8) + k[19] * (c1 * t6 - s1 * t8);
+  const Scalar t10 = k[21] + (k[20] + (s3 * t5 + c3 * t3));
   Scalar result;
-  result = (t9 - k[13] * t10) - k[23];
+  result = -k[23] - (t9 + k[22] * t10);
   return result;
 }
 

@@ -97,7 +97,7 @@ DynamicsAngles<Scalar> dynamics_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion: Newton-Euler recursion in base parameters (thesis 5.1-5.15).
 ///
-/// 196 multiplications, 184 additions, 5 sine/cosine pairs. Set-up: 79 multiplications, 92 additions, 4 divisions.
+/// 196 multiplications, 183 additions, 5 sine/cosine pairs. Set-up: 83 multiplications, 102 additions, 4 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l3, which must not be zero.
 template <class Scalar>
@@ -116,7 +116,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces that hold the robot against gravity at rest.
 ///
-/// 32 multiplications, 18 additions, 4 sine/cosine pairs. Set-up: 13 multiplications, 7 additions.
+/// 32 multiplications, 18 additions, 4 sine/cosine pairs. Set-up: 14 multiplications, 9 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},
@@ -132,7 +132,7 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const DynamicsA
 
 /// Joint forces that come from the joint rates alone, C(q, qd) qd, without friction.
 ///
-/// 180 multiplications, 162 additions, 5 sine/cosine pairs. Set-up: 65 multiplications, 66 additions, 3 divisions.
+/// 179 multiplications, 162 additions, 5 sine/cosine pairs. Set-up: 68 multiplications, 76 additions, 3 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l3, which must not be zero.
 template <class Scalar>
@@ -151,7 +151,7 @@ JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVec
 
 /// Symmetric, positive definite M(q), by composite bodies in base parameters; rotors included.
 ///
-/// 102 multiplications, 106 additions, 5 sine/cosine pairs. Set-up: 79 multiplications, 90 additions, 2 divisions.
+/// 102 multiplications, 106 additions, 5 sine/cosine pairs. Set-up: 84 multiplications, 100 additions, 2 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1, which must not be zero.
 template <class Scalar>
@@ -168,7 +168,7 @@ Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const 
 
 /// C(q, qd) of Christoffel's symbols: C qd is coriolis_torque, dM/dt - 2 C is skew-symmetric.
 ///
-/// 353 multiplications, 290 additions, 5 sine/cosine pairs. Set-up: 61 multiplications, 64 additions, 2 divisions.
+/// 353 multiplications, 290 additions, 5 sine/cosine pairs. Set-up: 66 multiplications, 74 additions, 2 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1, which must not be zero.
 template <class Scalar>
@@ -187,7 +187,7 @@ Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, co
 
 /// Joint accelerations for given joint forces: M qdd = torque - C qd - gravity, by M = U D U^T.
 ///
-/// 361 multiplications, 334 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 83 multiplications, 91 additions, 4
+/// 360 multiplications, 335 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 94 multiplications, 105 additions, 5
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l3, which must not be zero.
@@ -196,7 +196,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
-using ForwardDynamicsConstants = std::array<Scalar, 48>;
+using ForwardDynamicsConstants = std::array<Scalar, 50>;
 template <class Scalar>
 ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
@@ -207,14 +207,14 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// qd^T M qd / 2, J.
 ///
-/// 136 multiplications, 125 additions, 5 sine/cosine pairs. Set-up: 79 multiplications, 90 additions, 2 divisions.
+/// 138 multiplications, 123 additions, 5 sine/cosine pairs. Set-up: 85 multiplications, 100 additions, 2 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1, which must not be zero.
 template <class Scalar>
 Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using KineticEnergyConstants = std::array<Scalar, 40>;
+using KineticEnergyConstants = std::array<Scalar, 41>;
 template <class Scalar>
 KineticEnergyConstants<Scalar> kinetic_energy_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
@@ -224,7 +224,7 @@ Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Scalar>& q
 
 /// Sum of m g z over the links, z of the centre of mass in the world, J.
 ///
-/// 13 multiplications, 17 additions, 4 sine/cosine pairs. Set-up: 17 multiplications, 7 additions.
+/// 13 multiplications, 17 additions, 4 sine/cosine pairs. Set-up: 19 multiplications, 11 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Scalar potential_energy(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},

@@ -27,87 +27,93 @@ InverseDynamicsConstants<Scalar> inverse_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c4z * inertia.m4;
-  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t2 = t0 - g.l3 * t1;
-  const Scalar t3 = inertia.c3z * inertia.m3;
-  const Scalar t4 = t3 - g.l3 * inertia.m3;
-  const Scalar t5 = (t2 + t4) / g.l3;
-  const Scalar t6 = g.l2 * t5;
-  const Scalar t7 = inertia.m3 + t1;
-  const Scalar t8 = g.l2 * t7;
-  const Scalar t9 = inertia.c2x * inertia.m2;
-  const Scalar t10 = g.l2 * inertia.m2 + t9;
-  const Scalar t11 = inertia.c3y * inertia.m3;
-  const Scalar t12 = inertia.c2y * inertia.m2;
-  const Scalar t13 = inertia.c6y * inertia.m6;
-  const Scalar t14 = inertia.c6x * inertia.m6;
-  const Scalar t15 = inertia.c5z * inertia.m5;
-  const Scalar t16 = inertia.c6z * inertia.m6;
-  const Scalar t17 = inertia.c5x * inertia.m5;
-  const Scalar t18 = g.l3 * g.l3 * t5;
-  const Scalar t19 = inertia.c4y * inertia.m4;
-  const Scalar t20 = inertia.c5y * inertia.m5;
+  const Scalar t0 = g.l3 * inertia.m4;
+  const Scalar t1 = inertia.c4z * inertia.m4;
+  const Scalar t2 = t1 - t0;
+  const Scalar t3 = t0 + t2;
+  const Scalar t4 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t5 = t3 - g.l3 * t4;
+  const Scalar t6 = inertia.c3z * inertia.m3;
+  const Scalar t7 = t6 - g.l3 * inertia.m3;
+  const Scalar t8 = (t5 + t7) / g.l3;
+  const Scalar t9 = g.l2 * t8;
+  const Scalar t10 = inertia.m3 + t4;
+  const Scalar t11 = g.l2 * t10;
+  const Scalar t12 = inertia.c2x * inertia.m2;
+  const Scalar t13 = g.l2 * inertia.m2 + t12;
+  const Scalar t14 = inertia.c3y * inertia.m3;
+  const Scalar t15 = inertia.c2y * inertia.m2;
+  const Scalar t16 = inertia.c6y * inertia.m6;
+  const Scalar t17 = inertia.c6x * inertia.m6;
+  const Scalar t18 = inertia.c5z * inertia.m5;
+  const Scalar t19 = inertia.c6z * inertia.m6;
+  const Scalar t20 = inertia.c5x * inertia.m5;
   const Scalar t21 = inertia.c4x * inertia.m4;
-  const Scalar t22 = inertia.c3x * inertia.m3;
-  const Scalar t23 = g.l3 * t22;
-  const Scalar t24 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t25 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t26 = ((inertia.I4yy - t24) - inertia.c4y * t19) - (inertia.c5y * t20 - (inertia.I5yy - t25));
-  const Scalar t27 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t28 = (inertia.c6z * t16 - (inertia.I6zz - t27)) + (inertia.c5z * t15 - (inertia.I5zz - t25));
-  const Scalar t29 = (inertia.I6xx - t27) - inertia.c6x * t14;
-  const Scalar t30 = (inertia.I6yy - t27) - inertia.c6y * t13;
-  const Scalar t31 = inertia.I6xy - inertia.c6y * t14;
-  const Scalar t32 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t33 = ((inertia.I3zz - t32) - inertia.c3z * t3) + g.l3 * (t3 + t4);
-  const Scalar t34 = ((inertia.I4zz - t24) - inertia.c4z * t0) + g.l3 * (t0 + t2);
-  const Scalar t35 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t36 = (inertia.c2x * t9 - (inertia.I2xx - t35)) + g.l2 * (t9 + t10);
-  const Scalar t37 = ((inertia.I3yy - t32) - inertia.c3y * t11) + ((inertia.I2yy - t35) - inertia.c2y * t12);
-  const Scalar t38 = (g.l2 * t6 + (t36 + g.l2 * t8)) - t37;
-  const Scalar t39 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t40 = inertia.c1x * inertia.m1;
-  const Scalar t41 = g.l1 * (t40 + (g.l1 * inertia.m1 + t40)) + (inertia.c1x * t40 - (inertia.I1xx - t39));
-  const Scalar t42 = g.l1 * g.l1 * t5 + (g.l1 * g.l1 * (inertia.m2 + t7) + t41);
-  const Scalar t43 = (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t39)) + t42;
-  return { g.l3 * (t6 + (t8 + t10)),
-           g.l3 * (t11 + t12),
-           g.l3 * t13,
-           g.l3 * t14,
-           g.l3 * (t15 + t16),
+  const Scalar t22 = g.l3 * t21;
+  const Scalar t23 = inertia.c4y * inertia.m4;
+  const Scalar t24 = inertia.c5y * inertia.m5;
+  const Scalar t25 = g.l3 * g.l3 * t8;
+  const Scalar t26 = inertia.c3x * inertia.m3;
+  const Scalar t27 = g.l3 * t26;
+  const Scalar t28 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t29 = ((inertia.I4zz - t28) - inertia.c4z * t1) + g.l3 * (t1 + t2);
+  const Scalar t30 = g.l3 * (t5 + t3) + (t29 - g.l3 * (t3 + t2));
+  const Scalar t31 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t32 = ((inertia.I3zz - t31) - inertia.c3z * t6) + g.l3 * (t6 + t7);
+  const Scalar t33 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t34 = ((inertia.I4yy - t28) - inertia.c4y * t23) - (inertia.c5y * t24 - (inertia.I5yy - t33));
+  const Scalar t35 = g.l3 * t23;
+  const Scalar t36 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t37 = (inertia.c6z * t19 - (inertia.I6zz - t36)) + (inertia.c5z * t18 - (inertia.I5zz - t33));
+  const Scalar t38 = (inertia.I6xx - t36) - inertia.c6x * t17;
+  const Scalar t39 = (inertia.I6yy - t36) - inertia.c6y * t16;
+  const Scalar t40 = inertia.I6xy - inertia.c6y * t17;
+  const Scalar t41 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t42 = ((inertia.I3yy - t31) - inertia.c3y * t14) + ((inertia.I2yy - t41) - inertia.c2y * t15);
+  const Scalar t43 = (inertia.c2x * t12 - (inertia.I2xx - t41)) + g.l2 * (t12 + t13);
+  const Scalar t44 = t42 - (g.l2 * t9 + (t43 + g.l2 * t11));
+  const Scalar t45 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t46 = inertia.c1x * inertia.m1;
+  const Scalar t47 = g.l1 * (t46 + (g.l1 * inertia.m1 + t46)) + (inertia.c1x * t46 - (inertia.I1xx - t45));
+  const Scalar t48 = (g.l1 * g.l1 * (inertia.m2 + t10) + t47) + g.l1 * g.l1 * t8;
+  const Scalar t49 = (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t45)) + t48;
+  return { g.l3 * (t9 + (t11 + t13)),
+           g.l3 * (t14 + t15),
+           g.l3 * t16,
            g.l3 * t17,
+           g.l3 * (t18 + t19),
+           g.l3 * t20,
+           t22,
+           g.l3 * (t23 + t24),
            g.l1 / g.l3,
            g.l2 / g.l3,
            gravity / g.l3,
-           t18,
-           g.l3 * (t19 + t20),
-           g.l3 * t21,
-           t23,
-           inertia.I4yz - inertia.c4z * t19,
-           inertia.I4xz - inertia.c4z * t21,
+           t25,
+           t27,
+           inertia.I3xy - inertia.c3y * t26,
+           (inertia.I3xz - inertia.c3z * t26) + t27,
+           (t30 + t32) - t25,
+           g.l3 * t14 + (inertia.I3yz - inertia.c3z * t14),
+           t34,
            inertia.I4xy - inertia.c4y * t21,
-           (inertia.I4xx - t24) - inertia.c4x * t21,
-           t26,
-           inertia.I5xy - inertia.c5y * t17,
-           inertia.I5xz - inertia.c5z * t17,
-           t28,
-           inertia.I5yz - inertia.c5z * t20,
-           inertia.I6xz - inertia.c6z * t14,
-           inertia.I6yz - inertia.c6z * t13,
-           t29 - t30,
-           Scalar(2) * t31,
-           t30,
-           t31,
-           inertia.c5x * t17 - (inertia.I5xx - t25),
-           t29,
-           g.l3 * t11 + (inertia.I3yz - inertia.c3z * t11),
-           inertia.I3xy - inertia.c3y * t22,
-           inertia.c3x * t22 - (inertia.I3xx - t32),
-           (inertia.I3xz - inertia.c3z * t22) + t23,
-           t18 - (t33 + t34),
+           t35 - (t35 + (inertia.I4yz - inertia.c4z * t23)),
+           ((inertia.I4xz - inertia.c4z * t21) + t22) - t22,
+           inertia.I5xz - inertia.c5z * t20,
+           t37,
+           inertia.I5yz - inertia.c5z * t24,
+           inertia.I5xy - inertia.c5y * t20,
+           inertia.I6xz - inertia.c6z * t17,
+           inertia.I6yz - inertia.c6z * t16,
+           t38 - t39,
+           Scalar(2) * t40,
+           t39,
+           t40,
            t38,
-           t43 };
+           inertia.c5x * t20 - (inertia.I5xx - t33),
+           (inertia.I4xx - t28) - inertia.c4x * t21,
+           inertia.c3x * t26 - (inertia.I3xx - t31),
+           t44,
+           t49 };
 }
 
 namespace detail {
@@ -127,143 +133,142 @@ inline JointVector<Scalar> inverse_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
   const Scalar t0 = qdd[0] + qdd[1];
-  const Scalar t1 = qd[0] + qd[1];
-  const Scalar t2 = t1 * t1;
-  const Scalar t3 = c3 * t1;
-  const Scalar t4 = qd[3] - t3;
-  const Scalar t5 = s3 * t1;
-  const Scalar t6 = qd[2] * s4 + c4 * t5;
-  const Scalar t7 = c5 * t4 - s5 * t6;
-  const Scalar t8 = c5 * t6 + s5 * t4;
+  const Scalar t1 = k[8] * qd[0] * qd[0];
+  const Scalar t2 = k[8] * qdd[0];
+  const Scalar t3 = s2 * t1 + c2 * t2;
+  const Scalar t4 = c2 * t1 - s2 * t2;
+  const Scalar t5 = k[35] * t0 - (k[0] * t3 + k[1] * t4);
+  const Scalar t6 = qd[0] + qd[1];
+  const Scalar t7 = s3 * t6;
+  const Scalar t8 = c3 * t6;
   const Scalar t9 = t7 * t8;
-  const Scalar t10 = s3 * t0;
-  const Scalar t11 = t10 + Scalar(2) * qd[2] * t3;
-  const Scalar t12 = t5 * t3;
-  const Scalar t13 = qdd[2] - t12;
-  const Scalar t14 = s4 * t11 - c4 * t13;
-  const Scalar t15 = t4 * t6;
-  const Scalar t16 = t14 + t15;
-  const Scalar t17 = qdd[4] + t16;
-  const Scalar t18 = t9 - t17;
-  const Scalar t19 = s4 * t5 - qd[2] * c4;
-  const Scalar t20 = qd[4] + t19;
-  const Scalar t21 = t20 * t20;
-  const Scalar t22 = t8 * t8;
-  const Scalar t23 = t21 - t22;
-  const Scalar t24 = t6 * t6;
-  const Scalar t25 = t4 * t4;
-  const Scalar t26 = t24 + t25;
-  const Scalar t27 = k[2] * c6 - k[3] * s6;
-  const Scalar t28 = s4 * t13 + c4 * t11;
-  const Scalar t29 = t28 - Scalar(2) * t19 * t4;
-  const Scalar t30 = qd[2] * t5;
-  const Scalar t31 = c3 * t0;
-  const Scalar t32 = t30 - t31;
-  const Scalar t33 = qdd[3] + t32;
-  const Scalar t34 = t19 * t6;
-  const Scalar t35 = t33 + t34;
-  const Scalar t36 = s5 * t29 - c5 * t35;
-  const Scalar t37 = qdd[5] - t36;
-  const Scalar t38 = qd[5] + t7;
-  const Scalar t39 = t38 * t38;
-  const Scalar t40 = t39 + t21;
-  const Scalar t41 = k[2] * s6 + k[3] * c6;
-  const Scalar t42 = (k[4] * t18 - k[5] * (t23 + t26)) + (t27 * t37 - t40 * t41);
-  const Scalar t43 = t39 - t21;
-  const Scalar t44 = t23 + t43;
-  const Scalar t45 = t40 - t44;
-  const Scalar t46 = t9 + t17;
-  const Scalar t47 = t38 * t20;
-  const Scalar t48 = t20 * t7;
-  const Scalar t49 = s5 * t35 + c5 * t29;
-  const Scalar t50 = t48 + (t48 + t49);
-  const Scalar t51 = t47 + (t47 - t50);
-  const Scalar t52 = t38 * t8;
-  const Scalar t53 = (t52 + t52) - t18;
-  const Scalar t54 = (k[4] * t45 - k[5] * t46) - (t27 * t51 + t53 * t41);
-  const Scalar t55 = t15 + t16;
-  const Scalar t56 = t5 * t5;
-  const Scalar t57 = qd[2] * qd[2];
-  const Scalar t58 = t56 + t57;
-  const Scalar t59 = k[6] * qdd[0];
-  const Scalar t60 = k[6] * qd[0] * qd[0];
-  const Scalar t61 = s2 * t59 - c2 * t60;
-  const Scalar t62 = t61 - k[7] * t2;
-  const Scalar t63 = k[8] * c3 + s3 * t62;
-  const Scalar t64 = t58 + t63;
-  const Scalar t65 = (k[10] * t29 - k[11] * t55) + k[9] * t64;
-  const Scalar t66 = qdd[2] + t12;
-  const Scalar t67 = ((s5 * t42 - c5 * t54) - t65) - k[12] * t66;
-  const Scalar t68 = t33 - t34;
-  const Scalar t69 = s2 * t60 + c2 * t59;
-  const Scalar t70 = t69 + k[7] * t0;
-  const Scalar t71 = t70 - t11;
-  const Scalar t72 = t13 + (k[8] * s3 - c3 * t62);
-  const Scalar t73 = c4 * t71 - s4 * t72;
-  const Scalar t74 = (k[11] * t68 + k[10] * t26) + k[9] * t73;
-  const Scalar t75 = t20 * t8;
-  const Scalar t76 = (t75 + t75) + t36;
-  const Scalar t77 = qdd[5] - t76;
-  const Scalar t78 = (t77 * t41 + t27 * (t39 + t22)) - (k[4] * t50 + k[5] * t76);
-  const Scalar t79 = t74 + t78;
-  const Scalar t80 = c4 * t72 + s4 * t71;
-  const Scalar t81 = t24 - t25;
-  const Scalar t82 = k[9] * t80 + (k[10] * t35 - k[11] * (t58 - t81));
-  const Scalar t83 = t82 + (s5 * t54 + c5 * t42);
-  const Scalar t84 = t56 - t57;
-  const Scalar t85 = t58 - t2;
-  const Scalar t86 = t84 + t85;
-  const Scalar t87 = (s4 * t79 - c4 * t83) + k[12] * (t58 - t86);
-  const Scalar t88 = (k[1] * t0 + k[0] * t2) - (s3 * t67 - c3 * t87);
-  const Scalar t89 = t30 + t32;
-  const Scalar t90 = k[12] * t89 + (c4 * t79 + s4 * t83);
-  const Scalar t91 = c2 * ((k[1] * t2 - k[0] * t0) + t90);
-  const Scalar t92 = (k[16] * t55 - k[15] * t29) - (k[14] * t81 + k[13] * t35);
-  const Scalar t93 = k[25] * c6 - k[24] * s6;
-  const Scalar t94 = s6 * t93;
-  const Scalar t95 = k[29] + t94;
-  const Scalar t96 = k[27] - c6 * t93;
-  const Scalar t97 = k[23] * c6 - k[22] * s6;
-  const Scalar t98 = k[22] * c6 + k[23] * s6;
-  const Scalar t99 = (t53 * t95 - t51 * t96) - (t37 * t97 - t98 * t44);
-  const Scalar t100 = s5 * t80 + c5 * t64;
-  const Scalar t101 = t26 - t45;
-  const Scalar t102 = (k[28] * t46 - k[20] * t18) - k[19] * (t23 + t101);
-  const Scalar t103 = c5 * t80 - s5 * t64;
-  const Scalar t104 = (t102 + (k[18] * t49 - k[21] * t36)) + (k[5] * t100 + k[4] * t103);
-  const Scalar t105 = (t99 - t100 * t41) - t104;
-  const Scalar t106 = t83 - ((t92 - k[11] * t64) + t105);
-  const Scalar t107 = t58 - t26;
-  const Scalar t108 = k[13] * t107 - (k[15] * t55 - k[17] * t29);
-  const Scalar t109 = k[26] - t94;
-  const Scalar t110 = (t109 * t37 + t77 * t95) + t23 * t96;
-  const Scalar t111 = (t73 * t41 + t27 * t103) - ((t98 * t50 - t18 * t97) - t110);
-  const Scalar t112 = (k[21] * t18 - k[18] * t23) - (k[19] * t50 - k[28] * t76);
-  const Scalar t113 = t111 + (k[5] * t73 + t112);
-  const Scalar t114 = (k[19] * t76 - k[20] * t50) - k[21] * t101;
-  const Scalar t115 = (t51 * t109 - t53 * t96) + t43 * t97;
-  const Scalar t116 = (k[4] * t73 - (t114 - k[18] * t46)) - (t27 * t100 - (t115 + t77 * t98));
-  const Scalar t117 = (k[10] * t64 + (t108 - k[14] * t68)) - (s5 * t113 + c5 * t116);
-  const Scalar t118 = t79 - t117;
-  const Scalar t119 = (k[33] * t89 + k[34] * t11) - k[30] * t85;
-  const Scalar t120 = (s4 * t106 + c4 * t118) + (t119 - k[31] * t66);
-  const Scalar t121 = (k[32] * t89 + k[33] * t11) - (k[30] * t13 + k[31] * t84);
-  const Scalar t122 = k[15] * (t81 - t107) + (k[17] * t35 + k[16] * t68);
-  const Scalar t123 = (k[10] * t80 + k[11] * t73) - ((k[13] * t14 + k[14] * t28) - t122);
-  const Scalar t124 = t123 + (c5 * t113 - s5 * t116);
-  const Scalar t125 = s3 * t120 + c3 * ((k[12] * t70 - t121) + t124);
-  const Scalar t126 = (k[1] * t61 - k[0] * t69) - k[35] * t0;
-  const Scalar t127 = (k[7] * t90 - t125) + t126;
-  const Scalar t128 = k[36] * qdd[0] - (k[6] * (s2 * t88 + t91) + t127);
-  const Scalar t129 = k[33] * t86 - (k[32] * t66 + k[34] * t13);
-  const Scalar t130 = ((k[31] * t10 - k[30] * t31) + t129) + k[12] * t63;
+  const Scalar t10 = qdd[2] + t9;
+  const Scalar t11 = s3 * t0;
+  const Scalar t12 = t11 + Scalar(2) * qd[2] * t8;
+  const Scalar t13 = qd[2] * t7;
+  const Scalar t14 = c3 * t0;
+  const Scalar t15 = t13 - t14;
+  const Scalar t16 = t13 + t15;
+  const Scalar t17 = t8 * t8;
+  const Scalar t18 = qd[2] * qd[2];
+  const Scalar t19 = t17 - t18;
+  const Scalar t20 = (k[15] * t12 - k[14] * t16) - k[16] * t19;
+  const Scalar t21 = qd[2] * s4 + c4 * t7;
+  const Scalar t22 = t21 * t21;
+  const Scalar t23 = qd[3] - t8;
+  const Scalar t24 = t23 * t23;
+  const Scalar t25 = t22 - t24;
+  const Scalar t26 = t6 * t6;
+  const Scalar t27 = t19 - t26;
+  const Scalar t28 = t25 + t27;
+  const Scalar t29 = t22 + t24;
+  const Scalar t30 = t28 + t29;
+  const Scalar t31 = t23 * t21;
+  const Scalar t32 = qdd[2] - t9;
+  const Scalar t33 = s4 * t12 - c4 * t32;
+  const Scalar t34 = t33 + t31;
+  const Scalar t35 = t31 + t34;
+  const Scalar t36 = s4 * t32 + c4 * t12;
+  const Scalar t37 = s4 * t7 - qd[2] * c4;
+  const Scalar t38 = t36 - Scalar(2) * t37 * t23;
+  const Scalar t39 = k[19] * (t30 - t25) - (k[18] * t35 - k[17] * t38);
+  const Scalar t40 = qdd[3] + t15;
+  const Scalar t41 = t37 * t21;
+  const Scalar t42 = t40 - t41;
+  const Scalar t43 = k[9] * t26 + t4;
+  const Scalar t44 = k[10] * c3 - s3 * t43;
+  const Scalar t45 = t44 - t27;
+  const Scalar t46 = k[2] * c6 - k[3] * s6;
+  const Scalar t47 = t3 + k[9] * t0;
+  const Scalar t48 = t12 - t47;
+  const Scalar t49 = t32 + (c3 * t43 + k[10] * s3);
+  const Scalar t50 = s4 * t48 - c4 * t49;
+  const Scalar t51 = c5 * t45 - s5 * t50;
+  const Scalar t52 = k[28] * c6 - k[27] * s6;
+  const Scalar t53 = k[30] - c6 * t52;
+  const Scalar t54 = c5 * t23 - s5 * t21;
+  const Scalar t55 = qd[5] + t54;
+  const Scalar t56 = c5 * t21 + s5 * t23;
+  const Scalar t57 = t54 * t56;
+  const Scalar t58 = qdd[4] + t34;
+  const Scalar t59 = t57 - t58;
+  const Scalar t60 = t55 * (t56 + t56) - t59;
+  const Scalar t61 = qd[4] + t37;
+  const Scalar t62 = t55 * t61;
+  const Scalar t63 = t61 + t61;
+  const Scalar t64 = t40 + t41;
+  const Scalar t65 = s5 * t64 + c5 * t38;
+  const Scalar t66 = t54 * t63 + t65;
+  const Scalar t67 = t62 + (t62 - t66);
+  const Scalar t68 = s6 * t52;
+  const Scalar t69 = k[29] - t68;
+  const Scalar t70 = k[25] * s6 - k[26] * c6;
+  const Scalar t71 = t55 * t55;
+  const Scalar t72 = t56 * t56;
+  const Scalar t73 = t71 + t72;
+  const Scalar t74 = t61 * t61;
+  const Scalar t75 = t74 + t72;
+  const Scalar t76 = t73 - t75;
+  const Scalar t77 = (t53 * t60 - t67 * t69) + t70 * t76;
+  const Scalar t78 = s5 * t38 - c5 * t64;
+  const Scalar t79 = qdd[5] - t78;
+  const Scalar t80 = t63 * t56 - t79;
+  const Scalar t81 = k[25] * c6 + k[26] * s6;
+  const Scalar t82 = qdd[5] + t80;
+  const Scalar t83 = t29 - t75;
+  const Scalar t84 = (k[21] * t82 - k[22] * t66) - k[23] * t83;
+  const Scalar t85 = t57 + t58;
+  const Scalar t86 = s4 * t49 + c4 * t48;
+  const Scalar t87 = (t46 * t51 + (t77 + t80 * t81)) + ((t84 - k[24] * t85) + k[4] * t86);
+  const Scalar t88 = t74 - t72;
+  const Scalar t89 = (k[32] * t82 - k[21] * t66) + (k[23] * t59 - k[24] * t88);
+  const Scalar t90 = k[31] + t68;
+  const Scalar t91 = t88 * t53 + (t69 * t79 - t80 * t90);
+  const Scalar t92 = c5 * t50 + s5 * t45;
+  const Scalar t93 = k[2] * s6 + k[3] * c6;
+  const Scalar t94 = (t91 - (t70 * t59 + t81 * t66)) - (t92 * t46 + t86 * t93);
+  const Scalar t95 = (t89 - k[5] * t86) + t94;
+  const Scalar t96 = ((t39 - k[20] * t42) + k[7] * t45) + (c5 * t87 - s5 * t95);
+  const Scalar t97 = (k[4] * t66 + k[5] * t82) - (t46 * t73 - t80 * t93);
+  const Scalar t98 = k[11] * t86 - (k[6] * t42 + k[7] * t29);
+  const Scalar t99 = t97 + t98;
+  const Scalar t100 = t96 + t99;
+  const Scalar t101 = (k[7] * t64 + k[6] * t28) - k[11] * t50;
+  const Scalar t102 = (t67 * t46 + t60 * t93) + (k[5] * t85 - k[4] * t75);
+  const Scalar t103 = t88 + t83;
+  const Scalar t104 = (k[4] * t59 - k[5] * (t103 + t75)) + (t46 * t79 - (t71 + t74) * t93);
+  const Scalar t105 = t101 - (s5 * t102 - c5 * t104);
+  const Scalar t106 = (k[19] * t64 - k[20] * t25) - (k[18] * t38 - k[33] * t35);
+  const Scalar t107 = (k[22] * t59 - k[32] * t85) + k[21] * t103;
+  const Scalar t108 = ((k[23] * t78 - k[24] * t65) + t107) - (k[5] * t51 - k[4] * t92);
+  const Scalar t109 = (t81 * (t88 + t76) + t70 * t79) + (t60 * t90 - t53 * t67);
+  const Scalar t110 = t108 + (t109 - t51 * t93);
+  const Scalar t111 = t105 + ((k[6] * t45 - t106) - t110);
+  const Scalar t112 = (k[13] * t10 + t20) + (c4 * t100 - s4 * t111);
+  const Scalar t113 = (k[17] * t64 + k[33] * t42) + k[18] * t30;
+  const Scalar t114 = ((k[19] * t33 - k[20] * t36) + t113) - (k[6] * t86 + k[7] * t50);
+  const Scalar t115 = t114 + (s5 * t87 + c5 * t95);
+  const Scalar t116 = t17 + t18;
+  const Scalar t117 = t116 + t27;
+  const Scalar t118 = (k[14] * t12 + k[34] * t16) - (k[13] * (t19 - t117) + k[16] * t32);
+  const Scalar t119 = s3 * t112 - c3 * (t115 - (t118 - k[12] * t47));
+  const Scalar t120 = k[12] * t16 + (s4 * t105 - c4 * t99);
+  const Scalar t121 = t5 + (t119 + k[9] * t120);
+  const Scalar t122 = k[12] * t116 - (s4 * t99 + c4 * t105);
+  const Scalar t123 = (k[7] * t38 - k[6] * t35) + k[11] * t45;
+  const Scalar t124 = ((s5 * t104 + c5 * t102) - t123) - k[12] * t10;
+  const Scalar t125 = (k[1] * t0 + k[0] * t26) + (c3 * t122 - s3 * t124);
+  const Scalar t126 = c2 * ((k[1] * t26 - k[0] * t0) + t120);
+  const Scalar t127 = k[36] * qdd[0] - (t121 + k[8] * (s2 * t125 + t126));
+  const Scalar t128 = k[14] * t117 - (k[15] * t32 - k[34] * t10);
+  const Scalar t129 = k[12] * t44 - (t128 - (k[13] * t11 - k[16] * t14));
   JointVector<Scalar> result;
-  result[0] = t128;
-  result[1] = -t127;
-  result[2] = (s4 * t118 - c4 * t106) - t130;
-  result[3] = -t124;
-  result[4] = -t105;
-  result[5] = -t111;
+  result[0] = t127;
+  result[1] = -t121;
+  result[2] = -t129 - (s4 * t100 + c4 * t111);
+  result[3] = -t115;
+  result[4] = -t110;
+  result[5] = -t94;
   return result;
 }
 
@@ -291,15 +296,16 @@ GravityTorqueConstants<Scalar> gravity_torque_constants(const BasicGeometry<Scal
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c4z * inertia.m4 - g.l3 * (inertia.m4 + (inertia.m5 + inertia.m6));
+  const Scalar t0 = g.l3 * inertia.m4;
+  const Scalar t1 = (t0 + (inertia.c4z * inertia.m4 - t0)) - g.l3 * (inertia.m4 + (inertia.m5 + inertia.m6));
   return { gravity,
-           inertia.c4x * inertia.m4,
-           inertia.c5x * inertia.m5,
            inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
            inertia.c6x * inertia.m6,
            inertia.c6y * inertia.m6,
+           inertia.c5x * inertia.m5,
            inertia.c4y * inertia.m4 + inertia.c5y * inertia.m5,
-           t0 + (inertia.c3z * inertia.m3 - g.l3 * inertia.m3),
+           inertia.c4x * inertia.m4,
+           t1 + (inertia.c3z * inertia.m3 - g.l3 * inertia.m3),
            inertia.c3x * inertia.m3 };
 }
 
@@ -316,28 +322,28 @@ inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Sca
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[4] * c6 + k[5] * s6;
+  const Scalar t0 = k[2] * c6 + k[3] * s6;
   const Scalar t1 = k[0] * s3;
   const Scalar t2 = c4 * t1;
   const Scalar t3 = k[0] * c3;
   const Scalar t4 = s5 * t2 + c5 * t3;
   const Scalar t5 = s5 * t3 - c5 * t2;
-  const Scalar t6 = t0 * t4 + (k[2] * t4 - k[3] * t5);
+  const Scalar t6 = t0 * t4 + (k[4] * t4 - k[1] * t5);
   const Scalar t7 = s4 * t1;
-  const Scalar t8 = k[4] * s6 - k[5] * c6;
-  const Scalar t9 = t0 * t7 - t8 * t5;
-  const Scalar t10 = t9 + k[2] * t7;
-  const Scalar t11 = t8 * t4 - k[3] * t7;
-  const Scalar t12 = k[6] * t3 + (s5 * t10 - c5 * t11);
-  const Scalar t13 = c4 * (t6 + k[1] * t3) + s4 * t12;
-  const Scalar t14 = (k[1] * t7 - k[6] * t2) + (c5 * t10 + s5 * t11);
+  const Scalar t8 = k[2] * s6 - k[3] * c6;
+  const Scalar t9 = k[1] * t7 - t4 * t8;
+  const Scalar t10 = t5 * t8 - t0 * t7;
+  const Scalar t11 = t10 - k[4] * t7;
+  const Scalar t12 = k[5] * t3 + (c5 * t9 - s5 * t11);
+  const Scalar t13 = c4 * (t6 + k[6] * t3) + s4 * t12;
+  const Scalar t14 = (k[6] * t7 - k[5] * t2) - (c5 * t11 + s5 * t9);
   JointVector<Scalar> result;
   result[0] = Scalar(0);
   result[1] = Scalar(0);
   result[2] = -t13 - (k[8] * t3 + k[7] * t1);
   result[3] = t14;
   result[4] = t6;
-  result[5] = t9;
+  result[5] = -t10;
   return result;
 }
 
@@ -362,76 +368,82 @@ CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Sc
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c3x * inertia.m3;
-  const Scalar t1 = g.l3 * t0;
+  const Scalar t0 = inertia.c6y * inertia.m6;
+  const Scalar t1 = inertia.c6x * inertia.m6;
   const Scalar t2 = inertia.c5z * inertia.m5;
   const Scalar t3 = inertia.c6z * inertia.m6;
   const Scalar t4 = inertia.c5x * inertia.m5;
-  const Scalar t5 = inertia.c6y * inertia.m6;
-  const Scalar t6 = inertia.c6x * inertia.m6;
-  const Scalar t7 = inertia.c4z * inertia.m4;
-  const Scalar t8 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t9 = t7 - g.l3 * t8;
-  const Scalar t10 = inertia.c3z * inertia.m3;
-  const Scalar t11 = t10 - g.l3 * inertia.m3;
-  const Scalar t12 = (t9 + t11) / g.l3;
-  const Scalar t13 = g.l3 * g.l3 * t12;
-  const Scalar t14 = inertia.c4y * inertia.m4;
-  const Scalar t15 = inertia.c5y * inertia.m5;
-  const Scalar t16 = inertia.c4x * inertia.m4;
-  const Scalar t17 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t18 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t19 = ((inertia.I4yy - t17) - inertia.c4y * t14) - (inertia.c5y * t15 - (inertia.I5yy - t18));
-  const Scalar t20 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t21 = (inertia.I6xx - t20) - inertia.c6x * t6;
-  const Scalar t22 = (inertia.I6yy - t20) - inertia.c6y * t5;
-  const Scalar t23 = inertia.I6xy - inertia.c6y * t6;
-  const Scalar t24 = (inertia.c6z * t3 - (inertia.I6zz - t20)) + (inertia.c5z * t2 - (inertia.I5zz - t18));
-  const Scalar t25 = (inertia.I3xz - inertia.c3z * t0) + t1;
-  const Scalar t26 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t27 = inertia.c3x * t0 - (inertia.I3xx - t26);
+  const Scalar t5 = inertia.c4y * inertia.m4;
+  const Scalar t6 = inertia.c5y * inertia.m5;
+  const Scalar t7 = inertia.c4x * inertia.m4;
+  const Scalar t8 = g.l3 * t7;
+  const Scalar t9 = g.l3 * inertia.m4;
+  const Scalar t10 = inertia.c4z * inertia.m4;
+  const Scalar t11 = t10 - t9;
+  const Scalar t12 = t9 + t11;
+  const Scalar t13 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t14 = t12 - g.l3 * t13;
+  const Scalar t15 = inertia.c3z * inertia.m3;
+  const Scalar t16 = t15 - g.l3 * inertia.m3;
+  const Scalar t17 = (t14 + t16) / g.l3;
+  const Scalar t18 = g.l3 * g.l3 * t17;
+  const Scalar t19 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t20 = (inertia.I6xx - t19) - inertia.c6x * t1;
+  const Scalar t21 = (inertia.I6yy - t19) - inertia.c6y * t0;
+  const Scalar t22 = inertia.I6xy - inertia.c6y * t1;
+  const Scalar t23 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t24 = (inertia.c6z * t3 - (inertia.I6zz - t19)) + (inertia.c5z * t2 - (inertia.I5zz - t23));
+  const Scalar t25 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t26 = ((inertia.I4yy - t25) - inertia.c4y * t5) - (inertia.c5y * t6 - (inertia.I5yy - t23));
+  const Scalar t27 = g.l3 * t5;
   const Scalar t28 = inertia.c3y * inertia.m3;
-  const Scalar t29 = ((inertia.I3zz - t26) - inertia.c3z * t10) + g.l3 * (t10 + t11);
-  const Scalar t30 = ((inertia.I4zz - t17) - inertia.c4z * t7) + g.l3 * (t7 + t9);
-  const Scalar t31 = t13 - (t29 + t30);
-  const Scalar t32 = g.l2 * (inertia.m3 + t8) + (g.l2 * inertia.m2 + inertia.c2x * inertia.m2);
-  return { Scalar(2) * t1,
+  const Scalar t29 = ((inertia.I4zz - t25) - inertia.c4z * t10) + g.l3 * (t10 + t11);
+  const Scalar t30 = g.l3 * (t14 + t12) + (t29 - g.l3 * (t12 + t11));
+  const Scalar t31 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t32 = ((inertia.I3zz - t31) - inertia.c3z * t15) + g.l3 * (t15 + t16);
+  const Scalar t33 = (t30 + t32) - t18;
+  const Scalar t34 = inertia.c3x * inertia.m3;
+  const Scalar t35 = g.l3 * t34;
+  const Scalar t36 = (inertia.I3xz - inertia.c3z * t34) + t35;
+  const Scalar t37 = inertia.c3x * t34 - (inertia.I3xx - t31);
+  const Scalar t38 = g.l2 * (inertia.m3 + t13) + (g.l2 * inertia.m2 + inertia.c2x * inertia.m2);
+  return { g.l3 * t0,
+           g.l3 * t1,
            g.l3 * (t2 + t3),
            g.l3 * t4,
-           g.l3 * t5,
-           g.l3 * t6,
+           g.l3 * (t5 + t6),
+           t8,
            g.l1 / g.l3,
            g.l2 / g.l3,
-           t13,
-           g.l3 * (t14 + t15),
-           g.l3 * t16,
-           inertia.I4yz - inertia.c4z * t14,
-           inertia.I4xz - inertia.c4z * t16,
-           inertia.I4xy - inertia.c4y * t16,
-           (inertia.I4xx - t17) - inertia.c4x * t16,
-           t19,
-           inertia.I6xz - inertia.c6z * t6,
-           inertia.I6yz - inertia.c6z * t5,
-           t21 - t22,
-           Scalar(2) * t23,
+           t18,
+           t20 - t21,
+           Scalar(2) * t22,
            t22,
-           t23,
-           inertia.I5xz - inertia.c5z * t4,
-           t24,
-           inertia.I5yz - inertia.c5z * t15,
-           inertia.I5xy - inertia.c5y * t4,
-           inertia.c5x * t4 - (inertia.I5xx - t18),
            t21,
-           t25,
-           Scalar(2) * t27,
-           inertia.I3xy - inertia.c3y * t0,
+           inertia.I6xz - inertia.c6z * t1,
+           inertia.I6yz - inertia.c6z * t0,
+           t24,
+           inertia.I5xz - inertia.c5z * t4,
+           inertia.I5yz - inertia.c5z * t6,
+           inertia.I5xy - inertia.c5y * t4,
+           t20,
+           inertia.c5x * t4 - (inertia.I5xx - t23),
+           ((inertia.I4xz - inertia.c4z * t7) + t8) - t8,
+           t26,
+           inertia.I4xy - inertia.c4y * t7,
+           t27 - (t27 + (inertia.I4yz - inertia.c4z * t5)),
+           (inertia.I4xx - t25) - inertia.c4x * t7,
            g.l3 * t28 + (inertia.I3yz - inertia.c3z * t28),
-           t1,
-           Scalar(2) * t25,
-           Scalar(2) * t31,
-           g.l3 * (g.l2 * t12 + t32),
+           t33,
+           Scalar(2) * t36,
+           inertia.I3xy - inertia.c3y * t34,
+           Scalar(2) * t37,
+           t36,
+           t35,
+           Scalar(2) * t35,
+           g.l3 * (g.l2 * t17 + t38),
            g.l3 * (t28 + inertia.c2y * inertia.m2),
-           t31 - t27 };
+           t37 + t33 };
 }
 
 namespace detail {
@@ -450,131 +462,127 @@ inline JointVector<Scalar> coriolis_torque([[maybe_unused]] const JointVector<Sc
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = qd[0] + qd[1];
-  const Scalar t1 = c3 * t0;
-  const Scalar t2 = qd[2] * t1;
-  const Scalar t3 = t2 + t2;
-  const Scalar t4 = s3 * t0;
-  const Scalar t5 = s4 * t4;
-  const Scalar t6 = c4 * t3 - t5 * t1;
-  const Scalar t7 = k[5] * qd[0] * qd[0];
-  const Scalar t8 = s2 * t7;
-  const Scalar t9 = t0 * t0;
-  const Scalar t10 = c2 * t7 + k[6] * t9;
-  const Scalar t11 = c3 * t10;
-  const Scalar t12 = t6 - (c4 * t8 - s4 * t11);
-  const Scalar t13 = c4 * t4;
-  const Scalar t14 = qd[2] * s4 + t13;
-  const Scalar t15 = t14 * t14;
-  const Scalar t16 = qd[3] - t1;
-  const Scalar t17 = t16 * t16;
-  const Scalar t18 = t15 + t17;
-  const Scalar t19 = qd[2] * t4;
-  const Scalar t20 = t5 - qd[2] * c4;
-  const Scalar t21 = t20 * t14;
-  const Scalar t22 = t19 - t21;
-  const Scalar t23 = k[7] * t12 - (k[8] * t18 + k[9] * t22);
-  const Scalar t24 = t19 + t21;
-  const Scalar t25 = t20 * t16;
-  const Scalar t26 = (t25 + t25) - t6;
-  const Scalar t27 = s5 * t24 - c5 * t26;
-  const Scalar t28 = qd[4] + t20;
-  const Scalar t29 = c5 * t16 - s5 * t14;
-  const Scalar t30 = t27 + Scalar(2) * t28 * t29;
-  const Scalar t31 = c5 * t24 + s5 * t26;
-  const Scalar t32 = c5 * t14 + s5 * t16;
-  const Scalar t33 = t28 * t32;
-  const Scalar t34 = t31 - (t33 + t33);
-  const Scalar t35 = k[4] * c6 + k[3] * s6;
-  const Scalar t36 = k[3] * c6 - k[4] * s6;
-  const Scalar t37 = t28 * t28;
-  const Scalar t38 = t32 * t32;
-  const Scalar t39 = t37 - t38;
-  const Scalar t40 = qd[5] + t29;
-  const Scalar t41 = t40 * t40 - t38;
-  const Scalar t42 = t37 + t38;
-  const Scalar t43 = t41 + t42;
-  const Scalar t44 = t39 - t43;
-  const Scalar t45 = (k[1] * t30 - k[2] * t34) - (t34 * t35 - t36 * t44);
-  const Scalar t46 = t23 + t45;
-  const Scalar t47 = t4 * t4;
-  const Scalar t48 = qd[2] * qd[2];
-  const Scalar t49 = t47 + t48;
-  const Scalar t50 = t15 - t17;
-  const Scalar t51 = t49 - t50;
-  const Scalar t52 = s4 * t3 + t13 * t1;
-  const Scalar t53 = t52 - (c4 * t11 + s4 * t8);
-  const Scalar t54 = (k[9] * t51 - k[8] * t24) + k[7] * t53;
-  const Scalar t55 = t40 * t28;
-  const Scalar t56 = (t55 + t55) - t30;
-  const Scalar t57 = t40 * t32;
-  const Scalar t58 = t29 * t32;
-  const Scalar t59 = t16 * t14;
-  const Scalar t60 = t52 + t59;
-  const Scalar t61 = t58 - t60;
-  const Scalar t62 = (t57 + t57) - t61;
-  const Scalar t63 = t58 + t60;
-  const Scalar t64 = (t36 * t56 + t62 * t35) + (k[2] * t63 - k[1] * t42);
-  const Scalar t65 = t39 + t18;
-  const Scalar t66 = (k[2] * t65 - k[1] * t61) + (t43 * t35 - t31 * t36);
-  const Scalar t67 = t54 + (s5 * t64 + c5 * t66);
-  const Scalar t68 = c4 * t46 + s4 * t67;
-  const Scalar t69 = t68 - k[0] * t19;
-  const Scalar t70 = s3 * t10;
-  const Scalar t71 = t70 - t49;
-  const Scalar t72 = t51 - t18;
-  const Scalar t73 = t59 + t60;
-  const Scalar t74 = k[10] * (t50 + t72) - (k[14] * t26 + k[12] * t73);
-  const Scalar t75 = k[16] * s6 + k[15] * c6;
-  const Scalar t76 = k[17] * s6 - k[18] * c6;
-  const Scalar t77 = s6 * t76;
-  const Scalar t78 = k[19] + t77;
-  const Scalar t79 = k[20] + c6 * t76;
-  const Scalar t80 = k[16] * c6 - k[15] * s6;
-  const Scalar t81 = (t78 * t56 - t62 * t79) - t80 * (t42 + t44);
-  const Scalar t82 = s5 * t53 + c5 * t71;
-  const Scalar t83 = t42 - t65;
-  const Scalar t84 = (k[21] * t34 + k[22] * t30) - k[23] * (t39 + t83);
-  const Scalar t85 = ((t34 * t75 + t81) + t82 * t36) + ((t84 + k[24] * t63) - k[1] * t12);
-  const Scalar t86 = k[26] - t77;
-  const Scalar t87 = t39 * t79 + (t31 * t78 + t86 * t34);
-  const Scalar t88 = c5 * t53 - s5 * t71;
-  const Scalar t89 = (t87 + (t80 * t61 - t75 * t30)) - (t12 * t35 + t36 * t88);
-  const Scalar t90 = (k[23] * t61 - k[24] * t39) - (k[25] * t34 + k[21] * t30);
-  const Scalar t91 = t89 - (k[2] * t12 - t90);
-  const Scalar t92 = (k[8] * t71 + (k[11] * t22 - t74)) + (c5 * t85 + s5 * t91);
-  const Scalar t93 = (k[13] * t73 + k[12] * t26) - (k[11] * t50 + k[10] * t24);
-  const Scalar t94 = (t31 * t80 - t41 * t75) - (t86 * t62 - t79 * t56);
-  const Scalar t95 = k[21] * t83 - (k[22] * t61 - k[25] * t63);
-  const Scalar t96 = (t95 + (k[23] * t31 + k[24] * t27)) - (k[2] * t82 + k[1] * t88);
-  const Scalar t97 = (t94 - t82 * t35) + t96;
-  const Scalar t98 = (t93 + k[9] * t71) - t97;
-  const Scalar t99 = t49 - t9;
-  const Scalar t100 = (k[33] * t2 + k[32] * t19) - k[30] * t99;
-  const Scalar t101 = t4 * t1;
-  const Scalar t102 = (t68 - (c4 * t92 - s4 * t98)) - (t100 - k[29] * t101);
-  const Scalar t103 = t47 - t48;
-  const Scalar t104 = (k[28] * t19 + k[27] * t3) - (k[29] * t103 - k[30] * t101);
-  const Scalar t105 = (k[14] * t24 + k[13] * t22) - k[12] * t72;
-  const Scalar t106 = (t105 - (k[11] * t6 + k[10] * t52)) - (k[9] * t12 + k[8] * t53);
-  const Scalar t107 = t106 - (s5 * t85 - c5 * t91);
-  const Scalar t108 = s3 * t102 + c3 * ((t104 - k[31] * t8) - t107);
-  const Scalar t109 = k[35] * c2 + k[34] * s2;
-  const Scalar t110 = (k[6] * t69 - t108) + t7 * t109;
-  const Scalar t111 = (k[8] * t26 + k[9] * t73) + k[7] * t71;
-  const Scalar t112 = k[31] * t101 + ((s5 * t66 - c5 * t64) - t111);
-  const Scalar t113 = c4 * t67 - s4 * t46;
-  const Scalar t114 = t103 + t99;
-  const Scalar t115 = s3 * t112 + c3 * (t113 + k[31] * (t49 - t114));
-  const Scalar t116 = t109 * t9 - (c2 * t69 - s2 * t115);
-  const Scalar t117 = k[31] * t70 - (k[36] * t101 + k[27] * t114);
-  const Scalar t118 = t117 + (t113 + (c4 * t98 + s4 * t92));
+  const Scalar t0 = k[6] * qd[0] * qd[0];
+  const Scalar t1 = k[35] * c2 + k[34] * s2;
+  const Scalar t2 = qd[0] + qd[1];
+  const Scalar t3 = s3 * t2;
+  const Scalar t4 = qd[2] * t3;
+  const Scalar t5 = t2 * t2;
+  const Scalar t6 = c2 * t0 + k[7] * t5;
+  const Scalar t7 = c3 * t2;
+  const Scalar t8 = t3 * t7;
+  const Scalar t9 = c3 * t6 - t8;
+  const Scalar t10 = s2 * t0;
+  const Scalar t11 = t7 + t7;
+  const Scalar t12 = qd[2] * t11;
+  const Scalar t13 = t10 - t12;
+  const Scalar t14 = c4 * t9 + s4 * t13;
+  const Scalar t15 = t3 * t3;
+  const Scalar t16 = qd[2] * qd[2];
+  const Scalar t17 = t15 + t16;
+  const Scalar t18 = qd[2] * s4;
+  const Scalar t19 = c4 * t3;
+  const Scalar t20 = t18 + t19;
+  const Scalar t21 = t20 * t20;
+  const Scalar t22 = qd[3] - t7;
+  const Scalar t23 = t22 * t22;
+  const Scalar t24 = t21 - t23;
+  const Scalar t25 = t17 - t24;
+  const Scalar t26 = s4 * t3 - qd[2] * c4;
+  const Scalar t27 = t26 * t20;
+  const Scalar t28 = t4 + t27;
+  const Scalar t29 = k[8] * t14 - (k[5] * t25 - k[4] * t28);
+  const Scalar t30 = c5 * t22 - s5 * t20;
+  const Scalar t31 = qd[5] + t30;
+  const Scalar t32 = t31 * t31;
+  const Scalar t33 = c5 * t20 + s5 * t22;
+  const Scalar t34 = t33 * t33;
+  const Scalar t35 = t32 - t34;
+  const Scalar t36 = qd[4] + t26;
+  const Scalar t37 = t36 * t36;
+  const Scalar t38 = t32 + t37;
+  const Scalar t39 = t35 - t38;
+  const Scalar t40 = t18 * t11 + t19 * t7;
+  const Scalar t41 = t22 * t20;
+  const Scalar t42 = t40 + t41;
+  const Scalar t43 = t30 * t33;
+  const Scalar t44 = t42 + t43;
+  const Scalar t45 = s4 * t8 - c4 * t12;
+  const Scalar t46 = t45 + t26 * (t22 + t22);
+  const Scalar t47 = c5 * t46 - s5 * t28;
+  const Scalar t48 = t36 + t36;
+  const Scalar t49 = t47 - t30 * t48;
+  const Scalar t50 = t49 + t31 * t48;
+  const Scalar t51 = k[0] * c6 - k[1] * s6;
+  const Scalar t52 = k[0] * s6 + k[1] * c6;
+  const Scalar t53 = t42 - t43;
+  const Scalar t54 = t31 * t33;
+  const Scalar t55 = (t53 + t54) + t54;
+  const Scalar t56 = (k[2] * t39 + k[3] * t44) + (t50 * t51 + t52 * t55);
+  const Scalar t57 = c5 * t28 + s5 * t46;
+  const Scalar t58 = t37 - t34;
+  const Scalar t59 = t21 + t23;
+  const Scalar t60 = (t57 * t51 - t52 * t38) - (k[2] * t53 + k[3] * (t58 + t59));
+  const Scalar t61 = t29 - (s5 * t56 - c5 * t60);
+  const Scalar t62 = t36 * t33;
+  const Scalar t63 = t62 + (t62 - t57);
+  const Scalar t64 = (k[2] * t49 - k[3] * t63) - (t51 * (t58 - t38) + t52 * t63);
+  const Scalar t65 = t4 - t27;
+  const Scalar t66 = c4 * t13 - s4 * t9;
+  const Scalar t67 = (k[5] * t65 + k[4] * t59) + k[8] * t66;
+  const Scalar t68 = t64 + t67;
+  const Scalar t69 = k[33] * t4 + (s4 * t61 + c4 * t68);
+  const Scalar t70 = t15 - t16;
+  const Scalar t71 = (k[26] * t8 - k[29] * t70) + (k[30] * t4 + k[31] * t12);
+  const Scalar t72 = k[14] * s6 + k[13] * c6;
+  const Scalar t73 = k[14] * c6 - k[13] * s6;
+  const Scalar t74 = k[10] * c6 - k[9] * s6;
+  const Scalar t75 = s6 * t74;
+  const Scalar t76 = k[12] - t75;
+  const Scalar t77 = k[11] - c6 * t74;
+  const Scalar t78 = t73 * (t58 - t35) - (t50 * t76 - t77 * t55);
+  const Scalar t79 = s3 * t6;
+  const Scalar t80 = t17 - t79;
+  const Scalar t81 = s5 * t14 + c5 * t80;
+  const Scalar t82 = t39 + t59;
+  const Scalar t83 = (k[16] * t63 + k[15] * t49) - k[17] * t82;
+  const Scalar t84 = ((t72 * t63 + t78) + t51 * t81) - (k[2] * t66 + (k[18] * t44 - t83));
+  const Scalar t85 = (k[18] * t58 + k[17] * t53) - (k[20] * t63 + k[16] * t49);
+  const Scalar t86 = s5 * t80 - c5 * t14;
+  const Scalar t87 = k[19] + t75;
+  const Scalar t88 = (t63 * t87 - t57 * t76) - t58 * t77;
+  const Scalar t89 = (t52 * t66 - t51 * t86) + ((t72 * t49 - t73 * t53) - t88);
+  const Scalar t90 = (k[3] * t66 - t85) + t89;
+  const Scalar t91 = t25 - t59;
+  const Scalar t92 = (k[22] * t28 + k[25] * t65) - k[23] * t91;
+  const Scalar t93 = (t92 + (k[24] * t40 + k[21] * t45)) + (k[5] * t66 + k[4] * t14);
+  const Scalar t94 = (s5 * t84 + c5 * t90) + t93;
+  const Scalar t95 = t42 + t41;
+  const Scalar t96 = k[24] * (t24 + t91) + (k[23] * t95 + k[22] * t46);
+  const Scalar t97 = (s5 * t90 - c5 * t84) - (k[4] * t80 - (t96 + k[21] * t65));
+  const Scalar t98 = t68 + t97;
+  const Scalar t99 = (k[24] * t28 - k[21] * t24) + (k[25] * t95 + k[23] * t46);
+  const Scalar t100 = (t55 * t87 - t77 * t50) - (t57 * t73 - t72 * t35);
+  const Scalar t101 = k[16] * (t58 + t82) - (k[20] * t44 + k[15] * t53);
+  const Scalar t102 = (t101 + (k[18] * t47 - k[17] * t57)) + (k[2] * t86 - k[3] * t81);
+  const Scalar t103 = (t100 - t52 * t81) + t102;
+  const Scalar t104 = ((k[5] * t80 - t99) - t103) + t61;
+  const Scalar t105 = (k[27] * t12 - k[28] * t4) + k[26] * (t17 - t5);
+  const Scalar t106 = (c4 * t98 + s4 * t104) - (t105 + k[29] * t8);
+  const Scalar t107 = c3 * ((t71 - k[32] * t10) - t94) - s3 * t106;
+  const Scalar t108 = t0 * t1 - (k[7] * t69 + t107);
+  const Scalar t109 = (k[4] * t46 + k[5] * t95) - k[8] * t80;
+  const Scalar t110 = (t109 + (s5 * t60 + c5 * t56)) - k[32] * t8;
+  const Scalar t111 = t70 - t5;
+  const Scalar t112 = (s4 * t68 - c4 * t61) - k[32] * t111;
+  const Scalar t113 = s2 * (s3 * t110 - c3 * t112) - c2 * t69;
+  const Scalar t114 = k[32] * t79 + (k[36] * t8 - k[31] * (t17 + t111));
   JointVector<Scalar> result;
-  result[0] = t110 - k[5] * t116;
-  result[1] = t110;
-  result[2] = t118;
-  result[3] = -t107;
-  result[4] = t97;
+  result[0] = t108 - k[6] * (t1 * t5 - t113);
+  result[1] = t108;
+  result[2] = t114 + (s4 * t98 - c4 * t104);
+  result[3] = -t94;
+  result[4] = -t103;
   result[5] = -t89;
   return result;
 }
@@ -601,86 +609,92 @@ MassMatrixConstants<Scalar> mass_matrix_constants(const BasicGeometry<Scalar>& g
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
-  const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = inertia.c4y * inertia.m4;
-  const Scalar t3 = inertia.c5y * inertia.m5;
-  const Scalar t4 = inertia.c5z * inertia.m5;
-  const Scalar t5 = inertia.c6z * inertia.m6;
-  const Scalar t6 = inertia.c5x * inertia.m5;
-  const Scalar t7 = inertia.c4x * inertia.m4;
-  const Scalar t8 = inertia.c3x * inertia.m3;
-  const Scalar t9 = inertia.c4z * inertia.m4;
-  const Scalar t10 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t11 = t9 - g.l3 * t10;
-  const Scalar t12 = inertia.c3z * inertia.m3;
-  const Scalar t13 = t12 - g.l3 * inertia.m3;
-  const Scalar t14 = g.l2 / g.l1;
-  const Scalar t15 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t16 = (inertia.I6xx - t15) - inertia.c6x * t1;
-  const Scalar t17 = (inertia.I6yy - t15) - inertia.c6y * t0;
-  const Scalar t18 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t19 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t20 = (inertia.c6z * t5 - (inertia.I6zz - t15)) + (inertia.c5z * t4 - (inertia.I5zz - t19));
-  const Scalar t21 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t22 = ((inertia.I3zz - t21) - inertia.c3z * t12) + g.l3 * (t12 + t13);
-  const Scalar t23 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t24 = ((inertia.I4zz - t23) - inertia.c4z * t9) + g.l3 * (t9 + t11);
-  const Scalar t25 = ((inertia.I4yy - t23) - inertia.c4y * t2) - (inertia.c5y * t3 - (inertia.I5yy - t19));
-  const Scalar t26 = inertia.c2x * inertia.m2;
-  const Scalar t27 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t28 = g.l2 * inertia.m2 + t26;
-  const Scalar t29 = (inertia.c2x * t26 - (inertia.I2xx - t27)) + g.l2 * (t26 + t28);
-  const Scalar t30 = inertia.m3 + t10;
-  const Scalar t31 = g.l2 * t30;
-  const Scalar t32 = inertia.c3y * inertia.m3;
-  const Scalar t33 = inertia.c2y * inertia.m2;
-  const Scalar t34 = ((inertia.I3yy - t21) - inertia.c3y * t32) + ((inertia.I2yy - t27) - inertia.c2y * t33);
-  const Scalar t35 = g.l2 * t32 - ((inertia.I2xy - inertia.c2y * t26) - g.l2 * t33);
-  const Scalar t36 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t37 = inertia.c1x * inertia.m1;
-  const Scalar t38 = g.l1 * (t37 + (g.l1 * inertia.m1 + t37)) + (inertia.c1x * t37 - (inertia.I1xx - t36));
-  return { g.l1 * t0,
+  const Scalar t0 = inertia.c6x * inertia.m6;
+  const Scalar t1 = inertia.c6y * inertia.m6;
+  const Scalar t2 = inertia.c5x * inertia.m5;
+  const Scalar t3 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t4 = (inertia.I6xx - t3) - inertia.c6x * t0;
+  const Scalar t5 = (inertia.I6yy - t3) - inertia.c6y * t1;
+  const Scalar t6 = inertia.I6xy - inertia.c6y * t0;
+  const Scalar t7 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t8 = inertia.c6z * inertia.m6;
+  const Scalar t9 = inertia.c5z * inertia.m5;
+  const Scalar t10 = (inertia.c6z * t8 - (inertia.I6zz - t3)) + (inertia.c5z * t9 - (inertia.I5zz - t7));
+  const Scalar t11 = inertia.c4x * inertia.m4;
+  const Scalar t12 = g.l3 * t11;
+  const Scalar t13 = inertia.c5y * inertia.m5;
+  const Scalar t14 = inertia.c4y * inertia.m4;
+  const Scalar t15 = g.l3 * t14;
+  const Scalar t16 = inertia.c3y * inertia.m3;
+  const Scalar t17 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t18 = ((inertia.I4yy - t17) - inertia.c4y * t14) - (inertia.c5y * t13 - (inertia.I5yy - t7));
+  const Scalar t19 = inertia.c3x * inertia.m3;
+  const Scalar t20 = g.l2 / g.l1;
+  const Scalar t21 = inertia.c2x * inertia.m2;
+  const Scalar t22 = inertia.c2y * inertia.m2;
+  const Scalar t23 = g.l2 * t16 - ((inertia.I2xy - inertia.c2y * t21) - g.l2 * t22);
+  const Scalar t24 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t25 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t26 = ((inertia.I3yy - t24) - inertia.c3y * t16) + ((inertia.I2yy - t25) - inertia.c2y * t22);
+  const Scalar t27 = g.l3 * inertia.m4;
+  const Scalar t28 = inertia.c4z * inertia.m4;
+  const Scalar t29 = t28 - t27;
+  const Scalar t30 = t27 + t29;
+  const Scalar t31 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t32 = t30 - g.l3 * t31;
+  const Scalar t33 = inertia.c3z * inertia.m3;
+  const Scalar t34 = t33 - g.l3 * inertia.m3;
+  const Scalar t35 = ((inertia.I4zz - t17) - inertia.c4z * t28) + g.l3 * (t28 + t29);
+  const Scalar t36 = g.l3 * (t32 + t30) + (t35 - g.l3 * (t30 + t29));
+  const Scalar t37 = ((inertia.I3zz - t24) - inertia.c3z * t33) + g.l3 * (t33 + t34);
+  const Scalar t38 = g.l2 * inertia.m2 + t21;
+  const Scalar t39 = (inertia.c2x * t21 - (inertia.I2xx - t25)) + g.l2 * (t21 + t38);
+  const Scalar t40 = inertia.m3 + t31;
+  const Scalar t41 = g.l2 * t40;
+  const Scalar t42 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t43 = inertia.c1x * inertia.m1;
+  const Scalar t44 = g.l1 * (t43 + (g.l1 * inertia.m1 + t43)) + (inertia.c1x * t43 - (inertia.I1xx - t42));
+  return { inertia.I6xz - inertia.c6z * t0,
+           inertia.I6yz - inertia.c6z * t1,
+           inertia.I5xz - inertia.c5z * t2,
+           t4 - t5,
+           Scalar(2) * t6,
+           t4,
+           inertia.c5x * t2 - (inertia.I5xx - t7),
+           t10,
+           ((inertia.I4xz - inertia.c4z * t11) + t12) - t12,
+           t6,
+           inertia.I5xy - inertia.c5y * t2,
+           inertia.I5yz - inertia.c5z * t13,
+           t15 - (t15 + (inertia.I4yz - inertia.c4z * t14)),
            g.l1 * t1,
-           g.l1 * (t2 + t3),
-           g.l1 * (t4 + t5),
-           g.l1 * t6,
-           g.l1 * t7,
-           g.l1 * t8,
-           g.l1 * (t11 + t13),
-           Scalar(2) * t14,
+           g.l1 * t0,
+           g.l1 * (t14 + t13),
+           g.l1 * (t9 + t8),
+           g.l1 * t2,
+           g.l1 * t11,
            g.l3 / g.l1,
-           inertia.I6xz - inertia.c6z * t1,
-           inertia.I6yz - inertia.c6z * t0,
-           inertia.I5xz - inertia.c5z * t6,
-           t16 - t17,
-           Scalar(2) * t18,
-           t16,
-           inertia.c5x * t6 - (inertia.I5xx - t19),
-           t20,
-           inertia.I4xz - inertia.c4z * t7,
+           g.l3 * t16 + (inertia.I3yz - inertia.c3z * t16),
+           inertia.I4xy - inertia.c4y * t11,
+           t5,
            t18,
-           inertia.I5xy - inertia.c5y * t6,
-           inertia.I5yz - inertia.c5z * t3,
-           inertia.I4yz - inertia.c4z * t2,
-           (inertia.I3xz - inertia.c3z * t8) + g.l3 * t8,
-           t22 + t24,
-           (inertia.I4xx - t23) - inertia.c4x * t7,
-           inertia.I4xy - inertia.c4y * t7,
-           t17,
-           t25,
-           inertia.c3x * t8 - (inertia.I3xx - t21),
-           t29 + g.l2 * t31,
-           t34,
-           t14,
-           g.l3 * t32 + (inertia.I3yz - inertia.c3z * t32),
-           inertia.I3xy - inertia.c3y * t8,
-           t35,
-           inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t36),
-           g.l1 * (t32 + t33),
-           g.l1 * (t31 + t28),
-           g.l1 * g.l1 * (inertia.m2 + t30) + t38,
-           t16 + t17 };
+           (inertia.I4xx - t17) - inertia.c4x * t11,
+           inertia.I3xy - inertia.c3y * t19,
+           t20,
+           t23,
+           t26,
+           g.l1 * (t32 + t34),
+           g.l1 * t19,
+           Scalar(2) * t20,
+           inertia.c3x * t19 - (inertia.I3xx - t24),
+           t36 + t37,
+           (inertia.I3xz - inertia.c3z * t19) + g.l3 * t19,
+           t39 + g.l2 * t41,
+           inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t42),
+           g.l1 * (t16 + t22),
+           g.l1 * (t41 + t38),
+           g.l1 * g.l1 * (inertia.m2 + t40) + t44,
+           t4 + t5 };
 }
 
 namespace detail {
@@ -698,97 +712,97 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointV
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[0] * s6 + k[1] * c6;
-  const Scalar t1 = k[4] + t0;
-  const Scalar t2 = s5 * t1 + k[3] * c5;
-  const Scalar t3 = k[7] + t2;
-  const Scalar t4 = c5 * t1 - k[3] * s5;
-  const Scalar t5 = k[5] + t4;
-  const Scalar t6 = k[0] * c6 - k[1] * s6;
-  const Scalar t7 = k[2] + t6;
-  const Scalar t8 = c4 * t5 + s4 * t7;
-  const Scalar t9 = k[6] + t8;
-  const Scalar t10 = s3 * t3 + c3 * t9;
-  const Scalar t11 = c4 * t7 - s4 * t5;
-  const Scalar t12 = c2 * (k[38] + t10) - s2 * (k[37] + t11);
-  const Scalar t13 = k[14] * c6 - k[13] * s6;
-  const Scalar t14 = s6 * t13;
-  const Scalar t15 = k[16] - (k[15] + t14);
-  const Scalar t16 = k[10] * c6 + k[11] * s6;
-  const Scalar t17 = k[12] + t16;
-  const Scalar t18 = c5 * t17;
-  const Scalar t19 = s5 * (k[17] - t15) + (t18 + t18);
-  const Scalar t20 = s5 * t19;
-  const Scalar t21 = k[25] - (t15 + t20);
-  const Scalar t22 = k[28] + (k[27] - t14);
-  const Scalar t23 = k[10] * s6 - k[11] * c6;
-  const Scalar t24 = k[21] - t23;
-  const Scalar t25 = k[20] - (k[19] - c6 * t13);
-  const Scalar t26 = s5 * t24 - c5 * t25;
-  const Scalar t27 = k[26] - t26;
-  const Scalar t28 = s4 * (t22 - t21) + Scalar(2) * c4 * t27;
-  const Scalar t29 = s4 * t28;
-  const Scalar t30 = t21 + t29;
-  const Scalar t31 = k[29] - t30;
-  const Scalar t32 = k[9] * t2;
-  const Scalar t33 = k[24] - ((k[17] - t20) - (t32 + t32));
-  const Scalar t34 = s5 * t25 + c5 * t24;
-  const Scalar t35 = k[9] * t7 + (k[22] + t34);
-  const Scalar t36 = k[9] * t5 + (k[18] - (t17 - c5 * t19));
-  const Scalar t37 = s4 * t35 + c4 * t36;
-  const Scalar t38 = c3 * (k[23] + t37);
-  const Scalar t39 = s3 * (s3 * (t31 + t33) + (t38 + t38));
-  const Scalar t40 = k[30] + ((t31 - t39) + k[8] * t10);
-  const Scalar t41 = t22 - t29;
-  const Scalar t42 = k[31] + t41;
-  const Scalar t43 = s4 * t36 - c4 * t35;
-  const Scalar t44 = k[33] - t43;
-  const Scalar t45 = k[34] - (t27 - c4 * t28);
-  const Scalar t46 = k[32] * t11 - (s3 * t44 + c3 * t45);
-  const Scalar t47 = s2 * (t40 + t42) + Scalar(2) * c2 * (k[35] + t46);
-  const Scalar t48 = s2 * t47 - t42;
-  const Scalar t49 = t40 - t42;
-  const Scalar t50 = (k[39] + ((t12 + t12) - (t48 - t49))) + (k[36] + t48);
-  const Scalar t51 = c3 * t44 - s3 * t45;
-  const Scalar t52 = s2 * (s3 * t9 - c3 * t3) - t51;
-  const Scalar t53 = t30 + t41;
-  const Scalar t54 = k[32] * t8 - (s3 * t37 + c3 * t53);
-  const Scalar t55 = t54 + (c2 * t8 - s2 * c3 * t11);
-  const Scalar t56 = s4 * t2;
-  const Scalar t57 = k[17] + t15;
-  const Scalar t58 = t57 - t32;
-  const Scalar t59 = c3 * t34 + s3 * (c4 * t26 - s4 * t58);
-  const Scalar t60 = k[32] * t56 - t59;
-  const Scalar t61 = s2 * (c3 * c4 * t2 - s3 * t4);
-  const Scalar t62 = c5 * t6;
-  const Scalar t63 = c4 * t0 + s4 * t62;
-  const Scalar t64 = s5 * t16 - k[40] * c5;
-  const Scalar t65 = k[9] * t62 - t23;
-  const Scalar t66 = (k[40] * s5 + c5 * t16) + k[9] * t0;
-  const Scalar t67 = c3 * t64 - s3 * (s4 * t65 + c4 * t66);
-  const Scalar t68 = k[32] * t63 + t67;
-  const Scalar t69 = s3 * s5 * t6 + c3 * (c4 * t62 - s4 * t0);
+  const Scalar t0 = k[14] * s6 - k[13] * c6;
+  const Scalar t1 = k[15] - t0;
+  const Scalar t2 = k[14] * c6 + k[13] * s6;
+  const Scalar t3 = k[17] + t2;
+  const Scalar t4 = c5 * t3 - k[16] * s5;
+  const Scalar t5 = k[18] + t4;
+  const Scalar t6 = c4 * t1 - s4 * t5;
+  const Scalar t7 = k[0] * s6 - k[1] * c6;
+  const Scalar t8 = k[11] - t7;
+  const Scalar t9 = k[4] * c6 - k[3] * s6;
+  const Scalar t10 = k[10] - (k[9] - c6 * t9);
+  const Scalar t11 = s5 * t8 - c5 * t10;
+  const Scalar t12 = k[21] - t11;
+  const Scalar t13 = s6 * t9;
+  const Scalar t14 = k[23] + (k[22] - t13);
+  const Scalar t15 = k[6] - (k[5] + t13);
+  const Scalar t16 = k[7] + t15;
+  const Scalar t17 = k[0] * c6 + k[1] * s6;
+  const Scalar t18 = k[2] + t17;
+  const Scalar t19 = c5 * t18;
+  const Scalar t20 = s5 * (k[7] - t15) + (t19 + t19);
+  const Scalar t21 = k[7] - s5 * t20;
+  const Scalar t22 = k[24] - (t16 - t21);
+  const Scalar t23 = s4 * (t14 - t22) + Scalar(2) * c4 * t12;
+  const Scalar t24 = k[25] - (t12 - c4 * t23);
+  const Scalar t25 = c5 * t8 + s5 * t10;
+  const Scalar t26 = k[12] - t25;
+  const Scalar t27 = k[8] + (c5 * t20 - t18);
+  const Scalar t28 = k[19] * t6 - (c4 * t26 + s4 * t27);
+  const Scalar t29 = k[20] + t28;
+  const Scalar t30 = k[26] * t6 - (c3 * t24 + s3 * t29);
+  const Scalar t31 = c2 * (k[27] + t30);
+  const Scalar t32 = s4 * t23;
+  const Scalar t33 = t14 - t32;
+  const Scalar t34 = k[28] + t33;
+  const Scalar t35 = c4 * t5 + s4 * t1;
+  const Scalar t36 = k[30] + t35;
+  const Scalar t37 = s5 * t3 + k[16] * c5;
+  const Scalar t38 = k[29] + t37;
+  const Scalar t39 = c3 * t36 + s3 * t38;
+  const Scalar t40 = k[19] * t37;
+  const Scalar t41 = k[33] + ((t40 + t40) - t21);
+  const Scalar t42 = t22 + t32;
+  const Scalar t43 = k[32] - t42;
+  const Scalar t44 = (c4 * t27 - s4 * t26) + k[19] * t35;
+  const Scalar t45 = s3 * (t41 + t43) + Scalar(2) * c3 * (k[34] + t44);
+  const Scalar t46 = k[35] + (k[31] * t39 - (s3 * t45 - t43));
+  const Scalar t47 = s2 * ((t31 + t31) + s2 * (t34 + t46));
+  const Scalar t48 = t47 - t46;
+  const Scalar t49 = t34 - t46;
+  const Scalar t50 = s2 * (k[37] + t6) - c2 * (k[38] + t39);
+  const Scalar t51 = (k[36] + (t48 - t49)) + (k[39] - ((t50 + t50) + t48));
+  const Scalar t52 = s3 * t24 - c3 * t29;
+  const Scalar t53 = t52 - s2 * (c3 * t38 - s3 * t36);
+  const Scalar t54 = t33 + t42;
+  const Scalar t55 = (s3 * t44 + c3 * t54) - k[26] * t35;
+  const Scalar t56 = (c2 * t35 - s2 * c3 * t6) - t55;
+  const Scalar t57 = s4 * t37;
+  const Scalar t58 = t40 - t16;
+  const Scalar t59 = s3 * (c4 * t11 + s4 * t58) + c3 * t25;
+  const Scalar t60 = k[26] * t57 - t59;
+  const Scalar t61 = s2 * (s3 * t4 - c3 * c4 * t37);
+  const Scalar t62 = c5 * t0;
+  const Scalar t63 = s4 * t62 - c4 * t2;
+  const Scalar t64 = k[19] * t2 + (k[40] * s5 + c5 * t17);
+  const Scalar t65 = t7 + k[19] * t62;
+  const Scalar t66 = s5 * t17 - k[40] * c5;
+  const Scalar t67 = s3 * (c4 * t64 - s4 * t65) - c3 * t66;
+  const Scalar t68 = k[26] * t63 + t67;
+  const Scalar t69 = s3 * s5 * t0 + c3 * (c4 * t62 + s4 * t2);
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = t50;
-  result(0, 1) = result(1, 0) = t12 + t49;
-  result(0, 2) = result(2, 0) = -t52;
-  result(0, 3) = result(3, 0) = -t55;
-  result(0, 4) = result(4, 0) = t60 + (c2 * t56 - t61);
-  result(0, 5) = result(5, 0) = (s2 * t69 - c2 * t63) - t68;
-  result(1, 1) = t49;
-  result(1, 2) = result(2, 1) = t51;
-  result(1, 3) = result(3, 1) = -t54;
+  result(0, 0) = t51;
+  result(0, 1) = result(1, 0) = -t50 - t49;
+  result(0, 2) = result(2, 0) = -t53;
+  result(0, 3) = result(3, 0) = -t56;
+  result(0, 4) = result(4, 0) = t60 + (c2 * t57 + t61);
+  result(0, 5) = result(5, 0) = t68 + (c2 * t63 - s2 * t69);
+  result(1, 1) = -t49;
+  result(1, 2) = result(2, 1) = -t52;
+  result(1, 3) = result(3, 1) = t55;
   result(1, 4) = result(4, 1) = t60;
-  result(1, 5) = result(5, 1) = -t68;
-  result(2, 2) = t31 - t33;
-  result(2, 3) = result(3, 2) = t43;
-  result(2, 4) = result(4, 2) = -s4 * t26 - c4 * t58;
-  result(2, 5) = result(5, 2) = s4 * t66 - c4 * t65;
-  result(3, 3) = -t53;
-  result(3, 4) = result(4, 3) = t34;
-  result(3, 5) = result(5, 3) = t64;
-  result(4, 4) = t57;
-  result(4, 5) = result(5, 4) = -t23;
+  result(1, 5) = result(5, 1) = t68;
+  result(2, 2) = t43 - t41;
+  result(2, 3) = result(3, 2) = -t28;
+  result(2, 4) = result(4, 2) = c4 * t58 - s4 * t11;
+  result(2, 5) = result(5, 2) = s4 * t64 + c4 * t65;
+  result(3, 3) = -t54;
+  result(3, 4) = result(4, 3) = t25;
+  result(3, 5) = result(5, 3) = t66;
+  result(4, 4) = t16;
+  result(4, 5) = result(5, 4) = -t7;
   result(5, 5) = -k[40];
   return result;
 }
@@ -813,70 +827,76 @@ CoriolisMatrixConstants<Scalar> coriolis_matrix_constants(const BasicGeometry<Sc
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
+  const Scalar t0 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
   const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = inertia.c5z * inertia.m5;
-  const Scalar t3 = inertia.c6z * inertia.m6;
-  const Scalar t4 = inertia.c5x * inertia.m5;
-  const Scalar t5 = inertia.c4y * inertia.m4;
-  const Scalar t6 = inertia.c5y * inertia.m5;
-  const Scalar t7 = inertia.c4x * inertia.m4;
-  const Scalar t8 = inertia.c4z * inertia.m4;
-  const Scalar t9 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t10 = t8 - g.l3 * t9;
-  const Scalar t11 = inertia.c3z * inertia.m3;
-  const Scalar t12 = t11 - g.l3 * inertia.m3;
-  const Scalar t13 = inertia.c3x * inertia.m3;
-  const Scalar t14 = inertia.c3y * inertia.m3;
-  const Scalar t15 = g.l2 * (inertia.m3 + t9) + (g.l2 * inertia.m2 + inertia.c2x * inertia.m2);
-  const Scalar t16 = g.l3 / g.l1;
-  const Scalar t17 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t18 = (inertia.I6xx - t17) - inertia.c6x * t1;
-  const Scalar t19 = (inertia.I6yy - t17) - inertia.c6y * t0;
-  const Scalar t20 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t21 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t22 = (inertia.c6z * t3 - (inertia.I6zz - t17)) + (inertia.c5z * t2 - (inertia.I5zz - t21));
-  const Scalar t23 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t24 = ((inertia.I3zz - t23) - inertia.c3z * t11) + g.l3 * (t11 + t12);
-  const Scalar t25 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t26 = ((inertia.I4zz - t25) - inertia.c4z * t8) + g.l3 * (t8 + t10);
-  const Scalar t27 = ((inertia.I4yy - t25) - inertia.c4y * t5) - (inertia.c5y * t6 - (inertia.I5yy - t21));
-  return { g.l1 * t0,
-           g.l1 * t1,
-           g.l1 * (t2 + t3),
-           g.l1 * t4,
-           g.l1 * (t5 + t6),
-           g.l1 * t7,
-           g.l1 * (t10 + t12),
-           g.l1 * t13,
-           g.l1 * (t14 + inertia.c2y * inertia.m2),
-           g.l1 * t15,
-           g.l2 / g.l1,
-           Scalar(2) * t16,
+  const Scalar t2 = (inertia.I6xx - t0) - inertia.c6x * t1;
+  const Scalar t3 = inertia.c6y * inertia.m6;
+  const Scalar t4 = (inertia.I6yy - t0) - inertia.c6y * t3;
+  const Scalar t5 = inertia.I6xy - inertia.c6y * t1;
+  const Scalar t6 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t7 = inertia.c4y * inertia.m4;
+  const Scalar t8 = inertia.c5y * inertia.m5;
+  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t10 = ((inertia.I4yy - t6) - inertia.c4y * t7) - (inertia.c5y * t8 - (inertia.I5yy - t9));
+  const Scalar t11 = inertia.c5x * inertia.m5;
+  const Scalar t12 = inertia.c6z * inertia.m6;
+  const Scalar t13 = inertia.c5z * inertia.m5;
+  const Scalar t14 = (inertia.c6z * t12 - (inertia.I6zz - t0)) + (inertia.c5z * t13 - (inertia.I5zz - t9));
+  const Scalar t15 = inertia.c4x * inertia.m4;
+  const Scalar t16 = inertia.c3x * inertia.m3;
+  const Scalar t17 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t18 = g.l3 / g.l1;
+  const Scalar t19 = g.l3 * t7;
+  const Scalar t20 = g.l3 * t15;
+  const Scalar t21 = g.l3 * inertia.m4;
+  const Scalar t22 = inertia.c4z * inertia.m4;
+  const Scalar t23 = t22 - t21;
+  const Scalar t24 = t21 + t23;
+  const Scalar t25 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t26 = t24 - g.l3 * t25;
+  const Scalar t27 = ((inertia.I4zz - t6) - inertia.c4z * t22) + g.l3 * (t22 + t23);
+  const Scalar t28 = g.l3 * (t26 + t24) + (t27 - g.l3 * (t24 + t23));
+  const Scalar t29 = inertia.c3z * inertia.m3;
+  const Scalar t30 = t29 - g.l3 * inertia.m3;
+  const Scalar t31 = ((inertia.I3zz - t17) - inertia.c3z * t29) + g.l3 * (t29 + t30);
+  const Scalar t32 = inertia.c3y * inertia.m3;
+  const Scalar t33 = g.l2 * (inertia.m3 + t25) + (g.l2 * inertia.m2 + inertia.c2x * inertia.m2);
+  return { t2 - t4,
+           Scalar(2) * t5,
+           t4,
+           t10,
            inertia.I6xz - inertia.c6z * t1,
-           inertia.I6yz - inertia.c6z * t0,
-           inertia.I5xz - inertia.c5z * t4,
-           t18 - t19,
-           Scalar(2) * t20,
+           inertia.I6yz - inertia.c6z * t3,
+           inertia.I5xz - inertia.c5z * t11,
+           t2,
+           inertia.c5x * t11 - (inertia.I5xx - t9),
+           t14,
+           (inertia.I4xx - t6) - inertia.c4x * t15,
+           inertia.I5yz - inertia.c5z * t8,
+           t5,
+           inertia.I5xy - inertia.c5y * t11,
+           inertia.I4xy - inertia.c4y * t15,
+           inertia.c3x * t16 - (inertia.I3xx - t17),
+           g.l1 * t3,
+           g.l1 * t1,
+           g.l1 * (t7 + t8),
+           g.l1 * (t13 + t12),
+           g.l1 * t11,
+           g.l1 * t15,
            t18,
-           inertia.c5x * t4 - (inertia.I5xx - t21),
-           t22,
-           t24 + t26,
-           inertia.I4xz - inertia.c4z * t7,
-           t16,
-           t20,
-           inertia.I5xy - inertia.c5y * t4,
-           inertia.I5yz - inertia.c5z * t6,
-           inertia.I4yz - inertia.c4z * t5,
-           inertia.I4xy - inertia.c4y * t7,
-           t19,
-           t27,
-           (inertia.I4xx - t25) - inertia.c4x * t7,
-           (inertia.I3xz - inertia.c3z * t13) + g.l3 * t13,
-           inertia.c3x * t13 - (inertia.I3xx - t23),
-           g.l3 * t14 + (inertia.I3yz - inertia.c3z * t14),
-           inertia.I3xy - inertia.c3y * t13,
-           t18 + t19 };
+           t19 - (t19 + (inertia.I4yz - inertia.c4z * t7)),
+           ((inertia.I4xz - inertia.c4z * t15) + t20) - t20,
+           (inertia.I3xz - inertia.c3z * t16) + g.l3 * t16,
+           Scalar(2) * t18,
+           t28 + t31,
+           g.l1 * t16,
+           g.l1 * (t26 + t30),
+           g.l2 / g.l1,
+           g.l1 * (t32 + inertia.c2y * inertia.m2),
+           g.l1 * t33,
+           g.l3 * t32 + (inertia.I3yz - inertia.c3z * t32),
+           inertia.I3xy - inertia.c3y * t16,
+           t2 + t4 };
 }
 
 namespace detail {
@@ -895,255 +915,253 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const Jo
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[0] * c6 - k[1] * s6;
-  const Scalar t1 = k[4] + t0;
-  const Scalar t2 = k[0] * s6 + k[1] * c6;
+  const Scalar t0 = k[0] * s6 - k[1] * c6;
+  const Scalar t1 = s6 * t0;
+  const Scalar t2 = k[2] + t1;
   const Scalar t3 = k[3] + t2;
-  const Scalar t4 = c5 * t3;
-  const Scalar t5 = t4 - k[2] * s5;
-  const Scalar t6 = k[5] + t5;
-  const Scalar t7 = s4 * t1 + c4 * t6;
-  const Scalar t8 = k[7] + t7;
-  const Scalar t9 = qd[5] * t0;
-  const Scalar t10 = t9 - k[2] * qd[4];
-  const Scalar t11 = qd[4] * t4 + s5 * t10;
-  const Scalar t12 = qd[2] * t8 - t11;
-  const Scalar t13 = s5 * t3;
-  const Scalar t14 = k[2] * c5 + t13;
-  const Scalar t15 = k[6] + t14;
-  const Scalar t16 = qd[5] * t2;
-  const Scalar t17 = t16 + qd[3] * t6;
-  const Scalar t18 = c5 * t10 - qd[4] * t13;
-  const Scalar t19 = qd[3] * t1 + t18;
-  const Scalar t20 = s4 * t17 - c4 * t19;
-  const Scalar t21 = qd[2] * t15 - t20;
-  const Scalar t22 = s3 * t12 - c3 * t21;
-  const Scalar t23 = c4 * t1 - s4 * t6;
-  const Scalar t24 = k[8] + t23;
-  const Scalar t25 = s4 * t19 + c4 * t17;
-  const Scalar t26 = k[9] + (s3 * t15 + c3 * t8);
-  const Scalar t27 = c2 * (t22 + qd[1] * t24) - s2 * (t25 - qd[1] * t26);
-  const Scalar t28 = k[13] * s6 + k[12] * c6;
-  const Scalar t29 = k[14] + t28;
-  const Scalar t30 = qd[4] * t29;
-  const Scalar t31 = k[12] * s6 - k[13] * c6;
-  const Scalar t32 = qd[5] * t31;
-  const Scalar t33 = k[19] * qd[4] - t32;
-  const Scalar t34 = s5 * t30 - c5 * t33;
-  const Scalar t35 = k[16] * c6 - k[15] * s6;
-  const Scalar t36 = s6 * t35;
-  const Scalar t37 = k[17] + t36;
-  const Scalar t38 = k[18] - t37;
-  const Scalar t39 = qd[4] * t38;
-  const Scalar t40 = k[23] - c6 * t35;
-  const Scalar t41 = qd[5] * t40;
-  const Scalar t42 = s5 * t39 - c5 * (t30 + t41);
-  const Scalar t43 = s5 * t34 + c5 * t42;
-  const Scalar t44 = t43 + t41;
-  const Scalar t45 = k[25] - t31;
-  const Scalar t46 = k[28] - t36;
-  const Scalar t47 = qd[5] * t46;
-  const Scalar t48 = qd[4] * t45 - t47;
-  const Scalar t49 = k[24] - t40;
-  const Scalar t50 = s5 * t49;
-  const Scalar t51 = c5 * t48 + qd[4] * t50;
-  const Scalar t52 = k[29] + t46;
-  const Scalar t53 = t51 - qd[3] * t52;
-  const Scalar t54 = c5 * t49;
-  const Scalar t55 = s5 * t45 - t54;
-  const Scalar t56 = k[27] - t55;
-  const Scalar t57 = t43 + qd[3] * t56;
-  const Scalar t58 = s4 * t53 + c4 * (t44 - t57);
-  const Scalar t59 = k[19] + t38;
-  const Scalar t60 = Scalar(2) * c5 * t29 + s5 * (k[19] - t38);
-  const Scalar t61 = k[19] - s5 * t60;
-  const Scalar t62 = k[30] - (t59 - t61);
-  const Scalar t63 = s5 * t28;
-  const Scalar t64 = qd[5] * t37;
-  const Scalar t65 = qd[5] * t63 - c5 * t64;
-  const Scalar t66 = qd[3] * t62 - t65;
-  const Scalar t67 = s4 * t57 + c4 * t66;
-  const Scalar t68 = c4 * t58 + s4 * t67;
-  const Scalar t69 = c5 * t45 + t50;
-  const Scalar t70 = k[26] + t69;
-  const Scalar t71 = k[22] * t1 + t70;
-  const Scalar t72 = k[21] + (c5 * t60 - t29);
-  const Scalar t73 = t72 + k[22] * t6;
-  const Scalar t74 = s4 * t71 + c4 * t73;
-  const Scalar t75 = k[31] + t74;
-  const Scalar t76 = (t44 - t68) + qd[2] * t75;
-  const Scalar t77 = s5 * t42;
-  const Scalar t78 = c5 * t34;
-  const Scalar t79 = (t77 - t39) - (t33 + t78);
-  const Scalar t80 = s5 * t48 - qd[4] * t54;
-  const Scalar t81 = c4 * t79 - s4 * t80;
-  const Scalar t82 = c4 * t56;
-  const Scalar t83 = s4 * (t62 - t52) - (t82 + t82);
-  const Scalar t84 = k[32] - (t62 - s4 * t83);
-  const Scalar t85 = c3 * t76 + s3 * (t81 + qd[2] * t84);
-  const Scalar t86 = t77 - t78;
-  const Scalar t87 = k[22] * t19 + (qd[3] * t70 + t86);
-  const Scalar t88 = c5 * t28;
-  const Scalar t89 = qd[5] * t88 + s5 * t64;
-  const Scalar t90 = k[22] * t17 + (qd[3] * t72 + t89);
-  const Scalar t91 = c4 * t87 - s4 * t90;
-  const Scalar t92 = k[20] - (t61 - k[11] * t14);
-  const Scalar t93 = k[22] * t11;
-  const Scalar t94 = t93 - t68;
-  const Scalar t95 = c3 * (t91 + qd[2] * t92) - s3 * (t76 - t94);
-  const Scalar t96 = (c3 * t85 + s3 * t95) + k[10] * t22;
-  const Scalar t97 = t96 + t68;
-  const Scalar t98 = t27 + t97;
+  const Scalar t4 = k[4] * s6 - k[5] * c6;
+  const Scalar t5 = k[11] - t4;
+  const Scalar t6 = qd[5] * t2;
+  const Scalar t7 = qd[4] * t5 - t6;
+  const Scalar t8 = k[12] + c6 * t0;
+  const Scalar t9 = k[13] - t8;
+  const Scalar t10 = s5 * t9;
+  const Scalar t11 = c5 * t7 + qd[4] * t10;
+  const Scalar t12 = qd[3] * t3 - t11;
+  const Scalar t13 = c5 * t9;
+  const Scalar t14 = t13 - s5 * t5;
+  const Scalar t15 = k[14] + t14;
+  const Scalar t16 = qd[5] * t8;
+  const Scalar t17 = qd[3] * t15 - t16;
+  const Scalar t18 = s4 * t12 + c4 * t17;
+  const Scalar t19 = k[7] - t1;
+  const Scalar t20 = k[8] - t19;
+  const Scalar t21 = k[4] * c6 + k[5] * s6;
+  const Scalar t22 = k[6] + t21;
+  const Scalar t23 = c5 * t22;
+  const Scalar t24 = (t23 + t23) + s5 * (k[9] - t20);
+  const Scalar t25 = s5 * t24;
+  const Scalar t26 = t20 + t25;
+  const Scalar t27 = k[10] - t26;
+  const Scalar t28 = qd[5] * t19;
+  const Scalar t29 = qd[5] * t21;
+  const Scalar t30 = c5 * t28 - s5 * t29;
+  const Scalar t31 = qd[3] * t27 + t30;
+  const Scalar t32 = t16 + qd[4] * t22;
+  const Scalar t33 = qd[4] * t20;
+  const Scalar t34 = c5 * t32 - s5 * t33;
+  const Scalar t35 = qd[5] * t4;
+  const Scalar t36 = k[9] * qd[4] - t35;
+  const Scalar t37 = qd[4] * t23 + s5 * t36;
+  const Scalar t38 = (c5 * t34 - t32) + c5 * t37;
+  const Scalar t39 = c4 * t31 - s4 * (t38 - t17);
+  const Scalar t40 = c4 * t18 - s4 * t39;
+  const Scalar t41 = k[17] * c6 + k[16] * s6;
+  const Scalar t42 = k[20] + t41;
+  const Scalar t43 = s5 * t42;
+  const Scalar t44 = t43 + k[19] * c5;
+  const Scalar t45 = k[29] + t44;
+  const Scalar t46 = qd[5] * t41;
+  const Scalar t47 = c5 * t42;
+  const Scalar t48 = t47 - k[19] * s5;
+  const Scalar t49 = k[21] + t48;
+  const Scalar t50 = t46 + qd[3] * t49;
+  const Scalar t51 = k[17] * s6 - k[16] * c6;
+  const Scalar t52 = qd[5] * t51;
+  const Scalar t53 = k[19] * qd[4] + t52;
+  const Scalar t54 = qd[4] * t43 + c5 * t53;
+  const Scalar t55 = k[18] - t51;
+  const Scalar t56 = t54 - qd[3] * t55;
+  const Scalar t57 = s4 * t50 + c4 * t56;
+  const Scalar t58 = qd[2] * t45 - t57;
+  const Scalar t59 = qd[4] * t47 - s5 * t53;
+  const Scalar t60 = s4 * t55 + c4 * t49;
+  const Scalar t61 = k[28] + t60;
+  const Scalar t62 = t59 - qd[2] * t61;
+  const Scalar t63 = c3 * t58 + s3 * t62;
+  const Scalar t64 = k[22] * t59;
+  const Scalar t65 = t64 + t40;
+  const Scalar t66 = t10 + c5 * t5;
+  const Scalar t67 = k[23] - t66;
+  const Scalar t68 = k[24] + (c5 * t24 - t22);
+  const Scalar t69 = (s4 * t67 - c4 * t68) - k[22] * t60;
+  const Scalar t70 = k[25] - t69;
+  const Scalar t71 = qd[2] * t70 + (t40 - t38);
+  const Scalar t72 = k[9] - t25;
+  const Scalar t73 = k[27] + (k[26] * t44 - t72);
+  const Scalar t74 = s5 * t34;
+  const Scalar t75 = s5 * t37;
+  const Scalar t76 = t74 - (t36 - t75);
+  const Scalar t77 = (t33 + t74) + t75;
+  const Scalar t78 = k[22] * t56 + ((t76 + t77) + qd[3] * t67);
+  const Scalar t79 = c5 * t21;
+  const Scalar t80 = qd[5] * t79 + s5 * t28;
+  const Scalar t81 = qd[4] * t13 - s5 * t7;
+  const Scalar t82 = t80 - t81;
+  const Scalar t83 = k[22] * t50 + (t82 + qd[3] * t68);
+  const Scalar t84 = c4 * t78 + s4 * t83;
+  const Scalar t85 = s4 * t81 - c4 * t77;
+  const Scalar t86 = s3 * (t65 - t71) + c3 * (qd[2] * t73 - (t84 + t85));
+  const Scalar t87 = c4 * t15;
+  const Scalar t88 = (t87 + t87) + s4 * (t3 - t27);
+  const Scalar t89 = k[15] - (t27 + s4 * t88);
+  const Scalar t90 = c3 * t71 + s3 * (qd[2] * t89 + t85);
+  const Scalar t91 = k[30] * t63 - (s3 * t86 + c3 * t90);
+  const Scalar t92 = t40 + t91;
+  const Scalar t93 = k[32] + (c3 * t61 + s3 * t45);
+  const Scalar t94 = s4 * t56 - c4 * t50;
+  const Scalar t95 = s4 * t49 - c4 * t55;
+  const Scalar t96 = k[31] - t95;
+  const Scalar t97 = s2 * (qd[1] * t93 + t94) + c2 * (qd[1] * t96 - t63);
+  const Scalar t98 = t92 - t97;
   const Scalar t99 = qd[0] + qd[1];
-  const Scalar t100 = s2 * (t25 - t26 * t99) - c2 * (t22 + t99 * t24);
-  const Scalar t101 = s2 * (s3 * t21 + c3 * t12);
-  const Scalar t102 = c3 * t15 - s3 * t8;
-  const Scalar t103 = t99 * t102;
+  const Scalar t100 = s2 * (t94 + t93 * t99) + c2 * (t96 * t99 - t63);
+  const Scalar t101 = s2 * (s3 * t58 - c3 * t62);
+  const Scalar t102 = c3 * t45 - s3 * t61;
+  const Scalar t103 = c2 * t102;
   const Scalar t104 = c3 * t99;
   const Scalar t105 = s3 * t99;
-  const Scalar t106 = s4 * t87 + c4 * t90;
-  const Scalar t107 = (c4 * t80 + s4 * t79) + t106;
-  const Scalar t108 = qd[2] * (k[34] - (t56 + c4 * t83)) + t107;
-  const Scalar t109 = (t75 * t104 + t105 * t84) + (t108 - t106);
-  const Scalar t110 = qd[2] * (k[33] + (c4 * t71 - s4 * t73));
-  const Scalar t111 = c4 * t67;
-  const Scalar t112 = s4 * t58;
-  const Scalar t113 = t110 + ((t66 - t111) + (t112 - t53));
-  const Scalar t114 = s3 * ((t105 * t75 - t92 * t104) - t113);
-  const Scalar t115 = k[10] * t103 - (c3 * t109 - t114);
-  const Scalar t116 = (t101 - c2 * t103) - t115;
-  const Scalar t117 = qd[3] - t104;
-  const Scalar t118 = t117 * t6 + t16;
-  const Scalar t119 = qd[2] * s4 + c4 * t105;
-  const Scalar t120 = s4 * t105 - qd[2] * c4;
-  const Scalar t121 = (t72 * t117 + t89) + (t62 * t119 + t120 * t56);
-  const Scalar t122 = k[22] * t118 + t121;
-  const Scalar t123 = (t56 * t119 + t120 * t52) + (t70 * t117 + t86);
-  const Scalar t124 = t1 * t117 + t18;
-  const Scalar t125 = t123 + k[22] * t124;
-  const Scalar t126 = s3 * (s4 * t122 - c4 * t125) - c3 * t44;
-  const Scalar t127 = c4 * t124 - s4 * t118;
-  const Scalar t128 = t126 + k[10] * t127;
-  const Scalar t129 = s3 * (t119 * t6 + t120 * t1) - c3 * (c4 * t118 + s4 * t124);
-  const Scalar t130 = t128 - (s2 * t129 - c2 * t127);
-  const Scalar t131 = qd[4] + t120;
-  const Scalar t132 = k[2] * t131 - t9;
-  const Scalar t133 = t131 * t4 - s5 * t132;
-  const Scalar t134 = c5 * t117 - s5 * t119;
-  const Scalar t135 = c5 * t119 + s5 * t117;
-  const Scalar t136 = k[2] * t134 + t3 * t135;
-  const Scalar t137 = s4 * t133 + c4 * t136;
-  const Scalar t138 = t131 * t49 + (t134 * t29 - t38 * t135);
-  const Scalar t139 = (t29 * t135 - k[19] * t134) - (t47 - t45 * t131);
-  const Scalar t140 = s5 * t138 + c5 * t139;
-  const Scalar t141 = k[22] * t137 - (s4 * t41 - c4 * t140);
-  const Scalar t142 = s5 * t139 - c5 * t138;
-  const Scalar t143 = (s3 * t141 - c3 * t142) - k[10] * t137;
-  const Scalar t144 = c4 * t133 - s4 * t136;
-  const Scalar t145 = s3 * (t131 * t13 + c5 * t132) + c3 * t144;
-  const Scalar t146 = t143 - (c2 * t137 - s2 * t145);
-  const Scalar t147 = qd[5] + t134;
-  const Scalar t148 = t147 * t0;
-  const Scalar t149 = c6 * t131 + s6 * t135;
-  const Scalar t150 = c6 * t135 - s6 * t131;
-  const Scalar t151 = k[0] * t149 + k[1] * t150;
-  const Scalar t152 = t2 * t147;
-  const Scalar t153 = s5 * t151 + c5 * t152;
-  const Scalar t154 = c4 * t148 - s4 * t153;
-  const Scalar t155 = (k[17] * t150 + k[23] * t149) + k[12] * t147;
-  const Scalar t156 = (k[28] * t149 + k[23] * t150) + k[13] * t147;
-  const Scalar t157 = s6 * t155 - c6 * t156;
-  const Scalar t158 = s5 * t157;
-  const Scalar t159 = s6 * t156 + c6 * t155;
-  const Scalar t160 = c5 * t157;
-  const Scalar t161 = (s4 * t159 + c4 * t160) - k[22] * t154;
-  const Scalar t162 = k[10] * t154 - (c3 * t158 - s3 * t161);
-  const Scalar t163 = s4 * t148 + c4 * t153;
-  const Scalar t164 = s3 * (c5 * t151 - s5 * t152) - c3 * t163;
-  const Scalar t165 = t162 - (s2 * t164 - c2 * t154);
-  const Scalar t166 = s3 * ((t112 - t111) + t113) + c3 * t108;
-  const Scalar t167 = (t166 + (t101 - c2 * qd[1] * t102)) - t116;
-  const Scalar t168 = c4 * t122 + s4 * t125;
-  const Scalar t169 = (c4 * t41 + s4 * t140) - k[22] * t144;
-  const Scalar t170 = (s4 * t160 - c4 * t159) - k[22] * t163;
-  const Scalar t171 = qd[1] * t7 - (qd[2] * s3 * t23 + c3 * t25);
-  const Scalar t172 = c2 * (qd[1] * c3 * t23 + t20) + s2 * t171;
-  const Scalar t173 = s3 * (qd[2] * (t62 + t52) - (t91 + t81));
-  const Scalar t174 = t173 - c3 * (qd[2] * t74 + (t44 + t44));
-  const Scalar t175 = t174 - k[10] * t20;
-  const Scalar t176 = s4 * t14;
-  const Scalar t177 = (c4 * t11 - qd[3] * t176) - qd[2] * t5;
-  const Scalar t178 = c4 * t14;
-  const Scalar t179 = c3 * t177 - s3 * (qd[2] * t178 + t18);
-  const Scalar t180 = s4 * t11 + qd[3] * t178;
-  const Scalar t181 = qd[1] * (s3 * t5 - c3 * t178) + t180;
-  const Scalar t182 = s2 * (qd[1] * t176 + t179) - c2 * t181;
-  const Scalar t183 = (qd[3] * t55 + (t41 + t41)) - t93;
-  const Scalar t184 = k[22] * t14;
-  const Scalar t185 = qd[3] * t184 + ((t51 - t65) - qd[3] * t59);
-  const Scalar t186 = qd[2] * t69 + (s4 * t183 - c4 * t185);
-  const Scalar t187 = t80 + t89;
-  const Scalar t188 = qd[2] * (s4 * (t184 - t59) + c4 * t55);
-  const Scalar t189 = k[10] * t180 + (s3 * t186 + c3 * (t187 - t188));
-  const Scalar t190 = s5 * t0;
-  const Scalar t191 = (c5 * t16 + qd[4] * t190) + qd[3] * t2;
-  const Scalar t192 = c5 * t0;
-  const Scalar t193 = t9 + qd[3] * t192;
-  const Scalar t194 = s4 * t191 - c4 * t193;
-  const Scalar t195 = t32 - k[35] * qd[4];
-  const Scalar t196 = s5 * t195 - qd[4] * t88;
-  const Scalar t197 = c4 * t2 + s4 * t192;
-  const Scalar t198 = t88 + k[35] * s5;
-  const Scalar t199 = k[22] * t197 - (s4 * t31 - c4 * t198);
-  const Scalar t200 = (c5 * t195 + qd[4] * t63) + qd[3] * t31;
-  const Scalar t201 = qd[5] * t28;
-  const Scalar t202 = t201 + qd[3] * t198;
-  const Scalar t203 = (c4 * t200 + s4 * t202) + k[22] * t194;
-  const Scalar t204 = s3 * (t203 + qd[2] * (k[35] * c5 - t63));
-  const Scalar t205 = k[10] * t194 + (c3 * (t196 + qd[2] * t199) - t204);
-  const Scalar t206 = c4 * t192 - s4 * t2;
-  const Scalar t207 = qd[2] * t206 - (qd[4] * t192 - s5 * t16);
-  const Scalar t208 = c4 * t191 + s4 * t193;
-  const Scalar t209 = s3 * t207 - c3 * (qd[2] * t190 - t208);
-  const Scalar t210 = t194 + qd[1] * (s3 * t190 + c3 * t206);
-  const Scalar t211 = s2 * (t209 - qd[1] * t197) - c2 * t210;
-  const Scalar t212 = (s4 * t200 - c4 * t202) - k[22] * t208;
+  const Scalar t106 = qd[2] * (k[34] - (t15 - c4 * t88));
+  const Scalar t107 = (t70 * t104 + t105 * t89) + (t106 - (c4 * t81 + s4 * t77));
+  const Scalar t108 = (c4 * t67 + s4 * t68) + k[22] * t95;
+  const Scalar t109 = c4 * t39;
+  const Scalar t110 = s4 * t18;
+  const Scalar t111 = qd[2] * (k[33] - t108) - ((t109 - t31) + (t110 - t12));
+  const Scalar t112 = s3 * ((t70 * t105 - t73 * t104) - t111);
+  const Scalar t113 = k[30] * t102 * t99 - (c3 * t107 - t112);
+  const Scalar t114 = (t101 - t103 * t99) - t113;
+  const Scalar t115 = qd[3] - t104;
+  const Scalar t116 = t115 * t49 + t46;
+  const Scalar t117 = t54 - t115 * t55;
+  const Scalar t118 = s4 * t116 + c4 * t117;
+  const Scalar t119 = qd[2] * c4;
+  const Scalar t120 = s4 * t105 - t119;
+  const Scalar t121 = qd[2] * s4 + c4 * t105;
+  const Scalar t122 = (t115 * t67 + t76) - (t120 * t3 + t15 * t121);
+  const Scalar t123 = k[22] * t117 + t122;
+  const Scalar t124 = (t27 * t121 + t15 * t120) + (t68 * t115 + t80);
+  const Scalar t125 = k[22] * t116 + t124;
+  const Scalar t126 = s3 * (c4 * t123 + s4 * t125) + c3 * t38;
+  const Scalar t127 = k[30] * t118 - t126;
+  const Scalar t128 = c3 * (c4 * t116 - s4 * t117) - s3 * (t120 * t55 + t121 * t49);
+  const Scalar t129 = t127 + (c2 * t118 - s2 * t128);
+  const Scalar t130 = c5 * t121 + s5 * t115;
+  const Scalar t131 = c5 * t115 - s5 * t121;
+  const Scalar t132 = t42 * t130 + k[19] * t131;
+  const Scalar t133 = qd[4] + t120;
+  const Scalar t134 = (t133 * t5 - t6) - (k[9] * t131 - t22 * t130);
+  const Scalar t135 = t133 * t9 + (t131 * t22 - t20 * t130);
+  const Scalar t136 = k[22] * t132 + (c5 * t134 + s5 * t135);
+  const Scalar t137 = k[19] * t133 + t52;
+  const Scalar t138 = s5 * t137 - t133 * t47;
+  const Scalar t139 = t16 + k[22] * t138;
+  const Scalar t140 = s5 * t134 - c5 * t135;
+  const Scalar t141 = s3 * (c4 * t136 - s4 * t139) - c3 * t140;
+  const Scalar t142 = c4 * t132 - s4 * t138;
+  const Scalar t143 = t141 - k[30] * t142;
+  const Scalar t144 = s3 * (c5 * t137 + t43 * t133) - c3 * (c4 * t138 + s4 * t132);
+  const Scalar t145 = t143 + (s2 * t144 - c2 * t142);
+  const Scalar t146 = qd[5] + t131;
+  const Scalar t147 = c6 * t133 + s6 * t130;
+  const Scalar t148 = c6 * t130 - s6 * t133;
+  const Scalar t149 = k[5] * t146 + (k[2] * t147 + k[12] * t148);
+  const Scalar t150 = (k[12] * t147 + k[7] * t148) + k[4] * t146;
+  const Scalar t151 = c6 * t149 - s6 * t150;
+  const Scalar t152 = s5 * t151;
+  const Scalar t153 = t146 * t51;
+  const Scalar t154 = t146 * t41;
+  const Scalar t155 = k[17] * t148 + k[16] * t147;
+  const Scalar t156 = c5 * t154 + s5 * t155;
+  const Scalar t157 = c4 * t153 + s4 * t156;
+  const Scalar t158 = c6 * t150 + s6 * t149;
+  const Scalar t159 = c5 * t151;
+  const Scalar t160 = k[22] * t157 + (s4 * t158 - c4 * t159);
+  const Scalar t161 = (c3 * t152 + s3 * t160) - k[30] * t157;
+  const Scalar t162 = s4 * t153 - c4 * t156;
+  const Scalar t163 = c3 * t162 + s3 * (c5 * t155 - s5 * t154);
+  const Scalar t164 = t161 - (s2 * t163 + c2 * t157);
+  const Scalar t165 = s4 * t78 - c4 * t83;
+  const Scalar t166 = s3 * (t111 - (t110 + t109)) + c3 * (t106 - t165);
+  const Scalar t167 = s4 * t123 - c4 * t125;
+  const Scalar t168 = s4 * t136 + c4 * t139;
+  const Scalar t169 = (s4 * t159 + c4 * t158) - k[22] * t162;
+  const Scalar t170 = s3 * (t84 + qd[2] * (t3 + t27)) + c3 * (Scalar(2) * t38 + qd[2] * t69);
+  const Scalar t171 = t170 - k[30] * t57;
+  const Scalar t172 = qd[1] * t60 + (c3 * t94 + qd[2] * s3 * t95);
+  const Scalar t173 = s2 * t172 + c2 * (t57 - qd[1] * c3 * t95);
+  const Scalar t174 = c4 * t44;
+  const Scalar t175 = s4 * t59 + qd[3] * t174;
+  const Scalar t176 = t175 - qd[1] * (c3 * t174 - s3 * t48);
+  const Scalar t177 = s4 * t44;
+  const Scalar t178 = qd[2] * t48 - (c4 * t59 - qd[3] * t177);
+  const Scalar t179 = c3 * t178 - s3 * (t54 - t119 * t44);
+  const Scalar t180 = c2 * t176 + s2 * (t179 - qd[1] * t177);
+  const Scalar t181 = k[22] * t44;
+  const Scalar t182 = t26 + t72;
+  const Scalar t183 = qd[2] * (s4 * (t181 - t182) - c4 * t14);
+  const Scalar t184 = t64 + (qd[3] * t14 - (t16 + t16));
+  const Scalar t185 = qd[3] * t181 - (qd[3] * t182 - (t11 + t30));
+  const Scalar t186 = (s4 * t184 + c4 * t185) - qd[2] * t66;
+  const Scalar t187 = k[30] * t175 - (c3 * (t183 - t82) + s3 * t186);
+  const Scalar t188 = t79 + k[35] * s5;
+  const Scalar t189 = s5 * t51;
+  const Scalar t190 = qd[3] * t41 - (qd[4] * t189 - c5 * t46);
+  const Scalar t191 = (t29 + qd[3] * t188) + k[22] * t190;
+  const Scalar t192 = c5 * t51;
+  const Scalar t193 = qd[3] * t192 + t52;
+  const Scalar t194 = s5 * t21;
+  const Scalar t195 = t35 - k[35] * qd[4];
+  const Scalar t196 = (qd[4] * t194 + c5 * t195) + qd[3] * t4;
+  const Scalar t197 = k[22] * t193 + t196;
+  const Scalar t198 = (s4 * t191 + c4 * t197) - qd[2] * (t194 - k[35] * c5);
+  const Scalar t199 = s4 * t192 - c4 * t41;
+  const Scalar t200 = (c4 * t188 - s4 * t4) - k[22] * t199;
+  const Scalar t201 = qd[4] * t79 - s5 * t195;
+  const Scalar t202 = s3 * t198 - c3 * (qd[2] * t200 - t201);
+  const Scalar t203 = c4 * t193 + s4 * t190;
+  const Scalar t204 = t202 - k[30] * t203;
+  const Scalar t205 = c4 * t192 + s4 * t41;
+  const Scalar t206 = t203 - qd[1] * (s3 * t189 + c3 * t205);
+  const Scalar t207 = (qd[4] * t192 + s5 * t46) - qd[2] * t205;
+  const Scalar t208 = qd[2] * t189 + (c4 * t190 - s4 * t193);
+  const Scalar t209 = (s3 * t207 + c3 * t208) + qd[1] * t199;
+  const Scalar t210 = t164 - (t204 - (c2 * t206 - s2 * t209));
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = -t98;
-  result(0, 1) = t100 - t97;
-  result(0, 2) = -t116;
-  result(0, 3) = -t130;
-  result(0, 4) = -t146;
-  result(0, 5) = -t165;
-  result(1, 0) = -t98 - t100;
-  result(1, 1) = -t97;
-  result(1, 2) = t115;
-  result(1, 3) = -t128;
+  result(0, 0) = t98;
+  result(0, 1) = t92 - t100;
+  result(0, 2) = -t114;
+  result(0, 3) = t129;
+  result(0, 4) = -t145;
+  result(0, 5) = -t164;
+  result(1, 0) = t100 + t98;
+  result(1, 1) = t92;
+  result(1, 2) = t113;
+  result(1, 3) = t127;
   result(1, 4) = -t143;
-  result(1, 5) = -t162;
-  result(2, 0) = -t167;
-  result(2, 1) = -t166 - t115;
-  result(2, 2) = -t94;
-  result(2, 3) = t168;
-  result(2, 4) = -t169;
-  result(2, 5) = -t170;
-  result(3, 0) = t130 + (t172 - t175);
-  result(3, 1) = t128 - t175;
-  result(3, 2) = t107 - t168;
-  result(3, 3) = -t44;
-  result(3, 4) = -t142;
-  result(3, 5) = -t158;
-  result(4, 0) = t146 - (t182 - t189);
-  result(4, 1) = t143 + t189;
-  result(4, 2) = t169 - (c4 * t183 + s4 * t185);
-  result(4, 3) = t142 - t187;
-  result(4, 4) = t41;
-  result(4, 5) = -t159;
-  result(5, 0) = (t205 - t211) + t165;
-  result(5, 1) = t205 + t162;
-  result(5, 2) = t170 - t212;
-  result(5, 3) = t158 - t196;
-  result(5, 4) = t159 - t201;
+  result(1, 5) = -t161;
+  result(2, 0) = t114 - (t166 - (qd[1] * t103 - t101));
+  result(2, 1) = -t166 - t113;
+  result(2, 2) = -t65;
+  result(2, 3) = -t167;
+  result(2, 4) = -t168;
+  result(2, 5) = t169;
+  result(3, 0) = -t129 - (t171 - t173);
+  result(3, 1) = -t171 - t127;
+  result(3, 2) = t167 - t165;
+  result(3, 3) = t38;
+  result(3, 4) = -t140;
+  result(3, 5) = t152;
+  result(4, 0) = (t180 + t187) + t145;
+  result(4, 1) = t143 + t187;
+  result(4, 2) = t168 + (c4 * t184 - s4 * t185);
+  result(4, 3) = t140 - t82;
+  result(4, 4) = t16;
+  result(4, 5) = -t158;
+  result(5, 0) = t210;
+  result(5, 1) = t161 - t204;
+  result(5, 2) = -(s4 * t197 - c4 * t191) - t169;
+  result(5, 3) = t201 - t152;
+  result(5, 4) = t158 - t29;
   result(5, 5) = Scalar(0);
   return result;
 }
@@ -1171,99 +1189,114 @@ ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
+  const Scalar t0 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
   const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = inertia.c5x * inertia.m5;
-  const Scalar t3 = inertia.c5z * inertia.m5;
-  const Scalar t4 = inertia.c6z * inertia.m6;
-  const Scalar t5 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t6 = (inertia.I6xx - t5) - inertia.c6x * t1;
-  const Scalar t7 = (inertia.I6yy - t5) - inertia.c6y * t0;
-  const Scalar t8 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t9 = t6 + t7;
-  const Scalar t10 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t11 = (inertia.c6z * t4 - (inertia.I6zz - t5)) + (inertia.c5z * t3 - (inertia.I5zz - t10));
-  const Scalar t12 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t13 = inertia.c3z * inertia.m3;
-  const Scalar t14 = t13 - g.l3 * inertia.m3;
-  const Scalar t15 = ((inertia.I3zz - t12) - inertia.c3z * t13) + g.l3 * (t13 + t14);
-  const Scalar t16 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t17 = inertia.c4z * inertia.m4;
-  const Scalar t18 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t19 = t17 - g.l3 * t18;
-  const Scalar t20 = ((inertia.I4zz - t16) - inertia.c4z * t17) + g.l3 * (t17 + t19);
-  const Scalar t21 = t15 + t20;
-  const Scalar t22 = inertia.c4y * inertia.m4;
-  const Scalar t23 = inertia.c5y * inertia.m5;
-  const Scalar t24 = ((inertia.I4yy - t16) - inertia.c4y * t22) - (inertia.c5y * t23 - (inertia.I5yy - t10));
-  const Scalar t25 = inertia.c4x * inertia.m4;
-  const Scalar t26 = inertia.c3x * inertia.m3;
-  const Scalar t27 = inertia.c3x * t26 - (inertia.I3xx - t12);
-  const Scalar t28 = g.l2 / g.l3;
-  const Scalar t29 = inertia.c3y * inertia.m3;
-  const Scalar t30 = g.l3 * t26;
-  const Scalar t31 = g.l3 * (t19 + t14);
-  const Scalar t32 = (inertia.I3xz - inertia.c3z * t26) + t30;
-  const Scalar t33 = inertia.m3 + t18;
-  const Scalar t34 = g.l2 * t33;
-  const Scalar t35 = inertia.c2x * inertia.m2;
-  const Scalar t36 = g.l2 * inertia.m2 + t35;
-  const Scalar t37 = inertia.c2y * inertia.m2;
-  const Scalar t38 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t39 = ((inertia.I3yy - t12) - inertia.c3y * t29) + ((inertia.I2yy - t38) - inertia.c2y * t37);
-  const Scalar t40 = (inertia.c2x * t35 - (inertia.I2xx - t38)) + g.l2 * (t35 + t36);
-  const Scalar t41 = g.l2 * t29 - ((inertia.I2xy - inertia.c2y * t35) - g.l2 * t37);
-  const Scalar t42 = inertia.c1x * inertia.m1;
-  const Scalar t43 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t44 = g.l1 * (t42 + (g.l1 * inertia.m1 + t42)) + (inertia.c1x * t42 - (inertia.I1xx - t43));
-  return { g.l3 * t0,
+  const Scalar t2 = (inertia.I6xx - t0) - inertia.c6x * t1;
+  const Scalar t3 = inertia.c6y * inertia.m6;
+  const Scalar t4 = (inertia.I6yy - t0) - inertia.c6y * t3;
+  const Scalar t5 = inertia.I6xy - inertia.c6y * t1;
+  const Scalar t6 = inertia.c5x * inertia.m5;
+  const Scalar t7 = inertia.I6yz - inertia.c6z * t3;
+  const Scalar t8 = t2 + t4;
+  const Scalar t9 = Scalar(1) / t8;
+  const Scalar t10 = inertia.I6xz - inertia.c6z * t1;
+  const Scalar t11 = inertia.c5y * inertia.m5;
+  const Scalar t12 = inertia.c5z * inertia.m5;
+  const Scalar t13 = inertia.c6z * inertia.m6;
+  const Scalar t14 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t15 = (inertia.c6z * t13 - (inertia.I6zz - t0)) + (inertia.c5z * t12 - (inertia.I5zz - t14));
+  const Scalar t16 = g.l2 / g.l3;
+  const Scalar t17 = inertia.c4x * inertia.m4;
+  const Scalar t18 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t19 = inertia.c4y * inertia.m4;
+  const Scalar t20 = ((inertia.I4yy - t18) - inertia.c4y * t19) - (inertia.c5y * t11 - (inertia.I5yy - t14));
+  const Scalar t21 = inertia.c3x * inertia.m3;
+  const Scalar t22 = g.l3 * t17;
+  const Scalar t23 = g.l3 * t19;
+  const Scalar t24 = inertia.c3y * inertia.m3;
+  const Scalar t25 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t26 = inertia.c3x * t21 - (inertia.I3xx - t25);
+  const Scalar t27 = g.l3 * inertia.m4;
+  const Scalar t28 = inertia.c4z * inertia.m4;
+  const Scalar t29 = t28 - t27;
+  const Scalar t30 = t27 + t29;
+  const Scalar t31 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t32 = t30 - g.l3 * t31;
+  const Scalar t33 = inertia.c3z * inertia.m3;
+  const Scalar t34 = t33 - g.l3 * inertia.m3;
+  const Scalar t35 = (t32 + t34) / g.l3;
+  const Scalar t36 = g.l3 * g.l3 * t35;
+  const Scalar t37 = ((inertia.I4zz - t18) - inertia.c4z * t28) + g.l3 * (t28 + t29);
+  const Scalar t38 = g.l3 * (t32 + t30) + (t37 - g.l3 * (t30 + t29));
+  const Scalar t39 = ((inertia.I3zz - t25) - inertia.c3z * t33) + g.l3 * (t33 + t34);
+  const Scalar t40 = (t38 + t39) - t36;
+  const Scalar t41 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t42 = inertia.c2y * inertia.m2;
+  const Scalar t43 = ((inertia.I3yy - t25) - inertia.c3y * t24) + ((inertia.I2yy - t41) - inertia.c2y * t42);
+  const Scalar t44 = g.l3 * t21;
+  const Scalar t45 = (inertia.I3xz - inertia.c3z * t21) + t44;
+  const Scalar t46 = g.l2 * t35;
+  const Scalar t47 = inertia.c2x * inertia.m2;
+  const Scalar t48 = g.l2 * inertia.m2 + t47;
+  const Scalar t49 = (inertia.c2x * t47 - (inertia.I2xx - t41)) + g.l2 * (t47 + t48);
+  const Scalar t50 = inertia.m3 + t31;
+  const Scalar t51 = g.l2 * t50;
+  const Scalar t52 = g.l2 * t24 - ((inertia.I2xy - inertia.c2y * t47) - g.l2 * t42);
+  const Scalar t53 = g.l1 / g.l3;
+  const Scalar t54 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t55 = inertia.c1x * inertia.m1;
+  const Scalar t56 = g.l1 * (t55 + (g.l1 * inertia.m1 + t55)) + (inertia.c1x * t55 - (inertia.I1xx - t54));
+  const Scalar t57 = (g.l1 * g.l1 * (inertia.m2 + t50) + t56) + g.l1 * g.l1 * t35;
+  return { t2 - t4,
+           Scalar(2) * t5,
+           t5,
+           inertia.I5xy - inertia.c5y * t6,
+           t7 * t9,
+           t10 * t9,
+           t8,
+           inertia.I5yz - inertia.c5z * t11,
+           g.l3 * (t12 + t13),
+           g.l3 * t3,
            g.l3 * t1,
-           g.l3 * t2,
-           g.l3 * (t3 + t4),
-           t6 - t7,
-           Scalar(2) * t8,
+           g.l3 * t6,
+           t2,
+           inertia.c5x * t6 - (inertia.I5xx - t14),
+           t15,
+           t16,
+           t10,
            t7,
            t9,
-           inertia.c5x * t2 - (inertia.I5xx - t10),
-           t11,
-           Scalar(2) * t11,
-           inertia.I6xz - inertia.c6z * t1,
-           inertia.I6yz - inertia.c6z * t0,
-           inertia.I5xz - inertia.c5z * t2,
-           t21,
-           t24,
-           (inertia.I4xx - t16) - inertia.c4x * t25,
-           t8,
-           inertia.I5xy - inertia.c5y * t2,
-           inertia.I5yz - inertia.c5z * t23,
-           inertia.I4xy - inertia.c4y * t25,
-           t27,
-           Scalar(1) / t9,
-           g.l3 * (t22 + t23),
-           inertia.I4yz - inertia.c4z * t22,
-           inertia.I4xz - inertia.c4z * t25,
-           g.l3 * t25,
-           t28,
-           inertia.I3xy - inertia.c3y * t26,
-           g.l3 * t29 + (inertia.I3yz - inertia.c3z * t29),
-           g.l1 / g.l3,
+           inertia.I4xy - inertia.c4y * t17,
+           t20,
+           inertia.I5xz - inertia.c5z * t6,
+           (inertia.I4xx - t18) - inertia.c4x * t17,
+           inertia.I3xy - inertia.c3y * t21,
+           ((inertia.I4xz - inertia.c4z * t17) + t22) - t22,
+           t22,
+           t23 - (t23 + (inertia.I4yz - inertia.c4z * t19)),
+           g.l3 * (t19 + t11),
+           g.l3 * t24 + (inertia.I3yz - inertia.c3z * t24),
+           t26,
+           t36,
+           t40,
+           t43,
+           t45,
+           t44,
+           t16 * t36,
+           g.l2 * t46 + (t49 + g.l2 * t51),
+           t52,
+           t53 * t9,
+           g.l3 * (t24 + t42),
+           g.l3 * (t46 + (t51 + t48)),
+           t53,
+           inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t54),
+           t53 * t36,
+           t57,
            gravity / g.l3,
-           t30,
-           t31,
-           t27 + t21,
-           t32,
-           g.l3 * (t34 + t36),
-           g.l3 * (t29 + t37),
-           Scalar(2) * t31,
-           Scalar(2) * t30,
-           Scalar(2) * t27,
-           Scalar(2) * t32,
-           t39,
-           Scalar(2) * t28,
-           t40 + g.l2 * t34,
-           t41,
-           g.l1 * g.l1 * (inertia.m2 + t33) + t44,
-           inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t43) };
+           t26 + t40,
+           Scalar(2) * t44,
+           Scalar(2) * t26,
+           Scalar(2) * t45 };
 }
 
 namespace detail {
@@ -1282,250 +1315,247 @@ inline JointVector<Scalar> forward_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[12] * c6 - k[11] * s6;
-  const Scalar t1 = k[22] * t0;
-  const Scalar t2 = k[4] * s6 - k[5] * c6;
-  const Scalar t3 = k[6] + s6 * t2;
-  const Scalar t4 = k[7] - t3;
-  const Scalar t5 = k[8] - t4;
-  const Scalar t6 = k[9] + t5;
-  const Scalar t7 = Scalar(1) / (t0 * t1 + t6);
-  const Scalar t8 = k[0] * s6 + k[1] * c6;
-  const Scalar t9 = k[2] + t8;
-  const Scalar t10 = s5 * t9 + k[3] * c5;
-  const Scalar t11 = s4 * t10;
-  const Scalar t12 = k[3] * s5 - c5 * t9;
-  const Scalar t13 = s2 * (s3 * t12 + c3 * c4 * t10);
-  const Scalar t14 = k[17] + c6 * t2;
-  const Scalar t15 = k[18] - t14;
-  const Scalar t16 = k[19] + t0;
-  const Scalar t17 = s5 * t15 + c5 * t16;
-  const Scalar t18 = t10 - t6;
-  const Scalar t19 = c5 * t15 - s5 * t16;
-  const Scalar t20 = c3 * t17 + s3 * (s4 * t18 - c4 * t19);
-  const Scalar t21 = t20 - k[27] * t11;
-  const Scalar t22 = k[0] * c6 - k[1] * s6;
-  const Scalar t23 = c5 * t22;
-  const Scalar t24 = t0 + t23;
-  const Scalar t25 = k[12] * s6 + k[11] * c6;
-  const Scalar t26 = t8 + (k[7] * s5 + c5 * t25);
-  const Scalar t27 = c5 - k[22] * s5 * t25;
-  const Scalar t28 = k[7] * t27;
-  const Scalar t29 = s3 * (s4 * t24 + c4 * t26) + c3 * t28;
-  const Scalar t30 = c4 * t8 + s4 * t23;
-  const Scalar t31 = t29 - k[27] * t30;
-  const Scalar t32 = s3 * s5 * t22 + c3 * (c4 * t23 - s4 * t8);
-  const Scalar t33 = t31 + k[30] * (s2 * t32 - c2 * t30);
-  const Scalar t34 = (k[30] * (c2 * t11 - t13) - t21) + t33 * t1;
-  const Scalar t35 = t7 * t34;
-  const Scalar t36 = t1 * t28 - t17;
-  const Scalar t37 = k[26] - t12;
-  const Scalar t38 = k[23] + t22;
-  const Scalar t39 = c4 * t37 + s4 * t38;
-  const Scalar t40 = t38 + (k[24] + t17);
-  const Scalar t41 = k[13] + t25;
-  const Scalar t42 = Scalar(2) * c5 * t41 + s5 * (k[10] - t6);
-  const Scalar t43 = t37 + (k[25] + (c5 * t42 - t41));
-  const Scalar t44 = s4 * t40 + c4 * t43;
-  const Scalar t45 = s5 * t42;
-  const Scalar t46 = k[16] - (t5 + t45);
-  const Scalar t47 = k[15] + t3;
-  const Scalar t48 = t46 + t47;
-  const Scalar t49 = k[27] * t39 - (s3 * t44 + c3 * t48);
-  const Scalar t50 = s4 * t37 - c4 * t38;
-  const Scalar t51 = k[30] * (s2 * c3 * t50 + c2 * t39);
-  const Scalar t52 = k[22] * t33;
-  const Scalar t53 = t35 * t36 - ((t49 + t51) + t52 * t28);
-  const Scalar t54 = t7 * t36;
-  const Scalar t55 = Scalar(1) / ((t27 * t28 - t48) - t54 * t36);
-  const Scalar t56 = t53 * t55;
-  const Scalar t57 = k[32] + t39;
-  const Scalar t58 = k[33] + t10;
-  const Scalar t59 = c3 * t57 + s3 * t58;
-  const Scalar t60 = s2 * (k[37] - t50) - c2 * (k[36] + t59);
-  const Scalar t61 = k[30] * t60;
-  const Scalar t62 = k[20] + t19;
-  const Scalar t63 = s4 * (t46 - t47) - Scalar(2) * c4 * t62;
-  const Scalar t64 = s4 * t63 + t47;
-  const Scalar t65 = k[21] + (t64 - t48);
-  const Scalar t66 = k[14] - ((k[9] - t45) - (t10 + t10));
-  const Scalar t67 = s3 * (t65 + t66) + Scalar(2) * c3 * (k[35] + t44);
-  const Scalar t68 = k[44] + (k[43] * t59 - (s3 * t67 - t65));
-  const Scalar t69 = k[42] + t64;
-  const Scalar t70 = k[28] - (t62 + c4 * t63);
-  const Scalar t71 = s4 * t43 - c4 * t40;
-  const Scalar t72 = k[29] - t71;
-  const Scalar t73 = k[27] * t50 + (c3 * t70 + s3 * t72);
-  const Scalar t74 = s2 * (t68 + t69) + Scalar(2) * c2 * (k[45] - t73);
-  const Scalar t75 = s2 * t74;
-  const Scalar t76 = t68 - t75;
-  const Scalar t77 = t75 - t69;
-  const Scalar t78 = (k[46] - ((t61 + t61) - t76)) + (k[47] + t77);
-  const Scalar t79 = t53 * t56 + (t35 * t34 - (t33 * t52 + t78));
-  const Scalar t80 = s4 * t26 - c4 * t24;
-  const Scalar t81 = (s4 * t19 + c4 * t18) + t80 * t1;
-  const Scalar t82 = t7 * t81;
-  const Scalar t83 = k[22] * t80;
-  const Scalar t84 = t82 * t36 + (t71 - t83 * t28);
-  const Scalar t85 = t84 * t55;
-  const Scalar t86 = s3 * t70 - c3 * t72;
-  const Scalar t87 = k[30] * s2 * (c3 * t58 - s3 * t57);
-  const Scalar t88 = t34 * t82 - (t80 * t52 - (t86 - t87));
-  const Scalar t89 = t53 * t85 + t88;
-  const Scalar t90 = t82 * t81 - (t80 * t83 + (t65 - t66));
-  const Scalar t91 = Scalar(1) / (t84 * t85 + t90);
-  const Scalar t92 = t89 * t91;
-  const Scalar t93 = t31 * t1 - t21;
-  const Scalar t94 = k[22] * t31;
-  const Scalar t95 = t93 * t7;
-  const Scalar t96 = t36 * t95 - (t49 + t27 * t31);
-  const Scalar t97 = t96 * t55;
-  const Scalar t98 = (t93 * t82 + (t86 - t80 * t94)) + t84 * t97;
-  const Scalar t99 = t91 * t98;
-  const Scalar t100 = t76 + t77;
-  const Scalar t101 = ((t100 + t94 * t31) - t93 * t95) - t96 * t97;
-  const Scalar t102 = Scalar(1) / (t99 * t98 + t101);
-  const Scalar t103 = t34 * t95 + ((t61 - t100) - t31 * t52);
-  const Scalar t104 = (t103 + t96 * t56) - t99 * t89;
-  const Scalar t105 = t102 * t104;
-  const Scalar t106 = Scalar(1) / ((t79 - t92 * t89) + t105 * t104);
-  const Scalar t107 = qd[0] + qd[1];
-  const Scalar t108 = c3 * t107;
-  const Scalar t109 = t108 * t108;
-  const Scalar t110 = qd[2] * qd[2];
-  const Scalar t111 = t109 - t110;
-  const Scalar t112 = t107 * t107;
-  const Scalar t113 = t111 - t112;
-  const Scalar t114 = k[30] * qd[0] * qd[0];
-  const Scalar t115 = c2 * t114 + k[27] * t112;
-  const Scalar t116 = s3 * t115 - k[31] * c3;
-  const Scalar t117 = t113 + t116;
-  const Scalar t118 = s3 * t107;
-  const Scalar t119 = qd[2] * t118;
-  const Scalar t120 = s4 * t118 - qd[2] * c4;
-  const Scalar t121 = c4 * t118;
-  const Scalar t122 = qd[2] * s4 + t121;
-  const Scalar t123 = t120 * t122;
-  const Scalar t124 = t119 + t123;
-  const Scalar t125 = qd[3] - t108;
-  const Scalar t126 = t125 * t125;
-  const Scalar t127 = t120 * t120;
-  const Scalar t128 = t126 + t127;
-  const Scalar t129 = t126 - t127;
-  const Scalar t130 = t129 - t113;
-  const Scalar t131 = t128 - t130;
-  const Scalar t132 = t125 * t122;
-  const Scalar t133 = qd[2] * t108;
-  const Scalar t134 = t133 + t133;
-  const Scalar t135 = s4 * t134 + t121 * t108;
-  const Scalar t136 = t135 + t132;
-  const Scalar t137 = t132 + t136;
-  const Scalar t138 = t120 * t125;
-  const Scalar t139 = t118 * t108;
-  const Scalar t140 = s4 * t139 - c4 * t134;
-  const Scalar t141 = t138 + (t140 + t138);
-  const Scalar t142 = (k[24] * t124 - k[25] * (t131 + t129)) - (k[16] * t137 + k[20] * t141);
-  const Scalar t143 = s5 * t141 + c5 * t124;
-  const Scalar t144 = qd[4] + t120;
-  const Scalar t145 = t144 * t144;
-  const Scalar t146 = c5 * t122 + s5 * t125;
-  const Scalar t147 = t146 * t146;
-  const Scalar t148 = t145 - t147;
-  const Scalar t149 = c5 * t125 - s5 * t122;
-  const Scalar t150 = qd[5] + t149;
-  const Scalar t151 = t150 * t150;
-  const Scalar t152 = t151 + t147;
-  const Scalar t153 = t148 + t152;
-  const Scalar t154 = t151 - t145;
-  const Scalar t155 = t154 - t152;
-  const Scalar t156 = t150 * t146;
-  const Scalar t157 = t149 * t146;
-  const Scalar t158 = t157 - t136;
-  const Scalar t159 = (t156 - t158) + t156;
-  const Scalar t160 = t150 * t144;
-  const Scalar t161 = c5 * t141 - s5 * t124;
-  const Scalar t162 = t144 * t149;
-  const Scalar t163 = t161 - (t162 + t162);
-  const Scalar t164 = t160 + (t163 + t160);
-  const Scalar t165 = (t0 * t143 - (t153 + t155) * t25) - (t159 * t4 - t164 * t14);
-  const Scalar t166 = k[31] * s3 + c3 * t115;
-  const Scalar t167 = t166 - t139;
-  const Scalar t168 = s2 * t114;
-  const Scalar t169 = t168 - t134;
-  const Scalar t170 = c4 * t167 + s4 * t169;
-  const Scalar t171 = s5 * t170 - c5 * t117;
-  const Scalar t172 = t157 + t136;
-  const Scalar t173 = t155 + t130;
-  const Scalar t174 = (k[8] * t172 - k[9] * t158) - k[13] * (t148 + t173);
-  const Scalar t175 = s5 * t117 + c5 * t170;
-  const Scalar t176 = (t174 + (k[19] * t143 - k[18] * t161)) + (k[3] * t175 + k[2] * t171);
-  const Scalar t177 = (t165 + t8 * t171) + t176;
-  const Scalar t178 = (k[26] * t117 - t142) - t177;
-  const Scalar t179 = k[24] * t129 + (k[20] * t137 + k[15] * t141);
-  const Scalar t180 = t119 - t123;
-  const Scalar t181 = t144 * t146;
-  const Scalar t182 = t143 - (t181 + t181);
-  const Scalar t183 = t0 * t154 + (t3 * t164 - t159 * t14);
-  const Scalar t184 = k[19] * t173 - (k[9] * t163 - k[13] * t182);
-  const Scalar t185 = c4 * t169 - s4 * t167;
-  const Scalar t186 = (t171 * t22 - (t182 * t25 + t183)) - ((t184 + k[18] * t172) + k[3] * t185);
-  const Scalar t187 = t148 * t14 + (t182 * t4 + t3 * t143);
-  const Scalar t188 = ((t163 * t25 + t0 * t158) + t187) + (t8 * t185 + t175 * t22);
-  const Scalar t189 = (k[13] * t163 - k[8] * t182) - (k[18] * t148 - k[19] * t158);
-  const Scalar t190 = t188 + (t189 + k[2] * t185);
-  const Scalar t191 = ((t179 + k[25] * t180) + k[23] * t117) - (c5 * t186 - s5 * t190);
-  const Scalar t192 = (k[3] * t158 - k[2] * (t148 + t130)) + (t22 * t143 - t8 * t153);
-  const Scalar t193 = (k[2] * t172 + k[3] * t155) + (t8 * t159 + t164 * t22);
-  const Scalar t194 = (k[23] * t124 - k[26] * t128) + (c5 * t192 - s5 * t193);
-  const Scalar t195 = (k[2] * t182 + k[3] * t163) + (t8 * t182 + t152 * t22);
-  const Scalar t196 = (k[26] * t180 + k[23] * t130) + t195;
-  const Scalar t197 = c4 * t194 - s4 * t196;
-  const Scalar t198 = t109 + t110;
-  const Scalar t199 = t198 - t112;
-  const Scalar t200 = (k[34] * t139 + k[35] * (t199 + t111)) + (k[32] * t116 - k[33] * t166);
-  const Scalar t201 = ((c4 * t178 + s4 * t191) - t197) + t200;
-  const Scalar t202 = torque[5] + t188;
-  const Scalar t203 = k[22] * t202;
-  const Scalar t204 = t1 * t202 + (torque[4] - t177);
-  const Scalar t205 = t7 * t204;
-  const Scalar t206 = ((torque[2] - t201) + t80 * t203) - t205 * t81;
-  const Scalar t207 = (k[16] * t180 + k[15] * t124) - k[20] * t131;
-  const Scalar t208 = ((k[25] * t140 - k[24] * t135) + t207) + (k[23] * t170 + k[26] * t185);
-  const Scalar t209 = t208 + (c5 * t190 + s5 * t186);
-  const Scalar t210 = (t27 * t202 - (torque[3] + t209)) - t54 * t204;
-  const Scalar t211 = t55 * t210;
-  const Scalar t212 = t206 + t84 * t211;
-  const Scalar t213 = k[36] * s2 + k[37] * c2;
-  const Scalar t214 = k[29] * t111 - (k[14] * t134 - k[41] * t119);
-  const Scalar t215 = c4 * t196 + s4 * t194;
-  const Scalar t216 = ((t214 - k[28] * t139) + k[33] * t168) - ((s4 * t178 - c4 * t191) - t215);
-  const Scalar t217 = (k[41] * t133 + k[40] * t119) + (k[28] * t199 + k[29] * t139);
-  const Scalar t218 = s3 * t216 + c3 * (t209 + (k[32] * t168 - t217));
-  const Scalar t219 = (k[39] * t119 - k[38] * t133) + t215;
-  const Scalar t220 = t213 * t114 + (t218 - k[27] * t219);
-  const Scalar t221 = t204 * t95 - (t94 * t202 + (torque[1] - t220));
-  const Scalar t222 = t99 * t212 + (t221 - t96 * t211);
-  const Scalar t223 = c3 * ((k[32] * t198 + k[33] * t139) - t197);
-  const Scalar t224 = (c5 * t193 + s5 * t192) + (k[23] * t141 + k[26] * t137);
-  const Scalar t225 = s3 * (t224 + (k[33] * t113 - k[32] * t139));
-  const Scalar t226 = t112 * t213 + (c2 * t219 + s2 * (t223 - t225));
-  const Scalar t227 = (torque[0] + (k[30] * t226 - t220)) + t33 * t203;
-  const Scalar t228 = t91 * t212;
-  const Scalar t229 = ((t227 - t35 * t204) + t56 * t210) - t89 * t228;
-  const Scalar t230 = t106 * (t105 * t222 - t229);
-  const Scalar t231 = t222 * t102 - t105 * t230;
-  const Scalar t232 = t99 * t231 - (t92 * t230 + t228);
-  const Scalar t233 = t85 * t232 + ((t211 + t230 * t56) - t97 * t231);
-  const Scalar t234 = ((t35 * t230 - t205) - t231 * t95) + t82 * t232;
-  const Scalar t235 = t234 + t233 * t54;
-  const Scalar t236 = (t94 * t231 - (t230 * t52 - t203)) - t83 * t232;
+  const Scalar t0 = k[4] * c6 - k[5] * s6;
+  const Scalar t1 = k[6] * t0;
+  const Scalar t2 = k[9] * c6 - k[10] * s6;
+  const Scalar t3 = c5 * t2;
+  const Scalar t4 = t1 + t3;
+  const Scalar t5 = k[10] * c6 + k[9] * s6;
+  const Scalar t6 = k[17] * s6 + k[16] * c6;
+  const Scalar t7 = t5 + (c5 * t6 + k[6] * s5);
+  const Scalar t8 = c5 - k[18] * s5 * t6;
+  const Scalar t9 = k[6] * t8;
+  const Scalar t10 = s3 * (s4 * t4 + c4 * t7) + c3 * t9;
+  const Scalar t11 = c4 * t5 + s4 * t3;
+  const Scalar t12 = t10 - k[15] * t11;
+  const Scalar t13 = k[18] * t12;
+  const Scalar t14 = c3 * (s4 * t5 - c4 * t3) - s3 * s5 * t2;
+  const Scalar t15 = t13 - k[38] * (c2 * t11 + s2 * t14);
+  const Scalar t16 = s4 * t7 - c4 * t4;
+  const Scalar t17 = k[11] + t5;
+  const Scalar t18 = s5 * t17 + k[8] * c5;
+  const Scalar t19 = k[30] + t18;
+  const Scalar t20 = c5 * t17 - k[8] * s5;
+  const Scalar t21 = k[25] + t20;
+  const Scalar t22 = k[27] + t2;
+  const Scalar t23 = c4 * t21 + s4 * t22;
+  const Scalar t24 = k[34] + t23;
+  const Scalar t25 = k[41] * s2 * (c3 * t19 - s3 * t24);
+  const Scalar t26 = k[0] * s6 - k[1] * c6;
+  const Scalar t27 = k[2] + c6 * t26;
+  const Scalar t28 = k[3] - t27;
+  const Scalar t29 = k[7] + t1;
+  const Scalar t30 = s5 * t28 + c5 * t29;
+  const Scalar t31 = (k[26] - t30) - t22;
+  const Scalar t32 = k[21] + t6;
+  const Scalar t33 = c5 * t32;
+  const Scalar t34 = k[12] - s6 * t26;
+  const Scalar t35 = k[13] - t34;
+  const Scalar t36 = (t33 + t33) + s5 * (k[14] - t35);
+  const Scalar t37 = (k[24] - (t32 - c5 * t36)) + t21;
+  const Scalar t38 = c4 * t31 + s4 * t37;
+  const Scalar t39 = k[28] - t38;
+  const Scalar t40 = c5 * t28 - s5 * t29;
+  const Scalar t41 = k[19] + t40;
+  const Scalar t42 = k[6] - t34;
+  const Scalar t43 = k[20] + t42;
+  const Scalar t44 = k[14] - s5 * t36;
+  const Scalar t45 = k[14] + t35;
+  const Scalar t46 = k[22] + (t44 - t45);
+  const Scalar t47 = Scalar(2) * c4 * t41 + s4 * (t43 - t46);
+  const Scalar t48 = k[23] - (t41 - c4 * t47);
+  const Scalar t49 = c3 * t39 - s3 * t48;
+  const Scalar t50 = t18 - t45;
+  const Scalar t51 = (c4 * t50 + s4 * t40) + t0 * t16;
+  const Scalar t52 = Scalar(1) / (t1 * t0 + t45);
+  const Scalar t53 = s4 * t18;
+  const Scalar t54 = c3 * t30 - s3 * (c4 * t40 - s4 * t50);
+  const Scalar t55 = k[15] * t53 - t54;
+  const Scalar t56 = s2 * (s3 * t20 - c3 * c4 * t18);
+  const Scalar t57 = (t55 + k[41] * (t56 + c2 * t53)) + t1 * t15;
+  const Scalar t58 = t52 * t57;
+  const Scalar t59 = (t15 * t16 + (t25 + t49)) - t51 * t58;
+  const Scalar t60 = k[18] * t16;
+  const Scalar t61 = t9 * t0 - t30;
+  const Scalar t62 = t52 * t61;
+  const Scalar t63 = (t9 * t60 - t38) - t62 * t51;
+  const Scalar t64 = t43 + t46;
+  const Scalar t65 = Scalar(1) / ((t9 * t8 - t64) - t62 * t61);
+  const Scalar t66 = t63 * t65;
+  const Scalar t67 = k[6] * t15;
+  const Scalar t68 = c4 * t22 - s4 * t21;
+  const Scalar t69 = k[41] * (s2 * c3 * t68 - c2 * t23);
+  const Scalar t70 = c4 * t37 - s4 * t31;
+  const Scalar t71 = k[15] * t23 - (s3 * t70 + c3 * t64);
+  const Scalar t72 = t57 * t62 - (t8 * t67 - (t69 - t71));
+  const Scalar t73 = t59 + t66 * t72;
+  const Scalar t74 = t52 * t51;
+  const Scalar t75 = t46 + s4 * t47;
+  const Scalar t76 = k[29] - t75;
+  const Scalar t77 = k[31] + ((t18 + t19) - t44);
+  const Scalar t78 = t74 * t51 - (t60 * t16 + (t76 - t77));
+  const Scalar t79 = Scalar(1) / (t66 * t63 + t78);
+  const Scalar t80 = t79 * t73;
+  const Scalar t81 = c3 * t24 + s3 * t19;
+  const Scalar t82 = k[35] - t81;
+  const Scalar t83 = s2 * (k[39] + t68) - c2 * (k[40] - t82);
+  const Scalar t84 = (s3 * t39 + c3 * t48) - k[15] * t68;
+  const Scalar t85 = k[32] - (t75 - t64);
+  const Scalar t86 = c3 * (k[33] + t70);
+  const Scalar t87 = s3 * (s3 * (t76 + t77) + (t86 + t86));
+  const Scalar t88 = k[36] + ((t76 - t87) + k[15] * (t81 - t82));
+  const Scalar t89 = Scalar(2) * c2 * (k[37] - t84) + s2 * (t85 + t88);
+  const Scalar t90 = s2 * t89;
+  const Scalar t91 = t90 - t88;
+  const Scalar t92 = k[44] - (k[41] * ((k[43] + t83) + t83) + t91);
+  const Scalar t93 = t90 - t85;
+  const Scalar t94 = (t15 * t67 + (t92 + (k[42] + t93))) - t57 * t58;
+  const Scalar t95 = t65 * t72;
+  const Scalar t96 = t0 * t12 + t55;
+  const Scalar t97 = t62 * t96 - (t8 * t12 + t71);
+  const Scalar t98 = t97 * t65;
+  const Scalar t99 = (t74 * t96 - (t49 + t13 * t16)) - t98 * t63;
+  const Scalar t100 = t99 * t79;
+  const Scalar t101 = t52 * t96;
+  const Scalar t102 = t93 - t91;
+  const Scalar t103 = t57 * t101 - ((t102 - k[41] * t83) + t13 * t67);
+  const Scalar t104 = t73 * t100 + (t103 + t95 * t97);
+  const Scalar t105 = ((t102 + t13 * t12) - t101 * t96) - t98 * t97;
+  const Scalar t106 = Scalar(1) / (t105 + t99 * t100);
+  const Scalar t107 = t104 * t106;
+  const Scalar t108 = (t73 * t80 + (t94 - t95 * t72)) - t104 * t107;
+  const Scalar t109 = qd[0] + qd[1];
+  const Scalar t110 = s3 * t109;
+  const Scalar t111 = qd[2] * t110;
+  const Scalar t112 = s4 * t110;
+  const Scalar t113 = t112 - qd[2] * c4;
+  const Scalar t114 = qd[2] * s4 + c4 * t110;
+  const Scalar t115 = t113 * t114;
+  const Scalar t116 = t111 + t115;
+  const Scalar t117 = c3 * t109;
+  const Scalar t118 = qd[3] - t117;
+  const Scalar t119 = t113 * t118;
+  const Scalar t120 = qd[2] * t117;
+  const Scalar t121 = t120 + t120;
+  const Scalar t122 = c4 * t121 - t112 * t117;
+  const Scalar t123 = t119 + (t119 - t122);
+  const Scalar t124 = c5 * t116 + s5 * t123;
+  const Scalar t125 = c5 * t118 - s5 * t114;
+  const Scalar t126 = qd[5] + t125;
+  const Scalar t127 = qd[4] + t113;
+  const Scalar t128 = t127 * t127;
+  const Scalar t129 = t126 * t126 + t128;
+  const Scalar t130 = c5 * t114 + s5 * t118;
+  const Scalar t131 = t130 * t130;
+  const Scalar t132 = t128 + t131;
+  const Scalar t133 = t129 - t132;
+  const Scalar t134 = t125 * t130;
+  const Scalar t135 = t118 * t114;
+  const Scalar t136 = t110 * t117;
+  const Scalar t137 = c4 * t136 + s4 * t121;
+  const Scalar t138 = t135 + t137;
+  const Scalar t139 = t134 - t138;
+  const Scalar t140 = t139 - Scalar(2) * t126 * t130;
+  const Scalar t141 = t126 * t127;
+  const Scalar t142 = s5 * t116 - c5 * t123;
+  const Scalar t143 = t142 + Scalar(2) * t127 * t125;
+  const Scalar t144 = t141 + (t141 - t143);
+  const Scalar t145 = (t1 * t124 - t6 * t133) + (t140 * t34 + t144 * t27);
+  const Scalar t146 = t109 * t109;
+  const Scalar t147 = k[41] * qd[0] * qd[0];
+  const Scalar t148 = k[15] * t146 + c2 * t147;
+  const Scalar t149 = k[45] * c3 - s3 * t148;
+  const Scalar t150 = t117 * t117;
+  const Scalar t151 = qd[2] * qd[2];
+  const Scalar t152 = t150 - t151;
+  const Scalar t153 = t152 - t146;
+  const Scalar t154 = t149 - t153;
+  const Scalar t155 = c3 * t148 + k[45] * s3;
+  const Scalar t156 = s2 * t147;
+  const Scalar t157 = t137 - (c4 * t155 + s4 * t156);
+  const Scalar t158 = c5 * t154 - s5 * t157;
+  const Scalar t159 = s5 * t154 + c5 * t157;
+  const Scalar t160 = t134 + t138;
+  const Scalar t161 = t128 - t131;
+  const Scalar t162 = t114 * t114;
+  const Scalar t163 = t118 * t118;
+  const Scalar t164 = t162 + t163;
+  const Scalar t165 = t164 - t132;
+  const Scalar t166 = (k[13] * t160 - k[14] * t139) - k[21] * (t161 + t165);
+  const Scalar t167 = (k[8] * t159 - k[11] * t158) - ((k[7] * t124 + k[3] * t142) + t166);
+  const Scalar t168 = (t145 + t5 * t158) - t167;
+  const Scalar t169 = (c4 * t156 - s4 * t155) - t122;
+  const Scalar t170 = t127 * t130;
+  const Scalar t171 = (t170 - t124) + t170;
+  const Scalar t172 = t161 * t27 - (t171 * t34 - t124 * t42);
+  const Scalar t173 = (t5 * t169 - t159 * t2) - ((t6 * t143 - t1 * t139) - t172);
+  const Scalar t174 = torque[5] + t173;
+  const Scalar t175 = (torque[4] - t168) + t0 * t174;
+  const Scalar t176 = (k[14] * t143 - k[21] * t171) + k[7] * t165;
+  const Scalar t177 = t1 * (t161 - t133) - (t140 * t27 + t144 * t42);
+  const Scalar t178 = ((k[3] * t160 + t176) + k[8] * t169) - (t2 * t158 + (t177 + t6 * t171));
+  const Scalar t179 = (k[7] * t139 - k[3] * t161) - (k[21] * t143 - k[13] * t171);
+  const Scalar t180 = (t179 + k[11] * t169) + t173;
+  const Scalar t181 = t162 - t163;
+  const Scalar t182 = t181 + t153;
+  const Scalar t183 = t182 + t164;
+  const Scalar t184 = t111 - t115;
+  const Scalar t185 = k[19] * t183 + (k[20] * t116 + k[22] * t184);
+  const Scalar t186 = ((k[24] * t122 - k[26] * t137) - t185) - (k[25] * t169 - k[27] * t157);
+  const Scalar t187 = (s5 * t178 - c5 * t180) + t186;
+  const Scalar t188 = t62 * t175 - (t8 * t174 - (torque[3] - t187));
+  const Scalar t189 = (t5 * t140 - t144 * t2) + (k[8] * t132 - k[11] * t160);
+  const Scalar t190 = (t124 * t2 - t5 * t129) + (k[8] * t139 - k[11] * (t161 + t164));
+  const Scalar t191 = k[30] * t157 - (k[27] * t116 + k[25] * t182);
+  const Scalar t192 = (s5 * t189 + c5 * t190) - t191;
+  const Scalar t193 = k[30] * t169 + (k[27] * t164 + k[25] * t184);
+  const Scalar t194 = (t2 * (t161 - t129) + t5 * t171) + (k[11] * t171 + k[8] * t143);
+  const Scalar t195 = t193 - t194;
+  const Scalar t196 = s4 * t192 + c4 * t195;
+  const Scalar t197 = t196 + k[47] * t111;
+  const Scalar t198 = t150 + t151;
+  const Scalar t199 = t198 + t153;
+  const Scalar t200 = (k[33] * t121 + k[48] * t111) - (k[23] * (t152 - t199) - k[28] * t136);
+  const Scalar t201 = (k[31] * t121 - k[49] * t111) - k[28] * t152;
+  const Scalar t202 = t135 + t138;
+  const Scalar t203 = k[26] * (t183 - t181) - (k[19] * t202 + k[20] * t123);
+  const Scalar t204 = (c5 * t178 + s5 * t180) - ((t203 - k[24] * t184) + k[27] * t154);
+  const Scalar t205 = (k[26] * t116 - k[24] * t181) + (k[19] * t123 + k[22] * t202);
+  const Scalar t206 = t168 + (k[25] * t154 - t205);
+  const Scalar t207 = (k[23] * t136 + t201) - ((c4 * t204 + s4 * t206) + t196);
+  const Scalar t208 = c3 * ((k[34] * t156 - t200) - t187) - s3 * t207;
+  const Scalar t209 = k[39] * c2 + k[40] * s2;
+  const Scalar t210 = (k[15] * t197 - t208) - t209 * t147;
+  const Scalar t211 = c4 * t192 - s4 * t195;
+  const Scalar t212 = k[30] * t154 - (k[25] * t202 + k[27] * t123);
+  const Scalar t213 = k[34] * t136 + ((c5 * t189 - s5 * t190) + t212);
+  const Scalar t214 = c3 * (t211 - k[34] * t198) - s3 * t213;
+  const Scalar t215 = (s2 * t214 - c2 * t197) - t209 * t146;
+  const Scalar t216 = t15 * t174 + (torque[0] + (t210 - k[41] * t215));
+  const Scalar t217 = t52 * t175;
+  const Scalar t218 = (k[46] * t136 + k[33] * t199) - k[34] * t149;
+  const Scalar t219 = (t211 + (c4 * t206 - s4 * t204)) - t218;
+  const Scalar t220 = t74 * t175 - (t60 * t174 + (torque[2] + t219));
+  const Scalar t221 = t188 * t65;
+  const Scalar t222 = t79 * (t220 - t63 * t221);
+  const Scalar t223 = (t95 * t188 - (t216 - t57 * t217)) + t73 * t222;
+  const Scalar t224 = ((torque[1] + t210) + t13 * t174) - t101 * t175;
+  const Scalar t225 = ((t224 - t221 * t97) + t99 * t222) * t106;
+  const Scalar t226 = Scalar(1) / t108 * (t223 - t104 * t225);
+  const Scalar t227 = t226 * t107 - t225;
+  const Scalar t228 = (t226 * t80 - t222) - t227 * t100;
+  const Scalar t229 = t228 * t66 - ((t221 + t95 * t226) + t98 * t227);
+  const Scalar t230 = t228 * t74 + (t227 * t101 + (t217 + t226 * t58));
+  const Scalar t231 = t229 * t62 - t230;
+  const Scalar t232 = (t15 * t226 + k[18] * t174) + t227 * t13;
+  const Scalar t233 = ((t232 + t228 * t60) - t8 * t229) + t231 * t0;
   JointVector<Scalar> result;
-  result[0] = t230;
-  result[1] = -t231;
-  result[2] = t232;
-  result[3] = -t233;
-  result[4] = -t235;
-  result[5] = (t27 * t233 - t236) - t235 * t1;
+  result[0] = -t226;
+  result[1] = -t227;
+  result[2] = -t228;
+  result[3] = -t229;
+  result[4] = -t231;
+  result[5] = -t233;
   return result;
 }
 
@@ -1552,85 +1582,93 @@ KineticEnergyConstants<Scalar> kinetic_energy_constants(const BasicGeometry<Scal
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
-  const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = inertia.c4y * inertia.m4;
-  const Scalar t3 = inertia.c5y * inertia.m5;
-  const Scalar t4 = inertia.c5z * inertia.m5;
-  const Scalar t5 = inertia.c6z * inertia.m6;
+  const Scalar t0 = inertia.c6x * inertia.m6;
+  const Scalar t1 = inertia.c6y * inertia.m6;
+  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t0;
+  const Scalar t4 = (inertia.I6yy - t2) - inertia.c6y * t1;
+  const Scalar t5 = inertia.I6xy - inertia.c6y * t0;
   const Scalar t6 = inertia.c5x * inertia.m5;
-  const Scalar t7 = inertia.c4x * inertia.m4;
-  const Scalar t8 = inertia.c3x * inertia.m3;
-  const Scalar t9 = inertia.c4z * inertia.m4;
-  const Scalar t10 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t11 = t9 - g.l3 * t10;
-  const Scalar t12 = inertia.c3z * inertia.m3;
-  const Scalar t13 = t12 - g.l3 * inertia.m3;
-  const Scalar t14 = g.l2 / g.l1;
-  const Scalar t15 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t16 = (inertia.I6xx - t15) - inertia.c6x * t1;
-  const Scalar t17 = (inertia.I6yy - t15) - inertia.c6y * t0;
-  const Scalar t18 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t19 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t20 = (inertia.c6z * t5 - (inertia.I6zz - t15)) + (inertia.c5z * t4 - (inertia.I5zz - t19));
-  const Scalar t21 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t22 = ((inertia.I4yy - t21) - inertia.c4y * t2) - (inertia.c5y * t3 - (inertia.I5yy - t19));
-  const Scalar t23 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t24 = ((inertia.I3zz - t23) - inertia.c3z * t12) + g.l3 * (t12 + t13);
-  const Scalar t25 = ((inertia.I4zz - t21) - inertia.c4z * t9) + g.l3 * (t9 + t11);
-  const Scalar t26 = inertia.c2x * inertia.m2;
-  const Scalar t27 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t28 = g.l2 * inertia.m2 + t26;
-  const Scalar t29 = (inertia.c2x * t26 - (inertia.I2xx - t27)) + g.l2 * (t26 + t28);
-  const Scalar t30 = inertia.m3 + t10;
-  const Scalar t31 = g.l2 * t30;
-  const Scalar t32 = inertia.c3y * inertia.m3;
-  const Scalar t33 = inertia.c2y * inertia.m2;
-  const Scalar t34 = ((inertia.I3yy - t23) - inertia.c3y * t32) + ((inertia.I2yy - t27) - inertia.c2y * t33);
-  const Scalar t35 = g.l2 * t32 - ((inertia.I2xy - inertia.c2y * t26) - g.l2 * t33);
-  const Scalar t36 = inertia.c1x * inertia.m1;
-  const Scalar t37 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t38 = g.l1 * (t36 + (g.l1 * inertia.m1 + t36)) + (inertia.c1x * t36 - (inertia.I1xx - t37));
-  return { g.l1 * t0,
-           g.l1 * t1,
-           g.l1 * (t2 + t3),
-           g.l1 * (t4 + t5),
-           g.l1 * t6,
-           g.l1 * t7,
-           g.l1 * t8,
-           g.l1 * (t11 + t13),
-           Scalar(2) * t14,
-           g.l3 / g.l1,
-           inertia.I6xz - inertia.c6z * t1,
-           inertia.I6yz - inertia.c6z * t0,
-           inertia.I5xz - inertia.c5z * t6,
-           t16 - t17,
-           Scalar(2) * t18,
-           t17,
-           t16 + t17,
-           inertia.c5x * t6 - (inertia.I5xx - t19),
-           t20,
-           inertia.I4xz - inertia.c4z * t7,
-           t18,
+  const Scalar t7 = inertia.c5y * inertia.m5;
+  const Scalar t8 = g.l2 / g.l1;
+  const Scalar t9 = g.l3 / g.l1;
+  const Scalar t10 = inertia.c5z * inertia.m5;
+  const Scalar t11 = inertia.c6z * inertia.m6;
+  const Scalar t12 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t13 = (inertia.c6z * t11 - (inertia.I6zz - t2)) + (inertia.c5z * t10 - (inertia.I5zz - t12));
+  const Scalar t14 = inertia.c4y * inertia.m4;
+  const Scalar t15 = inertia.c4x * inertia.m4;
+  const Scalar t16 = inertia.c3y * inertia.m3;
+  const Scalar t17 = inertia.c2y * inertia.m2;
+  const Scalar t18 = g.l3 * inertia.m4;
+  const Scalar t19 = inertia.c4z * inertia.m4;
+  const Scalar t20 = t19 - t18;
+  const Scalar t21 = t18 + t20;
+  const Scalar t22 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t23 = t21 - g.l3 * t22;
+  const Scalar t24 = inertia.c3z * inertia.m3;
+  const Scalar t25 = t24 - g.l3 * inertia.m3;
+  const Scalar t26 = inertia.c3x * inertia.m3;
+  const Scalar t27 = inertia.m3 + t22;
+  const Scalar t28 = g.l2 * t27;
+  const Scalar t29 = inertia.c2x * inertia.m2;
+  const Scalar t30 = g.l2 * inertia.m2 + t29;
+  const Scalar t31 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t32 = ((inertia.I4yy - t31) - inertia.c4y * t14) - (inertia.c5y * t7 - (inertia.I5yy - t12));
+  const Scalar t33 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t34 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t35 = ((inertia.I3yy - t33) - inertia.c3y * t16) + ((inertia.I2yy - t34) - inertia.c2y * t17);
+  const Scalar t36 = g.l3 * t15;
+  const Scalar t37 = g.l3 * t14;
+  const Scalar t38 = ((inertia.I4zz - t31) - inertia.c4z * t19) + g.l3 * (t19 + t20);
+  const Scalar t39 = g.l3 * (t23 + t21) + (t38 - g.l3 * (t21 + t20));
+  const Scalar t40 = ((inertia.I3zz - t33) - inertia.c3z * t24) + g.l3 * (t24 + t25);
+  const Scalar t41 = (inertia.c2x * t29 - (inertia.I2xx - t34)) + g.l2 * (t29 + t30);
+  const Scalar t42 = g.l2 * t16 - ((inertia.I2xy - inertia.c2y * t29) - g.l2 * t17);
+  const Scalar t43 = inertia.c1x * inertia.m1;
+  const Scalar t44 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t45 = g.l1 * (t43 + (g.l1 * inertia.m1 + t43)) + (inertia.c1x * t43 - (inertia.I1xx - t44));
+  return { inertia.I6xz - inertia.c6z * t0,
+           inertia.I6yz - inertia.c6z * t1,
+           t3 + t4,
+           t3 - t4,
+           Scalar(2) * t5,
+           t5,
            inertia.I5xy - inertia.c5y * t6,
-           inertia.I5yz - inertia.c5z * t3,
-           inertia.I4yz - inertia.c4z * t2,
-           (inertia.I3xz - inertia.c3z * t8) + g.l3 * t8,
-           (inertia.I4xx - t21) - inertia.c4x * t7,
-           inertia.I4xy - inertia.c4y * t7,
-           t22,
-           inertia.c3x * t8 - (inertia.I3xx - t23),
-           t24 + t25,
-           t29 + g.l2 * t31,
-           t34,
-           g.l1 * (t32 + t33),
-           g.l1 * (t31 + t28),
-           inertia.I3xy - inertia.c3y * t8,
-           g.l3 * t32 + (inertia.I3yz - inertia.c3z * t32),
-           t14,
+           inertia.I5yz - inertia.c5z * t7,
+           g.l1 * t1,
+           g.l1 * t0,
+           t8,
+           t9,
+           g.l1 * (t10 + t11),
+           g.l1 * t6,
+           inertia.I5xz - inertia.c5z * t6,
+           t3,
+           inertia.c5x * t6 - (inertia.I5xx - t12),
+           t13,
+           g.l1 * (t14 + t7),
+           g.l1 * t15,
+           g.l1 * (t16 + t17),
+           g.l1 * (t23 + t25),
+           g.l1 * t26,
+           g.l1 * (t28 + t30),
+           inertia.I4xy - inertia.c4y * t15,
+           (inertia.I4xx - t31) - inertia.c4x * t15,
+           t32,
            t35,
-           g.l1 * g.l1 * (inertia.m2 + t30) + t38,
-           inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t37) };
+           Scalar(2) * t8,
+           ((inertia.I4xz - inertia.c4z * t15) + t36) - t36,
+           t37 - (t37 + (inertia.I4yz - inertia.c4z * t14)),
+           (inertia.I3xz - inertia.c3z * t26) + g.l3 * t26,
+           Scalar(2) * t9,
+           t39 + t40,
+           inertia.c3x * t26 - (inertia.I3xx - t33),
+           t41 + g.l2 * t28,
+           inertia.I3xy - inertia.c3y * t26,
+           g.l3 * t16 + (inertia.I3yz - inertia.c3z * t16),
+           t42,
+           g.l1 * g.l1 * (inertia.m2 + t27) + t45,
+           inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t44) };
 }
 
 namespace detail {
@@ -1649,86 +1687,86 @@ inline Scalar kinetic_energy([[maybe_unused]] const JointVector<Scalar>& q, cons
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[10] * c6 + k[11] * s6;
-  const Scalar t1 = s5 * t0 - k[16] * c5;
-  const Scalar t2 = k[10] * s6 - k[11] * c6;
-  const Scalar t3 = k[22] - t2;
-  const Scalar t4 = k[14] * c6 - k[13] * s6;
-  const Scalar t5 = k[21] - (k[20] - c6 * t4);
-  const Scalar t6 = c5 * t3 + s5 * t5;
-  const Scalar t7 = k[0] * s6 + k[1] * c6;
-  const Scalar t8 = (k[16] * s5 + c5 * t0) + k[9] * t7;
-  const Scalar t9 = k[0] * c6 - k[1] * s6;
-  const Scalar t10 = c5 * t9;
-  const Scalar t11 = k[9] * t10 - t2;
-  const Scalar t12 = k[4] + t7;
-  const Scalar t13 = c5 * t12 - k[3] * s5;
-  const Scalar t14 = k[5] + t13;
-  const Scalar t15 = k[12] + t0;
-  const Scalar t16 = k[15] - s6 * t4;
-  const Scalar t17 = k[17] - (k[16] - t16);
-  const Scalar t18 = c5 * t15;
-  const Scalar t19 = s5 * (k[18] - t17) + (t18 + t18);
-  const Scalar t20 = k[9] * t14 + (k[19] - (t15 - c5 * t19));
-  const Scalar t21 = k[2] + t9;
-  const Scalar t22 = (k[23] + t6) + k[9] * t21;
-  const Scalar t23 = s4 * t20 - c4 * t22;
-  const Scalar t24 = c5 * t5 - s5 * t3;
-  const Scalar t25 = k[18] + t17;
-  const Scalar t26 = s5 * t12 + k[3] * c5;
-  const Scalar t27 = k[9] * t26;
-  const Scalar t28 = t25 - t27;
-  const Scalar t29 = qd[3] * t23 + qd[4] * (s4 * t24 - c4 * t28);
-  const Scalar t30 = qd[5] * (s4 * t8 - c4 * t11) + t29;
-  const Scalar t31 = s4 * t22 + c4 * t20;
-  const Scalar t32 = t17 + s5 * t19;
-  const Scalar t33 = k[25] - t32;
-  const Scalar t34 = k[27] + t16;
-  const Scalar t35 = t33 + t34;
-  const Scalar t36 = c4 * t14 + s4 * t21;
-  const Scalar t37 = (s3 * t31 + c3 * t35) - k[36] * t36;
-  const Scalar t38 = k[35] - t23;
-  const Scalar t39 = k[26] + t24;
-  const Scalar t40 = Scalar(2) * c4 * t39 - s4 * (t33 - t34);
-  const Scalar t41 = k[34] + (c4 * t40 - t39);
-  const Scalar t42 = c3 * t38 - s3 * t41;
-  const Scalar t43 = c3 * t6 - s3 * (s4 * t28 + c4 * t24);
-  const Scalar t44 = s4 * t26;
-  const Scalar t45 = t43 - k[36] * t44;
-  const Scalar t46 = (qd[3] * t37 + qd[2] * t42) - qd[4] * t45;
-  const Scalar t47 = c4 * t7 + s4 * t10;
-  const Scalar t48 = c3 * t1 - s3 * (s4 * t11 + c4 * t8);
-  const Scalar t49 = k[36] * t47 + t48;
-  const Scalar t50 = k[7] + t26;
-  const Scalar t51 = k[6] + t36;
-  const Scalar t52 = s3 * t50 + c3 * t51;
-  const Scalar t53 = t33 + s4 * t40;
-  const Scalar t54 = k[28] - t53;
-  const Scalar t55 = k[29] + (Scalar(2) * t27 - (t25 - t32));
-  const Scalar t56 = c3 * (k[24] + t31);
-  const Scalar t57 = s3 * (s3 * (t54 + t55) + (t56 + t56));
-  const Scalar t58 = k[30] + (k[8] * t52 + (t54 - t57));
-  const Scalar t59 = k[31] - (t53 - t35);
-  const Scalar t60 = t58 - t59;
-  const Scalar t61 = c4 * t21 - s4 * t14;
-  const Scalar t62 = c2 * (k[33] + t52) - s2 * (k[32] + t61);
-  const Scalar t63 = s2 * (s3 * t51 - c3 * t50) - t42;
-  const Scalar t64 = (c2 * t36 - s2 * c3 * t61) - t37;
-  const Scalar t65 = (qd[1] * (t60 + t62) - qd[2] * t63) - qd[3] * t64;
-  const Scalar t66 = s2 * (c3 * c4 * t26 - s3 * t13);
-  const Scalar t67 = t65 - qd[4] * (t45 - (c2 * t44 - t66));
-  const Scalar t68 = s3 * s5 * t9 + c3 * (c4 * t10 - s4 * t7);
-  const Scalar t69 = qd[5] * (t49 - (s2 * t68 - c2 * t47));
-  const Scalar t70 = qd[1] * (t46 - qd[5] * t49) + qd[0] * (t67 - t69);
-  const Scalar t71 = qd[3] * (qd[5] * t1 + qd[4] * t6) + (qd[2] * t30 + t70);
-  const Scalar t72 = (c3 * t41 + s3 * t38) - k[36] * t61;
-  const Scalar t73 = Scalar(2) * c2 * (k[37] - t72) + s2 * (t58 + t59);
-  const Scalar t74 = t58 - s2 * t73;
-  const Scalar t75 = (k[39] - (t74 - t60)) + (k[38] + ((t62 + t62) + t74));
-  const Scalar t76 = qd[0] * qd[0] * t75 + qd[1] * qd[1] * t60;
-  const Scalar t77 = qd[3] * qd[3] * t35 - (t76 + qd[2] * qd[2] * (t54 - t55));
-  const Scalar t78 = (qd[4] * qd[4] * t25 - t77) - qd[5] * k[16] * qd[5];
-  const Scalar t79 = (t71 - qd[4] * qd[5] * t2) + Scalar(0.5) * t78;
+  const Scalar t0 = k[0] * c6 + k[1] * s6;
+  const Scalar t1 = k[2] * c5 - s5 * t0;
+  const Scalar t2 = k[0] * s6 - k[1] * c6;
+  const Scalar t3 = k[8] * c6 - k[9] * s6;
+  const Scalar t4 = c5 * t3;
+  const Scalar t5 = t2 - k[11] * t4;
+  const Scalar t6 = k[9] * c6 + k[8] * s6;
+  const Scalar t7 = (c5 * t0 + k[2] * s5) + k[11] * t6;
+  const Scalar t8 = c3 * t1 - s3 * (s4 * t5 - c4 * t7);
+  const Scalar t9 = c4 * t6 + s4 * t4;
+  const Scalar t10 = t8 - k[10] * t9;
+  const Scalar t11 = s3 * s5 * t3 - c3 * (s4 * t6 - c4 * t4);
+  const Scalar t12 = qd[5] * (t10 - (c2 * t9 - s2 * t11));
+  const Scalar t13 = k[4] * c6 - k[3] * s6;
+  const Scalar t14 = k[15] + s6 * t13;
+  const Scalar t15 = k[16] - t14;
+  const Scalar t16 = k[14] + t0;
+  const Scalar t17 = s5 * (k[17] - t15) + Scalar(2) * c5 * t16;
+  const Scalar t18 = k[29] + (c5 * t17 - t16);
+  const Scalar t19 = k[6] - (k[5] - c6 * t13);
+  const Scalar t20 = k[7] - t2;
+  const Scalar t21 = s5 * t19 + c5 * t20;
+  const Scalar t22 = k[30] - t21;
+  const Scalar t23 = k[18] + t3;
+  const Scalar t24 = k[13] + t6;
+  const Scalar t25 = k[12] * s5 - c5 * t24;
+  const Scalar t26 = k[19] - t25;
+  const Scalar t27 = s4 * t23 + c4 * t26;
+  const Scalar t28 = (c4 * t18 - s4 * t22) + k[11] * t27;
+  const Scalar t29 = k[26] + (k[2] - t14);
+  const Scalar t30 = s5 * t17;
+  const Scalar t31 = t15 + t30;
+  const Scalar t32 = k[25] - t31;
+  const Scalar t33 = t29 + t32;
+  const Scalar t34 = (s3 * t28 + c3 * t33) - k[10] * t27;
+  const Scalar t35 = c4 * t23 - s4 * t26;
+  const Scalar t36 = t34 - (c2 * t27 - s2 * c3 * t35);
+  const Scalar t37 = k[12] * c5 + s5 * t24;
+  const Scalar t38 = k[21] + t37;
+  const Scalar t39 = k[22] + t27;
+  const Scalar t40 = c5 * t19 - s5 * t20;
+  const Scalar t41 = k[24] + t40;
+  const Scalar t42 = Scalar(2) * c4 * t41 + s4 * (t29 - t32);
+  const Scalar t43 = k[36] - (t41 - c4 * t42);
+  const Scalar t44 = k[11] * t35 - (s4 * t18 + c4 * t22);
+  const Scalar t45 = k[37] + t44;
+  const Scalar t46 = s3 * t43 - c3 * t45;
+  const Scalar t47 = s2 * (c3 * t38 - s3 * t39) - t46;
+  const Scalar t48 = c3 * t39 + s3 * t38;
+  const Scalar t49 = s2 * (k[20] + t35) - c2 * (k[23] + t48);
+  const Scalar t50 = c3 * (k[31] + t28);
+  const Scalar t51 = k[17] - t30;
+  const Scalar t52 = k[33] + (k[32] * t37 - t51);
+  const Scalar t53 = s4 * t42 + t32;
+  const Scalar t54 = k[34] - t53;
+  const Scalar t55 = s3 * ((t50 + t50) + s3 * (t52 + t54));
+  const Scalar t56 = k[35] - ((t55 - t54) - k[28] * t48);
+  const Scalar t57 = k[27] - (t53 - t33);
+  const Scalar t58 = t56 - t57;
+  const Scalar t59 = qd[3] * t36 + (qd[2] * t47 - qd[1] * (t49 - t58));
+  const Scalar t60 = t31 + t51;
+  const Scalar t61 = k[11] * t37 - t60;
+  const Scalar t62 = c3 * t21 + s3 * (s4 * t61 - c4 * t40);
+  const Scalar t63 = s4 * t37;
+  const Scalar t64 = t62 - k[10] * t63;
+  const Scalar t65 = s2 * (c3 * c4 * t37 + s3 * t25);
+  const Scalar t66 = t59 - qd[4] * (t64 - (c2 * t63 - t65));
+  const Scalar t67 = (qd[2] * t46 - qd[3] * t34) + qd[4] * t64;
+  const Scalar t68 = qd[0] * (t12 + t66) + qd[1] * (qd[5] * t10 - t67);
+  const Scalar t69 = qd[3] * t44 - qd[4] * (c4 * t61 + s4 * t40);
+  const Scalar t70 = t69 - qd[5] * (c4 * t5 + s4 * t7);
+  const Scalar t71 = (t68 - qd[2] * t70) + qd[3] * (qd[4] * t21 - qd[5] * t1);
+  const Scalar t72 = (s3 * t45 + c3 * t43) - k[10] * t35;
+  const Scalar t73 = Scalar(2) * c2 * (k[38] - t72) + s2 * (t56 + t57);
+  const Scalar t74 = t56 - s2 * t73;
+  const Scalar t75 = (k[39] + (t74 - Scalar(2) * t49)) + (k[40] - (t74 - t58));
+  const Scalar t76 = qd[0] * qd[0] * t75 + qd[1] * qd[1] * t58;
+  const Scalar t77 = qd[3] * qd[3] * t33 - (t76 - qd[2] * qd[2] * (t52 - t54));
+  const Scalar t78 = qd[5] * k[2] * qd[5] + (t77 - qd[4] * qd[4] * t60);
+  const Scalar t79 = (t71 - qd[4] * qd[5] * t2) - Scalar(0.5) * t78;
   Scalar result;
   result = t79;
   return result;
@@ -1755,23 +1793,24 @@ PotentialEnergyConstants<Scalar> potential_energy_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = (inertia.m1 + (inertia.m2 + (inertia.m3 + t0))) * gravity * g.h1;
-  return { inertia.c6x * inertia.m6,
-           inertia.c6y * inertia.m6,
+  const Scalar t0 = g.l3 * inertia.m4;
+  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t2 = g.h1 * inertia.m2;
+  return { inertia.c6y * inertia.m6,
+           inertia.c6x * inertia.m6,
+           inertia.c5x * inertia.m5,
+           inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
+           t0 + (inertia.c4z * inertia.m4 - t0),
+           g.l3 * t1,
+           inertia.c3z * inertia.m3 - g.l3 * inertia.m3,
            inertia.c5y * inertia.m5,
            inertia.c4y * inertia.m4,
-           inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
-           inertia.c5x * inertia.m5,
            inertia.c4x * inertia.m4,
            inertia.c3x * inertia.m3,
-           inertia.c4z * inertia.m4,
-           g.l3 * t0,
-           inertia.c3z * inertia.m3 - g.l3 * inertia.m3,
-           inertia.c2z * inertia.m2,
-           inertia.c1z * inertia.m1,
-           gravity,
-           t1 };
+           (t2 + inertia.c2z * inertia.m2) - t2,
+           g.h1 * (inertia.m2 + (inertia.m3 + t1)),
+           inertia.c1z * inertia.m1 + g.h1 * inertia.m1,
+           gravity };
 }
 
 namespace detail {
@@ -1787,13 +1826,13 @@ inline Scalar potential_energy([[maybe_unused]] const JointVector<Scalar>& q, co
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[5] + (k[0] * c6 + k[1] * s6);
-  const Scalar t1 = c4 * (k[6] + (c5 * t0 - k[4] * s5));
-  const Scalar t2 = k[3] + (k[2] - (k[0] * s6 - k[1] * c6));
-  const Scalar t3 = k[9] - (k[8] + (k[4] * c5 + s5 * t0));
-  const Scalar t4 = s3 * (k[7] + (t1 + s4 * t2)) - c3 * (k[10] - t3);
+  const Scalar t0 = k[2] + (k[0] * s6 + k[1] * c6);
+  const Scalar t1 = k[5] - (k[4] + (s5 * t0 + k[3] * c5));
+  const Scalar t2 = k[8] + (k[7] + (k[0] * c6 - k[1] * s6));
+  const Scalar t3 = c4 * (k[9] - (k[3] * s5 - c5 * t0));
+  const Scalar t4 = c3 * (k[6] - t1) - s3 * (k[10] + (s4 * t2 + t3));
   Scalar result;
-  result = k[14] + k[13] * (k[12] + (k[11] - t4));
+  result = k[14] * (k[13] + (k[12] + (k[11] + t4)));
   return result;
 }
 

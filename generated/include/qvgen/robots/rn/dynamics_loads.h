@@ -26,7 +26,7 @@ LoadAngles<Scalar> load_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion, under gravity in any direction.
 ///
-/// 204 multiplications, 188 additions, 6 sine/cosine pairs. Set-up: 81 multiplications, 94 additions, 6 divisions.
+/// 201 multiplications, 191 additions, 6 sine/cosine pairs. Set-up: 85 multiplications, 104 additions, 6 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l3, which must not be zero.
 template <class Scalar>
@@ -46,7 +46,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces for a motion while a wrench acts on the tool from outside: those without it minus jacobian(q)^T wrench.
 ///
-/// 242 multiplications, 213 additions, 6 sine/cosine pairs. Set-up: 81 multiplications, 94 additions, 6 divisions.
+/// 241 multiplications, 214 additions, 6 sine/cosine pairs. Set-up: 85 multiplications, 104 additions, 6 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l3, which must not be zero.
 template <class Scalar>
@@ -66,7 +66,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces that hold the robot at rest, under gravity in any direction.
 ///
-/// 54 multiplications, 34 additions, 6 sine/cosine pairs. Set-up: 22 multiplications, 14 additions.
+/// 54 multiplications, 34 additions, 6 sine/cosine pairs. Set-up: 23 multiplications, 16 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g,
@@ -83,7 +83,7 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const LoadAngle
 
 /// Joint accelerations for given joint forces, under gravity in any direction.
 ///
-/// 370 multiplications, 341 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 86 multiplications, 92 additions, 6
+/// 369 multiplications, 342 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 96 multiplications, 107 additions, 7
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l3, which must not be zero.
@@ -92,7 +92,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
-using ForwardDynamicsWithGravityVectorConstants = std::array<Scalar, 53>;
+using ForwardDynamicsWithGravityVectorConstants = std::array<Scalar, 54>;
 template <class Scalar>
 ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_vector_constants(
     const BasicGeometry<Scalar>& g,
@@ -104,7 +104,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint accelerations for given joint forces while a wrench acts on the tool from outside.
 ///
-/// 406 multiplications, 368 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 85 multiplications, 92 additions, 6
+/// 407 multiplications, 367 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 95 multiplications, 107 additions, 7
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l3, which must not be zero.
@@ -114,7 +114,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity,
         const NonDeduced<Wrench<Scalar>>& wrench);
 template <class Scalar>
-using ForwardDynamicsWithWrenchConstants = std::array<Scalar, 53>;
+using ForwardDynamicsWithWrenchConstants = std::array<Scalar, 54>;
 template <class Scalar>
 ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constants(const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
@@ -125,7 +125,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Minus the sum of m gravity . r over the links, r the centre of mass in the world, J.
 ///
-/// 27 multiplications, 32 additions, 6 sine/cosine pairs. Set-up: 26 multiplications, 9 additions.
+/// 27 multiplications, 32 additions, 6 sine/cosine pairs. Set-up: 28 multiplications, 13 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Scalar potential_energy(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g,

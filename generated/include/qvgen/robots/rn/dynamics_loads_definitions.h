@@ -29,94 +29,100 @@ InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c1y * inertia.m1;
-  const Scalar t1 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t2 = inertia.c4z * inertia.m4;
-  const Scalar t3 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t4 = t2 - g.l3 * t3;
-  const Scalar t5 = inertia.c3z * inertia.m3;
-  const Scalar t6 = t5 - g.l3 * inertia.m3;
-  const Scalar t7 = (t4 + t6) / g.l3;
-  const Scalar t8 = g.l1 * t7;
-  const Scalar t9 = inertia.m3 + t3;
-  const Scalar t10 = g.l1 * (inertia.m2 + t9);
-  const Scalar t11 = inertia.c1x * inertia.m1;
-  const Scalar t12 = g.l1 * inertia.m1 + t11;
-  const Scalar t13 = g.l1 * (t11 + t12) + (inertia.c1x * t11 - (inertia.I1xx - t1));
-  const Scalar t14 = (inertia.c1y * t0 - (inertia.I1yy - t1)) + (g.l1 * t8 + (g.l1 * t10 + t13));
-  const Scalar t15 = inertia.c4x * inertia.m4;
-  const Scalar t16 = inertia.c4y * inertia.m4;
-  const Scalar t17 = inertia.c5y * inertia.m5;
-  const Scalar t18 = g.l3 * g.l3 * t7;
-  const Scalar t19 = inertia.c6y * inertia.m6;
-  const Scalar t20 = inertia.c6x * inertia.m6;
-  const Scalar t21 = inertia.c5x * inertia.m5;
-  const Scalar t22 = inertia.c5z * inertia.m5;
-  const Scalar t23 = inertia.c6z * inertia.m6;
-  const Scalar t24 = inertia.c3x * inertia.m3;
-  const Scalar t25 = g.l3 * t24;
-  const Scalar t26 = g.l2 * t7;
-  const Scalar t27 = g.l2 * t9;
-  const Scalar t28 = inertia.c2x * inertia.m2;
-  const Scalar t29 = g.l2 * inertia.m2 + t28;
-  const Scalar t30 = inertia.c3y * inertia.m3;
-  const Scalar t31 = inertia.c2y * inertia.m2;
-  const Scalar t32 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t33 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t34 = ((inertia.I4yy - t32) - inertia.c4y * t16) - (inertia.c5y * t17 - (inertia.I5yy - t33));
-  const Scalar t35 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t36 = (inertia.c6z * t23 - (inertia.I6zz - t35)) + (inertia.c5z * t22 - (inertia.I5zz - t33));
-  const Scalar t37 = inertia.I6xy - inertia.c6y * t20;
-  const Scalar t38 = (inertia.I6xx - t35) - inertia.c6x * t20;
-  const Scalar t39 = (inertia.I6yy - t35) - inertia.c6y * t19;
-  const Scalar t40 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t41 = ((inertia.I3zz - t40) - inertia.c3z * t5) + g.l3 * (t5 + t6);
-  const Scalar t42 = ((inertia.I4zz - t32) - inertia.c4z * t2) + g.l3 * (t2 + t4);
-  const Scalar t43 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t44 = (inertia.c2x * t28 - (inertia.I2xx - t43)) + g.l2 * (t28 + t29);
-  const Scalar t45 = ((inertia.I3yy - t40) - inertia.c3y * t30) + ((inertia.I2yy - t43) - inertia.c2y * t31);
-  const Scalar t46 = (g.l2 * t26 + (t44 + g.l2 * t27)) - t45;
-  return { t14,
+  const Scalar t0 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t1 = inertia.c3y * inertia.m3;
+  const Scalar t2 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t3 = inertia.c2y * inertia.m2;
+  const Scalar t4 = ((inertia.I3yy - t0) - inertia.c3y * t1) + ((inertia.I2yy - t2) - inertia.c2y * t3);
+  const Scalar t5 = g.l3 * inertia.m4;
+  const Scalar t6 = inertia.c4z * inertia.m4;
+  const Scalar t7 = t6 - t5;
+  const Scalar t8 = t5 + t7;
+  const Scalar t9 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t10 = t8 - g.l3 * t9;
+  const Scalar t11 = inertia.c3z * inertia.m3;
+  const Scalar t12 = t11 - g.l3 * inertia.m3;
+  const Scalar t13 = (t10 + t12) / g.l3;
+  const Scalar t14 = g.l2 * t13;
+  const Scalar t15 = inertia.c2x * inertia.m2;
+  const Scalar t16 = g.l2 * inertia.m2 + t15;
+  const Scalar t17 = (inertia.c2x * t15 - (inertia.I2xx - t2)) + g.l2 * (t15 + t16);
+  const Scalar t18 = inertia.m3 + t9;
+  const Scalar t19 = g.l2 * t18;
+  const Scalar t20 = t4 - (g.l2 * t14 + (t17 + g.l2 * t19));
+  const Scalar t21 = inertia.c4x * inertia.m4;
+  const Scalar t22 = g.l3 * t21;
+  const Scalar t23 = inertia.c4y * inertia.m4;
+  const Scalar t24 = g.l3 * t23;
+  const Scalar t25 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t26 = inertia.c6y * inertia.m6;
+  const Scalar t27 = inertia.c6x * inertia.m6;
+  const Scalar t28 = inertia.I6xy - inertia.c6y * t27;
+  const Scalar t29 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t30 = (inertia.I6xx - t29) - inertia.c6x * t27;
+  const Scalar t31 = (inertia.I6yy - t29) - inertia.c6y * t26;
+  const Scalar t32 = inertia.c5z * inertia.m5;
+  const Scalar t33 = inertia.c6z * inertia.m6;
+  const Scalar t34 = inertia.c5x * inertia.m5;
+  const Scalar t35 = inertia.c5y * inertia.m5;
+  const Scalar t36 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t37 = (inertia.c6z * t33 - (inertia.I6zz - t29)) + (inertia.c5z * t32 - (inertia.I5zz - t36));
+  const Scalar t38 = g.l3 * g.l3 * t13;
+  const Scalar t39 = ((inertia.I4yy - t25) - inertia.c4y * t23) - (inertia.c5y * t35 - (inertia.I5yy - t36));
+  const Scalar t40 = inertia.c3x * inertia.m3;
+  const Scalar t41 = g.l3 * t40;
+  const Scalar t42 = ((inertia.I4zz - t25) - inertia.c4z * t6) + g.l3 * (t6 + t7);
+  const Scalar t43 = g.l3 * (t10 + t8) + (t42 - g.l3 * (t8 + t7));
+  const Scalar t44 = ((inertia.I3zz - t0) - inertia.c3z * t11) + g.l3 * (t11 + t12);
+  const Scalar t45 = g.l1 * (inertia.m2 + t18);
+  const Scalar t46 = inertia.c1x * inertia.m1;
+  const Scalar t47 = g.l1 * inertia.m1 + t46;
+  const Scalar t48 = g.l1 * t13;
+  const Scalar t49 = inertia.c1y * inertia.m1;
+  const Scalar t50 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t51 = g.l1 * (t46 + t47) + (inertia.c1x * t46 - (inertia.I1xx - t50));
+  const Scalar t52 = (inertia.c1y * t49 - (inertia.I1yy - t50)) + ((g.l1 * t45 + t51) + g.l1 * t48);
+  return { t20,
            gravity[1] / g.l3,
            gravity[0] / g.l3,
-           g.l3 * t0,
-           g.l3 * ((t10 + t12) + t8),
-           g.l3 * t15,
-           g.l3 * (t16 + t17),
-           gravity[2] / g.l3,
-           g.l2 / g.l3,
            g.l1 / g.l3,
-           t18,
-           g.l3 * t19,
-           g.l3 * t20,
-           g.l3 * t21,
-           g.l3 * (t22 + t23),
-           t25,
-           g.l3 * (t26 + (t27 + t29)),
-           g.l3 * (t30 + t31),
-           inertia.I4xy - inertia.c4y * t15,
-           t34,
-           (inertia.I4xx - t32) - inertia.c4x * t15,
-           inertia.I4xz - inertia.c4z * t15,
-           inertia.I4yz - inertia.c4z * t16,
-           inertia.I5xy - inertia.c5y * t21,
-           t36,
-           inertia.I5xz - inertia.c5z * t21,
-           inertia.I5yz - inertia.c5z * t17,
-           inertia.I6yz - inertia.c6z * t19,
-           inertia.I6xz - inertia.c6z * t20,
-           Scalar(2) * t37,
-           t38 - t39,
-           t39,
+           g.l3 * (t14 + (t19 + t16)),
+           g.l3 * (t1 + t3),
+           ((inertia.I4xz - inertia.c4z * t21) + t22) - t22,
+           t24 - (t24 + (inertia.I4yz - inertia.c4z * t23)),
+           (inertia.I4xx - t25) - inertia.c4x * t21,
+           inertia.I4xy - inertia.c4y * t21,
+           g.l2 / g.l3,
+           gravity[2] / g.l3,
+           t22,
+           inertia.I6yz - inertia.c6z * t26,
+           inertia.I6xz - inertia.c6z * t27,
+           Scalar(2) * t28,
+           t30 - t31,
+           t28,
+           t30,
+           g.l3 * t26,
+           g.l3 * t27,
+           g.l3 * (t32 + t33),
+           g.l3 * t34,
+           inertia.I5xy - inertia.c5y * t34,
+           inertia.I5yz - inertia.c5z * t35,
+           inertia.I5xz - inertia.c5z * t34,
            t37,
+           inertia.c5x * t34 - (inertia.I5xx - t36),
            t38,
-           inertia.c5x * t21 - (inertia.I5xx - t33),
-           inertia.I3xy - inertia.c3y * t24,
-           g.l3 * t30 + (inertia.I3yz - inertia.c3z * t30),
-           (inertia.I3xz - inertia.c3z * t24) + t25,
-           inertia.c3x * t24 - (inertia.I3xx - t40),
-           t18 - (t41 + t42),
-           t46 };
+           g.l3 * (t23 + t35),
+           t39,
+           t31,
+           (inertia.I3xz - inertia.c3z * t40) + t41,
+           (t43 + t44) - t38,
+           g.l3 * t1 + (inertia.I3yz - inertia.c3z * t1),
+           inertia.I3xy - inertia.c3y * t40,
+           t41,
+           inertia.c3x * t40 - (inertia.I3xx - t0),
+           g.l3 * ((t45 + t47) + t48),
+           g.l3 * t49,
+           t52 };
 }
 
 namespace detail {
@@ -139,144 +145,147 @@ inline JointVector<Scalar> inverse_dynamics_with_gravity_vector([[maybe_unused]]
   const Scalar& c6 = angles.cosine[5];
   const Scalar t0 = k[2] * s1 - k[1] * c1;
   const Scalar t1 = k[1] * s1 + k[2] * c1;
-  const Scalar t2 = k[0] * qdd[0] + (k[4] * t0 + k[3] * t1);
+  const Scalar t2 = k[40] * qdd[0] + (k[38] * t0 + k[39] * t1);
   const Scalar t3 = qdd[0] + qdd[1];
-  const Scalar t4 = s3 * t3;
-  const Scalar t5 = qd[0] + qd[1];
-  const Scalar t6 = c3 * t5;
-  const Scalar t7 = qd[2] * t6;
-  const Scalar t8 = t4 + (t7 + t7);
-  const Scalar t9 = s3 * t5;
-  const Scalar t10 = qd[2] * t9;
-  const Scalar t11 = c3 * t3;
-  const Scalar t12 = t10 - t11;
-  const Scalar t13 = t10 + t12;
-  const Scalar t14 = t6 * t6;
-  const Scalar t15 = qd[2] * qd[2];
-  const Scalar t16 = t14 - t15;
-  const Scalar t17 = (k[39] * t8 + k[37] * t13) + k[36] * t16;
-  const Scalar t18 = t9 * t6;
-  const Scalar t19 = qdd[2] + t18;
-  const Scalar t20 = k[9] * qdd[0] + t0;
-  const Scalar t21 = k[9] * qd[0] * qd[0] + t1;
-  const Scalar t22 = c2 * t20 + s2 * t21;
-  const Scalar t23 = t22 + k[8] * t3;
-  const Scalar t24 = t23 - t8;
-  const Scalar t25 = qdd[2] - t18;
-  const Scalar t26 = c2 * t21 - s2 * t20;
-  const Scalar t27 = t5 * t5;
-  const Scalar t28 = t26 + k[8] * t27;
-  const Scalar t29 = t25 - (k[7] * s3 - c3 * t28);
-  const Scalar t30 = c4 * t24 - s4 * t29;
-  const Scalar t31 = s4 * t9 - qd[2] * c4;
-  const Scalar t32 = qd[4] + t31;
-  const Scalar t33 = qd[2] * s4 + c4 * t9;
-  const Scalar t34 = qd[3] - t6;
-  const Scalar t35 = c5 * t33 + s5 * t34;
-  const Scalar t36 = Scalar(2) * t32 * t35;
-  const Scalar t37 = c4 * t8 + s4 * t25;
-  const Scalar t38 = Scalar(2) * t31 * t34 - t37;
-  const Scalar t39 = qdd[3] + t12;
-  const Scalar t40 = t31 * t33;
-  const Scalar t41 = t39 + t40;
-  const Scalar t42 = s5 * t38 + c5 * t41;
-  const Scalar t43 = t36 - t42;
-  const Scalar t44 = s5 * t41 - c5 * t38;
-  const Scalar t45 = c5 * t34 - s5 * t33;
-  const Scalar t46 = t44 + Scalar(2) * t32 * t45;
-  const Scalar t47 = t32 * t32;
-  const Scalar t48 = t45 * t45;
-  const Scalar t49 = t47 - t48;
-  const Scalar t50 = t34 * t34;
-  const Scalar t51 = t31 * t31;
-  const Scalar t52 = t50 - t51;
-  const Scalar t53 = t16 - t27;
+  const Scalar t4 = qd[0] + qd[1];
+  const Scalar t5 = t4 * t4;
+  const Scalar t6 = s3 * t4;
+  const Scalar t7 = c3 * t4;
+  const Scalar t8 = t6 * t7;
+  const Scalar t9 = qdd[2] + t8;
+  const Scalar t10 = k[19] * s6 + k[20] * c6;
+  const Scalar t11 = s4 * t6 - qd[2] * c4;
+  const Scalar t12 = qd[4] + t11;
+  const Scalar t13 = t12 * t12;
+  const Scalar t14 = qd[2] * s4 + c4 * t6;
+  const Scalar t15 = qd[3] - t7;
+  const Scalar t16 = c5 * t14 + s5 * t15;
+  const Scalar t17 = t16 * t16;
+  const Scalar t18 = t13 - t17;
+  const Scalar t19 = c5 * t15 - s5 * t14;
+  const Scalar t20 = qd[5] + t19;
+  const Scalar t21 = t20 * t20;
+  const Scalar t22 = t21 + t17;
+  const Scalar t23 = t18 + t22;
+  const Scalar t24 = k[19] * c6 - k[20] * s6;
+  const Scalar t25 = qdd[2] - t8;
+  const Scalar t26 = s3 * t3;
+  const Scalar t27 = qd[2] * t7;
+  const Scalar t28 = (t26 + t27) + t27;
+  const Scalar t29 = s4 * t25 + c4 * t28;
+  const Scalar t30 = t29 - Scalar(2) * t11 * t15;
+  const Scalar t31 = qd[2] * t6;
+  const Scalar t32 = c3 * t3;
+  const Scalar t33 = t31 - t32;
+  const Scalar t34 = qdd[3] + t33;
+  const Scalar t35 = t11 * t14;
+  const Scalar t36 = t34 + t35;
+  const Scalar t37 = s5 * t30 - c5 * t36;
+  const Scalar t38 = t12 * t16;
+  const Scalar t39 = t38 + t38;
+  const Scalar t40 = t37 + t39;
+  const Scalar t41 = qdd[5] - t40;
+  const Scalar t42 = t41 + t39;
+  const Scalar t43 = s4 * t28 - c4 * t25;
+  const Scalar t44 = t15 * t14;
+  const Scalar t45 = t43 + t44;
+  const Scalar t46 = qdd[4] + t45;
+  const Scalar t47 = t19 * t16;
+  const Scalar t48 = t46 - t47;
+  const Scalar t49 = t6 * t6;
+  const Scalar t50 = qd[2] * qd[2];
+  const Scalar t51 = t49 + t50;
+  const Scalar t52 = t15 * t15;
+  const Scalar t53 = t11 * t11;
   const Scalar t54 = t52 - t53;
-  const Scalar t55 = t49 + t54;
-  const Scalar t56 = t47 + t48;
-  const Scalar t57 = t55 - t56;
-  const Scalar t58 = t57 - t49;
-  const Scalar t59 = t45 * t35;
-  const Scalar t60 = s4 * t8 - c4 * t25;
-  const Scalar t61 = t34 * t33;
-  const Scalar t62 = t60 + t61;
-  const Scalar t63 = qdd[4] + t62;
-  const Scalar t64 = t59 - t63;
-  const Scalar t65 = (k[34] * t43 - k[25] * t46) + (k[23] * t58 + k[26] * t64);
-  const Scalar t66 = qdd[5] + t42;
-  const Scalar t67 = t36 - t66;
-  const Scalar t68 = k[29] * c6 - k[30] * s6;
-  const Scalar t69 = s6 * t68;
-  const Scalar t70 = k[33] + t69;
-  const Scalar t71 = k[31] - t69;
-  const Scalar t72 = k[32] - c6 * t68;
-  const Scalar t73 = (t67 * t70 - t71 * t66) + t72 * t58;
-  const Scalar t74 = k[27] * c6 - k[28] * s6;
-  const Scalar t75 = k[28] * c6 + k[27] * s6;
-  const Scalar t76 = k[12] * c6 + k[11] * s6;
-  const Scalar t77 = c4 * t29 + s4 * t24;
-  const Scalar t78 = s3 * t28 + k[7] * c3;
-  const Scalar t79 = t78 + t53;
-  const Scalar t80 = c5 * t77 + s5 * t79;
-  const Scalar t81 = k[12] * s6 - k[11] * c6;
-  const Scalar t82 = (t73 - (t74 * t64 - t46 * t75)) - (t76 * t30 - t80 * t81);
-  const Scalar t83 = (k[13] * t30 + t65) - t82;
-  const Scalar t84 = t59 + t63;
-  const Scalar t85 = k[26] * t49 - (k[24] * t46 - k[25] * t43);
-  const Scalar t86 = qd[5] + t45;
-  const Scalar t87 = Scalar(2) * t86 * t32 - t46;
-  const Scalar t88 = t86 * t35;
-  const Scalar t89 = (t88 + t88) - t64;
-  const Scalar t90 = t86 * t86 + t47;
-  const Scalar t91 = t58 + t90;
-  const Scalar t92 = (t87 * t71 - t72 * t89) - (t55 - t91) * t74;
-  const Scalar t93 = s5 * t77 - c5 * t79;
-  const Scalar t94 = (k[14] * t30 + (k[23] * t84 - t85)) + ((t92 - t67 * t75) + t93 * t81);
-  const Scalar t95 = t61 + t62;
-  const Scalar t96 = k[22] * t52 + (k[18] * t95 + k[19] * t38);
-  const Scalar t97 = t39 - t40;
-  const Scalar t98 = (s5 * t83 + c5 * t94) + (k[6] * t79 + (t96 + k[21] * t97));
-  const Scalar t99 = (k[6] * t54 + k[5] * t97) + k[10] * t30;
-  const Scalar t100 = (k[14] * t46 + k[13] * t43) + (t81 * t91 + t76 * t67);
-  const Scalar t101 = t99 - t100;
-  const Scalar t102 = t98 + t101;
-  const Scalar t103 = t50 + t51;
-  const Scalar t104 = (k[20] * t95 + k[18] * t38) - (k[22] * t41 - k[21] * (t103 + t53));
-  const Scalar t105 = (t89 * t70 - t87 * t72) - ((t55 - t90) * t75 + t74 * t66);
-  const Scalar t106 = k[25] * t57 - (k[24] * t64 - k[34] * t84);
-  const Scalar t107 = ((k[23] * t44 + k[26] * t42) + t106) + (k[14] * t80 + k[13] * t93);
-  const Scalar t108 = (t76 * t93 - t105) + t107;
-  const Scalar t109 = (t76 * t90 + t81 * t66) - (k[14] * t64 - k[13] * t56);
-  const Scalar t110 = (t76 * t89 - t87 * t81) + (k[13] * t84 - k[14] * t55);
-  const Scalar t111 = k[10] * t77 + (k[6] * t41 - k[5] * t103);
-  const Scalar t112 = (c5 * t109 + s5 * t110) - t111;
-  const Scalar t113 = ((k[5] * t79 + t104) - t108) + t112;
-  const Scalar t114 = (t17 - k[35] * t19) + (c4 * t102 - s4 * t113);
-  const Scalar t115 = t14 + t15;
-  const Scalar t116 = t115 + t53;
-  const Scalar t117 = (k[37] * t8 + k[38] * t13) - (k[35] * (t16 - t116) + k[36] * t25);
-  const Scalar t118 = k[18] * (t103 - t54) - (k[19] * t41 + k[20] * t97);
-  const Scalar t119 = (k[5] * t30 + k[6] * t77) - ((k[22] * t60 + k[21] * t37) + t118);
-  const Scalar t120 = t119 - (s5 * t94 - c5 * t83);
-  const Scalar t121 = s3 * t114 + c3 * ((k[15] * t23 - t117) + t120);
-  const Scalar t122 = k[15] * t13 - (s4 * t112 - c4 * t101);
-  const Scalar t123 = (k[17] * t26 + k[16] * t22) + k[40] * t3;
-  const Scalar t124 = (t121 - k[8] * t122) + t123;
-  const Scalar t125 = c2 * (t122 - (k[16] * t3 - k[17] * t27));
-  const Scalar t126 = (c4 * t112 + s4 * t101) + k[15] * t115;
-  const Scalar t127 = (k[5] * t95 + k[6] * t38) + k[10] * t79;
-  const Scalar t128 = (t127 - (s5 * t109 - c5 * t110)) - k[15] * t19;
-  const Scalar t129 = (k[17] * t3 + k[16] * t27) + (c3 * t126 - s3 * t128);
-  const Scalar t130 = t2 + (t124 - k[9] * (t125 + s2 * t129));
-  const Scalar t131 = (k[38] * t19 + k[39] * t25) + k[37] * t116;
-  const Scalar t132 = k[15] * t78 - ((k[35] * t4 - k[36] * t11) - t131);
+  const Scalar t55 = t51 + t54;
+  const Scalar t56 = t18 + t55;
+  const Scalar t57 = (t10 * t23 - t24 * t42) + (k[21] * t48 + k[22] * t56);
+  const Scalar t58 = t20 * t12;
+  const Scalar t59 = t12 * t19;
+  const Scalar t60 = s5 * t36 + c5 * t30;
+  const Scalar t61 = t59 + (t59 + t60);
+  const Scalar t62 = t58 + (t58 - t61);
+  const Scalar t63 = t20 * t16;
+  const Scalar t64 = t63 + (t63 + t48);
+  const Scalar t65 = t13 + t17;
+  const Scalar t66 = t46 + t47;
+  const Scalar t67 = (t24 * t62 + t10 * t64) - (k[21] * t65 - k[22] * t66);
+  const Scalar t68 = t1 + k[3] * qd[0] * qd[0];
+  const Scalar t69 = k[3] * qdd[0] + t0;
+  const Scalar t70 = c2 * t68 - s2 * t69;
+  const Scalar t71 = k[10] * t5 + t70;
+  const Scalar t72 = k[11] * c3 + s3 * t71;
+  const Scalar t73 = t72 - t51;
+  const Scalar t74 = t45 + t44;
+  const Scalar t75 = k[28] * t73 - (k[29] * t30 - k[12] * t74);
+  const Scalar t76 = k[36] * t9 + ((s5 * t57 - c5 * t67) - t75);
+  const Scalar t77 = (c3 * t71 - k[11] * s3) + t25;
+  const Scalar t78 = c2 * t69 + s2 * t68;
+  const Scalar t79 = k[10] * t3 + t78;
+  const Scalar t80 = t79 - t28;
+  const Scalar t81 = c4 * t77 + s4 * t80;
+  const Scalar t82 = t52 + t53;
+  const Scalar t83 = k[28] * t81 - (k[12] * t82 - k[29] * t36);
+  const Scalar t84 = t83 - (s5 * t67 + c5 * t57);
+  const Scalar t85 = t34 - t35;
+  const Scalar t86 = c4 * t80 - s4 * t77;
+  const Scalar t87 = (k[29] * t55 + k[12] * t85) + k[28] * t86;
+  const Scalar t88 = (k[22] * t40 + k[21] * t61) - (t10 * t41 + t24 * t22);
+  const Scalar t89 = t87 - t88;
+  const Scalar t90 = t49 - t50;
+  const Scalar t91 = t90 - t5;
+  const Scalar t92 = (c4 * t84 - s4 * t89) + k[36] * t91;
+  const Scalar t93 = (k[5] * t3 + k[4] * t5) + (s3 * t76 - c3 * t92);
+  const Scalar t94 = t31 + t33;
+  const Scalar t95 = (c4 * t89 + s4 * t84) + k[36] * t94;
+  const Scalar t96 = c2 * ((k[5] * t5 - k[4] * t3) + t95);
+  const Scalar t97 = k[0] * t3 - (k[5] * t70 + k[4] * t78);
+  const Scalar t98 = k[14] * s6 - k[13] * c6;
+  const Scalar t99 = k[16] * s6 - k[15] * c6;
+  const Scalar t100 = s6 * t99;
+  const Scalar t101 = k[31] + t100;
+  const Scalar t102 = k[17] + c6 * t99;
+  const Scalar t103 = t98 * (t21 - t13) - (t101 * t62 - t102 * t64);
+  const Scalar t104 = k[14] * c6 + k[13] * s6;
+  const Scalar t105 = s5 * t81 - c5 * t73;
+  const Scalar t106 = t56 - t65;
+  const Scalar t107 = (k[25] * t40 - k[26] * t61) + k[24] * (t18 - t106);
+  const Scalar t108 = ((t103 - t41 * t104) + t24 * t105) - ((k[23] * t66 - t107) + k[21] * t86);
+  const Scalar t109 = (k[27] * t40 - k[25] * t61) - (k[24] * t48 + k[23] * t18);
+  const Scalar t110 = k[18] - t100;
+  const Scalar t111 = t18 * t102 + (t110 * t41 + t101 * t42);
+  const Scalar t112 = s5 * t73 + c5 * t81;
+  const Scalar t113 = (t111 + (t98 * t48 - t61 * t104)) + (t10 * t86 + t24 * t112);
+  const Scalar t114 = (k[22] * t86 + t109) + t113;
+  const Scalar t115 = (k[30] * t30 - k[9] * t74) + k[7] * t54;
+  const Scalar t116 = (c5 * t108 - s5 * t114) - ((k[6] * t85 - t115) + k[29] * t73);
+  const Scalar t117 = t89 - t116;
+  const Scalar t118 = t51 - t82;
+  const Scalar t119 = (k[7] * t36 - k[6] * t118) - (k[9] * t30 - k[8] * t74);
+  const Scalar t120 = k[25] * t106 - (k[26] * t48 + k[27] * t66);
+  const Scalar t121 = ((k[24] * t37 - k[23] * t60) + t120) - (k[21] * t112 + k[22] * t105);
+  const Scalar t122 = (t102 * t62 - t110 * t64) - (t98 * t42 + (t23 - t65) * t104);
+  const Scalar t123 = t121 - (t122 + t10 * t105);
+  const Scalar t124 = t84 - ((k[12] * t73 + t119) + t123);
+  const Scalar t125 = (k[32] * t94 - k[33] * t28) - k[34] * (t51 - t5);
+  const Scalar t126 = (c4 * t117 + s4 * t124) + (t125 - k[35] * t9);
+  const Scalar t127 = (k[8] * t85 + k[30] * t36) + k[9] * (t54 + t118);
+  const Scalar t128 = (k[29] * t81 + k[12] * t86) + (t127 - (k[6] * t29 - k[7] * t43));
+  const Scalar t129 = (s5 * t108 + c5 * t114) + t128;
+  const Scalar t130 = (k[35] * t90 + k[34] * t25) - (k[37] * t94 + k[32] * t28);
+  const Scalar t131 = s3 * t126 + c3 * (t129 + (k[36] * t79 + t130));
+  const Scalar t132 = t97 + (k[10] * t95 - t131);
+  const Scalar t133 = t2 - (k[3] * (s2 * t93 + t96) + t132);
+  const Scalar t134 = k[32] * (t51 + t91) - (k[37] * t9 - k[33] * t25);
+  const Scalar t135 = (t134 + (k[35] * t26 - k[34] * t32)) - k[36] * t72;
   JointVector<Scalar> result;
-  result[0] = t130;
-  result[1] = t124;
-  result[2] = t132 + (s4 * t102 + c4 * t113);
-  result[3] = -t120;
-  result[4] = t108;
-  result[5] = t82;
+  result[0] = t133;
+  result[1] = -t132;
+  result[2] = (s4 * t117 - c4 * t124) - t135;
+  result[3] = -t129;
+  result[4] = -t123;
+  result[5] = -t113;
   return result;
 }
 
@@ -305,95 +314,101 @@ InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constant
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c1y * inertia.m1;
-  const Scalar t1 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t2 = inertia.c4z * inertia.m4;
-  const Scalar t3 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t4 = t2 - g.l3 * t3;
-  const Scalar t5 = inertia.c3z * inertia.m3;
-  const Scalar t6 = t5 - g.l3 * inertia.m3;
-  const Scalar t7 = (t4 + t6) / g.l3;
-  const Scalar t8 = g.l1 * t7;
-  const Scalar t9 = inertia.m3 + t3;
-  const Scalar t10 = g.l1 * (inertia.m2 + t9);
-  const Scalar t11 = inertia.c1x * inertia.m1;
-  const Scalar t12 = g.l1 * inertia.m1 + t11;
-  const Scalar t13 = g.l1 * (t11 + t12) + (inertia.c1x * t11 - (inertia.I1xx - t1));
-  const Scalar t14 = (inertia.c1y * t0 - (inertia.I1yy - t1)) + (g.l1 * t8 + (g.l1 * t10 + t13));
-  const Scalar t15 = inertia.c5z * inertia.m5;
-  const Scalar t16 = inertia.c6z * inertia.m6;
-  const Scalar t17 = inertia.c5x * inertia.m5;
-  const Scalar t18 = inertia.c6y * inertia.m6;
-  const Scalar t19 = inertia.c6x * inertia.m6;
-  const Scalar t20 = g.l3 * g.l3 * t7;
-  const Scalar t21 = inertia.c4x * inertia.m4;
-  const Scalar t22 = inertia.c4y * inertia.m4;
-  const Scalar t23 = inertia.c5y * inertia.m5;
-  const Scalar t24 = inertia.c3x * inertia.m3;
-  const Scalar t25 = g.l3 * t24;
-  const Scalar t26 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t27 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t28 = ((inertia.I4yy - t26) - inertia.c4y * t22) - (inertia.c5y * t23 - (inertia.I5yy - t27));
-  const Scalar t29 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t30 = (inertia.c6z * t16 - (inertia.I6zz - t29)) + (inertia.c5z * t15 - (inertia.I5zz - t27));
-  const Scalar t31 = inertia.I6xy - inertia.c6y * t19;
-  const Scalar t32 = (inertia.I6xx - t29) - inertia.c6x * t19;
-  const Scalar t33 = (inertia.I6yy - t29) - inertia.c6y * t18;
-  const Scalar t34 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t35 = inertia.c3y * inertia.m3;
-  const Scalar t36 = ((inertia.I3zz - t34) - inertia.c3z * t5) + g.l3 * (t5 + t6);
-  const Scalar t37 = ((inertia.I4zz - t26) - inertia.c4z * t2) + g.l3 * (t2 + t4);
-  const Scalar t38 = g.l2 * t7;
-  const Scalar t39 = inertia.c2x * inertia.m2;
-  const Scalar t40 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t41 = g.l2 * inertia.m2 + t39;
-  const Scalar t42 = (inertia.c2x * t39 - (inertia.I2xx - t40)) + g.l2 * (t39 + t41);
-  const Scalar t43 = g.l2 * t9;
-  const Scalar t44 = inertia.c2y * inertia.m2;
-  const Scalar t45 = ((inertia.I3yy - t34) - inertia.c3y * t35) + ((inertia.I2yy - t40) - inertia.c2y * t44);
-  const Scalar t46 = (g.l2 * t38 + (t42 + g.l2 * t43)) - t45;
-  return { t14,
+  const Scalar t0 = g.l3 * inertia.m4;
+  const Scalar t1 = inertia.c4z * inertia.m4;
+  const Scalar t2 = t1 - t0;
+  const Scalar t3 = t0 + t2;
+  const Scalar t4 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t5 = t3 - g.l3 * t4;
+  const Scalar t6 = inertia.c3z * inertia.m3;
+  const Scalar t7 = t6 - g.l3 * inertia.m3;
+  const Scalar t8 = (t5 + t7) / g.l3;
+  const Scalar t9 = g.l3 * g.l3 * t8;
+  const Scalar t10 = inertia.c4y * inertia.m4;
+  const Scalar t11 = inertia.c5y * inertia.m5;
+  const Scalar t12 = inertia.c4x * inertia.m4;
+  const Scalar t13 = g.l3 * t12;
+  const Scalar t14 = inertia.c6y * inertia.m6;
+  const Scalar t15 = inertia.c6x * inertia.m6;
+  const Scalar t16 = inertia.c5x * inertia.m5;
+  const Scalar t17 = inertia.c5z * inertia.m5;
+  const Scalar t18 = inertia.c6z * inertia.m6;
+  const Scalar t19 = inertia.c3x * inertia.m3;
+  const Scalar t20 = g.l3 * t19;
+  const Scalar t21 = g.l2 * t8;
+  const Scalar t22 = inertia.m3 + t4;
+  const Scalar t23 = g.l2 * t22;
+  const Scalar t24 = inertia.c2x * inertia.m2;
+  const Scalar t25 = g.l2 * inertia.m2 + t24;
+  const Scalar t26 = inertia.c3y * inertia.m3;
+  const Scalar t27 = inertia.c2y * inertia.m2;
+  const Scalar t28 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t29 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t30 = ((inertia.I3yy - t28) - inertia.c3y * t26) + ((inertia.I2yy - t29) - inertia.c2y * t27);
+  const Scalar t31 = (inertia.c2x * t24 - (inertia.I2xx - t29)) + g.l2 * (t24 + t25);
+  const Scalar t32 = t30 - (g.l2 * t21 + (t31 + g.l2 * t23));
+  const Scalar t33 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t34 = ((inertia.I4zz - t33) - inertia.c4z * t1) + g.l3 * (t1 + t2);
+  const Scalar t35 = g.l3 * (t5 + t3) + (t34 - g.l3 * (t3 + t2));
+  const Scalar t36 = ((inertia.I3zz - t28) - inertia.c3z * t6) + g.l3 * (t6 + t7);
+  const Scalar t37 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t38 = inertia.I6xy - inertia.c6y * t15;
+  const Scalar t39 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t40 = (inertia.I6xx - t39) - inertia.c6x * t15;
+  const Scalar t41 = (inertia.I6yy - t39) - inertia.c6y * t14;
+  const Scalar t42 = (inertia.c6z * t18 - (inertia.I6zz - t39)) + (inertia.c5z * t17 - (inertia.I5zz - t37));
+  const Scalar t43 = g.l3 * t10;
+  const Scalar t44 = ((inertia.I4yy - t33) - inertia.c4y * t10) - (inertia.c5y * t11 - (inertia.I5yy - t37));
+  const Scalar t45 = g.l1 * (inertia.m2 + t22);
+  const Scalar t46 = inertia.c1x * inertia.m1;
+  const Scalar t47 = g.l1 * inertia.m1 + t46;
+  const Scalar t48 = g.l1 * t8;
+  const Scalar t49 = inertia.c1y * inertia.m1;
+  const Scalar t50 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t51 = g.l1 * (t46 + t47) + (inertia.c1x * t46 - (inertia.I1xx - t50));
+  const Scalar t52 = (inertia.c1y * t49 - (inertia.I1yy - t50)) + ((g.l1 * t45 + t51) + g.l1 * t48);
+  return { g.l2 / g.l3,
            gravity[1] / g.l3,
            gravity[0] / g.l3,
-           g.l3 * t0,
-           g.l3 * ((t10 + t12) + t8),
-           g.l3 * (t15 + t16),
-           g.l3 * t17,
-           g.l3 * t18,
-           g.l3 * t19,
-           g.l3,
-           gravity[2] / g.l3,
-           g.l2 / g.l3,
            g.l1 / g.l3,
+           gravity[2] / g.l3,
+           t9,
+           g.l3 * (t10 + t11),
+           t13,
+           g.l3,
+           g.l3 * t14,
+           g.l3 * t15,
+           g.l3 * t16,
+           g.l3 * (t17 + t18),
            t20,
-           g.l3 * t21,
-           g.l3 * (t22 + t23),
-           t25,
-           inertia.I4yz - inertia.c4z * t22,
-           inertia.I4xz - inertia.c4z * t21,
-           inertia.I4xy - inertia.c4y * t21,
-           t28,
-           (inertia.I4xx - t26) - inertia.c4x * t21,
-           inertia.I5xy - inertia.c5y * t17,
-           inertia.I5yz - inertia.c5z * t23,
-           t30,
-           inertia.I5xz - inertia.c5z * t17,
-           inertia.I6yz - inertia.c6z * t18,
-           inertia.I6xz - inertia.c6z * t19,
-           Scalar(2) * t31,
-           t32 - t33,
-           t33,
-           t31,
+           g.l3 * (t21 + (t23 + t25)),
+           g.l3 * (t26 + t27),
            t32,
-           inertia.c5x * t17 - (inertia.I5xx - t27),
-           (inertia.I3xz - inertia.c3z * t24) + t25,
-           inertia.c3x * t24 - (inertia.I3xx - t34),
-           inertia.I3xy - inertia.c3y * t24,
-           g.l3 * t35 + (inertia.I3yz - inertia.c3z * t35),
-           t20 - (t36 + t37),
-           t46,
-           g.l3 * (t38 + (t43 + t41)),
-           g.l3 * (t35 + t44) };
+           (t35 + t36) - t9,
+           (inertia.I3xz - inertia.c3z * t19) + t20,
+           g.l3 * t26 + (inertia.I3yz - inertia.c3z * t26),
+           inertia.I3xy - inertia.c3y * t19,
+           inertia.c5x * t16 - (inertia.I5xx - t37),
+           inertia.I5xz - inertia.c5z * t16,
+           inertia.I5yz - inertia.c5z * t11,
+           inertia.I5xy - inertia.c5y * t16,
+           Scalar(2) * t38,
+           t40 - t41,
+           t38,
+           t40,
+           t41,
+           inertia.I6yz - inertia.c6z * t14,
+           inertia.I6xz - inertia.c6z * t15,
+           t42,
+           ((inertia.I4xz - inertia.c4z * t12) + t13) - t13,
+           t43 - (t43 + (inertia.I4yz - inertia.c4z * t10)),
+           inertia.I4xy - inertia.c4y * t12,
+           t44,
+           (inertia.I4xx - t33) - inertia.c4x * t12,
+           inertia.c3x * t19 - (inertia.I3xx - t28),
+           g.l3 * ((t45 + t47) + t48),
+           g.l3 * t49,
+           t52 };
 }
 
 namespace detail {
@@ -414,166 +429,164 @@ inline JointVector<Scalar> inverse_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = qd[0] + qd[1];
-  const Scalar t1 = s3 * t0;
-  const Scalar t2 = qd[2] * t1;
-  const Scalar t3 = qdd[0] + qdd[1];
-  const Scalar t4 = c3 * t3;
-  const Scalar t5 = t2 - t4;
-  const Scalar t6 = t2 + t5;
-  const Scalar t7 = c3 * t0;
-  const Scalar t8 = t1 * t7;
-  const Scalar t9 = qdd[2] - t8;
-  const Scalar t10 = k[1] * s1 + k[2] * c1;
-  const Scalar t11 = k[12] * qd[0] * qd[0] + t10;
-  const Scalar t12 = k[2] * s1 - k[1] * c1;
-  const Scalar t13 = k[12] * qdd[0] + t12;
-  const Scalar t14 = c2 * t11 - s2 * t13;
-  const Scalar t15 = t0 * t0;
-  const Scalar t16 = t14 + k[11] * t15;
-  const Scalar t17 = t9 - (k[10] * s3 - c3 * t16);
-  const Scalar t18 = c2 * t13 + s2 * t11;
-  const Scalar t19 = k[11] * t3 + t18;
-  const Scalar t20 = s3 * t3;
-  const Scalar t21 = qd[2] * t7;
-  const Scalar t22 = (t20 + t21) + t21;
-  const Scalar t23 = t19 - t22;
-  const Scalar t24 = s4 * t17 - c4 * t23;
-  const Scalar t25 = qd[3] - t7;
-  const Scalar t26 = t25 * t25;
-  const Scalar t27 = s4 * t1 - qd[2] * c4;
-  const Scalar t28 = t27 * t27;
-  const Scalar t29 = t26 + t28;
-  const Scalar t30 = t26 - t28;
-  const Scalar t31 = t1 * t1;
-  const Scalar t32 = qd[2] * qd[2];
-  const Scalar t33 = t31 + t32;
-  const Scalar t34 = t33 - t29;
-  const Scalar t35 = t30 + t34;
-  const Scalar t36 = t29 + t35;
-  const Scalar t37 = qdd[3] + t5;
-  const Scalar t38 = qd[2] * s4 + c4 * t1;
-  const Scalar t39 = t27 * t38;
-  const Scalar t40 = t37 - t39;
-  const Scalar t41 = k[13] * t24 - (k[15] * t36 + k[14] * t40);
-  const Scalar t42 = c5 * t25 - s5 * t38;
-  const Scalar t43 = qd[5] + t42;
-  const Scalar t44 = t43 * t43;
-  const Scalar t45 = c5 * t38 + s5 * t25;
-  const Scalar t46 = t45 * t45;
-  const Scalar t47 = k[7] * c6 - k[8] * s6;
-  const Scalar t48 = k[8] * c6 + k[7] * s6;
-  const Scalar t49 = qd[4] + t27;
-  const Scalar t50 = t49 * t45;
-  const Scalar t51 = s4 * t9 + c4 * t22;
-  const Scalar t52 = t27 * t25;
-  const Scalar t53 = (t51 - t52) - t52;
-  const Scalar t54 = t37 + t39;
-  const Scalar t55 = s5 * t53 - c5 * t54;
-  const Scalar t56 = (t50 + t50) + t55;
-  const Scalar t57 = qdd[5] - t56;
-  const Scalar t58 = c1 * s2 + c2 * s1;
-  const Scalar t59 = c1 * c2 - s1 * s2;
-  const Scalar t60 = wrench[1] * t58 + wrench[0] * t59;
-  const Scalar t61 = c3 * t60 - wrench[2] * s3;
-  const Scalar t62 = wrench[1] * t59 - wrench[0] * t58;
-  const Scalar t63 = ((t44 + t46) * t47 + t48 * t57) + k[9] * (s4 * t61 + c4 * t62);
-  const Scalar t64 = s5 * t54 + c5 * t53;
-  const Scalar t65 = t64 + Scalar(2) * t49 * t42;
-  const Scalar t66 = t41 - (t63 - (k[5] * t65 + k[6] * t56));
-  const Scalar t67 = s4 * t22 - c4 * t9;
-  const Scalar t68 = t25 * t38;
-  const Scalar t69 = t67 + t68;
-  const Scalar t70 = qdd[4] + t69;
-  const Scalar t71 = t42 * t45;
-  const Scalar t72 = t70 + t71;
-  const Scalar t73 = t49 * t49;
-  const Scalar t74 = t73 + t46;
-  const Scalar t75 = t70 - t71;
-  const Scalar t76 = Scalar(2) * t43 * t45 + t75;
-  const Scalar t77 = t65 - Scalar(2) * t43 * t49;
-  const Scalar t78 = wrench[2] * c3 + s3 * t60;
-  const Scalar t79 = c4 * t61 - s4 * t62;
-  const Scalar t80 = (t48 * t76 - t77 * t47) - k[9] * (c5 * t78 - s5 * t79);
-  const Scalar t81 = (k[6] * t72 - k[5] * t74) + t80;
-  const Scalar t82 = t73 - t46;
-  const Scalar t83 = t36 - t74;
-  const Scalar t84 = t82 + t83;
-  const Scalar t85 = qdd[5] - t55;
-  const Scalar t86 = t44 + t73;
-  const Scalar t87 = (t85 * t47 - t48 * t86) - k[9] * (c5 * t79 + s5 * t78);
-  const Scalar t88 = (k[5] * t75 + k[6] * (t84 + t74)) - t87;
-  const Scalar t89 = s4 * t23 + c4 * t17;
-  const Scalar t90 = k[13] * t89 + (k[15] * t54 - k[14] * t29);
-  const Scalar t91 = (s5 * t81 + c5 * t88) - t90;
-  const Scalar t92 = c4 * t66 + s4 * t91;
-  const Scalar t93 = k[16] * t6 - t92;
-  const Scalar t94 = c2 * (t93 + (k[41] * t15 - k[40] * t3));
-  const Scalar t95 = t31 - t32;
-  const Scalar t96 = t33 - t15;
-  const Scalar t97 = t95 + t96;
-  const Scalar t98 = s4 * t66 - c4 * t91;
-  const Scalar t99 = t69 + t68;
-  const Scalar t100 = k[10] * c3 + s3 * t16;
-  const Scalar t101 = t33 - t100;
-  const Scalar t102 = (k[14] * t99 - k[15] * t53) - k[13] * t101;
-  const Scalar t103 = qdd[2] + t8;
-  const Scalar t104 = (t102 + (c5 * t81 - s5 * t88)) - k[16] * t103;
-  const Scalar t105 = c3 * (k[16] * (t33 - t97) - t98) - s3 * t104;
-  const Scalar t106 = s2 * ((k[41] * t3 + k[40] * t15) + t105);
-  const Scalar t107 = k[17] * t30 + (k[19] * t99 - k[20] * t53);
-  const Scalar t108 = (k[22] * t82 + k[23] * t75) + (k[25] * t65 - k[33] * t56);
-  const Scalar t109 = wrench[4] * t58 + wrench[3] * t59;
-  const Scalar t110 = s3 * t109 + wrench[5] * c3;
-  const Scalar t111 = wrench[4] * t59 - wrench[3] * t58;
-  const Scalar t112 = wrench[5] * s3 - c3 * t109;
-  const Scalar t113 = s4 * t111 + c4 * t112;
-  const Scalar t114 = c5 * t89 - s5 * t101;
-  const Scalar t115 = k[26] * c6 - k[27] * s6;
-  const Scalar t116 = k[27] * c6 + k[26] * s6;
-  const Scalar t117 = k[28] * c6 - k[29] * s6;
-  const Scalar t118 = k[31] - c6 * t117;
-  const Scalar t119 = s6 * t117;
-  const Scalar t120 = k[32] + t119;
-  const Scalar t121 = k[30] - t119;
-  const Scalar t122 = t118 * t82 + (t57 * t120 + t121 * t85);
-  const Scalar t123 = (t114 * t47 - t48 * t24) - ((t115 * t75 + t65 * t116) - t122);
-  const Scalar t124 = (c5 * t110 + s5 * t113) - t123;
-  const Scalar t125 = (t108 + k[6] * t24) + t124;
-  const Scalar t126 = c5 * t101 + s5 * t89;
-  const Scalar t127 = t86 - t74;
-  const Scalar t128 = (t82 - t127) * t115 + (t118 * t76 + t121 * t77);
-  const Scalar t129 = (c5 * t113 - s5 * t110) + (t126 * t47 + (t128 - t57 * t116));
-  const Scalar t130 = (k[24] * t65 - k[25] * t56) + k[23] * t83;
-  const Scalar t131 = t129 - ((t130 + k[22] * t72) - k[5] * t24);
-  const Scalar t132 = ((t107 + k[18] * t40) - k[15] * t101) - (s5 * t125 + c5 * t131);
-  const Scalar t133 = (k[17] * t54 + k[18] * t34) - (k[21] * t99 - k[19] * t53);
-  const Scalar t134 = (k[24] * t75 + k[33] * t72) - k[25] * t84;
-  const Scalar t135 = (k[5] * t114 + k[6] * t126) + (t134 + (k[22] * t64 - k[23] * t55));
-  const Scalar t136 = (t85 * t115 - t127 * t116) - (t76 * t120 + t118 * t77);
-  const Scalar t137 = (c4 * t111 - s4 * t112) + (t136 + t48 * t126);
-  const Scalar t138 = t135 + t137;
-  const Scalar t139 = (t133 + k[14] * t101) + t138;
-  const Scalar t140 = (k[38] * t22 + k[34] * t6) - k[37] * t96;
-  const Scalar t141 = (t92 - (c4 * t132 + s4 * t139)) + (k[36] * t103 - t140);
-  const Scalar t142 = (k[20] * t54 + k[21] * t40) + k[19] * t35;
-  const Scalar t143 = ((k[17] * t67 + k[18] * t51) - t142) - (k[15] * t89 - k[14] * t24);
-  const Scalar t144 = t143 + (c5 * t125 - s5 * t131);
-  const Scalar t145 = (k[37] * t9 + k[36] * t95) - (k[34] * t22 + k[35] * t6);
-  const Scalar t146 = s3 * t141 + c3 * (t144 - (k[16] * t19 + t145));
-  const Scalar t147 = k[39] * t3 + (k[40] * t18 + k[41] * t14);
-  const Scalar t148 = (t146 + k[11] * t93) - t147;
-  const Scalar t149 = k[0] * qdd[0] + (k[4] * t12 + k[3] * t10);
-  const Scalar t150 = k[34] * t97 - (k[38] * t9 + k[35] * t103);
-  const Scalar t151 = ((k[37] * t4 - k[36] * t20) - t150) + k[16] * t100;
-  const Scalar t152 = t151 - (t98 - (s4 * t132 - c4 * t139));
+  const Scalar t0 = k[1] * s1 + k[2] * c1;
+  const Scalar t1 = k[2] * s1 - k[1] * c1;
+  const Scalar t2 = (k[40] * t0 + k[39] * t1) + k[41] * qdd[0];
+  const Scalar t3 = c1 * c2 - s1 * s2;
+  const Scalar t4 = c1 * s2 + c2 * s1;
+  const Scalar t5 = wrench[4] * t3 - wrench[3] * t4;
+  const Scalar t6 = wrench[4] * t4 + wrench[3] * t3;
+  const Scalar t7 = wrench[5] * s3 - c3 * t6;
+  const Scalar t8 = k[25] * c6 - k[26] * s6;
+  const Scalar t9 = s6 * t8;
+  const Scalar t10 = k[28] + t9;
+  const Scalar t11 = qd[0] + qd[1];
+  const Scalar t12 = c3 * t11;
+  const Scalar t13 = qd[3] - t12;
+  const Scalar t14 = s3 * t11;
+  const Scalar t15 = qd[2] * s4 + c4 * t14;
+  const Scalar t16 = c5 * t13 - s5 * t15;
+  const Scalar t17 = c5 * t15 + s5 * t13;
+  const Scalar t18 = t16 * t17;
+  const Scalar t19 = qdd[0] + qdd[1];
+  const Scalar t20 = s3 * t19;
+  const Scalar t21 = qd[2] * t12;
+  const Scalar t22 = t20 + (t21 + t21);
+  const Scalar t23 = t14 * t12;
+  const Scalar t24 = qdd[2] - t23;
+  const Scalar t25 = s4 * t22 - c4 * t24;
+  const Scalar t26 = t13 * t15;
+  const Scalar t27 = t25 + t26;
+  const Scalar t28 = qdd[4] + t27;
+  const Scalar t29 = t18 - t28;
+  const Scalar t30 = qd[5] + t16;
+  const Scalar t31 = t30 * t17;
+  const Scalar t32 = (t29 - t31) - t31;
+  const Scalar t33 = s4 * t14 - qd[2] * c4;
+  const Scalar t34 = qd[4] + t33;
+  const Scalar t35 = t30 * t34;
+  const Scalar t36 = t33 * t13;
+  const Scalar t37 = c4 * t22 + s4 * t24;
+  const Scalar t38 = (t36 + t36) - t37;
+  const Scalar t39 = qd[2] * t14;
+  const Scalar t40 = c3 * t19;
+  const Scalar t41 = t39 - t40;
+  const Scalar t42 = qdd[3] + t41;
+  const Scalar t43 = t33 * t15;
+  const Scalar t44 = t42 + t43;
+  const Scalar t45 = c5 * t38 - s5 * t44;
+  const Scalar t46 = t45 - Scalar(2) * t34 * t16;
+  const Scalar t47 = (t35 + t46) + t35;
+  const Scalar t48 = k[27] - c6 * t8;
+  const Scalar t49 = c5 * t44 + s5 * t38;
+  const Scalar t50 = qdd[5] + t49;
+  const Scalar t51 = k[31] * s6 - k[30] * c6;
+  const Scalar t52 = t30 * t30;
+  const Scalar t53 = t17 * t17;
+  const Scalar t54 = t52 - t53;
+  const Scalar t55 = k[30] * s6 + k[31] * c6;
+  const Scalar t56 = (t10 * t32 + t47 * t48) - (t50 * t51 + t54 * t55);
+  const Scalar t57 = k[10] * c6 + k[9] * s6;
+  const Scalar t58 = t14 * t14;
+  const Scalar t59 = qd[2] * qd[2];
+  const Scalar t60 = t58 + t59;
+  const Scalar t61 = t0 + k[3] * qd[0] * qd[0];
+  const Scalar t62 = k[3] * qdd[0] + t1;
+  const Scalar t63 = c2 * t61 - s2 * t62;
+  const Scalar t64 = t11 * t11;
+  const Scalar t65 = t63 + k[0] * t64;
+  const Scalar t66 = s3 * t65 + k[4] * c3;
+  const Scalar t67 = t60 - t66;
+  const Scalar t68 = c2 * t62 + s2 * t61;
+  const Scalar t69 = k[0] * t19 + t68;
+  const Scalar t70 = k[4] * s3 - c3 * t65;
+  const Scalar t71 = t25 - (s4 * t69 - c4 * t70);
+  const Scalar t72 = c5 * t67 - s5 * t71;
+  const Scalar t73 = (c4 * t5 - s4 * t7) + (t56 + t57 * t72);
+  const Scalar t74 = s5 * t67 + c5 * t71;
+  const Scalar t75 = t15 * t15;
+  const Scalar t76 = t13 * t13;
+  const Scalar t77 = t75 + t76;
+  const Scalar t78 = t34 * t34;
+  const Scalar t79 = t78 + t53;
+  const Scalar t80 = t77 - t79;
+  const Scalar t81 = t52 + t53;
+  const Scalar t82 = t52 + t78;
+  const Scalar t83 = t81 - t82;
+  const Scalar t84 = t80 - t83;
+  const Scalar t85 = t18 + t28;
+  const Scalar t86 = k[22] * t84 + (k[32] * t29 - k[21] * t85);
+  const Scalar t87 = (k[12] * t74 - k[11] * t72) + (t86 - (k[23] * t49 - k[24] * t45));
+  const Scalar t88 = t73 - t87;
+  const Scalar t89 = t75 - t76;
+  const Scalar t90 = t26 + t27;
+  const Scalar t91 = (k[34] * t44 - k[33] * t89) + (k[37] * t90 + k[35] * t38);
+  const Scalar t92 = wrench[1] * t4 + wrench[0] * t3;
+  const Scalar t93 = wrench[2] * c3 + s3 * t92;
+  const Scalar t94 = c3 * t92 - wrench[2] * s3;
+  const Scalar t95 = wrench[1] * t3 - wrench[0] * t4;
+  const Scalar t96 = c4 * t94 - s4 * t95;
+  const Scalar t97 = k[9] * c6 - k[10] * s6;
+  const Scalar t98 = k[8] * (c5 * t93 - s5 * t96) - (t97 * t47 - t57 * t32);
+  const Scalar t99 = (k[11] * t85 - k[12] * t79) - t98;
+  const Scalar t100 = (t97 * t50 - t57 * t82) - k[8] * (c5 * t96 + s5 * t93);
+  const Scalar t101 = t100 + (k[12] * t29 - k[11] * (t79 + t84));
+  const Scalar t102 = t60 - t77;
+  const Scalar t103 = t89 - t102;
+  const Scalar t104 = (k[6] * t44 - k[7] * (t77 - t103)) - k[5] * t71;
+  const Scalar t105 = (s5 * t99 - c5 * t101) - t104;
+  const Scalar t106 = (t88 - (t91 - k[7] * t67)) - t105;
+  const Scalar t107 = t42 - t43;
+  const Scalar t108 = t37 - (c4 * t69 + s4 * t70);
+  const Scalar t109 = (k[7] * t107 + k[6] * t77) - k[5] * t108;
+  const Scalar t110 = Scalar(2) * t34 * t17 - t50;
+  const Scalar t111 = (t81 * t97 - t57 * t110) + k[8] * (s4 * t94 + c4 * t95);
+  const Scalar t112 = qdd[5] + t110;
+  const Scalar t113 = t109 + (t111 + (k[12] * t46 - k[11] * t112));
+  const Scalar t114 = k[34] * t102 + (k[36] * t38 + k[35] * t90);
+  const Scalar t115 = s3 * t6 + wrench[5] * c3;
+  const Scalar t116 = s4 * t5 + c4 * t7;
+  const Scalar t117 = k[29] - t9;
+  const Scalar t118 = (t50 * t117 - t10 * t110) - t83 * t48;
+  const Scalar t119 = (t57 * t108 + t74 * t97) + ((t29 * t51 - t46 * t55) - t118);
+  const Scalar t120 = (c5 * t115 + s5 * t116) + t119;
+  const Scalar t121 = (k[23] * t29 + k[24] * t83) + (k[22] * t46 + k[21] * t112);
+  const Scalar t122 = t120 - (t121 - k[11] * t108);
+  const Scalar t123 = k[23] * t80 - (k[32] * t46 + k[22] * t112);
+  const Scalar t124 = (t83 + t54) * t51 - (t32 * t48 + t117 * t47);
+  const Scalar t125 = (c5 * t116 - s5 * t115) + (t72 * t97 + (t124 + t110 * t55));
+  const Scalar t126 = ((t123 + k[24] * t85) - k[12] * t108) - t125;
+  const Scalar t127 = ((t114 + k[33] * t107) - k[6] * t67) - (s5 * t122 - c5 * t126);
+  const Scalar t128 = t113 + t127;
+  const Scalar t129 = qdd[2] + t23;
+  const Scalar t130 = t39 + t41;
+  const Scalar t131 = (k[17] * t22 - k[18] * t130) + k[19] * (t60 - t64);
+  const Scalar t132 = (s4 * t106 + c4 * t128) - (k[20] * t129 + t131);
+  const Scalar t133 = t58 - t59;
+  const Scalar t134 = (k[18] * t22 + k[38] * t130) - (k[20] * t133 + k[19] * t24);
+  const Scalar t135 = (k[37] * t107 + k[36] * t44) + k[35] * t103;
+  const Scalar t136 = (k[7] * t108 + k[6] * t71) - (t135 + (k[34] * t25 - k[33] * t37));
+  const Scalar t137 = (c5 * t122 + s5 * t126) + t136;
+  const Scalar t138 = s3 * t132 + c3 * ((k[13] * t69 - t134) - t137);
+  const Scalar t139 = k[13] * t130 - (s4 * t105 - c4 * t113);
+  const Scalar t140 = k[16] * t19 - (k[14] * t68 + k[15] * t63);
+  const Scalar t141 = (t138 - k[0] * t139) - t140;
+  const Scalar t142 = c2 * ((k[14] * t19 - k[15] * t64) - t139);
+  const Scalar t143 = k[5] * t67 - (k[7] * t90 + k[6] * t38);
+  const Scalar t144 = k[13] * t129 - ((c5 * t99 + s5 * t101) - t143);
+  const Scalar t145 = t133 - t64;
+  const Scalar t146 = k[13] * t145 - (s4 * t113 + c4 * t105);
+  const Scalar t147 = (k[15] * t19 + k[14] * t64) + (s3 * t144 - c3 * t146);
+  const Scalar t148 = t2 + (t141 + k[3] * (t142 - s2 * t147));
+  const Scalar t149 = k[18] * (t60 + t145) - (k[38] * t129 - k[17] * t24);
+  const Scalar t150 = ((k[19] * t40 - k[20] * t20) - t149) + k[13] * t66;
   JointVector<Scalar> result;
-  result[0] = t149 - (k[12] * (t94 + t106) + t148);
-  result[1] = -t148;
-  result[2] = t152;
-  result[3] = t144;
-  result[4] = t138;
-  result[5] = t124;
+  result[0] = t148;
+  result[1] = t141;
+  result[2] = (s4 * t128 - c4 * t106) + t150;
+  result[3] = t137;
+  result[4] = t88;
+  result[5] = t120;
   return result;
 }
 
@@ -606,23 +619,24 @@ GravityTorqueWithGravityVectorConstants<Scalar> gravity_torque_with_gravity_vect
   const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
   const Scalar t1 = inertia.m3 + t0;
   const Scalar t2 = g.l1 * (inertia.m2 + t1) + (g.l1 * inertia.m1 + inertia.c1x * inertia.m1);
-  const Scalar t3 = g.l2 * t1 + (g.l2 * inertia.m2 + inertia.c2x * inertia.m2);
-  const Scalar t4 = (inertia.c4z * inertia.m4 - g.l3 * t0) + (inertia.c3z * inertia.m3 - g.l3 * inertia.m3);
-  return { gravity[1],
-           gravity[0],
-           inertia.c1y * inertia.m1,
+  const Scalar t3 = g.l3 * inertia.m4;
+  const Scalar t4 = (t3 + (inertia.c4z * inertia.m4 - t3)) - g.l3 * t0;
+  const Scalar t5 = g.l2 * t1 + (g.l2 * inertia.m2 + inertia.c2x * inertia.m2);
+  return { gravity[0],
+           gravity[1],
            t2,
-           t3,
-           inertia.c3y * inertia.m3 + inertia.c2y * inertia.m2,
-           inertia.c3x * inertia.m3,
+           inertia.c1y * inertia.m1,
            gravity[2],
-           inertia.c4y * inertia.m4 + inertia.c5y * inertia.m5,
-           inertia.c4x * inertia.m4,
            inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
            inertia.c6y * inertia.m6,
            inertia.c6x * inertia.m6,
            inertia.c5x * inertia.m5,
-           t4 };
+           inertia.c4y * inertia.m4 + inertia.c5y * inertia.m5,
+           inertia.c4x * inertia.m4,
+           t4 + (inertia.c3z * inertia.m3 - g.l3 * inertia.m3),
+           inertia.c3x * inertia.m3,
+           t5,
+           inertia.c3y * inertia.m3 + inertia.c2y * inertia.m2 };
 }
 
 namespace detail {
@@ -643,36 +657,36 @@ inline JointVector<Scalar> gravity_torque_with_gravity_vector([[maybe_unused]] c
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = k[1] * s1 - k[0] * c1;
-  const Scalar t1 = k[0] * s1 + k[1] * c1;
-  const Scalar t2 = c2 * t0 + s2 * t1;
-  const Scalar t3 = c2 * t1 - s2 * t0;
-  const Scalar t4 = k[7] * c3 + s3 * t3;
-  const Scalar t5 = k[7] * s3 - c3 * t3;
-  const Scalar t6 = s4 * t2 - c4 * t5;
-  const Scalar t7 = s5 * t4 + c5 * t6;
-  const Scalar t8 = s5 * t6 - c5 * t4;
-  const Scalar t9 = k[12] * c6 + k[11] * s6;
-  const Scalar t10 = (k[10] * t7 + k[13] * t8) + t8 * t9;
-  const Scalar t11 = k[9] * t4 - t10;
-  const Scalar t12 = s4 * t5 + c4 * t2;
-  const Scalar t13 = k[12] * s6 - k[11] * c6;
-  const Scalar t14 = t12 * t9 - t7 * t13;
-  const Scalar t15 = t14 + k[13] * t12;
-  const Scalar t16 = t8 * t13 + k[10] * t12;
-  const Scalar t17 = k[8] * t4 + (s5 * t15 + c5 * t16);
-  const Scalar t18 = k[14] * t2 - (s4 * t11 - c4 * t17);
-  const Scalar t19 = (k[9] * t12 + k[8] * t6) + (c5 * t15 - s5 * t16);
-  const Scalar t20 = s3 * t18 + c3 * (t19 + k[6] * t2);
-  const Scalar t21 = (k[4] * t2 + k[5] * t3) + t20;
-  const Scalar t22 = (k[6] * t4 + k[14] * t5) + (c4 * t11 + s4 * t17);
+  const Scalar t0 = k[1] * s1 + k[0] * c1;
+  const Scalar t1 = k[0] * s1 - k[1] * c1;
+  const Scalar t2 = c2 * t1 + s2 * t0;
+  const Scalar t3 = s2 * t1 - c2 * t0;
+  const Scalar t4 = c3 * t3 + k[4] * s3;
+  const Scalar t5 = c4 * t4 - s4 * t2;
+  const Scalar t6 = k[4] * c3 - s3 * t3;
+  const Scalar t7 = s5 * t5 + c5 * t6;
+  const Scalar t8 = k[6] * c6 - k[7] * s6;
+  const Scalar t9 = s4 * t4 + c4 * t2;
+  const Scalar t10 = t7 * t8 + k[5] * t9;
+  const Scalar t11 = c5 * t5 - s5 * t6;
+  const Scalar t12 = k[7] * c6 + k[6] * s6;
+  const Scalar t13 = t11 * t8 - t9 * t12;
+  const Scalar t14 = k[8] * t9 - t13;
+  const Scalar t15 = (s5 * t10 - c5 * t14) - (k[10] * t9 - k[9] * t5);
+  const Scalar t16 = t12 * t7 + (k[5] * t11 + k[8] * t7);
+  const Scalar t17 = t16 + k[10] * t6;
+  const Scalar t18 = (c5 * t10 + s5 * t14) + k[9] * t6;
+  const Scalar t19 = k[11] * t2 - (s4 * t17 - c4 * t18);
+  const Scalar t20 = c3 * (k[12] * t2 - t15) + s3 * t19;
+  const Scalar t21 = (k[13] * t2 - k[14] * t3) + t20;
+  const Scalar t22 = (k[12] * t6 + k[11] * t4) + (s4 * t18 + c4 * t17);
   JointVector<Scalar> result;
-  result[0] = t21 + (k[2] * t1 + k[3] * t0);
+  result[0] = (k[3] * t0 + k[2] * t1) + t21;
   result[1] = t21;
   result[2] = t22;
-  result[3] = -t19;
-  result[4] = t10;
-  result[5] = -t14;
+  result[3] = t15;
+  result[4] = -t16;
+  result[5] = t13;
   return result;
 }
 
@@ -700,108 +714,121 @@ ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
-  const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t1;
-  const Scalar t4 = (inertia.I6yy - t2) - inertia.c6y * t0;
-  const Scalar t5 = t3 + t4;
-  const Scalar t6 = Scalar(1) / t5;
-  const Scalar t7 = inertia.c5y * inertia.m5;
-  const Scalar t8 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t9 = inertia.c5x * inertia.m5;
-  const Scalar t10 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t11 = inertia.c6z * inertia.m6;
-  const Scalar t12 = inertia.c5z * inertia.m5;
-  const Scalar t13 = (inertia.c6z * t11 - (inertia.I6zz - t2)) + (inertia.c5z * t12 - (inertia.I5zz - t10));
-  const Scalar t14 = inertia.c4y * inertia.m4;
-  const Scalar t15 = inertia.c4x * inertia.m4;
-  const Scalar t16 = g.l1 / g.l3;
-  const Scalar t17 = g.l2 / g.l3;
-  const Scalar t18 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t19 = ((inertia.I4yy - t18) - inertia.c4y * t14) - (inertia.c5y * t7 - (inertia.I5yy - t10));
-  const Scalar t20 = inertia.c4z * inertia.m4;
-  const Scalar t21 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t22 = t20 - g.l3 * t21;
-  const Scalar t23 = inertia.c3z * inertia.m3;
-  const Scalar t24 = t23 - g.l3 * inertia.m3;
-  const Scalar t25 = inertia.c3x * inertia.m3;
-  const Scalar t26 = g.l3 * t25;
-  const Scalar t27 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t28 = inertia.c3x * t25 - (inertia.I3xx - t27);
-  const Scalar t29 = ((inertia.I3zz - t27) - inertia.c3z * t23) + g.l3 * (t23 + t24);
-  const Scalar t30 = ((inertia.I4zz - t18) - inertia.c4z * t20) + g.l3 * (t20 + t22);
-  const Scalar t31 = t29 + t30;
-  const Scalar t32 = (inertia.I3xz - inertia.c3z * t25) + t26;
-  const Scalar t33 = inertia.c3y * inertia.m3;
-  const Scalar t34 = inertia.m3 + t21;
-  const Scalar t35 = g.l2 * t34;
-  const Scalar t36 = inertia.c2x * inertia.m2;
-  const Scalar t37 = g.l2 * inertia.m2 + t36;
-  const Scalar t38 = inertia.c2y * inertia.m2;
-  const Scalar t39 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t40 = (inertia.c2x * t36 - (inertia.I2xx - t39)) + g.l2 * (t36 + t37);
-  const Scalar t41 = ((inertia.I3yy - t27) - inertia.c3y * t33) + ((inertia.I2yy - t39) - inertia.c2y * t38);
-  const Scalar t42 = inertia.c1y * inertia.m1;
-  const Scalar t43 = g.l1 * (inertia.m2 + t34);
-  const Scalar t44 = inertia.c1x * inertia.m1;
-  const Scalar t45 = g.l1 * inertia.m1 + t44;
-  const Scalar t46 = g.l2 * t33 - ((inertia.I2xy - inertia.c2y * t36) - g.l2 * t38);
-  const Scalar t47 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t48 = g.l1 * (t44 + t45) + (inertia.c1x * t44 - (inertia.I1xx - t47));
-  return { inertia.I6yz - inertia.c6z * t0,
-           inertia.I6xz - inertia.c6z * t1,
+  const Scalar t0 = inertia.c5z * inertia.m5;
+  const Scalar t1 = inertia.c6z * inertia.m6;
+  const Scalar t2 = inertia.c6y * inertia.m6;
+  const Scalar t3 = inertia.c6x * inertia.m6;
+  const Scalar t4 = inertia.c5x * inertia.m5;
+  const Scalar t5 = inertia.c4x * inertia.m4;
+  const Scalar t6 = g.l3 * t5;
+  const Scalar t7 = inertia.I6yz - inertia.c6z * t2;
+  const Scalar t8 = inertia.I6xz - inertia.c6z * t3;
+  const Scalar t9 = inertia.I6xy - inertia.c6y * t3;
+  const Scalar t10 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t11 = (inertia.I6xx - t10) - inertia.c6x * t3;
+  const Scalar t12 = (inertia.I6yy - t10) - inertia.c6y * t2;
+  const Scalar t13 = t11 + t12;
+  const Scalar t14 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t15 = (inertia.c6z * t1 - (inertia.I6zz - t10)) + (inertia.c5z * t0 - (inertia.I5zz - t14));
+  const Scalar t16 = Scalar(1) / t13;
+  const Scalar t17 = inertia.c5y * inertia.m5;
+  const Scalar t18 = inertia.c4y * inertia.m4;
+  const Scalar t19 = g.l3 * t18;
+  const Scalar t20 = inertia.c3x * inertia.m3;
+  const Scalar t21 = g.l3 * t20;
+  const Scalar t22 = (inertia.I3xz - inertia.c3z * t20) + t21;
+  const Scalar t23 = g.l3 * inertia.m4;
+  const Scalar t24 = inertia.c4z * inertia.m4;
+  const Scalar t25 = t24 - t23;
+  const Scalar t26 = t23 + t25;
+  const Scalar t27 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t28 = t26 - g.l3 * t27;
+  const Scalar t29 = inertia.c3z * inertia.m3;
+  const Scalar t30 = t29 - g.l3 * inertia.m3;
+  const Scalar t31 = (t28 + t30) / g.l3;
+  const Scalar t32 = g.l3 * g.l3 * t31;
+  const Scalar t33 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t34 = ((inertia.I4zz - t33) - inertia.c4z * t24) + g.l3 * (t24 + t25);
+  const Scalar t35 = g.l3 * (t28 + t26) + (t34 - g.l3 * (t26 + t25));
+  const Scalar t36 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t37 = ((inertia.I3zz - t36) - inertia.c3z * t29) + g.l3 * (t29 + t30);
+  const Scalar t38 = (t35 + t37) - t32;
+  const Scalar t39 = ((inertia.I4yy - t33) - inertia.c4y * t18) - (inertia.c5y * t17 - (inertia.I5yy - t14));
+  const Scalar t40 = inertia.c3x * t20 - (inertia.I3xx - t36);
+  const Scalar t41 = g.l2 / g.l3;
+  const Scalar t42 = g.l2 * t31;
+  const Scalar t43 = inertia.c2x * inertia.m2;
+  const Scalar t44 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t45 = g.l2 * inertia.m2 + t43;
+  const Scalar t46 = (inertia.c2x * t43 - (inertia.I2xx - t44)) + g.l2 * (t43 + t45);
+  const Scalar t47 = inertia.m3 + t27;
+  const Scalar t48 = g.l2 * t47;
+  const Scalar t49 = inertia.c3y * inertia.m3;
+  const Scalar t50 = inertia.c2y * inertia.m2;
+  const Scalar t51 = ((inertia.I3yy - t36) - inertia.c3y * t49) + ((inertia.I2yy - t44) - inertia.c2y * t50);
+  const Scalar t52 = g.l2 * t49 - ((inertia.I2xy - inertia.c2y * t43) - g.l2 * t50);
+  const Scalar t53 = inertia.c1y * inertia.m1;
+  const Scalar t54 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t55 = g.l1 / g.l3;
+  const Scalar t56 = g.l1 * (inertia.m2 + t47);
+  const Scalar t57 = inertia.c1x * inertia.m1;
+  const Scalar t58 = g.l1 * inertia.m1 + t57;
+  const Scalar t59 = g.l1 * (t57 + t58) + (inertia.c1x * t57 - (inertia.I1xx - t54));
+  const Scalar t60 = g.l1 * t31;
+  return { g.l3 * (t0 + t1),
+           g.l3 * t2,
+           g.l3 * t3,
+           g.l3 * t4,
            t6,
-           inertia.I5yz - inertia.c5z * t7,
-           Scalar(2) * t8,
-           t3 - t4,
+           t7,
            t8,
-           inertia.I5xy - inertia.c5y * t9,
-           t3,
-           inertia.c5x * t9 - (inertia.I5xx - t10),
+           inertia.I5xz - inertia.c5z * t4,
+           Scalar(2) * t9,
+           t11 - t12,
+           t12,
            t13,
-           g.l3 * t0,
-           g.l3 * t1,
-           t5,
-           g.l3 * t9,
-           g.l3 * (t12 + t11),
-           inertia.I4yz - inertia.c4z * t14,
-           g.l3 * (t14 + t7),
-           g.l3 * t15,
-           inertia.I5xz - inertia.c5z * t9,
-           Scalar(2) * t13,
-           inertia.I4xz - inertia.c4z * t15,
+           inertia.c5x * t4 - (inertia.I5xx - t14),
+           t15,
+           ((inertia.I4xz - inertia.c4z * t5) + t6) - t6,
+           t7 * t16,
+           t8 * t16,
+           inertia.I5yz - inertia.c5z * t17,
+           t9,
+           inertia.I5xy - inertia.c5y * t4,
+           t19 - (t19 + (inertia.I4yz - inertia.c4z * t18)),
+           g.l3 * (t18 + t17),
+           t22,
+           t32,
+           t38,
+           t39,
+           (inertia.I4xx - t33) - inertia.c4x * t5,
+           inertia.I4xy - inertia.c4y * t5,
+           t40,
+           t21,
+           t41 * t32,
+           t41,
+           g.l2 * t42 + (t46 + g.l2 * t48),
+           t51,
+           g.l3 * t49 + (inertia.I3yz - inertia.c3z * t49),
+           inertia.I3xy - inertia.c3y * t20,
+           t52,
+           inertia.c1y * t53 - (inertia.I1yy - t54),
+           g.l3 * (t42 + (t48 + t45)),
+           g.l3 * (t49 + t50),
+           t55 * t32,
+           t55,
+           (g.l1 * t56 + t59) + g.l1 * t60,
+           t16,
            gravity[1] / g.l3,
            gravity[0] / g.l3,
-           t16,
            gravity[2] / g.l3,
-           t17,
-           t19,
-           (inertia.I4xx - t18) - inertia.c4x * t15,
-           inertia.I4xy - inertia.c4y * t15,
-           g.l3 * (t22 + t24),
-           t26,
-           t28 + t31,
-           t32,
-           t28,
-           t31,
-           g.l3 * t33 + (inertia.I3yz - inertia.c3z * t33),
-           inertia.I3xy - inertia.c3y * t25,
-           g.l3 * (t35 + t37),
-           g.l3 * (t33 + t38),
-           Scalar(2) * t32,
-           Scalar(2) * t28,
-           Scalar(2) * t26,
-           Scalar(2) * t17,
-           t40 + g.l2 * t35,
-           t41,
-           t16 * t6,
-           g.l3 * t42,
-           g.l3 * (t43 + t45),
-           t46,
-           Scalar(2) * t16,
-           g.l1 * t43 + t48,
-           inertia.c1y * t42 - (inertia.I1yy - t47) };
+           t40 + t38,
+           Scalar(2) * t21,
+           Scalar(2) * t38,
+           Scalar(2) * t22,
+           Scalar(2) * t40,
+           g.l3 * ((t56 + t58) + t60),
+           g.l3 * t53 };
 }
 
 namespace detail {
@@ -822,248 +849,252 @@ inline JointVector<Scalar> forward_dynamics_with_gravity_vector([[maybe_unused]]
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = k[22] * s1 + k[23] * c1;
-  const Scalar t1 = k[22] * c1 - k[23] * s1;
-  const Scalar t2 = t0 + k[24] * qd[0] * qd[0];
-  const Scalar t3 = s2 * t1 + c2 * t2;
-  const Scalar t4 = c2 * t1 - s2 * t2;
-  const Scalar t5 = qd[0] + qd[1];
-  const Scalar t6 = t5 * t5;
-  const Scalar t7 = t3 + k[26] * t6;
-  const Scalar t8 = k[25] * c3 + s3 * t7;
-  const Scalar t9 = c3 * t5;
-  const Scalar t10 = t9 * t9;
-  const Scalar t11 = qd[2] * qd[2];
-  const Scalar t12 = t10 - t11;
-  const Scalar t13 = t12 - t6;
+  const Scalar t0 = qd[0] + qd[1];
+  const Scalar t1 = c3 * t0;
+  const Scalar t2 = qd[3] - t1;
+  const Scalar t3 = s3 * t0;
+  const Scalar t4 = c4 * t3;
+  const Scalar t5 = qd[2] * s4 + t4;
+  const Scalar t6 = c5 * t2 - s5 * t5;
+  const Scalar t7 = c5 * t5 + s5 * t2;
+  const Scalar t8 = t6 * t7;
+  const Scalar t9 = qd[2] * t1;
+  const Scalar t10 = t9 + t9;
+  const Scalar t11 = s4 * t10 + t4 * t1;
+  const Scalar t12 = t2 * t5;
+  const Scalar t13 = t11 + t12;
   const Scalar t14 = t8 + t13;
-  const Scalar t15 = qd[3] - t9;
-  const Scalar t16 = s3 * t5;
-  const Scalar t17 = qd[2] * s4 + c4 * t16;
-  const Scalar t18 = t15 * t17;
-  const Scalar t19 = t16 * t9;
-  const Scalar t20 = qd[2] * t9;
-  const Scalar t21 = t20 + t20;
-  const Scalar t22 = c4 * t19 + s4 * t21;
-  const Scalar t23 = t18 + t22;
-  const Scalar t24 = t18 + t23;
-  const Scalar t25 = s4 * t19 - c4 * t21;
-  const Scalar t26 = s4 * t16 - qd[2] * c4;
-  const Scalar t27 = t25 + Scalar(2) * t26 * t15;
-  const Scalar t28 = qd[2] * t16;
-  const Scalar t29 = t26 * t17;
-  const Scalar t30 = t28 + t29;
-  const Scalar t31 = t17 * t17;
-  const Scalar t32 = t15 * t15;
-  const Scalar t33 = t31 - t32;
-  const Scalar t34 = (k[28] * t24 + k[29] * t27) - (k[16] * t30 + k[21] * t33);
-  const Scalar t35 = k[12] * c6 + k[11] * s6;
-  const Scalar t36 = t21 + t4;
-  const Scalar t37 = k[25] * s3 - c3 * t7;
-  const Scalar t38 = t37 + t19;
-  const Scalar t39 = s4 * t36 + c4 * t38;
-  const Scalar t40 = c5 * t14 + s5 * t39;
-  const Scalar t41 = k[0] * s6 + k[1] * c6;
-  const Scalar t42 = c5 * t15 - s5 * t17;
-  const Scalar t43 = qd[5] + t42;
-  const Scalar t44 = t43 * t43;
-  const Scalar t45 = c5 * t17 + s5 * t15;
-  const Scalar t46 = t45 * t45;
-  const Scalar t47 = t44 - t46;
-  const Scalar t48 = c5 * t30 + s5 * t27;
-  const Scalar t49 = k[0] * c6 - k[1] * s6;
-  const Scalar t50 = t42 * t45;
-  const Scalar t51 = t50 - t23;
-  const Scalar t52 = t43 * t45;
-  const Scalar t53 = (t51 - t52) - t52;
-  const Scalar t54 = k[4] * c6 - k[5] * s6;
-  const Scalar t55 = k[8] + s6 * t54;
-  const Scalar t56 = s5 * t30 - c5 * t27;
-  const Scalar t57 = qd[4] + t26;
-  const Scalar t58 = t56 + Scalar(2) * t57 * t42;
-  const Scalar t59 = t43 * t57;
-  const Scalar t60 = t58 - (t59 + t59);
-  const Scalar t61 = k[6] - c6 * t54;
-  const Scalar t62 = (t41 * t47 - t48 * t49) - (t53 * t55 - t60 * t61);
-  const Scalar t63 = s5 * t14 - c5 * t39;
-  const Scalar t64 = t57 * t57;
-  const Scalar t65 = t64 + t46;
-  const Scalar t66 = t64 - t46;
-  const Scalar t67 = t31 + t32;
-  const Scalar t68 = t66 + t67;
-  const Scalar t69 = t65 - t68;
-  const Scalar t70 = t50 + t23;
-  const Scalar t71 = k[19] * t69 + (k[9] * t70 - k[10] * t51);
-  const Scalar t72 = (k[14] * t40 - k[15] * t63) - (t71 + (k[3] * t48 + k[7] * t56));
-  const Scalar t73 = (t35 * t40 + t62) + t72;
-  const Scalar t74 = k[12] * s6 - k[11] * c6;
-  const Scalar t75 = (t60 * t74 - t35 * t53) + (k[14] * t70 - k[15] * t65);
-  const Scalar t76 = (k[15] * t51 - k[14] * t68) - (t35 * (t44 + t64) + t74 * t48);
-  const Scalar t77 = t67 + t13;
-  const Scalar t78 = t77 + t33;
-  const Scalar t79 = (s5 * t75 - c5 * t76) - (k[17] * t30 + k[18] * (t78 - t67));
-  const Scalar t80 = ((k[18] * t14 + t34) + t73) + t79;
-  const Scalar t81 = c4 * t36 - s4 * t38;
-  const Scalar t82 = t57 * t45;
-  const Scalar t83 = t48 - (t82 + t82);
-  const Scalar t84 = (k[3] * t51 - k[7] * t66) - (k[19] * t58 + k[9] * t83);
-  const Scalar t85 = k[13] - t55;
-  const Scalar t86 = t66 * t61 + (t83 * t55 + t48 * t85);
-  const Scalar t87 = (t81 * t35 + t63 * t74) - (t86 - (t41 * t58 - t51 * t49));
-  const Scalar t88 = (k[14] * t81 - t84) + t87;
-  const Scalar t89 = t66 - t47;
-  const Scalar t90 = t89 * t49 - (t53 * t61 - t60 * t85);
-  const Scalar t91 = k[3] * (t66 + t69) - (k[19] * t83 + k[10] * t58);
-  const Scalar t92 = (t74 * t40 - (t41 * t83 - t90)) + (k[15] * t81 - (k[7] * t70 - t91));
-  const Scalar t93 = (k[29] * t24 + k[27] * t27) + k[16] * t77;
-  const Scalar t94 = t28 - t29;
-  const Scalar t95 = (s5 * t88 + c5 * t92) - (k[17] * t14 + (t93 + k[21] * t94));
-  const Scalar t96 = (t74 * (t89 - t65) + t35 * t83) + (k[14] * t83 - k[15] * t58);
-  const Scalar t97 = t96 + (k[18] * t94 + k[17] * t67);
-  const Scalar t98 = t95 - t97;
-  const Scalar t99 = k[36] * t12 - (k[35] * t21 - k[40] * t28);
-  const Scalar t100 = (s4 * t80 + c4 * t98) + (k[30] * t4 - (t99 - k[37] * t19));
-  const Scalar t101 = k[29] * t78 + (k[27] * t30 + k[28] * t94);
-  const Scalar t102 = (k[17] * t39 + k[18] * t81) + ((k[16] * t22 - k[21] * t25) - t101);
-  const Scalar t103 = t102 - (s5 * t92 - c5 * t88);
-  const Scalar t104 = t10 + t11;
-  const Scalar t105 = t104 + t13;
-  const Scalar t106 = (k[40] * t20 + k[41] * t28) + (k[36] * t19 - k[37] * (t12 - t105));
-  const Scalar t107 = s3 * t100 + c3 * (t103 + (t106 + k[31] * t4));
-  const Scalar t108 = (s4 * t79 - c4 * t97) + (k[30] * t21 - k[42] * t28);
-  const Scalar t109 = (k[39] * t3 - k[38] * t4) - (t107 - k[26] * t108);
-  const Scalar t110 = (k[18] * t24 + k[17] * t27) + (s5 * t76 + c5 * t75);
-  const Scalar t111 = s3 * ((k[31] * t19 - k[30] * t13) - t110);
-  const Scalar t112 = (k[31] * t104 + k[30] * t19) + (s4 * t97 + c4 * t79);
-  const Scalar t113 = s2 * ((t111 + c3 * t112) + k[38] * t6);
-  const Scalar t114 = k[24] * (t113 + c2 * (k[39] * t6 - t108));
-  const Scalar t115 = (k[47] * t0 - k[48] * t1) + (t109 - t114);
-  const Scalar t116 = c5 - k[2] * s5 * t41;
-  const Scalar t117 = k[13] * t116;
-  const Scalar t118 = (k[13] * s5 + c5 * t41) + t35;
-  const Scalar t119 = c5 * t74;
-  const Scalar t120 = t119 - t49;
-  const Scalar t121 = c3 * t117 + s3 * (c4 * t118 - s4 * t120);
-  const Scalar t122 = c4 * t35 - s4 * t119;
-  const Scalar t123 = t121 - k[26] * t122;
-  const Scalar t124 = k[2] * t123;
-  const Scalar t125 = c3 * (s4 * t35 + c4 * t119) + s3 * s5 * t74;
-  const Scalar t126 = t124 - k[46] * (s2 * t125 + c2 * t122);
-  const Scalar t127 = torque[5] - t87;
-  const Scalar t128 = k[2] * t127;
-  const Scalar t129 = (torque[4] + t73) + t49 * t128;
-  const Scalar t130 = k[9] - t55;
-  const Scalar t131 = k[10] + t130;
-  const Scalar t132 = k[2] * t49;
-  const Scalar t133 = Scalar(1) / (t131 + t132 * t49);
-  const Scalar t134 = t129 * t133;
-  const Scalar t135 = k[7] - t61;
-  const Scalar t136 = k[3] + t49;
-  const Scalar t137 = c5 * t135 - s5 * t136;
-  const Scalar t138 = k[14] + t35;
-  const Scalar t139 = k[15] * c5 + s5 * t138;
-  const Scalar t140 = t139 - t131;
-  const Scalar t141 = s5 * t135 + c5 * t136;
-  const Scalar t142 = s3 * (c4 * t137 - s4 * t140) - c3 * t141;
-  const Scalar t143 = s4 * t139;
-  const Scalar t144 = t142 + k[26] * t143;
-  const Scalar t145 = k[15] * s5 - c5 * t138;
-  const Scalar t146 = s2 * (c3 * c4 * t139 + s3 * t145);
-  const Scalar t147 = k[13] * t126;
-  const Scalar t148 = (t144 + k[24] * (c2 * t143 - t146)) + t147 * t132;
-  const Scalar t149 = ((torque[0] - t115) + t126 * t127) - t134 * t148;
-  const Scalar t150 = k[18] - t145;
-  const Scalar t151 = k[17] - t74;
-  const Scalar t152 = c4 * t150 + s4 * t151;
-  const Scalar t153 = (k[16] + t141) + t151;
-  const Scalar t154 = k[19] + t41;
-  const Scalar t155 = Scalar(2) * c5 * t154 + s5 * (k[20] - t131);
-  const Scalar t156 = (k[21] + (c5 * t155 - t154)) + t150;
-  const Scalar t157 = s4 * t153 + c4 * t156;
-  const Scalar t158 = t130 + s5 * t155;
-  const Scalar t159 = k[28] - t158;
-  const Scalar t160 = k[27] + t85;
-  const Scalar t161 = t159 + t160;
-  const Scalar t162 = k[26] * t152 - (s3 * t157 + c3 * t161);
-  const Scalar t163 = c4 * t151 - s4 * t150;
-  const Scalar t164 = k[24] * (c2 * t152 - s2 * c3 * t163);
-  const Scalar t165 = t116 * t49 - t141;
-  const Scalar t166 = t148 * t133;
-  const Scalar t167 = (t147 * t116 + (t162 + t164)) - t165 * t166;
-  const Scalar t168 = (t116 * t127 - (torque[3] - t103)) - t165 * t134;
-  const Scalar t169 = t165 * t133;
-  const Scalar t170 = Scalar(1) / (t165 * t169 + (t161 - t116 * t117));
-  const Scalar t171 = t168 * t170;
-  const Scalar t172 = t170 * t167;
-  const Scalar t173 = c4 * t120 + s4 * t118;
-  const Scalar t174 = k[2] * t173;
-  const Scalar t175 = t174 * t49 + (c4 * t140 + s4 * t137);
-  const Scalar t176 = s4 * t156 - c4 * t153;
-  const Scalar t177 = t169 * t175 + (t176 - t173 * t116);
-  const Scalar t178 = k[30] + t139;
-  const Scalar t179 = k[31] + t152;
-  const Scalar t180 = k[24] * s2 * (c3 * t178 - s3 * t179);
-  const Scalar t181 = k[29] + t137;
-  const Scalar t182 = Scalar(2) * c4 * t181 - s4 * (t159 - t160);
-  const Scalar t183 = k[37] - (t181 - c4 * t182);
-  const Scalar t184 = k[36] - t176;
-  const Scalar t185 = s3 * t183 - c3 * t184;
-  const Scalar t186 = t166 * t175 - ((t180 - t185) + t147 * t174);
-  const Scalar t187 = t172 * t177 + t186;
-  const Scalar t188 = t159 + s4 * t182;
-  const Scalar t189 = k[34] - t188;
-  const Scalar t190 = k[35] + ((t139 + t139) + (t158 - t131));
-  const Scalar t191 = t175 * t133;
-  const Scalar t192 = (t173 * t174 + (t189 - t190)) - t175 * t191;
-  const Scalar t193 = t170 * t177;
-  const Scalar t194 = Scalar(1) / (t192 + t193 * t177);
-  const Scalar t195 = (k[33] * t105 + k[32] * t19) + (k[31] * t8 + k[30] * t37);
-  const Scalar t196 = torque[2] - (t195 - (s4 * t98 - c4 * t80));
-  const Scalar t197 = t171 * t177 - ((t196 + t174 * t127) - t129 * t191);
-  const Scalar t198 = t194 * t197;
-  const Scalar t199 = c3 * (k[33] + t157);
-  const Scalar t200 = s3 * ((t199 + t199) + s3 * (t189 + t190));
-  const Scalar t201 = s3 * t178 + c3 * t179;
-  const Scalar t202 = k[44] + ((t189 - t200) + k[43] * t201);
-  const Scalar t203 = k[45] + (t161 - t188);
-  const Scalar t204 = t202 - t203;
-  const Scalar t205 = c2 * (k[38] + t201) - s2 * (k[39] + t163);
-  const Scalar t206 = t132 * t123 + t144;
-  const Scalar t207 = (t123 * t126 + (t204 + k[24] * t205)) - t206 * t166;
-  const Scalar t208 = (t162 + t116 * t123) - t206 * t169;
-  const Scalar t209 = t208 * t170;
-  const Scalar t210 = (t206 * t191 - (t124 * t173 - t185)) + t208 * t193;
-  const Scalar t211 = t194 * t210;
-  const Scalar t212 = (t207 + t167 * t209) - t187 * t211;
-  const Scalar t213 = t206 * t133;
-  const Scalar t214 = (t206 * t213 - (t124 * t123 + t204)) - t208 * t209;
-  const Scalar t215 = Scalar(1) / (t214 + t210 * t211);
-  const Scalar t216 = t212 * t215;
-  const Scalar t217 = t129 * t213 - (t123 * t128 + (torque[1] - t109));
-  const Scalar t218 = (t217 - t208 * t171) + t197 * t211;
-  const Scalar t219 = ((t149 + t167 * t171) - t187 * t198) - t216 * t218;
-  const Scalar t220 = k[26] * t163 - (c3 * t183 + s3 * t184);
-  const Scalar t221 = c2 * (k[49] + t220);
-  const Scalar t222 = s2 * (s2 * (t202 + t203) + (t221 + t221));
-  const Scalar t223 = t222 - t203;
-  const Scalar t224 = (k[52] + t223) + (k[51] - ((t223 - t204) - k[50] * t205));
-  const Scalar t225 = (t166 * t148 - (t224 + t147 * t126)) - t167 * t172;
-  const Scalar t226 = t194 * t187;
-  const Scalar t227 = Scalar(1) / (t216 * t212 - (t225 + t187 * t226));
-  const Scalar t228 = t219 * t227;
-  const Scalar t229 = t218 * t215 + t216 * t228;
-  const Scalar t230 = t211 * t229 + (t226 * t228 - t198);
-  const Scalar t231 = t193 * t230 - (t229 * t209 + (t228 * t172 - t171));
-  const Scalar t232 = ((t134 - t166 * t228) - t213 * t229) - t230 * t191;
-  const Scalar t233 = t232 + t231 * t169;
-  const Scalar t234 = ((t228 * t126 - t128) + t124 * t229) + t174 * t230;
+  const Scalar t15 = t8 - t13;
+  const Scalar t16 = s4 * t3 - qd[2] * c4;
+  const Scalar t17 = qd[4] + t16;
+  const Scalar t18 = t17 * t17;
+  const Scalar t19 = t18 - t7 * t7;
+  const Scalar t20 = t3 * t3;
+  const Scalar t21 = qd[2] * qd[2];
+  const Scalar t22 = t20 + t21;
+  const Scalar t23 = t2 * t2;
+  const Scalar t24 = t16 * t16;
+  const Scalar t25 = t23 - t24;
+  const Scalar t26 = t22 + t25;
+  const Scalar t27 = t19 + t26;
+  const Scalar t28 = qd[5] + t6;
+  const Scalar t29 = t28 * t28;
+  const Scalar t30 = t29 - t18;
+  const Scalar t31 = t29 + t18;
+  const Scalar t32 = t19 - t31;
+  const Scalar t33 = t30 + t32;
+  const Scalar t34 = (k[12] * t14 - k[13] * t15) - k[7] * (t27 + t33);
+  const Scalar t35 = t16 * t2;
+  const Scalar t36 = t3 * t1;
+  const Scalar t37 = s4 * t36 - c4 * t10;
+  const Scalar t38 = t35 + (t37 + t35);
+  const Scalar t39 = qd[2] * t3;
+  const Scalar t40 = t16 * t5;
+  const Scalar t41 = t39 + t40;
+  const Scalar t42 = c5 * t38 - s5 * t41;
+  const Scalar t43 = s5 * t38 + c5 * t41;
+  const Scalar t44 = k[45] * c1 + k[44] * s1;
+  const Scalar t45 = t44 + k[41] * qd[0] * qd[0];
+  const Scalar t46 = k[44] * c1 - k[45] * s1;
+  const Scalar t47 = s2 * t45 - c2 * t46;
+  const Scalar t48 = t10 - t47;
+  const Scalar t49 = c2 * t45 + s2 * t46;
+  const Scalar t50 = t0 * t0;
+  const Scalar t51 = t49 + k[31] * t50;
+  const Scalar t52 = (k[46] * s3 - c3 * t51) + t36;
+  const Scalar t53 = s4 * t48 + c4 * t52;
+  const Scalar t54 = k[46] * c3 + s3 * t51;
+  const Scalar t55 = t22 - t54;
+  const Scalar t56 = s5 * t53 - c5 * t55;
+  const Scalar t57 = s5 * t55 + c5 * t53;
+  const Scalar t58 = (t34 - (k[19] * t42 - k[17] * t43)) - (k[3] * t56 + k[0] * t57);
+  const Scalar t59 = k[16] * s6 - k[15] * c6;
+  const Scalar t60 = k[11] * t59;
+  const Scalar t61 = k[6] * c6 + k[5] * s6;
+  const Scalar t62 = k[8] * c6 - k[9] * s6;
+  const Scalar t63 = k[18] - c6 * t62;
+  const Scalar t64 = t42 - Scalar(2) * t17 * t6;
+  const Scalar t65 = t64 + Scalar(2) * t28 * t17;
+  const Scalar t66 = Scalar(2) * t28 * t7 - t15;
+  const Scalar t67 = k[10] - s6 * t62;
+  const Scalar t68 = k[11] - t67;
+  const Scalar t69 = (t60 * t43 + t61 * (t19 + t30)) - (t63 * t65 - t66 * t68);
+  const Scalar t70 = k[2] * c6 + k[1] * s6;
+  const Scalar t71 = t58 - (t69 + t70 * t56);
+  const Scalar t72 = k[1] * c6 - k[2] * s6;
+  const Scalar t73 = s4 * t52 - c4 * t48;
+  const Scalar t74 = t17 * t7;
+  const Scalar t75 = (t74 - t43) + t74;
+  const Scalar t76 = (t67 * t43 - t68 * t75) + t19 * t63;
+  const Scalar t77 = (t72 * t57 - t70 * t73) + ((t60 * t15 - t64 * t61) - t76);
+  const Scalar t78 = torque[5] - t77;
+  const Scalar t79 = k[43] * t78;
+  const Scalar t80 = (torque[4] - t71) - t60 * t79;
+  const Scalar t81 = k[7] + t61;
+  const Scalar t82 = c5 * t81;
+  const Scalar t83 = k[12] - t68;
+  const Scalar t84 = (t82 + t82) + s5 * (k[13] - t83);
+  const Scalar t85 = s5 * t84;
+  const Scalar t86 = k[13] - t85;
+  const Scalar t87 = t85 + t83;
+  const Scalar t88 = t86 + t87;
+  const Scalar t89 = Scalar(1) / (t60 * t59 + t88);
+  const Scalar t90 = k[3] + t70;
+  const Scalar t91 = s5 * t90 + k[0] * c5;
+  const Scalar t92 = t91 - t88;
+  const Scalar t93 = k[19] - t63;
+  const Scalar t94 = k[17] - t60;
+  const Scalar t95 = c5 * t93 - s5 * t94;
+  const Scalar t96 = c5 * t72;
+  const Scalar t97 = c4 * t96 - s4 * t70;
+  const Scalar t98 = k[11] * s5 + c5 * t61;
+  const Scalar t99 = t97 - (c4 * t60 + s4 * t98);
+  const Scalar t100 = k[43] * t99;
+  const Scalar t101 = (c4 * t92 + s4 * t95) + t60 * t100;
+  const Scalar t102 = t89 * t101;
+  const Scalar t103 = t20 - t21;
+  const Scalar t104 = t103 - t50;
+  const Scalar t105 = t22 + t104;
+  const Scalar t106 = k[29] * t54 + (k[47] * t36 - k[22] * t105);
+  const Scalar t107 = (k[0] * t64 - k[3] * t75) - (t72 * t32 + t70 * t75);
+  const Scalar t108 = t39 - t40;
+  const Scalar t109 = k[23] * t73 + (k[21] * t26 + k[4] * t108);
+  const Scalar t110 = t107 + t109;
+  const Scalar t111 = t12 + t13;
+  const Scalar t112 = (k[25] * t38 + k[27] * t111) - k[20] * t25;
+  const Scalar t113 = (k[13] * t64 + k[7] * t75) - k[17] * (t33 + t26);
+  const Scalar t114 = (t67 * t65 - t66 * t63) - t30 * t60;
+  const Scalar t115 = ((k[19] * t14 - t113) + k[0] * t73) + (t56 * t72 + (t114 - t61 * t75));
+  const Scalar t116 = (k[12] * t75 + k[7] * t64) - (k[19] * t19 - k[17] * t15);
+  const Scalar t117 = t77 - (t116 + k[3] * t73);
+  const Scalar t118 = (k[21] * t55 - (t112 + k[14] * t108)) - (c5 * t115 - s5 * t117);
+  const Scalar t119 = t110 - t118;
+  const Scalar t120 = (t70 * t31 - t72 * t43) + (k[3] * t27 - k[0] * t15);
+  const Scalar t121 = (k[3] * t14 + k[0] * t33) + (t70 * t66 + t72 * t65);
+  const Scalar t122 = t23 + t24;
+  const Scalar t123 = (k[4] * t122 - k[21] * t41) + k[23] * t53;
+  const Scalar t124 = (c5 * t120 + s5 * t121) + t123;
+  const Scalar t125 = (k[20] * t41 - k[14] * (t22 - t122)) + (k[26] * t111 + k[27] * t38);
+  const Scalar t126 = t124 + ((t125 - k[4] * t55) - t71);
+  const Scalar t127 = torque[2] - (t106 + (s4 * t119 + c4 * t126));
+  const Scalar t128 = k[11] * c5 - s5 * t61;
+  const Scalar t129 = k[43] * t128;
+  const Scalar t130 = c5 * t94 + s5 * t93;
+  const Scalar t131 = k[21] + t72;
+  const Scalar t132 = (k[20] - t130) - t131;
+  const Scalar t133 = c5 * t90 - k[0] * s5;
+  const Scalar t134 = k[4] + t133;
+  const Scalar t135 = (k[14] - (t81 - c5 * t84)) + t134;
+  const Scalar t136 = c4 * t132 + s4 * t135;
+  const Scalar t137 = t130 + t129 * t60;
+  const Scalar t138 = t89 * t137;
+  const Scalar t139 = (t99 * t129 + t136) - t138 * t101;
+  const Scalar t140 = k[27] * (t26 - t122) + (k[26] * t108 + k[25] * t41);
+  const Scalar t141 = (k[21] * t53 - k[4] * t73) - ((k[14] * t37 + k[20] * t11) + t140);
+  const Scalar t142 = t141 + (s5 * t115 + c5 * t117);
+  const Scalar t143 = t138 * t80 + (t78 * t129 - (torque[3] - t142));
+  const Scalar t144 = k[25] + t67;
+  const Scalar t145 = k[26] - t87;
+  const Scalar t146 = t144 + t145;
+  const Scalar t147 = Scalar(1) / ((t129 * t128 - t146) - t138 * t137);
+  const Scalar t148 = t143 * t147;
+  const Scalar t149 = (t80 * t102 - (t127 - t99 * t79)) - t139 * t148;
+  const Scalar t150 = s4 * t96 + c4 * t70;
+  const Scalar t151 = s2 * (s3 * s5 * t72 + c3 * t97);
+  const Scalar t152 = s3 * (t150 - (s4 * t60 - c4 * t98));
+  const Scalar t153 = (c3 * t128 + t152) - k[31] * t150;
+  const Scalar t154 = k[41] * (c2 * t150 - t151) - t153;
+  const Scalar t155 = k[43] * t154;
+  const Scalar t156 = s2 * (s3 * t133 - c3 * c4 * t91);
+  const Scalar t157 = s4 * t91;
+  const Scalar t158 = c3 * t130 - s3 * (c4 * t95 - s4 * t92);
+  const Scalar t159 = k[31] * t157 - t158;
+  const Scalar t160 = t155 * t60 + (k[41] * (t156 + c2 * t157) + t159);
+  const Scalar t161 = k[34] - t136;
+  const Scalar t162 = k[27] + t95;
+  const Scalar t163 = c4 * t162;
+  const Scalar t164 = (t163 + t163) + s4 * (t144 - t145);
+  const Scalar t165 = k[35] - (t162 - c4 * t164);
+  const Scalar t166 = c3 * t161 - s3 * t165;
+  const Scalar t167 = c4 * t134 + s4 * t131;
+  const Scalar t168 = k[29] + t167;
+  const Scalar t169 = k[23] + t91;
+  const Scalar t170 = k[41] * s2 * (s3 * t168 - c3 * t169);
+  const Scalar t171 = t160 * t102 - ((t166 - t170) + t155 * t99);
+  const Scalar t172 = s4 * t132 - c4 * t135;
+  const Scalar t173 = k[31] * t167 + (s3 * t172 - c3 * t146);
+  const Scalar t174 = s4 * t134 - c4 * t131;
+  const Scalar t175 = k[41] * (s2 * c3 * t174 + c2 * t167);
+  const Scalar t176 = t160 * t138 + ((t173 + t175) - t154 * t129);
+  const Scalar t177 = t139 * t147;
+  const Scalar t178 = t171 - t176 * t177;
+  const Scalar t179 = t144 - s4 * t164;
+  const Scalar t180 = k[28] + (t179 - t146);
+  const Scalar t181 = k[24] - (t86 - (t91 + t169));
+  const Scalar t182 = t102 * t101 - (t99 * t100 + (t180 - t181));
+  const Scalar t183 = Scalar(1) / (t182 + t139 * t177);
+  const Scalar t184 = t178 * t183;
+  const Scalar t185 = t89 * t80;
+  const Scalar t186 = (s4 * t124 - c4 * t110) - k[48] * t39;
+  const Scalar t187 = k[23] * t55 - (k[4] * t111 + k[21] * t38);
+  const Scalar t188 = (t187 - (c5 * t121 - s5 * t120)) + k[29] * t36;
+  const Scalar t189 = (s4 * t110 + c4 * t124) - k[29] * t104;
+  const Scalar t190 = k[38] * t50 + (s3 * t188 + c3 * t189);
+  const Scalar t191 = c2 * (k[39] * t50 - t186) + s2 * t190;
+  const Scalar t192 = (k[34] * t36 - k[35] * t103) + (k[51] * t39 + k[22] * t10);
+  const Scalar t193 = (k[50] * t39 - k[49] * t9) + k[34] * (t103 - t105);
+  const Scalar t194 = (s4 * t126 - c4 * t119) - (t193 - k[35] * t36);
+  const Scalar t195 = c3 * ((k[29] * t47 - t192) - t142) - s3 * t194;
+  const Scalar t196 = (k[39] * t49 + k[38] * t47) + (k[31] * t186 + t195);
+  const Scalar t197 = (k[53] * t44 - k[52] * t46) - (k[41] * t191 - t196);
+  const Scalar t198 = t185 * t160 - ((torque[0] - t197) - t155 * t78);
+  const Scalar t199 = t176 * t147;
+  const Scalar t200 = k[43] * t153;
+  const Scalar t201 = t200 * t60 - t159;
+  const Scalar t202 = t201 * t138 - (t173 + t153 * t129);
+  const Scalar t203 = t177 * t202 - ((t166 - t200 * t99) + t201 * t102);
+  const Scalar t204 = t203 * t183;
+  const Scalar t205 = t147 * t202;
+  const Scalar t206 = k[33] + t179;
+  const Scalar t207 = Scalar(2) * c3 * (k[22] - t172) + s3 * (t180 + t181);
+  const Scalar t208 = c3 * t168 + s3 * t169;
+  const Scalar t209 = k[30] - t208;
+  const Scalar t210 = (t180 - s3 * t207) - k[31] * (t209 - t208);
+  const Scalar t211 = k[32] + t210;
+  const Scalar t212 = k[31] * t174 + (c3 * t165 + s3 * t161);
+  const Scalar t213 = s2 * (t206 + t211) + Scalar(2) * c2 * (k[36] - t212);
+  const Scalar t214 = s2 * t213;
+  const Scalar t215 = t206 - t214;
+  const Scalar t216 = t214 - t211;
+  const Scalar t217 = t215 + t216;
+  const Scalar t218 = c2 * (k[38] - t209) - s2 * (k[39] - t174);
+  const Scalar t219 = t201 * t89;
+  const Scalar t220 = ((t217 - k[41] * t218) + t154 * t200) - t160 * t219;
+  const Scalar t221 = t178 * t204 + (t176 * t205 - t220);
+  const Scalar t222 = ((t217 - t200 * t153) + t201 * t219) + t205 * t202;
+  const Scalar t223 = Scalar(1) / (t222 - t203 * t204);
+  const Scalar t224 = t221 * t223;
+  const Scalar t225 = ((torque[1] - t196) + t153 * t79) + t80 * t219;
+  const Scalar t226 = (t202 * t148 + t225) + t204 * t149;
+  const Scalar t227 = (t149 * t184 - (t198 + t143 * t199)) + t224 * t226;
+  const Scalar t228 = k[42] - (t216 - k[41] * (t218 - (k[40] - t218)));
+  const Scalar t229 = t160 * t89;
+  const Scalar t230 = (((k[37] - t215) + t228) + t154 * t155) - t160 * t229;
+  const Scalar t231 = t221 * t224 + (t178 * t184 - (t176 * t199 - t230));
+  const Scalar t232 = t227 * Scalar(1) / t231;
+  const Scalar t233 = t232 * t224 - t223 * t226;
+  const Scalar t234 = (t232 * t184 - t149 * t183) + t233 * t204;
+  const Scalar t235 = t177 * t234 + ((t232 * t199 - t148) - t233 * t205);
+  const Scalar t236 = t102 * t234 + (t233 * t219 + (t185 - t232 * t229));
+  const Scalar t237 = t138 * t235 - t236;
+  const Scalar t238 = ((t232 * t155 + t79) - t233 * t200) - t100 * t234;
   JointVector<Scalar> result;
-  result[0] = t228;
-  result[1] = t229;
-  result[2] = t230;
-  result[3] = t231;
-  result[4] = t233;
-  result[5] = t132 * t233 - (t231 * t116 - t234);
+  result[0] = t232;
+  result[1] = t233;
+  result[2] = -t234;
+  result[3] = t235;
+  result[4] = -t237;
+  result[5] = t237 * t59 - (t235 * t129 + t238);
   return result;
 }
 
@@ -1094,105 +1125,117 @@ ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constant
   using std::sin;
   const Scalar t0 = inertia.c6y * inertia.m6;
   const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t1;
-  const Scalar t4 = (inertia.I6yy - t2) - inertia.c6y * t0;
-  const Scalar t5 = t3 + t4;
-  const Scalar t6 = inertia.c5y * inertia.m5;
-  const Scalar t7 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t8 = inertia.c5x * inertia.m5;
-  const Scalar t9 = inertia.c4y * inertia.m4;
-  const Scalar t10 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t2 = g.l2 / g.l3;
+  const Scalar t3 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t4 = (inertia.I6xx - t3) - inertia.c6x * t1;
+  const Scalar t5 = (inertia.I6yy - t3) - inertia.c6y * t0;
+  const Scalar t6 = t4 + t5;
+  const Scalar t7 = Scalar(1) / t6;
+  const Scalar t8 = g.l1 / g.l3;
+  const Scalar t9 = inertia.c5x * inertia.m5;
+  const Scalar t10 = inertia.c5z * inertia.m5;
   const Scalar t11 = inertia.c6z * inertia.m6;
-  const Scalar t12 = inertia.c5z * inertia.m5;
-  const Scalar t13 = (inertia.c6z * t11 - (inertia.I6zz - t2)) + (inertia.c5z * t12 - (inertia.I5zz - t10));
-  const Scalar t14 = inertia.c4x * inertia.m4;
-  const Scalar t15 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t16 = ((inertia.I4yy - t15) - inertia.c4y * t9) - (inertia.c5y * t6 - (inertia.I5yy - t10));
-  const Scalar t17 = g.l2 / g.l3;
-  const Scalar t18 = inertia.c3y * inertia.m3;
-  const Scalar t19 = inertia.c3x * inertia.m3;
-  const Scalar t20 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t21 = inertia.c3z * inertia.m3;
-  const Scalar t22 = t21 - g.l3 * inertia.m3;
-  const Scalar t23 = ((inertia.I3zz - t20) - inertia.c3z * t21) + g.l3 * (t21 + t22);
-  const Scalar t24 = inertia.c4z * inertia.m4;
-  const Scalar t25 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t26 = t24 - g.l3 * t25;
-  const Scalar t27 = ((inertia.I4zz - t15) - inertia.c4z * t24) + g.l3 * (t24 + t26);
-  const Scalar t28 = t23 + t27;
-  const Scalar t29 = inertia.c3x * t19 - (inertia.I3xx - t20);
-  const Scalar t30 = g.l3 * t19;
-  const Scalar t31 = g.l3 * (t26 + t22);
-  const Scalar t32 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t33 = inertia.c2y * inertia.m2;
-  const Scalar t34 = ((inertia.I3yy - t20) - inertia.c3y * t18) + ((inertia.I2yy - t32) - inertia.c2y * t33);
-  const Scalar t35 = (inertia.I3xz - inertia.c3z * t19) + t30;
-  const Scalar t36 = inertia.c2x * inertia.m2;
-  const Scalar t37 = g.l2 * inertia.m2 + t36;
-  const Scalar t38 = (inertia.c2x * t36 - (inertia.I2xx - t32)) + g.l2 * (t36 + t37);
-  const Scalar t39 = inertia.m3 + t25;
-  const Scalar t40 = g.l2 * t39;
-  const Scalar t41 = g.l2 * t18 - ((inertia.I2xy - inertia.c2y * t36) - g.l2 * t33);
-  const Scalar t42 = inertia.c1y * inertia.m1;
-  const Scalar t43 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t44 = g.l1 * (inertia.m2 + t39);
-  const Scalar t45 = inertia.c1x * inertia.m1;
-  const Scalar t46 = g.l1 * inertia.m1 + t45;
-  const Scalar t47 = g.l1 * (t45 + t46) + (inertia.c1x * t45 - (inertia.I1xx - t43));
-  return { g.l3 * t0,
-           g.l3 * t1,
-           t5,
-           inertia.I6yz - inertia.c6z * t0,
+  const Scalar t12 = inertia.c5y * inertia.m5;
+  const Scalar t13 = inertia.I6xy - inertia.c6y * t1;
+  const Scalar t14 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t15 = (inertia.c6z * t11 - (inertia.I6zz - t3)) + (inertia.c5z * t10 - (inertia.I5zz - t14));
+  const Scalar t16 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t17 = inertia.m3 + t16;
+  const Scalar t18 = g.l1 * (inertia.m2 + t17);
+  const Scalar t19 = inertia.c1x * inertia.m1;
+  const Scalar t20 = g.l1 * inertia.m1 + t19;
+  const Scalar t21 = g.l3 * inertia.m4;
+  const Scalar t22 = inertia.c4z * inertia.m4;
+  const Scalar t23 = t22 - t21;
+  const Scalar t24 = t21 + t23;
+  const Scalar t25 = t24 - g.l3 * t16;
+  const Scalar t26 = inertia.c3z * inertia.m3;
+  const Scalar t27 = t26 - g.l3 * inertia.m3;
+  const Scalar t28 = (t25 + t27) / g.l3;
+  const Scalar t29 = g.l1 * t28;
+  const Scalar t30 = inertia.c1y * inertia.m1;
+  const Scalar t31 = inertia.c3y * inertia.m3;
+  const Scalar t32 = inertia.c2y * inertia.m2;
+  const Scalar t33 = g.l2 * t28;
+  const Scalar t34 = g.l2 * t17;
+  const Scalar t35 = inertia.c2x * inertia.m2;
+  const Scalar t36 = g.l2 * inertia.m2 + t35;
+  const Scalar t37 = g.l3 * g.l3 * t28;
+  const Scalar t38 = inertia.c4y * inertia.m4;
+  const Scalar t39 = inertia.c4x * inertia.m4;
+  const Scalar t40 = g.l3 * t39;
+  const Scalar t41 = g.l3 * t38;
+  const Scalar t42 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t43 = ((inertia.I4yy - t42) - inertia.c4y * t38) - (inertia.c5y * t12 - (inertia.I5yy - t14));
+  const Scalar t44 = inertia.c3x * inertia.m3;
+  const Scalar t45 = ((inertia.I4zz - t42) - inertia.c4z * t22) + g.l3 * (t22 + t23);
+  const Scalar t46 = g.l3 * (t25 + t24) + (t45 - g.l3 * (t24 + t23));
+  const Scalar t47 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t48 = ((inertia.I3zz - t47) - inertia.c3z * t26) + g.l3 * (t26 + t27);
+  const Scalar t49 = (t46 + t48) - t37;
+  const Scalar t50 = g.l3 * t44;
+  const Scalar t51 = (inertia.I3xz - inertia.c3z * t44) + t50;
+  const Scalar t52 = inertia.c3x * t44 - (inertia.I3xx - t47);
+  const Scalar t53 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t54 = ((inertia.I3yy - t47) - inertia.c3y * t31) + ((inertia.I2yy - t53) - inertia.c2y * t32);
+  const Scalar t55 = (inertia.c2x * t35 - (inertia.I2xx - t53)) + g.l2 * (t35 + t36);
+  const Scalar t56 = g.l2 * t31 - ((inertia.I2xy - inertia.c2y * t35) - g.l2 * t32);
+  const Scalar t57 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t58 = g.l1 * (t19 + t20) + (inertia.c1x * t19 - (inertia.I1xx - t57));
+  return { inertia.I6yz - inertia.c6z * t0,
            inertia.I6xz - inertia.c6z * t1,
-           Scalar(1) / t5,
-           inertia.I5yz - inertia.c5z * t6,
-           Scalar(2) * t7,
-           t3 - t4,
+           g.l3 * t0,
+           g.l3 * t1,
+           t2,
            t7,
-           inertia.I5xy - inertia.c5y * t8,
-           inertia.I4yz - inertia.c4z * t9,
-           inertia.I5xz - inertia.c5z * t8,
-           t3,
-           inertia.c5x * t8 - (inertia.I5xx - t10),
+           t6,
+           t8 * t7,
+           g.l3 * t9,
+           g.l3 * (t10 + t11),
+           t8,
+           inertia.I5yz - inertia.c5z * t12,
+           Scalar(2) * t13,
+           t4 - t5,
            t13,
-           inertia.I4xz - inertia.c4z * t14,
-           g.l3 * (t12 + t11),
-           g.l3 * t8,
-           g.l3 * t14,
-           g.l3 * (t9 + t6),
-           (inertia.I4xx - t15) - inertia.c4x * t14,
-           t16,
-           inertia.I4xy - inertia.c4y * t14,
-           t17,
-           g.l3 * t18 + (inertia.I3yz - inertia.c3z * t18),
-           inertia.I3xy - inertia.c3y * t19,
-           t28,
-           t29,
-           g.l1 / g.l3,
-           t30,
-           t31,
-           t34,
-           Scalar(2) * t17,
-           t35,
-           t38 + g.l2 * t40,
-           g.l3 * (t18 + t33),
-           g.l3 * (t40 + t37),
-           t41,
-           inertia.c1y * t42 - (inertia.I1yy - t43),
-           g.l1 * t44 + t47,
-           gravity[1] / g.l3,
-           gravity[0] / g.l3,
+           inertia.I5xy - inertia.c5y * t9,
+           t4,
+           inertia.c5x * t9 - (inertia.I5xx - t14),
+           t15,
+           inertia.I5xz - inertia.c5z * t9,
            gravity[2] / g.l3,
-           Scalar(2) * t31,
-           Scalar(2) * t30,
+           gravity[0] / g.l3,
+           gravity[1] / g.l3,
+           g.l3 * ((t18 + t20) + t29),
+           g.l3 * t30,
+           g.l3 * (t31 + t32),
+           g.l3 * (t33 + (t34 + t36)),
            g.l3,
-           Scalar(2) * t28,
-           Scalar(2) * t35,
-           Scalar(2) * t29,
-           t29 + t28,
-           g.l3 * t42,
-           g.l3 * (t44 + t46) };
+           t37,
+           g.l3 * (t38 + t12),
+           t40,
+           t41 - (t41 + (inertia.I4yz - inertia.c4z * t38)),
+           inertia.I4xy - inertia.c4y * t39,
+           t43,
+           ((inertia.I4xz - inertia.c4z * t39) + t40) - t40,
+           (inertia.I4xx - t42) - inertia.c4x * t39,
+           inertia.I3xy - inertia.c3y * t44,
+           g.l3 * t31 + (inertia.I3yz - inertia.c3z * t31),
+           Scalar(2) * t49,
+           Scalar(2) * t51,
+           t51,
+           Scalar(2) * t52,
+           t50,
+           Scalar(2) * t50,
+           t52,
+           t49,
+           t52 + t49,
+           t2 * t37,
+           t54,
+           g.l2 * t33 + (t55 + g.l2 * t34),
+           t56,
+           inertia.c1y * t30 - (inertia.I1yy - t57),
+           t8 * t37,
+           (g.l1 * t18 + t58) + g.l1 * t29 };
 }
 
 namespace detail {
@@ -1214,267 +1257,267 @@ inline JointVector<Scalar> forward_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = qd[0] + qd[1];
-  const Scalar t1 = s3 * t0;
-  const Scalar t2 = c3 * t0;
-  const Scalar t3 = t1 * t2;
-  const Scalar t4 = qd[2] * t2;
-  const Scalar t5 = t4 + t4;
-  const Scalar t6 = s4 * t3 - c4 * t5;
-  const Scalar t7 = k[42] * s1 - k[41] * c1;
-  const Scalar t8 = k[41] * s1 + k[42] * c1;
-  const Scalar t9 = t8 + k[29] * qd[0] * qd[0];
-  const Scalar t10 = c2 * t7 + s2 * t9;
-  const Scalar t11 = t0 * t0;
-  const Scalar t12 = c2 * t9 - s2 * t7;
-  const Scalar t13 = k[24] * t11 + t12;
-  const Scalar t14 = c3 * t13 - k[43] * s3;
-  const Scalar t15 = t6 + (c4 * t10 - s4 * t14);
-  const Scalar t16 = c4 * t3 + s4 * t5;
-  const Scalar t17 = t16 - (s4 * t10 + c4 * t14);
-  const Scalar t18 = qd[2] * s4 + c4 * t1;
-  const Scalar t19 = t18 * t18;
-  const Scalar t20 = qd[3] - t2;
-  const Scalar t21 = t20 * t20;
-  const Scalar t22 = t19 - t21;
-  const Scalar t23 = t2 * t2;
-  const Scalar t24 = qd[2] * qd[2];
-  const Scalar t25 = t23 - t24;
-  const Scalar t26 = t25 - t11;
-  const Scalar t27 = t22 + t26;
-  const Scalar t28 = t19 + t21;
-  const Scalar t29 = qd[2] * t1;
-  const Scalar t30 = s4 * t1 - qd[2] * c4;
-  const Scalar t31 = t30 * t18;
-  const Scalar t32 = t29 + t31;
-  const Scalar t33 = t29 - t31;
-  const Scalar t34 = k[23] * (t27 + t28) + (k[22] * t32 + k[21] * t33);
-  const Scalar t35 = (k[19] * t15 - k[20] * t17) + (t34 + (k[16] * t6 - k[11] * t16));
-  const Scalar t36 = qd[4] + t30;
-  const Scalar t37 = t36 * t36;
-  const Scalar t38 = c5 * t20 - s5 * t18;
-  const Scalar t39 = t37 + t38 * t38;
-  const Scalar t40 = t39 - t28;
-  const Scalar t41 = c5 * t18 + s5 * t20;
-  const Scalar t42 = t38 * t41;
-  const Scalar t43 = t20 * t18;
-  const Scalar t44 = t43 + t16;
-  const Scalar t45 = t42 - t44;
-  const Scalar t46 = t30 * t20;
-  const Scalar t47 = t46 + (t6 + t46);
-  const Scalar t48 = c5 * t47 - s5 * t32;
-  const Scalar t49 = t36 * t38;
-  const Scalar t50 = t48 - (t49 + t49);
-  const Scalar t51 = s5 * t47 + c5 * t32;
-  const Scalar t52 = Scalar(2) * t36 * t41 - t51;
-  const Scalar t53 = (k[10] * t40 - k[6] * t45) - (k[12] * t50 + k[14] * t52);
-  const Scalar t54 = k[43] * c3 + s3 * t13;
-  const Scalar t55 = t54 + t26;
-  const Scalar t56 = c5 * t17 - s5 * t55;
-  const Scalar t57 = k[0] * c6 - k[1] * s6;
-  const Scalar t58 = k[0] * s6 + k[1] * c6;
-  const Scalar t59 = k[7] * c6 - k[8] * s6;
-  const Scalar t60 = k[9] - c6 * t59;
-  const Scalar t61 = k[13] + s6 * t59;
-  const Scalar t62 = k[2] - t61;
-  const Scalar t63 = t60 * t40 + (t62 * t51 - t52 * t61);
-  const Scalar t64 = k[4] * c6 + k[3] * s6;
-  const Scalar t65 = k[3] * c6 - k[4] * s6;
-  const Scalar t66 = (t56 * t57 - t58 * t15) - (t63 + (t50 * t64 + t45 * t65));
-  const Scalar t67 = c1 * s2 + c2 * s1;
-  const Scalar t68 = c1 * c2 - s1 * s2;
-  const Scalar t69 = wrench[4] * t67 + wrench[3] * t68;
-  const Scalar t70 = s3 * t69 + wrench[5] * c3;
-  const Scalar t71 = wrench[4] * t68 - wrench[3] * t67;
-  const Scalar t72 = wrench[5] * s3 - c3 * t69;
-  const Scalar t73 = s4 * t71 + c4 * t72;
-  const Scalar t74 = t66 + (c5 * t70 + s5 * t73);
-  const Scalar t75 = (k[18] * t15 - t53) - t74;
-  const Scalar t76 = c5 * t55 + s5 * t17;
-  const Scalar t77 = qd[5] + t38;
-  const Scalar t78 = t77 * t41;
-  const Scalar t79 = (t45 - t78) - t78;
-  const Scalar t80 = t77 * t36;
-  const Scalar t81 = t80 + (t50 + t80);
-  const Scalar t82 = t77 * t77;
-  const Scalar t83 = t82 - t37;
-  const Scalar t84 = (t79 * t60 + t62 * t81) + t83 * t65;
-  const Scalar t85 = (t76 * t57 + (t84 - t52 * t64)) - (c5 * t73 - s5 * t70);
-  const Scalar t86 = t42 + t44;
-  const Scalar t87 = t82 + t37;
-  const Scalar t88 = t87 - t40;
-  const Scalar t89 = t83 - t88;
-  const Scalar t90 = t39 + t89;
-  const Scalar t91 = k[6] * (t90 - t40) - (k[12] * t52 + k[15] * t50);
-  const Scalar t92 = t85 + ((k[10] * t86 + t91) + k[17] * t15);
-  const Scalar t93 = t35 + (c5 * t75 - s5 * t92);
-  const Scalar t94 = torque[5] - t74;
-  const Scalar t95 = k[5] * t94;
-  const Scalar t96 = c5 - k[5] * s5 * t64;
-  const Scalar t97 = k[2] * t96;
-  const Scalar t98 = k[5] * t65;
-  const Scalar t99 = k[6] + t65;
-  const Scalar t100 = k[10] - t60;
-  const Scalar t101 = c5 * t99 + s5 * t100;
-  const Scalar t102 = t98 * t97 - t101;
-  const Scalar t103 = k[14] - t61;
-  const Scalar t104 = k[15] + t103;
-  const Scalar t105 = Scalar(1) / (t104 + t98 * t65);
-  const Scalar t106 = (t61 * t79 + t60 * t81) + (t65 * t51 - (t83 + t40) * t64);
-  const Scalar t107 = (t106 - t76 * t58) + (c4 * t71 - s4 * t72);
-  const Scalar t108 = k[12] * t90 + (k[15] * t45 - k[14] * t86);
-  const Scalar t109 = (k[17] * t56 + k[18] * t76) - ((k[6] * t51 - k[10] * t48) - t108);
-  const Scalar t110 = t107 - t109;
-  const Scalar t111 = (torque[4] - t110) + t95 * t65;
-  const Scalar t112 = t105 * t111;
-  const Scalar t113 = ((torque[3] + t93) - t95 * t97) + t102 * t112;
-  const Scalar t114 = t102 * t105;
-  const Scalar t115 = k[12] + t64;
-  const Scalar t116 = c5 * t115;
-  const Scalar t117 = s5 * (k[15] - t103) + (t116 + t116);
-  const Scalar t118 = s5 * t117 + t103;
-  const Scalar t119 = k[21] - t118;
-  const Scalar t120 = k[22] + t62;
-  const Scalar t121 = s5 * t99 - c5 * t100;
-  const Scalar t122 = k[23] - t121;
-  const Scalar t123 = c4 * t122;
-  const Scalar t124 = s4 * (t119 - t120) - (t123 + t123);
-  const Scalar t125 = s4 * t124;
-  const Scalar t126 = t125 + t120;
-  const Scalar t127 = t119 - t125;
-  const Scalar t128 = t126 + t127;
-  const Scalar t129 = Scalar(1) / (t114 * t102 + (t128 - t97 * t96));
-  const Scalar t130 = t113 * t129;
-  const Scalar t131 = k[20] + t57;
-  const Scalar t132 = k[18] + t58;
-  const Scalar t133 = k[17] * s5 - c5 * t132;
-  const Scalar t134 = k[19] - t133;
-  const Scalar t135 = c4 * t131 - s4 * t134;
-  const Scalar t136 = k[11] + t101;
-  const Scalar t137 = k[16] - (t115 - c5 * t117);
-  const Scalar t138 = t135 + (c4 * t136 - s4 * t137);
-  const Scalar t139 = c5 * t57;
-  const Scalar t140 = t139 + t65;
-  const Scalar t141 = t58 + (c5 * t64 + k[2] * s5);
-  const Scalar t142 = c4 * t140 - s4 * t141;
-  const Scalar t143 = k[5] * t142;
-  const Scalar t144 = k[17] * c5 + s5 * t132;
-  const Scalar t145 = t104 - t144;
-  const Scalar t146 = (c4 * t145 + s4 * t121) + t65 * t143;
-  const Scalar t147 = (t138 - t97 * t143) + t114 * t146;
-  const Scalar t148 = t23 + t24;
-  const Scalar t149 = t148 - t11;
-  const Scalar t150 = (k[34] * (t149 + t25) + k[50] * t3) - (k[31] * t14 - k[30] * t54);
-  const Scalar t151 = wrench[1] * t67 + wrench[0] * t68;
-  const Scalar t152 = c3 * t151 - wrench[2] * s3;
-  const Scalar t153 = wrench[1] * t68 - wrench[0] * t67;
-  const Scalar t154 = c4 * t152 - s4 * t153;
-  const Scalar t155 = wrench[2] * c3 + s3 * t151;
-  const Scalar t156 = (t58 * t87 - t57 * t51) + k[46] * (c5 * t154 + s5 * t155);
-  const Scalar t157 = t156 - (k[17] * t45 - k[18] * t39);
-  const Scalar t158 = k[46] * (c5 * t155 - s5 * t154) + (t58 * t79 - t81 * t57);
-  const Scalar t159 = (k[17] * t89 + k[18] * t86) - t158;
-  const Scalar t160 = (c5 * t157 + s5 * t159) - (k[19] * t27 + k[20] * t32);
-  const Scalar t161 = t43 + t44;
-  const Scalar t162 = (k[21] * t161 + k[23] * t47) - (k[11] * t32 + k[16] * t22);
-  const Scalar t163 = t160 - (t110 - (t162 + k[19] * t55));
-  const Scalar t164 = (t88 * t57 - t58 * t52) + k[46] * (s4 * t152 + c4 * t153);
-  const Scalar t165 = (k[19] * t33 + k[20] * t28) + (t164 - (k[18] * t52 - k[17] * t50));
-  const Scalar t166 = (k[23] * t161 + k[22] * t47) + k[11] * (t28 + t26);
-  const Scalar t167 = (c5 * t92 + s5 * t75) + (k[20] * t55 + (k[16] * t33 + t166));
-  const Scalar t168 = t165 + t167;
-  const Scalar t169 = torque[2] - (t150 + (c4 * t163 + s4 * t168));
-  const Scalar t170 = t105 * t146;
-  const Scalar t171 = t130 * t147 + ((t143 * t94 - t169) - t170 * t111);
-  const Scalar t172 = t129 * t147;
-  const Scalar t173 = k[28] - t127;
-  const Scalar t174 = k[27] - ((t104 - t118) - (t144 + t144));
-  const Scalar t175 = (t143 * t142 + (t173 - t174)) - t170 * t146;
-  const Scalar t176 = Scalar(1) / (t172 * t147 + t175);
-  const Scalar t177 = s3 * s5 * t57 + c3 * (c4 * t139 - s4 * t58);
-  const Scalar t178 = c4 * t58 + s4 * t139;
-  const Scalar t179 = c3 * t97 + s3 * (c4 * t141 + s4 * t140);
-  const Scalar t180 = t179 - k[24] * t178;
-  const Scalar t181 = k[29] * (s2 * t177 - c2 * t178) + t180;
-  const Scalar t182 = s2 * (c3 * c4 * t144 + s3 * t133);
-  const Scalar t183 = s4 * t144;
-  const Scalar t184 = c3 * t101 - s3 * (s4 * t145 - c4 * t121);
-  const Scalar t185 = k[24] * t183 - t184;
-  const Scalar t186 = t98 * t181 - (k[29] * (t182 - c2 * t183) - t185);
-  const Scalar t187 = s4 * t131 + c4 * t134;
-  const Scalar t188 = k[30] + t187;
-  const Scalar t189 = k[31] + t144;
-  const Scalar t190 = k[29] * s2 * (s3 * t188 - c3 * t189);
-  const Scalar t191 = k[26] - (t122 + c4 * t124);
-  const Scalar t192 = k[25] + t138;
-  const Scalar t193 = s3 * t191 - c3 * t192;
-  const Scalar t194 = t170 * t186 - (t143 * t181 + (t190 + t193));
-  const Scalar t195 = t187 + (c4 * t137 + s4 * t136);
-  const Scalar t196 = k[24] * t187 - (c3 * t128 + s3 * t195);
-  const Scalar t197 = k[29] * (s2 * c3 * t135 - c2 * t187);
-  const Scalar t198 = t105 * t186;
-  const Scalar t199 = (t181 * t96 + (t196 - t197)) - t102 * t198;
-  const Scalar t200 = t194 + t172 * t199;
-  const Scalar t201 = t176 * t200;
-  const Scalar t202 = t199 * t129;
-  const Scalar t203 = (k[31] * t3 + k[30] * t148) + (c4 * t160 + s4 * t165);
-  const Scalar t204 = (c5 * t159 - s5 * t157) + (k[19] * t161 + k[20] * t47);
-  const Scalar t205 = s3 * ((k[31] * t26 - k[30] * t3) + t204);
-  const Scalar t206 = s2 * (k[37] * t11 + (c3 * t203 - t205));
-  const Scalar t207 = (c4 * t165 - s4 * t160) - (k[44] * t4 - k[45] * t29);
-  const Scalar t208 = k[29] * (t206 + c2 * (k[36] * t11 + t207));
-  const Scalar t209 = (k[48] * t29 - k[47] * t4) + k[25] * t25;
-  const Scalar t210 = (c4 * t168 - s4 * t163) + (k[31] * t10 - (k[26] * t3 - t209));
-  const Scalar t211 = (k[48] * t4 + k[49] * t29) + (k[26] * t149 + k[25] * t3);
-  const Scalar t212 = s3 * t210 + c3 * (t93 + (k[30] * t10 - t211));
-  const Scalar t213 = (t212 - k[24] * t207) + (k[36] * t12 + k[37] * t10);
-  const Scalar t214 = (t208 - t213) - (k[52] * t7 + k[51] * t8);
-  const Scalar t215 = t198 * t111 - ((torque[0] + t214) + t95 * t181);
-  const Scalar t216 = k[5] * t180;
-  const Scalar t217 = k[32] + t126;
-  const Scalar t218 = s3 * t189 + c3 * t188;
-  const Scalar t219 = c3 * (k[34] + t195);
-  const Scalar t220 = s3 * ((t219 + t219) + s3 * (t173 + t174));
-  const Scalar t221 = k[35] + (k[33] * t218 - (t220 - t173));
-  const Scalar t222 = t217 - t221;
-  const Scalar t223 = t216 * t65 + t185;
-  const Scalar t224 = t223 * t105;
-  const Scalar t225 = t114 * t223 - (t196 + t180 * t96);
-  const Scalar t226 = t129 * t225;
-  const Scalar t227 = ((t216 * t180 - t222) - t223 * t224) + t226 * t225;
-  const Scalar t228 = (t223 * t170 - (t216 * t142 + t193)) - t172 * t225;
-  const Scalar t229 = t176 * t228;
-  const Scalar t230 = Scalar(1) / (t227 - t229 * t228);
-  const Scalar t231 = c2 * (k[37] + t218) - s2 * (k[36] + t135);
-  const Scalar t232 = k[29] * t231;
-  const Scalar t233 = t224 * t186 - ((t232 - t222) + t216 * t181);
-  const Scalar t234 = (t202 * t225 + t233) + t200 * t229;
-  const Scalar t235 = t230 * t234;
-  const Scalar t236 = (t216 * t94 + (torque[1] - t213)) - t223 * t112;
-  const Scalar t237 = t176 * t171;
-  const Scalar t238 = (t225 * t130 + t236) + t237 * t228;
-  const Scalar t239 = (t171 * t201 - (t113 * t202 + t215)) + t235 * t238;
-  const Scalar t240 = (s3 * t192 + c3 * t191) - k[24] * t135;
-  const Scalar t241 = s2 * (t217 + t221) + Scalar(2) * c2 * (k[38] - t240);
-  const Scalar t242 = t217 - s2 * t241;
-  const Scalar t243 = (k[40] + ((t232 + t232) + (t242 - t222))) + (k[39] - t242);
-  const Scalar t244 = k[5] * t181;
-  const Scalar t245 = ((t243 + t244 * t181) - t198 * t186) + t199 * t202;
-  const Scalar t246 = Scalar(1) / (t235 * t234 - (t245 - t200 * t201));
-  const Scalar t247 = t239 * t246;
-  const Scalar t248 = t235 * t247 - t230 * t238;
-  const Scalar t249 = (t247 * t201 - t237) + t248 * t229;
-  const Scalar t250 = t172 * t249 + (t248 * t226 + (t130 - t247 * t202));
-  const Scalar t251 = ((t247 * t198 + t112) + t248 * t224) + t170 * t249;
-  const Scalar t252 = t114 * t250 - t251;
-  const Scalar t253 = t143 * t249 + ((t95 + t247 * t244) + t248 * t216);
+  const Scalar t0 = k[13] * s6 - k[12] * c6;
+  const Scalar t1 = k[14] + c6 * t0;
+  const Scalar t2 = k[15] - t1;
+  const Scalar t3 = k[0] * c6 - k[1] * s6;
+  const Scalar t4 = k[11] + t3;
+  const Scalar t5 = s5 * t2 + c5 * t4;
+  const Scalar t6 = k[5] * t3;
+  const Scalar t7 = k[0] * s6 + k[1] * c6;
+  const Scalar t8 = c5 - k[5] * s5 * t7;
+  const Scalar t9 = k[6] * t8;
+  const Scalar t10 = t5 - t6 * t9;
+  const Scalar t11 = k[16] - s6 * t0;
+  const Scalar t12 = k[17] - t11;
+  const Scalar t13 = k[18] + t12;
+  const Scalar t14 = Scalar(1) / (t6 * t3 + t13);
+  const Scalar t15 = t10 * t14;
+  const Scalar t16 = qd[0] + qd[1];
+  const Scalar t17 = c3 * t16;
+  const Scalar t18 = qd[3] - t17;
+  const Scalar t19 = s3 * t16;
+  const Scalar t20 = c4 * t19;
+  const Scalar t21 = qd[2] * s4 + t20;
+  const Scalar t22 = c5 * t18 - s5 * t21;
+  const Scalar t23 = c5 * t21 + s5 * t18;
+  const Scalar t24 = t22 * t23;
+  const Scalar t25 = qd[2] * t17;
+  const Scalar t26 = t25 + t25;
+  const Scalar t27 = s4 * t26 + t20 * t17;
+  const Scalar t28 = t18 * t21;
+  const Scalar t29 = t27 + t28;
+  const Scalar t30 = t24 + t29;
+  const Scalar t31 = t24 - t29;
+  const Scalar t32 = s4 * t19;
+  const Scalar t33 = t32 - qd[2] * c4;
+  const Scalar t34 = qd[4] + t33;
+  const Scalar t35 = t34 * t34;
+  const Scalar t36 = t23 * t23;
+  const Scalar t37 = t35 - t36;
+  const Scalar t38 = t19 * t19;
+  const Scalar t39 = qd[2] * qd[2];
+  const Scalar t40 = t38 + t39;
+  const Scalar t41 = t18 * t18;
+  const Scalar t42 = t33 * t33;
+  const Scalar t43 = t41 - t42;
+  const Scalar t44 = t40 + t43;
+  const Scalar t45 = qd[5] + t22;
+  const Scalar t46 = t45 * t45;
+  const Scalar t47 = t46 - t35;
+  const Scalar t48 = t46 + t36;
+  const Scalar t49 = t47 - t48;
+  const Scalar t50 = t44 + t49;
+  const Scalar t51 = t37 + t50;
+  const Scalar t52 = (k[17] * t30 - k[18] * t31) - k[19] * t51;
+  const Scalar t53 = qd[2] * t19;
+  const Scalar t54 = t33 * t21;
+  const Scalar t55 = t53 + t54;
+  const Scalar t56 = t33 * t18;
+  const Scalar t57 = c4 * t26 - t32 * t17;
+  const Scalar t58 = t56 + (t56 - t57);
+  const Scalar t59 = c5 * t55 + s5 * t58;
+  const Scalar t60 = s5 * t55 - c5 * t58;
+  const Scalar t61 = k[22] * s1 + k[21] * c1;
+  const Scalar t62 = k[10] * qd[0] * qd[0] + t61;
+  const Scalar t63 = k[22] * c1 - k[21] * s1;
+  const Scalar t64 = c2 * t62 + s2 * t63;
+  const Scalar t65 = t16 * t16;
+  const Scalar t66 = t64 + k[4] * t65;
+  const Scalar t67 = k[20] * c3 + s3 * t66;
+  const Scalar t68 = t40 - t67;
+  const Scalar t69 = c2 * t63 - s2 * t62;
+  const Scalar t70 = k[20] * s3 - c3 * t66;
+  const Scalar t71 = (s4 * t69 + c4 * t70) + t27;
+  const Scalar t72 = s5 * t68 + c5 * t71;
+  const Scalar t73 = s5 * t71 - c5 * t68;
+  const Scalar t74 = (t52 + (k[11] * t59 + k[15] * t60)) - (k[9] * t72 + k[8] * t73);
+  const Scalar t75 = c1 * c2 - s1 * s2;
+  const Scalar t76 = c1 * s2 + c2 * s1;
+  const Scalar t77 = wrench[4] * t75 - wrench[3] * t76;
+  const Scalar t78 = wrench[4] * t76 + wrench[3] * t75;
+  const Scalar t79 = wrench[5] * s3 - c3 * t78;
+  const Scalar t80 = k[2] * s6 + k[3] * c6;
+  const Scalar t81 = Scalar(2) * t45 * t23 - t31;
+  const Scalar t82 = t45 * t34;
+  const Scalar t83 = t34 * t22;
+  const Scalar t84 = (t83 + t60) + t83;
+  const Scalar t85 = (t82 - t84) + t82;
+  const Scalar t86 = (t11 * t81 - t85 * t1) - (t59 * t3 - t7 * (t37 + t47));
+  const Scalar t87 = (c4 * t77 - s4 * t79) - (t73 * t80 + t86);
+  const Scalar t88 = t74 + t87;
+  const Scalar t89 = k[6] - t11;
+  const Scalar t90 = t59 - Scalar(2) * t34 * t23;
+  const Scalar t91 = (t89 * t59 + t11 * t90) + t37 * t1;
+  const Scalar t92 = (s4 * t70 - c4 * t69) - t57;
+  const Scalar t93 = k[2] * c6 - k[3] * s6;
+  const Scalar t94 = (t91 - (t7 * t84 - t3 * t31)) + (t92 * t80 - t93 * t72);
+  const Scalar t95 = s3 * t78 + wrench[5] * c3;
+  const Scalar t96 = s4 * t77 + c4 * t79;
+  const Scalar t97 = t94 - (c5 * t95 + s5 * t96);
+  const Scalar t98 = torque[5] + t97;
+  const Scalar t99 = (torque[4] - t88) + t6 * t98;
+  const Scalar t100 = t41 + t42;
+  const Scalar t101 = t53 - t54;
+  const Scalar t102 = k[32] * (t44 - t100) + (k[33] * t55 + k[35] * t101);
+  const Scalar t103 = (k[29] * t71 - k[30] * t92) - ((k[31] * t27 - k[34] * t57) + t102);
+  const Scalar t104 = (k[17] * t90 + k[19] * t84) - (k[11] * t31 - k[15] * t37);
+  const Scalar t105 = t97 - (t104 - k[8] * t92);
+  const Scalar t106 = t47 * t3 + (t89 * t85 - t81 * t1);
+  const Scalar t107 = (c5 * t96 - s5 * t95) - ((t106 + t7 * t90) + t73 * t93);
+  const Scalar t108 = k[11] * t50 + (k[19] * t90 + k[18] * t84);
+  const Scalar t109 = t107 - ((k[15] * t30 + t108) + k[9] * t92);
+  const Scalar t110 = t103 - (c5 * t105 + s5 * t109);
+  const Scalar t111 = k[5] * t98;
+  const Scalar t112 = t15 * t99 - ((torque[3] - t110) - t9 * t111);
+  const Scalar t113 = c5 * t93;
+  const Scalar t114 = t113 + t3;
+  const Scalar t115 = t80 + (k[6] * s5 + c5 * t7);
+  const Scalar t116 = c4 * t114 - s4 * t115;
+  const Scalar t117 = k[5] * t116;
+  const Scalar t118 = k[8] + t80;
+  const Scalar t119 = k[9] * s5 - c5 * t118;
+  const Scalar t120 = k[30] - t119;
+  const Scalar t121 = k[19] + t7;
+  const Scalar t122 = s5 * (k[18] - t12) + Scalar(2) * c5 * t121;
+  const Scalar t123 = t120 + (k[34] + (c5 * t122 - t121));
+  const Scalar t124 = k[29] + t93;
+  const Scalar t125 = (k[31] - t5) - t124;
+  const Scalar t126 = s4 * t123 + c4 * t125;
+  const Scalar t127 = s5 * t4 - c5 * t2;
+  const Scalar t128 = s5 * t118 + k[9] * c5;
+  const Scalar t129 = t128 - t13;
+  const Scalar t130 = (s4 * t127 - c4 * t129) + t6 * t116;
+  const Scalar t131 = (t9 * t117 + t126) + t15 * t130;
+  const Scalar t132 = k[18] - s5 * t122;
+  const Scalar t133 = k[35] + (t132 - t13);
+  const Scalar t134 = k[33] + t89;
+  const Scalar t135 = t133 + t134;
+  const Scalar t136 = Scalar(1) / (t10 * t15 + (t135 - t8 * t9));
+  const Scalar t137 = t131 * t136;
+  const Scalar t138 = t38 - t39;
+  const Scalar t139 = t40 - t65;
+  const Scalar t140 = t138 + t139;
+  const Scalar t141 = t19 * t17;
+  const Scalar t142 = (k[40] * t140 - k[46] * t141) - k[42] * t67;
+  const Scalar t143 = t28 + t29;
+  const Scalar t144 = k[31] * t43 - (k[32] * t143 + k[33] * t58);
+  const Scalar t145 = (k[29] * t68 - (k[34] * t101 - t144)) - (s5 * t105 - c5 * t109);
+  const Scalar t146 = (k[35] * t143 + k[32] * t58) + (k[31] * t55 - k[34] * (t40 - t100));
+  const Scalar t147 = t88 + (k[30] * t68 - t146);
+  const Scalar t148 = (k[29] * t55 - k[30] * t100) - k[28] * t71;
+  const Scalar t149 = wrench[1] * t76 + wrench[0] * t75;
+  const Scalar t150 = wrench[2] * c3 + s3 * t149;
+  const Scalar t151 = c3 * t149 - wrench[2] * s3;
+  const Scalar t152 = wrench[1] * t75 - wrench[0] * t76;
+  const Scalar t153 = c4 * t151 - s4 * t152;
+  const Scalar t154 = k[27] * (c5 * t150 - s5 * t153) - (t93 * t85 + t81 * t80);
+  const Scalar t155 = t154 - (k[8] * t30 + k[9] * t49);
+  const Scalar t156 = k[27] * (c5 * t153 + s5 * t150) - (t93 * t59 - (t46 + t35) * t80);
+  const Scalar t157 = (k[8] * (t51 - t49) - k[9] * t31) + t156;
+  const Scalar t158 = t148 + (s5 * t155 - c5 * t157);
+  const Scalar t159 = k[27] * (s4 * t151 + c4 * t152) + (t80 * t90 + t93 * t48);
+  const Scalar t160 = (k[29] * t44 + k[30] * t101) + k[28] * t92;
+  const Scalar t161 = (t159 + (k[8] * t90 - k[9] * t84)) + t160;
+  const Scalar t162 = c4 * t158 - s4 * t161;
+  const Scalar t163 = t142 + ((s4 * t145 + c4 * t147) + t162);
+  const Scalar t164 = t14 * t130;
+  const Scalar t165 = ((torque[2] + t163) - t98 * t117) + t164 * t99;
+  const Scalar t166 = t112 * t137 - t165;
+  const Scalar t167 = k[28] + t128;
+  const Scalar t168 = k[45] + ((t167 + t128) - t132);
+  const Scalar t169 = k[32] - t127;
+  const Scalar t170 = s4 * (t133 - t134) - Scalar(2) * c4 * t169;
+  const Scalar t171 = s4 * t170 - t133;
+  const Scalar t172 = k[44] + t171;
+  const Scalar t173 = ((t168 - t172) - t116 * t117) + t130 * t164;
+  const Scalar t174 = Scalar(1) / (t173 - t131 * t137);
+  const Scalar t175 = t166 * t174;
+  const Scalar t176 = s4 * t120 - c4 * t124;
+  const Scalar t177 = c4 * t120 + s4 * t124;
+  const Scalar t178 = k[10] * (s2 * c3 * t176 + c2 * t177);
+  const Scalar t179 = s4 * t125 - c4 * t123;
+  const Scalar t180 = (s3 * t179 - c3 * t135) + k[4] * t177;
+  const Scalar t181 = s3 * (c4 * t115 + s4 * t114) + c3 * t9;
+  const Scalar t182 = s4 * t113 + c4 * t80;
+  const Scalar t183 = t181 - k[4] * t182;
+  const Scalar t184 = k[5] * t183;
+  const Scalar t185 = c3 * (c4 * t113 - s4 * t80) + s3 * s5 * t93;
+  const Scalar t186 = t184 - k[7] * (c2 * t182 - s2 * t185);
+  const Scalar t187 = s4 * t128;
+  const Scalar t188 = s2 * (s3 * t119 + c3 * c4 * t128);
+  const Scalar t189 = s3 * (c4 * t127 + s4 * t129) + c3 * t5;
+  const Scalar t190 = k[4] * t187 - t189;
+  const Scalar t191 = (k[10] * (c2 * t187 - t188) + t190) + t3 * t186;
+  const Scalar t192 = ((t178 + t180) + t9 * t186) + t191 * t15;
+  const Scalar t193 = t136 * t192;
+  const Scalar t194 = k[6] * t186;
+  const Scalar t195 = k[36] - (t169 + c4 * t170);
+  const Scalar t196 = k[37] - t126;
+  const Scalar t197 = s3 * t195 - c3 * t196;
+  const Scalar t198 = k[42] + t177;
+  const Scalar t199 = k[10] * s2 * (c3 * t167 - s3 * t198);
+  const Scalar t200 = t191 * t164 - (t117 * t194 + (t197 - t199));
+  const Scalar t201 = t131 * t193 - t200;
+  const Scalar t202 = t112 * t136;
+  const Scalar t203 = (k[29] * t58 + k[30] * t143) - k[28] * t68;
+  const Scalar t204 = ((s5 * t157 + c5 * t155) - t203) + k[42] * t141;
+  const Scalar t205 = c3 * (k[42] * (t40 - t140) - t162) + s3 * t204;
+  const Scalar t206 = s4 * t158 + c4 * t161;
+  const Scalar t207 = k[43] * t53 + t206;
+  const Scalar t208 = s2 * (k[26] * t65 + t205) + c2 * (t207 + k[25] * t65);
+  const Scalar t209 = (k[39] * t53 - k[38] * t25) - k[37] * t139;
+  const Scalar t210 = (k[36] * t141 - t209) + ((c4 * t145 - s4 * t147) - t206);
+  const Scalar t211 = (k[40] * t26 + k[41] * t53) - (k[36] * t138 - k[37] * t141);
+  const Scalar t212 = s3 * t210 + c3 * ((k[42] * t69 + t211) + t110);
+  const Scalar t213 = (k[26] * t69 - k[25] * t64) + (t212 + k[4] * t207);
+  const Scalar t214 = (k[24] * t61 - k[23] * t63) - (k[10] * t208 + t213);
+  const Scalar t215 = t14 * t99;
+  const Scalar t216 = ((torque[0] - t214) + t111 * t194) - t191 * t215;
+  const Scalar t217 = t184 * t3 + t190;
+  const Scalar t218 = (t180 + t184 * t9) + t15 * t217;
+  const Scalar t219 = t218 * t136;
+  const Scalar t220 = ((t197 + t183 * t117) - t217 * t164) + t131 * t219;
+  const Scalar t221 = t220 * t174;
+  const Scalar t222 = t14 * t217;
+  const Scalar t223 = ((torque[1] + t213) + t184 * t98) - t222 * t99;
+  const Scalar t224 = t166 * t221 + (t112 * t219 + t223);
+  const Scalar t225 = t174 * t201;
+  const Scalar t226 = c3 * t198 + s3 * t167;
+  const Scalar t227 = k[47] - t226;
+  const Scalar t228 = s2 * (k[25] - t176) - c2 * (k[26] - t227);
+  const Scalar t229 = c3 * (k[40] - t179);
+  const Scalar t230 = s3 * ((t229 + t229) + s3 * (t168 + t172));
+  const Scalar t231 = k[49] - ((t230 - t172) - k[4] * (t226 - t227));
+  const Scalar t232 = k[48] + (t135 + t171);
+  const Scalar t233 = t231 - t232;
+  const Scalar t234 = (t183 * t186 - (k[10] * t228 - t233)) - t191 * t222;
+  const Scalar t235 = t220 * t225 + (t219 * t192 + t234);
+  const Scalar t236 = ((t184 * t183 + t233) - t222 * t217) + t218 * t219;
+  const Scalar t237 = Scalar(1) / (t220 * t221 + t236);
+  const Scalar t238 = t235 * t237;
+  const Scalar t239 = (t175 * t201 + (t202 * t192 + t216)) - t224 * t238;
+  const Scalar t240 = t14 * t191;
+  const Scalar t241 = k[4] * t176 + (s3 * t196 + c3 * t195);
+  const Scalar t242 = c2 * (k[50] - t241);
+  const Scalar t243 = s2 * (s2 * (t231 + t232) + (t242 + t242));
+  const Scalar t244 = k[10] * (t228 + (k[52] + t228)) + (t243 - t231);
+  const Scalar t245 = ((k[53] - t244) + (k[51] + (t243 - t232))) + t194 * t186;
+  const Scalar t246 = t225 * t201 - ((t191 * t240 - t245) - t193 * t192);
+  const Scalar t247 = t239 * Scalar(1) / (t246 - t235 * t238);
+  const Scalar t248 = t224 * t237 - t247 * t238;
+  const Scalar t249 = (t175 - t247 * t225) - t248 * t221;
+  const Scalar t250 = (t248 * t219 - (t202 - t247 * t193)) - t249 * t137;
+  const Scalar t251 = (t248 * t222 + (t247 * t240 - t215)) - t249 * t164;
+  const Scalar t252 = t251 - t250 * t15;
+  const Scalar t253 = t249 * t117 - ((t247 * t186 - t111) + t248 * t184);
   JointVector<Scalar> result;
-  result[0] = -t247;
-  result[1] = -t248;
+  result[0] = t247;
+  result[1] = t248;
   result[2] = t249;
   result[3] = -t250;
   result[4] = -t252;
-  result[5] = (t250 * t96 - t253) - t98 * t252;
+  result[5] = (t250 * t8 - t253) - t6 * t252;
   return result;
 }
 
@@ -1504,33 +1547,35 @@ PotentialEnergyWithGravityVectorConstants<Scalar> potential_energy_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = inertia.m3 + t0;
-  const Scalar t2 = inertia.m2 + t1;
-  return { inertia.c6x * inertia.m6,
+  const Scalar t0 = g.l3 * inertia.m4;
+  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t2 = g.h1 * inertia.m2;
+  const Scalar t3 = inertia.m3 + t1;
+  const Scalar t4 = inertia.m2 + t3;
+  return { inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
            inertia.c6y * inertia.m6,
+           inertia.c6x * inertia.m6,
+           inertia.c5x * inertia.m5,
+           t0 + (inertia.c4z * inertia.m4 - t0),
+           g.l3 * t1,
+           inertia.c3z * inertia.m3 - g.l3 * inertia.m3,
+           inertia.c4x * inertia.m4,
            inertia.c5y * inertia.m5,
            inertia.c4y * inertia.m4,
-           inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
-           inertia.c5x * inertia.m5,
-           inertia.c4x * inertia.m4,
+           inertia.c3x * inertia.m3,
+           (t2 + inertia.c2z * inertia.m2) - t2,
+           g.h1 * t4,
+           inertia.c1z * inertia.m1 + g.h1 * inertia.m1,
+           gravity[2],
+           g.l2 * t3,
+           g.l2 * inertia.m2 + inertia.c2x * inertia.m2,
            inertia.c3y * inertia.m3,
            inertia.c2y * inertia.m2,
-           inertia.c4z * inertia.m4,
-           g.l3 * t0,
-           inertia.c3z * inertia.m3 - g.l3 * inertia.m3,
-           inertia.c3x * inertia.m3,
-           g.l2 * t1,
-           g.l2 * inertia.m2 + inertia.c2x * inertia.m2,
-           g.l1 * t2,
-           g.l1 * inertia.m1 + inertia.c1x * inertia.m1,
            inertia.c1y * inertia.m1,
-           gravity[0],
+           g.l1 * t4,
+           g.l1 * inertia.m1 + inertia.c1x * inertia.m1,
            gravity[1],
-           inertia.c2z * inertia.m2,
-           inertia.c1z * inertia.m1,
-           gravity[2],
-           (inertia.m1 + t2) * gravity[2] * g.h1 };
+           gravity[0] };
 }
 
 namespace detail {
@@ -1550,20 +1595,20 @@ inline Scalar potential_energy_with_gravity_vector([[maybe_unused]] const JointV
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = k[5] + (k[0] * c6 + k[1] * s6);
-  const Scalar t1 = k[6] + (c5 * t0 - k[4] * s5);
-  const Scalar t2 = k[3] + (k[2] - (k[0] * s6 - k[1] * c6));
-  const Scalar t3 = k[12] + (c4 * t1 + s4 * t2);
-  const Scalar t4 = k[10] - (k[9] + (k[4] * c5 + s5 * t0));
-  const Scalar t5 = k[11] - t4;
-  const Scalar t6 = k[21] + (k[20] - (s3 * t3 - c3 * t5));
-  const Scalar t7 = k[14] + (k[13] + (c3 * t3 + s3 * t5));
-  const Scalar t8 = k[8] + (k[7] - (s4 * t1 - c4 * t2));
-  const Scalar t9 = k[16] + (k[15] + (c2 * t7 - s2 * t8));
-  const Scalar t10 = k[17] + (s2 * t7 + c2 * t8);
-  const Scalar t11 = k[18] * (c1 * t9 - s1 * t10) + k[19] * (c1 * t10 + s1 * t9);
+  const Scalar t0 = k[3] + (k[2] * c6 + k[1] * s6);
+  const Scalar t1 = k[5] - (k[4] + (s5 * t0 + k[0] * c5));
+  const Scalar t2 = k[6] - t1;
+  const Scalar t3 = k[7] + (c5 * t0 - k[0] * s5);
+  const Scalar t4 = k[9] + (k[8] + (k[1] * c6 - k[2] * s6));
+  const Scalar t5 = k[10] + (c4 * t3 + s4 * t4);
+  const Scalar t6 = k[12] + (k[11] + (c3 * t2 - s3 * t5));
+  const Scalar t7 = k[18] + (k[17] + (c4 * t4 - s4 * t3));
+  const Scalar t8 = k[16] + (k[15] + (c3 * t5 + s3 * t2));
+  const Scalar t9 = k[21] + (k[20] - (s2 * t7 - c2 * t8));
+  const Scalar t10 = k[19] + (s2 * t8 + c2 * t7);
+  const Scalar t11 = k[22] * (s1 * t9 + c1 * t10) + k[23] * (c1 * t9 - s1 * t10);
   Scalar result;
-  result = -k[23] - (k[22] * t6 + t11);
+  result = -k[14] * (k[13] + t6) - t11;
   return result;
 }
 

@@ -36,70 +36,83 @@ InverseDynamicsConstants<Scalar> inverse_dynamics_constants(const BasicGeometry<
   const Scalar t6 = t4 + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t5));
   const Scalar t7 = inertia.c1y * inertia.m1;
   const Scalar t8 = g.l2 * ((t7 - g.l2 * inertia.m1) + t7) - (inertia.c1y * t7 - (inertia.I1yy - t5));
-  const Scalar t9 = inertia.c2y * inertia.m2;
-  const Scalar t10 = t6 - (t8 + ((inertia.I2yy - t3) - inertia.c2y * t9));
-  const Scalar t11 = inertia.c6z * inertia.m6;
-  const Scalar t12 = inertia.c6x * inertia.m6;
-  const Scalar t13 = inertia.c6y * inertia.m6;
-  const Scalar t14 = inertia.c5y * inertia.m5;
-  const Scalar t15 = inertia.c5z * inertia.m5;
-  const Scalar t16 = inertia.c4y * inertia.m4;
-  const Scalar t17 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t18 = t16 - g.d4 * t17;
-  const Scalar t19 = inertia.c3y * inertia.m3;
-  const Scalar t20 = g.d4 * inertia.m3 - t19;
-  const Scalar t21 = (t18 - t20) / g.d4;
-  const Scalar t22 = inertia.c4x * inertia.m4;
-  const Scalar t23 = inertia.c5x * inertia.m5;
-  const Scalar t24 = inertia.c4z * inertia.m4;
-  const Scalar t25 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t26 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t27 = ((inertia.I6yy - t26) - inertia.c6y * t13) - (inertia.c5y * t14 - (inertia.I5yy - t25));
-  const Scalar t28 = inertia.I6xz - inertia.c6z * t12;
-  const Scalar t29 = (inertia.I6xx - t26) - inertia.c6x * t12;
-  const Scalar t30 = inertia.c6z * t11 - (inertia.I6zz - t26);
-  const Scalar t31 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t32 = (inertia.c5x * t23 - (inertia.I5xx - t25)) - ((inertia.I4xx - t31) - inertia.c4x * t22);
-  const Scalar t33 = ((inertia.I4yy - t31) - inertia.c4y * t16) + g.d4 * (t16 + t18);
-  const Scalar t34 = ((inertia.I3yy - t1) - inertia.c3y * t19) - g.d4 * (t20 - t19);
-  const Scalar t35 = inertia.c3z * inertia.m3;
-  return { t10,
-           g.l2,
-           t2 + t0,
-           t9,
-           t11,
-           t12,
-           t13 + t14,
-           t15,
-           g.d4,
-           gravity,
-           t21,
-           t22 + t23,
-           t24,
-           inertia.I5xy - inertia.c5y * t23,
-           inertia.I5xz - inertia.c5z * t23,
-           inertia.c5z * t15 - (inertia.I5zz - t25),
-           t27,
-           inertia.I5yz - inertia.c5z * t14,
-           inertia.I6xy - inertia.c6y * t12,
-           inertia.I6yz - inertia.c6z * t13,
-           Scalar(2) * t28,
-           t29 + t30,
-           t29,
-           t28,
-           inertia.I4xy - inertia.c4y * t22,
-           inertia.I4yz - inertia.c4z * t16,
-           (inertia.I4zz - t31) - inertia.c4z * t24,
-           inertia.I4xz - inertia.c4z * t22,
-           t30,
-           t32,
-           (t33 + t34) - g.d4 * g.d4 * t21,
-           g.d4 * t35 + (inertia.I3yz - inertia.c3z * t19),
-           (inertia.I3xy - inertia.c3y * t0) + g.d4 * t0,
+  const Scalar t9 = g.l2 * inertia.m2;
+  const Scalar t10 = inertia.c2y * inertia.m2;
+  const Scalar t11 = t9 - t10;
+  const Scalar t12 = g.l2 * (t11 - t10) - ((inertia.I2yy - t3) - inertia.c2y * t10);
+  const Scalar t13 = t9 - t11;
+  const Scalar t14 = t6 - (t8 - (t12 + g.l2 * (t13 - t11)));
+  const Scalar t15 = inertia.c3y * inertia.m3;
+  const Scalar t16 = g.d4 * inertia.m3 - t15;
+  const Scalar t17 = inertia.c4y * inertia.m4;
+  const Scalar t18 = g.d4 * inertia.m4;
+  const Scalar t19 = t17 - t18;
+  const Scalar t20 = t19 + t18;
+  const Scalar t21 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t22 = t20 - g.d4 * t21;
+  const Scalar t23 = (t16 - t22) / g.d4;
+  const Scalar t24 = g.d4 * g.d4 * t23;
+  const Scalar t25 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t26 = g.d4 * (t17 + t19) + ((inertia.I4yy - t25) - inertia.c4y * t17);
+  const Scalar t27 = (t26 - g.d4 * (t20 + t19)) + g.d4 * (t20 + t22);
+  const Scalar t28 = ((inertia.I3yy - t1) - inertia.c3y * t15) - g.d4 * (t16 - t15);
+  const Scalar t29 = inertia.c3z * inertia.m3;
+  const Scalar t30 = g.d4 * t29;
+  const Scalar t31 = inertia.c6y * inertia.m6;
+  const Scalar t32 = inertia.c5y * inertia.m5;
+  const Scalar t33 = inertia.c5x * inertia.m5;
+  const Scalar t34 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t35 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t36 = ((inertia.I6yy - t34) - inertia.c6y * t31) - (inertia.c5y * t32 - (inertia.I5yy - t35));
+  const Scalar t37 = inertia.c6x * inertia.m6;
+  const Scalar t38 = (inertia.I6xx - t34) - inertia.c6x * t37;
+  const Scalar t39 = inertia.c6z * inertia.m6;
+  const Scalar t40 = inertia.c6z * t39 - (inertia.I6zz - t34);
+  const Scalar t41 = inertia.I6xz - inertia.c6z * t37;
+  const Scalar t42 = inertia.c5z * inertia.m5;
+  const Scalar t43 = inertia.c4x * inertia.m4;
+  const Scalar t44 = inertia.c4z * inertia.m4;
+  const Scalar t45 = g.d4 * t44;
+  const Scalar t46 = g.d4 * t43;
+  const Scalar t47 = (inertia.c5x * t33 - (inertia.I5xx - t35)) - ((inertia.I4xx - t25) - inertia.c4x * t43);
+  const Scalar t48 = g.d4 * g.d4 * (t23 - (inertia.m2 + (inertia.m3 + t21)));
+  return { t14,
+           Scalar(1) / g.d4,
+           g.l2 / g.d4,
+           g.d4 * (t2 + t0),
+           g.d4 * t13,
            inertia.I3xz - inertia.c3z * t0,
-           (inertia.I3zz - t1) - inertia.c3z * t35,
-           t35,
-           (inertia.m2 + (inertia.m3 + t17)) + t21 };
+           (inertia.I3xy - inertia.c3y * t0) + g.d4 * t0,
+           t24 + (t27 + t28),
+           t30 + (inertia.I3yz - inertia.c3z * t15),
+           gravity / g.d4,
+           g.d4 * (t31 + t32),
+           inertia.I5xz - inertia.c5z * t33,
+           inertia.I5yz - inertia.c5z * t32,
+           t36,
+           inertia.I5xy - inertia.c5y * t33,
+           t38 + t40,
+           Scalar(2) * t41,
+           t41,
+           t40,
+           inertia.I6yz - inertia.c6z * t31,
+           inertia.I6xy - inertia.c6y * t37,
+           g.d4 * t39,
+           g.d4 * t37,
+           t38,
+           g.d4 * t42,
+           inertia.c5z * t42 - (inertia.I5zz - t35),
+           g.d4 * (t43 + t33),
+           t45 - (t45 + (inertia.I4yz - inertia.c4z * t17)),
+           (t46 + (inertia.I4xy - inertia.c4y * t43)) - t46,
+           inertia.I4xz - inertia.c4z * t43,
+           t47,
+           (inertia.I4zz - t25) - inertia.c4z * t44,
+           t45,
+           t24,
+           (inertia.I3zz - t1) - inertia.c3z * t29,
+           t30,
+           t48 };
 }
 
 namespace detail {
@@ -116,139 +129,142 @@ inline JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const 
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = qd[0] * qd[0];
-  const Scalar t1 = k[1] + q[1];
-  const Scalar t2 = qdd[0] * t1 + Scalar(2) * qd[1] * qd[0];
-  const Scalar t3 = (k[2] * t0 + k[3] * qdd[0]) - k[36] * t2;
-  const Scalar t4 = qd[0] * c3;
-  const Scalar t5 = c4 * t4 - qd[2] * s4;
-  const Scalar t6 = qd[2] * c4 + s4 * t4;
-  const Scalar t7 = t5 * t6;
-  const Scalar t8 = qd[2] * t4;
-  const Scalar t9 = qdd[0] * s3;
-  const Scalar t10 = t8 + t9;
-  const Scalar t11 = qdd[3] - t10;
-  const Scalar t12 = t7 - t11;
-  const Scalar t13 = qd[0] * s3;
-  const Scalar t14 = qd[3] - t13;
-  const Scalar t15 = t14 * t14;
-  const Scalar t16 = t6 * t6;
-  const Scalar t17 = t15 - t16;
-  const Scalar t18 = t13 * t13;
-  const Scalar t19 = qd[2] * qd[2];
-  const Scalar t20 = t18 - t19;
-  const Scalar t21 = t0 - t20;
-  const Scalar t22 = t17 + t21;
-  const Scalar t23 = t13 * t4;
-  const Scalar t24 = qdd[2] + t23;
-  const Scalar t25 = qdd[1] - t0 * t1;
-  const Scalar t26 = k[8] * t24 - (s3 * t25 + k[9] * c3);
-  const Scalar t27 = qdd[0] * c3;
-  const Scalar t28 = qd[2] * t13;
-  const Scalar t29 = t27 - (t28 + t28);
-  const Scalar t30 = k[8] * t29 + t2;
-  const Scalar t31 = s4 * t26 - c4 * t30;
-  const Scalar t32 = (k[12] * t12 - k[11] * t22) + k[10] * t31;
-  const Scalar t33 = k[4] * s6 - k[5] * c6;
-  const Scalar t34 = qd[4] + t6;
-  const Scalar t35 = t34 * t34;
-  const Scalar t36 = s5 * t5 - c5 * t14;
-  const Scalar t37 = t36 * t36;
-  const Scalar t38 = t35 - t37;
-  const Scalar t39 = t38 + t22;
-  const Scalar t40 = qd[5] - t36;
-  const Scalar t41 = t40 * t40;
-  const Scalar t42 = t35 - t41;
-  const Scalar t43 = s5 * t14 + c5 * t5;
-  const Scalar t44 = t34 * t43;
-  const Scalar t45 = t14 * t6;
-  const Scalar t46 = c4 * t29 - s4 * t24;
-  const Scalar t47 = (t45 - t46) + t45;
-  const Scalar t48 = t7 + t11;
-  const Scalar t49 = s5 * t47 + c5 * t48;
-  const Scalar t50 = qdd[5] + t49;
-  const Scalar t51 = (t44 - t50) + t44;
-  const Scalar t52 = k[4] * c6 + k[5] * s6;
-  const Scalar t53 = qdd[5] + t51;
-  const Scalar t54 = c5 * t47 - s5 * t48;
-  const Scalar t55 = Scalar(2) * t34 * t36 + t54;
-  const Scalar t56 = (t33 * (t39 - t42) + t51 * t52) + (k[7] * t53 + k[6] * t55);
-  const Scalar t57 = t32 + t56;
-  const Scalar t58 = t40 * t43;
-  const Scalar t59 = t43 * t36;
-  const Scalar t60 = s4 * t29 + c4 * t24;
-  const Scalar t61 = t5 * t14;
-  const Scalar t62 = t60 + t61;
-  const Scalar t63 = qdd[4] + t62;
-  const Scalar t64 = t59 + t63;
-  const Scalar t65 = (t58 + t64) + t58;
-  const Scalar t66 = t40 * t34;
-  const Scalar t67 = (t66 + t66) + t55;
-  const Scalar t68 = t59 - t63;
-  const Scalar t69 = (t65 * t52 - t33 * t67) + (k[6] * t39 - k[7] * t68);
-  const Scalar t70 = t35 + t41;
-  const Scalar t71 = t35 + t37;
-  const Scalar t72 = (t52 * t70 + t33 * t50) + (k[7] * t71 - k[6] * t64);
-  const Scalar t73 = c4 * t26 + s4 * t30;
-  const Scalar t74 = t15 + t16;
-  const Scalar t75 = k[10] * t73 + (k[11] * t48 - k[12] * t74);
-  const Scalar t76 = (s5 * t69 + c5 * t72) - t75;
-  const Scalar t77 = c4 * t57 + s4 * t76;
-  const Scalar t78 = t8 + t10;
-  const Scalar t79 = qdd[2] - t23;
-  const Scalar t80 = (k[30] * t29 - k[31] * t78) + k[32] * t20;
-  const Scalar t81 = (k[16] * t55 + k[17] * t53) + k[13] * t38;
-  const Scalar t82 = c3 * t25 - k[9] * s3;
-  const Scalar t83 = k[8] * t21 - t82;
-  const Scalar t84 = s5 * t73 - c5 * t83;
-  const Scalar t85 = k[18] * s6 + k[19] * c6;
-  const Scalar t86 = k[21] * c6 - k[20] * s6;
-  const Scalar t87 = c6 * t86;
-  const Scalar t88 = k[28] - t87;
-  const Scalar t89 = k[23] + s6 * t86;
-  const Scalar t90 = k[19] * s6 - k[18] * c6;
-  const Scalar t91 = (t88 * t67 - t89 * t65) + t90 * t42;
-  const Scalar t92 = ((t81 - k[14] * t68) + k[6] * t31) + (t33 * t84 + (t51 * t85 - t91));
-  const Scalar t93 = t22 - t71;
-  const Scalar t94 = (k[15] * t53 - k[17] * t55) + (k[14] * t93 + k[13] * t64);
-  const Scalar t95 = s5 * t83 + c5 * t73;
-  const Scalar t96 = k[22] - t87;
-  const Scalar t97 = (t51 * t96 + t88 * t50) - t89 * t93;
-  const Scalar t98 = (t95 * t33 + t52 * t31) + ((t90 * t64 + t55 * t85) + t97);
-  const Scalar t99 = (k[7] * t31 - t94) + t98;
-  const Scalar t100 = t62 + t61;
-  const Scalar t101 = (k[29] * t47 - k[27] * t100) + k[24] * t17;
-  const Scalar t102 = (c5 * t92 - s5 * t99) + (k[11] * t83 - (t101 - k[25] * t12));
-  const Scalar t103 = (t65 * t96 + t89 * t67) + ((t39 - t70) * t85 - t90 * t50);
-  const Scalar t104 = (k[15] * t68 + k[16] * t64) + k[17] * (t38 + t93);
-  const Scalar t105 = (k[7] * t84 - k[6] * t95) - ((k[14] * t54 + k[13] * t49) + t104);
-  const Scalar t106 = (t84 * t52 - t103) + t105;
-  const Scalar t107 = (k[26] * t100 + k[27] * t47) + (k[24] * t48 - k[25] * (t74 - t21));
-  const Scalar t108 = t106 - (k[12] * t83 + t107);
-  const Scalar t109 = k[8] * t77 + (c4 * t102 + s4 * t108);
-  const Scalar t110 = k[27] * (t74 - t22) + (k[26] * t12 + k[29] * t48);
-  const Scalar t111 = (t110 - (k[25] * t46 + k[24] * t60)) + (k[12] * t31 - k[11] * t73);
-  const Scalar t112 = t111 + (s5 * t92 + c5 * t99);
-  const Scalar t113 = t18 + t19;
-  const Scalar t114 = t21 - t113;
-  const Scalar t115 = (k[32] * t24 + k[33] * (t114 + t20)) + (k[31] * t29 - k[34] * t78);
-  const Scalar t116 = c3 * ((k[33] * t79 - t80) + t109) - s3 * (t112 - (k[35] * t2 + t115));
-  const Scalar t117 = (t3 - (t77 + k[35] * t78)) * t1 - (t116 - (k[3] * t2 + k[2] * t25));
-  const Scalar t118 = s4 * t57 - c4 * t76;
-  const Scalar t119 = k[10] * t83 + (k[11] * t47 + k[12] * t100);
-  const Scalar t120 = ((c5 * t69 - s5 * t72) + t119) + k[35] * t79;
-  const Scalar t121 = s3 * (k[35] * t113 - t118) - c3 * t120;
-  const Scalar t122 = (k[3] * t0 - k[2] * qdd[0]) + k[36] * t25;
-  const Scalar t123 = k[31] * t114 + (k[34] * t79 + k[30] * t24);
-  const Scalar t124 = ((k[33] * t27 + k[32] * t9) - t123) + k[35] * t82;
-  const Scalar t125 = (s4 * t102 - c4 * t108) + k[8] * t118;
+  const Scalar t0 = k[2] + k[1] * q[1];
+  const Scalar t1 = qd[0] * k[1] * qd[1];
+  const Scalar t2 = qdd[0] * t0 + (t1 + t1);
+  const Scalar t3 = qd[0] * qd[0];
+  const Scalar t4 = k[36] * t2 + (k[4] * qdd[0] + k[3] * t3);
+  const Scalar t5 = k[22] * c6 - k[21] * s6;
+  const Scalar t6 = qd[0] * c3;
+  const Scalar t7 = c4 * t6 - qd[2] * s4;
+  const Scalar t8 = qd[0] * s3;
+  const Scalar t9 = qd[3] - t8;
+  const Scalar t10 = s5 * t7 - c5 * t9;
+  const Scalar t11 = qd[5] - t10;
+  const Scalar t12 = t11 * t11;
+  const Scalar t13 = s5 * t9 + c5 * t7;
+  const Scalar t14 = t12 - t13 * t13;
+  const Scalar t15 = qd[2] * c4 + s4 * t6;
+  const Scalar t16 = qd[4] + t15;
+  const Scalar t17 = t16 * t16;
+  const Scalar t18 = t17 - t12;
+  const Scalar t19 = t14 + t18;
+  const Scalar t20 = t17 + t12;
+  const Scalar t21 = t19 - t20;
+  const Scalar t22 = t9 * t15;
+  const Scalar t23 = qdd[0] * c3;
+  const Scalar t24 = qd[2] * t8;
+  const Scalar t25 = t23 - (t24 + t24);
+  const Scalar t26 = t8 * t6;
+  const Scalar t27 = qdd[2] + t26;
+  const Scalar t28 = c4 * t25 - s4 * t27;
+  const Scalar t29 = (t22 + t22) - t28;
+  const Scalar t30 = t7 * t15;
+  const Scalar t31 = qd[2] * t6;
+  const Scalar t32 = qdd[0] * s3;
+  const Scalar t33 = t31 + t32;
+  const Scalar t34 = qdd[3] - t33;
+  const Scalar t35 = t30 + t34;
+  const Scalar t36 = s5 * t29 + c5 * t35;
+  const Scalar t37 = qdd[5] + t36;
+  const Scalar t38 = t16 * t13;
+  const Scalar t39 = (t37 - t38) - t38;
+  const Scalar t40 = k[21] * c6 + k[22] * s6;
+  const Scalar t41 = qdd[5] - t39;
+  const Scalar t42 = t16 * t10;
+  const Scalar t43 = c5 * t29 - s5 * t35;
+  const Scalar t44 = t42 + (t43 + t42);
+  const Scalar t45 = (t5 * t21 - t39 * t40) + (k[24] * t41 + k[10] * t44);
+  const Scalar t46 = t30 - t34;
+  const Scalar t47 = t9 * t9;
+  const Scalar t48 = t7 * t7;
+  const Scalar t49 = t47 + t48;
+  const Scalar t50 = t3 * t0 - k[1] * qdd[1];
+  const Scalar t51 = t27 - (k[9] * c3 - s3 * t50);
+  const Scalar t52 = t25 + t2;
+  const Scalar t53 = s4 * t51 - c4 * t52;
+  const Scalar t54 = (k[32] * t46 - k[26] * t49) - k[33] * t53;
+  const Scalar t55 = t45 + t54;
+  const Scalar t56 = t8 * t8;
+  const Scalar t57 = qd[2] * qd[2];
+  const Scalar t58 = t56 + t57;
+  const Scalar t59 = t3 - t58;
+  const Scalar t60 = t56 - t57;
+  const Scalar t61 = t59 - t60;
+  const Scalar t62 = t61 + t58;
+  const Scalar t63 = t47 - t48;
+  const Scalar t64 = t62 + t63;
+  const Scalar t65 = c4 * t51 + s4 * t52;
+  const Scalar t66 = (k[32] * t64 - k[26] * t35) + k[33] * t65;
+  const Scalar t67 = t13 * t10;
+  const Scalar t68 = s4 * t25 + c4 * t27;
+  const Scalar t69 = t7 * t9;
+  const Scalar t70 = t68 + t69;
+  const Scalar t71 = qdd[4] + t70;
+  const Scalar t72 = t67 + t71;
+  const Scalar t73 = t49 + t19;
+  const Scalar t74 = (k[10] * t72 - k[24] * t73) + (t5 * t37 - t40 * t20);
+  const Scalar t75 = t18 - t21;
+  const Scalar t76 = t67 - t71;
+  const Scalar t77 = t44 + Scalar(2) * t11 * t16;
+  const Scalar t78 = t11 * t13;
+  const Scalar t79 = (t78 + t72) + t78;
+  const Scalar t80 = (k[10] * t75 - k[24] * t76) + (t5 * t77 + t79 * t40);
+  const Scalar t81 = t66 - (c5 * t74 - s5 * t80);
+  const Scalar t82 = c4 * t55 + s4 * t81;
+  const Scalar t83 = t31 + t33;
+  const Scalar t84 = c3 * t50 + k[9] * s3;
+  const Scalar t85 = t62 + t84;
+  const Scalar t86 = s5 * t65 - c5 * t85;
+  const Scalar t87 = c5 * t65 + s5 * t85;
+  const Scalar t88 = (k[13] * t72 + k[25] * t76) - k[12] * (t73 - t75);
+  const Scalar t89 = (k[24] * t86 - k[10] * t87) - ((k[14] * t36 + k[11] * t43) + t88);
+  const Scalar t90 = k[16] * s6 - k[15] * c6;
+  const Scalar t91 = c6 * t90;
+  const Scalar t92 = k[23] + t91;
+  const Scalar t93 = k[17] - s6 * t90;
+  const Scalar t94 = k[19] * c6 + k[20] * s6;
+  const Scalar t95 = k[19] * s6 - k[20] * c6;
+  const Scalar t96 = (t79 * t92 + t77 * t93) - (t14 * t94 + t37 * t95);
+  const Scalar t97 = t89 + (t40 * t86 - t96);
+  const Scalar t98 = t70 + t69;
+  const Scalar t99 = (k[31] * t98 + k[29] * t29) + (k[27] * t63 + k[28] * t35);
+  const Scalar t100 = t97 - (t99 + k[32] * t85);
+  const Scalar t101 = k[18] + t91;
+  const Scalar t102 = (t79 * t93 - t77 * t101) - t18 * t95;
+  const Scalar t103 = (k[12] * t41 + k[13] * t44) - k[14] * (t49 - t75);
+  const Scalar t104 = ((t39 * t94 - t102) + t5 * t86) - (k[10] * t53 + (t103 - k[11] * t76));
+  const Scalar t105 = t93 * t19 - (t39 * t92 - t37 * t101);
+  const Scalar t106 = (t105 + (t94 * t44 + t72 * t95)) - (t5 * t87 - t40 * t53);
+  const Scalar t107 = (k[11] * t19 - k[14] * t72) + (k[12] * t44 - k[25] * t41);
+  const Scalar t108 = t106 + (k[24] * t53 + t107);
+  const Scalar t109 = t49 - t64;
+  const Scalar t110 = k[28] * (t109 + t63) - (k[29] * t98 - k[30] * t29);
+  const Scalar t111 = (c5 * t104 + s5 * t108) - (k[26] * t85 - (t110 + k[27] * t46));
+  const Scalar t112 = (k[7] * t25 - k[8] * t83) + k[6] * t60;
+  const Scalar t113 = qdd[2] - t26;
+  const Scalar t114 = (t82 + (s4 * t100 - c4 * t111)) - (t112 - k[5] * t113);
+  const Scalar t115 = (k[8] * t25 - k[34] * t83) + (k[5] * t59 + k[6] * t27);
+  const Scalar t116 = k[29] * t109 - (k[31] * t46 + k[30] * t35);
+  const Scalar t117 = (t116 + (k[28] * t68 - k[27] * t28)) + (k[26] * t65 - k[32] * t53);
+  const Scalar t118 = (s5 * t104 - c5 * t108) + t117;
+  const Scalar t119 = c3 * t114 + s3 * ((k[35] * t2 + t115) + t118);
+  const Scalar t120 = (t4 - (t82 + k[35] * t83)) * t0 - (t119 - (k[4] * t2 - k[3] * t50));
+  const Scalar t121 = c4 * t81 - s4 * t55;
+  const Scalar t122 = k[33] * t85 - (k[26] * t29 + k[32] * t98);
+  const Scalar t123 = k[35] * t113 - (t122 - (c5 * t80 + s5 * t74));
+  const Scalar t124 = s3 * (k[35] * t58 + t121) - c3 * t123;
+  const Scalar t125 = (k[3] * qdd[0] - k[4] * t3) - k[36] * t50;
+  const Scalar t126 = (k[7] * t27 + k[34] * t113) + k[8] * t61;
+  const Scalar t127 = k[35] * t84 + (t126 - (k[6] * t32 + k[5] * t23));
+  const Scalar t128 = t127 - ((c4 * t100 + s4 * t111) + t121);
   JointVector<Scalar> result;
-  result[0] = k[0] * qdd[0] - t117;
-  result[1] = t122 - t121;
-  result[2] = t124 - t125;
-  result[3] = t112;
-  result[4] = t106;
-  result[5] = t98;
+  result[0] = k[0] * qdd[0] - t120;
+  result[1] = -k[1] * (t124 + t125);
+  result[2] = -t128;
+  result[3] = -t118;
+  result[4] = t97;
+  result[5] = t106;
   return result;
 }
 
@@ -276,16 +292,17 @@ GravityTorqueConstants<Scalar> gravity_torque_constants(const BasicGeometry<Scal
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c4y * inertia.m4 - g.d4 * (inertia.m4 + (inertia.m5 + inertia.m6));
-  return { inertia.c6z * inertia.m6,
-           inertia.c6x * inertia.m6,
-           gravity,
+  const Scalar t0 = g.d4 * inertia.m4;
+  const Scalar t1 = ((inertia.c4y * inertia.m4 - t0) + t0) - g.d4 * (inertia.m4 + (inertia.m5 + inertia.m6));
+  return { gravity,
            inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
            inertia.c5z * inertia.m5,
+           inertia.c6z * inertia.m6,
+           inertia.c6x * inertia.m6,
            inertia.c4z * inertia.m4,
            inertia.c4x * inertia.m4 + inertia.c5x * inertia.m5,
            inertia.c3z * inertia.m3,
-           t0 - (g.d4 * inertia.m3 - inertia.c3y * inertia.m3) };
+           (g.d4 * inertia.m3 - inertia.c3y * inertia.m3) - t1 };
 }
 
 namespace detail {
@@ -301,28 +318,28 @@ inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Sca
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[0] * c6 + k[1] * s6;
-  const Scalar t1 = k[2] * s3;
-  const Scalar t2 = k[2] * c3;
-  const Scalar t3 = c4 * t2;
-  const Scalar t4 = c5 * t1 + s5 * t3;
-  const Scalar t5 = s5 * t1 - c5 * t3;
-  const Scalar t6 = t0 * t4 + (k[3] * t5 + k[4] * t4);
-  const Scalar t7 = k[0] * s6 - k[1] * c6;
-  const Scalar t8 = s4 * t2;
-  const Scalar t9 = t7 * t4 + k[3] * t8;
-  const Scalar t10 = t7 * t5 - t0 * t8;
-  const Scalar t11 = t10 - k[4] * t8;
-  const Scalar t12 = k[6] * t1 - (c5 * t9 + s5 * t11);
-  const Scalar t13 = c4 * (t6 + k[5] * t1) + s4 * t12;
-  const Scalar t14 = (k[6] * t3 - k[5] * t8) - (s5 * t9 - c5 * t11);
+  const Scalar t0 = k[0] * s3;
+  const Scalar t1 = k[0] * c3;
+  const Scalar t2 = c4 * t1;
+  const Scalar t3 = c5 * t0 + s5 * t2;
+  const Scalar t4 = s5 * t0 - c5 * t2;
+  const Scalar t5 = k[3] * c6 + k[4] * s6;
+  const Scalar t6 = (k[2] * t3 + k[1] * t4) + t3 * t5;
+  const Scalar t7 = s4 * t1;
+  const Scalar t8 = k[4] * c6 - k[3] * s6;
+  const Scalar t9 = t4 * t8 + t7 * t5;
+  const Scalar t10 = k[2] * t7 + t9;
+  const Scalar t11 = k[1] * t7 - t8 * t3;
+  const Scalar t12 = (s5 * t10 - c5 * t11) + k[6] * t0;
+  const Scalar t13 = c4 * (k[5] * t0 + t6) + s4 * t12;
+  const Scalar t14 = (s5 * t11 + c5 * t10) + (k[5] * t7 - k[6] * t2);
   JointVector<Scalar> result;
   result[0] = Scalar(0);
   result[1] = Scalar(0);
-  result[2] = -t13 - (k[7] * t1 - k[8] * t2);
-  result[3] = t14;
+  result[2] = -t13 - (k[8] * t1 + k[7] * t0);
+  result[3] = -t14;
   result[4] = -t6;
-  result[5] = t10;
+  result[5] = -t9;
   return result;
 }
 
@@ -347,79 +364,86 @@ CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Sc
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c3x * inertia.m3;
-  const Scalar t1 = Scalar(1) / g.d4;
-  const Scalar t2 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t3 = inertia.c4y * inertia.m4;
-  const Scalar t4 = t3 - g.d4 * t2;
-  const Scalar t5 = inertia.c3y * inertia.m3;
-  const Scalar t6 = g.d4 * inertia.m3 - t5;
-  const Scalar t7 = (t4 - t6) / g.d4;
-  const Scalar t8 = g.d4 * g.d4 * ((inertia.m2 + (inertia.m3 + t2)) + t7);
-  const Scalar t9 = inertia.c6x * inertia.m6;
-  const Scalar t10 = inertia.c6z * inertia.m6;
-  const Scalar t11 = inertia.c6y * inertia.m6;
-  const Scalar t12 = inertia.c5y * inertia.m5;
-  const Scalar t13 = inertia.c5z * inertia.m5;
-  const Scalar t14 = inertia.c4z * inertia.m4;
-  const Scalar t15 = inertia.c4x * inertia.m4;
-  const Scalar t16 = inertia.c5x * inertia.m5;
-  const Scalar t17 = g.d4 * g.d4 * t7;
-  const Scalar t18 = inertia.c3z * inertia.m3;
-  const Scalar t19 = g.d4 * t18;
-  const Scalar t20 = t19 + (inertia.I3yz - inertia.c3z * t5);
-  const Scalar t21 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t22 = ((inertia.I4yy - t21) - inertia.c4y * t3) + g.d4 * (t3 + t4);
-  const Scalar t23 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t24 = ((inertia.I3yy - t23) - inertia.c3y * t5) - g.d4 * (t6 - t5);
-  const Scalar t25 = (t22 + t24) - t17;
-  const Scalar t26 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t27 = (inertia.I6xx - t26) - inertia.c6x * t9;
-  const Scalar t28 = inertia.c6z * t10 - (inertia.I6zz - t26);
-  const Scalar t29 = inertia.I6xz - inertia.c6z * t9;
-  const Scalar t30 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t31 = ((inertia.I6yy - t26) - inertia.c6y * t11) - (inertia.c5y * t12 - (inertia.I5yy - t30));
-  const Scalar t32 = (inertia.c5x * t16 - (inertia.I5xx - t30)) - ((inertia.I4xx - t21) - inertia.c4x * t15);
-  const Scalar t33 = (inertia.I3zz - t23) - inertia.c3z * t18;
-  return { g.d4 * (inertia.c2x * inertia.m2 + t0),
-           Scalar(2) * t1,
-           t8,
-           g.d4 * t9,
-           g.d4 * t10,
-           g.d4 * (t11 + t12),
-           g.d4 * t13,
-           g.d4 * t14,
-           g.d4 * (t15 + t16),
-           t1,
+  const Scalar t0 = Scalar(1) / g.d4;
+  const Scalar t1 = inertia.c6y * inertia.m6;
+  const Scalar t2 = inertia.c5y * inertia.m5;
+  const Scalar t3 = inertia.c5z * inertia.m5;
+  const Scalar t4 = inertia.c6z * inertia.m6;
+  const Scalar t5 = inertia.c6x * inertia.m6;
+  const Scalar t6 = inertia.c3y * inertia.m3;
+  const Scalar t7 = g.d4 * inertia.m3 - t6;
+  const Scalar t8 = inertia.c4y * inertia.m4;
+  const Scalar t9 = g.d4 * inertia.m4;
+  const Scalar t10 = t8 - t9;
+  const Scalar t11 = t10 + t9;
+  const Scalar t12 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t13 = t11 - g.d4 * t12;
+  const Scalar t14 = (t7 - t13) / g.d4;
+  const Scalar t15 = g.d4 * g.d4 * t14;
+  const Scalar t16 = inertia.c4z * inertia.m4;
+  const Scalar t17 = g.d4 * t16;
+  const Scalar t18 = inertia.c4x * inertia.m4;
+  const Scalar t19 = inertia.c5x * inertia.m5;
+  const Scalar t20 = inertia.c3z * inertia.m3;
+  const Scalar t21 = g.d4 * t20;
+  const Scalar t22 = inertia.c3x * inertia.m3;
+  const Scalar t23 = g.d4 * g.d4 * (t14 - (inertia.m2 + (inertia.m3 + t12)));
+  const Scalar t24 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t25 = g.d4 * t18;
+  const Scalar t26 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t27 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t28 = ((inertia.I6yy - t27) - inertia.c6y * t1) - (inertia.c5y * t2 - (inertia.I5yy - t26));
+  const Scalar t29 = (inertia.I6xx - t27) - inertia.c6x * t5;
+  const Scalar t30 = inertia.c6z * t4 - (inertia.I6zz - t27);
+  const Scalar t31 = inertia.I6xz - inertia.c6z * t5;
+  const Scalar t32 = (inertia.c5x * t19 - (inertia.I5xx - t26)) - ((inertia.I4xx - t24) - inertia.c4x * t18);
+  const Scalar t33 = g.d4 * (t8 + t10) + ((inertia.I4yy - t24) - inertia.c4y * t8);
+  const Scalar t34 = (t33 - g.d4 * (t11 + t10)) + g.d4 * (t11 + t13);
+  const Scalar t35 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t36 = ((inertia.I3yy - t35) - inertia.c3y * t6) - g.d4 * (t7 - t6);
+  const Scalar t37 = t15 + (t34 + t36);
+  const Scalar t38 = t21 + (inertia.I3yz - inertia.c3z * t6);
+  const Scalar t39 = (inertia.I3zz - t35) - inertia.c3z * t20;
+  const Scalar t40 = g.l2 * inertia.m2;
+  return { t0,
            g.l2 / g.d4,
+           g.d4 * (t1 + t2),
+           g.d4 * t3,
+           g.d4 * t4,
+           g.d4 * t5,
+           Scalar(2) * t0,
+           t15,
            t17,
-           Scalar(2) * t19,
-           g.d4 * inertia.c2y * inertia.m2,
-           inertia.I3xz - inertia.c3z * t0,
-           (inertia.I3xy - inertia.c3y * t0) + g.d4 * t0,
-           Scalar(2) * t20,
-           Scalar(2) * t25,
-           t27 + t28,
-           Scalar(2) * t29,
-           t27,
-           t29,
-           inertia.I6yz - inertia.c6z * t11,
-           inertia.I6xy - inertia.c6y * t9,
-           t31,
-           inertia.c5z * t13 - (inertia.I5zz - t30),
-           inertia.I5yz - inertia.c5z * t12,
-           inertia.I5xy - inertia.c5y * t16,
-           inertia.I5xz - inertia.c5z * t16,
-           (inertia.I4zz - t21) - inertia.c4z * t14,
-           inertia.I4xz - inertia.c4z * t15,
-           inertia.I4yz - inertia.c4z * t3,
-           inertia.I4xy - inertia.c4y * t15,
+           g.d4 * (t18 + t19),
+           Scalar(2) * t21,
+           g.d4 * (inertia.c2x * inertia.m2 + t22),
+           t23,
+           inertia.I4xz - inertia.c4z * t18,
+           (inertia.I4zz - t24) - inertia.c4z * t16,
+           t17 - (t17 + (inertia.I4yz - inertia.c4z * t8)),
+           (t25 + (inertia.I4xy - inertia.c4y * t18)) - t25,
+           inertia.I5xy - inertia.c5y * t19,
+           inertia.I5xz - inertia.c5z * t19,
+           inertia.I5yz - inertia.c5z * t2,
+           inertia.c5z * t3 - (inertia.I5zz - t26),
            t28,
+           inertia.I6yz - inertia.c6z * t1,
+           inertia.I6xy - inertia.c6y * t5,
+           t29 + t30,
+           Scalar(2) * t31,
+           t29,
+           t31,
            t32,
-           t19,
-           Scalar(2) * t33,
-           t20,
-           t33 - t25 };
+           t30,
+           t37,
+           Scalar(2) * t38,
+           (inertia.I3xy - inertia.c3y * t22) + g.d4 * t22,
+           inertia.I3xz - inertia.c3z * t22,
+           t21,
+           Scalar(2) * t39,
+           g.d4 * (t40 - (t40 - inertia.c2y * inertia.m2)),
+           t39 - t37,
+           t38 };
 }
 
 namespace detail {
@@ -436,129 +460,125 @@ inline JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const J
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[10] + k[9] * q[1];
-  const Scalar t1 = qd[0] * qd[0];
-  const Scalar t2 = qd[0] * k[1] * qd[1];
-  const Scalar t3 = qd[0] * s3;
-  const Scalar t4 = qd[2] * t3;
-  const Scalar t5 = Scalar(2) * t4;
-  const Scalar t6 = t2 - t5;
-  const Scalar t7 = qd[0] * c3;
-  const Scalar t8 = t3 * t7;
-  const Scalar t9 = t1 * t0;
-  const Scalar t10 = t8 + s3 * t9;
-  const Scalar t11 = c4 * t6 - s4 * t10;
-  const Scalar t12 = qd[2] * t7;
-  const Scalar t13 = c4 * t7;
-  const Scalar t14 = t13 - qd[2] * s4;
-  const Scalar t15 = qd[2] * c4 + s4 * t7;
-  const Scalar t16 = t14 * t15;
-  const Scalar t17 = t12 + t16;
-  const Scalar t18 = t7 * t7;
-  const Scalar t19 = qd[2] * qd[2];
-  const Scalar t20 = t18 + t19;
-  const Scalar t21 = qd[3] - t3;
-  const Scalar t22 = t21 * t21;
-  const Scalar t23 = t15 * t15;
-  const Scalar t24 = t22 - t23;
-  const Scalar t25 = t20 + t24;
-  const Scalar t26 = k[11] * t11 - (k[7] * t17 - k[8] * t25);
-  const Scalar t27 = qd[4] + t15;
-  const Scalar t28 = s5 * t21 + c5 * t14;
-  const Scalar t29 = t27 * t28;
-  const Scalar t30 = t21 * t15;
-  const Scalar t31 = c4 * t5 + s4 * t8;
-  const Scalar t32 = t30 + (t31 + t30);
-  const Scalar t33 = t12 - t16;
-  const Scalar t34 = s5 * t32 - c5 * t33;
-  const Scalar t35 = (t29 + t29) - t34;
-  const Scalar t36 = s5 * t33 + c5 * t32;
-  const Scalar t37 = s5 * t14 - c5 * t21;
-  const Scalar t38 = t27 * t37;
-  const Scalar t39 = t36 + (t38 + t38);
-  const Scalar t40 = t27 * t27;
-  const Scalar t41 = qd[5] - t37;
-  const Scalar t42 = t41 * t41;
-  const Scalar t43 = t40 - t42;
-  const Scalar t44 = t40 - t37 * t37;
-  const Scalar t45 = t25 + t44;
-  const Scalar t46 = t43 - t45;
-  const Scalar t47 = k[3] * c6 - k[4] * s6;
-  const Scalar t48 = k[4] * c6 + k[3] * s6;
-  const Scalar t49 = (k[6] * t35 + k[5] * t39) + (t46 * t47 + t48 * t35);
-  const Scalar t50 = t26 - t49;
-  const Scalar t51 = t40 + t42;
-  const Scalar t52 = t46 + t51;
-  const Scalar t53 = t25 + t52;
-  const Scalar t54 = t13 * t3 - s4 * t5;
-  const Scalar t55 = t14 * t21;
-  const Scalar t56 = t54 + t55;
-  const Scalar t57 = t28 * t37;
-  const Scalar t58 = t56 + t57;
-  const Scalar t59 = (t47 * t34 - t48 * t51) - (k[6] * t53 - k[5] * t58);
-  const Scalar t60 = t41 * t28;
-  const Scalar t61 = t60 + (t60 + t58);
-  const Scalar t62 = t41 * t27;
-  const Scalar t63 = t62 + (t62 + t39);
-  const Scalar t64 = t56 - t57;
-  const Scalar t65 = (t48 * t61 + t63 * t47) + (k[5] * t45 + k[6] * t64);
-  const Scalar t66 = s4 * t6 + c4 * t10;
-  const Scalar t67 = t22 + t23;
-  const Scalar t68 = k[11] * t66 - (k[8] * t33 + k[7] * t67);
-  const Scalar t69 = (c5 * t59 - s5 * t65) + t68;
-  const Scalar t70 = (c4 * t50 + s4 * t69) - k[12] * t12;
-  const Scalar t71 = t0 * ((k[0] * t1 - k[2] * t2) + t70);
-  const Scalar t72 = c3 * t9;
+  const Scalar t0 = qd[0] * qd[0];
+  const Scalar t1 = k[11] * t0;
+  const Scalar t2 = k[1] + k[0] * q[1];
+  const Scalar t3 = qd[0] * k[6] * qd[1];
+  const Scalar t4 = qd[0] * s3;
+  const Scalar t5 = qd[2] * t4;
+  const Scalar t6 = qd[0] * c3;
+  const Scalar t7 = qd[2] * t6;
+  const Scalar t8 = t4 * t4;
+  const Scalar t9 = qd[2] * qd[2];
+  const Scalar t10 = t8 + t9;
+  const Scalar t11 = t4 * t6;
+  const Scalar t12 = (k[31] * t5 + k[35] * t7) - (k[33] * (t0 - t10) + k[32] * t11);
+  const Scalar t13 = qd[3] - t4;
+  const Scalar t14 = t13 * t13;
+  const Scalar t15 = c4 * t6 - qd[2] * s4;
+  const Scalar t16 = t15 * t15;
+  const Scalar t17 = t14 + t16;
+  const Scalar t18 = t14 - t16;
+  const Scalar t19 = t8 - t9;
+  const Scalar t20 = t0 - t19;
+  const Scalar t21 = t18 + t20;
+  const Scalar t22 = qd[2] * c4 + s4 * t6;
+  const Scalar t23 = t15 * t22;
+  const Scalar t24 = t7 - t23;
+  const Scalar t25 = t7 + t23;
+  const Scalar t26 = k[13] * (t17 - t21) + (k[28] * t24 - k[14] * t25);
+  const Scalar t27 = t5 + t5;
+  const Scalar t28 = c4 * t11 - s4 * t27;
+  const Scalar t29 = s4 * t11 + c4 * t27;
+  const Scalar t30 = t3 - t27;
+  const Scalar t31 = t0 * t2;
+  const Scalar t32 = t11 + s3 * t31;
+  const Scalar t33 = s4 * t30 + c4 * t32;
+  const Scalar t34 = s4 * t32 - c4 * t30;
+  const Scalar t35 = (t26 + (k[16] * t28 + k[15] * t29)) + (k[9] * t33 - k[8] * t34);
+  const Scalar t36 = t15 * t13;
+  const Scalar t37 = t28 + t36;
+  const Scalar t38 = s5 * t13 + c5 * t15;
+  const Scalar t39 = s5 * t15 - c5 * t13;
+  const Scalar t40 = t38 * t39;
+  const Scalar t41 = t37 - t40;
+  const Scalar t42 = qd[5] - t39;
+  const Scalar t43 = t42 * t42;
+  const Scalar t44 = t38 * t38;
+  const Scalar t45 = t43 + t44;
+  const Scalar t46 = qd[4] + t22;
+  const Scalar t47 = t46 * t46;
+  const Scalar t48 = t47 - t43;
+  const Scalar t49 = t45 + t48;
+  const Scalar t50 = t17 - t49;
+  const Scalar t51 = t13 * t22;
+  const Scalar t52 = (t51 + t51) + t29;
+  const Scalar t53 = c5 * t24 - s5 * t52;
+  const Scalar t54 = t46 + t46;
+  const Scalar t55 = t53 + t54 * t38;
+  const Scalar t56 = t46 * t39;
+  const Scalar t57 = c5 * t52 + s5 * t24;
+  const Scalar t58 = (t56 + t57) + t56;
+  const Scalar t59 = k[17] * t50 - (k[19] * t55 + k[21] * t58);
+  const Scalar t60 = k[22] * c6 + k[23] * s6;
+  const Scalar t61 = k[23] * c6 - k[22] * s6;
+  const Scalar t62 = k[25] * s6 - k[24] * c6;
+  const Scalar t63 = k[27] - s6 * t62;
+  const Scalar t64 = t42 * t38;
+  const Scalar t65 = t37 + t40;
+  const Scalar t66 = t64 + (t64 + t65);
+  const Scalar t67 = t58 + t42 * t54;
+  const Scalar t68 = c6 * t62;
+  const Scalar t69 = k[29] + t68;
+  const Scalar t70 = t48 * t61 + (t63 * t66 - t67 * t69);
+  const Scalar t71 = k[4] * s6 - k[5] * c6;
+  const Scalar t72 = c3 * t31;
   const Scalar t73 = t20 + t72;
-  const Scalar t74 = s5 * t66 - c5 * t73;
-  const Scalar t75 = k[22] * c6 + k[23] * s6;
-  const Scalar t76 = k[19] * s6 - k[18] * c6;
-  const Scalar t77 = k[21] - s6 * t76;
-  const Scalar t78 = c6 * t76;
-  const Scalar t79 = k[33] + t78;
-  const Scalar t80 = k[23] * c6 - k[22] * s6;
-  const Scalar t81 = (t77 * t61 - t63 * t79) + t43 * t80;
-  const Scalar t82 = (k[26] * t35 + k[24] * t39) + k[27] * t44;
-  const Scalar t83 = (t47 * t74 - (t75 * t35 + t81)) + (k[5] * t11 - (k[28] * t64 + t82));
-  const Scalar t84 = k[20] + t78;
-  const Scalar t85 = (t35 * t84 + t79 * t34) + t52 * t77;
-  const Scalar t86 = s5 * t73 + c5 * t66;
-  const Scalar t87 = (t85 + (t75 * t39 - t58 * t80)) - (t47 * t86 + t11 * t48);
-  const Scalar t88 = (k[25] * t35 - k[26] * t39) + (k[27] * t58 - k[28] * t52);
-  const Scalar t89 = t87 - (t88 + k[6] * t11);
-  const Scalar t90 = t25 - t67;
-  const Scalar t91 = k[30] * t90 + (k[34] * t33 - k[29] * t17);
-  const Scalar t92 = ((k[32] * t54 - k[31] * t31) + t91) + (k[8] * t66 + k[7] * t11);
-  const Scalar t93 = (s5 * t83 - c5 * t89) + t92;
-  const Scalar t94 = t18 - t19;
-  const Scalar t95 = (k[37] * t5 + k[36] * t12) - (k[14] * t94 + k[15] * t8);
-  const Scalar t96 = t1 - t20;
-  const Scalar t97 = k[15] * t96 - (k[16] * t12 + k[17] * t4);
-  const Scalar t98 = t56 + t55;
-  const Scalar t99 = (k[32] * t33 + k[31] * (t24 - t90)) - (k[29] * t98 + k[30] * t32);
-  const Scalar t100 = (t84 * t61 + t63 * t77) + ((t43 - t52) * t75 + t34 * t80);
-  const Scalar t101 = k[26] * (t53 - t45) - (k[24] * t58 - k[25] * t64);
-  const Scalar t102 = (k[5] * t86 - k[6] * t74) - (t101 - (k[28] * t36 + k[27] * t34));
-  const Scalar t103 = (t100 - t48 * t74) + t102;
-  const Scalar t104 = t69 - ((t99 - k[7] * t73) - t103);
-  const Scalar t105 = k[32] * t24 + (k[34] * t32 - k[30] * t98);
-  const Scalar t106 = (k[8] * t73 - (t105 - k[31] * t17)) - (c5 * t83 + s5 * t89);
-  const Scalar t107 = t106 - t50;
-  const Scalar t108 = (t97 + k[14] * t8) + (s4 * t104 - c4 * t107);
-  const Scalar t109 = s3 * (t93 - (t95 - k[35] * t2)) - c3 * t108;
-  const Scalar t110 = t71 - (t109 - (k[13] * t2 - k[0] * t9));
-  const Scalar t111 = k[11] * t73 + (k[7] * t98 + k[8] * t32);
-  const Scalar t112 = k[35] * t8 - (t111 + (c5 * t65 + s5 * t59));
-  const Scalar t113 = (s4 * t50 - c4 * t69) + k[35] * (t1 - t94);
-  const Scalar t114 = (k[2] * t9 - k[13] * t1) + (c3 * t112 + s3 * t113);
-  const Scalar t115 = k[35] * t72 - (k[38] * t8 + k[37] * (t96 - t94));
+  const Scalar t74 = c5 * t73 - s5 * t33;
+  const Scalar t75 = ((k[18] * t41 - t59) + k[2] * t34) + ((t55 * t60 + t70) - t71 * t74);
+  const Scalar t76 = c5 * t33 + s5 * t73;
+  const Scalar t77 = k[4] * c6 + k[5] * s6;
+  const Scalar t78 = k[26] + t68;
+  const Scalar t79 = t47 - t44;
+  const Scalar t80 = (t55 * t78 - t53 * t69) + t63 * t79;
+  const Scalar t81 = (t71 * t76 + t77 * t34) + (t80 - (t65 * t61 - t58 * t60));
+  const Scalar t82 = (k[17] * t65 - k[18] * t79) - (k[19] * t58 - k[20] * t55);
+  const Scalar t83 = t81 - (t82 - k[3] * t34);
+  const Scalar t84 = t35 - (s5 * t75 + c5 * t83);
+  const Scalar t85 = (k[3] * t55 + k[2] * t58) + (t45 * t71 + t55 * t77);
+  const Scalar t86 = k[7] * t34 + (k[9] * t17 - k[8] * t25);
+  const Scalar t87 = t85 - t86;
+  const Scalar t88 = t37 + t36;
+  const Scalar t89 = (k[28] * t52 - k[13] * t88) + k[16] * (t17 - t20);
+  const Scalar t90 = ((t89 + k[15] * t25) - k[9] * t73) - (c5 * t75 - s5 * t83);
+  const Scalar t91 = t87 - t90;
+  const Scalar t92 = k[7] * t33 + (k[8] * t21 + k[9] * t24);
+  const Scalar t93 = (t77 * t66 - t67 * t71) + (k[3] * t41 + k[2] * t49);
+  const Scalar t94 = (k[3] * (t17 + t79) - k[2] * t65) - (t53 * t71 - t77 * (t45 + t79));
+  const Scalar t95 = t92 + (s5 * t93 + c5 * t94);
+  const Scalar t96 = (k[14] * t88 + k[13] * t52) + (k[15] * t18 - k[16] * t24);
+  const Scalar t97 = k[19] * (t50 + t79) + (k[20] * t41 - k[21] * t65);
+  const Scalar t98 = (k[3] * t74 + k[2] * t76) - ((k[17] * t53 - k[18] * t57) + t97);
+  const Scalar t99 = (t53 * t61 + (t43 - t44) * t60) - (t67 * t63 + t78 * t66);
+  const Scalar t100 = t98 - (t99 - t77 * t74);
+  const Scalar t101 = t95 - ((k[8] * t73 + t96) + t100);
+  const Scalar t102 = k[32] * t19 - (k[30] * t27 + k[31] * t7);
+  const Scalar t103 = (c4 * t91 + s4 * t101) - (t102 + k[33] * t11);
+  const Scalar t104 = s3 * ((t12 - k[34] * t3) - t84) - c3 * t103;
+  const Scalar t105 = (s4 * t95 + c4 * t87) + k[10] * t7;
+  const Scalar t106 = ((t1 * t2 - k[36] * t3) - t104) + t2 * (t105 - (t1 + k[12] * t3));
+  const Scalar t107 = (s4 * t87 - c4 * t95) - k[34] * t10;
+  const Scalar t108 = (k[8] * t88 + k[9] * t52) - k[7] * t73;
+  const Scalar t109 = k[34] * t11 - (t108 + (c5 * t93 - s5 * t94));
+  const Scalar t110 = (s3 * t107 - c3 * t109) + (k[36] * t0 + k[12] * t31);
+  const Scalar t111 = (k[37] * t11 - k[38] * (t20 - t10)) - k[34] * t72;
   JointVector<Scalar> result;
-  result[0] = -t110;
-  result[1] = -k[9] * t114;
-  result[2] = -(s4 * t107 + c4 * t104) - t115;
-  result[3] = -t93;
-  result[4] = -t103;
-  result[5] = t87;
+  result[0] = t106;
+  result[1] = k[0] * t110;
+  result[2] = t111 + (c4 * t101 - s4 * t91);
+  result[3] = -t84;
+  result[4] = -t100;
+  result[5] = t81;
   return result;
 }
 
@@ -584,78 +604,89 @@ MassMatrixConstants<Scalar> mass_matrix_constants(const BasicGeometry<Scalar>& g
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = inertia.c6z * inertia.m6;
-  const Scalar t2 = inertia.c6x * inertia.m6;
-  const Scalar t3 = inertia.c5z * inertia.m5;
-  const Scalar t4 = inertia.c6y * inertia.m6;
-  const Scalar t5 = inertia.c5y * inertia.m5;
-  const Scalar t6 = inertia.c4y * inertia.m4;
-  const Scalar t7 = t6 - g.d4 * t0;
-  const Scalar t8 = inertia.c3y * inertia.m3;
-  const Scalar t9 = g.d4 * inertia.m3 - t8;
-  const Scalar t10 = inertia.c4x * inertia.m4;
-  const Scalar t11 = inertia.c5x * inertia.m5;
-  const Scalar t12 = inertia.c4z * inertia.m4;
-  const Scalar t13 = inertia.c3z * inertia.m3;
-  const Scalar t14 = inertia.c2y * inertia.m2;
-  const Scalar t15 = inertia.I6xz - inertia.c6z * t2;
-  const Scalar t16 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t17 = (inertia.I6xx - t16) - inertia.c6x * t2;
-  const Scalar t18 = inertia.c6z * t1 - (inertia.I6zz - t16);
-  const Scalar t19 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t20 = ((inertia.I6yy - t16) - inertia.c6y * t4) - (inertia.c5y * t5 - (inertia.I5yy - t19));
-  const Scalar t21 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t22 = ((inertia.I4yy - t21) - inertia.c4y * t6) + g.d4 * (t6 + t7);
-  const Scalar t23 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t24 = ((inertia.I3yy - t23) - inertia.c3y * t8) - g.d4 * (t9 - t8);
-  const Scalar t25 = (inertia.c5x * t11 - (inertia.I5xx - t19)) - ((inertia.I4xx - t21) - inertia.c4x * t10);
-  const Scalar t26 = inertia.c1y * inertia.m1;
-  const Scalar t27 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t28 = g.l2 * ((t26 - g.l2 * inertia.m1) + t26) - (inertia.c1y * t26 - (inertia.I1yy - t27));
-  const Scalar t29 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t30 = inertia.c3x * inertia.m3;
-  const Scalar t31 = inertia.c2x * inertia.m2;
-  const Scalar t32 = (inertia.c3x * t30 - (inertia.I3xx - t23)) + (inertia.c2x * t31 - (inertia.I2xx - t29));
-  const Scalar t33 = t32 + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t27));
-  return { g.l2,
-           inertia.m2 + (inertia.m3 + t0),
+  const Scalar t0 = inertia.c6x * inertia.m6;
+  const Scalar t1 = inertia.I6xz - inertia.c6z * t0;
+  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t0;
+  const Scalar t4 = inertia.c6z * inertia.m6;
+  const Scalar t5 = inertia.c6z * t4 - (inertia.I6zz - t2);
+  const Scalar t6 = inertia.c5x * inertia.m5;
+  const Scalar t7 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t8 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t9 = inertia.c4x * inertia.m4;
+  const Scalar t10 = (inertia.c5x * t6 - (inertia.I5xx - t7)) - ((inertia.I4xx - t8) - inertia.c4x * t9);
+  const Scalar t11 = inertia.c6y * inertia.m6;
+  const Scalar t12 = inertia.c5z * inertia.m5;
+  const Scalar t13 = inertia.c5y * inertia.m5;
+  const Scalar t14 = ((inertia.I6yy - t2) - inertia.c6y * t11) - (inertia.c5y * t13 - (inertia.I5yy - t7));
+  const Scalar t15 = inertia.c4z * inertia.m4;
+  const Scalar t16 = inertia.c3x * inertia.m3;
+  const Scalar t17 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t18 = inertia.c2x * inertia.m2;
+  const Scalar t19 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t20 = (inertia.c3x * t16 - (inertia.I3xx - t17)) + (inertia.c2x * t18 - (inertia.I2xx - t19));
+  const Scalar t21 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t22 = t20 + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t21));
+  const Scalar t23 = inertia.c4y * inertia.m4;
+  const Scalar t24 = g.d4 * inertia.m4;
+  const Scalar t25 = t23 - t24;
+  const Scalar t26 = g.d4 * (t23 + t25) + ((inertia.I4yy - t8) - inertia.c4y * t23);
+  const Scalar t27 = t25 + t24;
+  const Scalar t28 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t29 = t27 - g.d4 * t28;
+  const Scalar t30 = (t26 - g.d4 * (t27 + t25)) + g.d4 * (t27 + t29);
+  const Scalar t31 = inertia.c3y * inertia.m3;
+  const Scalar t32 = g.d4 * inertia.m3 - t31;
+  const Scalar t33 = ((inertia.I3yy - t17) - inertia.c3y * t31) - g.d4 * (t32 - t31);
+  const Scalar t34 = inertia.c3z * inertia.m3;
+  const Scalar t35 = g.d4 * t15;
+  const Scalar t36 = g.d4 * t9;
+  const Scalar t37 = g.l2 * inertia.m2;
+  const Scalar t38 = inertia.c2y * inertia.m2;
+  const Scalar t39 = t37 - t38;
+  const Scalar t40 = t37 - t39;
+  const Scalar t41 = inertia.c1y * inertia.m1;
+  const Scalar t42 = g.l2 * ((t41 - g.l2 * inertia.m1) + t41) - (inertia.c1y * t41 - (inertia.I1yy - t21));
+  const Scalar t43 = g.l2 * (t39 - t38) - ((inertia.I2yy - t19) - inertia.c2y * t38);
+  return { Scalar(2) * t1,
+           t3 + t5,
+           t5,
+           t10,
            t1,
-           t2,
+           inertia.I5xz - inertia.c5z * t6,
+           inertia.I6xy - inertia.c6y * t0,
+           inertia.I6yz - inertia.c6z * t11,
+           inertia.I5xy - inertia.c5y * t6,
+           inertia.I4xz - inertia.c4z * t9,
            t3,
-           t4 + t5,
-           t7 - t9,
-           t10 + t11,
-           t12,
-           t13,
+           inertia.c5z * t12 - (inertia.I5zz - t7),
            t14,
-           g.d4,
-           Scalar(2) * t15,
-           t17 + t18,
-           t17,
-           inertia.c5z * t3 - (inertia.I5zz - t19),
-           t20,
-           inertia.I6yz - inertia.c6z * t4,
-           inertia.I6xy - inertia.c6y * t2,
-           inertia.I5yz - inertia.c5z * t5,
-           inertia.I4yz - inertia.c4z * t6,
+           inertia.I5yz - inertia.c5z * t13,
+           (inertia.I4zz - t8) - inertia.c4z * t15,
+           t22,
+           t11 + t13,
+           t4,
+           t0,
+           t12,
+           Scalar(2) * g.d4,
+           t30 + t33,
+           (inertia.I3zz - t17) - inertia.c3z * t34,
            t15,
-           inertia.I5xz - inertia.c5z * t11,
-           inertia.I5xy - inertia.c5y * t11,
-           inertia.I4xy - inertia.c4y * t10,
-           g.d4 * t13 + (inertia.I3yz - inertia.c3z * t8),
-           t22 + t24,
-           (inertia.I4zz - t21) - inertia.c4z * t12,
-           t18,
-           t25,
-           inertia.I4xz - inertia.c4z * t10,
-           (inertia.I3zz - t23) - inertia.c3z * t13,
-           t28 + ((inertia.I2yy - t29) - inertia.c2y * t14),
-           t33,
-           t31 + t30,
-           inertia.I3xz - inertia.c3z * t30,
-           (inertia.I3xy - inertia.c3y * t30) + g.d4 * t30,
-           t17 - t18 };
+           g.d4,
+           t35 - (t35 + (inertia.I4yz - inertia.c4z * t23)),
+           t9 + t6,
+           (t36 + (inertia.I4xy - inertia.c4y * t9)) - t36,
+           g.d4 * t34 + (inertia.I3yz - inertia.c3z * t31),
+           g.l2,
+           inertia.m2 + (inertia.m3 + t28),
+           t32 - t29,
+           t34,
+           t40,
+           t42 - (t43 + g.l2 * (t40 - t39)),
+           t18 + t16,
+           inertia.I3xz - inertia.c3z * t16,
+           (inertia.I3xy - inertia.c3y * t16) + g.d4 * t16,
+           t3 - t5 };
 }
 
 namespace detail {
@@ -671,83 +702,80 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q,
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[12] * s6 - k[13] * c6;
-  const Scalar t1 = c6 * t0;
-  const Scalar t2 = k[29] + (k[28] + t1);
-  const Scalar t3 = k[22] + (k[21] - s6 * t0);
-  const Scalar t4 = k[17] * s6 - k[18] * c6;
-  const Scalar t5 = k[23] - t4;
-  const Scalar t6 = c5 * t3 + s5 * t5;
-  const Scalar t7 = k[30] + t6;
-  const Scalar t8 = c4 * t7;
-  const Scalar t9 = k[15] - (k[14] + t1);
-  const Scalar t10 = k[17] * c6 + k[18] * s6;
-  const Scalar t11 = k[19] + t10;
-  const Scalar t12 = c5 * t11;
-  const Scalar t13 = s5 * (k[16] + t9) + (t12 + t12);
-  const Scalar t14 = k[16] - s5 * t13;
-  const Scalar t15 = k[16] - t9;
-  const Scalar t16 = k[27] - (t14 - t15);
-  const Scalar t17 = (t8 + t8) - s4 * (t2 + t16);
-  const Scalar t18 = s4 * t17;
-  const Scalar t19 = k[31] + (t18 + t16);
-  const Scalar t20 = k[2] * c6 + k[3] * s6;
-  const Scalar t21 = k[4] + t20;
-  const Scalar t22 = k[5] * c5 - s5 * t21;
-  const Scalar t23 = k[11] * t22;
-  const Scalar t24 = k[26] + (t14 + (t23 + t23));
-  const Scalar t25 = s5 * t3 - c5 * t5;
-  const Scalar t26 = k[24] - t25;
-  const Scalar t27 = k[20] - (t11 - c5 * t13);
-  const Scalar t28 = k[2] * s6 - k[3] * c6;
-  const Scalar t29 = k[7] - t28;
-  const Scalar t30 = c5 * t21 + k[5] * s5;
-  const Scalar t31 = k[8] + t30;
-  const Scalar t32 = s4 * t29 + c4 * t31;
-  const Scalar t33 = (s4 * t26 + c4 * t27) + k[11] * t32;
-  const Scalar t34 = s3 * (t19 - t24) - Scalar(2) * c3 * (k[25] + t33);
-  const Scalar t35 = k[6] + t22;
-  const Scalar t36 = k[9] + t32;
-  const Scalar t37 = k[10] + (c3 * t35 - s3 * t36);
-  const Scalar t38 = k[0] + q[1];
-  const Scalar t39 = (s3 * t34 + t24) + (t37 - (k[1] * t38 - t37)) * t38;
-  const Scalar t40 = s4 * t31 - c4 * t29;
-  const Scalar t41 = (c4 * t26 - s4 * t27) - k[11] * t40;
-  const Scalar t42 = s3 * (k[36] + t41) + c3 * (k[35] + (c4 * t17 - t7));
-  const Scalar t43 = t2 - t16;
-  const Scalar t44 = t32 * t38 + (s3 * t43 + c3 * t33);
-  const Scalar t45 = t15 + t23;
-  const Scalar t46 = c3 * (c4 * t6 - s4 * t45) - s3 * t25;
-  const Scalar t47 = c5 * t28;
-  const Scalar t48 = c4 * t20 - s4 * t47;
-  const Scalar t49 = k[37] * s5 - c5 * t10;
-  const Scalar t50 = k[11] * t48 - (c4 * t49 + s4 * t4);
-  const Scalar t51 = s5 * t10 + k[37] * c5;
-  const Scalar t52 = (c3 * t50 - s3 * t51) + t48 * t38;
-  const Scalar t53 = s4 * t20 + c4 * t47;
-  const Scalar t54 = k[11] * t53 + (c4 * t4 - s4 * t49);
+  const Scalar t0 = k[29] + q[1];
+  const Scalar t1 = k[17] * s6 - k[18] * c6;
+  const Scalar t2 = k[26] - t1;
+  const Scalar t3 = k[17] * c6 + k[18] * s6;
+  const Scalar t4 = k[19] + t3;
+  const Scalar t5 = c5 * t4 + k[16] * s5;
+  const Scalar t6 = k[23] + t5;
+  const Scalar t7 = s4 * t2 + c4 * t6;
+  const Scalar t8 = k[32] + t7;
+  const Scalar t9 = s5 * t4 - k[16] * c5;
+  const Scalar t10 = k[31] + t9;
+  const Scalar t11 = k[33] - (s3 * t8 + c3 * t10);
+  const Scalar t12 = k[7] * c6 + k[6] * s6;
+  const Scalar t13 = k[13] + t12;
+  const Scalar t14 = k[0] * s6 - k[1] * c6;
+  const Scalar t15 = c6 * t14;
+  const Scalar t16 = k[11] - (k[10] + t15);
+  const Scalar t17 = Scalar(2) * c5 * t13 + s5 * (k[12] + t16);
+  const Scalar t18 = s5 * t17 - t16;
+  const Scalar t19 = k[12] - t16;
+  const Scalar t20 = k[21] - (k[20] * t9 + (t18 - t19));
+  const Scalar t21 = (k[25] + (t13 - c5 * t17)) - k[24] * t6;
+  const Scalar t22 = k[5] + (k[4] - s6 * t14);
+  const Scalar t23 = k[6] * c6 - k[7] * s6;
+  const Scalar t24 = k[8] + t23;
+  const Scalar t25 = s5 * t22 - c5 * t24;
+  const Scalar t26 = (k[27] - t25) + k[24] * t2;
+  const Scalar t27 = c4 * t21 - s4 * t26;
+  const Scalar t28 = k[14] + t18;
+  const Scalar t29 = k[3] + (k[2] + t15);
+  const Scalar t30 = s5 * t24 + c5 * t22;
+  const Scalar t31 = k[9] + t30;
+  const Scalar t32 = s4 * (t28 + t29) - Scalar(2) * c4 * t31;
+  const Scalar t33 = s4 * t32;
+  const Scalar t34 = k[22] + (t28 - t33);
+  const Scalar t35 = Scalar(2) * c3 * (k[28] - t27) + s3 * (t20 - t34);
+  const Scalar t36 = ((k[30] * t0 - t11) - t11) * t0 - (t20 - s3 * t35);
+  const Scalar t37 = s4 * t6 - c4 * t2;
+  const Scalar t38 = c4 * t26 + s4 * t21;
+  const Scalar t39 = c3 * (k[36] - (c4 * t32 + t31)) + s3 * (k[37] + t38);
+  const Scalar t40 = t28 - t29;
+  const Scalar t41 = (c3 * t27 + s3 * t40) - t7 * t0;
+  const Scalar t42 = k[24] * t9 - t19;
+  const Scalar t43 = s3 * t25 - c3 * (s4 * t42 + c4 * t30);
+  const Scalar t44 = k[38] * s5 - c5 * t12;
+  const Scalar t45 = c5 * t1;
+  const Scalar t46 = s4 * t45 - c4 * t3;
+  const Scalar t47 = (s4 * t23 - c4 * t44) - k[24] * t46;
+  const Scalar t48 = k[38] * c5 + s5 * t12;
+  const Scalar t49 = (c3 * t47 - s3 * t48) - t46 * t0;
+  const Scalar t50 = s4 * t3 + c4 * t45;
+  const Scalar t51 = (c4 * t23 + s4 * t44) - k[24] * t50;
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = (k[33] + (t2 + t18)) - (k[32] + t39);
-  result(0, 1) = result(1, 0) = t40 - k[34];
-  result(0, 2) = result(2, 0) = t42;
-  result(0, 3) = result(3, 0) = -t44;
-  result(0, 4) = result(4, 0) = t46 - s4 * t22 * t38;
-  result(0, 5) = result(5, 0) = -t52;
-  result(1, 1) = k[1];
-  result(1, 2) = result(2, 1) = c3 * t36 + s3 * t35;
-  result(1, 3) = result(3, 1) = -s3 * t40;
-  result(1, 4) = result(4, 1) = c3 * t30 + s3 * c4 * t22;
-  result(1, 5) = result(5, 1) = -s3 * t53 - c3 * s5 * t28;
-  result(2, 2) = -t19 - t24;
-  result(2, 3) = result(3, 2) = -t41;
-  result(2, 4) = result(4, 2) = -s4 * t6 - c4 * t45;
-  result(2, 5) = result(5, 2) = t54;
-  result(3, 3) = t43;
+  result(0, 0) = (k[15] + (t29 - t33)) - (k[34] - t36);
+  result(0, 1) = result(1, 0) = t37 - k[35];
+  result(0, 2) = result(2, 0) = t39;
+  result(0, 3) = result(3, 0) = t41;
+  result(0, 4) = result(4, 0) = t0 * s4 * t9 - t43;
+  result(0, 5) = result(5, 0) = -t49;
+  result(1, 1) = k[30];
+  result(1, 2) = result(2, 1) = c3 * t8 - s3 * t10;
+  result(1, 3) = result(3, 1) = -s3 * t37;
+  result(1, 4) = result(4, 1) = c3 * t5 - s3 * c4 * t9;
+  result(1, 5) = result(5, 1) = -s3 * t50 - c3 * s5 * t1;
+  result(2, 2) = -t20 - t34;
+  result(2, 3) = result(3, 2) = -t38;
+  result(2, 4) = result(4, 2) = c4 * t42 - s4 * t30;
+  result(2, 5) = result(5, 2) = -t51;
+  result(3, 3) = -t40;
   result(3, 4) = result(4, 3) = t25;
-  result(3, 5) = result(5, 3) = -t51;
-  result(4, 4) = -t15;
-  result(4, 5) = result(5, 4) = t4;
-  result(5, 5) = -k[37];
+  result(3, 5) = result(5, 3) = -t48;
+  result(4, 4) = -t19;
+  result(4, 5) = result(5, 4) = -t23;
+  result(5, 5) = -k[38];
   return result;
 }
 
@@ -771,68 +799,74 @@ CoriolisMatrixConstants<Scalar> coriolis_matrix_constants(const BasicGeometry<Sc
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = inertia.c6z * inertia.m6;
-  const Scalar t2 = inertia.c6x * inertia.m6;
-  const Scalar t3 = inertia.c4x * inertia.m4;
-  const Scalar t4 = inertia.c5x * inertia.m5;
-  const Scalar t5 = inertia.c6y * inertia.m6;
-  const Scalar t6 = inertia.c5y * inertia.m5;
-  const Scalar t7 = inertia.c5z * inertia.m5;
-  const Scalar t8 = inertia.c4z * inertia.m4;
-  const Scalar t9 = inertia.c3z * inertia.m3;
-  const Scalar t10 = inertia.c4y * inertia.m4;
-  const Scalar t11 = t10 - g.d4 * t0;
-  const Scalar t12 = inertia.c3y * inertia.m3;
-  const Scalar t13 = g.d4 * inertia.m3 - t12;
-  const Scalar t14 = inertia.I6xz - inertia.c6z * t2;
-  const Scalar t15 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t16 = (inertia.I6xx - t15) - inertia.c6x * t2;
-  const Scalar t17 = inertia.c6z * t1 - (inertia.I6zz - t15);
-  const Scalar t18 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t19 = ((inertia.I6yy - t15) - inertia.c6y * t5) - (inertia.c5y * t6 - (inertia.I5yy - t18));
-  const Scalar t20 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t21 = (inertia.c5x * t4 - (inertia.I5xx - t18)) - ((inertia.I4xx - t20) - inertia.c4x * t3);
-  const Scalar t22 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t23 = ((inertia.I4yy - t20) - inertia.c4y * t10) + g.d4 * (t10 + t11);
-  const Scalar t24 = ((inertia.I3yy - t22) - inertia.c3y * t12) - g.d4 * (t13 - t12);
-  const Scalar t25 = inertia.c3x * inertia.m3;
-  return { g.l2,
-           inertia.m2 + (inertia.m3 + t0),
+  const Scalar t0 = inertia.c6z * inertia.m6;
+  const Scalar t1 = inertia.c6x * inertia.m6;
+  const Scalar t2 = inertia.c5z * inertia.m5;
+  const Scalar t3 = inertia.c6y * inertia.m6;
+  const Scalar t4 = inertia.c5y * inertia.m5;
+  const Scalar t5 = inertia.c4z * inertia.m4;
+  const Scalar t6 = inertia.c4x * inertia.m4;
+  const Scalar t7 = inertia.c5x * inertia.m5;
+  const Scalar t8 = inertia.c3z * inertia.m3;
+  const Scalar t9 = inertia.c3y * inertia.m3;
+  const Scalar t10 = g.d4 * inertia.m3 - t9;
+  const Scalar t11 = inertia.c4y * inertia.m4;
+  const Scalar t12 = g.d4 * inertia.m4;
+  const Scalar t13 = t11 - t12;
+  const Scalar t14 = t13 + t12;
+  const Scalar t15 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t16 = t14 - g.d4 * t15;
+  const Scalar t17 = g.l2 * inertia.m2;
+  const Scalar t18 = inertia.I6xz - inertia.c6z * t1;
+  const Scalar t19 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t20 = (inertia.I6xx - t19) - inertia.c6x * t1;
+  const Scalar t21 = inertia.c6z * t0 - (inertia.I6zz - t19);
+  const Scalar t22 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t23 = ((inertia.I6yy - t19) - inertia.c6y * t3) - (inertia.c5y * t4 - (inertia.I5yy - t22));
+  const Scalar t24 = g.d4 * t5;
+  const Scalar t25 = g.d4 * t6;
+  const Scalar t26 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t27 = g.d4 * (t11 + t13) + ((inertia.I4yy - t26) - inertia.c4y * t11);
+  const Scalar t28 = (t27 - g.d4 * (t14 + t13)) + g.d4 * (t14 + t16);
+  const Scalar t29 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t30 = ((inertia.I3yy - t29) - inertia.c3y * t9) - g.d4 * (t10 - t9);
+  const Scalar t31 = (inertia.c5x * t7 - (inertia.I5xx - t22)) - ((inertia.I4xx - t26) - inertia.c4x * t6);
+  const Scalar t32 = inertia.c3x * inertia.m3;
+  return { t0,
            t1,
            t2,
            t3 + t4,
-           t5 + t6,
-           t7,
+           t5,
+           t6 + t7,
            t8,
-           t9,
-           t11 - t13,
-           inertia.c2y * inertia.m2,
-           Scalar(2) * t14,
-           t16 + t17,
-           t16,
-           inertia.c5z * t7 - (inertia.I5zz - t18),
-           t14,
-           inertia.I6yz - inertia.c6z * t5,
-           inertia.I6xy - inertia.c6y * t2,
-           inertia.I5yz - inertia.c5z * t6,
-           t19,
-           t17,
-           inertia.I5xy - inertia.c5y * t4,
-           inertia.I5xz - inertia.c5z * t4,
-           (inertia.I4zz - t20) - inertia.c4z * t8,
-           inertia.I4xz - inertia.c4z * t3,
-           t21,
-           (inertia.I3zz - t22) - inertia.c3z * t9,
+           t10 - t16,
+           inertia.m2 + (inertia.m3 + t15),
+           g.l2,
+           t17 - (t17 - inertia.c2y * inertia.m2),
            g.d4,
-           inertia.I4xy - inertia.c4y * t3,
-           inertia.I4yz - inertia.c4z * t10,
-           g.d4 * t9 + (inertia.I3yz - inertia.c3z * t12),
-           Scalar(2) * g.d4,
-           t23 + t24,
-           inertia.I3xz - inertia.c3z * t25,
-           (inertia.I3xy - inertia.c3y * t25) + g.d4 * t25,
-           t16 - t17 };
+           Scalar(2) * t18,
+           t20 + t21,
+           t21,
+           t20 - t21,
+           inertia.c5z * t2 - (inertia.I5zz - t22),
+           t23,
+           inertia.I6yz - inertia.c6z * t3,
+           inertia.I6xy - inertia.c6y * t1,
+           inertia.I5yz - inertia.c5z * t4,
+           t24 - (t24 + (inertia.I4yz - inertia.c4z * t11)),
+           inertia.I5xy - inertia.c5y * t7,
+           t18,
+           inertia.I5xz - inertia.c5z * t7,
+           (t25 + (inertia.I4xy - inertia.c4y * t6)) - t25,
+           g.d4 * t8 + (inertia.I3yz - inertia.c3z * t9),
+           t28 + t30,
+           inertia.I4xz - inertia.c4z * t6,
+           (inertia.I4zz - t26) - inertia.c4z * t5,
+           t31,
+           (inertia.I3zz - t29) - inertia.c3z * t8,
+           inertia.I3xz - inertia.c3z * t32,
+           (inertia.I3xy - inertia.c3y * t32) + g.d4 * t32,
+           t20 };
 }
 
 namespace detail {
@@ -849,226 +883,220 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[2] * c6 + k[3] * s6;
-  const Scalar t1 = k[6] + t0;
-  const Scalar t2 = s5 * t1;
-  const Scalar t3 = k[5] * c5 - t2;
-  const Scalar t4 = k[9] + t3;
-  const Scalar t5 = k[2] * s6 - k[3] * c6;
-  const Scalar t6 = k[4] - t5;
-  const Scalar t7 = c5 * t1;
-  const Scalar t8 = k[7] + (k[5] * s5 + t7);
-  const Scalar t9 = s4 * t6 + c4 * t8;
-  const Scalar t10 = k[8] + t9;
-  const Scalar t11 = k[10] + (c3 * t4 - s3 * t10);
-  const Scalar t12 = k[12] * c6 - k[11] * s6;
-  const Scalar t13 = c6 * t12;
-  const Scalar t14 = k[13] - t13;
-  const Scalar t15 = k[14] - t14;
-  const Scalar t16 = k[17] * s6 + k[16] * c6;
-  const Scalar t17 = k[18] + t16;
-  const Scalar t18 = s5 * (k[19] + t15) + Scalar(2) * c5 * t17;
-  const Scalar t19 = k[29] + (c5 * t18 - t17);
-  const Scalar t20 = k[27] * t8 + t19;
-  const Scalar t21 = k[17] * c6 - k[16] * s6;
-  const Scalar t22 = k[21] + t21;
-  const Scalar t23 = k[15] + s6 * t12;
-  const Scalar t24 = k[22] + t23;
-  const Scalar t25 = s5 * t24;
-  const Scalar t26 = c5 * t22 - t25;
-  const Scalar t27 = k[28] + t26;
-  const Scalar t28 = t27 + k[27] * t6;
-  const Scalar t29 = c4 * t20 + s4 * t28;
-  const Scalar t30 = k[30] + t29;
-  const Scalar t31 = qd[5] * t5;
-  const Scalar t32 = t31 - k[5] * qd[4];
-  const Scalar t33 = s5 * t32 - qd[4] * t7;
-  const Scalar t34 = k[27] * t33;
-  const Scalar t35 = qd[5] * t21;
-  const Scalar t36 = k[19] * qd[4] + t35;
-  const Scalar t37 = qd[4] * t17;
-  const Scalar t38 = c5 * t36 - s5 * t37;
-  const Scalar t39 = qd[5] * t23;
-  const Scalar t40 = qd[4] * t15;
-  const Scalar t41 = c5 * (t39 + t37) + s5 * t40;
-  const Scalar t42 = s5 * t38 + c5 * t41;
-  const Scalar t43 = t42 - t39;
-  const Scalar t44 = qd[2] * t30 - (t34 - t43);
-  const Scalar t45 = k[19] - s5 * t18;
-  const Scalar t46 = k[32] + (t45 + k[31] * t3);
-  const Scalar t47 = qd[4] * t2 + c5 * t32;
-  const Scalar t48 = t47 - qd[3] * t6;
-  const Scalar t49 = c5 * t38;
-  const Scalar t50 = s5 * t41;
-  const Scalar t51 = t49 - t50;
-  const Scalar t52 = k[27] * t48 - (qd[3] * t27 + t51);
-  const Scalar t53 = qd[5] * t0;
-  const Scalar t54 = qd[3] * t8 + t53;
-  const Scalar t55 = qd[5] * t14;
-  const Scalar t56 = qd[5] * t16;
-  const Scalar t57 = s5 * t55 - c5 * t56;
-  const Scalar t58 = k[27] * t54 + (qd[3] * t19 - t57);
-  const Scalar t59 = c4 * t52 + s4 * t58;
-  const Scalar t60 = c3 * t44 + s3 * (qd[2] * t46 - t59);
-  const Scalar t61 = (t49 - t36) + (t40 - t50);
-  const Scalar t62 = c5 * t24;
-  const Scalar t63 = k[20] - t13;
-  const Scalar t64 = qd[5] * t63;
-  const Scalar t65 = qd[4] * t22 - t64;
-  const Scalar t66 = qd[4] * t62 + s5 * t65;
-  const Scalar t67 = c4 * t61 - s4 * t66;
-  const Scalar t68 = k[19] - t15;
-  const Scalar t69 = k[23] + (t68 - t45);
-  const Scalar t70 = k[25] + t63;
-  const Scalar t71 = s5 * t22 + t62;
-  const Scalar t72 = k[24] + t71;
-  const Scalar t73 = c4 * t72;
-  const Scalar t74 = s4 * (t69 + t70) - (t73 + t73);
-  const Scalar t75 = k[26] + (t69 - s4 * t74);
-  const Scalar t76 = c5 * t65 - qd[4] * t25;
-  const Scalar t77 = qd[3] * t70 - t76;
-  const Scalar t78 = qd[3] * t72;
-  const Scalar t79 = s4 * t77 - c4 * (t78 + t39);
-  const Scalar t80 = c5 * t55 + s5 * t56;
-  const Scalar t81 = qd[3] * t69 + t80;
-  const Scalar t82 = s4 * (t42 + t78) + c4 * t81;
-  const Scalar t83 = c4 * t79 + s4 * t82;
-  const Scalar t84 = t34 - t83;
-  const Scalar t85 = c3 * (t67 - qd[2] * t75) - s3 * (t84 + t44);
-  const Scalar t86 = qd[1] * t11 - (c3 * t60 + s3 * t85);
-  const Scalar t87 = c4 * t48 + s4 * t54;
-  const Scalar t88 = t87 - qd[2] * t4;
-  const Scalar t89 = qd[2] * t10 - t33;
-  const Scalar t90 = (s3 * t88 - c3 * t89) - k[1] * qd[1];
-  const Scalar t91 = k[0] + q[1];
-  const Scalar t92 = qd[0] * (k[1] * t91 - t11);
+  const Scalar t0 = k[12] * s6 - k[13] * c6;
+  const Scalar t1 = k[14] + c6 * t0;
+  const Scalar t2 = k[15] + t1;
+  const Scalar t3 = qd[5] * t2;
+  const Scalar t4 = k[19] * s6 + k[18] * c6;
+  const Scalar t5 = qd[5] * t4;
+  const Scalar t6 = c5 * t3 + s5 * t5;
+  const Scalar t7 = k[16] - t2;
+  const Scalar t8 = k[20] + t4;
+  const Scalar t9 = c5 * t8;
+  const Scalar t10 = (t9 + t9) + s5 * (k[17] + t7);
+  const Scalar t11 = t7 - s5 * t10;
+  const Scalar t12 = k[29] - t11;
+  const Scalar t13 = t6 + qd[3] * t12;
+  const Scalar t14 = k[23] - s6 * t0;
+  const Scalar t15 = qd[5] * t14;
+  const Scalar t16 = k[24] + t14;
+  const Scalar t17 = c5 * t16;
+  const Scalar t18 = k[18] * s6 - k[19] * c6;
+  const Scalar t19 = k[22] - t18;
+  const Scalar t20 = t17 + s5 * t19;
+  const Scalar t21 = k[28] + t20;
+  const Scalar t22 = t15 + qd[3] * t21;
+  const Scalar t23 = qd[5] * t18;
+  const Scalar t24 = t23 - k[17] * qd[4];
+  const Scalar t25 = qd[4] * t9 - s5 * t24;
+  const Scalar t26 = qd[4] * t8 + t15;
+  const Scalar t27 = qd[4] * t7;
+  const Scalar t28 = s5 * t27 + c5 * t26;
+  const Scalar t29 = c5 * t25 - (t26 - c5 * t28);
+  const Scalar t30 = c4 * t13 + s4 * (t22 + t29);
+  const Scalar t31 = qd[5] * t1;
+  const Scalar t32 = qd[4] * t19 - t31;
+  const Scalar t33 = s5 * t16;
+  const Scalar t34 = c5 * t32 - qd[4] * t33;
+  const Scalar t35 = k[30] + t1;
+  const Scalar t36 = t34 - qd[3] * t35;
+  const Scalar t37 = s4 * t36 + c4 * t22;
+  const Scalar t38 = s4 * t30 - c4 * t37;
+  const Scalar t39 = k[9] + q[1];
+  const Scalar t40 = k[0] * c6 + k[1] * s6;
+  const Scalar t41 = k[2] + t40;
+  const Scalar t42 = c5 * t41;
+  const Scalar t43 = k[0] * s6 - k[1] * c6;
+  const Scalar t44 = qd[5] * t43;
+  const Scalar t45 = k[3] * qd[4] - t44;
+  const Scalar t46 = qd[4] * t42 + s5 * t45;
+  const Scalar t47 = k[5] - t43;
+  const Scalar t48 = k[4] + (t42 + k[3] * s5);
+  const Scalar t49 = s4 * t47 + c4 * t48;
+  const Scalar t50 = k[6] + t49;
+  const Scalar t51 = t46 + qd[2] * t50;
+  const Scalar t52 = qd[5] * t40;
+  const Scalar t53 = t52 + qd[3] * t48;
+  const Scalar t54 = s5 * t41;
+  const Scalar t55 = c5 * t45 - qd[4] * t54;
+  const Scalar t56 = t55 + qd[3] * t47;
+  const Scalar t57 = s4 * t53 - c4 * t56;
+  const Scalar t58 = t54 - k[3] * c5;
+  const Scalar t59 = k[7] + t58;
+  const Scalar t60 = t57 + qd[2] * t59;
+  const Scalar t61 = (c3 * t51 - s3 * t60) + k[8] * qd[1];
+  const Scalar t62 = k[10] - (c3 * t59 + s3 * t50);
+  const Scalar t63 = k[11] * t58;
+  const Scalar t64 = k[17] - t7;
+  const Scalar t65 = k[27] - ((t63 + t63) - (t11 + t64));
+  const Scalar t66 = c5 * t5 - s5 * t3;
+  const Scalar t67 = qd[4] * t17 + s5 * t32;
+  const Scalar t68 = t66 + t67;
+  const Scalar t69 = k[21] + (t8 - c5 * t10);
+  const Scalar t70 = k[11] * t53 + (t68 - qd[3] * t69);
+  const Scalar t71 = s5 * t25;
+  const Scalar t72 = s5 * t28;
+  const Scalar t73 = t71 + (t72 - t27);
+  const Scalar t74 = t72 + (t71 + t24);
+  const Scalar t75 = c5 * t19 - t33;
+  const Scalar t76 = k[25] + t75;
+  const Scalar t77 = (t73 + (t74 - qd[3] * t76)) - k[11] * t56;
+  const Scalar t78 = s4 * t70 + c4 * t77;
+  const Scalar t79 = s4 * t67 + c4 * t73;
+  const Scalar t80 = t69 - k[11] * t48;
+  const Scalar t81 = t76 + k[11] * t47;
+  const Scalar t82 = c4 * t80 - s4 * t81;
+  const Scalar t83 = k[26] - t82;
+  const Scalar t84 = k[11] * t46;
+  const Scalar t85 = qd[2] * t83 + (t84 + t29);
+  const Scalar t86 = s3 * (qd[2] * t65 - (t78 - t79)) + c3 * t85;
+  const Scalar t87 = t38 + t84;
+  const Scalar t88 = Scalar(2) * c4 * t21 - s4 * (t35 + t12);
+  const Scalar t89 = k[31] + (t12 + s4 * t88);
+  const Scalar t90 = s3 * (t87 - t85) - c3 * (t79 + qd[2] * t89);
+  const Scalar t91 = qd[1] * t62 - (c3 * t86 + s3 * t90);
+  const Scalar t92 = qd[0] * (t62 - k[8] * t39);
   const Scalar t93 = qd[0] * c3;
   const Scalar t94 = qd[0] * s3;
-  const Scalar t95 = qd[2] * (k[34] - (s4 * t20 - c4 * t28));
-  const Scalar t96 = c4 * t82;
-  const Scalar t97 = s4 * t79;
-  const Scalar t98 = t95 + ((t81 - t96) - (t77 - t97));
-  const Scalar t99 = c3 * ((t94 * t46 + t93 * t30) + t98);
-  const Scalar t100 = c4 * t66 + s4 * t61;
-  const Scalar t101 = t100 + qd[2] * (k[33] - (t72 + c4 * t74));
-  const Scalar t102 = s3 * (t101 + (t93 * t75 + t94 * t30));
-  const Scalar t103 = (t10 * t93 + t94 * t4) * t91 + (t99 - t102);
-  const Scalar t104 = qd[3] - t94;
-  const Scalar t105 = t104 * t8 + t53;
-  const Scalar t106 = t47 - t104 * t6;
+  const Scalar t95 = qd[2] * (k[33] + (c4 * t81 + s4 * t80));
+  const Scalar t96 = s4 * t37;
+  const Scalar t97 = c4 * t30;
+  const Scalar t98 = t95 - ((t96 - t36) + (t97 - t13));
+  const Scalar t99 = c3 * ((t94 * t65 + t83 * t93) + t98);
+  const Scalar t100 = qd[2] * (k[32] + (c4 * t88 - t21));
+  const Scalar t101 = (t100 + (c4 * t67 - s4 * t73)) + (t94 * t83 + t89 * t93);
+  const Scalar t102 = t39 * (t50 * t93 - t94 * t59) + (t99 - s3 * t101);
+  const Scalar t103 = qd[3] - t94;
+  const Scalar t104 = t47 * t103 + t55;
+  const Scalar t105 = t52 + t103 * t48;
+  const Scalar t106 = qd[2] * c4 + s4 * t93;
   const Scalar t107 = c4 * t93 - qd[2] * s4;
-  const Scalar t108 = qd[2] * c4 + s4 * t93;
-  const Scalar t109 = (t72 * t107 - t70 * t108) - (t104 * t27 + t51);
-  const Scalar t110 = k[27] * t106 + t109;
-  const Scalar t111 = (t57 - t104 * t19) + (t72 * t108 + t107 * t69);
-  const Scalar t112 = t111 - k[27] * t105;
-  const Scalar t113 = c3 * (c4 * t110 - s4 * t112) + s3 * t43;
-  const Scalar t114 = (s4 * t105 + c4 * t106) * t91 + t113;
-  const Scalar t115 = s5 * t104 + c5 * t107;
-  const Scalar t116 = s5 * t107 - c5 * t104;
-  const Scalar t117 = t1 * t115 + k[5] * t116;
-  const Scalar t118 = qd[4] + t108;
-  const Scalar t119 = k[5] * t118 - t31;
-  const Scalar t120 = t118 * t7 + s5 * t119;
-  const Scalar t121 = c4 * t117 + s4 * t120;
-  const Scalar t122 = t118 * t24 + (t17 * t116 - t15 * t115);
-  const Scalar t123 = (t17 * t115 + k[19] * t116) + (t118 * t22 - t64);
-  const Scalar t124 = c5 * t122 + s5 * t123;
-  const Scalar t125 = c5 * t123 - s5 * t122;
-  const Scalar t126 = k[27] * t121 - (s4 * t39 - c4 * t125);
-  const Scalar t127 = t121 * t91 - (s3 * t124 - c3 * t126);
-  const Scalar t128 = c6 * t115 - s6 * t118;
-  const Scalar t129 = s6 * t115 + c6 * t118;
-  const Scalar t130 = qd[5] - t116;
-  const Scalar t131 = (k[15] * t128 + k[13] * t129) - k[17] * t130;
-  const Scalar t132 = (k[15] * t129 - k[20] * t128) - k[16] * t130;
-  const Scalar t133 = c6 * t131 - s6 * t132;
-  const Scalar t134 = s5 * t133;
-  const Scalar t135 = c5 * t133;
-  const Scalar t136 = s6 * t131 + c6 * t132;
-  const Scalar t137 = t0 * t130;
-  const Scalar t138 = k[3] * t129 + k[2] * t128;
-  const Scalar t139 = c5 * t137 + s5 * t138;
-  const Scalar t140 = t130 * t5;
-  const Scalar t141 = s4 * t139 + c4 * t140;
-  const Scalar t142 = (c4 * t135 - s4 * t136) + k[27] * t141;
-  const Scalar t143 = (s3 * t134 - c3 * t142) - t141 * t91;
-  const Scalar t144 = c4 * t54 - s4 * t48;
-  const Scalar t145 = c3 * qd[2] * (s4 * t8 - c4 * t6);
-  const Scalar t146 = qd[0] * t9;
-  const Scalar t147 = c4 * t120 - s4 * t117;
-  const Scalar t148 = s3 * t147 + c3 * (t118 * t2 - c5 * t119);
-  const Scalar t149 = s4 * t140 - c4 * t139;
-  const Scalar t150 = s3 * t149 - c3 * (s5 * t137 - c5 * t138);
-  const Scalar t151 = c4 * t58 - s4 * t52;
-  const Scalar t152 = s3 * (t101 + t151) - c3 * ((t97 - t96) + t98);
-  const Scalar t153 = s4 * t110 + c4 * t112;
-  const Scalar t154 = (c4 * t39 + s4 * t125) - k[27] * t147;
-  const Scalar t155 = k[27] * t149 + (c4 * t136 + s4 * t135);
-  const Scalar t156 = c3 * ((t67 - t59) - qd[2] * (t69 - t70));
-  const Scalar t157 = s3 * (qd[2] * t29 + (t43 + t43)) - t156;
-  const Scalar t158 = t114 - ((t157 - qd[1] * t9) + t87 * t91);
-  const Scalar t159 = s4 * (t68 + k[27] * t3) - c4 * t71;
-  const Scalar t160 = t66 - t57;
-  const Scalar t161 = t34 + (qd[3] * t71 + (t39 + t39));
-  const Scalar t162 = qd[3] * t3;
-  const Scalar t163 = k[27] * t162 + (qd[3] * t68 + (t80 - t76));
-  const Scalar t164 = (s4 * t161 + c4 * t163) - qd[2] * t26;
-  const Scalar t165 = s3 * (qd[2] * t159 - t160) - c3 * t164;
-  const Scalar t166 = s4 * t3;
-  const Scalar t167 = (t165 - qd[1] * t166) - (s4 * t33 + c4 * t162) * t91;
-  const Scalar t168 = (qd[4] * s5 * t5 - c5 * t53) - qd[3] * t0;
-  const Scalar t169 = c5 * t5;
-  const Scalar t170 = t31 + qd[3] * t169;
-  const Scalar t171 = c4 * t0 - s4 * t169;
-  const Scalar t172 = t35 - k[35] * qd[4];
-  const Scalar t173 = c5 * t16;
-  const Scalar t174 = s5 * t172 + qd[4] * t173;
-  const Scalar t175 = k[35] * s5 - t173;
-  const Scalar t176 = (s4 * t21 - c4 * t175) + k[27] * t171;
-  const Scalar t177 = k[27] * t168 - (t56 - qd[3] * t175);
-  const Scalar t178 = s5 * t16;
-  const Scalar t179 = qd[3] * t21 + (c5 * t172 - qd[4] * t178);
-  const Scalar t180 = t179 - k[27] * t170;
-  const Scalar t181 = (s4 * t177 + c4 * t180) - qd[2] * (t178 + k[35] * c5);
-  const Scalar t182 = s3 * (t174 + qd[2] * t176) - c3 * t181;
-  const Scalar t183 = (s4 * t168 - c4 * t170) * t91 + (qd[1] * t171 - t182);
+  const Scalar t108 = (t35 * t106 - t107 * t21) - (t74 - t103 * t76);
+  const Scalar t109 = t108 + k[11] * t104;
+  const Scalar t110 = (t66 - t69 * t103) - (t12 * t107 + t21 * t106);
+  const Scalar t111 = k[11] * t105 + t110;
+  const Scalar t112 = c3 * (c4 * t109 - s4 * t111) - s3 * t29;
+  const Scalar t113 = t39 * (c4 * t104 - s4 * t105) + t112;
+  const Scalar t114 = qd[4] + t106;
+  const Scalar t115 = k[3] * t114 - t44;
+  const Scalar t116 = s5 * t115 + t42 * t114;
+  const Scalar t117 = s5 * t103 + c5 * t107;
+  const Scalar t118 = s5 * t107 - c5 * t103;
+  const Scalar t119 = t41 * t117 + k[3] * t118;
+  const Scalar t120 = k[11] * t116 - t15;
+  const Scalar t121 = (t8 * t118 - t7 * t117) + t114 * t16;
+  const Scalar t122 = (k[17] * t118 + t8 * t117) + (t19 * t114 - t31);
+  const Scalar t123 = (s5 * t121 - c5 * t122) - k[11] * t119;
+  const Scalar t124 = c5 * t121 + s5 * t122;
+  const Scalar t125 = c3 * (s4 * t120 - c4 * t123) - s3 * t124;
+  const Scalar t126 = t39 * (s4 * t116 + c4 * t119) + t125;
+  const Scalar t127 = s6 * t117 + c6 * t114;
+  const Scalar t128 = c6 * t117 - s6 * t114;
+  const Scalar t129 = qd[5] - t118;
+  const Scalar t130 = (k[34] * t127 + k[23] * t128) - k[19] * t129;
+  const Scalar t131 = k[18] * t129 - (k[23] * t127 - k[14] * t128);
+  const Scalar t132 = c6 * t130 + s6 * t131;
+  const Scalar t133 = s5 * t132;
+  const Scalar t134 = t40 * t129;
+  const Scalar t135 = k[0] * t128 + k[1] * t127;
+  const Scalar t136 = c5 * t134 + s5 * t135;
+  const Scalar t137 = c6 * t131 - s6 * t130;
+  const Scalar t138 = k[11] * t136 + t137;
+  const Scalar t139 = t129 * t43;
+  const Scalar t140 = k[11] * t139 + c5 * t132;
+  const Scalar t141 = s3 * t133 - c3 * (s4 * t138 + c4 * t140);
+  const Scalar t142 = t141 - t39 * (c4 * t139 + s4 * t136);
+  const Scalar t143 = c4 * t53 + s4 * t56;
+  const Scalar t144 = c3 * qd[2] * (c4 * t47 - s4 * t48);
+  const Scalar t145 = qd[0] * t49;
+  const Scalar t146 = c3 * (t114 * t54 - c5 * t115) - s3 * (s4 * t119 - c4 * t116);
+  const Scalar t147 = s3 * (s4 * t139 - c4 * t136) + c3 * (c5 * t135 - s5 * t134);
+  const Scalar t148 = c4 * t70 - s4 * t77;
+  const Scalar t149 = c3 * ((t96 + t97) - t98) + s3 * (t148 + t100);
+  const Scalar t150 = c4 * t111 + s4 * t109;
+  const Scalar t151 = s4 * t123 + c4 * t120;
+  const Scalar t152 = c4 * t138 - s4 * t140;
+  const Scalar t153 = s3 * (Scalar(2) * t29 - qd[2] * t82) - c3 * (qd[2] * (t35 - t12) - t78);
+  const Scalar t154 = ((qd[1] * t49 - t153) - t39 * t57) - t113;
+  const Scalar t155 = s4 * t58;
+  const Scalar t156 = (qd[3] * t64 + (t6 - t34)) - qd[3] * t63;
+  const Scalar t157 = (qd[3] * t20 + Scalar(2) * t15) - t84;
+  const Scalar t158 = qd[2] * t75 - (c4 * t156 + s4 * t157);
+  const Scalar t159 = qd[2] * (s4 * (t64 - t63) - c4 * t20);
+  const Scalar t160 = qd[1] * t155 + (c3 * t158 + s3 * (t159 - t68));
+  const Scalar t161 = t39 * (qd[3] * c4 * t58 + s4 * t46);
+  const Scalar t162 = (c5 * t52 - qd[4] * s5 * t43) + qd[3] * t40;
+  const Scalar t163 = c5 * t43;
+  const Scalar t164 = qd[3] * t163 + t44;
+  const Scalar t165 = s4 * t163 - c4 * t40;
+  const Scalar t166 = c5 * t4;
+  const Scalar t167 = k[15] * s5 - t166;
+  const Scalar t168 = k[11] * t165 + (s4 * t18 + c4 * t167);
+  const Scalar t169 = k[15] * qd[4] + t23;
+  const Scalar t170 = s5 * t169 - qd[4] * t166;
+  const Scalar t171 = s5 * t4;
+  const Scalar t172 = (c5 * t169 + qd[4] * t171) + qd[3] * t18;
+  const Scalar t173 = k[11] * t164 + t172;
+  const Scalar t174 = k[11] * t162 + (t5 - qd[3] * t167);
+  const Scalar t175 = (c4 * t173 + s4 * t174) + qd[2] * (t171 + k[15] * c5);
+  const Scalar t176 = s3 * (qd[2] * t168 + t170) - c3 * t175;
+  const Scalar t177 = t39 * (s4 * t162 + c4 * t164) - (t176 - qd[1] * t165);
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = -(t86 + t90 * t91) - t83;
-  result(0, 1) = t92;
-  result(0, 2) = t103;
-  result(0, 3) = t114;
-  result(0, 4) = t127;
-  result(0, 5) = -t143;
-  result(1, 0) = t144 - t92;
+  result(0, 0) = (t39 * t61 - t91) - t38;
+  result(0, 1) = -t92;
+  result(0, 2) = t102;
+  result(0, 3) = -t113;
+  result(0, 4) = t126;
+  result(0, 5) = -t142;
+  result(1, 0) = t143 + t92;
   result(1, 1) = Scalar(0);
-  result(1, 2) = -c3 * t88 - s3 * t89;
-  result(1, 3) = t146 - (s3 * t144 + t145);
-  result(1, 4) = -t148;
-  result(1, 5) = t150;
-  result(2, 0) = -t103 - t152;
+  result(1, 2) = -s3 * t51 - c3 * t60;
+  result(1, 3) = t145 - (s3 * t143 - t144);
+  result(1, 4) = -t146;
+  result(1, 5) = t147;
+  result(2, 0) = -t149 - t102;
   result(2, 1) = Scalar(0);
-  result(2, 2) = -t84;
-  result(2, 3) = -t153;
-  result(2, 4) = -t154;
-  result(2, 5) = -t155;
-  result(3, 0) = -t158;
-  result(3, 1) = -t146;
-  result(3, 2) = (t151 + t100) + t153;
-  result(3, 3) = -t43;
+  result(2, 2) = t87;
+  result(2, 3) = t150;
+  result(2, 4) = t151;
+  result(2, 5) = t152;
+  result(3, 0) = -t154;
+  result(3, 1) = -t145;
+  result(3, 2) = t148 - t150;
+  result(3, 3) = -t29;
   result(3, 4) = t124;
-  result(3, 5) = t134;
-  result(4, 0) = t167 - t127;
-  result(4, 1) = -qd[0] * t166;
-  result(4, 2) = t154 + (s4 * t163 - c4 * t161);
-  result(4, 3) = t160 - t124;
-  result(4, 4) = -t39;
-  result(4, 5) = -t136;
-  result(5, 0) = t143 - t183;
-  result(5, 1) = -qd[0] * t171;
-  result(5, 2) = t155 + (s4 * t180 - c4 * t177);
-  result(5, 3) = -t174 - t134;
-  result(5, 4) = t56 + t136;
+  result(3, 5) = t133;
+  result(4, 0) = (t160 + t161) - t126;
+  result(4, 1) = qd[0] * t155;
+  result(4, 2) = (s4 * t156 - c4 * t157) - t151;
+  result(4, 3) = t68 - t124;
+  result(4, 4) = -t15;
+  result(4, 5) = t137;
+  result(5, 0) = t142 + t177;
+  result(5, 1) = qd[0] * t165;
+  result(5, 2) = (c4 * t174 - s4 * t173) - t152;
+  result(5, 3) = t170 - t133;
+  result(5, 4) = t5 - t137;
   result(5, 5) = Scalar(0);
   return result;
 }
@@ -1096,99 +1124,108 @@ ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
-  const Scalar t1 = inertia.I6yz - inertia.c6z * t0;
-  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t3 = inertia.c6x * inertia.m6;
-  const Scalar t4 = (inertia.I6xx - t2) - inertia.c6x * t3;
-  const Scalar t5 = inertia.c6z * inertia.m6;
-  const Scalar t6 = inertia.c6z * t5 - (inertia.I6zz - t2);
-  const Scalar t7 = t4 - t6;
-  const Scalar t8 = Scalar(1) / t7;
-  const Scalar t9 = inertia.I6xy - inertia.c6y * t3;
-  const Scalar t10 = inertia.I6xz - inertia.c6z * t3;
-  const Scalar t11 = inertia.c5z * inertia.m5;
-  const Scalar t12 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t13 = inertia.c5y * inertia.m5;
-  const Scalar t14 = ((inertia.I6yy - t2) - inertia.c6y * t0) - (inertia.c5y * t13 - (inertia.I5yy - t12));
-  const Scalar t15 = inertia.c5x * inertia.m5;
+  const Scalar t0 = inertia.c6z * inertia.m6;
+  const Scalar t1 = inertia.c6x * inertia.m6;
+  const Scalar t2 = inertia.c6y * inertia.m6;
+  const Scalar t3 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t4 = (inertia.I6xx - t3) - inertia.c6x * t1;
+  const Scalar t5 = inertia.c6z * t0 - (inertia.I6zz - t3);
+  const Scalar t6 = t4 - t5;
+  const Scalar t7 = Scalar(1) / g.d4;
+  const Scalar t8 = Scalar(1) / t6;
+  const Scalar t9 = inertia.c5y * inertia.m5;
+  const Scalar t10 = inertia.c5z * inertia.m5;
+  const Scalar t11 = inertia.c5x * inertia.m5;
+  const Scalar t12 = inertia.I6xz - inertia.c6z * t1;
+  const Scalar t13 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t14 = ((inertia.I6yy - t3) - inertia.c6y * t2) - (inertia.c5y * t9 - (inertia.I5yy - t13));
+  const Scalar t15 = inertia.c4x * inertia.m4;
   const Scalar t16 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t17 = inertia.c4x * inertia.m4;
-  const Scalar t18 = (inertia.c5x * t15 - (inertia.I5xx - t12)) - ((inertia.I4xx - t16) - inertia.c4x * t17);
-  const Scalar t19 = inertia.c4z * inertia.m4;
-  const Scalar t20 = inertia.c4y * inertia.m4;
-  const Scalar t21 = inertia.c3x * inertia.m3;
-  const Scalar t22 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t23 = inertia.c3z * inertia.m3;
-  const Scalar t24 = (inertia.I3zz - t22) - inertia.c3z * t23;
-  const Scalar t25 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t26 = t20 - g.d4 * t25;
-  const Scalar t27 = inertia.c3y * inertia.m3;
-  const Scalar t28 = g.d4 * inertia.m3 - t27;
-  const Scalar t29 = (t26 - t28) / g.d4;
-  const Scalar t30 = g.d4 * t29;
-  const Scalar t31 = ((inertia.I4yy - t16) - inertia.c4y * t20) + g.d4 * (t20 + t26);
-  const Scalar t32 = ((inertia.I3yy - t22) - inertia.c3y * t27) - g.d4 * (t28 - t27);
-  const Scalar t33 = (t31 + t32) - g.d4 * t30;
-  const Scalar t34 = inertia.c2x * inertia.m2;
-  const Scalar t35 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t36 = (inertia.c3x * t21 - (inertia.I3xx - t22)) + (inertia.c2x * t34 - (inertia.I2xx - t35));
-  const Scalar t37 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t38 = t36 + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t37));
-  const Scalar t39 = g.d4 * t23 + (inertia.I3yz - inertia.c3z * t27);
+  const Scalar t17 = inertia.c4z * inertia.m4;
+  const Scalar t18 = (inertia.c5x * t11 - (inertia.I5xx - t13)) - ((inertia.I4xx - t16) - inertia.c4x * t15);
+  const Scalar t19 = inertia.c3x * inertia.m3;
+  const Scalar t20 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t21 = inertia.c2x * inertia.m2;
+  const Scalar t22 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t23 = (inertia.c3x * t19 - (inertia.I3xx - t20)) + (inertia.c2x * t21 - (inertia.I2xx - t22));
+  const Scalar t24 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t25 = t23 + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t24));
+  const Scalar t26 = inertia.c3y * inertia.m3;
+  const Scalar t27 = g.d4 * inertia.m3 - t26;
+  const Scalar t28 = inertia.c4y * inertia.m4;
+  const Scalar t29 = g.d4 * inertia.m4;
+  const Scalar t30 = t28 - t29;
+  const Scalar t31 = t30 + t29;
+  const Scalar t32 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t33 = t31 - g.d4 * t32;
+  const Scalar t34 = (t27 - t33) / g.d4;
+  const Scalar t35 = g.d4 * g.d4 * t34;
+  const Scalar t36 = g.d4 * t17;
+  const Scalar t37 = inertia.c3z * inertia.m3;
+  const Scalar t38 = g.d4 * t37;
+  const Scalar t39 = g.l2 * inertia.m2;
   const Scalar t40 = inertia.c2y * inertia.m2;
-  const Scalar t41 = (inertia.m2 + (inertia.m3 + t25)) + t29;
-  const Scalar t42 = inertia.c1y * inertia.m1;
-  const Scalar t43 = g.l2 * ((t42 - g.l2 * inertia.m1) + t42) - (inertia.c1y * t42 - (inertia.I1yy - t37));
-  return { t1 * t8,
-           t8 * t9,
-           t7,
-           Scalar(2) * t10,
-           t4 + t6,
+  const Scalar t41 = t39 - t40;
+  const Scalar t42 = t39 - t41;
+  const Scalar t43 = g.d4 * g.d4 * (t34 - (inertia.m2 + (inertia.m3 + t32)));
+  const Scalar t44 = t43 - t35;
+  const Scalar t45 = g.d4 * (t28 + t30) + ((inertia.I4yy - t16) - inertia.c4y * t28);
+  const Scalar t46 = (t45 - g.d4 * (t31 + t30)) + g.d4 * (t31 + t33);
+  const Scalar t47 = ((inertia.I3yy - t20) - inertia.c3y * t26) - g.d4 * (t27 - t26);
+  const Scalar t48 = t35 + (t46 + t47);
+  const Scalar t49 = (inertia.I3zz - t20) - inertia.c3z * t37;
+  const Scalar t50 = g.d4 * t15;
+  const Scalar t51 = t38 + (inertia.I3yz - inertia.c3z * t26);
+  const Scalar t52 = inertia.c1y * inertia.m1;
+  const Scalar t53 = g.l2 * ((t52 - g.l2 * inertia.m1) + t52) - (inertia.c1y * t52 - (inertia.I1yy - t24));
+  const Scalar t54 = g.l2 * (t41 - t40) - ((inertia.I2yy - t22) - inertia.c2y * t40);
+  return { g.d4 * t0,
+           g.d4 * t1,
+           inertia.I6yz - inertia.c6z * t2,
+           inertia.I6xy - inertia.c6y * t1,
            t6,
-           inertia.c5z * t11 - (inertia.I5zz - t12),
-           t14,
-           Scalar(2) * t14,
-           inertia.I5xy - inertia.c5y * t15,
-           t10,
-           inertia.I5xz - inertia.c5z * t15,
-           t1,
-           t9,
+           t7,
+           g.l2 / g.d4,
            t8,
-           t18,
-           inertia.I5yz - inertia.c5z * t13,
-           (inertia.I4zz - t16) - inertia.c4z * t19,
-           inertia.I4yz - inertia.c4z * t20,
-           t0 + t13,
+           g.d4 * (t2 + t9),
+           g.d4 * t10,
+           inertia.I5xy - inertia.c5y * t11,
+           t4 + t5,
+           Scalar(2) * t12,
+           t12,
+           inertia.I5xz - inertia.c5z * t11,
            t5,
-           t3,
-           t11,
-           t19,
-           g.d4,
-           t17 + t15,
-           inertia.I4xy - inertia.c4y * t17,
-           g.l2,
-           (inertia.I3xy - inertia.c3y * t21) + g.d4 * t21,
-           inertia.I4xz - inertia.c4z * t17,
-           inertia.I3xz - inertia.c3z * t21,
-           t24,
-           t30,
-           t33,
+           inertia.c5z * t10 - (inertia.I5zz - t13),
+           t14,
+           inertia.I4xz - inertia.c4z * t15,
+           inertia.I5yz - inertia.c5z * t9,
+           (inertia.I4zz - t16) - inertia.c4z * t17,
+           t18,
+           t25,
+           t35,
+           g.d4 * (t15 + t11),
+           t36,
            t38,
-           t39,
-           t23,
-           t40,
-           t41 - t29,
-           t43 + ((inertia.I2yy - t35) - inertia.c2y * t40),
-           t34 + t21,
-           gravity,
-           t29,
-           t24 - t33,
-           Scalar(2) * t33,
-           Scalar(2) * t39,
-           Scalar(2) * t24,
-           Scalar(2) * t23,
-           t41 };
+           g.d4 * t42,
+           t44,
+           t48,
+           t49,
+           (t50 + (inertia.I4xy - inertia.c4y * t15)) - t50,
+           t36 - (t36 + (inertia.I4yz - inertia.c4z * t28)),
+           t51,
+           t53 - (t54 + g.l2 * (t42 - t41)),
+           (inertia.I3xy - inertia.c3y * t19) + g.d4 * t19,
+           inertia.I3xz - inertia.c3z * t19,
+           t8 * t7,
+           t44 * t7 * t7,
+           g.d4 * (t21 + t19),
+           Scalar(2) * t7,
+           gravity / g.d4,
+           Scalar(2) * t51,
+           Scalar(2) * t49,
+           t43,
+           Scalar(2) * t38,
+           t49 - t48 };
 }
 
 namespace detail {
@@ -1205,229 +1242,232 @@ inline JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const 
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = qd[0] * s3;
-  const Scalar t1 = qd[0] * c3;
-  const Scalar t2 = t0 * t1;
-  const Scalar t3 = qd[0] * qd[0];
-  const Scalar t4 = k[27] + q[1];
-  const Scalar t5 = t3 * t4;
-  const Scalar t6 = k[24] * t2 - (k[41] * c3 - s3 * t5);
-  const Scalar t7 = qd[1] * Scalar(2) * qd[0];
-  const Scalar t8 = qd[2] * t0;
-  const Scalar t9 = Scalar(2) * t8;
-  const Scalar t10 = t7 - k[24] * t9;
-  const Scalar t11 = s4 * t6 - c4 * t10;
-  const Scalar t12 = k[20] * c6 + k[21] * s6;
-  const Scalar t13 = k[21] * c6 - k[20] * s6;
-  const Scalar t14 = t1 * t1;
-  const Scalar t15 = qd[2] * qd[2];
-  const Scalar t16 = t14 + t15;
-  const Scalar t17 = c3 * t5 + k[41] * s3;
-  const Scalar t18 = k[24] * t16 + t17;
-  const Scalar t19 = c4 * t6 + s4 * t10;
-  const Scalar t20 = s5 * t18 + c5 * t19;
-  const Scalar t21 = k[4] * c6 - k[3] * s6;
-  const Scalar t22 = k[10] + s6 * t21;
-  const Scalar t23 = qd[2] * c4 + s4 * t1;
-  const Scalar t24 = qd[4] + t23;
-  const Scalar t25 = t24 * t24;
-  const Scalar t26 = qd[3] - t0;
-  const Scalar t27 = c4 * t1;
-  const Scalar t28 = t27 - qd[2] * s4;
-  const Scalar t29 = s5 * t26 + c5 * t28;
-  const Scalar t30 = t29 * t29;
-  const Scalar t31 = t25 - t30;
-  const Scalar t32 = t24 * t29;
-  const Scalar t33 = t26 * t23;
-  const Scalar t34 = c4 * t9 + s4 * t2;
-  const Scalar t35 = t33 + (t34 + t33);
-  const Scalar t36 = qd[2] * t1;
-  const Scalar t37 = t28 * t23;
-  const Scalar t38 = t36 - t37;
-  const Scalar t39 = s5 * t35 - c5 * t38;
-  const Scalar t40 = (t32 + t32) - t39;
-  const Scalar t41 = k[5] - c6 * t21;
-  const Scalar t42 = k[2] + t41;
-  const Scalar t43 = t22 * t31 + (t40 * t42 + t41 * t39);
-  const Scalar t44 = k[0] * s6 - k[1] * c6;
-  const Scalar t45 = k[2] * t44;
-  const Scalar t46 = t27 * t0 - s4 * t9;
-  const Scalar t47 = t28 * t26;
-  const Scalar t48 = t46 + t47;
-  const Scalar t49 = s5 * t28 - c5 * t26;
-  const Scalar t50 = t29 * t49;
-  const Scalar t51 = t48 + t50;
-  const Scalar t52 = s5 * t38 + c5 * t35;
-  const Scalar t53 = t52 + Scalar(2) * t24 * t49;
-  const Scalar t54 = k[13] * s6 + k[12] * c6;
-  const Scalar t55 = (t11 * t12 - t13 * t20) + (t43 + (t45 * t51 + t53 * t54));
-  const Scalar t56 = (k[6] * t40 - k[16] * t53) + (k[9] * t51 - k[11] * t31);
-  const Scalar t57 = t55 - (t56 - k[22] * t11);
-  const Scalar t58 = t25 + t30;
-  const Scalar t59 = t26 * t26;
-  const Scalar t60 = t28 * t28;
-  const Scalar t61 = t59 + t60;
-  const Scalar t62 = t58 - t61;
-  const Scalar t63 = (k[7] * t53 + k[16] * t40) + k[9] * t62;
-  const Scalar t64 = t48 - t50;
-  const Scalar t65 = qd[5] - t49;
-  const Scalar t66 = t65 * t65;
-  const Scalar t67 = t66 - t30;
-  const Scalar t68 = t65 * t29;
-  const Scalar t69 = (t68 + t68) + t51;
-  const Scalar t70 = t65 * t24;
-  const Scalar t71 = (t70 + t70) + t53;
-  const Scalar t72 = (t67 - t31) * t45 + (t69 * t22 - t71 * t41);
-  const Scalar t73 = c5 * t18 - s5 * t19;
-  const Scalar t74 = ((t63 + k[11] * t64) + k[19] * t11) + ((t72 + t54 * t40) + t13 * t73);
-  const Scalar t75 = t59 - t60;
-  const Scalar t76 = t16 + t75;
-  const Scalar t77 = t36 + t37;
-  const Scalar t78 = k[29] * (t61 - t76) + (k[15] * t38 - k[17] * t77);
-  const Scalar t79 = (k[23] * t11 - k[25] * t19) - (t78 - (k[18] * t34 - k[26] * t46));
-  const Scalar t80 = (c5 * t57 + s5 * t74) + t79;
-  const Scalar t81 = torque[5] - t55;
-  const Scalar t82 = k[14] * t81;
-  const Scalar t83 = c5 + k[14] * s5 * t54;
-  const Scalar t84 = k[2] * t83;
-  const Scalar t85 = k[6] - t42;
-  const Scalar t86 = k[7] + t85;
-  const Scalar t87 = k[8] - t86;
-  const Scalar t88 = Scalar(1) / (t44 * t45 - t87);
-  const Scalar t89 = t62 - t31;
-  const Scalar t90 = (k[6] * t64 - k[7] * t51) - k[16] * t89;
-  const Scalar t91 = (t90 - (k[9] * t39 + k[11] * t52)) - (k[19] * t20 + k[22] * t73);
-  const Scalar t92 = (t69 * t42 + t22 * t71) - (t67 * t54 + t45 * t39);
-  const Scalar t93 = t91 - (t73 * t12 + t92);
-  const Scalar t94 = (torque[4] - t93) + t44 * t81;
-  const Scalar t95 = t88 * t94;
-  const Scalar t96 = k[11] + t22;
-  const Scalar t97 = k[9] - t45;
-  const Scalar t98 = s5 * t96 - c5 * t97;
-  const Scalar t99 = t98 - t44 * t84;
-  const Scalar t100 = ((torque[3] - t80) - t82 * t84) - t95 * t99;
-  const Scalar t101 = t88 * t99;
-  const Scalar t102 = k[22] + t12;
-  const Scalar t103 = k[19] * c5 - s5 * t102;
-  const Scalar t104 = c5 * t102 + k[19] * s5;
-  const Scalar t105 = c5 * t13;
-  const Scalar t106 = s3 * (c4 * t105 - s4 * t12) + c3 * s5 * t13;
-  const Scalar t107 = (s3 * c4 * t103 + c3 * t104) + t44 * t106;
-  const Scalar t108 = k[25] + t13;
-  const Scalar t109 = k[23] + t104;
-  const Scalar t110 = c4 * t108 - s4 * t109;
-  const Scalar t111 = t101 * t107 + (t83 * t106 - s3 * t110);
-  const Scalar t112 = k[15] + t41;
-  const Scalar t113 = k[16] + t54;
-  const Scalar t114 = c5 * t113;
-  const Scalar t115 = (t114 + t114) + s5 * t86;
-  const Scalar t116 = s5 * t115;
-  const Scalar t117 = k[17] + (t116 - t85);
-  const Scalar t118 = t112 - t117;
-  const Scalar t119 = Scalar(1) / ((t83 * t84 + t118) - t101 * t99);
-  const Scalar t120 = t111 * t119;
-  const Scalar t121 = k[14] * t106;
-  const Scalar t122 = t14 - t15;
-  const Scalar t123 = t3 - t122;
-  const Scalar t124 = (k[19] * t58 + k[22] * t64) + (t69 * t12 + t13 * t71);
-  const Scalar t125 = t66 + t30;
-  const Scalar t126 = (k[22] * (t58 - t89) - k[19] * t51) + (t12 * (t125 + t31) - t13 * t39);
-  const Scalar t127 = (k[25] * t38 + k[23] * t76) - k[42] * t19;
-  const Scalar t128 = (s5 * t124 + c5 * t126) + t127;
-  const Scalar t129 = k[42] * t11 - (k[25] * t61 - k[23] * t77);
-  const Scalar t130 = (k[19] * t53 + k[22] * t40) + (t40 * t12 - t13 * t125);
-  const Scalar t131 = t129 + t130;
-  const Scalar t132 = c4 * t128 - s4 * t131;
-  const Scalar t133 = t48 + t47;
-  const Scalar t134 = (k[23] * t133 + k[25] * t35) + k[42] * t18;
-  const Scalar t135 = k[36] * t2 - (t134 - (s5 * t126 - c5 * t124));
-  const Scalar t136 = s3 * (k[36] * t123 + t132) + c3 * t135;
-  const Scalar t137 = torque[1] + (t136 + (k[48] * t5 - k[37] * t3));
-  const Scalar t138 = t100 * t120 - (t95 * t107 - (t121 * t81 + t137));
-  const Scalar t139 = k[24] * t103 + t87;
-  const Scalar t140 = s5 * t97 + c5 * t96;
-  const Scalar t141 = k[24] * t12 + (c5 * t54 - k[2] * s5);
-  const Scalar t142 = t45 - k[24] * t105;
-  const Scalar t143 = s4 * t141 + c4 * t142;
-  const Scalar t144 = k[14] * t143;
-  const Scalar t145 = (c4 * t139 + s4 * t140) - t45 * t144;
-  const Scalar t146 = t88 * t145;
-  const Scalar t147 = (k[18] + (c5 * t115 - t113)) + k[24] * t109;
-  const Scalar t148 = k[24] * t108 + (k[26] - t98);
-  const Scalar t149 = s4 * t147 - c4 * t148;
-  const Scalar t150 = t146 * t99 - (t83 * t143 - t149);
-  const Scalar t151 = t119 * t150;
-  const Scalar t152 = k[26] * (t16 - t61) + (k[29] * t133 - k[15] * t35);
-  const Scalar t153 = (c5 * t74 - s5 * t57) + (k[25] * t18 + (t152 + k[18] * t77));
-  const Scalar t154 = (k[29] * t35 + k[17] * t133) - (k[18] * t75 + k[26] * t38);
-  const Scalar t155 = t93 - (k[23] * t18 + t154);
-  const Scalar t156 = (s4 * t153 - c4 * t155) - k[24] * t132;
-  const Scalar t157 = k[36] * t17 - (k[43] * t2 - k[35] * (t16 - t123));
-  const Scalar t158 = t146 * t94 + ((torque[2] + (t156 + t157)) + t143 * t82);
-  const Scalar t159 = t100 * t151 - t158;
-  const Scalar t160 = k[32] + t103;
-  const Scalar t161 = k[33] + ((k[7] - t116) + k[24] * (t160 + t103));
-  const Scalar t162 = k[29] + t140;
-  const Scalar t163 = c4 * t162;
-  const Scalar t164 = s4 * (t112 + t117) - (t163 + t163);
-  const Scalar t165 = s4 * t164;
-  const Scalar t166 = k[31] - (t165 - t117);
-  const Scalar t167 = ((t161 + t166) - t144 * t143) + t146 * t145;
-  const Scalar t168 = Scalar(1) / (t151 * t150 + t167);
-  const Scalar t169 = s4 * t108 + c4 * t109;
-  const Scalar t170 = k[36] + t169;
-  const Scalar t171 = (s3 * t160 + c3 * t170) + t121 * t143;
-  const Scalar t172 = t88 * t107;
-  const Scalar t173 = t120 * t150 + (t171 + t172 * t145);
-  const Scalar t174 = t168 * t173;
-  const Scalar t175 = ((k[38] + t121 * t106) - t107 * t172) - t111 * t120;
-  const Scalar t176 = Scalar(1) / (t175 + t173 * t174);
-  const Scalar t177 = (t138 - t159 * t174) * t176;
-  const Scalar t178 = s3 * t84 - c3 * (c4 * t141 - s4 * t142);
-  const Scalar t179 = t178 - t4 * (c4 * t12 + s4 * t105);
-  const Scalar t180 = k[14] * t179;
-  const Scalar t181 = c3 * (s4 * t139 - c4 * t140) + s3 * t98;
-  const Scalar t182 = t180 * t45 - (t181 + t4 * s4 * t103);
-  const Scalar t183 = t182 * t88;
-  const Scalar t184 = c4 * t147 + s4 * t148;
-  const Scalar t185 = (s3 * t118 + c3 * t184) + t4 * t169;
-  const Scalar t186 = t183 * t99 + (t185 + t180 * t84);
-  const Scalar t187 = t119 * t186;
-  const Scalar t188 = c3 * (k[30] - (t162 + c4 * t164)) + s3 * (k[28] - t149);
-  const Scalar t189 = t187 * t150 + (t182 * t146 + (t179 * t144 + t188));
-  const Scalar t190 = t183 * t107 + ((k[40] + t110) - t121 * t179);
-  const Scalar t191 = t189 * t174 - (t111 * t187 + t190);
-  const Scalar t192 = c4 * t131 + s4 * t128;
-  const Scalar t193 = (k[40] * t3 - k[48] * t7) - (k[47] * t36 + t192);
-  const Scalar t194 = (k[28] * t2 + k[30] * t122) - (k[45] * t8 + k[46] * t36);
-  const Scalar t195 = (k[44] * t8 + k[45] * t36) - k[28] * (t3 - t16);
-  const Scalar t196 = k[24] * t192 + (c4 * t153 + s4 * t155);
-  const Scalar t197 = s3 * (t80 - (t194 + k[36] * t7)) - c3 * ((t195 - k[30] * t2) + t196);
-  const Scalar t198 = t4 * t193 - ((k[40] * t5 - k[37] * t7) - t197);
-  const Scalar t199 = t182 * t95 - ((torque[0] + t198) + t179 * t82);
-  const Scalar t200 = t100 * t119;
-  const Scalar t201 = t168 * t189;
-  const Scalar t202 = t177 * t191 + ((t199 - t200 * t186) + t159 * t201);
-  const Scalar t203 = t176 * t191;
-  const Scalar t204 = s3 * (t161 - t166) + Scalar(2) * c3 * (k[35] + t184);
-  const Scalar t205 = k[37] - (s3 * t170 - c3 * t160);
-  const Scalar t206 = (t161 - s3 * t204) + (t205 + (t205 - k[38] * t4)) * t4;
-  const Scalar t207 = ((k[39] + t206) - (k[34] - (t165 - t112))) - t180 * t179;
-  const Scalar t208 = (t187 * t186 + (t182 * t183 + t207)) - t189 * t201;
-  const Scalar t209 = t202 * Scalar(1) / (t203 * t191 + t208);
-  const Scalar t210 = t203 * t209 - t177;
-  const Scalar t211 = (t168 * t159 + t201 * t209) - t210 * t174;
-  const Scalar t212 = t151 * t211 + (t210 * t120 - (t200 + t187 * t209));
-  const Scalar t213 = ((t95 - t183 * t209) + t210 * t172) + t146 * t211;
-  const Scalar t214 = t212 * t101 + t213;
-  const Scalar t215 = t211 * t144 - (t121 * t210 - (t180 * t209 - t82));
+  const Scalar t0 = k[2] * s6 - k[3] * c6;
+  const Scalar t1 = k[10] - t0;
+  const Scalar t2 = k[12] * s6 - k[11] * c6;
+  const Scalar t3 = k[13] - s6 * t2;
+  const Scalar t4 = k[14] + t3;
+  const Scalar t5 = c5 * t1 - s5 * t4;
+  const Scalar t6 = k[0] * s6 - k[1] * c6;
+  const Scalar t7 = k[24] - t6;
+  const Scalar t8 = (k[31] + t5) + t7;
+  const Scalar t9 = k[0] * c6 + k[1] * s6;
+  const Scalar t10 = k[9] + t9;
+  const Scalar t11 = k[8] * s5 + c5 * t10;
+  const Scalar t12 = k[25] + t11;
+  const Scalar t13 = k[15] + c6 * t2;
+  const Scalar t14 = k[4] + t13;
+  const Scalar t15 = k[16] - t14;
+  const Scalar t16 = k[2] * c6 + k[3] * s6;
+  const Scalar t17 = k[19] + t16;
+  const Scalar t18 = c5 * t17;
+  const Scalar t19 = s5 * (k[17] + t15) + (t18 + t18);
+  const Scalar t20 = t12 - (k[32] - (c5 * t19 - t17));
+  const Scalar t21 = s4 * t8 + c4 * t20;
+  const Scalar t22 = t15 - s5 * t19;
+  const Scalar t23 = k[20] - t22;
+  const Scalar t24 = k[21] + t13;
+  const Scalar t25 = s5 * t1 + c5 * t4;
+  const Scalar t26 = k[18] + t25;
+  const Scalar t27 = c4 * t26;
+  const Scalar t28 = s4 * (t23 + t24) - (t27 + t27);
+  const Scalar t29 = s4 * t28;
+  const Scalar t30 = t23 - t29;
+  const Scalar t31 = t29 - t24;
+  const Scalar t32 = t30 + t31;
+  const Scalar t33 = k[6] + k[5] * q[1];
+  const Scalar t34 = c4 * t12 + s4 * t7;
+  const Scalar t35 = (c3 * t21 - s3 * t32) + t33 * t34;
+  const Scalar t36 = s5 * t16 + k[4] * c5;
+  const Scalar t37 = c5 * t6;
+  const Scalar t38 = s4 * t37 - c4 * t9;
+  const Scalar t39 = k[4] * s5 - c5 * t16;
+  const Scalar t40 = c3 * (t38 + (c4 * t39 + s4 * t0));
+  const Scalar t41 = t33 * t38 + (s3 * t36 + t40);
+  const Scalar t42 = k[7] * t41;
+  const Scalar t43 = k[17] - t15;
+  const Scalar t44 = k[7] * t0;
+  const Scalar t45 = Scalar(1) / (t43 - t44 * t0);
+  const Scalar t46 = s5 * t10 - k[8] * c5;
+  const Scalar t47 = t43 - t46;
+  const Scalar t48 = s3 * t5 - c3 * (s4 * t47 - c4 * t25);
+  const Scalar t49 = (t48 + s4 * t46 * t33) + t41 * t44;
+  const Scalar t50 = t45 * t49;
+  const Scalar t51 = t36 * t44 + t5;
+  const Scalar t52 = (t35 + t36 * t42) + t50 * t51;
+  const Scalar t53 = k[7] * t36;
+  const Scalar t54 = t45 * t51;
+  const Scalar t55 = Scalar(1) / ((t32 - t36 * t53) - t54 * t51);
+  const Scalar t56 = t52 * t55;
+  const Scalar t57 = k[26] + t34;
+  const Scalar t58 = k[23] + t46;
+  const Scalar t59 = k[27] - (s3 * t57 + c3 * t58);
+  const Scalar t60 = k[29] - ((t46 + t58) - (t22 + t43));
+  const Scalar t61 = c3 * (k[33] + t21);
+  const Scalar t62 = k[30] + t30;
+  const Scalar t63 = s3 * ((t61 + t61) + s3 * (t60 - t62));
+  const Scalar t64 = t33 * (t59 + (k[28] * t33 + t59)) + (t60 - t63);
+  const Scalar t65 = ((k[34] + t64) - (k[22] - t31)) - t41 * t42;
+  const Scalar t66 = c4 * t37 + s4 * t9;
+  const Scalar t67 = (s4 * t39 - c4 * t0) - t66;
+  const Scalar t68 = k[7] * t67;
+  const Scalar t69 = s4 * t20 - c4 * t8;
+  const Scalar t70 = c3 * (k[36] - (t26 + c4 * t28)) + s3 * (k[35] - t69);
+  const Scalar t71 = (s4 * t25 + c4 * t47) + t44 * t67;
+  const Scalar t72 = t45 * t71;
+  const Scalar t73 = t72 * t51 + (t69 + t53 * t67);
+  const Scalar t74 = t55 * t73;
+  const Scalar t75 = ((t68 * t41 - t70) + t50 * t71) + t52 * t74;
+  const Scalar t76 = t72 * t71 + (t68 * t67 - (t60 + t62));
+  const Scalar t77 = Scalar(1) / (t76 + t73 * t74);
+  const Scalar t78 = t75 * t77;
+  const Scalar t79 = (t52 * t56 - (t65 - t50 * t49)) - t75 * t78;
+  const Scalar t80 = k[37] * (s3 * t66 + c3 * s5 * t6);
+  const Scalar t81 = k[4] * t80;
+  const Scalar t82 = k[5] * (c3 * t57 - s3 * t58) + t81 * t68;
+  const Scalar t83 = k[5] * (s3 * c4 * t46 - c3 * t11);
+  const Scalar t84 = t83 + t81 * t44;
+  const Scalar t85 = c4 * t7 - s4 * t12;
+  const Scalar t86 = t45 * t84;
+  const Scalar t87 = (t81 * t53 + k[5] * s3 * t85) + t86 * t51;
+  const Scalar t88 = t87 * t55;
+  const Scalar t89 = (t82 + t84 * t72) + t88 * t73;
+  const Scalar t90 = (t81 * t42 + k[5] * (k[39] + t85)) + t50 * t84;
+  const Scalar t91 = t89 * t78 - (t90 + t87 * t56);
+  const Scalar t92 = (t84 * t86 - (k[38] - t81 * t80)) + t87 * t88;
+  const Scalar t93 = t89 * t77;
+  const Scalar t94 = Scalar(1) / (t92 - t89 * t93);
+  const Scalar t95 = t91 * t94;
+  const Scalar t96 = qd[0] * k[40] * qd[1];
+  const Scalar t97 = qd[0] * qd[0];
+  const Scalar t98 = t97 * t33;
+  const Scalar t99 = k[41] * c3 - s3 * t98;
+  const Scalar t100 = qd[0] * s3;
+  const Scalar t101 = qd[0] * c3;
+  const Scalar t102 = t100 * t101;
+  const Scalar t103 = qd[2] * t100;
+  const Scalar t104 = t103 + t103;
+  const Scalar t105 = s4 * t102 + c4 * t104;
+  const Scalar t106 = (c4 * t96 + s4 * t99) - t105;
+  const Scalar t107 = qd[2] * c4 + s4 * t101;
+  const Scalar t108 = qd[4] + t107;
+  const Scalar t109 = qd[3] - t100;
+  const Scalar t110 = c4 * t101;
+  const Scalar t111 = t110 - qd[2] * s4;
+  const Scalar t112 = s5 * t109 + c5 * t111;
+  const Scalar t113 = t108 * t112;
+  const Scalar t114 = Scalar(2) * t109 * t107 + t105;
+  const Scalar t115 = qd[2] * t101;
+  const Scalar t116 = t111 * t107;
+  const Scalar t117 = t115 - t116;
+  const Scalar t118 = s5 * t114 - c5 * t117;
+  const Scalar t119 = t113 + (t113 - t118);
+  const Scalar t120 = s5 * t111 - c5 * t109;
+  const Scalar t121 = c5 * t114 + s5 * t117;
+  const Scalar t122 = Scalar(2) * t108 * t120 + t121;
+  const Scalar t123 = t110 * t100 - s4 * t104;
+  const Scalar t124 = t111 * t109;
+  const Scalar t125 = t123 + t124;
+  const Scalar t126 = t112 * t120;
+  const Scalar t127 = t125 + t126;
+  const Scalar t128 = t108 * t108;
+  const Scalar t129 = t120 * t120;
+  const Scalar t130 = t128 - t129;
+  const Scalar t131 = t101 * t101;
+  const Scalar t132 = qd[2] * qd[2];
+  const Scalar t133 = t131 + t132;
+  const Scalar t134 = t109 * t109;
+  const Scalar t135 = t107 * t107;
+  const Scalar t136 = t134 - t135;
+  const Scalar t137 = t133 + t136;
+  const Scalar t138 = t137 + t130;
+  const Scalar t139 = t128 + t129;
+  const Scalar t140 = t138 - t139;
+  const Scalar t141 = t130 - t140;
+  const Scalar t142 = (k[16] * t119 - k[19] * t122) + (k[10] * t127 - k[14] * t141);
+  const Scalar t143 = (t119 * t14 + t118 * t13) + t141 * t3;
+  const Scalar t144 = k[41] * s3 + c3 * t98;
+  const Scalar t145 = t133 + t144;
+  const Scalar t146 = t123 + (s4 * t96 - c4 * t99);
+  const Scalar t147 = s5 * t145 + c5 * t146;
+  const Scalar t148 = (t143 + (t127 * t0 + t16 * t122)) - (t9 * t106 - t147 * t6);
+  const Scalar t149 = (k[9] * t106 + t142) - t148;
+  const Scalar t150 = s5 * t146 - c5 * t145;
+  const Scalar t151 = qd[5] - t120;
+  const Scalar t152 = t128 + t151 * t151;
+  const Scalar t153 = t141 - t152;
+  const Scalar t154 = t138 + t153;
+  const Scalar t155 = t122 + Scalar(2) * t151 * t108;
+  const Scalar t156 = Scalar(2) * t151 * t112 + t127;
+  const Scalar t157 = t154 * t0 + (t155 * t13 - t156 * t3);
+  const Scalar t158 = t125 - t126;
+  const Scalar t159 = k[10] * t130 + (k[19] * t119 + k[17] * t122);
+  const Scalar t160 = (t6 * t150 + (t16 * t119 - t157)) + ((k[14] * t158 + t159) - k[8] * t106);
+  const Scalar t161 = t115 + t116;
+  const Scalar t162 = t134 + t135;
+  const Scalar t163 = t133 - t162;
+  const Scalar t164 = (k[21] * t117 - k[20] * t161) + k[18] * (t136 + t163);
+  const Scalar t165 = (k[24] * t146 + k[25] * t106) + (t164 + (k[31] * t123 + k[32] * t105));
+  const Scalar t166 = (c5 * t149 - s5 * t160) + t165;
+  const Scalar t167 = torque[5] - t148;
+  const Scalar t168 = k[7] * t167;
+  const Scalar t169 = (t16 * (t141 - t154) + t118 * t0) - (t156 * t14 + t155 * t3);
+  const Scalar t170 = k[19] * t140 + (k[17] * t127 - k[16] * t158);
+  const Scalar t171 = ((k[10] * t118 + k[14] * t121) + t170) + (k[8] * t147 - k[9] * t150);
+  const Scalar t172 = (t169 + t9 * t150) - t171;
+  const Scalar t173 = (torque[4] - t172) + t168 * t0;
+  const Scalar t174 = t45 * t173;
+  const Scalar t175 = ((torque[3] + t166) - t168 * t36) - t174 * t51;
+  const Scalar t176 = t97 - t133;
+  const Scalar t177 = t131 - t132;
+  const Scalar t178 = t176 - t177;
+  const Scalar t179 = k[26] * t144 - (k[46] * t102 + k[33] * t178);
+  const Scalar t180 = t125 + t124;
+  const Scalar t181 = (k[21] * t114 - k[18] * t180) + k[31] * t136;
+  const Scalar t182 = ((k[32] * t161 + t181) - k[24] * t145) - (c5 * t160 + s5 * t149);
+  const Scalar t183 = k[23] * t106 + (k[25] * t161 - k[24] * t137);
+  const Scalar t184 = (k[9] * t119 + k[8] * t122) - (t6 * t153 - t9 * t119);
+  const Scalar t185 = t183 + t184;
+  const Scalar t186 = t182 - t185;
+  const Scalar t187 = (k[20] * t180 + k[18] * t114) - (k[32] * t163 + k[31] * t117);
+  const Scalar t188 = (k[24] * t117 + k[25] * t162) + k[23] * t146;
+  const Scalar t189 = (k[9] * t158 + k[8] * t138) - (t6 * t155 - t9 * t156);
+  const Scalar t190 = (t9 * t152 + t6 * t118) + (k[9] * t139 - k[8] * t127);
+  const Scalar t191 = t188 + (s5 * t189 + c5 * t190);
+  const Scalar t192 = ((t187 + k[25] * t145) - t172) - t191;
+  const Scalar t193 = torque[2] + (t179 - (s4 * t186 - c4 * t192));
+  const Scalar t194 = t175 * t74 - ((t68 * t167 - t193) + t72 * t173);
+  const Scalar t195 = t77 * t194;
+  const Scalar t196 = k[23] * t145 - (k[24] * t114 + k[25] * t180);
+  const Scalar t197 = ((c5 * t189 - s5 * t190) - t196) - k[26] * t102;
+  const Scalar t198 = (s4 * t185 - c4 * t191) - k[26] * (t178 + t133);
+  const Scalar t199 = (k[44] * t98 + k[27] * t97) + (c3 * t197 + s3 * t198);
+  const Scalar t200 = t173 * t86 - ((torque[1] - k[5] * t199) - t80 * t167);
+  const Scalar t201 = t175 * t55;
+  const Scalar t202 = t94 * (t195 * t89 + (t200 - t87 * t201));
+  const Scalar t203 = (k[35] * t102 + k[36] * t177) - (k[42] * t103 + k[43] * t115);
+  const Scalar t204 = (k[29] * t104 + k[42] * t115) - k[35] * t176;
+  const Scalar t205 = (t204 - k[36] * t102) - (c4 * t186 + s4 * t192);
+  const Scalar t206 = s3 * (t166 + (t203 + k[26] * t96)) + c3 * t205;
+  const Scalar t207 = k[39] * t97;
+  const Scalar t208 = (c4 * t185 + s4 * t191) + k[45] * t115;
+  const Scalar t209 = (t206 + (t33 * t207 - k[27] * t96)) - t33 * ((k[44] * t96 + t207) - t208);
+  const Scalar t210 = t49 * t174 + (t168 * t41 + (torque[0] - t209));
+  const Scalar t211 = t91 * t202 - ((t175 * t56 - t210) - t78 * t194);
+  const Scalar t212 = Scalar(1) / (t79 - t91 * t95) * t211;
+  const Scalar t213 = t212 * t95 + t202;
+  const Scalar t214 = (t195 + t78 * t212) + t213 * t93;
+  const Scalar t215 = (t213 * t88 + (t201 + t56 * t212)) - t214 * t74;
+  const Scalar t216 = t72 * t214 + ((t174 - t50 * t212) - t213 * t86);
+  const Scalar t217 = t216 - t54 * t215;
+  const Scalar t218 = ((t42 * t212 - t168) + t213 * t80) - t68 * t214;
   JointVector<Scalar> result;
-  result[0] = t209;
-  result[1] = -t210;
-  result[2] = t211;
-  result[3] = -t212;
-  result[4] = t214;
-  result[5] = t44 * t214 + (t212 * t83 + t215);
+  result[0] = t212;
+  result[1] = -t213;
+  result[2] = t214;
+  result[3] = -t215;
+  result[4] = -t217;
+  result[5] = (t218 + t53 * t215) - t217 * t44;
   return result;
 }
 
@@ -1454,77 +1494,88 @@ KineticEnergyConstants<Scalar> kinetic_energy_constants(const BasicGeometry<Scal
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6x * inertia.m6;
-  const Scalar t1 = inertia.c6y * inertia.m6;
-  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t0;
-  const Scalar t4 = inertia.c6z * inertia.m6;
-  const Scalar t5 = inertia.c6z * t4 - (inertia.I6zz - t2);
-  const Scalar t6 = inertia.I6xz - inertia.c6z * t0;
-  const Scalar t7 = inertia.c5x * inertia.m5;
-  const Scalar t8 = inertia.c5z * inertia.m5;
-  const Scalar t9 = inertia.c5y * inertia.m5;
+  const Scalar t0 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t1 = inertia.c6x * inertia.m6;
+  const Scalar t2 = (inertia.I6xx - t0) - inertia.c6x * t1;
+  const Scalar t3 = inertia.c6z * inertia.m6;
+  const Scalar t4 = inertia.c6z * t3 - (inertia.I6zz - t0);
+  const Scalar t5 = inertia.I6xz - inertia.c6z * t1;
+  const Scalar t6 = inertia.c5x * inertia.m5;
+  const Scalar t7 = inertia.c6y * inertia.m6;
+  const Scalar t8 = inertia.c4x * inertia.m4;
+  const Scalar t9 = inertia.c5z * inertia.m5;
   const Scalar t10 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t11 = ((inertia.I6yy - t2) - inertia.c6y * t1) - (inertia.c5y * t9 - (inertia.I5yy - t10));
-  const Scalar t12 = inertia.c4z * inertia.m4;
-  const Scalar t13 = inertia.c4y * inertia.m4;
-  const Scalar t14 = inertia.c4x * inertia.m4;
-  const Scalar t15 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t16 = t13 - g.d4 * t15;
-  const Scalar t17 = inertia.c3y * inertia.m3;
-  const Scalar t18 = g.d4 * inertia.m3 - t17;
-  const Scalar t19 = inertia.c3z * inertia.m3;
-  const Scalar t20 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t21 = (inertia.c5x * t7 - (inertia.I5xx - t10)) - ((inertia.I4xx - t20) - inertia.c4x * t14);
-  const Scalar t22 = inertia.c2x * inertia.m2;
-  const Scalar t23 = inertia.c3x * inertia.m3;
-  const Scalar t24 = inertia.c2y * inertia.m2;
-  const Scalar t25 = ((inertia.I4yy - t20) - inertia.c4y * t13) + g.d4 * (t13 + t16);
-  const Scalar t26 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t27 = ((inertia.I3yy - t26) - inertia.c3y * t17) - g.d4 * (t18 - t17);
-  const Scalar t28 = inertia.c1y * inertia.m1;
-  const Scalar t29 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t30 = g.l2 * ((t28 - g.l2 * inertia.m1) + t28) - (inertia.c1y * t28 - (inertia.I1yy - t29));
-  const Scalar t31 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t32 = (inertia.c3x * t23 - (inertia.I3xx - t26)) + (inertia.c2x * t22 - (inertia.I2xx - t31));
-  const Scalar t33 = t32 + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t29));
-  return { inertia.I6xy - inertia.c6y * t0,
-           inertia.I6yz - inertia.c6z * t1,
-           t3 - t5,
-           Scalar(2) * t6,
-           t3 + t5,
-           t6,
-           inertia.I5xz - inertia.c5z * t7,
-           inertia.I5xy - inertia.c5y * t7,
-           t4,
-           t0,
-           t8,
-           t1 + t9,
-           g.d4,
-           t3,
-           inertia.c5z * t8 - (inertia.I5zz - t10),
-           t11,
+  const Scalar t11 = inertia.c5y * inertia.m5;
+  const Scalar t12 = ((inertia.I6yy - t0) - inertia.c6y * t7) - (inertia.c5y * t11 - (inertia.I5yy - t10));
+  const Scalar t13 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t14 = inertia.c4z * inertia.m4;
+  const Scalar t15 = (inertia.c5x * t6 - (inertia.I5xx - t10)) - ((inertia.I4xx - t13) - inertia.c4x * t8);
+  const Scalar t16 = inertia.c4y * inertia.m4;
+  const Scalar t17 = g.d4 * inertia.m4;
+  const Scalar t18 = t16 - t17;
+  const Scalar t19 = g.d4 * (t16 + t18) + ((inertia.I4yy - t13) - inertia.c4y * t16);
+  const Scalar t20 = t18 + t17;
+  const Scalar t21 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t22 = t20 - g.d4 * t21;
+  const Scalar t23 = (t19 - g.d4 * (t20 + t18)) + g.d4 * (t20 + t22);
+  const Scalar t24 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t25 = inertia.c3y * inertia.m3;
+  const Scalar t26 = g.d4 * inertia.m3 - t25;
+  const Scalar t27 = ((inertia.I3yy - t24) - inertia.c3y * t25) - g.d4 * (t26 - t25);
+  const Scalar t28 = inertia.c3z * inertia.m3;
+  const Scalar t29 = g.d4 * t8;
+  const Scalar t30 = g.d4 * t14;
+  const Scalar t31 = g.l2 * inertia.m2;
+  const Scalar t32 = inertia.c2y * inertia.m2;
+  const Scalar t33 = t31 - t32;
+  const Scalar t34 = t31 - t33;
+  const Scalar t35 = inertia.c1y * inertia.m1;
+  const Scalar t36 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t37 = g.l2 * ((t35 - g.l2 * inertia.m1) + t35) - (inertia.c1y * t35 - (inertia.I1yy - t36));
+  const Scalar t38 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t39 = g.l2 * (t33 - t32) - ((inertia.I2yy - t38) - inertia.c2y * t32);
+  const Scalar t40 = inertia.c3x * inertia.m3;
+  const Scalar t41 = inertia.c2x * inertia.m2;
+  const Scalar t42 = (inertia.c3x * t40 - (inertia.I3xx - t24)) + (inertia.c2x * t41 - (inertia.I2xx - t38));
+  const Scalar t43 = t42 + (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t36));
+  return { t2 - t4,
+           Scalar(2) * t5,
+           t2 + t4,
+           t5,
+           inertia.I5xz - inertia.c5z * t6,
+           inertia.I6xy - inertia.c6y * t1,
+           inertia.I6yz - inertia.c6z * t7,
+           inertia.I5xy - inertia.c5y * t6,
+           inertia.I4xz - inertia.c4z * t8,
+           t2,
+           inertia.c5z * t9 - (inertia.I5zz - t10),
            t12,
-           inertia.I5yz - inertia.c5z * t9,
-           inertia.I4yz - inertia.c4z * t13,
-           t14 + t7,
-           inertia.I4xy - inertia.c4y * t14,
-           t16 - t18,
-           t19,
+           inertia.I5yz - inertia.c5z * t11,
+           (inertia.I4zz - t13) - inertia.c4z * t14,
+           t15,
+           t7 + t11,
+           t3,
+           t1,
+           t9,
+           Scalar(2) * g.d4,
+           t23 + t27,
+           (inertia.I3zz - t24) - inertia.c3z * t28,
+           inertia.m2 + (inertia.m3 + t21),
+           t8 + t6,
+           g.d4,
+           (t29 + (inertia.I4xy - inertia.c4y * t8)) - t29,
+           t14,
+           t30 - (t30 + (inertia.I4yz - inertia.c4z * t16)),
+           g.d4 * t28 + (inertia.I3yz - inertia.c3z * t25),
            g.l2,
-           (inertia.I4zz - t20) - inertia.c4z * t12,
-           t21,
-           inertia.I4xz - inertia.c4z * t14,
-           t22 + t23,
-           inertia.I3xz - inertia.c3z * t23,
-           (inertia.I3xy - inertia.c3y * t23) + g.d4 * t23,
-           inertia.m2 + (inertia.m3 + t15),
-           t24,
-           t25 + t27,
-           (inertia.I3zz - t26) - inertia.c3z * t19,
-           g.d4 * t19 + (inertia.I3yz - inertia.c3z * t17),
-           t30 + ((inertia.I2yy - t31) - inertia.c2y * t24),
-           t33 };
+           t26 - t22,
+           t28,
+           t34,
+           t37 - (t39 + g.l2 * (t34 - t33)),
+           t43,
+           t41 + t40,
+           inertia.I3xz - inertia.c3z * t40,
+           (inertia.I3xy - inertia.c3y * t40) + g.d4 * t40 };
 }
 
 namespace detail {
@@ -1540,74 +1591,77 @@ inline Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Sca
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[0] * s6 + k[1] * c6;
-  const Scalar t1 = k[2] * c5 + s5 * t0;
-  const Scalar t2 = k[4] * c6 - k[3] * s6;
-  const Scalar t3 = k[6] + (k[5] + s6 * t2);
-  const Scalar t4 = k[0] * c6 - k[1] * s6;
-  const Scalar t5 = k[7] + t4;
-  const Scalar t6 = s5 * t3 - c5 * t5;
-  const Scalar t7 = k[9] * c6 - k[8] * s6;
-  const Scalar t8 = c5 * t7;
-  const Scalar t9 = k[12] * t8 + t4;
-  const Scalar t10 = k[8] * c6 + k[9] * s6;
-  const Scalar t11 = k[12] * t10 + (c5 * t0 - k[2] * s5);
-  const Scalar t12 = k[17] + t0;
-  const Scalar t13 = k[13] - c6 * t2;
-  const Scalar t14 = k[14] - t13;
-  const Scalar t15 = Scalar(2) * c5 * t12 + s5 * (k[15] + t14);
-  const Scalar t16 = k[10] + t10;
-  const Scalar t17 = c5 * t16 + k[11] * s5;
-  const Scalar t18 = k[16] + t17;
-  const Scalar t19 = (k[18] + (c5 * t15 - t12)) + k[12] * t18;
-  const Scalar t20 = k[19] + t7;
-  const Scalar t21 = (k[20] - t6) + k[12] * t20;
-  const Scalar t22 = s4 * t19 - c4 * t21;
-  const Scalar t23 = s5 * t5 + c5 * t3;
-  const Scalar t24 = s5 * t16 - k[11] * c5;
-  const Scalar t25 = k[12] * t24;
-  const Scalar t26 = k[15] - t14;
-  const Scalar t27 = t25 - t26;
-  const Scalar t28 = qd[3] * t22 - qd[4] * (s4 * t23 - c4 * t27);
-  const Scalar t29 = qd[5] * (c4 * t9 - s4 * t11) - t28;
-  const Scalar t30 = c3 * s5 * t7 - s3 * (s4 * t10 - c4 * t8);
-  const Scalar t31 = qd[4] * (s3 * c4 * t24 - c3 * t17);
-  const Scalar t32 = c4 * t20 - s4 * t18;
-  const Scalar t33 = k[21] - t24;
-  const Scalar t34 = s4 * t20 + c4 * t18;
-  const Scalar t35 = k[22] + t34;
-  const Scalar t36 = qd[3] * s3 * t32 + qd[2] * (s3 * t33 + c3 * t35);
-  const Scalar t37 = c4 * t19 + s4 * t21;
-  const Scalar t38 = k[25] - (k[2] - t13);
-  const Scalar t39 = s5 * t15;
-  const Scalar t40 = k[24] - (t14 - t39);
-  const Scalar t41 = k[26] + t23;
-  const Scalar t42 = s4 * (t38 + t40) - Scalar(2) * c4 * t41;
-  const Scalar t43 = s4 * t42;
-  const Scalar t44 = t43 - t40;
-  const Scalar t45 = t38 - t43;
-  const Scalar t46 = t44 + t45;
-  const Scalar t47 = k[23] + q[1];
-  const Scalar t48 = (c3 * t37 + s3 * t46) + t47 * t34;
-  const Scalar t49 = s3 * (k[29] - t22) + c3 * (k[28] - (c4 * t42 + t41));
-  const Scalar t50 = qd[3] * t48 + (qd[1] * (k[27] + t32) - qd[2] * t49);
-  const Scalar t51 = c3 * (c4 * t23 + s4 * t27) - s3 * t6;
-  const Scalar t52 = t50 - qd[4] * (t51 + s4 * t24 * t47);
-  const Scalar t53 = c3 * (c4 * t11 + s4 * t9) - s3 * t1;
-  const Scalar t54 = t47 * (c4 * t10 + s4 * t8) + t53;
-  const Scalar t55 = qd[1] * (qd[5] * t30 - (t31 - t36)) - qd[0] * (t52 + qd[5] * t54);
-  const Scalar t56 = qd[3] * (qd[5] * t1 - qd[4] * t6) + (qd[2] * t29 - t55);
-  const Scalar t57 = k[33] - t44;
-  const Scalar t58 = k[32] - (Scalar(2) * t25 - (k[15] - t39));
-  const Scalar t59 = k[31] + (c3 * t33 - s3 * t35);
-  const Scalar t60 = Scalar(2) * c3 * (k[34] + t37) - s3 * (t57 - t58);
-  const Scalar t61 = ((k[30] * t47 - t59) - t59) * t47 - (t58 - s3 * t60);
-  const Scalar t62 = qd[0] * qd[0] * ((k[36] + t45) - (k[35] - t61));
-  const Scalar t63 = qd[2] * qd[2] * (t57 + t58) - (qd[1] * k[30] * qd[1] + t62);
-  const Scalar t64 = qd[4] * qd[4] * t26 + (t63 - qd[3] * qd[3] * t46);
-  const Scalar t65 = (t56 + qd[4] * qd[5] * t4) + Scalar(0.5) * (t64 + qd[5] * k[2] * qd[5]);
+  const Scalar t0 = k[2] * c6 - k[1] * s6;
+  const Scalar t1 = k[4] + (k[3] + s6 * t0);
+  const Scalar t2 = k[6] * s6 - k[5] * c6;
+  const Scalar t3 = k[7] - t2;
+  const Scalar t4 = c5 * t1 + s5 * t3;
+  const Scalar t5 = k[8] + t4;
+  const Scalar t6 = c4 * t5;
+  const Scalar t7 = k[9] - c6 * t0;
+  const Scalar t8 = k[10] - t7;
+  const Scalar t9 = k[6] * c6 + k[5] * s6;
+  const Scalar t10 = k[12] + t9;
+  const Scalar t11 = c5 * t10;
+  const Scalar t12 = s5 * (k[11] + t8) + (t11 + t11);
+  const Scalar t13 = k[11] - s5 * t12;
+  const Scalar t14 = k[11] - t8;
+  const Scalar t15 = k[13] - (t13 - t14);
+  const Scalar t16 = k[14] - (k[0] - t7);
+  const Scalar t17 = (t6 + t6) - s4 * (t15 + t16);
+  const Scalar t18 = s4 * t17;
+  const Scalar t19 = t18 + t15;
+  const Scalar t20 = t18 + t16;
+  const Scalar t21 = t19 - t20;
+  const Scalar t22 = k[29] + q[1];
+  const Scalar t23 = k[17] * s6 + k[16] * c6;
+  const Scalar t24 = k[18] + t23;
+  const Scalar t25 = s5 * t24 - k[15] * c5;
+  const Scalar t26 = k[30] + t25;
+  const Scalar t27 = k[17] * c6 - k[16] * s6;
+  const Scalar t28 = k[23] + t27;
+  const Scalar t29 = c5 * t24 + k[15] * s5;
+  const Scalar t30 = k[26] + t29;
+  const Scalar t31 = s4 * t28 + c4 * t30;
+  const Scalar t32 = k[31] + t31;
+  const Scalar t33 = k[32] - (c3 * t26 + s3 * t32);
+  const Scalar t34 = k[20] + (t13 - k[19] * t25);
+  const Scalar t35 = k[24] * t30 - (k[27] - (c5 * t12 - t10));
+  const Scalar t36 = c5 * t3 - s5 * t1;
+  const Scalar t37 = k[24] * t28 + (k[25] + t36);
+  const Scalar t38 = c4 * t35 + s4 * t37;
+  const Scalar t39 = c3 * (k[28] + t38);
+  const Scalar t40 = k[21] + t19;
+  const Scalar t41 = s3 * ((t39 + t39) + s3 * (t34 - t40));
+  const Scalar t42 = ((k[22] * t22 - t33) - t33) * t22 - (t34 - t41);
+  const Scalar t43 = qd[0] * qd[0] * ((k[34] + t20) - (k[33] - t42));
+  const Scalar t44 = (t43 + qd[1] * k[22] * qd[1]) - qd[2] * qd[2] * (t34 + t40);
+  const Scalar t45 = (qd[3] * qd[3] * t21 - t44) + qd[4] * qd[4] * t14;
+  const Scalar t46 = k[0] * c5 + s5 * t9;
+  const Scalar t47 = s4 * t35 - c4 * t37;
+  const Scalar t48 = k[24] * t25 - t14;
+  const Scalar t49 = qd[3] * t47 + qd[4] * (c4 * t48 - s4 * t4);
+  const Scalar t50 = c5 * t9 - k[0] * s5;
+  const Scalar t51 = c5 * t27;
+  const Scalar t52 = c4 * t51 - s4 * t23;
+  const Scalar t53 = (c4 * t2 + s4 * t50) - k[24] * t52;
+  const Scalar t54 = c4 * t28 - s4 * t30;
+  const Scalar t55 = qd[3] * s3 * t54 - qd[2] * (s3 * t26 - c3 * t32);
+  const Scalar t56 = qd[4] * (s3 * c4 * t25 - c3 * t29);
+  const Scalar t57 = qd[5] * (c3 * s5 * t27 + s3 * t52);
+  const Scalar t58 = t31 * t22 - (s3 * t21 - c3 * t38);
+  const Scalar t59 = c3 * (k[36] - (t5 - c4 * t17)) + s3 * (k[37] - t47);
+  const Scalar t60 = qd[3] * t58 - (qd[2] * t59 - qd[1] * (k[35] + t54));
+  const Scalar t61 = s3 * t36 + c3 * (s4 * t48 + c4 * t4);
+  const Scalar t62 = t60 - qd[4] * (t61 + s4 * t25 * t22);
+  const Scalar t63 = c4 * t23 + s4 * t51;
+  const Scalar t64 = k[24] * t63 - (s4 * t2 - c4 * t50);
+  const Scalar t65 = t63 * t22 - (s3 * t46 - c3 * t64);
+  const Scalar t66 = qd[1] * ((t55 - t56) + t57) - qd[0] * (t62 + qd[5] * t65);
+  const Scalar t67 = qd[3] * (qd[5] * t46 + qd[4] * t36) - (qd[2] * (t49 + qd[5] * t53) + t66);
+  const Scalar t68 = Scalar(0.5) * (t45 + qd[5] * k[0] * qd[5]) + (t67 - qd[4] * qd[5] * t2);
   Scalar result;
-  result = -t65;
+  result = -t68;
   return result;
 }
 
@@ -1632,23 +1686,23 @@ PotentialEnergyConstants<Scalar> potential_energy_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = (inertia.m1 + (inertia.m2 + (inertia.m3 + t0))) * gravity * g.h1;
-  return { inertia.c6x * inertia.m6,
-           inertia.c6z * inertia.m6,
-           inertia.c5z * inertia.m5,
-           inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
-           inertia.c4y * inertia.m4,
-           g.d4 * t0,
-           g.d4 * inertia.m3 - inertia.c3y * inertia.m3,
-           inertia.c4z * inertia.m4,
+  const Scalar t0 = g.d4 * inertia.m4;
+  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
+  return { inertia.c6z * inertia.m6,
+           inertia.c6x * inertia.m6,
            inertia.c5x * inertia.m5,
            inertia.c4x * inertia.m4,
+           inertia.c5z * inertia.m5,
+           inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
+           inertia.c4z * inertia.m4,
            inertia.c3z * inertia.m3,
-           inertia.c2z * inertia.m2,
-           inertia.c1z * inertia.m1,
-           gravity,
-           t1 };
+           (inertia.c4y * inertia.m4 - t0) + t0,
+           g.d4 * t1,
+           g.d4 * inertia.m3 - inertia.c3y * inertia.m3,
+           g.h1 * (inertia.m3 + t1),
+           g.h1 * inertia.m2 + inertia.c2z * inertia.m2,
+           inertia.c1z * inertia.m1 + g.h1 * inertia.m1,
+           gravity };
 }
 
 namespace detail {
@@ -1664,13 +1718,13 @@ inline Scalar potential_energy([[maybe_unused]] const JointVector<Scalar>& q, co
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[2] + (k[0] * s6 + k[1] * c6);
-  const Scalar t1 = c4 * (k[7] + (k[3] * s5 + c5 * t0));
-  const Scalar t2 = k[9] + (k[8] + (k[0] * c6 - k[1] * s6));
-  const Scalar t3 = k[5] - (k[4] - (s5 * t0 - k[3] * c5));
-  const Scalar t4 = c3 * (k[10] + (t1 + s4 * t2)) - s3 * (k[6] + t3);
+  const Scalar t0 = k[4] + (k[0] * c6 + k[1] * s6);
+  const Scalar t1 = k[9] - (k[8] + (k[5] * c5 - s5 * t0));
+  const Scalar t2 = c4 * (k[6] + (k[5] * s5 + c5 * t0));
+  const Scalar t3 = k[3] + (k[2] - (k[0] * s6 - k[1] * c6));
+  const Scalar t4 = s3 * (k[10] + t1) - c3 * (k[7] + (t2 + s4 * t3));
   Scalar result;
-  result = k[14] + k[13] * (k[12] + (k[11] + t4));
+  result = k[14] * (k[13] + (k[12] + (k[11] - t4)));
   return result;
 }
 

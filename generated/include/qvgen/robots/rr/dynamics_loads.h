@@ -26,8 +26,9 @@ LoadAngles<Scalar> load_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion, under gravity in any direction.
 ///
-/// 199 multiplications, 187 additions, 5 sine/cosine pairs. Set-up: 61 multiplications, 85 additions, 1 division.
+/// 196 multiplications, 189 additions, 5 sine/cosine pairs. Set-up: 80 multiplications, 101 additions, 6 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
+/// The unit of length is d4, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g,
@@ -45,15 +46,16 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces for a motion while a wrench acts on the tool from outside: those without it minus jacobian(q)^T wrench.
 ///
-/// 231 multiplications, 209 additions, 5 sine/cosine pairs. Set-up: 61 multiplications, 85 additions, 1 division.
+/// 232 multiplications, 209 additions, 5 sine/cosine pairs. Set-up: 80 multiplications, 101 additions, 6 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
+/// The unit of length is d4, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity,
         const NonDeduced<Wrench<Scalar>>& wrench);
 template <class Scalar>
-using InverseDynamicsWithWrenchConstants = std::array<Scalar, 41>;
+using InverseDynamicsWithWrenchConstants = std::array<Scalar, 42>;
 template <class Scalar>
 InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constants(const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
@@ -64,7 +66,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces that hold the robot at rest, under gravity in any direction.
 ///
-/// 53 multiplications, 34 additions, 5 sine/cosine pairs. Set-up: 19 multiplications, 11 additions.
+/// 53 multiplications, 34 additions, 5 sine/cosine pairs. Set-up: 21 multiplications, 15 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g,
@@ -81,9 +83,10 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const LoadAngle
 
 /// Joint accelerations for given joint forces, under gravity in any direction.
 ///
-/// 352 multiplications, 320 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 64 multiplications, 87 additions, 2
+/// 351 multiplications, 317 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 85 multiplications, 103 additions, 7
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
+/// The unit of length is d4, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g,
@@ -101,16 +104,17 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint accelerations for given joint forces while a wrench acts on the tool from outside.
 ///
-/// 387 multiplications, 339 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 64 multiplications, 87 additions, 2
+/// 386 multiplications, 340 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 85 multiplications, 103 additions, 7
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
+/// The unit of length is d4, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity,
         const NonDeduced<Wrench<Scalar>>& wrench);
 template <class Scalar>
-using ForwardDynamicsWithWrenchConstants = std::array<Scalar, 49>;
+using ForwardDynamicsWithWrenchConstants = std::array<Scalar, 50>;
 template <class Scalar>
 ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constants(const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
@@ -121,7 +125,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Minus the sum of m gravity . r over the links, r the centre of mass in the world, J.
 ///
-/// 24 multiplications, 30 additions, 5 sine/cosine pairs. Set-up: 23 multiplications, 8 additions.
+/// 24 multiplications, 30 additions, 5 sine/cosine pairs. Set-up: 26 multiplications, 13 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Scalar potential_energy(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g,

@@ -28,85 +28,97 @@ InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c4x * inertia.m4;
-  const Scalar t1 = inertia.c5x * inertia.m5;
-  const Scalar t2 = inertia.c4z * inertia.m4;
-  const Scalar t3 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t4 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t5 = (inertia.c5x * t1 - (inertia.I5xx - t4)) - ((inertia.I4xx - t3) - inertia.c4x * t0);
-  const Scalar t6 = inertia.c4y * inertia.m4;
-  const Scalar t7 = inertia.c6z * inertia.m6;
-  const Scalar t8 = inertia.c6x * inertia.m6;
-  const Scalar t9 = inertia.c6y * inertia.m6;
-  const Scalar t10 = inertia.I6xz - inertia.c6z * t8;
-  const Scalar t11 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t12 = (inertia.I6xx - t11) - inertia.c6x * t8;
-  const Scalar t13 = inertia.c6z * t7 - (inertia.I6zz - t11);
-  const Scalar t14 = inertia.c5y * inertia.m5;
-  const Scalar t15 = ((inertia.I6yy - t11) - inertia.c6y * t9) - (inertia.c5y * t14 - (inertia.I5yy - t4));
-  const Scalar t16 = inertia.c5z * inertia.m5;
-  const Scalar t17 = inertia.c3z * inertia.m3;
-  const Scalar t18 = inertia.c3x * inertia.m3;
-  const Scalar t19 = inertia.c3y * inertia.m3;
-  const Scalar t20 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t21 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t22 = t6 - g.d4 * t21;
-  const Scalar t23 = ((inertia.I4yy - t3) - inertia.c4y * t6) + g.d4 * (t6 + t22);
-  const Scalar t24 = g.d4 * inertia.m3 - t19;
-  const Scalar t25 = ((inertia.I3yy - t20) - inertia.c3y * t19) - g.d4 * (t24 - t19);
-  const Scalar t26 = (t22 - t24) / g.d4;
-  const Scalar t27 = inertia.c2x * inertia.m2;
-  const Scalar t28 = inertia.c2y * inertia.m2;
-  const Scalar t29 = inertia.c1y * inertia.m1;
-  const Scalar t30 = t29 - g.l2 * inertia.m1;
-  const Scalar t31 = inertia.c1x * inertia.m1;
-  const Scalar t32 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t33 = (inertia.c3x * t18 - (inertia.I3xx - t20)) + (inertia.c2x * t27 - (inertia.I2xx - t32));
-  const Scalar t34 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t35 = g.l2 * (t30 + t29) - (inertia.c1y * t29 - (inertia.I1yy - t34));
-  const Scalar t36 = (t33 + (inertia.c1x * t31 - (inertia.I1xx - t34)))
-      - (t35 + ((inertia.I2yy - t32) - inertia.c2y * t28));
-  return { g.l2,
-           gravity[0],
-           gravity[1],
-           gravity[2],
-           g.d4,
-           t0 + t1,
-           t2,
-           inertia.I4xz - inertia.c4z * t0,
-           (inertia.I4zz - t3) - inertia.c4z * t2,
-           t5,
-           inertia.I4xy - inertia.c4y * t0,
-           inertia.I4yz - inertia.c4z * t6,
-           t7,
-           t8,
-           inertia.I6xy - inertia.c6y * t8,
-           inertia.I6yz - inertia.c6z * t9,
-           Scalar(2) * t10,
-           t12 + t13,
-           t13,
-           t10,
-           t9 + t14,
-           inertia.I5xz - inertia.c5z * t1,
-           inertia.I5yz - inertia.c5z * t14,
+  const Scalar t0 = inertia.c1y * inertia.m1;
+  const Scalar t1 = t0 - g.l2 * inertia.m1;
+  const Scalar t2 = inertia.c1x * inertia.m1;
+  const Scalar t3 = inertia.c3x * inertia.m3;
+  const Scalar t4 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t5 = inertia.c2x * inertia.m2;
+  const Scalar t6 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t7 = (inertia.c3x * t3 - (inertia.I3xx - t4)) + (inertia.c2x * t5 - (inertia.I2xx - t6));
+  const Scalar t8 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t9 = g.l2 * (t1 + t0) - (inertia.c1y * t0 - (inertia.I1yy - t8));
+  const Scalar t10 = g.l2 * inertia.m2;
+  const Scalar t11 = inertia.c2y * inertia.m2;
+  const Scalar t12 = t10 - t11;
+  const Scalar t13 = g.l2 * (t12 - t11) - ((inertia.I2yy - t6) - inertia.c2y * t11);
+  const Scalar t14 = t10 - t12;
+  const Scalar t15 = (t7 + (inertia.c1x * t2 - (inertia.I1xx - t8))) - (t9 - (t13 + g.l2 * (t14 - t12)));
+  const Scalar t16 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t17 = inertia.c4z * inertia.m4;
+  const Scalar t18 = inertia.c4x * inertia.m4;
+  const Scalar t19 = g.d4 * t18;
+  const Scalar t20 = g.d4 * t17;
+  const Scalar t21 = inertia.c4y * inertia.m4;
+  const Scalar t22 = inertia.c6y * inertia.m6;
+  const Scalar t23 = inertia.c6x * inertia.m6;
+  const Scalar t24 = inertia.I6xz - inertia.c6z * t23;
+  const Scalar t25 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t26 = (inertia.I6xx - t25) - inertia.c6x * t23;
+  const Scalar t27 = inertia.c6z * inertia.m6;
+  const Scalar t28 = inertia.c6z * t27 - (inertia.I6zz - t25);
+  const Scalar t29 = inertia.c5z * inertia.m5;
+  const Scalar t30 = inertia.c5y * inertia.m5;
+  const Scalar t31 = inertia.c5x * inertia.m5;
+  const Scalar t32 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t33 = ((inertia.I6yy - t25) - inertia.c6y * t22) - (inertia.c5y * t30 - (inertia.I5yy - t32));
+  const Scalar t34 = inertia.c3y * inertia.m3;
+  const Scalar t35 = g.d4 * inertia.m3 - t34;
+  const Scalar t36 = g.d4 * inertia.m4;
+  const Scalar t37 = t21 - t36;
+  const Scalar t38 = t37 + t36;
+  const Scalar t39 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t40 = t38 - g.d4 * t39;
+  const Scalar t41 = (t35 - t40) / g.d4;
+  const Scalar t42 = g.d4 * g.d4 * t41;
+  const Scalar t43 = (inertia.c5x * t31 - (inertia.I5xx - t32)) - ((inertia.I4xx - t16) - inertia.c4x * t18);
+  const Scalar t44 = g.d4 * (t21 + t37) + ((inertia.I4yy - t16) - inertia.c4y * t21);
+  const Scalar t45 = (t44 - g.d4 * (t38 + t37)) + g.d4 * (t38 + t40);
+  const Scalar t46 = ((inertia.I3yy - t4) - inertia.c3y * t34) - g.d4 * (t35 - t34);
+  const Scalar t47 = inertia.c3z * inertia.m3;
+  const Scalar t48 = g.d4 * t47;
+  const Scalar t49 = g.d4 * g.d4 * (t41 - (inertia.m2 + (inertia.m3 + t39)));
+  return { gravity[0] / g.d4,
+           gravity[1] / g.d4,
+           g.d4 * t1,
+           g.d4 * t2,
            t15,
-           inertia.I5xy - inertia.c5y * t1,
-           t12,
-           inertia.c5z * t16 - (inertia.I5zz - t4),
-           t16,
-           t17,
-           inertia.I3xz - inertia.c3z * t18,
-           (inertia.I3xy - inertia.c3y * t18) + g.d4 * t18,
-           g.d4 * t17 + (inertia.I3yz - inertia.c3z * t19),
-           (inertia.I3zz - t20) - inertia.c3z * t17,
-           (t23 + t25) - g.d4 * g.d4 * t26,
+           (inertia.I4zz - t16) - inertia.c4z * t17,
+           inertia.I4xz - inertia.c4z * t18,
+           (t19 + (inertia.I4xy - inertia.c4y * t18)) - t19,
+           t20 - (t20 + (inertia.I4yz - inertia.c4z * t21)),
+           Scalar(1) / g.d4,
+           g.l2 / g.d4,
+           gravity[2] / g.d4,
+           t20,
+           inertia.I6yz - inertia.c6z * t22,
+           inertia.I6xy - inertia.c6y * t23,
+           Scalar(2) * t24,
+           t26 + t28,
+           t24,
            t26,
-           t27 + t18,
+           g.d4 * t23,
+           g.d4 * t27,
+           g.d4 * t29,
+           g.d4 * (t22 + t30),
+           inertia.I5xy - inertia.c5y * t31,
+           inertia.I5xz - inertia.c5z * t31,
+           t33,
+           inertia.c5z * t29 - (inertia.I5zz - t32),
+           inertia.I5yz - inertia.c5z * t30,
+           g.d4 * (t18 + t31),
+           t42,
+           t43,
            t28,
-           (inertia.m2 + (inertia.m3 + t21)) + t26,
-           t30,
-           t31,
-           t36 };
+           inertia.I3xz - inertia.c3z * t3,
+           (inertia.I3xy - inertia.c3y * t3) + g.d4 * t3,
+           t42 + (t45 + t46),
+           t48 + (inertia.I3yz - inertia.c3z * t34),
+           (inertia.I3zz - t4) - inertia.c3z * t47,
+           t48,
+           g.d4 * t14,
+           g.d4 * (t5 + t3),
+           t49 };
 }
 
 namespace detail {
@@ -125,142 +137,144 @@ inline JointVector<Scalar> inverse_dynamics_with_gravity_vector(const JointVecto
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[1] * s1 - k[2] * c1;
-  const Scalar t1 = k[2] * s1 + k[1] * c1;
-  const Scalar t2 = k[40] * qdd[0] + (k[39] * t0 + k[38] * t1);
-  const Scalar t3 = qd[0] * c3;
-  const Scalar t4 = qd[2] * t3;
-  const Scalar t5 = qdd[0] * s3;
-  const Scalar t6 = t4 + t5;
-  const Scalar t7 = t4 + t6;
-  const Scalar t8 = qd[0] * s3;
-  const Scalar t9 = qd[3] - t8;
-  const Scalar t10 = t9 * t9;
-  const Scalar t11 = qd[2] * c4 + s4 * t3;
-  const Scalar t12 = t11 * t11;
-  const Scalar t13 = t10 + t12;
-  const Scalar t14 = c4 * t3 - qd[2] * s4;
-  const Scalar t15 = t14 * t11;
-  const Scalar t16 = qdd[3] - t6;
-  const Scalar t17 = t15 + t16;
-  const Scalar t18 = qdd[0] * c3;
-  const Scalar t19 = Scalar(2) * qd[2] * t8 - t18;
-  const Scalar t20 = t8 * t3;
-  const Scalar t21 = qdd[2] + t20;
-  const Scalar t22 = s4 * t19 - c4 * t21;
-  const Scalar t23 = qd[0] * qd[0];
-  const Scalar t24 = k[0] + q[1];
-  const Scalar t25 = qdd[1] - (t0 + t23 * t24);
-  const Scalar t26 = s3 * t25 - k[3] * c3;
-  const Scalar t27 = Scalar(2) * qd[1] * qd[0] + (qdd[0] * t24 - t1);
-  const Scalar t28 = k[4] * t22 + (c4 * t26 - s4 * t27);
-  const Scalar t29 = (k[6] * t13 - k[5] * t17) + k[34] * t28;
-  const Scalar t30 = s5 * t14 - c5 * t9;
-  const Scalar t31 = qd[5] - t30;
-  const Scalar t32 = t31 * t31;
-  const Scalar t33 = s5 * t9 + c5 * t14;
-  const Scalar t34 = t33 * t33;
-  const Scalar t35 = t32 + t34;
-  const Scalar t36 = qd[4] + t11;
-  const Scalar t37 = t36 * t36;
-  const Scalar t38 = t37 + t32;
-  const Scalar t39 = t35 - t38;
-  const Scalar t40 = t3 * t3;
-  const Scalar t41 = qd[2] * qd[2];
-  const Scalar t42 = t40 + t41;
-  const Scalar t43 = t10 - t12;
-  const Scalar t44 = t42 + t43;
-  const Scalar t45 = t39 - t44;
-  const Scalar t46 = t33 * t30;
-  const Scalar t47 = t14 * t9;
-  const Scalar t48 = t22 - t47;
-  const Scalar t49 = qdd[4] - t48;
-  const Scalar t50 = t46 + t49;
-  const Scalar t51 = k[13] * s6 + k[12] * c6;
-  const Scalar t52 = k[12] * s6 - k[13] * c6;
-  const Scalar t53 = c4 * t19 + s4 * t21;
-  const Scalar t54 = t9 * t11;
-  const Scalar t55 = (t53 + t54) + t54;
-  const Scalar t56 = s5 * t55 + c5 * t17;
-  const Scalar t57 = qdd[5] + t56;
-  const Scalar t58 = (k[27] * t45 + k[20] * t50) - (t51 * t38 + t52 * t57);
-  const Scalar t59 = t37 + t34;
-  const Scalar t60 = t46 - t49;
-  const Scalar t61 = t31 * t33;
-  const Scalar t62 = t61 + (t61 + t50);
-  const Scalar t63 = t31 * t36;
-  const Scalar t64 = c5 * t55 - s5 * t17;
-  const Scalar t65 = t36 * t30;
-  const Scalar t66 = t64 + (t65 + t65);
-  const Scalar t67 = t63 + (t63 + t66);
-  const Scalar t68 = (k[20] * t59 - k[27] * t60) + (t51 * t62 - t67 * t52);
-  const Scalar t69 = t29 - (c5 * t58 - s5 * t68);
-  const Scalar t70 = t36 * t33;
-  const Scalar t71 = t70 + t70;
-  const Scalar t72 = t71 - t56;
-  const Scalar t73 = t71 - t57;
-  const Scalar t74 = (k[20] * t66 + k[27] * t72) + (t35 * t52 + t73 * t51);
-  const Scalar t75 = t15 - t16;
-  const Scalar t76 = k[4] * t53 - (s4 * t26 + c4 * t27);
-  const Scalar t77 = (k[6] * t75 - k[5] * t44) + k[34] * t76;
-  const Scalar t78 = t74 + t77;
-  const Scalar t79 = k[28] * t7 + (s4 * t69 + c4 * t78);
-  const Scalar t80 = k[37] * t27 - (k[36] * qdd[0] + k[35] * t23);
-  const Scalar t81 = k[17] * c6 - k[16] * s6;
-  const Scalar t82 = k[19] + s6 * t81;
-  const Scalar t83 = c6 * t81;
-  const Scalar t84 = k[25] - t83;
-  const Scalar t85 = k[14] * c6 - k[15] * s6;
-  const Scalar t86 = k[14] * s6 + k[15] * c6;
-  const Scalar t87 = (t67 * t82 + t84 * t62) + (t85 * t57 + t86 * (t59 - t38));
-  const Scalar t88 = c3 * t25 + k[3] * s3;
-  const Scalar t89 = t88 - k[4] * t42;
-  const Scalar t90 = c5 * t89 - s5 * t28;
-  const Scalar t91 = s5 * t89 + c5 * t28;
-  const Scalar t92 = t45 + t59;
-  const Scalar t93 = (k[26] * t60 + k[23] * t50) + k[22] * t92;
-  const Scalar t94 = (k[27] * t90 + k[20] * t91) - ((k[21] * t64 + k[24] * t56) + t93);
-  const Scalar t95 = (t87 - t90 * t51) - t94;
-  const Scalar t96 = t42 - t13;
-  const Scalar t97 = t48 - t47;
-  const Scalar t98 = (k[10] * t17 + k[11] * t96) + (k[7] * t55 - k[8] * t97);
-  const Scalar t99 = k[4] * t69 - (t95 - (k[6] * t89 - t98));
-  const Scalar t100 = k[10] * t43 + (k[7] * t97 + k[9] * t55);
-  const Scalar t101 = k[24] * (t39 - t92) - (k[22] * t72 + k[23] * t66);
-  const Scalar t102 = k[18] - t83;
-  const Scalar t103 = (t35 - t59) * t85 - (t82 * t62 - t67 * t102);
-  const Scalar t104 = ((t101 + k[21] * t60) - k[20] * t76) + ((t103 - t86 * t73) - t90 * t52);
-  const Scalar t105 = (k[24] * t50 + k[21] * t39) + (k[26] * t72 - k[22] * t66);
-  const Scalar t106 = (t84 * t73 + t102 * t57) - t39 * t82;
-  const Scalar t107 = (t106 - (t50 * t85 - t66 * t86)) - (t52 * t91 - t76 * t51);
-  const Scalar t108 = (t105 - k[27] * t76) - t107;
-  const Scalar t109 = (k[5] * t89 - (k[11] * t75 - t100)) + (c5 * t104 - s5 * t108);
-  const Scalar t110 = k[4] * t78 - t109;
-  const Scalar t111 = t23 - t42;
-  const Scalar t112 = (k[33] * t19 + k[31] * t7) - k[30] * t111;
-  const Scalar t113 = qdd[2] - t20;
-  const Scalar t114 = (s4 * t99 + c4 * t110) + (t112 + k[29] * t113);
-  const Scalar t115 = t40 - t41;
-  const Scalar t116 = (k[29] * t115 + k[30] * t21) - (k[31] * t19 + k[32] * t7);
-  const Scalar t117 = (k[9] * t17 + k[8] * t75) - k[7] * (t43 + t96);
-  const Scalar t118 = (t117 + (k[11] * t53 + k[10] * t22)) + (k[6] * t76 + k[5] * t28);
-  const Scalar t119 = t118 - (c5 * t108 + s5 * t104);
-  const Scalar t120 = c3 * t114 + s3 * ((t116 + k[28] * t27) - t119);
-  const Scalar t121 = (t79 + t80) * t24 - ((k[36] * t27 + k[35] * t25) - t120);
-  const Scalar t122 = (k[36] * t23 - k[35] * qdd[0]) + k[37] * t25;
-  const Scalar t123 = t111 - t115;
-  const Scalar t124 = k[28] * (t123 + t42) - (s4 * t78 - c4 * t69);
-  const Scalar t125 = (k[5] * t55 - k[6] * t97) - k[34] * t89;
-  const Scalar t126 = (t125 + (s5 * t58 + c5 * t68)) + k[28] * t113;
-  const Scalar t127 = k[31] * t123 - (k[32] * t113 + k[33] * t21);
-  const Scalar t128 = (t127 + (k[29] * t18 + k[30] * t5)) + k[28] * t88;
+  const Scalar t0 = qd[0] * c3;
+  const Scalar t1 = qd[2] * c4 + s4 * t0;
+  const Scalar t2 = qd[4] + t1;
+  const Scalar t3 = c4 * t0 - qd[2] * s4;
+  const Scalar t4 = qd[0] * s3;
+  const Scalar t5 = qd[3] - t4;
+  const Scalar t6 = s5 * t3 - c5 * t5;
+  const Scalar t7 = t2 * t6;
+  const Scalar t8 = t5 * t1;
+  const Scalar t9 = qd[2] * t4;
+  const Scalar t10 = qdd[0] * c3;
+  const Scalar t11 = t9 + (t9 - t10);
+  const Scalar t12 = t4 * t0;
+  const Scalar t13 = qdd[2] + t12;
+  const Scalar t14 = c4 * t11 + s4 * t13;
+  const Scalar t15 = t8 + (t14 + t8);
+  const Scalar t16 = t3 * t1;
+  const Scalar t17 = qd[2] * t0;
+  const Scalar t18 = qdd[0] * s3;
+  const Scalar t19 = t17 + t18;
+  const Scalar t20 = qdd[3] - t19;
+  const Scalar t21 = t16 + t20;
+  const Scalar t22 = c5 * t15 - s5 * t21;
+  const Scalar t23 = t7 + (t7 + t22);
+  const Scalar t24 = s5 * t15 + c5 * t21;
+  const Scalar t25 = qdd[5] + t24;
+  const Scalar t26 = s5 * t5 + c5 * t3;
+  const Scalar t27 = t2 * t26;
+  const Scalar t28 = t25 - (t27 + t27);
+  const Scalar t29 = qdd[5] - t28;
+  const Scalar t30 = k[19] * s6 + k[20] * c6;
+  const Scalar t31 = k[19] * c6 - k[20] * s6;
+  const Scalar t32 = qd[5] - t6;
+  const Scalar t33 = t32 * t32;
+  const Scalar t34 = t33 - t26 * t26;
+  const Scalar t35 = t2 * t2;
+  const Scalar t36 = t35 - t33;
+  const Scalar t37 = t34 + t36;
+  const Scalar t38 = t35 + t33;
+  const Scalar t39 = t37 - t38;
+  const Scalar t40 = (k[22] * t23 + k[21] * t29) - (t30 * t28 - t31 * t39);
+  const Scalar t41 = k[1] * s1 + k[0] * c1;
+  const Scalar t42 = k[10] + k[9] * q[1];
+  const Scalar t43 = qd[0] * k[9] * qd[1];
+  const Scalar t44 = (t41 - qdd[0] * t42) - (t43 + t43);
+  const Scalar t45 = qd[0] * qd[0];
+  const Scalar t46 = k[0] * s1 - k[1] * c1;
+  const Scalar t47 = k[9] * qdd[1] - (t45 * t42 + t46);
+  const Scalar t48 = s3 * t47 - k[11] * c3;
+  const Scalar t49 = t14 + (c4 * t44 - s4 * t48);
+  const Scalar t50 = t16 - t20;
+  const Scalar t51 = t5 * t5;
+  const Scalar t52 = t3 * t3;
+  const Scalar t53 = t51 + t52;
+  const Scalar t54 = k[29] * t49 - (k[12] * t50 - k[28] * t53);
+  const Scalar t55 = t40 - t54;
+  const Scalar t56 = s4 * t11 - c4 * t13;
+  const Scalar t57 = t56 + (s4 * t44 + c4 * t48);
+  const Scalar t58 = t0 * t0;
+  const Scalar t59 = qd[2] * qd[2];
+  const Scalar t60 = t58 + t59;
+  const Scalar t61 = t51 - t52;
+  const Scalar t62 = t60 + t61;
+  const Scalar t63 = k[29] * t57 - (k[12] * t62 - k[28] * t21);
+  const Scalar t64 = t3 * t5;
+  const Scalar t65 = t56 - t64;
+  const Scalar t66 = qdd[4] - t65;
+  const Scalar t67 = t26 * t6;
+  const Scalar t68 = t66 + t67;
+  const Scalar t69 = t53 + t37;
+  const Scalar t70 = (k[22] * t68 - k[21] * t69) - (t30 * t38 - t25 * t31);
+  const Scalar t71 = t32 * t2;
+  const Scalar t72 = t71 + (t71 + t23);
+  const Scalar t73 = t32 * t26;
+  const Scalar t74 = t73 + (t73 + t68);
+  const Scalar t75 = t36 - t39;
+  const Scalar t76 = t66 - t67;
+  const Scalar t77 = (t72 * t31 + t30 * t74) + (k[22] * t75 + k[21] * t76);
+  const Scalar t78 = t63 + (c5 * t70 - s5 * t77);
+  const Scalar t79 = t17 + t19;
+  const Scalar t80 = (c4 * t55 - s4 * t78) + k[37] * t79;
+  const Scalar t81 = k[40] * t44 - (k[39] * t45 + k[38] * qdd[0]);
+  const Scalar t82 = t53 - t62;
+  const Scalar t83 = (k[30] * t21 + k[5] * t50) - k[6] * t82;
+  const Scalar t84 = ((k[8] * t14 - k[7] * t56) - t83) - (k[12] * t49 + k[28] * t57);
+  const Scalar t85 = c3 * t47 + k[11] * s3;
+  const Scalar t86 = t60 - t85;
+  const Scalar t87 = c5 * t86 + s5 * t57;
+  const Scalar t88 = k[14] * s6 + k[13] * c6;
+  const Scalar t89 = k[14] * c6 - k[13] * s6;
+  const Scalar t90 = k[16] * c6 - k[15] * s6;
+  const Scalar t91 = k[17] + s6 * t90;
+  const Scalar t92 = c6 * t90;
+  const Scalar t93 = k[31] - t92;
+  const Scalar t94 = t89 * t36 + (t91 * t74 - t72 * t93);
+  const Scalar t95 = t69 - t75;
+  const Scalar t96 = k[23] * (t95 - t37) - (k[25] * t23 + k[27] * t29);
+  const Scalar t97 = (t31 * t87 - (t88 * t28 - t94)) + ((k[24] * t76 - t96) + k[22] * t49);
+  const Scalar t98 = (k[27] * t23 - k[26] * t29) - (k[23] * t68 - k[24] * t37);
+  const Scalar t99 = s5 * t86 - c5 * t57;
+  const Scalar t100 = k[18] - t92;
+  const Scalar t101 = t91 * t37 - (t28 * t100 - t93 * t25);
+  const Scalar t102 = (t30 * t49 - t99 * t31) + ((t88 * t23 - t89 * t68) + t101);
+  const Scalar t103 = (k[21] * t49 + t98) + t102;
+  const Scalar t104 = t84 - (s5 * t97 + c5 * t103);
+  const Scalar t105 = t58 - t59;
+  const Scalar t106 = (k[35] * t11 + k[36] * t79) - (k[33] * t13 + k[32] * t105);
+  const Scalar t107 = qdd[2] - t12;
+  const Scalar t108 = (k[34] * t11 + k[35] * t79) - k[33] * (t45 - t60);
+  const Scalar t109 = t64 - t65;
+  const Scalar t110 = (k[6] * t109 - k[30] * t15) - k[7] * (t82 + t61);
+  const Scalar t111 = (c5 * t97 - s5 * t103) + ((t110 - k[8] * t50) + k[28] * t86);
+  const Scalar t112 = t111 + t55;
+  const Scalar t113 = (k[6] * t15 + k[5] * t109) + (k[7] * t21 + k[8] * t61);
+  const Scalar t114 = k[27] * t95 + (k[26] * t76 - k[25] * t68);
+  const Scalar t115 = ((k[23] * t24 + k[24] * t22) - t114) + (k[22] * t99 + k[21] * t87);
+  const Scalar t116 = (t25 * t89 - t88 * t34) + (t100 * t74 + t91 * t72);
+  const Scalar t117 = t115 + (t116 + t30 * t87);
+  const Scalar t118 = t78 + ((t113 + k[12] * t86) + t117);
+  const Scalar t119 = (k[32] * t107 + t108) + (c4 * t112 - s4 * t118);
+  const Scalar t120 = s3 * (t104 - (t106 + k[37] * t44)) + c3 * t119;
+  const Scalar t121 = (t80 + t81) * t42 + ((k[38] * t44 - k[39] * t47) + t120);
+  const Scalar t122 = k[4] * qdd[0] + (k[2] * t41 + k[3] * t46);
+  const Scalar t123 = k[40] * t47 - (k[38] * t45 - k[39] * qdd[0]);
+  const Scalar t124 = t45 - t105;
+  const Scalar t125 = k[37] * t124 - (s4 * t55 + c4 * t78);
+  const Scalar t126 = (k[12] * t109 + k[28] * t15) - k[29] * t86;
+  const Scalar t127 = ((c5 * t77 + s5 * t70) + t126) + k[37] * t107;
+  const Scalar t128 = k[9] * (t123 + (s3 * t125 - c3 * t127));
+  const Scalar t129 = (k[36] * t107 + k[34] * t13) + k[35] * (t60 - t124);
+  const Scalar t130 = k[37] * t85 + ((k[33] * t18 + k[32] * t10) - t129);
   JointVector<Scalar> result;
-  result[0] = t2 + t121;
-  result[1] = t122 - (s3 * t124 - c3 * t126);
-  result[2] = t128 - (s4 * t110 - c4 * t99);
-  result[3] = t119;
-  result[4] = -t95;
-  result[5] = t107;
+  result[0] = t121 + t122;
+  result[1] = -t128;
+  result[2] = t130 - (s4 * t112 + c4 * t118);
+  result[3] = -t104;
+  result[4] = -t117;
+  result[5] = t102;
   return result;
 }
 
@@ -299,74 +313,88 @@ InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constant
   const Scalar t7 = (inertia.c3x * t3 - (inertia.I3xx - t4)) + (inertia.c2x * t5 - (inertia.I2xx - t6));
   const Scalar t8 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
   const Scalar t9 = g.l2 * (t1 + t0) - (inertia.c1y * t0 - (inertia.I1yy - t8));
-  const Scalar t10 = inertia.c2y * inertia.m2;
-  const Scalar t11 = (t7 + (inertia.c1x * t2 - (inertia.I1xx - t8))) - (t9 + ((inertia.I2yy - t6) - inertia.c2y * t10));
-  const Scalar t12 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t13 = inertia.c4y * inertia.m4;
-  const Scalar t14 = t13 - g.d4 * t12;
-  const Scalar t15 = inertia.c3y * inertia.m3;
-  const Scalar t16 = g.d4 * inertia.m3 - t15;
-  const Scalar t17 = (t14 - t16) / g.d4;
-  const Scalar t18 = inertia.c6y * inertia.m6;
-  const Scalar t19 = inertia.c5y * inertia.m5;
-  const Scalar t20 = inertia.c5z * inertia.m5;
-  const Scalar t21 = inertia.c6z * inertia.m6;
-  const Scalar t22 = inertia.c6x * inertia.m6;
+  const Scalar t10 = g.l2 * inertia.m2;
+  const Scalar t11 = inertia.c2y * inertia.m2;
+  const Scalar t12 = t10 - t11;
+  const Scalar t13 = g.l2 * (t12 - t11) - ((inertia.I2yy - t6) - inertia.c2y * t11);
+  const Scalar t14 = t10 - t12;
+  const Scalar t15 = (t7 + (inertia.c1x * t2 - (inertia.I1xx - t8))) - (t9 - (t13 + g.l2 * (t14 - t12)));
+  const Scalar t16 = inertia.c3z * inertia.m3;
+  const Scalar t17 = g.d4 * t16;
+  const Scalar t18 = inertia.c5z * inertia.m5;
+  const Scalar t19 = inertia.c6y * inertia.m6;
+  const Scalar t20 = inertia.c5y * inertia.m5;
+  const Scalar t21 = inertia.c6x * inertia.m6;
+  const Scalar t22 = inertia.c6z * inertia.m6;
   const Scalar t23 = inertia.c4x * inertia.m4;
   const Scalar t24 = inertia.c5x * inertia.m5;
   const Scalar t25 = inertia.c4z * inertia.m4;
-  const Scalar t26 = inertia.c3z * inertia.m3;
-  const Scalar t27 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t28 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t29 = (inertia.c5x * t24 - (inertia.I5xx - t28)) - ((inertia.I4xx - t27) - inertia.c4x * t23);
-  const Scalar t30 = inertia.I6xz - inertia.c6z * t22;
-  const Scalar t31 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t32 = (inertia.I6xx - t31) - inertia.c6x * t22;
-  const Scalar t33 = inertia.c6z * t21 - (inertia.I6zz - t31);
-  const Scalar t34 = ((inertia.I6yy - t31) - inertia.c6y * t18) - (inertia.c5y * t19 - (inertia.I5yy - t28));
-  const Scalar t35 = ((inertia.I4yy - t27) - inertia.c4y * t13) + g.d4 * (t13 + t14);
-  const Scalar t36 = ((inertia.I3yy - t4) - inertia.c3y * t15) - g.d4 * (t16 - t15);
-  return { gravity[1],
-           gravity[0],
-           t1,
-           t2,
-           t11,
-           g.l2,
-           (inertia.m2 + (inertia.m3 + t12)) + t17,
-           t10,
-           t5 + t3,
-           t18 + t19,
-           t20,
-           t21,
-           t22,
-           t23 + t24,
-           t25,
-           g.d4,
-           gravity[2],
+  const Scalar t26 = g.d4 * t25;
+  const Scalar t27 = inertia.c3y * inertia.m3;
+  const Scalar t28 = g.d4 * inertia.m3 - t27;
+  const Scalar t29 = inertia.c4y * inertia.m4;
+  const Scalar t30 = g.d4 * inertia.m4;
+  const Scalar t31 = t29 - t30;
+  const Scalar t32 = t31 + t30;
+  const Scalar t33 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t34 = t32 - g.d4 * t33;
+  const Scalar t35 = (t28 - t34) / g.d4;
+  const Scalar t36 = g.d4 * g.d4 * t35;
+  const Scalar t37 = g.d4 * g.d4 * (t35 - (inertia.m2 + (inertia.m3 + t33)));
+  const Scalar t38 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t39 = g.d4 * (t29 + t31) + ((inertia.I4yy - t38) - inertia.c4y * t29);
+  const Scalar t40 = (t39 - g.d4 * (t32 + t31)) + g.d4 * (t32 + t34);
+  const Scalar t41 = ((inertia.I3yy - t4) - inertia.c3y * t27) - g.d4 * (t28 - t27);
+  const Scalar t42 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t43 = (inertia.c5x * t24 - (inertia.I5xx - t42)) - ((inertia.I4xx - t38) - inertia.c4x * t23);
+  const Scalar t44 = g.d4 * t23;
+  const Scalar t45 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t46 = ((inertia.I6yy - t45) - inertia.c6y * t19) - (inertia.c5y * t20 - (inertia.I5yy - t42));
+  const Scalar t47 = inertia.I6xz - inertia.c6z * t21;
+  const Scalar t48 = (inertia.I6xx - t45) - inertia.c6x * t21;
+  const Scalar t49 = inertia.c6z * t22 - (inertia.I6zz - t45);
+  return { gravity[0] / g.d4,
+           gravity[1] / g.d4,
+           g.d4 * t1,
+           g.d4 * t2,
+           t15,
+           Scalar(1) / g.d4,
+           g.l2 / g.d4,
            t17,
+           g.d4 * t18,
+           g.d4 * (t19 + t20),
+           g.d4,
+           g.d4 * t21,
+           g.d4 * t22,
+           g.d4 * (t23 + t24),
            t26,
-           (inertia.I3zz - t4) - inertia.c3z * t26,
-           g.d4 * t26 + (inertia.I3yz - inertia.c3z * t15),
+           gravity[2] / g.d4,
+           t36,
+           t37,
+           g.d4 * t14,
+           g.d4 * (t5 + t3),
            inertia.I3xz - inertia.c3z * t3,
            (inertia.I3xy - inertia.c3y * t3) + g.d4 * t3,
-           inertia.I4xy - inertia.c4y * t23,
-           inertia.I4yz - inertia.c4z * t13,
-           (inertia.I4zz - t27) - inertia.c4z * t25,
-           t29,
+           t36 + (t40 + t41),
+           t17 + (inertia.I3yz - inertia.c3z * t27),
+           t43,
            inertia.I4xz - inertia.c4z * t23,
-           inertia.I6xy - inertia.c6y * t22,
-           inertia.I6yz - inertia.c6z * t18,
-           Scalar(2) * t30,
-           t32 + t33,
-           t30,
-           t33,
-           inertia.I5xz - inertia.c5z * t24,
+           (t44 + (inertia.I4xy - inertia.c4y * t23)) - t44,
+           t26 - (t26 + (inertia.I4yz - inertia.c4z * t29)),
+           t46,
+           inertia.I5yz - inertia.c5z * t20,
            inertia.I5xy - inertia.c5y * t24,
-           inertia.I5yz - inertia.c5z * t19,
-           t34,
-           t32,
-           inertia.c5z * t20 - (inertia.I5zz - t28),
-           (t35 + t36) - g.d4 * g.d4 * t17 };
+           inertia.I5xz - inertia.c5z * t24,
+           inertia.I6yz - inertia.c6z * t19,
+           inertia.I6xy - inertia.c6y * t21,
+           Scalar(2) * t47,
+           t48 + t49,
+           t47,
+           t49,
+           t48,
+           inertia.c5z * t18 - (inertia.I5zz - t42),
+           (inertia.I4zz - t38) - inertia.c4z * t25,
+           (inertia.I3zz - t4) - inertia.c3z * t16 };
 }
 
 namespace detail {
@@ -385,157 +413,158 @@ inline JointVector<Scalar> inverse_dynamics_with_wrench(const JointVector<Scalar
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[0] * s1 + k[1] * c1;
-  const Scalar t1 = k[1] * s1 - k[0] * c1;
-  const Scalar t2 = k[4] * qdd[0] + (k[2] * t0 + k[3] * t1);
-  const Scalar t3 = k[5] + q[1];
-  const Scalar t4 = qd[0] * c3;
-  const Scalar t5 = qd[2] * t4;
-  const Scalar t6 = qdd[0] * s3;
-  const Scalar t7 = t5 + t6;
-  const Scalar t8 = t5 + t7;
-  const Scalar t9 = qd[1] * qd[0];
-  const Scalar t10 = (qdd[0] * t3 - t0) + (t9 + t9);
-  const Scalar t11 = qd[0] * s3;
-  const Scalar t12 = qd[2] * t11;
-  const Scalar t13 = qdd[0] * c3;
-  const Scalar t14 = t12 + (t12 - t13);
-  const Scalar t15 = t10 - k[15] * t14;
-  const Scalar t16 = t11 * t4;
-  const Scalar t17 = qdd[2] + t16;
-  const Scalar t18 = qd[0] * qd[0];
-  const Scalar t19 = qdd[1] - (t1 + t3 * t18);
-  const Scalar t20 = k[15] * t17 - (s3 * t19 - k[16] * c3);
-  const Scalar t21 = s4 * t15 + c4 * t20;
-  const Scalar t22 = qd[3] - t11;
-  const Scalar t23 = t22 * t22;
-  const Scalar t24 = c4 * t4 - qd[2] * s4;
-  const Scalar t25 = t24 * t24;
-  const Scalar t26 = t23 + t25;
-  const Scalar t27 = t23 - t25;
-  const Scalar t28 = t4 * t4;
-  const Scalar t29 = qd[2] * qd[2];
-  const Scalar t30 = t28 + t29;
-  const Scalar t31 = t30 - t26;
-  const Scalar t32 = t27 + t31;
-  const Scalar t33 = qd[2] * c4 + s4 * t4;
-  const Scalar t34 = t24 * t33;
-  const Scalar t35 = qdd[3] - t7;
-  const Scalar t36 = t34 + t35;
-  const Scalar t37 = k[17] * t21 - (k[14] * (t26 + t32) - k[13] * t36);
-  const Scalar t38 = k[12] * c6 - k[11] * s6;
-  const Scalar t39 = t22 * t33;
-  const Scalar t40 = c4 * t14 + s4 * t17;
-  const Scalar t41 = t39 + (t40 + t39);
-  const Scalar t42 = s5 * t41 + c5 * t36;
-  const Scalar t43 = qdd[5] + t42;
-  const Scalar t44 = qd[4] + t33;
-  const Scalar t45 = t44 * t44;
-  const Scalar t46 = s5 * t24 - c5 * t22;
-  const Scalar t47 = qd[5] - t46;
-  const Scalar t48 = t45 + t47 * t47;
-  const Scalar t49 = k[12] * s6 + k[11] * c6;
-  const Scalar t50 = wrench[0] * c1 + wrench[1] * s1;
-  const Scalar t51 = wrench[0] * s1 - wrench[1] * c1;
-  const Scalar t52 = wrench[2] * c3 + s3 * t51;
-  const Scalar t53 = s4 * t50 - c4 * t52;
-  const Scalar t54 = c3 * t51 - wrench[2] * s3;
-  const Scalar t55 = (t38 * t43 - t48 * t49) + (c5 * t53 - s5 * t54);
-  const Scalar t56 = t46 * t46;
-  const Scalar t57 = t45 + t56;
-  const Scalar t58 = s4 * t14 - c4 * t17;
-  const Scalar t59 = t24 * t22;
-  const Scalar t60 = t58 - t59;
-  const Scalar t61 = qdd[4] - t60;
-  const Scalar t62 = s5 * t22 + c5 * t24;
-  const Scalar t63 = t62 * t46;
-  const Scalar t64 = t61 + t63;
-  const Scalar t65 = t55 - (k[10] * t57 - k[9] * t64);
-  const Scalar t66 = t45 - t56;
-  const Scalar t67 = t66 + t26;
-  const Scalar t68 = t61 - t63;
-  const Scalar t69 = Scalar(2) * t47 * t62 + t64;
-  const Scalar t70 = t47 * t44;
-  const Scalar t71 = c5 * t41 - s5 * t36;
-  const Scalar t72 = Scalar(2) * t44 * t46 + t71;
-  const Scalar t73 = t70 + (t70 + t72);
-  const Scalar t74 = (s5 * t53 + c5 * t54) - (t49 * t69 + t38 * t73);
-  const Scalar t75 = (k[9] * t67 + k[10] * t68) - t74;
-  const Scalar t76 = t37 + (c5 * t65 - s5 * t75);
-  const Scalar t77 = c4 * t15 - s4 * t20;
-  const Scalar t78 = t34 - t35;
-  const Scalar t79 = k[17] * t77 + (k[13] * t26 - k[14] * t78);
-  const Scalar t80 = t44 * t62;
-  const Scalar t81 = t80 + t80;
-  const Scalar t82 = t43 - t81;
-  const Scalar t83 = t26 - t57;
-  const Scalar t84 = t83 + t48;
-  const Scalar t85 = (t82 * t49 + t38 * t84) + (s4 * t52 + c4 * t50);
-  const Scalar t86 = t42 - t81;
-  const Scalar t87 = t79 + (t85 + (k[10] * t86 - k[9] * t72));
-  const Scalar t88 = k[18] * t8 - (s4 * t76 + c4 * t87);
-  const Scalar t89 = (k[7] * qdd[0] + k[8] * t18) - k[6] * t10;
-  const Scalar t90 = (k[34] * t83 + k[35] * t64) - (k[36] * t72 + k[39] * t86);
+  const Scalar t0 = k[6] + k[5] * q[1];
+  const Scalar t1 = qd[0] * s3;
+  const Scalar t2 = qd[0] * c3;
+  const Scalar t3 = t1 * t2;
+  const Scalar t4 = qdd[2] + t3;
+  const Scalar t5 = qd[0] * qd[0];
+  const Scalar t6 = k[0] * s1 - k[1] * c1;
+  const Scalar t7 = k[5] * qdd[1] - (t5 * t0 + t6);
+  const Scalar t8 = t4 + (k[15] * c3 - s3 * t7);
+  const Scalar t9 = qdd[0] * c3;
+  const Scalar t10 = qd[2] * t1;
+  const Scalar t11 = t9 - (t10 + t10);
+  const Scalar t12 = qd[0] * k[5] * qd[1];
+  const Scalar t13 = k[1] * s1 + k[0] * c1;
+  const Scalar t14 = (t12 + t12) - (t13 - qdd[0] * t0);
+  const Scalar t15 = t11 + t14;
+  const Scalar t16 = c4 * t8 + s4 * t15;
+  const Scalar t17 = c4 * t2 - qd[2] * s4;
+  const Scalar t18 = qd[2] * c4 + s4 * t2;
+  const Scalar t19 = t17 * t18;
+  const Scalar t20 = qd[2] * t2;
+  const Scalar t21 = qdd[0] * s3;
+  const Scalar t22 = t20 + t21;
+  const Scalar t23 = qdd[3] - t22;
+  const Scalar t24 = t19 + t23;
+  const Scalar t25 = qd[3] - t1;
+  const Scalar t26 = t25 * t25;
+  const Scalar t27 = t18 * t18;
+  const Scalar t28 = t26 + t27;
+  const Scalar t29 = k[16] * t16 - (k[13] * t24 - k[14] * t28);
+  const Scalar t30 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t31 = wrench[0] * s1 - wrench[1] * c1;
+  const Scalar t32 = wrench[2] * c3 + s3 * t31;
+  const Scalar t33 = s4 * t30 - c4 * t32;
+  const Scalar t34 = c3 * t31 - wrench[2] * s3;
+  const Scalar t35 = k[12] * s6 - k[11] * c6;
+  const Scalar t36 = t25 * t18;
+  const Scalar t37 = c4 * t11 - s4 * t4;
+  const Scalar t38 = (t36 + t36) - t37;
+  const Scalar t39 = s5 * t38 + c5 * t24;
+  const Scalar t40 = qd[4] + t18;
+  const Scalar t41 = Scalar(2) * t40;
+  const Scalar t42 = s5 * t25 + c5 * t17;
+  const Scalar t43 = t41 * t42;
+  const Scalar t44 = t39 - t43;
+  const Scalar t45 = qdd[5] + t44;
+  const Scalar t46 = t45 + t43;
+  const Scalar t47 = k[12] * c6 + k[11] * s6;
+  const Scalar t48 = s5 * t17 - c5 * t25;
+  const Scalar t49 = qd[5] - t48;
+  const Scalar t50 = t49 * t49;
+  const Scalar t51 = t42 * t42;
+  const Scalar t52 = t50 - t51;
+  const Scalar t53 = t40 * t40;
+  const Scalar t54 = t53 + t51;
+  const Scalar t55 = t52 + t54;
+  const Scalar t56 = k[10] * (c5 * t33 - s5 * t34) - (t35 * t46 + t47 * t55);
+  const Scalar t57 = t42 * t48;
+  const Scalar t58 = s4 * t11 + c4 * t4;
+  const Scalar t59 = t17 * t25;
+  const Scalar t60 = t58 + t59;
+  const Scalar t61 = qdd[4] + t60;
+  const Scalar t62 = t57 + t61;
+  const Scalar t63 = t2 * t2;
+  const Scalar t64 = qd[2] * qd[2];
+  const Scalar t65 = t63 + t64;
+  const Scalar t66 = t26 - t27;
+  const Scalar t67 = t65 + t66;
+  const Scalar t68 = t50 + t51;
+  const Scalar t69 = t68 - t55;
+  const Scalar t70 = t67 - t69;
+  const Scalar t71 = t56 + (k[9] * t62 - k[8] * t70);
+  const Scalar t72 = t49 * t42;
+  const Scalar t73 = (t72 + t62) + t72;
+  const Scalar t74 = t49 * t40;
+  const Scalar t75 = c5 * t38 - s5 * t24;
+  const Scalar t76 = t41 * t48 + t75;
+  const Scalar t77 = t74 + (t74 + t76);
+  const Scalar t78 = k[10] * (s5 * t33 + c5 * t34) - (t73 * t47 - t35 * t77);
+  const Scalar t79 = t57 - t61;
+  const Scalar t80 = t78 - (k[9] * t54 - k[8] * t79);
+  const Scalar t81 = t29 - (c5 * t71 + s5 * t80);
+  const Scalar t82 = t19 - t23;
+  const Scalar t83 = c4 * t15 - s4 * t8;
+  const Scalar t84 = (k[14] * t82 - k[13] * t67) + k[16] * t83;
+  const Scalar t85 = (t47 * t45 - t68 * t35) + k[10] * (s4 * t32 + c4 * t30);
+  const Scalar t86 = t84 - (t85 - (k[9] * t76 - k[8] * t44));
+  const Scalar t87 = t20 + t22;
+  const Scalar t88 = (s4 * t81 + c4 * t86) + k[7] * t87;
+  const Scalar t89 = (k[18] * qdd[0] + k[19] * t5) + k[17] * t14;
+  const Scalar t90 = (k[31] * t69 + k[30] * t62) - (k[39] * t44 + k[29] * t76);
   const Scalar t91 = wrench[3] * s1 - wrench[4] * c1;
   const Scalar t92 = wrench[5] * s3 - c3 * t91;
   const Scalar t93 = s3 * t91 + wrench[5] * c3;
   const Scalar t94 = wrench[3] * c1 + wrench[4] * s1;
   const Scalar t95 = c4 * t93 - s4 * t94;
-  const Scalar t96 = k[28] * c6 - k[29] * s6;
-  const Scalar t97 = k[29] * c6 + k[28] * s6;
-  const Scalar t98 = k[30] * s6 - k[31] * c6;
-  const Scalar t99 = k[32] - s6 * t98;
-  const Scalar t100 = c6 * t98;
-  const Scalar t101 = k[38] + t100;
-  const Scalar t102 = k[33] + t100;
-  const Scalar t103 = t83 * t99 + (t82 * t101 - t43 * t102);
-  const Scalar t104 = k[16] * s3 + c3 * t19;
-  const Scalar t105 = k[15] * t30 - t104;
-  const Scalar t106 = s5 * t105 + c5 * t21;
-  const Scalar t107 = ((t96 * t64 - t72 * t97) + t103) + (t38 * t106 + t77 * t49);
+  const Scalar t96 = k[33] * c6 - k[32] * s6;
+  const Scalar t97 = k[33] * s6 + k[32] * c6;
+  const Scalar t98 = k[34] * s6 - k[35] * c6;
+  const Scalar t99 = c6 * t98;
+  const Scalar t100 = k[38] + t99;
+  const Scalar t101 = k[37] + t99;
+  const Scalar t102 = k[36] - s6 * t98;
+  const Scalar t103 = (t100 * t45 - t101 * t46) + t102 * t69;
+  const Scalar t104 = k[15] * s3 + c3 * t7;
+  const Scalar t105 = t104 - t65;
+  const Scalar t106 = c5 * t16 - s5 * t105;
+  const Scalar t107 = ((t62 * t96 - t97 * t76) + t103) - (t106 * t35 - t83 * t47);
   const Scalar t108 = (c5 * t92 + s5 * t95) - t107;
-  const Scalar t109 = (k[10] * t77 + t90) - t108;
-  const Scalar t110 = (k[37] * t72 - k[36] * t86) + k[35] * t66;
-  const Scalar t111 = t67 - t84;
-  const Scalar t112 = (t73 * t102 - t99 * t69) - t96 * t111;
-  const Scalar t113 = s5 * t21 - c5 * t105;
-  const Scalar t114 = ((t82 * t97 + t112) + t38 * t113) - (s5 * t92 - c5 * t95);
-  const Scalar t115 = (k[9] * t77 - (k[34] * t68 + t110)) + t114;
-  const Scalar t116 = (k[26] * t36 + k[25] * t78) + k[27] * t32;
-  const Scalar t117 = (k[13] * t21 + k[14] * t77) - ((k[23] * t58 + k[24] * t40) + t116);
-  const Scalar t118 = (c5 * t109 + s5 * t115) + t117;
-  const Scalar t119 = t28 - t29;
-  const Scalar t120 = (k[20] * t14 + k[19] * t8) - (k[22] * t17 + k[21] * t119);
-  const Scalar t121 = qdd[2] - t16;
-  const Scalar t122 = t18 - t119;
-  const Scalar t123 = t30 - t122;
-  const Scalar t124 = k[22] * (t123 - t119) + (k[20] * t8 + k[40] * t14);
-  const Scalar t125 = t59 - t60;
-  const Scalar t126 = (k[27] * t41 + k[25] * t125) - (k[24] * t27 - k[23] * t36);
-  const Scalar t127 = (k[37] * t64 - k[39] * t68) + k[36] * (t67 - t57);
-  const Scalar t128 = ((k[34] * t71 + k[35] * t42) + t127) - (k[10] * t113 - k[9] * t106);
-  const Scalar t129 = (t99 * t73 + t101 * t69) + (t43 * t96 + (t83 + t111) * t97);
-  const Scalar t130 = (t113 * t49 - t129) - (c4 * t94 + s4 * t93);
-  const Scalar t131 = t128 - t130;
-  const Scalar t132 = k[15] * t76 + ((t126 + k[14] * t105) + t131);
-  const Scalar t133 = k[23] * t31 + (k[27] * t125 - k[26] * t41);
-  const Scalar t134 = (s5 * t109 - c5 * t115) + (k[13] * t105 + (t133 + k[24] * t78));
-  const Scalar t135 = t134 - k[15] * t87;
-  const Scalar t136 = (k[21] * t121 + t124) - (s4 * t132 - c4 * t135);
-  const Scalar t137 = s3 * (t118 + (k[18] * t10 - t120)) + c3 * t136;
-  const Scalar t138 = t3 * (t88 - t89) + (t137 - (k[7] * t10 + k[8] * t19));
-  const Scalar t139 = (c4 * t76 - s4 * t87) - k[18] * t122;
-  const Scalar t140 = (k[14] * t125 + k[13] * t41) + k[17] * t105;
-  const Scalar t141 = ((s5 * t65 + c5 * t75) + t140) + k[18] * t121;
-  const Scalar t142 = k[6] * t19 + (k[7] * t18 - k[8] * qdd[0]);
-  const Scalar t143 = (k[19] * t121 + k[40] * t17) + k[20] * t123;
-  const Scalar t144 = (t143 - (k[22] * t6 + k[21] * t13)) - k[18] * t104;
+  const Scalar t109 = (t90 + k[8] * t83) - t108;
+  const Scalar t110 = (t101 * t77 - t102 * t73) - (t53 - t50) * t96;
+  const Scalar t111 = c5 * t105 + s5 * t16;
+  const Scalar t112 = ((t97 * t45 + t110) - t111 * t35) - (s5 * t92 - c5 * t95);
+  const Scalar t113 = (k[28] * t76 - k[29] * t44) - k[30] * (t67 - t54);
+  const Scalar t114 = t112 + ((k[31] * t79 - t113) + k[9] * t83);
+  const Scalar t115 = t67 - t28;
+  const Scalar t116 = (k[24] * t24 + k[40] * t82) - k[25] * t115;
+  const Scalar t117 = (k[14] * t83 + k[13] * t16) + ((k[26] * t58 - k[27] * t37) - t116);
+  const Scalar t118 = (c5 * t109 + s5 * t114) + t117;
+  const Scalar t119 = t63 - t64;
+  const Scalar t120 = (k[23] * t11 - k[41] * t87) + (k[20] * t119 + k[21] * t4);
+  const Scalar t121 = qdd[2] - t3;
+  const Scalar t122 = (k[22] * t11 - k[23] * t87) + k[21] * (t5 - t65);
+  const Scalar t123 = t60 + t59;
+  const Scalar t124 = (k[24] * t38 - k[25] * t123) + k[26] * t66;
+  const Scalar t125 = ((t124 + k[27] * t82) + k[13] * t105) - (s5 * t109 - c5 * t114);
+  const Scalar t126 = t86 - t125;
+  const Scalar t127 = (k[25] * t38 + k[40] * t123) + (k[27] * (t66 - t115) + k[26] * t24);
+  const Scalar t128 = (k[28] * t62 + k[39] * t79) + k[29] * (t54 - t70);
+  const Scalar t129 = ((k[30] * t39 + k[31] * t75) + t128) + (k[9] * t106 - k[8] * t111);
+  const Scalar t130 = (t52 * t97 - t46 * t96) - (t102 * t77 + t73 * t100);
+  const Scalar t131 = (t130 + t111 * t47) - (c4 * t94 + s4 * t93);
+  const Scalar t132 = t129 - t131;
+  const Scalar t133 = ((t127 - k[14] * t105) + t132) - t81;
+  const Scalar t134 = (k[20] * t121 - t122) + (c4 * t126 - s4 * t133);
+  const Scalar t135 = s3 * (t118 + (k[7] * t14 + t120)) + c3 * t134;
+  const Scalar t136 = t0 * (t88 - t89) - ((k[18] * t14 + k[19] * t7) - t135);
+  const Scalar t137 = k[4] * qdd[0] + (k[2] * t13 + k[3] * t6);
+  const Scalar t138 = t5 - t119;
+  const Scalar t139 = k[7] * t138 - (s4 * t86 - c4 * t81);
+  const Scalar t140 = (k[13] * t38 + k[14] * t123) + k[16] * t105;
+  const Scalar t141 = (t140 - (c5 * t80 - s5 * t71)) + k[7] * t121;
+  const Scalar t142 = k[17] * t7 + (k[19] * qdd[0] - k[18] * t5);
+  const Scalar t143 = k[5] * ((s3 * t139 - c3 * t141) + t142);
+  const Scalar t144 = (k[22] * t4 + k[41] * t121) + k[23] * (t65 - t138);
+  const Scalar t145 = ((k[21] * t21 + k[20] * t9) - t144) + k[7] * t104;
   JointVector<Scalar> result;
-  result[0] = t2 + t138;
-  result[1] = (s3 * t139 + c3 * t141) + t142;
-  result[2] = -t144 - (c4 * t132 + s4 * t135);
+  result[0] = t136 + t137;
+  result[1] = -t143;
+  result[2] = t145 - (c4 * t133 + s4 * t126);
   result[3] = -t118;
-  result[4] = -t131;
+  result[4] = -t132;
   result[5] = t108;
   return result;
 }
@@ -567,24 +596,26 @@ GravityTorqueWithGravityVectorConstants<Scalar> gravity_torque_with_gravity_vect
   using std::cos;
   using std::sin;
   const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = (inertia.c4y * inertia.m4 - g.d4 * t0) - (g.d4 * inertia.m3 - inertia.c3y * inertia.m3);
-  return { gravity[1],
+  const Scalar t1 = g.l2 * inertia.m2;
+  const Scalar t2 = g.d4 * inertia.m4;
+  const Scalar t3 = ((inertia.c4y * inertia.m4 - t2) + t2) - g.d4 * t0;
+  return { g.l2,
            gravity[0],
-           inertia.c1y * inertia.m1 - g.l2 * inertia.m1,
-           inertia.c1x * inertia.m1,
+           gravity[1],
+           inertia.m2 + (inertia.m3 + t0),
+           t1 - (t1 - inertia.c2y * inertia.m2),
            inertia.c2x * inertia.m2 + inertia.c3x * inertia.m3,
-           inertia.c2y * inertia.m2,
-           t1,
            gravity[2],
+           inertia.c4z * inertia.m4,
            inertia.c4x * inertia.m4 + inertia.c5x * inertia.m5,
            inertia.c6z * inertia.m6,
            inertia.c6x * inertia.m6,
            inertia.c5z * inertia.m5,
            inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
-           inertia.c4z * inertia.m4,
            inertia.c3z * inertia.m3,
-           inertia.m2 + (inertia.m3 + t0),
-           g.l2 };
+           (g.d4 * inertia.m3 - inertia.c3y * inertia.m3) - t3,
+           inertia.c1x * inertia.m1,
+           inertia.c1y * inertia.m1 - g.l2 * inertia.m1 };
 }
 
 namespace detail {
@@ -602,34 +633,34 @@ inline JointVector<Scalar> gravity_torque_with_gravity_vector(const JointVector<
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[0] * s1 + k[1] * c1;
-  const Scalar t1 = k[1] * s1 - k[0] * c1;
-  const Scalar t2 = k[7] * s3 - c3 * t1;
-  const Scalar t3 = s3 * t1 + k[7] * c3;
-  const Scalar t4 = s4 * t0 - c4 * t3;
-  const Scalar t5 = c5 * t2 - s5 * t4;
-  const Scalar t6 = k[10] * c6 - k[9] * s6;
-  const Scalar t7 = s4 * t3 + c4 * t0;
-  const Scalar t8 = t5 * t6 - k[12] * t7;
-  const Scalar t9 = k[9] * c6 + k[10] * s6;
-  const Scalar t10 = c5 * t4 + s5 * t2;
-  const Scalar t11 = t7 * t9 + t6 * t10;
-  const Scalar t12 = t11 + k[11] * t7;
-  const Scalar t13 = (s5 * t8 - c5 * t12) - (k[8] * t4 + k[13] * t7);
-  const Scalar t14 = (s5 * t12 + c5 * t8) + k[8] * t2;
-  const Scalar t15 = (k[11] * t5 + k[12] * t10) + t5 * t9;
-  const Scalar t16 = t15 + k[13] * t2;
-  const Scalar t17 = k[6] * t0 - (c4 * t14 - s4 * t16);
-  const Scalar t18 = s3 * (t13 - k[14] * t0) + c3 * t17;
-  const Scalar t19 = k[15] * t0 * (k[16] + q[1]) - (t18 + (k[5] * t0 + k[4] * t1));
-  const Scalar t20 = (k[6] * t3 - k[14] * t2) - (c4 * t16 + s4 * t14);
+  const Scalar t0 = k[1] * s1 - k[2] * c1;
+  const Scalar t1 = k[2] * s1 + k[1] * c1;
+  const Scalar t2 = k[9] * c6 + k[10] * s6;
+  const Scalar t3 = k[6] * c3 + s3 * t0;
+  const Scalar t4 = c4 * t3 - s4 * t1;
+  const Scalar t5 = k[6] * s3 - c3 * t0;
+  const Scalar t6 = s5 * t4 + c5 * t5;
+  const Scalar t7 = c5 * t4 - s5 * t5;
+  const Scalar t8 = t2 * t6 + (k[11] * t6 - k[12] * t7);
+  const Scalar t9 = t8 + k[7] * t5;
+  const Scalar t10 = s4 * t3 + c4 * t1;
+  const Scalar t11 = k[10] * c6 - k[9] * s6;
+  const Scalar t12 = k[12] * t10 - t11 * t6;
+  const Scalar t13 = t10 * t2 - t11 * t7;
+  const Scalar t14 = t13 + k[11] * t10;
+  const Scalar t15 = k[8] * t5 - (c5 * t12 - s5 * t14);
+  const Scalar t16 = (s4 * t9 - c4 * t15) - k[14] * t1;
+  const Scalar t17 = (k[7] * t10 - k[8] * t4) + (c5 * t14 + s5 * t12);
+  const Scalar t18 = c3 * t16 - s3 * (k[13] * t1 + t17);
+  const Scalar t19 = k[3] * t1 * (k[0] + q[1]) - ((k[4] * t1 + k[5] * t0) + t18);
+  const Scalar t20 = (k[13] * t5 + k[14] * t3) + (s4 * t15 + c4 * t9);
   JointVector<Scalar> result;
-  result[0] = (k[2] * t0 + k[3] * t1) - t19;
-  result[1] = -k[15] * t1;
-  result[2] = -t20;
-  result[3] = -t13;
-  result[4] = t15;
-  result[5] = t11;
+  result[0] = (k[15] * t0 + k[16] * t1) - t19;
+  result[1] = -k[3] * t0;
+  result[2] = t20;
+  result[3] = t17;
+  result[4] = t8;
+  result[5] = t13;
   return result;
 }
 
@@ -657,96 +688,109 @@ ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_
   using std::cos;
   using std::sin;
   const Scalar t0 = inertia.c6y * inertia.m6;
-  const Scalar t1 = inertia.c5y * inertia.m5;
-  const Scalar t2 = inertia.c6z * inertia.m6;
-  const Scalar t3 = inertia.c6x * inertia.m6;
-  const Scalar t4 = inertia.c5z * inertia.m5;
-  const Scalar t5 = inertia.I6xz - inertia.c6z * t3;
-  const Scalar t6 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t7 = (inertia.I6xx - t6) - inertia.c6x * t3;
-  const Scalar t8 = inertia.c6z * t2 - (inertia.I6zz - t6);
-  const Scalar t9 = inertia.c5x * inertia.m5;
-  const Scalar t10 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t11 = ((inertia.I6yy - t6) - inertia.c6y * t0) - (inertia.c5y * t1 - (inertia.I5yy - t10));
-  const Scalar t12 = t7 - t8;
-  const Scalar t13 = inertia.c4x * inertia.m4;
-  const Scalar t14 = inertia.c4y * inertia.m4;
-  const Scalar t15 = inertia.c4z * inertia.m4;
-  const Scalar t16 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t17 = (inertia.c5x * t9 - (inertia.I5xx - t10)) - ((inertia.I4xx - t16) - inertia.c4x * t13);
-  const Scalar t18 = inertia.c3x * inertia.m3;
-  const Scalar t19 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t20 = inertia.c3z * inertia.m3;
-  const Scalar t21 = (inertia.I3zz - t19) - inertia.c3z * t20;
-  const Scalar t22 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t23 = t14 - g.d4 * t22;
-  const Scalar t24 = inertia.c3y * inertia.m3;
-  const Scalar t25 = g.d4 * inertia.m3 - t24;
-  const Scalar t26 = (t23 - t25) / g.d4;
-  const Scalar t27 = g.d4 * t26;
-  const Scalar t28 = ((inertia.I4yy - t16) - inertia.c4y * t14) + g.d4 * (t14 + t23);
-  const Scalar t29 = ((inertia.I3yy - t19) - inertia.c3y * t24) - g.d4 * (t25 - t24);
-  const Scalar t30 = (t28 + t29) - g.d4 * t27;
-  const Scalar t31 = inertia.c2x * inertia.m2;
-  const Scalar t32 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t33 = (inertia.c3x * t18 - (inertia.I3xx - t19)) + (inertia.c2x * t31 - (inertia.I2xx - t32));
-  const Scalar t34 = inertia.c1x * inertia.m1;
-  const Scalar t35 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t36 = inertia.c2y * inertia.m2;
-  const Scalar t37 = (inertia.m2 + (inertia.m3 + t22)) + t26;
-  const Scalar t38 = g.d4 * t20 + (inertia.I3yz - inertia.c3z * t24);
-  const Scalar t39 = inertia.c1y * inertia.m1;
-  const Scalar t40 = t39 - g.l2 * inertia.m1;
-  const Scalar t41 = g.l2 * (t40 + t39) - (inertia.c1y * t39 - (inertia.I1yy - t35));
-  return { t0 + t1,
-           t2,
-           t3,
-           t4,
-           g.l2,
-           Scalar(2) * t5,
-           t7 + t8,
-           t5,
-           inertia.I5xz - inertia.c5z * t9,
-           inertia.I6yz - inertia.c6z * t0,
-           inertia.I6xy - inertia.c6y * t3,
-           inertia.I5xy - inertia.c5y * t9,
-           g.d4,
+  const Scalar t1 = inertia.c6x * inertia.m6;
+  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t1;
+  const Scalar t4 = inertia.c6z * inertia.m6;
+  const Scalar t5 = inertia.c6z * t4 - (inertia.I6zz - t2);
+  const Scalar t6 = t3 - t5;
+  const Scalar t7 = Scalar(1) / g.d4;
+  const Scalar t8 = inertia.c5y * inertia.m5;
+  const Scalar t9 = inertia.c5z * inertia.m5;
+  const Scalar t10 = inertia.I6xz - inertia.c6z * t1;
+  const Scalar t11 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t12 = ((inertia.I6yy - t2) - inertia.c6y * t0) - (inertia.c5y * t8 - (inertia.I5yy - t11));
+  const Scalar t13 = inertia.c5x * inertia.m5;
+  const Scalar t14 = inertia.c4z * inertia.m4;
+  const Scalar t15 = g.d4 * t14;
+  const Scalar t16 = inertia.c4x * inertia.m4;
+  const Scalar t17 = g.d4 * t16;
+  const Scalar t18 = inertia.c4y * inertia.m4;
+  const Scalar t19 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t20 = (inertia.c5x * t13 - (inertia.I5xx - t11)) - ((inertia.I4xx - t19) - inertia.c4x * t16);
+  const Scalar t21 = inertia.c2x * inertia.m2;
+  const Scalar t22 = inertia.c3x * inertia.m3;
+  const Scalar t23 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t24 = inertia.c3z * inertia.m3;
+  const Scalar t25 = (inertia.I3zz - t23) - inertia.c3z * t24;
+  const Scalar t26 = inertia.c3y * inertia.m3;
+  const Scalar t27 = g.d4 * inertia.m3 - t26;
+  const Scalar t28 = g.d4 * inertia.m4;
+  const Scalar t29 = t18 - t28;
+  const Scalar t30 = t29 + t28;
+  const Scalar t31 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t32 = t30 - g.d4 * t31;
+  const Scalar t33 = (t27 - t32) / g.d4;
+  const Scalar t34 = g.d4 * g.d4 * t33;
+  const Scalar t35 = g.d4 * (t18 + t29) + ((inertia.I4yy - t19) - inertia.c4y * t18);
+  const Scalar t36 = (t35 - g.d4 * (t30 + t29)) + g.d4 * (t30 + t32);
+  const Scalar t37 = ((inertia.I3yy - t23) - inertia.c3y * t26) - g.d4 * (t27 - t26);
+  const Scalar t38 = t34 + (t36 + t37);
+  const Scalar t39 = g.d4 * t24;
+  const Scalar t40 = g.d4 * g.d4 * (t33 - (inertia.m2 + (inertia.m3 + t31)));
+  const Scalar t41 = t40 - t34;
+  const Scalar t42 = t39 + (inertia.I3yz - inertia.c3z * t26);
+  const Scalar t43 = g.l2 * inertia.m2;
+  const Scalar t44 = inertia.c2y * inertia.m2;
+  const Scalar t45 = t43 - t44;
+  const Scalar t46 = t43 - t45;
+  const Scalar t47 = inertia.c1y * inertia.m1;
+  const Scalar t48 = t47 - g.l2 * inertia.m1;
+  const Scalar t49 = inertia.c1x * inertia.m1;
+  const Scalar t50 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t51 = g.l2 * (t48 + t47) - (inertia.c1y * t47 - (inertia.I1yy - t50));
+  const Scalar t52 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t53 = g.l2 * (t45 - t44) - ((inertia.I2yy - t52) - inertia.c2y * t44);
+  const Scalar t54 = (inertia.c3x * t22 - (inertia.I3xx - t23)) + (inertia.c2x * t21 - (inertia.I2xx - t52));
+  return { inertia.I6yz - inertia.c6z * t0,
+           inertia.I6xy - inertia.c6y * t1,
+           t6,
+           g.d4 * t1,
+           g.d4 * t4,
            t7,
-           inertia.c5z * t4 - (inertia.I5zz - t10),
-           inertia.I5yz - inertia.c5z * t1,
-           t11,
+           g.l2 / g.d4,
+           Scalar(1) / t6,
+           g.d4 * (t0 + t8),
+           g.d4 * t9,
+           Scalar(2) * t10,
+           t3 + t5,
+           t5,
+           inertia.c5z * t9 - (inertia.I5zz - t11),
            t12,
-           Scalar(1) / t12,
-           inertia.I4xy - inertia.c4y * t13,
-           inertia.I4yz - inertia.c4z * t14,
-           t13 + t9,
+           inertia.I5xy - inertia.c5y * t13,
+           t10,
+           inertia.I5xz - inertia.c5z * t13,
            t15,
-           t17,
-           (inertia.I4zz - t16) - inertia.c4z * t15,
-           inertia.I4xz - inertia.c4z * t13,
-           inertia.I3xz - inertia.c3z * t18,
-           (inertia.I3xy - inertia.c3y * t18) + g.d4 * t18,
-           t21,
-           t27,
-           t30,
-           t33 + (inertia.c1x * t34 - (inertia.I1xx - t35)),
+           g.d4 * (t16 + t13),
+           (t17 + (inertia.I4xy - inertia.c4y * t16)) - t17,
+           inertia.I5yz - inertia.c5z * t8,
+           t15 - (t15 + (inertia.I4yz - inertia.c4z * t18)),
+           inertia.I4xz - inertia.c4z * t16,
            t20,
-           t36,
-           t37 - t26,
-           t38,
-           t41 + ((inertia.I2yy - t32) - inertia.c2y * t36),
-           t31 + t18,
-           gravity[0],
-           gravity[1],
-           gravity[2],
-           t21 - t30,
-           t26,
-           t37,
-           t40,
+           (inertia.I4zz - t19) - inertia.c4z * t14,
+           g.d4 * (t21 + t22),
+           t25,
            t34,
-           Scalar(2) * t20,
-           Scalar(2) * t21,
-           Scalar(2) * t38 };
+           t38,
+           (inertia.I3xy - inertia.c3y * t22) + g.d4 * t22,
+           inertia.I3xz - inertia.c3z * t22,
+           t39,
+           t41 * t7 * t7,
+           gravity[2] / g.d4,
+           gravity[1] / g.d4,
+           gravity[0] / g.d4,
+           t42,
+           t25 - t38,
+           g.d4 * t46,
+           t40,
+           Scalar(2) * t25,
+           Scalar(2) * t42,
+           Scalar(2) * t39,
+           g.d4 * t48,
+           g.d4 * t49,
+           t41,
+           t51 - (t53 + g.l2 * (t46 - t45)),
+           t54 + (inertia.c1x * t49 - (inertia.I1xx - t50)) };
 }
 
 namespace detail {
@@ -765,233 +809,231 @@ inline JointVector<Scalar> forward_dynamics_with_gravity_vector(const JointVecto
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[9] * c6 + k[10] * s6;
-  const Scalar t1 = c5 + k[18] * s5 * t0;
-  const Scalar t2 = k[17] * t1;
-  const Scalar t3 = k[6] * c6 - k[5] * s6;
-  const Scalar t4 = k[13] - c6 * t3;
-  const Scalar t5 = k[17] - t4;
-  const Scalar t6 = k[23] - t5;
-  const Scalar t7 = k[14] - t4;
-  const Scalar t8 = k[15] + t0;
-  const Scalar t9 = c5 * t8;
-  const Scalar t10 = s5 * (k[16] + t7) + (t9 + t9);
-  const Scalar t11 = s5 * t10;
-  const Scalar t12 = t7 - t11;
-  const Scalar t13 = k[24] - t12;
-  const Scalar t14 = t6 - t13;
-  const Scalar t15 = k[10] * c6 - k[9] * s6;
-  const Scalar t16 = k[11] + t15;
-  const Scalar t17 = k[7] + s6 * t3;
-  const Scalar t18 = k[8] + t17;
-  const Scalar t19 = c5 * t16 - s5 * t18;
-  const Scalar t20 = k[18] * t15;
-  const Scalar t21 = t19 - t20 * t2;
-  const Scalar t22 = k[16] - t11;
-  const Scalar t23 = t22 - t12;
-  const Scalar t24 = Scalar(1) / (t23 - t20 * t15);
-  const Scalar t25 = t24 * t21;
-  const Scalar t26 = Scalar(1) / ((t2 * t1 + t14) + t21 * t25);
-  const Scalar t27 = c5 * t18 + s5 * t16;
-  const Scalar t28 = k[1] * c6 + k[2] * s6;
-  const Scalar t29 = k[3] + t28;
-  const Scalar t30 = s5 * t29 - k[0] * c5;
-  const Scalar t31 = t23 - k[12] * t30;
-  const Scalar t32 = k[2] * c6 - k[1] * s6;
-  const Scalar t33 = c5 * t32;
-  const Scalar t34 = k[12] * t33 + t15;
-  const Scalar t35 = k[12] * t28 - (k[17] * s5 - c5 * t0);
-  const Scalar t36 = c4 * t34 - s4 * t35;
-  const Scalar t37 = k[18] * t36;
-  const Scalar t38 = (s4 * t27 + c4 * t31) - t37 * t15;
-  const Scalar t39 = k[19] + t19;
-  const Scalar t40 = k[20] - (t8 - c5 * t10);
-  const Scalar t41 = k[21] + t32;
-  const Scalar t42 = k[0] * s5 + c5 * t29;
-  const Scalar t43 = k[22] + t42;
-  const Scalar t44 = c4 * t41 - s4 * t43;
-  const Scalar t45 = (c4 * t39 - s4 * t40) + k[12] * t44;
-  const Scalar t46 = t25 * t38 - (t45 - t36 * t1);
-  const Scalar t47 = t26 * t46;
-  const Scalar t48 = t24 * t38;
-  const Scalar t49 = k[29] - t30;
-  const Scalar t50 = k[30] - (k[12] * (t30 - t49) - t22);
-  const Scalar t51 = k[25] + t27;
-  const Scalar t52 = Scalar(2) * c4 * t51 - s4 * (t6 + t13);
-  const Scalar t53 = t13 + s4 * t52;
-  const Scalar t54 = k[28] + t53;
-  const Scalar t55 = t48 * t38 + (t37 * t36 - (t50 + t54));
-  const Scalar t56 = Scalar(1) / (t47 * t46 - t55);
-  const Scalar t57 = s3 * (s4 * t28 - c4 * t33) - c3 * s5 * t32;
-  const Scalar t58 = c4 * t43 + s4 * t41;
-  const Scalar t59 = k[32] + t58;
-  const Scalar t60 = t37 * t57 + (c3 * t59 + s3 * t49);
-  const Scalar t61 = k[18] * t57;
-  const Scalar t62 = t61 * t15 + (c3 * t42 - s3 * c4 * t30);
-  const Scalar t63 = t24 * t62;
-  const Scalar t64 = (s3 * t44 + t2 * t61) - t21 * t63;
-  const Scalar t65 = (t60 - t63 * t38) - t47 * t64;
-  const Scalar t66 = t56 * t65;
-  const Scalar t67 = t26 * t64;
-  const Scalar t68 = (t62 * t63 + (k[34] + t61 * t57)) - t67 * t64;
-  const Scalar t69 = Scalar(1) / (t66 * t65 + t68);
-  const Scalar t70 = qd[0] * qd[0];
-  const Scalar t71 = k[4] + q[1];
-  const Scalar t72 = k[38] * s1 - k[39] * c1;
-  const Scalar t73 = t70 * t71 + t72;
-  const Scalar t74 = k[40] * s3 - c3 * t73;
-  const Scalar t75 = qd[0] * c3;
-  const Scalar t76 = t75 * t75;
-  const Scalar t77 = qd[2] * qd[2];
-  const Scalar t78 = t76 + t77;
-  const Scalar t79 = t74 - k[12] * t78;
-  const Scalar t80 = k[38] * c1 + k[39] * s1;
-  const Scalar t81 = t80 - Scalar(2) * qd[1] * qd[0];
-  const Scalar t82 = qd[0] * s3;
-  const Scalar t83 = qd[2] * t82;
-  const Scalar t84 = t83 + t83;
-  const Scalar t85 = t81 + k[12] * t84;
-  const Scalar t86 = t82 * t75;
-  const Scalar t87 = (k[40] * c3 + s3 * t73) + k[12] * t86;
-  const Scalar t88 = s4 * t85 - c4 * t87;
-  const Scalar t89 = s5 * t79 + c5 * t88;
-  const Scalar t90 = s4 * t87 + c4 * t85;
-  const Scalar t91 = qd[2] * c4 + s4 * t75;
-  const Scalar t92 = qd[4] + t91;
-  const Scalar t93 = c4 * t75;
-  const Scalar t94 = t93 - qd[2] * s4;
-  const Scalar t95 = qd[3] - t82;
-  const Scalar t96 = s5 * t94 - c5 * t95;
-  const Scalar t97 = t95 * t91;
-  const Scalar t98 = s4 * t86 + c4 * t84;
-  const Scalar t99 = (t97 + t97) + t98;
-  const Scalar t100 = qd[2] * t75;
-  const Scalar t101 = t94 * t91;
-  const Scalar t102 = t100 - t101;
-  const Scalar t103 = c5 * t99 + s5 * t102;
-  const Scalar t104 = Scalar(2) * t92 * t96 + t103;
-  const Scalar t105 = t93 * t82 - s4 * t84;
-  const Scalar t106 = t94 * t95;
-  const Scalar t107 = t105 + t106;
-  const Scalar t108 = s5 * t95 + c5 * t94;
-  const Scalar t109 = t108 * t96;
-  const Scalar t110 = t107 + t109;
-  const Scalar t111 = c5 * t102 - s5 * t99;
-  const Scalar t112 = t92 * t108;
-  const Scalar t113 = (t111 + t112) + t112;
-  const Scalar t114 = t92 * t92;
-  const Scalar t115 = t108 * t108;
-  const Scalar t116 = t114 - t115;
-  const Scalar t117 = (t111 * t5 + t113 * t4) + t116 * t17;
-  const Scalar t118 = (t89 * t32 + t90 * t28) + ((t0 * t104 - t15 * t110) + t117);
-  const Scalar t119 = torque[5] - t118;
-  const Scalar t120 = c5 * t79 - s5 * t88;
-  const Scalar t121 = t107 - t109;
-  const Scalar t122 = t95 * t95;
-  const Scalar t123 = t91 * t91;
-  const Scalar t124 = t122 - t123;
-  const Scalar t125 = t78 + t124;
-  const Scalar t126 = t114 + t115;
-  const Scalar t127 = t125 - t126;
-  const Scalar t128 = t127 + t116;
-  const Scalar t129 = (k[14] * t121 - k[16] * t110) + k[15] * t128;
-  const Scalar t130 = (k[3] * t120 + k[0] * t89) - ((k[8] * t103 - k[11] * t111) - t129);
-  const Scalar t131 = qd[5] - t96;
-  const Scalar t132 = t131 * t92;
-  const Scalar t133 = (t132 + t132) + t104;
-  const Scalar t134 = t131 * t108;
-  const Scalar t135 = t134 + (t134 + t110);
-  const Scalar t136 = t131 * t131;
-  const Scalar t137 = (t133 * t17 + t4 * t135) - ((t136 - t115) * t0 + t111 * t15);
-  const Scalar t138 = t130 - (t137 - t120 * t28);
-  const Scalar t139 = t119 * t20 - (torque[4] - t138);
-  const Scalar t140 = k[18] * t119;
-  const Scalar t141 = (k[15] * t104 - k[14] * t113) - (k[11] * t110 - k[8] * t116);
-  const Scalar t142 = t118 + (t141 + k[3] * t90);
-  const Scalar t143 = t136 + t115;
-  const Scalar t144 = (t135 * t17 + t5 * t133) - t15 * (t143 - t126);
-  const Scalar t145 = (k[16] * t104 + k[15] * t113) - k[11] * t127;
-  const Scalar t146 = (t120 * t32 - (t144 + t113 * t0)) - (k[0] * t90 + (t145 + k[8] * t121));
-  const Scalar t147 = t122 + t123;
-  const Scalar t148 = t78 - t147;
-  const Scalar t149 = t100 + t101;
-  const Scalar t150 = k[25] * (t124 + t148) - (k[24] * t149 - k[23] * t102);
-  const Scalar t151 = ((k[19] * t105 - k[20] * t98) + t150) - (k[22] * t90 + k[21] * t88);
-  const Scalar t152 = (c5 * t142 - s5 * t146) - t151;
-  const Scalar t153 = t139 * t25 - (t2 * t140 - (torque[3] - t152));
-  const Scalar t154 = t153 * t26;
-  const Scalar t155 = t107 + t106;
-  const Scalar t156 = (k[23] * t99 - k[25] * t155) + k[19] * t124;
-  const Scalar t157 = ((t156 - k[20] * t149) + k[21] * t79) + (s5 * t142 + c5 * t146);
-  const Scalar t158 = (k[19] * t102 - k[20] * t148) - (k[24] * t155 + k[25] * t99);
-  const Scalar t159 = (k[22] * t79 + t158) + t138;
-  const Scalar t160 = (k[0] * t104 + k[3] * t113) - (t143 * t32 - t113 * t28);
-  const Scalar t161 = k[42] * t90 + (k[22] * t149 - k[21] * t125);
-  const Scalar t162 = t160 + t161;
-  const Scalar t163 = (k[21] * t102 + k[22] * t147) + k[42] * t88;
-  const Scalar t164 = (k[3] * t121 + k[0] * t126) + (t135 * t28 + t32 * t133);
-  const Scalar t165 = (t111 * t32 + t28 * (t114 + t136)) - (k[0] * t110 - k[3] * (t126 + t128));
-  const Scalar t166 = t163 + (s5 * t164 + c5 * t165);
-  const Scalar t167 = s4 * t162 - c4 * t166;
-  const Scalar t168 = (s4 * t157 + c4 * t159) - k[12] * t167;
-  const Scalar t169 = t70 - t78;
-  const Scalar t170 = t76 - t77;
-  const Scalar t171 = t169 - t170;
-  const Scalar t172 = k[32] * t74 + (k[35] * t171 + k[41] * t86);
-  const Scalar t173 = t48 * t139 - (t36 * t140 - (torque[2] - (t168 + t172)));
-  const Scalar t174 = t56 * (t154 * t46 - t173);
-  const Scalar t175 = t139 * t24;
-  const Scalar t176 = (k[21] * t99 + k[22] * t155) - k[42] * t79;
-  const Scalar t177 = ((s5 * t165 - c5 * t164) - t176) + k[32] * t86;
-  const Scalar t178 = s3 * (k[32] * (t171 + t78) - t167) + c3 * t177;
-  const Scalar t179 = torque[1] - ((k[33] * t70 - k[43] * t73) - t178);
-  const Scalar t180 = t154 * t64 + (t62 * t175 - (t179 - t119 * t61));
-  const Scalar t181 = t69 * (t65 * t174 + t180);
-  const Scalar t182 = c3 * (c4 * t35 + s4 * t34) - s3 * t2;
-  const Scalar t183 = t71 * (s4 * t33 + c4 * t28) + t182;
-  const Scalar t184 = k[18] * t183;
-  const Scalar t185 = k[12] * t58 + (c4 * t40 + s4 * t39);
-  const Scalar t186 = (c3 * t185 + s3 * t14) + t71 * t58;
-  const Scalar t187 = c3 * (s4 * t31 - c4 * t27) - s3 * t19;
-  const Scalar t188 = (s4 * t30 * t71 - t187) + t15 * t184;
-  const Scalar t189 = (t2 * t184 - t186) - t25 * t188;
-  const Scalar t190 = t26 * t189;
-  const Scalar t191 = t188 * t63 - ((k[37] + t44) - t183 * t61);
-  const Scalar t192 = s3 * (k[27] + t45) + c3 * (k[26] - (t51 - c4 * t52));
-  const Scalar t193 = t24 * t188;
-  const Scalar t194 = ((t192 + t36 * t184) - t193 * t38) - t47 * t189;
-  const Scalar t195 = (t190 * t64 - t191) - t66 * t194;
-  const Scalar t196 = s4 * t166 + c4 * t162;
-  const Scalar t197 = (k[43] * t81 + k[37] * t70) - (t196 + k[46] * t100);
-  const Scalar t198 = (k[27] * t86 + k[26] * t170) - (k[35] * t84 + k[47] * t100);
-  const Scalar t199 = (s4 * t159 - c4 * t157) + k[12] * t196;
-  const Scalar t200 = k[27] * t169 - (k[30] * t84 + k[48] * t100);
-  const Scalar t201 = s3 * ((t198 - k[32] * t81) - t152) + c3 * (t199 - (t200 + k[26] * t86));
-  const Scalar t202 = t197 * t71 - (t201 + (k[37] * t73 + k[33] * t81));
-  const Scalar t203 = torque[0] - ((k[44] * t80 + k[45] * t72) - t202);
-  const Scalar t204 = (t139 * t193 + (t119 * t184 - t203)) + t153 * t190;
-  const Scalar t205 = c3 * (k[35] + t185);
-  const Scalar t206 = s3 * (s3 * (t50 - t54) + (t205 + t205));
-  const Scalar t207 = k[33] - (s3 * t59 - c3 * t49);
-  const Scalar t208 = (t50 - t206) + t71 * (t207 + (t207 - k[34] * t71));
-  const Scalar t209 = t183 * t184 - ((k[36] + t208) - (k[31] + (t53 + t14)));
-  const Scalar t210 = t56 * t194;
-  const Scalar t211 = (t190 * t189 - (t209 + t193 * t188)) - t210 * t194;
-  const Scalar t212 = t195 * t69;
-  const Scalar t213 = (t181 * t195 + (t204 + t194 * t174)) * Scalar(1) / (t211 + t195 * t212);
-  const Scalar t214 = t212 * t213 - t181;
-  const Scalar t215 = (t210 * t213 + t174) + t66 * t214;
-  const Scalar t216 = t47 * t215 + (t67 * t214 - (t154 - t190 * t213));
-  const Scalar t217 = t48 * t215 - ((t193 * t213 + t175) + t63 * t214);
-  const Scalar t218 = t217 - t216 * t25;
-  const Scalar t219 = (t61 * t214 + (t184 * t213 + t140)) + t37 * t215;
+  const Scalar t0 = k[0] * s6 - k[1] * c6;
+  const Scalar t1 = k[15] - t0;
+  const Scalar t2 = k[10] * s6 - k[11] * c6;
+  const Scalar t3 = k[16] - s6 * t2;
+  const Scalar t4 = k[17] + t3;
+  const Scalar t5 = s5 * t1 + c5 * t4;
+  const Scalar t6 = k[4] * c6 + k[3] * s6;
+  const Scalar t7 = k[9] + t6;
+  const Scalar t8 = s5 * t7 - k[8] * c5;
+  const Scalar t9 = k[12] + c6 * t2;
+  const Scalar t10 = k[2] + t9;
+  const Scalar t11 = k[13] - t10;
+  const Scalar t12 = k[14] - t11;
+  const Scalar t13 = t8 - t12;
+  const Scalar t14 = k[7] * t0;
+  const Scalar t15 = k[0] * c6 + k[1] * s6;
+  const Scalar t16 = (c5 * t15 - k[2] * s5) + t6;
+  const Scalar t17 = k[3] * c6 - k[4] * s6;
+  const Scalar t18 = c5 * t17;
+  const Scalar t19 = t18 - t0;
+  const Scalar t20 = s4 * t16 - c4 * t19;
+  const Scalar t21 = (s4 * t5 - c4 * t13) - t14 * t20;
+  const Scalar t22 = Scalar(1) / (t0 * t14 - t12);
+  const Scalar t23 = k[2] * c5 + s5 * t15;
+  const Scalar t24 = k[7] * t23;
+  const Scalar t25 = s5 * t4 - c5 * t1;
+  const Scalar t26 = t0 * t24 - t25;
+  const Scalar t27 = t22 * t26;
+  const Scalar t28 = k[21] + t15;
+  const Scalar t29 = s5 * (k[14] + t11) + Scalar(2) * c5 * t28;
+  const Scalar t30 = k[8] * s5 + c5 * t7;
+  const Scalar t31 = k[18] + t30;
+  const Scalar t32 = (k[22] + (t28 - c5 * t29)) - t31;
+  const Scalar t33 = k[19] + t17;
+  const Scalar t34 = t33 + (k[20] - t25);
+  const Scalar t35 = s4 * t32 + c4 * t34;
+  const Scalar t36 = t21 * t27 + (t24 * t20 + t35);
+  const Scalar t37 = c3 * s5 * t17 + s3 * (c4 * t18 - s4 * t6);
+  const Scalar t38 = k[5] * t37;
+  const Scalar t39 = k[7] * t38;
+  const Scalar t40 = k[5] * (c3 * t30 - s3 * c4 * t8);
+  const Scalar t41 = t39 * t0 + t40;
+  const Scalar t42 = t41 * t22;
+  const Scalar t43 = c4 * t33 - s4 * t31;
+  const Scalar t44 = t42 * t26 - (t24 * t38 - k[5] * s3 * t43);
+  const Scalar t45 = s5 * t29;
+  const Scalar t46 = k[25] + (t45 - t11);
+  const Scalar t47 = k[24] + t9;
+  const Scalar t48 = k[23] + t5;
+  const Scalar t49 = s4 * (t46 + t47) - Scalar(2) * c4 * t48;
+  const Scalar t50 = s4 * t49;
+  const Scalar t51 = t50 - t47;
+  const Scalar t52 = t50 - t46;
+  const Scalar t53 = t51 - t52;
+  const Scalar t54 = Scalar(1) / (t26 * t27 - (t23 * t24 - t53));
+  const Scalar t55 = t44 * t54;
+  const Scalar t56 = k[7] * t20;
+  const Scalar t57 = s4 * t33 + c4 * t31;
+  const Scalar t58 = k[32] + t57;
+  const Scalar t59 = k[28] + t8;
+  const Scalar t60 = t56 * t38 + k[5] * (c3 * t58 - s3 * t59);
+  const Scalar t61 = t36 * t55 - (t42 * t21 + t60);
+  const Scalar t62 = t36 * t54;
+  const Scalar t63 = k[27] - t52;
+  const Scalar t64 = k[29] + ((k[14] - t45) - (t8 + t59));
+  const Scalar t65 = t22 * t21;
+  const Scalar t66 = ((t63 + t64) - t20 * t56) + t65 * t21;
+  const Scalar t67 = Scalar(1) / (t36 * t62 - t66);
+  const Scalar t68 = s3 * (k[30] + t35) + c3 * (k[31] - (c4 * t49 + t48));
+  const Scalar t69 = k[6] + k[5] * q[1];
+  const Scalar t70 = s3 * t23 - c3 * (s4 * t19 + c4 * t16);
+  const Scalar t71 = t69 * (s4 * t18 + c4 * t6) - t70;
+  const Scalar t72 = k[7] * t71;
+  const Scalar t73 = c3 * (c4 * t5 + s4 * t13) - s3 * t25;
+  const Scalar t74 = (t69 * s4 * t8 + t73) - t0 * t72;
+  const Scalar t75 = t22 * t74;
+  const Scalar t76 = c4 * t32 - s4 * t34;
+  const Scalar t77 = t69 * t57 - (s3 * t53 + c3 * t76);
+  const Scalar t78 = t74 * t27 - (t77 - t24 * t71);
+  const Scalar t79 = t78 * t54;
+  const Scalar t80 = ((t68 - t20 * t72) + t21 * t75) - t36 * t79;
+  const Scalar t81 = t67 * t80;
+  const Scalar t82 = (t72 * t38 + k[5] * (k[26] + t43)) + t41 * t75;
+  const Scalar t83 = t61 * t81 + (t44 * t79 - t82);
+  const Scalar t84 = t67 * t61;
+  const Scalar t85 = ((k[33] - t39 * t38) + t41 * t42) - t44 * t55;
+  const Scalar t86 = Scalar(1) / (t84 * t61 + t85);
+  const Scalar t87 = t83 * t86;
+  const Scalar t88 = qd[0] * s3;
+  const Scalar t89 = Scalar(2) * qd[2] * t88;
+  const Scalar t90 = qd[0] * c3;
+  const Scalar t91 = s4 * t90;
+  const Scalar t92 = c4 * t89 + t88 * t91;
+  const Scalar t93 = qd[3] - t88;
+  const Scalar t94 = qd[2] * c4 + t91;
+  const Scalar t95 = t93 * t94;
+  const Scalar t96 = (t92 + t95) + t95;
+  const Scalar t97 = qd[2] * t90;
+  const Scalar t98 = c4 * t90 - qd[2] * s4;
+  const Scalar t99 = t98 * t94;
+  const Scalar t100 = t97 - t99;
+  const Scalar t101 = s5 * t96 - c5 * t100;
+  const Scalar t102 = qd[4] + t94;
+  const Scalar t103 = t102 + t102;
+  const Scalar t104 = s5 * t93 + c5 * t98;
+  const Scalar t105 = t101 - t103 * t104;
+  const Scalar t106 = t104 * t104;
+  const Scalar t107 = t102 * t102 - t106;
+  const Scalar t108 = (t105 * t10 - t101 * t9) - t3 * t107;
+  const Scalar t109 = t88 * t90;
+  const Scalar t110 = c4 * t109 - s4 * t89;
+  const Scalar t111 = t98 * t93;
+  const Scalar t112 = t110 + t111;
+  const Scalar t113 = s5 * t98 - c5 * t93;
+  const Scalar t114 = t104 * t113;
+  const Scalar t115 = t112 + t114;
+  const Scalar t116 = t102 * t113;
+  const Scalar t117 = s5 * t100 + c5 * t96;
+  const Scalar t118 = t116 + (t117 + t116);
+  const Scalar t119 = k[35] * s1 + k[36] * c1;
+  const Scalar t120 = t119 - Scalar(2) * qd[0] * k[5] * qd[1];
+  const Scalar t121 = t89 + t120;
+  const Scalar t122 = qd[0] * qd[0];
+  const Scalar t123 = k[36] * s1 - k[35] * c1;
+  const Scalar t124 = t122 * t69 + t123;
+  const Scalar t125 = t109 + (s3 * t124 + k[34] * c3);
+  const Scalar t126 = s4 * t121 - c4 * t125;
+  const Scalar t127 = t88 * t88;
+  const Scalar t128 = qd[2] * qd[2];
+  const Scalar t129 = t127 - t128;
+  const Scalar t130 = t122 - t129;
+  const Scalar t131 = k[34] * s3 - c3 * t124;
+  const Scalar t132 = t130 - t131;
+  const Scalar t133 = c5 * t126 - s5 * t132;
+  const Scalar t134 = s4 * t125 + c4 * t121;
+  const Scalar t135 = (t108 - (t0 * t115 + t15 * t118)) - (t17 * t133 + t134 * t6);
+  const Scalar t136 = torque[5] + t135;
+  const Scalar t137 = qd[5] - t113;
+  const Scalar t138 = t118 + t137 * t103;
+  const Scalar t139 = (t137 + t137) * t104 + t115;
+  const Scalar t140 = t137 * t137;
+  const Scalar t141 = t140 - t106;
+  const Scalar t142 = (t138 * t3 + t139 * t10) - (t0 * t101 + t15 * t141);
+  const Scalar t143 = c5 * t132 + s5 * t126;
+  const Scalar t144 = t141 - t107;
+  const Scalar t145 = t140 + t106;
+  const Scalar t146 = t144 - t145;
+  const Scalar t147 = t93 * t93;
+  const Scalar t148 = t98 * t98;
+  const Scalar t149 = t147 + t148;
+  const Scalar t150 = t149 + t107;
+  const Scalar t151 = t112 - t114;
+  const Scalar t152 = k[21] * (t146 + t150) + (k[13] * t151 - k[14] * t115);
+  const Scalar t153 = (t152 - (k[15] * t101 + k[17] * t117)) + (k[8] * t133 - k[9] * t143);
+  const Scalar t154 = (t142 + t6 * t143) - t153;
+  const Scalar t155 = t14 * t136 + (torque[4] + t154);
+  const Scalar t156 = t155 * t22;
+  const Scalar t157 = (k[21] * t118 + k[13] * t105) - (k[15] * t115 - k[17] * t107);
+  const Scalar t158 = (t157 + k[9] * t134) - t135;
+  const Scalar t159 = t144 * t0 + (t139 * t3 - t138 * t9);
+  const Scalar t160 = (k[14] * t118 - k[21] * t105) - k[15] * (t146 + t149);
+  const Scalar t161 = ((t159 - t15 * t105) + t17 * t143) + ((k[17] * t151 + t160) + k[8] * t134);
+  const Scalar t162 = t97 + t99;
+  const Scalar t163 = t147 - t148;
+  const Scalar t164 = t149 - t130;
+  const Scalar t165 = t163 - t164;
+  const Scalar t166 = (k[24] * t100 - k[25] * t162) - k[23] * t165;
+  const Scalar t167 = ((k[20] * t110 + k[22] * t92) + t166) - (k[19] * t126 + k[18] * t134);
+  const Scalar t168 = (c5 * t158 + s5 * t161) - t167;
+  const Scalar t169 = t156 * t26 - (t24 * t136 - (torque[3] - t168));
+  const Scalar t170 = t169 * t54;
+  const Scalar t171 = t127 + t128;
+  const Scalar t172 = t130 - t171;
+  const Scalar t173 = (k[38] * t109 - k[37] * t172) + k[32] * t131;
+  const Scalar t174 = k[28] * t126 - (k[19] * t100 + k[18] * (t165 + t149));
+  const Scalar t175 = (k[8] * t146 - k[9] * t151) - (t139 * t6 + t138 * t17);
+  const Scalar t176 = (t6 * (t145 + t107) - t101 * t17) + (k[9] * t150 - k[8] * t115);
+  const Scalar t177 = t174 + (s5 * t175 - c5 * t176);
+  const Scalar t178 = t112 + t111;
+  const Scalar t179 = (k[23] * t96 + k[25] * t178) + (k[22] * t163 - k[20] * t100);
+  const Scalar t180 = t177 + (t154 + (k[18] * t132 + t179));
+  const Scalar t181 = (t145 * t17 + t105 * t6) - (k[8] * t118 - k[9] * t105);
+  const Scalar t182 = k[28] * t134 + (k[19] * t149 - k[18] * t162);
+  const Scalar t183 = t181 + t182;
+  const Scalar t184 = (k[23] * t178 - k[24] * t96) - k[20] * t164;
+  const Scalar t185 = (s5 * t158 - c5 * t161) - ((t184 - k[22] * t162) + k[19] * t132);
+  const Scalar t186 = t183 + t185;
+  const Scalar t187 = torque[2] - (t173 - (c4 * t180 - s4 * t186));
+  const Scalar t188 = k[7] * t136;
+  const Scalar t189 = t36 * t170 - (t156 * t21 + (t187 + t20 * t188));
+  const Scalar t190 = t189 * t67;
+  const Scalar t191 = (k[19] * t96 + k[18] * t178) - k[28] * t132;
+  const Scalar t192 = ((s5 * t176 + c5 * t175) - t191) + k[32] * t109;
+  const Scalar t193 = (s4 * t183 - c4 * t177) + k[32] * t171;
+  const Scalar t194 = (c3 * t192 + s3 * t193) - (k[40] * t124 + k[39] * t122);
+  const Scalar t195 = t41 * t156 - (t39 * t136 + (torque[1] + k[5] * t194));
+  const Scalar t196 = t61 * t190 + (t195 - t55 * t169);
+  const Scalar t197 = (k[31] * (t172 + t129) + k[30] * t109) - (k[37] * t89 + k[41] * t97);
+  const Scalar t198 = k[30] * t129 - (k[29] * t89 + k[42] * t97);
+  const Scalar t199 = (k[31] * t109 + t198) + (c4 * t186 + s4 * t180);
+  const Scalar t200 = s3 * (t168 + (k[32] * t120 - t197)) + c3 * t199;
+  const Scalar t201 = k[43] * t97 - (s4 * t177 + c4 * t183);
+  const Scalar t202 = t69 * (t201 - (k[26] * t122 - k[40] * t120));
+  const Scalar t203 = (t200 - (k[39] * t120 + k[26] * t124)) - t202;
+  const Scalar t204 = torque[0] + (t203 - (k[44] * t119 + k[45] * t123));
+  const Scalar t205 = t79 * t169 - (t155 * t75 + (t72 * t136 - t204));
+  const Scalar t206 = Scalar(2) * c3 * (k[37] - t76) - s3 * (t63 - t64);
+  const Scalar t207 = k[39] - (s3 * t58 + c3 * t59);
+  const Scalar t208 = (t64 - s3 * t206) + t69 * (t207 + (t207 + k[46] * t69));
+  const Scalar t209 = t72 * t71 - ((k[47] + t208) - (k[48] - t51));
+  const Scalar t210 = t80 * t81 - ((t209 - t74 * t75) + t78 * t79);
+  const Scalar t211 = (t87 * t196 - (t189 * t81 + t205)) * Scalar(1) / (t83 * t87 - t210);
+  const Scalar t212 = t211 * t87 - t86 * t196;
+  const Scalar t213 = t84 * t212 - (t211 * t81 - t190);
+  const Scalar t214 = (t55 * t212 + (t211 * t79 + t170)) - t213 * t62;
+  const Scalar t215 = t65 * t213 - (t42 * t212 + (t211 * t75 + t156));
+  const Scalar t216 = t215 + t214 * t27;
+  const Scalar t217 = t213 * t56 - ((t211 * t72 - t188) - t39 * t212);
   JointVector<Scalar> result;
-  result[0] = t213;
-  result[1] = t214;
-  result[2] = t215;
-  result[3] = -t216;
-  result[4] = -t218;
-  result[5] = t20 * t218 + (t216 * t1 - t219);
+  result[0] = -t211;
+  result[1] = -t212;
+  result[2] = -t213;
+  result[3] = -t214;
+  result[4] = -t216;
+  result[5] = -(t217 - t214 * t24) - t14 * t216;
   return result;
 }
 
@@ -1020,97 +1062,111 @@ ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constant
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
-  const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = inertia.c6z * inertia.m6;
-  const Scalar t3 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t4 = (inertia.I6xx - t3) - inertia.c6x * t1;
-  const Scalar t5 = inertia.c6z * t2 - (inertia.I6zz - t3);
-  const Scalar t6 = t4 - t5;
-  const Scalar t7 = inertia.c5y * inertia.m5;
-  const Scalar t8 = inertia.c5z * inertia.m5;
-  const Scalar t9 = inertia.I6xz - inertia.c6z * t1;
-  const Scalar t10 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t11 = ((inertia.I6yy - t3) - inertia.c6y * t0) - (inertia.c5y * t7 - (inertia.I5yy - t10));
-  const Scalar t12 = inertia.c5x * inertia.m5;
-  const Scalar t13 = inertia.c4z * inertia.m4;
-  const Scalar t14 = inertia.c4y * inertia.m4;
-  const Scalar t15 = inertia.c4x * inertia.m4;
-  const Scalar t16 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t17 = (inertia.c5x * t12 - (inertia.I5xx - t10)) - ((inertia.I4xx - t16) - inertia.c4x * t15);
-  const Scalar t18 = inertia.c3z * inertia.m3;
-  const Scalar t19 = inertia.c3y * inertia.m3;
-  const Scalar t20 = g.d4 * t18 + (inertia.I3yz - inertia.c3z * t19);
-  const Scalar t21 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t22 = (inertia.I3zz - t21) - inertia.c3z * t18;
-  const Scalar t23 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t24 = t14 - g.d4 * t23;
-  const Scalar t25 = g.d4 * inertia.m3 - t19;
-  const Scalar t26 = (t24 - t25) / g.d4;
-  const Scalar t27 = g.d4 * t26;
-  const Scalar t28 = ((inertia.I4yy - t16) - inertia.c4y * t14) + g.d4 * (t14 + t24);
-  const Scalar t29 = ((inertia.I3yy - t21) - inertia.c3y * t19) - g.d4 * (t25 - t19);
-  const Scalar t30 = (t28 + t29) - g.d4 * t27;
-  const Scalar t31 = inertia.c2y * inertia.m2;
-  const Scalar t32 = (inertia.m2 + (inertia.m3 + t23)) + t26;
-  const Scalar t33 = inertia.c1y * inertia.m1;
-  const Scalar t34 = t33 - g.l2 * inertia.m1;
-  const Scalar t35 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t36 = g.l2 * (t34 + t33) - (inertia.c1y * t33 - (inertia.I1yy - t35));
-  const Scalar t37 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t38 = inertia.c3x * inertia.m3;
-  const Scalar t39 = inertia.c2x * inertia.m2;
-  const Scalar t40 = (inertia.c3x * t38 - (inertia.I3xx - t21)) + (inertia.c2x * t39 - (inertia.I2xx - t37));
-  const Scalar t41 = inertia.c1x * inertia.m1;
-  return { inertia.I6yz - inertia.c6z * t0,
-           inertia.I6xy - inertia.c6y * t1,
+  const Scalar t0 = inertia.c6x * inertia.m6;
+  const Scalar t1 = inertia.c6z * inertia.m6;
+  const Scalar t2 = Scalar(1) / g.d4;
+  const Scalar t3 = inertia.c6y * inertia.m6;
+  const Scalar t4 = inertia.I6xz - inertia.c6z * t0;
+  const Scalar t5 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t6 = (inertia.I6xx - t5) - inertia.c6x * t0;
+  const Scalar t7 = inertia.c6z * t1 - (inertia.I6zz - t5);
+  const Scalar t8 = t6 - t7;
+  const Scalar t9 = inertia.c5y * inertia.m5;
+  const Scalar t10 = inertia.c5x * inertia.m5;
+  const Scalar t11 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t12 = ((inertia.I6yy - t5) - inertia.c6y * t3) - (inertia.c5y * t9 - (inertia.I5yy - t11));
+  const Scalar t13 = inertia.c5z * inertia.m5;
+  const Scalar t14 = inertia.c4z * inertia.m4;
+  const Scalar t15 = g.d4 * t14;
+  const Scalar t16 = inertia.c4x * inertia.m4;
+  const Scalar t17 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t18 = (inertia.c5x * t10 - (inertia.I5xx - t11)) - ((inertia.I4xx - t17) - inertia.c4x * t16);
+  const Scalar t19 = inertia.c4y * inertia.m4;
+  const Scalar t20 = g.d4 * t16;
+  const Scalar t21 = inertia.c3x * inertia.m3;
+  const Scalar t22 = inertia.c3z * inertia.m3;
+  const Scalar t23 = g.d4 * t22;
+  const Scalar t24 = inertia.c3y * inertia.m3;
+  const Scalar t25 = t23 + (inertia.I3yz - inertia.c3z * t24);
+  const Scalar t26 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t27 = (inertia.I3zz - t26) - inertia.c3z * t22;
+  const Scalar t28 = g.d4 * inertia.m3 - t24;
+  const Scalar t29 = g.d4 * inertia.m4;
+  const Scalar t30 = t19 - t29;
+  const Scalar t31 = t30 + t29;
+  const Scalar t32 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t33 = t31 - g.d4 * t32;
+  const Scalar t34 = (t28 - t33) / g.d4;
+  const Scalar t35 = g.d4 * g.d4 * t34;
+  const Scalar t36 = g.d4 * (t19 + t30) + ((inertia.I4yy - t17) - inertia.c4y * t19);
+  const Scalar t37 = (t36 - g.d4 * (t31 + t30)) + g.d4 * (t31 + t33);
+  const Scalar t38 = ((inertia.I3yy - t26) - inertia.c3y * t24) - g.d4 * (t28 - t24);
+  const Scalar t39 = t35 + (t37 + t38);
+  const Scalar t40 = inertia.c2x * inertia.m2;
+  const Scalar t41 = g.l2 * inertia.m2;
+  const Scalar t42 = inertia.c2y * inertia.m2;
+  const Scalar t43 = t41 - t42;
+  const Scalar t44 = t41 - t43;
+  const Scalar t45 = g.d4 * g.d4 * (t34 - (inertia.m2 + (inertia.m3 + t32)));
+  const Scalar t46 = inertia.c1y * inertia.m1;
+  const Scalar t47 = t46 - g.l2 * inertia.m1;
+  const Scalar t48 = inertia.c1x * inertia.m1;
+  const Scalar t49 = t45 - t35;
+  const Scalar t50 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t51 = (inertia.c3x * t21 - (inertia.I3xx - t26)) + (inertia.c2x * t40 - (inertia.I2xx - t50));
+  const Scalar t52 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t53 = g.l2 * (t47 + t46) - (inertia.c1y * t46 - (inertia.I1yy - t52));
+  const Scalar t54 = g.l2 * (t43 - t42) - ((inertia.I2yy - t50) - inertia.c2y * t42);
+  return { g.d4 * t0,
+           g.d4 * t1,
+           gravity[2] / g.d4,
+           gravity[1] / g.d4,
+           gravity[0] / g.d4,
            t2,
-           t1,
-           g.d4,
-           t6,
-           Scalar(1) / t6,
-           g.l2,
-           t0 + t7,
-           t8,
-           Scalar(2) * t9,
-           t4 + t5,
+           g.l2 / g.d4,
+           inertia.I6yz - inertia.c6z * t3,
+           inertia.I6xy - inertia.c6y * t0,
+           Scalar(2) * t4,
+           t6 + t7,
            t4,
-           inertia.c5z * t8 - (inertia.I5zz - t10),
-           t11,
-           t9,
-           inertia.I5xz - inertia.c5z * t12,
-           inertia.I5xy - inertia.c5y * t12,
-           t13,
-           inertia.I5yz - inertia.c5z * t7,
-           inertia.I4yz - inertia.c4z * t14,
-           t15 + t12,
-           inertia.I4xy - inertia.c4y * t15,
-           t17,
-           (inertia.I4zz - t16) - inertia.c4z * t13,
-           t20,
-           inertia.I4xz - inertia.c4z * t15,
-           t22,
-           t27,
-           t30,
+           t6,
+           t8,
+           Scalar(1) / t8,
+           g.d4 * (t3 + t9),
+           inertia.I5xy - inertia.c5y * t10,
+           t12,
+           inertia.I5yz - inertia.c5z * t9,
+           inertia.I5xz - inertia.c5z * t10,
+           g.d4 * t13,
+           inertia.c5z * t13 - (inertia.I5zz - t11),
+           t15,
+           g.d4 * (t16 + t10),
+           inertia.I4xz - inertia.c4z * t16,
            t18,
-           t31,
-           t32 - t26,
-           t36 + ((inertia.I2yy - t37) - inertia.c2y * t31),
-           t40 + (inertia.c1x * t41 - (inertia.I1xx - t35)),
-           (inertia.I3xy - inertia.c3y * t38) + g.d4 * t38,
-           inertia.I3xz - inertia.c3z * t38,
-           t39 + t38,
-           gravity[1],
-           gravity[0],
-           gravity[2],
-           Scalar(2) * t18,
-           t26,
-           t32,
-           Scalar(2) * t20,
-           Scalar(2) * t22,
-           t34,
-           t41,
-           t22 - t30 };
+           (inertia.I4zz - t17) - inertia.c4z * t14,
+           t15 - (t15 + (inertia.I4yz - inertia.c4z * t19)),
+           (t20 + (inertia.I4xy - inertia.c4y * t16)) - t20,
+           inertia.I3xz - inertia.c3z * t21,
+           (inertia.I3xy - inertia.c3y * t21) + g.d4 * t21,
+           t25,
+           Scalar(2) * t27,
+           t23,
+           t39,
+           Scalar(2) * t25,
+           t35,
+           g.d4,
+           g.d4 * (t40 + t21),
+           g.d4 * t44,
+           Scalar(2) * t23,
+           t45,
+           g.d4 * t47,
+           g.d4 * t48,
+           t27 - t39,
+           t27,
+           t49 * t2 * t2,
+           t51 + (inertia.c1x * t48 - (inertia.I1xx - t52)),
+           t49,
+           t53 - (t54 + g.l2 * (t44 - t43)) };
 }
 
 namespace detail {
@@ -1129,245 +1185,250 @@ inline JointVector<Scalar> forward_dynamics_with_wrench(const JointVector<Scalar
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[2] * s6 - k[3] * c6;
-  const Scalar t1 = c5 * t0;
-  const Scalar t2 = k[0] * s6 - k[1] * c6;
-  const Scalar t3 = k[4] * t1 + t2;
-  const Scalar t4 = k[2] * c6 + k[3] * s6;
-  const Scalar t5 = k[0] * c6 + k[1] * s6;
-  const Scalar t6 = k[4] * t4 - (k[5] * s5 - c5 * t5);
-  const Scalar t7 = c5 + k[6] * s5 * t5;
-  const Scalar t8 = k[5] * t7;
-  const Scalar t9 = c3 * (s4 * t3 - c4 * t6) + s3 * t8;
-  const Scalar t10 = k[7] + q[1];
-  const Scalar t11 = t9 - t10 * (c4 * t4 - s4 * t1);
-  const Scalar t12 = s3 * (s4 * t4 + c4 * t1) + c3 * s5 * t0;
-  const Scalar t13 = k[6] * t12;
-  const Scalar t14 = k[21] - t0;
-  const Scalar t15 = k[9] + t4;
-  const Scalar t16 = c5 * t15 + k[8] * s5;
-  const Scalar t17 = k[18] + t16;
-  const Scalar t18 = c4 * t14 - s4 * t17;
-  const Scalar t19 = k[6] * t11;
-  const Scalar t20 = s5 * t15 - k[8] * c5;
-  const Scalar t21 = k[10] * s6 - k[11] * c6;
-  const Scalar t22 = k[15] - s6 * t21;
-  const Scalar t23 = k[16] + t22;
-  const Scalar t24 = k[17] - t2;
-  const Scalar t25 = c5 * t23 + s5 * t24;
-  const Scalar t26 = k[12] + c6 * t21;
-  const Scalar t27 = k[13] - t26;
-  const Scalar t28 = k[14] - t27;
-  const Scalar t29 = k[4] * t20 - t28;
-  const Scalar t30 = c5 * t24 - s5 * t23;
-  const Scalar t31 = c3 * (c4 * t25 + s4 * t29) + s3 * t30;
-  const Scalar t32 = t2 * t19 + (t10 * s4 * t20 + t31);
-  const Scalar t33 = (c3 * t16 - s3 * c4 * t20) - t2 * t13;
-  const Scalar t34 = k[6] * t2;
-  const Scalar t35 = Scalar(1) / (t2 * t34 - t28);
-  const Scalar t36 = t33 * t35;
-  const Scalar t37 = (t11 * t13 + (k[37] + t18)) + t32 * t36;
-  const Scalar t38 = c4 * t17 + s4 * t14;
-  const Scalar t39 = (k[22] + t30) + k[4] * t14;
-  const Scalar t40 = k[19] + t5;
-  const Scalar t41 = Scalar(2) * c5 * t40 + s5 * (k[14] + t27);
-  const Scalar t42 = (k[20] - (t40 - c5 * t41)) + k[4] * t17;
-  const Scalar t43 = s4 * t39 + c4 * t42;
-  const Scalar t44 = t27 - s5 * t41;
-  const Scalar t45 = k[24] - t44;
-  const Scalar t46 = k[5] - t26;
-  const Scalar t47 = k[23] - t46;
-  const Scalar t48 = t45 - t47;
-  const Scalar t49 = t10 * t38 + (c3 * t43 - s3 * t48);
-  const Scalar t50 = t30 + t2 * t7;
-  const Scalar t51 = t50 * t35;
-  const Scalar t52 = (t49 + t11 * t7) - t32 * t51;
-  const Scalar t53 = t36 * t50 + (t7 * t12 + s3 * t18);
-  const Scalar t54 = Scalar(1) / ((t48 - t8 * t7) + t50 * t51);
-  const Scalar t55 = t53 * t54;
-  const Scalar t56 = c4 * t3 + s4 * t6;
-  const Scalar t57 = k[6] * t56;
-  const Scalar t58 = (c4 * t29 - s4 * t25) + t2 * t57;
-  const Scalar t59 = t58 * t35;
-  const Scalar t60 = c4 * t39 - s4 * t42;
-  const Scalar t61 = k[26] + t25;
-  const Scalar t62 = Scalar(2) * c4 * t61 - s4 * (t45 + t47);
-  const Scalar t63 = s3 * (k[35] + t60) + c3 * (k[36] - (t61 - c4 * t62));
-  const Scalar t64 = t54 * t52;
-  const Scalar t65 = (t57 * t8 + t60) - t58 * t51;
-  const Scalar t66 = (t32 * t59 - (t63 + t19 * t56)) - t64 * t65;
-  const Scalar t67 = t65 * t54;
-  const Scalar t68 = s4 * t62;
-  const Scalar t69 = k[27] + (t45 + t68);
-  const Scalar t70 = k[28] - t20;
-  const Scalar t71 = k[29] + ((t44 + t28) + k[4] * (t70 - t20));
-  const Scalar t72 = t58 * t59 - (t57 * t56 - (t69 + t71));
-  const Scalar t73 = Scalar(1) / (t65 * t67 - t72);
-  const Scalar t74 = t66 * t73;
-  const Scalar t75 = k[30] + t38;
-  const Scalar t76 = t13 * t56 - (s3 * t70 + c3 * t75);
-  const Scalar t77 = t53 * t67 + (t76 + t33 * t59);
-  const Scalar t78 = (t37 + t52 * t55) + t74 * t77;
-  const Scalar t79 = t77 * t73;
-  const Scalar t80 = (t36 * t33 - (k[32] + t12 * t13)) - t53 * t55;
-  const Scalar t81 = Scalar(1) / (t79 * t77 + t80);
-  const Scalar t82 = t78 * t81;
-  const Scalar t83 = t32 * t35;
-  const Scalar t84 = c3 * (k[25] + t43);
-  const Scalar t85 = s3 * (s3 * (t69 - t71) - (t84 + t84));
-  const Scalar t86 = k[31] - (s3 * t75 - c3 * t70);
-  const Scalar t87 = (t71 + t85) + t10 * ((t86 - k[32] * t10) + t86);
-  const Scalar t88 = t11 * t19 - ((k[33] + t87) - (k[34] + (t47 + t68)));
-  const Scalar t89 = t66 * t74 - (t64 * t52 - (t83 * t32 - t88));
-  const Scalar t90 = qd[0] * s3;
-  const Scalar t91 = qd[2] * t90;
-  const Scalar t92 = Scalar(2) * t91;
-  const Scalar t93 = k[38] * s1 + k[39] * c1;
-  const Scalar t94 = qd[1] * qd[0];
-  const Scalar t95 = t93 - (t94 + t94);
-  const Scalar t96 = k[4] * t92 + t95;
-  const Scalar t97 = qd[0] * c3;
-  const Scalar t98 = t90 * t97;
-  const Scalar t99 = k[38] * c1 - k[39] * s1;
-  const Scalar t100 = qd[0] * qd[0];
-  const Scalar t101 = t99 - t100 * t10;
-  const Scalar t102 = k[4] * t98 + (k[40] * c3 - s3 * t101);
-  const Scalar t103 = c4 * t96 + s4 * t102;
-  const Scalar t104 = qd[2] * t97;
-  const Scalar t105 = c4 * t97 - qd[2] * s4;
-  const Scalar t106 = s4 * t97;
-  const Scalar t107 = qd[2] * c4 + t106;
-  const Scalar t108 = t105 * t107;
-  const Scalar t109 = t104 - t108;
-  const Scalar t110 = c4 * t92 + t90 * t106;
-  const Scalar t111 = qd[3] - t90;
-  const Scalar t112 = t111 * t107;
-  const Scalar t113 = (t110 + t112) + t112;
-  const Scalar t114 = s5 * t109 + c5 * t113;
-  const Scalar t115 = qd[4] + t107;
-  const Scalar t116 = s5 * t105 - c5 * t111;
-  const Scalar t117 = t115 * t116;
-  const Scalar t118 = t114 + (t117 + t117);
-  const Scalar t119 = s5 * t111 + c5 * t105;
-  const Scalar t120 = s5 * t113 - c5 * t109;
-  const Scalar t121 = Scalar(2) * t115 * t119 - t120;
-  const Scalar t122 = t115 * t115;
-  const Scalar t123 = t119 * t119;
-  const Scalar t124 = t122 - t123;
-  const Scalar t125 = c4 * t98 - s4 * t92;
-  const Scalar t126 = t105 * t111;
-  const Scalar t127 = t125 + t126;
-  const Scalar t128 = t119 * t116;
-  const Scalar t129 = t127 + t128;
-  const Scalar t130 = (k[19] * t118 - k[13] * t121) + (k[16] * t124 - k[17] * t129);
-  const Scalar t131 = wrench[3] * s1 - wrench[4] * c1;
-  const Scalar t132 = wrench[5] * s3 - c3 * t131;
-  const Scalar t133 = s3 * t131 + wrench[5] * c3;
-  const Scalar t134 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t135 = c4 * t133 - s4 * t134;
-  const Scalar t136 = s4 * t96 - c4 * t102;
-  const Scalar t137 = c3 * t101 + k[40] * s3;
-  const Scalar t138 = t97 * t97;
-  const Scalar t139 = qd[2] * qd[2];
-  const Scalar t140 = t138 + t139;
-  const Scalar t141 = t137 - k[4] * t140;
-  const Scalar t142 = c5 * t136 + s5 * t141;
-  const Scalar t143 = (t46 * t120 - t26 * t121) - t22 * t124;
-  const Scalar t144 = (t142 * t0 - t4 * t103) - ((t2 * t129 + t5 * t118) - t143);
-  const Scalar t145 = (c5 * t132 + s5 * t135) - t144;
-  const Scalar t146 = (k[9] * t103 + t130) + t145;
-  const Scalar t147 = qd[5] - t116;
-  const Scalar t148 = Scalar(2) * t147 * t119 + t129;
-  const Scalar t149 = t118 + Scalar(2) * t147 * t115;
-  const Scalar t150 = t147 * t147;
-  const Scalar t151 = t122 - t150;
-  const Scalar t152 = (t148 * t22 + t149 * t46) - t2 * t151;
-  const Scalar t153 = s5 * t136 - c5 * t141;
-  const Scalar t154 = (s5 * t132 - c5 * t135) + ((t152 + t5 * t121) - t153 * t0);
-  const Scalar t155 = t111 * t111;
-  const Scalar t156 = t105 * t105;
-  const Scalar t157 = t155 + t156;
-  const Scalar t158 = t150 + t123;
-  const Scalar t159 = t158 + t151;
-  const Scalar t160 = t157 - t159;
-  const Scalar t161 = k[17] * t160 - (k[19] * t121 + k[14] * t118);
-  const Scalar t162 = t127 - t128;
-  const Scalar t163 = t154 - ((t161 - k[16] * t162) - k[8] * t103);
-  const Scalar t164 = t104 + t108;
-  const Scalar t165 = t155 - t156;
-  const Scalar t166 = t140 + t165;
-  const Scalar t167 = (k[24] * t164 - k[23] * t109) - k[26] * (t157 - t166);
-  const Scalar t168 = (t167 - (k[22] * t125 - k[20] * t110)) + (k[21] * t136 + k[18] * t103);
-  const Scalar t169 = (c5 * t146 + s5 * t163) + t168;
-  const Scalar t170 = torque[5] - t145;
-  const Scalar t171 = k[6] * t170;
-  const Scalar t172 = t158 + t124;
-  const Scalar t173 = (t149 * t22 + t148 * t26) + (t5 * (t159 - t172) - t2 * t120);
-  const Scalar t174 = (t4 * t153 + t173) + (c4 * t134 + s4 * t133);
-  const Scalar t175 = t160 + t124;
-  const Scalar t176 = k[19] * t175 + (k[13] * t162 - k[14] * t129);
-  const Scalar t177 = ((k[16] * t114 + k[17] * t120) - t176) + (k[9] * t153 - k[8] * t142);
-  const Scalar t178 = t174 + t177;
-  const Scalar t179 = t2 * t171 + (torque[4] + t178);
-  const Scalar t180 = ((torque[3] - t169) - t8 * t171) + t179 * t51;
-  const Scalar t181 = t179 * t35;
-  const Scalar t182 = t138 - t139;
-  const Scalar t183 = t100 - t182;
-  const Scalar t184 = (k[48] * t98 - k[25] * (t140 - t183)) + k[30] * t137;
-  const Scalar t185 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t0 = k[10] * c6 - k[9] * s6;
+  const Scalar t1 = k[11] + s6 * t0;
+  const Scalar t2 = k[19] + t1;
+  const Scalar t3 = k[8] * c6 - k[7] * s6;
+  const Scalar t4 = k[16] + t3;
+  const Scalar t5 = s5 * t2 - c5 * t4;
+  const Scalar t6 = k[7] * c6 + k[8] * s6;
+  const Scalar t7 = k[13] * c5 + s5 * t6;
+  const Scalar t8 = k[14] * t7;
+  const Scalar t9 = t5 + t8 * t3;
+  const Scalar t10 = k[18] + t6;
+  const Scalar t11 = c5 * t10;
+  const Scalar t12 = k[12] - c6 * t0;
+  const Scalar t13 = k[21] - t12;
+  const Scalar t14 = (t11 + t11) + s5 * (k[17] + t13);
+  const Scalar t15 = s5 * t14;
+  const Scalar t16 = k[17] - t15;
+  const Scalar t17 = t13 - t15;
+  const Scalar t18 = t16 - t17;
+  const Scalar t19 = k[14] * t3;
+  const Scalar t20 = Scalar(1) / (t18 - t19 * t3);
+  const Scalar t21 = t9 * t20;
+  const Scalar t22 = k[26] - t17;
+  const Scalar t23 = k[13] - t12;
+  const Scalar t24 = k[25] - t23;
+  const Scalar t25 = c5 * t2 + s5 * t4;
+  const Scalar t26 = k[24] + t25;
+  const Scalar t27 = s4 * (t22 + t24) - Scalar(2) * c4 * t26;
+  const Scalar t28 = s4 * t27;
+  const Scalar t29 = t28 - t24;
+  const Scalar t30 = t28 - t22;
+  const Scalar t31 = t29 - t30;
+  const Scalar t32 = Scalar(1) / (t9 * t21 - (t31 - t7 * t8));
+  const Scalar t33 = k[6] + k[5] * q[1];
+  const Scalar t34 = k[0] * s6 + k[1] * c6;
+  const Scalar t35 = k[0] * c6 - k[1] * s6;
+  const Scalar t36 = c5 * t35;
+  const Scalar t37 = t36 + t3;
+  const Scalar t38 = t34 - (k[13] * s5 - c5 * t6);
+  const Scalar t39 = s3 * t7 - c3 * (s4 * t37 + c4 * t38);
+  const Scalar t40 = t33 * (c4 * t34 + s4 * t36) - t39;
+  const Scalar t41 = k[20] + t34;
+  const Scalar t42 = s5 * t41 - k[15] * c5;
+  const Scalar t43 = t42 - t18;
+  const Scalar t44 = c3 * (c4 * t25 + s4 * t43) - s3 * t5;
+  const Scalar t45 = t19 * t40 + (t33 * s4 * t42 + t44);
+  const Scalar t46 = k[15] * s5 + c5 * t41;
+  const Scalar t47 = k[22] + t46;
+  const Scalar t48 = k[23] + t35;
+  const Scalar t49 = c4 * t47 + s4 * t48;
+  const Scalar t50 = t48 + (k[28] - t5);
+  const Scalar t51 = t47 - (k[27] - (c5 * t14 - t10));
+  const Scalar t52 = s4 * t50 + c4 * t51;
+  const Scalar t53 = t49 * t33 - (s3 * t31 - c3 * t52);
+  const Scalar t54 = k[14] * t40;
+  const Scalar t55 = t21 * t45 - (t53 - t7 * t54);
+  const Scalar t56 = t32 * t55;
+  const Scalar t57 = k[36] + t42;
+  const Scalar t58 = k[33] + t49;
+  const Scalar t59 = k[39] - (c3 * t57 + s3 * t58);
+  const Scalar t60 = k[34] - ((t42 + t57) - t16);
+  const Scalar t61 = k[45] - t30;
+  const Scalar t62 = c3 * Scalar(2) * (k[31] + t52) + s3 * (t60 - t61);
+  const Scalar t63 = t33 * ((t59 + k[48] * t33) + t59) + (t60 - s3 * t62);
+  const Scalar t64 = ((k[49] + t63) - (k[47] - t29)) - t54 * t40;
+  const Scalar t65 = t20 * t45;
+  const Scalar t66 = s4 * t38 - c4 * t37;
+  const Scalar t67 = k[14] * t66;
+  const Scalar t68 = t3 * t67 + (s4 * t25 - c4 * t43);
+  const Scalar t69 = s4 * t51 - c4 * t50;
+  const Scalar t70 = t21 * t68 + (t8 * t66 - t69);
+  const Scalar t71 = s3 * (k[30] - t69) + c3 * (k[29] - (c4 * t27 + t26));
+  const Scalar t72 = t20 * t68;
+  const Scalar t73 = t70 * t56 - ((t67 * t40 - t71) + t45 * t72);
+  const Scalar t74 = t32 * t70;
+  const Scalar t75 = t68 * t72 - ((t60 + t61) - t66 * t67);
+  const Scalar t76 = Scalar(1) / (t74 * t70 - t75);
+  const Scalar t77 = t73 * t76;
+  const Scalar t78 = (t56 * t55 + (t64 - t65 * t45)) - t73 * t77;
+  const Scalar t79 = c3 * s5 * t35 + s3 * (c4 * t36 - s4 * t34);
+  const Scalar t80 = k[5] * t79;
+  const Scalar t81 = t80 * t67 + k[5] * (c3 * t58 - s3 * t57);
+  const Scalar t82 = k[5] * (s3 * c4 * t42 - c3 * t46);
+  const Scalar t83 = k[14] * t80;
+  const Scalar t84 = t82 + t83 * t3;
+  const Scalar t85 = t20 * t84;
+  const Scalar t86 = s4 * t47 - c4 * t48;
+  const Scalar t87 = t9 * t85 + (k[5] * s3 * t86 + t7 * t83);
+  const Scalar t88 = (t81 + t84 * t72) - t87 * t74;
+  const Scalar t89 = t76 * t88;
+  const Scalar t90 = t87 * t32;
+  const Scalar t91 = t87 * t90 + ((k[46] - t80 * t83) - t84 * t85);
+  const Scalar t92 = Scalar(1) / (t89 * t88 - t91);
+  const Scalar t93 = (t83 * t40 + k[5] * (k[38] - t86)) + t45 * t85;
+  const Scalar t94 = (t93 - t90 * t55) - t77 * t88;
+  const Scalar t95 = t92 * t94;
+  const Scalar t96 = k[4] * s1 - k[3] * c1;
+  const Scalar t97 = qd[0] * qd[0];
+  const Scalar t98 = t96 + t97 * t33;
+  const Scalar t99 = s3 * t98 + k[2] * c3;
+  const Scalar t100 = k[4] * c1 + k[3] * s1;
+  const Scalar t101 = k[5] * qd[1] * Scalar(2) * qd[0] - t100;
+  const Scalar t102 = qd[0] * c3;
+  const Scalar t103 = c4 * t102;
+  const Scalar t104 = qd[0] * s3;
+  const Scalar t105 = qd[2] * t104;
+  const Scalar t106 = t105 + t105;
+  const Scalar t107 = t103 * t104 - s4 * t106;
+  const Scalar t108 = (c4 * t99 + s4 * t101) + t107;
+  const Scalar t109 = c3 * t98 - k[2] * s3;
+  const Scalar t110 = qd[3] - t104;
+  const Scalar t111 = t110 * t110;
+  const Scalar t112 = t103 - qd[2] * s4;
+  const Scalar t113 = t112 * t112;
+  const Scalar t114 = t111 - t113;
+  const Scalar t115 = s4 * t102;
+  const Scalar t116 = qd[2] * c4 + t115;
+  const Scalar t117 = t116 * t116;
+  const Scalar t118 = t111 + t117;
+  const Scalar t119 = t114 - t118;
+  const Scalar t120 = t109 - t119;
+  const Scalar t121 = c5 * t108 + s5 * t120;
+  const Scalar t122 = c4 * t106 + t104 * t115;
+  const Scalar t123 = (c4 * t101 - s4 * t99) - t122;
+  const Scalar t124 = qd[4] + t116;
+  const Scalar t125 = t124 * t124;
+  const Scalar t126 = s5 * t110 + c5 * t112;
+  const Scalar t127 = t126 * t126;
+  const Scalar t128 = t125 - t127;
+  const Scalar t129 = t124 * t126;
+  const Scalar t130 = qd[2] * t102;
+  const Scalar t131 = t112 * t116;
+  const Scalar t132 = t130 - t131;
+  const Scalar t133 = t110 * t116;
+  const Scalar t134 = (t133 + t133) + t122;
+  const Scalar t135 = c5 * t132 - s5 * t134;
+  const Scalar t136 = t129 + (t135 + t129);
+  const Scalar t137 = t1 * t128 + (t12 * t136 + t135 * t23);
+  const Scalar t138 = t112 * t110;
+  const Scalar t139 = t107 + t138;
+  const Scalar t140 = s5 * t112 - c5 * t110;
+  const Scalar t141 = t126 * t140;
+  const Scalar t142 = t139 + t141;
+  const Scalar t143 = s5 * t132 + c5 * t134;
+  const Scalar t144 = Scalar(2) * t124 * t140 + t143;
+  const Scalar t145 = (t121 * t35 + t34 * t123) - (t137 - (t142 * t3 - t6 * t144));
+  const Scalar t146 = wrench[3] * s1 - wrench[4] * c1;
+  const Scalar t147 = wrench[5] * s3 - c3 * t146;
+  const Scalar t148 = s3 * t146 + wrench[5] * c3;
+  const Scalar t149 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t150 = c4 * t148 - s4 * t149;
+  const Scalar t151 = t145 - (c5 * t147 + s5 * t150);
+  const Scalar t152 = torque[5] + t151;
+  const Scalar t153 = k[14] * t152;
+  const Scalar t154 = t130 + t131;
+  const Scalar t155 = t111 - t117;
+  const Scalar t156 = (k[25] * t132 - k[26] * t154) + k[24] * (t155 - t114);
+  const Scalar t157 = (k[23] * t108 + k[22] * t123) + (t156 + (k[28] * t107 + k[27] * t122));
+  const Scalar t158 = qd[5] - t140;
+  const Scalar t159 = t158 * t158;
+  const Scalar t160 = t125 - t159;
+  const Scalar t161 = Scalar(2) * t158;
+  const Scalar t162 = t161 * t126 + t142;
+  const Scalar t163 = t161 * t124 + t144;
+  const Scalar t164 = t160 * t3 + (t1 * t162 + t163 * t23);
+  const Scalar t165 = s5 * t108 - c5 * t120;
+  const Scalar t166 = (s5 * t147 - c5 * t150) + ((t6 * t136 + t164) - t165 * t35);
+  const Scalar t167 = t111 + t113;
+  const Scalar t168 = t159 + t127;
+  const Scalar t169 = t168 + t160;
+  const Scalar t170 = t167 - t169;
+  const Scalar t171 = k[16] * t170 - (k[17] * t144 + k[18] * t136);
+  const Scalar t172 = t139 - t141;
+  const Scalar t173 = t166 - ((t171 - k[19] * t172) + k[15] * t123);
+  const Scalar t174 = (k[19] * t128 - k[16] * t142) - (k[21] * t136 - k[18] * t144);
+  const Scalar t175 = (k[20] * t123 - t174) + t151;
+  const Scalar t176 = t157 - (s5 * t173 - c5 * t175);
+  const Scalar t177 = t170 + t128;
+  const Scalar t178 = k[18] * t177 - (k[17] * t142 - k[21] * t172);
+  const Scalar t179 = (t178 + (k[16] * t135 - k[19] * t143)) - (k[15] * t121 - k[20] * t165);
+  const Scalar t180 = (t6 * (t159 - t127) + t135 * t3) - (t1 * t163 + t12 * t162);
+  const Scalar t181 = (t180 + t34 * t165) - (c4 * t149 + s4 * t148);
+  const Scalar t182 = t179 + t181;
+  const Scalar t183 = t152 * t19 - (torque[4] - t182);
+  const Scalar t184 = (t153 * t7 - (torque[3] + t176)) + t21 * t183;
+  const Scalar t185 = k[36] * t123 + (k[22] * t154 - k[23] * t167);
   const Scalar t186 = wrench[0] * s1 - wrench[1] * c1;
   const Scalar t187 = wrench[2] * c3 + s3 * t186;
-  const Scalar t188 = s4 * t185 - c4 * t187;
-  const Scalar t189 = c3 * t186 - wrench[2] * s3;
-  const Scalar t190 = (c5 * t188 - s5 * t189) - (t120 * t0 + t4 * t172);
-  const Scalar t191 = (k[9] * (t159 + t175) - k[8] * t129) - t190;
-  const Scalar t192 = (s5 * t188 + c5 * t189) - (t4 * t148 - t149 * t0);
-  const Scalar t193 = t192 - (k[8] * t159 + k[9] * t162);
-  const Scalar t194 = (k[21] * t109 + k[18] * t166) + k[42] * t136;
-  const Scalar t195 = (c5 * t191 - s5 * t193) + t194;
-  const Scalar t196 = (k[21] * t157 - k[18] * t164) - k[42] * t103;
-  const Scalar t197 = (s4 * t187 + c4 * t185) - (t4 * t121 + t158 * t0);
-  const Scalar t198 = t196 + (t197 - (k[9] * t121 + k[8] * t118));
-  const Scalar t199 = c4 * t195 + s4 * t198;
-  const Scalar t200 = t127 + t126;
-  const Scalar t201 = (k[23] * t113 - k[26] * t200) - k[22] * (t140 - t157);
-  const Scalar t202 = (c5 * t163 - s5 * t146) - (k[21] * t141 - (k[20] * t164 - t201));
-  const Scalar t203 = (k[24] * t200 + k[26] * t113) - (k[22] * t109 + k[20] * t165);
-  const Scalar t204 = t178 + (t203 - k[18] * t141);
-  const Scalar t205 = k[4] * t199 - (s4 * t202 + c4 * t204);
-  const Scalar t206 = t181 * t58 - ((torque[2] - (t184 + t205)) + t56 * t171);
-  const Scalar t207 = t67 * t180 + t206;
-  const Scalar t208 = c4 * t198 - s4 * t195;
-  const Scalar t209 = (k[43] * t95 + k[37] * t100) - (k[41] * t104 - t208);
-  const Scalar t210 = (k[35] * t98 + k[36] * t182) - (k[44] * t91 + k[45] * t104);
-  const Scalar t211 = (k[29] * t92 + k[44] * t104) - k[35] * (t100 - t140);
-  const Scalar t212 = k[4] * t208 + (s4 * t204 - c4 * t202);
-  const Scalar t213 = s3 * (t169 - (t210 - k[30] * t95)) - c3 * ((t211 - k[36] * t98) - t212);
-  const Scalar t214 = t209 * t10 + (t213 - (k[31] * t95 - k[37] * t101));
-  const Scalar t215 = torque[0] + (t214 - (k[46] * t93 - k[47] * t99));
-  const Scalar t216 = t64 * t180 - ((t215 + t170 * t19) - t181 * t32);
-  const Scalar t217 = k[42] * t141 - (k[18] * t200 + k[21] * t113);
-  const Scalar t218 = (t217 + (c5 * t193 + s5 * t191)) + k[30] * t98;
-  const Scalar t219 = s3 * (t199 + k[30] * t183) + c3 * t218;
-  const Scalar t220 = torque[1] - ((k[43] * t101 + k[31] * t100) - t219);
-  const Scalar t221 = t180 * t55 + ((t220 - t170 * t13) - t179 * t36);
-  const Scalar t222 = t207 * t73;
-  const Scalar t223 = t221 - t77 * t222;
-  const Scalar t224 = Scalar(1) / (t78 * t82 - t89) * ((t207 * t74 + t216) + t82 * t223);
-  const Scalar t225 = t82 * t224 - t81 * t223;
-  const Scalar t226 = (t74 * t224 + t222) - t79 * t225;
-  const Scalar t227 = (t64 * t224 - t180 * t54) + t225 * t55;
-  const Scalar t228 = t227 + t67 * t226;
-  const Scalar t229 = ((t181 + t83 * t224) - t36 * t225) + t59 * t226;
-  const Scalar t230 = t229 + t228 * t51;
-  const Scalar t231 = t57 * t226 + (t13 * t225 + (t19 * t224 + t171));
+  const Scalar t188 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t189 = k[37] * (s4 * t187 + c4 * t188) - (t34 * t136 - t168 * t35);
+  const Scalar t190 = t185 + ((k[15] * t144 + k[20] * t136) - t189);
+  const Scalar t191 = s4 * t188 - c4 * t187;
+  const Scalar t192 = c3 * t186 - wrench[2] * s3;
+  const Scalar t193 = k[37] * (c5 * t191 - s5 * t192) - (t34 * (t168 + t128) + t135 * t35);
+  const Scalar t194 = t193 + (k[15] * t142 - k[20] * (t169 + t177));
+  const Scalar t195 = (t163 * t35 + t34 * t162) - k[37] * (s5 * t191 + c5 * t192);
+  const Scalar t196 = (k[20] * t172 + k[15] * t169) + t195;
+  const Scalar t197 = (k[23] * t132 + k[22] * t118) + k[36] * t108;
+  const Scalar t198 = (c5 * t194 - s5 * t196) - t197;
+  const Scalar t199 = t102 * t102;
+  const Scalar t200 = t199 - (t97 - t199);
+  const Scalar t201 = t119 + t200;
+  const Scalar t202 = (s4 * t190 + c4 * t198) + k[33] * t201;
+  const Scalar t203 = t139 + t138;
+  const Scalar t204 = k[36] * t120 - (k[22] * t203 + k[23] * t134);
+  const Scalar t205 = t104 * t102;
+  const Scalar t206 = (t204 - (s5 * t194 + c5 * t196)) + k[33] * t205;
+  const Scalar t207 = (s3 * t202 - c3 * t206) + (k[39] * t97 + k[41] * t98);
+  const Scalar t208 = t183 * t85 + ((torque[1] - k[5] * t207) + t152 * t83);
+  const Scalar t209 = t20 * t183;
+  const Scalar t210 = k[33] * t109 - (k[44] * t205 - k[31] * t200);
+  const Scalar t211 = k[28] * t155 + (k[25] * t134 - k[24] * t203);
+  const Scalar t212 = (c5 * t173 + s5 * t175) - ((k[27] * t154 + t211) - k[23] * t120);
+  const Scalar t213 = t190 + t212;
+  const Scalar t214 = (k[28] * t132 - k[27] * t114) - (k[24] * t134 + k[26] * t203);
+  const Scalar t215 = t198 - ((t214 - k[22] * t120) + t182);
+  const Scalar t216 = torque[2] + (t210 + (s4 * t213 + c4 * t215));
+  const Scalar t217 = t32 * t184;
+  const Scalar t218 = (t68 * t209 + (t216 + t152 * t67)) - t217 * t70;
+  const Scalar t219 = t218 * t76;
+  const Scalar t220 = ((t90 * t184 - t208) - t219 * t88) * t92;
+  const Scalar t221 = (k[34] * t106 + k[35] * t130) - k[30] * (t97 + t119);
+  const Scalar t222 = (k[29] * t205 - t221) - (c4 * t213 - s4 * t215);
+  const Scalar t223 = (k[31] * t106 + k[32] * t130) - (k[30] * t205 + k[29] * (t97 + t201));
+  const Scalar t224 = c3 * t222 - s3 * ((k[33] * t101 - t223) + t176);
+  const Scalar t225 = (s4 * t198 - c4 * t190) - k[40] * t130;
+  const Scalar t226 = t33 * ((k[41] * t101 + k[38] * t97) + t225);
+  const Scalar t227 = (t224 + (k[39] * t101 - k[38] * t98)) + t226;
+  const Scalar t228 = torque[0] + (t227 - (k[43] * t96 + k[42] * t100));
+  const Scalar t229 = ((t228 - t153 * t40) - t45 * t209) + t217 * t55;
+  const Scalar t230 = Scalar(1) / (t78 + t95 * t94) * (t220 * t94 - (t229 + t218 * t77));
+  const Scalar t231 = t220 - t230 * t95;
+  const Scalar t232 = t231 * t89 + (t219 - t230 * t77);
+  const Scalar t233 = ((t230 * t56 + t217) + t90 * t231) + t232 * t74;
+  const Scalar t234 = t232 * t72 + ((t230 * t65 + t209) + t231 * t85);
+  const Scalar t235 = t234 - t21 * t233;
+  const Scalar t236 = t232 * t67 + ((t153 + t230 * t54) + t231 * t83);
   JointVector<Scalar> result;
-  result[0] = -t224;
-  result[1] = t225;
-  result[2] = -t226;
-  result[3] = t228;
-  result[4] = t230;
-  result[5] = t34 * t230 - (t228 * t7 + t231);
+  result[0] = t230;
+  result[1] = -t231;
+  result[2] = -t232;
+  result[3] = -t233;
+  result[4] = t235;
+  result[5] = -(t236 - t8 * t233) - t235 * t19;
   return result;
 }
 
@@ -1397,32 +1458,34 @@ PotentialEnergyWithGravityVectorConstants<Scalar> potential_energy_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = inertia.m2 + (inertia.m3 + t0);
-  return { inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
-           inertia.c6z * inertia.m6,
+  const Scalar t0 = g.d4 * inertia.m4;
+  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t2 = inertia.m3 + t1;
+  const Scalar t3 = g.l2 * inertia.m2;
+  return { inertia.c6z * inertia.m6,
            inertia.c6x * inertia.m6,
-           inertia.c5z * inertia.m5,
-           inertia.c4z * inertia.m4,
            inertia.c5x * inertia.m5,
            inertia.c4x * inertia.m4,
+           inertia.c5z * inertia.m5,
+           inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
+           inertia.c4z * inertia.m4,
            inertia.c3z * inertia.m3,
-           inertia.c4y * inertia.m4,
-           g.d4 * t0,
+           (inertia.c4y * inertia.m4 - t0) + t0,
+           g.d4 * t1,
            g.d4 * inertia.m3 - inertia.c3y * inertia.m3,
-           inertia.c2z * inertia.m2,
-           inertia.c1z * inertia.m1,
+           g.h1 * t2,
+           g.h1 * inertia.m2 + inertia.c2z * inertia.m2,
+           inertia.c1z * inertia.m1 + g.h1 * inertia.m1,
            gravity[2],
-           g.l2,
-           t1,
-           inertia.c2y * inertia.m2,
-           inertia.c1y * inertia.m1 - g.l2 * inertia.m1,
            inertia.c3x * inertia.m3,
            inertia.c2x * inertia.m2,
            inertia.c1x * inertia.m1,
-           gravity[0],
+           g.l2,
+           inertia.m2 + t2,
+           t3 - (t3 - inertia.c2y * inertia.m2),
+           inertia.c1y * inertia.m1 - g.l2 * inertia.m1,
            gravity[1],
-           (inertia.m1 + t1) * gravity[2] * g.h1 };
+           gravity[0] };
 }
 
 namespace detail {
@@ -1440,20 +1503,20 @@ inline Scalar potential_energy_with_gravity_vector(const JointVector<Scalar>& q,
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[6] + (k[5] + (k[2] * c6 - k[1] * s6));
-  const Scalar t1 = k[3] + (k[1] * c6 + k[2] * s6);
-  const Scalar t2 = k[4] + (k[0] * s5 + c5 * t1);
-  const Scalar t3 = k[19] + (k[18] + (c4 * t0 - s4 * t2));
-  const Scalar t4 = k[20] + t3;
-  const Scalar t5 = k[7] + (c4 * t2 + s4 * t0);
-  const Scalar t6 = k[9] - (k[8] - (s5 * t1 - k[0] * c5));
-  const Scalar t7 = k[10] + t6;
-  const Scalar t8 = (k[16] - (s3 * t5 + c3 * t7)) - k[15] * (k[14] + q[1]);
-  const Scalar t9 = k[17] + t8;
-  const Scalar t10 = k[21] * (c1 * t4 - s1 * t9) + k[22] * (c1 * t9 + s1 * t4);
-  const Scalar t11 = k[12] + (k[11] + (c3 * t5 - s3 * t7));
+  const Scalar t0 = k[4] + (k[0] * c6 + k[1] * s6);
+  const Scalar t1 = k[9] - (k[8] + (k[5] * c5 - s5 * t0));
+  const Scalar t2 = k[10] + t1;
+  const Scalar t3 = k[6] + (k[5] * s5 + c5 * t0);
+  const Scalar t4 = k[3] + (k[2] - (k[0] * s6 - k[1] * c6));
+  const Scalar t5 = k[7] + (c4 * t3 + s4 * t4);
+  const Scalar t6 = k[12] + (k[11] - (s3 * t2 - c3 * t5));
+  const Scalar t7 = k[16] + (k[15] - (s4 * t3 - c4 * t4));
+  const Scalar t8 = k[17] + t7;
+  const Scalar t9 = (k[20] - (c3 * t2 + s3 * t5)) - k[19] * (k[18] + q[1]);
+  const Scalar t10 = k[21] + t9;
+  const Scalar t11 = k[23] * (c1 * t8 - s1 * t10) + k[22] * (c1 * t10 + s1 * t8);
   Scalar result;
-  result = -k[23] - (t10 + k[13] * t11);
+  result = -k[14] * (k[13] + t6) - t11;
   return result;
 }
 

@@ -97,7 +97,7 @@ DynamicsAngles<Scalar> dynamics_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion: Newton-Euler recursion in base parameters (thesis 5.1-5.15).
 ///
-/// 122 multiplications, 107 additions, 4 sine/cosine pairs. Set-up: 60 multiplications, 69 additions, 3 divisions.
+/// 121 multiplications, 107 additions, 4 sine/cosine pairs. Set-up: 62 multiplications, 73 additions, 3 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1, which must not be zero.
 template <class Scalar>
@@ -132,15 +132,15 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const DynamicsA
 
 /// Joint forces that come from the joint rates alone, C(q, qd) qd, without friction.
 ///
-/// 98 multiplications, 79 additions, 4 sine/cosine pairs. Set-up: 40 multiplications, 31 additions, 2 divisions.
+/// 98 multiplications, 76 additions, 4 sine/cosine pairs. Set-up: 39 multiplications, 33 additions, 2 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is l1, which must not be zero.
+/// The unit of length is l2, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using CoriolisTorqueConstants = std::array<Scalar, 26>;
+using CoriolisTorqueConstants = std::array<Scalar, 24>;
 template <class Scalar>
 CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
@@ -151,7 +151,7 @@ JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVec
 
 /// Symmetric, positive definite M(q), by composite bodies in base parameters; rotors included.
 ///
-/// 60 multiplications, 70 additions, 4 sine/cosine pairs. Set-up: 67 multiplications, 73 additions, 2 divisions.
+/// 61 multiplications, 67 additions, 4 sine/cosine pairs. Set-up: 68 multiplications, 77 additions, 2 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1, which must not be zero.
 template <class Scalar>
@@ -168,7 +168,7 @@ Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const 
 
 /// C(q, qd) of Christoffel's symbols: C qd is coriolis_torque, dM/dt - 2 C is skew-symmetric.
 ///
-/// 152 multiplications, 120 additions, 4 sine/cosine pairs. Set-up: 38 multiplications, 31 additions, 2 divisions.
+/// 152 multiplications, 119 additions, 4 sine/cosine pairs. Set-up: 37 multiplications, 32 additions, 2 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1, which must not be zero.
 template <class Scalar>
@@ -176,7 +176,7 @@ Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, co
     const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using CoriolisMatrixConstants = std::array<Scalar, 24>;
+using CoriolisMatrixConstants = std::array<Scalar, 23>;
 template <class Scalar>
 CoriolisMatrixConstants<Scalar> coriolis_matrix_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
@@ -187,7 +187,7 @@ Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, co
 
 /// Joint accelerations for given joint forces: M qdd = torque - C qd - gravity, by M = U D U^T.
 ///
-/// 237 multiplications, 208 additions, 5 divisions, 4 sine/cosine pairs. Set-up: 71 multiplications, 74 additions, 4
+/// 238 multiplications, 204 additions, 5 divisions, 4 sine/cosine pairs. Set-up: 76 multiplications, 78 additions, 4
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1, which must not be zero.
@@ -196,7 +196,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
-using ForwardDynamicsConstants = std::array<Scalar, 40>;
+using ForwardDynamicsConstants = std::array<Scalar, 43>;
 template <class Scalar>
 ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
@@ -207,7 +207,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// qd^T M qd / 2, J.
 ///
-/// 90 multiplications, 87 additions, 4 sine/cosine pairs. Set-up: 67 multiplications, 73 additions, 2 divisions.
+/// 90 multiplications, 85 additions, 4 sine/cosine pairs. Set-up: 69 multiplications, 77 additions, 2 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l1, which must not be zero.
 template <class Scalar>
@@ -224,7 +224,7 @@ Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Scalar>& q
 
 /// Sum of m g z over the links, z of the centre of mass in the world, J.
 ///
-/// 6 multiplications, 9 additions, 2 sine/cosine pairs. Set-up: 11 multiplications, 6 additions.
+/// 6 multiplications, 9 additions, 2 sine/cosine pairs. Set-up: 14 multiplications, 9 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Scalar potential_energy(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},

@@ -27,66 +27,69 @@ InverseDynamicsConstants<Scalar> inverse_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t1 = inertia.c1x * inertia.m1;
-  const Scalar t2 = g.l1 * (t1 + (g.l1 * inertia.m1 + t1)) + (inertia.c1x * t1 - (inertia.I1xx - t0));
-  const Scalar t3 = (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t0)) + (g.l1 * g.l1 * inertia.m2 + t2);
-  const Scalar t4 = g.l1 * g.l1 * (inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)));
-  const Scalar t5 = inertia.c4x * inertia.m4;
-  const Scalar t6 = inertia.c4y * inertia.m4;
-  const Scalar t7 = inertia.c5y * inertia.m5;
-  const Scalar t8 = inertia.c6y * inertia.m6;
-  const Scalar t9 = inertia.c6x * inertia.m6;
-  const Scalar t10 = inertia.c5z * inertia.m5;
-  const Scalar t11 = inertia.c6z * inertia.m6;
-  const Scalar t12 = inertia.c5x * inertia.m5;
-  const Scalar t13 = inertia.c3x * inertia.m3;
-  const Scalar t14 = inertia.c2x * inertia.m2;
-  const Scalar t15 = g.l2 * inertia.m2 + t14;
-  const Scalar t16 = inertia.c3y * inertia.m3;
-  const Scalar t17 = inertia.c2y * inertia.m2;
-  const Scalar t18 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t19 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t20 = ((inertia.I3yy - t18) - inertia.c3y * t16) + ((inertia.I2yy - t19) - inertia.c2y * t17);
-  const Scalar t21 = (inertia.c2x * t14 - (inertia.I2xx - t19)) + g.l2 * (t14 + t15);
-  const Scalar t22 = (inertia.c3x * t13 - (inertia.I3xx - t18)) + Scalar(2) * g.l2 * t13;
-  const Scalar t23 = inertia.I6xy - inertia.c6y * t9;
-  const Scalar t24 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t25 = (inertia.I6xx - t24) - inertia.c6x * t9;
-  const Scalar t26 = (inertia.I6yy - t24) - inertia.c6y * t8;
-  const Scalar t27 = Scalar(1) / g.l1;
-  const Scalar t28 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t29 = (inertia.c6z * t11 - (inertia.I6zz - t24)) + (inertia.c5z * t10 - (inertia.I5zz - t28));
-  const Scalar t30 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t31 = ((inertia.I4yy - t30) - inertia.c4y * t6) - (inertia.c5y * t7 - (inertia.I5yy - t28));
-  return { t3,
-           g.l2 / g.l1,
-           t4,
-           g.l1 * t5,
-           g.l1 * (t6 + t7),
-           g.l1 * t8,
-           g.l1 * t9,
-           g.l1 * (t10 + t11),
+  const Scalar t0 = inertia.c3y * inertia.m3;
+  const Scalar t1 = inertia.c2y * inertia.m2;
+  const Scalar t2 = inertia.c3x * inertia.m3;
+  const Scalar t3 = g.l2 * inertia.m3 + t2;
+  const Scalar t4 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t5 = g.l2 * t4;
+  const Scalar t6 = inertia.c2x * inertia.m2;
+  const Scalar t7 = g.l2 * inertia.m2 + t6;
+  const Scalar t8 = inertia.c4y * inertia.m4;
+  const Scalar t9 = inertia.c5y * inertia.m5;
+  const Scalar t10 = inertia.c4x * inertia.m4;
+  const Scalar t11 = inertia.c6y * inertia.m6;
+  const Scalar t12 = inertia.c6x * inertia.m6;
+  const Scalar t13 = inertia.c5z * inertia.m5;
+  const Scalar t14 = inertia.c6z * inertia.m6;
+  const Scalar t15 = inertia.c5x * inertia.m5;
+  const Scalar t16 = g.l1 * g.l1 * (inertia.m3 + t4);
+  const Scalar t17 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t18 = inertia.I6xy - inertia.c6y * t12;
+  const Scalar t19 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t20 = (inertia.I6xx - t19) - inertia.c6x * t12;
+  const Scalar t21 = (inertia.I6yy - t19) - inertia.c6y * t11;
+  const Scalar t22 = Scalar(1) / g.l1;
+  const Scalar t23 = (inertia.c6z * t14 - (inertia.I6zz - t19)) + (inertia.c5z * t13 - (inertia.I5zz - t17));
+  const Scalar t24 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t25 = ((inertia.I4yy - t24) - inertia.c4y * t8) - (inertia.c5y * t9 - (inertia.I5yy - t17));
+  const Scalar t26 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t27 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t28 = ((inertia.I3yy - t26) - inertia.c3y * t0) + ((inertia.I2yy - t27) - inertia.c2y * t1);
+  const Scalar t29 = (inertia.c2x * t6 - (inertia.I2xx - t27)) + g.l2 * (t6 + t7);
+  const Scalar t30 = g.l2 * (t3 + t2) + (inertia.c3x * t2 - (inertia.I3xx - t26));
+  const Scalar t31 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t32 = inertia.c1x * inertia.m1;
+  const Scalar t33 = g.l1 * (t32 + (g.l1 * inertia.m1 + t32)) + (inertia.c1x * t32 - (inertia.I1xx - t31));
+  const Scalar t34 = (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t31)) + (g.l1 * g.l1 * inertia.m2 + t33);
+  return { g.l1 * (t0 + t1),
+           g.l1 * ((t3 + t5) + t7),
+           g.l1 * (t8 + t9),
+           g.l1 * t10,
+           g.l1 * t11,
            g.l1 * t12,
-           g.l1 * (t13 + t15),
-           g.l1 * (t16 + t17),
-           t20 - (t21 + t22),
-           inertia.I6yz - inertia.c6z * t8,
-           inertia.I6xz - inertia.c6z * t9,
-           Scalar(2) * t23,
-           t25 - t26,
-           t26,
-           t23,
-           t27,
+           g.l1 * (t13 + t14),
+           g.l1 * t15,
+           t16,
+           g.l2 / g.l1,
+           inertia.I5yz - inertia.c5z * t9,
+           inertia.I5xy - inertia.c5y * t15,
+           inertia.c5x * t15 - (inertia.I5xx - t17),
+           inertia.I5xz - inertia.c5z * t15,
+           inertia.I6yz - inertia.c6z * t11,
+           inertia.I6xz - inertia.c6z * t12,
+           Scalar(2) * t18,
+           t20 - t21,
+           t18,
+           t20,
+           t21,
+           t22,
            gravity / g.l1,
-           t29,
-           inertia.I5xz - inertia.c5z * t12,
-           inertia.I5yz - inertia.c5z * t7,
-           inertia.I5xy - inertia.c5y * t12,
-           t25,
-           inertia.c5x * t12 - (inertia.I5xx - t28),
-           t31 + ((inertia.I4xx - t30) - inertia.c4x * t5),
-           t4 * t27 };
+           t23,
+           t25 + ((inertia.I4xx - t24) - inertia.c4x * t10),
+           t28 - (t29 + (t30 + g.l2 * t5)),
+           t34,
+           t16 * t22 };
 }
 
 namespace detail {
@@ -103,88 +106,89 @@ inline JointVector<Scalar> inverse_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = qd[0] + qd[1];
-  const Scalar t1 = qd[3] - t0;
-  const Scalar t2 = s5 * t1;
-  const Scalar t3 = Scalar(2) * qd[4] * t2;
-  const Scalar t4 = qdd[0] + qdd[1];
-  const Scalar t5 = qdd[3] - t4;
-  const Scalar t6 = c5 * t5;
-  const Scalar t7 = t3 - t6;
-  const Scalar t8 = c5 * t1;
-  const Scalar t9 = qd[4] * t8;
-  const Scalar t10 = s5 * t5;
-  const Scalar t11 = (t9 + t10) + t9;
-  const Scalar t12 = qdd[5] - t7;
-  const Scalar t13 = k[6] * c6 + k[5] * s6;
-  const Scalar t14 = k[6] * s6 - k[5] * c6;
-  const Scalar t15 = qd[5] + t8;
-  const Scalar t16 = t15 * t15;
-  const Scalar t17 = t2 * t2;
-  const Scalar t18 = t16 + t17;
-  const Scalar t19 = (k[8] * t7 + k[7] * t11) - (t12 * t13 - t14 * t18);
-  const Scalar t20 = t1 * t1;
-  const Scalar t21 = t19 - (k[3] * t5 + k[4] * t20);
-  const Scalar t22 = qd[4] * qd[4] - t17;
-  const Scalar t23 = t22 + t18;
-  const Scalar t24 = t12 + t3;
-  const Scalar t25 = t2 * t8;
-  const Scalar t26 = qdd[4] - t25;
-  const Scalar t27 = t22 + t20;
-  const Scalar t28 = (t13 * t23 + t24 * t14) + (k[7] * t26 + k[8] * t27);
-  const Scalar t29 = Scalar(2) * t2 * t15 + t26;
-  const Scalar t30 = qd[4] * t15;
-  const Scalar t31 = t30 + (t30 - t11);
-  const Scalar t32 = qdd[4] + t25;
-  const Scalar t33 = t16 - t17;
-  const Scalar t34 = t33 - t23;
-  const Scalar t35 = (t29 * t13 - t14 * t31) + (k[8] * t32 + k[7] * t34);
-  const Scalar t36 = (k[4] * t5 - k[3] * t20) - (c5 * t28 + s5 * t35);
-  const Scalar t37 = qd[0] * qd[0];
-  const Scalar t38 = s2 * t37 + qdd[0] * c2;
-  const Scalar t39 = t38 + k[1] * t4;
-  const Scalar t40 = (c4 * t21 - s4 * t36) + k[2] * t39;
-  const Scalar t41 = t0 * t0;
-  const Scalar t42 = c2 * (t40 - (k[10] * t41 - k[9] * t4));
-  const Scalar t43 = c2 * t37 - qdd[0] * s2;
-  const Scalar t44 = k[1] * t41 + t43;
-  const Scalar t45 = (c4 * t36 + s4 * t21) - k[2] * t44;
-  const Scalar t46 = s2 * (t45 - (k[9] * t41 + k[10] * t4));
-  const Scalar t47 = s4 * t44 - c4 * t39;
-  const Scalar t48 = c4 * t44 + s4 * t39;
-  const Scalar t49 = k[26] * t5 - (k[3] * t47 - k[4] * t48);
-  const Scalar t50 = (k[23] * t22 + k[22] * t26) + (k[21] * t11 - k[25] * t7);
-  const Scalar t51 = k[13] * s6 - k[12] * c6;
-  const Scalar t52 = k[12] * s6 + k[13] * c6;
-  const Scalar t53 = k[14] * c6 - k[15] * s6;
-  const Scalar t54 = k[17] - c6 * t53;
-  const Scalar t55 = s6 * t53;
-  const Scalar t56 = k[16] - t55;
-  const Scalar t57 = k[24] + t55;
-  const Scalar t58 = t22 * t54 + (t24 * t56 + t12 * t57);
-  const Scalar t59 = k[19] - k[18] * qdd[2];
-  const Scalar t60 = s5 * t59 - c5 * t48;
-  const Scalar t61 = ((t51 * t26 - t11 * t52) + t58) - (t47 * t13 - t14 * t60);
-  const Scalar t62 = t34 + t27;
-  const Scalar t63 = k[22] * (t22 - t62) - (k[20] * t11 - k[21] * t7);
-  const Scalar t64 = c5 * t59 + s5 * t48;
-  const Scalar t65 = (t54 * t29 - t56 * t31) - (t22 - t33) * t51;
-  const Scalar t66 = (k[7] * t47 + (t63 - k[23] * t32)) - (t14 * t64 + (t12 * t52 - t65));
-  const Scalar t67 = c5 * ((k[8] * t47 + t50) - t61) - s5 * t66;
-  const Scalar t68 = t49 - t67;
-  const Scalar t69 = k[11] * t4 - (k[10] * t43 + k[9] * t38);
-  const Scalar t70 = (t68 + k[1] * t40) - t69;
-  const Scalar t71 = k[18] * (s5 * t28 - c5 * t35) - k[27] * t59;
-  const Scalar t72 = k[21] * t62 - (k[20] * t26 + k[25] * t32);
-  const Scalar t73 = (k[8] * t64 - k[7] * t60) + ((k[23] * t10 + k[22] * t6) - t72);
-  const Scalar t74 = (t24 * t51 + t33 * t52) + (t29 * t57 - t54 * t31);
+  const Scalar t0 = qd[4] * qd[4];
+  const Scalar t1 = qd[0] + qd[1];
+  const Scalar t2 = qd[3] - t1;
+  const Scalar t3 = s5 * t2;
+  const Scalar t4 = t3 * t3;
+  const Scalar t5 = t0 + t4;
+  const Scalar t6 = t0 - t4;
+  const Scalar t7 = t2 * t2;
+  const Scalar t8 = t7 - t5;
+  const Scalar t9 = t6 + t8;
+  const Scalar t10 = c5 * t2;
+  const Scalar t11 = t3 * t10;
+  const Scalar t12 = qdd[4] - t11;
+  const Scalar t13 = qd[4] * t3;
+  const Scalar t14 = t13 + t13;
+  const Scalar t15 = qdd[0] + qdd[1];
+  const Scalar t16 = qdd[3] - t15;
+  const Scalar t17 = c5 * t16;
+  const Scalar t18 = t14 - t17;
+  const Scalar t19 = qdd[5] - t18;
+  const Scalar t20 = t19 + t14;
+  const Scalar t21 = k[4] * c6 - k[5] * s6;
+  const Scalar t22 = qd[5] + t10;
+  const Scalar t23 = t22 * t22;
+  const Scalar t24 = t23 + t0;
+  const Scalar t25 = k[4] * s6 + k[5] * c6;
+  const Scalar t26 = (k[7] * (t5 + t9) + k[6] * t12) - (t20 * t21 - t24 * t25);
+  const Scalar t27 = Scalar(2) * t22;
+  const Scalar t28 = t3 * t27 + t12;
+  const Scalar t29 = qd[4] * t10;
+  const Scalar t30 = s5 * t16;
+  const Scalar t31 = (t29 + t30) + t29;
+  const Scalar t32 = qd[4] * t27 - t31;
+  const Scalar t33 = qdd[4] + t11;
+  const Scalar t34 = (t25 * t28 + t32 * t21) + (k[7] * t33 - k[6] * t5);
+  const Scalar t35 = (c5 * t26 + s5 * t34) + (k[3] * t7 - k[2] * t16);
+  const Scalar t36 = (t19 * t25 - (t6 - t24) * t21) - (k[7] * t18 + k[6] * t31);
+  const Scalar t37 = (k[2] * t7 + k[3] * t16) + t36;
+  const Scalar t38 = s4 * t35 - c4 * t37;
+  const Scalar t39 = t1 * t1;
+  const Scalar t40 = qd[0] * qd[0];
+  const Scalar t41 = c2 * t40 - qdd[0] * s2;
+  const Scalar t42 = k[9] * t39 + t41;
+  const Scalar t43 = s2 * t40 + qdd[0] * c2;
+  const Scalar t44 = t43 + k[9] * t15;
+  const Scalar t45 = s4 * t42 - c4 * t44;
+  const Scalar t46 = s4 * t44 + c4 * t42;
+  const Scalar t47 = (k[3] * t45 - k[2] * t46) - k[24] * t16;
+  const Scalar t48 = (k[13] * t18 - k[23] * t31) - k[10] * t8;
+  const Scalar t49 = k[22] - k[21] * qdd[2];
+  const Scalar t50 = c5 * t49 + s5 * t46;
+  const Scalar t51 = k[17] * s6 - k[16] * c6;
+  const Scalar t52 = k[18] + c6 * t51;
+  const Scalar t53 = s6 * t51;
+  const Scalar t54 = k[20] + t53;
+  const Scalar t55 = k[14] * c6 - k[15] * s6;
+  const Scalar t56 = (t52 * t28 - t54 * t32) - (t23 - t0) * t55;
+  const Scalar t57 = k[14] * s6 + k[15] * c6;
+  const Scalar t58 = ((t48 - k[11] * t33) + k[6] * t45) + (t21 * t50 + (t56 - t19 * t57));
+  const Scalar t59 = c5 * t46 - s5 * t49;
+  const Scalar t60 = k[19] - t53;
+  const Scalar t61 = t6 * t52 + (t60 * t19 + t54 * t20);
+  const Scalar t62 = (t59 * t21 - t45 * t25) - ((t57 * t31 + t12 * t55) - t61);
+  const Scalar t63 = (k[12] * t18 - k[13] * t31) - (k[10] * t12 + k[11] * t6);
+  const Scalar t64 = s5 * t58 + c5 * (t62 - (k[7] * t45 - t63));
+  const Scalar t65 = t47 - t64;
+  const Scalar t66 = k[25] * t15 - (k[0] * t41 + k[1] * t43);
+  const Scalar t67 = (k[9] * t38 - t65) - t66;
+  const Scalar t68 = k[8] * t41 + (s4 * t37 + c4 * t35);
+  const Scalar t69 = s2 * (t68 + (k[1] * t39 + k[0] * t15));
+  const Scalar t70 = (t38 + k[8] * t43) + (k[1] * t15 - k[0] * t39);
+  const Scalar t71 = k[26] * qdd[0] + (t67 - (t69 - c2 * t70));
+  const Scalar t72 = k[21] * (s5 * t26 - c5 * t34) - k[27] * t49;
+  const Scalar t73 = (k[12] * t33 + k[23] * t12) - k[13] * t9;
+  const Scalar t74 = (k[6] * t59 + k[7] * t50) + (t73 + (k[11] * t30 + k[10] * t17));
+  const Scalar t75 = (t20 * t55 - (t24 - t5) * t57) - (t60 * t28 - t52 * t32);
   JointVector<Scalar> result;
-  result[0] = ((t42 + t46) + t70) + k[0] * qdd[0];
-  result[1] = t70;
-  result[2] = t71;
-  result[3] = -t68;
-  result[4] = t73 + (t13 * t64 - t74);
-  result[5] = -t61;
+  result[0] = t71;
+  result[1] = t67;
+  result[2] = t72;
+  result[3] = t65;
+  result[4] = t74 + (t25 * t50 + t75);
+  result[5] = -t62;
   return result;
 }
 
@@ -213,11 +217,11 @@ GravityTorqueConstants<Scalar> gravity_torque_constants([[maybe_unused]] const B
   using std::cos;
   using std::sin;
 
-  return { inertia.c6y * inertia.m6,
-           inertia.c6x * inertia.m6,
-           gravity,
+  return { gravity,
            inertia.c5x * inertia.m5,
            inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
+           inertia.c6y * inertia.m6,
+           inertia.c6x * inertia.m6,
            gravity * (inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6))) };
 }
 
@@ -230,16 +234,16 @@ inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Sca
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[2] * c5;
-  const Scalar t1 = k[2] * s5;
-  const Scalar t2 = (k[0] * s6 + k[1] * c6) * t0 - (k[4] * t1 - k[3] * t0);
+  const Scalar t0 = k[0] * c5;
+  const Scalar t1 = k[0] * s5;
+  const Scalar t2 = (k[4] * c6 + k[3] * s6) * t0 + (k[1] * t0 - k[2] * t1);
   JointVector<Scalar> result;
   result[0] = Scalar(0);
   result[1] = Scalar(0);
   result[2] = -k[5];
-  result[3] = Scalar(0);
+  result[3] = -Scalar(0);
   result[4] = t2;
-  result[5] = (k[0] * c6 - k[1] * s6) * t1;
+  result[5] = (k[3] * c6 - k[4] * s6) * t1;
   return result;
 }
 
@@ -264,49 +268,46 @@ CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Sc
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c3x * inertia.m3 + (g.l2 * inertia.m2 + inertia.c2x * inertia.m2);
-  const Scalar t1 = inertia.c5x * inertia.m5;
+  const Scalar t0 = inertia.c5x * inertia.m5;
+  const Scalar t1 = inertia.c5y * inertia.m5;
   const Scalar t2 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t3 = inertia.c5x * t1 - (inertia.I5xx - t2);
-  const Scalar t4 = inertia.I5xz - inertia.c5z * t1;
-  const Scalar t5 = inertia.c5y * inertia.m5;
-  const Scalar t6 = inertia.c6x * inertia.m6;
-  const Scalar t7 = inertia.I6xy - inertia.c6y * t6;
-  const Scalar t8 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t9 = (inertia.I6xx - t8) - inertia.c6x * t6;
-  const Scalar t10 = inertia.c6y * inertia.m6;
-  const Scalar t11 = (inertia.I6yy - t8) - inertia.c6y * t10;
-  const Scalar t12 = inertia.c5z * inertia.m5;
-  const Scalar t13 = inertia.c6z * inertia.m6;
-  const Scalar t14 = g.l1 * (t12 + t13);
-  const Scalar t15 = (inertia.c6z * t13 - (inertia.I6zz - t8)) + (inertia.c5z * t12 - (inertia.I5zz - t2));
-  const Scalar t16 = g.l1 * g.l1 * (inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)));
-  return { g.l1 * (inertia.c3y * inertia.m3 + inertia.c2y * inertia.m2),
-           g.l1 * t0,
-           g.l2 / g.l1,
-           g.l1 * t1,
+  const Scalar t3 = inertia.c5x * t0 - (inertia.I5xx - t2);
+  const Scalar t4 = inertia.c6x * inertia.m6;
+  const Scalar t5 = inertia.c6y * inertia.m6;
+  const Scalar t6 = inertia.I6xy - inertia.c6y * t4;
+  const Scalar t7 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t8 = (inertia.I6xx - t7) - inertia.c6x * t4;
+  const Scalar t9 = (inertia.I6yy - t7) - inertia.c6y * t5;
+  const Scalar t10 = inertia.c6z * inertia.m6;
+  const Scalar t11 = inertia.c5z * inertia.m5;
+  const Scalar t12 = (inertia.c6z * t10 - (inertia.I6zz - t7)) + (inertia.c5z * t11 - (inertia.I5zz - t2));
+  const Scalar t13 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t14 = (g.l2 * inertia.m3 + inertia.c3x * inertia.m3) + g.l2 * t13;
+  const Scalar t15 = g.l2 * (t14 + (g.l2 * inertia.m2 + inertia.c2x * inertia.m2));
+  return { g.l1 / g.l2,
+           g.l2 * t0,
+           inertia.I5yz - inertia.c5z * t1,
+           inertia.I5xy - inertia.c5y * t0,
+           inertia.I5xz - inertia.c5z * t0,
            t3,
-           Scalar(2) * t4,
-           inertia.I5yz - inertia.c5z * t5,
-           inertia.I5xy - inertia.c5y * t1,
-           Scalar(2) * t7,
-           t9 - t11,
-           t7,
+           g.l2 * t4,
+           g.l2 * t5,
+           inertia.I6yz - inertia.c6z * t5,
+           inertia.I6xz - inertia.c6z * t4,
+           Scalar(2) * t6,
+           t8 - t9,
+           t6,
+           t8,
            t9,
-           inertia.I6yz - inertia.c6z * t10,
-           inertia.I6xz - inertia.c6z * t6,
-           g.l1 * t6,
-           g.l1 * t10,
-           t14,
-           t4,
-           Scalar(2) * t15,
-           t11,
-           g.l1 * (inertia.c4y * inertia.m4 + t5),
-           g.l1 * inertia.c4x * inertia.m4,
-           Scalar(2) * t14,
-           t16,
-           Scalar(1) / g.l1,
-           t3 - t15 };
+           t12,
+           g.l2 * (t11 + t10),
+           g.l2 * (inertia.c4y * inertia.m4 + t1),
+           g.l2 * inertia.c4x * inertia.m4,
+           g.l2 * (inertia.c3y * inertia.m3 + inertia.c2y * inertia.m2),
+           t15,
+           g.l2 * g.l2 * (inertia.m3 + t13),
+           Scalar(1) / g.l2,
+           t3 - t12 };
 }
 
 namespace detail {
@@ -323,72 +324,70 @@ inline JointVector<Scalar> coriolis_torque([[maybe_unused]] const JointVector<Sc
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[1] * s2 + k[0] * c2;
+  const Scalar t0 = k[19] * c2 + k[20] * s2;
   const Scalar t1 = qd[0] + qd[1];
   const Scalar t2 = t1 * t1;
   const Scalar t3 = qd[3] - t1;
   const Scalar t4 = t3 * t3;
   const Scalar t5 = s5 * t3;
-  const Scalar t6 = qd[4] * t5;
-  const Scalar t7 = t6 + t6;
-  const Scalar t8 = c5 * t3;
-  const Scalar t9 = qd[4] * t8;
-  const Scalar t10 = k[14] * c6 + k[15] * s6;
-  const Scalar t11 = k[14] * s6 - k[15] * c6;
-  const Scalar t12 = qd[5] + t8;
-  const Scalar t13 = qd[4] * qd[4];
-  const Scalar t14 = t12 * t12 - t13;
-  const Scalar t15 = t8 * t8;
-  const Scalar t16 = t13 - t15;
-  const Scalar t17 = t16 + t4;
-  const Scalar t18 = (k[3] * t7 + k[22] * t9) + (t10 * t7 + t11 * (t14 + t17));
-  const Scalar t19 = k[20] * t4 - t18;
-  const Scalar t20 = t13 + t15;
-  const Scalar t21 = t20 - t4;
-  const Scalar t22 = t14 + t21;
-  const Scalar t23 = t5 * t8;
-  const Scalar t24 = t10 * (t17 + t22) + (k[3] * t20 - k[16] * t23);
-  const Scalar t25 = qd[4] * qd[5];
-  const Scalar t26 = t25 + t25;
-  const Scalar t27 = t5 * t12;
-  const Scalar t28 = t27 + (t27 - t23);
-  const Scalar t29 = (k[16] * t17 - k[3] * t23) + (t11 * t26 - t28 * t10);
-  const Scalar t30 = (c5 * t24 - s5 * t29) + k[21] * t4;
-  const Scalar t31 = qd[0] * qd[0];
-  const Scalar t32 = s2 * t31;
-  const Scalar t33 = (c4 * t19 - s4 * t30) - k[23] * t32;
-  const Scalar t34 = c2 * t31 + k[2] * t2;
-  const Scalar t35 = (s4 * t19 + c4 * t30) + k[23] * t34;
-  const Scalar t36 = t0 * t2 + (c2 * t33 + s2 * t35);
-  const Scalar t37 = c4 * t32 - s4 * t34;
-  const Scalar t38 = c4 * t34 + s4 * t32;
-  const Scalar t39 = (k[7] * t21 - k[6] * t23) + (k[5] * t9 - k[4] * t7);
-  const Scalar t40 = c5 * t38;
-  const Scalar t41 = k[13] * s6 - k[12] * c6;
-  const Scalar t42 = k[12] * s6 + k[13] * c6;
-  const Scalar t43 = t42 * t9;
-  const Scalar t44 = k[8] * c6 - k[9] * s6;
-  const Scalar t45 = k[10] - c6 * t44;
-  const Scalar t46 = s6 * t44;
-  const Scalar t47 = k[11] + t46;
-  const Scalar t48 = (t23 * t41 + (t43 + t43)) - (t45 * t21 - t47 * t7);
-  const Scalar t49 = (t11 * t40 - t10 * t37) + t48;
-  const Scalar t50 = (k[17] * t7 - k[18] * t9) + k[6] * t16;
-  const Scalar t51 = s5 * t38;
-  const Scalar t52 = (t26 * (k[19] - t46) - t28 * t45) - t14 * t41;
-  const Scalar t53 = (k[16] * t37 + (k[7] * t23 - t50)) + (t11 * t51 - (t7 * t42 - t52));
-  const Scalar t54 = c5 * ((t39 - k[3] * t37) + t49) + s5 * t53;
-  const Scalar t55 = (k[21] * t37 + k[20] * t38) - t54;
-  const Scalar t56 = (k[2] * t33 - t55) - t31 * t0;
-  const Scalar t57 = (k[16] * t40 + k[3] * t51) + (k[25] * t23 - k[17] * (t20 - t17));
-  const Scalar t58 = t42 * t22 + (t28 * t47 - t45 * t26);
+  const Scalar t6 = qd[4] + qd[4];
+  const Scalar t7 = t5 * t6;
+  const Scalar t8 = k[6] * c6 + k[7] * s6;
+  const Scalar t9 = k[7] * c6 - k[6] * s6;
+  const Scalar t10 = c5 * t3;
+  const Scalar t11 = qd[5] + t10;
+  const Scalar t12 = t11 * t11;
+  const Scalar t13 = t5 * t5;
+  const Scalar t14 = t12 + t13;
+  const Scalar t15 = t10 * t6;
+  const Scalar t16 = (t7 * t8 - t9 * t14) + (k[16] * t15 + k[1] * t7);
+  const Scalar t17 = k[17] * t4 - t16;
+  const Scalar t18 = (qd[5] + t11) * t5;
+  const Scalar t19 = qd[5] * t6;
+  const Scalar t20 = t5 * t10;
+  const Scalar t21 = qd[4] * qd[4];
+  const Scalar t22 = t21 + t13;
+  const Scalar t23 = (t18 * t8 + t19 * t9) + (k[1] * t20 - k[16] * t22);
+  const Scalar t24 = t21 - t13;
+  const Scalar t25 = (k[16] * t20 - k[1] * (t24 + t4)) - (t24 + t14) * t8;
+  const Scalar t26 = (s5 * t23 - c5 * t25) + k[18] * t4;
+  const Scalar t27 = k[0] * qd[0] * qd[0];
+  const Scalar t28 = c2 * t27;
+  const Scalar t29 = (s4 * t17 + c4 * t26) + k[21] * t28;
+  const Scalar t30 = s2 * t27;
+  const Scalar t31 = s4 * t26 - c4 * t17;
+  const Scalar t32 = s2 * t29 - c2 * (k[21] * t30 + t31);
+  const Scalar t33 = t28 + t2;
+  const Scalar t34 = c4 * t33 + s4 * t30;
+  const Scalar t35 = c4 * t30 - s4 * t33;
+  const Scalar t36 = (k[2] * t20 - k[3] * t24) - (k[4] * t15 - k[5] * t7);
+  const Scalar t37 = c5 * t34;
+  const Scalar t38 = k[9] * c6 + k[8] * s6;
+  const Scalar t39 = k[8] * c6 - k[9] * s6;
+  const Scalar t40 = k[10] * c6 - k[11] * s6;
+  const Scalar t41 = k[12] - c6 * t40;
+  const Scalar t42 = s6 * t40;
+  const Scalar t43 = k[13] + t42;
+  const Scalar t44 = (t15 * t38 - t20 * t39) - (t24 * t41 - t7 * t43);
+  const Scalar t45 = (t35 * t8 + t37 * t9) - t44;
+  const Scalar t46 = t12 - t13;
+  const Scalar t47 = (t24 - t46) * t39 - ((k[14] - t42) * t19 - t41 * t18);
+  const Scalar t48 = s5 * t34;
+  const Scalar t49 = t4 - t22;
+  const Scalar t50 = k[2] * t49 + (k[15] * t15 - k[4] * t7);
+  const Scalar t51 = ((t47 + t7 * t38) + t9 * t48) - ((t50 + k[3] * t20) + k[16] * t35);
+  const Scalar t52 = c5 * ((t36 + k[1] * t35) + t45) + s5 * t51;
+  const Scalar t53 = (k[17] * t34 + k[18] * t35) + t52;
+  const Scalar t54 = (t31 + t53) + t27 * t0;
+  const Scalar t55 = t46 * t38 - (t19 * t41 - t18 * t43);
+  const Scalar t56 = (k[23] * t20 - k[4] * (t24 + t49)) + (k[16] * t37 + k[1] * t48);
   JointVector<Scalar> result;
-  result[0] = -t36 - t56;
-  result[1] = -t56;
-  result[2] = k[24] * (c5 * t29 + s5 * t24);
-  result[3] = -t55;
-  result[4] = t57 + (t10 * t51 - t58);
-  result[5] = t49;
+  result[0] = t54 - k[0] * (t0 * t2 + t32);
+  result[1] = t54;
+  result[2] = -k[22] * (c5 * t23 + s5 * t25);
+  result[3] = -t53;
+  result[4] = t56 - (t55 - t48 * t8);
+  result[5] = -t45;
   return result;
 }
 
@@ -420,67 +419,69 @@ MassMatrixConstants<Scalar> mass_matrix_constants(const BasicGeometry<Scalar>& g
   const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t0;
   const Scalar t4 = inertia.c6y * inertia.m6;
   const Scalar t5 = (inertia.I6yy - t2) - inertia.c6y * t4;
-  const Scalar t6 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t7 = inertia.c4y * inertia.m4;
-  const Scalar t8 = inertia.c5y * inertia.m5;
-  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t10 = ((inertia.I4yy - t6) - inertia.c4y * t7) - (inertia.c5y * t8 - (inertia.I5yy - t9));
-  const Scalar t11 = inertia.c5x * inertia.m5;
-  const Scalar t12 = inertia.c6z * inertia.m6;
-  const Scalar t13 = inertia.c5z * inertia.m5;
-  const Scalar t14 = (inertia.c6z * t12 - (inertia.I6zz - t2)) + (inertia.c5z * t13 - (inertia.I5zz - t9));
-  const Scalar t15 = inertia.c4x * inertia.m4;
-  const Scalar t16 = g.l1 * g.l1 * (inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)));
-  const Scalar t17 = g.l2 / g.l1;
-  const Scalar t18 = inertia.c2x * inertia.m2;
-  const Scalar t19 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t20 = g.l2 * inertia.m2 + t18;
-  const Scalar t21 = (inertia.c2x * t18 - (inertia.I2xx - t19)) + g.l2 * (t18 + t20);
-  const Scalar t22 = inertia.c3x * inertia.m3;
-  const Scalar t23 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t24 = (inertia.c3x * t22 - (inertia.I3xx - t23)) + Scalar(2) * g.l2 * t22;
-  const Scalar t25 = inertia.c3y * inertia.m3;
-  const Scalar t26 = inertia.c2y * inertia.m2;
-  const Scalar t27 = ((inertia.I3yy - t23) - inertia.c3y * t25) + ((inertia.I2yy - t19) - inertia.c2y * t26);
-  const Scalar t28 = ((inertia.I2xy - inertia.c2y * t18) - g.l2 * t26)
-      - (g.l2 * t25 - (inertia.I3xy - inertia.c3y * t22));
-  const Scalar t29 = inertia.c1x * inertia.m1;
+  const Scalar t6 = inertia.c5x * inertia.m5;
+  const Scalar t7 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t8 = inertia.c6z * inertia.m6;
+  const Scalar t9 = inertia.c5z * inertia.m5;
+  const Scalar t10 = (inertia.c6z * t8 - (inertia.I6zz - t2)) + (inertia.c5z * t9 - (inertia.I5zz - t7));
+  const Scalar t11 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t12 = inertia.c4x * inertia.m4;
+  const Scalar t13 = inertia.c5y * inertia.m5;
+  const Scalar t14 = inertia.c4y * inertia.m4;
+  const Scalar t15 = ((inertia.I4yy - t11) - inertia.c4y * t14) - (inertia.c5y * t13 - (inertia.I5yy - t7));
+  const Scalar t16 = inertia.c2x * inertia.m2;
+  const Scalar t17 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t18 = g.l2 * inertia.m2 + t16;
+  const Scalar t19 = (inertia.c2x * t16 - (inertia.I2xx - t17)) + g.l2 * (t16 + t18);
+  const Scalar t20 = inertia.c3x * inertia.m3;
+  const Scalar t21 = g.l2 * inertia.m3 + t20;
+  const Scalar t22 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t23 = g.l2 * (t21 + t20) + (inertia.c3x * t20 - (inertia.I3xx - t22));
+  const Scalar t24 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t25 = g.l2 * t24;
+  const Scalar t26 = inertia.c3y * inertia.m3;
+  const Scalar t27 = inertia.c2y * inertia.m2;
+  const Scalar t28 = ((inertia.I3yy - t22) - inertia.c3y * t26) + ((inertia.I2yy - t17) - inertia.c2y * t27);
+  const Scalar t29 = ((inertia.I2xy - inertia.c2y * t16) - g.l2 * t27)
+      - (g.l2 * t26 - (inertia.I3xy - inertia.c3y * t20));
   const Scalar t30 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t31 = g.l1 * (t29 + (g.l1 * inertia.m1 + t29)) + (inertia.c1x * t29 - (inertia.I1xx - t30));
-  const Scalar t32 = Scalar(1) / g.l1;
+  const Scalar t31 = g.l1 * g.l1 * (inertia.m3 + t24);
+  const Scalar t32 = inertia.c1x * inertia.m1;
+  const Scalar t33 = g.l1 * (t32 + (g.l1 * inertia.m1 + t32)) + (inertia.c1x * t32 - (inertia.I1xx - t30));
+  const Scalar t34 = Scalar(1) / g.l1;
   return { Scalar(2) * t1,
            t3 - t5,
            t3,
-           t3 + t5,
+           inertia.c5x * t6 - (inertia.I5xx - t7),
            t10,
-           inertia.c5x * t11 - (inertia.I5xx - t9),
-           t14,
            inertia.I6yz - inertia.c6z * t4,
            inertia.I6xz - inertia.c6z * t0,
-           inertia.I5xz - inertia.c5z * t11,
-           (inertia.I4xx - t6) - inertia.c4x * t15,
-           inertia.I5yz - inertia.c5z * t8,
+           inertia.I5xz - inertia.c5z * t6,
+           (inertia.I4xx - t11) - inertia.c4x * t12,
+           inertia.I5yz - inertia.c5z * t13,
            t1,
-           inertia.I5xy - inertia.c5y * t11,
-           inertia.I4xy - inertia.c4y * t15,
+           inertia.I5xy - inertia.c5y * t6,
+           inertia.I4xy - inertia.c4y * t12,
+           t5,
+           t15,
+           g.l1 * (t9 + t8),
            g.l1 * t0,
            g.l1 * t4,
-           g.l1 * t11,
-           g.l1 * (t13 + t12),
-           g.l1 * t15,
-           g.l1 * (t7 + t8),
-           t16 * t17,
-           t17,
-           t21 + t24,
-           t27,
+           g.l1 * t6,
+           g.l1 * t12,
+           g.l1 * (t14 + t13),
+           g.l2 / g.l1,
+           t19 + (t23 + g.l2 * t25),
            t28,
-           g.l1 * (t25 + t26),
-           g.l1 * (t22 + t20),
-           t16,
-           g.l1 * g.l1 * inertia.m2 + t31,
+           t29,
            inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t30),
-           t32,
-           t32 * t16 * t32 };
+           g.l1 * (t26 + t27),
+           g.l1 * ((t21 + t25) + t18),
+           t31,
+           g.l1 * g.l1 * inertia.m2 + t33,
+           t3 + t5,
+           t34,
+           t34 * t31 * t34 };
 }
 
 namespace detail {
@@ -496,73 +497,73 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointV
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[16] * c6 - k[15] * s6;
-  const Scalar t1 = k[20] + t0;
-  const Scalar t2 = k[16] * s6 + k[15] * c6;
-  const Scalar t3 = k[17] + t2;
-  const Scalar t4 = k[18] * s5 - c5 * t3;
-  const Scalar t5 = k[19] - t4;
-  const Scalar t6 = s4 * t1 + c4 * t5;
-  const Scalar t7 = k[21] + t6;
-  const Scalar t8 = k[0] * c6 - k[1] * s6;
-  const Scalar t9 = k[2] + s6 * t8;
-  const Scalar t10 = k[5] - t9;
-  const Scalar t11 = k[8] * c6 + k[7] * s6;
-  const Scalar t12 = c5 * (k[9] + t11);
-  const Scalar t13 = s5 * ((t12 + t12) + s5 * (k[6] - t10));
-  const Scalar t14 = k[10] - (t10 + t13);
-  const Scalar t15 = k[4] + (k[3] - t9);
-  const Scalar t16 = t14 + t15;
-  const Scalar t17 = k[7] * c6 - k[8] * s6;
-  const Scalar t18 = k[11] + t17;
-  const Scalar t19 = k[13] - (k[12] - c6 * t8);
-  const Scalar t20 = k[14] - (s5 * t18 - c5 * t19);
-  const Scalar t21 = s4 * (t14 - t15) - Scalar(2) * c4 * t20;
-  const Scalar t22 = s4 * t21 + t15;
-  const Scalar t23 = k[23] + (k[22] * (t7 + t6) - (t16 - t22));
-  const Scalar t24 = k[24] + t22;
-  const Scalar t25 = c4 * t1 - s4 * t5;
-  const Scalar t26 = k[25] - (k[22] * t25 + (t20 + c4 * t21));
-  const Scalar t27 = c2 * t26;
-  const Scalar t28 = s2 * (s2 * (t23 + t24) - (t27 + t27));
-  const Scalar t29 = t28 - t23;
-  const Scalar t30 = c2 * (k[27] + t7) - s2 * (k[26] + t25);
-  const Scalar t31 = t28 - t24;
-  const Scalar t32 = (k[29] - (t29 - ((k[28] + t30) + t30))) + (k[30] + t31);
-  const Scalar t33 = t29 - t31;
-  const Scalar t34 = k[22] * t6 - t16;
-  const Scalar t35 = s5 * t3 + k[18] * c5;
+  const Scalar t0 = k[17] * s6 + k[16] * c6;
+  const Scalar t1 = k[18] + t0;
+  const Scalar t2 = c5 * t1 - k[15] * s5;
+  const Scalar t3 = k[19] + t2;
+  const Scalar t4 = k[17] * c6 - k[16] * s6;
+  const Scalar t5 = k[20] + t4;
+  const Scalar t6 = s4 * t3 - c4 * t5;
+  const Scalar t7 = s4 * t5 + c4 * t3;
+  const Scalar t8 = s2 * (k[26] - t6) - c2 * (k[27] + t7);
+  const Scalar t9 = k[21] * t7;
+  const Scalar t10 = k[0] * c6 - k[1] * s6;
+  const Scalar t11 = s6 * t10;
+  const Scalar t12 = k[14] + (k[13] - t11);
+  const Scalar t13 = k[6] * c6 + k[5] * s6;
+  const Scalar t14 = k[3] - (k[2] + t11);
+  const Scalar t15 = Scalar(2) * c5 * (k[7] + t13) + s5 * (k[4] - t14);
+  const Scalar t16 = k[8] - (s5 * t15 + t14);
+  const Scalar t17 = k[6] * s6 - k[5] * c6;
+  const Scalar t18 = k[9] - t17;
+  const Scalar t19 = k[11] - (k[10] - c6 * t10);
+  const Scalar t20 = k[12] - (s5 * t18 - c5 * t19);
+  const Scalar t21 = c4 * t20;
+  const Scalar t22 = s4 * (t12 - t16) + (t21 + t21);
+  const Scalar t23 = s4 * t22;
+  const Scalar t24 = t23 + t16;
+  const Scalar t25 = k[22] + (Scalar(2) * t9 - t24);
+  const Scalar t26 = k[24] - ((t20 - c4 * t22) - k[21] * t6);
+  const Scalar t27 = t12 - t23;
+  const Scalar t28 = k[23] + t27;
+  const Scalar t29 = Scalar(2) * c2 * t26 - s2 * (t25 + t28);
+  const Scalar t30 = t25 + s2 * t29;
+  const Scalar t31 = t25 - t28;
+  const Scalar t32 = (k[29] - ((t8 - (k[28] - t8)) - t30)) + (k[25] + (t31 - t30));
+  const Scalar t33 = t27 + t24;
+  const Scalar t34 = t9 - t33;
+  const Scalar t35 = s5 * t1 + k[15] * c5;
   const Scalar t36 = s4 * t35;
   const Scalar t37 = c5 * t18 + s5 * t19;
-  const Scalar t38 = k[22] * t36 - t37;
-  const Scalar t39 = t38 - (s2 * c4 * t35 - c2 * t36);
-  const Scalar t40 = k[3] * c5 - s5 * t11;
-  const Scalar t41 = c5 * t0;
-  const Scalar t42 = s4 * t41 + c4 * t2;
-  const Scalar t43 = t40 - k[22] * t42;
-  const Scalar t44 = s2 * (c4 * t41 - s4 * t2) - c2 * t42;
+  const Scalar t38 = t37 - k[21] * t36;
+  const Scalar t39 = (s2 * c4 * t35 - c2 * t36) + t38;
+  const Scalar t40 = c5 * t4;
+  const Scalar t41 = c4 * t0 + s4 * t40;
+  const Scalar t42 = s2 * (c4 * t40 - s4 * t0) - c2 * t41;
+  const Scalar t43 = k[30] * c5 - s5 * t13;
+  const Scalar t44 = k[21] * t41 - t43;
   Eigen::Matrix<Scalar, dof, dof> result;
   result(0, 0) = t32;
-  result(0, 1) = result(1, 0) = t30 - t33;
-  result(0, 2) = result(2, 0) = Scalar(0);
-  result(0, 3) = result(3, 0) = (s2 * t25 - c2 * t6) - t34;
-  result(0, 4) = result(4, 0) = t39;
-  result(0, 5) = result(5, 0) = t43 + t44;
-  result(1, 1) = -t33;
-  result(1, 2) = result(2, 1) = Scalar(0);
+  result(0, 1) = result(1, 0) = t31 - t8;
+  result(0, 2) = result(2, 0) = -Scalar(0);
+  result(0, 3) = result(3, 0) = -(c2 * t7 + s2 * t6) - t34;
+  result(0, 4) = result(4, 0) = -t39;
+  result(0, 5) = result(5, 0) = t42 - t44;
+  result(1, 1) = t31;
+  result(1, 2) = result(2, 1) = -Scalar(0);
   result(1, 3) = result(3, 1) = -t34;
-  result(1, 4) = result(4, 1) = t38;
-  result(1, 5) = result(5, 1) = t43;
+  result(1, 4) = result(4, 1) = -t38;
+  result(1, 5) = result(5, 1) = -t44;
   result(2, 2) = k[32];
   result(2, 3) = result(3, 2) = Scalar(0);
-  result(2, 4) = result(4, 2) = k[31] * t4;
-  result(2, 5) = result(5, 2) = -k[31] * s5 * t0;
-  result(3, 3) = -t16;
+  result(2, 4) = result(4, 2) = -k[31] * t2;
+  result(2, 5) = result(5, 2) = -k[31] * s5 * t4;
+  result(3, 3) = -t33;
   result(3, 4) = result(4, 3) = t37;
-  result(3, 5) = result(5, 3) = -t40;
-  result(4, 4) = k[6] + t10;
-  result(4, 5) = result(5, 4) = t17;
-  result(5, 5) = -k[3];
+  result(3, 5) = result(5, 3) = -t43;
+  result(4, 4) = k[4] + t14;
+  result(4, 5) = result(5, 4) = -t17;
+  result(5, 5) = -k[30];
   return result;
 }
 
@@ -586,44 +587,42 @@ CoriolisMatrixConstants<Scalar> coriolis_matrix_constants(const BasicGeometry<Sc
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
-  const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = inertia.c5z * inertia.m5;
-  const Scalar t3 = inertia.c6z * inertia.m6;
+  const Scalar t0 = inertia.c5z * inertia.m5;
+  const Scalar t1 = inertia.c6z * inertia.m6;
+  const Scalar t2 = inertia.c6x * inertia.m6;
+  const Scalar t3 = inertia.c6y * inertia.m6;
   const Scalar t4 = inertia.c5x * inertia.m5;
   const Scalar t5 = inertia.c5y * inertia.m5;
-  const Scalar t6 = g.l1 * g.l1 * (inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)));
-  const Scalar t7 = g.l2 / g.l1;
-  const Scalar t8 = inertia.c3x * inertia.m3 + (g.l2 * inertia.m2 + inertia.c2x * inertia.m2);
-  const Scalar t9 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t10 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t11 = (inertia.I6xx - t10) - inertia.c6x * t1;
-  const Scalar t12 = (inertia.I6yy - t10) - inertia.c6y * t0;
-  const Scalar t13 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t14 = (inertia.c6z * t3 - (inertia.I6zz - t10)) + (inertia.c5z * t2 - (inertia.I5zz - t13));
-  return { g.l1 * t0,
-           g.l1 * t1,
-           g.l1 * (t2 + t3),
+  const Scalar t6 = (g.l2 * inertia.m3 + inertia.c3x * inertia.m3) + g.l2 * (inertia.m4 + (inertia.m5 + inertia.m6));
+  const Scalar t7 = g.l1 * (t6 + (g.l2 * inertia.m2 + inertia.c2x * inertia.m2));
+  const Scalar t8 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t10 = (inertia.c6z * t1 - (inertia.I6zz - t8)) + (inertia.c5z * t0 - (inertia.I5zz - t9));
+  const Scalar t11 = inertia.I6xy - inertia.c6y * t2;
+  const Scalar t12 = (inertia.I6xx - t8) - inertia.c6x * t2;
+  const Scalar t13 = (inertia.I6yy - t8) - inertia.c6y * t3;
+  return { g.l1 * (t0 + t1),
+           g.l1 * t2,
+           g.l1 * t3,
            g.l1 * t4,
-           g.l1 * (inertia.c4y * inertia.m4 + t5),
            g.l1 * inertia.c4x * inertia.m4,
-           g.l1 * (inertia.c3y * inertia.m3 + inertia.c2y * inertia.m2),
-           t6 * t7,
-           g.l1 * t8,
+           g.l1 * (inertia.c4y * inertia.m4 + t5),
            t7,
-           inertia.I6yz - inertia.c6z * t0,
-           inertia.I6xz - inertia.c6z * t1,
+           g.l1 * (inertia.c3y * inertia.m3 + inertia.c2y * inertia.m2),
+           inertia.I6yz - inertia.c6z * t3,
+           inertia.I6xz - inertia.c6z * t2,
            inertia.I5xz - inertia.c5z * t4,
-           Scalar(2) * t9,
-           t11 - t12,
-           t9,
+           t10,
+           Scalar(2) * t11,
+           t12 - t13,
            t12,
-           t11 + t12,
-           inertia.c5x * t4 - (inertia.I5xx - t13),
-           t14,
-           inertia.I5xy - inertia.c5y * t4,
-           inertia.I5yz - inertia.c5z * t5,
+           inertia.c5x * t4 - (inertia.I5xx - t9),
            t11,
+           g.l2 / g.l1,
+           inertia.I5yz - inertia.c5z * t5,
+           t12 + t13,
+           inertia.I5xy - inertia.c5y * t4,
+           t13,
            Scalar(1) / g.l1 };
 }
 
@@ -641,135 +640,135 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const Jo
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[14] * s6 - k[13] * c6;
-  const Scalar t1 = k[16] + s6 * t0;
-  const Scalar t2 = k[17] - t1;
-  const Scalar t3 = k[18] - t2;
-  const Scalar t4 = k[15] + c6 * t0;
-  const Scalar t5 = qd[5] * t4;
-  const Scalar t6 = k[10] * s6 + k[11] * c6;
-  const Scalar t7 = k[12] + t6;
-  const Scalar t8 = qd[4] * t7;
-  const Scalar t9 = s5 * qd[4] * t3 - c5 * (t5 + t8);
-  const Scalar t10 = k[10] * c6 - k[11] * s6;
-  const Scalar t11 = qd[5] * t10;
-  const Scalar t12 = c5 * (t11 + k[19] * qd[4]) - s5 * t8;
-  const Scalar t13 = (c5 * t9 - s5 * t12) + t5;
-  const Scalar t14 = k[0] * s6 + k[1] * c6;
-  const Scalar t15 = qd[5] * t14;
-  const Scalar t16 = k[3] + t14;
-  const Scalar t17 = c5 * t16;
-  const Scalar t18 = k[5] + (t17 - k[2] * s5);
-  const Scalar t19 = t15 + qd[3] * t18;
-  const Scalar t20 = k[0] * c6 - k[1] * s6;
-  const Scalar t21 = k[4] + t20;
-  const Scalar t22 = qd[5] * t20;
-  const Scalar t23 = t22 - k[2] * qd[4];
-  const Scalar t24 = s5 * t16;
-  const Scalar t25 = c5 * t23 - qd[4] * t24;
-  const Scalar t26 = qd[3] * t21 + t25;
-  const Scalar t27 = s4 * t19 - c4 * t26;
-  const Scalar t28 = t13 + k[9] * t27;
-  const Scalar t29 = c4 * t21 - s4 * t18;
+  const Scalar t0 = k[8] * c6 - k[9] * s6;
+  const Scalar t1 = qd[5] * t0;
+  const Scalar t2 = k[9] * c6 + k[8] * s6;
+  const Scalar t3 = k[10] + t2;
+  const Scalar t4 = qd[4] * t3;
+  const Scalar t5 = c5 * (k[11] * qd[4] + t1) - s5 * t4;
+  const Scalar t6 = k[13] * s6 - k[12] * c6;
+  const Scalar t7 = k[14] - s6 * t6;
+  const Scalar t8 = k[15] - t7;
+  const Scalar t9 = k[16] + c6 * t6;
+  const Scalar t10 = qd[5] * t9;
+  const Scalar t11 = s5 * qd[4] * t8 - c5 * (t10 + t4);
+  const Scalar t12 = (s5 * t5 - c5 * t11) - t10;
+  const Scalar t13 = k[2] * c6 - k[1] * s6;
+  const Scalar t14 = k[5] + t13;
+  const Scalar t15 = k[1] * c6 + k[2] * s6;
+  const Scalar t16 = k[3] + t15;
+  const Scalar t17 = s5 * t16;
+  const Scalar t18 = qd[5] * t13;
+  const Scalar t19 = k[0] * qd[4] - t18;
+  const Scalar t20 = qd[4] * t17 + c5 * t19;
+  const Scalar t21 = qd[3] * t14 - t20;
+  const Scalar t22 = qd[5] * t15;
+  const Scalar t23 = c5 * t16;
+  const Scalar t24 = k[4] - (k[0] * s5 - t23);
+  const Scalar t25 = t22 + qd[3] * t24;
+  const Scalar t26 = c4 * t21 - s4 * t25;
+  const Scalar t27 = t12 + k[17] * t26;
+  const Scalar t28 = s4 * t21 + c4 * t25;
+  const Scalar t29 = c4 * t24 + s4 * t14;
   const Scalar t30 = k[6] + t29;
-  const Scalar t31 = s4 * t26 + c4 * t19;
-  const Scalar t32 = s4 * t21 + c4 * t18;
-  const Scalar t33 = k[8] + (k[7] + t32);
-  const Scalar t34 = c2 * (t27 + qd[1] * t30) - s2 * (t31 - qd[1] * t33);
-  const Scalar t35 = t28 + t34;
-  const Scalar t36 = qd[0] + qd[1];
-  const Scalar t37 = c2 * (t27 + t30 * t36) - s2 * (t31 - t36 * t33);
-  const Scalar t38 = qd[3] - t36;
-  const Scalar t39 = t15 + t38 * t18;
-  const Scalar t40 = t25 + t38 * t21;
-  const Scalar t41 = s4 * t39 - c4 * t40;
-  const Scalar t42 = s2 * (c4 * t39 + s4 * t40) - c2 * t41;
-  const Scalar t43 = k[9] * t41;
-  const Scalar t44 = t43 + t13;
-  const Scalar t45 = t42 - t44;
-  const Scalar t46 = qd[4] * t17 + s5 * t23;
-  const Scalar t47 = s4 * t46;
-  const Scalar t48 = k[2] * c5 + t24;
-  const Scalar t49 = c4 * t48;
-  const Scalar t50 = t47 + t38 * t49;
-  const Scalar t51 = s4 * t48;
-  const Scalar t52 = c4 * t46;
-  const Scalar t53 = c2 * t50 + s2 * (t38 * t51 - t52);
-  const Scalar t54 = s5 * t38;
-  const Scalar t55 = c5 * t38;
-  const Scalar t56 = qd[5] * t1 - qd[4] * (k[21] + t10);
-  const Scalar t57 = s5 * ((t54 * t7 - k[19] * t55) - t56);
-  const Scalar t58 = qd[4] * (k[20] - t4);
-  const Scalar t59 = c5 * ((t55 * t7 - t54 * t3) + t58);
-  const Scalar t60 = t57 - t59;
-  const Scalar t61 = t60 + k[9] * t50;
-  const Scalar t62 = t53 + t61;
-  const Scalar t63 = qd[5] + t55;
-  const Scalar t64 = qd[4] * c6 + s6 * t54;
-  const Scalar t65 = qd[4] * s6 - c6 * t54;
-  const Scalar t66 = c5 * t14 * t63 + s5 * (k[0] * t64 - k[1] * t65);
-  const Scalar t67 = t63 * t20;
-  const Scalar t68 = s4 * t66 - c4 * t67;
-  const Scalar t69 = s2 * (c4 * t66 + s4 * t67) - c2 * t68;
-  const Scalar t70 = k[11] * t63 + (k[15] * t64 - k[22] * t65);
-  const Scalar t71 = k[10] * t63 - (k[15] * t65 - k[16] * t64);
-  const Scalar t72 = s5 * (s6 * t70 - c6 * t71);
-  const Scalar t73 = t72 + k[9] * t68;
-  const Scalar t74 = t69 - t73;
-  const Scalar t75 = c5 * t20;
-  const Scalar t76 = t43 - t28;
-  const Scalar t77 = c2 * (t27 + qd[1] * t29) - s2 * (t31 - qd[1] * t32);
-  const Scalar t78 = t47 + qd[3] * t49;
-  const Scalar t79 = s2 * (qd[1] * t51 + (t52 - qd[3] * t51));
-  const Scalar t80 = qd[5] * t6;
-  const Scalar t81 = s5 * (qd[5] * t2 - t56) + c5 * (t80 - t58);
-  const Scalar t82 = t81 + k[9] * t78;
-  const Scalar t83 = (c2 * (qd[1] * t49 - t78) + t79) - t82;
-  const Scalar t84 = s6 * t71 + c6 * t70;
-  const Scalar t85 = (c5 * t15 + s5 * qd[4] * t20) + qd[3] * t14;
-  const Scalar t86 = t22 + qd[3] * t75;
-  const Scalar t87 = s4 * t85 - c4 * t86;
-  const Scalar t88 = qd[4] * c5 * t6 + s5 * (t11 + k[17] * qd[4]);
-  const Scalar t89 = k[9] * t87 - t88;
-  const Scalar t90 = (s4 * t86 + c4 * t85) - qd[1] * (c4 * t14 + s4 * t75);
-  const Scalar t91 = qd[1] * (c4 * t75 - s4 * t14) + t87;
-  const Scalar t92 = (t89 - (s2 * t90 - c2 * t91)) + t74;
+  const Scalar t31 = s4 * t24 - c4 * t14;
+  const Scalar t32 = k[7] - t31;
+  const Scalar t33 = s2 * (t28 - qd[1] * t30) - c2 * (qd[1] * t32 - t26);
+  const Scalar t34 = t27 + t33;
+  const Scalar t35 = qd[0] + qd[1];
+  const Scalar t36 = c2 * (t35 * t32 - t26) + s2 * (t35 * t30 - t28);
+  const Scalar t37 = qd[3] - t35;
+  const Scalar t38 = t22 + t37 * t24;
+  const Scalar t39 = t37 * t14 - t20;
+  const Scalar t40 = s4 * t38 - c4 * t39;
+  const Scalar t41 = k[17] * t40;
+  const Scalar t42 = t12 - t41;
+  const Scalar t43 = s2 * (s4 * t39 + c4 * t38) - c2 * t40;
+  const Scalar t44 = t42 + t43;
+  const Scalar t45 = t17 + k[0] * c5;
+  const Scalar t46 = c4 * t45;
+  const Scalar t47 = s5 * t19 - qd[4] * t23;
+  const Scalar t48 = s4 * t47;
+  const Scalar t49 = t37 * t46 - t48;
+  const Scalar t50 = s5 * t37;
+  const Scalar t51 = c5 * t37;
+  const Scalar t52 = qd[5] * (k[19] - t7) - qd[4] * (k[18] + t0);
+  const Scalar t53 = s5 * ((t3 * t50 - k[11] * t51) - t52);
+  const Scalar t54 = qd[4] * (k[20] - t9);
+  const Scalar t55 = c5 * (t54 - (t50 * t8 - t3 * t51));
+  const Scalar t56 = t53 - t55;
+  const Scalar t57 = k[17] * t49 + t56;
+  const Scalar t58 = c4 * t47;
+  const Scalar t59 = s4 * t45;
+  const Scalar t60 = c2 * t49 + s2 * (t58 + t37 * t59);
+  const Scalar t61 = t57 + t60;
+  const Scalar t62 = qd[5] + t51;
+  const Scalar t63 = t62 * t13;
+  const Scalar t64 = qd[4] * s6 - c6 * t50;
+  const Scalar t65 = qd[4] * c6 + s6 * t50;
+  const Scalar t66 = k[1] * t64 - k[2] * t65;
+  const Scalar t67 = t62 * t15;
+  const Scalar t68 = s5 * t66 - c5 * t67;
+  const Scalar t69 = c4 * t63 + s4 * t68;
+  const Scalar t70 = s2 * (s4 * t63 - c4 * t68) + c2 * t69;
+  const Scalar t71 = k[8] * t62 - (k[16] * t64 - k[21] * t65);
+  const Scalar t72 = k[9] * t62 - (k[14] * t64 - k[16] * t65);
+  const Scalar t73 = s5 * (c6 * t71 - s6 * t72);
+  const Scalar t74 = k[17] * t69 + t73;
+  const Scalar t75 = t70 + t74;
+  const Scalar t76 = c2 * (t26 + qd[1] * t31) - s2 * (qd[1] * t29 - t28);
+  const Scalar t77 = t48 - qd[3] * t46;
+  const Scalar t78 = s2 * ((qd[3] * t59 + t58) - qd[1] * t59);
+  const Scalar t79 = qd[5] * t2;
+  const Scalar t80 = s5 * (qd[5] * t7 - t52) - c5 * (t54 - t79);
+  const Scalar t81 = k[17] * t77 - t80;
+  const Scalar t82 = (c2 * (t77 + qd[1] * t46) - t78) + t81;
+  const Scalar t83 = s6 * t71 + c6 * t72;
+  const Scalar t84 = c5 * t13;
+  const Scalar t85 = t18 + qd[3] * t84;
+  const Scalar t86 = qd[3] * t15 + (c5 * t22 + qd[4] * s5 * t13);
+  const Scalar t87 = c4 * t85 - s4 * t86;
+  const Scalar t88 = s5 * (k[19] * qd[4] + t1) + c5 * qd[4] * t2;
+  const Scalar t89 = k[17] * t87 + t88;
+  const Scalar t90 = qd[1] * (s4 * t84 + c4 * t15) - (c4 * t86 + s4 * t85);
+  const Scalar t91 = t87 + qd[1] * (s4 * t15 - c4 * t84);
+  const Scalar t92 = t75 - (t89 - (s2 * t90 - c2 * t91));
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = -t35;
-  result(0, 1) = -t28 - t37;
-  result(0, 2) = Scalar(0);
-  result(0, 3) = -t45;
-  result(0, 4) = t62;
-  result(0, 5) = -t74;
-  result(1, 0) = t37 - t35;
-  result(1, 1) = -t28;
-  result(1, 2) = Scalar(0);
-  result(1, 3) = t44;
-  result(1, 4) = t61;
-  result(1, 5) = t73;
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(0);
+  result(0, 0) = t34;
+  result(0, 1) = t27 - t36;
+  result(0, 2) = -Scalar(0);
+  result(0, 3) = -t44;
+  result(0, 4) = t61;
+  result(0, 5) = -t75;
+  result(1, 0) = t36 + t34;
+  result(1, 1) = t27;
+  result(1, 2) = -Scalar(0);
+  result(1, 3) = -t42;
+  result(1, 4) = t57;
+  result(1, 5) = -t74;
+  result(2, 0) = -Scalar(0);
+  result(2, 1) = -Scalar(0);
   result(2, 2) = Scalar(0);
   result(2, 3) = Scalar(0);
-  result(2, 4) = -k[23] * t25;
-  result(2, 5) = -k[23] * (qd[4] * t75 - s5 * t15);
-  result(3, 0) = ((t44 - t76) + t77) + t45;
-  result(3, 1) = -t76;
+  result(2, 4) = k[22] * t20;
+  result(2, 5) = k[22] * (c5 * t66 + s5 * t67);
+  result(3, 0) = t44 - ((t27 + t12) + t76);
+  result(3, 1) = -t27 - t41;
   result(3, 2) = Scalar(0);
-  result(3, 3) = -t13;
-  result(3, 4) = -t60;
-  result(3, 5) = -t72;
-  result(4, 0) = -t62 - t83;
-  result(4, 1) = t82 - t61;
-  result(4, 2) = Scalar(0);
-  result(4, 3) = t60 - t81;
-  result(4, 4) = t5;
-  result(4, 5) = -t84;
+  result(3, 3) = t12;
+  result(3, 4) = -t56;
+  result(3, 5) = t73;
+  result(4, 0) = -t82 - t61;
+  result(4, 1) = -t57 - t81;
+  result(4, 2) = -Scalar(0);
+  result(4, 3) = t56 - t80;
+  result(4, 4) = t10;
+  result(4, 5) = -t83;
   result(5, 0) = t92;
-  result(5, 1) = t89 - t73;
+  result(5, 1) = t74 - t89;
   result(5, 2) = Scalar(0);
-  result(5, 3) = t72 + t88;
-  result(5, 4) = t84 - t80;
+  result(5, 3) = t88 - t73;
+  result(5, 4) = t83 - t79;
   result(5, 5) = Scalar(0);
   return result;
 }
@@ -797,86 +796,93 @@ ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
-  const Scalar t1 = inertia.c6x * inertia.m6;
+  const Scalar t0 = inertia.c6x * inertia.m6;
+  const Scalar t1 = inertia.I6xy - inertia.c6y * t0;
   const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t1;
-  const Scalar t4 = (inertia.I6yy - t2) - inertia.c6y * t0;
-  const Scalar t5 = t3 + t4;
-  const Scalar t6 = Scalar(1) / t5;
-  const Scalar t7 = g.l2 / g.l1;
-  const Scalar t8 = inertia.c5x * inertia.m5;
-  const Scalar t9 = inertia.c5z * inertia.m5;
-  const Scalar t10 = inertia.c6z * inertia.m6;
-  const Scalar t11 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t12 = inertia.c5y * inertia.m5;
-  const Scalar t13 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t14 = inertia.c5x * t8 - (inertia.I5xx - t13);
-  const Scalar t15 = (inertia.c6z * t10 - (inertia.I6zz - t2)) + (inertia.c5z * t9 - (inertia.I5zz - t13));
-  const Scalar t16 = inertia.c4y * inertia.m4;
-  const Scalar t17 = inertia.c4x * inertia.m4;
-  const Scalar t18 = inertia.c3y * inertia.m3;
-  const Scalar t19 = inertia.c2y * inertia.m2;
-  const Scalar t20 = g.l1 * g.l1 * (inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)));
-  const Scalar t21 = inertia.c3x * inertia.m3;
-  const Scalar t22 = inertia.c2x * inertia.m2;
-  const Scalar t23 = g.l2 * inertia.m2 + t22;
-  const Scalar t24 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t25 = ((inertia.I4yy - t24) - inertia.c4y * t16) - (inertia.c5y * t12 - (inertia.I5yy - t13));
-  const Scalar t26 = inertia.I5xz - inertia.c5z * t8;
-  const Scalar t27 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t28 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t29 = ((inertia.I3yy - t27) - inertia.c3y * t18) + ((inertia.I2yy - t28) - inertia.c2y * t19);
-  const Scalar t30 = (inertia.c2x * t22 - (inertia.I2xx - t28)) + g.l2 * (t22 + t23);
-  const Scalar t31 = (inertia.c3x * t21 - (inertia.I3xx - t27)) + Scalar(2) * g.l2 * t21;
+  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t0;
+  const Scalar t4 = inertia.c6y * inertia.m6;
+  const Scalar t5 = (inertia.I6yy - t2) - inertia.c6y * t4;
+  const Scalar t6 = inertia.c5x * inertia.m5;
+  const Scalar t7 = inertia.I6yz - inertia.c6z * t4;
+  const Scalar t8 = t3 + t5;
+  const Scalar t9 = Scalar(1) / t8;
+  const Scalar t10 = inertia.I6xz - inertia.c6z * t0;
+  const Scalar t11 = inertia.c5y * inertia.m5;
+  const Scalar t12 = inertia.c5z * inertia.m5;
+  const Scalar t13 = inertia.c6z * inertia.m6;
+  const Scalar t14 = g.l2 / g.l1;
+  const Scalar t15 = gravity / g.l1;
+  const Scalar t16 = inertia.I5xz - inertia.c5z * t6;
+  const Scalar t17 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t18 = inertia.c5x * t6 - (inertia.I5xx - t17);
+  const Scalar t19 = (inertia.c6z * t13 - (inertia.I6zz - t2)) + (inertia.c5z * t12 - (inertia.I5zz - t17));
+  const Scalar t20 = inertia.c3x * inertia.m3;
+  const Scalar t21 = g.l2 * inertia.m3 + t20;
+  const Scalar t22 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t23 = g.l2 * t22;
+  const Scalar t24 = inertia.c2x * inertia.m2;
+  const Scalar t25 = g.l2 * inertia.m2 + t24;
+  const Scalar t26 = inertia.c3y * inertia.m3;
+  const Scalar t27 = inertia.c2y * inertia.m2;
+  const Scalar t28 = inertia.c4y * inertia.m4;
+  const Scalar t29 = inertia.c4x * inertia.m4;
+  const Scalar t30 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t31 = ((inertia.I4yy - t30) - inertia.c4y * t28) - (inertia.c5y * t11 - (inertia.I5yy - t17));
   const Scalar t32 = Scalar(1) / g.l1;
-  const Scalar t33 = t20 * t32;
-  const Scalar t34 = ((inertia.I2xy - inertia.c2y * t22) - g.l2 * t19)
-      - (g.l2 * t18 - (inertia.I3xy - inertia.c3y * t21));
-  const Scalar t35 = inertia.c1x * inertia.m1;
-  const Scalar t36 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t37 = g.l1 * (t35 + (g.l1 * inertia.m1 + t35)) + (inertia.c1x * t35 - (inertia.I1xx - t36));
-  const Scalar t38 = gravity / g.l1;
-  return { inertia.I6yz - inertia.c6z * t0,
-           inertia.I6xz - inertia.c6z * t1,
-           t6,
+  const Scalar t33 = g.l1 * g.l1 * (inertia.m3 + t22);
+  const Scalar t34 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t35 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t36 = ((inertia.I3yy - t34) - inertia.c3y * t26) + ((inertia.I2yy - t35) - inertia.c2y * t27);
+  const Scalar t37 = (inertia.c2x * t24 - (inertia.I2xx - t35)) + g.l2 * (t24 + t25);
+  const Scalar t38 = g.l2 * (t21 + t20) + (inertia.c3x * t20 - (inertia.I3xx - t34));
+  const Scalar t39 = ((inertia.I2xy - inertia.c2y * t24) - g.l2 * t27)
+      - (g.l2 * t26 - (inertia.I3xy - inertia.c3y * t20));
+  const Scalar t40 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t41 = inertia.c1x * inertia.m1;
+  const Scalar t42 = g.l1 * (t41 + (g.l1 * inertia.m1 + t41)) + (inertia.c1x * t41 - (inertia.I1xx - t40));
+  return { Scalar(2) * t1,
+           t3 - t5,
+           t1,
+           inertia.I5xy - inertia.c5y * t6,
+           t7 * t9,
+           t10 * t9,
+           t8,
+           inertia.I5yz - inertia.c5z * t11,
            g.l1 * t0,
-           g.l1 * t1,
-           t6 * t7,
-           t5,
-           g.l1 * t8,
-           g.l1 * (t9 + t10),
-           t7,
-           Scalar(2) * t11,
-           t3 - t4,
-           t11,
-           inertia.I5xy - inertia.c5y * t8,
-           inertia.I5yz - inertia.c5z * t12,
-           t4,
-           t14 - t15,
-           t15,
-           g.l1 * (t16 + t12),
-           g.l1 * t17,
-           g.l1 * (t18 + t19),
-           t20 * t7,
-           g.l1 * (t21 + t23),
-           t25,
-           t26,
-           (inertia.I4xx - t24) - inertia.c4x * t17,
-           inertia.I4xy - inertia.c4y * t17,
-           t29,
-           t30 + t31,
-           t32,
-           t32 * t33,
-           t34,
-           t20,
-           g.l1 * g.l1 * inertia.m2 + t37,
-           inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t36),
-           t38,
-           Scalar(2) * t15,
-           Scalar(2) * t26,
+           g.l1 * t4,
+           g.l1 * t6,
+           g.l1 * (t12 + t13),
            t14,
-           t38 * t33 };
+           t9 * t14,
+           t7,
+           t10,
+           t9,
+           t15,
+           t3,
+           t16,
+           t18 - t19,
+           Scalar(2) * t19,
+           g.l1 * ((t21 + t23) + t25),
+           g.l1 * (t26 + t27),
+           Scalar(2) * t16,
+           t18,
+           t5,
+           t19,
+           g.l1 * (t28 + t11),
+           g.l1 * t29,
+           (inertia.I4xx - t30) - inertia.c4x * t29,
+           t31,
+           t32,
+           t33 * t32 * t15,
+           t32 * t9,
+           t32 * t33 * t32,
+           inertia.I4xy - inertia.c4y * t29,
+           t36,
+           t37 + (t38 + g.l2 * t23),
+           t33,
+           t39,
+           inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t40),
+           g.l1 * g.l1 * inertia.m2 + t42 };
 }
 
 namespace detail {
@@ -893,171 +899,169 @@ inline JointVector<Scalar> forward_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[10] * c6 - k[11] * s6;
-  const Scalar t1 = k[15] - s6 * t0;
-  const Scalar t2 = k[6] - t1;
-  const Scalar t3 = k[16] - t2;
-  const Scalar t4 = k[17] + t3;
-  const Scalar t5 = k[0] * c6 - k[1] * s6;
-  const Scalar t6 = k[2] * t5;
-  const Scalar t7 = Scalar(1) / ((k[17] + t4) + t6 * t5);
-  const Scalar t8 = k[4] * c6 + k[3] * s6;
-  const Scalar t9 = k[7] + t8;
-  const Scalar t10 = k[8] * s5 - c5 * t9;
-  const Scalar t11 = k[3] * c6 - k[4] * s6;
-  const Scalar t12 = k[29] * s5 * t11;
-  const Scalar t13 = k[29] * t10 - t12 * t6;
-  const Scalar t14 = t7 * t13;
-  const Scalar t15 = s5 * t9 + k[8] * c5;
-  const Scalar t16 = s4 * t15;
-  const Scalar t17 = k[12] - c6 * t0;
-  const Scalar t18 = k[13] - t17;
-  const Scalar t19 = k[14] + t5;
-  const Scalar t20 = s5 * t18 + c5 * t19;
-  const Scalar t21 = t20 - k[9] * t16;
-  const Scalar t22 = (c2 * t16 - s2 * c4 * t15) - t21;
-  const Scalar t23 = c5 * t11;
-  const Scalar t24 = s4 * t23 + c4 * t8;
-  const Scalar t25 = s2 * (c4 * t23 - s4 * t8) - c2 * t24;
-  const Scalar t26 = k[0] * s6 + k[1] * c6;
-  const Scalar t27 = c5 - k[2] * s5 * t26;
-  const Scalar t28 = t27 - k[5] * t24;
-  const Scalar t29 = k[6] * t28;
-  const Scalar t30 = t25 + t29;
-  const Scalar t31 = t22 + t30 * t6;
-  const Scalar t32 = k[2] * t30;
-  const Scalar t33 = t20 - t27 * t5;
-  const Scalar t34 = t14 * t33 - t12 * t27;
-  const Scalar t35 = c5 * (k[24] + t26);
-  const Scalar t36 = t4 - s5 * (s5 * t3 - (t35 + t35));
-  const Scalar t37 = k[25] - t36;
-  const Scalar t38 = k[26] - (s5 * t19 - c5 * t18);
-  const Scalar t39 = k[23] + t1;
-  const Scalar t40 = Scalar(2) * c4 * t38 - s4 * (t37 - t39);
-  const Scalar t41 = s4 * t40;
-  const Scalar t42 = t37 + t41;
-  const Scalar t43 = t39 - t41;
-  const Scalar t44 = t42 + t43;
-  const Scalar t45 = k[6] * t27;
-  const Scalar t46 = t7 * t33;
-  const Scalar t47 = Scalar(1) / ((t44 - t45 * t27) + t46 * t33);
-  const Scalar t48 = t34 * t47;
-  const Scalar t49 = t7 * t31;
-  const Scalar t50 = k[19] - t10;
-  const Scalar t51 = k[18] + t11;
-  const Scalar t52 = s4 * t50 - c4 * t51;
-  const Scalar t53 = s2 * t52;
-  const Scalar t54 = c4 * t50 + s4 * t51;
-  const Scalar t55 = t44 - k[9] * t54;
-  const Scalar t56 = t30 * t27 + ((t53 + c2 * t54) - t55);
-  const Scalar t57 = t33 * t49 + t56;
-  const Scalar t58 = (t14 * t31 + t12 * t32) - t48 * t57;
-  const Scalar t59 = k[2] * t12;
-  const Scalar t60 = t48 * t34 - (t14 * t13 - (k[30] + t59 * t12));
-  const Scalar t61 = Scalar(1) / t60;
-  const Scalar t62 = t58 * t61;
-  const Scalar t63 = t47 * t57;
-  const Scalar t64 = k[21] + t54;
-  const Scalar t65 = k[28] - (t42 - k[9] * (t54 + t64));
-  const Scalar t66 = k[27] + t43;
-  const Scalar t67 = k[31] - ((t38 - c4 * t40) - k[9] * t52);
-  const Scalar t68 = c2 * t67;
-  const Scalar t69 = s2 * (s2 * (t65 + t66) - (t68 + t68));
-  const Scalar t70 = t65 - t69;
-  const Scalar t71 = (t53 - k[20] * s2) + c2 * (k[22] + t64);
-  const Scalar t72 = t65 - t66;
-  const Scalar t73 = (k[33] + (t70 + (t71 + (k[32] + t71)))) + (k[34] - (t70 - t72));
-  const Scalar t74 = t63 * t57 - (t31 * t49 - (t73 + t30 * t32));
-  const Scalar t75 = t21 - t28 * t5;
-  const Scalar t76 = t7 * t75;
-  const Scalar t77 = (t55 - t45 * t28) + t46 * t75;
-  const Scalar t78 = (t12 * t28 - t76 * t13) + t48 * t77;
-  const Scalar t79 = t61 * t78;
-  const Scalar t80 = t76 * t31 + (t30 * t28 + (t72 + t71));
-  const Scalar t81 = t79 * t58 - (t80 - t77 * t63);
-  const Scalar t82 = t77 * t47;
-  const Scalar t83 = t82 * t77 - (t76 * t75 - (t29 * t28 + t72));
-  const Scalar t84 = Scalar(1) / (t79 * t78 - t83);
-  const Scalar t85 = t81 * t84;
-  const Scalar t86 = Scalar(1) / ((t58 * t62 - t74) - t81 * t85);
-  const Scalar t87 = qd[0] * qd[0];
-  const Scalar t88 = qd[0] + qd[1];
-  const Scalar t89 = t88 * t88;
-  const Scalar t90 = c2 * t87 + k[9] * t89;
-  const Scalar t91 = s2 * t87;
-  const Scalar t92 = c4 * t90 + s4 * t91;
-  const Scalar t93 = c5 * t92 - k[35] * s5;
-  const Scalar t94 = c4 * t91 - s4 * t90;
-  const Scalar t95 = qd[4] * qd[4];
-  const Scalar t96 = qd[3] - t88;
-  const Scalar t97 = s5 * t96;
-  const Scalar t98 = t97 * t97;
-  const Scalar t99 = t95 - t98;
-  const Scalar t100 = qd[4] * t97;
-  const Scalar t101 = Scalar(2) * t100;
-  const Scalar t102 = c5 * t96;
-  const Scalar t103 = t97 * t102;
-  const Scalar t104 = qd[4] * t102;
-  const Scalar t105 = Scalar(2) * t104;
-  const Scalar t106 = (t99 * t17 - t2 * t101) + (t103 * t5 - t26 * t105);
-  const Scalar t107 = (t93 * t11 + t94 * t8) + t106;
-  const Scalar t108 = torque[5] + t107;
-  const Scalar t109 = k[2] * t108;
-  const Scalar t110 = qd[5] + t102;
-  const Scalar t111 = t110 * t110;
-  const Scalar t112 = t111 - t98;
-  const Scalar t113 = t111 - t95;
-  const Scalar t114 = t111 + t98;
-  const Scalar t115 = t113 - t114;
-  const Scalar t116 = t96 * t96;
-  const Scalar t117 = t99 + t116;
-  const Scalar t118 = (t112 - t115) * t8 + (k[7] * t117 - k[8] * t103);
-  const Scalar t119 = (qd[5] + t110) * t97;
-  const Scalar t120 = Scalar(2) * qd[4] * qd[5];
-  const Scalar t121 = (k[7] * t103 + k[8] * t115) + (t119 * t8 + t11 * t120);
-  const Scalar t122 = k[39] - k[29] * (s5 * t118 - c5 * t121);
-  const Scalar t123 = s5 * t92 + k[35] * c5;
-  const Scalar t124 = t26 * t112 - (t17 * t120 - t2 * t119);
-  const Scalar t125 = t117 + t115;
-  const Scalar t126 = (k[24] * t125 - k[16] * t103) - (k[7] * t123 + k[8] * t93);
-  const Scalar t127 = (torque[4] - ((t123 * t8 - t124) - t126)) + t6 * t108;
-  const Scalar t128 = t7 * t127;
-  const Scalar t129 = (t109 * t12 - (torque[2] + t122)) + t13 * t128;
-  const Scalar t130 = (t17 * t119 - t1 * t120) - t113 * t5;
-  const Scalar t131 = (k[37] * t100 - k[36] * t104) + k[14] * (t99 - t125);
-  const Scalar t132 = (t123 * t11 + (t130 + t26 * t101)) - ((k[13] * t103 - t131) + k[8] * t94);
-  const Scalar t133 = (k[14] * t103 - k[13] * t99) - (k[37] * t104 - k[38] * t101);
-  const Scalar t134 = s5 * t132 + c5 * ((k[7] * t94 + t133) + t107);
-  const Scalar t135 = t134 + (k[18] * t92 + k[19] * t94);
-  const Scalar t136 = t46 * t127 + (t109 * t45 - (torque[3] + t135));
-  const Scalar t137 = t47 * t136;
-  const Scalar t138 = t129 - t137 * t34;
-  const Scalar t139 = (k[8] * t105 + k[7] * t101) - (t114 * t11 - t8 * t101);
-  const Scalar t140 = k[18] * t116 - t139;
-  const Scalar t141 = k[19] * t116 + (c5 * t118 + s5 * t121);
-  const Scalar t142 = k[32] * t91 - (c4 * t140 - s4 * t141);
-  const Scalar t143 = k[22] * s2 + k[20] * c2;
-  const Scalar t144 = (t135 + k[9] * t142) + t87 * t143;
-  const Scalar t145 = k[32] * t90 + (s4 * t140 + c4 * t141);
-  const Scalar t146 = (c2 * t142 - s2 * t145) - t89 * t143;
-  const Scalar t147 = t31 * t128 - ((torque[0] - (t144 + t146)) + t109 * t30);
-  const Scalar t148 = ((torque[1] - t144) + t109 * t29) + t128 * t75;
-  const Scalar t149 = t79 * t138 + (t82 * t136 - t148);
-  const Scalar t150 = (t138 * t62 + (t147 - t137 * t57)) - t149 * t85;
-  const Scalar t151 = t86 * t150;
-  const Scalar t152 = t149 * t84 - t85 * t151;
-  const Scalar t153 = t79 * t152 + (t151 * t62 - t138 * t61);
-  const Scalar t154 = t48 * t153 - (t152 * t82 + (t137 - t63 * t151));
-  const Scalar t155 = t14 * t153 - (t152 * t76 - (t151 * t49 - t128));
-  const Scalar t156 = t155 - t46 * t154;
-  const Scalar t157 = t59 * t153 - (t152 * t28 - (t109 - t32 * t151));
+  const Scalar t0 = k[14] * s6 + k[15] * c6;
+  const Scalar t1 = c5 - k[16] * s5 * t0;
+  const Scalar t2 = k[8] * c6 + k[9] * s6;
+  const Scalar t3 = k[9] * c6 - k[8] * s6;
+  const Scalar t4 = c5 * t3;
+  const Scalar t5 = c4 * t2 + s4 * t4;
+  const Scalar t6 = t1 - k[13] * t5;
+  const Scalar t7 = k[6] * t1;
+  const Scalar t8 = k[10] + t2;
+  const Scalar t9 = c5 * t8 - k[11] * s5;
+  const Scalar t10 = k[29] + t9;
+  const Scalar t11 = k[28] + t3;
+  const Scalar t12 = c4 * t10 + s4 * t11;
+  const Scalar t13 = k[12] * t12;
+  const Scalar t14 = c5 * (k[19] + t0);
+  const Scalar t15 = k[0] * c6 - k[1] * s6;
+  const Scalar t16 = s6 * t15;
+  const Scalar t17 = k[18] + t16;
+  const Scalar t18 = k[20] - t17;
+  const Scalar t19 = s5 * ((t14 + t14) - s5 * t18) + (k[25] - t17);
+  const Scalar t20 = k[30] - t19;
+  const Scalar t21 = k[26] - t16;
+  const Scalar t22 = k[31] + t21;
+  const Scalar t23 = t20 + t22;
+  const Scalar t24 = t13 - t23;
+  const Scalar t25 = k[2] - c6 * t15;
+  const Scalar t26 = k[3] - t25;
+  const Scalar t27 = k[4] * c6 - k[5] * s6;
+  const Scalar t28 = k[6] * t27;
+  const Scalar t29 = k[7] + t28;
+  const Scalar t30 = s5 * t26 + c5 * t29;
+  const Scalar t31 = t30 - t7 * t27;
+  const Scalar t32 = Scalar(1) / (t28 * t27 + (k[21] + t18));
+  const Scalar t33 = s5 * t8 + k[11] * c5;
+  const Scalar t34 = s4 * t33;
+  const Scalar t35 = k[12] * t34 - t30;
+  const Scalar t36 = t35 + t6 * t28;
+  const Scalar t37 = t32 * t36;
+  const Scalar t38 = (t6 * t7 + t24) + t31 * t37;
+  const Scalar t39 = s5 * t3;
+  const Scalar t40 = k[32] * t39;
+  const Scalar t41 = t40 * t27 + k[32] * t9;
+  const Scalar t42 = t32 * t41;
+  const Scalar t43 = t40 * t1 + t31 * t42;
+  const Scalar t44 = t31 * t32;
+  const Scalar t45 = Scalar(1) / (t31 * t44 + (t23 - t1 * t7));
+  const Scalar t46 = t43 * t45;
+  const Scalar t47 = k[6] * t6;
+  const Scalar t48 = k[34] * t39;
+  const Scalar t49 = t38 * t46 + (t47 * t48 - t41 * t37);
+  const Scalar t50 = t43 * t46 + ((k[35] + t40 * t48) - t42 * t41);
+  const Scalar t51 = Scalar(1) / t50;
+  const Scalar t52 = t49 * t51;
+  const Scalar t53 = t38 * t45;
+  const Scalar t54 = k[36] + (c5 * t26 - s5 * t29);
+  const Scalar t55 = Scalar(2) * c4 * t54 - s4 * (t20 - t22);
+  const Scalar t56 = s4 * t55 + t20;
+  const Scalar t57 = k[38] - (t56 - Scalar(2) * t13);
+  const Scalar t58 = k[37] - (t56 - t23);
+  const Scalar t59 = t57 - t58;
+  const Scalar t60 = t38 * t53 - (t36 * t37 - (t59 + t6 * t47));
+  const Scalar t61 = Scalar(1) / (t52 * t49 - t60);
+  const Scalar t62 = c2 * t5 + s2 * (s4 * t2 - c4 * t4);
+  const Scalar t63 = t47 - t62;
+  const Scalar t64 = c4 * t11 - s4 * t10;
+  const Scalar t65 = s2 * t64 - c2 * t12;
+  const Scalar t66 = t35 - (s2 * c4 * t33 - c2 * t34);
+  const Scalar t67 = t27 * t63 + t66;
+  const Scalar t68 = (t1 * t63 + (t24 - t65)) + t67 * t44;
+  const Scalar t69 = t67 * t32;
+  const Scalar t70 = (k[22] * c2 - k[23] * s2) - t65;
+  const Scalar t71 = t69 * t36 - ((t59 + t70) + t6 * t63);
+  const Scalar t72 = k[16] * t63;
+  const Scalar t73 = (t40 * t72 - t67 * t42) + t68 * t46;
+  const Scalar t74 = (t68 * t53 - t71) - t52 * t73;
+  const Scalar t75 = t61 * t74;
+  const Scalar t76 = t68 * t45;
+  const Scalar t77 = k[40] - (k[12] * t64 + (t54 - c4 * t55));
+  const Scalar t78 = Scalar(2) * c2 * t77 - s2 * (t57 + t58);
+  const Scalar t79 = s2 * t78;
+  const Scalar t80 = k[42] + ((t70 + (k[39] + t70)) + (t79 + t57));
+  const Scalar t81 = t72 * t63 + ((k[41] - (t79 + t58)) + t80);
+  const Scalar t82 = t51 * t73;
+  const Scalar t83 = (t68 * t76 - (t67 * t69 - t81)) - t82 * t73;
+  const Scalar t84 = qd[0] * qd[0];
+  const Scalar t85 = s2 * t84;
+  const Scalar t86 = c2 * t84;
+  const Scalar t87 = qd[0] + qd[1];
+  const Scalar t88 = t87 * t87;
+  const Scalar t89 = t86 + k[12] * t88;
+  const Scalar t90 = c4 * t85 - s4 * t89;
+  const Scalar t91 = qd[4] * qd[4];
+  const Scalar t92 = qd[3] - t87;
+  const Scalar t93 = c5 * t92;
+  const Scalar t94 = t93 * t93;
+  const Scalar t95 = t91 - t94;
+  const Scalar t96 = s5 * t92;
+  const Scalar t97 = qd[4] * t96;
+  const Scalar t98 = qd[4] * t93;
+  const Scalar t99 = Scalar(2) * t98;
+  const Scalar t100 = k[7] * t95 + (k[24] * t97 - k[27] * t99);
+  const Scalar t101 = t96 * t93;
+  const Scalar t102 = c4 * t89 + s4 * t85;
+  const Scalar t103 = s5 * t102 + k[17] * c5;
+  const Scalar t104 = Scalar(2) * t97;
+  const Scalar t105 = Scalar(2) * qd[4] * qd[5];
+  const Scalar t106 = qd[5] + t93;
+  const Scalar t107 = (qd[5] + t106) * t96;
+  const Scalar t108 = t106 * t106;
+  const Scalar t109 = t108 - t91;
+  const Scalar t110 = (t21 * t105 - t107 * t25) + t28 * t109;
+  const Scalar t111 = (k[11] * t90 - (t100 - k[3] * t101)) - (t3 * t103 + (t0 * t104 - t110));
+  const Scalar t112 = t91 + t94;
+  const Scalar t113 = t92 * t92;
+  const Scalar t114 = t112 - t113;
+  const Scalar t115 = (k[3] * t114 - k[7] * t101) - (k[25] * t104 - k[24] * t98);
+  const Scalar t116 = (t0 * t99 - t28 * t101) + (t104 * t17 - t25 * t114);
+  const Scalar t117 = k[17] * s5 - c5 * t102;
+  const Scalar t118 = t116 + (t3 * t117 - t2 * t90);
+  const Scalar t119 = s5 * t111 + c5 * ((t115 - k[10] * t90) + t118);
+  const Scalar t120 = t119 - (k[29] * t90 + k[28] * t102);
+  const Scalar t121 = torque[5] - t118;
+  const Scalar t122 = k[16] * t121;
+  const Scalar t123 = t95 - t114;
+  const Scalar t124 = (k[20] * t101 + k[19] * t123) - (k[11] * t117 - k[10] * t103);
+  const Scalar t125 = (t25 * t105 - t107 * t17) - t0 * (t109 + t114);
+  const Scalar t126 = t28 * t122 + (torque[4] - (t124 + (t125 + t103 * t2)));
+  const Scalar t127 = t126 * t32;
+  const Scalar t128 = ((torque[3] - t120) - t121 * t1) - t31 * t127;
+  const Scalar t129 = k[22] * s2 + k[23] * c2;
+  const Scalar t130 = t108 + t91;
+  const Scalar t131 = (k[10] * t112 - k[11] * t101) + t2 * t130;
+  const Scalar t132 = (k[11] * (t112 + t123) - k[10] * t101) - (t3 * t105 + t2 * t107);
+  const Scalar t133 = k[29] * t113 + (c5 * t131 - s5 * t132);
+  const Scalar t134 = (k[11] * t99 + k[10] * t104) - ((t130 - t114) * t3 - t2 * t104);
+  const Scalar t135 = k[28] * t113 - t134;
+  const Scalar t136 = k[39] * t86 + (c4 * t133 + s4 * t135);
+  const Scalar t137 = s4 * t133 - c4 * t135;
+  const Scalar t138 = s2 * t136 - c2 * (k[39] * t85 + t137);
+  const Scalar t139 = (t120 - k[12] * t137) - t84 * t129;
+  const Scalar t140 = (torque[0] + ((t129 * t88 + t138) + t139)) + t121 * t72;
+  const Scalar t141 = k[33] - k[32] * (c5 * t132 + s5 * t131);
+  const Scalar t142 = (t121 * t48 - (torque[2] + t141)) - t126 * t42;
+  const Scalar t143 = t142 - t128 * t46;
+  const Scalar t144 = t143 * t51;
+  const Scalar t145 = (t128 * t76 + (t126 * t69 - t140)) + t144 * t73;
+  const Scalar t146 = t127 * t36 - ((torque[1] + t139) + t122 * t47);
+  const Scalar t147 = t61 * ((t128 * t53 + t146) + t52 * t143);
+  const Scalar t148 = Scalar(1) / (t75 * t74 + t83) * (t145 + t147 * t74);
+  const Scalar t149 = t147 - t75 * t148;
+  const Scalar t150 = t52 * t149 - (t82 * t148 + t144);
+  const Scalar t151 = t53 * t149 - (t76 * t148 - t128 * t45);
+  const Scalar t152 = t46 * t150 - t151;
+  const Scalar t153 = (t37 * t149 - (t127 + t69 * t148)) - t42 * t150;
+  const Scalar t154 = t44 * t152 + t153;
+  const Scalar t155 = t150 * t48 + ((t72 * t148 + t122) - t6 * t149);
   JointVector<Scalar> result;
-  result[0] = t151;
-  result[1] = t152;
-  result[2] = t153;
-  result[3] = -t154;
-  result[4] = -t156;
-  result[5] = (t27 * t154 - t157) - t6 * t156;
+  result[0] = -t148;
+  result[1] = t149;
+  result[2] = t150;
+  result[3] = t152;
+  result[4] = -t154;
+  result[5] = -t27 * t154 - (t1 * t152 + t155);
   return result;
 }
 
@@ -1084,73 +1088,76 @@ KineticEnergyConstants<Scalar> kinetic_energy_constants(const BasicGeometry<Scal
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = Scalar(1) / g.l1;
-  const Scalar t1 = g.l1 * g.l1 * (inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)));
-  const Scalar t2 = inertia.c6x * inertia.m6;
-  const Scalar t3 = inertia.I6xy - inertia.c6y * t2;
-  const Scalar t4 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t5 = (inertia.I6xx - t4) - inertia.c6x * t2;
-  const Scalar t6 = inertia.c6y * inertia.m6;
-  const Scalar t7 = (inertia.I6yy - t4) - inertia.c6y * t6;
-  const Scalar t8 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t9 = inertia.c4y * inertia.m4;
-  const Scalar t10 = inertia.c5y * inertia.m5;
-  const Scalar t11 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t12 = ((inertia.I4yy - t8) - inertia.c4y * t9) - (inertia.c5y * t10 - (inertia.I5yy - t11));
-  const Scalar t13 = inertia.c5x * inertia.m5;
-  const Scalar t14 = inertia.c6z * inertia.m6;
-  const Scalar t15 = inertia.c5z * inertia.m5;
-  const Scalar t16 = (inertia.c6z * t14 - (inertia.I6zz - t4)) + (inertia.c5z * t15 - (inertia.I5zz - t11));
-  const Scalar t17 = inertia.c4x * inertia.m4;
-  const Scalar t18 = g.l2 / g.l1;
-  const Scalar t19 = inertia.c2x * inertia.m2;
-  const Scalar t20 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t21 = g.l2 * inertia.m2 + t19;
-  const Scalar t22 = (inertia.c2x * t19 - (inertia.I2xx - t20)) + g.l2 * (t19 + t21);
-  const Scalar t23 = inertia.c3x * inertia.m3;
-  const Scalar t24 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t25 = (inertia.c3x * t23 - (inertia.I3xx - t24)) + Scalar(2) * g.l2 * t23;
-  const Scalar t26 = inertia.c3y * inertia.m3;
-  const Scalar t27 = inertia.c2y * inertia.m2;
-  const Scalar t28 = ((inertia.I3yy - t24) - inertia.c3y * t26) + ((inertia.I2yy - t20) - inertia.c2y * t27);
-  const Scalar t29 = ((inertia.I2xy - inertia.c2y * t19) - g.l2 * t27)
-      - (g.l2 * t26 - (inertia.I3xy - inertia.c3y * t23));
-  const Scalar t30 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t31 = inertia.c1x * inertia.m1;
-  const Scalar t32 = g.l1 * (t31 + (g.l1 * inertia.m1 + t31)) + (inertia.c1x * t31 - (inertia.I1xx - t30));
-  return { t0 * t1 * t0,
-           Scalar(2) * t3,
-           t5 - t7,
-           t5,
-           t5 + t7,
-           t12,
-           inertia.c5x * t13 - (inertia.I5xx - t11),
-           t16,
-           inertia.I6yz - inertia.c6z * t6,
-           inertia.I6xz - inertia.c6z * t2,
-           inertia.I5xz - inertia.c5z * t13,
-           (inertia.I4xx - t8) - inertia.c4x * t17,
-           inertia.I5yz - inertia.c5z * t10,
+  const Scalar t0 = inertia.c6x * inertia.m6;
+  const Scalar t1 = inertia.I6xy - inertia.c6y * t0;
+  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t0;
+  const Scalar t4 = inertia.c6y * inertia.m6;
+  const Scalar t5 = (inertia.I6yy - t2) - inertia.c6y * t4;
+  const Scalar t6 = inertia.c5x * inertia.m5;
+  const Scalar t7 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t8 = inertia.c6z * inertia.m6;
+  const Scalar t9 = inertia.c5z * inertia.m5;
+  const Scalar t10 = (inertia.c6z * t8 - (inertia.I6zz - t2)) + (inertia.c5z * t9 - (inertia.I5zz - t7));
+  const Scalar t11 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t12 = inertia.c4x * inertia.m4;
+  const Scalar t13 = inertia.c4y * inertia.m4;
+  const Scalar t14 = inertia.c5y * inertia.m5;
+  const Scalar t15 = ((inertia.I4yy - t11) - inertia.c4y * t13) - (inertia.c5y * t14 - (inertia.I5yy - t7));
+  const Scalar t16 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t17 = inertia.c3y * inertia.m3;
+  const Scalar t18 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t19 = inertia.c2y * inertia.m2;
+  const Scalar t20 = ((inertia.I3yy - t16) - inertia.c3y * t17) + ((inertia.I2yy - t18) - inertia.c2y * t19);
+  const Scalar t21 = g.l2 / g.l1;
+  const Scalar t22 = inertia.c2x * inertia.m2;
+  const Scalar t23 = g.l2 * inertia.m2 + t22;
+  const Scalar t24 = (inertia.c2x * t22 - (inertia.I2xx - t18)) + g.l2 * (t22 + t23);
+  const Scalar t25 = inertia.c3x * inertia.m3;
+  const Scalar t26 = g.l2 * inertia.m3 + t25;
+  const Scalar t27 = g.l2 * (t26 + t25) + (inertia.c3x * t25 - (inertia.I3xx - t16));
+  const Scalar t28 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t29 = g.l2 * t28;
+  const Scalar t30 = ((inertia.I2xy - inertia.c2y * t22) - g.l2 * t19)
+      - (g.l2 * t17 - (inertia.I3xy - inertia.c3y * t25));
+  const Scalar t31 = g.l1 * g.l1 * (inertia.m3 + t28);
+  const Scalar t32 = inertia.c1x * inertia.m1;
+  const Scalar t33 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t34 = g.l1 * (t32 + (g.l1 * inertia.m1 + t32)) + (inertia.c1x * t32 - (inertia.I1xx - t33));
+  const Scalar t35 = Scalar(1) / g.l1;
+  return { Scalar(2) * t1,
+           t3 - t5,
            t3,
-           inertia.I5xy - inertia.c5y * t13,
-           inertia.I4xy - inertia.c4y * t17,
-           g.l1 * t2,
-           g.l1 * t6,
-           g.l1 * t13,
-           g.l1 * (t15 + t14),
-           g.l1 * t17,
-           g.l1 * (t9 + t10),
-           t1 * t18,
-           t18,
-           t22 + t25,
-           t28,
-           t29,
-           inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t30),
-           g.l1 * (t26 + t27),
-           g.l1 * (t23 + t21),
+           inertia.c5x * t6 - (inertia.I5xx - t7),
+           t10,
+           inertia.I6yz - inertia.c6z * t4,
+           inertia.I6xz - inertia.c6z * t0,
+           inertia.I5xz - inertia.c5z * t6,
+           (inertia.I4xx - t11) - inertia.c4x * t12,
+           t3 + t5,
+           t15,
+           inertia.I5yz - inertia.c5z * t14,
            t1,
-           g.l1 * g.l1 * inertia.m2 + t32,
-           t0 };
+           inertia.I5xy - inertia.c5y * t6,
+           inertia.I4xy - inertia.c4y * t12,
+           t20,
+           g.l1 * (t9 + t8),
+           g.l1 * t0,
+           g.l1 * t4,
+           g.l1 * t6,
+           g.l1 * t12,
+           g.l1 * (t13 + t14),
+           Scalar(2) * t21,
+           t24 + (t27 + g.l2 * t29),
+           t21,
+           t30,
+           g.l1 * (t17 + t19),
+           g.l1 * ((t26 + t29) + t23),
+           t31,
+           g.l1 * g.l1 * inertia.m2 + t34,
+           inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t33),
+           t35 * t31 * t35,
+           t35 };
 }
 
 namespace detail {
@@ -1167,63 +1174,62 @@ inline Scalar kinetic_energy([[maybe_unused]] const JointVector<Scalar>& q, cons
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[1] * c6 - k[2] * s6;
-  const Scalar t1 = k[3] + s6 * t0;
-  const Scalar t2 = k[5] + (k[4] - t1);
-  const Scalar t3 = k[6] - t1;
-  const Scalar t4 = k[9] * c6 + k[8] * s6;
-  const Scalar t5 = c5 * (k[10] + t4);
-  const Scalar t6 = s5 * (s5 * (k[7] - t3) + (t5 + t5));
-  const Scalar t7 = k[11] - (t6 + t3);
-  const Scalar t8 = t2 + t7;
-  const Scalar t9 = k[17] * c6 - k[16] * s6;
-  const Scalar t10 = k[21] + t9;
-  const Scalar t11 = k[17] * s6 + k[16] * c6;
-  const Scalar t12 = k[18] + t11;
-  const Scalar t13 = c5 * t12 - k[19] * s5;
-  const Scalar t14 = k[20] + t13;
-  const Scalar t15 = c4 * t10 - s4 * t14;
-  const Scalar t16 = k[8] * c6 - k[9] * s6;
-  const Scalar t17 = k[12] + t16;
-  const Scalar t18 = k[14] - (k[13] - c6 * t0);
-  const Scalar t19 = k[15] - (s5 * t17 - c5 * t18);
-  const Scalar t20 = s4 * (t2 - t7) + Scalar(2) * c4 * t19;
-  const Scalar t21 = k[26] - (k[23] * t15 - (c4 * t20 - t19));
-  const Scalar t22 = c2 * t21;
-  const Scalar t23 = s4 * t20 + t7;
-  const Scalar t24 = k[25] - (t23 - t8);
-  const Scalar t25 = s4 * t10 + c4 * t14;
-  const Scalar t26 = k[22] + t25;
-  const Scalar t27 = k[24] + (k[23] * (t26 + t25) - t23);
-  const Scalar t28 = s2 * ((t22 + t22) - s2 * (t24 + t27));
-  const Scalar t29 = t28 + t27;
-  const Scalar t30 = c2 * (k[29] + t26) - s2 * (k[28] + t15);
-  const Scalar t31 = t24 + t28;
-  const Scalar t32 = (k[31] + (t29 + (t30 + (k[30] + t30)))) + (k[27] - t31);
-  const Scalar t33 = t29 - t31;
-  const Scalar t34 = qd[0] * qd[0] * t32 + qd[1] * qd[1] * t33;
-  const Scalar t35 = qd[3] * qd[3] * t8 - (qd[2] * k[0] * qd[2] + t34);
-  const Scalar t36 = (t35 - qd[4] * qd[4] * (k[7] + t3)) + qd[5] * k[4] * qd[5];
-  const Scalar t37 = qd[5] * k[32] * s5 * t9 + qd[4] * k[32] * t13;
-  const Scalar t38 = s5 * t12 + k[19] * c5;
+  const Scalar t0 = k[0] * c6 - k[1] * s6;
+  const Scalar t1 = k[2] + s6 * t0;
+  const Scalar t2 = k[3] - t1;
+  const Scalar t3 = k[6] * c6 + k[5] * s6;
+  const Scalar t4 = c5 * (k[7] + t3);
+  const Scalar t5 = s5 * ((t4 + t4) + s5 * (k[4] - t2));
+  const Scalar t6 = k[8] - (t2 + t5);
+  const Scalar t7 = k[10] + (k[9] - t1);
+  const Scalar t8 = t6 + t7;
+  const Scalar t9 = k[6] * s6 - k[5] * c6;
+  const Scalar t10 = k[11] - t9;
+  const Scalar t11 = k[13] - (k[12] - c6 * t0);
+  const Scalar t12 = k[14] - (s5 * t10 - c5 * t11);
+  const Scalar t13 = s4 * (t6 - t7) - Scalar(2) * c4 * t12;
+  const Scalar t14 = t6 - s4 * t13;
+  const Scalar t15 = k[15] + (t8 - t14);
+  const Scalar t16 = k[17] * c6 + k[18] * s6;
+  const Scalar t17 = k[19] + t16;
+  const Scalar t18 = c5 * t17 - k[16] * s5;
+  const Scalar t19 = k[20] + t18;
+  const Scalar t20 = k[17] * s6 - k[18] * c6;
+  const Scalar t21 = k[21] - t20;
+  const Scalar t22 = c4 * t19 + s4 * t21;
+  const Scalar t23 = k[23] + (k[22] * t22 - t14);
+  const Scalar t24 = c4 * t21 - s4 * t19;
+  const Scalar t25 = k[25] - ((c4 * t13 + t12) + k[24] * t24);
+  const Scalar t26 = c2 * t25;
+  const Scalar t27 = s2 * (s2 * (t23 + t15) - (t26 + t26));
+  const Scalar t28 = t15 - t27;
+  const Scalar t29 = t23 - t27;
+  const Scalar t30 = t28 - t29;
+  const Scalar t31 = c2 * (k[27] + t22) - s2 * (k[26] + t24);
+  const Scalar t32 = (k[29] + (((k[28] + t31) + t31) + t29)) + (k[30] - t28);
+  const Scalar t33 = qd[1] * qd[1] * t30 - qd[0] * qd[0] * t32;
+  const Scalar t34 = qd[3] * qd[3] * t8 + (t33 - qd[2] * k[31] * qd[2]);
+  const Scalar t35 = (t34 - qd[4] * qd[4] * (k[4] + t2)) + qd[5] * k[9] * qd[5];
+  const Scalar t36 = qd[5] * k[32] * s5 * t20 - qd[4] * k[32] * t18;
+  const Scalar t37 = s5 * t11 + c5 * t10;
+  const Scalar t38 = s5 * t17 + k[16] * c5;
   const Scalar t39 = s4 * t38;
-  const Scalar t40 = s5 * t18 + c5 * t17;
-  const Scalar t41 = k[23] * t39 - t40;
-  const Scalar t42 = t41 + (c2 * t39 - s2 * c4 * t38);
-  const Scalar t43 = k[23] * t25 - t8;
-  const Scalar t44 = qd[3] * (t43 - (s2 * t15 - c2 * t25));
-  const Scalar t45 = qd[4] * t42 - (t44 - qd[1] * (t33 + t30));
-  const Scalar t46 = c5 * t9;
-  const Scalar t47 = c4 * t11 + s4 * t46;
-  const Scalar t48 = s2 * (c4 * t46 - s4 * t11) - c2 * t47;
-  const Scalar t49 = k[4] * c5 - s5 * t4;
-  const Scalar t50 = k[23] * t47 - t49;
-  const Scalar t51 = (qd[3] * t43 - qd[4] * t41) + qd[5] * t50;
-  const Scalar t52 = qd[0] * (t45 + qd[5] * (t48 - t50)) - qd[1] * t51;
-  const Scalar t53 = (qd[2] * t37 - t52) + qd[3] * (qd[5] * t49 - qd[4] * t40);
-  const Scalar t54 = Scalar(0.5) * t36 - (qd[4] * qd[5] * t16 - t53);
+  const Scalar t40 = t37 - k[24] * t39;
+  const Scalar t41 = t40 + (s2 * c4 * t38 - c2 * t39);
+  const Scalar t42 = t8 - k[24] * t22;
+  const Scalar t43 = qd[3] * (t42 + (s2 * t24 - c2 * t22));
+  const Scalar t44 = qd[4] * t41 - (qd[1] * (t31 - t30) + t43);
+  const Scalar t45 = c5 * t20;
+  const Scalar t46 = s4 * t45 - c4 * t16;
+  const Scalar t47 = s2 * (s4 * t16 + c4 * t45) - c2 * t46;
+  const Scalar t48 = s5 * t3 - k[9] * c5;
+  const Scalar t49 = t48 - k[24] * t46;
+  const Scalar t50 = (qd[3] * t42 - qd[4] * t40) - qd[5] * t49;
+  const Scalar t51 = qd[0] * (t44 + qd[5] * (t47 + t49)) - qd[1] * t50;
+  const Scalar t52 = (qd[2] * t36 - t51) + qd[3] * (qd[5] * t48 + qd[4] * t37);
+  const Scalar t53 = Scalar(0.5) * t35 - (t52 - qd[4] * qd[5] * t9);
   Scalar result;
-  result = -t54;
+  result = -t53;
   return result;
 }
 
@@ -1248,18 +1254,19 @@ PotentialEnergyConstants<Scalar> potential_energy_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6));
-  return { inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
-           inertia.c6y * inertia.m6,
+  const Scalar t0 = g.h1 * inertia.m4;
+  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
+  return { inertia.c6y * inertia.m6,
            inertia.c6x * inertia.m6,
            inertia.c5x * inertia.m5,
-           inertia.c4z * inertia.m4,
-           inertia.c3z * inertia.m3,
-           t0,
-           inertia.c2z * inertia.m2,
-           inertia.c1z * inertia.m1,
-           gravity,
-           (inertia.m1 + (inertia.m2 + t0)) * gravity * g.h1 };
+           inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
+           (inertia.c4z * inertia.m4 + t0) - t0,
+           g.h1 * t1,
+           inertia.c3z * inertia.m3 + g.h1 * inertia.m3,
+           inertia.m3 + t1,
+           g.h1 * inertia.m2 + inertia.c2z * inertia.m2,
+           inertia.c1z * inertia.m1 + g.h1 * inertia.m1,
+           gravity };
 }
 
 namespace detail {
@@ -1271,10 +1278,11 @@ inline Scalar potential_energy(const JointVector<Scalar>& q, const Angles& angle
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = s5 * (k[3] + (k[2] * c6 + k[1] * s6));
-  const Scalar t1 = k[6] * q[2] - (k[5] + (k[4] + (t0 + k[0] * c5)));
+  const Scalar t0 = s5 * (k[2] + (k[0] * s6 + k[1] * c6));
+  const Scalar t1 = k[6] + (k[5] + (k[4] + (t0 + k[3] * c5)));
+  const Scalar t2 = k[10] * (k[9] + (k[8] + (t1 - k[7] * q[2])));
   Scalar result;
-  result = k[10] + k[9] * (k[8] + (k[7] - t1));
+  result = t2;
   return result;
 }
 

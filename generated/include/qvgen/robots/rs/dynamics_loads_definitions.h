@@ -28,71 +28,76 @@ InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c1y * inertia.m1;
-  const Scalar t1 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t2 = g.l1 * inertia.m2;
-  const Scalar t3 = inertia.c1x * inertia.m1;
-  const Scalar t4 = g.l1 * inertia.m1 + t3;
-  const Scalar t5 = g.l1 * (t3 + t4) + (inertia.c1x * t3 - (inertia.I1xx - t1));
-  const Scalar t6 = (inertia.c1y * t0 - (inertia.I1yy - t1)) + (g.l1 * t2 + t5);
-  const Scalar t7 = g.l1 * g.l1 * (inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)));
-  const Scalar t8 = inertia.c4y * inertia.m4;
-  const Scalar t9 = inertia.c5y * inertia.m5;
-  const Scalar t10 = inertia.c4x * inertia.m4;
-  const Scalar t11 = inertia.c5z * inertia.m5;
-  const Scalar t12 = inertia.c6z * inertia.m6;
-  const Scalar t13 = inertia.c5x * inertia.m5;
-  const Scalar t14 = inertia.c6x * inertia.m6;
-  const Scalar t15 = inertia.c6y * inertia.m6;
-  const Scalar t16 = inertia.c3x * inertia.m3;
-  const Scalar t17 = inertia.c2x * inertia.m2;
-  const Scalar t18 = g.l2 * inertia.m2 + t17;
-  const Scalar t19 = inertia.c3y * inertia.m3;
-  const Scalar t20 = inertia.c2y * inertia.m2;
-  const Scalar t21 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t22 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t23 = ((inertia.I3yy - t21) - inertia.c3y * t19) + ((inertia.I2yy - t22) - inertia.c2y * t20);
-  const Scalar t24 = (inertia.c2x * t17 - (inertia.I2xx - t22)) + g.l2 * (t17 + t18);
-  const Scalar t25 = (inertia.c3x * t16 - (inertia.I3xx - t21)) + Scalar(2) * g.l2 * t16;
-  const Scalar t26 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t27 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t28 = ((inertia.I4yy - t26) - inertia.c4y * t8) - (inertia.c5y * t9 - (inertia.I5yy - t27));
-  const Scalar t29 = inertia.I6xy - inertia.c6y * t14;
-  const Scalar t30 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t31 = (inertia.I6xx - t30) - inertia.c6x * t14;
-  const Scalar t32 = (inertia.I6yy - t30) - inertia.c6y * t15;
-  const Scalar t33 = (inertia.c6z * t12 - (inertia.I6zz - t30)) + (inertia.c5z * t11 - (inertia.I5zz - t27));
-  return { t6,
-           gravity[1] / g.l1,
+  const Scalar t0 = inertia.c3y * inertia.m3;
+  const Scalar t1 = inertia.c2y * inertia.m2;
+  const Scalar t2 = inertia.c3x * inertia.m3;
+  const Scalar t3 = g.l2 * inertia.m3 + t2;
+  const Scalar t4 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t5 = g.l2 * t4;
+  const Scalar t6 = inertia.c2x * inertia.m2;
+  const Scalar t7 = g.l2 * inertia.m2 + t6;
+  const Scalar t8 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t9 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t10 = ((inertia.I3yy - t8) - inertia.c3y * t0) + ((inertia.I2yy - t9) - inertia.c2y * t1);
+  const Scalar t11 = (inertia.c2x * t6 - (inertia.I2xx - t9)) + g.l2 * (t6 + t7);
+  const Scalar t12 = g.l2 * (t3 + t2) + (inertia.c3x * t2 - (inertia.I3xx - t8));
+  const Scalar t13 = inertia.c6x * inertia.m6;
+  const Scalar t14 = inertia.c6y * inertia.m6;
+  const Scalar t15 = inertia.c5z * inertia.m5;
+  const Scalar t16 = inertia.c6z * inertia.m6;
+  const Scalar t17 = inertia.c5x * inertia.m5;
+  const Scalar t18 = inertia.c4y * inertia.m4;
+  const Scalar t19 = inertia.c5y * inertia.m5;
+  const Scalar t20 = inertia.c4x * inertia.m4;
+  const Scalar t21 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t22 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t23 = ((inertia.I4yy - t21) - inertia.c4y * t18) - (inertia.c5y * t19 - (inertia.I5yy - t22));
+  const Scalar t24 = Scalar(1) / g.l1;
+  const Scalar t25 = inertia.I6xy - inertia.c6y * t13;
+  const Scalar t26 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t27 = (inertia.I6xx - t26) - inertia.c6x * t13;
+  const Scalar t28 = (inertia.I6yy - t26) - inertia.c6y * t14;
+  const Scalar t29 = (inertia.c6z * t16 - (inertia.I6zz - t26)) + (inertia.c5z * t15 - (inertia.I5zz - t22));
+  const Scalar t30 = g.l1 * g.l1 * (inertia.m3 + t4);
+  const Scalar t31 = g.l1 * inertia.m2;
+  const Scalar t32 = inertia.c1x * inertia.m1;
+  const Scalar t33 = g.l1 * inertia.m1 + t32;
+  const Scalar t34 = inertia.c1y * inertia.m1;
+  const Scalar t35 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t36 = g.l1 * (t32 + t33) + (inertia.c1x * t32 - (inertia.I1xx - t35));
+  const Scalar t37 = (inertia.c1y * t34 - (inertia.I1yy - t35)) + (g.l1 * t31 + t36);
+  return { gravity[1] / g.l1,
            gravity[0] / g.l1,
-           g.l1 * t0,
-           g.l1 * (t2 + t4),
-           g.l2 / g.l1,
-           t7,
-           g.l1 * (t8 + t9),
-           g.l1 * t10,
-           g.l1 * (t11 + t12),
+           g.l1 * (t0 + t1),
+           g.l1 * ((t3 + t5) + t7),
+           t10 - (t11 + (t12 + g.l2 * t5)),
            g.l1 * t13,
            g.l1 * t14,
-           g.l1 * t15,
-           g.l1 * (t16 + t18),
-           g.l1 * (t19 + t20),
-           t23 - (t24 + t25),
-           t28 + ((inertia.I4xx - t26) - inertia.c4x * t10),
-           inertia.I6yz - inertia.c6z * t15,
-           inertia.I6xz - inertia.c6z * t14,
-           Scalar(2) * t29,
-           t31 - t32,
-           t29,
-           t32,
-           Scalar(1) / g.l1,
+           g.l1 * (t15 + t16),
+           g.l1 * t17,
+           g.l1 * (t18 + t19),
+           g.l1 * t20,
+           g.l2 / g.l1,
+           t23 + ((inertia.I4xx - t21) - inertia.c4x * t20),
+           t24,
            gravity[2] / g.l1,
-           inertia.I5xz - inertia.c5z * t13,
-           t33,
-           inertia.I5yz - inertia.c5z * t9,
-           inertia.I5xy - inertia.c5y * t13,
-           inertia.c5x * t13 - (inertia.I5xx - t27),
-           t31 };
+           Scalar(2) * t25,
+           t27 - t28,
+           t28,
+           t25,
+           inertia.I6yz - inertia.c6z * t14,
+           inertia.I6xz - inertia.c6z * t13,
+           inertia.I5yz - inertia.c5z * t19,
+           inertia.I5xz - inertia.c5z * t17,
+           t29,
+           inertia.I5xy - inertia.c5y * t17,
+           t27,
+           inertia.c5x * t17 - (inertia.I5xx - t22),
+           t30,
+           g.l1 * (t31 + t33),
+           g.l1 * t34,
+           t37,
+           t30 * t24 };
 }
 
 namespace detail {
@@ -111,92 +116,91 @@ inline JointVector<Scalar> inverse_dynamics_with_gravity_vector([[maybe_unused]]
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[2] * s1 - k[1] * c1;
-  const Scalar t1 = k[1] * s1 + k[2] * c1;
-  const Scalar t2 = k[0] * qdd[0] + (k[4] * t0 + k[3] * t1);
-  const Scalar t3 = qdd[0] + qdd[1];
-  const Scalar t4 = qd[0] * qd[0] + t1;
-  const Scalar t5 = qdd[0] + t0;
-  const Scalar t6 = c2 * t4 - s2 * t5;
-  const Scalar t7 = s2 * t4 + c2 * t5;
-  const Scalar t8 = k[15] * t3 - (k[14] * t6 + k[13] * t7);
-  const Scalar t9 = qd[0] + qd[1];
-  const Scalar t10 = qd[3] - t9;
-  const Scalar t11 = s5 * t10;
-  const Scalar t12 = c5 * t10;
-  const Scalar t13 = t11 * t12;
-  const Scalar t14 = qdd[4] - t13;
-  const Scalar t15 = qd[5] + t12;
-  const Scalar t16 = t15 * t15;
-  const Scalar t17 = qd[4] * qd[4];
-  const Scalar t18 = t16 - t17;
-  const Scalar t19 = t16 + t17;
-  const Scalar t20 = t17 - t12 * t12;
-  const Scalar t21 = t10 * t10;
-  const Scalar t22 = t20 + t21;
-  const Scalar t23 = t19 - t22;
-  const Scalar t24 = t18 - t23;
-  const Scalar t25 = qd[4] * t11;
-  const Scalar t26 = qdd[3] - t3;
-  const Scalar t27 = c5 * t26;
-  const Scalar t28 = t25 + (t25 - t27);
-  const Scalar t29 = qd[4] * t12;
-  const Scalar t30 = s5 * t26;
-  const Scalar t31 = (t29 + t30) + t29;
-  const Scalar t32 = (k[27] * t14 - k[28] * t24) - (k[29] * t28 - k[25] * t31);
-  const Scalar t33 = t9 * t9;
-  const Scalar t34 = k[5] * t33 + t6;
-  const Scalar t35 = t7 + k[5] * t3;
-  const Scalar t36 = s4 * t34 - c4 * t35;
-  const Scalar t37 = k[17] * c6 - k[18] * s6;
-  const Scalar t38 = k[17] * s6 + k[18] * c6;
-  const Scalar t39 = k[19] * c6 - k[20] * s6;
-  const Scalar t40 = k[21] - c6 * t39;
-  const Scalar t41 = s6 * t39;
-  const Scalar t42 = k[22] - t41;
-  const Scalar t43 = qdd[5] + t27;
-  const Scalar t44 = qdd[5] - t28;
-  const Scalar t45 = k[30] + t41;
-  const Scalar t46 = t24 * t40 - (t42 * t43 + t44 * t45);
-  const Scalar t47 = k[12] * c6 - k[11] * s6;
-  const Scalar t48 = c4 * t34 + s4 * t35;
-  const Scalar t49 = k[24] + k[23] * qdd[2];
-  const Scalar t50 = c5 * t48 + s5 * t49;
-  const Scalar t51 = k[12] * s6 + k[11] * c6;
-  const Scalar t52 = ((t37 * t14 + t38 * t31) + t46) - (t47 * t50 - t36 * t51);
-  const Scalar t53 = Scalar(2) * t11 * t15 + t14;
-  const Scalar t54 = qd[4] * t15;
-  const Scalar t55 = (t54 + t54) - t31;
-  const Scalar t56 = t37 * t18 - (t53 * t40 - t42 * t55);
-  const Scalar t57 = s5 * t48 - c5 * t49;
-  const Scalar t58 = (k[25] * t28 - k[26] * t31) + k[27] * t20;
-  const Scalar t59 = qdd[4] + t13;
-  const Scalar t60 = ((t38 * t44 + t56) - t47 * t57) - ((t58 - k[28] * t59) + k[9] * t36);
-  const Scalar t61 = c5 * ((t32 + k[10] * t36) + t52) + s5 * t60;
-  const Scalar t62 = (k[7] * t48 - k[8] * t36) + k[16] * t26;
-  const Scalar t63 = t61 - t62;
-  const Scalar t64 = t24 - t21;
-  const Scalar t65 = (t19 * t51 - t47 * t43) + (k[9] * t14 - k[10] * t64);
-  const Scalar t66 = (k[9] * t22 - k[10] * t59) - (t47 * t55 + t53 * t51);
-  const Scalar t67 = (k[7] * t26 - k[8] * t21) - (c5 * t65 - s5 * t66);
-  const Scalar t68 = (k[10] * t28 + k[9] * t31) - (t47 * (t24 + t19) + t44 * t51);
-  const Scalar t69 = t68 - (k[7] * t21 + k[8] * t26);
-  const Scalar t70 = k[6] * t35 - (s4 * t67 - c4 * t69);
-  const Scalar t71 = t8 + (t63 - k[5] * t70);
-  const Scalar t72 = k[6] * t34 - (c4 * t67 + s4 * t69);
-  const Scalar t73 = s2 * (t72 + (k[14] * t3 + k[13] * t33));
-  const Scalar t74 = c2 * ((k[13] * t3 - k[14] * t33) + t70);
-  const Scalar t75 = (s5 * t65 + c5 * t66) + k[6] * t49;
-  const Scalar t76 = k[25] * (t22 + t64) + (k[26] * t14 + k[29] * t59);
-  const Scalar t77 = (t76 + (k[28] * t30 + k[27] * t27)) + (k[9] * t50 + k[10] * t57);
-  const Scalar t78 = (t37 * t43 - t38 * t23) + (t40 * t55 - t53 * t45);
+  const Scalar t0 = k[1] * s1 - k[0] * c1;
+  const Scalar t1 = qdd[0] + t0;
+  const Scalar t2 = k[0] * s1 + k[1] * c1;
+  const Scalar t3 = qd[0] * qd[0] + t2;
+  const Scalar t4 = c2 * t1 + s2 * t3;
+  const Scalar t5 = qd[0] + qd[1];
+  const Scalar t6 = qd[3] - t5;
+  const Scalar t7 = c5 * t6;
+  const Scalar t8 = qd[5] + t7;
+  const Scalar t9 = t8 * t8;
+  const Scalar t10 = s5 * t6;
+  const Scalar t11 = t10 * t10;
+  const Scalar t12 = t9 - t11;
+  const Scalar t13 = t9 + t11;
+  const Scalar t14 = qd[4] * qd[4];
+  const Scalar t15 = t14 + t11;
+  const Scalar t16 = t13 - t15;
+  const Scalar t17 = t12 - t16;
+  const Scalar t18 = t6 * t6;
+  const Scalar t19 = t10 * t7;
+  const Scalar t20 = qdd[4] - t19;
+  const Scalar t21 = k[6] * s6 + k[5] * c6;
+  const Scalar t22 = qdd[0] + qdd[1];
+  const Scalar t23 = qdd[3] - t22;
+  const Scalar t24 = c5 * t23;
+  const Scalar t25 = qdd[5] + t24;
+  const Scalar t26 = k[6] * c6 - k[5] * s6;
+  const Scalar t27 = (k[8] * (t17 + t18) + k[7] * t20) + (t21 * (t9 + t14) - t25 * t26);
+  const Scalar t28 = qdd[4] + t19;
+  const Scalar t29 = t8 + t8;
+  const Scalar t30 = t10 * t29 + t20;
+  const Scalar t31 = s5 * t23;
+  const Scalar t32 = t7 * (qd[4] + qd[4]) + t31;
+  const Scalar t33 = qd[4] * t29 - t32;
+  const Scalar t34 = (k[8] * t28 - k[7] * t15) + (t30 * t21 + t33 * t26);
+  const Scalar t35 = (c5 * t27 + s5 * t34) + (k[10] * t18 - k[9] * t23);
+  const Scalar t36 = qd[4] * t10;
+  const Scalar t37 = t36 - (t25 - t36);
+  const Scalar t38 = qdd[5] + t37;
+  const Scalar t39 = (k[8] * t38 + k[7] * t32) - (t13 * t26 - t21 * t37);
+  const Scalar t40 = (k[9] * t18 + k[10] * t23) - t39;
+  const Scalar t41 = s4 * t35 - c4 * t40;
+  const Scalar t42 = t5 * t5;
+  const Scalar t43 = (k[27] * t4 + t41) - (k[2] * t42 - k[3] * t22);
+  const Scalar t44 = c2 * t3 - s2 * t1;
+  const Scalar t45 = (c4 * t35 + s4 * t40) + k[27] * t44;
+  const Scalar t46 = s2 * (t45 + (k[2] * t22 + k[3] * t42));
+  const Scalar t47 = k[4] * t22 - (k[2] * t44 + k[3] * t4);
+  const Scalar t48 = t18 - t15;
+  const Scalar t49 = (k[23] * t32 - k[22] * t38) + k[21] * t48;
+  const Scalar t50 = k[11] * t22 + t4;
+  const Scalar t51 = t44 + k[11] * t42;
+  const Scalar t52 = c4 * t50 - s4 * t51;
+  const Scalar t53 = k[16] * s6 - k[15] * c6;
+  const Scalar t54 = k[18] + c6 * t53;
+  const Scalar t55 = s6 * t53;
+  const Scalar t56 = k[17] + t55;
+  const Scalar t57 = k[19] * c6 - k[20] * s6;
+  const Scalar t58 = (t30 * t54 - t33 * t56) - t57 * t16;
+  const Scalar t59 = k[19] * s6 + k[20] * c6;
+  const Scalar t60 = c4 * t51 + s4 * t50;
+  const Scalar t61 = k[14] + k[13] * qdd[2];
+  const Scalar t62 = s5 * t60 - c5 * t61;
+  const Scalar t63 = ((t49 + k[24] * t28) + k[7] * t52) - ((t58 + t59 * t37) + t62 * t26);
+  const Scalar t64 = c5 * t60 + s5 * t61;
+  const Scalar t65 = k[25] - t55;
+  const Scalar t66 = (t65 * t37 - t25 * t56) - t17 * t54;
+  const Scalar t67 = (t26 * t64 + t21 * t52) - (t66 + (t57 * t20 + t59 * t32));
+  const Scalar t68 = (k[26] * t38 - k[22] * t32) - (k[24] * t17 + k[21] * t20);
+  const Scalar t69 = s5 * t63 - c5 * (t67 + (k[8] * t52 + t68));
+  const Scalar t70 = (k[9] * t60 + k[10] * t52) + k[12] * t23;
+  const Scalar t71 = t69 - t70;
+  const Scalar t72 = t47 - (k[11] * t41 - t71);
+  const Scalar t73 = k[30] * qdd[0] + (k[29] * t2 + k[28] * t0);
+  const Scalar t74 = k[13] * (c5 * t34 - s5 * t27) - k[31] * t61;
+  const Scalar t75 = (t59 * t12 - t57 * t25) + (t30 * t65 - t33 * t54);
+  const Scalar t76 = k[22] * (t17 + t48) - (k[23] * t20 + k[26] * t28);
+  const Scalar t77 = (k[7] * t64 + k[8] * t62) - (t76 - (k[24] * t31 + k[21] * t24));
   JointVector<Scalar> result;
-  result[0] = t2 - (t71 + (t73 - t74));
-  result[1] = -t71;
-  result[2] = k[23] * t75;
-  result[3] = t63;
-  result[4] = t77 + (t78 + t57 * t51);
-  result[5] = t52;
+  result[0] = ((c2 * t43 - t46) - t72) + t73;
+  result[1] = -t72;
+  result[2] = -t74;
+  result[3] = t71;
+  result[4] = t77 - (t75 - t21 * t62);
+  result[5] = -t67;
   return result;
 }
 
@@ -225,74 +229,74 @@ InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constant
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c1y * inertia.m1;
-  const Scalar t1 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t2 = g.l1 * inertia.m2;
-  const Scalar t3 = inertia.c1x * inertia.m1;
-  const Scalar t4 = g.l1 * inertia.m1 + t3;
-  const Scalar t5 = g.l1 * (t3 + t4) + (inertia.c1x * t3 - (inertia.I1xx - t1));
-  const Scalar t6 = (inertia.c1y * t0 - (inertia.I1yy - t1)) + (g.l1 * t2 + t5);
-  const Scalar t7 = inertia.c3x * inertia.m3;
-  const Scalar t8 = inertia.c2x * inertia.m2;
-  const Scalar t9 = g.l2 * inertia.m2 + t8;
-  const Scalar t10 = inertia.c3y * inertia.m3;
-  const Scalar t11 = inertia.c2y * inertia.m2;
-  const Scalar t12 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t13 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t14 = ((inertia.I3yy - t12) - inertia.c3y * t10) + ((inertia.I2yy - t13) - inertia.c2y * t11);
-  const Scalar t15 = (inertia.c2x * t8 - (inertia.I2xx - t13)) + g.l2 * (t8 + t9);
-  const Scalar t16 = (inertia.c3x * t7 - (inertia.I3xx - t12)) + Scalar(2) * g.l2 * t7;
-  const Scalar t17 = inertia.c4x * inertia.m4;
-  const Scalar t18 = inertia.c4y * inertia.m4;
-  const Scalar t19 = inertia.c5y * inertia.m5;
-  const Scalar t20 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t21 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t22 = ((inertia.I4yy - t20) - inertia.c4y * t18) - (inertia.c5y * t19 - (inertia.I5yy - t21));
-  const Scalar t23 = inertia.c5x * inertia.m5;
-  const Scalar t24 = Scalar(1) / g.l1;
-  const Scalar t25 = inertia.c6x * inertia.m6;
-  const Scalar t26 = inertia.c6y * inertia.m6;
-  const Scalar t27 = inertia.I6xy - inertia.c6y * t25;
-  const Scalar t28 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t29 = (inertia.I6xx - t28) - inertia.c6x * t25;
-  const Scalar t30 = (inertia.I6yy - t28) - inertia.c6y * t26;
-  const Scalar t31 = inertia.c5z * inertia.m5;
-  const Scalar t32 = inertia.c6z * inertia.m6;
-  const Scalar t33 = (inertia.c6z * t32 - (inertia.I6zz - t28)) + (inertia.c5z * t31 - (inertia.I5zz - t21));
-  const Scalar t34 = g.l1 * g.l1 * (inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)));
-  return { t6,
-           gravity[1] / g.l1,
+  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t1 = inertia.c4y * inertia.m4;
+  const Scalar t2 = inertia.c5y * inertia.m5;
+  const Scalar t3 = inertia.c4x * inertia.m4;
+  const Scalar t4 = inertia.c6y * inertia.m6;
+  const Scalar t5 = inertia.c6x * inertia.m6;
+  const Scalar t6 = inertia.c5x * inertia.m5;
+  const Scalar t7 = inertia.c5z * inertia.m5;
+  const Scalar t8 = inertia.c6z * inertia.m6;
+  const Scalar t9 = inertia.c3y * inertia.m3;
+  const Scalar t10 = inertia.c2y * inertia.m2;
+  const Scalar t11 = inertia.c3x * inertia.m3;
+  const Scalar t12 = g.l2 * inertia.m3 + t11;
+  const Scalar t13 = g.l2 * t0;
+  const Scalar t14 = inertia.c2x * inertia.m2;
+  const Scalar t15 = g.l2 * inertia.m2 + t14;
+  const Scalar t16 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t17 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t18 = (inertia.c6z * t8 - (inertia.I6zz - t16)) + (inertia.c5z * t7 - (inertia.I5zz - t17));
+  const Scalar t19 = inertia.I6xy - inertia.c6y * t5;
+  const Scalar t20 = (inertia.I6xx - t16) - inertia.c6x * t5;
+  const Scalar t21 = (inertia.I6yy - t16) - inertia.c6y * t4;
+  const Scalar t22 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t23 = ((inertia.I4yy - t22) - inertia.c4y * t1) - (inertia.c5y * t2 - (inertia.I5yy - t17));
+  const Scalar t24 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t25 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t26 = ((inertia.I3yy - t24) - inertia.c3y * t9) + ((inertia.I2yy - t25) - inertia.c2y * t10);
+  const Scalar t27 = (inertia.c2x * t14 - (inertia.I2xx - t25)) + g.l2 * (t14 + t15);
+  const Scalar t28 = g.l2 * (t12 + t11) + (inertia.c3x * t11 - (inertia.I3xx - t24));
+  const Scalar t29 = g.l1 * inertia.m2;
+  const Scalar t30 = inertia.c1x * inertia.m1;
+  const Scalar t31 = g.l1 * inertia.m1 + t30;
+  const Scalar t32 = inertia.c1y * inertia.m1;
+  const Scalar t33 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t34 = g.l1 * (t30 + t31) + (inertia.c1x * t30 - (inertia.I1xx - t33));
+  const Scalar t35 = (inertia.c1y * t32 - (inertia.I1yy - t33)) + (g.l1 * t29 + t34);
+  return { gravity[1] / g.l1,
            gravity[0] / g.l1,
-           g.l1 * t0,
-           g.l1 * (t2 + t4),
-           g.l1 * (t7 + t9),
-           g.l1 * (t10 + t11),
-           t14 - (t15 + t16),
-           g.l2 / g.l1,
-           g.l1 * t17,
-           g.l1 * (t18 + t19),
-           t22 + ((inertia.I4xx - t20) - inertia.c4x * t17),
-           g.l1 * t23,
-           inertia.I5xy - inertia.c5y * t23,
-           inertia.I5yz - inertia.c5z * t19,
-           inertia.I5xz - inertia.c5z * t23,
-           inertia.c5x * t23 - (inertia.I5xx - t21),
-           t24,
-           gravity[2] / g.l1,
-           g.l1 * t25,
-           g.l1 * t26,
-           Scalar(2) * t27,
-           t29 - t30,
-           t27,
-           t29,
-           t30,
-           inertia.I6yz - inertia.c6z * t26,
-           inertia.I6xz - inertia.c6z * t25,
-           g.l1 * (t31 + t32),
-           t33,
+           g.l1 * g.l1 * (inertia.m3 + t0),
+           g.l1 * (t1 + t2),
+           g.l1 * t3,
+           g.l1 * t4,
+           g.l1 * t5,
            g.l1,
-           t34,
-           t34 * t24 };
+           g.l1 * t6,
+           g.l1 * (t7 + t8),
+           g.l1 * (t9 + t10),
+           g.l1 * ((t12 + t13) + t15),
+           g.l2 / g.l1,
+           inertia.I5xy - inertia.c5y * t6,
+           inertia.I5yz - inertia.c5z * t2,
+           t18,
+           inertia.I5xz - inertia.c5z * t6,
+           Scalar(1) / g.l1,
+           gravity[2] / g.l1,
+           inertia.I6yz - inertia.c6z * t4,
+           inertia.I6xz - inertia.c6z * t5,
+           Scalar(2) * t19,
+           t20 - t21,
+           t19,
+           t21,
+           t20,
+           inertia.c5x * t6 - (inertia.I5xx - t17),
+           t23 + ((inertia.I4xx - t22) - inertia.c4x * t3),
+           t26 - (t27 + (t28 + g.l2 * t13)),
+           g.l1 * (t29 + t31),
+           g.l1 * t32,
+           t35 };
 }
 
 namespace detail {
@@ -311,107 +315,106 @@ inline JointVector<Scalar> inverse_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[2] * s1 - k[1] * c1;
-  const Scalar t1 = k[1] * s1 + k[2] * c1;
-  const Scalar t2 = k[0] * qdd[0] + (k[4] * t0 + k[3] * t1);
-  const Scalar t3 = qd[4] * qd[4];
-  const Scalar t4 = qd[0] + qd[1];
-  const Scalar t5 = qd[3] - t4;
-  const Scalar t6 = c5 * t5;
-  const Scalar t7 = t6 * t6;
-  const Scalar t8 = t3 + t7;
-  const Scalar t9 = s5 * t5;
-  const Scalar t10 = t9 * t6;
-  const Scalar t11 = qdd[4] - t10;
-  const Scalar t12 = qdd[0] + qdd[1];
-  const Scalar t13 = qdd[3] - t12;
-  const Scalar t14 = c5 * t13;
-  const Scalar t15 = qdd[5] + t14;
-  const Scalar t16 = k[19] * s6 - k[20] * c6;
-  const Scalar t17 = qd[5] + t6;
-  const Scalar t18 = t17 * t17 - t3;
-  const Scalar t19 = t3 - t7;
-  const Scalar t20 = t5 * t5;
-  const Scalar t21 = t8 - t20;
-  const Scalar t22 = t19 - t21;
-  const Scalar t23 = t8 + t22;
-  const Scalar t24 = t18 + t23;
-  const Scalar t25 = t24 + t21;
-  const Scalar t26 = k[19] * c6 + k[20] * s6;
-  const Scalar t27 = c1 * s2 + c2 * s1;
-  const Scalar t28 = c1 * c2 - s1 * s2;
-  const Scalar t29 = wrench[1] * t27 + wrench[0] * t28;
-  const Scalar t30 = wrench[1] * t28 - wrench[0] * t27;
-  const Scalar t31 = c4 * t29 - s4 * t30;
-  const Scalar t32 = (t15 * t16 + t25 * t26) + k[30] * (c5 * t31 + wrench[2] * s5);
-  const Scalar t33 = (k[12] * t8 + k[28] * t11) + t32;
-  const Scalar t34 = t9 * t17;
-  const Scalar t35 = t34 + (t34 + t11);
-  const Scalar t36 = qd[4] * t17;
-  const Scalar t37 = qd[4] * t6;
-  const Scalar t38 = s5 * t13;
-  const Scalar t39 = (t37 + t38) + t37;
-  const Scalar t40 = t36 + (t36 - t39);
-  const Scalar t41 = k[30] * (wrench[2] * c5 - s5 * t31) - (t35 * t26 - t16 * t40);
-  const Scalar t42 = qdd[4] + t10;
-  const Scalar t43 = t41 - (k[12] * t42 - k[28] * t23);
-  const Scalar t44 = (c5 * t33 - s5 * t43) + (k[9] * t20 - k[10] * t13);
-  const Scalar t45 = qd[4] * t9;
-  const Scalar t46 = (t45 + t45) - t14;
-  const Scalar t47 = qdd[5] - t46;
-  const Scalar t48 = k[30] * (c4 * t30 + s4 * t29) - (t24 * t16 - t47 * t26);
-  const Scalar t49 = ((k[28] * t39 + k[12] * t46) - t48) - (k[10] * t20 + k[9] * t13);
-  const Scalar t50 = qd[0] * qd[0] + t1;
-  const Scalar t51 = qdd[0] + t0;
-  const Scalar t52 = s2 * t50 + c2 * t51;
-  const Scalar t53 = k[8] * t12 + t52;
-  const Scalar t54 = (s4 * t44 + c4 * t49) + k[31] * t53;
-  const Scalar t55 = t4 * t4;
-  const Scalar t56 = c2 * (t54 + (k[5] * t12 - k[6] * t55));
-  const Scalar t57 = c2 * t50 - s2 * t51;
-  const Scalar t58 = t57 + k[8] * t55;
-  const Scalar t59 = (c4 * t44 - s4 * t49) + k[31] * t58;
-  const Scalar t60 = s2 * ((k[5] * t55 + k[6] * t12) + t59);
-  const Scalar t61 = k[14] * t19 - (k[29] * t39 - k[15] * t46);
-  const Scalar t62 = c4 * t53 - s4 * t58;
-  const Scalar t63 = wrench[4] * t27 + wrench[3] * t28;
-  const Scalar t64 = wrench[4] * t28 - wrench[3] * t27;
-  const Scalar t65 = c4 * t63 - s4 * t64;
-  const Scalar t66 = k[27] * c6 + k[26] * s6;
-  const Scalar t67 = k[21] * c6 - k[22] * s6;
-  const Scalar t68 = k[23] - c6 * t67;
-  const Scalar t69 = s6 * t67;
-  const Scalar t70 = k[25] - t69;
-  const Scalar t71 = k[26] * c6 - k[27] * s6;
-  const Scalar t72 = (t35 * t68 - t70 * t40) - t18 * t71;
-  const Scalar t73 = k[18] + k[17] * qdd[2];
-  const Scalar t74 = c4 * t58 + s4 * t53;
-  const Scalar t75 = c5 * t73 - s5 * t74;
-  const Scalar t76 = (wrench[5] * s5 + c5 * t65) + ((t47 * t66 - t72) - t75 * t16);
-  const Scalar t77 = ((k[13] * t42 - t61) + k[28] * t62) + t76;
-  const Scalar t78 = k[24] + t69;
-  const Scalar t79 = t68 * t21 + (t47 * t78 + t70 * t15);
-  const Scalar t80 = c5 * t74 + s5 * t73;
-  const Scalar t81 = (t79 - (t39 * t66 + t71 * t11)) + (t62 * t26 - t16 * t80);
-  const Scalar t82 = t81 + (s5 * t65 - wrench[5] * c5);
-  const Scalar t83 = (k[16] * t46 - k[15] * t39) - (k[14] * t11 + k[13] * t21);
-  const Scalar t84 = s5 * t77 - c5 * (t82 + (t83 + k[12] * t62));
-  const Scalar t85 = k[11] * t13 + (k[10] * t74 + k[9] * t62);
-  const Scalar t86 = t84 - t85;
-  const Scalar t87 = k[7] * t12 - (k[5] * t52 + k[6] * t57);
-  const Scalar t88 = (k[8] * t54 - t86) - t87;
-  const Scalar t89 = k[32] * t73 + k[17] * (c5 * t43 + s5 * t33);
-  const Scalar t90 = k[15] * t22 + (k[16] * t42 + k[29] * t11);
-  const Scalar t91 = (k[12] * t75 - k[28] * t80) - (t90 + (k[13] * t38 + k[14] * t14));
-  const Scalar t92 = (t68 * t40 - t35 * t78) - ((t25 - t23) * t66 - t15 * t71);
-  const Scalar t93 = (t75 * t26 - t92) - (c4 * t64 + s4 * t63);
+  const Scalar t0 = qdd[0] + qdd[1];
+  const Scalar t1 = qdd[3] - t0;
+  const Scalar t2 = qd[0] + qd[1];
+  const Scalar t3 = qd[3] - t2;
+  const Scalar t4 = t3 * t3;
+  const Scalar t5 = c1 * s2 + c2 * s1;
+  const Scalar t6 = c1 * c2 - s1 * s2;
+  const Scalar t7 = wrench[1] * t5 + wrench[0] * t6;
+  const Scalar t8 = wrench[1] * t6 - wrench[0] * t5;
+  const Scalar t9 = c4 * t7 - s4 * t8;
+  const Scalar t10 = s5 * t3;
+  const Scalar t11 = c5 * t3;
+  const Scalar t12 = qd[5] + t11;
+  const Scalar t13 = t10 * t12;
+  const Scalar t14 = t10 * t11;
+  const Scalar t15 = qdd[4] - t14;
+  const Scalar t16 = t13 + (t13 + t15);
+  const Scalar t17 = k[6] * c6 + k[5] * s6;
+  const Scalar t18 = k[6] * s6 - k[5] * c6;
+  const Scalar t19 = qd[4] * t12;
+  const Scalar t20 = qd[4] * t11;
+  const Scalar t21 = s5 * t1;
+  const Scalar t22 = (t20 + t21) + t20;
+  const Scalar t23 = t19 + (t19 - t22);
+  const Scalar t24 = k[7] * (wrench[2] * c5 - s5 * t9) - (t16 * t17 - t18 * t23);
+  const Scalar t25 = qdd[4] + t14;
+  const Scalar t26 = t12 * t12;
+  const Scalar t27 = qd[4] * qd[4];
+  const Scalar t28 = t26 - t27;
+  const Scalar t29 = t10 * t10;
+  const Scalar t30 = t26 + t29;
+  const Scalar t31 = t28 - t30;
+  const Scalar t32 = t24 - (k[8] * t25 + k[9] * t31);
+  const Scalar t33 = c5 * t1;
+  const Scalar t34 = qdd[5] + t33;
+  const Scalar t35 = (t34 * t18 + (t26 + t27) * t17) + k[7] * (c5 * t9 + wrench[2] * s5);
+  const Scalar t36 = t26 - t29;
+  const Scalar t37 = t36 - t28;
+  const Scalar t38 = t37 + t4;
+  const Scalar t39 = t35 + (k[9] * t15 + k[8] * t38);
+  const Scalar t40 = (k[3] * t1 - k[4] * t4) + (s5 * t32 - c5 * t39);
+  const Scalar t41 = qd[4] * t10;
+  const Scalar t42 = (t41 + t41) - t34;
+  const Scalar t43 = k[7] * (c4 * t8 + s4 * t7) - (t42 * t17 + t18 * t30);
+  const Scalar t44 = qdd[5] + t42;
+  const Scalar t45 = (k[4] * t1 + k[3] * t4) + (t43 - (k[8] * t44 + k[9] * t22));
+  const Scalar t46 = s4 * t40 + c4 * t45;
+  const Scalar t47 = k[1] * s1 - k[0] * c1;
+  const Scalar t48 = qdd[0] + t47;
+  const Scalar t49 = k[0] * s1 + k[1] * c1;
+  const Scalar t50 = qd[0] * qd[0] + t49;
+  const Scalar t51 = c2 * t48 + s2 * t50;
+  const Scalar t52 = k[12] * t0 + t51;
+  const Scalar t53 = c2 * t50 - s2 * t48;
+  const Scalar t54 = t2 * t2;
+  const Scalar t55 = t53 + k[12] * t54;
+  const Scalar t56 = s4 * t52 + c4 * t55;
+  const Scalar t57 = s4 * t55 - c4 * t52;
+  const Scalar t58 = (k[3] * t56 - k[4] * t57) + k[27] * t1;
+  const Scalar t59 = k[14] * (t4 + t31) - (k[16] * t44 - k[15] * t22);
+  const Scalar t60 = k[18] + k[17] * qdd[2];
+  const Scalar t61 = c5 * t60 - s5 * t56;
+  const Scalar t62 = k[19] * s6 + k[20] * c6;
+  const Scalar t63 = k[21] * c6 - k[22] * s6;
+  const Scalar t64 = s6 * t63;
+  const Scalar t65 = k[24] - t64;
+  const Scalar t66 = k[23] - c6 * t63;
+  const Scalar t67 = k[19] * c6 - k[20] * s6;
+  const Scalar t68 = (t65 * t23 - t16 * t66) + t67 * t28;
+  const Scalar t69 = wrench[4] * t5 + wrench[3] * t6;
+  const Scalar t70 = wrench[4] * t6 - wrench[3] * t5;
+  const Scalar t71 = c4 * t69 - s4 * t70;
+  const Scalar t72 = (t18 * t61 + (t42 * t62 - t68)) - (wrench[5] * s5 + c5 * t71);
+  const Scalar t73 = (k[9] * t57 - (k[13] * t25 + t59)) + t72;
+  const Scalar t74 = k[25] + t64;
+  const Scalar t75 = (t34 * t65 - t42 * t74) + t37 * t66;
+  const Scalar t76 = s5 * t60 + c5 * t56;
+  const Scalar t77 = ((t67 * t15 + t62 * t22) - t75) + (t76 * t18 + t57 * t17);
+  const Scalar t78 = t77 - (s5 * t71 - wrench[5] * c5);
+  const Scalar t79 = (k[16] * t22 - k[26] * t44) + (k[14] * t15 + k[13] * t37);
+  const Scalar t80 = s5 * t73 - c5 * (t78 + (k[8] * t57 + t79));
+  const Scalar t81 = t58 + t80;
+  const Scalar t82 = (k[10] * t53 + k[11] * t51) - k[28] * t0;
+  const Scalar t83 = (k[12] * t46 - t81) - t82;
+  const Scalar t84 = k[2] * t53 + (s4 * t45 - c4 * t40);
+  const Scalar t85 = s2 * (t84 + (k[10] * t0 + k[11] * t54));
+  const Scalar t86 = (t46 - k[2] * t51) + (k[10] * t54 - k[11] * t0);
+  const Scalar t87 = (k[30] * t49 + k[29] * t47) + k[31] * qdd[0];
+  const Scalar t88 = k[2] * t60 + (s5 * t39 + c5 * t32);
+  const Scalar t89 = k[16] * (t38 + t31) - (k[15] * t15 + k[26] * t25);
+  const Scalar t90 = ((k[13] * t21 + k[14] * t33) - t89) + (k[9] * t76 - k[8] * t61);
+  const Scalar t91 = (t62 * t36 - t67 * t34) - (t66 * t23 - t74 * t16);
+  const Scalar t92 = (t17 * t61 + t91) - (c4 * t70 + s4 * t69);
   JointVector<Scalar> result;
-  result[0] = t2 + ((t56 - t60) + t88);
-  result[1] = t88;
-  result[2] = t89;
-  result[3] = t86;
-  result[4] = -t91 - t93;
-  result[5] = -t82;
+  result[0] = t87 - (t83 + (t85 + c2 * t86));
+  result[1] = -t83;
+  result[2] = k[17] * t88;
+  result[3] = -t81;
+  result[4] = t90 - t92;
+  result[5] = t78;
   return result;
 }
 
@@ -441,25 +444,24 @@ GravityTorqueWithGravityVectorConstants<Scalar> gravity_torque_with_gravity_vect
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = g.l1 * inertia.m2 + (g.l1 * inertia.m1 + inertia.c1x * inertia.m1);
-  const Scalar t1 = inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6));
-  const Scalar t2 = inertia.c3x * inertia.m3 + (g.l2 * inertia.m2 + inertia.c2x * inertia.m2);
-  return { gravity[1],
-           gravity[0],
-           inertia.c1y * inertia.m1,
-           t0,
-           t1,
-           g.l1,
-           g.l2 * t1,
-           inertia.c5x * inertia.m5,
+  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t1 = inertia.m3 + t0;
+  const Scalar t2 = (g.l2 * inertia.m3 + inertia.c3x * inertia.m3) + g.l2 * t0;
+  const Scalar t3 = g.l1 * inertia.m2 + (g.l1 * inertia.m1 + inertia.c1x * inertia.m1);
+  return { gravity[0],
+           gravity[1],
+           g.l1 * t1,
+           inertia.c3y * inertia.m3 + inertia.c2y * inertia.m2,
+           t2 + (g.l2 * inertia.m2 + inertia.c2x * inertia.m2),
+           gravity[2],
            inertia.c6y * inertia.m6,
            inertia.c6x * inertia.m6,
-           gravity[2],
            inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
+           inertia.c5x * inertia.m5,
            inertia.c4x * inertia.m4,
            inertia.c4y * inertia.m4 + inertia.c5y * inertia.m5,
-           t2,
-           inertia.c3y * inertia.m3 + inertia.c2y * inertia.m2,
+           t3,
+           inertia.c1y * inertia.m1,
            gravity[2] * t1 };
 }
 
@@ -479,26 +481,26 @@ inline JointVector<Scalar> gravity_torque_with_gravity_vector([[maybe_unused]] c
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[1] * s1 - k[0] * c1;
-  const Scalar t1 = k[0] * s1 + k[1] * c1;
-  const Scalar t2 = c2 * t0 + s2 * t1;
-  const Scalar t3 = c2 * t1 - s2 * t0;
-  const Scalar t4 = c4 * t3 + s4 * t2;
-  const Scalar t5 = k[10] * c5 - s5 * t4;
-  const Scalar t6 = k[8] * c6 - k[9] * s6;
-  const Scalar t7 = c4 * t2 - s4 * t3;
-  const Scalar t8 = c5 * t4 + k[10] * s5;
-  const Scalar t9 = k[9] * c6 + k[8] * s6;
-  const Scalar t10 = t8 * t6 + t7 * t9;
-  const Scalar t11 = s5 * (t5 * t6 + k[11] * t7) - c5 * (t10 + k[7] * t7);
-  const Scalar t12 = t11 - (k[13] * t4 + k[12] * t7);
-  const Scalar t13 = (k[14] * t2 + k[15] * t3) - (t12 - k[6] * t2);
-  const Scalar t14 = (k[5] * k[4] * t0 + t13) + (k[2] * t1 + k[3] * t0);
-  const Scalar t15 = t5 * t9 + (k[7] * t5 - k[11] * t8);
+  const Scalar t0 = k[0] * s1 - k[1] * c1;
+  const Scalar t1 = k[1] * s1 + k[0] * c1;
+  const Scalar t2 = s2 * t0 - c2 * t1;
+  const Scalar t3 = c2 * t0 + s2 * t1;
+  const Scalar t4 = c4 * t2 - s4 * t3;
+  const Scalar t5 = k[5] * c5 + s5 * t4;
+  const Scalar t6 = k[6] * c6 - k[7] * s6;
+  const Scalar t7 = s4 * t2 + c4 * t3;
+  const Scalar t8 = k[5] * s5 - c5 * t4;
+  const Scalar t9 = k[7] * c6 + k[6] * s6;
+  const Scalar t10 = t8 * t6 + t9 * t7;
+  const Scalar t11 = s5 * (t5 * t6 + k[8] * t7) - c5 * (t10 + k[9] * t7);
+  const Scalar t12 = t11 + (k[11] * t4 - k[10] * t7);
+  const Scalar t13 = (k[3] * t2 - k[4] * t3) + t12;
+  const Scalar t14 = (k[12] * t0 + k[13] * t1) - (t13 - k[2] * t0);
+  const Scalar t15 = t9 * t5 + (k[9] * t5 - k[8] * t8);
   JointVector<Scalar> result;
   result[0] = t14;
-  result[1] = t13;
-  result[2] = k[16];
+  result[1] = -t13;
+  result[2] = k[14];
   result[3] = t12;
   result[4] = -t15;
   result[5] = -t10;
@@ -536,90 +538,86 @@ ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_
   const Scalar t5 = t3 + t4;
   const Scalar t6 = Scalar(1) / t5;
   const Scalar t7 = g.l2 / g.l1;
-  const Scalar t8 = inertia.I6yz - inertia.c6z * t0;
-  const Scalar t9 = inertia.I6xz - inertia.c6z * t1;
+  const Scalar t8 = Scalar(1) / g.l1;
+  const Scalar t9 = inertia.I6xy - inertia.c6y * t1;
   const Scalar t10 = inertia.c5x * inertia.m5;
-  const Scalar t11 = inertia.c5z * inertia.m5;
-  const Scalar t12 = inertia.c6z * inertia.m6;
-  const Scalar t13 = g.l1 * (t11 + t12);
-  const Scalar t14 = inertia.c4x * inertia.m4;
-  const Scalar t15 = inertia.c4y * inertia.m4;
-  const Scalar t16 = inertia.c5y * inertia.m5;
-  const Scalar t17 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t18 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t19 = inertia.c5x * t10 - (inertia.I5xx - t18);
-  const Scalar t20 = (inertia.c6z * t12 - (inertia.I6zz - t2)) + (inertia.c5z * t11 - (inertia.I5zz - t18));
-  const Scalar t21 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t22 = ((inertia.I4yy - t21) - inertia.c4y * t15) - (inertia.c5y * t16 - (inertia.I5yy - t18));
+  const Scalar t11 = inertia.c5y * inertia.m5;
+  const Scalar t12 = inertia.c5z * inertia.m5;
+  const Scalar t13 = inertia.c6z * inertia.m6;
+  const Scalar t14 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t15 = inertia.c5x * t10 - (inertia.I5xx - t14);
+  const Scalar t16 = (inertia.c6z * t13 - (inertia.I6zz - t2)) + (inertia.c5z * t12 - (inertia.I5zz - t14));
+  const Scalar t17 = inertia.c4x * inertia.m4;
+  const Scalar t18 = inertia.c4y * inertia.m4;
+  const Scalar t19 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t20 = ((inertia.I4yy - t19) - inertia.c4y * t18) - (inertia.c5y * t11 - (inertia.I5yy - t14));
+  const Scalar t21 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t22 = g.l1 * g.l1 * (inertia.m3 + t21);
   const Scalar t23 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
   const Scalar t24 = inertia.c3y * inertia.m3;
   const Scalar t25 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
   const Scalar t26 = inertia.c2y * inertia.m2;
   const Scalar t27 = ((inertia.I3yy - t23) - inertia.c3y * t24) + ((inertia.I2yy - t25) - inertia.c2y * t26);
-  const Scalar t28 = g.l1 * g.l1 * (inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)));
-  const Scalar t29 = inertia.c2x * inertia.m2;
-  const Scalar t30 = g.l2 * inertia.m2 + t29;
-  const Scalar t31 = (inertia.c2x * t29 - (inertia.I2xx - t25)) + g.l2 * (t29 + t30);
-  const Scalar t32 = inertia.c3x * inertia.m3;
-  const Scalar t33 = (inertia.c3x * t32 - (inertia.I3xx - t23)) + Scalar(2) * g.l2 * t32;
-  const Scalar t34 = ((inertia.I2xy - inertia.c2y * t29) - g.l2 * t26)
-      - (g.l2 * t24 - (inertia.I3xy - inertia.c3y * t32));
-  const Scalar t35 = inertia.c1y * inertia.m1;
-  const Scalar t36 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t37 = g.l1 * inertia.m2;
-  const Scalar t38 = inertia.c1x * inertia.m1;
-  const Scalar t39 = g.l1 * inertia.m1 + t38;
-  const Scalar t40 = g.l1 * (t38 + t39) + (inertia.c1x * t38 - (inertia.I1xx - t36));
-  const Scalar t41 = Scalar(1) / g.l1;
-  const Scalar t42 = t28 * t41;
-  const Scalar t43 = gravity[2] / g.l1;
-  return { g.l1 * t0,
+  const Scalar t28 = inertia.c2x * inertia.m2;
+  const Scalar t29 = g.l2 * inertia.m2 + t28;
+  const Scalar t30 = (inertia.c2x * t28 - (inertia.I2xx - t25)) + g.l2 * (t28 + t29);
+  const Scalar t31 = inertia.c3x * inertia.m3;
+  const Scalar t32 = g.l2 * inertia.m3 + t31;
+  const Scalar t33 = g.l2 * (t32 + t31) + (inertia.c3x * t31 - (inertia.I3xx - t23));
+  const Scalar t34 = g.l2 * t21;
+  const Scalar t35 = ((inertia.I2xy - inertia.c2y * t28) - g.l2 * t26)
+      - (g.l2 * t24 - (inertia.I3xy - inertia.c3y * t31));
+  const Scalar t36 = inertia.c1y * inertia.m1;
+  const Scalar t37 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t38 = g.l1 * inertia.m2;
+  const Scalar t39 = inertia.c1x * inertia.m1;
+  const Scalar t40 = g.l1 * inertia.m1 + t39;
+  const Scalar t41 = g.l1 * (t39 + t40) + (inertia.c1x * t39 - (inertia.I1xx - t37));
+  const Scalar t42 = gravity[2] / g.l1;
+  return { inertia.I6yz - inertia.c6z * t0,
+           inertia.I6xz - inertia.c6z * t1,
+           t6,
+           g.l1 * t0,
            g.l1 * t1,
            t6 * t7,
            t8,
-           t9,
-           t6,
-           t5,
-           g.l1 * t10,
-           t13,
-           g.l1 * t14,
-           g.l1 * (t15 + t16),
-           Scalar(2) * t17,
+           Scalar(2) * t9,
            t3 - t4,
-           t4,
-           t19,
-           inertia.I5xz - inertia.c5z * t10,
-           t20,
-           (inertia.I4xx - t21) - inertia.c4x * t14,
-           t9 * t6,
-           t8 * t6,
-           inertia.I5yz - inertia.c5z * t16,
-           t17,
+           t9,
            inertia.I5xy - inertia.c5y * t10,
-           inertia.I4xy - inertia.c4y * t14,
-           t22,
+           inertia.I5yz - inertia.c5z * t11,
+           g.l1 * t10,
+           g.l1 * (t12 + t13),
            t7,
+           t5,
+           t3,
+           t15 - t16,
+           Scalar(2) * t16,
+           g.l1 * t17,
+           g.l1 * (t18 + t11),
+           inertia.I5xz - inertia.c5z * t10,
+           t16,
+           (inertia.I4xx - t19) - inertia.c4x * t17,
+           inertia.I4xy - inertia.c4y * t17,
+           t4,
+           t20,
+           t8 * t6,
+           t8 * t22 * t8,
            t27,
-           t28 * t7,
-           t31 + t33,
-           t34,
-           inertia.c1y * t35 - (inertia.I1yy - t36),
+           t30 + (t33 + g.l2 * t34),
            g.l1 * (t24 + t26),
-           g.l1 * (t32 + t30),
-           t28,
-           g.l1 * t37 + t40,
-           t41 * t6,
-           t41,
-           t41 * t42,
-           t43 * t42,
+           g.l1 * ((t32 + t34) + t29),
+           t35,
+           inertia.c1y * t36 - (inertia.I1yy - t37),
+           t22,
+           g.l1 * t38 + t41,
            gravity[1] / g.l1,
            gravity[0] / g.l1,
-           t43,
-           t19 - t20,
-           Scalar(2) * t20,
-           Scalar(2) * t13,
-           g.l1 * t35,
-           g.l1 * (t37 + t39) };
+           t42,
+           t15,
+           t22 * t42,
+           g.l1 * (t38 + t40),
+           g.l1 * t36 };
 }
 
 namespace detail {
@@ -638,172 +636,171 @@ inline JointVector<Scalar> forward_dynamics_with_gravity_vector([[maybe_unused]]
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[0] * s6 + k[1] * c6;
-  const Scalar t1 = k[0] * c6 - k[1] * s6;
-  const Scalar t2 = c5 * t1;
-  const Scalar t3 = c4 * t0 + s4 * t2;
-  const Scalar t4 = k[4] * c6 + k[3] * s6;
-  const Scalar t5 = c5 - k[5] * s5 * t4;
-  const Scalar t6 = k[2] * t3 - t5;
-  const Scalar t7 = k[6] * t6;
-  const Scalar t8 = k[7] + t0;
-  const Scalar t9 = k[8] * s5 - c5 * t8;
-  const Scalar t10 = k[9] - t9;
-  const Scalar t11 = k[10] + t1;
-  const Scalar t12 = c4 * t10 + s4 * t11;
-  const Scalar t13 = k[27] + t12;
-  const Scalar t14 = k[18] * s6 - k[19] * c6;
-  const Scalar t15 = k[6] * t14;
-  const Scalar t16 = k[20] - t15;
-  const Scalar t17 = k[12] * s6 - k[11] * c6;
-  const Scalar t18 = k[21] + c6 * t17;
-  const Scalar t19 = k[22] - t18;
-  const Scalar t20 = k[23] - (s5 * t16 - c5 * t19);
-  const Scalar t21 = c4 * t20;
-  const Scalar t22 = c5 * (k[15] + t4);
-  const Scalar t23 = k[13] + s6 * t17;
-  const Scalar t24 = k[6] - t23;
-  const Scalar t25 = k[14] - t24;
-  const Scalar t26 = s5 * ((t22 + t22) + s5 * (k[16] - t25));
-  const Scalar t27 = k[17] - (t26 + t25);
-  const Scalar t28 = k[24] + t23;
-  const Scalar t29 = (t21 + t21) - s4 * (t27 - t28);
-  const Scalar t30 = s4 * t29;
-  const Scalar t31 = t30 + t27;
-  const Scalar t32 = k[28] + (k[25] * (t13 + t12) - t31);
-  const Scalar t33 = t30 - t28;
-  const Scalar t34 = k[26] - t33;
-  const Scalar t35 = t32 - t34;
-  const Scalar t36 = s5 * t19 + c5 * t16;
-  const Scalar t37 = s5 * t8 + k[8] * c5;
-  const Scalar t38 = s4 * t37;
-  const Scalar t39 = t36 - k[25] * t38;
-  const Scalar t40 = t39 - t7 * t14;
-  const Scalar t41 = Scalar(1) / (t14 * t15 + (k[16] + t25));
-  const Scalar t42 = t40 * t41;
-  const Scalar t43 = k[6] * t5;
-  const Scalar t44 = t36 + t43 * t14;
-  const Scalar t45 = t31 - t33;
-  const Scalar t46 = t45 - k[25] * t12;
-  const Scalar t47 = t44 * t42 + (t46 + t43 * t6);
-  const Scalar t48 = t44 * t41;
-  const Scalar t49 = Scalar(1) / ((t45 - t43 * t5) + t48 * t44);
-  const Scalar t50 = t49 * t47;
-  const Scalar t51 = ((t7 * t6 + t35) - t40 * t42) + t47 * t50;
-  const Scalar t52 = k[35] * s5 * t1;
-  const Scalar t53 = k[6] * t52;
-  const Scalar t54 = t53 * t14 + k[36] * t9;
-  const Scalar t55 = t53 * t5 - t48 * t54;
-  const Scalar t56 = t55 * t49;
-  const Scalar t57 = t54 * t41;
-  const Scalar t58 = t55 * t56 - (t57 * t54 - (k[37] + t53 * t52));
-  const Scalar t59 = Scalar(1) / t58;
-  const Scalar t60 = t55 * t50 + (t54 * t42 + t7 * t52);
-  const Scalar t61 = t59 * t60;
-  const Scalar t62 = Scalar(1) / (t51 - t61 * t60);
-  const Scalar t63 = s2 * (c4 * t2 - s4 * t0) - c2 * t3;
-  const Scalar t64 = t63 - t7;
-  const Scalar t65 = k[5] * t64;
-  const Scalar t66 = (s2 * c4 * t37 - c2 * t38) + t39;
-  const Scalar t67 = t65 * t15 + t66;
-  const Scalar t68 = t41 * t67;
-  const Scalar t69 = c4 * t11 - s4 * t10;
-  const Scalar t70 = s2 * t69;
-  const Scalar t71 = (t46 + (t70 - c2 * t12)) - t43 * t65;
-  const Scalar t72 = t44 * t68 + t71;
-  const Scalar t73 = c2 * (k[32] + t13) - (t70 + k[31] * s2);
-  const Scalar t74 = t40 * t68 + (t64 * t6 - (t73 + t35));
-  const Scalar t75 = t56 * t72 + (t54 * t68 - t64 * t52);
-  const Scalar t76 = (t72 * t50 - t74) - t75 * t61;
-  const Scalar t77 = t62 * t76;
-  const Scalar t78 = t59 * t75;
-  const Scalar t79 = k[29] - (k[25] * t69 - (c4 * t29 - t20));
-  const Scalar t80 = c2 * t79;
-  const Scalar t81 = s2 * (s2 * (t32 + t34) - (t80 + t80));
-  const Scalar t82 = t81 - t32;
-  const Scalar t83 = (k[30] + (t35 + t82)) + (k[34] + ((t73 + (k[33] + t73)) - t82));
-  const Scalar t84 = t49 * t72;
-  const Scalar t85 = ((t83 + t64 * t65) - t68 * t67) + t72 * t84;
-  const Scalar t86 = Scalar(1) / (t77 * t76 + (t75 * t78 - t85));
-  const Scalar t87 = k[40] * s1 - k[39] * c1;
-  const Scalar t88 = k[40] * c1 + k[39] * s1;
-  const Scalar t89 = qd[0] * qd[0] + t88;
-  const Scalar t90 = c2 * t87 + s2 * t89;
-  const Scalar t91 = s2 * t87 - c2 * t89;
-  const Scalar t92 = qd[0] + qd[1];
-  const Scalar t93 = t92 * t92;
-  const Scalar t94 = t91 - k[25] * t93;
-  const Scalar t95 = s4 * t90 - c4 * t94;
-  const Scalar t96 = s4 * t94 + c4 * t90;
-  const Scalar t97 = qd[3] - t92;
-  const Scalar t98 = t97 * t97;
-  const Scalar t99 = qd[4] * qd[4];
-  const Scalar t100 = s5 * t97;
-  const Scalar t101 = t100 * t100;
-  const Scalar t102 = t99 + t101;
-  const Scalar t103 = t98 - t102;
-  const Scalar t104 = qd[4] * t100;
-  const Scalar t105 = t104 + t104;
-  const Scalar t106 = c5 * t97;
-  const Scalar t107 = qd[4] * t106;
-  const Scalar t108 = k[20] * t103 - (k[15] * t105 - k[43] * t107);
-  const Scalar t109 = t100 * t106;
-  const Scalar t110 = k[41] * c5 - s5 * t95;
-  const Scalar t111 = t99 - t101;
-  const Scalar t112 = qd[5] + t106;
-  const Scalar t113 = t112 * t112 - t101;
-  const Scalar t114 = qd[4] * qd[5];
-  const Scalar t115 = t114 + t114;
-  const Scalar t116 = (qd[5] + t112) * t100;
-  const Scalar t117 = (t111 - t113) * t15 + (t23 * t115 - t18 * t116);
-  const Scalar t118 = (k[8] * t96 + (t108 + k[22] * t109)) + (t1 * t110 - (t105 * t4 - t117));
-  const Scalar t119 = t107 + t107;
-  const Scalar t120 = (k[15] * t119 - k[14] * t105) - (k[20] * t109 - k[22] * t111);
-  const Scalar t121 = (t111 * t18 - t105 * t24) - (t119 * t4 + t109 * t15);
-  const Scalar t122 = k[41] * s5 + c5 * t95;
-  const Scalar t123 = t121 + (t122 * t1 + t0 * t96);
-  const Scalar t124 = s5 * t118 - c5 * ((k[7] * t96 - t120) + t123);
-  const Scalar t125 = (k[10] * t95 + k[9] * t96) - t124;
-  const Scalar t126 = (t115 * t1 + t0 * t116) - (k[8] * t102 - k[7] * t109);
-  const Scalar t127 = t111 + t103;
-  const Scalar t128 = t113 + t102;
-  const Scalar t129 = (k[7] * (t102 + t127) - k[8] * t109) + t0 * t128;
-  const Scalar t130 = (s5 * t126 + c5 * t129) + k[9] * t98;
-  const Scalar t131 = ((t111 - t128) * t1 + t0 * t105) + (k[7] * t105 + k[44] * t107);
-  const Scalar t132 = k[10] * t98 - t131;
-  const Scalar t133 = (s4 * t130 - c4 * t132) + k[33] * t90;
-  const Scalar t134 = (t125 + k[25] * t133) - (k[31] * t91 - k[32] * t90);
-  const Scalar t135 = k[5] * (torque[5] + t123);
-  const Scalar t136 = t113 * t4 - (t18 * t115 - t116 * t24);
-  const Scalar t137 = (k[15] * t127 - k[42] * t109) + (k[7] * t110 - k[8] * t122);
-  const Scalar t138 = (torque[4] + ((t0 * t110 + t136) + t137)) - t135 * t15;
-  const Scalar t139 = ((torque[1] - t134) - t135 * t7) + t42 * t138;
-  const Scalar t140 = (t135 * t43 - (torque[3] + t125)) + t48 * t138;
-  const Scalar t141 = t49 * t140;
-  const Scalar t142 = k[38] + k[36] * (s5 * t129 - c5 * t126);
-  const Scalar t143 = t41 * t138;
-  const Scalar t144 = ((torque[2] - t142) - t135 * t53) - t54 * t143;
-  const Scalar t145 = t144 - t55 * t141;
-  const Scalar t146 = (t139 - t141 * t47) - t145 * t61;
-  const Scalar t147 = k[33] * t94 - (c4 * t130 + s4 * t132);
-  const Scalar t148 = c2 * (k[31] * t93 - t133) - s2 * (t147 - k[32] * t93);
-  const Scalar t149 = (k[45] * t88 + k[46] * t87) - (t148 - t134);
-  const Scalar t150 = t138 * t68 + (t135 * t64 + (torque[0] - t149));
-  const Scalar t151 = t77 * t146 + ((t84 * t140 - t150) + t145 * t78);
-  const Scalar t152 = t86 * t151;
-  const Scalar t153 = t77 * t152 - t62 * t146;
-  const Scalar t154 = (t78 * t152 - t59 * t145) - t61 * t153;
-  const Scalar t155 = t56 * t154 - ((t141 + t152 * t84) - t153 * t50);
-  const Scalar t156 = t57 * t154 - (t42 * t153 - (t152 * t68 + t143));
-  const Scalar t157 = t156 + t48 * t155;
-  const Scalar t158 = (t153 * t6 - (t135 - t65 * t152)) + t154 * t52;
+  const Scalar t0 = k[0] * c6 - k[1] * s6;
+  const Scalar t1 = k[2] * t0;
+  const Scalar t2 = k[0] * s6 + k[1] * c6;
+  const Scalar t3 = c5 - k[2] * s5 * t2;
+  const Scalar t4 = k[3] * c6 - k[4] * s6;
+  const Scalar t5 = c5 * t4;
+  const Scalar t6 = k[4] * c6 + k[3] * s6;
+  const Scalar t7 = s4 * t5 + c4 * t6;
+  const Scalar t8 = t3 - k[5] * t7;
+  const Scalar t9 = k[15] * t8;
+  const Scalar t10 = k[12] + t6;
+  const Scalar t11 = s5 * t10 + k[13] * c5;
+  const Scalar t12 = s4 * t11;
+  const Scalar t13 = k[11] + t0;
+  const Scalar t14 = k[7] * c6 - k[8] * s6;
+  const Scalar t15 = k[9] - c6 * t14;
+  const Scalar t16 = k[10] - t15;
+  const Scalar t17 = c5 * t13 + s5 * t16;
+  const Scalar t18 = k[14] * t12 - t17;
+  const Scalar t19 = t1 * t9 + t18;
+  const Scalar t20 = s6 * t14;
+  const Scalar t21 = k[16] + t20;
+  const Scalar t22 = k[17] - t21;
+  const Scalar t23 = k[18] + t22;
+  const Scalar t24 = Scalar(1) / (t23 + t1 * t0);
+  const Scalar t25 = t19 * t24;
+  const Scalar t26 = s5 * t4;
+  const Scalar t27 = k[6] * t26;
+  const Scalar t28 = k[13] * s5 - c5 * t10;
+  const Scalar t29 = t1 * t27 - k[6] * t28;
+  const Scalar t30 = k[15] * t3;
+  const Scalar t31 = t30 * t1 - t17;
+  const Scalar t32 = t24 * t31;
+  const Scalar t33 = k[27] * t26;
+  const Scalar t34 = t32 * t29 - t30 * t33;
+  const Scalar t35 = k[19] - t28;
+  const Scalar t36 = k[20] + t4;
+  const Scalar t37 = c4 * t35 + s4 * t36;
+  const Scalar t38 = k[14] * t37;
+  const Scalar t39 = k[25] - t20;
+  const Scalar t40 = k[26] + t39;
+  const Scalar t41 = Scalar(2) * c5 * (k[21] + t2) - s5 * t22;
+  const Scalar t42 = k[23] + ((k[22] - s5 * t41) - t23);
+  const Scalar t43 = k[24] - (s5 * t13 - c5 * t16);
+  const Scalar t44 = s4 * (t40 - t42) + Scalar(2) * c4 * t43;
+  const Scalar t45 = s4 * t44;
+  const Scalar t46 = t45 - t40;
+  const Scalar t47 = t45 + t42;
+  const Scalar t48 = t46 - t47;
+  const Scalar t49 = t38 + t48;
+  const Scalar t50 = t19 * t32 - (t49 + t3 * t9);
+  const Scalar t51 = Scalar(1) / (t32 * t31 - (t48 + t30 * t3));
+  const Scalar t52 = t50 * t51;
+  const Scalar t53 = (t25 * t29 - t27 * t8) - t34 * t52;
+  const Scalar t54 = k[38] * s1 - k[37] * c1;
+  const Scalar t55 = k[37] * s1 + k[38] * c1;
+  const Scalar t56 = qd[0] * qd[0] + t55;
+  const Scalar t57 = c2 * t54 + s2 * t56;
+  const Scalar t58 = s2 * t54 - c2 * t56;
+  const Scalar t59 = qd[0] + qd[1];
+  const Scalar t60 = t59 * t59;
+  const Scalar t61 = t58 - k[14] * t60;
+  const Scalar t62 = s4 * t57 - c4 * t61;
+  const Scalar t63 = k[39] * c5 - s5 * t62;
+  const Scalar t64 = qd[3] - t59;
+  const Scalar t65 = c5 * t64;
+  const Scalar t66 = qd[5] + t65;
+  const Scalar t67 = t66 * t66;
+  const Scalar t68 = s5 * t64;
+  const Scalar t69 = t68 * t68;
+  const Scalar t70 = t67 - t69;
+  const Scalar t71 = Scalar(2) * qd[4];
+  const Scalar t72 = qd[5] * t71;
+  const Scalar t73 = (qd[5] + t66) * t68;
+  const Scalar t74 = t2 * t70 - (t72 * t15 - t21 * t73);
+  const Scalar t75 = c5 * t62 + k[39] * s5;
+  const Scalar t76 = t68 * t65;
+  const Scalar t77 = qd[4] * qd[4];
+  const Scalar t78 = t67 - t77;
+  const Scalar t79 = t70 - t78;
+  const Scalar t80 = t64 * t64;
+  const Scalar t81 = t77 + t69;
+  const Scalar t82 = t80 - t81;
+  const Scalar t83 = t79 + t82;
+  const Scalar t84 = (k[12] * t63 - k[13] * t75) - (k[17] * t76 - k[21] * t83);
+  const Scalar t85 = c4 * t57 + s4 * t61;
+  const Scalar t86 = t65 * t71;
+  const Scalar t87 = t68 * t71;
+  const Scalar t88 = (t76 * t0 - t2 * t86) - (t21 * t87 - t79 * t15);
+  const Scalar t89 = (t75 * t4 + t85 * t6) + t88;
+  const Scalar t90 = torque[5] + t89;
+  const Scalar t91 = k[2] * t90;
+  const Scalar t92 = (torque[4] + ((t63 * t6 + t74) + t84)) + t91 * t0;
+  const Scalar t93 = t24 * t92;
+  const Scalar t94 = (k[13] * t76 - k[12] * (t83 + t81)) - (t67 + t77) * t6;
+  const Scalar t95 = (t73 * t6 + t72 * t4) + (k[12] * t76 - k[13] * t81);
+  const Scalar t96 = k[6] * (k[41] - (s5 * t94 + c5 * t95));
+  const Scalar t97 = t29 * t93 + ((torque[2] - t96) - t27 * t91);
+  const Scalar t98 = (k[10] * t79 - k[11] * t76) - (k[40] * t87 - k[21] * t86);
+  const Scalar t99 = (t39 * t72 - t15 * t73) + t78 * t0;
+  const Scalar t100 = k[11] * t82 + (k[22] * t86 - k[21] * t87);
+  const Scalar t101 = ((t99 - t2 * t87) + t63 * t4) + ((t100 + k[10] * t76) + k[13] * t85);
+  const Scalar t102 = c5 * (t89 - (t98 - k[12] * t85)) - s5 * t101;
+  const Scalar t103 = t102 + (k[20] * t62 + k[19] * t85);
+  const Scalar t104 = (t90 * t3 - (torque[3] + t103)) - t31 * t93;
+  const Scalar t105 = t104 * t51;
+  const Scalar t106 = t24 * t29;
+  const Scalar t107 = t34 * t51;
+  const Scalar t108 = (t29 * t106 - (k[28] + t27 * t33)) - t34 * t107;
+  const Scalar t109 = Scalar(1) / t108;
+  const Scalar t110 = (t97 + t105 * t34) * t109;
+  const Scalar t111 = (k[12] * t87 + k[13] * t86) - (t4 * (t78 + t81) - t87 * t6);
+  const Scalar t112 = k[20] * t80 - t111;
+  const Scalar t113 = (s5 * t95 - c5 * t94) + k[19] * t80;
+  const Scalar t114 = c4 * t112 - s4 * t113;
+  const Scalar t115 = (k[31] * t58 - k[32] * t57) + (k[14] * t114 - t103);
+  const Scalar t116 = t25 * t92 - ((torque[1] + t115) + t90 * t8);
+  const Scalar t117 = t53 * t110 - (t116 + t104 * t52);
+  const Scalar t118 = k[30] + (Scalar(2) * t38 - t47);
+  const Scalar t119 = k[29] - t46;
+  const Scalar t120 = t118 - t119;
+  const Scalar t121 = t50 * t52 - (t19 * t25 - (t120 + t8 * t9));
+  const Scalar t122 = t53 * t109;
+  const Scalar t123 = Scalar(1) / (t121 + t122 * t53);
+  const Scalar t124 = s4 * t35 - c4 * t36;
+  const Scalar t125 = s2 * t124 + c2 * t37;
+  const Scalar t126 = s2 * (c4 * t5 - s4 * t6) - c2 * t7;
+  const Scalar t127 = t126 + t9;
+  const Scalar t128 = k[2] * t127;
+  const Scalar t129 = (s2 * c4 * t11 - c2 * t12) - t18;
+  const Scalar t130 = t0 * t128 - t129;
+  const Scalar t131 = t24 * t130;
+  const Scalar t132 = ((t125 + t49) + t3 * t127) - t131 * t31;
+  const Scalar t133 = t51 * t132;
+  const Scalar t134 = t34 * t133 - (t27 * t128 - t130 * t106);
+  const Scalar t135 = t134 * t109;
+  const Scalar t136 = t125 + (k[32] * c2 - k[31] * s2);
+  const Scalar t137 = t25 * t130 - (t9 * t128 + (t120 + t136));
+  const Scalar t138 = t53 * t135 - (t50 * t133 + t137);
+  const Scalar t139 = t123 * t138;
+  const Scalar t140 = (s4 * t112 + c4 * t113) - k[35] * t58;
+  const Scalar t141 = c2 * (k[31] * t60 + (t114 - k[35] * t57));
+  const Scalar t142 = t115 + (s2 * (t140 + k[32] * t60) + t141);
+  const Scalar t143 = torque[0] - ((k[42] * t54 + k[43] * t55) - t142);
+  const Scalar t144 = (t131 * t92 - (t90 * t128 + t143)) - t105 * t132;
+  const Scalar t145 = k[33] + ((c4 * t44 - t43) + k[14] * t124);
+  const Scalar t146 = Scalar(2) * c2 * t145 - s2 * (t118 + t119);
+  const Scalar t147 = s2 * t146;
+  const Scalar t148 = k[36] + (((k[35] + t136) + t136) + (t118 + t147));
+  const Scalar t149 = ((k[34] - (t119 + t147)) + t148) + t127 * t128;
+  const Scalar t150 = (t133 * t132 - (t131 * t130 - t149)) + t134 * t135;
+  const Scalar t151 = (t117 * t139 - (t134 * t110 - t144)) * Scalar(1) / (t139 * t138 - t150);
+  const Scalar t152 = t139 * t151 - t117 * t123;
+  const Scalar t153 = (t135 * t151 - t110) - t122 * t152;
+  const Scalar t154 = t153 * t107 - ((t105 - t151 * t133) - t52 * t152);
+  const Scalar t155 = ((t131 * t151 - t93) - t25 * t152) - t153 * t106;
+  const Scalar t156 = t155 + t154 * t32;
+  const Scalar t157 = t153 * t33 - ((t151 * t128 - t91) - t8 * t152);
   JointVector<Scalar> result;
-  result[0] = t152;
-  result[1] = -t153;
-  result[2] = -t154;
-  result[3] = -t155;
-  result[4] = t157;
-  result[5] = (t155 * t5 + t158) - t157 * t14;
+  result[0] = t151;
+  result[1] = -t152;
+  result[2] = t153;
+  result[3] = -t154;
+  result[4] = -t156;
+  result[5] = -(t157 - t154 * t3) - t156 * t1;
   return result;
 }
 
@@ -833,92 +830,97 @@ ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constant
   using std::cos;
   using std::sin;
   const Scalar t0 = inertia.c6x * inertia.m6;
-  const Scalar t1 = inertia.I6xy - inertia.c6y * t0;
+  const Scalar t1 = inertia.I6xz - inertia.c6z * t0;
   const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
   const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t0;
   const Scalar t4 = inertia.c6y * inertia.m6;
   const Scalar t5 = (inertia.I6yy - t2) - inertia.c6y * t4;
   const Scalar t6 = t3 + t5;
-  const Scalar t7 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t8 = inertia.c4y * inertia.m4;
+  const Scalar t7 = Scalar(1) / t6;
+  const Scalar t8 = inertia.I6yz - inertia.c6z * t4;
   const Scalar t9 = inertia.c5y * inertia.m5;
-  const Scalar t10 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t11 = ((inertia.I4yy - t7) - inertia.c4y * t8) - (inertia.c5y * t9 - (inertia.I5yy - t10));
-  const Scalar t12 = inertia.c5x * inertia.m5;
-  const Scalar t13 = inertia.c5x * t12 - (inertia.I5xx - t10);
-  const Scalar t14 = inertia.c6z * inertia.m6;
-  const Scalar t15 = inertia.c5z * inertia.m5;
-  const Scalar t16 = (inertia.c6z * t14 - (inertia.I6zz - t2)) + (inertia.c5z * t15 - (inertia.I5zz - t10));
+  const Scalar t10 = inertia.I6xy - inertia.c6y * t0;
+  const Scalar t11 = inertia.c5x * inertia.m5;
+  const Scalar t12 = inertia.c5z * inertia.m5;
+  const Scalar t13 = inertia.c6z * inertia.m6;
+  const Scalar t14 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t15 = inertia.c5x * t11 - (inertia.I5xx - t14);
+  const Scalar t16 = (inertia.c6z * t13 - (inertia.I6zz - t2)) + (inertia.c5z * t12 - (inertia.I5zz - t14));
   const Scalar t17 = inertia.c4x * inertia.m4;
-  const Scalar t18 = g.l1 * (t15 + t14);
-  const Scalar t19 = g.l2 / g.l1;
-  const Scalar t20 = Scalar(1) / t6;
-  const Scalar t21 = Scalar(1) / g.l1;
-  const Scalar t22 = g.l1 * g.l1 * (inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)));
-  const Scalar t23 = gravity[2] / g.l1;
-  const Scalar t24 = inertia.c3y * inertia.m3;
-  const Scalar t25 = inertia.c2y * inertia.m2;
-  const Scalar t26 = inertia.c3x * inertia.m3;
-  const Scalar t27 = inertia.c2x * inertia.m2;
-  const Scalar t28 = g.l2 * inertia.m2 + t27;
-  const Scalar t29 = inertia.c1y * inertia.m1;
-  const Scalar t30 = g.l1 * inertia.m2;
-  const Scalar t31 = inertia.c1x * inertia.m1;
-  const Scalar t32 = g.l1 * inertia.m1 + t31;
-  const Scalar t33 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t34 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t35 = ((inertia.I3yy - t33) - inertia.c3y * t24) + ((inertia.I2yy - t34) - inertia.c2y * t25);
-  const Scalar t36 = (inertia.c2x * t27 - (inertia.I2xx - t34)) + g.l2 * (t27 + t28);
-  const Scalar t37 = (inertia.c3x * t26 - (inertia.I3xx - t33)) + Scalar(2) * g.l2 * t26;
-  const Scalar t38 = ((inertia.I2xy - inertia.c2y * t27) - g.l2 * t25)
-      - (g.l2 * t24 - (inertia.I3xy - inertia.c3y * t26));
-  const Scalar t39 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t40 = g.l1 * (t31 + t32) + (inertia.c1x * t31 - (inertia.I1xx - t39));
-  return { Scalar(2) * t1,
-           t3 - t5,
-           t3,
-           t6,
-           t11,
-           t13 - t16,
-           inertia.I6yz - inertia.c6z * t4,
-           inertia.I6xz - inertia.c6z * t0,
-           inertia.I5xz - inertia.c5z * t12,
-           t16,
-           (inertia.I4xx - t7) - inertia.c4x * t17,
+  const Scalar t18 = inertia.c4y * inertia.m4;
+  const Scalar t19 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t20 = ((inertia.I4yy - t19) - inertia.c4y * t18) - (inertia.c5y * t9 - (inertia.I5yy - t14));
+  const Scalar t21 = inertia.c2x * inertia.m2;
+  const Scalar t22 = inertia.c2y * inertia.m2;
+  const Scalar t23 = inertia.c3y * inertia.m3;
+  const Scalar t24 = inertia.c3x * inertia.m3;
+  const Scalar t25 = ((inertia.I2xy - inertia.c2y * t21) - g.l2 * t22)
+      - (g.l2 * t23 - (inertia.I3xy - inertia.c3y * t24));
+  const Scalar t26 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t27 = g.l2 * inertia.m2 + t21;
+  const Scalar t28 = (inertia.c2x * t21 - (inertia.I2xx - t26)) + g.l2 * (t21 + t27);
+  const Scalar t29 = g.l2 * inertia.m3 + t24;
+  const Scalar t30 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t31 = g.l2 * (t29 + t24) + (inertia.c3x * t24 - (inertia.I3xx - t30));
+  const Scalar t32 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t33 = g.l2 * t32;
+  const Scalar t34 = ((inertia.I3yy - t30) - inertia.c3y * t23) + ((inertia.I2yy - t26) - inertia.c2y * t22);
+  const Scalar t35 = Scalar(1) / g.l1;
+  const Scalar t36 = g.l1 * g.l1 * (inertia.m3 + t32);
+  const Scalar t37 = t36 * t35;
+  const Scalar t38 = gravity[2] / g.l1;
+  const Scalar t39 = g.l1 * inertia.m2;
+  const Scalar t40 = inertia.c1x * inertia.m1;
+  const Scalar t41 = g.l1 * inertia.m1 + t40;
+  const Scalar t42 = inertia.c1y * inertia.m1;
+  const Scalar t43 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t44 = g.l1 * (t40 + t41) + (inertia.c1x * t40 - (inertia.I1xx - t43));
+  return { t1 * t7,
+           t8 * t7,
            g.l1 * t4,
            g.l1 * t0,
-           g.l1 * t12,
-           t18,
-           g.l1 * t17,
-           g.l1 * (t8 + t9),
-           t19,
-           t20,
-           inertia.I5yz - inertia.c5z * t9,
+           g.l2 / g.l1,
+           t8,
            t1,
-           inertia.I5xy - inertia.c5y * t12,
+           t7,
+           t6,
+           inertia.I5yz - inertia.c5z * t9,
+           Scalar(2) * t10,
+           t3 - t5,
+           t10,
+           inertia.I5xy - inertia.c5y * t11,
+           g.l1 * t11,
+           g.l1 * (t12 + t13),
+           t3,
+           t15,
+           t16,
+           g.l1 * t17,
+           g.l1 * (t18 + t9),
+           inertia.I4xy - inertia.c4y * t17,
+           inertia.I5xz - inertia.c5z * t11,
            Scalar(2) * t16,
-           t21 * t20,
-           t21,
-           t21 * t22 * t21,
+           (inertia.I4xx - t19) - inertia.c4x * t17,
+           t5,
+           t20,
+           t25,
+           t28 + (t31 + g.l2 * t33),
+           t34,
+           t35 * t7,
+           t35,
+           t35 * t37,
+           g.l1 * (t23 + t22),
+           g.l1 * ((t29 + t33) + t27),
+           t38,
            gravity[1] / g.l1,
            gravity[0] / g.l1,
-           t23,
-           Scalar(2) * t13,
+           t15 - t16,
            g.l1,
-           t22 * t23,
-           g.l1 * (t24 + t25),
-           t22,
-           Scalar(2) * t18,
-           g.l1 * (t26 + t28),
-           g.l1 * t29,
-           g.l1 * (t30 + t32),
-           inertia.I4xy - inertia.c4y * t17,
-           t35,
-           t22 * t19,
-           t36 + t37,
-           t38,
-           inertia.c1y * t29 - (inertia.I1yy - t39),
-           g.l1 * t30 + t40 };
+           t38 * t37,
+           t36,
+           g.l1 * (t39 + t41),
+           g.l1 * t42,
+           inertia.c1y * t42 - (inertia.I1yy - t43),
+           g.l1 * t39 + t44 };
 }
 
 namespace detail {
@@ -938,182 +940,186 @@ inline JointVector<Scalar> forward_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[7] * c6 + k[6] * s6;
-  const Scalar t1 = c5 - k[18] * s5 * t0;
-  const Scalar t2 = k[6] * c6 - k[7] * s6;
-  const Scalar t3 = k[19] + t2;
-  const Scalar t4 = k[0] * c6 - k[1] * s6;
-  const Scalar t5 = k[20] - c6 * t4;
-  const Scalar t6 = k[21] - t5;
-  const Scalar t7 = c5 * t3 + s5 * t6;
-  const Scalar t8 = t1 * t2 - t7;
-  const Scalar t9 = k[18] * t2;
-  const Scalar t10 = k[2] + s6 * t4;
-  const Scalar t11 = k[5] - t10;
-  const Scalar t12 = Scalar(1) / (t2 * t9 + (k[22] + t11));
-  const Scalar t13 = t8 * t12;
-  const Scalar t14 = k[12] * c6 + k[11] * s6;
-  const Scalar t15 = k[13] + t14;
-  const Scalar t16 = s5 * t15 + k[14] * c5;
-  const Scalar t17 = s4 * t16;
-  const Scalar t18 = t7 - k[17] * t17;
-  const Scalar t19 = t18 + (s2 * c4 * t16 - c2 * t17);
-  const Scalar t20 = k[12] * s6 - k[11] * c6;
-  const Scalar t21 = c5 * t20;
-  const Scalar t22 = c4 * t14 - s4 * t21;
-  const Scalar t23 = k[3] * t1;
-  const Scalar t24 = k[17] * t22 - t23;
-  const Scalar t25 = s2 * (s4 * t14 + c4 * t21) + c2 * t22;
-  const Scalar t26 = t24 + t25;
-  const Scalar t27 = k[18] * t26;
-  const Scalar t28 = t19 + t27 * t2;
-  const Scalar t29 = k[16] - t20;
-  const Scalar t30 = c5 * t15 - k[14] * s5;
-  const Scalar t31 = k[15] + t30;
-  const Scalar t32 = s4 * t29 + c4 * t31;
-  const Scalar t33 = c4 * t29 - s4 * t31;
-  const Scalar t34 = s2 * t33;
-  const Scalar t35 = s5 * t11 - Scalar(2) * c5 * (k[8] + t0);
-  const Scalar t36 = k[10] - ((k[9] + t11) - s5 * t35);
-  const Scalar t37 = k[3] - t10;
-  const Scalar t38 = k[4] + t37;
-  const Scalar t39 = t36 + t38;
-  const Scalar t40 = k[17] * t32 - t39;
-  const Scalar t41 = ((c2 * t32 - t34) + t40) - t27 * t23;
-  const Scalar t42 = t13 * t28 + t41;
-  const Scalar t43 = Scalar(1) / (t8 * t13 - (t1 * t23 - t39));
-  const Scalar t44 = t42 * t43;
-  const Scalar t45 = k[40] + t32;
-  const Scalar t46 = (k[32] * s2 + t34) - c2 * (k[35] + t45);
-  const Scalar t47 = k[38] - (s5 * t3 - c5 * t6);
-  const Scalar t48 = Scalar(2) * c4 * t47 - s4 * (t36 - t38);
-  const Scalar t49 = k[42] - (k[17] * t33 - (c4 * t48 - t47));
-  const Scalar t50 = s4 * t48 + t36;
-  const Scalar t51 = k[41] + (k[17] * (t45 + t32) - t50);
-  const Scalar t52 = k[39] - (t50 - t39);
-  const Scalar t53 = Scalar(2) * c2 * t49 - s2 * (t51 + t52);
-  const Scalar t54 = s2 * t53 + t52;
-  const Scalar t55 = t51 - t52;
-  const Scalar t56 = k[44] + (((k[33] - t46) - t46) + (t54 + t55));
-  const Scalar t57 = t28 * t12;
-  const Scalar t58 = (t27 * t26 + (t56 + (k[43] - t54))) - t57 * t28;
-  const Scalar t59 = k[23] * s5 * t20;
-  const Scalar t60 = k[3] * t59;
-  const Scalar t61 = t60 * t9 - k[24] * t30;
-  const Scalar t62 = t1 * t60 - t13 * t61;
-  const Scalar t63 = t62 * t43;
-  const Scalar t64 = t12 * t61;
-  const Scalar t65 = t63 * t62 - (t64 * t61 - (k[25] + t59 * t60));
-  const Scalar t66 = Scalar(1) / t65;
-  const Scalar t67 = (t59 * t26 - t57 * t61) - t63 * t42;
-  const Scalar t68 = t66 * t67;
-  const Scalar t69 = k[18] * t24;
-  const Scalar t70 = t24 * t9 + t18;
-  const Scalar t71 = t12 * t70;
-  const Scalar t72 = t71 * t8 + (t40 - t69 * t23);
-  const Scalar t73 = t72 * t43;
-  const Scalar t74 = ((t55 + t24 * t69) - t71 * t70) + t72 * t73;
-  const Scalar t75 = (t24 * t59 - t64 * t70) - t63 * t72;
-  const Scalar t76 = t66 * t75;
-  const Scalar t77 = Scalar(1) / (t74 - t76 * t75);
-  const Scalar t78 = t71 * t28 - ((t55 - t46) + t69 * t26);
-  const Scalar t79 = (t42 * t73 - t78) - t68 * t75;
-  const Scalar t80 = t77 * t79;
-  const Scalar t81 = ((t44 * t42 + t58) - t68 * t67) - t80 * t79;
-  const Scalar t82 = qd[0] + qd[1];
-  const Scalar t83 = t82 * t82;
-  const Scalar t84 = k[26] * s1 + k[27] * c1;
-  const Scalar t85 = qd[0] * qd[0] + t84;
-  const Scalar t86 = k[27] * s1 - k[26] * c1;
-  const Scalar t87 = c2 * t85 - s2 * t86;
-  const Scalar t88 = k[17] * t83 + t87;
-  const Scalar t89 = c2 * t86 + s2 * t85;
-  const Scalar t90 = s4 * t88 - c4 * t89;
-  const Scalar t91 = c4 * t88 + s4 * t89;
-  const Scalar t92 = c5 * t91 + k[28] * s5;
-  const Scalar t93 = qd[3] - t82;
-  const Scalar t94 = c5 * t93;
-  const Scalar t95 = qd[4] * t94;
-  const Scalar t96 = t95 + t95;
-  const Scalar t97 = s5 * t93;
-  const Scalar t98 = t97 * t94;
-  const Scalar t99 = qd[4] * t97;
-  const Scalar t100 = Scalar(2) * t99;
-  const Scalar t101 = qd[5] + t94;
-  const Scalar t102 = t101 * t101;
-  const Scalar t103 = t97 * t97;
-  const Scalar t104 = t102 - t103;
-  const Scalar t105 = qd[4] * qd[4];
-  const Scalar t106 = t102 - t105;
-  const Scalar t107 = t104 - t106;
-  const Scalar t108 = (t0 * t96 - t98 * t2) + (t10 * t100 - t107 * t5);
-  const Scalar t109 = c1 * s2 + c2 * s1;
-  const Scalar t110 = c1 * c2 - s1 * s2;
-  const Scalar t111 = wrench[4] * t109 + wrench[3] * t110;
-  const Scalar t112 = wrench[4] * t110 - wrench[3] * t109;
-  const Scalar t113 = c4 * t111 - s4 * t112;
-  const Scalar t114 = ((t14 * t90 + t20 * t92) + t108) - (s5 * t113 - wrench[5] * c5);
-  const Scalar t115 = torque[5] - t114;
-  const Scalar t116 = k[18] * t115;
-  const Scalar t117 = Scalar(2) * qd[4] * qd[5];
-  const Scalar t118 = (qd[5] + t101) * t97;
-  const Scalar t119 = (t37 * t117 - t118 * t5) + t106 * t2;
-  const Scalar t120 = k[28] * c5 - s5 * t91;
-  const Scalar t121 = ((t0 * t100 - t119) + t120 * t20) - (wrench[5] * s5 + c5 * t113);
-  const Scalar t122 = t93 * t93;
-  const Scalar t123 = t107 + t122;
-  const Scalar t124 = t105 + t103;
-  const Scalar t125 = t123 - t124;
-  const Scalar t126 = k[19] * (t125 - t107) + (k[9] * t96 - k[8] * t100);
-  const Scalar t127 = t121 + (k[14] * t90 - (k[21] * t98 + t126));
-  const Scalar t128 = (k[29] * t99 - k[8] * t96) - (k[21] * t107 - k[19] * t98);
-  const Scalar t129 = s5 * t127 + c5 * ((t128 - k[13] * t90) - t114);
-  const Scalar t130 = t129 - (k[15] * t90 - k[16] * t91);
-  const Scalar t131 = (k[5] * t98 - k[8] * t125) + (k[14] * t92 - k[13] * t120);
-  const Scalar t132 = t0 * t104 - (t5 * t117 - t10 * t118);
-  const Scalar t133 = (t132 + t120 * t14) - (c4 * t112 + s4 * t111);
-  const Scalar t134 = (torque[4] - (t131 - t133)) + t116 * t2;
-  const Scalar t135 = t134 * t12;
-  const Scalar t136 = (t116 * t23 - (torque[3] + t130)) - t8 * t135;
-  const Scalar t137 = t136 * t43;
-  const Scalar t138 = t106 + t124;
-  const Scalar t139 = wrench[1] * t109 + wrench[0] * t110;
-  const Scalar t140 = wrench[1] * t110 - wrench[0] * t109;
-  const Scalar t141 = c4 * t139 - s4 * t140;
-  const Scalar t142 = (t107 + t138) * t14 + k[30] * (c5 * t141 + wrench[2] * s5);
-  const Scalar t143 = (k[14] * t98 - k[13] * t123) - t142;
-  const Scalar t144 = k[30] * (wrench[2] * c5 - s5 * t141) + (t20 * t117 - t14 * t118);
-  const Scalar t145 = (k[13] * t98 - k[14] * t124) - t144;
-  const Scalar t146 = k[24] * (k[31] - (s5 * t143 + c5 * t145));
-  const Scalar t147 = (t116 * t60 + (torque[2] - t146)) - t134 * t64;
-  const Scalar t148 = t62 * t137 + t147;
-  const Scalar t149 = k[30] * (c4 * t140 + s4 * t139) - (t20 * t138 + t14 * t100);
-  const Scalar t150 = k[16] * t122 + (t149 - (k[34] * t95 + k[13] * t100));
-  const Scalar t151 = (c5 * t143 - s5 * t145) - k[15] * t122;
-  const Scalar t152 = k[33] * t89 - (c4 * t150 + s4 * t151);
-  const Scalar t153 = (k[17] * t152 + t130) + (k[35] * t89 + k[32] * t87);
-  const Scalar t154 = k[33] * t88 - (c4 * t151 - s4 * t150);
-  const Scalar t155 = c2 * (t152 - k[32] * t83) - s2 * (k[35] * t83 + t154);
-  const Scalar t156 = (k[36] * t84 + k[37] * t86) + (t153 + t155);
-  const Scalar t157 = t135 * t28 - (t27 * t115 - (torque[0] - t156));
-  const Scalar t158 = t66 * t148;
-  const Scalar t159 = (t69 * t115 - (torque[1] - t153)) - t135 * t70;
-  const Scalar t160 = t75 * t158 + (t72 * t137 - t159);
-  const Scalar t161 = (t68 * t148 + (t44 * t136 + t157)) - t80 * t160;
-  const Scalar t162 = Scalar(1) / t81 * t161;
-  const Scalar t163 = t162 * t80 - t77 * t160;
-  const Scalar t164 = t76 * t163 - (t162 * t68 + t158);
-  const Scalar t165 = ((t162 * t44 - t137) - t163 * t73) - t63 * t164;
-  const Scalar t166 = t64 * t164 + ((t162 * t57 + t135) - t71 * t163);
-  const Scalar t167 = t166 - t165 * t13;
-  const Scalar t168 = (t69 * t163 - (t162 * t27 + t116)) - t59 * t164;
+  const Scalar t0 = k[0] * s6 - k[1] * c6;
+  const Scalar t1 = k[8] * t0;
+  const Scalar t2 = k[10] * c6 - k[11] * s6;
+  const Scalar t3 = s6 * t2;
+  const Scalar t4 = k[16] + t3;
+  const Scalar t5 = k[17] - t4;
+  const Scalar t6 = k[18] + t5;
+  const Scalar t7 = Scalar(1) / (t0 * t1 + t6);
+  const Scalar t8 = k[9] - t1;
+  const Scalar t9 = k[12] - c6 * t2;
+  const Scalar t10 = k[13] - t9;
+  const Scalar t11 = c5 * t8 + s5 * t10;
+  const Scalar t12 = k[2] * s6 + k[3] * c6;
+  const Scalar t13 = k[14] + t12;
+  const Scalar t14 = s5 * t13 + k[15] * c5;
+  const Scalar t15 = s4 * t14;
+  const Scalar t16 = t11 - k[4] * t15;
+  const Scalar t17 = k[2] * c6 - k[3] * s6;
+  const Scalar t18 = c5 * t17;
+  const Scalar t19 = s4 * t18 + c4 * t12;
+  const Scalar t20 = k[6] * c6 + k[5] * s6;
+  const Scalar t21 = c5 - k[7] * s5 * t20;
+  const Scalar t22 = k[8] * t21;
+  const Scalar t23 = k[4] * t19 - t22;
+  const Scalar t24 = t16 - t0 * t23;
+  const Scalar t25 = t7 * t24;
+  const Scalar t26 = qd[0] + qd[1];
+  const Scalar t27 = qd[3] - t26;
+  const Scalar t28 = s5 * t27;
+  const Scalar t29 = c5 * t27;
+  const Scalar t30 = t28 * t29;
+  const Scalar t31 = qd[4] * qd[4];
+  const Scalar t32 = t29 * t29;
+  const Scalar t33 = t31 + t32;
+  const Scalar t34 = t31 - t32;
+  const Scalar t35 = t27 * t27;
+  const Scalar t36 = t34 + t35;
+  const Scalar t37 = t33 - t36;
+  const Scalar t38 = k[37] * c1 + k[36] * s1;
+  const Scalar t39 = qd[0] * qd[0] + t38;
+  const Scalar t40 = k[37] * s1 - k[36] * c1;
+  const Scalar t41 = c2 * t39 - s2 * t40;
+  const Scalar t42 = t26 * t26;
+  const Scalar t43 = t41 + k[4] * t42;
+  const Scalar t44 = c2 * t40 + s2 * t39;
+  const Scalar t45 = c4 * t43 + s4 * t44;
+  const Scalar t46 = c5 * t45 + k[35] * s5;
+  const Scalar t47 = s5 * t45 - k[35] * c5;
+  const Scalar t48 = (k[38] * t30 - k[22] * t37) + (k[15] * t46 + k[14] * t47);
+  const Scalar t49 = t34 + t37;
+  const Scalar t50 = qd[5] + t29;
+  const Scalar t51 = t50 * t50;
+  const Scalar t52 = t51 - t31;
+  const Scalar t53 = qd[4] + qd[4];
+  const Scalar t54 = qd[5] * t53;
+  const Scalar t55 = (qd[5] + t50) * t28;
+  const Scalar t56 = t20 * (t49 + t52) - (t54 * t9 - t4 * t55);
+  const Scalar t57 = c1 * c2 - s1 * s2;
+  const Scalar t58 = c1 * s2 + c2 * s1;
+  const Scalar t59 = wrench[4] * t57 - wrench[3] * t58;
+  const Scalar t60 = wrench[4] * t58 + wrench[3] * t57;
+  const Scalar t61 = (t47 * t12 - t56) + (c4 * t59 + s4 * t60);
+  const Scalar t62 = c4 * t60 - s4 * t59;
+  const Scalar t63 = s4 * t43 - c4 * t44;
+  const Scalar t64 = t28 * t53;
+  const Scalar t65 = t29 * t53;
+  const Scalar t66 = (t4 * t64 - t9 * t49) + (t30 * t1 + t65 * t20);
+  const Scalar t67 = (s5 * t62 - wrench[5] * c5) + ((t17 * t46 - t63 * t12) - t66);
+  const Scalar t68 = torque[5] + t67;
+  const Scalar t69 = (torque[4] - (t48 + t61)) - t0 * t68;
+  const Scalar t70 = k[7] * t23;
+  const Scalar t71 = wrench[1] * t57 - wrench[0] * t58;
+  const Scalar t72 = wrench[1] * t58 + wrench[0] * t57;
+  const Scalar t73 = (t64 * t12 - (t52 + t36) * t17) - k[39] * (c4 * t71 + s4 * t72);
+  const Scalar t74 = k[20] * t35 - (t73 + (k[15] * t65 + k[14] * t64));
+  const Scalar t75 = c4 * t72 - s4 * t71;
+  const Scalar t76 = k[39] * (c5 * t75 + wrench[2] * s5) + (t51 + t31) * t12;
+  const Scalar t77 = (k[15] * t30 - k[14] * t33) - t76;
+  const Scalar t78 = k[39] * (wrench[2] * c5 - s5 * t75) - (t55 * t12 + t17 * t54);
+  const Scalar t79 = (k[14] * t30 - k[15] * t36) - t78;
+  const Scalar t80 = k[19] * t35 - (c5 * t77 - s5 * t79);
+  const Scalar t81 = c4 * t74 - s4 * t80;
+  const Scalar t82 = k[9] * t34 + (k[22] * t64 - k[18] * t65);
+  const Scalar t83 = k[25] - t3;
+  const Scalar t84 = (t83 * t54 - t9 * t55) - t52 * t1;
+  const Scalar t85 = (wrench[5] * s5 + c5 * t62) - ((t20 * t64 - t84) + t47 * t17);
+  const Scalar t86 = ((k[13] * t30 - t82) - k[15] * t63) + t85;
+  const Scalar t87 = (k[9] * t30 - k[13] * t49) + (k[17] * t64 - k[22] * t65);
+  const Scalar t88 = s5 * t86 - c5 * ((t87 - k[14] * t63) + t67);
+  const Scalar t89 = (k[19] * t63 - k[20] * t45) + t88;
+  const Scalar t90 = (k[4] * t81 + t89) - (k[33] * t41 + k[34] * t44);
+  const Scalar t91 = t25 * t69 - (t70 * t68 - (torque[1] + t90));
+  const Scalar t92 = t11 + t21 * t1;
+  const Scalar t93 = t7 * t92;
+  const Scalar t94 = k[21] - (s5 * t8 - c5 * t10);
+  const Scalar t95 = c4 * t94;
+  const Scalar t96 = k[26] + t83;
+  const Scalar t97 = (c5 + c5) * (k[22] + t20) + s5 * (k[23] - t6);
+  const Scalar t98 = k[24] - (s5 * t97 + t5);
+  const Scalar t99 = (t95 + t95) + s4 * (t96 - t98);
+  const Scalar t100 = s4 * t99;
+  const Scalar t101 = t100 + t98;
+  const Scalar t102 = t96 - t100;
+  const Scalar t103 = t101 + t102;
+  const Scalar t104 = Scalar(1) / (t93 * t92 - (t21 * t22 - t103));
+  const Scalar t105 = k[15] * s5 - c5 * t13;
+  const Scalar t106 = k[19] - t105;
+  const Scalar t107 = k[20] + t17;
+  const Scalar t108 = c4 * t106 + s4 * t107;
+  const Scalar t109 = k[4] * t108;
+  const Scalar t110 = t103 - t109;
+  const Scalar t111 = t24 * t93 + (t70 * t22 + t110);
+  const Scalar t112 = t104 * t111;
+  const Scalar t113 = t69 * t93 + (t21 * t68 - (torque[3] - t89));
+  const Scalar t114 = s5 * t17;
+  const Scalar t115 = k[30] * t114;
+  const Scalar t116 = k[31] * t114;
+  const Scalar t117 = t0 * t116 + k[31] * t105;
+  const Scalar t118 = t117 * t93 - t22 * t115;
+  const Scalar t119 = t118 * t104;
+  const Scalar t120 = (t23 * t115 + t25 * t117) - t119 * t111;
+  const Scalar t121 = t7 * t117;
+  const Scalar t122 = ((k[32] + t116 * t115) - t121 * t117) + t118 * t119;
+  const Scalar t123 = Scalar(1) / t122;
+  const Scalar t124 = t120 * t123;
+  const Scalar t125 = k[40] - k[31] * (s5 * t77 + c5 * t79);
+  const Scalar t126 = ((torque[2] - t125) - t68 * t115) - t121 * t69;
+  const Scalar t127 = t113 * t104;
+  const Scalar t128 = t126 + t118 * t127;
+  const Scalar t129 = (t91 - t112 * t113) - t124 * t128;
+  const Scalar t130 = s4 * t106 - c4 * t107;
+  const Scalar t131 = c2 * t108 + s2 * t130;
+  const Scalar t132 = s2 * (c4 * t18 - s4 * t12) - c2 * t19;
+  const Scalar t133 = t23 - t132;
+  const Scalar t134 = k[7] * t133;
+  const Scalar t135 = t16 - (c2 * t15 - s2 * c4 * t14);
+  const Scalar t136 = t134 * t1 - t135;
+  const Scalar t137 = t7 * t136;
+  const Scalar t138 = ((t131 - t110) - t21 * t133) + t137 * t92;
+  const Scalar t139 = t104 * t138;
+  const Scalar t140 = k[28] - (t101 - (t109 + t109));
+  const Scalar t141 = k[27] + (k[4] * t130 - (t94 - c4 * t99));
+  const Scalar t142 = k[29] + t102;
+  const Scalar t143 = Scalar(2) * c2 * t141 - s2 * (t140 + t142);
+  const Scalar t144 = s2 * t143;
+  const Scalar t145 = t140 + t144;
+  const Scalar t146 = t144 + t142;
+  const Scalar t147 = t145 - t146;
+  const Scalar t148 = t131 - (k[33] * s2 - k[34] * c2);
+  const Scalar t149 = t136 * t25 + (t70 * t133 + (t147 + t148));
+  const Scalar t150 = t119 * t138 + (t115 * t133 - t136 * t121);
+  const Scalar t151 = (t139 * t111 - t149) + t150 * t124;
+  const Scalar t152 = (t25 * t24 - (t70 * t23 + t147)) - t112 * t111;
+  const Scalar t153 = Scalar(1) / (t124 * t120 + t152);
+  const Scalar t154 = t151 * t153;
+  const Scalar t155 = t128 * t123;
+  const Scalar t156 = (c4 * t80 + s4 * t74) + k[41] * t41;
+  const Scalar t157 = c2 * ((t81 - k[41] * t44) + k[33] * t42);
+  const Scalar t158 = t90 + (s2 * (k[34] * t42 + t156) + t157);
+  const Scalar t159 = torque[0] + (t158 - (k[42] * t40 + k[43] * t38));
+  const Scalar t160 = k[7] * t68;
+  const Scalar t161 = (t69 * t137 - (t159 - t160 * t133)) - t138 * t127;
+  const Scalar t162 = t150 * t123;
+  const Scalar t163 = (k[45] + (((k[41] + t148) + t148) + t145)) + (k[44] - t146);
+  const Scalar t164 = t139 * t138 - (t136 * t137 - (t134 * t133 + t163));
+  const Scalar t165 = Scalar(1) / (t151 * t154 - (t150 * t162 - t164));
+  const Scalar t166 = (t129 * t154 + (t150 * t155 + t161)) * t165;
+  const Scalar t167 = t153 * t129 - t166 * t154;
+  const Scalar t168 = (t155 + t162 * t166) + t167 * t124;
+  const Scalar t169 = (t167 * t112 - (t139 * t166 + t127)) + t119 * t168;
+  const Scalar t170 = t167 * t25 - (t7 * t69 + t137 * t166);
+  const Scalar t171 = (t170 + t121 * t168) - t169 * t93;
+  const Scalar t172 = (t167 * t70 + (t134 * t166 - t160)) - t115 * t168;
   JointVector<Scalar> result;
-  result[0] = t162;
-  result[1] = -t163;
-  result[2] = -t164;
-  result[3] = -t165;
-  result[4] = t167;
-  result[5] = t167 * t9 + (t168 + t1 * t165);
+  result[0] = -t166;
+  result[1] = -t167;
+  result[2] = t168;
+  result[3] = -t169;
+  result[4] = -t171;
+  result[5] = (t172 + t21 * t169) + t0 * t171;
   return result;
 }
 
@@ -1143,32 +1149,33 @@ PotentialEnergyWithGravityVectorConstants<Scalar> potential_energy_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6));
-  const Scalar t1 = inertia.m2 + t0;
+  const Scalar t0 = g.h1 * inertia.m4;
+  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t2 = inertia.m3 + t1;
   return { inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
            inertia.c6y * inertia.m6,
            inertia.c6x * inertia.m6,
            inertia.c5x * inertia.m5,
-           inertia.c4x * inertia.m4,
+           (inertia.c4z * inertia.m4 + t0) - t0,
+           g.h1 * t1,
+           inertia.c3z * inertia.m3 + g.h1 * inertia.m3,
+           t2,
+           g.h1 * inertia.m2 + inertia.c2z * inertia.m2,
+           inertia.c1z * inertia.m1 + g.h1 * inertia.m1,
+           gravity[2],
            inertia.c5y * inertia.m5,
            inertia.c4y * inertia.m4,
-           inertia.c3x * inertia.m3,
-           g.l2 * t0,
+           inertia.c4x * inertia.m4,
+           g.l2 * t1,
+           g.l2 * inertia.m3 + inertia.c3x * inertia.m3,
            g.l2 * inertia.m2 + inertia.c2x * inertia.m2,
            inertia.c3y * inertia.m3,
            inertia.c2y * inertia.m2,
-           g.l1 * t1,
+           g.l1 * (inertia.m2 + t2),
            g.l1 * inertia.m1 + inertia.c1x * inertia.m1,
            inertia.c1y * inertia.m1,
-           gravity[1],
            gravity[0],
-           inertia.c4z * inertia.m4,
-           inertia.c3z * inertia.m3,
-           t0,
-           inertia.c2z * inertia.m2,
-           inertia.c1z * inertia.m1,
-           gravity[2],
-           (inertia.m1 + t1) * gravity[2] * g.h1 };
+           gravity[1] };
 }
 
 namespace detail {
@@ -1186,19 +1193,19 @@ inline Scalar potential_energy_with_gravity_vector(const JointVector<Scalar>& q,
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[3] + (k[2] * c6 + k[1] * s6);
-  const Scalar t1 = k[18] + (k[17] + (s5 * t0 + k[0] * c5));
-  const Scalar t2 = k[22] * (k[21] + (k[20] + (t1 - k[19] * q[2])));
-  const Scalar t3 = k[4] + (c5 * t0 - k[0] * s5);
-  const Scalar t4 = k[6] + (k[5] + (k[1] * c6 - k[2] * s6));
-  const Scalar t5 = k[11] + (k[10] - (s4 * t3 - c4 * t4));
-  const Scalar t6 = k[8] + (k[7] + (s4 * t4 + c4 * t3));
-  const Scalar t7 = k[9] + t6;
-  const Scalar t8 = k[13] + (k[12] - (s2 * t5 - c2 * t7));
-  const Scalar t9 = k[14] + (s2 * t7 + c2 * t5);
-  const Scalar t10 = k[16] * (c1 * t8 - s1 * t9) + k[15] * (s1 * t8 + c1 * t9);
+  const Scalar t0 = k[12] + (k[11] + (k[1] * c6 - k[2] * s6));
+  const Scalar t1 = k[3] + (k[2] * c6 + k[1] * s6);
+  const Scalar t2 = k[13] + (c5 * t1 - k[0] * s5);
+  const Scalar t3 = k[18] + (k[17] + (c4 * t0 - s4 * t2));
+  const Scalar t4 = k[15] + (k[14] + (c4 * t2 + s4 * t0));
+  const Scalar t5 = k[16] + t4;
+  const Scalar t6 = k[21] + (c2 * t3 + s2 * t5);
+  const Scalar t7 = k[20] + (k[19] - (s2 * t3 - c2 * t5));
+  const Scalar t8 = k[23] * (c1 * t6 + s1 * t7) - k[22] * (s1 * t6 - c1 * t7);
+  const Scalar t9 = k[5] + (k[4] + (s5 * t1 + k[0] * c5));
+  const Scalar t10 = k[9] + (k[8] - (k[7] * q[2] - (k[6] + t9)));
   Scalar result;
-  result = -k[23] - (t2 + t10);
+  result = -t8 - k[10] * t10;
   return result;
 }
 

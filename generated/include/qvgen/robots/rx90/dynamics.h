@@ -97,9 +97,9 @@ DynamicsAngles<Scalar> dynamics_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion: Newton-Euler recursion in base parameters (thesis 5.1-5.15).
 ///
-/// 212 multiplications, 195 additions, 5 sine/cosine pairs. Set-up: 80 multiplications, 95 additions, 3 divisions.
+/// 215 multiplications, 191 additions, 5 sine/cosine pairs. Set-up: 81 multiplications, 95 additions, 3 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is RL4, which must not be zero.
+/// The unit of length is D3, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g = {},
@@ -132,7 +132,7 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const DynamicsA
 
 /// Joint forces that come from the joint rates alone, C(q, qd) qd, without friction.
 ///
-/// 196 multiplications, 167 additions, 5 sine/cosine pairs. Set-up: 73 multiplications, 80 additions, 2 divisions.
+/// 197 multiplications, 166 additions, 5 sine/cosine pairs. Set-up: 74 multiplications, 80 additions, 2 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is D3, which must not be zero.
 template <class Scalar>
@@ -140,7 +140,7 @@ JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVec
     const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using CoriolisTorqueConstants = std::array<Scalar, 39>;
+using CoriolisTorqueConstants = std::array<Scalar, 40>;
 template <class Scalar>
 CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
@@ -151,14 +151,14 @@ JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVec
 
 /// Symmetric, positive definite M(q), by composite bodies in base parameters; rotors included.
 ///
-/// 100 multiplications, 106 additions, 5 sine/cosine pairs. Set-up: 75 multiplications, 89 additions, 1 division.
+/// 102 multiplications, 104 additions, 5 sine/cosine pairs. Set-up: 74 multiplications, 89 additions, 1 division.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is D3, which must not be zero.
 template <class Scalar>
 Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using MassMatrixConstants = std::array<Scalar, 40>;
+using MassMatrixConstants = std::array<Scalar, 38>;
 template <class Scalar>
 MassMatrixConstants<Scalar> mass_matrix_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
@@ -168,7 +168,7 @@ Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const 
 
 /// C(q, qd) of Christoffel's symbols: C qd is coriolis_torque, dM/dt - 2 C is skew-symmetric.
 ///
-/// 400 multiplications, 333 additions, 5 sine/cosine pairs. Set-up: 67 multiplications, 77 additions, 1 division.
+/// 396 multiplications, 337 additions, 5 sine/cosine pairs. Set-up: 66 multiplications, 77 additions, 1 division.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is D3, which must not be zero.
 template <class Scalar>
@@ -176,7 +176,7 @@ Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, co
     const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using CoriolisMatrixConstants = std::array<Scalar, 38>;
+using CoriolisMatrixConstants = std::array<Scalar, 37>;
 template <class Scalar>
 CoriolisMatrixConstants<Scalar> coriolis_matrix_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
@@ -187,7 +187,7 @@ Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, co
 
 /// Joint accelerations for given joint forces: M qdd = torque - C qd - gravity, by M = U D U^T.
 ///
-/// 368 multiplications, 341 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 87 multiplications, 95 additions, 4
+/// 372 multiplications, 337 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 86 multiplications, 95 additions, 4
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is D3, which must not be zero.
@@ -196,7 +196,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
-using ForwardDynamicsConstants = std::array<Scalar, 52>;
+using ForwardDynamicsConstants = std::array<Scalar, 49>;
 template <class Scalar>
 ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
@@ -207,14 +207,14 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// qd^T M qd / 2, J.
 ///
-/// 132 multiplications, 127 additions, 5 sine/cosine pairs. Set-up: 75 multiplications, 89 additions, 1 division.
+/// 134 multiplications, 125 additions, 5 sine/cosine pairs. Set-up: 74 multiplications, 89 additions, 1 division.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is D3, which must not be zero.
 template <class Scalar>
 Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using KineticEnergyConstants = std::array<Scalar, 39>;
+using KineticEnergyConstants = std::array<Scalar, 38>;
 template <class Scalar>
 KineticEnergyConstants<Scalar> kinetic_energy_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});

@@ -27,96 +27,96 @@ InverseDynamicsConstants<Scalar> inverse_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c2x * inertia.m2;
-  const Scalar t1 = inertia.I2xy - inertia.c2y * t0;
+  const Scalar t0 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t1 = inertia.c3z * inertia.m3;
   const Scalar t2 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t3 = inertia.c2y * inertia.m2;
-  const Scalar t4 = (inertia.I2yy - t2) - inertia.c2y * t3;
-  const Scalar t5 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t6 = g.RL4 * inertia.m4;
-  const Scalar t7 = inertia.c4z * inertia.m4;
-  const Scalar t8 = t7 + t6;
-  const Scalar t9 = t6 - t8;
-  const Scalar t10 = g.RL4 * t5 - t9;
-  const Scalar t11 = inertia.c3y * inertia.m3;
-  const Scalar t12 = (t10 + t11) / g.RL4;
-  const Scalar t13 = g.D3 * t12;
-  const Scalar t14 = g.D3 * (inertia.m3 + t5);
-  const Scalar t15 = (inertia.c2x * t0 - (inertia.I2xx - t2)) + g.D3 * t14;
-  const Scalar t16 = g.D3 * t13 - t15;
-  const Scalar t17 = inertia.c3z * inertia.m3;
-  const Scalar t18 = inertia.c3x * inertia.m3;
-  const Scalar t19 = inertia.c6x * inertia.m6;
-  const Scalar t20 = inertia.c6y * inertia.m6;
-  const Scalar t21 = inertia.c5x * inertia.m5;
-  const Scalar t22 = inertia.c6z * inertia.m6;
-  const Scalar t23 = inertia.c5y * inertia.m5;
-  const Scalar t24 = gravity / g.RL4;
-  const Scalar t25 = g.RL4 * g.RL4 * t12;
-  const Scalar t26 = inertia.c4x * inertia.m4;
-  const Scalar t27 = g.RL4 * t26;
-  const Scalar t28 = inertia.c5z * inertia.m5;
-  const Scalar t29 = inertia.c4y * inertia.m4;
-  const Scalar t30 = g.RL4 * t29;
-  const Scalar t31 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t32 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t33 = ((inertia.I4yy - t31) - inertia.c4y * t29) - (inertia.c5z * t28 - (inertia.I5zz - t32));
-  const Scalar t34 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t35 = (inertia.c6z * t22 - (inertia.I6zz - t34)) + (inertia.c5y * t23 - (inertia.I5yy - t32));
-  const Scalar t36 = inertia.I6xy - inertia.c6y * t19;
-  const Scalar t37 = (inertia.I6xx - t34) - inertia.c6x * t19;
-  const Scalar t38 = (inertia.I6yy - t34) - inertia.c6y * t20;
-  const Scalar t39 = ((inertia.I4zz - t31) - inertia.c4z * t7) - g.RL4 * (t7 + t8);
-  const Scalar t40 = (t39 - g.RL4 * (t9 - t8)) - g.RL4 * (t10 - t9);
-  const Scalar t41 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t42 = (t40 + ((inertia.I3yy - t41) - inertia.c3y * t11)) + t25;
-  const Scalar t43 = ((inertia.I3zz - t41) - inertia.c3z * t17)
+  const Scalar t3 = ((inertia.I3zz - t0) - inertia.c3z * t1)
       + ((inertia.I2zz - t2) - inertia.c2z * inertia.c2z * inertia.m2);
-  const Scalar t44 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t45 = t43 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t44));
-  const Scalar t46 = t45 - (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t44));
-  return { Scalar(2) * t1,
-           t4 - t16,
-           t16,
-           t1,
-           (inertia.I2xz - inertia.c2z * t0) - g.D3 * t17,
-           inertia.I2yz - inertia.c2z * t3,
-           g.RL4 * t18,
-           g.RL4 * t19,
-           g.RL4 * t20,
-           g.RL4 * t21,
-           g.RL4 * (t22 + t23),
-           g.D3 / g.RL4,
-           t24,
-           t25,
-           t27,
-           g.RL4 * (t28 - t29),
-           ((inertia.I4yz - inertia.c4z * t29) - t30) + t30,
-           t33,
-           inertia.I4xy - inertia.c4y * t26,
-           ((inertia.I4xz - inertia.c4z * t26) - t27) + t27,
-           inertia.I5xy - inertia.c5y * t21,
-           t35,
-           inertia.I5yz - inertia.c5z * t23,
-           inertia.I5xz - inertia.c5z * t21,
-           Scalar(2) * t36,
-           t37 - t38,
-           t36,
-           t38,
-           inertia.I6xz - inertia.c6z * t19,
-           inertia.I6yz - inertia.c6z * t20,
-           inertia.c5x * t21 - (inertia.I5xx - t32),
-           t37,
-           (inertia.I4xx - t31) - inertia.c4x * t26,
-           inertia.I3xz - inertia.c3z * t18,
+  const Scalar t4 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t5 = t3 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t4));
+  const Scalar t6 = t5 - (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t4));
+  const Scalar t7 = inertia.c2x * inertia.m2;
+  const Scalar t8 = inertia.I2xy - inertia.c2y * t7;
+  const Scalar t9 = inertia.c2y * inertia.m2;
+  const Scalar t10 = (inertia.I2yy - t2) - inertia.c2y * t9;
+  const Scalar t11 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t12 = g.RL4 * inertia.m4;
+  const Scalar t13 = inertia.c4z * inertia.m4;
+  const Scalar t14 = t13 + t12;
+  const Scalar t15 = t12 - t14;
+  const Scalar t16 = g.RL4 * t11 - t15;
+  const Scalar t17 = inertia.c3y * inertia.m3;
+  const Scalar t18 = (t16 + t17) / g.RL4;
+  const Scalar t19 = g.D3 * t18;
+  const Scalar t20 = g.D3 * t19;
+  const Scalar t21 = g.D3 * (inertia.m3 + t11);
+  const Scalar t22 = (inertia.c2x * t7 - (inertia.I2xx - t2)) + g.D3 * t21;
+  const Scalar t23 = t20 - t22;
+  const Scalar t24 = inertia.c3x * inertia.m3;
+  const Scalar t25 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t26 = ((inertia.I4zz - t25) - inertia.c4z * t13) - g.RL4 * (t13 + t14);
+  const Scalar t27 = (t26 - g.RL4 * (t15 - t14)) - g.RL4 * (t16 - t15);
+  const Scalar t28 = (t27 + ((inertia.I3yy - t0) - inertia.c3y * t17)) + g.RL4 * g.RL4 * t18;
+  const Scalar t29 = inertia.c4x * inertia.m4;
+  const Scalar t30 = inertia.c5z * inertia.m5;
+  const Scalar t31 = inertia.c4y * inertia.m4;
+  const Scalar t32 = gravity / g.D3;
+  const Scalar t33 = inertia.c6x * inertia.m6;
+  const Scalar t34 = inertia.c6y * inertia.m6;
+  const Scalar t35 = inertia.c6z * inertia.m6;
+  const Scalar t36 = inertia.c5y * inertia.m5;
+  const Scalar t37 = inertia.c5x * inertia.m5;
+  const Scalar t38 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t39 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t40 = (inertia.c6z * t35 - (inertia.I6zz - t38)) + (inertia.c5y * t36 - (inertia.I5yy - t39));
+  const Scalar t41 = inertia.I6xy - inertia.c6y * t33;
+  const Scalar t42 = (inertia.I6xx - t38) - inertia.c6x * t33;
+  const Scalar t43 = (inertia.I6yy - t38) - inertia.c6y * t34;
+  const Scalar t44 = g.RL4 * t31;
+  const Scalar t45 = ((inertia.I4yy - t25) - inertia.c4y * t31) - (inertia.c5z * t30 - (inertia.I5zz - t39));
+  const Scalar t46 = g.RL4 * t29;
+  return { t6,
+           Scalar(2) * t8,
+           t10 - t23,
+           t8,
+           t23,
+           (inertia.I2xz - inertia.c2z * t7) - g.D3 * t1,
+           inertia.I2yz - inertia.c2z * t9,
+           inertia.I3xz - inertia.c3z * t24,
+           inertia.I3yz - inertia.c3z * t17,
+           t28,
+           inertia.I3xy - inertia.c3y * t24,
+           g.D3 * t29,
+           g.D3 * (t30 - t31),
+           g.RL4 / g.D3,
+           t32,
+           t20,
+           g.D3 * t33,
+           g.D3 * t34,
+           g.D3 * (t35 + t36),
+           g.D3 * t37,
+           inertia.I5yz - inertia.c5z * t36,
+           t40,
+           inertia.I5xy - inertia.c5y * t37,
+           inertia.I5xz - inertia.c5z * t37,
+           inertia.I6xz - inertia.c6z * t33,
+           inertia.I6yz - inertia.c6z * t34,
+           Scalar(2) * t41,
+           t42 - t43,
+           t43,
+           t41,
+           inertia.c5x * t37 - (inertia.I5xx - t39),
            t42,
-           inertia.I3xy - inertia.c3y * t18,
-           inertia.I3yz - inertia.c3z * t11,
-           inertia.c3x * t18 - (inertia.I3xx - t41),
-           t46,
-           t4 + t16,
-           g.RL4 * (t13 - (t14 + t0)) * t24,
-           g.RL4 * t3 };
+           ((inertia.I4yz - inertia.c4z * t31) - t44) + t44,
+           inertia.I4xy - inertia.c4y * t29,
+           t45,
+           ((inertia.I4xz - inertia.c4z * t29) - t46) + t46,
+           (inertia.I4xx - t25) - inertia.c4x * t29,
+           inertia.c3x * t24 - (inertia.I3xx - t0),
+           g.D3 * t24,
+           t10 + t23,
+           t32 * g.D3 * (t19 - (t21 + t7)),
+           g.D3 * t9 };
 }
 
 namespace detail {
@@ -135,154 +135,151 @@ inline JointVector<Scalar> inverse_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[4] * s2 + k[5] * c2;
-  const Scalar t1 = qd[1] * qd[1];
-  const Scalar t2 = qdd[1] * t0 - t1 * (k[5] * s2 - k[4] * c2);
-  const Scalar t3 = k[1] * s2 - k[0] * c2;
-  const Scalar t4 = k[3] + c2 * t3;
-  const Scalar t5 = qd[0] * qd[1];
-  const Scalar t6 = t5 + t5;
-  const Scalar t7 = t4 * t6 + qdd[0] * (k[2] + s2 * t3);
-  const Scalar t8 = s2 * s3 - c2 * c3;
-  const Scalar t9 = k[11] * (s2 * t6 - qdd[0] * c2);
-  const Scalar t10 = qd[1] + qd[2];
-  const Scalar t11 = qd[0] * t8;
-  const Scalar t12 = t10 * t11;
-  const Scalar t13 = c3 * s2 + c2 * s3;
-  const Scalar t14 = qdd[0] * t13;
-  const Scalar t15 = (t12 + t12) - t14;
-  const Scalar t16 = t9 - t15;
-  const Scalar t17 = qd[0] * c2;
-  const Scalar t18 = k[11] * (qdd[1] + qd[0] * s2 * t17) + k[12] * c2;
-  const Scalar t19 = k[12] * s2;
-  const Scalar t20 = t19 - k[11] * (t1 + t17 * t17);
-  const Scalar t21 = qd[0] * t13;
-  const Scalar t22 = t21 * t11;
-  const Scalar t23 = qdd[1] + qdd[2];
-  const Scalar t24 = t22 + t23;
-  const Scalar t25 = (s3 * t18 + c3 * t20) - t24;
-  const Scalar t26 = c4 * t16 + s4 * t25;
-  const Scalar t27 = s4 * t16 - c4 * t25;
-  const Scalar t28 = s4 * t15 - c4 * t24;
-  const Scalar t29 = s4 * t24 + c4 * t15;
-  const Scalar t30 = qd[0] * qd[0];
-  const Scalar t31 = t10 * t10;
-  const Scalar t32 = t11 * t11;
-  const Scalar t33 = t31 - t32;
-  const Scalar t34 = t30 + t33;
-  const Scalar t35 = qd[3] - t11;
-  const Scalar t36 = t35 * t35;
-  const Scalar t37 = c4 * t10 + s4 * t21;
-  const Scalar t38 = t37 * t37;
-  const Scalar t39 = t36 - t38;
-  const Scalar t40 = t34 + t39;
-  const Scalar t41 = t36 + t38;
-  const Scalar t42 = t40 - t41;
-  const Scalar t43 = s4 * t10 - c4 * t21;
-  const Scalar t44 = t37 * t43;
-  const Scalar t45 = t21 * t10;
-  const Scalar t46 = qdd[0] * t8;
-  const Scalar t47 = t45 + t46;
-  const Scalar t48 = qdd[3] - t47;
-  const Scalar t49 = t44 + t48;
-  const Scalar t50 = t44 - t48;
-  const Scalar t51 = k[18] * t42 - (k[32] * t49 - k[17] * t50);
-  const Scalar t52 = (k[14] * t26 + k[15] * t27) - ((k[16] * t28 - k[19] * t29) + t51);
-  const Scalar t53 = qd[4] + t37;
-  const Scalar t54 = t53 * t53;
-  const Scalar t55 = c5 * t35 + s5 * t43;
-  const Scalar t56 = t54 - t55 * t55;
-  const Scalar t57 = t35 * t37;
-  const Scalar t58 = t57 + (t57 + t29);
-  const Scalar t59 = s5 * t58 - c5 * t50;
-  const Scalar t60 = qdd[5] + t59;
-  const Scalar t61 = s5 * t35 - c5 * t43;
-  const Scalar t62 = t61 * t53;
-  const Scalar t63 = t60 - (t62 + t62);
-  const Scalar t64 = qdd[5] - t63;
-  const Scalar t65 = t55 * t53;
-  const Scalar t66 = c5 * t58 + s5 * t50;
-  const Scalar t67 = t65 + (t65 - t66);
-  const Scalar t68 = k[22] * t56 + (k[20] * t64 - k[21] * t67);
-  const Scalar t69 = t61 * t55;
-  const Scalar t70 = t35 * t43;
-  const Scalar t71 = t28 + t70;
-  const Scalar t72 = qdd[4] - t71;
-  const Scalar t73 = t69 + t72;
-  const Scalar t74 = qd[5] + t55;
-  const Scalar t75 = t74 * t74;
-  const Scalar t76 = t54 - t75;
-  const Scalar t77 = k[29] * c6 + k[28] * s6;
-  const Scalar t78 = Scalar(2) * t74 * t53 - t67;
-  const Scalar t79 = k[25] * s6 + k[24] * c6;
-  const Scalar t80 = s6 * t79;
-  const Scalar t81 = k[27] + t80;
-  const Scalar t82 = k[26] - c6 * t79;
-  const Scalar t83 = t61 * t74;
-  const Scalar t84 = t69 - t72;
-  const Scalar t85 = (t83 + t83) - t84;
-  const Scalar t86 = t76 * t77 + (t78 * t81 + t82 * t85);
-  const Scalar t87 = k[28] * c6 - k[29] * s6;
-  const Scalar t88 = k[8] * c6 + k[7] * s6;
-  const Scalar t89 = s3 * t20 - c3 * t18;
-  const Scalar t90 = t34 + t89;
-  const Scalar t91 = s5 * t27 - c5 * t90;
-  const Scalar t92 = (k[10] * t26 - (t68 - k[23] * t73)) + ((t86 + t87 * t63) + t88 * t91);
-  const Scalar t93 = t54 + t75;
-  const Scalar t94 = t40 + t56;
-  const Scalar t95 = t94 - t76;
-  const Scalar t96 = t93 - t95;
-  const Scalar t97 = (k[20] * t67 - k[30] * t64) + (k[23] * t96 - k[22] * t84);
-  const Scalar t98 = s5 * t90 + c5 * t27;
-  const Scalar t99 = k[7] * c6 - k[8] * s6;
-  const Scalar t100 = k[31] - t80;
-  const Scalar t101 = t82 * t96 - (t100 * t63 + t60 * t81);
-  const Scalar t102 = (t88 * t98 - t26 * t99) + ((t84 * t77 + t87 * t67) + t101);
-  const Scalar t103 = (t97 - k[9] * t26) + t102;
-  const Scalar t104 = t52 - (s5 * t92 + c5 * t103);
-  const Scalar t105 = t31 + t32;
-  const Scalar t106 = t34 - t105;
-  const Scalar t107 = t45 + t47;
-  const Scalar t108 = (k[33] * (t33 - t106) + k[36] * t24) - (k[37] * t107 + k[35] * t15);
-  const Scalar t109 = (k[15] * t40 + k[14] * t49) - k[13] * t26;
-  const Scalar t110 = (k[10] * t67 + k[9] * t64) - (t63 * t99 - t88 * t95);
-  const Scalar t111 = t109 - t110;
-  const Scalar t112 = t70 + t71;
-  const Scalar t113 = k[16] * t39 - (k[18] * t112 + k[17] * t58);
-  const Scalar t114 = (k[15] * t90 + (k[19] * t49 - t113)) + (c5 * t92 - s5 * t103);
-  const Scalar t115 = t111 - t114;
-  const Scalar t116 = (k[9] * t73 - k[10] * t94) - (t88 * t78 - t85 * t99);
-  const Scalar t117 = (t88 * t60 + t93 * t99) + (k[9] * (t40 + t96) - k[10] * t84);
-  const Scalar t118 = (k[14] * t41 + k[15] * t50) + k[13] * t27;
-  const Scalar t119 = (s5 * t116 + c5 * t117) + t118;
-  const Scalar t120 = (k[32] * t112 + k[18] * t58) + (k[16] * t50 + k[19] * (t42 - t39));
-  const Scalar t121 = (t82 * t78 + t100 * t85) + (t60 * t77 + t87 * (t93 - t94));
-  const Scalar t122 = k[20] * (t56 - t96) - (k[21] * t84 - k[30] * t73);
-  const Scalar t123 = (k[9] * t91 + k[10] * t98) + (t122 - (k[23] * t66 - k[22] * t59));
-  const Scalar t124 = (t91 * t99 - t121) + t123;
-  const Scalar t125 = t119 - ((k[14] * t90 - t120) - t124);
-  const Scalar t126 = k[36] * t33 - (k[34] * t15 - k[35] * t107);
-  const Scalar t127 = t22 - t23;
-  const Scalar t128 = (c4 * t115 - s4 * t125) + (t126 + k[33] * t127);
-  const Scalar t129 = t8 * (t104 + (k[6] * t9 - t108)) - t128 * t13;
-  const Scalar t130 = k[6] * t107 + (s4 * t119 - c4 * t111);
-  const Scalar t131 = (t2 - t7) + (t129 - c2 * k[11] * t130);
-  const Scalar t132 = (s4 * t111 + c4 * t119) + k[6] * t105;
-  const Scalar t133 = (k[15] * t58 - k[14] * t112) - k[13] * t90;
-  const Scalar t134 = ((s5 * t117 - c5 * t116) - t133) + k[6] * t127;
-  const Scalar t135 = (k[34] * t24 + k[37] * t127) - k[35] * t106;
-  const Scalar t136 = k[6] * t89 + (t135 + (k[36] * t46 - k[33] * t14));
-  const Scalar t137 = (c4 * t125 + s4 * t115) - t136;
-  const Scalar t138 = k[11] * (s3 * t132 + c3 * t134) - t137;
-  const Scalar t139 = qdd[0] * t0 + (t30 * t4 - k[39] * qdd[1]);
-  const Scalar t140 = t138 - (t139 - (k[40] * c2 + k[41] * t19));
+  const Scalar t0 = s2 * s3 - c2 * c3;
+  const Scalar t1 = qd[0] * t0;
+  const Scalar t2 = qd[3] - t1;
+  const Scalar t3 = t2 * t2;
+  const Scalar t4 = qd[1] + qd[2];
+  const Scalar t5 = c3 * s2 + c2 * s3;
+  const Scalar t6 = qd[0] * t5;
+  const Scalar t7 = c4 * t4 + s4 * t6;
+  const Scalar t8 = t7 * t7;
+  const Scalar t9 = t3 + t8;
+  const Scalar t10 = s4 * t4 - c4 * t6;
+  const Scalar t11 = t7 * t10;
+  const Scalar t12 = t6 * t4;
+  const Scalar t13 = qdd[0] * t0;
+  const Scalar t14 = t12 + t13;
+  const Scalar t15 = qdd[3] - t14;
+  const Scalar t16 = t11 - t15;
+  const Scalar t17 = t6 * t1;
+  const Scalar t18 = qdd[1] + qdd[2];
+  const Scalar t19 = t17 + t18;
+  const Scalar t20 = qdd[0] * t5;
+  const Scalar t21 = t4 * t1;
+  const Scalar t22 = (t20 - t21) - t21;
+  const Scalar t23 = c4 * t19 + s4 * t22;
+  const Scalar t24 = Scalar(2) * qd[0] * qd[1];
+  const Scalar t25 = s2 * t24 - qdd[0] * c2;
+  const Scalar t26 = qd[0] * c2;
+  const Scalar t27 = k[14] * c2 + (qdd[1] + qd[0] * s2 * t26);
+  const Scalar t28 = qd[1] * qd[1];
+  const Scalar t29 = k[14] * s2;
+  const Scalar t30 = (t28 + t26 * t26) - t29;
+  const Scalar t31 = s3 * t27 - c3 * t30;
+  const Scalar t32 = k[13] * t23 + (s4 * t25 - c4 * t31);
+  const Scalar t33 = (k[11] * t9 + k[12] * t16) + k[15] * t32;
+  const Scalar t34 = t2 * t10;
+  const Scalar t35 = t34 - t23;
+  const Scalar t36 = qdd[4] - t35;
+  const Scalar t37 = s5 * t2 - c5 * t10;
+  const Scalar t38 = c5 * t2 + s5 * t10;
+  const Scalar t39 = t37 * t38;
+  const Scalar t40 = t36 - t39;
+  const Scalar t41 = qd[4] + t7;
+  const Scalar t42 = t37 * t37;
+  const Scalar t43 = t41 * t41 - t42;
+  const Scalar t44 = t4 * t4;
+  const Scalar t45 = t1 * t1;
+  const Scalar t46 = t44 + t45;
+  const Scalar t47 = t44 - t45;
+  const Scalar t48 = qd[0] * qd[0];
+  const Scalar t49 = t48 - t46;
+  const Scalar t50 = t47 + t49;
+  const Scalar t51 = t46 + t50;
+  const Scalar t52 = t51 - t9;
+  const Scalar t53 = t3 - t8;
+  const Scalar t54 = t52 + t53;
+  const Scalar t55 = t54 + t9;
+  const Scalar t56 = t43 + t55;
+  const Scalar t57 = qd[5] + t38;
+  const Scalar t58 = t57 * t57;
+  const Scalar t59 = t58 - t42;
+  const Scalar t60 = t59 - t43;
+  const Scalar t61 = t58 + t42;
+  const Scalar t62 = t60 - t61;
+  const Scalar t63 = k[17] * s6 - k[16] * c6;
+  const Scalar t64 = s4 * t19 - c4 * t22;
+  const Scalar t65 = Scalar(2) * t2 * t7 + t64;
+  const Scalar t66 = s5 * t65 - c5 * t16;
+  const Scalar t67 = qdd[5] + t66;
+  const Scalar t68 = k[17] * c6 + k[16] * s6;
+  const Scalar t69 = (k[18] * t40 + k[19] * t56) - ((t59 - t62) * t63 - t67 * t68);
+  const Scalar t70 = t40 + Scalar(2) * t37 * t57;
+  const Scalar t71 = Scalar(2) * t41;
+  const Scalar t72 = c5 * t65 + s5 * t16;
+  const Scalar t73 = t71 * t38 - t72;
+  const Scalar t74 = t57 * t41;
+  const Scalar t75 = (t73 - t74) - t74;
+  const Scalar t76 = t36 + t39;
+  const Scalar t77 = (t63 * t70 - t75 * t68) - (k[19] * t76 + k[18] * t62);
+  const Scalar t78 = t33 + (c5 * t69 - s5 * t77);
+  const Scalar t79 = (c4 * t25 + s4 * t31) - k[13] * t64;
+  const Scalar t80 = t11 + t15;
+  const Scalar t81 = k[15] * t79 - (k[11] * t80 + k[12] * t55);
+  const Scalar t82 = t37 * t71 - t66;
+  const Scalar t83 = qdd[5] - t82;
+  const Scalar t84 = (k[19] * t82 + k[18] * t73) + (t61 * t68 + t63 * t83);
+  const Scalar t85 = t81 + t84;
+  const Scalar t86 = t12 + t14;
+  const Scalar t87 = (s4 * t78 + c4 * t85) + k[38] * t86;
+  const Scalar t88 = k[8] * t47 + (k[10] * t86 + k[9] * t22);
+  const Scalar t89 = t17 - t18;
+  const Scalar t90 = s3 * t30 + c3 * t27;
+  const Scalar t91 = t90 - k[13] * t51;
+  const Scalar t92 = c5 * t32 - s5 * t91;
+  const Scalar t93 = c5 * t91 + s5 * t32;
+  const Scalar t94 = (k[21] * t40 + k[30] * t76) - k[22] * (t62 + t56);
+  const Scalar t95 = (k[18] * t92 + k[19] * t93) - ((k[23] * t72 - k[20] * t66) - t94);
+  const Scalar t96 = k[25] * s6 - k[24] * c6;
+  const Scalar t97 = k[25] * c6 + k[24] * s6;
+  const Scalar t98 = k[26] * c6 + k[27] * s6;
+  const Scalar t99 = k[29] - c6 * t98;
+  const Scalar t100 = s6 * t98;
+  const Scalar t101 = k[31] - t100;
+  const Scalar t102 = (t59 * t96 - t67 * t97) + (t99 * t75 - t101 * t70);
+  const Scalar t103 = t95 + (t102 - t93 * t63);
+  const Scalar t104 = t35 + t34;
+  const Scalar t105 = (k[33] * t65 + k[36] * t104) + (k[35] * t52 + k[32] * t16);
+  const Scalar t106 = k[13] * t78 + (t103 + (k[11] * t91 + t105));
+  const Scalar t107 = (k[34] * t65 + k[33] * t104) - k[32] * t53;
+  const Scalar t108 = (k[21] * t73 - k[22] * t82) + k[20] * (t62 + t55);
+  const Scalar t109 = k[28] + t100;
+  const Scalar t110 = t97 * t60 + (t75 * t109 - t99 * t70);
+  const Scalar t111 = ((t108 + k[23] * t76) + k[18] * t79) - ((t96 * t83 + t110) - t93 * t68);
+  const Scalar t112 = t99 * t43 - (t83 * t101 + t67 * t109);
+  const Scalar t113 = ((t40 * t97 + t73 * t96) - t112) - (t92 * t68 + t79 * t63);
+  const Scalar t114 = (k[22] * t73 - k[30] * t82) + (k[23] * t43 + k[20] * t40);
+  const Scalar t115 = t113 - (t114 - k[19] * t79);
+  const Scalar t116 = ((k[35] * t80 + t107) - k[12] * t91) + (c5 * t111 + s5 * t115);
+  const Scalar t117 = t116 + k[13] * t85;
+  const Scalar t118 = (t88 + k[7] * t89) - (s4 * t106 + c4 * t117);
+  const Scalar t119 = (k[36] * t80 - k[34] * t16) - k[33] * t54;
+  const Scalar t120 = ((k[35] * t64 + k[32] * t23) + t119) + (k[11] * t79 + k[12] * t32);
+  const Scalar t121 = t120 - (s5 * t111 - c5 * t115);
+  const Scalar t122 = (k[37] * t86 - k[10] * t22) - (k[8] * t19 - k[7] * t49);
+  const Scalar t123 = t118 * t5 - t0 * (t121 + (t122 + k[38] * t25));
+  const Scalar t124 = k[2] * s2 - k[1] * c2;
+  const Scalar t125 = k[3] + c2 * t124;
+  const Scalar t126 = qdd[0] * (k[4] + s2 * t124) + t24 * t125;
+  const Scalar t127 = k[5] * s2 + k[6] * c2;
+  const Scalar t128 = qdd[1] * t127 - t28 * (k[6] * s2 - k[5] * c2);
+  const Scalar t129 = k[0] * qdd[0] + ((c2 * t87 + t123) + (t126 - t128));
+  const Scalar t130 = (c4 * t78 - s4 * t85) + k[38] * t46;
+  const Scalar t131 = k[15] * t91 + (k[12] * t65 - k[11] * t104);
+  const Scalar t132 = k[38] * t89 + ((c5 * t77 + s5 * t69) - t131);
+  const Scalar t133 = (k[9] * t19 + k[37] * t89) - k[10] * t50;
+  const Scalar t134 = ((k[7] * t20 - k[8] * t13) - t133) + k[38] * t90;
+  const Scalar t135 = (s4 * t117 - c4 * t106) - t134;
+  const Scalar t136 = (t48 * t125 - k[39] * qdd[1]) + qdd[0] * t127;
+  const Scalar t137 = ((s3 * t130 + c3 * t132) + t135) + ((k[40] * c2 + k[41] * t29) - t136);
   JointVector<Scalar> result;
-  result[0] = t131 - k[38] * qdd[0];
-  result[1] = -t140;
-  result[2] = t137;
-  result[3] = -t104;
-  result[4] = t124;
-  result[5] = t102;
+  result[0] = -t129;
+  result[1] = -t137;
+  result[2] = -t135;
+  result[3] = -t121;
+  result[4] = t103;
+  result[5] = -t113;
   return result;
 }
 
@@ -317,11 +314,11 @@ GravityTorqueConstants<Scalar> gravity_torque_constants(const BasicGeometry<Scal
            inertia.c3x * inertia.m3,
            t2 + inertia.c3y * inertia.m3,
            inertia.c6z * inertia.m6 + inertia.c5y * inertia.m5,
-           inertia.c5x * inertia.m5,
            inertia.c6x * inertia.m6,
            inertia.c6y * inertia.m6,
-           inertia.c4x * inertia.m4,
+           inertia.c5x * inertia.m5,
            inertia.c5z * inertia.m5 - inertia.c4y * inertia.m4,
+           inertia.c4x * inertia.m4,
            g.D3 * (inertia.m3 + t0) + inertia.c2x * inertia.m2,
            inertia.c2y * inertia.m2 };
 }
@@ -348,22 +345,22 @@ inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Sca
   const Scalar t4 = c4 * t2;
   const Scalar t5 = s5 * t3 - c5 * t4;
   const Scalar t6 = c5 * t3 + s5 * t4;
-  const Scalar t7 = k[6] * s6 - k[5] * c6;
-  const Scalar t8 = (k[3] * t5 - k[4] * t6) + t7 * t6;
-  const Scalar t9 = k[6] * c6 + k[5] * s6;
-  const Scalar t10 = s4 * t2;
-  const Scalar t11 = t9 * t6 - k[3] * t10;
-  const Scalar t12 = t10 * t7 + t9 * t5;
-  const Scalar t13 = k[4] * t10 - t12;
-  const Scalar t14 = (c5 * t11 - s5 * t13) - k[8] * t3;
-  const Scalar t15 = c4 * (k[7] * t3 - t8) - s4 * t14;
-  const Scalar t16 = (k[2] * t2 + k[1] * t3) + t15;
-  const Scalar t17 = (k[8] * t4 - k[7] * t10) - (s5 * t11 + c5 * t13);
+  const Scalar t7 = k[4] * c6 - k[5] * s6;
+  const Scalar t8 = (k[3] * t5 - k[6] * t6) - t7 * t6;
+  const Scalar t9 = s4 * t2;
+  const Scalar t10 = k[4] * s6 + k[5] * c6;
+  const Scalar t11 = k[3] * t9 - t10 * t6;
+  const Scalar t12 = t5 * t10 - t9 * t7;
+  const Scalar t13 = k[6] * t9 - t12;
+  const Scalar t14 = (c5 * t11 + s5 * t13) + k[7] * t3;
+  const Scalar t15 = c4 * (t8 - k[8] * t3) - s4 * t14;
+  const Scalar t16 = (k[2] * t2 + k[1] * t3) - t15;
+  const Scalar t17 = (c5 * t13 - s5 * t11) + (k[8] * t9 - k[7] * t4);
   JointVector<Scalar> result;
   result[0] = Scalar(0);
   result[1] = -(k[10] * t0 - k[9] * t1) - t16;
   result[2] = -t16;
-  result[3] = t17;
+  result[3] = -t17;
   result[4] = t8;
   result[5] = t12;
   return result;
@@ -390,87 +387,89 @@ CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Sc
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c2x * inertia.m2;
-  const Scalar t1 = inertia.I2xy - inertia.c2y * t0;
-  const Scalar t2 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t3 = inertia.c2y * inertia.m2;
-  const Scalar t4 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t5 = g.RL4 * inertia.m4;
-  const Scalar t6 = inertia.c4z * inertia.m4;
-  const Scalar t7 = t6 + t5;
-  const Scalar t8 = t5 - t7;
-  const Scalar t9 = g.RL4 * t4 - t8;
-  const Scalar t10 = inertia.c3y * inertia.m3;
-  const Scalar t11 = (t9 + t10) / g.RL4;
-  const Scalar t12 = g.D3 * g.D3 * t11;
-  const Scalar t13 = (inertia.c2x * t0 - (inertia.I2xx - t2)) + g.D3 * g.D3 * (inertia.m3 + t4);
-  const Scalar t14 = ((inertia.I2yy - t2) - inertia.c2y * t3) - (t12 - t13);
-  const Scalar t15 = (inertia.I2xz - inertia.c2z * t0) - g.D3 * inertia.c3z * inertia.m3;
-  const Scalar t16 = inertia.c4x * inertia.m4;
-  const Scalar t17 = inertia.c5z * inertia.m5;
-  const Scalar t18 = inertia.c4y * inertia.m4;
-  const Scalar t19 = inertia.c6y * inertia.m6;
-  const Scalar t20 = inertia.c6x * inertia.m6;
-  const Scalar t21 = inertia.c5x * inertia.m5;
-  const Scalar t22 = inertia.c6z * inertia.m6;
-  const Scalar t23 = inertia.c5y * inertia.m5;
-  const Scalar t24 = inertia.c3x * inertia.m3;
-  const Scalar t25 = g.D3 * t24;
-  const Scalar t26 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t27 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t28 = (inertia.c6z * t22 - (inertia.I6zz - t26)) + (inertia.c5y * t23 - (inertia.I5yy - t27));
-  const Scalar t29 = inertia.I6xy - inertia.c6y * t20;
-  const Scalar t30 = (inertia.I6xx - t26) - inertia.c6x * t20;
-  const Scalar t31 = (inertia.I6yy - t26) - inertia.c6y * t19;
-  const Scalar t32 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t33 = ((inertia.I4yy - t32) - inertia.c4y * t18) - (inertia.c5z * t17 - (inertia.I5zz - t27));
-  const Scalar t34 = g.RL4 * t18;
-  const Scalar t35 = g.RL4 * t16;
-  const Scalar t36 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t37 = inertia.c3x * t24 - (inertia.I3xx - t36);
-  const Scalar t38 = inertia.I3xy - inertia.c3y * t24;
-  const Scalar t39 = ((inertia.I4zz - t32) - inertia.c4z * t6) - g.RL4 * (t6 + t7);
-  const Scalar t40 = (t39 - g.RL4 * (t8 - t7)) - g.RL4 * (t9 - t8);
-  const Scalar t41 = (t40 + ((inertia.I3yy - t36) - inertia.c3y * t10)) + g.RL4 * g.RL4 * t11;
+  const Scalar t0 = inertia.c3x * inertia.m3;
+  const Scalar t1 = g.D3 * t0;
+  const Scalar t2 = inertia.c5x * inertia.m5;
+  const Scalar t3 = inertia.c6z * inertia.m6;
+  const Scalar t4 = inertia.c5y * inertia.m5;
+  const Scalar t5 = inertia.c6x * inertia.m6;
+  const Scalar t6 = inertia.c6y * inertia.m6;
+  const Scalar t7 = g.RL4 / g.D3;
+  const Scalar t8 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t9 = g.RL4 * inertia.m4;
+  const Scalar t10 = inertia.c4z * inertia.m4;
+  const Scalar t11 = t10 + t9;
+  const Scalar t12 = t9 - t11;
+  const Scalar t13 = g.RL4 * t8 - t12;
+  const Scalar t14 = inertia.c3y * inertia.m3;
+  const Scalar t15 = (t13 + t14) / g.RL4;
+  const Scalar t16 = g.D3 * g.D3 * t15;
+  const Scalar t17 = inertia.c4x * inertia.m4;
+  const Scalar t18 = inertia.c5z * inertia.m5;
+  const Scalar t19 = inertia.c4y * inertia.m4;
+  const Scalar t20 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t21 = inertia.I6xy - inertia.c6y * t5;
+  const Scalar t22 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t23 = (inertia.I6xx - t22) - inertia.c6x * t5;
+  const Scalar t24 = (inertia.I6yy - t22) - inertia.c6y * t6;
+  const Scalar t25 = (inertia.c6z * t3 - (inertia.I6zz - t22)) + (inertia.c5y * t4 - (inertia.I5yy - t20));
+  const Scalar t26 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t27 = ((inertia.I4yy - t26) - inertia.c4y * t19) - (inertia.c5z * t18 - (inertia.I5zz - t20));
+  const Scalar t28 = g.RL4 * t19;
+  const Scalar t29 = g.RL4 * t17;
+  const Scalar t30 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t31 = inertia.c3x * t0 - (inertia.I3xx - t30);
+  const Scalar t32 = inertia.I3xy - inertia.c3y * t0;
+  const Scalar t33 = ((inertia.I4zz - t26) - inertia.c4z * t10) - g.RL4 * (t10 + t11);
+  const Scalar t34 = (t33 - g.RL4 * (t12 - t11)) - g.RL4 * (t13 - t12);
+  const Scalar t35 = (t34 + ((inertia.I3yy - t30) - inertia.c3y * t14)) + g.RL4 * g.RL4 * t15;
+  const Scalar t36 = inertia.c2x * inertia.m2;
+  const Scalar t37 = inertia.I2xy - inertia.c2y * t36;
+  const Scalar t38 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t39 = inertia.c2y * inertia.m2;
+  const Scalar t40 = (inertia.c2x * t36 - (inertia.I2xx - t38)) + g.D3 * g.D3 * (inertia.m3 + t8);
+  const Scalar t41 = ((inertia.I2yy - t38) - inertia.c2y * t39) - (t16 - t40);
+  const Scalar t42 = (inertia.I2xz - inertia.c2z * t36) - g.D3 * inertia.c3z * inertia.m3;
   return { Scalar(2) * t1,
-           t14,
-           t1,
-           inertia.I2yz - inertia.c2z * t3,
-           t15,
-           g.RL4 / g.D3,
-           t12,
-           g.D3 * t16,
-           g.D3 * (t17 - t18),
-           g.D3 * t19,
-           g.D3 * t20,
-           g.D3 * t21,
-           g.D3 * (t22 + t23),
-           Scalar(2) * t25,
-           t28,
-           inertia.I5xy - inertia.c5y * t21,
-           inertia.I5yz - inertia.c5z * t23,
-           inertia.I5xz - inertia.c5z * t21,
-           Scalar(2) * t29,
-           t30 - t31,
-           t31,
-           t29,
-           inertia.I6xz - inertia.c6z * t20,
-           inertia.I6yz - inertia.c6z * t19,
-           inertia.c5x * t21 - (inertia.I5xx - t27),
-           t30,
-           inertia.I4xy - inertia.c4y * t16,
-           t33,
-           (inertia.I4xx - t32) - inertia.c4x * t16,
-           ((inertia.I4yz - inertia.c4z * t18) - t34) + t34,
-           ((inertia.I4xz - inertia.c4z * t16) - t35) + t35,
-           Scalar(2) * t37,
-           Scalar(2) * t38,
-           inertia.I3yz - inertia.c3z * t10,
-           inertia.I3xz - inertia.c3z * t24,
+           g.D3 * t2,
+           g.D3 * (t3 + t4),
+           g.D3 * t5,
+           g.D3 * t6,
+           Scalar(2) * t7,
+           t7,
+           t16,
+           g.D3 * t17,
+           g.D3 * (t18 - t19),
+           inertia.c5x * t2 - (inertia.I5xx - t20),
+           inertia.I5xy - inertia.c5y * t2,
+           inertia.I5yz - inertia.c5z * t4,
+           inertia.I5xz - inertia.c5z * t2,
+           Scalar(2) * t21,
+           t23 - t24,
+           t21,
+           t24,
+           t23,
+           inertia.I6xz - inertia.c6z * t5,
+           inertia.I6yz - inertia.c6z * t6,
            t25,
+           inertia.I4xy - inertia.c4y * t17,
+           t27,
+           (inertia.I4xx - t26) - inertia.c4x * t17,
+           ((inertia.I4yz - inertia.c4z * t19) - t28) + t28,
+           ((inertia.I4xz - inertia.c4z * t17) - t29) + t29,
+           Scalar(2) * t31,
+           t32,
+           inertia.I3yz - inertia.c3z * t14,
+           inertia.I3xz - inertia.c3z * t0,
+           t1,
+           t35,
+           Scalar(2) * t32,
+           Scalar(2) * t37,
            t41,
-           t38,
-           t37 + t41 };
+           t37,
+           inertia.I2yz - inertia.c2z * t39,
+           t42,
+           t31 + t35 };
 }
 
 namespace detail {
@@ -489,134 +488,136 @@ inline JointVector<Scalar> coriolis_torque([[maybe_unused]] const JointVector<Sc
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = c3 * s2;
-  const Scalar t1 = t0 + c2 * s3;
-  const Scalar t2 = qd[0] * t1;
-  const Scalar t3 = qd[1] + qd[2];
-  const Scalar t4 = t2 * t3;
-  const Scalar t5 = s2 * s3;
-  const Scalar t6 = t5 - c2 * c3;
-  const Scalar t7 = qd[0] * t6;
-  const Scalar t8 = t3 * t7;
-  const Scalar t9 = t2 * t7;
-  const Scalar t10 = t2 * t2;
-  const Scalar t11 = t3 * t3;
-  const Scalar t12 = t10 - t11;
-  const Scalar t13 = (k[31] * t4 + k[32] * t8) - (k[33] * t9 - k[34] * t12);
-  const Scalar t14 = qd[0] * qd[1];
-  const Scalar t15 = t14 + t14;
-  const Scalar t16 = s2 * t15;
-  const Scalar t17 = s4 * t2;
-  const Scalar t18 = c4 * t3 + t17;
-  const Scalar t19 = s4 * t3 - c4 * t2;
-  const Scalar t20 = t18 * t19;
-  const Scalar t21 = t4 - t20;
-  const Scalar t22 = t4 + t20;
-  const Scalar t23 = t10 + t11;
-  const Scalar t24 = qd[3] - t7;
-  const Scalar t25 = t24 * t24;
-  const Scalar t26 = t18 * t18;
-  const Scalar t27 = t25 - t26;
-  const Scalar t28 = t23 + t27;
-  const Scalar t29 = t25 + t26;
-  const Scalar t30 = (k[28] * t21 + k[27] * t22) + k[26] * (t28 - t29);
-  const Scalar t31 = Scalar(2) * t8;
-  const Scalar t32 = c4 * t9 - s4 * t31;
-  const Scalar t33 = t17 * t7 + c4 * t31;
-  const Scalar t34 = qd[0] * c2;
-  const Scalar t35 = qd[1] * qd[1];
-  const Scalar t36 = t35 + t34 * t34;
-  const Scalar t37 = (qd[0] * t5 * t34 - c3 * t36) - k[5] * t9;
-  const Scalar t38 = t16 - k[5] * t31;
-  const Scalar t39 = s4 * t37 + c4 * t38;
-  const Scalar t40 = c4 * t37 - s4 * t38;
-  const Scalar t41 = (t30 - (k[29] * t32 + k[30] * t33)) - (k[7] * t39 - k[8] * t40);
-  const Scalar t42 = k[9] * c6 + k[10] * s6;
-  const Scalar t43 = t34 * qd[0] * t0 + s3 * t36;
-  const Scalar t44 = t43 - k[5] * t23;
-  const Scalar t45 = c5 * t40 + s5 * t44;
-  const Scalar t46 = k[10] * c6 - k[9] * s6;
-  const Scalar t47 = k[19] * s6 + k[18] * c6;
-  const Scalar t48 = k[21] - c6 * t47;
-  const Scalar t49 = qd[4] + t18;
-  const Scalar t50 = t49 * t49;
-  const Scalar t51 = s5 * t24 - c5 * t19;
-  const Scalar t52 = t51 * t51;
-  const Scalar t53 = t50 - t52;
-  const Scalar t54 = s6 * t47;
-  const Scalar t55 = k[25] - t54;
-  const Scalar t56 = t33 + Scalar(2) * t24 * t18;
-  const Scalar t57 = s5 * t56 - c5 * t22;
-  const Scalar t58 = t57 - Scalar(2) * t51 * t49;
-  const Scalar t59 = k[20] + t54;
-  const Scalar t60 = t48 * t53 - (t55 * t58 + t57 * t59);
-  const Scalar t61 = k[22] * c6 - k[23] * s6;
-  const Scalar t62 = c5 * t24 + s5 * t19;
-  const Scalar t63 = t62 * t49;
-  const Scalar t64 = c5 * t56 + s5 * t22;
-  const Scalar t65 = t63 + (t63 - t64);
-  const Scalar t66 = k[23] * c6 + k[22] * s6;
-  const Scalar t67 = t24 * t19;
-  const Scalar t68 = t32 - t67;
-  const Scalar t69 = t51 * t62;
-  const Scalar t70 = t68 - t69;
-  const Scalar t71 = (t42 * t45 + t46 * t39) - (t60 + (t61 * t65 - t66 * t70));
-  const Scalar t72 = (k[17] * t53 + k[16] * t70) + (k[15] * t65 + k[24] * t58);
-  const Scalar t73 = t71 - (t72 - k[11] * t39);
-  const Scalar t74 = qd[5] + t62;
-  const Scalar t75 = t51 * t74;
-  const Scalar t76 = t75 + (t75 + t70);
-  const Scalar t77 = t74 * t49;
-  const Scalar t78 = (t77 - t65) + t77;
-  const Scalar t79 = t50 - t74 * t74;
-  const Scalar t80 = (t48 * t76 + t59 * t78) + t66 * t79;
-  const Scalar t81 = s5 * t40 - c5 * t44;
-  const Scalar t82 = t50 + t52;
-  const Scalar t83 = (k[14] * t65 + k[15] * t58) + k[16] * (t28 - t82);
-  const Scalar t84 = t68 + t69;
-  const Scalar t85 = ((t80 + t58 * t61) - t81 * t42) + (k[12] * t39 + (t83 + k[17] * t84));
-  const Scalar t86 = t41 - (c5 * t73 - s5 * t85);
-  const Scalar t87 = t68 - t67;
-  const Scalar t88 = (k[27] * t56 - k[26] * t87) - k[29] * t27;
-  const Scalar t89 = ((t88 - k[30] * t21) - k[8] * t44) + (s5 * t73 + c5 * t85);
-  const Scalar t90 = t79 - t82;
-  const Scalar t91 = (t90 * t42 + t46 * t58) - (k[12] * t65 - k[11] * t58);
-  const Scalar t92 = (k[7] * t21 - k[8] * t28) + k[6] * t39;
-  const Scalar t93 = t91 - t92;
-  const Scalar t94 = t89 - k[5] * t93;
-  const Scalar t95 = (k[26] * t56 - k[28] * t87) + (k[30] * (t23 - t29) + k[29] * t22);
-  const Scalar t96 = ((t53 - t79) * t61 + t66 * t57) + (t48 * t78 + t55 * t76);
-  const Scalar t97 = t28 + t53;
-  const Scalar t98 = (k[24] * t84 + k[14] * t70) - k[15] * (t97 - t82);
-  const Scalar t99 = (k[12] * t45 + k[11] * t81) - ((k[16] * t57 - k[17] * t64) + t98);
-  const Scalar t100 = (t81 * t46 + t96) + t99;
-  const Scalar t101 = (k[7] * t29 + k[8] * t22) - k[6] * t40;
-  const Scalar t102 = (t57 * t42 + t46 * (t53 - t90)) + (k[12] * t70 + k[11] * t97);
-  const Scalar t103 = (k[12] * t82 - k[11] * t84) + (t42 * t78 - t46 * t76);
-  const Scalar t104 = t101 + (c5 * t102 - s5 * t103);
-  const Scalar t105 = ((t95 + k[7] * t44) - t100) + k[5] * t104;
-  const Scalar t106 = qd[0] * qd[0];
-  const Scalar t107 = t106 - t23;
-  const Scalar t108 = (k[36] * t31 - k[32] * t4) + k[33] * t107;
-  const Scalar t109 = (c4 * t94 + s4 * t105) + (t108 - k[34] * t9);
-  const Scalar t110 = ((t13 + k[35] * t16) - t86) * t6 + t109 * t1;
-  const Scalar t111 = k[13] * t4 + (s4 * t104 - c4 * t93);
-  const Scalar t112 = k[2] + c2 * (k[1] * s2 - k[0] * c2);
-  const Scalar t113 = t35 * (k[4] * c2 - k[3] * s2) - t112 * t15;
-  const Scalar t114 = t107 - t12;
-  const Scalar t115 = (k[38] * t9 + k[37] * t114) - k[35] * t43;
-  const Scalar t116 = t115 - (c4 * t105 - s4 * t94);
-  const Scalar t117 = (s4 * t93 + c4 * t104) + k[35] * (t23 + t114);
-  const Scalar t118 = (k[7] * t87 + k[8] * t56) + k[6] * t44;
-  const Scalar t119 = k[35] * t9 + ((s5 * t102 + c5 * t103) - t118);
-  const Scalar t120 = t106 * t112 - (t116 + (s3 * t117 + c3 * t119));
+  const Scalar t0 = qd[1] * qd[1];
+  const Scalar t1 = k[36] + c2 * (k[35] * s2 - k[34] * c2);
+  const Scalar t2 = Scalar(2) * qd[0] * qd[1];
+  const Scalar t3 = t0 * (k[37] * s2 - k[38] * c2) + t1 * t2;
+  const Scalar t4 = s2 * s3 - c2 * c3;
+  const Scalar t5 = c3 * s2 + c2 * s3;
+  const Scalar t6 = qd[0] * t5;
+  const Scalar t7 = qd[1] + qd[2];
+  const Scalar t8 = t6 * t7;
+  const Scalar t9 = qd[0] * t4;
+  const Scalar t10 = t7 * t9;
+  const Scalar t11 = Scalar(2) * t10;
+  const Scalar t12 = t6 * t6;
+  const Scalar t13 = t7 * t7;
+  const Scalar t14 = t12 - t13;
+  const Scalar t15 = t6 * t9;
+  const Scalar t16 = (k[27] * t8 + k[28] * t11) + (k[30] * t14 - k[29] * t15);
+  const Scalar t17 = s2 * t2;
+  const Scalar t18 = t17 - k[5] * t10;
+  const Scalar t19 = qd[0] * c2;
+  const Scalar t20 = t0 + t19 * t19;
+  const Scalar t21 = qd[0] * s2 * t19;
+  const Scalar t22 = (c3 * t20 - s3 * t21) + k[6] * t15;
+  const Scalar t23 = c4 * t18 - s4 * t22;
+  const Scalar t24 = qd[3] - t9;
+  const Scalar t25 = c4 * t6;
+  const Scalar t26 = s4 * t7 - t25;
+  const Scalar t27 = c5 * t24 + s5 * t26;
+  const Scalar t28 = qd[5] + t27;
+  const Scalar t29 = t28 * t28;
+  const Scalar t30 = s5 * t24 - c5 * t26;
+  const Scalar t31 = t30 * t30;
+  const Scalar t32 = t29 - t31;
+  const Scalar t33 = s4 * t6;
+  const Scalar t34 = c4 * t7 + t33;
+  const Scalar t35 = qd[4] + t34;
+  const Scalar t36 = t35 * t35;
+  const Scalar t37 = t36 - t29;
+  const Scalar t38 = t32 + t37;
+  const Scalar t39 = t9 * t25 - s4 * t11;
+  const Scalar t40 = t24 * t26;
+  const Scalar t41 = t39 - t40;
+  const Scalar t42 = t30 * t27;
+  const Scalar t43 = t41 - t42;
+  const Scalar t44 = t34 * t26;
+  const Scalar t45 = t8 + t44;
+  const Scalar t46 = t24 * t34;
+  const Scalar t47 = t33 * t9 + c4 * t11;
+  const Scalar t48 = t46 + (t46 + t47);
+  const Scalar t49 = s5 * t45 + c5 * t48;
+  const Scalar t50 = t49 - Scalar(2) * t27 * t35;
+  const Scalar t51 = t30 * t35;
+  const Scalar t52 = c5 * t45 - s5 * t48;
+  const Scalar t53 = t51 + (t51 + t52);
+  const Scalar t54 = (k[13] * t38 + k[12] * t43) - (k[11] * t50 + k[10] * t53);
+  const Scalar t55 = k[14] * c6 + k[15] * s6;
+  const Scalar t56 = s6 * t55;
+  const Scalar t57 = k[17] + t56;
+  const Scalar t58 = k[18] - t56;
+  const Scalar t59 = k[16] - c6 * t55;
+  const Scalar t60 = (t52 * t57 + t53 * t58) + t38 * t59;
+  const Scalar t61 = k[19] * s6 + k[20] * c6;
+  const Scalar t62 = k[19] * c6 - k[20] * s6;
+  const Scalar t63 = k[3] * c6 - k[4] * s6;
+  const Scalar t64 = c3 * t21 + s3 * t20;
+  const Scalar t65 = t12 + t13;
+  const Scalar t66 = t64 - k[6] * t65;
+  const Scalar t67 = c4 * t22 + s4 * t18;
+  const Scalar t68 = s5 * t66 - c5 * t67;
+  const Scalar t69 = k[4] * c6 + k[3] * s6;
+  const Scalar t70 = (t60 - (t61 * t43 + t62 * t50)) - (t23 * t63 + t68 * t69);
+  const Scalar t71 = (k[1] * t23 - t54) - t70;
+  const Scalar t72 = t24 * t24;
+  const Scalar t73 = t34 * t34;
+  const Scalar t74 = t72 - t73;
+  const Scalar t75 = t65 + t74;
+  const Scalar t76 = t36 + t31;
+  const Scalar t77 = t75 - t76;
+  const Scalar t78 = k[12] * t77 - (k[21] * t50 + k[11] * t53);
+  const Scalar t79 = t41 + t42;
+  const Scalar t80 = c5 * t66 + s5 * t67;
+  const Scalar t81 = Scalar(2) * t28 * t35 + t50;
+  const Scalar t82 = t30 * t28;
+  const Scalar t83 = t82 + (t82 + t43);
+  const Scalar t84 = (t81 * t57 + t83 * t59) + t61 * t37;
+  const Scalar t85 = (k[2] * t23 + (t78 + k[13] * t79)) + (t80 * t69 - (t53 * t62 - t84));
+  const Scalar t86 = t72 + t73;
+  const Scalar t87 = t65 - t86;
+  const Scalar t88 = t8 - t44;
+  const Scalar t89 = k[22] * (t87 + t74) + (k[23] * t45 + k[24] * t88);
+  const Scalar t90 = ((k[26] * t47 + k[25] * t39) - t89) + (k[8] * t23 + k[9] * t67);
+  const Scalar t91 = (c5 * t71 - s5 * t85) + t90;
+  const Scalar t92 = k[7] * t23 - (k[9] * t75 - k[8] * t88);
+  const Scalar t93 = (k[1] * t53 - k[2] * t50) + (t53 * t63 + t69 * (t29 + t31));
+  const Scalar t94 = t92 + t93;
+  const Scalar t95 = k[7] * t67 + (k[9] * t45 + k[8] * t86);
+  const Scalar t96 = (k[1] * (t38 + t75) + k[2] * t43) + (t63 * (t32 + t76) - t52 * t69);
+  const Scalar t97 = (k[2] * t76 - k[1] * t79) - (t83 * t63 - t69 * t81);
+  const Scalar t98 = t95 + (c5 * t96 - s5 * t97);
+  const Scalar t99 = c4 * t94 + s4 * t98;
+  const Scalar t100 = t41 - t40;
+  const Scalar t101 = (k[22] * t100 - k[23] * t48) + k[25] * t74;
+  const Scalar t102 = (k[9] * t66 + (t101 + k[26] * t88)) - (s5 * t71 + c5 * t85);
+  const Scalar t103 = (k[10] * t79 + k[21] * t43) - k[11] * (t38 + t77);
+  const Scalar t104 = (k[1] * t80 - k[2] * t68) + (t103 - (k[13] * t49 + k[12] * t52));
+  const Scalar t105 = (t32 * t62 - t61 * t52) + (t58 * t83 + t59 * t81);
+  const Scalar t106 = t104 - (t105 - t80 * t63);
+  const Scalar t107 = (k[22] * t48 - k[24] * t100) + (k[26] * t87 + k[25] * t45);
+  const Scalar t108 = t106 + (k[8] * t66 + t107);
+  const Scalar t109 = k[6] * t99 - (c4 * t102 - s4 * t108);
+  const Scalar t110 = qd[0] * qd[0];
+  const Scalar t111 = t110 - t14;
+  const Scalar t112 = t65 - t111;
+  const Scalar t113 = (k[33] * t8 - k[32] * t11) + k[29] * (t112 - t14);
+  const Scalar t114 = t4 * ((t16 + k[31] * t17) + t91) + (t109 - (t113 + k[30] * t15)) * t5;
+  const Scalar t115 = t3 - (t114 - c2 * (k[0] * t8 + t99));
+  const Scalar t116 = c4 * t98 - s4 * t94;
+  const Scalar t117 = (k[8] * t100 + k[9] * t48) + k[7] * t66;
+  const Scalar t118 = (t117 - (s5 * t96 + c5 * t97)) - k[31] * t15;
+  const Scalar t119 = s3 * (k[31] * t111 + t116) - c3 * t118;
+  const Scalar t120 = k[6] * t116 + (s4 * t102 + c4 * t108);
+  const Scalar t121 = k[31] * t64 + (k[28] * t112 - k[39] * t15);
+  const Scalar t122 = t120 + t121;
   JointVector<Scalar> result;
-  result[0] = (t110 - c2 * t111) + t113;
-  result[1] = t120;
-  result[2] = -t116;
-  result[3] = t86;
-  result[4] = -t100;
-  result[5] = -t71;
+  result[0] = -t115;
+  result[1] = t110 * t1 - (t119 - t122);
+  result[2] = t122;
+  result[3] = -t91;
+  result[4] = t106;
+  result[5] = t70;
   return result;
 }
 
@@ -642,85 +643,82 @@ MassMatrixConstants<Scalar> mass_matrix_constants(const BasicGeometry<Scalar>& g
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6x * inertia.m6;
-  const Scalar t1 = inertia.c6y * inertia.m6;
-  const Scalar t2 = inertia.c5z * inertia.m5;
-  const Scalar t3 = inertia.c4y * inertia.m4;
+  const Scalar t0 = inertia.c6z * inertia.m6;
+  const Scalar t1 = inertia.c5y * inertia.m5;
+  const Scalar t2 = inertia.c6y * inertia.m6;
+  const Scalar t3 = inertia.c6x * inertia.m6;
   const Scalar t4 = inertia.c5x * inertia.m5;
-  const Scalar t5 = inertia.c6z * inertia.m6;
-  const Scalar t6 = inertia.c5y * inertia.m5;
-  const Scalar t7 = inertia.c4x * inertia.m4;
-  const Scalar t8 = inertia.c3x * inertia.m3;
-  const Scalar t9 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t10 = g.RL4 * inertia.m4;
-  const Scalar t11 = inertia.c4z * inertia.m4;
-  const Scalar t12 = t11 + t10;
-  const Scalar t13 = t10 - t12;
-  const Scalar t14 = g.RL4 * t9 - t13;
-  const Scalar t15 = inertia.c3y * inertia.m3;
-  const Scalar t16 = g.RL4 / g.D3;
-  const Scalar t17 = inertia.I6xy - inertia.c6y * t0;
-  const Scalar t18 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t19 = (inertia.I6xx - t18) - inertia.c6x * t0;
-  const Scalar t20 = (inertia.I6yy - t18) - inertia.c6y * t1;
-  const Scalar t21 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t22 = (inertia.c6z * t5 - (inertia.I6zz - t18)) + (inertia.c5y * t6 - (inertia.I5yy - t21));
-  const Scalar t23 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t24 = ((inertia.I4zz - t23) - inertia.c4z * t11) - g.RL4 * (t11 + t12);
-  const Scalar t25 = (t24 - g.RL4 * (t13 - t12)) - g.RL4 * (t14 - t13);
-  const Scalar t26 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t27 = ((inertia.I4yy - t23) - inertia.c4y * t3) - (inertia.c5z * t2 - (inertia.I5zz - t21));
-  const Scalar t28 = g.RL4 * t3;
-  const Scalar t29 = g.RL4 * t7;
-  const Scalar t30 = inertia.c2x * inertia.m2;
-  const Scalar t31 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t32 = (inertia.c2x * t30 - (inertia.I2xx - t31)) + g.D3 * g.D3 * (inertia.m3 + t9);
-  const Scalar t33 = inertia.c2y * inertia.m2;
-  const Scalar t34 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t35 = inertia.c3z * inertia.m3;
-  const Scalar t36 = ((inertia.I3zz - t26) - inertia.c3z * t35)
-      + ((inertia.I2zz - t31) - inertia.c2z * inertia.c2z * inertia.m2);
-  const Scalar t37 = t36 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t34));
-  return { g.D3 * t0,
-           g.D3 * t1,
-           g.D3 * (t2 - t3),
+  const Scalar t5 = inertia.I6xy - inertia.c6y * t3;
+  const Scalar t6 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t7 = (inertia.I6xx - t6) - inertia.c6x * t3;
+  const Scalar t8 = (inertia.I6yy - t6) - inertia.c6y * t2;
+  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t10 = (inertia.c6z * t0 - (inertia.I6zz - t6)) + (inertia.c5y * t1 - (inertia.I5yy - t9));
+  const Scalar t11 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t12 = inertia.c4z * inertia.m4;
+  const Scalar t13 = g.RL4 * inertia.m4;
+  const Scalar t14 = t12 + t13;
+  const Scalar t15 = ((inertia.I4zz - t11) - inertia.c4z * t12) - g.RL4 * (t12 + t14);
+  const Scalar t16 = t13 - t14;
+  const Scalar t17 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t18 = g.RL4 * t17 - t16;
+  const Scalar t19 = (t15 - g.RL4 * (t16 - t14)) - g.RL4 * (t18 - t16);
+  const Scalar t20 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t21 = inertia.c3y * inertia.m3;
+  const Scalar t22 = inertia.c4y * inertia.m4;
+  const Scalar t23 = inertia.c5z * inertia.m5;
+  const Scalar t24 = ((inertia.I4yy - t11) - inertia.c4y * t22) - (inertia.c5z * t23 - (inertia.I5zz - t9));
+  const Scalar t25 = inertia.c4x * inertia.m4;
+  const Scalar t26 = inertia.c3x * inertia.m3;
+  const Scalar t27 = g.RL4 * t25;
+  const Scalar t28 = g.RL4 * t22;
+  const Scalar t29 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t30 = inertia.c2y * inertia.m2;
+  const Scalar t31 = inertia.c2x * inertia.m2;
+  const Scalar t32 = (inertia.c2x * t31 - (inertia.I2xx - t29)) + g.D3 * g.D3 * (inertia.m3 + t17);
+  const Scalar t33 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t34 = inertia.c3z * inertia.m3;
+  const Scalar t35 = ((inertia.I3zz - t20) - inertia.c3z * t34)
+      + ((inertia.I2zz - t29) - inertia.c2z * inertia.c2z * inertia.m2);
+  const Scalar t36 = t35 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t33));
+  return { g.D3 * (t0 + t1),
+           g.D3 * t2,
+           g.D3 * t3,
            g.D3 * t4,
-           g.D3 * (t5 + t6),
-           g.D3 * t7,
-           g.D3 * t8,
-           g.D3 * (t14 + t15),
-           Scalar(2) * t16,
-           inertia.I6xz - inertia.c6z * t0,
-           inertia.I6yz - inertia.c6z * t1,
+           g.RL4 / g.D3,
+           inertia.I6xz - inertia.c6z * t3,
+           inertia.I6yz - inertia.c6z * t2,
            inertia.I5xy - inertia.c5y * t4,
-           Scalar(2) * t17,
-           t19 - t20,
-           t19,
-           inertia.c5x * t4 - (inertia.I5xx - t21),
-           t22,
-           t25 + ((inertia.I3yy - t26) - inertia.c3y * t15),
-           t20,
-           t27,
-           t17,
+           Scalar(2) * t5,
+           t7 - t8,
+           t8,
+           t7 + t8,
+           inertia.c5x * t4 - (inertia.I5xx - t9),
+           t10,
+           t19 + ((inertia.I3yy - t20) - inertia.c3y * t21),
+           t24,
+           (inertia.I4xx - t11) - inertia.c4x * t25,
+           inertia.I5yz - inertia.c5z * t1,
+           t5,
            inertia.I5xz - inertia.c5z * t4,
-           inertia.I5yz - inertia.c5z * t6,
-           inertia.I4xy - inertia.c4y * t7,
-           (inertia.I4xx - t23) - inertia.c4x * t7,
-           inertia.c3x * t8 - (inertia.I3xx - t26),
-           t16,
-           ((inertia.I4yz - inertia.c4z * t3) - t28) + t28,
-           ((inertia.I4xz - inertia.c4z * t7) - t29) + t29,
-           inertia.I3xy - inertia.c3y * t8,
+           inertia.I4xy - inertia.c4y * t25,
+           inertia.c3x * t26 - (inertia.I3xx - t20),
+           ((inertia.I4xz - inertia.c4z * t25) - t27) + t27,
+           g.D3 * t25,
+           ((inertia.I4yz - inertia.c4z * t22) - t28) + t28,
+           g.D3 * (t23 - t22),
+           inertia.I3xy - inertia.c3y * t26,
+           (inertia.I2yy - t29) - inertia.c2y * t30,
+           g.D3 * (t18 + t21),
+           g.D3 * t26,
            t32,
-           (inertia.I2yy - t31) - inertia.c2y * t33,
-           inertia.I2xy - inertia.c2y * t30,
-           inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t34),
-           t37,
-           inertia.I3yz - inertia.c3z * t15,
-           inertia.I3xz - inertia.c3z * t8,
-           inertia.I2yz - inertia.c2z * t33,
-           (inertia.I2xz - inertia.c2z * t30) - g.D3 * t35,
-           t19 + t20 };
+           inertia.I2xy - inertia.c2y * t31,
+           inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t33),
+           t36,
+           inertia.I3yz - inertia.c3z * t21,
+           inertia.I3xz - inertia.c3z * t26,
+           inertia.I2yz - inertia.c2z * t30,
+           (inertia.I2xz - inertia.c2z * t31) - g.D3 * t34 };
 }
 
 namespace detail {
@@ -738,97 +736,96 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointV
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[13] * s6 + k[12] * c6;
-  const Scalar t1 = s6 * t0;
-  const Scalar t2 = k[19] + (k[18] + t1);
-  const Scalar t3 = k[9] * c6 - k[10] * s6;
-  const Scalar t4 = k[11] + t3;
-  const Scalar t5 = c5 * t4;
-  const Scalar t6 = k[15] - (k[14] - t1);
-  const Scalar t7 = (t5 + t5) + s5 * (k[16] - t6);
-  const Scalar t8 = k[16] - s5 * t7;
-  const Scalar t9 = k[16] + t6;
-  const Scalar t10 = k[24] + (t8 - t9);
-  const Scalar t11 = k[21] + (k[20] - c6 * t0);
-  const Scalar t12 = k[10] * c6 + k[9] * s6;
-  const Scalar t13 = k[22] - t12;
-  const Scalar t14 = c5 * t11 - s5 * t13;
-  const Scalar t15 = k[23] - t14;
-  const Scalar t16 = c4 * t15;
-  const Scalar t17 = s4 * (t2 - t10) - (t16 + t16);
-  const Scalar t18 = s4 * t17 - t2;
-  const Scalar t19 = k[28] + (c5 * t7 - t4);
-  const Scalar t20 = s5 * t11 + c5 * t13;
-  const Scalar t21 = k[27] - t20;
-  const Scalar t22 = k[0] * s6 + k[1] * c6;
-  const Scalar t23 = k[2] - t22;
-  const Scalar t24 = k[0] * c6 - k[1] * s6;
-  const Scalar t25 = k[3] + t24;
-  const Scalar t26 = k[4] * s5 - c5 * t25;
-  const Scalar t27 = k[5] - t26;
-  const Scalar t28 = s4 * t23 + c4 * t27;
-  const Scalar t29 = (c4 * t19 - s4 * t21) - k[26] * t28;
-  const Scalar t30 = k[29] + t29;
-  const Scalar t31 = k[4] * c5 + s5 * t25;
-  const Scalar t32 = k[17] - (t8 + k[8] * t31);
-  const Scalar t33 = t2 + t10;
-  const Scalar t34 = k[25] - (t33 + t18);
-  const Scalar t35 = Scalar(2) * c3 * t30 - s3 * (t32 + t34);
-  const Scalar t36 = k[7] + t31;
-  const Scalar t37 = k[6] + t28;
-  const Scalar t38 = (c3 * t35 - t30) - (c3 * t36 + s3 * t37);
-  const Scalar t39 = c2 * (k[32] + t38);
-  const Scalar t40 = s3 * t35;
-  const Scalar t41 = t32 + t40;
-  const Scalar t42 = k[31] + t41;
-  const Scalar t43 = c3 * t37 - s3 * t36;
-  const Scalar t44 = t34 + t40;
-  const Scalar t45 = k[30] + ((t43 + t43) + t44);
-  const Scalar t46 = s2 * ((t39 + t39) - s2 * (t42 + t45));
-  const Scalar t47 = k[36] + (t15 + c4 * t17);
-  const Scalar t48 = c4 * t23 - s4 * t27;
-  const Scalar t49 = k[26] * t48 + (c4 * t21 + s4 * t19);
-  const Scalar t50 = k[35] - t49;
-  const Scalar t51 = c2 * (k[37] + (s3 * t47 + c3 * t50));
-  const Scalar t52 = k[38] - ((s3 * t50 - c3 * t47) + t48);
-  const Scalar t53 = c3 * s2 + c2 * s3;
-  const Scalar t54 = s2 * s3 - c2 * c3;
-  const Scalar t55 = (t29 * t53 + t33 * t54) + c2 * t28;
-  const Scalar t56 = k[26] * t31 + t9;
-  const Scalar t57 = t54 * t20 - (c4 * t14 + s4 * t56) * t53;
-  const Scalar t58 = k[39] * c5 - s5 * t3;
-  const Scalar t59 = (c5 * t3 + k[39] * s5) - k[26] * t24;
-  const Scalar t60 = c5 * t22;
-  const Scalar t61 = t12 - k[26] * t60;
-  const Scalar t62 = t54 * t58 + (c4 * t59 - s4 * t61) * t53;
-  const Scalar t63 = t62 + c2 * (c4 * t24 - s4 * t60);
-  const Scalar t64 = t41 - t44;
-  const Scalar t65 = c4 * t56 - s4 * t14;
-  const Scalar t66 = (c3 * t26 + s3 * c4 * t31) - t65;
-  const Scalar t67 = c3 * s5 * t22 + s3 * (s4 * t24 + c4 * t60);
-  const Scalar t68 = c4 * t61 + s4 * t59;
+  const Scalar t0 = k[8] * c6 + k[9] * s6;
+  const Scalar t1 = k[19] + (k[18] - c6 * t0);
+  const Scalar t2 = k[6] * c6 + k[5] * s6;
+  const Scalar t3 = k[17] - t2;
+  const Scalar t4 = c5 * t1 - s5 * t3;
+  const Scalar t5 = k[20] - t4;
+  const Scalar t6 = k[10] + s6 * t0;
+  const Scalar t7 = k[12] - (k[11] - t6);
+  const Scalar t8 = k[6] * s6 - k[5] * c6;
+  const Scalar t9 = k[7] - t8;
+  const Scalar t10 = c5 * t9;
+  const Scalar t11 = s5 * (k[13] - t7) + (t10 + t10);
+  const Scalar t12 = s5 * t11;
+  const Scalar t13 = k[16] - (t7 + t12);
+  const Scalar t14 = k[15] + t6;
+  const Scalar t15 = Scalar(2) * c4 * t5 + s4 * (t13 - t14);
+  const Scalar t16 = s4 * t15 - t13;
+  const Scalar t17 = t13 + t14;
+  const Scalar t18 = k[1] * c6 + k[2] * s6;
+  const Scalar t19 = k[25] - t18;
+  const Scalar t20 = s5 * t1 + c5 * t3;
+  const Scalar t21 = k[4] * t19 + (k[24] - t20);
+  const Scalar t22 = k[2] * c6 - k[1] * s6;
+  const Scalar t23 = k[3] + t22;
+  const Scalar t24 = k[0] * s5 - c5 * t23;
+  const Scalar t25 = k[23] - t24;
+  const Scalar t26 = k[4] * t25 - (k[22] - (t9 - c5 * t11));
+  const Scalar t27 = s4 * t21 + c4 * t26;
+  const Scalar t28 = k[26] - t27;
+  const Scalar t29 = s5 * t23 + k[0] * c5;
+  const Scalar t30 = k[4] * t29;
+  const Scalar t31 = k[14] - ((k[13] - t12) + Scalar(2) * t30);
+  const Scalar t32 = k[21] + t16;
+  const Scalar t33 = Scalar(2) * c3 * t28 - s3 * (t31 + t32);
+  const Scalar t34 = k[28] + t29;
+  const Scalar t35 = c4 * t25 + s4 * t19;
+  const Scalar t36 = k[29] + t35;
+  const Scalar t37 = (c3 * t33 - t28) - (c3 * t34 + s3 * t36);
+  const Scalar t38 = t31 - t32;
+  const Scalar t39 = t32 + s3 * t33;
+  const Scalar t40 = k[27] + (t38 + t39);
+  const Scalar t41 = s3 * t34 - c3 * t36;
+  const Scalar t42 = k[30] + (t39 - (t41 + t41));
+  const Scalar t43 = Scalar(2) * c2 * (k[31] + t37) - s2 * (t40 + t42);
+  const Scalar t44 = (k[33] + (t16 + t17)) - (k[32] + (s2 * t43 + t42));
+  const Scalar t45 = s4 * t25 - c4 * t19;
+  const Scalar t46 = c4 * t21 - s4 * t26;
+  const Scalar t47 = k[34] - t46;
+  const Scalar t48 = k[35] - (c4 * t15 - t5);
+  const Scalar t49 = k[37] + (t45 - (s3 * t47 - c3 * t48));
+  const Scalar t50 = c2 * (k[36] + (s3 * t48 + c3 * t47));
+  const Scalar t51 = c3 * s2 + c2 * s3;
+  const Scalar t52 = s2 * s3 - c2 * c3;
+  const Scalar t53 = (t27 * t51 - t52 * t17) - c2 * t35;
+  const Scalar t54 = k[13] + t7;
+  const Scalar t55 = t54 + t30;
+  const Scalar t56 = t51 * (c4 * t4 + s4 * t55) - t52 * t20;
+  const Scalar t57 = c5 * t18;
+  const Scalar t58 = s4 * t57 - c4 * t22;
+  const Scalar t59 = k[11] * c5 + s5 * t8;
+  const Scalar t60 = c5 * t8 - k[11] * s5;
+  const Scalar t61 = (s4 * t2 + c4 * t60) - k[4] * t58;
+  const Scalar t62 = c2 * t58 - (t52 * t59 - t51 * t61);
+  const Scalar t63 = s4 * t4 - c4 * t55;
+  const Scalar t64 = (c3 * t24 + s3 * c4 * t29) + t63;
+  const Scalar t65 = s4 * t22 + c4 * t57;
+  const Scalar t66 = (c4 * t2 - s4 * t60) - k[4] * t65;
+  const Scalar t67 = t66 + (c3 * s5 * t18 + s3 * t65);
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = (k[33] + (t46 + t45)) - (k[34] - t18);
-  result(0, 1) = result(1, 0) = t51 + s2 * t52;
-  result(0, 2) = result(2, 0) = t47 * t53 - t54 * t50;
-  result(0, 3) = result(3, 0) = t55;
-  result(0, 4) = result(4, 0) = -t57 - c2 * s4 * t31;
-  result(0, 5) = result(5, 0) = t63;
-  result(1, 1) = t45 - t42;
-  result(1, 2) = result(2, 1) = t43 - t64;
-  result(1, 3) = result(3, 1) = s3 * t48 - t49;
-  result(1, 4) = result(4, 1) = -t66;
-  result(1, 5) = result(5, 1) = -t67 - t68;
-  result(2, 2) = -t64;
-  result(2, 3) = result(3, 2) = -t49;
-  result(2, 4) = result(4, 2) = t65;
-  result(2, 5) = result(5, 2) = -t68;
-  result(3, 3) = -t33;
+  result(0, 0) = -t44;
+  result(0, 1) = result(1, 0) = s2 * t49 + t50;
+  result(0, 2) = result(2, 0) = t48 * t51 - t47 * t52;
+  result(0, 3) = result(3, 0) = -t53;
+  result(0, 4) = result(4, 0) = t56 - c2 * s4 * t29;
+  result(0, 5) = result(5, 0) = -t62;
+  result(1, 1) = t42 - t40;
+  result(1, 2) = result(2, 1) = -t41 - t38;
+  result(1, 3) = result(3, 1) = -t46 - s3 * t45;
+  result(1, 4) = result(4, 1) = -t64;
+  result(1, 5) = result(5, 1) = -t67;
+  result(2, 2) = -t38;
+  result(2, 3) = result(3, 2) = -t46;
+  result(2, 4) = result(4, 2) = -t63;
+  result(2, 5) = result(5, 2) = -t66;
+  result(3, 3) = -t17;
   result(3, 4) = result(4, 3) = t20;
-  result(3, 5) = result(5, 3) = -t58;
-  result(4, 4) = t9;
-  result(4, 5) = result(5, 4) = -t12;
-  result(5, 5) = -k[39];
+  result(3, 5) = result(5, 3) = -t59;
+  result(4, 4) = t54;
+  result(4, 5) = result(5, 4) = -t2;
+  result(5, 5) = -k[11];
   return result;
 }
 
@@ -853,78 +850,76 @@ CoriolisMatrixConstants<Scalar> coriolis_matrix_constants(const BasicGeometry<Sc
   using std::cos;
   using std::sin;
   const Scalar t0 = inertia.c6x * inertia.m6;
-  const Scalar t1 = inertia.c6y * inertia.m6;
-  const Scalar t2 = inertia.c5z * inertia.m5;
-  const Scalar t3 = inertia.c4y * inertia.m4;
-  const Scalar t4 = inertia.c5x * inertia.m5;
-  const Scalar t5 = inertia.c6z * inertia.m6;
+  const Scalar t1 = inertia.I6xy - inertia.c6y * t0;
+  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t0;
+  const Scalar t4 = inertia.c6y * inertia.m6;
+  const Scalar t5 = (inertia.I6yy - t2) - inertia.c6y * t4;
   const Scalar t6 = inertia.c5y * inertia.m5;
-  const Scalar t7 = inertia.c4x * inertia.m4;
-  const Scalar t8 = g.RL4 / g.D3;
-  const Scalar t9 = inertia.I6xy - inertia.c6y * t0;
-  const Scalar t10 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t11 = (inertia.I6xx - t10) - inertia.c6x * t0;
-  const Scalar t12 = (inertia.I6yy - t10) - inertia.c6y * t1;
-  const Scalar t13 = g.RL4 * t3;
-  const Scalar t14 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t15 = (inertia.c6z * t5 - (inertia.I6zz - t10)) + (inertia.c5y * t6 - (inertia.I5yy - t14));
-  const Scalar t16 = g.RL4 * t7;
-  const Scalar t17 = inertia.c3x * inertia.m3;
-  const Scalar t18 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t19 = inertia.c4z * inertia.m4;
-  const Scalar t20 = g.RL4 * inertia.m4;
-  const Scalar t21 = t19 + t20;
-  const Scalar t22 = ((inertia.I4zz - t18) - inertia.c4z * t19) - g.RL4 * (t19 + t21);
-  const Scalar t23 = t20 - t21;
-  const Scalar t24 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t25 = g.RL4 * t24 - t23;
-  const Scalar t26 = (t22 - g.RL4 * (t23 - t21)) - g.RL4 * (t25 - t23);
-  const Scalar t27 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t7 = inertia.c5x * inertia.m5;
+  const Scalar t8 = inertia.c4x * inertia.m4;
+  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t10 = inertia.c6z * inertia.m6;
+  const Scalar t11 = (inertia.c6z * t10 - (inertia.I6zz - t2)) + (inertia.c5y * t6 - (inertia.I5yy - t9));
+  const Scalar t12 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t13 = inertia.c4y * inertia.m4;
+  const Scalar t14 = inertia.c5z * inertia.m5;
+  const Scalar t15 = ((inertia.I4yy - t12) - inertia.c4y * t13) - (inertia.c5z * t14 - (inertia.I5zz - t9));
+  const Scalar t16 = inertia.c3x * inertia.m3;
+  const Scalar t17 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t18 = g.RL4 * t8;
+  const Scalar t19 = g.RL4 * t13;
+  const Scalar t20 = inertia.c4z * inertia.m4;
+  const Scalar t21 = g.RL4 * inertia.m4;
+  const Scalar t22 = t20 + t21;
+  const Scalar t23 = ((inertia.I4zz - t12) - inertia.c4z * t20) - g.RL4 * (t20 + t22);
+  const Scalar t24 = t21 - t22;
+  const Scalar t25 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t26 = g.RL4 * t25 - t24;
+  const Scalar t27 = (t23 - g.RL4 * (t24 - t22)) - g.RL4 * (t26 - t24);
   const Scalar t28 = inertia.c3y * inertia.m3;
-  const Scalar t29 = ((inertia.I4yy - t18) - inertia.c4y * t3) - (inertia.c5z * t2 - (inertia.I5zz - t14));
-  const Scalar t30 = inertia.c2x * inertia.m2;
-  const Scalar t31 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t32 = (inertia.c2x * t30 - (inertia.I2xx - t31)) + g.D3 * g.D3 * (inertia.m3 + t24);
-  const Scalar t33 = inertia.c2y * inertia.m2;
-  const Scalar t34 = (inertia.I2xz - inertia.c2z * t30) - g.D3 * inertia.c3z * inertia.m3;
-  return { g.D3 * t0,
-           g.D3 * t1,
-           g.D3 * (t2 - t3),
-           g.D3 * t4,
-           g.D3 * (t5 + t6),
-           g.D3 * t7,
-           t8,
+  const Scalar t29 = inertia.c2x * inertia.m2;
+  const Scalar t30 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t31 = (inertia.c2x * t29 - (inertia.I2xx - t30)) + g.D3 * g.D3 * (inertia.m3 + t25);
+  const Scalar t32 = inertia.c2y * inertia.m2;
+  const Scalar t33 = (inertia.I2xz - inertia.c2z * t29) - g.D3 * inertia.c3z * inertia.m3;
+  return { Scalar(2) * t1,
+           t3 - t5,
+           t1,
            inertia.I6xz - inertia.c6z * t0,
-           inertia.I6yz - inertia.c6z * t1,
+           inertia.I6yz - inertia.c6z * t4,
            inertia.I5yz - inertia.c5z * t6,
-           Scalar(2) * t9,
-           t11 - t12,
-           t9,
-           inertia.I5xz - inertia.c5z * t4,
-           ((inertia.I4yz - inertia.c4z * t3) - t13) + t13,
+           inertia.I5xz - inertia.c5z * t7,
+           inertia.I4xy - inertia.c4y * t8,
+           inertia.I5xy - inertia.c5y * t7,
+           t3,
+           inertia.c5x * t7 - (inertia.I5xx - t9),
            t11,
-           inertia.c5x * t4 - (inertia.I5xx - t14),
+           (inertia.I4xx - t12) - inertia.c4x * t8,
+           t3 + t5,
            t15,
-           inertia.I5xy - inertia.c5y * t4,
-           ((inertia.I4xz - inertia.c4z * t7) - t16) + t16,
-           inertia.I3xy - inertia.c3y * t17,
-           Scalar(2) * t8,
-           t26 + ((inertia.I3yy - t27) - inertia.c3y * t28),
-           inertia.I4xy - inertia.c4y * t7,
-           t11 + t12,
-           t29,
-           (inertia.I4xx - t18) - inertia.c4x * t7,
-           inertia.c3x * t17 - (inertia.I3xx - t27),
-           g.D3 * t17,
-           g.D3 * (t25 + t28),
-           inertia.I2xy - inertia.c2y * t30,
-           t32,
-           (inertia.I2yy - t31) - inertia.c2y * t33,
+           inertia.c3x * t16 - (inertia.I3xx - t17),
+           g.D3 * t4,
+           g.D3 * t0,
+           g.D3 * t7,
+           g.D3 * (t10 + t6),
+           g.RL4 / g.D3,
+           ((inertia.I4xz - inertia.c4z * t8) - t18) + t18,
+           g.D3 * t8,
+           ((inertia.I4yz - inertia.c4z * t13) - t19) + t19,
+           g.D3 * (t14 - t13),
+           inertia.I3xy - inertia.c3y * t16,
+           t27 + ((inertia.I3yy - t17) - inertia.c3y * t28),
+           g.D3 * (t26 + t28),
+           g.D3 * t16,
+           inertia.I2xy - inertia.c2y * t29,
+           t31,
+           (inertia.I2yy - t30) - inertia.c2y * t32,
            inertia.I3yz - inertia.c3z * t28,
-           inertia.I3xz - inertia.c3z * t17,
-           inertia.I2yz - inertia.c2z * t33,
-           t34,
-           t12 };
+           inertia.I3xz - inertia.c3z * t16,
+           inertia.I2yz - inertia.c2z * t32,
+           t33,
+           t5 };
 }
 
 namespace detail {
@@ -943,280 +938,285 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const Jo
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[7] * c6 - k[8] * s6;
-  const Scalar t1 = k[18] + t0;
-  const Scalar t2 = k[10] * c6 + k[11] * s6;
-  const Scalar t3 = k[15] - s6 * t2;
-  const Scalar t4 = k[16] - t3;
-  const Scalar t5 = Scalar(2) * c5 * t1 + s5 * (k[17] - t4);
-  const Scalar t6 = s5 * t5;
-  const Scalar t7 = k[17] - t6;
-  const Scalar t8 = k[0] * c6 - k[1] * s6;
-  const Scalar t9 = k[3] + t8;
-  const Scalar t10 = s5 * t9;
-  const Scalar t11 = k[4] * c5 + t10;
-  const Scalar t12 = k[22] - (t7 + k[21] * t11);
-  const Scalar t13 = k[0] * s6 + k[1] * c6;
-  const Scalar t14 = k[2] - t13;
-  const Scalar t15 = qd[5] * t13;
-  const Scalar t16 = k[4] * qd[4] + t15;
-  const Scalar t17 = c5 * t16 + qd[4] * t10;
-  const Scalar t18 = qd[3] * t14 - t17;
-  const Scalar t19 = k[12] - c6 * t2;
-  const Scalar t20 = qd[5] * t19;
-  const Scalar t21 = qd[4] * t1;
-  const Scalar t22 = qd[4] * t4;
-  const Scalar t23 = s5 * (t20 - t21) - c5 * t22;
-  const Scalar t24 = c5 * t23;
-  const Scalar t25 = k[8] * c6 + k[7] * s6;
-  const Scalar t26 = qd[5] * t25;
-  const Scalar t27 = t26 - k[17] * qd[4];
-  const Scalar t28 = s5 * t27 - c5 * t21;
-  const Scalar t29 = s5 * t28;
-  const Scalar t30 = (t24 + t22) - (t27 - t29);
-  const Scalar t31 = t24 + t29;
-  const Scalar t32 = k[13] + t19;
-  const Scalar t33 = s5 * t32;
-  const Scalar t34 = k[9] - t25;
-  const Scalar t35 = t33 + c5 * t34;
-  const Scalar t36 = k[14] - t35;
-  const Scalar t37 = k[6] * t18 - ((t30 + t31) - qd[3] * t36);
-  const Scalar t38 = k[19] - (t1 - c5 * t5);
-  const Scalar t39 = qd[5] * t3;
-  const Scalar t40 = qd[5] * t0;
-  const Scalar t41 = s5 * t39 + c5 * t40;
-  const Scalar t42 = c5 * t32;
-  const Scalar t43 = k[24] - t3;
-  const Scalar t44 = qd[5] * t43;
-  const Scalar t45 = t44 - qd[4] * t34;
-  const Scalar t46 = qd[4] * t42 + s5 * t45;
-  const Scalar t47 = t41 - t46;
-  const Scalar t48 = qd[5] * t8;
-  const Scalar t49 = c5 * t9;
-  const Scalar t50 = k[4] * s5 - t49;
-  const Scalar t51 = k[5] - t50;
-  const Scalar t52 = t48 + qd[3] * t51;
-  const Scalar t53 = (qd[3] * t38 + t47) - k[6] * t52;
-  const Scalar t54 = c4 * t37 + s4 * t53;
-  const Scalar t55 = c4 * t31 + s4 * t46;
-  const Scalar t56 = qd[2] * t12 + (t54 + t55);
-  const Scalar t57 = c5 * t28 - s5 * t23;
-  const Scalar t58 = k[25] + t43;
-  const Scalar t59 = qd[4] * t33 - c5 * t45;
-  const Scalar t60 = qd[3] * t58 - t59;
-  const Scalar t61 = t42 - s5 * t34;
-  const Scalar t62 = k[23] - t61;
-  const Scalar t63 = qd[3] * t62 - t20;
-  const Scalar t64 = s4 * t60 - c4 * t63;
-  const Scalar t65 = t4 + t6;
-  const Scalar t66 = k[26] - t65;
-  const Scalar t67 = s5 * t40 - c5 * t39;
-  const Scalar t68 = qd[3] * t66 - t67;
-  const Scalar t69 = c4 * t68 + s4 * (t57 - t63);
-  const Scalar t70 = c4 * t64 - s4 * t69;
-  const Scalar t71 = s4 * t14 + c4 * t51;
-  const Scalar t72 = k[6] * t71 - (c4 * t38 - s4 * t36);
-  const Scalar t73 = k[20] - t72;
-  const Scalar t74 = (t57 + t70) - qd[2] * t73;
-  const Scalar t75 = qd[4] * t49 - s5 * t16;
-  const Scalar t76 = k[6] * t75;
-  const Scalar t77 = t70 - t76;
-  const Scalar t78 = s3 * t56 + c3 * (t74 - t77);
-  const Scalar t79 = s3 * t78;
-  const Scalar t80 = Scalar(2) * c4 * t62 - s4 * (t58 - t66);
-  const Scalar t81 = k[27] + (s4 * t80 - t66);
-  const Scalar t82 = qd[2] * t81 - t55;
-  const Scalar t83 = c3 * t82 - s3 * t74;
-  const Scalar t84 = c3 * t83;
-  const Scalar t85 = c3 * t73;
-  const Scalar t86 = (t85 + t85) - s3 * (t81 + t12);
-  const Scalar t87 = s3 * t86;
-  const Scalar t88 = k[32] + (t87 + t12);
-  const Scalar t89 = ((t79 - t56) + (t82 - t84)) - qd[1] * t88;
-  const Scalar t90 = k[28] + t71;
-  const Scalar t91 = k[29] + t11;
-  const Scalar t92 = (t73 - c3 * t86) + (s3 * t90 + c3 * t91);
-  const Scalar t93 = k[30] - t92;
-  const Scalar t94 = qd[1] * t93 - (s3 * t83 + c3 * t78);
-  const Scalar t95 = qd[2] * t90 + t75;
-  const Scalar t96 = s4 * t52 - c4 * t18;
-  const Scalar t97 = t96 + qd[2] * t91;
-  const Scalar t98 = (t79 - t84) - (c3 * t95 - s3 * t97);
-  const Scalar t99 = Scalar(2) * (s3 * t91 - c3 * t90) - (t87 + t81);
-  const Scalar t100 = k[31] - t99;
-  const Scalar t101 = t77 + (s3 * t95 + c3 * t97);
-  const Scalar t102 = s2 * (t98 - qd[1] * t100) - c2 * (t101 - t94);
-  const Scalar t103 = s2 * (c2 * t89 - s2 * t94) + c2 * t102;
-  const Scalar t104 = qd[0] * c2;
-  const Scalar t105 = qd[0] * s2;
-  const Scalar t106 = s4 * t64;
-  const Scalar t107 = c4 * t69;
-  const Scalar t108 = (t60 - t106) - (t107 - t68);
-  const Scalar t109 = c4 * t14 - s4 * t51;
-  const Scalar t110 = k[6] * t109 + (s4 * t38 + c4 * t36);
-  const Scalar t111 = k[33] - t110;
-  const Scalar t112 = t108 - qd[2] * t111;
-  const Scalar t113 = s4 * t31 - c4 * t46;
-  const Scalar t114 = k[34] - (c4 * t80 - t62);
-  const Scalar t115 = qd[2] * t114;
-  const Scalar t116 = t113 - t115;
-  const Scalar t117 = s3 * t114 + c3 * t111;
-  const Scalar t118 = qd[1] * (k[35] + t117);
-  const Scalar t119 = (t104 * t88 + t105 * t93) - ((c3 * t112 + s3 * t116) - t118);
-  const Scalar t120 = s3 * t111 - c3 * t114;
-  const Scalar t121 = qd[1] * (k[36] - (t120 + t109));
-  const Scalar t122 = ((s3 * t112 - c3 * t116) + t121) + (t104 * t93 - t105 * t100);
-  const Scalar t123 = s2 * t119 - c2 * t122;
-  const Scalar t124 = s2 * s3 - c2 * c3;
-  const Scalar t125 = qd[0] * t124;
-  const Scalar t126 = c3 * s2 + c2 * s3;
-  const Scalar t127 = qd[0] * t126;
-  const Scalar t128 = qd[1] + qd[2];
-  const Scalar t129 = (t108 - t128 * t111) + (t12 * t125 - t127 * t73);
-  const Scalar t130 = (t113 - t128 * t114) + (t127 * t81 + t73 * t125);
-  const Scalar t131 = c2 * (t91 * t125 - t90 * t127) + (t129 * t126 + t124 * t130);
-  const Scalar t132 = qd[3] - t125;
-  const Scalar t133 = t51 * t132 + t48;
-  const Scalar t134 = t132 * t14 - t17;
-  const Scalar t135 = s4 * t133 - c4 * t134;
-  const Scalar t136 = c4 * t128 + s4 * t127;
-  const Scalar t137 = s4 * t128 - c4 * t127;
-  const Scalar t138 = (t41 + t38 * t132) - (t62 * t136 + t66 * t137);
-  const Scalar t139 = (t58 * t136 + t62 * t137) + (t30 - t132 * t36);
-  const Scalar t140 = k[6] * t135 - (s4 * t138 - c4 * t139);
-  const Scalar t141 = (t124 * t57 + t140 * t126) - c2 * t135;
-  const Scalar t142 = s5 * t132 - c5 * t137;
-  const Scalar t143 = c5 * t132 + s5 * t137;
-  const Scalar t144 = t142 * t9 + k[4] * t143;
-  const Scalar t145 = qd[4] + t136;
-  const Scalar t146 = t15 + k[4] * t145;
-  const Scalar t147 = t49 * t145 - s5 * t146;
-  const Scalar t148 = (t142 * t4 - t1 * t143) - t145 * t32;
-  const Scalar t149 = (t1 * t142 - k[17] * t143) + (t34 * t145 - t44);
-  const Scalar t150 = c5 * t148 + s5 * t149;
-  const Scalar t151 = (c5 * t149 - s5 * t148) - k[6] * t144;
-  const Scalar t152 = k[6] * t147 - t20;
-  const Scalar t153 = t124 * t150 - (c4 * t151 - s4 * t152) * t126;
-  const Scalar t154 = c2 * (c4 * t144 + s4 * t147) - t153;
-  const Scalar t155 = qd[5] + t143;
-  const Scalar t156 = t13 * t155;
-  const Scalar t157 = c6 * t142 - s6 * t145;
-  const Scalar t158 = c6 * t145 + s6 * t142;
-  const Scalar t159 = k[0] * t157 - k[1] * t158;
-  const Scalar t160 = t155 * t8;
-  const Scalar t161 = s5 * t159 + c5 * t160;
-  const Scalar t162 = (k[12] * t158 - k[15] * t157) - k[7] * t155;
-  const Scalar t163 = (k[37] * t158 - k[12] * t157) - k[8] * t155;
-  const Scalar t164 = c6 * t162 - s6 * t163;
-  const Scalar t165 = t164 + k[6] * t161;
-  const Scalar t166 = s6 * t162 + c6 * t163;
-  const Scalar t167 = c5 * t166 + k[6] * t156;
-  const Scalar t168 = s5 * t166;
-  const Scalar t169 = (s4 * t165 + c4 * t167) * t126 - t124 * t168;
-  const Scalar t170 = c2 * (c4 * t156 + s4 * t161) - t169;
-  const Scalar t171 = c4 * t52 + s4 * t18;
-  const Scalar t172 = s4 * t37 - c4 * t53;
-  const Scalar t173 = t172 + t115;
-  const Scalar t174 = (t107 + t106) - t112;
-  const Scalar t175 = s3 * t173 + c3 * t174;
-  const Scalar t176 = s3 * t174 - c3 * t173;
-  const Scalar t177 = s2 * ((t171 - t175) - t118) - c2 * (t176 - t121);
-  const Scalar t178 = s3 * (t75 + t90 * t128) + c3 * (t91 * t128 + t96);
-  const Scalar t179 = s4 * t134 + c4 * t133;
-  const Scalar t180 = s3 * t179 - c3 * (t136 * t14 - t51 * t137);
-  const Scalar t181 = k[6] * t179 - (s4 * t139 + c4 * t138);
-  const Scalar t182 = t180 - t181;
-  const Scalar t183 = c3 * (c5 * t146 + t10 * t145) - s3 * (s4 * t144 - c4 * t147);
-  const Scalar t184 = c4 * t152 + s4 * t151;
-  const Scalar t185 = t183 - t184;
-  const Scalar t186 = c4 * t165 - s4 * t167;
-  const Scalar t187 = s3 * (c4 * t161 - s4 * t156) - c3 * (c5 * t159 - s5 * t160);
-  const Scalar t188 = t186 - t187;
-  const Scalar t189 = s2 * (qd[1] * t117 + t175) + c2 * (t176 + qd[1] * t120);
-  const Scalar t190 = t58 + t66;
-  const Scalar t191 = t54 - qd[2] * t190;
-  const Scalar t192 = Scalar(2) * t57 + qd[2] * t72;
-  const Scalar t193 = qd[1] * (s3 * t190 - c3 * t72) - ((s3 * t191 + c3 * t192) + t96);
-  const Scalar t194 = qd[1] * ((s3 * t72 + c3 * t190) - t71);
-  const Scalar t195 = s2 * ((s3 * t192 - c3 * t191) + t194);
-  const Scalar t196 = t172 + (c3 * qd[2] * t109 - s3 * t171);
-  const Scalar t197 = c4 * t11;
-  const Scalar t198 = t7 + t65;
-  const Scalar t199 = k[6] * t11;
-  const Scalar t200 = (qd[3] * t198 - (t59 - t67)) + qd[3] * t199;
-  const Scalar t201 = (Scalar(2) * t20 + qd[3] * t61) - t76;
-  const Scalar t202 = (c4 * t200 - s4 * t201) - qd[2] * t35;
-  const Scalar t203 = s4 * (t199 + t198) + c4 * t61;
-  const Scalar t204 = qd[2] * t203 - t47;
-  const Scalar t205 = (qd[3] * t197 + s4 * t75) - (s3 * t202 + c3 * t204);
-  const Scalar t206 = t205 - qd[1] * (c3 * t203 - s3 * t35);
-  const Scalar t207 = s4 * t11;
-  const Scalar t208 = qd[1] * ((c3 * t35 + s3 * t203) - t207);
-  const Scalar t209 = s2 * ((c3 * t202 - s3 * t204) - t208);
-  const Scalar t210 = c4 * t201 + s4 * t200;
-  const Scalar t211 = qd[2] * t50 + (qd[3] * t207 - c4 * t75);
-  const Scalar t212 = c3 * (qd[2] * t197 + t17) - s3 * t211;
-  const Scalar t213 = s5 * t0;
-  const Scalar t214 = t213 - k[24] * c5;
-  const Scalar t215 = t26 - k[24] * qd[4];
-  const Scalar t216 = qd[3] * t25 + (qd[4] * t213 + c5 * t215);
-  const Scalar t217 = c5 * t0;
-  const Scalar t218 = k[24] * s5 + t217;
-  const Scalar t219 = t40 + qd[3] * t218;
-  const Scalar t220 = c5 * t13;
-  const Scalar t221 = qd[3] * t220 + t15;
-  const Scalar t222 = s5 * t13;
-  const Scalar t223 = (c5 * t48 - qd[4] * t222) + qd[3] * t8;
-  const Scalar t224 = c4 * t221 + s4 * t223;
-  const Scalar t225 = (c4 * t216 + s4 * t219) - k[6] * t224;
-  const Scalar t226 = qd[2] * t214 + t225;
-  const Scalar t227 = c4 * t8 - s4 * t220;
-  const Scalar t228 = (s4 * t25 - c4 * t218) + k[6] * t227;
-  const Scalar t229 = s5 * t215 - qd[4] * t217;
-  const Scalar t230 = qd[2] * t228 + t229;
-  const Scalar t231 = qd[1] * ((c3 * t214 - s3 * t228) + t227);
-  const Scalar t232 = s2 * ((c3 * t226 - s3 * t230) + t231);
-  const Scalar t233 = qd[1] * (s3 * t214 + c3 * t228) + ((s3 * t226 + c3 * t230) + t224);
-  const Scalar t234 = s4 * t221 - c4 * t223;
-  const Scalar t235 = k[6] * t234 + (c4 * t219 - s4 * t216);
-  const Scalar t236 = (qd[4] * t220 + s5 * t48) + qd[2] * (s4 * t8 + c4 * t220);
-  const Scalar t237 = c3 * t236 - s3 * (qd[2] * t222 + t234);
+  const Scalar t0 = k[0] * c6 + k[1] * s6;
+  const Scalar t1 = k[2] - c6 * t0;
+  const Scalar t2 = k[6] + t1;
+  const Scalar t3 = c5 * t2;
+  const Scalar t4 = k[4] * c6 + k[3] * s6;
+  const Scalar t5 = k[5] - t4;
+  const Scalar t6 = t3 - s5 * t5;
+  const Scalar t7 = k[7] - t6;
+  const Scalar t8 = qd[5] * t1;
+  const Scalar t9 = qd[3] * t7 - t8;
+  const Scalar t10 = k[9] - s6 * t0;
+  const Scalar t11 = k[13] - t10;
+  const Scalar t12 = k[14] + t11;
+  const Scalar t13 = s5 * t2;
+  const Scalar t14 = qd[5] * t11;
+  const Scalar t15 = t14 - qd[4] * t5;
+  const Scalar t16 = qd[4] * t13 - c5 * t15;
+  const Scalar t17 = qd[3] * t12 - t16;
+  const Scalar t18 = c4 * t9 - s4 * t17;
+  const Scalar t19 = qd[5] * t4;
+  const Scalar t20 = k[11] * qd[4] - t19;
+  const Scalar t21 = k[3] * c6 - k[4] * s6;
+  const Scalar t22 = k[8] + t21;
+  const Scalar t23 = qd[4] * t22;
+  const Scalar t24 = s5 * t20 + c5 * t23;
+  const Scalar t25 = k[10] - t10;
+  const Scalar t26 = qd[4] * t25;
+  const Scalar t27 = c5 * t26 + s5 * (t23 - t8);
+  const Scalar t28 = c5 * t24 - s5 * t27;
+  const Scalar t29 = c5 * t22;
+  const Scalar t30 = s5 * (k[11] - t25) + (t29 + t29);
+  const Scalar t31 = s5 * t30;
+  const Scalar t32 = t31 + t25;
+  const Scalar t33 = k[12] - t32;
+  const Scalar t34 = qd[5] * t21;
+  const Scalar t35 = qd[5] * t10;
+  const Scalar t36 = s5 * t34 - c5 * t35;
+  const Scalar t37 = qd[3] * t33 - t36;
+  const Scalar t38 = s4 * (t28 + t9) - c4 * t37;
+  const Scalar t39 = c4 * t18 - s4 * t38;
+  const Scalar t40 = k[17] * s6 + k[16] * c6;
+  const Scalar t41 = qd[5] * t40;
+  const Scalar t42 = t41 + k[19] * qd[4];
+  const Scalar t43 = k[17] * c6 - k[16] * s6;
+  const Scalar t44 = k[18] + t43;
+  const Scalar t45 = c5 * t44;
+  const Scalar t46 = s5 * t42 - qd[4] * t45;
+  const Scalar t47 = k[20] * t46;
+  const Scalar t48 = t39 - t47;
+  const Scalar t49 = k[24] - t40;
+  const Scalar t50 = t45 - k[19] * s5;
+  const Scalar t51 = k[22] + t50;
+  const Scalar t52 = s4 * t49 + c4 * t51;
+  const Scalar t53 = k[28] + t52;
+  const Scalar t54 = t46 - qd[2] * t53;
+  const Scalar t55 = s5 * t44;
+  const Scalar t56 = k[19] * c5 + t55;
+  const Scalar t57 = k[27] + t56;
+  const Scalar t58 = qd[5] * t43;
+  const Scalar t59 = t58 + qd[3] * t51;
+  const Scalar t60 = c5 * t42 + qd[4] * t55;
+  const Scalar t61 = t60 - qd[3] * t49;
+  const Scalar t62 = s4 * t59 + c4 * t61;
+  const Scalar t63 = qd[2] * t57 + t62;
+  const Scalar t64 = t48 + (s3 * t54 - c3 * t63);
+  const Scalar t65 = c5 * t27;
+  const Scalar t66 = s5 * t24;
+  const Scalar t67 = t65 + t66;
+  const Scalar t68 = qd[4] * t3 + s5 * t15;
+  const Scalar t69 = c4 * t67 - s4 * t68;
+  const Scalar t70 = (t65 - t26) - (t20 - t66);
+  const Scalar t71 = c5 * t5 + t13;
+  const Scalar t72 = k[23] - t71;
+  const Scalar t73 = k[20] * t61 - ((t70 + t67) + qd[3] * t72);
+  const Scalar t74 = k[21] - (t22 - c5 * t30);
+  const Scalar t75 = s5 * t35 + c5 * t34;
+  const Scalar t76 = t68 - t75;
+  const Scalar t77 = (qd[3] * t74 - t76) - k[20] * t59;
+  const Scalar t78 = c4 * t73 - s4 * t77;
+  const Scalar t79 = k[11] - t31;
+  const Scalar t80 = k[20] * t56;
+  const Scalar t81 = k[26] - (t79 + Scalar(2) * t80);
+  const Scalar t82 = (t69 + t78) - qd[2] * t81;
+  const Scalar t83 = k[20] * t51 - t74;
+  const Scalar t84 = t72 + k[20] * t49;
+  const Scalar t85 = c4 * t83 + s4 * t84;
+  const Scalar t86 = k[25] - t85;
+  const Scalar t87 = (t47 + t28) + qd[2] * t86;
+  const Scalar t88 = s3 * t82 + c3 * t87;
+  const Scalar t89 = c4 * t7;
+  const Scalar t90 = s4 * (t33 - t12) + (t89 + t89);
+  const Scalar t91 = k[15] - (t33 - s4 * t90);
+  const Scalar t92 = t69 + qd[2] * t91;
+  const Scalar t93 = c3 * t92 + s3 * (t48 + t87);
+  const Scalar t94 = c3 * t86;
+  const Scalar t95 = s3 * (t81 + t91) - (t94 + t94);
+  const Scalar t96 = (t86 + c3 * t95) + (s3 * t53 + c3 * t57);
+  const Scalar t97 = k[29] - t96;
+  const Scalar t98 = (c3 * t88 - s3 * t93) + qd[1] * t97;
+  const Scalar t99 = s3 * t88;
+  const Scalar t100 = c3 * t93;
+  const Scalar t101 = (s3 * t63 + c3 * t54) - (t99 + t100);
+  const Scalar t102 = c3 * t53 - s3 * t57;
+  const Scalar t103 = s3 * t95;
+  const Scalar t104 = k[30] + ((t102 + t102) + (t91 - t103));
+  const Scalar t105 = c2 * (t64 + t98) + s2 * (t101 - qd[1] * t104);
+  const Scalar t106 = k[31] + (t81 - t103);
+  const Scalar t107 = ((t82 - t99) + (t92 - t100)) - qd[1] * t106;
+  const Scalar t108 = c2 * t105 - s2 * (s2 * t98 - c2 * t107);
+  const Scalar t109 = k[32] + (s4 * t83 - c4 * t84);
+  const Scalar t110 = c4 * t38;
+  const Scalar t111 = s4 * t18;
+  const Scalar t112 = (t37 + t110) + (t17 + t111);
+  const Scalar t113 = qd[2] * t109 - t112;
+  const Scalar t114 = c4 * t68 + s4 * t67;
+  const Scalar t115 = k[33] - (c4 * t90 - t7);
+  const Scalar t116 = qd[2] * t115;
+  const Scalar t117 = t114 + t116;
+  const Scalar t118 = s3 * t115 + c3 * t109;
+  const Scalar t119 = qd[1] * (k[34] + t118);
+  const Scalar t120 = qd[0] * c2;
+  const Scalar t121 = qd[0] * s2;
+  const Scalar t122 = ((c3 * t113 + s3 * t117) + t119) + (t106 * t120 + t121 * t97);
+  const Scalar t123 = s3 * t109 - c3 * t115;
+  const Scalar t124 = s4 * t51 - c4 * t49;
+  const Scalar t125 = qd[1] * (k[35] - (t123 - t124));
+  const Scalar t126 = (t125 - (s3 * t113 - c3 * t117)) - (t121 * t104 - t120 * t97);
+  const Scalar t127 = s2 * t122 - c2 * t126;
+  const Scalar t128 = s2 * s3 - c2 * c3;
+  const Scalar t129 = qd[0] * t128;
+  const Scalar t130 = c3 * s2 + c2 * s3;
+  const Scalar t131 = qd[0] * t130;
+  const Scalar t132 = qd[1] + qd[2];
+  const Scalar t133 = (t114 + t132 * t115) - (t86 * t129 + t131 * t91);
+  const Scalar t134 = (t112 - t132 * t109) + (t81 * t129 - t131 * t86);
+  const Scalar t135 = c2 * (t57 * t129 - t131 * t53) - (t128 * t133 - t134 * t130);
+  const Scalar t136 = qd[3] - t129;
+  const Scalar t137 = t60 - t136 * t49;
+  const Scalar t138 = t51 * t136 + t58;
+  const Scalar t139 = c4 * t132 + s4 * t131;
+  const Scalar t140 = s4 * t132 - c4 * t131;
+  const Scalar t141 = (t12 * t139 + t7 * t140) - (t70 + t72 * t136);
+  const Scalar t142 = k[20] * t137 + t141;
+  const Scalar t143 = (t139 * t7 + t33 * t140) - (t136 * t74 + t75);
+  const Scalar t144 = k[20] * t138 + t143;
+  const Scalar t145 = (c4 * t142 + s4 * t144) * t130 - t128 * t28;
+  const Scalar t146 = c2 * (c4 * t137 + s4 * t138) - t145;
+  const Scalar t147 = qd[4] + t139;
+  const Scalar t148 = t41 + k[19] * t147;
+  const Scalar t149 = s5 * t148 - t45 * t147;
+  const Scalar t150 = c5 * t136 + s5 * t140;
+  const Scalar t151 = s5 * t136 - c5 * t140;
+  const Scalar t152 = k[19] * t150 + t151 * t44;
+  const Scalar t153 = s4 * t149 - c4 * t152;
+  const Scalar t154 = (k[11] * t150 - t22 * t151) - (t147 * t5 - t14);
+  const Scalar t155 = (t151 * t25 - t22 * t150) - t2 * t147;
+  const Scalar t156 = c5 * t154 + s5 * t155;
+  const Scalar t157 = (s4 * t8 - c4 * t156) + k[20] * t153;
+  const Scalar t158 = c5 * t155 - s5 * t154;
+  const Scalar t159 = c2 * t153 - (t157 * t130 - t158 * t128);
+  const Scalar t160 = qd[5] + t150;
+  const Scalar t161 = t40 * t160;
+  const Scalar t162 = c6 * t147 + s6 * t151;
+  const Scalar t163 = c6 * t151 - s6 * t147;
+  const Scalar t164 = k[16] * t162 - k[17] * t163;
+  const Scalar t165 = t160 * t43;
+  const Scalar t166 = s5 * t164 - c5 * t165;
+  const Scalar t167 = c4 * t161 - s4 * t166;
+  const Scalar t168 = (k[9] * t163 - k[2] * t162) + k[3] * t160;
+  const Scalar t169 = k[4] * t160 + (k[2] * t163 - k[36] * t162);
+  const Scalar t170 = s6 * t168 + c6 * t169;
+  const Scalar t171 = s5 * t170;
+  const Scalar t172 = c5 * t170;
+  const Scalar t173 = s6 * t169 - c6 * t168;
+  const Scalar t174 = (c4 * t172 - s4 * t173) - k[20] * t167;
+  const Scalar t175 = c2 * t167 - (t128 * t171 - t174 * t130);
+  const Scalar t176 = c4 * t59 - s4 * t61;
+  const Scalar t177 = c4 * t77 + s4 * t73;
+  const Scalar t178 = t177 - t116;
+  const Scalar t179 = (t110 + t111) - t113;
+  const Scalar t180 = s3 * t178 + c3 * t179;
+  const Scalar t181 = c3 * t178 - s3 * t179;
+  const Scalar t182 = s2 * (t119 - (t176 + t180)) - c2 * (t125 - t181);
+  const Scalar t183 = c3 * (t132 * t57 + t62) + s3 * (t132 * t53 - t46);
+  const Scalar t184 = s4 * t142 - c4 * t144;
+  const Scalar t185 = s3 * (c4 * t138 - s4 * t137) - c3 * (t139 * t49 - t51 * t140);
+  const Scalar t186 = t184 + t185;
+  const Scalar t187 = c4 * t149 + s4 * t152;
+  const Scalar t188 = k[20] * t187 + (s4 * t156 + c4 * t8);
+  const Scalar t189 = s3 * t187 - c3 * (t55 * t147 + c5 * t148);
+  const Scalar t190 = t188 - t189;
+  const Scalar t191 = s4 * t161 + c4 * t166;
+  const Scalar t192 = k[20] * t191 - (c4 * t173 + s4 * t172);
+  const Scalar t193 = s3 * t191 - c3 * (c5 * t164 + s5 * t165);
+  const Scalar t194 = t192 - t193;
+  const Scalar t195 = s2 * (t180 - qd[1] * t118) - c2 * (qd[1] * t123 + t181);
+  const Scalar t196 = t33 + t12;
+  const Scalar t197 = qd[1] * (t52 - (s3 * t85 + c3 * t196));
+  const Scalar t198 = qd[2] * t196 + t78;
+  const Scalar t199 = (t28 + t28) - qd[2] * t85;
+  const Scalar t200 = s2 * (t197 - (c3 * t198 - s3 * t199));
+  const Scalar t201 = qd[1] * (s3 * t196 - c3 * t85) - (t62 - (s3 * t198 + c3 * t199));
+  const Scalar t202 = (s3 * t176 + c3 * qd[2] * t124) + t177;
+  const Scalar t203 = (Scalar(2) * t8 + qd[3] * t6) + t47;
+  const Scalar t204 = t79 + t32;
+  const Scalar t205 = qd[3] * t80 - ((t16 - t36) - qd[3] * t204);
+  const Scalar t206 = qd[2] * t71 + (s4 * t203 - c4 * t205);
+  const Scalar t207 = s4 * (t80 + t204) + c4 * t6;
+  const Scalar t208 = t76 + qd[2] * t207;
+  const Scalar t209 = s4 * t56;
+  const Scalar t210 = qd[1] * ((c3 * t71 + s3 * t207) - t209);
+  const Scalar t211 = s2 * ((c3 * t206 + s3 * t208) + t210);
+  const Scalar t212 = c4 * t56;
+  const Scalar t213 = (s4 * t46 - qd[3] * t212) - (s3 * t206 - c3 * t208);
+  const Scalar t214 = qd[1] * (c3 * t207 - s3 * t71) + t213;
+  const Scalar t215 = qd[2] * t50 - (qd[3] * t209 + c4 * t46);
+  const Scalar t216 = s3 * t215 + c3 * (qd[2] * t212 + t60);
+  const Scalar t217 = s4 * t205 + c4 * t203;
+  const Scalar t218 = t19 - k[13] * qd[4];
+  const Scalar t219 = c5 * t21;
+  const Scalar t220 = s5 * t218 - qd[4] * t219;
+  const Scalar t221 = c5 * t40;
+  const Scalar t222 = s4 * t221 - c4 * t43;
+  const Scalar t223 = t219 + k[13] * s5;
+  const Scalar t224 = k[20] * t222 - (s4 * t4 - c4 * t223);
+  const Scalar t225 = t220 - qd[2] * t224;
+  const Scalar t226 = qd[3] * t221 + t41;
+  const Scalar t227 = s5 * t21;
+  const Scalar t228 = (qd[4] * t227 + c5 * t218) + qd[3] * t4;
+  const Scalar t229 = k[20] * t226 - t228;
+  const Scalar t230 = s5 * t40;
+  const Scalar t231 = (c5 * t58 - qd[4] * t230) + qd[3] * t43;
+  const Scalar t232 = k[20] * t231 - (qd[3] * t223 + t34);
+  const Scalar t233 = k[13] * c5 - t227;
+  const Scalar t234 = (c4 * t229 + s4 * t232) + qd[2] * t233;
+  const Scalar t235 = qd[1] * (t222 + (c3 * t233 - s3 * t224));
+  const Scalar t236 = s2 * ((s3 * t225 + c3 * t234) + t235);
+  const Scalar t237 = (s3 * t234 - c3 * t225) - (c4 * t226 + s4 * t231);
+  const Scalar t238 = qd[1] * (s3 * t233 + c3 * t224) + t237;
+  const Scalar t239 = c4 * t232 - s4 * t229;
+  const Scalar t240 = qd[2] * (c4 * t221 + s4 * t43) + (s5 * t58 + qd[4] * t221);
+  const Scalar t241 = (c4 * t231 - s4 * t226) - qd[2] * t230;
+  const Scalar t242 = (t239 - (c3 * t240 + s3 * t241)) + t194;
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = t103 + t70;
-  result(0, 1) = -t123;
-  result(0, 2) = t131;
-  result(0, 3) = t141;
-  result(0, 4) = -t154;
-  result(0, 5) = -t170;
-  result(1, 0) = t123 + t177;
-  result(1, 1) = -t101;
-  result(1, 2) = -t77 - t178;
-  result(1, 3) = -t182;
-  result(1, 4) = -t185;
-  result(1, 5) = t188;
-  result(2, 0) = -t189 - t131;
-  result(2, 1) = t178 - t101;
-  result(2, 2) = -t77;
-  result(2, 3) = t181;
-  result(2, 4) = t184;
-  result(2, 5) = t186;
-  result(3, 0) = (c2 * t193 + t195) - t141;
-  result(3, 1) = t182 + t196;
-  result(3, 2) = t172 - t181;
-  result(3, 3) = -t57;
-  result(3, 4) = -t150;
-  result(3, 5) = t168;
-  result(4, 0) = t154 - (c2 * t206 - t209);
-  result(4, 1) = t185 - (t210 + t212);
-  result(4, 2) = -t184 - t210;
-  result(4, 3) = t150 - t47;
-  result(4, 4) = -t20;
-  result(4, 5) = t164;
-  result(5, 0) = t170 - (t232 + c2 * t233);
-  result(5, 1) = -t188 - (t235 + t237);
-  result(5, 2) = -t186 - t235;
-  result(5, 3) = -t168 - t229;
-  result(5, 4) = -t40 - t164;
+  result(0, 0) = t108 - t39;
+  result(0, 1) = -t127;
+  result(0, 2) = t135;
+  result(0, 3) = -t146;
+  result(0, 4) = t159;
+  result(0, 5) = -t175;
+  result(1, 0) = t127 - t182;
+  result(1, 1) = t64;
+  result(1, 2) = t48 - t183;
+  result(1, 3) = -t186;
+  result(1, 4) = -t190;
+  result(1, 5) = -t194;
+  result(2, 0) = t195 - t135;
+  result(2, 1) = t183 + t64;
+  result(2, 2) = t48;
+  result(2, 3) = -t184;
+  result(2, 4) = -t188;
+  result(2, 5) = -t192;
+  result(3, 0) = t146 - (t200 - c2 * t201);
+  result(3, 1) = t186 - t202;
+  result(3, 2) = t184 - t177;
+  result(3, 3) = t28;
+  result(3, 4) = -t158;
+  result(3, 5) = -t171;
+  result(4, 0) = -(t211 - c2 * t214) - t159;
+  result(4, 1) = t190 - (t216 + t217);
+  result(4, 2) = t188 - t217;
+  result(4, 3) = t158 + t76;
+  result(4, 4) = -t8;
+  result(4, 5) = t173;
+  result(5, 0) = t175 + (t236 + c2 * t238);
+  result(5, 1) = t242;
+  result(5, 2) = t192 + t239;
+  result(5, 3) = t171 - t220;
+  result(5, 4) = -t173 - t34;
   result(5, 5) = Scalar(0);
   return result;
 }
@@ -1245,112 +1245,106 @@ ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<
   using std::cos;
   using std::sin;
   const Scalar t0 = inertia.c6x * inertia.m6;
-  const Scalar t1 = inertia.I6xz - inertia.c6z * t0;
-  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t0;
-  const Scalar t4 = inertia.c6y * inertia.m6;
-  const Scalar t5 = (inertia.I6yy - t2) - inertia.c6y * t4;
-  const Scalar t6 = t3 + t5;
-  const Scalar t7 = Scalar(1) / t6;
-  const Scalar t8 = inertia.I6yz - inertia.c6z * t4;
-  const Scalar t9 = inertia.I6xy - inertia.c6y * t0;
-  const Scalar t10 = inertia.c5x * inertia.m5;
-  const Scalar t11 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t12 = inertia.c6z * inertia.m6;
-  const Scalar t13 = inertia.c5y * inertia.m5;
-  const Scalar t14 = (inertia.c6z * t12 - (inertia.I6zz - t2)) + (inertia.c5y * t13 - (inertia.I5yy - t11));
-  const Scalar t15 = g.RL4 / g.D3;
-  const Scalar t16 = gravity / g.D3;
-  const Scalar t17 = inertia.c2x * inertia.m2;
-  const Scalar t18 = inertia.I2xy - inertia.c2y * t17;
-  const Scalar t19 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t20 = inertia.c2y * inertia.m2;
-  const Scalar t21 = (inertia.I2yy - t19) - inertia.c2y * t20;
-  const Scalar t22 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t23 = g.RL4 * inertia.m4;
-  const Scalar t24 = inertia.c4z * inertia.m4;
-  const Scalar t25 = t24 + t23;
-  const Scalar t26 = t23 - t25;
-  const Scalar t27 = g.RL4 * t22 - t26;
-  const Scalar t28 = inertia.c3y * inertia.m3;
-  const Scalar t29 = (t27 + t28) / g.RL4;
-  const Scalar t30 = g.D3 * t29;
-  const Scalar t31 = g.D3 * t30;
-  const Scalar t32 = g.D3 * (inertia.m3 + t22);
-  const Scalar t33 = (inertia.c2x * t17 - (inertia.I2xx - t19)) + g.D3 * t32;
-  const Scalar t34 = t31 - t33;
-  const Scalar t35 = inertia.c3x * inertia.m3;
-  const Scalar t36 = g.D3 * t35;
-  const Scalar t37 = inertia.I3xy - inertia.c3y * t35;
-  const Scalar t38 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t39 = inertia.c3x * t35 - (inertia.I3xx - t38);
-  const Scalar t40 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t41 = ((inertia.I4zz - t40) - inertia.c4z * t24) - g.RL4 * (t24 + t25);
-  const Scalar t42 = (t41 - g.RL4 * (t26 - t25)) - g.RL4 * (t27 - t26);
-  const Scalar t43 = (t42 + ((inertia.I3yy - t38) - inertia.c3y * t28)) + g.RL4 * g.RL4 * t29;
-  const Scalar t44 = inertia.c4y * inertia.m4;
-  const Scalar t45 = inertia.c5z * inertia.m5;
-  const Scalar t46 = ((inertia.I4yy - t40) - inertia.c4y * t44) - (inertia.c5z * t45 - (inertia.I5zz - t11));
-  const Scalar t47 = inertia.c4x * inertia.m4;
-  const Scalar t48 = g.RL4 * t44;
-  const Scalar t49 = g.RL4 * t47;
-  const Scalar t50 = inertia.c3z * inertia.m3;
-  const Scalar t51 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t52 = ((inertia.I3zz - t38) - inertia.c3z * t50)
-      + ((inertia.I2zz - t19) - inertia.c2z * inertia.c2z * inertia.m2);
-  const Scalar t53 = t52 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t51));
-  return { t1 * t7,
-           t8 * t7,
-           t6,
-           Scalar(2) * t9,
-           t3 - t5,
+  const Scalar t1 = inertia.c6y * inertia.m6;
+  const Scalar t2 = inertia.c5y * inertia.m5;
+  const Scalar t3 = inertia.I6xy - inertia.c6y * t0;
+  const Scalar t4 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t5 = (inertia.I6xx - t4) - inertia.c6x * t0;
+  const Scalar t6 = (inertia.I6yy - t4) - inertia.c6y * t1;
+  const Scalar t7 = inertia.c5x * inertia.m5;
+  const Scalar t8 = inertia.c6z * inertia.m6;
+  const Scalar t9 = g.RL4 / g.D3;
+  const Scalar t10 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t11 = (inertia.c6z * t8 - (inertia.I6zz - t4)) + (inertia.c5y * t2 - (inertia.I5yy - t10));
+  const Scalar t12 = t5 + t6;
+  const Scalar t13 = inertia.c4x * inertia.m4;
+  const Scalar t14 = inertia.c5z * inertia.m5;
+  const Scalar t15 = inertia.c4y * inertia.m4;
+  const Scalar t16 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t17 = ((inertia.I4yy - t16) - inertia.c4y * t15) - (inertia.c5z * t14 - (inertia.I5zz - t10));
+  const Scalar t18 = g.RL4 * t13;
+  const Scalar t19 = g.RL4 * t15;
+  const Scalar t20 = inertia.c3x * inertia.m3;
+  const Scalar t21 = inertia.c3y * inertia.m3;
+  const Scalar t22 = inertia.c2y * inertia.m2;
+  const Scalar t23 = inertia.c2x * inertia.m2;
+  const Scalar t24 = inertia.c3z * inertia.m3;
+  const Scalar t25 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t26 = g.RL4 * inertia.m4;
+  const Scalar t27 = inertia.c4z * inertia.m4;
+  const Scalar t28 = t27 + t26;
+  const Scalar t29 = t26 - t28;
+  const Scalar t30 = g.RL4 * t25 - t29;
+  const Scalar t31 = (t30 + t21) / g.RL4;
+  const Scalar t32 = g.D3 * t31;
+  const Scalar t33 = g.D3 * t32;
+  const Scalar t34 = ((inertia.I4zz - t16) - inertia.c4z * t27) - g.RL4 * (t27 + t28);
+  const Scalar t35 = (t34 - g.RL4 * (t29 - t28)) - g.RL4 * (t30 - t29);
+  const Scalar t36 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t37 = (t35 + ((inertia.I3yy - t36) - inertia.c3y * t21)) + g.RL4 * g.RL4 * t31;
+  const Scalar t38 = inertia.c3x * t20 - (inertia.I3xx - t36);
+  const Scalar t39 = inertia.I3xy - inertia.c3y * t20;
+  const Scalar t40 = g.D3 * t20;
+  const Scalar t41 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t42 = g.D3 * (inertia.m3 + t25);
+  const Scalar t43 = (inertia.c2x * t23 - (inertia.I2xx - t41)) + g.D3 * t42;
+  const Scalar t44 = t33 - t43;
+  const Scalar t45 = (inertia.I2yy - t41) - inertia.c2y * t22;
+  const Scalar t46 = gravity / g.D3;
+  const Scalar t47 = inertia.I2xy - inertia.c2y * t23;
+  const Scalar t48 = ((inertia.I3zz - t36) - inertia.c3z * t24)
+      + ((inertia.I2zz - t41) - inertia.c2z * inertia.c2z * inertia.m2);
+  const Scalar t49 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t50 = t48 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t49));
+  return { inertia.I6xz - inertia.c6z * t0,
+           inertia.I6yz - inertia.c6z * t1,
+           inertia.I5yz - inertia.c5z * t2,
+           Scalar(2) * t3,
+           t5 - t6,
            t3,
-           inertia.c5x * t10 - (inertia.I5xx - t11),
-           t14,
+           inertia.I5xz - inertia.c5z * t7,
+           g.D3 * (t8 + t2),
+           g.D3 * t1,
            g.D3 * t0,
-           g.D3 * t4,
-           t1,
-           t8,
-           t15,
-           t7,
-           g.D3 * (t12 + t13),
-           g.D3 * t10,
+           g.D3 * t7,
            t9,
-           inertia.I5xz - inertia.c5z * t10,
-           inertia.I5yz - inertia.c5z * t13,
            t5,
-           t16,
-           inertia.I5xy - inertia.c5y * t10,
-           Scalar(2) * t18,
-           t21 - t34,
-           t18,
-           g.D3 * (t30 - (t32 + t17)),
-           t16 * g.D3 * t20,
-           t36,
+           inertia.c5x * t7 - (inertia.I5xx - t10),
+           t11,
+           t12,
+           Scalar(1) / t12,
+           g.D3 * t13,
+           g.D3 * (t14 - t15),
+           t17,
+           inertia.I5xy - inertia.c5y * t7,
+           (inertia.I4xx - t16) - inertia.c4x * t13,
+           ((inertia.I4xz - inertia.c4z * t13) - t18) + t18,
+           ((inertia.I4yz - inertia.c4z * t15) - t19) + t19,
+           inertia.I4xy - inertia.c4y * t13,
+           inertia.I3xz - inertia.c3z * t20,
+           inertia.I3yz - inertia.c3z * t21,
+           inertia.I2yz - inertia.c2z * t22,
+           (inertia.I2xz - inertia.c2z * t23) - g.D3 * t24,
+           t33 * t9,
            t37,
-           t39 + t43,
-           t46,
-           inertia.I4xy - inertia.c4y * t47,
-           ((inertia.I4yz - inertia.c4z * t44) - t48) + t48,
-           ((inertia.I4xz - inertia.c4z * t47) - t49) + t49,
-           g.D3 * (t45 - t44),
-           g.D3 * t47,
-           t31,
-           (inertia.I4xx - t40) - inertia.c4x * t47,
-           t31 * t15,
+           t38,
            t39,
-           t43,
-           t21,
-           t34,
-           inertia.I3xz - inertia.c3z * t35,
-           inertia.I3yz - inertia.c3z * t28,
-           inertia.I2yz - inertia.c2z * t20,
-           (inertia.I2xz - inertia.c2z * t17) - g.D3 * t50,
-           Scalar(2) * t37,
+           t40,
+           t33,
+           t44,
+           t45,
+           t46,
+           t38 + t37,
+           t46 * g.D3 * (t32 - (t42 + t23)),
+           t46 * g.D3 * t22,
+           Scalar(2) * t47,
+           t45 - t44,
+           t47,
+           Scalar(2) * t38,
            Scalar(2) * t39,
-           Scalar(2) * t36,
-           inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t51),
-           t53 };
+           Scalar(2) * t40,
+           t50,
+           inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t49) };
 }
 
 namespace detail {
@@ -1369,254 +1363,253 @@ inline JointVector<Scalar> forward_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[0] * s6 + k[1] * c6;
-  const Scalar t1 = k[2] * t0;
-  const Scalar t2 = k[10] * c6 - k[11] * s6;
-  const Scalar t3 = c5 * t2 + k[2] * s5;
-  const Scalar t4 = k[8] * c6 - k[9] * s6;
-  const Scalar t5 = k[9] * c6 + k[8] * s6;
-  const Scalar t6 = c5 * t5;
-  const Scalar t7 = s4 * t4 + c4 * t6;
-  const Scalar t8 = (c4 * t1 + s4 * t3) - k[12] * t7;
-  const Scalar t9 = k[13] * t8;
-  const Scalar t10 = qd[0] * qd[0];
-  const Scalar t11 = qd[1] * qd[1];
-  const Scalar t12 = s2 * s2;
-  const Scalar t13 = (t10 + (t11 - t10 * t12)) - k[20] * s2;
-  const Scalar t14 = c2 * s2;
-  const Scalar t15 = k[20] * c2;
-  const Scalar t16 = t10 * t14 + t15;
-  const Scalar t17 = c3 * t13 - s3 * t16;
-  const Scalar t18 = qd[0] * qd[1];
-  const Scalar t19 = t18 + t18;
-  const Scalar t20 = s2 * t19;
-  const Scalar t21 = c3 * s2 + c2 * s3;
-  const Scalar t22 = qd[0] * t21;
-  const Scalar t23 = s2 * s3 - c2 * c3;
-  const Scalar t24 = qd[0] * t23;
-  const Scalar t25 = t22 * t24;
-  const Scalar t26 = qd[1] + qd[2];
-  const Scalar t27 = t26 * t24;
-  const Scalar t28 = Scalar(2) * t27;
-  const Scalar t29 = c4 * t25 - s4 * t28;
-  const Scalar t30 = (c4 * t17 + s4 * t20) + k[12] * t29;
-  const Scalar t31 = t22 * t22;
-  const Scalar t32 = t26 * t26;
-  const Scalar t33 = t31 + t32;
-  const Scalar t34 = s3 * t13 + c3 * t16;
-  const Scalar t35 = k[12] * t33 - t34;
-  const Scalar t36 = c5 * t30 + s5 * t35;
-  const Scalar t37 = c4 * t28 + s4 * t25;
-  const Scalar t38 = k[12] * t37 + (s4 * t17 - c4 * t20);
-  const Scalar t39 = qd[3] - t24;
-  const Scalar t40 = s4 * t26 - c4 * t22;
-  const Scalar t41 = c5 * t39 + s5 * t40;
-  const Scalar t42 = c4 * t26 + s4 * t22;
-  const Scalar t43 = qd[4] + t42;
-  const Scalar t44 = t41 * t43;
-  const Scalar t45 = t22 * t26;
-  const Scalar t46 = t42 * t40;
-  const Scalar t47 = t45 + t46;
-  const Scalar t48 = t39 * t42;
-  const Scalar t49 = (t48 + t48) + t37;
-  const Scalar t50 = s5 * t47 + c5 * t49;
-  const Scalar t51 = (t44 + t44) - t50;
-  const Scalar t52 = t39 * t40;
-  const Scalar t53 = t29 - t52;
-  const Scalar t54 = s5 * t39 - c5 * t40;
-  const Scalar t55 = t54 * t41;
-  const Scalar t56 = t53 - t55;
-  const Scalar t57 = k[3] * c6 + k[4] * s6;
-  const Scalar t58 = k[16] - c6 * t57;
-  const Scalar t59 = t43 * t43;
-  const Scalar t60 = qd[5] + t41;
-  const Scalar t61 = t60 * t60;
-  const Scalar t62 = t59 - t61;
-  const Scalar t63 = t59 + t61;
-  const Scalar t64 = t59 - t41 * t41;
-  const Scalar t65 = t39 * t39;
-  const Scalar t66 = t42 * t42;
-  const Scalar t67 = t65 + t66;
-  const Scalar t68 = t33 - t67;
-  const Scalar t69 = t65 - t66;
-  const Scalar t70 = t68 + t69;
-  const Scalar t71 = t70 + t67;
-  const Scalar t72 = t64 + t71;
-  const Scalar t73 = t63 - t72;
-  const Scalar t74 = t62 + t73;
-  const Scalar t75 = t54 * t43;
-  const Scalar t76 = s5 * t49 - c5 * t47;
-  const Scalar t77 = t75 + (t75 - t76);
-  const Scalar t78 = s6 * t57;
-  const Scalar t79 = k[5] - t78;
-  const Scalar t80 = k[19] + t78;
-  const Scalar t81 = t58 * t74 + (t77 * t79 - t80 * t76);
-  const Scalar t82 = (t36 * t5 + t38 * t4) + ((t51 * t2 - t1 * t56) + t81);
-  const Scalar t83 = torque[5] - t82;
-  const Scalar t84 = t53 - t52;
-  const Scalar t85 = (k[30] * t49 - k[31] * t84) - k[32] * t69;
-  const Scalar t86 = t45 - t46;
-  const Scalar t87 = t53 + t55;
-  const Scalar t88 = (k[7] * t51 - k[21] * t77) - k[18] * t64;
-  const Scalar t89 = t54 * t60;
-  const Scalar t90 = t89 + (t89 + t56);
-  const Scalar t91 = t51 - Scalar(2) * t60 * t43;
-  const Scalar t92 = t1 * t62 + (t58 * t90 - t80 * t91);
-  const Scalar t93 = c5 * t35 - s5 * t30;
-  const Scalar t94 = ((k[17] * t87 + t88) - k[14] * t38) - ((t77 * t2 - t92) + t93 * t5);
-  const Scalar t95 = (k[17] * t74 + k[18] * t56) - (k[6] * t77 - k[21] * t51);
-  const Scalar t96 = (t95 + k[15] * t38) + t82;
-  const Scalar t97 = ((t85 - k[33] * t86) + k[34] * t35) + (c5 * t94 - s5 * t96);
-  const Scalar t98 = (k[15] * t77 + k[14] * t51) + ((t63 - t74) * t5 + t77 * t4);
-  const Scalar t99 = (k[35] * t86 - k[34] * t71) - k[36] * t38;
-  const Scalar t100 = t98 + t99;
-  const Scalar t101 = t97 + k[12] * t100;
-  const Scalar t102 = (t2 * t73 + t1 * t76) + (t90 * t79 - t58 * t91);
-  const Scalar t103 = k[21] * (t64 - t74) + (k[7] * t56 + k[6] * t87);
-  const Scalar t104 = (k[15] * t93 - k[14] * t36) - ((k[18] * t76 - k[17] * t50) + t103);
-  const Scalar t105 = (t102 + t93 * t4) + t104;
-  const Scalar t106 = (k[37] * t84 - k[31] * t49) - (k[33] * t68 + k[32] * t47);
-  const Scalar t107 = k[36] * t30 + (k[35] * t67 + k[34] * t47);
-  const Scalar t108 = (k[15] * t87 - k[14] * t72) + (t90 * t4 + t91 * t5);
-  const Scalar t109 = (t5 * t76 + t63 * t4) + (k[15] * (t71 + t74) + k[14] * t56);
-  const Scalar t110 = t107 + (s5 * t108 + c5 * t109);
-  const Scalar t111 = (t105 + (t106 + k[35] * t35)) - k[12] * t110;
-  const Scalar t112 = t31 - t32;
-  const Scalar t113 = t10 - t112;
-  const Scalar t114 = t33 - t113;
-  const Scalar t115 = (k[28] * t114 - k[29] * t25) + k[27] * t34;
-  const Scalar t116 = (s4 * t101 + c4 * t111) - t115;
-  const Scalar t117 = k[18] - t1;
-  const Scalar t118 = k[17] + t58;
-  const Scalar t119 = s5 * t117 - c5 * t118;
-  const Scalar t120 = k[6] - t79;
-  const Scalar t121 = k[7] + t120;
-  const Scalar t122 = k[15] + t4;
-  const Scalar t123 = k[14] * c5 + s5 * t122;
-  const Scalar t124 = t121 + k[12] * t123;
-  const Scalar t125 = s4 * t119 + c4 * t124;
-  const Scalar t126 = t125 + t0 * t8;
-  const Scalar t127 = k[13] * t83;
-  const Scalar t128 = (torque[4] + t105) - t1 * t127;
-  const Scalar t129 = Scalar(1) / (t121 + t0 * t1);
-  const Scalar t130 = t128 * t129;
-  const Scalar t131 = (t9 * t83 - (torque[2] + t116)) + t126 * t130;
-  const Scalar t132 = k[34] - t5;
-  const Scalar t133 = s5 * t118 + c5 * t117;
-  const Scalar t134 = k[12] * t132 + (k[32] - t133);
-  const Scalar t135 = k[21] + t2;
-  const Scalar t136 = c5 * t135;
-  const Scalar t137 = (t136 + t136) + s5 * (k[7] - t120);
-  const Scalar t138 = k[14] * s5 - c5 * t122;
-  const Scalar t139 = k[35] - t138;
-  const Scalar t140 = (k[33] - (t135 - c5 * t137)) - k[12] * t139;
-  const Scalar t141 = c4 * t134 + s4 * t140;
-  const Scalar t142 = k[2] * c5 - s5 * t2;
-  const Scalar t143 = k[13] * t142;
-  const Scalar t144 = t1 * t143 + t133;
-  const Scalar t145 = t126 * t129;
-  const Scalar t146 = (t141 - t9 * t142) + t144 * t145;
-  const Scalar t147 = k[30] + t80;
-  const Scalar t148 = s5 * t137 + t120;
-  const Scalar t149 = k[37] - t148;
-  const Scalar t150 = t147 + t149;
-  const Scalar t151 = t144 * t129;
-  const Scalar t152 = Scalar(1) / ((t142 * t143 - t150) - t144 * t151);
-  const Scalar t153 = t146 * t152;
-  const Scalar t154 = (k[37] * t86 + k[30] * t47) + k[31] * t70;
-  const Scalar t155 = (t154 - (k[32] * t29 + k[33] * t37)) - (k[34] * t30 - k[35] * t38);
-  const Scalar t156 = (s5 * t94 + c5 * t96) + t155;
-  const Scalar t157 = t128 * t151 - ((torque[3] - t156) - t127 * t142);
-  const Scalar t158 = t131 + t153 * t157;
-  const Scalar t159 = c4 * t4 - s4 * t6;
-  const Scalar t160 = k[12] * t159 + (s4 * t1 - c4 * t3);
-  const Scalar t161 = (t23 * t142 - t160 * t21) + c2 * t159;
-  const Scalar t162 = k[13] * t161;
-  const Scalar t163 = s4 * t132 + c4 * t139;
-  const Scalar t164 = s4 * t134 - c4 * t140;
-  const Scalar t165 = c2 * t163 + (t23 * t150 - t164 * t21);
-  const Scalar t166 = (s4 * t124 - c4 * t119) * t21 - t23 * t133;
-  const Scalar t167 = (t166 - c2 * s4 * t123) - t0 * t161;
-  const Scalar t168 = (t142 * t162 - t165) + t167 * t151;
-  const Scalar t169 = t167 * t129;
-  const Scalar t170 = k[44] - t141;
-  const Scalar t171 = k[31] + t119;
-  const Scalar t172 = s4 * (t147 - t149) - Scalar(2) * c4 * t171;
-  const Scalar t173 = k[43] + (c4 * t172 + t171);
-  const Scalar t174 = t23 * t170 - t173 * t21;
-  const Scalar t175 = t153 * t168 + (t126 * t169 + (t8 * t162 + t174));
-  const Scalar t176 = s4 * t172;
-  const Scalar t177 = k[39] - (t176 + t149);
-  const Scalar t178 = k[38] + t123;
-  const Scalar t179 = k[40] - ((t121 - t148) + k[12] * (t178 + t123));
-  const Scalar t180 = t177 - t179;
-  const Scalar t181 = ((t9 * t8 + t180) - t126 * t145) - t153 * t146;
-  const Scalar t182 = Scalar(1) / t181;
-  const Scalar t183 = t175 * t182;
-  const Scalar t184 = t157 * t152;
-  const Scalar t185 = k[49] * t45 + (c4 * t100 + s4 * t110);
-  const Scalar t186 = (k[47] * t45 - k[40] * t28) + k[44] * (t114 - t112);
-  const Scalar t187 = (t186 + k[43] * t25) + (s4 * t111 - c4 * t101);
-  const Scalar t188 = (k[43] * t112 - k[44] * t25) + (k[48] * t45 + k[47] * t27);
-  const Scalar t189 = t187 * t21 - ((t188 + k[27] * t20) - t156) * t23;
-  const Scalar t190 = k[24] - c2 * (k[22] * c2 - k[23] * s2);
-  const Scalar t191 = t11 * (k[46] * c2 - k[45] * s2) - t190 * t19;
-  const Scalar t192 = (torque[0] + ((c2 * t185 + t189) - t191)) + t83 * t162;
-  const Scalar t193 = t158 * t183 + (t168 * t184 - (t192 - t130 * t167));
-  const Scalar t194 = t168 * t152;
-  const Scalar t195 = t125 - (c3 * t138 + s3 * c4 * t123);
-  const Scalar t196 = (s3 * t7 + c3 * s5 * t5) + t8;
-  const Scalar t197 = k[13] * t196;
-  const Scalar t198 = t195 + t1 * t197;
-  const Scalar t199 = s4 * t139 - c4 * t132;
-  const Scalar t200 = t198 * t151 - (t142 * t197 - (t141 + s3 * t199));
-  const Scalar t201 = s3 * t170 - c3 * t173;
-  const Scalar t202 = ((s2 * t201 - t174) + k[45] * c2) + s2 * (k[46] + (t199 - t201));
-  const Scalar t203 = t198 * t129;
-  const Scalar t204 = t194 * t200 + ((t161 * t197 - t202) + t167 * t203);
-  const Scalar t205 = k[27] + t163;
-  const Scalar t206 = c3 * t205 - s3 * t178;
-  const Scalar t207 = ((t206 + t180) + t9 * t196) - t126 * t203;
-  const Scalar t208 = t207 - t153 * t200;
-  const Scalar t209 = t204 - t208 * t183;
-  const Scalar t210 = t200 * t152;
-  const Scalar t211 = k[28] - t164;
-  const Scalar t212 = c3 * t211;
-  const Scalar t213 = s3 * (t177 + t179) - (t212 + t212);
-  const Scalar t214 = s3 * t213 - t179;
-  const Scalar t215 = k[42] - ((t206 + (k[36] + t206)) - (t214 - t180));
-  const Scalar t216 = k[41] - t214;
-  const Scalar t217 = t198 * t203 - (t196 * t197 - (t215 + t216));
-  const Scalar t218 = t182 * t208;
-  const Scalar t219 = Scalar(1) / ((t200 * t210 + t217) + t208 * t218);
-  const Scalar t220 = t209 * t219;
-  const Scalar t221 = t182 * t158;
-  const Scalar t222 = (k[25] * t15 + k[26] * s2) - t10 * t190;
-  const Scalar t223 = k[27] * t113 - (s4 * t100 - c4 * t110);
-  const Scalar t224 = k[36] * t35 - (k[34] * t49 + k[35] * t84);
-  const Scalar t225 = (t224 - (c5 * t108 - s5 * t109)) + k[27] * t25;
-  const Scalar t226 = t222 + (t116 + (s3 * t223 + c3 * t225));
-  const Scalar t227 = ((torque[1] + t226) - t127 * t196) - t128 * t203;
-  const Scalar t228 = t221 * t208 - (t157 * t210 - t227);
-  const Scalar t229 = (c3 * t178 + s3 * t205) + (t211 + c3 * t213);
-  const Scalar t230 = (t215 - t216) * t12 + Scalar(2) * (k[24] - t229) * t14;
-  const Scalar t231 = (k[51] - (t176 - t147)) - (k[50] + (t230 - t215));
-  const Scalar t232 = t194 * t168 - ((t161 * t162 - t231) - t167 * t169);
-  const Scalar t233 = Scalar(1) / ((t175 * t183 + t232) - t209 * t220);
-  const Scalar t234 = (t193 + t220 * t228) * t233;
-  const Scalar t235 = t219 * t228 + t234 * t220;
-  const Scalar t236 = (t221 - t234 * t183) - t218 * t235;
-  const Scalar t237 = ((t194 * t234 - t184) - t210 * t235) - t153 * t236;
-  const Scalar t238 = t145 * t236 + ((t130 - t234 * t169) + t203 * t235);
-  const Scalar t239 = t237 * t151 - t238;
-  const Scalar t240 = (t197 * t235 + (t234 * t162 - t127)) + t9 * t236;
+  const Scalar t0 = k[9] * c6 - k[8] * s6;
+  const Scalar t1 = k[10] + t0;
+  const Scalar t2 = k[7] * s5 - c5 * t1;
+  const Scalar t3 = k[17] - t2;
+  const Scalar t4 = k[8] * c6 + k[9] * s6;
+  const Scalar t5 = k[18] - t4;
+  const Scalar t6 = c4 * t3 + s4 * t5;
+  const Scalar t7 = k[3] * c6 + k[4] * s6;
+  const Scalar t8 = k[5] - c6 * t7;
+  const Scalar t9 = k[6] + t8;
+  const Scalar t10 = k[0] * s6 + k[1] * c6;
+  const Scalar t11 = k[2] - t10;
+  const Scalar t12 = s5 * t9 + c5 * t11;
+  const Scalar t13 = k[23] - t12;
+  const Scalar t14 = k[0] * c6 - k[1] * s6;
+  const Scalar t15 = k[20] + t14;
+  const Scalar t16 = k[12] - s6 * t7;
+  const Scalar t17 = k[13] - t16;
+  const Scalar t18 = Scalar(2) * c5 * t15 + s5 * (k[14] - t17);
+  const Scalar t19 = k[22] + (c5 * t18 - t15);
+  const Scalar t20 = k[11] * t6 + (s4 * t13 - c4 * t19);
+  const Scalar t21 = k[32] - t20;
+  const Scalar t22 = s5 * t18;
+  const Scalar t23 = k[7] * c5 + s5 * t1;
+  const Scalar t24 = k[29] + t23;
+  const Scalar t25 = k[30] - ((k[14] - t22) + k[11] * (t23 + t24));
+  const Scalar t26 = c5 * t9 - s5 * t11;
+  const Scalar t27 = k[24] - t26;
+  const Scalar t28 = k[21] - (t17 + t22);
+  const Scalar t29 = k[15] - t16;
+  const Scalar t30 = k[19] + t29;
+  const Scalar t31 = Scalar(2) * c4 * t27 + s4 * (t28 - t30);
+  const Scalar t32 = s4 * t31 - t28;
+  const Scalar t33 = k[31] + t32;
+  const Scalar t34 = Scalar(2) * c3 * t21 - s3 * (t25 + t33);
+  const Scalar t35 = s3 * t34;
+  const Scalar t36 = t35 + t33;
+  const Scalar t37 = t35 + t25;
+  const Scalar t38 = t36 - t37;
+  const Scalar t39 = c5 * t14 + k[15] * s5;
+  const Scalar t40 = c5 * t4;
+  const Scalar t41 = s4 * t0 + c4 * t40;
+  const Scalar t42 = (s4 * t39 + c4 * t10) - k[11] * t41;
+  const Scalar t43 = k[16] * t42;
+  const Scalar t44 = k[14] + t17;
+  const Scalar t45 = t44 + k[11] * t23;
+  const Scalar t46 = c4 * t45 - s4 * t26;
+  const Scalar t47 = t10 * t43 + t46;
+  const Scalar t48 = k[16] * t10;
+  const Scalar t49 = Scalar(1) / (t44 + t10 * t48);
+  const Scalar t50 = t49 * t47;
+  const Scalar t51 = c5 - k[16] * s5 * t14;
+  const Scalar t52 = k[15] * t51;
+  const Scalar t53 = s4 * t3 - c4 * t5;
+  const Scalar t54 = (c4 * t13 + s4 * t19) - k[11] * t53;
+  const Scalar t55 = t12 + t48 * t52;
+  const Scalar t56 = (t52 * t43 - t54) - t55 * t50;
+  const Scalar t57 = t49 * t55;
+  const Scalar t58 = t28 + t30;
+  const Scalar t59 = Scalar(1) / (t57 * t55 + (t58 - t52 * t51));
+  const Scalar t60 = t56 * t59;
+  const Scalar t61 = ((t38 + t42 * t43) - t47 * t50) + t56 * t60;
+  const Scalar t62 = Scalar(1) / t61;
+  const Scalar t63 = qd[1] * qd[1];
+  const Scalar t64 = qd[0] * c2;
+  const Scalar t65 = t63 + t64 * t64;
+  const Scalar t66 = qd[1] + qd[2];
+  const Scalar t67 = t66 * t66;
+  const Scalar t68 = s2 * s3 - c2 * c3;
+  const Scalar t69 = qd[0] * t68;
+  const Scalar t70 = t69 * t69;
+  const Scalar t71 = t67 - t70;
+  const Scalar t72 = c3 * s2 + c2 * s3;
+  const Scalar t73 = qd[0] * t72;
+  const Scalar t74 = c4 * t73;
+  const Scalar t75 = s4 * t66 - t74;
+  const Scalar t76 = t75 * t75;
+  const Scalar t77 = s4 * t73;
+  const Scalar t78 = c4 * t66 + t77;
+  const Scalar t79 = t78 * t78;
+  const Scalar t80 = t76 + t79;
+  const Scalar t81 = t71 - t80;
+  const Scalar t82 = t81 * c2 * s2;
+  const Scalar t83 = (c3 * t65 + s3 * t82) - k[37] * t72;
+  const Scalar t84 = t73 * t69;
+  const Scalar t85 = t83 + k[11] * t84;
+  const Scalar t86 = qd[0] * (qd[1] + qd[1]);
+  const Scalar t87 = s2 * t86;
+  const Scalar t88 = t66 * Scalar(2) * t69;
+  const Scalar t89 = t87 - k[11] * t88;
+  const Scalar t90 = c4 * t85 + s4 * t89;
+  const Scalar t91 = (c3 * t82 - s3 * t65) + k[37] * t68;
+  const Scalar t92 = k[11] * t80 + t91;
+  const Scalar t93 = s5 * t90 - c5 * t92;
+  const Scalar t94 = t69 * t74 - s4 * t88;
+  const Scalar t95 = qd[3] - t69;
+  const Scalar t96 = t95 * t75;
+  const Scalar t97 = t94 - t96;
+  const Scalar t98 = s5 * t95 - c5 * t75;
+  const Scalar t99 = c5 * t95 + s5 * t75;
+  const Scalar t100 = t98 * t99;
+  const Scalar t101 = t97 - t100;
+  const Scalar t102 = qd[5] + t99;
+  const Scalar t103 = t101 + Scalar(2) * t98 * t102;
+  const Scalar t104 = t73 * t66;
+  const Scalar t105 = t78 * t75;
+  const Scalar t106 = t104 + t105;
+  const Scalar t107 = t95 * t78;
+  const Scalar t108 = t77 * t69 + c4 * t88;
+  const Scalar t109 = t107 + (t107 + t108);
+  const Scalar t110 = s5 * t106 + c5 * t109;
+  const Scalar t111 = qd[4] + t78;
+  const Scalar t112 = Scalar(2) * t111;
+  const Scalar t113 = t110 - t112 * t99;
+  const Scalar t114 = t113 + t112 * t102;
+  const Scalar t115 = s5 * t109 - c5 * t106;
+  const Scalar t116 = t111 * t111;
+  const Scalar t117 = t102 * t102;
+  const Scalar t118 = t116 + t117;
+  const Scalar t119 = t99 * t99;
+  const Scalar t120 = t116 + t119;
+  const Scalar t121 = t98 * t98;
+  const Scalar t122 = t119 - t121;
+  const Scalar t123 = t120 - t122;
+  const Scalar t124 = (t103 * t16 + t114 * t8) + (t10 * t115 + (t118 - t123) * t14);
+  const Scalar t125 = c5 * t90 + s5 * t92;
+  const Scalar t126 = t97 + t100;
+  const Scalar t127 = k[20] * t122 - (k[14] * t101 + k[13] * t126);
+  const Scalar t128 = (k[7] * t125 + k[10] * t93) - ((k[6] * t110 - k[2] * t115) + t127);
+  const Scalar t129 = (t0 * t93 - t124) + t128;
+  const Scalar t130 = c4 * t89 - s4 * t85;
+  const Scalar t131 = t115 - t98 * t112;
+  const Scalar t132 = t116 - t121;
+  const Scalar t133 = (t115 * t29 + t16 * t131) - t132 * t8;
+  const Scalar t134 = (t0 * t130 - t4 * t125) + (t133 + (t113 * t14 + t10 * t101));
+  const Scalar t135 = torque[5] + t134;
+  const Scalar t136 = k[16] * t135;
+  const Scalar t137 = (torque[4] - t129) - t10 * t136;
+  const Scalar t138 = t49 * t137;
+  const Scalar t139 = t10 * (t116 - t117) + (t103 * t8 + t114 * t29);
+  const Scalar t140 = (k[20] * t131 - k[14] * t113) - k[2] * (t116 - t119);
+  const Scalar t141 = (t93 * t4 + (t131 * t14 + t139)) + ((t140 + k[6] * t126) + k[7] * t130);
+  const Scalar t142 = (k[2] * t101 + k[6] * t132) + (k[13] * t131 - k[20] * t113);
+  const Scalar t143 = (t142 - k[10] * t130) - t134;
+  const Scalar t144 = t104 - t105;
+  const Scalar t145 = t76 - t79;
+  const Scalar t146 = (k[21] * t144 + k[19] * t106) + k[24] * t145;
+  const Scalar t147 = ((k[22] * t108 + k[23] * t94) - t146) + (k[18] * t90 + k[17] * t130);
+  const Scalar t148 = (s5 * t141 + c5 * t143) - t147;
+  const Scalar t149 = t138 * t55 - ((torque[3] - t148) - t52 * t136);
+  const Scalar t150 = t149 * t59;
+  const Scalar t151 = t119 + t121;
+  const Scalar t152 = t151 - t80;
+  const Scalar t153 = t152 - t145;
+  const Scalar t154 = t97 - t96;
+  const Scalar t155 = (k[23] * t106 - k[22] * t153) - (k[21] * t154 - k[24] * t109);
+  const Scalar t156 = (t155 - k[17] * t92) + t129;
+  const Scalar t157 = (k[19] * t109 - k[24] * t154) - k[23] * t152;
+  const Scalar t158 = (k[18] * t92 + (t157 - k[22] * t144)) - (s5 * t143 - c5 * t141);
+  const Scalar t159 = (k[10] * t126 - k[7] * t123) + (t103 * t0 - t4 * t114);
+  const Scalar t160 = (t118 * t0 + t115 * t4) + (k[7] * t101 + k[10] * t120);
+  const Scalar t161 = k[34] * t90 + (k[17] * (t153 + t80) + k[18] * t106);
+  const Scalar t162 = (s5 * t159 + c5 * t160) + t161;
+  const Scalar t163 = k[34] * t130 + (k[17] * t144 - k[18] * t151);
+  const Scalar t164 = (k[7] * t113 + k[10] * t131) - ((t118 - t132) * t4 - t0 * t131);
+  const Scalar t165 = t163 - t164;
+  const Scalar t166 = c4 * t162 - s4 * t165;
+  const Scalar t167 = (c4 * t156 - s4 * t158) + k[11] * t166;
+  const Scalar t168 = t67 + t70;
+  const Scalar t169 = t81 + t168;
+  const Scalar t170 = (k[32] * (t71 - t169) - k[38] * t84) - k[33] * t91;
+  const Scalar t171 = t167 + t170;
+  const Scalar t172 = ((torque[2] - t171) - t42 * t136) - t138 * t47;
+  const Scalar t173 = t56 * t150 - t172;
+  const Scalar t174 = t62 * t173;
+  const Scalar t175 = c4 * t0 - s4 * t40;
+  const Scalar t176 = k[11] * t175 - (c4 * t39 - s4 * t10);
+  const Scalar t177 = c2 * t175 - (t72 * t176 - t68 * t52);
+  const Scalar t178 = k[16] * t177;
+  const Scalar t179 = c2 * t6 + (t68 * t58 - t20 * t72);
+  const Scalar t180 = (c4 * t26 + s4 * t45) * t72 - t68 * t12;
+  const Scalar t181 = (t180 - c2 * s4 * t23) - t48 * t177;
+  const Scalar t182 = (t178 * t52 - t179) + t57 * t181;
+  const Scalar t183 = t59 * t182;
+  const Scalar t184 = k[26] - t54;
+  const Scalar t185 = k[25] + (t27 - c4 * t31);
+  const Scalar t186 = t178 * t42 + (t68 * t184 - t185 * t72);
+  const Scalar t187 = t56 * t183 + (t186 + t181 * t50);
+  const Scalar t188 = k[43] - c2 * (k[41] * c2 - k[42] * s2);
+  const Scalar t189 = t63 * (k[28] * c2 - k[27] * s2) - t188 * t86;
+  const Scalar t190 = s4 * t162 + c4 * t165;
+  const Scalar t191 = (c4 * t158 + s4 * t156) + k[11] * t190;
+  const Scalar t192 = k[26] * t71 - (k[30] * t88 - k[45] * t104);
+  const Scalar t193 = (k[26] * t84 + k[25] * t169) - (k[32] * t88 + k[44] * t104);
+  const Scalar t194 = t72 * (t191 - (t192 + k[25] * t84)) + t68 * ((k[33] * t87 - t193) - t148);
+  const Scalar t195 = t189 + (t194 - c2 * (t190 + k[46] * t104));
+  const Scalar t196 = ((torque[0] - t195) + t178 * t135) - t181 * t138;
+  const Scalar t197 = (c3 * t2 + s3 * c4 * t23) - t46;
+  const Scalar t198 = t42 + (c3 * s5 * t4 + s3 * t41);
+  const Scalar t199 = t197 - t48 * t198;
+  const Scalar t200 = t199 * t49;
+  const Scalar t201 = (k[17] * t154 + k[18] * t109) - k[34] * t92;
+  const Scalar t202 = k[33] * t84 - ((c5 * t159 - s5 * t160) + t201);
+  const Scalar t203 = s3 * (t166 + k[33] * t168) + c3 * t202;
+  const Scalar t204 = t188 * t81 + (k[39] * c2 + k[40] * s2);
+  const Scalar t205 = t198 * t136 - (torque[1] - ((t171 - t203) - t204));
+  const Scalar t206 = k[16] * t198;
+  const Scalar t207 = t200 * t55 + (t206 * t52 - (s3 * t53 + t54));
+  const Scalar t208 = t207 * t59;
+  const Scalar t209 = k[33] + t6;
+  const Scalar t210 = c3 * t209 - s3 * t24;
+  const Scalar t211 = (t42 * t206 + (t210 + t38)) + t199 * t50;
+  const Scalar t212 = t56 * t208 + t211;
+  const Scalar t213 = t62 * t212;
+  const Scalar t214 = ((t200 * t137 - t205) - t149 * t208) + t213 * t173;
+  const Scalar t215 = t62 * t187;
+  const Scalar t216 = c2 * (k[27] + (c3 * t184 + s3 * t185));
+  const Scalar t217 = k[28] + ((c3 * t185 - s3 * t184) + t53);
+  const Scalar t218 = (t178 * t198 - (t216 + s2 * t217)) - t181 * t200;
+  const Scalar t219 = t212 * t215 - (t208 * t182 + t218);
+  const Scalar t220 = k[35] - (t36 + (t210 + (k[34] + t210)));
+  const Scalar t221 = k[36] + t37;
+  const Scalar t222 = ((t220 + t221) - t198 * t206) + t199 * t200;
+  const Scalar t223 = Scalar(1) / (t213 * t212 - (t207 * t208 - t222));
+  const Scalar t224 = t219 * t223;
+  const Scalar t225 = (t174 * t187 - (t150 * t182 + t196)) - t214 * t224;
+  const Scalar t226 = (c3 * t24 + s3 * t209) + (t21 - c3 * t34);
+  const Scalar t227 = c2 * (k[43] - t226);
+  const Scalar t228 = s2 * (s2 * (t220 - t221) + (t227 + t227));
+  const Scalar t229 = (k[48] + (t228 - t220)) - (k[47] + (t32 + t58));
+  const Scalar t230 = t181 * t49;
+  const Scalar t231 = ((t178 * t177 + t229) - t181 * t230) + t183 * t182;
+  const Scalar t232 = Scalar(1) / (t219 * t224 + (t231 - t187 * t215));
+  const Scalar t233 = t225 * t232;
+  const Scalar t234 = t223 * t214 + t233 * t224;
+  const Scalar t235 = (t174 + t233 * t215) - t213 * t234;
+  const Scalar t236 = (t234 * t208 - (t150 + t183 * t233)) + t235 * t60;
+  const Scalar t237 = ((t233 * t230 + t138) - t200 * t234) + t235 * t50;
+  const Scalar t238 = t237 + t57 * t236;
+  const Scalar t239 = t235 * t43 - ((t178 * t233 + t136) - t234 * t206);
   JointVector<Scalar> result;
-  result[0] = t234;
-  result[1] = -t235;
-  result[2] = -t236;
-  result[3] = t237;
-  result[4] = -t239;
-  result[5] = t0 * t239 - (t237 * t143 - t240);
+  result[0] = -t233;
+  result[1] = -t234;
+  result[2] = -t235;
+  result[3] = -t236;
+  result[4] = t238;
+  result[5] = (t236 * t51 + t239) - t48 * t238;
   return result;
 }
 
@@ -1650,77 +1643,75 @@ KineticEnergyConstants<Scalar> kinetic_energy_constants(const BasicGeometry<Scal
   const Scalar t4 = (inertia.I6yy - t0) - inertia.c6y * t3;
   const Scalar t5 = inertia.I6xy - inertia.c6y * t1;
   const Scalar t6 = inertia.c5x * inertia.m5;
-  const Scalar t7 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t8 = inertia.c6z * inertia.m6;
-  const Scalar t9 = inertia.c5y * inertia.m5;
-  const Scalar t10 = (inertia.c6z * t8 - (inertia.I6zz - t0)) + (inertia.c5y * t9 - (inertia.I5yy - t7));
-  const Scalar t11 = inertia.c5z * inertia.m5;
-  const Scalar t12 = inertia.c4y * inertia.m4;
-  const Scalar t13 = g.RL4 / g.D3;
-  const Scalar t14 = g.RL4 * t12;
-  const Scalar t15 = inertia.c4x * inertia.m4;
-  const Scalar t16 = g.RL4 * t15;
-  const Scalar t17 = inertia.c3x * inertia.m3;
-  const Scalar t18 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t19 = ((inertia.I4yy - t18) - inertia.c4y * t12) - (inertia.c5z * t11 - (inertia.I5zz - t7));
-  const Scalar t20 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t21 = inertia.c4z * inertia.m4;
-  const Scalar t22 = g.RL4 * inertia.m4;
-  const Scalar t23 = t21 + t22;
-  const Scalar t24 = ((inertia.I4zz - t18) - inertia.c4z * t21) - g.RL4 * (t21 + t23);
-  const Scalar t25 = t22 - t23;
-  const Scalar t26 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t27 = g.RL4 * t26 - t25;
-  const Scalar t28 = (t24 - g.RL4 * (t25 - t23)) - g.RL4 * (t27 - t25);
-  const Scalar t29 = inertia.c3y * inertia.m3;
-  const Scalar t30 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t7 = inertia.c5y * inertia.m5;
+  const Scalar t8 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t9 = inertia.c6z * inertia.m6;
+  const Scalar t10 = (inertia.c6z * t9 - (inertia.I6zz - t0)) + (inertia.c5y * t7 - (inertia.I5yy - t8));
+  const Scalar t11 = inertia.c4x * inertia.m4;
+  const Scalar t12 = g.RL4 * t11;
+  const Scalar t13 = inertia.c4y * inertia.m4;
+  const Scalar t14 = g.RL4 * t13;
+  const Scalar t15 = inertia.c5z * inertia.m5;
+  const Scalar t16 = inertia.c3x * inertia.m3;
+  const Scalar t17 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t18 = inertia.c4z * inertia.m4;
+  const Scalar t19 = g.RL4 * inertia.m4;
+  const Scalar t20 = t18 + t19;
+  const Scalar t21 = ((inertia.I4zz - t17) - inertia.c4z * t18) - g.RL4 * (t18 + t20);
+  const Scalar t22 = t19 - t20;
+  const Scalar t23 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t24 = g.RL4 * t23 - t22;
+  const Scalar t25 = (t21 - g.RL4 * (t22 - t20)) - g.RL4 * (t24 - t22);
+  const Scalar t26 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t27 = inertia.c3y * inertia.m3;
+  const Scalar t28 = ((inertia.I4yy - t17) - inertia.c4y * t13) - (inertia.c5z * t15 - (inertia.I5zz - t8));
+  const Scalar t29 = inertia.c2x * inertia.m2;
+  const Scalar t30 = inertia.c3z * inertia.m3;
   const Scalar t31 = inertia.c2y * inertia.m2;
-  const Scalar t32 = inertia.c2x * inertia.m2;
-  const Scalar t33 = (inertia.c2x * t32 - (inertia.I2xx - t30)) + g.D3 * g.D3 * (inertia.m3 + t26);
+  const Scalar t32 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t33 = (inertia.c2x * t29 - (inertia.I2xx - t32)) + g.D3 * g.D3 * (inertia.m3 + t23);
   const Scalar t34 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t35 = inertia.c3z * inertia.m3;
-  const Scalar t36 = ((inertia.I3zz - t20) - inertia.c3z * t35)
-      + ((inertia.I2zz - t30) - inertia.c2z * inertia.c2z * inertia.m2);
-  const Scalar t37 = t36 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t34));
+  const Scalar t35 = ((inertia.I3zz - t26) - inertia.c3z * t30)
+      + ((inertia.I2zz - t32) - inertia.c2z * inertia.c2z * inertia.m2);
+  const Scalar t36 = t35 - (inertia.c1y * inertia.c1y * inertia.m1 - (inertia.I1yy - t34));
   return { t2 + t4,
-           Scalar(2) * t5,
-           t2 - t4,
-           t4,
-           inertia.c5x * t6 - (inertia.I5xx - t7),
-           t10,
-           g.D3 * t1,
-           g.D3 * t3,
-           g.D3 * (t11 - t12),
-           t13,
            inertia.I6xz - inertia.c6z * t1,
            inertia.I6yz - inertia.c6z * t3,
-           inertia.I5yz - inertia.c5z * t9,
+           Scalar(2) * t5,
+           t2 - t4,
            t5,
            inertia.I5xz - inertia.c5z * t6,
-           ((inertia.I4yz - inertia.c4z * t12) - t14) + t14,
+           inertia.I5yz - inertia.c5z * t7,
+           g.D3 * t1,
+           g.D3 * t3,
+           g.RL4 / g.D3,
            inertia.I5xy - inertia.c5y * t6,
-           ((inertia.I4xz - inertia.c4z * t15) - t16) + t16,
+           t4,
+           inertia.c5x * t6 - (inertia.I5xx - t8),
+           t10,
+           ((inertia.I4xz - inertia.c4z * t11) - t12) + t12,
+           g.D3 * (t9 + t7),
            g.D3 * t6,
-           g.D3 * (t8 + t9),
-           g.D3 * t15,
-           inertia.I3xy - inertia.c3y * t17,
-           inertia.I4xy - inertia.c4y * t15,
-           t19,
-           (inertia.I4xx - t18) - inertia.c4x * t15,
-           inertia.c3x * t17 - (inertia.I3xx - t20),
-           Scalar(2) * t13,
-           t28 + ((inertia.I3yy - t20) - inertia.c3y * t29),
-           (inertia.I2yy - t30) - inertia.c2y * t31,
-           g.D3 * t17,
-           g.D3 * (t27 + t29),
+           g.D3 * t11,
+           ((inertia.I4yz - inertia.c4z * t13) - t14) + t14,
+           g.D3 * (t15 - t13),
+           inertia.I3xy - inertia.c3y * t16,
+           t25 + ((inertia.I3yy - t26) - inertia.c3y * t27),
+           inertia.I4xy - inertia.c4y * t11,
+           t28,
+           (inertia.I4xx - t17) - inertia.c4x * t11,
+           inertia.c3x * t16 - (inertia.I3xx - t26),
+           g.D3 * (t24 + t27),
+           g.D3 * t16,
+           inertia.I3yz - inertia.c3z * t27,
+           inertia.I3xz - inertia.c3z * t16,
+           (inertia.I2xz - inertia.c2z * t29) - g.D3 * t30,
+           inertia.I2yz - inertia.c2z * t31,
+           inertia.I2xy - inertia.c2y * t29,
+           (inertia.I2yy - t32) - inertia.c2y * t31,
            t33,
-           inertia.I2xy - inertia.c2y * t32,
            inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t34),
-           t37,
-           inertia.I3xz - inertia.c3z * t17,
-           inertia.I3yz - inertia.c3z * t29,
-           (inertia.I2xz - inertia.c2z * t32) - g.D3 * t35,
-           inertia.I2yz - inertia.c2z * t31 };
+           t36 };
 }
 
 namespace detail {
@@ -1739,93 +1730,91 @@ inline Scalar kinetic_energy([[maybe_unused]] const JointVector<Scalar>& q, cons
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[10] * c6 - k[11] * s6;
-  const Scalar t1 = s5 * t0 - k[0] * c5;
-  const Scalar t2 = k[10] * s6 + k[11] * c6;
-  const Scalar t3 = k[12] - t2;
-  const Scalar t4 = k[1] * c6 + k[2] * s6;
-  const Scalar t5 = k[14] + (k[13] - c6 * t4);
-  const Scalar t6 = c5 * t3 + s5 * t5;
-  const Scalar t7 = c5 * t0 + k[0] * s5;
-  const Scalar t8 = k[7] * c6 + k[6] * s6;
-  const Scalar t9 = c5 * t8;
-  const Scalar t10 = k[6] * c6 - k[7] * s6;
-  const Scalar t11 = c4 * t9 + s4 * t10;
-  const Scalar t12 = (c4 * t2 + s4 * t7) - k[9] * t11;
-  const Scalar t13 = t12 + (s3 * t11 + c3 * s5 * t8);
-  const Scalar t14 = c5 * t5 - s5 * t3;
-  const Scalar t15 = k[18] + t10;
-  const Scalar t16 = s5 * t15 + k[19] * c5;
-  const Scalar t17 = k[26] * t16;
-  const Scalar t18 = k[3] + s6 * t4;
-  const Scalar t19 = k[4] - (k[0] - t18);
-  const Scalar t20 = k[5] + t19;
-  const Scalar t21 = Scalar(0.5) * t17 + t20;
-  const Scalar t22 = s4 * t14 - c4 * t21;
-  const Scalar t23 = c5 * t15 - k[19] * s5;
-  const Scalar t24 = t22 - (c3 * t23 - s3 * c4 * t16);
-  const Scalar t25 = k[8] - t8;
-  const Scalar t26 = k[20] + t23;
-  const Scalar t27 = c4 * t25 - s4 * t26;
-  const Scalar t28 = k[16] + t0;
-  const Scalar t29 = c5 * t28;
-  const Scalar t30 = (t29 + t29) + s5 * (k[5] - t19);
-  const Scalar t31 = (k[17] - (t28 - c5 * t30)) - k[9] * t26;
-  const Scalar t32 = k[9] * t25 + (k[15] - t6);
-  const Scalar t33 = s4 * t31 + c4 * t32;
-  const Scalar t34 = k[5] - s5 * t30;
-  const Scalar t35 = k[27] - (t34 + t17);
-  const Scalar t36 = k[24] + (t34 - t20);
-  const Scalar t37 = k[23] + t18;
-  const Scalar t38 = k[22] - t14;
-  const Scalar t39 = c4 * t38;
-  const Scalar t40 = s4 * (t37 - t36) - (t39 + t39);
-  const Scalar t41 = s4 * t40;
-  const Scalar t42 = t36 + t41;
-  const Scalar t43 = k[25] - t42;
-  const Scalar t44 = t35 - t43;
-  const Scalar t45 = c4 * t26 + s4 * t25;
-  const Scalar t46 = k[29] + t45;
-  const Scalar t47 = k[30] + t16;
-  const Scalar t48 = c3 * t46 - s3 * t47;
-  const Scalar t49 = qd[3] * (s3 * t27 - t33) - qd[2] * (t44 - t48);
-  const Scalar t50 = qd[1] * (qd[5] * t13 + (qd[4] * t24 - t49));
-  const Scalar t51 = s2 * s3 - c2 * c3;
-  const Scalar t52 = c3 * s2 + c2 * s3;
-  const Scalar t53 = t51 * t6 - (c4 * t14 + s4 * t21) * t52;
-  const Scalar t54 = c4 * t31 - s4 * t32;
-  const Scalar t55 = t37 - t41;
-  const Scalar t56 = t42 + t55;
-  const Scalar t57 = (t54 * t52 + t51 * t56) + c2 * t45;
-  const Scalar t58 = k[35] + (t38 + c4 * t40);
-  const Scalar t59 = k[36] - t33;
-  const Scalar t60 = s3 * t58 + c3 * t59;
-  const Scalar t61 = c3 * t58 - s3 * t59;
-  const Scalar t62 = c2 * (k[38] + t60) + s2 * (k[37] - (t27 - t61));
-  const Scalar t63 = qd[1] * t62 + qd[2] * (c2 * t60 + s2 * t61);
-  const Scalar t64 = qd[4] * (t53 + c2 * s4 * t16) - (qd[3] * t57 + t63);
-  const Scalar t65 = s4 * t9 - c4 * t10;
-  const Scalar t66 = (c4 * t7 - s4 * t2) + k[9] * t65;
-  const Scalar t67 = c2 * t65 + (t51 * t1 - t66 * t52);
-  const Scalar t68 = qd[5] * t12 + (qd[4] * t22 + qd[3] * t33);
-  const Scalar t69 = (t50 + qd[0] * (t64 + qd[5] * t67)) + qd[2] * t68;
-  const Scalar t70 = qd[3] * (qd[5] * t1 + qd[4] * t6) - t69;
-  const Scalar t71 = k[21] + t54;
-  const Scalar t72 = c3 * t71;
-  const Scalar t73 = s3 * (t35 + t43) - (t72 + t72);
-  const Scalar t74 = s3 * t73;
-  const Scalar t75 = k[28] - (t74 - t35);
-  const Scalar t76 = k[31] + ((t48 + t48) - (t74 - t43));
-  const Scalar t77 = (c3 * t73 + t71) + (s3 * t46 + c3 * t47);
-  const Scalar t78 = c2 * (k[32] - t77);
-  const Scalar t79 = s2 * (s2 * (t75 + t76) - (t78 + t78));
-  const Scalar t80 = qd[0] * ((k[33] - (t79 - t76)) - (k[34] + t55));
-  const Scalar t81 = qd[0] * t80 - qd[1] * qd[1] * (t75 - t76);
-  const Scalar t82 = (t81 - qd[2] * qd[2] * t44) - qd[3] * qd[3] * t56;
-  const Scalar t83 = qd[5] * k[0] * qd[5] - (t82 + qd[4] * qd[4] * t20);
-  const Scalar t84 = (t70 - qd[4] * qd[5] * t2) - Scalar(0.5) * t83;
+  const Scalar t0 = k[3] * c6 + k[4] * s6;
+  const Scalar t1 = k[6] + (k[5] - c6 * t0);
+  const Scalar t2 = k[2] * c6 + k[1] * s6;
+  const Scalar t3 = k[7] - t2;
+  const Scalar t4 = s5 * t1 + c5 * t3;
+  const Scalar t5 = k[9] * c6 + k[8] * s6;
+  const Scalar t6 = k[20] - t5;
+  const Scalar t7 = (k[19] - t4) + k[10] * t6;
+  const Scalar t8 = k[8] * c6 - k[9] * s6;
+  const Scalar t9 = k[17] + t8;
+  const Scalar t10 = k[16] * s5 - c5 * t9;
+  const Scalar t11 = k[18] - t10;
+  const Scalar t12 = k[1] * c6 - k[2] * s6;
+  const Scalar t13 = k[11] + t12;
+  const Scalar t14 = c5 * t13;
+  const Scalar t15 = k[12] + s6 * t0;
+  const Scalar t16 = k[13] - (k[0] - t15);
+  const Scalar t17 = (t14 + t14) + s5 * (k[14] - t16);
+  const Scalar t18 = k[10] * t11 - (k[15] + (c5 * t17 - t13));
+  const Scalar t19 = s4 * t7 + c4 * t18;
+  const Scalar t20 = k[21] - t19;
+  const Scalar t21 = s5 * t17;
+  const Scalar t22 = k[25] - (t16 + t21);
+  const Scalar t23 = k[24] + t15;
+  const Scalar t24 = c5 * t1 - s5 * t3;
+  const Scalar t25 = k[23] - t24;
+  const Scalar t26 = c4 * t25;
+  const Scalar t27 = s4 * (t22 - t23) + (t26 + t26);
+  const Scalar t28 = s4 * t27;
+  const Scalar t29 = k[26] + (t28 - t22);
+  const Scalar t30 = k[16] * c5 + s5 * t9;
+  const Scalar t31 = k[10] * t30;
+  const Scalar t32 = k[22] - ((k[14] - t21) + Scalar(2) * t31);
+  const Scalar t33 = Scalar(2) * c3 * t20 - s3 * (t29 + t32);
+  const Scalar t34 = s3 * t33;
+  const Scalar t35 = t34 + t32;
+  const Scalar t36 = t29 + t34;
+  const Scalar t37 = t35 - t36;
+  const Scalar t38 = c4 * t11 + s4 * t6;
+  const Scalar t39 = k[28] + t38;
+  const Scalar t40 = k[27] + t30;
+  const Scalar t41 = c3 * t39 - s3 * t40;
+  const Scalar t42 = k[35] + (t36 + Scalar(2) * t41);
+  const Scalar t43 = k[34] + t35;
+  const Scalar t44 = (c3 * t40 + s3 * t39) - (c3 * t33 - t20);
+  const Scalar t45 = c2 * (k[33] - t44);
+  const Scalar t46 = s2 * (s2 * (t42 + t43) - (t45 + t45));
+  const Scalar t47 = (k[37] + (t28 + t23)) - (k[36] + (t42 - t46));
+  const Scalar t48 = qd[0] * qd[0] * t47 - qd[1] * qd[1] * (t42 - t43);
+  const Scalar t49 = t22 + t23;
+  const Scalar t50 = (qd[2] * qd[2] * t37 + t48) + qd[3] * qd[3] * t49;
+  const Scalar t51 = k[14] + t16;
+  const Scalar t52 = (t50 - qd[4] * qd[4] * t51) + qd[5] * k[0] * qd[5];
+  const Scalar t53 = s5 * t12 - k[0] * c5;
+  const Scalar t54 = s2 * s3 - c2 * c3;
+  const Scalar t55 = c5 * t5;
+  const Scalar t56 = c4 * t8 - s4 * t55;
+  const Scalar t57 = c5 * t12 + k[0] * s5;
+  const Scalar t58 = k[10] * t56 - (c4 * t57 - s4 * t2);
+  const Scalar t59 = c3 * s2 + c2 * s3;
+  const Scalar t60 = (t54 * t53 + t58 * t59) - c2 * t56;
+  const Scalar t61 = t51 + t31;
+  const Scalar t62 = t54 * t4 - (s4 * t61 + c4 * t24) * t59;
+  const Scalar t63 = s4 * t18 - c4 * t7;
+  const Scalar t64 = k[29] + t63;
+  const Scalar t65 = k[30] + (t25 - c4 * t27);
+  const Scalar t66 = c2 * (k[32] + (c3 * t64 + s3 * t65));
+  const Scalar t67 = s4 * t11 - c4 * t6;
+  const Scalar t68 = k[31] + (t67 - (s3 * t64 - c3 * t65));
+  const Scalar t69 = qd[2] * (t54 * t64 - t65 * t59) - qd[1] * (t66 + s2 * t68);
+  const Scalar t70 = (t54 * t49 - t19 * t59) + c2 * t38;
+  const Scalar t71 = qd[4] * (c2 * s4 * t30 + t62) + (t69 - qd[3] * t70);
+  const Scalar t72 = s4 * t24 - c4 * t61;
+  const Scalar t73 = (s3 * c4 * t30 + c3 * t10) + t72;
+  const Scalar t74 = qd[3] * (t63 - s3 * t67) + qd[2] * (t41 - t37);
+  const Scalar t75 = s4 * t8 + c4 * t55;
+  const Scalar t76 = k[10] * t75 - (s4 * t57 + c4 * t2);
+  const Scalar t77 = (s3 * t75 + c3 * s5 * t5) - t76;
+  const Scalar t78 = qd[1] * ((qd[4] * t73 - t74) + qd[5] * t77);
+  const Scalar t79 = qd[5] * t76 - (qd[4] * t72 - qd[3] * t63);
+  const Scalar t80 = (qd[0] * (qd[5] * t60 + t71) + t78) - qd[2] * t79;
+  const Scalar t81 = qd[3] * (qd[4] * t4 + qd[5] * t53) - t80;
+  const Scalar t82 = Scalar(0.5) * t52 - (t81 - qd[4] * qd[5] * t2);
   Scalar result;
-  result = t84;
+  result = -t82;
   return result;
 }
 
@@ -1859,9 +1848,9 @@ PotentialEnergyConstants<Scalar> potential_energy_constants(const BasicGeometry<
            t0 - (inertia.c4z * inertia.m4 + t0),
            g.RL4 * t1,
            inertia.c3y * inertia.m3,
+           inertia.c4x * inertia.m4,
            inertia.c5z * inertia.m5,
            inertia.c4y * inertia.m4,
-           inertia.c4x * inertia.m4,
            inertia.c3x * inertia.m3,
            g.D3 * (inertia.m3 + t1),
            inertia.c2x * inertia.m2,
@@ -1885,14 +1874,14 @@ inline Scalar potential_energy([[maybe_unused]] const JointVector<Scalar>& q, co
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[2] - (k[0] * s6 - k[1] * c6);
-  const Scalar t1 = k[5] - (k[4] - (k[3] * c5 + s5 * t0));
-  const Scalar t2 = k[6] + t1;
-  const Scalar t3 = k[8] - (k[7] - (k[0] * c6 + k[1] * s6));
-  const Scalar t4 = c4 * (k[9] - (k[3] * s5 - c5 * t0));
-  const Scalar t5 = k[10] - (s4 * t3 - t4);
-  const Scalar t6 = k[12] + (k[11] - (s3 * t2 - c3 * t5));
-  const Scalar t7 = c2 * (k[13] + (c3 * t2 + s3 * t5));
+  const Scalar t0 = k[9] - (k[8] - (k[0] * c6 + k[1] * s6));
+  const Scalar t1 = k[2] - (k[0] * s6 - k[1] * c6);
+  const Scalar t2 = c4 * (k[7] - (k[3] * s5 - c5 * t1));
+  const Scalar t3 = k[10] - (s4 * t0 - t2);
+  const Scalar t4 = k[5] - (k[4] - (k[3] * c5 + s5 * t1));
+  const Scalar t5 = k[6] + t4;
+  const Scalar t6 = k[12] + (k[11] + (c3 * t3 - s3 * t5));
+  const Scalar t7 = c2 * (k[13] + (c3 * t5 + s3 * t3));
   Scalar result;
   result = k[15] * (k[14] + (s2 * t6 + t7));
   return result;

@@ -17,15 +17,15 @@ struct InverseDynamicsDerivatives {
 
 /// Joint forces for a motion, and their derivatives by q and qd; the one by qdd is mass_matrix.
 ///
-/// 1150 multiplications, 1046 additions, 5 sine/cosine pairs. Set-up: 81 multiplications, 95 additions, 3 divisions.
+/// 1157 multiplications, 1039 additions, 5 sine/cosine pairs. Set-up: 83 multiplications, 95 additions, 3 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is RL4, which must not be zero.
+/// The unit of length is D3, which must not be zero.
 template <class Scalar>
 InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives(const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
-using InverseDynamicsDerivativesConstants = std::array<Scalar, 43>;
+using InverseDynamicsDerivativesConstants = std::array<Scalar, 45>;
 template <class Scalar>
 InverseDynamicsDerivativesConstants<Scalar> inverse_dynamics_derivatives_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));

@@ -26,9 +26,9 @@ LoadAngles<Scalar> load_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion, under gravity in any direction.
 ///
-/// 224 multiplications, 203 additions, 6 sine/cosine pairs. Set-up: 81 multiplications, 97 additions, 5 divisions.
+/// 225 multiplications, 203 additions, 6 sine/cosine pairs. Set-up: 82 multiplications, 97 additions, 5 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is RL4, which must not be zero.
+/// The unit of length is D3, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g,
@@ -46,9 +46,9 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces for a motion while a wrench acts on the tool from outside: those without it minus jacobian(q)^T wrench.
 ///
-/// 259 multiplications, 226 additions, 6 sine/cosine pairs. Set-up: 81 multiplications, 97 additions, 5 divisions.
+/// 258 multiplications, 225 additions, 6 sine/cosine pairs. Set-up: 82 multiplications, 97 additions, 5 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is RL4, which must not be zero.
+/// The unit of length is D3, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g,
@@ -83,7 +83,7 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const LoadAngle
 
 /// Joint accelerations for given joint forces, under gravity in any direction.
 ///
-/// 384 multiplications, 346 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 89 multiplications, 97 additions, 6
+/// 382 multiplications, 347 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 88 multiplications, 97 additions, 6
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is D3, which must not be zero.
@@ -92,7 +92,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
-using ForwardDynamicsWithGravityVectorConstants = std::array<Scalar, 57>;
+using ForwardDynamicsWithGravityVectorConstants = std::array<Scalar, 56>;
 template <class Scalar>
 ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_vector_constants(
     const BasicGeometry<Scalar>& g,
@@ -104,7 +104,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint accelerations for given joint forces while a wrench acts on the tool from outside.
 ///
-/// 417 multiplications, 369 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 88 multiplications, 97 additions, 6
+/// 415 multiplications, 370 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 88 multiplications, 97 additions, 6
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is D3, which must not be zero.

@@ -29,100 +29,100 @@ InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c2x * inertia.m2;
-  const Scalar t1 = inertia.c3z * inertia.m3;
-  const Scalar t2 = inertia.c2y * inertia.m2;
-  const Scalar t3 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t4 = (inertia.I2yy - t3) - inertia.c2y * t2;
-  const Scalar t5 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t6 = g.RL4 * inertia.m4;
-  const Scalar t7 = inertia.c4z * inertia.m4;
-  const Scalar t8 = t7 + t6;
-  const Scalar t9 = t6 - t8;
-  const Scalar t10 = g.RL4 * t5 - t9;
-  const Scalar t11 = inertia.c3y * inertia.m3;
-  const Scalar t12 = (t10 + t11) / g.RL4;
-  const Scalar t13 = g.D3 * t12;
-  const Scalar t14 = g.D3 * (inertia.m3 + t5);
-  const Scalar t15 = (inertia.c2x * t0 - (inertia.I2xx - t3)) + g.D3 * t14;
-  const Scalar t16 = g.D3 * t13 - t15;
-  const Scalar t17 = inertia.I2xy - inertia.c2y * t0;
-  const Scalar t18 = inertia.c5z * inertia.m5;
-  const Scalar t19 = inertia.c4y * inertia.m4;
-  const Scalar t20 = inertia.c4x * inertia.m4;
-  const Scalar t21 = g.RL4 * t20;
-  const Scalar t22 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t23 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t24 = ((inertia.I4yy - t22) - inertia.c4y * t19) - (inertia.c5z * t18 - (inertia.I5zz - t23));
-  const Scalar t25 = g.RL4 * t19;
-  const Scalar t26 = inertia.c6y * inertia.m6;
-  const Scalar t27 = inertia.c6x * inertia.m6;
-  const Scalar t28 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t29 = (inertia.I6xx - t28) - inertia.c6x * t27;
-  const Scalar t30 = (inertia.I6yy - t28) - inertia.c6y * t26;
-  const Scalar t31 = inertia.I6xy - inertia.c6y * t27;
-  const Scalar t32 = inertia.c5x * inertia.m5;
-  const Scalar t33 = inertia.c5y * inertia.m5;
-  const Scalar t34 = inertia.c6z * inertia.m6;
-  const Scalar t35 = (inertia.c6z * t34 - (inertia.I6zz - t28)) + (inertia.c5y * t33 - (inertia.I5yy - t23));
-  const Scalar t36 = inertia.c3x * inertia.m3;
-  const Scalar t37 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t38 = g.RL4 * g.RL4 * t12;
-  const Scalar t39 = ((inertia.I4zz - t22) - inertia.c4z * t7) - g.RL4 * (t7 + t8);
-  const Scalar t40 = (t39 - g.RL4 * (t9 - t8)) - g.RL4 * (t10 - t9);
-  const Scalar t41 = (t40 + ((inertia.I3yy - t37) - inertia.c3y * t11)) + t38;
+  const Scalar t0 = inertia.c4y * inertia.m4;
+  const Scalar t1 = g.RL4 * t0;
+  const Scalar t2 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t3 = inertia.c5z * inertia.m5;
+  const Scalar t4 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t5 = ((inertia.I4yy - t2) - inertia.c4y * t0) - (inertia.c5z * t3 - (inertia.I5zz - t4));
+  const Scalar t6 = inertia.c4x * inertia.m4;
+  const Scalar t7 = g.RL4 * t6;
+  const Scalar t8 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t9 = inertia.c6x * inertia.m6;
+  const Scalar t10 = (inertia.I6xx - t8) - inertia.c6x * t9;
+  const Scalar t11 = inertia.c6y * inertia.m6;
+  const Scalar t12 = (inertia.I6yy - t8) - inertia.c6y * t11;
+  const Scalar t13 = inertia.I6xy - inertia.c6y * t9;
+  const Scalar t14 = inertia.c5x * inertia.m5;
+  const Scalar t15 = inertia.c5y * inertia.m5;
+  const Scalar t16 = inertia.c6z * inertia.m6;
+  const Scalar t17 = (inertia.c6z * t16 - (inertia.I6zz - t8)) + (inertia.c5y * t15 - (inertia.I5yy - t4));
+  const Scalar t18 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t19 = g.RL4 * inertia.m4;
+  const Scalar t20 = inertia.c4z * inertia.m4;
+  const Scalar t21 = t20 + t19;
+  const Scalar t22 = t19 - t21;
+  const Scalar t23 = g.RL4 * t18 - t22;
+  const Scalar t24 = inertia.c3y * inertia.m3;
+  const Scalar t25 = (t23 + t24) / g.RL4;
+  const Scalar t26 = g.D3 * t25;
+  const Scalar t27 = g.D3 * t26;
+  const Scalar t28 = inertia.c3x * inertia.m3;
+  const Scalar t29 = ((inertia.I4zz - t2) - inertia.c4z * t20) - g.RL4 * (t20 + t21);
+  const Scalar t30 = (t29 - g.RL4 * (t22 - t21)) - g.RL4 * (t23 - t22);
+  const Scalar t31 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t32 = (t30 + ((inertia.I3yy - t31) - inertia.c3y * t24)) + g.RL4 * g.RL4 * t25;
+  const Scalar t33 = inertia.c2y * inertia.m2;
+  const Scalar t34 = g.D3 * (inertia.m3 + t18);
+  const Scalar t35 = inertia.c2x * inertia.m2;
+  const Scalar t36 = inertia.c3z * inertia.m3;
+  const Scalar t37 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t38 = (inertia.I2yy - t37) - inertia.c2y * t33;
+  const Scalar t39 = (inertia.c2x * t35 - (inertia.I2xx - t37)) + g.D3 * t34;
+  const Scalar t40 = t27 - t39;
+  const Scalar t41 = inertia.I2xy - inertia.c2y * t35;
   const Scalar t42 = inertia.c1x * inertia.m1;
   const Scalar t43 = inertia.c1y * inertia.m1;
   const Scalar t44 = inertia.c2z * inertia.m2;
-  const Scalar t45 = ((inertia.I3zz - t37) - inertia.c3z * t1) + ((inertia.I2zz - t3) - inertia.c2z * t44);
+  const Scalar t45 = ((inertia.I3zz - t31) - inertia.c3z * t36) + ((inertia.I2zz - t37) - inertia.c2z * t44);
   const Scalar t46 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
   const Scalar t47 = (t45 - (inertia.c1y * t43 - (inertia.I1yy - t46))) - (inertia.c1x * t42 - (inertia.I1xx - t46));
-  return { (inertia.I2xz - inertia.c2z * t0) - g.D3 * t1,
-           inertia.I2yz - inertia.c2z * t2,
-           t4 - t16,
-           Scalar(2) * t17,
+  return { ((inertia.I4yz - inertia.c4z * t0) - t1) + t1,
+           t5,
+           inertia.I4xy - inertia.c4y * t6,
+           ((inertia.I4xz - inertia.c4z * t6) - t7) + t7,
+           gravity[2] / g.D3,
+           gravity[1] / g.D3,
+           gravity[0] / g.D3,
+           g.RL4 / g.D3,
+           g.D3 * (t3 - t0),
+           t10 - t12,
+           Scalar(2) * t13,
+           t10,
+           t12,
+           t13,
+           inertia.I6xz - inertia.c6z * t9,
+           inertia.I6yz - inertia.c6z * t11,
+           g.D3 * t11,
+           g.D3 * t9,
+           inertia.I5xz - inertia.c5z * t14,
+           inertia.I5yz - inertia.c5z * t15,
+           inertia.c5x * t14 - (inertia.I5xx - t4),
+           inertia.I5xy - inertia.c5y * t14,
+           g.D3 * t14,
            t17,
-           t16,
-           gravity[0] / g.RL4,
-           gravity[1] / g.RL4,
-           g.RL4 * t2,
-           g.RL4 * (t13 - (t14 + t0)),
-           g.D3 / g.RL4,
-           gravity[2] / g.RL4,
-           g.RL4 * (t18 - t19),
-           t21,
-           inertia.I4xy - inertia.c4y * t20,
-           t24,
-           (inertia.I4xx - t22) - inertia.c4x * t20,
-           ((inertia.I4xz - inertia.c4z * t20) - t21) + t21,
-           ((inertia.I4yz - inertia.c4z * t19) - t25) + t25,
-           g.RL4 * t26,
-           g.RL4 * t27,
-           inertia.I6xz - inertia.c6z * t27,
-           inertia.I6yz - inertia.c6z * t26,
-           t29 - t30,
-           Scalar(2) * t31,
-           t31,
-           t30,
-           t29,
-           inertia.I5xz - inertia.c5z * t32,
-           inertia.I5yz - inertia.c5z * t33,
-           inertia.c5x * t32 - (inertia.I5xx - t23),
-           inertia.I5xy - inertia.c5y * t32,
-           g.RL4 * t32,
-           g.RL4 * (t34 + t33),
-           t35,
-           inertia.I3xy - inertia.c3y * t36,
-           inertia.c3x * t36 - (inertia.I3xx - t37),
-           inertia.I3yz - inertia.c3z * t11,
-           inertia.I3xz - inertia.c3z * t36,
-           g.RL4 * t36,
-           t38,
+           g.D3 * (t16 + t15),
+           g.D3 * t6,
+           t27,
+           (inertia.I4xx - t2) - inertia.c4x * t6,
+           inertia.I3xz - inertia.c3z * t28,
+           inertia.I3yz - inertia.c3z * t24,
+           t32,
+           inertia.I3xy - inertia.c3y * t28,
+           g.D3 * t28,
+           inertia.c3x * t28 - (inertia.I3xx - t31),
+           g.D3 * t33,
+           g.D3 * (t26 - (t34 + t35)),
+           (inertia.I2xz - inertia.c2z * t35) - g.D3 * t36,
+           inertia.I2yz - inertia.c2z * t33,
+           t38 - t40,
+           Scalar(2) * t41,
            t41,
-           g.RL4 * t42,
-           g.RL4 * (t43 - (t1 + t44)),
+           t40,
+           g.D3 * t42,
+           g.D3 * (t43 - (t36 + t44)),
            t47,
-           t4 + t16 };
+           t38 + t40 };
 }
 
 namespace detail {
@@ -143,157 +143,154 @@ inline JointVector<Scalar> inverse_dynamics_with_gravity_vector([[maybe_unused]]
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = s2 * s3 - c2 * c3;
-  const Scalar t1 = Scalar(2) * qd[0] * qd[1];
-  const Scalar t2 = k[6] * s1 - k[7] * c1;
-  const Scalar t3 = k[10] * (s2 * t1 - qdd[0] * c2) - t2;
-  const Scalar t4 = qd[1] + qd[2];
-  const Scalar t5 = qd[0] * t0;
+  const Scalar t0 = k[6] * s1 - k[5] * c1;
+  const Scalar t1 = k[5] * s1 + k[6] * c1;
+  const Scalar t2 = (k[42] * t0 + k[43] * t1) - k[44] * qdd[0];
+  const Scalar t3 = c3 * s2 + c2 * s3;
+  const Scalar t4 = qd[0] * t3;
+  const Scalar t5 = qd[1] + qd[2];
   const Scalar t6 = t4 * t5;
-  const Scalar t7 = c3 * s2 + c2 * s3;
+  const Scalar t7 = s2 * s3 - c2 * c3;
   const Scalar t8 = qdd[0] * t7;
-  const Scalar t9 = (t6 + t6) - t8;
-  const Scalar t10 = qd[0] * t7;
-  const Scalar t11 = t10 * t4;
-  const Scalar t12 = qdd[0] * t0;
-  const Scalar t13 = t11 + t12;
-  const Scalar t14 = t11 + t13;
-  const Scalar t15 = t10 * t5;
+  const Scalar t9 = t6 + t8;
+  const Scalar t10 = t6 + t9;
+  const Scalar t11 = qd[0] * t7;
+  const Scalar t12 = qd[3] - t11;
+  const Scalar t13 = s4 * t5 - c4 * t4;
+  const Scalar t14 = t12 * t13;
+  const Scalar t15 = t4 * t11;
   const Scalar t16 = qdd[1] + qdd[2];
   const Scalar t17 = t15 + t16;
-  const Scalar t18 = t4 * t4;
-  const Scalar t19 = t5 * t5;
-  const Scalar t20 = t18 - t19;
-  const Scalar t21 = qd[0] * qd[0];
-  const Scalar t22 = t21 + t20;
-  const Scalar t23 = t18 + t19;
-  const Scalar t24 = t22 - t23;
-  const Scalar t25 = (k[35] * t9 + k[36] * t14) - (k[37] * t17 + k[38] * (t20 - t24));
-  const Scalar t26 = k[7] * s1 + k[6] * c1;
-  const Scalar t27 = k[11] * s2 + c2 * t26;
-  const Scalar t28 = qd[1] * qd[1];
-  const Scalar t29 = qd[0] * c2;
-  const Scalar t30 = t27 + k[10] * (t28 + t29 * t29);
-  const Scalar t31 = s2 * t26 - k[11] * c2;
-  const Scalar t32 = t31 + k[10] * (qdd[1] + qd[0] * s2 * t29);
-  const Scalar t33 = c3 * t30 - s3 * t32;
-  const Scalar t34 = s4 * t17 + c4 * t9;
-  const Scalar t35 = (c4 * t3 - s4 * t33) - t34;
-  const Scalar t36 = s4 * t9 - c4 * t17;
-  const Scalar t37 = (c4 * t33 + s4 * t3) - t36;
-  const Scalar t38 = s4 * t4 - c4 * t10;
-  const Scalar t39 = t38 * t38;
-  const Scalar t40 = qd[3] - t5;
-  const Scalar t41 = t40 * t40;
-  const Scalar t42 = t39 + t41;
-  const Scalar t43 = t39 - t41;
-  const Scalar t44 = t22 - t43;
-  const Scalar t45 = t42 - t44;
-  const Scalar t46 = c4 * t4 + s4 * t10;
-  const Scalar t47 = t46 * t38;
-  const Scalar t48 = qdd[3] - t13;
-  const Scalar t49 = t47 + t48;
-  const Scalar t50 = t47 - t48;
-  const Scalar t51 = k[14] * t45 - (k[16] * t49 - k[15] * t50);
-  const Scalar t52 = (k[13] * t35 + k[12] * t37) - ((k[18] * t36 - k[17] * t34) + t51);
-  const Scalar t53 = s5 * t40 - c5 * t38;
-  const Scalar t54 = qd[4] + t46;
-  const Scalar t55 = t40 * t46;
-  const Scalar t56 = (t55 + t55) + t34;
-  const Scalar t57 = c5 * t50 - s5 * t56;
-  const Scalar t58 = Scalar(2) * t53 * t54 + t57;
-  const Scalar t59 = c5 * t40 + s5 * t38;
-  const Scalar t60 = t59 * t54;
-  const Scalar t61 = c5 * t56 + s5 * t50;
-  const Scalar t62 = (t60 - t61) + t60;
-  const Scalar t63 = t54 * t54;
-  const Scalar t64 = qd[5] + t59;
-  const Scalar t65 = t64 * t64;
-  const Scalar t66 = t63 + t65;
-  const Scalar t67 = t53 * t53;
-  const Scalar t68 = t65 + t67;
-  const Scalar t69 = t66 - t68;
-  const Scalar t70 = t53 * t59;
-  const Scalar t71 = t40 * t38;
-  const Scalar t72 = t36 + t71;
-  const Scalar t73 = qdd[4] - t72;
-  const Scalar t74 = t70 - t73;
-  const Scalar t75 = (k[30] * t58 - k[31] * t62) - (k[28] * t69 - k[29] * t74);
-  const Scalar t76 = k[19] * s6 - k[20] * c6;
-  const Scalar t77 = k[19] * c6 + k[20] * s6;
-  const Scalar t78 = c3 * t32 + s3 * t30;
-  const Scalar t79 = t78 - t22;
-  const Scalar t80 = s5 * t79 - c5 * t37;
-  const Scalar t81 = k[22] * c6 + k[21] * s6;
-  const Scalar t82 = k[21] * c6 - k[22] * s6;
-  const Scalar t83 = k[24] * c6 + k[23] * s6;
-  const Scalar t84 = s6 * t83;
-  const Scalar t85 = k[26] + t84;
-  const Scalar t86 = qdd[5] - t57;
-  const Scalar t87 = qdd[5] - t58;
-  const Scalar t88 = k[27] - t84;
-  const Scalar t89 = k[25] - c6 * t83;
-  const Scalar t90 = (t85 * t86 + t87 * t88) - t69 * t89;
-  const Scalar t91 = (t35 * t76 - t77 * t80) + ((t81 * t74 + t62 * t82) - t90);
-  const Scalar t92 = (t75 + k[32] * t35) - t91;
-  const Scalar t93 = c5 * t79 + s5 * t37;
-  const Scalar t94 = t63 - t65;
-  const Scalar t95 = t53 * t64;
-  const Scalar t96 = t95 + (t95 - t74);
-  const Scalar t97 = t64 * t54;
-  const Scalar t98 = t62 - (t97 + t97);
-  const Scalar t99 = t81 * t94 + (t96 * t89 - t98 * t85);
-  const Scalar t100 = t94 + t68;
-  const Scalar t101 = t100 - t42;
-  const Scalar t102 = k[29] * t101 - (k[34] * t62 - k[31] * t58);
-  const Scalar t103 = t70 + t73;
-  const Scalar t104 = (t93 * t77 + (t87 * t82 + t99)) - ((t102 - k[28] * t103) - k[33] * t35);
-  const Scalar t105 = t52 + (c5 * t92 - s5 * t104);
-  const Scalar t106 = (t87 * t76 + t77 * t68) + (k[32] * t58 + k[33] * t62);
-  const Scalar t107 = (k[12] * t42 + k[13] * t49) - k[40] * t35;
-  const Scalar t108 = t106 - t107;
-  const Scalar t109 = (k[12] * t50 + k[13] * t44) + k[40] * t37;
-  const Scalar t110 = (t77 * t86 - t66 * t76) + (k[32] * (t42 + t69) - k[33] * t74);
-  const Scalar t111 = (k[33] * t100 - k[32] * t103) - (t98 * t77 - t96 * t76);
-  const Scalar t112 = t109 + (c5 * t110 - s5 * t111);
-  const Scalar t113 = c4 * t108 + s4 * t112;
-  const Scalar t114 = t71 + t72;
-  const Scalar t115 = (k[16] * t114 + k[14] * t56) + (k[17] * t43 + k[18] * t50);
-  const Scalar t116 = ((t65 - t67) * t82 + t81 * t86) + (t96 * t88 - t98 * t89);
-  const Scalar t117 = (k[34] * t74 - k[30] * t103) + k[31] * (t69 - t101);
-  const Scalar t118 = (k[33] * t80 - k[32] * t93) + ((k[29] * t57 + k[28] * t61) + t117);
-  const Scalar t119 = (t93 * t76 + t116) + t118;
-  const Scalar t120 = (t115 + k[13] * t79) - t119;
-  const Scalar t121 = k[18] * (t45 - t43) - (k[14] * t114 + k[15] * t56);
-  const Scalar t122 = (k[12] * t79 + (t121 - k[17] * t49)) - (s5 * t92 + c5 * t104);
-  const Scalar t123 = k[37] * t20 + (k[35] * t14 - k[41] * t9);
-  const Scalar t124 = t15 - t16;
-  const Scalar t125 = (t113 + (s4 * t120 - c4 * t122)) - (t123 + k[38] * t124);
-  const Scalar t126 = t0 * ((k[39] * t3 + t25) + t105) + t125 * t7;
-  const Scalar t127 = t126 - k[10] * c2 * (t113 + k[39] * t14);
-  const Scalar t128 = k[0] * s2 + k[1] * c2;
-  const Scalar t129 = (k[1] * s2 - k[0] * c2) * t28 - qdd[1] * t128;
-  const Scalar t130 = k[3] * c2 - k[2] * s2;
-  const Scalar t131 = k[4] - c2 * t130;
-  const Scalar t132 = t131 * t1 + qdd[0] * (k[5] - s2 * t130);
-  const Scalar t133 = t2 * (k[9] * c2 + k[8] * s2) + (t129 + t132);
-  const Scalar t134 = (k[43] * t26 + k[42] * t2) - k[44] * qdd[0];
-  const Scalar t135 = qdd[0] * t128 - (k[45] * qdd[1] - t21 * t131);
-  const Scalar t136 = s4 * t108 - c4 * t112;
-  const Scalar t137 = k[35] * t24 - (k[36] * t124 + k[41] * t17);
-  const Scalar t138 = (t137 + (k[38] * t8 - k[37] * t12)) + k[39] * t78;
-  const Scalar t139 = ((s4 * t122 + c4 * t120) - t136) + t138;
-  const Scalar t140 = k[40] * t79 - (k[13] * t114 - k[12] * t56);
-  const Scalar t141 = k[39] * t124 + ((c5 * t111 + s5 * t110) - t140);
-  const Scalar t142 = s3 * (k[39] * t23 - t136) + c3 * t141;
-  const Scalar t143 = (t135 - (k[9] * t31 - k[8] * t27)) + (t139 - k[10] * t142);
+  const Scalar t18 = qdd[0] * t3;
+  const Scalar t19 = t5 * t11;
+  const Scalar t20 = (t18 - t19) - t19;
+  const Scalar t21 = c4 * t17 + s4 * t20;
+  const Scalar t22 = t14 - t21;
+  const Scalar t23 = qdd[4] - t22;
+  const Scalar t24 = s5 * t12 - c5 * t13;
+  const Scalar t25 = c5 * t12 + s5 * t13;
+  const Scalar t26 = t24 * t25;
+  const Scalar t27 = t23 + t26;
+  const Scalar t28 = c4 * t5 + s4 * t4;
+  const Scalar t29 = qd[4] + t28;
+  const Scalar t30 = t29 * t29;
+  const Scalar t31 = qd[5] + t25;
+  const Scalar t32 = t31 * t31;
+  const Scalar t33 = t30 - t32;
+  const Scalar t34 = t24 * t24;
+  const Scalar t35 = t32 + t34;
+  const Scalar t36 = t33 + t35;
+  const Scalar t37 = k[17] * c6 - k[16] * s6;
+  const Scalar t38 = t24 * t31;
+  const Scalar t39 = t23 - t26;
+  const Scalar t40 = t38 + (t39 + t38);
+  const Scalar t41 = k[17] * s6 + k[16] * c6;
+  const Scalar t42 = t12 * t28;
+  const Scalar t43 = s4 * t17 - c4 * t20;
+  const Scalar t44 = t42 + (t42 + t43);
+  const Scalar t45 = t28 * t13;
+  const Scalar t46 = qdd[3] - t9;
+  const Scalar t47 = t45 - t46;
+  const Scalar t48 = c5 * t44 + s5 * t47;
+  const Scalar t49 = t48 - Scalar(2) * t25 * t29;
+  const Scalar t50 = t31 * t29;
+  const Scalar t51 = (t49 + t50) + t50;
+  const Scalar t52 = (k[22] * t27 - k[24] * t36) + (t37 * t40 - t41 * t51);
+  const Scalar t53 = s5 * t44 - c5 * t47;
+  const Scalar t54 = qdd[5] + t53;
+  const Scalar t55 = t30 + t32;
+  const Scalar t56 = t25 * t25;
+  const Scalar t57 = t30 + t56;
+  const Scalar t58 = (t41 * t54 + t55 * t37) + (k[24] * t39 + k[22] * t57);
+  const Scalar t59 = t12 * t12;
+  const Scalar t60 = t28 * t28;
+  const Scalar t61 = t59 + t60;
+  const Scalar t62 = qd[1] * qd[1];
+  const Scalar t63 = qd[0] * c2;
+  const Scalar t64 = k[4] * s2 + c2 * t1;
+  const Scalar t65 = (t62 + t63 * t63) + t64;
+  const Scalar t66 = k[4] * c2 - s2 * t1;
+  const Scalar t67 = t66 - (qdd[1] + qd[0] * s2 * t63);
+  const Scalar t68 = (c3 * t65 + s3 * t67) + k[7] * t17;
+  const Scalar t69 = qd[0] * qd[1];
+  const Scalar t70 = t69 + t69;
+  const Scalar t71 = t0 - (s2 * t70 - qdd[0] * c2);
+  const Scalar t72 = t71 - k[7] * t20;
+  const Scalar t73 = c4 * t68 - s4 * t72;
+  const Scalar t74 = (k[25] * t61 + k[8] * t47) + k[26] * t73;
+  const Scalar t75 = (s5 * t52 + c5 * t58) + t74;
+  const Scalar t76 = t54 - Scalar(2) * t24 * t29;
+  const Scalar t77 = qdd[5] - t76;
+  const Scalar t78 = (k[22] * t77 - k[24] * t49) - (t76 * t37 - t41 * t35);
+  const Scalar t79 = t45 + t46;
+  const Scalar t80 = t56 + t34;
+  const Scalar t81 = c4 * t72 + s4 * t68;
+  const Scalar t82 = (k[25] * t79 + k[8] * t80) + k[26] * t81;
+  const Scalar t83 = t78 - t82;
+  const Scalar t84 = k[32] * t10 + (s4 * t75 + c4 * t83);
+  const Scalar t85 = qd[0] * qd[0];
+  const Scalar t86 = t5 * t5 + t11 * t11;
+  const Scalar t87 = (k[31] * t20 - k[33] * t10) - (k[28] * (t85 - t86) - k[29] * t17);
+  const Scalar t88 = t36 - t55;
+  const Scalar t89 = t33 - t88;
+  const Scalar t90 = (k[18] * t89 + k[19] * t39) - (k[20] * t77 + k[21] * t49);
+  const Scalar t91 = c3 * t67 - s3 * t65;
+  const Scalar t92 = t59 - t60;
+  const Scalar t93 = t80 - t92;
+  const Scalar t94 = t91 + k[7] * t93;
+  const Scalar t95 = c5 * t73 + s5 * t94;
+  const Scalar t96 = k[10] * c6 + k[9] * s6;
+  const Scalar t97 = k[13] - c6 * t96;
+  const Scalar t98 = s6 * t96;
+  const Scalar t99 = k[11] - t98;
+  const Scalar t100 = k[12] + t98;
+  const Scalar t101 = t97 * t89 - (t99 * t76 + t54 * t100);
+  const Scalar t102 = k[14] * c6 - k[15] * s6;
+  const Scalar t103 = k[14] * s6 + k[15] * c6;
+  const Scalar t104 = (t81 * t37 + t41 * t95) + (t101 - (t49 * t102 + t39 * t103));
+  const Scalar t105 = (k[22] * t81 + t90) + t104;
+  const Scalar t106 = k[19] * (t30 - t56) + (k[23] * t49 + k[21] * t77);
+  const Scalar t107 = s5 * t73 - c5 * t94;
+  const Scalar t108 = (t100 * t51 + t97 * t40) + t103 * t33;
+  const Scalar t109 = (k[24] * t81 - (k[18] * t27 - t106)) - (t41 * t107 + (t108 + t76 * t102));
+  const Scalar t110 = k[2] * (t80 - t61) - (k[27] * t79 - k[1] * t47);
+  const Scalar t111 = (k[8] * t73 - k[25] * t81) - (t110 - (k[0] * t21 + k[3] * t43));
+  const Scalar t112 = (c5 * t105 - s5 * t109) - t111;
+  const Scalar t113 = (t102 * t88 - t54 * t103) - (t97 * t51 + t99 * t40);
+  const Scalar t114 = (k[20] * t27 + k[23] * t39) + k[21] * (t36 - t57);
+  const Scalar t115 = (k[22] * t107 + k[24] * t95) + (t114 + (k[19] * t53 - k[18] * t48));
+  const Scalar t116 = (t113 + t37 * t107) + t115;
+  const Scalar t117 = t22 + t14;
+  const Scalar t118 = (k[27] * t117 + k[2] * t44) + (k[3] * (t93 - t61) + k[0] * t47);
+  const Scalar t119 = k[7] * t75 + (t116 + (t118 - k[25] * t94));
+  const Scalar t120 = k[0] * t92 - (k[1] * t44 + k[2] * t117);
+  const Scalar t121 = ((k[3] * t79 - t120) + k[8] * t94) - (c5 * t109 + s5 * t105);
+  const Scalar t122 = t121 + k[7] * t83;
+  const Scalar t123 = t15 - t16;
+  const Scalar t124 = (k[31] * t10 + k[30] * t20) - k[29] * (t85 - t93);
+  const Scalar t125 = (s4 * t119 + c4 * t122) - (k[28] * t123 + t124);
+  const Scalar t126 = t7 * ((t87 + k[32] * t71) + t112) - t125 * t3;
+  const Scalar t127 = k[39] * c2 - k[38] * s2;
+  const Scalar t128 = k[40] - c2 * t127;
+  const Scalar t129 = t128 * t70 + qdd[0] * (k[41] - s2 * t127);
+  const Scalar t130 = k[36] * s2 + k[37] * c2;
+  const Scalar t131 = t62 * (k[37] * s2 - k[36] * c2) - qdd[1] * t130;
+  const Scalar t132 = (t129 + t131) + t0 * (k[35] * c2 + k[34] * s2);
+  const Scalar t133 = qdd[0] * t130 - (k[45] * qdd[1] - t128 * t85);
+  const Scalar t134 = (k[33] * t123 + k[30] * t17) + k[31] * (t86 - t93);
+  const Scalar t135 = ((k[29] * t8 - k[28] * t18) + t134) + k[32] * t91;
+  const Scalar t136 = (s4 * t122 - c4 * t119) + t135;
+  const Scalar t137 = k[32] * t86 - (s4 * t83 - c4 * t75);
+  const Scalar t138 = k[26] * t94 + (k[25] * t117 - k[8] * t44);
+  const Scalar t139 = k[32] * t123 + ((s5 * t58 - c5 * t52) + t138);
+  const Scalar t140 = ((k[34] * t64 + k[35] * t66) + t133) - (t136 + (s3 * t137 + c3 * t139));
   JointVector<Scalar> result;
-  result[0] = (t127 - t133) + t134;
-  result[1] = t143;
-  result[2] = t139;
-  result[3] = -t105;
-  result[4] = -t119;
-  result[5] = t91;
+  result[0] = t2 - ((c2 * t84 + t126) + t132);
+  result[1] = t140;
+  result[2] = -t136;
+  result[3] = t112;
+  result[4] = t116;
+  result[5] = t104;
   return result;
 }
 
@@ -322,101 +319,101 @@ InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constant
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c3x * inertia.m3;
-  const Scalar t1 = inertia.c5x * inertia.m5;
-  const Scalar t2 = inertia.c6z * inertia.m6;
-  const Scalar t3 = inertia.c5y * inertia.m5;
-  const Scalar t4 = inertia.c6y * inertia.m6;
-  const Scalar t5 = inertia.c6x * inertia.m6;
-  const Scalar t6 = inertia.c5z * inertia.m5;
-  const Scalar t7 = inertia.c4y * inertia.m4;
-  const Scalar t8 = inertia.c4x * inertia.m4;
-  const Scalar t9 = g.RL4 * t8;
-  const Scalar t10 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t11 = g.RL4 * inertia.m4;
-  const Scalar t12 = inertia.c4z * inertia.m4;
-  const Scalar t13 = t12 + t11;
-  const Scalar t14 = t11 - t13;
-  const Scalar t15 = g.RL4 * t10 - t14;
-  const Scalar t16 = inertia.c3y * inertia.m3;
-  const Scalar t17 = (t15 + t16) / g.RL4;
-  const Scalar t18 = g.RL4 * g.RL4 * t17;
-  const Scalar t19 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t20 = ((inertia.I4zz - t19) - inertia.c4z * t12) - g.RL4 * (t12 + t13);
-  const Scalar t21 = (t20 - g.RL4 * (t14 - t13)) - g.RL4 * (t15 - t14);
-  const Scalar t22 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t23 = (t21 + ((inertia.I3yy - t22) - inertia.c3y * t16)) + t18;
-  const Scalar t24 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t25 = (inertia.I6xx - t24) - inertia.c6x * t5;
-  const Scalar t26 = (inertia.I6yy - t24) - inertia.c6y * t4;
-  const Scalar t27 = inertia.I6xy - inertia.c6y * t5;
-  const Scalar t28 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t29 = (inertia.c6z * t2 - (inertia.I6zz - t24)) + (inertia.c5y * t3 - (inertia.I5yy - t28));
-  const Scalar t30 = ((inertia.I4yy - t19) - inertia.c4y * t7) - (inertia.c5z * t6 - (inertia.I5zz - t28));
-  const Scalar t31 = g.RL4 * t7;
-  const Scalar t32 = inertia.c2x * inertia.m2;
-  const Scalar t33 = inertia.c3z * inertia.m3;
-  const Scalar t34 = inertia.c2y * inertia.m2;
-  const Scalar t35 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t36 = (inertia.I2yy - t35) - inertia.c2y * t34;
-  const Scalar t37 = g.D3 * t17;
-  const Scalar t38 = g.D3 * (inertia.m3 + t10);
-  const Scalar t39 = (inertia.c2x * t32 - (inertia.I2xx - t35)) + g.D3 * t38;
-  const Scalar t40 = g.D3 * t37 - t39;
-  const Scalar t41 = inertia.I2xy - inertia.c2y * t32;
+  const Scalar t0 = inertia.c2y * inertia.m2;
+  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t2 = g.RL4 * inertia.m4;
+  const Scalar t3 = inertia.c4z * inertia.m4;
+  const Scalar t4 = t3 + t2;
+  const Scalar t5 = t2 - t4;
+  const Scalar t6 = g.RL4 * t1 - t5;
+  const Scalar t7 = inertia.c3y * inertia.m3;
+  const Scalar t8 = (t6 + t7) / g.RL4;
+  const Scalar t9 = g.D3 * t8;
+  const Scalar t10 = g.D3 * (inertia.m3 + t1);
+  const Scalar t11 = inertia.c2x * inertia.m2;
+  const Scalar t12 = inertia.c3z * inertia.m3;
+  const Scalar t13 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t14 = (inertia.I2yy - t13) - inertia.c2y * t0;
+  const Scalar t15 = g.D3 * t9;
+  const Scalar t16 = (inertia.c2x * t11 - (inertia.I2xx - t13)) + g.D3 * t10;
+  const Scalar t17 = t15 - t16;
+  const Scalar t18 = inertia.I2xy - inertia.c2y * t11;
+  const Scalar t19 = inertia.c3x * inertia.m3;
+  const Scalar t20 = inertia.c6y * inertia.m6;
+  const Scalar t21 = inertia.c6x * inertia.m6;
+  const Scalar t22 = inertia.c6z * inertia.m6;
+  const Scalar t23 = inertia.c5y * inertia.m5;
+  const Scalar t24 = inertia.c5x * inertia.m5;
+  const Scalar t25 = inertia.c5z * inertia.m5;
+  const Scalar t26 = inertia.c4y * inertia.m4;
+  const Scalar t27 = inertia.c4x * inertia.m4;
+  const Scalar t28 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t29 = ((inertia.I4zz - t28) - inertia.c4z * t3) - g.RL4 * (t3 + t4);
+  const Scalar t30 = (t29 - g.RL4 * (t5 - t4)) - g.RL4 * (t6 - t5);
+  const Scalar t31 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t32 = (t30 + ((inertia.I3yy - t31) - inertia.c3y * t7)) + g.RL4 * g.RL4 * t8;
+  const Scalar t33 = g.RL4 * t26;
+  const Scalar t34 = g.RL4 * t27;
+  const Scalar t35 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t36 = (inertia.I6xx - t35) - inertia.c6x * t21;
+  const Scalar t37 = (inertia.I6yy - t35) - inertia.c6y * t20;
+  const Scalar t38 = inertia.I6xy - inertia.c6y * t21;
+  const Scalar t39 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t40 = (inertia.c6z * t22 - (inertia.I6zz - t35)) + (inertia.c5y * t23 - (inertia.I5yy - t39));
+  const Scalar t41 = ((inertia.I4yy - t28) - inertia.c4y * t26) - (inertia.c5z * t25 - (inertia.I5zz - t39));
   const Scalar t42 = inertia.c1x * inertia.m1;
   const Scalar t43 = inertia.c1y * inertia.m1;
   const Scalar t44 = inertia.c2z * inertia.m2;
-  const Scalar t45 = ((inertia.I3zz - t22) - inertia.c3z * t33) + ((inertia.I2zz - t35) - inertia.c2z * t44);
+  const Scalar t45 = ((inertia.I3zz - t31) - inertia.c3z * t12) + ((inertia.I2zz - t13) - inertia.c2z * t44);
   const Scalar t46 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
   const Scalar t47 = (t45 - (inertia.c1y * t43 - (inertia.I1yy - t46))) - (inertia.c1x * t42 - (inertia.I1xx - t46));
-  return { g.RL4 * t0,
-           g.RL4 * t1,
-           g.RL4 * (t2 + t3),
-           g.RL4 * t4,
-           g.RL4 * t5,
-           g.RL4,
-           g.RL4 * (t6 - t7),
-           t9,
-           g.D3 / g.RL4,
-           gravity[0] / g.RL4,
-           gravity[1] / g.RL4,
-           gravity[2] / g.RL4,
+  return { gravity[0] / g.D3,
+           gravity[1] / g.D3,
+           g.D3 * t0,
+           g.D3 * (t9 - (t10 + t11)),
+           (inertia.I2xz - inertia.c2z * t11) - g.D3 * t12,
+           inertia.I2yz - inertia.c2z * t0,
+           t14 - t17,
+           Scalar(2) * t18,
            t18,
-           inertia.I3xz - inertia.c3z * t0,
-           inertia.I3yz - inertia.c3z * t16,
-           t23,
-           inertia.I3xy - inertia.c3y * t0,
-           t25 - t26,
-           Scalar(2) * t27,
-           t27,
-           t26,
-           inertia.I6xz - inertia.c6z * t5,
-           inertia.I6yz - inertia.c6z * t4,
-           inertia.I5xz - inertia.c5z * t1,
-           inertia.I5yz - inertia.c5z * t3,
-           t29,
-           inertia.I5xy - inertia.c5y * t1,
-           inertia.c5x * t1 - (inertia.I5xx - t28),
-           t25,
-           t30,
-           inertia.I4xy - inertia.c4y * t8,
-           ((inertia.I4yz - inertia.c4z * t7) - t31) + t31,
-           ((inertia.I4xz - inertia.c4z * t8) - t9) + t9,
-           (inertia.I4xx - t19) - inertia.c4x * t8,
-           inertia.c3x * t0 - (inertia.I3xx - t22),
-           (inertia.I2xz - inertia.c2z * t32) - g.D3 * t33,
-           inertia.I2yz - inertia.c2z * t34,
-           t36 - t40,
-           Scalar(2) * t41,
-           t41,
+           t17,
+           g.D3 * t19,
+           g.D3 * t20,
+           g.D3 * t21,
+           g.D3,
+           g.D3 * (t22 + t23),
+           g.D3 * t24,
+           g.D3 * (t25 - t26),
+           g.D3 * t27,
+           gravity[2] / g.D3,
+           g.RL4 / g.D3,
+           t15,
+           inertia.I3xz - inertia.c3z * t19,
+           inertia.I3yz - inertia.c3z * t7,
+           t32,
+           inertia.I3xy - inertia.c3y * t19,
+           ((inertia.I4yz - inertia.c4z * t26) - t33) + t33,
+           ((inertia.I4xz - inertia.c4z * t27) - t34) + t34,
+           (inertia.I4xx - t28) - inertia.c4x * t27,
+           inertia.I4xy - inertia.c4y * t27,
+           t36 - t37,
+           Scalar(2) * t38,
+           t38,
+           t36,
+           inertia.I6xz - inertia.c6z * t21,
+           inertia.I6yz - inertia.c6z * t20,
+           inertia.I5xz - inertia.c5z * t24,
+           inertia.I5yz - inertia.c5z * t23,
            t40,
-           g.RL4 * t34,
-           g.RL4 * (t37 - (t38 + t32)),
-           g.RL4 * t42,
-           g.RL4 * (t43 - (t33 + t44)),
+           inertia.c5x * t24 - (inertia.I5xx - t39),
+           inertia.I5xy - inertia.c5y * t24,
+           t37,
+           t41,
+           inertia.c3x * t19 - (inertia.I3xx - t31),
+           g.D3 * t42,
+           g.D3 * (t43 - (t12 + t44)),
            t47,
-           t36 + t40 };
+           t14 + t17 };
 }
 
 namespace detail {
@@ -437,171 +434,171 @@ inline JointVector<Scalar> inverse_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = k[10] * s1 + k[9] * c1;
-  const Scalar t1 = k[10] * c1 - k[9] * s1;
-  const Scalar t2 = k[45] * qdd[0] - (k[44] * t0 - k[43] * t1);
-  const Scalar t3 = qd[1] * qd[1];
-  const Scalar t4 = k[35] * s2 + k[36] * c2;
-  const Scalar t5 = t3 * (k[35] * c2 - k[36] * s2) + qdd[1] * t4;
-  const Scalar t6 = k[37] * s2 - k[38] * c2;
-  const Scalar t7 = k[39] + c2 * t6;
-  const Scalar t8 = Scalar(2) * qd[0] * qd[1];
-  const Scalar t9 = qdd[0] * (k[40] + s2 * t6) + t7 * t8;
-  const Scalar t10 = (k[42] * c2 + k[41] * s2) * t1 + (t5 - t9);
-  const Scalar t11 = c3 * s2 + c2 * s3;
-  const Scalar t12 = qd[0] * t11;
-  const Scalar t13 = qd[1] + qd[2];
-  const Scalar t14 = t12 * t13;
-  const Scalar t15 = s2 * s3 - c2 * c3;
-  const Scalar t16 = qdd[0] * t15;
-  const Scalar t17 = t14 + t16;
-  const Scalar t18 = t14 + t17;
-  const Scalar t19 = k[3] * c6 + k[4] * s6;
-  const Scalar t20 = qd[0] * t15;
-  const Scalar t21 = qd[3] - t20;
-  const Scalar t22 = s4 * t13 - c4 * t12;
-  const Scalar t23 = c5 * t21 + s5 * t22;
-  const Scalar t24 = qd[5] + t23;
-  const Scalar t25 = t24 * t24;
-  const Scalar t26 = s5 * t21 - c5 * t22;
-  const Scalar t27 = t26 * t26;
-  const Scalar t28 = c4 * t13 + s4 * t12;
-  const Scalar t29 = t21 * t28;
-  const Scalar t30 = t12 * t20;
-  const Scalar t31 = qdd[1] + qdd[2];
-  const Scalar t32 = t30 + t31;
-  const Scalar t33 = qdd[0] * t11;
-  const Scalar t34 = t13 * t20;
-  const Scalar t35 = (t33 - t34) - t34;
-  const Scalar t36 = s4 * t32 - c4 * t35;
-  const Scalar t37 = t29 + (t29 + t36);
-  const Scalar t38 = t28 * t22;
-  const Scalar t39 = qdd[3] - t17;
-  const Scalar t40 = t38 - t39;
-  const Scalar t41 = s5 * t37 - c5 * t40;
-  const Scalar t42 = qd[4] + t28;
-  const Scalar t43 = t26 * t42;
-  const Scalar t44 = t41 - (t43 + t43);
-  const Scalar t45 = qdd[5] + t44;
-  const Scalar t46 = k[4] * c6 - k[3] * s6;
-  const Scalar t47 = wrench[0] * c1 + wrench[1] * s1;
-  const Scalar t48 = t15 * t47 - wrench[2] * t11;
-  const Scalar t49 = wrench[0] * s1 - wrench[1] * c1;
-  const Scalar t50 = (t19 * (t25 + t27) - t45 * t46) + k[5] * (s4 * t48 - c4 * t49);
-  const Scalar t51 = t23 * t42;
-  const Scalar t52 = c5 * t37 + s5 * t40;
-  const Scalar t53 = t51 - (t52 - t51);
-  const Scalar t54 = t23 * t23 + t27;
-  const Scalar t55 = t38 + t39;
-  const Scalar t56 = t1 + k[8] * (s2 * t8 - qdd[0] * c2);
-  const Scalar t57 = t56 + t35;
-  const Scalar t58 = k[11] * s2 + c2 * t0;
-  const Scalar t59 = qd[0] * c2;
-  const Scalar t60 = t58 + k[8] * (t3 + t59 * t59);
-  const Scalar t61 = s2 * t0 - k[11] * c2;
-  const Scalar t62 = k[8] * (qdd[1] + qd[0] * s2 * t59) + t61;
-  const Scalar t63 = (c3 * t60 - s3 * t62) + t32;
-  const Scalar t64 = c4 * t57 - s4 * t63;
-  const Scalar t65 = (k[6] * t54 + k[7] * t55) - k[12] * t64;
-  const Scalar t66 = (t50 - (k[1] * t44 - k[2] * t53)) - t65;
-  const Scalar t67 = s4 * t57 + c4 * t63;
-  const Scalar t68 = t28 * t28;
-  const Scalar t69 = qd[0] * qd[0];
-  const Scalar t70 = t13 * t13;
-  const Scalar t71 = t20 * t20;
-  const Scalar t72 = t70 - t71;
-  const Scalar t73 = t69 + t72;
-  const Scalar t74 = t68 - (t73 - t68);
-  const Scalar t75 = k[12] * t67 + (k[7] * (t54 + t74) + k[6] * t40);
-  const Scalar t76 = t21 * t22;
-  const Scalar t77 = c4 * t32 + s4 * t35;
-  const Scalar t78 = t76 - t77;
-  const Scalar t79 = qdd[4] - t78;
-  const Scalar t80 = t26 * t23;
-  const Scalar t81 = t79 + t80;
-  const Scalar t82 = t42 * t42;
-  const Scalar t83 = t82 + t27;
-  const Scalar t84 = c4 * t48 + s4 * t49;
-  const Scalar t85 = wrench[2] * t15 + t47 * t11;
-  const Scalar t86 = t26 * t24;
-  const Scalar t87 = t79 - t80;
-  const Scalar t88 = t86 + (t87 + t86);
-  const Scalar t89 = Scalar(2) * t24 * t42 - t53;
-  const Scalar t90 = k[5] * (s5 * t84 - c5 * t85) - (t46 * t88 - t89 * t19);
-  const Scalar t91 = (k[1] * t81 - k[2] * t83) - t90;
-  const Scalar t92 = t25 - t27;
-  const Scalar t93 = qdd[5] + t41;
-  const Scalar t94 = k[5] * (c5 * t84 + s5 * t85) - (t46 * (t92 + t83) + t93 * t19);
-  const Scalar t95 = t82 - t25;
-  const Scalar t96 = t92 + t95;
-  const Scalar t97 = t96 + t54;
-  const Scalar t98 = t94 - (k[2] * t87 + k[1] * t97);
-  const Scalar t99 = t75 + (s5 * t91 - c5 * t98);
-  const Scalar t100 = k[0] * t18 + (c4 * t66 + s4 * t99);
-  const Scalar t101 = (k[15] * t35 + k[16] * t18) + k[14] * t72;
-  const Scalar t102 = t30 - t31;
-  const Scalar t103 = c3 * t62 + s3 * t60;
-  const Scalar t104 = t73 - t103;
-  const Scalar t105 = t73 - t54;
-  const Scalar t106 = t78 + t76;
-  const Scalar t107 = (k[31] * t40 + k[32] * (t105 - t74)) + (k[30] * t37 + k[33] * t106);
-  const Scalar t108 = t83 - t97;
-  const Scalar t109 = k[26] * t108 + (k[27] * t81 + k[25] * t87);
-  const Scalar t110 = c5 * t67 + s5 * t104;
-  const Scalar t111 = s5 * t67 - c5 * t104;
-  const Scalar t112 = ((k[23] * t52 - k[24] * t41) - t109) - (k[2] * t110 + k[1] * t111);
-  const Scalar t113 = k[17] * s6 + k[18] * c6;
-  const Scalar t114 = k[19] - c6 * t113;
-  const Scalar t115 = s6 * t113;
-  const Scalar t116 = k[28] - t115;
-  const Scalar t117 = k[21] * c6 - k[22] * s6;
-  const Scalar t118 = k[22] * c6 + k[21] * s6;
-  const Scalar t119 = (t89 * t114 + t116 * t88) + (t92 * t117 + t118 * t93);
-  const Scalar t120 = wrench[3] * s1 - wrench[4] * c1;
-  const Scalar t121 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t122 = t15 * t121 - wrench[5] * t11;
-  const Scalar t123 = (t46 * t111 - t119) - (c4 * t120 - s4 * t122);
-  const Scalar t124 = t112 - t123;
-  const Scalar t125 = t99 - ((k[7] * t104 - t107) + t124);
-  const Scalar t126 = (k[27] * t44 + k[26] * t53) + (k[24] * t87 + k[23] * t96);
-  const Scalar t127 = s4 * t120 + c4 * t122;
-  const Scalar t128 = t121 * t11 + wrench[5] * t15;
-  const Scalar t129 = k[20] + t115;
-  const Scalar t130 = (t116 * t45 + t93 * t129) - t96 * t114;
-  const Scalar t131 = (t110 * t19 - t46 * t64) - (t130 + (t118 * t87 - t117 * t53));
-  const Scalar t132 = (s5 * t127 - c5 * t128) - t131;
-  const Scalar t133 = (k[1] * t64 - t126) + t132;
-  const Scalar t134 = t118 * t95 + (t89 * t129 + t88 * t114);
-  const Scalar t135 = (c5 * t127 + s5 * t128) + (t111 * t19 + (t45 * t117 + t134));
-  const Scalar t136 = (k[25] * t53 + k[26] * t44) - k[24] * (t96 + t108);
-  const Scalar t137 = t135 + ((k[23] * t81 + t136) + k[2] * t64);
-  const Scalar t138 = (k[30] * t106 + k[29] * t37) + k[31] * t105;
-  const Scalar t139 = (s5 * t133 + c5 * t137) + ((t138 + k[32] * t55) + k[6] * t104);
-  const Scalar t140 = t139 + t66;
-  const Scalar t141 = (t101 + k[13] * t102) - (s4 * t125 + c4 * t140);
-  const Scalar t142 = t70 + t71;
-  const Scalar t143 = (k[16] * t35 - k[34] * t18) + (k[14] * t32 - k[13] * (t69 - t142));
-  const Scalar t144 = k[30] * t74 + (k[33] * t55 - k[29] * t40);
-  const Scalar t145 = (k[6] * t67 + k[7] * t64) + ((k[32] * t36 + k[31] * t77) + t144);
-  const Scalar t146 = t145 + (c5 * t133 - s5 * t137);
-  const Scalar t147 = t141 * t11 - t15 * ((k[0] * t56 - t143) + t146);
-  const Scalar t148 = t2 - (t10 - (c2 * k[8] * t100 + t147));
-  const Scalar t149 = (k[15] * t32 + k[34] * t102) - k[16] * (t73 - t142);
-  const Scalar t150 = ((k[14] * t16 - k[13] * t33) + t149) - k[0] * t103;
-  const Scalar t151 = (c4 * t125 - s4 * t140) - t150;
-  const Scalar t152 = (k[6] * t37 - k[7] * t106) - k[12] * t104;
-  const Scalar t153 = ((s5 * t98 + c5 * t91) + t152) - k[0] * t102;
-  const Scalar t154 = k[0] * t142 + (c4 * t99 - s4 * t66);
-  const Scalar t155 = t151 + k[8] * (c3 * t153 - s3 * t154);
-  const Scalar t156 = (k[46] * qdd[1] - t69 * t7) - qdd[0] * t4;
-  const Scalar t157 = t155 - (t156 - (k[41] * t58 - k[42] * t61));
+  const Scalar t0 = k[1] * s1 + k[0] * c1;
+  const Scalar t1 = k[0] * s1 - k[1] * c1;
+  const Scalar t2 = (k[44] * t0 + k[43] * t1) - k[45] * qdd[0];
+  const Scalar t3 = k[4] * s2 + k[5] * c2;
+  const Scalar t4 = qd[1] * qd[1];
+  const Scalar t5 = qdd[1] * t3 - t4 * (k[5] * s2 - k[4] * c2);
+  const Scalar t6 = k[6] * s2 - k[7] * c2;
+  const Scalar t7 = k[8] + c2 * t6;
+  const Scalar t8 = qd[0] * qd[1];
+  const Scalar t9 = t8 + t8;
+  const Scalar t10 = qdd[0] * (k[9] + s2 * t6) + t7 * t9;
+  const Scalar t11 = (t5 - t10) - t1 * (k[3] * c2 + k[2] * s2);
+  const Scalar t12 = c3 * s2 + c2 * s3;
+  const Scalar t13 = qd[0] * t12;
+  const Scalar t14 = t13 * t13;
+  const Scalar t15 = qd[1] + qd[2];
+  const Scalar t16 = t15 * t15;
+  const Scalar t17 = t14 - t16;
+  const Scalar t18 = s2 * s3 - c2 * c3;
+  const Scalar t19 = qd[0] * t18;
+  const Scalar t20 = t13 * t19;
+  const Scalar t21 = qdd[1] + qdd[2];
+  const Scalar t22 = t20 + t21;
+  const Scalar t23 = t13 * t15;
+  const Scalar t24 = qdd[0] * t18;
+  const Scalar t25 = t23 + t24;
+  const Scalar t26 = t23 + t25;
+  const Scalar t27 = t15 * t19;
+  const Scalar t28 = qdd[0] * t12;
+  const Scalar t29 = (t27 + t27) - t28;
+  const Scalar t30 = (k[21] * t17 - k[22] * t22) + (k[42] * t26 + k[24] * t29);
+  const Scalar t31 = t1 - (s2 * t9 - qdd[0] * c2);
+  const Scalar t32 = k[18] * c2 - s2 * t0;
+  const Scalar t33 = qd[0] * c2;
+  const Scalar t34 = t32 - (qdd[1] + qd[0] * s2 * t33);
+  const Scalar t35 = k[18] * s2 + c2 * t0;
+  const Scalar t36 = (t4 + t33 * t33) + t35;
+  const Scalar t37 = s3 * t34 + c3 * t36;
+  const Scalar t38 = s4 * t22 + c4 * t29;
+  const Scalar t39 = (c4 * t31 + s4 * t37) + k[19] * t38;
+  const Scalar t40 = qd[3] - t19;
+  const Scalar t41 = s4 * t15 - c4 * t13;
+  const Scalar t42 = s5 * t40 - c5 * t41;
+  const Scalar t43 = c5 * t40 + s5 * t41;
+  const Scalar t44 = t42 * t43;
+  const Scalar t45 = s4 * t29 - c4 * t22;
+  const Scalar t46 = t40 * t41;
+  const Scalar t47 = t45 + t46;
+  const Scalar t48 = qdd[4] - t47;
+  const Scalar t49 = t44 + t48;
+  const Scalar t50 = c4 * t15 + s4 * t13;
+  const Scalar t51 = qd[4] + t50;
+  const Scalar t52 = t42 * t51;
+  const Scalar t53 = t40 * t50;
+  const Scalar t54 = t53 + (t53 + t38);
+  const Scalar t55 = t50 * t41;
+  const Scalar t56 = qdd[3] - t25;
+  const Scalar t57 = t55 - t56;
+  const Scalar t58 = s5 * t54 - c5 * t57;
+  const Scalar t59 = qdd[5] + t58;
+  const Scalar t60 = t52 - (t59 - t52);
+  const Scalar t61 = qdd[5] + t60;
+  const Scalar t62 = t43 * t51;
+  const Scalar t63 = c5 * t54 + s5 * t57;
+  const Scalar t64 = t62 + (t62 - t63);
+  const Scalar t65 = t51 * t51;
+  const Scalar t66 = t43 * t43;
+  const Scalar t67 = (k[39] * t61 - k[37] * t64) + k[36] * (t65 - t66);
+  const Scalar t68 = s3 * t36 - c3 * t34;
+  const Scalar t69 = t14 + t16;
+  const Scalar t70 = t68 - k[19] * t69;
+  const Scalar t71 = k[19] * t45 + (s4 * t31 - c4 * t37);
+  const Scalar t72 = c5 * t70 - s5 * t71;
+  const Scalar t73 = k[12] * s6 + k[11] * c6;
+  const Scalar t74 = k[34] * s6 - k[33] * c6;
+  const Scalar t75 = k[30] * c6 + k[29] * s6;
+  const Scalar t76 = k[31] - c6 * t75;
+  const Scalar t77 = qd[5] + t43;
+  const Scalar t78 = Scalar(2) * t77;
+  const Scalar t79 = t44 - t48;
+  const Scalar t80 = t78 * t42 - t79;
+  const Scalar t81 = s6 * t75;
+  const Scalar t82 = k[40] + t81;
+  const Scalar t83 = t78 * t51 - t64;
+  const Scalar t84 = k[33] * s6 + k[34] * c6;
+  const Scalar t85 = t77 * t77;
+  const Scalar t86 = t65 - t85;
+  const Scalar t87 = (t76 * t80 + t82 * t83) + t84 * t86;
+  const Scalar t88 = wrench[3] * s1 - wrench[4] * c1;
+  const Scalar t89 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t90 = t18 * t89 - wrench[5] * t12;
+  const Scalar t91 = s4 * t88 + c4 * t90;
+  const Scalar t92 = t89 * t12 + wrench[5] * t18;
+  const Scalar t93 = (t72 * t73 + (t60 * t74 + t87)) + (c5 * t91 + s5 * t92);
+  const Scalar t94 = (k[14] * t39 - (k[35] * t49 - t67)) - t93;
+  const Scalar t95 = c5 * t71 + s5 * t70;
+  const Scalar t96 = k[12] * c6 - k[11] * s6;
+  const Scalar t97 = k[32] - t81;
+  const Scalar t98 = t41 * t41;
+  const Scalar t99 = t40 * t40;
+  const Scalar t100 = t98 + t99;
+  const Scalar t101 = t65 + t66;
+  const Scalar t102 = t100 - t101;
+  const Scalar t103 = (t82 * t59 - t97 * t60) + t76 * t102;
+  const Scalar t104 = (t95 * t73 - t96 * t39) + (t103 - (t84 * t79 - t74 * t64));
+  const Scalar t105 = (s5 * t91 - c5 * t92) + t104;
+  const Scalar t106 = (k[38] * t61 - k[39] * t64) + (k[35] * t102 + k[36] * t79);
+  const Scalar t107 = t105 + (t106 - k[15] * t39);
+  const Scalar t108 = t69 - t100;
+  const Scalar t109 = t98 - t99;
+  const Scalar t110 = t55 + t56;
+  const Scalar t111 = k[28] * (t108 - t109) + (k[27] * t110 - k[41] * t57);
+  const Scalar t112 = (k[17] * t39 + k[16] * t71) - ((k[26] * t38 - k[25] * t45) + t111);
+  const Scalar t113 = (s5 * t94 + c5 * t107) - t112;
+  const Scalar t114 = t20 - t21;
+  const Scalar t115 = qd[0] * qd[0];
+  const Scalar t116 = t115 - t17;
+  const Scalar t117 = t69 - t116;
+  const Scalar t118 = k[22] * (t117 - t17) - (k[23] * t29 - k[24] * t26);
+  const Scalar t119 = t46 + t47;
+  const Scalar t120 = (k[28] * t54 + k[27] * t119) + (k[26] * t109 + k[25] * t57);
+  const Scalar t121 = t86 + t102;
+  const Scalar t122 = (t83 * t76 + t97 * t80) + (t74 * t121 + t59 * t84);
+  const Scalar t123 = (t96 * t72 - t122) - (c4 * t88 - s4 * t90);
+  const Scalar t124 = t65 + t85;
+  const Scalar t125 = t124 + t121;
+  const Scalar t126 = k[39] * (t101 - t125) - (k[38] * t49 - k[37] * t79);
+  const Scalar t127 = (t126 - (k[36] * t58 - k[35] * t63)) - (k[15] * t72 - k[14] * t95);
+  const Scalar t128 = t123 - t127;
+  const Scalar t129 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t130 = t18 * t129 - wrench[2] * t12;
+  const Scalar t131 = wrench[0] * s1 - wrench[1] * c1;
+  const Scalar t132 = c4 * t130 + s4 * t131;
+  const Scalar t133 = wrench[2] * t18 + t129 * t12;
+  const Scalar t134 = (t83 * t73 - t96 * t80) + k[13] * (s5 * t132 - c5 * t133);
+  const Scalar t135 = (k[15] * t49 - k[14] * t125) - t134;
+  const Scalar t136 = (t59 * t73 + t96 * t124) - k[13] * (c5 * t132 + s5 * t133);
+  const Scalar t137 = (k[15] * t101 - k[14] * t79) + t136;
+  const Scalar t138 = (k[16] * t57 + k[17] * (t69 - t109)) - k[20] * t71;
+  const Scalar t139 = (s5 * t135 + c5 * t137) + t138;
+  const Scalar t140 = ((k[17] * t70 + t120) + t128) + k[19] * t139;
+  const Scalar t141 = (k[16] * t100 + k[17] * t110) + k[20] * t39;
+  const Scalar t142 = ((t124 + t102) * t73 + t96 * t60) + k[13] * (s4 * t130 - c4 * t131);
+  const Scalar t143 = t141 - ((k[14] * t64 + k[15] * t61) + t142);
+  const Scalar t144 = (k[28] * t119 + k[41] * t54) + k[25] * t108;
+  const Scalar t145 = (c5 * t94 - s5 * t107) - ((k[26] * t110 + t144) - k[16] * t70);
+  const Scalar t146 = k[19] * t143 + t145;
+  const Scalar t147 = (k[21] * t114 + t118) - (s4 * t140 - c4 * t146);
+  const Scalar t148 = ((t30 - k[10] * t31) + t113) * t18 - t147 * t12;
+  const Scalar t149 = k[10] * t26 - (c4 * t143 - s4 * t139);
+  const Scalar t150 = k[20] * t70 - (k[17] * t119 - k[16] * t54);
+  const Scalar t151 = k[10] * t114 + ((s5 * t137 - c5 * t135) - t150);
+  const Scalar t152 = (c4 * t139 + s4 * t143) + k[10] * t116;
+  const Scalar t153 = (k[42] * t114 + k[23] * t22) - k[24] * t117;
+  const Scalar t154 = k[10] * t68 - (t153 + (k[22] * t24 - k[21] * t28));
+  const Scalar t155 = t154 + (s4 * t146 + c4 * t140);
+  const Scalar t156 = qdd[0] * t3 + (t115 * t7 - k[46] * qdd[1]);
+  const Scalar t157 = ((c3 * t151 + s3 * t152) - t155) - (t156 + (k[3] * t32 + k[2] * t35));
   JointVector<Scalar> result;
-  result[0] = -t148;
-  result[1] = t157;
-  result[2] = t151;
-  result[3] = -t146;
-  result[4] = -t124;
-  result[5] = -t132;
+  result[0] = t2 + (t11 + (t148 - c2 * t149));
+  result[1] = -t157;
+  result[2] = t155;
+  result[3] = -t113;
+  result[4] = t128;
+  result[5] = -t105;
   return result;
 }
 
@@ -641,15 +638,15 @@ GravityTorqueWithGravityVectorConstants<Scalar> gravity_torque_with_gravity_vect
            t0,
            g.D3 * (inertia.m3 + t1) + inertia.c2x * inertia.m2,
            inertia.c2y * inertia.m2,
-           t3 + inertia.c3y * inertia.m3,
-           gravity[2],
-           inertia.c6z * inertia.m6 + inertia.c5y * inertia.m5,
            inertia.c6x * inertia.m6,
            inertia.c6y * inertia.m6,
+           gravity[2],
+           inertia.c6z * inertia.m6 + inertia.c5y * inertia.m5,
            inertia.c5x * inertia.m5,
            inertia.c5z * inertia.m5 - inertia.c4y * inertia.m4,
            inertia.c4x * inertia.m4,
-           inertia.c3x * inertia.m3 };
+           inertia.c3x * inertia.m3,
+           t3 + inertia.c3y * inertia.m3 };
 }
 
 namespace detail {
@@ -675,33 +672,33 @@ inline JointVector<Scalar> gravity_torque_with_gravity_vector([[maybe_unused]] c
   const Scalar t2 = s2 * s3 - c2 * c3;
   const Scalar t3 = k[1] * s1 + k[0] * c1;
   const Scalar t4 = c3 * s2 + c2 * s3;
-  const Scalar t5 = k[7] * t2 + t3 * t4;
-  const Scalar t6 = k[10] * c6 + k[9] * s6;
-  const Scalar t7 = t2 * t3 - k[7] * t4;
-  const Scalar t8 = s4 * t1 + c4 * t7;
-  const Scalar t9 = c5 * t5 - s5 * t8;
-  const Scalar t10 = s4 * t7 - c4 * t1;
-  const Scalar t11 = t6 * t9 + k[8] * t10;
-  const Scalar t12 = k[9] * c6 - k[10] * s6;
-  const Scalar t13 = c5 * t8 + s5 * t5;
-  const Scalar t14 = t12 * t10 + t6 * t13;
-  const Scalar t15 = k[11] * t10 + t14;
-  const Scalar t16 = k[12] * t5 - (c5 * t11 + s5 * t15);
-  const Scalar t17 = t12 * t9 + (k[11] * t9 - k[8] * t13);
-  const Scalar t18 = t17 + k[13] * t5;
-  const Scalar t19 = k[6] * t1 + (c4 * t16 - s4 * t18);
-  const Scalar t20 = (s5 * t11 - c5 * t15) + (k[12] * t8 - k[13] * t10);
-  const Scalar t21 = t19 * t4 + t2 * (t20 + k[14] * t1);
+  const Scalar t5 = t2 * t3 - k[8] * t4;
+  const Scalar t6 = s4 * t1 + c4 * t5;
+  const Scalar t7 = k[8] * t2 + t3 * t4;
+  const Scalar t8 = s5 * t6 - c5 * t7;
+  const Scalar t9 = k[6] * c6 - k[7] * s6;
+  const Scalar t10 = s5 * t7 + c5 * t6;
+  const Scalar t11 = t8 * t9 + (k[10] * t8 + k[9] * t10);
+  const Scalar t12 = t11 - k[12] * t7;
+  const Scalar t13 = k[7] * c6 + k[6] * s6;
+  const Scalar t14 = c4 * t1 - s4 * t5;
+  const Scalar t15 = t8 * t13 + k[9] * t14;
+  const Scalar t16 = t14 * t9 - t13 * t10;
+  const Scalar t17 = t16 + k[10] * t14;
+  const Scalar t18 = k[11] * t7 + (c5 * t15 + s5 * t17);
+  const Scalar t19 = (s4 * t12 + c4 * t18) + k[14] * t1;
+  const Scalar t20 = (c5 * t17 - s5 * t15) + (k[12] * t14 + k[11] * t6);
+  const Scalar t21 = t19 * t4 + t2 * (k[13] * t1 + t20);
   const Scalar t22 = (t0 * t1 + t21) - (k[3] * t3 + k[2] * t1);
-  const Scalar t23 = k[7] * t0 + (k[4] * s2 + k[5] * c2) * t3;
-  const Scalar t24 = (s4 * t16 + c4 * t18) + (k[14] * t5 - k[6] * t7);
+  const Scalar t23 = k[8] * t0 + (k[4] * s2 + k[5] * c2) * t3;
+  const Scalar t24 = (k[13] * t7 - k[14] * t5) + (s4 * t18 - c4 * t12);
   JointVector<Scalar> result;
   result[0] = -t22;
   result[1] = t23 + t24;
   result[2] = t24;
   result[3] = t20;
-  result[4] = t17;
-  result[5] = -t14;
+  result[4] = -t11;
+  result[5] = t16;
   return result;
 }
 
@@ -729,118 +726,114 @@ ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
-  const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = g.RL4 / g.D3;
-  const Scalar t3 = inertia.I6xz - inertia.c6z * t1;
-  const Scalar t4 = inertia.I6yz - inertia.c6z * t0;
-  const Scalar t5 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t6 = (inertia.I6xx - t5) - inertia.c6x * t1;
-  const Scalar t7 = (inertia.I6yy - t5) - inertia.c6y * t0;
-  const Scalar t8 = t6 + t7;
-  const Scalar t9 = Scalar(1) / t8;
-  const Scalar t10 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t11 = inertia.c6z * inertia.m6;
-  const Scalar t12 = inertia.c5y * inertia.m5;
-  const Scalar t13 = inertia.c5x * inertia.m5;
-  const Scalar t14 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t15 = (inertia.c6z * t11 - (inertia.I6zz - t5)) + (inertia.c5y * t12 - (inertia.I5yy - t14));
-  const Scalar t16 = inertia.c4y * inertia.m4;
-  const Scalar t17 = g.RL4 * t16;
-  const Scalar t18 = inertia.c4x * inertia.m4;
-  const Scalar t19 = g.RL4 * t18;
-  const Scalar t20 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t21 = inertia.c5z * inertia.m5;
-  const Scalar t22 = ((inertia.I4yy - t20) - inertia.c4y * t16) - (inertia.c5z * t21 - (inertia.I5zz - t14));
-  const Scalar t23 = inertia.c2x * inertia.m2;
-  const Scalar t24 = inertia.c3z * inertia.m3;
-  const Scalar t25 = inertia.c2y * inertia.m2;
-  const Scalar t26 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t27 = (inertia.I2yy - t26) - inertia.c2y * t25;
-  const Scalar t28 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t29 = g.RL4 * inertia.m4;
-  const Scalar t30 = inertia.c4z * inertia.m4;
-  const Scalar t31 = t30 + t29;
-  const Scalar t32 = t29 - t31;
-  const Scalar t33 = g.RL4 * t28 - t32;
-  const Scalar t34 = inertia.c3y * inertia.m3;
-  const Scalar t35 = (t33 + t34) / g.RL4;
-  const Scalar t36 = g.D3 * t35;
+  const Scalar t0 = inertia.c6x * inertia.m6;
+  const Scalar t1 = inertia.c6y * inertia.m6;
+  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t0;
+  const Scalar t4 = (inertia.I6yy - t2) - inertia.c6y * t1;
+  const Scalar t5 = t3 + t4;
+  const Scalar t6 = inertia.I6xy - inertia.c6y * t0;
+  const Scalar t7 = inertia.c5x * inertia.m5;
+  const Scalar t8 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t9 = inertia.c6z * inertia.m6;
+  const Scalar t10 = inertia.c5y * inertia.m5;
+  const Scalar t11 = (inertia.c6z * t9 - (inertia.I6zz - t2)) + (inertia.c5y * t10 - (inertia.I5yy - t8));
+  const Scalar t12 = g.RL4 / g.D3;
+  const Scalar t13 = inertia.c4x * inertia.m4;
+  const Scalar t14 = inertia.c5z * inertia.m5;
+  const Scalar t15 = inertia.c4y * inertia.m4;
+  const Scalar t16 = g.RL4 * t15;
+  const Scalar t17 = g.RL4 * t13;
+  const Scalar t18 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t19 = ((inertia.I4yy - t18) - inertia.c4y * t15) - (inertia.c5z * t14 - (inertia.I5zz - t8));
+  const Scalar t20 = inertia.c3x * inertia.m3;
+  const Scalar t21 = g.D3 * t20;
+  const Scalar t22 = inertia.I3xy - inertia.c3y * t20;
+  const Scalar t23 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t24 = inertia.c3x * t20 - (inertia.I3xx - t23);
+  const Scalar t25 = inertia.c4z * inertia.m4;
+  const Scalar t26 = g.RL4 * inertia.m4;
+  const Scalar t27 = t25 + t26;
+  const Scalar t28 = ((inertia.I4zz - t18) - inertia.c4z * t25) - g.RL4 * (t25 + t27);
+  const Scalar t29 = t26 - t27;
+  const Scalar t30 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t31 = g.RL4 * t30 - t29;
+  const Scalar t32 = (t28 - g.RL4 * (t29 - t27)) - g.RL4 * (t31 - t29);
+  const Scalar t33 = inertia.c3y * inertia.m3;
+  const Scalar t34 = (t31 + t33) / g.RL4;
+  const Scalar t35 = (t32 + ((inertia.I3yy - t23) - inertia.c3y * t33)) + g.RL4 * g.RL4 * t34;
+  const Scalar t36 = g.D3 * t34;
   const Scalar t37 = g.D3 * t36;
-  const Scalar t38 = g.D3 * (inertia.m3 + t28);
-  const Scalar t39 = (inertia.c2x * t23 - (inertia.I2xx - t26)) + g.D3 * t38;
-  const Scalar t40 = t37 - t39;
-  const Scalar t41 = inertia.I2xy - inertia.c2y * t23;
-  const Scalar t42 = inertia.c3x * inertia.m3;
-  const Scalar t43 = g.D3 * t42;
-  const Scalar t44 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t45 = inertia.c3x * t42 - (inertia.I3xx - t44);
-  const Scalar t46 = inertia.I3xy - inertia.c3y * t42;
-  const Scalar t47 = ((inertia.I4zz - t20) - inertia.c4z * t30) - g.RL4 * (t30 + t31);
-  const Scalar t48 = (t47 - g.RL4 * (t32 - t31)) - g.RL4 * (t33 - t32);
-  const Scalar t49 = (t48 + ((inertia.I3yy - t44) - inertia.c3y * t34)) + g.RL4 * g.RL4 * t35;
-  const Scalar t50 = inertia.c1x * inertia.m1;
-  const Scalar t51 = inertia.c1y * inertia.m1;
-  const Scalar t52 = inertia.c2z * inertia.m2;
-  const Scalar t53 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t54 = ((inertia.I3zz - t44) - inertia.c3z * t24) + ((inertia.I2zz - t26) - inertia.c2z * t52);
-  return { g.D3 * t0,
-           g.D3 * t1,
-           t2,
-           gravity[0] / g.D3,
-           gravity[1] / g.D3,
-           gravity[2] / g.D3,
+  const Scalar t38 = inertia.c1x * inertia.m1;
+  const Scalar t39 = inertia.c1y * inertia.m1;
+  const Scalar t40 = inertia.c3z * inertia.m3;
+  const Scalar t41 = inertia.c2z * inertia.m2;
+  const Scalar t42 = inertia.c2x * inertia.m2;
+  const Scalar t43 = inertia.c2y * inertia.m2;
+  const Scalar t44 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t45 = (inertia.I2yy - t44) - inertia.c2y * t43;
+  const Scalar t46 = g.D3 * (inertia.m3 + t30);
+  const Scalar t47 = (inertia.c2x * t42 - (inertia.I2xx - t44)) + g.D3 * t46;
+  const Scalar t48 = t37 - t47;
+  const Scalar t49 = inertia.I2xy - inertia.c2y * t42;
+  const Scalar t50 = ((inertia.I3zz - t23) - inertia.c3z * t40) + ((inertia.I2zz - t44) - inertia.c2z * t41);
+  const Scalar t51 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  return { inertia.I6xz - inertia.c6z * t0,
+           inertia.I6yz - inertia.c6z * t1,
+           Scalar(1) / t5,
+           t3 - t4,
+           Scalar(2) * t6,
            t3,
-           t4,
-           t4 * t9,
-           t3 * t9,
-           t8,
-           t6 - t7,
-           Scalar(2) * t10,
-           t10,
-           t7,
-           g.D3 * (t11 + t12),
-           inertia.I5xz - inertia.c5z * t13,
-           inertia.I5yz - inertia.c5z * t12,
-           t15,
-           inertia.I5xy - inertia.c5y * t13,
+           inertia.c5x * t7 - (inertia.I5xx - t8),
+           t11,
+           t5,
            t6,
+           inertia.I5xz - inertia.c5z * t7,
+           inertia.I5yz - inertia.c5z * t10,
+           g.D3 * t1,
+           g.D3 * t0,
+           t12,
+           g.D3 * (t9 + t10),
+           g.D3 * t7,
            g.D3 * t13,
-           inertia.c5x * t13 - (inertia.I5xx - t14),
-           ((inertia.I4yz - inertia.c4z * t16) - t17) + t17,
-           ((inertia.I4xz - inertia.c4z * t18) - t19) + t19,
+           g.D3 * (t14 - t15),
+           ((inertia.I4yz - inertia.c4z * t15) - t16) + t16,
+           inertia.I5xy - inertia.c5y * t7,
+           Scalar(2) * t11,
+           ((inertia.I4xz - inertia.c4z * t13) - t17) + t17,
+           (inertia.I4xx - t18) - inertia.c4x * t13,
+           t4,
+           t19,
+           gravity[2] / g.D3,
+           gravity[1] / g.D3,
+           gravity[0] / g.D3,
+           Scalar(2) * t12,
+           inertia.I4xy - inertia.c4y * t13,
+           t21,
            t22,
-           (inertia.I4xx - t20) - inertia.c4x * t18,
-           inertia.I4xy - inertia.c4y * t18,
-           g.D3 * t18,
-           g.D3 * (t21 - t16),
-           t9,
-           Scalar(2) * t15,
-           (inertia.I2xz - inertia.c2z * t23) - g.D3 * t24,
-           inertia.I2yz - inertia.c2z * t25,
-           t27 - t40,
-           Scalar(2) * t41,
-           t41,
-           g.D3 * t25,
-           g.D3 * (t36 - (t38 + t23)),
-           Scalar(2) * t43,
+           t24 + t35,
            t37,
-           t43,
-           Scalar(2) * t45,
-           Scalar(2) * t46,
-           inertia.I3yz - inertia.c3z * t34,
-           inertia.I3xz - inertia.c3z * t42,
+           t37 * t12,
+           t35,
+           t24,
+           inertia.I3xz - inertia.c3z * t20,
+           inertia.I3yz - inertia.c3z * t33,
+           g.D3 * t38,
+           g.D3 * (t39 - (t40 + t41)),
+           (inertia.I2xz - inertia.c2z * t42) - g.D3 * t40,
+           inertia.I2yz - inertia.c2z * t43,
+           t45 - t48,
+           Scalar(2) * t49,
            t49,
-           g.D3 * t50,
-           g.D3 * (t51 - (t24 + t52)),
-           t46,
-           t37 * t2,
+           g.D3 * t43,
+           g.D3 * (t36 - (t46 + t42)),
+           Scalar(2) * t21,
+           Scalar(2) * t24,
+           Scalar(2) * t22,
+           t48,
            t45,
-           t45 + t49,
-           t27,
-           t40,
-           inertia.c1x * t50 - (inertia.I1xx - t53),
-           t54 - (inertia.c1y * t51 - (inertia.I1yy - t53)) };
+           t50 - (inertia.c1y * t39 - (inertia.I1yy - t51)),
+           inertia.c1x * t38 - (inertia.I1xx - t51) };
 }
 
 namespace detail {
@@ -861,260 +854,254 @@ inline JointVector<Scalar> forward_dynamics_with_gravity_vector([[maybe_unused]]
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = k[12] * c6 + k[11] * s6;
-  const Scalar t1 = s6 * t0;
-  const Scalar t2 = k[20] - t1;
-  const Scalar t3 = k[22] - t2;
-  const Scalar t4 = k[18] - t3;
-  const Scalar t5 = k[31] - t4;
-  const Scalar t6 = k[8] * c6 + k[9] * s6;
-  const Scalar t7 = k[10] * t6;
-  const Scalar t8 = Scalar(1) / (t5 + t6 * t7);
-  const Scalar t9 = k[6] * c6 - k[7] * s6;
-  const Scalar t10 = c5 * t9 + k[10] * s5;
-  const Scalar t11 = k[0] * s6 - k[1] * c6;
-  const Scalar t12 = k[0] * c6 + k[1] * s6;
-  const Scalar t13 = c5 * t12;
-  const Scalar t14 = s4 * t11 - c4 * t13;
-  const Scalar t15 = (c4 * t7 + s4 * t10) + k[2] * t14;
-  const Scalar t16 = k[30] * t15;
-  const Scalar t17 = k[17] - t7;
-  const Scalar t18 = k[13] - c6 * t0;
-  const Scalar t19 = k[16] + t18;
-  const Scalar t20 = s5 * t17 - c5 * t19;
-  const Scalar t21 = k[21] - t11;
-  const Scalar t22 = s5 * t21 + k[15] * c5;
-  const Scalar t23 = k[2] * t22 + t5;
-  const Scalar t24 = s4 * t20 + c4 * t23;
-  const Scalar t25 = t7 * t16 + t24;
-  const Scalar t26 = t8 * t25;
-  const Scalar t27 = qd[1] + qd[2];
-  const Scalar t28 = c3 * s2 + c2 * s3;
-  const Scalar t29 = qd[0] * t28;
-  const Scalar t30 = c4 * t27 + s4 * t29;
-  const Scalar t31 = qd[4] + t30;
-  const Scalar t32 = t31 * t31;
-  const Scalar t33 = s2 * s3 - c2 * c3;
-  const Scalar t34 = qd[0] * t33;
-  const Scalar t35 = qd[3] - t34;
-  const Scalar t36 = c4 * t29;
-  const Scalar t37 = s4 * t27 - t36;
-  const Scalar t38 = c5 * t35 + s5 * t37;
-  const Scalar t39 = qd[5] + t38;
-  const Scalar t40 = t39 * t39;
-  const Scalar t41 = t32 + t40;
-  const Scalar t42 = s5 * t35 - c5 * t37;
-  const Scalar t43 = t42 * t42;
-  const Scalar t44 = t40 + t43;
-  const Scalar t45 = t41 - t44;
-  const Scalar t46 = t35 * t30;
-  const Scalar t47 = t27 * t34;
-  const Scalar t48 = Scalar(2) * t47;
-  const Scalar t49 = t29 * t34;
-  const Scalar t50 = c4 * t48 + s4 * t49;
-  const Scalar t51 = t46 + (t46 + t50);
-  const Scalar t52 = t29 * t27;
-  const Scalar t53 = t30 * t37;
-  const Scalar t54 = t52 + t53;
-  const Scalar t55 = s5 * t51 - c5 * t54;
-  const Scalar t56 = t55 - Scalar(2) * t42 * t31;
-  const Scalar t57 = k[14] + t1;
-  const Scalar t58 = t45 * t18 - (t2 * t56 + t55 * t57);
-  const Scalar t59 = t34 * t36 - s4 * t48;
-  const Scalar t60 = t35 * t37;
-  const Scalar t61 = t59 - t60;
-  const Scalar t62 = t42 * t38;
-  const Scalar t63 = t61 - t62;
-  const Scalar t64 = c5 * t51 + s5 * t54;
-  const Scalar t65 = t38 * t31;
-  const Scalar t66 = t64 - (t65 + t65);
-  const Scalar t67 = Scalar(2) * qd[0] * qd[1];
-  const Scalar t68 = k[4] * c1 - k[3] * s1;
-  const Scalar t69 = s2 * t67 + t68;
-  const Scalar t70 = k[2] * t48 - t69;
-  const Scalar t71 = k[4] * s1 + k[3] * c1;
-  const Scalar t72 = k[5] * s2 + c2 * t71;
-  const Scalar t73 = qd[1] * qd[1];
-  const Scalar t74 = qd[0] * c2;
-  const Scalar t75 = t72 + (t73 + t74 * t74);
-  const Scalar t76 = qd[0] * qd[0];
-  const Scalar t77 = s2 * t71 - k[5] * c2;
-  const Scalar t78 = t76 * c2 * s2 + t77;
-  const Scalar t79 = k[2] * t49 + (c3 * t75 - s3 * t78);
-  const Scalar t80 = c4 * t70 + s4 * t79;
-  const Scalar t81 = c4 * t79 - s4 * t70;
-  const Scalar t82 = t37 * t37;
-  const Scalar t83 = t30 * t30;
-  const Scalar t84 = t82 + t83;
-  const Scalar t85 = s3 * t75 + c3 * t78;
-  const Scalar t86 = k[2] * t84 - t85;
-  const Scalar t87 = c5 * t81 + s5 * t86;
-  const Scalar t88 = (t58 - (t63 * t7 + t9 * t66)) - (t11 * t80 - t12 * t87);
-  const Scalar t89 = torque[5] - t88;
-  const Scalar t90 = s5 * t81 - c5 * t86;
-  const Scalar t91 = t38 * t38;
-  const Scalar t92 = t32 - t91;
-  const Scalar t93 = t92 - t45;
-  const Scalar t94 = t61 + t62;
-  const Scalar t95 = k[19] * t93 + (k[18] * t63 + k[22] * t94);
-  const Scalar t96 = (k[15] * t87 + k[21] * t90) + (t95 + (k[17] * t55 - k[16] * t64));
-  const Scalar t97 = Scalar(2) * t39 * t31 + t66;
-  const Scalar t98 = t63 + Scalar(2) * t42 * t39;
-  const Scalar t99 = (t18 * t97 + t2 * t98) + (t55 * t7 + (t40 - t43) * t9);
-  const Scalar t100 = t96 - (t11 * t90 + t99);
-  const Scalar t101 = t6 * t89 - (torque[4] - t100);
-  const Scalar t102 = t61 - t60;
-  const Scalar t103 = t91 + t43;
-  const Scalar t104 = t103 - t84;
-  const Scalar t105 = t82 - t83;
-  const Scalar t106 = t104 - t105;
-  const Scalar t107 = (k[26] * t102 - k[27] * t51) + (k[24] * t106 - k[23] * t54);
-  const Scalar t108 = t100 - (k[28] * t86 + t107);
-  const Scalar t109 = (k[22] * t56 - k[19] * t66) + (k[16] * t45 + k[17] * t63);
-  const Scalar t110 = t88 + (t109 + k[21] * t80);
-  const Scalar t111 = k[17] * t92 + (k[18] * t66 - k[19] * t56);
-  const Scalar t112 = (t32 - t40) * t7 + (t97 * t57 + t18 * t98);
-  const Scalar t113 = (k[15] * t80 - (k[16] * t94 - t111)) - ((t112 + t56 * t9) + t12 * t90);
-  const Scalar t114 = (k[25] * t51 - k[27] * t102) - k[23] * t104;
-  const Scalar t115 = t52 - t53;
-  const Scalar t116 = (s5 * t110 + c5 * t113) - ((t114 - k[24] * t115) + k[29] * t86);
-  const Scalar t117 = t32 + t43;
-  const Scalar t118 = (k[21] * (t93 - t117) - k[15] * t63) - (t12 * t55 - t41 * t11);
-  const Scalar t119 = (k[21] * t94 - k[15] * t117) - (t12 * t97 + t11 * t98);
-  const Scalar t120 = (k[28] * (t106 + t84) + k[29] * t54) + k[40] * t81;
-  const Scalar t121 = (c5 * t118 - s5 * t119) - t120;
-  const Scalar t122 = (t12 * t44 + t11 * t56) - (k[15] * t66 + k[21] * t56);
-  const Scalar t123 = (k[28] * t115 - k[29] * t103) - k[40] * t80;
-  const Scalar t124 = t122 + t123;
-  const Scalar t125 = c4 * t121 + s4 * t124;
-  const Scalar t126 = (c4 * t108 + s4 * t116) - k[2] * t125;
-  const Scalar t127 = t76 - t84;
-  const Scalar t128 = t27 * t27;
-  const Scalar t129 = (t127 + t128) + t128;
-  const Scalar t130 = k[41] * t85 - (k[49] * (t129 - t84) + k[52] * t49);
-  const Scalar t131 = t126 + t130;
-  const Scalar t132 = k[30] * t89;
-  const Scalar t133 = t26 * t101 + ((torque[2] - t131) - t132 * t15);
-  const Scalar t134 = k[29] - t12;
-  const Scalar t135 = k[15] * s5 - c5 * t21;
-  const Scalar t136 = k[28] - t135;
-  const Scalar t137 = c4 * t134 - s4 * t136;
-  const Scalar t138 = k[19] + t9;
-  const Scalar t139 = s5 * t4 + Scalar(2) * c5 * t138;
-  const Scalar t140 = k[24] - (t138 - c5 * t139);
-  const Scalar t141 = c5 * t17 + s5 * t19;
-  const Scalar t142 = k[23] - t141;
-  const Scalar t143 = k[2] * t137 + (s4 * t140 + c4 * t142);
-  const Scalar t144 = c5 - k[30] * s5 * t9;
-  const Scalar t145 = k[10] * t144;
-  const Scalar t146 = t6 * t145 + t141;
-  const Scalar t147 = t8 * t146;
-  const Scalar t148 = (t143 - t145 * t16) + t147 * t25;
-  const Scalar t149 = t8 * t101;
-  const Scalar t150 = k[27] * t105 + (k[26] * t115 + k[25] * t54);
-  const Scalar t151 = (t150 - (k[24] * t50 + k[23] * t59)) - (k[29] * t81 - k[28] * t80);
-  const Scalar t152 = t151 + (c5 * t110 - s5 * t113);
-  const Scalar t153 = t149 * t146 - (t89 * t144 - (torque[3] - t152));
-  const Scalar t154 = k[25] + t57;
-  const Scalar t155 = t3 + s5 * t139;
-  const Scalar t156 = k[26] - t155;
-  const Scalar t157 = k[27] + t20;
-  const Scalar t158 = s4 * (t156 - t154) + Scalar(2) * c4 * t157;
-  const Scalar t159 = s4 * t158;
-  const Scalar t160 = t154 + t159;
-  const Scalar t161 = t156 - t159;
-  const Scalar t162 = t160 + t161;
-  const Scalar t163 = Scalar(1) / (t146 * t147 - (t145 * t144 - t162));
-  const Scalar t164 = t153 * t163;
-  const Scalar t165 = t133 - t148 * t164;
-  const Scalar t166 = k[45] - (c4 * t158 - t157);
-  const Scalar t167 = k[44] - t143;
-  const Scalar t168 = t166 * t28 - t33 * t167;
-  const Scalar t169 = s4 * t13 + c4 * t11;
-  const Scalar t170 = k[2] * t169 + (c4 * t10 - s4 * t7);
-  const Scalar t171 = c2 * t169 - (t170 * t28 + t33 * t145);
-  const Scalar t172 = k[30] * t171;
-  const Scalar t173 = t33 * t141 - t28 * (s4 * t23 - c4 * t20);
-  const Scalar t174 = t6 * t171 - (c2 * s4 * t22 + t173);
-  const Scalar t175 = c4 * t136 + s4 * t134;
-  const Scalar t176 = k[2] * t175 - (c4 * t140 - s4 * t142);
-  const Scalar t177 = (t176 * t28 - t33 * t162) - c2 * t175;
-  const Scalar t178 = t174 * t8;
-  const Scalar t179 = (t172 * t145 - t177) - t178 * t146;
-  const Scalar t180 = t179 * t163;
-  const Scalar t181 = ((t168 + t15 * t172) - t174 * t26) - t148 * t180;
-  const Scalar t182 = t148 * t163;
-  const Scalar t183 = k[51] - t161;
-  const Scalar t184 = k[50] + t22;
-  const Scalar t185 = k[46] - ((t5 - t155) + k[2] * (t22 + t184));
-  const Scalar t186 = k[49] - t176;
-  const Scalar t187 = c3 * t186;
-  const Scalar t188 = s3 * (t183 + t185) - (t187 + t187);
-  const Scalar t189 = s3 * t188;
-  const Scalar t190 = t183 - t189;
-  const Scalar t191 = t189 - t185;
-  const Scalar t192 = t190 + t191;
-  const Scalar t193 = t182 * t148 + ((t15 * t16 + t192) - t26 * t25);
-  const Scalar t194 = Scalar(1) / t193;
-  const Scalar t195 = t181 * t194;
-  const Scalar t196 = c4 * t124 - s4 * t121;
-  const Scalar t197 = (k[42] * t52 + k[43] * t47) + (k[45] * (t76 - t129) - k[44] * t49);
-  const Scalar t198 = (k[46] * t48 - k[43] * t52) + k[44] * t127;
-  const Scalar t199 = k[2] * t196 - (c4 * t116 - s4 * t108);
-  const Scalar t200 = t33 * (t152 - (k[41] * t69 + t197)) - ((t198 - k[45] * t49) + t199) * t28;
-  const Scalar t201 = k[36] - c2 * (k[35] * c2 - k[34] * s2);
-  const Scalar t202 = t67 * t201 + t73 * (k[33] * s2 - k[32] * c2);
-  const Scalar t203 = t68 * (k[37] * s2 + k[38] * c2) - t202;
-  const Scalar t204 = (c2 * (k[39] * t52 + t196) + t200) - t203;
-  const Scalar t205 = torque[0] + (t204 + (k[47] * t68 - k[48] * t71));
-  const Scalar t206 = t179 * t164 + (t178 * t101 + (t205 - t172 * t89));
-  const Scalar t207 = (s3 * t14 - c3 * s5 * t12) - t15;
-  const Scalar t208 = k[30] * t207;
-  const Scalar t209 = (c3 * t135 + s3 * c4 * t22) - t24;
-  const Scalar t210 = t6 * t207 + t209;
-  const Scalar t211 = ((t143 - s3 * t137) + t208 * t145) - t210 * t147;
-  const Scalar t212 = t211 * t163;
-  const Scalar t213 = k[41] + t175;
-  const Scalar t214 = s3 * t184 - c3 * t213;
-  const Scalar t215 = (t207 * t16 - (t192 - t214)) - t210 * t26;
-  const Scalar t216 = t148 * t212 - t215;
-  const Scalar t217 = t210 * t8;
-  const Scalar t218 = c3 * t166 - s3 * t167;
-  const Scalar t219 = (k[33] * c2 + (t168 - s2 * t218)) + s2 * (k[32] + (t218 - t137));
-  const Scalar t220 = t179 * t212 - (t174 * t217 - (t172 * t207 - t219));
-  const Scalar t221 = t216 * t195 + t220;
-  const Scalar t222 = t216 * t194;
-  const Scalar t223 = k[53] - t191;
-  const Scalar t224 = k[54] + ((t214 - (k[40] - t214)) - t190);
-  const Scalar t225 = t217 * t210 + ((t223 + t224) - t208 * t207);
-  const Scalar t226 = Scalar(1) / (t216 * t222 - (t211 * t212 - t225));
-  const Scalar t227 = k[40] * t86 - (k[29] * t51 + k[28] * t102);
-  const Scalar t228 = k[41] * t49 + (t227 - (c5 * t119 + s5 * t118));
-  const Scalar t229 = s3 * (t125 - k[41] * t129) - c3 * t228;
-  const Scalar t230 = t76 * t201 + (k[37] * t72 - k[38] * t77);
-  const Scalar t231 = (torque[1] - ((t229 + t131) + t230)) + t208 * t89;
-  const Scalar t232 = t222 * t165 + (t153 * t212 - (t231 - t149 * t210));
-  const Scalar t233 = t226 * t232;
-  const Scalar t234 = (t186 + c3 * t188) + (c3 * t184 + s3 * t213);
-  const Scalar t235 = Scalar(2) * c2 * (k[36] - t234) - s2 * (t223 - t224);
-  const Scalar t236 = (k[56] + t160) - (k[55] + (s2 * t235 - t224));
-  const Scalar t237 = (t174 * t178 + (t236 - t172 * t171)) - t179 * t180;
-  const Scalar t238 = t226 * t221;
-  const Scalar t239 = Scalar(1) / ((t181 * t195 + t237) - t221 * t238);
-  const Scalar t240 = ((t165 * t195 - t206) - t221 * t233) * t239;
-  const Scalar t241 = t240 * t238 - t233;
-  const Scalar t242 = (t240 * t195 - t165 * t194) - t222 * t241;
-  const Scalar t243 = t182 * t242 + (t212 * t241 + (t240 * t180 - t164));
-  const Scalar t244 = t26 * t242 - (t217 * t241 + (t149 + t240 * t178));
-  const Scalar t245 = t244 - t147 * t243;
-  const Scalar t246 = ((t132 + t240 * t172) + t208 * t241) - t16 * t242;
+  const Scalar t0 = k[0] * s6 + k[1] * c6;
+  const Scalar t1 = k[2] * t0;
+  const Scalar t2 = k[0] * c6 - k[1] * s6;
+  const Scalar t3 = c5 - k[2] * s5 * t2;
+  const Scalar t4 = k[8] * t3;
+  const Scalar t5 = k[4] * c6 + k[3] * s6;
+  const Scalar t6 = k[9] - c6 * t5;
+  const Scalar t7 = k[10] + t6;
+  const Scalar t8 = k[11] - t0;
+  const Scalar t9 = s5 * t7 + c5 * t8;
+  const Scalar t10 = t1 * t4 + t9;
+  const Scalar t11 = s6 * t5;
+  const Scalar t12 = k[5] - t11;
+  const Scalar t13 = k[6] - t12;
+  const Scalar t14 = k[7] + t13;
+  const Scalar t15 = Scalar(1) / (t14 + t0 * t1);
+  const Scalar t16 = t10 * t15;
+  const Scalar t17 = k[24] + t11;
+  const Scalar t18 = k[25] + t17;
+  const Scalar t19 = k[20] + t2;
+  const Scalar t20 = s5 * (k[21] - t14) + Scalar(2) * c5 * t19;
+  const Scalar t21 = t13 + s5 * t20;
+  const Scalar t22 = k[23] - t21;
+  const Scalar t23 = t18 + t22;
+  const Scalar t24 = Scalar(1) / (t16 * t10 - (t3 * t4 - t23));
+  const Scalar t25 = k[13] * s6 + k[12] * c6;
+  const Scalar t26 = c5 * t25;
+  const Scalar t27 = k[12] * s6 - k[13] * c6;
+  const Scalar t28 = t0 - k[14] * t26;
+  const Scalar t29 = k[14] * t27 + (c5 * t2 + k[8] * s5);
+  const Scalar t30 = c3 * s2 + c2 * s3;
+  const Scalar t31 = s2 * s3 - c2 * c3;
+  const Scalar t32 = (s4 * t28 - c4 * t29) * t30 - t31 * t4;
+  const Scalar t33 = c2 * (s4 * t26 + c4 * t27) + t32;
+  const Scalar t34 = k[2] * t33;
+  const Scalar t35 = k[16] - t27;
+  const Scalar t36 = k[15] * c5 + s5 * t35;
+  const Scalar t37 = s5 * t8 - c5 * t7;
+  const Scalar t38 = t14 + k[14] * t36;
+  const Scalar t39 = (c4 * t37 - s4 * t38) * t30 + t31 * t9;
+  const Scalar t40 = t0 * t34 - (c2 * s4 * t36 + t39);
+  const Scalar t41 = k[22] + (c5 * t20 - t19);
+  const Scalar t42 = k[19] - t9;
+  const Scalar t43 = k[18] - t25;
+  const Scalar t44 = c5 * t35 - k[15] * s5;
+  const Scalar t45 = k[17] + t44;
+  const Scalar t46 = s4 * t43 + c4 * t45;
+  const Scalar t47 = (c4 * t41 - s4 * t42) - k[14] * t46;
+  const Scalar t48 = (t31 * t23 + t30 * t47) + c2 * t46;
+  const Scalar t49 = t40 * t16 - (t3 * t33 + t48);
+  const Scalar t50 = t24 * t49;
+  const Scalar t51 = k[30] + t37;
+  const Scalar t52 = c4 * t51;
+  const Scalar t53 = (t52 + t52) - s4 * (t18 - t22);
+  const Scalar t54 = t18 + s4 * t53;
+  const Scalar t55 = k[37] + (t54 - t23);
+  const Scalar t56 = k[32] + t47;
+  const Scalar t57 = k[35] + t36;
+  const Scalar t58 = k[36] + ((t21 - t14) - k[14] * (t36 + t57));
+  const Scalar t59 = Scalar(2) * c3 * t56 - s3 * (t55 + t58);
+  const Scalar t60 = t55 + s3 * t59;
+  const Scalar t61 = k[31] + t46;
+  const Scalar t62 = c3 * t61 - s3 * t57;
+  const Scalar t63 = k[52] - (t60 + ((k[34] + t62) + t62));
+  const Scalar t64 = t55 - t58;
+  const Scalar t65 = k[53] + (t60 - t64);
+  const Scalar t66 = (t56 - c3 * t59) + (s3 * t61 + c3 * t57);
+  const Scalar t67 = s2 * (t63 - t65) + Scalar(2) * c2 * (k[46] - t66);
+  const Scalar t68 = (k[55] - (t63 - s2 * t67)) - (k[54] + t54);
+  const Scalar t69 = t40 * t15;
+  const Scalar t70 = t50 * t49 + ((t68 + t34 * t33) - t40 * t69);
+  const Scalar t71 = s4 * t37 + c4 * t38;
+  const Scalar t72 = s4 * t29 + c4 * t28;
+  const Scalar t73 = t71 + t1 * t72;
+  const Scalar t74 = t73 * t15;
+  const Scalar t75 = k[2] * t72;
+  const Scalar t76 = c4 * t43 - s4 * t45;
+  const Scalar t77 = (s4 * t41 + c4 * t42) + k[14] * t76;
+  const Scalar t78 = (t77 - t75 * t4) + t16 * t73;
+  const Scalar t79 = t78 * t24;
+  const Scalar t80 = (t73 * t74 - (t64 + t75 * t72)) - t78 * t79;
+  const Scalar t81 = Scalar(1) / t80;
+  const Scalar t82 = k[39] - t77;
+  const Scalar t83 = k[38] + (t51 - c4 * t53);
+  const Scalar t84 = t31 * t82 - t83 * t30;
+  const Scalar t85 = ((t75 * t33 - t84) - t40 * t74) + t78 * t50;
+  const Scalar t86 = t81 * t85;
+  const Scalar t87 = s3 * (c4 * t26 - s4 * t27) + c3 * s5 * t25;
+  const Scalar t88 = t87 + t72;
+  const Scalar t89 = t71 + (c3 * t44 - s3 * c4 * t36);
+  const Scalar t90 = t89 + t88 * t1;
+  const Scalar t91 = ((t77 - s3 * t76) - t88 * t3) + t90 * t16;
+  const Scalar t92 = (t88 * t75 + (t64 + t62)) - t90 * t74;
+  const Scalar t93 = t91 * t79 + t92;
+  const Scalar t94 = t93 * t81;
+  const Scalar t95 = c3 * t83 - s3 * t82;
+  const Scalar t96 = s2 * (k[42] - (t76 - t95)) - ((s2 * t95 + t84) - k[43] * c2);
+  const Scalar t97 = k[2] * t88;
+  const Scalar t98 = t90 * t15;
+  const Scalar t99 = t50 * t91 + ((t96 + t33 * t97) - t40 * t98);
+  const Scalar t100 = t85 * t94 + t99;
+  const Scalar t101 = ((t63 + t65) - t88 * t97) + t90 * t98;
+  const Scalar t102 = t24 * t91;
+  const Scalar t103 = Scalar(1) / ((t101 - t102 * t91) - t93 * t94);
+  const Scalar t104 = t100 * t103;
+  const Scalar t105 = Scalar(1) / ((t70 + t86 * t85) + t100 * t104);
+  const Scalar t106 = qd[1] * qd[1];
+  const Scalar t107 = qd[0] * c2;
+  const Scalar t108 = k[27] * s1 + k[28] * c1;
+  const Scalar t109 = c2 * t108 + k[26] * s2;
+  const Scalar t110 = (t106 + t107 * t107) + t109;
+  const Scalar t111 = s2 * t108 - k[26] * c2;
+  const Scalar t112 = qd[0] * qd[0];
+  const Scalar t113 = t111 + t112 * c2 * s2;
+  const Scalar t114 = s3 * t110 + c3 * t113;
+  const Scalar t115 = qd[0] * t30;
+  const Scalar t116 = qd[0] * t31;
+  const Scalar t117 = t115 * t116;
+  const Scalar t118 = t115 * t115;
+  const Scalar t119 = qd[1] + qd[2];
+  const Scalar t120 = t119 * t119;
+  const Scalar t121 = t118 + t120;
+  const Scalar t122 = t112 - t121;
+  const Scalar t123 = t118 - t120;
+  const Scalar t124 = k[31] * t114 - (k[33] * t117 + k[32] * (t122 - t123));
+  const Scalar t125 = Scalar(2) * qd[0] * qd[1];
+  const Scalar t126 = k[28] * s1 - k[27] * c1;
+  const Scalar t127 = s2 * t125 - t126;
+  const Scalar t128 = t119 * t116;
+  const Scalar t129 = t127 - k[29] * t128;
+  const Scalar t130 = k[14] * t117 + (c3 * t110 - s3 * t113);
+  const Scalar t131 = c4 * t129 - s4 * t130;
+  const Scalar t132 = t115 * t119;
+  const Scalar t133 = c4 * t119 + s4 * t115;
+  const Scalar t134 = s4 * t119 - c4 * t115;
+  const Scalar t135 = t133 * t134;
+  const Scalar t136 = t132 - t135;
+  const Scalar t137 = t134 * t134;
+  const Scalar t138 = qd[3] - t116;
+  const Scalar t139 = t138 * t138;
+  const Scalar t140 = t137 + t139;
+  const Scalar t141 = k[34] * t131 + (k[17] * t136 - k[18] * t140);
+  const Scalar t142 = s5 * t138 - c5 * t134;
+  const Scalar t143 = qd[4] + t133;
+  const Scalar t144 = t142 * t143;
+  const Scalar t145 = t128 + t128;
+  const Scalar t146 = c4 * t145 + s4 * t117;
+  const Scalar t147 = t146 + Scalar(2) * t138 * t133;
+  const Scalar t148 = t132 + t135;
+  const Scalar t149 = s5 * t147 - c5 * t148;
+  const Scalar t150 = t144 + (t144 - t149);
+  const Scalar t151 = t143 * t143;
+  const Scalar t152 = c5 * t138 + s5 * t134;
+  const Scalar t153 = qd[5] + t152;
+  const Scalar t154 = t151 + t153 * t153;
+  const Scalar t155 = t152 * t152;
+  const Scalar t156 = t151 - t155;
+  const Scalar t157 = t156 + t140;
+  const Scalar t158 = t151 + t155;
+  const Scalar t159 = t157 - t158;
+  const Scalar t160 = t156 - t159;
+  const Scalar t161 = s5 * t148 + c5 * t147;
+  const Scalar t162 = t152 * t143;
+  const Scalar t163 = t161 - (t162 + t162);
+  const Scalar t164 = (t150 * t27 - (t154 - t160) * t25) + (k[15] * t163 - k[16] * t150);
+  const Scalar t165 = t141 - t164;
+  const Scalar t166 = t142 * t152;
+  const Scalar t167 = s4 * t145 - c4 * t117;
+  const Scalar t168 = t138 * t134;
+  const Scalar t169 = t167 + t168;
+  const Scalar t170 = t166 + t169;
+  const Scalar t171 = (k[11] * t170 - k[10] * t160) + (k[6] * t150 + k[20] * t163);
+  const Scalar t172 = s4 * t129 + c4 * t130;
+  const Scalar t173 = t114 - k[14] * t121;
+  const Scalar t174 = c5 * t172 - s5 * t173;
+  const Scalar t175 = (t150 * t12 - t149 * t17) + t160 * t6;
+  const Scalar t176 = (t131 * t27 + t25 * t174) + ((t0 * t170 - t2 * t163) + t175);
+  const Scalar t177 = (t171 + k[16] * t131) - t176;
+  const Scalar t178 = (k[20] * t150 + k[7] * t163) + k[11] * t156;
+  const Scalar t179 = t166 - t169;
+  const Scalar t180 = s5 * t172 + c5 * t173;
+  const Scalar t181 = t154 - t157;
+  const Scalar t182 = t170 - Scalar(2) * t142 * t153;
+  const Scalar t183 = t153 * t143;
+  const Scalar t184 = (t163 + t183) + t183;
+  const Scalar t185 = t0 * (t160 - t181) - (t182 * t6 - t184 * t17);
+  const Scalar t186 = (k[15] * t131 - (t178 - k[10] * t179)) + (t180 * t25 - (t150 * t2 - t185));
+  const Scalar t187 = t169 + t168;
+  const Scalar t188 = (k[25] * t147 + k[30] * t187) + k[19] * (t121 - t140);
+  const Scalar t189 = (s5 * t177 + c5 * t186) - (k[18] * t173 - (t188 - k[22] * t136));
+  const Scalar t190 = k[14] * t165 + t189;
+  const Scalar t191 = k[20] * t159 - (k[7] * t170 - k[6] * t179);
+  const Scalar t192 = ((k[10] * t161 - k[11] * t149) - t191) - (k[15] * t174 + k[16] * t180);
+  const Scalar t193 = (t0 * t149 + t181 * t2) - (t182 * t12 - t6 * t184);
+  const Scalar t194 = t192 + (t193 + t27 * t180);
+  const Scalar t195 = t137 - t139;
+  const Scalar t196 = (k[22] * t195 + k[19] * t148) + (k[30] * t147 + k[23] * t187);
+  const Scalar t197 = (t25 * t184 - t182 * t27) + (k[15] * t157 - k[16] * t179);
+  const Scalar t198 = (t149 * t25 - t154 * t27) - (k[15] * t170 - k[16] * t158);
+  const Scalar t199 = t121 - t195;
+  const Scalar t200 = (k[17] * t199 + k[18] * t148) + k[34] * t172;
+  const Scalar t201 = (s5 * t197 - c5 * t198) - t200;
+  const Scalar t202 = (t194 - (k[17] * t173 + t196)) + k[14] * t201;
+  const Scalar t203 = t124 - (s4 * t190 + c4 * t202);
+  const Scalar t204 = torque[5] - t176;
+  const Scalar t205 = k[2] * t204;
+  const Scalar t206 = (torque[4] + t194) - t0 * t205;
+  const Scalar t207 = t206 * t15;
+  const Scalar t208 = ((torque[2] - t203) - t205 * t72) - t207 * t73;
+  const Scalar t209 = k[30] * (t140 - t199) + (k[23] * t136 + k[25] * t148);
+  const Scalar t210 = (t209 + (k[19] * t167 - k[22] * t146)) - (k[17] * t131 + k[18] * t172);
+  const Scalar t211 = t210 + (s5 * t186 - c5 * t177);
+  const Scalar t212 = t16 * t206 - ((torque[3] - t211) - t3 * t204);
+  const Scalar t213 = t212 * t24;
+  const Scalar t214 = t208 + t78 * t213;
+  const Scalar t215 = k[46] + c2 * (k[44] * s2 - k[45] * c2);
+  const Scalar t216 = (k[43] * s2 - k[42] * c2) * t106 + t215 * t125;
+  const Scalar t217 = t216 + (k[48] * c2 + k[47] * s2) * t126;
+  const Scalar t218 = k[49] * t132 + (c4 * t165 - s4 * t201);
+  const Scalar t219 = (k[51] * t132 - k[36] * t145) - k[39] * t122;
+  const Scalar t220 = (s4 * t202 - c4 * t190) + (k[38] * t117 + t219);
+  const Scalar t221 = (k[38] * t123 - k[39] * t117) + (k[50] * t132 + k[51] * t128);
+  const Scalar t222 = t220 * t30 - t31 * ((k[31] * t127 + t221) - t211);
+  const Scalar t223 = (t217 + (c2 * t218 + t222)) - (k[41] * t108 + k[40] * t126);
+  const Scalar t224 = (t205 * t33 - (torque[0] + t223)) + t40 * t207;
+  const Scalar t225 = t112 * t215 + (k[47] * t109 - k[48] * t111);
+  const Scalar t226 = (c4 * t201 + s4 * t165) - k[31] * (t112 - t123);
+  const Scalar t227 = k[34] * t173 + (k[18] * t147 - k[17] * t187);
+  const Scalar t228 = ((s5 * t198 + c5 * t197) - t227) + k[31] * t117;
+  const Scalar t229 = t225 + (t203 + (s3 * t226 - c3 * t228));
+  const Scalar t230 = t90 * t207 - ((torque[1] - t229) - t88 * t205);
+  const Scalar t231 = t214 * t81;
+  const Scalar t232 = ((t230 - t91 * t213) - t93 * t231) * t103;
+  const Scalar t233 = (t214 * t86 - (t224 - t212 * t50)) - t100 * t232;
+  const Scalar t234 = t105 * t233;
+  const Scalar t235 = t234 * t104 + t232;
+  const Scalar t236 = t235 * t94 + (t86 * t234 - t231);
+  const Scalar t237 = t236 * t79 + (t102 * t235 - (t213 - t50 * t234));
+  const Scalar t238 = ((t234 * t69 - t207) + t235 * t98) + t236 * t74;
+  const Scalar t239 = t238 - t16 * t237;
+  const Scalar t240 = ((t205 + t34 * t234) + t97 * t235) + t236 * t75;
   JointVector<Scalar> result;
-  result[0] = t240;
-  result[1] = -t241;
-  result[2] = -t242;
-  result[3] = t243;
-  result[4] = t245;
-  result[5] = -(t246 + t243 * t144) - t6 * t245;
+  result[0] = t234;
+  result[1] = t235;
+  result[2] = t236;
+  result[3] = -t237;
+  result[4] = -t239;
+  result[5] = t1 * t239 - (t240 - t3 * t237);
   return result;
 }
 
@@ -1143,30 +1130,30 @@ ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constant
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
+  const Scalar t0 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
   const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = inertia.c5z * inertia.m5;
-  const Scalar t3 = inertia.c4y * inertia.m4;
-  const Scalar t4 = g.RL4 / g.D3;
-  const Scalar t5 = inertia.I6yz - inertia.c6z * t0;
-  const Scalar t6 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t7 = (inertia.I6xx - t6) - inertia.c6x * t1;
-  const Scalar t8 = (inertia.I6yy - t6) - inertia.c6y * t0;
-  const Scalar t9 = t7 + t8;
-  const Scalar t10 = Scalar(1) / t9;
-  const Scalar t11 = inertia.I6xz - inertia.c6z * t1;
-  const Scalar t12 = inertia.c5y * inertia.m5;
-  const Scalar t13 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t14 = inertia.c5x * inertia.m5;
-  const Scalar t15 = g.RL4 * t3;
-  const Scalar t16 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t17 = inertia.c6z * inertia.m6;
-  const Scalar t18 = (inertia.c6z * t17 - (inertia.I6zz - t6)) + (inertia.c5y * t12 - (inertia.I5yy - t16));
-  const Scalar t19 = inertia.c4x * inertia.m4;
+  const Scalar t2 = (inertia.I6xx - t0) - inertia.c6x * t1;
+  const Scalar t3 = inertia.c6y * inertia.m6;
+  const Scalar t4 = (inertia.I6yy - t0) - inertia.c6y * t3;
+  const Scalar t5 = inertia.I6xy - inertia.c6y * t1;
+  const Scalar t6 = inertia.c5x * inertia.m5;
+  const Scalar t7 = inertia.I6yz - inertia.c6z * t3;
+  const Scalar t8 = t2 + t4;
+  const Scalar t9 = Scalar(1) / t8;
+  const Scalar t10 = inertia.I6xz - inertia.c6z * t1;
+  const Scalar t11 = inertia.c5y * inertia.m5;
+  const Scalar t12 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t13 = inertia.c6z * inertia.m6;
+  const Scalar t14 = (inertia.c6z * t13 - (inertia.I6zz - t0)) + (inertia.c5y * t11 - (inertia.I5yy - t12));
+  const Scalar t15 = g.RL4 / g.D3;
+  const Scalar t16 = inertia.c4x * inertia.m4;
+  const Scalar t17 = g.RL4 * t16;
+  const Scalar t18 = inertia.c5z * inertia.m5;
+  const Scalar t19 = inertia.c4y * inertia.m4;
   const Scalar t20 = g.RL4 * t19;
   const Scalar t21 = inertia.c3y * inertia.m3;
   const Scalar t22 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t23 = ((inertia.I4yy - t22) - inertia.c4y * t3) - (inertia.c5z * t2 - (inertia.I5zz - t16));
+  const Scalar t23 = ((inertia.I4yy - t22) - inertia.c4y * t19) - (inertia.c5z * t18 - (inertia.I5zz - t12));
   const Scalar t24 = inertia.c3x * inertia.m3;
   const Scalar t25 = inertia.m4 + (inertia.m5 + inertia.m6);
   const Scalar t26 = g.RL4 * inertia.m4;
@@ -1177,83 +1164,83 @@ ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constant
   const Scalar t31 = (t30 + t21) / g.RL4;
   const Scalar t32 = g.D3 * t31;
   const Scalar t33 = g.D3 * t32;
-  const Scalar t34 = ((inertia.I4zz - t22) - inertia.c4z * t27) - g.RL4 * (t27 + t28);
-  const Scalar t35 = (t34 - g.RL4 * (t29 - t28)) - g.RL4 * (t30 - t29);
-  const Scalar t36 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t37 = (t35 + ((inertia.I3yy - t36) - inertia.c3y * t21)) + g.RL4 * g.RL4 * t31;
-  const Scalar t38 = inertia.c3x * t24 - (inertia.I3xx - t36);
-  const Scalar t39 = g.D3 * t24;
-  const Scalar t40 = inertia.I3xy - inertia.c3y * t24;
-  const Scalar t41 = inertia.c1x * inertia.m1;
-  const Scalar t42 = inertia.c1y * inertia.m1;
-  const Scalar t43 = inertia.c3z * inertia.m3;
-  const Scalar t44 = inertia.c2z * inertia.m2;
-  const Scalar t45 = inertia.c2x * inertia.m2;
-  const Scalar t46 = inertia.c2y * inertia.m2;
-  const Scalar t47 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t48 = (inertia.I2yy - t47) - inertia.c2y * t46;
-  const Scalar t49 = g.D3 * (inertia.m3 + t25);
-  const Scalar t50 = (inertia.c2x * t45 - (inertia.I2xx - t47)) + g.D3 * t49;
-  const Scalar t51 = t33 - t50;
-  const Scalar t52 = inertia.I2xy - inertia.c2y * t45;
+  const Scalar t34 = inertia.I3xy - inertia.c3y * t24;
+  const Scalar t35 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t36 = inertia.c3x * t24 - (inertia.I3xx - t35);
+  const Scalar t37 = ((inertia.I4zz - t22) - inertia.c4z * t27) - g.RL4 * (t27 + t28);
+  const Scalar t38 = (t37 - g.RL4 * (t29 - t28)) - g.RL4 * (t30 - t29);
+  const Scalar t39 = (t38 + ((inertia.I3yy - t35) - inertia.c3y * t21)) + g.RL4 * g.RL4 * t31;
+  const Scalar t40 = g.D3 * t24;
+  const Scalar t41 = inertia.c2x * inertia.m2;
+  const Scalar t42 = inertia.c3z * inertia.m3;
+  const Scalar t43 = inertia.c2y * inertia.m2;
+  const Scalar t44 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t45 = (inertia.I2yy - t44) - inertia.c2y * t43;
+  const Scalar t46 = g.D3 * (inertia.m3 + t25);
+  const Scalar t47 = (inertia.c2x * t41 - (inertia.I2xx - t44)) + g.D3 * t46;
+  const Scalar t48 = t33 - t47;
+  const Scalar t49 = inertia.I2xy - inertia.c2y * t41;
+  const Scalar t50 = inertia.c1x * inertia.m1;
+  const Scalar t51 = inertia.c1y * inertia.m1;
+  const Scalar t52 = inertia.c2z * inertia.m2;
   const Scalar t53 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t54 = ((inertia.I3zz - t36) - inertia.c3z * t43) + ((inertia.I2zz - t47) - inertia.c2z * t44);
-  return { g.D3 * t0,
-           g.D3 * t1,
-           g.D3 * (t2 - t3),
-           t4,
-           t5 * t10,
-           t11 * t10,
-           t9,
-           inertia.I5yz - inertia.c5z * t12,
-           t7 - t8,
-           Scalar(2) * t13,
-           t13,
-           inertia.I5xz - inertia.c5z * t14,
-           ((inertia.I4yz - inertia.c4z * t3) - t15) + t15,
-           t11,
+  const Scalar t54 = ((inertia.I3zz - t35) - inertia.c3z * t42) + ((inertia.I2zz - t44) - inertia.c2z * t52);
+  return { t2 - t4,
+           Scalar(2) * t5,
            t5,
-           inertia.I5xy - inertia.c5y * t14,
+           inertia.I5xz - inertia.c5z * t6,
+           t7 * t9,
+           t10 * t9,
            t8,
-           inertia.c5x * t14 - (inertia.I5xx - t16),
-           t18,
-           ((inertia.I4xz - inertia.c4z * t19) - t20) + t20,
-           g.D3 * (t17 + t12),
-           g.D3 * t14,
-           g.D3 * t19,
-           inertia.I3yz - inertia.c3z * t21,
-           inertia.I4xy - inertia.c4y * t19,
-           t23,
-           (inertia.I4xx - t22) - inertia.c4x * t19,
-           inertia.I3xz - inertia.c3z * t24,
+           inertia.I5yz - inertia.c5z * t11,
+           t4,
+           inertia.c5x * t6 - (inertia.I5xx - t12),
+           t14,
            t10,
-           t33 * t4,
-           t37,
-           t38,
+           t7,
+           inertia.I5xy - inertia.c5y * t6,
+           g.D3 * (t13 + t11),
+           g.D3 * t3,
+           g.D3 * t1,
+           g.D3 * t6,
+           t15,
+           t9,
+           g.D3 * t16,
+           ((inertia.I4xz - inertia.c4z * t16) - t17) + t17,
+           g.D3 * (t18 - t19),
+           ((inertia.I4yz - inertia.c4z * t19) - t20) + t20,
+           inertia.I3yz - inertia.c3z * t21,
+           inertia.I4xy - inertia.c4y * t16,
+           t23,
+           (inertia.I4xx - t22) - inertia.c4x * t16,
+           inertia.I3xz - inertia.c3z * t24,
            gravity[2] / g.D3,
            gravity[1] / g.D3,
            gravity[0] / g.D3,
-           t39,
-           t38 + t37,
-           t40,
-           t33,
            g.D3,
-           g.D3 * t41,
-           g.D3 * (t42 - (t43 + t44)),
-           (inertia.I2xz - inertia.c2z * t45) - g.D3 * t43,
-           inertia.I2yz - inertia.c2z * t46,
-           t48 - t51,
-           Scalar(2) * t52,
-           t52,
-           g.D3 * t46,
-           g.D3 * (t32 - (t49 + t45)),
-           Scalar(2) * t39,
+           t33,
+           t34,
+           t36 + t39,
+           t40,
+           t33 * t15,
+           t39,
+           t36,
+           (inertia.I2xz - inertia.c2z * t41) - g.D3 * t42,
+           inertia.I2yz - inertia.c2z * t43,
+           t45 - t48,
+           Scalar(2) * t49,
+           t49,
+           g.D3 * t43,
+           g.D3 * (t32 - (t46 + t41)),
            Scalar(2) * t40,
-           Scalar(2) * t38,
+           Scalar(2) * t34,
+           Scalar(2) * t36,
+           g.D3 * t50,
+           g.D3 * (t51 - (t42 + t52)),
            t48,
-           t51,
-           inertia.c1x * t41 - (inertia.I1xx - t53),
-           t54 - (inertia.c1y * t42 - (inertia.I1yy - t53)) };
+           t45,
+           inertia.c1x * t50 - (inertia.I1xx - t53),
+           t54 - (inertia.c1y * t51 - (inertia.I1yy - t53)) };
 }
 
 namespace detail {
@@ -1275,272 +1262,275 @@ inline JointVector<Scalar> forward_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = k[14] * s6 - k[13] * c6;
-  const Scalar t1 = c5 + k[28] * s5 * t0;
-  const Scalar t2 = k[6] * t1;
-  const Scalar t3 = k[15] - t0;
-  const Scalar t4 = k[9] * c6 + k[8] * s6;
-  const Scalar t5 = k[16] + s6 * t4;
-  const Scalar t6 = k[6] - t5;
-  const Scalar t7 = k[17] - t6;
-  const Scalar t8 = Scalar(2) * c5 * t3 + s5 * (k[18] - t7);
-  const Scalar t9 = s5 * t8 + t7;
-  const Scalar t10 = k[26] - t9;
-  const Scalar t11 = k[25] + t5;
-  const Scalar t12 = k[10] - c6 * t4;
-  const Scalar t13 = k[11] + t12;
-  const Scalar t14 = k[4] * c6 + k[5] * s6;
-  const Scalar t15 = k[6] * t14;
-  const Scalar t16 = k[7] - t15;
-  const Scalar t17 = c5 * t13 - s5 * t16;
-  const Scalar t18 = k[24] - t17;
-  const Scalar t19 = s4 * (t11 - t10) - Scalar(2) * c4 * t18;
-  const Scalar t20 = s4 * t19;
-  const Scalar t21 = t10 + t20;
-  const Scalar t22 = t11 - t20;
-  const Scalar t23 = t21 + t22;
-  const Scalar t24 = s5 * t13 + c5 * t16;
-  const Scalar t25 = t24 + t15 * t1;
-  const Scalar t26 = k[18] + t7;
-  const Scalar t27 = Scalar(1) / (t14 * t15 + t26);
-  const Scalar t28 = t25 * t27;
-  const Scalar t29 = Scalar(1) / ((t2 * t1 - t23) - t28 * t25);
-  const Scalar t30 = k[0] * c6 + k[1] * s6;
-  const Scalar t31 = c5 * t30;
-  const Scalar t32 = k[0] * s6 - k[1] * c6;
-  const Scalar t33 = s4 * t31 + c4 * t32;
-  const Scalar t34 = s2 * s3 - c2 * c3;
-  const Scalar t35 = c5 * t0 - k[6] * s5;
-  const Scalar t36 = (s4 * t15 + c4 * t35) - k[3] * t33;
-  const Scalar t37 = c3 * s2 + c2 * s3;
-  const Scalar t38 = c2 * t33 - (t34 * t2 - t36 * t37);
-  const Scalar t39 = k[2] - t30;
-  const Scalar t40 = (k[12] - t24) + k[3] * t39;
-  const Scalar t41 = k[21] - t32;
-  const Scalar t42 = c5 * t41 - k[20] * s5;
-  const Scalar t43 = k[22] + t42;
-  const Scalar t44 = (k[19] + (c5 * t8 - t3)) - k[3] * t43;
-  const Scalar t45 = s4 * t40 - c4 * t44;
-  const Scalar t46 = c4 * t43 + s4 * t39;
-  const Scalar t47 = (t34 * t23 - t45 * t37) + c2 * t46;
-  const Scalar t48 = s5 * t41 + k[20] * c5;
-  const Scalar t49 = t26 + k[3] * t48;
-  const Scalar t50 = t34 * t24 - (s4 * t49 + c4 * t17) * t37;
-  const Scalar t51 = k[28] * t38;
-  const Scalar t52 = (c2 * s4 * t48 + t50) - t15 * t51;
-  const Scalar t53 = (t38 * t1 + t47) + t28 * t52;
-  const Scalar t54 = t29 * t53;
-  const Scalar t55 = s4 * t32 - c4 * t31;
-  const Scalar t56 = (c4 * t15 - s4 * t35) + k[3] * t55;
-  const Scalar t57 = k[28] * t56;
-  const Scalar t58 = c4 * t40 + s4 * t44;
-  const Scalar t59 = s4 * t17 - c4 * t49;
-  const Scalar t60 = t59 - t14 * t56;
-  const Scalar t61 = (t57 * t2 - t58) + t28 * t60;
-  const Scalar t62 = t52 * t27;
-  const Scalar t63 = k[23] - t58;
-  const Scalar t64 = k[27] + (t18 + c4 * t19);
-  const Scalar t65 = t34 * t63 - t64 * t37;
-  const Scalar t66 = t54 * t61 + (t62 * t60 + (t65 - t56 * t51));
-  const Scalar t67 = k[29] + t48;
-  const Scalar t68 = k[30] - (k[3] * (t48 + t67) - (t9 - t26));
-  const Scalar t69 = k[31] - t21;
-  const Scalar t70 = t68 - t69;
-  const Scalar t71 = t27 * t60;
-  const Scalar t72 = t29 * t61;
-  const Scalar t73 = ((t70 - t57 * t56) + t60 * t71) + t61 * t72;
-  const Scalar t74 = Scalar(1) / t73;
-  const Scalar t75 = t66 * t74;
-  const Scalar t76 = k[35] + t46;
-  const Scalar t77 = k[37] - t45;
-  const Scalar t78 = Scalar(2) * c3 * t77 - s3 * (t68 + t69);
-  const Scalar t79 = (s3 * t76 + c3 * t67) + (t77 - c3 * t78);
-  const Scalar t80 = c2 * (k[46] - t79);
-  const Scalar t81 = c3 * t76 - s3 * t67;
-  const Scalar t82 = t68 + s3 * t78;
-  const Scalar t83 = k[53] - (((k[38] + t81) + t81) - (t70 - t82));
-  const Scalar t84 = k[52] + t82;
-  const Scalar t85 = s2 * ((t80 + t80) + s2 * (t83 - t84));
-  const Scalar t86 = ((k[55] + t22) - (k[54] + (t85 - t83))) - t38 * t51;
-  const Scalar t87 = t66 * t75 - ((t52 * t62 + t86) + t54 * t53);
-  const Scalar t88 = c3 * t64 - s3 * t63;
-  const Scalar t89 = s4 * t43 - c4 * t39;
-  const Scalar t90 = ((t65 + s2 * t88) - k[43] * c2) - s2 * (k[42] + (t88 + t89));
-  const Scalar t91 = (s3 * t55 - c3 * s5 * t30) - t56;
-  const Scalar t92 = t59 + (s3 * c4 * t48 - c3 * t42);
-  const Scalar t93 = t14 * t91 + t92;
-  const Scalar t94 = t27 * t93;
-  const Scalar t95 = t28 * t93 - (t91 * t1 + (t58 + s3 * t89));
-  const Scalar t96 = ((t90 + t51 * t91) + t52 * t94) + t54 * t95;
-  const Scalar t97 = t94 * t60 + ((t70 - t81) + t57 * t91);
-  const Scalar t98 = t97 + t95 * t72;
-  const Scalar t99 = t98 * t74;
-  const Scalar t100 = t96 - t66 * t99;
-  const Scalar t101 = k[28] * t91;
-  const Scalar t102 = t94 * t93 + ((t83 + t84) - t101 * t91);
-  const Scalar t103 = t29 * t95;
-  const Scalar t104 = Scalar(1) / ((t102 + t103 * t95) - t99 * t98);
-  const Scalar t105 = t100 * t104;
-  const Scalar t106 = wrench[3] * s1 - wrench[4] * c1;
-  const Scalar t107 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t108 = t34 * t107 - wrench[5] * t37;
-  const Scalar t109 = s4 * t106 + c4 * t108;
-  const Scalar t110 = t107 * t37 + wrench[5] * t34;
-  const Scalar t111 = qd[1] + qd[2];
-  const Scalar t112 = qd[0] * t34;
-  const Scalar t113 = Scalar(2) * t111 * t112;
-  const Scalar t114 = qd[0] * qd[1];
-  const Scalar t115 = t114 + t114;
-  const Scalar t116 = k[34] * s1 - k[33] * c1;
-  const Scalar t117 = s2 * t115 - t116;
-  const Scalar t118 = k[3] * t113 - t117;
-  const Scalar t119 = qd[0] * qd[0];
-  const Scalar t120 = k[33] * s1 + k[34] * c1;
-  const Scalar t121 = s2 * t120 - k[32] * c2;
-  const Scalar t122 = t119 * c2 * s2 + t121;
-  const Scalar t123 = qd[1] * qd[1];
-  const Scalar t124 = qd[0] * c2;
-  const Scalar t125 = c2 * t120 + k[32] * s2;
-  const Scalar t126 = (t123 + t124 * t124) + t125;
-  const Scalar t127 = qd[0] * t37;
-  const Scalar t128 = t127 * t112;
-  const Scalar t129 = (s3 * t122 - c3 * t126) - k[3] * t128;
-  const Scalar t130 = s4 * t118 + c4 * t129;
-  const Scalar t131 = s3 * t126 + c3 * t122;
-  const Scalar t132 = t127 * t127;
-  const Scalar t133 = t111 * t111;
-  const Scalar t134 = t132 + t133;
-  const Scalar t135 = t131 - k[3] * t134;
-  const Scalar t136 = c5 * t130 + s5 * t135;
-  const Scalar t137 = s4 * t129 - c4 * t118;
-  const Scalar t138 = s4 * t127;
-  const Scalar t139 = c4 * t111 + t138;
-  const Scalar t140 = qd[4] + t139;
-  const Scalar t141 = t140 * t140;
-  const Scalar t142 = qd[3] - t112;
-  const Scalar t143 = s4 * t111 - c4 * t127;
-  const Scalar t144 = s5 * t142 - c5 * t143;
-  const Scalar t145 = t144 * t144;
-  const Scalar t146 = t141 - t145;
-  const Scalar t147 = t138 * t112 + c4 * t113;
-  const Scalar t148 = t147 + Scalar(2) * t142 * t139;
-  const Scalar t149 = t127 * t111;
-  const Scalar t150 = t139 * t143;
-  const Scalar t151 = t149 + t150;
-  const Scalar t152 = s5 * t148 - c5 * t151;
-  const Scalar t153 = t152 - Scalar(2) * t144 * t140;
-  const Scalar t154 = t12 * t146 - (t152 * t5 + t153 * t6);
-  const Scalar t155 = c5 * t142 + s5 * t143;
-  const Scalar t156 = t155 * t140;
-  const Scalar t157 = c5 * t148 + s5 * t151;
-  const Scalar t158 = t156 + (t156 - t157);
-  const Scalar t159 = c4 * t128 - s4 * t113;
-  const Scalar t160 = t142 * t143;
-  const Scalar t161 = t159 - t160;
-  const Scalar t162 = t144 * t155;
-  const Scalar t163 = t161 - t162;
-  const Scalar t164 = (t30 * t136 - t32 * t137) - (t154 - (t0 * t158 + t15 * t163));
-  const Scalar t165 = (s5 * t109 - c5 * t110) + t164;
-  const Scalar t166 = k[28] * (torque[5] + t165);
-  const Scalar t167 = t149 - t150;
-  const Scalar t168 = t143 * t143;
-  const Scalar t169 = t142 * t142;
-  const Scalar t170 = t168 + t169;
-  const Scalar t171 = t134 - t170;
-  const Scalar t172 = t168 - t169;
-  const Scalar t173 = (k[26] * t167 + k[25] * t151) - k[24] * (t171 - t172);
-  const Scalar t174 = (k[2] * t130 - k[22] * t137) + (t173 - (k[19] * t147 + k[12] * t159));
-  const Scalar t175 = qd[5] + t155;
-  const Scalar t176 = t175 * t140;
-  const Scalar t177 = (t176 + t176) - t158;
-  const Scalar t178 = t144 * t175;
-  const Scalar t179 = t178 + (t178 + t163);
-  const Scalar t180 = t175 * t175;
-  const Scalar t181 = t141 - t180;
-  const Scalar t182 = (t5 * t177 + t12 * t179) + t15 * t181;
-  const Scalar t183 = c5 * t135 - s5 * t130;
-  const Scalar t184 = ((t182 - t0 * t153) + t30 * t183) + (c5 * t109 + s5 * t110);
-  const Scalar t185 = t146 - t181;
-  const Scalar t186 = t180 + t145;
-  const Scalar t187 = t146 + t186;
-  const Scalar t188 = t185 - t187;
-  const Scalar t189 = t170 + t188;
-  const Scalar t190 = k[7] * t189 + (k[18] * t158 + k[15] * t153);
-  const Scalar t191 = t161 + t162;
-  const Scalar t192 = t184 + (k[20] * t137 + (t190 + k[11] * t191));
-  const Scalar t193 = (k[17] * t153 + k[15] * t158) + (k[7] * t163 + k[11] * t146);
-  const Scalar t194 = t165 + (k[21] * t137 - t193);
-  const Scalar t195 = t174 + (s5 * t192 - c5 * t194);
-  const Scalar t196 = (t0 * t185 - t152 * t15) - (t12 * t177 + t6 * t179);
-  const Scalar t197 = (t196 - t32 * t183) - (c4 * t106 - s4 * t108);
-  const Scalar t198 = t189 + t146;
-  const Scalar t199 = k[15] * t198 - (k[18] * t163 + k[17] * t191);
-  const Scalar t200 = (k[20] * t136 - k[21] * t183) + ((k[11] * t157 - k[7] * t152) + t199);
-  const Scalar t201 = t197 - t200;
-  const Scalar t202 = (torque[4] - t201) - t15 * t166;
-  const Scalar t203 = t202 * t27;
-  const Scalar t204 = (t2 * t166 - (torque[3] - t195)) + t203 * t25;
-  const Scalar t205 = t132 - t133;
-  const Scalar t206 = t119 - t205;
-  const Scalar t207 = t134 - t206;
-  const Scalar t208 = (k[36] * t128 - k[37] * t207) - k[35] * t131;
-  const Scalar t209 = (k[2] * t151 + k[22] * (t134 - t172)) - k[38] * t130;
-  const Scalar t210 = wrench[0] * c1 + wrench[1] * s1;
-  const Scalar t211 = t34 * t210 - wrench[2] * t37;
-  const Scalar t212 = wrench[0] * s1 - wrench[1] * c1;
-  const Scalar t213 = c4 * t211 + s4 * t212;
-  const Scalar t214 = wrench[2] * t34 + t210 * t37;
-  const Scalar t215 = (t30 * t177 + t32 * t179) + k[39] * (s5 * t213 - c5 * t214);
-  const Scalar t216 = (k[21] * t191 + k[20] * t188) - t215;
-  const Scalar t217 = k[39] * (c5 * t213 + s5 * t214) - (t30 * t152 - t32 * t187);
-  const Scalar t218 = (k[20] * t163 + k[21] * (t198 - t188)) - t217;
-  const Scalar t219 = t209 + (s5 * t216 + c5 * t218);
-  const Scalar t220 = (t32 * t153 + t30 * t186) + k[39] * (s4 * t211 - c4 * t212);
-  const Scalar t221 = k[38] * t137 - (k[2] * t170 - k[22] * t167);
-  const Scalar t222 = (t220 + (k[20] * t158 - k[21] * t153)) + t221;
-  const Scalar t223 = c4 * t219 - s4 * t222;
-  const Scalar t224 = t161 - t160;
-  const Scalar t225 = k[12] * t171 - (k[24] * t224 - k[25] * t148);
-  const Scalar t226 = (k[2] * t135 + (k[19] * t167 - t225)) - (c5 * t192 + s5 * t194);
-  const Scalar t227 = (k[12] * t151 + k[19] * t172) + (k[24] * t148 - k[26] * t224);
-  const Scalar t228 = t201 + (t227 + k[22] * t135);
-  const Scalar t229 = k[3] * t223 + (s4 * t226 + c4 * t228);
-  const Scalar t230 = t208 - t229;
-  const Scalar t231 = t202 * t71 + ((torque[2] + t230) - t56 * t166);
-  const Scalar t232 = t72 * t204 + t231;
-  const Scalar t233 = t29 * t204;
-  const Scalar t234 = k[46] + c2 * (k[44] * s2 - k[45] * c2);
-  const Scalar t235 = t234 * t115 + (k[43] * s2 - k[42] * c2) * t123;
-  const Scalar t236 = t235 + t116 * (k[48] * c2 + k[47] * s2);
-  const Scalar t237 = s4 * t219 + c4 * t222;
-  const Scalar t238 = k[3] * t237 - (c4 * t226 - s4 * t228);
-  const Scalar t239 = (k[50] * t149 - k[30] * t113) + k[23] * (t207 - t205);
-  const Scalar t240 = (k[23] * t128 - k[27] * t205) - (k[51] * t149 + k[37] * t113);
-  const Scalar t241 = (t238 - (k[27] * t128 + t239)) * t37 - t34 * (t195 - (k[35] * t117 - t240));
-  const Scalar t242 = t236 + (c2 * (k[49] * t149 + t237) - t241);
-  const Scalar t243 = torque[0] - ((k[41] * t120 + k[40] * t116) - t242);
-  const Scalar t244 = t233 * t53 - ((t38 * t166 - t243) - t62 * t202);
-  const Scalar t245 = (k[48] * t121 - k[47] * t125) - t119 * t234;
-  const Scalar t246 = (k[2] * t148 + k[22] * t224) + k[38] * t135;
-  const Scalar t247 = (t246 - (s5 * t218 - c5 * t216)) - k[35] * t128;
-  const Scalar t248 = s3 * (t223 + k[35] * t206) - c3 * t247;
-  const Scalar t249 = (torque[1] + (t245 + (t248 + t230))) + t91 * t166;
-  const Scalar t250 = t232 * t74;
-  const Scalar t251 = ((t203 * t93 + t249) + t233 * t95) - t98 * t250;
-  const Scalar t252 = Scalar(1) / (t87 + t100 * t105) * ((t232 * t75 - t244) + t251 * t105);
-  const Scalar t253 = t105 * t252 - t251 * t104;
-  const Scalar t254 = t99 * t253 - (t75 * t252 - t250);
-  const Scalar t255 = (t103 * t253 + (t233 - t54 * t252)) - t254 * t72;
-  const Scalar t256 = t254 * t71 - (t253 * t94 + (t203 - t62 * t252));
-  const Scalar t257 = t28 * t255 - t256;
-  const Scalar t258 = (t253 * t101 + (t51 * t252 - t166)) + t254 * t57;
+  const Scalar t0 = k[0] * s6 + k[1] * c6;
+  const Scalar t1 = k[8] + s6 * t0;
+  const Scalar t2 = k[6] - t1;
+  const Scalar t3 = k[9] - t2;
+  const Scalar t4 = k[12] * s6 - k[11] * c6;
+  const Scalar t5 = k[13] - t4;
+  const Scalar t6 = c5 * t5;
+  const Scalar t7 = s5 * (k[10] - t3) + (t6 + t6);
+  const Scalar t8 = s5 * t7;
+  const Scalar t9 = t8 + t3;
+  const Scalar t10 = k[10] - t8;
+  const Scalar t11 = t9 + t10;
+  const Scalar t12 = k[16] * c6 - k[15] * s6;
+  const Scalar t13 = k[17] + t12;
+  const Scalar t14 = k[14] * c5 + s5 * t13;
+  const Scalar t15 = t11 + k[18] * t14;
+  const Scalar t16 = k[2] - c6 * t0;
+  const Scalar t17 = k[3] + t16;
+  const Scalar t18 = k[4] * c6 + k[5] * s6;
+  const Scalar t19 = k[6] * t18;
+  const Scalar t20 = k[7] - t19;
+  const Scalar t21 = c5 * t17 - s5 * t20;
+  const Scalar t22 = c4 * t15 - s4 * t21;
+  const Scalar t23 = k[16] * s6 + k[15] * c6;
+  const Scalar t24 = c5 * t23;
+  const Scalar t25 = k[18] * t24 - t19;
+  const Scalar t26 = k[18] * t12 + (c5 * t4 - k[6] * s5);
+  const Scalar t27 = c4 * t25 + s4 * t26;
+  const Scalar t28 = k[19] * t27;
+  const Scalar t29 = t22 - t28 * t19;
+  const Scalar t30 = Scalar(1) / (t18 * t19 + t11);
+  const Scalar t31 = t29 * t30;
+  const Scalar t32 = c5 + k[19] * s5 * t4;
+  const Scalar t33 = s5 * t17 + c5 * t20;
+  const Scalar t34 = t32 * t19 + t33;
+  const Scalar t35 = k[22] - t23;
+  const Scalar t36 = k[18] * t35 + (k[23] - t33);
+  const Scalar t37 = c5 * t13 - k[14] * s5;
+  const Scalar t38 = k[20] + t37;
+  const Scalar t39 = k[18] * t38 - (k[21] - (t5 - c5 * t7));
+  const Scalar t40 = c4 * t36 - s4 * t39;
+  const Scalar t41 = k[6] * t32;
+  const Scalar t42 = t31 * t34 + (t40 + t28 * t41);
+  const Scalar t43 = t34 * t30;
+  const Scalar t44 = k[26] + t1;
+  const Scalar t45 = k[27] - t9;
+  const Scalar t46 = k[25] - t21;
+  const Scalar t47 = Scalar(2) * c4;
+  const Scalar t48 = s4 * (t44 - t45) - t46 * t47;
+  const Scalar t49 = s4 * t48;
+  const Scalar t50 = t49 + t45;
+  const Scalar t51 = t44 - t49;
+  const Scalar t52 = t50 + t51;
+  const Scalar t53 = Scalar(1) / (t43 * t34 + (t52 - t32 * t41));
+  const Scalar t54 = t42 * t53;
+  const Scalar t55 = c3 * s5 * t23 + s3 * (c4 * t24 + s4 * t12);
+  const Scalar t56 = t55 - t27;
+  const Scalar t57 = k[19] * t56;
+  const Scalar t58 = s4 * t38 - c4 * t35;
+  const Scalar t59 = t22 + (c3 * t37 - s3 * c4 * t14);
+  const Scalar t60 = t57 * t19 + t59;
+  const Scalar t61 = t60 * t30;
+  const Scalar t62 = (t57 * t41 - (t40 + s3 * t58)) - t61 * t34;
+  const Scalar t63 = k[37] + t14;
+  const Scalar t64 = k[38] - (k[18] * (t14 + t63) + t10);
+  const Scalar t65 = k[39] - t50;
+  const Scalar t66 = t64 - t65;
+  const Scalar t67 = c4 * t38 + s4 * t35;
+  const Scalar t68 = k[36] + t67;
+  const Scalar t69 = c3 * t68 - s3 * t63;
+  const Scalar t70 = ((t66 - t69) + t28 * t56) + t60 * t31;
+  const Scalar t71 = t54 * t62 + t70;
+  const Scalar t72 = ((t66 - t28 * t27) + t29 * t31) - t42 * t54;
+  const Scalar t73 = Scalar(1) / t72;
+  const Scalar t74 = t73 * t71;
+  const Scalar t75 = s4 * t36 + c4 * t39;
+  const Scalar t76 = k[34] - t75;
+  const Scalar t77 = s3 * (t64 + t65) - Scalar(2) * c3 * t76;
+  const Scalar t78 = s3 * t77 - t65;
+  const Scalar t79 = k[53] + (t66 - t78);
+  const Scalar t80 = k[52] - ((t69 + (k[33] + t69)) - t78);
+  const Scalar t81 = (t57 * t56 - (t79 + t80)) - t60 * t61;
+  const Scalar t82 = t53 * t62;
+  const Scalar t83 = Scalar(1) / (t71 * t74 + (t81 + t82 * t62));
+  const Scalar t84 = s2 * s3 - c2 * c3;
+  const Scalar t85 = c3 * s2 + c2 * s3;
+  const Scalar t86 = t84 * t41 + t85 * (s4 * t25 - c4 * t26);
+  const Scalar t87 = c2 * (s4 * t24 - c4 * t12) - t86;
+  const Scalar t88 = (t84 * t52 - t85 * t75) + c2 * t67;
+  const Scalar t89 = (c4 * t21 + s4 * t15) * t85 - t84 * t33;
+  const Scalar t90 = t18 * t87 + (t89 - c2 * s4 * t14);
+  const Scalar t91 = t90 * t30;
+  const Scalar t92 = (t32 * t87 + t88) - t34 * t91;
+  const Scalar t93 = t53 * t92;
+  const Scalar t94 = k[19] * t87;
+  const Scalar t95 = k[24] - t40;
+  const Scalar t96 = k[28] + (t46 + c4 * t48);
+  const Scalar t97 = t84 * t95 - t96 * t85;
+  const Scalar t98 = t42 * t93 + ((t27 * t94 + t97) + t29 * t91);
+  const Scalar t99 = t98 * t73;
+  const Scalar t100 = s3 * t95 - c3 * t96;
+  const Scalar t101 = ((s2 * t100 - t97) + k[41] * c2) + s2 * (k[40] - (t100 - t58));
+  const Scalar t102 = (t60 * t91 - (t101 + t57 * t87)) - t93 * t62;
+  const Scalar t103 = t71 * t99 - t102;
+  const Scalar t104 = t83 * t103;
+  const Scalar t105 = s2 * s2;
+  const Scalar t106 = (t76 + c3 * t77) + (s3 * t68 + c3 * t63);
+  const Scalar t107 = c2 * s2;
+  const Scalar t108 = (t79 - t80) * t105 - Scalar(2) * (k[44] - t106) * t107;
+  const Scalar t109 = t87 * t94 + ((k[54] - (t108 + t80)) - (k[55] + t51));
+  const Scalar t110 = t98 * t99 - ((t90 * t91 - t109) - t92 * t93);
+  const Scalar t111 = qd[0] * t85;
+  const Scalar t112 = qd[1] + qd[2];
+  const Scalar t113 = t111 * t112;
+  const Scalar t114 = c4 * t112 + s4 * t111;
+  const Scalar t115 = c4 * t111;
+  const Scalar t116 = s4 * t112 - t115;
+  const Scalar t117 = t114 * t116;
+  const Scalar t118 = t113 + t117;
+  const Scalar t119 = qd[0] * t84;
+  const Scalar t120 = qd[3] - t119;
+  const Scalar t121 = t120 * t114;
+  const Scalar t122 = t112 * t119;
+  const Scalar t123 = t111 * t119;
+  const Scalar t124 = t47 * t122 + s4 * t123;
+  const Scalar t125 = t121 + (t121 + t124);
+  const Scalar t126 = c5 * t118 - s5 * t125;
+  const Scalar t127 = qd[4] + t114;
+  const Scalar t128 = t127 * t127;
+  const Scalar t129 = c5 * t120 + s5 * t116;
+  const Scalar t130 = qd[5] + t129;
+  const Scalar t131 = t130 * t130;
+  const Scalar t132 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t133 = t84 * t132 - wrench[2] * t85;
+  const Scalar t134 = wrench[0] * s1 - wrench[1] * c1;
+  const Scalar t135 = c4 * t133 + s4 * t134;
+  const Scalar t136 = wrench[2] * t84 + t132 * t85;
+  const Scalar t137 = (t126 * t23 - (t128 + t131) * t12) + k[32] * (c5 * t135 + s5 * t136);
+  const Scalar t138 = s5 * t120 - c5 * t116;
+  const Scalar t139 = t138 * t129;
+  const Scalar t140 = t122 + t122;
+  const Scalar t141 = t119 * t115 - s4 * t140;
+  const Scalar t142 = t120 * t116;
+  const Scalar t143 = t141 - t142;
+  const Scalar t144 = t139 - t143;
+  const Scalar t145 = t120 * t120;
+  const Scalar t146 = t114 * t114;
+  const Scalar t147 = t145 - t146;
+  const Scalar t148 = qd[0] * qd[0];
+  const Scalar t149 = t112 * t112;
+  const Scalar t150 = t119 * t119;
+  const Scalar t151 = t149 - t150;
+  const Scalar t152 = t148 + t151;
+  const Scalar t153 = t145 + t146;
+  const Scalar t154 = t152 - t153;
+  const Scalar t155 = t147 + t154;
+  const Scalar t156 = t155 + t153;
+  const Scalar t157 = t138 * t138;
+  const Scalar t158 = t128 - t157;
+  const Scalar t159 = t156 + t158;
+  const Scalar t160 = t137 + (k[14] * t144 - k[17] * t159);
+  const Scalar t161 = t139 + t143;
+  const Scalar t162 = t128 + t157;
+  const Scalar t163 = Scalar(2) * t130;
+  const Scalar t164 = t163 * t138 - t144;
+  const Scalar t165 = c5 * t125 + s5 * t118;
+  const Scalar t166 = t165 - (t127 + t127) * t129;
+  const Scalar t167 = t163 * t127 + t166;
+  const Scalar t168 = k[32] * (s5 * t135 - c5 * t136) - (t12 * t164 - t167 * t23);
+  const Scalar t169 = (k[17] * t161 - k[14] * t162) - t168;
+  const Scalar t170 = k[30] * c1 - k[31] * s1;
+  const Scalar t171 = Scalar(2) * qd[0] * qd[1];
+  const Scalar t172 = t170 + s2 * t171;
+  const Scalar t173 = t172 - k[18] * t140;
+  const Scalar t174 = k[31] * c1 + k[30] * s1;
+  const Scalar t175 = c2 * t174 + k[29] * s2;
+  const Scalar t176 = qd[1] * qd[1];
+  const Scalar t177 = t175 + (t176 + (t148 - t148 * t105));
+  const Scalar t178 = s2 * t174 - k[29] * c2;
+  const Scalar t179 = t148 * t107 + t178;
+  const Scalar t180 = k[18] * t123 + (c3 * t177 - s3 * t179);
+  const Scalar t181 = s4 * t173 + c4 * t180;
+  const Scalar t182 = k[33] * t181 + (k[20] * t153 + k[22] * t118);
+  const Scalar t183 = (c5 * t160 - s5 * t169) - t182;
+  const Scalar t184 = t138 * t127;
+  const Scalar t185 = t184 + (t184 + t126);
+  const Scalar t186 = t131 + t157;
+  const Scalar t187 = (t185 * t12 + t23 * t186) + k[32] * (s4 * t133 - c4 * t134);
+  const Scalar t188 = t113 - t117;
+  const Scalar t189 = s4 * t180 - c4 * t173;
+  const Scalar t190 = (k[20] * t188 - k[22] * t156) - k[33] * t189;
+  const Scalar t191 = ((k[14] * t166 - k[17] * t185) - t187) - t190;
+  const Scalar t192 = k[47] * t113 - (s4 * t183 + c4 * t191);
+  const Scalar t193 = c3 * t179 + s3 * t177;
+  const Scalar t194 = t193 - k[18] * t152;
+  const Scalar t195 = t143 - t142;
+  const Scalar t196 = (k[25] * t125 - k[27] * t195) + (k[23] * t118 + k[21] * t154);
+  const Scalar t197 = s5 * t181 + c5 * t194;
+  const Scalar t198 = t186 - t162;
+  const Scalar t199 = (t4 * (t158 + t198) + t126 * t19) - (t167 * t16 + t2 * t164);
+  const Scalar t200 = wrench[3] * s1 - wrench[4] * c1;
+  const Scalar t201 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t202 = t84 * t201 - wrench[5] * t85;
+  const Scalar t203 = (t197 * t12 + t199) - (c4 * t200 - s4 * t202);
+  const Scalar t204 = k[13] * (t159 - t162) + (k[10] * t144 - k[9] * t161);
+  const Scalar t205 = s5 * t194 - c5 * t181;
+  const Scalar t206 = (t204 + (k[7] * t126 + k[3] * t165)) - (k[17] * t197 - k[14] * t205);
+  const Scalar t207 = t203 - t206;
+  const Scalar t208 = k[18] * t183 - ((k[20] * t194 + t196) + t207);
+  const Scalar t209 = s4 * t200 + c4 * t202;
+  const Scalar t210 = t201 * t85 + wrench[5] * t84;
+  const Scalar t211 = (t167 * t1 + t16 * t164) - t198 * t19;
+  const Scalar t212 = (c5 * t209 + s5 * t210) + ((t185 * t4 + t211) + t197 * t23);
+  const Scalar t213 = k[7] * (t156 - t162) - (k[13] * t185 + k[10] * t166);
+  const Scalar t214 = t212 - (k[14] * t189 - (k[3] * t161 + t213));
+  const Scalar t215 = (t126 * t1 + t185 * t2) + t158 * t16;
+  const Scalar t216 = (t189 * t12 - t205 * t23) + ((t19 * t144 + t4 * t166) + t215);
+  const Scalar t217 = (s5 * t209 - c5 * t210) - t216;
+  const Scalar t218 = (k[9] * t185 + k[13] * t166) - (k[3] * t158 - k[7] * t144);
+  const Scalar t219 = t217 - (k[17] * t189 - t218);
+  const Scalar t220 = (k[25] * t195 - k[26] * t125) + k[23] * t147;
+  const Scalar t221 = (c5 * t214 + s5 * t219) - ((k[21] * t188 + t220) + k[22] * t194);
+  const Scalar t222 = k[18] * t191 - t221;
+  const Scalar t223 = k[24] * t151 + (k[48] * t113 - k[38] * t140);
+  const Scalar t224 = (s4 * t208 + c4 * t222) + (k[28] * t123 + t223);
+  const Scalar t225 = t149 + t150;
+  const Scalar t226 = (k[24] * t123 - k[28] * (t148 - t225)) - (k[49] * t113 + k[34] * t140);
+  const Scalar t227 = (k[27] * t188 + k[26] * t118) + k[25] * t155;
+  const Scalar t228 = (t227 - (k[23] * t141 + k[21] * t124)) - (k[22] * t181 - k[20] * t189);
+  const Scalar t229 = (s5 * t214 - c5 * t219) + t228;
+  const Scalar t230 = t224 * t85 - t84 * ((k[36] * t172 - t226) - t229);
+  const Scalar t231 = k[44] + c2 * (k[42] * s2 - k[43] * c2);
+  const Scalar t232 = t231 * t171 - (k[40] * c2 - k[41] * s2) * t176;
+  const Scalar t233 = t170 * (k[46] * c2 + k[45] * s2) - t232;
+  const Scalar t234 = ((c2 * t192 + t230) - t233) - (k[51] * t174 - k[50] * t170);
+  const Scalar t235 = torque[5] + t217;
+  const Scalar t236 = (torque[4] - t207) - t235 * t18;
+  const Scalar t237 = ((torque[0] + t234) - t235 * t94) - t91 * t236;
+  const Scalar t238 = (t32 * t235 - (torque[3] - t229)) + t43 * t236;
+  const Scalar t239 = t238 * t53;
+  const Scalar t240 = k[19] * t235;
+  const Scalar t241 = (k[34] * (t152 - t225) - k[35] * t123) + k[36] * t193;
+  const Scalar t242 = (s4 * t222 - c4 * t208) + t241;
+  const Scalar t243 = t236 * t30;
+  const Scalar t244 = (t240 * t27 + (torque[2] - t242)) - t29 * t243;
+  const Scalar t245 = t244 + t239 * t42;
+  const Scalar t246 = t73 * t245;
+  const Scalar t247 = t148 * t231 - (k[46] * t178 - k[45] * t175);
+  const Scalar t248 = k[33] * t194 + (k[22] * t125 + k[20] * t195);
+  const Scalar t249 = k[36] * t123 - (t248 + (s5 * t160 + c5 * t169));
+  const Scalar t250 = (c4 * t183 - s4 * t191) - k[36] * t225;
+  const Scalar t251 = t247 + (t242 - (c3 * t249 - s3 * t250));
+  const Scalar t252 = t60 * t243 - ((torque[1] - t251) - t235 * t57);
+  const Scalar t253 = t245 * t74 + (t252 + t238 * t82);
+  const Scalar t254 = ((t237 - t239 * t92) - t98 * t246) + t104 * t253;
+  const Scalar t255 = Scalar(1) / (t104 * t103 - t110) * t254;
+  const Scalar t256 = t83 * t253 - t104 * t255;
+  const Scalar t257 = t256 * t74 + (t255 * t99 - t246);
+  const Scalar t258 = ((t239 - t255 * t93) - t256 * t82) - t257 * t54;
+  const Scalar t259 = t257 * t31 - (t256 * t61 + (t255 * t91 + t243));
+  const Scalar t260 = t259 + t258 * t43;
+  const Scalar t261 = (t256 * t57 - (t240 - t255 * t94)) + t257 * t28;
   JointVector<Scalar> result;
-  result[0] = -t252;
-  result[1] = t253;
-  result[2] = -t254;
-  result[3] = -t255;
-  result[4] = t257;
-  result[5] = (t258 + t255 * t1) - t14 * t257;
+  result[0] = -t255;
+  result[1] = -t256;
+  result[2] = t257;
+  result[3] = t258;
+  result[4] = -t260;
+  result[5] = t18 * t260 - (t32 * t258 - t261);
   return result;
 }
 
@@ -1572,28 +1562,28 @@ PotentialEnergyWithGravityVectorConstants<Scalar> potential_energy_with_gravity_
   using std::sin;
   const Scalar t0 = g.RL4 * inertia.m4;
   const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
-  return { inertia.c6z * inertia.m6 + inertia.c5y * inertia.m5,
+  return { inertia.c6x * inertia.m6,
            inertia.c6y * inertia.m6,
-           inertia.c6x * inertia.m6,
-           inertia.c5x * inertia.m5,
-           t0 - (inertia.c4z * inertia.m4 + t0),
-           g.RL4 * t1,
-           inertia.c3y * inertia.m3,
-           inertia.c4x * inertia.m4,
            inertia.c5z * inertia.m5,
            inertia.c4y * inertia.m4,
-           inertia.c3x * inertia.m3,
-           g.D3 * (inertia.m3 + t1),
-           inertia.c2x * inertia.m2,
-           inertia.c2y * inertia.m2,
-           inertia.c1z * inertia.m1,
-           gravity[2],
+           inertia.c6z * inertia.m6 + inertia.c5y * inertia.m5,
+           inertia.c5x * inertia.m5,
+           inertia.c4x * inertia.m4,
            inertia.c3z * inertia.m3,
            inertia.c2z * inertia.m2,
            inertia.c1y * inertia.m1,
+           t0 - (inertia.c4z * inertia.m4 + t0),
+           g.RL4 * t1,
+           inertia.c3y * inertia.m3,
+           inertia.c3x * inertia.m3,
+           inertia.c2y * inertia.m2,
+           g.D3 * (inertia.m3 + t1),
+           inertia.c2x * inertia.m2,
            inertia.c1x * inertia.m1,
            gravity[1],
-           gravity[0] };
+           gravity[0],
+           inertia.c1z * inertia.m1,
+           gravity[2] };
 }
 
 namespace detail {
@@ -1613,21 +1603,21 @@ inline Scalar potential_energy_with_gravity_vector([[maybe_unused]] const JointV
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = k[9] - (k[8] - (k[1] * c6 + k[2] * s6));
-  const Scalar t1 = k[3] + (k[2] * c6 - k[1] * s6);
-  const Scalar t2 = k[7] - (k[0] * s5 - c5 * t1);
-  const Scalar t3 = k[10] - (s4 * t0 - c4 * t2);
-  const Scalar t4 = k[5] - (k[4] - (s5 * t1 + k[0] * c5));
-  const Scalar t5 = k[6] + t4;
-  const Scalar t6 = k[13] + (s3 * t3 + c3 * t5);
-  const Scalar t7 = k[12] + (k[11] + (c3 * t3 - s3 * t5));
-  const Scalar t8 = k[15] * (k[14] + (c2 * t6 + s2 * t7));
-  const Scalar t9 = k[17] + (k[16] - (c4 * t0 + s4 * t2));
-  const Scalar t10 = k[18] - t9;
-  const Scalar t11 = k[19] + (c2 * t7 - s2 * t6);
-  const Scalar t12 = k[21] * (s1 * t10 - c1 * t11) - k[20] * (s1 * t11 + c1 * t10);
+  const Scalar t0 = k[3] - (k[2] - (k[0] * s6 + k[1] * c6));
+  const Scalar t1 = k[5] + (k[0] * c6 - k[1] * s6);
+  const Scalar t2 = k[6] + (c5 * t1 - k[4] * s5);
+  const Scalar t3 = k[13] - (s4 * t0 - c4 * t2);
+  const Scalar t4 = k[11] - (k[10] - (s5 * t1 + k[4] * c5));
+  const Scalar t5 = k[12] + t4;
+  const Scalar t6 = k[14] + (s3 * t3 + c3 * t5);
+  const Scalar t7 = k[16] + (k[15] + (c3 * t3 - s3 * t5));
+  const Scalar t8 = k[21] * (k[20] + (c2 * t6 + s2 * t7));
+  const Scalar t9 = k[17] + (c2 * t7 - s2 * t6);
+  const Scalar t10 = k[8] + (k[7] - (c4 * t0 + s4 * t2));
+  const Scalar t11 = k[9] - t10;
+  const Scalar t12 = k[19] * (c1 * t9 - s1 * t11) + k[18] * (s1 * t9 + c1 * t11);
   Scalar result;
-  result = t12 - t8;
+  result = -t8 - t12;
   return result;
 }
 

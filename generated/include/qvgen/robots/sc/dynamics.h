@@ -97,7 +97,7 @@ DynamicsAngles<Scalar> dynamics_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion: Newton-Euler recursion in base parameters (thesis 5.1-5.15).
 ///
-/// 146 multiplications, 136 additions, 4 sine/cosine pairs. Set-up: 40 multiplications, 57 additions.
+/// 147 multiplications, 134 additions, 4 sine/cosine pairs. Set-up: 45 multiplications, 67 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
@@ -115,7 +115,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces that hold the robot against gravity at rest.
 ///
-/// 32 multiplications, 18 additions, 4 sine/cosine pairs. Set-up: 15 multiplications, 10 additions.
+/// 32 multiplications, 18 additions, 4 sine/cosine pairs. Set-up: 16 multiplications, 12 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},
@@ -131,14 +131,15 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const DynamicsA
 
 /// Joint forces that come from the joint rates alone, C(q, qd) qd, without friction.
 ///
-/// 120 multiplications, 104 additions, 4 sine/cosine pairs. Set-up: 38 multiplications, 42 additions.
+/// 120 multiplications, 103 additions, 4 sine/cosine pairs. Set-up: 48 multiplications, 48 additions, 1 division.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
+/// The unit of length is d4, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using CoriolisTorqueConstants = std::array<Scalar, 29>;
+using CoriolisTorqueConstants = std::array<Scalar, 30>;
 template <class Scalar>
 CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
@@ -149,7 +150,7 @@ JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVec
 
 /// Symmetric, positive definite M(q), by composite bodies in base parameters; rotors included.
 ///
-/// 61 multiplications, 56 additions, 4 sine/cosine pairs. Set-up: 40 multiplications, 58 additions.
+/// 61 multiplications, 56 additions, 4 sine/cosine pairs. Set-up: 46 multiplications, 68 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},
@@ -165,7 +166,7 @@ Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const 
 
 /// C(q, qd) of Christoffel's symbols: C qd is coriolis_torque, dM/dt - 2 C is skew-symmetric.
 ///
-/// 177 multiplications, 135 additions, 4 sine/cosine pairs. Set-up: 34 multiplications, 42 additions.
+/// 175 multiplications, 134 additions, 4 sine/cosine pairs. Set-up: 37 multiplications, 48 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
@@ -183,7 +184,7 @@ Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, co
 
 /// Joint accelerations for given joint forces: M qdd = torque - C qd - gravity, by M = U D U^T.
 ///
-/// 268 multiplications, 233 additions, 5 divisions, 4 sine/cosine pairs. Set-up: 51 multiplications, 59 additions, 1
+/// 267 multiplications, 233 additions, 5 divisions, 4 sine/cosine pairs. Set-up: 51 multiplications, 69 additions, 1
 /// division.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
@@ -191,7 +192,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
-using ForwardDynamicsConstants = std::array<Scalar, 44>;
+using ForwardDynamicsConstants = std::array<Scalar, 40>;
 template <class Scalar>
 ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
@@ -202,7 +203,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// qd^T M qd / 2, J.
 ///
-/// 92 multiplications, 74 additions, 4 sine/cosine pairs. Set-up: 41 multiplications, 58 additions.
+/// 92 multiplications, 74 additions, 4 sine/cosine pairs. Set-up: 46 multiplications, 68 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const BasicGeometry<Scalar>& g = {},
@@ -218,7 +219,7 @@ Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Scalar>& q
 
 /// Sum of m g z over the links, z of the centre of mass in the world, J.
 ///
-/// 14 multiplications, 17 additions, 4 sine/cosine pairs. Set-up: 15 multiplications, 7 additions.
+/// 14 multiplications, 17 additions, 4 sine/cosine pairs. Set-up: 16 multiplications, 9 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Scalar potential_energy(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},

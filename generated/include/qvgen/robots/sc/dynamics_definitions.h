@@ -28,61 +28,67 @@ InverseDynamicsConstants<Scalar> inverse_dynamics_constants(const BasicGeometry<
   using std::cos;
   using std::sin;
   const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = inertia.c3x * inertia.m3;
-  const Scalar t2 = inertia.c4z * inertia.m4;
-  const Scalar t3 = t2 - g.d4 * t0;
-  const Scalar t4 = inertia.c3z * inertia.m3;
-  const Scalar t5 = t4 - g.d4 * inertia.m3;
-  const Scalar t6 = inertia.c5y * inertia.m5;
-  const Scalar t7 = inertia.c5z * inertia.m5;
-  const Scalar t8 = inertia.c6z * inertia.m6;
-  const Scalar t9 = inertia.c6y * inertia.m6;
-  const Scalar t10 = inertia.c6x * inertia.m6;
+  const Scalar t1 = inertia.c3z * inertia.m3;
+  const Scalar t2 = t1 - g.d4 * inertia.m3;
+  const Scalar t3 = inertia.c4z * inertia.m4;
+  const Scalar t4 = g.d4 * inertia.m4;
+  const Scalar t5 = t3 - t4;
+  const Scalar t6 = t5 + t4;
+  const Scalar t7 = t6 - g.d4 * t0;
+  const Scalar t8 = inertia.c3x * inertia.m3;
+  const Scalar t9 = inertia.c4x * inertia.m4;
+  const Scalar t10 = inertia.c5x * inertia.m5;
   const Scalar t11 = inertia.c4y * inertia.m4;
-  const Scalar t12 = inertia.c4x * inertia.m4;
-  const Scalar t13 = inertia.c5x * inertia.m5;
-  const Scalar t14 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t15 = ((inertia.I3zz - t14) - inertia.c3z * t4) + g.d4 * (t4 + t5);
-  const Scalar t16 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t17 = ((inertia.I4zz - t16) - inertia.c4z * t2) + g.d4 * (t3 + t2);
-  const Scalar t18 = (inertia.c3x * t1 - (inertia.I3xx - t14)) - (t15 + t17);
-  const Scalar t19 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t20 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t21 = (inertia.c6z * t8 - (inertia.I6zz - t19)) + (inertia.c5z * t7 - (inertia.I5zz - t20));
-  const Scalar t22 = inertia.I6xy - inertia.c6y * t10;
-  const Scalar t23 = (inertia.I6xx - t19) - inertia.c6x * t10;
-  const Scalar t24 = (inertia.I6yy - t19) - inertia.c6y * t9;
-  const Scalar t25 = (inertia.c5x * t13 - (inertia.I5xx - t20)) - ((inertia.I4xx - t16) - inertia.c4x * t12);
+  const Scalar t12 = inertia.c6x * inertia.m6;
+  const Scalar t13 = inertia.c6y * inertia.m6;
+  const Scalar t14 = inertia.c5y * inertia.m5;
+  const Scalar t15 = inertia.c5z * inertia.m5;
+  const Scalar t16 = inertia.c6z * inertia.m6;
+  const Scalar t17 = g.d4 * t9;
+  const Scalar t18 = g.d4 * t11;
+  const Scalar t19 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t20 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t21 = (inertia.I6xx - t20) - inertia.c6x * t12;
+  const Scalar t22 = (inertia.I6yy - t20) - inertia.c6y * t13;
+  const Scalar t23 = inertia.I6xy - inertia.c6y * t12;
+  const Scalar t24 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t25 = (inertia.c6z * t16 - (inertia.I6zz - t20)) + (inertia.c5z * t15 - (inertia.I5zz - t24));
+  const Scalar t26 = (inertia.c5x * t10 - (inertia.I5xx - t24)) - ((inertia.I4xx - t19) - inertia.c4x * t9);
+  const Scalar t27 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t28 = g.d4 * (t3 + t5) + ((inertia.I4zz - t19) - inertia.c4z * t3);
+  const Scalar t29 = (g.d4 * (t6 + t5) - t28) - g.d4 * (t6 + t7);
+  const Scalar t30 = ((inertia.I3zz - t27) - inertia.c3z * t1) + g.d4 * (t1 + t2);
+  const Scalar t31 = (inertia.c3x * t8 - (inertia.I3xx - t27)) + (t29 - t30);
   return { gravity,
            inertia.m1,
            inertia.m2 + (inertia.m3 + t0),
-           t1,
-           t3 + t5,
-           t6,
-           t7 + t8,
-           t9,
-           t10,
+           t2 + t7,
+           t8,
+           t9 + t10,
            t11,
-           t12 + t13,
-           t18,
+           t12,
+           t13,
+           t14,
+           t15 + t16,
            g.d4,
-           inertia.I5xz - inertia.c5z * t13,
-           inertia.I5yz - inertia.c5z * t6,
-           t21,
-           inertia.I5xy - inertia.c5y * t13,
-           inertia.I6yz - inertia.c6z * t9,
-           inertia.I6xz - inertia.c6z * t10,
-           Scalar(2) * t22,
-           t23 - t24,
-           t22,
-           t24,
+           t17 - ((inertia.I4xz - inertia.c4z * t9) + t17),
+           t18 - (t18 + (inertia.I4yz - inertia.c4z * t11)),
+           (inertia.I4yy - t19) - inertia.c4y * t11,
+           inertia.I4xy - inertia.c4y * t9,
+           inertia.I6yz - inertia.c6z * t13,
+           inertia.I6xz - inertia.c6z * t12,
+           t21 - t22,
+           Scalar(2) * t23,
            t23,
-           inertia.c5y * t6 - (inertia.I5yy - t20),
-           inertia.I4xz - inertia.c4z * t12,
-           inertia.I4xy - inertia.c4y * t12,
+           t21,
+           inertia.I5xy - inertia.c5y * t10,
+           inertia.I5xz - inertia.c5z * t10,
+           inertia.c5y * t14 - (inertia.I5yy - t24),
            t25,
-           inertia.I4yz - inertia.c4z * t11,
-           (inertia.I4yy - t16) - inertia.c4y * t11 };
+           inertia.I5yz - inertia.c5z * t14,
+           t26,
+           t22,
+           t31 };
 }
 
 namespace detail {
@@ -101,106 +107,105 @@ inline JointVector<Scalar> inverse_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& c6 = angles.cosine[3];
   const Scalar t0 = k[0] + qdd[0];
   const Scalar t1 = qd[2] * qd[2];
-  const Scalar t2 = qd[2] * c4;
-  const Scalar t3 = t2 * t2;
-  const Scalar t4 = qd[3] * qd[3];
-  const Scalar t5 = t3 + t4;
-  const Scalar t6 = qd[2] * s4;
-  const Scalar t7 = qd[4] - t6;
-  const Scalar t8 = t7 * t7;
-  const Scalar t9 = s5 * t2 + qd[3] * c5;
-  const Scalar t10 = qd[5] + t9;
-  const Scalar t11 = t10 * t10;
-  const Scalar t12 = t8 + t11;
-  const Scalar t13 = qd[3] * s5 - c5 * t2;
-  const Scalar t14 = t13 * t13;
-  const Scalar t15 = t11 + t14;
-  const Scalar t16 = t12 - t15;
-  const Scalar t17 = t5 + t16;
-  const Scalar t18 = t13 * t9;
-  const Scalar t19 = qd[3] * t2;
-  const Scalar t20 = qdd[2] * s4;
-  const Scalar t21 = t19 + t20;
-  const Scalar t22 = qdd[4] - t21;
-  const Scalar t23 = t18 - t22;
-  const Scalar t24 = k[8] * c6 + k[7] * s6;
-  const Scalar t25 = qd[3] * t6;
+  const Scalar t2 = qd[3] * qd[3];
+  const Scalar t3 = qd[2] * s4;
+  const Scalar t4 = t3 * t3;
+  const Scalar t5 = t2 + t4;
+  const Scalar t6 = qd[2] * c4;
+  const Scalar t7 = t3 * t6;
+  const Scalar t8 = qdd[3] + t7;
+  const Scalar t9 = qd[3] * s5 - c5 * t6;
+  const Scalar t10 = s5 * t6 + qd[3] * c5;
+  const Scalar t11 = t9 * t10;
+  const Scalar t12 = qd[3] * t6;
+  const Scalar t13 = qdd[2] * s4;
+  const Scalar t14 = t12 + t13;
+  const Scalar t15 = qdd[4] - t14;
+  const Scalar t16 = t11 - t15;
+  const Scalar t17 = qd[4] - t3;
+  const Scalar t18 = t17 * t17;
+  const Scalar t19 = t9 * t9;
+  const Scalar t20 = t18 - t19;
+  const Scalar t21 = t2 - t4;
+  const Scalar t22 = t21 + t1;
+  const Scalar t23 = t20 + t22;
+  const Scalar t24 = k[7] * c6 + k[8] * s6;
+  const Scalar t25 = qd[3] * t3;
   const Scalar t26 = qdd[2] * c4;
   const Scalar t27 = t25 + (t25 - t26);
-  const Scalar t28 = t6 * t2;
-  const Scalar t29 = qdd[3] + t28;
-  const Scalar t30 = s5 * t27 - c5 * t29;
-  const Scalar t31 = t13 * t7;
-  const Scalar t32 = t31 + t31;
-  const Scalar t33 = t30 + t32;
-  const Scalar t34 = qdd[5] - t33;
-  const Scalar t35 = t34 + t32;
-  const Scalar t36 = k[7] * c6 - k[8] * s6;
-  const Scalar t37 = (k[5] * t17 - k[6] * t23) + (t24 * t35 + t12 * t36);
-  const Scalar t38 = t8 + t14;
-  const Scalar t39 = t18 + t22;
-  const Scalar t40 = t13 * t10;
-  const Scalar t41 = (t40 + t40) - t23;
-  const Scalar t42 = s5 * t29 + c5 * t27;
-  const Scalar t43 = t7 * t9;
-  const Scalar t44 = t42 + (t43 + t43);
-  const Scalar t45 = t10 * t7;
-  const Scalar t46 = t44 - (t45 + t45);
-  const Scalar t47 = (k[6] * t38 - k[5] * t39) - (t41 * t36 + t24 * t46);
-  const Scalar t48 = t3 - t4;
-  const Scalar t49 = t48 - t1;
-  const Scalar t50 = (c5 * t37 - s5 * t47) - (k[9] * t49 - k[10] * t29);
-  const Scalar t51 = (t34 * t36 - t24 * t15) - (k[6] * t44 + k[5] * t33);
-  const Scalar t52 = qdd[3] - t28;
-  const Scalar t53 = t51 - (k[10] * t5 - k[9] * t52);
-  const Scalar t54 = s4 * t50 - c4 * t53;
-  const Scalar t55 = s3 * ((k[4] * qdd[2] - k[3] * t1) - t54);
-  const Scalar t56 = t19 + t21;
-  const Scalar t57 = (s5 * t37 + c5 * t47) - (k[10] * t27 - k[9] * t56);
-  const Scalar t58 = c3 * (t57 + (k[3] * qdd[2] + k[4] * t1));
-  const Scalar t59 = k[1] * t0 - ((t55 + t58) - k[2] * t0);
-  const Scalar t60 = k[2] * qdd[1] - (c4 * t50 + s4 * t53);
-  const Scalar t61 = c3 * t0;
-  const Scalar t62 = k[12] * t1 + t61;
-  const Scalar t63 = (k[26] * t27 - k[29] * t56) + (k[25] * t29 - k[28] * t48);
-  const Scalar t64 = s3 * t0;
-  const Scalar t65 = t64 + k[12] * qdd[2];
-  const Scalar t66 = qdd[1] * c4 - s4 * t65;
-  const Scalar t67 = c5 * t62 - s5 * t66;
-  const Scalar t68 = k[19] * s6 + k[20] * c6;
-  const Scalar t69 = k[21] - s6 * t68;
-  const Scalar t70 = c6 * t68;
-  const Scalar t71 = k[23] - t70;
-  const Scalar t72 = k[17] * s6 + k[18] * c6;
-  const Scalar t73 = k[17] * c6 - k[18] * s6;
-  const Scalar t74 = t8 - t11;
-  const Scalar t75 = (t69 * t46 + t41 * t71) + (t72 * t35 - t73 * (t74 - t16));
-  const Scalar t76 = t17 - t38;
-  const Scalar t77 = (k[24] * t39 - k[15] * t23) - k[14] * t76;
-  const Scalar t78 = c5 * t66 + s5 * t62;
-  const Scalar t79 = ((k[16] * t42 - k[13] * t30) - t77) + (k[6] * t78 - k[5] * t67);
-  const Scalar t80 = (t67 * t36 - t75) - t79;
-  const Scalar t81 = k[22] + t70;
-  const Scalar t82 = (t81 * t46 + t41 * t69) - t72 * t74;
-  const Scalar t83 = qdd[1] * s4 + c4 * t65;
-  const Scalar t84 = (k[15] * t44 - k[14] * t33) - k[13] * (t76 - t16);
-  const Scalar t85 = ((t82 - t73 * t34) - t24 * t67) - (k[6] * t83 - (k[16] * t39 - t84));
-  const Scalar t86 = (k[16] * t16 - k[13] * t23) + (k[24] * t33 - k[14] * t44);
-  const Scalar t87 = t69 * t16 + (t81 * t35 + t71 * t34);
-  const Scalar t88 = (t24 * t78 + t83 * t36) - ((t73 * t44 + t72 * t23) - t87);
-  const Scalar t89 = (t86 + k[5] * t83) + t88;
-  const Scalar t90 = (k[27] * t27 + k[26] * t56) - k[25] * (t5 - t1);
-  const Scalar t91 = (c5 * t85 - s5 * t89) - ((t90 + k[28] * t52) + k[10] * t62);
-  const Scalar t92 = s4 * ((k[9] * t62 - t63) + t80) - c4 * t91;
-  const Scalar t93 = k[11] * qdd[2] - (k[3] * t61 + k[4] * t64);
-  const Scalar t94 = (k[29] * t52 - k[27] * t29) - k[26] * (t49 + t5);
-  const Scalar t95 = (k[10] * t66 + k[9] * t83) + (t94 + (k[28] * t26 - k[25] * t20));
+  const Scalar t28 = s5 * t27 - c5 * t8;
+  const Scalar t29 = Scalar(2) * t9;
+  const Scalar t30 = t17 * t29;
+  const Scalar t31 = t28 + t30;
+  const Scalar t32 = qdd[5] - t31;
+  const Scalar t33 = t32 + t30;
+  const Scalar t34 = qd[5] + t10;
+  const Scalar t35 = t34 * t34;
+  const Scalar t36 = t18 + t35;
+  const Scalar t37 = k[8] * c6 - k[7] * s6;
+  const Scalar t38 = (k[10] * t16 - k[9] * t23) - (t24 * t33 + t36 * t37);
+  const Scalar t39 = t16 - t34 * t29;
+  const Scalar t40 = t17 * t10;
+  const Scalar t41 = s5 * t8 + c5 * t27;
+  const Scalar t42 = t40 + (t41 + t40);
+  const Scalar t43 = t34 * t17;
+  const Scalar t44 = (t42 - t43) - t43;
+  const Scalar t45 = t11 + t15;
+  const Scalar t46 = t35 - t19;
+  const Scalar t47 = t36 - t46;
+  const Scalar t48 = (t39 * t37 - t24 * t44) - (k[9] * t45 - k[10] * t47);
+  const Scalar t49 = (k[6] * t5 + k[5] * t8) - (c5 * t38 + s5 * t48);
+  const Scalar t50 = qdd[3] - t7;
+  const Scalar t51 = (k[10] * t42 + k[9] * t31) - (t32 * t37 - t24 * (t35 + t19));
+  const Scalar t52 = (k[6] * t50 - k[5] * t22) - t51;
+  const Scalar t53 = s4 * t49 - c4 * t52;
+  const Scalar t54 = s3 * ((k[3] * qdd[2] - k[4] * t1) - t53);
+  const Scalar t55 = t12 + t14;
+  const Scalar t56 = (k[5] * t27 - k[6] * t55) + (s5 * t38 - c5 * t48);
+  const Scalar t57 = c3 * (t56 - (k[4] * qdd[2] + k[3] * t1));
+  const Scalar t58 = k[1] * t0 - ((t54 - t57) - k[2] * t0);
+  const Scalar t59 = k[2] * qdd[1] - (s4 * t52 + c4 * t49);
+  const Scalar t60 = c3 * t0;
+  const Scalar t61 = s3 * t0;
+  const Scalar t62 = k[29] * qdd[2] - (k[4] * t60 + k[3] * t61);
+  const Scalar t63 = k[19] * s6 + k[18] * c6;
+  const Scalar t64 = k[20] - s6 * t63;
+  const Scalar t65 = c6 * t63;
+  const Scalar t66 = k[21] - t65;
+  const Scalar t67 = k[17] * s6 - k[16] * c6;
+  const Scalar t68 = k[17] * c6 + k[16] * s6;
+  const Scalar t69 = (t64 * t44 - t66 * t39) - (t67 * t46 - t33 * t68);
+  const Scalar t70 = k[11] * qdd[2] + t61;
+  const Scalar t71 = qdd[1] * c4 - s4 * t70;
+  const Scalar t72 = t60 + k[11] * t1;
+  const Scalar t73 = s5 * t71 - c5 * t72;
+  const Scalar t74 = s5 * t72 + c5 * t71;
+  const Scalar t75 = t23 - t47;
+  const Scalar t76 = k[26] * t75 - (k[24] * t45 - k[25] * t16);
+  const Scalar t77 = (k[9] * t73 + k[10] * t74) + (t76 + (k[22] * t41 - k[23] * t28));
+  const Scalar t78 = (t69 + t73 * t37) + t77;
+  const Scalar t79 = t5 - t1;
+  const Scalar t80 = (k[15] * t27 - k[14] * t55) - (k[13] * t79 + k[12] * t8);
+  const Scalar t81 = k[12] * t21 + (k[15] * t55 + k[27] * t27);
+  const Scalar t82 = k[28] + t65;
+  const Scalar t83 = t68 * (t20 - t46) + (t64 * t39 - t44 * t82);
+  const Scalar t84 = qdd[1] * s4 + c4 * t70;
+  const Scalar t85 = k[23] * (t75 - t20) + (k[26] * t31 - k[25] * t42);
+  const Scalar t86 = ((t83 - t32 * t67) - t24 * t73) + (k[10] * t84 - (t85 + k[22] * t45));
+  const Scalar t87 = (t33 * t82 + t66 * t32) + t64 * t20;
+  const Scalar t88 = (t74 * t24 + t84 * t37) + (t87 + (t67 * t42 - t16 * t68));
+  const Scalar t89 = (k[22] * t20 - k[23] * t16) + (k[24] * t31 - k[26] * t42);
+  const Scalar t90 = t88 + (t89 + k[9] * t84);
+  const Scalar t91 = (k[5] * t72 - (k[13] * t50 - t81)) + (c5 * t86 + s5 * t90);
+  const Scalar t92 = s4 * (t78 + (t80 - k[6] * t72)) - c4 * t91;
+  const Scalar t93 = k[15] * (t21 - t79) + (k[27] * t8 - k[14] * t50);
+  const Scalar t94 = ((k[12] * t13 - k[13] * t26) - t93) + (k[5] * t71 + k[6] * t84);
   JointVector<Scalar> result;
-  result[0] = t59;
-  result[1] = t60;
-  result[2] = t93 - (t92 - k[12] * t54);
-  result[3] = -(c5 * t89 + s5 * t85) - t95;
-  result[4] = t80;
+  result[0] = t58;
+  result[1] = t59;
+  result[2] = t62 + (k[11] * t53 + t92);
+  result[3] = -t94 - (c5 * t90 - s5 * t86);
+  result[4] = -t78;
   result[5] = -t88;
   return result;
 }
@@ -229,19 +234,20 @@ GravityTorqueConstants<Scalar> gravity_torque_constants(const BasicGeometry<Scal
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = (inertia.c4z * inertia.m4 - g.d4 * t0) + (inertia.c3z * inertia.m3 - g.d4 * inertia.m3);
-  const Scalar t2 = gravity * inertia.m1 + gravity * (inertia.m2 + (inertia.m3 + t0));
+  const Scalar t0 = g.d4 * inertia.m4;
+  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t2 = ((inertia.c4z * inertia.m4 - t0) + t0) - g.d4 * t1;
+  const Scalar t3 = gravity * inertia.m1 + gravity * (inertia.m2 + (inertia.m3 + t1));
   return { gravity,
            inertia.c3x * inertia.m3,
-           t1,
-           inertia.c6y * inertia.m6,
-           inertia.c6x * inertia.m6,
-           inertia.c5y * inertia.m5,
+           (inertia.c3z * inertia.m3 - g.d4 * inertia.m3) + t2,
            inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
+           inertia.c5y * inertia.m5,
+           inertia.c6x * inertia.m6,
+           inertia.c6y * inertia.m6,
            inertia.c4y * inertia.m4,
            inertia.c4x * inertia.m4 + inertia.c5x * inertia.m5,
-           t2 };
+           t3 };
 }
 
 namespace detail {
@@ -258,27 +264,27 @@ inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Sca
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
   const Scalar t0 = k[0] * c3;
-  const Scalar t1 = k[0] * s3;
-  const Scalar t2 = c4 * t1;
-  const Scalar t3 = k[3] * c6 - k[4] * s6;
-  const Scalar t4 = s4 * t1;
-  const Scalar t5 = c5 * t4 - s5 * t0;
-  const Scalar t6 = k[4] * c6 + k[3] * s6;
-  const Scalar t7 = t2 * t3 - t5 * t6;
-  const Scalar t8 = t7 + k[5] * t2;
-  const Scalar t9 = s5 * t4 + c5 * t0;
-  const Scalar t10 = t9 * t6 + k[6] * t2;
-  const Scalar t11 = k[8] * t0 + (s5 * t8 + c5 * t10);
-  const Scalar t12 = (k[5] * t9 + k[6] * t5) + t9 * t3;
+  const Scalar t1 = k[6] * s6 + k[5] * c6;
+  const Scalar t2 = k[0] * s3;
+  const Scalar t3 = s4 * t2;
+  const Scalar t4 = s5 * t3 + c5 * t0;
+  const Scalar t5 = c4 * t2;
+  const Scalar t6 = t1 * t4 + k[3] * t5;
+  const Scalar t7 = k[6] * c6 - k[5] * s6;
+  const Scalar t8 = c5 * t3 - s5 * t0;
+  const Scalar t9 = t5 * t7 - t8 * t1;
+  const Scalar t10 = t9 + k[4] * t5;
+  const Scalar t11 = k[8] * t0 + (c5 * t6 + s5 * t10);
+  const Scalar t12 = t4 * t7 + (k[4] * t4 + k[3] * t8);
   const Scalar t13 = c4 * t11 + s4 * (t12 + k[7] * t0);
-  const Scalar t14 = (c5 * t8 - s5 * t10) + (k[7] * t2 - k[8] * t4);
+  const Scalar t14 = (k[7] * t5 - k[8] * t3) + (c5 * t10 - s5 * t6);
   JointVector<Scalar> result;
   result[0] = k[9];
   result[1] = Scalar(0);
-  result[2] = -t13 - (k[2] * t1 + k[1] * t0);
+  result[2] = -t13 - (k[2] * t2 + k[1] * t0);
   result[3] = -t14;
   result[4] = t12;
-  result[5] = -t7;
+  result[5] = -t9;
   return result;
 }
 
@@ -303,54 +309,60 @@ CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Sc
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c4z * inertia.m4 - g.d4 * (inertia.m4 + (inertia.m5 + inertia.m6));
-  const Scalar t1 = inertia.c4y * inertia.m4;
-  const Scalar t2 = inertia.c4x * inertia.m4;
-  const Scalar t3 = inertia.c5x * inertia.m5;
-  const Scalar t4 = inertia.c5z * inertia.m5;
-  const Scalar t5 = inertia.c6z * inertia.m6;
-  const Scalar t6 = inertia.c5y * inertia.m5;
-  const Scalar t7 = inertia.c6x * inertia.m6;
-  const Scalar t8 = inertia.c6y * inertia.m6;
-  const Scalar t9 = inertia.I6xy - inertia.c6y * t7;
-  const Scalar t10 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t11 = (inertia.I6xx - t10) - inertia.c6x * t7;
-  const Scalar t12 = (inertia.I6yy - t10) - inertia.c6y * t8;
-  const Scalar t13 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t14 = (inertia.c6z * t5 - (inertia.I6zz - t10)) + (inertia.c5z * t4 - (inertia.I5zz - t13));
-  const Scalar t15 = inertia.I4xy - inertia.c4y * t2;
-  const Scalar t16 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t17 = (inertia.I4yy - t16) - inertia.c4y * t1;
-  const Scalar t18 = (inertia.c5x * t3 - (inertia.I5xx - t13)) - ((inertia.I4xx - t16) - inertia.c4x * t2);
-  return { t0 + (inertia.c3z * inertia.m3 - g.d4 * inertia.m3),
-           Scalar(2) * t1,
-           t2 + t3,
-           t4 + t5,
-           t6,
-           t7,
-           t8,
-           t1,
-           inertia.c3x * inertia.m3,
-           g.d4,
-           Scalar(2) * t9,
-           t11 - t12,
-           t11,
-           t9,
-           inertia.I6xz - inertia.c6z * t7,
-           inertia.I6yz - inertia.c6z * t8,
-           inertia.I5yz - inertia.c5z * t6,
-           inertia.c5y * t6 - (inertia.I5yy - t13),
-           t14,
-           inertia.I5xz - inertia.c5z * t3,
-           inertia.I5xy - inertia.c5y * t3,
-           inertia.I4yz - inertia.c4z * t1,
-           inertia.I4xz - inertia.c4z * t2,
-           t15,
-           Scalar(2) * t17,
+  const Scalar t0 = inertia.c4x * inertia.m4;
+  const Scalar t1 = inertia.c5x * inertia.m5;
+  const Scalar t2 = g.d4 * (t0 + t1);
+  const Scalar t3 = inertia.c4y * inertia.m4;
+  const Scalar t4 = g.d4 * t3;
+  const Scalar t5 = inertia.c6y * inertia.m6;
+  const Scalar t6 = inertia.c6x * inertia.m6;
+  const Scalar t7 = inertia.c5z * inertia.m5;
+  const Scalar t8 = inertia.c6z * inertia.m6;
+  const Scalar t9 = inertia.c5y * inertia.m5;
+  const Scalar t10 = g.d4 * inertia.m4;
+  const Scalar t11 = ((inertia.c4z * inertia.m4 - t10) + t10) - g.d4 * (inertia.m4 + (inertia.m5 + inertia.m6));
+  const Scalar t12 = g.d4 * ((inertia.c3z * inertia.m3 - g.d4 * inertia.m3) + t11);
+  const Scalar t13 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t14 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t15 = (inertia.c6z * t8 - (inertia.I6zz - t13)) + (inertia.c5z * t7 - (inertia.I5zz - t14));
+  const Scalar t16 = inertia.I6xy - inertia.c6y * t6;
+  const Scalar t17 = (inertia.I6xx - t13) - inertia.c6x * t6;
+  const Scalar t18 = (inertia.I6yy - t13) - inertia.c6y * t5;
+  const Scalar t19 = inertia.I4xy - inertia.c4y * t0;
+  const Scalar t20 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t21 = (inertia.I4yy - t20) - inertia.c4y * t3;
+  const Scalar t22 = g.d4 * t0;
+  const Scalar t23 = (inertia.c5x * t1 - (inertia.I5xx - t14)) - ((inertia.I4xx - t20) - inertia.c4x * t0);
+  return { t2,
+           t4,
+           g.d4 * t5,
+           g.d4 * t6,
+           g.d4 * (t7 + t8),
+           g.d4 * t9,
+           g.d4 * inertia.c3x * inertia.m3,
+           Scalar(2) * t4,
+           Scalar(2) * t2,
            t12,
-           Scalar(2) * t18,
-           Scalar(2) * t15,
-           t17 + t18 };
+           Scalar(1) / g.d4,
+           inertia.I5xy - inertia.c5y * t1,
+           inertia.I5xz - inertia.c5z * t1,
+           t15,
+           inertia.c5y * t9 - (inertia.I5yy - t14),
+           inertia.I5yz - inertia.c5z * t9,
+           Scalar(2) * t16,
+           t17 - t18,
+           t16,
+           t17,
+           inertia.I6yz - inertia.c6z * t5,
+           inertia.I6xz - inertia.c6z * t6,
+           t19,
+           Scalar(2) * t21,
+           t22 - ((inertia.I4xz - inertia.c4z * t0) + t22),
+           t4 - (t4 + (inertia.I4yz - inertia.c4z * t3)),
+           t18,
+           t23,
+           Scalar(2) * t19,
+           t21 + t23 };
 }
 
 namespace detail {
@@ -368,88 +380,88 @@ inline JointVector<Scalar> coriolis_torque([[maybe_unused]] const JointVector<Sc
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
   const Scalar t0 = qd[2] * qd[2];
-  const Scalar t1 = qd[2] * c4;
-  const Scalar t2 = qd[3] * t1;
-  const Scalar t3 = qd[2] * s4;
-  const Scalar t4 = qd[3] * t3;
-  const Scalar t5 = Scalar(2) * t4;
-  const Scalar t6 = qd[4] - t3;
-  const Scalar t7 = t6 * t6;
-  const Scalar t8 = s5 * t1 + qd[3] * c5;
-  const Scalar t9 = qd[5] + t8;
-  const Scalar t10 = t9 * t9;
-  const Scalar t11 = t7 - t10;
-  const Scalar t12 = c5 * t1;
-  const Scalar t13 = qd[3] * s5 - t12;
-  const Scalar t14 = t13 * t13;
-  const Scalar t15 = t7 - t14;
-  const Scalar t16 = t11 - t15;
-  const Scalar t17 = t10 + t14;
-  const Scalar t18 = t11 + t17;
-  const Scalar t19 = k[6] * c6 - k[5] * s6;
-  const Scalar t20 = s5 * t5 - t3 * t12;
-  const Scalar t21 = k[6] * s6 + k[5] * c6;
+  const Scalar t1 = k[2] * c6 - k[3] * s6;
+  const Scalar t2 = qd[2] * s4;
+  const Scalar t3 = qd[4] - t2;
+  const Scalar t4 = t3 * t3;
+  const Scalar t5 = qd[2] * c4;
+  const Scalar t6 = s5 * t5;
+  const Scalar t7 = t6 + qd[3] * c5;
+  const Scalar t8 = qd[5] + t7;
+  const Scalar t9 = t8 * t8;
+  const Scalar t10 = t4 - t9;
+  const Scalar t11 = qd[3] * s5 - c5 * t5;
+  const Scalar t12 = t11 * t11;
+  const Scalar t13 = t4 - t12;
+  const Scalar t14 = t10 - t13;
+  const Scalar t15 = t9 + t12;
+  const Scalar t16 = t10 + t15;
+  const Scalar t17 = qd[3] * t2;
+  const Scalar t18 = t17 + t17;
+  const Scalar t19 = t2 * t5;
+  const Scalar t20 = s5 * t18 - c5 * t19;
+  const Scalar t21 = k[2] * s6 + k[3] * c6;
   const Scalar t22 = qd[3] * qd[3];
-  const Scalar t23 = t3 * t3;
+  const Scalar t23 = t2 * t2;
   const Scalar t24 = t22 - t23;
-  const Scalar t25 = t24 + t0;
-  const Scalar t26 = t13 * t8;
-  const Scalar t27 = t2 + t26;
-  const Scalar t28 = ((t16 - t18) * t19 + t20 * t21) - (k[4] * (t15 + t25) - k[3] * t27);
-  const Scalar t29 = t13 * t9;
-  const Scalar t30 = (t29 + t29) - t27;
-  const Scalar t31 = t3 * t1;
-  const Scalar t32 = c5 * t5 + s5 * t31;
-  const Scalar t33 = t6 * t8;
-  const Scalar t34 = t32 + (t33 + t33);
-  const Scalar t35 = t9 * t6;
-  const Scalar t36 = (t34 - t35) - t35;
-  const Scalar t37 = t2 - t26;
-  const Scalar t38 = (t30 * t19 + t21 * t36) - (k[4] * t37 + k[3] * t18);
-  const Scalar t39 = (k[1] * t2 - k[2] * t5) - (s5 * t28 + c5 * t38);
-  const Scalar t40 = t13 * t6;
-  const Scalar t41 = t40 + (t20 + t40);
-  const Scalar t42 = (k[3] * t34 + k[4] * t41) + (t21 * t17 + t41 * t19);
-  const Scalar t43 = (k[2] * t25 + k[7] * t31) + t42;
-  const Scalar t44 = t22 + t23;
-  const Scalar t45 = (k[7] * t44 + k[2] * t31) + (s5 * t38 - c5 * t28);
-  const Scalar t46 = c4 * t43 + s4 * t45;
-  const Scalar t47 = c3 * (k[0] * t0 + t39) - s3 * (k[8] * t0 + t46);
-  const Scalar t48 = k[9] * t0;
-  const Scalar t49 = (k[27] * t2 + k[26] * t4) - k[22] * t24;
-  const Scalar t50 = t18 - t25;
-  const Scalar t51 = (k[18] * t34 - k[16] * t41) + k[19] * t50;
-  const Scalar t52 = k[10] * s6 + k[11] * c6;
-  const Scalar t53 = k[13] - s6 * t52;
-  const Scalar t54 = c6 * t52;
-  const Scalar t55 = k[25] + t54;
-  const Scalar t56 = k[14] * c6 + k[15] * s6;
-  const Scalar t57 = (t53 * t30 + t36 * t55) - t56 * t11;
-  const Scalar t58 = k[14] * s6 - k[15] * c6;
-  const Scalar t59 = c5 * t48;
-  const Scalar t60 = (t51 + k[20] * t37) - ((t57 - t58 * t41) - t21 * t59);
-  const Scalar t61 = k[12] - t54;
-  const Scalar t62 = t53 * t15 - (t20 * t55 + t41 * t61);
-  const Scalar t63 = s5 * t48;
-  const Scalar t64 = ((t56 * t27 - t58 * t34) - t62) - t63 * t21;
-  const Scalar t65 = (k[16] * t34 - k[17] * t41) + (k[19] * t27 - k[20] * t15);
-  const Scalar t66 = t64 + t65;
-  const Scalar t67 = (k[2] * t48 + (t49 - k[21] * t31)) + (c5 * t60 - s5 * t66);
-  const Scalar t68 = k[16] * (t50 - t15) - (k[18] * t27 + k[17] * t37);
-  const Scalar t69 = (k[4] * t59 - k[3] * t63) + (t68 + (k[19] * t20 - k[20] * t32));
-  const Scalar t70 = (t58 * t16 - t56 * t20) + (t30 * t61 + t53 * t36);
-  const Scalar t71 = t69 - (t70 - t19 * t59);
-  const Scalar t72 = t44 - t0;
-  const Scalar t73 = (k[24] * t2 - k[23] * t5) - (k[22] * t31 + k[21] * t72);
-  const Scalar t74 = c4 * t67 + s4 * (t71 + (t73 + k[7] * t48));
-  const Scalar t75 = (k[28] * t31 + k[23] * (t24 - t72)) + (c5 * t66 + s5 * t60);
+  const Scalar t25 = t22 + t23;
+  const Scalar t26 = t25 - t0;
+  const Scalar t27 = t24 - t26;
+  const Scalar t28 = t27 + t25;
+  const Scalar t29 = t16 - t28;
+  const Scalar t30 = t29 - t13;
+  const Scalar t31 = qd[3] * t5;
+  const Scalar t32 = t11 * t7;
+  const Scalar t33 = t31 + t32;
+  const Scalar t34 = (t1 * (t14 - t16) + t20 * t21) - (k[5] * (t16 - t30) - k[4] * t33);
+  const Scalar t35 = t11 * t8;
+  const Scalar t36 = (t35 + t35) - t33;
+  const Scalar t37 = Scalar(2) * t3;
+  const Scalar t38 = t2 * t6 + c5 * t18;
+  const Scalar t39 = t38 + t7 * t37;
+  const Scalar t40 = t8 * t37 - t39;
+  const Scalar t41 = t31 - t32;
+  const Scalar t42 = (t36 * t1 - t40 * t21) - (k[4] * t16 + k[5] * t41);
+  const Scalar t43 = (s5 * t34 + c5 * t42) - (k[7] * t31 - k[8] * t17);
+  const Scalar t44 = t11 * t3;
+  const Scalar t45 = t44 + (t44 + t20);
+  const Scalar t46 = (t15 * t21 + t1 * t45) + (k[5] * t45 + k[4] * t39);
+  const Scalar t47 = t46 + (k[1] * t19 + k[0] * t28);
+  const Scalar t48 = (k[1] * t25 + k[0] * t19) - (c5 * t34 - s5 * t42);
+  const Scalar t49 = c4 * t47 + s4 * t48;
+  const Scalar t50 = c3 * (k[9] * t0 - t43) - s3 * (t49 + k[6] * t0);
+  const Scalar t51 = (k[15] * t39 - k[14] * t45) + (k[12] * t33 - k[11] * t13);
+  const Scalar t52 = k[21] * c6 + k[20] * s6;
+  const Scalar t53 = k[20] * c6 - k[21] * s6;
+  const Scalar t54 = k[17] * c6 + k[16] * s6;
+  const Scalar t55 = k[18] - s6 * t54;
+  const Scalar t56 = c6 * t54;
+  const Scalar t57 = k[26] + t56;
+  const Scalar t58 = k[19] - t56;
+  const Scalar t59 = t55 * t13 - (t57 * t20 + t45 * t58);
+  const Scalar t60 = s5 * t0;
+  const Scalar t61 = ((t33 * t52 + t53 * t39) - t59) - t60 * t21;
+  const Scalar t62 = t51 + t61;
+  const Scalar t63 = c5 * t0;
+  const Scalar t64 = (t57 * t40 - t36 * t55) + t52 * t10;
+  const Scalar t65 = (k[13] * t39 - k[15] * t45) + k[12] * t29;
+  const Scalar t66 = (t21 * t63 + (t64 - t45 * t53)) + (t65 + k[11] * t41);
+  const Scalar t67 = k[24] * t24 + (k[28] * t31 + k[27] * t18);
+  const Scalar t68 = (s5 * t62 - c5 * t66) - ((k[25] * t19 + t67) + k[0] * t0);
+  const Scalar t69 = (k[22] * t18 - k[23] * t31) - (k[25] * t26 + k[24] * t19);
+  const Scalar t70 = (t36 * t58 - t55 * t40) - (t14 * t53 + t52 * t20);
+  const Scalar t71 = k[15] * t30 - (k[13] * t33 + k[14] * t41);
+  const Scalar t72 = (k[5] * t63 - k[4] * t60) + (t71 - (k[11] * t38 - k[12] * t20));
+  const Scalar t73 = (t1 * t63 - t70) + t72;
+  const Scalar t74 = c4 * t68 - s4 * ((k[1] * t0 - t69) + t73);
+  const Scalar t75 = (s5 * t66 + c5 * t62) + (k[22] * t27 + k[29] * t19);
   JointVector<Scalar> result;
-  result[0] = -t47;
-  result[1] = s4 * t43 - c4 * t45;
-  result[2] = k[9] * t46 - t74;
+  result[0] = -k[10] * t50;
+  result[1] = -k[10] * (c4 * t48 - s4 * t47);
+  result[2] = t49 + t74;
   result[3] = t75;
-  result[4] = t71;
-  result[5] = t64;
+  result[4] = t73;
+  result[5] = t61;
   return result;
 }
 
@@ -475,63 +487,69 @@ MassMatrixConstants<Scalar> mass_matrix_constants(const BasicGeometry<Scalar>& g
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c5z * inertia.m5;
-  const Scalar t1 = inertia.c6z * inertia.m6;
-  const Scalar t2 = inertia.c6y * inertia.m6;
-  const Scalar t3 = inertia.c6x * inertia.m6;
-  const Scalar t4 = inertia.c5y * inertia.m5;
-  const Scalar t5 = inertia.c4z * inertia.m4;
-  const Scalar t6 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t7 = t5 - g.d4 * t6;
-  const Scalar t8 = inertia.c3z * inertia.m3;
-  const Scalar t9 = t8 - g.d4 * inertia.m3;
-  const Scalar t10 = inertia.c4y * inertia.m4;
-  const Scalar t11 = inertia.c4x * inertia.m4;
-  const Scalar t12 = inertia.c5x * inertia.m5;
-  const Scalar t13 = inertia.c3x * inertia.m3;
-  const Scalar t14 = inertia.I6xy - inertia.c6y * t3;
-  const Scalar t15 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t16 = (inertia.I6xx - t15) - inertia.c6x * t3;
-  const Scalar t17 = (inertia.I6yy - t15) - inertia.c6y * t2;
-  const Scalar t18 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t19 = (inertia.c6z * t1 - (inertia.I6zz - t15)) + (inertia.c5z * t0 - (inertia.I5zz - t18));
-  const Scalar t20 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t21 = ((inertia.I3zz - t20) - inertia.c3z * t8) + g.d4 * (t8 + t9);
-  const Scalar t22 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t23 = ((inertia.I4zz - t22) - inertia.c4z * t5) + g.d4 * (t7 + t5);
-  const Scalar t24 = (inertia.c5x * t12 - (inertia.I5xx - t18)) - ((inertia.I4xx - t22) - inertia.c4x * t11);
-  const Scalar t25 = inertia.m2 + (inertia.m3 + t6);
-  return { t0 + t1,
+  const Scalar t0 = inertia.c6x * inertia.m6;
+  const Scalar t1 = inertia.c6y * inertia.m6;
+  const Scalar t2 = inertia.c5y * inertia.m5;
+  const Scalar t3 = inertia.c5z * inertia.m5;
+  const Scalar t4 = inertia.c6z * inertia.m6;
+  const Scalar t5 = inertia.c4y * inertia.m4;
+  const Scalar t6 = inertia.c4x * inertia.m4;
+  const Scalar t7 = inertia.c5x * inertia.m5;
+  const Scalar t8 = inertia.c3x * inertia.m3;
+  const Scalar t9 = inertia.c3z * inertia.m3;
+  const Scalar t10 = t9 - g.d4 * inertia.m3;
+  const Scalar t11 = inertia.c4z * inertia.m4;
+  const Scalar t12 = g.d4 * inertia.m4;
+  const Scalar t13 = t11 - t12;
+  const Scalar t14 = t13 + t12;
+  const Scalar t15 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t16 = t14 - g.d4 * t15;
+  const Scalar t17 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t18 = (inertia.I6xx - t17) - inertia.c6x * t0;
+  const Scalar t19 = (inertia.I6yy - t17) - inertia.c6y * t1;
+  const Scalar t20 = inertia.I6xy - inertia.c6y * t0;
+  const Scalar t21 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t22 = (inertia.c6z * t4 - (inertia.I6zz - t17)) + (inertia.c5z * t3 - (inertia.I5zz - t21));
+  const Scalar t23 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t24 = g.d4 * (t11 + t13) + ((inertia.I4zz - t23) - inertia.c4z * t11);
+  const Scalar t25 = (g.d4 * (t14 + t13) - t24) - g.d4 * (t14 + t16);
+  const Scalar t26 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t27 = ((inertia.I3zz - t26) - inertia.c3z * t9) + g.d4 * (t9 + t10);
+  const Scalar t28 = (inertia.c5x * t7 - (inertia.I5xx - t21)) - ((inertia.I4xx - t23) - inertia.c4x * t6);
+  const Scalar t29 = g.d4 * t6;
+  const Scalar t30 = g.d4 * t5;
+  const Scalar t31 = inertia.m2 + (inertia.m3 + t15);
+  return { t0,
+           t1,
            t2,
-           t3,
-           t4,
-           t7 + t9,
-           t10,
-           t11 + t12,
-           t13,
-           Scalar(2) * t14,
-           t16 - t17,
-           t16,
-           inertia.c5y * t4 - (inertia.I5yy - t18),
+           t3 + t4,
+           t5,
+           t6 + t7,
+           t8,
+           t10 + t16,
+           inertia.I6yz - inertia.c6z * t1,
+           inertia.I6xz - inertia.c6z * t0,
+           inertia.I5yz - inertia.c5z * t2,
+           t18 - t19,
+           Scalar(2) * t20,
            t19,
-           inertia.I6xz - inertia.c6z * t3,
-           inertia.I6yz - inertia.c6z * t2,
-           inertia.I5yz - inertia.c5z * t4,
+           t18 + t19,
+           inertia.c5y * t2 - (inertia.I5yy - t21),
+           t22,
+           Scalar(2) * g.d4,
+           t25 - t27,
+           inertia.I5xz - inertia.c5z * t7,
+           t20,
+           inertia.I5xy - inertia.c5y * t7,
+           inertia.I4xy - inertia.c4y * t6,
+           t28,
+           (inertia.I4yy - t23) - inertia.c4y * t5,
+           inertia.c3x * t8 - (inertia.I3xx - t26),
+           t29 - ((inertia.I4xz - inertia.c4z * t6) + t29),
+           t30 - (t30 + (inertia.I4yz - inertia.c4z * t5)),
            g.d4,
-           t21 + t23,
-           (inertia.I4yy - t22) - inertia.c4y * t10,
-           t17,
-           t24,
-           inertia.I5xz - inertia.c5z * t12,
-           t14,
-           inertia.I5xy - inertia.c5y * t12,
-           inertia.I4xy - inertia.c4y * t11,
-           inertia.c3x * t13 - (inertia.I3xx - t20),
-           inertia.I4xz - inertia.c4z * t11,
-           inertia.I4yz - inertia.c4z * t10,
-           t16 + t17,
-           inertia.m1 + t25,
-           t25 };
+           inertia.m1 + t31,
+           t31 };
 }
 
 namespace detail {
@@ -547,61 +565,63 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointV
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[2] * c6 + k[1] * s6;
-  const Scalar t1 = k[6] + t0;
-  const Scalar t2 = k[1] * c6 - k[2] * s6;
-  const Scalar t3 = k[3] + t2;
-  const Scalar t4 = c5 * t3 - k[0] * s5;
-  const Scalar t5 = k[5] + t4;
-  const Scalar t6 = c4 * t1 + s4 * t5;
-  const Scalar t7 = s5 * t3 + k[0] * c5;
-  const Scalar t8 = c3 * (k[7] + t6) + s3 * (k[4] + t7);
-  const Scalar t9 = c4 * t5 - s4 * t1;
-  const Scalar t10 = c5 * t0;
-  const Scalar t11 = c4 * t2 - s4 * t10;
-  const Scalar t12 = k[16] * t7;
-  const Scalar t13 = k[14] * c6 - k[13] * s6;
-  const Scalar t14 = k[15] + t13;
-  const Scalar t15 = k[9] * c6 + k[8] * s6;
-  const Scalar t16 = c6 * t15;
-  const Scalar t17 = k[11] - (k[10] - t16);
-  const Scalar t18 = Scalar(2) * c5 * t14 + s5 * (k[12] - t17);
-  const Scalar t19 = k[12] - s5 * t18;
-  const Scalar t20 = k[12] + t17;
-  const Scalar t21 = k[18] + (t19 - t20);
-  const Scalar t22 = k[20] - (k[19] + t16);
-  const Scalar t23 = k[14] * s6 + k[13] * c6;
-  const Scalar t24 = k[21] + t23;
-  const Scalar t25 = k[23] + (k[22] - s6 * t15);
-  const Scalar t26 = s5 * t24 - c5 * t25;
-  const Scalar t27 = s4 * (k[24] - t26);
-  const Scalar t28 = c4 * (c4 * (t22 + t21) - (t27 + t27));
-  const Scalar t29 = (k[17] + (Scalar(2) * t12 - t19)) - (k[25] - (t21 - t28));
-  const Scalar t30 = c5 * t24 + s5 * t25;
-  const Scalar t31 = c4 * (k[27] - (t14 - c5 * t18)) - s4 * (k[26] + t30);
-  const Scalar t32 = c4 * (k[28] * s5 + c5 * t13) - s4 * t23;
+  const Scalar t0 = k[0] * s6 - k[1] * c6;
+  const Scalar t1 = k[2] - t0;
+  const Scalar t2 = k[3] * c5 + s5 * t1;
+  const Scalar t3 = k[3] * s5 - c5 * t1;
+  const Scalar t4 = k[4] - t3;
+  const Scalar t5 = k[0] * c6 + k[1] * s6;
+  const Scalar t6 = k[5] + t5;
+  const Scalar t7 = s4 * t4 + c4 * t6;
+  const Scalar t8 = s3 * (k[7] + t2) + c3 * (k[6] + t7);
+  const Scalar t9 = s4 * t6 - c4 * t4;
+  const Scalar t10 = c5 * t5;
+  const Scalar t11 = s4 * t10 + c4 * t0;
+  const Scalar t12 = k[12] * s6 + k[11] * c6;
+  const Scalar t13 = k[21] + (k[20] - s6 * t12);
+  const Scalar t14 = k[9] * c6 + k[8] * s6;
+  const Scalar t15 = k[19] + t14;
+  const Scalar t16 = c5 * t13 - s5 * t15;
+  const Scalar t17 = k[13] + c6 * t12;
+  const Scalar t18 = k[15] - (k[14] - t17);
+  const Scalar t19 = k[8] * c6 - k[9] * s6;
+  const Scalar t20 = k[10] + t19;
+  const Scalar t21 = c5 * t20;
+  const Scalar t22 = (t21 + t21) + s5 * (k[16] - t18);
+  const Scalar t23 = s5 * t22;
+  const Scalar t24 = t18 + t23;
+  const Scalar t25 = k[24] - t24;
+  const Scalar t26 = k[23] - t17;
+  const Scalar t27 = Scalar(2) * s4 * (k[22] + t16) - c4 * (t25 + t26);
+  const Scalar t28 = k[16] - t23;
+  const Scalar t29 = (k[25] - (c4 * t27 + t25)) + (k[18] - (k[17] * t2 - t28));
+  const Scalar t30 = c5 * t15 + s5 * t13;
+  const Scalar t31 = s4 * (k[26] - t30) - c4 * (k[27] + (t20 - c5 * t22));
+  const Scalar t32 = t28 + t24;
+  const Scalar t33 = c4 * t16 - s4 * (t32 - k[28] * t2);
+  const Scalar t34 = c4 * (c5 * t19 + k[14] * s5) - s4 * t14;
   Eigen::Matrix<Scalar, dof, dof> result;
   result(0, 0) = k[29];
   result(0, 1) = result(1, 0) = Scalar(0);
   result(0, 2) = result(2, 0) = -t8;
-  result(0, 3) = result(3, 0) = -s3 * t9;
-  result(0, 4) = result(4, 0) = s3 * s4 * t7 + c3 * t4;
-  result(0, 5) = result(5, 0) = -c3 * s5 * t0 - s3 * t11;
+  result(0, 3) = result(3, 0) = s3 * t9;
+  result(0, 4) = result(4, 0) = s3 * s4 * t2 - c3 * t3;
+  result(0, 5) = result(5, 0) = s3 * t11 - c3 * s5 * t5;
   result(1, 1) = k[30];
   result(1, 2) = result(2, 1) = Scalar(0);
-  result(1, 3) = result(3, 1) = -t6;
-  result(1, 4) = result(4, 1) = -c4 * t7;
-  result(1, 5) = result(5, 1) = -c4 * t10 - s4 * t2;
-  result(2, 2) = -t29;
-  result(2, 3) = result(3, 2) = -t31 - k[16] * t9;
-  result(2, 4) = result(4, 2) = s4 * (t12 - t20) - c4 * t26;
-  result(2, 5) = result(5, 2) = -t32 - k[16] * t11;
-  result(3, 3) = t22 - t21;
+  result(1, 3) = result(3, 1) = -t7;
+  result(1, 4) = result(4, 1) = -c4 * t2;
+  result(1, 5) = result(5, 1) = s4 * t0 - c4 * t10;
+  result(2, 2) = t29;
+  result(2, 3) = result(3, 2) = k[28] * t9 - t31;
+  result(2, 4) = result(4, 2) = t33;
+  result(2, 5) = result(5, 2) = k[28] * t11 - t34;
+  result(3, 3) = t26 - t25;
   result(3, 4) = result(4, 3) = -t30;
-  result(3, 5) = result(5, 3) = s5 * t13 - k[28] * c5;
-  result(4, 4) = t20;
-  result(4, 5) = result(5, 4) = -t23;
-  result(5, 5) = -k[28];
+  result(3, 5) = result(5, 3) = s5 * t19 - k[14] * c5;
+  result(4, 4) = t32;
+  result(4, 5) = result(5, 4) = -t14;
+  result(5, 5) = -k[14];
   return result;
 }
 
@@ -627,47 +647,50 @@ CoriolisMatrixConstants<Scalar> coriolis_matrix_constants(const BasicGeometry<Sc
   using std::sin;
   const Scalar t0 = inertia.c5z * inertia.m5;
   const Scalar t1 = inertia.c6z * inertia.m6;
-  const Scalar t2 = inertia.c6y * inertia.m6;
-  const Scalar t3 = inertia.c6x * inertia.m6;
+  const Scalar t2 = inertia.c6x * inertia.m6;
+  const Scalar t3 = inertia.c6y * inertia.m6;
   const Scalar t4 = inertia.c5y * inertia.m5;
-  const Scalar t5 = inertia.c4z * inertia.m4 - g.d4 * (inertia.m4 + (inertia.m5 + inertia.m6));
-  const Scalar t6 = inertia.c4y * inertia.m4;
-  const Scalar t7 = inertia.c4x * inertia.m4;
-  const Scalar t8 = inertia.c5x * inertia.m5;
-  const Scalar t9 = inertia.I6xy - inertia.c6y * t3;
+  const Scalar t5 = g.d4 * inertia.m4;
+  const Scalar t6 = ((inertia.c4z * inertia.m4 - t5) + t5) - g.d4 * (inertia.m4 + (inertia.m5 + inertia.m6));
+  const Scalar t7 = inertia.c4y * inertia.m4;
+  const Scalar t8 = inertia.c4x * inertia.m4;
+  const Scalar t9 = inertia.c5x * inertia.m5;
   const Scalar t10 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t11 = (inertia.I6xx - t10) - inertia.c6x * t3;
-  const Scalar t12 = (inertia.I6yy - t10) - inertia.c6y * t2;
-  const Scalar t13 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t14 = (inertia.c6z * t1 - (inertia.I6zz - t10)) + (inertia.c5z * t0 - (inertia.I5zz - t13));
-  const Scalar t15 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t16 = (inertia.c5x * t8 - (inertia.I5xx - t13)) - ((inertia.I4xx - t15) - inertia.c4x * t7);
+  const Scalar t11 = (inertia.I6xx - t10) - inertia.c6x * t2;
+  const Scalar t12 = (inertia.I6yy - t10) - inertia.c6y * t3;
+  const Scalar t13 = inertia.I6xy - inertia.c6y * t2;
+  const Scalar t14 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t15 = (inertia.c6z * t1 - (inertia.I6zz - t10)) + (inertia.c5z * t0 - (inertia.I5zz - t14));
+  const Scalar t16 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t17 = (inertia.c5x * t9 - (inertia.I5xx - t14)) - ((inertia.I4xx - t16) - inertia.c4x * t8);
+  const Scalar t18 = g.d4 * t7;
+  const Scalar t19 = g.d4 * t8;
   return { t0 + t1,
            t2,
            t3,
            t4,
-           t5 + (inertia.c3z * inertia.m3 - g.d4 * inertia.m3),
-           t6,
-           t7 + t8,
+           (inertia.c3z * inertia.m3 - g.d4 * inertia.m3) + t6,
+           t7,
+           t8 + t9,
            inertia.c3x * inertia.m3,
-           Scalar(2) * t9,
+           inertia.I6xz - inertia.c6z * t2,
+           inertia.I6yz - inertia.c6z * t3,
+           inertia.I5xz - inertia.c5z * t9,
            t11 - t12,
-           t11,
-           inertia.c5y * t4 - (inertia.I5yy - t13),
-           t9,
-           inertia.I6xz - inertia.c6z * t3,
-           inertia.I6yz - inertia.c6z * t2,
+           Scalar(2) * t13,
+           t13,
+           inertia.I5xy - inertia.c5y * t9,
+           inertia.I4xy - inertia.c4y * t8,
+           t15,
            inertia.I5yz - inertia.c5z * t4,
-           t14,
-           inertia.I5xz - inertia.c5z * t8,
-           inertia.I5xy - inertia.c5y * t8,
-           inertia.I4xy - inertia.c4y * t7,
-           (inertia.I4yy - t15) - inertia.c4y * t6,
+           t11,
+           inertia.c5y * t4 - (inertia.I5yy - t14),
+           (inertia.I4yy - t16) - inertia.c4y * t7,
            t11 + t12,
-           t16,
+           t17,
            g.d4,
-           inertia.I4yz - inertia.c4z * t6,
-           inertia.I4xz - inertia.c4z * t7,
+           t18 - (t18 + (inertia.I4yz - inertia.c4z * t7)),
+           t19 - ((inertia.I4xz - inertia.c4z * t8) + t19),
            t12 };
 }
 
@@ -685,145 +708,143 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const Jo
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[1] * c6 - k[2] * s6;
+  const Scalar t0 = k[2] * c6 - k[1] * s6;
   const Scalar t1 = k[3] + t0;
-  const Scalar t2 = s5 * t1;
-  const Scalar t3 = t2 + k[0] * c5;
-  const Scalar t4 = k[2] * c6 + k[1] * s6;
-  const Scalar t5 = qd[5] * t4;
-  const Scalar t6 = k[0] * qd[4] + t5;
-  const Scalar t7 = qd[4] * t2 + c5 * t6;
-  const Scalar t8 = k[6] + t4;
-  const Scalar t9 = t7 + qd[3] * t8;
-  const Scalar t10 = qd[5] * t0;
-  const Scalar t11 = c5 * t1;
-  const Scalar t12 = t11 - k[0] * s5;
-  const Scalar t13 = k[5] + t12;
-  const Scalar t14 = t10 + qd[3] * t13;
-  const Scalar t15 = s4 * t9 - c4 * t14;
-  const Scalar t16 = qd[4] * t11 - s5 * t6;
-  const Scalar t17 = qd[2] * (k[7] + (c4 * t8 + s4 * t13));
-  const Scalar t18 = c3 * (qd[2] * (k[4] + t3) - t15) + s3 * (t16 - t17);
-  const Scalar t19 = s4 * t14 + c4 * t9;
-  const Scalar t20 = qd[2] * s4;
-  const Scalar t21 = qd[2] * c4;
-  const Scalar t22 = s3 * t19 + c3 * (t20 * t8 - t13 * t21);
-  const Scalar t23 = qd[3] * t3;
-  const Scalar t24 = c4 * t23 + s4 * t16;
-  const Scalar t25 = qd[2] * t12 - t24;
-  const Scalar t26 = s3 * t25 + c3 * (t7 - t20 * t3);
-  const Scalar t27 = qd[3] * c5;
-  const Scalar t28 = t5 + t4 * t27;
-  const Scalar t29 = s5 * t4;
-  const Scalar t30 = qd[3] * t0 - (qd[4] * t29 - c5 * t10);
-  const Scalar t31 = c4 * t28 + s4 * t30;
-  const Scalar t32 = t31 + qd[2] * t29;
-  const Scalar t33 = qd[4] - t20;
-  const Scalar t34 = qd[3] * s5 - c5 * t21;
-  const Scalar t35 = c6 * t33 + s6 * t34;
-  const Scalar t36 = s6 * t33 - c6 * t34;
-  const Scalar t37 = s5 * t21 + t27;
-  const Scalar t38 = qd[5] + t37;
-  const Scalar t39 = c5 * (k[2] * t35 + k[1] * t36) + s5 * t38 * t0;
-  const Scalar t40 = k[9] * c6 + k[8] * s6;
-  const Scalar t41 = k[10] - c6 * t40;
-  const Scalar t42 = k[11] - t41;
-  const Scalar t43 = k[14] * c6 - k[13] * s6;
-  const Scalar t44 = k[15] + t43;
-  const Scalar t45 = c5 * t44;
-  const Scalar t46 = s5 * (k[16] - t42) + Scalar(2) * t45;
-  const Scalar t47 = k[20] - (t42 + s5 * t46);
-  const Scalar t48 = qd[5] * t43;
-  const Scalar t49 = qd[5] * t41;
-  const Scalar t50 = s5 * t48 - c5 * t49;
-  const Scalar t51 = k[14] * s6 + k[13] * c6;
-  const Scalar t52 = qd[5] * t51;
-  const Scalar t53 = k[16] * qd[4] - t52;
-  const Scalar t54 = s5 * t53 + qd[4] * t45;
-  const Scalar t55 = k[12] - s6 * t40;
-  const Scalar t56 = qd[5] * t55;
-  const Scalar t57 = qd[4] * t42;
-  const Scalar t58 = s5 * (t56 + qd[4] * t44) + c5 * t57;
-  const Scalar t59 = c5 * t54 - s5 * t58;
-  const Scalar t60 = k[17] + t51;
-  const Scalar t61 = k[18] + t55;
-  const Scalar t62 = c5 * t61;
-  const Scalar t63 = s5 * t60 - t62;
-  const Scalar t64 = k[19] - t63;
-  const Scalar t65 = t56 + qd[3] * t64;
-  const Scalar t66 = c4 * (qd[3] * t47 - t50) - s4 * (t59 + t65);
-  const Scalar t67 = s5 * t61;
-  const Scalar t68 = k[21] - t41;
-  const Scalar t69 = qd[5] * t68;
-  const Scalar t70 = qd[4] * t60 + t69;
-  const Scalar t71 = qd[4] * t67 + c5 * t70;
-  const Scalar t72 = k[22] - t68;
-  const Scalar t73 = s4 * (t71 - qd[3] * t72) - c4 * t65;
-  const Scalar t74 = (s4 * t66 - c4 * t73) + (k[23] * t16 + t59);
-  const Scalar t75 = c5 * t43;
-  const Scalar t76 = qd[5] * t75 + s5 * t49;
-  const Scalar t77 = qd[3] * (k[24] - (t44 - c5 * t46)) + t76;
-  const Scalar t78 = s4 * (t77 + (t20 * t64 - t21 * t47));
-  const Scalar t79 = s5 * t54;
-  const Scalar t80 = c5 * t58;
-  const Scalar t81 = qd[3] * (k[25] + (t67 + c5 * t60)) - ((t53 - t79) + (t57 - t80));
-  const Scalar t82 = c4 * (t81 - (t72 * t20 + t21 * t64));
-  const Scalar t83 = t78 + t82;
-  const Scalar t84 = (t69 + t33 * t60) - (t34 * t44 - k[16] * t37);
-  const Scalar t85 = (t34 * t42 - t44 * t37) + t33 * t61;
-  const Scalar t86 = s4 * t56 + c4 * (c5 * t84 + s5 * t85);
-  const Scalar t87 = k[23] * t25 + t86;
-  const Scalar t88 = (k[26] * t36 + k[12] * t35) - k[14] * t38;
-  const Scalar t89 = (k[10] * t35 + k[12] * t36) - k[13] * t38;
-  const Scalar t90 = c6 * t88 - s6 * t89;
-  const Scalar t91 = s6 * t88 + c6 * t89;
-  const Scalar t92 = k[23] * t32 - (s4 * t90 + c4 * c5 * t91);
-  const Scalar t93 = s5 * t70 - qd[4] * t62;
-  const Scalar t94 = s4 * (t77 - t93) + c4 * (t81 + (t80 + t79));
-  const Scalar t95 = s5 * t84 - c5 * t85;
-  const Scalar t96 = s5 * t91;
-  const Scalar t97 = c4 * ((t50 + t71) + qd[3] * (k[16] + t42));
-  const Scalar t98 = s4 * (qd[3] * t63 - Scalar(2) * t56) - t97;
-  const Scalar t99 = s4 * (t48 + qd[3] * (k[21] * s5 + t75));
-  const Scalar t100 = k[21] * qd[4] - t52;
-  const Scalar t101 = qd[3] * t51 + (qd[4] * s5 * t43 - c5 * t100);
-  const Scalar t102 = (k[23] * t31 + (t99 + c4 * t101)) - t92;
+  const Scalar t2 = c5 * t1;
+  const Scalar t3 = k[0] * s5 - t2;
+  const Scalar t4 = k[5] - t3;
+  const Scalar t5 = qd[5] * t0 + qd[3] * t4;
+  const Scalar t6 = k[1] * c6 + k[2] * s6;
+  const Scalar t7 = k[0] * qd[4] + qd[5] * t6;
+  const Scalar t8 = s5 * t1;
+  const Scalar t9 = c5 * t7 + qd[4] * t8;
+  const Scalar t10 = k[6] + t6;
+  const Scalar t11 = t9 + qd[3] * t10;
+  const Scalar t12 = c4 * t5 - s4 * t11;
+  const Scalar t13 = t8 + k[0] * c5;
+  const Scalar t14 = qd[2] * (k[7] + (s4 * t4 + c4 * t10));
+  const Scalar t15 = qd[4] * t2 - s5 * t7;
+  const Scalar t16 = c3 * (t12 + qd[2] * (k[4] + t13)) - s3 * (t14 - t15);
+  const Scalar t17 = qd[2] * c4;
+  const Scalar t18 = qd[2] * s4;
+  const Scalar t19 = s4 * t5 + c4 * t11;
+  const Scalar t20 = c3 * (t4 * t17 - t18 * t10) - s3 * t19;
+  const Scalar t21 = qd[3] * t13;
+  const Scalar t22 = s4 * t15 + c4 * t21;
+  const Scalar t23 = t22 + qd[2] * t3;
+  const Scalar t24 = c3 * (t18 * t13 - t9) + s3 * t23;
+  const Scalar t25 = s5 * t17 + qd[3] * c5;
+  const Scalar t26 = qd[5] + t25;
+  const Scalar t27 = t26 * t6;
+  const Scalar t28 = qd[4] - t18;
+  const Scalar t29 = qd[3] * s5 - c5 * t17;
+  const Scalar t30 = s6 * t28 - c6 * t29;
+  const Scalar t31 = c6 * t28 + s6 * t29;
+  const Scalar t32 = k[2] * t30 + k[1] * t31;
+  const Scalar t33 = t26 * t0;
+  const Scalar t34 = s5 * t32 - c5 * t33;
+  const Scalar t35 = c4 * t27 - s4 * t34;
+  const Scalar t36 = s3 * t35 - c3 * (c5 * t32 + s5 * t33);
+  const Scalar t37 = k[12] * s6 + k[11] * c6;
+  const Scalar t38 = k[13] - s6 * t37;
+  const Scalar t39 = k[14] + t38;
+  const Scalar t40 = s5 * t39;
+  const Scalar t41 = k[8] * c6 + k[9] * s6;
+  const Scalar t42 = k[10] + t41;
+  const Scalar t43 = k[18] - c6 * t37;
+  const Scalar t44 = k[21] - t43;
+  const Scalar t45 = qd[5] * t44;
+  const Scalar t46 = qd[4] * t42 + t45;
+  const Scalar t47 = qd[4] * t40 + c5 * t46;
+  const Scalar t48 = k[22] - t44;
+  const Scalar t49 = c5 * t39;
+  const Scalar t50 = s5 * t42 - t49;
+  const Scalar t51 = k[15] - t50;
+  const Scalar t52 = qd[5] * t38;
+  const Scalar t53 = qd[3] * t51 + t52;
+  const Scalar t54 = s4 * (t47 - qd[3] * t48) - c4 * t53;
+  const Scalar t55 = k[19] - t43;
+  const Scalar t56 = qd[4] * t55;
+  const Scalar t57 = k[9] * c6 - k[8] * s6;
+  const Scalar t58 = k[17] + t57;
+  const Scalar t59 = c5 * t56 + s5 * (qd[4] * t58 + t52);
+  const Scalar t60 = qd[5] * t41;
+  const Scalar t61 = k[16] * qd[4] - t60;
+  const Scalar t62 = c5 * t58;
+  const Scalar t63 = s5 * t61 + qd[4] * t62;
+  const Scalar t64 = s5 * t59 - c5 * t63;
+  const Scalar t65 = qd[5] * t43;
+  const Scalar t66 = qd[5] * t57;
+  const Scalar t67 = c5 * t65 - s5 * t66;
+  const Scalar t68 = Scalar(2) * t62 + s5 * (k[16] - t55);
+  const Scalar t69 = k[20] - (t55 + s5 * t68);
+  const Scalar t70 = s4 * (t64 - t53) + c4 * (t67 + qd[3] * t69);
+  const Scalar t71 = (c4 * t54 - s4 * t70) + (t64 - k[23] * t15);
+  const Scalar t72 = s5 * t46 - qd[4] * t49;
+  const Scalar t73 = c5 * t57;
+  const Scalar t74 = t72 - (s5 * t65 + qd[5] * t73);
+  const Scalar t75 = qd[3] * (k[24] + (t58 - c5 * t68)) + t74;
+  const Scalar t76 = (t72 - t75) - (t69 * t17 - t18 * t51);
+  const Scalar t77 = c5 * t59;
+  const Scalar t78 = s5 * t63;
+  const Scalar t79 = qd[3] * (k[25] - (c5 * t42 + t40)) + ((t56 - t77) - (t78 - t61));
+  const Scalar t80 = c4 * ((t51 * t17 + t18 * t48) + t79);
+  const Scalar t81 = s4 * t76 - t80;
+  const Scalar t82 = (t29 * t58 - k[16] * t25) - (t28 * t42 + t45);
+  const Scalar t83 = t28 * t39 + (t29 * t55 - t58 * t25);
+  const Scalar t84 = c4 * (c5 * t82 - s5 * t83) - s4 * t52;
+  const Scalar t85 = k[23] * t23 + t84;
+  const Scalar t86 = (k[13] * t30 + k[18] * t31) - k[8] * t26;
+  const Scalar t87 = (k[26] * t30 + k[13] * t31) - k[9] * t26;
+  const Scalar t88 = s6 * t86 - c6 * t87;
+  const Scalar t89 = c6 * t86 + s6 * t87;
+  const Scalar t90 = k[23] * t35 + (s4 * t88 - c4 * c5 * t89);
+  const Scalar t91 = c4 * ((t78 + t77) - t79) - s4 * t75;
+  const Scalar t92 = c5 * t83 + s5 * t82;
+  const Scalar t93 = s5 * t89;
+  const Scalar t94 = c4 * (qd[3] * (k[16] + t55) + (t47 - t67));
+  const Scalar t95 = s4 * ((t52 + t52) - qd[3] * t50) + t94;
+  const Scalar t96 = t60 - k[21] * qd[4];
+  const Scalar t97 = qd[4] * t57;
+  const Scalar t98 = qd[3] * t41 + (c5 * t96 + s5 * t97);
+  const Scalar t99 = s4 * (qd[3] * (k[21] * s5 + t73) + t66);
+  const Scalar t100 = (c4 * t98 + t99) + k[23] * (t35 - qd[2] * s5 * t6);
   Eigen::Matrix<Scalar, dof, dof> result;
   result(0, 0) = Scalar(0);
   result(0, 1) = Scalar(0);
-  result(0, 2) = -t18;
-  result(0, 3) = t22;
-  result(0, 4) = -t26;
-  result(0, 5) = s3 * t32 - c3 * t39;
+  result(0, 2) = -t16;
+  result(0, 3) = -t20;
+  result(0, 4) = t24;
+  result(0, 5) = t36;
   result(1, 0) = Scalar(0);
   result(1, 1) = Scalar(0);
   result(1, 2) = Scalar(0);
-  result(1, 3) = t15;
-  result(1, 4) = s4 * t23 - c4 * t16;
-  result(1, 5) = s4 * t28 - c4 * t30;
+  result(1, 3) = -t12;
+  result(1, 4) = s4 * t21 - c4 * t15;
+  result(1, 5) = c4 * t34 + s4 * t27;
   result(2, 0) = Scalar(0);
   result(2, 1) = Scalar(0);
-  result(2, 2) = -t74;
-  result(2, 3) = k[23] * t19 + t83;
-  result(2, 4) = -t87;
-  result(2, 5) = t92;
+  result(2, 2) = t71;
+  result(2, 3) = t81 + k[23] * t19;
+  result(2, 4) = t85;
+  result(2, 5) = t90;
   result(3, 0) = Scalar(0);
   result(3, 1) = Scalar(0);
-  result(3, 2) = t94 - t83;
-  result(3, 3) = t59;
-  result(3, 4) = t95;
-  result(3, 5) = t96;
+  result(3, 2) = t91 - t81;
+  result(3, 3) = -t64;
+  result(3, 4) = -t92;
+  result(3, 5) = t93;
   result(4, 0) = Scalar(0);
   result(4, 1) = Scalar(0);
-  result(4, 2) = t87 + (k[23] * t24 + t98);
-  result(4, 3) = -(t76 - t93) - t95;
-  result(4, 4) = t56;
-  result(4, 5) = t90;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = t102;
-  result(5, 3) = (s5 * t100 + qd[4] * t75) - t96;
-  result(5, 4) = -t48 - t90;
+  result(4, 2) = -t85 - (t95 - k[23] * t22);
+  result(4, 3) = t74 + t92;
+  result(4, 4) = t52;
+  result(4, 5) = -t88;
+  result(5, 0) = -Scalar(0);
+  result(5, 1) = -Scalar(0);
+  result(5, 2) = t100 - t90;
+  result(5, 3) = -t93 - (s5 * t96 - c5 * t97);
+  result(5, 4) = t88 - t66;
   result(5, 5) = Scalar(0);
   return result;
 }
@@ -851,81 +872,81 @@ ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6x * inertia.m6;
-  const Scalar t1 = inertia.I6xy - inertia.c6y * t0;
-  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t0;
-  const Scalar t4 = inertia.c6y * inertia.m6;
-  const Scalar t5 = (inertia.I6yy - t2) - inertia.c6y * t4;
-  const Scalar t6 = inertia.c5x * inertia.m5;
-  const Scalar t7 = t3 + t5;
-  const Scalar t8 = inertia.c5y * inertia.m5;
-  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t10 = inertia.c6z * inertia.m6;
-  const Scalar t11 = inertia.c5z * inertia.m5;
-  const Scalar t12 = (inertia.c6z * t10 - (inertia.I6zz - t2)) + (inertia.c5z * t11 - (inertia.I5zz - t9));
-  const Scalar t13 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t14 = inertia.c4y * inertia.m4;
-  const Scalar t15 = (inertia.I4yy - t13) - inertia.c4y * t14;
-  const Scalar t16 = inertia.c4x * inertia.m4;
-  const Scalar t17 = (inertia.c5x * t6 - (inertia.I5xx - t9)) - ((inertia.I4xx - t13) - inertia.c4x * t16);
-  const Scalar t18 = t16 + t6;
-  const Scalar t19 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t20 = inertia.m2 + (inertia.m3 + t19);
-  const Scalar t21 = inertia.c4z * inertia.m4;
-  const Scalar t22 = t21 - g.d4 * t19;
-  const Scalar t23 = inertia.c3z * inertia.m3;
-  const Scalar t24 = t23 - g.d4 * inertia.m3;
-  const Scalar t25 = t22 + t24;
-  const Scalar t26 = inertia.c3x * inertia.m3;
-  const Scalar t27 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t28 = ((inertia.I3zz - t27) - inertia.c3z * t23) + g.d4 * (t23 + t24);
-  const Scalar t29 = ((inertia.I4zz - t13) - inertia.c4z * t21) + g.d4 * (t22 + t21);
-  const Scalar t30 = inertia.I4xy - inertia.c4y * t16;
-  return { Scalar(2) * t1,
-           t3 - t5,
+  const Scalar t0 = inertia.c6y * inertia.m6;
+  const Scalar t1 = inertia.c6x * inertia.m6;
+  const Scalar t2 = inertia.c4x * inertia.m4;
+  const Scalar t3 = inertia.c5x * inertia.m5;
+  const Scalar t4 = inertia.c5y * inertia.m5;
+  const Scalar t5 = inertia.c5z * inertia.m5;
+  const Scalar t6 = inertia.c6z * inertia.m6;
+  const Scalar t7 = inertia.c4y * inertia.m4;
+  const Scalar t8 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t9 = (inertia.I6xx - t8) - inertia.c6x * t1;
+  const Scalar t10 = (inertia.I6yy - t8) - inertia.c6y * t0;
+  const Scalar t11 = inertia.I6xy - inertia.c6y * t1;
+  const Scalar t12 = g.d4 * t2;
+  const Scalar t13 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t14 = (inertia.c6z * t6 - (inertia.I6zz - t8)) + (inertia.c5z * t5 - (inertia.I5zz - t13));
+  const Scalar t15 = g.d4 * t7;
+  const Scalar t16 = t9 + t10;
+  const Scalar t17 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t18 = (inertia.I4yy - t17) - inertia.c4y * t7;
+  const Scalar t19 = (inertia.c5x * t3 - (inertia.I5xx - t13)) - ((inertia.I4xx - t17) - inertia.c4x * t2);
+  const Scalar t20 = inertia.c4z * inertia.m4;
+  const Scalar t21 = g.d4 * inertia.m4;
+  const Scalar t22 = t20 - t21;
+  const Scalar t23 = t22 + t21;
+  const Scalar t24 = g.d4 * (t20 + t22) + ((inertia.I4zz - t17) - inertia.c4z * t20);
+  const Scalar t25 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t26 = t23 - g.d4 * t25;
+  const Scalar t27 = (g.d4 * (t23 + t22) - t24) - g.d4 * (t23 + t26);
+  const Scalar t28 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t29 = inertia.c3z * inertia.m3;
+  const Scalar t30 = t29 - g.d4 * inertia.m3;
+  const Scalar t31 = ((inertia.I3zz - t28) - inertia.c3z * t29) + g.d4 * (t29 + t30);
+  const Scalar t32 = inertia.I4xy - inertia.c4y * t2;
+  const Scalar t33 = inertia.c3x * inertia.m3;
+  const Scalar t34 = inertia.m2 + (inertia.m3 + t25);
+  return { t0,
            t1,
-           inertia.I5xy - inertia.c5y * t6,
-           inertia.I6yz - inertia.c6z * t4,
-           inertia.I6xz - inertia.c6z * t0,
-           inertia.I5xz - inertia.c5z * t6,
-           Scalar(1) / t7,
-           t7,
-           t5,
-           inertia.c5y * t8 - (inertia.I5yy - t9),
-           t12,
-           inertia.I5yz - inertia.c5z * t8,
-           Scalar(2) * t12,
-           t15,
-           t17,
-           t0,
+           t2 + t3,
            t4,
-           t8,
-           t11 + t10,
-           t18,
-           t14,
-           inertia.m1 + t20,
+           t5 + t6,
+           t7,
            g.d4,
-           inertia.I4yz - inertia.c4z * t14,
-           inertia.I4xz - inertia.c4z * t16,
-           t25,
-           t26,
-           Scalar(2) * g.d4,
-           t28 + t29,
-           t30,
-           inertia.c3x * t26 - (inertia.I3xx - t27),
-           t20,
-           gravity,
-           t15 + t17,
+           t9 - t10,
+           Scalar(2) * t11,
+           t11,
+           inertia.I5xy - inertia.c5y * t3,
+           inertia.I6xz - inertia.c6z * t1,
+           inertia.I6yz - inertia.c6z * t0,
+           inertia.I5xz - inertia.c5z * t3,
+           t12 - ((inertia.I4xz - inertia.c4z * t2) + t12),
+           inertia.I5yz - inertia.c5z * t4,
+           t9,
+           inertia.c5y * t4 - (inertia.I5yy - t13),
+           t14,
            Scalar(2) * t14,
+           t15 - (t15 + (inertia.I4yz - inertia.c4z * t7)),
+           t16,
+           Scalar(1) / t16,
+           t18,
+           t10,
+           t19,
+           t27 - t31,
+           t32,
+           inertia.c3x * t33 - (inertia.I3xx - t28),
+           gravity,
+           t18 + t19,
+           t33,
+           t30 + t26,
+           Scalar(2) * t32,
            Scalar(2) * t18,
-           gravity * t20,
+           t34,
+           Scalar(2) * t7,
+           gravity * t34,
            gravity * inertia.m1,
-           gravity * t26,
-           gravity * t25,
-           Scalar(2) * t17,
-           Scalar(2) * t30,
-           Scalar(2) * t15 };
+           inertia.m1 + t34 };
 }
 
 namespace detail {
@@ -942,178 +963,176 @@ inline JointVector<Scalar> forward_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = qd[2] * s4;
-  const Scalar t1 = qd[2] * c4;
-  const Scalar t2 = t0 * t1;
-  const Scalar t3 = qd[3] * qd[3];
-  const Scalar t4 = t0 * t0;
-  const Scalar t5 = t3 - t4;
-  const Scalar t6 = t3 + t4;
-  const Scalar t7 = qd[2] * qd[2];
-  const Scalar t8 = t6 - t7;
-  const Scalar t9 = t5 - t8;
-  const Scalar t10 = t9 + t6;
-  const Scalar t11 = qd[4] - t0;
-  const Scalar t12 = s5 * t1 + qd[3] * c5;
-  const Scalar t13 = qd[3] * t0;
-  const Scalar t14 = t13 + t13;
-  const Scalar t15 = c5 * t14 + s5 * t2;
-  const Scalar t16 = Scalar(2) * t11 * t12 + t15;
-  const Scalar t17 = s5 * t14 - c5 * t2;
-  const Scalar t18 = qd[3] * s5 - c5 * t1;
-  const Scalar t19 = t18 * t11;
-  const Scalar t20 = t17 + (t19 + t19);
-  const Scalar t21 = k[17] * s6 + k[16] * c6;
-  const Scalar t22 = qd[5] + t12;
-  const Scalar t23 = t22 * t22;
-  const Scalar t24 = t18 * t18;
-  const Scalar t25 = t23 + t24;
-  const Scalar t26 = k[17] * c6 - k[16] * s6;
-  const Scalar t27 = (k[19] * t16 + k[18] * t20) + (t21 * t25 + t26 * t20);
-  const Scalar t28 = (k[21] * t2 + k[20] * t10) + t27;
-  const Scalar t29 = qd[3] * t1;
-  const Scalar t30 = t18 * t12;
-  const Scalar t31 = t29 + t30;
-  const Scalar t32 = t11 * t11;
-  const Scalar t33 = t32 - t24;
-  const Scalar t34 = t10 + t33;
-  const Scalar t35 = (k[19] * t31 - k[18] * t34) + (t21 * t17 - (t33 + t25) * t26);
-  const Scalar t36 = t22 * t11;
-  const Scalar t37 = (t36 - t16) + t36;
-  const Scalar t38 = t18 * t22;
-  const Scalar t39 = (t31 - t38) - t38;
-  const Scalar t40 = t29 - t30;
-  const Scalar t41 = t32 + t24;
-  const Scalar t42 = (t21 * t37 + t39 * t26) + (k[18] * t40 + k[19] * t41);
-  const Scalar t43 = (k[20] * t2 + k[21] * t6) - (c5 * t35 + s5 * t42);
-  const Scalar t44 = k[33] * s3;
-  const Scalar t45 = s4 * t44;
-  const Scalar t46 = k[33] * c3 + k[23] * t7;
-  const Scalar t47 = c5 * t45 - s5 * t46;
-  const Scalar t48 = c4 * t44;
-  const Scalar t49 = k[4] * c6 - k[5] * s6;
-  const Scalar t50 = k[4] * s6 + k[5] * c6;
-  const Scalar t51 = k[0] * s6 + k[1] * c6;
-  const Scalar t52 = k[2] - s6 * t51;
-  const Scalar t53 = k[9] + c6 * t51;
-  const Scalar t54 = k[8] - t53;
-  const Scalar t55 = t52 * t33 - (t17 * t53 + t54 * t20);
-  const Scalar t56 = (t21 * t47 - t48 * t26) + ((t49 * t16 + t31 * t50) - t55);
-  const Scalar t57 = torque[5] - t56;
-  const Scalar t58 = c5 * t21;
-  const Scalar t59 = c4 * t58 + s4 * t26;
-  const Scalar t60 = k[7] * t59;
-  const Scalar t61 = (torque[1] - (s4 * t28 - c4 * t43)) - t57 * t60;
-  const Scalar t62 = k[18] + t26;
-  const Scalar t63 = k[19] * c5 + s5 * t62;
-  const Scalar t64 = k[7] * t50;
-  const Scalar t65 = c4 * t63 - t64 * t59;
-  const Scalar t66 = k[11] + (k[10] - t54);
-  const Scalar t67 = Scalar(1) / (t66 + t64 * t50);
-  const Scalar t68 = t65 * t67;
-  const Scalar t69 = t23 - t24;
-  const Scalar t70 = (t49 * t69 - t50 * t17) - (t54 * t39 + t52 * t37);
-  const Scalar t71 = s5 * t45 + c5 * t46;
-  const Scalar t72 = t41 - t34;
-  const Scalar t73 = k[12] * t72 - (k[10] * t40 + k[11] * t31);
-  const Scalar t74 = (k[19] * t47 + k[18] * t71) + ((k[6] * t17 - k[3] * t15) + t73);
-  const Scalar t75 = (t70 - t71 * t26) - t74;
-  const Scalar t76 = k[7] * t57;
-  const Scalar t77 = (torque[4] + t75) - t50 * t76;
-  const Scalar t78 = k[3] + t52;
-  const Scalar t79 = k[6] + t50;
-  const Scalar t80 = s5 * t78 + c5 * t79;
-  const Scalar t81 = s5 * t49 - k[8] * c5;
-  const Scalar t82 = t80 + t64 * t81;
-  const Scalar t83 = t82 * t67;
-  const Scalar t84 = k[7] * t81;
-  const Scalar t85 = (t52 * t39 + t37 * t53) + t50 * (t33 - t69);
-  const Scalar t86 = (k[11] * t16 - k[12] * t20) + k[6] * (t33 + t72);
-  const Scalar t87 = (t71 * t21 - (t20 * t49 - t85)) + (k[19] * t48 + (t86 + k[3] * t40));
-  const Scalar t88 = (k[10] * t20 - k[12] * t16) + (k[3] * t33 - k[6] * t31);
-  const Scalar t89 = t56 - (t88 + k[18] * t48);
-  const Scalar t90 = (k[34] * t2 + k[30] * t9) - (k[21] * t48 - k[20] * t45);
-  const Scalar t91 = torque[3] - ((s5 * t87 + c5 * t89) + t90);
-  const Scalar t92 = t83 * t77 + (t57 * t84 + t91);
-  const Scalar t93 = k[15] - t53;
-  const Scalar t94 = k[12] + t49;
-  const Scalar t95 = c5 * t94;
-  const Scalar t96 = (t95 + t95) + s5 * (k[13] - t66);
-  const Scalar t97 = k[11] - s5 * t96;
-  const Scalar t98 = k[14] + (t97 - t66);
-  const Scalar t99 = t83 * t82 - ((t93 - t98) + t84 * t81);
-  const Scalar t100 = Scalar(1) / t99;
-  const Scalar t101 = c5 * t62 - k[19] * s5;
-  const Scalar t102 = k[21] + t101;
-  const Scalar t103 = k[20] + t21;
-  const Scalar t104 = s4 * t102 + c4 * t103;
-  const Scalar t105 = (t104 + t60 * t81) + t83 * t65;
-  const Scalar t106 = t100 * t105;
-  const Scalar t107 = t67 * t77;
-  const Scalar t108 = c5 * t78 - s5 * t79;
-  const Scalar t109 = s4 * t63;
-  const Scalar t110 = (s4 * t66 - c4 * t108) - k[23] * t109;
-  const Scalar t111 = s4 * t58 - c4 * t26;
-  const Scalar t112 = c4 * (c5 * t49 + k[8] * s5) - s4 * t50;
-  const Scalar t113 = k[23] * t111 - t112;
-  const Scalar t114 = k[7] * t113;
-  const Scalar t115 = t110 + t114 * t50;
-  const Scalar t116 = c4 * t28 + s4 * t43;
-  const Scalar t117 = (k[41] * t13 + k[42] * t29) - k[25] * t5;
-  const Scalar t118 = (k[20] * t46 - (k[24] * t2 - t117)) + (c5 * t87 - s5 * t89);
-  const Scalar t119 = (k[25] * t2 + k[24] * t8) + (k[30] * t14 - k[43] * t29);
-  const Scalar t120 = c4 * t118 - s4 * (t75 + (t119 - k[21] * t46));
-  const Scalar t121 = (k[39] * c3 + k[40] * s3) - (k[23] * t116 - t120);
-  const Scalar t122 = t107 * t115 + ((torque[2] + t121) + t113 * t76);
-  const Scalar t123 = s4 * t103 - c4 * t102;
-  const Scalar t124 = s4 * (k[25] + t80) - c4 * (k[24] - (t94 - c5 * t96));
-  const Scalar t125 = t83 * t115 - ((k[23] * t123 + t124) + t81 * t114);
-  const Scalar t126 = t92 * t100;
-  const Scalar t127 = t122 - t125 * t126;
-  const Scalar t128 = t115 * t67;
-  const Scalar t129 = c4 * (t93 + t98) - Scalar(2) * s4 * (k[30] + t108);
-  const Scalar t130 = (k[29] - (t97 - k[28] * t63)) - (k[31] + (c4 * t129 - t98));
-  const Scalar t131 = t125 * t100;
-  const Scalar t132 = (t128 * t115 - (t113 * t114 - t130)) - t125 * t131;
-  const Scalar t133 = Scalar(1) / t132;
-  const Scalar t134 = t125 * t106 - (t128 * t65 + t114 * t59);
-  const Scalar t135 = t133 * t134;
-  const Scalar t136 = ((t61 + t68 * t77) - t92 * t106) + t127 * t135;
-  const Scalar t137 = t105 * t106 - (t68 * t65 - (k[32] + t60 * t59));
-  const Scalar t138 = Scalar(1) / (t135 * t134 + t137);
-  const Scalar t139 = c3 * s5 * t21 - s3 * t111;
-  const Scalar t140 = k[7] * t139;
-  const Scalar t141 = (c3 * t101 + s3 * t109) + t64 * t139;
-  const Scalar t142 = t141 * t67;
-  const Scalar t143 = (s3 * t123 - t81 * t140) + t82 * t142;
-  const Scalar t144 = c3 * (k[27] + t104) + s3 * (k[26] + t63);
-  const Scalar t145 = t143 * t131 + ((t114 * t139 + t144) - t142 * t115);
-  const Scalar t146 = t100 * t143;
-  const Scalar t147 = (t59 * t140 + t68 * t141) - t146 * t105;
-  const Scalar t148 = t145 * t135 - t147;
-  const Scalar t149 = t138 * t148;
-  const Scalar t150 = (c5 * t42 - s5 * t35) + (k[35] * t29 - k[36] * t13);
-  const Scalar t151 = c3 * (t150 + k[26] * t7) - s3 * (k[27] * t7 + t116);
-  const Scalar t152 = t76 * t139 - (torque[0] - (k[38] + (k[37] - t151)));
-  const Scalar t153 = t127 * t133;
-  const Scalar t154 = (t92 * t146 - (t152 + t142 * t77)) - t145 * t153;
-  const Scalar t155 = t145 * t133;
-  const Scalar t156 = ((k[22] + t139 * t140) - t141 * t142) + t143 * t146;
-  const Scalar t157 = Scalar(1) / ((t145 * t155 + t156) - t149 * t148);
-  const Scalar t158 = (t136 * t149 + t154) * t157;
-  const Scalar t159 = t158 * t149 + t136 * t138;
-  const Scalar t160 = (t153 + t158 * t155) - t135 * t159;
-  const Scalar t161 = t160 * t131 - ((t126 - t158 * t146) + t106 * t159);
-  const Scalar t162 = (t68 * t159 + (t107 - t158 * t142)) - t160 * t128;
-  const Scalar t163 = t83 * t161 + t162;
-  const Scalar t164 = t160 * t114 + ((t76 + t158 * t140) + t60 * t159);
+  const Scalar t0 = k[12] * s6 + k[11] * c6;
+  const Scalar t1 = k[13] + t0;
+  const Scalar t2 = k[7] * c6 + k[8] * s6;
+  const Scalar t3 = k[9] - s6 * t2;
+  const Scalar t4 = k[10] + t3;
+  const Scalar t5 = c5 * t1 + s5 * t4;
+  const Scalar t6 = k[22] * t0;
+  const Scalar t7 = k[12] * c6 - k[11] * s6;
+  const Scalar t8 = s5 * t7 - k[21] * c5;
+  const Scalar t9 = t5 + t6 * t8;
+  const Scalar t10 = c6 * t2;
+  const Scalar t11 = k[16] - t10;
+  const Scalar t12 = k[17] - t11;
+  const Scalar t13 = k[18] + t12;
+  const Scalar t14 = Scalar(1) / (t13 + t6 * t0);
+  const Scalar t15 = t9 * t14;
+  const Scalar t16 = s5 * t1 - c5 * t4;
+  const Scalar t17 = k[0] * c6 - k[1] * s6;
+  const Scalar t18 = k[3] + t17;
+  const Scalar t19 = k[4] * c5 + s5 * t18;
+  const Scalar t20 = k[6] * t19;
+  const Scalar t21 = c4 * t17;
+  const Scalar t22 = k[0] * s6 + k[1] * c6;
+  const Scalar t23 = c5 * t22;
+  const Scalar t24 = t21 - s4 * t23;
+  const Scalar t25 = s4 * t0 - c4 * (k[21] * s5 + c5 * t7);
+  const Scalar t26 = k[6] * t24 - t25;
+  const Scalar t27 = (c4 * t16 + s4 * (t13 - t20)) - t6 * t26;
+  const Scalar t28 = k[22] * t8;
+  const Scalar t29 = k[2] + t22;
+  const Scalar t30 = k[4] * s5 - c5 * t18;
+  const Scalar t31 = k[5] - t30;
+  const Scalar t32 = s4 * t29 - c4 * t31;
+  const Scalar t33 = k[15] + t7;
+  const Scalar t34 = c5 * t33;
+  const Scalar t35 = (t34 + t34) + s5 * (k[19] - t13);
+  const Scalar t36 = s4 * (k[14] - t5) - c4 * (k[20] + (t33 - c5 * t35));
+  const Scalar t37 = t15 * t27 + (t28 * t26 - (k[6] * t32 - t36));
+  const Scalar t38 = k[24] + t10;
+  const Scalar t39 = k[25] - t38;
+  const Scalar t40 = s5 * t35;
+  const Scalar t41 = k[23] - (t40 + t12);
+  const Scalar t42 = t9 * t15 - ((t39 - t41) + t28 * t8);
+  const Scalar t43 = Scalar(1) / t42;
+  const Scalar t44 = s4 * t17 + c4 * t23;
+  const Scalar t45 = k[22] * t44;
+  const Scalar t46 = c4 * t19 - t45 * t0;
+  const Scalar t47 = t46 * t14;
+  const Scalar t48 = c4 * t29 + s4 * t31;
+  const Scalar t49 = t9 * t47 + (t48 + t44 * t28);
+  const Scalar t50 = t43 * t49;
+  const Scalar t51 = t37 * t50 - (t47 * t27 - t26 * t45);
+  const Scalar t52 = t43 * t37;
+  const Scalar t53 = k[22] * t26;
+  const Scalar t54 = c4 * (t39 + t41) - s4 * Scalar(2) * (k[27] - t16);
+  const Scalar t55 = (k[26] - ((t20 + t20) - (k[18] - t40))) + (k[28] + (c4 * t54 - t41));
+  const Scalar t56 = t14 * t27;
+  const Scalar t57 = t52 * t37 + ((t53 * t26 + t55) - t56 * t27);
+  const Scalar t58 = Scalar(1) / t57;
+  const Scalar t59 = t51 * t58;
+  const Scalar t60 = t49 * t50 + ((k[35] + t44 * t45) - t46 * t47);
+  const Scalar t61 = Scalar(1) / (t51 * t59 - t60);
+  const Scalar t62 = s3 * t24 + c3 * s5 * t22;
+  const Scalar t63 = t6 * t62 - (c3 * t30 - s3 * s4 * t19);
+  const Scalar t64 = t14 * t63;
+  const Scalar t65 = k[22] * t62;
+  const Scalar t66 = t9 * t64 + (s3 * t32 - t65 * t8);
+  const Scalar t67 = t66 * t43;
+  const Scalar t68 = c3 * (k[31] + t48) + s3 * (k[32] + t19);
+  const Scalar t69 = t37 * t67 - (t64 * t27 + (t53 * t62 - t68));
+  const Scalar t70 = t69 * t58;
+  const Scalar t71 = (t46 * t64 + t65 * t44) - t66 * t50;
+  const Scalar t72 = t51 * t70 + t71;
+  const Scalar t73 = t61 * t72;
+  const Scalar t74 = t66 * t67 + ((k[39] + t65 * t62) - t64 * t63);
+  const Scalar t75 = Scalar(1) / (t73 * t72 - (t69 * t70 - t74));
+  const Scalar t76 = qd[2] * s4;
+  const Scalar t77 = Scalar(2) * qd[3] * t76;
+  const Scalar t78 = qd[2] * c4;
+  const Scalar t79 = t76 * t78;
+  const Scalar t80 = c5 * t77 + s5 * t79;
+  const Scalar t81 = qd[4] - t76;
+  const Scalar t82 = t81 + t81;
+  const Scalar t83 = s5 * t78 + qd[3] * c5;
+  const Scalar t84 = t80 + t82 * t83;
+  const Scalar t85 = qd[3] * t78;
+  const Scalar t86 = qd[3] * s5 - c5 * t78;
+  const Scalar t87 = t86 * t83;
+  const Scalar t88 = t85 + t87;
+  const Scalar t89 = s5 * t77 - c5 * t79;
+  const Scalar t90 = t89 + t86 * t82;
+  const Scalar t91 = t81 * t81;
+  const Scalar t92 = qd[5] + t83;
+  const Scalar t93 = t92 * t92;
+  const Scalar t94 = t91 + t93;
+  const Scalar t95 = t86 * t86;
+  const Scalar t96 = t93 + t95;
+  const Scalar t97 = t94 - t96;
+  const Scalar t98 = (t11 * t90 + t89 * t38) - t3 * t97;
+  const Scalar t99 = k[29] * s3;
+  const Scalar t100 = s4 * t99;
+  const Scalar t101 = k[29] * c3;
+  const Scalar t102 = qd[2] * qd[2];
+  const Scalar t103 = t101 + k[6] * t102;
+  const Scalar t104 = c5 * t100 - s5 * t103;
+  const Scalar t105 = ((t7 * t84 + t88 * t0) + t98) + (t22 * t104 - t99 * t21);
+  const Scalar t106 = torque[5] - t105;
+  const Scalar t107 = k[22] * t106;
+  const Scalar t108 = (k[15] * t84 - k[17] * t90) - (k[10] * t97 - k[13] * t88);
+  const Scalar t109 = c4 * t99;
+  const Scalar t110 = t105 + (t108 - k[3] * t109);
+  const Scalar t111 = t86 * t92;
+  const Scalar t112 = (t88 - t111) - t111;
+  const Scalar t113 = t92 * t81;
+  const Scalar t114 = t113 - (t84 - t113);
+  const Scalar t115 = (t112 * t3 + t114 * t38) + (t91 - t93) * t0;
+  const Scalar t116 = s5 * t100 + c5 * t103;
+  const Scalar t117 = t85 - t87;
+  const Scalar t118 = t91 + t95;
+  const Scalar t119 = qd[3] * qd[3];
+  const Scalar t120 = t76 * t76;
+  const Scalar t121 = t119 - t120;
+  const Scalar t122 = t121 + t102;
+  const Scalar t123 = t118 - t122;
+  const Scalar t124 = (k[18] * t84 - k[15] * t90) + k[13] * t123;
+  const Scalar t125 = ((t115 - t7 * t90) + t22 * t116) + ((k[10] * t117 + t124) + k[4] * t109);
+  const Scalar t126 = k[14] * t121 + (k[25] * t77 + k[33] * t85);
+  const Scalar t127 = (s5 * t110 - c5 * t125) - (k[2] * t103 + (k[20] * t79 + t126));
+  const Scalar t128 = t119 + t120;
+  const Scalar t129 = (k[34] * t85 - k[27] * t77) + (k[14] * t79 + k[20] * (t128 - t102));
+  const Scalar t130 = k[15] * (t123 - t97) - (k[18] * t88 + k[17] * t117);
+  const Scalar t131 = (k[3] * t116 + k[4] * t104) + (t130 + (k[13] * t89 - k[10] * t80));
+  const Scalar t132 = (t11 * t112 + t114 * t3) + (t89 * t0 - t7 * (t93 - t95));
+  const Scalar t133 = t131 + (t132 + t116 * t17);
+  const Scalar t134 = c4 * t127 - s4 * ((k[5] * t103 + t129) + t133);
+  const Scalar t135 = (t90 * t17 + t22 * t96) + (k[4] * t84 + k[3] * t90);
+  const Scalar t136 = (k[2] * t122 + k[5] * t79) + t135;
+  const Scalar t137 = (k[3] * (t97 + t122) - k[4] * t88) - (t22 * t89 - t94 * t17);
+  const Scalar t138 = (t22 * t114 + t112 * t17) + (k[3] * t117 + k[4] * t118);
+  const Scalar t139 = (c5 * t137 - s5 * t138) + (k[5] * t128 + k[2] * t79);
+  const Scalar t140 = c4 * t136 + s4 * t139;
+  const Scalar t141 = (t134 + k[6] * t140) - (k[31] * t101 + k[32] * t99);
+  const Scalar t142 = t0 * t107 - (torque[4] - t133);
+  const Scalar t143 = t142 * t14;
+  const Scalar t144 = (t26 * t107 - (torque[2] - t141)) + t143 * t27;
+  const Scalar t145 = (k[27] * (t128 - t122) - k[30] * t79) - (k[2] * t100 - k[5] * t109);
+  const Scalar t146 = torque[3] + (t145 - (c5 * t110 + s5 * t125));
+  const Scalar t147 = t43 * (t15 * t142 - (t146 + t28 * t106));
+  const Scalar t148 = t144 - t37 * t147;
+  const Scalar t149 = (s5 * t137 + c5 * t138) + (k[36] * t85 - k[2] * t77);
+  const Scalar t150 = s3 * (t140 + k[31] * t102) - c3 * (t149 + k[32] * t102);
+  const Scalar t151 = (torque[0] - (k[38] + (k[37] + t150))) - t62 * t107;
+  const Scalar t152 = t70 * t148 - ((t64 * t142 + t151) - t66 * t147);
+  const Scalar t153 = t148 * t58;
+  const Scalar t154 = t106 * t45 - (torque[1] + (c4 * t139 - s4 * t136));
+  const Scalar t155 = t153 * t51 - ((t154 + t47 * t142) - t49 * t147);
+  const Scalar t156 = t75 * (t152 - t155 * t73);
+  const Scalar t157 = t156 * t73 + t155 * t61;
+  const Scalar t158 = t157 * t59 - (t153 + t156 * t70);
+  const Scalar t159 = t52 * t158 - (t157 * t50 - (t156 * t67 - t147));
+  const Scalar t160 = t56 * t158 - (t157 * t47 + (t143 - t156 * t64));
+  const Scalar t161 = t160 - t159 * t15;
+  const Scalar t162 = t53 * t158 - (t157 * t45 + (t65 * t156 - t107));
   JointVector<Scalar> result;
-  result[0] = t158;
-  result[1] = t159;
-  result[2] = -t160;
-  result[3] = t161;
-  result[4] = t163;
-  result[5] = -(t164 - t84 * t161) - t64 * t163;
+  result[0] = -t156;
+  result[1] = -t157;
+  result[2] = t158;
+  result[3] = -t159;
+  result[4] = t161;
+  result[5] = -(t162 + t28 * t159) - t6 * t161;
   return result;
 }
 
@@ -1145,58 +1164,64 @@ KineticEnergyConstants<Scalar> kinetic_energy_constants(const BasicGeometry<Scal
   const Scalar t2 = (inertia.I6xx - t0) - inertia.c6x * t1;
   const Scalar t3 = inertia.c6y * inertia.m6;
   const Scalar t4 = (inertia.I6yy - t0) - inertia.c6y * t3;
-  const Scalar t5 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t6 = inertia.c5y * inertia.m5;
-  const Scalar t7 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t8 = inertia.c6z * inertia.m6;
-  const Scalar t9 = inertia.c5z * inertia.m5;
-  const Scalar t10 = (inertia.c6z * t8 - (inertia.I6zz - t0)) + (inertia.c5z * t9 - (inertia.I5zz - t7));
-  const Scalar t11 = inertia.c5x * inertia.m5;
-  const Scalar t12 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t13 = inertia.c4x * inertia.m4;
-  const Scalar t14 = (inertia.c5x * t11 - (inertia.I5xx - t7)) - ((inertia.I4xx - t12) - inertia.c4x * t13);
-  const Scalar t15 = inertia.c4y * inertia.m4;
-  const Scalar t16 = inertia.c3x * inertia.m3;
-  const Scalar t17 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t18 = inertia.c3z * inertia.m3;
-  const Scalar t19 = t18 - g.d4 * inertia.m3;
-  const Scalar t20 = ((inertia.I3zz - t17) - inertia.c3z * t18) + g.d4 * (t18 + t19);
-  const Scalar t21 = inertia.c4z * inertia.m4;
-  const Scalar t22 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t23 = t21 - g.d4 * t22;
-  const Scalar t24 = ((inertia.I4zz - t12) - inertia.c4z * t21) + g.d4 * (t23 + t21);
-  const Scalar t25 = inertia.m2 + (inertia.m3 + t22);
+  const Scalar t5 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t6 = inertia.m2 + (inertia.m3 + t5);
+  const Scalar t7 = inertia.I6xy - inertia.c6y * t1;
+  const Scalar t8 = inertia.c5x * inertia.m5;
+  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t10 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t11 = inertia.c4x * inertia.m4;
+  const Scalar t12 = (inertia.c5x * t8 - (inertia.I5xx - t9)) - ((inertia.I4xx - t10) - inertia.c4x * t11);
+  const Scalar t13 = inertia.c5y * inertia.m5;
+  const Scalar t14 = inertia.c6z * inertia.m6;
+  const Scalar t15 = inertia.c5z * inertia.m5;
+  const Scalar t16 = (inertia.c6z * t14 - (inertia.I6zz - t0)) + (inertia.c5z * t15 - (inertia.I5zz - t9));
+  const Scalar t17 = inertia.c4y * inertia.m4;
+  const Scalar t18 = inertia.c3x * inertia.m3;
+  const Scalar t19 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t20 = inertia.c4z * inertia.m4;
+  const Scalar t21 = g.d4 * inertia.m4;
+  const Scalar t22 = t20 - t21;
+  const Scalar t23 = t22 + t21;
+  const Scalar t24 = g.d4 * (t20 + t22) + ((inertia.I4zz - t10) - inertia.c4z * t20);
+  const Scalar t25 = t23 - g.d4 * t5;
+  const Scalar t26 = (g.d4 * (t23 + t22) - t24) - g.d4 * (t23 + t25);
+  const Scalar t27 = inertia.c3z * inertia.m3;
+  const Scalar t28 = t27 - g.d4 * inertia.m3;
+  const Scalar t29 = ((inertia.I3zz - t19) - inertia.c3z * t27) + g.d4 * (t27 + t28);
+  const Scalar t30 = g.d4 * t17;
+  const Scalar t31 = g.d4 * t11;
   return { t2 + t4,
-           Scalar(2) * t5,
-           t2 - t4,
-           t4,
-           inertia.c5y * t6 - (inertia.I5yy - t7),
-           t10,
-           inertia.I6xz - inertia.c6z * t1,
-           inertia.I6yz - inertia.c6z * t3,
-           inertia.I5yz - inertia.c5z * t6,
-           t14,
-           (inertia.I4yy - t12) - inertia.c4y * t15,
-           inertia.I5xz - inertia.c5z * t11,
-           t5,
-           inertia.I5xy - inertia.c5y * t11,
-           inertia.I4xy - inertia.c4y * t13,
-           inertia.c3x * t16 - (inertia.I3xx - t17),
-           t9 + t8,
-           t3,
-           t1,
+           inertia.m1 + t6,
            t6,
-           Scalar(2) * g.d4,
-           t20 + t24,
-           t25,
-           inertia.m1 + t25,
-           t15,
-           t13 + t11,
-           t23 + t19,
+           t2 - t4,
+           Scalar(2) * t7,
+           t4,
+           t12,
+           inertia.c5y * t13 - (inertia.I5yy - t9),
            t16,
+           inertia.I6yz - inertia.c6z * t3,
+           inertia.I6xz - inertia.c6z * t1,
+           inertia.I5yz - inertia.c5z * t13,
+           (inertia.I4yy - t10) - inertia.c4y * t17,
+           inertia.I5xz - inertia.c5z * t8,
+           t7,
+           inertia.I5xy - inertia.c5y * t8,
+           inertia.I4xy - inertia.c4y * t11,
+           inertia.c3x * t18 - (inertia.I3xx - t19),
+           t15 + t14,
+           t1,
+           t3,
+           t13,
+           Scalar(2) * g.d4,
+           t26 - t29,
            g.d4,
-           inertia.I4xz - inertia.c4z * t13,
-           inertia.I4yz - inertia.c4z * t15 };
+           t11 + t8,
+           t17,
+           t30 - (t30 + (inertia.I4yz - inertia.c4z * t17)),
+           t31 - ((inertia.I4xz - inertia.c4z * t11) + t31),
+           t18,
+           t28 + t25 };
 }
 
 namespace detail {
@@ -1213,55 +1238,54 @@ inline Scalar kinetic_energy([[maybe_unused]] const JointVector<Scalar>& q, cons
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[6] * c6 + k[7] * s6;
-  const Scalar t1 = k[17] * c6 - k[18] * s6;
-  const Scalar t2 = k[19] + t1;
-  const Scalar t3 = s5 * t2 + k[16] * c5;
-  const Scalar t4 = s4 * t3;
-  const Scalar t5 = k[2] * c6 + k[1] * s6;
-  const Scalar t6 = k[13] + (k[12] - s6 * t5);
-  const Scalar t7 = k[11] + t0;
-  const Scalar t8 = c5 * t6 - s5 * t7;
-  const Scalar t9 = k[7] * c6 - k[6] * s6;
-  const Scalar t10 = k[8] + t9;
-  const Scalar t11 = k[3] + c6 * t5;
-  const Scalar t12 = k[4] - (k[0] - t11);
-  const Scalar t13 = Scalar(2) * c5 * t10 + s5 * (k[5] - t12);
-  const Scalar t14 = s5 * t13;
-  const Scalar t15 = k[5] - t14;
-  const Scalar t16 = t12 + t14;
-  const Scalar t17 = t15 + t16;
-  const Scalar t18 = k[28] * t4 + (c4 * t8 - s4 * t17);
-  const Scalar t19 = c5 * t7 + s5 * t6;
-  const Scalar t20 = c4 * (k[30] - (t10 - c5 * t13)) - s4 * (k[29] + t19);
-  const Scalar t21 = k[17] * s6 + k[18] * c6;
-  const Scalar t22 = k[25] + t21;
-  const Scalar t23 = k[16] * s5 - c5 * t2;
-  const Scalar t24 = k[24] - t23;
-  const Scalar t25 = s4 * t22 - c4 * t24;
-  const Scalar t26 = qd[4] * t18 - qd[3] * (t20 - k[28] * t25);
-  const Scalar t27 = s4 * t0 - c4 * (k[0] * s5 + c5 * t9);
-  const Scalar t28 = c5 * t21;
-  const Scalar t29 = s4 * t28 - c4 * t1;
-  const Scalar t30 = qd[2] * (t26 + qd[5] * (t27 + k[28] * t29));
-  const Scalar t31 = c4 * t22 + s4 * t24;
-  const Scalar t32 = qd[5] * (s4 * t1 + c4 * t28) + (qd[3] * t31 + qd[4] * c4 * t3);
-  const Scalar t33 = s3 * (k[26] + t3) + c3 * (k[27] + t31);
-  const Scalar t34 = qd[4] * (c3 * t23 - s3 * t4) + (qd[2] * t33 - qd[3] * s3 * t25);
-  const Scalar t35 = qd[5] * (c3 * s5 * t21 - s3 * t29);
-  const Scalar t36 = t30 - (qd[1] * t32 + qd[0] * (t34 + t35));
-  const Scalar t37 = qd[5] * (s5 * t9 - k[0] * c5) - qd[4] * t19;
-  const Scalar t38 = qd[4] * qd[5] * t0 - (t36 + qd[3] * t37);
-  const Scalar t39 = qd[0] * k[23] * qd[0] + qd[1] * k[22] * qd[1];
-  const Scalar t40 = k[9] - t11;
-  const Scalar t41 = k[10] - t16;
-  const Scalar t42 = s4 * (k[14] + t8);
-  const Scalar t43 = c4 * (c4 * (t40 + t41) - (t42 + t42));
-  const Scalar t44 = (k[15] + (t43 - t41)) - (k[21] + (k[20] * t3 - t15));
-  const Scalar t45 = (t39 + qd[2] * qd[2] * t44) + qd[3] * qd[3] * (t40 - t41);
-  const Scalar t46 = (qd[4] * qd[4] * t17 + t45) - qd[5] * k[0] * qd[5];
+  const Scalar t0 = k[3] * c6 + k[4] * s6;
+  const Scalar t1 = k[5] + c6 * t0;
+  const Scalar t2 = k[7] - (k[0] - t1);
+  const Scalar t3 = k[8] + t2;
+  const Scalar t4 = k[9] * c6 - k[10] * s6;
+  const Scalar t5 = k[11] + t4;
+  const Scalar t6 = Scalar(2) * c5 * t5 + s5 * (k[8] - t2);
+  const Scalar t7 = t2 + s5 * t6;
+  const Scalar t8 = k[12] - t7;
+  const Scalar t9 = k[6] - t1;
+  const Scalar t10 = k[19] * s6 - k[20] * c6;
+  const Scalar t11 = k[21] - t10;
+  const Scalar t12 = k[18] * c5 + s5 * t11;
+  const Scalar t13 = k[22] * t12;
+  const Scalar t14 = k[10] * c6 + k[9] * s6;
+  const Scalar t15 = k[13] + t14;
+  const Scalar t16 = k[15] + (k[14] - s6 * t0);
+  const Scalar t17 = s5 * t15 - c5 * t16;
+  const Scalar t18 = s4 * (k[16] - t17);
+  const Scalar t19 = c4 * (c4 * (t8 + t9) - (t18 + t18));
+  const Scalar t20 = (k[23] - (t13 - (t3 - t7))) + (k[17] + (t19 - t8));
+  const Scalar t21 = qd[1] * k[2] * qd[1] + qd[0] * k[1] * qd[0];
+  const Scalar t22 = qd[3] * qd[3] * (t8 - t9) - (qd[2] * qd[2] * t20 + t21);
+  const Scalar t23 = (qd[4] * qd[4] * t3 - t22) - qd[5] * k[0] * qd[5];
+  const Scalar t24 = s5 * t16 + c5 * t15;
+  const Scalar t25 = qd[5] * (k[0] * c5 - s5 * t4) + qd[4] * t24;
+  const Scalar t26 = k[19] * c6 + k[20] * s6;
+  const Scalar t27 = k[25] + t26;
+  const Scalar t28 = c5 * t11 - k[18] * s5;
+  const Scalar t29 = k[26] + t28;
+  const Scalar t30 = c4 * t27 + s4 * t29;
+  const Scalar t31 = c5 * t26;
+  const Scalar t32 = (qd[3] * t30 + qd[4] * c4 * t12) - qd[5] * (s4 * t10 - c4 * t31);
+  const Scalar t33 = qd[4] * (c3 * t28 + s3 * s4 * t12);
+  const Scalar t34 = c3 * (k[29] + t30) + s3 * (k[30] + t12);
+  const Scalar t35 = c4 * t29 - s4 * t27;
+  const Scalar t36 = t33 - (qd[2] * t34 + qd[3] * s3 * t35);
+  const Scalar t37 = s4 * t31 + c4 * t10;
+  const Scalar t38 = qd[5] * (s3 * t37 - c3 * s5 * t26);
+  const Scalar t39 = s4 * t14 - c4 * (c5 * t4 + k[0] * s5);
+  const Scalar t40 = c4 * (k[27] - (c5 * t6 - t5)) - s4 * (k[28] - t24);
+  const Scalar t41 = s4 * (Scalar(0.5) * t13 - t3) - c4 * t17;
+  const Scalar t42 = qd[3] * (t40 - k[24] * t35) + qd[4] * t41;
+  const Scalar t43 = qd[2] * (qd[5] * (t39 + k[24] * t37) + t42);
+  const Scalar t44 = (qd[1] * t32 - qd[0] * (t36 + t38)) - t43;
+  const Scalar t45 = qd[4] * qd[5] * t14 + (qd[3] * t25 + t44);
   Scalar result;
-  result = Scalar(0.5) * t46 - t38;
+  result = Scalar(0.5) * t23 - t45;
   return result;
 }
 
@@ -1287,20 +1311,21 @@ PotentialEnergyConstants<Scalar> potential_energy_constants(const BasicGeometry<
   using std::cos;
   using std::sin;
   const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  return { inertia.c6x * inertia.m6,
-           inertia.c6y * inertia.m6,
-           inertia.c5y * inertia.m5,
+  const Scalar t1 = g.d4 * inertia.m4;
+  return { inertia.m1 + (inertia.m2 + (inertia.m3 + t0)),
            inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
-           inertia.c4z * inertia.m4,
-           g.d4 * t0,
-           inertia.c3z * inertia.m3 - g.d4 * inertia.m3,
+           inertia.c6y * inertia.m6,
+           inertia.c6x * inertia.m6,
+           inertia.c5y * inertia.m5,
            inertia.c4y * inertia.m4,
            inertia.c5x * inertia.m5,
            inertia.c4x * inertia.m4,
            inertia.c3x * inertia.m3,
+           (inertia.c4z * inertia.m4 - t1) + t1,
+           g.d4 * t0,
+           inertia.c3z * inertia.m3 - g.d4 * inertia.m3,
            inertia.c2z * inertia.m2,
            inertia.c1z * inertia.m1,
-           inertia.m1 + (inertia.m2 + (inertia.m3 + t0)),
            gravity };
 }
 
@@ -1317,12 +1342,12 @@ inline Scalar potential_energy(const JointVector<Scalar>& q, const Angles& angle
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[9] + (k[8] + (k[0] * c6 + k[1] * s6));
-  const Scalar t1 = k[2] - (k[0] * s6 - k[1] * c6);
-  const Scalar t2 = s4 * (k[7] - (k[3] * s5 - c5 * t1));
-  const Scalar t3 = k[5] - (k[4] + (k[3] * c5 + s5 * t1));
-  const Scalar t4 = s3 * (k[10] + (c4 * t0 + t2)) - c3 * (k[6] - t3);
-  const Scalar t5 = k[14] * (k[13] * q[0] + (k[12] + (k[11] - t4)));
+  const Scalar t0 = k[4] + (k[2] * c6 - k[3] * s6);
+  const Scalar t1 = k[10] - (k[9] + (k[1] * c5 + s5 * t0));
+  const Scalar t2 = k[7] + (k[6] + (k[2] * s6 + k[3] * c6));
+  const Scalar t3 = s4 * (k[5] + (c5 * t0 - k[1] * s5));
+  const Scalar t4 = c3 * (k[11] - t1) - s3 * (k[8] + (c4 * t2 + t3));
+  const Scalar t5 = k[14] * ((k[13] + (k[12] + t4)) + k[0] * q[0]);
   Scalar result;
   result = t5;
   return result;

@@ -28,64 +28,70 @@ InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c4x * inertia.m4;
-  const Scalar t1 = inertia.c5x * inertia.m5;
-  const Scalar t2 = inertia.c4y * inertia.m4;
-  const Scalar t3 = inertia.c6x * inertia.m6;
-  const Scalar t4 = inertia.c6y * inertia.m6;
-  const Scalar t5 = inertia.c5z * inertia.m5;
-  const Scalar t6 = inertia.c6z * inertia.m6;
-  const Scalar t7 = inertia.c5y * inertia.m5;
-  const Scalar t8 = inertia.c4z * inertia.m4;
-  const Scalar t9 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t10 = t8 - g.d4 * t9;
-  const Scalar t11 = inertia.c3z * inertia.m3;
-  const Scalar t12 = t11 - g.d4 * inertia.m3;
-  const Scalar t13 = inertia.c3x * inertia.m3;
-  const Scalar t14 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t15 = inertia.I6xy - inertia.c6y * t3;
-  const Scalar t16 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t17 = (inertia.I6xx - t16) - inertia.c6x * t3;
-  const Scalar t18 = (inertia.I6yy - t16) - inertia.c6y * t4;
-  const Scalar t19 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t20 = (inertia.c6z * t6 - (inertia.I6zz - t16)) + (inertia.c5z * t5 - (inertia.I5zz - t19));
-  const Scalar t21 = (inertia.c5x * t1 - (inertia.I5xx - t19)) - ((inertia.I4xx - t14) - inertia.c4x * t0);
-  const Scalar t22 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t23 = ((inertia.I3zz - t22) - inertia.c3z * t11) + g.d4 * (t11 + t12);
-  const Scalar t24 = ((inertia.I4zz - t14) - inertia.c4z * t8) + g.d4 * (t10 + t8);
-  const Scalar t25 = (inertia.c3x * t13 - (inertia.I3xx - t22)) - (t23 + t24);
+  const Scalar t0 = inertia.c5z * inertia.m5;
+  const Scalar t1 = inertia.c6z * inertia.m6;
+  const Scalar t2 = inertia.c5y * inertia.m5;
+  const Scalar t3 = inertia.c6y * inertia.m6;
+  const Scalar t4 = inertia.c6x * inertia.m6;
+  const Scalar t5 = inertia.c4x * inertia.m4;
+  const Scalar t6 = inertia.c5x * inertia.m5;
+  const Scalar t7 = inertia.c4y * inertia.m4;
+  const Scalar t8 = inertia.c3z * inertia.m3;
+  const Scalar t9 = t8 - g.d4 * inertia.m3;
+  const Scalar t10 = inertia.c4z * inertia.m4;
+  const Scalar t11 = g.d4 * inertia.m4;
+  const Scalar t12 = t10 - t11;
+  const Scalar t13 = t12 + t11;
+  const Scalar t14 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t15 = t13 - g.d4 * t14;
+  const Scalar t16 = inertia.c3x * inertia.m3;
+  const Scalar t17 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t18 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t19 = g.d4 * (t10 + t12) + ((inertia.I4zz - t18) - inertia.c4z * t10);
+  const Scalar t20 = (g.d4 * (t13 + t12) - t19) - g.d4 * (t13 + t15);
+  const Scalar t21 = ((inertia.I3zz - t17) - inertia.c3z * t8) + g.d4 * (t8 + t9);
+  const Scalar t22 = (inertia.c3x * t16 - (inertia.I3xx - t17)) + (t20 - t21);
+  const Scalar t23 = g.d4 * t5;
+  const Scalar t24 = g.d4 * t7;
+  const Scalar t25 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t26 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t27 = (inertia.c6z * t1 - (inertia.I6zz - t25)) + (inertia.c5z * t0 - (inertia.I5zz - t26));
+  const Scalar t28 = inertia.I6xy - inertia.c6y * t4;
+  const Scalar t29 = (inertia.I6xx - t25) - inertia.c6x * t4;
+  const Scalar t30 = (inertia.I6yy - t25) - inertia.c6y * t3;
+  const Scalar t31 = (inertia.c5x * t6 - (inertia.I5xx - t26)) - ((inertia.I4xx - t18) - inertia.c4x * t5);
   return { t0 + t1,
            t2,
            t3,
            t4,
            t5 + t6,
            t7,
-           t10 + t12,
-           t13,
+           t9 + t15,
+           t16,
            gravity[2],
-           inertia.m2 + (inertia.m3 + t9),
+           inertia.m2 + (inertia.m3 + t14),
            inertia.m1,
            gravity[1],
-           g.d4,
+           t22,
            gravity[0],
-           inertia.I4yz - inertia.c4z * t2,
-           inertia.I4xz - inertia.c4z * t0,
-           (inertia.I4yy - t14) - inertia.c4y * t2,
-           inertia.I4xy - inertia.c4y * t0,
-           inertia.I6yz - inertia.c6z * t4,
-           inertia.I6xz - inertia.c6z * t3,
-           Scalar(2) * t15,
-           t17 - t18,
-           t17,
-           t15,
-           inertia.I5xz - inertia.c5z * t1,
-           inertia.I5xy - inertia.c5y * t1,
-           inertia.I5yz - inertia.c5z * t7,
-           inertia.c5y * t7 - (inertia.I5yy - t19),
-           t20,
-           t21,
-           t18,
-           t25 };
+           g.d4,
+           (inertia.I4yy - t18) - inertia.c4y * t7,
+           inertia.I4xy - inertia.c4y * t5,
+           t23 - ((inertia.I4xz - inertia.c4z * t5) + t23),
+           t24 - (t24 + (inertia.I4yz - inertia.c4z * t7)),
+           t27,
+           inertia.c5y * t2 - (inertia.I5yy - t26),
+           inertia.I5yz - inertia.c5z * t2,
+           inertia.I5xy - inertia.c5y * t6,
+           inertia.I5xz - inertia.c5z * t6,
+           inertia.I6yz - inertia.c6z * t3,
+           inertia.I6xz - inertia.c6z * t4,
+           Scalar(2) * t28,
+           t29 - t30,
+           t28,
+           t29,
+           t30,
+           t31 };
 }
 
 namespace detail {
@@ -104,104 +110,105 @@ inline JointVector<Scalar> inverse_dynamics_with_gravity_vector([[maybe_unused]]
   const Scalar& c6 = angles.cosine[3];
   const Scalar t0 = k[8] - qdd[0];
   const Scalar t1 = qd[2] * qd[2];
-  const Scalar t2 = k[2] * c6 + k[3] * s6;
-  const Scalar t3 = qd[2] * s4;
-  const Scalar t4 = qd[2] * c4;
-  const Scalar t5 = t3 * t4;
-  const Scalar t6 = qdd[3] + t5;
-  const Scalar t7 = qdd[2] * c4;
-  const Scalar t8 = Scalar(2) * qd[3] * t3 - t7;
-  const Scalar t9 = c5 * t6 - s5 * t8;
-  const Scalar t10 = qdd[5] + t9;
-  const Scalar t11 = qd[4] - t3;
-  const Scalar t12 = t11 * t11;
-  const Scalar t13 = s5 * t4 + qd[3] * c5;
-  const Scalar t14 = qd[5] + t13;
-  const Scalar t15 = t14 * t14;
-  const Scalar t16 = k[2] * s6 - k[3] * c6;
-  const Scalar t17 = t13 * t13;
-  const Scalar t18 = t12 + t17;
-  const Scalar t19 = qd[3] * s5 - c5 * t4;
-  const Scalar t20 = t19 * t13;
-  const Scalar t21 = qd[3] * t4;
-  const Scalar t22 = qdd[2] * s4;
-  const Scalar t23 = t21 + t22;
-  const Scalar t24 = qdd[4] - t23;
-  const Scalar t25 = t20 - t24;
-  const Scalar t26 = (t2 * t10 - (t12 + t15) * t16) + (k[5] * t18 - k[4] * t25);
-  const Scalar t27 = t19 * t14;
-  const Scalar t28 = t27 + (t27 - t25);
-  const Scalar t29 = t14 * t11;
-  const Scalar t30 = s5 * t6 + c5 * t8;
-  const Scalar t31 = t30 + Scalar(2) * t11 * t13;
-  const Scalar t32 = (t29 - t31) + t29;
-  const Scalar t33 = t12 - t17;
-  const Scalar t34 = t4 * t4;
-  const Scalar t35 = qd[3] * qd[3];
-  const Scalar t36 = t34 + t35;
-  const Scalar t37 = t36 - t18;
-  const Scalar t38 = t33 + t37;
-  const Scalar t39 = t38 + t18;
-  const Scalar t40 = t20 + t24;
-  const Scalar t41 = (t28 * t16 + t2 * t32) + (k[4] * t39 - k[5] * t40);
-  const Scalar t42 = t21 + t23;
-  const Scalar t43 = (s5 * t26 + c5 * t41) - (k[0] * t8 - k[1] * t42);
-  const Scalar t44 = c3 * ((k[7] * qdd[2] + k[6] * t1) + t43);
-  const Scalar t45 = t34 - t35;
-  const Scalar t46 = (k[0] * t6 - k[1] * (t45 - t1)) - (s5 * t41 - c5 * t26);
-  const Scalar t47 = t12 - t15;
-  const Scalar t48 = t19 * t11;
-  const Scalar t49 = (t10 - t48) - t48;
-  const Scalar t50 = qdd[5] - t49;
-  const Scalar t51 = (t2 * (t39 - t47) + t49 * t16) + (k[5] * t50 + k[4] * t31);
-  const Scalar t52 = qdd[3] - t5;
-  const Scalar t53 = t51 + (k[0] * t36 - k[1] * t52);
-  const Scalar t54 = s4 * t46 + c4 * t53;
+  const Scalar t2 = qd[2] * s4;
+  const Scalar t3 = qd[4] - t2;
+  const Scalar t4 = t3 * t3;
+  const Scalar t5 = qd[2] * c4;
+  const Scalar t6 = s5 * t5 + qd[3] * c5;
+  const Scalar t7 = qd[5] + t6;
+  const Scalar t8 = t7 * t7;
+  const Scalar t9 = t4 + t8;
+  const Scalar t10 = k[2] * c6 - k[3] * s6;
+  const Scalar t11 = qd[3] * s5 - c5 * t5;
+  const Scalar t12 = t11 + t11;
+  const Scalar t13 = t3 * t12;
+  const Scalar t14 = t2 * t5;
+  const Scalar t15 = qdd[3] + t14;
+  const Scalar t16 = qdd[2] * c4;
+  const Scalar t17 = qd[3] * (t2 + t2) - t16;
+  const Scalar t18 = c5 * t15 - s5 * t17;
+  const Scalar t19 = t13 - t18;
+  const Scalar t20 = qdd[5] - t19;
+  const Scalar t21 = t20 + t13;
+  const Scalar t22 = k[2] * s6 + k[3] * c6;
+  const Scalar t23 = t6 * t6;
+  const Scalar t24 = t4 + t23;
+  const Scalar t25 = t11 * t6;
+  const Scalar t26 = qd[3] * t5;
+  const Scalar t27 = qdd[2] * s4;
+  const Scalar t28 = t26 + t27;
+  const Scalar t29 = qdd[4] - t28;
+  const Scalar t30 = t25 - t29;
+  const Scalar t31 = (t9 * t10 + t21 * t22) + (k[1] * t24 - k[0] * t30);
+  const Scalar t32 = s5 * t15 + c5 * t17;
+  const Scalar t33 = Scalar(2) * t3 * t6 + t32;
+  const Scalar t34 = t7 * t3;
+  const Scalar t35 = (t33 - t34) - t34;
+  const Scalar t36 = t30 - t7 * t12;
+  const Scalar t37 = t25 + t29;
+  const Scalar t38 = t4 - t23;
+  const Scalar t39 = qd[3] * qd[3];
+  const Scalar t40 = t2 * t2;
+  const Scalar t41 = t39 - t40;
+  const Scalar t42 = t41 + t1;
+  const Scalar t43 = t38 + t42;
+  const Scalar t44 = (t35 * t22 - t36 * t10) + (k[1] * t37 - k[0] * t43);
+  const Scalar t45 = t26 + t28;
+  const Scalar t46 = (s5 * t31 - c5 * t44) + (k[5] * t45 - k[4] * t17);
+  const Scalar t47 = c3 * ((k[7] * qdd[2] + k[6] * t1) + t46);
+  const Scalar t48 = qdd[3] - t14;
+  const Scalar t49 = t24 - t42;
+  const Scalar t50 = (k[1] * t19 + k[0] * t33) - (t20 * t10 + (t49 - t9) * t22);
+  const Scalar t51 = (k[4] * t42 - k[5] * t48) + t50;
+  const Scalar t52 = t39 + t40;
+  const Scalar t53 = (c5 * t31 + s5 * t44) + (k[4] * t15 + k[5] * t52);
+  const Scalar t54 = c4 * t51 + s4 * t53;
   const Scalar t55 = s3 * ((k[6] * qdd[2] - k[7] * t1) - t54);
-  const Scalar t56 = k[10] * t0 + ((t44 + t55) + k[9] * t0);
+  const Scalar t56 = k[10] * t0 + ((t47 + t55) + k[9] * t0);
   const Scalar t57 = k[11] - qdd[1];
-  const Scalar t58 = k[9] * t57 + (c4 * t46 - s4 * t53);
-  const Scalar t59 = k[13] * c3 - s3 * t0;
-  const Scalar t60 = t59 + k[12] * qdd[2];
-  const Scalar t61 = c4 * t57 + s4 * t60;
-  const Scalar t62 = k[13] * s3 + c3 * t0;
-  const Scalar t63 = k[12] * t1 - t62;
-  const Scalar t64 = s5 * t61 + c5 * t63;
-  const Scalar t65 = k[21] * c6 + k[20] * s6;
-  const Scalar t66 = c6 * t65;
-  const Scalar t67 = k[22] - t66;
-  const Scalar t68 = k[23] - s6 * t65;
-  const Scalar t69 = k[19] * s6 - k[18] * c6;
-  const Scalar t70 = k[18] * s6 + k[19] * c6;
-  const Scalar t71 = (t28 * t67 - t32 * t68) + (t69 * (t47 + t37) + t10 * t70);
-  const Scalar t72 = k[26] * t38 - (k[28] * t25 - k[27] * t40);
-  const Scalar t73 = c5 * t61 - s5 * t63;
-  const Scalar t74 = ((k[24] * t9 + k[25] * t30) - t72) - (k[4] * t73 + k[5] * t64);
-  const Scalar t75 = (t64 * t16 + t71) + t74;
-  const Scalar t76 = (k[14] * t45 - k[15] * t6) - (k[17] * t8 - k[16] * t42);
-  const Scalar t77 = k[30] + t66;
-  const Scalar t78 = t47 * t70 - (t68 * t28 - t32 * t77);
-  const Scalar t79 = c4 * t60 - s4 * t57;
-  const Scalar t80 = k[24] * t33 - (k[26] * t50 - k[28] * t31);
-  const Scalar t81 = (t2 * t64 - (t49 * t69 - t78)) + (k[4] * t79 + (t80 - k[25] * t40));
-  const Scalar t82 = t68 * t37 - (t49 * t67 + t10 * t77);
-  const Scalar t83 = ((t69 * t31 - t25 * t70) - t82) - (t2 * t73 + t79 * t16);
-  const Scalar t84 = (k[26] * t31 - k[27] * t50) + (k[25] * t37 + k[24] * t25);
-  const Scalar t85 = t83 - (t84 - k[5] * t79);
-  const Scalar t86 = t36 - t1;
-  const Scalar t87 = (k[29] * t8 + k[17] * t42) - k[15] * t86;
-  const Scalar t88 = (c5 * t81 + s5 * t85) + ((t87 + k[14] * t52) + k[0] * t63);
-  const Scalar t89 = s4 * (t75 - (k[1] * t63 + t76)) - c4 * t88;
-  const Scalar t90 = (k[6] * t59 - k[7] * t62) - k[31] * qdd[2];
-  const Scalar t91 = (k[29] * t6 - k[16] * t52) + k[17] * (t86 + t45);
-  const Scalar t92 = (k[1] * t79 - k[0] * t61) + ((k[14] * t7 - k[15] * t22) - t91);
+  const Scalar t58 = (s4 * t51 - c4 * t53) - k[9] * t57;
+  const Scalar t59 = t52 - t42;
+  const Scalar t60 = (k[17] * t15 + k[18] * (t59 + t41)) + (k[15] * t45 - k[16] * t17);
+  const Scalar t61 = k[13] * s3 + c3 * t0;
+  const Scalar t62 = k[14] * t1 - t61;
+  const Scalar t63 = k[13] * c3 - s3 * t0;
+  const Scalar t64 = k[14] * qdd[2] + t63;
+  const Scalar t65 = c4 * t57 + s4 * t64;
+  const Scalar t66 = c5 * t62 + s5 * t65;
+  const Scalar t67 = k[25] * c6 + k[24] * s6;
+  const Scalar t68 = k[25] * s6 - k[24] * c6;
+  const Scalar t69 = t4 - t8;
+  const Scalar t70 = k[27] * c6 + k[26] * s6;
+  const Scalar t71 = c6 * t70;
+  const Scalar t72 = k[29] - t71;
+  const Scalar t73 = k[28] - s6 * t70;
+  const Scalar t74 = (t67 * t21 - t68 * (t49 - t69)) - (t36 * t72 - t73 * t35);
+  const Scalar t75 = s5 * t62 - c5 * t65;
+  const Scalar t76 = (k[20] * t37 - k[19] * t30) + k[21] * (t43 - t24);
+  const Scalar t77 = (k[1] * t66 - k[0] * t75) - ((k[22] * t32 + k[23] * t18) - t76);
+  const Scalar t78 = (t66 * t10 - t74) + t77;
+  const Scalar t79 = c4 * t64 - s4 * t57;
+  const Scalar t80 = k[30] + t71;
+  const Scalar t81 = (t80 * t21 + t20 * t72) + t73 * t49;
+  const Scalar t82 = (t75 * t22 + t10 * t79) + (t81 - (t67 * t30 - t33 * t68));
+  const Scalar t83 = (k[20] * t19 - k[21] * t33) - (k[23] * t30 - k[22] * t49);
+  const Scalar t84 = t82 + (k[1] * t79 + t83);
+  const Scalar t85 = (k[19] * t33 - k[21] * t19) + k[23] * t38;
+  const Scalar t86 = t67 * t69 - (t80 * t35 - t73 * t36);
+  const Scalar t87 = ((t85 - k[22] * t37) + k[0] * t79) + ((t86 - t20 * t68) + t66 * t22);
+  const Scalar t88 = k[17] * t41 + (k[31] * t17 + k[16] * t45);
+  const Scalar t89 = (s5 * t84 + c5 * t87) + (k[4] * t62 + (t88 - k[18] * t48));
+  const Scalar t90 = s4 * ((t60 + k[5] * t62) + t78) + c4 * t89;
+  const Scalar t91 = (k[6] * t63 - k[7] * t61) - k[12] * qdd[2];
+  const Scalar t92 = k[16] * t59 - (k[31] * t15 - k[15] * t48);
+  const Scalar t93 = (k[5] * t79 - k[4] * t65) - ((k[18] * t16 - k[17] * t27) - t92);
   JointVector<Scalar> result;
   result[0] = -t56;
-  result[1] = -t58;
-  result[2] = (k[12] * t54 + t89) - t90;
-  result[3] = (s5 * t81 - c5 * t85) - t92;
-  result[4] = -t75;
-  result[5] = -t83;
+  result[1] = t58;
+  result[2] = (k[14] * t54 - t90) - t91;
+  result[3] = -(c5 * t84 - s5 * t87) - t93;
+  result[4] = t78;
+  result[5] = -t82;
   return result;
 }
 
@@ -230,64 +237,70 @@ InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constant
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c3x * inertia.m3;
-  const Scalar t1 = inertia.c4z * inertia.m4;
-  const Scalar t2 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t3 = t1 - g.d4 * t2;
-  const Scalar t4 = inertia.c3z * inertia.m3;
-  const Scalar t5 = t4 - g.d4 * inertia.m3;
-  const Scalar t6 = inertia.c6x * inertia.m6;
-  const Scalar t7 = inertia.c6y * inertia.m6;
-  const Scalar t8 = inertia.c5y * inertia.m5;
-  const Scalar t9 = inertia.c5z * inertia.m5;
-  const Scalar t10 = inertia.c6z * inertia.m6;
-  const Scalar t11 = inertia.c4y * inertia.m4;
-  const Scalar t12 = inertia.c4x * inertia.m4;
-  const Scalar t13 = inertia.c5x * inertia.m5;
-  const Scalar t14 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t15 = ((inertia.I3zz - t14) - inertia.c3z * t4) + g.d4 * (t4 + t5);
-  const Scalar t16 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t17 = ((inertia.I4zz - t16) - inertia.c4z * t1) + g.d4 * (t3 + t1);
-  const Scalar t18 = (inertia.c3x * t0 - (inertia.I3xx - t14)) - (t15 + t17);
-  const Scalar t19 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t20 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t21 = (inertia.c6z * t10 - (inertia.I6zz - t20)) + (inertia.c5z * t9 - (inertia.I5zz - t19));
-  const Scalar t22 = inertia.I6xy - inertia.c6y * t6;
-  const Scalar t23 = (inertia.I6xx - t20) - inertia.c6x * t6;
-  const Scalar t24 = (inertia.I6yy - t20) - inertia.c6y * t7;
-  const Scalar t25 = (inertia.c5x * t13 - (inertia.I5xx - t19)) - ((inertia.I4xx - t16) - inertia.c4x * t12);
-  return { gravity[2],
+  const Scalar t0 = inertia.c4y * inertia.m4;
+  const Scalar t1 = inertia.c4x * inertia.m4;
+  const Scalar t2 = inertia.c5x * inertia.m5;
+  const Scalar t3 = inertia.c6y * inertia.m6;
+  const Scalar t4 = inertia.c6x * inertia.m6;
+  const Scalar t5 = inertia.c5y * inertia.m5;
+  const Scalar t6 = inertia.c5z * inertia.m5;
+  const Scalar t7 = inertia.c6z * inertia.m6;
+  const Scalar t8 = inertia.c3z * inertia.m3;
+  const Scalar t9 = t8 - g.d4 * inertia.m3;
+  const Scalar t10 = inertia.c4z * inertia.m4;
+  const Scalar t11 = g.d4 * inertia.m4;
+  const Scalar t12 = t10 - t11;
+  const Scalar t13 = t12 + t11;
+  const Scalar t14 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t15 = t13 - g.d4 * t14;
+  const Scalar t16 = inertia.c3x * inertia.m3;
+  const Scalar t17 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t18 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t19 = g.d4 * (t10 + t12) + ((inertia.I4zz - t18) - inertia.c4z * t10);
+  const Scalar t20 = (g.d4 * (t13 + t12) - t19) - g.d4 * (t13 + t15);
+  const Scalar t21 = ((inertia.I3zz - t17) - inertia.c3z * t8) + g.d4 * (t8 + t9);
+  const Scalar t22 = (inertia.c3x * t16 - (inertia.I3xx - t17)) + (t20 - t21);
+  const Scalar t23 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t24 = inertia.I6xy - inertia.c6y * t4;
+  const Scalar t25 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t26 = (inertia.I6xx - t25) - inertia.c6x * t4;
+  const Scalar t27 = (inertia.I6yy - t25) - inertia.c6y * t3;
+  const Scalar t28 = (inertia.c6z * t7 - (inertia.I6zz - t25)) + (inertia.c5z * t6 - (inertia.I5zz - t23));
+  const Scalar t29 = g.d4 * t0;
+  const Scalar t30 = (inertia.c5x * t2 - (inertia.I5xx - t23)) - ((inertia.I4xx - t18) - inertia.c4x * t1);
+  const Scalar t31 = g.d4 * t1;
+  return { t0,
+           t1 + t2,
+           t3,
+           t4,
+           t5,
+           t6 + t7,
+           t9 + t15,
+           t16,
+           gravity[2],
+           inertia.m2 + (inertia.m3 + t14),
            inertia.m1,
-           t0,
-           t3 + t5,
-           t6,
-           t7,
-           t8,
-           t9 + t10,
-           t11,
-           t12 + t13,
-           inertia.m2 + (inertia.m3 + t2),
            gravity[1],
-           t18,
+           t22,
            gravity[0],
            g.d4,
-           inertia.I4xy - inertia.c4y * t12,
-           (inertia.I4yy - t16) - inertia.c4y * t11,
-           inertia.I4yz - inertia.c4z * t11,
-           inertia.I4xz - inertia.c4z * t12,
-           inertia.I5xy - inertia.c5y * t13,
-           inertia.I5xz - inertia.c5z * t13,
-           inertia.I5yz - inertia.c5z * t8,
-           inertia.c5y * t8 - (inertia.I5yy - t19),
-           t21,
-           inertia.I6yz - inertia.c6z * t7,
-           inertia.I6xz - inertia.c6z * t6,
-           Scalar(2) * t22,
-           t23 - t24,
-           t22,
-           t23,
+           inertia.I5yz - inertia.c5z * t5,
+           inertia.c5y * t5 - (inertia.I5yy - t23),
+           inertia.I5xz - inertia.c5z * t2,
+           inertia.I5xy - inertia.c5y * t2,
+           Scalar(2) * t24,
+           t26 - t27,
            t24,
-           t25 };
+           t26,
+           t27,
+           inertia.I6yz - inertia.c6z * t3,
+           inertia.I6xz - inertia.c6z * t4,
+           t28,
+           t29 - (t29 + (inertia.I4yz - inertia.c4z * t0)),
+           inertia.I4xy - inertia.c4y * t1,
+           t30,
+           t31 - ((inertia.I4xz - inertia.c4z * t1) + t31),
+           (inertia.I4yy - t18) - inertia.c4y * t0 };
 }
 
 namespace detail {
@@ -304,119 +317,116 @@ inline JointVector<Scalar> inverse_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = qd[2] * qd[2];
-  const Scalar t1 = qd[2] * s4;
-  const Scalar t2 = qd[3] * t1;
-  const Scalar t3 = qdd[2] * c4;
-  const Scalar t4 = (t2 + t2) - t3;
-  const Scalar t5 = qd[2] * c4;
-  const Scalar t6 = t1 * t5;
-  const Scalar t7 = qdd[3] + t6;
-  const Scalar t8 = s5 * t4 - c5 * t7;
-  const Scalar t9 = qdd[5] - t8;
-  const Scalar t10 = qd[3] * s5 - c5 * t5;
-  const Scalar t11 = qd[4] - t1;
-  const Scalar t12 = t10 * t11;
-  const Scalar t13 = t12 + t12;
-  const Scalar t14 = t9 - t13;
-  const Scalar t15 = k[4] * s6 - k[5] * c6;
-  const Scalar t16 = k[4] * c6 + k[5] * s6;
-  const Scalar t17 = s5 * t5 + qd[3] * c5;
-  const Scalar t18 = qd[5] + t17;
-  const Scalar t19 = t18 * t18;
-  const Scalar t20 = t10 * t10;
-  const Scalar t21 = t19 + t20;
-  const Scalar t22 = wrench[0] * c3 - wrench[2] * s3;
-  const Scalar t23 = (t14 * t15 + t16 * t21) - (wrench[1] * s4 - c4 * t22);
-  const Scalar t24 = t11 * t17;
-  const Scalar t25 = s5 * t7 + c5 * t4;
-  const Scalar t26 = (t24 + t25) + t24;
-  const Scalar t27 = t8 + t13;
-  const Scalar t28 = t5 * t5;
-  const Scalar t29 = qd[3] * qd[3];
-  const Scalar t30 = t28 + t29;
-  const Scalar t31 = qdd[3] - t6;
-  const Scalar t32 = (t23 + (k[7] * t26 + k[6] * t27)) + (k[9] * t30 - k[8] * t31);
-  const Scalar t33 = t28 - t29;
-  const Scalar t34 = t33 - t0;
-  const Scalar t35 = t11 * t11 - t20;
-  const Scalar t36 = t35 + t21;
-  const Scalar t37 = t19 - t20;
-  const Scalar t38 = t36 - t37;
-  const Scalar t39 = t10 * t17;
-  const Scalar t40 = qd[3] * t5;
-  const Scalar t41 = qdd[2] * s4;
-  const Scalar t42 = t40 + t41;
-  const Scalar t43 = qdd[4] - t42;
-  const Scalar t44 = t39 + t43;
-  const Scalar t45 = t26 - Scalar(2) * t18 * t11;
-  const Scalar t46 = t10 * t18;
-  const Scalar t47 = t39 - t43;
-  const Scalar t48 = t46 + (t46 - t47);
-  const Scalar t49 = s4 * t22 + wrench[1] * c4;
-  const Scalar t50 = wrench[2] * c3 + wrench[0] * s3;
-  const Scalar t51 = (t45 * t16 - t15 * t48) + (s5 * t49 - c5 * t50);
-  const Scalar t52 = (k[7] * t38 - k[6] * t44) - t51;
-  const Scalar t53 = (t36 * t15 - t9 * t16) - (s5 * t50 + c5 * t49);
-  const Scalar t54 = (k[6] * (t30 + t35) - k[7] * t47) - t53;
-  const Scalar t55 = (k[9] * t7 - k[8] * t34) - (s5 * t52 - c5 * t54);
-  const Scalar t56 = c4 * t32 + s4 * t55;
-  const Scalar t57 = s3 * ((k[2] * t0 - k[3] * qdd[2]) + t56);
-  const Scalar t58 = t40 + t42;
-  const Scalar t59 = (k[8] * t58 - k[9] * t4) + (c5 * t52 + s5 * t54);
-  const Scalar t60 = c3 * (t59 + (k[3] * t0 + k[2] * qdd[2]));
-  const Scalar t61 = k[0] - qdd[0];
-  const Scalar t62 = ((t57 - t60) - k[10] * t61) - k[1] * t61;
-  const Scalar t63 = k[11] - qdd[1];
-  const Scalar t64 = (c4 * t55 - s4 * t32) + k[10] * t63;
-  const Scalar t65 = (k[16] * t58 - k[15] * t4) - (k[18] * t7 - k[17] * t33);
-  const Scalar t66 = c3 * t61 + k[13] * s3;
-  const Scalar t67 = t66 - k[14] * t0;
-  const Scalar t68 = k[27] * c6 + k[26] * s6;
-  const Scalar t69 = k[28] - s6 * t68;
-  const Scalar t70 = c6 * t68;
-  const Scalar t71 = k[29] - t70;
-  const Scalar t72 = k[25] * s6 - k[24] * c6;
-  const Scalar t73 = k[25] * c6 + k[24] * s6;
-  const Scalar t74 = (t69 * t45 + t71 * t48) - (t72 * t37 - t9 * t73);
-  const Scalar t75 = k[13] * c3 - s3 * t61;
-  const Scalar t76 = k[14] * qdd[2] + t75;
-  const Scalar t77 = s4 * t76 + c4 * t63;
-  const Scalar t78 = s5 * t77 - c5 * t67;
-  const Scalar t79 = wrench[5] * s3 - wrench[3] * c3;
-  const Scalar t80 = (t74 + t15 * t78) - (c4 * t79 + wrench[4] * s4);
-  const Scalar t81 = s5 * t67 + c5 * t77;
-  const Scalar t82 = t30 - t38;
-  const Scalar t83 = k[21] * (t82 + t35) - (k[22] * t44 - k[23] * t47);
-  const Scalar t84 = (k[7] * t81 + k[6] * t78) + ((k[20] * t8 - k[19] * t25) - t83);
-  const Scalar t85 = t80 - t84;
-  const Scalar t86 = t34 + t30;
-  const Scalar t87 = k[18] * (t33 - t86) + (k[15] * t58 + k[31] * t4);
-  const Scalar t88 = wrench[4] * c4 - s4 * t79;
-  const Scalar t89 = wrench[3] * s3 + wrench[5] * c3;
-  const Scalar t90 = k[30] + t70;
-  const Scalar t91 = (t14 * t71 + t9 * t90) + t69 * t35;
-  const Scalar t92 = c4 * t76 - s4 * t63;
-  const Scalar t93 = ((t26 * t72 - t73 * t47) + t91) - (t15 * t92 + t81 * t16);
-  const Scalar t94 = (s5 * t88 - c5 * t89) + t93;
-  const Scalar t95 = (k[19] * t35 - k[20] * t47) - (k[21] * t26 - k[22] * t27);
-  const Scalar t96 = t94 + (t95 + k[6] * t92);
-  const Scalar t97 = (k[21] * t27 - k[23] * t26) + k[20] * t82;
-  const Scalar t98 = t73 * (t38 - t21) - (t45 * t90 + t69 * t48);
-  const Scalar t99 = (c5 * t88 + s5 * t89) + (t16 * t78 - (t14 * t72 - t98));
-  const Scalar t100 = ((t97 + k[19] * t44) - k[7] * t92) - t99;
-  const Scalar t101 = ((k[17] * t31 + t87) - k[9] * t67) + (s5 * t96 - c5 * t100);
-  const Scalar t102 = s4 * ((t65 - k[8] * t67) - t85) + c4 * t101;
-  const Scalar t103 = (k[3] * t75 - k[2] * t66) - k[12] * qdd[2];
-  const Scalar t104 = k[15] * t86 + (k[31] * t7 - k[16] * t31);
-  const Scalar t105 = ((k[17] * t3 - k[18] * t41) - t104) - (k[9] * t77 - k[8] * t92);
+  const Scalar t0 = k[8] - qdd[0];
+  const Scalar t1 = qd[2] * qd[2];
+  const Scalar t2 = qd[2] * c4;
+  const Scalar t3 = t2 * t2;
+  const Scalar t4 = qd[3] * qd[3];
+  const Scalar t5 = t3 + t4;
+  const Scalar t6 = qd[2] * s4;
+  const Scalar t7 = qd[4] - t6;
+  const Scalar t8 = t7 * t7;
+  const Scalar t9 = qd[3] * s5 - c5 * t2;
+  const Scalar t10 = t9 * t9;
+  const Scalar t11 = t8 - t10;
+  const Scalar t12 = t5 + t11;
+  const Scalar t13 = s5 * t2 + qd[3] * c5;
+  const Scalar t14 = t9 * t13;
+  const Scalar t15 = qd[3] * t2;
+  const Scalar t16 = qdd[2] * s4;
+  const Scalar t17 = t15 + t16;
+  const Scalar t18 = qdd[4] - t17;
+  const Scalar t19 = t14 - t18;
+  const Scalar t20 = t6 * t2;
+  const Scalar t21 = qdd[3] + t20;
+  const Scalar t22 = qdd[2] * c4;
+  const Scalar t23 = qd[3] * Scalar(2) * t6 - t22;
+  const Scalar t24 = c5 * t21 - s5 * t23;
+  const Scalar t25 = qdd[5] + t24;
+  const Scalar t26 = k[2] * s6 + k[3] * c6;
+  const Scalar t27 = qd[5] + t13;
+  const Scalar t28 = t27 * t27;
+  const Scalar t29 = t28 + t10;
+  const Scalar t30 = k[2] * c6 - k[3] * s6;
+  const Scalar t31 = wrench[2] * c3 + wrench[0] * s3;
+  const Scalar t32 = wrench[0] * c3 - wrench[2] * s3;
+  const Scalar t33 = s4 * t32 + wrench[1] * c4;
+  const Scalar t34 = (t25 * t26 + (t11 + t29) * t30) + (s5 * t31 + c5 * t33);
+  const Scalar t35 = (k[4] * t12 - k[5] * t19) + t34;
+  const Scalar t36 = t14 + t18;
+  const Scalar t37 = t8 + t10;
+  const Scalar t38 = t9 * t27;
+  const Scalar t39 = t38 + (t38 - t19);
+  const Scalar t40 = t7 * t13;
+  const Scalar t41 = s5 * t21 + c5 * t23;
+  const Scalar t42 = t40 + (t40 + t41);
+  const Scalar t43 = t7 + t7;
+  const Scalar t44 = t42 - t27 * t43;
+  const Scalar t45 = (s5 * t33 - c5 * t31) + (t30 * t39 + t44 * t26);
+  const Scalar t46 = (k[4] * t36 - k[5] * t37) + t45;
+  const Scalar t47 = t3 - t4;
+  const Scalar t48 = (c5 * t35 + s5 * t46) - (k[0] * (t47 - t1) - k[1] * t21);
+  const Scalar t49 = t24 - t9 * t43;
+  const Scalar t50 = qdd[5] + t49;
+  const Scalar t51 = (wrench[1] * s4 - c4 * t32) - (t29 * t26 - t30 * t50);
+  const Scalar t52 = qdd[3] - t20;
+  const Scalar t53 = (t51 + (k[4] * t49 - k[5] * t42)) + (k[0] * t52 - k[1] * t5);
+  const Scalar t54 = s4 * t48 - c4 * t53;
+  const Scalar t55 = s3 * ((k[6] * qdd[2] - k[7] * t1) - t54);
+  const Scalar t56 = t15 + t17;
+  const Scalar t57 = (k[1] * t23 - k[0] * t56) - (s5 * t35 - c5 * t46);
+  const Scalar t58 = c3 * (t57 - (k[7] * qdd[2] + k[6] * t1));
+  const Scalar t59 = k[10] * t0 + ((t55 - t58) + k[9] * t0);
+  const Scalar t60 = k[11] - qdd[1];
+  const Scalar t61 = (s4 * t53 + c4 * t48) + k[9] * t60;
+  const Scalar t62 = k[13] * c3 - s3 * t0;
+  const Scalar t63 = k[13] * s3 + c3 * t0;
+  const Scalar t64 = (k[6] * t62 - k[7] * t63) - k[12] * qdd[2];
+  const Scalar t65 = t12 - t37;
+  const Scalar t66 = (k[26] * t19 - k[16] * t36) + k[15] * t65;
+  const Scalar t67 = k[14] * t1 - t63;
+  const Scalar t68 = k[14] * qdd[2] + t62;
+  const Scalar t69 = c4 * t60 + s4 * t68;
+  const Scalar t70 = s5 * t67 - c5 * t69;
+  const Scalar t71 = c5 * t67 + s5 * t69;
+  const Scalar t72 = ((k[17] * t24 + k[18] * t41) + t66) + (k[5] * t70 - k[4] * t71);
+  const Scalar t73 = k[19] * s6 + k[20] * c6;
+  const Scalar t74 = k[21] - s6 * t73;
+  const Scalar t75 = c6 * t73;
+  const Scalar t76 = k[22] - t75;
+  const Scalar t77 = k[25] * c6 + k[24] * s6;
+  const Scalar t78 = k[25] * s6 - k[24] * c6;
+  const Scalar t79 = (t44 * t74 + t39 * t76) + (t77 * t25 - t78 * (t28 - t10));
+  const Scalar t80 = wrench[5] * s3 - wrench[3] * c3;
+  const Scalar t81 = (t71 * t30 - t79) + (c4 * t80 + wrench[4] * s4);
+  const Scalar t82 = t72 - t81;
+  const Scalar t83 = (k[27] * t47 - k[30] * t21) + (k[28] * t23 - k[31] * t56);
+  const Scalar t84 = (k[17] * t19 - k[18] * t11) + (k[15] * t42 + k[16] * t49);
+  const Scalar t85 = c4 * t68 - s4 * t60;
+  const Scalar t86 = k[23] + t75;
+  const Scalar t87 = t74 * t11 + (t50 * t76 + t86 * t25);
+  const Scalar t88 = (t70 * t26 + t30 * t85) + (t87 - (t77 * t19 - t42 * t78));
+  const Scalar t89 = wrench[4] * c4 - s4 * t80;
+  const Scalar t90 = wrench[3] * s3 + wrench[5] * c3;
+  const Scalar t91 = t88 + (s5 * t89 - c5 * t90);
+  const Scalar t92 = (t84 - k[4] * t85) - t91;
+  const Scalar t93 = t77 * (t8 - t28) - (t44 * t86 + t74 * t39);
+  const Scalar t94 = (c5 * t89 + s5 * t90) + (t71 * t26 + (t93 - t78 * t50));
+  const Scalar t95 = k[17] * (t65 - t11) - (k[26] * t42 + k[15] * t49);
+  const Scalar t96 = t94 - ((k[18] * t36 + t95) - k[5] * t85);
+  const Scalar t97 = t5 - t1;
+  const Scalar t98 = (k[29] * t23 + k[28] * t56) + k[30] * t97;
+  const Scalar t99 = (s5 * t92 - c5 * t96) - (k[1] * t67 - (k[27] * t52 - t98));
+  const Scalar t100 = s4 * (t82 + (t83 - k[0] * t67)) + c4 * t99;
+  const Scalar t101 = (k[29] * t21 - k[31] * t52) + k[28] * (t97 + t47);
+  const Scalar t102 = ((k[30] * t16 - k[27] * t22) - t101) - (k[1] * t69 - k[0] * t85);
   JointVector<Scalar> result;
-  result[0] = t62;
-  result[1] = -t64;
-  result[2] = (k[14] * t56 - t102) - t103;
-  result[3] = -t105 - (s5 * t100 + c5 * t96);
-  result[4] = -t85;
-  result[5] = -t94;
+  result[0] = -t59;
+  result[1] = -t61;
+  result[2] = (t100 + k[14] * t54) - t64;
+  result[3] = (s5 * t96 + c5 * t92) - t102;
+  result[4] = -t82;
+  result[5] = -t91;
   return result;
 }
 
@@ -446,22 +456,23 @@ GravityTorqueWithGravityVectorConstants<Scalar> gravity_torque_with_gravity_vect
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = (inertia.c4z * inertia.m4 - g.d4 * t0) + (inertia.c3z * inertia.m3 - g.d4 * inertia.m3);
-  const Scalar t2 = inertia.m2 + (inertia.m3 + t0);
+  const Scalar t0 = g.d4 * inertia.m4;
+  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t2 = ((inertia.c4z * inertia.m4 - t0) + t0) - g.d4 * t1;
+  const Scalar t3 = inertia.m2 + (inertia.m3 + t1);
   return { gravity[2],
            gravity[0],
-           t1,
+           (inertia.c3z * inertia.m3 - g.d4 * inertia.m3) + t2,
            inertia.c3x * inertia.m3,
-           gravity[1],
-           inertia.c5y * inertia.m5,
-           inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
            inertia.c6x * inertia.m6,
            inertia.c6y * inertia.m6,
-           inertia.c4y * inertia.m4,
+           gravity[1],
+           inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
+           inertia.c5y * inertia.m5,
            inertia.c4x * inertia.m4 + inertia.c5x * inertia.m5,
-           gravity[2] * t2 + gravity[2] * inertia.m1,
-           gravity[1] * t2 };
+           inertia.c4y * inertia.m4,
+           gravity[2] * t3 + gravity[2] * inertia.m1,
+           gravity[1] * t3 };
 }
 
 namespace detail {
@@ -478,28 +489,28 @@ inline JointVector<Scalar> gravity_torque_with_gravity_vector([[maybe_unused]] c
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[0] * s3 - k[1] * c3;
-  const Scalar t1 = k[4] * s4 + c4 * t0;
-  const Scalar t2 = k[7] * c6 + k[8] * s6;
-  const Scalar t3 = k[1] * s3 + k[0] * c3;
-  const Scalar t4 = k[4] * c4 - s4 * t0;
-  const Scalar t5 = c5 * t3 - s5 * t4;
-  const Scalar t6 = k[6] * t1 + t2 * t5;
-  const Scalar t7 = s5 * t3 + c5 * t4;
-  const Scalar t8 = k[8] * c6 - k[7] * s6;
-  const Scalar t9 = t2 * t7 + t1 * t8;
-  const Scalar t10 = k[5] * t1 + t9;
-  const Scalar t11 = (c5 * t6 + s5 * t10) + k[10] * t3;
-  const Scalar t12 = (k[6] * t7 - k[5] * t5) - t5 * t8;
-  const Scalar t13 = c4 * t11 - s4 * (t12 - k[9] * t3);
-  const Scalar t14 = (s5 * t6 - c5 * t10) - (k[10] * t4 + k[9] * t1);
+  const Scalar t0 = k[1] * s3 + k[0] * c3;
+  const Scalar t1 = k[0] * s3 - k[1] * c3;
+  const Scalar t2 = s4 * t1 - k[6] * c4;
+  const Scalar t3 = c5 * t2 - s5 * t0;
+  const Scalar t4 = c5 * t0 + s5 * t2;
+  const Scalar t5 = k[4] * s6 - k[5] * c6;
+  const Scalar t6 = (k[7] * t3 + k[8] * t4) - t4 * t5;
+  const Scalar t7 = c4 * t1 + k[6] * s4;
+  const Scalar t8 = k[4] * c6 + k[5] * s6;
+  const Scalar t9 = t8 * t3 + t5 * t7;
+  const Scalar t10 = k[8] * t7 - t9;
+  const Scalar t11 = k[7] * t7 + t4 * t8;
+  const Scalar t12 = (s5 * t10 + c5 * t11) + k[9] * t0;
+  const Scalar t13 = s4 * (k[10] * t0 + t6) + c4 * t12;
+  const Scalar t14 = (c5 * t10 - s5 * t11) - (k[9] * t2 - k[10] * t7);
   JointVector<Scalar> result;
   result[0] = -k[11];
   result[1] = -k[12];
-  result[2] = t13 + (k[3] * t3 + k[2] * t0);
-  result[3] = -t14;
-  result[4] = t12;
-  result[5] = t9;
+  result[2] = t13 + (k[3] * t0 + k[2] * t1);
+  result[3] = t14;
+  result[4] = -t6;
+  result[5] = -t9;
   return result;
 }
 
@@ -535,76 +546,80 @@ ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_
   const Scalar t6 = (inertia.I6yy - t4) - inertia.c6y * t0;
   const Scalar t7 = t5 + t6;
   const Scalar t8 = Scalar(1) / t7;
-  const Scalar t9 = inertia.I6xy - inertia.c6y * t2;
-  const Scalar t10 = inertia.c5x * inertia.m5;
+  const Scalar t9 = inertia.c5z * inertia.m5;
+  const Scalar t10 = inertia.c6z * inertia.m6;
   const Scalar t11 = inertia.c5y * inertia.m5;
-  const Scalar t12 = inertia.c5z * inertia.m5;
-  const Scalar t13 = inertia.c6z * inertia.m6;
-  const Scalar t14 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t15 = (inertia.c6z * t13 - (inertia.I6zz - t4)) + (inertia.c5z * t12 - (inertia.I5zz - t14));
-  const Scalar t16 = inertia.c4x * inertia.m4;
-  const Scalar t17 = t16 + t10;
-  const Scalar t18 = inertia.c4y * inertia.m4;
-  const Scalar t19 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t20 = (inertia.I4yy - t19) - inertia.c4y * t18;
-  const Scalar t21 = (inertia.c5x * t10 - (inertia.I5xx - t14)) - ((inertia.I4xx - t19) - inertia.c4x * t16);
-  const Scalar t22 = inertia.c4z * inertia.m4;
-  const Scalar t23 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t24 = t22 - g.d4 * t23;
-  const Scalar t25 = inertia.c3z * inertia.m3;
-  const Scalar t26 = t25 - g.d4 * inertia.m3;
-  const Scalar t27 = inertia.c3x * inertia.m3;
-  const Scalar t28 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t29 = ((inertia.I3zz - t28) - inertia.c3z * t25) + g.d4 * (t25 + t26);
-  const Scalar t30 = ((inertia.I4zz - t19) - inertia.c4z * t22) + g.d4 * (t24 + t22);
-  const Scalar t31 = inertia.I4xy - inertia.c4y * t16;
-  const Scalar t32 = inertia.m2 + (inertia.m3 + t23);
+  const Scalar t12 = inertia.c4y * inertia.m4;
+  const Scalar t13 = inertia.c4x * inertia.m4;
+  const Scalar t14 = inertia.c5x * inertia.m5;
+  const Scalar t15 = inertia.I6xy - inertia.c6y * t2;
+  const Scalar t16 = g.d4 * t13;
+  const Scalar t17 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t18 = (inertia.c6z * t10 - (inertia.I6zz - t4)) + (inertia.c5z * t9 - (inertia.I5zz - t17));
+  const Scalar t19 = g.d4 * t12;
+  const Scalar t20 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t21 = (inertia.c5x * t14 - (inertia.I5xx - t17)) - ((inertia.I4xx - t20) - inertia.c4x * t13);
+  const Scalar t22 = (inertia.I4yy - t20) - inertia.c4y * t12;
+  const Scalar t23 = inertia.c4z * inertia.m4;
+  const Scalar t24 = g.d4 * inertia.m4;
+  const Scalar t25 = t23 - t24;
+  const Scalar t26 = t25 + t24;
+  const Scalar t27 = g.d4 * (t23 + t25) + ((inertia.I4zz - t20) - inertia.c4z * t23);
+  const Scalar t28 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t29 = t26 - g.d4 * t28;
+  const Scalar t30 = (g.d4 * (t26 + t25) - t27) - g.d4 * (t26 + t29);
+  const Scalar t31 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t32 = inertia.c3z * inertia.m3;
+  const Scalar t33 = t32 - g.d4 * inertia.m3;
+  const Scalar t34 = ((inertia.I3zz - t31) - inertia.c3z * t32) + g.d4 * (t32 + t33);
+  const Scalar t35 = inertia.I4xy - inertia.c4y * t13;
+  const Scalar t36 = inertia.c3x * inertia.m3;
+  const Scalar t37 = inertia.m2 + (inertia.m3 + t28);
   return { t1,
            t3,
+           t7,
            t8,
+           t2,
+           t0,
+           g.d4,
            t1 * t8,
            t3 * t8,
-           t7,
-           Scalar(2) * t9,
-           t5 - t6,
-           t9,
-           inertia.I5xy - inertia.c5y * t10,
-           inertia.I5xz - inertia.c5z * t10,
-           t0,
-           t2,
+           t9 + t10,
            t11,
-           t12 + t13,
-           t6,
-           inertia.c5y * t11 - (inertia.I5yy - t14),
-           t15,
-           t17,
-           t18,
+           t12,
+           t13 + t14,
+           inertia.I5xz - inertia.c5z * t14,
            Scalar(2) * t15,
+           t5 - t6,
+           t15,
+           inertia.I5xy - inertia.c5y * t14,
+           t16 - ((inertia.I4xz - inertia.c4z * t13) + t16),
            inertia.I5yz - inertia.c5z * t11,
-           t20,
+           t6,
+           inertia.c5y * t11 - (inertia.I5yy - t17),
+           t18,
+           Scalar(2) * t18,
+           t19 - (t19 + (inertia.I4yz - inertia.c4z * t12)),
            t21,
-           g.d4,
-           inertia.I4xz - inertia.c4z * t16,
-           inertia.I4yz - inertia.c4z * t18,
-           t24 + t26,
-           t27,
-           t29 + t30,
-           t31,
-           inertia.c3x * t27 - (inertia.I3xx - t28),
+           t22,
+           Scalar(2) * g.d4,
+           t30 - t34,
+           t35,
+           inertia.c3x * t36 - (inertia.I3xx - t31),
+           t37,
+           t36,
+           t33 + t29,
            gravity[2],
            gravity[0],
            gravity[1],
-           t20 + t21,
-           Scalar(2) * t31,
-           Scalar(2) * t21,
-           Scalar(2) * t20,
-           Scalar(2) * t17,
-           Scalar(2) * t18,
-           gravity[2] * t32,
+           t22 + t21,
+           Scalar(2) * t35,
+           Scalar(2) * t22,
+           gravity[1] * t37,
+           Scalar(2) * t12,
+           gravity[2] * t37,
            gravity[2] * inertia.m1,
-           gravity[1] * t32,
-           t32,
-           inertia.m1 + t32 };
+           inertia.m1 + t37 };
 }
 
 namespace detail {
@@ -621,178 +636,175 @@ inline JointVector<Scalar> forward_dynamics_with_gravity_vector([[maybe_unused]]
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[12] * s6 - k[11] * c6;
-  const Scalar t1 = k[13] - t0;
-  const Scalar t2 = c5 * t1 - k[14] * s5;
-  const Scalar t3 = s5 * t1 + k[14] * c5;
-  const Scalar t4 = k[12] * c6 + k[11] * s6;
-  const Scalar t5 = c5 * t4;
-  const Scalar t6 = c4 * t0 + s4 * t5;
-  const Scalar t7 = c3 * s5 * t4 - s3 * t6;
-  const Scalar t8 = k[2] * t7;
-  const Scalar t9 = k[4] * c6 + k[3] * s6;
-  const Scalar t10 = k[5] * t9;
-  const Scalar t11 = (c3 * t2 + s3 * s4 * t3) + t8 * t10;
-  const Scalar t12 = k[7] * c6 + k[6] * s6;
-  const Scalar t13 = k[15] + c6 * t12;
-  const Scalar t14 = k[5] - t13;
-  const Scalar t15 = k[16] - t14;
-  const Scalar t16 = k[17] + t15;
-  const Scalar t17 = Scalar(1) / (t9 * t10 + t16);
-  const Scalar t18 = t11 * t17;
-  const Scalar t19 = k[0] * c6 - k[1] * s6;
-  const Scalar t20 = c5 - k[2] * s5 * t19;
-  const Scalar t21 = k[10] + t10;
-  const Scalar t22 = k[8] - s6 * t12;
-  const Scalar t23 = k[9] + t22;
-  const Scalar t24 = c5 * t21 + s5 * t23;
-  const Scalar t25 = t20 * t10 - t24;
-  const Scalar t26 = k[18] + t4;
-  const Scalar t27 = k[19] + t2;
-  const Scalar t28 = s4 * t26 - c4 * t27;
-  const Scalar t29 = t18 * t25 - (t20 * t7 + s3 * t28);
-  const Scalar t30 = k[5] * t20;
-  const Scalar t31 = k[21] + t19;
-  const Scalar t32 = Scalar(2) * c5 * t31 + s5 * (k[20] - t16);
-  const Scalar t33 = t15 + s5 * t32;
-  const Scalar t34 = k[22] - t33;
-  const Scalar t35 = k[23] - t13;
-  const Scalar t36 = t25 * t17;
-  const Scalar t37 = (t30 * t20 - (t34 - t35)) - t25 * t36;
-  const Scalar t38 = Scalar(1) / t37;
-  const Scalar t39 = c4 * (k[26] - (t31 - c5 * t32)) - s4 * (k[25] + t24);
-  const Scalar t40 = c4 * (c5 * t19 + k[5] * s5) - s4 * t10;
-  const Scalar t41 = k[24] * t6 - t40;
-  const Scalar t42 = k[2] * t41;
-  const Scalar t43 = k[24] * t3;
-  const Scalar t44 = c5 * t23 - s5 * t21;
-  const Scalar t45 = (s4 * (t43 - t16) + c4 * t44) - t42 * t10;
-  const Scalar t46 = t45 * t17;
-  const Scalar t47 = ((t39 - k[24] * t28) + t30 * t42) + t25 * t46;
-  const Scalar t48 = t38 * t47;
-  const Scalar t49 = s4 * t27 + c4 * t26;
-  const Scalar t50 = c3 * (k[28] + t49) + s3 * (k[27] + t3);
-  const Scalar t51 = t29 * t48 + (t46 * t11 + (t8 * t41 + t50));
-  const Scalar t52 = s4 * (k[30] + t44);
-  const Scalar t53 = c4 * ((t52 + t52) - c4 * (t34 + t35));
-  const Scalar t54 = (k[29] + ((t33 - t16) + Scalar(2) * t43)) - (k[31] - (t34 + t53));
-  const Scalar t55 = t47 * t48 + (t45 * t46 - (t42 * t41 - t54));
-  const Scalar t56 = Scalar(1) / t55;
-  const Scalar t57 = t51 * t56;
-  const Scalar t58 = t29 * t38;
-  const Scalar t59 = t29 * t58 - ((k[45] + t8 * t7) - t18 * t11);
-  const Scalar t60 = c4 * t5 - s4 * t0;
-  const Scalar t61 = c4 * t3 - t60 * t9;
-  const Scalar t62 = k[2] * t60;
-  const Scalar t63 = (t30 * t62 - t49) + t61 * t36;
-  const Scalar t64 = (t61 * t46 - t60 * t42) + t48 * t63;
-  const Scalar t65 = t56 * t64;
-  const Scalar t66 = t38 * t63;
-  const Scalar t67 = t61 * t17;
-  const Scalar t68 = t29 * t66 + (t60 * t8 + t11 * t67);
-  const Scalar t69 = t51 * t65 - t68;
-  const Scalar t70 = (t61 * t67 - (k[44] + t60 * t62)) + t66 * t63;
-  const Scalar t71 = Scalar(1) / (t70 - t65 * t64);
-  const Scalar t72 = t69 * t71;
-  const Scalar t73 = Scalar(1) / ((t51 * t57 - t59) + t72 * t69);
-  const Scalar t74 = k[33] * c3 - k[32] * s3;
-  const Scalar t75 = c4 * t74 - k[34] * s4;
-  const Scalar t76 = k[33] * s3 + k[32] * c3;
-  const Scalar t77 = qd[2] * qd[2];
-  const Scalar t78 = t76 - k[24] * t77;
-  const Scalar t79 = s4 * t74 + k[34] * c4;
-  const Scalar t80 = s5 * t78 + c5 * t79;
-  const Scalar t81 = qd[2] * c4;
-  const Scalar t82 = s5 * t81;
-  const Scalar t83 = t82 + qd[3] * c5;
-  const Scalar t84 = qd[5] + t83;
-  const Scalar t85 = t84 * t84;
-  const Scalar t86 = qd[3] * s5 - c5 * t81;
-  const Scalar t87 = t86 * t86;
-  const Scalar t88 = t85 - t87;
-  const Scalar t89 = qd[2] * s4;
-  const Scalar t90 = qd[4] - t89;
-  const Scalar t91 = t90 * t90 + t85;
-  const Scalar t92 = t91 - t88;
-  const Scalar t93 = t85 + t87;
-  const Scalar t94 = t92 - t93;
-  const Scalar t95 = t88 + t94;
-  const Scalar t96 = qd[3] * t89;
-  const Scalar t97 = Scalar(2) * t96;
-  const Scalar t98 = t89 * t81;
-  const Scalar t99 = s5 * t97 - c5 * t98;
-  const Scalar t100 = t86 * t90;
-  const Scalar t101 = t99 + (t100 + t100);
-  const Scalar t102 = t95 * t22 - (t13 * t99 + t101 * t14);
-  const Scalar t103 = t90 * t83;
-  const Scalar t104 = t89 * t82 + c5 * t97;
-  const Scalar t105 = t103 + (t104 + t103);
-  const Scalar t106 = qd[3] * t81;
-  const Scalar t107 = t86 * t83;
-  const Scalar t108 = t106 + t107;
-  const Scalar t109 = (t0 * t75 + t4 * t80) - (t102 - (t105 * t19 + t108 * t10));
-  const Scalar t110 = torque[5] - t109;
-  const Scalar t111 = k[2] * t110;
-  const Scalar t112 = c5 * t78 - s5 * t79;
-  const Scalar t113 = t86 * t84;
-  const Scalar t114 = (t108 - t113) - t113;
-  const Scalar t115 = t105 - Scalar(2) * t84 * t90;
-  const Scalar t116 = (t14 * t114 - t115 * t22) - (t19 * t88 - t99 * t10);
-  const Scalar t117 = t81 * t81;
-  const Scalar t118 = qd[3] * qd[3];
-  const Scalar t119 = t117 + t118;
-  const Scalar t120 = t95 + t119;
-  const Scalar t121 = t106 - t107;
-  const Scalar t122 = k[21] * (t120 - t92) + (k[17] * t108 + k[16] * t121);
-  const Scalar t123 = (k[13] * t112 - k[14] * t80) + (t122 + (k[9] * t104 - k[10] * t99));
-  const Scalar t124 = (t112 * t0 + t116) - t123;
-  const Scalar t125 = (t111 * t10 - (torque[4] - t124)) * t17;
-  const Scalar t126 = t117 - t118;
-  const Scalar t127 = t126 - t77;
-  const Scalar t128 = t127 + t119;
-  const Scalar t129 = (k[18] * t79 - k[19] * t75) + (k[35] * t98 + k[30] * t128);
-  const Scalar t130 = (k[21] * t105 - k[16] * t101) + (k[10] * t108 - k[9] * t95);
-  const Scalar t131 = (k[13] * t75 - t130) - t109;
-  const Scalar t132 = (t13 * t115 - t114 * t22) - t94 * t10;
-  const Scalar t133 = k[10] * (t119 - t92) - (k[17] * t105 - k[21] * t101);
-  const Scalar t134 = ((t132 + t101 * t19) + t112 * t4) - (k[14] * t75 + (k[9] * t121 - t133));
-  const Scalar t135 = torque[3] - (t129 - (c5 * t131 + s5 * t134));
-  const Scalar t136 = t125 * t25 - (t110 * t20 - t135);
-  const Scalar t137 = (k[13] * t121 + k[14] * t92) - (t115 * t4 + t114 * t0);
-  const Scalar t138 = (k[14] * t108 - k[13] * t120) + (t99 * t4 + t91 * t0);
-  const Scalar t139 = (s5 * t137 + c5 * t138) - (k[18] * t98 - k[19] * t127);
-  const Scalar t140 = (k[14] * t105 + k[13] * t101) - (t101 * t0 - t4 * t93);
-  const Scalar t141 = t140 + (k[18] * t119 + k[19] * t98);
-  const Scalar t142 = torque[1] + (k[43] - (c4 * t139 + s4 * t141));
-  const Scalar t143 = t66 * t136 + (t61 * t125 + (t60 * t111 - t142));
-  const Scalar t144 = t38 * t136;
-  const Scalar t145 = (k[36] * t106 + k[37] * t96) + k[25] * (t126 - t128);
-  const Scalar t146 = ((t145 - k[26] * t98) - k[18] * t78) - (c5 * t134 - s5 * t131);
-  const Scalar t147 = (k[30] * t97 - k[38] * t106) + (k[25] * t98 - k[26] * t126);
-  const Scalar t148 = c4 * t146 + s4 * (t124 - (t147 + k[19] * t78));
-  const Scalar t149 = s4 * t139 - c4 * t141;
-  const Scalar t150 = (k[27] * t74 - k[28] * t76) + (t148 + k[24] * t149);
-  const Scalar t151 = ((torque[2] + t150) + t110 * t42) + t125 * t45;
-  const Scalar t152 = t47 * t144 + t151;
-  const Scalar t153 = t143 - t65 * t152;
-  const Scalar t154 = (k[39] * t96 - k[40] * t106) - (c5 * t137 - s5 * t138);
-  const Scalar t155 = c3 * (k[27] * t77 - t154) - s3 * (k[28] * t77 - t149);
-  const Scalar t156 = (torque[0] + (k[42] + (k[41] + t155))) - t110 * t8;
-  const Scalar t157 = t57 * t152 - (t58 * t136 + (t125 * t11 + t156));
-  const Scalar t158 = t73 * (t72 * t153 - t157);
-  const Scalar t159 = t153 * t71 - t72 * t158;
-  const Scalar t160 = t65 * t159 - (t56 * t152 + t57 * t158);
-  const Scalar t161 = ((t58 * t158 + t144) - t66 * t159) + t48 * t160;
-  const Scalar t162 = ((t125 + t18 * t158) - t159 * t67) + t46 * t160;
-  const Scalar t163 = t162 + t161 * t36;
-  const Scalar t164 = (t62 * t159 + (t8 * t158 + t111)) - t42 * t160;
+  const Scalar t0 = k[14] * s6 + k[15] * c6;
+  const Scalar t1 = k[20] + c6 * t0;
+  const Scalar t2 = k[25] - t1;
+  const Scalar t3 = k[2] - t1;
+  const Scalar t4 = k[21] - t3;
+  const Scalar t5 = k[22] + t4;
+  const Scalar t6 = k[0] * c6 - k[1] * s6;
+  const Scalar t7 = k[19] + t6;
+  const Scalar t8 = s5 * (k[23] - t5) + Scalar(2) * c5 * t7;
+  const Scalar t9 = s5 * t8;
+  const Scalar t10 = k[26] - (t9 + t4);
+  const Scalar t11 = k[2] * c5 - s5 * t6;
+  const Scalar t12 = k[3] * t11;
+  const Scalar t13 = k[16] - s6 * t0;
+  const Scalar t14 = k[17] + t13;
+  const Scalar t15 = k[8] * c6 + k[7] * s6;
+  const Scalar t16 = k[2] * t15;
+  const Scalar t17 = k[13] + t16;
+  const Scalar t18 = s5 * t14 + c5 * t17;
+  const Scalar t19 = t18 - t15 * t11;
+  const Scalar t20 = Scalar(1) / (t5 + t15 * t16);
+  const Scalar t21 = t19 * t20;
+  const Scalar t22 = ((t2 - t10) + t12 * t11) - t21 * t19;
+  const Scalar t23 = Scalar(1) / t22;
+  const Scalar t24 = k[4] * c6 + k[5] * s6;
+  const Scalar t25 = k[12] + t24;
+  const Scalar t26 = k[4] * s6 - k[5] * c6;
+  const Scalar t27 = k[10] - t26;
+  const Scalar t28 = c5 * t27 - k[9] * s5;
+  const Scalar t29 = k[11] + t28;
+  const Scalar t30 = c4 * t25 + s4 * t29;
+  const Scalar t31 = c5 * t24;
+  const Scalar t32 = s4 * t26 - c4 * t31;
+  const Scalar t33 = k[3] * t32;
+  const Scalar t34 = s5 * t27 + k[9] * c5;
+  const Scalar t35 = c4 * t34 + t33 * t16;
+  const Scalar t36 = t35 * t20;
+  const Scalar t37 = (t30 + t33 * t11) + t36 * t19;
+  const Scalar t38 = t23 * t37;
+  const Scalar t39 = t38 * t37 - ((k[31] + t32 * t33) - t36 * t35);
+  const Scalar t40 = s4 * t31 + c4 * t26;
+  const Scalar t41 = c4 * (c5 * t6 + k[2] * s5) - s4 * t16;
+  const Scalar t42 = k[6] * t40 - t41;
+  const Scalar t43 = k[3] * t42;
+  const Scalar t44 = s5 * t17 - c5 * t14;
+  const Scalar t45 = c4 * t44 + s4 * (t5 - k[6] * t34);
+  const Scalar t46 = t43 * t16 + t45;
+  const Scalar t47 = t46 * t20;
+  const Scalar t48 = s4 * (k[18] - t18) - c4 * (k[24] - (c5 * t8 - t7));
+  const Scalar t49 = c4 * t29 - s4 * t25;
+  const Scalar t50 = t47 * t19 + ((t48 + k[6] * t49) + t42 * t12);
+  const Scalar t51 = (t47 * t35 - t42 * t33) + t38 * t50;
+  const Scalar t52 = t23 * t50;
+  const Scalar t53 = s4 * (k[29] - t44);
+  const Scalar t54 = c4 * (c4 * (t2 + t10) - (t53 + t53));
+  const Scalar t55 = (k[30] + (t54 - t10)) + (k[28] + ((k[22] - t9) - k[27] * t34));
+  const Scalar t56 = t50 * t52 - ((t55 + t42 * t43) - t46 * t47);
+  const Scalar t57 = Scalar(1) / t56;
+  const Scalar t58 = t51 * t57;
+  const Scalar t59 = Scalar(1) / (t39 - t51 * t58);
+  const Scalar t60 = s3 * t40 - c3 * s5 * t24;
+  const Scalar t61 = (c3 * t28 + s3 * s4 * t34) - t15 * t60;
+  const Scalar t62 = t61 * t20;
+  const Scalar t63 = k[3] * t60;
+  const Scalar t64 = (t60 * t12 + s3 * t49) - t61 * t21;
+  const Scalar t65 = t23 * t64;
+  const Scalar t66 = (t35 * t62 + t32 * t63) - t65 * t37;
+  const Scalar t67 = c3 * (k[32] + t30) + s3 * (k[33] + t34);
+  const Scalar t68 = t50 * t65 - (t47 * t61 - (t67 - t43 * t60));
+  const Scalar t69 = t68 * t57;
+  const Scalar t70 = t66 + t51 * t69;
+  const Scalar t71 = t59 * t70;
+  const Scalar t72 = qd[2] * c4;
+  const Scalar t73 = qd[3] * t72;
+  const Scalar t74 = qd[3] * s5 - c5 * t72;
+  const Scalar t75 = s5 * t72 + qd[3] * c5;
+  const Scalar t76 = t74 * t75;
+  const Scalar t77 = t73 + t76;
+  const Scalar t78 = t73 - t76;
+  const Scalar t79 = qd[2] * s4;
+  const Scalar t80 = qd[4] - t79;
+  const Scalar t81 = t80 * t80;
+  const Scalar t82 = t75 * t75;
+  const Scalar t83 = t81 - t82;
+  const Scalar t84 = t72 * t72;
+  const Scalar t85 = qd[3] * qd[3];
+  const Scalar t86 = t84 + t85;
+  const Scalar t87 = t81 + t82;
+  const Scalar t88 = t86 - t87;
+  const Scalar t89 = (k[22] * t77 + k[21] * t78) - k[19] * (t83 + t88);
+  const Scalar t90 = qd[3] * t79;
+  const Scalar t91 = t90 + t90;
+  const Scalar t92 = t79 * t72;
+  const Scalar t93 = s5 * t91 - c5 * t92;
+  const Scalar t94 = c5 * t91 + s5 * t92;
+  const Scalar t95 = qd[2] * qd[2];
+  const Scalar t96 = k[35] * s3 + k[34] * c3;
+  const Scalar t97 = k[6] * t95 - t96;
+  const Scalar t98 = k[34] * s3 - k[35] * c3;
+  const Scalar t99 = s4 * t98 - k[36] * c4;
+  const Scalar t100 = s5 * t97 + c5 * t99;
+  const Scalar t101 = s5 * t99 - c5 * t97;
+  const Scalar t102 = (t89 - (k[13] * t93 - k[17] * t94)) + (k[9] * t100 + k[10] * t101);
+  const Scalar t103 = t83 + t86;
+  const Scalar t104 = qd[5] + t75;
+  const Scalar t105 = t81 + t104 * t104;
+  const Scalar t106 = t105 + t88;
+  const Scalar t107 = t103 - t106;
+  const Scalar t108 = t77 - Scalar(2) * t74 * t104;
+  const Scalar t109 = Scalar(2) * t80 * t75 + t94;
+  const Scalar t110 = t109 - Scalar(2) * t104 * t80;
+  const Scalar t111 = (t6 * (t107 + t88) + t16 * t93) + (t108 * t3 - t110 * t13);
+  const Scalar t112 = t102 - (t111 + t26 * t101);
+  const Scalar t113 = k[36] * s4 + c4 * t98;
+  const Scalar t114 = Scalar(2) * t74 * t80 + t93;
+  const Scalar t115 = (t3 * t114 + t1 * t93) + t13 * t88;
+  const Scalar t116 = (t100 * t24 + t113 * t26) - (t115 + (t6 * t109 + t77 * t16));
+  const Scalar t117 = torque[5] + t116;
+  const Scalar t118 = k[3] * t117;
+  const Scalar t119 = (torque[4] + t112) - t16 * t118;
+  const Scalar t120 = t84 - t85;
+  const Scalar t121 = t120 - t95;
+  const Scalar t122 = t121 + t86;
+  const Scalar t123 = k[18] * (t120 - t122) - (k[38] * t73 + k[25] * t91);
+  const Scalar t124 = (k[13] * t77 + k[17] * t88) + (k[19] * t109 - k[21] * t114);
+  const Scalar t125 = t116 - (k[10] * t113 + t124);
+  const Scalar t126 = (k[19] * t114 - k[22] * t109) - k[13] * t83;
+  const Scalar t127 = (t110 * t1 - t13 * t108) - t16 * t107;
+  const Scalar t128 = ((k[17] * t78 - t126) - k[9] * t113) - (t101 * t24 + (t127 + t6 * t114));
+  const Scalar t129 = ((k[24] * t92 - t123) + k[12] * t97) + (s5 * t125 + c5 * t128);
+  const Scalar t130 = (k[39] * t73 - k[29] * t91) - (k[24] * t120 - k[18] * t92);
+  const Scalar t131 = c4 * t129 - s4 * (t112 - (t130 + k[11] * t97));
+  const Scalar t132 = (t26 * t114 - t24 * t106) - (k[9] * t109 + k[10] * t114);
+  const Scalar t133 = (k[11] * t92 + k[12] * t86) - t132;
+  const Scalar t134 = (k[10] * t87 - k[9] * t77) - (t26 * t105 + t24 * t93);
+  const Scalar t135 = (t26 * t108 + t110 * t24) - (k[10] * t78 + k[9] * t103);
+  const Scalar t136 = (k[12] * t92 - k[11] * t121) + (c5 * t134 + s5 * t135);
+  const Scalar t137 = c4 * t133 + s4 * t136;
+  const Scalar t138 = (k[33] * t98 + k[32] * t96) - (t131 - k[6] * t137);
+  const Scalar t139 = t47 * t119 + (t43 * t117 + (torque[2] - t138));
+  const Scalar t140 = (k[37] * t92 + k[29] * t122) + (k[11] * t113 - k[12] * t99);
+  const Scalar t141 = torque[3] - (t140 + (s5 * t128 - c5 * t125));
+  const Scalar t142 = t119 * t21 - (t117 * t12 - t141);
+  const Scalar t143 = t23 * t142;
+  const Scalar t144 = t57 * (t139 + t143 * t50);
+  const Scalar t145 = t119 * t20;
+  const Scalar t146 = torque[1] + (k[40] - (s4 * t133 - c4 * t136));
+  const Scalar t147 = t143 * t37 + (t145 * t35 + (t33 * t117 + t146));
+  const Scalar t148 = t51 * t144 - t147;
+  const Scalar t149 = (s5 * t134 - c5 * t135) + (k[41] * t73 - k[12] * t91);
+  const Scalar t150 = c3 * (t149 + k[33] * t95) - s3 * (k[32] * t95 + t137);
+  const Scalar t151 = t60 * t118 + (torque[0] + (k[43] + (k[42] + t150)));
+  const Scalar t152 = (t65 * t142 + (t151 - t145 * t61)) - t68 * t144;
+  const Scalar t153 = ((k[44] + t60 * t63) - t61 * t62) - t65 * t64;
+  const Scalar t154 = Scalar(1) / (t71 * t70 + (t69 * t68 + t153));
+  const Scalar t155 = (t71 * t148 - t152) * t154;
+  const Scalar t156 = t71 * t155 - t59 * t148;
+  const Scalar t157 = t58 * t156 + (t69 * t155 - t144);
+  const Scalar t158 = t157 * t52 - (t38 * t156 + (t65 * t155 - t143));
+  const Scalar t159 = ((t155 * t62 + t145) - t36 * t156) + t47 * t157;
+  const Scalar t160 = t159 + t158 * t21;
+  const Scalar t161 = (t33 * t156 + (t118 + t155 * t63)) - t43 * t157;
   JointVector<Scalar> result;
-  result[0] = t158;
-  result[1] = t159;
-  result[2] = t160;
-  result[3] = t161;
-  result[4] = -t163;
-  result[5] = t163 * t9 - (t164 + t20 * t161);
+  result[0] = -t155;
+  result[1] = -t156;
+  result[2] = t157;
+  result[3] = t158;
+  result[4] = t160;
+  result[5] = -t15 * t160 - (t158 * t12 + t161);
   return result;
 }
 
@@ -821,84 +833,83 @@ ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constant
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6x * inertia.m6;
-  const Scalar t1 = inertia.I6xy - inertia.c6y * t0;
+  const Scalar t0 = inertia.c6y * inertia.m6;
+  const Scalar t1 = inertia.c6x * inertia.m6;
   const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t0;
-  const Scalar t4 = inertia.c6y * inertia.m6;
-  const Scalar t5 = (inertia.I6yy - t2) - inertia.c6y * t4;
-  const Scalar t6 = inertia.c5y * inertia.m5;
-  const Scalar t7 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t8 = inertia.c6z * inertia.m6;
-  const Scalar t9 = inertia.c5z * inertia.m5;
-  const Scalar t10 = (inertia.c6z * t8 - (inertia.I6zz - t2)) + (inertia.c5z * t9 - (inertia.I5zz - t7));
-  const Scalar t11 = inertia.I6yz - inertia.c6z * t4;
-  const Scalar t12 = t3 + t5;
-  const Scalar t13 = Scalar(1) / t12;
-  const Scalar t14 = inertia.I6xz - inertia.c6z * t0;
-  const Scalar t15 = inertia.c5x * inertia.m5;
-  const Scalar t16 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t17 = inertia.c4y * inertia.m4;
-  const Scalar t18 = (inertia.I4yy - t16) - inertia.c4y * t17;
-  const Scalar t19 = inertia.c4x * inertia.m4;
-  const Scalar t20 = (inertia.c5x * t15 - (inertia.I5xx - t7)) - ((inertia.I4xx - t16) - inertia.c4x * t19);
-  const Scalar t21 = inertia.I4xy - inertia.c4y * t19;
-  const Scalar t22 = inertia.c4z * inertia.m4;
-  const Scalar t23 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t24 = t22 - g.d4 * t23;
-  const Scalar t25 = inertia.c3z * inertia.m3;
-  const Scalar t26 = t25 - g.d4 * inertia.m3;
-  const Scalar t27 = inertia.c3x * inertia.m3;
-  const Scalar t28 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t29 = ((inertia.I3zz - t28) - inertia.c3z * t25) + g.d4 * (t25 + t26);
-  const Scalar t30 = ((inertia.I4zz - t16) - inertia.c4z * t22) + g.d4 * (t24 + t22);
-  const Scalar t31 = inertia.m2 + (inertia.m3 + t23);
-  return { Scalar(2) * t1,
-           t3 - t5,
-           t3,
-           inertia.c5y * t6 - (inertia.I5yy - t7),
-           t10,
-           Scalar(2) * t10,
-           t11 * t13,
-           t14 * t13,
-           t12,
-           t1,
-           inertia.I5xy - inertia.c5y * t15,
-           inertia.I5xz - inertia.c5z * t15,
-           t11,
-           t14,
-           inertia.I5yz - inertia.c5z * t6,
-           t18,
-           t5,
-           t20,
-           t13,
-           t0,
+  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t1;
+  const Scalar t4 = (inertia.I6yy - t2) - inertia.c6y * t0;
+  const Scalar t5 = t3 + t4;
+  const Scalar t6 = inertia.I6xy - inertia.c6y * t1;
+  const Scalar t7 = inertia.c5y * inertia.m5;
+  const Scalar t8 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t9 = inertia.c6z * inertia.m6;
+  const Scalar t10 = inertia.c5z * inertia.m5;
+  const Scalar t11 = (inertia.c6z * t9 - (inertia.I6zz - t2)) + (inertia.c5z * t10 - (inertia.I5zz - t8));
+  const Scalar t12 = inertia.c5x * inertia.m5;
+  const Scalar t13 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t14 = inertia.c4y * inertia.m4;
+  const Scalar t15 = (inertia.I4yy - t13) - inertia.c4y * t14;
+  const Scalar t16 = inertia.c4x * inertia.m4;
+  const Scalar t17 = (inertia.c5x * t12 - (inertia.I5xx - t8)) - ((inertia.I4xx - t13) - inertia.c4x * t16);
+  const Scalar t18 = inertia.I4xy - inertia.c4y * t16;
+  const Scalar t19 = inertia.c3x * inertia.m3;
+  const Scalar t20 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t21 = inertia.c4z * inertia.m4;
+  const Scalar t22 = g.d4 * inertia.m4;
+  const Scalar t23 = t21 - t22;
+  const Scalar t24 = t23 + t22;
+  const Scalar t25 = g.d4 * (t21 + t23) + ((inertia.I4zz - t13) - inertia.c4z * t21);
+  const Scalar t26 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t27 = t24 - g.d4 * t26;
+  const Scalar t28 = (g.d4 * (t24 + t23) - t25) - g.d4 * (t24 + t27);
+  const Scalar t29 = inertia.c3z * inertia.m3;
+  const Scalar t30 = t29 - g.d4 * inertia.m3;
+  const Scalar t31 = ((inertia.I3zz - t20) - inertia.c3z * t29) + g.d4 * (t29 + t30);
+  const Scalar t32 = g.d4 * t14;
+  const Scalar t33 = g.d4 * t16;
+  const Scalar t34 = inertia.m2 + (inertia.m3 + t26);
+  return { inertia.I6yz - inertia.c6z * t0,
+           inertia.I6xz - inertia.c6z * t1,
+           Scalar(1) / t5,
+           Scalar(2) * t6,
+           t3 - t4,
            t4,
-           t9 + t8,
-           t6,
-           t17,
-           t19 + t15,
+           t5,
+           inertia.c5y * t7 - (inertia.I5yy - t8),
+           t11,
+           t10 + t9,
+           t0,
+           t1,
+           t7,
            g.d4,
-           inertia.I4yz - inertia.c4z * t17,
-           inertia.I4xz - inertia.c4z * t19,
+           t6,
+           inertia.I5xy - inertia.c5y * t12,
+           inertia.I5xz - inertia.c5z * t12,
+           Scalar(2) * t11,
+           inertia.I5yz - inertia.c5z * t7,
+           t15,
+           t17,
+           t18,
+           inertia.c3x * t19 - (inertia.I3xx - t20),
+           t28 - t31,
+           t32 - (t32 + (inertia.I4yz - inertia.c4z * t14)),
+           t33 - ((inertia.I4xz - inertia.c4z * t16) + t33),
+           t14,
+           t16 + t12,
+           t34,
+           t19,
+           t30 + t27,
+           inertia.m1 + t34,
            gravity[2],
            gravity[0],
            gravity[1],
-           t21,
-           t18 + t20,
-           t24 + t26,
-           t27,
            Scalar(2) * t18,
-           Scalar(2) * t21,
-           Scalar(2) * t20,
-           t29 + t30,
-           inertia.c3x * t27 - (inertia.I3xx - t28),
-           gravity[1] * t31,
-           t31,
-           Scalar(2) * t17,
-           gravity[2] * t31,
+           Scalar(2) * t15,
+           t15 + t17,
+           Scalar(2) * t14,
+           gravity[2] * t34,
            gravity[2] * inertia.m1,
-           inertia.m1 + t31 };
+           gravity[1] * t34 };
 }
 
 namespace detail {
@@ -916,192 +927,186 @@ inline JointVector<Scalar> forward_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[13] * s6 - k[12] * c6;
-  const Scalar t1 = s5 * t0 + k[8] * c5;
-  const Scalar t2 = k[18] * t1;
-  const Scalar t3 = k[0] * s6 + k[1] * c6;
-  const Scalar t4 = c6 * t3;
-  const Scalar t5 = k[2] - t4;
-  const Scalar t6 = k[3] - t5;
-  const Scalar t7 = k[4] - t6;
-  const Scalar t8 = k[14] - t0;
-  const Scalar t9 = s5 * t7 + Scalar(2) * c5 * t8;
-  const Scalar t10 = s5 * t9;
-  const Scalar t11 = k[15] - (t6 + t10);
-  const Scalar t12 = k[16] + t4;
-  const Scalar t13 = k[17] - t12;
-  const Scalar t14 = k[7] * c6 + k[6] * s6;
-  const Scalar t15 = k[8] * t14;
-  const Scalar t16 = k[11] + t15;
-  const Scalar t17 = k[9] - s6 * t3;
-  const Scalar t18 = k[10] + t17;
-  const Scalar t19 = c5 * t16 + s5 * t18;
-  const Scalar t20 = t14 * t1 - t19;
-  const Scalar t21 = k[5] - t7;
-  const Scalar t22 = Scalar(1) / (t15 * t14 + t21);
-  const Scalar t23 = t20 * t22;
-  const Scalar t24 = (t2 * t1 - (t11 - t13)) - t20 * t23;
-  const Scalar t25 = Scalar(1) / t24;
-  const Scalar t26 = qd[2] * qd[2];
-  const Scalar t27 = k[28] * c3 + k[29] * s3;
-  const Scalar t28 = k[25] * t26 - t27;
-  const Scalar t29 = k[28] * s3 - k[29] * c3;
-  const Scalar t30 = k[30] * c4 - s4 * t29;
-  const Scalar t31 = c5 * t28 + s5 * t30;
-  const Scalar t32 = k[19] * c6 + k[20] * s6;
-  const Scalar t33 = qd[2] * s4;
-  const Scalar t34 = qd[4] - t33;
-  const Scalar t35 = t34 * t34;
-  const Scalar t36 = qd[2] * c4;
-  const Scalar t37 = s5 * t36;
-  const Scalar t38 = t37 + qd[3] * c5;
-  const Scalar t39 = qd[5] + t38;
-  const Scalar t40 = t39 * t39;
-  const Scalar t41 = t35 - t40;
-  const Scalar t42 = t39 * t34;
-  const Scalar t43 = t34 * t38;
-  const Scalar t44 = qd[3] * t33;
-  const Scalar t45 = Scalar(2) * t44;
-  const Scalar t46 = t33 * t37 + c5 * t45;
-  const Scalar t47 = t43 + (t46 + t43);
-  const Scalar t48 = (t42 + t42) - t47;
-  const Scalar t49 = qd[3] * s5 - c5 * t36;
-  const Scalar t50 = t49 * t39;
-  const Scalar t51 = qd[3] * t36;
-  const Scalar t52 = t49 * t38;
-  const Scalar t53 = t51 + t52;
-  const Scalar t54 = (t50 + t50) - t53;
-  const Scalar t55 = t15 * t41 + (t48 * t12 - t17 * t54);
-  const Scalar t56 = t49 * t34;
-  const Scalar t57 = t33 * t36;
-  const Scalar t58 = s5 * t45 - c5 * t57;
-  const Scalar t59 = t56 + (t58 + t56);
-  const Scalar t60 = wrench[5] * s3 - wrench[3] * c3;
-  const Scalar t61 = wrench[4] * c4 - s4 * t60;
-  const Scalar t62 = wrench[3] * s3 + wrench[5] * c3;
-  const Scalar t63 = (t31 * t32 + (t55 + t59 * t0)) + (c5 * t61 + s5 * t62);
-  const Scalar t64 = c4 * t29 + k[30] * s4;
-  const Scalar t65 = t51 - t52;
-  const Scalar t66 = t38 * t38;
-  const Scalar t67 = k[11] * (t35 - t66) - (k[14] * t59 - k[4] * t47);
-  const Scalar t68 = t63 - (k[21] * t64 - (k[10] * t65 + t67));
-  const Scalar t69 = t36 * t36;
-  const Scalar t70 = qd[3] * qd[3];
-  const Scalar t71 = t69 + t70;
-  const Scalar t72 = t35 + t66;
-  const Scalar t73 = t71 - t72;
-  const Scalar t74 = (k[10] * t73 + k[11] * t53) + (k[14] * t47 - k[3] * t59);
-  const Scalar t75 = t17 * t73 + (t59 * t5 + t58 * t12);
-  const Scalar t76 = k[19] * s6 - k[20] * c6;
-  const Scalar t77 = c5 * t30 - s5 * t28;
-  const Scalar t78 = (t75 + (t53 * t15 - t47 * t0)) - (t76 * t64 - t77 * t32);
-  const Scalar t79 = t78 - (s5 * t61 - c5 * t62);
-  const Scalar t80 = (k[22] * t64 + t74) + t79;
-  const Scalar t81 = t69 - t70;
-  const Scalar t82 = t81 - t26;
-  const Scalar t83 = (k[32] * t57 + k[31] * (t82 + t71)) + (k[24] * t30 + k[23] * t64);
-  const Scalar t84 = torque[3] - ((s5 * t68 + c5 * t80) + t83);
-  const Scalar t85 = torque[5] - t79;
-  const Scalar t86 = k[18] * t85;
-  const Scalar t87 = t41 + t73;
-  const Scalar t88 = (t17 * t48 - t54 * t5) - (t87 * t0 - t15 * t58);
-  const Scalar t89 = (c4 * t60 + wrench[4] * s4) + (t88 - t31 * t76);
-  const Scalar t90 = t35 + t40;
-  const Scalar t91 = t90 + t87;
-  const Scalar t92 = k[14] * (t91 - t72) - (k[3] * t65 + k[4] * t53);
-  const Scalar t93 = (k[21] * t77 + k[22] * t31) - ((k[10] * t46 - k[11] * t58) - t92);
-  const Scalar t94 = t89 + t93;
-  const Scalar t95 = (torque[4] - t94) - t14 * t85;
-  const Scalar t96 = t95 * t22;
-  const Scalar t97 = (t84 - t86 * t1) - t96 * t20;
-  const Scalar t98 = t25 * t97;
-  const Scalar t99 = c4 * (k[8] * s5 - c5 * t0) - s4 * t15;
-  const Scalar t100 = c5 * t32;
-  const Scalar t101 = s4 * t100 + c4 * t76;
-  const Scalar t102 = t99 - k[25] * t101;
-  const Scalar t103 = k[18] * t102;
-  const Scalar t104 = k[24] + t32;
-  const Scalar t105 = k[22] - t76;
-  const Scalar t106 = c5 * t105 - k[21] * s5;
-  const Scalar t107 = k[23] + t106;
-  const Scalar t108 = s4 * t104 - c4 * t107;
-  const Scalar t109 = c4 * (k[26] - (t8 - c5 * t9)) - s4 * (k[27] + t19);
-  const Scalar t110 = s5 * t105 + k[21] * c5;
-  const Scalar t111 = k[25] * t110;
-  const Scalar t112 = s5 * t16 - c5 * t18;
-  const Scalar t113 = (s4 * (t21 - t111) + c4 * t112) - t14 * t102;
-  const Scalar t114 = (t103 * t1 + (k[25] * t108 - t109)) + t113 * t23;
-  const Scalar t115 = wrench[0] * c3 - wrench[2] * s3;
-  const Scalar t116 = ((t90 + t73) * t32 - t59 * t76) - (wrench[1] * s4 - c4 * t115);
-  const Scalar t117 = (k[23] * t57 + k[24] * t71) + ((k[21] * t47 + k[22] * t59) + t116);
-  const Scalar t118 = s4 * t115 + wrench[1] * c4;
-  const Scalar t119 = wrench[2] * c3 + wrench[0] * s3;
-  const Scalar t120 = (t32 * t48 + t54 * t76) - (s5 * t118 - c5 * t119);
-  const Scalar t121 = t120 + (k[21] * t91 + k[22] * t65);
-  const Scalar t122 = (s5 * t119 + c5 * t118) - (t58 * t32 + t90 * t76);
-  const Scalar t123 = t122 + (k[22] * t72 - k[21] * t53);
-  const Scalar t124 = (s5 * t121 - c5 * t123) + (k[23] * t82 - k[24] * t57);
-  const Scalar t125 = c4 * t117 - s4 * t124;
-  const Scalar t126 = (k[27] * t57 - k[26] * t81) - (k[35] * t51 - k[31] * t45);
-  const Scalar t127 = (k[36] * t51 + k[37] * t44) - k[27] * (t71 - t26);
-  const Scalar t128 = ((t127 - k[26] * t57) + k[24] * t28) - (s5 * t80 - c5 * t68);
-  const Scalar t129 = s4 * (t94 + (k[23] * t28 - t126)) + c4 * t128;
-  const Scalar t130 = (k[25] * t125 - t129) + (k[34] * t27 + k[33] * t29);
-  const Scalar t131 = ((torque[2] - t130) - t103 * t85) + t113 * t96;
-  const Scalar t132 = t113 * t22;
-  const Scalar t133 = s4 * (k[31] - t112);
-  const Scalar t134 = c4 * ((t133 + t133) - c4 * (t11 + t13));
-  const Scalar t135 = (k[38] + ((t111 + t111) - (k[4] - t10))) - (k[39] - (t11 + t134));
-  const Scalar t136 = t25 * t114;
-  const Scalar t137 = (t113 * t132 + (t135 - t103 * t102)) + t114 * t136;
-  const Scalar t138 = Scalar(1) / t137;
-  const Scalar t139 = (t98 * t114 - t131) * t138;
-  const Scalar t140 = c4 * t104 + s4 * t107;
-  const Scalar t141 = s3 * (k[33] + t110) + c3 * (k[34] + t140);
-  const Scalar t142 = s3 * t101 - c3 * s5 * t32;
-  const Scalar t143 = k[18] * t142;
-  const Scalar t144 = (c3 * t106 + s3 * s4 * t110) - t15 * t143;
-  const Scalar t145 = (s3 * t108 - t143 * t1) - t144 * t23;
-  const Scalar t146 = ((t141 + t143 * t102) - t132 * t144) + t145 * t136;
-  const Scalar t147 = t25 * t145;
-  const Scalar t148 = (k[42] * t51 - k[24] * t45) + (c5 * t121 + s5 * t123);
-  const Scalar t149 = s3 * (k[34] * t26 + t125) - c3 * (k[33] * t26 + t148);
-  const Scalar t150 = (torque[0] + (k[44] + (k[43] - t149))) + t142 * t86;
-  const Scalar t151 = t144 * t22;
-  const Scalar t152 = t139 * t146 - (t97 * t147 - (t150 - t95 * t151));
-  const Scalar t153 = s4 * t76 - c4 * t100;
-  const Scalar t154 = k[18] * t153;
-  const Scalar t155 = torque[1] + (k[40] - (c4 * t124 + s4 * t117));
-  const Scalar t156 = t14 * t153 + c4 * t110;
-  const Scalar t157 = t156 * t22;
-  const Scalar t158 = (t140 + t2 * t153) - t156 * t23;
-  const Scalar t159 = t25 * t158;
-  const Scalar t160 = ((t154 * t85 + t155) + t157 * t95) + t159 * t97;
-  const Scalar t161 = t159 * t114 - (t154 * t102 + t156 * t132);
-  const Scalar t162 = t160 - t161 * t139;
-  const Scalar t163 = t161 * t138;
-  const Scalar t164 = (t157 * t156 - (k[41] + t154 * t153)) + t159 * t158;
-  const Scalar t165 = Scalar(1) / (t161 * t163 - t164);
-  const Scalar t166 = t138 * t146;
-  const Scalar t167 = t147 * t158 + (t143 * t153 + t156 * t151);
-  const Scalar t168 = t166 * t161 - t167;
-  const Scalar t169 = t165 * t168;
-  const Scalar t170 = t147 * t145 + (t144 * t151 - (k[45] + t143 * t142));
-  const Scalar t171 = Scalar(1) / (t168 * t169 + (t170 - t166 * t146));
-  const Scalar t172 = (t152 + t162 * t169) * t171;
-  const Scalar t173 = t172 * t169 - t162 * t165;
-  const Scalar t174 = t173 * t163 - (t139 + t172 * t166);
-  const Scalar t175 = (t159 * t173 - (t98 + t172 * t147)) - t174 * t136;
-  const Scalar t176 = t174 * t132 + (t173 * t157 - (t172 * t151 + t96));
-  const Scalar t177 = t175 * t23 - t176;
-  const Scalar t178 = t103 * t174 - ((t172 * t143 + t86) + t173 * t154);
+  const Scalar t0 = k[4] * c6 + k[3] * s6;
+  const Scalar t1 = k[5] + c6 * t0;
+  const Scalar t2 = k[6] - t1;
+  const Scalar t3 = k[8] + (k[7] - t2);
+  const Scalar t4 = k[0] * s6 + k[1] * c6;
+  const Scalar t5 = k[2] * t4;
+  const Scalar t6 = Scalar(1) / (t3 + t4 * t5);
+  const Scalar t7 = qd[2] * s4;
+  const Scalar t8 = t7 + t7;
+  const Scalar t9 = qd[3] * t8;
+  const Scalar t10 = qd[2] * c4;
+  const Scalar t11 = t7 * t10;
+  const Scalar t12 = s5 * t9 - c5 * t11;
+  const Scalar t13 = qd[4] - t7;
+  const Scalar t14 = t13 * t13;
+  const Scalar t15 = s5 * t10;
+  const Scalar t16 = qd[3] * c5;
+  const Scalar t17 = t15 + t16;
+  const Scalar t18 = qd[5] + t17;
+  const Scalar t19 = t18 * t18;
+  const Scalar t20 = t14 - t19;
+  const Scalar t21 = t10 * t10;
+  const Scalar t22 = qd[3] * qd[3];
+  const Scalar t23 = t21 + t22;
+  const Scalar t24 = t14 + t17 * t17;
+  const Scalar t25 = t23 - t24;
+  const Scalar t26 = k[0] * c6 - k[1] * s6;
+  const Scalar t27 = k[14] - s6 * t0;
+  const Scalar t28 = t7 * t15 + t8 * t16;
+  const Scalar t29 = t13 + t13;
+  const Scalar t30 = t28 + t29 * t17;
+  const Scalar t31 = t30 - t18 * t29;
+  const Scalar t32 = qd[3] * s5 - c5 * t10;
+  const Scalar t33 = t32 * t18;
+  const Scalar t34 = qd[3] * t10;
+  const Scalar t35 = t32 * t17;
+  const Scalar t36 = t34 + t35;
+  const Scalar t37 = (t33 + t33) - t36;
+  const Scalar t38 = (t4 * t12 + (t20 + t25) * t26) - (t27 * t31 + t37 * t2);
+  const Scalar t39 = k[33] * s3 + k[32] * c3;
+  const Scalar t40 = qd[2] * qd[2];
+  const Scalar t41 = t39 - k[13] * t40;
+  const Scalar t42 = k[33] * c3 - k[32] * s3;
+  const Scalar t43 = s4 * t42 + k[34] * c4;
+  const Scalar t44 = c5 * t41 - s5 * t43;
+  const Scalar t45 = k[10] * c6 - k[11] * s6;
+  const Scalar t46 = wrench[5] * s3 - wrench[3] * c3;
+  const Scalar t47 = (t38 - t44 * t45) + (c4 * t46 + wrench[4] * s4);
+  const Scalar t48 = s5 * t41 + c5 * t43;
+  const Scalar t49 = t14 + t19;
+  const Scalar t50 = t49 + t25;
+  const Scalar t51 = t20 + t50;
+  const Scalar t52 = t51 - t24;
+  const Scalar t53 = t34 - t35;
+  const Scalar t54 = k[18] * t52 - (k[8] * t36 + k[7] * t53);
+  const Scalar t55 = (k[9] * t48 - k[12] * t44) - ((k[15] * t28 - k[16] * t12) - t54);
+  const Scalar t56 = t47 + t55;
+  const Scalar t57 = wrench[4] * c4 - s4 * t46;
+  const Scalar t58 = wrench[3] * s3 + wrench[5] * c3;
+  const Scalar t59 = k[10] * s6 + k[11] * c6;
+  const Scalar t60 = c4 * t42 - k[34] * s4;
+  const Scalar t61 = t12 + t32 * t29;
+  const Scalar t62 = (t61 * t2 + t12 * t1) + t27 * t25;
+  const Scalar t63 = (t59 * t48 - t60 * t45) + (t62 + (t30 * t26 + t4 * t36));
+  const Scalar t64 = (s5 * t57 - c5 * t58) - t63;
+  const Scalar t65 = torque[5] + t64;
+  const Scalar t66 = k[2] * t65;
+  const Scalar t67 = (torque[4] - t56) - t4 * t66;
+  const Scalar t68 = t6 * t67;
+  const Scalar t69 = k[12] + t45;
+  const Scalar t70 = s5 * t69 + k[9] * c5;
+  const Scalar t71 = c5 * t59;
+  const Scalar t72 = s4 * t45 + c4 * t71;
+  const Scalar t73 = c4 * t70 - t72 * t5;
+  const Scalar t74 = t21 - t22;
+  const Scalar t75 = t74 - t40;
+  const Scalar t76 = wrench[0] * c3 - wrench[2] * s3;
+  const Scalar t77 = s4 * t76 + wrench[1] * c4;
+  const Scalar t78 = wrench[2] * c3 + wrench[0] * s3;
+  const Scalar t79 = (t59 * t31 + t37 * t45) + (s5 * t77 - c5 * t78);
+  const Scalar t80 = (k[9] * t51 + k[12] * t53) - t79;
+  const Scalar t81 = (s5 * t78 + c5 * t77) + (t49 * t45 - t59 * t12);
+  const Scalar t82 = (k[9] * t36 - k[12] * t24) - t81;
+  const Scalar t83 = (k[27] * t11 - k[26] * t75) - (s5 * t80 + c5 * t82);
+  const Scalar t84 = (wrench[1] * s4 - c4 * t76) - (t59 * t50 + t61 * t45);
+  const Scalar t85 = (t84 - (k[12] * t61 + k[9] * t30)) - (k[27] * t23 + k[26] * t11);
+  const Scalar t86 = torque[1] + (k[41] + (c4 * t83 + s4 * t85));
+  const Scalar t87 = k[2] * t72;
+  const Scalar t88 = k[16] + t4;
+  const Scalar t89 = k[15] + t27;
+  const Scalar t90 = c5 * t88 + s5 * t89;
+  const Scalar t91 = k[6] * c5 - s5 * t26;
+  const Scalar t92 = k[2] * t91;
+  const Scalar t93 = t90 - t4 * t92;
+  const Scalar t94 = t6 * t93;
+  const Scalar t95 = (k[26] * t60 - k[27] * t43) - (k[21] * (t75 + t23) + k[37] * t11);
+  const Scalar t96 = t4 * t20 - (t37 * t27 + t31 * t1);
+  const Scalar t97 = (c5 * t57 + s5 * t58) + ((t96 - t61 * t26) - t59 * t44);
+  const Scalar t98 = k[16] * (t52 - t25) - (k[18] * t61 - k[8] * t30);
+  const Scalar t99 = t97 + (k[9] * t60 + (k[15] * t53 + t98));
+  const Scalar t100 = (k[7] * t61 - k[18] * t30) - (k[16] * t36 + k[15] * t25);
+  const Scalar t101 = (k[12] * t60 + t100) + t64;
+  const Scalar t102 = torque[3] + (t95 - (s5 * t99 - c5 * t101));
+  const Scalar t103 = k[18] + t26;
+  const Scalar t104 = s5 * (k[17] - t3) + Scalar(2) * c5 * t103;
+  const Scalar t105 = k[8] - s5 * t104;
+  const Scalar t106 = k[19] - (t3 - t105);
+  const Scalar t107 = k[20] - t1;
+  const Scalar t108 = t94 * t93 + ((t106 - t107) - t92 * t91);
+  const Scalar t109 = Scalar(1) / t108;
+  const Scalar t110 = (t94 * t67 + (t102 - t92 * t65)) * t109;
+  const Scalar t111 = k[27] + t59;
+  const Scalar t112 = c5 * t69 - k[9] * s5;
+  const Scalar t113 = k[26] + t112;
+  const Scalar t114 = c4 * t111 + s4 * t113;
+  const Scalar t115 = t73 * t94 - (t92 * t72 - t114);
+  const Scalar t116 = (t68 * t73 + (t86 - t65 * t87)) - t110 * t115;
+  const Scalar t117 = c4 * t45 - s4 * t71;
+  const Scalar t118 = c4 * (c5 * t26 + k[6] * s5) - s4 * t4;
+  const Scalar t119 = k[13] * t117 + t118;
+  const Scalar t120 = k[2] * t119;
+  const Scalar t121 = k[13] * t70;
+  const Scalar t122 = c5 * t89 - s5 * t88;
+  const Scalar t123 = t4 * t120 - (s4 * (t3 - t121) - c4 * t122);
+  const Scalar t124 = t6 * t123;
+  const Scalar t125 = Scalar(2) * s4 * (k[21] + t122) - c4 * (t106 + t107);
+  const Scalar t126 = (k[22] - (t106 + c4 * t125)) + (k[23] - ((t121 + t121) - t105));
+  const Scalar t127 = s4 * t111 - c4 * t113;
+  const Scalar t128 = s4 * (k[25] - t90) - c4 * (k[24] + (t103 - c5 * t104));
+  const Scalar t129 = (t119 * t92 + (k[13] * t127 - t128)) + t94 * t123;
+  const Scalar t130 = t109 * t129;
+  const Scalar t131 = (t123 * t124 - (t119 * t120 + t126)) - t130 * t129;
+  const Scalar t132 = Scalar(1) / t131;
+  const Scalar t133 = (k[36] * t34 - k[21] * t9) - (k[24] * t74 - k[25] * t11);
+  const Scalar t134 = k[25] * (t23 - t40) + (k[35] * t34 + k[20] * t9);
+  const Scalar t135 = (k[27] * t41 - (t134 + k[24] * t11)) - (c5 * t99 + s5 * t101);
+  const Scalar t136 = s4 * (t56 - (k[26] * t41 - t133)) - c4 * t135;
+  const Scalar t137 = s4 * t83 - c4 * t85;
+  const Scalar t138 = (t136 - k[13] * t137) - (k[29] * t39 - k[30] * t42);
+  const Scalar t139 = (t120 * t65 - (torque[2] + t138)) + t67 * t124;
+  const Scalar t140 = t132 * (t110 * t129 - t139);
+  const Scalar t141 = t6 * t73;
+  const Scalar t142 = (t120 * t72 + t123 * t141) - t130 * t115;
+  const Scalar t143 = t116 + t140 * t142;
+  const Scalar t144 = t109 * t115;
+  const Scalar t145 = c3 * s5 * t59 + s3 * t117;
+  const Scalar t146 = k[2] * t145;
+  const Scalar t147 = (s3 * s4 * t70 + c3 * t112) + t4 * t146;
+  const Scalar t148 = t94 * t147 + (t146 * t91 + s3 * t127);
+  const Scalar t149 = t144 * t148 - (t145 * t87 + t147 * t141);
+  const Scalar t150 = t6 * t147;
+  const Scalar t151 = s3 * (k[30] + t70) + c3 * (k[29] + t114);
+  const Scalar t152 = (t123 * t150 - (t120 * t145 - t151)) - t130 * t148;
+  const Scalar t153 = t132 * t152;
+  const Scalar t154 = t149 + t142 * t153;
+  const Scalar t155 = t132 * t142;
+  const Scalar t156 = ((k[28] + t72 * t87) - t73 * t141) + t144 * t115;
+  const Scalar t157 = Scalar(1) / (t155 * t142 + t156);
+  const Scalar t158 = t154 * t157;
+  const Scalar t159 = (s5 * t82 - c5 * t80) + (k[27] * t9 - k[38] * t34);
+  const Scalar t160 = s3 * (k[29] * t40 + t137) - c3 * (k[30] * t40 - t159);
+  const Scalar t161 = (torque[0] + (k[40] + (k[39] - t160))) - t66 * t145;
+  const Scalar t162 = t140 * t152 - (t110 * t148 - (t150 * t67 - t161));
+  const Scalar t163 = t109 * t148;
+  const Scalar t164 = t163 * t148 - (t150 * t147 - (k[31] + t146 * t145));
+  const Scalar t165 = Scalar(1) / ((t164 + t152 * t153) - t154 * t158);
+  const Scalar t166 = (t143 * t158 - t162) * t165;
+  const Scalar t167 = t157 * t143 + t166 * t158;
+  const Scalar t168 = t167 * t155 - (t140 + t166 * t153);
+  const Scalar t169 = ((t166 * t163 - t110) - t167 * t144) + t130 * t168;
+  const Scalar t170 = (t167 * t141 + (t68 - t166 * t150)) - t124 * t168;
+  const Scalar t171 = t94 * t169 + t170;
+  const Scalar t172 = t120 * t168 + (t167 * t87 + (t66 + t146 * t166));
   JointVector<Scalar> result;
-  result[0] = -t172;
-  result[1] = -t173;
-  result[2] = -t174;
-  result[3] = -t175;
-  result[4] = t177;
-  result[5] = (t178 + t2 * t175) - t177 * t14;
+  result[0] = t166;
+  result[1] = t167;
+  result[2] = t168;
+  result[3] = t169;
+  result[4] = t171;
+  result[5] = -t5 * t171 - (t92 * t169 + t172);
   return result;
 }
 
@@ -1131,32 +1136,35 @@ PotentialEnergyWithGravityVectorConstants<Scalar> potential_energy_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = inertia.m2 + (inertia.m3 + t0);
-  return { inertia.m1 + t1,
-           inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
-           inertia.c6x * inertia.m6,
+  const Scalar t0 = g.l1 * inertia.m3;
+  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t2 = inertia.m3 + t1;
+  const Scalar t3 = inertia.m2 + t2;
+  const Scalar t4 = g.d4 * inertia.m4;
+  return { inertia.c6x * inertia.m6,
            inertia.c6y * inertia.m6,
-           inertia.c5y * inertia.m5,
-           inertia.c4z * inertia.m4,
-           g.d4 * t0,
-           inertia.c3z * inertia.m3 - g.d4 * inertia.m3,
-           inertia.c4y * inertia.m4,
            inertia.c5x * inertia.m5,
            inertia.c4x * inertia.m4,
-           inertia.c3x * inertia.m3,
-           inertia.c2z * inertia.m2,
-           inertia.c1z * inertia.m1,
-           gravity[2],
-           g.l1,
-           t1,
-           inertia.c3y * inertia.m3,
-           inertia.c2y * inertia.m2,
+           inertia.c5z * inertia.m5 + inertia.c6z * inertia.m6,
+           inertia.c5y * inertia.m5,
+           inertia.c4y * inertia.m4,
+           t0 - (t0 + inertia.c3y * inertia.m3),
+           g.l1 * t2,
+           g.l1 * inertia.m2 + inertia.c2y * inertia.m2,
+           t3,
            inertia.c1y * inertia.m1,
            gravity[1],
+           inertia.c3x * inertia.m3,
+           (inertia.c4z * inertia.m4 - t4) + t4,
+           g.d4 * t1,
+           inertia.c3z * inertia.m3 - g.d4 * inertia.m3,
            inertia.c2x * inertia.m2,
            inertia.c1x * inertia.m1,
-           gravity[0] };
+           gravity[0],
+           inertia.m1 + t3,
+           inertia.c2z * inertia.m2,
+           inertia.c1z * inertia.m1,
+           gravity[2] };
 }
 
 namespace detail {
@@ -1172,17 +1180,17 @@ inline Scalar potential_energy_with_gravity_vector(const JointVector<Scalar>& q,
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[4] - (k[2] * s6 - k[3] * c6);
-  const Scalar t1 = k[6] - (k[5] + (k[1] * c5 + s5 * t0));
-  const Scalar t2 = k[7] - t1;
-  const Scalar t3 = k[10] + (k[9] + (k[2] * c6 + k[3] * s6));
-  const Scalar t4 = k[8] + (c5 * t0 - k[1] * s5);
-  const Scalar t5 = k[11] + (c4 * t3 + s4 * t4);
-  const Scalar t6 = k[22] + (k[21] + (s3 * t2 + c3 * t5));
-  const Scalar t7 = k[18] + (k[17] + (c4 * t4 - s4 * t3));
-  const Scalar t8 = k[20] * (k[19] + (t7 + k[16] * (k[15] + q[1])));
-  const Scalar t9 = k[13] + (k[12] - (s3 * t5 - c3 * t2));
-  const Scalar t10 = (k[23] * t6 + t8) + k[14] * (k[0] * q[0] + t9);
+  const Scalar t0 = k[5] - (k[0] * s6 - k[1] * c6);
+  const Scalar t1 = k[15] - (k[14] + (k[4] * c5 + s5 * t0));
+  const Scalar t2 = k[16] - t1;
+  const Scalar t3 = k[3] + (k[2] + (k[0] * c6 + k[1] * s6));
+  const Scalar t4 = k[6] - (k[4] * s5 - c5 * t0);
+  const Scalar t5 = k[13] + (c4 * t3 + s4 * t4);
+  const Scalar t6 = k[22] + (k[21] + (c3 * t2 - s3 * t5));
+  const Scalar t7 = k[18] + (k[17] + (s3 * t2 + c3 * t5));
+  const Scalar t8 = k[8] - (k[7] + (s4 * t3 - c4 * t4));
+  const Scalar t9 = k[12] * (k[11] + (k[10] * q[1] + (k[9] + t8)));
+  const Scalar t10 = k[23] * (k[20] * q[0] + t6) + (k[19] * t7 + t9);
   Scalar result;
   result = -t10;
   return result;

@@ -97,7 +97,7 @@ DynamicsAngles<Scalar> dynamics_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion: Newton-Euler recursion in base parameters (thesis 5.1-5.15).
 ///
-/// 190 multiplications, 178 additions, 5 sine/cosine pairs. Set-up: 70 multiplications, 83 additions, 4 divisions.
+/// 189 multiplications, 178 additions, 5 sine/cosine pairs. Set-up: 79 multiplications, 103 additions, 4 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d4, which must not be zero.
 template <class Scalar>
@@ -116,7 +116,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces that hold the robot against gravity at rest.
 ///
-/// 44 multiplications, 26 additions, 5 sine/cosine pairs. Set-up: 19 multiplications, 13 additions.
+/// 44 multiplications, 26 additions, 5 sine/cosine pairs. Set-up: 21 multiplications, 17 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},
@@ -132,7 +132,7 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const DynamicsA
 
 /// Joint forces that come from the joint rates alone, C(q, qd) qd, without friction.
 ///
-/// 172 multiplications, 151 additions, 5 sine/cosine pairs. Set-up: 66 multiplications, 68 additions, 4 divisions.
+/// 170 multiplications, 152 additions, 5 sine/cosine pairs. Set-up: 73 multiplications, 82 additions, 3 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d4, which must not be zero.
 template <class Scalar>
@@ -151,13 +151,13 @@ JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVec
 
 /// Symmetric, positive definite M(q), by composite bodies in base parameters; rotors included.
 ///
-/// 97 multiplications, 89 additions, 5 sine/cosine pairs. Set-up: 57 multiplications, 79 additions.
+/// 97 multiplications, 89 additions, 5 sine/cosine pairs. Set-up: 67 multiplications, 99 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using MassMatrixConstants = std::array<Scalar, 38>;
+using MassMatrixConstants = std::array<Scalar, 39>;
 template <class Scalar>
 MassMatrixConstants<Scalar> mass_matrix_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
@@ -167,14 +167,14 @@ Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const 
 
 /// C(q, qd) of Christoffel's symbols: C qd is coriolis_torque, dM/dt - 2 C is skew-symmetric.
 ///
-/// 306 multiplications, 244 additions, 5 sine/cosine pairs. Set-up: 51 multiplications, 64 additions.
+/// 306 multiplications, 244 additions, 5 sine/cosine pairs. Set-up: 58 multiplications, 80 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using CoriolisMatrixConstants = std::array<Scalar, 36>;
+using CoriolisMatrixConstants = std::array<Scalar, 35>;
 template <class Scalar>
 CoriolisMatrixConstants<Scalar> coriolis_matrix_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
@@ -185,15 +185,16 @@ Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, co
 
 /// Joint accelerations for given joint forces: M qdd = torque - C qd - gravity, by M = U D U^T.
 ///
-/// 356 multiplications, 315 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 68 multiplications, 85 additions, 2
+/// 353 multiplications, 313 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 86 multiplications, 100 additions, 4
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
+/// The unit of length is d4, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
-using ForwardDynamicsConstants = std::array<Scalar, 50>;
+using ForwardDynamicsConstants = std::array<Scalar, 48>;
 template <class Scalar>
 ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
@@ -204,13 +205,13 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// qd^T M qd / 2, J.
 ///
-/// 131 multiplications, 108 additions, 5 sine/cosine pairs. Set-up: 57 multiplications, 79 additions.
+/// 131 multiplications, 108 additions, 5 sine/cosine pairs. Set-up: 68 multiplications, 99 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using KineticEnergyConstants = std::array<Scalar, 39>;
+using KineticEnergyConstants = std::array<Scalar, 40>;
 template <class Scalar>
 KineticEnergyConstants<Scalar> kinetic_energy_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
@@ -220,7 +221,7 @@ Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Scalar>& q
 
 /// Sum of m g z over the links, z of the centre of mass in the world, J.
 ///
-/// 18 multiplications, 22 additions, 5 sine/cosine pairs. Set-up: 19 multiplications, 8 additions.
+/// 18 multiplications, 22 additions, 5 sine/cosine pairs. Set-up: 21 multiplications, 12 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Scalar potential_energy(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},

@@ -29,81 +29,94 @@ InverseDynamicsConstants<Scalar> inverse_dynamics_constants(const BasicGeometry<
   using std::sin;
   const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
   const Scalar t1 = inertia.m3 + t0;
-  const Scalar t2 = inertia.c4y * inertia.m4;
-  const Scalar t3 = t2 - g.d4 * t0;
-  const Scalar t4 = inertia.c3y * inertia.m3;
-  const Scalar t5 = g.d4 * inertia.m3 - t4;
-  const Scalar t6 = (t3 - t5) / g.d4;
-  const Scalar t7 = g.d4 * g.d4 * ((inertia.m1 + (inertia.m2 + t1)) + t6);
-  const Scalar t8 = g.l2 * t6;
-  const Scalar t9 = inertia.c2z * inertia.m2;
-  const Scalar t10 = g.l2 * inertia.m2 + t9;
-  const Scalar t11 = inertia.c3z * inertia.m3;
-  const Scalar t12 = t11 + g.l2 * t1;
-  const Scalar t13 = inertia.c2x * inertia.m2;
-  const Scalar t14 = inertia.c6y * inertia.m6;
-  const Scalar t15 = inertia.c5y * inertia.m5;
-  const Scalar t16 = inertia.c5z * inertia.m5;
-  const Scalar t17 = inertia.c6z * inertia.m6;
-  const Scalar t18 = inertia.c6x * inertia.m6;
-  const Scalar t19 = inertia.c4x * inertia.m4;
-  const Scalar t20 = inertia.c5x * inertia.m5;
-  const Scalar t21 = inertia.c4z * inertia.m4;
-  const Scalar t22 = g.d4 * g.d4 * t6;
-  const Scalar t23 = inertia.c3x * inertia.m3;
-  const Scalar t24 = g.d4 * t23;
-  const Scalar t25 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t26 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t27 = (inertia.c5x * t20 - (inertia.I5xx - t26)) - ((inertia.I4xx - t25) - inertia.c4x * t19);
-  const Scalar t28 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t29 = (inertia.I6xx - t28) - inertia.c6x * t18;
-  const Scalar t30 = inertia.c6z * t17 - (inertia.I6zz - t28);
-  const Scalar t31 = inertia.I6xz - inertia.c6z * t18;
-  const Scalar t32 = ((inertia.I6yy - t28) - inertia.c6y * t14) - (inertia.c5y * t15 - (inertia.I5yy - t26));
-  const Scalar t33 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t34 = ((inertia.I4yy - t25) - inertia.c4y * t2) + g.d4 * (t2 + t3);
-  const Scalar t35 = ((inertia.I3yy - t33) - inertia.c3y * t4) - g.d4 * (t5 - t4);
-  const Scalar t36 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t37 = g.l2 * (t10 + t9) - ((inertia.I2zz - t36) - inertia.c2z * t9);
-  const Scalar t38 = ((inertia.I3zz - t33) - inertia.c3z * t11) - g.l2 * (t11 + t12);
-  const Scalar t39 = (inertia.c2x * t13 - (inertia.I2xx - t36)) + (g.l2 * t8 + (t37 - t38));
+  const Scalar t2 = inertia.c3y * inertia.m3;
+  const Scalar t3 = g.d4 * inertia.m3 - t2;
+  const Scalar t4 = inertia.c4y * inertia.m4;
+  const Scalar t5 = g.d4 * inertia.m4;
+  const Scalar t6 = t4 - t5;
+  const Scalar t7 = t6 + t5;
+  const Scalar t8 = t7 - g.d4 * t0;
+  const Scalar t9 = (t3 - t8) / g.d4;
+  const Scalar t10 = g.d4 * g.d4 * ((inertia.m1 + (inertia.m2 + t1)) - t9);
+  const Scalar t11 = inertia.c5z * inertia.m5;
+  const Scalar t12 = inertia.c6y * inertia.m6;
+  const Scalar t13 = inertia.c5y * inertia.m5;
+  const Scalar t14 = inertia.c6z * inertia.m6;
+  const Scalar t15 = inertia.c6x * inertia.m6;
+  const Scalar t16 = g.d4 * g.d4 * t9;
+  const Scalar t17 = inertia.c4x * inertia.m4;
+  const Scalar t18 = inertia.c5x * inertia.m5;
+  const Scalar t19 = inertia.c4z * inertia.m4;
+  const Scalar t20 = g.d4 * t19;
+  const Scalar t21 = inertia.c3x * inertia.m3;
+  const Scalar t22 = g.d4 * t21;
+  const Scalar t23 = inertia.c3z * inertia.m3;
+  const Scalar t24 = g.l2 * inertia.m3;
+  const Scalar t25 = t23 + t24;
+  const Scalar t26 = t25 - t24;
+  const Scalar t27 = t26 + g.l2 * t1;
+  const Scalar t28 = inertia.c2z * inertia.m2;
+  const Scalar t29 = g.l2 * inertia.m2 + t28;
+  const Scalar t30 = g.l2 * t9;
+  const Scalar t31 = inertia.c2x * inertia.m2;
+  const Scalar t32 = inertia.I6xz - inertia.c6z * t15;
+  const Scalar t33 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t34 = (inertia.I6xx - t33) - inertia.c6x * t15;
+  const Scalar t35 = inertia.c6z * t14 - (inertia.I6zz - t33);
+  const Scalar t36 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t37 = ((inertia.I6yy - t33) - inertia.c6y * t12) - (inertia.c5y * t13 - (inertia.I5yy - t36));
+  const Scalar t38 = g.d4 * t17;
+  const Scalar t39 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t40 = (inertia.c5x * t18 - (inertia.I5xx - t36)) - ((inertia.I4xx - t39) - inertia.c4x * t17);
+  const Scalar t41 = g.l2 * t21;
+  const Scalar t42 = g.d4 * (t4 + t6) + ((inertia.I4yy - t39) - inertia.c4y * t4);
+  const Scalar t43 = (t42 - g.d4 * (t7 + t6)) + g.d4 * (t7 + t8);
+  const Scalar t44 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t45 = ((inertia.I3yy - t44) - inertia.c3y * t2) - g.d4 * (t3 - t2);
+  const Scalar t46 = g.l2 * t3;
+  const Scalar t47 = (g.d4 * t23 + (inertia.I3yz - inertia.c3z * t2)) + t46;
+  const Scalar t48 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t49 = g.l2 * (t29 + t28) - ((inertia.I2zz - t48) - inertia.c2z * t28);
+  const Scalar t50 = ((inertia.I3zz - t44) - inertia.c3z * t23) - g.l2 * (t23 + t25);
+  const Scalar t51 = (t50 + g.l2 * (t25 + t26)) - g.l2 * (t27 + t26);
+  const Scalar t52 = (inertia.c2x * t31 - (inertia.I2xx - t48)) + ((t49 - t51) - g.l2 * t30);
   return { Scalar(1) / g.d4,
            gravity / g.d4,
-           t7,
-           g.d4 * (t8 + (t10 + t12)),
-           g.d4 * t13,
-           g.d4 * (t14 + t15),
-           g.d4 * t16,
-           g.d4 * t17,
-           g.d4 * t18,
-           g.d4 * (t19 + t20),
-           g.d4 * t21,
+           t10,
+           g.d4 * t11,
+           g.d4 * (t12 + t13),
+           g.d4 * t14,
+           g.d4 * t15,
            g.l2 / g.d4,
+           t16,
+           g.d4 * (t17 + t18),
+           t20,
            t22,
-           t24,
-           inertia.I4xy - inertia.c4y * t19,
-           inertia.I4yz - inertia.c4z * t2,
-           inertia.I4xz - inertia.c4z * t19,
-           (inertia.I4zz - t25) - inertia.c4z * t21,
-           t27,
-           t29 + t30,
-           Scalar(2) * t31,
-           t30,
-           t31,
-           inertia.I6yz - inertia.c6z * t14,
-           inertia.I6xy - inertia.c6y * t18,
-           inertia.I5yz - inertia.c5z * t15,
+           g.d4 * ((t27 + t29) - t30),
+           g.d4 * t31,
+           Scalar(2) * t32,
+           t34 + t35,
+           t34,
+           t35,
            t32,
-           inertia.I5xy - inertia.c5y * t20,
-           inertia.I5xz - inertia.c5z * t20,
-           inertia.c5z * t16 - (inertia.I5zz - t26),
-           t29,
-           (inertia.I3xy - inertia.c3y * t23) + t24,
-           inertia.c3x * t23 - (inertia.I3xx - t33),
-           inertia.I3xz - inertia.c3z * t23,
-           g.d4 * t11 + (inertia.I3yz - inertia.c3z * t4),
-           (t34 + t35) - t22,
-           t39 };
+           inertia.I6yz - inertia.c6z * t12,
+           inertia.I6xy - inertia.c6y * t15,
+           inertia.I5xy - inertia.c5y * t18,
+           inertia.I5xz - inertia.c5z * t18,
+           inertia.I5yz - inertia.c5z * t13,
+           inertia.c5z * t11 - (inertia.I5zz - t36),
+           t37,
+           t20 - (t20 + (inertia.I4yz - inertia.c4z * t4)),
+           (t38 + (inertia.I4xy - inertia.c4y * t17)) - t38,
+           t40,
+           inertia.I4xz - inertia.c4z * t17,
+           (inertia.I4zz - t39) - inertia.c4z * t19,
+           t41 - (t41 - (inertia.I3xz - inertia.c3z * t21)),
+           (inertia.I3xy - inertia.c3y * t21) + t22,
+           t16 + (t43 + t45),
+           t47 - t46,
+           inertia.c3x * t21 - (inertia.I3xx - t44),
+           t52 };
 }
 
 namespace detail {
@@ -123,139 +136,137 @@ inline JointVector<Scalar> inverse_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
   const Scalar t0 = k[1] + k[0] * qdd[0];
-  const Scalar t1 = k[4] * c2 + k[3] * s2;
-  const Scalar t2 = qd[1] * qd[1];
-  const Scalar t3 = qdd[1] * t1 + t2 * (k[3] * c2 - k[4] * s2);
-  const Scalar t4 = qd[1] * s3;
-  const Scalar t5 = qd[1] * c3;
-  const Scalar t6 = t4 * t5;
-  const Scalar t7 = qdd[2] + t6;
-  const Scalar t8 = t4 * t4;
-  const Scalar t9 = qd[2] * qd[2];
-  const Scalar t10 = t8 + t9;
-  const Scalar t11 = s2 * t0 - k[11] * qdd[1];
-  const Scalar t12 = s3 * t11;
-  const Scalar t13 = t10 + t12;
-  const Scalar t14 = qd[3] - t5;
-  const Scalar t15 = s4 * t4 - qd[2] * c4;
-  const Scalar t16 = t14 * t15;
-  const Scalar t17 = qdd[1] * s3;
-  const Scalar t18 = qd[2] * t5;
-  const Scalar t19 = (t17 + t18) + t18;
-  const Scalar t20 = qdd[2] - t6;
-  const Scalar t21 = c4 * t19 + s4 * t20;
-  const Scalar t22 = t16 - t21;
-  const Scalar t23 = t22 + t16;
-  const Scalar t24 = c4 * t20 - s4 * t19;
-  const Scalar t25 = qd[2] * s4 + c4 * t4;
-  const Scalar t26 = t24 - Scalar(2) * t14 * t25;
-  const Scalar t27 = k[12] * t13 - (k[10] * t23 + k[9] * t26);
-  const Scalar t28 = s5 * t15 - c5 * t14;
-  const Scalar t29 = qd[5] - t28;
-  const Scalar t30 = t29 * t29;
-  const Scalar t31 = s5 * t14 + c5 * t15;
-  const Scalar t32 = t31 * t31;
-  const Scalar t33 = t30 - t32;
-  const Scalar t34 = qd[4] - t25;
-  const Scalar t35 = t34 * t34;
-  const Scalar t36 = t30 + t35;
-  const Scalar t37 = t33 - t36;
-  const Scalar t38 = qdd[4] + t22;
-  const Scalar t39 = t31 * t28;
-  const Scalar t40 = t38 - t39;
-  const Scalar t41 = t34 * t29;
-  const Scalar t42 = qd[2] * t4;
-  const Scalar t43 = qdd[1] * c3;
-  const Scalar t44 = t42 - t43;
-  const Scalar t45 = qdd[3] + t44;
-  const Scalar t46 = t15 * t25;
-  const Scalar t47 = t45 - t46;
-  const Scalar t48 = c5 * t26 - s5 * t47;
-  const Scalar t49 = t34 * t28;
-  const Scalar t50 = t48 + (t49 + t49);
-  const Scalar t51 = (t41 + t41) + t50;
-  const Scalar t52 = k[8] * c6 - k[7] * s6;
-  const Scalar t53 = k[7] * c6 + k[8] * s6;
-  const Scalar t54 = t31 * t29;
-  const Scalar t55 = t38 + t39;
-  const Scalar t56 = t54 + (t54 + t55);
-  const Scalar t57 = (k[5] * t37 + k[6] * t40) + (t51 * t52 + t53 * t56);
-  const Scalar t58 = t15 * t15;
-  const Scalar t59 = t14 * t14;
-  const Scalar t60 = t58 + t59;
-  const Scalar t61 = t60 + t37;
-  const Scalar t62 = t35 - t32;
-  const Scalar t63 = t61 + t62;
-  const Scalar t64 = s5 * t26 + c5 * t47;
-  const Scalar t65 = qdd[5] + t64;
-  const Scalar t66 = (k[6] * (t63 - t37) + k[5] * t55) + (t53 * t36 - t65 * t52);
-  const Scalar t67 = k[13] * t7 - (t27 - (c5 * t57 - s5 * t66));
-  const Scalar t68 = t8 - t9;
-  const Scalar t69 = t58 - t59;
-  const Scalar t70 = t60 - t10;
-  const Scalar t71 = t69 + t70;
-  const Scalar t72 = k[11] * t2 - c2 * t0;
-  const Scalar t73 = t72 + t19;
-  const Scalar t74 = c3 * t11 - t20;
-  const Scalar t75 = c4 * t73 - s4 * t74;
-  const Scalar t76 = (k[9] * t47 - k[10] * (t60 - t71)) + k[12] * t75;
-  const Scalar t77 = (c5 * t66 + s5 * t57) - t76;
-  const Scalar t78 = t31 * t34;
-  const Scalar t79 = (t78 + t78) - t65;
-  const Scalar t80 = qdd[5] + t79;
-  const Scalar t81 = (k[6] * t80 - k[5] * t50) + (t53 * t79 - (t30 + t32) * t52);
-  const Scalar t82 = t45 + t46;
-  const Scalar t83 = s4 * t73 + c4 * t74;
-  const Scalar t84 = (k[10] * t82 + k[9] * t60) - k[12] * t83;
-  const Scalar t85 = t81 - t84;
-  const Scalar t86 = k[13] * (t68 - t2) + (s4 * t77 + c4 * t85);
-  const Scalar t87 = s3 * t67 - c3 * t86;
-  const Scalar t88 = t42 + t44;
-  const Scalar t89 = k[13] * t88 + (s4 * t85 - c4 * t77);
-  const Scalar t90 = k[2] * t0 - (t3 - (s2 * t87 + c2 * t89));
-  const Scalar t91 = (k[34] * t20 - k[33] * t68) - (k[32] * t88 - k[31] * t19);
-  const Scalar t92 = k[23] * c6 + k[24] * s6;
-  const Scalar t93 = k[24] * c6 - k[23] * s6;
-  const Scalar t94 = k[19] * c6 - k[20] * s6;
-  const Scalar t95 = k[22] + s6 * t94;
-  const Scalar t96 = c6 * t94;
-  const Scalar t97 = k[21] - t96;
-  const Scalar t98 = t93 * (t33 - t62) + (t56 * t95 - t97 * t51);
-  const Scalar t99 = s5 * t75 + c5 * t13;
-  const Scalar t100 = k[27] * t61 - (k[25] * t80 - k[26] * t50);
-  const Scalar t101 = ((t92 * t79 - t98) + t99 * t52) + (k[5] * t83 - (k[28] * t40 + t100));
-  const Scalar t102 = s5 * t13 - c5 * t75;
-  const Scalar t103 = k[30] - t96;
-  const Scalar t104 = (t65 * t97 + t103 * t79) + t95 * t62;
-  const Scalar t105 = (t102 * t52 + t53 * t83) + (t104 - (t92 * t50 - t93 * t55));
-  const Scalar t106 = (k[28] * t62 + k[27] * t55) - (k[25] * t50 + k[29] * t80);
-  const Scalar t107 = t105 + (t106 + k[6] * t83);
-  const Scalar t108 = k[16] * t71 - (k[18] * t47 - k[17] * t82);
-  const Scalar t109 = ((k[15] * t24 + k[14] * t21) + t108) - (k[10] * t83 - k[9] * t75);
-  const Scalar t110 = (s5 * t101 - c5 * t107) + t109;
-  const Scalar t111 = t2 - t10;
-  const Scalar t112 = k[34] * t111 - (k[35] * t19 + k[31] * t88);
-  const Scalar t113 = (k[18] * t26 - k[16] * t23) - k[14] * t70;
-  const Scalar t114 = (s5 * t107 + c5 * t101) + (k[9] * t13 + (t113 - k[15] * t82));
-  const Scalar t115 = t114 + t85;
-  const Scalar t116 = (k[26] * t55 - k[29] * t40) + k[25] * t63;
-  const Scalar t117 = ((k[27] * t64 - k[28] * t48) - t116) + (k[6] * t99 - k[5] * t102);
-  const Scalar t118 = (t103 * t56 + t51 * t95) + (t92 * t33 - t93 * t65);
-  const Scalar t119 = t117 + (t53 * t99 - t118);
-  const Scalar t120 = (k[17] * t23 + k[16] * t26) - (k[15] * t69 + k[14] * t47);
-  const Scalar t121 = t77 - (t119 - (t120 - k[10] * t13));
-  const Scalar t122 = (t112 + k[33] * t7) - (s4 * t115 - c4 * t121);
-  const Scalar t123 = c3 * ((k[13] * t72 + t91) + t110) + s3 * t122;
-  const Scalar t124 = (t123 - k[11] * t87) + (k[36] * qdd[1] - t0 * t1);
-  const Scalar t125 = (k[32] * t7 - k[35] * t20) + k[31] * (t68 - t111);
-  const Scalar t126 = (t125 + (k[33] * t17 + k[34] * t43)) + k[13] * t12;
+  const Scalar t1 = qd[1] * s3;
+  const Scalar t2 = qd[2] * t1;
+  const Scalar t3 = qdd[1] * c3;
+  const Scalar t4 = t2 - t3;
+  const Scalar t5 = t2 + t4;
+  const Scalar t6 = qd[1] * c3;
+  const Scalar t7 = qd[3] - t6;
+  const Scalar t8 = s4 * t1 - qd[2] * c4;
+  const Scalar t9 = t7 * t8;
+  const Scalar t10 = qdd[1] * s3;
+  const Scalar t11 = qd[2] * t6;
+  const Scalar t12 = (t10 + t11) + t11;
+  const Scalar t13 = t1 * t6;
+  const Scalar t14 = qdd[2] - t13;
+  const Scalar t15 = c4 * t12 + s4 * t14;
+  const Scalar t16 = t9 - t15;
+  const Scalar t17 = qdd[4] + t16;
+  const Scalar t18 = s5 * t7 + c5 * t8;
+  const Scalar t19 = s5 * t8 - c5 * t7;
+  const Scalar t20 = t18 * t19;
+  const Scalar t21 = t17 + t20;
+  const Scalar t22 = qd[2] * s4 + c4 * t1;
+  const Scalar t23 = qd[4] - t22;
+  const Scalar t24 = t23 * t23;
+  const Scalar t25 = t19 * t19 + t24;
+  const Scalar t26 = qdd[3] + t4;
+  const Scalar t27 = t8 * t22;
+  const Scalar t28 = t26 - t27;
+  const Scalar t29 = c4 * t14 - s4 * t12;
+  const Scalar t30 = (t7 + t7) * t22 - t29;
+  const Scalar t31 = c5 * t28 - s5 * t30;
+  const Scalar t32 = qdd[5] + t31;
+  const Scalar t33 = k[6] * c6 - k[5] * s6;
+  const Scalar t34 = k[6] * s6 + k[5] * c6;
+  const Scalar t35 = qd[5] - t19;
+  const Scalar t36 = t35 * t35;
+  const Scalar t37 = t36 + t24;
+  const Scalar t38 = (k[4] * t21 + k[3] * t25) - (t32 * t33 - t34 * t37);
+  const Scalar t39 = t17 - t20;
+  const Scalar t40 = t7 * t7;
+  const Scalar t41 = t22 * t22;
+  const Scalar t42 = t40 - t41;
+  const Scalar t43 = t1 * t1;
+  const Scalar t44 = qd[2] * qd[2];
+  const Scalar t45 = t43 + t44;
+  const Scalar t46 = t42 + t45;
+  const Scalar t47 = t25 - t46;
+  const Scalar t48 = t37 - t47;
+  const Scalar t49 = t36 - t24;
+  const Scalar t50 = t48 - t49;
+  const Scalar t51 = t35 + t35;
+  const Scalar t52 = t18 * t51 + t21;
+  const Scalar t53 = c5 * t30 + s5 * t28;
+  const Scalar t54 = t53 - t19 * Scalar(2) * t23;
+  const Scalar t55 = t54 - t23 * t51;
+  const Scalar t56 = (k[3] * t39 - k[4] * t50) + (t34 * t52 - t55 * t33);
+  const Scalar t57 = t40 + t41;
+  const Scalar t58 = c2 * t0;
+  const Scalar t59 = qd[1] * qd[1];
+  const Scalar t60 = t58 - k[7] * t59;
+  const Scalar t61 = s2 * t0;
+  const Scalar t62 = t61 - k[7] * qdd[1];
+  const Scalar t63 = c3 * t62;
+  const Scalar t64 = (c4 * t60 + s4 * t63) - t15;
+  const Scalar t65 = (k[10] * t57 - k[9] * t28) - k[8] * t64;
+  const Scalar t66 = (c5 * t38 + s5 * t56) + t65;
+  const Scalar t67 = t29 + (s4 * t60 - c4 * t63);
+  const Scalar t68 = t26 + t27;
+  const Scalar t69 = k[8] * t67 - (k[10] * t68 + k[9] * t46);
+  const Scalar t70 = t18 * t23;
+  const Scalar t71 = t70 - (t32 - t70);
+  const Scalar t72 = qdd[5] + t71;
+  const Scalar t73 = (k[3] * t72 + k[4] * t54) - (t48 * t33 - t71 * t34);
+  const Scalar t74 = t69 + t73;
+  const Scalar t75 = k[11] * t5 - (c4 * t66 - s4 * t74);
+  const Scalar t76 = c2 * (t75 - (k[13] * qdd[1] + k[12] * t59));
+  const Scalar t77 = t43 - t44;
+  const Scalar t78 = t77 - t59;
+  const Scalar t79 = (s4 * t66 + c4 * t74) + k[11] * t78;
+  const Scalar t80 = qdd[2] + t13;
+  const Scalar t81 = t16 + t9;
+  const Scalar t82 = s3 * t62;
+  const Scalar t83 = t82 + t45;
+  const Scalar t84 = (k[10] * t81 - k[9] * t30) + k[8] * t83;
+  const Scalar t85 = k[11] * t80 + (t84 + (c5 * t56 - s5 * t38));
+  const Scalar t86 = c3 * t79 - s3 * t85;
+  const Scalar t87 = s2 * ((k[12] * qdd[1] - k[13] * t59) + t86);
+  const Scalar t88 = k[36] * qdd[1] - (k[12] * t61 + k[13] * t58);
+  const Scalar t89 = (k[32] * t5 + k[33] * t12) - k[34] * (t59 - t45);
+  const Scalar t90 = k[27] * t42 + (k[28] * t30 + k[29] * t81);
+  const Scalar t91 = t50 - t25;
+  const Scalar t92 = k[21] * (t47 + t91) + (k[23] * t72 + k[25] * t54);
+  const Scalar t93 = k[14] * s6 - k[15] * c6;
+  const Scalar t94 = c6 * t93;
+  const Scalar t95 = k[17] + t94;
+  const Scalar t96 = k[18] - s6 * t93;
+  const Scalar t97 = k[19] * s6 - k[20] * c6;
+  const Scalar t98 = (t95 * t55 + t52 * t96) - t49 * t97;
+  const Scalar t99 = k[19] * c6 + k[20] * s6;
+  const Scalar t100 = c5 * t83 - s5 * t64;
+  const Scalar t101 = (k[4] * t67 + (k[22] * t39 - t92)) + ((t98 - t71 * t99) - t33 * t100);
+  const Scalar t102 = (k[21] * t21 + k[22] * t47) - (k[24] * t72 - k[23] * t54);
+  const Scalar t103 = k[16] + t94;
+  const Scalar t104 = t96 * t47 + (t71 * t103 + t32 * t95);
+  const Scalar t105 = s5 * t83 + c5 * t64;
+  const Scalar t106 = ((t97 * t21 - t54 * t99) - t104) + (t67 * t34 - t105 * t33);
+  const Scalar t107 = (t102 - k[3] * t67) - t106;
+  const Scalar t108 = ((t90 - k[26] * t68) - k[9] * t83) + (c5 * t101 - s5 * t107);
+  const Scalar t109 = t74 - t108;
+  const Scalar t110 = t57 - t46;
+  const Scalar t111 = (k[29] * t30 - k[30] * t81) + (k[26] * (t110 + t42) + k[27] * t28);
+  const Scalar t112 = (k[25] * t21 - k[24] * t39) - k[23] * t91;
+  const Scalar t113 = (k[3] * t100 - k[4] * t105) - (t112 - (k[21] * t31 + k[22] * t53));
+  const Scalar t114 = (t55 * t96 - t52 * t103) - (t32 * t97 + t99 * (t47 + t49));
+  const Scalar t115 = t113 + (t34 * t100 + t114);
+  const Scalar t116 = t66 - ((k[10] * t83 + t111) + t115);
+  const Scalar t117 = (k[31] * t80 - t89) - (s4 * t109 - c4 * t116);
+  const Scalar t118 = (k[28] * t28 - k[30] * t68) + k[29] * t110;
+  const Scalar t119 = (k[9] * t64 - k[10] * t67) + (t118 + (k[26] * t29 - k[27] * t15));
+  const Scalar t120 = t119 + (c5 * t107 + s5 * t101);
+  const Scalar t121 = (k[35] * t5 - k[32] * t12) - (k[34] * t14 - k[31] * t77);
+  const Scalar t122 = s3 * t117 - c3 * (t120 + (k[11] * t60 + t121));
+  const Scalar t123 = k[32] * (t78 + t45) - (k[33] * t14 - k[35] * t80);
+  const Scalar t124 = ((k[31] * t10 + k[34] * t3) + t123) + k[11] * t82;
   JointVector<Scalar> result;
-  result[0] = k[0] * t90;
-  result[1] = t124;
-  result[2] = t126 + (s4 * t121 + c4 * t115);
-  result[3] = -t110;
-  result[4] = t119;
-  result[5] = t105;
+  result[0] = k[0] * (k[2] * t0 + (t76 - t87));
+  result[1] = t88 + (t122 + k[7] * t86);
+  result[2] = (s4 * t116 + c4 * t109) + t124;
+  result[3] = t120;
+  result[4] = t115;
+  result[5] = -t106;
   return result;
 }
 
@@ -283,22 +294,24 @@ GravityTorqueConstants<Scalar> gravity_torque_constants(const BasicGeometry<Scal
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = inertia.m3 + t0;
-  const Scalar t2 = (g.l2 * inertia.m2 + inertia.c2z * inertia.m2) + (inertia.c3z * inertia.m3 + g.l2 * t1);
-  const Scalar t3 = (inertia.c4y * inertia.m4 - g.d4 * t0) - (g.d4 * inertia.m3 - inertia.c3y * inertia.m3);
+  const Scalar t0 = g.d4 * inertia.m4;
+  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t2 = ((inertia.c4y * inertia.m4 - t0) + t0) - g.d4 * t1;
+  const Scalar t3 = g.l2 * inertia.m3;
+  const Scalar t4 = inertia.m3 + t1;
+  const Scalar t5 = ((inertia.c3z * inertia.m3 + t3) - t3) + g.l2 * t4;
   return { gravity,
-           inertia.c2x * inertia.m2,
-           t2,
+           (g.d4 * inertia.m3 - inertia.c3y * inertia.m3) - t2,
+           inertia.c4x * inertia.m4 + inertia.c5x * inertia.m5,
+           inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
            inertia.c6z * inertia.m6,
            inertia.c6x * inertia.m6,
            inertia.c5z * inertia.m5,
-           inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
            inertia.c4z * inertia.m4,
-           inertia.c4x * inertia.m4 + inertia.c5x * inertia.m5,
-           t3,
            inertia.c3x * inertia.m3,
-           gravity * (inertia.m1 + (inertia.m2 + t1)) };
+           inertia.c2x * inertia.m2,
+           t5 + (g.l2 * inertia.m2 + inertia.c2z * inertia.m2),
+           gravity * (inertia.m1 + (inertia.m2 + t4)) };
 }
 
 namespace detail {
@@ -318,31 +331,31 @@ inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Sca
   const Scalar& c6 = angles.cosine[4];
   const Scalar t0 = k[0] * s2;
   const Scalar t1 = k[0] * c2;
-  const Scalar t2 = c3 * t0;
-  const Scalar t3 = s4 * t1 - c4 * t2;
-  const Scalar t4 = s4 * t2 + c4 * t1;
-  const Scalar t5 = s3 * t0;
-  const Scalar t6 = c5 * t4 + s5 * t5;
-  const Scalar t7 = k[4] * c6 - k[3] * s6;
-  const Scalar t8 = k[3] * c6 + k[4] * s6;
-  const Scalar t9 = t6 * t7 - t8 * t3;
-  const Scalar t10 = k[5] * t3 - t9;
-  const Scalar t11 = c5 * t5 - s5 * t4;
-  const Scalar t12 = k[6] * t3 - t11 * t7;
-  const Scalar t13 = (s5 * t10 + c5 * t12) - k[8] * t5;
-  const Scalar t14 = (k[6] * t6 - k[5] * t11) - t11 * t8;
-  const Scalar t15 = k[7] * t5 - t14;
-  const Scalar t16 = k[9] * t1 + (s4 * t13 - c4 * t15);
-  const Scalar t17 = (k[7] * t3 - k[8] * t4) + (c5 * t10 - s5 * t12);
-  const Scalar t18 = s3 * t16 + c3 * (t17 - k[10] * t1);
-  const Scalar t19 = (k[10] * t5 + k[9] * t2) - (s4 * t15 + c4 * t13);
+  const Scalar t2 = s3 * t0;
+  const Scalar t3 = c3 * t0;
+  const Scalar t4 = s4 * t3 + c4 * t1;
+  const Scalar t5 = c5 * t2 - s5 * t4;
+  const Scalar t6 = k[4] * c6 + k[5] * s6;
+  const Scalar t7 = c5 * t4 + s5 * t2;
+  const Scalar t8 = t5 * t6 + (k[6] * t5 - k[3] * t7);
+  const Scalar t9 = k[7] * t2 + t8;
+  const Scalar t10 = k[4] * s6 - k[5] * c6;
+  const Scalar t11 = s4 * t1 - c4 * t3;
+  const Scalar t12 = t5 * t10 + k[3] * t11;
+  const Scalar t13 = t6 * t11 + t7 * t10;
+  const Scalar t14 = k[6] * t11 + t13;
+  const Scalar t15 = (c5 * t12 + s5 * t14) - k[2] * t2;
+  const Scalar t16 = k[1] * t1 + (c4 * t9 - s4 * t15);
+  const Scalar t17 = (c5 * t14 - s5 * t12) + (k[7] * t11 - k[2] * t4);
+  const Scalar t18 = s3 * t16 - c3 * (t17 - k[8] * t1);
+  const Scalar t19 = (k[1] * t3 - k[8] * t2) + (s4 * t9 + c4 * t15);
   JointVector<Scalar> result;
   result[0] = k[11];
-  result[1] = t18 - (k[2] * t0 + k[1] * t1);
-  result[2] = t19;
+  result[1] = -(k[10] * t0 + k[9] * t1) - t18;
+  result[2] = -t19;
   result[3] = -t17;
-  result[4] = -t14;
-  result[5] = t9;
+  result[4] = t8;
+  result[5] = -t13;
   return result;
 }
 
@@ -367,80 +380,89 @@ CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Sc
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c3x * inertia.m3;
-  const Scalar t1 = g.d4 * t0;
-  const Scalar t2 = inertia.c4x * inertia.m4;
-  const Scalar t3 = inertia.c5x * inertia.m5;
-  const Scalar t4 = inertia.c4z * inertia.m4;
-  const Scalar t5 = g.l2 / g.d4;
+  const Scalar t0 = inertia.c3z * inertia.m3;
+  const Scalar t1 = g.l2 * inertia.m3;
+  const Scalar t2 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t3 = ((t0 + t1) - t1) + g.l2 * (inertia.m3 + t2);
+  const Scalar t4 = inertia.c3y * inertia.m3;
+  const Scalar t5 = g.d4 * inertia.m3 - t4;
   const Scalar t6 = inertia.c4y * inertia.m4;
-  const Scalar t7 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t8 = t6 - g.d4 * t7;
-  const Scalar t9 = inertia.c3y * inertia.m3;
-  const Scalar t10 = g.d4 * inertia.m3 - t9;
-  const Scalar t11 = (t8 - t10) / g.d4;
-  const Scalar t12 = g.d4 * g.d4 * t11;
-  const Scalar t13 = inertia.c6y * inertia.m6;
-  const Scalar t14 = inertia.c5y * inertia.m5;
-  const Scalar t15 = inertia.c5z * inertia.m5;
+  const Scalar t7 = g.d4 * inertia.m4;
+  const Scalar t8 = t6 - t7;
+  const Scalar t9 = t8 + t7;
+  const Scalar t10 = t9 - g.d4 * t2;
+  const Scalar t11 = (t5 - t10) / g.d4;
+  const Scalar t12 = (t3 + (g.l2 * inertia.m2 + inertia.c2z * inertia.m2)) - g.l2 * t11;
+  const Scalar t13 = inertia.c3x * inertia.m3;
+  const Scalar t14 = g.d4 * t13;
+  const Scalar t15 = inertia.c6x * inertia.m6;
   const Scalar t16 = inertia.c6z * inertia.m6;
-  const Scalar t17 = inertia.c6x * inertia.m6;
-  const Scalar t18 = inertia.c3z * inertia.m3;
-  const Scalar t19 = (g.l2 * inertia.m2 + inertia.c2z * inertia.m2) + (t18 + g.l2 * (inertia.m3 + t7));
-  const Scalar t20 = t19 / g.l2;
-  const Scalar t21 = (g.l2 * t20 - t19) - g.l2 * (t20 + t11);
-  const Scalar t22 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t23 = inertia.c3x * t0 - (inertia.I3xx - t22);
-  const Scalar t24 = (inertia.I3xy - inertia.c3y * t0) + t1;
-  const Scalar t25 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t26 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t27 = (inertia.c5x * t3 - (inertia.I5xx - t25)) - ((inertia.I4xx - t26) - inertia.c4x * t2);
-  const Scalar t28 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t29 = (inertia.I6xx - t28) - inertia.c6x * t17;
-  const Scalar t30 = inertia.c6z * t16 - (inertia.I6zz - t28);
-  const Scalar t31 = inertia.I6xz - inertia.c6z * t17;
-  const Scalar t32 = ((inertia.I6yy - t28) - inertia.c6y * t13) - (inertia.c5y * t14 - (inertia.I5yy - t25));
-  const Scalar t33 = ((inertia.I4yy - t26) - inertia.c4y * t6) + g.d4 * (t6 + t8);
-  const Scalar t34 = ((inertia.I3yy - t22) - inertia.c3y * t9) - g.d4 * (t10 - t9);
-  const Scalar t35 = (t33 + t34) - t12;
-  return { Scalar(2) * t1,
-           g.d4 * (t2 + t3),
-           g.d4 * t4,
-           t5,
-           t12,
-           g.d4 * (t13 + t14),
+  const Scalar t17 = inertia.c6y * inertia.m6;
+  const Scalar t18 = inertia.c5y * inertia.m5;
+  const Scalar t19 = inertia.c5z * inertia.m5;
+  const Scalar t20 = inertia.c4z * inertia.m4;
+  const Scalar t21 = g.d4 * t20;
+  const Scalar t22 = inertia.c4x * inertia.m4;
+  const Scalar t23 = inertia.c5x * inertia.m5;
+  const Scalar t24 = g.l2 / g.d4;
+  const Scalar t25 = g.d4 * g.d4 * t11;
+  const Scalar t26 = g.d4 * t22;
+  const Scalar t27 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t28 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t29 = (inertia.c5x * t23 - (inertia.I5xx - t27)) - ((inertia.I4xx - t28) - inertia.c4x * t22);
+  const Scalar t30 = inertia.I6xz - inertia.c6z * t15;
+  const Scalar t31 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t32 = (inertia.I6xx - t31) - inertia.c6x * t15;
+  const Scalar t33 = inertia.c6z * t16 - (inertia.I6zz - t31);
+  const Scalar t34 = ((inertia.I6yy - t31) - inertia.c6y * t17) - (inertia.c5y * t18 - (inertia.I5yy - t27));
+  const Scalar t35 = (inertia.I3xy - inertia.c3y * t13) + t14;
+  const Scalar t36 = g.d4 * (t6 + t8) + ((inertia.I4yy - t28) - inertia.c4y * t6);
+  const Scalar t37 = (t36 - g.d4 * (t9 + t8)) + g.d4 * (t9 + t10);
+  const Scalar t38 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t39 = ((inertia.I3yy - t38) - inertia.c3y * t4) - g.d4 * (t5 - t4);
+  const Scalar t40 = t25 + (t37 + t39);
+  const Scalar t41 = g.l2 * t5;
+  const Scalar t42 = (g.d4 * t0 + (inertia.I3yz - inertia.c3z * t4)) + t41;
+  const Scalar t43 = g.l2 * t13;
+  const Scalar t44 = inertia.c3x * t13 - (inertia.I3xx - t38);
+  return { g.d4 * t12,
+           Scalar(2) * t14,
            g.d4 * t15,
            g.d4 * t16,
-           g.d4 * t17,
-           g.d4 * t21,
-           g.d4 * inertia.c2x * inertia.m2,
-           t1,
-           Scalar(1) / g.d4,
-           Scalar(2) * t23,
+           g.d4 * (t17 + t18),
+           g.d4 * t19,
+           t21,
+           g.d4 * (t22 + t23),
            t24,
-           g.d4 * t18 + (inertia.I3yz - inertia.c3z * t9),
-           inertia.I3xz - inertia.c3z * t0,
-           t1 * t5,
-           inertia.I4yz - inertia.c4z * t6,
-           inertia.I4xy - inertia.c4y * t2,
-           inertia.I4xz - inertia.c4z * t2,
-           t27,
-           (inertia.I4zz - t26) - inertia.c4z * t4,
-           inertia.I5xz - inertia.c5z * t3,
-           inertia.I5xy - inertia.c5y * t3,
-           inertia.I5yz - inertia.c5z * t14,
-           inertia.c5z * t15 - (inertia.I5zz - t25),
-           inertia.I6yz - inertia.c6z * t13,
-           inertia.I6xy - inertia.c6y * t17,
-           t29 + t30,
-           Scalar(2) * t31,
-           t31,
-           t30,
+           t25,
+           g.d4 * inertia.c2x * inertia.m2,
+           t14,
+           Scalar(1) / g.d4,
+           (t26 + (inertia.I4xy - inertia.c4y * t22)) - t26,
            t29,
+           inertia.I4xz - inertia.c4z * t22,
+           t21 - (t21 + (inertia.I4yz - inertia.c4z * t6)),
+           inertia.I6yz - inertia.c6z * t17,
+           inertia.I6xy - inertia.c6y * t15,
+           Scalar(2) * t30,
+           t32 + t33,
+           t30,
+           t33,
+           inertia.I5xz - inertia.c5z * t23,
+           inertia.I5yz - inertia.c5z * t18,
+           t34,
+           inertia.I5xy - inertia.c5y * t23,
+           inertia.c5z * t19 - (inertia.I5zz - t27),
            t32,
-           Scalar(2) * t24,
+           (inertia.I4zz - t28) - inertia.c4z * t20,
+           Scalar(2) * t35,
+           Scalar(2) * t40,
+           t42 - t41,
+           t43 - (t43 - (inertia.I3xz - inertia.c3z * t13)),
+           t14 * t24,
+           Scalar(2) * t44,
            t35,
-           t23 + t35 };
+           t44 + t40 };
 }
 
 namespace detail {
@@ -459,118 +481,123 @@ inline JointVector<Scalar> coriolis_torque([[maybe_unused]] const JointVector<Sc
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = qd[1] * qd[1];
-  const Scalar t1 = k[7] * c6 + k[8] * s6;
-  const Scalar t2 = qd[1] * c3;
-  const Scalar t3 = qd[3] - t2;
-  const Scalar t4 = qd[1] * s3;
-  const Scalar t5 = s4 * t4 - qd[2] * c4;
-  const Scalar t6 = s5 * t3 + c5 * t5;
-  const Scalar t7 = qd[2] * s4 + c4 * t4;
-  const Scalar t8 = qd[4] - t7;
-  const Scalar t9 = t4 * t2;
-  const Scalar t10 = Scalar(2) * qd[2] * t2;
-  const Scalar t11 = c4 * t9 + s4 * t10;
-  const Scalar t12 = Scalar(2) * t3 * t7 + t11;
-  const Scalar t13 = t5 * t7;
-  const Scalar t14 = qd[2] * t4;
-  const Scalar t15 = t13 - t14;
-  const Scalar t16 = s5 * t12 + c5 * t15;
-  const Scalar t17 = Scalar(2) * t6 * t8 + t16;
-  const Scalar t18 = s5 * t5 - c5 * t3;
-  const Scalar t19 = qd[5] - t18;
-  const Scalar t20 = t6 * t6;
-  const Scalar t21 = t19 * t19 + t20;
-  const Scalar t22 = k[8] * c6 - k[7] * s6;
-  const Scalar t23 = c5 * t12 - s5 * t15;
-  const Scalar t24 = Scalar(2) * t8 * t18 - t23;
-  const Scalar t25 = (t1 * t17 - t21 * t22) + (k[6] * t17 - k[5] * t24);
-  const Scalar t26 = t13 + t14;
-  const Scalar t27 = t2 * t2;
-  const Scalar t28 = qd[2] * qd[2];
-  const Scalar t29 = t27 - t28;
-  const Scalar t30 = t0 - t29;
-  const Scalar t31 = t3 * t3;
-  const Scalar t32 = t7 * t7;
-  const Scalar t33 = t31 - t32;
-  const Scalar t34 = t30 + t33;
-  const Scalar t35 = k[3] * t0;
-  const Scalar t36 = s4 * t35 + t11;
-  const Scalar t37 = (k[2] * t26 + k[1] * t34) - k[4] * t36;
-  const Scalar t38 = t25 - t37;
-  const Scalar t39 = t8 * t8;
-  const Scalar t40 = t39 - t20;
-  const Scalar t41 = t34 + t40;
-  const Scalar t42 = t6 * t18;
-  const Scalar t43 = s4 * t9 - c4 * t10;
-  const Scalar t44 = t3 * t5;
-  const Scalar t45 = t43 + t44;
-  const Scalar t46 = t42 + t45;
-  const Scalar t47 = t39 + t20;
-  const Scalar t48 = t21 - t47;
-  const Scalar t49 = t48 + t40;
-  const Scalar t50 = (k[6] * t41 + k[5] * t46) + (t22 * t16 + t1 * (t49 + t47));
-  const Scalar t51 = t8 * t19;
-  const Scalar t52 = t51 + (t24 + t51);
-  const Scalar t53 = t6 * t19;
-  const Scalar t54 = (t53 + t53) + t46;
-  const Scalar t55 = t42 - t45;
-  const Scalar t56 = (t52 * t22 + t1 * t54) - (k[6] * t55 + k[5] * t47);
-  const Scalar t57 = t43 - c4 * t35;
-  const Scalar t58 = t31 + t32;
-  const Scalar t59 = k[4] * t57 + (k[1] * t15 + k[2] * t58);
-  const Scalar t60 = (c5 * t50 + s5 * t56) + t59;
-  const Scalar t61 = s4 * t38 - c4 * t60;
-  const Scalar t62 = c2 * (k[9] * t0 + (t61 + k[0] * t14));
-  const Scalar t63 = c4 * t38 + s4 * t60;
-  const Scalar t64 = t27 + t28;
-  const Scalar t65 = t44 + t45;
-  const Scalar t66 = (k[1] * t12 - k[2] * t65) + k[4] * t30;
-  const Scalar t67 = k[11] * t9 - (t66 + (s5 * t50 - c5 * t56));
-  const Scalar t68 = c3 * (t63 - k[11] * t64) - s3 * t67;
-  const Scalar t69 = k[12] * (t62 + s2 * (k[10] * t0 - t68));
-  const Scalar t70 = (k[35] * t14 + k[36] * t10) - k[15] * t29;
-  const Scalar t71 = k[19] * t33 + (k[20] * t65 + k[21] * t12);
-  const Scalar t72 = t41 - t47;
-  const Scalar t73 = k[24] * (t72 - t40) + (k[34] * t24 - k[25] * t17);
-  const Scalar t74 = k[27] * c6 + k[28] * s6;
-  const Scalar t75 = k[29] * c6 - k[30] * s6;
-  const Scalar t76 = k[31] + s6 * t75;
-  const Scalar t77 = c6 * t75;
-  const Scalar t78 = k[32] - t77;
-  const Scalar t79 = k[28] * c6 - k[27] * s6;
-  const Scalar t80 = (t54 * t76 - t52 * t78) + t48 * t79;
-  const Scalar t81 = c5 * t30 - s5 * t57;
-  const Scalar t82 = (k[5] * t36 - (t73 - k[23] * t55)) + ((t74 * t17 - t80) + t81 * t22);
-  const Scalar t83 = (k[26] * t17 + k[25] * t24) - (k[23] * t40 + k[24] * t46);
-  const Scalar t84 = s5 * t30 + c5 * t57;
-  const Scalar t85 = k[33] - t77;
-  const Scalar t86 = t76 * t40 + (t85 * t17 - t78 * t16);
-  const Scalar t87 = (t1 * t36 + t84 * t22) + (t86 + (t46 * t79 - t24 * t74));
-  const Scalar t88 = (k[6] * t36 - t83) + t87;
-  const Scalar t89 = ((k[18] * t26 + t71) - k[1] * t30) - (c5 * t82 + s5 * t88);
-  const Scalar t90 = t58 - t30;
-  const Scalar t91 = (k[18] * t90 + k[19] * t15) - (k[20] * t12 - k[22] * t65);
-  const Scalar t92 = (k[26] * t55 + k[34] * t46) + k[25] * t72;
-  const Scalar t93 = (k[5] * t84 - k[6] * t81) - ((k[23] * t23 - k[24] * t16) - t92);
-  const Scalar t94 = (t52 * t76 + t85 * t54) + (t49 * t74 + t79 * t16);
-  const Scalar t95 = t93 + (t94 - t1 * t81);
-  const Scalar t96 = (k[2] * t30 - t91) - t95;
-  const Scalar t97 = (k[16] * t9 - t70) + ((s4 * t89 - c4 * t96) - t61);
-  const Scalar t98 = k[20] * (t90 - t33) - (k[22] * t26 + k[21] * t15);
-  const Scalar t99 = (t98 + (k[18] * t11 + k[19] * t43)) + (k[1] * t57 + k[2] * t36);
-  const Scalar t100 = t99 + (c5 * t88 - s5 * t82);
-  const Scalar t101 = t0 - t64;
-  const Scalar t102 = (k[13] * t14 - k[14] * t10) + (k[16] * t101 + k[15] * t9);
-  const Scalar t103 = s3 * t97 - c3 * (t100 + (t102 - k[17] * t0));
-  const Scalar t104 = (k[37] * t9 + k[14] * (t101 - t29)) + (t63 - (c4 * t89 + s4 * t96));
+  const Scalar t0 = qd[1] * s3;
+  const Scalar t1 = qd[1] * c3;
+  const Scalar t2 = t0 * t1;
+  const Scalar t3 = qd[1] * qd[1];
+  const Scalar t4 = t1 * t1;
+  const Scalar t5 = qd[2] * qd[2];
+  const Scalar t6 = t4 + t5;
+  const Scalar t7 = t3 - t6;
+  const Scalar t8 = t4 - t5;
+  const Scalar t9 = t7 - t8;
+  const Scalar t10 = t9 + t6;
+  const Scalar t11 = qd[3] - t1;
+  const Scalar t12 = qd[2] * s4 + c4 * t0;
+  const Scalar t13 = t11 * t12;
+  const Scalar t14 = qd[2] * t1;
+  const Scalar t15 = Scalar(2) * t14;
+  const Scalar t16 = c4 * t2 + s4 * t15;
+  const Scalar t17 = t13 + (t13 + t16);
+  const Scalar t18 = s4 * t0 - qd[2] * c4;
+  const Scalar t19 = t11 * t18;
+  const Scalar t20 = s4 * t2 - c4 * t15;
+  const Scalar t21 = t20 + t19;
+  const Scalar t22 = t19 + t21;
+  const Scalar t23 = k[9] * t10 - (k[7] * t17 - k[6] * t22);
+  const Scalar t24 = s5 * t11 + c5 * t18;
+  const Scalar t25 = s5 * t18 - c5 * t11;
+  const Scalar t26 = t24 * t25;
+  const Scalar t27 = t26 - t21;
+  const Scalar t28 = qd[5] - t25;
+  const Scalar t29 = t28 * t28;
+  const Scalar t30 = qd[4] - t12;
+  const Scalar t31 = t30 * t30;
+  const Scalar t32 = t29 - t31;
+  const Scalar t33 = t24 * t24;
+  const Scalar t34 = t29 + t33;
+  const Scalar t35 = t32 - t34;
+  const Scalar t36 = t24 * t28;
+  const Scalar t37 = t26 + t21;
+  const Scalar t38 = (t36 + t36) + t37;
+  const Scalar t39 = k[2] * s6 + k[3] * c6;
+  const Scalar t40 = Scalar(2) * t30;
+  const Scalar t41 = t18 * t12;
+  const Scalar t42 = qd[2] * t0;
+  const Scalar t43 = t41 - t42;
+  const Scalar t44 = c5 * t17 - s5 * t43;
+  const Scalar t45 = t44 - t25 * t40;
+  const Scalar t46 = t28 * t40 - t45;
+  const Scalar t47 = k[2] * c6 - k[3] * s6;
+  const Scalar t48 = (k[5] * t27 - k[4] * t35) - (t38 * t39 + t46 * t47);
+  const Scalar t49 = t11 * t11;
+  const Scalar t50 = t12 * t12;
+  const Scalar t51 = t49 - t50;
+  const Scalar t52 = t10 + t51;
+  const Scalar t53 = t31 - t33;
+  const Scalar t54 = t52 + t53;
+  const Scalar t55 = s5 * t17 + c5 * t43;
+  const Scalar t56 = t29 - t33;
+  const Scalar t57 = (k[5] * t54 + k[4] * t37) + (t47 * t55 + (t56 - t35) * t39);
+  const Scalar t58 = k[11] * t2 + (t23 - (c5 * t48 + s5 * t57));
+  const Scalar t59 = t49 + t50;
+  const Scalar t60 = k[8] * t3;
+  const Scalar t61 = c4 * t60 - t20;
+  const Scalar t62 = (k[6] * t59 + k[7] * t43) + k[9] * t61;
+  const Scalar t63 = t62 - (s5 * t48 - c5 * t57);
+  const Scalar t64 = t24 * t30;
+  const Scalar t65 = t64 + (t64 + t55);
+  const Scalar t66 = (t47 * t34 - t65 * t39) - (k[4] * t45 + k[5] * t65);
+  const Scalar t67 = s4 * t60 + t16;
+  const Scalar t68 = t41 + t42;
+  const Scalar t69 = k[9] * t67 + (k[7] * t52 + k[6] * t68);
+  const Scalar t70 = t66 + t69;
+  const Scalar t71 = (s4 * t63 - c4 * t70) - k[11] * t6;
+  const Scalar t72 = s3 * t58 - c3 * t71;
+  const Scalar t73 = k[1] * t42 - (c4 * t63 + s4 * t70);
+  const Scalar t74 = s2 * (t72 + k[10] * t3) + c2 * (t73 - k[0] * t3);
+  const Scalar t75 = (k[30] * t42 + k[31] * t14) - k[32] * t8;
+  const Scalar t76 = k[19] * s6 - k[20] * c6;
+  const Scalar t77 = k[21] - s6 * t76;
+  const Scalar t78 = c6 * t76;
+  const Scalar t79 = k[28] + t78;
+  const Scalar t80 = k[17] * s6 - k[18] * c6;
+  const Scalar t81 = k[17] * c6 + k[18] * s6;
+  const Scalar t82 = (t46 * t77 + t79 * t38) - (t55 * t80 - t56 * t81);
+  const Scalar t83 = s5 * t61 + c5 * t10;
+  const Scalar t84 = t54 + t35;
+  const Scalar t85 = (k[27] * t27 + k[25] * t37) + k[24] * t84;
+  const Scalar t86 = c5 * t61 - s5 * t10;
+  const Scalar t87 = (t85 + (k[26] * t55 - k[23] * t44)) - (k[4] * t86 + k[5] * t83);
+  const Scalar t88 = (t82 - t83 * t39) + t87;
+  const Scalar t89 = t59 - t52;
+  const Scalar t90 = (k[16] * (t51 + t89) - k[13] * t43) - (k[29] * t22 - k[15] * t17);
+  const Scalar t91 = t63 + (t88 - (k[6] * t10 + t90));
+  const Scalar t92 = k[13] * t51 + (k[14] * t17 + k[15] * t22);
+  const Scalar t93 = k[22] + t78;
+  const Scalar t94 = t80 * t32 + (t46 * t93 - t38 * t77);
+  const Scalar t95 = k[26] * (t84 - t53) - (k[24] * t65 + k[25] * t45);
+  const Scalar t96 = (t47 * t83 + (t94 + t65 * t81)) + (k[4] * t67 - (t95 - k[23] * t27));
+  const Scalar t97 = (t79 * t65 - t55 * t93) + t77 * t53;
+  const Scalar t98 = (t97 + (t81 * t45 - t37 * t80)) + (t67 * t39 - t86 * t47);
+  const Scalar t99 = (k[23] * t53 + k[26] * t37) + (k[24] * t45 - k[27] * t65);
+  const Scalar t100 = t98 + (t99 + k[5] * t67);
+  const Scalar t101 = (k[7] * t10 - (t92 - k[16] * t68)) + (c5 * t96 + s5 * t100);
+  const Scalar t102 = t70 - t101;
+  const Scalar t103 = (k[33] * t2 - t75) + (c4 * t91 + s4 * t102);
+  const Scalar t104 = (k[35] * t42 - k[30] * t14) + (k[32] * t2 + k[33] * t7);
+  const Scalar t105 = (k[29] * t68 + k[14] * t43) - k[15] * t89;
+  const Scalar t106 = (k[6] * t67 - k[7] * t61) + ((k[13] * t20 - k[16] * t16) - t105);
+  const Scalar t107 = t106 - (s5 * t96 - c5 * t100);
+  const Scalar t108 = s3 * t103 + c3 * ((k[34] * t3 - t104) - t107);
+  const Scalar t109 = (k[37] * t2 + k[36] * t9) - (c4 * t102 - s4 * t91);
   JointVector<Scalar> result;
-  result[0] = t69;
-  result[1] = t103 + k[3] * t68;
-  result[2] = t104;
-  result[3] = t100;
-  result[4] = -t95;
-  result[5] = t87;
+  result[0] = k[12] * t74;
+  result[1] = t108 - k[8] * t72;
+  result[2] = t109;
+  result[3] = t107;
+  result[4] = -t88;
+  result[5] = t98;
   return result;
 }
 
@@ -596,78 +623,92 @@ MassMatrixConstants<Scalar> mass_matrix_constants(const BasicGeometry<Scalar>& g
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6z * inertia.m6;
-  const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = inertia.c4x * inertia.m4;
-  const Scalar t3 = inertia.c5x * inertia.m5;
+  const Scalar t0 = inertia.c6y * inertia.m6;
+  const Scalar t1 = inertia.c5y * inertia.m5;
+  const Scalar t2 = inertia.c6z * inertia.m6;
+  const Scalar t3 = inertia.c6x * inertia.m6;
   const Scalar t4 = inertia.c5z * inertia.m5;
-  const Scalar t5 = inertia.c6y * inertia.m6;
-  const Scalar t6 = inertia.c5y * inertia.m5;
-  const Scalar t7 = inertia.c4z * inertia.m4;
-  const Scalar t8 = inertia.c2z * inertia.m2;
-  const Scalar t9 = g.l2 * inertia.m2 + t8;
-  const Scalar t10 = inertia.c3z * inertia.m3;
+  const Scalar t5 = inertia.c3y * inertia.m3;
+  const Scalar t6 = g.d4 * inertia.m3 - t5;
+  const Scalar t7 = inertia.c4y * inertia.m4;
+  const Scalar t8 = g.d4 * inertia.m4;
+  const Scalar t9 = t7 - t8;
+  const Scalar t10 = t9 + t8;
   const Scalar t11 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t12 = inertia.m3 + t11;
-  const Scalar t13 = t10 + g.l2 * t12;
-  const Scalar t14 = inertia.c4y * inertia.m4;
-  const Scalar t15 = t14 - g.d4 * t11;
-  const Scalar t16 = inertia.c3y * inertia.m3;
-  const Scalar t17 = g.d4 * inertia.m3 - t16;
-  const Scalar t18 = inertia.c3x * inertia.m3;
-  const Scalar t19 = inertia.c2x * inertia.m2;
-  const Scalar t20 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t21 = (inertia.I6xx - t20) - inertia.c6x * t1;
-  const Scalar t22 = inertia.c6z * t0 - (inertia.I6zz - t20);
-  const Scalar t23 = inertia.I6xz - inertia.c6z * t1;
-  const Scalar t24 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t25 = ((inertia.I6yy - t20) - inertia.c6y * t5) - (inertia.c5y * t6 - (inertia.I5yy - t24));
-  const Scalar t26 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t27 = (inertia.c5x * t3 - (inertia.I5xx - t24)) - ((inertia.I4xx - t26) - inertia.c4x * t2);
-  const Scalar t28 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t29 = ((inertia.I4yy - t26) - inertia.c4y * t14) + g.d4 * (t14 + t15);
-  const Scalar t30 = ((inertia.I3yy - t28) - inertia.c3y * t16) - g.d4 * (t17 - t16);
-  const Scalar t31 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t32 = g.l2 * (t9 + t8) - ((inertia.I2zz - t31) - inertia.c2z * t8);
-  const Scalar t33 = ((inertia.I3zz - t28) - inertia.c3z * t10) - g.l2 * (t10 + t13);
-  return { t0,
-           t1,
-           t2 + t3,
+  const Scalar t12 = t10 - g.d4 * t11;
+  const Scalar t13 = inertia.c4x * inertia.m4;
+  const Scalar t14 = inertia.c5x * inertia.m5;
+  const Scalar t15 = inertia.c4z * inertia.m4;
+  const Scalar t16 = inertia.c3x * inertia.m3;
+  const Scalar t17 = inertia.c2x * inertia.m2;
+  const Scalar t18 = inertia.c3z * inertia.m3;
+  const Scalar t19 = g.l2 * inertia.m3;
+  const Scalar t20 = t18 + t19;
+  const Scalar t21 = t20 - t19;
+  const Scalar t22 = inertia.m3 + t11;
+  const Scalar t23 = t21 + g.l2 * t22;
+  const Scalar t24 = inertia.c2z * inertia.m2;
+  const Scalar t25 = g.l2 * inertia.m2 + t24;
+  const Scalar t26 = inertia.I6xz - inertia.c6z * t3;
+  const Scalar t27 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t28 = (inertia.I6xx - t27) - inertia.c6x * t3;
+  const Scalar t29 = inertia.c6z * t2 - (inertia.I6zz - t27);
+  const Scalar t30 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t31 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t32 = (inertia.c5x * t14 - (inertia.I5xx - t30)) - ((inertia.I4xx - t31) - inertia.c4x * t13);
+  const Scalar t33 = ((inertia.I6yy - t27) - inertia.c6y * t0) - (inertia.c5y * t1 - (inertia.I5yy - t30));
+  const Scalar t34 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t35 = g.l2 * (t25 + t24) - ((inertia.I2zz - t34) - inertia.c2z * t24);
+  const Scalar t36 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t37 = ((inertia.I3zz - t36) - inertia.c3z * t18) - g.l2 * (t18 + t20);
+  const Scalar t38 = (t37 + g.l2 * (t20 + t21)) - g.l2 * (t23 + t21);
+  const Scalar t39 = g.d4 * t13;
+  const Scalar t40 = g.d4 * t15;
+  const Scalar t41 = g.d4 * (t7 + t9) + ((inertia.I4yy - t31) - inertia.c4y * t7);
+  const Scalar t42 = (t41 - g.d4 * (t10 + t9)) + g.d4 * (t10 + t12);
+  const Scalar t43 = ((inertia.I3yy - t36) - inertia.c3y * t5) - g.d4 * (t6 - t5);
+  const Scalar t44 = g.l2 * t6;
+  const Scalar t45 = (g.d4 * t18 + (inertia.I3yz - inertia.c3z * t5)) + t44;
+  const Scalar t46 = g.l2 * t16;
+  return { t0 + t1,
+           t2,
+           t3,
            t4,
-           t5 + t6,
-           t7,
-           t9 + t13,
-           t15 - t17,
-           t18,
-           t19,
-           inertia.I6yz - inertia.c6z * t5,
-           inertia.I6xy - inertia.c6y * t1,
-           inertia.I5yz - inertia.c5z * t6,
-           t21 + t22,
-           Scalar(2) * t23,
-           t21,
-           inertia.c5z * t4 - (inertia.I5zz - t24),
-           t25,
-           (inertia.I4zz - t26) - inertia.c4z * t7,
-           t21 - t22,
-           t27,
-           t23,
-           inertia.I5xz - inertia.c5z * t3,
-           inertia.I5xy - inertia.c5y * t3,
-           inertia.I4xz - inertia.c4z * t2,
-           inertia.c3x * t18 - (inertia.I3xx - t28),
-           g.d4,
-           t29 + t30,
-           inertia.I4yz - inertia.c4z * t14,
-           inertia.I4xy - inertia.c4y * t2,
-           (inertia.I3xy - inertia.c3y * t18) + g.d4 * t18,
-           inertia.c2x * t19 - (inertia.I2xx - t31),
-           Scalar(2) * g.l2,
-           t32 - t33,
-           inertia.I3xz - inertia.c3z * t18,
-           g.d4 * t10 + (inertia.I3yz - inertia.c3z * t16),
+           t6 - t12,
+           t13 + t14,
+           t15,
+           t16,
+           t17,
+           t23 + t25,
            g.l2,
-           inertia.m1 + (inertia.m2 + t12) };
+           Scalar(2) * t26,
+           t28 + t29,
+           t29,
+           t32,
+           inertia.I6xy - inertia.c6y * t3,
+           inertia.I6yz - inertia.c6z * t0,
+           inertia.I5yz - inertia.c5z * t1,
+           t28,
+           inertia.c5z * t4 - (inertia.I5zz - t30),
+           t33,
+           (inertia.I4zz - t31) - inertia.c4z * t15,
+           t26,
+           inertia.I5xz - inertia.c5z * t14,
+           inertia.I5xy - inertia.c5y * t14,
+           inertia.I4xz - inertia.c4z * t13,
+           t35 - t38,
+           (t39 + (inertia.I4xy - inertia.c4y * t13)) - t39,
+           t40 - (t40 + (inertia.I4yz - inertia.c4z * t7)),
+           g.d4,
+           (inertia.I3xy - inertia.c3y * t16) + g.d4 * t16,
+           Scalar(2) * g.d4,
+           t42 + t43,
+           inertia.c3x * t16 - (inertia.I3xx - t36),
+           inertia.c2x * t17 - (inertia.I2xx - t34),
+           t45 - t44,
+           t46 - (t46 - (inertia.I3xz - inertia.c3z * t16)),
+           t28 - t29,
+           inertia.m1 + (inertia.m2 + t22) };
 }
 
 namespace detail {
@@ -685,82 +726,83 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointV
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[0] * s6 - k[1] * c6;
-  const Scalar t1 = k[2] - t0;
-  const Scalar t2 = k[0] * c6 + k[1] * s6;
-  const Scalar t3 = k[3] + t2;
-  const Scalar t4 = k[4] * s5 - c5 * t3;
-  const Scalar t5 = k[5] - t4;
-  const Scalar t6 = c4 * t1 - s4 * t5;
-  const Scalar t7 = k[8] + t6;
-  const Scalar t8 = k[4] * c5 + s5 * t3;
-  const Scalar t9 = k[7] + t8;
-  const Scalar t10 = c2 * (k[9] + (c3 * t7 - s3 * t9));
-  const Scalar t11 = s4 * t1 + c4 * t5;
-  const Scalar t12 = c3 * t9 + s3 * t7;
-  const Scalar t13 = c3 * s4 * t8 + s3 * t4;
-  const Scalar t14 = c5 * t0;
-  const Scalar t15 = c3 * (s4 * t14 - c4 * t2) + s3 * s5 * t0;
-  const Scalar t16 = s2 * t15 + c2 * (c4 * t14 + s4 * t2);
-  const Scalar t17 = k[10] * s6 - k[11] * c6;
-  const Scalar t18 = k[23] - t17;
-  const Scalar t19 = k[14] * s6 - k[13] * c6;
-  const Scalar t20 = k[22] + (k[21] - s6 * t19);
-  const Scalar t21 = s5 * t18 - c5 * t20;
-  const Scalar t22 = k[24] - t21;
-  const Scalar t23 = s4 * t22;
-  const Scalar t24 = k[15] + c6 * t19;
-  const Scalar t25 = k[16] - t24;
-  const Scalar t26 = k[10] * c6 + k[11] * s6;
-  const Scalar t27 = k[12] + t26;
-  const Scalar t28 = s5 * (k[17] + t25) - Scalar(2) * c5 * t27;
-  const Scalar t29 = s5 * t28 - t25;
-  const Scalar t30 = k[18] + t29;
-  const Scalar t31 = k[20] - (k[19] - t24);
-  const Scalar t32 = (t23 + t23) + c4 * (t30 + t31);
-  const Scalar t33 = c4 * t32;
-  const Scalar t34 = k[25] + (t33 - t30);
-  const Scalar t35 = k[17] - t25;
-  const Scalar t36 = k[26] * t8;
-  const Scalar t37 = k[27] + ((t35 - t29) + (t36 + t36));
-  const Scalar t38 = k[26] * t5 + (k[28] - (t27 + c5 * t28));
-  const Scalar t39 = s5 * t20 + c5 * t18;
-  const Scalar t40 = k[26] * t1 + (k[29] + t39);
-  const Scalar t41 = s4 * t38 - c4 * t40;
-  const Scalar t42 = s3 * (t34 + t37) - Scalar(2) * c3 * (k[30] - t41);
-  const Scalar t43 = (k[33] - ((t33 - t31) - k[32] * t11)) + (k[31] - (s3 * t42 - t34));
-  const Scalar t44 = c4 * t38 + s4 * t40;
-  const Scalar t45 = s3 * (k[34] + (t22 - s4 * t32)) + c3 * (k[35] + t44);
-  const Scalar t46 = t30 - t31;
-  const Scalar t47 = c3 * (t46 - k[36] * t11) + s3 * t41;
-  const Scalar t48 = t35 + t36;
-  const Scalar t49 = c3 * t39 - s3 * (c4 * t48 - s4 * t21);
-  const Scalar t50 = k[26] * t2 + (c5 * t26 + k[19] * s5);
-  const Scalar t51 = t17 + k[26] * t14;
-  const Scalar t52 = s5 * t26 - k[19] * c5;
-  const Scalar t53 = s3 * (s4 * t50 + c4 * t51) - c3 * t52;
+  const Scalar t0 = k[1] * c6 + k[2] * s6;
+  const Scalar t1 = k[3] + t0;
+  const Scalar t2 = s5 * t1 + k[0] * c5;
+  const Scalar t3 = k[4] - t2;
+  const Scalar t4 = k[0] * s5 - c5 * t1;
+  const Scalar t5 = k[6] - t4;
+  const Scalar t6 = k[2] * c6 - k[1] * s6;
+  const Scalar t7 = k[5] + t6;
+  const Scalar t8 = s4 * t5 - c4 * t7;
+  const Scalar t9 = k[7] - t8;
+  const Scalar t10 = c2 * (k[8] + (s3 * t3 + c3 * t9));
+  const Scalar t11 = c4 * t5 + s4 * t7;
+  const Scalar t12 = s3 * t9 - c3 * t3;
+  const Scalar t13 = s3 * t4 + c3 * s4 * t2;
+  const Scalar t14 = c5 * t6;
+  const Scalar t15 = s4 * t0 - c4 * t14;
+  const Scalar t16 = s4 * t14 + c4 * t0;
+  const Scalar t17 = s3 * s5 * t6 + c3 * t16;
+  const Scalar t18 = k[12] * c6 - k[11] * s6;
+  const Scalar t19 = c6 * t18;
+  const Scalar t20 = k[14] + (k[13] - t19);
+  const Scalar t21 = k[19] - (k[18] - t19);
+  const Scalar t22 = k[16] * c6 + k[15] * s6;
+  const Scalar t23 = k[17] + t22;
+  const Scalar t24 = s5 * (k[20] + t21) - Scalar(2) * c5 * t23;
+  const Scalar t25 = s5 * t24 - t21;
+  const Scalar t26 = k[21] + t25;
+  const Scalar t27 = k[23] + (k[22] + s6 * t18);
+  const Scalar t28 = k[16] * s6 - k[15] * c6;
+  const Scalar t29 = k[24] - t28;
+  const Scalar t30 = c5 * t27 - s5 * t29;
+  const Scalar t31 = k[25] + t30;
+  const Scalar t32 = c4 * (t20 + t26) + Scalar(2) * s4 * t31;
+  const Scalar t33 = c4 * t32 - t26;
+  const Scalar t34 = k[33] + t33;
+  const Scalar t35 = k[20] - t21;
+  const Scalar t36 = k[32] + (k[31] * t2 + (t35 - t25));
+  const Scalar t37 = k[28] + (t23 + c5 * t24);
+  const Scalar t38 = s5 * t27 + c5 * t29;
+  const Scalar t39 = k[27] + t38;
+  const Scalar t40 = k[29] * t8 - (s4 * t37 + c4 * t39);
+  const Scalar t41 = c3 * (k[30] - t40);
+  const Scalar t42 = s3 * (s3 * (t34 + t36) - (t41 + t41));
+  const Scalar t43 = k[10] * t11;
+  const Scalar t44 = t20 - t26;
+  const Scalar t45 = (k[34] - (t42 - t34)) + (k[26] + ((t43 + t43) + (t44 - t33)));
+  const Scalar t46 = (c4 * t37 - s4 * t39) - k[29] * t11;
+  const Scalar t47 = c3 * (k[35] - t46) + s3 * (k[36] - (s4 * t32 - t31));
+  const Scalar t48 = t35 + k[29] * t2;
+  const Scalar t49 = s3 * (c4 * t48 + s4 * t30) - c3 * t38;
+  const Scalar t50 = k[37] * s5 + c5 * t22;
+  const Scalar t51 = (s4 * t50 + c4 * t28) + k[29] * t15;
+  const Scalar t52 = s5 * t22 - k[37] * c5;
+  const Scalar t53 = k[10] * t17 - (s3 * t51 - c3 * t52);
+  const Scalar t54 = (s4 * t28 - c4 * t50) - k[29] * t16;
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = k[37];
-  result(0, 1) = result(1, 0) = -t10 - s2 * (k[6] + t11);
+  result(0, 0) = k[38];
+  result(0, 1) = result(1, 0) = -t10 - s2 * (k[9] + t11);
   result(0, 2) = result(2, 0) = s2 * t12;
-  result(0, 3) = result(3, 0) = c2 * t6 + s2 * c3 * t11;
-  result(0, 4) = result(4, 0) = -c2 * c4 * t8 - s2 * t13;
-  result(0, 5) = result(5, 0) = -t16;
-  result(1, 1) = t43;
-  result(1, 2) = result(2, 1) = t45 - k[36] * t12;
-  result(1, 3) = result(3, 1) = t47;
-  result(1, 4) = result(4, 1) = k[36] * t13 - t49;
-  result(1, 5) = result(5, 1) = t53 + k[36] * t15;
-  result(2, 2) = t34 - t37;
-  result(2, 3) = result(3, 2) = -t44;
-  result(2, 4) = result(4, 2) = c4 * t21 + s4 * t48;
-  result(2, 5) = result(5, 2) = s4 * t51 - c4 * t50;
-  result(3, 3) = -t46;
-  result(3, 4) = result(4, 3) = t39;
+  result(0, 3) = result(3, 0) = s2 * c3 * t11 - c2 * t8;
+  result(0, 4) = result(4, 0) = -s2 * t13 - c2 * c4 * t2;
+  result(0, 5) = result(5, 0) = s2 * t17 - c2 * t15;
+  result(1, 1) = t45;
+  result(1, 2) = result(2, 1) = t47 - k[10] * t12;
+  result(1, 3) = result(3, 1) = s3 * t40 - c3 * (t44 + t43);
+  result(1, 4) = result(4, 1) = k[10] * t13 + t49;
+  result(1, 5) = result(5, 1) = -t53;
+  result(2, 2) = t34 - t36;
+  result(2, 3) = result(3, 2) = t46;
+  result(2, 4) = result(4, 2) = s4 * t48 - c4 * t30;
+  result(2, 5) = result(5, 2) = t54;
+  result(3, 3) = t44;
+  result(3, 4) = result(4, 3) = t38;
   result(3, 5) = result(5, 3) = t52;
   result(4, 4) = -t35;
-  result(4, 5) = result(5, 4) = -t17;
-  result(5, 5) = -k[19];
+  result(4, 5) = result(5, 4) = -t28;
+  result(5, 5) = -k[37];
   return result;
 }
 
@@ -786,67 +828,76 @@ CoriolisMatrixConstants<Scalar> coriolis_matrix_constants(const BasicGeometry<Sc
   using std::sin;
   const Scalar t0 = inertia.c6z * inertia.m6;
   const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = inertia.c5z * inertia.m5;
-  const Scalar t3 = inertia.c6y * inertia.m6;
-  const Scalar t4 = inertia.c5y * inertia.m5;
-  const Scalar t5 = inertia.c4y * inertia.m4;
-  const Scalar t6 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t7 = t5 - g.d4 * t6;
-  const Scalar t8 = inertia.c3y * inertia.m3;
-  const Scalar t9 = g.d4 * inertia.m3 - t8;
-  const Scalar t10 = inertia.c4z * inertia.m4;
-  const Scalar t11 = inertia.c4x * inertia.m4;
-  const Scalar t12 = inertia.c5x * inertia.m5;
-  const Scalar t13 = inertia.c3x * inertia.m3;
-  const Scalar t14 = inertia.c3z * inertia.m3;
-  const Scalar t15 = (g.l2 * inertia.m2 + inertia.c2z * inertia.m2) + (t14 + g.l2 * (inertia.m3 + t6));
-  const Scalar t16 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t17 = (inertia.I6xx - t16) - inertia.c6x * t1;
-  const Scalar t18 = inertia.c6z * t0 - (inertia.I6zz - t16);
-  const Scalar t19 = inertia.I6xz - inertia.c6z * t1;
-  const Scalar t20 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t21 = ((inertia.I6yy - t16) - inertia.c6y * t3) - (inertia.c5y * t4 - (inertia.I5yy - t20));
-  const Scalar t22 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t23 = ((inertia.I4yy - t22) - inertia.c4y * t5) + g.d4 * (t5 + t7);
-  const Scalar t24 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t25 = ((inertia.I3yy - t24) - inertia.c3y * t8) - g.d4 * (t9 - t8);
-  const Scalar t26 = (inertia.c5x * t12 - (inertia.I5xx - t20)) - ((inertia.I4xx - t22) - inertia.c4x * t11);
+  const Scalar t2 = inertia.c4x * inertia.m4;
+  const Scalar t3 = inertia.c5x * inertia.m5;
+  const Scalar t4 = inertia.c5z * inertia.m5;
+  const Scalar t5 = inertia.c6y * inertia.m6;
+  const Scalar t6 = inertia.c5y * inertia.m5;
+  const Scalar t7 = inertia.c4z * inertia.m4;
+  const Scalar t8 = inertia.c3z * inertia.m3;
+  const Scalar t9 = g.l2 * inertia.m3;
+  const Scalar t10 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t11 = ((t8 + t9) - t9) + g.l2 * (inertia.m3 + t10);
+  const Scalar t12 = inertia.c3y * inertia.m3;
+  const Scalar t13 = g.d4 * inertia.m3 - t12;
+  const Scalar t14 = inertia.c4y * inertia.m4;
+  const Scalar t15 = g.d4 * inertia.m4;
+  const Scalar t16 = t14 - t15;
+  const Scalar t17 = t16 + t15;
+  const Scalar t18 = t17 - g.d4 * t10;
+  const Scalar t19 = inertia.c3x * inertia.m3;
+  const Scalar t20 = inertia.I6xz - inertia.c6z * t1;
+  const Scalar t21 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t22 = (inertia.I6xx - t21) - inertia.c6x * t1;
+  const Scalar t23 = inertia.c6z * t0 - (inertia.I6zz - t21);
+  const Scalar t24 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t25 = ((inertia.I6yy - t21) - inertia.c6y * t5) - (inertia.c5y * t6 - (inertia.I5yy - t24));
+  const Scalar t26 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t27 = (inertia.c5x * t3 - (inertia.I5xx - t24)) - ((inertia.I4xx - t26) - inertia.c4x * t2);
+  const Scalar t28 = g.d4 * t2;
+  const Scalar t29 = g.d4 * t7;
+  const Scalar t30 = g.d4 * (t14 + t16) + ((inertia.I4yy - t26) - inertia.c4y * t14);
+  const Scalar t31 = (t30 - g.d4 * (t17 + t16)) + g.d4 * (t17 + t18);
+  const Scalar t32 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t33 = ((inertia.I3yy - t32) - inertia.c3y * t12) - g.d4 * (t13 - t12);
+  const Scalar t34 = g.l2 * t13;
+  const Scalar t35 = (g.d4 * t8 + (inertia.I3yz - inertia.c3z * t12)) + t34;
+  const Scalar t36 = g.l2 * t19;
   return { t0,
            t1,
-           t2,
-           t3 + t4,
-           t7 - t9,
-           t10,
-           t11 + t12,
-           t13,
-           inertia.c2x * inertia.m2,
-           t15,
-           inertia.I6yz - inertia.c6z * t3,
-           inertia.I6xy - inertia.c6y * t1,
-           inertia.I5yz - inertia.c5z * t4,
-           t17 + t18,
-           Scalar(2) * t19,
-           t18,
-           t17 - t18,
-           inertia.c5z * t2 - (inertia.I5zz - t20),
-           t21,
-           inertia.I4yz - inertia.c4z * t5,
-           inertia.I5xy - inertia.c5y * t12,
+           t2 + t3,
+           t4,
+           t5 + t6,
+           t7,
+           t11 + (g.l2 * inertia.m2 + inertia.c2z * inertia.m2),
+           t13 - t18,
            t19,
-           inertia.I5xz - inertia.c5z * t12,
-           g.d4,
-           inertia.I4xy - inertia.c4y * t11,
-           Scalar(2) * g.d4,
-           t23 + t25,
-           (inertia.I3xy - inertia.c3y * t13) + g.d4 * t13,
-           (inertia.I4zz - t22) - inertia.c4z * t10,
-           t26,
-           inertia.I4xz - inertia.c4z * t11,
-           inertia.c3x * t13 - (inertia.I3xx - t24),
+           inertia.c2x * inertia.m2,
+           inertia.I6xy - inertia.c6y * t1,
+           inertia.I6yz - inertia.c6z * t5,
+           inertia.I5yz - inertia.c5z * t6,
+           Scalar(2) * t20,
+           t22 + t23,
+           t20,
+           t22,
+           inertia.c5z * t4 - (inertia.I5zz - t24),
+           t25,
+           t22 - t23,
+           inertia.I5xy - inertia.c5y * t3,
+           inertia.I5xz - inertia.c5z * t3,
+           t27,
+           inertia.I4xz - inertia.c4z * t2,
+           (inertia.I4zz - t26) - inertia.c4z * t7,
            g.l2,
-           inertia.I3xz - inertia.c3z * t13,
-           g.d4 * t14 + (inertia.I3yz - inertia.c3z * t8),
-           t17 };
+           g.d4,
+           (t28 + (inertia.I4xy - inertia.c4y * t2)) - t28,
+           t29 - (t29 + (inertia.I4yz - inertia.c4z * t14)),
+           t31 + t33,
+           (inertia.I3xy - inertia.c3y * t19) + g.d4 * t19,
+           inertia.c3x * t19 - (inertia.I3xx - t32),
+           t35 - t34,
+           t36 - (t36 - (inertia.I3xz - inertia.c3z * t19)),
+           t23 };
 }
 
 namespace detail {
@@ -865,215 +916,216 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const Jo
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[0] * c6 + k[1] * s6;
-  const Scalar t1 = k[2] + t0;
-  const Scalar t2 = s5 * t1;
-  const Scalar t3 = t2 + k[3] * c5;
-  const Scalar t4 = k[4] + t3;
-  const Scalar t5 = c5 * t1;
-  const Scalar t6 = k[5] + (t5 - k[3] * s5);
-  const Scalar t7 = k[0] * s6 - k[1] * c6;
-  const Scalar t8 = k[6] - t7;
-  const Scalar t9 = s4 * t6 - c4 * t8;
-  const Scalar t10 = k[7] - t9;
-  const Scalar t11 = qd[1] * (k[8] - (s3 * t4 - c3 * t10));
-  const Scalar t12 = qd[5] * t7;
-  const Scalar t13 = k[3] * qd[4] + t12;
-  const Scalar t14 = c5 * t13 + qd[4] * t2;
-  const Scalar t15 = qd[3] * t8 - t14;
-  const Scalar t16 = qd[5] * t0;
-  const Scalar t17 = t16 + qd[3] * t6;
-  const Scalar t18 = c4 * t15 - s4 * t17;
-  const Scalar t19 = c4 * t6 + s4 * t8;
-  const Scalar t20 = s4 * t15 + c4 * t17;
-  const Scalar t21 = qd[2] * t4 + t20;
-  const Scalar t22 = s5 * t13 - qd[4] * t5;
-  const Scalar t23 = t22 - qd[2] * t10;
-  const Scalar t24 = qd[1] * (k[9] + t19) - (c3 * t21 - s3 * t23);
-  const Scalar t25 = s3 * t21 + c3 * t23;
-  const Scalar t26 = qd[1] * s3;
-  const Scalar t27 = qd[1] * c3;
-  const Scalar t28 = s2 * t25 - c2 * (t10 * t26 + t4 * t27);
-  const Scalar t29 = qd[2] * s3 * t19 - c3 * t18;
-  const Scalar t30 = qd[1] * t9 - t29;
-  const Scalar t31 = s2 * t30 + c2 * (t19 * t27 - t20);
-  const Scalar t32 = qd[2] * s4 + c4 * t26;
+  const Scalar t0 = k[0] * s6 - k[1] * c6;
+  const Scalar t1 = k[2] - t0;
+  const Scalar t2 = qd[5] * t0;
+  const Scalar t3 = k[4] * qd[4] + t2;
+  const Scalar t4 = k[0] * c6 + k[1] * s6;
+  const Scalar t5 = k[3] + t4;
+  const Scalar t6 = s5 * t5;
+  const Scalar t7 = c5 * t3 + qd[4] * t6;
+  const Scalar t8 = qd[3] * t1 - t7;
+  const Scalar t9 = qd[5] * t4;
+  const Scalar t10 = c5 * t5;
+  const Scalar t11 = k[5] - (k[4] * s5 - t10);
+  const Scalar t12 = t9 + qd[3] * t11;
+  const Scalar t13 = s4 * t8 + c4 * t12;
+  const Scalar t14 = k[4] * c5 + t6;
+  const Scalar t15 = k[7] - t14;
+  const Scalar t16 = t13 - qd[2] * t15;
+  const Scalar t17 = s5 * t3 - qd[4] * t10;
+  const Scalar t18 = c4 * t1 - s4 * t11;
+  const Scalar t19 = k[8] + t18;
+  const Scalar t20 = t17 - qd[2] * t19;
+  const Scalar t21 = s4 * t1 + c4 * t11;
+  const Scalar t22 = (c3 * t16 - s3 * t20) - qd[1] * (k[6] + t21);
+  const Scalar t23 = qd[1] * (k[9] + (s3 * t15 + c3 * t19));
+  const Scalar t24 = s4 * t12 - c4 * t8;
+  const Scalar t25 = qd[1] * s3;
+  const Scalar t26 = qd[1] * c3;
+  const Scalar t27 = c3 * t20 + s3 * t16;
+  const Scalar t28 = c2 * (t19 * t25 - t26 * t15) - s2 * t27;
+  const Scalar t29 = qd[2] * s3 * t21 + c3 * t24;
+  const Scalar t30 = t29 + qd[1] * t18;
+  const Scalar t31 = s2 * t30 + c2 * (t13 - t21 * t26);
+  const Scalar t32 = qd[2] * s4 + c4 * t25;
   const Scalar t33 = qd[4] - t32;
-  const Scalar t34 = k[3] * t33 + t12;
-  const Scalar t35 = t5 * t33 - s5 * t34;
-  const Scalar t36 = qd[3] - t27;
-  const Scalar t37 = s4 * t26 - qd[2] * c4;
-  const Scalar t38 = s5 * t36 + c5 * t37;
-  const Scalar t39 = s5 * t37 - c5 * t36;
-  const Scalar t40 = t38 * t1 - k[3] * t39;
-  const Scalar t41 = c3 * (s4 * t35 + c4 * t40) + s3 * (c5 * t34 + t2 * t33);
-  const Scalar t42 = c2 * (c4 * t35 - s4 * t40) + s2 * t41;
-  const Scalar t43 = qd[5] - t39;
-  const Scalar t44 = t0 * t43;
-  const Scalar t45 = c6 * t33 + s6 * t38;
-  const Scalar t46 = c6 * t38 - s6 * t33;
-  const Scalar t47 = k[1] * t45 + k[0] * t46;
-  const Scalar t48 = c5 * t44 + s5 * t47;
-  const Scalar t49 = t7 * t43;
-  const Scalar t50 = c3 * (s4 * t48 + c4 * t49) - s3 * (c5 * t47 - s5 * t44);
-  const Scalar t51 = s2 * t50 - c2 * (s4 * t49 - c4 * t48);
-  const Scalar t52 = k[14] * s6 - k[13] * c6;
-  const Scalar t53 = k[21] - s6 * t52;
-  const Scalar t54 = qd[5] * t53;
-  const Scalar t55 = k[22] + t53;
-  const Scalar t56 = c5 * t55;
-  const Scalar t57 = k[10] * s6 - k[11] * c6;
-  const Scalar t58 = k[20] - t57;
-  const Scalar t59 = t56 - s5 * t58;
-  const Scalar t60 = k[30] + t59;
-  const Scalar t61 = t54 + qd[3] * t60;
-  const Scalar t62 = k[15] + c6 * t52;
-  const Scalar t63 = k[29] + t62;
-  const Scalar t64 = qd[5] * t62;
-  const Scalar t65 = t64 + qd[4] * t58;
-  const Scalar t66 = s5 * t55;
-  const Scalar t67 = c5 * t65 + qd[4] * t66;
-  const Scalar t68 = qd[3] * t63 + t67;
-  const Scalar t69 = s4 * t61 + c4 * t68;
-  const Scalar t70 = k[16] + t62;
-  const Scalar t71 = qd[5] * t70;
-  const Scalar t72 = k[10] * c6 + k[11] * s6;
-  const Scalar t73 = s5 * t72;
-  const Scalar t74 = c5 * t71 - qd[5] * t73;
-  const Scalar t75 = k[17] - t70;
-  const Scalar t76 = k[12] + t72;
-  const Scalar t77 = c5 * t76;
-  const Scalar t78 = Scalar(2) * t77 - s5 * (k[18] + t75);
-  const Scalar t79 = t75 + s5 * t78;
-  const Scalar t80 = k[28] - t79;
-  const Scalar t81 = t74 + qd[3] * t80;
-  const Scalar t82 = qd[4] * t75;
-  const Scalar t83 = c5 * t82 - s5 * (t54 - qd[4] * t76);
-  const Scalar t84 = qd[5] * t57;
-  const Scalar t85 = k[18] * qd[4] + t84;
-  const Scalar t86 = s5 * t85 - qd[4] * t77;
-  const Scalar t87 = s5 * t83 + c5 * t86;
-  const Scalar t88 = s4 * t81 - c4 * (t61 + t87);
-  const Scalar t89 = s4 * t69 + c4 * t88;
-  const Scalar t90 = k[23] * t22;
-  const Scalar t91 = t66 + c5 * t58;
-  const Scalar t92 = k[24] + t91;
-  const Scalar t93 = k[19] - (t76 - c5 * t78);
-  const Scalar t94 = k[23] * t9 - (c4 * t92 - s4 * t93);
-  const Scalar t95 = k[27] - t94;
-  const Scalar t96 = (t90 + t87) - qd[2] * t95;
-  const Scalar t97 = t90 - t89;
-  const Scalar t98 = s5 * t86;
-  const Scalar t99 = c5 * t83;
-  const Scalar t100 = t98 - t99;
-  const Scalar t101 = qd[4] * t56 - s5 * t65;
-  const Scalar t102 = s4 * t100 - c4 * t101;
-  const Scalar t103 = c4 * (t80 + t63) + Scalar(2) * s4 * t60;
-  const Scalar t104 = k[31] - (t80 - c4 * t103);
-  const Scalar t105 = c3 * (t96 - t97) + s3 * (t102 + qd[2] * t104);
-  const Scalar t106 = k[18] - t75;
-  const Scalar t107 = k[26] + (k[25] * t3 + (t79 + t106));
-  const Scalar t108 = (t82 - t99) + (t98 - t85);
-  const Scalar t109 = (t100 + (t108 + qd[3] * t92)) + k[23] * t15;
-  const Scalar t110 = c5 * t72;
-  const Scalar t111 = qd[5] * t110 + s5 * t71;
-  const Scalar t112 = t101 - t111;
-  const Scalar t113 = (qd[3] * t93 - t112) + k[23] * t17;
-  const Scalar t114 = s4 * t109 + c4 * t113;
-  const Scalar t115 = c3 * (qd[2] * t107 - (t102 - t114)) - s3 * t96;
-  const Scalar t116 = (k[32] * t18 + t89) - (c3 * t105 + s3 * t115);
-  const Scalar t117 = c4 * t69;
-  const Scalar t118 = s4 * t88;
-  const Scalar t119 = k[23] * t19 + (s4 * t92 + c4 * t93);
-  const Scalar t120 = ((t117 - t68) - (t118 - t81)) + qd[2] * (k[34] + t119);
-  const Scalar t121 = s3 * ((t107 * t27 + t95 * t26) + t120);
-  const Scalar t122 = qd[2] * (k[33] - (s4 * t103 - t60));
-  const Scalar t123 = (t122 + (c4 * t100 + s4 * t101)) + (t95 * t27 - t104 * t26);
-  const Scalar t124 = t121 - c3 * t123;
-  const Scalar t125 = (t108 + t36 * t92) + (t37 * t60 + t63 * t32);
-  const Scalar t126 = t125 + k[23] * (t8 * t36 - t14);
-  const Scalar t127 = (t111 + t36 * t93) - (t60 * t32 - t80 * t37);
-  const Scalar t128 = k[23] * (t16 + t36 * t6) + t127;
-  const Scalar t129 = s3 * (s4 * t126 + c4 * t128) + c3 * t87;
-  const Scalar t130 = t129 - k[32] * t30;
-  const Scalar t131 = k[23] * t35 + t54;
-  const Scalar t132 = (t38 * t75 + t76 * t39) - t55 * t33;
-  const Scalar t133 = (t58 * t33 + t64) + (t76 * t38 - k[18] * t39);
-  const Scalar t134 = (s5 * t132 - c5 * t133) - k[23] * t40;
-  const Scalar t135 = s5 * t133 + c5 * t132;
-  const Scalar t136 = s3 * (c4 * t131 + s4 * t134) + c3 * t135;
-  const Scalar t137 = t136 + k[32] * t41;
-  const Scalar t138 = k[10] * t43 - (k[15] * t46 - k[21] * t45);
-  const Scalar t139 = k[11] * t43 + (k[35] * t45 + k[21] * t46);
-  const Scalar t140 = s6 * t138 - c6 * t139;
-  const Scalar t141 = s5 * t140;
-  const Scalar t142 = c5 * t140 + k[23] * t49;
-  const Scalar t143 = c6 * t138 + s6 * t139;
-  const Scalar t144 = t143 + k[23] * t48;
-  const Scalar t145 = c3 * t141 - s3 * (s4 * t142 - c4 * t144);
-  const Scalar t146 = k[32] * t50 + t145;
-  const Scalar t147 = s4 * t113 - c4 * t109;
-  const Scalar t148 = c3 * (t122 - t147) - s3 * ((t117 - t118) + t120);
-  const Scalar t149 = c4 * t126 - s4 * t128;
-  const Scalar t150 = s4 * t131 - c4 * t134;
-  const Scalar t151 = s4 * t144 + c4 * t142;
-  const Scalar t152 = c3 * ((t87 + t87) + qd[2] * t94) + s3 * (t114 - qd[2] * (t80 - t63));
-  const Scalar t153 = k[23] * t3;
-  const Scalar t154 = qd[2] * (c4 * (t153 + t106) + s4 * t59);
-  const Scalar t155 = qd[3] * t153 + ((t67 + t74) + qd[3] * t106);
-  const Scalar t156 = (Scalar(2) * t54 + qd[3] * t59) - t90;
-  const Scalar t157 = (s4 * t155 - c4 * t156) - qd[2] * t91;
-  const Scalar t158 = (c3 * (t112 - t154) + s3 * t157) - k[32] * (qd[1] * c4 * t3 + t41);
-  const Scalar t159 = c5 * t7;
-  const Scalar t160 = c4 * t159 + s4 * t0;
-  const Scalar t161 = k[16] * qd[4] - t84;
-  const Scalar t162 = (c5 * t161 - qd[4] * t73) - qd[3] * t57;
-  const Scalar t163 = k[23] * (qd[3] * t159 + t12) - t162;
-  const Scalar t164 = (c5 * t16 - qd[4] * s5 * t7) + qd[3] * t0;
-  const Scalar t165 = qd[5] * t72;
-  const Scalar t166 = k[16] * s5 + t110;
-  const Scalar t167 = k[23] * t164 + (t165 + qd[3] * t166);
-  const Scalar t168 = qd[2] * (t73 - k[16] * c5) - (s4 * t163 - c4 * t167);
-  const Scalar t169 = k[23] * t160 + (c4 * t57 + s4 * t166);
-  const Scalar t170 = qd[4] * t110 + s5 * t161;
-  const Scalar t171 = s3 * t168 + c3 * (qd[2] * t169 - t170);
-  const Scalar t172 = (k[32] * (qd[1] * t160 + t50) + t171) - t146;
+  const Scalar t34 = t2 + k[4] * t33;
+  const Scalar t35 = s5 * t34 - t33 * t10;
+  const Scalar t36 = s4 * t25 - qd[2] * c4;
+  const Scalar t37 = qd[3] - t26;
+  const Scalar t38 = s5 * t36 - c5 * t37;
+  const Scalar t39 = s5 * t37 + c5 * t36;
+  const Scalar t40 = k[4] * t38 - t5 * t39;
+  const Scalar t41 = s4 * t35 + c4 * t40;
+  const Scalar t42 = s3 * (t33 * t6 + c5 * t34) - c3 * t41;
+  const Scalar t43 = s4 * t40 - c4 * t35;
+  const Scalar t44 = qd[5] - t38;
+  const Scalar t45 = t4 * t44;
+  const Scalar t46 = c6 * t33 + s6 * t39;
+  const Scalar t47 = c6 * t39 - s6 * t33;
+  const Scalar t48 = k[1] * t46 + k[0] * t47;
+  const Scalar t49 = c5 * t45 + s5 * t48;
+  const Scalar t50 = t0 * t44;
+  const Scalar t51 = c3 * (s4 * t49 + c4 * t50) - s3 * (c5 * t48 - s5 * t45);
+  const Scalar t52 = s2 * t51 - c2 * (s4 * t50 - c4 * t49);
+  const Scalar t53 = k[10] * s6 + k[11] * c6;
+  const Scalar t54 = k[12] + t53;
+  const Scalar t55 = c5 * t54;
+  const Scalar t56 = k[10] * c6 - k[11] * s6;
+  const Scalar t57 = qd[5] * t56;
+  const Scalar t58 = t57 - k[18] * qd[4];
+  const Scalar t59 = qd[4] * t55 + s5 * t58;
+  const Scalar t60 = k[14] * c6 - k[13] * s6;
+  const Scalar t61 = k[15] + s6 * t60;
+  const Scalar t62 = qd[5] * t61;
+  const Scalar t63 = k[16] - c6 * t60;
+  const Scalar t64 = k[17] - t63;
+  const Scalar t65 = qd[4] * t64;
+  const Scalar t66 = s5 * (t62 - qd[4] * t54) - c5 * t65;
+  const Scalar t67 = c5 * t59 + s5 * t66;
+  const Scalar t68 = k[20] + t56;
+  const Scalar t69 = k[21] + t61;
+  const Scalar t70 = c5 * t69;
+  const Scalar t71 = s5 * t68 - t70;
+  const Scalar t72 = k[23] - t71;
+  const Scalar t73 = qd[3] * t72 + t62;
+  const Scalar t74 = Scalar(2) * t55 - s5 * (k[18] + t64);
+  const Scalar t75 = s5 * t74;
+  const Scalar t76 = k[24] - (t75 + t64);
+  const Scalar t77 = s5 * t53;
+  const Scalar t78 = qd[5] * t63;
+  const Scalar t79 = qd[5] * t77 - c5 * t78;
+  const Scalar t80 = qd[3] * t76 - t79;
+  const Scalar t81 = s4 * (t67 - t73) - c4 * t80;
+  const Scalar t82 = k[19] - t63;
+  const Scalar t83 = qd[5] * t82;
+  const Scalar t84 = t83 - qd[4] * t68;
+  const Scalar t85 = s5 * t69;
+  const Scalar t86 = c5 * t84 - qd[4] * t85;
+  const Scalar t87 = k[22] - t82;
+  const Scalar t88 = t86 - qd[3] * t87;
+  const Scalar t89 = s4 * t88 + c4 * t73;
+  const Scalar t90 = s4 * t81 + c4 * t89;
+  const Scalar t91 = t90 - t67;
+  const Scalar t92 = Scalar(2) * s4 * t72 + c4 * (t87 + t76);
+  const Scalar t93 = k[31] + (c4 * t92 - t76);
+  const Scalar t94 = s5 * t84 + qd[4] * t70;
+  const Scalar t95 = c5 * t66;
+  const Scalar t96 = s5 * t59;
+  const Scalar t97 = t95 - t96;
+  const Scalar t98 = c4 * t94 - s4 * t97;
+  const Scalar t99 = t85 + c5 * t68;
+  const Scalar t100 = k[27] + t99;
+  const Scalar t101 = k[28] - (c5 * t74 - t54);
+  const Scalar t102 = (c4 * t100 + s4 * t101) + k[26] * t18;
+  const Scalar t103 = k[30] + t102;
+  const Scalar t104 = t90 + qd[2] * t103;
+  const Scalar t105 = s3 * (qd[2] * t93 - t98) - c3 * t104;
+  const Scalar t106 = k[26] * t14;
+  const Scalar t107 = k[29] + (Scalar(2) * t106 + (k[18] + t75));
+  const Scalar t108 = qd[5] * t53;
+  const Scalar t109 = s5 * t78 + c5 * t108;
+  const Scalar t110 = t94 - t109;
+  const Scalar t111 = k[26] * t12 - (t110 + qd[3] * t101);
+  const Scalar t112 = (t58 - t96) + (t65 + t95);
+  const Scalar t113 = k[26] * t8 + (qd[3] * t100 + (t112 + t97));
+  const Scalar t114 = c4 * t111 + s4 * t113;
+  const Scalar t115 = k[26] * t17;
+  const Scalar t116 = t91 + t115;
+  const Scalar t117 = c3 * (qd[2] * t107 + (t114 + t98)) - s3 * (t116 - t104);
+  const Scalar t118 = (t91 + k[25] * t24) + (c3 * t105 + s3 * t117);
+  const Scalar t119 = s4 * t89;
+  const Scalar t120 = c4 * t81;
+  const Scalar t121 = k[26] * t21 - (c4 * t101 - s4 * t100);
+  const Scalar t122 = (t119 - t120) + qd[2] * (k[32] + t121);
+  const Scalar t123 = s3 * ((t26 * t107 + t103 * t25) + t122);
+  const Scalar t124 = qd[2] * (k[33] - (s4 * t92 - t72));
+  const Scalar t125 = (t25 * t93 - t103 * t26) - (t124 + (c4 * t97 + s4 * t94));
+  const Scalar t126 = t123 + c3 * t125;
+  const Scalar t127 = (t87 * t32 + t36 * t72) + (t112 + t37 * t100);
+  const Scalar t128 = k[26] * (t37 * t1 - t7) + t127;
+  const Scalar t129 = (t37 * t101 - t109) - (t36 * t76 - t72 * t32);
+  const Scalar t130 = t129 - k[26] * (t9 + t11 * t37);
+  const Scalar t131 = s3 * (s4 * t128 - c4 * t130) - c3 * t67;
+  const Scalar t132 = t131 + k[25] * t30;
+  const Scalar t133 = t69 * t33 - (t54 * t38 + t39 * t64);
+  const Scalar t134 = (t68 * t33 - t83) + (t39 * t54 - k[18] * t38);
+  const Scalar t135 = c5 * t133 - s5 * t134;
+  const Scalar t136 = s5 * t133 + c5 * t134;
+  const Scalar t137 = (c4 * t62 - s4 * t136) + k[26] * t43;
+  const Scalar t138 = (c3 * t135 - s3 * t137) - k[25] * t42;
+  const Scalar t139 = k[11] * t44 - (k[34] * t47 - k[15] * t46);
+  const Scalar t140 = k[10] * t44 + (k[15] * t47 + k[16] * t46);
+  const Scalar t141 = s6 * t139 - c6 * t140;
+  const Scalar t142 = k[26] * t50 + c5 * t141;
+  const Scalar t143 = c6 * t139 + s6 * t140;
+  const Scalar t144 = t143 + k[26] * t49;
+  const Scalar t145 = s5 * t141;
+  const Scalar t146 = s3 * (s4 * t142 - c4 * t144) - c3 * t145;
+  const Scalar t147 = t146 - k[25] * t51;
+  const Scalar t148 = s3 * (((t119 - t88) - (t80 + t120)) + t122);
+  const Scalar t149 = s4 * t111 - c4 * t113;
+  const Scalar t150 = s4 * t130 + c4 * t128;
+  const Scalar t151 = (c4 * t136 + s4 * t62) - k[26] * t41;
+  const Scalar t152 = c4 * t142 + s4 * t144;
+  const Scalar t153 = s3 * (t114 + qd[2] * (t87 - t76)) - c3 * (qd[2] * t102 + Scalar(2) * t67);
+  const Scalar t154 = k[18] - t64;
+  const Scalar t155 = ((t86 + t79) - qd[3] * t154) - qd[3] * t106;
+  const Scalar t156 = t115 + (qd[3] * t71 - (t62 + t62));
+  const Scalar t157 = (s4 * t155 - c4 * t156) + qd[2] * t99;
+  const Scalar t158 = qd[2] * (c4 * (t154 + t106) - s4 * t71);
+  const Scalar t159 = k[25] * (t42 + qd[1] * c4 * t14) + (s3 * t157 + c3 * (t158 - t110));
+  const Scalar t160 = c5 * t0;
+  const Scalar t161 = c4 * t160 + s4 * t4;
+  const Scalar t162 = t57 + k[19] * qd[4];
+  const Scalar t163 = (c5 * t162 - qd[4] * t77) + qd[3] * t56;
+  const Scalar t164 = k[26] * (qd[3] * t160 + t2) - t163;
+  const Scalar t165 = c5 * t53;
+  const Scalar t166 = t165 + k[19] * s5;
+  const Scalar t167 = (s5 * qd[4] * t0 - c5 * t9) - qd[3] * t4;
+  const Scalar t168 = (t108 + qd[3] * t166) - k[26] * t167;
+  const Scalar t169 = qd[2] * (t77 - k[19] * c5) - (s4 * t164 - c4 * t168);
+  const Scalar t170 = qd[4] * t165 + s5 * t162;
+  const Scalar t171 = (s4 * t166 - c4 * t56) + k[26] * t161;
+  const Scalar t172 = s3 * t169 - c3 * (t170 - qd[2] * t171);
+  const Scalar t173 = t147 + (k[25] * (qd[1] * t161 + t51) + t172);
   Eigen::Matrix<Scalar, dof, dof> result;
   result(0, 0) = Scalar(0);
-  result(0, 1) = s2 * (t11 - t18) - c2 * t24;
-  result(0, 2) = -t28;
-  result(0, 3) = t31;
-  result(0, 4) = -t42;
-  result(0, 5) = -t51;
+  result(0, 1) = c2 * t22 + s2 * (t23 + t24);
+  result(0, 2) = t28;
+  result(0, 3) = -t31;
+  result(0, 4) = -s2 * t42 - c2 * t43;
+  result(0, 5) = -t52;
   result(1, 0) = Scalar(0);
-  result(1, 1) = t116;
-  result(1, 2) = k[32] * t25 - t124;
-  result(1, 3) = t130;
-  result(1, 4) = t137;
-  result(1, 5) = t146;
+  result(1, 1) = -t118;
+  result(1, 2) = k[25] * t27 - t126;
+  result(1, 3) = t132;
+  result(1, 4) = -t138;
+  result(1, 5) = -t147;
   result(2, 0) = Scalar(0);
-  result(2, 1) = t148 + t124;
-  result(2, 2) = t97;
-  result(2, 3) = -t149;
-  result(2, 4) = t150;
-  result(2, 5) = t151;
+  result(2, 1) = t126 - (t148 - c3 * (t124 - t149));
+  result(2, 2) = t116;
+  result(2, 3) = -t150;
+  result(2, 4) = t151;
+  result(2, 5) = t152;
   result(3, 0) = Scalar(0);
-  result(3, 1) = (k[32] * t29 + t152) - t130;
-  result(3, 2) = t147 + t149;
-  result(3, 3) = -t87;
-  result(3, 4) = -t135;
-  result(3, 5) = -t141;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = -t137 - t158;
-  result(4, 2) = (s4 * t156 + c4 * t155) - t150;
-  result(4, 3) = t135 + t112;
-  result(4, 4) = -t54;
+  result(3, 1) = (k[25] * t29 + t153) - t132;
+  result(3, 2) = t149 + t150;
+  result(3, 3) = t67;
+  result(3, 4) = t135;
+  result(3, 5) = -t145;
+  result(4, 0) = -Scalar(0);
+  result(4, 1) = t159 + t138;
+  result(4, 2) = -t151 - (s4 * t156 + c4 * t155);
+  result(4, 3) = t110 - t135;
+  result(4, 4) = -t62;
   result(4, 5) = -t143;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = t172;
-  result(5, 2) = (s4 * t167 + c4 * t163) - t151;
-  result(5, 3) = t141 + t170;
-  result(5, 4) = t143 - t165;
+  result(5, 0) = -Scalar(0);
+  result(5, 1) = t173;
+  result(5, 2) = (c4 * t164 + s4 * t168) - t152;
+  result(5, 3) = t170 + t145;
+  result(5, 4) = t143 - t108;
   result(5, 5) = Scalar(0);
   return result;
 }
@@ -1101,101 +1153,112 @@ ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t0 = inertia.c6y * inertia.m6;
   const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = (inertia.I6xx - t0) - inertia.c6x * t1;
-  const Scalar t3 = inertia.c6z * inertia.m6;
-  const Scalar t4 = inertia.c6z * t3 - (inertia.I6zz - t0);
-  const Scalar t5 = inertia.I6xz - inertia.c6z * t1;
-  const Scalar t6 = t2 - t4;
-  const Scalar t7 = inertia.c5z * inertia.m5;
-  const Scalar t8 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t9 = inertia.c6y * inertia.m6;
-  const Scalar t10 = inertia.c5y * inertia.m5;
-  const Scalar t11 = ((inertia.I6yy - t0) - inertia.c6y * t9) - (inertia.c5y * t10 - (inertia.I5yy - t8));
-  const Scalar t12 = Scalar(1) / t6;
-  const Scalar t13 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t14 = inertia.I6yz - inertia.c6z * t9;
+  const Scalar t2 = inertia.I6xz - inertia.c6z * t1;
+  const Scalar t3 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t4 = (inertia.I6xx - t3) - inertia.c6x * t1;
+  const Scalar t5 = inertia.c6z * inertia.m6;
+  const Scalar t6 = inertia.c6z * t5 - (inertia.I6zz - t3);
+  const Scalar t7 = t4 - t6;
+  const Scalar t8 = gravity / g.d4;
+  const Scalar t9 = g.l2 / g.d4;
+  const Scalar t10 = Scalar(1) / t7;
+  const Scalar t11 = inertia.c5y * inertia.m5;
+  const Scalar t12 = inertia.c5z * inertia.m5;
+  const Scalar t13 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t14 = ((inertia.I6yy - t3) - inertia.c6y * t0) - (inertia.c5y * t11 - (inertia.I5yy - t13));
   const Scalar t15 = inertia.c5x * inertia.m5;
-  const Scalar t16 = inertia.c4x * inertia.m4;
-  const Scalar t17 = inertia.c4y * inertia.m4;
-  const Scalar t18 = inertia.c4z * inertia.m4;
-  const Scalar t19 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t20 = (inertia.c5x * t15 - (inertia.I5xx - t8)) - ((inertia.I4xx - t19) - inertia.c4x * t16);
-  const Scalar t21 = inertia.c3x * inertia.m3;
-  const Scalar t22 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t23 = t17 - g.d4 * t22;
-  const Scalar t24 = inertia.c3y * inertia.m3;
-  const Scalar t25 = g.d4 * inertia.m3 - t24;
-  const Scalar t26 = (t23 - t25) / g.d4;
-  const Scalar t27 = g.d4 * t26;
-  const Scalar t28 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t29 = inertia.c3x * t21 - (inertia.I3xx - t28);
-  const Scalar t30 = ((inertia.I4yy - t19) - inertia.c4y * t17) + g.d4 * (t17 + t23);
-  const Scalar t31 = ((inertia.I3yy - t28) - inertia.c3y * t24) - g.d4 * (t25 - t24);
-  const Scalar t32 = (t30 + t31) - g.d4 * t27;
-  const Scalar t33 = inertia.m3 + t22;
-  const Scalar t34 = (inertia.m1 + (inertia.m2 + t33)) + t26;
-  const Scalar t35 = g.l2 * t26;
-  const Scalar t36 = inertia.c2z * inertia.m2;
-  const Scalar t37 = g.l2 * inertia.m2 + t36;
-  const Scalar t38 = inertia.c3z * inertia.m3;
-  const Scalar t39 = t38 + g.l2 * t33;
-  const Scalar t40 = inertia.c2x * inertia.m2;
-  const Scalar t41 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t42 = g.l2 * (t37 + t36) - ((inertia.I2zz - t41) - inertia.c2z * t36);
-  const Scalar t43 = ((inertia.I3zz - t28) - inertia.c3z * t38) - g.l2 * (t38 + t39);
-  const Scalar t44 = (inertia.I3xy - inertia.c3y * t21) + g.d4 * t21;
-  return { t2 + t4,
-           Scalar(2) * t5,
+  const Scalar t16 = Scalar(1) / g.d4;
+  const Scalar t17 = inertia.c2x * inertia.m2;
+  const Scalar t18 = inertia.c3x * inertia.m3;
+  const Scalar t19 = g.d4 * t18;
+  const Scalar t20 = inertia.c3y * inertia.m3;
+  const Scalar t21 = g.d4 * inertia.m3 - t20;
+  const Scalar t22 = inertia.c4y * inertia.m4;
+  const Scalar t23 = g.d4 * inertia.m4;
+  const Scalar t24 = t22 - t23;
+  const Scalar t25 = t24 + t23;
+  const Scalar t26 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t27 = t25 - g.d4 * t26;
+  const Scalar t28 = g.d4 * (t21 - t27);
+  const Scalar t29 = inertia.c4x * inertia.m4;
+  const Scalar t30 = inertia.c4z * inertia.m4;
+  const Scalar t31 = g.d4 * t30;
+  const Scalar t32 = inertia.c3z * inertia.m3;
+  const Scalar t33 = g.l2 * inertia.m3;
+  const Scalar t34 = t32 + t33;
+  const Scalar t35 = t34 - t33;
+  const Scalar t36 = inertia.m3 + t26;
+  const Scalar t37 = t35 + g.l2 * t36;
+  const Scalar t38 = inertia.c2z * inertia.m2;
+  const Scalar t39 = g.l2 * inertia.m2 + t38;
+  const Scalar t40 = g.d4 * g.d4 * (inertia.m1 + (inertia.m2 + t36)) * t16;
+  const Scalar t41 = g.d4 * t29;
+  const Scalar t42 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t43 = (inertia.c5x * t15 - (inertia.I5xx - t13)) - ((inertia.I4xx - t42) - inertia.c4x * t29);
+  const Scalar t44 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t45 = inertia.c3x * t18 - (inertia.I3xx - t44);
+  const Scalar t46 = g.d4 * (t22 + t24) + ((inertia.I4yy - t42) - inertia.c4y * t22);
+  const Scalar t47 = (t46 - g.d4 * (t25 + t24)) + g.d4 * (t25 + t27);
+  const Scalar t48 = ((inertia.I3yy - t44) - inertia.c3y * t20) - g.d4 * (t21 - t20);
+  const Scalar t49 = t47 + t48;
+  const Scalar t50 = (inertia.I3xy - inertia.c3y * t18) + t19;
+  const Scalar t51 = g.l2 * t21;
+  const Scalar t52 = (g.d4 * t32 + (inertia.I3yz - inertia.c3z * t20)) + t51;
+  const Scalar t53 = g.l2 * t18;
+  const Scalar t54 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t55 = g.l2 * (t39 + t38) - ((inertia.I2zz - t54) - inertia.c2z * t38);
+  const Scalar t56 = ((inertia.I3zz - t44) - inertia.c3z * t32) - g.l2 * (t32 + t34);
+  const Scalar t57 = (t56 + g.l2 * (t34 + t35)) - g.l2 * (t37 + t35);
+  return { inertia.I6yz - inertia.c6z * t0,
+           inertia.I6xy - inertia.c6y * t1,
+           Scalar(2) * t2,
+           t4 + t6,
            t4,
-           t6,
-           inertia.c5z * t7 - (inertia.I5zz - t8),
-           t11,
-           t12 * t13,
-           t14 * t12,
-           t3,
-           t1,
-           g.d4,
-           t14,
-           t13,
-           t5,
-           inertia.I5xz - inertia.c5z * t15,
-           inertia.I5xy - inertia.c5y * t15,
            t7,
-           t9 + t10,
-           t12,
-           inertia.I4xy - inertia.c4y * t16,
-           t16 + t15,
-           inertia.I5yz - inertia.c5z * t10,
-           inertia.I4yz - inertia.c4z * t17,
-           t18,
-           (inertia.I4zz - t19) - inertia.c4z * t18,
-           inertia.I4xz - inertia.c4z * t16,
-           t20,
-           t21,
-           t27,
-           t29,
-           t32,
-           t34 - t26,
-           t35,
-           t35 + (t37 + t39),
-           t40,
-           g.l2,
-           g.d4 * t38 + (inertia.I3yz - inertia.c3z * t24),
-           inertia.I3xz - inertia.c3z * t21,
-           g.l2 * t35 + (t42 - t43),
-           t44,
-           inertia.c2x * t40 - (inertia.I2xx - t41),
-           gravity,
-           Scalar(2) * g.d4,
-           t29 + t32,
-           t26,
-           Scalar(2) * t21,
-           gravity * t34,
-           gravity * t40,
-           Scalar(2) * t44,
-           Scalar(2) * t29 };
+           t2,
+           t8,
+           t9,
+           g.d4 * t1,
+           g.d4 * t5,
+           t10,
+           g.d4 * (t0 + t11),
+           g.d4 * t12,
+           inertia.c5z * t12 - (inertia.I5zz - t13),
+           t14,
+           inertia.I5yz - inertia.c5z * t11,
+           inertia.I5xy - inertia.c5y * t15,
+           inertia.I5xz - inertia.c5z * t15,
+           t16,
+           t10 * t16,
+           g.d4 * t17,
+           t19,
+           t28,
+           g.d4 * (t29 + t15),
+           t31,
+           g.d4 * (t37 + t39),
+           Scalar(2) * t19,
+           Scalar(2) * t28,
+           t8 * t40,
+           t31 - (t31 + (inertia.I4yz - inertia.c4z * t22)),
+           (t41 + (inertia.I4xy - inertia.c4y * t29)) - t41,
+           inertia.I4xz - inertia.c4z * t29,
+           (inertia.I4zz - t42) - inertia.c4z * t30,
+           t43,
+           Scalar(2) * t14,
+           t45,
+           t49,
+           t45 + t49,
+           t50,
+           t52 - t51,
+           t53 - (t53 - (inertia.I3xz - inertia.c3z * t18)),
+           Scalar(2) * t50,
+           Scalar(2) * t45,
+           Scalar(2) * t9,
+           t55 - t57,
+           inertia.c2x * t17 - (inertia.I2xx - t54),
+           t40 * t16 };
 }
 
 namespace detail {
@@ -1214,234 +1277,231 @@ inline JointVector<Scalar> forward_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[8] * c6 + k[9] * s6;
-  const Scalar t1 = k[9] * c6 - k[8] * s6;
-  const Scalar t2 = c5 * t1;
-  const Scalar t3 = c4 * t0 + s4 * t2;
-  const Scalar t4 = k[12] * s6 + k[11] * c6;
-  const Scalar t5 = k[3] * s5 + c5 * t4;
-  const Scalar t6 = k[6] * c6 - k[7] * s6;
-  const Scalar t7 = k[3] * t6;
-  const Scalar t8 = k[10] * t3 + (c4 * t5 + s4 * t7);
-  const Scalar t9 = k[18] * t8;
-  const Scalar t10 = k[16] + t0;
-  const Scalar t11 = k[17] * c5 + s5 * t10;
-  const Scalar t12 = k[28] + t11;
-  const Scalar t13 = k[0] * c6 - k[1] * s6;
-  const Scalar t14 = k[2] - c6 * t13;
-  const Scalar t15 = k[3] + t14;
-  const Scalar t16 = k[4] - t15;
-  const Scalar t17 = k[5] - t16;
-  const Scalar t18 = k[21] + t4;
-  const Scalar t19 = Scalar(2) * c5 * t18 - s5 * (k[5] + t16);
-  const Scalar t20 = s5 * t19 + t16;
-  const Scalar t21 = k[30] + (k[10] * (t11 + t12) + (t17 + t20));
-  const Scalar t22 = k[26] + t14;
-  const Scalar t23 = k[24] - t20;
-  const Scalar t24 = k[15] + t7;
-  const Scalar t25 = k[13] + s6 * t13;
-  const Scalar t26 = k[14] + t25;
-  const Scalar t27 = s5 * t24 - c5 * t26;
-  const Scalar t28 = k[25] - t27;
-  const Scalar t29 = c4 * (t22 + t23) + Scalar(2) * s4 * t28;
-  const Scalar t30 = c4 * t29;
-  const Scalar t31 = t30 - t23;
-  const Scalar t32 = k[29] + t31;
-  const Scalar t33 = Scalar(1) / (t17 - t7 * t6);
-  const Scalar t34 = t17 + k[10] * t11;
-  const Scalar t35 = (s4 * t34 + c4 * t27) - t6 * t8;
-  const Scalar t36 = t33 * t35;
-  const Scalar t37 = (t8 * t9 - (t21 - t32)) + t36 * t35;
-  const Scalar t38 = k[20] + t1;
-  const Scalar t39 = c5 * t24 + s5 * t26;
-  const Scalar t40 = k[10] * t38 + (k[19] + t39);
-  const Scalar t41 = k[17] * s5 - c5 * t10;
-  const Scalar t42 = k[23] - t41;
-  const Scalar t43 = k[10] * t42 + (k[22] - (t18 - c5 * t19));
-  const Scalar t44 = s4 * t40 + c4 * t43;
-  const Scalar t45 = s5 * t4 - k[3] * c5;
-  const Scalar t46 = k[18] * t45;
-  const Scalar t47 = t7 * t46 + t39;
-  const Scalar t48 = (t44 + t46 * t8) - t47 * t36;
-  const Scalar t49 = t47 * t33;
-  const Scalar t50 = t22 - t30;
-  const Scalar t51 = t31 + t50;
-  const Scalar t52 = Scalar(1) / (t47 * t49 + (t46 * t45 + t51));
-  const Scalar t53 = t48 * t52;
-  const Scalar t54 = Scalar(1) / (t37 - t48 * t53);
-  const Scalar t55 = s4 * t0 - c4 * t2;
-  const Scalar t56 = c3 * t3 + s3 * s5 * t1;
-  const Scalar t57 = c2 * t55 - s2 * t56;
-  const Scalar t58 = c4 * t42 + s4 * t38;
-  const Scalar t59 = c3 * t58;
-  const Scalar t60 = c4 * t38 - s4 * t42;
-  const Scalar t61 = t46 * t57 - (s2 * t59 + c2 * t60);
-  const Scalar t62 = c3 * s4 * t11 + s3 * t41;
-  const Scalar t63 = t57 * t6 + (s2 * t62 + c2 * c4 * t11);
-  const Scalar t64 = t63 * t33;
-  const Scalar t65 = t61 + t64 * t47;
-  const Scalar t66 = k[27] + t60;
-  const Scalar t67 = c3 * t12 + s3 * t66;
-  const Scalar t68 = t63 * t36 - (s2 * t67 + t57 * t9);
-  const Scalar t69 = t53 * t65 + t68;
-  const Scalar t70 = t54 * t69;
-  const Scalar t71 = qd[1] * s3;
-  const Scalar t72 = qd[1] * c3;
-  const Scalar t73 = t71 * t72;
-  const Scalar t74 = qd[2] * t72;
-  const Scalar t75 = Scalar(2) * t74;
-  const Scalar t76 = c4 * t73 + s4 * t75;
-  const Scalar t77 = s4 * t73 - c4 * t75;
-  const Scalar t78 = s4 * t71 - qd[2] * c4;
-  const Scalar t79 = qd[2] * s4 + c4 * t71;
-  const Scalar t80 = t78 * t79;
-  const Scalar t81 = qd[2] * t71;
-  const Scalar t82 = t80 + t81;
-  const Scalar t83 = t80 - t81;
-  const Scalar t84 = t79 * t79;
-  const Scalar t85 = t71 * t71;
-  const Scalar t86 = qd[2] * qd[2];
-  const Scalar t87 = t85 + t86;
-  const Scalar t88 = (t84 - t87) + t84;
-  const Scalar t89 = (k[24] * t82 + k[26] * t83) - k[25] * t88;
-  const Scalar t90 = k[41] * s2;
-  const Scalar t91 = c3 * t90 + k[10] * t73;
-  const Scalar t92 = qd[1] * qd[1];
-  const Scalar t93 = k[41] * c2 - k[35] * t92;
-  const Scalar t94 = t93 - k[42] * t74;
-  const Scalar t95 = s4 * t91 + c4 * t94;
-  const Scalar t96 = c4 * t91 - s4 * t94;
-  const Scalar t97 = ((k[22] * t76 + k[19] * t77) - t89) + (k[20] * t95 + k[23] * t96);
-  const Scalar t98 = qd[3] - t72;
-  const Scalar t99 = s5 * t98 + c5 * t78;
-  const Scalar t100 = qd[4] - t79;
-  const Scalar t101 = t99 * t100;
-  const Scalar t102 = Scalar(2) * t98 * t79 + t76;
-  const Scalar t103 = s5 * t102 + c5 * t83;
-  const Scalar t104 = t101 + (t101 + t103);
-  const Scalar t105 = s5 * t78 - c5 * t98;
-  const Scalar t106 = qd[5] - t105;
-  const Scalar t107 = t100 * t106;
-  const Scalar t108 = c5 * t102 - s5 * t83;
-  const Scalar t109 = t100 * t105;
-  const Scalar t110 = t108 - (t109 + t109);
-  const Scalar t111 = (t107 - t110) + t107;
-  const Scalar t112 = t99 * t105;
-  const Scalar t113 = t98 * t78;
-  const Scalar t114 = t77 + t113;
-  const Scalar t115 = t112 + t114;
-  const Scalar t116 = t99 * t106;
-  const Scalar t117 = (t115 + t116) + t116;
-  const Scalar t118 = t106 * t106;
-  const Scalar t119 = t100 * t100;
-  const Scalar t120 = t118 - t119;
-  const Scalar t121 = (t111 * t14 - t25 * t117) - t7 * t120;
-  const Scalar t122 = s3 * t90;
-  const Scalar t123 = t122 + k[10] * t87;
-  const Scalar t124 = s5 * t95 - c5 * t123;
-  const Scalar t125 = t112 - t114;
-  const Scalar t126 = t99 * t99;
-  const Scalar t127 = t105 * t105 - t126;
-  const Scalar t128 = t119 - t126;
-  const Scalar t129 = t127 - t128;
-  const Scalar t130 = (k[5] * t110 + k[21] * t104) - k[15] * t129;
-  const Scalar t131 = ((t104 * t4 + t121) - t1 * t124) + (k[17] * t96 + (k[14] * t125 + t130));
-  const Scalar t132 = s5 * t123 + c5 * t95;
-  const Scalar t133 = (t15 * t104 - t14 * t103) + t25 * t128;
-  const Scalar t134 = (t1 * t132 + t0 * t96) + (t133 + (t7 * t115 + t4 * t110));
-  const Scalar t135 = (k[14] * t128 + k[15] * t115) - (k[4] * t104 - k[21] * t110);
-  const Scalar t136 = t134 + (k[16] * t96 + t135);
-  const Scalar t137 = t97 - (s5 * t131 - c5 * t136);
-  const Scalar t138 = torque[5] - t134;
-  const Scalar t139 = k[21] * t127 + (k[4] * t125 + k[5] * t115);
-  const Scalar t140 = ((k[15] * t103 - k[14] * t108) + t139) + (k[17] * t132 + k[16] * t124);
-  const Scalar t141 = ((t120 + t128) * t4 + t7 * t103) + (t117 * t15 + t25 * t111);
-  const Scalar t142 = t140 + (t141 + t0 * t124);
-  const Scalar t143 = t138 * t6 + (torque[4] + t142);
-  const Scalar t144 = ((torque[3] - t137) + t138 * t46) + t49 * t143;
-  const Scalar t145 = t144 * t52;
-  const Scalar t146 = k[18] * t138;
-  const Scalar t147 = t85 - t86;
-  const Scalar t148 = t92 - t87;
-  const Scalar t149 = (k[43] * t73 + k[39] * (t147 - t148)) + k[27] * t122;
-  const Scalar t150 = t118 + t126;
-  const Scalar t151 = t120 - t150;
-  const Scalar t152 = t129 - t151;
-  const Scalar t153 = t152 - t87;
-  const Scalar t154 = t113 + t114;
-  const Scalar t155 = k[19] * t153 + (k[25] * t154 + k[26] * t102);
-  const Scalar t156 = (k[20] * t123 - (k[22] * t82 + t155)) + (c5 * t131 + s5 * t136);
-  const Scalar t157 = (k[16] * t104 + k[17] * t110) - (t1 * t150 - t0 * t104);
-  const Scalar t158 = k[44] * t96 - (k[23] * t82 + k[20] * t152);
-  const Scalar t159 = t157 + t158;
-  const Scalar t160 = t156 + k[10] * t159;
-  const Scalar t161 = t88 + t153;
-  const Scalar t162 = (k[23] * (t161 + t87) + k[20] * t83) + k[44] * t95;
-  const Scalar t163 = (t0 * (t150 + t128) + t1 * t103) + (k[17] * t115 + k[16] * (t152 + t128));
-  const Scalar t164 = (k[16] * t125 - k[17] * t151) - (t117 * t0 + t1 * t111);
-  const Scalar t165 = t162 + (c5 * t163 - s5 * t164);
-  const Scalar t166 = (k[22] * t161 + k[19] * t83) - (k[25] * t102 - k[24] * t154);
-  const Scalar t167 = k[10] * t165 + (t142 + (t166 - k[23] * t123));
-  const Scalar t168 = torque[2] - (t149 + (c4 * t160 + s4 * t167));
-  const Scalar t169 = t48 * t145 + (t36 * t143 - (t8 * t146 - t168));
-  const Scalar t170 = t33 * t143;
-  const Scalar t171 = (c4 * t159 + s4 * t165) + k[27] * (t147 - t92);
-  const Scalar t172 = k[44] * t123 + (k[20] * t102 - k[23] * t154);
-  const Scalar t173 = k[27] * t73 - (t172 + (c5 * t164 + s5 * t163));
-  const Scalar t174 = c3 * t171 - s3 * t173;
-  const Scalar t175 = k[45] * t81 + (s4 * t159 - c4 * t165);
-  const Scalar t176 = s2 * (k[34] * t92 - t174) - c2 * (k[33] * t92 - t175);
-  const Scalar t177 = t170 * t63 - ((torque[0] - (k[46] + t176)) - t57 * t146);
-  const Scalar t178 = t54 * t169;
-  const Scalar t179 = s3 * (c4 * t34 - s4 * t27) - c3 * t39;
-  const Scalar t180 = (c4 * t7 - s4 * t5) - k[10] * t55;
-  const Scalar t181 = (s3 * t180 + c3 * t45) + k[35] * t56;
-  const Scalar t182 = (k[35] * t62 + t179) - t181 * t6;
-  const Scalar t183 = t182 * t33;
-  const Scalar t184 = k[18] * t181;
-  const Scalar t185 = c3 * (k[36] + t44) + s3 * (k[37] - (s4 * t29 - t28));
-  const Scalar t186 = t183 * t35 + (t184 * t8 - (k[35] * t67 - t185));
-  const Scalar t187 = s4 * t43 - c4 * t40;
-  const Scalar t188 = k[35] * t59 + (c3 * t51 - s3 * t187);
-  const Scalar t189 = (t188 + t181 * t46) - t182 * t49;
-  const Scalar t190 = t189 * t52;
-  const Scalar t191 = t186 - t48 * t190;
-  const Scalar t192 = (k[37] * t147 + k[36] * t73) + (k[49] * t81 - k[39] * t75);
-  const Scalar t193 = k[36] * t148 - (k[30] * t75 + k[48] * t81);
-  const Scalar t194 = (k[37] * t73 + t193) + (c4 * t167 - s4 * t160);
-  const Scalar t195 = c3 * (t137 + (t192 + k[27] * t93)) - s3 * t194;
-  const Scalar t196 = (k[47] * c2 + k[33] * t90) + (t195 - k[35] * t174);
-  const Scalar t197 = t170 * t182 - (t181 * t146 - (torque[1] + t196));
-  const Scalar t198 = k[32] - t58;
-  const Scalar t199 = s3 * (t21 + t32) - Scalar(2) * c3 * (k[39] - t187);
-  const Scalar t200 = (k[38] - (k[35] * (t198 - t58) - t50)) + (k[40] - (s3 * t199 - t32));
-  const Scalar t201 = ((t181 * t184 + t200) + t182 * t183) - t189 * t190;
-  const Scalar t202 = t54 * t191;
-  const Scalar t203 = Scalar(1) / (t201 - t202 * t191);
-  const Scalar t204 = (t178 * t191 - (t197 + t144 * t190)) * t203;
-  const Scalar t205 = c2 * (k[34] + (c3 * t66 - s3 * t12));
-  const Scalar t206 = t184 * t57 - (s2 * (k[33] - t198) + t205);
-  const Scalar t207 = t65 * t52;
-  const Scalar t208 = t202 * t69 + ((t206 - t64 * t182) - t189 * t207);
-  const Scalar t209 = (t70 * t169 + (t65 * t145 - t177)) + t204 * t208;
-  const Scalar t210 = k[18] * t57;
-  const Scalar t211 = ((k[31] + t210 * t57) + t64 * t63) - t65 * t207;
-  const Scalar t212 = t208 * t203;
-  const Scalar t213 = Scalar(1) / ((t70 * t69 - t211) + t212 * t208);
-  const Scalar t214 = t209 * t213;
-  const Scalar t215 = t212 * t214 - t204;
-  const Scalar t216 = (t70 * t214 - t178) + t215 * t202;
-  const Scalar t217 = t53 * t216 - (t215 * t190 + (t145 - t207 * t214));
-  const Scalar t218 = t216 * t36 + ((t170 - t64 * t214) - t215 * t183);
-  const Scalar t219 = t49 * t217 + t218;
-  const Scalar t220 = t216 * t9 - (t215 * t184 - (t210 * t214 - t146));
+  const Scalar t0 = k[0] * c6 + k[1] * s6;
+  const Scalar t1 = c5 - k[11] * s5 * t0;
+  const Scalar t2 = k[5] * t1;
+  const Scalar t3 = k[0] * s6 - k[1] * c6;
+  const Scalar t4 = k[11] * t3;
+  const Scalar t5 = k[2] * s6 - k[3] * c6;
+  const Scalar t6 = k[6] - s6 * t5;
+  const Scalar t7 = k[18] + t6;
+  const Scalar t8 = k[17] - t3;
+  const Scalar t9 = s5 * t7 + c5 * t8;
+  const Scalar t10 = t2 * t4 + t9;
+  const Scalar t11 = k[4] + c6 * t5;
+  const Scalar t12 = k[14] - t11;
+  const Scalar t13 = k[15] - t12;
+  const Scalar t14 = Scalar(1) / (t13 - t3 * t4);
+  const Scalar t15 = t10 * t14;
+  const Scalar t16 = k[5] - t11;
+  const Scalar t17 = k[34] - t16;
+  const Scalar t18 = k[16] + t0;
+  const Scalar t19 = s5 * (k[35] - t13) - c5 * Scalar(2) * t18;
+  const Scalar t20 = t12 - s5 * t19;
+  const Scalar t21 = k[33] - t20;
+  const Scalar t22 = t17 - t21;
+  const Scalar t23 = Scalar(1) / (t10 * t15 + (t22 + t2 * t1));
+  const Scalar t24 = k[9] * c6 - k[10] * s6;
+  const Scalar t25 = k[24] + t24;
+  const Scalar t26 = t25 + (k[31] + t9);
+  const Scalar t27 = k[10] * c6 + k[9] * s6;
+  const Scalar t28 = k[13] + t27;
+  const Scalar t29 = k[12] * s5 - c5 * t28;
+  const Scalar t30 = k[25] - t29;
+  const Scalar t31 = (k[30] + (c5 * t19 + t18)) - t30;
+  const Scalar t32 = s4 * t26 - c4 * t31;
+  const Scalar t33 = t27 + (k[5] * s5 + c5 * t0);
+  const Scalar t34 = c5 * t24;
+  const Scalar t35 = t3 - t34;
+  const Scalar t36 = c4 * t33 - s4 * t35;
+  const Scalar t37 = k[11] * t36;
+  const Scalar t38 = c5 * t7 - s5 * t8;
+  const Scalar t39 = k[12] * c5 + s5 * t28;
+  const Scalar t40 = t13 + t39;
+  const Scalar t41 = t3 * t37 - (c4 * t38 - s4 * t40);
+  const Scalar t42 = t41 * t14;
+  const Scalar t43 = (t32 - t37 * t2) - t42 * t10;
+  const Scalar t44 = t23 * t43;
+  const Scalar t45 = k[37] + ((t20 + t13) + (t39 + t39));
+  const Scalar t46 = k[32] + t38;
+  const Scalar t47 = Scalar(2) * s4 * t46 + c4 * (t17 + t21);
+  const Scalar t48 = t17 - c4 * t47;
+  const Scalar t49 = k[36] + (t22 - t48);
+  const Scalar t50 = t41 * t42 - ((t45 - t49) - t37 * t36);
+  const Scalar t51 = Scalar(1) / (t44 * t43 - t50);
+  const Scalar t52 = c3 * s4 * t39 + s3 * t29;
+  const Scalar t53 = k[19] * (s2 * t52 + c2 * c4 * t39);
+  const Scalar t54 = s3 * s5 * t24 + c3 * (c4 * t27 + s4 * t34);
+  const Scalar t55 = c2 * (s4 * t27 - c4 * t34) - s2 * t54;
+  const Scalar t56 = k[20] * t55;
+  const Scalar t57 = t53 - t3 * t56;
+  const Scalar t58 = t14 * t57;
+  const Scalar t59 = s4 * t25 + c4 * t30;
+  const Scalar t60 = s4 * t30 - c4 * t25;
+  const Scalar t61 = k[19] * (s2 * c3 * t59 - c2 * t60);
+  const Scalar t62 = k[5] * t56;
+  const Scalar t63 = t10 * t58 - (t61 + t1 * t62);
+  const Scalar t64 = k[22] - t60;
+  const Scalar t65 = k[23] - t39;
+  const Scalar t66 = s3 * t64 - c3 * t65;
+  const Scalar t67 = (t37 * t62 + k[19] * s2 * t66) - t41 * t58;
+  const Scalar t68 = t44 * t63 - t67;
+  const Scalar t69 = t51 * t68;
+  const Scalar t70 = c3 * t2 + s3 * (s4 * t33 + c4 * t35);
+  const Scalar t71 = k[8] * t54 - t70;
+  const Scalar t72 = k[11] * t71;
+  const Scalar t73 = s4 * t31 + c4 * t26;
+  const Scalar t74 = s3 * t73 + c3 * (k[8] * t59 + t22);
+  const Scalar t75 = c3 * t9 - s3 * (c4 * t40 + s4 * t38);
+  const Scalar t76 = t4 * t71 + (k[8] * t52 - t75);
+  const Scalar t77 = (t2 * t72 - t74) + t76 * t15;
+  const Scalar t78 = t76 * t14;
+  const Scalar t79 = c3 * (k[40] + t32) + s3 * (k[41] + (t46 - s4 * t47));
+  const Scalar t80 = t78 * t41 - ((k[8] * t66 - t79) - t36 * t72);
+  const Scalar t81 = t44 * t77 + t80;
+  const Scalar t82 = c2 * (k[21] + (s3 * t65 + c3 * t64));
+  const Scalar t83 = t62 * t72 - k[19] * (s2 * (k[26] + t59) + t82);
+  const Scalar t84 = t23 * t77;
+  const Scalar t85 = t69 * t81 + ((t76 * t58 - t83) - t84 * t63);
+  const Scalar t86 = Scalar(2) * c3 * (k[39] + t73) - s3 * (t45 + t49);
+  const Scalar t87 = (k[45] + (k[44] * t59 + t48)) + (k[46] + (t49 + s3 * t86));
+  const Scalar t88 = (t78 * t76 + (t87 + t71 * t72)) - t84 * t77;
+  const Scalar t89 = t51 * t81;
+  const Scalar t90 = Scalar(1) / (t88 + t89 * t81);
+  const Scalar t91 = qd[1] * s3;
+  const Scalar t92 = c4 * t91;
+  const Scalar t93 = qd[2] * s4 + t92;
+  const Scalar t94 = qd[4] - t93;
+  const Scalar t95 = t94 * t94;
+  const Scalar t96 = qd[1] * c3;
+  const Scalar t97 = qd[3] - t96;
+  const Scalar t98 = s4 * t91 - qd[2] * c4;
+  const Scalar t99 = s5 * t97 + c5 * t98;
+  const Scalar t100 = t99 * t99;
+  const Scalar t101 = t95 - t100;
+  const Scalar t102 = t97 * t93;
+  const Scalar t103 = qd[2] * t96;
+  const Scalar t104 = Scalar(2) * t103;
+  const Scalar t105 = t96 * t92 + s4 * t104;
+  const Scalar t106 = (t102 + t105) + t102;
+  const Scalar t107 = t98 * t93;
+  const Scalar t108 = qd[2] * t91;
+  const Scalar t109 = t107 - t108;
+  const Scalar t110 = s5 * t106 + c5 * t109;
+  const Scalar t111 = Scalar(2) * t99 * t94 + t110;
+  const Scalar t112 = t6 * t101 + (t11 * t111 + t110 * t16);
+  const Scalar t113 = s5 * t98 - c5 * t97;
+  const Scalar t114 = t99 * t113;
+  const Scalar t115 = t91 * t96;
+  const Scalar t116 = s4 * t115 - c4 * t104;
+  const Scalar t117 = t97 * t98;
+  const Scalar t118 = t116 + t117;
+  const Scalar t119 = t114 + t118;
+  const Scalar t120 = c5 * t106 - s5 * t109;
+  const Scalar t121 = t94 * t113;
+  const Scalar t122 = (t120 - t121) - t121;
+  const Scalar t123 = qd[1] * qd[1];
+  const Scalar t124 = t96 * t96;
+  const Scalar t125 = qd[2] * qd[2];
+  const Scalar t126 = t124 - t125;
+  const Scalar t127 = t123 - t126;
+  const Scalar t128 = k[7] * s2;
+  const Scalar t129 = s3 * t128;
+  const Scalar t130 = t127 + t129;
+  const Scalar t131 = k[7] * c2;
+  const Scalar t132 = k[8] * t123 - t131;
+  const Scalar t133 = t104 + t132;
+  const Scalar t134 = c3 * t128;
+  const Scalar t135 = t134 + t115;
+  const Scalar t136 = c4 * t133 - s4 * t135;
+  const Scalar t137 = s5 * t130 - c5 * t136;
+  const Scalar t138 = s4 * t133 + c4 * t135;
+  const Scalar t139 = (t112 - (t3 * t119 - t0 * t122)) + (t137 * t24 + t27 * t138);
+  const Scalar t140 = torque[5] - t139;
+  const Scalar t141 = k[11] * t140;
+  const Scalar t142 = t97 * t97;
+  const Scalar t143 = t93 * t93;
+  const Scalar t144 = t142 - t143;
+  const Scalar t145 = t127 + t144;
+  const Scalar t146 = t145 + t101;
+  const Scalar t147 = t95 + t100;
+  const Scalar t148 = t146 - t147;
+  const Scalar t149 = t114 - t118;
+  const Scalar t150 = k[16] * t148 + (k[15] * t119 + k[14] * t149);
+  const Scalar t151 = s5 * t136 + c5 * t130;
+  const Scalar t152 = (t150 - (k[18] * t120 - k[17] * t110)) + (k[12] * t137 - k[13] * t151);
+  const Scalar t153 = qd[5] - t113;
+  const Scalar t154 = t153 + t153;
+  const Scalar t155 = t119 + t99 * t154;
+  const Scalar t156 = t122 - t94 * t154;
+  const Scalar t157 = t153 * t153;
+  const Scalar t158 = t157 + t95;
+  const Scalar t159 = (t155 * t11 - t156 * t6) + (t0 * (t158 - t147) - t3 * t110);
+  const Scalar t160 = t152 + (t159 - t27 * t151);
+  const Scalar t161 = t141 * t3 - (torque[4] + t160);
+  const Scalar t162 = (k[14] * t111 - k[16] * t122) - (k[17] * t119 + k[18] * t101);
+  const Scalar t163 = (t162 - k[13] * t138) - t139;
+  const Scalar t164 = t157 + t100;
+  const Scalar t165 = t3 * (t164 - t147) - (t155 * t6 - t156 * t16);
+  const Scalar t166 = k[17] * (t148 - t101) - (k[15] * t122 + k[16] * t111);
+  const Scalar t167 = (t24 * t151 + (t0 * t111 + t165)) + (k[12] * t138 - (t166 - k[18] * t149));
+  const Scalar t168 = t107 + t108;
+  const Scalar t169 = t142 + t143;
+  const Scalar t170 = (k[34] * t109 + k[33] * t168) - k[32] * (t169 - t145);
+  const Scalar t171 = (t170 + (k[30] * t105 - k[31] * t116)) + (k[24] * t136 - k[25] * t138);
+  const Scalar t172 = (c5 * t163 + s5 * t167) + t171;
+  const Scalar t173 = t161 * t15 - ((torque[3] + t172) - t141 * t2);
+  const Scalar t174 = t23 * t173;
+  const Scalar t175 = t117 + t118;
+  const Scalar t176 = k[31] * t144 + (k[34] * t106 + k[32] * t175);
+  const Scalar t177 = (s5 * t163 - c5 * t167) - (k[24] * t130 + (k[30] * t168 - t176));
+  const Scalar t178 = (t24 * t164 - t27 * t111) - (k[13] * t111 + k[12] * t122);
+  const Scalar t179 = t178 + (k[25] * t168 + k[24] * t145);
+  const Scalar t180 = t177 + t179;
+  const Scalar t181 = (k[31] * t109 - k[30] * (t169 - t127)) - (k[32] * t106 - k[33] * t175);
+  const Scalar t182 = (t156 * t24 - t27 * t155) + (k[13] * t149 + k[12] * t147);
+  const Scalar t183 = (t24 * t110 + t27 * t158) + (k[12] * t119 + k[13] * t146);
+  const Scalar t184 = (s5 * t182 - c5 * t183) - (k[25] * t169 + k[24] * t109);
+  const Scalar t185 = (t160 + (t181 - k[25] * t130)) - t184;
+  const Scalar t186 = t124 + t125;
+  const Scalar t187 = (k[23] * t134 - k[22] * t129) - (k[38] * t115 + k[39] * (t127 - t186));
+  const Scalar t188 = torque[2] + ((c4 * t180 - s4 * t185) + t187);
+  const Scalar t189 = t43 * t174 + (t42 * t161 + (t141 * t36 - t188));
+  const Scalar t190 = t14 * t161;
+  const Scalar t191 = (k[22] * t186 + k[23] * t115) + (s4 * t184 + c4 * t179);
+  const Scalar t192 = (s5 * t183 + c5 * t182) - (k[25] * t175 - k[24] * t106);
+  const Scalar t193 = s3 * (t192 - (k[23] * t127 + k[22] * t115));
+  const Scalar t194 = c3 * t191 - t193;
+  const Scalar t195 = (k[40] * t115 + k[41] * (t123 - t186)) + (k[43] * t108 - k[39] * t104);
+  const Scalar t196 = (k[42] * t108 + k[37] * t104) - k[40] * t126;
+  const Scalar t197 = ((t196 - k[41] * t115) - k[23] * t132) - (s4 * t180 + c4 * t185);
+  const Scalar t198 = c3 * (t172 + (k[22] * t132 - t195)) - s3 * t197;
+  const Scalar t199 = (k[21] * t131 + k[26] * t128) + (k[8] * t194 - t198);
+  const Scalar t200 = t190 * t76 - ((torque[1] + t199) - t72 * t140);
+  const Scalar t201 = t90 * (t189 * t89 - (t84 * t173 - t200));
+  const Scalar t202 = t189 * t51;
+  const Scalar t203 = t63 * t23;
+  const Scalar t204 = (c4 * t184 - s4 * t179) + (k[27] * t108 - k[28] * t103);
+  const Scalar t205 = s2 * (t194 + k[21] * t123) - c2 * (k[26] * t123 - t204);
+  const Scalar t206 = (torque[0] - (k[29] + k[19] * t205)) - t56 * t140;
+  const Scalar t207 = t202 * t68 - (t173 * t203 - (t206 + t161 * t58));
+  const Scalar t208 = t90 * t85;
+  const Scalar t209 = t63 * t203 - (t57 * t58 + (k[47] + t56 * t62));
+  const Scalar t210 = Scalar(1) / (t208 * t85 - (t69 * t68 - t209));
+  const Scalar t211 = (t85 * t201 - t207) * t210;
+  const Scalar t212 = t201 - t208 * t211;
+  const Scalar t213 = (t202 - t211 * t69) - t89 * t212;
+  const Scalar t214 = ((t211 * t203 - t174) + t84 * t212) + t44 * t213;
+  const Scalar t215 = t42 * t213 + ((t190 - t211 * t58) - t78 * t212);
+  const Scalar t216 = t214 * t15 + t215;
+  const Scalar t217 = t37 * t213 + ((t141 + t211 * t56) - t212 * t72);
   JointVector<Scalar> result;
-  result[0] = -t214;
-  result[1] = t215;
-  result[2] = -t216;
-  result[3] = -t217;
-  result[4] = -t219;
-  result[5] = -(t46 * t217 - t220) - t219 * t6;
+  result[0] = t211;
+  result[1] = -t212;
+  result[2] = t213;
+  result[3] = t214;
+  result[4] = t216;
+  result[5] = -(t217 + t214 * t1) - t4 * t216;
   return result;
 }
 
@@ -1468,79 +1528,93 @@ KineticEnergyConstants<Scalar> kinetic_energy_constants(const BasicGeometry<Scal
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
-  const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = inertia.c5y * inertia.m5;
-  const Scalar t3 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t4 = (inertia.I6xx - t3) - inertia.c6x * t1;
-  const Scalar t5 = inertia.c6z * inertia.m6;
-  const Scalar t6 = inertia.c6z * t5 - (inertia.I6zz - t3);
-  const Scalar t7 = inertia.I6xz - inertia.c6z * t1;
-  const Scalar t8 = inertia.c5z * inertia.m5;
-  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t10 = ((inertia.I6yy - t3) - inertia.c6y * t0) - (inertia.c5y * t2 - (inertia.I5yy - t9));
-  const Scalar t11 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t12 = inertia.c4y * inertia.m4;
-  const Scalar t13 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t14 = t12 - g.d4 * t13;
-  const Scalar t15 = ((inertia.I4yy - t11) - inertia.c4y * t12) + g.d4 * (t12 + t14);
-  const Scalar t16 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t17 = inertia.c3y * inertia.m3;
-  const Scalar t18 = g.d4 * inertia.m3 - t17;
-  const Scalar t19 = ((inertia.I3yy - t16) - inertia.c3y * t17) - g.d4 * (t18 - t17);
-  const Scalar t20 = inertia.c5x * inertia.m5;
-  const Scalar t21 = inertia.c4x * inertia.m4;
-  const Scalar t22 = (inertia.c5x * t20 - (inertia.I5xx - t9)) - ((inertia.I4xx - t11) - inertia.c4x * t21);
-  const Scalar t23 = inertia.c4z * inertia.m4;
-  const Scalar t24 = inertia.c3x * inertia.m3;
-  const Scalar t25 = inertia.c2z * inertia.m2;
-  const Scalar t26 = g.l2 * inertia.m2 + t25;
-  const Scalar t27 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t28 = g.l2 * (t26 + t25) - ((inertia.I2zz - t27) - inertia.c2z * t25);
-  const Scalar t29 = inertia.c3z * inertia.m3;
-  const Scalar t30 = inertia.m3 + t13;
-  const Scalar t31 = t29 + g.l2 * t30;
-  const Scalar t32 = ((inertia.I3zz - t16) - inertia.c3z * t29) - g.l2 * (t29 + t31);
-  const Scalar t33 = inertia.c2x * inertia.m2;
-  return { inertia.I6yz - inertia.c6z * t0,
-           inertia.I6xy - inertia.c6y * t1,
-           inertia.I5yz - inertia.c5z * t2,
-           t4 + t6,
-           Scalar(2) * t7,
-           t4,
-           inertia.c5z * t8 - (inertia.I5zz - t9),
+  const Scalar t0 = inertia.c6x * inertia.m6;
+  const Scalar t1 = inertia.I6xz - inertia.c6z * t0;
+  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t0;
+  const Scalar t4 = inertia.c6z * inertia.m6;
+  const Scalar t5 = inertia.c6z * t4 - (inertia.I6zz - t2);
+  const Scalar t6 = inertia.c5z * inertia.m5;
+  const Scalar t7 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t8 = inertia.c6y * inertia.m6;
+  const Scalar t9 = inertia.c5y * inertia.m5;
+  const Scalar t10 = ((inertia.I6yy - t2) - inertia.c6y * t8) - (inertia.c5y * t9 - (inertia.I5yy - t7));
+  const Scalar t11 = inertia.c5x * inertia.m5;
+  const Scalar t12 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t13 = inertia.c4x * inertia.m4;
+  const Scalar t14 = (inertia.c5x * t11 - (inertia.I5xx - t7)) - ((inertia.I4xx - t12) - inertia.c4x * t13);
+  const Scalar t15 = inertia.c4z * inertia.m4;
+  const Scalar t16 = inertia.c3x * inertia.m3;
+  const Scalar t17 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t18 = inertia.c4y * inertia.m4;
+  const Scalar t19 = g.d4 * inertia.m4;
+  const Scalar t20 = t18 - t19;
+  const Scalar t21 = g.d4 * (t18 + t20) + ((inertia.I4yy - t12) - inertia.c4y * t18);
+  const Scalar t22 = t20 + t19;
+  const Scalar t23 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t24 = t22 - g.d4 * t23;
+  const Scalar t25 = (t21 - g.d4 * (t22 + t20)) + g.d4 * (t22 + t24);
+  const Scalar t26 = inertia.c3y * inertia.m3;
+  const Scalar t27 = g.d4 * inertia.m3 - t26;
+  const Scalar t28 = ((inertia.I3yy - t17) - inertia.c3y * t26) - g.d4 * (t27 - t26);
+  const Scalar t29 = g.d4 * t13;
+  const Scalar t30 = g.d4 * t15;
+  const Scalar t31 = inertia.c2x * inertia.m2;
+  const Scalar t32 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t33 = inertia.c2z * inertia.m2;
+  const Scalar t34 = g.l2 * inertia.m2 + t33;
+  const Scalar t35 = g.l2 * (t34 + t33) - ((inertia.I2zz - t32) - inertia.c2z * t33);
+  const Scalar t36 = inertia.c3z * inertia.m3;
+  const Scalar t37 = g.l2 * inertia.m3;
+  const Scalar t38 = t36 + t37;
+  const Scalar t39 = ((inertia.I3zz - t17) - inertia.c3z * t36) - g.l2 * (t36 + t38);
+  const Scalar t40 = t38 - t37;
+  const Scalar t41 = inertia.m3 + t23;
+  const Scalar t42 = t40 + g.l2 * t41;
+  const Scalar t43 = (t39 + g.l2 * (t38 + t40)) - g.l2 * (t42 + t40);
+  const Scalar t44 = g.l2 * t16;
+  const Scalar t45 = g.l2 * t27;
+  const Scalar t46 = (g.d4 * t36 + (inertia.I3yz - inertia.c3z * t26)) + t45;
+  return { Scalar(2) * t1,
+           t3 + t5,
+           t3,
+           inertia.c5z * t6 - (inertia.I5zz - t7),
            t10,
            t5,
+           t14,
+           inertia.I6xy - inertia.c6y * t0,
+           inertia.I6yz - inertia.c6z * t8,
+           inertia.I5yz - inertia.c5z * t9,
+           (inertia.I4zz - t12) - inertia.c4z * t15,
            t1,
-           t8,
-           t0 + t2,
-           g.d4,
-           t15 + t19,
+           inertia.I5xz - inertia.c5z * t11,
+           inertia.I5xy - inertia.c5y * t11,
+           inertia.I4xz - inertia.c4z * t13,
+           inertia.c3x * t16 - (inertia.I3xx - t17),
+           t8 + t9,
+           t4,
+           t0,
            t6,
-           t22,
-           (inertia.I4zz - t11) - inertia.c4z * t23,
-           t7,
-           inertia.I5xz - inertia.c5z * t20,
-           inertia.I5xy - inertia.c5y * t20,
-           inertia.I4xz - inertia.c4z * t21,
-           inertia.c3x * t24 - (inertia.I3xx - t16),
-           t21 + t20,
-           t23,
+           Scalar(2) * g.d4,
+           t25 + t28,
+           (t29 + (inertia.I4xy - inertia.c4y * t13)) - t29,
+           t30 - (t30 + (inertia.I4yz - inertia.c4z * t18)),
+           t13 + t11,
+           t15,
+           g.d4,
+           (inertia.I3xy - inertia.c3y * t16) + g.d4 * t16,
+           inertia.c2x * t31 - (inertia.I2xx - t32),
            Scalar(2) * g.l2,
-           t28 - t32,
-           inertia.I4yz - inertia.c4z * t12,
-           inertia.I4xy - inertia.c4y * t21,
-           (inertia.I3xy - inertia.c3y * t24) + g.d4 * t24,
-           inertia.c2x * t33 - (inertia.I2xx - t27),
-           inertia.m1 + (inertia.m2 + t30),
-           t4 - t6,
+           t35 - t43,
+           inertia.m1 + (inertia.m2 + t41),
+           t3 - t5,
+           t27 - t24,
+           t16,
+           t31,
+           t42 + t34,
            g.l2,
-           t14 - t18,
-           t24,
-           inertia.I3xz - inertia.c3z * t24,
-           g.d4 * t29 + (inertia.I3yz - inertia.c3z * t17),
-           t26 + t31,
-           t33 };
+           t44 - (t44 - (inertia.I3xz - inertia.c3z * t16)),
+           t46 - t45 };
 }
 
 namespace detail {
@@ -1560,76 +1634,77 @@ inline Scalar kinetic_energy([[maybe_unused]] const JointVector<Scalar>& q, cons
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
   const Scalar t0 = k[0] * s6 - k[1] * c6;
-  const Scalar t1 = k[0] * c6 + k[1] * s6;
-  const Scalar t2 = k[2] + t1;
-  const Scalar t3 = k[3] * c6 - k[4] * s6;
-  const Scalar t4 = c6 * t3;
-  const Scalar t5 = k[6] - (k[5] - t4);
-  const Scalar t6 = Scalar(2) * c5 * t2 - s5 * (k[7] + t5);
-  const Scalar t7 = k[8] * c6 + k[9] * s6;
-  const Scalar t8 = k[10] + t7;
-  const Scalar t9 = c5 * t8 - k[11] * s5;
-  const Scalar t10 = k[23] + t9;
-  const Scalar t11 = (k[26] - (t2 - c5 * t6)) + k[12] * t10;
-  const Scalar t12 = k[9] * c6 - k[8] * s6;
-  const Scalar t13 = k[22] + t12;
-  const Scalar t14 = k[18] + (k[17] + s6 * t3);
-  const Scalar t15 = k[19] - t0;
-  const Scalar t16 = s5 * t14 + c5 * t15;
-  const Scalar t17 = k[12] * t13 + (k[27] + t16);
-  const Scalar t18 = s4 * t11 - c4 * t17;
-  const Scalar t19 = k[15] + (k[14] - t4);
-  const Scalar t20 = t5 + s5 * t6;
-  const Scalar t21 = k[16] - t20;
-  const Scalar t22 = c5 * t14 - s5 * t15;
-  const Scalar t23 = k[20] + t22;
-  const Scalar t24 = s4 * t23;
-  const Scalar t25 = c4 * (t19 + t21) + (t24 + t24);
-  const Scalar t26 = c4 * t25;
-  const Scalar t27 = t19 - t26;
-  const Scalar t28 = t26 - t21;
-  const Scalar t29 = t27 + t28;
-  const Scalar t30 = c4 * t10 + s4 * t13;
-  const Scalar t31 = s3 * t18 - c3 * (t29 + k[32] * t30);
-  const Scalar t32 = s5 * t8 + k[11] * c5;
-  const Scalar t33 = k[33] + t32;
-  const Scalar t34 = s4 * t10 - c4 * t13;
-  const Scalar t35 = k[34] - t34;
-  const Scalar t36 = c3 * t33 + s3 * t35;
-  const Scalar t37 = c4 * t11 + s4 * t17;
-  const Scalar t38 = c3 * (k[36] + t37) + s3 * (k[35] - (s4 * t25 - t23));
-  const Scalar t39 = qd[3] * t31 - qd[2] * (k[32] * t36 - t38);
-  const Scalar t40 = k[7] - t5;
-  const Scalar t41 = k[12] * t32;
-  const Scalar t42 = t40 + t41;
-  const Scalar t43 = s3 * (s4 * t22 + c4 * t42) - c3 * t16;
-  const Scalar t44 = s3 * t9 - c3 * s4 * t32;
-  const Scalar t45 = c5 * t12;
-  const Scalar t46 = c3 * (c4 * t7 + s4 * t45) + s3 * s5 * t12;
-  const Scalar t47 = s5 * t1 - k[31] * c5;
-  const Scalar t48 = t0 - k[12] * t45;
-  const Scalar t49 = (k[31] * s5 + c5 * t1) + k[12] * t7;
-  const Scalar t50 = c3 * t47 - s3 * (c4 * t48 + s4 * t49);
-  const Scalar t51 = (t39 + qd[4] * (t43 - k[32] * t44)) - qd[5] * (k[32] * t46 + t50);
-  const Scalar t52 = c2 * (k[38] + (c3 * t35 - s3 * t33));
-  const Scalar t53 = qd[1] * (t52 + s2 * (k[37] + t30)) - qd[2] * s2 * t36;
-  const Scalar t54 = qd[3] * (c2 * t34 - s2 * c3 * t30);
-  const Scalar t55 = qd[4] * (c2 * c4 * t32 - s2 * t44);
-  const Scalar t56 = c2 * (s4 * t7 - c4 * t45) - s2 * t46;
-  const Scalar t57 = qd[0] * (((t53 + t54) + t55) + qd[5] * t56);
-  const Scalar t58 = qd[4] * (s4 * t42 - c4 * t22) - qd[3] * t37;
-  const Scalar t59 = qd[5] * (c4 * t49 - s4 * t48) - t58;
-  const Scalar t60 = ((qd[1] * t51 - t57) - qd[2] * t59) + qd[3] * (qd[5] * t47 + qd[4] * t16);
-  const Scalar t61 = k[21] + t28;
-  const Scalar t62 = k[13] + ((t20 + t40) + Scalar(2) * t41);
-  const Scalar t63 = s3 * (t61 + t62) - Scalar(2) * c3 * (k[28] - t18);
-  const Scalar t64 = (k[29] - (s3 * t63 - t61)) + (k[25] + (k[24] * t30 + t27));
-  const Scalar t65 = qd[1] * qd[1] * t64 + qd[0] * k[30] * qd[0];
-  const Scalar t66 = qd[3] * qd[3] * t29 + (t65 + qd[2] * qd[2] * (t61 - t62));
-  const Scalar t67 = qd[5] * k[31] * qd[5] + (qd[4] * qd[4] * t40 - t66);
-  const Scalar t68 = (qd[4] * qd[5] * t0 - t60) + Scalar(0.5) * t67;
+  const Scalar t1 = c6 * t0;
+  const Scalar t2 = k[3] - (k[2] + t1);
+  const Scalar t3 = k[4] - t2;
+  const Scalar t4 = k[8] * c6 + k[7] * s6;
+  const Scalar t5 = k[9] + t4;
+  const Scalar t6 = c5 * t5;
+  const Scalar t7 = (t6 + t6) - s5 * (k[4] + t2);
+  const Scalar t8 = s5 * t7;
+  const Scalar t9 = k[17] * c6 + k[18] * s6;
+  const Scalar t10 = k[19] + t9;
+  const Scalar t11 = s5 * t10 + k[16] * c5;
+  const Scalar t12 = k[20] * t11;
+  const Scalar t13 = k[21] + ((k[4] + t8) + t12);
+  const Scalar t14 = k[6] + (k[5] + t1);
+  const Scalar t15 = k[10] - (t8 + t2);
+  const Scalar t16 = t14 - t15;
+  const Scalar t17 = k[7] * c6 - k[8] * s6;
+  const Scalar t18 = k[13] + t17;
+  const Scalar t19 = k[12] + (k[11] - s6 * t0);
+  const Scalar t20 = s5 * t18 - c5 * t19;
+  const Scalar t21 = k[14] - t20;
+  const Scalar t22 = Scalar(2) * s4 * t21 + c4 * (t14 + t15);
+  const Scalar t23 = c4 * t22 - t14;
+  const Scalar t24 = k[15] + (t16 + t23);
+  const Scalar t25 = k[17] * s6 - k[18] * c6;
+  const Scalar t26 = k[24] - t25;
+  const Scalar t27 = c5 * t10 - k[16] * s5;
+  const Scalar t28 = k[25] + t27;
+  const Scalar t29 = c4 * t26 - s4 * t28;
+  const Scalar t30 = c5 * t18 + s5 * t19;
+  const Scalar t31 = k[22] + t30;
+  const Scalar t32 = k[23] + (t5 - c5 * t7);
+  const Scalar t33 = k[26] * t29 + (c4 * t31 + s4 * t32);
+  const Scalar t34 = Scalar(2) * c3 * (k[27] + t33) - s3 * (t13 + t24);
+  const Scalar t35 = s4 * t26 + c4 * t28;
+  const Scalar t36 = (k[28] + (s3 * t34 + t24)) + (k[30] + (k[29] * t35 - t23));
+  const Scalar t37 = qd[0] * k[31] * qd[0] + qd[1] * qd[1] * t36;
+  const Scalar t38 = (qd[2] * qd[2] * (t13 - t24) - t37) - qd[3] * qd[3] * t16;
+  const Scalar t39 = qd[5] * k[32] * qd[5] + (qd[4] * qd[4] * t3 + t38);
+  const Scalar t40 = k[32] * c5 - s5 * t4;
+  const Scalar t41 = (c4 * t32 - s4 * t31) - k[26] * t35;
+  const Scalar t42 = Scalar(0.5) * t12 + t3;
+  const Scalar t43 = qd[3] * t41 + qd[4] * (c4 * t20 + s4 * t42);
+  const Scalar t44 = c5 * t25;
+  const Scalar t45 = s4 * t44 - c4 * t9;
+  const Scalar t46 = c5 * t4 + k[32] * s5;
+  const Scalar t47 = k[26] * t45 - (s4 * t17 + c4 * t46);
+  const Scalar t48 = c3 * s4 * t11 - s3 * t27;
+  const Scalar t49 = s3 * (c4 * t42 - s4 * t20) - c3 * t30;
+  const Scalar t50 = c3 * (k[39] - t41) + s3 * (k[38] + (t21 - s4 * t22));
+  const Scalar t51 = k[33] - t11;
+  const Scalar t52 = k[34] + t29;
+  const Scalar t53 = c3 * t51 - s3 * t52;
+  const Scalar t54 = c3 * t35;
+  const Scalar t55 = s3 * t33 + (k[37] * t54 + c3 * t16);
+  const Scalar t56 = qd[2] * (t50 + k[37] * t53) - qd[3] * t55;
+  const Scalar t57 = s4 * t9 + c4 * t44;
+  const Scalar t58 = (c4 * t17 - s4 * t46) - k[26] * t57;
+  const Scalar t59 = s3 * s5 * t25 + c3 * t45;
+  const Scalar t60 = (s3 * t58 - c3 * t40) - k[37] * t59;
+  const Scalar t61 = (qd[4] * (k[37] * t48 + t49) + t56) - qd[5] * t60;
+  const Scalar t62 = c2 * (k[35] + (c3 * t52 + s3 * t51));
+  const Scalar t63 = qd[1] * (s2 * (k[36] + t35) + t62) + qd[2] * s2 * t53;
+  const Scalar t64 = t63 - qd[3] * (c2 * t29 + s2 * t54);
+  const Scalar t65 = qd[4] * (c2 * c4 * t11 + s2 * t48);
+  const Scalar t66 = (t64 + t65) + qd[5] * (c2 * t57 + s2 * t59);
+  const Scalar t67 = qd[2] * (t43 + qd[5] * t47) + (qd[1] * t61 - qd[0] * t66);
+  const Scalar t68 = qd[3] * (qd[4] * t30 - qd[5] * t40) + t67;
+  const Scalar t69 = Scalar(0.5) * t39 - (t68 + qd[4] * qd[5] * t17);
   Scalar result;
-  result = -t68;
+  result = -t69;
   return result;
 }
 
@@ -1656,22 +1731,24 @@ PotentialEnergyConstants<Scalar> potential_energy_constants(const BasicGeometry<
   using std::sin;
   const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
   const Scalar t1 = inertia.m3 + t0;
+  const Scalar t2 = g.d4 * inertia.m4;
+  const Scalar t3 = g.l2 * inertia.m3;
   return { inertia.m1 + (inertia.m2 + t1),
+           inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
            inertia.c6z * inertia.m6,
            inertia.c6x * inertia.m6,
+           inertia.c5z * inertia.m5,
+           inertia.c4z * inertia.m4,
            inertia.c5x * inertia.m5,
            inertia.c4x * inertia.m4,
-           inertia.c5z * inertia.m5,
-           inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
-           inertia.c4z * inertia.m4,
-           inertia.c3z * inertia.m3,
-           g.l2 * t1,
-           g.l2 * inertia.m2 + inertia.c2z * inertia.m2,
            inertia.c3x * inertia.m3,
-           inertia.c4y * inertia.m4,
+           (inertia.c4y * inertia.m4 - t2) + t2,
            g.d4 * t0,
            g.d4 * inertia.m3 - inertia.c3y * inertia.m3,
            inertia.c2x * inertia.m2,
+           (inertia.c3z * inertia.m3 + t3) - t3,
+           g.l2 * t1,
+           g.l2 * inertia.m2 + inertia.c2z * inertia.m2,
            inertia.c1z * inertia.m1,
            gravity };
 }
@@ -1691,14 +1768,14 @@ inline Scalar potential_energy(const JointVector<Scalar>& q, const Angles& angle
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[5] + (k[1] * c6 + k[2] * s6);
-  const Scalar t1 = k[7] + (c5 * t0 - k[6] * s5);
-  const Scalar t2 = k[4] + (k[3] + (k[2] * c6 - k[1] * s6));
-  const Scalar t3 = k[9] + (k[8] + (c4 * t1 + s4 * t2));
-  const Scalar t4 = c3 * (k[11] - (s4 * t1 - c4 * t2));
-  const Scalar t5 = k[13] - (k[12] + (k[6] * c5 + s5 * t0));
-  const Scalar t6 = s2 * (k[15] + (t4 + s3 * (k[14] + t5)));
-  const Scalar t7 = (k[16] + (c2 * (k[10] + t3) - t6)) + k[0] * q[0];
+  const Scalar t0 = k[4] + (k[2] * c6 + k[3] * s6);
+  const Scalar t1 = k[5] + (c5 * t0 - k[1] * s5);
+  const Scalar t2 = k[7] + (k[6] - (k[2] * s6 - k[3] * c6));
+  const Scalar t3 = k[14] + (k[13] + (c4 * t1 + s4 * t2));
+  const Scalar t4 = k[10] - (k[9] + (k[1] * c5 + s5 * t0));
+  const Scalar t5 = c3 * (k[8] - (s4 * t1 - c4 * t2));
+  const Scalar t6 = s2 * (k[12] + (s3 * (k[11] + t4) + t5));
+  const Scalar t7 = k[0] * q[0] + (k[16] + (c2 * (k[15] + t3) - t6));
   Scalar result;
   result = k[17] * t7;
   return result;

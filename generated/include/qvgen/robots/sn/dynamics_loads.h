@@ -26,7 +26,7 @@ LoadAngles<Scalar> load_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion, under gravity in any direction.
 ///
-/// 195 multiplications, 181 additions, 5 sine/cosine pairs. Set-up: 71 multiplications, 83 additions, 6 divisions.
+/// 192 multiplications, 183 additions, 5 sine/cosine pairs. Set-up: 79 multiplications, 103 additions, 6 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d4, which must not be zero.
 template <class Scalar>
@@ -46,7 +46,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces for a motion while a wrench acts on the tool from outside: those without it minus jacobian(q)^T wrench.
 ///
-/// 228 multiplications, 205 additions, 5 sine/cosine pairs. Set-up: 70 multiplications, 83 additions, 6 divisions.
+/// 228 multiplications, 204 additions, 5 sine/cosine pairs. Set-up: 79 multiplications, 103 additions, 6 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d4, which must not be zero.
 template <class Scalar>
@@ -66,7 +66,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces that hold the robot at rest, under gravity in any direction.
 ///
-/// 48 multiplications, 30 additions, 5 sine/cosine pairs. Set-up: 19 multiplications, 13 additions.
+/// 48 multiplications, 30 additions, 5 sine/cosine pairs. Set-up: 21 multiplications, 17 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g,
@@ -83,15 +83,16 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const LoadAngle
 
 /// Joint accelerations for given joint forces, under gravity in any direction.
 ///
-/// 360 multiplications, 319 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 65 multiplications, 85 additions, 2
+/// 356 multiplications, 318 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 84 multiplications, 100 additions, 6
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
+/// The unit of length is d4, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
-using ForwardDynamicsWithGravityVectorConstants = std::array<Scalar, 50>;
+using ForwardDynamicsWithGravityVectorConstants = std::array<Scalar, 49>;
 template <class Scalar>
 ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_vector_constants(
     const BasicGeometry<Scalar>& g,
@@ -103,9 +104,10 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint accelerations for given joint forces while a wrench acts on the tool from outside.
 ///
-/// 390 multiplications, 342 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 67 multiplications, 85 additions, 2
+/// 392 multiplications, 339 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 87 multiplications, 100 additions, 6
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
+/// The unit of length is d4, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g,
@@ -123,7 +125,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Minus the sum of m gravity . r over the links, r the centre of mass in the world, J.
 ///
-/// 24 multiplications, 30 additions, 5 sine/cosine pairs. Set-up: 23 multiplications, 8 additions.
+/// 24 multiplications, 30 additions, 5 sine/cosine pairs. Set-up: 26 multiplications, 14 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Scalar potential_energy(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g,

@@ -28,86 +28,98 @@ InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = Scalar(1) / g.d4;
-  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t2 = inertia.m3 + t1;
-  const Scalar t3 = inertia.c4y * inertia.m4;
-  const Scalar t4 = t3 - g.d4 * t1;
-  const Scalar t5 = inertia.c3y * inertia.m3;
-  const Scalar t6 = g.d4 * inertia.m3 - t5;
-  const Scalar t7 = (t4 - t6) / g.d4;
-  const Scalar t8 = g.d4 * g.d4 * ((inertia.m1 + (inertia.m2 + t2)) + t7);
-  const Scalar t9 = inertia.c6x * inertia.m6;
-  const Scalar t10 = inertia.c6z * inertia.m6;
-  const Scalar t11 = inertia.c5z * inertia.m5;
-  const Scalar t12 = inertia.c6y * inertia.m6;
-  const Scalar t13 = inertia.c5y * inertia.m5;
-  const Scalar t14 = inertia.c4x * inertia.m4;
-  const Scalar t15 = inertia.c5x * inertia.m5;
-  const Scalar t16 = inertia.c4z * inertia.m4;
-  const Scalar t17 = g.d4 * g.d4 * t7;
-  const Scalar t18 = inertia.c3x * inertia.m3;
-  const Scalar t19 = g.d4 * t18;
-  const Scalar t20 = g.l2 * t7;
-  const Scalar t21 = inertia.c2z * inertia.m2;
-  const Scalar t22 = g.l2 * inertia.m2 + t21;
-  const Scalar t23 = inertia.c3z * inertia.m3;
-  const Scalar t24 = t23 + g.l2 * t2;
-  const Scalar t25 = inertia.c2x * inertia.m2;
-  const Scalar t26 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t27 = g.l2 * (t22 + t21) - ((inertia.I2zz - t26) - inertia.c2z * t21);
-  const Scalar t28 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t29 = ((inertia.I3zz - t28) - inertia.c3z * t23) - g.l2 * (t23 + t24);
-  const Scalar t30 = (inertia.c2x * t25 - (inertia.I2xx - t26)) + (g.l2 * t20 + (t27 - t29));
-  const Scalar t31 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t32 = (inertia.I6xx - t31) - inertia.c6x * t9;
-  const Scalar t33 = inertia.c6z * t10 - (inertia.I6zz - t31);
-  const Scalar t34 = inertia.I6xz - inertia.c6z * t9;
-  const Scalar t35 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t36 = ((inertia.I6yy - t31) - inertia.c6y * t12) - (inertia.c5y * t13 - (inertia.I5yy - t35));
-  const Scalar t37 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t38 = (inertia.c5x * t15 - (inertia.I5xx - t35)) - ((inertia.I4xx - t37) - inertia.c4x * t14);
-  const Scalar t39 = ((inertia.I4yy - t37) - inertia.c4y * t3) + g.d4 * (t3 + t4);
-  const Scalar t40 = ((inertia.I3yy - t28) - inertia.c3y * t5) - g.d4 * (t6 - t5);
-  return { t0,
-           gravity[2] / g.d4,
-           t8 * t0,
-           g.d4 * t9,
-           g.d4 * t10,
-           g.d4 * t11,
-           g.d4 * (t12 + t13),
-           g.d4 * (t14 + t15),
-           g.d4 * t16,
+  const Scalar t0 = inertia.c3x * inertia.m3;
+  const Scalar t1 = g.d4 * t0;
+  const Scalar t2 = inertia.c5z * inertia.m5;
+  const Scalar t3 = inertia.c6y * inertia.m6;
+  const Scalar t4 = inertia.c5y * inertia.m5;
+  const Scalar t5 = inertia.c6x * inertia.m6;
+  const Scalar t6 = inertia.c6z * inertia.m6;
+  const Scalar t7 = inertia.c4z * inertia.m4;
+  const Scalar t8 = g.d4 * t7;
+  const Scalar t9 = inertia.c4x * inertia.m4;
+  const Scalar t10 = inertia.c5x * inertia.m5;
+  const Scalar t11 = inertia.c3y * inertia.m3;
+  const Scalar t12 = g.d4 * inertia.m3 - t11;
+  const Scalar t13 = inertia.c4y * inertia.m4;
+  const Scalar t14 = g.d4 * inertia.m4;
+  const Scalar t15 = t13 - t14;
+  const Scalar t16 = t15 + t14;
+  const Scalar t17 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t18 = t16 - g.d4 * t17;
+  const Scalar t19 = (t12 - t18) / g.d4;
+  const Scalar t20 = g.d4 * g.d4 * t19;
+  const Scalar t21 = inertia.c3z * inertia.m3;
+  const Scalar t22 = g.l2 * inertia.m3;
+  const Scalar t23 = t21 + t22;
+  const Scalar t24 = t23 - t22;
+  const Scalar t25 = inertia.m3 + t17;
+  const Scalar t26 = t24 + g.l2 * t25;
+  const Scalar t27 = inertia.c2z * inertia.m2;
+  const Scalar t28 = g.l2 * inertia.m2 + t27;
+  const Scalar t29 = g.l2 * t19;
+  const Scalar t30 = inertia.c2x * inertia.m2;
+  const Scalar t31 = g.d4 * g.d4 * ((inertia.m1 + (inertia.m2 + t25)) - t19);
+  const Scalar t32 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t33 = g.l2 * t0;
+  const Scalar t34 = g.l2 * t12;
+  const Scalar t35 = (g.d4 * t21 + (inertia.I3yz - inertia.c3z * t11)) + t34;
+  const Scalar t36 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t37 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t38 = ((inertia.I6yy - t36) - inertia.c6y * t3) - (inertia.c5y * t4 - (inertia.I5yy - t37));
+  const Scalar t39 = inertia.I6xz - inertia.c6z * t5;
+  const Scalar t40 = (inertia.I6xx - t36) - inertia.c6x * t5;
+  const Scalar t41 = inertia.c6z * t6 - (inertia.I6zz - t36);
+  const Scalar t42 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t43 = (inertia.c5x * t10 - (inertia.I5xx - t37)) - ((inertia.I4xx - t42) - inertia.c4x * t9);
+  const Scalar t44 = g.d4 * t9;
+  const Scalar t45 = g.d4 * (t13 + t15) + ((inertia.I4yy - t42) - inertia.c4y * t13);
+  const Scalar t46 = (t45 - g.d4 * (t16 + t15)) + g.d4 * (t16 + t18);
+  const Scalar t47 = ((inertia.I3yy - t32) - inertia.c3y * t11) - g.d4 * (t12 - t11);
+  const Scalar t48 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t49 = g.l2 * (t28 + t27) - ((inertia.I2zz - t48) - inertia.c2z * t27);
+  const Scalar t50 = ((inertia.I3zz - t32) - inertia.c3z * t21) - g.l2 * (t21 + t23);
+  const Scalar t51 = (t50 + g.l2 * (t23 + t24)) - g.l2 * (t26 + t24);
+  const Scalar t52 = (inertia.c2x * t30 - (inertia.I2xx - t48)) + ((t49 - t51) - g.l2 * t29);
+  return { t1,
+           g.d4 * t2,
+           g.d4 * (t3 + t4),
+           g.d4 * t5,
+           g.d4 * t6,
+           t8,
+           g.d4 * (t9 + t10),
            g.l2 / g.d4,
            gravity[0] / g.d4,
+           Scalar(1) / g.d4,
+           gravity[2] / g.d4,
            gravity[1] / g.d4,
-           t17,
-           t19,
-           g.d4 * (t20 + (t22 + t24)),
-           g.d4 * t25,
-           t30,
-           t32 + t33,
-           Scalar(2) * t34,
-           t33,
-           t32,
-           t34,
-           inertia.I6yz - inertia.c6z * t12,
-           inertia.I6xy - inertia.c6y * t9,
-           inertia.c5z * t11 - (inertia.I5zz - t35),
-           inertia.I5yz - inertia.c5z * t13,
-           inertia.I5xy - inertia.c5y * t15,
-           inertia.I5xz - inertia.c5z * t15,
-           t36,
-           inertia.I4xz - inertia.c4z * t14,
+           t20,
+           g.d4 * ((t26 + t28) - t29),
+           g.d4 * t30,
+           t31,
+           (inertia.I3xy - inertia.c3y * t0) + t1,
+           inertia.c3x * t0 - (inertia.I3xx - t32),
+           t33 - (t33 - (inertia.I3xz - inertia.c3z * t0)),
+           t35 - t34,
+           inertia.I5xz - inertia.c5z * t10,
+           inertia.I5xy - inertia.c5y * t10,
+           inertia.I5yz - inertia.c5z * t4,
            t38,
-           (inertia.I4zz - t37) - inertia.c4z * t16,
-           inertia.I4yz - inertia.c4z * t3,
-           inertia.I4xy - inertia.c4y * t14,
-           (inertia.I3xy - inertia.c3y * t18) + t19,
-           inertia.c3x * t18 - (inertia.I3xx - t28),
-           inertia.I3xz - inertia.c3z * t18,
-           g.d4 * t23 + (inertia.I3yz - inertia.c3z * t5),
-           (t39 + t40) - t17 };
+           inertia.I6yz - inertia.c6z * t3,
+           inertia.I6xy - inertia.c6y * t5,
+           Scalar(2) * t39,
+           t40 + t41,
+           t39,
+           t41,
+           inertia.c5z * t2 - (inertia.I5zz - t37),
+           t40,
+           inertia.I4xz - inertia.c4z * t9,
+           (inertia.I4zz - t42) - inertia.c4z * t7,
+           t43,
+           t8 - (t8 + (inertia.I4yz - inertia.c4z * t13)),
+           (t44 + (inertia.I4xy - inertia.c4y * t9)) - t44,
+           t20 + (t46 + t47),
+           t52 };
 }
 
 namespace detail {
@@ -126,139 +138,139 @@ inline JointVector<Scalar> inverse_dynamics_with_gravity_vector([[maybe_unused]]
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[1] - k[0] * qdd[0];
-  const Scalar t1 = qd[1] * qd[1];
-  const Scalar t2 = qd[1] * s3;
-  const Scalar t3 = qd[1] * c3;
-  const Scalar t4 = t2 * t3;
-  const Scalar t5 = qdd[2] + t4;
-  const Scalar t6 = s2 * t0 - k[10] * c2;
-  const Scalar t7 = t6 + k[9] * qdd[1];
-  const Scalar t8 = k[11] * c3 + s3 * t7;
-  const Scalar t9 = t2 * t2;
-  const Scalar t10 = qd[2] * qd[2];
-  const Scalar t11 = t9 + t10;
-  const Scalar t12 = t8 - t11;
-  const Scalar t13 = qd[3] - t3;
-  const Scalar t14 = s4 * t2 - qd[2] * c4;
-  const Scalar t15 = t13 * t14;
-  const Scalar t16 = qdd[1] * s3;
-  const Scalar t17 = qd[2] * t3;
-  const Scalar t18 = (t16 + t17) + t17;
-  const Scalar t19 = qdd[2] - t4;
-  const Scalar t20 = c4 * t18 + s4 * t19;
-  const Scalar t21 = t15 - t20;
-  const Scalar t22 = t21 + t15;
-  const Scalar t23 = c4 * t19 - s4 * t18;
-  const Scalar t24 = qd[2] * s4 + c4 * t2;
-  const Scalar t25 = t13 * t24;
-  const Scalar t26 = (t23 - t25) - t25;
-  const Scalar t27 = k[12] * t12 + (k[8] * t22 + k[7] * t26);
-  const Scalar t28 = qd[4] - t24;
-  const Scalar t29 = s5 * t14 - c5 * t13;
-  const Scalar t30 = qd[2] * t2;
-  const Scalar t31 = qdd[1] * c3;
-  const Scalar t32 = t30 - t31;
-  const Scalar t33 = qdd[3] + t32;
-  const Scalar t34 = t14 * t24;
-  const Scalar t35 = t33 - t34;
-  const Scalar t36 = c5 * t26 - s5 * t35;
-  const Scalar t37 = Scalar(2) * t28 * t29 + t36;
-  const Scalar t38 = qd[5] - t29;
-  const Scalar t39 = t37 + Scalar(2) * t28 * t38;
-  const Scalar t40 = k[3] * c6 - k[4] * s6;
-  const Scalar t41 = k[4] * c6 + k[3] * s6;
-  const Scalar t42 = s5 * t13 + c5 * t14;
-  const Scalar t43 = qdd[4] + t21;
-  const Scalar t44 = t42 * t29;
-  const Scalar t45 = t43 + t44;
-  const Scalar t46 = Scalar(2) * t42 * t38 + t45;
-  const Scalar t47 = t28 * t28;
-  const Scalar t48 = t42 * t42;
-  const Scalar t49 = t47 + t48;
-  const Scalar t50 = t43 - t44;
-  const Scalar t51 = (t39 * t40 + t41 * t46) - (k[6] * t49 - k[5] * t50);
-  const Scalar t52 = t14 * t14;
-  const Scalar t53 = t13 * t13;
-  const Scalar t54 = t52 + t53;
-  const Scalar t55 = t47 - t48;
-  const Scalar t56 = t38 * t38 + t47;
-  const Scalar t57 = s5 * t26 + c5 * t35;
-  const Scalar t58 = qdd[5] + t57;
-  const Scalar t59 = (k[6] * t45 + k[5] * (t54 + t55)) + (t56 * t41 - t58 * t40);
-  const Scalar t60 = k[13] * t5 + (t27 + (c5 * t51 - s5 * t59));
-  const Scalar t61 = t56 - t55;
-  const Scalar t62 = t42 * t28;
-  const Scalar t63 = t62 - (t58 - t62);
-  const Scalar t64 = qdd[5] + t63;
-  const Scalar t65 = (t61 * t40 - t63 * t41) + (k[6] * t37 - k[5] * t64);
-  const Scalar t66 = k[10] * s2 + c2 * t0;
-  const Scalar t67 = k[9] * t1 + t66;
-  const Scalar t68 = t67 + t18;
-  const Scalar t69 = t19 + (c3 * t7 - k[11] * s3);
-  const Scalar t70 = s4 * t68 - c4 * t69;
-  const Scalar t71 = t33 + t34;
-  const Scalar t72 = k[12] * t70 - (k[8] * t71 + k[7] * t54);
-  const Scalar t73 = t65 - t72;
-  const Scalar t74 = t52 - t53;
-  const Scalar t75 = t54 - t11;
-  const Scalar t76 = t74 + t75;
-  const Scalar t77 = s4 * t69 + c4 * t68;
-  const Scalar t78 = (k[7] * t35 - k[8] * (t54 - t76)) + k[12] * t77;
-  const Scalar t79 = (s5 * t51 + c5 * t59) - t78;
-  const Scalar t80 = t9 - t10;
-  const Scalar t81 = t80 - t1;
-  const Scalar t82 = (c4 * t73 - s4 * t79) - k[13] * t81;
-  const Scalar t83 = s3 * t60 + c3 * t82;
-  const Scalar t84 = s2 * ((k[14] * qdd[1] - k[15] * t1) - t83);
-  const Scalar t85 = t30 + t32;
-  const Scalar t86 = k[13] * t85 - (s4 * t73 + c4 * t79);
-  const Scalar t87 = c2 * ((k[14] * t1 + k[15] * qdd[1]) - t86);
-  const Scalar t88 = (k[14] * t6 + k[15] * t66) + k[16] * qdd[1];
-  const Scalar t89 = (k[31] * t71 - k[30] * t35) + k[29] * t76;
-  const Scalar t90 = (t89 + (k[32] * t23 + k[33] * t20)) - (k[8] * t70 - k[7] * t77);
-  const Scalar t91 = k[22] * c6 + k[23] * s6;
-  const Scalar t92 = k[17] * c6 - k[18] * s6;
-  const Scalar t93 = c6 * t92;
-  const Scalar t94 = k[19] - t93;
-  const Scalar t95 = k[21] + s6 * t92;
-  const Scalar t96 = t61 - t49;
-  const Scalar t97 = k[23] * c6 - k[22] * s6;
-  const Scalar t98 = (t39 * t94 - t95 * t46) - t96 * t97;
-  const Scalar t99 = s5 * t77 - c5 * t12;
-  const Scalar t100 = t54 - t49;
-  const Scalar t101 = k[26] * t100 + (k[28] * t37 - k[25] * t64);
-  const Scalar t102 = ((t63 * t91 + t98) + t99 * t40) + (k[6] * t70 - (k[27] * t50 + t101));
-  const Scalar t103 = (k[26] * t45 + k[27] * t55) - (k[24] * t64 + k[25] * t37);
-  const Scalar t104 = s5 * t12 + c5 * t77;
-  const Scalar t105 = k[20] - t93;
-  const Scalar t106 = (t105 * t63 + t58 * t94) + t95 * t55;
-  const Scalar t107 = (t41 * t70 - t104 * t40) - ((t37 * t91 - t97 * t45) - t106);
-  const Scalar t108 = (k[5] * t70 + t103) + t107;
-  const Scalar t109 = t90 + (s5 * t102 - c5 * t108);
-  const Scalar t110 = (k[34] * t18 - k[35] * t85) - (k[36] * t80 - k[37] * t19);
-  const Scalar t111 = (k[30] * t26 - k[29] * t22) - k[33] * t75;
-  const Scalar t112 = (c5 * t102 + s5 * t108) - (k[7] * t12 - (t111 - k[32] * t71));
-  const Scalar t113 = t73 - t112;
-  const Scalar t114 = (k[28] * t45 - k[24] * t50) + k[25] * (t100 + t55);
-  const Scalar t115 = ((k[27] * t36 - k[26] * t57) + t114) - (k[6] * t104 + k[5] * t99);
-  const Scalar t116 = (t58 * t97 - (t96 + t55) * t91) - (t105 * t46 + t39 * t95);
-  const Scalar t117 = t115 - (t99 * t41 + t116);
-  const Scalar t118 = (k[31] * t22 + k[29] * t26) - (k[32] * t74 + k[33] * t35);
-  const Scalar t119 = (t117 + (t118 + k[8] * t12)) + t79;
-  const Scalar t120 = t81 + t11;
-  const Scalar t121 = k[37] * (t80 - t120) - (k[38] * t18 + k[34] * t85);
-  const Scalar t122 = (s4 * t113 + c4 * t119) + (k[36] * t5 + t121);
-  const Scalar t123 = c3 * (t109 + (k[13] * t67 + t110)) + s3 * t122;
-  const Scalar t124 = k[34] * t120 - (k[38] * t19 - k[35] * t5);
-  const Scalar t125 = k[13] * t8 - ((k[37] * t31 + k[36] * t16) + t124);
+  const Scalar t0 = k[10] - k[9] * qdd[0];
+  const Scalar t1 = qd[1] * s3;
+  const Scalar t2 = qd[1] * c3;
+  const Scalar t3 = t1 * t2;
+  const Scalar t4 = qdd[2] + t3;
+  const Scalar t5 = k[8] * c2 - s2 * t0;
+  const Scalar t6 = t5 - k[7] * qdd[1];
+  const Scalar t7 = k[11] * c3 - s3 * t6;
+  const Scalar t8 = t1 * t1;
+  const Scalar t9 = qd[2] * qd[2];
+  const Scalar t10 = t8 + t9;
+  const Scalar t11 = t7 - t10;
+  const Scalar t12 = qdd[1] * s3;
+  const Scalar t13 = t12 + qd[2] * (t2 + t2);
+  const Scalar t14 = qdd[2] - t3;
+  const Scalar t15 = c4 * t13 + s4 * t14;
+  const Scalar t16 = qd[3] - t2;
+  const Scalar t17 = s4 * t1 - qd[2] * c4;
+  const Scalar t18 = t16 * t17;
+  const Scalar t19 = t15 - t18;
+  const Scalar t20 = t19 - t18;
+  const Scalar t21 = qd[2] * s4 + c4 * t1;
+  const Scalar t22 = t16 * t21;
+  const Scalar t23 = c4 * t14 - s4 * t13;
+  const Scalar t24 = (t22 + t22) - t23;
+  const Scalar t25 = k[12] * t11 + (k[5] * t20 + k[6] * t24);
+  const Scalar t26 = s5 * t16 + c5 * t17;
+  const Scalar t27 = s5 * t17 - c5 * t16;
+  const Scalar t28 = t26 * t27;
+  const Scalar t29 = qdd[4] - t19;
+  const Scalar t30 = t28 - t29;
+  const Scalar t31 = qd[5] - t27;
+  const Scalar t32 = t31 * t31;
+  const Scalar t33 = qd[4] - t21;
+  const Scalar t34 = t33 * t33;
+  const Scalar t35 = t32 + t34;
+  const Scalar t36 = t34 - t26 * t26;
+  const Scalar t37 = t35 - t36;
+  const Scalar t38 = t32 - t34;
+  const Scalar t39 = t37 - t38;
+  const Scalar t40 = qd[2] * t1;
+  const Scalar t41 = qdd[1] * c3;
+  const Scalar t42 = t40 - t41;
+  const Scalar t43 = qdd[3] + t42;
+  const Scalar t44 = t17 * t21;
+  const Scalar t45 = t43 - t44;
+  const Scalar t46 = c5 * t24 + s5 * t45;
+  const Scalar t47 = t33 + t33;
+  const Scalar t48 = t46 - t47 * t27;
+  const Scalar t49 = t48 - t47 * t31;
+  const Scalar t50 = k[3] * c6 - k[4] * s6;
+  const Scalar t51 = t26 * t31;
+  const Scalar t52 = t28 + t29;
+  const Scalar t53 = (t51 + t51) + t52;
+  const Scalar t54 = k[4] * c6 + k[3] * s6;
+  const Scalar t55 = (k[1] * t30 + k[2] * t39) + (t49 * t50 - t53 * t54);
+  const Scalar t56 = s5 * t24 - c5 * t45;
+  const Scalar t57 = qdd[5] - t56;
+  const Scalar t58 = t17 * t17;
+  const Scalar t59 = t16 * t16;
+  const Scalar t60 = t58 + t59;
+  const Scalar t61 = t60 + t36;
+  const Scalar t62 = (t35 * t54 - t57 * t50) + (k[1] * t61 + k[2] * t52);
+  const Scalar t63 = k[0] * t4 - (t25 + (c5 * t55 + s5 * t62));
+  const Scalar t64 = t8 - t9;
+  const Scalar t65 = qd[1] * qd[1];
+  const Scalar t66 = c3 * t6 + k[11] * s3;
+  const Scalar t67 = c2 * t0 + k[8] * s2;
+  const Scalar t68 = t67 + k[7] * t65;
+  const Scalar t69 = t15 - (s4 * t66 - c4 * t68);
+  const Scalar t70 = t58 - t59;
+  const Scalar t71 = t70 - t10;
+  const Scalar t72 = k[12] * t69 - (k[5] * t71 + k[6] * t45);
+  const Scalar t73 = (s5 * t55 - c5 * t62) - t72;
+  const Scalar t74 = t26 * t33;
+  const Scalar t75 = t74 + (t74 + t56);
+  const Scalar t76 = qdd[5] - t75;
+  const Scalar t77 = (k[2] * t48 + k[1] * t75) - (t76 * t54 + t37 * t50);
+  const Scalar t78 = t43 + t44;
+  const Scalar t79 = t23 - (s4 * t68 + c4 * t66);
+  const Scalar t80 = (k[6] * t60 + k[5] * t78) - k[12] * t79;
+  const Scalar t81 = t77 - t80;
+  const Scalar t82 = k[0] * (t64 - t65) - (s4 * t73 - c4 * t81);
+  const Scalar t83 = s3 * t63 - c3 * t82;
+  const Scalar t84 = s2 * (t83 - (k[13] * qdd[1] - k[14] * t65));
+  const Scalar t85 = t40 + t42;
+  const Scalar t86 = k[0] * t85 + (s4 * t81 + c4 * t73);
+  const Scalar t87 = c2 * (t86 - (k[14] * qdd[1] + k[13] * t65));
+  const Scalar t88 = k[38] * qdd[1] - (k[13] * t5 - k[14] * t67);
+  const Scalar t89 = t65 - t10;
+  const Scalar t90 = k[19] * t89 - (k[37] * t13 + k[16] * t85);
+  const Scalar t91 = c5 * t11 - s5 * t69;
+  const Scalar t92 = k[25] * s6 + k[24] * c6;
+  const Scalar t93 = k[27] * c6 - k[26] * s6;
+  const Scalar t94 = c6 * t93;
+  const Scalar t95 = k[29] - t94;
+  const Scalar t96 = k[28] + s6 * t93;
+  const Scalar t97 = k[25] * c6 - k[24] * s6;
+  const Scalar t98 = (t95 * t49 + t96 * t53) + t97 * t38;
+  const Scalar t99 = t39 - t61;
+  const Scalar t100 = k[21] * (t99 + t36) + (k[23] * t48 + k[22] * t75);
+  const Scalar t101 = (t91 * t50 + (t92 * t76 + t98)) - ((k[20] * t30 + t100) - k[2] * t79);
+  const Scalar t102 = (k[21] * t52 + k[20] * t36) - (k[30] * t75 - k[22] * t48);
+  const Scalar t103 = k[31] - t94;
+  const Scalar t104 = t96 * t36 - (t76 * t103 - t95 * t57);
+  const Scalar t105 = c5 * t69 + s5 * t11;
+  const Scalar t106 = ((t92 * t48 + t52 * t97) + t104) - (t79 * t54 + t105 * t50);
+  const Scalar t107 = (k[1] * t79 - t102) - t106;
+  const Scalar t108 = t60 + t71;
+  const Scalar t109 = (k[34] * t24 - k[32] * t20) - k[36] * (t70 - t108);
+  const Scalar t110 = (c5 * t101 + s5 * t107) + (k[6] * t11 + (t109 - k[35] * t78));
+  const Scalar t111 = t110 - t81;
+  const Scalar t112 = (k[32] * t24 + k[33] * t20) + (k[36] * t45 - k[35] * t70);
+  const Scalar t113 = (t57 * t97 + t92 * (t39 - t35)) + (t96 * t49 - t103 * t53);
+  const Scalar t114 = k[22] * t99 - (k[30] * t30 + k[23] * t52);
+  const Scalar t115 = (t114 + (k[20] * t46 - k[21] * t56)) - (k[1] * t91 - k[2] * t105);
+  const Scalar t116 = (t91 * t54 - t113) - t115;
+  const Scalar t117 = ((t112 - k[5] * t11) - t116) + t73;
+  const Scalar t118 = (k[18] * t4 + t90) + (s4 * t111 - c4 * t117);
+  const Scalar t119 = k[32] * t108 - (k[34] * t45 - k[33] * t78);
+  const Scalar t120 = ((k[36] * t15 - k[35] * t23) + t119) + (k[6] * t69 + k[5] * t79);
+  const Scalar t121 = t120 - (s5 * t101 - c5 * t107);
+  const Scalar t122 = (k[17] * t85 - k[16] * t13) - (k[19] * t14 - k[18] * t64);
+  const Scalar t123 = s3 * t118 + c3 * (t121 - (t122 - k[0] * t68));
+  const Scalar t124 = (k[17] * t4 - k[37] * t14) + k[16] * (t64 - t89);
+  const Scalar t125 = k[0] * t7 - ((k[19] * t41 + k[18] * t12) + t124);
   JointVector<Scalar> result;
-  result[0] = -k[2] * t0 - k[0] * (t84 + t87);
-  result[1] = t88 - (k[9] * t83 - t123);
-  result[2] = (s4 * t119 - c4 * t113) - t125;
-  result[3] = -t109;
-  result[4] = -t117;
-  result[5] = t107;
+  result[0] = -k[9] * (k[15] * t0 - (t84 + t87));
+  result[1] = t88 + (t123 - k[7] * t83);
+  result[2] = -(s4 * t117 + c4 * t111) - t125;
+  result[3] = -t121;
+  result[4] = -t116;
+  result[5] = t106;
   return result;
 }
 
@@ -287,86 +299,99 @@ InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constant
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c3x * inertia.m3;
-  const Scalar t1 = g.d4 * t0;
-  const Scalar t2 = inertia.c4y * inertia.m4;
-  const Scalar t3 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t4 = t2 - g.d4 * t3;
+  const Scalar t0 = inertia.c5z * inertia.m5;
+  const Scalar t1 = inertia.c6y * inertia.m6;
+  const Scalar t2 = inertia.c5y * inertia.m5;
+  const Scalar t3 = inertia.c6z * inertia.m6;
+  const Scalar t4 = inertia.c6x * inertia.m6;
   const Scalar t5 = inertia.c3y * inertia.m3;
   const Scalar t6 = g.d4 * inertia.m3 - t5;
-  const Scalar t7 = (t4 - t6) / g.d4;
-  const Scalar t8 = g.d4 * g.d4 * t7;
-  const Scalar t9 = inertia.c4x * inertia.m4;
-  const Scalar t10 = inertia.c5x * inertia.m5;
-  const Scalar t11 = inertia.c4z * inertia.m4;
-  const Scalar t12 = inertia.c5z * inertia.m5;
-  const Scalar t13 = inertia.c6y * inertia.m6;
-  const Scalar t14 = inertia.c5y * inertia.m5;
-  const Scalar t15 = inertia.c6x * inertia.m6;
-  const Scalar t16 = inertia.c6z * inertia.m6;
-  const Scalar t17 = g.l2 * t7;
-  const Scalar t18 = inertia.c2z * inertia.m2;
-  const Scalar t19 = g.l2 * inertia.m2 + t18;
-  const Scalar t20 = inertia.c3z * inertia.m3;
-  const Scalar t21 = inertia.m3 + t3;
-  const Scalar t22 = t20 + g.l2 * t21;
-  const Scalar t23 = inertia.c2x * inertia.m2;
-  const Scalar t24 = g.d4 * g.d4 * ((inertia.m1 + (inertia.m2 + t21)) + t7);
-  const Scalar t25 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t26 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t27 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t28 = (inertia.c5x * t10 - (inertia.I5xx - t26)) - ((inertia.I4xx - t27) - inertia.c4x * t9);
-  const Scalar t29 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t30 = (inertia.I6xx - t29) - inertia.c6x * t15;
-  const Scalar t31 = inertia.c6z * t16 - (inertia.I6zz - t29);
-  const Scalar t32 = inertia.I6xz - inertia.c6z * t15;
-  const Scalar t33 = ((inertia.I6yy - t29) - inertia.c6y * t13) - (inertia.c5y * t14 - (inertia.I5yy - t26));
-  const Scalar t34 = ((inertia.I4yy - t27) - inertia.c4y * t2) + g.d4 * (t2 + t4);
-  const Scalar t35 = ((inertia.I3yy - t25) - inertia.c3y * t5) - g.d4 * (t6 - t5);
-  const Scalar t36 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t37 = g.l2 * (t19 + t18) - ((inertia.I2zz - t36) - inertia.c2z * t18);
-  const Scalar t38 = ((inertia.I3zz - t25) - inertia.c3z * t20) - g.l2 * (t20 + t22);
-  const Scalar t39 = (inertia.c2x * t23 - (inertia.I2xx - t36)) + (g.l2 * t17 + (t37 - t38));
-  return { t1,
+  const Scalar t7 = inertia.c4y * inertia.m4;
+  const Scalar t8 = g.d4 * inertia.m4;
+  const Scalar t9 = t7 - t8;
+  const Scalar t10 = t9 + t8;
+  const Scalar t11 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t12 = t10 - g.d4 * t11;
+  const Scalar t13 = (t6 - t12) / g.d4;
+  const Scalar t14 = g.d4 * g.d4 * t13;
+  const Scalar t15 = inertia.c4z * inertia.m4;
+  const Scalar t16 = g.d4 * t15;
+  const Scalar t17 = inertia.c4x * inertia.m4;
+  const Scalar t18 = inertia.c5x * inertia.m5;
+  const Scalar t19 = inertia.c3x * inertia.m3;
+  const Scalar t20 = g.d4 * t19;
+  const Scalar t21 = inertia.c2x * inertia.m2;
+  const Scalar t22 = inertia.c3z * inertia.m3;
+  const Scalar t23 = g.l2 * inertia.m3;
+  const Scalar t24 = t22 + t23;
+  const Scalar t25 = t24 - t23;
+  const Scalar t26 = inertia.m3 + t11;
+  const Scalar t27 = t25 + g.l2 * t26;
+  const Scalar t28 = inertia.c2z * inertia.m2;
+  const Scalar t29 = g.l2 * inertia.m2 + t28;
+  const Scalar t30 = g.l2 * t13;
+  const Scalar t31 = g.d4 * g.d4 * ((inertia.m1 + (inertia.m2 + t26)) - t13);
+  const Scalar t32 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t33 = g.l2 * (t29 + t28) - ((inertia.I2zz - t32) - inertia.c2z * t28);
+  const Scalar t34 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t35 = ((inertia.I3zz - t34) - inertia.c3z * t22) - g.l2 * (t22 + t24);
+  const Scalar t36 = (t35 + g.l2 * (t24 + t25)) - g.l2 * (t27 + t25);
+  const Scalar t37 = (inertia.c2x * t21 - (inertia.I2xx - t32)) + ((t33 - t36) - g.l2 * t30);
+  const Scalar t38 = g.l2 * t19;
+  const Scalar t39 = g.l2 * t6;
+  const Scalar t40 = (g.d4 * t22 + (inertia.I3yz - inertia.c3z * t5)) + t39;
+  const Scalar t41 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t42 = g.d4 * (t7 + t9) + ((inertia.I4yy - t41) - inertia.c4y * t7);
+  const Scalar t43 = (t42 - g.d4 * (t10 + t9)) + g.d4 * (t10 + t12);
+  const Scalar t44 = ((inertia.I3yy - t34) - inertia.c3y * t5) - g.d4 * (t6 - t5);
+  const Scalar t45 = inertia.I6xz - inertia.c6z * t4;
+  const Scalar t46 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t47 = (inertia.I6xx - t46) - inertia.c6x * t4;
+  const Scalar t48 = inertia.c6z * t3 - (inertia.I6zz - t46);
+  const Scalar t49 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t50 = ((inertia.I6yy - t46) - inertia.c6y * t1) - (inertia.c5y * t2 - (inertia.I5yy - t49));
+  const Scalar t51 = g.d4 * t17;
+  const Scalar t52 = (inertia.c5x * t18 - (inertia.I5xx - t49)) - ((inertia.I4xx - t41) - inertia.c4x * t17);
+  return { g.d4 * t0,
+           g.d4 * (t1 + t2),
+           g.d4,
+           g.d4 * t3,
+           g.d4 * t4,
            g.l2 / g.d4,
            gravity[0] / g.d4,
            Scalar(1) / g.d4,
            gravity[2] / g.d4,
            gravity[1] / g.d4,
-           t8,
-           g.d4 * (t9 + t10),
-           g.d4 * t11,
-           g.d4 * t12,
-           g.d4 * (t13 + t14),
-           g.d4 * t15,
-           g.d4 * t16,
-           g.d4,
-           g.d4 * (t17 + (t19 + t22)),
-           g.d4 * t23,
-           t24,
-           inertia.I3xz - inertia.c3z * t0,
-           g.d4 * t20 + (inertia.I3yz - inertia.c3z * t5),
-           (inertia.I3xy - inertia.c3y * t0) + t1,
-           inertia.c3x * t0 - (inertia.I3xx - t25),
-           t28,
-           (inertia.I4zz - t27) - inertia.c4z * t11,
-           inertia.I4xz - inertia.c4z * t9,
-           inertia.I4xy - inertia.c4y * t9,
-           inertia.I4yz - inertia.c4z * t2,
-           inertia.I5xy - inertia.c5y * t10,
-           inertia.I5xz - inertia.c5z * t10,
-           inertia.c5z * t12 - (inertia.I5zz - t26),
-           inertia.I5yz - inertia.c5z * t14,
-           t30 + t31,
-           Scalar(2) * t32,
+           t14,
+           t16,
+           g.d4 * (t17 + t18),
+           t20,
+           g.d4 * t21,
+           g.d4 * ((t27 + t29) - t30),
            t31,
-           t30,
-           t32,
-           inertia.I6yz - inertia.c6z * t13,
-           inertia.I6xy - inertia.c6y * t15,
-           t33,
-           (t34 + t35) - t8,
-           t39 };
+           t37,
+           t38 - (t38 - (inertia.I3xz - inertia.c3z * t19)),
+           t40 - t39,
+           (inertia.I3xy - inertia.c3y * t19) + t20,
+           t14 + (t43 + t44),
+           Scalar(2) * t45,
+           t47 + t48,
+           t45,
+           t47,
+           inertia.I6yz - inertia.c6z * t1,
+           inertia.I6xy - inertia.c6y * t4,
+           inertia.I5yz - inertia.c5z * t2,
+           inertia.c5z * t0 - (inertia.I5zz - t49),
+           t50,
+           inertia.I5xz - inertia.c5z * t18,
+           inertia.I5xy - inertia.c5y * t18,
+           (inertia.I4zz - t41) - inertia.c4z * t15,
+           inertia.I4xz - inertia.c4z * t17,
+           t16 - (t16 + (inertia.I4yz - inertia.c4z * t7)),
+           (t51 + (inertia.I4xy - inertia.c4y * t17)) - t51,
+           t48,
+           t52,
+           inertia.c3x * t19 - (inertia.I3xx - t34) };
 }
 
 namespace detail {
@@ -385,156 +410,155 @@ inline JointVector<Scalar> inverse_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[4] - k[3] * qdd[0];
-  const Scalar t1 = qd[1] * qd[1];
-  const Scalar t2 = qd[1] * s3;
-  const Scalar t3 = qd[2] * t2;
-  const Scalar t4 = qdd[1] * c3;
-  const Scalar t5 = t3 - t4;
-  const Scalar t6 = t3 + t5;
-  const Scalar t7 = s4 * t2 - qd[2] * c4;
-  const Scalar t8 = t7 * t7;
-  const Scalar t9 = qd[1] * c3;
-  const Scalar t10 = qd[3] - t9;
-  const Scalar t11 = t10 * t10;
-  const Scalar t12 = t8 + t11;
-  const Scalar t13 = qd[2] * s4 + c4 * t2;
-  const Scalar t14 = qd[4] - t13;
-  const Scalar t15 = t14 * t14;
-  const Scalar t16 = s5 * t10 + c5 * t7;
-  const Scalar t17 = t16 * t16;
-  const Scalar t18 = t15 - t17;
-  const Scalar t19 = t12 + t18;
-  const Scalar t20 = s5 * t7 - c5 * t10;
-  const Scalar t21 = t16 * t20;
-  const Scalar t22 = qdd[1] * s3;
-  const Scalar t23 = Scalar(2) * qd[2] * t9 + t22;
-  const Scalar t24 = t2 * t9;
-  const Scalar t25 = qdd[2] - t24;
-  const Scalar t26 = c4 * t23 + s4 * t25;
-  const Scalar t27 = t10 * t7;
-  const Scalar t28 = t26 - t27;
-  const Scalar t29 = qdd[4] - t28;
-  const Scalar t30 = t21 + t29;
-  const Scalar t31 = k[12] * c6 + k[11] * s6;
-  const Scalar t32 = qd[5] - t20;
-  const Scalar t33 = t32 * t32;
-  const Scalar t34 = t33 + t15;
-  const Scalar t35 = t16 * t14;
-  const Scalar t36 = t35 + t35;
-  const Scalar t37 = t10 * t13;
-  const Scalar t38 = c4 * t25 - s4 * t23;
-  const Scalar t39 = (t37 - t38) + t37;
-  const Scalar t40 = qdd[3] + t5;
-  const Scalar t41 = t7 * t13;
+  const Scalar t0 = qd[1] * s3;
+  const Scalar t1 = qd[1] * c3;
+  const Scalar t2 = t0 * t1;
+  const Scalar t3 = qdd[2] + t2;
+  const Scalar t4 = qd[3] - t1;
+  const Scalar t5 = s4 * t0 - qd[2] * c4;
+  const Scalar t6 = s5 * t4 + c5 * t5;
+  const Scalar t7 = t6 + t6;
+  const Scalar t8 = qd[2] * s4 + c4 * t0;
+  const Scalar t9 = qd[4] - t8;
+  const Scalar t10 = t7 * t9;
+  const Scalar t11 = qdd[2] - t2;
+  const Scalar t12 = qdd[1] * s3;
+  const Scalar t13 = qd[2] * t1;
+  const Scalar t14 = (t12 + t13) + t13;
+  const Scalar t15 = c4 * t11 - s4 * t14;
+  const Scalar t16 = t15 - Scalar(2) * t4 * t8;
+  const Scalar t17 = qd[2] * t0;
+  const Scalar t18 = qdd[1] * c3;
+  const Scalar t19 = t17 - t18;
+  const Scalar t20 = qdd[3] + t19;
+  const Scalar t21 = t5 * t8;
+  const Scalar t22 = t20 - t21;
+  const Scalar t23 = s5 * t16 + c5 * t22;
+  const Scalar t24 = t10 - t23;
+  const Scalar t25 = qdd[5] - t24;
+  const Scalar t26 = t10 + t25;
+  const Scalar t27 = k[4] * c6 - k[3] * s6;
+  const Scalar t28 = s5 * t5 - c5 * t4;
+  const Scalar t29 = qd[5] - t28;
+  const Scalar t30 = t29 * t29;
+  const Scalar t31 = t9 * t9;
+  const Scalar t32 = t30 + t31;
+  const Scalar t33 = k[3] * c6 + k[4] * s6;
+  const Scalar t34 = wrench[0] * c2 - wrench[2] * s2;
+  const Scalar t35 = wrench[1] * c3 - s3 * t34;
+  const Scalar t36 = wrench[2] * c2 + wrench[0] * s2;
+  const Scalar t37 = c3 * t34 + wrench[1] * s3;
+  const Scalar t38 = c4 * t36 - s4 * t37;
+  const Scalar t39 = (t26 * t27 - t32 * t33) - k[2] * (s5 * t35 + c5 * t38);
+  const Scalar t40 = t4 * t5;
+  const Scalar t41 = c4 * t14 + s4 * t11;
   const Scalar t42 = t40 - t41;
-  const Scalar t43 = s5 * t39 - c5 * t42;
-  const Scalar t44 = t36 + t43;
-  const Scalar t45 = qdd[5] - t44;
-  const Scalar t46 = t36 + t45;
-  const Scalar t47 = k[12] * s6 - k[11] * c6;
-  const Scalar t48 = wrench[0] * c2 - wrench[2] * s2;
-  const Scalar t49 = wrench[1] * c3 - s3 * t48;
-  const Scalar t50 = wrench[2] * c2 + wrench[0] * s2;
-  const Scalar t51 = c3 * t48 + wrench[1] * s3;
-  const Scalar t52 = c4 * t50 - s4 * t51;
-  const Scalar t53 = (t31 * t34 + t46 * t47) + k[13] * (s5 * t49 + c5 * t52);
-  const Scalar t54 = (k[9] * t19 + k[10] * t30) + t53;
-  const Scalar t55 = t14 * t32;
-  const Scalar t56 = t14 * t20;
-  const Scalar t57 = c5 * t39 + s5 * t42;
-  const Scalar t58 = (t56 + t56) - t57;
-  const Scalar t59 = t55 + (t55 + t58);
-  const Scalar t60 = t16 * t32;
-  const Scalar t61 = t30 + (t60 + t60);
-  const Scalar t62 = (t47 * t59 - t61 * t31) + k[13] * (c5 * t49 - s5 * t52);
-  const Scalar t63 = t15 + t17;
-  const Scalar t64 = t21 - t29;
-  const Scalar t65 = t62 + (k[10] * t63 + k[9] * t64);
-  const Scalar t66 = t9 * t9;
-  const Scalar t67 = qd[2] * qd[2];
-  const Scalar t68 = t66 - t67;
-  const Scalar t69 = t1 - t68;
-  const Scalar t70 = t12 - t69;
-  const Scalar t71 = t8 - t11;
-  const Scalar t72 = t70 + t71;
-  const Scalar t73 = c2 * t0 + k[2] * s2;
-  const Scalar t74 = k[1] * t1 + t73;
-  const Scalar t75 = s2 * t0 - k[2] * c2;
-  const Scalar t76 = t75 + k[1] * qdd[1];
-  const Scalar t77 = c3 * t76 - k[5] * s3;
-  const Scalar t78 = t26 + (c4 * t74 + s4 * t77);
-  const Scalar t79 = (k[7] * t42 - k[8] * (t12 - t72)) + k[6] * t78;
-  const Scalar t80 = (c5 * t54 - s5 * t65) - t79;
-  const Scalar t81 = (c4 * t77 - s4 * t74) + t38;
-  const Scalar t82 = t40 + t41;
-  const Scalar t83 = k[6] * t81 + (k[8] * t82 + k[7] * t12);
-  const Scalar t84 = t34 - t18;
-  const Scalar t85 = (t84 * t47 - t31 * t45) - k[13] * (c4 * t51 + s4 * t50);
-  const Scalar t86 = t83 - ((k[9] * t44 - k[10] * t58) + t85);
-  const Scalar t87 = k[0] * t6 - (c4 * t80 + s4 * t86);
-  const Scalar t88 = c2 * ((k[14] * t1 + k[15] * qdd[1]) - t87);
-  const Scalar t89 = qdd[2] + t24;
-  const Scalar t90 = t28 - t27;
-  const Scalar t91 = s3 * t76 + k[5] * c3;
-  const Scalar t92 = t69 - t91;
-  const Scalar t93 = (k[8] * t90 + k[7] * t39) + k[6] * t92;
-  const Scalar t94 = k[0] * t89 - ((c5 * t65 + s5 * t54) + t93);
-  const Scalar t95 = t66 + t67;
-  const Scalar t96 = (c4 * t86 - s4 * t80) + k[0] * t95;
-  const Scalar t97 = s3 * t94 + c3 * t96;
-  const Scalar t98 = s2 * ((k[14] * qdd[1] - k[15] * t1) - t97);
-  const Scalar t99 = (k[17] * (t1 - t95) - k[18] * t25) + (k[20] * t6 - k[19] * t23);
-  const Scalar t100 = k[23] * t72 + (k[22] * t82 - k[21] * t42);
-  const Scalar t101 = (k[7] * t78 + k[8] * t81) + (t100 + (k[24] * t26 + k[25] * t38));
-  const Scalar t102 = wrench[5] * s2 - wrench[3] * c2;
-  const Scalar t103 = wrench[4] * s3 - c3 * t102;
-  const Scalar t104 = wrench[5] * c2 + wrench[3] * s2;
-  const Scalar t105 = s4 * t103 - c4 * t104;
-  const Scalar t106 = s3 * t102 + wrench[4] * c3;
-  const Scalar t107 = k[31] * s6 - k[30] * c6;
-  const Scalar t108 = k[34] - s6 * t107;
-  const Scalar t109 = c6 * t107;
-  const Scalar t110 = k[32] + t109;
-  const Scalar t111 = k[33] + t109;
-  const Scalar t112 = t108 * t18 + (t46 * t110 - t45 * t111);
-  const Scalar t113 = k[36] * c6 - k[35] * s6;
-  const Scalar t114 = k[35] * c6 + k[36] * s6;
-  const Scalar t115 = s5 * t92 - c5 * t78;
-  const Scalar t116 = (t112 + (t30 * t113 - t58 * t114)) - (t31 * t81 + t115 * t47);
-  const Scalar t117 = (s5 * t105 + c5 * t106) + t116;
-  const Scalar t118 = (k[26] * t30 + k[27] * t18) - (k[29] * t58 + k[28] * t44);
-  const Scalar t119 = t117 + (t118 - k[9] * t81);
-  const Scalar t120 = t19 - t63;
-  const Scalar t121 = (k[37] * t58 - k[29] * t44) + k[26] * (t120 - t18);
-  const Scalar t122 = (t61 * t108 - t110 * t59) + (t84 - t63) * t113;
-  const Scalar t123 = s5 * t78 + c5 * t92;
-  const Scalar t124 = (s5 * t106 - c5 * t105) + ((t122 + t114 * t45) + t47 * t123);
-  const Scalar t125 = (k[10] * t81 + (t121 - k[27] * t64)) + t124;
-  const Scalar t126 = t101 - (c5 * t119 + s5 * t125);
-  const Scalar t127 = k[18] * t68 - (k[38] * t23 + k[19] * t6);
-  const Scalar t128 = k[24] * t70 - (k[23] * t90 - k[21] * t39);
-  const Scalar t129 = ((t128 + k[25] * t82) - k[7] * t92) - (s5 * t119 - c5 * t125);
-  const Scalar t130 = t86 + t129;
-  const Scalar t131 = (t59 * t108 + t61 * t111) + ((t33 - t17) * t114 - t113 * t46);
-  const Scalar t132 = (t31 * t123 - t131) + (s4 * t104 + c4 * t103);
-  const Scalar t133 = (k[28] * t64 + k[37] * t30) + k[29] * t120;
-  const Scalar t134 = (k[9] * t123 - k[10] * t115) - ((k[26] * t43 - k[27] * t57) + t133);
+  const Scalar t43 = qdd[4] + t42;
+  const Scalar t44 = t6 * t28;
+  const Scalar t45 = t43 + t44;
+  const Scalar t46 = t4 * t4;
+  const Scalar t47 = t8 * t8;
+  const Scalar t48 = t46 - t47;
+  const Scalar t49 = t0 * t0;
+  const Scalar t50 = qd[2] * qd[2];
+  const Scalar t51 = t49 + t50;
+  const Scalar t52 = t48 + t51;
+  const Scalar t53 = t6 * t6;
+  const Scalar t54 = t31 + t53;
+  const Scalar t55 = t52 - t54;
+  const Scalar t56 = t31 - t53;
+  const Scalar t57 = t55 + t56;
+  const Scalar t58 = t39 - (k[1] * t45 + k[0] * (t57 + t54));
+  const Scalar t59 = t7 * t29 + t45;
+  const Scalar t60 = t9 * t29;
+  const Scalar t61 = t9 * t28;
+  const Scalar t62 = c5 * t16 - s5 * t22;
+  const Scalar t63 = t61 + (t62 + t61);
+  const Scalar t64 = t60 + (t60 + t63);
+  const Scalar t65 = (t59 * t33 + t27 * t64) - k[2] * (c5 * t35 - s5 * t38);
+  const Scalar t66 = t43 - t44;
+  const Scalar t67 = t65 + (k[0] * t66 - k[1] * t54);
+  const Scalar t68 = t42 + t40;
+  const Scalar t69 = k[8] - k[7] * qdd[0];
+  const Scalar t70 = s2 * t69 - k[6] * c2;
+  const Scalar t71 = t70 + k[5] * qdd[1];
+  const Scalar t72 = k[9] * c3 + s3 * t71;
+  const Scalar t73 = t72 - t51;
+  const Scalar t74 = (k[12] * t16 + k[11] * t68) - k[10] * t73;
+  const Scalar t75 = k[13] * t3 + ((s5 * t58 + c5 * t67) + t74);
+  const Scalar t76 = t49 - t50;
+  const Scalar t77 = qd[1] * qd[1];
+  const Scalar t78 = t76 - t77;
+  const Scalar t79 = t46 + t47;
+  const Scalar t80 = t11 - (k[9] * s3 - c3 * t71);
+  const Scalar t81 = k[6] * s2 + c2 * t69;
+  const Scalar t82 = t81 + k[5] * t77;
+  const Scalar t83 = t14 + t82;
+  const Scalar t84 = s4 * t80 + c4 * t83;
+  const Scalar t85 = (k[11] * t79 - k[12] * t22) + k[10] * t84;
+  const Scalar t86 = (c5 * t58 - s5 * t67) - t85;
+  const Scalar t87 = t20 + t21;
+  const Scalar t88 = s4 * t83 - c4 * t80;
+  const Scalar t89 = (k[11] * t87 + k[12] * t52) + k[10] * t88;
+  const Scalar t90 = (t27 * (t30 + t53) + t33 * t25) + k[2] * (c4 * t37 + s4 * t36);
+  const Scalar t91 = t89 + ((k[1] * t63 - k[0] * t24) + t90);
+  const Scalar t92 = k[13] * t78 - (s4 * t86 + c4 * t91);
+  const Scalar t93 = s3 * t75 - c3 * t92;
+  const Scalar t94 = s2 * (t93 + (k[14] * t77 - k[15] * qdd[1]));
+  const Scalar t95 = t17 + t19;
+  const Scalar t96 = (s4 * t91 - c4 * t86) - k[13] * t95;
+  const Scalar t97 = c2 * ((k[14] * qdd[1] + k[15] * t77) + t96);
+  const Scalar t98 = (k[38] * t22 - k[33] * t87) + k[34] * (t79 - t52);
+  const Scalar t99 = (k[12] * t84 - k[11] * t88) + ((k[36] * t41 - k[35] * t15) - t98);
+  const Scalar t100 = (k[29] * t24 + k[28] * t63) - (k[32] * t45 + k[31] * t56);
+  const Scalar t101 = wrench[5] * s2 - wrench[3] * c2;
+  const Scalar t102 = wrench[4] * s3 - c3 * t101;
+  const Scalar t103 = wrench[5] * c2 + wrench[3] * s2;
+  const Scalar t104 = s4 * t102 - c4 * t103;
+  const Scalar t105 = s3 * t101 + wrench[4] * c3;
+  const Scalar t106 = k[23] * c6 - k[22] * s6;
+  const Scalar t107 = c6 * t106;
+  const Scalar t108 = k[25] - t107;
+  const Scalar t109 = k[37] - t107;
+  const Scalar t110 = k[24] + s6 * t106;
+  const Scalar t111 = (t25 * t108 - t26 * t109) - t110 * t56;
+  const Scalar t112 = k[27] * c6 - k[26] * s6;
+  const Scalar t113 = k[26] * c6 + k[27] * s6;
+  const Scalar t114 = c5 * t84 + s5 * t73;
+  const Scalar t115 = (t111 - (t112 * t45 - t113 * t63)) + (t114 * t27 - t88 * t33);
+  const Scalar t116 = (s5 * t104 + c5 * t105) - t115;
+  const Scalar t117 = (k[0] * t88 - t100) + t116;
+  const Scalar t118 = s5 * t84 - c5 * t73;
+  const Scalar t119 = (t64 * t109 - t59 * t110) - t112 * (t30 - t31);
+  const Scalar t120 = (t27 * t118 + (t119 - t113 * t25)) - (s5 * t105 - c5 * t104);
+  const Scalar t121 = (k[28] * t24 - k[30] * t63) - k[32] * t55;
+  const Scalar t122 = t120 + (k[1] * t88 + (t121 - k[31] * t66));
+  const Scalar t123 = t99 - (c5 * t117 - s5 * t122);
+  const Scalar t124 = (k[39] * t95 - k[20] * t14) - (k[19] * t11 - k[18] * t76);
+  const Scalar t125 = t78 + t51;
+  const Scalar t126 = k[19] * (t76 - t125) - (k[21] * t14 + k[20] * t95);
+  const Scalar t127 = k[36] * t48 + (k[34] * t68 - k[38] * t16);
+  const Scalar t128 = (c5 * t122 + s5 * t117) - ((t127 - k[35] * t87) + k[12] * t73);
+  const Scalar t129 = t91 - t128;
+  const Scalar t130 = (k[36] * t22 + k[35] * (t79 - t51)) - (k[33] * t68 + k[34] * t16);
+  const Scalar t131 = (k[30] * t45 - k[29] * t66) + k[28] * t57;
+  const Scalar t132 = (k[0] * t118 + k[1] * t114) - ((k[31] * t62 - k[32] * t23) + t131);
+  const Scalar t133 = (t26 * t112 - t113 * (t32 - t54)) - (t64 * t110 + t59 * t108);
+  const Scalar t134 = (t133 + t33 * t118) + (s4 * t103 + c4 * t102);
   const Scalar t135 = t132 + t134;
-  const Scalar t136 = (k[23] * t39 + k[22] * t90) + (k[25] * t71 + k[24] * t42);
-  const Scalar t137 = (t135 + (k[8] * t92 + t136)) - t80;
-  const Scalar t138 = (t127 + k[17] * t89) + (s4 * t130 - c4 * t137);
-  const Scalar t139 = c3 * ((k[0] * t74 - t99) + t126) + s3 * t138;
-  const Scalar t140 = k[39] * qdd[1] + (k[15] * t73 + k[14] * t75);
-  const Scalar t141 = (k[38] * t25 - k[20] * t89) - k[19] * (t69 - t95);
-  const Scalar t142 = ((k[17] * t22 + k[18] * t4) - t141) - k[0] * t91;
+  const Scalar t136 = ((t130 - k[11] * t73) + t135) + t86;
+  const Scalar t137 = (k[18] * t3 + t126) + (s4 * t129 - c4 * t136);
+  const Scalar t138 = c3 * (t123 + (k[13] * t82 - t124)) + s3 * t137;
+  const Scalar t139 = k[17] * qdd[1] + (k[14] * t81 + k[15] * t70);
+  const Scalar t140 = k[20] * t125 + (k[39] * t3 - k[21] * t11);
+  const Scalar t141 = k[13] * t72 - ((k[19] * t18 + k[18] * t12) + t140);
   JointVector<Scalar> result;
-  result[0] = -k[3] * (k[16] * t0 + (t88 + t98));
-  result[1] = t140 - (k[1] * t97 - t139);
-  result[2] = t142 - (s4 * t137 + c4 * t130);
-  result[3] = -t126;
+  result[0] = k[7] * ((t94 - t97) - k[16] * t69);
+  result[1] = t139 - (k[5] * t93 - t138);
+  result[2] = -t141 - (s4 * t136 + c4 * t129);
+  result[3] = -t123;
   result[4] = t135;
-  result[5] = t117;
+  result[5] = t116;
   return result;
 }
 
@@ -564,24 +588,26 @@ GravityTorqueWithGravityVectorConstants<Scalar> gravity_torque_with_gravity_vect
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = inertia.m3 + t0;
-  const Scalar t2 = (g.l2 * inertia.m2 + inertia.c2z * inertia.m2) + (inertia.c3z * inertia.m3 + g.l2 * t1);
-  const Scalar t3 = (inertia.c4y * inertia.m4 - g.d4 * t0) - (g.d4 * inertia.m3 - inertia.c3y * inertia.m3);
+  const Scalar t0 = g.d4 * inertia.m4;
+  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t2 = ((inertia.c4y * inertia.m4 - t0) + t0) - g.d4 * t1;
+  const Scalar t3 = g.l2 * inertia.m3;
+  const Scalar t4 = inertia.m3 + t1;
+  const Scalar t5 = ((inertia.c3z * inertia.m3 + t3) - t3) + g.l2 * t4;
   return { gravity[0],
            gravity[2],
-           inertia.c2x * inertia.m2,
-           t2,
            gravity[1],
+           inertia.c5z * inertia.m5,
            inertia.c6z * inertia.m6,
            inertia.c6x * inertia.m6,
            inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
-           inertia.c5z * inertia.m5,
-           inertia.c4z * inertia.m4,
            inertia.c4x * inertia.m4 + inertia.c5x * inertia.m5,
+           inertia.c4z * inertia.m4,
            inertia.c3x * inertia.m3,
-           t3,
-           gravity[2] * (inertia.m1 + (inertia.m2 + t1)) };
+           (g.d4 * inertia.m3 - inertia.c3y * inertia.m3) - t2,
+           inertia.c2x * inertia.m2,
+           t5 + (g.l2 * inertia.m2 + inertia.c2z * inertia.m2),
+           gravity[2] * (inertia.m1 + (inertia.m2 + t4)) };
 }
 
 namespace detail {
@@ -600,33 +626,33 @@ inline JointVector<Scalar> gravity_torque_with_gravity_vector([[maybe_unused]] c
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[0] * s2 + k[1] * c2;
-  const Scalar t1 = k[1] * s2 - k[0] * c2;
-  const Scalar t2 = k[4] * s3 - c3 * t1;
-  const Scalar t3 = c4 * t2 + s4 * t0;
-  const Scalar t4 = s4 * t2 - c4 * t0;
-  const Scalar t5 = k[4] * c3 + s3 * t1;
-  const Scalar t6 = c5 * t4 - s5 * t5;
-  const Scalar t7 = k[6] * c6 - k[5] * s6;
-  const Scalar t8 = k[6] * s6 + k[5] * c6;
-  const Scalar t9 = t6 * t7 + t8 * t3;
-  const Scalar t10 = t9 + k[8] * t3;
-  const Scalar t11 = s5 * t4 + c5 * t5;
-  const Scalar t12 = k[7] * t3 - t11 * t7;
-  const Scalar t13 = (k[9] * t3 + k[10] * t4) + (c5 * t10 - s5 * t12);
-  const Scalar t14 = t8 * t11 + (k[7] * t6 + k[8] * t11);
-  const Scalar t15 = k[9] * t5 + t14;
-  const Scalar t16 = k[10] * t5 - (s5 * t10 + c5 * t12);
-  const Scalar t17 = k[12] * t0 - (c4 * t15 + s4 * t16);
-  const Scalar t18 = c3 * (k[11] * t0 - t13) - s3 * t17;
-  const Scalar t19 = (s4 * t15 - c4 * t16) - (k[11] * t5 - k[12] * t2);
+  const Scalar t0 = k[1] * s2 - k[0] * c2;
+  const Scalar t1 = k[2] * s3 - c3 * t0;
+  const Scalar t2 = k[0] * s2 + k[1] * c2;
+  const Scalar t3 = s4 * t1 - c4 * t2;
+  const Scalar t4 = s4 * t2 + c4 * t1;
+  const Scalar t5 = k[4] * s6 - k[5] * c6;
+  const Scalar t6 = k[2] * c3 + s3 * t0;
+  const Scalar t7 = c5 * t3 - s5 * t6;
+  const Scalar t8 = k[4] * c6 + k[5] * s6;
+  const Scalar t9 = t5 * t7 - t4 * t8;
+  const Scalar t10 = t9 - k[3] * t4;
+  const Scalar t11 = c5 * t6 + s5 * t3;
+  const Scalar t12 = k[6] * t4 + t11 * t5;
+  const Scalar t13 = (k[7] * t3 + k[8] * t4) - (c5 * t10 + s5 * t12);
+  const Scalar t14 = (k[3] * t11 + k[6] * t7) + t11 * t8;
+  const Scalar t15 = t14 + k[8] * t6;
+  const Scalar t16 = k[7] * t6 - (c5 * t12 - s5 * t10);
+  const Scalar t17 = (c4 * t15 + s4 * t16) + k[10] * t2;
+  const Scalar t18 = c3 * (t13 - k[9] * t2) - s3 * t17;
+  const Scalar t19 = (k[9] * t6 + k[10] * t1) - (s4 * t15 - c4 * t16);
   JointVector<Scalar> result;
   result[0] = -k[13];
-  result[1] = t18 + (k[2] * t0 + k[3] * t1);
-  result[2] = t19;
+  result[1] = (k[11] * t2 + k[12] * t0) - t18;
+  result[2] = -t19;
   result[3] = t13;
   result[4] = -t14;
-  result[5] = t9;
+  result[5] = -t9;
   return result;
 }
 
@@ -653,98 +679,111 @@ ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c4y * inertia.m4;
-  const Scalar t1 = inertia.c4x * inertia.m4;
-  const Scalar t2 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t3 = inertia.c4z * inertia.m4;
-  const Scalar t4 = inertia.c5x * inertia.m5;
-  const Scalar t5 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t6 = (inertia.c5x * t4 - (inertia.I5xx - t5)) - ((inertia.I4xx - t2) - inertia.c4x * t1);
-  const Scalar t7 = inertia.c6x * inertia.m6;
-  const Scalar t8 = inertia.I6xz - inertia.c6z * t7;
-  const Scalar t9 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t10 = (inertia.I6xx - t9) - inertia.c6x * t7;
-  const Scalar t11 = inertia.c6z * inertia.m6;
-  const Scalar t12 = inertia.c6z * t11 - (inertia.I6zz - t9);
-  const Scalar t13 = inertia.c6y * inertia.m6;
-  const Scalar t14 = inertia.c5z * inertia.m5;
-  const Scalar t15 = inertia.c5y * inertia.m5;
-  const Scalar t16 = ((inertia.I6yy - t9) - inertia.c6y * t13) - (inertia.c5y * t15 - (inertia.I5yy - t5));
-  const Scalar t17 = t10 - t12;
-  const Scalar t18 = inertia.c3x * inertia.m3;
-  const Scalar t19 = (inertia.I3xy - inertia.c3y * t18) + g.d4 * t18;
-  const Scalar t20 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t21 = inertia.c3x * t18 - (inertia.I3xx - t20);
-  const Scalar t22 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t23 = t0 - g.d4 * t22;
-  const Scalar t24 = ((inertia.I4yy - t2) - inertia.c4y * t0) + g.d4 * (t0 + t23);
-  const Scalar t25 = inertia.c3y * inertia.m3;
-  const Scalar t26 = g.d4 * inertia.m3 - t25;
-  const Scalar t27 = ((inertia.I3yy - t20) - inertia.c3y * t25) - g.d4 * (t26 - t25);
-  const Scalar t28 = (t23 - t26) / g.d4;
-  const Scalar t29 = g.d4 * t28;
-  const Scalar t30 = (t24 + t27) - g.d4 * t29;
-  const Scalar t31 = inertia.c2x * inertia.m2;
-  const Scalar t32 = g.l2 * t28;
-  const Scalar t33 = inertia.c2z * inertia.m2;
-  const Scalar t34 = g.l2 * inertia.m2 + t33;
-  const Scalar t35 = inertia.c3z * inertia.m3;
-  const Scalar t36 = inertia.m3 + t22;
-  const Scalar t37 = t35 + g.l2 * t36;
-  const Scalar t38 = (inertia.m1 + (inertia.m2 + t36)) + t28;
-  const Scalar t39 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t40 = g.l2 * (t34 + t33) - ((inertia.I2zz - t39) - inertia.c2z * t33);
-  const Scalar t41 = ((inertia.I3zz - t20) - inertia.c3z * t35) - g.l2 * (t35 + t37);
-  return { inertia.I4yz - inertia.c4z * t0,
-           inertia.I4xy - inertia.c4y * t1,
-           inertia.I4xz - inertia.c4z * t1,
-           (inertia.I4zz - t2) - inertia.c4z * t3,
-           t6,
-           gravity[0],
-           gravity[2],
-           g.l2,
-           g.d4,
-           gravity[1],
+  const Scalar t0 = inertia.c6y * inertia.m6;
+  const Scalar t1 = inertia.c6x * inertia.m6;
+  const Scalar t2 = inertia.c5x * inertia.m5;
+  const Scalar t3 = inertia.I6xz - inertia.c6z * t1;
+  const Scalar t4 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t5 = (inertia.I6xx - t4) - inertia.c6x * t1;
+  const Scalar t6 = inertia.c6z * inertia.m6;
+  const Scalar t7 = inertia.c6z * t6 - (inertia.I6zz - t4);
+  const Scalar t8 = inertia.c4x * inertia.m4;
+  const Scalar t9 = g.d4 * t8;
+  const Scalar t10 = inertia.c5y * inertia.m5;
+  const Scalar t11 = inertia.c5z * inertia.m5;
+  const Scalar t12 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t13 = ((inertia.I6yy - t4) - inertia.c6y * t0) - (inertia.c5y * t10 - (inertia.I5yy - t12));
+  const Scalar t14 = inertia.c4z * inertia.m4;
+  const Scalar t15 = g.d4 * t14;
+  const Scalar t16 = inertia.c4y * inertia.m4;
+  const Scalar t17 = t5 - t7;
+  const Scalar t18 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t19 = (inertia.c5x * t2 - (inertia.I5xx - t12)) - ((inertia.I4xx - t18) - inertia.c4x * t8);
+  const Scalar t20 = inertia.c3x * inertia.m3;
+  const Scalar t21 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t22 = inertia.c3x * t20 - (inertia.I3xx - t21);
+  const Scalar t23 = g.d4 * inertia.m4;
+  const Scalar t24 = t16 - t23;
+  const Scalar t25 = g.d4 * (t16 + t24) + ((inertia.I4yy - t18) - inertia.c4y * t16);
+  const Scalar t26 = t24 + t23;
+  const Scalar t27 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t28 = t26 - g.d4 * t27;
+  const Scalar t29 = (t25 - g.d4 * (t26 + t24)) + g.d4 * (t26 + t28);
+  const Scalar t30 = inertia.c3y * inertia.m3;
+  const Scalar t31 = g.d4 * inertia.m3 - t30;
+  const Scalar t32 = ((inertia.I3yy - t21) - inertia.c3y * t30) - g.d4 * (t31 - t30);
+  const Scalar t33 = t29 + t32;
+  const Scalar t34 = g.l2 / g.d4;
+  const Scalar t35 = g.d4 * t20;
+  const Scalar t36 = inertia.c3z * inertia.m3;
+  const Scalar t37 = g.l2 * t31;
+  const Scalar t38 = (g.d4 * t36 + (inertia.I3yz - inertia.c3z * t30)) + t37;
+  const Scalar t39 = g.l2 * t20;
+  const Scalar t40 = inertia.c2z * inertia.m2;
+  const Scalar t41 = g.l2 * inertia.m2 + t40;
+  const Scalar t42 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t43 = g.l2 * (t41 + t40) - ((inertia.I2zz - t42) - inertia.c2z * t40);
+  const Scalar t44 = g.l2 * inertia.m3;
+  const Scalar t45 = t36 + t44;
+  const Scalar t46 = ((inertia.I3zz - t21) - inertia.c3z * t36) - g.l2 * (t36 + t45);
+  const Scalar t47 = t45 - t44;
+  const Scalar t48 = inertia.m3 + t27;
+  const Scalar t49 = t47 + g.l2 * t48;
+  const Scalar t50 = (t46 + g.l2 * (t45 + t47)) - g.l2 * (t49 + t47);
+  const Scalar t51 = (inertia.I3xy - inertia.c3y * t20) + t35;
+  const Scalar t52 = inertia.c2x * inertia.m2;
+  const Scalar t53 = gravity[2] / g.d4;
+  const Scalar t54 = Scalar(1) / g.d4;
+  const Scalar t55 = g.d4 * g.d4 * (inertia.m1 + (inertia.m2 + t48)) * t54;
+  return { inertia.I6yz - inertia.c6z * t0,
+           inertia.I6xy - inertia.c6y * t1,
+           inertia.I5xy - inertia.c5y * t2,
+           Scalar(2) * t3,
+           t5 + t7,
            t3,
-           t1 + t4,
-           Scalar(2) * t8,
-           t10 + t12,
-           t8,
-           t12,
-           t10,
-           inertia.I6yz - inertia.c6z * t13,
-           inertia.I6xy - inertia.c6y * t7,
-           t11,
-           t7,
-           inertia.c5z * t14 - (inertia.I5zz - t5),
-           inertia.I5yz - inertia.c5z * t15,
-           inertia.I5xz - inertia.c5z * t4,
-           inertia.I5xy - inertia.c5y * t4,
-           t14,
-           t13 + t15,
-           t16,
-           t17,
+           inertia.I5xz - inertia.c5z * t2,
+           (t9 + (inertia.I4xy - inertia.c4y * t8)) - t9,
+           inertia.I5yz - inertia.c5z * t10,
+           t5,
+           inertia.c5z * t11 - (inertia.I5zz - t12),
+           t13,
+           t15 - (t15 + (inertia.I4yz - inertia.c4z * t16)),
+           g.d4 * t6,
+           g.d4 * t1,
+           g.d4 * t11,
+           g.d4 * (t0 + t10),
+           t15,
+           g.d4 * (t8 + t2),
            Scalar(1) / t17,
-           Scalar(2) * t16,
+           t17,
+           Scalar(2) * t13,
+           t7,
            t19,
-           t21 + t30,
-           t18,
-           t28,
-           t21,
-           t29,
-           t30,
-           t31,
-           t32 + (t34 + t37),
-           Scalar(2) * t18,
-           gravity[2] * t38,
-           t32,
-           inertia.I3xz - inertia.c3z * t18,
-           g.d4 * t35 + (inertia.I3yz - inertia.c3z * t25),
-           g.l2 * t32 + (t40 - t41),
-           inertia.c2x * t31 - (inertia.I2xx - t39),
-           Scalar(2) * t21,
-           Scalar(2) * t19,
-           t38 - t28 };
+           (inertia.I4zz - t18) - inertia.c4z * t14,
+           inertia.I4xz - inertia.c4z * t8,
+           t22,
+           t33,
+           t34,
+           t35,
+           g.d4 * (t31 - t28),
+           t38 - t37,
+           t39 - (t39 - (inertia.I3xz - inertia.c3z * t20)),
+           Scalar(2) * t34,
+           t43 - t50,
+           t51,
+           inertia.c2x * t52 - (inertia.I2xx - t42),
+           t53,
+           gravity[0] / g.d4,
+           gravity[1] / g.d4,
+           Scalar(2) * t51,
+           Scalar(2) * t22,
+           g.d4 * t52,
+           g.d4 * (t49 + t41),
+           t22 + t33,
+           t54,
+           Scalar(2) * t35,
+           t55 * t53,
+           t55 * t54 };
 }
 
 namespace detail {
@@ -763,234 +802,231 @@ inline JointVector<Scalar> forward_dynamics_with_gravity_vector([[maybe_unused]]
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[17] * s6 - k[18] * c6;
-  const Scalar t1 = k[29] * t0;
-  const Scalar t2 = k[12] * s6 - k[13] * c6;
-  const Scalar t3 = c6 * t2;
-  const Scalar t4 = k[16] + t3;
-  const Scalar t5 = k[21] - t4;
-  const Scalar t6 = k[27] + t5;
-  const Scalar t7 = k[30] - t6;
-  const Scalar t8 = Scalar(1) / (t0 * t1 - t7);
-  const Scalar t9 = k[14] - s6 * t2;
-  const Scalar t10 = k[23] + t9;
-  const Scalar t11 = k[24] - t0;
-  const Scalar t12 = s5 * t10 + c5 * t11;
-  const Scalar t13 = k[17] * c6 + k[18] * s6;
-  const Scalar t14 = k[28] * c5 - s5 * t13;
-  const Scalar t15 = k[29] * t14;
-  const Scalar t16 = t12 + t15 * t0;
-  const Scalar t17 = t8 * t16;
-  const Scalar t18 = k[22] + t13;
-  const Scalar t19 = s5 * t6 - Scalar(2) * c5 * t18;
-  const Scalar t20 = s5 * t19;
-  const Scalar t21 = k[3] + (t20 - t5);
-  const Scalar t22 = k[15] + t3;
-  const Scalar t23 = k[4] + t22;
-  const Scalar t24 = t21 - t23;
-  const Scalar t25 = Scalar(1) / (t17 * t16 - (t15 * t14 - t24));
-  const Scalar t26 = s5 * t11 - c5 * t10;
-  const Scalar t27 = k[19] * c6 + k[20] * s6;
-  const Scalar t28 = k[25] + t27;
-  const Scalar t29 = s5 * t28 + k[26] * c5;
-  const Scalar t30 = k[8] * t29 + t7;
-  const Scalar t31 = k[19] * s6 - k[20] * c6;
-  const Scalar t32 = c5 * t31;
-  const Scalar t33 = t0 + k[8] * t32;
-  const Scalar t34 = k[8] * t27 + (c5 * t13 + k[28] * s5);
-  const Scalar t35 = s4 * t33 - c4 * t34;
-  const Scalar t36 = (c4 * t26 + s4 * t30) - t35 * t1;
-  const Scalar t37 = k[29] * t35;
-  const Scalar t38 = c5 * t28 - k[26] * s5;
-  const Scalar t39 = k[10] + t38;
-  const Scalar t40 = k[11] - t31;
-  const Scalar t41 = c4 * t39 + s4 * t40;
-  const Scalar t42 = k[0] - (c5 * t19 + t18);
-  const Scalar t43 = k[1] + t12;
-  const Scalar t44 = k[8] * t41 + (c4 * t42 + s4 * t43);
-  const Scalar t45 = t17 * t36 + (t14 * t37 + t44);
-  const Scalar t46 = t25 * t45;
-  const Scalar t47 = t8 * t36;
-  const Scalar t48 = k[36] + t29;
-  const Scalar t49 = k[37] + ((k[27] - t20) + k[8] * (t48 + t29));
-  const Scalar t50 = k[2] - t26;
-  const Scalar t51 = c4 * (t21 + t23) + Scalar(2) * s4 * t50;
-  const Scalar t52 = c4 * t51;
-  const Scalar t53 = k[35] + (t52 - t21);
-  const Scalar t54 = t47 * t36 + ((t49 - t53) - t35 * t37);
-  const Scalar t55 = Scalar(1) / (t46 * t45 - t54);
-  const Scalar t56 = s4 * t39 - c4 * t40;
-  const Scalar t57 = (s4 * t42 - c4 * t43) + k[8] * t56;
-  const Scalar t58 = c3 * (k[7] * t41 - t24) - s3 * t57;
-  const Scalar t59 = s3 * s5 * t31 - c3 * (c4 * t27 - s4 * t32);
-  const Scalar t60 = s3 * (s4 * t34 + c4 * t33) + c3 * t14;
-  const Scalar t61 = k[7] * t59 + t60;
-  const Scalar t62 = c3 * t12 + s3 * (s4 * t26 - c4 * t30);
-  const Scalar t63 = c3 * s4 * t29 - s3 * t38;
-  const Scalar t64 = (t62 - k[7] * t63) + t1 * t61;
-  const Scalar t65 = t8 * t64;
-  const Scalar t66 = (t58 + t15 * t61) - t16 * t65;
-  const Scalar t67 = c3 * (k[44] + t44) + s3 * (k[43] - (s4 * t51 - t50));
-  const Scalar t68 = k[33] - t56;
-  const Scalar t69 = c3 * t48 + s3 * t68;
-  const Scalar t70 = (t61 * t37 + (t67 - k[7] * t69)) + t36 * t65;
-  const Scalar t71 = t66 * t46 + t70;
-  const Scalar t72 = t55 * t71;
-  const Scalar t73 = t25 * t66;
-  const Scalar t74 = k[29] * t61;
-  const Scalar t75 = k[42] - t41;
-  const Scalar t76 = k[45] - ((t52 - t23) - k[7] * (t41 - t75));
-  const Scalar t77 = Scalar(2) * c3 * (k[31] - t57) - s3 * (t49 + t53);
-  const Scalar t78 = t74 * t61 + (t76 + (k[46] + (s3 * t77 + t53)));
-  const Scalar t79 = t72 * t71 - (t73 * t66 + (t78 - t64 * t65));
-  const Scalar t80 = Scalar(1) / t79;
-  const Scalar t81 = c2 * (c4 * t32 + s4 * t27) + s2 * t59;
-  const Scalar t82 = k[29] * t81;
-  const Scalar t83 = t0 * t82 - (s2 * t63 + c2 * c4 * t29);
-  const Scalar t84 = (s2 * c3 * t41 - c2 * t56) + t15 * t81;
-  const Scalar t85 = t17 * t83 - t84;
-  const Scalar t86 = c2 * (k[38] - (s3 * t48 - c3 * t68));
-  const Scalar t87 = (s2 * (k[39] - t75) + t86) + t74 * t81;
-  const Scalar t88 = (t81 * t37 - s2 * t69) + t47 * t83;
-  const Scalar t89 = t46 * t85 - t88;
-  const Scalar t90 = t55 * t89;
-  const Scalar t91 = (t73 * t85 + (t65 * t83 - t87)) - t90 * t71;
-  const Scalar t92 = t80 * t91;
-  const Scalar t93 = t25 * t85;
-  const Scalar t94 = t8 * t83;
-  const Scalar t95 = t93 * t85 - (t94 * t83 - (k[49] + t82 * t81));
-  const Scalar t96 = Scalar(1) / (t92 * t91 + (t95 - t90 * t89));
-  const Scalar t97 = k[5] * s2 + k[6] * c2;
-  const Scalar t98 = qd[1] * qd[1];
-  const Scalar t99 = t97 + k[7] * t98;
-  const Scalar t100 = qd[1] * c3;
-  const Scalar t101 = qd[2] * t100;
-  const Scalar t102 = t101 + t101;
-  const Scalar t103 = t99 + k[8] * t102;
-  const Scalar t104 = k[6] * s2 - k[5] * c2;
-  const Scalar t105 = qd[1] * s3;
-  const Scalar t106 = t105 * t100;
-  const Scalar t107 = (k[9] * s3 - c3 * t104) + k[8] * t106;
-  const Scalar t108 = s4 * t103 + c4 * t107;
-  const Scalar t109 = s4 * t107 - c4 * t103;
-  const Scalar t110 = s4 * t105 - qd[2] * c4;
-  const Scalar t111 = t110 * t110;
-  const Scalar t112 = c4 * t105;
-  const Scalar t113 = qd[2] * s4 + t112;
-  const Scalar t114 = t113 * t113;
-  const Scalar t115 = t111 - t114;
-  const Scalar t116 = t110 * t113;
-  const Scalar t117 = qd[2] * t105;
-  const Scalar t118 = t116 - t117;
-  const Scalar t119 = t116 + t117;
-  const Scalar t120 = k[2] * t115 + (k[4] * t118 + k[3] * t119);
-  const Scalar t121 = s4 * t106 - c4 * t102;
-  const Scalar t122 = s4 * t102 + t100 * t112;
-  const Scalar t123 = (k[10] * t108 + k[11] * t109) - (t120 - (k[1] * t121 + k[0] * t122));
-  const Scalar t124 = qd[4] - t113;
-  const Scalar t125 = qd[3] - t100;
-  const Scalar t126 = s5 * t110 - c5 * t125;
-  const Scalar t127 = t124 * t126;
-  const Scalar t128 = t125 * t113;
-  const Scalar t129 = (t128 + t128) + t122;
-  const Scalar t130 = c5 * t129 - s5 * t118;
-  const Scalar t131 = (t127 - t130) + t127;
-  const Scalar t132 = qd[5] - t126;
-  const Scalar t133 = t124 * t132;
-  const Scalar t134 = t131 + (t133 + t133);
-  const Scalar t135 = s5 * t125 + c5 * t110;
-  const Scalar t136 = t135 * t126;
-  const Scalar t137 = t125 * t110;
-  const Scalar t138 = t137 + t121;
-  const Scalar t139 = t136 + t138;
-  const Scalar t140 = Scalar(2) * t135 * t132 + t139;
-  const Scalar t141 = t135 * t135;
-  const Scalar t142 = t132 * t132 - t141;
-  const Scalar t143 = t126 * t126;
-  const Scalar t144 = t124 * t124;
-  const Scalar t145 = t143 + t144;
-  const Scalar t146 = t144 + t141;
-  const Scalar t147 = t145 - t146;
-  const Scalar t148 = t143 - t144;
-  const Scalar t149 = t147 - t148;
-  const Scalar t150 = t142 - t149;
-  const Scalar t151 = (t22 * t134 - t140 * t9) + t0 * t150;
-  const Scalar t152 = t135 * t124;
-  const Scalar t153 = s5 * t129 + c5 * t118;
-  const Scalar t154 = t152 + (t153 + t152);
-  const Scalar t155 = t111 + t114;
-  const Scalar t156 = s3 * t104 + k[9] * c3;
-  const Scalar t157 = k[8] * t155 - t156;
-  const Scalar t158 = c5 * t157 - s5 * t109;
-  const Scalar t159 = (k[27] * t131 - k[22] * t154) + k[24] * t148;
-  const Scalar t160 = t136 - t138;
-  const Scalar t161 = ((t151 + t13 * t154) - t31 * t158) - ((t159 - k[23] * t160) - k[26] * t108);
-  const Scalar t162 = c5 * t109 + s5 * t157;
-  const Scalar t163 = (t4 * t154 - t153 * t22) + t149 * t9;
-  const Scalar t164 = (t27 * t108 - t31 * t162) + (t163 - (t0 * t139 + t131 * t13));
-  const Scalar t165 = (k[24] * t139 + k[23] * t149) - (k[22] * t131 + k[21] * t154);
-  const Scalar t166 = t164 + (k[25] * t108 + t165);
-  const Scalar t167 = t123 - (s5 * t161 - c5 * t166);
-  const Scalar t168 = torque[5] - t164;
-  const Scalar t169 = (t134 * t9 + t140 * t4) + (t142 * t13 - t153 * t0);
-  const Scalar t170 = (k[21] * t160 + k[27] * t139) + k[22] * t147;
-  const Scalar t171 = (k[26] * t162 - k[25] * t158) + (t170 + (k[24] * t153 - k[23] * t130));
-  const Scalar t172 = (t27 * t158 - t169) - t171;
-  const Scalar t173 = k[29] * t168;
-  const Scalar t174 = (torque[4] - t172) - t173 * t0;
-  const Scalar t175 = ((torque[3] - t167) - t15 * t168) - t174 * t17;
-  const Scalar t176 = t100 * t100 + qd[2] * qd[2];
-  const Scalar t177 = (k[32] * t106 - k[31] * (t176 - t155)) - k[33] * t156;
-  const Scalar t178 = (t27 * t154 + (t150 + t146) * t31) - (k[26] * t131 - k[25] * t154);
-  const Scalar t179 = t146 + t148;
-  const Scalar t180 = (k[11] * t179 + k[10] * t119) - k[34] * t108;
-  const Scalar t181 = t178 - t180;
-  const Scalar t182 = t115 - t179;
-  const Scalar t183 = t155 + t182;
-  const Scalar t184 = t138 + t137;
-  const Scalar t185 = k[1] * (t115 - t183) + (k[4] * t129 + k[2] * t184);
-  const Scalar t186 = ((k[0] * t119 + t185) - k[11] * t157) - (c5 * t161 + s5 * t166);
-  const Scalar t187 = k[8] * t181 - t186;
-  const Scalar t188 = (k[0] * t183 - k[1] * t118) + (k[2] * t129 - k[3] * t184);
-  const Scalar t189 = k[34] * t109 + (k[11] * t118 - k[10] * t182);
-  const Scalar t190 = (k[26] * t139 + k[25] * t145) + (t27 * (t142 + t146) - t153 * t31);
-  const Scalar t191 = (t134 * t31 - t140 * t27) + (k[25] * t160 + k[26] * t146);
-  const Scalar t192 = t189 + (c5 * t190 - s5 * t191);
-  const Scalar t193 = (t172 + (t188 + k[10] * t157)) - k[8] * t192;
-  const Scalar t194 = torque[2] - (t177 + (c4 * t187 - s4 * t193));
-  const Scalar t195 = t46 * t175 - ((t194 + t168 * t37) - t47 * t174);
-  const Scalar t196 = t55 * t195;
-  const Scalar t197 = t25 * t175;
-  const Scalar t198 = (s4 * t181 - c4 * t192) + k[40] * t117;
-  const Scalar t199 = k[33] * t176 - (c4 * t181 + s4 * t192);
-  const Scalar t200 = (k[10] * t184 - k[11] * t129) - k[34] * t157;
-  const Scalar t201 = k[33] * t106 - ((c5 * t191 + s5 * t190) - t200);
-  const Scalar t202 = c3 * t199 + s3 * t201;
-  const Scalar t203 = c2 * (k[39] * t98 - t198) - s2 * (k[38] * t98 + t202);
-  const Scalar t204 = t174 * t8;
-  const Scalar t205 = ((torque[0] + (k[41] + t203)) - t173 * t81) - t204 * t83;
-  const Scalar t206 = k[44] * (t98 - t155) - (k[37] * t102 + k[48] * t117);
-  const Scalar t207 = (c4 * t193 + s4 * t187) - (k[43] * t106 + t206);
-  const Scalar t208 = (k[43] * (t98 - t176) + k[44] * t106) - (k[31] * t102 - k[47] * t117);
-  const Scalar t209 = s3 * t207 + c3 * (t167 + (t208 - k[33] * t99));
-  const Scalar t210 = (t209 + k[7] * t202) - (k[39] * t104 + k[38] * t97);
-  const Scalar t211 = ((torque[1] + t210) + t173 * t61) + t174 * t65;
-  const Scalar t212 = (t197 * t66 - t211) - t196 * t71;
-  const Scalar t213 = (t196 * t89 - (t197 * t85 - t205)) - t92 * t212;
-  const Scalar t214 = t96 * t213;
-  const Scalar t215 = t80 * t212 + t214 * t92;
-  const Scalar t216 = (t214 * t90 + t196) + t72 * t215;
-  const Scalar t217 = t46 * t216 - ((t197 + t214 * t93) + t73 * t215);
-  const Scalar t218 = t47 * t216 + (t215 * t65 + (t204 - t214 * t94));
-  const Scalar t219 = t218 - t217 * t17;
-  const Scalar t220 = ((t173 + t214 * t82) - t215 * t74) + t216 * t37;
+  const Scalar t0 = k[4] * c6 - k[3] * s6;
+  const Scalar t1 = k[5] + s6 * t0;
+  const Scalar t2 = k[6] + t1;
+  const Scalar t3 = k[0] * s6 - k[1] * c6;
+  const Scalar t4 = k[2] - t3;
+  const Scalar t5 = s5 * t2 + c5 * t4;
+  const Scalar t6 = k[0] * c6 + k[1] * s6;
+  const Scalar t7 = c5 - k[19] * s5 * t6;
+  const Scalar t8 = t5 + t3 * t7;
+  const Scalar t9 = k[19] * t3;
+  const Scalar t10 = c6 * t0;
+  const Scalar t11 = k[9] - t10;
+  const Scalar t12 = k[11] + (k[10] - t11);
+  const Scalar t13 = k[21] - t12;
+  const Scalar t14 = Scalar(1) / (t9 * t3 - t13);
+  const Scalar t15 = k[14] * s6 + k[13] * c6;
+  const Scalar t16 = t15 + (c5 * t6 + k[20] * s5);
+  const Scalar t17 = k[14] * c6 - k[13] * s6;
+  const Scalar t18 = c5 * t17;
+  const Scalar t19 = t3 - t18;
+  const Scalar t20 = c4 * t16 - s4 * t19;
+  const Scalar t21 = k[19] * t20;
+  const Scalar t22 = s5 * t4 - c5 * t2;
+  const Scalar t23 = k[15] + t15;
+  const Scalar t24 = s5 * t23 + k[16] * c5;
+  const Scalar t25 = t13 + t24;
+  const Scalar t26 = t3 * t21 + (c4 * t22 + s4 * t25);
+  const Scalar t27 = t14 * t26;
+  const Scalar t28 = k[8] + t6;
+  const Scalar t29 = s5 * t12 - t28 * Scalar(2) * c5;
+  const Scalar t30 = k[12] + (t28 + c5 * t29);
+  const Scalar t31 = k[7] + t5;
+  const Scalar t32 = k[18] + t17;
+  const Scalar t33 = c5 * t23 - k[16] * s5;
+  const Scalar t34 = k[17] + t33;
+  const Scalar t35 = s4 * t32 + c4 * t34;
+  const Scalar t36 = (c4 * t30 - s4 * t31) - t35;
+  const Scalar t37 = t8 * t27 - (t7 * t20 + t36);
+  const Scalar t38 = qd[1] * s3;
+  const Scalar t39 = s4 * t38;
+  const Scalar t40 = t39 - qd[2] * c4;
+  const Scalar t41 = t40 * t40;
+  const Scalar t42 = qd[1] * c3;
+  const Scalar t43 = qd[3] - t42;
+  const Scalar t44 = t43 * t43;
+  const Scalar t45 = t41 + t44;
+  const Scalar t46 = s5 * t40 - c5 * t43;
+  const Scalar t47 = t46 * t46;
+  const Scalar t48 = c4 * t38;
+  const Scalar t49 = qd[2] * s4 + t48;
+  const Scalar t50 = qd[4] - t49;
+  const Scalar t51 = t50 * t50;
+  const Scalar t52 = t47 + t51;
+  const Scalar t53 = t45 - t52;
+  const Scalar t54 = k[22] - t10;
+  const Scalar t55 = Scalar(2) * c3;
+  const Scalar t56 = qd[2] * qd[1] * t55;
+  const Scalar t57 = t42 * t48 + s4 * t56;
+  const Scalar t58 = Scalar(2) * t43 * t49 + t57;
+  const Scalar t59 = t40 * t49;
+  const Scalar t60 = qd[2] * t38;
+  const Scalar t61 = t59 - t60;
+  const Scalar t62 = s5 * t58 + c5 * t61;
+  const Scalar t63 = s5 * t43 + c5 * t40;
+  const Scalar t64 = t63 + t63;
+  const Scalar t65 = t64 * t50 + t62;
+  const Scalar t66 = t1 * t53 + (t54 * t62 - t65 * t11);
+  const Scalar t67 = c5 * t58 - s5 * t61;
+  const Scalar t68 = t67 - (t50 + t50) * t46;
+  const Scalar t69 = t39 * t42 - c4 * t56;
+  const Scalar t70 = t43 * t40;
+  const Scalar t71 = t69 + t70;
+  const Scalar t72 = t63 * t46;
+  const Scalar t73 = t71 + t72;
+  const Scalar t74 = k[37] * s2 - k[38] * c2;
+  const Scalar t75 = c3 * t74 - k[39] * s3;
+  const Scalar t76 = qd[1] * qd[1];
+  const Scalar t77 = k[38] * s2 + k[37] * c2;
+  const Scalar t78 = k[28] * t76 + t77;
+  const Scalar t79 = (c4 * t75 - s4 * t78) - t57;
+  const Scalar t80 = t69 - (c4 * t78 + s4 * t75);
+  const Scalar t81 = s3 * t74 + k[39] * c3;
+  const Scalar t82 = t38 * t38;
+  const Scalar t83 = qd[2] * qd[2];
+  const Scalar t84 = t82 + t83;
+  const Scalar t85 = t81 - t84;
+  const Scalar t86 = c5 * t80 - s5 * t85;
+  const Scalar t87 = (t66 - (t6 * t68 - t3 * t73)) + (t15 * t79 - t86 * t17);
+  const Scalar t88 = torque[5] + t87;
+  const Scalar t89 = t41 - t44;
+  const Scalar t90 = t89 - t84;
+  const Scalar t91 = t59 + t60;
+  const Scalar t92 = k[25] * (t45 + t90) + (k[24] * t91 + k[23] * t61);
+  const Scalar t93 = (k[18] * t80 - k[17] * t79) + ((k[7] * t69 - k[12] * t57) - t92);
+  const Scalar t94 = (k[10] * t65 - k[8] * t68) + (k[6] * t53 - k[2] * t73);
+  const Scalar t95 = t87 + (k[15] * t79 + t94);
+  const Scalar t96 = c5 * t85 + s5 * t80;
+  const Scalar t97 = qd[5] - t46;
+  const Scalar t98 = t50 * t97;
+  const Scalar t99 = t98 + (t98 - t68);
+  const Scalar t100 = t73 + t64 * t97;
+  const Scalar t101 = t97 * t97 + t51;
+  const Scalar t102 = t47 - t51;
+  const Scalar t103 = t45 - t102;
+  const Scalar t104 = t101 - t103;
+  const Scalar t105 = t104 + t53;
+  const Scalar t106 = (t54 * t99 - t100 * t1) + t105 * t3;
+  const Scalar t107 = k[2] * t102 - (k[11] * t68 + k[8] * t65);
+  const Scalar t108 = t71 - t72;
+  const Scalar t109 = (t17 * t96 - (t6 * t65 + t106)) + (k[16] * t79 + (t107 + k[6] * t108));
+  const Scalar t110 = t93 - (c5 * t95 - s5 * t109);
+  const Scalar t111 = t14 * t8;
+  const Scalar t112 = (k[11] * t73 - k[10] * t108) - k[8] * (t103 - t52);
+  const Scalar t113 = (k[15] * t96 + k[16] * t86) + (t112 - (k[6] * t67 - k[2] * t62));
+  const Scalar t114 = (t6 * t104 - t3 * t62) + (t100 * t11 + t1 * t99);
+  const Scalar t115 = t113 + (t15 * t96 + t114);
+  const Scalar t116 = (torque[4] + t115) - t9 * t88;
+  const Scalar t117 = (t7 * t88 - (torque[3] - t110)) + t111 * t116;
+  const Scalar t118 = k[23] + t54;
+  const Scalar t119 = k[11] - s5 * t29;
+  const Scalar t120 = k[24] - (t119 - t13);
+  const Scalar t121 = t118 - t120;
+  const Scalar t122 = k[20] * t7;
+  const Scalar t123 = Scalar(1) / (t111 * t8 - (t121 + t7 * t122));
+  const Scalar t124 = t117 * t123;
+  const Scalar t125 = t82 - t83;
+  const Scalar t126 = t76 - t84;
+  const Scalar t127 = t38 * t42;
+  const Scalar t128 = (k[35] * (t125 - t126) + k[44] * t127) + (k[30] * t75 - k[29] * t81);
+  const Scalar t129 = (t100 * t15 + t17 * t99) + (k[15] * t108 - k[16] * t103);
+  const Scalar t130 = (k[15] * t52 + k[16] * t73) + (t17 * t62 + t15 * t101);
+  const Scalar t131 = (s5 * t129 + c5 * t130) - (k[17] * t90 - k[18] * t61);
+  const Scalar t132 = t71 + t70;
+  const Scalar t133 = (k[12] * t89 + k[7] * t61) + (k[24] * t132 - k[25] * t58);
+  const Scalar t134 = t131 + ((t133 + k[17] * t85) + t115);
+  const Scalar t135 = (k[16] * t68 + k[15] * t65) - (t17 * (t105 + t103) - t15 * t65);
+  const Scalar t136 = (k[18] * t45 + k[17] * t91) - t135;
+  const Scalar t137 = k[7] * (t45 - t84) + (k[23] * t58 + k[25] * t132);
+  const Scalar t138 = ((k[12] * t91 - t137) - k[18] * t85) - (c5 * t109 + s5 * t95);
+  const Scalar t139 = t136 - t138;
+  const Scalar t140 = torque[2] - (t128 + (s4 * t134 - c4 * t139));
+  const Scalar t141 = k[19] * t88;
+  const Scalar t142 = t37 * t124 + ((t140 - t141 * t20) - t116 * t27);
+  const Scalar t143 = t37 * t123;
+  const Scalar t144 = k[25] - t22;
+  const Scalar t145 = s4 * t144;
+  const Scalar t146 = c4 * (t118 + t120) + (t145 + t145);
+  const Scalar t147 = c4 * t146 - t120;
+  const Scalar t148 = k[26] + t147;
+  const Scalar t149 = k[27] + ((t24 + t24) + t119);
+  const Scalar t150 = (t20 * t21 + (t148 - t149)) - t26 * t27;
+  const Scalar t151 = Scalar(1) / (t143 * t37 + t150);
+  const Scalar t152 = t142 * t151;
+  const Scalar t153 = s3 * s5 * t17 + c3 * (c4 * t15 + s4 * t18);
+  const Scalar t154 = c2 * (s4 * t15 - c4 * t18) - s2 * t153;
+  const Scalar t155 = k[45] * t154;
+  const Scalar t156 = k[19] * t155;
+  const Scalar t157 = s4 * t34 - c4 * t32;
+  const Scalar t158 = k[45] * (s2 * c3 * t35 - c2 * t157);
+  const Scalar t159 = c3 * s4 * t24 - s3 * t33;
+  const Scalar t160 = k[45] * (s2 * t159 + c2 * c4 * t24);
+  const Scalar t161 = t9 * t155 - t160;
+  const Scalar t162 = t14 * t161;
+  const Scalar t163 = (t156 * t122 + t158) - t8 * t162;
+  const Scalar t164 = t123 * t163;
+  const Scalar t165 = k[29] - t157;
+  const Scalar t166 = k[30] - t24;
+  const Scalar t167 = s3 * t165 - c3 * t166;
+  const Scalar t168 = t161 * t27 - (k[45] * s2 * t167 + t21 * t155);
+  const Scalar t169 = t37 * t164 + t168;
+  const Scalar t170 = (k[30] * t56 - k[46] * t60) + (s4 * t136 + c4 * t131);
+  const Scalar t171 = (k[29] * (t125 - t76) - k[30] * t127) + (s4 * t131 - c4 * t136);
+  const Scalar t172 = (s5 * t130 - c5 * t129) + (k[18] * t58 - k[17] * t132);
+  const Scalar t173 = s3 * ((k[30] * t84 + k[29] * t127) - t172);
+  const Scalar t174 = c3 * t171 - t173;
+  const Scalar t175 = c2 * (k[43] * t76 + t170) + s2 * (t174 - k[42] * t76);
+  const Scalar t176 = t141 * t155 - (torque[0] + (k[47] + k[45] * t175));
+  const Scalar t177 = t152 * t169 - (t163 * t124 + (t116 * t162 + t176));
+  const Scalar t178 = s3 * (c4 * t19 + s4 * t16) + c3 * t122;
+  const Scalar t179 = t178 - k[28] * t153;
+  const Scalar t180 = k[19] * t179;
+  const Scalar t181 = s3 * (k[32] + (t144 - s4 * t146)) + c3 * (k[31] - t36);
+  const Scalar t182 = c3 * t5 + s3 * (s4 * t22 - c4 * t25);
+  const Scalar t183 = (t182 - k[28] * t159) + t179 * t9;
+  const Scalar t184 = t14 * t183;
+  const Scalar t185 = (t180 * t20 - (t181 - k[28] * t167)) - t26 * t184;
+  const Scalar t186 = (c4 * t31 + s4 * t30) - t157;
+  const Scalar t187 = c3 * (t121 + k[28] * t35) + s3 * t186;
+  const Scalar t188 = t111 * t183 - (t179 * t7 + t187);
+  const Scalar t189 = t123 * t188;
+  const Scalar t190 = t185 + t37 * t189;
+  const Scalar t191 = t190 * t151;
+  const Scalar t192 = t55 * (k[35] + t186) - s3 * (t148 + t149);
+  const Scalar t193 = (k[36] + (t148 + s3 * t192)) + (k[34] - ((t147 - t121) - k[33] * t35));
+  const Scalar t194 = t189 * t188 - (t183 * t184 - (t193 + t179 * t180));
+  const Scalar t195 = Scalar(1) / (t190 * t191 - t194);
+  const Scalar t196 = (k[32] * t125 + k[31] * t127) + (k[41] * t60 - k[35] * t56);
+  const Scalar t197 = (k[27] * t56 + k[40] * t60) - k[31] * t126;
+  const Scalar t198 = ((k[32] * t127 - t197) + k[30] * t78) + (s4 * t139 + c4 * t134);
+  const Scalar t199 = c3 * (t110 + (t196 - k[29] * t78)) - s3 * t198;
+  const Scalar t200 = (k[43] * t74 + k[42] * t77) + (k[28] * t174 - t199);
+  const Scalar t201 = t14 * t116;
+  const Scalar t202 = ((torque[1] - t200) + t179 * t141) + t201 * t183;
+  const Scalar t203 = t195 * (t190 * t152 + (t202 - t117 * t189));
+  const Scalar t204 = c2 * (k[42] + (s3 * t166 + c3 * t165));
+  const Scalar t205 = t179 * t156 + k[45] * (s2 * (k[43] + t35) + t204);
+  const Scalar t206 = t191 * t169 - (t189 * t163 + (t183 * t162 - t205));
+  const Scalar t207 = t195 * t206;
+  const Scalar t208 = t169 * t151;
+  const Scalar t209 = t163 * t164 - (t161 * t162 - (k[48] + t156 * t155));
+  const Scalar t210 = Scalar(1) / (t207 * t206 - (t208 * t169 - t209));
+  const Scalar t211 = (t177 - t203 * t206) * t210;
+  const Scalar t212 = t211 * t207 + t203;
+  const Scalar t213 = t191 * t212 - (t152 + t211 * t208);
+  const Scalar t214 = (t189 * t212 - (t211 * t164 + t124)) - t143 * t213;
+  const Scalar t215 = (t184 * t212 - (t201 - t211 * t162)) - t213 * t27;
+  const Scalar t216 = t215 - t111 * t214;
+  const Scalar t217 = ((t141 + t211 * t156) + t180 * t212) - t213 * t21;
   JointVector<Scalar> result;
-  result[0] = t214;
-  result[1] = t215;
-  result[2] = -t216;
-  result[3] = t217;
-  result[4] = t219;
-  result[5] = -t1 * t219 - (t15 * t217 + t220);
+  result[0] = t211;
+  result[1] = -t212;
+  result[2] = -t213;
+  result[3] = -t214;
+  result[4] = -t216;
+  result[5] = t9 * t216 + (t7 * t214 - t217);
   return result;
 }
 
@@ -1021,101 +1057,115 @@ ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constant
   using std::sin;
   const Scalar t0 = inertia.c6z * inertia.m6;
   const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = inertia.c5z * inertia.m5;
-  const Scalar t3 = inertia.c6y * inertia.m6;
-  const Scalar t4 = inertia.c5y * inertia.m5;
-  const Scalar t5 = inertia.I6yz - inertia.c6z * t3;
-  const Scalar t6 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t7 = (inertia.I6xx - t6) - inertia.c6x * t1;
-  const Scalar t8 = inertia.c6z * t0 - (inertia.I6zz - t6);
-  const Scalar t9 = t7 - t8;
-  const Scalar t10 = Scalar(1) / t9;
-  const Scalar t11 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t12 = inertia.I6xz - inertia.c6z * t1;
-  const Scalar t13 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t14 = ((inertia.I6yy - t6) - inertia.c6y * t3) - (inertia.c5y * t4 - (inertia.I5yy - t13));
-  const Scalar t15 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t16 = inertia.m3 + t15;
-  const Scalar t17 = inertia.c4y * inertia.m4;
-  const Scalar t18 = t17 - g.d4 * t15;
-  const Scalar t19 = inertia.c3y * inertia.m3;
-  const Scalar t20 = g.d4 * inertia.m3 - t19;
-  const Scalar t21 = (t18 - t20) / g.d4;
-  const Scalar t22 = (inertia.m1 + (inertia.m2 + t16)) + t21;
-  const Scalar t23 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t24 = inertia.c4z * inertia.m4;
-  const Scalar t25 = inertia.c5x * inertia.m5;
-  const Scalar t26 = inertia.c4x * inertia.m4;
-  const Scalar t27 = (inertia.c5x * t25 - (inertia.I5xx - t13)) - ((inertia.I4xx - t23) - inertia.c4x * t26);
-  const Scalar t28 = inertia.c3x * inertia.m3;
-  const Scalar t29 = g.d4 * t21;
-  const Scalar t30 = ((inertia.I4yy - t23) - inertia.c4y * t17) + g.d4 * (t17 + t18);
-  const Scalar t31 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t32 = ((inertia.I3yy - t31) - inertia.c3y * t19) - g.d4 * (t20 - t19);
-  const Scalar t33 = (t30 + t32) - g.d4 * t29;
-  const Scalar t34 = inertia.c3x * t28 - (inertia.I3xx - t31);
-  const Scalar t35 = g.l2 * t21;
-  const Scalar t36 = inertia.c2z * inertia.m2;
-  const Scalar t37 = g.l2 * inertia.m2 + t36;
-  const Scalar t38 = inertia.c3z * inertia.m3;
-  const Scalar t39 = t38 + g.l2 * t16;
-  const Scalar t40 = inertia.c2x * inertia.m2;
-  const Scalar t41 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t42 = g.l2 * (t37 + t36) - ((inertia.I2zz - t41) - inertia.c2z * t36);
-  const Scalar t43 = ((inertia.I3zz - t31) - inertia.c3z * t38) - g.l2 * (t38 + t39);
-  const Scalar t44 = (inertia.I3xy - inertia.c3y * t28) + g.d4 * t28;
-  return { t0,
-           t1,
-           t2,
-           t3 + t4,
-           t5 * t10,
-           t10 * t11,
-           Scalar(2) * t12,
-           t7 + t8,
-           t7,
-           inertia.c5z * t2 - (inertia.I5zz - t13),
-           t14,
-           t9,
-           t10,
-           t22 - t21,
+  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t1;
+  const Scalar t4 = inertia.c6z * t0 - (inertia.I6zz - t2);
+  const Scalar t5 = t3 - t4;
+  const Scalar t6 = inertia.c6y * inertia.m6;
+  const Scalar t7 = inertia.I6yz - inertia.c6z * t6;
+  const Scalar t8 = inertia.I6xy - inertia.c6y * t1;
+  const Scalar t9 = Scalar(1) / t5;
+  const Scalar t10 = inertia.c5x * inertia.m5;
+  const Scalar t11 = inertia.I6xz - inertia.c6z * t1;
+  const Scalar t12 = inertia.c5z * inertia.m5;
+  const Scalar t13 = inertia.c5y * inertia.m5;
+  const Scalar t14 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t15 = ((inertia.I6yy - t2) - inertia.c6y * t6) - (inertia.c5y * t13 - (inertia.I5yy - t14));
+  const Scalar t16 = gravity[2] / g.d4;
+  const Scalar t17 = g.l2 / g.d4;
+  const Scalar t18 = inertia.c4z * inertia.m4;
+  const Scalar t19 = g.d4 * t18;
+  const Scalar t20 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t21 = inertia.c4x * inertia.m4;
+  const Scalar t22 = g.d4 * t21;
+  const Scalar t23 = inertia.c4y * inertia.m4;
+  const Scalar t24 = (inertia.c5x * t10 - (inertia.I5xx - t14)) - ((inertia.I4xx - t20) - inertia.c4x * t21);
+  const Scalar t25 = inertia.c3x * inertia.m3;
+  const Scalar t26 = g.d4 * t25;
+  const Scalar t27 = (inertia.I3xy - inertia.c3y * t25) + t26;
+  const Scalar t28 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t29 = inertia.c3x * t25 - (inertia.I3xx - t28);
+  const Scalar t30 = g.d4 * inertia.m4;
+  const Scalar t31 = t23 - t30;
+  const Scalar t32 = g.d4 * (t23 + t31) + ((inertia.I4yy - t20) - inertia.c4y * t23);
+  const Scalar t33 = t31 + t30;
+  const Scalar t34 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t35 = t33 - g.d4 * t34;
+  const Scalar t36 = (t32 - g.d4 * (t33 + t31)) + g.d4 * (t33 + t35);
+  const Scalar t37 = inertia.c3y * inertia.m3;
+  const Scalar t38 = g.d4 * inertia.m3 - t37;
+  const Scalar t39 = ((inertia.I3yy - t28) - inertia.c3y * t37) - g.d4 * (t38 - t37);
+  const Scalar t40 = t36 + t39;
+  const Scalar t41 = g.l2 * t25;
+  const Scalar t42 = inertia.c3z * inertia.m3;
+  const Scalar t43 = g.l2 * t38;
+  const Scalar t44 = (g.d4 * t42 + (inertia.I3yz - inertia.c3z * t37)) + t43;
+  const Scalar t45 = inertia.c2x * inertia.m2;
+  const Scalar t46 = g.l2 * inertia.m3;
+  const Scalar t47 = t42 + t46;
+  const Scalar t48 = t47 - t46;
+  const Scalar t49 = inertia.m3 + t34;
+  const Scalar t50 = t48 + g.l2 * t49;
+  const Scalar t51 = inertia.c2z * inertia.m2;
+  const Scalar t52 = g.l2 * inertia.m2 + t51;
+  const Scalar t53 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t54 = g.l2 * (t52 + t51) - ((inertia.I2zz - t53) - inertia.c2z * t51);
+  const Scalar t55 = ((inertia.I3zz - t28) - inertia.c3z * t42) - g.l2 * (t42 + t47);
+  const Scalar t56 = (t55 + g.l2 * (t47 + t48)) - g.l2 * (t50 + t48);
+  const Scalar t57 = Scalar(1) / g.d4;
+  const Scalar t58 = g.d4 * g.d4 * (inertia.m1 + (inertia.m2 + t49));
+  return { g.d4 * t0,
+           g.d4 * t1,
            t5,
-           t11,
-           inertia.I5yz - inertia.c5z * t4,
-           (inertia.I4zz - t23) - inertia.c4z * t24,
+           t7,
            t8,
-           t27,
-           inertia.I5xy - inertia.c5y * t25,
-           t12,
-           inertia.I5xz - inertia.c5z * t25,
-           t26 + t25,
+           t9 * t8,
+           t7 * t9,
+           t9,
+           inertia.I5xy - inertia.c5y * t10,
+           Scalar(2) * t11,
+           t3 + t4,
+           t11,
+           inertia.I5xz - inertia.c5z * t10,
+           g.d4 * t12,
+           g.d4 * (t6 + t13),
+           t3,
+           inertia.c5z * t12 - (inertia.I5zz - t14),
+           t15,
+           t16,
+           gravity[0] / g.d4,
+           gravity[1] / g.d4,
+           t17,
+           inertia.I5yz - inertia.c5z * t13,
+           t4,
+           t19,
+           (inertia.I4zz - t20) - inertia.c4z * t18,
+           inertia.I4xz - inertia.c4z * t21,
+           (t22 + (inertia.I4xy - inertia.c4y * t21)) - t22,
+           t19 - (t19 + (inertia.I4yz - inertia.c4z * t23)),
            t24,
+           g.d4 * (t21 + t10),
            g.d4,
-           inertia.I4xy - inertia.c4y * t26,
-           inertia.I4yz - inertia.c4z * t17,
-           t28,
+           t27,
+           t29 + t40,
+           g.d4 * (t38 - t35),
+           t26,
            t29,
-           t33,
-           inertia.I4xz - inertia.c4z * t26,
-           t34,
-           g.l2,
-           t35,
-           t35 + (t37 + t39),
            t40,
-           g.d4 * t38 + (inertia.I3yz - inertia.c3z * t19),
-           inertia.I3xz - inertia.c3z * t28,
-           g.l2 * t35 + (t42 - t43),
-           t44,
-           inertia.c2x * t40 - (inertia.I2xx - t41),
-           Scalar(2) * g.d4,
-           gravity[0],
-           gravity[2],
-           gravity[1],
-           Scalar(2) * t28,
-           t21,
-           gravity[2] * t22,
-           t34 + t33,
-           Scalar(2) * t44,
-           Scalar(2) * t34 };
+           t41 - (t41 - (inertia.I3xz - inertia.c3z * t25)),
+           t44 - t43,
+           Scalar(2) * t29,
+           Scalar(2) * t27,
+           g.d4 * t45,
+           g.d4 * (t50 + t52),
+           inertia.c2x * t45 - (inertia.I2xx - t53),
+           Scalar(2) * t17,
+           t54 - t56,
+           t57,
+           t9 * t57,
+           Scalar(2) * t26,
+           t57 * t16 * t58,
+           t58 * t57 * t57 };
 }
 
 namespace detail {
@@ -1135,252 +1185,250 @@ inline JointVector<Scalar> forward_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[0] * c6 + k[1] * s6;
-  const Scalar t1 = k[2] + t0;
-  const Scalar t2 = c5 * t1 - k[3] * s5;
-  const Scalar t3 = s5 * t1 + k[3] * c5;
-  const Scalar t4 = s3 * t2 - c3 * s4 * t3;
-  const Scalar t5 = k[4] * s6 - k[5] * c6;
-  const Scalar t6 = k[0] * s6 - k[1] * c6;
-  const Scalar t7 = c5 * t6;
-  const Scalar t8 = c3 * (s4 * t7 - c4 * t0) + s3 * s5 * t6;
-  const Scalar t9 = s2 * t8 + c2 * (c4 * t7 + s4 * t0);
-  const Scalar t10 = (s2 * t4 - c2 * c4 * t3) + t5 * t9;
-  const Scalar t11 = k[11] * t5;
-  const Scalar t12 = k[7] * c6 - k[6] * s6;
-  const Scalar t13 = c6 * t12;
-  const Scalar t14 = k[8] - t13;
-  const Scalar t15 = k[9] - t14;
-  const Scalar t16 = k[10] - t15;
-  const Scalar t17 = Scalar(1) / (t5 * t11 - t16);
-  const Scalar t18 = k[21] + s6 * t12;
-  const Scalar t19 = k[22] + t18;
-  const Scalar t20 = k[20] - t11;
-  const Scalar t21 = s5 * t19 + c5 * t20;
-  const Scalar t22 = c5 * t19 - s5 * t20;
-  const Scalar t23 = k[25] * t3 + t16;
-  const Scalar t24 = c3 * t21 - s3 * (s4 * t22 + c4 * t23);
-  const Scalar t25 = k[14] * c6 + k[15] * s6;
-  const Scalar t26 = (k[11] * s5 + c5 * t25) + k[25] * t0;
-  const Scalar t27 = t11 + k[25] * t7;
-  const Scalar t28 = c5 - k[12] * s5 * t25;
-  const Scalar t29 = k[11] * t28;
-  const Scalar t30 = s3 * (s4 * t26 + c4 * t27) + c3 * t29;
-  const Scalar t31 = t30 + k[33] * t8;
-  const Scalar t32 = (k[33] * t4 + t24) + t5 * t31;
-  const Scalar t33 = t17 * t32;
-  const Scalar t34 = k[23] - t6;
-  const Scalar t35 = k[24] + t2;
-  const Scalar t36 = s4 * t34 + c4 * t35;
-  const Scalar t37 = k[34] - t36;
-  const Scalar t38 = k[29] + t3;
-  const Scalar t39 = s4 * t35 - c4 * t34;
-  const Scalar t40 = k[28] - t39;
-  const Scalar t41 = c2 * (k[36] - (s3 * t38 - c3 * t40));
-  const Scalar t42 = k[12] * t31;
-  const Scalar t43 = (s2 * (k[35] - t37) + t41) + t9 * t42;
-  const Scalar t44 = t9 * t28 - (c2 * t39 - s2 * c3 * t36);
-  const Scalar t45 = t17 * t10;
-  const Scalar t46 = t21 + t5 * t29;
-  const Scalar t47 = t44 - t45 * t46;
-  const Scalar t48 = k[16] + t25;
-  const Scalar t49 = Scalar(2) * c5 * t48 - s5 * (k[10] + t15);
-  const Scalar t50 = s5 * t49 + t15;
-  const Scalar t51 = k[17] - t50;
-  const Scalar t52 = k[18] - t13;
-  const Scalar t53 = k[19] + t52;
-  const Scalar t54 = t51 - t53;
-  const Scalar t55 = t17 * t46;
-  const Scalar t56 = Scalar(1) / ((t54 - t29 * t28) + t46 * t55);
-  const Scalar t57 = (k[27] + (c5 * t49 - t48)) + k[25] * t35;
-  const Scalar t58 = k[25] * t34 + (k[26] + t21);
-  const Scalar t59 = s4 * t57 - c4 * t58;
-  const Scalar t60 = c3 * (t54 - k[33] * t36) + s3 * t59;
-  const Scalar t61 = (t60 - t31 * t28) + t32 * t55;
-  const Scalar t62 = t56 * t61;
-  const Scalar t63 = c4 * t26 - s4 * t27;
-  const Scalar t64 = k[12] * t63;
-  const Scalar t65 = s4 * t58 + c4 * t57;
-  const Scalar t66 = (s4 * t23 - c4 * t22) + t5 * t63;
-  const Scalar t67 = t17 * t66;
-  const Scalar t68 = (t64 * t29 - t65) - t67 * t46;
-  const Scalar t69 = c3 * t38 + s3 * t40;
-  const Scalar t70 = k[31] + t22;
-  const Scalar t71 = s4 * t70;
-  const Scalar t72 = (t71 + t71) + c4 * (t51 + t53);
-  const Scalar t73 = c3 * (k[37] + t65) + s3 * (k[38] + (t70 - s4 * t72));
-  const Scalar t74 = t67 * t32 - (t64 * t31 + (k[33] * t69 - t73));
-  const Scalar t75 = t62 * t68 + t74;
-  const Scalar t76 = t56 * t68;
-  const Scalar t77 = k[30] + ((t50 + t16) + k[25] * (t3 + t38));
-  const Scalar t78 = t53 - c4 * t72;
-  const Scalar t79 = k[32] - (t54 + t78);
-  const Scalar t80 = (t64 * t63 - (t77 - t79)) - t67 * t66;
-  const Scalar t81 = Scalar(1) / (t76 * t68 + t80);
-  const Scalar t82 = t75 * t81;
-  const Scalar t83 = (s2 * t69 + t64 * t9) - t67 * t10;
-  const Scalar t84 = t83 + t47 * t76;
-  const Scalar t85 = ((t10 * t33 - t43) + t47 * t62) - t82 * t84;
-  const Scalar t86 = c3 * (k[40] - t59);
-  const Scalar t87 = s3 * ((t86 + t86) - s3 * (t77 + t79));
-  const Scalar t88 = (k[39] + (t78 + k[33] * (t36 - t37))) + (k[41] + (t79 + t87));
-  const Scalar t89 = t62 * t61 + ((t42 * t31 + t88) - t32 * t33);
-  const Scalar t90 = Scalar(1) / (t82 * t75 - t89);
-  const Scalar t91 = t85 * t90;
-  const Scalar t92 = k[12] * t9;
-  const Scalar t93 = t47 * t56;
-  const Scalar t94 = ((k[13] + t92 * t9) - t45 * t10) + t47 * t93;
-  const Scalar t95 = t81 * t84;
-  const Scalar t96 = Scalar(1) / (t91 * t85 + (t94 - t84 * t95));
-  const Scalar t97 = qd[1] * qd[1];
-  const Scalar t98 = qd[1] * s3;
-  const Scalar t99 = s4 * t98;
-  const Scalar t100 = t99 - qd[2] * c4;
-  const Scalar t101 = qd[2] * s4 + c4 * t98;
-  const Scalar t102 = t100 * t101;
-  const Scalar t103 = qd[2] * t98;
-  const Scalar t104 = t102 - t103;
-  const Scalar t105 = t100 * t100;
-  const Scalar t106 = qd[1] * c3;
-  const Scalar t107 = qd[3] - t106;
-  const Scalar t108 = t107 * t107;
-  const Scalar t109 = t105 + t108;
-  const Scalar t110 = t106 * t106;
-  const Scalar t111 = qd[2] * qd[2];
-  const Scalar t112 = t110 - t111;
-  const Scalar t113 = t97 - t112;
-  const Scalar t114 = t109 - t113;
-  const Scalar t115 = t105 - t108;
-  const Scalar t116 = t114 + t115;
-  const Scalar t117 = k[44] * c2 + k[43] * s2;
-  const Scalar t118 = k[33] * t97 + t117;
-  const Scalar t119 = qd[2] * t106;
-  const Scalar t120 = t118 + k[42] * t119;
-  const Scalar t121 = k[43] * c2 - k[44] * s2;
-  const Scalar t122 = t98 * t106;
-  const Scalar t123 = (k[45] * s3 + c3 * t121) + k[25] * t122;
-  const Scalar t124 = c4 * t120 - s4 * t123;
-  const Scalar t125 = (k[23] * t104 + k[24] * (t109 - t116)) - k[47] * t124;
-  const Scalar t126 = s5 * t100 - c5 * t107;
-  const Scalar t127 = qd[4] - t101;
-  const Scalar t128 = t127 * t127;
-  const Scalar t129 = t126 * t126 + t128;
-  const Scalar t130 = s5 * t107 + c5 * t100;
-  const Scalar t131 = t130 * t126;
-  const Scalar t132 = t107 * t100;
-  const Scalar t133 = t119 + t119;
-  const Scalar t134 = t99 * t106 - c4 * t133;
-  const Scalar t135 = t132 + t134;
-  const Scalar t136 = t131 + t135;
-  const Scalar t137 = wrench[0] * c2 - wrench[2] * s2;
-  const Scalar t138 = wrench[1] * c3 - s3 * t137;
-  const Scalar t139 = wrench[2] * c2 + wrench[0] * s2;
-  const Scalar t140 = c3 * t137 + wrench[1] * s3;
-  const Scalar t141 = c4 * t139 - s4 * t140;
-  const Scalar t142 = qd[5] - t126;
-  const Scalar t143 = t142 * t142;
-  const Scalar t144 = t143 + t128;
-  const Scalar t145 = c4 * t122 + s4 * t133;
-  const Scalar t146 = Scalar(2) * t107 * t101 + t145;
-  const Scalar t147 = s5 * t146 + c5 * t104;
-  const Scalar t148 = (s5 * t138 + c5 * t141) + (t0 * t144 - t147 * t6);
-  const Scalar t149 = (k[2] * t129 + k[3] * t136) + t148;
-  const Scalar t150 = t131 - t135;
-  const Scalar t151 = t143 - t128;
-  const Scalar t152 = t109 - t129;
-  const Scalar t153 = t152 + t144;
-  const Scalar t154 = t151 - t153;
-  const Scalar t155 = t130 * t142;
-  const Scalar t156 = (t155 + t136) + t155;
-  const Scalar t157 = t127 * t142;
-  const Scalar t158 = c5 * t146 - s5 * t104;
-  const Scalar t159 = Scalar(2) * t127 * t126 - t158;
-  const Scalar t160 = t157 + (t157 + t159);
-  const Scalar t161 = (c5 * t138 - s5 * t141) - (t0 * t156 - t6 * t160);
-  const Scalar t162 = (k[2] * t150 - k[3] * t154) + t161;
-  const Scalar t163 = t125 + (c5 * t149 - s5 * t162);
-  const Scalar t164 = t130 * t127;
-  const Scalar t165 = t164 + (t147 + t164);
-  const Scalar t166 = (t0 * t165 + t6 * t153) - (c4 * t140 + s4 * t139);
-  const Scalar t167 = t102 + t103;
-  const Scalar t168 = s4 * t120 + c4 * t123;
-  const Scalar t169 = (k[24] * t167 + k[23] * t109) - k[47] * t168;
-  const Scalar t170 = ((k[3] * t159 - k[2] * t165) - t166) + t169;
-  const Scalar t171 = s4 * t163 - c4 * t170;
-  const Scalar t172 = t110 + t111;
-  const Scalar t173 = k[45] * c3 - s3 * t121;
-  const Scalar t174 = t173 - k[25] * t113;
-  const Scalar t175 = t135 + t132;
-  const Scalar t176 = k[47] * t174 + (k[24] * t175 - k[23] * t146);
-  const Scalar t177 = k[28] * t122 - ((c5 * t162 + s5 * t149) - t176);
-  const Scalar t178 = c3 * (t171 - k[28] * t172) - s3 * t177;
-  const Scalar t179 = c4 * t163 + s4 * t170;
-  const Scalar t180 = c2 * ((k[46] * t103 - t179) - k[35] * t97);
-  const Scalar t181 = k[48] - (s2 * (k[36] * t97 - t178) + t180);
-  const Scalar t182 = s5 * t174 + c5 * t124;
-  const Scalar t183 = (t165 * t14 - t147 * t52) - t152 * t18;
-  const Scalar t184 = (t6 * t182 + t0 * t168) + (t183 - (t11 * t136 + t25 * t159));
-  const Scalar t185 = wrench[5] * s2 - wrench[3] * c2;
-  const Scalar t186 = wrench[4] * s3 - c3 * t185;
-  const Scalar t187 = wrench[5] * c2 + wrench[3] * s2;
-  const Scalar t188 = s4 * t186 - c4 * t187;
-  const Scalar t189 = s3 * t185 + wrench[4] * c3;
-  const Scalar t190 = t184 + (s5 * t188 + c5 * t189);
-  const Scalar t191 = torque[5] - t190;
-  const Scalar t192 = k[12] * t191;
-  const Scalar t193 = c5 * t174 - s5 * t124;
-  const Scalar t194 = (t156 * t14 + t160 * t18) - (t147 * t11 - (t144 + t154) * t25);
-  const Scalar t195 = (s4 * t187 + c4 * t186) - (t0 * t193 + t194);
-  const Scalar t196 = t109 + t154;
-  const Scalar t197 = (k[10] * t136 + k[9] * t150) + k[16] * (t196 - t152);
-  const Scalar t198 = (k[2] * t193 - k[3] * t182) + (t197 + (k[20] * t147 - k[22] * t158));
-  const Scalar t199 = t195 - t198;
-  const Scalar t200 = (torque[4] - t199) - t5 * t191;
-  const Scalar t201 = ((torque[0] + t181) - t192 * t9) - t45 * t200;
-  const Scalar t202 = (k[20] * t136 - k[22] * t152) - (k[9] * t165 + k[16] * t159);
-  const Scalar t203 = (k[2] * t168 + t202) + t190;
-  const Scalar t204 = k[20] * t196 - (k[16] * t165 - k[10] * t159);
-  const Scalar t205 = (t52 * t160 - t156 * t18) + t11 * t151;
-  const Scalar t206 = (s5 * t189 - c5 * t188) - (t6 * t193 + (t205 + t25 * t165));
-  const Scalar t207 = (k[3] * t168 + (k[22] * t150 - t204)) - t206;
-  const Scalar t208 = (k[17] * t167 + k[19] * t104) + k[31] * t116;
-  const Scalar t209 = ((k[26] * t134 + k[27] * t145) - t208) - (k[23] * t124 - k[24] * t168);
-  const Scalar t210 = (c5 * t203 - s5 * t207) + t209;
-  const Scalar t211 = t17 * t200;
-  const Scalar t212 = ((torque[3] - t210) - t192 * t29) - t211 * t46;
-  const Scalar t213 = t56 * t212;
-  const Scalar t214 = t113 - t172;
-  const Scalar t215 = k[28] * t173 - (k[49] * t122 + k[40] * t214);
-  const Scalar t216 = (k[31] * t146 - k[17] * t175) + (k[27] * t115 - k[26] * t104);
-  const Scalar t217 = (t216 - k[24] * t174) + t199;
-  const Scalar t218 = k[26] * t114 + (k[31] * t175 + k[19] * t146);
-  const Scalar t219 = (k[23] * t174 + (t218 + k[27] * t167)) - (s5 * t203 + c5 * t207);
-  const Scalar t220 = k[25] * t171 - (s4 * t217 + c4 * t219);
-  const Scalar t221 = t211 * t66 + (t64 * t191 - (torque[2] + (t215 - t220)));
-  const Scalar t222 = t76 * t212 - t221;
-  const Scalar t223 = t81 * t222;
-  const Scalar t224 = k[37] * t112 - (k[30] * t133 + k[50] * t103);
-  const Scalar t225 = (c4 * t217 - s4 * t219) - k[25] * t179;
-  const Scalar t226 = (k[37] * t122 + k[38] * (t214 + t112)) + (k[51] * t103 - k[50] * t119);
-  const Scalar t227 = s3 * ((t224 + k[38] * t122) - t225) - c3 * (t210 - (k[28] * t118 - t226));
-  const Scalar t228 = (k[35] * t121 - k[36] * t117) - (k[33] * t178 + t227);
-  const Scalar t229 = ((torque[1] + t228) + t191 * t42) + t200 * t33;
-  const Scalar t230 = t90 * (t75 * t223 - (t229 + t62 * t212));
-  const Scalar t231 = ((t201 + t47 * t213) - t222 * t95) - t85 * t230;
-  const Scalar t232 = t96 * t231;
-  const Scalar t233 = t230 + t91 * t232;
-  const Scalar t234 = (t95 * t232 - t223) + t82 * t233;
-  const Scalar t235 = t234 * t76 - ((t232 * t93 - t213) + t62 * t233);
-  const Scalar t236 = t67 * t234 + ((t211 - t45 * t232) + t233 * t33);
-  const Scalar t237 = t235 * t55 + t236;
-  const Scalar t238 = (t233 * t42 - (t192 + t92 * t232)) + t64 * t234;
+  const Scalar t0 = k[0] * s6 - k[1] * c6;
+  const Scalar t1 = c5 * t0;
+  const Scalar t2 = k[6] * s6 - k[5] * c6;
+  const Scalar t3 = k[2] * t2;
+  const Scalar t4 = t1 + t3;
+  const Scalar t5 = k[0] * c6 + k[1] * s6;
+  const Scalar t6 = k[3] * c6 + k[4] * s6;
+  const Scalar t7 = t5 + (c5 * t6 + k[2] * s5);
+  const Scalar t8 = s4 * t4 - c4 * t7;
+  const Scalar t9 = k[7] * t8;
+  const Scalar t10 = s5 * t6 - k[2] * c5;
+  const Scalar t11 = k[30] - t0;
+  const Scalar t12 = k[13] + t5;
+  const Scalar t13 = c5 * t12 - k[14] * s5;
+  const Scalar t14 = k[24] + t13;
+  const Scalar t15 = s4 * t11 + c4 * t14;
+  const Scalar t16 = k[8] - t3;
+  const Scalar t17 = k[10] * c6 - k[9] * s6;
+  const Scalar t18 = k[11] + s6 * t17;
+  const Scalar t19 = k[12] + t18;
+  const Scalar t20 = c5 * t16 + s5 * t19;
+  const Scalar t21 = k[27] + t20;
+  const Scalar t22 = k[22] + t6;
+  const Scalar t23 = c6 * t17;
+  const Scalar t24 = k[15] - t23;
+  const Scalar t25 = k[16] - t24;
+  const Scalar t26 = (c5 + c5) * t22 - s5 * (k[17] + t25);
+  const Scalar t27 = k[28] + (t22 - c5 * t26);
+  const Scalar t28 = t15 + (s4 * t21 - c4 * t27);
+  const Scalar t29 = t20 - t10 * t2;
+  const Scalar t30 = k[17] - t25;
+  const Scalar t31 = Scalar(1) / (t2 * t3 - t30);
+  const Scalar t32 = t29 * t31;
+  const Scalar t33 = s5 * t12 + k[14] * c5;
+  const Scalar t34 = t30 + t33;
+  const Scalar t35 = s5 * t16 - c5 * t19;
+  const Scalar t36 = t9 * t3 - (s4 * t34 + c4 * t35);
+  const Scalar t37 = (t9 * t10 - t28) + t32 * t36;
+  const Scalar t38 = k[7] * t10;
+  const Scalar t39 = t25 + s5 * t26;
+  const Scalar t40 = k[25] - t39;
+  const Scalar t41 = k[23] - t23;
+  const Scalar t42 = k[29] + t41;
+  const Scalar t43 = k[26] - t35;
+  const Scalar t44 = c4 * (t40 + t42) + Scalar(2) * s4 * t43;
+  const Scalar t45 = c4 * t44;
+  const Scalar t46 = t45 - t42;
+  const Scalar t47 = t45 - t40;
+  const Scalar t48 = t46 - t47;
+  const Scalar t49 = Scalar(1) / (t29 * t32 - (t10 * t38 - t48));
+  const Scalar t50 = c4 * t11 - s4 * t14;
+  const Scalar t51 = c3 * t15;
+  const Scalar t52 = c3 * (s4 * t1 - c4 * t5) + s3 * s5 * t0;
+  const Scalar t53 = s2 * t52 + c2 * (c4 * t1 + s4 * t5);
+  const Scalar t54 = k[48] * t53;
+  const Scalar t55 = k[47] * (c2 * t50 + s2 * t51) - t10 * t54;
+  const Scalar t56 = c3 * s4 * t33 - s3 * t13;
+  const Scalar t57 = k[47] * (s2 * t56 + c2 * c4 * t33);
+  const Scalar t58 = k[2] * t54;
+  const Scalar t59 = t57 - t58 * t2;
+  const Scalar t60 = t59 * t31;
+  const Scalar t61 = t55 + t29 * t60;
+  const Scalar t62 = t49 * t61;
+  const Scalar t63 = t36 * t31;
+  const Scalar t64 = k[34] - t33;
+  const Scalar t65 = k[35] + t50;
+  const Scalar t66 = c3 * t64 - s3 * t65;
+  const Scalar t67 = t59 * t63 + (k[47] * s2 * t66 + t9 * t58);
+  const Scalar t68 = t37 * t62 - t67;
+  const Scalar t69 = t37 * t49;
+  const Scalar t70 = k[37] + (Scalar(2) * t33 + (t39 + t30));
+  const Scalar t71 = k[36] + t47;
+  const Scalar t72 = (t9 * t8 - (t70 - t71)) - t36 * t63;
+  const Scalar t73 = Scalar(1) / (t37 * t69 + t72);
+  const Scalar t74 = t68 * t73;
+  const Scalar t75 = t62 * t61 + ((k[51] + t58 * t54) - t60 * t59);
+  const Scalar t76 = c3 * t10 - s3 * (c4 * t4 + s4 * t7);
+  const Scalar t77 = k[21] * t52 - t76;
+  const Scalar t78 = c2 * (k[42] + (c3 * t65 + s3 * t64));
+  const Scalar t79 = t54 * t77 + k[47] * (t78 + s2 * (k[43] + t15));
+  const Scalar t80 = s3 * (s4 * t35 - c4 * t34) + c3 * t20;
+  const Scalar t81 = (k[21] * t56 - t80) - t2 * t77;
+  const Scalar t82 = t81 * t31;
+  const Scalar t83 = (c4 * t21 + s4 * t27) + t50;
+  const Scalar t84 = s3 * t83 + (k[21] * t51 - c3 * t48);
+  const Scalar t85 = t32 * t81 - (t38 * t77 - t84);
+  const Scalar t86 = t85 * t49;
+  const Scalar t87 = c3 * (k[39] + t28) + s3 * (k[38] - (s4 * t44 - t43));
+  const Scalar t88 = k[7] * t77;
+  const Scalar t89 = t36 * t82 + ((k[21] * t66 + t87) + t8 * t88);
+  const Scalar t90 = t37 * t86 - t89;
+  const Scalar t91 = t90 * t73;
+  const Scalar t92 = ((t79 - t59 * t82) + t85 * t62) - t68 * t91;
+  const Scalar t93 = c3 + c3;
+  const Scalar t94 = s3 * (t70 + t71) - t93 * (k[32] + t83);
+  const Scalar t95 = (k[44] - (s3 * t94 - t71)) + (k[46] - (t46 - k[45] * t15));
+  const Scalar t96 = ((t95 + t88 * t77) - t81 * t82) + t85 * t86;
+  const Scalar t97 = Scalar(1) / (t96 - t91 * t90);
+  const Scalar t98 = t92 * t97;
+  const Scalar t99 = Scalar(1) / ((t68 * t74 - t75) + t92 * t98);
+  const Scalar t100 = qd[1] * s3;
+  const Scalar t101 = s4 * t100 - qd[2] * c4;
+  const Scalar t102 = qd[1] * c3;
+  const Scalar t103 = qd[3] - t102;
+  const Scalar t104 = s5 * t101 - c5 * t103;
+  const Scalar t105 = qd[5] - t104;
+  const Scalar t106 = qd[2] * s4 + c4 * t100;
+  const Scalar t107 = qd[4] - t106;
+  const Scalar t108 = Scalar(2) * t107;
+  const Scalar t109 = t100 * t102;
+  const Scalar t110 = qd[2] * qd[1] * t93;
+  const Scalar t111 = c4 * t109 + s4 * t110;
+  const Scalar t112 = (t103 + t103) * t106 + t111;
+  const Scalar t113 = t101 * t106;
+  const Scalar t114 = qd[2] * t100;
+  const Scalar t115 = t113 - t114;
+  const Scalar t116 = c5 * t112 - s5 * t115;
+  const Scalar t117 = t116 - t104 * t108;
+  const Scalar t118 = t105 * t108 - t117;
+  const Scalar t119 = s5 * t103 + c5 * t101;
+  const Scalar t120 = t119 * t104;
+  const Scalar t121 = c4 * t110 - s4 * t109;
+  const Scalar t122 = t103 * t101;
+  const Scalar t123 = t121 - t122;
+  const Scalar t124 = t120 - t123;
+  const Scalar t125 = t124 + Scalar(2) * t119 * t105;
+  const Scalar t126 = t105 * t105;
+  const Scalar t127 = t107 * t107;
+  const Scalar t128 = t126 + t127;
+  const Scalar t129 = t126 - t127;
+  const Scalar t130 = t101 * t101;
+  const Scalar t131 = t103 * t103;
+  const Scalar t132 = t130 + t131;
+  const Scalar t133 = t104 * t104 + t127;
+  const Scalar t134 = t132 - t133;
+  const Scalar t135 = t134 + t128;
+  const Scalar t136 = t129 - t135;
+  const Scalar t137 = s5 * t112 + c5 * t115;
+  const Scalar t138 = (t18 * t118 + t24 * t125) + ((t128 + t136) * t6 - t137 * t3);
+  const Scalar t139 = qd[1] * qd[1];
+  const Scalar t140 = k[19] * s2 + k[18] * c2;
+  const Scalar t141 = k[21] * t139 + t140;
+  const Scalar t142 = t110 + t141;
+  const Scalar t143 = k[18] * s2 - k[19] * c2;
+  const Scalar t144 = k[20] * s3 - c3 * t143;
+  const Scalar t145 = t109 + t144;
+  const Scalar t146 = c4 * t142 - s4 * t145;
+  const Scalar t147 = s3 * t143 + k[20] * c3;
+  const Scalar t148 = t100 * t100;
+  const Scalar t149 = qd[2] * qd[2];
+  const Scalar t150 = t148 + t149;
+  const Scalar t151 = t147 - t150;
+  const Scalar t152 = s5 * t146 - c5 * t151;
+  const Scalar t153 = wrench[5] * c2 + wrench[3] * s2;
+  const Scalar t154 = wrench[5] * s2 - wrench[3] * c2;
+  const Scalar t155 = wrench[4] * s3 - c3 * t154;
+  const Scalar t156 = (t138 - t5 * t152) - (s4 * t153 + c4 * t155);
+  const Scalar t157 = t120 + t123;
+  const Scalar t158 = k[22] * (t136 + t133) + (k[17] * t124 + k[16] * t157);
+  const Scalar t159 = c5 * t146 + s5 * t151;
+  const Scalar t160 = ((k[12] * t116 - k[8] * t137) - t158) + (k[13] * t152 + k[14] * t159);
+  const Scalar t161 = t156 - t160;
+  const Scalar t162 = s4 * t155 - c4 * t153;
+  const Scalar t163 = s3 * t154 + wrench[4] * c3;
+  const Scalar t164 = c4 * t145 + s4 * t142;
+  const Scalar t165 = t119 * t107;
+  const Scalar t166 = t165 + (t165 + t137);
+  const Scalar t167 = (t41 * t137 - t24 * t166) + t134 * t18;
+  const Scalar t168 = (t0 * t159 + t5 * t164) - ((t124 * t3 - t6 * t117) + t167);
+  const Scalar t169 = (s5 * t162 + c5 * t163) + t168;
+  const Scalar t170 = torque[5] - t169;
+  const Scalar t171 = k[7] * t170;
+  const Scalar t172 = (torque[4] + t161) - t171 * t3;
+  const Scalar t173 = t172 * t31;
+  const Scalar t174 = wrench[0] * c2 - wrench[2] * s2;
+  const Scalar t175 = wrench[1] * c3 - s3 * t174;
+  const Scalar t176 = wrench[2] * c2 + wrench[0] * s2;
+  const Scalar t177 = c3 * t174 + wrench[1] * s3;
+  const Scalar t178 = c4 * t176 - s4 * t177;
+  const Scalar t179 = k[31] * (s5 * t175 + c5 * t178) + (t5 * t128 - t0 * t137);
+  const Scalar t180 = t179 + (k[14] * t124 + k[13] * t133);
+  const Scalar t181 = (t5 * t125 - t0 * t118) - k[31] * (c5 * t175 - s5 * t178);
+  const Scalar t182 = t181 - (k[13] * t157 - k[14] * t136);
+  const Scalar t183 = t130 - t131;
+  const Scalar t184 = t183 - t150;
+  const Scalar t185 = (c5 * t180 + s5 * t182) - (k[24] * t184 - k[30] * t115);
+  const Scalar t186 = t113 + t114;
+  const Scalar t187 = k[31] * (c4 * t177 + s4 * t176) - (t5 * t166 + t0 * t135);
+  const Scalar t188 = (k[24] * t186 + k[30] * t132) + (t187 - (k[13] * t166 + k[14] * t117));
+  const Scalar t189 = s4 * t185 - c4 * t188;
+  const Scalar t190 = t122 - t123;
+  const Scalar t191 = (k[27] * t115 + k[28] * t183) + (k[25] * t190 - k[26] * t112);
+  const Scalar t192 = t161 + (t191 + k[24] * t151);
+  const Scalar t193 = t129 * t3 + (t41 * t118 - t18 * t125);
+  const Scalar t194 = (s5 * t163 - c5 * t162) + (t0 * t152 - (t166 * t6 + t193));
+  const Scalar t195 = (k[17] * t117 + k[22] * t166) - k[8] * (t132 + t136);
+  const Scalar t196 = t194 - ((t195 + k[12] * t157) + k[14] * t164);
+  const Scalar t197 = (k[12] * t134 - k[8] * t124) + (k[16] * t166 - k[22] * t117);
+  const Scalar t198 = t169 + (k[13] * t164 - t197);
+  const Scalar t199 = t132 + t184;
+  const Scalar t200 = k[27] * (t183 - t199) - (k[26] * t190 + k[29] * t112);
+  const Scalar t201 = (c5 * t196 - s5 * t198) - ((t200 + k[28] * t186) - k[30] * t151);
+  const Scalar t202 = t148 - t149;
+  const Scalar t203 = t139 - t150;
+  const Scalar t204 = t202 - t203;
+  const Scalar t205 = (k[35] * t147 + k[34] * t144) - (k[33] * t109 + k[32] * t204);
+  const Scalar t206 = (t189 + (s4 * t192 - c4 * t201)) - t205;
+  const Scalar t207 = t173 * t36 + ((torque[2] - t206) + t8 * t171);
+  const Scalar t208 = (k[25] * t186 + k[29] * t115) + k[26] * t199;
+  const Scalar t209 = (t208 + (k[27] * t121 + k[28] * t111)) + (k[30] * t146 - k[24] * t164);
+  const Scalar t210 = t209 - (s5 * t196 + c5 * t198);
+  const Scalar t211 = (t170 * t38 + (torque[3] + t210)) - t32 * t172;
+  const Scalar t212 = t49 * t211;
+  const Scalar t213 = t73 * (t207 + t37 * t212);
+  const Scalar t214 = t189 - (k[34] * t109 - k[35] * (t204 - t150));
+  const Scalar t215 = (k[24] * t190 - k[30] * t112) - (s5 * t180 - c5 * t182);
+  const Scalar t216 = s3 * ((k[34] * t150 + k[35] * t109) + t215);
+  const Scalar t217 = c3 * t214 - t216;
+  const Scalar t218 = c4 * t185 + s4 * t188;
+  const Scalar t219 = k[43] * t139 + (t218 + (k[34] * t110 - k[49] * t114));
+  const Scalar t220 = s2 * (k[42] * t139 - t217) - c2 * t219;
+  const Scalar t221 = (torque[0] + (k[50] - k[47] * t220)) - t170 * t54;
+  const Scalar t222 = t68 * t213 - ((t221 + t60 * t172) + t212 * t61);
+  const Scalar t223 = (k[40] * t114 - k[32] * t110) + (k[39] * t109 + k[38] * t202);
+  const Scalar t224 = k[39] * t203 - (k[41] * t114 + k[37] * t110);
+  const Scalar t225 = ((t224 + k[38] * t109) + k[34] * t141) + ((c4 * t192 + s4 * t201) + t218);
+  const Scalar t226 = c3 * (t210 + (k[35] * t141 - t223)) + s3 * t225;
+  const Scalar t227 = (k[42] * t140 + k[43] * t143) + (k[21] * t217 + t226);
+  const Scalar t228 = t172 * t82 - (t171 * t77 + (torque[1] - t227));
+  const Scalar t229 = t213 * t90 - (t86 * t211 + t228);
+  const Scalar t230 = t99 * (t222 - t98 * t229);
+  const Scalar t231 = t98 * t230 + t97 * t229;
+  const Scalar t232 = t91 * t231 - (t230 * t74 - t213);
+  const Scalar t233 = t69 * t232 - ((t212 - t62 * t230) + t86 * t231);
+  const Scalar t234 = t232 * t63 + ((t173 + t60 * t230) - t231 * t82);
+  const Scalar t235 = t32 * t233 - t234;
+  const Scalar t236 = (t88 * t231 - (t230 * t54 + t171)) + t9 * t232;
   JointVector<Scalar> result;
-  result[0] = t232;
-  result[1] = t233;
-  result[2] = -t234;
-  result[3] = -t235;
-  result[4] = t237;
-  result[5] = (t235 * t28 + t238) - t5 * t237;
+  result[0] = t230;
+  result[1] = t231;
+  result[2] = t232;
+  result[3] = t233;
+  result[4] = -t235;
+  result[5] = (t233 * t38 + t236) + t235 * t2;
   return result;
 }
 
@@ -1410,33 +1458,36 @@ PotentialEnergyWithGravityVectorConstants<Scalar> potential_energy_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t1 = inertia.m3 + t0;
-  const Scalar t2 = inertia.m2 + t1;
-  return { inertia.m1 + t2,
-           inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
-           inertia.c6z * inertia.m6,
+  const Scalar t0 = g.l2 * inertia.m3;
+  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t2 = inertia.m3 + t1;
+  const Scalar t3 = g.d4 * inertia.m4;
+  const Scalar t4 = g.d2 * inertia.m2;
+  const Scalar t5 = inertia.m2 + t2;
+  return { inertia.c6z * inertia.m6,
            inertia.c6x * inertia.m6,
            inertia.c5z * inertia.m5,
+           inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
            inertia.c4z * inertia.m4,
            inertia.c5x * inertia.m5,
            inertia.c4x * inertia.m4,
-           inertia.c3z * inertia.m3,
-           g.l2 * t1,
+           (inertia.c3z * inertia.m3 + t0) - t0,
+           g.l2 * t2,
            g.l2 * inertia.m2 + inertia.c2z * inertia.m2,
-           inertia.c3x * inertia.m3,
-           inertia.c4y * inertia.m4,
-           g.d4 * t0,
+           (inertia.c4y * inertia.m4 - t3) + t3,
+           g.d4 * t1,
            g.d4 * inertia.m3 - inertia.c3y * inertia.m3,
+           inertia.c3x * inertia.m3,
            inertia.c2x * inertia.m2,
-           inertia.c1z * inertia.m1,
-           gravity[2],
-           inertia.c2y * inertia.m2,
-           g.d2 * t2,
+           inertia.c1x * inertia.m1,
+           gravity[0],
+           t4 - (t4 + inertia.c2y * inertia.m2),
+           g.d2 * t5,
            inertia.c1y * inertia.m1,
            gravity[1],
-           inertia.c1x * inertia.m1,
-           gravity[0] };
+           inertia.c1z * inertia.m1,
+           inertia.m1 + t5,
+           gravity[2] };
 }
 
 namespace detail {
@@ -1454,19 +1505,19 @@ inline Scalar potential_energy_with_gravity_vector(const JointVector<Scalar>& q,
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[4] + (k[2] * c6 + k[3] * s6);
-  const Scalar t1 = k[13] - (k[12] + (k[1] * c5 + s5 * t0));
-  const Scalar t2 = k[14] + t1;
-  const Scalar t3 = k[5] + (c5 * t0 - k[1] * s5);
-  const Scalar t4 = k[7] + (k[6] - (k[2] * s6 - k[3] * c6));
-  const Scalar t5 = k[11] - (s4 * t3 - c4 * t4);
-  const Scalar t6 = k[15] + (s3 * t2 + c3 * t5);
-  const Scalar t7 = k[9] + (k[8] + (c4 * t3 + s4 * t4));
-  const Scalar t8 = k[10] + t7;
-  const Scalar t9 = (k[16] - (s2 * t6 - c2 * t8)) + k[0] * q[0];
-  const Scalar t10 = k[23] * (k[22] + (c2 * t6 + s2 * t8));
-  const Scalar t11 = k[19] + (k[18] + (s3 * t5 - c3 * t2));
-  const Scalar t12 = k[17] * t9 + (t10 + k[21] * (k[20] + t11));
+  const Scalar t0 = k[6] + (k[5] - (k[0] * s6 - k[1] * c6));
+  const Scalar t1 = k[2] + (k[0] * c6 + k[1] * s6);
+  const Scalar t2 = k[4] + (c5 * t1 - k[3] * s5);
+  const Scalar t3 = k[8] + (k[7] + (s4 * t0 + c4 * t2));
+  const Scalar t4 = k[9] + t3;
+  const Scalar t5 = k[13] - (s4 * t2 - c4 * t0);
+  const Scalar t6 = k[11] - (k[10] + (s5 * t1 + k[3] * c5));
+  const Scalar t7 = k[12] + t6;
+  const Scalar t8 = k[14] + (c3 * t5 + s3 * t7);
+  const Scalar t9 = k[16] * (k[15] + (s2 * t4 + c2 * t8));
+  const Scalar t10 = k[18] - (k[17] + (c3 * t7 - s3 * t5));
+  const Scalar t11 = (k[21] + (c2 * t4 - s2 * t8)) + k[22] * q[0];
+  const Scalar t12 = (t9 + k[20] * (k[19] + t10)) + k[23] * t11;
   Scalar result;
   result = -t12;
   return result;

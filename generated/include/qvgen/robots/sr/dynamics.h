@@ -97,9 +97,9 @@ DynamicsAngles<Scalar> dynamics_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion: Newton-Euler recursion in base parameters (thesis 5.1-5.15).
 ///
-/// 153 multiplications, 137 additions, 4 sine/cosine pairs. Set-up: 60 multiplications, 69 additions, 3 divisions.
+/// 151 multiplications, 139 additions, 4 sine/cosine pairs. Set-up: 64 multiplications, 79 additions, 3 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is d4, which must not be zero.
+/// The unit of length is l2, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g = {},
@@ -132,7 +132,7 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const DynamicsA
 
 /// Joint forces that come from the joint rates alone, C(q, qd) qd, without friction.
 ///
-/// 135 multiplications, 116 additions, 4 sine/cosine pairs. Set-up: 46 multiplications, 42 additions, 2 divisions.
+/// 136 multiplications, 113 additions, 4 sine/cosine pairs. Set-up: 48 multiplications, 48 additions, 2 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l2, which must not be zero.
 template <class Scalar>
@@ -151,7 +151,7 @@ JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVec
 
 /// Symmetric, positive definite M(q), by composite bodies in base parameters; rotors included.
 ///
-/// 69 multiplications, 74 additions, 4 sine/cosine pairs. Set-up: 63 multiplications, 70 additions, 2 divisions.
+/// 71 multiplications, 72 additions, 4 sine/cosine pairs. Set-up: 69 multiplications, 80 additions, 2 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l2, which must not be zero.
 template <class Scalar>
@@ -168,7 +168,7 @@ Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const 
 
 /// C(q, qd) of Christoffel's symbols: C qd is coriolis_torque, dM/dt - 2 C is skew-symmetric.
 ///
-/// 211 multiplications, 166 additions, 4 sine/cosine pairs. Set-up: 42 multiplications, 42 additions, 2 divisions.
+/// 210 multiplications, 167 additions, 4 sine/cosine pairs. Set-up: 45 multiplications, 48 additions, 2 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l2, which must not be zero.
 template <class Scalar>
@@ -187,7 +187,7 @@ Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, co
 
 /// Joint accelerations for given joint forces: M qdd = torque - C qd - gravity, by M = U D U^T.
 ///
-/// 282 multiplications, 252 additions, 5 divisions, 4 sine/cosine pairs. Set-up: 69 multiplications, 71 additions, 4
+/// 281 multiplications, 252 additions, 5 divisions, 4 sine/cosine pairs. Set-up: 75 multiplications, 81 additions, 4
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l2, which must not be zero.
@@ -196,7 +196,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
-using ForwardDynamicsConstants = std::array<Scalar, 42>;
+using ForwardDynamicsConstants = std::array<Scalar, 43>;
 template <class Scalar>
 ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
@@ -207,7 +207,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// qd^T M qd / 2, J.
 ///
-/// 102 multiplications, 90 additions, 4 sine/cosine pairs. Set-up: 63 multiplications, 70 additions, 2 divisions.
+/// 103 multiplications, 89 additions, 4 sine/cosine pairs. Set-up: 69 multiplications, 80 additions, 2 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l2, which must not be zero.
 template <class Scalar>

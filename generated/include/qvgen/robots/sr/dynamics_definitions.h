@@ -27,70 +27,74 @@ InverseDynamicsConstants<Scalar> inverse_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = Scalar(1) / g.d4;
-  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t2 = inertia.m3 + t1;
-  const Scalar t3 = g.d4 * g.d4 * (inertia.m1 + (inertia.m2 + t2)) * t0;
-  const Scalar t4 = inertia.c6z * inertia.m6;
-  const Scalar t5 = inertia.c6x * inertia.m6;
-  const Scalar t6 = inertia.c5z * inertia.m5;
-  const Scalar t7 = inertia.c6y * inertia.m6;
-  const Scalar t8 = inertia.c5y * inertia.m5;
+  const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t1 = inertia.m3 + t0;
+  const Scalar t2 = inertia.c6z * inertia.m6;
+  const Scalar t3 = inertia.c6x * inertia.m6;
+  const Scalar t4 = inertia.c5z * inertia.m5;
+  const Scalar t5 = inertia.c6y * inertia.m6;
+  const Scalar t6 = inertia.c5y * inertia.m5;
+  const Scalar t7 = inertia.c4x * inertia.m4;
+  const Scalar t8 = inertia.c5x * inertia.m5;
   const Scalar t9 = inertia.c4z * inertia.m4;
-  const Scalar t10 = inertia.c4x * inertia.m4;
-  const Scalar t11 = inertia.c5x * inertia.m5;
-  const Scalar t12 = inertia.c4y * inertia.m4;
-  const Scalar t13 = t12 - g.d4 * t1;
-  const Scalar t14 = inertia.c3y * inertia.m3;
-  const Scalar t15 = g.d4 * inertia.m3 - t14;
-  const Scalar t16 = inertia.c3x * inertia.m3;
-  const Scalar t17 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t18 = (inertia.I6xx - t17) - inertia.c6x * t5;
-  const Scalar t19 = inertia.c6z * t4 - (inertia.I6zz - t17);
-  const Scalar t20 = inertia.I6xz - inertia.c6z * t5;
-  const Scalar t21 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t22 = ((inertia.I6yy - t17) - inertia.c6y * t7) - (inertia.c5y * t8 - (inertia.I5yy - t21));
-  const Scalar t23 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t24 = (inertia.c5x * t11 - (inertia.I5xx - t21)) - ((inertia.I4xx - t23) - inertia.c4x * t10);
-  const Scalar t25 = ((inertia.I4yy - t23) - inertia.c4y * t12) + g.d4 * (t12 + t13);
-  const Scalar t26 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t27 = ((inertia.I3yy - t26) - inertia.c3y * t14) - g.d4 * (t15 - t14);
-  const Scalar t28 = (t25 + t27) - (inertia.c3x * t16 - (inertia.I3xx - t26));
-  const Scalar t29 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t30 = inertia.c2x * inertia.m2;
-  const Scalar t31 = (inertia.c2x * t30 - (inertia.I2xx - t29)) + g.l2 * (t30 + (g.l2 * inertia.m2 + t30));
-  const Scalar t32 = ((inertia.I2yy - t29) - inertia.c2y * inertia.c2y * inertia.m2) - (t31 + g.l2 * g.l2 * t2);
-  return { t0,
-           gravity / g.d4,
-           t3,
-           g.d4 * t4,
-           g.d4 * t5,
-           g.d4 * t6,
-           g.d4 * (t7 + t8),
-           g.d4 * t9,
-           g.d4 * (t10 + t11),
-           g.d4 * (t13 - t15),
-           g.d4 * t16,
-           g.l2 / g.d4,
-           inertia.I6yz - inertia.c6z * t7,
-           inertia.I6xy - inertia.c6y * t5,
-           t18 + t19,
-           Scalar(2) * t20,
-           t20,
-           t18,
-           inertia.I5xy - inertia.c5y * t11,
-           inertia.I5xz - inertia.c5z * t11,
-           t22,
-           inertia.c5z * t6 - (inertia.I5zz - t21),
-           inertia.I5yz - inertia.c5z * t8,
-           inertia.I4xz - inertia.c4z * t10,
-           (inertia.I4zz - t23) - inertia.c4z * t9,
-           inertia.I4xy - inertia.c4y * t10,
-           inertia.I4yz - inertia.c4z * t12,
+  const Scalar t10 = inertia.c3x * inertia.m3;
+  const Scalar t11 = inertia.c3y * inertia.m3;
+  const Scalar t12 = g.d4 * inertia.m3 - t11;
+  const Scalar t13 = inertia.c4y * inertia.m4;
+  const Scalar t14 = g.d4 * inertia.m4;
+  const Scalar t15 = t13 - t14;
+  const Scalar t16 = t15 + t14;
+  const Scalar t17 = t16 - g.d4 * t0;
+  const Scalar t18 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t19 = g.d4 * t7;
+  const Scalar t20 = g.d4 * t9;
+  const Scalar t21 = inertia.I6xz - inertia.c6z * t3;
+  const Scalar t22 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t23 = (inertia.I6xx - t22) - inertia.c6x * t3;
+  const Scalar t24 = inertia.c6z * t2 - (inertia.I6zz - t22);
+  const Scalar t25 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t26 = ((inertia.I6yy - t22) - inertia.c6y * t5) - (inertia.c5y * t6 - (inertia.I5yy - t25));
+  const Scalar t27 = (inertia.c5x * t8 - (inertia.I5xx - t25)) - ((inertia.I4xx - t18) - inertia.c4x * t7);
+  const Scalar t28 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t29 = g.d4 * (t13 + t15) + ((inertia.I4yy - t18) - inertia.c4y * t13);
+  const Scalar t30 = (t29 - g.d4 * (t16 + t15)) + g.d4 * (t16 + t17);
+  const Scalar t31 = ((inertia.I3yy - t28) - inertia.c3y * t11) - g.d4 * (t12 - t11);
+  const Scalar t32 = (inertia.c3x * t10 - (inertia.I3xx - t28)) - (t30 + t31);
+  const Scalar t33 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t34 = inertia.c2x * inertia.m2;
+  const Scalar t35 = (inertia.c2x * t34 - (inertia.I2xx - t33)) + g.l2 * (t34 + (g.l2 * inertia.m2 + t34));
+  const Scalar t36 = ((inertia.I2yy - t33) - inertia.c2y * inertia.c2y * inertia.m2) - (t35 + g.l2 * g.l2 * t1);
+  return { Scalar(1) / g.l2,
+           gravity / g.l2,
+           g.l2 * g.l2 * (inertia.m1 + (inertia.m2 + t1)),
+           g.l2 * t2,
+           g.l2 * t3,
+           g.l2 * t4,
+           g.l2 * (t5 + t6),
+           g.l2 * (t7 + t8),
+           g.l2 * t9,
+           g.l2 * t10,
+           g.l2 * (t12 - t17),
+           g.d4 / g.l2,
+           (inertia.I4zz - t18) - inertia.c4z * t9,
+           inertia.I4xz - inertia.c4z * t7,
+           (t19 + (inertia.I4xy - inertia.c4y * t7)) - t19,
+           t20 - (t20 + (inertia.I4yz - inertia.c4z * t13)),
+           Scalar(2) * t21,
+           t23 + t24,
+           t21,
+           t23,
+           inertia.I6yz - inertia.c6z * t5,
+           inertia.I6xy - inertia.c6y * t3,
+           inertia.I5xz - inertia.c5z * t8,
+           inertia.I5xy - inertia.c5y * t8,
+           t26,
+           inertia.c5z * t4 - (inertia.I5zz - t25),
+           inertia.I5yz - inertia.c5z * t6,
            t24,
-           t19,
-           t28,
-           t32 };
+           t27,
+           t32,
+           t36 };
 }
 
 namespace detail {
@@ -107,110 +111,109 @@ inline JointVector<Scalar> inverse_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = qd[1] + qd[2];
-  const Scalar t1 = c4 * t0;
-  const Scalar t2 = t1 * t1;
-  const Scalar t3 = qd[3] * qd[3];
-  const Scalar t4 = t2 - t3;
-  const Scalar t5 = t0 * t0;
-  const Scalar t6 = t4 - t5;
-  const Scalar t7 = s4 * t0;
-  const Scalar t8 = t7 * t1;
-  const Scalar t9 = qdd[3] + t8;
-  const Scalar t10 = qd[4] + t7;
+  const Scalar t0 = k[1] + k[0] * qdd[0];
+  const Scalar t1 = qd[1] + qd[2];
+  const Scalar t2 = c4 * t1;
+  const Scalar t3 = s5 * t2 - qd[3] * c5;
+  const Scalar t4 = qd[5] - t3;
+  const Scalar t5 = t4 * t4;
+  const Scalar t6 = qd[3] * s5 + c5 * t2;
+  const Scalar t7 = t6 * t6;
+  const Scalar t8 = t5 + t7;
+  const Scalar t9 = s4 * t1;
+  const Scalar t10 = qd[4] + t9;
   const Scalar t11 = t10 * t10;
-  const Scalar t12 = s5 * t1 - qd[3] * c5;
-  const Scalar t13 = t12 * t12;
-  const Scalar t14 = t11 - t13;
-  const Scalar t15 = t11 + t13;
-  const Scalar t16 = t2 + t3;
-  const Scalar t17 = t15 - t16;
-  const Scalar t18 = t14 - t17;
-  const Scalar t19 = t18 + t15;
-  const Scalar t20 = qd[3] * t1;
-  const Scalar t21 = qdd[1] + qdd[2];
-  const Scalar t22 = s4 * t21;
-  const Scalar t23 = t20 + t22;
-  const Scalar t24 = qdd[4] + t23;
-  const Scalar t25 = qd[3] * s5 + c5 * t1;
-  const Scalar t26 = t12 * t25;
-  const Scalar t27 = t24 - t26;
-  const Scalar t28 = qd[5] - t12;
-  const Scalar t29 = t24 + t26;
-  const Scalar t30 = Scalar(2) * t28 * t25 + t29;
-  const Scalar t31 = k[3] * c6 + k[4] * s6;
-  const Scalar t32 = k[4] * c6 - k[3] * s6;
-  const Scalar t33 = c4 * t21;
-  const Scalar t34 = qd[3] * t7;
-  const Scalar t35 = (t33 - t34) - t34;
-  const Scalar t36 = s5 * t9 + c5 * t35;
-  const Scalar t37 = Scalar(2) * t10 * t12 - t36;
-  const Scalar t38 = t37 + Scalar(2) * t10 * t28;
-  const Scalar t39 = (k[6] * t19 + k[5] * t27) + (t30 * t31 + t32 * t38);
-  const Scalar t40 = t11 + t28 * t28;
-  const Scalar t41 = s5 * t35 - c5 * t9;
-  const Scalar t42 = qdd[5] - t41;
-  const Scalar t43 = (t31 * t40 - t32 * t42) - (k[6] * t29 - k[5] * t15);
-  const Scalar t44 = (k[7] * t6 + k[8] * t9) - (s5 * t39 + c5 * t43);
-  const Scalar t45 = t10 * t25;
-  const Scalar t46 = t42 - (t45 + t45);
-  const Scalar t47 = qdd[5] - t46;
-  const Scalar t48 = t19 - t40;
-  const Scalar t49 = t17 + t48;
-  const Scalar t50 = (k[5] * t47 + k[6] * t37) - (t46 * t31 - t32 * (t49 - t19));
-  const Scalar t51 = qdd[3] - t8;
-  const Scalar t52 = t50 - (k[7] * t51 + k[8] * t16);
-  const Scalar t53 = k[1] + k[0] * qdd[0];
-  const Scalar t54 = k[0] * (c4 * t44 + s4 * t52) + k[2] * t53;
-  const Scalar t55 = k[11] * qdd[1];
-  const Scalar t56 = k[11] * qd[1] * qd[1];
-  const Scalar t57 = s3 * t55 - c3 * t56;
-  const Scalar t58 = c3 * t55 + s3 * t56;
-  const Scalar t59 = k[29] * t21 + (k[9] * t57 - k[10] * t58);
-  const Scalar t60 = c4 * t52 - s4 * t44;
-  const Scalar t61 = t57 + t21;
-  const Scalar t62 = c4 * t53 - s4 * t61;
-  const Scalar t63 = t5 + t58;
-  const Scalar t64 = s5 * t62 + c5 * t63;
-  const Scalar t65 = k[14] * c6 - k[15] * s6;
-  const Scalar t66 = k[16] + s6 * t65;
-  const Scalar t67 = c6 * t65;
-  const Scalar t68 = k[17] - t67;
-  const Scalar t69 = k[13] * s6 + k[12] * c6;
-  const Scalar t70 = k[12] * s6 - k[13] * c6;
-  const Scalar t71 = (t38 * t66 + t30 * t68) + (t69 * t48 - t70 * t42);
-  const Scalar t72 = s5 * t63 - c5 * t62;
-  const Scalar t73 = k[22] * t18 + (k[20] * t29 - k[21] * t27);
-  const Scalar t74 = (k[6] * t72 + k[5] * t64) + (t73 - (k[19] * t36 + k[18] * t41));
-  const Scalar t75 = (t31 * t64 + t71) + t74;
-  const Scalar t76 = t20 + t23;
-  const Scalar t77 = (k[23] * t35 - k[24] * t76) - (k[26] * t4 + k[25] * t9);
-  const Scalar t78 = k[18] * t14 + (k[22] * t47 + k[20] * t37);
-  const Scalar t79 = s4 * t53 + c4 * t61;
-  const Scalar t80 = k[28] - t67;
-  const Scalar t81 = t49 * t70 + (t80 * t38 - t30 * t66);
-  const Scalar t82 = ((k[19] * t27 + t78) - k[6] * t79) + (t32 * t64 - (t46 * t69 + t81));
-  const Scalar t83 = t17 * t66 + (t42 * t80 - t68 * t46);
-  const Scalar t84 = ((t37 * t69 + t29 * t70) + t83) - (t32 * t72 + t31 * t79);
-  const Scalar t85 = (k[18] * t29 - k[19] * t17) + (k[21] * t47 - k[22] * t37);
-  const Scalar t86 = t84 - (k[5] * t79 + t85);
-  const Scalar t87 = k[25] * (t16 - t5) - (k[27] * t35 + k[23] * t76);
-  const Scalar t88 = (c5 * t82 - s5 * t86) - ((t87 + k[26] * t51) - k[8] * t63);
-  const Scalar t89 = s4 * (t75 - (t77 - k[7] * t63)) - c4 * t88;
-  const Scalar t90 = t59 - (t60 - t89);
-  const Scalar t91 = s3 * ((k[9] * t21 + k[10] * t5) - t60);
-  const Scalar t92 = (k[8] * t35 - k[7] * t76) + (s5 * t43 - c5 * t39);
-  const Scalar t93 = c3 * ((k[9] * t5 - k[10] * t21) - t92);
-  const Scalar t94 = (t90 + k[11] * (t91 + t93)) + k[30] * qdd[1];
-  const Scalar t95 = (k[27] * t9 - k[24] * t51) - k[23] * (t6 + t16);
-  const Scalar t96 = (k[8] * t62 - k[7] * t79) - ((k[26] * t33 + k[25] * t22) - t95);
+  const Scalar t12 = t11 + t5;
+  const Scalar t13 = t8 - t12;
+  const Scalar t14 = t2 * t2;
+  const Scalar t15 = qd[3] * qd[3];
+  const Scalar t16 = t14 + t15;
+  const Scalar t17 = t13 - t16;
+  const Scalar t18 = qd[3] * t2;
+  const Scalar t19 = qdd[1] + qdd[2];
+  const Scalar t20 = s4 * t19;
+  const Scalar t21 = t18 + t20;
+  const Scalar t22 = qdd[4] + t21;
+  const Scalar t23 = t3 * t6;
+  const Scalar t24 = t22 + t23;
+  const Scalar t25 = c4 * t19;
+  const Scalar t26 = t25 - Scalar(2) * qd[3] * t9;
+  const Scalar t27 = t9 * t2;
+  const Scalar t28 = qdd[3] + t27;
+  const Scalar t29 = s5 * t26 - c5 * t28;
+  const Scalar t30 = qdd[5] - t29;
+  const Scalar t31 = k[4] * c6 - k[3] * s6;
+  const Scalar t32 = k[3] * c6 + k[4] * s6;
+  const Scalar t33 = (k[5] * t17 + k[6] * t24) + (t30 * t31 - t32 * t12);
+  const Scalar t34 = t11 - t5;
+  const Scalar t35 = t34 + t8;
+  const Scalar t36 = t22 - t23;
+  const Scalar t37 = t10 * t4;
+  const Scalar t38 = s5 * t28 + c5 * t26;
+  const Scalar t39 = t10 * t3;
+  const Scalar t40 = (t38 - t39) - t39;
+  const Scalar t41 = t37 - (t40 - t37);
+  const Scalar t42 = t4 * t6;
+  const Scalar t43 = t24 + (t42 + t42);
+  const Scalar t44 = (k[6] * t35 + k[5] * t36) + (t31 * t41 + t43 * t32);
+  const Scalar t45 = t14 - t15;
+  const Scalar t46 = t1 * t1;
+  const Scalar t47 = (c5 * t33 - s5 * t44) + (k[7] * t28 + k[8] * (t45 - t46));
+  const Scalar t48 = qdd[3] - t27;
+  const Scalar t49 = t10 * t6;
+  const Scalar t50 = t49 - (t30 - t49);
+  const Scalar t51 = qdd[5] + t50;
+  const Scalar t52 = (t32 * t50 - t31 * t8) - (k[6] * t40 - k[5] * t51);
+  const Scalar t53 = (k[8] * t48 + k[7] * t16) - t52;
+  const Scalar t54 = k[2] * t0 + (c4 * t47 - s4 * t53);
+  const Scalar t55 = t18 + t21;
+  const Scalar t56 = (s5 * t33 + c5 * t44) - (k[7] * t26 - k[8] * t55);
+  const Scalar t57 = c3 * ((k[9] * t19 + k[10] * t46) - t56);
+  const Scalar t58 = c4 * t53 + s4 * t47;
+  const Scalar t59 = s3 * ((k[9] * t46 - k[10] * t19) + t58);
+  const Scalar t60 = qd[1] * qd[1];
+  const Scalar t61 = s3 * t60 + qdd[1] * c3;
+  const Scalar t62 = qdd[1] * s3 - c3 * t60;
+  const Scalar t63 = k[29] * t19 + (k[9] * t61 + k[10] * t62);
+  const Scalar t64 = k[11] * t19 + t62;
+  const Scalar t65 = c4 * t64 + s4 * t0;
+  const Scalar t66 = (k[22] * t13 + k[23] * t24) + (k[25] * t51 + k[26] * t40);
+  const Scalar t67 = k[21] * c6 - k[20] * s6;
+  const Scalar t68 = k[20] * c6 + k[21] * s6;
+  const Scalar t69 = k[17] * c6 - k[16] * s6;
+  const Scalar t70 = c6 * t69;
+  const Scalar t71 = k[19] - t70;
+  const Scalar t72 = k[27] - t70;
+  const Scalar t73 = k[18] + s6 * t69;
+  const Scalar t74 = (t71 * t50 + t30 * t72) - t73 * t13;
+  const Scalar t75 = c4 * t0 - s4 * t64;
+  const Scalar t76 = t61 + k[11] * t46;
+  const Scalar t77 = c5 * t75 - s5 * t76;
+  const Scalar t78 = ((t67 * t24 + t40 * t68) - t74) + (t32 * t65 - t77 * t31);
+  const Scalar t79 = (k[5] * t65 + t66) + t78;
+  const Scalar t80 = (k[26] * t51 - k[24] * t40) + k[23] * (t35 - t16);
+  const Scalar t81 = c5 * t76 + s5 * t75;
+  const Scalar t82 = (t73 * t43 - t41 * t72) + t67 * t34;
+  const Scalar t83 = (k[6] * t65 - (t80 + k[22] * t36)) - (t81 * t31 + (t82 + t68 * t50));
+  const Scalar t84 = t16 - t46;
+  const Scalar t85 = k[14] * t84 - (k[13] * t55 + k[28] * t26);
+  const Scalar t86 = (s5 * t79 - c5 * t83) + ((k[15] * t48 - t85) + k[7] * t76);
+  const Scalar t87 = (k[25] * t36 - k[24] * t24) - k[26] * (t17 + t35);
+  const Scalar t88 = (t87 + (k[22] * t38 + k[23] * t29)) - (k[5] * t81 - k[6] * t77);
+  const Scalar t89 = (t73 * t41 + t71 * t43) - ((t5 - t7) * t68 - t67 * t30);
+  const Scalar t90 = t88 - (t89 + t81 * t32);
+  const Scalar t91 = (k[15] * t45 - k[14] * t28) + (k[13] * t26 - k[12] * t55);
+  const Scalar t92 = c4 * t86 + s4 * (t90 - (k[8] * t76 - t91));
+  const Scalar t93 = t63 - (k[11] * t58 - t92);
+  const Scalar t94 = (k[28] * t28 - k[12] * t48) - k[13] * (t84 + t45);
+  const Scalar t95 = ((k[14] * t20 - k[15] * t25) - t94) + (k[8] * t65 - k[7] * t75);
   JointVector<Scalar> result;
-  result[0] = t54;
-  result[1] = -t94;
-  result[2] = -t90;
-  result[3] = (s5 * t82 + c5 * t86) + t96;
-  result[4] = -t75;
-  result[5] = t84;
+  result[0] = k[0] * t54;
+  result[1] = ((t57 - t59) + t93) - k[30] * qdd[1];
+  result[2] = t93;
+  result[3] = -t95 - (c5 * t79 + s5 * t83);
+  result[4] = t90;
+  result[5] = -t78;
   return result;
 }
 
@@ -240,12 +243,12 @@ GravityTorqueConstants<Scalar> gravity_torque_constants([[maybe_unused]] const B
   using std::sin;
   const Scalar t0 = inertia.m1 + (inertia.m2 + (inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6))));
   return { gravity,
-           inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
-           inertia.c6x * inertia.m6,
-           inertia.c6z * inertia.m6,
-           inertia.c5z * inertia.m5,
            inertia.c4x * inertia.m4 + inertia.c5x * inertia.m5,
            inertia.c4z * inertia.m4,
+           inertia.c5z * inertia.m5,
+           inertia.c6z * inertia.m6,
+           inertia.c6x * inertia.m6,
+           inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
            gravity * t0 };
 }
 
@@ -262,20 +265,20 @@ inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Sca
   const Scalar& c6 = angles.cosine[3];
   const Scalar t0 = k[0] * c4;
   const Scalar t1 = k[0] * s4;
-  const Scalar t2 = k[2] * s6 + k[3] * c6;
-  const Scalar t3 = k[2] * c6 - k[3] * s6;
-  const Scalar t4 = c5 * t0;
-  const Scalar t5 = t1 * t2 - t3 * t4;
-  const Scalar t6 = s5 * t0;
-  const Scalar t7 = c5 * (k[4] * t1 + t5) - s5 * (t6 * t3 - k[1] * t1);
-  const Scalar t8 = t6 * t2 - (k[1] * t4 - k[4] * t6);
+  const Scalar t2 = s5 * t0;
+  const Scalar t3 = k[4] * s6 - k[5] * c6;
+  const Scalar t4 = k[4] * c6 + k[5] * s6;
+  const Scalar t5 = c5 * t0;
+  const Scalar t6 = t1 * t4 + t3 * t5;
+  const Scalar t7 = s5 * (t2 * t3 + k[6] * t1) + c5 * (k[3] * t1 + t6);
+  const Scalar t8 = t2 * t4 + (k[3] * t2 - k[6] * t5);
   JointVector<Scalar> result;
   result[0] = k[7];
   result[1] = Scalar(0);
   result[2] = Scalar(0);
-  result[3] = (k[5] * t0 - k[6] * t1) - t7;
+  result[3] = (k[1] * t0 - k[2] * t1) - t7;
   result[4] = -t8;
-  result[5] = -t5;
+  result[5] = -t6;
   return result;
 }
 
@@ -300,58 +303,61 @@ CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Sc
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
-  const Scalar t1 = inertia.c5y * inertia.m5;
-  const Scalar t2 = inertia.c5z * inertia.m5;
-  const Scalar t3 = inertia.c6z * inertia.m6;
-  const Scalar t4 = inertia.c6x * inertia.m6;
-  const Scalar t5 = inertia.c4z * inertia.m4;
-  const Scalar t6 = g.l2 * t5;
-  const Scalar t7 = inertia.c4x * inertia.m4;
-  const Scalar t8 = inertia.c5x * inertia.m5;
-  const Scalar t9 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t10 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t11 = ((inertia.I6yy - t9) - inertia.c6y * t0) - (inertia.c5y * t1 - (inertia.I5yy - t10));
-  const Scalar t12 = (inertia.I6xx - t9) - inertia.c6x * t4;
-  const Scalar t13 = inertia.c6z * t3 - (inertia.I6zz - t9);
-  const Scalar t14 = inertia.I6xz - inertia.c6z * t4;
-  const Scalar t15 = inertia.c4y * inertia.m4;
-  const Scalar t16 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t17 = (inertia.I4zz - t16) - inertia.c4z * t5;
-  const Scalar t18 = inertia.I4xz - inertia.c4z * t7;
-  const Scalar t19 = (inertia.c5x * t8 - (inertia.I5xx - t10)) - ((inertia.I4xx - t16) - inertia.c4x * t7);
-  const Scalar t20 = (t15 - g.d4 * (inertia.m4 + (inertia.m5 + inertia.m6)))
-      - (g.d4 * inertia.m3 - inertia.c3y * inertia.m3);
+  const Scalar t0 = inertia.c4x * inertia.m4;
+  const Scalar t1 = inertia.c5x * inertia.m5;
+  const Scalar t2 = inertia.c4z * inertia.m4;
+  const Scalar t3 = g.l2 * t2;
+  const Scalar t4 = inertia.c6y * inertia.m6;
+  const Scalar t5 = inertia.c5y * inertia.m5;
+  const Scalar t6 = inertia.c5z * inertia.m5;
+  const Scalar t7 = inertia.c6z * inertia.m6;
+  const Scalar t8 = inertia.c6x * inertia.m6;
+  const Scalar t9 = inertia.c4y * inertia.m4;
+  const Scalar t10 = g.d4 * inertia.m4;
+  const Scalar t11 = ((t9 - t10) + t10) - g.d4 * (inertia.m4 + (inertia.m5 + inertia.m6));
+  const Scalar t12 = g.l2 * ((g.d4 * inertia.m3 - inertia.c3y * inertia.m3) - t11);
+  const Scalar t13 = g.d4 * t2;
+  const Scalar t14 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t15 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t16 = (inertia.c5x * t1 - (inertia.I5xx - t14)) - ((inertia.I4xx - t15) - inertia.c4x * t0);
+  const Scalar t17 = inertia.I4xz - inertia.c4z * t0;
+  const Scalar t18 = g.d4 * t0;
+  const Scalar t19 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t20 = ((inertia.I6yy - t19) - inertia.c6y * t4) - (inertia.c5y * t5 - (inertia.I5yy - t14));
+  const Scalar t21 = inertia.I6xz - inertia.c6z * t8;
+  const Scalar t22 = (inertia.I6xx - t19) - inertia.c6x * t8;
+  const Scalar t23 = inertia.c6z * t7 - (inertia.I6zz - t19);
+  const Scalar t24 = (inertia.I4zz - t15) - inertia.c4z * t2;
   return { g.l2 * (t0 + t1),
-           g.l2 * t2,
-           g.l2 * t3,
-           g.l2 * t4,
-           t6,
-           g.l2 * (t7 + t8),
+           t3,
+           g.l2 * (t4 + t5),
+           g.l2 * t6,
+           g.l2 * t7,
+           g.l2 * t8,
            Scalar(1) / g.l2,
-           g.d4 / g.l2,
-           inertia.I5xy - inertia.c5y * t8,
-           inertia.I5xz - inertia.c5z * t8,
-           inertia.I5yz - inertia.c5z * t1,
-           t11,
-           inertia.c5z * t2 - (inertia.I5zz - t10),
-           t12 + t13,
-           Scalar(2) * t14,
-           t14,
            t12,
-           inertia.I6xy - inertia.c6y * t4,
-           inertia.I6yz - inertia.c6z * t0,
-           inertia.I4yz - inertia.c4z * t15,
-           inertia.I4xy - inertia.c4y * t7,
-           Scalar(2) * t17,
-           t18,
-           t13,
-           Scalar(2) * t19,
-           Scalar(2) * t18,
-           g.l2 * t20,
            g.l2 * inertia.c3x * inertia.m3,
-           Scalar(2) * t6,
-           t17 + t19 };
+           g.d4 / g.l2,
+           t13 - (t13 + (inertia.I4yz - inertia.c4z * t9)),
+           t16,
+           Scalar(2) * t17,
+           (t18 + (inertia.I4xy - inertia.c4y * t0)) - t18,
+           inertia.I5yz - inertia.c5z * t5,
+           t20,
+           inertia.I5xy - inertia.c5y * t1,
+           inertia.I5xz - inertia.c5z * t1,
+           inertia.I6yz - inertia.c6z * t4,
+           inertia.I6xy - inertia.c6y * t8,
+           Scalar(2) * t21,
+           t22 + t23,
+           t23,
+           t21,
+           inertia.c5z * t6 - (inertia.I5zz - t14),
+           t22,
+           t17,
+           Scalar(2) * t24,
+           Scalar(2) * t3,
+           t24 + t16 };
 }
 
 namespace detail {
@@ -368,95 +374,95 @@ inline JointVector<Scalar> coriolis_torque([[maybe_unused]] const JointVector<Sc
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = qd[1] + qd[2];
-  const Scalar t1 = s4 * t0;
-  const Scalar t2 = c4 * t0;
-  const Scalar t3 = t1 * t2;
-  const Scalar t4 = t2 * t2;
-  const Scalar t5 = qd[3] * qd[3];
-  const Scalar t6 = t4 - t5;
-  const Scalar t7 = t0 * t0;
-  const Scalar t8 = t6 - t7;
-  const Scalar t9 = qd[3] * t1;
-  const Scalar t10 = Scalar(2) * t9;
-  const Scalar t11 = c5 * t3 + s5 * t10;
-  const Scalar t12 = k[2] * s6 - k[3] * c6;
-  const Scalar t13 = k[2] * c6 + k[3] * s6;
-  const Scalar t14 = qd[4] + t1;
-  const Scalar t15 = t14 * t14;
-  const Scalar t16 = s5 * t2 - qd[3] * c5;
-  const Scalar t17 = qd[5] - t16;
-  const Scalar t18 = t17 * t17;
-  const Scalar t19 = t15 + t18;
-  const Scalar t20 = qd[3] * s5 + c5 * t2;
-  const Scalar t21 = t15 + t20 * t20;
-  const Scalar t22 = t4 + t5;
-  const Scalar t23 = t21 - t22;
-  const Scalar t24 = t21 - t19;
-  const Scalar t25 = t15 - t18;
-  const Scalar t26 = t24 - t25;
-  const Scalar t27 = t23 + t26;
-  const Scalar t28 = qd[3] * t2;
-  const Scalar t29 = t16 * t20;
-  const Scalar t30 = t28 + t29;
-  const Scalar t31 = (t11 * t12 + t13 * t19) + (k[1] * (t21 - t27) - k[0] * t30);
-  const Scalar t32 = t14 * t17;
-  const Scalar t33 = t14 * t16;
-  const Scalar t34 = c5 * t10 - s5 * t3;
-  const Scalar t35 = (t33 + t33) + t34;
-  const Scalar t36 = (t32 + t32) + t35;
-  const Scalar t37 = t17 * t20;
-  const Scalar t38 = (t30 + t37) + t37;
-  const Scalar t39 = t28 - t29;
-  const Scalar t40 = (t36 * t12 - t13 * t38) - (k[1] * t39 + k[0] * t21);
-  const Scalar t41 = (k[5] * t3 + k[4] * t8) - (c5 * t31 - s5 * t40);
-  const Scalar t42 = t14 * t20;
-  const Scalar t43 = t11 - (t42 + t42);
-  const Scalar t44 = (t13 * t43 - (t26 + t19) * t12) + (k[1] * t43 - k[0] * t35);
-  const Scalar t45 = (k[4] * t3 - k[5] * t22) - t44;
-  const Scalar t46 = qd[1] * qd[1];
-  const Scalar t47 = s3 * t46;
-  const Scalar t48 = t47 + k[7] * t7;
-  const Scalar t49 = c3 * t46;
-  const Scalar t50 = s4 * t49;
-  const Scalar t51 = c5 * t48 + s5 * t50;
-  const Scalar t52 = s5 * t48 - c5 * t50;
-  const Scalar t53 = (k[12] * t39 - k[11] * t30) - k[10] * t27;
-  const Scalar t54 = (k[1] * t51 + k[0] * t52) - (t53 - (k[9] * t34 + k[8] * t11));
-  const Scalar t55 = k[14] * s6 - k[13] * c6;
-  const Scalar t56 = k[15] - s6 * t55;
-  const Scalar t57 = c6 * t55;
-  const Scalar t58 = k[16] + t57;
-  const Scalar t59 = k[17] * s6 + k[18] * c6;
-  const Scalar t60 = k[17] * c6 - k[18] * s6;
-  const Scalar t61 = (t56 * t36 + t58 * t38) + (t24 * t59 + t60 * t11);
-  const Scalar t62 = t54 + (t13 * t51 + t61);
-  const Scalar t63 = (k[21] * t28 + k[22] * t10) + (k[19] * t6 + k[20] * t3);
-  const Scalar t64 = t8 + t22;
-  const Scalar t65 = k[20] * (t64 - t6) + (k[24] * t9 - k[25] * t28);
-  const Scalar t66 = k[23] + t57;
-  const Scalar t67 = (t38 * t56 - t36 * t66) + t60 * t25;
-  const Scalar t68 = (k[10] * t43 - k[11] * t35) - k[8] * t23;
-  const Scalar t69 = c4 * t49;
-  const Scalar t70 = (t51 * t12 + (t59 * t43 - t67)) + ((t68 - k[9] * t39) - k[0] * t69);
-  const Scalar t71 = (k[12] * t43 + k[10] * t35) - (k[9] * t26 + k[8] * t30);
-  const Scalar t72 = (t11 * t66 - t58 * t43) - t26 * t56;
-  const Scalar t73 = (t52 * t12 + t13 * t69) + (t72 + (t59 * t35 - t60 * t30));
-  const Scalar t74 = (t71 + k[1] * t69) + t73;
-  const Scalar t75 = (k[5] * t48 + (k[19] * t3 - t65)) - (c5 * t70 + s5 * t74);
-  const Scalar t76 = s4 * (t62 + (t63 + k[4] * t48)) - c4 * t75;
-  const Scalar t77 = c4 * t45 - s4 * t41;
-  const Scalar t78 = (t76 - k[7] * t77) - (k[26] * t49 + k[27] * t47);
-  const Scalar t79 = (s5 * t31 + c5 * t40) - (k[28] * t28 + k[5] * t10);
-  const Scalar t80 = s3 * (k[27] * t7 - t77) + c3 * (k[26] * t7 - t79);
-  const Scalar t81 = (k[5] * t50 + k[4] * t69) + (k[29] * t3 - k[22] * t64);
+  const Scalar t0 = k[4] * s6 - k[5] * c6;
+  const Scalar t1 = qd[1] + qd[2];
+  const Scalar t2 = c4 * t1;
+  const Scalar t3 = s5 * t2;
+  const Scalar t4 = qd[3] * c5;
+  const Scalar t5 = t3 - t4;
+  const Scalar t6 = qd[5] - t5;
+  const Scalar t7 = t6 * t6;
+  const Scalar t8 = c5 * t2;
+  const Scalar t9 = qd[3] * s5 + t8;
+  const Scalar t10 = t9 * t9;
+  const Scalar t11 = s4 * t1;
+  const Scalar t12 = Scalar(2) * t11;
+  const Scalar t13 = qd[3] * t12;
+  const Scalar t14 = t11 * t8 + s5 * t13;
+  const Scalar t15 = qd[4] + t11;
+  const Scalar t16 = Scalar(2) * t15;
+  const Scalar t17 = t14 - t16 * t9;
+  const Scalar t18 = k[4] * c6 + k[5] * s6;
+  const Scalar t19 = t12 * t4 - t3 * t11;
+  const Scalar t20 = t16 * t5 + t19;
+  const Scalar t21 = (t0 * (t7 + t10) - t17 * t18) - (k[3] * t17 - k[2] * t20);
+  const Scalar t22 = t11 * t2;
+  const Scalar t23 = t2 * t2;
+  const Scalar t24 = qd[3] * qd[3];
+  const Scalar t25 = t23 + t24;
+  const Scalar t26 = t21 + (k[1] * t22 - k[0] * t25);
+  const Scalar t27 = t23 - t24;
+  const Scalar t28 = t1 * t1;
+  const Scalar t29 = t27 - t28;
+  const Scalar t30 = t20 + t16 * t6;
+  const Scalar t31 = qd[3] * t2;
+  const Scalar t32 = t5 * t9;
+  const Scalar t33 = t31 + t32;
+  const Scalar t34 = t6 * t9;
+  const Scalar t35 = (t33 + t34) + t34;
+  const Scalar t36 = t31 - t32;
+  const Scalar t37 = t15 * t15;
+  const Scalar t38 = t37 + t7;
+  const Scalar t39 = t7 - t10;
+  const Scalar t40 = t38 - t39;
+  const Scalar t41 = (t0 * t30 - t35 * t18) - (k[3] * t36 + k[2] * t40);
+  const Scalar t42 = t37 - t10;
+  const Scalar t43 = t42 + t25;
+  const Scalar t44 = (t14 * t0 + t18 * t38) - (k[2] * t33 - k[3] * t43);
+  const Scalar t45 = (k[1] * t29 + k[0] * t22) + (s5 * t41 - c5 * t44);
+  const Scalar t46 = (k[28] * t31 + k[0] * t13) - (s5 * t44 + c5 * t41);
+  const Scalar t47 = c4 * t26 - s4 * t45;
+  const Scalar t48 = c3 * (k[7] * t28 - t46) - s3 * (k[8] * t28 - t47);
+  const Scalar t49 = qd[1] * qd[1];
+  const Scalar t50 = c3 * t49;
+  const Scalar t51 = s3 * t49;
+  const Scalar t52 = t51 + k[9] * t28;
+  const Scalar t53 = (k[27] * t31 + k[26] * t13) - (k[10] * t27 - k[13] * t22);
+  const Scalar t54 = s4 * t50;
+  const Scalar t55 = c5 * t52 + s5 * t54;
+  const Scalar t56 = k[18] * s6 - k[19] * c6;
+  const Scalar t57 = k[19] * s6 + k[18] * c6;
+  const Scalar t58 = k[21] * c6 - k[20] * s6;
+  const Scalar t59 = k[23] + s6 * t58;
+  const Scalar t60 = c6 * t58;
+  const Scalar t61 = k[25] - t60;
+  const Scalar t62 = (t14 * t56 + t57 * t39) - (t59 * t30 + t61 * t35);
+  const Scalar t63 = s5 * t52 - c5 * t54;
+  const Scalar t64 = t43 - t40;
+  const Scalar t65 = (k[15] * t33 - k[24] * t36) - k[14] * t64;
+  const Scalar t66 = (k[2] * t63 + k[3] * t55) + ((k[16] * t14 + k[17] * t19) + t65);
+  const Scalar t67 = (t55 * t18 - t62) + t66;
+  const Scalar t68 = (k[11] * t13 - k[12] * t31) + k[13] * (t25 - t28);
+  const Scalar t69 = k[22] - t60;
+  const Scalar t70 = t56 * (t42 - t39) + (t69 * t30 - t35 * t59);
+  const Scalar t71 = c4 * t50;
+  const Scalar t72 = k[16] * (t42 - t64) + (k[15] * t20 - k[14] * t17);
+  const Scalar t73 = ((t70 + t17 * t57) + t55 * t0) - (k[2] * t71 + (k[17] * t36 + t72));
+  const Scalar t74 = (t14 * t69 - t61 * t17) + t59 * t42;
+  const Scalar t75 = ((t33 * t56 + t20 * t57) + t74) + (t0 * t63 + t18 * t71);
+  const Scalar t76 = (k[16] * t33 - k[17] * t42) - (k[14] * t20 + k[24] * t17);
+  const Scalar t77 = t75 + (k[3] * t71 - t76);
+  const Scalar t78 = ((t68 + k[10] * t22) - k[0] * t52) + (c5 * t73 + s5 * t77);
+  const Scalar t79 = s4 * ((k[1] * t52 + t53) + t67) + c4 * t78;
+  const Scalar t80 = (k[7] * t50 - k[8] * t51) + (t79 - k[9] * t47);
+  const Scalar t81 = (k[29] * t22 - k[26] * (t29 + t25)) + (k[0] * t54 + k[1] * t71);
   JointVector<Scalar> result;
-  result[0] = k[6] * (c4 * t41 + s4 * t45);
-  result[1] = -t78 - t80;
-  result[2] = -t78;
-  result[3] = (c5 * t74 - s5 * t70) + t81;
-  result[4] = -t62;
-  result[5] = t73;
+  result[0] = k[6] * (s4 * t26 + c4 * t45);
+  result[1] = t48 - t80;
+  result[2] = -t80;
+  result[3] = t81 + (c5 * t77 - s5 * t73);
+  result[4] = -t67;
+  result[5] = t75;
   return result;
 }
 
@@ -482,71 +488,78 @@ MassMatrixConstants<Scalar> mass_matrix_constants(const BasicGeometry<Scalar>& g
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6z * inertia.m6;
-  const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = inertia.c4x * inertia.m4;
-  const Scalar t3 = inertia.c5x * inertia.m5;
+  const Scalar t0 = inertia.c6y * inertia.m6;
+  const Scalar t1 = inertia.c5y * inertia.m5;
+  const Scalar t2 = inertia.c6x * inertia.m6;
+  const Scalar t3 = inertia.c6z * inertia.m6;
   const Scalar t4 = inertia.c5z * inertia.m5;
-  const Scalar t5 = inertia.c6y * inertia.m6;
-  const Scalar t6 = inertia.c5y * inertia.m5;
-  const Scalar t7 = inertia.c4z * inertia.m4;
+  const Scalar t5 = inertia.c4z * inertia.m4;
+  const Scalar t6 = inertia.c4x * inertia.m4;
+  const Scalar t7 = inertia.c5x * inertia.m5;
   const Scalar t8 = Scalar(1) / g.l2;
-  const Scalar t9 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t10 = (inertia.I6xx - t9) - inertia.c6x * t1;
-  const Scalar t11 = inertia.c6z * t0 - (inertia.I6zz - t9);
-  const Scalar t12 = inertia.I6xz - inertia.c6z * t1;
+  const Scalar t9 = inertia.I6xz - inertia.c6z * t2;
+  const Scalar t10 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t11 = (inertia.I6xx - t10) - inertia.c6x * t2;
+  const Scalar t12 = inertia.c6z * t3 - (inertia.I6zz - t10);
   const Scalar t13 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t14 = ((inertia.I6yy - t9) - inertia.c6y * t5) - (inertia.c5y * t6 - (inertia.I5yy - t13));
-  const Scalar t15 = inertia.c4y * inertia.m4;
-  const Scalar t16 = inertia.c3x * inertia.m3;
-  const Scalar t17 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t18 = (inertia.c5x * t3 - (inertia.I5xx - t13)) - ((inertia.I4xx - t17) - inertia.c4x * t2);
-  const Scalar t19 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t20 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t21 = t15 - g.d4 * t20;
-  const Scalar t22 = ((inertia.I4yy - t17) - inertia.c4y * t15) + g.d4 * (t15 + t21);
-  const Scalar t23 = inertia.c3y * inertia.m3;
-  const Scalar t24 = g.d4 * inertia.m3 - t23;
-  const Scalar t25 = ((inertia.I3yy - t19) - inertia.c3y * t23) - g.d4 * (t24 - t23);
-  const Scalar t26 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t27 = inertia.c2x * inertia.m2;
-  const Scalar t28 = (inertia.c2x * t27 - (inertia.I2xx - t26)) + g.l2 * (t27 + (g.l2 * inertia.m2 + t27));
-  const Scalar t29 = inertia.m3 + t20;
-  const Scalar t30 = g.l2 * g.l2 * (inertia.m1 + (inertia.m2 + t29)) * t8;
-  return { g.l2 * t0,
-           g.l2 * t1,
-           g.l2 * (t2 + t3),
+  const Scalar t14 = ((inertia.I6yy - t10) - inertia.c6y * t0) - (inertia.c5y * t1 - (inertia.I5yy - t13));
+  const Scalar t15 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t16 = (inertia.c5x * t7 - (inertia.I5xx - t13)) - ((inertia.I4xx - t15) - inertia.c4x * t6);
+  const Scalar t17 = inertia.c3x * inertia.m3;
+  const Scalar t18 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t19 = g.d4 / g.l2;
+  const Scalar t20 = inertia.c4y * inertia.m4;
+  const Scalar t21 = g.d4 * inertia.m4;
+  const Scalar t22 = t20 - t21;
+  const Scalar t23 = g.d4 * (t20 + t22) + ((inertia.I4yy - t15) - inertia.c4y * t20);
+  const Scalar t24 = t22 + t21;
+  const Scalar t25 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t26 = t24 - g.d4 * t25;
+  const Scalar t27 = (t23 - g.d4 * (t24 + t22)) + g.d4 * (t24 + t26);
+  const Scalar t28 = inertia.c3y * inertia.m3;
+  const Scalar t29 = g.d4 * inertia.m3 - t28;
+  const Scalar t30 = ((inertia.I3yy - t18) - inertia.c3y * t28) - g.d4 * (t29 - t28);
+  const Scalar t31 = g.d4 * t6;
+  const Scalar t32 = g.d4 * t5;
+  const Scalar t33 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t34 = inertia.c2x * inertia.m2;
+  const Scalar t35 = (inertia.c2x * t34 - (inertia.I2xx - t33)) + g.l2 * (t34 + (g.l2 * inertia.m2 + t34));
+  const Scalar t36 = inertia.m3 + t25;
+  const Scalar t37 = g.l2 * g.l2 * (inertia.m1 + (inertia.m2 + t36)) * t8;
+  return { g.l2 * (t0 + t1),
+           g.l2 * t2,
+           g.l2 * t3,
            g.l2 * t4,
-           g.l2 * (t5 + t6),
-           g.l2 * t7,
+           g.l2 * t5,
+           g.l2 * (t6 + t7),
            t8,
-           g.d4 / g.l2,
-           t10 + t11,
-           Scalar(2) * t12,
+           Scalar(2) * t9,
+           t11 + t12,
            t12,
-           inertia.I5xz - inertia.c5z * t3,
-           inertia.I6xy - inertia.c6y * t1,
-           inertia.I6yz - inertia.c6z * t5,
-           inertia.I5xy - inertia.c5y * t3,
-           inertia.I4xy - inertia.c4y * t2,
-           inertia.I5yz - inertia.c5z * t6,
-           t10,
+           t11 - t12,
            inertia.c5z * t4 - (inertia.I5zz - t13),
            t14,
-           inertia.I4yz - inertia.c4z * t15,
-           (inertia.I3xy - inertia.c3y * t16) + g.d4 * t16,
-           t11,
-           t18,
-           (inertia.I4zz - t17) - inertia.c4z * t7,
-           inertia.I4xz - inertia.c4z * t2,
-           inertia.c3x * t16 - (inertia.I3xx - t19),
-           t22 + t25,
-           (inertia.I2yy - t26) - inertia.c2y * inertia.c2y * inertia.m2,
-           g.l2 * (t21 - t24),
-           g.l2 * t16,
-           t28 + g.l2 * g.l2 * t29,
-           t10 - t11,
-           t30 * t8 };
+           inertia.I6yz - inertia.c6z * t0,
+           inertia.I6xy - inertia.c6y * t2,
+           inertia.I5yz - inertia.c5z * t1,
+           (inertia.I4zz - t15) - inertia.c4z * t5,
+           t16,
+           inertia.I5xy - inertia.c5y * t7,
+           t9,
+           inertia.I5xz - inertia.c5z * t7,
+           inertia.I4xz - inertia.c4z * t6,
+           inertia.c3x * t17 - (inertia.I3xx - t18),
+           Scalar(2) * t19,
+           t27 + t30,
+           t19,
+           (t31 + (inertia.I4xy - inertia.c4y * t6)) - t31,
+           t32 - (t32 + (inertia.I4yz - inertia.c4z * t20)),
+           (inertia.I3xy - inertia.c3y * t17) + g.d4 * t17,
+           (inertia.I2yy - t33) - inertia.c2y * inertia.c2y * inertia.m2,
+           g.l2 * (t29 - t26),
+           g.l2 * t17,
+           t35 + g.l2 * g.l2 * t36,
+           t37 * t8 };
 }
 
 namespace detail {
@@ -562,74 +575,73 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointV
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[0] * s6 - k[1] * c6;
-  const Scalar t1 = k[2] - t0;
-  const Scalar t2 = k[0] * c6 + k[1] * s6;
+  const Scalar t0 = k[1] * c6 - k[2] * s6;
+  const Scalar t1 = k[5] + t0;
+  const Scalar t2 = k[2] * c6 + k[1] * s6;
   const Scalar t3 = k[3] + t2;
-  const Scalar t4 = k[4] * s5 + c5 * t3;
-  const Scalar t5 = k[5] + t4;
+  const Scalar t4 = c5 * t3 + k[0] * s5;
+  const Scalar t5 = k[4] + t4;
   const Scalar t6 = c4 * t1 - s4 * t5;
-  const Scalar t7 = k[4] * c5 - s5 * t3;
+  const Scalar t7 = s5 * t3 - k[0] * c5;
   const Scalar t8 = c5 * t0;
-  const Scalar t9 = c3 * (k[30] + t6) - s3 * (k[29] + t7);
-  const Scalar t10 = k[12] * s6 + k[13] * c6;
-  const Scalar t11 = k[16] + t10;
-  const Scalar t12 = c5 * t11;
-  const Scalar t13 = k[8] * c6 - k[9] * s6;
-  const Scalar t14 = c6 * t13;
-  const Scalar t15 = k[18] - (k[17] - t14);
-  const Scalar t16 = (t12 + t12) + s5 * (k[19] + t15);
-  const Scalar t17 = s5 * t16 - t15;
-  const Scalar t18 = k[19] - t15;
-  const Scalar t19 = k[7] * t7;
-  const Scalar t20 = k[27] - ((t17 - t18) - (t19 + t19));
-  const Scalar t21 = k[24] + t17;
-  const Scalar t22 = k[23] + (k[22] - t14);
-  const Scalar t23 = k[11] + (k[10] + s6 * t13);
-  const Scalar t24 = k[13] * s6 - k[12] * c6;
-  const Scalar t25 = k[14] - t24;
-  const Scalar t26 = c5 * t23 + s5 * t25;
-  const Scalar t27 = s4 * (k[25] + t26);
-  const Scalar t28 = c4 * (c4 * (t21 + t22) + (t27 + t27));
-  const Scalar t29 = k[26] - (t21 - t28);
-  const Scalar t30 = s5 * t23 - c5 * t25;
-  const Scalar t31 = k[7] * t1 + (k[15] - t30);
-  const Scalar t32 = (k[20] - (t11 - c5 * t16)) + k[7] * t5;
-  const Scalar t33 = c3 * (k[21] + (c4 * t31 - s4 * t32));
-  const Scalar t34 = s3 * (s3 * (t29 + t20) - Scalar(2) * t33);
-  const Scalar t35 = t20 - t34;
-  const Scalar t36 = t29 - t20;
-  const Scalar t37 = (k[31] + ((t9 + t9) + (t35 + t36))) - (k[28] + t35);
-  const Scalar t38 = c4 * t32 + s4 * t31;
-  const Scalar t39 = s3 * (s4 * t1 + c4 * t5) + t38;
-  const Scalar t40 = c4 * t26 - s4 * (t19 + t18);
-  const Scalar t41 = (s3 * s4 * t7 + c3 * t4) - t40;
-  const Scalar t42 = c4 * (k[32] * s5 - c5 * t10) + s4 * t24;
-  const Scalar t43 = s4 * t8 - c4 * t2;
-  const Scalar t44 = t42 + k[7] * t43;
-  const Scalar t45 = t44 + (s3 * t43 + c3 * s5 * t0);
+  const Scalar t9 = c3 * (k[31] + t6) + s3 * (k[30] + t7);
+  const Scalar t10 = k[8] * c6 - k[7] * s6;
+  const Scalar t11 = k[9] - c6 * t10;
+  const Scalar t12 = k[11] - (k[10] + t11);
+  const Scalar t13 = k[14] * s6 + k[13] * c6;
+  const Scalar t14 = k[15] + t13;
+  const Scalar t15 = c5 * t14;
+  const Scalar t16 = s5 * (k[12] + t12) + (t15 + t15);
+  const Scalar t17 = k[12] - s5 * t16;
+  const Scalar t18 = k[24] + (t17 - k[23] * t7);
+  const Scalar t19 = k[12] - t12;
+  const Scalar t20 = k[16] + (t19 - t17);
+  const Scalar t21 = k[17] + t11;
+  const Scalar t22 = k[14] * c6 - k[13] * s6;
+  const Scalar t23 = k[18] + t22;
+  const Scalar t24 = k[20] + (k[19] + s6 * t10);
+  const Scalar t25 = s5 * t23 + c5 * t24;
+  const Scalar t26 = s4 * (k[21] + t25);
+  const Scalar t27 = c4 * (c4 * (t20 + t21) + (t26 + t26));
+  const Scalar t28 = k[22] - (t20 - t27);
+  const Scalar t29 = s5 * t24 - c5 * t23;
+  const Scalar t30 = k[26] - t29;
+  const Scalar t31 = k[27] - (c5 * t16 - t14);
+  const Scalar t32 = k[25] * t6 + (c4 * t30 + s4 * t31);
+  const Scalar t33 = s3 * (t18 + t28) - Scalar(2) * c3 * (k[28] + t32);
+  const Scalar t34 = s3 * t33 - t28;
+  const Scalar t35 = t18 - t28;
+  const Scalar t36 = (k[32] + (Scalar(2) * t9 - t34)) - (k[29] + (t35 - t34));
+  const Scalar t37 = c4 * t5 + s4 * t1;
+  const Scalar t38 = (c4 * t31 - s4 * t30) - k[25] * t37;
+  const Scalar t39 = s4 * (t19 - k[25] * t7) - c4 * t25;
+  const Scalar t40 = t39 - (s3 * s4 * t7 - c3 * t4);
+  const Scalar t41 = s4 * t8 + c4 * t2;
+  const Scalar t42 = s4 * t22 + c4 * (c5 * t13 - k[10] * s5);
+  const Scalar t43 = t42 + k[25] * t41;
+  const Scalar t44 = (c3 * s5 * t0 + s3 * t41) + t43;
   Eigen::Matrix<Scalar, dof, dof> result;
   result(0, 0) = k[33];
   result(0, 1) = result(1, 0) = Scalar(0);
   result(0, 2) = result(2, 0) = Scalar(0);
   result(0, 3) = result(3, 0) = k[6] * t6;
-  result(0, 4) = result(4, 0) = k[6] * c4 * t7;
-  result(0, 5) = result(5, 0) = -k[6] * (c4 * t8 + s4 * t2);
-  result(1, 1) = t37;
-  result(1, 2) = result(2, 1) = t36 + t9;
-  result(1, 3) = result(3, 1) = -t39;
-  result(1, 4) = result(4, 1) = -t41;
-  result(1, 5) = result(5, 1) = t45;
-  result(2, 2) = t36;
-  result(2, 3) = result(3, 2) = -t38;
-  result(2, 4) = result(4, 2) = t40;
-  result(2, 5) = result(5, 2) = t44;
-  result(3, 3) = t22 - t21;
-  result(3, 4) = result(4, 3) = t30;
-  result(3, 5) = result(5, 3) = -k[32] * c5 - s5 * t10;
-  result(4, 4) = -t18;
-  result(4, 5) = result(5, 4) = t24;
-  result(5, 5) = -k[32];
+  result(0, 4) = result(4, 0) = -k[6] * c4 * t7;
+  result(0, 5) = result(5, 0) = k[6] * (c4 * t8 - s4 * t2);
+  result(1, 1) = t36;
+  result(1, 2) = result(2, 1) = t9 - t35;
+  result(1, 3) = result(3, 1) = t38 - s3 * t37;
+  result(1, 4) = result(4, 1) = -t40;
+  result(1, 5) = result(5, 1) = -t44;
+  result(2, 2) = -t35;
+  result(2, 3) = result(3, 2) = t38;
+  result(2, 4) = result(4, 2) = -t39;
+  result(2, 5) = result(5, 2) = -t43;
+  result(3, 3) = t21 - t20;
+  result(3, 4) = result(4, 3) = t29;
+  result(3, 5) = result(5, 3) = -k[10] * c5 - s5 * t13;
+  result(4, 4) = -t19;
+  result(4, 5) = result(5, 4) = -t22;
+  result(5, 5) = -k[10];
   return result;
 }
 
@@ -653,53 +665,56 @@ CoriolisMatrixConstants<Scalar> coriolis_matrix_constants(const BasicGeometry<Sc
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6z * inertia.m6;
-  const Scalar t1 = inertia.c6x * inertia.m6;
+  const Scalar t0 = inertia.c6x * inertia.m6;
+  const Scalar t1 = inertia.c6z * inertia.m6;
   const Scalar t2 = inertia.c6y * inertia.m6;
   const Scalar t3 = inertia.c5y * inertia.m5;
   const Scalar t4 = inertia.c5z * inertia.m5;
-  const Scalar t5 = inertia.c4x * inertia.m4;
-  const Scalar t6 = inertia.c5x * inertia.m5;
-  const Scalar t7 = inertia.c4z * inertia.m4;
+  const Scalar t5 = inertia.c4z * inertia.m4;
+  const Scalar t6 = inertia.c4x * inertia.m4;
+  const Scalar t7 = inertia.c5x * inertia.m5;
   const Scalar t8 = inertia.c4y * inertia.m4;
-  const Scalar t9 = (t8 - g.d4 * (inertia.m4 + (inertia.m5 + inertia.m6)))
-      - (g.d4 * inertia.m3 - inertia.c3y * inertia.m3);
-  const Scalar t10 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t11 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t12 = ((inertia.I6yy - t10) - inertia.c6y * t2) - (inertia.c5y * t3 - (inertia.I5yy - t11));
-  const Scalar t13 = (inertia.I6xx - t10) - inertia.c6x * t1;
-  const Scalar t14 = inertia.c6z * t0 - (inertia.I6zz - t10);
-  const Scalar t15 = inertia.I6xz - inertia.c6z * t1;
-  const Scalar t16 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t17 = (inertia.c5x * t6 - (inertia.I5xx - t11)) - ((inertia.I4xx - t16) - inertia.c4x * t5);
+  const Scalar t9 = g.d4 * inertia.m4;
+  const Scalar t10 = ((t8 - t9) + t9) - g.d4 * (inertia.m4 + (inertia.m5 + inertia.m6));
+  const Scalar t11 = g.l2 * ((g.d4 * inertia.m3 - inertia.c3y * inertia.m3) - t10);
+  const Scalar t12 = inertia.I6xz - inertia.c6z * t0;
+  const Scalar t13 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t14 = (inertia.I6xx - t13) - inertia.c6x * t0;
+  const Scalar t15 = inertia.c6z * t1 - (inertia.I6zz - t13);
+  const Scalar t16 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t17 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t18 = (inertia.c5x * t7 - (inertia.I5xx - t16)) - ((inertia.I4xx - t17) - inertia.c4x * t6);
+  const Scalar t19 = ((inertia.I6yy - t13) - inertia.c6y * t2) - (inertia.c5y * t3 - (inertia.I5yy - t16));
+  const Scalar t20 = g.d4 * t6;
+  const Scalar t21 = g.d4 * t5;
   return { g.l2 * t0,
            g.l2 * t1,
            g.l2 * (t2 + t3),
            g.l2 * t4,
-           g.l2 * (t5 + t6),
-           g.l2 * t7,
+           g.l2 * t5,
+           g.l2 * (t6 + t7),
            Scalar(1) / g.l2,
            g.l2 * inertia.c3x * inertia.m3,
-           g.l2 * t9,
-           t12,
-           inertia.I6xy - inertia.c6y * t1,
+           t11,
            inertia.I6yz - inertia.c6z * t2,
-           inertia.I5yz - inertia.c5z * t3,
-           t13 + t14,
-           Scalar(2) * t15,
-           t14,
-           t13 - t14,
-           inertia.c5z * t4 - (inertia.I5zz - t11),
+           inertia.I6xy - inertia.c6y * t0,
+           inertia.I5xy - inertia.c5y * t7,
+           Scalar(2) * t12,
+           t14 + t15,
+           t12,
+           inertia.I5xz - inertia.c5z * t7,
+           inertia.I4xz - inertia.c4z * t6,
            t15,
+           t18,
+           t14 - t15,
+           inertia.c5z * t4 - (inertia.I5zz - t16),
+           t19,
+           inertia.I5yz - inertia.c5z * t3,
+           (inertia.I4zz - t17) - inertia.c4z * t5,
            g.d4 / g.l2,
-           t17,
-           inertia.I5xz - inertia.c5z * t6,
-           inertia.I5xy - inertia.c5y * t6,
-           inertia.I4xz - inertia.c4z * t5,
-           (inertia.I4zz - t16) - inertia.c4z * t7,
-           inertia.I4xy - inertia.c4y * t5,
-           inertia.I4yz - inertia.c4z * t8,
-           t13 };
+           (t20 + (inertia.I4xy - inertia.c4y * t6)) - t20,
+           t21 - (t21 + (inertia.I4yz - inertia.c4z * t8)),
+           t14 };
 }
 
 namespace detail {
@@ -716,165 +731,166 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const Jo
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[0] * c6 + k[1] * s6;
+  const Scalar t0 = k[0] * s6 + k[1] * c6;
   const Scalar t1 = k[3] + t0;
   const Scalar t2 = c5 * t1;
   const Scalar t3 = t2 + k[2] * s5;
-  const Scalar t4 = k[5] + t3;
+  const Scalar t4 = k[4] + t3;
   const Scalar t5 = qd[5] * t0;
   const Scalar t6 = qd[3] * t4 + t5;
-  const Scalar t7 = k[0] * s6 - k[1] * c6;
-  const Scalar t8 = qd[5] * t7;
-  const Scalar t9 = k[2] * qd[4] - t8;
-  const Scalar t10 = s5 * t1;
-  const Scalar t11 = c5 * t9 - qd[4] * t10;
-  const Scalar t12 = k[4] - t7;
-  const Scalar t13 = t11 + qd[3] * t12;
-  const Scalar t14 = c4 * t6 + s4 * t13;
-  const Scalar t15 = k[2] * c5 - t10;
-  const Scalar t16 = qd[3] * t15;
-  const Scalar t17 = s5 * t9 + qd[4] * t2;
-  const Scalar t18 = qd[1] + qd[2];
-  const Scalar t19 = c4 * t18;
-  const Scalar t20 = s5 * t19 - qd[3] * c5;
-  const Scalar t21 = qd[5] - t20;
-  const Scalar t22 = t0 * t21;
-  const Scalar t23 = s4 * t18;
-  const Scalar t24 = qd[4] + t23;
-  const Scalar t25 = qd[3] * s5 + c5 * t19;
-  const Scalar t26 = s6 * t24 - c6 * t25;
-  const Scalar t27 = c6 * t24 + s6 * t25;
-  const Scalar t28 = k[0] * t26 - k[1] * t27;
-  const Scalar t29 = c5 * t22 - s5 * t28;
-  const Scalar t30 = t7 * t21;
-  const Scalar t31 = k[7] + (c4 * t12 - s4 * t4);
-  const Scalar t32 = k[8] + t15;
-  const Scalar t33 = s3 * (qd[2] * t31 - t17) + c3 * (qd[2] * t32 + t14);
-  const Scalar t34 = k[14] * s6 - k[13] * c6;
-  const Scalar t35 = k[15] + c6 * t34;
-  const Scalar t36 = qd[5] * t35;
-  const Scalar t37 = k[10] * c6 - k[11] * s6;
-  const Scalar t38 = k[22] + t37;
-  const Scalar t39 = t36 - qd[4] * t38;
-  const Scalar t40 = k[18] - s6 * t34;
-  const Scalar t41 = k[21] + t40;
-  const Scalar t42 = s5 * t41;
-  const Scalar t43 = c5 * t39 + qd[4] * t42;
-  const Scalar t44 = k[20] + t35;
-  const Scalar t45 = qd[5] * t40;
-  const Scalar t46 = c5 * t41;
-  const Scalar t47 = t46 + s5 * t38;
-  const Scalar t48 = k[23] + t47;
-  const Scalar t49 = t45 + qd[3] * t48;
-  const Scalar t50 = s4 * (t43 + qd[3] * t44) - c4 * t49;
-  const Scalar t51 = k[16] + t35;
-  const Scalar t52 = qd[5] * t51;
-  const Scalar t53 = k[10] * s6 + k[11] * c6;
-  const Scalar t54 = qd[5] * t53;
-  const Scalar t55 = c5 * t52 + s5 * t54;
-  const Scalar t56 = k[12] + t53;
-  const Scalar t57 = c5 * t56;
-  const Scalar t58 = k[17] - t51;
-  const Scalar t59 = Scalar(2) * t57 + s5 * (k[9] + t58);
-  const Scalar t60 = k[24] + (s5 * t59 - t58);
-  const Scalar t61 = qd[5] * t37;
-  const Scalar t62 = t61 + k[9] * qd[4];
-  const Scalar t63 = qd[4] * t57 + s5 * t62;
-  const Scalar t64 = qd[4] * t58;
-  const Scalar t65 = c5 * t64 - s5 * (qd[4] * t56 + t45);
-  const Scalar t66 = c5 * t63 + s5 * t65;
-  const Scalar t67 = c4 * (t55 + qd[3] * t60) + s4 * (t49 + t66);
-  const Scalar t68 = (c4 * t50 + s4 * t67) - (t66 + k[19] * t17);
-  const Scalar t69 = t33 + t68;
-  const Scalar t70 = s3 * (t18 * t31 - t17) + c3 * (t14 + t18 * t32);
-  const Scalar t71 = c4 * t4 + s4 * t12;
-  const Scalar t72 = s4 * t6 - c4 * t13;
-  const Scalar t73 = s3 * t72;
-  const Scalar t74 = s5 * t63;
-  const Scalar t75 = c5 * t65;
-  const Scalar t76 = ((t74 - t62) - (t75 - t64)) - qd[3] * (k[25] - (t42 - c5 * t38));
-  const Scalar t77 = c4 * ((t23 * t44 - t19 * t48) - t76);
-  const Scalar t78 = c5 * t53;
-  const Scalar t79 = s5 * t52 - qd[5] * t78;
-  const Scalar t80 = qd[3] * (k[26] + (c5 * t59 - t56));
-  const Scalar t81 = (t79 - t80) + (t60 * t19 + t23 * t48);
-  const Scalar t82 = k[19] * t72;
-  const Scalar t83 = (t77 + s4 * t81) - t82;
-  const Scalar t84 = (c3 * t71 * t18 - t73) + t83;
-  const Scalar t85 = k[2] * t24 - t8;
-  const Scalar t86 = c4 * (k[2] * t20 + t1 * t25) + s4 * (t24 * t2 + s5 * t85);
-  const Scalar t87 = c3 * (t24 * t10 - c5 * t85) + s3 * t86;
-  const Scalar t88 = (k[9] * t20 + t56 * t25) + (t38 * t24 - t36);
-  const Scalar t89 = (t20 * t56 - t58 * t25) + t24 * t41;
-  const Scalar t90 = s4 * t45 - c4 * (c5 * t88 - s5 * t89);
-  const Scalar t91 = k[19] * t86 - t90;
-  const Scalar t92 = t87 + t91;
-  const Scalar t93 = s4 * t29 + c4 * t30;
-  const Scalar t94 = s3 * t93 + c3 * (c5 * t28 + s5 * t22);
-  const Scalar t95 = k[11] * t21 - (k[15] * t26 + k[18] * t27);
-  const Scalar t96 = (k[18] * t26 - k[27] * t27) + k[10] * t21;
-  const Scalar t97 = c6 * t95 + s6 * t96;
-  const Scalar t98 = s6 * t95 - c6 * t96;
-  const Scalar t99 = (s4 * t97 + c4 * c5 * t98) + k[19] * t93;
-  const Scalar t100 = t94 + t99;
-  const Scalar t101 = t79 + (s5 * t39 - qd[4] * t46);
-  const Scalar t102 = c4 * (t76 - (t75 - t74)) + s4 * (t80 - t101);
-  const Scalar t103 = t102 + t82;
-  const Scalar t104 = (t103 + (t73 - c3 * qd[2] * t71)) + t84;
-  const Scalar t105 = c5 * t89 + s5 * t88;
-  const Scalar t106 = s5 * t98;
-  const Scalar t107 = c4 * t16 - s4 * t17;
-  const Scalar t108 = c3 * (t11 + qd[2] * s4 * t15) + s3 * (t107 - qd[2] * t3);
-  const Scalar t109 = c4 * (qd[3] * (k[9] - t58) + (t55 + t43));
-  const Scalar t110 = t109 + s4 * (qd[3] * t47 + (t45 + t45));
-  const Scalar t111 = t110 + k[19] * t107;
-  const Scalar t112 = s4 * (t54 + qd[3] * (t78 - k[16] * s5));
-  const Scalar t113 = t61 - k[16] * qd[4];
-  const Scalar t114 = qd[4] * t53;
-  const Scalar t115 = qd[3] * t37 + (c5 * t113 - s5 * t114);
-  const Scalar t116 = s5 * t7;
-  const Scalar t117 = (c5 * t5 - qd[4] * t116) + qd[3] * t0;
-  const Scalar t118 = c5 * t7;
-  const Scalar t119 = s4 * t117 + c4 * (qd[3] * t118 + t8);
-  const Scalar t120 = (t112 - c4 * t115) + k[19] * t119;
-  const Scalar t121 = (s5 * t5 + qd[4] * t118) + qd[2] * (s4 * t118 - c4 * t0);
-  const Scalar t122 = c3 * t121 + s3 * (t119 - qd[2] * t116);
+  const Scalar t7 = s5 * t1;
+  const Scalar t8 = k[0] * c6 - k[1] * s6;
+  const Scalar t9 = qd[5] * t8;
+  const Scalar t10 = t9 + k[2] * qd[4];
+  const Scalar t11 = qd[4] * t7 - c5 * t10;
+  const Scalar t12 = k[5] + t8;
+  const Scalar t13 = t11 - qd[3] * t12;
+  const Scalar t14 = c4 * t6 - s4 * t13;
+  const Scalar t15 = qd[1] + qd[2];
+  const Scalar t16 = s4 * t15;
+  const Scalar t17 = qd[4] + t16;
+  const Scalar t18 = k[2] * t17 + t9;
+  const Scalar t19 = t2 * t17 + s5 * t18;
+  const Scalar t20 = c4 * t15;
+  const Scalar t21 = qd[3] * c5;
+  const Scalar t22 = s5 * t20 - t21;
+  const Scalar t23 = qd[3] * s5 + c5 * t20;
+  const Scalar t24 = k[2] * t22 + t1 * t23;
+  const Scalar t25 = t9 + t8 * t21;
+  const Scalar t26 = s5 * t8;
+  const Scalar t27 = (c5 * t5 + qd[4] * t26) + qd[3] * t0;
+  const Scalar t28 = k[10] * c6 - k[9] * s6;
+  const Scalar t29 = qd[5] * t28;
+  const Scalar t30 = t29 + k[21] * qd[4];
+  const Scalar t31 = k[9] * c6 + k[10] * s6;
+  const Scalar t32 = k[22] + t31;
+  const Scalar t33 = c5 * t32;
+  const Scalar t34 = s5 * t30 + qd[4] * t33;
+  const Scalar t35 = k[12] * s6 - k[13] * c6;
+  const Scalar t36 = k[17] + c6 * t35;
+  const Scalar t37 = k[19] + t36;
+  const Scalar t38 = k[20] - t37;
+  const Scalar t39 = qd[4] * t38;
+  const Scalar t40 = k[14] - s6 * t35;
+  const Scalar t41 = qd[5] * t40;
+  const Scalar t42 = c5 * t39 - s5 * (qd[4] * t32 + t41);
+  const Scalar t43 = c5 * t34 + s5 * t42;
+  const Scalar t44 = s5 * t10 + qd[4] * t2;
+  const Scalar t45 = k[15] + t40;
+  const Scalar t46 = c5 * t45;
+  const Scalar t47 = k[11] + t28;
+  const Scalar t48 = t46 + s5 * t47;
+  const Scalar t49 = k[16] + t48;
+  const Scalar t50 = qd[3] * t49 + t41;
+  const Scalar t51 = qd[5] * t36;
+  const Scalar t52 = t51 - qd[4] * t47;
+  const Scalar t53 = s5 * t45;
+  const Scalar t54 = c5 * t52 + qd[4] * t53;
+  const Scalar t55 = k[18] + t36;
+  const Scalar t56 = c4 * t50 - s4 * (t54 + qd[3] * t55);
+  const Scalar t57 = s5 * (k[21] + t38) + (t33 + t33);
+  const Scalar t58 = k[23] - (t38 - s5 * t57);
+  const Scalar t59 = qd[5] * t37;
+  const Scalar t60 = s5 * t31;
+  const Scalar t61 = c5 * t59 + qd[5] * t60;
+  const Scalar t62 = c4 * (qd[3] * t58 + t61) + s4 * (t50 + t43);
+  const Scalar t63 = (t43 + k[24] * t44) + (c4 * t56 - s4 * t62);
+  const Scalar t64 = k[2] * c5 - t7;
+  const Scalar t65 = k[8] - t64;
+  const Scalar t66 = k[7] - (s4 * t4 - c4 * t12);
+  const Scalar t67 = c3 * (t14 - qd[2] * t65) - s3 * (t44 - qd[2] * t66);
+  const Scalar t68 = t63 - t67;
+  const Scalar t69 = c3 * (t14 - t15 * t65) - s3 * (t44 - t15 * t66);
+  const Scalar t70 = s5 * t52 - qd[4] * t46;
+  const Scalar t71 = qd[5] * t31;
+  const Scalar t72 = t70 + (s5 * t59 - c5 * t71);
+  const Scalar t73 = qd[3] * (k[26] - (c5 * t57 - t32)) + t72;
+  const Scalar t74 = c5 * t42;
+  const Scalar t75 = s5 * t34;
+  const Scalar t76 = ((t39 - t74) - (t30 - t75)) - qd[3] * (k[25] - (t53 - c5 * t47));
+  const Scalar t77 = s4 * t73 + c4 * ((t74 - t75) - t76);
+  const Scalar t78 = c4 * ((t20 * t49 - t16 * t55) + t76);
+  const Scalar t79 = (t16 * t49 + t20 * t58) - (t70 - t73);
+  const Scalar t80 = t77 + (t78 - s4 * t79);
+  const Scalar t81 = c4 * t13 + s4 * t6;
+  const Scalar t82 = k[24] * t81 - t77;
+  const Scalar t83 = t80 + t82;
+  const Scalar t84 = c4 * t4 + s4 * t12;
+  const Scalar t85 = s3 * t81;
+  const Scalar t86 = t83 - (c3 * t15 * t84 - t85);
+  const Scalar t87 = (k[21] * t22 + t23 * t32) - (t51 - t47 * t17);
+  const Scalar t88 = t17 * t45 - (t38 * t23 - t22 * t32);
+  const Scalar t89 = s4 * t41 - c4 * (c5 * t87 - s5 * t88);
+  const Scalar t90 = c4 * t24 + s4 * t19;
+  const Scalar t91 = t89 - k[24] * t90;
+  const Scalar t92 = s3 * t90 + c3 * (t17 * t7 - c5 * t18);
+  const Scalar t93 = t91 - t92;
+  const Scalar t94 = qd[5] - t22;
+  const Scalar t95 = t0 * t94;
+  const Scalar t96 = s6 * t17 - c6 * t23;
+  const Scalar t97 = c6 * t17 + s6 * t23;
+  const Scalar t98 = k[1] * t96 - k[0] * t97;
+  const Scalar t99 = c4 * t8 * t94 - s4 * (c5 * t95 - s5 * t98);
+  const Scalar t100 = s3 * t99 - c3 * (s5 * t95 + c5 * t98);
+  const Scalar t101 = k[9] * t94 - (k[17] * t96 + k[14] * t97);
+  const Scalar t102 = k[10] * t94 - (k[27] * t97 - k[14] * t96);
+  const Scalar t103 = s6 * t101 - c6 * t102;
+  const Scalar t104 = s6 * t102 + c6 * t101;
+  const Scalar t105 = k[24] * t99 - (c4 * c5 * t103 + s4 * t104);
+  const Scalar t106 = t100 + t105;
+  const Scalar t107 = (t82 - (c3 * qd[2] * t84 - t85)) - t86;
+  const Scalar t108 = s5 * t87 + c5 * t88;
+  const Scalar t109 = s5 * t103;
+  const Scalar t110 = qd[3] * c4 * t64 - s4 * t44;
+  const Scalar t111 = c3 * (t11 - qd[2] * s4 * t64) + s3 * (qd[2] * t3 - t110);
+  const Scalar t112 = c4 * ((t61 + t54) + qd[3] * (k[21] - t38));
+  const Scalar t113 = t112 + s4 * (qd[3] * t48 + (t41 + t41));
+  const Scalar t114 = t113 + k[24] * t110;
+  const Scalar t115 = c4 * t25 - s4 * t27;
+  const Scalar t116 = c5 * t31;
+  const Scalar t117 = s4 * (t71 + qd[3] * (t116 - k[19] * s5));
+  const Scalar t118 = k[19] * qd[4] - t29;
+  const Scalar t119 = (qd[4] * t60 + c5 * t118) - qd[3] * t28;
+  const Scalar t120 = k[24] * t115 - (t117 + c4 * t119);
+  const Scalar t121 = c5 * t8;
+  const Scalar t122 = (qd[4] * t121 - s5 * t5) + qd[2] * (c4 * t0 + s4 * t121);
+  const Scalar t123 = c3 * t122 - s3 * (qd[2] * t26 - t115);
   Eigen::Matrix<Scalar, dof, dof> result;
   result(0, 0) = Scalar(0);
   result(0, 1) = Scalar(0);
   result(0, 2) = Scalar(0);
   result(0, 3) = -k[6] * t14;
-  result(0, 4) = -k[6] * (s4 * t16 + c4 * t17);
-  result(0, 5) = -k[6] * (c4 * t29 - s4 * t30);
+  result(0, 4) = -k[6] * (c4 * t19 - s4 * t24);
+  result(0, 5) = -k[6] * (s4 * t25 + c4 * t27);
   result(1, 0) = Scalar(0);
-  result(1, 1) = -t69;
-  result(1, 2) = -t70 - t68;
-  result(1, 3) = -t84;
-  result(1, 4) = t92;
-  result(1, 5) = t100;
+  result(1, 1) = t68;
+  result(1, 2) = t63 - t69;
+  result(1, 3) = t86;
+  result(1, 4) = -t93;
+  result(1, 5) = -t106;
   result(2, 0) = Scalar(0);
-  result(2, 1) = t70 - t69;
-  result(2, 2) = -t68;
-  result(2, 3) = -t83;
-  result(2, 4) = t91;
-  result(2, 5) = t99;
+  result(2, 1) = t69 + t68;
+  result(2, 2) = t63;
+  result(2, 3) = t83;
+  result(2, 4) = -t91;
+  result(2, 5) = -t105;
   result(3, 0) = Scalar(0);
-  result(3, 1) = t104;
-  result(3, 2) = t103 + t83;
-  result(3, 3) = -t66;
-  result(3, 4) = t105;
-  result(3, 5) = t106;
+  result(3, 1) = t107;
+  result(3, 2) = -t80;
+  result(3, 3) = -t43;
+  result(3, 4) = t108;
+  result(3, 5) = t109;
   result(4, 0) = Scalar(0);
-  result(4, 1) = -(t108 + t111) - t92;
-  result(4, 2) = -t91 - t111;
-  result(4, 3) = -t101 - t105;
-  result(4, 4) = -t45;
-  result(4, 5) = t97;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = (t120 + t122) - t100;
-  result(5, 2) = t120 - t99;
-  result(5, 3) = -t106 - (c5 * t114 + s5 * t113);
-  result(5, 4) = t54 - t97;
+  result(4, 1) = (t111 - t114) + t93;
+  result(4, 2) = t91 - t114;
+  result(4, 3) = -t72 - t108;
+  result(4, 4) = -t41;
+  result(4, 5) = t104;
+  result(5, 0) = -Scalar(0);
+  result(5, 1) = t106 - (t120 + t123);
+  result(5, 2) = t105 - t120;
+  result(5, 3) = -(qd[4] * t116 - s5 * t118) - t109;
+  result(5, 4) = t71 - t104;
   result(5, 5) = Scalar(0);
   return result;
 }
@@ -902,85 +918,93 @@ ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6z * inertia.m6;
+  const Scalar t0 = inertia.c6y * inertia.m6;
   const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t1;
-  const Scalar t4 = inertia.c6z * t0 - (inertia.I6zz - t2);
-  const Scalar t5 = t3 - t4;
-  const Scalar t6 = inertia.c6y * inertia.m6;
-  const Scalar t7 = inertia.c5y * inertia.m5;
-  const Scalar t8 = inertia.I6xz - inertia.c6z * t1;
-  const Scalar t9 = inertia.c5z * inertia.m5;
-  const Scalar t10 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t11 = ((inertia.I6yy - t2) - inertia.c6y * t6) - (inertia.c5y * t7 - (inertia.I5yy - t10));
-  const Scalar t12 = inertia.c4y * inertia.m4;
-  const Scalar t13 = inertia.c5x * inertia.m5;
-  const Scalar t14 = inertia.c4x * inertia.m4;
-  const Scalar t15 = inertia.c4z * inertia.m4;
-  const Scalar t16 = g.l2 * t15;
-  const Scalar t17 = g.l2 * (t14 + t13);
-  const Scalar t18 = Scalar(1) / g.l2;
-  const Scalar t19 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t20 = (inertia.c5x * t13 - (inertia.I5xx - t10)) - ((inertia.I4xx - t19) - inertia.c4x * t14);
-  const Scalar t21 = (inertia.I4zz - t19) - inertia.c4z * t15;
-  const Scalar t22 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t23 = t12 - g.d4 * t22;
-  const Scalar t24 = ((inertia.I4yy - t19) - inertia.c4y * t12) + g.d4 * (t12 + t23);
-  const Scalar t25 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t26 = inertia.c3y * inertia.m3;
-  const Scalar t27 = g.d4 * inertia.m3 - t26;
-  const Scalar t28 = ((inertia.I3yy - t25) - inertia.c3y * t26) - g.d4 * (t27 - t26);
-  const Scalar t29 = inertia.I4xz - inertia.c4z * t14;
-  const Scalar t30 = inertia.c3x * inertia.m3;
-  const Scalar t31 = inertia.c2x * inertia.m2;
-  const Scalar t32 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t33 = (inertia.c2x * t31 - (inertia.I2xx - t32)) + g.l2 * (t31 + (g.l2 * inertia.m2 + t31));
-  const Scalar t34 = inertia.m3 + t22;
-  const Scalar t35 = g.l2 * g.l2 * (inertia.m1 + (inertia.m2 + t34));
-  const Scalar t36 = gravity / g.l2;
-  return { g.l2 * t0,
-           g.l2 * t1,
-           g.d4 / g.l2,
-           t5,
-           inertia.I6yz - inertia.c6z * t6,
+  const Scalar t2 = inertia.c5y * inertia.m5;
+  const Scalar t3 = inertia.I6xz - inertia.c6z * t1;
+  const Scalar t4 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t5 = (inertia.I6xx - t4) - inertia.c6x * t1;
+  const Scalar t6 = inertia.c6z * inertia.m6;
+  const Scalar t7 = inertia.c6z * t6 - (inertia.I6zz - t4);
+  const Scalar t8 = inertia.c5z * inertia.m5;
+  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t10 = ((inertia.I6yy - t4) - inertia.c6y * t0) - (inertia.c5y * t2 - (inertia.I5yy - t9));
+  const Scalar t11 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t12 = inertia.c4z * inertia.m4;
+  const Scalar t13 = (inertia.I4zz - t11) - inertia.c4z * t12;
+  const Scalar t14 = inertia.c5x * inertia.m5;
+  const Scalar t15 = inertia.c4x * inertia.m4;
+  const Scalar t16 = inertia.I4xz - inertia.c4z * t15;
+  const Scalar t17 = (inertia.c5x * t14 - (inertia.I5xx - t9)) - ((inertia.I4xx - t11) - inertia.c4x * t15);
+  const Scalar t18 = inertia.c3x * inertia.m3;
+  const Scalar t19 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t20 = inertia.c4y * inertia.m4;
+  const Scalar t21 = g.d4 * inertia.m4;
+  const Scalar t22 = t20 - t21;
+  const Scalar t23 = g.d4 * (t20 + t22) + ((inertia.I4yy - t11) - inertia.c4y * t20);
+  const Scalar t24 = t22 + t21;
+  const Scalar t25 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t26 = t24 - g.d4 * t25;
+  const Scalar t27 = (t23 - g.d4 * (t24 + t22)) + g.d4 * (t24 + t26);
+  const Scalar t28 = inertia.c3y * inertia.m3;
+  const Scalar t29 = g.d4 * inertia.m3 - t28;
+  const Scalar t30 = ((inertia.I3yy - t19) - inertia.c3y * t28) - g.d4 * (t29 - t28);
+  const Scalar t31 = g.l2 * t12;
+  const Scalar t32 = g.l2 * (t15 + t14);
+  const Scalar t33 = t5 - t7;
+  const Scalar t34 = Scalar(1) / t33;
+  const Scalar t35 = g.d4 * t12;
+  const Scalar t36 = g.d4 * t15;
+  const Scalar t37 = gravity / g.l2;
+  const Scalar t38 = Scalar(1) / g.l2;
+  const Scalar t39 = inertia.c2x * inertia.m2;
+  const Scalar t40 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t41 = (inertia.c2x * t39 - (inertia.I2xx - t40)) + g.l2 * (t39 + (g.l2 * inertia.m2 + t39));
+  const Scalar t42 = inertia.m3 + t25;
+  const Scalar t43 = g.l2 * g.l2 * (inertia.m1 + (inertia.m2 + t42));
+  return { inertia.I6yz - inertia.c6z * t0,
            inertia.I6xy - inertia.c6y * t1,
-           Scalar(1) / t5,
-           inertia.I5yz - inertia.c5z * t7,
-           t3 + t4,
-           Scalar(2) * t8,
-           t4,
-           inertia.c5z * t9 - (inertia.I5zz - t10),
-           t11,
-           inertia.I4yz - inertia.c4z * t12,
-           t8,
-           inertia.I5xz - inertia.c5z * t13,
-           inertia.I5xy - inertia.c5y * t13,
-           inertia.I4xy - inertia.c4y * t14,
-           g.l2 * t9,
-           g.l2 * (t6 + t7),
+           inertia.I5yz - inertia.c5z * t2,
+           Scalar(2) * t3,
+           t5 + t7,
+           t5,
+           inertia.c5z * t8 - (inertia.I5zz - t9),
+           t10,
+           t13,
+           inertia.I5xy - inertia.c5y * t14,
+           t3,
+           inertia.I5xz - inertia.c5z * t14,
            t16,
+           t7,
            t17,
-           Scalar(2) * t11,
-           t18,
-           t20,
-           t21,
-           t24 + t28,
-           t29,
-           inertia.c3x * t30 - (inertia.I3xx - t25),
-           g.l2 * (t23 - t27),
-           g.l2 * t30,
-           (inertia.I3xy - inertia.c3y * t30) + g.d4 * t30,
-           t33 + g.l2 * g.l2 * t34,
-           (inertia.I2yy - t32) - inertia.c2y * inertia.c2y * inertia.m2,
-           t35 * t18 * t18,
-           t36,
-           Scalar(2) * t21,
-           Scalar(2) * t29,
-           t21 + t20,
-           t36 * t35,
+           inertia.c3x * t18 - (inertia.I3xx - t19),
+           g.l2 * t1,
+           g.l2 * t6,
+           g.l2 * t8,
+           g.l2 * (t0 + t2),
+           g.d4 / g.l2,
+           t27 + t30,
+           g.l2 * (t29 - t26),
+           t31,
+           t32,
+           g.l2 * t18,
+           t33,
+           t34,
+           t35 - (t35 + (inertia.I4yz - inertia.c4z * t20)),
+           (t36 + (inertia.I4xy - inertia.c4y * t15)) - t36,
+           t37,
+           Scalar(2) * t13,
            Scalar(2) * t16,
-           Scalar(2) * t17 };
+           t13 + t17,
+           Scalar(2) * t32,
+           Scalar(2) * t31,
+           t38,
+           t34 * t38,
+           (inertia.I3xy - inertia.c3y * t18) + g.d4 * t18,
+           t41 + g.l2 * g.l2 * t42,
+           (inertia.I2yy - t40) - inertia.c2y * inertia.c2y * inertia.m2,
+           t37 * t38 * t43,
+           t43 * t38 * t38 };
 }
 
 namespace detail {
@@ -997,192 +1021,191 @@ inline JointVector<Scalar> forward_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[0] * s6 - k[1] * c6;
+  const Scalar t0 = k[17] * s6 - k[16] * c6;
   const Scalar t1 = c5 * t0;
-  const Scalar t2 = k[0] * c6 + k[1] * s6;
-  const Scalar t3 = k[23] * (c4 * t1 + s4 * t2);
-  const Scalar t4 = k[4] * c6 + k[5] * s6;
-  const Scalar t5 = s5 * t4 + k[3] * c5;
-  const Scalar t6 = k[6] * t5;
-  const Scalar t7 = k[18] + t2;
-  const Scalar t8 = c5 * t7 + k[19] * s5;
-  const Scalar t9 = k[20] + t8;
-  const Scalar t10 = k[21] - t0;
-  const Scalar t11 = s4 * t9 - c4 * t10;
-  const Scalar t12 = k[4] * s6 - k[5] * c6;
-  const Scalar t13 = k[16] - t12;
-  const Scalar t14 = k[8] * c6 - k[9] * s6;
-  const Scalar t15 = k[14] + s6 * t14;
-  const Scalar t16 = k[15] + t15;
-  const Scalar t17 = c5 * t13 - s5 * t16;
-  const Scalar t18 = t6 * t12 + t17;
-  const Scalar t19 = k[19] * c5 - s5 * t7;
-  const Scalar t20 = k[6] * t12;
-  const Scalar t21 = k[23] * c4 * t19 - t3 * t20;
-  const Scalar t22 = k[10] - c6 * t14;
-  const Scalar t23 = k[3] + t22;
-  const Scalar t24 = k[12] + (k[11] - t23);
-  const Scalar t25 = k[22] - t24;
-  const Scalar t26 = Scalar(1) / (t12 * t20 - t25);
-  const Scalar t27 = t21 * t26;
-  const Scalar t28 = (t3 * t6 - k[23] * t11) + t18 * t27;
-  const Scalar t29 = qd[1] * qd[1];
-  const Scalar t30 = c3 * t29;
-  const Scalar t31 = s4 * t30 + k[35] * c4;
-  const Scalar t32 = k[35] * s4 - c4 * t30;
-  const Scalar t33 = qd[1] + qd[2];
-  const Scalar t34 = c4 * t33;
-  const Scalar t35 = t34 * t34;
-  const Scalar t36 = qd[3] * qd[3];
-  const Scalar t37 = t35 - t36;
-  const Scalar t38 = t33 * t33;
-  const Scalar t39 = t37 - t38;
-  const Scalar t40 = t35 + t36;
-  const Scalar t41 = s4 * t33;
-  const Scalar t42 = t41 * t34;
-  const Scalar t43 = (k[21] * t31 - k[20] * t32) - (k[27] * (t39 + t40) - k[38] * t42);
-  const Scalar t44 = qd[4] + t41;
-  const Scalar t45 = t44 * t44;
-  const Scalar t46 = s5 * t34 - qd[3] * c5;
-  const Scalar t47 = t46 * t46;
-  const Scalar t48 = t45 - t47;
-  const Scalar t49 = qd[3] * t41;
-  const Scalar t50 = Scalar(2) * t49;
-  const Scalar t51 = c5 * t50 - s5 * t42;
-  const Scalar t52 = Scalar(2) * t44 * t46 + t51;
-  const Scalar t53 = c5 * t42 + s5 * t50;
-  const Scalar t54 = qd[3] * s5 + c5 * t34;
-  const Scalar t55 = t44 * t54;
-  const Scalar t56 = t53 - (t55 + t55);
-  const Scalar t57 = k[16] * t48 + (k[12] * t52 - k[7] * t56);
-  const Scalar t58 = qd[3] * t34;
-  const Scalar t59 = t46 * t54;
-  const Scalar t60 = t58 - t59;
-  const Scalar t61 = s3 * t29;
-  const Scalar t62 = t61 + k[2] * t38;
-  const Scalar t63 = s5 * t31 + c5 * t62;
-  const Scalar t64 = t58 + t59;
-  const Scalar t65 = qd[5] - t46;
-  const Scalar t66 = t65 * t54;
-  const Scalar t67 = t64 + (t66 + t66);
-  const Scalar t68 = t52 + Scalar(2) * t44 * t65;
-  const Scalar t69 = t45 - t65 * t65;
-  const Scalar t70 = (t67 * t15 - t68 * t22) - t12 * t69;
-  const Scalar t71 = (k[19] * t32 - (t57 + k[15] * t60)) + (t0 * t63 - (t70 - t4 * t56));
-  const Scalar t72 = c5 * t31 - s5 * t62;
-  const Scalar t73 = t45 + t47;
-  const Scalar t74 = t73 - t40;
-  const Scalar t75 = (t22 * t53 - t23 * t56) + t74 * t15;
-  const Scalar t76 = (t2 * t32 + t0 * t72) - (t75 + (t52 * t4 + t12 * t64));
-  const Scalar t77 = (k[15] * t74 - k[16] * t64) + (k[11] * t56 + k[7] * t52);
-  const Scalar t78 = t76 - (t77 - k[18] * t32);
-  const Scalar t79 = torque[3] - (t43 - (s5 * t71 + c5 * t78));
-  const Scalar t80 = torque[5] + t76;
-  const Scalar t81 = k[6] * t80;
-  const Scalar t82 = t48 + t40;
-  const Scalar t83 = (k[12] * t64 - k[11] * t60) + k[7] * (t82 - t73);
-  const Scalar t84 = ((k[16] * t53 + k[15] * t51) + t83) + (k[18] * t63 - k[19] * t72);
-  const Scalar t85 = t69 - t74;
-  const Scalar t86 = (t85 * t4 - t12 * t53) + (t67 * t23 + t68 * t15);
-  const Scalar t87 = t84 + (t2 * t63 + t86);
-  const Scalar t88 = t12 * t81 + (torque[4] + t87);
-  const Scalar t89 = t88 * t26;
-  const Scalar t90 = (t79 - t6 * t80) + t89 * t18;
-  const Scalar t91 = k[7] + t4;
-  const Scalar t92 = c5 * t91;
-  const Scalar t93 = s5 * t24 + (t92 + t92);
-  const Scalar t94 = k[12] - s5 * t93;
-  const Scalar t95 = k[25] - (t94 - t25);
-  const Scalar t96 = k[24] + t22;
-  const Scalar t97 = t18 * t26;
-  const Scalar t98 = (t5 * t6 - (t95 - t96)) - t18 * t97;
-  const Scalar t99 = Scalar(1) / t98;
-  const Scalar t100 = t90 * t99;
-  const Scalar t101 = t85 - t82;
-  const Scalar t102 = (k[18] * t56 - k[19] * t52) + (t2 * t56 + t0 * (t101 + t74));
-  const Scalar t103 = (k[21] * t40 - k[20] * t42) + t102;
-  const Scalar t104 = (k[18] * t60 + k[19] * t82) + (t67 * t2 - t0 * t68);
-  const Scalar t105 = (t2 * t101 - t0 * t53) + (k[19] * t64 - k[18] * t73);
-  const Scalar t106 = (s5 * t104 - c5 * t105) - (k[20] * t39 + k[21] * t42);
-  const Scalar t107 = k[23] * (k[39] - (s4 * t103 + c4 * t106));
-  const Scalar t108 = k[6] * t3;
-  const Scalar t109 = t89 * t21 - ((torque[0] - t107) - t80 * t108);
-  const Scalar t110 = s4 * t12 - c4 * (c5 * t4 - k[3] * s5);
-  const Scalar t111 = s4 * t1 - c4 * t2;
-  const Scalar t112 = t110 + k[2] * t111;
-  const Scalar t113 = (k[24] * t50 - k[37] * t58) + k[17] * (t40 - t38);
-  const Scalar t114 = (k[21] * t62 - (t113 - k[13] * t42)) + (s5 * t78 - c5 * t71);
-  const Scalar t115 = (k[37] * t49 + k[36] * t58) + (k[17] * t42 + k[13] * t37);
-  const Scalar t116 = c4 * t114 - s4 * ((k[20] * t62 + t115) + t87);
-  const Scalar t117 = c4 * t103 - s4 * t106;
-  const Scalar t118 = (k[30] * t61 + k[29] * t30) + (t116 - k[2] * t117);
-  const Scalar t119 = k[2] * t19;
-  const Scalar t120 = c5 * t16 + s5 * t13;
-  const Scalar t121 = s4 * (t119 + t25) - c4 * t120;
-  const Scalar t122 = t20 * t112 - t121;
-  const Scalar t123 = t122 * t26;
-  const Scalar t124 = (t81 * t112 + (torque[2] - t118)) - t123 * t88;
-  const Scalar t125 = k[6] * t112;
-  const Scalar t126 = k[17] + t17;
-  const Scalar t127 = k[13] + (c5 * t93 - t91);
-  const Scalar t128 = c4 * t9 + s4 * t10;
-  const Scalar t129 = (s4 * t126 + c4 * t127) + k[2] * t128;
-  const Scalar t130 = (t125 * t5 + t129) - t123 * t18;
-  const Scalar t131 = t99 * t130;
-  const Scalar t132 = t124 + t90 * t131;
-  const Scalar t133 = k[26] + (Scalar(2) * t119 + t94);
-  const Scalar t134 = s4 * (k[27] + t120);
-  const Scalar t135 = c4 * (c4 * (t95 + t96) + (t134 + t134));
-  const Scalar t136 = k[28] - (t95 - t135);
-  const Scalar t137 = t133 - t136;
-  const Scalar t138 = t131 * t130 - ((t125 * t112 - t137) - t122 * t123);
-  const Scalar t139 = Scalar(1) / t138;
-  const Scalar t140 = t132 * t139;
-  const Scalar t141 = (t108 * t112 + t122 * t27) - t131 * t28;
-  const Scalar t142 = (s3 * t111 + c3 * s5 * t0) + t112;
-  const Scalar t143 = (s3 * s4 * t19 + c3 * t8) + t121;
-  const Scalar t144 = t20 * t142 - t143;
-  const Scalar t145 = t144 * t26;
-  const Scalar t146 = s3 * (k[29] + t19) - c3 * (k[30] - t11);
-  const Scalar t147 = t122 * t145 - (t125 * t142 - (t137 + t146));
-  const Scalar t148 = t18 * t145 - (t6 * t142 + (s3 * t128 + t129));
-  const Scalar t149 = t147 - t131 * t148;
-  const Scalar t150 = t139 * t149;
-  const Scalar t151 = t99 * t148;
-  const Scalar t152 = k[6] * t142;
-  const Scalar t153 = k[2] * t11 + (s4 * t127 - c4 * t126);
-  const Scalar t154 = c3 * (k[31] - t153);
-  const Scalar t155 = s3 * (s3 * (t133 + t136) - (t154 + t154));
-  const Scalar t156 = t155 - t136;
-  const Scalar t157 = (k[33] + (t137 - t156)) - (k[32] - ((t146 + t146) + t156));
-  const Scalar t158 = t148 * t151 - ((t152 * t142 - t157) - t144 * t145);
-  const Scalar t159 = Scalar(1) / (t150 * t149 - t158);
-  const Scalar t160 = t99 * t28;
-  const Scalar t161 = (t3 * t152 + t144 * t27) + t160 * t148;
-  const Scalar t162 = t139 * t141;
-  const Scalar t163 = t161 - t162 * t149;
-  const Scalar t164 = t159 * t163;
-  const Scalar t165 = (c5 * t104 + s5 * t105) + (k[40] * t58 + k[41] * t49);
-  const Scalar t166 = c3 * (t165 + k[29] * t38) + s3 * (k[30] * t38 + t117);
-  const Scalar t167 = (t81 * t142 + (torque[1] + (t166 - t118))) - t144 * t89;
-  const Scalar t168 = (t167 - t90 * t151) - t132 * t150;
-  const Scalar t169 = ((t28 * t100 + t109) + t140 * t141) - t164 * t168;
-  const Scalar t170 = ((k[34] + t3 * t108) - t21 * t27) - t160 * t28;
-  const Scalar t171 = Scalar(1) / ((t170 + t162 * t141) - t164 * t163);
-  const Scalar t172 = t169 * t171;
-  const Scalar t173 = t159 * t168 - t172 * t164;
-  const Scalar t174 = (t140 - t172 * t162) + t173 * t150;
-  const Scalar t175 = ((t172 * t160 + t100) - t173 * t151) - t131 * t174;
-  const Scalar t176 = t123 * t174 - (t173 * t145 - (t172 * t27 + t89));
-  const Scalar t177 = t176 + t97 * t175;
-  const Scalar t178 = ((t81 - t172 * t108) - t152 * t173) + t125 * t174;
+  const Scalar t2 = k[17] * c6 + k[16] * s6;
+  const Scalar t3 = c4 * t1 + s4 * t2;
+  const Scalar t4 = k[37] * t3;
+  const Scalar t5 = k[36] * t3;
+  const Scalar t6 = k[0] * s6 - k[1] * c6;
+  const Scalar t7 = k[27] * t6;
+  const Scalar t8 = k[18] + t2;
+  const Scalar t9 = s5 * t8 - k[19] * c5;
+  const Scalar t10 = t7 * t5 + k[36] * c4 * t9;
+  const Scalar t11 = k[4] * c6 - k[3] * s6;
+  const Scalar t12 = c6 * t11;
+  const Scalar t13 = k[5] - t12;
+  const Scalar t14 = k[6] - t13;
+  const Scalar t15 = k[7] - t14;
+  const Scalar t16 = Scalar(1) / (t7 * t6 - t15);
+  const Scalar t17 = t10 * t16;
+  const Scalar t18 = k[24] - t0;
+  const Scalar t19 = c5 * t8 + k[19] * s5;
+  const Scalar t20 = k[23] + t19;
+  const Scalar t21 = c4 * t18 - s4 * t20;
+  const Scalar t22 = k[0] * c6 + k[1] * s6;
+  const Scalar t23 = c5 + k[27] * s5 * t22;
+  const Scalar t24 = k[26] * t23;
+  const Scalar t25 = k[10] + s6 * t11;
+  const Scalar t26 = k[11] + t25;
+  const Scalar t27 = k[9] - t6;
+  const Scalar t28 = s5 * t26 - c5 * t27;
+  const Scalar t29 = t7 * t24 - t28;
+  const Scalar t30 = (k[36] * t21 + t23 * t5) - t17 * t29;
+  const Scalar t31 = t29 * t16;
+  const Scalar t32 = k[13] - t12;
+  const Scalar t33 = k[14] + t32;
+  const Scalar t34 = k[2] + t22;
+  const Scalar t35 = s5 * (k[7] + t14) + Scalar(2) * c5 * t34;
+  const Scalar t36 = k[7] - s5 * t35;
+  const Scalar t37 = k[8] - (t36 - t15);
+  const Scalar t38 = t29 * t31 - ((t33 - t37) + t23 * t24);
+  const Scalar t39 = Scalar(1) / t38;
+  const Scalar t40 = t30 * t39;
+  const Scalar t41 = ((k[42] + t4 * t5) - t17 * t10) + t30 * t40;
+  const Scalar t42 = c5 * t26 + s5 * t27;
+  const Scalar t43 = k[20] * t9;
+  const Scalar t44 = c4 * t42 + s4 * (t43 - t15);
+  const Scalar t45 = s4 * t1 - c4 * t2;
+  const Scalar t46 = s4 * t6 + c4 * (k[26] * s5 - c5 * t22);
+  const Scalar t47 = k[20] * t45 + t46;
+  const Scalar t48 = k[27] * t47;
+  const Scalar t49 = t44 + t6 * t48;
+  const Scalar t50 = t49 * t16;
+  const Scalar t51 = k[20] * t20 - (k[28] - (c5 * t35 - t34));
+  const Scalar t52 = k[20] * t18 + (k[29] - t28);
+  const Scalar t53 = c4 * t51 + s4 * t52;
+  const Scalar t54 = (t53 + t23 * t47) - t49 * t31;
+  const Scalar t55 = (t50 * t10 - t48 * t5) - t40 * t54;
+  const Scalar t56 = t54 * t39;
+  const Scalar t57 = s4 * (k[12] + t42);
+  const Scalar t58 = c4 * ((t57 + t57) + c4 * (t33 + t37));
+  const Scalar t59 = k[15] + (t58 - t37);
+  const Scalar t60 = k[21] + (t36 - Scalar(2) * t43);
+  const Scalar t61 = t59 - t60;
+  const Scalar t62 = t54 * t56 - (t49 * t50 - (t48 * t47 + t61));
+  const Scalar t63 = Scalar(1) / t62;
+  const Scalar t64 = t55 * t63;
+  const Scalar t65 = (s3 * t45 + c3 * s5 * t0) + t47;
+  const Scalar t66 = k[27] * t65;
+  const Scalar t67 = t44 - (c3 * t19 - s3 * s4 * t9);
+  const Scalar t68 = t6 * t66 + t67;
+  const Scalar t69 = t68 * t16;
+  const Scalar t70 = t53 + s3 * (c4 * t20 + s4 * t18);
+  const Scalar t71 = t29 * t69 - (t23 * t65 + t70);
+  const Scalar t72 = (t17 * t68 - t65 * t4) + t40 * t71;
+  const Scalar t73 = t71 * t39;
+  const Scalar t74 = c3 * (k[25] + t21) + s3 * (k[22] + t9);
+  const Scalar t75 = t49 * t69 - ((t61 + t74) + t47 * t66);
+  const Scalar t76 = t54 * t73 + t75;
+  const Scalar t77 = t72 + t64 * t76;
+  const Scalar t78 = c3 * (k[38] + (c4 * t52 - s4 * t51));
+  const Scalar t79 = s3 * (s3 * (t59 + t60) - (t78 + t78));
+  const Scalar t80 = (k[40] + (t60 - t79)) - (k[39] + ((t59 - t79) + (t74 + t74)));
+  const Scalar t81 = (t69 * t68 + (t80 - t65 * t66)) - t71 * t73;
+  const Scalar t82 = t76 * t63;
+  const Scalar t83 = Scalar(1) / (t81 + t76 * t82);
+  const Scalar t84 = t77 * t83;
+  const Scalar t85 = Scalar(1) / ((t41 - t64 * t55) + t77 * t84);
+  const Scalar t86 = qd[1] + qd[2];
+  const Scalar t87 = s4 * t86;
+  const Scalar t88 = qd[4] + t87;
+  const Scalar t89 = c4 * t86;
+  const Scalar t90 = qd[3] * s5 + c5 * t89;
+  const Scalar t91 = t90 + t90;
+  const Scalar t92 = t87 * t89;
+  const Scalar t93 = qd[3] * t87;
+  const Scalar t94 = Scalar(2) * t93;
+  const Scalar t95 = c5 * t92 + s5 * t94;
+  const Scalar t96 = t88 * t91 - t95;
+  const Scalar t97 = t90 * t90;
+  const Scalar t98 = t88 * t88 - t97;
+  const Scalar t99 = (t13 * t96 + t95 * t32) + t25 * t98;
+  const Scalar t100 = s5 * t89;
+  const Scalar t101 = c5 * t94 - t100 * t87;
+  const Scalar t102 = t100 - qd[3] * c5;
+  const Scalar t103 = t88 * t102;
+  const Scalar t104 = (t101 + t103) + t103;
+  const Scalar t105 = qd[3] * t89;
+  const Scalar t106 = t102 * t90;
+  const Scalar t107 = t105 + t106;
+  const Scalar t108 = qd[1] * qd[1];
+  const Scalar t109 = c3 * t108;
+  const Scalar t110 = c4 * t109 - k[30] * s4;
+  const Scalar t111 = k[30] * c4 + s4 * t109;
+  const Scalar t112 = s3 * t108;
+  const Scalar t113 = t86 * t86;
+  const Scalar t114 = t112 + k[20] * t113;
+  const Scalar t115 = c5 * t111 - s5 * t114;
+  const Scalar t116 = (t99 + (t22 * t104 + t6 * t107)) + (t110 * t2 - t0 * t115);
+  const Scalar t117 = torque[5] - t116;
+  const Scalar t118 = t89 * t89;
+  const Scalar t119 = qd[3] * qd[3];
+  const Scalar t120 = t118 - t119;
+  const Scalar t121 = t120 - t113;
+  const Scalar t122 = t118 + t119;
+  const Scalar t123 = (k[23] * t110 + k[24] * t111) - (k[12] * (t121 + t122) - k[33] * t92);
+  const Scalar t124 = s5 * t111 + c5 * t114;
+  const Scalar t125 = qd[5] - t102;
+  const Scalar t126 = t104 + t125 * (t88 + t88);
+  const Scalar t127 = t107 + t125 * t91;
+  const Scalar t128 = t125 * t125;
+  const Scalar t129 = t128 - t97;
+  const Scalar t130 = t98 - t129;
+  const Scalar t131 = (t126 * t32 - t127 * t25) + t6 * t130;
+  const Scalar t132 = t128 + t97;
+  const Scalar t133 = t132 + t130;
+  const Scalar t134 = (k[7] * t104 + k[2] * t96) + k[9] * (t133 - t122);
+  const Scalar t135 = t105 - t106;
+  const Scalar t136 = (t124 * t0 - (t22 * t96 - t131)) - ((t134 + k[11] * t135) + k[19] * t110);
+  const Scalar t137 = (k[9] * t107 - k[11] * t98) + (k[6] * t96 - k[2] * t104);
+  const Scalar t138 = (k[18] * t110 - t137) + t116;
+  const Scalar t139 = torque[3] - (t123 - (s5 * t136 - c5 * t138));
+  const Scalar t140 = t98 + t122;
+  const Scalar t141 = k[2] * (t140 - t133) + (k[6] * t135 - k[7] * t107);
+  const Scalar t142 = (k[18] * t124 - k[19] * t115) - (t141 - (k[9] * t95 + k[11] * t101));
+  const Scalar t143 = (t127 * t13 + t126 * t25) - (t6 * t95 + t22 * t129);
+  const Scalar t144 = t142 + (t143 + t124 * t2);
+  const Scalar t145 = t7 * t117 + (torque[4] + t144);
+  const Scalar t146 = t145 * t16;
+  const Scalar t147 = (t23 * t117 - t139) - t29 * t146;
+  const Scalar t148 = (k[19] * t107 - k[18] * t140) - (t0 * t95 + (t132 + t98) * t2);
+  const Scalar t149 = (k[18] * t135 + k[19] * t133) + (t127 * t2 - t126 * t0);
+  const Scalar t150 = (c5 * t148 - s5 * t149) + (k[23] * t121 + k[24] * t92);
+  const Scalar t151 = (k[19] * t104 + k[18] * t96) + (t132 * t0 + t96 * t2);
+  const Scalar t152 = t151 - (k[24] * t122 - k[23] * t92);
+  const Scalar t153 = k[41] + k[36] * (c4 * t150 + s4 * t152);
+  const Scalar t154 = (t4 * t117 - (torque[0] - t153)) - t146 * t10;
+  const Scalar t155 = c4 * t152 - s4 * t150;
+  const Scalar t156 = (k[28] * t120 - k[29] * t92) - (k[12] * t94 + k[31] * t105);
+  const Scalar t157 = k[29] * (t122 - t113) - (k[32] * t105 - k[14] * t94);
+  const Scalar t158 = (s5 * t138 + c5 * t136) + ((t157 + k[28] * t92) - k[24] * t114);
+  const Scalar t159 = s4 * ((t156 - k[23] * t114) - t144) - c4 * t158;
+  const Scalar t160 = (k[20] * t155 + t159) + (k[25] * t112 - k[22] * t109);
+  const Scalar t161 = t145 * t50 - (t48 * t117 + (torque[2] - t160));
+  const Scalar t162 = t147 * t39;
+  const Scalar t163 = t161 - t162 * t54;
+  const Scalar t164 = (k[35] * t105 + k[34] * t93) + (c5 * t149 + s5 * t148);
+  const Scalar t165 = c3 * (t164 - k[22] * t113) + s3 * (k[25] * t113 - t155);
+  const Scalar t166 = k[27] * t117;
+  const Scalar t167 = t69 * t145 - ((torque[1] + (t165 - t160)) + t166 * t65);
+  const Scalar t168 = t63 * t163;
+  const Scalar t169 = (t71 * t162 + t167) + t76 * t168;
+  const Scalar t170 = ((t40 * t147 + t154) - t64 * t163) + t84 * t169;
+  const Scalar t171 = t85 * t170;
+  const Scalar t172 = t84 * t171 - t83 * t169;
+  const Scalar t173 = t172 * t82 - (t64 * t171 - t168);
+  const Scalar t174 = t173 * t56 - (t172 * t73 + (t40 * t171 - t162));
+  const Scalar t175 = t173 * t50 + ((t146 - t17 * t171) + t69 * t172);
+  const Scalar t176 = t31 * t174 + t175;
+  const Scalar t177 = t48 * t173 + (t172 * t66 + (t166 - t171 * t4));
   JointVector<Scalar> result;
-  result[0] = -t172;
-  result[1] = t173;
-  result[2] = -t174;
-  result[3] = t175;
-  result[4] = t177;
-  result[5] = t177 * t20 - (t178 + t6 * t175);
+  result[0] = -t171;
+  result[1] = -t172;
+  result[2] = -t173;
+  result[3] = t174;
+  result[4] = t176;
+  result[5] = t7 * t176 - (t177 + t23 * t174);
   return result;
 }
 
@@ -1209,71 +1232,78 @@ KineticEnergyConstants<Scalar> kinetic_energy_constants(const BasicGeometry<Scal
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6x * inertia.m6;
-  const Scalar t1 = inertia.c6y * inertia.m6;
-  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t0;
-  const Scalar t4 = inertia.c6z * inertia.m6;
-  const Scalar t5 = inertia.c6z * t4 - (inertia.I6zz - t2);
-  const Scalar t6 = inertia.I6xz - inertia.c6z * t0;
-  const Scalar t7 = inertia.c5x * inertia.m5;
-  const Scalar t8 = inertia.c5z * inertia.m5;
-  const Scalar t9 = inertia.c5y * inertia.m5;
-  const Scalar t10 = Scalar(1) / g.l2;
-  const Scalar t11 = inertia.c4x * inertia.m4;
-  const Scalar t12 = inertia.c4z * inertia.m4;
-  const Scalar t13 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t14 = ((inertia.I6yy - t2) - inertia.c6y * t1) - (inertia.c5y * t9 - (inertia.I5yy - t13));
-  const Scalar t15 = inertia.c4y * inertia.m4;
-  const Scalar t16 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t17 = t15 - g.d4 * t16;
-  const Scalar t18 = inertia.c3y * inertia.m3;
-  const Scalar t19 = g.d4 * inertia.m3 - t18;
-  const Scalar t20 = inertia.c3x * inertia.m3;
-  const Scalar t21 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t22 = ((inertia.I4yy - t21) - inertia.c4y * t15) + g.d4 * (t15 + t17);
-  const Scalar t23 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t24 = ((inertia.I3yy - t23) - inertia.c3y * t18) - g.d4 * (t19 - t18);
-  const Scalar t25 = (inertia.c5x * t7 - (inertia.I5xx - t13)) - ((inertia.I4xx - t21) - inertia.c4x * t11);
-  const Scalar t26 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t27 = inertia.c2x * inertia.m2;
-  const Scalar t28 = (inertia.c2x * t27 - (inertia.I2xx - t26)) + g.l2 * (t27 + (g.l2 * inertia.m2 + t27));
-  const Scalar t29 = inertia.m3 + t16;
-  const Scalar t30 = g.l2 * g.l2 * (inertia.m1 + (inertia.m2 + t29)) * t10;
-  return { inertia.I6xy - inertia.c6y * t0,
-           inertia.I6yz - inertia.c6z * t1,
-           t3 + t5,
-           Scalar(2) * t6,
-           t6,
-           inertia.I5xz - inertia.c5z * t7,
-           inertia.I5xy - inertia.c5y * t7,
-           t3 - t5,
-           g.l2 * t4,
-           g.l2 * t0,
-           g.l2 * t8,
-           g.l2 * (t1 + t9),
-           t10,
-           g.l2 * (t11 + t7),
-           g.l2 * t12,
-           g.d4 / g.l2,
-           t3,
-           inertia.c5z * t8 - (inertia.I5zz - t13),
-           t14,
-           g.l2 * (t17 - t19),
-           g.l2 * t20,
-           inertia.I5yz - inertia.c5z * t9,
-           t22 + t24,
-           (inertia.I4zz - t21) - inertia.c4z * t12,
-           t5,
-           t25,
-           inertia.I4xz - inertia.c4z * t11,
-           inertia.c3x * t20 - (inertia.I3xx - t23),
-           inertia.I4yz - inertia.c4z * t15,
-           inertia.I4xy - inertia.c4y * t11,
-           (inertia.I3xy - inertia.c3y * t20) + g.d4 * t20,
-           (inertia.I2yy - t26) - inertia.c2y * inertia.c2y * inertia.m2,
-           t28 + g.l2 * g.l2 * t29,
-           t30 * t10 };
+  const Scalar t0 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t1 = inertia.c6x * inertia.m6;
+  const Scalar t2 = (inertia.I6xx - t0) - inertia.c6x * t1;
+  const Scalar t3 = inertia.c6z * inertia.m6;
+  const Scalar t4 = inertia.c6z * t3 - (inertia.I6zz - t0);
+  const Scalar t5 = inertia.c6y * inertia.m6;
+  const Scalar t6 = inertia.c5x * inertia.m5;
+  const Scalar t7 = inertia.I6xz - inertia.c6z * t1;
+  const Scalar t8 = inertia.c4x * inertia.m4;
+  const Scalar t9 = inertia.c5z * inertia.m5;
+  const Scalar t10 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t11 = inertia.c5y * inertia.m5;
+  const Scalar t12 = ((inertia.I6yy - t0) - inertia.c6y * t5) - (inertia.c5y * t11 - (inertia.I5yy - t10));
+  const Scalar t13 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t14 = inertia.c4z * inertia.m4;
+  const Scalar t15 = (inertia.c5x * t6 - (inertia.I5xx - t10)) - ((inertia.I4xx - t13) - inertia.c4x * t8);
+  const Scalar t16 = inertia.c3x * inertia.m3;
+  const Scalar t17 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t18 = g.d4 / g.l2;
+  const Scalar t19 = inertia.c4y * inertia.m4;
+  const Scalar t20 = g.d4 * inertia.m4;
+  const Scalar t21 = t19 - t20;
+  const Scalar t22 = g.d4 * (t19 + t21) + ((inertia.I4yy - t13) - inertia.c4y * t19);
+  const Scalar t23 = t21 + t20;
+  const Scalar t24 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t25 = t23 - g.d4 * t24;
+  const Scalar t26 = (t22 - g.d4 * (t23 + t21)) + g.d4 * (t23 + t25);
+  const Scalar t27 = inertia.c3y * inertia.m3;
+  const Scalar t28 = g.d4 * inertia.m3 - t27;
+  const Scalar t29 = ((inertia.I3yy - t17) - inertia.c3y * t27) - g.d4 * (t28 - t27);
+  const Scalar t30 = g.d4 * t8;
+  const Scalar t31 = g.d4 * t14;
+  const Scalar t32 = inertia.c2x * inertia.m2;
+  const Scalar t33 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t34 = (inertia.c2x * t32 - (inertia.I2xx - t33)) + g.l2 * (t32 + (g.l2 * inertia.m2 + t32));
+  const Scalar t35 = inertia.m3 + t24;
+  const Scalar t36 = Scalar(1) / g.l2;
+  const Scalar t37 = g.l2 * g.l2 * (inertia.m1 + (inertia.m2 + t35)) * t36;
+  return { t2 - t4,
+           inertia.I6yz - inertia.c6z * t5,
+           inertia.I6xy - inertia.c6y * t1,
+           inertia.I5xy - inertia.c5y * t6,
+           Scalar(2) * t7,
+           t2 + t4,
+           t7,
+           inertia.I5xz - inertia.c5z * t6,
+           inertia.I4xz - inertia.c4z * t8,
+           t2,
+           inertia.c5z * t9 - (inertia.I5zz - t10),
+           t12,
+           inertia.I5yz - inertia.c5z * t11,
+           (inertia.I4zz - t13) - inertia.c4z * t14,
+           t15,
+           inertia.c3x * t16 - (inertia.I3xx - t17),
+           g.l2 * t1,
+           g.l2 * t3,
+           g.l2 * t9,
+           g.l2 * (t5 + t11),
+           Scalar(2) * t18,
+           t26 + t29,
+           (t30 + (inertia.I4xy - inertia.c4y * t8)) - t30,
+           t31 - (t31 + (inertia.I4yz - inertia.c4z * t19)),
+           g.l2 * t14,
+           g.l2 * (t8 + t6),
+           t18,
+           (inertia.I3xy - inertia.c3y * t16) + g.d4 * t16,
+           g.l2 * (t28 - t25),
+           g.l2 * t16,
+           t34 + g.l2 * g.l2 * t35,
+           (inertia.I2yy - t33) - inertia.c2y * inertia.c2y * inertia.m2,
+           t37 * t36,
+           t36 };
 }
 
 namespace detail {
@@ -1290,64 +1320,67 @@ inline Scalar kinetic_energy([[maybe_unused]] const JointVector<Scalar>& q, cons
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[0] * s6 + k[1] * c6;
-  const Scalar t1 = k[21] + t0;
-  const Scalar t2 = k[2] * c6 - k[3] * s6;
-  const Scalar t3 = c6 * t2;
-  const Scalar t4 = k[17] - (k[16] - t3);
-  const Scalar t5 = Scalar(2) * c5 * t1 + s5 * (k[18] + t4);
-  const Scalar t6 = k[18] - s5 * t5;
-  const Scalar t7 = k[8] * c6 + k[9] * s6;
-  const Scalar t8 = k[10] + t7;
-  const Scalar t9 = s5 * t8 - k[11] * c5;
-  const Scalar t10 = k[15] * t9;
-  const Scalar t11 = k[22] + (t6 - Scalar(2) * t10);
-  const Scalar t12 = k[0] * c6 - k[1] * s6;
-  const Scalar t13 = k[6] + t12;
-  const Scalar t14 = k[5] + (k[4] + s6 * t2);
-  const Scalar t15 = s5 * t13 + c5 * t14;
-  const Scalar t16 = s4 * (k[26] + t15);
-  const Scalar t17 = k[25] + (k[24] - t3);
-  const Scalar t18 = k[18] - t4;
-  const Scalar t19 = k[23] - (t6 - t18);
-  const Scalar t20 = c4 * ((t16 + t16) + c4 * (t17 + t19));
-  const Scalar t21 = k[27] + (t20 - t19);
-  const Scalar t22 = k[28] + (c5 * t5 - t1);
-  const Scalar t23 = c5 * t13 - s5 * t14;
-  const Scalar t24 = k[29] + t23;
-  const Scalar t25 = k[9] * c6 - k[8] * s6;
-  const Scalar t26 = k[13] + t25;
-  const Scalar t27 = c5 * t8 + k[11] * s5;
-  const Scalar t28 = k[14] + t27;
-  const Scalar t29 = c4 * t26 - s4 * t28;
-  const Scalar t30 = (s4 * t22 - c4 * t24) - k[15] * t29;
-  const Scalar t31 = s3 * (t11 + t21) - Scalar(2) * c3 * (k[30] - t30);
-  const Scalar t32 = s3 * t31 - t11;
-  const Scalar t33 = t11 - t21;
-  const Scalar t34 = c3 * (k[20] + t29) - s3 * (k[19] - t9);
-  const Scalar t35 = (k[31] - t32) - (k[32] - ((t32 + t33) - (t34 + t34)));
-  const Scalar t36 = qd[0] * k[33] * qd[0] - qd[1] * qd[1] * t35;
-  const Scalar t37 = (t36 - qd[2] * qd[2] * t33) + qd[3] * qd[3] * (t17 - t19);
-  const Scalar t38 = (t37 - qd[4] * qd[4] * t18) - qd[5] * k[7] * qd[5];
-  const Scalar t39 = s4 * (t10 - t18) + c4 * t15;
-  const Scalar t40 = s4 * t26 + c4 * t28;
-  const Scalar t41 = k[15] * t40 + (c4 * t22 + s4 * t24);
-  const Scalar t42 = c4 * (k[7] * s5 - c5 * t0) - s4 * t12;
-  const Scalar t43 = c5 * t25;
-  const Scalar t44 = c4 * t7 + s4 * t43;
-  const Scalar t45 = t42 - k[15] * t44;
-  const Scalar t46 = (qd[4] * t39 - qd[3] * t41) + qd[5] * t45;
-  const Scalar t47 = qd[3] * (t41 + s3 * t40) + qd[2] * (t33 - t34);
-  const Scalar t48 = (c3 * t27 - s3 * s4 * t9) - t39;
-  const Scalar t49 = t45 - (c3 * s5 * t25 + s3 * t44);
-  const Scalar t50 = qd[1] * ((t47 + qd[4] * t48) - qd[5] * t49);
-  const Scalar t51 = qd[5] * k[12] * (s4 * t7 - c4 * t43);
-  const Scalar t52 = qd[3] * k[12] * t29 - qd[4] * k[12] * c4 * t9;
-  const Scalar t53 = qd[2] * t46 - (t50 + qd[0] * (t51 - t52));
-  const Scalar t54 = qd[4] * t23 + qd[5] * (k[7] * c5 + s5 * t0);
-  const Scalar t55 = (t53 - qd[3] * t54) - qd[4] * qd[5] * t12;
+  const Scalar t0 = k[2] * c6 - k[1] * s6;
+  const Scalar t1 = k[1] * c6 + k[2] * s6;
+  const Scalar t2 = k[12] + t1;
+  const Scalar t3 = k[4] * s6 - k[5] * c6;
+  const Scalar t4 = k[9] + c6 * t3;
+  const Scalar t5 = k[10] - t4;
+  const Scalar t6 = Scalar(2) * c5 * t2 + s5 * (k[11] + t5);
+  const Scalar t7 = k[23] - (c5 * t6 - t2);
+  const Scalar t8 = k[7] + (k[6] - s6 * t3);
+  const Scalar t9 = k[3] + t0;
+  const Scalar t10 = s5 * t8 - c5 * t9;
+  const Scalar t11 = k[22] - t10;
+  const Scalar t12 = k[17] * c6 + k[16] * s6;
+  const Scalar t13 = k[18] + t12;
+  const Scalar t14 = c5 * t13 + k[19] * s5;
+  const Scalar t15 = k[24] + t14;
+  const Scalar t16 = k[17] * s6 - k[16] * c6;
+  const Scalar t17 = k[25] - t16;
+  const Scalar t18 = c4 * t15 + s4 * t17;
+  const Scalar t19 = (c4 * t7 - s4 * t11) - k[26] * t18;
+  const Scalar t20 = s5 * t6;
+  const Scalar t21 = t5 - t20;
+  const Scalar t22 = k[11] - t20;
+  const Scalar t23 = t21 - t22;
+  const Scalar t24 = s5 * t13 - k[19] * c5;
+  const Scalar t25 = c5 * t8 + s5 * t9;
+  const Scalar t26 = s4 * (t23 + k[26] * t24) + c4 * t25;
+  const Scalar t27 = c5 * t16;
+  const Scalar t28 = s4 * t27 - c4 * t12;
+  const Scalar t29 = c4 * (c5 * t1 - k[0] * s5) + s4 * t0;
+  const Scalar t30 = k[26] * t28 - t29;
+  const Scalar t31 = (qd[3] * t19 + qd[4] * t26) + qd[5] * t30;
+  const Scalar t32 = s4 * t15 - c4 * t17;
+  const Scalar t33 = c3 * (k[29] - t32) + s3 * (k[28] + t24);
+  const Scalar t34 = k[21] - (k[20] * t24 - t22);
+  const Scalar t35 = k[13] - t21;
+  const Scalar t36 = s4 * (k[8] + t25);
+  const Scalar t37 = k[14] - (k[0] - t4);
+  const Scalar t38 = c4 * ((t36 + t36) + c4 * (t35 + t37));
+  const Scalar t39 = k[15] - (t35 - t38);
+  const Scalar t40 = (s4 * t7 + c4 * t11) - k[26] * t32;
+  const Scalar t41 = s3 * (t34 + t39) - Scalar(2) * c3 * (k[27] + t40);
+  const Scalar t42 = s3 * t41;
+  const Scalar t43 = t34 - t42;
+  const Scalar t44 = t42 - t39;
+  const Scalar t45 = t43 + t44;
+  const Scalar t46 = qd[2] * (t33 - t45) + qd[3] * (t19 - s3 * t18);
+  const Scalar t47 = (c3 * t14 - s3 * s4 * t24) - t26;
+  const Scalar t48 = (s3 * t28 + c3 * s5 * t16) + t30;
+  const Scalar t49 = qd[1] * ((t46 - qd[4] * t47) + qd[5] * t48);
+  const Scalar t50 = qd[5] * k[33] * (c4 * t27 + s4 * t12);
+  const Scalar t51 = qd[4] * k[33] * c4 * t24 + qd[3] * k[33] * t32;
+  const Scalar t52 = qd[2] * t31 + (t49 - qd[0] * (t50 + t51));
+  const Scalar t53 = qd[4] * t10 - qd[5] * (k[0] * c5 + s5 * t1);
+  const Scalar t54 = qd[4] * qd[5] * t0 - (t52 + qd[3] * t53);
+  const Scalar t55 = (k[31] + t43) - (k[30] - (t44 - Scalar(2) * t33));
+  const Scalar t56 = qd[1] * qd[1] * t55 - qd[0] * k[32] * qd[0];
+  const Scalar t57 = qd[3] * qd[3] * (t35 - t37) + (t56 + qd[2] * qd[2] * t45);
+  const Scalar t58 = (t57 - qd[4] * qd[4] * t23) + qd[5] * k[0] * qd[5];
   Scalar result;
-  result = Scalar(0.5) * t38 + t55;
+  result = -t54 - Scalar(0.5) * t58;
   return result;
 }
 
@@ -1373,17 +1406,17 @@ PotentialEnergyConstants<Scalar> potential_energy_constants([[maybe_unused]] con
   using std::cos;
   using std::sin;
   const Scalar t0 = inertia.m1 + (inertia.m2 + (inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6))));
-  return { inertia.c6z * inertia.m6,
-           inertia.c6x * inertia.m6,
-           inertia.c5x * inertia.m5,
-           inertia.c4x * inertia.m4,
+  return { t0,
            inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
+           inertia.c6z * inertia.m6,
+           inertia.c6x * inertia.m6,
            inertia.c5z * inertia.m5,
            inertia.c4z * inertia.m4,
+           inertia.c5x * inertia.m5,
+           inertia.c4x * inertia.m4,
            inertia.c3z * inertia.m3,
            inertia.c2z * inertia.m2,
            inertia.c1z * inertia.m1,
-           t0,
            gravity };
 }
 
@@ -1398,10 +1431,10 @@ inline Scalar potential_energy(const JointVector<Scalar>& q, const Angles& angle
   const Scalar& c5 = angles.cosine[2];
   const Scalar& s6 = angles.sine[3];
   const Scalar& c6 = angles.cosine[3];
-  const Scalar t0 = k[3] + (k[2] - (k[0] * s6 - k[1] * c6));
-  const Scalar t1 = c5 * (k[5] + (k[0] * c6 + k[1] * s6));
-  const Scalar t2 = s4 * t0 + c4 * (k[6] + (t1 + k[4] * s5));
-  const Scalar t3 = (k[9] + (k[8] + (k[7] + t2))) + k[10] * q[0];
+  const Scalar t0 = c5 * (k[4] + (k[2] * c6 + k[3] * s6));
+  const Scalar t1 = k[7] + (k[6] - (k[2] * s6 - k[3] * c6));
+  const Scalar t2 = c4 * (k[5] + (t0 + k[1] * s5)) + s4 * t1;
+  const Scalar t3 = k[0] * q[0] + (k[10] + (k[9] + (k[8] + t2)));
   Scalar result;
   result = k[11] * t3;
   return result;

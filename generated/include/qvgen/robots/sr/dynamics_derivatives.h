@@ -17,15 +17,15 @@ struct InverseDynamicsDerivatives {
 
 /// Joint forces for a motion, and their derivatives by q and qd; the one by qdd is mass_matrix.
 ///
-/// 662 multiplications, 568 additions, 4 sine/cosine pairs. Set-up: 60 multiplications, 69 additions, 3 divisions.
+/// 667 multiplications, 571 additions, 4 sine/cosine pairs. Set-up: 67 multiplications, 79 additions, 3 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is d4, which must not be zero.
+/// The unit of length is l2, which must not be zero.
 template <class Scalar>
 InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives(const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
-using InverseDynamicsDerivativesConstants = std::array<Scalar, 31>;
+using InverseDynamicsDerivativesConstants = std::array<Scalar, 34>;
 template <class Scalar>
 InverseDynamicsDerivativesConstants<Scalar> inverse_dynamics_derivatives_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));

@@ -26,9 +26,9 @@ LoadAngles<Scalar> load_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion, under gravity in any direction.
 ///
-/// 157 multiplications, 145 additions, 5 sine/cosine pairs. Set-up: 61 multiplications, 70 additions, 5 divisions.
+/// 158 multiplications, 144 additions, 5 sine/cosine pairs. Set-up: 66 multiplications, 80 additions, 5 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is d4, which must not be zero.
+/// The unit of length is l2, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g,
@@ -46,9 +46,9 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces for a motion while a wrench acts on the tool from outside: those without it minus jacobian(q)^T wrench.
 ///
-/// 190 multiplications, 163 additions, 5 sine/cosine pairs. Set-up: 62 multiplications, 70 additions, 5 divisions.
+/// 189 multiplications, 164 additions, 5 sine/cosine pairs. Set-up: 67 multiplications, 80 additions, 5 divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// The unit of length is d4, which must not be zero.
+/// The unit of length is l2, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g,
@@ -66,7 +66,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces that hold the robot at rest, under gravity in any direction.
 ///
-/// 42 multiplications, 26 additions, 5 sine/cosine pairs. Set-up: 18 multiplications, 12 additions.
+/// 42 multiplications, 26 additions, 5 sine/cosine pairs. Set-up: 19 multiplications, 14 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g,
@@ -83,7 +83,7 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const LoadAngle
 
 /// Joint accelerations for given joint forces, under gravity in any direction.
 ///
-/// 290 multiplications, 259 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 70 multiplications, 72 additions, 6
+/// 290 multiplications, 259 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 75 multiplications, 82 additions, 6
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l2, which must not be zero.
@@ -92,7 +92,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
-using ForwardDynamicsWithGravityVectorConstants = std::array<Scalar, 46>;
+using ForwardDynamicsWithGravityVectorConstants = std::array<Scalar, 44>;
 template <class Scalar>
 ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_vector_constants(
     const BasicGeometry<Scalar>& g,
@@ -104,7 +104,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint accelerations for given joint forces while a wrench acts on the tool from outside.
 ///
-/// 319 multiplications, 281 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 69 multiplications, 72 additions, 6
+/// 320 multiplications, 279 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 77 multiplications, 82 additions, 6
 /// divisions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is l2, which must not be zero.
@@ -114,7 +114,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity,
         const NonDeduced<Wrench<Scalar>>& wrench);
 template <class Scalar>
-using ForwardDynamicsWithWrenchConstants = std::array<Scalar, 46>;
+using ForwardDynamicsWithWrenchConstants = std::array<Scalar, 48>;
 template <class Scalar>
 ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constants(const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
@@ -125,7 +125,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Minus the sum of m gravity . r over the links, r the centre of mass in the world, J.
 ///
-/// 24 multiplications, 30 additions, 5 sine/cosine pairs. Set-up: 24 multiplications, 8 additions.
+/// 24 multiplications, 30 additions, 5 sine/cosine pairs. Set-up: 25 multiplications, 11 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Scalar potential_energy(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g,

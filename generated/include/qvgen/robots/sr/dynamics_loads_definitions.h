@@ -28,14 +28,14 @@ InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c4x * inertia.m4;
-  const Scalar t1 = inertia.c5x * inertia.m5;
-  const Scalar t2 = inertia.c4z * inertia.m4;
-  const Scalar t3 = inertia.c6z * inertia.m6;
-  const Scalar t4 = inertia.c6x * inertia.m6;
+  const Scalar t0 = inertia.c4z * inertia.m4;
+  const Scalar t1 = inertia.c4x * inertia.m4;
+  const Scalar t2 = inertia.c5x * inertia.m5;
+  const Scalar t3 = inertia.c6y * inertia.m6;
+  const Scalar t4 = inertia.c5y * inertia.m5;
   const Scalar t5 = inertia.c5z * inertia.m5;
-  const Scalar t6 = inertia.c6y * inertia.m6;
-  const Scalar t7 = inertia.c5y * inertia.m5;
+  const Scalar t6 = inertia.c6x * inertia.m6;
+  const Scalar t7 = inertia.c6z * inertia.m6;
   const Scalar t8 = inertia.m4 + (inertia.m5 + inertia.m6);
   const Scalar t9 = inertia.m3 + t8;
   const Scalar t10 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
@@ -45,58 +45,64 @@ InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_
   const Scalar t14 = (inertia.c2x * t12 - (inertia.I2xx - t10)) + g.l2 * (t12 + t13);
   const Scalar t15 = g.l2 * t9;
   const Scalar t16 = ((inertia.I2yy - t10) - inertia.c2y * t11) - (t14 + g.l2 * t15);
-  const Scalar t17 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t18 = inertia.c4y * inertia.m4;
-  const Scalar t19 = t18 - g.d4 * t8;
-  const Scalar t20 = ((inertia.I4yy - t17) - inertia.c4y * t18) + g.d4 * (t18 + t19);
-  const Scalar t21 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t22 = inertia.c3y * inertia.m3;
-  const Scalar t23 = g.d4 * inertia.m3 - t22;
-  const Scalar t24 = ((inertia.I3yy - t21) - inertia.c3y * t22) - g.d4 * (t23 - t22);
-  const Scalar t25 = inertia.c3x * inertia.m3;
-  const Scalar t26 = (t20 + t24) - (inertia.c3x * t25 - (inertia.I3xx - t21));
-  const Scalar t27 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t28 = (inertia.I6xx - t27) - inertia.c6x * t4;
-  const Scalar t29 = inertia.c6z * t3 - (inertia.I6zz - t27);
-  const Scalar t30 = inertia.I6xz - inertia.c6z * t4;
-  const Scalar t31 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t32 = ((inertia.I6yy - t27) - inertia.c6y * t6) - (inertia.c5y * t7 - (inertia.I5yy - t31));
-  const Scalar t33 = (inertia.c5x * t1 - (inertia.I5xx - t31)) - ((inertia.I4xx - t17) - inertia.c4x * t0);
-  return { g.d4 * (t0 + t1),
-           g.d4 * t2,
-           g.d4 * t3,
-           g.d4 * t4,
-           g.d4 * t5,
-           g.d4 * (t6 + t7),
-           Scalar(1) / g.d4,
-           gravity[2] / g.d4,
-           g.d4 * g.d4 * (inertia.m1 + (inertia.m2 + t9)),
+  const Scalar t17 = inertia.c3x * inertia.m3;
+  const Scalar t18 = inertia.c3y * inertia.m3;
+  const Scalar t19 = g.d4 * inertia.m3 - t18;
+  const Scalar t20 = inertia.c4y * inertia.m4;
+  const Scalar t21 = g.d4 * inertia.m4;
+  const Scalar t22 = t20 - t21;
+  const Scalar t23 = t22 + t21;
+  const Scalar t24 = t23 - g.d4 * t8;
+  const Scalar t25 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t26 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t27 = g.d4 * (t20 + t22) + ((inertia.I4yy - t26) - inertia.c4y * t20);
+  const Scalar t28 = (t27 - g.d4 * (t23 + t22)) + g.d4 * (t23 + t24);
+  const Scalar t29 = ((inertia.I3yy - t25) - inertia.c3y * t18) - g.d4 * (t19 - t18);
+  const Scalar t30 = (inertia.c3x * t17 - (inertia.I3xx - t25)) - (t28 + t29);
+  const Scalar t31 = inertia.I6xz - inertia.c6z * t6;
+  const Scalar t32 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t33 = (inertia.I6xx - t32) - inertia.c6x * t6;
+  const Scalar t34 = inertia.c6z * t7 - (inertia.I6zz - t32);
+  const Scalar t35 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t36 = ((inertia.I6yy - t32) - inertia.c6y * t3) - (inertia.c5y * t4 - (inertia.I5yy - t35));
+  const Scalar t37 = g.d4 * t0;
+  const Scalar t38 = (inertia.c5x * t2 - (inertia.I5xx - t35)) - ((inertia.I4xx - t26) - inertia.c4x * t1);
+  const Scalar t39 = g.d4 * t1;
+  return { g.l2 * t0,
+           g.l2 * (t1 + t2),
+           g.l2 * (t3 + t4),
+           g.l2 * t5,
+           g.l2 * t6,
+           g.l2 * t7,
+           Scalar(1) / g.l2,
+           gravity[2] / g.l2,
+           g.l2 * g.l2 * (inertia.m1 + (inertia.m2 + t9)),
            t16,
-           gravity[0] / g.d4,
-           gravity[1] / g.d4,
-           g.d4 * (t15 + t13),
-           g.d4 * t11,
-           t26,
-           g.l2 / g.d4,
-           g.d4 * (t19 - t23),
-           g.d4 * t25,
-           inertia.I4xz - inertia.c4z * t0,
-           (inertia.I4zz - t17) - inertia.c4z * t2,
-           inertia.I4yz - inertia.c4z * t18,
-           inertia.I4xy - inertia.c4y * t0,
-           inertia.I6yz - inertia.c6z * t6,
-           inertia.I6xy - inertia.c6y * t4,
-           t28 + t29,
-           Scalar(2) * t30,
-           t28,
+           gravity[0] / g.l2,
+           gravity[1] / g.l2,
+           g.l2 * (t15 + t13),
+           g.l2 * t11,
+           g.l2 * t17,
+           g.l2 * (t19 - t24),
            t30,
-           inertia.I5xz - inertia.c5z * t1,
-           inertia.I5xy - inertia.c5y * t1,
-           inertia.I5yz - inertia.c5z * t7,
-           t32,
-           inertia.c5z * t5 - (inertia.I5zz - t31),
+           g.d4 / g.l2,
+           Scalar(2) * t31,
+           t33 + t34,
+           t31,
+           t34,
            t33,
-           t29 };
+           inertia.I6yz - inertia.c6z * t3,
+           inertia.I6xy - inertia.c6y * t6,
+           inertia.c5z * t5 - (inertia.I5zz - t35),
+           inertia.I5yz - inertia.c5z * t4,
+           inertia.I5xz - inertia.c5z * t2,
+           inertia.I5xy - inertia.c5y * t2,
+           t36,
+           t37 - (t37 + (inertia.I4yz - inertia.c4z * t20)),
+           t38,
+           inertia.I4xz - inertia.c4z * t1,
+           (t39 + (inertia.I4xy - inertia.c4y * t1)) - t39,
+           (inertia.I4zz - t26) - inertia.c4z * t0 };
 }
 
 namespace detail {
@@ -117,111 +123,110 @@ inline JointVector<Scalar> inverse_dynamics_with_gravity_vector([[maybe_unused]]
   const Scalar& c6 = angles.cosine[4];
   const Scalar t0 = qd[1] + qd[2];
   const Scalar t1 = s4 * t0;
-  const Scalar t2 = qd[4] + t1;
-  const Scalar t3 = t2 * t2;
-  const Scalar t4 = c4 * t0;
-  const Scalar t5 = s5 * t4 - qd[3] * c5;
-  const Scalar t6 = t3 - t5 * t5;
-  const Scalar t7 = t4 * t4;
-  const Scalar t8 = qd[3] * qd[3];
-  const Scalar t9 = t7 + t8;
-  const Scalar t10 = t6 + t9;
-  const Scalar t11 = qd[5] - t5;
-  const Scalar t12 = t11 * t11;
-  const Scalar t13 = t3 - t12;
-  const Scalar t14 = t3 + t12;
-  const Scalar t15 = t10 - t14;
-  const Scalar t16 = t13 - t15;
-  const Scalar t17 = t6 - t16;
-  const Scalar t18 = qd[3] * t4;
-  const Scalar t19 = qdd[1] + qdd[2];
-  const Scalar t20 = s4 * t19;
-  const Scalar t21 = t18 + t20;
-  const Scalar t22 = qdd[4] + t21;
-  const Scalar t23 = qd[3] * s5 + c5 * t4;
-  const Scalar t24 = t5 * t23;
-  const Scalar t25 = t22 + t24;
-  const Scalar t26 = c4 * t19;
-  const Scalar t27 = t26 - Scalar(2) * qd[3] * t1;
-  const Scalar t28 = t1 * t4;
-  const Scalar t29 = qdd[3] + t28;
-  const Scalar t30 = s5 * t27 - c5 * t29;
-  const Scalar t31 = qdd[5] - t30;
-  const Scalar t32 = k[2] * s6 - k[3] * c6;
-  const Scalar t33 = k[2] * c6 + k[3] * s6;
-  const Scalar t34 = (k[4] * (t10 - t17) - k[5] * t25) + (t31 * t32 + t33 * t14);
-  const Scalar t35 = t22 - t24;
-  const Scalar t36 = s5 * t29 + c5 * t27;
-  const Scalar t37 = t2 * t5;
-  const Scalar t38 = (t36 - t37) - t37;
-  const Scalar t39 = t2 * t11;
-  const Scalar t40 = t38 - (t39 + t39);
-  const Scalar t41 = t11 * t23;
-  const Scalar t42 = t25 + (t41 + t41);
-  const Scalar t43 = (k[4] * t35 + k[5] * t10) + (t40 * t32 + t33 * t42);
-  const Scalar t44 = t7 - t8;
-  const Scalar t45 = t0 * t0;
-  const Scalar t46 = t44 - t45;
-  const Scalar t47 = (c5 * t34 + s5 * t43) - (k[0] * t29 + k[1] * t46);
-  const Scalar t48 = qdd[3] - t28;
-  const Scalar t49 = t2 * t23;
-  const Scalar t50 = (t49 + t49) + t30;
-  const Scalar t51 = qdd[5] - t50;
-  const Scalar t52 = (t51 * t33 - (t10 - t13) * t32) + (k[5] * t38 - k[4] * t50);
-  const Scalar t53 = (k[0] * t9 + k[1] * t48) + t52;
-  const Scalar t54 = k[7] - k[6] * qdd[0];
-  const Scalar t55 = (c4 * t47 + s4 * t53) + k[8] * t54;
-  const Scalar t56 = k[11] * s2 + k[10] * c2;
-  const Scalar t57 = k[11] * c2 - k[10] * s2;
-  const Scalar t58 = k[9] * qdd[1] - (k[13] * t56 - k[12] * t57);
-  const Scalar t59 = t56 + k[15] * qd[1] * qd[1];
-  const Scalar t60 = k[15] * qdd[1] - t57;
-  const Scalar t61 = s3 * t59 + c3 * t60;
-  const Scalar t62 = s3 * t60 - c3 * t59;
-  const Scalar t63 = (k[17] * t61 - k[16] * t62) - k[14] * t19;
-  const Scalar t64 = c4 * t53 - s4 * t47;
-  const Scalar t65 = t61 + t45;
-  const Scalar t66 = t62 + t19;
-  const Scalar t67 = c4 * t54 + s4 * t66;
-  const Scalar t68 = c5 * t65 - s5 * t67;
-  const Scalar t69 = c5 * t67 + s5 * t65;
-  const Scalar t70 = k[30] * t17 - (k[32] * t35 - k[31] * t25);
-  const Scalar t71 = (k[4] * t68 + k[5] * t69) - ((k[29] * t30 + k[28] * t36) - t70);
-  const Scalar t72 = k[25] * s6 - k[24] * c6;
-  const Scalar t73 = k[27] - s6 * t72;
-  const Scalar t74 = c6 * t72;
-  const Scalar t75 = k[26] + t74;
-  const Scalar t76 = k[23] * c6 - k[22] * s6;
-  const Scalar t77 = k[22] * c6 + k[23] * s6;
-  const Scalar t78 = (t73 * t40 - t75 * t42) - (t31 * t76 + t77 * t15);
-  const Scalar t79 = t71 + (t33 * t68 - t78);
-  const Scalar t80 = t18 + t21;
-  const Scalar t81 = (k[21] * t29 + k[20] * t44) - (k[18] * t27 - k[19] * t80);
-  const Scalar t82 = s4 * t54 - c4 * t66;
-  const Scalar t83 = (k[30] * t50 - k[31] * t38) + k[29] * t6;
-  const Scalar t84 = k[34] + t74;
-  const Scalar t85 = t13 * t76 + (t84 * t40 + t73 * t42);
-  const Scalar t86 = (k[5] * t82 + (k[28] * t35 + t83)) - ((t51 * t77 - t85) + t68 * t32);
-  const Scalar t87 = (t31 * t84 - t51 * t75) + t73 * t16;
-  const Scalar t88 = ((t38 * t77 + t25 * t76) - t87) - (t33 * t82 + t69 * t32);
-  const Scalar t89 = (k[29] * t25 - k[28] * t16) + (k[30] * t38 + k[32] * t50);
-  const Scalar t90 = t88 + (t89 - k[4] * t82);
-  const Scalar t91 = k[21] * (t9 - t45) - (k[33] * t27 + k[18] * t80);
-  const Scalar t92 = (c5 * t86 + s5 * t90) + (k[0] * t65 - (k[20] * t48 + t91));
-  const Scalar t93 = s4 * (t79 + (k[1] * t65 + t81)) - c4 * t92;
-  const Scalar t94 = t63 - (t64 + t93);
-  const Scalar t95 = s3 * (t64 + (k[17] * t45 + k[16] * t19));
-  const Scalar t96 = (k[1] * t80 - k[0] * t27) + (c5 * t43 - s5 * t34);
-  const Scalar t97 = c3 * (t96 - (k[17] * t19 - k[16] * t45));
-  const Scalar t98 = k[18] * (t46 + t9) + (k[19] * t48 - k[33] * t29);
-  const Scalar t99 = (k[1] * t82 - k[0] * t67) - ((k[20] * t26 + k[21] * t20) + t98);
+  const Scalar t2 = qd[3] * t1;
+  const Scalar t3 = qdd[1] + qdd[2];
+  const Scalar t4 = c4 * t3;
+  const Scalar t5 = (t2 + t2) - t4;
+  const Scalar t6 = c4 * t0;
+  const Scalar t7 = t1 * t6;
+  const Scalar t8 = qdd[3] + t7;
+  const Scalar t9 = c5 * t5 - s5 * t8;
+  const Scalar t10 = qd[4] + t1;
+  const Scalar t11 = s5 * t6 - qd[3] * c5;
+  const Scalar t12 = t10 * t11;
+  const Scalar t13 = (t9 + t12) + t12;
+  const Scalar t14 = s5 * t5 + c5 * t8;
+  const Scalar t15 = qd[3] * s5 + c5 * t6;
+  const Scalar t16 = t14 - Scalar(2) * t10 * t15;
+  const Scalar t17 = k[4] * s6 + k[5] * c6;
+  const Scalar t18 = qdd[5] + t16;
+  const Scalar t19 = qd[5] - t11;
+  const Scalar t20 = t19 * t19;
+  const Scalar t21 = t15 * t15;
+  const Scalar t22 = k[4] * c6 - k[5] * s6;
+  const Scalar t23 = (k[2] * t13 - k[3] * t16) - (t17 * t18 + (t20 + t21) * t22);
+  const Scalar t24 = qd[3] * qd[3];
+  const Scalar t25 = t1 * t1;
+  const Scalar t26 = t24 - t25;
+  const Scalar t27 = t0 * t0;
+  const Scalar t28 = t26 + t27;
+  const Scalar t29 = qdd[3] - t7;
+  const Scalar t30 = t23 - (k[1] * t28 + k[0] * t29);
+  const Scalar t31 = t24 + t25;
+  const Scalar t32 = t10 * t10;
+  const Scalar t33 = t32 + t21;
+  const Scalar t34 = qd[3] * t6;
+  const Scalar t35 = s4 * t3;
+  const Scalar t36 = t34 + t35;
+  const Scalar t37 = qdd[4] + t36;
+  const Scalar t38 = t11 * t15;
+  const Scalar t39 = t37 - t38;
+  const Scalar t40 = t13 + Scalar(2) * t10 * t19;
+  const Scalar t41 = t19 * t15;
+  const Scalar t42 = t37 + t38;
+  const Scalar t43 = t41 + (t42 + t41);
+  const Scalar t44 = (k[2] * t33 + k[3] * t39) + (t22 * t40 + t17 * t43);
+  const Scalar t45 = t20 - t21;
+  const Scalar t46 = qdd[5] + t14;
+  const Scalar t47 = t32 - t21;
+  const Scalar t48 = t47 + t28;
+  const Scalar t49 = (t17 * (t33 + t45) - t46 * t22) - (k[2] * t42 - k[3] * t48);
+  const Scalar t50 = (k[1] * t8 - k[0] * t31) - (s5 * t44 + c5 * t49);
+  const Scalar t51 = k[7] - k[6] * qdd[0];
+  const Scalar t52 = (s4 * t30 + c4 * t50) - k[8] * t51;
+  const Scalar t53 = k[11] * s2 + k[10] * c2;
+  const Scalar t54 = k[11] * c2 - k[10] * s2;
+  const Scalar t55 = k[9] * qdd[1] - (k[13] * t53 - k[12] * t54);
+  const Scalar t56 = c4 * t30 - s4 * t50;
+  const Scalar t57 = s3 * ((k[15] * t3 - k[14] * t27) + t56);
+  const Scalar t58 = t34 + t36;
+  const Scalar t59 = (c5 * t44 - s5 * t49) + (k[0] * t58 + k[1] * t5);
+  const Scalar t60 = c3 * (t59 - (k[14] * t3 + k[15] * t27));
+  const Scalar t61 = qdd[1] - t54;
+  const Scalar t62 = t53 + qd[1] * qd[1];
+  const Scalar t63 = c3 * t61 + s3 * t62;
+  const Scalar t64 = k[17] * t27 + t63;
+  const Scalar t65 = k[33] * t26 + (k[31] * t5 - k[32] * t58);
+  const Scalar t66 = s3 * t61 - c3 * t62;
+  const Scalar t67 = k[17] * t3 + t66;
+  const Scalar t68 = s4 * t51 - c4 * t67;
+  const Scalar t69 = s4 * t67 + c4 * t51;
+  const Scalar t70 = s5 * t64 + c5 * t69;
+  const Scalar t71 = k[24] * c6 - k[23] * s6;
+  const Scalar t72 = k[23] * c6 + k[24] * s6;
+  const Scalar t73 = k[18] * s6 - k[19] * c6;
+  const Scalar t74 = k[20] - s6 * t73;
+  const Scalar t75 = c6 * t73;
+  const Scalar t76 = k[22] + t75;
+  const Scalar t77 = k[21] + t75;
+  const Scalar t78 = t47 * t74 - (t18 * t76 - t77 * t46);
+  const Scalar t79 = (t17 * t68 - t22 * t70) - ((t71 * t42 - t72 * t13) - t78);
+  const Scalar t80 = (k[26] * t13 + k[25] * t16) - (k[28] * t42 - k[27] * t47);
+  const Scalar t81 = t79 + (k[3] * t68 + t80);
+  const Scalar t82 = t71 * (t32 - t20) - (t77 * t40 - t74 * t43);
+  const Scalar t83 = c5 * t64 - s5 * t69;
+  const Scalar t84 = t33 - t48;
+  const Scalar t85 = (k[29] * t13 - k[26] * t16) + k[28] * (t84 + t47);
+  const Scalar t86 = ((t72 * t18 - t82) - t83 * t22) - ((t85 + k[27] * t39) + k[2] * t68);
+  const Scalar t87 = (k[1] * t64 + (k[30] * t29 - t65)) - (s5 * t81 + c5 * t86);
+  const Scalar t88 = t31 - t28;
+  const Scalar t89 = (k[30] * (t88 + t26) + k[33] * t8) + (k[32] * t5 + k[34] * t58);
+  const Scalar t90 = (t43 * t76 + t74 * t40) + (t71 * t46 - t72 * t45);
+  const Scalar t91 = (k[29] * t42 - k[25] * t39) + k[26] * t84;
+  const Scalar t92 = (t91 + (k[27] * t9 + k[28] * t14)) + (k[3] * t83 + k[2] * t70);
+  const Scalar t93 = (t90 + t83 * t17) + t92;
+  const Scalar t94 = c4 * t87 - s4 * ((t89 + k[0] * t64) + t93);
+  const Scalar t95 = (k[15] * t66 + k[14] * t63) + k[16] * t3;
+  const Scalar t96 = (t94 + k[17] * t56) + t95;
+  const Scalar t97 = (k[34] * t29 - k[31] * t8) - k[32] * t88;
+  const Scalar t98 = (t97 - (k[30] * t4 - k[33] * t35)) + (k[1] * t69 - k[0] * t68);
   JointVector<Scalar> result;
-  result[0] = -k[6] * t55;
-  result[1] = (t94 - k[15] * (t95 + t97)) - t58;
-  result[2] = t94;
-  result[3] = t99 - (c5 * t90 - s5 * t86);
-  result[4] = -t79;
-  result[5] = -t88;
+  result[0] = k[6] * t52;
+  result[1] = ((t57 - t60) + t96) - t55;
+  result[2] = t96;
+  result[3] = -t98 - (s5 * t86 - c5 * t81);
+  result[4] = -t93;
+  result[5] = t79;
   return result;
 }
 
@@ -250,78 +255,84 @@ InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constant
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = Scalar(1) / g.d4;
-  const Scalar t1 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t2 = inertia.m3 + t1;
-  const Scalar t3 = g.d4 * g.d4 * (inertia.m1 + (inertia.m2 + t2)) * t0;
-  const Scalar t4 = inertia.c4x * inertia.m4;
-  const Scalar t5 = inertia.c5x * inertia.m5;
-  const Scalar t6 = inertia.c4z * inertia.m4;
-  const Scalar t7 = inertia.c6y * inertia.m6;
-  const Scalar t8 = inertia.c5y * inertia.m5;
-  const Scalar t9 = inertia.c5z * inertia.m5;
-  const Scalar t10 = inertia.c6z * inertia.m6;
-  const Scalar t11 = inertia.c6x * inertia.m6;
-  const Scalar t12 = inertia.c3x * inertia.m3;
-  const Scalar t13 = inertia.c4y * inertia.m4;
-  const Scalar t14 = t13 - g.d4 * t1;
-  const Scalar t15 = inertia.c3y * inertia.m3;
-  const Scalar t16 = g.d4 * inertia.m3 - t15;
-  const Scalar t17 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t18 = ((inertia.I4yy - t17) - inertia.c4y * t13) + g.d4 * (t13 + t14);
-  const Scalar t19 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t20 = ((inertia.I3yy - t19) - inertia.c3y * t15) - g.d4 * (t16 - t15);
-  const Scalar t21 = (t18 + t20) - (inertia.c3x * t12 - (inertia.I3xx - t19));
-  const Scalar t22 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t23 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t24 = ((inertia.I6yy - t22) - inertia.c6y * t7) - (inertia.c5y * t8 - (inertia.I5yy - t23));
-  const Scalar t25 = (inertia.I6xx - t22) - inertia.c6x * t11;
-  const Scalar t26 = inertia.c6z * t10 - (inertia.I6zz - t22);
-  const Scalar t27 = inertia.I6xz - inertia.c6z * t11;
-  const Scalar t28 = (inertia.c5x * t5 - (inertia.I5xx - t23)) - ((inertia.I4xx - t17) - inertia.c4x * t4);
-  const Scalar t29 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t30 = inertia.c2y * inertia.m2;
-  const Scalar t31 = inertia.c2x * inertia.m2;
-  const Scalar t32 = g.l2 * inertia.m2 + t31;
-  const Scalar t33 = (inertia.c2x * t31 - (inertia.I2xx - t29)) + g.l2 * (t31 + t32);
-  const Scalar t34 = g.l2 * t2;
-  const Scalar t35 = ((inertia.I2yy - t29) - inertia.c2y * t30) - (t33 + g.l2 * t34);
-  return { t0,
-           gravity[2] / g.d4,
-           t3,
-           g.d4 * (t4 + t5),
-           g.d4 * t6,
-           g.d4 * (t7 + t8),
-           g.d4 * t9,
-           g.d4,
-           g.d4 * t10,
-           g.d4 * t11,
-           g.d4 * t12,
-           g.d4 * (t14 - t16),
-           g.l2 / g.d4,
+  const Scalar t0 = inertia.c4x * inertia.m4;
+  const Scalar t1 = inertia.c5x * inertia.m5;
+  const Scalar t2 = inertia.c4z * inertia.m4;
+  const Scalar t3 = inertia.c6x * inertia.m6;
+  const Scalar t4 = inertia.c6z * inertia.m6;
+  const Scalar t5 = inertia.c5z * inertia.m5;
+  const Scalar t6 = inertia.c6y * inertia.m6;
+  const Scalar t7 = inertia.c5y * inertia.m5;
+  const Scalar t8 = Scalar(1) / g.l2;
+  const Scalar t9 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t10 = inertia.m3 + t9;
+  const Scalar t11 = g.l2 * g.l2 * (inertia.m1 + (inertia.m2 + t10)) * t8;
+  const Scalar t12 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t13 = g.d4 * t0;
+  const Scalar t14 = g.d4 * t2;
+  const Scalar t15 = inertia.c4y * inertia.m4;
+  const Scalar t16 = inertia.I6xz - inertia.c6z * t3;
+  const Scalar t17 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t18 = (inertia.I6xx - t17) - inertia.c6x * t3;
+  const Scalar t19 = inertia.c6z * t4 - (inertia.I6zz - t17);
+  const Scalar t20 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t21 = ((inertia.I6yy - t17) - inertia.c6y * t6) - (inertia.c5y * t7 - (inertia.I5yy - t20));
+  const Scalar t22 = (inertia.c5x * t1 - (inertia.I5xx - t20)) - ((inertia.I4xx - t12) - inertia.c4x * t0);
+  const Scalar t23 = inertia.c3x * inertia.m3;
+  const Scalar t24 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t25 = g.d4 * inertia.m4;
+  const Scalar t26 = t15 - t25;
+  const Scalar t27 = g.d4 * (t15 + t26) + ((inertia.I4yy - t12) - inertia.c4y * t15);
+  const Scalar t28 = t26 + t25;
+  const Scalar t29 = t28 - g.d4 * t9;
+  const Scalar t30 = (t27 - g.d4 * (t28 + t26)) + g.d4 * (t28 + t29);
+  const Scalar t31 = inertia.c3y * inertia.m3;
+  const Scalar t32 = g.d4 * inertia.m3 - t31;
+  const Scalar t33 = ((inertia.I3yy - t24) - inertia.c3y * t31) - g.d4 * (t32 - t31);
+  const Scalar t34 = (inertia.c3x * t23 - (inertia.I3xx - t24)) - (t30 + t33);
+  const Scalar t35 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t36 = inertia.c2y * inertia.m2;
+  const Scalar t37 = inertia.c2x * inertia.m2;
+  const Scalar t38 = g.l2 * inertia.m2 + t37;
+  const Scalar t39 = (inertia.c2x * t37 - (inertia.I2xx - t35)) + g.l2 * (t37 + t38);
+  const Scalar t40 = g.l2 * t10;
+  const Scalar t41 = ((inertia.I2yy - t35) - inertia.c2y * t36) - (t39 + g.l2 * t40);
+  return { g.l2 * (t0 + t1),
+           g.l2 * t2,
+           g.l2,
+           g.l2 * t3,
+           g.l2 * t4,
+           g.l2 * t5,
+           g.l2 * (t6 + t7),
+           t8,
+           gravity[2] / g.l2,
+           t11,
+           (inertia.I4zz - t12) - inertia.c4z * t2,
+           inertia.I4xz - inertia.c4z * t0,
+           (t13 + (inertia.I4xy - inertia.c4y * t0)) - t13,
+           t14 - (t14 + (inertia.I4yz - inertia.c4z * t15)),
+           gravity[0] / g.l2,
+           gravity[1] / g.l2,
+           g.d4 / g.l2,
+           Scalar(2) * t16,
+           t18 + t19,
+           t16,
+           t18,
+           inertia.I6yz - inertia.c6z * t6,
+           inertia.I6xy - inertia.c6y * t3,
            t21,
-           gravity[0] / g.d4,
-           gravity[1] / g.d4,
-           inertia.I5xy - inertia.c5y * t5,
-           inertia.I5xz - inertia.c5z * t5,
-           inertia.I5yz - inertia.c5z * t8,
-           t24,
-           inertia.c5z * t9 - (inertia.I5zz - t23),
-           t25 + t26,
-           Scalar(2) * t27,
-           t27,
-           t25,
-           inertia.I6yz - inertia.c6z * t7,
-           inertia.I6xy - inertia.c6y * t11,
-           inertia.I4yz - inertia.c4z * t13,
-           inertia.I4xy - inertia.c4y * t4,
-           (inertia.I4zz - t17) - inertia.c4z * t6,
-           inertia.I4xz - inertia.c4z * t4,
-           t28,
-           t26,
-           t35,
-           g.d4 * (t34 + t32),
-           g.d4 * t30 };
+           inertia.c5z * t5 - (inertia.I5zz - t20),
+           inertia.I5yz - inertia.c5z * t7,
+           inertia.I5xy - inertia.c5y * t1,
+           inertia.I5xz - inertia.c5z * t1,
+           t19,
+           t22,
+           t34,
+           g.l2 * t23,
+           g.l2 * (t32 - t29),
+           t41,
+           g.l2 * (t40 + t38),
+           g.l2 * t36 };
 }
 
 namespace detail {
@@ -340,125 +351,125 @@ inline JointVector<Scalar> inverse_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[1] - k[0] * qdd[0];
-  const Scalar t1 = qd[1] + qd[2];
-  const Scalar t2 = s4 * t1;
-  const Scalar t3 = c4 * t1;
-  const Scalar t4 = t2 * t3;
-  const Scalar t5 = qdd[3] - t4;
-  const Scalar t6 = qd[3] * qd[3];
-  const Scalar t7 = t2 * t2;
-  const Scalar t8 = t6 - t7;
-  const Scalar t9 = t1 * t1;
-  const Scalar t10 = t8 + t9;
-  const Scalar t11 = qd[3] * t2;
-  const Scalar t12 = qdd[1] + qdd[2];
-  const Scalar t13 = c4 * t12;
-  const Scalar t14 = (t11 + t11) - t13;
-  const Scalar t15 = qdd[3] + t4;
-  const Scalar t16 = c5 * t14 - s5 * t15;
-  const Scalar t17 = qd[4] + t2;
-  const Scalar t18 = s5 * t3 - qd[3] * c5;
-  const Scalar t19 = t16 + Scalar(2) * t17 * t18;
-  const Scalar t20 = s5 * t14 + c5 * t15;
-  const Scalar t21 = qd[3] * s5 + c5 * t3;
-  const Scalar t22 = Scalar(2) * t17 * t21;
-  const Scalar t23 = t20 - t22;
-  const Scalar t24 = c3 * s2 + c2 * s3;
-  const Scalar t25 = s2 * s3 - c2 * c3;
-  const Scalar t26 = wrench[1] * t24 - wrench[0] * t25;
-  const Scalar t27 = k[9] * c6 - k[8] * s6;
-  const Scalar t28 = t17 * t17;
-  const Scalar t29 = t21 * t21;
-  const Scalar t30 = t28 - t29;
-  const Scalar t31 = t28 + t29;
-  const Scalar t32 = qd[5] - t18;
-  const Scalar t33 = t32 * t32 - t29;
-  const Scalar t34 = t31 + t33;
-  const Scalar t35 = t30 - t34;
-  const Scalar t36 = qdd[5] + t20;
-  const Scalar t37 = t36 - t22;
-  const Scalar t38 = k[8] * c6 + k[9] * s6;
-  const Scalar t39 = k[7] * (c4 * t26 + wrench[2] * s4) - (t27 * t35 - t37 * t38);
-  const Scalar t40 = (k[4] * t5 + k[3] * t10) - ((k[5] * t19 - k[6] * t23) - t39);
-  const Scalar t41 = t17 * t32;
-  const Scalar t42 = (t41 + t19) + t41;
-  const Scalar t43 = qd[3] * t3;
-  const Scalar t44 = s4 * t12;
+  const Scalar t0 = c3 * s2 + c2 * s3;
+  const Scalar t1 = s2 * s3 - c2 * c3;
+  const Scalar t2 = wrench[1] * t0 - wrench[0] * t1;
+  const Scalar t3 = qd[1] + qd[2];
+  const Scalar t4 = c4 * t3;
+  const Scalar t5 = s5 * t4 - qd[3] * c5;
+  const Scalar t6 = qd[5] - t5;
+  const Scalar t7 = t6 * t6;
+  const Scalar t8 = qd[3] * s5 + c5 * t4;
+  const Scalar t9 = t8 * t8;
+  const Scalar t10 = t7 + t9;
+  const Scalar t11 = k[3] * c6 - k[4] * s6;
+  const Scalar t12 = s4 * t3;
+  const Scalar t13 = qd[4] + t12;
+  const Scalar t14 = t13 * t8;
+  const Scalar t15 = qdd[1] + qdd[2];
+  const Scalar t16 = c4 * t15;
+  const Scalar t17 = qd[3] * t12;
+  const Scalar t18 = (t16 - t17) - t17;
+  const Scalar t19 = t12 * t4;
+  const Scalar t20 = qdd[3] + t19;
+  const Scalar t21 = s5 * t18 - c5 * t20;
+  const Scalar t22 = t14 + (t21 + t14);
+  const Scalar t23 = qdd[5] - t22;
+  const Scalar t24 = k[4] * c6 + k[3] * s6;
+  const Scalar t25 = k[2] * (c4 * t2 + wrench[2] * s4) + (t10 * t11 + t23 * t24);
+  const Scalar t26 = t13 * t5;
+  const Scalar t27 = s5 * t20 + c5 * t18;
+  const Scalar t28 = (t26 - t27) + t26;
+  const Scalar t29 = t4 * t4;
+  const Scalar t30 = qd[3] * qd[3];
+  const Scalar t31 = t29 + t30;
+  const Scalar t32 = qdd[3] - t19;
+  const Scalar t33 = (t25 - (k[5] * t22 + k[6] * t28)) + (k[0] * t31 + k[1] * t32);
+  const Scalar t34 = wrench[0] * t0 + wrench[1] * t1;
+  const Scalar t35 = wrench[2] * c4 - s4 * t2;
+  const Scalar t36 = t13 * t13;
+  const Scalar t37 = t36 - t7;
+  const Scalar t38 = t36 - t9;
+  const Scalar t39 = t37 - t38;
+  const Scalar t40 = t37 + t10;
+  const Scalar t41 = qdd[5] - t21;
+  const Scalar t42 = k[2] * (s5 * t34 + c5 * t35) - ((t39 - t40) * t24 + t41 * t11);
+  const Scalar t43 = qd[3] * t4;
+  const Scalar t44 = s4 * t15;
   const Scalar t45 = t43 + t44;
   const Scalar t46 = qdd[4] + t45;
-  const Scalar t47 = t18 * t21;
+  const Scalar t47 = t5 * t8;
   const Scalar t48 = t46 + t47;
-  const Scalar t49 = Scalar(2) * t32 * t21 + t48;
-  const Scalar t50 = wrench[0] * t24 + wrench[1] * t25;
-  const Scalar t51 = wrench[2] * c4 - s4 * t26;
-  const Scalar t52 = (t27 * t42 + t49 * t38) - k[7] * (c5 * t50 - s5 * t51);
-  const Scalar t53 = t46 - t47;
-  const Scalar t54 = t52 + (k[6] * t53 + k[5] * t31);
-  const Scalar t55 = t30 + t10;
-  const Scalar t56 = k[7] * (s5 * t50 + c5 * t51) + (t38 * t34 - t27 * t36);
-  const Scalar t57 = (k[6] * t55 - k[5] * t48) + t56;
-  const Scalar t58 = t6 + t7;
-  const Scalar t59 = (s5 * t54 + c5 * t57) + (k[4] * t58 - k[3] * t15);
-  const Scalar t60 = k[2] * t0 + k[0] * (s4 * t40 + c4 * t59);
-  const Scalar t61 = k[14] * s2 - k[15] * c2;
-  const Scalar t62 = k[15] * s2 + k[14] * c2;
-  const Scalar t63 = k[33] * qdd[1] - (k[34] * t61 + k[35] * t62);
-  const Scalar t64 = k[12] * qd[1] * qd[1] + t62;
-  const Scalar t65 = t61 + k[12] * qdd[1];
-  const Scalar t66 = s3 * t64 + c3 * t65;
-  const Scalar t67 = s3 * t65 - c3 * t64;
-  const Scalar t68 = (k[10] * t66 - k[11] * t67) - k[13] * t12;
-  const Scalar t69 = c4 * t40 - s4 * t59;
-  const Scalar t70 = t66 + t9;
-  const Scalar t71 = t43 + t45;
-  const Scalar t72 = (k[28] * t15 - k[27] * (t58 - t9)) + (k[30] * t14 + k[29] * t71);
-  const Scalar t73 = wrench[4] * t24 - wrench[3] * t25;
-  const Scalar t74 = k[21] * c6 - k[22] * s6;
-  const Scalar t75 = k[23] + s6 * t74;
+  const Scalar t49 = t42 - (k[6] * t48 - k[5] * (t38 + t31));
+  const Scalar t50 = t46 - t47;
+  const Scalar t51 = Scalar(2) * t13 * t6 + t28;
+  const Scalar t52 = Scalar(2) * t6 * t8 + t48;
+  const Scalar t53 = (t11 * t51 + t52 * t24) - k[2] * (c5 * t34 - s5 * t35);
+  const Scalar t54 = (k[6] * t40 + k[5] * t50) + t53;
+  const Scalar t55 = t29 - t30;
+  const Scalar t56 = t3 * t3;
+  const Scalar t57 = t55 - t56;
+  const Scalar t58 = (c5 * t49 + s5 * t54) - (k[0] * t20 + k[1] * t57);
+  const Scalar t59 = k[8] - k[7] * qdd[0];
+  const Scalar t60 = k[7] * (s4 * t33 + c4 * t58) + k[9] * t59;
+  const Scalar t61 = t43 + t45;
+  const Scalar t62 = (k[0] * t18 - k[1] * t61) - (c5 * t54 - s5 * t49);
+  const Scalar t63 = c3 * (t62 + (k[32] * t56 + k[31] * t15));
+  const Scalar t64 = c4 * t33 - s4 * t58;
+  const Scalar t65 = s3 * ((k[31] * t56 - k[32] * t15) + t64);
+  const Scalar t66 = k[15] * s2 + k[14] * c2;
+  const Scalar t67 = qd[1] * qd[1] + t66;
+  const Scalar t68 = k[14] * s2 - k[15] * c2;
+  const Scalar t69 = qdd[1] + t68;
+  const Scalar t70 = c3 * t67 - s3 * t69;
+  const Scalar t71 = c3 * t69 + s3 * t67;
+  const Scalar t72 = (k[32] * t70 - k[31] * t71) - k[30] * t15;
+  const Scalar t73 = k[22] * c6 - k[21] * s6;
+  const Scalar t74 = k[17] * s6 - k[18] * c6;
+  const Scalar t75 = k[19] - s6 * t74;
   const Scalar t76 = c6 * t74;
-  const Scalar t77 = k[24] - t76;
-  const Scalar t78 = k[25] * s6 - k[26] * c6;
-  const Scalar t79 = k[25] * c6 + k[26] * s6;
-  const Scalar t80 = (t42 * t75 + t49 * t77) - (t78 * t36 + t79 * t33);
-  const Scalar t81 = t67 + t12;
-  const Scalar t82 = s4 * t81 + c4 * t0;
-  const Scalar t83 = c5 * t70 - s5 * t82;
-  const Scalar t84 = (c4 * t73 + wrench[5] * s4) + (t80 + t83 * t38);
-  const Scalar t85 = c5 * t82 + s5 * t70;
-  const Scalar t86 = t31 - t55;
-  const Scalar t87 = k[18] * t86 - (k[20] * t53 - k[19] * t48);
-  const Scalar t88 = (k[6] * t83 + k[5] * t85) + ((k[16] * t20 + k[17] * t16) + t87);
-  const Scalar t89 = t84 + t88;
-  const Scalar t90 = k[28] * t8 + (k[31] * t14 - k[30] * t71);
-  const Scalar t91 = c4 * t81 - s4 * t0;
-  const Scalar t92 = (k[16] * t48 - k[17] * t30) - (k[20] * t23 + k[18] * t19);
-  const Scalar t93 = wrench[4] * t25 + wrench[3] * t24;
-  const Scalar t94 = wrench[5] * c4 - s4 * t73;
-  const Scalar t95 = k[32] - t76;
-  const Scalar t96 = (t36 * t95 - t37 * t77) + t75 * t30;
-  const Scalar t97 = (t85 * t27 + t38 * t91) - (t96 + (t79 * t19 + t78 * t48));
-  const Scalar t98 = (c5 * t93 - s5 * t94) + t97;
-  const Scalar t99 = (k[6] * t91 + t92) + t98;
-  const Scalar t100 = t78 * (t31 + t35) + (t42 * t95 - t49 * t75);
-  const Scalar t101 = ((t100 + t79 * t37) - t27 * t83) + (s5 * t93 + c5 * t94);
-  const Scalar t102 = (k[19] * t19 - k[18] * t23) + k[16] * (t86 + t30);
-  const Scalar t103 = t101 + (k[5] * t91 - (k[17] * t53 + t102));
-  const Scalar t104 = (k[3] * t70 - (k[27] * t5 + t90)) + (s5 * t99 - c5 * t103);
-  const Scalar t105 = s4 * ((k[4] * t70 + t72) + t89) - c4 * t104;
-  const Scalar t106 = t68 - (t69 + t105);
-  const Scalar t107 = s3 * (t69 + (k[11] * t12 + k[10] * t9));
-  const Scalar t108 = (k[3] * t14 + k[4] * t71) - (s5 * t57 - c5 * t54);
-  const Scalar t109 = c3 * (t108 - (k[10] * t12 - k[11] * t9));
-  const Scalar t110 = (k[31] * t15 - k[29] * t5) + k[30] * (t58 - t10);
-  const Scalar t111 = ((k[28] * t44 + k[27] * t13) - t110) + (k[3] * t82 + k[4] * t91);
+  const Scalar t77 = k[28] + t76;
+  const Scalar t78 = t73 * t37 + (t52 * t75 - t77 * t51);
+  const Scalar t79 = k[21] * c6 + k[22] * s6;
+  const Scalar t80 = t71 + k[16] * t56;
+  const Scalar t81 = t70 - k[16] * t15;
+  const Scalar t82 = c4 * t59 - s4 * t81;
+  const Scalar t83 = c5 * t80 - s5 * t82;
+  const Scalar t84 = wrench[4] * t1 + wrench[3] * t0;
+  const Scalar t85 = wrench[4] * t0 - wrench[3] * t1;
+  const Scalar t86 = wrench[5] * c4 - s4 * t85;
+  const Scalar t87 = ((t78 - t23 * t79) + t83 * t11) - (s5 * t84 + c5 * t86);
+  const Scalar t88 = s4 * t59 + c4 * t81;
+  const Scalar t89 = t40 - t31;
+  const Scalar t90 = (k[23] * t28 + k[25] * t22) + k[26] * t89;
+  const Scalar t91 = t87 + (k[6] * t88 + (t90 + k[27] * t50));
+  const Scalar t92 = (k[24] * t22 - k[25] * t28) + (k[26] * t48 - k[27] * t38);
+  const Scalar t93 = s5 * t80 + c5 * t82;
+  const Scalar t94 = k[20] + t76;
+  const Scalar t95 = (t23 * t94 - t77 * t41) - t75 * t38;
+  const Scalar t96 = (t88 * t24 - t93 * t11) - (t95 - (t79 * t28 - t73 * t48));
+  const Scalar t97 = t96 - (c5 * t84 - s5 * t86);
+  const Scalar t98 = (t92 - k[5] * t88) - t97;
+  const Scalar t99 = k[12] * (t31 - t56) - (k[29] * t18 + k[11] * t61);
+  const Scalar t100 = (c5 * t91 + s5 * t98) + (k[0] * t80 - (t99 - k[13] * t32));
+  const Scalar t101 = (k[12] * t20 - k[13] * t55) + (k[10] * t61 - k[11] * t18);
+  const Scalar t102 = (k[23] * t48 - k[24] * t50) - k[25] * (t38 - t89);
+  const Scalar t103 = ((k[26] * t21 + k[27] * t27) - t102) - (k[5] * t83 + k[6] * t93);
+  const Scalar t104 = (t73 * t41 + t39 * t79) + (t75 * t51 + t52 * t94);
+  const Scalar t105 = (t83 * t24 + t104) + (c4 * t85 + wrench[5] * s4);
+  const Scalar t106 = t103 - t105;
+  const Scalar t107 = c4 * t100 - s4 * ((t101 + k[1] * t80) - t106);
+  const Scalar t108 = t72 - (t107 - k[16] * t64);
+  const Scalar t109 = k[33] * qdd[1] - (k[34] * t68 + k[35] * t66);
+  const Scalar t110 = k[11] * (t57 + t31) + (k[10] * t32 - k[29] * t20);
+  const Scalar t111 = (t110 - (k[13] * t16 - k[12] * t44)) + (k[0] * t82 - k[1] * t88);
   JointVector<Scalar> result;
   result[0] = -t60;
-  result[1] = (t106 - k[12] * (t107 + t109)) - t63;
-  result[2] = t106;
-  result[3] = -t111 - (c5 * t99 + s5 * t103);
-  result[4] = -t89;
-  result[5] = -t98;
+  result[1] = ((t63 - t65) - t108) - t109;
+  result[2] = -t108;
+  result[3] = (s5 * t91 - c5 * t98) - t111;
+  result[4] = t106;
+  result[5] = t97;
   return result;
 }
 
@@ -491,20 +502,21 @@ GravityTorqueWithGravityVectorConstants<Scalar> gravity_torque_with_gravity_vect
   const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
   const Scalar t1 = inertia.m3 + t0;
   const Scalar t2 = g.l2 * t1 + (g.l2 * inertia.m2 + inertia.c2x * inertia.m2);
-  const Scalar t3 = (inertia.c4y * inertia.m4 - g.d4 * t0) - (g.d4 * inertia.m3 - inertia.c3y * inertia.m3);
+  const Scalar t3 = g.d4 * inertia.m4;
+  const Scalar t4 = ((inertia.c4y * inertia.m4 - t3) + t3) - g.d4 * t0;
   return { gravity[1],
            gravity[0],
            inertia.c2y * inertia.m2,
            t2,
-           inertia.c3x * inertia.m3,
-           t3,
            inertia.c4z * inertia.m4,
+           gravity[2],
+           inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
+           inertia.c5z * inertia.m5,
            inertia.c6z * inertia.m6,
            inertia.c6x * inertia.m6,
-           gravity[2],
-           inertia.c5z * inertia.m5,
-           inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
            inertia.c4x * inertia.m4 + inertia.c5x * inertia.m5,
+           inertia.c3x * inertia.m3,
+           (g.d4 * inertia.m3 - inertia.c3y * inertia.m3) - t4,
            gravity[2] * (inertia.m1 + (inertia.m2 + t1)) };
 }
 
@@ -526,29 +538,29 @@ inline JointVector<Scalar> gravity_torque_with_gravity_vector([[maybe_unused]] c
   const Scalar& c6 = angles.cosine[4];
   const Scalar t0 = k[0] * s2 + k[1] * c2;
   const Scalar t1 = k[1] * s2 - k[0] * c2;
-  const Scalar t2 = s3 * t0 + c3 * t1;
-  const Scalar t3 = c3 * t0 - s3 * t1;
-  const Scalar t4 = s4 * t3 - k[9] * c4;
-  const Scalar t5 = s5 * t4 + c5 * t2;
-  const Scalar t6 = s5 * t2 - c5 * t4;
-  const Scalar t7 = k[7] * c6 + k[8] * s6;
-  const Scalar t8 = (k[10] * t5 + k[11] * t6) + t7 * t5;
-  const Scalar t9 = k[8] * c6 - k[7] * s6;
-  const Scalar t10 = c4 * t3 + k[9] * s4;
-  const Scalar t11 = t5 * t9 + k[11] * t10;
-  const Scalar t12 = t6 * t9 - t7 * t10;
-  const Scalar t13 = k[10] * t10 - t12;
-  const Scalar t14 = k[12] * t2 + (c5 * t11 - s5 * t13);
-  const Scalar t15 = s4 * (k[6] * t2 + t8) - c4 * t14;
-  const Scalar t16 = t15 - (k[4] * t2 + k[5] * t3);
-  const Scalar t17 = (k[6] * t10 + k[12] * t4) + (s5 * t11 + c5 * t13);
+  const Scalar t2 = c3 * t0 - s3 * t1;
+  const Scalar t3 = s3 * t0 + c3 * t1;
+  const Scalar t4 = k[5] * c4 - s4 * t2;
+  const Scalar t5 = s5 * t4 - c5 * t3;
+  const Scalar t6 = k[8] * c6 + k[9] * s6;
+  const Scalar t7 = s5 * t3 + c5 * t4;
+  const Scalar t8 = t5 * t6 - (k[6] * t7 - k[7] * t5);
+  const Scalar t9 = c4 * t2 + k[5] * s4;
+  const Scalar t10 = k[9] * c6 - k[8] * s6;
+  const Scalar t11 = t10 * t7 - t9 * t6;
+  const Scalar t12 = k[7] * t9 - t11;
+  const Scalar t13 = t10 * t5 - k[6] * t9;
+  const Scalar t14 = k[10] * t3 - (s5 * t12 + c5 * t13);
+  const Scalar t15 = s4 * (k[4] * t3 - t8) - c4 * t14;
+  const Scalar t16 = (k[12] * t2 - k[11] * t3) + t15;
+  const Scalar t17 = (s5 * t13 - c5 * t12) + (k[10] * t4 - k[4] * t9);
   JointVector<Scalar> result;
   result[0] = -k[13];
   result[1] = (k[2] * t0 + k[3] * t1) - t16;
   result[2] = -t16;
-  result[3] = t17;
-  result[4] = -t8;
-  result[5] = -t12;
+  result[3] = -t17;
+  result[4] = t8;
+  result[5] = -t11;
   return result;
 }
 
@@ -575,92 +587,95 @@ ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t0 = inertia.c6y * inertia.m6;
   const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = (inertia.I6xx - t0) - inertia.c6x * t1;
-  const Scalar t3 = inertia.c6z * inertia.m6;
-  const Scalar t4 = inertia.c6z * t3 - (inertia.I6zz - t0);
-  const Scalar t5 = inertia.I6xz - inertia.c6z * t1;
-  const Scalar t6 = inertia.c5z * inertia.m5;
-  const Scalar t7 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t8 = inertia.c6y * inertia.m6;
-  const Scalar t9 = inertia.c5y * inertia.m5;
-  const Scalar t10 = ((inertia.I6yy - t0) - inertia.c6y * t8) - (inertia.c5y * t9 - (inertia.I5yy - t7));
-  const Scalar t11 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t12 = inertia.c4z * inertia.m4;
-  const Scalar t13 = (inertia.I4zz - t11) - inertia.c4z * t12;
-  const Scalar t14 = inertia.c5x * inertia.m5;
-  const Scalar t15 = inertia.c4x * inertia.m4;
-  const Scalar t16 = (inertia.c5x * t14 - (inertia.I5xx - t7)) - ((inertia.I4xx - t11) - inertia.c4x * t15);
-  const Scalar t17 = t2 - t4;
-  const Scalar t18 = Scalar(1) / t17;
-  const Scalar t19 = g.l2 * t12;
-  const Scalar t20 = inertia.c4y * inertia.m4;
-  const Scalar t21 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t22 = t20 - g.d4 * t21;
+  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t1;
+  const Scalar t4 = inertia.c6z * inertia.m6;
+  const Scalar t5 = inertia.c6z * t4 - (inertia.I6zz - t2);
+  const Scalar t6 = t3 - t5;
+  const Scalar t7 = inertia.c5x * inertia.m5;
+  const Scalar t8 = inertia.I6xz - inertia.c6z * t1;
+  const Scalar t9 = inertia.c4x * inertia.m4;
+  const Scalar t10 = g.d4 * t9;
+  const Scalar t11 = inertia.c5y * inertia.m5;
+  const Scalar t12 = inertia.c5z * inertia.m5;
+  const Scalar t13 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t14 = ((inertia.I6yy - t2) - inertia.c6y * t0) - (inertia.c5y * t11 - (inertia.I5yy - t13));
+  const Scalar t15 = inertia.c4z * inertia.m4;
+  const Scalar t16 = g.d4 * t15;
+  const Scalar t17 = inertia.c4y * inertia.m4;
+  const Scalar t18 = g.l2 * t15;
+  const Scalar t19 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t20 = (inertia.I4zz - t19) - inertia.c4z * t15;
+  const Scalar t21 = (inertia.c5x * t7 - (inertia.I5xx - t13)) - ((inertia.I4xx - t19) - inertia.c4x * t9);
+  const Scalar t22 = inertia.c3x * inertia.m3;
   const Scalar t23 = inertia.c3y * inertia.m3;
   const Scalar t24 = g.d4 * inertia.m3 - t23;
-  const Scalar t25 = inertia.c3x * inertia.m3;
-  const Scalar t26 = ((inertia.I4yy - t11) - inertia.c4y * t20) + g.d4 * (t20 + t22);
-  const Scalar t27 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t28 = ((inertia.I3yy - t27) - inertia.c3y * t23) - g.d4 * (t24 - t23);
-  const Scalar t29 = inertia.I4xz - inertia.c4z * t15;
-  const Scalar t30 = inertia.c2x * inertia.m2;
-  const Scalar t31 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t32 = g.l2 * inertia.m2 + t30;
-  const Scalar t33 = (inertia.c2x * t30 - (inertia.I2xx - t31)) + g.l2 * (t30 + t32);
-  const Scalar t34 = inertia.m3 + t21;
-  const Scalar t35 = g.l2 * t34;
-  const Scalar t36 = inertia.c2y * inertia.m2;
-  const Scalar t37 = gravity[2] / g.l2;
-  const Scalar t38 = Scalar(1) / g.l2;
-  const Scalar t39 = g.l2 * g.l2 * (inertia.m1 + (inertia.m2 + t34));
-  return { t2 + t4,
-           Scalar(2) * t5,
-           t2,
-           inertia.c5z * t6 - (inertia.I5zz - t7),
-           t10,
-           inertia.I6yz - inertia.c6z * t8,
+  const Scalar t25 = g.d4 * inertia.m4;
+  const Scalar t26 = t17 - t25;
+  const Scalar t27 = t26 + t25;
+  const Scalar t28 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t29 = t27 - g.d4 * t28;
+  const Scalar t30 = inertia.I4xz - inertia.c4z * t9;
+  const Scalar t31 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t32 = g.d4 * (t17 + t26) + ((inertia.I4yy - t19) - inertia.c4y * t17);
+  const Scalar t33 = (t32 - g.d4 * (t27 + t26)) + g.d4 * (t27 + t29);
+  const Scalar t34 = ((inertia.I3yy - t31) - inertia.c3y * t23) - g.d4 * (t24 - t23);
+  const Scalar t35 = Scalar(1) / g.l2;
+  const Scalar t36 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t37 = inertia.c2y * inertia.m2;
+  const Scalar t38 = inertia.c2x * inertia.m2;
+  const Scalar t39 = g.l2 * inertia.m2 + t38;
+  const Scalar t40 = (inertia.c2x * t38 - (inertia.I2xx - t36)) + g.l2 * (t38 + t39);
+  const Scalar t41 = inertia.m3 + t28;
+  const Scalar t42 = g.l2 * t41;
+  const Scalar t43 = gravity[2] / g.l2;
+  const Scalar t44 = g.l2 * g.l2 * (inertia.m1 + (inertia.m2 + t41));
+  return { inertia.I6yz - inertia.c6z * t0,
            inertia.I6xy - inertia.c6y * t1,
-           inertia.I5yz - inertia.c5z * t9,
-           t13,
-           t4,
-           t16,
-           t18,
-           t17,
-           inertia.I5xy - inertia.c5y * t14,
-           t5,
-           inertia.I5xz - inertia.c5z * t14,
-           g.l2 * (t8 + t9),
+           t6,
+           Scalar(1) / t6,
+           g.l2 * t4,
            g.l2 * t1,
-           g.l2 * t3,
-           g.l2 * t6,
            g.d4 / g.l2,
-           t19,
-           g.l2 * (t15 + t14),
-           inertia.I4yz - inertia.c4z * t20,
-           inertia.I4xy - inertia.c4y * t15,
-           g.l2 * (t22 - t24),
-           g.l2 * t25,
-           (inertia.I3xy - inertia.c3y * t25) + g.d4 * t25,
-           t26 + t28,
-           t29,
-           inertia.c3x * t25 - (inertia.I3xx - t27),
-           t33 + g.l2 * t35,
-           (inertia.I2yy - t31) - inertia.c2y * t36,
-           gravity[0] / g.l2,
+           inertia.I5xy - inertia.c5y * t7,
+           Scalar(2) * t8,
+           t3 + t5,
+           t8,
+           inertia.I5xz - inertia.c5z * t7,
+           (t10 + (inertia.I4xy - inertia.c4y * t9)) - t10,
+           g.l2 * (t9 + t7),
+           inertia.I5yz - inertia.c5z * t11,
+           t5,
+           inertia.c5z * t12 - (inertia.I5zz - t13),
+           t14,
+           t16 - (t16 + (inertia.I4yz - inertia.c4z * t17)),
+           g.l2 * t12,
+           g.l2 * (t0 + t11),
+           t18,
+           t20,
+           t21,
+           g.l2 * t22,
+           g.l2 * (t24 - t29),
+           t30,
+           inertia.c3x * t22 - (inertia.I3xx - t31),
+           t33 + t34,
+           t35,
+           (inertia.I3xy - inertia.c3y * t22) + g.d4 * t22,
+           (inertia.I2yy - t36) - inertia.c2y * t37,
+           t40 + g.l2 * t42,
            gravity[1] / g.l2,
-           t37,
-           g.l2 * (t35 + t32),
-           g.l2 * t36,
-           Scalar(2) * t19,
-           Scalar(2) * t29,
-           Scalar(2) * t13,
-           t13 + t16,
-           t38,
-           t18 * t38,
-           t39 * t37,
-           t39 * t38 * t38 };
+           gravity[0] / g.l2,
+           t43,
+           t20 + t21,
+           g.l2 * (t42 + t39),
+           g.l2 * t37,
+           Scalar(2) * t18,
+           Scalar(2) * t30,
+           Scalar(2) * t20,
+           t43 * t35 * t44,
+           t44 * t35 * t35 };
 }
 
 namespace detail {
@@ -679,196 +694,195 @@ inline JointVector<Scalar> forward_dynamics_with_gravity_vector([[maybe_unused]]
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[0] * c6 - k[1] * s6;
-  const Scalar t1 = c6 * t0;
-  const Scalar t2 = k[2] - t1;
-  const Scalar t3 = k[3] - t2;
-  const Scalar t4 = k[4] - t3;
-  const Scalar t5 = k[6] * c6 - k[5] * s6;
-  const Scalar t6 = k[11] * t5;
-  const Scalar t7 = Scalar(1) / (t4 - t6 * t5);
-  const Scalar t8 = k[17] * c6 - k[18] * s6;
+  const Scalar t0 = k[0] * s6 - k[1] * c6;
+  const Scalar t1 = k[3] * t0;
+  const Scalar t2 = k[9] * c6 - k[8] * s6;
+  const Scalar t3 = k[15] - c6 * t2;
+  const Scalar t4 = k[2] + t3;
+  const Scalar t5 = k[16] - t4;
+  const Scalar t6 = k[17] - t5;
+  const Scalar t7 = Scalar(1) / (t0 * t1 - t6);
+  const Scalar t8 = k[4] * s6 - k[5] * c6;
   const Scalar t9 = c5 * t8;
-  const Scalar t10 = k[17] * s6 + k[18] * c6;
-  const Scalar t11 = c4 * t9 - s4 * t10;
-  const Scalar t12 = k[42] * t11;
-  const Scalar t13 = k[19] + t10;
-  const Scalar t14 = k[16] * c5 - s5 * t13;
-  const Scalar t15 = t6 * t12 - k[42] * c4 * t14;
-  const Scalar t16 = t7 * t15;
-  const Scalar t17 = s4 * t9 + c4 * t10;
-  const Scalar t18 = k[6] * s6 + k[5] * c6;
-  const Scalar t19 = s4 * t5 - c4 * (k[12] * s5 - c5 * t18);
-  const Scalar t20 = k[20] * t17 + t19;
-  const Scalar t21 = k[14] + s6 * t0;
-  const Scalar t22 = k[15] + t21;
-  const Scalar t23 = k[13] + t5;
-  const Scalar t24 = c5 * t22 + s5 * t23;
-  const Scalar t25 = k[20] * t14;
-  const Scalar t26 = c4 * t24 - s4 * (t4 + t25);
-  const Scalar t27 = t6 * t20 + t26;
-  const Scalar t28 = k[43] * t11;
-  const Scalar t29 = c5 + k[11] * s5 * t18;
-  const Scalar t30 = k[12] * t29;
-  const Scalar t31 = c5 * t23 - s5 * t22;
-  const Scalar t32 = t6 * t30 - t31;
-  const Scalar t33 = t7 * t27;
-  const Scalar t34 = k[22] + t8;
-  const Scalar t35 = (k[24] + t31) + k[20] * t34;
-  const Scalar t36 = k[16] * s5 + c5 * t13;
-  const Scalar t37 = k[21] + t36;
-  const Scalar t38 = k[7] + t18;
-  const Scalar t39 = c5 * t38;
-  const Scalar t40 = (t39 + t39) + s5 * (k[4] + t3);
-  const Scalar t41 = k[20] * t37 + (k[23] + (c5 * t40 - t38));
-  const Scalar t42 = s4 * t35 + c4 * t41;
-  const Scalar t43 = t32 * t33 - (t42 - t29 * t20);
-  const Scalar t44 = k[9] - t1;
-  const Scalar t45 = k[10] + t44;
-  const Scalar t46 = k[4] - s5 * t40;
-  const Scalar t47 = k[8] - (t46 - t4);
-  const Scalar t48 = t7 * t32;
-  const Scalar t49 = (t29 * t30 + (t45 - t47)) + t32 * t48;
-  const Scalar t50 = Scalar(1) / t49;
-  const Scalar t51 = t43 * t50;
-  const Scalar t52 = s4 * t37 - c4 * t34;
-  const Scalar t53 = t16 * t32 + (t29 * t12 + k[42] * t52);
-  const Scalar t54 = (t16 * t27 + t28 * t20) - t51 * t53;
-  const Scalar t55 = qd[1] + qd[2];
-  const Scalar t56 = c4 * t55;
-  const Scalar t57 = qd[3] * t56;
-  const Scalar t58 = s5 * t56;
-  const Scalar t59 = t58 - qd[3] * c5;
-  const Scalar t60 = qd[3] * s5 + c5 * t56;
-  const Scalar t61 = t59 * t60;
-  const Scalar t62 = t57 + t61;
-  const Scalar t63 = s4 * t55;
-  const Scalar t64 = qd[4] + t63;
-  const Scalar t65 = Scalar(2) * qd[3] * t63;
-  const Scalar t66 = c5 * t65 - t58 * t63;
-  const Scalar t67 = Scalar(2) * t64 * t59 + t66;
-  const Scalar t68 = t64 * t60;
-  const Scalar t69 = t63 * t56;
-  const Scalar t70 = c5 * t69 + s5 * t65;
-  const Scalar t71 = t68 - (t70 - t68);
-  const Scalar t72 = t64 * t64;
-  const Scalar t73 = qd[5] - t59;
-  const Scalar t74 = t73 * t73;
-  const Scalar t75 = t72 + t74;
-  const Scalar t76 = t60 * t60;
-  const Scalar t77 = t72 + t76;
-  const Scalar t78 = t72 - t74;
-  const Scalar t79 = t77 - t78;
-  const Scalar t80 = t75 - t79;
-  const Scalar t81 = (t71 * t2 + t44 * t70) + t21 * t80;
-  const Scalar t82 = k[34] * s2 + k[33] * c2;
-  const Scalar t83 = qd[1] * qd[1] + t82;
-  const Scalar t84 = k[33] * s2 - k[34] * c2;
-  const Scalar t85 = c3 * t83 - s3 * t84;
-  const Scalar t86 = c4 * t85 + k[35] * s4;
-  const Scalar t87 = s4 * t85 - k[35] * c4;
-  const Scalar t88 = c3 * t84 + s3 * t83;
-  const Scalar t89 = t55 * t55;
-  const Scalar t90 = t88 + k[20] * t89;
-  const Scalar t91 = c5 * t87 - s5 * t90;
-  const Scalar t92 = ((t62 * t5 - t67 * t18) - t81) - (t10 * t86 + t8 * t91);
-  const Scalar t93 = torque[5] + t92;
-  const Scalar t94 = k[11] * t93;
-  const Scalar t95 = s5 * t87 + c5 * t90;
-  const Scalar t96 = t57 - t61;
-  const Scalar t97 = t56 * t56;
-  const Scalar t98 = qd[3] * qd[3];
-  const Scalar t99 = t97 + t98;
-  const Scalar t100 = t77 - t99;
-  const Scalar t101 = (k[3] * t96 - k[4] * t62) - k[7] * (t100 - t80);
-  const Scalar t102 = (k[16] * t91 - k[19] * t95) + (t101 - (k[15] * t66 + k[13] * t70));
-  const Scalar t103 = t73 * t60;
-  const Scalar t104 = t62 + (t103 + t103);
-  const Scalar t105 = t64 * t73;
-  const Scalar t106 = t105 + (t67 + t105);
-  const Scalar t107 = (t70 * t5 - t18 * (t74 - t76)) + (t104 * t2 + t106 * t21);
-  const Scalar t108 = t102 - (t10 * t95 + t107);
-  const Scalar t109 = t5 * t94 - (torque[4] - t108);
-  const Scalar t110 = t99 - t89;
-  const Scalar t111 = t97 - t98;
+  const Scalar t10 = k[4] * c6 + k[5] * s6;
+  const Scalar t11 = k[29] * (c4 * t9 + s4 * t10);
+  const Scalar t12 = k[19] + t10;
+  const Scalar t13 = s5 * t12 - k[20] * c5;
+  const Scalar t14 = t11 * t1 + k[29] * c4 * t13;
+  const Scalar t15 = t7 * t14;
+  const Scalar t16 = k[3] * t11;
+  const Scalar t17 = k[0] * c6 + k[1] * s6;
+  const Scalar t18 = k[14] + t17;
+  const Scalar t19 = Scalar(2) * c5 * t18 + s5 * (k[17] + t5);
+  const Scalar t20 = k[17] - s5 * t19;
+  const Scalar t21 = k[22] - (t20 - t6);
+  const Scalar t22 = k[23] + t3;
+  const Scalar t23 = k[2] * c5 + s5 * t17;
+  const Scalar t24 = k[3] * t23;
+  const Scalar t25 = k[10] + s6 * t2;
+  const Scalar t26 = k[11] + t25;
+  const Scalar t27 = k[7] - t0;
+  const Scalar t28 = s5 * t26 - c5 * t27;
+  const Scalar t29 = t28 - t0 * t24;
+  const Scalar t30 = t7 * t29;
+  const Scalar t31 = ((t21 - t22) - t23 * t24) + t29 * t30;
+  const Scalar t32 = Scalar(1) / t31;
+  const Scalar t33 = k[13] - t8;
+  const Scalar t34 = k[20] * s5 + c5 * t12;
+  const Scalar t35 = k[21] + t34;
+  const Scalar t36 = c4 * t33 - s4 * t35;
+  const Scalar t37 = (t16 * t23 + k[29] * t36) + t15 * t29;
+  const Scalar t38 = t32 * t37;
+  const Scalar t39 = (t15 * t14 - (k[43] + t16 * t11)) - t38 * t37;
+  const Scalar t40 = s4 * t9 - c4 * t10;
+  const Scalar t41 = s4 * t0 - c4 * (c5 * t17 - k[2] * s5);
+  const Scalar t42 = k[6] * t40 + t41;
+  const Scalar t43 = k[6] * t13;
+  const Scalar t44 = c5 * t26 + s5 * t27;
+  const Scalar t45 = s4 * (t43 - t6) + c4 * t44;
+  const Scalar t46 = t42 * t1 + t45;
+  const Scalar t47 = (k[18] - (c5 * t19 - t18)) - k[6] * t35;
+  const Scalar t48 = (k[12] - t28) + k[6] * t33;
+  const Scalar t49 = c4 * t47 - s4 * t48;
+  const Scalar t50 = t7 * t46;
+  const Scalar t51 = (t42 * t24 - t49) + t29 * t50;
+  const Scalar t52 = (t42 * t16 - t15 * t46) + t51 * t38;
+  const Scalar t53 = k[28] + (t20 - Scalar(2) * t43);
+  const Scalar t54 = s4 * (k[26] + t44);
+  const Scalar t55 = c4 * (c4 * (t21 + t22) + (t54 + t54));
+  const Scalar t56 = k[27] - (t21 - t55);
+  const Scalar t57 = t53 - t56;
+  const Scalar t58 = k[3] * t42;
+  const Scalar t59 = t51 * t32;
+  const Scalar t60 = ((t57 - t42 * t58) + t50 * t46) - t51 * t59;
+  const Scalar t61 = Scalar(1) / t60;
+  const Scalar t62 = t52 * t61;
+  const Scalar t63 = t42 + (s3 * t40 + c3 * s5 * t8);
+  const Scalar t64 = k[3] * t63;
+  const Scalar t65 = t45 - (c3 * t34 - s3 * s4 * t13);
+  const Scalar t66 = t0 * t64 + t65;
+  const Scalar t67 = t7 * t66;
+  const Scalar t68 = s3 * (c4 * t35 + s4 * t33) - t49;
+  const Scalar t69 = t29 * t67 + (t23 * t64 + t68);
+  const Scalar t70 = t38 * t69 - (t15 * t66 - t64 * t11);
+  const Scalar t71 = s3 * (k[25] + t13) + c3 * (k[24] + t36);
+  const Scalar t72 = t46 * t67 - (t63 * t58 + (t71 - t57));
+  const Scalar t73 = t59 * t69 - t72;
+  const Scalar t74 = t70 + t62 * t73;
+  const Scalar t75 = t73 * t61;
+  const Scalar t76 = t32 * t69;
+  const Scalar t77 = c3 * (k[30] + (c4 * t48 + s4 * t47));
+  const Scalar t78 = s3 * ((t77 + t77) - s3 * (t53 + t56));
+  const Scalar t79 = t78 + t53;
+  const Scalar t80 = (k[32] - ((t57 - t79) - Scalar(2) * t71)) - (k[31] + t79);
+  const Scalar t81 = t76 * t69 - (t67 * t66 - (t63 * t64 + t80));
+  const Scalar t82 = Scalar(1) / (t73 * t75 + t81);
+  const Scalar t83 = t82 * t74;
+  const Scalar t84 = Scalar(1) / ((t39 - t52 * t62) + t74 * t83);
+  const Scalar t85 = k[34] * s2 - k[33] * c2;
+  const Scalar t86 = k[33] * s2 + k[34] * c2;
+  const Scalar t87 = qd[1] * qd[1] + t86;
+  const Scalar t88 = s3 * t85 - c3 * t87;
+  const Scalar t89 = c4 * t88 - k[35] * s4;
+  const Scalar t90 = qd[1] + qd[2];
+  const Scalar t91 = t90 * t90;
+  const Scalar t92 = c3 * t85 + s3 * t87;
+  const Scalar t93 = k[6] * t91 + t92;
+  const Scalar t94 = s4 * t88 + k[35] * c4;
+  const Scalar t95 = s5 * t93 + c5 * t94;
+  const Scalar t96 = c4 * t90;
+  const Scalar t97 = qd[3] * t96;
+  const Scalar t98 = s5 * t96;
+  const Scalar t99 = t98 - qd[3] * c5;
+  const Scalar t100 = qd[3] * s5 + c5 * t96;
+  const Scalar t101 = t99 * t100;
+  const Scalar t102 = t97 + t101;
+  const Scalar t103 = s4 * t90;
+  const Scalar t104 = qd[3] * t103;
+  const Scalar t105 = t104 + t104;
+  const Scalar t106 = t98 * t103 - c5 * t105;
+  const Scalar t107 = qd[4] + t103;
+  const Scalar t108 = t107 * t99;
+  const Scalar t109 = (t106 - t108) - t108;
+  const Scalar t110 = qd[3] * qd[3];
+  const Scalar t111 = t103 * t103;
   const Scalar t112 = t110 + t111;
-  const Scalar t113 = (k[22] * t87 + k[21] * t86) + (k[41] * t69 - k[29] * t112);
-  const Scalar t114 = (t104 * t21 - t106 * t44) + t78 * t5;
-  const Scalar t115 = k[13] * t100 + (k[7] * t71 + k[4] * t67);
-  const Scalar t116 = (t8 * t95 + (t114 + t71 * t18)) + ((t115 + k[15] * t96) + k[16] * t86);
-  const Scalar t117 = (k[13] * t62 - k[15] * t80) - (k[7] * t67 - k[3] * t71);
-  const Scalar t118 = (k[19] * t86 - t117) - t92;
-  const Scalar t119 = torque[3] - (t113 + (s5 * t116 + c5 * t118));
-  const Scalar t120 = t48 * t109 + (t29 * t93 - t119);
-  const Scalar t121 = k[11] * t20;
-  const Scalar t122 = (k[23] * t111 + k[24] * t69) + (k[40] * t57 + k[29] * t65);
-  const Scalar t123 = (k[10] * t65 - k[39] * t57) + k[24] * t110;
-  const Scalar t124 = (c5 * t116 - s5 * t118) + (k[22] * t90 + (k[23] * t69 - t123));
-  const Scalar t125 = s4 * (t108 - (t122 + k[21] * t90)) + c4 * t124;
-  const Scalar t126 = (t104 * t10 + t106 * t8) + (k[19] * t96 + k[16] * t77);
-  const Scalar t127 = (k[16] * t62 - k[19] * (t80 + t99)) + (t8 * t70 - t10 * t75);
-  const Scalar t128 = (k[22] * t69 + k[21] * (t112 - t99)) - (s5 * t126 - c5 * t127);
-  const Scalar t129 = (k[19] * t71 + k[16] * t67) + (t71 * t10 - t8 * t79);
-  const Scalar t130 = t129 + (k[21] * t69 - k[22] * t99);
-  const Scalar t131 = s4 * t128 - c4 * t130;
-  const Scalar t132 = (t125 - k[20] * t131) + (k[26] * t88 + k[25] * t85);
-  const Scalar t133 = t7 * t109;
-  const Scalar t134 = (t121 * t93 - (torque[2] - t132)) + t133 * t27;
-  const Scalar t135 = t120 * t51 - t134;
-  const Scalar t136 = c4 * (t45 + t47) + Scalar(2) * s4 * (k[29] + t24);
-  const Scalar t137 = k[30] + (c4 * t136 - t47);
-  const Scalar t138 = k[28] + (t46 + (t25 + t25));
-  const Scalar t139 = t137 - t138;
-  const Scalar t140 = ((t139 + t121 * t20) + t27 * t33) - t43 * t51;
-  const Scalar t141 = Scalar(1) / t140;
-  const Scalar t142 = t135 * t141;
-  const Scalar t143 = k[42] * (k[44] - (c4 * t128 + s4 * t130));
-  const Scalar t144 = t16 * t109 + ((torque[0] + t143) + t12 * t94);
-  const Scalar t145 = t50 * t53;
-  const Scalar t146 = t20 + (s3 * t17 + c3 * s5 * t8);
-  const Scalar t147 = k[11] * t146;
-  const Scalar t148 = (s3 * s4 * t14 + c3 * t36) - t26;
-  const Scalar t149 = t147 * t5 - t148;
-  const Scalar t150 = t42 + s3 * (s4 * t34 + c4 * t37);
-  const Scalar t151 = t149 * t48 + (t29 * t146 - t150);
-  const Scalar t152 = c3 * (k[26] - t52) - s3 * (k[25] + t14);
-  const Scalar t153 = ((t139 + t152) + t20 * t147) + t149 * t33;
-  const Scalar t154 = t51 * t151 - t153;
-  const Scalar t155 = t54 * t141;
-  const Scalar t156 = t50 * t151;
-  const Scalar t157 = t7 * t149;
-  const Scalar t158 = t156 * t53 - (t12 * t147 + t15 * t157);
-  const Scalar t159 = t154 * t155 - t158;
-  const Scalar t160 = t154 * t141;
-  const Scalar t161 = c3 * (k[27] - (s4 * t41 - c4 * t35));
-  const Scalar t162 = s3 * (Scalar(2) * t161 - s3 * (t137 + t138));
-  const Scalar t163 = (k[32] + (t162 + t138)) - (k[31] + ((t152 + t152) + (t137 + t162)));
-  const Scalar t164 = ((t147 * t146 - t163) + t149 * t157) - t151 * t156;
-  const Scalar t165 = Scalar(1) / (t160 * t154 - t164);
-  const Scalar t166 = (s5 * t127 + c5 * t126) + (k[38] * t57 + k[22] * t65);
-  const Scalar t167 = c3 * (k[25] * t89 + t166) + s3 * (t131 + k[26] * t89);
-  const Scalar t168 = (k[36] * t84 + k[37] * t82) + (t132 - t167);
-  const Scalar t169 = (t146 * t94 - (torque[1] - t168)) + t149 * t133;
-  const Scalar t170 = t165 * (t135 * t160 - (t169 - t120 * t156));
-  const Scalar t171 = (t54 * t142 + (t144 - t120 * t145)) - t159 * t170;
-  const Scalar t172 = (t16 * t15 + (k[45] + t28 * t12)) - t53 * t145;
-  const Scalar t173 = t159 * t165;
-  const Scalar t174 = Scalar(1) / ((t54 * t155 - t172) - t159 * t173);
-  const Scalar t175 = t171 * t174;
-  const Scalar t176 = t170 - t173 * t175;
-  const Scalar t177 = t176 * t160 - (t142 - t175 * t155);
-  const Scalar t178 = t176 * t156 - (t175 * t145 + t120 * t50);
-  const Scalar t179 = t51 * t177 + t178;
-  const Scalar t180 = (t176 * t157 - (t16 * t175 + t133)) + t177 * t33;
-  const Scalar t181 = t180 - t179 * t48;
-  const Scalar t182 = t121 * t177 + (t176 * t147 - (t175 * t28 + t94));
+  const Scalar t113 = t112 - t91;
+  const Scalar t114 = t110 - t111;
+  const Scalar t115 = t113 - t114;
+  const Scalar t116 = t115 - t112;
+  const Scalar t117 = t107 * t107;
+  const Scalar t118 = t117 - t99 * t99;
+  const Scalar t119 = t116 - t118;
+  const Scalar t120 = qd[5] - t99;
+  const Scalar t121 = t120 * t120;
+  const Scalar t122 = t117 + t121;
+  const Scalar t123 = t119 + t122;
+  const Scalar t124 = t117 - t121;
+  const Scalar t125 = t123 + t124;
+  const Scalar t126 = t103 * t96;
+  const Scalar t127 = c5 * t126 + s5 * t105;
+  const Scalar t128 = t107 * t100;
+  const Scalar t129 = (t127 - t128) - t128;
+  const Scalar t130 = t125 * t25 - (t129 * t4 - t3 * t127);
+  const Scalar t131 = (t10 * t89 - t95 * t8) - ((t0 * t102 - t109 * t17) + t130);
+  const Scalar t132 = torque[5] + t131;
+  const Scalar t133 = s5 * t94 - c5 * t93;
+  const Scalar t134 = t107 * t120;
+  const Scalar t135 = (t109 - t134) - t134;
+  const Scalar t136 = Scalar(2) * t120 * t100 + t102;
+  const Scalar t137 = (t135 * t25 - t4 * t136) + (t0 * t127 + t17 * t123);
+  const Scalar t138 = t97 - t101;
+  const Scalar t139 = (k[16] * t138 - k[17] * t102) - k[14] * (t118 - t125);
+  const Scalar t140 = (k[19] * t133 - k[20] * t95) + (t139 + (k[11] * t106 - k[7] * t127));
+  const Scalar t141 = (t133 * t10 + t137) + t140;
+  const Scalar t142 = t132 * t1 + (torque[4] - t141);
+  const Scalar t143 = (k[18] * t113 + k[12] * t126) + (k[40] * t104 + k[41] * t97);
+  const Scalar t144 = (k[40] * t97 - k[23] * t105) - k[12] * t114;
+  const Scalar t145 = k[7] * t118 - (k[17] * t109 + k[14] * t129);
+  const Scalar t146 = t0 * t124 - (t3 * t135 + t136 * t25);
+  const Scalar t147 = (k[20] * t89 - (k[11] * t138 + t145)) - (t133 * t8 - (t17 * t129 + t146));
+  const Scalar t148 = (k[11] * t125 - k[7] * t102) + (k[16] * t129 - k[14] * t109);
+  const Scalar t149 = t131 + (k[19] * t89 - t148);
+  const Scalar t150 = (k[13] * t93 + (t144 - k[18] * t126)) - (c5 * t147 - s5 * t149);
+  const Scalar t151 = s4 * (t141 - (t143 + k[21] * t93)) + c4 * t150;
+  const Scalar t152 = (t8 * (t122 - t125) - t129 * t10) - (k[20] * t109 + k[19] * t129);
+  const Scalar t153 = (k[13] * t116 + k[21] * t126) + t152;
+  const Scalar t154 = (t8 * t127 + t10 * t122) - (k[20] * t102 + k[19] * (t116 - t125));
+  const Scalar t155 = (k[19] * t138 - k[20] * t119) + (t10 * t136 + t8 * t135);
+  const Scalar t156 = (c5 * t154 + s5 * t155) + (k[21] * t112 - k[13] * t126);
+  const Scalar t157 = c4 * t153 + s4 * t156;
+  const Scalar t158 = (k[24] * t92 + k[25] * t88) + (t151 + k[6] * t157);
+  const Scalar t159 = t142 * t50 - ((torque[2] - t158) + t58 * t132);
+  const Scalar t160 = (k[13] * t94 + k[21] * t89) - (k[36] * t126 + k[26] * t115);
+  const Scalar t161 = torque[3] + ((s5 * t147 + c5 * t149) + t160);
+  const Scalar t162 = t142 * t7;
+  const Scalar t163 = (t24 * t132 - t161) + t29 * t162;
+  const Scalar t164 = t163 * t32;
+  const Scalar t165 = t159 - t51 * t164;
+  const Scalar t166 = k[42] + k[29] * (c4 * t156 - s4 * t153);
+  const Scalar t167 = k[3] * t132;
+  const Scalar t168 = t14 * t162 + ((torque[0] + t166) - t11 * t167);
+  const Scalar t169 = (k[13] * t105 + k[39] * t97) - (s5 * t154 - c5 * t155);
+  const Scalar t170 = c3 * (t169 - k[25] * t91) - s3 * (t157 - k[24] * t91);
+  const Scalar t171 = (t158 - t170) + (k[38] * t86 + k[37] * t85);
+  const Scalar t172 = t162 * t66 - (t63 * t167 + (torque[1] - t171));
+  const Scalar t173 = (t163 * t76 - t172) - t165 * t75;
+  const Scalar t174 = (t62 * t165 - (t163 * t38 - t168)) + t173 * t83;
+  const Scalar t175 = t84 * t174;
+  const Scalar t176 = t82 * t173 - t175 * t83;
+  const Scalar t177 = (t165 * t61 + t175 * t62) + t176 * t75;
+  const Scalar t178 = (t76 * t176 + (t175 * t38 - t164)) + t177 * t59;
+  const Scalar t179 = t177 * t50 + (t176 * t67 - (t162 - t175 * t15));
+  const Scalar t180 = t179 - t30 * t178;
+  const Scalar t181 = (t64 * t176 + (t175 * t16 - t167)) + t177 * t58;
   JointVector<Scalar> result;
   result[0] = -t175;
-  result[1] = -t176;
-  result[2] = -t177;
-  result[3] = t179;
-  result[4] = -t181;
-  result[5] = t6 * t181 - (t29 * t179 - t182);
+  result[1] = t176;
+  result[2] = t177;
+  result[3] = -t178;
+  result[4] = -t180;
+  result[5] = (t24 * t178 + t181) - t180 * t1;
   return result;
 }
 
@@ -899,89 +913,98 @@ ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constant
   using std::sin;
   const Scalar t0 = inertia.c6y * inertia.m6;
   const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t1;
-  const Scalar t4 = inertia.c6z * inertia.m6;
-  const Scalar t5 = inertia.c6z * t4 - (inertia.I6zz - t2);
-  const Scalar t6 = t3 - t5;
-  const Scalar t7 = inertia.c5x * inertia.m5;
-  const Scalar t8 = inertia.I6xz - inertia.c6z * t1;
+  const Scalar t2 = inertia.c5x * inertia.m5;
+  const Scalar t3 = inertia.I6xz - inertia.c6z * t1;
+  const Scalar t4 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t5 = (inertia.I6xx - t4) - inertia.c6x * t1;
+  const Scalar t6 = inertia.c6z * inertia.m6;
+  const Scalar t7 = inertia.c6z * t6 - (inertia.I6zz - t4);
+  const Scalar t8 = t5 - t7;
   const Scalar t9 = inertia.c5z * inertia.m5;
-  const Scalar t10 = inertia.c5y * inertia.m5;
-  const Scalar t11 = Scalar(1) / g.l2;
-  const Scalar t12 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t13 = ((inertia.I6yy - t2) - inertia.c6y * t0) - (inertia.c5y * t10 - (inertia.I5yy - t12));
-  const Scalar t14 = inertia.c4x * inertia.m4;
-  const Scalar t15 = inertia.c4z * inertia.m4;
-  const Scalar t16 = g.l2 * t15;
+  const Scalar t10 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t11 = inertia.c5y * inertia.m5;
+  const Scalar t12 = ((inertia.I6yy - t4) - inertia.c6y * t0) - (inertia.c5y * t11 - (inertia.I5yy - t10));
+  const Scalar t13 = Scalar(1) / g.l2;
+  const Scalar t14 = inertia.c4z * inertia.m4;
+  const Scalar t15 = g.l2 * t14;
+  const Scalar t16 = inertia.c4x * inertia.m4;
   const Scalar t17 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t18 = (inertia.c5x * t7 - (inertia.I5xx - t12)) - ((inertia.I4xx - t17) - inertia.c4x * t14);
-  const Scalar t19 = (inertia.I4zz - t17) - inertia.c4z * t15;
-  const Scalar t20 = inertia.c4y * inertia.m4;
-  const Scalar t21 = inertia.I4xz - inertia.c4z * t14;
-  const Scalar t22 = inertia.c3x * inertia.m3;
-  const Scalar t23 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t24 = inertia.m4 + (inertia.m5 + inertia.m6);
-  const Scalar t25 = t20 - g.d4 * t24;
-  const Scalar t26 = ((inertia.I4yy - t17) - inertia.c4y * t20) + g.d4 * (t20 + t25);
-  const Scalar t27 = inertia.c3y * inertia.m3;
-  const Scalar t28 = g.d4 * inertia.m3 - t27;
-  const Scalar t29 = ((inertia.I3yy - t23) - inertia.c3y * t27) - g.d4 * (t28 - t27);
-  const Scalar t30 = inertia.c2x * inertia.m2;
-  const Scalar t31 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t32 = g.l2 * inertia.m2 + t30;
-  const Scalar t33 = (inertia.c2x * t30 - (inertia.I2xx - t31)) + g.l2 * (t30 + t32);
-  const Scalar t34 = inertia.m3 + t24;
-  const Scalar t35 = g.l2 * t34;
-  const Scalar t36 = inertia.c2y * inertia.m2;
-  const Scalar t37 = gravity[2] / g.l2;
-  const Scalar t38 = g.l2 * g.l2 * (inertia.m1 + (inertia.m2 + t34)) * t11;
+  const Scalar t18 = (inertia.I4zz - t17) - inertia.c4z * t14;
+  const Scalar t19 = (inertia.c5x * t2 - (inertia.I5xx - t10)) - ((inertia.I4xx - t17) - inertia.c4x * t16);
+  const Scalar t20 = inertia.m4 + (inertia.m5 + inertia.m6);
+  const Scalar t21 = inertia.m3 + t20;
+  const Scalar t22 = g.l2 * g.l2 * (inertia.m1 + (inertia.m2 + t21));
+  const Scalar t23 = g.d4 / g.l2;
+  const Scalar t24 = inertia.I4xz - inertia.c4z * t16;
+  const Scalar t25 = inertia.c3x * inertia.m3;
+  const Scalar t26 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t27 = inertia.c4y * inertia.m4;
+  const Scalar t28 = g.d4 * inertia.m4;
+  const Scalar t29 = t27 - t28;
+  const Scalar t30 = g.d4 * (t27 + t29) + ((inertia.I4yy - t17) - inertia.c4y * t27);
+  const Scalar t31 = t29 + t28;
+  const Scalar t32 = t31 - g.d4 * t20;
+  const Scalar t33 = (t30 - g.d4 * (t31 + t29)) + g.d4 * (t31 + t32);
+  const Scalar t34 = inertia.c3y * inertia.m3;
+  const Scalar t35 = g.d4 * inertia.m3 - t34;
+  const Scalar t36 = ((inertia.I3yy - t26) - inertia.c3y * t34) - g.d4 * (t35 - t34);
+  const Scalar t37 = g.d4 * t16;
+  const Scalar t38 = g.d4 * t14;
+  const Scalar t39 = inertia.c2x * inertia.m2;
+  const Scalar t40 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t41 = g.l2 * inertia.m2 + t39;
+  const Scalar t42 = (inertia.c2x * t39 - (inertia.I2xx - t40)) + g.l2 * (t39 + t41);
+  const Scalar t43 = g.l2 * t21;
+  const Scalar t44 = inertia.c2y * inertia.m2;
+  const Scalar t45 = gravity[2] / g.l2;
   return { inertia.I6yz - inertia.c6z * t0,
            inertia.I6xy - inertia.c6y * t1,
-           t6,
-           Scalar(1) / t6,
-           inertia.I5xy - inertia.c5y * t7,
-           t3 + t5,
-           Scalar(2) * t8,
-           t8,
-           inertia.I5xz - inertia.c5z * t7,
-           g.l2 * t1,
-           g.l2 * t4,
-           g.l2 * t9,
-           g.l2 * (t0 + t10),
-           t11,
+           inertia.I5xy - inertia.c5y * t2,
+           Scalar(2) * t3,
+           t5 + t7,
            t3,
-           inertia.c5z * t9 - (inertia.I5zz - t12),
-           t13,
-           g.l2 * (t14 + t7),
-           t16,
+           inertia.I5xz - inertia.c5z * t2,
+           t8,
+           Scalar(1) / t8,
            t5,
+           inertia.c5z * t9 - (inertia.I5zz - t10),
+           t12,
+           g.l2 * t6,
+           g.l2 * t1,
+           g.l2 * t9,
+           g.l2 * (t0 + t11),
+           t13,
+           t15,
+           g.l2 * (t16 + t2),
+           inertia.I5yz - inertia.c5z * t11,
+           Scalar(2) * t12,
            t18,
-           inertia.I5yz - inertia.c5z * t10,
+           t7,
            t19,
-           g.d4 / g.l2,
-           inertia.I4yz - inertia.c4z * t20,
-           inertia.I4xy - inertia.c4y * t14,
-           t21,
-           inertia.c3x * t22 - (inertia.I3xx - t23),
-           t26 + t29,
-           g.l2 * (t25 - t28),
-           g.l2 * t22,
-           (inertia.I3xy - inertia.c3y * t22) + g.d4 * t22,
-           t33 + g.l2 * t35,
-           (inertia.I2yy - t31) - inertia.c2y * t36,
+           t22 * t13 * t13,
+           t23,
+           t24,
+           inertia.c3x * t25 - (inertia.I3xx - t26),
+           Scalar(2) * t23,
+           t33 + t36,
+           (t37 + (inertia.I4xy - inertia.c4y * t16)) - t37,
+           t38 - (t38 + (inertia.I4yz - inertia.c4z * t27)),
+           g.l2 * t25,
+           g.l2 * (t35 - t32),
+           (inertia.I3xy - inertia.c3y * t25) + g.d4 * t25,
+           t42 + g.l2 * t43,
+           (inertia.I2yy - t40) - inertia.c2y * t44,
            gravity[0] / g.l2,
            gravity[1] / g.l2,
-           t37,
-           t19 + t18,
+           g.l2 * (t43 + t41),
+           g.l2 * t44,
            g.l2,
-           Scalar(2) * t16,
-           Scalar(2) * t19,
-           Scalar(2) * t21,
-           g.l2 * (t35 + t32),
-           g.l2 * t36,
-           t37 * t38,
-           t38 * t11 };
+           Scalar(2) * t15,
+           t45,
+           Scalar(2) * t24,
+           Scalar(2) * t18,
+           t18 + t19,
+           t45 * t13 * t22 };
 }
 
 namespace detail {
@@ -1001,208 +1024,207 @@ inline JointVector<Scalar> forward_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[10] * c6 + k[9] * s6;
-  const Scalar t1 = k[11] + t0;
-  const Scalar t2 = c5 * t1 + k[12] * s5;
-  const Scalar t3 = k[18] + t2;
-  const Scalar t4 = k[9] * c6 - k[10] * s6;
-  const Scalar t5 = k[17] + t4;
-  const Scalar t6 = s4 * t3 - c4 * t5;
-  const Scalar t7 = k[0] * c6 + k[1] * s6;
-  const Scalar t8 = k[2] * c5 + s5 * t7;
-  const Scalar t9 = c5 * t4;
-  const Scalar t10 = k[13] * (s4 * t0 - c4 * t9);
-  const Scalar t11 = k[3] * t10;
-  const Scalar t12 = k[0] * s6 - k[1] * c6;
-  const Scalar t13 = k[3] * t12;
-  const Scalar t14 = k[6] * s6 - k[5] * c6;
-  const Scalar t15 = c6 * t14;
-  const Scalar t16 = k[14] + t15;
-  const Scalar t17 = k[15] - t16;
-  const Scalar t18 = k[16] - t17;
-  const Scalar t19 = Scalar(1) / (t12 * t13 - t18);
-  const Scalar t20 = s5 * t1 - k[12] * c5;
-  const Scalar t21 = t10 * t13 + k[13] * c4 * t20;
-  const Scalar t22 = t19 * t21;
-  const Scalar t23 = k[4] - t12;
-  const Scalar t24 = k[7] - s6 * t14;
-  const Scalar t25 = k[8] + t24;
-  const Scalar t26 = c5 * t23 - s5 * t25;
-  const Scalar t27 = k[3] * t8;
-  const Scalar t28 = t26 + t12 * t27;
-  const Scalar t29 = (k[13] * t6 - t8 * t11) + t22 * t28;
-  const Scalar t30 = t19 * t28;
-  const Scalar t31 = k[21] + t7;
-  const Scalar t32 = c5 * t31;
-  const Scalar t33 = s5 * (k[16] + t17) + (t32 + t32);
-  const Scalar t34 = s5 * t33 - t17;
-  const Scalar t35 = k[22] + t34;
-  const Scalar t36 = k[19] + t15;
-  const Scalar t37 = k[20] + t36;
-  const Scalar t38 = t28 * t30 - (t8 * t27 - (t35 - t37));
-  const Scalar t39 = Scalar(1) / t38;
-  const Scalar t40 = t29 * t39;
-  const Scalar t41 = c4 * t0 + s4 * t9;
-  const Scalar t42 = s4 * t12 - c4 * (c5 * t7 - k[2] * s5);
-  const Scalar t43 = k[23] * t41 - t42;
-  const Scalar t44 = k[3] * t43;
-  const Scalar t45 = k[23] * t3 + (k[24] - (t31 - c5 * t33));
-  const Scalar t46 = (k[25] + t26) + k[23] * t5;
-  const Scalar t47 = c4 * t45 + s4 * t46;
-  const Scalar t48 = k[23] * t20;
-  const Scalar t49 = s5 * t23 + c5 * t25;
-  const Scalar t50 = s4 * (t48 - t18) + c4 * t49;
-  const Scalar t51 = t12 * t44 - t50;
-  const Scalar t52 = t19 * t51;
-  const Scalar t53 = (t44 * t8 - t47) - t52 * t28;
-  const Scalar t54 = t40 * t53 - (t43 * t11 - t52 * t21);
-  const Scalar t55 = k[28] - ((t48 + t48) + (t34 - t18));
-  const Scalar t56 = c4 * (t35 + t37) + Scalar(2) * s4 * (k[26] + t49);
-  const Scalar t57 = k[27] - (t35 - c4 * t56);
-  const Scalar t58 = t55 - t57;
-  const Scalar t59 = t39 * t53;
-  const Scalar t60 = ((t58 - t43 * t44) + t52 * t51) - t59 * t53;
-  const Scalar t61 = Scalar(1) / t60;
-  const Scalar t62 = t43 + (c3 * s5 * t4 + s3 * t41);
-  const Scalar t63 = k[3] * t62;
-  const Scalar t64 = (c3 * t2 - s3 * s4 * t20) - t50;
-  const Scalar t65 = t12 * t63 + t64;
-  const Scalar t66 = t19 * t65;
-  const Scalar t67 = s3 * (s4 * t5 + c4 * t3) + t47;
-  const Scalar t68 = t28 * t66 + (t67 - t27 * t62);
-  const Scalar t69 = c3 * (k[30] - t6) - s3 * (k[29] - t20);
-  const Scalar t70 = t65 * t52 - (t43 * t63 + (t69 - t58));
-  const Scalar t71 = t59 * t68 + t70;
-  const Scalar t72 = t61 * t71;
-  const Scalar t73 = t39 * t68;
-  const Scalar t74 = t73 * t29 - (t22 * t65 - t11 * t62);
-  const Scalar t75 = t54 * t72 + t74;
-  const Scalar t76 = c3 * (k[31] + (c4 * t46 - s4 * t45));
-  const Scalar t77 = s3 * (s3 * (t55 + t57) - (t76 + t76));
-  const Scalar t78 = (k[33] + (t55 - t77)) - (k[32] - ((t77 - t57) - (t69 + t69)));
-  const Scalar t79 = (t65 * t66 - (t63 * t62 - t78)) - t73 * t68;
-  const Scalar t80 = Scalar(1) / (t71 * t72 - t79);
-  const Scalar t81 = t80 * t75;
-  const Scalar t82 = t61 * t54;
-  const Scalar t83 = ((k[45] + t11 * t10) - t22 * t21) + t29 * t40;
-  const Scalar t84 = Scalar(1) / (t75 * t81 - (t82 * t54 + t83));
-  const Scalar t85 = s2 * s3 - c2 * c3;
-  const Scalar t86 = c3 * s2 + c2 * s3;
-  const Scalar t87 = wrench[4] * t85 + wrench[3] * t86;
-  const Scalar t88 = wrench[4] * t86 - wrench[3] * t85;
-  const Scalar t89 = wrench[5] * c4 - s4 * t88;
-  const Scalar t90 = k[35] * s2 + k[34] * c2;
-  const Scalar t91 = qd[1] * qd[1] + t90;
-  const Scalar t92 = k[35] * c2 - k[34] * s2;
-  const Scalar t93 = c3 * t91 + s3 * t92;
-  const Scalar t94 = c4 * t93 + k[36] * s4;
-  const Scalar t95 = s4 * t93 - k[36] * c4;
-  const Scalar t96 = c3 * t92 - s3 * t91;
-  const Scalar t97 = qd[1] + qd[2];
-  const Scalar t98 = t97 * t97;
-  const Scalar t99 = t96 - k[23] * t98;
-  const Scalar t100 = c5 * t95 + s5 * t99;
-  const Scalar t101 = s4 * t97;
-  const Scalar t102 = c4 * t97;
-  const Scalar t103 = t101 * t102;
-  const Scalar t104 = qd[3] * t101;
-  const Scalar t105 = t104 + t104;
-  const Scalar t106 = s5 * t103 - c5 * t105;
-  const Scalar t107 = qd[4] + t101;
-  const Scalar t108 = s5 * t102 - qd[3] * c5;
-  const Scalar t109 = t107 * t108;
-  const Scalar t110 = t106 - (t109 + t109);
-  const Scalar t111 = qd[3] * t102;
-  const Scalar t112 = c5 * t102;
-  const Scalar t113 = qd[3] * s5 + t112;
-  const Scalar t114 = t108 * t113;
-  const Scalar t115 = t111 + t114;
-  const Scalar t116 = t107 * t107;
-  const Scalar t117 = t108 * t108;
-  const Scalar t118 = t116 + t117;
-  const Scalar t119 = t102 * t102;
-  const Scalar t120 = qd[3] * qd[3];
-  const Scalar t121 = t119 + t120;
-  const Scalar t122 = t118 - t121;
-  const Scalar t123 = t101 * t112 + s5 * t105;
-  const Scalar t124 = t107 * t113;
-  const Scalar t125 = (t123 - t124) - t124;
-  const Scalar t126 = t24 * t122 - (t16 * t125 - t123 * t36);
-  const Scalar t127 = (t0 * t94 + t4 * t100) - ((t7 * t110 - t12 * t115) - t126);
-  const Scalar t128 = (c5 * t87 - s5 * t89) - t127;
-  const Scalar t129 = torque[5] + t128;
-  const Scalar t130 = k[3] * t129;
-  const Scalar t131 = wrench[1] * t86 - wrench[0] * t85;
-  const Scalar t132 = qd[5] - t108;
-  const Scalar t133 = t132 * t132;
-  const Scalar t134 = t116 + t133;
-  const Scalar t135 = k[38] * (c4 * t131 + wrench[2] * s4) + (t4 * (t134 - t122) + t0 * t125);
-  const Scalar t136 = (k[17] * t121 - k[18] * t103) + (t135 + (k[11] * t125 + k[12] * t110));
-  const Scalar t137 = wrench[0] * t86 + wrench[1] * t85;
-  const Scalar t138 = wrench[2] * c4 - s4 * t131;
-  const Scalar t139 = k[38] * (s5 * t137 + c5 * t138) + (t0 * t134 - t123 * t4);
-  const Scalar t140 = t139 + (k[11] * t118 - k[12] * t115);
-  const Scalar t141 = t116 - t117;
-  const Scalar t142 = t141 - t122;
-  const Scalar t143 = t111 - t114;
-  const Scalar t144 = t107 * t132;
-  const Scalar t145 = (t144 + t144) - t110;
-  const Scalar t146 = Scalar(2) * t132 * t113 + t115;
-  const Scalar t147 = k[38] * (c5 * t137 - s5 * t138) - (t145 * t4 + t0 * t146);
-  const Scalar t148 = (k[12] * (t142 + t118) + k[11] * t143) - t147;
-  const Scalar t149 = t121 - t98;
-  const Scalar t150 = t119 - t120;
-  const Scalar t151 = t149 + t150;
-  const Scalar t152 = (c5 * t140 + s5 * t148) - (k[18] * (t151 - t121) + k[17] * t103);
-  const Scalar t153 = c4 * t136 - s4 * t152;
-  const Scalar t154 = (k[40] * t111 + k[26] * t105) + (k[24] * t150 + k[25] * t103);
-  const Scalar t155 = t116 - t133;
-  const Scalar t156 = (t145 * t24 + t16 * t146) - (t12 * t123 - (t155 - t122) * t7);
-  const Scalar t157 = s5 * t95 - c5 * t99;
-  const Scalar t158 = (t156 + t0 * t157) + (c4 * t88 + wrench[5] * s4);
-  const Scalar t159 = k[21] * t142 - (k[15] * t143 - k[16] * t115);
-  const Scalar t160 = (k[11] * t157 - k[12] * t100) - ((k[8] * t106 - k[4] * t123) - t159);
-  const Scalar t161 = t158 + t160;
-  const Scalar t162 = (k[4] * t115 - k[8] * t122) + (k[21] * t110 - k[15] * t125);
-  const Scalar t163 = (k[11] * t94 - t162) - t128;
-  const Scalar t164 = (t145 * t36 - t24 * t146) + t12 * t155;
-  const Scalar t165 = (t4 * t157 - (t7 * t125 + t164)) - (s5 * t87 + c5 * t89);
-  const Scalar t166 = k[4] * t141 - (k[16] * t110 + k[21] * t125);
-  const Scalar t167 = t165 + (k[12] * t94 + (k[8] * t143 + t166));
-  const Scalar t168 = (k[41] * t111 - k[20] * t105) - k[25] * t149;
-  const Scalar t169 = (s5 * t163 - c5 * t167) - ((t168 + k[24] * t103) - k[17] * t99);
-  const Scalar t170 = s4 * ((k[18] * t99 - t154) - t161) - c4 * t169;
-  const Scalar t171 = (k[30] * t96 - k[29] * t93) + (k[23] * t153 - t170);
-  const Scalar t172 = (c5 * t148 - s5 * t140) + (k[39] * t111 + k[17] * t105);
-  const Scalar t173 = s3 * (k[30] * t98 + t153) + c3 * (k[29] * t98 + t172);
-  const Scalar t174 = (t171 + t173) - (k[43] * t90 - k[42] * t92);
-  const Scalar t175 = (torque[4] + t161) + t129 * t13;
-  const Scalar t176 = (t130 * t62 - (torque[1] + t174)) - t175 * t66;
-  const Scalar t177 = (k[18] * t94 + k[17] * t95) - (k[26] * t151 - k[37] * t103);
-  const Scalar t178 = torque[3] - (t177 + (s5 * t167 + c5 * t163));
-  const Scalar t179 = t175 * t30 - (t129 * t27 - t178);
-  const Scalar t180 = (t43 * t130 - (torque[2] + t171)) - t175 * t52;
-  const Scalar t181 = t179 * t39;
-  const Scalar t182 = t180 - t53 * t181;
-  const Scalar t183 = (t176 + t73 * t179) - t182 * t72;
-  const Scalar t184 = t182 * t61;
-  const Scalar t185 = k[44] + k[13] * (s4 * t136 + c4 * t152);
-  const Scalar t186 = ((torque[0] + t185) - t10 * t130) + t175 * t22;
-  const Scalar t187 = t183 * t81 + (t54 * t184 - (t29 * t181 - t186));
-  const Scalar t188 = t84 * t187;
-  const Scalar t189 = t188 * t81 - t80 * t183;
-  const Scalar t190 = (t82 * t188 + t184) - t189 * t72;
-  const Scalar t191 = ((t188 * t40 - t181) - t189 * t73) + t190 * t59;
-  const Scalar t192 = t189 * t66 - (t188 * t22 - t19 * t175);
-  const Scalar t193 = (t52 * t190 + t192) + t30 * t191;
-  const Scalar t194 = t44 * t190 + ((t130 - t188 * t11) + t189 * t63);
+  const Scalar t0 = k[0] * c6 + k[1] * s6;
+  const Scalar t1 = k[7] * c5 + s5 * t0;
+  const Scalar t2 = k[8] * t1;
+  const Scalar t3 = k[4] * c6 - k[3] * s6;
+  const Scalar t4 = c6 * t3;
+  const Scalar t5 = k[9] - t4;
+  const Scalar t6 = k[11] - (k[10] - t5);
+  const Scalar t7 = k[19] + t0;
+  const Scalar t8 = s5 * (k[20] - t6) + c5 * (t7 + t7);
+  const Scalar t9 = k[11] - s5 * t8;
+  const Scalar t10 = k[21] - (t9 - t6);
+  const Scalar t11 = k[22] - t4;
+  const Scalar t12 = k[23] + t11;
+  const Scalar t13 = k[5] + s6 * t3;
+  const Scalar t14 = k[6] + t13;
+  const Scalar t15 = k[0] * s6 - k[1] * c6;
+  const Scalar t16 = k[2] - t15;
+  const Scalar t17 = s5 * t14 - c5 * t16;
+  const Scalar t18 = k[8] * t15;
+  const Scalar t19 = t17 - t1 * t18;
+  const Scalar t20 = Scalar(1) / (t15 * t18 - t6);
+  const Scalar t21 = t20 * t19;
+  const Scalar t22 = (t1 * t2 - (t10 - t12)) - t19 * t21;
+  const Scalar t23 = Scalar(1) / t22;
+  const Scalar t24 = k[13] * s6 + k[12] * c6;
+  const Scalar t25 = k[12] * s6 - k[13] * c6;
+  const Scalar t26 = c5 * t25;
+  const Scalar t27 = c4 * t24 - s4 * t26;
+  const Scalar t28 = s4 * t15 + c4 * (k[7] * s5 - c5 * t0);
+  const Scalar t29 = k[25] * t27 - t28;
+  const Scalar t30 = k[8] * t29;
+  const Scalar t31 = k[18] - t25;
+  const Scalar t32 = k[25] * t31 + (k[30] - t17);
+  const Scalar t33 = k[14] + t24;
+  const Scalar t34 = k[15] * s5 + c5 * t33;
+  const Scalar t35 = k[17] + t34;
+  const Scalar t36 = (k[31] + (t7 - c5 * t8)) - k[25] * t35;
+  const Scalar t37 = s4 * t32 - c4 * t36;
+  const Scalar t38 = s5 * t33 - k[15] * c5;
+  const Scalar t39 = s5 * t16 + c5 * t14;
+  const Scalar t40 = s4 * (k[25] * t38 - t6) + c4 * t39;
+  const Scalar t41 = t15 * t30 - t40;
+  const Scalar t42 = (t1 * t30 - t37) + t41 * t21;
+  const Scalar t43 = t23 * t42;
+  const Scalar t44 = k[16] * (c4 * t26 + s4 * t24);
+  const Scalar t45 = t44 * t18 + k[16] * c4 * t38;
+  const Scalar t46 = t20 * t45;
+  const Scalar t47 = s4 * t35 - c4 * t31;
+  const Scalar t48 = t19 * t46 + (t44 * t2 - k[16] * t47);
+  const Scalar t49 = k[8] * t44;
+  const Scalar t50 = t43 * t48 + (t41 * t46 - t29 * t49);
+  const Scalar t51 = k[29] + (t9 - k[28] * t38);
+  const Scalar t52 = k[26] + t39;
+  const Scalar t53 = c4 * (t10 + t12) + s4 * (t52 + t52);
+  const Scalar t54 = k[27] - (t10 - c4 * t53);
+  const Scalar t55 = t51 - t54;
+  const Scalar t56 = t20 * t41;
+  const Scalar t57 = t43 * t42 + ((t55 - t29 * t30) + t41 * t56);
+  const Scalar t58 = Scalar(1) / t57;
+  const Scalar t59 = t50 * t58;
+  const Scalar t60 = t23 * t48;
+  const Scalar t61 = (t45 * t46 - (k[24] + t49 * t44)) + t48 * t60;
+  const Scalar t62 = t29 + (s3 * t27 - c3 * s5 * t25);
+  const Scalar t63 = k[8] * t62;
+  const Scalar t64 = t37 + s3 * (s4 * t31 + c4 * t35);
+  const Scalar t65 = t40 + (s3 * s4 * t38 - c3 * t34);
+  const Scalar t66 = t15 * t63 - t65;
+  const Scalar t67 = t20 * t66;
+  const Scalar t68 = (t1 * t63 - t64) + t19 * t67;
+  const Scalar t69 = t23 * t68;
+  const Scalar t70 = t48 * t69 - (t49 * t62 - t66 * t46);
+  const Scalar t71 = s3 * (k[33] + t38) + c3 * (k[32] - t47);
+  const Scalar t72 = (t29 * t63 - (t55 - t71)) - t66 * t56;
+  const Scalar t73 = t72 - t43 * t68;
+  const Scalar t74 = t70 + t73 * t59;
+  const Scalar t75 = c3 * (k[34] + (s4 * t36 + c4 * t32));
+  const Scalar t76 = s3 * ((t75 + t75) - s3 * (t51 + t54));
+  const Scalar t77 = t51 + t76;
+  const Scalar t78 = (k[36] + t77) - (k[35] - ((t55 - t77) - Scalar(2) * t71));
+  const Scalar t79 = ((t78 - t63 * t62) + t66 * t67) + t68 * t69;
+  const Scalar t80 = t73 * t58;
+  const Scalar t81 = Scalar(1) / (t79 - t73 * t80);
+  const Scalar t82 = t74 * t81;
+  const Scalar t83 = Scalar(1) / ((t50 * t59 - t61) + t74 * t82);
+  const Scalar t84 = k[37] * s2 - k[38] * c2;
+  const Scalar t85 = k[38] * s2 + k[37] * c2;
+  const Scalar t86 = qd[1] * qd[1] + t85;
+  const Scalar t87 = s3 * t84 - c3 * t86;
+  const Scalar t88 = k[43] * c4 + s4 * t87;
+  const Scalar t89 = c3 * t84 + s3 * t86;
+  const Scalar t90 = qd[1] + qd[2];
+  const Scalar t91 = t90 * t90;
+  const Scalar t92 = t89 + k[25] * t91;
+  const Scalar t93 = s5 * t88 - c5 * t92;
+  const Scalar t94 = c4 * t90;
+  const Scalar t95 = s5 * t94;
+  const Scalar t96 = t95 - qd[3] * c5;
+  const Scalar t97 = s4 * t90;
+  const Scalar t98 = qd[4] + t97;
+  const Scalar t99 = t98 + t98;
+  const Scalar t100 = qd[3] * t97;
+  const Scalar t101 = t100 + t100;
+  const Scalar t102 = t95 * t97 - c5 * t101;
+  const Scalar t103 = t96 * t99 - t102;
+  const Scalar t104 = qd[5] - t96;
+  const Scalar t105 = t98 * t104;
+  const Scalar t106 = (t103 + t105) + t105;
+  const Scalar t107 = c5 * t94;
+  const Scalar t108 = qd[3] * s5 + t107;
+  const Scalar t109 = qd[3] * t94;
+  const Scalar t110 = t96 * t108;
+  const Scalar t111 = t109 + t110;
+  const Scalar t112 = Scalar(2) * t104 * t108 + t111;
+  const Scalar t113 = t97 * t107 + s5 * t101;
+  const Scalar t114 = t98 * t98;
+  const Scalar t115 = t108 * t108;
+  const Scalar t116 = t114 + t115;
+  const Scalar t117 = t104 * t104 + t115;
+  const Scalar t118 = t116 - t117;
+  const Scalar t119 = t114 - t115;
+  const Scalar t120 = (t106 * t13 + t5 * t112) - (t15 * t113 - t0 * (t118 - t119));
+  const Scalar t121 = c3 * s2 + c2 * s3;
+  const Scalar t122 = s2 * s3 - c2 * c3;
+  const Scalar t123 = wrench[4] * t121 - wrench[3] * t122;
+  const Scalar t124 = (t24 * t93 - t120) - (c4 * t123 + wrench[5] * s4);
+  const Scalar t125 = c5 * t88 + s5 * t92;
+  const Scalar t126 = t109 - t110;
+  const Scalar t127 = t94 * t94;
+  const Scalar t128 = qd[3] * qd[3];
+  const Scalar t129 = t127 + t128;
+  const Scalar t130 = t119 + t129;
+  const Scalar t131 = t116 - t130;
+  const Scalar t132 = (k[10] * t126 - k[11] * t111) - k[19] * t131;
+  const Scalar t133 = (k[14] * t93 - k[15] * t125) + (t132 - (k[2] * t113 - k[6] * t102));
+  const Scalar t134 = t124 + t133;
+  const Scalar t135 = wrench[4] * t122 + wrench[3] * t121;
+  const Scalar t136 = wrench[5] * c4 - s4 * t123;
+  const Scalar t137 = t113 - t108 * t99;
+  const Scalar t138 = (t11 * t113 - t137 * t5) + t13 * t119;
+  const Scalar t139 = c4 * t87 - k[43] * s4;
+  const Scalar t140 = (t138 + (t0 * t103 + t15 * t111)) + (t125 * t25 - t139 * t24);
+  const Scalar t141 = (c5 * t135 - s5 * t136) - t140;
+  const Scalar t142 = torque[5] + t141;
+  const Scalar t143 = k[8] * t142;
+  const Scalar t144 = (torque[4] - t134) + t15 * t143;
+  const Scalar t145 = t20 * t144;
+  const Scalar t146 = wrench[0] * t121 + wrench[1] * t122;
+  const Scalar t147 = wrench[1] * t121 - wrench[0] * t122;
+  const Scalar t148 = wrench[2] * c4 - s4 * t147;
+  const Scalar t149 = k[41] * (s5 * t146 + c5 * t148) + ((t117 + t119) * t24 + t113 * t25);
+  const Scalar t150 = t149 + (k[14] * t130 - k[15] * t111);
+  const Scalar t151 = (t24 * t112 - t106 * t25) - k[41] * (c5 * t146 - s5 * t148);
+  const Scalar t152 = t151 + (k[14] * t126 + k[15] * t116);
+  const Scalar t153 = t127 - t128;
+  const Scalar t154 = t153 - t91;
+  const Scalar t155 = t97 * t94;
+  const Scalar t156 = (c5 * t150 + s5 * t152) - (k[17] * t154 + k[18] * t155);
+  const Scalar t157 = k[41] * (c4 * t147 + wrench[2] * s4) + (t137 * t24 - t25 * t117);
+  const Scalar t158 = (k[18] * t129 - k[17] * t155) + ((k[14] * t137 - k[15] * t103) + t157);
+  const Scalar t159 = k[47] + k[16] * (c4 * t156 + s4 * t158);
+  const Scalar t160 = t145 * t45 + ((torque[0] + t159) - t44 * t143);
+  const Scalar t161 = t154 + t129;
+  const Scalar t162 = (k[17] * t139 + k[18] * t88) - (k[46] * t155 - k[26] * t161);
+  const Scalar t163 = (k[19] * t103 + k[10] * t137) - (k[2] * t111 - k[6] * t119);
+  const Scalar t164 = (k[14] * t139 - t163) + t141;
+  const Scalar t165 = (k[19] * t137 - k[11] * t103) - k[2] * (t131 + t119);
+  const Scalar t166 = t15 * t118 - (t13 * t112 - t11 * t106);
+  const Scalar t167 = (t25 * t93 - (t0 * t137 + t166)) - (s5 * t135 + c5 * t136);
+  const Scalar t168 = ((t165 - k[6] * t126) + k[15] * t139) - t167;
+  const Scalar t169 = torque[3] + (t162 + (c5 * t164 + s5 * t168));
+  const Scalar t170 = (t1 * t143 - t169) + t19 * t145;
+  const Scalar t171 = s4 * t156 - c4 * t158;
+  const Scalar t172 = (k[45] * t109 + k[26] * t101) + (k[30] * t155 - k[31] * t153);
+  const Scalar t173 = k[30] * (t161 - t153) + (k[23] * t101 - k[44] * t109);
+  const Scalar t174 = (k[18] * t92 - (k[31] * t155 + t173)) - (c5 * t168 - s5 * t164);
+  const Scalar t175 = s4 * (t134 - (t172 + k[17] * t92)) + c4 * t174;
+  const Scalar t176 = (k[25] * t171 + t175) + (k[33] * t87 + k[32] * t89);
+  const Scalar t177 = t144 * t56 + ((torque[2] - t176) - t142 * t30);
+  const Scalar t178 = t170 * t23;
+  const Scalar t179 = t177 + t42 * t178;
+  const Scalar t180 = t58 * t179;
+  const Scalar t181 = (k[18] * t101 + k[42] * t109) - (s5 * t150 - c5 * t152);
+  const Scalar t182 = c3 * (t181 - k[33] * t91) + s3 * (k[32] * t91 - t171);
+  const Scalar t183 = (k[39] * t84 + k[40] * t85) - (t182 - t176);
+  const Scalar t184 = (t63 * t142 - (torque[1] - t183)) - t144 * t67;
+  const Scalar t185 = (t184 - t178 * t68) - t80 * t179;
+  const Scalar t186 = ((t160 + t170 * t60) - t180 * t50) + t185 * t82;
+  const Scalar t187 = t83 * t186;
+  const Scalar t188 = t185 * t81 - t187 * t82;
+  const Scalar t189 = t80 * t188 - (t187 * t59 + t180);
+  const Scalar t190 = t43 * t189 + (t188 * t69 + (t187 * t60 + t178));
+  const Scalar t191 = ((t187 * t46 + t145) + t188 * t67) + t189 * t56;
+  const Scalar t192 = t191 + t190 * t21;
+  const Scalar t193 = (t188 * t63 + (t187 * t49 + t143)) + t189 * t30;
   JointVector<Scalar> result;
-  result[0] = -t188;
-  result[1] = t189;
-  result[2] = t190;
-  result[3] = t191;
-  result[4] = t193;
-  result[5] = t193 * t13 - (t27 * t191 + t194);
+  result[0] = t187;
+  result[1] = t188;
+  result[2] = t189;
+  result[3] = -t190;
+  result[4] = t192;
+  result[5] = (t190 * t2 - t193) + t192 * t18;
   return result;
 }
 
@@ -1234,31 +1256,32 @@ PotentialEnergyWithGravityVectorConstants<Scalar> potential_energy_with_gravity_
   using std::sin;
   const Scalar t0 = inertia.m4 + (inertia.m5 + inertia.m6);
   const Scalar t1 = inertia.m3 + t0;
-  const Scalar t2 = inertia.m1 + (inertia.m2 + t1);
-  return { t2,
-           inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
-           inertia.c6z * inertia.m6,
+  const Scalar t2 = inertia.m2 + t1;
+  const Scalar t3 = g.d4 * inertia.m4;
+  return { inertia.c6z * inertia.m6,
            inertia.c6x * inertia.m6,
            inertia.c5z * inertia.m5,
+           inertia.c6y * inertia.m6 + inertia.c5y * inertia.m5,
            inertia.c4z * inertia.m4,
            inertia.c5x * inertia.m5,
            inertia.c4x * inertia.m4,
            inertia.c3z * inertia.m3,
            inertia.c2z * inertia.m2,
            inertia.c1z * inertia.m1,
+           inertia.m1 + t2,
            gravity[2],
            inertia.c3x * inertia.m3,
-           inertia.c4y * inertia.m4,
+           (inertia.c4y * inertia.m4 - t3) + t3,
            g.d4 * t0,
            g.d4 * inertia.m3 - inertia.c3y * inertia.m3,
            inertia.c2y * inertia.m2,
            g.l2 * t1,
            g.l2 * inertia.m2 + inertia.c2x * inertia.m2,
-           inertia.c1x * inertia.m1,
-           gravity[0],
            inertia.c1y * inertia.m1,
            gravity[1],
-           t2 * gravity[0] * g.l1 };
+           g.l1 * t2,
+           g.l1 * inertia.m1 + inertia.c1x * inertia.m1,
+           gravity[0] };
 }
 
 namespace detail {
@@ -1276,20 +1299,20 @@ inline Scalar potential_energy_with_gravity_vector(const JointVector<Scalar>& q,
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[7] + (k[6] - (k[2] * s6 - k[3] * c6));
-  const Scalar t1 = k[4] + (k[2] * c6 + k[3] * s6);
-  const Scalar t2 = k[5] + (c5 * t1 + k[1] * s5);
-  const Scalar t3 = k[12] + (c4 * t0 - s4 * t2);
-  const Scalar t4 = k[14] - (k[13] + (k[1] * c5 - s5 * t1));
+  const Scalar t0 = k[6] + (k[5] - (k[0] * s6 - k[1] * c6));
+  const Scalar t1 = k[2] + (k[0] * c6 + k[1] * s6);
+  const Scalar t2 = k[4] + (c5 * t1 + k[3] * s5);
+  const Scalar t3 = k[8] + (k[7] + (s4 * t0 + c4 * t2));
+  const Scalar t4 = k[14] - (k[13] - (s5 * t1 - k[3] * c5));
   const Scalar t5 = k[15] + t4;
-  const Scalar t6 = k[16] + (s3 * t3 - c3 * t5);
-  const Scalar t7 = k[18] + (k[17] + (c3 * t3 + s3 * t5));
-  const Scalar t8 = k[22] * (k[21] + (c2 * t6 + s2 * t7));
-  const Scalar t9 = k[20] * (k[19] + (c2 * t7 - s2 * t6));
-  const Scalar t10 = k[9] + (k[8] + (c4 * t2 + s4 * t0));
-  const Scalar t11 = (t8 + t9) + k[11] * (k[0] * q[0] + (k[10] + t10));
+  const Scalar t6 = k[12] + (c4 * t0 - s4 * t2);
+  const Scalar t7 = k[18] + (k[17] + (s3 * t5 + c3 * t6));
+  const Scalar t8 = k[16] - (c3 * t5 - s3 * t6);
+  const Scalar t9 = k[22] + (k[21] + (c2 * t7 - s2 * t8));
+  const Scalar t10 = k[20] * (k[19] + (c2 * t8 + s2 * t7));
+  const Scalar t11 = k[11] * ((k[9] + t3) + k[10] * q[0]) + (k[23] * t9 + t10);
   Scalar result;
-  result = -k[23] - t11;
+  result = -t11;
   return result;
 }
 

@@ -36,7 +36,7 @@ RegressorAngles<Scalar> regressor_angles(const JointVector<Scalar>& q);
 ///
 /// 227 multiplications, 163 additions, 4 sine/cosine pairs. Set-up: no operations.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// Largest rounding error found 4.39 ulp of the largest component.
+/// Largest rounding error found 2.95 ulp of the largest component.
 template <class Scalar>
 Eigen::Matrix<Scalar, dof, base_parameter_count> regressor(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g = {},

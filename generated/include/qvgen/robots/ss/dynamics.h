@@ -97,7 +97,7 @@ DynamicsAngles<Scalar> dynamics_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion: Newton-Euler recursion in base parameters (thesis 5.1-5.15).
 ///
-/// 104 multiplications, 91 additions, 3 sine/cosine pairs. Set-up: 26 multiplications, 37 additions.
+/// 102 multiplications, 92 additions, 3 sine/cosine pairs. Set-up: 26 multiplications, 37 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
@@ -131,14 +131,14 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const DynamicsA
 
 /// Joint forces that come from the joint rates alone, C(q, qd) qd, without friction.
 ///
-/// 68 multiplications, 55 additions, 3 sine/cosine pairs. Set-up: 25 multiplications, 25 additions.
+/// 68 multiplications, 52 additions, 3 sine/cosine pairs. Set-up: 22 multiplications, 25 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
 template <class Scalar>
-using CoriolisTorqueConstants = std::array<Scalar, 20>;
+using CoriolisTorqueConstants = std::array<Scalar, 19>;
 template <class Scalar>
 CoriolisTorqueConstants<Scalar> coriolis_torque_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {});
@@ -183,7 +183,7 @@ Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, co
 
 /// Joint accelerations for given joint forces: M qdd = torque - C qd - gravity, by M = U D U^T.
 ///
-/// 189 multiplications, 155 additions, 5 divisions, 3 sine/cosine pairs. Set-up: 36 multiplications, 40 additions, 1
+/// 187 multiplications, 155 additions, 5 divisions, 3 sine/cosine pairs. Set-up: 36 multiplications, 40 additions, 1
 /// division.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
@@ -202,7 +202,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// qd^T M qd / 2, J.
 ///
-/// 65 multiplications, 46 additions, 3 sine/cosine pairs. Set-up: 26 multiplications, 39 additions.
+/// 64 multiplications, 47 additions, 3 sine/cosine pairs. Set-up: 26 multiplications, 39 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const BasicGeometry<Scalar>& g = {},

@@ -27,45 +27,45 @@ InverseDynamicsConstants<Scalar> inverse_dynamics_constants([[maybe_unused]] con
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c5z * inertia.m5;
-  const Scalar t1 = inertia.c4z * inertia.m4;
-  const Scalar t2 = inertia.c4y * inertia.m4;
-  const Scalar t3 = inertia.c6z * inertia.m6;
-  const Scalar t4 = inertia.c6y * inertia.m6;
-  const Scalar t5 = inertia.c6x * inertia.m6;
-  const Scalar t6 = inertia.c5x * inertia.m5;
-  const Scalar t7 = inertia.c5y * inertia.m5;
+  const Scalar t0 = inertia.c5y * inertia.m5;
+  const Scalar t1 = inertia.c6x * inertia.m6;
+  const Scalar t2 = inertia.c5x * inertia.m5;
+  const Scalar t3 = inertia.c6y * inertia.m6;
+  const Scalar t4 = inertia.c6z * inertia.m6;
+  const Scalar t5 = inertia.c4y * inertia.m4;
+  const Scalar t6 = inertia.c5z * inertia.m5;
+  const Scalar t7 = inertia.c4z * inertia.m4;
   const Scalar t8 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t9 = inertia.c6z * t3 - (inertia.I6zz - t8);
-  const Scalar t10 = (inertia.I6yy - t8) - inertia.c6y * t4;
-  const Scalar t11 = inertia.I6yz - inertia.c6z * t4;
-  const Scalar t12 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t13 = ((inertia.I6xx - t8) - inertia.c6x * t5) - (inertia.c5x * t6 - (inertia.I5xx - t12));
+  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t10 = ((inertia.I6xx - t8) - inertia.c6x * t1) - (inertia.c5x * t2 - (inertia.I5xx - t9));
+  const Scalar t11 = inertia.c6z * t4 - (inertia.I6zz - t8);
+  const Scalar t12 = (inertia.I6yy - t8) - inertia.c6y * t3;
+  const Scalar t13 = inertia.I6yz - inertia.c6z * t3;
   const Scalar t14 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t15 = (inertia.c5z * t0 - (inertia.I5zz - t12)) - ((inertia.I4zz - t14) - inertia.c4z * t1);
+  const Scalar t15 = (inertia.c5z * t6 - (inertia.I5zz - t9)) - ((inertia.I4zz - t14) - inertia.c4z * t7);
   return { gravity,
            inertia.m1,
-           inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)),
-           t0 + t1,
-           t2,
+           t0,
+           t1 + t2,
            t3,
            t4,
-           t5 + t6,
-           t7,
+           t5,
+           t6 + t7,
+           inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)),
            inertia.m2,
-           inertia.I6xz - inertia.c6z * t5,
-           inertia.I6xy - inertia.c6y * t5,
-           t9 + t10,
-           Scalar(2) * t11,
-           t11,
-           t9,
+           inertia.I5yz - inertia.c5z * t0,
+           inertia.I5xz - inertia.c5z * t2,
            t10,
-           inertia.c5y * t7 - (inertia.I5yy - t12),
-           inertia.I5xy - inertia.c5y * t6,
-           inertia.I5yz - inertia.c5z * t7,
-           inertia.I5xz - inertia.c5z * t6,
+           inertia.I5xy - inertia.c5y * t2,
+           inertia.I6xz - inertia.c6z * t1,
+           inertia.I6xy - inertia.c6y * t1,
+           t11 + t12,
+           Scalar(2) * t13,
+           t11,
            t13,
-           t15 - ((inertia.I4yy - t14) - inertia.c4y * t2) };
+           inertia.c5y * t0 - (inertia.I5yy - t9),
+           t12,
+           t15 - ((inertia.I4yy - t14) - inertia.c4y * t5) };
 }
 
 namespace detail {
@@ -81,72 +81,75 @@ inline JointVector<Scalar> inverse_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& s6 = angles.sine[2];
   const Scalar& c6 = angles.cosine[2];
   const Scalar t0 = k[0] + qdd[0];
-  const Scalar t1 = qd[3] * s5;
-  const Scalar t2 = t1 * t1;
-  const Scalar t3 = qd[4] * qd[4];
-  const Scalar t4 = t2 + t3;
-  const Scalar t5 = qd[3] * c5;
-  const Scalar t6 = t1 * t5;
-  const Scalar t7 = qdd[4] + t6;
-  const Scalar t8 = qdd[4] - t6;
-  const Scalar t9 = qd[5] + t5;
-  const Scalar t10 = t8 + Scalar(2) * t1 * t9;
-  const Scalar t11 = k[6] * c6 - k[5] * s6;
-  const Scalar t12 = k[6] * s6 + k[5] * c6;
-  const Scalar t13 = qdd[3] * s5;
-  const Scalar t14 = qd[4] * t5;
-  const Scalar t15 = t13 + (t14 + t14);
-  const Scalar t16 = qd[4] * t9;
-  const Scalar t17 = t15 - (t16 + t16);
-  const Scalar t18 = (k[7] * t4 + k[8] * t7) + (t10 * t11 + t12 * t17);
-  const Scalar t19 = qd[3] * qd[3];
-  const Scalar t20 = t19 - t4;
-  const Scalar t21 = t2 - t3;
-  const Scalar t22 = t20 - t21;
-  const Scalar t23 = t9 * t9;
-  const Scalar t24 = t2 - t23;
-  const Scalar t25 = t4 - t24;
-  const Scalar t26 = qdd[3] * c5;
-  const Scalar t27 = Scalar(2) * qd[4] * t1;
-  const Scalar t28 = t26 - t27;
-  const Scalar t29 = qdd[5] + t28;
-  const Scalar t30 = t29 + t27;
-  const Scalar t31 = (k[7] * t8 - k[8] * (t4 + t22)) - (t25 * t11 + t12 * t30);
-  const Scalar t32 = (s5 * t18 - c5 * t31) + (k[3] * qdd[3] + k[4] * t19);
-  const Scalar t33 = (t12 * (t21 + t25) - t11 * t29) - (k[7] * t15 + k[8] * t28);
-  const Scalar t34 = (k[4] * qdd[3] - k[3] * t19) - t33;
-  const Scalar t35 = (s4 * t32 - c4 * t34) - k[2] * t0;
-  const Scalar t36 = k[2] * qdd[1] - (c4 * t32 + s4 * t34);
-  const Scalar t37 = k[2] * qdd[2] - (s5 * t31 + c5 * t18);
-  const Scalar t38 = qdd[1] * c4 + s4 * t0;
-  const Scalar t39 = qdd[1] * s4 - c4 * t0;
-  const Scalar t40 = (k[3] * t38 + k[4] * t39) - k[22] * qdd[3];
-  const Scalar t41 = c5 * t38 - qdd[2] * s5;
-  const Scalar t42 = k[12] * s6 + k[13] * c6;
-  const Scalar t43 = k[14] - c6 * t42;
-  const Scalar t44 = s6 * t42;
-  const Scalar t45 = k[15] - t44;
-  const Scalar t46 = k[16] - t44;
-  const Scalar t47 = t21 * t43 - (t30 * t45 - t46 * t29);
-  const Scalar t48 = k[10] * c6 + k[11] * s6;
-  const Scalar t49 = k[10] * s6 - k[11] * c6;
-  const Scalar t50 = (t12 * t41 + t11 * t39) + (t47 - (t8 * t48 + t49 * t15));
-  const Scalar t51 = (k[20] * t8 + k[19] * t21) - (k[18] * t15 - k[17] * t28);
-  const Scalar t52 = (k[21] * t15 + k[18] * t28) - k[20] * t20;
-  const Scalar t53 = qdd[2] * c5 + s5 * t38;
-  const Scalar t54 = (t17 * t45 + t10 * t43) - t48 * (t3 - t23);
-  const Scalar t55 = (k[7] * t39 + (t52 + k[19] * t7)) + (t12 * t53 - (t49 * t29 + t54));
-  const Scalar t56 = c5 * (t50 - (t51 - k[8] * t39)) + s5 * t55;
-  const Scalar t57 = (k[17] * t7 - k[21] * t8) + k[18] * t22;
-  const Scalar t58 = (t57 + (k[20] * t26 - k[19] * t13)) + (k[7] * t41 - k[8] * t53);
-  const Scalar t59 = (t48 * t30 + t49 * t24) - (t10 * t46 - t17 * t43);
+  const Scalar t1 = qd[3] * qd[3];
+  const Scalar t2 = qd[3] * s5;
+  const Scalar t3 = t2 * t2;
+  const Scalar t4 = qd[4] * qd[4];
+  const Scalar t5 = t3 - t4;
+  const Scalar t6 = qd[3] * c5;
+  const Scalar t7 = qd[5] + t6;
+  const Scalar t8 = t7 * t7;
+  const Scalar t9 = t3 - t8;
+  const Scalar t10 = t5 - t9;
+  const Scalar t11 = t4 + t8;
+  const Scalar t12 = t5 + t11;
+  const Scalar t13 = t10 - t12;
+  const Scalar t14 = t2 * t6;
+  const Scalar t15 = qdd[4] + t14;
+  const Scalar t16 = k[4] * s6 + k[5] * c6;
+  const Scalar t17 = qdd[3] * s5;
+  const Scalar t18 = qd[4] * t6;
+  const Scalar t19 = (t17 + t18) + t18;
+  const Scalar t20 = qd[4] * t7;
+  const Scalar t21 = (t19 - t20) - t20;
+  const Scalar t22 = k[4] * c6 - k[5] * s6;
+  const Scalar t23 = qdd[4] - t14;
+  const Scalar t24 = t2 + t2;
+  const Scalar t25 = t23 + t24 * t7;
+  const Scalar t26 = (k[3] * t13 - k[2] * t15) - (t16 * t21 + t22 * t25);
+  const Scalar t27 = qdd[3] * c5;
+  const Scalar t28 = qd[4] * t24;
+  const Scalar t29 = t27 - t28;
+  const Scalar t30 = qdd[5] + t29;
+  const Scalar t31 = t30 + t28;
+  const Scalar t32 = t1 + t13;
+  const Scalar t33 = t5 - t32;
+  const Scalar t34 = (t16 * t31 + t11 * t22) - (k[2] * (t33 + t13) + k[3] * t23);
+  const Scalar t35 = (k[7] * qdd[3] + k[6] * t1) - (s5 * t26 - c5 * t34);
+  const Scalar t36 = (t30 * t22 - t16 * t12) + (k[2] * t29 + k[3] * t19);
+  const Scalar t37 = (k[6] * qdd[3] - k[7] * t1) + t36;
+  const Scalar t38 = (s4 * t35 - c4 * t37) - k[8] * t0;
+  const Scalar t39 = (s4 * t37 + c4 * t35) - k[8] * qdd[1];
+  const Scalar t40 = (s5 * t34 + c5 * t26) + k[8] * qdd[2];
+  const Scalar t41 = qdd[1] * s4 - c4 * t0;
+  const Scalar t42 = k[11] * t32 - (k[13] * t29 + k[12] * t19);
+  const Scalar t43 = qdd[1] * c4 + s4 * t0;
+  const Scalar t44 = qdd[2] * c5 + s5 * t43;
+  const Scalar t45 = k[14] * c6 + k[15] * s6;
+  const Scalar t46 = k[17] * c6 + k[16] * s6;
+  const Scalar t47 = k[19] - c6 * t46;
+  const Scalar t48 = s6 * t46;
+  const Scalar t49 = k[18] - t48;
+  const Scalar t50 = t45 * t10 + (t47 * t25 + t49 * t21);
+  const Scalar t51 = k[14] * s6 - k[15] * c6;
+  const Scalar t52 = (k[3] * t41 + (k[10] * t15 - t42)) + (t44 * t16 - (t50 + t51 * t30));
+  const Scalar t53 = k[21] - t48;
+  const Scalar t54 = (t53 * t30 - t49 * t31) + t5 * t47;
+  const Scalar t55 = c5 * t43 - qdd[2] * s5;
+  const Scalar t56 = (t54 - (t51 * t19 + t45 * t23)) + (t22 * t41 + t55 * t16);
+  const Scalar t57 = (k[11] * t23 + k[10] * t5) - (k[13] * t19 - k[20] * t29);
+  const Scalar t58 = s5 * t52 + c5 * (t56 - (t57 - k[2] * t41));
+  const Scalar t59 = (k[6] * t41 + k[7] * t43) - k[22] * qdd[3];
+  const Scalar t60 = (k[12] * t23 - k[20] * t15) + k[13] * t33;
+  const Scalar t61 = (k[2] * t44 - k[3] * t55) + ((k[10] * t17 - k[11] * t27) + t60);
+  const Scalar t62 = (t45 * t31 + t51 * t9) - (t53 * t25 - t47 * t21);
   JointVector<Scalar> result;
-  result[0] = k[1] * t0 + (k[9] * t0 - t35);
-  result[1] = k[9] * qdd[1] + t36;
-  result[2] = t37;
-  result[3] = -t40 - t56;
-  result[4] = t58 - (t53 * t11 - t59);
-  result[5] = -t50;
+  result[0] = k[1] * t0 - (t38 - k[9] * t0);
+  result[1] = k[9] * qdd[1] - t39;
+  result[2] = t40;
+  result[3] = -t58 - t59;
+  result[4] = -t61 - (t44 * t22 - t62);
+  result[5] = -t56;
   return result;
 }
 
@@ -178,8 +181,8 @@ GravityTorqueConstants<Scalar> gravity_torque_constants([[maybe_unused]] const B
   return { inertia.c6z * inertia.m6,
            inertia.c6y * inertia.m6,
            gravity,
-           inertia.c6x * inertia.m6 + inertia.c5x * inertia.m5,
            inertia.c5y * inertia.m5,
+           inertia.c6x * inertia.m6 + inertia.c5x * inertia.m5,
            inertia.c4y * inertia.m4,
            inertia.c5z * inertia.m5 + inertia.c4z * inertia.m4,
            gravity * inertia.m1 + t0 };
@@ -197,20 +200,20 @@ inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Sca
   const Scalar& s6 = angles.sine[2];
   const Scalar& c6 = angles.cosine[2];
   const Scalar t0 = k[2] * c4;
-  const Scalar t1 = k[2] * s4;
-  const Scalar t2 = k[0] * s6 - k[1] * c6;
-  const Scalar t3 = k[0] * c6 + k[1] * s6;
-  const Scalar t4 = c5 * t1;
-  const Scalar t5 = t2 * t0 + t3 * t4;
-  const Scalar t6 = s5 * t1;
-  const Scalar t7 = c5 * (k[4] * t0 - t5) - s5 * (t3 * t6 - k[3] * t0);
-  const Scalar t8 = (k[4] * t6 - k[3] * t4) - t2 * t6;
+  const Scalar t1 = k[0] * s6 - k[1] * c6;
+  const Scalar t2 = k[0] * c6 + k[1] * s6;
+  const Scalar t3 = k[2] * s4;
+  const Scalar t4 = c5 * t3;
+  const Scalar t5 = t1 * t0 + t2 * t4;
+  const Scalar t6 = s5 * t3;
+  const Scalar t7 = c5 * (k[3] * t0 - t5) - s5 * (t2 * t6 - k[4] * t0);
+  const Scalar t8 = t1 * t6 + (k[4] * t4 - k[3] * t6);
   JointVector<Scalar> result;
   result[0] = k[7];
   result[1] = Scalar(0);
   result[2] = Scalar(0);
-  result[3] = (k[5] * t0 - k[6] * t1) + t7;
-  result[4] = -t8;
+  result[3] = t7 + (k[5] * t0 - k[6] * t3);
+  result[4] = t8;
   result[5] = -t5;
   return result;
 }
@@ -236,39 +239,37 @@ CoriolisTorqueConstants<Scalar> coriolis_torque_constants([[maybe_unused]] const
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
-  const Scalar t1 = inertia.c6z * inertia.m6;
-  const Scalar t2 = inertia.c6x * inertia.m6;
-  const Scalar t3 = inertia.c5x * inertia.m5;
-  const Scalar t4 = inertia.c5y * inertia.m5;
+  const Scalar t0 = inertia.c5y * inertia.m5;
+  const Scalar t1 = inertia.c6x * inertia.m6;
+  const Scalar t2 = inertia.c5x * inertia.m5;
+  const Scalar t3 = inertia.c6z * inertia.m6;
+  const Scalar t4 = inertia.c6y * inertia.m6;
   const Scalar t5 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t6 = inertia.c6z * t1 - (inertia.I6zz - t5);
-  const Scalar t7 = (inertia.I6yy - t5) - inertia.c6y * t0;
-  const Scalar t8 = inertia.I6yz - inertia.c6z * t0;
-  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t10 = inertia.c5y * t4 - (inertia.I5yy - t9);
-  const Scalar t11 = inertia.I5xy - inertia.c5y * t3;
-  const Scalar t12 = ((inertia.I6xx - t5) - inertia.c6x * t2) - (inertia.c5x * t3 - (inertia.I5xx - t9));
+  const Scalar t6 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t7 = ((inertia.I6xx - t5) - inertia.c6x * t1) - (inertia.c5x * t2 - (inertia.I5xx - t6));
+  const Scalar t8 = inertia.c6z * t3 - (inertia.I6zz - t5);
+  const Scalar t9 = (inertia.I6yy - t5) - inertia.c6y * t4;
+  const Scalar t10 = inertia.I6yz - inertia.c6z * t4;
+  const Scalar t11 = inertia.c5y * t0 - (inertia.I5yy - t6);
   return { t0,
-           t1,
-           t2 + t3,
+           t1 + t2,
+           t3,
            t4,
            inertia.c5z * inertia.m5 + inertia.c4z * inertia.m4,
            inertia.c4y * inertia.m4,
-           t6 + t7,
-           Scalar(2) * t8,
-           t8,
+           inertia.I5yz - inertia.c5z * t0,
+           inertia.I5xz - inertia.c5z * t2,
+           inertia.I5xy - inertia.c5y * t2,
            t7,
-           inertia.I6xz - inertia.c6z * t2,
-           inertia.I6xy - inertia.c6y * t2,
+           inertia.I6xz - inertia.c6z * t1,
+           inertia.I6xy - inertia.c6y * t1,
+           t8 + t9,
            Scalar(2) * t10,
-           Scalar(2) * t11,
-           inertia.I5yz - inertia.c5z * t4,
-           inertia.I5xz - inertia.c5z * t3,
-           t6,
+           t8,
+           t10,
+           t9,
            t11,
-           Scalar(2) * t12,
-           t10 + t12 };
+           t11 + t7 };
 }
 
 namespace detail {
@@ -283,54 +284,52 @@ inline JointVector<Scalar> coriolis_torque([[maybe_unused]] const JointVector<Sc
   const Scalar& c5 = angles.cosine[1];
   const Scalar& s6 = angles.sine[2];
   const Scalar& c6 = angles.cosine[2];
-  const Scalar t0 = k[0] * s6 + k[1] * c6;
-  const Scalar t1 = qd[3] * s5;
-  const Scalar t2 = t1 * t1;
-  const Scalar t3 = qd[3] * c5;
-  const Scalar t4 = qd[5] + t3;
-  const Scalar t5 = t4 * t4;
-  const Scalar t6 = t2 + t5;
-  const Scalar t7 = qd[4] * t1;
-  const Scalar t8 = t7 + t7;
-  const Scalar t9 = k[0] * c6 - k[1] * s6;
-  const Scalar t10 = qd[4] * t3;
-  const Scalar t11 = t10 + t10;
-  const Scalar t12 = (t0 * t6 + t8 * t9) + (k[3] * t8 - k[2] * t11);
-  const Scalar t13 = qd[3] * qd[3];
-  const Scalar t14 = t12 + k[4] * t13;
-  const Scalar t15 = t1 * t3;
-  const Scalar t16 = qd[4] * qd[4];
-  const Scalar t17 = t2 + t16;
-  const Scalar t18 = t2 - t5;
-  const Scalar t19 = t17 - t18;
-  const Scalar t20 = t6 - t19;
-  const Scalar t21 = t13 - t20;
-  const Scalar t22 = (k[2] * t15 + k[3] * t21) + t19 * t9;
-  const Scalar t23 = Scalar(2) * qd[4] * qd[5];
-  const Scalar t24 = t1 * t4;
-  const Scalar t25 = (t24 + t24) - t15;
-  const Scalar t26 = (t0 * t23 - t25 * t9) - (k[3] * t15 + k[2] * t17);
-  const Scalar t27 = (c5 * t22 - s5 * t26) + k[5] * t13;
-  const Scalar t28 = k[7] * c6 + k[6] * s6;
-  const Scalar t29 = s6 * t28;
-  const Scalar t30 = k[8] - c6 * t28;
-  const Scalar t31 = k[10] * c6 + k[11] * s6;
-  const Scalar t32 = ((k[16] - t29) * t23 - t30 * t25) + t31 * (t16 - t5);
-  const Scalar t33 = k[10] * s6 - k[11] * c6;
-  const Scalar t34 = t17 - t21;
-  const Scalar t35 = (k[17] * t8 - k[18] * t10) + k[15] * (t20 - t34);
-  const Scalar t36 = (t32 + t8 * t33) + (k[14] * t15 - t35);
-  const Scalar t37 = k[9] - t29;
-  const Scalar t38 = (t33 * t11 - t31 * t15) - (t30 * t20 - t8 * t37);
-  const Scalar t39 = (k[15] * t15 - k[14] * t20) + (k[12] * t7 + k[13] * t10);
-  const Scalar t40 = t33 * t18 - (t37 * t25 + t30 * t23);
+  const Scalar t0 = k[2] * c6 + k[3] * s6;
+  const Scalar t1 = qd[4] * qd[4];
+  const Scalar t2 = qd[3] * c5;
+  const Scalar t3 = qd[5] + t2;
+  const Scalar t4 = t3 * t3;
+  const Scalar t5 = t1 + t4;
+  const Scalar t6 = qd[3] * qd[3];
+  const Scalar t7 = t2 * t2 + t1;
+  const Scalar t8 = t6 - t7;
+  const Scalar t9 = qd[3] * s5;
+  const Scalar t10 = Scalar(2) * qd[4];
+  const Scalar t11 = t9 * t10;
+  const Scalar t12 = k[2] * s6 - k[3] * c6;
+  const Scalar t13 = t2 * t10;
+  const Scalar t14 = (t0 * (t5 + t8) - t11 * t12) - (k[1] * t13 - k[0] * t11);
+  const Scalar t15 = t14 + k[4] * t6;
+  const Scalar t16 = t1 - t4;
+  const Scalar t17 = t16 + t8;
+  const Scalar t18 = t17 + t5;
+  const Scalar t19 = t9 * t2;
+  const Scalar t20 = qd[5] * t10;
+  const Scalar t21 = t9 * (qd[5] + t3);
+  const Scalar t22 = (k[1] * t18 + k[0] * t19) - (t0 * t20 + t21 * t12);
+  const Scalar t23 = (k[0] * t7 + k[1] * t19) - t5 * t12;
+  const Scalar t24 = (s5 * t22 + c5 * t23) + k[5] * t6;
+  const Scalar t25 = k[10] * c6 + k[11] * s6;
+  const Scalar t26 = k[10] * s6 - k[11] * c6;
+  const Scalar t27 = k[12] * s6 + k[13] * c6;
+  const Scalar t28 = k[15] - c6 * t27;
+  const Scalar t29 = s6 * t27;
+  const Scalar t30 = k[16] - t29;
+  const Scalar t31 = (t25 * t19 - t26 * t13) + (t28 * t8 - t11 * t30);
+  const Scalar t32 = (k[8] * t13 + k[17] * t11) - (k[6] * t8 - k[7] * t19);
+  const Scalar t33 = t18 - t6;
+  const Scalar t34 = (k[8] * t11 - k[9] * t13) - k[7] * t33;
+  const Scalar t35 = (t28 * t21 - t20 * (k[14] - t29)) - t25 * t16;
+  const Scalar t36 = (k[6] * t19 - t34) + (t26 * t11 - t35);
+  const Scalar t37 = (t21 * t30 + t20 * t28) - t17 * t26;
+  const Scalar t38 = (k[8] * (t33 + t8) - k[18] * t19) + t37;
   JointVector<Scalar> result;
-  result[0] = -c4 * t14 - s4 * t27;
-  result[1] = s4 * t14 - c4 * t27;
-  result[2] = s5 * t22 + c5 * t26;
-  result[3] = c5 * (t38 - t39) - s5 * t36;
-  result[4] = t40 - (k[17] * t34 - k[19] * t15);
-  result[5] = t38;
+  result[0] = -c4 * t15 - s4 * t24;
+  result[1] = s4 * t15 - c4 * t24;
+  result[2] = s5 * t23 - c5 * t22;
+  result[3] = -c5 * (t31 + t32) - s5 * t36;
+  result[4] = -t38;
+  result[5] = -t31;
   return result;
 }
 
@@ -380,20 +379,20 @@ MassMatrixConstants<Scalar> mass_matrix_constants([[maybe_unused]] const BasicGe
            t4 + t5,
            t6,
            t7,
+           inertia.I6xz - inertia.c6z * t4,
+           inertia.I6xy - inertia.c6y * t4,
+           inertia.I5xy - inertia.c5y * t5,
            t9 + t10,
            Scalar(2) * t11,
            t10,
            inertia.c5y * t6 - (inertia.I5yy - t12),
            t13,
-           inertia.I6xz - inertia.c6z * t4,
-           inertia.I6xy - inertia.c6y * t4,
-           inertia.I5xy - inertia.c5y * t5,
            (inertia.I4yy - t14) - inertia.c4y * t7,
            t9,
            t15,
+           inertia.I5xz - inertia.c5z * t5,
            t11,
            inertia.I5yz - inertia.c5z * t6,
-           inertia.I5xz - inertia.c5z * t5,
            t9 - t10,
            inertia.m1 + t17,
            t17,
@@ -419,14 +418,14 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointV
   const Scalar t5 = k[5] + t4;
   const Scalar t6 = s5 * t3 - k[3] * c5;
   const Scalar t7 = c5 * t0;
-  const Scalar t8 = k[7] * c6 + k[6] * s6;
+  const Scalar t8 = k[10] * c6 + k[9] * s6;
   const Scalar t9 = s6 * t8;
-  const Scalar t10 = k[9] - (k[8] - t9);
-  const Scalar t11 = k[12] * c6 - k[11] * s6;
-  const Scalar t12 = Scalar(2) * c5 * (k[13] + t11) + s5 * (k[10] + t10);
-  const Scalar t13 = (k[16] + (k[15] - t9)) - (k[14] - (t10 - s5 * t12));
-  const Scalar t14 = k[12] * s6 + k[11] * c6;
-  const Scalar t15 = c5 * (k[19] + t14) - s5 * (k[18] - (k[17] - c6 * t8));
+  const Scalar t10 = k[12] - (k[11] - t9);
+  const Scalar t11 = k[7] * c6 - k[6] * s6;
+  const Scalar t12 = s5 * (k[13] + t10) + Scalar(2) * c5 * (k[8] + t11);
+  const Scalar t13 = (k[14] + (s5 * t12 - t10)) - (k[16] + (k[15] - t9));
+  const Scalar t14 = k[6] * c6 + k[7] * s6;
+  const Scalar t15 = c5 * (k[17] + t14) - s5 * (k[19] - (k[18] - c6 * t8));
   Eigen::Matrix<Scalar, dof, dof> result;
   result(0, 0) = k[21];
   result(0, 1) = result(1, 0) = Scalar(0);
@@ -443,10 +442,10 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointV
   result(2, 3) = result(3, 2) = Scalar(0);
   result(2, 4) = result(4, 2) = -t4;
   result(2, 5) = result(5, 2) = s5 * t0;
-  result(3, 3) = t13;
+  result(3, 3) = -t13;
   result(3, 4) = result(4, 3) = t15;
   result(3, 5) = result(5, 3) = k[20] * c5 - s5 * t11;
-  result(4, 4) = t10 - k[10];
+  result(4, 4) = t10 - k[13];
   result(4, 5) = result(5, 4) = t14;
   result(5, 5) = k[20];
   return result;
@@ -472,36 +471,36 @@ CoriolisMatrixConstants<Scalar> coriolis_matrix_constants([[maybe_unused]] const
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6y * inertia.m6;
-  const Scalar t1 = inertia.c6z * inertia.m6;
-  const Scalar t2 = inertia.c5y * inertia.m5;
-  const Scalar t3 = inertia.c6x * inertia.m6;
-  const Scalar t4 = inertia.c5x * inertia.m5;
+  const Scalar t0 = inertia.c6x * inertia.m6;
+  const Scalar t1 = inertia.c5x * inertia.m5;
+  const Scalar t2 = inertia.c6y * inertia.m6;
+  const Scalar t3 = inertia.c6z * inertia.m6;
+  const Scalar t4 = inertia.c5y * inertia.m5;
   const Scalar t5 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
   const Scalar t6 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t7 = ((inertia.I6xx - t5) - inertia.c6x * t3) - (inertia.c5x * t4 - (inertia.I5xx - t6));
-  const Scalar t8 = inertia.c6z * t1 - (inertia.I6zz - t5);
-  const Scalar t9 = (inertia.I6yy - t5) - inertia.c6y * t0;
-  const Scalar t10 = inertia.I6yz - inertia.c6z * t0;
-  return { t0,
-           t1,
+  const Scalar t7 = ((inertia.I6xx - t5) - inertia.c6x * t0) - (inertia.c5x * t1 - (inertia.I5xx - t6));
+  const Scalar t8 = inertia.c6z * t3 - (inertia.I6zz - t5);
+  const Scalar t9 = (inertia.I6yy - t5) - inertia.c6y * t2;
+  const Scalar t10 = inertia.I6yz - inertia.c6z * t2;
+  return { t0 + t1,
            t2,
-           t3 + t4,
-           inertia.c5z * inertia.m5 + inertia.c4z * inertia.m4,
+           t3,
+           t4,
            inertia.c4y * inertia.m4,
-           inertia.I6xz - inertia.c6z * t3,
-           inertia.I6xy - inertia.c6y * t3,
-           inertia.I5xy - inertia.c5y * t4,
+           inertia.c5z * inertia.m5 + inertia.c4z * inertia.m4,
            t7,
+           inertia.I6xz - inertia.c6z * t0,
+           inertia.I6xy - inertia.c6y * t0,
+           inertia.I5xy - inertia.c5y * t1,
            t8 + t9,
            Scalar(2) * t10,
-           t9,
-           inertia.c5y * t2 - (inertia.I5yy - t6),
            t10,
-           t8 - t9,
-           inertia.I5xz - inertia.c5z * t4,
-           inertia.I5yz - inertia.c5z * t2,
-           t8 };
+           t9,
+           inertia.c5y * t4 - (inertia.I5yy - t6),
+           t8,
+           inertia.I5xz - inertia.c5z * t1,
+           inertia.I5yz - inertia.c5z * t4,
+           t8 - t9 };
 }
 
 namespace detail {
@@ -516,86 +515,87 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const Jo
   const Scalar& c5 = angles.cosine[1];
   const Scalar& s6 = angles.sine[2];
   const Scalar& c6 = angles.cosine[2];
-  const Scalar t0 = k[0] * c6 - k[1] * s6;
-  const Scalar t1 = qd[5] * t0;
-  const Scalar t2 = k[2] + t0;
-  const Scalar t3 = c5 * t2;
-  const Scalar t4 = t1 + qd[3] * (k[5] + (k[3] * s5 + t3));
-  const Scalar t5 = k[0] * s6 + k[1] * c6;
-  const Scalar t6 = qd[5] * t5 - k[3] * qd[4];
-  const Scalar t7 = s5 * t2;
-  const Scalar t8 = c5 * t6 + qd[4] * t7;
-  const Scalar t9 = t8 + qd[3] * (k[4] + t5);
-  const Scalar t10 = qd[3] * (t7 - k[3] * c5);
-  const Scalar t11 = qd[4] * t3 - s5 * t6;
+  const Scalar t0 = k[2] * c6 + k[1] * s6;
+  const Scalar t1 = k[0] * qd[4] - qd[5] * t0;
+  const Scalar t2 = k[1] * c6 - k[2] * s6;
+  const Scalar t3 = k[3] + t2;
+  const Scalar t4 = s5 * t3;
+  const Scalar t5 = c5 * t1 - qd[4] * t4;
+  const Scalar t6 = qd[3] * (k[5] + t0) - t5;
+  const Scalar t7 = c5 * t3;
+  const Scalar t8 = qd[5] * t2;
+  const Scalar t9 = qd[3] * (k[4] + (t7 + k[0] * s5)) + t8;
+  const Scalar t10 = qd[4] * t7 + s5 * t1;
+  const Scalar t11 = qd[3] * (t4 - k[0] * c5);
   const Scalar t12 = qd[3] * c5;
   const Scalar t13 = qd[5] + t12;
-  const Scalar t14 = t5 * t13;
-  const Scalar t15 = qd[4] * t5;
-  const Scalar t16 = (c5 * t1 - s5 * t15) + qd[3] * t0;
+  const Scalar t14 = t0 * t13;
+  const Scalar t15 = qd[4] * t0;
+  const Scalar t16 = (c5 * t8 - s5 * t15) + qd[3] * t2;
   const Scalar t17 = k[10] * s6 + k[11] * c6;
-  const Scalar t18 = k[14] - c6 * t17;
+  const Scalar t18 = k[12] - c6 * t17;
   const Scalar t19 = qd[5] * t18;
-  const Scalar t20 = k[7] * c6 - k[6] * s6;
-  const Scalar t21 = k[8] + t20;
+  const Scalar t20 = k[8] * c6 - k[7] * s6;
+  const Scalar t21 = k[9] + t20;
   const Scalar t22 = qd[4] * t21;
-  const Scalar t23 = k[6] * c6 + k[7] * s6;
-  const Scalar t24 = qd[5] * t23;
-  const Scalar t25 = s5 * t22 + c5 * (t24 - k[9] * qd[4]);
-  const Scalar t26 = k[12] - s6 * t17;
-  const Scalar t27 = k[13] - t26;
-  const Scalar t28 = c5 * (t19 + t22) + s5 * qd[4] * t27;
-  const Scalar t29 = qd[3] * s5;
-  const Scalar t30 = qd[4] * (k[17] - t18);
-  const Scalar t31 = c5 * ((t21 * t12 + t29 * t27) + t30);
-  const Scalar t32 = qd[5] * (k[15] + t26) + qd[4] * (k[16] + t23);
-  const Scalar t33 = s5 * ((k[9] * t12 - t29 * t21) + t32);
-  const Scalar t34 = t31 + t33;
-  const Scalar t35 = c6 * t29 - qd[4] * s6;
-  const Scalar t36 = s6 * t29 + qd[4] * c6;
-  const Scalar t37 = k[6] * t13 - (k[14] * t35 + k[18] * t36);
-  const Scalar t38 = (k[12] * t35 - k[14] * t36) - k[7] * t13;
-  const Scalar t39 = s5 * (c6 * t37 - s6 * t38);
-  const Scalar t40 = qd[5] * t20;
-  const Scalar t41 = c5 * (t30 - t40) + s5 * (t32 + qd[5] * t26);
-  const Scalar t42 = c6 * t38 + s6 * t37;
-  const Scalar t43 = s5 * (k[15] * qd[4] - t24) + c5 * qd[4] * t20;
+  const Scalar t23 = s6 * t17;
+  const Scalar t24 = k[13] - t23;
+  const Scalar t25 = k[14] - t24;
+  const Scalar t26 = c5 * (t22 + t19) + s5 * qd[4] * t25;
+  const Scalar t27 = k[7] * c6 + k[8] * s6;
+  const Scalar t28 = qd[5] * t27;
+  const Scalar t29 = s5 * t22 - c5 * (k[6] * qd[4] - t28);
+  const Scalar t30 = qd[3] * s5;
+  const Scalar t31 = qd[4] * (k[17] - t18);
+  const Scalar t32 = c5 * ((t21 * t12 + t30 * t25) + t31);
+  const Scalar t33 = qd[4] * (k[16] + t27) + qd[5] * (k[15] - t23);
+  const Scalar t34 = s5 * (t33 - (t30 * t21 - k[6] * t12));
+  const Scalar t35 = t32 + t34;
+  const Scalar t36 = c6 * t30 - qd[4] * s6;
+  const Scalar t37 = s6 * t30 + qd[4] * c6;
+  const Scalar t38 = (k[13] * t36 - k[12] * t37) - k[8] * t13;
+  const Scalar t39 = k[7] * t13 - (k[15] * t37 + k[12] * t36);
+  const Scalar t40 = s5 * (s6 * t38 - c6 * t39);
+  const Scalar t41 = qd[5] * t20;
+  const Scalar t42 = c5 * (t41 - t31) - s5 * (t33 + qd[5] * t24);
+  const Scalar t43 = c6 * t38 + s6 * t39;
+  const Scalar t44 = s5 * (k[18] * qd[4] - t28) + qd[4] * c5 * t20;
   Eigen::Matrix<Scalar, dof, dof> result;
   result(0, 0) = Scalar(0);
   result(0, 1) = Scalar(0);
   result(0, 2) = Scalar(0);
-  result(0, 3) = -s4 * t4 - c4 * t9;
-  result(0, 4) = -c4 * t10 - s4 * t11;
+  result(0, 3) = -c4 * t6 - s4 * t9;
+  result(0, 4) = -s4 * t10 - c4 * t11;
   result(0, 5) = -c4 * t14 - s4 * t16;
   result(1, 0) = Scalar(0);
   result(1, 1) = Scalar(0);
   result(1, 2) = Scalar(0);
-  result(1, 3) = s4 * t9 - c4 * t4;
-  result(1, 4) = s4 * t10 - c4 * t11;
+  result(1, 3) = s4 * t6 - c4 * t9;
+  result(1, 4) = s4 * t11 - c4 * t10;
   result(1, 5) = s4 * t14 - c4 * t16;
   result(2, 0) = Scalar(0);
   result(2, 1) = Scalar(0);
   result(2, 2) = Scalar(0);
   result(2, 3) = Scalar(0);
-  result(2, 4) = t8;
-  result(2, 5) = c5 * t15 + s5 * t1;
+  result(2, 4) = -t5;
+  result(2, 5) = c5 * t15 + s5 * t8;
   result(3, 0) = Scalar(0);
   result(3, 1) = Scalar(0);
   result(3, 2) = Scalar(0);
-  result(3, 3) = t19 + (s5 * t25 - c5 * t28);
-  result(3, 4) = -t34;
-  result(3, 5) = t39;
+  result(3, 3) = t19 - (c5 * t26 - s5 * t29);
+  result(3, 4) = -t35;
+  result(3, 5) = -t40;
   result(4, 0) = Scalar(0);
   result(4, 1) = Scalar(0);
   result(4, 2) = Scalar(0);
-  result(4, 3) = t34 - t41;
+  result(4, 3) = t35 + t42;
   result(4, 4) = -t19;
-  result(4, 5) = -t42;
+  result(4, 5) = -t43;
   result(5, 0) = Scalar(0);
   result(5, 1) = Scalar(0);
   result(5, 2) = Scalar(0);
-  result(5, 3) = -t39 - t43;
-  result(5, 4) = t42 + t40;
+  result(5, 3) = t40 - t44;
+  result(5, 4) = t41 + t43;
   result(5, 5) = Scalar(0);
   return result;
 }
@@ -623,66 +623,66 @@ ForwardDynamicsConstants<Scalar> forward_dynamics_constants([[maybe_unused]] con
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6z * inertia.m6;
-  const Scalar t1 = inertia.c6y * inertia.m6;
-  const Scalar t2 = inertia.c5z * inertia.m5;
-  const Scalar t3 = inertia.c4z * inertia.m4;
-  const Scalar t4 = inertia.c6x * inertia.m6;
-  const Scalar t5 = inertia.c5x * inertia.m5;
-  const Scalar t6 = t4 + t5;
-  const Scalar t7 = inertia.c5y * inertia.m5;
-  const Scalar t8 = inertia.c4y * inertia.m4;
-  const Scalar t9 = inertia.I6xz - inertia.c6z * t4;
-  const Scalar t10 = inertia.I6xy - inertia.c6y * t4;
-  const Scalar t11 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t12 = inertia.c6z * t0 - (inertia.I6zz - t11);
-  const Scalar t13 = (inertia.I6yy - t11) - inertia.c6y * t1;
-  const Scalar t14 = t12 - t13;
-  const Scalar t15 = Scalar(1) / t14;
-  const Scalar t16 = inertia.I6yz - inertia.c6z * t1;
-  const Scalar t17 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t18 = inertia.c5y * t7 - (inertia.I5yy - t17);
-  const Scalar t19 = ((inertia.I6xx - t11) - inertia.c6x * t4) - (inertia.c5x * t5 - (inertia.I5xx - t17));
-  const Scalar t20 = inertia.I5xy - inertia.c5y * t5;
+  const Scalar t0 = inertia.c6y * inertia.m6;
+  const Scalar t1 = inertia.c6z * inertia.m6;
+  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t3 = inertia.c6z * t1 - (inertia.I6zz - t2);
+  const Scalar t4 = (inertia.I6yy - t2) - inertia.c6y * t0;
+  const Scalar t5 = t3 - t4;
+  const Scalar t6 = Scalar(1) / t5;
+  const Scalar t7 = inertia.c6x * inertia.m6;
+  const Scalar t8 = inertia.I6xz - inertia.c6z * t7;
+  const Scalar t9 = inertia.I6xy - inertia.c6y * t7;
+  const Scalar t10 = inertia.c5y * inertia.m5;
+  const Scalar t11 = inertia.c5x * inertia.m5;
+  const Scalar t12 = t7 + t11;
+  const Scalar t13 = inertia.I6yz - inertia.c6z * t0;
+  const Scalar t14 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t15 = inertia.c5y * t10 - (inertia.I5yy - t14);
+  const Scalar t16 = ((inertia.I6xx - t2) - inertia.c6x * t7) - (inertia.c5x * t11 - (inertia.I5xx - t14));
+  const Scalar t17 = inertia.c5z * inertia.m5;
+  const Scalar t18 = inertia.c4z * inertia.m4;
+  const Scalar t19 = t17 + t18;
+  const Scalar t20 = inertia.c4y * inertia.m4;
   const Scalar t21 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t22 = (inertia.c5z * t2 - (inertia.I5zz - t17)) - ((inertia.I4zz - t21) - inertia.c4z * t3);
+  const Scalar t22 = (inertia.c5z * t17 - (inertia.I5zz - t14)) - ((inertia.I4zz - t21) - inertia.c4z * t18);
   const Scalar t23 = inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6));
   const Scalar t24 = inertia.m2 + t23;
   return { t0,
            t1,
-           t2 + t3,
            t6,
-           t7,
+           t6 * t8,
+           t6 * t9,
+           t5,
+           t10,
+           t12,
+           t3 + t4,
+           Scalar(2) * t13,
+           t3,
+           t15 + t16,
+           Scalar(2) * t16,
+           inertia.I5xz - inertia.c5z * t11,
+           t13,
+           inertia.I5yz - inertia.c5z * t10,
            t8,
            t9,
-           t10,
-           t15,
-           t15 * t9,
-           t15 * t10,
-           t14,
-           t12 + t13,
-           Scalar(2) * t16,
-           t13,
-           t18,
            t19,
-           t16,
-           inertia.I5yz - inertia.c5z * t7,
-           inertia.I5xz - inertia.c5z * t5,
-           gravity,
-           t18 + t19,
            t20,
-           gravity * t6,
-           gravity * t7,
-           Scalar(2) * t20,
-           gravity * t8,
            t22,
-           Scalar(2) * t19,
-           (inertia.I4yy - t21) - inertia.c4y * t8,
+           t15,
+           inertia.I5xy - inertia.c5y * t11,
+           (inertia.I4yy - t21) - inertia.c4y * t20,
+           t23,
+           t24,
+           gravity,
+           gravity * t10,
+           t16,
+           gravity * t12,
+           gravity * t19,
+           gravity * t20,
            gravity * t23,
            gravity * inertia.m2,
            gravity * inertia.m1,
-           t23,
-           t24,
            inertia.m1 + t24 };
 }
 
@@ -698,131 +698,129 @@ inline JointVector<Scalar> forward_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& c5 = angles.cosine[1];
   const Scalar& s6 = angles.sine[2];
   const Scalar& c6 = angles.cosine[2];
-  const Scalar t0 = k[9] * c6 + k[10] * s6;
-  const Scalar t1 = k[11] * t0;
-  const Scalar t2 = k[0] * c6 + k[1] * s6;
-  const Scalar t3 = c5 * t2;
-  const Scalar t4 = k[0] * s6 - k[1] * c6;
-  const Scalar t5 = s4 * t3 + c4 * t4;
-  const Scalar t6 = k[8] * t5;
-  const Scalar t7 = k[4] - t4;
-  const Scalar t8 = k[3] * c5;
-  const Scalar t9 = s5 * t7 - t8;
-  const Scalar t10 = t1 * t6 - s4 * t9;
-  const Scalar t11 = k[12] * s6 + k[13] * c6;
-  const Scalar t12 = k[14] - s6 * t11;
-  const Scalar t13 = k[15] - t12;
-  const Scalar t14 = k[16] - t13;
-  const Scalar t15 = Scalar(1) / (t14 + t1 * t0);
-  const Scalar t16 = t10 * t15;
-  const Scalar t17 = k[2] + t2;
-  const Scalar t18 = c5 * t7 + k[3] * s5;
-  const Scalar t19 = k[5] + t18;
-  const Scalar t20 = k[7] * c6 - k[6] * s6;
-  const Scalar t21 = c5 - k[8] * s5 * t20;
-  const Scalar t22 = (s4 * t17 - c4 * t19) - t21 * t5;
-  const Scalar t23 = k[17] - c6 * t11;
-  const Scalar t24 = s5 * (k[18] - t23) - c5 * (k[19] + t1);
-  const Scalar t25 = k[11] * t21;
-  const Scalar t26 = t24 + t0 * t25;
-  const Scalar t27 = t26 * t15;
-  const Scalar t28 = t22 + t10 * t27;
-  const Scalar t29 = k[11] + t12;
-  const Scalar t30 = c5 * (k[22] + t20);
-  const Scalar t31 = s5 * ((t30 + t30) + s5 * (k[28] - t14));
-  const Scalar t32 = ((k[27] + t29) - (k[29] - (t13 - t31))) - t21 * t25;
-  const Scalar t33 = Scalar(1) / (t32 + t26 * t27);
-  const Scalar t34 = t28 * t33;
-  const Scalar t35 = (t10 * t16 + (k[35] - t5 * t6)) - t28 * t34;
-  const Scalar t36 = s5 * t2;
-  const Scalar t37 = k[8] * t36;
-  const Scalar t38 = t18 + t1 * t37;
-  const Scalar t39 = t38 * t15;
-  const Scalar t40 = t26 * t39 - t37 * t25;
-  const Scalar t41 = (t10 * t39 - t36 * t6) - t40 * t34;
-  const Scalar t42 = t40 * t33;
-  const Scalar t43 = t40 * t42 - ((k[33] - t36 * t37) + t38 * t39);
-  const Scalar t44 = Scalar(1) / t43;
-  const Scalar t45 = t41 * t44;
-  const Scalar t46 = s4 * t4 - c4 * t3;
-  const Scalar t47 = k[8] * t46;
-  const Scalar t48 = t47 * t25 + (c4 * t17 + s4 * t19);
-  const Scalar t49 = c4 * t9 + t46 * t0;
-  const Scalar t50 = t15 * t49;
-  const Scalar t51 = t48 - t26 * t50;
-  const Scalar t52 = t51 * t33;
-  const Scalar t53 = t40 * t52 - (t46 * t37 - t39 * t49);
-  const Scalar t54 = t53 * t44;
-  const Scalar t55 = (t50 * t49 + (k[34] - t46 * t47)) - t51 * t52;
-  const Scalar t56 = Scalar(1) / (t53 * t54 + t55);
-  const Scalar t57 = t28 * t52 - (t46 * t6 - t16 * t49);
-  const Scalar t58 = t57 + t53 * t45;
-  const Scalar t59 = t56 * t58;
-  const Scalar t60 = Scalar(1) / ((t35 + t41 * t45) - t59 * t58);
-  const Scalar t61 = k[20] * s4;
-  const Scalar t62 = s5 * t61;
-  const Scalar t63 = qd[3] * s5;
-  const Scalar t64 = qd[3] * c5;
-  const Scalar t65 = qd[5] + t64;
-  const Scalar t66 = t63 * (qd[5] + t65);
-  const Scalar t67 = Scalar(2) * qd[4] * qd[5];
-  const Scalar t68 = qd[4] * qd[4];
-  const Scalar t69 = t68 - t65 * t65;
-  const Scalar t70 = (t23 * t66 - t29 * t67) - t1 * t69;
-  const Scalar t71 = qd[4] * t63;
-  const Scalar t72 = t71 + t71;
-  const Scalar t73 = qd[3] * qd[3];
-  const Scalar t74 = t63 * t63;
-  const Scalar t75 = t74 + t68;
-  const Scalar t76 = t73 - t75;
-  const Scalar t77 = qd[4] * t64;
-  const Scalar t78 = Scalar(2) * t77;
-  const Scalar t79 = k[19] * t76 + (k[22] * t72 - k[16] * t78);
-  const Scalar t80 = t63 * t64;
-  const Scalar t81 = (t2 * t62 - (t70 + t72 * t20)) - (k[23] * c4 + (t79 - k[18] * t80));
-  const Scalar t82 = t74 - t68;
-  const Scalar t83 = (k[25] * t77 + k[15] * t72) + (k[19] * t80 - k[18] * t82);
-  const Scalar t84 = (t78 * t20 + t1 * t80) + (t23 * t82 - t72 * t12);
-  const Scalar t85 = t84 + k[20] * t5;
-  const Scalar t86 = s5 * t81 - c5 * ((k[24] * c4 - t83) - t85);
-  const Scalar t87 = torque[3] - ((k[26] * c4 - k[2] * t61) - t86);
-  const Scalar t88 = torque[5] + t85;
-  const Scalar t89 = (k[21] * t80 + k[22] * (t76 - t82)) + (t61 * t8 - k[4] * t62);
-  const Scalar t90 = t75 - t69;
-  const Scalar t91 = t90 - t82;
-  const Scalar t92 = t20 * (t91 - t75) - (t23 * t67 + t66 * t12);
-  const Scalar t93 = (torque[4] - (t89 + (t4 * t62 + t92))) - t0 * t88;
-  const Scalar t94 = (t87 - t21 * t88) - t93 * t27;
-  const Scalar t95 = (k[3] * t75 + k[4] * t80) - (t2 * t67 + t4 * t66);
-  const Scalar t96 = (k[4] * (t73 - t82) + k[3] * t80) - t4 * t91;
-  const Scalar t97 = t37 * t88 - (torque[2] + (c5 * t95 - s5 * t96));
-  const Scalar t98 = t94 * t42 + (t39 * t93 + t97);
-  const Scalar t99 = (s5 * t95 + c5 * t96) + k[5] * t73;
-  const Scalar t100 = (k[3] * t78 - k[4] * t72) - (t2 * t90 - t4 * t72);
-  const Scalar t101 = t100 - k[2] * t73;
-  const Scalar t102 = t47 * t88 - (torque[1] + (c4 * t99 + s4 * t101));
-  const Scalar t103 = t54 * t98 + ((t50 * t93 + t102) - t94 * t52);
-  const Scalar t104 = t103 * t56;
-  const Scalar t105 = t33 * t94;
-  const Scalar t106 = k[8] * t88;
-  const Scalar t107 = k[31] + (k[30] + (c4 * t101 - s4 * t99));
-  const Scalar t108 = (t106 * t5 + (torque[0] - (k[32] + t107))) + t16 * t93;
-  const Scalar t109 = t44 * t98;
-  const Scalar t110 = t58 * t104 - ((t105 * t28 + t108) + t41 * t109);
-  const Scalar t111 = t60 * t110;
-  const Scalar t112 = t104 + t59 * t111;
-  const Scalar t113 = (t45 * t111 + t109) - t54 * t112;
-  const Scalar t114 = t113 * t42 + ((t34 * t111 - t105) + t112 * t52);
-  const Scalar t115 = (t93 * t15 + t16 * t111) - t50 * t112;
-  const Scalar t116 = (t115 + t113 * t39) - t114 * t27;
-  const Scalar t117 = ((t106 - t111 * t6) + t112 * t47) - t113 * t37;
+  const Scalar t0 = k[0] * c6 - k[1] * s6;
+  const Scalar t1 = k[0] * s6 + k[1] * c6;
+  const Scalar t2 = c5 * t1;
+  const Scalar t3 = c4 * t0 - s4 * t2;
+  const Scalar t4 = k[3] * c6 + k[4] * s6;
+  const Scalar t5 = k[5] * t4;
+  const Scalar t6 = qd[3] * s5;
+  const Scalar t7 = qd[3] * c5;
+  const Scalar t8 = t6 * t7;
+  const Scalar t9 = k[17] * c6 - k[16] * s6;
+  const Scalar t10 = qd[4] + qd[4];
+  const Scalar t11 = t7 * t10;
+  const Scalar t12 = k[9] * c6 + k[8] * s6;
+  const Scalar t13 = k[10] - s6 * t12;
+  const Scalar t14 = k[5] - t13;
+  const Scalar t15 = t6 * t10;
+  const Scalar t16 = t6 * t6;
+  const Scalar t17 = qd[4] * qd[4];
+  const Scalar t18 = t16 - t17;
+  const Scalar t19 = k[14] - c6 * t12;
+  const Scalar t20 = (t5 * t8 + t9 * t11) + (t14 * t15 + t18 * t19);
+  const Scalar t21 = k[26] * t3 - t20;
+  const Scalar t22 = torque[5] - t21;
+  const Scalar t23 = k[2] * t3;
+  const Scalar t24 = qd[3] * qd[3];
+  const Scalar t25 = qd[5] + t7;
+  const Scalar t26 = t25 * t25;
+  const Scalar t27 = t17 - t26;
+  const Scalar t28 = t17 + t26;
+  const Scalar t29 = t16 - t26;
+  const Scalar t30 = t28 + t29;
+  const Scalar t31 = (k[7] * t11 - k[6] * t15) - (t15 * t0 - (t27 - t30) * t1);
+  const Scalar t32 = k[18] * t24 - t31;
+  const Scalar t33 = qd[5] * t10;
+  const Scalar t34 = t6 * (qd[5] + t25);
+  const Scalar t35 = (k[6] * t8 + k[7] * t30) - (t1 * t33 - t34 * t0);
+  const Scalar t36 = t24 - t18;
+  const Scalar t37 = t28 * t0 + (k[7] * t8 + k[6] * t36);
+  const Scalar t38 = (s5 * t35 + c5 * t37) + k[19] * t24;
+  const Scalar t39 = k[33] + (k[32] - (c4 * t32 + s4 * t38));
+  const Scalar t40 = k[6] + t0;
+  const Scalar t41 = k[7] * c5;
+  const Scalar t42 = s5 * t40 - t41;
+  const Scalar t43 = t5 * t23 + s4 * t42;
+  const Scalar t44 = t9 * t29 + (t33 * t19 - t14 * t34);
+  const Scalar t45 = k[26] * s4;
+  const Scalar t46 = s5 * t45;
+  const Scalar t47 = (k[6] * t46 - t41 * t45) - (k[11] * t8 + k[22] * (t36 - t30));
+  const Scalar t48 = t4 * t22 - (torque[4] + ((t44 + t46 * t0) + t47));
+  const Scalar t49 = k[11] + t14;
+  const Scalar t50 = Scalar(1) / ((k[12] - t49) + t5 * t4);
+  const Scalar t51 = t48 * t50;
+  const Scalar t52 = (t22 * t23 - (torque[0] - (k[34] + t39))) - t43 * t51;
+  const Scalar t53 = k[13] * (t24 - t30) - (k[28] * t11 - k[22] * t15);
+  const Scalar t54 = (t34 * t19 - t33 * t13) - t5 * t27;
+  const Scalar t55 = s5 * t1;
+  const Scalar t56 = ((k[15] * t8 - t53) - k[29] * c4) - ((t54 + t15 * t9) - t55 * t45);
+  const Scalar t57 = (k[21] * t15 + k[22] * t11) + (k[13] * t8 - k[15] * t18);
+  const Scalar t58 = s5 * t56 + c5 * ((t57 - k[27] * c4) - t21);
+  const Scalar t59 = torque[3] + (t58 - (k[31] * c4 - k[30] * s4));
+  const Scalar t60 = c5 - k[2] * s5 * t9;
+  const Scalar t61 = s5 * (k[15] - t19) - c5 * (k[13] + t5);
+  const Scalar t62 = t5 * t60 + t61;
+  const Scalar t63 = t62 * t50;
+  const Scalar t64 = (t59 - t60 * t22) + t48 * t63;
+  const Scalar t65 = k[18] + t1;
+  const Scalar t66 = c5 * t40 + k[7] * s5;
+  const Scalar t67 = k[19] + t66;
+  const Scalar t68 = (s4 * t65 - c4 * t67) + t60 * t3;
+  const Scalar t69 = t43 * t63 - t68;
+  const Scalar t70 = k[5] * t60;
+  const Scalar t71 = c5 * (k[22] + t9);
+  const Scalar t72 = (k[21] + t14) - s5 * ((t71 + t71) + s5 * t49);
+  const Scalar t73 = t70 * t60 - ((k[20] + t13) - (k[23] - t72));
+  const Scalar t74 = Scalar(1) / (t62 * t63 - t73);
+  const Scalar t75 = t69 * t74;
+  const Scalar t76 = k[2] * t55;
+  const Scalar t77 = t43 * t50;
+  const Scalar t78 = t4 * t55 + t66;
+  const Scalar t79 = t78 * t50;
+  const Scalar t80 = t62 * t79 - t70 * t76;
+  const Scalar t81 = t74 * t80;
+  const Scalar t82 = (t3 * t76 - t77 * t78) + t69 * t81;
+  const Scalar t83 = t81 * t80 - ((k[24] - t55 * t76) + t78 * t79);
+  const Scalar t84 = Scalar(1) / t83;
+  const Scalar t85 = k[2] * t22;
+  const Scalar t86 = (torque[2] - (s5 * t37 - c5 * t35)) - t85 * t55;
+  const Scalar t87 = t64 * t74;
+  const Scalar t88 = t84 * ((t86 + t48 * t79) - t87 * t80);
+  const Scalar t89 = s4 * t0 + c4 * t2;
+  const Scalar t90 = k[2] * t89;
+  const Scalar t91 = t5 * t90 - c4 * t42;
+  const Scalar t92 = (s4 * t67 + c4 * t65) - t70 * t90;
+  const Scalar t93 = t91 * t63 + t92;
+  const Scalar t94 = t91 * t50;
+  const Scalar t95 = t75 * t93 - (t43 * t94 - t3 * t90);
+  const Scalar t96 = t84 * t82;
+  const Scalar t97 = t81 * t93 + (t55 * t90 - t78 * t94);
+  const Scalar t98 = t95 - t96 * t97;
+  const Scalar t99 = t84 * t97;
+  const Scalar t100 = t74 * t93;
+  const Scalar t101 = ((k[25] - t89 * t90) + t91 * t94) - t100 * t93;
+  const Scalar t102 = Scalar(1) / (t97 * t99 + t101);
+  const Scalar t103 = t98 * t102;
+  const Scalar t104 = t22 * t90 + (torque[1] + (c4 * t38 - s4 * t32));
+  const Scalar t105 = t88 * t97 - ((t48 * t94 - t104) - t87 * t93);
+  const Scalar t106 = ((t52 + t64 * t75) + t82 * t88) + t103 * t105;
+  const Scalar t107 = t69 * t75 - (t77 * t43 + (k[35] - t3 * t23));
+  const Scalar t108 = Scalar(1) / (t103 * t98 + (t107 - t96 * t82));
+  const Scalar t109 = t106 * t108;
+  const Scalar t110 = t102 * t105 - t103 * t109;
+  const Scalar t111 = (t88 + t96 * t109) - t110 * t99;
+  const Scalar t112 = ((t87 - t109 * t75) + t100 * t110) + t111 * t81;
+  const Scalar t113 = ((t51 - t77 * t109) + t94 * t110) + t111 * t79;
+  const Scalar t114 = t112 * t63 - t113;
+  const Scalar t115 = t111 * t76 + ((t85 - t109 * t23) + t90 * t110);
   JointVector<Scalar> result;
-  result[0] = -t111;
-  result[1] = -t112;
-  result[2] = t113;
-  result[3] = -t114;
-  result[4] = -t116;
-  result[5] = (t21 * t114 + t117) + t0 * t116;
+  result[0] = t109;
+  result[1] = t110;
+  result[2] = -t111;
+  result[3] = t112;
+  result[4] = -t114;
+  result[5] = t4 * t114 - (t60 * t112 - t115);
   return result;
 }
 
@@ -862,11 +860,11 @@ KineticEnergyConstants<Scalar> kinetic_energy_constants([[maybe_unused]] const B
   const Scalar t10 = ((inertia.I6xx - t1) - inertia.c6x * t8) - (inertia.c5x * t9 - (inertia.I5xx - t7));
   const Scalar t11 = inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6));
   const Scalar t12 = inertia.m2 + t11;
-  const Scalar t13 = inertia.c5z * inertia.m5;
-  const Scalar t14 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t15 = inertia.c4z * inertia.m4;
-  const Scalar t16 = (inertia.c5z * t13 - (inertia.I5zz - t7)) - ((inertia.I4zz - t14) - inertia.c4z * t15);
-  const Scalar t17 = inertia.c4y * inertia.m4;
+  const Scalar t13 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t14 = inertia.c4y * inertia.m4;
+  const Scalar t15 = inertia.c5z * inertia.m5;
+  const Scalar t16 = inertia.c4z * inertia.m4;
+  const Scalar t17 = (inertia.c5z * t15 - (inertia.I5zz - t7)) - ((inertia.I4zz - t13) - inertia.c4z * t16);
   return { t2 - t4,
            t2 + t4,
            Scalar(2) * t5,
@@ -876,20 +874,20 @@ KineticEnergyConstants<Scalar> kinetic_energy_constants([[maybe_unused]] const B
            inertia.m1 + t12,
            t12,
            t11,
-           t16,
            inertia.I6xz - inertia.c6z * t8,
            inertia.I6xy - inertia.c6y * t8,
            inertia.I5xy - inertia.c5y * t9,
-           (inertia.I4yy - t14) - inertia.c4y * t17,
-           t5,
-           inertia.I5yz - inertia.c5z * t6,
-           inertia.I5xz - inertia.c5z * t9,
-           t3,
+           (inertia.I4yy - t13) - inertia.c4y * t14,
+           t17,
            t0,
-           t6,
+           t3,
+           t15 + t16,
            t8 + t9,
-           t13 + t15,
-           t17 };
+           t6,
+           t14,
+           inertia.I5xz - inertia.c5z * t9,
+           t5,
+           inertia.I5yz - inertia.c5z * t6 };
 }
 
 namespace detail {
@@ -904,35 +902,36 @@ inline Scalar kinetic_energy([[maybe_unused]] const JointVector<Scalar>& q, cons
   const Scalar& c5 = angles.cosine[1];
   const Scalar& s6 = angles.sine[2];
   const Scalar& c6 = angles.cosine[2];
-  const Scalar t0 = qd[0] * k[6] * qd[0] + qd[1] * k[7] * qd[1];
-  const Scalar t1 = k[2] * c6 + k[1] * s6;
-  const Scalar t2 = k[3] - s6 * t1;
-  const Scalar t3 = k[4] - t2;
-  const Scalar t4 = k[10] * s6 - k[11] * c6;
-  const Scalar t5 = Scalar(2) * c5 * (k[12] - t4) + s5 * (k[5] + t3);
-  const Scalar t6 = (k[13] - (t3 - s5 * t5)) - (k[9] + (k[0] + t2));
-  const Scalar t7 = (t0 + qd[2] * k[8] * qd[2]) - qd[3] * qd[3] * t6;
-  const Scalar t8 = (t7 - qd[4] * qd[4] * (k[5] - t3)) + qd[5] * k[0] * qd[5];
-  const Scalar t9 = k[10] * c6 + k[11] * s6;
-  const Scalar t10 = c5 * (k[16] + t9) - s5 * (k[15] - (k[14] - c6 * t1));
-  const Scalar t11 = qd[4] * t10 + qd[5] * (k[0] * c5 + s5 * t4);
-  const Scalar t12 = k[17] * s6 + k[18] * c6;
-  const Scalar t13 = k[17] * c6 - k[18] * s6;
-  const Scalar t14 = k[19] + t13;
-  const Scalar t15 = c5 * t14 + k[20] * s5;
-  const Scalar t16 = qd[2] * (qd[5] * s5 * t12 - qd[4] * t15);
-  const Scalar t17 = c5 * t12;
-  const Scalar t18 = k[22] + t15;
-  const Scalar t19 = k[21] + t12;
-  const Scalar t20 = s5 * t14 - k[20] * c5;
-  const Scalar t21 = qd[3] * (c4 * t18 - s4 * t19) - qd[4] * s4 * t20;
-  const Scalar t22 = qd[5] * (s4 * t17 - c4 * t13) - t21;
-  const Scalar t23 = qd[3] * (s4 * t18 + c4 * t19) + qd[4] * c4 * t20;
-  const Scalar t24 = qd[5] * (s4 * t13 + c4 * t17) + t23;
-  const Scalar t25 = qd[3] * t11 + (t16 - (qd[0] * t22 + qd[1] * t24));
-  const Scalar t26 = Scalar(0.5) * t8 + (qd[4] * qd[5] * t9 + t25);
+  const Scalar t0 = k[2] * c6 + k[1] * s6;
+  const Scalar t1 = k[3] - s6 * t0;
+  const Scalar t2 = k[4] - t1;
+  const Scalar t3 = qd[0] * k[6] * qd[0] + qd[1] * k[7] * qd[1];
+  const Scalar t4 = k[10] * c6 - k[9] * s6;
+  const Scalar t5 = c5 * (k[11] + t4);
+  const Scalar t6 = s5 * ((t5 + t5) + s5 * (k[5] + t2));
+  const Scalar t7 = (k[12] - (t2 - t6)) - (k[13] + (k[0] + t1));
+  const Scalar t8 = (t3 + qd[2] * k[8] * qd[2]) - qd[3] * qd[3] * t7;
+  const Scalar t9 = qd[5] * k[0] * qd[5] - (qd[4] * qd[4] * (k[5] - t2) - t8);
+  const Scalar t10 = k[9] * c6 + k[10] * s6;
+  const Scalar t11 = s5 * (k[22] - (k[21] - c6 * t0)) - c5 * (k[20] + t10);
+  const Scalar t12 = qd[4] * t11 + qd[5] * (s5 * t4 - k[0] * c5);
+  const Scalar t13 = k[14] * s6 - k[15] * c6;
+  const Scalar t14 = k[18] - t13;
+  const Scalar t15 = s5 * t14 - k[17] * c5;
+  const Scalar t16 = k[14] * c6 + k[15] * s6;
+  const Scalar t17 = k[16] + t16;
+  const Scalar t18 = k[17] * s5 + c5 * t14;
+  const Scalar t19 = k[19] + t18;
+  const Scalar t20 = qd[4] * c4 * t15 + qd[3] * (c4 * t17 + s4 * t19);
+  const Scalar t21 = c5 * t16;
+  const Scalar t22 = t20 + qd[5] * (c4 * t21 - s4 * t13);
+  const Scalar t23 = qd[4] * s4 * t15 - qd[3] * (c4 * t19 - s4 * t17);
+  const Scalar t24 = t23 + qd[5] * (c4 * t13 + s4 * t21);
+  const Scalar t25 = qd[2] * (qd[4] * t18 - qd[5] * s5 * t16);
+  const Scalar t26 = qd[3] * t12 + ((qd[1] * t22 + qd[0] * t24) + t25);
+  const Scalar t27 = Scalar(0.5) * t9 - (t26 - qd[4] * qd[5] * t10);
   Scalar result;
-  result = t26;
+  result = t27;
   return result;
 }
 
@@ -960,11 +959,11 @@ PotentialEnergyConstants<Scalar> potential_energy_constants([[maybe_unused]] con
   const Scalar t0 = inertia.m1 + (inertia.m2 + (inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6))));
   return { inertia.c6y * inertia.m6,
            inertia.c6z * inertia.m6,
-           inertia.c5y * inertia.m5,
-           inertia.c6x * inertia.m6 + inertia.c5x * inertia.m5,
-           inertia.c4y * inertia.m4,
            inertia.c5z * inertia.m5,
            inertia.c4z * inertia.m4,
+           inertia.c6x * inertia.m6 + inertia.c5x * inertia.m5,
+           inertia.c5y * inertia.m5,
+           inertia.c4y * inertia.m4,
            inertia.c3z * inertia.m3,
            inertia.c2z * inertia.m2,
            inertia.c1z * inertia.m1,
@@ -983,10 +982,10 @@ inline Scalar potential_energy(const JointVector<Scalar>& q, const Angles& angle
   const Scalar& c5 = angles.cosine[1];
   const Scalar& s6 = angles.sine[2];
   const Scalar& c6 = angles.cosine[2];
-  const Scalar t0 = k[6] + (k[5] + (k[0] * s6 + k[1] * c6));
-  const Scalar t1 = c5 * (k[2] + (k[0] * c6 - k[1] * s6));
-  const Scalar t2 = c4 * t0 + s4 * (k[4] + (k[3] * s5 + t1));
-  const Scalar t3 = (k[9] + (k[8] + (k[7] + t2))) + k[10] * q[0];
+  const Scalar t0 = c5 * (k[5] + (k[0] * c6 - k[1] * s6));
+  const Scalar t1 = k[3] + (k[2] + (k[0] * s6 + k[1] * c6));
+  const Scalar t2 = s4 * (k[6] + (t0 + k[4] * s5)) + c4 * t1;
+  const Scalar t3 = k[10] * q[0] + (k[9] + (k[8] + (k[7] + t2)));
   Scalar result;
   result = k[11] * t3;
   return result;

@@ -17,7 +17,7 @@ struct InverseDynamicsDerivatives {
 
 /// Joint forces for a motion, and their derivatives by q and qd; the one by qdd is mass_matrix.
 ///
-/// 299 multiplications, 246 additions, 3 sine/cosine pairs. Set-up: 26 multiplications, 37 additions.
+/// 297 multiplications, 244 additions, 3 sine/cosine pairs. Set-up: 26 multiplications, 37 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives(const JointVector<Scalar>& q,

@@ -26,7 +26,7 @@ LoadAngles<Scalar> load_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion, under gravity in any direction.
 ///
-/// 104 multiplications, 93 additions, 3 sine/cosine pairs. Set-up: 26 multiplications, 37 additions.
+/// 103 multiplications, 93 additions, 3 sine/cosine pairs. Set-up: 26 multiplications, 37 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
@@ -45,7 +45,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces for a motion while a wrench acts on the tool from outside: those without it minus jacobian(q)^T wrench.
 ///
-/// 120 multiplications, 107 additions, 3 sine/cosine pairs. Set-up: 26 multiplications, 37 additions.
+/// 119 multiplications, 107 additions, 3 sine/cosine pairs. Set-up: 26 multiplications, 37 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
@@ -81,7 +81,7 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const LoadAngle
 
 /// Joint accelerations for given joint forces, under gravity in any direction.
 ///
-/// 197 multiplications, 162 additions, 5 divisions, 3 sine/cosine pairs. Set-up: 36 multiplications, 40 additions, 1
+/// 195 multiplications, 162 additions, 5 divisions, 3 sine/cosine pairs. Set-up: 32 multiplications, 40 additions, 1
 /// division.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
@@ -89,7 +89,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
 template <class Scalar>
-using ForwardDynamicsWithGravityVectorConstants = std::array<Scalar, 38>;
+using ForwardDynamicsWithGravityVectorConstants = std::array<Scalar, 35>;
 template <class Scalar>
 ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_vector_constants(
     const BasicGeometry<Scalar>& g,
@@ -101,7 +101,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint accelerations for given joint forces while a wrench acts on the tool from outside.
 ///
-/// 213 multiplications, 176 additions, 5 divisions, 3 sine/cosine pairs. Set-up: 36 multiplications, 40 additions, 1
+/// 214 multiplications, 175 additions, 5 divisions, 3 sine/cosine pairs. Set-up: 36 multiplications, 40 additions, 1
 /// division.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>

@@ -28,46 +28,46 @@ InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6x * inertia.m6;
-  const Scalar t1 = inertia.c5x * inertia.m5;
+  const Scalar t0 = inertia.c6z * inertia.m6;
+  const Scalar t1 = inertia.c6y * inertia.m6;
   const Scalar t2 = inertia.c5y * inertia.m5;
-  const Scalar t3 = inertia.c6z * inertia.m6;
-  const Scalar t4 = inertia.c6y * inertia.m6;
+  const Scalar t3 = inertia.c6x * inertia.m6;
+  const Scalar t4 = inertia.c5x * inertia.m5;
   const Scalar t5 = inertia.c4y * inertia.m4;
   const Scalar t6 = inertia.c5z * inertia.m5;
   const Scalar t7 = inertia.c4z * inertia.m4;
-  const Scalar t8 = inertia.I6yz - inertia.c6z * t4;
-  const Scalar t9 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t10 = inertia.c6z * t3 - (inertia.I6zz - t9);
-  const Scalar t11 = (inertia.I6yy - t9) - inertia.c6y * t4;
-  const Scalar t12 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t13 = ((inertia.I6xx - t9) - inertia.c6x * t0) - (inertia.c5x * t1 - (inertia.I5xx - t12));
+  const Scalar t8 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t10 = ((inertia.I6xx - t8) - inertia.c6x * t3) - (inertia.c5x * t4 - (inertia.I5xx - t9));
+  const Scalar t11 = inertia.I6yz - inertia.c6z * t1;
+  const Scalar t12 = inertia.c6z * t0 - (inertia.I6zz - t8);
+  const Scalar t13 = (inertia.I6yy - t8) - inertia.c6y * t1;
   const Scalar t14 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t15 = (inertia.c5z * t6 - (inertia.I5zz - t12)) - ((inertia.I4zz - t14) - inertia.c4z * t7);
-  return { t0 + t1,
+  const Scalar t15 = (inertia.c5z * t6 - (inertia.I5zz - t9)) - ((inertia.I4zz - t14) - inertia.c4z * t7);
+  return { gravity[2],
+           inertia.m1,
+           t0,
+           t1,
            t2,
-           t3,
-           t4,
+           t3 + t4,
            t5,
            t6 + t7,
-           gravity[2],
            inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)),
            inertia.m2,
-           inertia.m1,
            gravity[1],
            gravity[0],
-           inertia.I6xz - inertia.c6z * t0,
-           inertia.I6xy - inertia.c6y * t0,
-           Scalar(2) * t8,
-           t10 + t11,
-           t8,
            t10,
-           inertia.I5xz - inertia.c5z * t1,
-           t13,
-           inertia.I5xy - inertia.c5y * t1,
+           inertia.I5xy - inertia.c5y * t4,
+           inertia.I5xz - inertia.c5z * t4,
            inertia.I5yz - inertia.c5z * t2,
-           inertia.c5y * t2 - (inertia.I5yy - t12),
+           inertia.I6xz - inertia.c6z * t3,
+           inertia.I6xy - inertia.c6y * t3,
+           Scalar(2) * t11,
+           t12 + t13,
+           t12,
            t11,
+           inertia.c5y * t2 - (inertia.I5yy - t9),
+           t13,
            t15 - ((inertia.I4yy - t14) - inertia.c4y * t5) };
 }
 
@@ -83,75 +83,75 @@ inline JointVector<Scalar> inverse_dynamics_with_gravity_vector([[maybe_unused]]
   const Scalar& c5 = angles.cosine[1];
   const Scalar& s6 = angles.sine[2];
   const Scalar& c6 = angles.cosine[2];
-  const Scalar t0 = k[6] - qdd[0];
-  const Scalar t1 = k[2] * c6 + k[3] * s6;
-  const Scalar t2 = qdd[3] * s5;
-  const Scalar t3 = qd[3] * c5;
-  const Scalar t4 = qd[4] * t3;
-  const Scalar t5 = (t2 + t4) + t4;
-  const Scalar t6 = qd[5] + t3;
-  const Scalar t7 = qd[4] * t6;
-  const Scalar t8 = t5 - (t7 + t7);
-  const Scalar t9 = qd[3] * s5;
-  const Scalar t10 = t9 * t3;
-  const Scalar t11 = qdd[4] - t10;
-  const Scalar t12 = t11 + Scalar(2) * t9 * t6;
+  const Scalar t0 = k[0] - qdd[0];
+  const Scalar t1 = qd[3] * qd[3];
+  const Scalar t2 = qd[3] * s5;
+  const Scalar t3 = t2 * t2;
+  const Scalar t4 = qd[4] * qd[4];
+  const Scalar t5 = t3 + t4;
+  const Scalar t6 = qd[3] * c5;
+  const Scalar t7 = t2 * t6;
+  const Scalar t8 = qdd[4] + t7;
+  const Scalar t9 = qd[5] + t6;
+  const Scalar t10 = t2 * t9;
+  const Scalar t11 = qdd[4] - t7;
+  const Scalar t12 = t10 + (t10 + t11);
   const Scalar t13 = k[2] * s6 - k[3] * c6;
-  const Scalar t14 = qdd[4] + t10;
-  const Scalar t15 = qd[4] * qd[4];
-  const Scalar t16 = t6 * t6;
-  const Scalar t17 = t15 - t16;
-  const Scalar t18 = t15 + t16;
-  const Scalar t19 = qd[3] * qd[3];
-  const Scalar t20 = t3 * t3;
-  const Scalar t21 = t20 + t15;
-  const Scalar t22 = t19 - t21;
-  const Scalar t23 = t18 + t22;
-  const Scalar t24 = t17 + t23;
-  const Scalar t25 = (t1 * t8 - t12 * t13) + (k[1] * t14 + k[0] * t24);
-  const Scalar t26 = qdd[3] * c5;
-  const Scalar t27 = Scalar(2) * qd[4] * t9;
-  const Scalar t28 = t26 - t27;
-  const Scalar t29 = qdd[5] + t28;
-  const Scalar t30 = t29 + t27;
-  const Scalar t31 = (t1 * t30 - t18 * t13) + (k[1] * t21 - k[0] * t11);
-  const Scalar t32 = (s5 * t25 + c5 * t31) + (k[4] * t19 + k[5] * qdd[3]);
-  const Scalar t33 = (k[0] * t5 + k[1] * t28) - (t1 * t23 + t29 * t13);
-  const Scalar t34 = (k[4] * qdd[3] - k[5] * t19) + t33;
-  const Scalar t35 = (s4 * t32 - c4 * t34) + k[7] * t0;
+  const Scalar t14 = k[2] * c6 + k[3] * s6;
+  const Scalar t15 = Scalar(2) * qd[4];
+  const Scalar t16 = qdd[3] * s5;
+  const Scalar t17 = qd[4] * t6;
+  const Scalar t18 = (t16 + t17) + t17;
+  const Scalar t19 = t9 * t15 - t18;
+  const Scalar t20 = (k[5] * t5 + k[4] * t8) - (t12 * t13 + t14 * t19);
+  const Scalar t21 = t3 - t4;
+  const Scalar t22 = t1 - t21;
+  const Scalar t23 = qdd[3] * c5;
+  const Scalar t24 = qdd[5] + t23;
+  const Scalar t25 = t3 - t9 * t9;
+  const Scalar t26 = t21 - t25;
+  const Scalar t27 = t5 + t26;
+  const Scalar t28 = (k[4] * t22 - k[5] * t11) + (t14 * t24 + (t21 - t27) * t13);
+  const Scalar t29 = (k[7] * qdd[3] + k[6] * t1) + (s5 * t20 + c5 * t28);
+  const Scalar t30 = t2 * t15;
+  const Scalar t31 = t30 - t24;
+  const Scalar t32 = t30 - t23;
+  const Scalar t33 = (t14 * t27 - t31 * t13) - (k[5] * t18 - k[4] * t32);
+  const Scalar t34 = t33 - (k[6] * qdd[3] - k[7] * t1);
+  const Scalar t35 = k[8] * t0 + (s4 * t29 + c4 * t34);
   const Scalar t36 = k[10] - qdd[1];
-  const Scalar t37 = k[7] * t36 + (s4 * t34 + c4 * t32);
+  const Scalar t37 = k[8] * t36 - (s4 * t34 - c4 * t29);
   const Scalar t38 = k[11] - qdd[2];
-  const Scalar t39 = k[7] * t38 - (s5 * t31 - c5 * t25);
+  const Scalar t39 = k[8] * t38 + (c5 * t20 - s5 * t28);
   const Scalar t40 = c4 * t36 + s4 * t0;
-  const Scalar t41 = c4 * t0 - s4 * t36;
-  const Scalar t42 = (k[5] * t40 - k[4] * t41) + k[24] * qdd[3];
-  const Scalar t43 = k[13] * s6 + k[12] * c6;
-  const Scalar t44 = k[12] * s6 - k[13] * c6;
-  const Scalar t45 = k[14] * c6 + k[15] * s6;
-  const Scalar t46 = s6 * t45;
-  const Scalar t47 = k[17] - t46;
-  const Scalar t48 = k[23] - t46;
-  const Scalar t49 = k[16] - c6 * t45;
-  const Scalar t50 = (t30 * t47 - t48 * t29) - t49 * t22;
-  const Scalar t51 = s5 * t38 - c5 * t40;
-  const Scalar t52 = ((t11 * t43 + t44 * t5) + t50) - (t1 * t51 - t41 * t13);
-  const Scalar t53 = (k[22] * t28 - k[20] * t5) + (k[21] * t22 + k[18] * t11);
-  const Scalar t54 = t20 - t15;
-  const Scalar t55 = k[18] * t54 - (k[19] * t5 + k[20] * t28);
-  const Scalar t56 = s5 * t40 + c5 * t38;
-  const Scalar t57 = t43 * t17 - (t47 * t8 + t12 * t49);
-  const Scalar t58 = ((k[21] * t14 - t55) + k[0] * t41) - (t1 * t56 - (t57 - t44 * t29));
-  const Scalar t59 = c5 * (t52 - (k[1] * t41 - t53)) - s5 * t58;
-  const Scalar t60 = k[20] * (t54 - t22) - (k[19] * t11 - k[22] * t14);
-  const Scalar t61 = ((k[18] * t26 - k[21] * t2) + t60) + (k[0] * t51 + k[1] * t56);
-  const Scalar t62 = (t12 * t48 - t49 * t8) - (t30 * t43 - t44 * (t18 - t24));
+  const Scalar t41 = s4 * t36 - c4 * t0;
+  const Scalar t42 = (k[7] * t40 + k[6] * t41) + k[24] * qdd[3];
+  const Scalar t43 = c5 * t40 - s5 * t38;
+  const Scalar t44 = k[17] * c6 - k[16] * s6;
+  const Scalar t45 = k[17] * s6 + k[16] * c6;
+  const Scalar t46 = k[19] * s6 + k[18] * c6;
+  const Scalar t47 = s6 * t46;
+  const Scalar t48 = k[23] - t47;
+  const Scalar t49 = k[20] - t47;
+  const Scalar t50 = k[21] - c6 * t46;
+  const Scalar t51 = (t48 * t31 + t49 * t24) - t50 * t21;
+  const Scalar t52 = (t14 * t43 - t41 * t13) - ((t44 * t18 - t11 * t45) - t51);
+  const Scalar t53 = (k[14] * t11 + k[15] * t21) - (k[13] * t18 + k[22] * t32);
+  const Scalar t54 = s5 * t40 + c5 * t38;
+  const Scalar t55 = t45 * t26 + (t50 * t12 - t49 * t19);
+  const Scalar t56 = t22 - t5;
+  const Scalar t57 = (k[13] * t32 - k[12] * t18) + k[14] * (t21 + t56);
+  const Scalar t58 = (t14 * t54 + (t44 * t31 + t55)) + (k[5] * t41 + (t57 - k[15] * t8));
+  const Scalar t59 = c5 * (t52 + (k[4] * t41 + t53)) + s5 * t58;
+  const Scalar t60 = (k[12] * t11 - k[22] * t8) - k[13] * t56;
+  const Scalar t61 = (k[4] * t54 - k[5] * t43) - (t60 - (k[14] * t23 - k[15] * t16));
+  const Scalar t62 = (t48 * t12 + t50 * t19) + (t44 * t25 - t45 * t24);
   JointVector<Scalar> result;
-  result[0] = -k[9] * t0 - (t35 + k[8] * t0);
-  result[1] = -t37 - k[8] * t36;
+  result[0] = -(k[9] * t0 + t35) - k[1] * t0;
+  result[1] = -k[9] * t36 - t37;
   result[2] = -t39;
   result[3] = t42 + t59;
-  result[4] = t61 - (t62 + t56 * t13);
+  result[4] = t61 - (t62 + t54 * t13);
   result[5] = t52;
   return result;
 }
@@ -189,39 +189,39 @@ InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constant
   const Scalar t5 = inertia.c4y * inertia.m4;
   const Scalar t6 = inertia.c5z * inertia.m5;
   const Scalar t7 = inertia.c4z * inertia.m4;
-  const Scalar t8 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t9 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t10 = (inertia.c5z * t6 - (inertia.I5zz - t8)) - ((inertia.I4zz - t9) - inertia.c4z * t7);
-  const Scalar t11 = inertia.I6yz - inertia.c6z * t1;
-  const Scalar t12 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t13 = inertia.c6z * t0 - (inertia.I6zz - t12);
-  const Scalar t14 = (inertia.I6yy - t12) - inertia.c6y * t1;
-  const Scalar t15 = ((inertia.I6xx - t12) - inertia.c6x * t3) - (inertia.c5x * t4 - (inertia.I5xx - t8));
-  return { t0,
+  const Scalar t8 = inertia.I6yz - inertia.c6z * t1;
+  const Scalar t9 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t10 = inertia.c6z * t0 - (inertia.I6zz - t9);
+  const Scalar t11 = (inertia.I6yy - t9) - inertia.c6y * t1;
+  const Scalar t12 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t13 = ((inertia.I6xx - t9) - inertia.c6x * t3) - (inertia.c5x * t4 - (inertia.I5xx - t12));
+  const Scalar t14 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t15 = (inertia.c5z * t6 - (inertia.I5zz - t12)) - ((inertia.I4zz - t14) - inertia.c4z * t7);
+  return { gravity[2],
+           inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)),
+           t0,
            t1,
            t2,
            t3 + t4,
            t5,
            t6 + t7,
-           gravity[2],
-           inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6)),
            inertia.m2,
            inertia.m1,
            gravity[1],
            gravity[0],
-           t10 - ((inertia.I4yy - t9) - inertia.c4y * t5),
-           Scalar(2) * t11,
-           t13 + t14,
-           t11,
-           t13,
-           t14,
            inertia.I6xz - inertia.c6z * t3,
            inertia.I6xy - inertia.c6y * t3,
+           Scalar(2) * t8,
+           t10 + t11,
+           t8,
+           t11,
+           t10,
+           inertia.c5y * t2 - (inertia.I5yy - t12),
+           inertia.I5xy - inertia.c5y * t4,
            inertia.I5yz - inertia.c5z * t2,
            inertia.I5xz - inertia.c5z * t4,
-           inertia.I5xy - inertia.c5y * t4,
-           inertia.c5y * t2 - (inertia.I5yy - t8),
-           t15 };
+           t13,
+           t15 - ((inertia.I4yy - t14) - inertia.c4y * t5) };
 }
 
 namespace detail {
@@ -236,81 +236,79 @@ inline JointVector<Scalar> inverse_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar& c5 = angles.cosine[1];
   const Scalar& s6 = angles.sine[2];
   const Scalar& c6 = angles.cosine[2];
-  const Scalar t0 = k[6] - qdd[0];
+  const Scalar t0 = qd[3] * qd[3];
   const Scalar t1 = qd[3] * s5;
-  const Scalar t2 = qd[3] * c5;
-  const Scalar t3 = t1 * t2;
-  const Scalar t4 = qdd[4] - t3;
-  const Scalar t5 = qd[3] * qd[3];
-  const Scalar t6 = t1 * t1;
-  const Scalar t7 = qd[4] * qd[4];
-  const Scalar t8 = t6 - t7;
-  const Scalar t9 = wrench[1] * c4 + wrench[2] * s4;
-  const Scalar t10 = k[0] * c6 + k[1] * s6;
-  const Scalar t11 = qdd[3] * c5;
-  const Scalar t12 = Scalar(2) * qd[4] * t1;
-  const Scalar t13 = t11 - t12;
-  const Scalar t14 = qdd[5] + t13;
-  const Scalar t15 = t14 + t12;
-  const Scalar t16 = k[0] * s6 - k[1] * c6;
-  const Scalar t17 = qd[5] + t2;
-  const Scalar t18 = t17 * t17;
-  const Scalar t19 = t7 + t18;
-  const Scalar t20 = (c5 * t9 - wrench[0] * s5) + (t10 * t15 - t16 * t19);
-  const Scalar t21 = (k[3] * t4 - k[2] * (t5 - t8)) - t20;
-  const Scalar t22 = qdd[4] + t3;
-  const Scalar t23 = t6 + t7;
-  const Scalar t24 = qdd[3] * s5;
-  const Scalar t25 = Scalar(2) * qd[4] * t2 + t24;
-  const Scalar t26 = qd[4] * t17;
-  const Scalar t27 = (t25 - t26) - t26;
-  const Scalar t28 = t1 * t17;
-  const Scalar t29 = t28 + (t28 + t4);
-  const Scalar t30 = (wrench[0] * c5 + s5 * t9) + (t10 * t27 - t16 * t29);
-  const Scalar t31 = (k[2] * t22 + k[3] * t23) + t30;
-  const Scalar t32 = (c5 * t21 - s5 * t31) - (k[4] * t5 + k[5] * qdd[3]);
-  const Scalar t33 = (wrench[2] * c4 - wrench[1] * s4) + (t16 * t14 + t10 * (t8 + t19));
-  const Scalar t34 = ((k[3] * t25 + k[2] * t13) - t33) + (k[4] * qdd[3] - k[5] * t5);
-  const Scalar t35 = k[7] * t0 - (s4 * t32 + c4 * t34);
-  const Scalar t36 = k[10] - qdd[1];
-  const Scalar t37 = (s4 * t34 - c4 * t32) + k[7] * t36;
-  const Scalar t38 = k[11] - qdd[2];
-  const Scalar t39 = k[7] * t38 + (s5 * t21 + c5 * t31);
-  const Scalar t40 = c4 * t0 - s4 * t36;
-  const Scalar t41 = (k[20] * t8 + k[21] * t4) + (k[23] * t13 - k[22] * t25);
-  const Scalar t42 = wrench[4] * c4 + wrench[5] * s4;
-  const Scalar t43 = k[19] * s6 + k[18] * c6;
-  const Scalar t44 = k[18] * s6 - k[19] * c6;
-  const Scalar t45 = k[14] * s6 + k[13] * c6;
-  const Scalar t46 = k[15] - c6 * t45;
-  const Scalar t47 = s6 * t45;
-  const Scalar t48 = k[17] - t47;
-  const Scalar t49 = k[16] - t47;
-  const Scalar t50 = t8 * t46 + (t48 * t14 - t49 * t15);
-  const Scalar t51 = c4 * t36 + s4 * t0;
-  const Scalar t52 = s5 * t38 - c5 * t51;
-  const Scalar t53 = ((t4 * t43 + t25 * t44) - t50) + (t40 * t16 - t10 * t52);
-  const Scalar t54 = (s5 * t42 + wrench[3] * c5) - t53;
-  const Scalar t55 = t7 - t18;
-  const Scalar t56 = t55 * t43 - (t46 * t29 + t49 * t27);
-  const Scalar t57 = s5 * t51 + c5 * t38;
-  const Scalar t58 = ((t56 - t44 * t14) - t10 * t57) - (c5 * t42 - wrench[3] * s5);
-  const Scalar t59 = t5 - t23;
-  const Scalar t60 = k[21] * t59 - (k[22] * t13 + k[24] * t25);
-  const Scalar t61 = t58 + ((k[20] * t22 - t60) + k[3] * t40);
-  const Scalar t62 = c5 * ((k[2] * t40 - t41) + t54) + s5 * t61;
-  const Scalar t63 = (k[5] * t51 - k[4] * t40) + k[12] * qdd[3];
-  const Scalar t64 = (k[23] * t22 - k[24] * t4) + k[22] * (t59 - t8);
-  const Scalar t65 = (k[2] * t57 + k[3] * t52) + ((k[21] * t11 - k[20] * t24) + t64);
-  const Scalar t66 = (t48 * t29 - t27 * t46) - (t15 * t43 + t44 * (t8 + t55));
-  const Scalar t67 = (t16 * t57 + t66) + (wrench[5] * c4 - wrench[4] * s4);
+  const Scalar t2 = t1 * t1;
+  const Scalar t3 = qd[4] * qd[4];
+  const Scalar t4 = t2 + t3;
+  const Scalar t5 = qd[3] * c5;
+  const Scalar t6 = t1 * t5;
+  const Scalar t7 = qdd[4] + t6;
+  const Scalar t8 = qdd[4] - t6;
+  const Scalar t9 = qd[5] + t5;
+  const Scalar t10 = t8 + Scalar(2) * t1 * t9;
+  const Scalar t11 = k[2] * s6 - k[3] * c6;
+  const Scalar t12 = k[2] * c6 + k[3] * s6;
+  const Scalar t13 = qd[4] + qd[4];
+  const Scalar t14 = qdd[3] * s5;
+  const Scalar t15 = t14 + t5 * t13;
+  const Scalar t16 = t9 * t13 - t15;
+  const Scalar t17 = wrench[1] * c4 + wrench[2] * s4;
+  const Scalar t18 = (t10 * t11 + t12 * t16) - (wrench[0] * c5 + s5 * t17);
+  const Scalar t19 = (k[5] * t4 + k[4] * t7) - t18;
+  const Scalar t20 = t2 - t3;
+  const Scalar t21 = qdd[3] * c5;
+  const Scalar t22 = qdd[5] + t21;
+  const Scalar t23 = t2 - t9 * t9;
+  const Scalar t24 = t4 - t23;
+  const Scalar t25 = (c5 * t17 - wrench[0] * s5) + (t12 * t22 - t24 * t11);
+  const Scalar t26 = (k[4] * (t0 - t20) - k[5] * t8) + t25;
+  const Scalar t27 = (k[7] * qdd[3] + k[6] * t0) + (s5 * t19 + c5 * t26);
+  const Scalar t28 = qd[4] * t1;
+  const Scalar t29 = (t22 - t28) - t28;
+  const Scalar t30 = qdd[5] - t29;
+  const Scalar t31 = (wrench[2] * c4 - wrench[1] * s4) + (t29 * t11 + t12 * (t20 + t24));
+  const Scalar t32 = ((k[4] * t30 - k[5] * t15) + t31) - (k[6] * qdd[3] - k[7] * t0);
+  const Scalar t33 = k[0] - qdd[0];
+  const Scalar t34 = (s4 * t27 + c4 * t32) + k[1] * t33;
+  const Scalar t35 = k[10] - qdd[1];
+  const Scalar t36 = k[1] * t35 - (s4 * t32 - c4 * t27);
+  const Scalar t37 = k[11] - qdd[2];
+  const Scalar t38 = (c5 * t19 - s5 * t26) + k[1] * t37;
+  const Scalar t39 = c4 * t35 + s4 * t33;
+  const Scalar t40 = s4 * t35 - c4 * t33;
+  const Scalar t41 = (k[7] * t39 + k[6] * t40) + k[24] * qdd[3];
+  const Scalar t42 = s5 * t39 + c5 * t37;
+  const Scalar t43 = k[12] * s6 - k[13] * c6;
+  const Scalar t44 = k[14] * c6 + k[15] * s6;
+  const Scalar t45 = s6 * t44;
+  const Scalar t46 = k[18] - t45;
+  const Scalar t47 = k[16] - c6 * t44;
+  const Scalar t48 = k[13] * s6 + k[12] * c6;
+  const Scalar t49 = (t16 * t46 - t10 * t47) - t48 * (t20 - t23);
+  const Scalar t50 = wrench[4] * c4 + wrench[5] * s4;
+  const Scalar t51 = (t12 * t42 + (t29 * t43 - t49)) + (c5 * t50 - wrench[3] * s5);
+  const Scalar t52 = t0 - t4;
+  const Scalar t53 = (k[20] * t30 - k[23] * t15) + k[22] * t52;
+  const Scalar t54 = t51 + (k[5] * t40 - (k[21] * t7 - t53));
+  const Scalar t55 = c5 * t39 - s5 * t37;
+  const Scalar t56 = k[17] - t45;
+  const Scalar t57 = (t46 * t22 - t29 * t56) - t20 * t47;
+  const Scalar t58 = (t12 * t55 - t40 * t11) + ((t43 * t15 + t8 * t48) + t57);
+  const Scalar t59 = t58 - (s5 * t50 + wrench[3] * c5);
+  const Scalar t60 = (k[22] * t8 + k[21] * t20) - (k[19] * t30 + k[20] * t15);
+  const Scalar t61 = s5 * t54 + c5 * (t59 + (t60 + k[4] * t40));
+  const Scalar t62 = k[20] * (t52 - t20) - (k[23] * t8 - k[19] * t7);
+  const Scalar t63 = (k[4] * t42 - k[5] * t55) + ((k[22] * t21 - k[21] * t14) + t62);
+  const Scalar t64 = (t10 * t56 + t16 * t47) - (t48 * t22 + t43 * t23);
+  const Scalar t65 = (wrench[5] * c4 - wrench[4] * s4) + (t42 * t11 + t64);
   JointVector<Scalar> result;
-  result[0] = -k[9] * t0 - (t35 + k[8] * t0);
-  result[1] = -k[8] * t36 - t37;
-  result[2] = -t39;
-  result[3] = t63 - t62;
-  result[4] = t65 - t67;
-  result[5] = -t54;
+  result[0] = -(t34 + k[8] * t33) - k[9] * t33;
+  result[1] = -t36 - k[8] * t35;
+  result[2] = -t38;
+  result[3] = t41 + t61;
+  result[4] = t63 - t65;
+  result[5] = t59;
   return result;
 }
 
@@ -345,11 +343,11 @@ GravityTorqueWithGravityVectorConstants<Scalar> gravity_torque_with_gravity_vect
            gravity[1],
            inertia.c5z * inertia.m5 + inertia.c4z * inertia.m4,
            inertia.c4y * inertia.m4,
-           inertia.c5y * inertia.m5,
+           inertia.c6x * inertia.m6 + inertia.c5x * inertia.m5,
            inertia.c6z * inertia.m6,
            inertia.c6y * inertia.m6,
            gravity[0],
-           inertia.c6x * inertia.m6 + inertia.c5x * inertia.m5,
+           inertia.c5y * inertia.m5,
            t1,
            gravity[1] * inertia.m2 + gravity[1] * t0,
            gravity[0] * t0 };
@@ -369,20 +367,20 @@ inline JointVector<Scalar> gravity_torque_with_gravity_vector([[maybe_unused]] c
   const Scalar& c6 = angles.cosine[2];
   const Scalar t0 = k[0] * s4 + k[1] * c4;
   const Scalar t1 = k[0] * c4 - k[1] * s4;
-  const Scalar t2 = k[6] * c6 - k[5] * s6;
-  const Scalar t3 = k[6] * s6 + k[5] * c6;
-  const Scalar t4 = k[7] * s5 - c5 * t0;
-  const Scalar t5 = t1 * t2 + t3 * t4;
-  const Scalar t6 = k[7] * c5 + s5 * t0;
-  const Scalar t7 = c5 * (k[4] * t1 + t5) - s5 * (t3 * t6 - k[8] * t1);
-  const Scalar t8 = t2 * t6 + (k[4] * t6 + k[8] * t4);
+  const Scalar t2 = k[6] * s6 + k[5] * c6;
+  const Scalar t3 = k[7] * c5 + s5 * t0;
+  const Scalar t4 = k[6] * c6 - k[5] * s6;
+  const Scalar t5 = k[7] * s5 - c5 * t0;
+  const Scalar t6 = t1 * t4 + t2 * t5;
+  const Scalar t7 = s5 * (k[4] * t1 - t2 * t3) + c5 * (k[8] * t1 + t6);
+  const Scalar t8 = (k[4] * t5 + k[8] * t3) + t4 * t3;
   JointVector<Scalar> result;
   result[0] = -k[9];
   result[1] = -k[10];
   result[2] = -k[11];
   result[3] = (k[2] * t0 - k[3] * t1) - t7;
   result[4] = t8;
-  result[5] = -t5;
+  result[5] = -t6;
   return result;
 }
 
@@ -409,66 +407,61 @@ ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6z * inertia.m6;
-  const Scalar t1 = inertia.c6y * inertia.m6;
-  const Scalar t2 = inertia.c5y * inertia.m5;
-  const Scalar t3 = inertia.c6x * inertia.m6;
-  const Scalar t4 = inertia.c5x * inertia.m5;
-  const Scalar t5 = t3 + t4;
-  const Scalar t6 = inertia.c5z * inertia.m5;
-  const Scalar t7 = inertia.c4z * inertia.m4;
-  const Scalar t8 = inertia.c4y * inertia.m4;
-  const Scalar t9 = inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6));
-  const Scalar t10 = inertia.I6yz - inertia.c6z * t1;
-  const Scalar t11 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t12 = inertia.c6z * t0 - (inertia.I6zz - t11);
-  const Scalar t13 = (inertia.I6yy - t11) - inertia.c6y * t1;
-  const Scalar t14 = t12 - t13;
-  const Scalar t15 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t16 = inertia.c5y * t2 - (inertia.I5yy - t15);
-  const Scalar t17 = ((inertia.I6xx - t11) - inertia.c6x * t3) - (inertia.c5x * t4 - (inertia.I5xx - t15));
-  const Scalar t18 = inertia.I5xy - inertia.c5y * t4;
-  const Scalar t19 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t20 = (inertia.c5z * t6 - (inertia.I5zz - t15)) - ((inertia.I4zz - t19) - inertia.c4z * t7);
-  const Scalar t21 = inertia.m2 + t9;
-  return { t0,
-           t1,
-           Scalar(2) * t2,
-           Scalar(2) * t5,
-           t6 + t7,
-           t8,
+  const Scalar t0 = inertia.c6y * inertia.m6;
+  const Scalar t1 = inertia.I6yz - inertia.c6z * t0;
+  const Scalar t2 = inertia.c6z * inertia.m6;
+  const Scalar t3 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t4 = inertia.c6z * t2 - (inertia.I6zz - t3);
+  const Scalar t5 = (inertia.I6yy - t3) - inertia.c6y * t0;
+  const Scalar t6 = inertia.c5y * inertia.m5;
+  const Scalar t7 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t8 = inertia.c5y * t6 - (inertia.I5yy - t7);
+  const Scalar t9 = inertia.c6x * inertia.m6;
+  const Scalar t10 = inertia.c5x * inertia.m5;
+  const Scalar t11 = ((inertia.I6xx - t3) - inertia.c6x * t9) - (inertia.c5x * t10 - (inertia.I5xx - t7));
+  const Scalar t12 = t4 - t5;
+  const Scalar t13 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t14 = inertia.c4y * inertia.m4;
+  const Scalar t15 = inertia.c5z * inertia.m5;
+  const Scalar t16 = inertia.c4z * inertia.m4;
+  const Scalar t17 = (inertia.c5z * t15 - (inertia.I5zz - t7)) - ((inertia.I4zz - t13) - inertia.c4z * t16);
+  const Scalar t18 = inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6));
+  const Scalar t19 = inertia.m2 + t18;
+  return { Scalar(2) * t1,
+           t4 + t5,
            t5,
+           t8 + t11,
+           t11,
+           inertia.I6xz - inertia.c6z * t9,
+           inertia.I6xy - inertia.c6y * t9,
+           Scalar(1) / t12,
            t2,
-           gravity[2] * t9,
+           t0,
+           t6,
+           t9 + t10,
+           t1,
+           inertia.I5yz - inertia.c5z * t6,
+           inertia.I5xz - inertia.c5z * t10,
+           t12,
+           inertia.I5xy - inertia.c5y * t10,
+           (inertia.I4yy - t13) - inertia.c4y * t14,
+           t4,
+           t17,
+           t15 + t16,
+           t14,
+           t18,
+           gravity[1],
+           gravity[2],
+           gravity[0],
+           gravity[0] * t18,
+           t8,
+           gravity[2] * t18,
            gravity[2] * inertia.m2,
            gravity[2] * inertia.m1,
-           inertia.I6xz - inertia.c6z * t3,
-           inertia.I6xy - inertia.c6y * t3,
-           Scalar(2) * t10,
-           t12 + t13,
-           t10,
-           t12,
-           t14,
-           gravity[2],
-           gravity[1],
-           gravity[0],
-           Scalar(1) / t14,
-           t16 + t17,
-           Scalar(2) * t17,
-           t18,
-           inertia.I5yz - inertia.c5z * t2,
-           inertia.I5xz - inertia.c5z * t4,
-           t17,
-           (inertia.I4yy - t19) - inertia.c4y * t8,
-           t20,
-           t16,
-           Scalar(2) * t18,
-           gravity[0] * t9,
-           t9,
-           gravity[1] * t9,
+           t19,
+           gravity[1] * t18,
            gravity[1] * inertia.m2,
-           t21,
-           inertia.m1 + t21 };
+           inertia.m1 + t19 };
 }
 
 namespace detail {
@@ -483,132 +476,132 @@ inline JointVector<Scalar> forward_dynamics_with_gravity_vector([[maybe_unused]]
   const Scalar& c5 = angles.cosine[1];
   const Scalar& s6 = angles.sine[2];
   const Scalar& c6 = angles.cosine[2];
-  const Scalar t0 = k[0] * c6 + k[1] * s6;
-  const Scalar t1 = s5 * t0;
-  const Scalar t2 = k[21] * t1;
-  const Scalar t3 = k[12] * s6 + k[11] * c6;
-  const Scalar t4 = k[0] * s6 - k[1] * c6;
-  const Scalar t5 = k[7] - t4;
-  const Scalar t6 = c5 * t5 + k[6] * s5;
-  const Scalar t7 = t2 * t3 + t6;
-  const Scalar t8 = k[14] * s6 + k[13] * c6;
-  const Scalar t9 = k[16] - s6 * t8;
-  const Scalar t10 = k[17] - t9;
-  const Scalar t11 = k[22] + t10;
-  const Scalar t12 = k[23] - t11;
-  const Scalar t13 = k[21] * t3;
-  const Scalar t14 = Scalar(1) / (t12 + t3 * t13);
-  const Scalar t15 = t7 * t14;
-  const Scalar t16 = k[12] * c6 - k[11] * s6;
-  const Scalar t17 = s5 * t11 + Scalar(2) * c5 * (k[24] + t16);
-  const Scalar t18 = (k[29] + t9) - (k[28] - ((k[27] - s5 * t17) - t12));
-  const Scalar t19 = c5 - k[21] * s5 * t16;
-  const Scalar t20 = k[17] * t19;
-  const Scalar t21 = k[15] - c6 * t8;
-  const Scalar t22 = c5 * (k[26] + t3) - s5 * (k[25] - t21);
-  const Scalar t23 = t20 * t13 - t22;
-  const Scalar t24 = t23 * t14;
-  const Scalar t25 = Scalar(1) / ((t18 - t20 * t19) + t23 * t24);
-  const Scalar t26 = t2 * t20 - t23 * t15;
-  const Scalar t27 = t25 * t26;
-  const Scalar t28 = (t7 * t15 + (k[33] - t2 * t1)) - t27 * t26;
-  const Scalar t29 = Scalar(1) / t28;
-  const Scalar t30 = k[6] * c5 - s5 * t5;
-  const Scalar t31 = c5 * t0;
-  const Scalar t32 = s4 * t4 - c4 * t31;
-  const Scalar t33 = c4 * t30 - t32 * t13;
-  const Scalar t34 = t14 * t33;
-  const Scalar t35 = k[5] + t6;
-  const Scalar t36 = k[4] + t0;
-  const Scalar t37 = t32 * t19 + (s4 * t35 + c4 * t36);
-  const Scalar t38 = t37 + t24 * t33;
-  const Scalar t39 = t25 * t38;
-  const Scalar t40 = (t7 * t34 + t2 * t32) + t26 * t39;
-  const Scalar t41 = t29 * t40;
-  const Scalar t42 = k[21] * t32;
-  const Scalar t43 = ((k[36] - t32 * t42) + t34 * t33) - t38 * t39;
-  const Scalar t44 = Scalar(1) / (t41 * t40 - t43);
-  const Scalar t45 = k[19] * s4 - k[18] * c4;
-  const Scalar t46 = k[19] * c4 + k[18] * s4;
-  const Scalar t47 = c5 * t46 - k[20] * s5;
-  const Scalar t48 = qd[3] * c5;
-  const Scalar t49 = qd[4] * t48;
-  const Scalar t50 = qd[3] * s5;
-  const Scalar t51 = t50 * t48;
-  const Scalar t52 = qd[4] * t50;
-  const Scalar t53 = Scalar(2) * t52;
-  const Scalar t54 = qd[3] * qd[3];
-  const Scalar t55 = t48 * t48;
-  const Scalar t56 = qd[4] * qd[4];
-  const Scalar t57 = t55 + t56;
-  const Scalar t58 = t54 - t57;
-  const Scalar t59 = (Scalar(2) * t16 * t49 + t51 * t3) + (t53 * t10 + t21 * t58);
-  const Scalar t60 = (t4 * t45 - t0 * t47) + t59;
-  const Scalar t61 = k[21] * (torque[5] + t60);
-  const Scalar t62 = t55 - t56;
-  const Scalar t63 = t62 - t58;
-  const Scalar t64 = t57 - t63;
-  const Scalar t65 = qd[5] + t48;
-  const Scalar t66 = t56 + t65 * t65;
-  const Scalar t67 = t66 + t58;
-  const Scalar t68 = t64 - t67;
-  const Scalar t69 = qd[4] * qd[5];
-  const Scalar t70 = t69 + t69;
-  const Scalar t71 = t50 * (qd[5] + t65);
-  const Scalar t72 = t68 * t3 + (t9 * t70 - t71 * t21);
-  const Scalar t73 = s5 * t46 + k[20] * c5;
-  const Scalar t74 = k[26] * t62 - (k[23] * t49 - k[24] * t53);
-  const Scalar t75 = ((t16 * t53 - t72) + t0 * t73) - ((k[25] * t51 - t74) - k[6] * t45);
-  const Scalar t76 = (k[30] * t53 + k[31] * t49) + (k[26] * t51 - k[25] * t58);
-  const Scalar t77 = s5 * t75 + c5 * ((k[7] * t45 - t76) - t60);
-  const Scalar t78 = torque[3] - ((k[4] * t46 + k[5] * t45) + t77);
-  const Scalar t79 = (t71 * t10 - t70 * t21) - t16 * (t68 + t58);
-  const Scalar t80 = (k[24] * t63 + k[22] * t51) - (k[6] * t47 - k[7] * t73);
-  const Scalar t81 = t61 * t3 - (torque[4] + ((t73 * t4 - t79) - t80));
-  const Scalar t82 = (t61 * t20 - t78) - t24 * t81;
-  const Scalar t83 = t25 * t82;
-  const Scalar t84 = (k[7] * t51 + k[6] * t64) - (t0 * t70 + t4 * t71);
-  const Scalar t85 = t4 * t66 - (k[6] * t51 + k[7] * t57);
-  const Scalar t86 = torque[2] + (k[32] + (c5 * t84 + s5 * t85));
-  const Scalar t87 = t81 * t14;
-  const Scalar t88 = t26 * t83 - ((t86 - t1 * t61) + t7 * t87);
-  const Scalar t89 = k[5] * t54 + (s5 * t84 - c5 * t85);
-  const Scalar t90 = (t0 * t67 - t4 * t53) + (k[2] * t52 - k[3] * t49);
-  const Scalar t91 = k[4] * t54 + t90;
-  const Scalar t92 = k[35] + (k[34] + (c4 * t89 - s4 * t91));
-  const Scalar t93 = (t32 * t61 - (torque[1] + t92)) + t34 * t81;
-  const Scalar t94 = t44 * (t88 * t41 + (t82 * t39 + t93));
-  const Scalar t95 = s4 * t31 + c4 * t4;
-  const Scalar t96 = k[21] * t95;
-  const Scalar t97 = s4 * t30 + t96 * t3;
-  const Scalar t98 = t95 * t19 + (c4 * t35 - s4 * t36);
-  const Scalar t99 = t24 * t97 - t98;
-  const Scalar t100 = t25 * t99;
-  const Scalar t101 = t14 * t97;
-  const Scalar t102 = t100 * t26 + (t7 * t101 - t1 * t96);
-  const Scalar t103 = t102 * t29;
-  const Scalar t104 = (t101 * t33 + t95 * t42) - t100 * t38;
-  const Scalar t105 = t103 * t40 - t104;
-  const Scalar t106 = k[9] + (k[8] + (c4 * t91 + s4 * t89));
-  const Scalar t107 = t81 * t101 - ((torque[0] + (k[10] + t106)) + t61 * t95);
-  const Scalar t108 = t94 * t105 - (t103 * t88 + (t99 * t83 + t107));
-  const Scalar t109 = t44 * t105;
-  const Scalar t110 = t100 * t99 - ((k[37] - t95 * t96) + t101 * t97);
-  const Scalar t111 = Scalar(1) / (t109 * t105 - (t110 + t102 * t103));
-  const Scalar t112 = t108 * t111;
-  const Scalar t113 = t94 - t109 * t112;
-  const Scalar t114 = t113 * t41 - (t88 * t29 - t103 * t112);
-  const Scalar t115 = ((t100 * t112 - t83) + t113 * t39) + t27 * t114;
-  const Scalar t116 = t114 * t15 - (t113 * t34 + (t101 * t112 + t87));
-  const Scalar t117 = t24 * t115 + t116;
-  const Scalar t118 = t2 * t114 - ((t96 * t112 + t61) - t113 * t42);
+  const Scalar t0 = k[23] * s4 - k[24] * c4;
+  const Scalar t1 = qd[3] * s5;
+  const Scalar t2 = qd[3] * c5;
+  const Scalar t3 = t1 * t2;
+  const Scalar t4 = qd[4] + qd[4];
+  const Scalar t5 = t2 * t4;
+  const Scalar t6 = t1 * t4;
+  const Scalar t7 = qd[5] + t2;
+  const Scalar t8 = t7 * t7;
+  const Scalar t9 = t1 * t1 - t8;
+  const Scalar t10 = qd[4] * qd[4];
+  const Scalar t11 = t10 - t8;
+  const Scalar t12 = t9 - t11;
+  const Scalar t13 = qd[3] * qd[3];
+  const Scalar t14 = t12 - t13;
+  const Scalar t15 = t10 + t8;
+  const Scalar t16 = t15 + t9;
+  const Scalar t17 = t14 + t16;
+  const Scalar t18 = (k[4] * t5 - k[16] * t6) - k[14] * (t12 - t17);
+  const Scalar t19 = k[6] * s6 + k[5] * c6;
+  const Scalar t20 = qd[5] * t4;
+  const Scalar t21 = k[0] * c6 + k[1] * s6;
+  const Scalar t22 = s6 * t21;
+  const Scalar t23 = k[18] - t22;
+  const Scalar t24 = k[12] - c6 * t21;
+  const Scalar t25 = t1 * (qd[5] + t7);
+  const Scalar t26 = t19 * t11 + (t20 * t23 - t24 * t25);
+  const Scalar t27 = k[6] * c6 - k[5] * s6;
+  const Scalar t28 = k[8] * c6 + k[9] * s6;
+  const Scalar t29 = k[23] * c4 + k[24] * s4;
+  const Scalar t30 = k[25] * c5 + s5 * t29;
+  const Scalar t31 = (k[11] * t0 - (k[13] * t3 + t18)) - ((t26 - t6 * t27) - t28 * t30);
+  const Scalar t32 = (k[16] * t5 + k[27] * t6) + (k[14] * t3 - k[13] * t12);
+  const Scalar t33 = k[2] - t22;
+  const Scalar t34 = (t12 * t24 - t6 * t33) + (t5 * t27 + t19 * t3);
+  const Scalar t35 = k[9] * c6 - k[8] * s6;
+  const Scalar t36 = k[25] * s5 - c5 * t29;
+  const Scalar t37 = t34 - (t35 * t0 - t36 * t28);
+  const Scalar t38 = s5 * t31 + c5 * ((k[10] * t0 - t32) - t37);
+  const Scalar t39 = torque[3] - (t38 + (k[20] * t29 + k[21] * t0));
+  const Scalar t40 = c5 - k[7] * s5 * t27;
+  const Scalar t41 = torque[5] + t37;
+  const Scalar t42 = s5 * (k[13] - t24) - c5 * (k[14] + t19);
+  const Scalar t43 = t19 * t40 + t42;
+  const Scalar t44 = t9 * t27 + (t33 * t25 + t20 * t24);
+  const Scalar t45 = (k[3] * t3 - k[16] * t17) + (k[11] * t36 + k[10] * t30);
+  const Scalar t46 = k[7] * t41;
+  const Scalar t47 = (torque[4] - ((t35 * t30 - t44) + t45)) - t19 * t46;
+  const Scalar t48 = k[3] - t33;
+  const Scalar t49 = k[4] - t48;
+  const Scalar t50 = k[7] * t19;
+  const Scalar t51 = Scalar(1) / ((k[4] + t49) + t19 * t50);
+  const Scalar t52 = t47 * t51;
+  const Scalar t53 = (t39 - t40 * t41) - t43 * t52;
+  const Scalar t54 = t43 * t51;
+  const Scalar t55 = k[15] * t40;
+  const Scalar t56 = Scalar(2) * c5 * (k[16] + t27) + s5 * t48;
+  const Scalar t57 = (k[17] + (s5 * t56 + t49)) - (k[19] + t23);
+  const Scalar t58 = Scalar(1) / (t43 * t54 - (t55 * t40 + t57));
+  const Scalar t59 = k[10] + t35;
+  const Scalar t60 = k[11] * c5 - s5 * t59;
+  const Scalar t61 = c5 * t28;
+  const Scalar t62 = c4 * t35 - s4 * t61;
+  const Scalar t63 = k[7] * t62;
+  const Scalar t64 = s4 * t60 - t19 * t63;
+  const Scalar t65 = k[11] * s5 + c5 * t59;
+  const Scalar t66 = k[21] + t65;
+  const Scalar t67 = k[20] + t28;
+  const Scalar t68 = t55 * t63 - (c4 * t66 - s4 * t67);
+  const Scalar t69 = t64 * t54 + t68;
+  const Scalar t70 = t58 * t69;
+  const Scalar t71 = (k[11] * t5 - k[10] * t6) - (t35 * t6 - (t11 - t16) * t28);
+  const Scalar t72 = t71 - k[20] * t13;
+  const Scalar t73 = (k[11] * t16 + k[10] * t3) - (t20 * t28 - t35 * t25);
+  const Scalar t74 = t35 * t15 + (k[11] * t3 - k[10] * t14);
+  const Scalar t75 = (s5 * t73 + c5 * t74) + k[21] * t13;
+  const Scalar t76 = k[29] + (k[28] - (c4 * t72 - s4 * t75));
+  const Scalar t77 = t64 * t51;
+  const Scalar t78 = ((torque[0] + (k[30] + t76)) - t63 * t41) + t77 * t47;
+  const Scalar t79 = s5 * t28;
+  const Scalar t80 = k[7] * t79;
+  const Scalar t81 = t65 + t19 * t80;
+  const Scalar t82 = t81 * t51;
+  const Scalar t83 = t43 * t82 - t40 * t79;
+  const Scalar t84 = t83 * t58;
+  const Scalar t85 = ((k[22] - t80 * t79) + t81 * t82) - t83 * t84;
+  const Scalar t86 = Scalar(1) / t85;
+  const Scalar t87 = t69 * t84 - (t63 * t79 + t81 * t77);
+  const Scalar t88 = t86 * t87;
+  const Scalar t89 = torque[2] + (k[26] - (s5 * t74 - c5 * t73));
+  const Scalar t90 = t53 * t84 + (t47 * t82 + (t80 * t41 - t89));
+  const Scalar t91 = s4 * t35 + c4 * t61;
+  const Scalar t92 = k[7] * t91;
+  const Scalar t93 = c4 * t60 + t19 * t92;
+  const Scalar t94 = t93 * t51;
+  const Scalar t95 = t55 * t92 - (c4 * t67 + s4 * t66);
+  const Scalar t96 = t43 * t94 - t95;
+  const Scalar t97 = t96 * t58;
+  const Scalar t98 = (t94 * t93 + (k[31] - t91 * t92)) - t97 * t96;
+  const Scalar t99 = (t94 * t81 - t91 * t80) - t97 * t83;
+  const Scalar t100 = t86 * t99;
+  const Scalar t101 = Scalar(1) / (t98 - t99 * t100);
+  const Scalar t102 = (t62 * t92 + t94 * t64) - t96 * t70;
+  const Scalar t103 = t102 + t100 * t87;
+  const Scalar t104 = t101 * t103;
+  const Scalar t105 = k[33] + (k[32] + (s4 * t72 + c4 * t75));
+  const Scalar t106 = t94 * t47 + ((torque[1] + t105) + t92 * t41);
+  const Scalar t107 = t53 * t58;
+  const Scalar t108 = t90 * t100 - (t106 + t107 * t96);
+  const Scalar t109 = ((t53 * t70 + t78) + t88 * t90) + t104 * t108;
+  const Scalar t110 = t70 * t69 - ((k[34] - t62 * t63) + t77 * t64);
+  const Scalar t111 = Scalar(1) / ((t110 + t88 * t87) + t104 * t103);
+  const Scalar t112 = t109 * t111;
+  const Scalar t113 = t101 * t108 - t104 * t112;
+  const Scalar t114 = (t88 * t112 - t86 * t90) - t100 * t113;
+  const Scalar t115 = t114 * t84 - ((t107 - t70 * t112) - t97 * t113);
+  const Scalar t116 = t114 * t82 + (t94 * t113 + (t77 * t112 + t52));
+  const Scalar t117 = t115 * t54 - t116;
+  const Scalar t118 = ((t63 * t112 + t46) - t92 * t113) - t80 * t114;
   JointVector<Scalar> result;
-  result[0] = t112;
-  result[1] = t113;
+  result[0] = -t112;
+  result[1] = -t113;
   result[2] = t114;
-  result[3] = t115;
-  result[4] = -t117;
-  result[5] = t117 * t13 - (t118 + t19 * t115);
+  result[3] = -t115;
+  result[4] = t117;
+  result[5] = (t40 * t115 + t118) - t117 * t50;
   return result;
 }
 
@@ -640,64 +633,66 @@ ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constant
   using std::sin;
   const Scalar t0 = inertia.c6z * inertia.m6;
   const Scalar t1 = inertia.c6y * inertia.m6;
-  const Scalar t2 = inertia.c5y * inertia.m5;
-  const Scalar t3 = inertia.c6x * inertia.m6;
-  const Scalar t4 = inertia.c5x * inertia.m5;
-  const Scalar t5 = t3 + t4;
-  const Scalar t6 = inertia.c4y * inertia.m4;
-  const Scalar t7 = inertia.c5z * inertia.m5;
-  const Scalar t8 = inertia.c4z * inertia.m4;
-  const Scalar t9 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t10 = inertia.c6z * t0 - (inertia.I6zz - t9);
-  const Scalar t11 = (inertia.I6yy - t9) - inertia.c6y * t1;
-  const Scalar t12 = t10 - t11;
-  const Scalar t13 = inertia.I6yz - inertia.c6z * t1;
-  const Scalar t14 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t15 = inertia.c5y * t2 - (inertia.I5yy - t14);
-  const Scalar t16 = ((inertia.I6xx - t9) - inertia.c6x * t3) - (inertia.c5x * t4 - (inertia.I5xx - t14));
-  const Scalar t17 = inertia.I5xy - inertia.c5y * t4;
-  const Scalar t18 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t19 = (inertia.c5z * t7 - (inertia.I5zz - t14)) - ((inertia.I4zz - t18) - inertia.c4z * t8);
+  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t3 = inertia.c6z * t0 - (inertia.I6zz - t2);
+  const Scalar t4 = (inertia.I6yy - t2) - inertia.c6y * t1;
+  const Scalar t5 = t3 - t4;
+  const Scalar t6 = Scalar(1) / t5;
+  const Scalar t7 = inertia.c6x * inertia.m6;
+  const Scalar t8 = inertia.I6xy - inertia.c6y * t7;
+  const Scalar t9 = inertia.I6xz - inertia.c6z * t7;
+  const Scalar t10 = inertia.I6yz - inertia.c6z * t1;
+  const Scalar t11 = inertia.c5y * inertia.m5;
+  const Scalar t12 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t13 = inertia.c5y * t11 - (inertia.I5yy - t12);
+  const Scalar t14 = inertia.c5x * inertia.m5;
+  const Scalar t15 = ((inertia.I6xx - t2) - inertia.c6x * t7) - (inertia.c5x * t14 - (inertia.I5xx - t12));
+  const Scalar t16 = t7 + t14;
+  const Scalar t17 = inertia.c5z * inertia.m5;
+  const Scalar t18 = inertia.c4z * inertia.m4;
+  const Scalar t19 = inertia.c4y * inertia.m4;
   const Scalar t20 = inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6));
-  const Scalar t21 = inertia.m2 + t20;
+  const Scalar t21 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t22 = (inertia.c5z * t17 - (inertia.I5zz - t12)) - ((inertia.I4zz - t21) - inertia.c4z * t18);
+  const Scalar t23 = inertia.m2 + t20;
   return { t0,
            t1,
-           t2,
-           t5,
-           t6,
-           t7 + t8,
-           Scalar(1) / t12,
-           inertia.I6xz - inertia.c6z * t3,
-           inertia.I6xy - inertia.c6y * t3,
-           t12,
-           Scalar(2) * t13,
-           t10 + t11,
-           t13,
-           inertia.I5yz - inertia.c5z * t2,
-           inertia.I5xz - inertia.c5z * t4,
-           t11,
-           t15 + t16,
-           Scalar(2) * t16,
-           t17,
-           t16,
-           (inertia.I4yy - t18) - inertia.c4y * t6,
-           t10,
-           t19,
-           t20,
-           t21,
-           gravity[2],
            gravity[1],
+           gravity[2],
            gravity[0],
-           Scalar(2) * t15,
-           Scalar(2) * t17,
-           gravity[0] * t20,
-           Scalar(2) * t5,
-           gravity[1] * t20,
-           gravity[1] * inertia.m2,
+           t6 * t8,
+           t6 * t9,
+           t5,
+           t9,
+           t8,
+           Scalar(2) * t10,
+           t3 + t4,
+           t10,
+           t4,
+           t6,
+           t13 + t15,
+           inertia.I5xy - inertia.c5y * t14,
+           t11,
+           t16,
+           t13,
+           t15,
+           Scalar(2) * t16,
+           t17 + t18,
+           t19,
            gravity[2] * t20,
            gravity[2] * inertia.m2,
            gravity[2] * inertia.m1,
-           inertia.m1 + t21 };
+           t22,
+           (inertia.I4yy - t21) - inertia.c4y * t19,
+           inertia.I5yz - inertia.c5z * t11,
+           inertia.I5xz - inertia.c5z * t14,
+           Scalar(2) * t13,
+           t20,
+           gravity[0] * t20,
+           t23,
+           gravity[1] * t20,
+           gravity[1] * inertia.m2,
+           inertia.m1 + t23 };
 }
 
 namespace detail {
@@ -713,141 +708,138 @@ inline JointVector<Scalar> forward_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar& c5 = angles.cosine[1];
   const Scalar& s6 = angles.sine[2];
   const Scalar& c6 = angles.cosine[2];
-  const Scalar t0 = k[10] * c6 + k[11] * s6;
-  const Scalar t1 = k[12] - c6 * t0;
-  const Scalar t2 = k[7] * c6 + k[8] * s6;
-  const Scalar t3 = s5 * (k[13] - t1) - c5 * (k[14] + t2);
-  const Scalar t4 = k[8] * c6 - k[7] * s6;
-  const Scalar t5 = c5 - k[6] * s5 * t4;
-  const Scalar t6 = t3 + t2 * t5;
-  const Scalar t7 = k[0] * c6 + k[1] * s6;
-  const Scalar t8 = c5 * t7;
-  const Scalar t9 = k[0] * s6 - k[1] * c6;
-  const Scalar t10 = s4 * t8 + c4 * t9;
-  const Scalar t11 = k[6] * t10;
-  const Scalar t12 = k[2] - t9;
-  const Scalar t13 = k[3] * c5 - s5 * t12;
-  const Scalar t14 = t2 * t11 + s4 * t13;
-  const Scalar t15 = s6 * t0;
-  const Scalar t16 = k[15] - t15;
-  const Scalar t17 = k[16] - t16;
-  const Scalar t18 = k[17] - t17;
-  const Scalar t19 = k[6] * t2;
-  const Scalar t20 = Scalar(1) / (t18 + t2 * t19);
-  const Scalar t21 = t14 * t20;
-  const Scalar t22 = k[5] + t7;
-  const Scalar t23 = k[3] * s5 + c5 * t12;
-  const Scalar t24 = k[4] + t23;
-  const Scalar t25 = (s4 * t22 - c4 * t24) - t10 * t5;
-  const Scalar t26 = t6 * t21 + t25;
-  const Scalar t27 = k[25] * c4 - k[26] * s4;
-  const Scalar t28 = k[26] * c4 + k[25] * s4;
-  const Scalar t29 = c5 * t28 - k[27] * s5;
-  const Scalar t30 = qd[3] * s5;
-  const Scalar t31 = qd[3] * c5;
-  const Scalar t32 = t30 * t31;
-  const Scalar t33 = qd[4] * t31;
-  const Scalar t34 = Scalar(2) * t33;
-  const Scalar t35 = qd[4] * t30;
-  const Scalar t36 = Scalar(2) * t35;
-  const Scalar t37 = t30 * t30;
-  const Scalar t38 = qd[5] + t31;
-  const Scalar t39 = t38 * t38;
-  const Scalar t40 = t37 + t39;
-  const Scalar t41 = qd[4] * qd[4];
-  const Scalar t42 = t41 + t39;
-  const Scalar t43 = t40 - t42;
-  const Scalar t44 = (t2 * t32 + t34 * t4) - (t16 * t36 - t1 * t43);
-  const Scalar t45 = wrench[4] * c4 + wrench[5] * s4;
-  const Scalar t46 = ((t9 * t27 + t7 * t29) - t44) - (s5 * t45 + wrench[3] * c5);
-  const Scalar t47 = torque[5] - t46;
-  const Scalar t48 = k[6] * t47;
-  const Scalar t49 = k[9] * t5;
-  const Scalar t50 = (k[14] * t32 - k[13] * t43) + (k[18] * t34 + k[28] * t35);
-  const Scalar t51 = qd[3] * qd[3];
-  const Scalar t52 = t37 + t41;
-  const Scalar t53 = t51 - t52;
-  const Scalar t54 = (k[17] * t33 - k[29] * t35) - k[14] * t53;
-  const Scalar t55 = k[27] * c5 + s5 * t28;
-  const Scalar t56 = t30 * (qd[5] + t38);
-  const Scalar t57 = k[21] - t15;
-  const Scalar t58 = qd[4] * qd[5];
-  const Scalar t59 = t58 + t58;
-  const Scalar t60 = t41 - t39;
-  const Scalar t61 = (t56 * t1 - t57 * t59) - t2 * t60;
-  const Scalar t62 = (t7 * t55 + (t36 * t4 + t61)) + (c5 * t45 - wrench[3] * s5);
-  const Scalar t63 = (k[3] * t27 + (k[13] * t32 + t54)) - t62;
-  const Scalar t64 = c5 * ((k[2] * t27 + t50) - t46) + s5 * t63;
-  const Scalar t65 = torque[3] - ((k[5] * t28 - k[4] * t27) - t64);
-  const Scalar t66 = t20 * t6;
-  const Scalar t67 = (t60 + t43) * t4 + (t16 * t56 + t59 * t1);
-  const Scalar t68 = (wrench[5] * c4 - wrench[4] * s4) + (t67 + t9 * t55);
-  const Scalar t69 = (k[3] * t29 - k[2] * t55) - (k[16] * t32 + k[18] * (t53 - t43));
-  const Scalar t70 = t47 * t19 - (torque[4] + (t68 + t69));
-  const Scalar t71 = (t48 * t49 - t65) - t66 * t70;
-  const Scalar t72 = s5 * t17 + Scalar(2) * c5 * (k[18] + t4);
-  const Scalar t73 = (k[20] + (s5 * t72 - (k[19] - t18))) - (k[22] + t57);
-  const Scalar t74 = Scalar(1) / (t66 * t6 - (t73 + t5 * t49));
-  const Scalar t75 = t71 * t74;
-  const Scalar t76 = wrench[1] * c4 + wrench[2] * s4;
-  const Scalar t77 = (wrench[0] * c5 + s5 * t76) - (t7 * t59 + t9 * t56);
-  const Scalar t78 = t77 + (k[2] * t32 + k[3] * t52);
-  const Scalar t79 = (c5 * t76 - wrench[0] * s5) - t9 * t42;
-  const Scalar t80 = t79 + (k[3] * t32 + k[2] * (t51 - t43));
-  const Scalar t81 = (s5 * t78 + c5 * t80) + k[4] * t51;
-  const Scalar t82 = (wrench[2] * c4 - wrench[1] * s4) + (t7 * t40 - t9 * t36);
-  const Scalar t83 = k[5] * t51 + ((k[2] * t36 - k[31] * t33) + t82);
-  const Scalar t84 = k[35] + (k[34] + (s4 * t81 + c4 * t83));
-  const Scalar t85 = t20 * t70;
-  const Scalar t86 = ((torque[0] + (k[36] + t84)) + t11 * t47) - t14 * t85;
-  const Scalar t87 = s5 * t7;
-  const Scalar t88 = k[6] * t87;
-  const Scalar t89 = t23 + t87 * t19;
-  const Scalar t90 = t20 * t89;
-  const Scalar t91 = t66 * t89 - t87 * t5;
-  const Scalar t92 = t91 * t74;
-  const Scalar t93 = ((k[23] - t88 * t87) + t90 * t89) - t91 * t92;
-  const Scalar t94 = Scalar(1) / t93;
-  const Scalar t95 = torque[2] + (k[30] - (s5 * t80 - c5 * t78));
-  const Scalar t96 = (t85 * t89 + (t95 - t88 * t47)) + t71 * t92;
-  const Scalar t97 = t94 * t96;
-  const Scalar t98 = (t14 * t90 - t11 * t87) - t26 * t92;
-  const Scalar t99 = s4 * t9 - c4 * t8;
-  const Scalar t100 = k[6] * t99;
-  const Scalar t101 = c4 * t13 - t2 * t100;
-  const Scalar t102 = k[33] + (k[32] - (s4 * t83 - c4 * t81));
-  const Scalar t103 = t85 * t101 + (t47 * t100 - (torque[1] + t102));
-  const Scalar t104 = t100 * t49 + (c4 * t22 + s4 * t24);
-  const Scalar t105 = t104 + t66 * t101;
-  const Scalar t106 = t105 * t74;
-  const Scalar t107 = t106 * t91 - (t90 * t101 + t87 * t100);
-  const Scalar t108 = (t103 + t71 * t106) + t97 * t107;
-  const Scalar t109 = t94 * t107;
-  const Scalar t110 = t20 * t101;
-  const Scalar t111 = (t110 * t101 + (k[24] - t99 * t100)) - t106 * t105;
-  const Scalar t112 = Scalar(1) / (t109 * t107 - t111);
-  const Scalar t113 = t26 * t106 - (t99 * t11 + t14 * t110);
-  const Scalar t114 = t94 * t98;
-  const Scalar t115 = t113 - t114 * t107;
-  const Scalar t116 = t112 * t115;
-  const Scalar t117 = ((t26 * t75 - t86) - t97 * t98) - t108 * t116;
-  const Scalar t118 = t26 * t74;
-  const Scalar t119 = t118 * t26 - ((k[37] - t11 * t10) + t14 * t21);
-  const Scalar t120 = Scalar(1) / ((t119 + t114 * t98) - t116 * t115);
-  const Scalar t121 = t117 * t120;
-  const Scalar t122 = t108 * t112 - t121 * t116;
-  const Scalar t123 = (t97 + t114 * t121) - t122 * t109;
-  const Scalar t124 = ((t75 - t118 * t121) - t122 * t106) + t92 * t123;
-  const Scalar t125 = ((t121 * t21 + t85) + t122 * t110) - t90 * t123;
-  const Scalar t126 = t66 * t124 + t125;
-  const Scalar t127 = t88 * t123 + (t122 * t100 - (t11 * t121 + t48));
+  const Scalar t0 = k[6] * c6 + k[5] * s6;
+  const Scalar t1 = k[7] * t0;
+  const Scalar t2 = k[10] * c6 + k[11] * s6;
+  const Scalar t3 = k[13] - s6 * t2;
+  const Scalar t4 = k[19] - t3;
+  const Scalar t5 = Scalar(1) / (t0 * t1 + (k[20] - t4));
+  const Scalar t6 = k[0] * s6 - k[1] * c6;
+  const Scalar t7 = k[17] - t6;
+  const Scalar t8 = k[18] * s5 + c5 * t7;
+  const Scalar t9 = k[0] * c6 + k[1] * s6;
+  const Scalar t10 = s5 * t9;
+  const Scalar t11 = k[14] * t10;
+  const Scalar t12 = t8 + t11 * t1;
+  const Scalar t13 = t5 * t12;
+  const Scalar t14 = s5 * t7 - k[18] * c5;
+  const Scalar t15 = c5 * t9;
+  const Scalar t16 = s4 * t15 + c4 * t6;
+  const Scalar t17 = s4 * t14 - t0 * t16;
+  const Scalar t18 = k[14] * t16;
+  const Scalar t19 = k[12] - c6 * t2;
+  const Scalar t20 = s5 * (k[29] - t19) - c5 * (k[30] + t1);
+  const Scalar t21 = k[9] * c6 - k[8] * s6;
+  const Scalar t22 = k[7] * c5 - s5 * t21;
+  const Scalar t23 = k[14] * t22;
+  const Scalar t24 = t20 + t23 * t1;
+  const Scalar t25 = t5 * t24;
+  const Scalar t26 = k[23] + t8;
+  const Scalar t27 = k[22] + t9;
+  const Scalar t28 = (c4 * t26 - s4 * t27) + t23 * t16;
+  const Scalar t29 = t25 * t17 + t28;
+  const Scalar t30 = k[7] + t3;
+  const Scalar t31 = Scalar(2) * c5 * (k[16] + t21) + s5 * (k[15] - t3);
+  const Scalar t32 = (k[27] + t30) - (k[28] + (s5 * t31 - t4));
+  const Scalar t33 = Scalar(1) / (t25 * t24 - (t23 * t22 - t32));
+  const Scalar t34 = t11 * t22 - t13 * t24;
+  const Scalar t35 = t33 * t34;
+  const Scalar t36 = (t13 * t17 + t10 * t18) + t29 * t35;
+  const Scalar t37 = s4 * t6 - c4 * t15;
+  const Scalar t38 = k[14] * t37;
+  const Scalar t39 = t38 * t22 + (c4 * t27 + s4 * t26);
+  const Scalar t40 = t37 * t0 + c4 * t14;
+  const Scalar t41 = t5 * t40;
+  const Scalar t42 = t39 - t41 * t24;
+  const Scalar t43 = t42 * t35 + (t37 * t11 - t41 * t12);
+  const Scalar t44 = t34 * t35 - (t13 * t12 + (k[32] - t10 * t11));
+  const Scalar t45 = Scalar(1) / t44;
+  const Scalar t46 = t43 * t45;
+  const Scalar t47 = t33 * t29;
+  const Scalar t48 = t5 * t17;
+  const Scalar t49 = t47 * t42 + (t48 * t40 + t37 * t18);
+  const Scalar t50 = t36 * t46 - t49;
+  const Scalar t51 = t33 * t42;
+  const Scalar t52 = t51 * t42 - (t41 * t40 + (k[34] - t37 * t38));
+  const Scalar t53 = Scalar(1) / (t52 - t43 * t46);
+  const Scalar t54 = t50 * t53;
+  const Scalar t55 = t29 * t47 - (t48 * t17 + (k[37] - t18 * t16));
+  const Scalar t56 = t36 * t45;
+  const Scalar t57 = Scalar(1) / (t50 * t54 - (t55 - t36 * t56));
+  const Scalar t58 = k[3] * s4 + k[2] * c4;
+  const Scalar t59 = k[4] * c5 + s5 * t58;
+  const Scalar t60 = Scalar(2) * qd[4] * qd[5];
+  const Scalar t61 = qd[3] * s5;
+  const Scalar t62 = qd[3] * c5;
+  const Scalar t63 = qd[5] + t62;
+  const Scalar t64 = t61 * (qd[5] + t63);
+  const Scalar t65 = qd[4] * qd[4];
+  const Scalar t66 = t63 * t63;
+  const Scalar t67 = t65 + t66;
+  const Scalar t68 = qd[3] * qd[3];
+  const Scalar t69 = t62 * t62 - t65;
+  const Scalar t70 = t68 - t69;
+  const Scalar t71 = t67 - t70;
+  const Scalar t72 = (t19 * t60 + t3 * t64) - t21 * t71;
+  const Scalar t73 = (wrench[5] * c4 - wrench[4] * s4) + (t6 * t59 + t72);
+  const Scalar t74 = k[4] * s5 - c5 * t58;
+  const Scalar t75 = t65 - t66;
+  const Scalar t76 = t71 + t75;
+  const Scalar t77 = t76 + t69;
+  const Scalar t78 = t61 * t62;
+  const Scalar t79 = (k[18] * t74 + k[17] * t59) + (k[16] * t77 + k[15] * t78);
+  const Scalar t80 = wrench[4] * c4 + wrench[5] * s4;
+  const Scalar t81 = k[3] * c4 - k[2] * s4;
+  const Scalar t82 = qd[4] * t62;
+  const Scalar t83 = Scalar(2) * t82;
+  const Scalar t84 = qd[4] * t61;
+  const Scalar t85 = Scalar(2) * t84;
+  const Scalar t86 = (t83 * t21 + t1 * t78) - (t3 * t85 + t76 * t19);
+  const Scalar t87 = (s5 * t80 + wrench[3] * c5) + ((t9 * t74 - t6 * t81) + t86);
+  const Scalar t88 = torque[5] + t87;
+  const Scalar t89 = k[14] * t88;
+  const Scalar t90 = (torque[4] + (t73 - t79)) - t1 * t89;
+  const Scalar t91 = (k[30] * t78 + k[29] * t76) + (k[31] * t84 + k[16] * t83);
+  const Scalar t92 = k[30] * t69 + (k[16] * t85 - k[20] * t83);
+  const Scalar t93 = t75 * t1 + (t30 * t60 - t64 * t19);
+  const Scalar t94 = ((t21 * t85 - t93) + t9 * t59) + (c5 * t80 - wrench[3] * s5);
+  const Scalar t95 = (k[18] * t81 - (t92 - k[29] * t78)) - t94;
+  const Scalar t96 = c5 * ((k[17] * t81 + t91) + t87) + s5 * t95;
+  const Scalar t97 = torque[3] + (t96 + (k[23] * t81 - k[22] * t58));
+  const Scalar t98 = t25 * t90 + (t23 * t88 - t97);
+  const Scalar t99 = t5 * t90;
+  const Scalar t100 = wrench[1] * c4 + wrench[2] * s4;
+  const Scalar t101 = (wrench[0] * c5 + s5 * t100) - (t9 * t60 + t6 * t64);
+  const Scalar t102 = t101 + (k[18] * t70 + k[17] * t78);
+  const Scalar t103 = (c5 * t100 - wrench[0] * s5) - t6 * t67;
+  const Scalar t104 = t103 + (k[18] * t78 + k[17] * (t77 + t70));
+  const Scalar t105 = k[23] * t68 + (s5 * t102 + c5 * t104);
+  const Scalar t106 = (t9 * (t75 - t70) + t6 * t85) - (wrench[2] * c4 - wrench[1] * s4);
+  const Scalar t107 = ((k[17] * t85 - k[21] * t82) - t106) + k[22] * t68;
+  const Scalar t108 = k[36] + (k[35] + (c4 * t105 - s4 * t107));
+  const Scalar t109 = t99 * t40 - ((torque[1] + t108) - t38 * t88);
+  const Scalar t110 = t33 * t98;
+  const Scalar t111 = torque[2] + (k[33] + (c5 * t102 - s5 * t104));
+  const Scalar t112 = t110 * t34 + (t13 * t90 - (t111 - t10 * t89));
+  const Scalar t113 = t45 * t112;
+  const Scalar t114 = ((t51 * t98 + t109) - t113 * t43) * t53;
+  const Scalar t115 = k[25] + (k[24] + (s4 * t105 + c4 * t107));
+  const Scalar t116 = t99 * t17 - (t16 * t89 + (torque[0] + (k[26] + t115)));
+  const Scalar t117 = t50 * t114 - (t56 * t112 + (t116 - t47 * t98));
+  const Scalar t118 = t57 * t117;
+  const Scalar t119 = t54 * t118 - t114;
+  const Scalar t120 = (t56 * t118 + t113) + t46 * t119;
+  const Scalar t121 = t120 * t35 - ((t110 + t47 * t118) + t119 * t51);
+  const Scalar t122 = (t119 * t41 - (t48 * t118 + t99)) - t13 * t120;
+  const Scalar t123 = t122 - t121 * t25;
+  const Scalar t124 = (t38 * t119 + (t18 * t118 + t89)) - t11 * t120;
   JointVector<Scalar> result;
-  result[0] = t121;
-  result[1] = t122;
-  result[2] = t123;
-  result[3] = -t124;
-  result[4] = t126;
-  result[5] = -t126 * t19 - (t127 - t124 * t5);
+  result[0] = t118;
+  result[1] = -t119;
+  result[2] = t120;
+  result[3] = t121;
+  result[4] = t123;
+  result[5] = (t124 - t121 * t23) - t0 * t123;
   return result;
 }
 
@@ -879,29 +871,29 @@ PotentialEnergyWithGravityVectorConstants<Scalar> potential_energy_with_gravity_
   using std::sin;
   const Scalar t0 = inertia.m3 + (inertia.m4 + (inertia.m5 + inertia.m6));
   const Scalar t1 = inertia.m2 + t0;
-  return { inertia.c6z * inertia.m6,
+  return { inertia.m1 + t1,
            inertia.c6y * inertia.m6,
-           inertia.c5y * inertia.m5,
-           inertia.c6x * inertia.m6 + inertia.c5x * inertia.m5,
-           inertia.c4x * inertia.m4,
-           inertia.c3x * inertia.m3,
-           t0,
-           inertia.c2x * inertia.m2,
-           inertia.c1x * inertia.m1,
-           gravity[0],
-           t1,
-           inertia.c4y * inertia.m4,
+           inertia.c6z * inertia.m6,
            inertia.c5z * inertia.m5,
            inertia.c4z * inertia.m4,
+           inertia.c6x * inertia.m6 + inertia.c5x * inertia.m5,
+           inertia.c5y * inertia.m5,
+           inertia.c4y * inertia.m4,
+           inertia.c3z * inertia.m3,
+           inertia.c2z * inertia.m2,
+           inertia.c1z * inertia.m1,
+           gravity[2],
+           t1,
            inertia.c3y * inertia.m3,
            inertia.c2y * inertia.m2,
            inertia.c1y * inertia.m1,
            gravity[1],
-           inertia.c3z * inertia.m3,
-           inertia.c2z * inertia.m2,
-           inertia.c1z * inertia.m1,
-           inertia.m1 + t1,
-           gravity[2] };
+           t0,
+           inertia.c4x * inertia.m4,
+           inertia.c3x * inertia.m3,
+           inertia.c2x * inertia.m2,
+           inertia.c1x * inertia.m1,
+           gravity[0] };
 }
 
 namespace detail {
@@ -915,15 +907,15 @@ inline Scalar potential_energy_with_gravity_vector(const JointVector<Scalar>& q,
   const Scalar& c5 = angles.cosine[1];
   const Scalar& s6 = angles.sine[2];
   const Scalar& c6 = angles.cosine[2];
-  const Scalar t0 = k[2] - (k[0] * s6 - k[1] * c6);
-  const Scalar t1 = k[11] + (k[3] * s5 + c5 * t0);
-  const Scalar t2 = k[13] + (k[12] + (k[0] * c6 + k[1] * s6));
-  const Scalar t3 = k[19] + (k[18] + (s4 * t1 + c4 * t2));
-  const Scalar t4 = k[5] + (k[4] + (k[3] * c5 - s5 * t0));
-  const Scalar t5 = k[9] * (k[8] + (k[7] + (k[6] * q[2] + t4)));
-  const Scalar t6 = k[15] + (k[14] - (s4 * t2 - c4 * t1));
-  const Scalar t7 = t5 + k[17] * (k[16] + (t6 + k[10] * q[1]));
-  const Scalar t8 = k[22] * (k[21] * q[0] + (k[20] + t3)) + t7;
+  const Scalar t0 = k[4] + (k[3] + (k[2] * c6 + k[1] * s6));
+  const Scalar t1 = k[6] + (k[1] * c6 - k[2] * s6);
+  const Scalar t2 = k[7] + (k[5] * s5 + c5 * t1);
+  const Scalar t3 = k[9] + (k[8] + (c4 * t0 + s4 * t2));
+  const Scalar t4 = k[14] + (k[13] - (s4 * t0 - c4 * t2));
+  const Scalar t5 = k[19] + (k[18] + (k[5] * c5 - s5 * t1));
+  const Scalar t6 = k[22] * (k[21] + (k[20] + (t5 + k[17] * q[2])));
+  const Scalar t7 = k[16] * (k[15] + (t4 + k[12] * q[1])) + t6;
+  const Scalar t8 = k[11] * ((k[10] + t3) + k[0] * q[0]) + t7;
   Scalar result;
   result = -t8;
   return result;

@@ -97,7 +97,7 @@ DynamicsAngles<Scalar> dynamics_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion: Newton-Euler recursion in base parameters (thesis 5.1-5.15).
 ///
-/// 222 multiplications, 205 additions, 5 sine/cosine pairs. Set-up: 105 multiplications, 129 additions.
+/// 222 multiplications, 204 additions, 5 sine/cosine pairs. Set-up: 104 multiplications, 129 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
@@ -131,7 +131,7 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const DynamicsA
 
 /// Joint forces that come from the joint rates alone, C(q, qd) qd, without friction.
 ///
-/// 196 multiplications, 166 additions, 5 sine/cosine pairs. Set-up: 94 multiplications, 105 additions.
+/// 196 multiplications, 165 additions, 5 sine/cosine pairs. Set-up: 95 multiplications, 105 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
@@ -149,7 +149,7 @@ JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVec
 
 /// Symmetric, positive definite M(q), by composite bodies in base parameters; rotors included.
 ///
-/// 109 multiplications, 119 additions, 5 sine/cosine pairs. Set-up: 96 multiplications, 120 additions.
+/// 108 multiplications, 120 additions, 5 sine/cosine pairs. Set-up: 96 multiplications, 120 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},
@@ -165,7 +165,7 @@ Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const 
 
 /// C(q, qd) of Christoffel's symbols: C qd is coriolis_torque, dM/dt - 2 C is skew-symmetric.
 ///
-/// 427 multiplications, 368 additions, 5 sine/cosine pairs. Set-up: 85 multiplications, 99 additions.
+/// 427 multiplications, 366 additions, 5 sine/cosine pairs. Set-up: 85 multiplications, 99 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
@@ -183,7 +183,7 @@ Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, co
 
 /// Joint accelerations for given joint forces: M qdd = torque - C qd - gravity, by M = U D U^T.
 ///
-/// 382 multiplications, 349 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 110 multiplications, 124 additions, 1
+/// 379 multiplications, 350 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 111 multiplications, 124 additions, 1
 /// division.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
@@ -191,7 +191,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
 template <class Scalar>
-using ForwardDynamicsConstants = std::array<Scalar, 57>;
+using ForwardDynamicsConstants = std::array<Scalar, 58>;
 template <class Scalar>
 ForwardDynamicsConstants<Scalar> forward_dynamics_constants(const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
@@ -202,7 +202,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// qd^T M qd / 2, J.
 ///
-/// 143 multiplications, 138 additions, 5 sine/cosine pairs. Set-up: 96 multiplications, 120 additions.
+/// 144 multiplications, 137 additions, 5 sine/cosine pairs. Set-up: 96 multiplications, 120 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const BasicGeometry<Scalar>& g = {},

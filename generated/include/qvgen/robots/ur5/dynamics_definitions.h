@@ -27,107 +27,107 @@ InverseDynamicsConstants<Scalar> inverse_dynamics_constants([[maybe_unused]] con
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t1 = inertia.m5 + inertia.m6;
-  const Scalar t2 = inertia.m4 + t1;
-  const Scalar t3 = inertia.c3x * inertia.m3;
-  const Scalar t4 = Scalar(0.39225) * inertia.m3 - t3;
-  const Scalar t5 = Scalar(0.39225) * t2 + t4;
-  const Scalar t6 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t7 = inertia.c3z * inertia.m3;
-  const Scalar t8 = inertia.c4y * inertia.m4;
-  const Scalar t9 = Scalar(0.10915) * inertia.m4;
-  const Scalar t10 = t9 + t8;
-  const Scalar t11 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t12 = Scalar(0.10915) * (t8 + t10) - ((inertia.I4yy - t11) - inertia.c4y * t8);
-  const Scalar t13 = t9 - t10;
-  const Scalar t14 = t13 - Scalar(0.10915) * t2;
-  const Scalar t15 = (t12 - Scalar(0.10915) * (t10 - t13)) - Scalar(0.10915) * (t13 + t14);
-  const Scalar t16 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t17 = inertia.c2z * inertia.m2;
-  const Scalar t18 = (((inertia.I3zz - t6) - inertia.c3z * t7) - t15) + ((inertia.I2zz - t16) - inertia.c2z * t17);
-  const Scalar t19 = (inertia.c1z * inertia.c1z * inertia.m1 - (inertia.I1zz - t0)) - t18;
-  const Scalar t20 = (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t0))
-      - (Scalar(0.030372778840025493) * t5 - t19);
-  const Scalar t21 = inertia.c2y * inertia.m2;
-  const Scalar t22 = (inertia.I2yy - t16) - inertia.c2y * t21;
-  const Scalar t23 = inertia.c2x * inertia.m2;
-  const Scalar t24 = Scalar(0.425) * inertia.m2 - t23;
-  const Scalar t25 = Scalar(0.425) * (t23 - t24) - (inertia.c2x * t23 - (inertia.I2xx - t16));
-  const Scalar t26 = inertia.m3 + t2;
-  const Scalar t27 = Scalar(0.46048438495857236) * t5 + (t25 - Scalar(0.180625) * t26);
-  const Scalar t28 = Scalar(0.425) * t21 + (inertia.I2xy - inertia.c2y * t23);
-  const Scalar t29 = Scalar(0.425) * (t7 - t14) + ((inertia.I2xz - inertia.c2z * t23) + Scalar(0.425) * t17);
-  const Scalar t30 = Scalar(0.39225) * t14 - (Scalar(0.39225) * t7 + (inertia.I3xz - inertia.c3z * t3));
-  const Scalar t31 = inertia.c3y * inertia.m3;
-  const Scalar t32 = Scalar(0.09465) * inertia.m5;
-  const Scalar t33 = inertia.c5y * inertia.m5;
-  const Scalar t34 = t33 - t32;
-  const Scalar t35 = t32 + t34;
-  const Scalar t36 = Scalar(0.09465) * t1 - t35;
-  const Scalar t37 = inertia.c4z * inertia.m4;
-  const Scalar t38 = Scalar(0.10915) * t37;
-  const Scalar t39 = inertia.c4x * inertia.m4;
-  const Scalar t40 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t41 = Scalar(0.09465) * (t33 + t34) - (inertia.c5y * t33 - (inertia.I5yy - t40));
-  const Scalar t42 = Scalar(0.09465) * (t36 - t35) + (Scalar(0.09465) * (t35 + t34) - t41);
-  const Scalar t43 = Scalar(0.10915) * t39;
-  const Scalar t44 = inertia.c6y * inertia.m6;
-  const Scalar t45 = inertia.c6x * inertia.m6;
-  const Scalar t46 = inertia.c5x * inertia.m5;
-  const Scalar t47 = Scalar(0.09465) * t46;
-  const Scalar t48 = inertia.c5z * inertia.m5;
-  const Scalar t49 = inertia.c6z * inertia.m6;
-  const Scalar t50 = Scalar(0.0823) * inertia.m6 + t49;
-  const Scalar t51 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t52 = (inertia.I6xx - t51) - inertia.c6x * t45;
-  const Scalar t53 = (inertia.I6yy - t51) - inertia.c6y * t44;
-  const Scalar t54 = inertia.I6xy - inertia.c6y * t45;
-  const Scalar t55 = Scalar(0.09465) * t48;
-  const Scalar t56 = (inertia.c6z * t49 - (inertia.I6zz - t51)) + Scalar(0.0823) * (t50 + t49);
-  const Scalar t57 = (inertia.c3x * t3 - (inertia.I3xx - t6)) + Scalar(0.39225) * (t4 - t3);
-  const Scalar t58 = gravity * (Scalar(1.0834926704907584) * t5 - (Scalar(0.425) * t26 + t24));
-  return { t20,
-           t22 - t27,
-           Scalar(2) * t28,
-           t28,
+  const Scalar t0 = inertia.c4x * inertia.m4;
+  const Scalar t1 = Scalar(0.10915) * t0;
+  const Scalar t2 = inertia.c4z * inertia.m4;
+  const Scalar t3 = Scalar(0.10915) * t2;
+  const Scalar t4 = inertia.c4y * inertia.m4;
+  const Scalar t5 = inertia.m5 + inertia.m6;
+  const Scalar t6 = Scalar(0.09465) * inertia.m5;
+  const Scalar t7 = inertia.c5y * inertia.m5;
+  const Scalar t8 = t7 - t6;
+  const Scalar t9 = t6 + t8;
+  const Scalar t10 = Scalar(0.09465) * t5 - t9;
+  const Scalar t11 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t12 = Scalar(0.09465) * (t7 + t8) - (inertia.c5y * t7 - (inertia.I5yy - t11));
+  const Scalar t13 = Scalar(0.09465) * (t10 - t9) + (Scalar(0.09465) * (t9 + t8) - t12);
+  const Scalar t14 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t15 = inertia.c5z * inertia.m5;
+  const Scalar t16 = inertia.c6z * inertia.m6;
+  const Scalar t17 = Scalar(0.0823) * inertia.m6 + t16;
+  const Scalar t18 = inertia.c5x * inertia.m5;
+  const Scalar t19 = inertia.c6y * inertia.m6;
+  const Scalar t20 = inertia.c6x * inertia.m6;
+  const Scalar t21 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t22 = (inertia.c6z * t16 - (inertia.I6zz - t21)) + Scalar(0.0823) * (t17 + t16);
+  const Scalar t23 = Scalar(0.09465) * t15;
+  const Scalar t24 = Scalar(0.09465) * t18;
+  const Scalar t25 = inertia.I6xy - inertia.c6y * t20;
+  const Scalar t26 = (inertia.I6xx - t21) - inertia.c6x * t20;
+  const Scalar t27 = (inertia.I6yy - t21) - inertia.c6y * t19;
+  const Scalar t28 = inertia.m4 + t5;
+  const Scalar t29 = inertia.c3x * inertia.m3;
+  const Scalar t30 = Scalar(0.39225) * inertia.m3 - t29;
+  const Scalar t31 = Scalar(0.39225) * t28 + t30;
+  const Scalar t32 = Scalar(0.030372778840025493) * t31;
+  const Scalar t33 = inertia.c3y * inertia.m3;
+  const Scalar t34 = Scalar(0.10915) * inertia.m4;
+  const Scalar t35 = t34 + t4;
+  const Scalar t36 = t34 - t35;
+  const Scalar t37 = t36 - Scalar(0.10915) * t28;
+  const Scalar t38 = inertia.c3z * inertia.m3;
+  const Scalar t39 = Scalar(0.39225) * t37 - (Scalar(0.39225) * t38 + (inertia.I3xz - inertia.c3z * t29));
+  const Scalar t40 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t41 = (inertia.c3x * t29 - (inertia.I3xx - t40)) + Scalar(0.39225) * (t30 - t29);
+  const Scalar t42 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t43 = inertia.c2y * inertia.m2;
+  const Scalar t44 = (inertia.I2yy - t42) - inertia.c2y * t43;
+  const Scalar t45 = inertia.c2x * inertia.m2;
+  const Scalar t46 = Scalar(0.425) * inertia.m2 - t45;
+  const Scalar t47 = Scalar(0.425) * (t45 - t46) - (inertia.c2x * t45 - (inertia.I2xx - t42));
+  const Scalar t48 = inertia.m3 + t28;
+  const Scalar t49 = Scalar(0.46048438495857236) * t31 + (t47 - Scalar(0.180625) * t48);
+  const Scalar t50 = Scalar(0.425) * t43 + (inertia.I2xy - inertia.c2y * t45);
+  const Scalar t51 = inertia.c2z * inertia.m2;
+  const Scalar t52 = Scalar(0.425) * (t38 - t37) + ((inertia.I2xz - inertia.c2z * t45) + Scalar(0.425) * t51);
+  const Scalar t53 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t54 = Scalar(0.10915) * (t4 + t35) - ((inertia.I4yy - t14) - inertia.c4y * t4);
+  const Scalar t55 = (t54 - Scalar(0.10915) * (t35 - t36)) - Scalar(0.10915) * (t36 + t37);
+  const Scalar t56 = (((inertia.I3zz - t40) - inertia.c3z * t38) - t55) + ((inertia.I2zz - t42) - inertia.c2z * t51);
+  const Scalar t57 = (inertia.c1z * inertia.c1z * inertia.m1 - (inertia.I1zz - t53)) - t56;
+  const Scalar t58 = (inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t53)) - (t32 - t57);
+  const Scalar t59 = gravity * (Scalar(1.0834926704907584) * t31 - (Scalar(0.425) * t48 + t46));
+  return { (t1 - (inertia.I4xy - inertia.c4y * t0)) - t1,
+           t3 - (t3 - (inertia.I4yz - inertia.c4z * t4)),
+           t13 - ((inertia.I4zz - t14) - inertia.c4z * t2),
+           inertia.I4xz - inertia.c4z * t0,
+           Scalar(0.10915) * (t10 + t2),
+           Scalar(0.10915) * (t15 + t17),
+           Scalar(0.10915) * t18,
+           Scalar(0.10915) * t19,
+           Scalar(0.10915) * t20,
+           inertia.I5xz - inertia.c5z * t18,
+           (inertia.c5z * t15 - (inertia.I5zz - t11)) + t22,
+           ((inertia.I5yz - inertia.c5z * t7) + t23) - t23,
+           t24 - (t24 + (inertia.I5xy - inertia.c5y * t18)),
+           Scalar(9.161704076958314) * gravity,
+           (inertia.I6yz - inertia.c6z * t19) - Scalar(0.0823) * t19,
+           (inertia.I6xz - inertia.c6z * t20) - Scalar(0.0823) * t20,
+           Scalar(2) * t25,
+           t26 - t27,
            t27,
-           Scalar(0.11826322498406629) * t5 - t29,
-           inertia.I2yz - inertia.c2z * t21,
-           Scalar(0.10915) * t5 + t30,
-           (inertia.I3xy - inertia.c3y * t3) + Scalar(0.39225) * t31,
-           (inertia.I3yy - t6) - inertia.c3y * t31,
-           inertia.I3yz - inertia.c3z * t31,
-           Scalar(0.09465) * t31,
-           Scalar(0.09465) * (t36 + t37),
-           t38 - (t38 - (inertia.I4yz - inertia.c4z * t8)),
-           inertia.I4xz - inertia.c4z * t39,
-           t42 - ((inertia.I4zz - t11) - inertia.c4z * t37),
-           (t43 - (inertia.I4xy - inertia.c4y * t39)) - t43,
-           Scalar(0.09465) * t44,
-           Scalar(0.09465) * t45,
-           t47,
-           Scalar(0.09465) * (t48 + t50),
-           t52 - t53,
-           Scalar(2) * t54,
-           t54,
-           t53,
-           t52,
-           (inertia.I6yz - inertia.c6z * t44) - Scalar(0.0823) * t44,
-           (inertia.I6xz - inertia.c6z * t45) - Scalar(0.0823) * t45,
-           Scalar(10.565240359218173) * gravity,
-           t47 - (t47 + (inertia.I5xy - inertia.c5y * t46)),
-           ((inertia.I5yz - inertia.c5z * t33) + t55) - t55,
-           inertia.c5x * t46 - (inertia.I5xx - t40),
-           inertia.I5xz - inertia.c5z * t46,
-           (inertia.c5z * t48 - (inertia.I5zz - t40)) + t56,
-           Scalar(0.09465) * t39,
-           (inertia.I4xx - t11) - inertia.c4x * t39,
-           Scalar(0.02283906309751434) * t5,
-           (Scalar(0.1538600625) * t2 + t57) - Scalar(0.39225) * t5,
-           gravity * t21,
+           t25,
+           t26,
+           inertia.c5x * t18 - (inertia.I5xx - t11),
+           t1,
+           t32,
+           (inertia.I4xx - t14) - inertia.c4x * t0,
+           inertia.I3yz - inertia.c3z * t33,
+           Scalar(0.10915) * t31 + t39,
+           (inertia.I3xy - inertia.c3y * t29) + Scalar(0.39225) * t33,
+           (Scalar(0.1538600625) * t28 + t41) - Scalar(0.39225) * t31,
+           Scalar(0.10915) * t33,
+           (inertia.I3yy - t40) - inertia.c3y * t33,
+           t44 - t49,
+           Scalar(2) * t50,
+           t50,
+           t49,
+           Scalar(0.11826322498406629) * t31 - t52,
+           inertia.I2yz - inertia.c2z * t43,
            t58,
-           t22 + t27 };
+           t44 + t49,
+           Scalar(0.10915) * t43,
+           t59 };
 }
 
 namespace detail {
@@ -146,155 +146,164 @@ inline JointVector<Scalar> inverse_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = qd[1] * qd[1];
-  const Scalar t1 = k[5] * s2 - k[6] * c2;
-  const Scalar t2 = (k[6] * s2 + k[5] * c2) * t0 + qdd[1] * t1;
-  const Scalar t3 = k[1] * s2 - k[2] * c2;
-  const Scalar t4 = k[3] + c2 * t3;
-  const Scalar t5 = qd[0] * qd[1];
-  const Scalar t6 = t5 + t5;
-  const Scalar t7 = t4 * t6 + qdd[0] * (k[4] + s2 * t3);
-  const Scalar t8 = qd[1] + qd[2];
-  const Scalar t9 = s2 * s3 - c2 * c3;
-  const Scalar t10 = qd[0] * t9;
-  const Scalar t11 = t8 * t10;
-  const Scalar t12 = c3 * s2 + c2 * s3;
-  const Scalar t13 = qdd[0] * t12;
-  const Scalar t14 = (t11 + t11) - t13;
-  const Scalar t15 = qd[0] * t12;
-  const Scalar t16 = s4 * t10 - c4 * t15;
-  const Scalar t17 = c4 * t10 + s4 * t15;
-  const Scalar t18 = t16 * t17;
-  const Scalar t19 = qdd[1] + qdd[2];
-  const Scalar t20 = qdd[3] + t19;
-  const Scalar t21 = t18 - t20;
-  const Scalar t22 = qdd[0] * t9;
-  const Scalar t23 = s4 * t22 - c4 * t13;
-  const Scalar t24 = qd[3] + t8;
-  const Scalar t25 = t23 + Scalar(2) * t24 * t17;
-  const Scalar t26 = c5 * t21 - s5 * t25;
-  const Scalar t27 = qdd[5] - t26;
-  const Scalar t28 = k[17] * c6 + k[18] * s6;
-  const Scalar t29 = c5 * t24 + s5 * t16;
-  const Scalar t30 = qd[5] + t29;
-  const Scalar t31 = t30 * t30;
-  const Scalar t32 = qd[4] + t17;
-  const Scalar t33 = t32 * t32;
-  const Scalar t34 = k[18] * c6 - k[17] * s6;
-  const Scalar t35 = t24 * t24;
-  const Scalar t36 = t16 * t16;
-  const Scalar t37 = t35 + t36;
-  const Scalar t38 = c5 * t16 - s5 * t24;
-  const Scalar t39 = t38 * t38;
-  const Scalar t40 = t33 - t39;
-  const Scalar t41 = t37 + t40;
-  const Scalar t42 = t29 * t38;
-  const Scalar t43 = t24 * t16;
-  const Scalar t44 = s4 * t13 + c4 * t22;
-  const Scalar t45 = t43 - t44;
-  const Scalar t46 = qdd[4] - t45;
-  const Scalar t47 = t42 + t46;
-  const Scalar t48 = (t27 * t28 + (t31 + t33) * t34) + (k[19] * t41 + k[20] * t47);
-  const Scalar t49 = t42 - t46;
-  const Scalar t50 = t33 + t39;
-  const Scalar t51 = t30 * t38;
-  const Scalar t52 = (t51 - t47) + t51;
-  const Scalar t53 = t30 * t32;
-  const Scalar t54 = c5 * t25 + s5 * t21;
-  const Scalar t55 = t29 * t32;
-  const Scalar t56 = t54 - (t55 + t55);
-  const Scalar t57 = (t53 + t53) + t56;
-  const Scalar t58 = (k[19] * t49 + k[20] * t50) + (t34 * t52 + t57 * t28);
-  const Scalar t59 = t43 + t45;
-  const Scalar t60 = t15 * t8;
-  const Scalar t61 = (t60 + t60) + t22;
-  const Scalar t62 = Scalar(4.490227152667723) * (s2 * t6 - qdd[0] * c2);
-  const Scalar t63 = qd[0] * qd[0];
-  const Scalar t64 = Scalar(4.144215530903328) * t61 + (t62 + Scalar(1.1531959852086635) * t63);
-  const Scalar t65 = (k[12] * t25 - k[34] * t59) - k[36] * t64;
-  const Scalar t66 = (s5 * t48 + c5 * t58) - t65;
-  const Scalar t67 = t8 * t8;
-  const Scalar t68 = t10 * t10;
-  const Scalar t69 = t67 - t68;
-  const Scalar t70 = (k[8] * t61 - k[9] * t14) + k[10] * t69;
-  const Scalar t71 = t15 * t10;
-  const Scalar t72 = t71 - t19;
-  const Scalar t73 = t25 - t64;
-  const Scalar t74 = qd[0] * c2;
-  const Scalar t75 = Scalar(4.490227152667723) * (t0 + t74 * t74);
-  const Scalar t76 = Scalar(4.490227152667723) * (qdd[1] + qd[0] * s2 * t74);
-  const Scalar t77 = k[28] * t9 + (s3 * t75 + c3 * t76);
-  const Scalar t78 = t77 - Scalar(4.144215530903328) * t72;
-  const Scalar t79 = k[28] * t12 - (s3 * t76 - c3 * t75);
-  const Scalar t80 = t67 + t68;
-  const Scalar t81 = t79 + Scalar(4.144215530903328) * t80;
-  const Scalar t82 = (s4 * t78 - c4 * t81) + Scalar(1.1531959852086635) * t44;
-  const Scalar t83 = t21 + t82;
-  const Scalar t84 = c5 * t73 + s5 * t83;
-  const Scalar t85 = k[26] * c6 + k[27] * s6;
-  const Scalar t86 = k[27] * c6 - k[26] * s6;
-  const Scalar t87 = k[22] * c6 + k[21] * s6;
-  const Scalar t88 = k[23] - c6 * t87;
-  const Scalar t89 = s6 * t87;
-  const Scalar t90 = k[25] - t89;
-  const Scalar t91 = (t85 * t27 + (t31 - t39) * t86) + (t57 * t88 - t90 * t52);
-  const Scalar t92 = c5 * t83 - s5 * t73;
-  const Scalar t93 = t50 - t41;
-  const Scalar t94 = k[32] * t93 + (k[33] * t47 - k[31] * t49);
-  const Scalar t95 = (k[19] * t84 + k[20] * t92) + (t94 - (k[29] * t54 - k[30] * t26));
-  const Scalar t96 = (t34 * t84 - t91) + t95;
-  const Scalar t97 = t35 - t36;
-  const Scalar t98 = (k[14] * t25 - k[35] * t59) - (k[16] * t97 - k[13] * t21);
-  const Scalar t99 = t96 - (k[34] * t64 + t98);
-  const Scalar t100 = t38 * t32;
-  const Scalar t101 = (t100 + t100) + t27;
-  const Scalar t102 = qdd[5] - t101;
-  const Scalar t103 = (k[31] * t102 + k[32] * t56) - (k[29] * t40 - k[30] * t47);
-  const Scalar t104 = Scalar(1.1531959852086635) * t23 - (s4 * t81 + c4 * t78);
-  const Scalar t105 = t37 + t104;
-  const Scalar t106 = k[24] + t89;
-  const Scalar t107 = t40 * t88 - (t90 * t101 + t106 * t27);
-  const Scalar t108 = ((t85 * t47 + t56 * t86) - t107) - (t34 * t105 + t92 * t28);
-  const Scalar t109 = t48 + ((t103 - k[19] * t105) + t108);
-  const Scalar t110 = k[30] * (t93 + t40) - (k[32] * t102 + k[33] * t56);
-  const Scalar t111 = t85 * (t31 - t33) + (t52 * t88 - t106 * t57);
-  const Scalar t112 = ((k[29] * t49 - t110) + k[20] * t105) - (t28 * t84 - (t111 - t86 * t101));
-  const Scalar t113 = t58 - t112;
-  const Scalar t114 = t18 + t20;
-  const Scalar t115 = t63 - t37;
-  const Scalar t116 = (k[15] * t25 + k[14] * t59) + k[13] * t115;
-  const Scalar t117 = (s5 * t109 + c5 * t113) - ((k[16] * t114 + t116) - k[12] * t64);
-  const Scalar t118 = (k[12] * t21 + k[34] * (t63 + t97)) + k[36] * t82;
-  const Scalar t119 = t118 - (s5 * t58 - c5 * t48);
-  const Scalar t120 = (k[12] * t37 + k[34] * t114) + k[36] * t104;
-  const Scalar t121 = (t34 * t101 - (t31 + t39) * t28) - (k[19] * t102 - k[20] * t56);
-  const Scalar t122 = t120 + t121;
-  const Scalar t123 = s4 * t119 - c4 * t122;
-  const Scalar t124 = (s4 * t99 + c4 * t117) + Scalar(1.1531959852086635) * t123;
-  const Scalar t125 = (k[11] * t62 + (t70 - k[7] * t72)) - t124;
-  const Scalar t126 = s4 * t122 + c4 * t119;
-  const Scalar t127 = (s4 * t117 - c4 * t99) - Scalar(1.1531959852086635) * t126;
-  const Scalar t128 = t71 + t19;
-  const Scalar t129 = t63 - t80;
-  const Scalar t130 = (k[10] * t128 + k[7] * t129) - (k[8] * t14 + k[37] * t61);
-  const Scalar t131 = t125 * t12 + t9 * ((t127 - Scalar(4.144215530903328) * t66) + t130);
-  const Scalar t132 = c2 * Scalar(4.490227152667723) * (k[11] * t14 + t66) + t131;
-  const Scalar t133 = qdd[0] * t1 + (k[40] * qdd[1] - t4 * t63);
-  const Scalar t134 = (k[35] * t114 + k[15] * t21) - k[14] * (t97 + t115);
-  const Scalar t135 = (k[34] * t104 - k[12] * t82) - (t134 - (k[16] * t23 + k[13] * t44));
-  const Scalar t136 = t135 + (s5 * t113 - c5 * t109);
-  const Scalar t137 = k[8] * (t69 + t129) - (k[37] * t72 + k[9] * t128);
-  const Scalar t138 = k[11] * t79 - (t137 - (k[10] * t22 + k[7] * t13));
-  const Scalar t139 = (Scalar(4.144215530903328) * t123 + t136) - t138;
-  const Scalar t140 = s3 * (t126 + k[11] * t128) + c3 * (k[11] * (t63 + t69) + t123);
-  const Scalar t141 = ((k[39] * c2 - k[38] * s2) - t133) + (t139 + Scalar(4.490227152667723) * t140);
+  const Scalar t0 = k[32] * c2 - k[31] * s2;
+  const Scalar t1 = qd[0] * qd[1];
+  const Scalar t2 = t1 + t1;
+  const Scalar t3 = k[33] - c2 * t0;
+  const Scalar t4 = qdd[0] * (k[34] - s2 * t0) + t2 * t3;
+  const Scalar t5 = qd[1] * qd[1];
+  const Scalar t6 = k[36] * c2 - k[35] * s2;
+  const Scalar t7 = t5 * (k[36] * s2 + k[35] * c2) - qdd[1] * t6;
+  const Scalar t8 = qd[0] * qd[0];
+  const Scalar t9 = Scalar(3.8937242327072834) * (s2 * t2 - qdd[0] * c2);
+  const Scalar t10 = c3 * s2 + c2 * s3;
+  const Scalar t11 = qd[0] * t10;
+  const Scalar t12 = qd[1] + qd[2];
+  const Scalar t13 = t11 * t12;
+  const Scalar t14 = s2 * s3 - c2 * c3;
+  const Scalar t15 = qdd[0] * t14;
+  const Scalar t16 = t13 + (t13 + t15);
+  const Scalar t17 = (t8 + t9) + Scalar(3.5936784241868986) * t16;
+  const Scalar t18 = qd[3] + t12;
+  const Scalar t19 = qd[0] * t14;
+  const Scalar t20 = s4 * t19 - c4 * t11;
+  const Scalar t21 = t18 * t20;
+  const Scalar t22 = qdd[0] * t10;
+  const Scalar t23 = s4 * t22 + c4 * t15;
+  const Scalar t24 = t21 - t23;
+  const Scalar t25 = t21 + t24;
+  const Scalar t26 = s4 * t15 - c4 * t22;
+  const Scalar t27 = c4 * t19 + s4 * t11;
+  const Scalar t28 = t18 * t27;
+  const Scalar t29 = (t26 + t28) + t28;
+  const Scalar t30 = k[23] * t17 + (k[22] * t25 - k[4] * t29);
+  const Scalar t31 = k[8] * c6 - k[7] * s6;
+  const Scalar t32 = c5 * t18 + s5 * t20;
+  const Scalar t33 = qd[5] + t32;
+  const Scalar t34 = c5 * t20 - s5 * t18;
+  const Scalar t35 = t34 + t34;
+  const Scalar t36 = t32 * t34;
+  const Scalar t37 = qdd[4] - t24;
+  const Scalar t38 = t36 + t37;
+  const Scalar t39 = t33 * t35 - t38;
+  const Scalar t40 = k[7] * c6 + k[8] * s6;
+  const Scalar t41 = qd[4] + t27;
+  const Scalar t42 = t33 * t41;
+  const Scalar t43 = t20 * t27;
+  const Scalar t44 = qdd[1] + qdd[2];
+  const Scalar t45 = qdd[3] + t44;
+  const Scalar t46 = t43 - t45;
+  const Scalar t47 = c5 * t29 + s5 * t46;
+  const Scalar t48 = t32 * t41;
+  const Scalar t49 = (t47 - t48) - t48;
+  const Scalar t50 = t42 + (t49 + t42);
+  const Scalar t51 = t33 * t33;
+  const Scalar t52 = t41 * t41;
+  const Scalar t53 = t51 + t52;
+  const Scalar t54 = t51 - t34 * t34;
+  const Scalar t55 = t53 - t54;
+  const Scalar t56 = t36 - t37;
+  const Scalar t57 = (t31 * t39 + t40 * t50) + (k[5] * t55 + k[6] * t56);
+  const Scalar t58 = t27 * t27;
+  const Scalar t59 = t18 * t18;
+  const Scalar t60 = t58 - t59;
+  const Scalar t61 = t58 + t59;
+  const Scalar t62 = t8 - t61;
+  const Scalar t63 = t60 - t62;
+  const Scalar t64 = t63 - t61;
+  const Scalar t65 = t55 + t64;
+  const Scalar t66 = t51 - t52;
+  const Scalar t67 = t55 + t66;
+  const Scalar t68 = t53 - t67;
+  const Scalar t69 = t65 - t68;
+  const Scalar t70 = c5 * t46 - s5 * t29;
+  const Scalar t71 = qdd[5] - t70;
+  const Scalar t72 = (k[6] * (t55 - t69) + k[5] * t38) + (t53 * t31 + t71 * t40);
+  const Scalar t73 = c5 * t57 + s5 * t72;
+  const Scalar t74 = t30 + t73;
+  const Scalar t75 = Scalar(2) * t12 * t19 - t22;
+  const Scalar t76 = (k[1] * t46 + k[0] * t62) - (k[24] * t25 - k[3] * t29);
+  const Scalar t77 = t11 * t19;
+  const Scalar t78 = t77 - t44;
+  const Scalar t79 = qd[0] * c2;
+  const Scalar t80 = Scalar(3.8937242327072834) * (qdd[1] + qd[0] * s2 * t79) - k[13] * c2;
+  const Scalar t81 = k[13] * s2;
+  const Scalar t82 = t81 + Scalar(3.8937242327072834) * (t5 + t79 * t79);
+  const Scalar t83 = Scalar(3.5936784241868986) * t78 - (c3 * t80 + s3 * t82);
+  const Scalar t84 = t83 - t22;
+  const Scalar t85 = s3 * t80 - c3 * t82;
+  const Scalar t86 = t11 * t11;
+  const Scalar t87 = t12 * t12;
+  const Scalar t88 = t86 + t87;
+  const Scalar t89 = t8 - t88;
+  const Scalar t90 = t86 - t87;
+  const Scalar t91 = t89 - t90;
+  const Scalar t92 = (t85 - Scalar(3.5936784241868986) * (t88 + t91)) + t15;
+  const Scalar t93 = s4 * t84 - c4 * t92;
+  const Scalar t94 = Scalar(0.8671552908841045) * t46 - t93;
+  const Scalar t95 = t17 - Scalar(0.8671552908841045) * t29;
+  const Scalar t96 = s5 * t94 - c5 * t95;
+  const Scalar t97 = s5 * t95 + c5 * t94;
+  const Scalar t98 = (k[21] * t56 - k[10] * t38) - k[9] * t69;
+  const Scalar t99 = (k[6] * t96 + k[5] * t97) - ((k[12] * t47 - k[11] * t70) + t98);
+  const Scalar t100 = k[16] * c6 + k[17] * s6;
+  const Scalar t101 = k[19] - c6 * t100;
+  const Scalar t102 = s6 * t100;
+  const Scalar t103 = k[20] - t102;
+  const Scalar t104 = k[14] * c6 + k[15] * s6;
+  const Scalar t105 = k[14] * s6 - k[15] * c6;
+  const Scalar t106 = (t101 * t50 - t103 * t39) + (t71 * t104 - t54 * t105);
+  const Scalar t107 = t99 + (t96 * t31 - t106);
+  const Scalar t108 = c5 * t72 - s5 * t57;
+  const Scalar t109 = (k[22] * t61 + k[4] * t46) - k[23] * t93;
+  const Scalar t110 = t108 + t109;
+  const Scalar t111 = ((t76 + k[22] * t17) - t107) - t110;
+  const Scalar t112 = t35 * t41;
+  const Scalar t113 = t112 + t71;
+  const Scalar t114 = t112 - t70;
+  const Scalar t115 = (t31 * t113 - t67 * t40) + (k[5] * t49 + k[6] * t114);
+  const Scalar t116 = t43 + t45;
+  const Scalar t117 = c4 * t84 + s4 * t92;
+  const Scalar t118 = (k[4] * t64 - k[22] * t116) - k[23] * t117;
+  const Scalar t119 = t115 - t118;
+  const Scalar t120 = k[18] + t102;
+  const Scalar t121 = (t113 * t103 + t120 * t71) - t101 * t68;
+  const Scalar t122 = Scalar(0.8671552908841045) * t64 - t117;
+  const Scalar t123 = (t121 - (t49 * t105 - t104 * t38)) + (t31 * t122 - t97 * t40);
+  const Scalar t124 = (k[12] * t68 - k[11] * t38) - (k[9] * t49 - k[21] * t114);
+  const Scalar t125 = t123 + (k[6] * t122 - t124);
+  const Scalar t126 = t104 * t66 - (t120 * t50 - t101 * t39);
+  const Scalar t127 = k[11] * t65 - (k[10] * t49 - k[9] * t114);
+  const Scalar t128 = ((t126 + t113 * t105) - t96 * t40) - (k[5] * t122 - (k[12] * t56 - t127));
+  const Scalar t129 = Scalar(0.8671552908841045) * t73 + (s5 * t125 - c5 * t128);
+  const Scalar t130 = k[1] * t60 + (k[2] * t29 + k[3] * t25);
+  const Scalar t131 = t129 + (k[4] * t17 - (k[0] * t116 + t130));
+  const Scalar t132 = t119 - t131;
+  const Scalar t133 = (k[30] * t75 - k[27] * t16) + k[25] * t89;
+  const Scalar t134 = (s4 * t111 + c4 * t132) + (k[29] * t9 - (t133 + k[26] * t78));
+  const Scalar t135 = t77 + t44;
+  const Scalar t136 = (k[25] * t135 + k[26] * t90) - (k[28] * t16 + k[27] * t75);
+  const Scalar t137 = (s4 * t132 - c4 * t111) + Scalar(3.5936784241868986) * t74;
+  const Scalar t138 = (t74 + k[29] * t75) * Scalar(3.8937242327072834) * c2 + (t134 * t10 + t14 * (t136 - t137));
+  const Scalar t139 = (s5 * t128 + c5 * t125) + Scalar(0.8671552908841045) * t108;
+  const Scalar t140 = (k[24] * t116 + k[2] * t46) - k[3] * t63;
+  const Scalar t141 = (k[4] * t93 + k[22] * t117) - (t140 - (k[1] * t23 + k[0] * t26));
+  const Scalar t142 = t139 - t141;
+  const Scalar t143 = s4 * t110 - c4 * t119;
+  const Scalar t144 = k[27] * t91 + (k[28] * t78 + k[30] * t135);
+  const Scalar t145 = k[29] * t85 - ((k[25] * t15 + k[26] * t22) + t144);
+  const Scalar t146 = (t142 - Scalar(3.5936784241868986) * t143) - t145;
+  const Scalar t147 = k[29] * t135 + (c4 * t110 + s4 * t119);
+  const Scalar t148 = s3 * t147 + c3 * (t143 + k[29] * t88);
+  const Scalar t149 = (t8 * t3 - k[38] * qdd[1]) + qdd[0] * t6;
+  const Scalar t150 = (t146 - Scalar(3.8937242327072834) * t148) - ((k[40] * c2 - k[39] * t81) + t149);
   JointVector<Scalar> result;
-  result[0] = k[0] * qdd[0] - ((t2 + t7) + t132);
-  result[1] = t141;
-  result[2] = t139;
-  result[3] = t136;
-  result[4] = t96;
-  result[5] = -t108;
+  result[0] = k[37] * qdd[0] - ((t4 + t7) + t138);
+  result[1] = -t150;
+  result[2] = -t146;
+  result[3] = -t142;
+  result[4] = t107;
+  result[5] = -t123;
   return result;
 }
 
@@ -323,21 +332,21 @@ GravityTorqueConstants<Scalar> gravity_torque_constants([[maybe_unused]] const B
   using std::cos;
   using std::sin;
   const Scalar t0 = inertia.m5 + inertia.m6;
-  const Scalar t1 = Scalar(0.09465) * inertia.m5;
-  const Scalar t2 = Scalar(0.09465) * t0 - (t1 + (inertia.c5y * inertia.m5 - t1));
-  const Scalar t3 = inertia.c5z * inertia.m5 + (Scalar(0.0823) * inertia.m6 + inertia.c6z * inertia.m6);
-  const Scalar t4 = inertia.m4 + t0;
-  const Scalar t5 = Scalar(0.39225) * t4 + (Scalar(0.39225) * inertia.m3 - inertia.c3x * inertia.m3);
-  const Scalar t6 = Scalar(0.425) * (inertia.m3 + t4) + (Scalar(0.425) * inertia.m2 - inertia.c2x * inertia.m2);
+  const Scalar t1 = inertia.m4 + t0;
+  const Scalar t2 = Scalar(0.39225) * t1 + (Scalar(0.39225) * inertia.m3 - inertia.c3x * inertia.m3);
+  const Scalar t3 = Scalar(0.09465) * inertia.m5;
+  const Scalar t4 = Scalar(0.09465) * t0 - (t3 + (inertia.c5y * inertia.m5 - t3));
+  const Scalar t5 = inertia.c5z * inertia.m5 + (Scalar(0.0823) * inertia.m6 + inertia.c6z * inertia.m6);
+  const Scalar t6 = Scalar(0.425) * (inertia.m3 + t1) + (Scalar(0.425) * inertia.m2 - inertia.c2x * inertia.m2);
   return { gravity,
+           t2,
+           inertia.c3y * inertia.m3,
            inertia.c4x * inertia.m4,
-           t2 + inertia.c4z * inertia.m4,
+           t4 + inertia.c4z * inertia.m4,
            inertia.c5x * inertia.m5,
            inertia.c6y * inertia.m6,
            inertia.c6x * inertia.m6,
-           t3,
            t5,
-           inertia.c3y * inertia.m3,
            inertia.c2y * inertia.m2,
            t6 };
 }
@@ -357,28 +366,28 @@ inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Sca
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[4] * c6 + k[5] * s6;
-  const Scalar t1 = k[0] * c2;
-  const Scalar t2 = k[0] * s2;
-  const Scalar t3 = s3 * t1 + c3 * t2;
-  const Scalar t4 = s3 * t2 - c3 * t1;
-  const Scalar t5 = c4 * t3 - s4 * t4;
-  const Scalar t6 = s5 * t5;
-  const Scalar t7 = c4 * t4 + s4 * t3;
-  const Scalar t8 = c5 * t5;
-  const Scalar t9 = k[4] * s6 - k[5] * c6;
-  const Scalar t10 = t8 * t0 - t9 * t7;
-  const Scalar t11 = s5 * (t0 * t6 - k[6] * t7) + c5 * (k[3] * t7 + t10);
-  const Scalar t12 = t11 - (k[2] * t5 - k[1] * t7);
-  const Scalar t13 = t12 - (k[7] * t4 - k[8] * t3);
-  const Scalar t14 = (k[3] * t6 + k[6] * t8) - t9 * t6;
+  const Scalar t0 = k[0] * c2;
+  const Scalar t1 = k[0] * s2;
+  const Scalar t2 = s3 * t1 - c3 * t0;
+  const Scalar t3 = s3 * t0 + c3 * t1;
+  const Scalar t4 = c4 * t2 + s4 * t3;
+  const Scalar t5 = c4 * t3 - s4 * t2;
+  const Scalar t6 = k[7] * c6 - k[6] * s6;
+  const Scalar t7 = c5 * t5;
+  const Scalar t8 = k[6] * c6 + k[7] * s6;
+  const Scalar t9 = t6 * t4 + t7 * t8;
+  const Scalar t10 = s5 * t5;
+  const Scalar t11 = c5 * (t9 + k[5] * t4) - s5 * (k[8] * t4 - t10 * t8);
+  const Scalar t12 = (k[3] * t4 - k[4] * t5) + t11;
+  const Scalar t13 = t12 + (k[2] * t3 - k[1] * t2);
+  const Scalar t14 = (k[5] * t10 + k[8] * t7) + t6 * t10;
   JointVector<Scalar> result;
   result[0] = Scalar(0);
-  result[1] = -t13 - (k[10] * t1 + k[9] * t2);
+  result[1] = -(k[10] * t0 + k[9] * t1) - t13;
   result[2] = -t13;
   result[3] = -t12;
   result[4] = -t14;
-  result[5] = -t10;
+  result[5] = -t9;
   return result;
 }
 
@@ -403,101 +412,102 @@ CoriolisTorqueConstants<Scalar> coriolis_torque_constants([[maybe_unused]] const
     const BasicInertia<Scalar>& inertia) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t1 = inertia.c2y * inertia.m2;
-  const Scalar t2 = inertia.m5 + inertia.m6;
-  const Scalar t3 = inertia.m4 + t2;
-  const Scalar t4 = inertia.c3x * inertia.m3;
-  const Scalar t5 = Scalar(0.39225) * inertia.m3 - t4;
-  const Scalar t6 = Scalar(0.39225) * t3 + t5;
-  const Scalar t7 = Scalar(0.46048438495857236) * t6;
-  const Scalar t8 = inertia.c2x * inertia.m2;
-  const Scalar t9 = Scalar(0.425) * (t8 - (Scalar(0.425) * inertia.m2 - t8)) - (inertia.c2x * t8 - (inertia.I2xx - t0));
-  const Scalar t10 = ((inertia.I2yy - t0) - inertia.c2y * t1) - (t7 + (t9 - Scalar(0.180625) * (inertia.m3 + t3)));
-  const Scalar t11 = Scalar(0.425) * t1 + (inertia.I2xy - inertia.c2y * t8);
-  const Scalar t12 = inertia.c3z * inertia.m3;
-  const Scalar t13 = Scalar(0.10915) * inertia.m4;
-  const Scalar t14 = inertia.c4y * inertia.m4;
-  const Scalar t15 = (t13 - (t13 + t14)) - Scalar(0.10915) * t3;
-  const Scalar t16 = (inertia.I2xz - inertia.c2z * t8) + Scalar(0.425) * inertia.c2z * inertia.m2;
-  const Scalar t17 = Scalar(0.11826322498406629) * t6 - (Scalar(0.425) * (t12 - t15) + t16);
-  const Scalar t18 = Scalar(0.09465) * inertia.m5;
-  const Scalar t19 = inertia.c5y * inertia.m5;
-  const Scalar t20 = t19 - t18;
-  const Scalar t21 = t18 + t20;
-  const Scalar t22 = Scalar(0.09465) * t2 - t21;
-  const Scalar t23 = inertia.c4z * inertia.m4;
-  const Scalar t24 = inertia.c4x * inertia.m4;
-  const Scalar t25 = inertia.c5x * inertia.m5;
-  const Scalar t26 = inertia.c5z * inertia.m5;
-  const Scalar t27 = inertia.c6z * inertia.m6;
-  const Scalar t28 = Scalar(0.0823) * inertia.m6 + t27;
-  const Scalar t29 = inertia.c6y * inertia.m6;
-  const Scalar t30 = inertia.c6x * inertia.m6;
-  const Scalar t31 = inertia.c3y * inertia.m3;
-  const Scalar t32 = Scalar(0.10915) * t24;
-  const Scalar t33 = inertia.I4xz - inertia.c4z * t24;
-  const Scalar t34 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t35 = Scalar(0.09465) * (t19 + t20) - (inertia.c5y * t19 - (inertia.I5yy - t34));
-  const Scalar t36 = Scalar(0.09465) * (t22 - t21) + (Scalar(0.09465) * (t21 + t20) - t35);
-  const Scalar t37 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t38 = t36 - ((inertia.I4zz - t37) - inertia.c4z * t23);
-  const Scalar t39 = Scalar(0.10915) * t23;
-  const Scalar t40 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t41 = (inertia.I6xx - t40) - inertia.c6x * t30;
-  const Scalar t42 = (inertia.I6yy - t40) - inertia.c6y * t29;
-  const Scalar t43 = inertia.I6xy - inertia.c6y * t30;
-  const Scalar t44 = Scalar(0.09465) * t25;
-  const Scalar t45 = Scalar(0.09465) * t26;
-  const Scalar t46 = (inertia.c6z * t27 - (inertia.I6zz - t40)) + Scalar(0.0823) * (t28 + t27);
-  const Scalar t47 = (inertia.I4xx - t37) - inertia.c4x * t24;
-  const Scalar t48 = (inertia.I3xy - inertia.c3y * t4) + Scalar(0.39225) * t31;
-  const Scalar t49 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t50 = (inertia.I3yy - t49) - inertia.c3y * t31;
-  const Scalar t51 = Scalar(0.39225) * t15 - (Scalar(0.39225) * t12 + (inertia.I3xz - inertia.c3z * t4));
-  const Scalar t52 = (inertia.c3x * t4 - (inertia.I3xx - t49)) + Scalar(0.39225) * (t5 - t4);
-  const Scalar t53 = (Scalar(0.1538600625) * t3 + t52) - Scalar(0.39225) * t6;
-  return { t10,
-           Scalar(2) * t11,
-           t11,
-           t17,
-           inertia.I2yz - inertia.c2z * t1,
-           Scalar(0.425) * (t22 + t23),
-           Scalar(0.85) * t24,
-           t7,
-           Scalar(0.425) * t25,
-           Scalar(0.425) * (t26 + t28),
-           Scalar(0.425) * t29,
-           Scalar(0.425) * t30,
-           Scalar(0.85) * t31,
-           Scalar(0.425) * t24,
-           (t32 - (inertia.I4xy - inertia.c4y * t24)) - t32,
-           Scalar(2) * t33,
-           t38,
-           t39 - (t39 - (inertia.I4yz - inertia.c4z * t14)),
-           t41 - t42,
-           Scalar(2) * t43,
-           t43,
-           t42,
-           t41,
-           (inertia.I6yz - inertia.c6z * t29) - Scalar(0.0823) * t29,
-           (inertia.I6xz - inertia.c6z * t30) - Scalar(0.0823) * t30,
-           inertia.c5x * t25 - (inertia.I5xx - t34),
-           inertia.I5xz - inertia.c5z * t25,
-           t44 - (t44 + (inertia.I5xy - inertia.c5y * t25)),
-           ((inertia.I5yz - inertia.c5z * t19) + t45) - t45,
-           (inertia.c5z * t26 - (inertia.I5zz - t34)) + t46,
-           Scalar(2) * t47,
-           inertia.I3yz - inertia.c3z * t31,
-           Scalar(2) * t48,
-           t50,
-           Scalar(0.10915) * t6 + t51,
-           Scalar(0.425) * t31,
+  const Scalar t0 = inertia.c5x * inertia.m5;
+  const Scalar t1 = inertia.c5z * inertia.m5;
+  const Scalar t2 = inertia.c6z * inertia.m6;
+  const Scalar t3 = Scalar(0.0823) * inertia.m6 + t2;
+  const Scalar t4 = inertia.c6y * inertia.m6;
+  const Scalar t5 = inertia.c6x * inertia.m6;
+  const Scalar t6 = inertia.m5 + inertia.m6;
+  const Scalar t7 = Scalar(0.09465) * inertia.m5;
+  const Scalar t8 = inertia.c5y * inertia.m5;
+  const Scalar t9 = t8 - t7;
+  const Scalar t10 = t7 + t9;
+  const Scalar t11 = Scalar(0.09465) * t6 - t10;
+  const Scalar t12 = inertia.c4z * inertia.m4;
+  const Scalar t13 = inertia.c4x * inertia.m4;
+  const Scalar t14 = inertia.m4 + t6;
+  const Scalar t15 = inertia.c3x * inertia.m3;
+  const Scalar t16 = Scalar(0.39225) * inertia.m3 - t15;
+  const Scalar t17 = Scalar(0.39225) * t14 + t16;
+  const Scalar t18 = Scalar(0.46048438495857236) * t17;
+  const Scalar t19 = Scalar(0.09465) * t0;
+  const Scalar t20 = Scalar(0.09465) * t1;
+  const Scalar t21 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t22 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t23 = (inertia.c6z * t2 - (inertia.I6zz - t22)) + Scalar(0.0823) * (t3 + t2);
+  const Scalar t24 = inertia.I6xy - inertia.c6y * t5;
+  const Scalar t25 = (inertia.I6xx - t22) - inertia.c6x * t5;
+  const Scalar t26 = (inertia.I6yy - t22) - inertia.c6y * t4;
+  const Scalar t27 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t28 = (inertia.I4xx - t27) - inertia.c4x * t13;
+  const Scalar t29 = inertia.I4xz - inertia.c4z * t13;
+  const Scalar t30 = Scalar(0.10915) * t12;
+  const Scalar t31 = inertia.c4y * inertia.m4;
+  const Scalar t32 = Scalar(0.10915) * t13;
+  const Scalar t33 = Scalar(0.09465) * (t8 + t9) - (inertia.c5y * t8 - (inertia.I5yy - t21));
+  const Scalar t34 = Scalar(0.09465) * (t11 - t10) + (Scalar(0.09465) * (t10 + t9) - t33);
+  const Scalar t35 = t34 - ((inertia.I4zz - t27) - inertia.c4z * t12);
+  const Scalar t36 = inertia.c3y * inertia.m3;
+  const Scalar t37 = (inertia.I3xy - inertia.c3y * t15) + Scalar(0.39225) * t36;
+  const Scalar t38 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t39 = (inertia.c3x * t15 - (inertia.I3xx - t38)) + Scalar(0.39225) * (t16 - t15);
+  const Scalar t40 = (Scalar(0.1538600625) * t14 + t39) - Scalar(0.39225) * t17;
+  const Scalar t41 = Scalar(0.10915) * inertia.m4;
+  const Scalar t42 = (t41 - (t41 + t31)) - Scalar(0.10915) * t14;
+  const Scalar t43 = inertia.c3z * inertia.m3;
+  const Scalar t44 = Scalar(0.39225) * t42 - (Scalar(0.39225) * t43 + (inertia.I3xz - inertia.c3z * t15));
+  const Scalar t45 = (inertia.I3yy - t38) - inertia.c3y * t36;
+  const Scalar t46 = inertia.c2x * inertia.m2;
+  const Scalar t47 = (inertia.I2xz - inertia.c2z * t46) + Scalar(0.425) * inertia.c2z * inertia.m2;
+  const Scalar t48 = Scalar(0.11826322498406629) * t17 - (Scalar(0.425) * (t43 - t42) + t47);
+  const Scalar t49 = inertia.c2y * inertia.m2;
+  const Scalar t50 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t51 = Scalar(0.425) * (t46 - (Scalar(0.425) * inertia.m2 - t46))
+      - (inertia.c2x * t46 - (inertia.I2xx - t50));
+  const Scalar t52 = ((inertia.I2yy - t50) - inertia.c2y * t49) - (t18 + (t51 - Scalar(0.180625) * (inertia.m3 + t14)));
+  const Scalar t53 = Scalar(0.425) * t49 + (inertia.I2xy - inertia.c2y * t46);
+  return { Scalar(0.425) * t0,
+           Scalar(0.425) * (t1 + t3),
+           Scalar(0.425) * t4,
+           Scalar(0.425) * t5,
+           Scalar(0.425) * (t11 + t12),
+           Scalar(0.85) * t13,
+           t18,
+           t19 - (t19 + (inertia.I5xy - inertia.c5y * t0)),
+           ((inertia.I5yz - inertia.c5z * t8) + t20) - t20,
+           inertia.I5xz - inertia.c5z * t0,
+           (inertia.c5z * t1 - (inertia.I5zz - t21)) + t23,
+           inertia.c5x * t0 - (inertia.I5xx - t21),
+           (inertia.I6yz - inertia.c6z * t4) - Scalar(0.0823) * t4,
+           (inertia.I6xz - inertia.c6z * t5) - Scalar(0.0823) * t5,
+           Scalar(2) * t24,
+           t25 - t26,
+           t24,
+           t25,
+           Scalar(0.425) * t13,
+           Scalar(2) * t28,
+           Scalar(2) * t29,
+           t30 - (t30 - (inertia.I4yz - inertia.c4z * t31)),
+           (t32 - (inertia.I4xy - inertia.c4y * t13)) - t32,
+           t26,
+           t35,
+           Scalar(2) * t37,
+           Scalar(2) * t40,
+           inertia.I3yz - inertia.c3z * t36,
+           Scalar(0.10915) * t17 + t44,
+           Scalar(2) * t45,
+           Scalar(0.425) * t36,
+           Scalar(0.85) * t36,
+           t48,
+           inertia.I2yz - inertia.c2z * t49,
+           t52,
            Scalar(2) * t53,
-           t38 + t47,
-           t33,
-           t50 + t53,
-           t48 };
+           t53,
+           t37,
+           t45 + t40,
+           t29,
+           t35 + t28 };
 }
 
 namespace detail {
@@ -516,137 +526,133 @@ inline JointVector<Scalar> coriolis_torque([[maybe_unused]] const JointVector<Sc
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[2] + c2 * (k[0] * s2 - k[1] * c2);
-  const Scalar t1 = qd[0] * qd[1];
-  const Scalar t2 = t1 + t1;
-  const Scalar t3 = qd[1] * qd[1];
-  const Scalar t4 = t0 * t2 + t3 * (k[3] * c2 + k[4] * s2);
-  const Scalar t5 = qd[1] + qd[2];
-  const Scalar t6 = s2 * s3;
-  const Scalar t7 = t6 - c2 * c3;
-  const Scalar t8 = qd[0] * t7;
-  const Scalar t9 = t5 * t8;
-  const Scalar t10 = s2 * t2;
-  const Scalar t11 = c3 * s2;
-  const Scalar t12 = t11 + c2 * s3;
-  const Scalar t13 = qd[0] * t12;
-  const Scalar t14 = t13 * t5;
-  const Scalar t15 = qd[0] * qd[0];
-  const Scalar t16 = (t10 + Scalar(1.8458823529411765) * t14) + Scalar(0.25682352941176473) * t15;
-  const Scalar t17 = qd[3] + t5;
-  const Scalar t18 = c4 * t8 + s4 * t13;
-  const Scalar t19 = t17 * t18;
-  const Scalar t20 = t19 + t19;
-  const Scalar t21 = s4 * t8 - c4 * t13;
-  const Scalar t22 = t17 * t21;
-  const Scalar t23 = k[7] * t16 - (k[5] * t20 - k[6] * t22);
-  const Scalar t24 = t21 * t18;
-  const Scalar t25 = s5 * t20 - c5 * t24;
-  const Scalar t26 = k[11] * s6 + k[10] * c6;
-  const Scalar t27 = c5 * t17 + s5 * t21;
-  const Scalar t28 = qd[5] + t27;
-  const Scalar t29 = t28 * t28;
-  const Scalar t30 = qd[4] + t18;
+  const Scalar t0 = s2 * s3 - c2 * c3;
+  const Scalar t1 = c3 * s2 + c2 * s3;
+  const Scalar t2 = qd[0] * t1;
+  const Scalar t3 = t2 * t2;
+  const Scalar t4 = qd[1] + qd[2];
+  const Scalar t5 = t4 * t4;
+  const Scalar t6 = t3 - t5;
+  const Scalar t7 = qd[0] * t0;
+  const Scalar t8 = t2 * t7;
+  const Scalar t9 = t2 * t4;
+  const Scalar t10 = t4 * t7;
+  const Scalar t11 = (k[28] * t6 + k[27] * t8) - (k[26] * t9 + k[25] * t10);
+  const Scalar t12 = qd[0] * c2;
+  const Scalar t13 = qd[0] * s2 * t12;
+  const Scalar t14 = qd[1] * qd[1];
+  const Scalar t15 = t14 + t12 * t12;
+  const Scalar t16 = (c3 * t13 + s3 * t15) - Scalar(0.9229411764705883) * t8;
+  const Scalar t17 = t3 + t5;
+  const Scalar t18 = qd[0] * qd[0];
+  const Scalar t19 = t18 - t17;
+  const Scalar t20 = t19 - t6;
+  const Scalar t21 = c3 * t15 - s3 * t13;
+  const Scalar t22 = Scalar(0.9229411764705883) * (t17 + t20) + t21;
+  const Scalar t23 = s4 * t16 - c4 * t22;
+  const Scalar t24 = s4 * t7 - c4 * t2;
+  const Scalar t25 = c4 * t7 + s4 * t2;
+  const Scalar t26 = t24 * t25;
+  const Scalar t27 = t24 * t24;
+  const Scalar t28 = (t18 - t27) - t27;
+  const Scalar t29 = qd[3] + t4;
+  const Scalar t30 = c5 * t29 + s5 * t24;
   const Scalar t31 = t30 * t30;
-  const Scalar t32 = t29 + t31;
-  const Scalar t33 = k[10] * s6 - k[11] * c6;
-  const Scalar t34 = c5 * t21 - s5 * t17;
-  const Scalar t35 = t27 * t34;
-  const Scalar t36 = t22 - t35;
-  const Scalar t37 = t29 - t34 * t34;
-  const Scalar t38 = t29 - t31;
-  const Scalar t39 = t37 - t38;
-  const Scalar t40 = t17 * t17;
-  const Scalar t41 = t21 * t21;
-  const Scalar t42 = t40 + t41;
-  const Scalar t43 = (t25 * t26 - t32 * t33) - (k[9] * t36 - k[8] * (t39 + t42));
-  const Scalar t44 = t22 + t35;
-  const Scalar t45 = t39 - t32;
-  const Scalar t46 = t45 + t38;
-  const Scalar t47 = t28 * t30;
-  const Scalar t48 = c5 * t20 + s5 * t24;
-  const Scalar t49 = t27 * t30;
-  const Scalar t50 = (t48 - t49) - t49;
-  const Scalar t51 = t47 + (t47 + t50);
-  const Scalar t52 = t28 * t34;
-  const Scalar t53 = (t36 + t52) + t52;
-  const Scalar t54 = (k[8] * t44 - k[9] * t46) + (t26 * t51 - t33 * t53);
-  const Scalar t55 = s5 * t43 + c5 * t54;
-  const Scalar t56 = t23 + t55;
-  const Scalar t57 = t5 * t5;
-  const Scalar t58 = t8 * t8;
-  const Scalar t59 = t57 - t58;
-  const Scalar t60 = k[31] * t59 - (k[33] * Scalar(2) * t9 - k[32] * t14);
-  const Scalar t61 = t13 * t8;
-  const Scalar t62 = k[24] * c6 - k[23] * s6;
-  const Scalar t63 = t25 + Scalar(2) * t34 * t30;
-  const Scalar t64 = k[19] * c6 + k[18] * s6;
-  const Scalar t65 = k[20] - c6 * t64;
-  const Scalar t66 = s6 * t64;
-  const Scalar t67 = k[21] + t66;
-  const Scalar t68 = k[23] * c6 + k[24] * s6;
-  const Scalar t69 = (t65 * t53 - t67 * t51) + t68 * t38;
-  const Scalar t70 = t16 - Scalar(0.44541176470588234) * t19;
-  const Scalar t71 = qd[0] * c2;
-  const Scalar t72 = t3 + t71 * t71;
-  const Scalar t73 = (t71 * qd[0] * t11 + s3 * t72) - Scalar(0.9229411764705883) * t61;
-  const Scalar t74 = qd[0] * t6 * t71 - c3 * t72;
-  const Scalar t75 = t57 + t58;
-  const Scalar t76 = t74 - Scalar(0.9229411764705883) * t75;
-  const Scalar t77 = s4 * t73 + c4 * t76;
-  const Scalar t78 = t77 + Scalar(0.22270588235294117) * t24;
-  const Scalar t79 = c5 * t70 - s5 * t78;
-  const Scalar t80 = t42 + t46;
-  const Scalar t81 = (k[29] * t50 - k[26] * t63) + k[28] * t80;
-  const Scalar t82 = s4 * t76 - c4 * t73;
-  const Scalar t83 = Scalar(0.22270588235294117) * t42 + t82;
-  const Scalar t84 = ((t62 * t63 - t69) - t79 * t26) - ((k[27] * t44 + t81) + k[9] * t83);
-  const Scalar t85 = k[22] - t66;
-  const Scalar t86 = (t25 * t67 + t63 * t85) - t39 * t65;
-  const Scalar t87 = s5 * t70 + c5 * t78;
-  const Scalar t88 = (t86 - (t36 * t68 - t62 * t50)) + (t33 * t83 - t26 * t87);
-  const Scalar t89 = (k[25] * t63 - k[26] * t50) + (k[28] * t36 + k[27] * t39);
-  const Scalar t90 = t88 - (k[8] * t83 + t89);
-  const Scalar t91 = (c5 * t84 + s5 * t90) + Scalar(0.22270588235294117) * t55;
-  const Scalar t92 = t40 - t41;
-  const Scalar t93 = t15 + t92;
-  const Scalar t94 = t42 - t93;
-  const Scalar t95 = (k[16] * t20 + k[15] * t22) - k[17] * (t92 + t94);
-  const Scalar t96 = t91 - ((t95 + k[14] * t24) - k[5] * t16);
-  const Scalar t97 = k[7] * t82 + (k[13] * t24 + k[5] * t42);
-  const Scalar t98 = (k[8] * t63 + k[9] * t50) - (t63 * t33 - t45 * t26);
-  const Scalar t99 = t97 + t98;
-  const Scalar t100 = t96 - Scalar(0.25682352941176473) * t99;
-  const Scalar t101 = k[7] * t77 + (k[13] * t93 + k[5] * t24);
-  const Scalar t102 = c5 * t43 - s5 * t54;
-  const Scalar t103 = t101 + t102;
-  const Scalar t104 = (k[15] * t19 - k[30] * t22) + (k[17] * t24 - k[14] * t92);
-  const Scalar t105 = (t53 * t85 - t65 * t51) - (t25 * t68 + t62 * t37);
-  const Scalar t106 = k[26] * (t39 + t80) + (k[29] * t36 + k[25] * t44);
-  const Scalar t107 = (k[9] * t87 - k[8] * t79) - ((k[28] * t25 + k[27] * t48) + t106);
-  const Scalar t108 = (t105 + t33 * t79) + t107;
-  const Scalar t109 = Scalar(0.25682352941176473) * t103 - ((k[13] * t16 + t104) - t108);
-  const Scalar t110 = ((t60 - k[34] * t61) + k[35] * t10) - (c4 * t100 + s4 * t109);
-  const Scalar t111 = t15 - t75;
-  const Scalar t112 = (k[36] * t14 + k[32] * t9) - (k[31] * t61 + k[34] * t111);
-  const Scalar t113 = Scalar(0.9229411764705883) * t56 - (s4 * t100 - c4 * t109);
-  const Scalar t114 = c2 * (k[12] * t9 + t56) + (t12 * t110 - (t112 + t113) * t7);
-  const Scalar t115 = c4 * t99 - s4 * t103;
-  const Scalar t116 = t59 + t111;
-  const Scalar t117 = (c4 * t103 + s4 * t99) + k[35] * t61;
-  const Scalar t118 = c3 * (t115 - k[35] * (t75 + t116)) - s3 * t117;
-  const Scalar t119 = Scalar(0.22270588235294117) * t102 + (c5 * t90 - s5 * t84);
-  const Scalar t120 = (k[13] * t82 - k[5] * t77) - (k[37] * t24 + k[38] * t94);
-  const Scalar t121 = t119 - t120;
-  const Scalar t122 = (k[39] * t61 - k[40] * t116) - k[35] * t74;
-  const Scalar t123 = (t121 + Scalar(0.9229411764705883) * t115) + t122;
+  const Scalar t32 = c5 * t24;
+  const Scalar t33 = t32 - s5 * t29;
+  const Scalar t34 = t33 * t33;
+  const Scalar t35 = t31 + t34;
+  const Scalar t36 = t28 + t35;
+  const Scalar t37 = k[6] * t23 + (k[4] * t26 + k[18] * t36);
+  const Scalar t38 = t29 * t24;
+  const Scalar t39 = t30 * t33;
+  const Scalar t40 = t38 + t39;
+  const Scalar t41 = qd[4] + t25;
+  const Scalar t42 = t41 * t41;
+  const Scalar t43 = t42 + t34;
+  const Scalar t44 = t38 - t39;
+  const Scalar t45 = qd[5] + t30;
+  const Scalar t46 = t44 + Scalar(2) * t45 * t33;
+  const Scalar t47 = k[2] * s6 - k[3] * c6;
+  const Scalar t48 = k[2] * c6 + k[3] * s6;
+  const Scalar t49 = t41 + t41;
+  const Scalar t50 = t29 * t25;
+  const Scalar t51 = t50 + t50;
+  const Scalar t52 = c5 * t51 + s5 * t26;
+  const Scalar t53 = t30 * t49 - t52;
+  const Scalar t54 = t53 - t45 * t49;
+  const Scalar t55 = (k[0] * t40 + k[1] * t43) - (t46 * t47 + t48 * t54);
+  const Scalar t56 = t32 * t25 - s5 * t51;
+  const Scalar t57 = t45 * t45;
+  const Scalar t58 = t57 - t34;
+  const Scalar t59 = t31 + t42;
+  const Scalar t60 = (t48 * t56 + (t58 + t43) * t47) + (k[1] * t44 - k[0] * t59);
+  const Scalar t61 = s5 * t55 + c5 * t60;
+  const Scalar t62 = t37 - t61;
+  const Scalar t63 = Scalar(2) * qd[0] * qd[1];
+  const Scalar t64 = s2 * t63;
+  const Scalar t65 = Scalar(0.25682352941176473) * t18 + (t64 + Scalar(1.8458823529411765) * t9);
+  const Scalar t66 = (k[20] * t50 - k[19] * t38) + (k[22] * (t18 - t36) + k[21] * t26);
+  const Scalar t67 = k[15] * s6 + k[14] * c6;
+  const Scalar t68 = s6 * t67;
+  const Scalar t69 = k[17] - t68;
+  const Scalar t70 = k[16] - c6 * t67;
+  const Scalar t71 = k[13] * s6 + k[12] * c6;
+  const Scalar t72 = k[13] * c6 - k[12] * s6;
+  const Scalar t73 = (t69 * t46 + t54 * t70) + (t71 * t56 - t58 * t72);
+  const Scalar t74 = Scalar(0.22270588235294117) * t26 + t23;
+  const Scalar t75 = t65 - Scalar(0.22270588235294117) * t51;
+  const Scalar t76 = s5 * t74 - c5 * t75;
+  const Scalar t77 = (k[10] * t44 + k[11] * t40) + k[9] * (t59 - t43);
+  const Scalar t78 = s5 * t75 + c5 * t74;
+  const Scalar t79 = (t77 + (k[7] * t52 - k[8] * t56)) - (k[1] * t78 + k[0] * t76);
+  const Scalar t80 = (t73 - t76 * t47) - t79;
+  const Scalar t81 = Scalar(0.25682352941176473) * t62 - ((k[18] * t65 + t66) - t80);
+  const Scalar t82 = s4 * t22 + c4 * t16;
+  const Scalar t83 = t82 - Scalar(0.22270588235294117) * t35;
+  const Scalar t84 = t33 * t41;
+  const Scalar t85 = (t84 - t56) + t84;
+  const Scalar t86 = (k[10] * t53 + k[9] * t85) + k[8] * (t43 - t35);
+  const Scalar t87 = t57 - t42;
+  const Scalar t88 = k[23] + t68;
+  const Scalar t89 = t71 * t87 + (t70 * t46 + t54 * t88);
+  const Scalar t90 = (k[1] * t83 - (k[7] * t40 - t86)) + (t48 * t76 + (t72 * t85 - t89));
+  const Scalar t91 = t58 - t87;
+  const Scalar t92 = (k[11] * t85 + k[9] * t53) + (k[8] * t44 + k[7] * t91);
+  const Scalar t93 = (t56 * t88 - t85 * t69) + t91 * t70;
+  const Scalar t94 = (t48 * t78 + t83 * t47) + (t93 + (t71 * t44 + t53 * t72));
+  const Scalar t95 = (t92 - k[0] * t83) + t94;
+  const Scalar t96 = s5 * t60 - c5 * t55;
+  const Scalar t97 = (c5 * t90 - s5 * t95) - Scalar(0.22270588235294117) * t96;
+  const Scalar t98 = (k[24] * t51 + k[20] * t38) + k[21] * (t18 - t35);
+  const Scalar t99 = t97 + (k[4] * t65 - (k[22] * t26 + t98));
+  const Scalar t100 = (k[4] * t35 + k[18] * t26) - k[6] * t82;
+  const Scalar t101 = (k[0] * t85 - k[1] * t53) - (t85 * t47 + t48 * (t43 + t87));
+  const Scalar t102 = t100 + t101;
+  const Scalar t103 = t99 - Scalar(0.25682352941176473) * t102;
+  const Scalar t104 = (k[4] * t51 - k[5] * t38) - k[6] * t65;
+  const Scalar t105 = t104 + t96;
+  const Scalar t106 = (c4 * t81 - s4 * t103) - Scalar(0.9229411764705883) * t105;
+  const Scalar t107 = k[27] * t19 + (k[29] * t10 - k[25] * t9);
+  const Scalar t108 = (c4 * t103 + s4 * t81) + ((k[28] * t8 + t107) - k[30] * t64);
+  const Scalar t109 = (t0 * (t11 - t106) - t108 * t1) - c2 * (t105 - k[31] * t10);
+  const Scalar t110 = k[36] - c2 * (k[35] * c2 - k[34] * s2);
+  const Scalar t111 = t110 * t63 + t14 * (k[33] * s2 + k[32] * c2);
+  const Scalar t112 = (s4 * t102 + c4 * t62) + k[30] * t8;
+  const Scalar t113 = s4 * t62 - c4 * t102;
+  const Scalar t114 = s3 * t112 + c3 * (k[30] * t17 + t113);
+  const Scalar t115 = (k[37] * t20 + k[38] * t8) + k[30] * t21;
+  const Scalar t116 = (k[40] * t26 - k[39] * t28) + (k[18] * t82 + k[4] * t23);
+  const Scalar t117 = Scalar(0.22270588235294117) * t61 + (s5 * t90 + c5 * t95);
+  const Scalar t118 = t116 - t117;
+  const Scalar t119 = t115 + (t118 - Scalar(0.9229411764705883) * t113);
   JointVector<Scalar> result;
-  result[0] = -t4 - t114;
-  result[1] = t0 * t15 - (t118 + t123);
-  result[2] = -t123;
-  result[3] = -t121;
-  result[4] = t108;
-  result[5] = -t88;
+  result[0] = -t109 - t111;
+  result[1] = t110 * t18 + (t114 - t119);
+  result[2] = -t119;
+  result[3] = -t118;
+  result[4] = t80;
+  result[5] = t94;
   return result;
 }
 
@@ -679,90 +685,90 @@ MassMatrixConstants<Scalar> mass_matrix_constants([[maybe_unused]] const BasicGe
   const Scalar t4 = inertia.c6y * inertia.m6;
   const Scalar t5 = inertia.c6x * inertia.m6;
   const Scalar t6 = inertia.c5x * inertia.m5;
-  const Scalar t7 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t8 = (inertia.I6xx - t7) - inertia.c6x * t5;
-  const Scalar t9 = (inertia.I6yy - t7) - inertia.c6y * t4;
-  const Scalar t10 = inertia.I6xy - inertia.c6y * t5;
-  const Scalar t11 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t12 = (inertia.c6z * t1 - (inertia.I6zz - t7)) + Scalar(0.0823) * (t2 + t1);
-  const Scalar t13 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t14 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t15 = inertia.c3z * inertia.m3;
-  const Scalar t16 = inertia.c4y * inertia.m4;
-  const Scalar t17 = Scalar(0.10915) * inertia.m4;
-  const Scalar t18 = t17 + t16;
-  const Scalar t19 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t20 = Scalar(0.10915) * (t16 + t18) - ((inertia.I4yy - t19) - inertia.c4y * t16);
-  const Scalar t21 = t17 - t18;
-  const Scalar t22 = inertia.m5 + inertia.m6;
-  const Scalar t23 = inertia.m4 + t22;
-  const Scalar t24 = t21 - Scalar(0.10915) * t23;
-  const Scalar t25 = (t20 - Scalar(0.10915) * (t18 - t21)) - Scalar(0.10915) * (t21 + t24);
-  const Scalar t26 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t27 = inertia.c2z * inertia.m2;
-  const Scalar t28 = (((inertia.I3zz - t14) - inertia.c3z * t15) - t25) + ((inertia.I2zz - t26) - inertia.c2z * t27);
-  const Scalar t29 = (inertia.c1z * inertia.c1z * inertia.m1 - (inertia.I1zz - t13)) - t28;
-  const Scalar t30 = inertia.c4x * inertia.m4;
-  const Scalar t31 = Scalar(0.09465) * inertia.m5;
-  const Scalar t32 = inertia.c5y * inertia.m5;
-  const Scalar t33 = t32 - t31;
-  const Scalar t34 = t31 + t33;
-  const Scalar t35 = Scalar(0.09465) * t22 - t34;
-  const Scalar t36 = inertia.c4z * inertia.m4;
-  const Scalar t37 = inertia.c3y * inertia.m3;
-  const Scalar t38 = inertia.c3x * inertia.m3;
-  const Scalar t39 = Scalar(0.39225) * inertia.m3 - t38;
-  const Scalar t40 = Scalar(0.09465) * (t32 + t33) - (inertia.c5y * t32 - (inertia.I5yy - t11));
-  const Scalar t41 = Scalar(0.09465) * (t35 - t34) + (Scalar(0.09465) * (t34 + t33) - t40);
-  const Scalar t42 = Scalar(0.09465) * t6;
-  const Scalar t43 = Scalar(0.09465) * t0;
-  const Scalar t44 = (inertia.c3x * t38 - (inertia.I3xx - t14)) + Scalar(0.39225) * (t39 - t38);
-  const Scalar t45 = inertia.c2y * inertia.m2;
-  const Scalar t46 = inertia.c2x * inertia.m2;
-  const Scalar t47 = Scalar(0.425) * (t46 - (Scalar(0.425) * inertia.m2 - t46))
-      - (inertia.c2x * t46 - (inertia.I2xx - t26));
-  const Scalar t48 = Scalar(0.10915) * t30;
-  const Scalar t49 = Scalar(0.10915) * t36;
-  const Scalar t50 = Scalar(0.39225) * t24 - (Scalar(0.39225) * t15 + (inertia.I3xz - inertia.c3z * t38));
-  const Scalar t51 = Scalar(0.425) * (t15 - t24) + ((inertia.I2xz - inertia.c2z * t46) + Scalar(0.425) * t27);
+  const Scalar t7 = inertia.c4x * inertia.m4;
+  const Scalar t8 = inertia.m5 + inertia.m6;
+  const Scalar t9 = Scalar(0.09465) * inertia.m5;
+  const Scalar t10 = inertia.c5y * inertia.m5;
+  const Scalar t11 = t10 - t9;
+  const Scalar t12 = t9 + t11;
+  const Scalar t13 = Scalar(0.09465) * t8 - t12;
+  const Scalar t14 = inertia.c4z * inertia.m4;
+  const Scalar t15 = inertia.m4 + t8;
+  const Scalar t16 = inertia.c3x * inertia.m3;
+  const Scalar t17 = Scalar(0.39225) * inertia.m3 - t16;
+  const Scalar t18 = inertia.c3y * inertia.m3;
+  const Scalar t19 = inertia.I6xy - inertia.c6y * t5;
+  const Scalar t20 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t21 = (inertia.I6xx - t20) - inertia.c6x * t5;
+  const Scalar t22 = (inertia.I6yy - t20) - inertia.c6y * t4;
+  const Scalar t23 = Scalar(0.09465) * t6;
+  const Scalar t24 = Scalar(0.09465) * t0;
+  const Scalar t25 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t26 = Scalar(0.09465) * (t10 + t11) - (inertia.c5y * t10 - (inertia.I5yy - t25));
+  const Scalar t27 = Scalar(0.09465) * (t13 - t12) + (Scalar(0.09465) * (t12 + t11) - t26);
+  const Scalar t28 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t29 = (inertia.c6z * t1 - (inertia.I6zz - t20)) + Scalar(0.0823) * (t2 + t1);
+  const Scalar t30 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t31 = (inertia.c3x * t16 - (inertia.I3xx - t30)) + Scalar(0.39225) * (t17 - t16);
+  const Scalar t32 = inertia.c2y * inertia.m2;
+  const Scalar t33 = inertia.c2x * inertia.m2;
+  const Scalar t34 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t35 = Scalar(0.425) * (t33 - (Scalar(0.425) * inertia.m2 - t33))
+      - (inertia.c2x * t33 - (inertia.I2xx - t34));
+  const Scalar t36 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t37 = inertia.c3z * inertia.m3;
+  const Scalar t38 = inertia.c4y * inertia.m4;
+  const Scalar t39 = Scalar(0.10915) * inertia.m4;
+  const Scalar t40 = t39 + t38;
+  const Scalar t41 = Scalar(0.10915) * (t38 + t40) - ((inertia.I4yy - t28) - inertia.c4y * t38);
+  const Scalar t42 = t39 - t40;
+  const Scalar t43 = t42 - Scalar(0.10915) * t15;
+  const Scalar t44 = (t41 - Scalar(0.10915) * (t40 - t42)) - Scalar(0.10915) * (t42 + t43);
+  const Scalar t45 = inertia.c2z * inertia.m2;
+  const Scalar t46 = (((inertia.I3zz - t30) - inertia.c3z * t37) - t44) + ((inertia.I2zz - t34) - inertia.c2z * t45);
+  const Scalar t47 = (inertia.c1z * inertia.c1z * inertia.m1 - (inertia.I1zz - t36)) - t46;
+  const Scalar t48 = Scalar(0.10915) * t14;
+  const Scalar t49 = Scalar(0.10915) * t7;
+  const Scalar t50 = Scalar(0.39225) * t43 - (Scalar(0.39225) * t37 + (inertia.I3xz - inertia.c3z * t16));
+  const Scalar t51 = Scalar(0.425) * (t37 - t43) + ((inertia.I2xz - inertia.c2z * t33) + Scalar(0.425) * t45);
   return { Scalar(0.425) * t3,
            Scalar(0.425) * t4,
            Scalar(0.425) * t5,
            Scalar(0.425) * t6,
-           t8 - t9,
-           Scalar(2) * t10,
-           t9,
-           t8 + t9,
-           inertia.c5x * t6 - (inertia.I5xx - t11),
-           (inertia.c5z * t0 - (inertia.I5zz - t11)) + t12,
+           Scalar(0.425) * t7,
+           Scalar(0.425) * (t13 + t14),
+           Scalar(0.425) * (Scalar(0.39225) * t15 + t17),
+           Scalar(0.425) * t18,
+           Scalar(2) * t19,
+           t21 - t22,
+           t19,
+           t23 - (t23 + (inertia.I5xy - inertia.c5y * t6)),
            (inertia.I6yz - inertia.c6z * t4) - Scalar(0.0823) * t4,
            (inertia.I6xz - inertia.c6z * t5) - Scalar(0.0823) * t5,
-           inertia.I5xz - inertia.c5z * t6,
-           t29,
-           Scalar(0.425) * t30,
-           Scalar(0.425) * (t35 + t36),
-           Scalar(0.425) * t37,
-           Scalar(0.425) * (Scalar(0.39225) * t23 + t39),
-           t41 - ((inertia.I4zz - t19) - inertia.c4z * t36),
-           (inertia.I4xx - t19) - inertia.c4x * t30,
-           t10,
-           t42 - (t42 + (inertia.I5xy - inertia.c5y * t6)),
-           ((inertia.I5yz - inertia.c5z * t32) + t43) - t43,
+           ((inertia.I5yz - inertia.c5z * t10) + t24) - t24,
            Scalar(0.09465) * t3,
-           inertia.I4xz - inertia.c4z * t30,
-           (inertia.I3xy - inertia.c3y * t38) + Scalar(0.39225) * t37,
-           (inertia.I3yy - t14) - inertia.c3y * t37,
-           Scalar(0.1538600625) * t23 + t44,
-           Scalar(0.425) * t45 + (inertia.I2xy - inertia.c2y * t46),
-           (inertia.I2yy - t26) - inertia.c2y * t45,
-           t47 - Scalar(0.180625) * (inertia.m3 + t23),
-           inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t13),
-           (t48 - (inertia.I4xy - inertia.c4y * t30)) - t48,
-           t49 - (t49 - (inertia.I4yz - inertia.c4z * t16)),
-           inertia.I3yz - inertia.c3z * t37,
+           inertia.I4xz - inertia.c4z * t7,
+           t21,
+           t21 + t22,
+           t27 - ((inertia.I4zz - t28) - inertia.c4z * t14),
+           inertia.c5x * t6 - (inertia.I5xx - t25),
+           (inertia.c5z * t0 - (inertia.I5zz - t25)) + t29,
+           inertia.I5xz - inertia.c5z * t6,
+           (inertia.I4xx - t28) - inertia.c4x * t7,
+           (inertia.I3xy - inertia.c3y * t16) + Scalar(0.39225) * t18,
+           (inertia.I3yy - t30) - inertia.c3y * t18,
+           Scalar(0.1538600625) * t15 + t31,
+           Scalar(0.425) * t32 + (inertia.I2xy - inertia.c2y * t33),
+           (inertia.I2yy - t34) - inertia.c2y * t32,
+           t35 - Scalar(0.180625) * (inertia.m3 + t15),
+           inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t36),
+           t47,
+           t48 - (t48 - (inertia.I4yz - inertia.c4z * t38)),
+           (t49 - (inertia.I4xy - inertia.c4y * t7)) - t49,
            t50,
-           inertia.I2yz - inertia.c2z * t45,
-           t51 };
+           inertia.I3yz - inertia.c3z * t18,
+           t51,
+           inertia.I2yz - inertia.c2z * t32 };
 }
 
 namespace detail {
@@ -780,106 +786,106 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointV
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[1] * c6 + k[2] * s6;
-  const Scalar t1 = k[15] - t0;
-  const Scalar t2 = k[2] * c6 - k[1] * s6;
-  const Scalar t3 = k[3] + t2;
-  const Scalar t4 = k[0] * s5 - c5 * t3;
-  const Scalar t5 = k[14] - t4;
-  const Scalar t6 = c4 * t1 - s4 * t5;
-  const Scalar t7 = k[16] - t6;
-  const Scalar t8 = c4 * t5 + s4 * t1;
-  const Scalar t9 = k[17] - t8;
-  const Scalar t10 = Scalar(0.9229411764705883) * t8;
-  const Scalar t11 = Scalar(0.22270588235294117) * t0;
-  const Scalar t12 = k[5] * c6 + k[4] * s6;
-  const Scalar t13 = k[6] + s6 * t12;
-  const Scalar t14 = k[18] - ((t11 + t11) + t13);
-  const Scalar t15 = k[8] - (k[7] - t13);
-  const Scalar t16 = k[11] * c6 - k[10] * s6;
-  const Scalar t17 = k[12] + t16;
-  const Scalar t18 = c5 * t17;
-  const Scalar t19 = s5 * (k[9] - t15) + (t18 + t18);
-  const Scalar t20 = s5 * t19;
-  const Scalar t21 = k[19] - (t15 + t20);
-  const Scalar t22 = t14 - t21;
-  const Scalar t23 = k[11] * s6 + k[10] * c6;
-  const Scalar t24 = k[23] + (k[22] + t23);
-  const Scalar t25 = (k[21] + (k[20] - c6 * t12)) - Scalar(0.22270588235294117) * t3;
-  const Scalar t26 = s5 * t24 + c5 * t25;
-  const Scalar t27 = k[24] + t26;
-  const Scalar t28 = c4 * t27;
-  const Scalar t29 = s4 * (t14 + t21) - (t28 + t28);
-  const Scalar t30 = t14 - s4 * t29;
-  const Scalar t31 = k[27] - ((t10 + t10) - (t22 - t30));
-  const Scalar t32 = k[26] - t30;
-  const Scalar t33 = k[25] - (Scalar(0.9229411764705883) * t6 - (c4 * t29 + t27));
-  const Scalar t34 = s3 * (t31 + t32) - Scalar(2) * c3 * t33;
-  const Scalar t35 = (c3 * t7 - s3 * t9) - (c3 * t34 + t33);
-  const Scalar t36 = c2 * (k[28] + t35);
-  const Scalar t37 = s3 * t34;
-  const Scalar t38 = t37 - t32;
-  const Scalar t39 = k[29] - t38;
-  const Scalar t40 = c3 * t9 + s3 * t7;
-  const Scalar t41 = t31 - t37;
-  const Scalar t42 = k[30] - (Scalar(2) * t40 + t41);
-  const Scalar t43 = s2 * ((t36 + t36) - s2 * (t39 - t42));
-  const Scalar t44 = s5 * t3 + k[0] * c5;
-  const Scalar t45 = Scalar(0.25682352941176473) * t44;
-  const Scalar t46 = (k[31] + (t43 - t42)) + (k[13] + ((k[9] - t20) + Scalar(2) * t45));
-  const Scalar t47 = s5 * t25 - c5 * t24;
-  const Scalar t48 = Scalar(0.25682352941176473) * t1 - (k[33] + t47);
-  const Scalar t49 = (k[32] - (c5 * t19 - t17)) + Scalar(0.25682352941176473) * t5;
+  const Scalar t0 = k[2] * c6 - k[1] * s6;
+  const Scalar t1 = k[3] + t0;
+  const Scalar t2 = s5 * t1 + k[0] * c5;
+  const Scalar t3 = Scalar(0.25682352941176473) * t2;
+  const Scalar t4 = k[8] * c6 + k[9] * s6;
+  const Scalar t5 = k[17] - s6 * t4;
+  const Scalar t6 = k[20] - t5;
+  const Scalar t7 = k[21] + t6;
+  const Scalar t8 = k[13] * c6 - k[12] * s6;
+  const Scalar t9 = k[22] + t8;
+  const Scalar t10 = c5 * t9;
+  const Scalar t11 = (t10 + t10) + s5 * (k[21] - t6);
+  const Scalar t12 = s5 * t11 + t6;
+  const Scalar t13 = Scalar(0.22270588235294117) * t1 - (k[11] + (k[10] - c6 * t4));
+  const Scalar t14 = k[13] * s6 + k[12] * c6;
+  const Scalar t15 = k[15] + (k[14] + t14);
+  const Scalar t16 = c5 * t13 - s5 * t15;
+  const Scalar t17 = k[16] - t16;
+  const Scalar t18 = c4 * t17;
+  const Scalar t19 = k[1] * c6 + k[2] * s6;
+  const Scalar t20 = Scalar(0.22270588235294117) * t19;
+  const Scalar t21 = k[19] - ((k[18] - t5) + Scalar(2) * t20);
+  const Scalar t22 = k[23] - t12;
+  const Scalar t23 = (t18 + t18) - s4 * (t21 + t22);
+  const Scalar t24 = s4 * t23;
+  const Scalar t25 = k[0] * s5 - c5 * t1;
+  const Scalar t26 = k[4] - t25;
+  const Scalar t27 = k[5] - t19;
+  const Scalar t28 = c4 * t26 + s4 * t27;
+  const Scalar t29 = Scalar(0.9229411764705883) * t28;
+  const Scalar t30 = k[26] - ((t24 + t22) + (t29 + t29));
+  const Scalar t31 = k[25] - (t21 + t24);
+  const Scalar t32 = c4 * t27 - s4 * t26;
+  const Scalar t33 = k[24] - (Scalar(0.9229411764705883) * t32 - (t17 - c4 * t23));
+  const Scalar t34 = s3 * (t31 + t30) - Scalar(2) * c3 * t33;
+  const Scalar t35 = s3 * t34;
+  const Scalar t36 = t30 - t35;
+  const Scalar t37 = k[6] - t28;
+  const Scalar t38 = k[7] - t32;
+  const Scalar t39 = c3 * t37 + s3 * t38;
+  const Scalar t40 = k[29] - (t36 + (t39 + t39));
+  const Scalar t41 = (s3 * t37 - c3 * t38) + (c3 * t34 + t33);
+  const Scalar t42 = c2 * (k[27] - t41);
+  const Scalar t43 = t31 - t35;
+  const Scalar t44 = k[28] + t43;
+  const Scalar t45 = s2 * ((t42 + t42) + s2 * (t40 - t44));
+  const Scalar t46 = (k[31] + ((t3 + t3) + (t7 - t12))) + (k[30] - (t40 - t45));
+  const Scalar t47 = c5 * t15 + s5 * t13;
+  const Scalar t48 = Scalar(0.25682352941176473) * t27 - (k[32] - t47);
+  const Scalar t49 = Scalar(0.25682352941176473) * t26 + (k[33] - (c5 * t11 - t9));
   const Scalar t50 = c4 * t48 - s4 * t49;
-  const Scalar t51 = k[34] + t50;
+  const Scalar t51 = k[35] + t50;
   const Scalar t52 = s4 * t48 + c4 * t49;
-  const Scalar t53 = Scalar(0.9229411764705883) * t44;
-  const Scalar t54 = k[35] + (t52 - t53);
-  const Scalar t55 = c2 * (k[36] + (c3 * t51 - s3 * t54));
-  const Scalar t56 = k[37] + (t44 - (c3 * t54 + s3 * t51));
-  const Scalar t57 = c3 * s2 + c2 * s3;
-  const Scalar t58 = s2 * s3 - c2 * c3;
-  const Scalar t59 = k[9] + t15;
-  const Scalar t60 = t59 + t45;
-  const Scalar t61 = (c4 * t60 - s4 * t26) + Scalar(0.9229411764705883) * t4;
-  const Scalar t62 = t58 * t61 + t57 * (s4 * t60 + c4 * t26);
-  const Scalar t63 = s5 * t0;
-  const Scalar t64 = c5 * t0;
-  const Scalar t65 = Scalar(0.25682352941176473) * t64 - t23;
-  const Scalar t66 = k[7] + t11;
-  const Scalar t67 = Scalar(0.25682352941176473) * t2 - (s5 * t66 + c5 * t16);
-  const Scalar t68 = Scalar(0.9229411764705883) * t63 + (c4 * t65 + s4 * t67);
-  const Scalar t69 = t58 * t68 - (c4 * t67 - s4 * t65) * t57;
-  const Scalar t70 = t38 + t41;
-  const Scalar t71 = t22 - t10;
-  const Scalar t72 = t47 + s4 * t53;
-  const Scalar t73 = t72 + t44 * (c3 * s4 + c4 * s3);
-  const Scalar t74 = s5 * t16 - c5 * t66;
-  const Scalar t75 = s4 * t64 - c4 * t2;
-  const Scalar t76 = t74 + Scalar(0.9229411764705883) * t75;
-  const Scalar t77 = s3 * (s4 * t2 + c4 * t64) + c3 * t75;
+  const Scalar t53 = Scalar(0.9229411764705883) * t2;
+  const Scalar t54 = k[34] + (t52 - t53);
+  const Scalar t55 = k[36] - ((s3 * t51 + c3 * t54) - t2);
+  const Scalar t56 = c2 * (k[37] - (s3 * t54 - c3 * t51));
+  const Scalar t57 = s2 * s3 - c2 * c3;
+  const Scalar t58 = c3 * s2 + c2 * s3;
+  const Scalar t59 = t7 + t3;
+  const Scalar t60 = (c4 * t59 + s4 * t16) + Scalar(0.9229411764705883) * t25;
+  const Scalar t61 = t57 * t60 + t58 * (s4 * t59 - c4 * t16);
+  const Scalar t62 = s5 * t19;
+  const Scalar t63 = k[18] + t20;
+  const Scalar t64 = Scalar(0.25682352941176473) * t0 - (c5 * t8 + s5 * t63);
+  const Scalar t65 = c5 * t19;
+  const Scalar t66 = t14 - Scalar(0.25682352941176473) * t65;
+  const Scalar t67 = Scalar(0.9229411764705883) * t62 - (c4 * t66 - s4 * t64);
+  const Scalar t68 = (c4 * t64 + s4 * t66) * t58 - t57 * t67;
+  const Scalar t69 = t43 - t36;
+  const Scalar t70 = t21 - t22;
+  const Scalar t71 = t70 - t29;
+  const Scalar t72 = t47 - s4 * t53;
+  const Scalar t73 = t72 - t2 * (c3 * s4 + c4 * s3);
+  const Scalar t74 = s4 * t65 - c4 * t0;
+  const Scalar t75 = s5 * t8 - c5 * t63;
+  const Scalar t76 = Scalar(0.9229411764705883) * t74 + t75;
+  const Scalar t77 = s3 * (s4 * t0 + c4 * t65) + c3 * t74;
   Eigen::Matrix<Scalar, dof, dof> result;
   result(0, 0) = t46;
-  result(0, 1) = result(1, 0) = t55 + s2 * t56;
-  result(0, 2) = result(2, 0) = -t54 * t57 - t58 * t51;
-  result(0, 3) = result(3, 0) = -t52 * t57 - t58 * t50;
-  result(0, 4) = result(4, 0) = t62 - c2 * t4;
-  result(0, 5) = result(5, 0) = t69 - c2 * t63;
-  result(1, 1) = -t39 - t42;
-  result(1, 2) = result(2, 1) = t40 + t70;
-  result(1, 3) = result(3, 1) = t71 - (c3 * t8 + s3 * t6);
-  result(1, 4) = result(4, 1) = t73;
+  result(0, 1) = result(1, 0) = s2 * t55 + t56;
+  result(0, 2) = result(2, 0) = -t57 * t51 - t54 * t58;
+  result(0, 3) = result(3, 0) = -t52 * t58 - t57 * t50;
+  result(0, 4) = result(4, 0) = t61 - c2 * t25;
+  result(0, 5) = result(5, 0) = -c2 * t62 - t68;
+  result(1, 1) = -t40 - t44;
+  result(1, 2) = result(2, 1) = t39 - t69;
+  result(1, 3) = result(3, 1) = t71 - (c3 * t28 + s3 * t32);
+  result(1, 4) = result(4, 1) = -t73;
   result(1, 5) = result(5, 1) = t76 + t77;
-  result(2, 2) = t70;
+  result(2, 2) = -t69;
   result(2, 3) = result(3, 2) = t71;
-  result(2, 4) = result(4, 2) = t72;
+  result(2, 4) = result(4, 2) = -t72;
   result(2, 5) = result(5, 2) = t76;
-  result(3, 3) = t22;
-  result(3, 4) = result(4, 3) = t47;
-  result(3, 5) = result(5, 3) = t74;
-  result(4, 4) = t59;
-  result(4, 5) = result(5, 4) = -t23;
-  result(5, 5) = -k[7];
+  result(3, 3) = t70;
+  result(3, 4) = result(4, 3) = -t47;
+  result(3, 5) = result(5, 3) = t75;
+  result(4, 4) = t7;
+  result(4, 5) = result(5, 4) = -t14;
+  result(5, 5) = -k[18];
   return result;
 }
 
@@ -905,86 +911,86 @@ CoriolisMatrixConstants<Scalar> coriolis_matrix_constants([[maybe_unused]] const
   using std::sin;
   const Scalar t0 = inertia.c6y * inertia.m6;
   const Scalar t1 = inertia.c6x * inertia.m6;
-  const Scalar t2 = inertia.c5z * inertia.m5;
-  const Scalar t3 = inertia.c6z * inertia.m6;
-  const Scalar t4 = Scalar(0.0823) * inertia.m6 + t3;
-  const Scalar t5 = t2 + t4;
-  const Scalar t6 = inertia.c5x * inertia.m5;
-  const Scalar t7 = inertia.c4x * inertia.m4;
-  const Scalar t8 = inertia.m5 + inertia.m6;
-  const Scalar t9 = Scalar(0.09465) * inertia.m5;
-  const Scalar t10 = inertia.c5y * inertia.m5;
-  const Scalar t11 = t10 - t9;
+  const Scalar t2 = inertia.m5 + inertia.m6;
+  const Scalar t3 = Scalar(0.09465) * inertia.m5;
+  const Scalar t4 = inertia.c5y * inertia.m5;
+  const Scalar t5 = t4 - t3;
+  const Scalar t6 = t3 + t5;
+  const Scalar t7 = Scalar(0.09465) * t2 - t6;
+  const Scalar t8 = inertia.c4z * inertia.m4;
+  const Scalar t9 = inertia.c5z * inertia.m5;
+  const Scalar t10 = inertia.c6z * inertia.m6;
+  const Scalar t11 = Scalar(0.0823) * inertia.m6 + t10;
   const Scalar t12 = t9 + t11;
-  const Scalar t13 = Scalar(0.09465) * t8 - t12;
-  const Scalar t14 = inertia.c4z * inertia.m4;
-  const Scalar t15 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t16 = (inertia.I6xx - t15) - inertia.c6x * t1;
-  const Scalar t17 = (inertia.I6yy - t15) - inertia.c6y * t0;
-  const Scalar t18 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t19 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t20 = (inertia.c6z * t3 - (inertia.I6zz - t15)) + Scalar(0.0823) * (t4 + t3);
-  const Scalar t21 = Scalar(0.09465) * t6;
-  const Scalar t22 = Scalar(0.09465) * t2;
-  const Scalar t23 = Scalar(0.09465) * (t10 + t11) - (inertia.c5y * t10 - (inertia.I5yy - t19));
-  const Scalar t24 = Scalar(0.09465) * (t13 - t12) + (Scalar(0.09465) * (t12 + t11) - t23);
+  const Scalar t13 = inertia.c5x * inertia.m5;
+  const Scalar t14 = inertia.c4x * inertia.m4;
+  const Scalar t15 = inertia.c3y * inertia.m3;
+  const Scalar t16 = inertia.m4 + t2;
+  const Scalar t17 = inertia.c3x * inertia.m3;
+  const Scalar t18 = Scalar(0.39225) * inertia.m3 - t17;
+  const Scalar t19 = inertia.I6xy - inertia.c6y * t1;
+  const Scalar t20 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t21 = (inertia.I6xx - t20) - inertia.c6x * t1;
+  const Scalar t22 = (inertia.I6yy - t20) - inertia.c6y * t0;
+  const Scalar t23 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t24 = (inertia.c6z * t10 - (inertia.I6zz - t20)) + Scalar(0.0823) * (t11 + t10);
   const Scalar t25 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t26 = inertia.c3x * inertia.m3;
-  const Scalar t27 = inertia.c3y * inertia.m3;
-  const Scalar t28 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t29 = inertia.m4 + t8;
-  const Scalar t30 = Scalar(0.39225) * inertia.m3 - t26;
-  const Scalar t31 = (inertia.c3x * t26 - (inertia.I3xx - t28)) + Scalar(0.39225) * (t30 - t26);
-  const Scalar t32 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t33 = inertia.c2y * inertia.m2;
-  const Scalar t34 = inertia.c2x * inertia.m2;
-  const Scalar t35 = Scalar(0.425) * (t34 - (Scalar(0.425) * inertia.m2 - t34))
-      - (inertia.c2x * t34 - (inertia.I2xx - t32));
-  const Scalar t36 = Scalar(0.10915) * t14;
+  const Scalar t26 = Scalar(0.09465) * t13;
+  const Scalar t27 = Scalar(0.09465) * t9;
+  const Scalar t28 = Scalar(0.09465) * (t4 + t5) - (inertia.c5y * t4 - (inertia.I5yy - t23));
+  const Scalar t29 = Scalar(0.09465) * (t7 - t6) + (Scalar(0.09465) * (t6 + t5) - t28);
+  const Scalar t30 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t31 = (inertia.c3x * t17 - (inertia.I3xx - t30)) + Scalar(0.39225) * (t18 - t17);
+  const Scalar t32 = inertia.c2x * inertia.m2;
+  const Scalar t33 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t34 = Scalar(0.425) * (t32 - (Scalar(0.425) * inertia.m2 - t32))
+      - (inertia.c2x * t32 - (inertia.I2xx - t33));
+  const Scalar t35 = inertia.c2y * inertia.m2;
+  const Scalar t36 = Scalar(0.10915) * t8;
   const Scalar t37 = inertia.c4y * inertia.m4;
-  const Scalar t38 = Scalar(0.10915) * t7;
+  const Scalar t38 = Scalar(0.10915) * t14;
   const Scalar t39 = Scalar(0.10915) * inertia.m4;
-  const Scalar t40 = (t39 - (t39 + t37)) - Scalar(0.10915) * t29;
+  const Scalar t40 = (t39 - (t39 + t37)) - Scalar(0.10915) * t16;
   const Scalar t41 = inertia.c3z * inertia.m3;
-  const Scalar t42 = Scalar(0.39225) * t40 - (Scalar(0.39225) * t41 + (inertia.I3xz - inertia.c3z * t26));
-  const Scalar t43 = (inertia.I2xz - inertia.c2z * t34) + Scalar(0.425) * inertia.c2z * inertia.m2;
+  const Scalar t42 = Scalar(0.39225) * t40 - (Scalar(0.39225) * t41 + (inertia.I3xz - inertia.c3z * t17));
+  const Scalar t43 = (inertia.I2xz - inertia.c2z * t32) + Scalar(0.425) * inertia.c2z * inertia.m2;
   return { Scalar(0.425) * t0,
            Scalar(0.425) * t1,
-           Scalar(0.425) * t5,
-           Scalar(0.425) * t6,
-           Scalar(0.425) * t7,
-           Scalar(0.425) * (t13 + t14),
-           t16 - t17,
-           Scalar(2) * t18,
-           t18,
+           Scalar(0.425) * (t7 + t8),
+           Scalar(0.425) * t12,
+           Scalar(0.425) * t13,
+           Scalar(0.425) * t14,
+           Scalar(0.425) * t15,
+           Scalar(0.425) * (Scalar(0.39225) * t16 + t18),
            (inertia.I6yz - inertia.c6z * t0) - Scalar(0.0823) * t0,
            (inertia.I6xz - inertia.c6z * t1) - Scalar(0.0823) * t1,
-           inertia.I5xz - inertia.c5z * t6,
-           t16,
-           inertia.c5x * t6 - (inertia.I5xx - t19),
-           (inertia.c5z * t2 - (inertia.I5zz - t19)) + t20,
-           t21 - (t21 + (inertia.I5xy - inertia.c5y * t6)),
-           ((inertia.I5yz - inertia.c5z * t10) + t22) - t22,
-           Scalar(0.09465) * t5,
-           inertia.I4xz - inertia.c4z * t7,
-           t17,
-           t24 - ((inertia.I4zz - t25) - inertia.c4z * t14),
-           (inertia.I4xx - t25) - inertia.c4x * t7,
-           (inertia.I3xy - inertia.c3y * t26) + Scalar(0.39225) * t27,
-           (inertia.I3yy - t28) - inertia.c3y * t27,
-           Scalar(0.1538600625) * t29 + t31,
-           (inertia.I2yy - t32) - inertia.c2y * t33,
-           Scalar(0.425) * t27,
-           Scalar(0.425) * (Scalar(0.39225) * t29 + t30),
-           Scalar(0.425) * t33 + (inertia.I2xy - inertia.c2y * t34),
-           t35 - Scalar(0.180625) * (inertia.m3 + t29),
+           Scalar(2) * t19,
+           t21 - t22,
+           t21,
+           inertia.c5x * t13 - (inertia.I5xx - t23),
+           (inertia.c5z * t9 - (inertia.I5zz - t23)) + t24,
+           inertia.I5xz - inertia.c5z * t13,
+           (inertia.I4xx - t25) - inertia.c4x * t14,
+           t19,
+           t26 - (t26 + (inertia.I5xy - inertia.c5y * t13)),
+           ((inertia.I5yz - inertia.c5z * t4) + t27) - t27,
+           Scalar(0.09465) * t12,
+           inertia.I4xz - inertia.c4z * t14,
+           t22,
+           t29 - ((inertia.I4zz - t25) - inertia.c4z * t8),
+           Scalar(0.1538600625) * t16 + t31,
+           (inertia.I3xy - inertia.c3y * t17) + Scalar(0.39225) * t15,
+           (inertia.I3yy - t30) - inertia.c3y * t15,
+           t34 - Scalar(0.180625) * (inertia.m3 + t16),
+           Scalar(0.425) * t35 + (inertia.I2xy - inertia.c2y * t32),
+           (inertia.I2yy - t33) - inertia.c2y * t35,
            t36 - (t36 - (inertia.I4yz - inertia.c4z * t37)),
-           (t38 - (inertia.I4xy - inertia.c4y * t7)) - t38,
+           (t38 - (inertia.I4xy - inertia.c4y * t14)) - t38,
+           inertia.I3yz - inertia.c3z * t15,
            t42,
-           inertia.I3yz - inertia.c3z * t27,
-           inertia.I2yz - inertia.c2z * t33,
            Scalar(0.425) * (t41 - t40) + t43,
-           t16 + t17 };
+           inertia.I2yz - inertia.c2z * t35,
+           t21 + t22 };
 }
 
 namespace detail {
@@ -1003,299 +1009,294 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const Jo
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[7] * c6 + k[6] * s6;
-  const Scalar t1 = s6 * t0;
-  const Scalar t2 = k[19] + t1;
-  const Scalar t3 = k[0] * c6 + k[1] * s6;
-  const Scalar t4 = Scalar(0.22270588235294117) * t3;
-  const Scalar t5 = k[20] - (t2 + Scalar(2) * t4);
-  const Scalar t6 = k[12] - t1;
-  const Scalar t7 = k[13] - t6;
-  const Scalar t8 = k[9] * s6 - k[10] * c6;
-  const Scalar t9 = k[11] - t8;
-  const Scalar t10 = c5 * t9;
-  const Scalar t11 = s5 * (k[14] - t7) + (t10 + t10);
-  const Scalar t12 = k[21] - (t7 + s5 * t11);
-  const Scalar t13 = k[8] - c6 * t0;
-  const Scalar t14 = k[15] + t13;
-  const Scalar t15 = k[0] * s6 - k[1] * c6;
-  const Scalar t16 = k[3] - t15;
-  const Scalar t17 = t14 - Scalar(0.22270588235294117) * t16;
-  const Scalar t18 = c5 * t17;
-  const Scalar t19 = k[9] * c6 + k[10] * s6;
-  const Scalar t20 = k[16] + t19;
-  const Scalar t21 = k[17] + t20;
-  const Scalar t22 = t18 + s5 * t21;
-  const Scalar t23 = k[18] + t22;
-  const Scalar t24 = c4 * t23;
-  const Scalar t25 = s4 * (t5 + t12) - (t24 + t24);
-  const Scalar t26 = s4 * t25;
-  const Scalar t27 = k[23] + (t26 - t5);
-  const Scalar t28 = c5 * t16;
-  const Scalar t29 = t28 - k[2] * s5;
-  const Scalar t30 = k[4] + t29;
-  const Scalar t31 = k[5] - t3;
-  const Scalar t32 = c4 * t30 + s4 * t31;
-  const Scalar t33 = k[24] - (Scalar(1.8458823529411765) * t32 - (t26 - t12));
-  const Scalar t34 = c4 * t31 - s4 * t30;
-  const Scalar t35 = k[22] - (Scalar(0.9229411764705883) * t34 - (c4 * t25 + t23));
-  const Scalar t36 = s3 * (t33 + t27) - Scalar(2) * c3 * t35;
-  const Scalar t37 = s3 * t36;
-  const Scalar t38 = k[25] + (t27 - t37);
-  const Scalar t39 = qd[5] * t15;
-  const Scalar t40 = t39 - qd[3] * t30;
-  const Scalar t41 = qd[5] * t3;
-  const Scalar t42 = t41 + k[2] * qd[4];
-  const Scalar t43 = s5 * t16;
-  const Scalar t44 = c5 * t42 + qd[4] * t43;
-  const Scalar t45 = qd[3] * t31 - t44;
-  const Scalar t46 = c4 * t40 - s4 * t45;
-  const Scalar t47 = s5 * t17;
-  const Scalar t48 = qd[5] * t2;
-  const Scalar t49 = (qd[4] * t20 + t48) + Scalar(0.22270588235294117) * t42;
-  const Scalar t50 = qd[4] * t47 - c5 * t49;
-  const Scalar t51 = t50 + qd[3] * t5;
-  const Scalar t52 = qd[5] * t13;
-  const Scalar t53 = qd[4] * t9;
-  const Scalar t54 = qd[4] * t7;
-  const Scalar t55 = s5 * (t52 - t53) - c5 * t54;
-  const Scalar t56 = qd[5] * t19;
-  const Scalar t57 = k[14] * qd[4] - t56;
-  const Scalar t58 = c5 * t53 + s5 * t57;
-  const Scalar t59 = s5 * t55 + c5 * t58;
-  const Scalar t60 = Scalar(0.22270588235294117) * t39;
-  const Scalar t61 = t59 + t60;
-  const Scalar t62 = qd[3] * t23 + (t52 - t59);
-  const Scalar t63 = c4 * t51 + s4 * (t61 + t62);
-  const Scalar t64 = c4 * t63;
-  const Scalar t65 = qd[5] * t6;
-  const Scalar t66 = qd[5] * t8;
-  const Scalar t67 = c5 * t65 + s5 * t66;
-  const Scalar t68 = t67 + qd[3] * t12;
-  const Scalar t69 = c4 * t62 - s4 * t68;
-  const Scalar t70 = s4 * t69;
-  const Scalar t71 = Scalar(0.9229411764705883) * t46 + ((t51 - t64) - (t68 + t70));
-  const Scalar t72 = qd[2] * t33 + t71;
-  const Scalar t73 = s4 * t40 + c4 * t45;
-  const Scalar t74 = Scalar(0.9229411764705883) * t73;
-  const Scalar t75 = (t74 - (s4 * t63 - c4 * t69)) - qd[2] * t35;
-  const Scalar t76 = c3 * t72 - s3 * t75;
-  const Scalar t77 = c3 * t76;
-  const Scalar t78 = qd[2] * t27 - (t70 + t64);
-  const Scalar t79 = t61 - t74;
-  const Scalar t80 = t79 + t75;
-  const Scalar t81 = c3 * t78 - s3 * t80;
-  const Scalar t82 = c3 * t81;
-  const Scalar t83 = c2 * (qd[1] * t38 + ((t77 - t72) + t82));
-  const Scalar t84 = k[26] - t34;
-  const Scalar t85 = k[27] - t32;
-  const Scalar t86 = (c3 * t84 - s3 * t85) - (t35 + c3 * t36);
-  const Scalar t87 = k[28] + t86;
-  const Scalar t88 = ((s3 * t81 + t80) + s3 * t76) - qd[1] * t87;
-  const Scalar t89 = t46 + qd[2] * t85;
-  const Scalar t90 = t73 - qd[2] * t84;
-  const Scalar t91 = t79 - (s3 * t89 + c3 * t90);
-  const Scalar t92 = Scalar(2) * (c3 * t85 + s3 * t84) + (t33 - t37);
-  const Scalar t93 = k[29] - t92;
-  const Scalar t94 = (t77 - (t78 - t82)) + (c3 * t89 - s3 * t90);
-  const Scalar t95 = c2 * (t88 - t91) - s2 * (qd[1] * t93 - t94);
-  const Scalar t96 = s2 * (t83 - s2 * t88) + c2 * t95;
-  const Scalar t97 = s5 * t42 - qd[4] * t28;
-  const Scalar t98 = Scalar(0.25682352941176473) * t97;
-  const Scalar t99 = s5 * t58;
-  const Scalar t100 = c5 * t55;
-  const Scalar t101 = t99 - t100;
-  const Scalar t102 = s5 * t49 + qd[4] * t18;
-  const Scalar t103 = s4 * t101 + c4 * t102;
-  const Scalar t104 = k[31] - (c5 * t11 - t9);
-  const Scalar t105 = c5 * t8;
-  const Scalar t106 = qd[5] * t105 - s5 * t65;
-  const Scalar t107 = Scalar(0.25682352941176473) * t40 - (qd[3] * t104 + t106);
-  const Scalar t108 = (t99 - t57) - (t100 + t54);
-  const Scalar t109 = k[30] + (t47 - c5 * t21);
-  const Scalar t110 = (t108 - qd[3] * t109) + Scalar(0.25682352941176473) * t45;
-  const Scalar t111 = s4 * t107 + c4 * t110;
-  const Scalar t112 = t101 + t110;
-  const Scalar t113 = t107 - t102;
-  const Scalar t114 = c4 * t112 + s4 * t113;
-  const Scalar t115 = t114 + Scalar(0.9229411764705883) * t97;
-  const Scalar t116 = t111 - t115;
-  const Scalar t117 = t109 - Scalar(0.25682352941176473) * t31;
-  const Scalar t118 = Scalar(0.25682352941176473) * t30 + t104;
-  const Scalar t119 = s4 * t117 - c4 * t118;
-  const Scalar t120 = k[2] * c5 + t43;
-  const Scalar t121 = k[32] - (t119 + Scalar(0.9229411764705883) * t120);
-  const Scalar t122 = c4 * t117 + s4 * t118;
-  const Scalar t123 = k[33] - t122;
-  const Scalar t124 = s3 * t121 - c3 * t123;
-  const Scalar t125 = qd[2] * t123 + t115;
-  const Scalar t126 = s4 * t112 - c4 * t113;
-  const Scalar t127 = t126 + qd[2] * t121;
-  const Scalar t128 = c3 * t125 - s3 * t127;
-  const Scalar t129 = qd[1] * (k[34] - t124) + (t97 + t128);
-  const Scalar t130 = (t97 - (s3 * t103 + c3 * t116)) - t129;
-  const Scalar t131 = qd[0] * s2;
-  const Scalar t132 = qd[0] * c2;
-  const Scalar t133 = s2 * (t130 - (t131 * t87 + t132 * t38));
-  const Scalar t134 = s3 * t123 + c3 * t121;
-  const Scalar t135 = s3 * t125 + c3 * t127;
-  const Scalar t136 = qd[1] * (k[35] - (t134 - t120)) - t135;
-  const Scalar t137 = ((s3 * t116 - c3 * t103) - t136) - (t131 * t93 + t132 * t87);
-  const Scalar t138 = t133 - c2 * t137;
-  const Scalar t139 = s2 * s3 - c2 * c3;
-  const Scalar t140 = c3 * s2 + c2 * s3;
-  const Scalar t141 = qd[1] + qd[2];
-  const Scalar t142 = qd[0] * t140;
-  const Scalar t143 = qd[0] * t139;
-  const Scalar t144 = (t123 * t141 + t111) + (t142 * t35 - t27 * t143);
-  const Scalar t145 = (t35 * t143 + t142 * t33) + ((t126 - t103) + t141 * t121);
-  const Scalar t146 = t132 * (t139 * t84 + t85 * t140) + (t144 * t140 - t139 * t145);
-  const Scalar t147 = s3 * s4 - c3 * c4;
-  const Scalar t148 = c3 * s4 + c4 * s3;
-  const Scalar t149 = t147 * t132 + t131 * t148;
-  const Scalar t150 = t132 * t148 - t147 * t131;
-  const Scalar t151 = t31 * t149 + t150 * t30;
-  const Scalar t152 = qd[3] + t141;
-  const Scalar t153 = (t150 * t23 - t5 * t149) - (t108 - t109 * t152);
-  const Scalar t154 = t44 - t31 * t152;
-  const Scalar t155 = t153 + Scalar(0.25682352941176473) * t154;
-  const Scalar t156 = (t150 * t12 + t23 * t149) - (t152 * t104 + t106);
-  const Scalar t157 = t39 - t152 * t30;
-  const Scalar t158 = t156 + Scalar(0.25682352941176473) * t157;
-  const Scalar t159 = Scalar(0.9229411764705883) * t151 + (s4 * t155 + c4 * t158);
-  const Scalar t160 = t159 * t139 + (s4 * t158 - c4 * t155) * t140;
-  const Scalar t161 = c2 * t151 - t160;
-  const Scalar t162 = qd[4] + t149;
-  const Scalar t163 = t41 + k[2] * t162;
-  const Scalar t164 = t162 * t28 - s5 * t163;
-  const Scalar t165 = t52 - Scalar(0.25682352941176473) * t164;
-  const Scalar t166 = t162 * t43 + c5 * t163;
-  const Scalar t167 = s5 * t150 - c5 * t152;
-  const Scalar t168 = s5 * t152 + c5 * t150;
-  const Scalar t169 = t14 * t162 - (t167 * t9 + t168 * t7);
-  const Scalar t170 = (t48 + t20 * t162) - (k[14] * t167 + t168 * t9);
-  const Scalar t171 = Scalar(0.22270588235294117) * t166 - (s5 * t169 - c5 * t170);
-  const Scalar t172 = t168 * t16 - k[2] * t167;
-  const Scalar t173 = t171 + Scalar(0.25682352941176473) * t172;
-  const Scalar t174 = Scalar(0.9229411764705883) * t166 - (s4 * t173 + c4 * t165);
-  const Scalar t175 = (s4 * t165 - c4 * t173) * t140 - t139 * t174;
-  const Scalar t176 = t175 + c2 * t166;
-  const Scalar t177 = qd[5] - t167;
-  const Scalar t178 = c6 * t168 - s6 * t162;
-  const Scalar t179 = c6 * t162 + s6 * t168;
-  const Scalar t180 = k[10] * t177 + (k[12] * t178 - k[8] * t179);
-  const Scalar t181 = k[9] * t177 - (k[19] * t179 - k[8] * t178);
-  const Scalar t182 = c6 * t180 - s6 * t181;
-  const Scalar t183 = t15 * t177;
-  const Scalar t184 = k[0] * t179 - k[1] * t178;
-  const Scalar t185 = c5 * t183 + s5 * t184;
-  const Scalar t186 = t182 + Scalar(0.25682352941176473) * t185;
-  const Scalar t187 = t3 * t177;
-  const Scalar t188 = c5 * t184 - s5 * t183;
-  const Scalar t189 = s6 * t180 + c6 * t181;
-  const Scalar t190 = Scalar(0.25682352941176473) * t187 + (Scalar(0.22270588235294117) * t188 - c5 * t189);
-  const Scalar t191 = (s4 * t190 + c4 * t186) - Scalar(0.9229411764705883) * t188;
-  const Scalar t192 = (s4 * t186 - c4 * t190) * t140 + t139 * t191;
-  const Scalar t193 = t192 + c2 * t188;
-  const Scalar t194 = s3 * (t46 + t141 * t85) + c3 * (t73 - t141 * t84);
-  const Scalar t195 = Scalar(0.9229411764705883) * (s4 * t157 - c4 * t154);
-  const Scalar t196 = t195 - t61;
-  const Scalar t197 = (t157 * t148 + t147 * t154) + t196;
-  const Scalar t198 = (c5 * t169 + s5 * t170) - Scalar(0.22270588235294117) * t164;
-  const Scalar t199 = Scalar(0.9229411764705883) * (c4 * t172 + s4 * t164) + t198;
-  const Scalar t200 = t199 - (t147 * t172 - t148 * t164);
-  const Scalar t201 = s5 * t189 - Scalar(0.22270588235294117) * t185;
-  const Scalar t202 = Scalar(0.9229411764705883) * (s4 * t185 - c4 * t187) + t201;
-  const Scalar t203 = (t147 * t187 + t148 * t185) + t202;
-  const Scalar t204 = c2 * (t135 + qd[1] * t134) - s2 * (qd[1] * t124 - t128);
-  const Scalar t205 = t114 - qd[2] * t122;
-  const Scalar t206 = qd[2] * t119 - t126;
-  const Scalar t207 = (c3 * t205 + s3 * t206) - qd[1] * (c3 * t122 - s3 * t119);
-  const Scalar t208 = (s3 * t205 - c3 * t206) - qd[1] * (s3 * t122 + c3 * t119);
-  const Scalar t209 = s3 * (qd[2] * t32 - t46) - c3 * (t73 + qd[2] * t34);
-  const Scalar t210 = k[14] + t7;
-  const Scalar t211 = Scalar(0.25682352941176473) * t120;
-  const Scalar t212 = t210 + t211;
-  const Scalar t213 = (s4 * t22 - c4 * t212) + Scalar(0.9229411764705883) * t29;
-  const Scalar t214 = c4 * t22 + s4 * t212;
-  const Scalar t215 = qd[1] * ((c3 * t213 + s3 * t214) + t29);
-  const Scalar t216 = t98 + ((t52 + t52) + qd[3] * t22);
-  const Scalar t217 = (qd[3] * t210 - (t50 + t67)) + qd[3] * t211;
-  const Scalar t218 = (c4 * t216 + s4 * t217) - Scalar(0.9229411764705883) * t44;
-  const Scalar t219 = t218 + qd[2] * t214;
-  const Scalar t220 = (s4 * t216 - c4 * t217) + qd[2] * t213;
-  const Scalar t221 = s2 * (t215 + (s3 * t219 + c3 * t220));
-  const Scalar t222 = qd[1] * (c3 * t214 - s3 * t213) - (t44 + (s3 * t220 - c3 * t219));
-  const Scalar t223 = s4 * t120;
-  const Scalar t224 = (qd[3] * t223 + c4 * t97) + qd[2] * t223;
-  const Scalar t225 = c4 * t120;
-  const Scalar t226 = qd[3] * t225 - s4 * t97;
-  const Scalar t227 = s3 * t224 - c3 * (qd[2] * t225 + t226);
-  const Scalar t228 = t106 + t102;
-  const Scalar t229 = t228 + Scalar(0.9229411764705883) * t226;
-  const Scalar t230 = c5 * t3;
-  const Scalar t231 = s4 * t230 + c4 * t15;
-  const Scalar t232 = s5 * (k[36] + t4) - t105;
-  const Scalar t233 = Scalar(0.25682352941176473) * t231 + (c4 * t232 - s4 * t19);
-  const Scalar t234 = s5 * t3;
-  const Scalar t235 = (qd[4] * t234 + c5 * t39) + qd[3] * t15;
-  const Scalar t236 = (t66 - qd[3] * t232) - Scalar(0.25682352941176473) * t235;
-  const Scalar t237 = qd[3] * t230 + t41;
-  const Scalar t238 = qd[4] * t4 - (t56 - k[36] * qd[4]);
-  const Scalar t239 = t60 - qd[4] * t8;
-  const Scalar t240 = (c5 * t238 - s5 * t239) - qd[3] * t19;
-  const Scalar t241 = Scalar(0.25682352941176473) * t237 + t240;
-  const Scalar t242 = s5 * t39 - qd[4] * t230;
-  const Scalar t243 = (c4 * t236 - s4 * t241) - Scalar(0.9229411764705883) * t242;
-  const Scalar t244 = qd[2] * t233 - t243;
-  const Scalar t245 = s4 * t15 - c4 * t230;
-  const Scalar t246 = (c4 * t19 + s4 * t232) + Scalar(0.25682352941176473) * t245;
-  const Scalar t247 = Scalar(0.9229411764705883) * t234 - t246;
-  const Scalar t248 = (s4 * t236 + c4 * t241) + qd[2] * t247;
-  const Scalar t249 = qd[1] * (t234 - (s3 * t233 - c3 * t247));
-  const Scalar t250 = s2 * ((s3 * t244 - c3 * t248) - t249);
-  const Scalar t251 = (t242 + (s3 * t248 + c3 * t244)) + qd[1] * (c3 * t233 + s3 * t247);
-  const Scalar t252 = c4 * t237 - s4 * t235;
-  const Scalar t253 = qd[2] * t231 + (c4 * t235 + s4 * t237);
-  const Scalar t254 = c3 * (qd[2] * t245 - t252) + s3 * t253;
-  const Scalar t255 = s5 * t238 + c5 * t239;
-  const Scalar t256 = t255 + Scalar(0.9229411764705883) * t252;
+  const Scalar t0 = k[0] * c6 + k[1] * s6;
+  const Scalar t1 = qd[5] * t0;
+  const Scalar t2 = t1 + k[3] * qd[4];
+  const Scalar t3 = k[0] * s6 - k[1] * c6;
+  const Scalar t4 = k[4] - t3;
+  const Scalar t5 = c5 * t4;
+  const Scalar t6 = s5 * t2 - qd[4] * t5;
+  const Scalar t7 = Scalar(0.25682352941176473) * t6;
+  const Scalar t8 = k[10] * c6 + k[11] * s6;
+  const Scalar t9 = s6 * t8;
+  const Scalar t10 = k[12] - t9;
+  const Scalar t11 = k[13] - t10;
+  const Scalar t12 = qd[4] * t11;
+  const Scalar t13 = k[17] - c6 * t8;
+  const Scalar t14 = qd[5] * t13;
+  const Scalar t15 = k[9] * c6 - k[8] * s6;
+  const Scalar t16 = k[15] + t15;
+  const Scalar t17 = qd[4] * t16;
+  const Scalar t18 = c5 * t12 - s5 * (t14 - t17);
+  const Scalar t19 = k[8] * c6 + k[9] * s6;
+  const Scalar t20 = qd[5] * t19;
+  const Scalar t21 = t20 - k[14] * qd[4];
+  const Scalar t22 = s5 * t21 - c5 * t17;
+  const Scalar t23 = s5 * t18 + c5 * t22;
+  const Scalar t24 = t5 - k[3] * s5;
+  const Scalar t25 = k[5] + t24;
+  const Scalar t26 = k[2] - t0;
+  const Scalar t27 = s4 * t25 - c4 * t26;
+  const Scalar t28 = k[6] + t27;
+  const Scalar t29 = s5 * t4;
+  const Scalar t30 = c5 * t2 + qd[4] * t29;
+  const Scalar t31 = t30 - qd[3] * t26;
+  const Scalar t32 = qd[5] * t3;
+  const Scalar t33 = t32 - qd[3] * t25;
+  const Scalar t34 = c4 * t31 - s4 * t33;
+  const Scalar t35 = qd[2] * t28 + t34;
+  const Scalar t36 = c4 * t33 + s4 * t31;
+  const Scalar t37 = s4 * t26 + c4 * t25;
+  const Scalar t38 = k[7] - t37;
+  const Scalar t39 = t36 + qd[2] * t38;
+  const Scalar t40 = Scalar(0.22270588235294117) * t32;
+  const Scalar t41 = t40 - t23;
+  const Scalar t42 = t41 + Scalar(0.9229411764705883) * t34;
+  const Scalar t43 = (c3 * t35 - s3 * t39) + t42;
+  const Scalar t44 = k[19] + t19;
+  const Scalar t45 = k[20] + t44;
+  const Scalar t46 = k[18] + t13;
+  const Scalar t47 = Scalar(0.22270588235294117) * t4 - t46;
+  const Scalar t48 = c5 * t47;
+  const Scalar t49 = s5 * t45 - t48;
+  const Scalar t50 = k[21] + t49;
+  const Scalar t51 = c4 * t50;
+  const Scalar t52 = c5 * t16;
+  const Scalar t53 = (t52 + t52) + s5 * (k[14] - t11);
+  const Scalar t54 = k[16] - (s5 * t53 + t11);
+  const Scalar t55 = Scalar(0.22270588235294117) * t0;
+  const Scalar t56 = k[22] + t9;
+  const Scalar t57 = k[23] - ((t55 + t55) + t56);
+  const Scalar t58 = (t51 + t51) - s4 * (t54 + t57);
+  const Scalar t59 = s4 * t58;
+  const Scalar t60 = k[26] - (t59 + t57);
+  const Scalar t61 = k[24] - (Scalar(1.8458823529411765) * t37 + (t54 + t59));
+  const Scalar t62 = k[25] + (Scalar(0.9229411764705883) * t27 - (c4 * t58 - t50));
+  const Scalar t63 = s3 * (t60 + t61) - Scalar(2) * c3 * t62;
+  const Scalar t64 = (s3 * t38 - c3 * t28) + (c3 * t63 + t62);
+  const Scalar t65 = k[28] - t64;
+  const Scalar t66 = qd[5] * t10;
+  const Scalar t67 = qd[5] * t15;
+  const Scalar t68 = c5 * t66 - s5 * t67;
+  const Scalar t69 = qd[3] * t54 + t68;
+  const Scalar t70 = qd[3] * t50 + (t14 + t23);
+  const Scalar t71 = c4 * t69 + s4 * t70;
+  const Scalar t72 = qd[5] * t56;
+  const Scalar t73 = Scalar(0.22270588235294117) * t2 + (qd[4] * t44 + t72);
+  const Scalar t74 = s5 * t47;
+  const Scalar t75 = c5 * t73 + qd[4] * t74;
+  const Scalar t76 = qd[3] * t57 - t75;
+  const Scalar t77 = c4 * (t70 + t41) - s4 * t76;
+  const Scalar t78 = (s4 * t71 - c4 * t77) + qd[2] * t62;
+  const Scalar t79 = s4 * t77;
+  const Scalar t80 = c4 * t71;
+  const Scalar t81 = ((t76 + t79) - (t69 - t80)) - qd[2] * t60;
+  const Scalar t82 = c3 * t78 + s3 * t81;
+  const Scalar t83 = qd[2] * t61 + (Scalar(0.9229411764705883) * t36 - (t80 + t79));
+  const Scalar t84 = c3 * t83 + s3 * (t78 + t42);
+  const Scalar t85 = qd[1] * t65 + (c3 * t82 - s3 * t84);
+  const Scalar t86 = s3 * t63;
+  const Scalar t87 = (t86 - t61) - Scalar(2) * (c3 * t38 + s3 * t28);
+  const Scalar t88 = k[27] + t87;
+  const Scalar t89 = s3 * t82;
+  const Scalar t90 = c3 * t84;
+  const Scalar t91 = (c3 * t39 + s3 * t35) + (t89 + t90);
+  const Scalar t92 = c2 * (t43 + t85) + s2 * (qd[1] * t88 - t91);
+  const Scalar t93 = k[29] - (t86 - t60);
+  const Scalar t94 = ((t89 - t81) + (t90 - t83)) + qd[1] * t93;
+  const Scalar t95 = c2 * t92 - s2 * (c2 * t94 + s2 * t85);
+  const Scalar t96 = s5 * t22;
+  const Scalar t97 = c5 * t18;
+  const Scalar t98 = t96 - t97;
+  const Scalar t99 = s5 * t73 - qd[4] * t48;
+  const Scalar t100 = s4 * t98 - c4 * t99;
+  const Scalar t101 = c4 * t98 + s4 * t99;
+  const Scalar t102 = t101 - Scalar(0.9229411764705883) * t6;
+  const Scalar t103 = k[30] - (c5 * t45 + t74);
+  const Scalar t104 = Scalar(0.25682352941176473) * t26 - t103;
+  const Scalar t105 = k[31] - (c5 * t53 - t16);
+  const Scalar t106 = t105 + Scalar(0.25682352941176473) * t25;
+  const Scalar t107 = s4 * t104 + c4 * t106;
+  const Scalar t108 = t29 + k[3] * c5;
+  const Scalar t109 = k[33] + (t107 - Scalar(0.9229411764705883) * t108);
+  const Scalar t110 = c4 * t104 - s4 * t106;
+  const Scalar t111 = k[32] + t110;
+  const Scalar t112 = c3 * t109 + s3 * t111;
+  const Scalar t113 = (t21 - t96) - (t12 - t97);
+  const Scalar t114 = ((t113 - t98) - qd[3] * t103) - Scalar(0.25682352941176473) * t31;
+  const Scalar t115 = s5 * t66 + c5 * t67;
+  const Scalar t116 = t115 - t99;
+  const Scalar t117 = (qd[3] * t105 - t116) - Scalar(0.25682352941176473) * t33;
+  const Scalar t118 = s4 * t114 + c4 * t117;
+  const Scalar t119 = t118 + qd[2] * t109;
+  const Scalar t120 = s4 * t117 - c4 * t114;
+  const Scalar t121 = t120 - t101;
+  const Scalar t122 = (t121 + t102) - qd[2] * t111;
+  const Scalar t123 = c3 * t119 - s3 * t122;
+  const Scalar t124 = qd[1] * (k[34] - (t112 - t108)) - t123;
+  const Scalar t125 = qd[0] * s2;
+  const Scalar t126 = qd[0] * c2;
+  const Scalar t127 = ((c3 * t100 + s3 * t102) - t124) - (t88 * t125 + t126 * t65);
+  const Scalar t128 = c3 * t122 + s3 * t119;
+  const Scalar t129 = c3 * t111 - s3 * t109;
+  const Scalar t130 = qd[1] * (k[35] + t129);
+  const Scalar t131 = ((s3 * t100 - c3 * t102) + t128) - t130;
+  const Scalar t132 = s2 * ((t126 * t93 + t125 * t65) - t131);
+  const Scalar t133 = c2 * t127 + t132;
+  const Scalar t134 = s2 * s3 - c2 * c3;
+  const Scalar t135 = qd[0] * t134;
+  const Scalar t136 = c3 * s2 + c2 * s3;
+  const Scalar t137 = qd[0] * t136;
+  const Scalar t138 = qd[1] + qd[2];
+  const Scalar t139 = (t62 * t135 + t137 * t61) + ((t100 + t118) + t109 * t138);
+  const Scalar t140 = (t121 - t138 * t111) + (t60 * t135 - t137 * t62);
+  const Scalar t141 = c2 * (t28 * t135 + t137 * t38) - (t134 * t139 + t140 * t136);
+  const Scalar t142 = c3 * s4 + c4 * s3;
+  const Scalar t143 = s3 * s4 - c3 * c4;
+  const Scalar t144 = t126 * t142 - t143 * t125;
+  const Scalar t145 = c4 * t135 + s4 * t137;
+  const Scalar t146 = t25 * t144 + t145 * t26;
+  const Scalar t147 = qd[3] + t138;
+  const Scalar t148 = (t147 * t105 - t115) - (t145 * t50 + t144 * t54);
+  const Scalar t149 = t25 * t147 - t32;
+  const Scalar t150 = t148 + Scalar(0.25682352941176473) * t149;
+  const Scalar t151 = (t144 * t50 - t145 * t57) - (t113 - t103 * t147);
+  const Scalar t152 = t147 * t26 - t30;
+  const Scalar t153 = t151 - Scalar(0.25682352941176473) * t152;
+  const Scalar t154 = Scalar(0.9229411764705883) * t146 - (c4 * t150 - s4 * t153);
+  const Scalar t155 = t134 * t154 - (s4 * t150 + c4 * t153) * t136;
+  const Scalar t156 = c2 * t146 - t155;
+  const Scalar t157 = qd[4] + t145;
+  const Scalar t158 = k[3] * t157 + t1;
+  const Scalar t159 = t5 * t157 - s5 * t158;
+  const Scalar t160 = Scalar(0.25682352941176473) * t159 - t14;
+  const Scalar t161 = t29 * t157 + c5 * t158;
+  const Scalar t162 = s5 * t144 - c5 * t147;
+  const Scalar t163 = s5 * t147 + c5 * t144;
+  const Scalar t164 = t46 * t157 - (t16 * t162 + t163 * t11);
+  const Scalar t165 = (t44 * t157 + t72) - (k[14] * t162 + t163 * t16);
+  const Scalar t166 = Scalar(0.22270588235294117) * t161 - (s5 * t164 - c5 * t165);
+  const Scalar t167 = k[3] * t162 - t163 * t4;
+  const Scalar t168 = t166 - Scalar(0.25682352941176473) * t167;
+  const Scalar t169 = (c4 * t160 - s4 * t168) + Scalar(0.9229411764705883) * t161;
+  const Scalar t170 = t134 * t169 + (s4 * t160 + c4 * t168) * t136;
+  const Scalar t171 = t170 - c2 * t161;
+  const Scalar t172 = qd[5] - t162;
+  const Scalar t173 = t3 * t172;
+  const Scalar t174 = c6 * t163 - s6 * t157;
+  const Scalar t175 = c6 * t157 + s6 * t163;
+  const Scalar t176 = k[1] * t174 - k[0] * t175;
+  const Scalar t177 = s5 * t173 + c5 * t176;
+  const Scalar t178 = c5 * t173 - s5 * t176;
+  const Scalar t179 = (k[22] * t175 - k[17] * t174) - k[8] * t172;
+  const Scalar t180 = k[9] * t172 + (k[12] * t174 - k[17] * t175);
+  const Scalar t181 = s6 * t179 + c6 * t180;
+  const Scalar t182 = Scalar(0.25682352941176473) * t178 + t181;
+  const Scalar t183 = t0 * t172;
+  const Scalar t184 = s6 * t180 - c6 * t179;
+  const Scalar t185 = Scalar(0.25682352941176473) * t183 - (Scalar(0.22270588235294117) * t177 + c5 * t184);
+  const Scalar t186 = Scalar(0.9229411764705883) * t177 + (c4 * t182 + s4 * t185);
+  const Scalar t187 = t134 * t186 + (s4 * t182 - c4 * t185) * t136;
+  const Scalar t188 = t187 - c2 * t177;
+  const Scalar t189 = s2 * ((t6 - t128) + t130) - c2 * t124;
+  const Scalar t190 = s3 * (t36 + t138 * t38) - c3 * (t138 * t28 + t34);
+  const Scalar t191 = Scalar(0.9229411764705883) * (s4 * t149 - c4 * t152);
+  const Scalar t192 = t41 + t191;
+  const Scalar t193 = (t149 * t142 + t143 * t152) + t192;
+  const Scalar t194 = (s5 * t165 + c5 * t164) - Scalar(0.22270588235294117) * t159;
+  const Scalar t195 = Scalar(0.9229411764705883) * (c4 * t167 - s4 * t159) - t194;
+  const Scalar t196 = t195 - (t159 * t142 + t143 * t167);
+  const Scalar t197 = s5 * t184 - Scalar(0.22270588235294117) * t178;
+  const Scalar t198 = t197 + Scalar(0.9229411764705883) * (s4 * t178 - c4 * t183);
+  const Scalar t199 = (t143 * t183 + t142 * t178) + t198;
+  const Scalar t200 = s2 * (qd[1] * t129 - t128) + c2 * (qd[1] * t112 + t123);
+  const Scalar t201 = qd[2] * t107 + t118;
+  const Scalar t202 = t120 - qd[2] * t110;
+  const Scalar t203 = qd[1] * (s3 * t110 + c3 * t107) + (c3 * t201 - s3 * t202);
+  const Scalar t204 = (c3 * t202 + s3 * t201) + qd[1] * (t142 * t106 + t143 * t104);
+  const Scalar t205 = c3 * (qd[2] * t27 + t34) - s3 * (t36 - qd[2] * t37);
+  const Scalar t206 = t7 + (qd[3] * t49 + Scalar(2) * t14);
+  const Scalar t207 = Scalar(0.25682352941176473) * t108;
+  const Scalar t208 = k[14] + t11;
+  const Scalar t209 = qd[3] * t207 + ((t75 - t68) + qd[3] * t208);
+  const Scalar t210 = t208 + t207;
+  const Scalar t211 = Scalar(0.9229411764705883) * t24 - (c4 * t210 - s4 * t49);
+  const Scalar t212 = (s4 * t206 - c4 * t209) + qd[2] * t211;
+  const Scalar t213 = (c4 * t206 + s4 * t209) - Scalar(0.9229411764705883) * t30;
+  const Scalar t214 = s4 * t210 + c4 * t49;
+  const Scalar t215 = t213 + qd[2] * t214;
+  const Scalar t216 = qd[1] * ((s3 * t214 + c3 * t211) + t24);
+  const Scalar t217 = s2 * ((c3 * t212 + s3 * t215) + t216);
+  const Scalar t218 = ((s3 * t212 - c3 * t215) + t30) + qd[1] * (s3 * t211 - c3 * t214);
+  const Scalar t219 = c4 * t108;
+  const Scalar t220 = qd[3] * t219 - s4 * t6;
+  const Scalar t221 = Scalar(0.9229411764705883) * t220 - t116;
+  const Scalar t222 = s4 * t108;
+  const Scalar t223 = (c4 * t6 + qd[3] * t222) + qd[2] * t222;
+  const Scalar t224 = c3 * (t220 + qd[2] * t219) - s3 * t223;
+  const Scalar t225 = s5 * (k[36] + t55) + c5 * t15;
+  const Scalar t226 = Scalar(0.25682352941176473) * t3 + t225;
+  const Scalar t227 = c5 * t0;
+  const Scalar t228 = Scalar(0.25682352941176473) * t227 - t19;
+  const Scalar t229 = c4 * t226 + s4 * t228;
+  const Scalar t230 = s5 * t0;
+  const Scalar t231 = Scalar(0.9229411764705883) * t230 - (s4 * t226 - c4 * t228);
+  const Scalar t232 = s5 * t32 - qd[4] * t227;
+  const Scalar t233 = t40 + qd[4] * t15;
+  const Scalar t234 = (t20 - k[36] * qd[4]) - qd[4] * t55;
+  const Scalar t235 = qd[3] * t19 + (s5 * t233 + c5 * t234);
+  const Scalar t236 = qd[3] * t227 + t1;
+  const Scalar t237 = t235 - Scalar(0.25682352941176473) * t236;
+  const Scalar t238 = (qd[4] * t230 + c5 * t32) + qd[3] * t3;
+  const Scalar t239 = Scalar(0.25682352941176473) * t238 + (qd[3] * t225 + t67);
+  const Scalar t240 = (c4 * t237 + s4 * t239) - qd[2] * t231;
+  const Scalar t241 = (s4 * t237 - c4 * t239) - Scalar(0.9229411764705883) * t232;
+  const Scalar t242 = t241 - qd[2] * t229;
+  const Scalar t243 = qd[1] * (c3 * t229 + s3 * t231) + (t232 - (s3 * t240 + c3 * t242));
+  const Scalar t244 = qd[1] * (t230 + (c3 * t231 - s3 * t229));
+  const Scalar t245 = s2 * (t244 - (c3 * t240 - s3 * t242));
+  const Scalar t246 = c4 * t236 - s4 * t238;
+  const Scalar t247 = qd[2] * (s4 * t3 - c4 * t227) - t246;
+  const Scalar t248 = qd[2] * (s4 * t227 + c4 * t3) + (c4 * t238 + s4 * t236);
+  const Scalar t249 = s5 * t234 - c5 * t233;
+  const Scalar t250 = Scalar(0.9229411764705883) * t246 - t249;
+  const Scalar t251 = t199 - ((c3 * t247 + s3 * t248) - t250);
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = -t96 - (t98 + t59);
-  result(0, 1) = t138;
-  result(0, 2) = -t146;
-  result(0, 3) = t161;
-  result(0, 4) = -t176;
-  result(0, 5) = -t193;
-  result(1, 0) = (c2 * t136 - s2 * t129) - t138;
-  result(1, 1) = t91;
-  result(1, 2) = t79 - t194;
-  result(1, 3) = -t197;
-  result(1, 4) = t200;
-  result(1, 5) = -t203;
-  result(2, 0) = t146 - t204;
-  result(2, 1) = t194 + t91;
-  result(2, 2) = t79;
-  result(2, 3) = -t196;
-  result(2, 4) = t199;
-  result(2, 5) = -t202;
-  result(3, 0) = -(s2 * t207 + c2 * t208) - t161;
-  result(3, 1) = t197 + (t209 + (t61 + t79));
-  result(3, 2) = t195 + t79;
-  result(3, 3) = t61;
-  result(3, 4) = t198;
-  result(3, 5) = -t201;
-  result(4, 0) = t176 - (t221 - c2 * t222);
-  result(4, 1) = -(t227 - t229) - t200;
-  result(4, 2) = t229 - t199;
-  result(4, 3) = t228 - t198;
-  result(4, 4) = -t52;
-  result(4, 5) = -t182;
-  result(5, 0) = t193 - (t250 - c2 * t251);
-  result(5, 1) = t203 - (t254 - t256);
-  result(5, 2) = t202 + t256;
-  result(5, 3) = t255 + t201;
-  result(5, 4) = t182 + t66;
+  result(0, 0) = t95 - (t7 - t23);
+  result(0, 1) = -t133;
+  result(0, 2) = -t141;
+  result(0, 3) = t156;
+  result(0, 4) = t171;
+  result(0, 5) = -t188;
+  result(1, 0) = t133 - t189;
+  result(1, 1) = t43;
+  result(1, 2) = t42 - t190;
+  result(1, 3) = t193;
+  result(1, 4) = -t196;
+  result(1, 5) = -t199;
+  result(2, 0) = t141 - t200;
+  result(2, 1) = t190 + t43;
+  result(2, 2) = t42;
+  result(2, 3) = t192;
+  result(2, 4) = -t195;
+  result(2, 5) = -t198;
+  result(3, 0) = -t156 - (c2 * t203 - s2 * t204);
+  result(3, 1) = ((t42 + t41) + t205) - t193;
+  result(3, 2) = t42 - t191;
+  result(3, 3) = t41;
+  result(3, 4) = t194;
+  result(3, 5) = -t197;
+  result(4, 0) = -(t217 + c2 * t218) - t171;
+  result(4, 1) = t196 + (t221 + t224);
+  result(4, 2) = t221 + t195;
+  result(4, 3) = -t194 - t116;
+  result(4, 4) = -t14;
+  result(4, 5) = -t181;
+  result(5, 0) = (c2 * t243 + t245) + t188;
+  result(5, 1) = t251;
+  result(5, 2) = t250 + t198;
+  result(5, 3) = t197 - t249;
+  result(5, 4) = t181 - t67;
   result(5, 5) = Scalar(0);
   return result;
 }
@@ -1323,130 +1324,133 @@ ForwardDynamicsConstants<Scalar> forward_dynamics_constants([[maybe_unused]] con
     NonDeduced<Scalar> gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c5z * inertia.m5;
-  const Scalar t1 = inertia.c6z * inertia.m6;
-  const Scalar t2 = Scalar(0.0823) * inertia.m6 + t1;
-  const Scalar t3 = t0 + t2;
-  const Scalar t4 = inertia.c6y * inertia.m6;
-  const Scalar t5 = inertia.c6x * inertia.m6;
-  const Scalar t6 = inertia.c5x * inertia.m5;
-  const Scalar t7 = inertia.c4x * inertia.m4;
-  const Scalar t8 = inertia.m5 + inertia.m6;
-  const Scalar t9 = Scalar(0.09465) * inertia.m5;
-  const Scalar t10 = inertia.c5y * inertia.m5;
-  const Scalar t11 = t10 - t9;
-  const Scalar t12 = t9 + t11;
-  const Scalar t13 = Scalar(0.09465) * t8 - t12;
-  const Scalar t14 = inertia.c4z * inertia.m4;
-  const Scalar t15 = inertia.m4 + t8;
-  const Scalar t16 = inertia.c3x * inertia.m3;
-  const Scalar t17 = Scalar(0.39225) * inertia.m3 - t16;
-  const Scalar t18 = Scalar(0.39225) * t15 + t17;
-  const Scalar t19 = inertia.c3y * inertia.m3;
-  const Scalar t20 = Scalar(0.39225) * t19;
-  const Scalar t21 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t22 = (inertia.I6xx - t21) - inertia.c6x * t5;
-  const Scalar t23 = (inertia.I6yy - t21) - inertia.c6y * t4;
-  const Scalar t24 = inertia.I6xy - inertia.c6y * t5;
-  const Scalar t25 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t26 = Scalar(0.09465) * (t10 + t11) - (inertia.c5y * t10 - (inertia.I5yy - t25));
-  const Scalar t27 = Scalar(0.09465) * (t13 - t12) + (Scalar(0.09465) * (t12 + t11) - t26);
-  const Scalar t28 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t29 = t27 - ((inertia.I4zz - t28) - inertia.c4z * t14);
-  const Scalar t30 = (inertia.c6z * t1 - (inertia.I6zz - t21)) + Scalar(0.0823) * (t2 + t1);
-  const Scalar t31 = (inertia.c5z * t0 - (inertia.I5zz - t25)) + t30;
-  const Scalar t32 = (inertia.I4xx - t28) - inertia.c4x * t7;
-  const Scalar t33 = Scalar(0.09465) * t6;
-  const Scalar t34 = Scalar(0.09465) * t0;
-  const Scalar t35 = inertia.I4xz - inertia.c4z * t7;
-  const Scalar t36 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t37 = (inertia.c3x * t16 - (inertia.I3xx - t36)) + Scalar(0.39225) * (t17 - t16);
-  const Scalar t38 = Scalar(0.1538600625) * t15 + t37;
-  const Scalar t39 = (inertia.I3xy - inertia.c3y * t16) + t20;
-  const Scalar t40 = (inertia.I3yy - t36) - inertia.c3y * t19;
-  const Scalar t41 = t22 + t23;
-  const Scalar t42 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t43 = inertia.c2y * inertia.m2;
-  const Scalar t44 = (inertia.I2yy - t42) - inertia.c2y * t43;
-  const Scalar t45 = inertia.c2x * inertia.m2;
-  const Scalar t46 = Scalar(0.425) * inertia.m2 - t45;
-  const Scalar t47 = Scalar(0.425) * (t45 - t46) - (inertia.c2x * t45 - (inertia.I2xx - t42));
-  const Scalar t48 = inertia.m3 + t15;
-  const Scalar t49 = t47 - Scalar(0.180625) * t48;
-  const Scalar t50 = Scalar(0.10915) * t7;
-  const Scalar t51 = Scalar(0.10915) * t14;
-  const Scalar t52 = inertia.c4y * inertia.m4;
-  const Scalar t53 = Scalar(0.10915) * inertia.m4;
-  const Scalar t54 = t53 + t52;
-  const Scalar t55 = t53 - t54;
-  const Scalar t56 = t55 - Scalar(0.10915) * t15;
-  const Scalar t57 = inertia.c3z * inertia.m3;
-  const Scalar t58 = Scalar(0.39225) * t56 - (Scalar(0.39225) * t57 + (inertia.I3xz - inertia.c3z * t16));
-  const Scalar t59 = inertia.c2z * inertia.m2;
-  const Scalar t60 = Scalar(0.425) * (t57 - t56) + ((inertia.I2xz - inertia.c2z * t45) + Scalar(0.425) * t59);
-  const Scalar t61 = Scalar(0.425) * t43 + (inertia.I2xy - inertia.c2y * t45);
+  const Scalar t0 = inertia.c6y * inertia.m6;
+  const Scalar t1 = inertia.c6x * inertia.m6;
+  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t1;
+  const Scalar t4 = (inertia.I6yy - t2) - inertia.c6y * t0;
+  const Scalar t5 = t3 + t4;
+  const Scalar t6 = Scalar(1) / t5;
+  const Scalar t7 = inertia.I6xy - inertia.c6y * t1;
+  const Scalar t8 = inertia.c5x * inertia.m5;
+  const Scalar t9 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t10 = inertia.c5z * inertia.m5;
+  const Scalar t11 = inertia.c6z * inertia.m6;
+  const Scalar t12 = Scalar(0.0823) * inertia.m6 + t11;
+  const Scalar t13 = (inertia.c6z * t11 - (inertia.I6zz - t2)) + Scalar(0.0823) * (t12 + t11);
+  const Scalar t14 = (inertia.c5z * t10 - (inertia.I5zz - t9)) + t13;
+  const Scalar t15 = Scalar(0.09465) * t8;
+  const Scalar t16 = inertia.c5y * inertia.m5;
+  const Scalar t17 = Scalar(0.09465) * t10;
+  const Scalar t18 = t10 + t12;
+  const Scalar t19 = inertia.m5 + inertia.m6;
+  const Scalar t20 = Scalar(0.09465) * inertia.m5;
+  const Scalar t21 = t16 - t20;
+  const Scalar t22 = t20 + t21;
+  const Scalar t23 = Scalar(0.09465) * t19 - t22;
+  const Scalar t24 = Scalar(0.09465) * (t16 + t21) - (inertia.c5y * t16 - (inertia.I5yy - t9));
+  const Scalar t25 = Scalar(0.09465) * (t23 - t22) + (Scalar(0.09465) * (t22 + t21) - t24);
+  const Scalar t26 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t27 = inertia.c4z * inertia.m4;
+  const Scalar t28 = t25 - ((inertia.I4zz - t26) - inertia.c4z * t27);
+  const Scalar t29 = inertia.c4x * inertia.m4;
+  const Scalar t30 = (inertia.I4xx - t26) - inertia.c4x * t29;
+  const Scalar t31 = inertia.I4xz - inertia.c4z * t29;
+  const Scalar t32 = t23 + t27;
+  const Scalar t33 = Scalar(0.10915) * t29;
+  const Scalar t34 = Scalar(0.10915) * t27;
+  const Scalar t35 = inertia.c4y * inertia.m4;
+  const Scalar t36 = inertia.c3y * inertia.m3;
+  const Scalar t37 = Scalar(0.10915) * inertia.m4;
+  const Scalar t38 = t37 + t35;
+  const Scalar t39 = t37 - t38;
+  const Scalar t40 = inertia.m4 + t19;
+  const Scalar t41 = t39 - Scalar(0.10915) * t40;
+  const Scalar t42 = inertia.c3z * inertia.m3;
+  const Scalar t43 = inertia.c3x * inertia.m3;
+  const Scalar t44 = Scalar(0.39225) * t41 - (Scalar(0.39225) * t42 + (inertia.I3xz - inertia.c3z * t43));
+  const Scalar t45 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t46 = Scalar(0.39225) * inertia.m3 - t43;
+  const Scalar t47 = (inertia.c3x * t43 - (inertia.I3xx - t45)) + Scalar(0.39225) * (t46 - t43);
+  const Scalar t48 = Scalar(0.1538600625) * t40 + t47;
+  const Scalar t49 = (inertia.I3yy - t45) - inertia.c3y * t36;
+  const Scalar t50 = Scalar(0.39225) * t40 + t46;
+  const Scalar t51 = inertia.c2y * inertia.m2;
+  const Scalar t52 = inertia.c2x * inertia.m2;
+  const Scalar t53 = inertia.c2z * inertia.m2;
+  const Scalar t54 = Scalar(0.425) * (t42 - t41) + ((inertia.I2xz - inertia.c2z * t52) + Scalar(0.425) * t53);
+  const Scalar t55 = (inertia.I3xy - inertia.c3y * t43) + Scalar(0.39225) * t36;
+  const Scalar t56 = Scalar(0.425) * inertia.m2 - t52;
+  const Scalar t57 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t58 = Scalar(0.425) * (t52 - t56) - (inertia.c2x * t52 - (inertia.I2xx - t57));
+  const Scalar t59 = inertia.m3 + t40;
+  const Scalar t60 = t58 - Scalar(0.180625) * t59;
+  const Scalar t61 = (inertia.I2yy - t57) - inertia.c2y * t51;
   const Scalar t62 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t63 = Scalar(0.10915) * (t52 + t54) - ((inertia.I4yy - t28) - inertia.c4y * t52);
-  const Scalar t64 = (t63 - Scalar(0.10915) * (t54 - t55)) - Scalar(0.10915) * (t55 + t56);
-  const Scalar t65 = (((inertia.I3zz - t36) - inertia.c3z * t57) - t64) + ((inertia.I2zz - t42) - inertia.c2z * t59);
+  const Scalar t63 = Scalar(0.10915) * (t35 + t38) - ((inertia.I4yy - t26) - inertia.c4y * t35);
+  const Scalar t64 = (t63 - Scalar(0.10915) * (t38 - t39)) - Scalar(0.10915) * (t39 + t41);
+  const Scalar t65 = (((inertia.I3zz - t45) - inertia.c3z * t42) - t64) + ((inertia.I2zz - t57) - inertia.c2z * t53);
   const Scalar t66 = (inertia.c1z * inertia.c1z * inertia.m1 - (inertia.I1zz - t62)) - t65;
-  return { Scalar(0.39225) * t3,
-           Scalar(0.39225) * t4,
-           Scalar(0.39225) * t5,
-           Scalar(0.39225) * t6,
-           Scalar(0.39225) * t7,
-           Scalar(0.39225) * (t13 + t14),
-           Scalar(0.39225) * t18,
-           t20,
-           t22 - t23,
-           Scalar(2) * t24,
-           t23,
-           t29,
-           (inertia.I6yz - inertia.c6z * t4) - Scalar(0.0823) * t4,
-           (inertia.I6xz - inertia.c6z * t5) - Scalar(0.0823) * t5,
-           inertia.I5xz - inertia.c5z * t6,
-           t22,
-           inertia.c5x * t6 - (inertia.I5xx - t25),
+  const Scalar t67 = Scalar(0.425) * t51;
+  const Scalar t68 = t67 + (inertia.I2xy - inertia.c2y * t52);
+  return { (inertia.I6yz - inertia.c6z * t0) - Scalar(0.0823) * t0,
+           (inertia.I6xz - inertia.c6z * t1) - Scalar(0.0823) * t1,
+           t6,
+           Scalar(2) * t7,
+           t3 - t4,
+           t3,
+           inertia.c5x * t8 - (inertia.I5xx - t9),
+           t14,
+           Scalar(2) * t14,
+           Scalar(0.425) * t0,
+           Scalar(0.425) * t1,
+           t5,
+           t7,
+           t15 - (t15 + (inertia.I5xy - inertia.c5y * t8)),
+           Scalar(0.425) * t8,
+           ((inertia.I5yz - inertia.c5z * t16) + t17) - t17,
+           Scalar(0.09465) * t18,
+           t4,
+           t28,
+           inertia.I5xz - inertia.c5z * t8,
+           t30,
            t31,
-           Scalar(2) * t31,
-           t32,
-           t24,
-           t33 - (t33 + (inertia.I5xy - inertia.c5y * t6)),
-           ((inertia.I5yz - inertia.c5z * t10) + t34) - t34,
-           Scalar(0.09465) * t3,
-           t35,
-           t38,
-           t39,
-           t40,
-           t41,
-           Scalar(1) / t41,
-           t44,
-           t49,
-           (t50 - (inertia.I4xy - inertia.c4y * t7)) - t50,
-           t51 - (t51 - (inertia.I4yz - inertia.c4z * t52)),
-           inertia.I3yz - inertia.c3z * t19,
-           t58,
-           t60,
-           inertia.I2yz - inertia.c2z * t43,
-           Scalar(2.5493945188017846) * gravity,
-           t29 + t32,
-           t40 + t38,
-           t44 - t49,
-           Scalar(2) * t61,
-           t61,
-           Scalar(0.39225) * t43,
-           gravity * (Scalar(0.425) * t48 + t46),
-           Scalar(0.7845) * t7,
-           Scalar(2) * t29,
-           Scalar(2) * t35,
-           Scalar(2) * t32,
            Scalar(0.425) * t18,
-           Scalar(2) * t39,
-           Scalar(2) * t40,
-           Scalar(0.425) * t19,
-           Scalar(0.7845) * t19,
+           Scalar(0.425) * t29,
+           Scalar(0.425) * t32,
+           (t33 - (inertia.I4xy - inertia.c4y * t29)) - t33,
+           t34 - (t34 - (inertia.I4yz - inertia.c4z * t35)),
+           Scalar(0.9229411764705883) * t6,
+           inertia.I3yz - inertia.c3z * t36,
+           t44,
+           t48,
+           t49,
+           Scalar(0.425) * t36,
+           Scalar(0.425) * t50,
+           inertia.I2yz - inertia.c2z * t51,
+           t54,
+           t55,
+           t60,
+           t61,
            t66,
-           inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t62) };
+           t68,
+           inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t62),
+           Scalar(2.3529411764705883) * gravity,
+           t49 + t48,
+           t28 + t30,
+           Scalar(0.85) * t32,
+           Scalar(0.85) * t29,
+           Scalar(0.85) * t36,
+           Scalar(0.85) * t50,
+           Scalar(2) * t55,
+           Scalar(2) * t49,
+           Scalar(2) * t31,
+           Scalar(2) * t30,
+           Scalar(2) * t48,
+           t61 - t60,
+           Scalar(2) * t68,
+           t67,
+           gravity * (Scalar(0.425) * t59 + t56) };
 }
 
 namespace detail {
@@ -1465,262 +1469,268 @@ inline JointVector<Scalar> forward_dynamics([[maybe_unused]] const JointVector<S
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[2] * c6 - k[1] * s6;
-  const Scalar t1 = k[3] + t0;
-  const Scalar t2 = k[0] * s5 - c5 * t1;
-  const Scalar t3 = k[4] - t2;
-  const Scalar t4 = k[1] * c6 + k[2] * s6;
-  const Scalar t5 = k[5] - t4;
-  const Scalar t6 = c4 * t3 + s4 * t5;
-  const Scalar t7 = k[8] * s6 + k[9] * c6;
-  const Scalar t8 = s6 * t7;
-  const Scalar t9 = k[10] + t8;
-  const Scalar t10 = k[11] - (t9 + Scalar(0.4826003824091778) * t4);
-  const Scalar t11 = k[12] * s6 - k[13] * c6;
-  const Scalar t12 = k[14] - t11;
-  const Scalar t13 = k[15] - t8;
-  const Scalar t14 = k[17] - (k[16] - t13);
-  const Scalar t15 = Scalar(2) * c5 * t12 + s5 * t14;
-  const Scalar t16 = k[17] - s5 * t15;
-  const Scalar t17 = k[18] - t14;
-  const Scalar t18 = k[19] + (t16 - t17);
-  const Scalar t19 = t10 - t18;
-  const Scalar t20 = t6 - t19;
-  const Scalar t21 = k[28] + Scalar(0.2413001912045889) * t4;
-  const Scalar t22 = c5 * t21 + s5 * t11;
-  const Scalar t23 = k[29] * t22;
-  const Scalar t24 = c5 * t4;
-  const Scalar t25 = s4 * t24 - c4 * t0;
-  const Scalar t26 = t22 - t25;
-  const Scalar t27 = k[12] * c6 + k[13] * s6;
-  const Scalar t28 = k[29] * t27;
-  const Scalar t29 = k[23] + (k[22] + t27);
-  const Scalar t30 = k[20] - c6 * t7;
-  const Scalar t31 = Scalar(0.2413001912045889) * t1 - (k[21] + t30);
-  const Scalar t32 = c5 * t29 + s5 * t31;
-  const Scalar t33 = t22 * t28 - t32;
-  const Scalar t34 = s5 * t1 + k[0] * c5;
-  const Scalar t35 = s4 * t34 - t32;
-  const Scalar t36 = t35 + t26 * t28;
-  const Scalar t37 = Scalar(1) / (t27 * t28 + t17);
-  const Scalar t38 = t36 * t37;
-  const Scalar t39 = (t20 - t23 * t26) + t33 * t38;
-  const Scalar t40 = t33 * t37;
-  const Scalar t41 = Scalar(1) / (t33 * t40 - (t19 + t23 * t22));
-  const Scalar t42 = t39 * t41;
-  const Scalar t43 = s5 * t29 - c5 * t31;
-  const Scalar t44 = k[24] + t43;
-  const Scalar t45 = c4 * t44;
-  const Scalar t46 = (t45 + t45) - s4 * (t10 + t18);
-  const Scalar t47 = c4 * t5 - s4 * t3;
-  const Scalar t48 = k[26] + ((t44 - c4 * t46) - t47);
-  const Scalar t49 = s4 * t46 + t18;
-  const Scalar t50 = k[25] - (Scalar(2) * t6 + t49);
-  const Scalar t51 = k[27] - (t19 + t49);
-  const Scalar t52 = Scalar(2) * c3 * t48 - s3 * (t50 + t51);
-  const Scalar t53 = s3 * t52;
-  const Scalar t54 = t53 + t51;
-  const Scalar t55 = t53 + t50;
-  const Scalar t56 = t54 - t55;
-  const Scalar t57 = k[29] * t26;
-  const Scalar t58 = t39 * t42 - ((t56 - t57 * t26) + t36 * t38);
-  const Scalar t59 = Scalar(1) / t58;
-  const Scalar t60 = s4 * t0 + c4 * t24;
-  const Scalar t61 = t26 - Scalar(1.0834926704907584) * (s3 * t60 + c3 * t25);
-  const Scalar t62 = Scalar(1.0834926704907584) * t34;
-  const Scalar t63 = t35 + t62 * (c3 * s4 + c4 * s3);
-  const Scalar t64 = t61 * t28 + t63;
-  const Scalar t65 = t64 * t37;
-  const Scalar t66 = k[6] - t6;
-  const Scalar t67 = k[7] - t47;
-  const Scalar t68 = Scalar(1.0834926704907584) * (c3 * t66 + s3 * t67);
-  const Scalar t69 = t36 * t65 - (t57 * t61 - (t56 - t68));
-  const Scalar t70 = t20 + Scalar(1.0834926704907584) * (c3 * t6 + s3 * t47);
-  const Scalar t71 = (t70 - t23 * t61) + t40 * t64;
-  const Scalar t72 = t69 - t71 * t42;
-  const Scalar t73 = t59 * t72;
-  const Scalar t74 = t71 * t41;
-  const Scalar t75 = k[31] - (Scalar(2) * t68 + t55);
-  const Scalar t76 = k[30] + t54;
-  const Scalar t77 = k[29] * t61;
-  const Scalar t78 = ((t75 + t76) - t77 * t61) + t64 * t65;
-  const Scalar t79 = Scalar(1) / (t73 * t72 - (t74 * t71 - t78));
-  const Scalar t80 = s2 * s3 - c2 * c3;
-  const Scalar t81 = k[32] - (c5 * t15 - t12);
-  const Scalar t82 = k[33] - t32;
-  const Scalar t83 = Scalar(0.2782664117272148) * t47 - (s4 * t81 + c4 * t82);
-  const Scalar t84 = k[34] + t83;
-  const Scalar t85 = Scalar(0.2782664117272148) * t6 + (c4 * t81 - s4 * t82);
-  const Scalar t86 = k[35] - (t34 - t85);
-  const Scalar t87 = c3 * s2 + c2 * s3;
-  const Scalar t88 = t80 * t84 + t86 * t87;
-  const Scalar t89 = c3 * t86 + s3 * t84;
-  const Scalar t90 = ((t88 - s2 * t89) - k[37] * c2) - s2 * (k[36] + (t62 - t89));
-  const Scalar t91 = Scalar(1.0834926704907584) * c2;
-  const Scalar t92 = s5 * t4;
-  const Scalar t93 = c5 * t11 - s5 * t21;
-  const Scalar t94 = (s4 * t93 - c4 * t27) + Scalar(0.2782664117272148) * t60;
-  const Scalar t95 = Scalar(0.2782664117272148) * t25 - (c4 * t93 + s4 * t27);
-  const Scalar t96 = t91 * t92 - ((t94 + t92) * t80 + t95 * t87);
-  const Scalar t97 = Scalar(0.2782664117272148) * t34;
-  const Scalar t98 = t17 + t97;
-  const Scalar t99 = t80 * ((s4 * t43 - c4 * t98) - t2);
-  const Scalar t100 = t99 - (s4 * t98 + c4 * t43) * t87;
-  const Scalar t101 = k[29] * t96;
-  const Scalar t102 = (t91 * t2 + t100) - t27 * t101;
-  const Scalar t103 = t102 * t37;
-  const Scalar t104 = t23 * t96 - (t85 * t87 + t80 * t83);
-  const Scalar t105 = t33 * t103 + t104;
-  const Scalar t106 = t41 * t105;
-  const Scalar t107 = ((t90 - t96 * t77) - t64 * t103) + t71 * t106;
-  const Scalar t108 = t42 * t105 - (t36 * t103 + (t57 * t96 - t88));
-  const Scalar t109 = t107 + t108 * t73;
-  const Scalar t110 = t79 * t109;
-  const Scalar t111 = qd[1] + qd[2];
-  const Scalar t112 = qd[3] + t111;
-  const Scalar t113 = qd[0] * t80;
-  const Scalar t114 = qd[0] * t87;
-  const Scalar t115 = c4 * t113 + s4 * t114;
-  const Scalar t116 = t112 * t115;
-  const Scalar t117 = Scalar(2) * t116;
-  const Scalar t118 = qd[0] * qd[1];
-  const Scalar t119 = t118 + t118;
-  const Scalar t120 = s2 * t119;
-  const Scalar t121 = t114 * t111;
-  const Scalar t122 = t121 + t121;
-  const Scalar t123 = qd[0] * qd[0];
-  const Scalar t124 = (Scalar(1.0834926704907584) * t120 + t122) + Scalar(0.2782664117272148) * t123;
-  const Scalar t125 = Scalar(0.2413001912045889) * t117 - t124;
-  const Scalar t126 = Scalar(1.0834926704907584) * t123 * c2 * s2 - k[38] * c2;
-  const Scalar t127 = k[38] * s2;
-  const Scalar t128 = qd[1] * qd[1];
-  const Scalar t129 = qd[0] * c2;
-  const Scalar t130 = t127 + Scalar(1.0834926704907584) * (t128 + t129 * t129);
-  const Scalar t131 = s3 * t126 - c3 * t130;
-  const Scalar t132 = t114 * t114;
-  const Scalar t133 = t111 * t111;
-  const Scalar t134 = t132 - t133;
-  const Scalar t135 = t123 - t134;
-  const Scalar t136 = t131 - t135;
-  const Scalar t137 = t114 * t113;
-  const Scalar t138 = c3 * t126 + s3 * t130;
-  const Scalar t139 = t137 - t138;
-  const Scalar t140 = c4 * t136 - s4 * t139;
-  const Scalar t141 = s4 * t113 - c4 * t114;
-  const Scalar t142 = t141 * t115;
-  const Scalar t143 = t140 + Scalar(0.2413001912045889) * t142;
-  const Scalar t144 = s5 * t125 - c5 * t143;
-  const Scalar t145 = s4 * t136 + c4 * t139;
-  const Scalar t146 = t115 * t115;
-  const Scalar t147 = t112 * t112;
-  const Scalar t148 = t146 - t147;
-  const Scalar t149 = t123 - t148;
-  const Scalar t150 = t145 + Scalar(0.2413001912045889) * t149;
-  const Scalar t151 = c5 * t141 - s5 * t112;
-  const Scalar t152 = qd[4] + t115;
-  const Scalar t153 = t151 * t152;
-  const Scalar t154 = s5 * t117 - c5 * t142;
-  const Scalar t155 = t153 + (t153 + t154);
-  const Scalar t156 = s5 * t141;
-  const Scalar t157 = c5 * t112 + t156;
-  const Scalar t158 = qd[5] + t157;
-  const Scalar t159 = t158 * t158;
-  const Scalar t160 = t151 * t151;
-  const Scalar t161 = t159 - t160;
-  const Scalar t162 = t159 + t152 * t152;
-  const Scalar t163 = t162 - t161;
-  const Scalar t164 = t159 + t160;
-  const Scalar t165 = t163 - t164;
-  const Scalar t166 = t161 + t165;
-  const Scalar t167 = (t155 * t13 + t9 * t154) - t166 * t30;
-  const Scalar t168 = t112 * t141;
-  const Scalar t169 = t157 * t151;
-  const Scalar t170 = t168 - t169;
-  const Scalar t171 = t115 * t156 + c5 * t117;
-  const Scalar t172 = t157 * t152;
-  const Scalar t173 = t171 - (t172 + t172);
-  const Scalar t174 = (t4 * t144 - t150 * t0) + (t167 - (t27 * t170 + t11 * t173));
-  const Scalar t175 = torque[5] + t174;
-  const Scalar t176 = t158 * t152;
-  const Scalar t177 = t176 + (t176 + t173);
-  const Scalar t178 = t170 + Scalar(2) * t158 * t151;
-  const Scalar t179 = (t27 * t154 - t11 * t161) + (t30 * t177 - t13 * t178);
-  const Scalar t180 = s5 * t143 + c5 * t125;
-  const Scalar t181 = t163 - t149;
-  const Scalar t182 = t166 - t181;
-  const Scalar t183 = t168 + t169;
-  const Scalar t184 = k[14] * t182 + (k[17] * t170 + k[16] * t183);
-  const Scalar t185 = (k[3] * t180 - k[0] * t144) - ((k[22] * t154 + k[21] * t171) + t184);
-  const Scalar t186 = (t179 - t180 * t0) - t185;
-  const Scalar t187 = t28 * t175 - (torque[4] + t186);
-  const Scalar t188 = t146 + t147;
-  const Scalar t189 = (k[39] * t142 + k[24] * (t149 - t188)) + (k[5] * t140 - k[4] * t145);
-  const Scalar t190 = k[22] * t181 - (k[17] * t173 - k[14] * t155);
-  const Scalar t191 = (t178 * t30 - t9 * t177) - t27 * t165;
-  const Scalar t192 = ((t190 - k[21] * t183) - k[0] * t150) - ((t11 * t155 + t191) - t180 * t4);
-  const Scalar t193 = (k[0] * t163 + k[3] * t183) + (t0 * t178 + t4 * t177);
-  const Scalar t194 = t192 + Scalar(0.2413001912045889) * t193;
-  const Scalar t195 = (k[21] * t166 + k[22] * t170) - (k[14] * t173 - k[16] * t155);
-  const Scalar t196 = (t4 * t154 + t162 * t0) + (k[3] * (t163 + t182) - k[0] * t170);
-  const Scalar t197 = ((t195 + k[3] * t150) - t174) - Scalar(0.2413001912045889) * t196;
-  const Scalar t198 = t189 - (s5 * t194 + c5 * t197);
-  const Scalar t199 = (k[5] * t142 + k[4] * t188) - (s5 * t193 - c5 * t196);
-  const Scalar t200 = (t0 * t155 - t164 * t4) + (k[0] * t173 + k[3] * t155);
-  const Scalar t201 = t200 + (k[4] * t142 + k[5] * t149);
-  const Scalar t202 = s4 * t199 - c4 * t201;
-  const Scalar t203 = t132 + t133;
-  const Scalar t204 = t203 - t135;
-  const Scalar t205 = (k[40] * t137 - k[26] * t204) - (k[6] * t138 + k[7] * t131);
-  const Scalar t206 = (t198 - t202) + t205;
-  const Scalar t207 = k[29] * t175;
-  const Scalar t208 = t38 * t187 + ((torque[2] + t206) - t26 * t207);
-  const Scalar t209 = t37 * t187;
-  const Scalar t210 = t33 * t209 - (t22 * t207 - (torque[3] + t198));
-  const Scalar t211 = t210 * t41;
-  const Scalar t212 = t208 - t39 * t211;
-  const Scalar t213 = k[43] - c2 * (k[42] * c2 - k[41] * s2);
-  const Scalar t214 = t123 * t213 - (k[44] * t127 + k[45] * c2);
-  const Scalar t215 = (s4 * t201 + c4 * t199) - (k[6] * t135 - k[7] * t137);
-  const Scalar t216 = c3 * ((k[6] * t137 - k[7] * t203) - t202);
-  const Scalar t217 = t214 + (Scalar(1.0834926704907584) * (s3 * t215 - t216) - t206);
-  const Scalar t218 = ((torque[1] - t217) - t77 * t175) + t65 * t187;
-  const Scalar t219 = t212 * t73 - (t71 * t211 - t218);
-  const Scalar t220 = (k[36] * c2 - k[37] * s2) * t128 - t213 * t119;
-  const Scalar t221 = (k[47] * t116 + k[48] * t168) + k[33] * t148;
-  const Scalar t222 = (s5 * t197 - c5 * t194) + ((k[32] * t142 + t221) - k[5] * t124);
-  const Scalar t223 = Scalar(0.2782664117272148) * t201 + t222;
-  const Scalar t224 = (k[48] * t116 - k[49] * t168) + (k[33] * t142 + k[32] * (t123 - t188));
-  const Scalar t225 = ((t224 + k[4] * t124) + t186) - Scalar(0.2782664117272148) * t199;
-  const Scalar t226 = (s5 * t196 + c5 * t193) + (k[46] * t168 - k[5] * t117);
-  const Scalar t227 = t111 * t113;
-  const Scalar t228 = (k[34] * t137 + k[35] * t134) - (k[51] * t227 + k[25] * t122);
-  const Scalar t229 = ((s4 * t223 - c4 * t225) + t226) - (t228 - k[50] * t120);
-  const Scalar t230 = k[34] * (t204 - t134) - (k[52] * t227 - k[51] * t121);
-  const Scalar t231 = (k[53] * t120 + (t230 - k[35] * t137)) + (s4 * t225 + c4 * t223);
-  const Scalar t232 = t91 * ((k[54] * t227 + k[6] * t122) + t226);
-  const Scalar t233 = t220 + ((t229 * t80 - t87 * t231) - t232);
-  const Scalar t234 = (t101 * t175 - (torque[0] - t233)) + t102 * t209;
-  const Scalar t235 = t59 * t108;
-  const Scalar t236 = t110 * t219 + ((t234 - t211 * t105) - t235 * t212);
-  const Scalar t237 = (c3 * t52 - t48) - Scalar(1.0834926704907584) * (s3 * t66 - c3 * t67);
-  const Scalar t238 = Scalar(2) * c2 * (k[43] + t237) + s2 * (t75 - t76);
-  const Scalar t239 = (k[55] + (t16 + (t97 + t97))) + (k[56] - (t75 - s2 * t238));
-  const Scalar t240 = ((t239 + t96 * t101) - t102 * t103) + t105 * t106;
-  const Scalar t241 = Scalar(1) / (t110 * t109 - (t235 * t108 - t240));
-  const Scalar t242 = t236 * t241;
-  const Scalar t243 = t219 * t79 - t242 * t110;
-  const Scalar t244 = t73 * t243 + (t242 * t235 - t59 * t212);
-  const Scalar t245 = t42 * t244 + (t74 * t243 - (t211 + t242 * t106));
-  const Scalar t246 = t38 * t244 + (t65 * t243 - (t209 + t242 * t103));
-  const Scalar t247 = t246 - t40 * t245;
-  const Scalar t248 = t57 * t244 + ((t242 * t101 - t207) + t77 * t243);
+  const Scalar t0 = k[9] * c6 + k[10] * s6;
+  const Scalar t1 = Scalar(0.22270588235294117) * t0;
+  const Scalar t2 = k[11] + t1;
+  const Scalar t3 = k[0] * s6 - k[1] * c6;
+  const Scalar t4 = c5 * t2 + s5 * t3;
+  const Scalar t5 = k[2] * t4;
+  const Scalar t6 = k[10] * c6 - k[9] * s6;
+  const Scalar t7 = c5 * t0;
+  const Scalar t8 = c4 * t6 - s4 * t7;
+  const Scalar t9 = t5 + k[27] * t8;
+  const Scalar t10 = k[11] * t9;
+  const Scalar t11 = c3 * t8 - s3 * (s4 * t6 + c4 * t7);
+  const Scalar t12 = t10 + t11;
+  const Scalar t13 = k[14] + t6;
+  const Scalar t14 = c5 * t13 - k[22] * s5;
+  const Scalar t15 = k[23] + t14;
+  const Scalar t16 = k[24] - t0;
+  const Scalar t17 = s4 * t15 - c4 * t16;
+  const Scalar t18 = k[32] + t17;
+  const Scalar t19 = s4 * t16 + c4 * t15;
+  const Scalar t20 = k[33] - t19;
+  const Scalar t21 = s3 * t18 + c3 * t20;
+  const Scalar t22 = k[19] - t3;
+  const Scalar t23 = c5 * t22;
+  const Scalar t24 = k[3] * c6 + k[4] * s6;
+  const Scalar t25 = s6 * t24;
+  const Scalar t26 = k[5] - t25;
+  const Scalar t27 = k[6] - t26;
+  const Scalar t28 = k[7] - t27;
+  const Scalar t29 = (t23 + t23) + s5 * t28;
+  const Scalar t30 = s5 * t29 + t27;
+  const Scalar t31 = k[20] - t30;
+  const Scalar t32 = k[17] + t25;
+  const Scalar t33 = k[18] - ((t1 + t1) + t32);
+  const Scalar t34 = k[12] - c6 * t24;
+  const Scalar t35 = (k[13] + t34) - Scalar(0.22270588235294117) * t13;
+  const Scalar t36 = k[0] * c6 + k[1] * s6;
+  const Scalar t37 = k[16] + (k[15] + t36);
+  const Scalar t38 = c5 * t35 + s5 * t37;
+  const Scalar t39 = k[21] + t38;
+  const Scalar t40 = c4 * t39;
+  const Scalar t41 = s4 * (t31 + t33) - (t40 + t40);
+  const Scalar t42 = s4 * t41;
+  const Scalar t43 = t42 - t33;
+  const Scalar t44 = k[31] + t43;
+  const Scalar t45 = t42 - t31;
+  const Scalar t46 = Scalar(0.9229411764705883) * t19;
+  const Scalar t47 = k[30] + (t45 - (t46 + t46));
+  const Scalar t48 = t44 - t47;
+  const Scalar t49 = k[2] * t12;
+  const Scalar t50 = s5 * t35 - c5 * t37;
+  const Scalar t51 = s5 * t13 + k[22] * c5;
+  const Scalar t52 = Scalar(0.9229411764705883) * t51;
+  const Scalar t53 = t50 + s4 * t52;
+  const Scalar t54 = t53 + (c3 * s4 + c4 * s3) * t51;
+  const Scalar t55 = t36 * t49 + t54;
+  const Scalar t56 = k[8] - t28;
+  const Scalar t57 = k[2] * t36;
+  const Scalar t58 = Scalar(1) / (t56 + t36 * t57);
+  const Scalar t59 = t53 + t10 * t57;
+  const Scalar t60 = t58 * t59;
+  const Scalar t61 = (t9 * t12 + (t21 - t48)) - t55 * t60;
+  const Scalar t62 = t43 - t45;
+  const Scalar t63 = t46 + t62;
+  const Scalar t64 = (t63 + (c3 * t19 - s3 * t17)) - t5 * t12;
+  const Scalar t65 = t55 * t58;
+  const Scalar t66 = t50 + t57 * t4;
+  const Scalar t67 = t64 + t65 * t66;
+  const Scalar t68 = t58 * t66;
+  const Scalar t69 = Scalar(1) / (t68 * t66 + (t62 - t5 * t4));
+  const Scalar t70 = t67 * t69;
+  const Scalar t71 = (t63 - t4 * t9) + t60 * t66;
+  const Scalar t72 = t61 + t70 * t71;
+  const Scalar t73 = t69 * t71;
+  const Scalar t74 = (t59 * t60 - (t10 * t9 - t48)) - t73 * t71;
+  const Scalar t75 = Scalar(1) / t74;
+  const Scalar t76 = t72 * t75;
+  const Scalar t77 = s2 * s3 - c2 * c3;
+  const Scalar t78 = Scalar(0.25682352941176473) * t51;
+  const Scalar t79 = t56 + t78;
+  const Scalar t80 = Scalar(0.9229411764705883) * t14 - (c4 * t79 - s4 * t38);
+  const Scalar t81 = c3 * s2 + c2 * s3;
+  const Scalar t82 = t77 * t80 - (c4 * t38 + s4 * t79) * t81;
+  const Scalar t83 = t36 - Scalar(0.25682352941176473) * t7;
+  const Scalar t84 = (c5 * t3 - s5 * t2) + Scalar(0.25682352941176473) * t6;
+  const Scalar t85 = s5 * t0;
+  const Scalar t86 = (s4 * t84 - c4 * t83) + Scalar(0.9229411764705883) * t85;
+  const Scalar t87 = (s4 * t83 + c4 * t84) * t81 - t77 * t86;
+  const Scalar t88 = t87 + c2 * t85;
+  const Scalar t89 = k[2] * t88;
+  const Scalar t90 = (c2 * t14 - t82) + t89 * t36;
+  const Scalar t91 = t58 * t90;
+  const Scalar t92 = k[26] + t50;
+  const Scalar t93 = k[25] + (t22 - c5 * t29);
+  const Scalar t94 = Scalar(0.25682352941176473) * t17 + (c4 * t92 + s4 * t93);
+  const Scalar t95 = k[28] - t94;
+  const Scalar t96 = Scalar(0.25682352941176473) * t19 + (c4 * t93 - s4 * t92);
+  const Scalar t97 = k[29] + (t96 - t52);
+  const Scalar t98 = t77 * t95 + t97 * t81;
+  const Scalar t99 = (t77 * t94 - t96 * t81) + t89 * t4;
+  const Scalar t100 = t99 - t91 * t66;
+  const Scalar t101 = t100 * t69;
+  const Scalar t102 = (t91 * t59 - (t88 * t9 - t98)) + t101 * t71;
+  const Scalar t103 = c3 * t97 + s3 * t95;
+  const Scalar t104 = s2 * (k[35] - (t103 - t51)) + ((s2 * t103 - t98) + k[34] * c2);
+  const Scalar t105 = t70 * t100 + (t91 * t55 - (t104 + t89 * t12));
+  const Scalar t106 = t76 * t102 + t105;
+  const Scalar t107 = k[36] + (Scalar(0.9229411764705883) * t17 + (c4 * t41 + t39));
+  const Scalar t108 = s3 * (t44 + t47) - Scalar(2) * c3 * t107;
+  const Scalar t109 = s3 * t108 - t44;
+  const Scalar t110 = k[37] + ((t48 + t109) - (t21 + t21));
+  const Scalar t111 = k[38] - t109;
+  const Scalar t112 = ((t110 + t111) - t49 * t12) + t55 * t65;
+  const Scalar t113 = Scalar(1) / (t72 * t76 + (t67 * t70 - t112));
+  const Scalar t114 = t113 * t106;
+  const Scalar t115 = (s3 * t20 - c3 * t18) + (c3 * t108 + t107);
+  const Scalar t116 = Scalar(2) * c2 * (k[40] - t115) + s2 * (t110 - t111);
+  const Scalar t117 = (k[41] - (t110 - s2 * t116)) + (k[39] + ((t78 + t78) - (t30 - t56)));
+  const Scalar t118 = t101 * t100 + ((t117 + t89 * t88) - t91 * t90);
+  const Scalar t119 = t102 * t75;
+  const Scalar t120 = Scalar(1) / (t106 * t114 - (t118 + t119 * t102));
+  const Scalar t121 = qd[0] * c2;
+  const Scalar t122 = qd[0] * s2 * t121 - k[42] * c2;
+  const Scalar t123 = qd[1] * qd[1];
+  const Scalar t124 = k[42] * s2;
+  const Scalar t125 = (t123 + t121 * t121) + t124;
+  const Scalar t126 = c3 * t122 + s3 * t125;
+  const Scalar t127 = qd[0] * t81;
+  const Scalar t128 = qd[0] * t77;
+  const Scalar t129 = t127 * t128;
+  const Scalar t130 = t126 - Scalar(0.9229411764705883) * t129;
+  const Scalar t131 = qd[1] + qd[2];
+  const Scalar t132 = t131 * t131;
+  const Scalar t133 = t128 * t128;
+  const Scalar t134 = t132 + t133;
+  const Scalar t135 = c3 * t125 - s3 * t122;
+  const Scalar t136 = Scalar(0.9229411764705883) * t134 + t135;
+  const Scalar t137 = s4 * t130 - c4 * t136;
+  const Scalar t138 = Scalar(2) * qd[0] * qd[1];
+  const Scalar t139 = s2 * t138;
+  const Scalar t140 = t127 * t131;
+  const Scalar t141 = qd[0] * qd[0];
+  const Scalar t142 = (t139 + Scalar(1.8458823529411765) * t140) + Scalar(0.25682352941176473) * t141;
+  const Scalar t143 = qd[3] + t131;
+  const Scalar t144 = c4 * t128 + s4 * t127;
+  const Scalar t145 = t143 * t144;
+  const Scalar t146 = t145 + t145;
+  const Scalar t147 = s4 * t128 - c4 * t127;
+  const Scalar t148 = s5 * t147;
+  const Scalar t149 = c5 * t146 + t144 * t148;
+  const Scalar t150 = (s5 * t137 - c5 * t142) + Scalar(0.22270588235294117) * t149;
+  const Scalar t151 = t147 * t144;
+  const Scalar t152 = s5 * t146 - c5 * t151;
+  const Scalar t153 = Scalar(0.22270588235294117) * t152 - (c5 * t137 + s5 * t142);
+  const Scalar t154 = t143 * t147;
+  const Scalar t155 = c5 * t143 + t148;
+  const Scalar t156 = c5 * t147 - s5 * t143;
+  const Scalar t157 = t155 * t156;
+  const Scalar t158 = t154 - t157;
+  const Scalar t159 = t154 + t157;
+  const Scalar t160 = qd[5] + t155;
+  const Scalar t161 = t160 * t160;
+  const Scalar t162 = t156 * t156;
+  const Scalar t163 = t161 + t162;
+  const Scalar t164 = qd[4] + t144;
+  const Scalar t165 = t161 - t164 * t164;
+  const Scalar t166 = t163 - t165;
+  const Scalar t167 = t161 - t162;
+  const Scalar t168 = t166 + t167;
+  const Scalar t169 = t168 - t163;
+  const Scalar t170 = t144 * t144;
+  const Scalar t171 = t143 * t143;
+  const Scalar t172 = t170 - t171;
+  const Scalar t173 = t170 + t171;
+  const Scalar t174 = t141 - t173;
+  const Scalar t175 = t172 - t174;
+  const Scalar t176 = t175 - t173;
+  const Scalar t177 = t169 - t176;
+  const Scalar t178 = t166 - t177;
+  const Scalar t179 = (k[7] * t158 + k[6] * t159) - k[19] * t178;
+  const Scalar t180 = (k[14] * t150 - k[22] * t153) - ((k[13] * t149 + k[15] * t152) + t179);
+  const Scalar t181 = Scalar(2) * t164;
+  const Scalar t182 = t149 - t155 * t181;
+  const Scalar t183 = t182 + t160 * t181;
+  const Scalar t184 = t160 * t156;
+  const Scalar t185 = (t158 + t184) + t184;
+  const Scalar t186 = (t34 * t183 - t26 * t185) + (t152 * t36 - t167 * t3);
+  const Scalar t187 = t180 - (t186 - t6 * t150);
+  const Scalar t188 = t152 + t156 * t181;
+  const Scalar t189 = t34 * t169 - (t152 * t32 + t188 * t26);
+  const Scalar t190 = c4 * t130 + s4 * t136;
+  const Scalar t191 = t190 + Scalar(0.22270588235294117) * t176;
+  const Scalar t192 = (t189 + (t36 * t158 + t3 * t182)) - (t0 * t153 + t6 * t191);
+  const Scalar t193 = torque[5] - t192;
+  const Scalar t194 = (torque[4] - t187) - t193 * t57;
+  const Scalar t195 = t194 * t58;
+  const Scalar t196 = (k[22] * t166 + k[14] * t159) + (t6 * t185 + t183 * t0);
+  const Scalar t197 = (t168 * t6 + t152 * t0) - (k[22] * t158 - k[14] * t177);
+  const Scalar t198 = c5 * t196 + s5 * t197;
+  const Scalar t199 = t198 + (k[46] * t154 - k[45] * t145);
+  const Scalar t200 = t131 * t128;
+  const Scalar t201 = c2 * (t199 + (k[47] * t200 + k[48] * t140));
+  const Scalar t202 = t132 - t133;
+  const Scalar t203 = (k[49] * t140 - k[50] * t200) + k[28] * t202;
+  const Scalar t204 = s5 * t196 - c5 * t197;
+  const Scalar t205 = t204 - (k[23] * t173 + k[24] * t151);
+  const Scalar t206 = (t188 * t6 - t163 * t0) + (k[22] * t182 + k[14] * t188);
+  const Scalar t207 = t206 + (k[23] * t151 - k[24] * t176);
+  const Scalar t208 = s4 * t205 + c4 * t207;
+  const Scalar t209 = (k[26] * t151 + k[25] * t174) + (k[51] * t145 - k[52] * t154);
+  const Scalar t210 = (k[23] * t142 + t209) - t187;
+  const Scalar t211 = k[15] * (t169 + t178) - (k[7] * t182 - k[19] * t188);
+  const Scalar t212 = t36 * t165 - (t183 * t32 - t34 * t185);
+  const Scalar t213 = ((t211 - k[13] * t159) + k[22] * t191) - ((t3 * t188 + t212) - t0 * t150);
+  const Scalar t214 = (k[15] * t158 + k[13] * t169) + (k[6] * t188 - k[19] * t182);
+  const Scalar t215 = (t214 - k[14] * t191) + t192;
+  const Scalar t216 = (c5 * t213 - s5 * t215) + Scalar(0.22270588235294117) * t198;
+  const Scalar t217 = k[26] * t172 + (k[18] * t146 + k[51] * t154);
+  const Scalar t218 = t216 - ((t217 + k[25] * t151) - k[24] * t142);
+  const Scalar t219 = Scalar(0.25682352941176473) * t208 + (s4 * t210 - c4 * t218);
+  const Scalar t220 = ((t203 - k[29] * t129) + k[32] * t139) + t219;
+  const Scalar t221 = c4 * t205 - s4 * t207;
+  const Scalar t222 = (s4 * t218 + c4 * t210) + Scalar(0.25682352941176473) * t221;
+  const Scalar t223 = t141 + t202;
+  const Scalar t224 = t223 - t134;
+  const Scalar t225 = (k[49] * t200 + k[53] * t140) + (k[29] * (t202 - t224) - k[28] * t129);
+  const Scalar t226 = (t222 - Scalar(0.9229411764705883) * t199) - (t225 + k[33] * t139);
+  const Scalar t227 = k[40] + c2 * (k[54] * s2 - k[55] * c2);
+  const Scalar t228 = t123 * (k[34] * s2 - k[35] * c2) + t227 * t138;
+  const Scalar t229 = (t201 + (t220 * t81 + t77 * t226)) + t228;
+  const Scalar t230 = t90 * t195 - ((torque[0] + t229) - t89 * t193);
+  const Scalar t231 = Scalar(0.22270588235294117) * t204 + (c5 * t215 + s5 * t213);
+  const Scalar t232 = (k[44] * t151 - k[21] * t175) + (k[23] * t190 + k[24] * t137);
+  const Scalar t233 = t231 - t232;
+  const Scalar t234 = ((torque[3] - t233) - t5 * t193) - t195 * t66;
+  const Scalar t235 = t69 * t234;
+  const Scalar t236 = k[2] * t193;
+  const Scalar t237 = (k[33] * t126 - k[32] * t135) + (k[36] * t224 - k[43] * t129);
+  const Scalar t238 = (Scalar(0.9229411764705883) * t208 - t233) - t237;
+  const Scalar t239 = (t10 * t236 - (torque[2] + t238)) + t194 * t60;
+  const Scalar t240 = t73 * t234 + t239;
+  const Scalar t241 = t75 * t240;
+  const Scalar t242 = t141 * t227 - (k[56] * t124 + k[57] * c2);
+  const Scalar t243 = c3 * ((k[33] * t129 - k[32] * t223) + t208);
+  const Scalar t244 = s3 * (t221 - (k[32] * t129 - k[33] * t134));
+  const Scalar t245 = t236 * t12 - (torque[1] - (t242 - ((t243 + t244) + t238)));
+  const Scalar t246 = t76 * t240 + (t70 * t234 + (t194 * t65 + t245));
+  const Scalar t247 = ((t230 - t235 * t100) - t241 * t102) + t246 * t114;
+  const Scalar t248 = t120 * t247;
+  const Scalar t249 = t113 * t246 - t248 * t114;
+  const Scalar t250 = t76 * t249 - (t241 - t119 * t248);
+  const Scalar t251 = ((t235 - t248 * t101) - t70 * t249) - t250 * t73;
+  const Scalar t252 = t250 * t60 + (t65 * t249 - (t91 * t248 - t195));
+  const Scalar t253 = t251 * t68 + t252;
+  const Scalar t254 = ((t236 + t89 * t248) - t49 * t249) - t250 * t9;
   JointVector<Scalar> result;
-  result[0] = -t242;
-  result[1] = -t243;
-  result[2] = -t244;
-  result[3] = t245;
-  result[4] = t247;
-  result[5] = (t248 - t23 * t245) - t247 * t28;
+  result[0] = t248;
+  result[1] = -t249;
+  result[2] = -t250;
+  result[3] = -t251;
+  result[4] = t253;
+  result[5] = -t57 * t253 - (t254 - t5 * t251);
   return result;
 }
 
@@ -1753,91 +1763,91 @@ KineticEnergyConstants<Scalar> kinetic_energy_constants([[maybe_unused]] const B
   const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t1;
   const Scalar t4 = (inertia.I6yy - t2) - inertia.c6y * t0;
   const Scalar t5 = inertia.I6xy - inertia.c6y * t1;
-  const Scalar t6 = inertia.m5 + inertia.m6;
-  const Scalar t7 = Scalar(0.09465) * inertia.m5;
+  const Scalar t6 = inertia.c5x * inertia.m5;
+  const Scalar t7 = Scalar(0.09465) * t6;
   const Scalar t8 = inertia.c5y * inertia.m5;
-  const Scalar t9 = t8 - t7;
-  const Scalar t10 = t7 + t9;
-  const Scalar t11 = Scalar(0.09465) * t6 - t10;
-  const Scalar t12 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t13 = Scalar(0.09465) * (t8 + t9) - (inertia.c5y * t8 - (inertia.I5yy - t12));
-  const Scalar t14 = Scalar(0.09465) * (t11 - t10) + (Scalar(0.09465) * (t10 + t9) - t13);
-  const Scalar t15 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t9 = inertia.c5z * inertia.m5;
+  const Scalar t10 = Scalar(0.09465) * t9;
+  const Scalar t11 = inertia.c6z * inertia.m6;
+  const Scalar t12 = Scalar(0.0823) * inertia.m6 + t11;
+  const Scalar t13 = t9 + t12;
+  const Scalar t14 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t15 = (inertia.c6z * t11 - (inertia.I6zz - t2)) + Scalar(0.0823) * (t12 + t11);
   const Scalar t16 = inertia.c4z * inertia.m4;
-  const Scalar t17 = inertia.c5x * inertia.m5;
-  const Scalar t18 = inertia.c5z * inertia.m5;
-  const Scalar t19 = inertia.c6z * inertia.m6;
-  const Scalar t20 = Scalar(0.0823) * inertia.m6 + t19;
-  const Scalar t21 = (inertia.c6z * t19 - (inertia.I6zz - t2)) + Scalar(0.0823) * (t20 + t19);
-  const Scalar t22 = inertia.c4x * inertia.m4;
-  const Scalar t23 = Scalar(0.09465) * t17;
-  const Scalar t24 = Scalar(0.09465) * t18;
-  const Scalar t25 = t18 + t20;
-  const Scalar t26 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t27 = inertia.c3y * inertia.m3;
-  const Scalar t28 = inertia.m4 + t6;
-  const Scalar t29 = inertia.c3x * inertia.m3;
-  const Scalar t30 = Scalar(0.39225) * inertia.m3 - t29;
-  const Scalar t31 = (inertia.c3x * t29 - (inertia.I3xx - t26)) + Scalar(0.39225) * (t30 - t29);
-  const Scalar t32 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t33 = inertia.c2y * inertia.m2;
-  const Scalar t34 = inertia.c2x * inertia.m2;
-  const Scalar t35 = Scalar(0.425) * (t34 - (Scalar(0.425) * inertia.m2 - t34))
-      - (inertia.c2x * t34 - (inertia.I2xx - t32));
-  const Scalar t36 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t37 = inertia.c3z * inertia.m3;
-  const Scalar t38 = inertia.c4y * inertia.m4;
-  const Scalar t39 = Scalar(0.10915) * inertia.m4;
-  const Scalar t40 = t39 + t38;
-  const Scalar t41 = Scalar(0.10915) * (t38 + t40) - ((inertia.I4yy - t15) - inertia.c4y * t38);
-  const Scalar t42 = t39 - t40;
-  const Scalar t43 = t42 - Scalar(0.10915) * t28;
-  const Scalar t44 = (t41 - Scalar(0.10915) * (t40 - t42)) - Scalar(0.10915) * (t42 + t43);
-  const Scalar t45 = inertia.c2z * inertia.m2;
-  const Scalar t46 = (((inertia.I3zz - t26) - inertia.c3z * t37) - t44) + ((inertia.I2zz - t32) - inertia.c2z * t45);
-  const Scalar t47 = (inertia.c1z * inertia.c1z * inertia.m1 - (inertia.I1zz - t36)) - t46;
-  const Scalar t48 = Scalar(0.10915) * t22;
-  const Scalar t49 = Scalar(0.10915) * t16;
-  const Scalar t50 = Scalar(0.39225) * t43 - (Scalar(0.39225) * t37 + (inertia.I3xz - inertia.c3z * t29));
-  const Scalar t51 = Scalar(0.425) * (t37 - t43) + ((inertia.I2xz - inertia.c2z * t34) + Scalar(0.425) * t45);
-  return { Scalar(0.425) * t0,
-           Scalar(0.425) * t1,
-           t3 - t4,
-           Scalar(2) * t5,
-           t4,
-           t14 - ((inertia.I4zz - t15) - inertia.c4z * t16),
-           t3 + t4,
-           inertia.c5x * t17 - (inertia.I5xx - t12),
-           (inertia.c5z * t18 - (inertia.I5zz - t12)) + t21,
-           (inertia.I6yz - inertia.c6z * t0) - Scalar(0.0823) * t0,
+  const Scalar t17 = Scalar(0.10915) * t16;
+  const Scalar t18 = inertia.c4y * inertia.m4;
+  const Scalar t19 = inertia.m5 + inertia.m6;
+  const Scalar t20 = Scalar(0.09465) * inertia.m5;
+  const Scalar t21 = t8 - t20;
+  const Scalar t22 = t20 + t21;
+  const Scalar t23 = Scalar(0.09465) * t19 - t22;
+  const Scalar t24 = inertia.c4x * inertia.m4;
+  const Scalar t25 = Scalar(0.10915) * t24;
+  const Scalar t26 = inertia.c3y * inertia.m3;
+  const Scalar t27 = Scalar(0.10915) * inertia.m4;
+  const Scalar t28 = t27 + t18;
+  const Scalar t29 = t27 - t28;
+  const Scalar t30 = inertia.m4 + t19;
+  const Scalar t31 = t29 - Scalar(0.10915) * t30;
+  const Scalar t32 = inertia.c3z * inertia.m3;
+  const Scalar t33 = inertia.c3x * inertia.m3;
+  const Scalar t34 = Scalar(0.39225) * t31 - (Scalar(0.39225) * t32 + (inertia.I3xz - inertia.c3z * t33));
+  const Scalar t35 = inertia.c2x * inertia.m2;
+  const Scalar t36 = inertia.c2z * inertia.m2;
+  const Scalar t37 = Scalar(0.425) * (t32 - t31) + ((inertia.I2xz - inertia.c2z * t35) + Scalar(0.425) * t36);
+  const Scalar t38 = inertia.c2y * inertia.m2;
+  const Scalar t39 = Scalar(0.09465) * (t8 + t21) - (inertia.c5y * t8 - (inertia.I5yy - t14));
+  const Scalar t40 = Scalar(0.09465) * (t23 - t22) + (Scalar(0.09465) * (t22 + t21) - t39);
+  const Scalar t41 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t42 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t43 = Scalar(0.39225) * inertia.m3 - t33;
+  const Scalar t44 = (inertia.c3x * t33 - (inertia.I3xx - t42)) + Scalar(0.39225) * (t43 - t33);
+  const Scalar t45 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t46 = Scalar(0.10915) * (t18 + t28) - ((inertia.I4yy - t41) - inertia.c4y * t18);
+  const Scalar t47 = (t46 - Scalar(0.10915) * (t28 - t29)) - Scalar(0.10915) * (t29 + t31);
+  const Scalar t48 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t49 = (((inertia.I3zz - t42) - inertia.c3z * t32) - t47) + ((inertia.I2zz - t48) - inertia.c2z * t36);
+  const Scalar t50 = (inertia.c1z * inertia.c1z * inertia.m1 - (inertia.I1zz - t45)) - t49;
+  const Scalar t51 = Scalar(0.425) * (t35 - (Scalar(0.425) * inertia.m2 - t35))
+      - (inertia.c2x * t35 - (inertia.I2xx - t48));
+  return { (inertia.I6yz - inertia.c6z * t0) - Scalar(0.0823) * t0,
            (inertia.I6xz - inertia.c6z * t1) - Scalar(0.0823) * t1,
-           inertia.I5xz - inertia.c5z * t17,
-           (inertia.I4xx - t15) - inertia.c4x * t22,
-           Scalar(0.425) * t17,
+           Scalar(0.425) * t0,
+           Scalar(0.425) * t1,
+           t3 + t4,
+           Scalar(2) * t5,
+           t3 - t4,
            t5,
-           t23 - (t23 + (inertia.I5xy - inertia.c5y * t17)),
-           ((inertia.I5yz - inertia.c5z * t8) + t24) - t24,
-           Scalar(0.09465) * t25,
-           inertia.I4xz - inertia.c4z * t22,
-           (inertia.I3yy - t26) - inertia.c3y * t27,
-           Scalar(0.425) * t25,
-           Scalar(0.425) * t22,
-           Scalar(0.425) * (t11 + t16),
-           Scalar(0.1538600625) * t28 + t31,
-           (inertia.I3xy - inertia.c3y * t29) + Scalar(0.39225) * t27,
-           (inertia.I2yy - t32) - inertia.c2y * t33,
-           Scalar(0.425) * t27,
-           Scalar(0.425) * (Scalar(0.39225) * t28 + t30),
-           t35 - Scalar(0.180625) * (inertia.m3 + t28),
-           t47,
-           Scalar(0.425) * t33 + (inertia.I2xy - inertia.c2y * t34),
-           inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t36),
-           (t48 - (inertia.I4xy - inertia.c4y * t22)) - t48,
-           t49 - (t49 - (inertia.I4yz - inertia.c4z * t38)),
+           t7 - (t7 + (inertia.I5xy - inertia.c5y * t6)),
+           Scalar(0.425) * t6,
+           ((inertia.I5yz - inertia.c5z * t8) + t10) - t10,
+           Scalar(0.09465) * t13,
+           Scalar(0.425) * t13,
+           t4,
+           inertia.c5x * t6 - (inertia.I5xx - t14),
+           (inertia.c5z * t9 - (inertia.I5zz - t14)) + t15,
+           t17 - (t17 - (inertia.I4yz - inertia.c4z * t18)),
+           Scalar(0.425) * (t23 + t16),
+           Scalar(0.425) * t24,
+           inertia.I5xz - inertia.c5z * t6,
+           (t25 - (inertia.I4xy - inertia.c4y * t24)) - t25,
+           inertia.I3yz - inertia.c3z * t26,
+           t34,
+           t37,
+           inertia.I2yz - inertia.c2z * t38,
+           t40 - ((inertia.I4zz - t41) - inertia.c4z * t16),
+           (inertia.I4xx - t41) - inertia.c4x * t24,
+           inertia.I4xz - inertia.c4z * t24,
+           Scalar(0.1538600625) * t30 + t44,
+           (inertia.I3yy - t42) - inertia.c3y * t26,
+           Scalar(0.425) * t26,
+           Scalar(0.425) * (Scalar(0.39225) * t30 + t43),
            t50,
-           inertia.I3yz - inertia.c3z * t27,
-           t51,
-           inertia.I2yz - inertia.c2z * t33 };
+           (inertia.I3xy - inertia.c3y * t33) + Scalar(0.39225) * t26,
+           Scalar(0.425) * t38 + (inertia.I2xy - inertia.c2y * t35),
+           (inertia.I2yy - t48) - inertia.c2y * t38,
+           t51 - Scalar(0.180625) * (inertia.m3 + t30),
+           inertia.c1x * inertia.c1x * inertia.m1 - (inertia.I1xx - t45) };
 }
 
 namespace detail {
@@ -1856,99 +1866,93 @@ inline Scalar kinetic_energy([[maybe_unused]] const JointVector<Scalar>& q, cons
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[0] * c6 + k[1] * s6;
+  const Scalar t0 = k[2] * c6 + k[3] * s6;
   const Scalar t1 = Scalar(0.22270588235294117) * t0;
-  const Scalar t2 = k[6] + t1;
-  const Scalar t3 = k[9] * s6 - k[10] * c6;
-  const Scalar t4 = c5 * t2 + s5 * t3;
-  const Scalar t5 = k[0] * s6 - k[1] * c6;
-  const Scalar t6 = k[13] - t5;
-  const Scalar t7 = k[3] * c6 + k[2] * s6;
-  const Scalar t8 = Scalar(0.22270588235294117) * t6 - (k[15] + (k[14] - c6 * t7));
-  const Scalar t9 = k[9] * c6 + k[10] * s6;
-  const Scalar t10 = k[17] + (k[16] + t9);
-  const Scalar t11 = s5 * t8 + c5 * t10;
-  const Scalar t12 = c5 * t0;
-  const Scalar t13 = s4 * t12 + c4 * t5;
-  const Scalar t14 = t4 - Scalar(0.9229411764705883) * t13;
-  const Scalar t15 = s4 * t5 - c4 * t12;
-  const Scalar t16 = qd[5] * (t14 - (c3 * t13 - s3 * t15));
-  const Scalar t17 = s5 * t6 + k[20] * c5;
-  const Scalar t18 = Scalar(0.9229411764705883) * t17;
-  const Scalar t19 = s4 * t18 - t11;
-  const Scalar t20 = t17 * (c3 * s4 + c4 * s3) + t19;
-  const Scalar t21 = k[20] * s5 - c5 * t6;
-  const Scalar t22 = k[21] - t21;
-  const Scalar t23 = k[22] - t0;
-  const Scalar t24 = c4 * t22 + s4 * t23;
-  const Scalar t25 = Scalar(0.9229411764705883) * t24;
-  const Scalar t26 = k[4] + s6 * t7;
-  const Scalar t27 = k[5] - (t26 + Scalar(2) * t1);
-  const Scalar t28 = k[7] - (k[6] - t26);
-  const Scalar t29 = k[11] - t3;
-  const Scalar t30 = c5 * t29;
-  const Scalar t31 = s5 * (k[8] - t28) + (t30 + t30);
-  const Scalar t32 = s5 * t31 + t28;
-  const Scalar t33 = k[12] - t32;
-  const Scalar t34 = t27 - t33;
-  const Scalar t35 = t25 - t34;
-  const Scalar t36 = c4 * t23 - s4 * t22;
-  const Scalar t37 = qd[3] * (t35 + (c3 * t24 + s3 * t36));
-  const Scalar t38 = s5 * t10 - c5 * t8;
-  const Scalar t39 = k[18] + t38;
-  const Scalar t40 = c4 * t39;
-  const Scalar t41 = s4 * (t27 + t33) - (t40 + t40);
-  const Scalar t42 = k[24] - (Scalar(0.9229411764705883) * t36 - (t39 + c4 * t41));
-  const Scalar t43 = c3 * t42;
-  const Scalar t44 = s4 * t41;
-  const Scalar t45 = k[19] + (t44 - t27);
-  const Scalar t46 = k[23] + ((t44 - t33) - (t25 + t25));
-  const Scalar t47 = (t43 + t43) - s3 * (t45 + t46);
-  const Scalar t48 = s3 * t47;
-  const Scalar t49 = t48 + t46;
-  const Scalar t50 = t45 + t48;
-  const Scalar t51 = t49 - t50;
-  const Scalar t52 = k[26] - t36;
-  const Scalar t53 = k[27] - t24;
-  const Scalar t54 = s3 * t52 + c3 * t53;
-  const Scalar t55 = qd[4] * t20 - (t37 - qd[2] * (t51 + t54));
-  const Scalar t56 = s5 * t0;
-  const Scalar t57 = c5 * t3 - s5 * t2;
-  const Scalar t58 = (s4 * t9 + c4 * t57) - Scalar(0.25682352941176473) * t13;
-  const Scalar t59 = c3 * s2 + c2 * s3;
-  const Scalar t60 = Scalar(0.25682352941176473) * t15 + (c4 * t9 - s4 * t57);
-  const Scalar t61 = s2 * s3 - c2 * c3;
-  const Scalar t62 = t58 * t59 - (Scalar(0.9229411764705883) * t56 - t60) * t61;
-  const Scalar t63 = k[33] - t11;
-  const Scalar t64 = k[32] - (c5 * t31 - t29);
-  const Scalar t65 = Scalar(0.25682352941176473) * t24 - (s4 * t63 - c4 * t64);
-  const Scalar t66 = k[34] + (t65 - t18);
-  const Scalar t67 = Scalar(0.25682352941176473) * t36 - (s4 * t64 + c4 * t63);
-  const Scalar t68 = k[35] + t67;
-  const Scalar t69 = c3 * t66 + s3 * t68;
-  const Scalar t70 = c3 * t68 - s3 * t66;
-  const Scalar t71 = c2 * (k[37] + t70) + s2 * (k[36] - (t69 - t17));
-  const Scalar t72 = qd[2] * (s2 * t69 - c2 * t70) - qd[1] * t71;
-  const Scalar t73 = t72 + qd[3] * (t61 * t67 + t65 * t59);
-  const Scalar t74 = k[8] + t28;
-  const Scalar t75 = t74 + Scalar(0.25682352941176473) * t17;
-  const Scalar t76 = Scalar(0.9229411764705883) * t21 + (c4 * t75 - s4 * t38);
-  const Scalar t77 = t59 * (c4 * t38 + s4 * t75) + t61 * t76;
-  const Scalar t78 = qd[5] * (c2 * t56 + t62) + (t73 + qd[4] * (c2 * t21 - t77));
-  const Scalar t79 = (qd[3] * t35 - qd[4] * t19) + qd[5] * t14;
-  const Scalar t80 = (qd[1] * (t16 - t55) + qd[0] * t78) + qd[2] * t79;
-  const Scalar t81 = qd[3] * (qd[5] * t4 + qd[4] * t11) + t80;
-  const Scalar t82 = k[28] - (t49 + Scalar(2) * t54);
-  const Scalar t83 = k[25] + t50;
-  const Scalar t84 = (c3 * t52 - s3 * t53) + (c3 * t47 - t42);
-  const Scalar t85 = s2 * (t83 - t82) - Scalar(2) * c2 * (k[30] + t84);
-  const Scalar t86 = (k[29] + ((t74 - t32) + Scalar(0.5136470588235295) * t17)) + (k[31] - (t82 + s2 * t85));
-  const Scalar t87 = qd[0] * qd[0] * t86 - qd[1] * qd[1] * (t83 + t82);
-  const Scalar t88 = (qd[2] * qd[2] * t51 + t87) + qd[3] * qd[3] * t34;
-  const Scalar t89 = (t88 + qd[4] * qd[4] * t74) - qd[5] * k[6] * qd[5];
-  const Scalar t90 = (t81 + qd[4] * qd[5] * t9) - Scalar(0.5) * t89;
+  const Scalar t2 = k[5] * c6 + k[6] * s6;
+  const Scalar t3 = k[13] + s6 * t2;
+  const Scalar t4 = k[25] - ((t1 + t1) + t3);
+  const Scalar t5 = k[14] - (k[4] - t3);
+  const Scalar t6 = k[0] * s6 - k[1] * c6;
+  const Scalar t7 = k[19] - t6;
+  const Scalar t8 = s5 * (k[15] - t5) + Scalar(2) * c5 * t7;
+  const Scalar t9 = s5 * t8;
+  const Scalar t10 = k[26] - (t5 + t9);
+  const Scalar t11 = t4 - t10;
+  const Scalar t12 = k[2] * s6 - k[3] * c6;
+  const Scalar t13 = k[9] - t12;
+  const Scalar t14 = c5 * t13 - k[12] * s5;
+  const Scalar t15 = k[18] + t14;
+  const Scalar t16 = k[17] - t0;
+  const Scalar t17 = c4 * t15 + s4 * t16;
+  const Scalar t18 = (k[8] + (k[7] - c6 * t2)) - Scalar(0.22270588235294117) * t13;
+  const Scalar t19 = k[0] * c6 + k[1] * s6;
+  const Scalar t20 = k[11] + (k[10] + t19);
+  const Scalar t21 = c5 * t18 + s5 * t20;
+  const Scalar t22 = k[27] + t21;
+  const Scalar t23 = c4 * t22;
+  const Scalar t24 = s4 * (t4 + t10) - (t23 + t23);
+  const Scalar t25 = t4 - s4 * t24;
+  const Scalar t26 = k[28] - (Scalar(1.8458823529411765) * t17 + (t25 - t11));
+  const Scalar t27 = k[29] - t25;
+  const Scalar t28 = t26 - t27;
+  const Scalar t29 = s5 * t13 + k[12] * c5;
+  const Scalar t30 = k[31] - t17;
+  const Scalar t31 = c4 * t16 - s4 * t15;
+  const Scalar t32 = k[30] - t31;
+  const Scalar t33 = k[33] - (Scalar(0.9229411764705883) * t31 - (c4 * t24 + t22));
+  const Scalar t34 = c3 * t33;
+  const Scalar t35 = s3 * (t26 + t27) - (t34 + t34);
+  const Scalar t36 = (s3 * t30 - c3 * t32) + (c3 * t35 + t33);
+  const Scalar t37 = s3 * t35 - t27;
+  const Scalar t38 = k[35] - t37;
+  const Scalar t39 = c3 * t30 + s3 * t32;
+  const Scalar t40 = k[36] - (Scalar(2) * t39 - (t37 - t28));
+  const Scalar t41 = Scalar(2) * c2 * (k[34] - t36) - s2 * (t38 - t40);
+  const Scalar t42 = (k[32] + (Scalar(0.5136470588235295) * t29 + (k[15] - t9))) + (k[37] + (s2 * t41 - t40));
+  const Scalar t43 = qd[0] * qd[0] * t42 - qd[1] * qd[1] * (t38 + t40);
+  const Scalar t44 = qd[3] * qd[3] * t11 + (qd[2] * qd[2] * t28 + t43);
+  const Scalar t45 = k[15] + t5;
+  const Scalar t46 = (t44 + qd[4] * qd[4] * t45) - qd[5] * k[4] * qd[5];
+  const Scalar t47 = s5 * t18 - c5 * t20;
+  const Scalar t48 = k[4] + t1;
+  const Scalar t49 = c5 * t48 + s5 * t6;
+  const Scalar t50 = c5 * t0;
+  const Scalar t51 = c4 * t12 + s4 * t50;
+  const Scalar t52 = Scalar(0.9229411764705883) * t51 - t49;
+  const Scalar t53 = Scalar(0.9229411764705883) * t29;
+  const Scalar t54 = s4 * t53 + t47;
+  const Scalar t55 = Scalar(0.9229411764705883) * t17 - t11;
+  const Scalar t56 = qd[5] * t52 + (qd[4] * t54 - qd[3] * t55);
+  const Scalar t57 = t45 + Scalar(0.25682352941176473) * t29;
+  const Scalar t58 = Scalar(0.9229411764705883) * t14 + (s4 * t21 - c4 * t57);
+  const Scalar t59 = s2 * s3 - c2 * c3;
+  const Scalar t60 = c3 * s2 + c2 * s3;
+  const Scalar t61 = t58 * t59 - (c4 * t21 + s4 * t57) * t60;
+  const Scalar t62 = Scalar(0.25682352941176473) * t16 - (k[16] + t47);
+  const Scalar t63 = (k[20] - (c5 * t8 - t7)) + Scalar(0.25682352941176473) * t15;
+  const Scalar t64 = s4 * t62 + c4 * t63;
+  const Scalar t65 = c4 * t62 - s4 * t63;
+  const Scalar t66 = k[21] + t65;
+  const Scalar t67 = k[22] - (t53 - t64);
+  const Scalar t68 = k[23] + (t29 - (c3 * t67 + s3 * t66));
+  const Scalar t69 = c2 * (k[24] + (c3 * t66 - s3 * t67));
+  const Scalar t70 = qd[2] * (t59 * t66 + t67 * t60) - qd[1] * (s2 * t68 + t69);
+  const Scalar t71 = qd[3] * (t60 * t64 + t65 * t59) + t70;
+  const Scalar t72 = s5 * t0;
+  const Scalar t73 = t19 - Scalar(0.25682352941176473) * t50;
+  const Scalar t74 = Scalar(0.25682352941176473) * t12 + (s5 * t48 - c5 * t6);
+  const Scalar t75 = Scalar(0.9229411764705883) * t72 - (c4 * t73 + s4 * t74);
+  const Scalar t76 = t59 * t75 - (s4 * t73 - c4 * t74) * t60;
+  const Scalar t77 = (qd[4] * (t61 - c2 * t14) + t71) + qd[5] * (c2 * t72 - t76);
+  const Scalar t78 = (c3 * s4 + c4 * s3) * t29 + t54;
+  const Scalar t79 = qd[3] * ((s3 * t31 + c3 * t17) + t55);
+  const Scalar t80 = qd[4] * t78 + (qd[2] * (t39 + t28) - t79);
+  const Scalar t81 = s3 * (c4 * t50 - s4 * t12) + c3 * t51;
+  const Scalar t82 = qd[0] * t77 - qd[1] * (t80 + qd[5] * (t81 + t52));
+  const Scalar t83 = qd[3] * (qd[4] * t47 - qd[5] * t49) + (qd[2] * t56 - t82);
+  const Scalar t84 = Scalar(0.5) * t46 + (t83 - qd[4] * qd[5] * t19);
   Scalar result;
-  result = -t90;
+  result = t84;
   return result;
 }
 
@@ -1984,15 +1988,15 @@ PotentialEnergyConstants<Scalar> potential_energy_constants([[maybe_unused]] con
            t0 + (inertia.c5y * inertia.m5 - t0),
            Scalar(0.09465) * t1,
            inertia.c4z * inertia.m4,
-           inertia.c5x * inertia.m5,
            t2,
+           inertia.c5x * inertia.m5,
            inertia.c4x * inertia.m4,
+           inertia.c3y * inertia.m3,
            Scalar(0.39225) * t3,
            Scalar(0.39225) * inertia.m3 - inertia.c3x * inertia.m3,
-           inertia.c3y * inertia.m3,
-           inertia.c2y * inertia.m2,
            Scalar(0.425) * t4,
            Scalar(0.425) * inertia.m2 - inertia.c2x * inertia.m2,
+           inertia.c2y * inertia.m2,
            t5 - (t5 + inertia.c1y * inertia.m1),
            Scalar(0.089159) * (inertia.m1 + (inertia.m2 + t4)),
            gravity };
@@ -2013,15 +2017,15 @@ inline Scalar potential_energy([[maybe_unused]] const JointVector<Scalar>& q, co
   const Scalar& c5 = angles.cosine[3];
   const Scalar& s6 = angles.sine[4];
   const Scalar& c6 = angles.cosine[4];
-  const Scalar t0 = k[3] - (k[2] + (k[0] * c6 + k[1] * s6));
-  const Scalar t1 = k[4] + t0;
-  const Scalar t2 = c5 * (k[5] - (k[0] * s6 - k[1] * c6));
-  const Scalar t3 = k[7] - (k[6] * s5 - t2);
-  const Scalar t4 = k[9] + (k[8] - (s4 * t1 + c4 * t3));
-  const Scalar t5 = k[10] + (s4 * t3 - c4 * t1);
-  const Scalar t6 = k[13] + (k[12] + (c3 * t4 + s3 * t5));
-  const Scalar t7 = c2 * (k[11] - (s3 * t4 - c3 * t5));
-  const Scalar t8 = k[16] * (k[15] - (k[14] + (s2 * t6 - t7)));
+  const Scalar t0 = c5 * (k[6] - (k[0] * s6 - k[1] * c6));
+  const Scalar t1 = k[7] - (k[5] * s5 - t0);
+  const Scalar t2 = k[3] - (k[2] + (k[0] * c6 + k[1] * s6));
+  const Scalar t3 = k[4] + t2;
+  const Scalar t4 = k[10] + (k[9] - (c4 * t1 + s4 * t3));
+  const Scalar t5 = k[8] + (s4 * t1 - c4 * t3);
+  const Scalar t6 = c2 * (k[13] - (s3 * t4 - c3 * t5));
+  const Scalar t7 = k[12] + (k[11] + (c3 * t4 + s3 * t5));
+  const Scalar t8 = k[16] * (k[15] - (k[14] - (t6 - s2 * t7)));
   Scalar result;
   result = t8;
   return result;

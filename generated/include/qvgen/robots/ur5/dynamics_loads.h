@@ -26,7 +26,7 @@ LoadAngles<Scalar> load_angles(const JointVector<Scalar>& q);
 
 /// Joint forces for a motion, under gravity in any direction.
 ///
-/// 235 multiplications, 212 additions, 6 sine/cosine pairs. Set-up: 110 multiplications, 132 additions.
+/// 235 multiplications, 210 additions, 6 sine/cosine pairs. Set-up: 109 multiplications, 132 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
@@ -45,7 +45,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint forces for a motion while a wrench acts on the tool from outside: those without it minus jacobian(q)^T wrench.
 ///
-/// 276 multiplications, 238 additions, 6 sine/cosine pairs. Set-up: 110 multiplications, 132 additions.
+/// 270 multiplications, 238 additions, 6 sine/cosine pairs. Set-up: 109 multiplications, 132 additions.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
@@ -81,7 +81,7 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const LoadAngle
 
 /// Joint accelerations for given joint forces, under gravity in any direction.
 ///
-/// 392 multiplications, 359 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 113 multiplications, 126 additions, 1
+/// 392 multiplications, 358 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 113 multiplications, 126 additions, 1
 /// division.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
@@ -101,7 +101,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 
 /// Joint accelerations for given joint forces while a wrench acts on the tool from outside.
 ///
-/// 430 multiplications, 383 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 112 multiplications, 126 additions, 1
+/// 429 multiplications, 384 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 113 multiplications, 126 additions, 1
 /// division.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
@@ -110,7 +110,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity,
         const NonDeduced<Wrench<Scalar>>& wrench);
 template <class Scalar>
-using ForwardDynamicsWithWrenchConstants = std::array<Scalar, 58>;
+using ForwardDynamicsWithWrenchConstants = std::array<Scalar, 59>;
 template <class Scalar>
 ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constants(const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);

@@ -36,37 +36,37 @@ InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_
   const Scalar t4 = inertia.c3x * inertia.m3;
   const Scalar t5 = Scalar(0.39225) * inertia.m3 - t4;
   const Scalar t6 = Scalar(0.39225) * t3 + t5;
-  const Scalar t7 = inertia.c1z * inertia.m1;
-  const Scalar t8 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t9 = inertia.c3z * inertia.m3;
-  const Scalar t10 = inertia.c4y * inertia.m4;
-  const Scalar t11 = Scalar(0.10915) * inertia.m4;
-  const Scalar t12 = t11 + t10;
-  const Scalar t13 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t14 = Scalar(0.10915) * (t10 + t12) - ((inertia.I4yy - t13) - inertia.c4y * t10);
-  const Scalar t15 = t11 - t12;
-  const Scalar t16 = t15 - Scalar(0.10915) * t3;
-  const Scalar t17 = (t14 - Scalar(0.10915) * (t12 - t15)) - Scalar(0.10915) * (t15 + t16);
-  const Scalar t18 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t19 = inertia.c2z * inertia.m2;
-  const Scalar t20 = (((inertia.I3zz - t8) - inertia.c3z * t9) - t17) + ((inertia.I2zz - t18) - inertia.c2z * t19);
-  const Scalar t21 = Scalar(0.030372778840025493) * t6 - ((inertia.c1z * t7 - (inertia.I1zz - t1)) - t20);
-  const Scalar t22 = t9 - t16;
-  const Scalar t23 = Scalar(0.09465) * (Scalar(0.2782664117272148) * t6 - (t7 + (t22 + t19)));
-  const Scalar t24 = inertia.c2y * inertia.m2;
+  const Scalar t7 = Scalar(0.030372778840025493) * t6;
+  const Scalar t8 = inertia.c1z * inertia.m1;
+  const Scalar t9 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t10 = inertia.c3z * inertia.m3;
+  const Scalar t11 = inertia.c4y * inertia.m4;
+  const Scalar t12 = Scalar(0.10915) * inertia.m4;
+  const Scalar t13 = t12 + t11;
+  const Scalar t14 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t15 = Scalar(0.10915) * (t11 + t13) - ((inertia.I4yy - t14) - inertia.c4y * t11);
+  const Scalar t16 = t12 - t13;
+  const Scalar t17 = t16 - Scalar(0.10915) * t3;
+  const Scalar t18 = (t15 - Scalar(0.10915) * (t13 - t16)) - Scalar(0.10915) * (t16 + t17);
+  const Scalar t19 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t20 = inertia.c2z * inertia.m2;
+  const Scalar t21 = (((inertia.I3zz - t9) - inertia.c3z * t10) - t18) + ((inertia.I2zz - t19) - inertia.c2z * t20);
+  const Scalar t22 = t7 - ((inertia.c1z * t8 - (inertia.I1zz - t1)) - t21);
+  const Scalar t23 = t10 - t17;
+  const Scalar t24 = Scalar(0.10915) * (Scalar(0.2782664117272148) * t6 - (t8 + (t23 + t20)));
   const Scalar t25 = inertia.c2x * inertia.m2;
-  const Scalar t26 = Scalar(0.425) * t24 + (inertia.I2xy - inertia.c2y * t25);
-  const Scalar t27 = (inertia.I2yy - t18) - inertia.c2y * t24;
-  const Scalar t28 = Scalar(0.425) * inertia.m2 - t25;
-  const Scalar t29 = Scalar(0.425) * (t25 - t28) - (inertia.c2x * t25 - (inertia.I2xx - t18));
-  const Scalar t30 = inertia.m3 + t3;
-  const Scalar t31 = Scalar(0.46048438495857236) * t6 + (t29 - Scalar(0.180625) * t30);
-  const Scalar t32 = Scalar(0.425) * t22 + ((inertia.I2xz - inertia.c2z * t25) + Scalar(0.425) * t19);
-  const Scalar t33 = Scalar(0.09465) * (Scalar(1.0834926704907584) * t6 - (Scalar(0.425) * t30 + t28));
-  const Scalar t34 = (inertia.c3x * t4 - (inertia.I3xx - t8)) + Scalar(0.39225) * (t5 - t4);
+  const Scalar t26 = Scalar(0.425) * t23 + ((inertia.I2xz - inertia.c2z * t25) + Scalar(0.425) * t20);
+  const Scalar t27 = inertia.c2y * inertia.m2;
+  const Scalar t28 = Scalar(0.425) * t27 + (inertia.I2xy - inertia.c2y * t25);
+  const Scalar t29 = (inertia.I2yy - t19) - inertia.c2y * t27;
+  const Scalar t30 = Scalar(0.425) * inertia.m2 - t25;
+  const Scalar t31 = Scalar(0.425) * (t25 - t30) - (inertia.c2x * t25 - (inertia.I2xx - t19));
+  const Scalar t32 = inertia.m3 + t3;
+  const Scalar t33 = Scalar(0.46048438495857236) * t6 + (t31 - Scalar(0.180625) * t32);
+  const Scalar t34 = Scalar(0.10915) * (Scalar(1.0834926704907584) * t6 - (Scalar(0.425) * t32 + t30));
   const Scalar t35 = inertia.c3y * inertia.m3;
-  const Scalar t36 = Scalar(0.39225) * t16 - (Scalar(0.39225) * t9 + (inertia.I3xz - inertia.c3z * t4));
-  const Scalar t37 = inertia.c4x * inertia.m4;
+  const Scalar t36 = inertia.c4x * inertia.m4;
+  const Scalar t37 = Scalar(0.10915) * t36;
   const Scalar t38 = Scalar(0.09465) * inertia.m5;
   const Scalar t39 = inertia.c5y * inertia.m5;
   const Scalar t40 = t39 - t38;
@@ -75,67 +75,68 @@ InverseDynamicsWithGravityVectorConstants<Scalar> inverse_dynamics_with_gravity_
   const Scalar t43 = inertia.c4z * inertia.m4;
   const Scalar t44 = inertia.c6x * inertia.m6;
   const Scalar t45 = inertia.c6y * inertia.m6;
-  const Scalar t46 = inertia.c5z * inertia.m5;
-  const Scalar t47 = inertia.c6z * inertia.m6;
-  const Scalar t48 = Scalar(0.0823) * inertia.m6 + t47;
-  const Scalar t49 = inertia.c5x * inertia.m5;
-  const Scalar t50 = Scalar(0.09465) * t49;
-  const Scalar t51 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t52 = Scalar(0.09465) * (t39 + t40) - (inertia.c5y * t39 - (inertia.I5yy - t51));
-  const Scalar t53 = Scalar(0.09465) * (t42 - t41) + (Scalar(0.09465) * (t41 + t40) - t52);
-  const Scalar t54 = Scalar(0.10915) * t43;
-  const Scalar t55 = Scalar(0.10915) * t37;
-  const Scalar t56 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t57 = (inertia.c6z * t47 - (inertia.I6zz - t56)) + Scalar(0.0823) * (t48 + t47);
-  const Scalar t58 = Scalar(0.09465) * t46;
-  const Scalar t59 = (inertia.I6xx - t56) - inertia.c6x * t44;
-  const Scalar t60 = (inertia.I6yy - t56) - inertia.c6y * t45;
-  const Scalar t61 = inertia.I6xy - inertia.c6y * t44;
-  return { (inertia.c1x * t0 - (inertia.I1xx - t1)) - t21,
-           Scalar(10.565240359218173) * gravity[1],
-           Scalar(10.565240359218173) * gravity[0],
-           t23,
-           Scalar(0.09465) * t0,
-           Scalar(2) * t26,
-           t27 - t31,
-           t26,
-           t31,
-           Scalar(0.11826322498406629) * t6 - t32,
-           inertia.I2yz - inertia.c2z * t24,
-           Scalar(0.09465) * t24,
+  const Scalar t46 = inertia.c5x * inertia.m5;
+  const Scalar t47 = inertia.c5z * inertia.m5;
+  const Scalar t48 = inertia.c6z * inertia.m6;
+  const Scalar t49 = Scalar(0.0823) * inertia.m6 + t48;
+  const Scalar t50 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t51 = (inertia.I6xx - t50) - inertia.c6x * t44;
+  const Scalar t52 = (inertia.I6yy - t50) - inertia.c6y * t45;
+  const Scalar t53 = inertia.I6xy - inertia.c6y * t44;
+  const Scalar t54 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t55 = (inertia.c6z * t48 - (inertia.I6zz - t50)) + Scalar(0.0823) * (t49 + t48);
+  const Scalar t56 = Scalar(0.09465) * t46;
+  const Scalar t57 = Scalar(0.09465) * t47;
+  const Scalar t58 = Scalar(0.10915) * t43;
+  const Scalar t59 = Scalar(0.09465) * (t39 + t40) - (inertia.c5y * t39 - (inertia.I5yy - t54));
+  const Scalar t60 = Scalar(0.09465) * (t42 - t41) + (Scalar(0.09465) * (t41 + t40) - t59);
+  const Scalar t61 = Scalar(0.39225) * t17 - (Scalar(0.39225) * t10 + (inertia.I3xz - inertia.c3z * t4));
+  const Scalar t62 = (inertia.c3x * t4 - (inertia.I3xx - t9)) + Scalar(0.39225) * (t5 - t4);
+  return { (inertia.c1x * t0 - (inertia.I1xx - t1)) - t22,
+           Scalar(9.161704076958314) * gravity[1],
+           Scalar(9.161704076958314) * gravity[0],
+           t24,
+           Scalar(0.10915) * t0,
+           Scalar(0.11826322498406629) * t6 - t26,
+           inertia.I2yz - inertia.c2z * t27,
+           Scalar(2) * t28,
+           t29 - t33,
+           t28,
            t33,
-           (Scalar(0.1538600625) * t3 + t34) - Scalar(0.39225) * t6,
-           (inertia.I3xy - inertia.c3y * t4) + Scalar(0.39225) * t35,
-           Scalar(0.10915) * t6 + t36,
-           inertia.I3yz - inertia.c3z * t35,
-           Scalar(0.02283906309751434) * t6,
-           Scalar(0.09465) * t37,
-           Scalar(0.09465) * (t42 + t43),
-           Scalar(0.09465) * t44,
-           Scalar(0.09465) * t45,
-           Scalar(0.09465) * (t46 + t48),
-           t50,
-           inertia.I4xz - inertia.c4z * t37,
-           t53 - ((inertia.I4zz - t13) - inertia.c4z * t43),
-           t54 - (t54 - (inertia.I4yz - inertia.c4z * t10)),
-           (t55 - (inertia.I4xy - inertia.c4y * t37)) - t55,
-           inertia.I5xz - inertia.c5z * t49,
-           (inertia.c5z * t46 - (inertia.I5zz - t51)) + t57,
-           ((inertia.I5yz - inertia.c5z * t39) + t58) - t58,
-           t50 - (t50 + (inertia.I5xy - inertia.c5y * t49)),
-           Scalar(10.565240359218173) * gravity[2],
+           Scalar(0.10915) * t27,
+           t34,
+           Scalar(0.10915) * t35,
+           t37,
+           Scalar(0.10915) * (t42 + t43),
+           t7,
+           Scalar(0.10915) * t44,
+           Scalar(0.10915) * t45,
+           Scalar(0.10915) * t46,
+           Scalar(0.10915) * (t47 + t49),
+           Scalar(9.161704076958314) * gravity[2],
+           t51 - t52,
+           Scalar(2) * t53,
+           t51,
+           t53,
            (inertia.I6yz - inertia.c6z * t45) - Scalar(0.0823) * t45,
            (inertia.I6xz - inertia.c6z * t44) - Scalar(0.0823) * t44,
-           t59 - t60,
-           Scalar(2) * t61,
-           t60,
-           t61,
-           t59,
-           inertia.c5x * t49 - (inertia.I5xx - t51),
-           (inertia.I4xx - t13) - inertia.c4x * t37,
-           Scalar(0.09465) * t35,
-           (inertia.I3yy - t8) - inertia.c3y * t35,
-           t27 + t31 };
+           (inertia.c5z * t47 - (inertia.I5zz - t54)) + t55,
+           inertia.c5x * t46 - (inertia.I5xx - t54),
+           inertia.I5xz - inertia.c5z * t46,
+           t56 - (t56 + (inertia.I5xy - inertia.c5y * t46)),
+           ((inertia.I5yz - inertia.c5z * t39) + t57) - t57,
+           (t37 - (inertia.I4xy - inertia.c4y * t36)) - t37,
+           t58 - (t58 - (inertia.I4yz - inertia.c4z * t11)),
+           inertia.I4xz - inertia.c4z * t36,
+           (inertia.I4xx - t14) - inertia.c4x * t36,
+           t60 - ((inertia.I4zz - t14) - inertia.c4z * t43),
+           t52,
+           Scalar(0.10915) * t6 + t61,
+           inertia.I3yz - inertia.c3z * t35,
+           (inertia.I3yy - t9) - inertia.c3y * t35,
+           (inertia.I3xy - inertia.c3y * t4) + Scalar(0.39225) * t35,
+           (Scalar(0.1538600625) * t3 + t62) - Scalar(0.39225) * t6,
+           t29 + t33 };
 }
 
 namespace detail {
@@ -159,156 +160,159 @@ inline JointVector<Scalar> inverse_dynamics_with_gravity_vector([[maybe_unused]]
   const Scalar t0 = k[2] * s1 - k[1] * c1;
   const Scalar t1 = k[1] * s1 + k[2] * c1;
   const Scalar t2 = k[0] * qdd[0] + (k[4] * t0 + k[3] * t1);
-  const Scalar t3 = k[10] * c2 - k[9] * s2;
-  const Scalar t4 = qd[1] * qd[1];
-  const Scalar t5 = qdd[1] * t3 - t4 * (k[9] * c2 + k[10] * s2);
-  const Scalar t6 = k[6] * s2 - k[5] * c2;
-  const Scalar t7 = k[7] + c2 * t6;
-  const Scalar t8 = qd[0] * qd[1];
-  const Scalar t9 = qdd[0] * (k[8] + s2 * t6) + Scalar(2) * t7 * t8;
-  const Scalar t10 = (k[11] * s2 - k[12] * c2) * t0 - (t5 - t9);
-  const Scalar t11 = s2 * s3 - c2 * c3;
-  const Scalar t12 = qdd[0] * t11;
-  const Scalar t13 = c3 * s2 + c2 * s3;
-  const Scalar t14 = qdd[0] * t13;
-  const Scalar t15 = s4 * t12 - c4 * t14;
-  const Scalar t16 = qd[1] + qd[2];
-  const Scalar t17 = qd[3] + t16;
-  const Scalar t18 = qd[0] * t11;
-  const Scalar t19 = qd[0] * t13;
-  const Scalar t20 = c4 * t18 + s4 * t19;
-  const Scalar t21 = t17 * t20;
-  const Scalar t22 = (t15 + t21) + t21;
-  const Scalar t23 = s4 * t18 - c4 * t19;
-  const Scalar t24 = t17 * t23;
-  const Scalar t25 = s4 * t14 + c4 * t12;
-  const Scalar t26 = t24 - t25;
-  const Scalar t27 = t24 + t26;
-  const Scalar t28 = t12 + Scalar(2) * t19 * t16;
-  const Scalar t29 = Scalar(4.490227152667723) * c2;
-  const Scalar t30 = (Scalar(8.980454305335446) * s2 * t8 - qdd[0] * t29) + t0;
-  const Scalar t31 = qd[0] * qd[0];
-  const Scalar t32 = (Scalar(4.144215530903328) * t28 + t30) + Scalar(1.1531959852086635) * t31;
-  const Scalar t33 = (k[19] * t22 - k[18] * t27) - k[17] * t32;
-  const Scalar t34 = c5 * t17 + s5 * t23;
-  const Scalar t35 = c5 * t23 - s5 * t17;
-  const Scalar t36 = t34 * t35;
-  const Scalar t37 = qdd[4] - t26;
-  const Scalar t38 = t36 - t37;
-  const Scalar t39 = qd[4] + t20;
+  const Scalar t3 = s2 * s3 - c2 * c3;
+  const Scalar t4 = c3 * s2 + c2 * s3;
+  const Scalar t5 = qdd[0] * t4;
+  const Scalar t6 = qd[0] * t3;
+  const Scalar t7 = qd[1] + qd[2];
+  const Scalar t8 = Scalar(2) * t7;
+  const Scalar t9 = t5 - t6 * t8;
+  const Scalar t10 = qd[0] * t4;
+  const Scalar t11 = qdd[0] * t3;
+  const Scalar t12 = t10 * t8 + t11;
+  const Scalar t13 = t10 * t6;
+  const Scalar t14 = qdd[1] + qdd[2];
+  const Scalar t15 = t13 + t14;
+  const Scalar t16 = qd[0] * qd[0];
+  const Scalar t17 = t7 * t7;
+  const Scalar t18 = t6 * t6;
+  const Scalar t19 = t17 + t18;
+  const Scalar t20 = t16 - t19;
+  const Scalar t21 = (k[42] * t9 - k[43] * t12) + (k[40] * t15 + k[39] * t20);
+  const Scalar t22 = Scalar(2) * qd[0] * qd[1];
+  const Scalar t23 = Scalar(3.8937242327072834) * (s2 * t22 - qdd[0] * c2) + t0;
+  const Scalar t24 = (t16 + t23) + Scalar(3.5936784241868986) * t12;
+  const Scalar t25 = s4 * t11 - c4 * t5;
+  const Scalar t26 = qd[3] + t7;
+  const Scalar t27 = c4 * t6 + s4 * t10;
+  const Scalar t28 = t26 * t27;
+  const Scalar t29 = (t25 + t28) + t28;
+  const Scalar t30 = s4 * t6 - c4 * t10;
+  const Scalar t31 = t26 * t30;
+  const Scalar t32 = s4 * t5 + c4 * t11;
+  const Scalar t33 = t31 - t32;
+  const Scalar t34 = t31 + t33;
+  const Scalar t35 = k[16] * t24 - (k[15] * t29 - k[14] * t34);
+  const Scalar t36 = c5 * t26 + s5 * t30;
+  const Scalar t37 = qd[5] + t36;
+  const Scalar t38 = t37 * t37;
+  const Scalar t39 = qd[4] + t27;
   const Scalar t40 = t39 * t39;
-  const Scalar t41 = t35 * t35;
-  const Scalar t42 = t40 + t41;
-  const Scalar t43 = k[21] * c6 + k[20] * s6;
-  const Scalar t44 = qd[5] + t34;
-  const Scalar t45 = t44 * t39;
-  const Scalar t46 = t23 * t20;
-  const Scalar t47 = qdd[1] + qdd[2];
-  const Scalar t48 = qdd[3] + t47;
-  const Scalar t49 = t46 - t48;
-  const Scalar t50 = c5 * t22 + s5 * t49;
-  const Scalar t51 = t34 * t39;
-  const Scalar t52 = (t50 - t51) - t51;
-  const Scalar t53 = t45 + (t52 + t45);
-  const Scalar t54 = t44 * t35;
-  const Scalar t55 = t36 + t37;
-  const Scalar t56 = (t54 + t54) - t55;
-  const Scalar t57 = k[21] * s6 - k[20] * c6;
-  const Scalar t58 = (k[23] * t38 + k[22] * t42) + (t43 * t53 - t56 * t57);
-  const Scalar t59 = t17 * t17;
-  const Scalar t60 = t23 * t23;
-  const Scalar t61 = t59 + t60;
-  const Scalar t62 = t40 - t41;
-  const Scalar t63 = c5 * t49 - s5 * t22;
-  const Scalar t64 = qdd[5] - t63;
-  const Scalar t65 = t44 * t44 - t41;
-  const Scalar t66 = t65 + t42;
-  const Scalar t67 = (k[23] * (t61 + t62) + k[22] * t55) + (t43 * t64 - t66 * t57);
-  const Scalar t68 = t33 - (c5 * t58 + s5 * t67);
-  const Scalar t69 = Scalar(2) * t16 * t18 - t14;
-  const Scalar t70 = t61 - t42;
-  const Scalar t71 = (k[40] * t38 - k[29] * t55) + k[28] * (t70 + t62);
-  const Scalar t72 = t22 - t32;
-  const Scalar t73 = t19 * t19;
-  const Scalar t74 = t16 * t16;
-  const Scalar t75 = t73 + t74;
-  const Scalar t76 = t31 - t75;
-  const Scalar t77 = t73 - t74;
-  const Scalar t78 = t76 - t77;
-  const Scalar t79 = qd[0] * c2;
-  const Scalar t80 = k[32] * s2 + c2 * t1;
-  const Scalar t81 = Scalar(4.490227152667723) * (t4 + t79 * t79) - t80;
-  const Scalar t82 = k[32] * c2 - s2 * t1;
-  const Scalar t83 = t82 + Scalar(4.490227152667723) * (qdd[1] + qd[0] * s2 * t79);
-  const Scalar t84 = c3 * t81 - s3 * t83;
-  const Scalar t85 = Scalar(4.144215530903328) * (t75 + t78) + t84;
-  const Scalar t86 = t19 * t18;
-  const Scalar t87 = t86 - t47;
-  const Scalar t88 = (s3 * t81 + c3 * t83) - Scalar(4.144215530903328) * t87;
-  const Scalar t89 = (c4 * t85 - s4 * t88) - Scalar(1.1531959852086635) * t25;
-  const Scalar t90 = t49 - t89;
-  const Scalar t91 = c5 * t72 + s5 * t90;
-  const Scalar t92 = s5 * t72 - c5 * t90;
-  const Scalar t93 = (t71 - (k[30] * t63 - k[31] * t50)) - (k[23] * t91 - k[22] * t92);
-  const Scalar t94 = k[34] * c6 - k[33] * s6;
-  const Scalar t95 = k[33] * c6 + k[34] * s6;
-  const Scalar t96 = k[35] * s6 + k[36] * c6;
-  const Scalar t97 = s6 * t96;
-  const Scalar t98 = k[39] - t97;
-  const Scalar t99 = k[38] - c6 * t96;
-  const Scalar t100 = (t65 * t94 + t64 * t95) - (t56 * t98 - t99 * t53);
-  const Scalar t101 = t93 + (t91 * t57 + t100);
-  const Scalar t102 = t59 - t60;
-  const Scalar t103 = (k[27] * t102 - k[26] * t49) - (k[24] * t22 - k[41] * t27);
-  const Scalar t104 = t31 + t102;
-  const Scalar t105 = (k[18] * t104 + k[19] * t49) - k[17] * t89;
-  const Scalar t106 = t105 + (c5 * t67 - s5 * t58);
-  const Scalar t107 = (t101 - (t103 - k[18] * t32)) - Scalar(1.1531959852086635) * t106;
-  const Scalar t108 = t35 * t39;
-  const Scalar t109 = t108 + (t108 - t63);
-  const Scalar t110 = (k[40] * t109 - k[28] * t52) - (k[30] * t55 - k[31] * t62);
-  const Scalar t111 = (s4 * t85 + c4 * t88) - Scalar(1.1531959852086635) * t15;
-  const Scalar t112 = t111 - t61;
-  const Scalar t113 = qdd[5] + t109;
-  const Scalar t114 = k[37] + t97;
-  const Scalar t115 = (t113 * t98 + t64 * t114) - t99 * t62;
-  const Scalar t116 = (t43 * t92 - t57 * t112) + (t115 + (t55 * t95 + t52 * t94));
-  const Scalar t117 = t67 - ((t110 - k[23] * t112) - t116);
-  const Scalar t118 = (k[29] * t52 - k[28] * t109) + k[30] * t70;
-  const Scalar t119 = (t114 * t53 - t56 * t99) - (t65 - t62) * t95;
-  const Scalar t120 = (k[22] * t112 - (k[31] * t38 + t118)) + (t91 * t43 + (t94 * t113 + t119));
-  const Scalar t121 = t120 + t58;
-  const Scalar t122 = k[26] * (t31 - t61) + (k[24] * t27 + k[25] * t22);
-  const Scalar t123 = t46 + t48;
-  const Scalar t124 = (s5 * t117 + c5 * t121) - ((t122 + k[27] * t123) - k[19] * t32);
-  const Scalar t125 = k[17] * t111 - (k[19] * t61 + k[18] * t123);
-  const Scalar t126 = (k[22] * t52 + k[23] * t109) - (t113 * t57 + t43 * (t66 - t62));
-  const Scalar t127 = t125 - t126;
-  const Scalar t128 = t124 + Scalar(1.1531959852086635) * t127;
-  const Scalar t129 = (c4 * t107 + s4 * t128) + Scalar(4.144215530903328) * t68;
-  const Scalar t130 = t86 + t47;
-  const Scalar t131 = (k[15] * t77 + k[16] * t130) - (k[14] * t69 + k[13] * t28);
-  const Scalar t132 = k[16] * t76 + (k[43] * t69 - k[14] * t28);
-  const Scalar t133 = (k[42] * t30 - (t132 + k[15] * t87)) - (c4 * t128 - s4 * t107);
-  const Scalar t134 = (t68 - k[42] * t69) * t29 - (t11 * (t129 + t131) + t133 * t13);
-  const Scalar t135 = k[42] * t130 - (s4 * t127 - c4 * t106);
-  const Scalar t136 = c4 * t127 + s4 * t106;
-  const Scalar t137 = s3 * t135 + c3 * (k[42] * t75 + t136);
-  const Scalar t138 = k[24] * (t61 - t104) + (k[41] * t123 + k[25] * t49);
-  const Scalar t139 = ((k[27] * t15 + k[26] * t25) - t138) - (k[18] * t111 - k[19] * t89);
-  const Scalar t140 = (s5 * t121 - c5 * t117) + t139;
-  const Scalar t141 = (k[13] * t87 + k[43] * t130) + k[14] * t78;
-  const Scalar t142 = ((k[16] * t12 + k[15] * t14) + t141) + k[42] * t84;
-  const Scalar t143 = (t140 + Scalar(4.144215530903328) * t136) - t142;
-  const Scalar t144 = qdd[0] * t3 + (t31 * t7 - k[44] * qdd[1]);
-  const Scalar t145 = (Scalar(4.490227152667723) * t137 + t143) + (t144 - (k[12] * t82 - k[11] * t80));
+  const Scalar t41 = k[17] * c6 - k[18] * s6;
+  const Scalar t42 = k[17] * s6 + k[18] * c6;
+  const Scalar t43 = t30 * t27;
+  const Scalar t44 = qdd[3] + t14;
+  const Scalar t45 = t43 - t44;
+  const Scalar t46 = c5 * t45 - s5 * t29;
+  const Scalar t47 = qdd[5] - t46;
+  const Scalar t48 = c5 * t30 - s5 * t26;
+  const Scalar t49 = t48 * t48;
+  const Scalar t50 = t40 + t49;
+  const Scalar t51 = t27 * t27;
+  const Scalar t52 = t26 * t26;
+  const Scalar t53 = t51 - t52;
+  const Scalar t54 = t51 + t52;
+  const Scalar t55 = t16 - t54;
+  const Scalar t56 = t53 - t55;
+  const Scalar t57 = t56 - t54;
+  const Scalar t58 = t50 + t57;
+  const Scalar t59 = t40 - t49;
+  const Scalar t60 = t58 - t59;
+  const Scalar t61 = t36 * t48;
+  const Scalar t62 = qdd[4] - t33;
+  const Scalar t63 = t61 + t62;
+  const Scalar t64 = ((t38 + t40) * t41 + t42 * t47) + (k[19] * (t50 - t60) + k[20] * t63);
+  const Scalar t65 = t48 + t48;
+  const Scalar t66 = t37 * t65 - t63;
+  const Scalar t67 = c5 * t29 + s5 * t45;
+  const Scalar t68 = t36 * t39;
+  const Scalar t69 = (t67 - t68) - t68;
+  const Scalar t70 = t69 + Scalar(2) * t37 * t39;
+  const Scalar t71 = t61 - t62;
+  const Scalar t72 = (t41 * t66 + t70 * t42) + (k[20] * t50 + k[19] * t71);
+  const Scalar t73 = s5 * t64 + c5 * t72;
+  const Scalar t74 = t35 + t73;
+  const Scalar t75 = (k[36] * t34 - k[35] * t29) - (k[33] * t55 + k[34] * t45);
+  const Scalar t76 = k[22] * s6 + k[23] * c6;
+  const Scalar t77 = s6 * t76;
+  const Scalar t78 = k[24] - t77;
+  const Scalar t79 = k[25] - c6 * t76;
+  const Scalar t80 = t38 - t40;
+  const Scalar t81 = k[27] * c6 - k[26] * s6;
+  const Scalar t82 = k[26] * c6 + k[27] * s6;
+  const Scalar t83 = (t78 * t66 - t70 * t79) - ((t59 + t80) * t81 + t82 * t47);
+  const Scalar t84 = c2 * t1 + k[21] * s2;
+  const Scalar t85 = qd[1] * qd[1];
+  const Scalar t86 = qd[0] * c2;
+  const Scalar t87 = t84 - Scalar(3.8937242327072834) * (t85 + t86 * t86);
+  const Scalar t88 = s2 * t1 - k[21] * c2;
+  const Scalar t89 = t88 - Scalar(3.8937242327072834) * (qdd[1] + qd[0] * s2 * t86);
+  const Scalar t90 = c3 * t87 - s3 * t89;
+  const Scalar t91 = (Scalar(3.5936784241868986) * t19 - t90) - t11;
+  const Scalar t92 = t13 - t14;
+  const Scalar t93 = (s3 * t87 + c3 * t89) + Scalar(3.5936784241868986) * t92;
+  const Scalar t94 = t93 - t5;
+  const Scalar t95 = c4 * t91 + s4 * t94;
+  const Scalar t96 = (c5 * t24 + s5 * t95) - Scalar(0.8671552908841045) * t67;
+  const Scalar t97 = k[30] * t60 + (k[28] * t63 - k[29] * t71);
+  const Scalar t98 = Scalar(0.8671552908841045) * t46 - (c5 * t95 - s5 * t24);
+  const Scalar t99 = (t97 + (k[32] * t46 - k[31] * t67)) - (k[19] * t96 - k[20] * t98);
+  const Scalar t100 = (t83 - t41 * t96) + t99;
+  const Scalar t101 = s5 * t72 - c5 * t64;
+  const Scalar t102 = (k[15] * t45 + k[14] * t54) - k[16] * t95;
+  const Scalar t103 = t101 - t102;
+  const Scalar t104 = ((t75 - k[14] * t24) + t100) - t103;
+  const Scalar t105 = t65 * t39 + t47;
+  const Scalar t106 = qdd[5] - t105;
+  const Scalar t107 = (k[20] * t69 - k[19] * t106) - (t42 * (t38 + t49) - t41 * t105);
+  const Scalar t108 = s4 * t91 - c4 * t94;
+  const Scalar t109 = t43 + t44;
+  const Scalar t110 = k[16] * t108 - (k[14] * t109 - k[15] * t57);
+  const Scalar t111 = t107 - t110;
+  const Scalar t112 = (k[35] * t34 + k[37] * t29) + k[34] * t53;
+  const Scalar t113 = (k[30] * t106 + k[28] * t69) - k[32] * t58;
+  const Scalar t114 = t108 + Scalar(0.8671552908841045) * t57;
+  const Scalar t115 = k[38] + t77;
+  const Scalar t116 = (t79 * t66 - t70 * t115) + t82 * t80;
+  const Scalar t117 = ((t113 + k[31] * t71) - k[20] * t114) + (t42 * t96 - (t105 * t81 - t116));
+  const Scalar t118 = (t105 * t78 + t115 * t47) - t79 * t59;
+  const Scalar t119 = ((t82 * t63 + t69 * t81) + t118) - (t42 * t98 - t41 * t114);
+  const Scalar t120 = (k[31] * t59 - k[32] * t63) - (k[30] * t69 + k[29] * t106);
+  const Scalar t121 = t119 + (k[19] * t114 - t120);
+  const Scalar t122 = (c5 * t117 - s5 * t121) - Scalar(0.8671552908841045) * t73;
+  const Scalar t123 = (k[15] * t24 - (k[33] * t109 + t112)) - t122;
+  const Scalar t124 = t111 - t123;
+  const Scalar t125 = Scalar(3.5936784241868986) * t74 + (c4 * t104 + s4 * t124);
+  const Scalar t126 = t17 - t18;
+  const Scalar t127 = k[40] * t126 + (k[41] * t9 + k[42] * t12);
+  const Scalar t128 = ((t127 - k[39] * t92) + k[13] * t23) - (s4 * t104 - c4 * t124);
+  const Scalar t129 = (t3 * (t21 - t125) + t4 * t128) - c2 * Scalar(3.8937242327072834) * (k[13] * t9 - t74);
+  const Scalar t130 = k[5] * s2 - k[6] * c2;
+  const Scalar t131 = (k[6] * s2 + k[5] * c2) * t85 + qdd[1] * t130;
+  const Scalar t132 = k[8] * s2 - k[7] * c2;
+  const Scalar t133 = k[9] + c2 * t132;
+  const Scalar t134 = qdd[0] * (k[10] + s2 * t132) + t22 * t133;
+  const Scalar t135 = (t131 + t134) + (k[11] * s2 - k[12] * c2) * t0;
+  const Scalar t136 = (c4 * t103 - s4 * t111) - k[13] * t15;
+  const Scalar t137 = c4 * t111 + s4 * t103;
+  const Scalar t138 = t126 + t20;
+  const Scalar t139 = s3 * t136 + c3 * (t137 - k[13] * (t19 + t138));
+  const Scalar t140 = (k[36] * t109 + k[37] * t45) - k[35] * t56;
+  const Scalar t141 = (k[15] * t95 - k[14] * t108) + ((k[34] * t32 + k[33] * t25) - t140);
+  const Scalar t142 = (s5 * t117 + c5 * t121) - Scalar(0.8671552908841045) * t101;
+  const Scalar t143 = t141 - t142;
+  const Scalar t144 = k[42] * t138 - (k[43] * t92 + k[41] * t15);
+  const Scalar t145 = (t144 - (k[40] * t11 + k[39] * t5)) + k[13] * t90;
+  const Scalar t146 = (t143 - Scalar(3.5936784241868986) * t137) + t145;
+  const Scalar t147 = (k[44] * qdd[1] - t16 * t133) + qdd[0] * t130;
+  const Scalar t148 = (Scalar(3.8937242327072834) * t139 - t146) - ((k[11] * t84 + k[12] * t88) - t147);
   JointVector<Scalar> result;
-  result[0] = t2 - (t10 - t134);
-  result[1] = t145;
-  result[2] = t143;
-  result[3] = t140;
-  result[4] = -t101;
-  result[5] = -t116;
+  result[0] = t2 - (t129 + t135);
+  result[1] = -t148;
+  result[2] = t146;
+  result[3] = t143;
+  result[4] = t100;
+  result[5] = -t119;
   return result;
 }
 
@@ -345,106 +349,107 @@ InverseDynamicsWithWrenchConstants<Scalar> inverse_dynamics_with_wrench_constant
   const Scalar t4 = inertia.c3x * inertia.m3;
   const Scalar t5 = Scalar(0.39225) * inertia.m3 - t4;
   const Scalar t6 = Scalar(0.39225) * t3 + t5;
-  const Scalar t7 = inertia.c1z * inertia.m1;
-  const Scalar t8 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t9 = inertia.c3z * inertia.m3;
-  const Scalar t10 = inertia.c4y * inertia.m4;
-  const Scalar t11 = Scalar(0.10915) * inertia.m4;
-  const Scalar t12 = t11 + t10;
-  const Scalar t13 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t14 = Scalar(0.10915) * (t10 + t12) - ((inertia.I4yy - t13) - inertia.c4y * t10);
-  const Scalar t15 = t11 - t12;
-  const Scalar t16 = t15 - Scalar(0.10915) * t3;
-  const Scalar t17 = (t14 - Scalar(0.10915) * (t12 - t15)) - Scalar(0.10915) * (t15 + t16);
-  const Scalar t18 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t19 = inertia.c2z * inertia.m2;
-  const Scalar t20 = (((inertia.I3zz - t8) - inertia.c3z * t9) - t17) + ((inertia.I2zz - t18) - inertia.c2z * t19);
-  const Scalar t21 = Scalar(0.030372778840025493) * t6 - ((inertia.c1z * t7 - (inertia.I1zz - t1)) - t20);
-  const Scalar t22 = t9 - t16;
-  const Scalar t23 = Scalar(0.09465) * (Scalar(0.2782664117272148) * t6 - (t7 + (t22 + t19)));
-  const Scalar t24 = inertia.c2x * inertia.m2;
-  const Scalar t25 = Scalar(0.425) * t22 + ((inertia.I2xz - inertia.c2z * t24) + Scalar(0.425) * t19);
-  const Scalar t26 = inertia.c2y * inertia.m2;
-  const Scalar t27 = Scalar(0.425) * t26 + (inertia.I2xy - inertia.c2y * t24);
-  const Scalar t28 = (inertia.I2yy - t18) - inertia.c2y * t26;
-  const Scalar t29 = Scalar(0.425) * inertia.m2 - t24;
-  const Scalar t30 = Scalar(0.425) * (t24 - t29) - (inertia.c2x * t24 - (inertia.I2xx - t18));
-  const Scalar t31 = inertia.m3 + t3;
-  const Scalar t32 = Scalar(0.46048438495857236) * t6 + (t30 - Scalar(0.180625) * t31);
-  const Scalar t33 = Scalar(0.09465) * (Scalar(1.0834926704907584) * t6 - (Scalar(0.425) * t31 + t29));
-  const Scalar t34 = inertia.c3y * inertia.m3;
-  const Scalar t35 = Scalar(0.39225) * t16 - (Scalar(0.39225) * t9 + (inertia.I3xz - inertia.c3z * t4));
-  const Scalar t36 = (inertia.c3x * t4 - (inertia.I3xx - t8)) + Scalar(0.39225) * (t5 - t4);
-  const Scalar t37 = inertia.c5z * inertia.m5;
-  const Scalar t38 = inertia.c6z * inertia.m6;
-  const Scalar t39 = Scalar(0.0823) * inertia.m6 + t38;
-  const Scalar t40 = inertia.c5x * inertia.m5;
-  const Scalar t41 = Scalar(0.09465) * t40;
-  const Scalar t42 = inertia.c6x * inertia.m6;
-  const Scalar t43 = inertia.c6y * inertia.m6;
-  const Scalar t44 = inertia.c5y * inertia.m5;
-  const Scalar t45 = Scalar(0.09465) * t37;
-  const Scalar t46 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t47 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t48 = (inertia.I6xx - t47) - inertia.c6x * t42;
-  const Scalar t49 = (inertia.I6yy - t47) - inertia.c6y * t43;
-  const Scalar t50 = inertia.I6xy - inertia.c6y * t42;
-  const Scalar t51 = (inertia.c6z * t38 - (inertia.I6zz - t47)) + Scalar(0.0823) * (t39 + t38);
-  const Scalar t52 = Scalar(0.09465) * inertia.m5;
-  const Scalar t53 = t44 - t52;
-  const Scalar t54 = t52 + t53;
-  const Scalar t55 = Scalar(0.09465) * t2 - t54;
-  const Scalar t56 = inertia.c4z * inertia.m4;
-  const Scalar t57 = inertia.c4x * inertia.m4;
-  const Scalar t58 = Scalar(0.10915) * t57;
-  const Scalar t59 = Scalar(0.09465) * (t44 + t53) - (inertia.c5y * t44 - (inertia.I5yy - t46));
-  const Scalar t60 = Scalar(0.09465) * (t55 - t54) + (Scalar(0.09465) * (t54 + t53) - t59);
-  const Scalar t61 = Scalar(0.10915) * t56;
-  return { (inertia.c1x * t0 - (inertia.I1xx - t1)) - t21,
-           Scalar(10.565240359218173) * gravity[1],
-           Scalar(10.565240359218173) * gravity[0],
-           t23,
-           Scalar(0.09465) * t0,
-           Scalar(0.11826322498406629) * t6 - t25,
-           inertia.I2yz - inertia.c2z * t26,
-           Scalar(2) * t27,
-           t28 - t32,
-           t27,
-           t32,
-           Scalar(0.09465) * t26,
+  const Scalar t7 = Scalar(0.030372778840025493) * t6;
+  const Scalar t8 = inertia.c1z * inertia.m1;
+  const Scalar t9 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t10 = inertia.c3z * inertia.m3;
+  const Scalar t11 = inertia.c4y * inertia.m4;
+  const Scalar t12 = Scalar(0.10915) * inertia.m4;
+  const Scalar t13 = t12 + t11;
+  const Scalar t14 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t15 = Scalar(0.10915) * (t11 + t13) - ((inertia.I4yy - t14) - inertia.c4y * t11);
+  const Scalar t16 = t12 - t13;
+  const Scalar t17 = t16 - Scalar(0.10915) * t3;
+  const Scalar t18 = (t15 - Scalar(0.10915) * (t13 - t16)) - Scalar(0.10915) * (t16 + t17);
+  const Scalar t19 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t20 = inertia.c2z * inertia.m2;
+  const Scalar t21 = (((inertia.I3zz - t9) - inertia.c3z * t10) - t18) + ((inertia.I2zz - t19) - inertia.c2z * t20);
+  const Scalar t22 = t7 - ((inertia.c1z * t8 - (inertia.I1zz - t1)) - t21);
+  const Scalar t23 = t10 - t17;
+  const Scalar t24 = Scalar(0.10915) * (Scalar(0.2782664117272148) * t6 - (t8 + (t23 + t20)));
+  const Scalar t25 = inertia.c3y * inertia.m3;
+  const Scalar t26 = inertia.c5z * inertia.m5;
+  const Scalar t27 = inertia.c6z * inertia.m6;
+  const Scalar t28 = Scalar(0.0823) * inertia.m6 + t27;
+  const Scalar t29 = inertia.c5x * inertia.m5;
+  const Scalar t30 = inertia.c6x * inertia.m6;
+  const Scalar t31 = inertia.c6y * inertia.m6;
+  const Scalar t32 = inertia.c4x * inertia.m4;
+  const Scalar t33 = Scalar(0.10915) * t32;
+  const Scalar t34 = Scalar(0.09465) * inertia.m5;
+  const Scalar t35 = inertia.c5y * inertia.m5;
+  const Scalar t36 = t35 - t34;
+  const Scalar t37 = t34 + t36;
+  const Scalar t38 = Scalar(0.09465) * t2 - t37;
+  const Scalar t39 = inertia.c4z * inertia.m4;
+  const Scalar t40 = (inertia.c3x * t4 - (inertia.I3xx - t9)) + Scalar(0.39225) * (t5 - t4);
+  const Scalar t41 = Scalar(0.39225) * t17 - (Scalar(0.39225) * t10 + (inertia.I3xz - inertia.c3z * t4));
+  const Scalar t42 = Scalar(0.10915) * t39;
+  const Scalar t43 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t44 = (inertia.I6xx - t43) - inertia.c6x * t30;
+  const Scalar t45 = (inertia.I6yy - t43) - inertia.c6y * t31;
+  const Scalar t46 = inertia.I6xy - inertia.c6y * t30;
+  const Scalar t47 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t48 = (inertia.c6z * t27 - (inertia.I6zz - t43)) + Scalar(0.0823) * (t28 + t27);
+  const Scalar t49 = Scalar(0.09465) * t29;
+  const Scalar t50 = Scalar(0.09465) * t26;
+  const Scalar t51 = Scalar(0.09465) * (t35 + t36) - (inertia.c5y * t35 - (inertia.I5yy - t47));
+  const Scalar t52 = Scalar(0.09465) * (t38 - t37) + (Scalar(0.09465) * (t37 + t36) - t51);
+  const Scalar t53 = inertia.c2x * inertia.m2;
+  const Scalar t54 = Scalar(0.425) * t23 + ((inertia.I2xz - inertia.c2z * t53) + Scalar(0.425) * t20);
+  const Scalar t55 = inertia.c2y * inertia.m2;
+  const Scalar t56 = Scalar(0.425) * t55 + (inertia.I2xy - inertia.c2y * t53);
+  const Scalar t57 = (inertia.I2yy - t19) - inertia.c2y * t55;
+  const Scalar t58 = Scalar(0.425) * inertia.m2 - t53;
+  const Scalar t59 = Scalar(0.425) * (t53 - t58) - (inertia.c2x * t53 - (inertia.I2xx - t19));
+  const Scalar t60 = inertia.m3 + t3;
+  const Scalar t61 = Scalar(0.46048438495857236) * t6 + (t59 - Scalar(0.180625) * t60);
+  const Scalar t62 = Scalar(0.10915) * (Scalar(1.0834926704907584) * t6 - (Scalar(0.425) * t60 + t58));
+  return { (inertia.c1x * t0 - (inertia.I1xx - t1)) - t22,
+           Scalar(9.161704076958314) * gravity[1],
+           Scalar(9.161704076958314) * gravity[0],
+           t24,
+           Scalar(0.10915) * t0,
+           Scalar(0.10915) * t25,
+           Scalar(0.10915) * (t26 + t28),
+           Scalar(0.10915) * t29,
+           Scalar(0.10915) * t30,
+           Scalar(0.10915) * t31,
            t33,
-           inertia.I3yz - inertia.c3z * t34,
-           Scalar(0.10915) * t6 + t35,
-           (Scalar(0.1538600625) * t3 + t36) - Scalar(0.39225) * t6,
-           (inertia.I3xy - inertia.c3y * t4) + Scalar(0.39225) * t34,
-           Scalar(0.09465) * (t37 + t39),
-           t41,
-           Scalar(0.09465) * t42,
-           Scalar(0.09465) * t43,
-           Scalar(10.565240359218173) * gravity[2],
-           t41 - (t41 + (inertia.I5xy - inertia.c5y * t40)),
-           ((inertia.I5yz - inertia.c5z * t44) + t45) - t45,
-           inertia.I5xz - inertia.c5z * t40,
-           inertia.c5x * t40 - (inertia.I5xx - t46),
-           (inertia.I6yz - inertia.c6z * t43) - Scalar(0.0823) * t43,
-           (inertia.I6xz - inertia.c6z * t42) - Scalar(0.0823) * t42,
-           t48 - t49,
-           Scalar(2) * t50,
-           t50,
-           t48,
-           t49,
-           (inertia.c5z * t37 - (inertia.I5zz - t46)) + t51,
-           Scalar(0.09465) * (t55 + t56),
-           (t58 - (inertia.I4xy - inertia.c4y * t57)) - t58,
-           t60 - ((inertia.I4zz - t13) - inertia.c4z * t56),
-           inertia.I4xz - inertia.c4z * t57,
-           t61 - (t61 - (inertia.I4yz - inertia.c4z * t10)),
-           Scalar(0.09465) * t57,
-           (inertia.I4xx - t13) - inertia.c4x * t57,
-           Scalar(0.02283906309751434) * t6,
-           (inertia.I3yy - t8) - inertia.c3y * t34,
-           Scalar(0.09465) * t34,
-           t28 + t32 };
+           Scalar(0.10915) * (t38 + t39),
+           t7,
+           (Scalar(0.1538600625) * t3 + t40) - Scalar(0.39225) * t6,
+           (inertia.I3xy - inertia.c3y * t4) + Scalar(0.39225) * t25,
+           Scalar(0.10915) * t6 + t41,
+           inertia.I3yz - inertia.c3z * t25,
+           (inertia.I4xx - t14) - inertia.c4x * t32,
+           inertia.I4xz - inertia.c4z * t32,
+           (t33 - (inertia.I4xy - inertia.c4y * t32)) - t33,
+           t42 - (t42 - (inertia.I4yz - inertia.c4z * t11)),
+           (inertia.I6yz - inertia.c6z * t31) - Scalar(0.0823) * t31,
+           (inertia.I6xz - inertia.c6z * t30) - Scalar(0.0823) * t30,
+           t44 - t45,
+           Scalar(2) * t46,
+           t46,
+           t44,
+           Scalar(9.161704076958314) * gravity[2],
+           (inertia.c5z * t26 - (inertia.I5zz - t47)) + t48,
+           inertia.c5x * t29 - (inertia.I5xx - t47),
+           inertia.I5xz - inertia.c5z * t29,
+           t49 - (t49 + (inertia.I5xy - inertia.c5y * t29)),
+           ((inertia.I5yz - inertia.c5z * t35) + t50) - t50,
+           t52 - ((inertia.I4zz - t14) - inertia.c4z * t39),
+           t45,
+           (inertia.I3yy - t9) - inertia.c3y * t25,
+           Scalar(0.11826322498406629) * t6 - t54,
+           inertia.I2yz - inertia.c2z * t55,
+           Scalar(2) * t56,
+           t57 - t61,
+           t56,
+           t61,
+           Scalar(0.10915) * t55,
+           t62,
+           t57 + t61 };
 }
 
 namespace detail {
@@ -468,178 +473,175 @@ inline JointVector<Scalar> inverse_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar t0 = k[2] * s1 - k[1] * c1;
   const Scalar t1 = k[1] * s1 + k[2] * c1;
   const Scalar t2 = k[0] * qdd[0] + (k[4] * t0 + k[3] * t1);
-  const Scalar t3 = c3 * s2 + c2 * s3;
-  const Scalar t4 = qd[0] * t3;
-  const Scalar t5 = s2 * s3 - c2 * c3;
-  const Scalar t6 = qd[0] * t5;
-  const Scalar t7 = t4 * t6;
-  const Scalar t8 = qdd[1] + qdd[2];
-  const Scalar t9 = t7 - t8;
-  const Scalar t10 = qd[1] + qd[2];
-  const Scalar t11 = t4 * t10;
-  const Scalar t12 = qdd[0] * t5;
-  const Scalar t13 = t11 + (t11 + t12);
-  const Scalar t14 = t10 * t6;
-  const Scalar t15 = qdd[0] * t3;
-  const Scalar t16 = (t14 + t14) - t15;
-  const Scalar t17 = t10 * t10;
-  const Scalar t18 = t6 * t6;
-  const Scalar t19 = t17 - t18;
-  const Scalar t20 = (k[16] * t13 - k[42] * t16) + k[13] * t19;
-  const Scalar t21 = Scalar(2) * qd[0] * qd[1];
-  const Scalar t22 = t0 + Scalar(4.490227152667723) * (s2 * t21 - qdd[0] * c2);
-  const Scalar t23 = qd[0] * qd[0];
-  const Scalar t24 = (Scalar(1.1531959852086635) * t23 + t22) + Scalar(4.144215530903328) * t13;
-  const Scalar t25 = s4 * t12 - c4 * t15;
-  const Scalar t26 = qd[3] + t10;
-  const Scalar t27 = s3 * s4 - c3 * c4;
-  const Scalar t28 = qd[0] * c2;
-  const Scalar t29 = qd[0] * s2;
-  const Scalar t30 = c3 * s4 + c4 * s3;
-  const Scalar t31 = t27 * t28 + t29 * t30;
-  const Scalar t32 = t26 * t31;
-  const Scalar t33 = t25 + (t32 + t32);
-  const Scalar t34 = t24 - t33;
-  const Scalar t35 = s4 * t6 - c4 * t4;
-  const Scalar t36 = t35 * t31;
-  const Scalar t37 = qdd[3] + t8;
-  const Scalar t38 = t36 - t37;
-  const Scalar t39 = k[21] * c2 - s2 * t1;
-  const Scalar t40 = t39 + Scalar(4.490227152667723) * (qdd[1] + t29 * t28);
-  const Scalar t41 = k[21] * s2 + c2 * t1;
-  const Scalar t42 = qd[1] * qd[1];
-  const Scalar t43 = t41 - Scalar(4.490227152667723) * (t42 + t28 * t28);
-  const Scalar t44 = s3 * t40 + c3 * t43;
-  const Scalar t45 = t17 + t18;
-  const Scalar t46 = (t44 - Scalar(4.144215530903328) * t45) + Scalar(1.1531959852086635) * t12;
-  const Scalar t47 = (c3 * t40 - s3 * t43) - Scalar(4.144215530903328) * t9;
-  const Scalar t48 = Scalar(1.1531959852086635) * t15 + t47;
-  const Scalar t49 = c4 * t46 + s4 * t48;
-  const Scalar t50 = t38 + t49;
-  const Scalar t51 = c5 * t34 - s5 * t50;
-  const Scalar t52 = c5 * t50 + s5 * t34;
-  const Scalar t53 = c5 * t33 + s5 * t38;
-  const Scalar t54 = s5 * t33 - c5 * t38;
-  const Scalar t55 = c5 * t26 + s5 * t35;
-  const Scalar t56 = c5 * t35 - s5 * t26;
-  const Scalar t57 = t55 * t56;
-  const Scalar t58 = t26 * t35;
-  const Scalar t59 = s4 * t15 + c4 * t12;
+  const Scalar t3 = qd[1] + qd[2];
+  const Scalar t4 = s2 * s3 - c2 * c3;
+  const Scalar t5 = qd[0] * t4;
+  const Scalar t6 = t3 * t5;
+  const Scalar t7 = c3 * s2 + c2 * s3;
+  const Scalar t8 = qdd[0] * t7;
+  const Scalar t9 = (t6 + t6) - t8;
+  const Scalar t10 = qd[0] * qd[0];
+  const Scalar t11 = Scalar(2) * qd[0] * qd[1];
+  const Scalar t12 = Scalar(3.8937242327072834) * (s2 * t11 - qdd[0] * c2) + t0;
+  const Scalar t13 = qd[0] * t7;
+  const Scalar t14 = t13 * t3;
+  const Scalar t15 = qdd[0] * t4;
+  const Scalar t16 = t14 + (t14 + t15);
+  const Scalar t17 = t10 + (t12 + Scalar(3.5936784241868986) * t16);
+  const Scalar t18 = qd[3] + t3;
+  const Scalar t19 = s4 * t5 - c4 * t13;
+  const Scalar t20 = t18 * t19;
+  const Scalar t21 = s4 * t8 + c4 * t15;
+  const Scalar t22 = t20 - t21;
+  const Scalar t23 = t20 + t22;
+  const Scalar t24 = c4 * t5 + s4 * t13;
+  const Scalar t25 = t18 * t24;
+  const Scalar t26 = s4 * t15 - c4 * t8;
+  const Scalar t27 = (t25 + t25) + t26;
+  const Scalar t28 = k[12] * t17 + (k[10] * t23 - k[11] * t27);
+  const Scalar t29 = c5 * t18 + s5 * t19;
+  const Scalar t30 = qd[5] + t29;
+  const Scalar t31 = qd[4] + t24;
+  const Scalar t32 = t31 * t31;
+  const Scalar t33 = t30 * t30 + t32;
+  const Scalar t34 = k[8] * c6 - k[9] * s6;
+  const Scalar t35 = t19 * t24;
+  const Scalar t36 = qdd[1] + qdd[2];
+  const Scalar t37 = qdd[3] + t36;
+  const Scalar t38 = t35 - t37;
+  const Scalar t39 = c5 * t38 - s5 * t27;
+  const Scalar t40 = qdd[5] - t39;
+  const Scalar t41 = k[9] * c6 + k[8] * s6;
+  const Scalar t42 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t43 = t4 * t42 - wrench[2] * t7;
+  const Scalar t44 = wrench[2] * t4 + t42 * t7;
+  const Scalar t45 = c4 * t43 + s4 * t44;
+  const Scalar t46 = wrench[0] * s1 - wrench[1] * c1;
+  const Scalar t47 = Scalar(0.10915) * (c5 * t45 - s5 * t46);
+  const Scalar t48 = t29 * t29;
+  const Scalar t49 = t48 + t32;
+  const Scalar t50 = c5 * t19 - s5 * t18;
+  const Scalar t51 = t29 * t50;
+  const Scalar t52 = qdd[4] - t22;
+  const Scalar t53 = t51 + t52;
+  const Scalar t54 = ((t33 * t34 + t40 * t41) - t47) + (k[7] * t49 + k[6] * t53);
+  const Scalar t55 = t24 * t24;
+  const Scalar t56 = t18 * t18;
+  const Scalar t57 = t55 - t56;
+  const Scalar t58 = t10 - t57;
+  const Scalar t59 = t48 - t32;
   const Scalar t60 = t58 - t59;
-  const Scalar t61 = qdd[4] - t60;
-  const Scalar t62 = t57 + t61;
-  const Scalar t63 = t57 - t61;
-  const Scalar t64 = qd[4] + t31;
-  const Scalar t65 = t64 * t64;
-  const Scalar t66 = t56 * t56;
-  const Scalar t67 = t65 - t66;
-  const Scalar t68 = t31 * t31;
-  const Scalar t69 = t26 * t26;
-  const Scalar t70 = t68 - t69;
-  const Scalar t71 = t23 - t70;
-  const Scalar t72 = t65 + t66;
-  const Scalar t73 = t71 - t72;
-  const Scalar t74 = (k[33] * t62 - k[25] * t63) - k[24] * (t67 + t73);
-  const Scalar t75 = (k[18] * t51 - k[17] * t52) + ((k[22] * t53 + k[23] * t54) - t74);
-  const Scalar t76 = k[19] * c6 - k[20] * s6;
-  const Scalar t77 = k[26] * s6 - k[27] * c6;
-  const Scalar t78 = qd[5] + t55;
-  const Scalar t79 = t78 * t78 + t66;
-  const Scalar t80 = t79 - t72;
-  const Scalar t81 = t80 + t67;
-  const Scalar t82 = qdd[5] + t54;
-  const Scalar t83 = k[27] * s6 + k[26] * c6;
-  const Scalar t84 = t55 * t64;
-  const Scalar t85 = t84 + (t84 - t53);
-  const Scalar t86 = Scalar(2) * t78 * t64 - t85;
-  const Scalar t87 = k[29] * c6 + k[28] * s6;
-  const Scalar t88 = k[30] - c6 * t87;
-  const Scalar t89 = t62 - Scalar(2) * t78 * t56;
-  const Scalar t90 = s6 * t87;
-  const Scalar t91 = k[31] - t90;
-  const Scalar t92 = (t77 * t81 - t82 * t83) - (t86 * t88 + t89 * t91);
-  const Scalar t93 = wrench[0] * c1 + wrench[1] * s1;
-  const Scalar t94 = t5 * t93 - wrench[2] * t3;
-  const Scalar t95 = wrench[2] * t5 + t93 * t3;
-  const Scalar t96 = c4 * t94 + s4 * t95;
-  const Scalar t97 = wrench[0] * s1 - wrench[1] * c1;
-  const Scalar t98 = Scalar(0.09465) * (c5 * t96 - s5 * t97);
-  const Scalar t99 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t100 = s2 * t99 - wrench[5] * c2;
-  const Scalar t101 = c2 * t99 + wrench[5] * s2;
-  const Scalar t102 = Scalar(0.8695192815636555) * t98 - (t27 * t100 - t30 * t101);
-  const Scalar t103 = t75 + ((t51 * t76 - t92) + t102);
-  const Scalar t104 = t58 + t60;
-  const Scalar t105 = t68 + t69;
-  const Scalar t106 = (k[37] * t33 - k[40] * t104) + (k[35] * (t23 - t105) + k[38] * t38);
-  const Scalar t107 = t103 + (t106 + k[39] * t24);
-  const Scalar t108 = k[20] * c6 + k[19] * s6;
-  const Scalar t109 = k[32] + t90;
-  const Scalar t110 = (t86 * t109 + t88 * t89) - t83 * t80;
-  const Scalar t111 = t64 * t56;
-  const Scalar t112 = t54 + (t111 + t111);
-  const Scalar t113 = qdd[5] + t112;
-  const Scalar t114 = Scalar(0.09465) * (c4 * t95 - s4 * t94);
-  const Scalar t115 = t30 * t100 + t27 * t101;
+  const Scalar t61 = t51 - t52;
+  const Scalar t62 = t30 * t50;
+  const Scalar t63 = (t62 - t53) + t62;
+  const Scalar t64 = t30 * t31;
+  const Scalar t65 = s5 * t38 + c5 * t27;
+  const Scalar t66 = t29 * t31;
+  const Scalar t67 = (t65 - t66) - t66;
+  const Scalar t68 = t64 + (t64 + t67);
+  const Scalar t69 = Scalar(0.10915) * (c5 * t46 + s5 * t45) + (t63 * t34 + t68 * t41);
+  const Scalar t70 = (k[6] * t60 + k[7] * t61) + t69;
+  const Scalar t71 = t28 + (s5 * t54 + c5 * t70);
+  const Scalar t72 = t13 * t5;
+  const Scalar t73 = t72 - t36;
+  const Scalar t74 = qd[0] * c2;
+  const Scalar t75 = k[27] * c2 - s2 * t1;
+  const Scalar t76 = Scalar(3.8937242327072834) * (qdd[1] + qd[0] * s2 * t74) + t75;
+  const Scalar t77 = qd[1] * qd[1];
+  const Scalar t78 = c2 * t1 + k[27] * s2;
+  const Scalar t79 = Scalar(3.8937242327072834) * (t77 + t74 * t74) - t78;
+  const Scalar t80 = Scalar(3.5936784241868986) * t73 - (c3 * t76 + s3 * t79);
+  const Scalar t81 = t80 - t8;
+  const Scalar t82 = c3 * t79 - s3 * t76;
+  const Scalar t83 = t13 * t13;
+  const Scalar t84 = t3 * t3;
+  const Scalar t85 = t83 - t84;
+  const Scalar t86 = t10 - t85;
+  const Scalar t87 = (t82 + Scalar(3.5936784241868986) * t86) - t15;
+  const Scalar t88 = s4 * t81 + c4 * t87;
+  const Scalar t89 = t55 + t56;
+  const Scalar t90 = k[12] * t88 - (k[10] * t89 + k[11] * t38);
+  const Scalar t91 = t90 + (s5 * t70 - c5 * t54);
+  const Scalar t92 = (k[18] * t27 - k[17] * t23) + (k[20] * t38 + k[19] * (t10 - t89));
+  const Scalar t93 = (s5 * t88 + c5 * t17) - Scalar(0.8671552908841045) * t65;
+  const Scalar t94 = k[21] * s6 - k[22] * c6;
+  const Scalar t95 = t33 - t60;
+  const Scalar t96 = k[21] * c6 + k[22] * s6;
+  const Scalar t97 = k[24] * c6 + k[23] * s6;
+  const Scalar t98 = s6 * t97;
+  const Scalar t99 = k[26] - t98;
+  const Scalar t100 = k[25] - c6 * t97;
+  const Scalar t101 = (t94 * t95 - t40 * t96) + (t63 * t99 - t68 * t100);
+  const Scalar t102 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t103 = t102 * t7 + wrench[5] * t4;
+  const Scalar t104 = t4 * t102 - wrench[5] * t7;
+  const Scalar t105 = (c4 * t103 - s4 * t104) + Scalar(0.7540082455336693) * t47;
+  const Scalar t106 = Scalar(0.8671552908841045) * t39 - (c5 * t88 - s5 * t17);
+  const Scalar t107 = t49 - t60;
+  const Scalar t108 = k[30] * t107 + (k[29] * t61 - k[28] * t53);
+  const Scalar t109 = (k[7] * t93 - k[6] * t106) + (t108 - (k[32] * t39 - k[31] * t65));
+  const Scalar t110 = ((t93 * t34 - t101) + t105) + t109;
+  const Scalar t111 = t91 + ((t92 + k[10] * t17) + t110);
+  const Scalar t112 = (k[18] * t23 + k[33] * t27) + k[20] * t57;
+  const Scalar t113 = t35 + t37;
+  const Scalar t114 = Scalar(0.10915) * (c4 * t44 - s4 * t43);
+  const Scalar t115 = c4 * t104 + s4 * t103;
   const Scalar t116 = wrench[3] * s1 - wrench[4] * c1;
-  const Scalar t117 = Scalar(0.8695192815636555) * t114 - (c5 * t115 - s5 * t116);
-  const Scalar t118 = (t108 * t51 - (t110 - t77 * t113)) + t117;
-  const Scalar t119 = k[23] * t73 - (k[33] * t85 + k[24] * t112);
-  const Scalar t120 = s4 * t46 - c4 * t48;
-  const Scalar t121 = t120 + t71;
-  const Scalar t122 = t118 + ((k[22] * t63 + t119) + k[17] * t121);
-  const Scalar t123 = (t89 * t76 - t86 * t108) - Scalar(0.09465) * (c5 * t97 + s5 * t96);
-  const Scalar t124 = t123 - (k[18] * t63 + k[17] * t72);
-  const Scalar t125 = t122 + t124;
-  const Scalar t126 = (k[23] * t62 - k[22] * t67) - (k[25] * t112 + k[24] * t85);
-  const Scalar t127 = t88 * t67 - (t91 * t113 + t82 * t109);
-  const Scalar t128 = ((t77 * t85 + t83 * t62) - t127) - (t121 * t76 + t108 * t52);
-  const Scalar t129 = t128 + (s5 * t115 + c5 * t116);
-  const Scalar t130 = t98 - ((t81 + t72) * t76 + t82 * t108);
-  const Scalar t131 = (k[18] * (t71 + t67) + k[17] * t62) - t130;
-  const Scalar t132 = ((k[18] * t121 - t126) - t129) - t131;
-  const Scalar t133 = t36 + t37;
-  const Scalar t134 = (k[37] * t104 + k[36] * t33) + k[38] * t70;
-  const Scalar t135 = (c5 * t125 + s5 * t132) + ((k[35] * t133 + t134) - k[34] * t24);
-  const Scalar t136 = k[41] * t49 + (k[39] * t105 + k[34] * t38);
-  const Scalar t137 = (c5 * t131 + s5 * t124) + t136;
-  const Scalar t138 = k[41] * t120 + (k[34] * t71 + k[39] * t133);
-  const Scalar t139 = (t114 + (t76 * t113 - t108 * t79)) - (k[17] * t85 - k[18] * t112);
-  const Scalar t140 = t138 + t139;
-  const Scalar t141 = s4 * t137 - c4 * t140;
-  const Scalar t142 = (s4 * t107 + c4 * t135) - Scalar(1.1531959852086635) * t141;
-  const Scalar t143 = ((k[14] * t9 - t20) - k[43] * t22) - t142;
-  const Scalar t144 = c4 * t137 + s4 * t140;
-  const Scalar t145 = Scalar(1.1531959852086635) * t144 + (s4 * t135 - c4 * t107);
-  const Scalar t146 = (k[39] * t104 - k[34] * t33) + k[41] * t24;
-  const Scalar t147 = (c5 * t124 - s5 * t131) - t146;
-  const Scalar t148 = t7 + t8;
-  const Scalar t149 = t23 - t45;
-  const Scalar t150 = (k[13] * t148 + k[14] * t149) - (k[16] * t16 + k[15] * t13);
-  const Scalar t151 = t143 * t3 + t5 * ((t145 - Scalar(4.144215530903328) * t147) - t150);
-  const Scalar t152 = t151 - c2 * Scalar(4.490227152667723) * (k[43] * t16 - t147);
-  const Scalar t153 = k[5] * s2 - k[6] * c2;
-  const Scalar t154 = (k[6] * s2 + k[5] * c2) * t42 + qdd[1] * t153;
-  const Scalar t155 = k[8] * s2 - k[7] * c2;
-  const Scalar t156 = k[9] + c2 * t155;
-  const Scalar t157 = qdd[0] * (k[10] + s2 * t155) + t21 * t156;
-  const Scalar t158 = (t154 + t157) + (k[11] * s2 - k[12] * c2) * t0;
-  const Scalar t159 = (k[40] * t133 + k[36] * t38) + k[37] * (t71 - t105);
-  const Scalar t160 = (k[34] * t49 - k[39] * t120) + (t159 - (k[35] * t25 + k[38] * t59));
-  const Scalar t161 = t160 - (c5 * t132 - s5 * t125);
-  const Scalar t162 = k[16] * (t19 + t149) - (k[15] * t9 + k[42] * t148);
-  const Scalar t163 = (t162 - (k[13] * t12 + k[14] * t15)) + k[43] * t44;
-  const Scalar t164 = (Scalar(4.144215530903328) * t141 - t161) + t163;
-  const Scalar t165 = s3 * (k[43] * t148 + t144) + c3 * (k[43] * (t23 + t19) + t141);
-  const Scalar t166 = qdd[0] * t153 - (t23 * t156 - k[44] * qdd[1]);
-  const Scalar t167 = (t164 + Scalar(4.490227152667723) * t165) - ((k[12] * t39 - k[11] * t41) + t166);
+  const Scalar t117 = Scalar(0.7540082455336693) * t114 - (c5 * t115 - s5 * t116);
+  const Scalar t118 = t50 * t31;
+  const Scalar t119 = t39 - (t118 + t118);
+  const Scalar t120 = qdd[5] - t119;
+  const Scalar t121 = k[34] + t98;
+  const Scalar t122 = t107 - t59;
+  const Scalar t123 = (t100 * t63 - t68 * t121) - (t122 - t95) * t96;
+  const Scalar t124 = t117 + (t93 * t41 + (t94 * t120 + t123));
+  const Scalar t125 = (k[30] * t119 + k[28] * t67) + k[32] * t59;
+  const Scalar t126 = s4 * t87 - c4 * t81;
+  const Scalar t127 = t126 - Scalar(0.8671552908841045) * t58;
+  const Scalar t128 = t124 + ((t125 + k[31] * t61) - k[6] * t127);
+  const Scalar t129 = Scalar(0.8671552908841045) * t70 - t128;
+  const Scalar t130 = t122 * t100 - (t40 * t121 + t120 * t99);
+  const Scalar t131 = (t127 * t34 - t106 * t41) - (t130 + (t94 * t67 - t96 * t53));
+  const Scalar t132 = (s5 * t115 + c5 * t116) + t131;
+  const Scalar t133 = (k[32] * t53 - k[31] * t122) + (k[30] * t67 + k[29] * t119);
+  const Scalar t134 = (t132 + (t133 + k[7] * t127)) + Scalar(0.8671552908841045) * t54;
+  const Scalar t135 = (k[11] * t17 - (t112 + k[19] * t113)) + (c5 * t129 + s5 * t134);
+  const Scalar t136 = t114 + ((t122 - t33) * t41 + t120 * t34);
+  const Scalar t137 = (k[10] * t113 + k[11] * t58) - k[12] * t126;
+  const Scalar t138 = ((k[7] * t119 - k[6] * t67) - t136) - t137;
+  const Scalar t139 = t135 + t138;
+  const Scalar t140 = t83 + t84;
+  const Scalar t141 = t140 - t86;
+  const Scalar t142 = (k[14] * t16 - k[35] * t9) + k[16] * (t141 - t85);
+  const Scalar t143 = (s4 * t111 - c4 * t139) - ((k[15] * t73 - t142) - k[5] * t12);
+  const Scalar t144 = Scalar(3.5936784241868986) * t71 - (s4 * t139 + c4 * t111);
+  const Scalar t145 = t72 + t36;
+  const Scalar t146 = (k[14] * t9 + k[13] * t16) - (k[16] * t145 + k[15] * t85);
+  const Scalar t147 = Scalar(3.8937242327072834) * c2 * (k[5] * t9 + t71) + (t143 * t7 - t4 * (t144 + t146));
+  const Scalar t148 = k[37] * c2 - k[36] * s2;
+  const Scalar t149 = t77 * (k[36] * c2 + k[37] * s2) - qdd[1] * t148;
+  const Scalar t150 = k[38] * c2 - k[39] * s2;
+  const Scalar t151 = k[40] - c2 * t150;
+  const Scalar t152 = t11 * t151 + qdd[0] * (k[41] - s2 * t150);
+  const Scalar t153 = (t149 + t152) - (k[43] * c2 - k[42] * s2) * t0;
+  const Scalar t154 = qdd[0] * t148 + (t10 * t151 - k[44] * qdd[1]);
+  const Scalar t155 = (k[33] * t38 + k[17] * t113) + k[18] * (t58 - t89);
+  const Scalar t156 = (k[11] * t88 - k[10] * t126) + ((k[20] * t21 + k[19] * t26) - t155);
+  const Scalar t157 = (c5 * t134 - s5 * t129) - t156;
+  const Scalar t158 = s4 * t91 - c4 * t138;
+  const Scalar t159 = k[14] * t141 - (k[35] * t145 + k[13] * t73);
+  const Scalar t160 = k[5] * t82 - (t159 - (k[15] * t8 + k[16] * t15));
+  const Scalar t161 = (t157 + Scalar(3.5936784241868986) * t158) + t160;
+  const Scalar t162 = (s4 * t138 + c4 * t91) - k[5] * t145;
+  const Scalar t163 = c3 * (k[5] * t140 - t158) - s3 * t162;
+  const Scalar t164 = ((k[42] * t78 - k[43] * t75) + t154) - (t161 - Scalar(3.8937242327072834) * t163);
   JointVector<Scalar> result;
-  result[0] = t2 + (t152 - t158);
-  result[1] = t167;
-  result[2] = t164;
-  result[3] = -t161;
-  result[4] = -t103;
-  result[5] = -t129;
+  result[0] = t2 - (t147 + t153);
+  result[1] = t164;
+  result[2] = -t161;
+  result[3] = -t157;
+  result[4] = -t110;
+  result[5] = -t132;
   return result;
 }
 
@@ -674,26 +676,26 @@ GravityTorqueWithGravityVectorConstants<Scalar> gravity_torque_with_gravity_vect
   const Scalar t2 = inertia.m4 + t1;
   const Scalar t3 = (t0 - (t0 + inertia.c4y * inertia.m4)) - Scalar(0.10915) * t2;
   const Scalar t4 = inertia.c1z * inertia.m1 + ((inertia.c3z * inertia.m3 - t3) + inertia.c2z * inertia.m2);
-  const Scalar t5 = Scalar(0.425) * (inertia.m3 + t2) + (Scalar(0.425) * inertia.m2 - inertia.c2x * inertia.m2);
+  const Scalar t5 = inertia.c5z * inertia.m5 + (Scalar(0.0823) * inertia.m6 + inertia.c6z * inertia.m6);
   const Scalar t6 = Scalar(0.09465) * inertia.m5;
   const Scalar t7 = Scalar(0.09465) * t1 - (t6 + (inertia.c5y * inertia.m5 - t6));
-  const Scalar t8 = inertia.c5z * inertia.m5 + (Scalar(0.0823) * inertia.m6 + inertia.c6z * inertia.m6);
-  const Scalar t9 = Scalar(0.39225) * t2 + (Scalar(0.39225) * inertia.m3 - inertia.c3x * inertia.m3);
+  const Scalar t8 = Scalar(0.39225) * t2 + (Scalar(0.39225) * inertia.m3 - inertia.c3x * inertia.m3);
+  const Scalar t9 = Scalar(0.425) * (inertia.m3 + t2) + (Scalar(0.425) * inertia.m2 - inertia.c2x * inertia.m2);
   return { gravity[1],
            gravity[0],
            t4,
            inertia.c1x * inertia.m1,
-           t5,
-           inertia.c2y * inertia.m2,
            inertia.c3y * inertia.m3,
-           t7 + inertia.c4z * inertia.m4,
            gravity[2],
            inertia.c5x * inertia.m5,
+           t5,
            inertia.c6y * inertia.m6,
            inertia.c6x * inertia.m6,
-           t8,
            inertia.c4x * inertia.m4,
-           t9 };
+           t7 + inertia.c4z * inertia.m4,
+           t8,
+           t9,
+           inertia.c2y * inertia.m2 };
 }
 
 namespace detail {
@@ -716,36 +718,36 @@ inline JointVector<Scalar> gravity_torque_with_gravity_vector([[maybe_unused]] c
   const Scalar& c6 = angles.cosine[5];
   const Scalar t0 = k[0] * s1 + k[1] * c1;
   const Scalar t1 = k[1] * s1 - k[0] * c1;
-  const Scalar t2 = s2 * s3 - c2 * c3;
-  const Scalar t3 = c3 * s2 + c2 * s3;
-  const Scalar t4 = k[8] * t2 + t0 * t3;
-  const Scalar t5 = t2 * t0 - k[8] * t3;
-  const Scalar t6 = c4 * t4 - s4 * t5;
-  const Scalar t7 = k[10] * s6 - k[11] * c6;
-  const Scalar t8 = k[10] * c6 + k[11] * s6;
-  const Scalar t9 = c4 * t5 + s4 * t4;
-  const Scalar t10 = s5 * t1 - c5 * t9;
-  const Scalar t11 = t6 * t7 - t8 * t10;
-  const Scalar t12 = k[9] * t6 - t11;
-  const Scalar t13 = s5 * t9 + c5 * t1;
-  const Scalar t14 = t8 * t13 + k[12] * t6;
-  const Scalar t15 = k[7] * t1 - (s5 * t12 + c5 * t14);
-  const Scalar t16 = (k[9] * t13 - k[12] * t10) - t7 * t13;
-  const Scalar t17 = t16 + k[13] * t1;
-  const Scalar t18 = (s4 * t15 + c4 * t17) - k[14] * t1;
-  const Scalar t19 = (s4 * t17 - c4 * t15) + k[6] * t1;
-  const Scalar t20 = k[5] * s2 + k[4] * c2;
-  const Scalar t21 = (t2 * t18 + t19 * t3) + t1 * t20;
-  const Scalar t22 = (s5 * t14 - c5 * t12) - (k[7] * t9 + k[13] * t6);
-  const Scalar t23 = t22 + (k[14] * t4 + k[6] * t5);
-  const Scalar t24 = t0 * (k[4] * s2 - k[5] * c2) - k[8] * t20;
+  const Scalar t2 = k[13] * c2 + k[14] * s2;
+  const Scalar t3 = s2 * s3 - c2 * c3;
+  const Scalar t4 = c3 * s2 + c2 * s3;
+  const Scalar t5 = t0 * t4 + k[5] * t3;
+  const Scalar t6 = k[5] * t4 - t3 * t0;
+  const Scalar t7 = c4 * t5 + s4 * t6;
+  const Scalar t8 = k[9] * c6 - k[8] * s6;
+  const Scalar t9 = k[8] * c6 + k[9] * s6;
+  const Scalar t10 = c4 * t6 - s4 * t5;
+  const Scalar t11 = c5 * t10 + s5 * t1;
+  const Scalar t12 = t8 * t7 + t9 * t11;
+  const Scalar t13 = k[6] * t7 + t12;
+  const Scalar t14 = c5 * t1 - s5 * t10;
+  const Scalar t15 = t14 * t9 + k[7] * t7;
+  const Scalar t16 = k[11] * t1 - (s5 * t13 + c5 * t15);
+  const Scalar t17 = (k[7] * t11 - k[6] * t14) - t14 * t8;
+  const Scalar t18 = k[10] * t1 - t17;
+  const Scalar t19 = k[12] * t1 - (s4 * t16 + c4 * t18);
+  const Scalar t20 = (c4 * t16 - s4 * t18) - k[4] * t1;
+  const Scalar t21 = t1 * t2 - (t3 * t19 + t20 * t4);
+  const Scalar t22 = (s5 * t15 - c5 * t13) - (k[10] * t7 - k[11] * t10);
+  const Scalar t23 = (k[4] * t6 - k[12] * t5) - t22;
+  const Scalar t24 = t0 * (k[14] * c2 - k[13] * s2) + k[5] * t2;
   JointVector<Scalar> result;
   result[0] = -(k[2] * t0 - k[3] * t1) - t21;
-  result[1] = -t23 - t24;
-  result[2] = -t23;
+  result[1] = t23 + t24;
+  result[2] = t23;
   result[3] = -t22;
-  result[4] = -t16;
-  result[5] = -t11;
+  result[4] = t17;
+  result[5] = t12;
   return result;
 }
 
@@ -775,132 +777,133 @@ ForwardDynamicsWithGravityVectorConstants<Scalar> forward_dynamics_with_gravity_
   using std::sin;
   const Scalar t0 = inertia.c6x * inertia.m6;
   const Scalar t1 = inertia.c6y * inertia.m6;
-  const Scalar t2 = inertia.c5x * inertia.m5;
-  const Scalar t3 = inertia.c5z * inertia.m5;
-  const Scalar t4 = inertia.c6z * inertia.m6;
-  const Scalar t5 = Scalar(0.0823) * inertia.m6 + t4;
-  const Scalar t6 = t3 + t5;
-  const Scalar t7 = inertia.c4x * inertia.m4;
-  const Scalar t8 = inertia.m5 + inertia.m6;
-  const Scalar t9 = Scalar(0.09465) * inertia.m5;
-  const Scalar t10 = inertia.c5y * inertia.m5;
-  const Scalar t11 = t10 - t9;
-  const Scalar t12 = t9 + t11;
-  const Scalar t13 = Scalar(0.09465) * t8 - t12;
-  const Scalar t14 = inertia.c4z * inertia.m4;
-  const Scalar t15 = t13 + t14;
-  const Scalar t16 = Scalar(0.09465) * t3;
-  const Scalar t17 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t18 = (inertia.I6xx - t17) - inertia.c6x * t0;
-  const Scalar t19 = (inertia.I6yy - t17) - inertia.c6y * t1;
+  const Scalar t2 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t3 = (inertia.I6xx - t2) - inertia.c6x * t0;
+  const Scalar t4 = (inertia.I6yy - t2) - inertia.c6y * t1;
+  const Scalar t5 = t3 + t4;
+  const Scalar t6 = inertia.m5 + inertia.m6;
+  const Scalar t7 = Scalar(0.09465) * inertia.m5;
+  const Scalar t8 = inertia.c5y * inertia.m5;
+  const Scalar t9 = t8 - t7;
+  const Scalar t10 = t7 + t9;
+  const Scalar t11 = Scalar(0.09465) * t6 - t10;
+  const Scalar t12 = inertia.c4z * inertia.m4;
+  const Scalar t13 = t11 + t12;
+  const Scalar t14 = inertia.c5z * inertia.m5;
+  const Scalar t15 = inertia.c6z * inertia.m6;
+  const Scalar t16 = Scalar(0.0823) * inertia.m6 + t15;
+  const Scalar t17 = t14 + t16;
+  const Scalar t18 = inertia.c5x * inertia.m5;
+  const Scalar t19 = inertia.c4x * inertia.m4;
   const Scalar t20 = inertia.I6xy - inertia.c6y * t0;
-  const Scalar t21 = Scalar(0.09465) * t2;
-  const Scalar t22 = Scalar(0.10915) * t14;
-  const Scalar t23 = inertia.c4y * inertia.m4;
-  const Scalar t24 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t25 = (inertia.c6z * t4 - (inertia.I6zz - t17)) + Scalar(0.0823) * (t5 + t4);
-  const Scalar t26 = Scalar(0.10915) * t7;
-  const Scalar t27 = inertia.c3y * inertia.m3;
-  const Scalar t28 = Scalar(0.10915) * inertia.m4;
-  const Scalar t29 = t28 + t23;
-  const Scalar t30 = t28 - t29;
-  const Scalar t31 = inertia.m4 + t8;
-  const Scalar t32 = t30 - Scalar(0.10915) * t31;
-  const Scalar t33 = inertia.c3z * inertia.m3;
-  const Scalar t34 = inertia.c3x * inertia.m3;
-  const Scalar t35 = Scalar(0.39225) * t32 - (Scalar(0.39225) * t33 + (inertia.I3xz - inertia.c3z * t34));
-  const Scalar t36 = t18 + t19;
-  const Scalar t37 = inertia.I4xz - inertia.c4z * t7;
-  const Scalar t38 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t39 = (inertia.I4xx - t38) - inertia.c4x * t7;
-  const Scalar t40 = Scalar(0.09465) * (t10 + t11) - (inertia.c5y * t10 - (inertia.I5yy - t24));
-  const Scalar t41 = Scalar(0.09465) * (t13 - t12) + (Scalar(0.09465) * (t12 + t11) - t40);
-  const Scalar t42 = t41 - ((inertia.I4zz - t38) - inertia.c4z * t14);
-  const Scalar t43 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t44 = Scalar(0.39225) * inertia.m3 - t34;
-  const Scalar t45 = (inertia.c3x * t34 - (inertia.I3xx - t43)) + Scalar(0.39225) * (t44 - t34);
-  const Scalar t46 = Scalar(0.1538600625) * t31 + t45;
-  const Scalar t47 = (inertia.I3yy - t43) - inertia.c3y * t27;
-  const Scalar t48 = inertia.c1z * inertia.m1;
-  const Scalar t49 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t50 = Scalar(0.10915) * (t23 + t29) - ((inertia.I4yy - t38) - inertia.c4y * t23);
-  const Scalar t51 = (t50 - Scalar(0.10915) * (t29 - t30)) - Scalar(0.10915) * (t30 + t32);
-  const Scalar t52 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t21 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t22 = (inertia.c6z * t15 - (inertia.I6zz - t2)) + Scalar(0.0823) * (t16 + t15);
+  const Scalar t23 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t24 = (inertia.I4xx - t23) - inertia.c4x * t19;
+  const Scalar t25 = Scalar(0.09465) * (t8 + t9) - (inertia.c5y * t8 - (inertia.I5yy - t21));
+  const Scalar t26 = Scalar(0.09465) * (t11 - t10) + (Scalar(0.09465) * (t10 + t9) - t25);
+  const Scalar t27 = t26 - ((inertia.I4zz - t23) - inertia.c4z * t12);
+  const Scalar t28 = Scalar(0.09465) * t14;
+  const Scalar t29 = Scalar(0.09465) * t18;
+  const Scalar t30 = inertia.I4xz - inertia.c4z * t19;
+  const Scalar t31 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t32 = inertia.c3y * inertia.m3;
+  const Scalar t33 = (inertia.I3yy - t31) - inertia.c3y * t32;
+  const Scalar t34 = inertia.m4 + t6;
+  const Scalar t35 = inertia.c3x * inertia.m3;
+  const Scalar t36 = Scalar(0.39225) * inertia.m3 - t35;
+  const Scalar t37 = (inertia.c3x * t35 - (inertia.I3xx - t31)) + Scalar(0.39225) * (t36 - t35);
+  const Scalar t38 = Scalar(0.1538600625) * t34 + t37;
+  const Scalar t39 = (inertia.I3xy - inertia.c3y * t35) + Scalar(0.39225) * t32;
+  const Scalar t40 = Scalar(0.39225) * t34 + t36;
+  const Scalar t41 = Scalar(0.10915) * t12;
+  const Scalar t42 = inertia.c4y * inertia.m4;
+  const Scalar t43 = Scalar(0.10915) * t19;
+  const Scalar t44 = Scalar(0.10915) * inertia.m4;
+  const Scalar t45 = t44 + t42;
+  const Scalar t46 = t44 - t45;
+  const Scalar t47 = t46 - Scalar(0.10915) * t34;
+  const Scalar t48 = inertia.c3z * inertia.m3;
+  const Scalar t49 = Scalar(0.39225) * t47 - (Scalar(0.39225) * t48 + (inertia.I3xz - inertia.c3z * t35));
+  const Scalar t50 = inertia.c2y * inertia.m2;
+  const Scalar t51 = t48 - t47;
+  const Scalar t52 = inertia.c2x * inertia.m2;
   const Scalar t53 = inertia.c2z * inertia.m2;
-  const Scalar t54 = (((inertia.I3zz - t43) - inertia.c3z * t33) - t51) + ((inertia.I2zz - t52) - inertia.c2z * t53);
-  const Scalar t55 = Scalar(0.39225) * t27;
-  const Scalar t56 = (inertia.I3xy - inertia.c3y * t34) + t55;
-  const Scalar t57 = inertia.c2y * inertia.m2;
-  const Scalar t58 = inertia.c2x * inertia.m2;
-  const Scalar t59 = Scalar(0.425) * t57 + (inertia.I2xy - inertia.c2y * t58);
-  const Scalar t60 = Scalar(0.425) * inertia.m2 - t58;
-  const Scalar t61 = Scalar(0.425) * (t58 - t60) - (inertia.c2x * t58 - (inertia.I2xx - t52));
-  const Scalar t62 = inertia.m3 + t31;
-  const Scalar t63 = t61 - Scalar(0.180625) * t62;
-  const Scalar t64 = (inertia.I2yy - t52) - inertia.c2y * t57;
-  const Scalar t65 = inertia.c1x * inertia.m1;
-  const Scalar t66 = t33 - t32;
-  const Scalar t67 = Scalar(0.425) * t66 + ((inertia.I2xz - inertia.c2z * t58) + Scalar(0.425) * t53);
-  return { Scalar(0.39225) * t0,
-           Scalar(0.39225) * t1,
-           Scalar(0.39225) * t2,
-           Scalar(0.39225) * t6,
-           Scalar(0.39225) * t7,
-           Scalar(0.39225) * t15,
+  const Scalar t54 = Scalar(0.425) * t51 + ((inertia.I2xz - inertia.c2z * t52) + Scalar(0.425) * t53);
+  const Scalar t55 = Scalar(0.425) * inertia.m2 - t52;
+  const Scalar t56 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t57 = Scalar(0.425) * (t52 - t55) - (inertia.c2x * t52 - (inertia.I2xx - t56));
+  const Scalar t58 = inertia.m3 + t34;
+  const Scalar t59 = t57 - Scalar(0.180625) * t58;
+  const Scalar t60 = (inertia.I2yy - t56) - inertia.c2y * t50;
+  const Scalar t61 = Scalar(0.425) * t50;
+  const Scalar t62 = t61 + (inertia.I2xy - inertia.c2y * t52);
+  const Scalar t63 = inertia.c1x * inertia.m1;
+  const Scalar t64 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t65 = inertia.c1z * inertia.m1;
+  const Scalar t66 = Scalar(0.10915) * (t42 + t45) - ((inertia.I4yy - t23) - inertia.c4y * t42);
+  const Scalar t67 = (t66 - Scalar(0.10915) * (t45 - t46)) - Scalar(0.10915) * (t46 + t47);
+  const Scalar t68 = (((inertia.I3zz - t31) - inertia.c3z * t48) - t67) + ((inertia.I2zz - t56) - inertia.c2z * t53);
+  return { Scalar(0.425) * t0,
+           Scalar(0.425) * t1,
            (inertia.I6yz - inertia.c6z * t1) - Scalar(0.0823) * t1,
            (inertia.I6xz - inertia.c6z * t0) - Scalar(0.0823) * t0,
-           ((inertia.I5yz - inertia.c5z * t10) + t16) - t16,
-           Scalar(0.09465) * t6,
-           t18 - t19,
+           t5,
+           Scalar(1) / t5,
+           Scalar(0.425) * t13,
+           Scalar(0.425) * t17,
+           Scalar(0.425) * t18,
+           Scalar(0.425) * t19,
+           t3 - t4,
            Scalar(2) * t20,
+           t3,
+           inertia.c5x * t18 - (inertia.I5xx - t21),
+           (inertia.c5z * t14 - (inertia.I5zz - t21)) + t22,
+           inertia.I5xz - inertia.c5z * t18,
+           t24,
+           t4,
+           t27,
+           ((inertia.I5yz - inertia.c5z * t8) + t28) - t28,
+           Scalar(0.09465) * t17,
            t20,
-           t21 - (t21 + (inertia.I5xy - inertia.c5y * t2)),
-           t22 - (t22 - (inertia.I4yz - inertia.c4z * t23)),
-           inertia.I5xz - inertia.c5z * t2,
-           t18,
-           inertia.c5x * t2 - (inertia.I5xx - t24),
-           (inertia.c5z * t3 - (inertia.I5zz - t24)) + t25,
-           (t26 - (inertia.I4xy - inertia.c4y * t7)) - t26,
-           inertia.I3yz - inertia.c3z * t27,
-           t35,
-           t36,
-           Scalar(1) / t36,
-           t37,
+           t29 - (t29 + (inertia.I5xy - inertia.c5y * t18)),
+           t30,
+           t33,
+           t38,
            t39,
-           t19,
-           t42,
-           t46,
-           t47,
-           (inertia.c1z * t48 - (inertia.I1zz - t49)) - t54,
-           Scalar(0.39225) * (Scalar(0.39225) * t31 + t44),
-           t55,
-           t56,
+           Scalar(0.425) * t32,
+           Scalar(0.425) * t40,
+           t41 - (t41 - (inertia.I4yz - inertia.c4z * t42)),
+           (t43 - (inertia.I4xy - inertia.c4y * t19)) - t43,
+           t49,
+           inertia.I3yz - inertia.c3z * t32,
+           inertia.I2yz - inertia.c2z * t50,
+           t54,
            t59,
-           t63,
-           t64,
-           inertia.c1x * t65 - (inertia.I1xx - t49),
-           inertia.I2yz - inertia.c2z * t57,
-           t67,
-           Scalar(2.5493945188017846) * gravity[2],
-           Scalar(2.5493945188017846) * gravity[1],
-           Scalar(2.5493945188017846) * gravity[0],
-           t42 + t39,
-           t47 + t46,
-           Scalar(0.7845) * t7,
-           Scalar(0.7845) * t15,
-           Scalar(0.7845) * t27,
-           Scalar(2) * t37,
+           t60,
+           t62,
+           inertia.c1x * t63 - (inertia.I1xx - t64),
+           (inertia.c1z * t65 - (inertia.I1zz - t64)) - t68,
+           Scalar(2.3529411764705883) * gravity[2],
+           Scalar(2.3529411764705883) * gravity[1],
+           Scalar(2.3529411764705883) * gravity[0],
+           t27 + t24,
+           t33 + t38,
+           Scalar(0.85) * t40,
+           Scalar(0.85) * t32,
+           Scalar(0.85) * t13,
+           Scalar(0.85) * t19,
+           Scalar(2) * t24,
+           Scalar(2) * t30,
+           Scalar(2) * t33,
            Scalar(2) * t39,
-           Scalar(2) * t42,
-           Scalar(2) * t47,
-           Scalar(2) * t46,
-           Scalar(2) * t56,
-           Scalar(0.39225) * t57,
-           Scalar(0.39225) * (Scalar(0.425) * t62 + t60),
-           Scalar(2) * t59,
-           t64 - t63,
-           Scalar(0.39225) * (t48 + (t66 + t53)),
-           Scalar(0.39225) * t65 };
+           Scalar(2) * t38,
+           t61,
+           Scalar(0.425) * (Scalar(0.425) * t58 + t55),
+           Scalar(2) * t62,
+           t60 - t59,
+           Scalar(0.425) * (t65 + (t51 + t53)),
+           Scalar(0.425) * t63 };
 }
 
 namespace detail {
@@ -921,267 +924,265 @@ inline JointVector<Scalar> forward_dynamics_with_gravity_vector([[maybe_unused]]
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = k[0] * c6 - k[1] * s6;
+  const Scalar t0 = k[2] * s6 - k[3] * c6;
   const Scalar t1 = k[0] * s6 + k[1] * c6;
-  const Scalar t2 = c5 * t1;
-  const Scalar t3 = c4 * t0 - s4 * t2;
-  const Scalar t4 = k[7] * c6 - k[6] * s6;
-  const Scalar t5 = Scalar(0.2413001912045889) * t1;
-  const Scalar t6 = k[22] + t5;
-  const Scalar t7 = s5 * t4 - c5 * t6;
-  const Scalar t8 = t3 - t7;
-  const Scalar t9 = s4 * t0 + c4 * t2;
-  const Scalar t10 = t8 + Scalar(1.0834926704907584) * (c3 * t3 - s3 * t9);
-  const Scalar t11 = k[23] * t10;
-  const Scalar t12 = c5 * t4 + s5 * t6;
-  const Scalar t13 = k[6] * c6 + k[7] * s6;
-  const Scalar t14 = Scalar(0.2782664117272148) * t3 - (c4 * t12 - s4 * t13);
-  const Scalar t15 = c3 * s2 + c2 * s3;
-  const Scalar t16 = (s4 * t12 + c4 * t13) - Scalar(0.2782664117272148) * t9;
-  const Scalar t17 = s5 * t1;
-  const Scalar t18 = s2 * s3 - c2 * c3;
-  const Scalar t19 = Scalar(1.0834926704907584) * c2;
-  const Scalar t20 = (t14 * t15 + (t16 - t17) * t18) + t19 * t17;
-  const Scalar t21 = k[9] + (k[8] + t13);
-  const Scalar t22 = k[10] * s6 + k[11] * c6;
-  const Scalar t23 = k[12] - c6 * t22;
-  const Scalar t24 = k[2] + t0;
-  const Scalar t25 = (k[13] + t23) - Scalar(0.2413001912045889) * t24;
-  const Scalar t26 = c5 * t21 - s5 * t25;
-  const Scalar t27 = k[14] - t26;
-  const Scalar t28 = k[15] + t4;
-  const Scalar t29 = s6 * t22;
-  const Scalar t30 = k[16] - t29;
-  const Scalar t31 = k[17] - t30;
-  const Scalar t32 = c5 * t28;
-  const Scalar t33 = s5 * (k[18] - t31) + (t32 + t32);
-  const Scalar t34 = k[19] + (t28 - c5 * t33);
-  const Scalar t35 = k[5] - t1;
-  const Scalar t36 = k[3] * s5 - c5 * t24;
-  const Scalar t37 = k[4] - t36;
-  const Scalar t38 = s4 * t35 + c4 * t37;
-  const Scalar t39 = (s4 * t27 - c4 * t34) - Scalar(0.2782664117272148) * t38;
-  const Scalar t40 = s5 * t24 + k[3] * c5;
-  const Scalar t41 = k[21] - (t39 + t40);
-  const Scalar t42 = c4 * t35 - s4 * t37;
-  const Scalar t43 = (s4 * t34 + c4 * t27) - Scalar(0.2782664117272148) * t42;
-  const Scalar t44 = k[20] - t43;
-  const Scalar t45 = c3 * t41 + s3 * t44;
-  const Scalar t46 = Scalar(1.0834926704907584) * t40;
-  const Scalar t47 = t41 * t15 + t18 * t44;
-  const Scalar t48 = s2 * (k[39] - (t45 - t46)) - ((t47 - s2 * t45) - k[38] * c2);
-  const Scalar t49 = k[23] * t20;
-  const Scalar t50 = Scalar(0.2782664117272148) * t40;
-  const Scalar t51 = k[18] + t31;
-  const Scalar t52 = t50 + t51;
-  const Scalar t53 = c5 * t25 + s5 * t21;
-  const Scalar t54 = t18 * ((c4 * t52 - s4 * t53) + t36);
-  const Scalar t55 = t54 + (s4 * t52 + c4 * t53) * t15;
-  const Scalar t56 = t13 * t49 + (t55 - t36 * t19);
-  const Scalar t57 = k[23] * t13;
-  const Scalar t58 = Scalar(1) / (t13 * t57 + t51);
-  const Scalar t59 = t26 - s4 * t40;
-  const Scalar t60 = t59 - (c3 * s4 + c4 * s3) * t46;
-  const Scalar t61 = t10 * t57 - t60;
-  const Scalar t62 = t58 * t61;
-  const Scalar t63 = k[23] * t7;
-  const Scalar t64 = t63 * t20 - (t18 * t43 + t39 * t15);
-  const Scalar t65 = t26 + t57 * t7;
-  const Scalar t66 = t58 * t65;
-  const Scalar t67 = t64 - t56 * t66;
-  const Scalar t68 = s5 * t33 + t31;
-  const Scalar t69 = k[25] - t68;
-  const Scalar t70 = k[26] + t29;
-  const Scalar t71 = k[27] - (t70 + Scalar(2) * t5);
-  const Scalar t72 = k[24] + t53;
-  const Scalar t73 = c4 * t72;
-  const Scalar t74 = s4 * (t69 + t71) - (t73 + t73);
-  const Scalar t75 = s4 * t74;
-  const Scalar t76 = t75 - t71;
-  const Scalar t77 = t75 - t69;
-  const Scalar t78 = t76 - t77;
-  const Scalar t79 = Scalar(1) / (t66 * t65 - (t63 * t7 - t78));
-  const Scalar t80 = t67 * t79;
-  const Scalar t81 = t38 + t78;
-  const Scalar t82 = t81 + Scalar(1.0834926704907584) * (s3 * t42 + c3 * t38);
-  const Scalar t83 = t66 * t61 - (t82 + t10 * t63);
-  const Scalar t84 = ((t11 * t20 + t48) - t56 * t62) - t80 * t83;
-  const Scalar t85 = k[23] * t8;
-  const Scalar t86 = t59 - t13 * t85;
-  const Scalar t87 = k[29] + t76;
-  const Scalar t88 = k[28] + (t77 - (t38 + t38));
-  const Scalar t89 = t87 - t88;
-  const Scalar t90 = k[31] - t38;
-  const Scalar t91 = k[32] - t42;
-  const Scalar t92 = Scalar(1.0834926704907584) * (c3 * t90 + s3 * t91);
-  const Scalar t93 = t86 * t62 - ((t89 - t92) - t8 * t11);
-  const Scalar t94 = t58 * t86;
-  const Scalar t95 = t65 * t94 + (t81 + t85 * t7);
-  const Scalar t96 = t95 * t79;
-  const Scalar t97 = t93 - t96 * t83;
-  const Scalar t98 = t96 * t95 - ((t89 - t85 * t8) + t86 * t94);
-  const Scalar t99 = Scalar(1) / t98;
-  const Scalar t100 = t97 * t99;
-  const Scalar t101 = t80 * t95 + (t56 * t94 - (t47 - t49 * t8));
-  const Scalar t102 = t84 - t100 * t101;
-  const Scalar t103 = k[33] + ((t72 + c4 * t74) - t42);
-  const Scalar t104 = c3 * t103;
-  const Scalar t105 = s3 * (t87 + t88) - (t104 + t104);
-  const Scalar t106 = s3 * t105;
-  const Scalar t107 = k[36] - (t106 - t87);
-  const Scalar t108 = k[35] - (Scalar(2) * t92 - (t106 - t88));
-  const Scalar t109 = (t10 * t11 - (t107 + t108)) - t61 * t62;
-  const Scalar t110 = t83 * t79;
-  const Scalar t111 = Scalar(1) / (t100 * t97 - (t109 + t110 * t83));
-  const Scalar t112 = t102 * t111;
-  const Scalar t113 = t56 * t58;
-  const Scalar t114 = Scalar(1.0834926704907584) * (c3 * t91 - s3 * t90) - (t103 + c3 * t105);
-  const Scalar t115 = c2 * (k[34] + t114);
-  const Scalar t116 = s2 * ((t115 + t115) - s2 * (t107 - t108));
-  const Scalar t117 = (k[30] + (Scalar(2) * t50 - (t68 - t51))) + (k[37] + (t116 - t108));
-  const Scalar t118 = t80 * t67 - (t56 * t113 - (t117 + t49 * t20));
-  const Scalar t119 = t101 * t99;
-  const Scalar t120 = Scalar(1) / (t102 * t112 + (t118 - t119 * t101));
-  const Scalar t121 = qd[1] + qd[2];
-  const Scalar t122 = qd[3] + t121;
-  const Scalar t123 = qd[0] * t18;
-  const Scalar t124 = qd[0] * t15;
-  const Scalar t125 = s4 * t123 - c4 * t124;
-  const Scalar t126 = t122 * t125;
-  const Scalar t127 = c5 * t122 + s5 * t125;
-  const Scalar t128 = c5 * t125 - s5 * t122;
-  const Scalar t129 = t127 * t128;
-  const Scalar t130 = t126 - t129;
-  const Scalar t131 = c4 * t123 + s4 * t124;
-  const Scalar t132 = t125 * t131;
-  const Scalar t133 = t122 * t131;
-  const Scalar t134 = Scalar(2) * t133;
-  const Scalar t135 = s5 * t132 + c5 * t134;
-  const Scalar t136 = qd[4] + t131;
-  const Scalar t137 = t135 - Scalar(2) * t127 * t136;
-  const Scalar t138 = qd[5] + t127;
-  const Scalar t139 = t138 * t138;
-  const Scalar t140 = t136 * t136;
-  const Scalar t141 = t139 + t140;
-  const Scalar t142 = t140 + t128 * t128;
-  const Scalar t143 = t139 - t140;
-  const Scalar t144 = t142 + t143;
-  const Scalar t145 = t141 - t144;
-  const Scalar t146 = s5 * t134 - c5 * t132;
-  const Scalar t147 = t128 * t136;
-  const Scalar t148 = (t147 + t147) + t146;
-  const Scalar t149 = t145 * t23 - (t70 * t146 + t148 * t30);
-  const Scalar t150 = t121 * t121;
-  const Scalar t151 = t123 * t123;
-  const Scalar t152 = t150 + t151;
-  const Scalar t153 = qd[1] * qd[1];
-  const Scalar t154 = qd[0] * c2;
-  const Scalar t155 = k[42] * c1 + k[41] * s1;
-  const Scalar t156 = k[40] * s2 + c2 * t155;
-  const Scalar t157 = Scalar(1.0834926704907584) * (t153 + t154 * t154) - t156;
-  const Scalar t158 = s2 * t155 - k[40] * c2;
-  const Scalar t159 = t158 - Scalar(1.0834926704907584) * qd[0] * s2 * t154;
-  const Scalar t160 = c3 * t157 + s3 * t159;
-  const Scalar t161 = t152 + t160;
-  const Scalar t162 = t124 * t123;
-  const Scalar t163 = c3 * t159 - s3 * t157;
-  const Scalar t164 = t162 + t163;
-  const Scalar t165 = s4 * t161 - c4 * t164;
-  const Scalar t166 = t122 * t122;
-  const Scalar t167 = t125 * t125;
-  const Scalar t168 = t166 + t167;
-  const Scalar t169 = t165 - Scalar(0.2413001912045889) * t168;
-  const Scalar t170 = c4 * t161 + s4 * t164;
-  const Scalar t171 = t170 - Scalar(0.2413001912045889) * t132;
-  const Scalar t172 = t124 * t121;
-  const Scalar t173 = t172 + t172;
-  const Scalar t174 = qd[0] * qd[0];
-  const Scalar t175 = qd[0] * qd[1];
-  const Scalar t176 = k[41] * c1 - k[42] * s1;
-  const Scalar t177 = Scalar(2.1669853409815167) * s2 * t175 - t176;
-  const Scalar t178 = t173 + (Scalar(0.2782664117272148) * t174 + t177);
-  const Scalar t179 = Scalar(0.2413001912045889) * t134 - t178;
-  const Scalar t180 = c5 * t171 + s5 * t179;
-  const Scalar t181 = ((t13 * t130 - t137 * t4) + t149) - (t0 * t169 + t1 * t180);
-  const Scalar t182 = torque[5] - t181;
-  const Scalar t183 = t166 - t167;
-  const Scalar t184 = t174 + t183;
-  const Scalar t185 = (k[24] * (t168 - t184) + k[43] * t132) + (k[4] * t165 - k[5] * t170);
-  const Scalar t186 = t168 - t142;
-  const Scalar t187 = k[8] * t186 - (k[15] * t148 - k[18] * t137);
-  const Scalar t188 = t126 + t129;
-  const Scalar t189 = Scalar(2) * t138 * t136 + t137;
-  const Scalar t190 = t138 * t128;
-  const Scalar t191 = (t130 + t190) + t190;
-  const Scalar t192 = (t70 * t189 - t23 * t191) - t13 * t143;
-  const Scalar t193 = s5 * t171 - c5 * t179;
-  const Scalar t194 = (k[3] * t169 - (t187 + k[13] * t188)) + ((t148 * t4 + t192) - t1 * t193);
-  const Scalar t195 = (t1 * t189 + t0 * t191) + (k[2] * t188 + k[3] * t142);
-  const Scalar t196 = t194 + Scalar(0.2413001912045889) * t195;
-  const Scalar t197 = (k[15] * t137 - k[17] * t148) - (k[13] * t145 + k[8] * t130);
-  const Scalar t198 = (t1 * t146 + t141 * t0) - (k[3] * t130 - k[2] * (t168 + t145));
-  const Scalar t199 = ((k[2] * t169 + t197) - t181) + Scalar(0.2413001912045889) * t198;
-  const Scalar t200 = t185 - (s5 * t196 - c5 * t199);
-  const Scalar t201 = k[15] * (t186 + t145) + (k[18] * t130 + k[17] * t188);
-  const Scalar t202 = ((k[8] * t146 + k[13] * t135) + t201) + (k[2] * t193 + k[3] * t180);
-  const Scalar t203 = (t13 * t146 + (t145 + t143) * t4) + (t189 * t23 - t30 * t191);
-  const Scalar t204 = t202 + (t203 + t193 * t0);
-  const Scalar t205 = t182 * t57 - (torque[4] + t204);
-  const Scalar t206 = (t63 * t182 + (torque[3] + t200)) - t66 * t205;
-  const Scalar t207 = t206 * t79;
-  const Scalar t208 = k[34] - c2 * (k[56] * c2 - k[57] * s2);
-  const Scalar t209 = (k[54] * t156 - k[55] * t158) + t174 * t208;
-  const Scalar t210 = (t1 * t144 - t148 * t0) - (k[3] * t137 + k[2] * t148);
-  const Scalar t211 = (k[4] * t132 + k[5] * t168) - t210;
-  const Scalar t212 = (k[5] * t132 + k[4] * t184) + (c5 * t198 - s5 * t195);
-  const Scalar t213 = s4 * t211 + c4 * t212;
-  const Scalar t214 = s3 * (t213 + (k[32] * t162 - k[31] * t152));
-  const Scalar t215 = c4 * t211 - s4 * t212;
-  const Scalar t216 = t150 - t151;
-  const Scalar t217 = t174 - t152;
-  const Scalar t218 = t216 + t217;
-  const Scalar t219 = t215 - (k[32] * (t152 + t218) - k[31] * t162);
-  const Scalar t220 = (k[33] * t218 - k[44] * t162) - (k[31] * t163 + k[32] * t160);
-  const Scalar t221 = t220 - (t200 + t215);
-  const Scalar t222 = t209 + (Scalar(1.0834926704907584) * (t214 - c3 * t219) + t221);
-  const Scalar t223 = t205 * t62 - (t182 * t11 - (torque[1] - t222));
-  const Scalar t224 = t58 * t205;
-  const Scalar t225 = t86 * t224 - ((torque[2] - t221) - t85 * t182);
-  const Scalar t226 = (t96 * t206 + t225) * t99;
-  const Scalar t227 = (t83 * t207 + t223) + t97 * t226;
-  const Scalar t228 = k[23] * t182;
-  const Scalar t229 = Scalar(2) * t175 * t208 - t153 * (k[39] * c2 - k[38] * s2);
-  const Scalar t230 = t229 - (k[54] * s2 + k[55] * c2) * t176;
-  const Scalar t231 = (c5 * t195 + s5 * t198) + (k[45] * t126 - k[46] * t133);
-  const Scalar t232 = t121 * t123;
-  const Scalar t233 = t19 * (t231 + (k[31] * t173 + k[47] * t232));
-  const Scalar t234 = (k[48] * t133 - k[49] * t126) + (k[14] * t132 - k[19] * t183);
-  const Scalar t235 = (k[4] * t178 + t234) + t204;
-  const Scalar t236 = (k[50] * t133 + k[48] * t126) + k[14] * (t174 - t168);
-  const Scalar t237 = (c5 * t196 + s5 * t199) - ((t236 + k[19] * t132) - k[5] * t178);
-  const Scalar t238 = Scalar(0.2782664117272148) * t213 - (c4 * t235 + s4 * t237);
-  const Scalar t239 = (k[53] * t232 + k[52] * t172) - (k[20] * t162 + k[21] * t217);
-  const Scalar t240 = t18 * ((t231 + t238) + (k[31] * t177 + t239));
-  const Scalar t241 = k[20] * t216 - (k[51] * t232 - k[33] * t173);
-  const Scalar t242 = Scalar(0.2782664117272148) * t215 - (c4 * t237 - s4 * t235);
-  const Scalar t243 = (k[32] * t177 - (k[21] * t162 - t241)) + t242;
-  const Scalar t244 = (t230 + (t233 - (t240 - t243 * t15))) + (k[59] * t176 + k[58] * t155);
-  const Scalar t245 = t56 * t224 - (t228 * t20 - (torque[0] + t244));
-  const Scalar t246 = t112 * t227 - ((t80 * t206 - t245) - t101 * t226);
-  const Scalar t247 = t120 * t246;
-  const Scalar t248 = t111 * t227 - t112 * t247;
-  const Scalar t249 = t248 * t100 - (t119 * t247 + t226);
-  const Scalar t250 = (t248 * t110 + (t80 * t247 + t207)) + t96 * t249;
-  const Scalar t251 = (t248 * t62 - (t224 + t113 * t247)) + t249 * t94;
-  const Scalar t252 = t66 * t250 - t251;
-  const Scalar t253 = t249 * t85 + ((t49 * t247 + t228) - t248 * t11);
+  const Scalar t2 = k[4] + Scalar(0.22270588235294117) * t1;
+  const Scalar t3 = s5 * t0 + c5 * t2;
+  const Scalar t4 = k[5] * t3;
+  const Scalar t5 = k[0] * c6 - k[1] * s6;
+  const Scalar t6 = c5 * t1;
+  const Scalar t7 = Scalar(0.9229411764705883) * (c4 * t5 - s4 * t6) + t3;
+  const Scalar t8 = k[10] * s6 + k[11] * c6;
+  const Scalar t9 = s6 * t8;
+  const Scalar t10 = k[17] + t9;
+  const Scalar t11 = k[18] - (Scalar(0.44541176470588234) * t1 + t10);
+  const Scalar t12 = k[12] - t9;
+  const Scalar t13 = k[13] - t12;
+  const Scalar t14 = k[15] - t0;
+  const Scalar t15 = c5 * t14;
+  const Scalar t16 = s5 * (k[14] - t13) + (t15 + t15);
+  const Scalar t17 = s5 * t16;
+  const Scalar t18 = k[16] - (t17 + t13);
+  const Scalar t19 = t11 - t18;
+  const Scalar t20 = k[6] - t1;
+  const Scalar t21 = k[8] + t5;
+  const Scalar t22 = c5 * t21 - k[7] * s5;
+  const Scalar t23 = k[9] + t22;
+  const Scalar t24 = s4 * t20 + c4 * t23;
+  const Scalar t25 = t19 - Scalar(0.9229411764705883) * t24;
+  const Scalar t26 = k[21] - c6 * t8;
+  const Scalar t27 = Scalar(0.22270588235294117) * t21 - (k[22] + t26);
+  const Scalar t28 = k[2] * c6 + k[3] * s6;
+  const Scalar t29 = k[20] + (k[19] + t28);
+  const Scalar t30 = s5 * t27 + c5 * t29;
+  const Scalar t31 = k[5] * t28;
+  const Scalar t32 = t30 - t3 * t31;
+  const Scalar t33 = k[14] + t13;
+  const Scalar t34 = Scalar(1) / (t33 + t28 * t31);
+  const Scalar t35 = t32 * t34;
+  const Scalar t36 = s5 * t21 + k[7] * c5;
+  const Scalar t37 = Scalar(0.9229411764705883) * t36;
+  const Scalar t38 = s4 * t37 - t30;
+  const Scalar t39 = t7 * t31 + t38;
+  const Scalar t40 = (t4 * t7 + t25) + t35 * t39;
+  const Scalar t41 = Scalar(1) / ((t19 + t4 * t3) - t32 * t35);
+  const Scalar t42 = s5 * t1;
+  const Scalar t43 = t28 - Scalar(0.25682352941176473) * t6;
+  const Scalar t44 = (c5 * t0 - s5 * t2) + Scalar(0.25682352941176473) * t5;
+  const Scalar t45 = c3 * s2 + c2 * s3;
+  const Scalar t46 = s2 * s3 - c2 * c3;
+  const Scalar t47 = (s4 * t44 - c4 * t43) + Scalar(0.9229411764705883) * t42;
+  const Scalar t48 = (s4 * t43 + c4 * t44) * t45 - t46 * t47;
+  const Scalar t49 = c2 * t42 + t48;
+  const Scalar t50 = k[29] - t30;
+  const Scalar t51 = k[30] - (c5 * t16 - t14);
+  const Scalar t52 = (s4 * t50 - c4 * t51) - Scalar(0.25682352941176473) * t24;
+  const Scalar t53 = c4 * t20 - s4 * t23;
+  const Scalar t54 = Scalar(0.25682352941176473) * t53 - (s4 * t51 + c4 * t50);
+  const Scalar t55 = t4 * t49 + (t52 * t45 - t46 * t54);
+  const Scalar t56 = k[5] * t49;
+  const Scalar t57 = c5 * t27 - s5 * t29;
+  const Scalar t58 = Scalar(0.25682352941176473) * t36;
+  const Scalar t59 = t33 + t58;
+  const Scalar t60 = (s4 * t57 + c4 * t59) - Scalar(0.9229411764705883) * t22;
+  const Scalar t61 = t46 * t60 + (s4 * t59 - c4 * t57) * t45;
+  const Scalar t62 = t28 * t56 + (t61 + c2 * t22);
+  const Scalar t63 = t55 + t35 * t62;
+  const Scalar t64 = t41 * t63;
+  const Scalar t65 = t34 * t62;
+  const Scalar t66 = k[31] - (t52 + t37);
+  const Scalar t67 = k[32] + t54;
+  const Scalar t68 = t66 * t45 + t46 * t67;
+  const Scalar t69 = t40 * t64 + (t39 * t65 - (t56 * t7 - t68));
+  const Scalar t70 = t34 * t39;
+  const Scalar t71 = k[23] - t57;
+  const Scalar t72 = Scalar(2) * c4 * t71 - s4 * (t11 + t18);
+  const Scalar t73 = s4 * t72 + t11;
+  const Scalar t74 = k[24] - t73;
+  const Scalar t75 = k[25] + ((t19 - t73) - Scalar(1.8458823529411765) * t24);
+  const Scalar t76 = k[26] - ((c4 * t72 - t71) + Scalar(0.9229411764705883) * t53);
+  const Scalar t77 = s3 * (t74 + t75) - c3 * Scalar(2) * t76;
+  const Scalar t78 = s3 * t77;
+  const Scalar t79 = t74 - t78;
+  const Scalar t80 = t78 - t75;
+  const Scalar t81 = t79 + t80;
+  const Scalar t82 = k[5] * t7;
+  const Scalar t83 = t41 * t40;
+  const Scalar t84 = (t70 * t39 + (t81 - t7 * t82)) + t83 * t40;
+  const Scalar t85 = Scalar(1) / t84;
+  const Scalar t86 = qd[1] * qd[1];
+  const Scalar t87 = qd[0] * c2;
+  const Scalar t88 = k[42] * c1 + k[41] * s1;
+  const Scalar t89 = c2 * t88 + k[40] * s2;
+  const Scalar t90 = (t86 + t87 * t87) - t89;
+  const Scalar t91 = qd[0] * qd[0];
+  const Scalar t92 = c2 * s2;
+  const Scalar t93 = s2 * t88 - k[40] * c2;
+  const Scalar t94 = t91 * t92 - t93;
+  const Scalar t95 = c3 * t90 - s3 * t94;
+  const Scalar t96 = qd[1] + qd[2];
+  const Scalar t97 = t96 * t96;
+  const Scalar t98 = qd[0] * t46;
+  const Scalar t99 = t98 * t98;
+  const Scalar t100 = t97 + t99;
+  const Scalar t101 = t95 + Scalar(0.9229411764705883) * t100;
+  const Scalar t102 = s3 * t90 + c3 * t94;
+  const Scalar t103 = qd[0] * t45;
+  const Scalar t104 = t103 * t98;
+  const Scalar t105 = t102 - Scalar(0.9229411764705883) * t104;
+  const Scalar t106 = s4 * t101 + c4 * t105;
+  const Scalar t107 = qd[3] + t96;
+  const Scalar t108 = t107 * t107;
+  const Scalar t109 = s4 * t98 - c4 * t103;
+  const Scalar t110 = t109 * t109;
+  const Scalar t111 = t108 + t110;
+  const Scalar t112 = t106 - Scalar(0.22270588235294117) * t111;
+  const Scalar t113 = k[41] * c1 - k[42] * s1;
+  const Scalar t114 = qd[0] * qd[1];
+  const Scalar t115 = t114 + t114;
+  const Scalar t116 = t113 - s2 * t115;
+  const Scalar t117 = t103 * t96;
+  const Scalar t118 = (Scalar(0.25682352941176473) * t91 - t116) + Scalar(1.8458823529411765) * t117;
+  const Scalar t119 = c4 * t98 + s4 * t103;
+  const Scalar t120 = t107 * t119;
+  const Scalar t121 = t120 + t120;
+  const Scalar t122 = t118 - Scalar(0.22270588235294117) * t121;
+  const Scalar t123 = c4 * t101 - s4 * t105;
+  const Scalar t124 = t109 * t119;
+  const Scalar t125 = t123 - Scalar(0.22270588235294117) * t124;
+  const Scalar t126 = s5 * t122 - c5 * t125;
+  const Scalar t127 = c5 * t121 + s5 * t124;
+  const Scalar t128 = c5 * t107 + s5 * t109;
+  const Scalar t129 = qd[4] + t119;
+  const Scalar t130 = t128 * t129;
+  const Scalar t131 = (t127 - t130) - t130;
+  const Scalar t132 = t107 * t109;
+  const Scalar t133 = c5 * t109 - s5 * t107;
+  const Scalar t134 = t128 * t133;
+  const Scalar t135 = t132 - t134;
+  const Scalar t136 = qd[5] + t128;
+  const Scalar t137 = t136 * t136;
+  const Scalar t138 = t129 * t129;
+  const Scalar t139 = t137 + t138;
+  const Scalar t140 = t133 * t133;
+  const Scalar t141 = t137 + t140;
+  const Scalar t142 = t139 - t141;
+  const Scalar t143 = t133 * t129;
+  const Scalar t144 = s5 * t121 - c5 * t124;
+  const Scalar t145 = t143 + (t144 + t143);
+  const Scalar t146 = t26 * t142 - (t145 * t12 + t144 * t10);
+  const Scalar t147 = (t112 * t5 - t1 * t126) - ((t131 * t0 + t28 * t135) + t146);
+  const Scalar t148 = torque[5] + t147;
+  const Scalar t149 = t111 + t142;
+  const Scalar t150 = (t144 * t1 + t139 * t5) + (k[8] * t149 - k[7] * t135);
+  const Scalar t151 = (k[19] * t135 + k[22] * t142) - (k[15] * t131 - k[13] * t145);
+  const Scalar t152 = Scalar(0.22270588235294117) * t150 - ((t151 - k[8] * t112) - t147);
+  const Scalar t153 = s5 * t125 + c5 * t122;
+  const Scalar t154 = t136 + t136;
+  const Scalar t155 = t154 * t129 + t131;
+  const Scalar t156 = t135 + t154 * t133;
+  const Scalar t157 = (t155 * t10 - t26 * t156) - t28 * (t137 - t138);
+  const Scalar t158 = t132 + t134;
+  const Scalar t159 = t138 + t140;
+  const Scalar t160 = k[19] * (t111 - t159) - (k[15] * t145 - k[14] * t131);
+  const Scalar t161 = (t1 * t153 - (t157 - t145 * t0)) - (k[7] * t112 - (k[22] * t158 + t160));
+  const Scalar t162 = (k[8] * t158 + k[7] * t159) + (t5 * t156 + t1 * t155);
+  const Scalar t163 = t161 - Scalar(0.22270588235294117) * t162;
+  const Scalar t164 = t108 - t110;
+  const Scalar t165 = t91 + t164;
+  const Scalar t166 = (k[6] * t123 - k[9] * t106) - (k[23] * (t111 - t165) + k[43] * t124);
+  const Scalar t167 = (c5 * t152 + s5 * t163) - t166;
+  const Scalar t168 = k[15] * (t149 - t159) + (k[14] * t135 + k[13] * t158);
+  const Scalar t169 = (k[8] * t153 - k[7] * t126) + (t168 + (k[22] * t127 + k[19] * t144));
+  const Scalar t170 = (t12 * t156 - t155 * t26) - (t144 * t28 - (t137 - t140) * t0);
+  const Scalar t171 = t169 + (t5 * t153 - t170);
+  const Scalar t172 = t31 * t148 - (torque[4] + t171);
+  const Scalar t173 = t172 * t34;
+  const Scalar t174 = (t4 * t148 - (torque[3] + t167)) + t32 * t173;
+  const Scalar t175 = t97 - t99;
+  const Scalar t176 = t91 - t100;
+  const Scalar t177 = t175 + t176;
+  const Scalar t178 = (k[44] * t104 - k[26] * t177) - (k[28] * t102 - k[27] * t95);
+  const Scalar t179 = (k[9] * t165 + k[6] * t124) + (c5 * t150 - s5 * t162);
+  const Scalar t180 = (t1 * t141 - t145 * t5) - (k[8] * t145 + k[7] * t131);
+  const Scalar t181 = t180 - (k[6] * t111 + k[9] * t124);
+  const Scalar t182 = s4 * t179 + c4 * t181;
+  const Scalar t183 = t178 + (t167 - Scalar(0.9229411764705883) * t182);
+  const Scalar t184 = k[5] * t148;
+  const Scalar t185 = ((torque[2] + t183) - t184 * t7) + t172 * t70;
+  const Scalar t186 = t174 * t83 + t185;
+  const Scalar t187 = t85 * t186;
+  const Scalar t188 = t174 * t41;
+  const Scalar t189 = (k[47] * t120 - k[48] * t132) - (s5 * t150 + c5 * t162);
+  const Scalar t190 = t96 * t98;
+  const Scalar t191 = c2 * (t189 - (k[45] * t117 + k[46] * t190));
+  const Scalar t192 = k[29] * (t91 - t111) + (k[18] * t121 + k[50] * t132);
+  const Scalar t193 = (k[6] * t118 - (k[30] * t124 + t192)) - (c5 * t163 - s5 * t152);
+  const Scalar t194 = (k[30] * t164 - k[29] * t124) + (k[49] * t132 - k[23] * t121);
+  const Scalar t195 = (k[9] * t118 - t194) + t171;
+  const Scalar t196 = Scalar(0.25682352941176473) * t182 + (c4 * t193 - s4 * t195);
+  const Scalar t197 = k[32] * t175 - (k[51] * t190 - k[52] * t117);
+  const Scalar t198 = t196 + ((k[31] * t104 - t197) + k[27] * t116);
+  const Scalar t199 = (k[32] * t104 + k[31] * t176) - (k[52] * t190 + k[53] * t117);
+  const Scalar t200 = c4 * t179 - s4 * t181;
+  const Scalar t201 = (c4 * t195 + s4 * t193) - Scalar(0.25682352941176473) * t200;
+  const Scalar t202 = (k[28] * t116 + t199) + (t201 + Scalar(0.9229411764705883) * t189);
+  const Scalar t203 = k[37] - c2 * (k[56] * c2 - k[57] * s2);
+  const Scalar t204 = t86 * (k[34] * c2 - k[33] * s2) - t203 * t115;
+  const Scalar t205 = t113 * (k[55] * c2 + k[54] * s2) + t204;
+  const Scalar t206 = (t191 + (t198 * t45 - t46 * t202)) + t205;
+  const Scalar t207 = torque[0] - (t206 - (k[58] * t88 + k[59] * t113));
+  const Scalar t208 = t63 * t188 + (t62 * t173 + (t207 - t56 * t148));
+  const Scalar t209 = c3 * s4 + c4 * s3;
+  const Scalar t210 = t209 * t6 + (s3 * s4 - c3 * c4) * t5;
+  const Scalar t211 = t7 - t210;
+  const Scalar t212 = (t38 + t36 * t209) + t211 * t31;
+  const Scalar t213 = t34 * t212;
+  const Scalar t214 = k[27] - t53;
+  const Scalar t215 = k[28] - t24;
+  const Scalar t216 = s3 * t214 + c3 * t215;
+  const Scalar t217 = t213 * t39 - (t211 * t82 + (t216 - t81));
+  const Scalar t218 = k[5] * t211;
+  const Scalar t219 = ((s3 * t53 + c3 * t24) - t25) - t3 * t218;
+  const Scalar t220 = t219 - t35 * t212;
+  const Scalar t221 = t217 - t220 * t83;
+  const Scalar t222 = t85 * t221;
+  const Scalar t223 = (k[54] * t89 - k[55] * t93) + t203 * t91;
+  const Scalar t224 = s3 * ((k[28] * t100 - k[27] * t104) - t200);
+  const Scalar t225 = t182 + (k[27] * (t100 + t177) - k[28] * t104);
+  const Scalar t226 = torque[1] - (t223 - ((t224 - c3 * t225) + t183));
+  const Scalar t227 = t220 * t188 - (t213 * t172 + (t226 - t184 * t211));
+  const Scalar t228 = t186 * t222 + t227;
+  const Scalar t229 = t85 * t69;
+  const Scalar t230 = s3 * t67 + c3 * t66;
+  const Scalar t231 = ((s2 * t230 - t68) + k[33] * c2) + s2 * (k[34] - (t230 - t36));
+  const Scalar t232 = t220 * t64 + ((t231 + t211 * t56) - t213 * t62);
+  const Scalar t233 = t221 * t229 + t232;
+  const Scalar t234 = t220 * t41;
+  const Scalar t235 = k[35] - (Scalar(2) * t216 - t80);
+  const Scalar t236 = k[36] + t79;
+  const Scalar t237 = (t211 * t218 - (t235 + t236)) - t213 * t212;
+  const Scalar t238 = Scalar(1) / (t221 * t222 - (t220 * t234 - t237));
+  const Scalar t239 = t233 * t238;
+  const Scalar t240 = (c3 * t77 + t76) - (c3 * t214 - s3 * t215);
+  const Scalar t241 = Scalar(2) * t92 * (k[37] - t240) + (t235 - t236) * s2 * s2;
+  const Scalar t242 = (k[39] + ((k[14] - t17) + (t58 + t58))) + (k[38] - (t235 - t241));
+  const Scalar t243 = t63 * t64 - ((t242 + t49 * t56) - t62 * t65);
+  const Scalar t244 = Scalar(1) / ((t69 * t229 - t243) - t233 * t239);
+  const Scalar t245 = ((t69 * t187 - t208) - t228 * t239) * t244;
+  const Scalar t246 = t239 * t245 - t228 * t238;
+  const Scalar t247 = (t229 * t245 - t187) - t246 * t222;
+  const Scalar t248 = ((t188 - t64 * t245) - t246 * t234) + t247 * t83;
+  const Scalar t249 = ((t65 * t245 - t173) - t213 * t246) - t247 * t70;
+  const Scalar t250 = t35 * t248 - t249;
+  const Scalar t251 = t247 * t82 + (t246 * t218 + (t184 - t56 * t245));
   JointVector<Scalar> result;
-  result[0] = t247;
-  result[1] = -t248;
-  result[2] = t249;
-  result[3] = -t250;
-  result[4] = -t252;
-  result[5] = t252 * t57 - (t63 * t250 + t253);
+  result[0] = -t245;
+  result[1] = t246;
+  result[2] = t247;
+  result[3] = -t248;
+  result[4] = -t250;
+  result[5] = t31 * t250 - (t251 - t4 * t248);
   return result;
 }
 
@@ -1211,135 +1212,134 @@ ForwardDynamicsWithWrenchConstants<Scalar> forward_dynamics_with_wrench_constant
     const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity) {
   using std::cos;
   using std::sin;
-  const Scalar t0 = inertia.c6x * inertia.m6;
-  const Scalar t1 = inertia.c6y * inertia.m6;
-  const Scalar t2 = inertia.c5x * inertia.m5;
-  const Scalar t3 = inertia.c5z * inertia.m5;
-  const Scalar t4 = inertia.c6z * inertia.m6;
-  const Scalar t5 = Scalar(0.0823) * inertia.m6 + t4;
-  const Scalar t6 = t3 + t5;
-  const Scalar t7 = inertia.c4x * inertia.m4;
-  const Scalar t8 = inertia.m5 + inertia.m6;
-  const Scalar t9 = Scalar(0.09465) * inertia.m5;
-  const Scalar t10 = inertia.c5y * inertia.m5;
-  const Scalar t11 = t10 - t9;
-  const Scalar t12 = t9 + t11;
-  const Scalar t13 = Scalar(0.09465) * t8 - t12;
-  const Scalar t14 = inertia.c4z * inertia.m4;
-  const Scalar t15 = (inertia.I6yz - inertia.c6z * t1) - Scalar(0.0823) * t1;
-  const Scalar t16 = (inertia.I6xz - inertia.c6z * t0) - Scalar(0.0823) * t0;
-  const Scalar t17 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
-  const Scalar t18 = (inertia.I6xx - t17) - inertia.c6x * t0;
-  const Scalar t19 = (inertia.I6yy - t17) - inertia.c6y * t1;
-  const Scalar t20 = inertia.I6xy - inertia.c6y * t0;
-  const Scalar t21 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
-  const Scalar t22 = (inertia.c6z * t4 - (inertia.I6zz - t17)) + Scalar(0.0823) * (t5 + t4);
-  const Scalar t23 = (inertia.c5z * t3 - (inertia.I5zz - t21)) + t22;
-  const Scalar t24 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
-  const Scalar t25 = (inertia.I4xx - t24) - inertia.c4x * t7;
-  const Scalar t26 = t18 + t19;
-  const Scalar t27 = Scalar(0.09465) * (t10 + t11) - (inertia.c5y * t10 - (inertia.I5yy - t21));
-  const Scalar t28 = Scalar(0.09465) * (t13 - t12) + (Scalar(0.09465) * (t12 + t11) - t27);
-  const Scalar t29 = t28 - ((inertia.I4zz - t24) - inertia.c4z * t14);
-  const Scalar t30 = Scalar(0.09465) * t2;
-  const Scalar t31 = Scalar(1) / t26;
-  const Scalar t32 = Scalar(0.09465) * t3;
-  const Scalar t33 = inertia.I4xz - inertia.c4z * t7;
-  const Scalar t34 = inertia.c3x * inertia.m3;
-  const Scalar t35 = inertia.c3y * inertia.m3;
-  const Scalar t36 = Scalar(0.39225) * t35;
-  const Scalar t37 = (inertia.I3xy - inertia.c3y * t34) + t36;
-  const Scalar t38 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
-  const Scalar t39 = (inertia.I3yy - t38) - inertia.c3y * t35;
-  const Scalar t40 = inertia.m4 + t8;
-  const Scalar t41 = Scalar(0.39225) * inertia.m3 - t34;
-  const Scalar t42 = (inertia.c3x * t34 - (inertia.I3xx - t38)) + Scalar(0.39225) * (t41 - t34);
-  const Scalar t43 = Scalar(0.1538600625) * t40 + t42;
-  const Scalar t44 = Scalar(0.10915) * t7;
-  const Scalar t45 = Scalar(0.10915) * t14;
-  const Scalar t46 = inertia.c4y * inertia.m4;
-  const Scalar t47 = Scalar(0.10915) * inertia.m4;
-  const Scalar t48 = t47 + t46;
-  const Scalar t49 = t47 - t48;
-  const Scalar t50 = t49 - Scalar(0.10915) * t40;
-  const Scalar t51 = inertia.c3z * inertia.m3;
-  const Scalar t52 = Scalar(0.39225) * t50 - (Scalar(0.39225) * t51 + (inertia.I3xz - inertia.c3z * t34));
-  const Scalar t53 = inertia.c1z * inertia.m1;
-  const Scalar t54 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
-  const Scalar t55 = Scalar(0.10915) * (t46 + t48) - ((inertia.I4yy - t24) - inertia.c4y * t46);
-  const Scalar t56 = (t55 - Scalar(0.10915) * (t48 - t49)) - Scalar(0.10915) * (t49 + t50);
-  const Scalar t57 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
-  const Scalar t58 = inertia.c2z * inertia.m2;
-  const Scalar t59 = (((inertia.I3zz - t38) - inertia.c3z * t51) - t56) + ((inertia.I2zz - t57) - inertia.c2z * t58);
-  const Scalar t60 = inertia.c2x * inertia.m2;
-  const Scalar t61 = Scalar(0.425) * inertia.m2 - t60;
-  const Scalar t62 = Scalar(0.425) * (t60 - t61) - (inertia.c2x * t60 - (inertia.I2xx - t57));
-  const Scalar t63 = inertia.m3 + t40;
-  const Scalar t64 = t62 - Scalar(0.180625) * t63;
-  const Scalar t65 = inertia.c2y * inertia.m2;
-  const Scalar t66 = (inertia.I2yy - t57) - inertia.c2y * t65;
-  const Scalar t67 = Scalar(0.425) * t65 + (inertia.I2xy - inertia.c2y * t60);
+  const Scalar t0 = inertia.c5z * inertia.m5;
+  const Scalar t1 = inertia.c6z * inertia.m6;
+  const Scalar t2 = Scalar(0.0823) * inertia.m6 + t1;
+  const Scalar t3 = inertia.c6x * inertia.m6;
+  const Scalar t4 = inertia.c6y * inertia.m6;
+  const Scalar t5 = inertia.c5x * inertia.m5;
+  const Scalar t6 = Scalar(0.5) * (inertia.I6zz + (inertia.I6xx + inertia.I6yy));
+  const Scalar t7 = (inertia.I6xx - t6) - inertia.c6x * t3;
+  const Scalar t8 = (inertia.I6yy - t6) - inertia.c6y * t4;
+  const Scalar t9 = inertia.I6xy - inertia.c6y * t3;
+  const Scalar t10 = Scalar(0.5) * (inertia.I5zz + (inertia.I5xx + inertia.I5yy));
+  const Scalar t11 = (inertia.c6z * t1 - (inertia.I6zz - t6)) + Scalar(0.0823) * (t2 + t1);
+  const Scalar t12 = (inertia.c5z * t0 - (inertia.I5zz - t10)) + t11;
+  const Scalar t13 = inertia.c5y * inertia.m5;
+  const Scalar t14 = Scalar(0.09465) * t0;
+  const Scalar t15 = Scalar(0.09465) * t5;
+  const Scalar t16 = t7 + t8;
+  const Scalar t17 = Scalar(1) / t16;
+  const Scalar t18 = inertia.m5 + inertia.m6;
+  const Scalar t19 = Scalar(0.09465) * inertia.m5;
+  const Scalar t20 = t13 - t19;
+  const Scalar t21 = t19 + t20;
+  const Scalar t22 = Scalar(0.09465) * t18 - t21;
+  const Scalar t23 = inertia.c4z * inertia.m4;
+  const Scalar t24 = Scalar(0.10915) * t23;
+  const Scalar t25 = inertia.c4y * inertia.m4;
+  const Scalar t26 = inertia.c4x * inertia.m4;
+  const Scalar t27 = Scalar(0.10915) * t26;
+  const Scalar t28 = inertia.c3y * inertia.m3;
+  const Scalar t29 = Scalar(0.10915) * inertia.m4;
+  const Scalar t30 = t29 + t25;
+  const Scalar t31 = t29 - t30;
+  const Scalar t32 = inertia.m4 + t18;
+  const Scalar t33 = t31 - Scalar(0.10915) * t32;
+  const Scalar t34 = inertia.c3z * inertia.m3;
+  const Scalar t35 = inertia.c3x * inertia.m3;
+  const Scalar t36 = Scalar(0.39225) * t33 - (Scalar(0.39225) * t34 + (inertia.I3xz - inertia.c3z * t35));
+  const Scalar t37 = t34 - t33;
+  const Scalar t38 = inertia.c2x * inertia.m2;
+  const Scalar t39 = inertia.c2z * inertia.m2;
+  const Scalar t40 = Scalar(0.425) * t37 + ((inertia.I2xz - inertia.c2z * t38) + Scalar(0.425) * t39);
+  const Scalar t41 = inertia.c2y * inertia.m2;
+  const Scalar t42 = Scalar(0.5) * (inertia.I4zz + (inertia.I4xx + inertia.I4yy));
+  const Scalar t43 = (inertia.I4xx - t42) - inertia.c4x * t26;
+  const Scalar t44 = Scalar(0.09465) * (t13 + t20) - (inertia.c5y * t13 - (inertia.I5yy - t10));
+  const Scalar t45 = Scalar(0.09465) * (t22 - t21) + (Scalar(0.09465) * (t21 + t20) - t44);
+  const Scalar t46 = t45 - ((inertia.I4zz - t42) - inertia.c4z * t23);
+  const Scalar t47 = inertia.I4xz - inertia.c4z * t26;
+  const Scalar t48 = Scalar(0.5) * (inertia.I3zz + (inertia.I3xx + inertia.I3yy));
+  const Scalar t49 = (inertia.I3yy - t48) - inertia.c3y * t28;
+  const Scalar t50 = Scalar(0.39225) * inertia.m3 - t35;
+  const Scalar t51 = (inertia.c3x * t35 - (inertia.I3xx - t48)) + Scalar(0.39225) * (t50 - t35);
+  const Scalar t52 = Scalar(0.1538600625) * t32 + t51;
+  const Scalar t53 = Scalar(0.39225) * t32 + t50;
+  const Scalar t54 = (inertia.I3xy - inertia.c3y * t35) + Scalar(0.39225) * t28;
+  const Scalar t55 = Scalar(0.5) * (inertia.I2zz + (inertia.I2xx + inertia.I2yy));
+  const Scalar t56 = (inertia.I2yy - t55) - inertia.c2y * t41;
+  const Scalar t57 = Scalar(0.425) * inertia.m2 - t38;
+  const Scalar t58 = Scalar(0.425) * (t38 - t57) - (inertia.c2x * t38 - (inertia.I2xx - t55));
+  const Scalar t59 = inertia.m3 + t32;
+  const Scalar t60 = t58 - Scalar(0.180625) * t59;
+  const Scalar t61 = inertia.c1z * inertia.m1;
+  const Scalar t62 = Scalar(0.5) * (inertia.I1zz + (inertia.I1xx + inertia.I1yy));
+  const Scalar t63 = Scalar(0.10915) * (t25 + t30) - ((inertia.I4yy - t42) - inertia.c4y * t25);
+  const Scalar t64 = (t63 - Scalar(0.10915) * (t30 - t31)) - Scalar(0.10915) * (t31 + t33);
+  const Scalar t65 = (((inertia.I3zz - t48) - inertia.c3z * t34) - t64) + ((inertia.I2zz - t55) - inertia.c2z * t39);
+  const Scalar t66 = Scalar(0.425) * t41;
+  const Scalar t67 = t66 + (inertia.I2xy - inertia.c2y * t38);
   const Scalar t68 = inertia.c1x * inertia.m1;
-  const Scalar t69 = t51 - t50;
-  const Scalar t70 = Scalar(0.425) * t69 + ((inertia.I2xz - inertia.c2z * t60) + Scalar(0.425) * t58);
-  return { Scalar(0.39225) * t0,
-           Scalar(0.39225) * t1,
-           Scalar(0.39225) * t2,
-           Scalar(0.39225) * t6,
-           Scalar(0.39225) * t7,
-           Scalar(0.39225) * (t13 + t14),
-           t15,
+  return { Scalar(0.425) * (t0 + t2),
+           Scalar(0.425) * t3,
+           Scalar(0.425) * t4,
+           Scalar(0.425) * t5,
+           t7 - t8,
+           Scalar(2) * t9,
+           t7,
+           inertia.c5x * t5 - (inertia.I5xx - t10),
+           t12,
+           Scalar(2) * t12,
+           (inertia.I6yz - inertia.c6z * t4) - Scalar(0.0823) * t4,
+           (inertia.I6xz - inertia.c6z * t3) - Scalar(0.0823) * t3,
+           ((inertia.I5yz - inertia.c5z * t13) + t14) - t14,
+           t9,
+           t15 - (t15 + (inertia.I5xy - inertia.c5y * t5)),
            t16,
-           inertia.I5xz - inertia.c5z * t2,
-           t18 - t19,
-           Scalar(2) * t20,
-           t18,
-           inertia.c5x * t2 - (inertia.I5xx - t21),
-           t23,
-           t25,
-           t26,
-           t29,
-           t20,
-           t30 - (t30 + (inertia.I5xy - inertia.c5y * t2)),
-           t31 * t16,
-           t31 * t15,
-           ((inertia.I5yz - inertia.c5z * t10) + t32) - t32,
-           Scalar(0.09465) * t6,
-           t33,
-           t37,
-           t39,
-           t43,
-           t31,
-           Scalar(2) * t23,
-           (t44 - (inertia.I4xy - inertia.c4y * t7)) - t44,
-           t45 - (t45 - (inertia.I4yz - inertia.c4z * t46)),
-           t52,
-           inertia.I3yz - inertia.c3z * t35,
-           (inertia.c1z * t53 - (inertia.I1zz - t54)) - t59,
+           t17,
+           Scalar(0.9229411764705883) * t17,
+           Scalar(0.425) * (t22 + t23),
+           t24 - (t24 - (inertia.I4yz - inertia.c4z * t25)),
+           inertia.I5xz - inertia.c5z * t5,
+           (t27 - (inertia.I4xy - inertia.c4y * t26)) - t27,
+           Scalar(0.425) * t26,
+           inertia.I3yz - inertia.c3z * t28,
            t36,
-           Scalar(0.39225) * (Scalar(0.39225) * t40 + t41),
-           t64,
-           t66,
+           t40,
+           inertia.I2yz - inertia.c2z * t41,
+           t43,
+           t46,
+           t47,
+           t49,
+           t52,
+           Scalar(0.425) * t28,
+           Scalar(0.425) * t53,
+           t54,
+           t56,
+           t60,
+           (inertia.c1z * t61 - (inertia.I1zz - t62)) - t65,
            t67,
-           inertia.c1x * t68 - (inertia.I1xx - t54),
-           t70,
-           inertia.I2yz - inertia.c2z * t65,
+           inertia.c1x * t68 - (inertia.I1xx - t62),
+           Scalar(2.3529411764705883) * gravity[2],
+           Scalar(2.3529411764705883) * gravity[1],
+           Scalar(2.3529411764705883) * gravity[0],
+           t46 + t43,
+           t49 + t52,
            Scalar(2) * t67,
-           t66 - t64,
-           Scalar(0.39225) * t65,
-           Scalar(0.39225) * (Scalar(0.425) * t63 + t61),
-           Scalar(2.5493945188017846) * gravity[0],
-           Scalar(2.5493945188017846) * gravity[1],
-           Scalar(2) * t37,
-           Scalar(2.5493945188017846) * gravity[2],
-           Scalar(2) * t25,
-           Scalar(2) * t33,
-           Scalar(2) * t39,
-           Scalar(0.7845) * t35,
-           Scalar(0.39225) * (t53 + (t69 + t58)),
-           Scalar(0.39225) * t68,
-           t29 + t25,
-           t39 + t43 };
+           t56 - t60,
+           t66,
+           Scalar(0.425) * (Scalar(0.425) * t59 + t57),
+           Scalar(2) * t52,
+           Scalar(2) * t54,
+           Scalar(0.85) * t26,
+           Scalar(2) * t43,
+           Scalar(2) * t47,
+           Scalar(2) * t49,
+           Scalar(0.85) * t53,
+           Scalar(0.85) * t28,
+           Scalar(0.425) * (t61 + (t37 + t39)),
+           Scalar(0.425) * t68 };
 }
 
 namespace detail {
@@ -1361,286 +1361,281 @@ inline JointVector<Scalar> forward_dynamics_with_wrench([[maybe_unused]] const J
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = k[10] * c6 + k[9] * s6;
-  const Scalar t1 = k[11] - s6 * t0;
-  const Scalar t2 = k[12] - t1;
-  const Scalar t3 = k[13] - t2;
-  const Scalar t4 = k[28] - t3;
-  const Scalar t5 = k[20] * c6 + k[19] * s6;
-  const Scalar t6 = k[15] * t5;
-  const Scalar t7 = Scalar(1) / (t4 + t5 * t6);
-  const Scalar t8 = k[0] * c6 - k[1] * s6;
-  const Scalar t9 = k[2] + t8;
-  const Scalar t10 = s5 * t9 + k[3] * c5;
-  const Scalar t11 = Scalar(0.2782664117272148) * t10;
-  const Scalar t12 = t4 + t11;
-  const Scalar t13 = k[22] + (k[21] + t6);
-  const Scalar t14 = k[17] - c6 * t0;
-  const Scalar t15 = Scalar(0.2413001912045889) * t9 - (k[18] + t14);
-  const Scalar t16 = s5 * t13 - c5 * t15;
-  const Scalar t17 = c3 * s2 + c2 * s3;
-  const Scalar t18 = s2 * s3 - c2 * c3;
-  const Scalar t19 = k[3] * s5 - c5 * t9;
-  const Scalar t20 = t18 * (t19 - (s4 * t16 - c4 * t12));
-  const Scalar t21 = (s4 * t12 + c4 * t16) * t17 + t20;
-  const Scalar t22 = Scalar(1.0834926704907584) * c2;
-  const Scalar t23 = k[0] * s6 + k[1] * c6;
-  const Scalar t24 = s5 * t23;
-  const Scalar t25 = c5 * t23;
-  const Scalar t26 = t6 - Scalar(0.2782664117272148) * t25;
-  const Scalar t27 = Scalar(0.2413001912045889) * t23;
-  const Scalar t28 = k[15] + t27;
-  const Scalar t29 = k[7] * c6 - k[6] * s6;
-  const Scalar t30 = Scalar(0.2782664117272148) * t8 - (s5 * t28 + c5 * t29);
-  const Scalar t31 = ((c4 * t26 - s4 * t30) - t24) * t18;
-  const Scalar t32 = (s4 * t26 + c4 * t30) * t17 + t31;
-  const Scalar t33 = t22 * t24 + t32;
-  const Scalar t34 = (t21 - t22 * t19) + t5 * t33;
-  const Scalar t35 = t7 * t34;
-  const Scalar t36 = s5 * t29 - c5 * t28;
-  const Scalar t37 = k[27] * t36;
-  const Scalar t38 = c5 * t13 + s5 * t15;
-  const Scalar t39 = t37 * t6 + t38;
-  const Scalar t40 = k[8] + t29;
-  const Scalar t41 = s5 * t3 + Scalar(2) * c5 * t40;
-  const Scalar t42 = k[4] - t19;
-  const Scalar t43 = (k[29] + (t40 - c5 * t41)) + Scalar(0.2782664117272148) * t42;
-  const Scalar t44 = k[5] - t23;
-  const Scalar t45 = (k[30] - t38) - Scalar(0.2782664117272148) * t44;
-  const Scalar t46 = c4 * t43 - s4 * t45;
-  const Scalar t47 = s4 * t43 + c4 * t45;
-  const Scalar t48 = k[27] * t33;
-  const Scalar t49 = (t46 * t17 - t18 * t47) + t48 * t36;
-  const Scalar t50 = t35 * t39 - t49;
-  const Scalar t51 = wrench[3] * c1 + wrench[4] * s1;
-  const Scalar t52 = t18 * t51 - wrench[5] * t17;
-  const Scalar t53 = t51 * t17 + wrench[5] * t18;
-  const Scalar t54 = c4 * t52 + s4 * t53;
-  const Scalar t55 = wrench[3] * s1 - wrench[4] * c1;
-  const Scalar t56 = qd[1] + qd[2];
-  const Scalar t57 = qd[3] + t56;
-  const Scalar t58 = qd[0] * t18;
-  const Scalar t59 = qd[0] * t17;
-  const Scalar t60 = c4 * t58 + s4 * t59;
-  const Scalar t61 = t57 * t60;
-  const Scalar t62 = t61 + t61;
-  const Scalar t63 = s4 * t58 - c4 * t59;
-  const Scalar t64 = t63 * t60;
-  const Scalar t65 = s5 * t62 - c5 * t64;
-  const Scalar t66 = c5 * t63 - s5 * t57;
-  const Scalar t67 = qd[4] + t60;
-  const Scalar t68 = t65 + Scalar(2) * t66 * t67;
-  const Scalar t69 = k[15] - t1;
-  const Scalar t70 = t67 * t67;
-  const Scalar t71 = t66 * t66;
-  const Scalar t72 = t70 - t71;
-  const Scalar t73 = (t1 * t68 + t65 * t69) - t14 * t72;
-  const Scalar t74 = t57 * t63;
-  const Scalar t75 = s5 * t63;
-  const Scalar t76 = c5 * t57 + t75;
-  const Scalar t77 = t76 * t66;
-  const Scalar t78 = t74 - t77;
-  const Scalar t79 = c5 * t62 + t60 * t75;
-  const Scalar t80 = t76 * t67;
-  const Scalar t81 = (t79 - t80) - t80;
-  const Scalar t82 = k[47] * s1 + k[46] * c1;
-  const Scalar t83 = k[49] * s2 + c2 * t82;
-  const Scalar t84 = qd[1] * qd[1];
-  const Scalar t85 = qd[0] * c2;
-  const Scalar t86 = t83 - Scalar(1.0834926704907584) * (t84 + t85 * t85);
-  const Scalar t87 = s2 * t82 - k[49] * c2;
-  const Scalar t88 = Scalar(1.0834926704907584) * qd[0] * s2 * t85 - t87;
-  const Scalar t89 = c3 * t86 + s3 * t88;
-  const Scalar t90 = t59 * t59;
-  const Scalar t91 = t56 * t56;
-  const Scalar t92 = t90 + t91;
-  const Scalar t93 = qd[0] * qd[0];
-  const Scalar t94 = t93 - t92;
-  const Scalar t95 = t90 - t91;
-  const Scalar t96 = t94 - t95;
-  const Scalar t97 = t92 + t96;
-  const Scalar t98 = t89 - t97;
-  const Scalar t99 = s3 * t86 - c3 * t88;
-  const Scalar t100 = t59 * t58;
-  const Scalar t101 = t99 + t100;
-  const Scalar t102 = s4 * t98 + c4 * t101;
-  const Scalar t103 = t60 * t60;
-  const Scalar t104 = t57 * t57;
-  const Scalar t105 = t103 - t104;
-  const Scalar t106 = t93 - t105;
-  const Scalar t107 = t102 + Scalar(0.2413001912045889) * t106;
-  const Scalar t108 = c4 * t98 - s4 * t101;
-  const Scalar t109 = t108 + Scalar(0.2413001912045889) * t64;
-  const Scalar t110 = qd[0] * qd[1];
-  const Scalar t111 = k[46] * s1 - k[47] * c1;
-  const Scalar t112 = Scalar(2.1669853409815167) * s2 * t110 + t111;
-  const Scalar t113 = Scalar(2) * t59 * t56;
-  const Scalar t114 = (Scalar(0.2782664117272148) * t93 + t112) + t113;
-  const Scalar t115 = t114 - Scalar(0.2413001912045889) * t62;
-  const Scalar t116 = c5 * t109 + s5 * t115;
-  const Scalar t117 = (t73 - (t78 * t6 - t29 * t81)) - (t8 * t107 + t23 * t116);
-  const Scalar t118 = (s5 * t54 + c5 * t55) + t117;
-  const Scalar t119 = torque[5] + t118;
-  const Scalar t120 = t103 + t104;
-  const Scalar t121 = t93 - t120;
-  const Scalar t122 = (k[56] * t64 - k[23] * (t105 - t121)) + (k[5] * t108 - k[4] * t102);
-  const Scalar t123 = wrench[0] * c1 + wrench[1] * s1;
-  const Scalar t124 = wrench[2] * t18 + t123 * t17;
-  const Scalar t125 = t18 * t123 - wrench[2] * t17;
-  const Scalar t126 = Scalar(0.39225) * (c4 * t124 - s4 * t125);
-  const Scalar t127 = Scalar(0.20981516889738688) * t126 - (c5 * t54 - s5 * t55);
-  const Scalar t128 = c5 * t115 - s5 * t109;
-  const Scalar t129 = qd[5] + t76;
-  const Scalar t130 = t78 + Scalar(2) * t129 * t66;
-  const Scalar t131 = t129 * t67;
-  const Scalar t132 = (t131 + t131) + t81;
-  const Scalar t133 = t70 + t71;
-  const Scalar t134 = t129 * t129;
-  const Scalar t135 = t134 + t70;
-  const Scalar t136 = t135 - t72;
-  const Scalar t137 = (t14 * t130 - t69 * t132) - t6 * (t133 - t136);
-  const Scalar t138 = t127 + (t23 * t128 + (t137 - t68 * t29));
-  const Scalar t139 = t133 - t106;
-  const Scalar t140 = (k[8] * t68 - k[13] * t81) + k[21] * t139;
-  const Scalar t141 = t74 + t77;
-  const Scalar t142 = t138 + (k[3] * t107 - (t140 - k[18] * t141));
-  const Scalar t143 = (k[8] * t81 - k[12] * t68) - (k[21] * t78 + k[18] * t72);
-  const Scalar t144 = (t143 - k[2] * t107) + t118;
-  const Scalar t145 = wrench[0] * s1 - wrench[1] * c1;
-  const Scalar t146 = c4 * t125 + s4 * t124;
-  const Scalar t147 = Scalar(0.39225) * (c5 * t145 + s5 * t146) + (t23 * t132 + t8 * t130);
-  const Scalar t148 = t147 + (k[2] * t141 + k[3] * t133);
-  const Scalar t149 = t139 - t72;
-  const Scalar t150 = Scalar(0.39225) * (c5 * t146 - s5 * t145);
-  const Scalar t151 = (k[2] * (t149 - t133) + k[3] * t78) - ((t65 * t23 + t135 * t8) - t150);
-  const Scalar t152 = s5 * t148 + c5 * t151;
-  const Scalar t153 = (s5 * t142 + c5 * t144) - Scalar(0.2413001912045889) * t152;
-  const Scalar t154 = t122 + t153;
-  const Scalar t155 = Scalar(0.20981516889738688) * t150 + (c4 * t53 - s4 * t52);
-  const Scalar t156 = (t132 * t14 - t1 * t130) + (t65 * t6 + (t134 - t71) * t29);
-  const Scalar t157 = (k[13] * t78 + k[12] * t141) - k[8] * t149;
-  const Scalar t158 = (t157 + (k[18] * t79 + k[21] * t65)) + (k[2] * t128 - k[3] * t116);
-  const Scalar t159 = (t155 + (t8 * t128 + t156)) + t158;
-  const Scalar t160 = (t5 * t119 - (torque[4] + t159)) * t7;
-  const Scalar t161 = (t37 * t119 + (torque[3] + t154)) - t39 * t160;
-  const Scalar t162 = k[16] - (t69 + (t27 + t27));
-  const Scalar t163 = s5 * t41;
-  const Scalar t164 = k[14] - (t163 + t2);
-  const Scalar t165 = k[23] + t16;
-  const Scalar t166 = s4 * (t162 + t164) - Scalar(2) * c4 * t165;
-  const Scalar t167 = s4 * t166;
-  const Scalar t168 = t167 - t162;
-  const Scalar t169 = t167 - t164;
-  const Scalar t170 = t168 - t169;
-  const Scalar t171 = t39 * t7;
-  const Scalar t172 = Scalar(1) / ((t37 * t36 - t170) - t39 * t171);
-  const Scalar t173 = t161 * t172;
-  const Scalar t174 = t56 * t58;
-  const Scalar t175 = k[32] * t94 + (k[52] * t174 - k[24] * t113);
-  const Scalar t176 = (k[30] * t64 + k[29] * t121) - (k[50] * t74 - k[23] * t62);
-  const Scalar t177 = (k[5] * t64 + k[4] * t120) - t152;
-  const Scalar t178 = (t159 + (t176 + k[4] * t114)) - Scalar(0.2782664117272148) * t177;
-  const Scalar t179 = (k[51] * t74 + k[16] * t62) + k[30] * t105;
-  const Scalar t180 = s5 * t151 - c5 * t148;
-  const Scalar t181 = (c5 * t142 - s5 * t144) + Scalar(0.2413001912045889) * t180;
-  const Scalar t182 = (k[5] * t114 - (k[29] * t64 + t179)) - t181;
-  const Scalar t183 = (t126 + (t68 * t8 - t23 * t136)) + (k[3] * t81 + k[2] * t68);
-  const Scalar t184 = (k[4] * t64 + k[5] * t106) + t183;
-  const Scalar t185 = t182 - Scalar(0.2782664117272148) * t184;
-  const Scalar t186 = (k[34] * t112 - (k[31] * t100 + t175)) + (s4 * t178 - c4 * t185);
-  const Scalar t187 = (k[31] * t95 + k[32] * t100) - (k[48] * t174 + k[26] * t113);
-  const Scalar t188 = t180 - Scalar(2) * (k[4] * t74 - k[5] * t61);
-  const Scalar t189 = (k[35] * t112 - t187) - (t188 + (s4 * t185 + c4 * t178));
-  const Scalar t190 = t22 * (t188 - (k[53] * t174 + k[35] * t113));
-  const Scalar t191 = k[38] + c2 * (k[43] * s2 - k[42] * c2);
-  const Scalar t192 = t84 * (k[40] * c2 - k[41] * s2) - (t110 + t110) * t191;
-  const Scalar t193 = t192 - (k[45] * c2 + k[44] * s2) * t111;
-  const Scalar t194 = ((t17 * t186 - t18 * t189) - t190) - t193;
-  const Scalar t195 = torque[0] - ((k[55] * t111 - k[54] * t82) - t194);
-  const Scalar t196 = t50 * t173 - ((t195 - t48 * t119) + t34 * t160);
-  const Scalar t197 = s4 * t10 - t38;
-  const Scalar t198 = t36 - (c4 * t8 - s4 * t25);
-  const Scalar t199 = t197 - t5 * t198;
-  const Scalar t200 = t7 * t199;
-  const Scalar t201 = s4 * t44 + c4 * t42;
-  const Scalar t202 = t201 + t170;
-  const Scalar t203 = k[27] * t198;
-  const Scalar t204 = t39 * t200 - (t202 - t36 * t203);
-  const Scalar t205 = k[27] * t119;
-  const Scalar t206 = s4 * t177 - c4 * t184;
-  const Scalar t207 = (k[35] * t99 - k[34] * t89) + (k[24] * t96 + k[57] * t100);
-  const Scalar t208 = (t206 - t154) - t207;
-  const Scalar t209 = t199 * t160 + (t205 * t198 + (torque[2] - t208));
-  const Scalar t210 = t173 * t204 - t209;
-  const Scalar t211 = k[31] + (t46 - t10);
-  const Scalar t212 = k[32] - t47;
-  const Scalar t213 = t211 * t17 + t18 * t212;
-  const Scalar t214 = t172 * t204;
-  const Scalar t215 = (t34 * t200 + (t33 * t203 + t213)) + t50 * t214;
-  const Scalar t216 = k[25] + t168;
-  const Scalar t217 = k[26] - ((t201 + t201) - t169);
-  const Scalar t218 = c4 * t44 - s4 * t42;
-  const Scalar t219 = k[24] - (t218 - (c4 * t166 + t165));
-  const Scalar t220 = s3 * (t217 + t216) - Scalar(2) * c3 * t219;
-  const Scalar t221 = s3 * t220;
-  const Scalar t222 = t216 - t221;
-  const Scalar t223 = t217 - t221;
-  const Scalar t224 = t222 - t223;
-  const Scalar t225 = t204 * t214 - ((t203 * t198 - t224) - t200 * t199);
-  const Scalar t226 = Scalar(1) / t225;
-  const Scalar t227 = t215 * t226;
-  const Scalar t228 = c3 * s4 + c4 * s3;
-  const Scalar t229 = t228 * t25 + (s3 * s4 - c3 * c4) * t8;
-  const Scalar t230 = Scalar(1.0834926704907584) * t229 + t198;
-  const Scalar t231 = k[35] - t201;
-  const Scalar t232 = k[34] - t218;
-  const Scalar t233 = Scalar(1.0834926704907584) * (c3 * t231 + s3 * t232);
-  const Scalar t234 = Scalar(1.0834926704907584) * t10;
-  const Scalar t235 = (t197 + t234 * t228) - t5 * t230;
-  const Scalar t236 = t7 * t235;
-  const Scalar t237 = (t230 * t203 + (t233 - t224)) - t236 * t199;
-  const Scalar t238 = t202 + Scalar(1.0834926704907584) * (s3 * t218 + c3 * t201);
-  const Scalar t239 = (t238 - t37 * t230) - t39 * t236;
-  const Scalar t240 = t237 + t239 * t214;
-  const Scalar t241 = t240 * t226;
-  const Scalar t242 = s3 * t212 + c3 * t211;
-  const Scalar t243 = (k[41] * c2 - (t213 - s2 * t242)) + s2 * (k[40] + (t234 - t242));
-  const Scalar t244 = t50 * t172;
-  const Scalar t245 = (t35 * t235 - (t243 - t48 * t230)) - t239 * t244;
-  const Scalar t246 = t241 * t215 + t245;
-  const Scalar t247 = t239 * t172;
-  const Scalar t248 = k[37] + t222;
-  const Scalar t249 = k[36] - (t223 + (t233 + t233));
-  const Scalar t250 = k[27] * t230;
-  const Scalar t251 = t236 * t235 + ((t248 + t249) - t250 * t230);
-  const Scalar t252 = Scalar(1) / ((t239 * t247 + t251) - t241 * t240);
-  const Scalar t253 = (k[44] * t83 - k[45] * t87) + t93 * t191;
-  const Scalar t254 = (s4 * t184 + c4 * t177) - (k[35] * t97 - k[34] * t100);
-  const Scalar t255 = c3 * (t206 - (k[35] * t100 - k[34] * t92));
-  const Scalar t256 = t253 + (Scalar(1.0834926704907584) * (s3 * t254 + t255) + t208);
-  const Scalar t257 = t235 * t160 + ((torque[1] - t256) + t230 * t205);
-  const Scalar t258 = t210 * t226;
-  const Scalar t259 = t252 * ((t257 + t239 * t173) - t240 * t258);
-  const Scalar t260 = Scalar(1.0834926704907584) * (c3 * t232 - s3 * t231) - (c3 * t220 + t219);
-  const Scalar t261 = Scalar(2) * c2 * (k[38] + t260) - s2 * (t248 - t249);
-  const Scalar t262 = (k[33] + ((k[13] - t163) + (t11 + t11))) + (k[39] + (s2 * t261 - t249));
-  const Scalar t263 = t50 * t244 + (t35 * t34 - (t262 + t48 * t33));
-  const Scalar t264 = t252 * t246;
-  const Scalar t265 = Scalar(1) / ((t227 * t215 - t263) + t264 * t246);
-  const Scalar t266 = ((t196 - t210 * t227) + t246 * t259) * t265;
-  const Scalar t267 = t259 - t264 * t266;
-  const Scalar t268 = t267 * t241 - (t266 * t227 + t258);
-  const Scalar t269 = ((t173 + t244 * t266) - t267 * t247) + t268 * t214;
-  const Scalar t270 = (t267 * t236 - (t160 - t35 * t266)) + t268 * t200;
-  const Scalar t271 = t269 * t171 + t270;
-  const Scalar t272 = ((t48 * t266 - t205) - t267 * t250) - t268 * t203;
+  const Scalar t0 = k[11] * s6 + k[10] * c6;
+  const Scalar t1 = k[16] * t0;
+  const Scalar t2 = k[10] * s6 - k[11] * c6;
+  const Scalar t3 = k[2] * c6 + k[1] * s6;
+  const Scalar t4 = Scalar(0.22270588235294117) * t3;
+  const Scalar t5 = k[15] + t4;
+  const Scalar t6 = s5 * t2 + c5 * t5;
+  const Scalar t7 = k[12] + t0;
+  const Scalar t8 = k[4] * s6 + k[5] * c6;
+  const Scalar t9 = k[13] - c6 * t8;
+  const Scalar t10 = k[14] + t9;
+  const Scalar t11 = k[1] * c6 - k[2] * s6;
+  const Scalar t12 = k[3] + t11;
+  const Scalar t13 = s5 * t12 + k[0] * c5;
+  const Scalar t14 = (c5 * t7 - s5 * t10) + Scalar(0.22270588235294117) * t13;
+  const Scalar t15 = t1 * t6 - t14;
+  const Scalar t16 = k[6] - s6 * t8;
+  const Scalar t17 = k[7] - t16;
+  const Scalar t18 = k[8] - t17;
+  const Scalar t19 = k[9] - t18;
+  const Scalar t20 = Scalar(1) / (t1 * t0 + t19);
+  const Scalar t21 = t15 * t20;
+  const Scalar t22 = k[20] - t2;
+  const Scalar t23 = s5 * t18 + Scalar(2) * c5 * t22;
+  const Scalar t24 = t17 + s5 * t23;
+  const Scalar t25 = k[27] - t24;
+  const Scalar t26 = k[15] - t16;
+  const Scalar t27 = k[28] - (t26 + Scalar(2) * t4);
+  const Scalar t28 = t25 - t27;
+  const Scalar t29 = k[16] * t6;
+  const Scalar t30 = Scalar(1) / (t15 * t21 + (t28 - t29 * t6));
+  const Scalar t31 = Scalar(0.9229411764705883) * t13;
+  const Scalar t32 = s4 * t31 - t14;
+  const Scalar t33 = c5 * t3;
+  const Scalar t34 = t29 + k[17] * (c4 * t11 - s4 * t33);
+  const Scalar t35 = t32 + t0 * t34;
+  const Scalar t36 = k[15] * t34;
+  const Scalar t37 = k[18] - t3;
+  const Scalar t38 = c5 * t12 - k[0] * s5;
+  const Scalar t39 = k[22] + t38;
+  const Scalar t40 = s4 * t37 + c4 * t39;
+  const Scalar t41 = Scalar(0.9229411764705883) * t40;
+  const Scalar t42 = t41 + t28;
+  const Scalar t43 = t35 * t21 - (t36 * t29 - t42);
+  const Scalar t44 = t30 * t43;
+  const Scalar t45 = s3 * s4 - c3 * c4;
+  const Scalar t46 = c3 * s4 + c4 * s3;
+  const Scalar t47 = t36 - (t45 * t11 + t46 * t33);
+  const Scalar t48 = t1 * t47 + (t46 * t13 + t32);
+  const Scalar t49 = t20 * t48;
+  const Scalar t50 = c4 * t37 - s4 * t39;
+  const Scalar t51 = k[16] * t47;
+  const Scalar t52 = (t42 + (c3 * t40 + s3 * t50)) - t51 * t6;
+  const Scalar t53 = t15 * t49 + t52;
+  const Scalar t54 = (c5 * t10 + s5 * t7) - Scalar(0.22270588235294117) * t38;
+  const Scalar t55 = k[29] + t54;
+  const Scalar t56 = c4 * t55;
+  const Scalar t57 = (t56 + t56) - s4 * (t25 + t27);
+  const Scalar t58 = s4 * t57;
+  const Scalar t59 = k[31] - ((t58 + t25) + (t41 + t41));
+  const Scalar t60 = k[30] - (t58 + t27);
+  const Scalar t61 = t59 - t60;
+  const Scalar t62 = k[33] - t40;
+  const Scalar t63 = k[32] - t50;
+  const Scalar t64 = c3 * t62 + s3 * t63;
+  const Scalar t65 = ((t61 + t64) + t36 * t51) - t35 * t49;
+  const Scalar t66 = t44 * t53 + t65;
+  const Scalar t67 = t35 * t20;
+  const Scalar t68 = t44 * t43 + ((t61 + t36 * t34) - t35 * t67);
+  const Scalar t69 = Scalar(1) / t68;
+  const Scalar t70 = t66 * t69;
+  const Scalar t71 = t30 * t53;
+  const Scalar t72 = k[34] - (Scalar(0.9229411764705883) * t50 - (t55 - c4 * t57));
+  const Scalar t73 = s3 * (t59 + t60) - Scalar(2) * c3 * t72;
+  const Scalar t74 = t60 - s3 * t73;
+  const Scalar t75 = k[35] + t74;
+  const Scalar t76 = k[36] - ((t61 + t74) + Scalar(2) * t64);
+  const Scalar t77 = t49 * t48 - (t47 * t51 - (t75 + t76));
+  const Scalar t78 = Scalar(1) / (t66 * t70 - (t71 * t53 - t77));
+  const Scalar t79 = s2 * s3 - c2 * c3;
+  const Scalar t80 = Scalar(0.25682352941176473) * t13 + t19;
+  const Scalar t81 = (s4 * t54 - c4 * t80) + Scalar(0.9229411764705883) * t38;
+  const Scalar t82 = c3 * s2 + c2 * s3;
+  const Scalar t83 = t79 * t81 - (c4 * t54 + s4 * t80) * t82;
+  const Scalar t84 = s5 * t3;
+  const Scalar t85 = Scalar(0.25682352941176473) * t11 + (c5 * t2 - s5 * t5);
+  const Scalar t86 = t0 - Scalar(0.25682352941176473) * t33;
+  const Scalar t87 = Scalar(0.9229411764705883) * t84 + (s4 * t85 - c4 * t86);
+  const Scalar t88 = t79 * t87 - (s4 * t86 + c4 * t85) * t82;
+  const Scalar t89 = c2 * t84 - t88;
+  const Scalar t90 = k[16] * t89;
+  const Scalar t91 = (c2 * t38 - t83) + t90 * t0;
+  const Scalar t92 = (k[19] - t14) - Scalar(0.25682352941176473) * t37;
+  const Scalar t93 = (k[21] - (c5 * t23 - t22)) + Scalar(0.25682352941176473) * t39;
+  const Scalar t94 = s4 * t92 - c4 * t93;
+  const Scalar t95 = k[24] - (t94 + t31);
+  const Scalar t96 = s4 * t93 + c4 * t92;
+  const Scalar t97 = k[23] - t96;
+  const Scalar t98 = t95 * t82 + t79 * t97;
+  const Scalar t99 = (t79 * t96 + t94 * t82) + t90 * t6;
+  const Scalar t100 = t91 * t20;
+  const Scalar t101 = t99 - t15 * t100;
+  const Scalar t102 = (t91 * t67 - (t89 * t34 - t98)) + t44 * t101;
+  const Scalar t103 = s3 * t97 + c3 * t95;
+  const Scalar t104 = ((s2 * t103 - t98) + k[26] * c2) + s2 * (k[25] - (t103 - t13));
+  const Scalar t105 = t101 * t30;
+  const Scalar t106 = (t100 * t48 - (t89 * t51 + t104)) + t53 * t105;
+  const Scalar t107 = t102 * t70 - t106;
+  const Scalar t108 = t78 * t107;
+  const Scalar t109 = k[42] * c1 + k[41] * s1;
+  const Scalar t110 = s2 * t109 - k[40] * c2;
+  const Scalar t111 = c2 * t109 + k[40] * s2;
+  const Scalar t112 = qd[0] * qd[0];
+  const Scalar t113 = k[38] + c2 * (k[46] * s2 - k[45] * c2);
+  const Scalar t114 = (k[48] * t110 - k[47] * t111) - t112 * t113;
+  const Scalar t115 = qd[1] + qd[2];
+  const Scalar t116 = qd[3] + t115;
+  const Scalar t117 = t116 * t116;
+  const Scalar t118 = qd[0] * t79;
+  const Scalar t119 = qd[0] * t82;
+  const Scalar t120 = s4 * t118 - c4 * t119;
+  const Scalar t121 = t120 * t120;
+  const Scalar t122 = t117 + t121;
+  const Scalar t123 = c4 * t118 + s4 * t119;
+  const Scalar t124 = t120 * t123;
+  const Scalar t125 = c5 * t120 - s5 * t116;
+  const Scalar t126 = qd[4] + t123;
+  const Scalar t127 = t125 * t126;
+  const Scalar t128 = t116 * t123;
+  const Scalar t129 = t128 + t128;
+  const Scalar t130 = s5 * t129 - c5 * t124;
+  const Scalar t131 = t127 + (t130 + t127);
+  const Scalar t132 = s5 * t120;
+  const Scalar t133 = c5 * t129 + t123 * t132;
+  const Scalar t134 = c5 * t116 + t132;
+  const Scalar t135 = t134 * t126;
+  const Scalar t136 = t133 - (t135 + t135);
+  const Scalar t137 = t126 * t126;
+  const Scalar t138 = t134 * t134 - t137;
+  const Scalar t139 = t122 - t138;
+  const Scalar t140 = qd[5] + t134;
+  const Scalar t141 = t140 * t140;
+  const Scalar t142 = t141 - t137;
+  const Scalar t143 = wrench[0] * c1 + wrench[1] * s1;
+  const Scalar t144 = c2 * t143 + wrench[2] * s2;
+  const Scalar t145 = wrench[2] * c2 - s2 * t143;
+  const Scalar t146 = t144 * t46 + t45 * t145;
+  const Scalar t147 = ((t139 + t142) * t3 - t11 * t131) - Scalar(0.425) * t146;
+  const Scalar t148 = (k[18] * t122 + k[22] * t124) + ((k[3] * t131 + k[0] * t136) - t147);
+  const Scalar t149 = t140 * t126;
+  const Scalar t150 = (t149 + t136) + t149;
+  const Scalar t151 = t116 * t120;
+  const Scalar t152 = t134 * t125;
+  const Scalar t153 = t151 - t152;
+  const Scalar t154 = t140 * t125;
+  const Scalar t155 = t153 + (t154 + t154);
+  const Scalar t156 = t45 * t144 - t145 * t46;
+  const Scalar t157 = wrench[0] * s1 - wrench[1] * c1;
+  const Scalar t158 = (t150 * t3 + t11 * t155) + Scalar(0.425) * (s5 * t156 + c5 * t157);
+  const Scalar t159 = t151 + t152;
+  const Scalar t160 = t158 + (k[0] * t139 + k[3] * t159);
+  const Scalar t161 = t141 + t137;
+  const Scalar t162 = t161 - t139;
+  const Scalar t163 = t162 - t142;
+  const Scalar t164 = Scalar(0.425) * (s5 * t157 - c5 * t156);
+  const Scalar t165 = (k[3] * (t122 + t163) - k[0] * t153) + ((t130 * t3 + t161 * t11) + t164);
+  const Scalar t166 = t117 - t121;
+  const Scalar t167 = (s5 * t160 - c5 * t165) - (k[18] * t124 + k[22] * (t112 + t166));
+  const Scalar t168 = c4 * t148 + s4 * t167;
+  const Scalar t169 = t119 * t118;
+  const Scalar t170 = t115 * t115;
+  const Scalar t171 = t118 * t118;
+  const Scalar t172 = t170 + t171;
+  const Scalar t173 = t170 - t171;
+  const Scalar t174 = t112 - t172;
+  const Scalar t175 = t173 + t174;
+  const Scalar t176 = t168 + (k[33] * t169 - k[32] * (t172 + t175));
+  const Scalar t177 = (c4 * t167 - s4 * t148) - (k[32] * t169 - k[33] * t172);
+  const Scalar t178 = qd[0] * c2;
+  const Scalar t179 = qd[0] * s2 * t178 - t110;
+  const Scalar t180 = qd[1] * qd[1];
+  const Scalar t181 = (t180 + t178 * t178) - t111;
+  const Scalar t182 = c3 * t179 + s3 * t181;
+  const Scalar t183 = c3 * t181 - s3 * t179;
+  const Scalar t184 = (k[34] * t175 - k[44] * t169) + (k[33] * t182 - k[32] * t183);
+  const Scalar t185 = wrench[3] * c1 + wrench[4] * s1;
+  const Scalar t186 = s2 * t185 - wrench[5] * c2;
+  const Scalar t187 = c2 * t185 + wrench[5] * s2;
+  const Scalar t188 = t46 * t186 + t45 * t187;
+  const Scalar t189 = wrench[3] * s1 - wrench[4] * c1;
+  const Scalar t190 = (c5 * t188 - s5 * t189) - Scalar(0.0823) * t146;
+  const Scalar t191 = t119 * t115;
+  const Scalar t192 = k[41] * c1 - k[42] * s1;
+  const Scalar t193 = qd[0] * qd[1];
+  const Scalar t194 = t193 + t193;
+  const Scalar t195 = t192 - s2 * t194;
+  const Scalar t196 = (Scalar(1.8458823529411765) * t191 - t195) + Scalar(0.25682352941176473) * t112;
+  const Scalar t197 = Scalar(0.22270588235294117) * t129 - t196;
+  const Scalar t198 = t182 - Scalar(0.9229411764705883) * t169;
+  const Scalar t199 = Scalar(0.9229411764705883) * t172 + t183;
+  const Scalar t200 = s4 * t198 - c4 * t199;
+  const Scalar t201 = t200 + Scalar(0.22270588235294117) * t124;
+  const Scalar t202 = c5 * t197 + s5 * t201;
+  const Scalar t203 = t0 * t142 + (t155 * t9 - t150 * t26);
+  const Scalar t204 = t190 + (t3 * t202 - (t203 + t2 * t131));
+  const Scalar t205 = (k[8] * t136 - k[20] * t131) + k[12] * t138;
+  const Scalar t206 = s4 * t199 + c4 * t198;
+  const Scalar t207 = t206 - Scalar(0.22270588235294117) * t122;
+  const Scalar t208 = t204 - ((t205 + k[14] * t159) - k[0] * t207);
+  const Scalar t209 = Scalar(0.22270588235294117) * t160 + t208;
+  const Scalar t210 = (t130 * t26 + t131 * t16) - t9 * t163;
+  const Scalar t211 = c5 * t201 - s5 * t197;
+  const Scalar t212 = ((t2 * t136 + t153 * t0) - t210) - (t207 * t11 - t211 * t3);
+  const Scalar t213 = t212 - (s5 * t188 + c5 * t189);
+  const Scalar t214 = (k[12] * t153 + k[14] * t163) - (k[20] * t136 - k[7] * t131);
+  const Scalar t215 = Scalar(0.22270588235294117) * t165 - (t213 + (t214 - k[3] * t207));
+  const Scalar t216 = t112 - t122;
+  const Scalar t217 = (k[22] * t206 + k[18] * t200) - (k[29] * (t166 + t216) - k[43] * t124);
+  const Scalar t218 = (s5 * t209 - c5 * t215) - t217;
+  const Scalar t219 = t184 - (Scalar(0.9229411764705883) * t168 - t218);
+  const Scalar t220 = t114 + ((c3 * t176 + s3 * t177) - t219);
+  const Scalar t221 = torque[5] - t213;
+  const Scalar t222 = k[16] * t221;
+  const Scalar t223 = (t130 * t0 - t2 * t162) - (t16 * t155 - t150 * t9);
+  const Scalar t224 = Scalar(0.19364705882352942) * t164 + (t45 * t186 - t46 * t187);
+  const Scalar t225 = k[20] * (t138 + t163) + (k[8] * t153 + k[7] * t159);
+  const Scalar t226 = (k[3] * t202 + k[0] * t211) - (t225 + (k[12] * t130 + k[14] * t133));
+  const Scalar t227 = ((t11 * t202 - t223) + t224) + t226;
+  const Scalar t228 = t222 * t0 - (torque[4] - t227);
+  const Scalar t229 = t228 * t20;
+  const Scalar t230 = ((torque[1] + t220) - t221 * t51) + t229 * t48;
+  const Scalar t231 = ((torque[3] - t218) - t222 * t6) + t228 * t21;
+  const Scalar t232 = t30 * t231;
+  const Scalar t233 = t35 * t229 - (t221 * t34 - (torque[2] - t219));
+  const Scalar t234 = t232 * t43 - t233;
+  const Scalar t235 = (t230 - t71 * t231) + t234 * t70;
+  const Scalar t236 = t194 * t113 - (k[25] * c2 - k[26] * s2) * t180;
+  const Scalar t237 = t192 * (k[47] * s2 + k[48] * c2) - t236;
+  const Scalar t238 = t115 * t118;
+  const Scalar t239 = (s5 * t165 + c5 * t160) - (k[18] * t129 - k[51] * t151);
+  const Scalar t240 = c2 * ((k[55] * t191 + k[56] * t238) + t239);
+  const Scalar t241 = (k[23] * t169 + k[24] * t174) - (k[50] * t238 + k[49] * t191);
+  const Scalar t242 = (k[21] * t166 - k[19] * t124) + (k[52] * t151 - k[29] * t129);
+  const Scalar t243 = Scalar(0.25682352941176473) * t167 - ((t242 - k[22] * t196) + t227);
+  const Scalar t244 = k[19] * t216 + (k[53] * t151 + k[28] * t129);
+  const Scalar t245 = (c5 * t209 + s5 * t215) - ((k[21] * t124 + t244) - k[18] * t196);
+  const Scalar t246 = Scalar(0.25682352941176473) * t148 - t245;
+  const Scalar t247 = (c4 * t243 - s4 * t246) - Scalar(0.9229411764705883) * t239;
+  const Scalar t248 = k[23] * t173 + (k[50] * t191 - k[54] * t238);
+  const Scalar t249 = (c4 * t246 + s4 * t243) - (k[32] * t195 - (t248 - k[24] * t169));
+  const Scalar t250 = t79 * ((k[33] * t195 + t241) + t247) + t249 * t82;
+  const Scalar t251 = (t237 - (t240 + t250)) - (k[57] * t109 + k[58] * t192);
+  const Scalar t252 = (t222 * t89 - (torque[0] - t251)) - t229 * t91;
+  const Scalar t253 = t69 * t102;
+  const Scalar t254 = t108 * t235 - ((t252 - t231 * t105) + t234 * t253);
+  const Scalar t255 = (c3 * t73 + t72) - (c3 * t63 - s3 * t62);
+  const Scalar t256 = c2 * (k[38] - t255);
+  const Scalar t257 = s2 * ((t256 + t256) - s2 * (t75 - t76));
+  const Scalar t258 = (k[37] + (Scalar(0.5136470588235295) * t13 - (t24 - t19))) + (k[39] + (t257 - t76));
+  const Scalar t259 = t101 * t105 + ((t258 + t89 * t90) - t91 * t100);
+  const Scalar t260 = Scalar(1) / (t108 * t107 - (t253 * t102 - t259));
+  const Scalar t261 = t254 * t260;
+  const Scalar t262 = t78 * t235 - t261 * t108;
+  const Scalar t263 = t70 * t262 + (t261 * t253 - t69 * t234);
+  const Scalar t264 = ((t232 - t261 * t105) - t71 * t262) + t263 * t44;
+  const Scalar t265 = ((t261 * t100 + t229) - t49 * t262) + t263 * t67;
+  const Scalar t266 = t265 - t21 * t264;
+  const Scalar t267 = t263 * t34 + ((t222 + t261 * t90) - t51 * t262);
   JointVector<Scalar> result;
-  result[0] = -t266;
-  result[1] = -t267;
-  result[2] = -t268;
-  result[3] = t269;
-  result[4] = t271;
-  result[5] = (t269 * t37 + t272) - t5 * t271;
+  result[0] = t261;
+  result[1] = -t262;
+  result[2] = t263;
+  result[3] = -t264;
+  result[4] = -t266;
+  result[5] = t1 * t266 - (t267 - t29 * t264);
   return result;
 }
 
@@ -1675,33 +1670,33 @@ PotentialEnergyWithGravityVectorConstants<Scalar> potential_energy_with_gravity_
   const Scalar t2 = inertia.m5 + inertia.m6;
   const Scalar t3 = inertia.m4 + t2;
   const Scalar t4 = inertia.m3 + t3;
-  const Scalar t5 = Scalar(0.089159) * inertia.m1;
-  const Scalar t6 = Scalar(0.10915) * inertia.m4;
-  return { t0,
-           inertia.c6x * inertia.m6,
+  const Scalar t5 = Scalar(0.10915) * inertia.m4;
+  const Scalar t6 = Scalar(0.089159) * inertia.m1;
+  return { inertia.c6x * inertia.m6,
            inertia.c6y * inertia.m6,
            inertia.c5x * inertia.m5,
+           t0,
            inertia.c4x * inertia.m4,
            t1 + (inertia.c5y * inertia.m5 - t1),
            Scalar(0.09465) * t2,
            inertia.c4z * inertia.m4,
+           inertia.c3y * inertia.m3,
            Scalar(0.39225) * t3,
            Scalar(0.39225) * inertia.m3 - inertia.c3x * inertia.m3,
-           inertia.c3y * inertia.m3,
            inertia.c2y * inertia.m2,
            Scalar(0.425) * t4,
            Scalar(0.425) * inertia.m2 - inertia.c2x * inertia.m2,
-           t5 - (t5 + inertia.c1y * inertia.m1),
-           Scalar(0.089159) * (inertia.m1 + (inertia.m2 + t4)),
-           gravity[2],
-           t6 - (t6 + inertia.c4y * inertia.m4),
+           inertia.c1x * inertia.m1,
+           t5 - (t5 + inertia.c4y * inertia.m4),
            Scalar(0.10915) * t3,
            inertia.c3z * inertia.m3,
            inertia.c2z * inertia.m2,
            inertia.c1z * inertia.m1,
-           inertia.c1x * inertia.m1,
            gravity[1],
-           gravity[0] };
+           gravity[0],
+           t6 - (t6 + inertia.c1y * inertia.m1),
+           Scalar(0.089159) * (inertia.m1 + (inertia.m2 + t4)),
+           gravity[2] };
 }
 
 namespace detail {
@@ -1721,21 +1716,21 @@ inline Scalar potential_energy_with_gravity_vector([[maybe_unused]] const JointV
   const Scalar& c5 = angles.cosine[4];
   const Scalar& s6 = angles.sine[5];
   const Scalar& c6 = angles.cosine[5];
-  const Scalar t0 = k[6] - (k[5] + (k[2] * c6 + k[1] * s6));
+  const Scalar t0 = k[6] - (k[5] + (k[0] * s6 + k[1] * c6));
   const Scalar t1 = k[7] + t0;
-  const Scalar t2 = k[3] + (k[1] * c6 - k[2] * s6);
-  const Scalar t3 = k[4] + (c5 * t2 - k[0] * s5);
-  const Scalar t4 = k[9] + (k[8] - (s4 * t1 + c4 * t3));
-  const Scalar t5 = k[10] - (c4 * t1 - s4 * t3);
-  const Scalar t6 = k[13] + (k[12] + (c3 * t4 + s3 * t5));
-  const Scalar t7 = k[11] - (s3 * t4 - c3 * t5);
-  const Scalar t8 = k[15] - (k[14] + (s2 * t6 - c2 * t7));
-  const Scalar t9 = k[18] - (k[17] - (s5 * t2 + k[0] * c5));
-  const Scalar t10 = k[21] + (k[20] + (k[19] + t9));
-  const Scalar t11 = k[22] - (c2 * t6 + s2 * t7);
-  const Scalar t12 = k[24] * (s1 * t10 + c1 * t11) - k[23] * (c1 * t10 - s1 * t11);
+  const Scalar t2 = k[2] + (k[0] * c6 - k[1] * s6);
+  const Scalar t3 = k[4] - (k[3] * s5 - c5 * t2);
+  const Scalar t4 = k[10] + (k[9] - (s4 * t1 + c4 * t3));
+  const Scalar t5 = k[8] - (c4 * t1 - s4 * t3);
+  const Scalar t6 = k[11] - (s3 * t4 - c3 * t5);
+  const Scalar t7 = k[13] + (k[12] + (s3 * t5 + c3 * t4));
+  const Scalar t8 = k[23] - (k[22] - (c2 * t6 - s2 * t7));
+  const Scalar t9 = k[14] - (c2 * t7 + s2 * t6);
+  const Scalar t10 = k[16] - (k[15] - (s5 * t2 + k[3] * c5));
+  const Scalar t11 = k[19] + (k[18] + (k[17] + t10));
+  const Scalar t12 = k[20] * (s1 * t9 - c1 * t11) + k[21] * (c1 * t9 + s1 * t11);
   Scalar result;
-  result = -k[16] * t8 - t12;
+  result = -k[24] * t8 - t12;
   return result;
 }
 

@@ -37,7 +37,7 @@ RegressorAngles<Scalar> regressor_angles(const JointVector<Scalar>& q);
 ///
 /// 485 multiplications, 327 additions, 5 sine/cosine pairs. Set-up: no operations.
 /// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
-/// Largest rounding error found 3.97 ulp of the largest component.
+/// Largest rounding error found 3.88 ulp of the largest component.
 template <class Scalar>
 Eigen::Matrix<Scalar, dof, base_parameter_count> regressor(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& qdd, const BasicGeometry<Scalar>& g = {},
