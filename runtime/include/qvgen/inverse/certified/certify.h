@@ -31,12 +31,15 @@ struct Effort {
   double farthest = 1e-8;
 };
 
-/// Of `count` rows, each six joint values, that are meant to solve a pose: fills in what is proven of each of
-/// them. The rows may have any origin. No heap, no exceptions, the same bits at every call.
+/// Whether rows are all solutions, and the boxes that were looked at to say so.
 struct Count {
   Proof proof = Proof::undecided;
   int boxes = 0;
 };
+
+/// Of `count` rows, each six joint values, that are meant to solve a pose: fills in what is proven of each of
+/// them. The rows may have any origin; of more than 64 nothing is proven. No heap, no exceptions, the same
+/// bits at every call.
 Count certify(const Arm& arm, const Pose<double>& pose, const double (*rows)[joints], int count,
               const Effort& effort, RowProof* proofs);
 

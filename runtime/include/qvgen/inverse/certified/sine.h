@@ -18,8 +18,8 @@ namespace sines {
 /// - Sine: r + r z q, z = r^2, |r| < 0.786. The series ends behind r^17: below 1e-19. |r z q| < 0.081, its
 ///   factors carry less than 8 u together: 0.65 u. The last sum is below 0.71: rounded by at most 0.5 u.
 /// - Cosine: (1 - z/2) + z^2 q. Ends behind z^8: below 1e-17. z/2 < 0.31 carries 0.31 u, |z^2 q| < 0.016 with
-/// 8 u
-///   0.13 u, the two sums are at most 1: 0.5 u each (below 1 their last place is half as large).
+///   its 8 u carries 0.13 u, the two sums are at most 1: 0.5 u each (below 1 their last place is half as
+///   large).
 /// Together below 3.3 u; moving a bound of at most 1 outward by the error rounds by at most u.
 inline constexpr double error = 0x1.8p-51;  // 6 u
 inline constexpr double most = 64;          // so |k| <= 41
