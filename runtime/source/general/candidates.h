@@ -52,7 +52,7 @@ Trigonometric magnified(const PoseSystem& system, Pair pair, const Magnifier& ma
   for (int k = 0; k <= degree; ++k)
     change +=
         std::fabs(result.cosine[k] - disturbed.cosine[k]) + std::fabs(result.sine[k] - disturbed.sine[k]);
-  result.noise = std::fmax(result.noise, change);
+  result.noise = std::max(change, result.noise);
   return result;
 }
 

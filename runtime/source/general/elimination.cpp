@@ -245,7 +245,7 @@ void set_table(const Elimination& e, const Rows& rows, double (&table)[18][15]) 
 /// Whether the six equations are dependent at an outer angle of no importance.
 bool equations_repeat(const Elimination& e, const Chain& chain, const Goal& goal) {
   PoseSystem system;
-  set_pose(e, chain, goal, system);
+  set_pose<2>(e, chain, goal, system);
   using T = Lanes<2>;
   Reflections<T> reflections;
   equations_at(system.equations, spread<T>(0.8), spread<T>(0.6), reflections.row);

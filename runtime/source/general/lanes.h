@@ -22,9 +22,6 @@ struct LaneType {
 template <int width>
 using Lanes = typename LaneType<width>::type;
 
-/// Three numbers of a power basis side by side, in registers for four.
-using Quad = Lanes<4>;
-
 template <class T>
 QVGEN_LANES T spread(double x) {
   return T{} + x;

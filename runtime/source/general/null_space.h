@@ -26,13 +26,19 @@ struct Reflections {
   T volume;
 };
 
+/// a.b from number `first` on, in three sums side by side: a long one would be waited for.
+template <class T, int size>
+QVGEN_LANES T product_from(int first, const T (&a)[size], const T (&b)[size]) {
+  T sums[3] = {};
+#pragma GCC unroll 9
+  for (int j = first; j < size; ++j) sums[(j - first) % 3] += a[j] * b[j];
+  return (sums[0] + sums[1]) + sums[2];
+}
+
 /// Reflects v across the k-th plane.
 template <class T>
 QVGEN_LANES void reflect(const Reflections<T>& f, int k, T (&v)[9]) {
-  T share = v[k] * f.row[k][k];
-#pragma GCC unroll 9
-  for (int j = k + 1; j < 9; ++j) share += v[j] * f.row[k][j];
-  share = share * f.scale[k];
+  const T share = product_from(k, v, f.row[k]) * f.scale[k];
 #pragma GCC unroll 9
   for (int j = k; j < 9; ++j) v[j] = v[j] - share * f.row[k][j];
 }
@@ -40,26 +46,32 @@ QVGEN_LANES void reflect(const Reflections<T>& f, int k, T (&v)[9]) {
 /// The reflection that takes the k-th row, from number k on, to the k-th axis.
 template <class T>
 QVGEN_LANES void make_reflection(Reflections<T>& f, int k) {
-  T square = f.row[k][k] * f.row[k][k];
-#pragma GCC unroll 9
-  for (int j = k + 1; j < 9; ++j) square += f.row[k][j] * f.row[k][j];
+  const T square = product_from(k, f.row[k], f.row[k]);
   const T length = root(square);
   const T first = f.row[k][k];
   const T signed_length = first < 0 ? -length : length;
   f.row[k][k] = first + signed_length;
   f.diagonal[k] = -signed_length;
-  f.scale[k] = 1.0 / (signed_length * f.row[k][k]);
+  f.scale[k] = 1.0 / (square + magnitude_of(first) * length);
   f.volume = f.volume * length;
 }
 
+/// The products of the rows are taken before the reflection, beside the root that it waits for.
 template <class T>
 QVGEN_LANES void triangularise(Reflections<T>& f, int rows) {
   f.volume = spread<T>(1);
 #pragma GCC unroll 6
   for (int k = 0; k < rows; ++k) {
+    T product[6];
+#pragma GCC unroll 6
+    for (int i = k + 1; i < 6; ++i) product[i] = product_from(k, f.row[i], f.row[k]);
     make_reflection(f, k);
 #pragma GCC unroll 6
-    for (int i = k + 1; i < 6; ++i) reflect(f, k, f.row[i]);
+    for (int i = k + 1; i < 6; ++i) {
+      const T share = (product[i] - f.row[i][k] * f.diagonal[k]) * f.scale[k];
+#pragma GCC unroll 9
+      for (int j = k; j < 9; ++j) f.row[i][j] = f.row[i][j] - share * f.row[k][j];
+    }
   }
 }
 

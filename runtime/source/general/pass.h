@@ -32,7 +32,7 @@ class Eliminated {
  public:
   Eliminated(const Chain& chain, const Elimination& e, const Goal& goal, double tolerance, Gathered& found)
       : chain_(chain), e_(e), goal_(goal), found_(found), rows_before_(found.rows) {
-    set_pose(e, chain, goal, system_);
+    set_pose<width>(e, chain, goal, system_);
     Candidates candidates;
     const double noise = find_candidates<width>(system_, e.pair, tolerance, candidates);
     found.magnified += candidates.faint_count;

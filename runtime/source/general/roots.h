@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+
 #include "trigonometric.h"
 
 namespace qvgen::inverse::general {
@@ -44,7 +46,7 @@ struct Candidates {
   void add_once(const Direction& angle, double spread) {
     for (int i = 0; i < count; ++i) {
       const double x = list[i].angle.cosine - angle.cosine, y = list[i].angle.sine - angle.sine;
-      const double near = std::fmax(1e-7, 0.7 * std::fmax(spread, list[i].spread));
+      const double near = std::max(1e-7, 0.7 * std::max(spread, list[i].spread));
       if ((list[i].is_doubtful() == (spread > 0)) && x * x + y * y < near * near) return;
     }
     add(angle, spread);
@@ -78,8 +80,8 @@ class RootFinder {
   RootFinder(const Trigonometric& f, double allowed, double farthest, bool may_be_faint, Candidates& found)
       : f_(f),
         may_be_faint_(may_be_faint),
-        faint_below_(1e3 * std::fmax(1e-12, 100 * f.noise)),
-        tolerance_(std::fmax(10 * allowed, faint_below_ / 1e3)),
+        faint_below_(1e3 * std::max(1e-12, 100 * f.noise)),
+        tolerance_(std::max(10 * allowed, faint_below_ / 1e3)),
         found_(found) {
     for (int first = 0; first < arcs; first += width) look_at_arcs(first, farthest);
     while (cells_ > 0) halve();
@@ -137,7 +139,7 @@ class RootFinder {
     Part parts[width];
     for (int i = 0; i < width; ++i) {
       const int arc = first + i;
-      parts[i] = {-1, 1, arc, std::fmax(tolerance_, relative_tolerance * largest[i])};
+      parts[i] = {-1, 1, arc, std::max(tolerance_, relative_tolerance * largest[i])};
       constexpr double half_arc = 0.39269908169872414, half_turn = 3.1415926535897931;
       bool skip = farthest < half_turn && middle_of(arc).cosine < std::cos(farthest + half_arc);
       if (!skip && may_be_faint_ && largest[i] < faint_below_)
@@ -186,7 +188,7 @@ class RootFinder {
   /// rounding smaller parts would tell no more.
   void look_closer(const T (&control)[controls], int lane, const Part& part) {
     double largest = 0;
-    for (const T& c : control) largest = std::fmax(largest, std::fabs(c[lane]));
+    for (const T& c : control) largest = std::max(largest, std::fabs(c[lane]));
     const bool is_arc = part.high - part.low > 1.9;
     if (may_be_faint_ && !is_arc && largest < faint_below_ && put_aside(part)) return;
     if (largest < part.tolerance || part.high - part.low < smallest)
@@ -199,8 +201,8 @@ class RootFinder {
     double least = 1e300, most = -1e300;
     for (int i = 2; i < controls; ++i) {
       const double bend = control[i][lane] - 2 * control[i - 1][lane] + control[i - 2][lane];
-      least = std::fmin(least, bend);
-      most = std::fmax(most, bend);
+      least = std::min(least, bend);
+      most = std::max(most, bend);
     }
     return least > 4 * tolerance || most < -4 * tolerance;
   }
@@ -275,8 +277,8 @@ class RootFinder {
     }
     const double square = -2 * v.value / v.bend;
     if (std::fabs(v.value) > 30 * part.tolerance && square < 0) return;
-    const double unsure = std::fmin(2 * part.tolerance / std::fabs(v.bend), 0.01);
-    const double apart = std::sqrt(std::fmax(square, unsure));
+    const double unsure = std::min(0.01, 2 * part.tolerance / std::fabs(v.bend));
+    const double apart = std::sqrt(std::max(unsure, square));
     if (are_all) return found_.add_twins(at(by - apart), at(by + apart), apart);
     found_.add_once(at(by - apart), apart);
     found_.add_once(at(by + apart), apart);

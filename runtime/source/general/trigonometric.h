@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+
 #include "determinant.h"
 #include "tables.h"
 
@@ -65,7 +67,7 @@ inline Trigonometric fourier(const double (&f)[samples]) {
   for (int j = 0; j < samples; ++j) {
     const double* weights = fourier_table.weight[j];
     for (int i = 0; i < 5; ++i) sums[i] += f[j] * load<width>(weights + width * i);
-    largest = std::fmax(largest, std::fabs(f[j]));
+    largest = std::max(largest, std::fabs(f[j]));
   }
   double all[20];
   for (int i = 0; i < 5; ++i) store(all + width * i, sums[i]);
