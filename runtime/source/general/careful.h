@@ -17,6 +17,15 @@ inline Values values_of(const JointPairs& pairs) {
   return values;
 }
 
+inline JointPairs pairs_of(const Values& values) {
+  JointPairs pairs;
+  for (std::size_t j = 0; j < joints; ++j) {
+    pairs.cosine[j] = values[j].cosine;
+    pairs.sine[j] = values[j].sine;
+  }
+  return pairs;
+}
+
 /// The tool's point and two more, the arm's size away, at the zero pose and at the goal.
 Task matching(const Setup& setup, const Pose<double>& pose);
 

@@ -56,6 +56,8 @@ struct Pass {
   void (*eliminate)(const Chain&, const Elimination&, const Goal&, double tolerance, Gathered&);
   /// Newton's steps from so many joint values: each takes what it leads to, if that is a solution nearby.
   void (*lead)(const Chain&, const Goal&, int count, JointPairs*);
+  /// At most `Gathered::most_rows` rows: angles in (-pi, pi], and lengths of slides.
+  void (*put_out)(const Chain&, int rows, const JointPairs*, double (*q)[joints]);
 };
 /// Four numbers at a time; null if the compiler was not asked for AVX2. To be called only where the machine
 /// has it.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "angles.h"
 #include "candidates.h"
 #include "newton.h"
 #include "slide_starts.h"

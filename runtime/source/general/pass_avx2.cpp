@@ -6,7 +6,7 @@
 #include "pass.h"
 
 namespace qvgen::inverse::general {
-static constexpr Pass pass = {&eliminate_once<4>, &lead_in_lanes<4>};
+static constexpr Pass pass = {&eliminate_once<4>, &lead_in_lanes<4>, &put_out_in_lanes<4>};
 const Pass* const pass_for_avx2 = &pass;
 }  // namespace qvgen::inverse::general
 #else

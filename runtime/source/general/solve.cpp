@@ -21,14 +21,22 @@ const Pass& pass_for(Form form) {
   return vectors && machine_has_fma() ? *pass_for_avx2 : *pass_for_all;
 }
 
-void append(const Chain& chain, const Values& values, bool continuum, Found& found) {
-  Solution<joints>& row = found.append();
-  for (int j = 0; j < joints; ++j) {
-    const Rotor<double>& value = values[static_cast<std::size_t>(j)];
-    row.q[j] = chain.slides[j] ? value.cosine : output_angle(value.cosine, value.sine);
+void append(const Pass& pass, const Chain& chain, int rows, const JointPairs* pairs, Found& found) {
+  double q[Gathered::most_rows][joints];
+  pass.put_out(chain, rows, pairs, q);
+  for (int i = 0; i < rows; ++i) {
+    Solution<joints>& row = found.append();
+    row.q = Eigen::Map<const Eigen::Matrix<double, joints, 1>>(q[i]);
+    row.branch = 0;
+    row.continuum = false;
   }
-  row.branch = 0;
-  row.continuum = continuum;
+}
+
+void append(const Pass& pass, const Chain& chain, const Careful& careful, Found& found) {
+  JointPairs pairs[most_solutions];
+  for (int i = 0; i < careful.size(); ++i) pairs[i] = pairs_of(careful.row(i).values);
+  append(pass, chain, careful.size(), pairs, found);
+  for (int i = 0; i < careful.size(); ++i) found[i].continuum = careful.row(i).continuum;
 }
 
 /// Whether nothing is left to be looked at more closely.
@@ -71,12 +79,11 @@ void solve(const Setup& setup, const Pose<double>& pose, double tolerance,
   bool unsure = false;
   pass.eliminate(setup.chain, setup.eliminations[0], goal_of(setup.chain, pose), tolerance, gathered);
   if (is_settled(setup, pose, gathered)) {
-    for (int i = 0; i < gathered.rows; ++i) append(setup.chain, values_of(gathered.row[i]), false, found);
+    append(pass, setup.chain, gathered.rows, gathered.row, found);
   } else {
     Careful careful(setup, pose, tolerance, preference, pass);
     careful.run(gathered);
-    for (int i = 0; i < careful.size(); ++i)
-      append(setup.chain, careful.row(i).values, careful.row(i).continuum, found);
+    append(pass, setup.chain, careful, found);
     found.effort = careful.effort();
     unsure = careful.is_unsure();
   }
