@@ -72,5 +72,9 @@ QVGEN_LANES unsigned sign_mask(const T& x) {
   return result;
 }
 
+/// What that gives if all are set.
+template <class T>
+inline constexpr unsigned all_lanes = (1U << (sizeof(T) / sizeof(double))) - 1;
+
 }  // namespace
 }  // namespace qvgen::inverse::general

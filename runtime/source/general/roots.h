@@ -83,6 +83,7 @@ class RootFinder {
         faint_below_(1e3 * std::max(1e-12, 100 * f.noise)),
         tolerance_(std::max(10 * allowed, faint_below_ / 1e3)),
         found_(found) {
+    for (int k = 0; k <= degree; ++k) slope_[k] = {k * f.sine[k], -k * f.cosine[k]};
     for (int first = 0; first < arcs; first += width) look_at_arcs(first, farthest);
     while (cells_ > 0) halve();
     for (int first = 0; first < brackets_; first += width) close_in(first);
@@ -301,14 +302,17 @@ class RootFinder {
     T x = low + (high - low) * at_low / (at_low - at_high);
     x = x >= low && x <= high ? x : T(0.5 * (low + high));
     T cosine{}, sine{};
-    constexpr int steps = 6;
+    // What a step of this length, in units of the arc's tangent, leaves is rounding.
+    constexpr double short_step = 1e-7;
+    constexpr int most_steps = 6;
+    bool arrived = false;
     for (int step = 0;; ++step) {
       const T t = x * tangent_of_arc;
       const T scale = 1 / (1 + t * t);
       const T c = (1 - t * t) * scale, s = 2 * t * scale;
       cosine = c0 * c - s0 * s;
       sine = s0 * c + c0 * s;
-      if (step == steps) break;
+      if (arrived || step == most_steps) break;
       T value, slope;
       evaluate(cosine, sine, value, slope);
       const T next = x - value / (slope * (2 * tangent_of_arc) * scale);
@@ -318,29 +322,42 @@ class RootFinder {
       const T middle = 0.5 * (low + high);
       T y = next >= low ? next : middle;
       y = next <= high ? y : middle;
+      arrived = sign_mask(T(magnitude_of(T(y - x)) - short_step)) == all_lanes<T>;
       x = y;
     }
     for (int i = 0; i < count; ++i) found_.add_once({cosine[i], sine[i]}, 0);
   }
 
-  /// Clenshaw's recurrence for value and slope: the real part of sum (a - i b) z^k by Horner's rule.
-  QVGEN_LANES void evaluate(const T& c, const T& s, T& value, T& slope) const {
-    T re = spread<T>(f_.cosine[degree]), im = spread<T>(-f_.sine[degree]);
-    T slope_re = spread<T>(degree * f_.sine[degree]), slope_im = spread<T>(degree * f_.cosine[degree]);
-#pragma GCC unroll 8
-    for (int k = degree - 1; k >= 0; --k) {
-      const T r = re * c - im * s, i = re * s + im * c;
-      const T dr = slope_re * c - slope_im * s, di = slope_re * s + slope_im * c;
-      re = r + f_.cosine[k];
-      im = i - f_.sine[k];
-      slope_re = dr + k * f_.sine[k];
-      slope_im = di + k * f_.cosine[k];
+  /// By Horner's rule, in the square of z = cos + i sin: a sum of (re - i im) z^2n.
+  struct Sum {
+    T re{}, im{};
+
+    QVGEN_LANES void next(const Direction& coefficient, const T& c, const T& s) {
+      const T r = (coefficient.cosine + re * c) - im * s;
+      im = (im * c - coefficient.sine) + re * s;
+      re = r;
     }
-    value = re;
-    slope = slope_re;
+  };
+
+  /// Value and slope: the real parts of the sums of (a - i b) z^k and of its derivative, even and odd powers
+  /// apart, since the time until the last product is what counts.
+  QVGEN_LANES void evaluate(const T& c, const T& s, T& value, T& slope) const {
+    const T c2 = c * c - s * s, s2 = 2 * c * s;
+    Sum even, odd, slope_even, slope_odd;
+#pragma GCC unroll 5
+    for (int k = degree; k >= 0; k -= 2) {
+      even.next({f_.cosine[k], f_.sine[k]}, c2, s2);
+      slope_even.next(slope_[k], c2, s2);
+      if (k == 0) break;
+      odd.next({f_.cosine[k - 1], f_.sine[k - 1]}, c2, s2);
+      slope_odd.next(slope_[k - 1], c2, s2);
+    }
+    value = even.re + (c * odd.re - s * odd.im);
+    slope = slope_even.re + (c * slope_odd.re - s * slope_odd.im);
   }
 
   const Trigonometric& f_;
+  Direction slope_[degree + 1];  ///< the derivative's coefficients
   bool may_be_faint_;
   double faint_below_;
   double tolerance_;
