@@ -78,7 +78,7 @@ inline constexpr SampleTable sample_table = make_sample_table();
 /// From the samples to the coefficients: 1, cos to cos 8, sin to sin 8, and cos 9, sin 9, which are zero but
 /// for rounding.
 struct FourierTable {
-  alignas(64) double weight[samples][20];
+  alignas(64) double weight[samples][24];
 };
 
 constexpr FourierTable make_fourier_table() {

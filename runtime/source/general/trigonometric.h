@@ -60,17 +60,18 @@ inline Value value_at(const Trigonometric& f, const Direction& at) {
 }
 
 /// Coefficients from samples in lanes, in place.
-inline Trigonometric fourier(const double (&f)[samples]) {
-  constexpr int width = 4;
-  Lanes<width> sums[5] = {};
+template <int width>
+QVGEN_LANES Trigonometric fourier(const double (&f)[samples]) {
+  constexpr int registers = (19 + width - 1) / width;
+  Lanes<width> sums[registers] = {};
   double largest = 0;
   for (int j = 0; j < samples; ++j) {
     const double* weights = fourier_table.weight[j];
-    for (int i = 0; i < 5; ++i) sums[i] += f[j] * load<width>(weights + width * i);
+    for (int i = 0; i < registers; ++i) sums[i] += f[j] * load<width>(weights + width * i);
     largest = std::max(largest, std::fabs(f[j]));
   }
-  double all[20];
-  for (int i = 0; i < 5; ++i) store(all + width * i, sums[i]);
+  double all[registers * width];
+  for (int i = 0; i < registers; ++i) store(all + width * i, sums[i]);
   const double scale = 1 / largest;
   Trigonometric result;
   result.sine[0] = 0;
@@ -102,7 +103,7 @@ template <int width>
     }
     store(f + j, resultant(system, pair, cosine, sine) * weight);
   }
-  return fourier(f);
+  return fourier<width>(f);
 }
 
 }  // namespace
