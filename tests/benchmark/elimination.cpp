@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // All solutions of arms without structure. `qvgen_elimination time [POSES]` prints a table of times;
-// `qvgen_elimination names` and `qvgen_elimination count ARM FORM SET POSES` serve
-// elimination_instructions.sh, one dump a pose: FORM lanes or scalar, SET random or singular.
+// `qvgen_elimination names` and `qvgen_elimination count ARM REGISTERS SET POSES` serve
+// elimination_instructions.sh, one dump a pose: REGISTERS avx2 or sse2, SET random or singular.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -18,7 +18,7 @@
 namespace {
 
 using namespace qvgen::test;
-using qvgen::inverse::Form;
+using qvgen::InstructionSet;
 using qvgen::inverse::general::Setup;
 using Pose = qvgen::Pose<double>;
 
@@ -53,7 +53,9 @@ std::vector<Pose> poses_of(const Arm& arm, const std::string& set, int count) {
   return poses;
 }
 
-int rows_of(const Setup& setup, const Pose& pose, Form form) { return solve(setup, pose, form).size(); }
+int rows_of(const Setup& setup, const Pose& pose, InstructionSet registers) {
+  return solve(setup, pose, registers).size();
+}
 
 struct Times {
   double median, mean, last;  ///< microseconds; the last: which 99 % of the poses do not exceed
@@ -61,7 +63,7 @@ struct Times {
 };
 
 /// The fastest of some calls of each pose.
-Times times_of(const Setup& setup, const std::vector<Pose>& poses, Form form) {
+Times times_of(const Setup& setup, const std::vector<Pose>& poses, InstructionSet registers) {
   using Clock = std::chrono::steady_clock;
   constexpr int calls = 7;
   std::vector<double> times(poses.size(), 1e9);
@@ -69,7 +71,7 @@ Times times_of(const Setup& setup, const std::vector<Pose>& poses, Form form) {
   for (int call = 0; call < calls; ++call)
     for (std::size_t i = 0; i < poses.size(); ++i) {
       const auto start = Clock::now();
-      const int rows = rows_of(setup, poses[i], form);
+      const int rows = rows_of(setup, poses[i], registers);
       const std::chrono::duration<double, std::micro> time = Clock::now() - start;
       times[i] = std::min(times[i], time.count());
       result.rows += static_cast<double>(rows) / static_cast<double>(calls * poses.size());
@@ -82,30 +84,32 @@ Times times_of(const Setup& setup, const std::vector<Pose>& poses, Form form) {
 }
 
 void print_times(int count) {
-  std::printf("%-24s%6s |%24s |%16s |%24s\n", "us a pose, all solutions", "", "random, four lanes",
-              "two lanes", "singular, four lanes");
-  std::printf("%-24s%6s |%8s%8s%8s |%8s%8s |%8s%8s%8s\n", "", "rows", "median", "mean", "99 %", "median",
-              "mean", "median", "mean", "99 %");
+  std::printf("%-24s%6s |%24s |%16s |%16s |%24s\n", "us a pose, all solutions", "", "random, AVX-512", "AVX2",
+              "SSE2", "singular, AVX-512");
+  std::printf("%-24s%6s |%8s%8s%8s |%8s%8s |%8s%8s |%8s%8s%8s\n", "", "rows", "median", "mean", "99 %",
+              "median", "mean", "median", "mean", "median", "mean", "99 %");
   for (const Arm& arm : all_arms()) {
     const Setup setup = qvgen::inverse::general::set_up(arm.description());
     const std::vector<Pose> random = poses_of(arm, "random", count);
-    const Times four = times_of(setup, random, Form::fastest), two = times_of(setup, random, Form::scalar);
-    const Times singular = times_of(setup, poses_of(arm, "singular", count / 2), Form::fastest);
-    std::printf("%-24s%6.2f |%8.2f%8.2f%8.1f |%8.2f%8.2f |%8.1f%8.1f%8.1f\n", arm.name.c_str(), four.rows,
-                four.median, four.mean, four.last, two.median, two.mean, singular.median, singular.mean,
-                singular.last);
+    const auto times = [&](InstructionSet registers) { return times_of(setup, random, registers); };
+    const Times eight = times(InstructionSet::avx512), four = times(InstructionSet::avx2);
+    const Times two = times(InstructionSet::baseline);
+    const Times singular = times_of(setup, poses_of(arm, "singular", count / 2), InstructionSet::avx512);
+    std::printf("%-24s%6.2f |%8.2f%8.2f%8.1f |%8.2f%8.2f |%8.2f%8.2f |%8.1f%8.1f%8.1f\n", arm.name.c_str(),
+                eight.rows, eight.median, eight.mean, eight.last, four.median, four.mean, two.median, two.mean,
+                singular.median, singular.mean, singular.last);
     std::fflush(stdout);
   }
 }
 
-bool count(const std::string& name, Form form, const std::string& set, int poses) {
+bool count(const std::string& name, InstructionSet registers, const std::string& set, int poses) {
   for (const Arm& arm : all_arms()) {
     if (arm.name != name) continue;
     const Setup setup = qvgen::inverse::general::set_up(arm.description());
     int rows = 0;
     for (const Pose& pose : poses_of(arm, set, poses)) {
       CALLGRIND_ZERO_STATS;
-      rows += rows_of(setup, pose, form);
+      rows += rows_of(setup, pose, registers);
       CALLGRIND_DUMP_STATS;
     }
     std::printf("%.2f\n", rows / static_cast<double>(poses));
@@ -121,8 +125,9 @@ int main(int argc, char** argv) {
   if (what == "names") {
     for (const Arm& arm : all_arms()) std::printf("%s\n", arm.name.c_str());
   } else if (what == "count" && argc == 6) {
-    const Form form = std::string(argv[3]) == "scalar" ? Form::scalar : Form::fastest;
-    return count(argv[2], form, argv[4], std::atoi(argv[5])) ? 0 : 2;
+    const bool avx2 = std::string(argv[3]) == "avx2";
+    const InstructionSet registers = avx2 ? InstructionSet::avx2 : InstructionSet::baseline;
+    return count(argv[2], registers, argv[4], std::atoi(argv[5])) ? 0 : 2;
   } else if (what == "time") {
     print_times(argc > 2 ? std::atoi(argv[2]) : 1000);
   } else {

@@ -223,9 +223,9 @@ std::vector<Arm> named_arms() {
 }
 
 inverse::general::Found solve(const inverse::general::Setup& setup, const Pose<double>& pose,
-                              inverse::Form form) {
+                              InstructionSet set) {
   inverse::general::Found found;
-  inverse::general::solve(setup, pose, inverse::default_tolerance, inverse::zero_preference<6>, form, found);
+  inverse::general::solve(setup, pose, inverse::default_tolerance, inverse::zero_preference<6>, set, found);
   return found;
 }
 

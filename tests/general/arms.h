@@ -60,8 +60,11 @@ Arm piper();
 /// All of these, the last three miscalibrated by 1e-4.
 std::vector<Arm> named_arms();
 
+/// What the solver has been compiled for: everything is looked at with each of them that the machine has.
+inline constexpr InstructionSet instruction_sets[] = {InstructionSet::avx512, InstructionSet::avx2,
+                                                      InstructionSet::baseline};
 inverse::general::Found solve(const inverse::general::Setup& setup, const Pose<double>& pose,
-                              inverse::Form form = inverse::Form::fastest);
+                              InstructionSet set = InstructionSet::avx512);
 
 /// What is wrong with the rows of a pose; empty if nothing is.
 std::string fault(const Arm& arm, const Eigen::Isometry3d& target, const inverse::general::Found& found);

@@ -24,31 +24,36 @@ class GeneralArm : public testing::TestWithParam<Arm> {
   Constants setup_ = inverse::general::set_up(arm_.description());
   Random random_{7};
 
-  Found solve_at(const Joints6& q, inverse::Form form = inverse::Form::fastest) {
+  Found solve_at(const Joints6& q, InstructionSet set = InstructionSet::avx512) {
     const Eigen::Isometry3d target = arm_.tool(q);
-    const Found found = solve(setup_, Pose<double>::from_isometry(target), form);
+    const Found found = solve(setup_, Pose<double>::from_isometry(target), set);
     EXPECT_EQ(fault(arm_, target, found), "");
     return found;
   }
 };
 
 TEST_P(GeneralArm, FindsTheSampledJoints) {
-  int unsure = 0;
-  for (int i = 0; i < pose_count(); ++i) {
-    const Joints6 q = arm_.joints(random_);
-    const Found found = solve_at(q);
-    unsure += found.status == Status::incomplete ? 1 : 0;
-    EXPECT_TRUE(contains(arm_, found, q) || found.status == Status::incomplete) << "pose " << i;
+  for (const InstructionSet set : instruction_sets) {
+    int unsure = 0;
+    for (int i = 0; i < pose_count(); ++i) {
+      const Joints6 q = arm_.joints(random_);
+      const Found found = solve_at(q, set);
+      unsure += found.status == Status::incomplete ? 1 : 0;
+      EXPECT_TRUE(contains(arm_, found, q) || found.status == Status::incomplete) << "pose " << i;
+    }
+    EXPECT_LE(unsure, pose_count() / 100);
   }
-  EXPECT_LE(unsure, pose_count() / 100);
 }
 
-TEST_P(GeneralArm, BothFormsFindTheSame) {
+TEST_P(GeneralArm, EverySetFindsTheSame) {
   for (int i = 0; i < pose_count() / 10; ++i) {
     const Joints6 q = arm_.joints(random_);
-    const Found lanes = solve_at(q), scalar = solve_at(q, inverse::Form::scalar);
-    ASSERT_EQ(lanes.size(), scalar.size()) << "pose " << i;
-    for (const auto& row : scalar) EXPECT_TRUE(contains(arm_, lanes, row.q)) << "pose " << i;
+    const Found baseline = solve_at(q, InstructionSet::baseline);
+    for (const InstructionSet set : {InstructionSet::avx2, InstructionSet::avx512}) {
+      const Found lanes = solve_at(q, set);
+      ASSERT_EQ(lanes.size(), baseline.size()) << "pose " << i;
+      for (const auto& row : baseline) EXPECT_TRUE(contains(arm_, lanes, row.q)) << "pose " << i;
+    }
   }
 }
 

@@ -25,7 +25,7 @@ void check_arms(int slides) {
     for (int i = 0; i < poses; ++i) {
       const Joints6 q = arm.joints(random);
       const Eigen::Isometry3d target = arm.tool(q);
-      const auto found = solve(setup, Pose<double>::from_isometry(target));
+      const auto found = solve(setup, Pose<double>::from_isometry(target), instruction_sets[i % 3]);
       EXPECT_EQ(fault(arm, target, found), "");
       const bool told = found.status == Status::incomplete;
       incomplete += told ? 1 : 0;

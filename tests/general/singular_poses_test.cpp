@@ -37,7 +37,8 @@ class SingularPoses : public testing::TestWithParam<Arm> {
       if (!q) continue;
       (*q)[1 + i / 4 % 4] += off();
       const Eigen::Isometry3d target = arm_.tool(*q);
-      const auto found = solve(setup_, Pose<double>::from_isometry(target));
+      const auto found =
+          solve(setup_, Pose<double>::from_isometry(target), instruction_sets[result.poses % 3]);
       EXPECT_EQ(fault(arm_, target, found), "");
       const bool told = found.status == Status::incomplete, has_continuum = found.status == Status::singular;
       // Where two solutions meet their joints are known to few digits.

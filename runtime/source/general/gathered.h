@@ -62,6 +62,8 @@ struct Pass {
 /// Four numbers at a time; null if the compiler was not asked for AVX2. To be called only where the machine
 /// has it.
 extern const Pass* const pass_for_avx2;
+/// Eight, likewise with AVX-512 (F, DQ and VL).
+extern const Pass* const pass_for_avx512;
 /// Two numbers at a time, everywhere.
 extern const Pass* const pass_for_all;
 

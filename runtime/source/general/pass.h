@@ -28,8 +28,6 @@ inline double squared_distance(const JointPairs& a, const JointPairs& b) {
 /// One elimination in lanes.
 template <int width>
 class Eliminated {
-  using T = Lanes<width>;
-
  public:
   Eliminated(const Chain& chain, const Elimination& e, const Goal& goal, double tolerance, Gathered& found)
       : chain_(chain), e_(e), goal_(goal), found_(found), rows_before_(found.rows) {
@@ -43,7 +41,8 @@ class Eliminated {
     if (found.loud || candidates.overflow) found.doubtful = true;
     // Of two slides there is a better way then.
     for (int first = 0; first < candidates.count && !(drowns && slides); first += width)
-      follow(candidates, first);
+      in_lanes<width>(candidates.count - first,
+                      [&](auto lanes, int some) { follow<lanes>(candidates, first, some); });
     if (leaves_doubt(candidates)) found.doubtful = true;
     if (has_doubtful(candidates)) found.has_twins = true;
     if (slides) look_beside_roots();
@@ -61,10 +60,11 @@ class Eliminated {
     return nearly_vanishes(system_.slides, cosines, sines);
   }
 
-  void follow(const Candidates& candidates, int first) {
-    const int count = candidates.count - first < width ? candidates.count - first : width;
+  template <int lanes>
+  void follow(const Candidates& candidates, int first, int count) {
+    using T = Lanes<lanes>;
     T cosine, sine;
-    for (int i = 0; i < width; ++i) {
+    for (int i = 0; i < lanes; ++i) {
       const Direction& angle = candidates.list[first + (i < count ? i : 0)].angle;
       cosine[i] = angle.cosine;
       sine[i] = angle.sine;
@@ -75,7 +75,7 @@ class Eliminated {
     else
       substitute_back(e_, system_, chain_.size, cosine, sine, start);
     q = start;
-    const T miss = steps_to<width>(chain_, goal_, count, q);
+    const T miss = steps_to<lanes>(chain_, goal_, count, q);
     for (int i = 0; i < count; ++i) {
       const bool leads = miss[i] < good_miss;
       const JointPairs from = lane(start, i), to = lane(q, i);
@@ -88,7 +88,7 @@ class Eliminated {
     const auto is_doubtful = [&](int i) { return candidates.list[first + i].is_doubtful(); };
     bool any = false;
     for (int i = 0; i < count; ++i) any = any || is_doubtful(i);
-    if (any) slide_starts().offer_other_sign(cosine, sine, count, is_doubtful);
+    if (any) slide_starts<lanes>().offer_other_sign(cosine, sine, count, is_doubtful);
   }
 
   /// Whether joints have the outer angle of a candidate.
@@ -117,7 +117,7 @@ class Eliminated {
 
   /// Of two slides.
   void look_beside_roots() {
-    const auto starts = slide_starts();
+    const auto starts = slide_starts<width>();
     starts.offer_in_line();
     if (found_.loud) found_.faint = starts.offer_each_sign();
   }
@@ -126,7 +126,10 @@ class Eliminated {
     Eliminated* pass;
     void operator()(const JointPairs& values) const { pass->offer_start(values, false, values); }
   };
-  [[nodiscard]] SlideStarts<width, Offer> slide_starts() { return {e_, system_.slides, chain_.size, offer_}; }
+  template <int lanes>
+  [[nodiscard]] SlideStarts<lanes, Offer> slide_starts() {
+    return {e_, system_.slides, chain_.size, offer_};
+  }
 
   /// Takes a solution, unless this elimination has come to it before.
   bool is_new(const JointPairs& values) {

@@ -1,79 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
-
-#include "trigonometric.h"
+#include "candidate.h"
 
 namespace qvgen::inverse::general {
 namespace {
-
-/// An outer angle that may belong to a solution.
-struct Candidate {
-  Direction angle;
-  /// Not zero: one of two roots that are not told apart, or a place where there may be none; how far the root
-  /// may be off, rad.
-  double spread;
-  /// The other of two roots that are all that there can be in a part of the circle, as it is bent to one
-  /// side; the candidate's own number if that is not known.
-  int twin;
-  [[nodiscard]] bool is_doubtful() const { return spread > 0; }
-};
-
-/// A stretch of the circle where the polynomial is as small as its rounding.
-struct Faint {
-  Direction middle;
-  double half_width;  ///< rad
-};
-
-inline constexpr int most_candidates = 64;
-inline constexpr int most_faint = 24;
-
-struct Candidates {
-  int count = 0;
-  bool overflow = false;
-  Candidate list[most_candidates];
-  int faint_count = 0;
-  Faint faint[most_faint];
-
-  void add(const Direction& angle, double spread) {
-    overflow = overflow || count == most_candidates;
-    if (count == most_candidates) return;
-    list[count] = {angle, spread, count};
-    ++count;
-  }
-  /// The same, unless a neighbouring stretch has given it before.
-  void add_once(const Direction& angle, double spread) {
-    for (int i = 0; i < count; ++i) {
-      const double x = list[i].angle.cosine - angle.cosine, y = list[i].angle.sine - angle.sine;
-      const double near = std::max(1e-7, 0.7 * std::max(spread, list[i].spread));
-      if ((list[i].is_doubtful() == (spread > 0)) && x * x + y * y < near * near) return;
-    }
-    add(angle, spread);
-  }
-  /// Two that are all.
-  void add_twins(const Direction& low, const Direction& high, double spread) {
-    const int first = count;
-    add_once(low, spread);
-    add_once(high, spread);
-    if (count != first + 2) return;
-    list[first].twin = first + 1;
-    list[first + 1].twin = first;
-  }
-  bool add_faint(const Direction& middle, double half_width) {
-    if (faint_count == most_faint) return false;
-    faint[faint_count++] = {middle, half_width};
-    return true;
-  }
-};
 
 /// The real roots of a trigonometric polynomial of degree eight. Over each of eight arcs it is a polynomial
 /// in Bernstein form: coefficients of one sign prove that there is no root, one change of sign that there is
 /// one; else the arc is halved, down to where two roots are not told apart.
 template <int width>
 class RootFinder {
-  using T = Lanes<width>;
-
  public:
   /// `allowed`: how far off zero a double root may be, as a tenth. `farthest`: only arcs nearer to 0 than
   /// this, rad. `may_be_faint`: faint stretches are put aside.
@@ -85,8 +22,9 @@ class RootFinder {
         found_(found) {
     for (int k = 0; k <= degree; ++k) slope_[k] = {k * f.sine[k], -k * f.cosine[k]};
     for (int first = 0; first < arcs; first += width) look_at_arcs(first, farthest);
-    while (cells_ > 0) halve();
-    for (int first = 0; first < brackets_; first += width) close_in(first);
+    while (cells_ > 0) in_lanes<width>(cells_, [this](auto lanes, int count) { halve<lanes>(count); });
+    for (int first = 0; first < brackets_; first += width)
+      in_lanes<width>(brackets_ - first, [&](auto lanes, int count) { close_in<lanes>(first, count); });
   }
 
  private:
@@ -117,6 +55,7 @@ class RootFinder {
   }
 
   void look_at_arcs(int first, double farthest) {
+    using T = Lanes<width>;
     T even[degree + 1], odd[degree + 1];
     even[0] = spread<T>(f_.cosine[0]);
     for (int k = 1; k <= degree; ++k) {
@@ -153,6 +92,7 @@ class RootFinder {
 
   /// Which lanes have no root for sure, and which may have several: coefficients that may be rounding tell
   /// nothing of signs.
+  template <class T>
   static void count_changes(const T (&control)[controls], const T& tolerance, unsigned& none,
                             unsigned& several) {
     unsigned once = 0, twice = 0, before = sign_mask(control[0]);
@@ -171,9 +111,10 @@ class RootFinder {
     several = twice | small;
   }
 
+  template <class T>
   void sort(const T (&control)[controls], const Part* parts, int count) {
     T tolerance;
-    for (int i = 0; i < width; ++i) tolerance[i] = parts[i < count ? i : 0].tolerance;
+    for (unsigned i = 0; i < lane_count<T>; ++i) tolerance[i] = parts[static_cast<int>(i) < count ? i : 0].tolerance;
     unsigned none, several;
     count_changes(control, tolerance, none, several);
     for (int i = 0; i < count; ++i) {
@@ -187,6 +128,7 @@ class RootFinder {
 
   /// A part that may have several roots: faint stretches are put aside, and where there is nothing but
   /// rounding smaller parts would tell no more.
+  template <class T>
   void look_closer(const T (&control)[controls], int lane, const Part& part) {
     double largest = 0;
     for (const T& c : control) largest = std::max(largest, std::fabs(c[lane]));
@@ -198,6 +140,7 @@ class RootFinder {
   }
 
   /// Then there are at most two roots.
+  template <class T>
   static bool is_bent_to_one_side(const T (&control)[controls], int lane, double tolerance) {
     double least = 1e300, most = -1e300;
     for (int i = 2; i < controls; ++i) {
@@ -221,6 +164,7 @@ class RootFinder {
     if (brackets_ < most_cells) bracket_[brackets_++] = bracket;
   }
 
+  template <class T>
   void add_cell(const T (&control)[controls], int lane, const Part& part) {
     found_.overflow = found_.overflow || cells_ == most_cells;
     if (cells_ == most_cells) return;
@@ -230,12 +174,13 @@ class RootFinder {
   }
 
   /// De Casteljau's algorithm on the last cells.
-  void halve() {
-    const int count = cells_ < width ? cells_ : width;
+  template <int lanes>
+  void halve(int count) {
+    using T = Lanes<lanes>;
     cells_ -= count;
     T control[controls], other[controls];
-    Part low[width], high[width];
-    for (int i = 0; i < width; ++i) {
+    Part low[lanes], high[lanes];
+    for (int i = 0; i < lanes; ++i) {
       const Cell& cell = cell_[cells_ + (i < count ? i : 0)];
       low[i] = high[i] = cell.part;
       low[i].high = high[i].low = (cell.part.low + cell.part.high) / 2;
@@ -286,10 +231,11 @@ class RootFinder {
   }
 
   /// Newton steps kept in their brackets.
-  void close_in(int first) {
-    const int count = brackets_ - first < width ? brackets_ - first : width;
+  template <int lanes>
+  void close_in(int first, int count) {
+    using T = Lanes<lanes>;
     T low, high, at_low, at_high, c0, s0;
-    for (int i = 0; i < width; ++i) {
+    for (int i = 0; i < lanes; ++i) {
       const Bracket& b = bracket_[first + (i < count ? i : 0)];
       const Direction middle = middle_of(b.part.arc);
       low[i] = b.part.low;
@@ -329,6 +275,7 @@ class RootFinder {
   }
 
   /// By Horner's rule, in the square of z = cos + i sin: a sum of (re - i im) z^2n.
+  template <class T>
   struct Sum {
     T re{}, im{};
 
@@ -341,9 +288,10 @@ class RootFinder {
 
   /// Value and slope: the real parts of the sums of (a - i b) z^k and of its derivative, even and odd powers
   /// apart, since the time until the last product is what counts.
+  template <class T>
   QVGEN_LANES void evaluate(const T& c, const T& s, T& value, T& slope) const {
     const T c2 = c * c - s * s, s2 = 2 * c * s;
-    Sum even, odd, slope_even, slope_odd;
+    Sum<T> even, odd, slope_even, slope_odd;
 #pragma GCC unroll 5
     for (int k = degree; k >= 0; k -= 2) {
       even.next({f_.cosine[k], f_.sine[k]}, c2, s2);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <qvgen/inverse/general/solve.h>
-#include <qvgen/inverse/lanes.h>
 
 #include "careful.h"
 #include "goal.h"
@@ -8,17 +7,12 @@
 namespace qvgen::inverse::general {
 namespace {
 
-bool machine_has_fma() {
-#if defined(__GNUC__) && (defined(__x86_64__) || defined(__i386__))
-  return __builtin_cpu_supports("fma");
-#else
-  return false;
-#endif
-}
-
-const Pass& pass_for(Form form) {
-  const bool vectors = form == Form::fastest && pass_for_avx2 != nullptr && machine_has_avx2();
-  return vectors && machine_has_fma() ? *pass_for_avx2 : *pass_for_all;
+const Pass& pass_for(InstructionSet wanted) {
+  const auto serves = [wanted](const Pass* pass, InstructionSet set) {
+    return wanted >= set && pass != nullptr && batch::machine_has(set);
+  };
+  if (serves(pass_for_avx512, InstructionSet::avx512)) return *pass_for_avx512;
+  return serves(pass_for_avx2, InstructionSet::avx2) ? *pass_for_avx2 : *pass_for_all;
 }
 
 void append(const Pass& pass, const Chain& chain, int rows, const JointPairs* pairs, Found& found) {
@@ -60,6 +54,12 @@ void number_rows(Found& found) {
 
 void solve(const Setup& setup, const Pose<double>& pose, double tolerance,
            const Preference<joints>& preference, Form form, Found& found) {
+  const auto set = form == Form::scalar ? InstructionSet::baseline : InstructionSet::avx512;
+  solve(setup, pose, tolerance, preference, set, found);
+}
+
+void solve(const Setup& setup, const Pose<double>& pose, double tolerance,
+           const Preference<joints>& preference, InstructionSet set, Found& found) {
   found.clear();
   found.effort = {};
   if (!std::isfinite(setup.chain.size)) {
@@ -74,7 +74,7 @@ void solve(const Setup& setup, const Pose<double>& pose, double tolerance,
     found.status = Status::incomplete;
     return;
   }
-  const Pass& pass = pass_for(form);
+  const Pass& pass = pass_for(set);
   Gathered gathered;
   bool unsure = false;
   pass.eliminate(setup.chain, setup.eliminations[0], goal_of(setup.chain, pose), tolerance, gathered);

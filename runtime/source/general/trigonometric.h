@@ -81,28 +81,36 @@ QVGEN_LANES Trigonometric fourier(const double (&f)[samples]) {
   return result;
 }
 
+/// One sample in each lane, from number `first` on.
+template <int width>
+QVGEN_LANES Lanes<width> samples_from(int first, const PoseSystem& system, Pair pair,
+                                      const Magnifier& magnifier) {
+  using T = Lanes<width>;
+  T cosine = load<width>(sample_table.cosine + first), sine = load<width>(sample_table.sine + first);
+  T weight = spread<T>(1);
+  if (magnifier.factor != 1) {
+    const T along = (1 + cosine) * magnifier.factor;
+    const T length = sine * sine + along * along;
+    const T scale = 1 / length;
+    // (1 + t^2) / (1 + t~^2), to the power of eight, times a constant.
+    weight = length / (along * along) * (1 + cosine);
+    weight = weight * weight;
+    weight = weight * weight;
+    weight = weight * weight;
+    const T c = (along * along - sine * sine) * scale, s = 2 * sine * along * scale;
+    cosine = magnifier.middle.cosine * c - magnifier.middle.sine * s;
+    sine = magnifier.middle.sine * c + magnifier.middle.cosine * s;
+  }
+  return resultant(system, pair, cosine, sine) * weight;
+}
+
 template <int width>
 [[gnu::noinline]] Trigonometric sampled(const PoseSystem& system, Pair pair, const Magnifier& magnifier) {
-  using T = Lanes<width>;
   alignas(64) double f[samples];
-  for (int j = 0; j < samples; j += width) {
-    T cosine = load<width>(sample_table.cosine + j), sine = load<width>(sample_table.sine + j);
-    T weight = spread<T>(1);
-    if (magnifier.factor != 1) {
-      const T along = (1 + cosine) * magnifier.factor;
-      const T length = sine * sine + along * along;
-      const T scale = 1 / length;
-      // (1 + t^2) / (1 + t~^2), to the power of eight, times a constant.
-      weight = length / (along * along) * (1 + cosine);
-      weight = weight * weight;
-      weight = weight * weight;
-      weight = weight * weight;
-      const T c = (along * along - sine * sine) * scale, s = 2 * sine * along * scale;
-      cosine = magnifier.middle.cosine * c - magnifier.middle.sine * s;
-      sine = magnifier.middle.sine * c + magnifier.middle.cosine * s;
-    }
-    store(f + j, resultant(system, pair, cosine, sine) * weight);
-  }
+  for (int first = 0; first < samples; first += width)
+    in_lanes<width>(samples - first, [&](auto lanes, int) {
+      store(f + first, samples_from<lanes>(first, system, pair, magnifier));
+    });
   return fourier<width>(f);
 }
 

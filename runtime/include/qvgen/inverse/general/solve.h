@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <qvgen/batch/machine.h>
 #include <qvgen/inverse/general/setup.h>
 #include <qvgen/inverse/request.h>
 #include <qvgen/inverse/solutions.h>
@@ -16,5 +17,8 @@ using Found = Solutions<joints, most_solutions>;
 /// `tolerance`: see `default_tolerance`. `preference`: what free joints are where they can be chosen.
 void solve(const Setup& setup, const Pose<double>& pose, double tolerance,
            const Preference<joints>& preference, Form form, Found& found);
+/// The same in registers of a set, or of the next narrower one if the machine or the compiler has it not.
+void solve(const Setup& setup, const Pose<double>& pose, double tolerance,
+           const Preference<joints>& preference, InstructionSet set, Found& found);
 
 }  // namespace qvgen::inverse::general
