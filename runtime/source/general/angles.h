@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <limits>
+
 #include <qvgen/inverse/arctangent.h>
 
 #include "gathered.h"
@@ -19,7 +21,7 @@ struct Number {
   QVGEN_LANES explicit Number(double value) : lanes(spread<T>(value)) {}
   QVGEN_LANES explicit Number(const T& all) : lanes(all) {}
   QVGEN_LANES explicit Number(Bits all) : lanes((T)all) {}
-  QVGEN_LANES static Bits sign_bits() { return (Bits)spread<T>(-0.0); }
+  QVGEN_LANES static Bits sign_bits() { return Bits{} + std::numeric_limits<long long>::min(); }
 
   QVGEN_LANES friend Number operator+(const Number& a, const Number& b) { return Number(a.lanes + b.lanes); }
   QVGEN_LANES friend Number operator*(const Number& a, const Number& b) { return Number(a.lanes * b.lanes); }
