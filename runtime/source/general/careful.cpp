@@ -47,6 +47,14 @@ Values seed_of(const Setup& setup, const Preference<joints>& preference) {
   return seed;
 }
 
+bool is_settled(const Setup& setup, const Pose<double>& pose, const Gathered& found) {
+  if (found.doubtful || found.rows > most_solutions) return false;
+  if (!found.has_twins) return true;
+  const Task task = matching(setup, pose);
+  return std::none_of(found.row, found.row + found.rows,
+                      [&](const JointPairs& row) { return is_singular(task, values_of(row)); });
+}
+
 Careful::Careful(const Setup& setup, const Pose<double>& pose, double tolerance,
                  const Preference<joints>& preference, const Pass& pass)
     : setup_(setup),
@@ -221,13 +229,31 @@ void Careful::merge() {
     }
 }
 
+void Careful::look_here(const Elimination& elimination, Gathered& gathered) {
+  eliminate(elimination, pose_, gathered);
+  ++effort_.passes;
+}
+
+void Careful::take_rows(const Gathered& found) {
+  for (int i = 0; i < found.rows; ++i) rows_[size_++] = {values_of(found.row[i]), false, true};
+}
+
 void Careful::run(const Gathered& first) {
-  settle(first);
-  merge();
-  if (setup_.eliminations[0].pair == Pair::slides)
+  if (setup_.eliminations[0].pair == Pair::slides) {
+    settle(first);
+    merge();
     agree_on_slides(first);
-  else
-    agree(first);
+  } else {
+    Gathered second;
+    for (int i = 0; i < first.rows; ++i) second.add_row(first.row[i]);
+    const Elimination* elimination = next_elimination();
+    if (elimination != nullptr) look_here(*elimination, second);
+    if (second.met == second.rows && elimination != nullptr && general::is_settled(setup_, pose_, second))
+      return take_rows(second);
+    settle(first);
+    merge();
+    agree(first, elimination != nullptr ? &second : nullptr);
+  }
   const Effort& spent = tracker_.budget().spent;
   effort_.steps = spent.steps + walks_.spent.steps;
   // Regular rows of that number are all that there can be.
@@ -235,13 +261,10 @@ void Careful::run(const Gathered& first) {
 }
 
 /// Whether an elimination at the pose itself has added nothing, and whether it leaves no doubt.
-Careful::Outcome Careful::pass_here(const Elimination& elimination) {
-  Gathered found;
-  eliminate(elimination, pose_, found);
+Careful::Outcome Careful::settle_here(const Gathered& found) {
   const int before = size_;
   settle(found);
   merge();
-  ++effort_.passes;
   return {size_ == before, leaves_doubt(found), found.loud};
 }
 
@@ -260,7 +283,7 @@ Careful::Outcome Careful::pass_nearby(const Pose<double>& pose) {
   return {size_ == before, leaves_doubt(found) || !all_seen, found.loud};
 }
 
-void Careful::agree(const Gathered& first) {
+void Careful::agree(const Gathered& first, const Gathered* second) {
   // Two eliminations may lose the same solutions.
   const bool few = setup_.count + setup_.further.count < 3;
   bool all_loud = first.loud, agreed = false, more_nearby = true;
@@ -270,22 +293,30 @@ void Careful::agree(const Gathered& first) {
     more_nearby = !near.same;
     return near.same && !near.doubtful;
   };
-  while (const Elimination* elimination = next_elimination()) {
-    const Outcome here = pass_here(*elimination);
+  const auto is_enough = [&](const Gathered& found) {
+    const Outcome here = settle_here(found);
     all_loud = all_loud && here.loud;
     agreed = here.same;
     if (!agreed) more_nearby = true;
-    if (!agreed || !is_even()) continue;
+    if (!agreed || !is_even()) return false;
     if (!here.doubtful) more_nearby = false;
-    if (!more_nearby) break;
+    if (!more_nearby) return true;
     // Where solutions meet no elimination is without doubts, but one at a pose nearby is.
-    if (all_loud || few || k == most_nearby) continue;
+    if (all_loud || few || k == most_nearby) return false;
     // Two that meet are apart on one side and gone on the other.
     const Pose<double> opposite = mirrored(pose_, nearby(k));
-    if (!look_nearby()) continue;
+    if (!look_nearby()) return false;
     const Outcome other = pass_nearby(opposite);
     more_nearby = !other.same;
-    if (other.same && !other.doubtful) break;
+    return other.same && !other.doubtful;
+  };
+  bool enough = second != nullptr && is_enough(*second);
+  while (!enough) {
+    const Elimination* elimination = next_elimination();
+    if (elimination == nullptr) break;
+    Gathered found;
+    look_here(*elimination, found);
+    enough = is_enough(found);
   }
   while (k < most_nearby && (size_ == 0 || !is_even() || more_nearby || (few && k < 3))) {
     look_nearby();

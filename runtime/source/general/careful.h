@@ -35,9 +35,13 @@ Values seed_of(const Setup& setup, const Preference<joints>& preference);
 /// Whether two solutions meet at joint values that reach the pose, or they are on a continuum.
 bool is_singular(const Task& task, const Values& values);
 
-/// Solves a pose at which the first elimination has left doubts: further eliminations, then poses nearby;
-/// whatever they lead to is brought to the pose by Newton's steps, and solutions that a curve of solutions
-/// joins are one.
+/// Whether an elimination has left nothing to be looked at more closely.
+bool is_settled(const Setup& setup, const Pose<double>& pose, const Gathered& found);
+
+/// Solves a pose at which the first elimination has left doubts. A second one often has none: most doubts are
+/// of solutions that share the outer angle and nothing else. If it has, further eliminations, then poses
+/// nearby; whatever they lead to is brought to the pose by Newton's steps, and solutions that a curve of
+/// solutions joins are one.
 class Careful {
  public:
   Careful(const Setup& setup, const Pose<double>& pose, double tolerance,
@@ -70,8 +74,10 @@ class Careful {
   };
   static constexpr int most_nearby = 6;
 
-  void agree(const Gathered& first);
-  Outcome pass_here(const Elimination& elimination);
+  void take_rows(const Gathered& found);
+  void agree(const Gathered& first, const Gathered* second);
+  void look_here(const Elimination& elimination, Gathered& gathered);
+  Outcome settle_here(const Gathered& found);
   Outcome pass_nearby(const Pose<double>& pose);
   void agree_on_slides(const Gathered& first);
   void pass_of_slides(const Elimination& elimination, const Pose<double>& pose, bool exact,

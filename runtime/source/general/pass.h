@@ -46,11 +46,11 @@ class Eliminated {
     if (leaves_doubt(candidates)) found.doubtful = true;
     if (has_doubtful(candidates)) found.has_twins = true;
     if (slides) look_beside_roots();
-    int all = found.rows - rows_before_;
-    for (int k = 0; k < rows_before_; ++k) all += seen_[k] ? 1 : 0;
+    found.met = found.rows - rows_before_;
+    for (int k = 0; k < rows_before_; ++k) found.met += seen_[k] ? 1 : 0;
     // The sixteen solutions (of two slides eight) over the complex numbers: those that are not real come in
     // pairs.
-    if (all % 2 != 0) found.doubtful = true;
+    if (found.met % 2 != 0) found.doubtful = true;
   }
 
  private:

@@ -33,15 +33,6 @@ void append(const Pass& pass, const Chain& chain, const Careful& careful, Found&
   for (int i = 0; i < careful.size(); ++i) found[i].continuum = careful.row(i).continuum;
 }
 
-/// Whether nothing is left to be looked at more closely.
-bool is_settled(const Setup& setup, const Pose<double>& pose, const Gathered& found) {
-  if (found.doubtful || found.rows > most_solutions) return false;
-  if (!found.has_twins) return true;
-  const Task task = matching(setup, pose);
-  return std::none_of(found.row, found.row + found.rows,
-                      [&](const JointPairs& row) { return is_singular(task, values_of(row)); });
-}
-
 /// In the order of their joints, which is the same at every call.
 void number_rows(Found& found) {
   std::sort(found.begin(), found.end(), [](const Solution<joints>& a, const Solution<joints>& b) {
