@@ -35,10 +35,7 @@ inline void disturb(SlideSystem& slides) {
   set_bend(slides);
 }
 
-/// A magnified stretch. There the samples may be off together, which their last frequency does not show: how
-/// far is seen from equations that are off by rounding.
-template <int width>
-Trigonometric magnified(const PoseSystem& system, Pair pair, const Magnifier& magnifier) {
+inline PoseSystem disturbed(const PoseSystem& system, Pair pair) {
   PoseSystem other = system;
   if (pair == Pair::slides) {
     disturb(other.slides);
@@ -46,23 +43,38 @@ Trigonometric magnified(const PoseSystem& system, Pair pair, const Magnifier& ma
     disturb(other.equations);
     if (pair != Pair::skew) disturb(other.derived);
   }
-  Trigonometric result = sampled<width>(system, pair, magnifier);
-  const Trigonometric disturbed = sampled<width>(other, pair, magnifier);
+  return other;
+}
+
+/// A magnified stretch. There the samples may be off together, which their last frequency does not show: how
+/// far is seen from some samples of equations that are off by rounding.
+template <int width>
+Trigonometric magnified(const PoseSystem& system, const PoseSystem& disturbed, Pair pair,
+                        const Magnifier& magnifier) {
+  alignas(64) double f[samples], other[samples];
+  sample<width>(samples, system, pair, magnifier, f);
+  Trigonometric result = fourier<width>(f);
+  constexpr int some = 8;
+  sample<width>(some, disturbed, pair, magnifier, other);
   double change = 0;
-  for (int k = 0; k <= degree; ++k)
-    change +=
-        std::fabs(result.cosine[k] - disturbed.cosine[k]) + std::fabs(result.sine[k] - disturbed.sine[k]);
-  result.noise = std::max(change, result.noise);
+  for (int i = 0; i < some; ++i) change = std::max(change, std::fabs(f[i] - other[i]));
+  // Independent changes of the samples are so much in all coefficients together.
+  constexpr double in_all = 2.5;
+  result.noise = std::max(in_all * change / result.largest, result.noise);
   return result;
 }
 
 /// All candidates, faint stretches magnified, up to four times one in the other.
 template <int width>
 double find_candidates(const PoseSystem& system, Pair pair, double tolerance, Candidates& found) {
-  const Trigonometric whole = sampled<width>(system, pair, {});
+  alignas(64) double f[samples];
+  sample<width>(samples, system, pair, {}, f);
+  const Trigonometric whole = fourier<width>(f);
   constexpr double nothing_but_rounding = 1e-3;
   if (!(whole.noise < nothing_but_rounding)) return whole.noise;
   RootFinder<width>(whole, tolerance, 4, true, found);
+  if (found.faint_count == 0) return whole.noise;
+  const PoseSystem other = disturbed(system, pair);
   int level[most_faint];
   for (int i = 0; i < found.faint_count; ++i) level[i] = 1;
   for (int i = 0; i < found.faint_count; ++i) {
@@ -71,7 +83,7 @@ double find_candidates(const PoseSystem& system, Pair pair, double tolerance, Ca
     constexpr double tangent = 0.57735026918962576;  // of 30 degrees
     constexpr double window = 1.0471975511965976;    // 60 degrees
     const Magnifier magnifier{faint.middle, tangent / std::tan(half / 2)};
-    const Trigonometric part = magnified<width>(system, pair, magnifier);
+    const Trigonometric part = magnified<width>(system, other, pair, magnifier);
     Candidates widened;
     // Where the equations' own rounding shows, magnifying it shows no more of the roots.
     constexpr double blurred = 1e-7, few_digits = 1e-5;

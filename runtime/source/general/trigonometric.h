@@ -13,7 +13,8 @@ namespace {
 struct Trigonometric {
   double cosine[degree + 1];
   double sine[degree + 1];
-  double noise;  ///< what the samples say of the frequency after the last: rounding
+  double largest;  ///< of the samples, before that
+  double noise;    ///< what the samples say of the frequency after the last: rounding
 };
 
 struct Direction {
@@ -74,6 +75,7 @@ QVGEN_LANES Trigonometric fourier(const double (&f)[samples]) {
   for (int i = 0; i < registers; ++i) store(all + width * i, sums[i]);
   const double scale = 1 / largest;
   Trigonometric result;
+  result.largest = largest;
   result.sine[0] = 0;
   for (int k = 0; k <= degree; ++k) result.cosine[k] = all[k] * scale;
   for (int k = 1; k <= degree; ++k) result.sine[k] = all[degree + k] * scale;
@@ -104,14 +106,14 @@ QVGEN_LANES Lanes<width> samples_from(int first, const PoseSystem& system, Pair 
   return resultant(system, pair, cosine, sine) * weight;
 }
 
+/// The first `count` samples.
 template <int width>
-[[gnu::noinline]] Trigonometric sampled(const PoseSystem& system, Pair pair, const Magnifier& magnifier) {
-  alignas(64) double f[samples];
-  for (int first = 0; first < samples; first += width)
-    in_lanes<width>(samples - first, [&](auto lanes, int) {
+[[gnu::noinline]] void sample(int count, const PoseSystem& system, Pair pair, const Magnifier& magnifier,
+                              double (&f)[samples]) {
+  for (int first = 0; first < count; first += width)
+    in_lanes<width>(count - first, [&](auto lanes, int) {
       store(f + first, samples_from<lanes>(first, system, pair, magnifier));
     });
-  return fourier<width>(f);
 }
 
 }  // namespace
