@@ -123,17 +123,20 @@ void Careful::settle(const JointPairs& start) {
 }
 
 void Careful::settle(const Gathered& gathered) {
-  for (int i = 0; i < gathered.rows; ++i) settle(gathered.row[i]);
-  for (int i = 0; i < gathered.starts; ++i)
-    if (!is_settled(gathered.start[i])) settle(gathered.start[i].values);
+  // Rows that are nearer to each other than lanes tell apart, and what steps in lanes have led to.
+  constexpr double same = 3e-7, near = 1e-5;
+  for (int i = 0; i < gathered.rows; ++i)
+    if (!is_settled(gathered.row[i], same)) settle(gathered.row[i]);
+  for (int i = 0; i < gathered.starts; ++i) {
+    const Start& start = gathered.start[i];
+    if (!start.leads || !is_settled(start.solution, near)) settle(start.values);
+  }
 }
 
 /// What leads to a row that has been led to twice before leads to nothing else: the second time it was looked
 /// beside the row.
-bool Careful::is_settled(const Start& start) {
-  if (!start.leads) return false;
-  constexpr double near = 1e-5;
-  const Values solution = values_of(start.solution);
+bool Careful::is_settled(const JointPairs& led_to, double near) {
+  const Values solution = values_of(led_to);
   for (int i = 0; i < size_; ++i) {
     Row& row = rows_[i];
     if (!(distance_square(row.values, solution) < near * near)) continue;
