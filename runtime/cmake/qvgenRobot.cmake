@@ -90,6 +90,14 @@ function(qvgen_robot_batch target include)
   qvgen_avx2_options(options_AVX2)
   list(APPEND options_AVX2 -mfma)
   set(options_AVX512 -mavx2 -mfma -mavx512f -mavx512dq -mavx512vl)
+  set(inverse_sources ${ARGN})
+  list(FILTER inverse_sources INCLUDE REGEX "/inverse_batch\\.cpp$")
+  if(inverse_sources AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # What follows many branches has more numbers than registers: in a better order fewer of them wait in memory. Of the
+    # other functions some gain by it and the longest lose.
+    set_source_files_properties(${inverse_sources} PROPERTIES COMPILE_OPTIONS
+                                "-fno-tree-pre;-fschedule-insns;-fsched-pressure")
+  endif()
   foreach(set "" ${known_sets})
     if(set)
       set(library ${target}_batch_${set})
