@@ -39,6 +39,7 @@ Source runtime_source(const fs::path& file) {
   if (name == "sine_cosine.cpp") return {file, {"-DQVGEN_HAS_AVX2_KERNEL"}};
   if (name == "sine_cosine_avx2.cpp") return {file, {"-mavx2", "-mfma", "-ffp-contract=off"}};
   if (name == "pass_avx2.cpp") return {file, {"-mavx2", "-mfma"}};
+  if (name == "pass_avx512.cpp") return {file, {"-mavx512f", "-mavx512dq", "-mavx512vl", "-mavx2", "-mfma"}};
   return {file};
 }
 
