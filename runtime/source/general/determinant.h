@@ -23,8 +23,8 @@ QVGEN_LANES void pivot(T (&a)[rows][columns], int k, T& sign) {
   }
 }
 
-/// Determinant by reflections that take row after row to its axis: there are no rows to be exchanged, which in
-/// lanes costs more than it spares.
+/// Determinant by reflections that take row after row to its axis: there are no rows to be exchanged, which
+/// in lanes costs more than it spares.
 template <class T, int size>
 QVGEN_LANES T determinant(T (&a)[size][size]) {
   T result = spread<T>(1);

@@ -29,7 +29,7 @@ struct Start {
 struct Gathered {
   static constexpr int most_rows = 32;
   int rows = 0;
-  int met = 0;  ///< of them, those that the last elimination has come to
+  int met = 0;                ///< of them, those that the last elimination has come to
   JointPairs row[most_rows];  ///< they reach the pose, and no two are the same
   int starts = 0;
   Start start[most_rows];

@@ -86,14 +86,13 @@ QVGEN_LANES unsigned sign_mask(const T& x) {
   if constexpr (sizeof(T) == 16) return static_cast<unsigned>(_mm_movemask_pd((__m128d)x));
 #endif
   unsigned result = 0;
-  for (unsigned i = 0; i < lane_count<T>; ++i)
-    result |= static_cast<unsigned>(std::signbit(x[i])) << i;
+  for (unsigned i = 0; i < lane_count<T>; ++i) result |= static_cast<unsigned>(std::signbit(x[i])) << i;
   return result;
 }
 
 /// What that gives if all are set.
 template <class T>
-inline constexpr unsigned all_lanes = (1U << lane_count<T>) - 1;
+inline constexpr unsigned all_lanes = (1U << lane_count<T>)-1;
 
 }  // namespace
 }  // namespace qvgen::inverse::general

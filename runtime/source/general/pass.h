@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 
 #include "angles.h"
 #include "candidates.h"
@@ -136,10 +137,7 @@ class Eliminated {
     for (int k = rows_before_; k < found_.rows; ++k)
       if (squared_distance(found_.row[k], values) < same_distance) return false;
     for (int k = 0; k < rows_before_; ++k)
-      if (squared_distance(found_.row[k], values) < same_distance) {
-        seen_[k] = true;
-        return true;
-      }
+      if (squared_distance(found_.row[k], values) < same_distance) return !std::exchange(seen_[k], true);
     found_.add_row(values);
     return true;
   }

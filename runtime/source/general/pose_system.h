@@ -39,12 +39,13 @@ inline Motion closing(const Chain& chain, const Goal& goal, bool backwards) {
 
 /// The nine products of powers side by side, in whole registers.
 template <int width>
-inline constexpr int padded_products = (9 + width - 1) / width * width;
+inline constexpr int padded_products = (9 + width - 1) / width* width;
 
 /// Rows of a table times the nine vectors, which stand side by side.
 template <int width>
 QVGEN_LANES void contract(const double (&table)[18][15],
-                          const double (&vectors)[line_functions][padded_products<width>], Equations& result) {
+                          const double (&vectors)[line_functions][padded_products<width>],
+                          Equations& result) {
   constexpr int registers = padded_products<width> / width;
   for (int m = 0; m < 3; ++m)
     for (int r = 0; r < 6; ++r) {
@@ -65,7 +66,7 @@ template <int width>
 QVGEN_LANES void carry_line(const Elimination& e, const Motion (&link)[6],
                             double (&vectors)[line_functions][padded_products<width>]) {
   // The powers of joint 6' in lanes; the last of four counts for nothing.
-  using T = Lanes<width < 4 ? width : 4>;
+  using T = Lanes < width<4 ? width : 4>;
   constexpr int lanes = sizeof(T) / sizeof(double);
   const Motion& last = link[5];
   const double direction[3] = {last.rotation[2], last.rotation[5], last.rotation[8]};

@@ -114,7 +114,8 @@ class RootFinder {
   template <class T>
   void sort(const T (&control)[controls], const Part* parts, int count) {
     T tolerance;
-    for (unsigned i = 0; i < lane_count<T>; ++i) tolerance[i] = parts[static_cast<int>(i) < count ? i : 0].tolerance;
+    for (unsigned i = 0; i < lane_count<T>; ++i)
+      tolerance[i] = parts[static_cast<int>(i) < count ? i : 0].tolerance;
     unsigned none, several;
     count_changes(control, tolerance, none, several);
     for (int i = 0; i < count; ++i) {
