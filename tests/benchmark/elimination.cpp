@@ -96,8 +96,8 @@ void print_times(int count) {
     const Times two = times(InstructionSet::baseline);
     const Times singular = times_of(setup, poses_of(arm, "singular", count / 2), InstructionSet::avx512);
     std::printf("%-24s%6.2f |%8.2f%8.2f%8.1f |%8.2f%8.2f |%8.2f%8.2f |%8.1f%8.1f%8.1f\n", arm.name.c_str(),
-                eight.rows, eight.median, eight.mean, eight.last, four.median, four.mean, two.median, two.mean,
-                singular.median, singular.mean, singular.last);
+                eight.rows, eight.median, eight.mean, eight.last, four.median, four.mean, two.median,
+                two.mean, singular.median, singular.mean, singular.last);
     std::fflush(stdout);
   }
 }
