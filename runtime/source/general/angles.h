@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <limits>
-
 #include <qvgen/inverse/arctangent.h>
 
 #include "gathered.h"
@@ -21,7 +19,7 @@ struct Number {
   QVGEN_LANES explicit Number(double value) : lanes(spread<T>(value)) {}
   QVGEN_LANES explicit Number(const T& all) : lanes(all) {}
   QVGEN_LANES explicit Number(Bits all) : lanes((T)all) {}
-  QVGEN_LANES static Bits sign_bits() { return Bits{} + std::numeric_limits<long long>::min(); }
+  QVGEN_LANES static Bits sign_bits() { return Bits{} - 0x7fffffffffffffffLL - 1; }
 
   QVGEN_LANES friend Number operator+(const Number& a, const Number& b) { return Number(a.lanes + b.lanes); }
   QVGEN_LANES friend Number operator*(const Number& a, const Number& b) { return Number(a.lanes * b.lanes); }

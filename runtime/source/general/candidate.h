@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
-
 #include "trigonometric.h"
 
 namespace qvgen::inverse::general {
@@ -46,7 +44,7 @@ struct Candidates {
   void add_once(const Direction& angle, double spread) {
     for (int i = 0; i < count; ++i) {
       const double x = list[i].angle.cosine - angle.cosine, y = list[i].angle.sine - angle.sine;
-      const double near = std::max(1e-7, 0.7 * std::max(spread, list[i].spread));
+      const double near = larger_of(1e-7, 0.7 * larger_of(spread, list[i].spread));
       if ((list[i].is_doubtful() == (spread > 0)) && x * x + y * y < near * near) return;
     }
     add(angle, spread);

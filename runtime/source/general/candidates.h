@@ -57,10 +57,10 @@ Trigonometric magnified(const PoseSystem& system, const PoseSystem& disturbed, P
   constexpr int some = 8;
   sample<width>(some, disturbed, pair, magnifier, other);
   double change = 0;
-  for (int i = 0; i < some; ++i) change = std::max(change, std::fabs(f[i] - other[i]));
+  for (int i = 0; i < some; ++i) change = larger_of(change, std::fabs(f[i] - other[i]));
   // Independent changes of the samples are so much in all coefficients together.
   constexpr double in_all = 2.5;
-  result.noise = std::max(in_all * change / result.largest, result.noise);
+  result.noise = larger_of(in_all * change / result.largest, result.noise);
   return result;
 }
 

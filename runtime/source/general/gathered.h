@@ -39,13 +39,13 @@ struct Gathered {
   bool faint = false;      ///< it does, and what is looked at instead is known to few digits
   int magnified = 0;       ///< stretches that are looked at through a map
 
-  void add_row(const JointPairs& values) {
+  [[gnu::always_inline]] void add_row(const JointPairs& values) {
     if (rows < most_rows)
       row[rows++] = values;
     else
       doubtful = true;
   }
-  void add_start(const Start& values) {
+  [[gnu::always_inline]] void add_start(const Start& values) {
     doubtful = true;
     if (starts < most_rows) start[starts++] = values;
   }

@@ -23,6 +23,11 @@ struct LaneType {
 template <int width>
 using Lanes = typename LaneType<width>::type;
 
+// As std::max and std::min, of whose copies the linker could take one for another file. Beside a NaN the
+// first number stays.
+QVGEN_LANES double larger_of(double a, double b) { return a < b ? b : a; }
+QVGEN_LANES double smaller_of(double a, double b) { return b < a ? b : a; }
+
 template <class T>
 inline constexpr unsigned lane_count = sizeof(T) / sizeof(double);
 

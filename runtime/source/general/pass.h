@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <utility>
 
 #include "angles.h"
 #include "candidates.h"
@@ -137,7 +136,11 @@ class Eliminated {
     for (int k = rows_before_; k < found_.rows; ++k)
       if (squared_distance(found_.row[k], values) < same_distance) return false;
     for (int k = 0; k < rows_before_; ++k)
-      if (squared_distance(found_.row[k], values) < same_distance) return !std::exchange(seen_[k], true);
+      if (squared_distance(found_.row[k], values) < same_distance) {
+        const bool is_new = !seen_[k];
+        seen_[k] = true;
+        return is_new;
+      }
     found_.add_row(values);
     return true;
   }

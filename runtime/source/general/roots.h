@@ -17,8 +17,8 @@ class RootFinder {
   RootFinder(const Trigonometric& f, double allowed, double farthest, bool may_be_faint, Candidates& found)
       : f_(f),
         may_be_faint_(may_be_faint),
-        faint_below_(1e3 * std::max(1e-12, 100 * f.noise)),
-        tolerance_(std::max(10 * allowed, faint_below_ / 1e3)),
+        faint_below_(1e3 * larger_of(1e-12, 100 * f.noise)),
+        tolerance_(larger_of(10 * allowed, faint_below_ / 1e3)),
         found_(found) {
     for (int k = 0; k <= degree; ++k) slope_[k] = {k * f.sine[k], -k * f.cosine[k]};
     for (int first = 0; first < arcs; first += width) look_at_arcs(first, farthest);
@@ -79,7 +79,7 @@ class RootFinder {
     Part parts[width];
     for (int i = 0; i < width; ++i) {
       const int arc = first + i;
-      parts[i] = {-1, 1, arc, std::max(tolerance_, relative_tolerance * largest[i])};
+      parts[i] = {-1, 1, arc, larger_of(tolerance_, relative_tolerance * largest[i])};
       constexpr double half_arc = 0.39269908169872414, half_turn = 3.1415926535897931;
       bool skip = farthest < half_turn && middle_of(arc).cosine < std::cos(farthest + half_arc);
       if (!skip && may_be_faint_ && largest[i] < faint_below_)
@@ -132,7 +132,7 @@ class RootFinder {
   template <class T>
   void look_closer(const T (&control)[controls], int lane, const Part& part) {
     double largest = 0;
-    for (const T& c : control) largest = std::max(largest, std::fabs(c[lane]));
+    for (const T& c : control) largest = larger_of(largest, std::fabs(c[lane]));
     const bool is_arc = part.high - part.low > 1.9;
     if (may_be_faint_ && !is_arc && largest < faint_below_ && put_aside(part)) return;
     if (largest < part.tolerance || part.high - part.low < smallest)
@@ -146,8 +146,8 @@ class RootFinder {
     double least = 1e300, most = -1e300;
     for (int i = 2; i < controls; ++i) {
       const double bend = control[i][lane] - 2 * control[i - 1][lane] + control[i - 2][lane];
-      least = std::min(least, bend);
-      most = std::max(most, bend);
+      least = smaller_of(least, bend);
+      most = larger_of(most, bend);
     }
     return least > 4 * tolerance || most < -4 * tolerance;
   }
@@ -224,8 +224,8 @@ class RootFinder {
     }
     const double square = -2 * v.value / v.bend;
     if (std::fabs(v.value) > 30 * part.tolerance && square < 0) return;
-    const double unsure = std::min(0.01, 2 * part.tolerance / std::fabs(v.bend));
-    const double apart = std::sqrt(std::max(unsure, square));
+    const double unsure = smaller_of(0.01, 2 * part.tolerance / std::fabs(v.bend));
+    const double apart = std::sqrt(larger_of(unsure, square));
     if (are_all) return found_.add_twins(at(by - apart), at(by + apart), apart);
     found_.add_once(at(by - apart), apart);
     found_.add_once(at(by + apart), apart);

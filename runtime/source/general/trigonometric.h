@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
-
 #include "determinant.h"
 #include "tables.h"
 
@@ -69,7 +67,7 @@ QVGEN_LANES Trigonometric fourier(const double (&f)[samples]) {
   for (int j = 0; j < samples; ++j) {
     const double* weights = fourier_table.weight[j];
     for (int i = 0; i < registers; ++i) sums[i] += f[j] * load<width>(weights + width * i);
-    largest = std::max(largest, std::fabs(f[j]));
+    largest = larger_of(largest, std::fabs(f[j]));
   }
   double all[registers * width];
   for (int i = 0; i < registers; ++i) store(all + width * i, sums[i]);
