@@ -14,7 +14,7 @@ namespace {
 /// Poses an arm and set; QVGEN_POSES=2000 asks for more.
 int pose_count() {
   const char* text = std::getenv("QVGEN_POSES");
-  return text == nullptr ? 200 : std::atoi(text);
+  return text == nullptr ? 500 : std::atoi(text);
 }
 
 struct Count {
