@@ -126,16 +126,16 @@ void Careful::settle(const Gathered& gathered) {
   // Rows that are nearer to each other than lanes tell apart, and what steps in lanes have led to.
   constexpr double same = 3e-7, near = 1e-5;
   for (int i = 0; i < gathered.rows; ++i)
-    if (!is_settled(gathered.row[i], same)) settle(gathered.row[i]);
+    if (!was_looked_beside(gathered.row[i], same)) settle(gathered.row[i]);
   for (int i = 0; i < gathered.starts; ++i) {
     const Start& start = gathered.start[i];
-    if (!start.leads || !is_settled(start.solution, near)) settle(start.values);
+    if (!start.leads || !was_looked_beside(start.solution, near)) settle(start.values);
   }
 }
 
 /// What leads to a row that has been led to twice before leads to nothing else: the second time it was looked
 /// beside the row.
-bool Careful::is_settled(const JointPairs& led_to, double near) {
+bool Careful::was_looked_beside(const JointPairs& led_to, double near) {
   const Values solution = values_of(led_to);
   for (int i = 0; i < size_; ++i) {
     Row& row = rows_[i];
@@ -251,7 +251,7 @@ void Careful::run(const Gathered& first) {
     for (int i = 0; i < first.rows; ++i) second.add_row(first.row[i]);
     const Elimination* elimination = next_elimination();
     if (elimination != nullptr) look_here(*elimination, second);
-    if (second.met == second.rows && elimination != nullptr && general::is_settled(setup_, pose_, second))
+    if (second.met == second.rows && elimination != nullptr && is_settled(setup_, pose_, second))
       return take_rows(second);
     settle(first);
     merge();

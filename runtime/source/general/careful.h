@@ -86,7 +86,7 @@ class Careful {
   void settle(const Gathered& gathered);
   void settle(const JointPairs& start);
   void settle_nearby(Gathered& gathered);
-  [[nodiscard]] bool is_settled(const JointPairs& led_to, double near);
+  [[nodiscard]] bool was_looked_beside(const JointPairs& led_to, double near);
   [[nodiscard]] const Elimination* next_elimination();
   void eliminate(const Elimination& elimination, const Pose<double>& pose, Gathered& gathered) const;
   [[nodiscard]] bool is_singular(const Row& row) const;
