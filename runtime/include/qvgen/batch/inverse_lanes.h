@@ -16,6 +16,10 @@ struct ScalarTraits<batch::Lanes<double, Set>> {
   [[gnu::always_inline]] static batch::Lanes<double, Set> epsilon() { return 0x1p-52; }
 };
 
+/// Single calls take them.
+template <class Set>
+inline constexpr bool leaves_singular_poses<batch::Lanes<double, Set>> = true;
+
 }  // namespace qvgen::inverse
 
 namespace qvgen::batch {

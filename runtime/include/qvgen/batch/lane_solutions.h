@@ -79,6 +79,9 @@ class LaneSolutions {
     append(other, other_branch, label + 1);
   }
 
+  /// Where a row is one of a continuum: lanes do not choose.
+  QVGEN_INLINE const Truth& chosen() const { return chosen_; }
+
   /// NaN behind the last solution of each lane.
   QVGEN_INLINE void pad() {
     const Lane nothing(std::numeric_limits<double>::quiet_NaN());
@@ -96,14 +99,14 @@ class LaneSolutions {
   QVGEN_INLINE void put_the_rest(const BatchOfSolutions& found) const {
     put_rounded(count_, found.count.data);
     const auto number = [](Status status) { return Lane(static_cast<int>(status)); };
-    const Lane solved = select(marks_ > Lane(0.0), number(Status::singular), number(Status::solved));
-    put_rounded(select(count_ > Lane(0.0), solved, number(Status::unreachable)), found.status.data);
+    put_rounded(select(count_ > Lane(0.0), number(Status::solved), number(Status::unreachable)),
+                found.status.data);
     if (found.branch.data != nullptr) {
       int* to = found.branch.data;
       QVGEN_UNROLLED
       for (int s = 0; s < capacity; ++s, to += found.branch.stride) put_rounded(labels_[s], to);
     }
-    if (found.marks.data != nullptr) put_rounded(marks_, found.marks.data);
+    if (found.marks.data != nullptr) put_rounded(Lane(0.0), found.marks.data);
   }
 
  private:
@@ -133,17 +136,8 @@ class LaneSolutions {
 
   QVGEN_INLINE void count(const Branch& branch, int rows) {
     appended_ += rows;
-    const Truth marked = branch.exists & branch.continuum;
-    if (any(marked)) mark(marked, rows);
+    chosen_ = chosen_ | (branch.exists & branch.continuum);
     count_ = count_ + select(branch.exists, Lane(rows), Lane(0.0));
-  }
-
-  QVGEN_INLINE void mark(const Truth& marked, int rows) {
-    Lane bit(1.0);
-    for (int s = 0; s < appended_; ++s, bit = bit + bit) {
-      const Truth is_row = (count_ <= Lane(s)) & (Lane(s) < count_ + Lane(rows));
-      marks_ = marks_ + select(marked & is_row, bit, Lane(0.0));
-    }
   }
 
   double* q_;
@@ -152,7 +146,7 @@ class LaneSolutions {
   const Lane& given_;
   int appended_ = 0;
   Lane count_ = Lane(0.0);
-  Lane marks_ = Lane(0.0);
+  Truth chosen_ = Truth(false);
   Lane labels_[capacity];
 };
 
@@ -207,7 +201,7 @@ QVGEN_INLINE inline unsigned solve_lanes(const Batch<const double>& poses, const
   const auto doubtful = follow(pose, joint, rows);
   rows.pad();
   rows.put_the_rest(found);
-  return bits(doubtful);
+  return bits(doubtful | rows.chosen());
 }
 
 /// Up to so many poses are solved sooner one by one than in lanes.

@@ -114,6 +114,7 @@ Rotor<Scalar> direction(const Rotor<Scalar>& v, const Scalar& tiny, const Rotor<
   const Mask<Scalar> is_free = square <= tiny;
   branch.continuum = branch.continuum | (branch.exists & is_free);
   branch.doubt(square <= Scalar(1e16) * tiny);
+  if constexpr (leaves_singular_poses<Scalar>) return (Scalar(1) / sqrt(square)) * v;
   const Scalar scale = Scalar(1) / sqrt(select(is_free, Scalar(1), square));
   Rotor<Scalar> unit = scale * v;
   const Mask<Scalar> blurred = is_blurred(square, tiny);
@@ -136,6 +137,10 @@ template <typename Scalar, bool opposites = false>
 Rotor<Scalar> chosen_if_free(const Rotor<Scalar>& v, const Scalar& square, const Scalar& tiny,
                              const Rotor<Scalar>& brief_choice, Scalar& length, Branch<Scalar>& branch) {
   const Mask<Scalar> blurred = is_blurred(square, tiny);
+  if constexpr (leaves_singular_poses<Scalar>) {
+    branch.doubt(blurred);
+    return v;
+  }
   if (!any(blurred)) return v;
   const Mask<Scalar> is_free = square <= tiny;
   branch.continuum = branch.continuum | (branch.exists & is_free);

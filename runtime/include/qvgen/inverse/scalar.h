@@ -36,6 +36,11 @@ Scalar select(bool condition, const Scalar& yes, const Scalar& no) {
 
 inline bool any(bool condition) { return condition; }
 
+/// Whether what is next to a singular pose is left to another solver: such a branch is doubtful then, and
+/// regular ones, which are nearly all, need no steps for it.
+template <typename Scalar>
+inline constexpr bool leaves_singular_poses = false;
+
 /// Two roots closer than this share of their range are one double root: the distance of the roots is then the
 /// root of this number, about 6e-8, while the pose that their mean reaches is off by 4e-15 relative.
 template <typename Scalar>

@@ -85,10 +85,17 @@ void arguments(const Rotor<Scalar>& u, const Rotor<Scalar>& v, const Scalar& u_s
                Scalar& v_argument, Branch<Scalar>& branch) {
   const Scalar u_angle = angle(u);
   const Scalar v_angle = angle(v);
+  const Scalar least = smaller(u_square, v_square);
+  const Mask<Scalar> blurred = is_blurred(least, is_free.noise);
+  if constexpr (leaves_singular_poses<Scalar>) {
+    branch.doubt(blurred);
+    u_argument = u_angle;
+    v_argument = v_angle;
+    return;
+  }
   u_argument = select(is_free.u, Scalar(first - v_angle), u_angle);
   v_argument = select(is_free.v, Scalar(first - u_angle), v_angle);
-  const Scalar least = smaller(u_square, v_square);
-  if (!any(is_blurred(least, is_free.noise))) return;
+  if (!any(blurred)) return;
   const Scalar turn =
       select(is_free.u | is_free.v, Scalar(0),
              turn_to_choice(wrapped(Scalar(u_angle + v_angle), pi), first, least, is_free.noise, pi));
@@ -165,7 +172,12 @@ WristBranches<Scalar> right_wrist(const Rotor<Scalar>& u, const Rotor<Scalar>& v
   const WristBranches<Scalar> regular(first, middle, last, pi);
   const Vanishing<Scalar> is_free = vanishing(u_square, v_square);
   const Scalar least = smaller(u_square, v_square);
-  if (!any(is_blurred(least, is_free.noise))) return regular;
+  const Mask<Scalar> blurred = is_blurred(least, is_free.noise);
+  if constexpr (leaves_singular_poses<Scalar>) {
+    branch.doubt(blurred);
+    return regular;
+  }
+  if (!any(blurred)) return regular;
   branch.continuum =
       branch.continuum | (branch.exists & (least <= widest_wrist_noise<Scalar>() * is_free.noise));
   const Scalar turn = turn_to_choice(regular.one.first, seed, least, is_free.noise, pi);
