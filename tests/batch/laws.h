@@ -84,6 +84,8 @@ inline std::vector<Case> cases() {
   for (std::size_t count = 0; count <= 17; ++count) list.push_back({count, count + count % 4, false});
   list.push_back({33, 40, true});
   list.push_back({100, 100, false});
+  // Rows whose beginnings share a set of the cache (qvgen/batch/staging.h).
+  list.push_back({83, 512, true});
   return list;
 }
 

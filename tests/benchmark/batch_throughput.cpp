@@ -111,6 +111,16 @@ PeerTime measure_peer(const Function<double>& function, const Peer& peer) {
   return {peer.name, one / (count * repeats), all / (count * repeats * static_cast<double>(threads))};
 }
 
+/// How many configurations: powers of ten, and one of two, with which rows share sets of the cache.
+std::vector<std::size_t> sizes(std::size_t largest) {
+  std::vector<std::size_t> list;
+  for (std::size_t count = 1; count <= largest; count *= 10) {
+    list.push_back(count);
+    if (count == 1000) list.push_back(1024);
+  }
+  return list;
+}
+
 /// One batch of that size. What is larger than 1 GB comes in blocks of that, the same memory again and again.
 template <class T>
 Times measure_batch(const Function<T>& function, std::size_t count, double single) {
@@ -148,7 +158,7 @@ Measured measure(const Function<T>& function, std::size_t largest) {
   const double single = shortest([&] { sink = function.singles(some.numbers.data(), 1000); }) / 1000;
   if constexpr (std::is_same_v<T, double>)
     for (const Peer& peer : peers_of(function.name)) result.peers.push_back(measure_peer(function, peer));
-  for (std::size_t count = 1; count <= largest; count *= 10)
+  for (const std::size_t count : sizes(largest))
     result.batches[count] = measure_batch(function, count, single);
   return result;
 }
@@ -168,7 +178,7 @@ void print_sizes(const std::string& name, const std::map<std::size_t, Times>& ba
 
 void print_head(const std::string& what, std::size_t largest) {
   fmt::print("\n{:<44}{:>7}", what + ", ns", "single");
-  for (std::size_t count = 1; count <= largest; count *= 10) fmt::print("{:>9}", count);
+  for (const std::size_t count : sizes(largest)) fmt::print("{:>9}", count);
   fmt::print("\n");
 }
 
@@ -215,7 +225,7 @@ void measure_inverse(std::size_t largest) {
   print_head("all solutions of poses", largest);
   for (const InverseOfArm& arm : inverse_of_arms()) {
     std::map<std::size_t, Times> batches;
-    for (std::size_t count = 1; count <= largest; count *= 10) batches[count] = arm.measure(count, 0);
+    for (const std::size_t count : sizes(largest)) batches[count] = arm.measure(count, 0);
     print_sizes(arm.name, batches);
   }
   const double shares[] = {0, 0.01, 0.1, 1};

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
 
 #include <qvgen/batch/choose.h>
 #include <qvgen/batch/solutions.h>
+#include <qvgen/batch/staging.h>
 #include <qvgen/pose.h>
 
 // What batches of the inverse kinematics have in common, whatever the robot.
@@ -53,18 +55,25 @@ void one_by_one(std::size_t count, const BatchOfSolutions& found, const Single& 
 
 /// The same by `lanes(set, first, count, found)`, which solves some poses side by side and returns a bit for
 /// each that is to be solved alone. Without vector registers all are.
-template <class Lanes, class Single>
+template <int dof, int capacity, class Lanes, class Single>
 void side_by_side(InstructionSet set, std::size_t count, const BatchOfSolutions& found, const Lanes& lanes,
                   const Single& single) {
   with_set(set, [&](auto chosen) {
     if constexpr (std::is_same_v<decltype(chosen), Baseline>) {
       one_by_one(count, found, single);
     } else {
+      Staging<Baseline, double, std::size_t(dof * capacity), block> q(found.q, count);
+      Staging<Baseline, int, std::size_t(capacity), block> branches(found.branch, count);
       for (std::size_t first = 0; first < count; first += block) {
-        const std::size_t part = count - first < block ? count - first : block;
-        std::uint64_t doubtful = lanes(chosen, first, part, found.part(first, part));
-        for (std::size_t k = first; doubtful != 0; ++k, doubtful >>= 1)
-          if ((doubtful & 1) != 0) put(single(k), found, k);
+        const std::size_t part = std::min(count - first, block);
+        BatchOfSolutions place = found.part(first, part);
+        place.q = q.place(first, part);
+        place.branch = branches.place(first, place.branch.count);
+        std::uint64_t doubtful = lanes(chosen, first, part, place);
+        for (std::size_t k = 0; doubtful != 0; ++k, doubtful >>= 1)
+          if ((doubtful & 1) != 0) put(single(first + k), place, k);
+        q.finish(first, part);
+        branches.finish(first, part);
       }
     }
   });

@@ -8,7 +8,7 @@
 
 #include <Eigen/Geometry>
 #include <qvgen/batch/sine_cosine.h>
-#include <qvgen/batch/view.h>
+#include <qvgen/batch/staging.h>
 #include <qvgen/pose.h>
 
 namespace qvgen::batch {
@@ -135,6 +135,16 @@ void put(const T* from, std::size_t stride, std::size_t rows, const Batch<T>& re
     for (std::size_t k = 0; k < result.count; ++k) result(i, k) = from[i * stride + k];
 }
 
+/// How many configurations stand in a buffer: whole cache lines, as many of up to 64 as leave it small.
+template <class Lane>
+constexpr std::size_t staged_configurations(std::size_t rows) {
+  using T = typename LaneTraits<Lane>::Number;
+  constexpr std::size_t buffer = 24 << 10, most = 64;
+  std::size_t block = std::max<std::size_t>(cache_line / sizeof(T), LaneTraits<Lane>::size);
+  while (block < most && 2 * block * rows * sizeof(T) <= buffer) block *= 2;
+  return block;
+}
+
 /// For as many configurations as all batches have: gives `body` a writer and the inputs of as many of them as
 /// there are lanes. Results have `ResultRows` components. No heap.
 template <class Lane, int ResultRows, class Body, int... Rows>
@@ -145,13 +155,21 @@ template <class Lane, int ResultRows, class Body, int... Rows>
   constexpr std::size_t lanes = LaneTraits<Lane>::size;
   const std::size_t count = std::min({result.count, inputs.batch.count...});
   T last[ResultRows * lanes + 1];
+  constexpr std::size_t rows = ResultRows;
+  Staging<Lane, T, rows, staged_configurations<Lane>(rows)> staging(result, count);
   const auto all = [&](auto... readers) {
-    for (std::size_t k = 0; k < count; k += lanes) {
-      const std::size_t valid = std::min(count - k, lanes);
-      const bool is_whole = valid == lanes;
-      Writer<Lane> writer(is_whole ? result.data + k : last, is_whole ? result.stride : lanes);
-      body(writer, readers.read(k, valid)...);
-      if (!is_whole) put(last, lanes, ResultRows, result.part(k, valid));
+    for (std::size_t first = 0; first < count; first += staging.part()) {
+      const Batch<T> place = staging.place(first, std::min(staging.part(), count - first));
+      T* const data = place.data;
+      const std::size_t stride = place.stride, end = place.count;
+      for (std::size_t k = 0; k < end; k += lanes) {
+        const std::size_t valid = std::min(end - k, lanes);
+        const bool is_whole = valid == lanes;
+        Writer<Lane> writer(is_whole ? data + k : last, is_whole ? stride : lanes);
+        body(writer, readers.read(first + k, valid)...);
+        if (!is_whole) put(last, lanes, rows, Batch<T>(data + k, valid, stride));
+      }
+      staging.finish(first, end);
     }
   };
   all(Reader<Lane, Rows>(inputs)...);
