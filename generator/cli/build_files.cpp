@@ -40,7 +40,8 @@ std::string depfile(const GenerateArguments& arguments) {
 /// Every C++ source that a robot may have.
 constexpr std::array sources{"kinematics", "inverse",  "inverse_avx2",         "arm_angle",
                              "jacobian",   "dynamics", "dynamics_derivatives", "dynamics_loads",
-                             "regressor",  "batch",    "inverse_batch",        "certified"};
+                             "regressor",  "batch",    "batch_derivatives",    "inverse_batch",
+                             "certified"};
 
 /// Of all files of a robot.
 std::string fingerprint(const fs::path& output, const std::string& robot) {

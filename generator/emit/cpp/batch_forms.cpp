@@ -75,19 +75,22 @@ void set_result(BatchForm& form, Result result) {
   }
 }
 
-/// The part that a function of dynamics stands in, and the function that gives it its angles.
-std::pair<std::string, std::string> header_and_angles(const DynamicsInterface& interface) {
-  if (interface.result == Result::regressor) return {"regressor", "regressor_angles"};
-  if (interface.result == Result::derivatives) return {"dynamics_derivatives", "dynamics_angles"};
-  if (interface.gravity == Gravity::vector) return {"dynamics_loads", "load_angles"};
-  return {"dynamics", "dynamics_angles"};
+using Parts = std::tuple<std::string, std::string, std::string>;
+
+/// The part that a function of dynamics stands in, the function that gives it its angles, and that one's
+/// part.
+Parts parts_of(const DynamicsInterface& interface) {
+  if (interface.result == Result::regressor) return {"regressor", "regressor_angles", "regressor"};
+  if (interface.result == Result::derivatives) return {"dynamics_derivatives", "dynamics_angles", "dynamics"};
+  if (interface.gravity == Gravity::vector) return {"dynamics_loads", "load_angles", "dynamics_loads"};
+  return {"dynamics", "dynamics_angles", "dynamics"};
 }
 
 BatchForm dynamics_form(const std::string& name, const DynamicsInterface& interface) {
   BatchForm form;
   form.name = name;
   form.function = interface.overloads.empty() ? name : interface.overloads;
-  std::tie(form.header, form.angles) = header_and_angles(interface);
+  std::tie(form.header, form.angles, form.angles_header) = parts_of(interface);
   for (const std::string& argument : interface.arguments) form.inputs.push_back({argument, "dof"});
   if (interface.wrench) form.inputs.push_back({"wrench", "6"});
   if (interface.gravity == Gravity::magnitude) form.gravity = "NonDeduced<Scalar>";
@@ -155,6 +158,7 @@ json batch_values(const std::string& robot, const std::vector<BatchForm>& forms)
   json functions = json::array();
   for (const BatchForm& form : forms) {
     parts.insert(form.header);
+    if (!form.angles_header.empty()) parts.insert(form.angles_header);
     has_dynamics = has_dynamics || !form.angles.empty();
     functions.push_back(values(form));
   }

@@ -26,7 +26,8 @@ struct BatchForm {
                                           ///< value itself if empty
   /// A function of dynamics is given the sines and cosines by the function of this name, and constants.
   std::string angles = {};
-  std::string gravity = {};  ///< the type, as C++; empty: it takes none
+  std::string angles_header = {};  ///< the part whose definitions have that one
+  std::string gravity = {};        ///< the type, as C++; empty: it takes none
 };
 
 /// The batch form of the function of that name, if it can have one.

@@ -24,6 +24,25 @@ json rates_values(const model::Robot& robot, const std::vector<emit::BatchForm>&
   return json::array({{{"has_wrist", has_wrist_centre(robot)}, {"scalars", scalars}}});
 }
 
+/// The longest functions, by far, have a file of their own: compilers are told otherwise how to order them.
+bool is_long(const emit::BatchForm& form) {
+  return form.header == "dynamics_derivatives" || form.header == "regressor";
+}
+
+/// The forms of one file, and in batch.cpp the inverse velocity.
+void add_source(const model::Robot& robot, const std::vector<emit::BatchForm>& all, bool are_long,
+                RobotOutput& output) {
+  std::vector<emit::BatchForm> forms;
+  for (const emit::BatchForm& form : all)
+    if (is_long(form) == are_long) forms.push_back(form);
+  if (forms.empty()) return;
+  json values = emit::batch_values(robot.name, forms);
+  values["holder"] = are_long ? "BatchDerivatives" : "BatchForms";
+  values["rates"] = rates_values(robot, forms);
+  output.files.push_back({"source/" + robot.name + (are_long ? "/batch_derivatives.cpp" : "/batch.cpp"),
+                          emit::render("batch.cpp", values)});
+}
+
 }  // namespace
 
 void add_batch(const model::Robot& robot, RobotOutput& output) {
@@ -43,7 +62,8 @@ void add_batch(const model::Robot& robot, RobotOutput& output) {
   output.files.push_back(
       {"include/qvgen/robots/" + robot.name + "/batch.h", emit::render("batch.h", values)});
   const std::string sources = "source/" + robot.name + "/";
-  if (!forms.empty()) output.files.push_back({sources + "batch.cpp", emit::render("batch.cpp", values)});
+  add_source(robot, forms, false, output);
+  add_source(robot, forms, true, output);
   if (has_inverse)
     output.files.push_back(
         {sources + "inverse_batch.cpp", emit::render("inverse_batch.cpp", values["inverse"])});
