@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <optional>
+
 #include <qvgen/inverse/certified/certify.h>
 
 #include "cover.h"
@@ -7,7 +9,6 @@ namespace qvgen::inverse::certified {
 namespace {
 
 constexpr int most_rows = 64;
-constexpr int most_choices = 3;
 
 struct Rows {
   int count = 0;
@@ -57,19 +58,26 @@ double find_regions(const Equations& equations, const Rows& rows, Region (&regio
   return least;
 }
 
-/// What is dropped of the loop so that the rows' regions are large; -1 if some row has none.
-int best_choice(const Loop& loop, const Rows& rows) {
-  Region regions[most_rows];
-  double best = 0;
-  int chosen = -1;
-  for (int choice = 0; choice < most_choices; ++choice) {
-    const double least = find_regions(Equations(reduced(loop, choice)), rows, regions);
-    if (least > best) {
-      best = least;
-      chosen = choice;
+/// A reduced loop, and around each row a region in which it has no other solution.
+struct Reduction {
+  std::optional<Equations> equations;  ///< none: some row has no region, or the arm cannot be reduced
+  Region regions[most_rows] = {};
+};
+
+/// Of what can be dropped of the loop, that with the largest regions.
+Reduction best_reduction(const Loop& loop, const Rows& rows) {
+  Reduction best, other;
+  double largest = 0;
+  for (int choice = 0; choice < choices(loop); ++choice) {
+    other.equations.emplace(reduced(loop, choice));
+    if (other.equations->unknowns() == 0) continue;
+    const double least = find_regions(*other.equations, rows, other.regions);
+    if (least > largest) {
+      largest = least;
+      best = other;
     }
   }
-  return chosen;
+  return best;
 }
 
 }  // namespace
@@ -84,13 +92,9 @@ Count certify(const Arm& arm, const Pose<double>& pose, const double (*rows)[joi
   all.proof = proofs;
   for (int i = 0; i < count; ++i) std::copy(rows[i], rows[i] + joints, all.value[i]);
   if (!prove(loop, effort.farthest, all) || !are_different(loop, all)) return result;
-  const int choice = best_choice(loop, all);
-  if (choice < 0) return result;
-  const Equations equations(reduced(loop, choice));
-  if (equations.unknowns() == 0) return result;
-  Region regions[most_rows];
-  find_regions(equations, all, regions);
-  if (is_covered(equations, regions, count, effort.boxes, result.boxes)) result.proof = Proof::complete;
+  const Reduction best = best_reduction(loop, all);
+  if (best.equations && is_covered(*best.equations, best.regions, count, effort.boxes, result.boxes))
+    result.proof = Proof::complete;
   return result;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "reduced.h"
 
+#include <algorithm>
+
 namespace qvgen::inverse::certified {
 namespace {
 
@@ -195,6 +197,12 @@ class Reduction {
 };
 
 }  // namespace
+
+int choices(const Loop& loop) {
+  const bool turns_only =
+      std::all_of(loop.revolute, loop.revolute + joints, [](bool revolute) { return revolute; });
+  return turns_only ? joints / 2 : 1;
+}
 
 Reduced reduced(const Loop& loop, int choice) {
   int slide[joints] = {}, slides = 0;

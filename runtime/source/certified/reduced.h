@@ -42,7 +42,10 @@ struct Reduced {
   double unit[most_functions];  ///< about how large each of them is
 };
 
-/// `choice` 0, 1, 2: which opposite joints are dropped, of arms without slides.
+/// In how many ways the loop can be reduced: of arms without slides any two opposite joints can be dropped.
+int choices(const Loop& loop);
+
+/// `choice`: less than `choices`.
 Reduced reduced(const Loop& loop, int choice);
 
 }  // namespace qvgen::inverse::certified
