@@ -31,6 +31,10 @@ TEST(Staging, IsChosenWhereRowsShareSetsOfTheCache) {
   // A short part of a long batch may be read at once.
   EXPECT_EQ(route(48, 100000 * sizeof(double), 100), Route::direct);
   EXPECT_EQ(route(0, 4096, 100000), Route::direct);
+
+  EXPECT_TRUE(share_sets(18, 8192, 8));
+  EXPECT_FALSE(share_sets(6, 8192, 8));
+  EXPECT_FALSE(share_sets(18, 8000, 8));
 }
 
 /// Numbers by row and configuration, by each route, from places with every alignment.
@@ -43,8 +47,8 @@ void expect_every_number() {
         std::vector<T> is(offset + rows * stride + 1, T(-1)), should = is;
         const Batch<T> result{is.data() + offset, count, stride};
         Staging<Baseline, T, rows, block> staging(result, count, way);
-        for (std::size_t first = 0; first < count; first += staging.part()) {
-          const Batch<T> place = staging.place(first, std::min(staging.part(), count - first));
+        for (std::size_t first = 0; first < count; first += block) {
+          const Batch<T> place = staging.place(first, std::min(block, count - first));
           for (std::size_t i = 0; i < rows; ++i)
             for (std::size_t k = 0; k < place.count; ++k) {
               place(i, k) = static_cast<T>(1000 * i + first + k);

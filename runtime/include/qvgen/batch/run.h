@@ -95,14 +95,25 @@ class Writer {
   std::size_t stride_;
 };
 
-/// The components at configurations k, k + 1, ...; of the last ones, which do not fill all lanes, a copy in
-/// `padded`, the lanes behind them as the last one.
-template <class Lane, int Rows>
+/// The components at some configurations; of the last ones, which do not fill all lanes, a copy in `padded`,
+/// the lanes behind them as the last one. `block` configurations at a time, copied or where they are.
+template <class Lane, int Rows, std::size_t block>
 class Reader {
  public:
   using T = typename LaneTraits<Lane>::Number;
-  [[gnu::always_inline]] explicit Reader(const Input<T, Rows>& input)
-      : data_(input.batch.data), stride_(input.batch.stride) {}
+  [[gnu::always_inline]] Reader(const Input<T, Rows>& input, bool copies)
+      : from_(input.batch.data), row_(input.batch.stride), copies_(copies) {}
+
+  /// Configurations are counted from this one on.
+  [[gnu::always_inline]] void begin(std::size_t first, std::size_t count) {
+    data_ = from_ + first;
+    stride_ = row_;
+    if (!copies_) return;
+    for (std::size_t i = 0; i < Rows; ++i)
+      std::memcpy(copy_ + i * block, data_ + i * row_, count * sizeof(T));
+    data_ = copy_;
+    stride_ = block;
+  }
 
   [[gnu::always_inline]] Eigen::Matrix<Lane, Rows, 1> read(std::size_t k, std::size_t valid) {
     const T* from = data_ + k;
@@ -123,8 +134,12 @@ class Reader {
   }
 
  private:
-  const T* data_;
-  std::size_t stride_;
+  const T* from_;
+  std::size_t row_;
+  bool copies_;
+  const T* data_ = nullptr;
+  std::size_t stride_ = 0;
+  alignas(cache_line) T copy_[Rows * block];
   T padded_[Rows * LaneTraits<Lane>::size];
 };
 
@@ -135,11 +150,11 @@ void put(const T* from, std::size_t stride, std::size_t rows, const Batch<T>& re
     for (std::size_t k = 0; k < result.count; ++k) result(i, k) = from[i * stride + k];
 }
 
-/// How many configurations stand in a buffer: whole cache lines, as many of up to 64 as leave it small.
+/// How many configurations stand in a buffer: whole cache lines, as many of up to 64 as 64 KiB hold.
 template <class Lane>
 constexpr std::size_t staged_configurations(std::size_t rows) {
   using T = typename LaneTraits<Lane>::Number;
-  constexpr std::size_t buffer = 24 << 10, most = 64;
+  constexpr std::size_t buffer = 64 << 10, most = 64;
   std::size_t block = std::max<std::size_t>(cache_line / sizeof(T), LaneTraits<Lane>::size);
   while (block < most && 2 * block * rows * sizeof(T) <= buffer) block *= 2;
   return block;
@@ -155,24 +170,28 @@ template <class Lane, int ResultRows, class Body, int... Rows>
   constexpr std::size_t lanes = LaneTraits<Lane>::size;
   const std::size_t count = std::min({result.count, inputs.batch.count...});
   T last[ResultRows * lanes + 1];
-  constexpr std::size_t rows = ResultRows;
-  Staging<Lane, T, rows, staged_configurations<Lane>(rows)> staging(result, count);
+  constexpr std::size_t rows = ResultRows, block = staged_configurations<Lane>(rows);
+  Staging<Lane, T, rows, block> staging(result, count);
+  const bool copies = count > few_configurations &&
+                      (share_sets((std::size_t(Rows) + ...), inputs.batch.stride * sizeof(T), 8) || ...);
+  const std::size_t most = copies || !staging.is_direct() ? block : count;
   const auto all = [&](auto... readers) {
-    for (std::size_t first = 0; first < count; first += staging.part()) {
-      const Batch<T> place = staging.place(first, std::min(staging.part(), count - first));
+    for (std::size_t first = 0; first < count; first += most) {
+      const Batch<T> place = staging.place(first, std::min(most, count - first));
       T* const data = place.data;
       const std::size_t stride = place.stride, end = place.count;
+      (readers.begin(first, end), ...);
       for (std::size_t k = 0; k < end; k += lanes) {
         const std::size_t valid = std::min(end - k, lanes);
         const bool is_whole = valid == lanes;
         Writer<Lane> writer(is_whole ? data + k : last, is_whole ? stride : lanes);
-        body(writer, readers.read(first + k, valid)...);
+        body(writer, readers.read(k, valid)...);
         if (!is_whole) put(last, lanes, rows, Batch<T>(data + k, valid, stride));
       }
       staging.finish(first, end);
     }
   };
-  all(Reader<Lane, Rows>(inputs)...);
+  all(Reader<Lane, Rows, block>(inputs, copies)...);
 }
 
 }  // namespace qvgen::batch
