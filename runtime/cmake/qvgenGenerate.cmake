@@ -1,10 +1,19 @@
 # SPDX-License-Identifier: MIT
-# qvgen_generate(TARGET name ROBOTS arm.toml [other.urdf|known_name...] [PARTS kinematics inverse ...] [NAMESPACE name]
-# [LANGUAGE cxx c]): a static library of the robots' functions, to be linked. NAMESPACE is another name for a single robot:
-# its functions are in qvgen::robots::name. The code is made in the build tree when the build runs: anew when a
-# description, the tool or the list of parts changes, and not otherwise. What cannot be derived for a robot is said there.
-# Batch forms are made of the other parts named: PARTS kinematics batch. C99 has headers qvgen_NAME.h, needs libm alone, and has no inverse kinematics.
+# qvgen_generate(TARGET name ROBOTS arm.toml [other.urdf|known_name...] [PARTS kinematics inverse ...] [LANGUAGE cxx c]
+# [NAMESPACE name] [BASE link] [TIP link] [SNAP tolerance|off|auto]): a static library of the robots' functions, to be linked.
+# The last four are for a single robot. NAMESPACE is another name for it: its functions are in qvgen::robots::name. BASE, TIP
+# and SNAP say how a URDF or MJCF is read, as the options of `qvgen generate` do.
+#
+# The code is made in the build tree when the build runs: anew when a description, the tool or the list of parts changes, and
+# not otherwise. What cannot be derived for a robot is said there. Batch forms are made of the other parts named: PARTS
+# kinematics batch. C99 has headers qvgen_NAME.h and qvgen_NAME_inverse.h, and needs libm alone.
 include_guard(GLOBAL)
+
+# The tool is installed or built with the runtime, or else named.
+if(NOT TARGET qvgen::tool AND QVGEN_TOOL)
+  add_executable(qvgen::tool IMPORTED GLOBAL)
+  set_target_properties(qvgen::tool PROPERTIES IMPORTED_LOCATION ${QVGEN_TOOL})
+endif()
 
 # The files that a robot's part may have are known before it is derived; those that it lacks are empty.
 function(qvgen_part_sources sources part)
@@ -22,15 +31,29 @@ function(qvgen_part_sources sources part)
 endfunction()
 
 function(qvgen_generate)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TARGET;NAMESPACE" "ROBOTS;PARTS;LANGUAGE")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TARGET;NAMESPACE;BASE;TIP;SNAP" "ROBOTS;PARTS;LANGUAGE")
+  if(NOT TARGET qvgen::tool)
+    message(FATAL_ERROR "qvgen_generate: here is no tool that generates. -DQVGEN_TOOL=path names one that is there, "
+                        "-DQVGEN_GENERATOR=ON has it built with qvgen's sources (needs GiNaC and CLN); of an installation "
+                        "it is the component 'tool'")
+  endif()
   if(NOT arg_TARGET OR NOT arg_ROBOTS OR arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "qvgen_generate(TARGET name ROBOTS descriptions... [PARTS parts...] "
-                        "[NAMESPACE name] [LANGUAGE cxx c]): ${arg_UNPARSED_ARGUMENTS}")
+                        "[LANGUAGE cxx c] [NAMESPACE name] [BASE link] [TIP link] [SNAP tolerance]): ${arg_UNPARSED_ARGUMENTS}")
   endif()
   list(LENGTH arg_ROBOTS count)
-  if(arg_NAMESPACE AND NOT count EQUAL 1)
-    message(FATAL_ERROR "qvgen_generate: NAMESPACE ${arg_NAMESPACE} is the name of one robot, and here are ${count}")
-  endif()
+  foreach(word NAMESPACE BASE TIP SNAP)
+    if(DEFINED arg_${word} AND NOT count EQUAL 1)
+      message(FATAL_ERROR "qvgen_generate: ${word} ${arg_${word}} is for one robot, and here are ${count}")
+    endif()
+  endforeach()
+  set(reading "")
+  foreach(word BASE TIP SNAP)
+    if(DEFINED arg_${word})
+      string(TOLOWER ${word} option)
+      list(APPEND reading --${option} ${arg_${word}})
+    endif()
+  endforeach()
   if(NOT arg_LANGUAGE)
     set(arg_LANGUAGE cxx)
   endif()
@@ -40,10 +63,10 @@ function(qvgen_generate)
     get_filename_component(id ${robot} NAME_WE)
     foreach(language ${arg_LANGUAGE})
       if(language STREQUAL cxx)
-        qvgen_generate_cxx(${arg_TARGET}_${id} ${robot} "${arg_NAMESPACE}" "${arg_PARTS}")
+        qvgen_generate_cxx(${arg_TARGET}_${id} ${robot} "${arg_NAMESPACE}" "${reading}" "${arg_PARTS}")
         target_link_libraries(${arg_TARGET} INTERFACE ${arg_TARGET}_${id})
       elseif(language STREQUAL c)
-        qvgen_generate_c(${arg_TARGET}_${id}_c ${robot} "${arg_NAMESPACE}" "${arg_PARTS}")
+        qvgen_generate_c(${arg_TARGET}_${id}_c ${robot} "${arg_NAMESPACE}" "${reading}" "${arg_PARTS}")
         target_link_libraries(${arg_TARGET} INTERFACE ${arg_TARGET}_${id}_c)
       else()
         message(FATAL_ERROR "qvgen_generate: there is no language ${language}; there are cxx and c")
@@ -52,7 +75,7 @@ function(qvgen_generate)
   endforeach()
 endfunction()
 
-function(qvgen_generate_cxx library robot namespace only)
+function(qvgen_generate_cxx library robot namespace reading only)
   set(parts ${only})
   if(NOT parts)
     set(parts kinematics inverse jacobian dynamics)
@@ -65,7 +88,7 @@ function(qvgen_generate_cxx library robot namespace only)
       list(APPEND sources ${folder}/sources/${source}.cpp)
     endforeach()
   endforeach()
-  qvgen_generated_code(${library} ${robot} "${namespace}" cxx "${only}" ${sources})
+  qvgen_generated_code(${library} ${robot} "${namespace}" "${reading}" cxx "${only}" ${sources})
   qvgen_robot(${library} INCLUDE ${folder}/include SOURCES ${sources})
   add_dependencies(${library} ${library}_code)
   foreach(part inverse batch batch_AVX2 batch_AVX512 batch_NEON)
@@ -75,7 +98,7 @@ function(qvgen_generate_cxx library robot namespace only)
   endforeach()
 endfunction()
 
-function(qvgen_generate_c library robot namespace only)
+function(qvgen_generate_c library robot namespace reading only)
   if(NOT CMAKE_C_COMPILER)
     message(FATAL_ERROR "qvgen_generate: LANGUAGE c needs a project with the language C")
   endif()
@@ -84,7 +107,7 @@ function(qvgen_generate_c library robot namespace only)
   if(NOT only OR "inverse" IN_LIST only)
     list(APPEND sources ${folder}/sources/inverse.c)
   endif()
-  qvgen_generated_code(${library} ${robot} "${namespace}" c "${only}" ${sources})
+  qvgen_generated_code(${library} ${robot} "${namespace}" "${reading}" c "${only}" ${sources})
   add_library(${library} STATIC ${sources})
   add_dependencies(${library} ${library}_code)
   set_target_properties(${library} PROPERTIES C_STANDARD 99 C_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
@@ -94,11 +117,12 @@ function(qvgen_generate_c library robot namespace only)
   endif()
 endfunction()
 
-# The target ${library}_code writes the sources into the folder ${library}; `only`: parts, all of them if empty.
+# The target ${library}_code writes the sources into the folder ${library}; `reading`: options of the tool; `only`: parts, all
+# of them if empty.
 #
 # Ninja compiles again what uses a declared output that has changed, and learns of other headers one build too late: a
 # header that every user of the code reads is declared, and the tool makes it newer when anything has changed.
-function(qvgen_generated_code library robot namespace language only)
+function(qvgen_generated_code library robot namespace reading language only)
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/${library})
   if(namespace)
     set(name ${namespace})
@@ -116,7 +140,7 @@ function(qvgen_generated_code library robot namespace language only)
     get_filename_component(description ${robot} ABSOLUTE)
     set(depends ${description})
   endif()
-  set(options ${naming})
+  set(options ${naming} ${reading})
   if(only)
     list(JOIN only "," only)
     list(APPEND options --only ${only})

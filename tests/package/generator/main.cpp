@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include <qvgen/robots/forearm.h>
 #include <qvgen/robots/left_arm.h>
 #include <qvgen/robots/my_arm.h>
 #include <qvgen/robots/rr_planar.h>
@@ -12,6 +13,19 @@ namespace {
 
 namespace arm = qvgen::robots::my_arm;
 namespace other = qvgen::robots::rr_planar;
+
+/// The tool of the URDF's second joint, rpy="1.5708 0.3 0", without the first: 1.5708 is no right angle
+/// there.
+bool is_read_as_it_stands() {
+  namespace forearm = qvgen::robots::forearm;
+  static_assert(forearm::dof == 1);
+  const auto tool = forearm::forward_kinematics(forearm::JointVector<double>::Zero().eval());
+  using Eigen::AngleAxisd;
+  using Eigen::Vector3d;
+  const Eigen::Quaterniond turn(AngleAxisd(0.3, Vector3d::UnitY()) * AngleAxisd(1.5708, Vector3d::UnitX()));
+  return tool.orientation.angularDistance(turn) < 1e-12 &&
+         (tool.position - Vector3d(0.0137, 0, 0.2)).norm() < 1e-12;
+}
 
 }  // namespace
 
@@ -27,5 +41,6 @@ int main(int count, char** arguments) {
   if (qvgen::robots::urdf_arm::dof != 2) return 4;
   const auto left = qvgen::robots::left_arm::forward_kinematics(zero);
   if (left.position != other::forward_kinematics(zero).position) return 5;
+  if (!is_read_as_it_stands()) return 6;
   return same && other::forward_kinematics(zero).position.allFinite() ? 0 : 1;
 }
