@@ -175,7 +175,7 @@ template <class Lane, int ResultRows, class Body, int... Rows>
   const bool copies = count > few_configurations &&
                       (share_sets((std::size_t(Rows) + ...), inputs.batch.stride * sizeof(T), 8) || ...);
   const std::size_t most = copies || !staging.is_direct() ? block : count;
-  const auto all = [&](auto... readers) {
+  const auto all = [&](auto&&... readers) {
     for (std::size_t first = 0; first < count; first += most) {
       const Batch<T> place = staging.place(first, std::min(most, count - first));
       T* const data = place.data;
