@@ -135,15 +135,16 @@ Times measure_batch(const Function<T>& function, std::size_t count, double singl
     };
     return shortest(all) / static_cast<double>(count);
   };
-  const auto by = [&](InstructionSet set) {
-    return blocks([&](std::size_t part) { function.form(given.part(0, part), result.part(0, part), set); });
-  };
-  const double threads = blocks([&](std::size_t block) {
+  Times times{single, {}, 0};
+  for (const Lanes& lanes : lanes_of_machine())
+    times.batch.push_back(blocks(
+        [&](std::size_t part) { function.form(given.part(0, part), result.part(0, part), lanes.set); }));
+  times.threads = blocks([&](std::size_t block) {
     qvgen::in_threads(block, [&](std::size_t first, std::size_t part) {
       function.form(given.part(first, part), result.part(first, part), qvgen::widest_instruction_set());
     });
   });
-  return {single, by(InstructionSet::avx2), by(qvgen::widest_instruction_set()), threads};
+  return times;
 }
 
 template <class T>
@@ -163,17 +164,23 @@ Measured measure(const Function<T>& function, std::size_t largest) {
   return result;
 }
 
-/// A line for each instruction set, a column for each size.
+/// A column for each size.
+template <class Time>
+void print_line(const std::string& head, const std::map<std::size_t, Times>& batches, const Time& time) {
+  fmt::print("{:<51}", head);
+  for (const auto& [count, times] : batches) fmt::print("{:9.2f}", 1e9 * time(times));
+  fmt::print("\n");
+}
+
+/// A line for each instruction set, the first with the time of a single call, and one for all threads.
 void print_sizes(const std::string& name, const std::map<std::size_t, Times>& batches) {
-  const std::pair<const char*, double Times::*> lines[] = {
-      {"AVX2", &Times::avx2}, {"widest", &Times::widest}, {"threads", &Times::threads}};
-  for (const auto& [what, time] : lines) {
-    const bool is_first = time == &Times::avx2;
-    fmt::print("{:<36}{:<8}{:>7}", is_first ? name : "", what,
-               is_first ? fmt::format("{:.1f}", 1e9 * batches.at(1000).single) : "");
-    for (const auto& [count, times] : batches) fmt::print("{:9.2f}", 1e9 * (times.*time));
-    fmt::print("\n");
+  const std::vector<Lanes> sets = lanes_of_machine();
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    const std::string what = fmt::format("{:<36}{:<8}", i == 0 ? name : "", sets[i].name);
+    const std::string single = i == 0 ? fmt::format("{:7.1f}", 1e9 * batches.at(1000).single) : "";
+    print_line(what + single, batches, [i](const Times& times) { return times.batch[i]; });
   }
+  print_line(fmt::format("{:<36}threads", ""), batches, [](const Times& times) { return times.threads; });
 }
 
 void print_head(const std::string& what, std::size_t largest) {
@@ -197,9 +204,9 @@ void print_ratios(const std::vector<Measured>& all, std::size_t largest) {
   fmt::print("\n");
   for (const Measured& one : all) {
     const Times &some = one.batches.at(1000), &most = one.batches.at(many);
-    fmt::print("{:<36}{:13.1f}", one.name, some.single / some.widest);
+    fmt::print("{:<36}{:13.1f}", one.name, some.single / some.widest());
     for (const char* library : {"KDL", "MuJoCo"})
-      print_ratio(one, library, &PeerTime::one_thread, some.widest);
+      print_ratio(one, library, &PeerTime::one_thread, some.widest());
     for (const char* library : {"KDL", "MuJoCo"}) print_ratio(one, library, &PeerTime::threads, most.threads);
     fmt::print("\n");
   }
@@ -213,10 +220,34 @@ void print_roofline(const std::vector<Measured>& all, double moved, double compu
              "operations", "a byte", "memory", "arithmetic", "is, ns", "of peak, %");
   for (const Measured& one : all) {
     const double memory = one.bytes / moved, work = one.operations / computed,
-                 is = one.batches.at(1000).widest;
+                 is = one.batches.at(1000).widest();
     fmt::print("{:<37}{:6.0f}{:12.0f}{:8.1f}{:9.2f}{:12.2f}{:9.2f}{:12.0f}   {}\n", one.name, one.bytes,
                one.operations, one.operations / one.bytes, 1e9 * memory, 1e9 * work, 1e9 * is,
                100 * work / is, memory > work ? "bandwidth" : "computing");
+  }
+}
+
+/// All solutions of 1000 poses by the share of doubtful ones: a column for single calls, one for each
+/// instruction set.
+void measure_doubtful() {
+  const double shares[] = {0, 0.01, 0.1, 1};
+  const std::vector<Lanes> sets = lanes_of_machine();
+  fmt::print("\nns of single calls, and times as fast as they are, 1000 poses\n{:<10}", "in doubt");
+  for (const double share : shares) fmt::print("{:>{}.0f} %", 100 * share, 6 + 8 * sets.size());
+  fmt::print("\n{:<10}", "");
+  for ([[maybe_unused]] const double share : shares) {
+    fmt::print("{:>8}", "single");
+    for (const Lanes& lanes : sets) fmt::print("{:>8}", lanes.name);
+  }
+  fmt::print("\n");
+  for (const InverseOfArm& arm : inverse_of_arms()) {
+    fmt::print("{:<10}", arm.name);
+    for (const double share : shares) {
+      const Times times = arm.measure(1000, share);
+      fmt::print("{:8.0f}", 1e9 * times.single);
+      for (const double batch : times.batch) fmt::print("{:8.1f}", times.single / batch);
+    }
+    fmt::print("\n");
   }
 }
 
@@ -228,22 +259,7 @@ void measure_inverse(std::size_t largest) {
     for (const std::size_t count : sizes(largest)) batches[count] = arm.measure(count, 0);
     print_sizes(arm.name, batches);
   }
-  const double shares[] = {0, 0.01, 0.1, 1};
-  fmt::print("\nns of single calls, and times as fast as they are, 1000 poses\n{:<10}", "in doubt");
-  for (const double share : shares) fmt::print("{:>22.0f} %", 100 * share);
-  fmt::print("\n{:<10}", "");
-  for ([[maybe_unused]] const double share : shares)
-    fmt::print("{:>8}{:>8}{:>8}", "single", "AVX2", "widest");
-  fmt::print("\n");
-  for (const InverseOfArm& arm : inverse_of_arms()) {
-    fmt::print("{:<10}", arm.name);
-    for (const double share : shares) {
-      const Times times = arm.measure(1000, share);
-      fmt::print("{:8.0f}{:8.1f}{:8.1f}", 1e9 * times.single, times.single / times.avx2,
-                 times.single / times.widest);
-    }
-    fmt::print("\n");
-  }
+  measure_doubtful();
 }
 
 template <class T>

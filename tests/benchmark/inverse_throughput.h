@@ -19,7 +19,6 @@ namespace throughput {
 
 using qvgen::Batch;
 using qvgen::BatchOfSolutions;
-using qvgen::InstructionSet;
 using qvgen::Pose;
 
 struct Request {
@@ -112,15 +111,16 @@ class Comparison {
       for (const Request& request : all) sum += single_(request).size();
       sink = sum;
     });
-    const auto time = [&](InstructionSet set) { return a_pose([&] { form_(in, joint, out, set); }); };
-    const double avx2 = time(InstructionSet::avx2), widest = time(qvgen::widest_instruction_set());
-    const double threads = a_pose([&] {
+    Times times{single, {}, 0};
+    for (const Lanes& lanes : lanes_of_machine())
+      times.batch.push_back(a_pose([&] { form_(in, joint, out, lanes.set); }));
+    times.threads = a_pose([&] {
       qvgen::in_threads(count, [&](std::size_t first, std::size_t part) {
         form_(in.part(first, part), joint.part(first, part), out.part(first, part),
               qvgen::widest_instruction_set());
       });
     });
-    return {single, avx2, widest, threads};
+    return times;
   }
 
   Forward forward_;

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include <qvgen/batch/machine.h>
+
 /// Times of batches.
 namespace throughput {
 
@@ -34,9 +36,30 @@ double shortest(const Work& work) {
   return best;
 }
 
+/// An instruction set that batches are computed with.
+struct Lanes {
+  std::string name;
+  qvgen::InstructionSet set;
+};
+
+/// What is compared, the widest last: the sets with lanes that the machine has, or else the baseline.
+inline std::vector<Lanes> lanes_of_machine() {
+  using qvgen::InstructionSet;
+  std::vector<Lanes> has;
+  for (const Lanes& lanes : {Lanes{"NEON", InstructionSet::neon}, Lanes{"AVX2", InstructionSet::avx2},
+                             Lanes{"AVX-512", InstructionSet::avx512}})
+    if (qvgen::batch::machine_has(lanes.set)) has.push_back(lanes);
+  if (has.empty()) has.push_back({"baseline", InstructionSet::baseline});
+  return has;
+}
+
 /// Seconds a configuration.
 struct Times {
-  double single, avx2, widest, threads;
+  double single;
+  std::vector<double> batch;  ///< by `lanes_of_machine`, on one thread
+  double threads;             ///< a batch in the widest lanes, on all threads
+
+  double widest() const { return batch.back(); }
 };
 
 /// The inverse kinematics of an arm: times in batches of so many poses, a share of them doubtful.
