@@ -99,8 +99,13 @@ static void look_at_row(Reaching* kept, const Row* from, double near, int round)
 }
 
 /// How far off a row may be that Newton's steps are to bring to the pose: near a singular pose what a direction is
-/// may have but few digits.
-static double near_enough(const Effort* effort) { return effort->steps > 0 ? 1e-2 : 1e-4; }
+/// may have but few digits; a pose off by the tolerance moves a double root by the square root of that.
+static double near_enough(const Effort* effort, double tolerance) {
+  const double few_digits = effort->steps > 0 ? 1e-2 : 1e-4;
+  const double moved = 30 * sqrt(tolerance);
+  if (!(moved > few_digits)) return few_digits;
+  return moved < 0.3 ? moved : 0.3;
+}
 
 /// Looks at every row, all on continua from wherever they are; in rounds after the first at other places of these.
 static void look_at_rows(Reaching* kept, const Rows* rows, int round) {
@@ -108,7 +113,7 @@ static void look_at_rows(Reaching* kept, const Rows* rows, int round) {
   kept->is_incomplete = kept->is_incomplete || rows->status == status_incomplete;
   for (int i = 0; i < rows->count; ++i)
     if (round == 0 || rows->rows[i].continuum)
-      look_at_row(kept, &rows->rows[i], near_enough(&rows->effort), round);
+      look_at_row(kept, &rows->rows[i], near_enough(&rows->effort, kept->tolerance), round);
 }
 
 static void conclude_reaching(Reaching* kept) {

@@ -233,3 +233,26 @@ def test_with_a_joint_given(planar, rows):
     assert limited.count == 1
     with pytest.raises(ValueError, match="batches of 50 and of 3 rows"):
         planar.inverse_kinematics_given_theta3(poses, [1, 2, 3])
+
+
+def test_nearest_pose(scara, rows):
+    q = rows(scara)
+    poses = scara.forward_kinematics(q)
+    found = scara.nearest_pose(poses, q + 0.01)
+    assert found.q.shape == (50, 16, scara.dof) and (found.status == qvgen.Status.solved).all()
+    np.testing.assert_allclose(scara.forward_kinematics(found.q[:, 0]), poses, atol=1e-9)
+    # A tilt, which a SCARA cannot follow, stays; the position does not suffer if it comes first.
+    tilt = np.array([np.cos(0.1), np.sin(0.1), 0, 0])
+    tilted = poses[0].copy()
+    w, x, y, z = tilted[:4]
+    tilted[:4] = [tilt[0] * w - tilt[1] * x, tilt[0] * x + tilt[1] * w, tilt[0] * y - tilt[1] * z, tilt[0] * z + tilt[1] * y]
+    one = scara.nearest_pose(tilted, prefer="position", limits=(q[0] - 0.1, q[0] + 0.1))
+    assert one.status == qvgen.Status.unreachable
+    np.testing.assert_allclose(one.q[0], q[0], atol=1e-6)
+    np.testing.assert_allclose([one.position_error[0], one.orientation_error[0]], [0, 0.2], atol=1e-8)
+    assert np.isnan(one.q[one.count:]).all() and np.isnan(one.position_error[one.count:]).all()
+    bad = poses.copy()
+    bad[3, 5] = np.nan
+    assert (scara.nearest_pose(bad, q, starts=0).status == qvgen.Status.invalid).nonzero()[0].tolist() == [3]
+    with pytest.raises(ValueError, match="prefer: neither"):
+        scara.nearest_pose(poses, prefer="speed")

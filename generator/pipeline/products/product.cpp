@@ -12,6 +12,7 @@
 #include "pipeline/products/kinematics.h"
 #include "pipeline/products/model_header.h"
 #include "pipeline/products/moveit_plugin.h"
+#include "pipeline/products/nearest_pose.h"
 
 namespace qvgen::pipeline {
 
@@ -35,7 +36,8 @@ const std::vector<Extra>& all_extras() {
   static const std::vector<Extra> extras{{"batch", {}, add_batch},
                                          {"c_inverse", {"inverse"}, add_c_inverse},
                                          {"certified", {"inverse"}, add_certified},
-                                         {"moveit_plugin", {"kinematics", "inverse"}, add_moveit_plugin}};
+                                         {"moveit_plugin", {"kinematics", "inverse"}, add_moveit_plugin},
+                                         {"nearest_pose", {"kinematics", "jacobian"}, add_nearest_pose}};
   return extras;
 }
 

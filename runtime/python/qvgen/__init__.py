@@ -12,7 +12,7 @@ import typing
 from . import robots
 from ._build import BuildError, build_module, cache_folder, generate
 
-__all__ = ["BuildError", "NearSolution", "Solutions", "Status", "cache_folder", "load", "robots"]
+__all__ = ["BuildError", "NearSolution", "NearestRows", "Solutions", "Status", "cache_folder", "load", "robots"]
 
 
 class Status(enum.IntEnum):
@@ -38,6 +38,16 @@ class NearSolution(typing.NamedTuple):
     """What inverse_kinematics_near has found; of a batch both fields have its axis in front."""
     q: typing.Any  #: (dof,), rad or m; NaN if there is none
     status: typing.Any  #: (), of qvgen.Status
+
+
+class NearestRows(typing.NamedTuple):
+    """What nearest_pose has found; of a batch every field has its axis in front."""
+    q: typing.Any  #: (16, dof), rad or m, the nearest row first; NaN behind the last
+    position_error: typing.Any  #: (16,), m, from the tool to the pose
+    orientation_error: typing.Any  #: (16,), rad, from the tool to the pose
+    continuum: typing.Any  #: (16,), whether other joints next to these may be as near
+    count: typing.Any  #: (), how many rows there are
+    status: typing.Any  #: (), of qvgen.Status: solved where the first row reaches the pose
 
 
 def load(description, *options):

@@ -30,9 +30,18 @@ class NearSolution(NamedTuple):
     q: NDArray[float64]
     status: NDArray[int32]
 
+class NearestRows(NamedTuple):
+    q: NDArray[float64]
+    position_error: NDArray[float64]
+    orientation_error: NDArray[float64]
+    continuum: NDArray[bool_]
+    count: NDArray[int32]
+    status: NDArray[int32]
+
 _Constants = dict[str, float] | None
 _Limits = Literal["description"] | tuple[ArrayLike, ArrayLike] | None
 _Reference = Literal["conventional", "stereographic"]
+_Prefer = Literal["both", "position", "orientation"]
 _Result = NDArray[float64] | NDArray[float32]
 _Out = NDArray[float64] | NDArray[float32] | None
 
@@ -155,6 +164,10 @@ class Robot(Protocol):
         self, pose: ArrayLike, psi: ArrayLike, seed: ArrayLike | None = None, *, reference: _Reference = "conventional",
         geometry: _Constants = None, tolerance: float = 1e-13,
     ) -> Solutions: ...
+    def nearest_pose(
+        self, pose: ArrayLike, seed: ArrayLike | None = None, *, prefer: _Prefer = "both",
+        metres_per_radian: float = 0.0, limits: _Limits = None, starts: int = 32, geometry: _Constants = None,
+    ) -> NearestRows: ...
     def __getattr__(self, name: str) -> Any: ...
 
 def cache_folder() -> pathlib.Path: ...

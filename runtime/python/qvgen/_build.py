@@ -122,6 +122,8 @@ def _functions(entry):
     functions = {name: "here" if name in BOUND or name in targets else "in C++ only" for name in [*names, *targets]}
     if "arm_angle" in entry:
         functions["inverse_kinematics"] = "here"  # within limits, at any arm angle
+    if {"forward_kinematics", "jacobian"} <= functions.keys():
+        functions["nearest_pose"] = "here"
     missing = {part["part"]: part["reason"] for part in entry.get("missing", [])}
     return {**functions, **missing}, targets
 

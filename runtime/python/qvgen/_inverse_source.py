@@ -170,4 +170,42 @@ def arm_angle_source():
         solutions_doc=ANGLE_SOLUTIONS_DOC.format(pose=POSE, reference=REFERENCE_DOC, common=COMMON_DOC))
 
 
+NEAREST_POSE = """  m.def("nearest_pose",
+        [](const py::object& pose, const py::object& seed, const std::string& prefer, double metres_per_radian,
+           const py::object& limits, int starts, const py::object& geometry) {{
+          const auto g = constants<arm::Geometry>(geometry, arm::geometry_names, "geometry");
+          qvgen::NearestPoseOptions<arm::dof> options;
+          options.prefer = prefer_of(prefer);
+          options.metres_per_radian = metres_per_radian;
+          if (const auto bounds = limits_of<arm::Limits, arm::dof>(limits)) options.limits = *bounds;
+          options.starts = starts;
+          const qvgen::inverse::NearestPose solver{{arm::is_revolute,
+              [&](const qvgen::Joints<arm::dof>& q) {{ return arm::forward_kinematics(q, g); }},
+              [&](const qvgen::Joints<arm::dof>& q) {{ return arm::jacobian(q, g); }}}};
+          return nearest_rows<arm::dof>(pose, seed, options, solver);
+        }},
+        py::arg("pose"), py::arg("seed") = py::none(), py::kw_only(), py::arg("prefer") = "both",
+        py::arg("metres_per_radian") = 0.0, py::arg("limits") = py::none(), py::arg("starts") = 32,
+        py::arg("geometry") = py::none(), R"({doc})");
+"""
+
+NEAREST_POSE_DOC = f"""Joint values whose pose is nearest to a given one, the nearest first: for poses that were rounded or are out of reach.
+
+pose: (7,) or (n, 7), {POSE}
+seed: (dof,) or (n, dof): one more start of the descent
+prefer: "both": least squares; "position" or "orientation": that first, and of what is left the nearest other
+metres_per_radian: m, the distance that counts as much as a radian; 0: the arm's size
+limits: None; "description": the description's; (lower, upper): two rows of dof numbers
+starts: starts spread over the joints' ranges; with a good seed 0 is enough
+geometry: values of constants of the description, by name
+Returns qvgen.NearestRows: q (16, dof), position_error (16,), m, orientation_error (16,), rad, continuum (16,), count (),
+status (): solved where the first row reaches the pose, else unreachable; with a batch axis in front of each if an argument
+has one. Always computed and returned in float64."""
+
+
+def nearest_pose_source():
+    """C++ that binds the nearest reachable pose, which needs forward kinematics and the Jacobian."""
+    return NEAREST_POSE.format(doc=NEAREST_POSE_DOC)
+
+
 ARM_ANGLE_FUNCTIONS = ("arm_angle", "inverse_kinematics_arm_angle")

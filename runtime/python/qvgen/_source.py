@@ -3,7 +3,7 @@
 
 import json
 
-from ._inverse_source import ARM_ANGLE_FUNCTIONS, POSE, arm_angle_source, inverse_source
+from ._inverse_source import ARM_ANGLE_FUNCTIONS, POSE, arm_angle_source, inverse_source, nearest_pose_source
 
 # name: length of a row, its type in C++, what it is
 ARGUMENTS = {
@@ -136,7 +136,8 @@ def binding_source(robot, functions, targets):
     """C++ of the module of a robot: `functions` as it is to say, `targets` what its inverse kinematics takes."""
     here = [name for name, place in functions.items() if place == "here"]
     headers = [f"<qvgen/robots/{robot}/{each}.h>" for each, users in HEADERS.items() if users.intersection(here)]
-    headers += ['"binding.h"', *(['"binding_inverse.h"'] if targets else [])]
+    headers += ['"binding.h"', *(['"binding_inverse.h"'] if targets or "nearest_pose" in here else []),
+                *(['"binding_nearest_pose.h"'] if "nearest_pose" in here else [])]
     text = HEAD.format(robot=robot, functions=json.dumps(functions),
                        headers="".join(f"#include {each}\n" for each in headers))
     text += INERTIA if "mass_matrix" in here else ""
@@ -147,4 +148,5 @@ def binding_source(robot, functions, targets):
             if name in here:
                 text += _function(name, arguments, shape, line, dynamics)
     text += arm_angle_source() if "arm_angle" in here else ""
+    text += nearest_pose_source() if "nearest_pose" in here else ""
     return text + "".join(inverse_source(name, taken) for name, taken in targets.items()) + "}\n"

@@ -43,8 +43,7 @@ class Reaching {
   void take(const Solutions<row, capacity>& rows, int round) {
     add(rows.effort);
     is_incomplete_ = is_incomplete_ || rows.status == Status::incomplete;
-    // Near a singular pose what a direction is may have but few digits.
-    const double near = rows.effort.steps > 0 ? 1e-2 : 1e-4;
+    const double near = near_enough(rows.effort);
     for (const Solution<row>& each : rows) {
       if (round > 0 && !each.continuum) continue;
       take(Joints<dof>(each.q.template head<dof>()), each.branch, each.continuum, near, round);
@@ -64,6 +63,15 @@ class Reaching {
   using Task = ArmMatching<dof, points>;
   using Newton = polishing::Newton<double, static_cast<std::size_t>(dof), static_cast<std::size_t>(points)>;
   using At = Reached<double, static_cast<std::size_t>(dof), static_cast<std::size_t>(points)>;
+
+  /// How far off a row may be that Newton's steps are to bring to the pose, as a share of the size.
+  ///
+  /// Near a singular pose a direction may have but few digits. A pose off by the tolerance, where the equations
+  /// have a double root, moves the root by the square root of that.
+  [[nodiscard]] double near_enough(const Effort& effort) const {
+    const double few_digits = effort.steps > 0 ? 1e-2 : 1e-4;
+    return std::max(few_digits, std::min(0.3, 30 * std::sqrt(tolerance_)));
+  }
 
   void add(const Effort& effort) {
     found_.effort.passes += effort.passes;
