@@ -98,12 +98,12 @@ void add_generate(CommandLine& line) {
       ->type_name("ROBOT");
   add_output(line, command, "folder to write to: files of it that qvgen has not written are never touched");
   command
-      .add_option(
-          "--only", generate.parts,
-          "parts to generate: kinematics,jacobian,...; all without, but batch, forms of the other "
-          "parts named for many at once, c_inverse, a C header for inverse kinematics by "
-          "elimination, certified, solutions with a proof, nearest_pose, the nearest pose in reach, and "
-          "moveit_plugin, a ROS 2 package")
+      .add_option("--only", generate.parts,
+                  "parts to generate: kinematics,jacobian,...; all without, but batch, forms of the other "
+                  "parts named for many at once, c_inverse, a C header for inverse kinematics by "
+                  "elimination, certified, solutions with a proof, nearest_pose, the nearest pose in reach, "
+                  "given_joint, seven joints within limits, and "
+                  "moveit_plugin, a ROS 2 package")
       ->type_name("PARTS")
       ->allow_extra_args(false)
       ->delimiter(',');

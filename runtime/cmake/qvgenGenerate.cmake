@@ -24,8 +24,9 @@ function(qvgen_part_sources sources part)
   set(batch batch batch_derivatives inverse_batch)
   set(certified certified)
   set(dynamics dynamics dynamics_derivatives dynamics_loads regressor)
-  set(nearest_pose "")  # a header alone
-  if(NOT part MATCHES "^(kinematics|inverse|arm_angle|jacobian|batch|certified|dynamics|nearest_pose)$")
+  set(given_joint "")  # headers alone
+  set(nearest_pose "")
+  if(NOT part MATCHES "^(kinematics|inverse|arm_angle|jacobian|batch|certified|dynamics|given_joint|nearest_pose)$")
     message(FATAL_ERROR "qvgen_generate: there is no part ${part}")
   endif()
   set(${sources} ${${part}} PARENT_SCOPE)

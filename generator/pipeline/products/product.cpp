@@ -7,6 +7,7 @@
 #include "pipeline/products/certified.h"
 #include "pipeline/products/dynamics.h"
 #include "pipeline/products/from_ideal.h"
+#include "pipeline/products/given_joint.h"
 #include "pipeline/products/inverse.h"
 #include "pipeline/products/jacobian.h"
 #include "pipeline/products/kinematics.h"
@@ -33,11 +34,13 @@ const std::vector<Product>& all_products() {
 }
 
 const std::vector<Extra>& all_extras() {
-  static const std::vector<Extra> extras{{"batch", {}, add_batch},
-                                         {"c_inverse", {"inverse"}, add_c_inverse},
-                                         {"certified", {"inverse"}, add_certified},
-                                         {"moveit_plugin", {"kinematics", "inverse"}, add_moveit_plugin},
-                                         {"nearest_pose", {"kinematics", "jacobian"}, add_nearest_pose}};
+  static const std::vector<Extra> extras{
+      {"batch", {}, add_batch},
+      {"c_inverse", {"inverse"}, add_c_inverse},
+      {"certified", {"inverse"}, add_certified},
+      {"moveit_plugin", {"kinematics", "inverse"}, add_moveit_plugin},
+      {"given_joint", {"kinematics", "inverse", "jacobian"}, add_given_joint},
+      {"nearest_pose", {"kinematics", "jacobian"}, add_nearest_pose}};
   return extras;
 }
 

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+// Seven joints within limits, one of them given: the intervals of its values, and rows wherever there are
+// any.
+#include <random>
+
+#include <gtest/gtest.h>
+#include <qvgen/robots/offset_wrist.h>
+#include <qvgen/robots/offset_wrist/given_joint.h>
+#include <qvgen/robots/skew_seven.h>
+#include <qvgen/robots/skew_seven/given_joint.h>
+
+namespace qvgen::test {
+namespace {
+
+using Values = Joints<7>;
+using Limits = JointLimits<7>;
+
+/// Limits of a maker's kind.
+Limits usual() {
+  Limits limits;
+  limits.lower << -2.9, -1.8, -2.9, -3.1, -2.9, -1.7, -2.9;
+  limits.upper << 2.9, 1.8, 2.9, 2.9, 2.9, 3.7, 2.9;
+  return limits;
+}
+
+struct Draw {
+  Values q;
+  Limits limits;
+};
+
+/// Joints within limits of so much of the usual width, anywhere around them.
+Draw draw(std::mt19937& random, double share) {
+  Draw result{{}, usual()};
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int i = 0; i < 7; ++i) {
+    const double width = share * (result.limits.upper[i] - result.limits.lower[i]);
+    result.q[i] = result.limits.lower[i] + unit(random) * (result.limits.upper[i] - result.limits.lower[i]);
+    result.limits.lower[i] = result.q[i] - unit(random) * width;
+    result.limits.upper[i] = result.limits.lower[i] + width;
+  }
+  return result;
+}
+
+template <class Found>
+void expect_within(const Found& found, const Limits& limits) {
+  const double rounding = 1e-9;
+  for (const auto& row : found)
+    EXPECT_TRUE((row.q.array() >= limits.lower.array() - rounding).all() &&
+                (row.q.array() <= limits.upper.array() + rounding).all())
+        << row.q.transpose();
+}
+
+bool contains(const GivenIntervals& intervals, double value) {
+  const double rounding = 1e-9;
+  return std::any_of(intervals.begin(), intervals.end(), [&](const GivenInterval& each) {
+    return value >= each.from - rounding && value <= each.to + rounding;
+  });
+}
+
+/// `intervals(pose, limits)`, `any(pose, limits)` and `near(pose, seed, limits)` of an arm.
+template <class Pose, class Intervals, class Any, class Near>
+void expect_found(int given, int count, const Pose& pose_of, const Intervals& intervals, const Any& any,
+                  const Near& near) {
+  std::mt19937 random(1);
+  int poses = 0, missed = 0, empty = 0;
+  for (const double share : {1.0, 0.3, 0.1})
+    for (int i = 0; i < count; ++i) {
+      const Draw drawn = draw(random, share);
+      const auto pose = pose_of(drawn.q);
+      const GivenIntervals found = intervals(pose, drawn.limits);
+      const auto rows = any(pose, drawn.limits);
+      const auto nearest = near(pose, drawn.q, drawn.limits);
+      ++poses;
+      missed += contains(found, drawn.q[given]) ? 0 : 1;
+      empty += rows.empty() || nearest.empty() ? 1 : 0;
+      expect_within(rows, drawn.limits);
+      expect_within(nearest, drawn.limits);
+      for (const auto& row : rows) {
+        EXPECT_LT(linear_distance(pose_of(row.q), pose), 1e-9);
+        EXPECT_LT(angular_distance(pose_of(row.q), pose), 1e-9);
+      }
+      if (!nearest.empty() && contains(found, drawn.q[given])) {
+        EXPECT_NEAR(nearest[0].q[given], drawn.q[given], 1e-9);
+      }
+    }
+  // Next to singular poses joints turn a thousand times as fast as the given one.
+  EXPECT_LE(missed, poses / 200);
+  EXPECT_LE(empty, poses / 200);
+}
+
+TEST(GivenJoint, ByTheLastJoint) {
+  namespace arm = robots::offset_wrist;
+  expect_found(
+      6, 150, [](const Values& q) { return arm::forward_kinematics(q); },
+      [](const auto& pose, const auto& limits) { return arm::given_intervals_q7(pose, limits); },
+      [](const auto& pose, const auto& limits) { return arm::inverse_kinematics_any_q7(pose, limits); },
+      [](const auto& pose, const auto& seed, const auto& limits) {
+        return arm::inverse_kinematics_any_q7(pose, seed, limits);
+      });
+}
+
+TEST(GivenJoint, ByElimination) {
+  namespace arm = robots::skew_seven;
+  expect_found(
+      3, 15, [](const Values& q) { return arm::forward_kinematics(q); },
+      [](const auto& pose, const auto& limits) { return arm::given_intervals_q4(pose, limits); },
+      [](const auto& pose, const auto& limits) { return arm::inverse_kinematics_any_q4(pose, limits); },
+      [](const auto& pose, const auto& seed, const auto& limits) {
+        return arm::inverse_kinematics_any_q4(pose, seed, limits);
+      });
+}
+
+/// A point of an interval has a row, a point of a gap none: looked at one by one, a hundred times as densely.
+TEST(GivenJoint, IntervalsAreExactly) {
+  namespace arm = robots::offset_wrist;
+  std::mt19937 random(2);
+  for (int i = 0; i < 10; ++i) {
+    const Draw drawn = draw(random, 0.7);
+    const auto pose = arm::forward_kinematics(drawn.q);
+    const GivenIntervals found = arm::given_intervals_q7(pose, drawn.limits);
+    ASSERT_EQ(found.status, Status::solved);
+    int wrong = 0;
+    for (int k = 0; k < 2000; ++k) {
+      const double share = (k + 0.5) / 2000;
+      const double value = drawn.limits.lower[6] + share * (drawn.limits.upper[6] - drawn.limits.lower[6]);
+      const auto rows = nearest_within_limits(arm::inverse_kinematics_given_q7(pose, value), drawn.limits,
+                                              arm::is_revolute, Values(Values::Zero()));
+      wrong += rows.empty() == contains(found, value) ? 1 : 0;
+    }
+    EXPECT_EQ(wrong, 0) << drawn.q.transpose();
+  }
+}
+
+TEST(GivenJoint, BadInputIsInvalid) {
+  namespace arm = robots::offset_wrist;
+  const Values q = Values::Constant(0.5);
+  const auto pose = arm::forward_kinematics(q);
+  auto broken = pose;
+  broken.position.x() = std::nan("");
+  EXPECT_EQ(arm::given_intervals_q7(broken, usual()).status, Status::invalid);
+  EXPECT_EQ(arm::inverse_kinematics_any_q7(broken, usual()).status, Status::invalid);
+  Limits crossed = usual();
+  std::swap(crossed.lower[2], crossed.upper[2]);
+  EXPECT_EQ(arm::given_intervals_q7(pose, crossed).status, Status::invalid);
+  crossed.lower[2] = std::nan("");
+  EXPECT_EQ(arm::given_intervals_q7(pose, crossed).status, Status::invalid);
+}
+
+TEST(GivenJoint, OutOfReachIsUnreachable) {
+  namespace arm = robots::offset_wrist;
+  auto pose = arm::forward_kinematics(Values(Values::Constant(0.5)));
+  pose.position *= 10;
+  EXPECT_EQ(arm::given_intervals_q7(pose, usual()).status, Status::unreachable);
+  EXPECT_EQ(arm::inverse_kinematics_any_q7(pose, usual()).status, Status::unreachable);
+  EXPECT_TRUE(arm::inverse_kinematics_any_q7(pose, usual()).empty());
+}
+
+/// Without limits every value is looked at once around.
+TEST(GivenJoint, WithoutLimits) {
+  namespace arm = robots::offset_wrist;
+  const double infinity = std::numeric_limits<double>::infinity();
+  const Limits none{Values::Constant(-infinity), Values::Constant(infinity)};
+  const Values q = Values::Constant(0.5);
+  const auto found = arm::given_intervals_q7(arm::forward_kinematics(q), none);
+  EXPECT_EQ(found.status, Status::solved);
+  EXPECT_TRUE(contains(found, q[6]));
+  EXPECT_GE(found[0].from, -3.1415926536);
+  EXPECT_LE(found[found.size() - 1].to, 3.1415926536);
+}
+
+}  // namespace
+}  // namespace qvgen::test
