@@ -40,6 +40,7 @@ void add_moveit_plugin(const model::Robot& robot, RobotOutput& output) {
   const std::string near = all + "_near" + (locked ? given_mark + given : "");
   const bool has_near = targets.contains(near);
   const json values{{"name", output.robot},
+                    {"version", QVGEN_VERSION},
                     {"function", function},
                     {"info", "inverse_info" + (locked ? given_mark + given : "")},
                     {"locked", locked},
