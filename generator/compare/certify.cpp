@@ -54,7 +54,7 @@ struct DecimalPoint {
   [[nodiscard]] cln::cl_R constant(const exact::Number& number) const {
     cln::cl_R sum = 0;
     for (const auto& [radicand, coefficient] : number.terms())
-      sum = sum + coefficient * cln::sqrt(cln::cl_float(cln::cl_I(radicand), digits));
+      sum = sum + coefficient * cln::sqrt(cln::cl_float(radicand, digits));
     return sum;
   }
   [[nodiscard]] cln::cl_R symbol(const std::string& name) const {

@@ -52,7 +52,7 @@ cln::cl_R decimal(const Number& number) {
   const cln::float_format_t format = cln::float_format(digits);
   cln::cl_R sum = 0;
   for (const auto& [radicand, coefficient] : number.terms())
-    sum = sum + coefficient * cln::sqrt(cln::cl_float(cln::cl_I(radicand), format));
+    sum = sum + coefficient * cln::sqrt(cln::cl_float(radicand, format));
   return sum;
 }
 

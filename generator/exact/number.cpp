@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "exact/number.h"
 
-#include <numeric>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
 #include <cln/float.h>
 #include <cln/integer.h>
+#include <cln/integer_io.h>
 #include <cln/lfloat.h>
 #include <cln/rational_io.h>
 #include <cln/real.h>
@@ -15,11 +16,11 @@
 namespace qvgen::exact {
 namespace {
 
-using Terms = std::map<unsigned long, cln::cl_RA>;
+using Terms = Number::Terms;
 
 struct Square {
-  cln::cl_I root;      ///< largest found integer whose square divides the number
-  unsigned long free;  ///< squarefree rest
+  cln::cl_I root;  ///< largest found integer whose square divides the number
+  cln::cl_I free;  ///< squarefree rest
 };
 
 /// n = root^2 * free for n > 0, by trial division: radicands of robot descriptions are small.
@@ -46,24 +47,22 @@ Square split_square(cln::cl_I n) {
   }
   if (cln::integer_length(free) > 62)
     throw std::domain_error("square root of a number with a too large squarefree part");
-  return {root, cln::cl_I_to_ulong(free)};
+  return {root, free};
 }
 
-void add_to(Terms& terms, unsigned long radicand, const cln::cl_RA& coefficient) {
+void add_to(Terms& terms, const cln::cl_I& radicand, const cln::cl_RA& coefficient) {
   const auto [place, inserted] = terms.try_emplace(radicand, coefficient);
   if (!inserted) place->second = place->second + coefficient;
   if (cln::zerop(place->second)) terms.erase(place);
 }
 
-/// A prime that divides some radicand but not all alike; radicands are products of small primes.
-unsigned long splitting_prime(const Terms& terms) {
-  for (const auto& [radicand, coefficient] : terms) {
-    if (radicand == 1) continue;
-    for (unsigned long p = 2; p * p <= radicand; ++p)
-      if (radicand % p == 0) return p;
-    return radicand;
-  }
-  return 1;
+/// Returns a factor of some radicand that divides each of the others or has no prime in common with it: one
+/// of its primes would serve as well, but long radicands are not factored.
+cln::cl_I splitting_factor(const Terms& terms) {
+  cln::cl_I factor = std::prev(terms.end())->first;
+  for (const auto& [radicand, coefficient] : terms)
+    if (const cln::cl_I common = cln::gcd(factor, radicand); common != 1) factor = common;
+  return factor;
 }
 
 }  // namespace
@@ -97,7 +96,7 @@ cln::cl_F to_float(const Number& number, cln::float_format_t digits) {
   cln::cl_F sum = cln::cl_float(0, digits);
   for (const auto& [radicand, coefficient] : number.terms()) {
     const cln::cl_F term = cln::cl_float(coefficient, digits);
-    sum = sum + (radicand == 1 ? term : term * cln::sqrt(cln::cl_float(cln::cl_I(radicand), digits)));
+    sum = sum + (radicand == 1 ? term : term * cln::sqrt(cln::cl_float(radicand, digits)));
   }
   return sum;
 }
@@ -136,8 +135,8 @@ Number operator*(const Number& a, const Number& b) {
   Number product;
   for (const auto& [ra, ca] : a.terms_) {
     for (const auto& [rb, cb] : b.terms_) {
-      const unsigned long common = std::gcd(ra, rb);  // sqrt(x g) sqrt(y g) = g sqrt(x y)
-      add_to(product.terms_, (ra / common) * (rb / common), ca * cb * cln::cl_RA(cln::cl_I(common)));
+      const cln::cl_I common = cln::gcd(ra, rb);  // sqrt(x g) sqrt(y g) = g sqrt(x y)
+      add_to(product.terms_, cln::exquo(ra, common) * cln::exquo(rb, common), ca * cb * common);
     }
   }
   return product;
@@ -147,10 +146,10 @@ Number Number::inverse() const {
   if (is_zero()) throw std::domain_error("division by zero");
   if (is_rational()) return Number(cln::recip(rational()));
   // Multiply by the conjugate that changes the sign of one square root: that root leaves the norm.
-  const unsigned long prime = splitting_prime(terms_);
+  const cln::cl_I factor = splitting_factor(terms_);
   Number conjugate = *this;
   for (auto& [radicand, coefficient] : conjugate.terms_)
-    if (radicand % prime == 0) coefficient = -coefficient;
+    if (cln::zerop(cln::mod(radicand, factor))) coefficient = -coefficient;
   return conjugate * (*this * conjugate).inverse();
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include <cln/float.h>
+#include <cln/integer.h>
 #include <cln/rational.h>
 
 namespace qvgen::exact {
@@ -15,6 +16,13 @@ namespace qvgen::exact {
 /// sines) are computed with tolerance zero. Immutable value with a canonical form: equal numbers are ==.
 class Number {
  public:
+  /// Squarefree radicand -> rational coefficient, no zero coefficients; radicand 1 is the rational part. A
+  /// product's radicand may be as long as those of its factors together.
+  struct Smaller {
+    bool operator()(const cln::cl_I& a, const cln::cl_I& b) const { return a < b; }
+  };
+  using Terms = std::map<cln::cl_I, cln::cl_RA, Smaller>;
+
   Number() = default;
   Number(long value) : Number(cln::cl_RA(value)) {}  // NOLINT(google-explicit-constructor)
   Number(const cln::cl_RA& value);                   // NOLINT(google-explicit-constructor)
@@ -29,8 +37,7 @@ class Number {
   [[nodiscard]] cln::cl_RA rational() const;
   [[nodiscard]] int sign() const;
   [[nodiscard]] double to_double() const;
-  /// Squarefree radicand -> rational coefficient, no zero coefficients; radicand 1 is the rational part.
-  [[nodiscard]] const std::map<unsigned long, cln::cl_RA>& terms() const { return terms_; }
+  [[nodiscard]] const Terms& terms() const { return terms_; }
   [[nodiscard]] Number inverse() const;  ///< throws std::domain_error for zero
 
   friend Number operator+(const Number& a, const Number& b);
@@ -42,7 +49,7 @@ class Number {
   friend bool operator!=(const Number& a, const Number& b) { return !(a == b); }
 
  private:
-  std::map<unsigned long, cln::cl_RA> terms_;
+  Terms terms_;
 };
 
 /// The value rounded to that many digits.

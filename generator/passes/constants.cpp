@@ -23,7 +23,7 @@ cln::float_format_t format() { return cln::float_format(75); }
 cl_R decimal(const exact::Number& number) {
   cl_R sum = 0;
   for (const auto& [radicand, coefficient] : number.terms())
-    sum = sum + coefficient * cln::sqrt(cln::cl_float(cln::cl_I(radicand), format()));
+    sum = sum + coefficient * cln::sqrt(cln::cl_float(radicand, format()));
   return sum;
 }
 

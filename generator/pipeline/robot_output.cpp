@@ -41,7 +41,9 @@ void attempt(const std::string& part, RobotOutput& output,
     generate(made);
     append(output, made);
   } catch (const verify::CertificateError& error) {
-    leave_out(Missing::Kind::refuted, error.what());
+    leave_out(Missing::Kind::refuted,
+              "a check of the generator itself has failed (" + std::string(error.what()) +
+                  "): a defect of this tool, not of the description; please report it with the description");
   } catch (const std::bad_alloc&) {
     leave_out(Missing::Kind::not_finished, "it takes more memory than it may have");
   } catch (const std::exception& error) {

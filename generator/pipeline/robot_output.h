@@ -22,7 +22,7 @@ struct Missing {
     not_derived,      ///< what can be derived does not cover this arm
     not_in_language,  ///< it is there in another language
     not_finished,     ///< it has used up its budget of time or memory, or its process died
-    refuted           ///< a certificate has failed: a defect of the generator
+    refuted           ///< a certificate has failed: a defect of the generator, which says so
   };
   std::string part;
   Kind kind = Kind::not_derived;

@@ -49,6 +49,27 @@ TEST(Number, IsAField) {
   }
 }
 
+/// Lengths of six digits have radicands of twelve and more, their products twice as many.
+TEST(Number, RootsOfLongNumbersMultiply) {
+  std::mt19937 random(2);
+  std::uniform_int_distribution<long> any(1, 2000000);
+  for (int i = 0; i < 100; ++i) {
+    const auto length = [&] {
+      const cln::cl_I x = any(random), y = any(random);
+      return cln::cl_RA(x * x + y * y);
+    };
+    const cln::cl_RA a = length(), b = length(), c = length();
+    const Number roots[3] = {Number::root(a), Number::root(b), Number::root(c)};
+    const Number product = roots[0] * roots[1] * roots[2];
+    EXPECT_EQ(product * product, Number(a * b * c));
+    const double expected = std::sqrt(cln::double_approx(a)) * std::sqrt(cln::double_approx(b)) *
+                            std::sqrt(cln::double_approx(c));
+    EXPECT_NEAR(product.to_double() / expected, 1, 1e-14);
+    const Number sum = roots[0] - Number(2) * roots[0] * roots[1] + Number(3) * roots[2] + Number(1);
+    EXPECT_EQ(sum * sum.inverse(), Number(1));
+  }
+}
+
 TEST(Number, SignAndDoubleAgree) {
   EXPECT_EQ((root(2) - Number(cln::cl_RA(141421356) / 100000000)).sign(), 1);
   EXPECT_EQ((root(2) - Number(cln::cl_RA(141421357) / 100000000)).sign(), -1);

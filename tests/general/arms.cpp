@@ -153,6 +153,41 @@ Arm random_arm(unsigned seed, int slides) {
   return arm;
 }
 
+namespace {
+
+/// z along a coordinate axis, or against it.
+Eigen::Isometry3d frame_along(int axis, bool against, const Eigen::Vector3d& origin) {
+  const Eigen::Vector3d z = Eigen::Vector3d::Unit(axis) * (against ? -1 : 1);
+  const Eigen::Vector3d x = Eigen::Vector3d::Unit((axis + 1) % 3);
+  Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
+  frame.linear() << x, z.cross(x), z;
+  frame.translation() = origin;
+  return frame;
+}
+
+}  // namespace
+
+Arm arm_along_axes(unsigned seed, int slide, bool parallel) {
+  Random random(seed);
+  Arm arm{"along_axes_" + std::to_string(seed) + "_slide_" + std::to_string(slide + 1), {}, {}};
+  arm.slides[static_cast<std::size_t>(slide)] = true;
+  Eigen::Isometry3d before = Eigen::Isometry3d::Identity();
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+  int axis = 2;
+  for (std::size_t i = 0; i < 6; ++i) {
+    for (double& x : place) x += uniform(random);
+    const bool may_repeat = parallel && random() % 3 == 0;
+    const int last = axis;
+    do axis = static_cast<int>(random() % 3);
+    while (!may_repeat && axis == last);
+    const bool is_tool = i == 5;
+    const Eigen::Isometry3d next = frame_along(is_tool ? 2 : axis, !is_tool && random() % 2 == 1, place);
+    arm.links[i] = before.inverse() * next;
+    before = next;
+  }
+  return arm;
+}
+
 // Manseur and Doty, A Robot Manipulator with 16 Real Inverse Kinematic Solution Sets, IJRR 8 (1989).
 Arm manseur_doty() {
   return of_table("manseur_doty",

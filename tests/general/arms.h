@@ -47,6 +47,9 @@ Arm of_modified_table(const std::string& name, const double (&table)[6][3]);
 /// Every axis turned and moved by as much as this, rad and m.
 Arm miscalibrated(Arm arm, double by, unsigned seed);
 Arm random_arm(unsigned seed, int slides);
+/// Every axis along a coordinate axis, the first along z, lengths drawn at random; one joint slides.
+/// `parallel`: one axis in three may have the direction of the one before, else none has.
+Arm arm_along_axes(unsigned seed, int slide, bool parallel);
 
 Arm manseur_doty();
 Arm raghavan_roth();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
 #include <cstdlib>
 
 #include <gtest/gtest.h>
@@ -40,6 +41,48 @@ TEST(RandomArms, SixRevoluteJoints) { check_arms(0); }
 TEST(RandomArms, OneSlideAnywhere) { check_arms(1); }
 
 TEST(RandomArms, TwoSlidesAnywhere) { check_arms(2); }
+
+bool is_regular(const Arm& arm) {
+  Random random(3);
+  for (int i = 0; i < 5; ++i)
+    if (std::abs(arm.determinant(arm.joints(random))) > 1e-6) return true;
+  return false;
+}
+
+/// A slide beside a turn across it is an axis at infinity that meets the turn's, one beside a turn along it
+/// is not: both are pairs of an elimination where the slide is the third or the fourth joint.
+void check_arms_along_axes(bool parallel) {
+  constexpr int poses = 10;
+  int regular = 0, refused = 0, missing = 0, incomplete = 0;
+  for (int number = 0; number < 6 * arm_count(); ++number) {
+    const Arm arm = arm_along_axes(static_cast<unsigned>(number), number % 6, parallel);
+    if (!is_regular(arm)) continue;
+    ++regular;
+    const auto setup = inverse::general::set_up(arm.description());
+    if (setup.count == 0) {
+      EXPECT_TRUE(parallel) << arm.name;
+      ++refused;
+      continue;
+    }
+    Random random(static_cast<unsigned>(number));
+    for (int i = 0; i < poses; ++i) {
+      const Joints6 q = arm.joints(random);
+      const Eigen::Isometry3d target = arm.tool(q);
+      const auto found = solve(setup, Pose<double>::from_isometry(target), instruction_sets[i % 3]);
+      EXPECT_EQ(fault(arm, target, found), "");
+      const bool told = found.status == Status::incomplete;
+      incomplete += told ? 1 : 0;
+      missing += contains(arm, found, q) || told ? 0 : 1;
+    }
+  }
+  EXPECT_GT(regular, 3 * arm_count());
+  EXPECT_LE(refused, regular / 50);
+  EXPECT_EQ(missing, 0);
+  EXPECT_LE(incomplete, regular * poses / 100);
+}
+
+TEST(RandomArms, OneSlideBetweenRightAngles) { check_arms_along_axes(false); }
+TEST(RandomArms, OneSlideBetweenRightAnglesAndParallels) { check_arms_along_axes(true); }
 
 /// Three slides have a closed form: that they are not solved here is said at once, not found out pose by
 /// pose.

@@ -62,6 +62,22 @@ void turn_wrist(Attempt& attempt, const WristAxes& turning, const symbolic::Quat
   solve_wrist(attempt.builder, first, middle, last, turning.seen(rotation));
 }
 
+/// One joint alone brings `start` to `goal`, which lies where it can be brought: empty, or why it cannot.
+std::string place_by_one(Attempt& attempt, const Screw& joint, const Vector& start, const Vector& goal) {
+  const Scope& scope = attempt.scope;
+  if (!joint.revolute) {
+    attempt.builder.slide_by_value(joint, scope.clean(dot(joint.axis, goal - start)),
+                                   "the displacement along " + joint.variable);
+    return "";
+  }
+  const Flat arm = in_frame(joint, scope.clean(start - joint.point), scope);
+  if (scope.is_zero(arm.x) && scope.is_zero(arm.y))
+    return "the axis of " + joint.variable + " goes through it too";
+  const Flat turn = in_frame(joint, scope.clean(goal - joint.point), scope) * conjugate(arm);
+  attempt.builder.turn_by_pair(joint, turn, "the turn that brings the common point to its place");
+  return "";
+}
+
 }  // namespace
 
 std::string place_centre(Attempt& attempt, Target& target, std::size_t k, std::size_t count,
@@ -73,6 +89,12 @@ std::string place_centre(Attempt& attempt, Target& target, std::size_t k, std::s
   const auto named = [&](const Vector& v) {
     return attempt.scope.define(attempt.plan.target, "goal", attempt.scope.clean(v));
   };
+  if (pre.size() + post.size() == 1) {
+    // The others need not follow every pose, whose rows are looked at.
+    attempt.plan.candidates = true;
+    return post.empty() ? place_by_one(attempt, pre[0], centre, named(target.image(centre)))
+                        : place_by_one(attempt, reversed(post[0]), centre, named(target.source(centre)));
+  }
   if (post.empty())
     return solve_position(attempt.builder, pre[0], pre[1], pre[2], centre, named(target.image(centre)));
   if (pre.empty())
@@ -150,7 +172,8 @@ std::string by_common_point(Attempt& attempt, std::size_t k) {
   const std::vector<Screw> post(screws.begin() + static_cast<std::ptrdiff_t>(k) + 3, screws.end());
   const std::string reason = place_centre(attempt, target, k, 3, wrist->centre);
   if (!reason.empty())
-    return "joints " + attempt.joints(k, 3) + " meet in a point, but the others cannot place it: " + reason;
+    return "joints " + attempt.joints(k, 3) + " meet in a point, but the " +
+           (screws.size() == 4 ? "other" : "others") + " cannot place it: " + reason;
   if (const auto zero = at_zero(attempt, k)) {
     target.orientation(zero->home);
     turn_tool(attempt, target, zero->turning, zero->pre, zero->post);

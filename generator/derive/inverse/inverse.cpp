@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "derive/inverse/attempt.h"
+#include "derive/inverse/exchange.h"
 #include "derive/inverse/freedom.h"
 #include "derive/inverse/lengths.h"
 #include "derive/inverse/range_test.h"
@@ -48,26 +49,52 @@ Derivation first_of(const Problem& problem, const std::vector<Method>& methods) 
   return derivation;
 }
 
-}  // namespace
-
-Derivation derive_pose(const Problem& problem) {
+/// With the joints in the order that the problem has them in.
+Derivation derive_pose_in_order(const Problem& problem) {
   std::vector<Method> methods;
   const std::size_t count = problem.robot.joints.size();
   if (count == 6) {
-    const std::string reason = dependent_joints(Attempt(problem), {0, 1, 2, 3, 4, 5}, false);
-    if (!reason.empty()) return {false, problem, {}, {reason}};
     for (const std::size_t k : {3U, 0U, 2U, 1U})
       methods.push_back([k](Attempt& a) { return by_common_point(a, k); });
     for (const std::size_t k : {1U, 2U, 0U, 3U})
       methods.push_back([k](Attempt& a) { return by_parallel_axes(a, k); });
     methods.emplace_back(by_three_slides);
   } else if (count == 4) {
+    for (const std::size_t k : {1U, 0U}) methods.push_back([k](Attempt& a) { return by_common_point(a, k); });
     for (const std::size_t k : {3U, 0U, 2U, 1U})
       methods.push_back([k](Attempt& a) { return by_single_turn(a, k); });
   } else if (count == 3) {
     methods.emplace_back(in_plane);
   }
   return first_of(problem, methods);
+}
+
+/// Says that joints have another order in the plan; equations between an arm's own pairs are not among its
+/// steps then.
+void tell_order(Derivation& derivation) {
+  std::string order;
+  for (const model::Joint& joint : derivation.problem.robot.joints)
+    order += (order.empty() ? "" : ", ") + joint.variable;
+  derivation.plan.structure += "; a turn and a slide along its axis commute: in the order " + order;
+  for (Step& step : derivation.plan.steps) step.elements = {};
+}
+
+}  // namespace
+
+Derivation derive_pose(const Problem& problem) {
+  if (problem.robot.joints.size() == 6) {
+    const std::string reason = dependent_joints(Attempt(problem), {0, 1, 2, 3, 4, 5}, false);
+    if (!reason.empty()) return {false, problem, {}, {reason}};
+  }
+  const Derivation in_order = derive_pose_in_order(problem);
+  if (in_order.found) return in_order;
+  for (const Problem& other : in_other_orders(problem)) {
+    Derivation derivation = derive_pose_in_order(other);
+    if (!derivation.found) continue;
+    tell_order(derivation);
+    return derivation;
+  }
+  return in_order;
 }
 
 Derivation derive_position(const Problem& problem) {

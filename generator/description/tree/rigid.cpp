@@ -57,7 +57,7 @@ Expression expression_of(const Number& number) {
   Expression sum;
   for (const auto& [radicand, coefficient] : number.terms()) {
     const Expression root = radicand == 1 ? Expression(cln::cl_RA(1))
-                                          : Expression::make(Kind::root, {cln::cl_RA(cln::cl_I(radicand))});
+                                          : Expression::make(Kind::root, {cln::cl_RA(radicand)});
     sum = model::add(sum, model::multiply(coefficient, root));
   }
   return sum;

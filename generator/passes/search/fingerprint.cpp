@@ -42,14 +42,20 @@ Field Fingerprint::number(const exact::Number& value) {
   return result;
 }
 
-Field Fingerprint::root(unsigned long radicand) {
+/// Of a long radicand the rest without small factors counts as a prime.
+Field Fingerprint::root(const cln::cl_I& radicand) {
   const auto known = roots_.find(radicand);
   if (known != roots_.end()) return known->second;
+  constexpr unsigned long largest_trial = 1UL << 16;
   Field result = Field::from(1);
-  unsigned long rest = radicand;
-  for (unsigned long p = 2; p * p <= rest; ++p)
-    for (; rest % p == 0; rest /= p) result = result * prime_root(p);
-  if (rest > 1) result = result * prime_root(rest);
+  cln::cl_I rest = radicand;
+  for (unsigned long p = 2; p < largest_trial && cln::square(cln::cl_I(p)) <= rest; ++p)
+    for (; cln::zerop(cln::mod(rest, p)); rest = cln::exquo(rest, p)) result = result * prime_root(p);
+  if (rest > 1) {
+    const bool is_short = cln::integer_length(rest) <= 63;
+    result = result * (is_short ? prime_root(cln::cl_I_to_ulong(rest))
+                                : opaque("root", Field::from(modulo(rest, Field::prime)), {}));
+  }
   return roots_[radicand] = result;
 }
 

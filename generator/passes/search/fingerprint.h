@@ -32,12 +32,12 @@ class Fingerprint {
   Field opaque(const char* operation, Field a, Field b) const;
 
  private:
-  Field root(unsigned long radicand);
+  Field root(const cln::cl_I& radicand);
   Field prime_root(unsigned long prime) const;
 
   std::uint64_t seed_;
   Field unity_, imaginary_, half_;
-  std::map<unsigned long, Field> roots_;
+  std::map<cln::cl_I, Field, exact::Number::Smaller> roots_;
 };
 
 }  // namespace qvgen::passes::search_detail

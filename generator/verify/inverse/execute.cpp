@@ -27,7 +27,7 @@ struct Leaves {
   Real constant(const exact::Number& number) const {
     Real sum(0);
     for (const auto& [radicand, coefficient] : number.terms())
-      sum += Real(cln::cl_R(coefficient)) * sqrt(Real(cln::cl_R(cln::cl_I(radicand))));
+      sum += Real(cln::cl_R(coefficient)) * sqrt(Real(cln::cl_R(radicand)));
     return sum;
   }
   Real symbol(const std::string& name) const {

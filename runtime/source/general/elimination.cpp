@@ -55,6 +55,10 @@ void set_loop(const Chain& chain, bool backwards, int shift, Elimination& e) {
 
 /// How two axes that follow each other in the loop lie, and the displacement that makes them skew: a turn
 /// about the common normal if they are parallel, a shift along it if they meet. In the second's frame.
+///
+/// The axis of a slide is a line at infinity, that of the planes across it. A turn's axis meets this line if
+/// and only if it is at right angles to the slide: a turn about the common normal takes them apart. Beside an
+/// axis along the slide nothing has to be done.
 struct Displacement {
   bool skew;
   bool possible;
@@ -72,15 +76,19 @@ Displacement displacement_of(const Elimination& e) {
   const bool has_points = !e.slide[1] && !e.slide[2];
   Displacement d{};
   Eigen::Map<Eigen::Matrix<Long, 3, 1>> turn(d.turn), shift(d.shift);
-  if (normal.norm() <= none) {
-    const Eigen::Vector3d across = away - away.dot(second) * second;
-    d.possible = !has_points || across.norm() > none;
-    const Eigen::Vector3d axis = has_points ? across : Eigen::Vector3d(1, 0, 0);
-    if (d.possible) turn = axis.normalized().cast<Long>();
+  d.possible = true;
+  if (!has_points) {
+    d.skew = std::abs(first.dot(second)) > none;
+    if (!d.skew) turn = normal.normalized().cast<Long>();
     return d;
   }
-  d.possible = true;
-  d.skew = !has_points || std::abs(away.dot(normal)) > none * normal.norm();
+  if (normal.norm() <= none) {
+    const Eigen::Vector3d across = away - away.dot(second) * second;
+    d.possible = across.norm() > none;
+    if (d.possible) turn = across.normalized().cast<Long>();
+    return d;
+  }
+  d.skew = std::abs(away.dot(normal)) > none * normal.norm();
   if (!d.skew) shift = normal.normalized().cast<Long>();
   return d;
 }

@@ -5,7 +5,8 @@
 
 namespace qvgen::inverse::general {
 
-/// Axes 2' and 3' of a loop (see `Elimination`), whose line is what the equations are linear in.
+/// Axes 2' and 3' of a loop (see `Elimination`), whose line is what the equations are linear in. A slide's
+/// axis lies at infinity, and meets the axis of a turn that is at right angles to it.
 enum class Pair {
   skew,      ///< they neither meet nor are parallel: six independent equations
   repeats,   ///< one of the six equations depends on the others at every outer angle, whatever the pose
