@@ -78,7 +78,8 @@ std::string about_errata(const std::vector<Part>& parts) {
          " rows, by document and page: those that are wrong, and those that hold for some solutions only. A "
          "reader who "
          "corrects these has the sources as they should be. Pages of the thesis are those of its table of "
-         "contents; the scan of the lecture keeps few numbers of its slides.";
+         "contents; the scan of the lecture keeps few numbers of its slides, so that its lines are counted "
+         "within each example.";
 }
 
 std::string about_rest() {

@@ -2,6 +2,7 @@
 // Every erratum has evidence and a remark; conditions do not need the result of their own step.
 #include <algorithm>
 #include <cctype>
+#include <regex>
 
 #include <gtest/gtest.h>
 
@@ -89,6 +90,31 @@ TEST(Errata, NoConditionNeedsTheJointThatIsSolvedFor) {
   EXPECT_GT(conditions, 20);
 }
 
+/// One rule for names: a reading closes a bracket or adds a comma, but it does not rename a joint or a
+/// length.
+TEST(Errata, NoReadingRenames) {
+  const std::regex renaming("(theta|[dhl])_?\\d[^;]* read as |printed for ");
+  for (const Chapter& chapter : transcriptions())
+    for (const Section& section : chapter.sections)
+      for (const Printed& equation : section.equations)
+        EXPECT_FALSE(std::regex_search(equation.reading, renaming))
+            << equation.number << ": " << equation.reading;
+}
+
+/// A name that the arm does not have is wrong, where it is solved for too.
+TEST(Errata, NamesThatTheArmDoesNotHave) {
+  const auto verdict = [](const std::string& printed) {
+    Section section;
+    section.robot = "cr";
+    section.inverse = true;
+    section.equations.push_back({"", printed, "", "", "", "", "", "", false, {}});
+    return judge(section).at(0);
+  };
+  EXPECT_EQ(verdict("d_2 = p_z + d_4 \\cos \\theta_3").kind, Judgement::Kind::inverse);
+  EXPECT_EQ(verdict("d_1 = p_z + d_4 \\cos \\theta_3").trouble, "d1 is not a name of this arm");
+  EXPECT_EQ(verdict("p_z - d_1 = -d_4 \\cos \\theta_3").trouble, "d1 is not a name of this arm");
+}
+
 std::set<std::string> slips(const std::string& printed, const std::string& right) {
   return differences(read_latex(printed), read_latex(right));
 }
@@ -109,7 +135,7 @@ TEST(Errata, BracketsAreToldFromOtherSlips) {
 TEST(Errata, BracketsAloneAreRepaired) {
   for (const Chapter& chapter : transcriptions())
     for (const Section& section : chapter.sections)
-      for (const Judgement& judgement : judge(section)) {
+      for (const Judgement& judgement : judgements_of(section)) {
         const bool brackets = judgement.slips.count("bracket") > 0;
         const bool more = brackets && judgement.slips.size() > 1;
         EXPECT_EQ(judgement.brackets_alone > 1e-9, more)

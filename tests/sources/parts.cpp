@@ -74,7 +74,8 @@ Row row_of(const Judgement& judgement, const Printed& equation) {
     return row;
   }
   if (judgement.sides.empty()) {
-    row.printed = {equation.latex, equation.latex};
+    const bool formula = equation.latex.find_first_of("\\_^=") != std::string::npos;
+    row.printed = {equation.latex, formula ? equation.latex : ""};
     return row;
   }
   // A left side that is no name stands with the rest; exponentials are short as text alone.
