@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include "arm_class.h"
 #include "condition.h"
 #include "counts.h"
-#include "printed_tables.h"
 #include "reused_parts.h"
 #include "value.h"
 #include "verdict.h"

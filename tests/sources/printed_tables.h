@@ -47,16 +47,6 @@ struct PrintedTables {
 };
 PrintedTables printed_tables();
 
-/// The first three joints of an arm, from its axes at random configurations.
-struct ArmClass {
-  std::string types;
-  std::string relations;
-  std::string joints;  ///< as a Sentence has them
-  int directions = 0;  ///< that the axes of its turns span
-  [[nodiscard]] std::string workspace() const;
-};
-ArmClass class_of(const std::string& robot);
-
 /// Returns the tables of a chapter that are judged cell by cell: for "2." the captions of its figures, for
 /// "3." tables 3.17 and 3.18, for "4." its sentences on the joints.
 std::vector<Table> tables_of_chapter(const std::string& prefix);
