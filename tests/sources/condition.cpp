@@ -16,8 +16,12 @@ struct Signed {
   Truth positive;
 };
 
-/// What people would look at first: joints, then the position, then cosines, sines and the rest.
+/// An expression that the transcription proposes.
+bool is_expression(const std::string& name) { return name.find(' ') != std::string::npos; }
+
+/// What people would look at first: a proposal, joints, the position, cosines, sines and the rest.
 int rank(const std::string& name) {
+  if (is_expression(name)) return -1;
   if (name.rfind("theta", 0) == 0) return 0;
   if (name == "px" || name == "py" || name == "pz") return 1;
   return name.size() == 2 && (name[0] == 'c' || name[0] == 's') ? 2 : 3;
@@ -75,17 +79,41 @@ std::string first_of_pairs(const std::vector<Signed>& all,
 
 }  // namespace
 
-std::string condition_of(const std::vector<Outcome>& outcomes) {
-  Truth wanted;
-  for (const Outcome& outcome : outcomes) wanted.push_back(outcome.reached);
-  const std::vector<Signed> all = signs_of(outcomes);
+bool is_of_joint(const std::string& name, const std::string& joint) {
+  if (name == joint) return true;
+  if (joint.rfind("theta", 0) != 0) return false;
+  const std::string digit = joint.substr(5);
+  for (const char* shorthand : {"c", "s", "hc", "hs"})
+    if (name == shorthand + digit) return true;
+  return false;
+}
+
+namespace {
+
+std::string factor(const std::string& name) { return is_expression(name) ? "(" + name + ")" : name; }
+
+std::string condition_by(const std::vector<Signed>& all, const Truth& wanted) {
   for (const Signed& one : all)
     if (const std::string found = by_one_sign(one.name, one.positive, wanted); !found.empty()) return found;
   const std::string product = first_of_pairs(all, [&](const Signed& a, const Signed& b) {
-    return by_one_sign(a.name + "*" + b.name, combined(a.positive, b.positive, std::equal_to<>()), wanted);
+    return by_one_sign(factor(a.name) + "*" + factor(b.name),
+                       combined(a.positive, b.positive, std::equal_to<>()), wanted);
   });
   if (!product.empty()) return product;
   return first_of_pairs(all, [&](const Signed& a, const Signed& b) { return by_two_signs(a, b, wanted); });
+}
+
+}  // namespace
+
+std::string condition_of(const std::vector<Outcome>& outcomes, const std::string& own) {
+  Truth wanted;
+  for (const Outcome& outcome : outcomes) wanted.push_back(outcome.reached);
+  const std::vector<Signed> all = signs_of(outcomes);
+  std::vector<Signed> others;
+  for (const Signed& one : all)
+    if (!is_of_joint(one.name, own)) others.push_back(one);
+  const std::string found = condition_by(others, wanted);
+  return found.empty() ? condition_by(all, wanted) : found;
 }
 
 }  // namespace qvgen::test::sources

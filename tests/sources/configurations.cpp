@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "configurations.h"
 
+#include <cmath>
 #include <fstream>
 #include <random>
 #include <sstream>
@@ -51,6 +52,21 @@ reference::Values constants_of(const std::string& description, Random& random) {
   if (const toml::table* defaults = table["defaults"].as_table())
     for (const auto& entry : *defaults) values[std::string(entry.first.str())] = random.between(0.2, 1.2);
   return values;
+}
+
+/// The one state of an example that has numbers.
+Known values_of_example(const Section& section, const std::string& description) {
+  const NumbersOfExample& numbers = section.numbers;
+  const reference::Chain chain = reference::load_text(description, numbers.lengths);
+  const auto size = static_cast<Eigen::Index>(chain.joints.size());
+  Eigen::VectorXd q(size), qd(size);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const double unit = chain.joints[k].revolute ? std::acos(-1.0) / 180 : 1;
+    q[i] = unit * numbers.positions.at(k);
+    qd[i] = unit * numbers.rates.at(k);
+  }
+  return frame_values(chain, numbers.lengths, q, qd);
 }
 
 Known values_of(const Section& section, const std::string& description, Random& random) {
@@ -112,6 +128,7 @@ std::vector<std::string> joint_variables(const Section& section) {
 
 std::vector<Known> configurations(const Section& section) {
   const std::string description = description_of(section);
+  if (!section.numbers.positions.empty()) return {values_of_example(section, description)};
   std::vector<Known> result;
   for (unsigned number = 1; number <= samples; ++number) {
     Random random(number);

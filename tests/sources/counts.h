@@ -13,10 +13,17 @@ inline constexpr std::array<const char*, 6> verdict_names{"right", "right on a c
                                                           "name",  "definition",           "not judged"};
 Counts counts_of(const Part& part);
 int rows_of(const Part& part);
+/// Returns how many rows of all parts are errata.
+int errata_in(const std::vector<Part>& parts);
 
 /// What both documents say first.
 std::string introduction();
 /// On names, verdicts and slips.
 std::string legend();
+/// Returns the text before the list of errata, and the one before all other rows.
+std::string about_errata(const std::vector<Part>& parts);
+std::string about_rest();
+/// Returns a table's title with the pages of the source: "pages 22 to 24: 3.1.1: SS".
+std::string heading_of(const Table& table);
 
 }  // namespace qvgen::test::sources

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "brackets.h"
 #include "verdict.h"
 
 namespace qvgen::test::sources {
@@ -67,13 +68,32 @@ void compare(const Tree& a, const Tree& b, Names& found) {
   compare_parts(a, b, found);
 }
 
+/// Two expressions that differ in their brackets: "bracket", and what else tells them apart.
+Names beside_brackets(const Tree& printed, const Tree& right) {
+  Names found{"bracket"};
+  const std::vector<Token> a = tokens_of(printed), b = tokens_of(right);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (a[i].leaf != nullptr) compare(*a[i].leaf, *b[i].leaf, found);
+    if (a[i].sign != b[i].sign) found.insert("sign");
+  }
+  return found;
+}
+
+Names differences_of_sides(const Tree& printed, const Tree& right) {
+  Names found;
+  compare(printed, right, found);
+  if (found.count("form") == 0 || !same_without_brackets(printed, right)) return found;
+  Names beside = beside_brackets(printed, right);
+  return beside.count("form") > 0 ? found : beside;
+}
+
 }  // namespace
 
 std::set<std::string> differences(const std::vector<Tree>& printed, const std::vector<Tree>& right) {
   Names found;
   if (printed.size() != right.size()) found.insert("form");
   for (std::size_t i = 0; i < std::min(printed.size(), right.size()); ++i)
-    compare(printed[i], right[i], found);
+    found.merge(differences_of_sides(printed[i], right[i]));
   return found;
 }
 

@@ -24,6 +24,7 @@ struct Row {
 
 struct Table {
   std::string title;
+  std::string pages;  ///< of the source: "22 to 24"; empty if it has no numbers
   std::vector<Row> rows;
 };
 
@@ -35,6 +36,12 @@ struct Part {
 
 /// Of all sources, judged.
 std::vector<Part> parts();
+
+/// True if a row is wrong, or right on a condition only: a reader of the source should know.
+bool is_erratum(const Row& row);
+/// Returns a part with its errata alone, or with all other rows; tables without such rows are left out.
+Part errata_of(const Part& part);
+Part rest_of(const Part& part);
 
 /// The document, for a terminal and browsers, and for print.
 std::string markdown(const std::vector<Part>& parts);

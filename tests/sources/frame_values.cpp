@@ -54,6 +54,17 @@ void add_velocities(const std::vector<Isometry3d>& frames, std::size_t j, const 
   }
 }
 
+/// The Jacobian as each frame but the base sees it: J3, and J3v without the rows of the angular velocity.
+void add_turned_jacobians(const std::vector<Isometry3d>& frames, const MatrixXd& jacobian, Known& known) {
+  for (std::size_t i = 1; i < frames.size(); ++i) {
+    MatrixXd turned(6, jacobian.cols());
+    turned << frames[i].linear().transpose() * jacobian.topRows(3),
+        frames[i].linear().transpose() * jacobian.bottomRows(3);
+    known["J" + std::to_string(i)] = turned;
+    known["J" + std::to_string(i) + "v"] = MatrixXd(turned.topRows(3));
+  }
+}
+
 void add_jacobian(const MatrixXd& jacobian, const VectorXd& qd, Known& known) {
   known["J0"] = jacobian;
   known["J0v"] = MatrixXd(jacobian.topRows(3));
@@ -86,6 +97,7 @@ Known frame_values(const reference::Chain& chain, const reference::Values& lengt
   }
   const MatrixXd jacobian = reference::jacobian(chain, q);
   add_jacobian(jacobian, qd, known);
+  add_turned_jacobians(frames, jacobian, known);
   const std::string tool = std::to_string(frames.size() - 1);
   const MatrixXd turned = frames.back().linear().transpose() * jacobian.topRows(3);
   known["J" + tool + "xy"] = MatrixXd(turned.topRows(2));

@@ -5,6 +5,9 @@
 #include <cctype>
 #include <cmath>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "condition.h"
 
 namespace qvgen::test::sources {
@@ -44,6 +47,19 @@ std::vector<double> all_values(const Text& text, reference::Values values) {
     }
   }
   return result;
+}
+
+/// Returns an angle between minus and plus half a turn; other values as they are.
+double shown(double value, bool turns) { return turns ? std::remainder(value, 2 * pi) : value; }
+
+/// "gives 0.312 or -0.312 for 0.624"
+std::string counterexample(const std::vector<double>& given, double wanted, bool turns) {
+  std::vector<std::string> numbers;
+  for (const double value : given) {
+    const std::string text = std::isnan(value) ? "no real value" : fmt::format("{:.3f}", shown(value, turns));
+    if (std::find(numbers.begin(), numbers.end(), text) == numbers.end()) numbers.push_back(text);
+  }
+  return fmt::format("gives {} for {:.3f}", fmt::join(numbers, " or "), shown(wanted, turns));
 }
 
 void add_entries(const std::string& prefix, const Eigen::Matrix3d& r, reference::Values& values) {
@@ -88,6 +104,16 @@ double value_of(const Text& text, reference::Values values) {
   }
   return reference::evaluate(text.value, values, functions());
 }
+
+namespace {
+
+/// Adds to one solution's values those of the expressions that a formula proposes for its condition.
+reference::Values with_signs(const Formula& formula, reference::Values values) {
+  for (const std::string& sign : formula.signs) values[sign] = value_of({{}, sign}, values);
+  return values;
+}
+
+}  // namespace
 
 std::string Text::written() const {
   std::string result = value;
@@ -180,7 +206,8 @@ bool Judge::judge(const Place& place, std::size_t solution, const std::string& o
   };
   bool reached = false;
   bool spurious = false;
-  for (const double value : all_values(text, place.values[solution])) {
+  const std::vector<double> given = all_values(text, place.values[solution]);
+  for (const double value : given) {
     if (std::isnan(value)) continue;
     reached = reached || same(value, target(solution));
     bool true_somewhere = false;
@@ -191,7 +218,18 @@ bool Judge::judge(const Place& place, std::size_t solution, const std::string& o
   ++verdict.solutions;
   verdict.reached += reached ? 1 : 0;
   verdict.spurious += spurious ? 1 : 0;
+  if ((!reached || spurious) && verdict.counterexample.empty())
+    verdict.counterexample = counterexample(given, target(solution), turns);
   return reached;
+}
+
+std::string Judge::condition(const Formula& formula, const std::vector<bool>& reached) const {
+  std::vector<reference::Values> values;
+  for (const Place& place : places_)
+    for (const reference::Values& each : place.values) values.push_back(with_signs(formula, each));
+  std::vector<Outcome> outcomes;
+  for (std::size_t i = 0; i < values.size(); ++i) outcomes.push_back({&values[i], reached[i]});
+  return condition_of(outcomes, formula.of);
 }
 
 Verdict Judge::formula(std::size_t index, const Text& text) const {
@@ -202,11 +240,12 @@ Verdict Judge::formula(std::size_t index, const Text& text) const {
   known.erase(joint(of));
   if (case_.robot().info.given_joint >= 0) known.insert(case_.robot().info.given_joint);
   Verdict verdict;
-  std::vector<Outcome> outcomes;
+  std::vector<bool> reached;
   for (const Place& place : places_)
     for (std::size_t i = 0; i < place.solutions.size(); ++i)
-      outcomes.push_back({&place.values[i], judge(place, i, of, text, known, verdict)});
-  if (verdict.reached > 0 && verdict.reached < verdict.solutions) verdict.condition = condition_of(outcomes);
+      reached.push_back(judge(place, i, of, text, known, verdict));
+  if (verdict.reached > 0 && verdict.reached < verdict.solutions)
+    verdict.condition = condition(arm_.formulas[index], reached);
   return verdict;
 }
 

@@ -28,6 +28,7 @@ struct Formula {
   Text printed;
   Text right;  ///< the printed one, if it is right
   std::string note;
+  std::vector<std::string> signs = {};  ///< expressions whose sign may tell when it is right: "l2 - d4*s3"
 };
 
 struct Arm {
@@ -52,7 +53,8 @@ struct Verdict {
   int reached = 0;  ///< solutions whose value the formula gives, with one of its signs
   int spurious =
       0;  ///< solutions beside which it gives a value that no solution with the same earlier joints has
-  std::string condition = {};  ///< which holds at exactly the solutions that are reached: "theta5 > 0"
+  std::string condition = {};       ///< which holds at exactly the solutions that are reached: "theta5 > 0"
+  std::string counterexample = {};  ///< at the first solution where it fails: "gives 0.312 for 0.624"
   [[nodiscard]] bool right() const { return solutions > 0 && reached == solutions && spurious == 0; }
   [[nodiscard]] std::string text() const;
 };
@@ -78,6 +80,8 @@ class Judge {
   /// Whether the formula gives the solution's value; what else it gives counts in the verdict.
   bool judge(const Place& place, std::size_t solution, const std::string& of, const Text& text,
              const std::set<int>& known, Verdict& verdict) const;
+  /// Returns when the formula is right, from the solutions that it reaches (in the order of places_).
+  [[nodiscard]] std::string condition(const Formula& formula, const std::vector<bool>& reached) const;
 
   const Arm& arm_;
   Case case_;

@@ -84,9 +84,15 @@ std::string table(const Table& table) {
   std::string text = fmt::format(
       "\\subsection*{{{}}}\n\\begin{{longtable}}{{L{{13mm}}L{{15mm}}L{{94mm}}L{{22mm}}L{{94mm}}L{{26mm}}}}\n"
       "equation & of & printed & verdict & right & remarks \\\\ \\hline \\endhead\n",
-      words(table.title));
+      words(heading_of(table)));
   for (const Row& each : table.rows) text += row(each);
   return text + "\\end{longtable}\n";
+}
+
+std::string section(const std::string& before, const Part& part) {
+  std::string text = fmt::format("\\section*{{{}}}\n", words(before + part.title));
+  for (const Table& each : part.tables) text += table(each);
+  return text;
 }
 
 std::string overview(const std::vector<Part>& parts) {
@@ -106,11 +112,12 @@ std::string overview(const std::vector<Part>& parts) {
 
 std::string latex_document(const std::vector<Part>& parts) {
   std::string text = std::string(head) + "\\section*{Printed equations, judged}\n" + introduction() +
-                     "\n\n\\medskip\n" + overview(parts) + "\n\\medskip\n" + words(legend()) + "\n";
-  for (const Part& part : parts) {
-    text += fmt::format("\\section*{{{}}}\n", words(part.title));
-    for (const Table& each : part.tables) text += table(each);
-  }
+                     "\n\n\\medskip\n" + overview(parts) + "\n\\medskip\n" + words(legend()) +
+                     "\n\\section*{Errata}\n" + words(about_errata(parts)) + "\n";
+  for (const Part& part : parts)
+    if (const Part errata = errata_of(part); !errata.tables.empty()) text += section("Errata, ", errata);
+  text += "\\section*{The rest}\n" + words(about_rest()) + "\n";
+  for (const Part& part : parts) text += section("The rest, ", rest_of(part));
   return text + "\\end{document}\n";
 }
 

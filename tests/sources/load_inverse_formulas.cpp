@@ -18,11 +18,9 @@ std::vector<std::string> list(const toml::table& table, const char* key) {
 }
 
 Formula formula(const toml::table& table) {
-  Formula result{text(table, "number"),
-                 text(table, "of"),
-                 {list(table, "where"), text(table, "printed")},
-                 {},
-                 text(table, "note")};
+  Formula result{
+      text(table, "number"), text(table, "of"),   {list(table, "where"), text(table, "printed")}, {},
+      text(table, "note"),   list(table, "signs")};
   result.right =
       table.contains("right") ? Text{list(table, "right_where"), text(table, "right")} : result.printed;
   return result;

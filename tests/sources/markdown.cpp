@@ -31,8 +31,14 @@ std::string row(const Row& row) {
 std::string table(const Table& table) {
   std::string text = fmt::format(
       "\n### {}\n\n| equation | of | printed | verdict | right | remarks |\n|---|---|---|---|---|---|\n",
-      table.title);
+      heading_of(table));
   for (const Row& each : table.rows) text += row(each);
+  return text;
+}
+
+std::string section(const std::string& before, const Part& part) {
+  std::string text = "\n## " + before + part.title + "\n";
+  for (const Table& each : part.tables) text += table(each);
   return text;
 }
 
@@ -57,11 +63,11 @@ std::string overview(const std::vector<Part>& parts) {
 
 std::string markdown(const std::vector<Part>& parts) {
   std::string text = "# Printed equations, judged\n\n" + wrapped(introduction()) + overview(parts) + "\n" +
-                     wrapped(legend());
-  for (const Part& part : parts) {
-    text += "\n## " + part.title + "\n";
-    for (const Table& each : part.tables) text += table(each);
-  }
+                     wrapped(legend()) + "\n## Errata\n\n" + wrapped(about_errata(parts));
+  for (const Part& part : parts)
+    if (const Part errata = errata_of(part); !errata.tables.empty()) text += section("Errata, ", errata);
+  text += "\n## The rest\n\n" + wrapped(about_rest());
+  for (const Part& part : parts) text += section("The rest, ", rest_of(part));
   return text;
 }
 

@@ -9,6 +9,7 @@
 
 #include "document.h"
 #include "inverse_formulas.h"
+#include "printed_tables.h"
 #include "verdict.h"
 
 namespace qvgen::test::sources {
@@ -33,6 +34,7 @@ std::string verdict_of(const Judgement& judgement, const Printed& equation) {
     case Kind::right:
       return "right";
     case Kind::wrong:
+    case Kind::words:
       return "wrong";
     case Kind::meaningless:
       return "wrong: " + judgement.trouble;
@@ -52,6 +54,10 @@ std::string remarks_on(const Judgement& judgement, const Printed& equation) {
   std::vector<std::string> remarks;
   if (!judgement.slips.empty()) remarks.push_back(fmt::format("{}", fmt::join(judgement.slips, ", ")));
   if (!equation.note.empty()) remarks.push_back(equation.note);
+  if (!equation.evidence.empty()) remarks.push_back("words; " + equation.evidence);
+  if (judgement.brackets_alone > 0)
+    remarks.push_back(
+        fmt::format("off by {:.3f} if only the brackets are repaired", judgement.brackets_alone));
   if (!judgement.counterexample.empty()) remarks.push_back("gives " + judgement.counterexample);
   if (judgement.counterexample.empty() && judgement.kind == Kind::wrong)
     remarks.push_back(std::isinf(judgement.error) ? "sides of different kinds or sizes"
@@ -62,8 +68,14 @@ std::string remarks_on(const Judgement& judgement, const Printed& equation) {
 
 Row row_of(const Judgement& judgement, const Printed& equation) {
   Row row{equation.number, {}, {}, verdict_of(judgement, equation), {}, remarks_on(judgement, equation)};
+  if (judgement.kind == Kind::words) {
+    row.printed.plain = equation.latex;
+    row.right.plain = equation.right;
+    return row;
+  }
   if (judgement.sides.empty()) {
-    row.printed = {equation.latex, equation.latex};
+    const bool formula = equation.latex.find_first_of("\\_^=") != std::string::npos;
+    row.printed = {equation.latex, formula ? equation.latex : ""};
     return row;
   }
   // A left side that is no name stands with the rest; exponentials are short as text alone.
@@ -98,6 +110,8 @@ class JointRows {
             verdict.text() + (circular ? "; circular" : ""),
             {},
             formula.note};
+    if (!verdict.counterexample.empty())
+      row.remarks += (row.remarks.empty() ? "" : "; ") + verdict.counterexample;
     if (!verdict.right() || circular) row.right.plain = formula.right.written();
     return row;
   }
@@ -120,7 +134,7 @@ const Arm* arm_of(const std::vector<Arm>& arms, const std::string& robot) {
 }
 
 Table table_of(const Section& section, const std::vector<Arm>& arms) {
-  Table table{section.title, {}};
+  Table table{section.title, section.pages, {}};
   const Arm* arm = section.inverse ? arm_of(arms, section.robot) : nullptr;
   const std::optional<JointRows> joints = arm == nullptr ? std::nullopt : std::optional<JointRows>(*arm);
   const std::vector<Judgement> judgements = judge(section);
@@ -145,7 +159,7 @@ constexpr const char* planar_lecture = "Inverse kinematics of the planar 3R arm"
 void add_arms(const std::string& file, Part& part) {
   for (const Arm& arm : load_inverse_formulas(file)) {
     const JointRows joints(arm);
-    Table table{arm.title, {}};
+    Table table{arm.title, "", {}};
     for (std::size_t i = 0; i < arm.formulas.size(); ++i) table.rows.push_back(joints.row(i));
     part.tables.push_back(table);
   }
@@ -159,6 +173,7 @@ std::vector<Part> parts() {
   std::vector<Part> result;
   for (const Chapter& chapter : transcriptions()) {
     result.push_back(part_of(chapter, arms));
+    for (Table& table : tables_of_chapter(chapter.prefix)) result.back().tables.push_back(std::move(table));
     if (chapter.title == planar_lecture) add_arms("planar_3r_inverse.toml", result.back());
   }
   return result;

@@ -7,12 +7,17 @@
 
 #include <fmt/format.h>
 
+#include "brackets.h"
+
 namespace qvgen::test::sources {
 namespace {
 
 using Kind = Judgement::Kind;
 
-constexpr double tolerance = 1e-9;
+constexpr double rounding = 1e-9;
+
+/// Returns the error that is allowed: an example's numbers hold as far as they are printed.
+double tolerance_of(const Section& section) { return std::max(rounding, section.numbers.tolerance); }
 
 /// The largest difference of the first side and another; of a printed sign ±, the better one counts.
 double error_of(const std::vector<Tree>& sides, const Known& known) {
@@ -58,6 +63,10 @@ class SectionJudge {
 
   Judgement judge(const Printed& equation) {
     Judgement result;
+    if (!equation.evidence.empty()) {
+      result.kind = Kind::words;
+      return result;
+    }
     if (!equation.excluded.empty() || !equation.definition.empty()) {
       result.kind = equation.excluded.empty() ? Kind::definition : Kind::excluded;
       return result;
@@ -66,7 +75,7 @@ class SectionJudge {
     if (is_variable(result.sides[0])) {
       result.kind = Kind::inverse;
     } else if (equation.local) {
-      define(result);
+      define(equation, result);
     } else {
       compare(equation, result);
     }
@@ -78,14 +87,25 @@ class SectionJudge {
     return std::find(variables_.begin(), variables_.end(), plain_text(tree)) != variables_.end();
   }
 
-  void define(Judgement& result) {
+  void define(const std::vector<Tree>& sides) {
+    for (Known& known : known_) known[plain_text(sides[0])] = value_of(sides.back(), known);
+  }
+
+  /// A name whose definition has no meaning gets the right one, so that what uses it is judged by itself.
+  void define(const Printed& equation, Judgement& result) {
     result.kind = Kind::local;
     try {
-      for (Known& known : known_) known[plain_text(result.sides[0])] = value_of(result.sides.back(), known);
+      define(result.sides);
+      return;
     } catch (const std::domain_error& trouble) {
       result.kind = Kind::meaningless;
       result.trouble = trouble.what();
     }
+    if (equation.right.empty()) return;
+    result.right = read(equation, equation.right, {{}, section_.frames});
+    define(result.right);
+    result.corrected = true;
+    result.slips = differences(result.sides, result.right);
   }
 
   [[nodiscard]] double error(const Printed& equation, const std::string& latex) const {
@@ -99,7 +119,7 @@ class SectionJudge {
   void compare(const Printed& equation, Judgement& result) const {
     try {
       result.error = error(equation, equation.latex);
-      result.kind = result.error < tolerance ? Kind::right : Kind::wrong;
+      result.kind = result.error < tolerance_of(section_) ? Kind::right : Kind::wrong;
       if (result.kind == Kind::wrong && equation.indices.empty())
         result.counterexample = counterexample(result.sides, known_[0]);
     } catch (const std::domain_error& trouble) {
@@ -109,11 +129,22 @@ class SectionJudge {
     if (equation.right.empty()) return;
     result.right = read(equation, equation.right, {{}, section_.frames});
     try {
-      result.corrected = error(equation, equation.right) < tolerance;
+      result.corrected = error(equation, equation.right) < tolerance_of(section_);
     } catch (const std::domain_error&) {
       result.corrected = false;
     }
     result.slips = differences(result.sides, result.right);
+    if (result.kind == Kind::wrong && result.slips.count("bracket") > 0 && result.slips.size() > 1)
+      repair_brackets(result);
+  }
+
+  void repair_brackets(Judgement& result) const {
+    std::vector<Tree> sides;
+    for (std::size_t i = 0; i < result.sides.size(); ++i)
+      sides.push_back(same_without_brackets(result.sides[i], result.right[i])
+                          ? rebracketed(result.sides[i], result.right[i])
+                          : result.sides[i]);
+    result.brackets_alone = error_of(sides, known_);
   }
 
   const Section& section_;

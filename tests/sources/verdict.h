@@ -19,6 +19,7 @@ struct Judgement {
     local,        ///< gives a name to what later equations use
     definition,
     excluded,
+    words,   ///< words or numbers in print that are wrong; the transcription has the evidence
     inverse  ///< a joint's equation: judged at all solutions of a pose, elsewhere
   };
   Kind kind = Kind::right;
@@ -26,6 +27,7 @@ struct Judgement {
   std::vector<Tree> right;      ///< the sides as they should be; empty if right as printed
   std::string trouble;          ///< of one without meaning
   double error = 0;             ///< the largest difference of two sides
+  double brackets_alone = 0;    ///< the same once the brackets are right and all else is as printed
   bool corrected = false;       ///< whether the right form is right
   std::set<std::string> slips;  ///< what tells the printed from the right form: "sign", "index", ...
   std::string counterexample;   ///< the first configuration's values, of numbers
@@ -36,7 +38,7 @@ struct Judgement {
 std::vector<Judgement> judge(const Section& section);
 
 /// What tells two expressions apart: "sign", "index", "prime", "name", "half angle", "function", "axis",
-/// "value", "form".
+/// "value", "bracket", "form".
 std::set<std::string> differences(const std::vector<Tree>& printed, const std::vector<Tree>& right);
 
 }  // namespace qvgen::test::sources
