@@ -41,7 +41,7 @@ std::string depfile(const GenerateArguments& arguments) {
 constexpr std::array sources{"kinematics", "inverse",  "inverse_avx2",         "arm_angle",
                              "jacobian",   "dynamics", "dynamics_derivatives", "dynamics_loads",
                              "regressor",  "batch",    "batch_derivatives",    "inverse_batch",
-                             "certified"};
+                             "certified",  "mass"};
 
 /// Of all files of a robot.
 std::string fingerprint(const fs::path& output, const std::string& robot) {

@@ -40,6 +40,9 @@ struct LoadedQuantity {
 };
 const std::vector<LoadedQuantity>& loaded_quantities();
 
+/// The centre of mass and its Jacobian. There is nothing to choose for them. `described`: DynamicsModel's.
+std::vector<DynamicsQuantity> mass_quantities(const model::Robot& described);
+
 struct DynamicsEffort {
   long trial_steps = 50'000;  ///< annealing steps for each combination of choices
   long final_steps = 1'000'000;

@@ -64,17 +64,21 @@ OutputFile umbrella_header(const RobotOutput& output) {
                                    {"is_complete", missing.empty()}})};
 }
 
+/// True if a part that is named needs the product.
 bool is_needed(const std::string& product, const Parts& parts) {
+  const auto needs_it = [&](const auto& each) {
+    return contains(parts, each.part) && contains(each.needs, product);
+  };
+  const auto& products = all_products();
   const auto& extras = all_extras();
-  return std::any_of(extras.begin(), extras.end(), [&](const Extra& extra) {
-    return contains(parts, extra.part) && contains(extra.needs, product);
-  });
+  return std::any_of(products.begin(), products.end(), needs_it) ||
+         std::any_of(extras.begin(), extras.end(), needs_it);
 }
 
 /// Every part rests on the model header.
 bool is_wanted(const Product& product, const Parts& parts) {
-  return parts.empty() || is_needed(product.part, parts) || product.part == all_products().front().part ||
-         contains(parts, product.part);
+  return (parts.empty() && !product.on_request) || is_needed(product.part, parts) ||
+         product.part == all_products().front().part || contains(parts, product.part);
 }
 
 std::vector<Product> wanted_products(const Parts& parts) {
@@ -159,12 +163,14 @@ bool is_in(Language language, const std::string& folder_name) {
 std::vector<std::string> product_names() {
   std::vector<std::string> names;
   for (const Product& product : all_products()) names.push_back(product.part);
-  for (const std::string& extra : extra_names()) names.push_back(extra);
+  for (const Extra& extra : all_extras()) names.push_back(extra.part);
   return names;
 }
 
 std::vector<std::string> extra_names() {
   std::vector<std::string> names;
+  for (const Product& product : all_products())
+    if (product.on_request) names.push_back(product.part);
   for (const Extra& extra : all_extras()) names.push_back(extra.part);
   return names;
 }
@@ -176,7 +182,7 @@ std::vector<std::string> part_names() {
     names.insert(names.end(), product.headers.begin(), product.headers.end());
     names.insert(names.end(), product.functions.begin(), product.functions.end());
   }
-  for (const std::string& extra : extra_names()) names.push_back(extra);
+  for (const Extra& extra : all_extras()) names.push_back(extra.part);
   return names;
 }
 

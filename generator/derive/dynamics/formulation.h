@@ -75,4 +75,11 @@ Formulation kinetic_energy(const model::Robot& robot, const FormulationOptions& 
 /// Output "energy": gravity times the first moment of all links along the world's z.
 Formulation potential_energy(const model::Robot& robot, const FormulationOptions& choices);
 
+/// Outputs cx, cy, cz: the centre of mass of all links in the world. It is the tip of an arm with the same
+/// rotations whose lengths are averages by mass of the described ones, one length across each axis.
+Formulation centre_of_mass(const model::Robot& robot, const FormulationOptions& choices);
+
+/// Outputs jx1, jy1, jz1, jx2, ... (column by column): its derivatives by the joints, the Jacobian of that tip.
+Formulation centre_of_mass_jacobian(const model::Robot& robot, const FormulationOptions& choices);
+
 }  // namespace qvgen::derive::dynamics

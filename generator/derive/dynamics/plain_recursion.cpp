@@ -307,4 +307,18 @@ Number PlainRecursion::potential_energy(const Vector& gravity) const {
   return sum;
 }
 
+Number PlainRecursion::total_mass() const {
+  Number sum = 0;
+  for (const Link& link : links_) sum = sum + link.mass;
+  return sum;
+}
+
+Vector PlainRecursion::centre_of_mass() const {
+  const std::vector<Frame> frames = link_frames();
+  Vector sum{};
+  for (std::size_t i = 0; i < links_.size(); ++i)
+    sum = sum + links_[i].mass * (frames[i].position + frames[i].rotation * links_[i].centre);
+  return total_mass().inverse() * sum;
+}
+
 }  // namespace qvgen::derive::dynamics

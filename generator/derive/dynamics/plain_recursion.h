@@ -58,6 +58,9 @@ class PlainRecursion {
   [[nodiscard]] Number kinetic_energy(const Values& rates) const;
   /// Minus the sum of m gravity . r over the links' centres of mass r in the world.
   [[nodiscard]] Number potential_energy(const Vector& gravity) const;
+  [[nodiscard]] Number total_mass() const;
+  /// The sum of m r over the links' centres of mass r in the world, divided by the mass.
+  [[nodiscard]] Vector centre_of_mass() const;
 
   /// Values of the joints' rates, accelerations and forces at the point.
   [[nodiscard]] Values rates() const;

@@ -23,6 +23,10 @@ Parameter result_of(const model::Robot& robot, Result result, std::size_t output
       return result_matrix(dof, outputs / dof);
     case Result::derivatives:
       return result_struct(robot, "inverse_dynamics_derivatives_result");
+    case Result::point:
+      return result_array(3);
+    case Result::point_derivatives:
+      return result_matrix(3, dof);
   }
   return {};
 }
@@ -110,6 +114,14 @@ Part dynamics(const model::Robot& robot, const std::vector<optimise::Optimised>&
     all += written(robot, {function_of(robot, function)});
   }
   return all;
+}
+
+Part total_mass(const model::Robot& robot) {
+  const Code code = total_mass_code(robot, spelling());
+  Function function{"total_mass", {"Mass of all links, kg."}, {geometry(robot), inertia(robot)}, "double"};
+  append(function.statements, temporaries(code));
+  function.statements.push_back("return " + code.outputs.front().expression + ";");
+  return written(robot, {function});
 }
 
 Part regressor(const model::Robot& robot, const derive::dynamics::Regressor& regressor,

@@ -42,6 +42,7 @@ Part jacobian(const model::Robot& robot, const std::vector<JacobianFunction>& fu
 
 /// Functions of dynamics by the names that they have in operation_counts.json: C knows no overloads.
 Part dynamics(const model::Robot& robot, const std::vector<optimise::Optimised>& functions);
+Part total_mass(const model::Robot& robot);
 Part regressor(const model::Robot& robot, const derive::dynamics::Regressor& regressor,
                const optimise::Optimised& function);
 

@@ -72,6 +72,14 @@ void set_result(BatchForm& form, Result result) {
       form.rows = "dof + 2 * dof * dof";
       form.meaning = "the forces, then their derivatives by q, then those by qd, column by column";
       form.members = {"torque", "by_position", "by_rate"};
+      return;
+    case Result::point:
+      form.rows = "3";
+      form.meaning = "x y z, m";
+      return;
+    case Result::point_derivatives:
+      form.rows = "3 * dof";
+      form.meaning = "its 3 x dof entries column by column";
   }
 }
 
@@ -82,6 +90,8 @@ using Parts = std::tuple<std::string, std::string, std::string>;
 Parts parts_of(const DynamicsInterface& interface) {
   if (interface.result == Result::regressor) return {"regressor", "regressor_angles", "regressor"};
   if (interface.result == Result::derivatives) return {"dynamics_derivatives", "dynamics_angles", "dynamics"};
+  if (interface.result == Result::point || interface.result == Result::point_derivatives)
+    return {"mass", "mass_angles", "mass"};
   if (interface.gravity == Gravity::vector) return {"dynamics_loads", "load_angles", "dynamics_loads"};
   return {"dynamics", "dynamics_angles", "dynamics"};
 }

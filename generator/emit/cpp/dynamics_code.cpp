@@ -10,6 +10,7 @@
 #include "emit/cpp/template_values.h"
 #include "emit/math/dynamics_choices.h"
 #include "model/followers.h"
+#include "passes/constants.h"
 #include "verify/counts_json.h"
 
 namespace qvgen::emit {
@@ -202,6 +203,15 @@ Code base_parameters_code(const model::Robot& robot, const derive::dynamics::Reg
   for (std::size_t i = 0; i < 10 * robot.joints.size(); ++i)
     known[derive::dynamics::standard_parameter(i)] = "standard[" + std::to_string(i) + "]";
   return straight_code(regressor.base_parameters, constant_names(robot, known, spelling));
+}
+
+Code total_mass_code(const model::Robot& robot, const Spelling& spelling) {
+  dag::Function function;
+  derive::dynamics::Scalar mass;
+  for (const model::Joint& joint : robot.joints)
+    mass = mass + derive::dynamics::to_scalar(joint.inertia.mass, function.graph);
+  function.outputs.push_back({"mass", mass.in(function.graph)});
+  return straight_code(passes::fold_constants(function), set_up_names(robot, spelling));
 }
 
 json base_parameter_values(const model::Robot& robot, const derive::dynamics::Regressor& regressor) {

@@ -23,7 +23,9 @@ enum class Result {
   symmetric_matrix,  ///< joints by joints; the outputs are the upper triangle, row by row
   matrix,            ///< joints by joints, row by row
   regressor,         ///< joints by base parameters, column by column
-  derivatives        ///< a vector, then for each joint its derivatives by position, and those by rate
+  derivatives,       ///< a vector, then for each joint its derivatives by position, and those by rate
+  point,             ///< three coordinates
+  point_derivatives  ///< three by joints, column by column
 };
 
 /// How a generated function of dynamics looks from outside.
@@ -49,6 +51,9 @@ DynamicsCode dynamics_code(const model::Robot& robot, const optimise::Optimised&
                            const std::vector<dag::Angle>& angles, const Spelling& spelling = cpp_spelling());
 Code base_parameters_code(const model::Robot& robot, const derive::dynamics::Regressor& regressor,
                           const Spelling& spelling = cpp_spelling());
+
+/// The mass of all links; its only output.
+Code total_mass_code(const model::Robot& robot, const Spelling& spelling = cpp_spelling());
 
 /// The type of a function's constants: InverseDynamicsConstants of inverse_dynamics.
 std::string constants_type(const std::string& function);

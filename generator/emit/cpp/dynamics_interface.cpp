@@ -45,6 +45,13 @@ const std::map<std::string, DynamicsInterface>& known_interfaces() {
         Result::scalar,
         Gravity::magnitude,
         "Sum of m g z over the links, z of the centre of mass in the world, J."}},
+      {"centre_of_mass",
+       {{"q"}, Result::point, Gravity::none, "Centre of mass of all links in the world frame, m."}},
+      {"centre_of_mass_jacobian",
+       {{"q"},
+        Result::point_derivatives,
+        Gravity::none,
+        "Its derivatives by the joints: the centre of mass moves with centre_of_mass_jacobian(q) qd."}},
       {"regressor",
        {{"q", "qd", "qdd"},
         Result::regressor,
@@ -118,6 +125,10 @@ std::string type_of(Result result, const std::string& scalar) {
       return "Eigen::Matrix<" + scalar + ", dof, base_parameter_count>";
     case Result::derivatives:
       return "InverseDynamicsDerivatives<" + scalar + ">";
+    case Result::point:
+      return "Eigen::Matrix<" + scalar + ", 3, 1>";
+    case Result::point_derivatives:
+      return "Eigen::Matrix<" + scalar + ", 3, dof>";
   }
   return {};
 }
@@ -182,6 +193,10 @@ std::vector<std::string> places_of(Result result, std::size_t dof, std::size_t c
       return places_by_columns("result", dof, count / dof);
     case Result::derivatives:
       return derivative_places(dof);
+    case Result::point:
+      return vector_places("result", 3);
+    case Result::point_derivatives:
+      return places_by_columns("result", 3, dof);
   }
   return {};
 }

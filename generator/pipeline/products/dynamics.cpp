@@ -7,36 +7,16 @@
 
 #include "emit/c/parts.h"
 #include "emit/cpp/dynamics_code.h"
-#include "emit/cpp/symbol_table.h"
-#include "emit/math/dynamics_choices.h"
-#include "emit/render.h"
 #include "model/evaluate.h"
-#include "model/followers.h"
-#include "optimise/described.h"
 #include "optimise/dynamics_derivatives.h"
-#include "optimise/optimised_json.h"
 #include "pipeline/c_files.h"
+#include "pipeline/products/dynamics_functions.h"
 #include "pipeline/products/model_header.h"
-#include "verify/accuracy.h"
 
 namespace qvgen::pipeline {
 namespace {
 
 using nlohmann::json;
-using nlohmann::ordered_json;
-
-constexpr int accuracy_points = 50;
-
-ordered_json entry_of(const model::Robot& robot, const optimise::Optimised& function) {
-  return to_json(function, function.choices ? emit::choices_text(robot, *function.choices) : "");
-}
-
-void measure(const model::Robot& robot, optimise::Optimised& function) {
-  verify::OutputGroup all;
-  for (const dag::Output& output : function.function.outputs) all.push_back(output.name);
-  if (const auto with_numbers = with_default_values(robot, function))
-    function.largest_error = verify::largest_error_in_ulps(*with_numbers, {all}, accuracy_points);
-}
 
 /// Not to be tried again: the choices of the function of that name.
 optimise::DynamicsEffort with_choices_of(const std::vector<optimise::Optimised>& functions,
@@ -66,20 +46,6 @@ std::vector<optimise::Optimised> all_functions(const optimise::DynamicsModel& mo
   return functions;
 }
 
-/// In terms of the joints that follow none, as the code has it.
-optimise::Optimised in_terms_of_leaders(const model::Robot& robot, optimise::Optimised function) {
-  if (!model::has_followers(robot)) return function;
-  function.function = optimise::in_terms_of_leaders(function.function, robot);
-  function.counts = dag::count(function.function, derive::dynamics::is_constant_symbol);
-  return function;
-}
-
-std::vector<optimise::Optimised> in_terms_of_leaders(const model::Robot& robot,
-                                                     std::vector<optimise::Optimised> functions) {
-  for (optimise::Optimised& function : functions) function = in_terms_of_leaders(robot, std::move(function));
-  return functions;
-}
-
 json parameters_of(const model::Robot& robot) {
   json list = json::array();
   for (const model::Parameter& parameter : robot.inertia_parameters) {
@@ -105,66 +71,6 @@ bool has_defaults(const model::Robot& robot) {
   return false;
 }
 
-/// Adds one header with its definitions and source, for the functions' values in `values` and their
-/// instances.
-void add_files(const model::Robot& robot, const std::string& part, const json& values, RobotOutput& output) {
-  const std::string headers = "include/qvgen/robots/" + robot.name + "/";
-  output.files.push_back({headers + part + ".h", emit::render(part + ".h", values)});
-  output.files.push_back({headers + part + "_definitions.h", emit::render(part + "_definitions.h", values)});
-  output.files.push_back({"source/" + robot.name + "/" + part + ".cpp", emit::render(part + ".cpp", values)});
-}
-
-json angles_and_name(const model::Robot& robot, const std::vector<dag::Angle>& angles,
-                     const std::string& angles_type) {
-  const emit::SymbolTable names = emit::symbol_table(robot, angles);
-  return {{"name", robot.name},
-          {"angles", emit::angle_values(angles, names)},
-          {"angle_count", angles.size()},
-          {"angles_type", angles_type},
-          {"sines_cosines", emit::sines_cosines_code(angles, names, angles_type)}};
-}
-
-/// A header of several functions that share sines and cosines.
-void add_functions(const model::Robot& robot, const std::vector<optimise::Optimised>& functions,
-                   const std::string& part, json values, RobotOutput& output) {
-  const auto angles = emit::angles_of(functions);
-  const auto values_for = [&](const std::string& scalar) {
-    json list = json::array();
-    for (const optimise::Optimised& function : functions)
-      list.push_back(
-          emit::dynamics_values(robot, function, emit::dynamics_interface(function.name), angles, scalar));
-    return list;
-  };
-  values.update(angles_and_name(robot, angles, part == "dynamics" ? "DynamicsAngles" : "LoadAngles"));
-  values["functions"] = values_for("Scalar");
-  values["instances"] = json::array();
-  for (const char* scalar : {"double", "float"})
-    values["instances"].push_back({{"scalar", scalar}, {"functions", values_for(scalar)}});
-  add_files(robot, part, values, output);
-  for (const optimise::Optimised& function : functions)
-    output.counts[function.name] = entry_of(robot, function);
-}
-
-/// A header of a single function.
-void add_function(const model::Robot& robot, optimise::Optimised function, const std::string& part,
-                  const std::vector<dag::Angle>& angles, json values, RobotOutput& output) {
-  measure(robot, function);
-  function = in_terms_of_leaders(robot, std::move(function));
-  const auto values_for = [&](const std::string& scalar) {
-    return emit::dynamics_values(robot, function, emit::dynamics_interface(function.name), angles, scalar);
-  };
-  values.update(values_for("Scalar"));
-  values.update(angles_and_name(robot, angles, part == "regressor" ? "RegressorAngles" : "DynamicsAngles"));
-  values["instances"] = json::array();
-  for (const char* scalar : {"double", "float"}) {
-    json instance = values_for(scalar);
-    instance["scalar"] = scalar;
-    values["instances"].push_back(instance);
-  }
-  add_files(robot, part, values, output);
-  output.counts[function.name] = entry_of(robot, function);
-}
-
 /// With the choices that were best for the functions that they overload.
 std::vector<optimise::Optimised> loaded_functions(const optimise::DynamicsModel& model,
                                                   const std::vector<optimise::Optimised>& functions,
@@ -179,7 +85,7 @@ void add_regressor(const optimise::DynamicsModel& model, RobotOutput& output) {
   const model::Robot& robot = model.arm.robot;
   const derive::dynamics::Regressor regressor = derive::dynamics::regressor(robot);
   const optimise::Optimised function = optimise::regressor_function(model, regressor);
-  add_function(robot, function, "regressor",
+  add_function(robot, function, "regressor", "RegressorAngles",
                emit::angles_of(std::vector{in_terms_of_leaders(robot, function)}),
                emit::base_parameter_values(robot, regressor), output);
 }
@@ -204,14 +110,14 @@ void generate_dynamics_product(const model::Robot& described, RobotOutput& outpu
                      {"has_parameters", !robot.inertia_parameters.empty()},
                      {"has_defaults", has_defaults(robot)}};
   const std::vector<optimise::Optimised> written = in_terms_of_leaders(robot, functions);
-  add_functions(robot, written, "dynamics", inertia, output);
+  add_functions(robot, written, "dynamics", "DynamicsAngles", inertia, output);
   const auto derivatives = [&](RobotOutput& made) {
     add_function(robot, inverse_dynamics_derivatives(model, functions.front()), "dynamics_derivatives",
-                 emit::angles_of(written), json::object(), made);
+                 "DynamicsAngles", emit::angles_of(written), json::object(), made);
   };
   const auto loads = [&](RobotOutput& made) {
     add_functions(robot, in_terms_of_leaders(robot, loaded_functions(model, functions, made)),
-                  "dynamics_loads", json::object(), made);
+                  "dynamics_loads", "LoadAngles", json::object(), made);
   };
   const auto regressor = [&](RobotOutput& made) { add_regressor(model, made); };
   attempt_all({{"dynamics_derivatives", derivatives}, {"dynamics_loads", loads}, {"regressor", regressor}},

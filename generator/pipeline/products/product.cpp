@@ -11,6 +11,7 @@
 #include "pipeline/products/inverse.h"
 #include "pipeline/products/jacobian.h"
 #include "pipeline/products/kinematics.h"
+#include "pipeline/products/mass.h"
 #include "pipeline/products/model_header.h"
 #include "pipeline/products/moveit_plugin.h"
 #include "pipeline/products/nearest_pose.h"
@@ -29,7 +30,8 @@ const std::vector<Product>& all_products() {
        generate_dynamics_product,
        {"dynamics_derivatives", "dynamics_loads", "regressor"},
        {"forward_dynamics", "forward_dynamics_with_gravity_vector", "forward_dynamics_with_wrench"},
-       generate_dynamics_c}};
+       generate_dynamics_c},
+      {"mass", generate_mass, {}, {}, generate_mass_c, true, {"dynamics"}}};
   return products;
 }
 

@@ -18,6 +18,8 @@ struct Product {
   std::vector<std::string> headers = {};
   std::vector<std::string> functions = {};
   void (*generate_c)(const model::Robot& robot, RobotOutput& output);
+  bool on_request = false;              ///< made only for who names it
+  std::vector<std::string> needs = {};  ///< products whose headers its header includes
 };
 
 /// A part that is made only for who asks for it by its name, from what others have made of a robot.
