@@ -16,6 +16,7 @@
 #include "description/request.h"
 #include "description/size_limits.h"
 #include "description/symbols.h"
+#include "description/xml/mjcf_fragment.h"
 #include "description/xml/reader.h"
 #include "model/arithmetic.h"
 
@@ -134,10 +135,22 @@ ReadResult failed(const Context& context, Place place, const std::string& messag
   return {std::nullopt, {context.diagnostic(place, message, hint)}, {}};
 }
 
+/// Mistakes of the file itself first, then those of each file that it names. A place that is read several
+/// times (a class, a copied part) is reported once.
+void sort_by_place(Context& context) {
+  const auto place = [&](const Diagnostic& d) {
+    const auto file = std::find(context.files.begin(), context.files.end(), d.file);
+    const bool is_main = d.file == context.source.file();
+    return Place{d.line, d.column, is_main ? 0 : 1 + static_cast<int>(file - context.files.begin())};
+  };
+  auto& all = context.diagnostics;
+  std::stable_sort(all.begin(), all.end(), [&](const auto& a, const auto& b) { return place(a) < place(b); });
+  const auto same = [](const Diagnostic& a, const Diagnostic& b) { return to_string(a) == to_string(b); };
+  all.erase(std::unique(all.begin(), all.end(), same), all.end());
+}
+
 ReadResult finished(Context& context, Place name_place, model::Robot robot) {
-  std::stable_sort(context.diagnostics.begin(), context.diagnostics.end(), [](const auto& a, const auto& b) {
-    return Place{a.line, a.column} < Place{b.line, b.column};
-  });
+  sort_by_place(context);
   ReadResult result;
   result.name_place = context.diagnostic(name_place, "", "");
   result.diagnostics = std::move(context.diagnostics);
@@ -196,6 +209,8 @@ ReadResult read_xml(Context& context, std::string_view text) {
     robot = xml::read_urdf(context, *root);
   } else if (root && root->name == "mujoco") {
     robot = xml::read_mjcf(context, *root);
+  } else if (root && root->name == "mujocoinclude") {
+    if (const auto model = xml::model_of_fragment(context, *root)) robot = xml::read_mjcf(context, *model);
   } else if (root) {
     context.error(place, "<" + root->name + "> is no robot description",
                   "a URDF begins with <robot>, an MJCF with <mujoco>");
