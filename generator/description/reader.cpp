@@ -2,9 +2,6 @@
 #include "description/reader.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <sstream>
 
 #include "description/chain.h"
@@ -16,6 +13,7 @@
 #include "description/request.h"
 #include "description/size_limits.h"
 #include "description/symbols.h"
+#include "description/xml/file_text.h"
 #include "description/xml/mjcf_fragment.h"
 #include "description/xml/reader.h"
 #include "model/arithmetic.h"
@@ -241,14 +239,6 @@ const char* severity_text(Diagnostic::Severity severity) {
   return ": ";
 }
 
-/// The file's text, or one byte more than is read at most.
-std::string beginning_of(std::istream& file) {
-  std::string text(max_file_size + 1, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(file.gcount()));
-  return text;
-}
-
 }  // namespace
 
 std::string to_string(const Diagnostic& diagnostic) {
@@ -268,19 +258,16 @@ ReadResult read_text(std::string_view text, const std::string& file, const ReadO
 }
 
 ReadResult read_file(const std::filesystem::path& path, const ReadOptions& options) {
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
+  const xml::FileText file = xml::read_text_of(path, max_file_size);
   const Context context("", path.string(), options);
-  if (!file || std::filesystem::is_directory(path)) {
-    const std::string reason = file ? "it is a directory" : std::strerror(errno == 0 ? EIO : errno);
-    return failed(context, {}, "cannot read the file: " + reason, "give the path of a robot description");
-  }
-  const std::string text = beginning_of(file);
-  if (text.size() > max_file_size) {
+  if (file.is_too_large) {
     return failed(context, {}, "the file has more than " + std::to_string(max_file_size / 1'000'000) + " MB",
                   "a robot description is text, and far shorter");
   }
-  return read_text(text, path.string(), options);
+  if (!file.problem.empty())
+    return failed(context, {}, "cannot read the file: " + file.problem,
+                  "give the path of a robot description");
+  return read_text(file.text, path.string(), options);
 }
 
 std::vector<Diagnostic> check_together(const std::vector<ReadResult>& robots) {

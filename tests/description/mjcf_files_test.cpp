@@ -42,8 +42,7 @@ TEST(MjcfFiles, MistakesStandInTheIncludedFile) {
               part("<body name=\"b\"\n quat=\"0.9239 0.3827 0 0\"><joint axis=\"0 0 x\"/></body>\n"));
   EXPECT_EQ(files.report("a.xml"),
             "@b.xml:3:8: note: quat=\"0.9239 0.3827 0 0\" is read as 45 deg about x, entries change by up to "
-            "1.1e-05; "
-            "--snap off keeps it\n"
+            "1.1e-05; --snap off keeps it\n"
             "@b.xml:3:44: error: 'x' is no number; write a decimal number such as 0.1 or 1e-3\n");
   files.write("b.xml", "<a>\n<b></a>");
   EXPECT_EQ(files.report("a.xml"),

@@ -154,6 +154,11 @@ TEST(Mjcf, AnOrientationReplacesAnInheritedOne) {
   EXPECT_EQ(texts(arm.tool), "1, 0, 0 by 1/2*pi; 0, 0, 0");
 }
 
+TEST(Mjcf, ARangeOfZeroIsNone) {
+  EXPECT_FALSE(single("", "<joint range=\"0 0\"/>").joints.at(0).limits.has_value());
+  EXPECT_NE(report_body("", "<joint range=\"0 0\" limited=\"true\"/>").find("is empty"), std::string::npos);
+}
+
 TEST(Mjcf, BallsAreThreeTurns) {
   const std::string text = model(
       "<worldbody><body name=\"torso\"><body name=\"upper\" pos=\"0 0.2 0.4\">\n"

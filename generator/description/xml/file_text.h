@@ -10,6 +10,7 @@ namespace qvgen::description::xml {
 struct FileText {
   std::string text;
   std::string problem;  ///< empty: none
+  bool is_too_large = false;
 };
 
 /// Reads a file of at most so many bytes.

@@ -118,6 +118,7 @@ std::optional<model::Limits> MjcfNumbers::limits(const Element& joint, const std
   const auto range = read_decimals(*context_, joint, "range", 2);
   if (!range) return std::nullopt;
   const Decimal &lower = range->front(), &upper = range->back();
+  if (limited == "auto" && cln::zerop(lower.value) && cln::zerop(upper.value)) return std::nullopt;
   if (lower.value >= upper.value) {
     context_->error(lower.place, "the range of '" + name + "' is empty: the lower end is not below the upper",
                     "write range=\"lower upper\"");
