@@ -222,23 +222,32 @@ TEST(MjcfFiles, FragmentsNameTheModelsThatIncludeThem) {
             "includes it: @arm.xml\n");
 }
 
+TEST(MjcfFiles, FragmentsMayBeIncludedFromAFolderBeside) {
+  Folder files;
+  files.write("parts/hand.xml", part(hand));
+  files.write("scenes/a.xml", world("<include file=\"../parts/hand.xml\"/>"));
+  EXPECT_NE(files.report("parts/hand.xml").find("give a model that includes it: @scenes/a.xml\n"),
+            std::string::npos);
+}
+
 TEST(MjcfFiles, FragmentsThatAreTreesAreRead) {
   Folder files;
-  files.write("hand.xml", part(hand));
-  EXPECT_EQ(files.report("hand.xml"),
-            "@hand.xml:1:1: note: <mujocoinclude> is read as a model of its own: no file near by includes "
-            "it; without "
-            "<compiler> its angles are in degrees\n");
-  EXPECT_EQ(texts(files.robot("hand.xml").joints.at(0).before), "0, 0, 2");
-  files.write("finger.xml", part("<joint name=\"j\"/>" + hand));
-  EXPECT_EQ(files.robot("finger.xml").joints.size(), 2U);
-  files.write("whole.xml", part("<worldbody>" + hand + "</worldbody>"));
-  EXPECT_EQ(files.robot("whole.xml").joints.size(), 1U);
-  files.write("assets.xml", part("<asset/>"));
+  files.write("a/b/hand.xml", part(hand));
   EXPECT_EQ(
-      files.report("assets.xml"),
-      "@assets.xml:1:1: error: <mujocoinclude> is a part of a model, for an <include>; give the model that "
-      "includes it\n");
+      files.report("a/b/hand.xml"),
+      "@a/b/hand.xml:1:1: note: <mujocoinclude> is read as a model of its own: no file near by includes "
+      "it; without "
+      "<compiler> its angles are in degrees\n");
+  EXPECT_EQ(texts(files.robot("a/b/hand.xml").joints.at(0).before), "0, 0, 2");
+  files.write("a/b/finger.xml", part("<joint name=\"j\"/>" + hand));
+  EXPECT_EQ(files.robot("a/b/finger.xml").joints.size(), 2U);
+  files.write("a/b/whole.xml", part("<worldbody>" + hand + "</worldbody>"));
+  EXPECT_EQ(files.robot("a/b/whole.xml").joints.size(), 1U);
+  files.write("a/b/assets.xml", part("<asset/>"));
+  EXPECT_EQ(files.report("a/b/assets.xml"),
+            "@a/b/assets.xml:1:1: error: <mujocoinclude> is a part of a model, for an <include>; give the "
+            "model that "
+            "includes it\n");
 }
 
 }  // namespace

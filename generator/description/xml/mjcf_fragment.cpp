@@ -12,8 +12,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A folder with more files is no robot's.
-constexpr std::size_t most_neighbours = 1000;
+// Where there is more to look through, it is no robot's folder.
+constexpr std::size_t most_entries = 10'000;
+constexpr std::size_t most_bytes = 50'000'000;
 
 struct Neighbour {
   fs::path path;
@@ -28,26 +29,46 @@ void add_includes(const Element& element, const std::vector<fs::path>& folders, 
   for (const Element& child : element.children) add_includes(child, folders, neighbour);
 }
 
-/// Models and fragments with an <include>, in the folder and the one above.
+/// What is in a folder, in the order of names; nothing where it cannot be read.
+std::set<fs::path> entries_of(const fs::path& folder) {
+  std::set<fs::path> result;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+    if (result.size() < most_entries) result.insert(entry->path());
+  return result;
+}
+
+/// XML files in the folder, the one above, and those beside it.
+std::vector<fs::path> files_around(const fs::path& folder) {
+  std::error_code ignored;
+  std::set<fs::path> folders{folder, folder.parent_path()};
+  for (const fs::path& entry : entries_of(folder.parent_path()))
+    if (fs::is_directory(entry, ignored)) folders.insert(entry);
+  std::vector<fs::path> files;
+  std::size_t seen = 0;
+  for (const fs::path& each : folders)
+    for (const fs::path& entry : entries_of(each))
+      if (++seen <= most_entries && entry.extension() == ".xml") files.push_back(entry);
+  return files;
+}
+
+/// Models and fragments with an <include>.
 std::vector<Neighbour> neighbours_of(const fs::path& file) {
   std::vector<Neighbour> result;
   const fs::path own = plain_path(file).parent_path();
-  const std::vector<fs::path> folders{own, own.parent_path()};
-  std::size_t seen = 0;
-  std::error_code error;
-  for (const fs::path& folder : folders) {
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-      if (entry->path().extension() != ".xml" || ++seen > most_neighbours) continue;
-      const FileText text = read_text_of(entry->path(), max_file_size);
-      if (text.text.find("<include") == std::string::npos) continue;
-      Context apart(text.text, entry->path().string(), {});
-      const auto root = parse(apart, text.text);
-      if (!root) continue;
-      Neighbour& neighbour = result.emplace_back();
-      neighbour.path = entry->path();
-      neighbour.is_model = root->name == "mujoco";
-      add_includes(*root, {folder, own}, neighbour);
-    }
+  std::size_t bytes = 0;
+  for (const fs::path& path : files_around(own)) {
+    const FileText text = read_text_of(path, max_file_size);
+    bytes += text.text.size();
+    if (bytes > most_bytes) break;
+    if (text.text.find("<include") == std::string::npos) continue;
+    Context apart(text.text, path.string(), {});
+    const auto root = parse(apart, text.text);
+    if (!root) continue;
+    Neighbour& neighbour = result.emplace_back();
+    neighbour.path = path;
+    neighbour.is_model = root->name == "mujoco";
+    add_includes(*root, {path.parent_path(), own}, neighbour);
   }
   return result;
 }
