@@ -5,8 +5,12 @@
 
 namespace qvgen::description {
 
+const std::string& Context::file_of(Place place) const {
+  return place.file == 0 ? source.file() : files.at(static_cast<std::size_t>(place.file) - 1);
+}
+
 Diagnostic Context::diagnostic(Place place, std::string message, std::string hint) const {
-  return {source.file(), place.line, place.column, Diagnostic::error, std::move(message), std::move(hint)};
+  return {file_of(place), place.line, place.column, Diagnostic::error, std::move(message), std::move(hint)};
 }
 
 void Context::error(Place place, std::string message, std::string hint) {

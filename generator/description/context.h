@@ -50,9 +50,11 @@ struct Context {
   /// What the reader did of its own accord; never an error.
   void note(Place place, std::string message, std::string hint);
   [[nodiscard]] Diagnostic diagnostic(Place place, std::string message, std::string hint) const;
+  [[nodiscard]] const std::string& file_of(Place place) const;
 
   Source source;
   ReadOptions options;
+  std::vector<std::string> files;  ///< that the description names, such as what an MJCF includes
   std::vector<Diagnostic> diagnostics;
   std::vector<SymbolUse> uses;
   std::vector<Variable> variables;  ///< of the joints, base to tool

@@ -2,9 +2,6 @@
 #include "description/reader.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <sstream>
 
 #include "description/chain.h"
@@ -16,6 +13,8 @@
 #include "description/request.h"
 #include "description/size_limits.h"
 #include "description/symbols.h"
+#include "description/xml/file_text.h"
+#include "description/xml/mjcf_fragment.h"
 #include "description/xml/reader.h"
 #include "model/arithmetic.h"
 
@@ -134,10 +133,22 @@ ReadResult failed(const Context& context, Place place, const std::string& messag
   return {std::nullopt, {context.diagnostic(place, message, hint)}, {}};
 }
 
+/// Mistakes of the file itself first, then those of each file that it names. A place that is read several
+/// times (a class, a copied part) is reported once.
+void sort_by_place(Context& context) {
+  const auto place = [&](const Diagnostic& d) {
+    const auto file = std::find(context.files.begin(), context.files.end(), d.file);
+    const bool is_main = d.file == context.source.file();
+    return Place{d.line, d.column, is_main ? 0 : 1 + static_cast<int>(file - context.files.begin())};
+  };
+  auto& all = context.diagnostics;
+  std::stable_sort(all.begin(), all.end(), [&](const auto& a, const auto& b) { return place(a) < place(b); });
+  const auto same = [](const Diagnostic& a, const Diagnostic& b) { return to_string(a) == to_string(b); };
+  all.erase(std::unique(all.begin(), all.end(), same), all.end());
+}
+
 ReadResult finished(Context& context, Place name_place, model::Robot robot) {
-  std::stable_sort(context.diagnostics.begin(), context.diagnostics.end(), [](const auto& a, const auto& b) {
-    return Place{a.line, a.column} < Place{b.line, b.column};
-  });
+  sort_by_place(context);
   ReadResult result;
   result.name_place = context.diagnostic(name_place, "", "");
   result.diagnostics = std::move(context.diagnostics);
@@ -196,6 +207,8 @@ ReadResult read_xml(Context& context, std::string_view text) {
     robot = xml::read_urdf(context, *root);
   } else if (root && root->name == "mujoco") {
     robot = xml::read_mjcf(context, *root);
+  } else if (root && root->name == "mujocoinclude") {
+    if (const auto model = xml::model_of_fragment(context, *root)) robot = xml::read_mjcf(context, *model);
   } else if (root) {
     context.error(place, "<" + root->name + "> is no robot description",
                   "a URDF begins with <robot>, an MJCF with <mujoco>");
@@ -226,14 +239,6 @@ const char* severity_text(Diagnostic::Severity severity) {
   return ": ";
 }
 
-/// The file's text, or one byte more than is read at most.
-std::string beginning_of(std::istream& file) {
-  std::string text(max_file_size + 1, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(file.gcount()));
-  return text;
-}
-
 }  // namespace
 
 std::string to_string(const Diagnostic& diagnostic) {
@@ -253,19 +258,16 @@ ReadResult read_text(std::string_view text, const std::string& file, const ReadO
 }
 
 ReadResult read_file(const std::filesystem::path& path, const ReadOptions& options) {
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
+  const xml::FileText file = xml::read_text_of(path, max_file_size);
   const Context context("", path.string(), options);
-  if (!file || std::filesystem::is_directory(path)) {
-    const std::string reason = file ? "it is a directory" : std::strerror(errno == 0 ? EIO : errno);
-    return failed(context, {}, "cannot read the file: " + reason, "give the path of a robot description");
-  }
-  const std::string text = beginning_of(file);
-  if (text.size() > max_file_size) {
+  if (file.is_too_large) {
     return failed(context, {}, "the file has more than " + std::to_string(max_file_size / 1'000'000) + " MB",
                   "a robot description is text, and far shorter");
   }
-  return read_text(text, path.string(), options);
+  if (!file.problem.empty())
+    return failed(context, {}, "cannot read the file: " + file.problem,
+                  "give the path of a robot description");
+  return read_text(file.text, path.string(), options);
 }
 
 std::vector<Diagnostic> check_together(const std::vector<ReadResult>& robots) {

@@ -13,7 +13,9 @@ namespace qvgen::description {
 struct Place {
   int line = 1;
   int column = 1;
+  int file = 0;  ///< 0: the description itself; from 1: a file that it names (Context::files)
   friend bool operator<(const Place& a, const Place& b) {
+    if (a.file != b.file) return a.file < b.file;
     return a.line != b.line ? a.line < b.line : a.column < b.column;
   }
 };

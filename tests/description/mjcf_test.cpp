@@ -110,28 +110,92 @@ TEST(Mjcf, Mistakes) {
       report_body("quat=\"0 0 0 0\"", "<joint axis=\"0 0 0\" range=\"2 1\"/><freejoint/>"),
       "2:33: error: 'quat' has length zero; give a direction\n"
       "3:14: error: 'axis' has length zero; give a direction\n"
-      "3:28: error: the range of 'b behind a joint' is empty: the lower end is not below the upper; write "
+      "3:28: error: the range of 'b' is empty: the lower end is not below the upper; write "
       "range=\"lower upper\"\n"
-      "3:34: error: the joint 'b' is of type free; a chain has hinges and slides: choose --base behind it\n");
+      "3:34: warning: a joint is free: the body is held where the file has it; with --base 'b' the chain "
+      "begins "
+      "at this body\n");
   EXPECT_EQ(report_body("quat=\"1 0 0 0\" euler=\"0 0 0\"", "<joint/><joint class=\"fst\"/>",
                         "<default><default class=\"fast\"/></default>"),
             "3:23: error: there is no default class 'fst'; did you mean 'fast'?\n");
   EXPECT_EQ(report_body("quat=\"1 0 0 0\" euler=\"0 0 0\"", "<joint/>"),
             "2:49: error: both 'quat' and 'euler' are given; keep one of them\n");
-  EXPECT_EQ(
-      report_body("", "<joint/><frame/>",
-                  "<compiler coordinate=\"global\" eulerseq=\"xyw\"/><include file=\"a\"/>"),
-      "2:23: error: coordinate=\"global\" is not read; have MuJoCo save the model, or write "
-      "coordinate=\"local\"\n"
-      "2:41: error: 'xyw' is no sequence of Euler angles; write three letters, e.g. xyz\n"
-      "2:47: error: <include> is not followed; put the other file's content here\n"
-      "3:9: error: <frame> is not read; have MuJoCo save the model: mj_saveLastXML writes plain bodies\n");
-  EXPECT_EQ(report_body("", "<joint stiffness=\"1\"/><geom/>", "<equality><joint/></equality>"),
+  EXPECT_EQ(report_body("", "<joint/>",
+                        "<compiler coordinate=\"global\" eulerseq=\"xyw\"/><compiler boundmass=\"a\" "
+                        "balanceinertia=\"1\" inertiafromgeom=\"never\"/>"),
+            "2:23: error: coordinate=\"global\" is not read; load and save the model with MuJoCo 2.3.3 or "
+            "older, which "
+            "writes local coordinates\n"
+            "2:41: error: 'xyw' is no sequence of Euler angles; write three letters, e.g. xyz\n"
+            "2:68: error: 'a' is no number; write a decimal number such as 0.1 or 1e-3\n"
+            "2:87: error: balanceinertia=\"1\" is neither true nor false; write true or false\n"
+            "2:107: error: unknown inertiafromgeom 'never'; write auto, true or false\n");
+  EXPECT_EQ(report_body("", "<joint stiffness=\"1\"/><composite/>", "<equality><joint/></equality>"),
             "2:1: warning: <equality> is not read: joints move freely; remove it if that is right\n"
             "3:19: warning: the spring of a joint is not read; add its force to what the dynamics gives\n"
-            "3:23: warning: inertia that follows from geoms is not read; add <inertial>, or have MuJoCo save "
-            "the model: "
-            "mj_saveLastXML writes it\n");
+            "3:23: warning: <composite> is not read: what it makes is left out; have MuJoCo save the model: "
+            "mj_saveLastXML writes plain bodies\n");
+}
+
+TEST(Mjcf, DefaultsOfSeveralFilesAreOne) {
+  const model::Robot arm =
+      single("", "<joint class=\"fast\"/>",
+             "/><default><joint damping=\"2\"/></default>"
+             "<default><joint armature=\"3\"/><default class=\"fast\"/></default><compiler");
+  EXPECT_EQ(to_string(arm.joints.at(0).drive.viscous_friction), "2");
+  EXPECT_EQ(to_string(arm.joints.at(0).drive.rotor_inertia), "3");
+}
+
+TEST(Mjcf, AnOrientationReplacesAnInheritedOne) {
+  const model::Robot arm =
+      read(model("<default><site euler=\"0 90 0\"/></default><worldbody><body><joint/><site name=\"tool\" "
+                 "quat=\"1 1 0 0\"/>"
+                 "</body></worldbody>"));
+  EXPECT_EQ(texts(arm.tool), "1, 0, 0 by 1/2*pi; 0, 0, 0");
+}
+
+TEST(Mjcf, ARangeOfZeroIsNone) {
+  EXPECT_FALSE(single("", "<joint range=\"0 0\"/>").joints.at(0).limits.has_value());
+  EXPECT_NE(report_body("", "<joint range=\"0 0\" limited=\"true\"/>").find("is empty"), std::string::npos);
+}
+
+TEST(Mjcf, BallsAreThreeTurns) {
+  const std::string text = model(
+      "<worldbody><body name=\"torso\"><body name=\"upper\" pos=\"0 0.2 0.4\">\n"
+      "<joint name=\"sh\" type=\"ball\" pos=\"0 0 0.1\"/><body name=\"fore\" pos=\"0.3 0 0\">"
+      "<joint name=\"el\" axis=\"0 1 0\"/></body></body></body></worldbody>");
+  const model::Robot arm = read(text);
+  ASSERT_EQ(arm.joints.size(), 4U);
+  EXPECT_EQ(arm.joints[0].variable + arm.joints[1].variable + arm.joints[2].variable, "sh_xsh_ysh_z");
+  EXPECT_EQ(texts(arm.joints[0].axis), "1, 0, 0");
+  EXPECT_EQ(texts(arm.joints[2].axis), "0, 0, 1");
+  EXPECT_EQ(texts(arm.joints[0].before), "0, 1/5, 1/2");
+  EXPECT_EQ(report(text),
+            "3:1: note: the ball joint 'sh' is read as three turns, sh_x, sh_y and sh_z, each about an axis "
+            "that the "
+            "one before has turned; with the second at 90 or -90 degrees they lack one of its motions\n");
+}
+
+TEST(Mjcf, WhatThreeTurnsCannotHaveOfABallIsSaid) {
+  const std::string all =
+      report_body("", "<joint name=\"sh\" type=\"ball\" range=\"0 40\" damping=\"0.5\" armature=\"0\"/>");
+  EXPECT_NE(all.find("3:37: warning: the range of a ball joint is not read"), std::string::npos) << all;
+  EXPECT_NE(all.find("3:52: warning: 'damping' of a ball joint is not read"), std::string::npos) << all;
+  EXPECT_EQ(all.find("armature"), std::string::npos) << all;
+}
+
+TEST(Mjcf, FreeBodiesAreHeldAndNoTips) {
+  const std::string text = model(
+      "<worldbody><body name=\"cube\"><freejoint/></body>\n<body name=\"torso\" pos=\"0 0 1\">"
+      "<joint name=\"root\" type=\"free\"/><body name=\"arm\" pos=\"1 0 "
+      "0\"><joint/></body></body></worldbody>");
+  EXPECT_EQ(
+      report(text),
+      "3:32: warning: the joint 'root' is free: the body is held where the file has it; with --base 'torso' "
+      "the chain begins at this body\n");
+  ReadOptions options;
+  options.base = "torso";
+  EXPECT_EQ(texts(read(text, options).joints.at(0).before), "1, 0, 0");
 }
 
 }  // namespace

@@ -228,6 +228,13 @@ Body moved(const model::Displacement& frame, const Body& body) {
   return result;
 }
 
+Body scaled(Body body, const cln::cl_R& factor) {
+  body.mass = body.mass * factor;
+  for (Vector& row : body.inertia)
+    for (cln::cl_R& entry : row) entry = entry * factor;
+  return body;
+}
+
 Body joined(const Body& a, const Body& b) {
   Body result;
   result.mass = a.mass + b.mass;

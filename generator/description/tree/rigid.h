@@ -35,6 +35,8 @@ struct Body {
 
 /// The body as seen from the frame in which its own frame is displaced like this.
 Body moved(const model::Displacement& frame, const Body& body);
+/// The body with mass and tensor multiplied.
+Body scaled(Body body, const cln::cl_R& factor);
 /// Both bodies as one; where neither has mass the tensors are added.
 Body joined(const Body& a, const Body& b);
 model::Inertia inertia_of(const Body& body);

@@ -85,7 +85,8 @@ std::optional<std::vector<Decimal>> read_decimals(Context& context, const Attrib
     }
     std::size_t end = i;
     while (end < text.size() && !is_blank(text[end])) ++end;
-    const Place place{attribute.place.line, attribute.place.column + static_cast<int>(i)};
+    Place place = attribute.place;
+    place.column += static_cast<int>(i);
     if (const auto number = decimal(context, text.substr(i, end - i), place))
       numbers.push_back(*number);
     else

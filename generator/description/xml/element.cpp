@@ -12,13 +12,14 @@ namespace {
 /// Turns rising byte offsets into places, all of a file in one pass.
 class Cursor {
  public:
-  explicit Cursor(std::string_view text) : text_(text) {
+  Cursor(std::string_view text, int file) : text_(text) {
+    place_.file = file;
     if (text_.substr(0, 3) == "\xEF\xBB\xBF") offset_ = 3;  // a byte order mark is no column
   }
   Place at(std::size_t offset) {
     for (; offset_ < std::min(offset, text_.size()); ++offset_) {
       if (text_[offset_] == '\n')
-        place_ = {place_.line + 1, 1};
+        place_ = {place_.line + 1, 1, place_.file};
       else if ((static_cast<unsigned char>(text_[offset_]) & 0xC0U) != 0x80U)
         ++place_.column;
     }
@@ -46,7 +47,7 @@ std::vector<std::size_t> value_offsets(std::string_view text, std::size_t from, 
 }
 
 struct Parsing {
-  Parsing(Context& c, std::string_view t) : context(c), text(t), cursor(t) {}
+  Parsing(Context& c, std::string_view t, int file) : context(c), text(t), cursor(t, file) {}
 
   Context& context;
   std::string_view text;
@@ -103,10 +104,10 @@ const Element* Element::child(std::string_view key) const {
   return found == children.end() ? nullptr : &*found;
 }
 
-std::optional<Element> parse(Context& context, std::string_view text) {
+std::optional<Element> parse(Context& context, std::string_view text, int file) {
   const std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser(XML_ParserCreate(nullptr),
                                                                        XML_ParserFree);
-  Parsing state(context, text);
+  Parsing state(context, text, file);
   state.parser = parser.get();
   XML_SetUserData(parser.get(), &state);
   XML_SetElementHandler(

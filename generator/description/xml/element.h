@@ -33,6 +33,7 @@ inline constexpr std::size_t max_depth = 500;
 
 /// The elements of a file, without its text and comments; what is wrong with it is reported. A document type
 /// declaration is refused: it is where entities are defined, those of other files among them.
-std::optional<Element> parse(Context& context, std::string_view text);
+/// Places are in the context's file of that number.
+std::optional<Element> parse(Context& context, std::string_view text, int file = 0);
 
 }  // namespace qvgen::description::xml

@@ -8,8 +8,15 @@
 namespace qvgen::description::xml {
 namespace {
 
-/// Those of the second win.
+bool is_orientation(const Attribute& attribute) {
+  static const std::vector<std::string> keys{"quat", "axisangle", "xyaxes", "zaxis", "euler"};
+  return std::find(keys.begin(), keys.end(), attribute.name) != keys.end();
+}
+
+/// Those of the second win; an orientation replaces one that is written in another way.
 std::vector<Attribute> merged(std::vector<Attribute> attributes, const std::vector<Attribute>& over) {
+  if (std::any_of(over.begin(), over.end(), is_orientation))
+    attributes.erase(std::remove_if(attributes.begin(), attributes.end(), is_orientation), attributes.end());
   for (const Attribute& attribute : over) {
     const auto same = std::find_if(attributes.begin(), attributes.end(),
                                    [&](const Attribute& other) { return other.name == attribute.name; });
@@ -23,40 +30,43 @@ std::vector<Attribute> merged(std::vector<Attribute> attributes, const std::vect
 
 }  // namespace
 
-JointDefaults::JointDefaults(Context& context, const Element& root) : context_(&context) {
+MjcfDefaults::MjcfDefaults(Context& context, const Element& root) {
   for (const Element& child : root.children)
-    if (child.name == "default") read(child, {}, true);
+    if (child.name == "default") read(context, child, classes_[main_], true);
   classes_.try_emplace(main_);
 }
 
-void JointDefaults::read(const Element& defaults, const Attributes& inherited, bool outermost) {
+void MjcfDefaults::read(Context& context, const Element& defaults, const Class& inherited, bool outermost) {
   const Attribute* name = defaults.attribute("class");
   if (name == nullptr && !outermost) {
-    context_->error(defaults.place, "a <default> within another without 'class'", "add class=\"...\"");
+    context.error(defaults.place, "a <default> within another without 'class'", "add class=\"...\"");
     return;
   }
-  Attributes attributes = inherited;
+  Class attributes = inherited;
   for (const Element& child : defaults.children)
-    if (child.name == "joint") attributes = merged(std::move(attributes), child.attributes);
-  if (outermost) main_ = name == nullptr ? "main" : name->value;
+    if (child.name != "default")
+      attributes[child.name] = merged(std::move(attributes[child.name]), child.attributes);
+  if (outermost && name != nullptr) main_ = name->value;
   classes_[outermost ? main_ : name->value] = attributes;
   for (const Element& child : defaults.children)
-    if (child.name == "default") read(child, attributes, false);
+    if (child.name == "default") read(context, child, attributes, false);
 }
 
-Element JointDefaults::completed(const Element& joint, const std::string& childclass) const {
-  const Attribute* own = joint.attribute("class");
+Element MjcfDefaults::completed(Context& context, const Element& element,
+                                const std::string& childclass) const {
+  const Attribute* own = element.attribute("class");
   const std::string name = own != nullptr ? own->value : childclass.empty() ? main_ : childclass;
-  Element result = joint;
+  Element result = element;
   const auto found = classes_.find(name);
   if (found != classes_.end()) {
-    result.attributes = merged(found->second, joint.attributes);
+    const auto attributes = found->second.find(element.name);
+    if (attributes != found->second.end()) result.attributes = merged(attributes->second, element.attributes);
   } else {
     std::vector<std::string> names;
     for (const auto& entry : classes_) names.push_back(entry.first);
     const std::string near = nearest(name, names);
-    context_->error(own == nullptr ? joint.place : own->place, "there is no default class '" + name + "'",
-                    near.empty() ? "add <default class=\"" + name + "\">" : "did you mean '" + near + "'?");
+    context.error(own == nullptr ? element.place : own->place, "there is no default class '" + name + "'",
+                  near.empty() ? "add <default class=\"" + name + "\">" : "did you mean '" + near + "'?");
   }
   return result;
 }

@@ -7,19 +7,23 @@
 
 namespace qvgen::description::xml {
 
-/// The attributes that joints of an MJCF's classes have where they do not give them themselves.
-class JointDefaults {
+/// The attributes that elements of an MJCF's classes have where they do not give them themselves.
+class MjcfDefaults {
  public:
-  JointDefaults(Context& context, const Element& root);
-  /// The joint with everything that it inherits; `childclass` is that of the bodies around it, or empty.
-  [[nodiscard]] Element completed(const Element& joint, const std::string& childclass) const;
+  MjcfDefaults() = default;
+  /// Reads every <default> of the file.
+  MjcfDefaults(Context& context, const Element& root);
+  /// Returns a joint, geom, site or mesh with everything that it inherits; `childclass` is that of the bodies
+  /// and frames around it, or empty.
+  [[nodiscard]] Element completed(Context& context, const Element& element,
+                                  const std::string& childclass) const;
 
  private:
   using Attributes = std::vector<Attribute>;
-  void read(const Element& defaults, const Attributes& inherited, bool outermost);
+  using Class = std::map<std::string, Attributes>;  ///< by the elements' name
+  void read(Context& context, const Element& defaults, const Class& inherited, bool outermost);
 
-  Context* context_;
-  std::map<std::string, Attributes> classes_;
+  std::map<std::string, Class> classes_;
   std::string main_ = "main";
 };
 

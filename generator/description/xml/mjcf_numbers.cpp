@@ -15,47 +15,7 @@ std::string text_of(const Element& element, const std::string& key, const std::s
   return attribute == nullptr ? otherwise : attribute->value;
 }
 
-bool is_euler_sequence(const std::string& text) {
-  return text.size() == 3 && text.find_first_not_of("xyzXYZ") == std::string::npos;
-}
-
-/// Settings that change what the rest of the file says, and that are not read: anything but this.
-void refuse_others(Context& context, const Element& compiler) {
-  static const std::vector<std::pair<std::string, std::string>> only{
-      {"coordinate", "local"}, {"inertiafromgeom", "auto"}, {"balanceinertia", "false"},
-      {"boundmass", "0"},      {"boundinertia", "0"},       {"settotalmass", "-1"}};
-  for (const auto& [key, value] : only) {
-    const Attribute* attribute = compiler.attribute(key);
-    if (attribute == nullptr || attribute->value == value) continue;
-    if (key == "inertiafromgeom" && attribute->value == "false") continue;
-    context.error(attribute->place, key + "=\"" + attribute->value + "\" is not read",
-                  "have MuJoCo save the model, or write " + key + "=\"" + value + "\"");
-  }
-}
-
 }  // namespace
-
-MjcfSettings read_settings(Context& context, const Element& root) {
-  MjcfSettings settings;
-  for (const Element& compiler : root.children) {
-    if (compiler.name != "compiler") continue;
-    refuse_others(context, compiler);
-    if (const Attribute* angle = compiler.attribute("angle")) {
-      settings.degrees = angle->value != "radian";
-      if (angle->value != "radian" && angle->value != "degree")
-        context.error(angle->place, "unknown angle '" + angle->value + "'", "write degree or radian");
-    }
-    if (const Attribute* sequence = compiler.attribute("eulerseq")) {
-      if (is_euler_sequence(sequence->value))
-        settings.euler_sequence = sequence->value;
-      else
-        context.error(sequence->place, "'" + sequence->value + "' is no sequence of Euler angles",
-                      "write three letters, e.g. xyz");
-    }
-    settings.automatic_limits = text_of(compiler, "autolimits", "true") == "true";
-  }
-  return settings;
-}
 
 model::Expression MjcfNumbers::angle(const Decimal& written) const {
   if (!settings_.degrees) return snap_.angle(written);
@@ -135,6 +95,22 @@ model::Displacement MjcfNumbers::frame(const Element& element) const {
   return result;
 }
 
+std::vector<model::Turn> MjcfNumbers::turns_of_copy(const Element& replicate, long copy) const {
+  auto angles = read_decimals(*context_, replicate, "euler", 3);
+  if (!angles) return {};
+  for (Decimal& angle : *angles) {
+    angle.value = angle.value * copy;
+    angle.units *= static_cast<int>(std::min(copy, 1000L));  // a copy is as many times as rough
+    angle.text = std::to_string(copy) + " times " + angle.text;
+  }
+  return euler(*angles);
+}
+
+model::Vector3 MjcfNumbers::offset_of_copies(const Element& replicate) const {
+  const auto offset = read_decimals(*context_, replicate, "offset", 3);
+  return offset ? snap_.lengths(*offset) : model::Vector3{};
+}
+
 std::optional<model::Limits> MjcfNumbers::limits(const Element& joint, const std::string& name,
                                                  bool hinge) const {
   const std::string limited = text_of(joint, "limited", "auto");
@@ -142,6 +118,7 @@ std::optional<model::Limits> MjcfNumbers::limits(const Element& joint, const std
   const auto range = read_decimals(*context_, joint, "range", 2);
   if (!range) return std::nullopt;
   const Decimal &lower = range->front(), &upper = range->back();
+  if (limited == "auto" && cln::zerop(lower.value) && cln::zerop(upper.value)) return std::nullopt;
   if (lower.value >= upper.value) {
     context_->error(lower.place, "the range of '" + name + "' is empty: the lower end is not below the upper",
                     "write range=\"lower upper\"");
@@ -200,26 +177,6 @@ std::optional<tree::Segment> MjcfNumbers::joint(const Element& joint, const std:
   }
   segment.joint = moving;
   return segment;
-}
-
-tree::Body MjcfNumbers::body(const Element& body) const {
-  const Element* inertial = body.child("inertial");
-  if (inertial == nullptr) {
-    if (const Element* geom = body.child("geom"))
-      context_->warning(geom->place, "inertia that follows from geoms is not read",
-                        "add <inertial>, or have MuJoCo save the model: mj_saveLastXML writes it");
-    return {};
-  }
-  tree::Body result;
-  result.mass = read_decimal(*context_, *inertial, "mass", 0).value;
-  if (const auto d = read_decimals(*context_, *inertial, "diaginertia", 3))
-    result.inertia = {tree::Vector{(*d)[0].value, 0, 0}, tree::Vector{0, (*d)[1].value, 0},
-                      tree::Vector{0, 0, (*d)[2].value}};
-  if (const auto f = read_decimals(*context_, *inertial, "fullinertia", 6))
-    result.inertia = {tree::Vector{(*f)[0].value, (*f)[3].value, (*f)[4].value},
-                      tree::Vector{(*f)[3].value, (*f)[1].value, (*f)[5].value},
-                      tree::Vector{(*f)[4].value, (*f)[5].value, (*f)[2].value}};
-  return moved(frame(*inertial), result);
 }
 
 }  // namespace qvgen::description::xml

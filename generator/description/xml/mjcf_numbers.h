@@ -2,30 +2,26 @@
 #pragma once
 
 #include "description/tree/tree.h"
-#include "description/xml/mjcf_defaults.h"
+#include "description/xml/mjcf_settings.h"
 #include "description/xml/orientation.h"
 
 namespace qvgen::description::xml {
-
-/// <compiler>: how the numbers of an MJCF are meant.
-struct MjcfSettings {
-  bool degrees = true;
-  std::string euler_sequence = "xyz";  ///< lower case: about the turned axes; upper: about the fixed ones
-  bool automatic_limits = true;        ///< a range limits although nobody says limited="true"
-};
-MjcfSettings read_settings(Context& context, const Element& root);
 
 /// The numbers of an MJCF's bodies, joints and sites.
 class MjcfNumbers {
  public:
   MjcfNumbers(Context& context, const MjcfSettings& settings)
-      : context_(&context), settings_(settings), snap_(context) {}
+      : MjcfNumbers(context, settings, context.options.snap) {}
+  MjcfNumbers(Context& context, const MjcfSettings& settings, const SnapOptions& snap)
+      : context_(&context), settings_(settings), snap_(context, snap) {}
   /// pos and whatever gives the orientation.
   [[nodiscard]] model::Displacement frame(const Element& element) const;
   /// The joint, whose attributes are complete, about a point of the body's frame: before, motion, after.
   /// Nothing if it is of a type that no chain has.
   [[nodiscard]] std::optional<tree::Segment> joint(const Element& joint, const std::string& name) const;
-  [[nodiscard]] tree::Body body(const Element& body) const;
+  /// Of a <replicate>: how its copy of that number is turned, and how far each is from the one before.
+  [[nodiscard]] std::vector<model::Turn> turns_of_copy(const Element& replicate, long copy) const;
+  [[nodiscard]] model::Vector3 offset_of_copies(const Element& replicate) const;
 
  private:
   [[nodiscard]] model::Expression angle(const Decimal& written) const;

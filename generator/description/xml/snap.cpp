@@ -76,7 +76,7 @@ std::array<cln::cl_RA, 3> reduced(const std::vector<Decimal>& v) {
 }  // namespace
 
 bool Snap::is_meant(const Decimal& written, const cln::cl_R& exact, int least_places) const {
-  const SnapOptions& options = context_->options.snap;
+  const SnapOptions& options = options_;
   if (options.mode == SnapOptions::off) return false;
   const cln::cl_R difference = cln::abs(written.value - exact);
   if (options.mode == SnapOptions::within) return difference <= options.tolerance;
@@ -139,8 +139,7 @@ void Snap::note_turns(const Decimal& written, const std::vector<model::Turn>& tu
 
 Expression Snap::length(const Decimal& metres) const {
   const bool noise = cln::abs(metres.value) <= tolerance(-9);
-  if (cln::zerop(metres.value) || !noise || context_->options.snap.mode == SnapOptions::off)
-    return metres.value;
+  if (cln::zerop(metres.value) || !noise || options_.mode == SnapOptions::off) return metres.value;
   note(metres, "0", 0);
   return {};
 }

@@ -17,7 +17,8 @@ namespace qvgen::description::xml {
 /// measured, 1.5702, stays what it is.
 class Snap {
  public:
-  explicit Snap(Context& context) : context_(&context) {}
+  explicit Snap(Context& context) : Snap(context, context.options.snap) {}
+  Snap(Context& context, const SnapOptions& options) : context_(&context), options_(options) {}
   /// An angle in radians: a multiple of pi/12, or as written.
   [[nodiscard]] model::Expression angle(const Decimal& radians) const;
   /// A length: 0 if it is less than a nanometre, or as written.
@@ -40,6 +41,7 @@ class Snap {
   [[nodiscard]] std::optional<model::Vector3> known_direction(const std::vector<Decimal>& vector) const;
 
   Context* context_;
+  SnapOptions options_;
 };
 
 }  // namespace qvgen::description::xml
