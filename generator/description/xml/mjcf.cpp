@@ -80,7 +80,13 @@ class MjcfTree {
     }
     part.body = &body;
     const bool moves = part.joint.has_value();
-    add_children(body, add({name, body.place, holder, {}, moves, false}, std::move(part)), childclass);
+    Node node{name, body.place, holder, {}, moves, false};
+    if (moves) {
+      const Attribute* type = part.joint->attribute("type");
+      node.joint = name_of(*part.joint, "");
+      node.floats = part.joint->name == "freejoint" || (type != nullptr && type->value == "free");
+    }
+    add_children(body, add(std::move(node), std::move(part)), childclass);
   }
 
   Context* context_;
@@ -98,7 +104,6 @@ model::Robot read_mjcf(Context& context, const Element& root) {
   if (!ends) return robot;
   const Attribute* name = root.attribute("model");
   const std::string title = name == nullptr || name->value.empty() ? "robot" : name->value;
-  robot.name = tree::robot_identifier(title);
   robot.title = title + ", " + tree.nodes[ends->base].name + " to " + tree.nodes[ends->tip].name;
   const auto read = [&](std::size_t node) -> std::optional<tree::Segment> {
     const Part& part = tree.parts[node];
