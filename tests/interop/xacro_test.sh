@@ -61,6 +61,13 @@ expect "$said" "error: xacro: "
 "$qvgen" generate "$arm" --only model --quiet --output "$folder/out" --xacro-arg length:=1 --xacro-arg n:=2
 grep -q -e "--xacro-arg length:=1 --xacro-arg n:=2" -r "$folder/out" || fail "the arguments are not in the list of robots"
 
+# A file of a package, by the package's name.
+cp "$arm" "$folder/ws/parts/robot.xacro"
+said=$("$qvgen" check package://parts_description/robot.xacro --package-path "$folder/ws" 2>&1) || fail "$said"
+expect "$said" "given: given, base to tip (R)"
+said=$("$qvgen" check package://none/robot.xacro 2>&1) && fail "a package that is not there"
+expect "$said" "say where with --package-path FOLDER"
+
 # The real one, if this machine has it.
 rm "$folder/bin/xacro"
 if command -v xacro > /dev/null; then
