@@ -23,6 +23,7 @@ using description::ReadResult;
 constexpr char as_it_is = 'a';  ///< nothing
 constexpr char expanded = 'x';  ///< what xacro makes of the file
 constexpr char refused = 'r';   ///< what xacro says against it
+constexpr char piped = 'p';     ///< the text of what can be read once, such as /dev/stdin
 
 void print_diagnostics(const std::vector<Diagnostic>& diagnostics) {
   for (const Diagnostic& diagnostic : diagnostics)
@@ -44,8 +45,10 @@ bool is_for_xacro(const fs::path& path) {
 
 std::string trial(const fs::path& path, const ReadOptions& options) {
   if (!is_for_xacro(path)) {
-    description::read_file(path, options);
-    return {as_it_is};
+    const ReadResult result = description::read_file(path, options);
+    std::error_code error;
+    const bool lasts = result.text.empty() || fs::is_regular_file(path, error);
+    return lasts ? std::string(1, as_it_is) : piped + result.text;
   }
   const toolchain::Outcome outcome =
       toolchain::run_xacro(path, options.xacro_arguments, options.package_folders);
@@ -76,6 +79,7 @@ ReadResult result_of(const fs::path& path, const ReadOptions& options, const pip
                   "give its arguments with --xacro-arg NAME:=VALUE, folders of packages with --package-path");
   if (outcome.text.front() == as_it_is) return description::read_file(path, options);
   ReadResult result = description::read_text(behind, path.string(), options);
+  if (outcome.text.front() == piped) return result;
   for (Diagnostic& diagnostic : result.diagnostics)
     diagnostic.file += " (expanded)";  // the lines are xacro's
   return result;

@@ -32,6 +32,11 @@ cat > "$folder/ws/parts/link.xacro" <<'END'
 </robot>
 END
 
+# What can be read once is read once.
+said=$(echo '<robot name="piped"><link name="a"/><link name="b"/><joint name="j" type="continuous"><parent link="a"/>
+  <child link="b"/></joint></robot>' | "$qvgen" check /dev/stdin 2>&1) || fail "$said"
+expect "$said" "piped: piped, a to b (R)"
+
 # Without xacro: where the macro is, and how to install xacro.
 said=$(PATH=/usr/bin:/bin "$qvgen" check "$arm" 2>&1) && case "$said" in *"(expanded)"*) ;; *) fail "read without xacro" ;; esac
 case "$said" in *"(expanded)"*) ;; *) expect "$said" "arm.urdf.xacro:3:3: error: <xacro:arg> is a macro of xacro; install xacro, which is run then: pip install xacro" ;; esac
