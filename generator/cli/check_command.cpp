@@ -10,9 +10,6 @@ namespace {
 
 using namespace pipeline;
 
-/// What `check` spends on a robot that it has read: enough for any arm that is derived at all.
-constexpr Budget quick{20, 4096};
-
 /// What can be told without deriving everything.
 RobotOutput outlook(const model::Robot& robot) {
   RobotOutput output{robot.name};
@@ -27,7 +24,7 @@ RobotOutput outlook(const model::Robot& robot) {
 
 std::vector<RobotOutput> outlooks(const std::vector<model::Robot>& robots) {
   const auto work = [&](std::size_t i) { return to_text(outlook(robots[i])); };
-  const std::vector<Outcome> outcomes = in_processes(robots.size(), work, quick);
+  const std::vector<Outcome> outcomes = in_processes(robots.size(), work);
   std::vector<RobotOutput> outputs;
   for (std::size_t i = 0; i < robots.size(); ++i) {
     outputs.push_back({robots[i].name});

@@ -86,6 +86,24 @@ void add_reading(CLI::App& command, description::ReadOptions& options) {
           "URDF, MJCF: read numbers that near to an exact one as that one; off: none; auto: those rounded to "
           "it")
       ->type_name("TOLERANCE");
+  command
+      .add_option("--xacro-arg", options.xacro_arguments,
+                  "URDF with macros: an argument for xacro, NAME:=VALUE; may be repeated")
+      ->type_name("ARGUMENT")
+      ->allow_extra_args(false)
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            const std::size_t mark = text.find(":=");
+            return mark == std::string::npos || mark == 0 ? "'" + text + "' is not NAME:=VALUE"
+                                                          : std::string();
+          },
+          "", "argument"));
+  command
+      .add_option("--package-path", options.package_folders,
+                  "URDF with macros: folder in which ROS packages are, for $(find NAME); may be repeated; "
+                  "ROS_PACKAGE_PATH and the folders around the file are searched as well")
+      ->type_name("FOLDER")
+      ->allow_extra_args(false);
 }
 
 void add_generate(CommandLine& line) {

@@ -27,45 +27,7 @@
 #include "report/workspace.h"
 
 namespace qvgen::cli {
-namespace {
-
 namespace fs = std::filesystem;
-
-void print_diagnostics(const std::vector<description::Diagnostic>& diagnostics) {
-  for (const auto& diagnostic : diagnostics) fmt::print(stderr, "{}\n", description::to_string(diagnostic));
-}
-
-bool has_error(const std::vector<description::Diagnostic>& diagnostics) {
-  return std::any_of(diagnostics.begin(), diagnostics.end(), [](const auto& diagnostic) {
-    return diagnostic.severity == description::Diagnostic::error;
-  });
-}
-
-}  // namespace
-
-std::optional<std::vector<description::ReadResult>> read_descriptions(
-    const std::vector<fs::path>& paths, const description::ReadOptions& options) {
-  std::vector<description::ReadResult> results;
-  for (const fs::path& path : paths) results.push_back(description::read_file(path, options));
-  bool good = true;
-  for (const auto& result : results) {
-    print_diagnostics(result.diagnostics);
-    good = good && !has_error(result.diagnostics) && result.robot.has_value();
-  }
-  const auto clashes = description::check_together(results);
-  print_diagnostics(clashes);
-  if (!good || has_error(clashes)) return std::nullopt;
-  return results;
-}
-
-std::optional<std::vector<model::Robot>> read_robots(const std::vector<fs::path>& paths,
-                                                     const description::ReadOptions& options) {
-  auto results = read_descriptions(paths, options);
-  if (!results) return std::nullopt;
-  std::vector<model::Robot> robots;
-  for (auto& result : *results) robots.push_back(std::move(*result.robot));
-  return robots;
-}
 
 std::vector<fs::path> descriptions_in(const fs::path& folder) {
   if (!fs::is_directory(folder))
@@ -82,8 +44,10 @@ std::vector<fs::path> descriptions_in(const fs::path& folder) {
 int run_import(const fs::path& description, const description::ReadOptions& options) {
   const auto robots = read_robots({description}, options);
   if (!robots) return bad_description;
-  fmt::print("{}", description::write_text(robots->front()));
-  return success;
+  return pipeline::bounded(description.string(), {}, [&] {
+    fmt::print("{}", description::write_text(robots->front()));
+    return int{success};
+  });
 }
 
 int run_new(const std::string& code, const std::string& name, bool euler_wrist, const fs::path& robots) {
@@ -183,10 +147,10 @@ int show_inverse(const model::Robot& described, emit::Notation notation) {
 
 }  // namespace
 
-int run_show(const ShowArguments& arguments) {
-  const auto robots = read_robots({arguments.description}, arguments.read);
-  if (!robots) return bad_description;
-  const model::Robot robot = part_to_show(robots->front(), arguments);
+namespace {
+
+int show(const model::Robot& whole, const ShowArguments& arguments) {
+  const model::Robot robot = part_to_show(whole, arguments);
   const emit::Notation notation{arguments.latex,
                                 arguments.exact ? emit::Numbers::exact : emit::Numbers::decimal};
   if (arguments.dynamics) return show_dynamics(robot, arguments.masses, notation);
@@ -212,6 +176,15 @@ int run_show(const ShowArguments& arguments) {
              "qvgen: {} has a constant rotation by a symbolic angle: no closed form in half-angle sums\n",
              robot.name);
   return failure;
+}
+
+}  // namespace
+
+int run_show(const ShowArguments& arguments) {
+  const auto robots = read_robots({arguments.description}, arguments.read);
+  if (!robots) return bad_description;
+  return pipeline::bounded("show " + robots->front().name, {},
+                           [&] { return show(robots->front(), arguments); });
 }
 
 int run_show_functions(const std::string& robot, const fs::path& folder) {

@@ -29,19 +29,21 @@ struct Task {
   std::string key;
 };
 
-std::vector<Task> tasks_of(const GenerateArguments& arguments, std::vector<model::Robot> robots) {
+std::vector<Task> tasks_of(const GenerateArguments& arguments,
+                           std::vector<description::ReadResult> descriptions) {
   std::vector<Task> tasks;
   std::vector<std::string> parts = arguments.parts;
   std::sort(parts.begin(), parts.end());
-  for (std::size_t i = 0; i < robots.size(); ++i) {
+  for (std::size_t i = 0; i < descriptions.size(); ++i) {
     const fs::path& file = arguments.descriptions[i];
+    model::Robot& robot = *descriptions[i].robot;
     const std::string origin = origin_of(file, arguments.output, arguments.known_robots) +
                                origin_options(arguments.read) +
                                (arguments.language == Language::c ? " --language c" : "");
     const std::string made_of = fmt::format("{}\n{}\n{}\n{}\n{}", arguments.tool, fmt::join(parts, ","),
-                                            origin, snap_text(arguments.read), content_of(file).value_or(""));
-    const std::string name = folder_name(robots[i].name, arguments.language);
-    tasks.push_back({std::move(robots[i]), name, origin, fingerprint(made_of)});
+                                            origin, snap_text(arguments.read), descriptions[i].text);
+    const std::string name = folder_name(robot.name, arguments.language);
+    tasks.push_back({std::move(robot), name, origin, fingerprint(made_of)});
   }
   return tasks;
 }
@@ -138,9 +140,9 @@ void say_missing_ideals(const GenerateArguments& arguments, const std::vector<Ta
 }  // namespace
 
 int run_generate(const GenerateArguments& arguments) {
-  auto robots = read_robots(arguments.descriptions, arguments.read);
-  if (!robots) return bad_description;
-  const std::vector<Task> tasks = tasks_of(arguments, std::move(*robots));
+  auto descriptions = read_descriptions(arguments.descriptions, arguments.read);
+  if (!descriptions) return bad_description;
+  const std::vector<Task> tasks = tasks_of(arguments, std::move(*descriptions));
   check_folder(arguments.output, shared_files());
   const FolderUpdate update = update_of(arguments, tasks);
   const FolderChange change = update_folder(arguments.output, update);

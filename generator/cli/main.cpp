@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cstdio>
+#include <cstdlib>
 
 #include <fmt/format.h>
 
@@ -8,6 +9,7 @@
 #include "cli/installation.h"
 #include "cli/suggestion.h"
 #include "pipeline/pipeline.h"
+#include "toolchain/packages.h"
 
 namespace {
 
@@ -15,6 +17,7 @@ namespace fs = std::filesystem;
 using namespace qvgen::cli;
 using namespace qvgen::pipeline;
 namespace compare = qvgen::compare;
+using qvgen::description::ReadOptions;
 
 std::vector<std::string> names_in(const fs::path& robots) {
   std::vector<std::string> names;
@@ -25,8 +28,20 @@ std::vector<std::string> names_in(const fs::path& robots) {
 /// A folder may have the name of a robot.
 bool is_file(const fs::path& path) { return fs::exists(path) && !fs::is_directory(path); }
 
+/// The file that package://NAME/FILE means.
+fs::path file_in_package(const std::string& robot, const ReadOptions& options) {
+  std::vector<std::string> folders = options.package_folders;
+  if (const char* path = std::getenv("ROS_PACKAGE_PATH")) folders.emplace_back(path);
+  const fs::path file = qvgen::toolchain::without_package(
+      robot, qvgen::toolchain::packages_in(folders, fs::current_path() / "file"));
+  if (file.empty())
+    throw UsageError(robot + ": there is no such package; say where with --package-path FOLDER");
+  return file;
+}
+
 /// A robot by name or by file. What looks like a file is one, and whoever reads it says if it is not there.
-fs::path description_of(const std::string& robot, const fs::path& robots) {
+fs::path description_of(const std::string& robot, const fs::path& robots, const ReadOptions& options) {
+  if (robot.rfind("package://", 0) == 0) return file_in_package(robot, options);
   const fs::path named = robots / (robot + ".toml");
   const bool is_path = robot.find('/') != std::string::npos || fs::path(robot).has_extension();
   if (is_file(robot) || is_path) return robot;
@@ -37,9 +52,10 @@ fs::path description_of(const std::string& robot, const fs::path& robots) {
   return named;
 }
 
-std::vector<fs::path> descriptions_of(const std::vector<std::string>& names, const fs::path& robots) {
+std::vector<fs::path> descriptions_of(const std::vector<std::string>& names, const fs::path& robots,
+                                      const ReadOptions& options) {
   std::vector<fs::path> paths;
-  for (const std::string& name : names) paths.push_back(description_of(name, robots));
+  for (const std::string& name : names) paths.push_back(description_of(name, robots, options));
   return paths;
 }
 
@@ -64,8 +80,9 @@ CompareArguments compare_arguments(CommandLine& line, const Installation& here) 
   check_names("--formulations: there is no", arguments.request.formulations,
               compare::formulation_names(arguments.request.what));
   arguments.all_known = line.compared.empty();
-  arguments.descriptions =
-      line.compared.empty() ? descriptions_in(here.robots) : descriptions_of(line.compared, here.robots);
+  arguments.descriptions = line.compared.empty()
+                               ? descriptions_in(here.robots)
+                               : descriptions_of(line.compared, here.robots, arguments.read);
   return arguments;
 }
 
@@ -95,8 +112,9 @@ fs::path folder_of(const CommandLine& line, const Installation& here, const std:
 }
 
 /// Named ones, or all that are known.
-std::vector<fs::path> wanted_descriptions(const std::vector<std::string>& named, const Installation& here) {
-  return named.empty() ? descriptions_in(here.robots) : descriptions_of(named, here.robots);
+std::vector<fs::path> wanted_descriptions(const std::vector<std::string>& named, const Installation& here,
+                                          const ReadOptions& options) {
+  return named.empty() ? descriptions_in(here.robots) : descriptions_of(named, here.robots, options);
 }
 
 void check_parts_of(const GenerateArguments& generate) {
@@ -118,14 +136,14 @@ int generate(CommandLine& line, const Installation& here) {
   generate.output = folder_of(line, here, line.generate_files);
   generate.tool = here.tool;
   generate.all_known = line.generate_files.empty();
-  generate.descriptions = wanted_descriptions(line.generate_files, here);
+  generate.descriptions = wanted_descriptions(line.generate_files, here, generate.read);
   return run_generate(generate);
 }
 
 int show(CommandLine& line, const Installation& here) {
   if (line.functions)
     return run_show_functions(fs::path(line.shown).stem().string(), folder_of(line, here, {}));
-  line.show.description = description_of(line.shown, here.robots);
+  line.show.description = description_of(line.shown, here.robots, line.show.read);
   return run_show(line.show);
 }
 
@@ -140,7 +158,7 @@ int report(CommandLine& line, const Installation& here) {
   report.source_tree = here.source_tree;
   report.tool = here.tool;
   report.all_known = line.reported.empty();
-  report.descriptions = wanted_descriptions(line.reported, here);
+  report.descriptions = wanted_descriptions(line.reported, here, report.read);
   if (report.generated.empty()) report.generated = default_output(here, {});
   return run_report(report);
 }
@@ -149,7 +167,7 @@ int map(CommandLine& line, const Installation& here) {
   MapArguments& map = line.map;
   if (line.mapped.empty() == map.merged.empty())
     throw UsageError("map takes either a robot or --merge with parts");
-  if (!line.mapped.empty()) map.description = description_of(line.mapped, here.robots);
+  if (!line.mapped.empty()) map.description = description_of(line.mapped, here.robots, map.read);
   map.known_robots = here.robots;
   map.source_tree = here.source_tree;
   map.tool = here.tool;
@@ -164,12 +182,13 @@ int run(CommandLine& line, const Installation& here) {
   if (*line.compare_command) return run_compare(compare_arguments(line, here));
   if (*line.report_command) return report(line, here);
   if (*line.map_command) return map(line, here);
-  if (*line.import_command) return run_import(line.imported, line.import);
+  if (*line.import_command)
+    return run_import(description_of(line.imported, here.robots, line.import), line.import);
   if (*line.new_command) return run_new(line.letters, line.name, line.wrist == "euler", here.robots);
   if (*line.list_command) return print(names_in(here.robots));
   if (*line.manual_command) return print({man_page(line.app)});
   if (*line.completion_command) return print({completion(line.app, line.shell)});
-  return run_check(descriptions_of(line.checked, here.robots), line.check, line.thorough);
+  return run_check(descriptions_of(line.checked, here.robots, line.check), line.check, line.thorough);
 }
 
 /// A slip of the keyboard in the command itself.

@@ -118,17 +118,17 @@ void add_program(const MapArguments& arguments, const report::Chain& chain, cons
     }
 }
 
-map::ArmProgram program_of(const MapArguments& arguments, const model::Robot& robot) {
+map::ArmProgram program_of(const MapArguments& arguments, const description::ReadResult& description) {
   const toolchain::Runtime runtime =
       arguments.source_tree
           ? toolchain::runtime_of(*arguments.source_tree)
           : toolchain::runtime_in(arguments.known_robots.parent_path().parent_path().parent_path());
   const std::string key = pipeline::fingerprint(
       fmt::format("{}\n{}\n{}\n{}\n{}", arguments.tool, fmt::join(toolchain::cxx_compiler(), " "),
-                  origin_options(arguments.read), snap_text(arguments.read),
-                  pipeline::content_of(arguments.description).value_or("")));
+                  origin_options(arguments.read), snap_text(arguments.read), description.text));
   const ProgressLine progress(0);
-  return map::arm_program(robot, key, runtime, [&](const std::string& what) { progress.say(what); });
+  return map::arm_program(*description.robot, key, runtime,
+                          [&](const std::string& what) { progress.say(what); });
 }
 
 volatile std::sig_atomic_t stop_wanted = 0;
@@ -206,11 +206,12 @@ int run_map(const MapArguments& arguments) {
     write_all(map::merged(arguments.merged), arguments.outputs);
     return success;
   }
-  const auto robots = read_robots({arguments.description}, arguments.read);
-  if (!robots) return bad_description;
-  const report::Chain chain = report::chain_of(robots->front());
-  map::About about = about_of(arguments, robots->front(), chain);
-  const map::ArmProgram program = program_of(arguments, robots->front());
+  const auto descriptions = read_descriptions({arguments.description}, arguments.read);
+  if (!descriptions) return bad_description;
+  const model::Robot& robot = *descriptions->front().robot;
+  const report::Chain chain = report::chain_of(robot);
+  map::About about = about_of(arguments, robot, chain);
+  const map::ArmProgram program = program_of(arguments, descriptions->front());
   add_program(arguments, chain, program, about);
   const int threads = arguments.threads > 0
                           ? arguments.threads

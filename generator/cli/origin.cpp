@@ -15,6 +15,7 @@ std::string origin_options(const description::ReadOptions& options) {
   add("--name", options.name);
   add("--base", options.base);
   add("--tip", options.tip);
+  for (const std::string& argument : options.xacro_arguments) add("--xacro-arg", argument);
   return text;
 }
 

@@ -22,16 +22,17 @@ struct Task {
 };
 
 std::vector<Task> tasks_of(const ReportArguments& arguments, const report::Ingredients& ingredients,
-                           std::vector<model::Robot> robots) {
+                           std::vector<description::ReadResult> descriptions) {
   std::vector<Task> tasks;
-  for (std::size_t i = 0; i < robots.size(); ++i) {
+  for (std::size_t i = 0; i < descriptions.size(); ++i) {
+    model::Robot& robot = *descriptions[i].robot;
     const auto& file = arguments.descriptions[i];
     const std::string origin = pipeline::origin_of(file, arguments.output, arguments.known_robots) +
                                origin_options(arguments.read) + " report";
     const std::string made_of =
         fmt::format("{}\n{}\n{}\n{}\n{}", arguments.tool, origin, snap_text(arguments.read),
-                    pipeline::content_of(file).value_or(""), report::made_of(robots[i].name, ingredients));
-    tasks.push_back({std::move(robots[i]), origin, pipeline::fingerprint(made_of)});
+                    descriptions[i].text, report::made_of(robot.name, ingredients));
+    tasks.push_back({std::move(robot), origin, pipeline::fingerprint(made_of)});
   }
   return tasks;
 }
@@ -91,15 +92,15 @@ FolderUpdate update_of(const ReportArguments& arguments, const report::Ingredien
 }  // namespace
 
 int run_report(const ReportArguments& arguments) {
-  auto robots = read_robots(arguments.descriptions, arguments.read);
-  if (!robots) return bad_description;
+  auto descriptions = read_descriptions(arguments.descriptions, arguments.read);
+  if (!descriptions) return bad_description;
   pipeline::check_folder(arguments.output,
                          report::common_pages(nlohmann::ordered_json::object(), errata(arguments)),
                          report::entries_name);
   const auto runtime = runtime_sources(arguments);
   const report::Ingredients ingredients{arguments.generated, runtime ? &*runtime : nullptr,
                                         report::read_times(arguments.times)};
-  const std::vector<Task> tasks = tasks_of(arguments, ingredients, std::move(*robots));
+  const std::vector<Task> tasks = tasks_of(arguments, ingredients, std::move(*descriptions));
   const FolderUpdate update = update_of(arguments, ingredients, tasks);
   const pipeline::FolderChange change = pipeline::update_folder(arguments.output, update);
   fmt::print(stderr, "{} {} in {}: {} made, {} files changed, {} removed\n", tasks.size(),

@@ -31,6 +31,12 @@ struct Variable {
   Place place;
 };
 
+/// What the numbers of a file are in; names and what they stand for are in metres and radians always.
+struct Units {
+  cln::cl_RA length = 1;  ///< metres
+  bool degrees = false;
+};
+
 /// A joint that is said to follow another.
 struct Follower {
   std::size_t joint;
@@ -63,6 +69,8 @@ struct Context {
   std::vector<Entry> entries;  ///< every expression of the chain, for checks at the default values
   std::vector<Place> joint_places;
   std::vector<Follower> followers;
+  Units units;
+  bool takes_units = false;            ///< the format has keys for them
   bool is_measured = false;            ///< an angle next to a right one is meant
   bool has_error = false;              ///< warnings apart, even if they count as errors
   bool has_broken_expression = false;  ///< then some symbols were not seen

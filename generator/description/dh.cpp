@@ -33,8 +33,11 @@ std::optional<Convention> read_convention(const Table& root) {
 
 Row read_row(const Table& table, const std::string& variable) {
   const Scope moving{Role::geometry, variable};
-  Row row{entry_or_zero(table, "theta", moving), entry_or_zero(table, "d", moving),
-          entry_or_zero(table, "a", {}), entry_or_zero(table, "alpha", {})};
+  const Context& context = table.context();
+  Row row{in_radians(context, entry_or_zero(table, "theta", moving)),
+          in_metres(context, entry_or_zero(table, "d", moving)),
+          in_metres(context, entry_or_zero(table, "a", {})),
+          in_radians(context, entry_or_zero(table, "alpha", {}))};
   check_angle(table.context(), row.alpha);
   check_length(table.context(), row.d, "d");
   check_length(table.context(), row.a, "a");

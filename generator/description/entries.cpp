@@ -109,11 +109,38 @@ std::optional<std::vector<Entry>> read_entries(const Table& table, const std::st
   return result;
 }
 
+namespace {
+
+/// The terms without names times a number and a unit.
+model::Expression scaled(const model::Expression& e, const cln::cl_RA& factor,
+                         const model::Expression& unit) {
+  std::vector<model::Term> terms = model::terms(e);
+  for (model::Term& term : terms)
+    if (symbols(term.value).empty()) term.value = model::multiply(model::multiply(factor, term.value), unit);
+  return model::sum_of(terms);
+}
+
+}  // namespace
+
+Entry in_metres(const Context& context, Entry entry) {
+  if (context.units.length != 1 && !entry.has_unit)
+    entry.value = scaled(entry.value, context.units.length, cln::cl_RA(1));
+  return entry;
+}
+
+Entry in_radians(const Context& context, Entry entry) {
+  if (context.units.degrees && !entry.has_unit)
+    entry.value = scaled(entry.value, cln::cl_RA(1) / 180, model::Expression::pi());
+  return entry;
+}
+
 model::Vector3 vector_or_zero(const Table& table, const std::string& key, const Scope& scope) {
   model::Vector3 result;
-  if (const auto entries = read_entries(table, key, scope, {3}, "three entries [x, y, z]")) {
-    for (const Entry& entry : *entries) check_length(table.context(), entry, key);
-    std::transform(entries->begin(), entries->end(), result.begin(), [](const Entry& e) { return e.value; });
+  const auto entries = read_entries(table, key, scope, {3}, "three entries [x, y, z]");
+  for (std::size_t i = 0; entries && i < 3; ++i) {
+    const Entry entry = in_metres(table.context(), (*entries)[i]);
+    check_length(table.context(), entry, key);
+    result.at(i) = entry.value;
   }
   return result;
 }
@@ -179,7 +206,8 @@ void check_angle(Context& context, const Entry& angle) {
   if (cln::abs(form->radians) <= full_turn) return;
   const std::string text = to_string(angle.value);
   context.warning(angle.place, "the angle " + text + " is more than a full turn in radians",
-                  "write '" + text + " deg' for degrees, '" + text + " rad' if radians are meant");
+                  "write '" + text + " deg' for degrees, or angle_unit = \"deg\" for the whole file; '" +
+                      text + " rad' if radians are meant");
 }
 
 }  // namespace qvgen::description

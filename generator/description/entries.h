@@ -21,6 +21,10 @@ Entry entry_or_zero(const Table& table, const std::string& key, const Scope& sco
 std::optional<std::vector<Entry>> read_entries(const Table& table, const std::string& key, const Scope& scope,
                                                const std::vector<std::size_t>& lengths,
                                                const std::string& wanted);
+/// Converts the numbers of a length from the file's unit to metres; terms with names are in metres already.
+Entry in_metres(const Context& context, Entry entry);
+/// Likewise those of an angle to radians, unless it says `deg` or `rad` itself.
+Entry in_radians(const Context& context, Entry entry);
 /// Reports an angle where a length, a mass or the like is wanted.
 void check_no_angle(Context& context, const Entry& entry, const std::string& key);
 /// Reports what cannot be a length: an angle, or a number of metres that no arm has.

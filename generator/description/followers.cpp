@@ -104,8 +104,9 @@ void read_follower(const Table& table, model::JointType type) {
                       "write follows = \"theta1\", the variable of the joint that leads");
     return;
   }
-  const Entry offset = entry_or_zero(table, "offset", {});
-  if (type == model::JointType::revolute)
+  const bool turns = type == model::JointType::revolute;
+  const Entry offset = (turns ? in_radians : in_metres)(context, entry_or_zero(table, "offset", {}));
+  if (turns)
     check_angle(context, offset);
   else
     check_length(context, offset, "offset");

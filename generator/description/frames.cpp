@@ -3,6 +3,10 @@
 
 #include <cmath>
 
+#include <cln/integer.h>
+#include <fmt/format.h>
+
+#include "description/xml/snap.h"
 #include "model/arithmetic.h"
 #include "model/evaluate.h"
 
@@ -32,7 +36,23 @@ std::string length_text(const cln::cl_R& squared) {
   return root ? to_string(Expression(*root)) : "sqrt(" + to_string(Expression(*exact)) + ")";
 }
 
-bool check_unit_length(Context& context, Place place, const model::Vector3& axis) {
+/// The entries as decimals, with as many digits as each needs; nothing where one is none.
+std::optional<std::vector<xml::Decimal>> decimals_of(const model::Vector3& axis, Place place) {
+  constexpr int most_places = 40;
+  std::vector<xml::Decimal> decimals;
+  for (const Expression& entry : axis) {
+    const auto value = model::rational_value(model::evaluate(entry));
+    if (!value) return std::nullopt;
+    int places = 0;
+    for (cln::cl_RA scaled = *value; cln::denominator(scaled) != 1; scaled = scaled * 10)
+      if (++places > most_places) return std::nullopt;
+    decimals.push_back({*value, places, 1, place, to_string(entry)});
+  }
+  return decimals;
+}
+
+/// True for a unit vector; one that was rounded to four digits or more is made one, exactly, as in a URDF.
+bool make_unit(Context& context, Place place, model::Vector3& axis) {
   cln::cl_R squared = 0;
   for (const Expression& entry : axis) squared = squared + cln::square(model::evaluate(entry));
   if (model::vanishes(squared)) {
@@ -40,6 +60,16 @@ bool check_unit_length(Context& context, Place place, const model::Vector3& axis
     return false;
   }
   if (model::vanishes(squared - 1)) return true;
+  const auto decimals = decimals_of(axis, place);
+  if (decimals && cln::abs(squared - 1) < cln::cl_RA(2) / 10000) {
+    axis = xml::Snap(context).unit(*decimals);
+    context.note(place,
+                 "the axis has length " + fmt::format("{:.9g}", std::sqrt(model::to_double(squared))) +
+                     " and is read as [" + to_string(axis[0]) + ", " + to_string(axis[1]) + ", " +
+                     to_string(axis[2]) + "]",
+                 "write it so if other digits are meant");
+    return true;
+  }
   const std::string length = length_text(squared);
   context.error(place, "the axis is not a unit vector: its length is " + length,
                 "divide its entries by " + length);
@@ -60,7 +90,7 @@ std::optional<model::Vector3> listed_axis(Context& context, const toml::array& a
     complete = complete && entry && symbols(entry->value).empty();
     if (entry) axis.at(i) = entry->value;
   }
-  if (!complete || !check_unit_length(context, place, axis)) return std::nullopt;
+  if (!complete || !make_unit(context, place, axis)) return std::nullopt;
   return axis;
 }
 
@@ -68,8 +98,9 @@ std::vector<model::Turn> read_rpy(const Table& table) {
   const auto angles = read_entries(table, "rpy", {}, {3}, "three angles [roll, pitch, yaw]");
   std::vector<model::Turn> turns;
   for (std::size_t i = 3; angles && i-- > 0;) {  // about the fixed axes x, y, z in turn: R = Rz Ry Rx
-    check_angle(table.context(), (*angles)[i]);
-    const auto turn = coordinate_turn(i, (*angles)[i].value);
+    const Entry angle = in_radians(table.context(), (*angles)[i]);
+    check_angle(table.context(), angle);
+    const auto turn = coordinate_turn(i, angle.value);
     turns.insert(turns.end(), turn.begin(), turn.end());
   }
   return turns;
@@ -83,6 +114,7 @@ std::optional<model::Turn> read_turn(const Table& table) {
   std::optional<Entry> angle;
   if (axis_node != nullptr) axis = read_axis(table.context(), *axis_node);
   if (angle_node != nullptr) angle = read_entry(table.context(), *angle_node, {}, "'angle'");
+  if (angle) angle = in_radians(table.context(), *angle);
   if (angle) check_angle(table.context(), *angle);
   if (!axis || !angle || angle->value.is_literal_zero()) return std::nullopt;
   return model::Turn{*axis, angle->value};

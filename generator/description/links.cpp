@@ -86,9 +86,11 @@ void read_drive(const Table& table, bool free, model::Drive& drive) {
 std::optional<model::Limits> read_limits(const Table& table, model::JointType type) {
   const auto entries = read_entries(table, "limits", {Role::constant}, {2}, "two entries [lower, upper]");
   if (!entries) return std::nullopt;
-  const Entry& lower = entries->front();
-  const Entry& upper = entries->back();
-  if (type == model::JointType::revolute) {
+  const bool turns = type == model::JointType::revolute;
+  const auto in_si = turns ? in_radians : in_metres;
+  const Entry lower = in_si(table.context(), entries->front()),
+              upper = in_si(table.context(), entries->back());
+  if (turns) {
     check_angle(table.context(), lower);
     check_angle(table.context(), upper);
   } else {
@@ -105,6 +107,23 @@ std::optional<model::Limits> read_limits(const Table& table, model::JointType ty
   return model::Limits{lower.value, upper.value};
 }
 
+/// A constant above 0, of velocity_limit or effort_limit.
+std::optional<Expression> read_greatest(const Table& table, const std::string& key) {
+  if (!table.has(key)) return std::nullopt;
+  const Entry entry = entry_or_zero(table, key, {Role::constant});
+  const bool is_angle = key == "velocity_limit";  // "180 deg" is one a second
+  if (!is_angle) check_no_angle(table.context(), entry, key);
+  if (!symbols(entry.value).empty()) return std::nullopt;
+  try {
+    if (cln::plusp(model::evaluate(entry.value))) return entry.value;
+  } catch (const model::EvaluationError&) {
+    return std::nullopt;  // told where the expression is read
+  }
+  table.context().error(entry.place, "'" + key + "' is not above 0",
+                        is_angle ? "write rad/s or m/s" : "write Nm or N");
+  return std::nullopt;
+}
+
 }  // namespace
 
 FreeParameters read_free_parameters(const Table& root) {
@@ -113,8 +132,9 @@ FreeParameters read_free_parameters(const Table& root) {
 
 std::vector<std::string> joint_keys(const std::vector<std::string>& more) {
   std::vector<std::string> keys{
-      "type",          "variable",         "limits",           "mass",    "centre_of_mass", "inertia",
-      "rotor_inertia", "viscous_friction", "coulomb_friction", "follows", "ratio",          "offset"};
+      "type",           "variable",         "limits",           "mass",    "centre_of_mass", "inertia",
+      "rotor_inertia",  "viscous_friction", "coulomb_friction", "follows", "ratio",          "offset",
+      "velocity_limit", "effort_limit"};
   keys.insert(keys.end(), more.begin(), more.end());
   return keys;
 }
@@ -147,6 +167,8 @@ std::string read_variable(const Table& table) {
 
 void read_link(const Table& table, const FreeParameters& free, model::Joint& joint) {
   joint.limits = read_limits(table, joint.type);
+  joint.greatest_velocity = read_greatest(table, "velocity_limit");
+  joint.greatest_effort = read_greatest(table, "effort_limit");
   read_masses(table, free.inertia, joint.inertia);
   read_tensor(table, free.inertia, joint.inertia);
   read_drive(table, free.drives, joint.drive);

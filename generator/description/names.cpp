@@ -87,8 +87,6 @@ constexpr auto taken = std::to_array<std::string_view>({"BasicGeometry",
 /// Robots' names are namespaces beside these.
 constexpr auto taken_for_robots = std::to_array<std::string_view>({"detail", "inverse"});
 
-constexpr std::size_t longest_name = 64;
-
 /// Capitals are left to macros, but for a few with a number: L1, RL4. M_PIl and its like are not all
 /// capitals.
 bool looks_like_macro(std::string_view name) {

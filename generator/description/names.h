@@ -15,6 +15,8 @@ struct NameProblem {
   std::string message;
   std::string hint;
 };
+/// The most letters that a name may have.
+inline constexpr std::size_t longest_name = 64;
 NameProblem check_identifier(std::string_view name);
 /// Robots' names are namespaces and file names: identifiers in lower case.
 NameProblem check_robot_name(std::string_view name);

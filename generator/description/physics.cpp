@@ -140,7 +140,8 @@ void check_size(Context& context, const model::Robot& robot) {
     const std::string metres = text(longest);
     return context.warning(context.joint_places.at(i), "an offset of " + metres + " metres",
                            "lengths are in metres; if " + metres + " mm are meant, write " +
-                               text(longest / 1000) + ", and all other lengths so");
+                               (context.takes_units ? "unit = \"mm\" for the whole file"
+                                                    : text(longest / 1000) + ", and all other lengths so"));
   }
 }
 

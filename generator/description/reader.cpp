@@ -2,6 +2,7 @@
 #include "description/reader.h"
 
 #include <algorithm>
+#include <map>
 #include <sstream>
 
 #include "description/chain.h"
@@ -13,9 +14,11 @@
 #include "description/request.h"
 #include "description/size_limits.h"
 #include "description/symbols.h"
+#include "description/tree/tree.h"
 #include "description/xml/file_text.h"
 #include "description/xml/mjcf_fragment.h"
 #include "description/xml/reader.h"
+#include "description/xml/text.h"
 #include "model/arithmetic.h"
 
 namespace qvgen::description {
@@ -102,11 +105,33 @@ std::vector<std::string> variables_of(const model::Robot& robot) {
   return names;
 }
 
+/// `unit` of lengths and `angle_unit`, in which the numbers of the whole file are.
+void read_units(const Table& root) {
+  Context& context = root.context();
+  context.takes_units = true;
+  static const std::map<std::string, cln::cl_RA> lengths{
+      {"m", 1}, {"cm", cln::cl_RA(1) / 100}, {"mm", cln::cl_RA(1) / 1000}, {"in", cln::cl_RA(254) / 10000}};
+  if (const auto unit = root.text("unit")) {
+    const auto found = lengths.find(*unit);
+    if (found == lengths.end())
+      context.error(root.place_of("unit"), "unknown unit '" + *unit + "'", "write m, cm, mm or in");
+    else
+      context.units.length = found->second;
+  }
+  if (const auto unit = root.text("angle_unit")) {
+    context.units.degrees = *unit == "deg";
+    if (*unit != "deg" && *unit != "rad")
+      context.error(root.place_of("angle_unit"), "unknown unit '" + *unit + "'", "write rad or deg");
+  }
+}
+
 model::Robot read_robot(const Table& root) {
   Context& context = root.context();
-  root.allow_only({"name", "title", "source", "symbols", "inertia", "drives", "accept_unphysical_inertia",
-                   "base", "tool", "defaults", "joint", "convention", "dh", "home", "screw", "task",
-                   "tool_axis", "given", "ideal"});
+  root.allow_only(
+      {"name",  "title", "source",    "symbols", "inertia",    "drives", "accept_unphysical_inertia",
+       "base",  "tool",  "defaults",  "joint",   "convention", "dh",     "home",
+       "screw", "task",  "tool_axis", "given",   "ideal",      "unit",   "angle_unit"});
+  read_units(root);
   context.is_measured = root.has("ideal");
   model::Robot robot;
   read_name(root, robot);
@@ -130,7 +155,7 @@ bool is_blank(std::string_view text) {
 }
 
 ReadResult failed(const Context& context, Place place, const std::string& message, const std::string& hint) {
-  return {std::nullopt, {context.diagnostic(place, message, hint)}, {}};
+  return {std::nullopt, {context.diagnostic(place, message, hint)}, {}, {}};
 }
 
 /// Mistakes of the file itself first, then those of each file that it names. A place that is read several
@@ -195,8 +220,20 @@ bool is_xml(std::string_view text, const std::string& file) {
   if (extension == ".toml") return false;
   if (extension == ".urdf" || extension == ".xml" || extension == ".mjcf" || extension == ".xacro")
     return true;
+  if (xml::is_utf16_xml(text)) return true;
   const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
   return first != std::string_view::npos && text[first] == '<';
+}
+
+/// Names the robot by --name, else by what its file calls it, made a valid name; a change is noted.
+void name_robot(Context& context, const xml::Element& root, model::Robot& robot) {
+  if (!context.options.name.empty()) return rename(context, robot);
+  const xml::Attribute* name = root.attribute(root.name == "mujoco" ? "model" : "name");
+  const bool is_named = name != nullptr && !name->value.empty();
+  robot.name = tree::robot_identifier(is_named ? name->value : "robot");
+  if (is_named && robot.name != name->value)
+    context.note(name->place, "the robot '" + name->value + "' is '" + robot.name + "' in the code",
+                 "names of robots have small letters, digits and '_' there; --name gives another");
 }
 
 ReadResult read_xml(Context& context, std::string_view text) {
@@ -213,7 +250,7 @@ ReadResult read_xml(Context& context, std::string_view text) {
     context.error(place, "<" + root->name + "> is no robot description",
                   "a URDF begins with <robot>, an MJCF with <mujoco>");
   }
-  rename(context, robot);
+  if (root) name_robot(context, *root, robot);
   robot.source = std::filesystem::path(context.source.file()).filename().string();
   for (const std::string* text_of_robot : {&robot.title, &robot.source})
     if (const std::string problem = problem_of_text(*text_of_robot); !problem.empty())
@@ -254,7 +291,9 @@ ReadResult read_text(std::string_view text, const std::string& file, const ReadO
   if (is_blank(text)) {
     return failed(context, {}, "the file is empty", "begin with name = \"...\" and add [[joint]] tables");
   }
-  return is_xml(text, file) ? read_xml(context, text) : read_toml(context, text);
+  ReadResult result = is_xml(text, file) ? read_xml(context, text) : read_toml(context, text);
+  result.text = text;
+  return result;
 }
 
 ReadResult read_file(const std::filesystem::path& path, const ReadOptions& options) {

@@ -30,6 +30,7 @@ struct ReadResult {
   std::vector<Diagnostic> diagnostics;
   /// Where the file gives the robot's name, for mistakes between files.
   Diagnostic name_place;
+  std::string text;  ///< all that was read
 };
 
 /// Which rounded numbers of a URDF or MJCF are read as the exact ones that they were (xml/snap.h).
@@ -49,6 +50,9 @@ struct ReadOptions {
   std::string base = {};  ///< link where the chain begins; empty: the root
   std::string tip = {};   ///< link where it ends; empty: the only one that can be meant
   SnapOptions snap = {};
+  // For who reads files: what xacro is given, and where packages are.
+  std::vector<std::string> xacro_arguments = {};
+  std::vector<std::string> package_folders = {};
 };
 
 /// The largest file that is read: no description of one robot comes near.

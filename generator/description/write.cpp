@@ -111,9 +111,13 @@ std::string inertia_text(const model::Inertia& inertia) {
 }
 
 std::string limits_text(const model::Joint& joint) {
-  if (!joint.limits) return "";
+  std::string result;
   const auto bound = joint.type == model::JointType::revolute ? angle_text : text;
-  return "limits = [" + bound(joint.limits->lower) + ", " + bound(joint.limits->upper) + "]\n";
+  if (joint.limits)
+    result = "limits = [" + bound(joint.limits->lower) + ", " + bound(joint.limits->upper) + "]\n";
+  if (joint.greatest_velocity) result += entry("velocity_limit", *joint.greatest_velocity);
+  if (joint.greatest_effort) result += entry("effort_limit", *joint.greatest_effort);
+  return result;
 }
 
 std::string follows_text(const model::Robot& robot, const model::Joint& joint) {

@@ -68,6 +68,8 @@ struct Joint {
   Inertia inertia;
   Drive drive;
   std::optional<Follows> follows = {};
+  std::optional<Expression> greatest_velocity = {};  ///< rad/s or m/s, above 0
+  std::optional<Expression> greatest_effort = {};    ///< Nm or N, above 0
 };
 
 /// A named constant of the description: a field of the generated Geometry or Inertia struct.

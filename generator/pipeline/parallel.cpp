@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
+#include <new>
 #include <stdexcept>
 #include <thread>
 
@@ -42,6 +44,9 @@ constexpr bool has_address_sanitizer = __has_feature(address_sanitizer);
 constexpr bool has_address_sanitizer = false;
 #endif
 
+// Seconds of a build with sanitizers are longer.
+constexpr std::uint64_t slowness = has_address_sanitizer ? 10 : 1;
+
 void limit(decltype(RLIMIT_CPU) what, std::uint64_t value) {
   rlimit bounds{};
   if (::getrlimit(what, &bounds) != 0) return;
@@ -50,7 +55,7 @@ void limit(decltype(RLIMIT_CPU) what, std::uint64_t value) {
 }
 
 void apply(const Budget& budget) {
-  limit(RLIMIT_CPU, budget.seconds);
+  limit(RLIMIT_CPU, slowness * budget.seconds);
   limit(RLIMIT_CORE, 0);
   // The address sanitizer's shadow takes more address space than any machine has memory.
   if (!has_address_sanitizer) limit(RLIMIT_AS, budget.megabytes << 20U);
@@ -72,12 +77,18 @@ void die_with(pid_t parent) {
   if (::getppid() != parent) ::_exit(1);
 }
 
+std::string out_of_memory(const Budget& budget) {
+  return "it takes more than " + std::to_string(budget.megabytes) + " MB of memory";
+}
+
 [[noreturn]] void run_worker(int file, std::size_t index, const Budget& budget,
                              const std::function<std::string(std::size_t)>& work) {
   apply(budget);
   std::string message(1, done_mark);
   try {
     message += work(index);
+  } catch (const std::bad_alloc&) {
+    message = failed_mark + out_of_memory(budget);
   } catch (const std::exception& error) {
     message = failed_mark + std::string(error.what());
   }
@@ -160,7 +171,29 @@ struct Workers {
 
 Budget own_budget() {
   const Budget usual;
-  return {limit_of(RLIMIT_CPU, usual.seconds), limit_of(RLIMIT_AS, usual.megabytes << 20U) >> 20U};
+  return {limit_of(RLIMIT_CPU, slowness * usual.seconds) / slowness,
+          limit_of(RLIMIT_AS, usual.megabytes << 20U) >> 20U};
+}
+
+int bounded(const std::string& what, const Budget& budget, const std::function<int()>& work) {
+  std::fflush(nullptr);  // else both processes would print it
+  const pid_t parent = ::getpid();
+  const pid_t child = ::fork();
+  if (child < 0) throw std::runtime_error(std::string("cannot start a process: ") + std::strerror(errno));
+  if (child == 0) {
+    die_with(parent);
+    apply(budget);
+    try {
+      return work();
+    } catch (const std::bad_alloc&) {
+      throw std::runtime_error(what + ": " + out_of_memory(budget));
+    }
+  }
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+  if (WIFEXITED(status)) return WEXITSTATUS(status);
+  if (WTERMSIG(status) == SIGPIPE) ::raise(SIGPIPE);  // whoever read the output has seen enough
+  throw std::runtime_error(what + ": " + death_of(status, budget));
 }
 
 std::vector<Outcome> in_processes(std::size_t count, const std::function<std::string(std::size_t)>& work,

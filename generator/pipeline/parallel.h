@@ -8,11 +8,17 @@
 
 namespace qvgen::pipeline {
 
-/// What one piece of work may use at most. A last resort: what is derived bounds its own work first.
+/// What one piece of work may use at most. A last resort: what is derived bounds its own work first. A build
+/// with sanitizers has more of both.
 struct Budget {
-  std::uint64_t seconds = 600;     ///< of processor time
-  std::uint64_t megabytes = 4096;  ///< of address space
+  std::uint64_t seconds = 20;      ///< of processor time
+  std::uint64_t megabytes = 1024;  ///< of address space
 };
+
+/// Runs the work in a child process with a budget and returns its exit code; the child goes on as this
+/// program would, so that its output and its exceptions are the program's own. Throws std::runtime_error with
+/// `what` and the reason if the budget ends it. To be called once, before anything is printed.
+int bounded(const std::string& what, const Budget& budget, const std::function<int()>& work);
 
 /// The budget that a worker itself has, for workers of its own.
 Budget own_budget();

@@ -95,17 +95,24 @@ RobotOutput generate_product(const model::Robot& robot, const Product& product, 
   return output;
 }
 
-void add_extras(const model::Robot& robot, const Parts& parts, Language language, RobotOutput& output) {
-  for (const Extra& extra : all_extras()) {
-    if (!contains(parts, extra.part)) continue;
-    if (language == Language::c)
-      output.missing.push_back({extra.part, Missing::Kind::not_in_language, "it is written in C++"});
-    else
-      attempt(extra.part, output, [&](RobotOutput& made) {
-        made.counts = output.counts;
-        extra.add(robot, made);
-      });
-  }
+std::vector<Extra> wanted_extras(const Parts& parts) {
+  std::vector<Extra> wanted;
+  for (const Extra& extra : all_extras())
+    if (contains(parts, extra.part)) wanted.push_back(extra);
+  return wanted;
+}
+
+RobotOutput generate_extra(const model::Robot& robot, const Extra& extra, Language language,
+                           const nlohmann::ordered_json& counts) {
+  RobotOutput output{robot.name};
+  if (language == Language::c)
+    output.missing.push_back({extra.part, Missing::Kind::not_in_language, "it is written in C++"});
+  else
+    attempt(extra.part, output, [&](RobotOutput& made) {
+      made.counts = counts;
+      extra.add(robot, made);
+    });
+  return output;
 }
 
 /// What the products of each robot are, not put together yet.
@@ -138,6 +145,24 @@ std::vector<RobotOutput> made(const std::vector<model::Robot>& robots, const std
   return outputs;
 }
 
+/// Adds what is made from the products, each extra of each robot in a process of its own as well.
+void add_extras(const std::vector<model::Robot>& robots, const std::vector<Extra>& extras,
+                const Budget& budget, Language language, std::vector<RobotOutput>& outputs) {
+  const auto work = [&](std::size_t i) {
+    const std::size_t robot = i / extras.size();
+    return to_text(generate_extra(robots[robot], extras[i % extras.size()], language, outputs[robot].counts));
+  };
+  const std::vector<Outcome> outcomes = in_processes(robots.size() * extras.size(), work, budget);
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    RobotOutput& output = outputs[i / extras.size()];
+    if (outcomes[i].done)
+      append(output, robot_output_from_text(outcomes[i].text));
+    else
+      output.missing.push_back(
+          {extras[i % extras.size()].part, Missing::Kind::not_finished, outcomes[i].text});
+  }
+}
+
 /// Puts a robot together from its products; without its model header nothing would compile.
 RobotOutput whole(RobotOutput output, Language language) {
   const bool has_model = has_part(output.missing, all_products().front().part);
@@ -148,6 +173,23 @@ RobotOutput whole(RobotOutput output, Language language) {
   add_headers_of_missing_parts(output);
   output.files.push_back(umbrella_header(output));
   return output;
+}
+
+/// Puts all robots together, each in a process of its own: what is rendered here counts as well. A robot that
+/// exceeds the budget is lost, and says so.
+std::vector<RobotOutput> whole(std::vector<RobotOutput> outputs, const Budget& budget, Language language) {
+  const auto work = [&](std::size_t i) { return to_text(whole(outputs[i], language)); };
+  const std::vector<Outcome> outcomes = in_processes(outputs.size(), work, budget);
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    if (outcomes[i].done) {
+      outputs[i] = robot_output_from_text(outcomes[i].text);
+      continue;
+    }
+    outputs[i].missing.push_back(
+        {all_products().front().part, Missing::Kind::not_finished, outcomes[i].text});
+    outputs[i] = whole(std::move(outputs[i]), language);
+  }
+  return outputs;
 }
 
 }  // namespace
@@ -203,11 +245,9 @@ std::vector<RobotOutput> generate(const std::vector<model::Robot>& robots, const
                                   const std::function<void(const std::string&)>& progress,
                                   Language language) {
   std::vector<RobotOutput> outputs = made(robots, wanted_products(parts), budget, progress, language);
-  for (std::size_t i = 0; i < robots.size(); ++i) {
-    add_extras(robots[i], parts, language, outputs[i]);
-    outputs[i] = whole(std::move(outputs[i]), language);
-    outputs[i].robot = folder_name(robots[i].name, language);
-  }
+  add_extras(robots, wanted_extras(parts), budget, language, outputs);
+  outputs = whole(std::move(outputs), budget, language);
+  for (std::size_t i = 0; i < robots.size(); ++i) outputs[i].robot = folder_name(robots[i].name, language);
   return outputs;
 }
 

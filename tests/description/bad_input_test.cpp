@@ -287,13 +287,11 @@ TEST(BadInput, Rows) {
 TEST(BadInput, AnglesThatLookLikeDegrees) {
   EXPECT_EQ(
       report(row("alpha = 90\n")),
-      lines({"6:9: warning: the angle 90 is more than a full turn in radians; write '90 deg' for degrees, "
-             "'90 rad' if "
-             "radians are meant"}));
+      lines({"6:9: warning: the angle 90 is more than a full turn in radians; write '90 deg' for degrees, or "
+             "angle_unit = \"deg\" for the whole file; '90 rad' if radians are meant"}));
   EXPECT_EQ(report(row("theta = \"t1 - 90\"\n"), true),
             "r.toml:6:9: error: the angle -90 is more than a full turn in radians; write '-90 deg' for "
-            "degrees, '-90 rad' "
-            "if radians are meant\n");
+            "degrees, or angle_unit = \"deg\" for the whole file; '-90 rad' if radians are meant\n");
   EXPECT_EQ(report(row("alpha = \"7 rad\"\n")), "");
   EXPECT_EQ(
       report(row("alpha = -1.5708\n")),
@@ -302,7 +300,8 @@ TEST(BadInput, AnglesThatLookLikeDegrees) {
 }
 
 TEST(BadInput, LengthsThatLookLikeMillimetres) {
-  const std::string hint = "lengths are in metres; if 560 mm are meant, write 0.56, and all other lengths so";
+  const std::string hint =
+      "lengths are in metres; if 560 mm are meant, write unit = \"mm\" for the whole file";
   EXPECT_EQ(report(row("d = 345\na = 560\n")), lines({"4:1: warning: an offset of 560 metres; " + hint}));
   EXPECT_EQ(report(row("d = 345\na = 560\n"), true),
             "r.toml:4:1: error: an offset of 560 metres; " + hint + "\n");

@@ -15,7 +15,7 @@ std::string joint(const std::string& name, const std::string& type, const std::s
 }
 
 std::string robot(const std::string& content) {
-  return "<robot name=\"My Arm-2\">\n" + content + "</robot>\n";
+  return "<robot name=\"my_arm_2\">\n" + content + "</robot>\n";
 }
 
 /// One continuous joint with the given frame and axis.
@@ -35,7 +35,7 @@ TEST(Urdf, ReadsAChain) {
             "<origin xyz=\"1 2 3\" rpy=\"0.1 0 -0.2\"/><axis xyz=\"0 -1 0\"/>") +
       joint("turn-1 ", "prismatic", "c", "d", "<axis xyz=\"3 0 4\"/><limit lower=\"0\" upper=\"0.5\"/>")));
   EXPECT_EQ(arm.name, "my_arm_2");
-  EXPECT_EQ(arm.title, "My Arm-2, a to d");
+  EXPECT_EQ(arm.title, "my_arm_2, a to d");
   ASSERT_EQ(arm.joints.size(), 3U);
   EXPECT_EQ(arm.joints[0].variable, "turn_1");
   EXPECT_EQ(arm.joints[0].type, model::JointType::revolute);
@@ -115,7 +115,7 @@ TEST(Urdf, JointsThatAreCalledOtherwiseInTheCodeAreNoted) {
   EXPECT_EQ(
       report(robot(link("a") + link("b") + joint("left/elbow-1", "continuous", "a", "b"))),
       "4:1: note: the joint 'left/elbow-1' is 'left_elbow_1' in the code; names have letters, digits and "
-      "'_' there\n");
+      "'_' there, at most 64, and are no macros\n");
   EXPECT_EQ(report(robot(link("a") + link("b") + joint("elbow_1", "continuous", "a", "b"))), "");
 }
 
@@ -157,7 +157,9 @@ TEST(Urdf, BaseAndTip) {
   const std::string arm = robot(link("a") + link("b") + link("c") + link("d") + link("e") +
                                 joint("j1", "continuous", "a", "b") + joint("j2", "continuous", "b", "c") +
                                 joint("j3", "continuous", "c", "d") + joint("j4", "continuous", "c", "e"));
-  EXPECT_EQ(report(arm), "1:1: error: the chain may end at d, e; say at which link with --tip\n");
+  EXPECT_EQ(
+      report(arm),
+      "1:1: error: the chain may end at d (3 joints), e (3 joints); say where: qvgen check r.xml --tip d\n");
   EXPECT_EQ(read(arm, {.tip = "e"}).joints.size(), 3U);
   EXPECT_EQ(read(arm, {.base = "b", .tip = "d"}).joints.size(), 2U);
   EXPECT_EQ(read(arm, {.name = "other", .tip = "d"}).name, "other");
@@ -176,7 +178,7 @@ TEST(Urdf, BaseAndTip) {
   const std::string named =
       robot(link("a") + link("tool0") + link("camera") + joint("j1", "continuous", "a", "tool0") +
             joint("j2", "continuous", "tool0", "camera"));
-  EXPECT_EQ(read(named).title, "My Arm-2, a to tool0");
+  EXPECT_EQ(read(named).title, "my_arm_2, a to tool0");
 }
 
 TEST(Urdf, MistakesInTheTree) {
@@ -216,14 +218,14 @@ TEST(Urdf, MistakesInNumbers) {
       "5:28: error: 'rpy' of <origin> has 2 numbers; write 3 numbers apart by blanks\n"
       "5:45: error: the axis of 'j' has length zero; give a direction, e.g. xyz=\"0 0 1\"\n"
       "5:77: error: '-inf' is not finite; write a finite number\n");
-  EXPECT_EQ(report_joint("continuous", "<origin xyz=\"0,1 0 ${h}\" rpy=\"1e99 1e999999999 0\"/>"),
-            "5:14: error: '0,1' is no number; write a decimal number such as 0.1 or 1e-3\n"
-            "5:20: error: '${h}' is to be filled in by xacro; run xacro first, and read what it writes\n"
-            "5:31: error: '1e99' is beyond every robot; lengths are in metres, angles in radians\n"
-            "5:36: error: the exponent of '1e999999999' is out of range; exponents go from -300 to 300\n");
   EXPECT_EQ(
-      report_joint("revolute", "<limit lower=\"2\" upper=\"1\"/>"),
-      "5:15: error: the limits of 'j' are reversed: the lower is above the upper; swap lower and upper\n");
+      report_joint("continuous", "<origin xyz=\"0,1 0 ${h}\" rpy=\"1e99 1e999999999 0\"/>"),
+      "5:14: error: '0,1' is no number; write a decimal number such as 0.1 or 1e-3\n"
+      "5:20: error: '${h}' is to be filled in by xacro; install xacro, which is run then: pip install xacro\n"
+      "5:31: error: '1e99' is beyond every robot; lengths are in metres, angles in radians\n"
+      "5:36: error: the exponent of '1e999999999' is out of range; exponents go from -300 to 300\n");
+  EXPECT_EQ(report_joint("revolute", "<limit lower=\"2\" upper=\"1\"/>"),
+            "5:15: warning: the limits of 'j' are reversed: they are read as 1 to 2; swap lower and upper\n");
   EXPECT_EQ(
       report_joint("floating", ""),
       "4:23: error: the joint 'j' is floating; a chain has revolute, continuous, prismatic and fixed joints: "

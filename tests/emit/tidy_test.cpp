@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <random>
 #include <sstream>
 
 #include <gtest/gtest.h>
@@ -53,10 +54,47 @@ TEST(Tidy, CommentsKeepTheirMarks) {
   EXPECT_EQ(second.substr(0, 12), "  ///   word");
 }
 
+/// Words longer than a line, behind a mark that continuation lines repeat: once an endless loop.
+TEST(Tidy, LongWordsEnd) {
+  const std::string number(150, '7');
+  EXPECT_EQ(wrapped("//   - " + number + " more\n"), "//   - " + number + "\n//     more\n");
+  EXPECT_EQ(wrapped("  /// " + number + "\n"), "  /// " + number + "\n");
+  EXPECT_EQ(wrapped("// a " + number + " b\n"), "// a\n// " + number + "\n// b\n");
+}
+
 std::string without_spaces(std::string text) {
   text.erase(std::remove_if(text.begin(), text.end(), [](char c) { return c == ' ' || c == '\n'; }),
              text.end());
   return text;
+}
+
+/// Returns a line of random words, marks and indentation.
+std::string random_line(std::mt19937& random) {
+  static const std::vector<std::string> starts{"",         "  ",        "//", "// ", "  /// ",
+                                               "  /// - ", "//     - ", "#",  "{"};
+  static const std::vector<std::string> marks{" ",  ", ",  " + ", " - ", "(", ")",
+                                              "\"", " = ", "<",   ">",   "{", "- "};
+  const auto pick = [&](std::size_t count) {
+    return std::uniform_int_distribution<std::size_t>(0, count - 1)(random);
+  };
+  std::string line = starts[pick(starts.size())];
+  for (std::size_t i = pick(30); i-- > 0;)
+    line += std::string(pick(8) == 0 ? pick(300) : pick(12), 'x') + marks[pick(marks.size())];
+  return line + "\n";
+}
+
+/// Whatever a line holds: the loop ends, no letter is lost, and what may be broken is.
+TEST(Tidy, EveryLineEnds) {
+  std::mt19937 random(1);
+  for (int i = 0; i < 20'000; ++i) {
+    const std::string line = random_line(random);
+    const std::string result = wrapped(line);
+    ASSERT_LE(result.size(), 60 * line.size()) << line;
+    const bool comment = line.find_first_not_of(' ') == line.find("//");
+    if (!comment) {
+      ASSERT_EQ(without_spaces(result), without_spaces(line));
+    }
+  }
 }
 
 /// Of everything that is generated: lines are short, and to tidy it again changes nothing.

@@ -3,6 +3,7 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <functional>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -49,6 +50,43 @@ TEST(Parallel, ADeadWorkerCostsItsOwnWork) {
   for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(results[i].done, i != 2 && i != 3);
   EXPECT_NE(results[2].text.find("code 9"), std::string::npos) << results[2].text;
   EXPECT_NE(results[3].text.find("Abort"), std::string::npos) << results[3].text;
+}
+
+/// Runs `bounded`; the child, which goes on as the program, ends here.
+int code_of(const qvgen::pipeline::Budget& budget, const std::function<int()>& work) {
+  const pid_t parent = ::getpid();
+  int code = 99;
+  try {
+    code = qvgen::pipeline::bounded("the work", budget, work);
+  } catch (const std::exception&) {
+    if (::getpid() == parent) throw;
+  }
+  if (::getpid() != parent) ::_exit(code);
+  return code;
+}
+
+std::string words_of(const qvgen::pipeline::Budget& budget, const std::function<int()>& work) {
+  try {
+    return "code " + std::to_string(code_of(budget, work));
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
+TEST(Bounded, CodesAndExceptionsAreThoseOfTheWork) {
+  EXPECT_EQ(code_of({}, [] { return 0; }), 0);
+  EXPECT_EQ(code_of({}, [] { return 3; }), 3);
+  EXPECT_EQ(code_of({}, []() -> int { throw std::runtime_error("wrong"); }), 99);
+}
+
+TEST(Bounded, WhatTakesTooLongEndsWithItsName) {
+  const auto forever = []() -> int {
+    for (volatile bool go_on = true; go_on;) continue;
+    return 0;
+  };
+  EXPECT_EQ(words_of({1, 1024}, forever), "the work: it takes more than 1 s of processor time");
+  EXPECT_NE(words_of({}, []() -> int { std::abort(); }).find("the work: its process died (Aborted)"),
+            std::string::npos);
 }
 
 /// Every process that is at work holds the end of a pipe open, from whose other end nothing comes before all

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cctype>
 #include <map>
 
 #include "description/followers.h"
-#include "description/names.h"
 #include "description/tree/tree.h"
 #include "model/arithmetic.h"
 
@@ -82,9 +80,11 @@ class ChainReader {
     joint.variable = identifier(moving.name, taken);
     if (moving.is_named && joint.variable != moving.name)
       context_->note(moving.place, "the joint '" + moving.name + "' is '" + joint.variable + "' in the code",
-                     "names have letters, digits and '_' there");
+                     "names have letters, digits and '_' there, at most 64, and are no macros");
     joint.axis = moving.axis;
     joint.limits = moving.limits;
+    joint.greatest_velocity = moving.greatest_velocity;
+    joint.greatest_effort = moving.greatest_effort;
     joint.drive = moving.drive;
     return joint;
   }
@@ -158,33 +158,6 @@ void read_chain(Context& context, const std::vector<Node>& nodes, Ends ends, con
   } else {
     ChainReader(context, nodes, read).read(path, robot);
   }
-}
-
-std::string identifier(const std::string& text, const std::vector<std::string>& taken) {
-  std::string name;
-  for (const char c : text) {
-    const bool letter = std::isalnum(static_cast<unsigned char>(c)) != 0;
-    if (letter)
-      name += c;
-    else if (!name.empty() && name.back() != '_')
-      name += '_';
-  }
-  while (!name.empty() && name.back() == '_') name.pop_back();
-  if (name.empty() || std::isdigit(static_cast<unsigned char>(name.front())) != 0) name = "joint_" + name;
-  if (name.back() == '_') name.pop_back();
-  std::string candidate = name;
-  for (int number = 1; !check_identifier(candidate).message.empty() ||
-                       std::find(taken.begin(), taken.end(), candidate) != taken.end();
-       ++number)
-    candidate = name + "_" + std::to_string(number);
-  return candidate;
-}
-
-std::string robot_identifier(const std::string& text) {
-  std::string name = identifier(text.empty() ? "robot" : text, {});
-  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  if (name.substr(0, 6) == "joint_" && text.substr(0, 5) != "joint") name = "robot" + name.substr(5);
-  return check_identifier(name).message.empty() ? name : name + "_arm";
 }
 
 }  // namespace qvgen::description::tree

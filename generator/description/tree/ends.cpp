@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <array>
 
 #include "description/names.h"
 #include "description/tree/tree.h"
 
 namespace qvgen::description::tree {
 namespace {
-
-/// What tips are called, by makers and by ROS-Industrial; the first that a file has is meant.
-constexpr std::array tip_names{"tool0", "tool",    "tcp",    "tool_link", "ee_link",    "end_effector",
-                               "ee",    "link_ee", "flange", "hand_tcp",  "tool_frame", "attachment_site"};
 
 /// Beyond this many names a list helps nobody, and looking for the nearest one takes too long.
 constexpr std::size_t many = 1000;
@@ -48,46 +43,6 @@ std::optional<std::size_t> only_root(Context& context, const std::vector<Node>& 
   return std::nullopt;
 }
 
-/// Nodes that a moving joint separates from the base, in the order of the file.
-std::vector<std::size_t> moved_by(const std::vector<Node>& nodes, std::size_t base) {
-  std::vector<std::size_t> result;
-  std::vector<std::pair<std::size_t, bool>> open{{base, false}};
-  while (!open.empty()) {
-    const auto [node, moves] = open.back();
-    open.pop_back();
-    if (moves) result.push_back(node);
-    for (const std::size_t child : nodes[node].children)
-      open.emplace_back(child, moves || nodes[child].moves);
-  }
-  std::sort(result.begin(), result.end());
-  return result;
-}
-
-bool is_leaf(const std::vector<Node>& nodes, std::size_t node) {
-  const auto& children = nodes[node].children;
-  return !nodes[node].is_marker && std::all_of(children.begin(), children.end(),
-                                               [&](std::size_t child) { return nodes[child].is_marker; });
-}
-
-std::optional<std::size_t> likely_tip(Context& context, const std::vector<Node>& nodes, std::size_t base,
-                                      const std::string& kind) {
-  const auto moved = moved_by(nodes, base);
-  if (moved.empty()) {
-    context.error(nodes[base].place, "no joint between " + nodes[base].name + " and the tips moves",
-                  "an arm has at least one revolute, continuous or prismatic joint");
-    return std::nullopt;
-  }
-  for (const std::string name : tip_names)
-    for (const std::size_t node : moved)
-      if (nodes[node].name == name) return node;
-  std::vector<std::size_t> leaves;
-  std::copy_if(moved.begin(), moved.end(), std::back_inserter(leaves),
-               [&](std::size_t node) { return is_leaf(nodes, node); });
-  if (leaves.size() == 1) return leaves.front();
-  context.error({}, "the chain may end at " + list(nodes, leaves), "say at which " + kind + " with --tip");
-  return std::nullopt;
-}
-
 }  // namespace
 
 std::optional<Ends> find_ends(Context& context, const std::vector<Node>& nodes, const std::string& kind) {
@@ -105,7 +60,7 @@ std::optional<Ends> find_ends(Context& context, const std::vector<Node>& nodes, 
   } else {
     return std::nullopt;
   }
-  const auto end = tip ? tip : likely_tip(context, nodes, ends.base, kind);
+  const auto end = tip ? tip : likely_tip(context, nodes, ends.base);
   if (!end) return std::nullopt;
   ends.tip = *end;
   if (path_between(nodes, ends)) return ends;

@@ -27,6 +27,7 @@ struct MovingJoint {
   model::JointType type = model::JointType::revolute;
   model::Vector3 axis;  ///< unit vector
   std::optional<model::Limits> limits;
+  std::optional<model::Expression> greatest_velocity = {}, greatest_effort = {};
   model::Drive drive;
   std::optional<Mimic> mimic = {};
 };
@@ -48,6 +49,8 @@ struct Node {
   std::vector<std::size_t> children;
   bool moves = false;      ///< the joint that holds it has a variable
   bool is_marker = false;  ///< a point on a link: a tip only if it is asked for, or called like one
+  std::string joint = {};  ///< the name of the joint that holds it, if it has one
+  bool floats = false;     ///< that joint is of a kind that no chain has: a chain begins behind it
 };
 
 /// Reads the numbers of one link and its joint: only those that are needed, so that a gripper beside the
@@ -63,6 +66,9 @@ struct Ends {
 /// `kind` is how the file calls its nodes: link, body.
 std::optional<Ends> find_ends(Context& context, const std::vector<Node>& nodes, const std::string& kind);
 
+/// The tip that is meant though no option names it; reported with a list of all limbs if there are several.
+std::optional<std::size_t> likely_tip(Context& context, const std::vector<Node>& nodes, std::size_t base);
+
 /// The nodes from the base (left out) to the tip; nothing if the tip does not hang on the base.
 std::optional<std::vector<std::size_t>> path_between(const std::vector<Node>& nodes, Ends ends);
 
@@ -71,9 +77,10 @@ std::optional<std::vector<std::size_t>> path_between(const std::vector<Node>& no
 void read_chain(Context& context, const std::vector<Node>& nodes, Ends ends, const ReadSegment& read,
                 model::Robot& robot);
 
-/// A C++ name made of any text, different from those that are taken.
+/// Returns a valid name of the generated code for a joint that a file calls by any text, different from those
+/// that are taken.
 std::string identifier(const std::string& text, const std::vector<std::string>& taken);
-/// Likewise of a robot: in lower case.
+/// Likewise for a robot: in lower case.
 std::string robot_identifier(const std::string& text);
 
 }  // namespace qvgen::description::tree

@@ -38,7 +38,7 @@ void report(Context& context, Place place, const std::string& word) {
     return context.error(place, "'" + word + "' is not finite", "write a finite number");
   if (word.find('$') != std::string::npos)
     return context.error(place, "'" + word + "' is to be filled in by xacro",
-                         "run xacro first, and read what it writes");
+                         "install xacro, which is run then: pip install xacro");
   context.error(place, "'" + word + "' is no number", "write a decimal number such as 0.1 or 1e-3");
 }
 

@@ -6,15 +6,17 @@
 
 #include <expat.h>
 
+#include "description/xml/text.h"
+
 namespace qvgen::description::xml {
 namespace {
 
 /// Turns rising byte offsets into places, all of a file in one pass.
 class Cursor {
  public:
-  Cursor(std::string_view text, int file) : text_(text) {
+  /// `skipped`: bytes at the beginning that are no columns.
+  Cursor(std::string_view text, int file, std::size_t skipped) : text_(text), offset_(skipped) {
     place_.file = file;
-    if (text_.substr(0, 3) == "\xEF\xBB\xBF") offset_ = 3;  // a byte order mark is no column
   }
   Place at(std::size_t offset) {
     for (; offset_ < std::min(offset, text_.size()); ++offset_) {
@@ -28,7 +30,7 @@ class Cursor {
 
  private:
   std::string_view text_;
-  std::size_t offset_ = 0;
+  std::size_t offset_;
   Place place_;
 };
 
@@ -47,7 +49,8 @@ std::vector<std::size_t> value_offsets(std::string_view text, std::size_t from, 
 }
 
 struct Parsing {
-  Parsing(Context& c, std::string_view t, int file) : context(c), text(t), cursor(t, file) {}
+  Parsing(Context& c, std::string_view t, int file, std::size_t skipped)
+      : context(c), text(t), cursor(t, file, skipped) {}
 
   Context& context;
   std::string_view text;
@@ -104,10 +107,13 @@ const Element* Element::child(std::string_view key) const {
   return found == children.end() ? nullptr : &*found;
 }
 
-std::optional<Element> parse(Context& context, std::string_view text, int file) {
-  const std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser(XML_ParserCreate(nullptr),
-                                                                       XML_ParserFree);
-  Parsing state(context, text, file);
+std::optional<Element> parse(Context& context, std::string_view bytes, int file) {
+  const Text readable_text = readable(context, bytes, file);
+  const std::string& text = readable_text.utf8;
+  const std::string& encoding = readable_text.encoding;
+  const std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser(
+      XML_ParserCreate(encoding.empty() ? nullptr : encoding.c_str()), XML_ParserFree);
+  Parsing state(context, text, file, bytes.substr(0, 3) == "\xEF\xBB\xBF" ? 3 : 0);  // a byte-order mark
   state.parser = parser.get();
   XML_SetUserData(parser.get(), &state);
   XML_SetElementHandler(

@@ -75,7 +75,6 @@ model::Robot read_mjcf(Context& context, const Element& root) {
   if (!ends) return robot;
   const Attribute* name = root.attribute("model");
   const std::string title = name == nullptr || name->value.empty() ? "robot" : name->value;
-  robot.name = tree::robot_identifier(title);
   robot.title = title + ", " + tree.nodes[ends->base].name + " to " + tree.nodes[ends->tip].name;
   SegmentReader reader(context, tree, model->settings.inertia);
   read_chain(

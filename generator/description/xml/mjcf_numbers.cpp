@@ -130,6 +130,15 @@ std::optional<model::Limits> MjcfNumbers::limits(const Element& joint, const std
   return model::Limits{bound(lower), bound(upper)};
 }
 
+/// The force that all actuators of a joint may have together, if it is as great both ways.
+std::optional<model::Expression> MjcfNumbers::greatest_effort(const Element& joint) const {
+  if (text_of(joint, "actuatorfrclimited", "auto") == "false") return std::nullopt;
+  const auto range = read_decimals(*context_, joint, "actuatorfrcrange", 2);
+  if (!range || range->front().value != -range->back().value || !cln::plusp(range->back().value))
+    return std::nullopt;
+  return range->back().value;
+}
+
 model::Drive MjcfNumbers::drive(const Element& joint) const {
   model::Drive drive;
   drive.viscous_friction = read_decimal(*context_, joint, "damping", 0).value;
@@ -159,6 +168,7 @@ std::optional<tree::Segment> MjcfNumbers::joint(const Element& joint, const std:
       axis && !is_zero(*joint.attribute("axis"), *axis, 3))
     moving.axis = snap_.direction(*axis);
   moving.limits = limits(joint, name, type == "hinge");
+  moving.greatest_effort = greatest_effort(joint);
   moving.drive = drive(joint);
 
   tree::Segment segment;

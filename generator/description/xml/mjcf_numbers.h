@@ -30,6 +30,7 @@ class MjcfNumbers {
   [[nodiscard]] std::vector<model::Turn> other_turns(const Element& element) const;
   [[nodiscard]] std::optional<model::Limits> limits(const Element& joint, const std::string& name,
                                                     bool hinge) const;
+  [[nodiscard]] std::optional<model::Expression> greatest_effort(const Element& joint) const;
   [[nodiscard]] model::Drive drive(const Element& joint) const;
   /// Whether the first numbers are all 0, which is reported.
   [[nodiscard]] bool is_zero(const Attribute& attribute, const std::vector<Decimal>& numbers,

@@ -87,8 +87,10 @@ void MjcfTree::add_body(const Placed& body, std::size_t parent, std::size_t dept
   part.contents = contents_.of(body);
   const std::vector<Placed> contents = part.contents;
   const std::size_t holder = add_joints(body, part, parent, name);
-  const bool moves = part.joint.has_value();
-  add_children(contents, add({name, body.element->place, holder, {}, moves, false}, std::move(part)), depth);
+  Node node{name, body.element->place, holder, {}, part.joint.has_value(), false};
+  if (part.joint) node.joint = part.joint->placed.name();
+  node.floats = part.held.has_value();
+  add_children(contents, add(std::move(node), std::move(part)), depth);
 }
 
 }  // namespace qvgen::description::xml

@@ -168,6 +168,11 @@ std::optional<model::Vector3> Snap::known_direction(const std::vector<Decimal>& 
   return result;
 }
 
+model::Vector3 Snap::unit(const std::vector<Decimal>& vector) const {
+  const auto known = known_direction(vector);
+  return known ? *known : normalised(reduced(vector));
+}
+
 model::Vector3 Snap::direction(const std::vector<Decimal>& vector) const {
   const auto ratios = reduced(vector);
   const bool simple = std::all_of(ratios.begin(), ratios.end(),

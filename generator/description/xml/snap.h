@@ -27,6 +27,8 @@ class Snap {
   /// The unit vector of three numbers that are not all zero: exact cosines of multiples of 15 degrees and
   /// 1/sqrt(3) where those are meant, else exactly the direction that is written.
   [[nodiscard]] model::Vector3 direction(const std::vector<Decimal>& vector) const;
+  /// Likewise, without notes.
+  [[nodiscard]] model::Vector3 unit(const std::vector<Decimal>& vector) const;
   /// The multiple of pi/12 that is meant by an angle computed from what is written; no note.
   [[nodiscard]] std::optional<model::Expression> part_of_turn(const cln::cl_RA& radians,
                                                               const Decimal& written) const;

@@ -19,11 +19,16 @@ constexpr std::size_t most_reported = 20;
 class UrdfTree {
  public:
   UrdfTree(Context& context, const Element& root) : context_(&context) {
+    const bool has_macros = root.attribute("xmlns:xacro") != nullptr;
     for (const Element& child : root.children) {
       if (child.name == "link") add_link(child);
-      if (child.name.compare(0, 6, "xacro:") == 0)
+      if (child.name.compare(0, 6, "xacro:") != 0) continue;
+      if (!has_macros)
+        context.warning(child.place, "<" + child.name + "> is left out, as by other readers",
+                        "macros need xmlns:xacro=\"http://ros.org/wiki/xacro\" in <robot>");
+      else
         error(child.place, "<" + child.name + "> is a macro of xacro",
-              "run xacro first, and read what it writes");
+              "install xacro, which is run then: pip install xacro");
     }
     for (const Element& child : root.children)
       if (child.name == "joint") add_joint(child);
@@ -87,8 +92,9 @@ class UrdfTree {
     if (type == nullptr) return false;
     if (std::find(types.begin(), types.end(), type->value) == types.end()) {
       const std::string near = nearest(type->value, types);
-      error(type->place, "unknown joint type '" + type->value + "'",
-            near.empty() ? "write revolute, continuous, prismatic or fixed" : "did you mean '" + near + "'?");
+      // Of another format: told where such a joint is part of the chain.
+      if (!near.empty())
+        error(type->place, "unknown joint type '" + type->value + "'", "did you mean '" + near + "'?");
     }
     return type->value != "fixed";
   }
@@ -109,6 +115,9 @@ class UrdfTree {
     joints[*child] = &joint;
     node.parent = *parent;
     node.moves = is_moving;
+    node.joint = name->value;
+    const Attribute* type = joint.attribute("type");
+    node.floats = type != nullptr && (type->value == "floating" || type->value == "planar");
     nodes[*parent].children.push_back(*child);
   }
 
@@ -146,7 +155,6 @@ model::Robot read_urdf(Context& context, const Element& root) {
   if (!ends) return robot;
   const Attribute* name = root.attribute("name");
   const std::string title = name == nullptr || name->value.empty() ? "robot" : name->value;
-  robot.name = tree::robot_identifier(title);
   robot.title = title + ", " + tree.nodes[ends->base].name + " to " + tree.nodes[ends->tip].name;
   const UrdfNumbers numbers(context);
   read_chain(

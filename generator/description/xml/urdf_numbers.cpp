@@ -82,12 +82,13 @@ std::optional<model::Limits> UrdfNumbers::limits(const Element& joint, model::Jo
   };
   const auto lowest = bound("lower"), highest = bound("upper");
   if (!lowest || !highest) return std::nullopt;
-  const Decimal &lower = *lowest, &upper = *highest;
+  Decimal lower = *lowest, upper = *highest;
   if (lower.value > upper.value) {
-    context_->error(lower.place,
-                    "the limits of '" + name_of(joint) + "' are reversed: the lower is above the upper",
-                    "swap lower and upper");
-    return std::nullopt;
+    std::swap(lower, upper);
+    context_->warning(upper.place,
+                      "the limits of '" + name_of(joint) + "' are reversed: they are read as " + lower.text +
+                          " to " + upper.text,
+                      "swap lower and upper");
   }
   if (lower.value == upper.value) {
     context_->warning(limit->place,
@@ -100,6 +101,22 @@ std::optional<model::Limits> UrdfNumbers::limits(const Element& joint, model::Jo
       context_->warning(end.place, "the limit " + end.text + " is many turns in radians",
                         "URDF has radians: 180 degrees are 3.14159");
   return model::Limits{lower.value, upper.value};
+}
+
+std::optional<model::Expression> UrdfNumbers::greatest(const Element& joint, const std::string& key) const {
+  const Element* limit = joint.child("limit");
+  const Attribute* attribute = limit == nullptr ? nullptr : limit->attribute(key);
+  if (attribute == nullptr) return std::nullopt;
+  Context trial("", "", {});  // a number that nothing of the arm depends on makes no file wrong
+  const auto numbers = read_decimals(trial, *attribute);
+  if (!numbers || numbers->size() != 1 || cln::minusp(numbers->front().value)) {
+    context_->warning(attribute->place, "the " + key + " '" + attribute->value + "' is left out",
+                      "write a positive number");
+    return std::nullopt;
+  }
+  // Zero stands where it is not known: what cannot move is fixed.
+  if (cln::zerop(numbers->front().value)) return std::nullopt;
+  return numbers->front().value;
 }
 
 model::Drive UrdfNumbers::drive(const Element& joint) const {
@@ -125,6 +142,8 @@ tree::MovingJoint UrdfNumbers::moving(const Element& joint, const std::string& t
   result.type = type == "prismatic" ? model::JointType::prismatic : model::JointType::revolute;
   result.axis = axis(joint);
   if (type != "continuous") result.limits = limits(joint, result.type);
+  result.greatest_velocity = greatest(joint, "velocity");
+  result.greatest_effort = greatest(joint, "effort");
   result.drive = drive(joint);
   result.mimic = mimic(joint, result.type);
   return result;
@@ -162,9 +181,17 @@ tree::Body UrdfNumbers::body(const Element& link) const {
   }
   if (const Element* inertia = inertial->child("inertia")) {
     static const std::vector<std::string> names{"ixx", "ixy", "ixz", "iyy", "iyz", "izz"};
-    warn_of_others(*context_, *inertia, names);
+    static const std::vector<std::string> mirrored{"ixx", "iyx", "izx", "iyy", "izy", "izz"};  // symmetric
+    std::vector<std::string> all = names;
+    all.insert(all.end(), mirrored.begin(), mirrored.end());
+    warn_of_others(*context_, *inertia, all);
     const auto entry = [&](std::size_t i) -> cln::cl_R {
-      return read_decimal(*context_, *inertia, names[i], 0).value;
+      const Decimal other = read_decimal(*context_, *inertia, mirrored[i], 0);
+      const Decimal own = read_decimal(*context_, *inertia, names[i], other.value);
+      if (inertia->attribute(mirrored[i]) != nullptr && own.value != other.value)
+        context_->warning(other.place, names[i] + " and " + mirrored[i] + " differ: " + own.text + " is read",
+                          "the tensor is symmetric");
+      return own.value;
     };
     const cln::cl_R xy = entry(1), xz = entry(2), yz = entry(4);
     body.inertia = {tree::Vector{entry(0), xy, xz}, tree::Vector{xy, entry(3), yz},
@@ -175,7 +202,8 @@ tree::Body UrdfNumbers::body(const Element& link) const {
 
 std::optional<tree::Segment> UrdfNumbers::segment(const Element& link, const Element& joint) const {
   const std::string type = joint.attribute("type")->value;
-  if (type == "floating" || type == "planar") {
+  static const std::vector<std::string> types{"revolute", "continuous", "prismatic", "fixed"};
+  if (std::find(types.begin(), types.end(), type) == types.end()) {
     context_->error(joint.attribute("type")->place, "the joint '" + name_of(joint) + "' is " + type,
                     "a chain has revolute, continuous, prismatic and fixed joints: choose --base behind it");
     return std::nullopt;

@@ -17,6 +17,8 @@ class UrdfNumbers {
   [[nodiscard]] model::Displacement origin(const Element& parent) const;
   [[nodiscard]] model::Vector3 axis(const Element& joint) const;
   [[nodiscard]] std::optional<model::Limits> limits(const Element& joint, model::JointType type) const;
+  /// `velocity` or `effort` of a joint's limits: rad/s or m/s, Nm or N.
+  [[nodiscard]] std::optional<model::Expression> greatest(const Element& joint, const std::string& key) const;
   [[nodiscard]] model::Drive drive(const Element& joint) const;
   [[nodiscard]] tree::MovingJoint moving(const Element& joint, const std::string& type) const;
   [[nodiscard]] std::optional<tree::Mimic> mimic(const Element& joint, model::JointType type) const;

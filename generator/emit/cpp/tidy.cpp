@@ -55,9 +55,12 @@ std::size_t break_of_code(const std::string& line, std::size_t indent) {
   return last_outermost(line, indent, [](const std::string& l, std::size_t at) { return l[at - 1] == '('; });
 }
 
-std::size_t break_of_comment(const std::string& line, std::size_t begin) {
-  const std::size_t at = line.rfind(' ', line_width);
-  return at == std::string::npos || at < begin ? 0 : at + 1;
+/// Returns where the last word begins that fits, else the first one behind a word that is too long; `next` is
+/// what the next line begins with, so that a break before its end would leave the line as long as it is.
+std::size_t break_of_comment(const std::string& line, std::size_t next) {
+  std::size_t at = line.rfind(' ', line_width);
+  if (at == std::string::npos || at < next) at = line.find(' ', std::max(next, line_width));
+  return at == std::string::npos ? 0 : at + 1;
 }
 
 void put(std::string& result, const std::string& line, std::size_t end) {
@@ -75,8 +78,8 @@ void put_wrapped(std::string& result, std::string line) {
     if (line.compare(words, 2, "- ") == 0) next += "  ";
   }
   while (line.size() > line_width && line[indent] != '#') {
-    const std::size_t at = comment ? break_of_comment(line, words) : break_of_code(line, next.size());
-    if (at == 0) break;
+    const std::size_t at = comment ? break_of_comment(line, next.size()) : break_of_code(line, next.size());
+    if (at <= next.size() || at >= line.size()) break;  // the rest would be no shorter, or nothing
     put(result, line, at);
     line = next + line.substr(at);
   }

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/products/model_header.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include <fmt/format.h>
 
 #include "emit/c/parts.h"
@@ -24,6 +28,36 @@ double value_of(const model::Expression& expression, const model::Robot& robot) 
 
 std::string number(const model::Expression& expression, const model::Robot& robot) {
   return fmt::format("{}", value_of(expression, robot));
+}
+
+using Greatest = std::optional<model::Expression> model::Joint::*;
+
+/// The limit of a joint that leads: where those that follow it have theirs, the tighter one.
+std::string greatest(const model::Robot& robot, std::size_t index, Greatest limit) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    const model::Joint& joint = robot.joints[i];
+    const bool follows = joint.follows && joint.follows->joint == index;
+    if ((i != index && !follows) || !(joint.*limit)) continue;
+    // A follower is as many times as fast as its ratio says; its force is not shared out here.
+    if (follows && limit != &model::Joint::greatest_velocity) continue;
+    const double ratio = follows ? std::abs(cln::double_approx(joint.follows->ratio)) : 1;
+    least = std::min(least, value_of(*(joint.*limit), robot) / ratio);
+  }
+  return std::isinf(least) ? "unlimited" : fmt::format("{}", least);
+}
+
+/// One entry for each joint that follows none; empty if no joint has such a limit.
+json greatest_of_all(const model::Robot& robot, Greatest limit) {
+  json list = json::array();
+  bool any = false;
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    if (robot.joints[i].follows) continue;
+    list.push_back({{"value", greatest(robot, i, limit)}, {"last", false}});
+    any = any || list.back().at("value") != "unlimited";
+  }
+  if (any) list.back().at("last") = true;
+  return any ? list : json::array();
 }
 
 json joint(const model::Joint& joint, const model::Robot& robot, bool last) {
@@ -56,6 +90,10 @@ void generate_model_header(const model::Robot& robot, RobotOutput& output) {
   const std::vector<model::Joint> joints = model::without_followers(robot).joints;
   for (const model::Joint& each : joints)
     values["joints"].push_back(joint(each, robot, &each == &joints.back()));
+  values["velocities"] = greatest_of_all(robot, &model::Joint::greatest_velocity);
+  values["efforts"] = greatest_of_all(robot, &model::Joint::greatest_effort);
+  values["has_velocities"] = !values["velocities"].empty();
+  values["has_efforts"] = !values["efforts"].empty();
   values["parameters"] = json::array();
   bool has_defaults = false;
   bool lacks_defaults = false;

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// Descriptions for the commands. Each is read in a process of its own first, which ends with its budget, so
+// that no file can hold a command up; there macros are expanded, too. What was read in time is read again
+// here: a model does not travel between processes.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "cli/commands.h"
+#include "pipeline/files.h"
+#include "pipeline/parallel.h"
+#include "toolchain/xacro.h"
+
+namespace qvgen::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using description::Diagnostic;
+using description::ReadOptions;
+using description::ReadResult;
+
+// The first letter of what a trial says: what comes behind it.
+constexpr char as_it_is = 'a';  ///< nothing
+constexpr char expanded = 'x';  ///< what xacro makes of the file
+constexpr char refused = 'r';   ///< what xacro says against it
+constexpr char piped = 'p';     ///< the text of what can be read once, such as /dev/stdin
+
+void print_diagnostics(const std::vector<Diagnostic>& diagnostics) {
+  for (const Diagnostic& diagnostic : diagnostics)
+    fmt::print(stderr, "{}\n", description::to_string(diagnostic));
+}
+
+bool has_error(const std::vector<Diagnostic>& diagnostics) {
+  return std::any_of(diagnostics.begin(), diagnostics.end(),
+                     [](const Diagnostic& diagnostic) { return diagnostic.severity == Diagnostic::error; });
+}
+
+/// True if the file has macros, and the machine a xacro that expands them.
+bool is_for_xacro(const fs::path& path) {
+  std::error_code error;
+  if (path.extension() == ".toml" || !fs::is_regular_file(path, error)) return false;
+  if (fs::file_size(path, error) > description::max_file_size) return false;
+  return toolchain::uses_xacro(pipeline::content_of(path).value_or("")) && toolchain::is_program("xacro");
+}
+
+std::string trial(const fs::path& path, const ReadOptions& options) {
+  if (!is_for_xacro(path)) {
+    const ReadResult result = description::read_file(path, options);
+    std::error_code error;
+    const bool lasts = result.text.empty() || fs::is_regular_file(path, error);
+    return lasts ? std::string(1, as_it_is) : piped + result.text;
+  }
+  const toolchain::Outcome outcome =
+      toolchain::run_xacro(path, options.xacro_arguments, options.package_folders);
+  if (!outcome.done) return refused + outcome.said;
+  description::read_text(outcome.said, path.string(), options);
+  return expanded + outcome.said;
+}
+
+ReadResult failed(const fs::path& path, const std::string& message, const std::string& hint) {
+  return {std::nullopt, {{path.string(), 1, 1, Diagnostic::error, message, hint}}, {}, {}};
+}
+
+/// The lines of a program's message as one.
+std::string one_line(std::string text) {
+  constexpr std::size_t longest = 1000;
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  if (text.size() > longest) text = "... " + text.substr(text.size() - longest);
+  std::string line;
+  for (const char c : text) line += c == '\n' ? std::string("; ") : std::string(1, c);
+  return line;
+}
+
+ReadResult result_of(const fs::path& path, const ReadOptions& options, const pipeline::Outcome& outcome) {
+  if (!outcome.done) return failed(path, "reading it does not end: " + outcome.text, "make it simpler");
+  const std::string behind = outcome.text.substr(1);
+  if (outcome.text.front() == refused)
+    return failed(path, "xacro: " + one_line(behind),
+                  "give its arguments with --xacro-arg NAME:=VALUE, folders of packages with --package-path");
+  if (outcome.text.front() == as_it_is) return description::read_file(path, options);
+  ReadResult result = description::read_text(behind, path.string(), options);
+  if (outcome.text.front() == piped) return result;
+  for (Diagnostic& diagnostic : result.diagnostics)
+    diagnostic.file += " (expanded)";  // the lines are xacro's
+  return result;
+}
+
+}  // namespace
+
+std::optional<std::vector<ReadResult>> read_descriptions(const std::vector<fs::path>& paths,
+                                                         const ReadOptions& options) {
+  const auto outcomes = pipeline::in_processes(
+      paths.size(), [&](std::size_t i) { return trial(paths[i], options); }, pipeline::Budget{});
+  std::vector<ReadResult> results;
+  for (std::size_t i = 0; i < paths.size(); ++i) results.push_back(result_of(paths[i], options, outcomes[i]));
+  bool good = true;
+  for (const auto& result : results) {
+    print_diagnostics(result.diagnostics);
+    good = good && !has_error(result.diagnostics) && result.robot.has_value();
+  }
+  const auto clashes = description::check_together(results);
+  print_diagnostics(clashes);
+  if (!good || has_error(clashes)) return std::nullopt;
+  return results;
+}
+
+std::optional<std::vector<model::Robot>> read_robots(const std::vector<fs::path>& paths,
+                                                     const ReadOptions& options) {
+  auto results = read_descriptions(paths, options);
+  if (!results) return std::nullopt;
+  std::vector<model::Robot> robots;
+  for (auto& result : *results) robots.push_back(std::move(*result.robot));
+  return robots;
+}
+
+}  // namespace qvgen::cli
