@@ -155,20 +155,32 @@ static void sort_by_distance(Solutions* found, const double* seed) {
   sort_rows(found->rows, found->count, distances);
 }
 
-/// The angle q + 2 pi k inside the limits that is nearest to a centre, or the slide itself; false if there is
-/// none.
-static bool representative(bool revolute, double centre, double lower, double upper, double* q) {
-  if (!revolute) return *q >= lower && *q <= upper;
-  const double turn = 6.283185307179586476925;
-  // Rounding may put the quotient on either side of a whole number: the angle decides.
-  double low = ceil((lower - *q) / turn);
-  low = *q + turn * low < lower ? low + 1 : *q + turn * (low - 1) >= lower ? low - 1 : low;
-  double high = floor((upper - *q) / turn);
-  high = *q + turn * high > upper ? high - 1 : *q + turn * (high + 1) <= upper ? high + 1 : high;
-  const double first = fmin(fmax(rint((centre - *q) / turn), low), high);
-  if (!(low <= high) || !(fabs(first) < HUGE_VAL)) return false;
-  *q += turn * first;
-  return true;
+/// How far outside its limits a joint still counts as on them, rad or m: rounding moves a joint that stands on its
+/// limit to either side. Such a joint is put on the limit itself.
+static const double limit_tolerance = 1e-12;
+
+static inline double between(double lower, double value, double upper) {
+  const double raised = value > lower ? value : lower;
+  return raised < upper ? raised : upper;
+}
+
+/// Puts the angle q + 2 pi k inside the limits that is nearest to a seed in the place of q; false if there is none. It
+/// is the one next to a value in the middle of the limits, or, where these are wide, the seed, half a turn away from
+/// them. A slide has itself.
+static bool representative(bool revolute, double seed, double lower, double upper, double* q) {
+  const double far = 1e300;
+  if (!(lower <= upper && lower < far && upper > -far)) return false;
+  double value = *q;
+  if (revolute) {
+    const double turn = 6.283185307179586476925;
+    const double rounds = 0x1.8p52;
+    const double half = 0.5 * turn - limit_tolerance;
+    const double least = lower + half, most = upper - half;
+    const double middle = least < most ? between(least, seed, most) : 0.5 * (lower + upper);
+    value += turn * (((middle - value) * (1 / turn) + rounds) - rounds);
+  }
+  *q = between(lower, value, upper);
+  return fabs(*q - value) <= limit_tolerance;
 }
 
 static bool row_within_limits(const double* seed, const double* lower, const double* upper, double* q) {
@@ -188,7 +200,7 @@ static void keep_within_limits(Solutions* found, const double* seed, const doubl
     if (!row_within_limits(seed, lower, upper, row.q)) continue;
     double sum = 0;
     for (int i = 0; i < dof; ++i) sum += (row.q[i] - seed[i]) * (row.q[i] - seed[i]);
-    distances[kept] = sqrt(sum);
+    distances[kept] = sum;
     found->rows[kept++] = row;
   }
   const int status = found->status;

@@ -31,7 +31,6 @@ class Solutions(typing.NamedTuple):
     status: typing.Any  #: (), of qvgen.Status
     branch: typing.Any  #: (max,), which sign each step took; -1 behind the last
     continuum: typing.Any  #: (max,), whether a free joint was chosen
-    complete: typing.Any  #: (), within limits: whether there are all the whole turns that have a place in them
 
 
 class NearSolution(typing.NamedTuple):

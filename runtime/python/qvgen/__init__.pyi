@@ -24,7 +24,6 @@ class Solutions(NamedTuple):
     status: NDArray[int32]
     branch: NDArray[int32]
     continuum: NDArray[bool_]
-    complete: NDArray[bool_]
 
 class NearSolution(NamedTuple):
     q: NDArray[float64]

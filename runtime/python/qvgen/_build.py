@@ -58,10 +58,10 @@ def _options(source):
     if source.name.startswith("inverse") and source.parent.parent.name == "source":
         options += ["-ffp-contract=off", "-DQVGEN_NO_CONTRACTION"]
     if source.name.endswith("_avx2.cpp") and _has_avx2_forms:
-        options += ["-mavx2"] if source.name.startswith("inverse") else ["-mavx2", "-mfma"]
-        if source.name.startswith("sine"):
+        options += ["-mavx2"] if source.name.startswith(("inverse", "within")) else ["-mavx2", "-mfma"]
+        if source.name.startswith(("sine", "within")):
             options += ["-ffp-contract=off"]
-    if source.name == "sine_cosine.cpp" and _has_avx2_forms:
+    if source.name in ("sine_cosine.cpp", "within.cpp") and _has_avx2_forms:
         options += ["-DQVGEN_HAS_AVX2_KERNEL"]
     return options
 
@@ -83,7 +83,7 @@ def _pybind11():
 
 def _runtime_sources():
     sources = sorted((_root / "runtime/source").rglob("*.cpp"))
-    return sources if _has_avx2_forms else [each for each in sources if each.name != "sine_cosine_avx2.cpp"]
+    return sources if _has_avx2_forms else [each for each in sources if each.name not in ("sine_cosine_avx2.cpp", "within_avx2.cpp")]
 
 
 def _compile(robot, generated, target):

@@ -128,8 +128,8 @@ ALL_DOC = """All joint values that bring the tool to a pose.
 limits: None: angles in (-pi, pi], each once; "description": the description's; (lower, upper): two rows of dof numbers.
     Within limits angles that differ by whole turns are different solutions; with a seed the nearest of each branch
 {common}
-Returns qvgen.Solutions: q (max, dof), count (), status (), branch (max,), continuum (max,), complete (), with a batch
-axis in front of each if an argument has one. Always computed and returned in float64."""
+Returns qvgen.Solutions: q (max, dof), count (), status (), branch (max,), continuum (max,), with a batch axis in
+front of each if an argument has one. Always computed and returned in float64."""
 
 NEAR_DOC = """For control loops: the joint values on the branch of the seed, the joints that went before.
 

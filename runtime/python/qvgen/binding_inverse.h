@@ -80,54 +80,99 @@ inline ArmAngleReference reference_of(const std::string& name) {
   throw py::value_error("reference: neither \"conventional\" nor \"stereographic\"");
 }
 
+/// The arrays of qvgen.Solutions: NaN, -1 and False behind the last solution of each row.
+template <int dof>
+class SolutionArrays {
+ public:
+  SolutionArrays(py::ssize_t batch, py::ssize_t capacity)
+      : capacity_(capacity),
+        solutions_(result_array<double>(py::none(), batch, {capacity, dof})),
+        branches_(result_array<int>(py::none(), batch, {capacity})),
+        continua_(result_array<bool>(py::none(), batch, {capacity})),
+        q_(solutions_.mutable_data()),
+        branch_(branches_.mutable_data()),
+        continuum_(continua_.mutable_data()) {
+    std::fill(q_, q_ + solutions_.size(), std::numeric_limits<double>::quiet_NaN());
+    std::fill(branch_, branch_ + branches_.size(), -1);
+    std::fill(continuum_, continuum_ + continua_.size(), false);
+  }
+
+  template <class Rows>
+  void put(py::ssize_t i, const Rows& rows) {
+    py::ssize_t at = i * capacity_;
+    for (const auto& row : rows) {
+      write(row.q, q_ + at * dof);
+      branch_[at] = row.branch;
+      continuum_[at++] = row.continuum;
+    }
+  }
+  [[nodiscard]] py::object result(const py::object& counts, const py::object& status) const {
+    return py::module_::import("qvgen").attr("Solutions")(solutions_, counts, status, branches_, continua_);
+  }
+
+ private:
+  py::ssize_t capacity_;
+  py::array_t<double> solutions_;
+  py::array_t<int> branches_;
+  py::array_t<bool> continua_;
+  double* q_;
+  int* branch_;
+  bool* continuum_;
+};
+
+/// Whether it is known how many solutions there are at most. Where whole turns make more of one it is not.
 template <class Found>
-bool is_complete(const Found& /*found*/) {
-  return true;
-}
-template <int dof, int capacity, int turns>
-bool is_complete(const LimitedSolutions<dof, capacity, turns>& found) {
-  return found.complete;
+struct CapacityOf {
+  static constexpr bool is_fixed = true;
+};
+template <int dof, int capacity>
+struct CapacityOf<AllWithinLimits<dof, capacity>> {
+  static constexpr bool is_fixed = false;
+};
+
+/// Refuses what no machine has room for: arrays of more than 4 GB.
+inline void check_size(std::size_t most, std::size_t rows, int dof) {
+  if (static_cast<double>(most) * static_cast<double>(rows) * dof > 5e8)
+    throw py::value_error(
+        "limits: a pose has " + std::to_string(most) +
+        " solutions that differ by whole turns: narrow the limits, pass fewer poses at once, or a "
+        "seed, for one solution of each branch");
 }
 
-/// qvgen.Solutions of every row: NaN, -1 and False behind the last solution of each.
+/// qvgen.Solutions of every row.
 template <int dof, class Function>
 py::object each_solution(const std::vector<Rows<double>>& arguments, const Function& function) {
   using Found = decltype(function(std::declval<const double* const*>()));
-  constexpr int capacity = Found::max_size;
   const py::ssize_t batch = batch_of(arguments);
-  const py::object none = py::none();
-  auto solutions = result_array<double>(none, batch, {capacity, dof});
-  auto branches = result_array<int>(none, batch, {capacity});
-  auto continua = result_array<bool>(none, batch, {capacity});
-  auto counts = result_array<int>(none, batch, {});
-  auto status = result_array<int>(none, batch, {});
-  auto complete = result_array<bool>(none, batch, {});
-  double* q = solutions.mutable_data();
-  int* branch = branches.mutable_data();
-  bool* continuum = continua.mutable_data();
+  auto counts = result_array<int>(py::none(), batch, {});
+  auto status = result_array<int>(py::none(), batch, {});
   int* count = counts.mutable_data();
   int* outcome = status.mutable_data();
-  bool* all = complete.mutable_data();
-  {
+  const auto solve_all = [&](const auto& take) {
     const py::gil_scoped_release unlocked;
-    std::fill(q, q + solutions.size(), std::numeric_limits<double>::quiet_NaN());
-    std::fill(branch, branch + branches.size(), -1);
-    std::fill(continuum, continuum + continua.size(), false);
     for_each_row(arguments, batch, [&](py::ssize_t i, const double* const* rows) {
       const Found found = function(rows);
-      count[i] = found.size();
+      count[i] = static_cast<int>(std::min<std::size_t>(found.size(), std::numeric_limits<int>::max()));
       outcome[i] = static_cast<int>(found.status);
-      all[i] = is_complete(found);
-      for (int k = 0; k < found.size(); ++k) {
-        const py::ssize_t at = i * capacity + k;
-        write(found[k].q, q + at * dof);
-        branch[at] = found[k].branch;
-        continuum[at] = found[k].continuum;
-      }
+      take(i, found);
     });
+  };
+  if constexpr (CapacityOf<Found>::is_fixed) {
+    SolutionArrays<dof> arrays(batch, Found::max_size);
+    solve_all([&](py::ssize_t i, const Found& found) { arrays.put(i, found); });
+    return arrays.result(counts, status);
+  } else {
+    // Once to count and once to write: less than keeping all of them.
+    std::size_t most = 0, rows = 0;
+    solve_all([&](py::ssize_t /*i*/, const Found& found) {
+      most = std::max(most, static_cast<std::size_t>(found.size()));
+      ++rows;
+    });
+    check_size(most, rows, dof);
+    SolutionArrays<dof> arrays(batch, static_cast<py::ssize_t>(most));
+    solve_all([&](py::ssize_t i, const Found& found) { arrays.put(i, found); });
+    return arrays.result(counts, status);
   }
-  return py::module_::import("qvgen").attr("Solutions")(solutions, counts, status, branches, continua,
-                                                        complete);
 }
 
 /// solve(target, [given,] [seed,] [limits,] geometry, tolerance) for every row of one kind of target.

@@ -42,7 +42,7 @@ namespace {
 
 /// The row of a branch at an arm angle, if it is within the limits.
 bool append_row(const Solver& solver, const JointLimits<7>& limits, const Row& centre, int branch, double psi,
-                LimitedSolutions<7, 8, 1>& rows) {
+                LimitedSolutions<7, 8>& rows) {
   const Swivel swivel = solver.swivel(branch / 4);
   const Matrix3<double> upper = swivel.rotation(psi);
   const Fitting shoulder = fitting(solver.shoulder(), ranges_of(limits, 0), upper, centre[0], solver.fold());
@@ -51,12 +51,10 @@ bool append_row(const Solver& solver, const JointLimits<7>& limits, const Row& c
   if ((shoulder.within >> (branch / 2 % 2) & wrist.within >> (branch % 2) & 1U) == 0) return false;
   Found one;
   solver.append(swivel, {shoulder.joints, wrist.joints}, branch, one);
-  Row q;
-  for (int i = 0; i < 7; ++i) {
-    const Representatives turns(one[0].q[i], centre[i], limits.lower[i], limits.upper[i], true);
-    if (turns.count() == 0) return false;
-    q[i] = turns[0];
-  }
+  constexpr std::array<bool, 7> revolute{true, true, true, true, true, true, true};
+  Row q = one[0].q;
+  double square = 0;
+  if (!Within<7>(limits, revolute, centre).take(q, square)) return false;
   inverse::append(rows, q, branch, one[0].continuum);
   return true;
 }
@@ -64,9 +62,9 @@ bool append_row(const Solver& solver, const JointLimits<7>& limits, const Row& c
 /// `choose`: the arm angle to take of each interval, and its distance from the best, by which the intervals
 /// of one branch are compared.
 template <class Choose>
-LimitedSolutions<7, 8, 1> rows_within(const Solver& solver, const JointLimits<7>& limits, const Row& centre,
-                                      const Choose& choose) {
-  LimitedSolutions<7, 8, 1> rows;
+LimitedSolutions<7, 8> rows_within(const Solver& solver, const JointLimits<7>& limits, const Row& centre,
+                                   const Choose& choose) {
+  LimitedSolutions<7, 8> rows;
   const ArmAngleIntervals found = intervals(solver, limits);
   for (int branch = 0; branch < 8; ++branch) {
     const ArmAngleInterval* best = nullptr;
@@ -81,16 +79,16 @@ LimitedSolutions<7, 8, 1> rows_within(const Solver& solver, const JointLimits<7>
   return rows;
 }
 
-LimitedSolutions<7, 8, 1> none(Status status) {
-  LimitedSolutions<7, 8, 1> rows;
+LimitedSolutions<7, 8> none(Status status) {
+  LimitedSolutions<7, 8> rows;
   rows.status = status;
   return rows;
 }
 
 }  // namespace
 
-LimitedSolutions<7, 8, 1> solve_within(const Arm& arm, const Pose<double>& pose, const JointLimits<7>& limits,
-                                       const ArmAngleReference& reference, double tolerance) {
+LimitedSolutions<7, 8> solve_within(const Arm& arm, const Pose<double>& pose, const JointLimits<7>& limits,
+                                    const ArmAngleReference& reference, double tolerance) {
   const Solver solver(arm, pose, reference, tolerance);
   if (solver.goal().status != Status::solved) return none(solver.goal().status);
   const auto middle = [](const ArmAngleInterval& interval) {
@@ -99,9 +97,9 @@ LimitedSolutions<7, 8, 1> solve_within(const Arm& arm, const Pose<double>& pose,
   return rows_within(solver, limits, Row::Zero(), middle);
 }
 
-LimitedSolutions<7, 8, 1> solve_within(const Arm& arm, const Pose<double>& pose, const Row& seed,
-                                       const JointLimits<7>& limits, const ArmAngleReference& reference,
-                                       double tolerance) {
+LimitedSolutions<7, 8> solve_within(const Arm& arm, const Pose<double>& pose, const Row& seed,
+                                    const JointLimits<7>& limits, const ArmAngleReference& reference,
+                                    double tolerance) {
   const Solver solver(arm, pose, reference, tolerance);
   if (!seed.allFinite()) return none(Status::invalid);
   if (solver.goal().status != Status::solved) return none(solver.goal().status);
@@ -110,7 +108,7 @@ LimitedSolutions<7, 8, 1> solve_within(const Arm& arm, const Pose<double>& pose,
     const double angle = nearest_arm_angle(interval, psi);
     return std::pair(angle, std::abs(turn_between(psi, angle)));
   };
-  LimitedSolutions<7, 8, 1> rows = rows_within(solver, limits, seed, nearest);
+  LimitedSolutions<7, 8> rows = rows_within(solver, limits, seed, nearest);
   constexpr std::array<bool, 7> revolute{true, true, true, true, true, true, true};
   sort_by_distance(rows, seed, revolute);
   return rows;

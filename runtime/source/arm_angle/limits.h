@@ -13,10 +13,14 @@ struct Range {
 
   [[nodiscard]] bool admits(double angle) const {
     if (angle >= lower && angle <= upper) return true;
-    // One turn leads past the other limit: the usual case, told without a quotient.
+    // Nowhere near by one turn more or less: the usual case, told without a quotient.
     constexpr double turn = 6.283185307179586;
-    if (angle < lower ? angle + turn > upper : angle > upper && angle - turn < lower) return false;
-    return Representatives(angle, 0, lower, upper, true).count() > 0;
+    const double low = lower - limit_tolerance, high = upper + limit_tolerance;
+    if (angle < low ? angle + turn > high : angle > high && angle - turn < low) return false;
+    const Within<1> within({Joints<1>(lower), Joints<1>(upper)}, std::array{true}, Joints<1>(0));
+    Joints<1> q(angle);
+    double square = 0;
+    return within.take(q, square);
   }
   /// Some angle is outside, and some inside.
   [[nodiscard]] bool cuts() const { return upper - lower < 6.283185307179586; }

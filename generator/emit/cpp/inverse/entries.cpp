@@ -128,6 +128,7 @@ bool looks_at_one(const Problem& problem, Filter filter) {
 
 json entry(const Problem& problem, const Argument& argument, Filter filter, const json& variant) {
   const bool looks = looks_at_one(problem, filter);
+  const bool is_early = filter == Filter::none && argument.is_pose && variant["limits_early"].get<bool>();
   return {{"most", variant[filter == Filter::none ? "most_of_rows" : "most_of_reaching"]},
           {"parameter", argument.parameter},
           {"argument", argument.name},
@@ -138,6 +139,9 @@ json entry(const Problem& problem, const Argument& argument, Filter filter, cons
           {"seeded_task", lines_of(task_lines(problem, argument, Filter::none, true, variant))},
           {"follows_seed", (filter == Filter::none || looks) && variant["seed_branch"].is_object()},
           {"looks", looks},
+          {"is_early", is_early},
+          {"fits_limits", filter == Filter::none && argument.is_pose && variant["fits_limits"].get<bool>()},
+          {"points", problem.task == Task::position ? 1 : 3},
           {"whole_pose", filter == Filter::pose && argument.is_pose && problem.task != Task::pose}};
 }
 
@@ -197,6 +201,10 @@ void add_seed_branch(const model::Robot& robot, const Problem& problem, json& va
   const bool takes_poses = problem.task == Task::pose || problem.task == Task::position;
   variant["virtual_joints"] = has_virtual_joints;
   variant["joins_seed"] = variant["seed_branch"].is_object() && takes_poses;
+  const bool has_first_pass = !variant["elimination"].get<bool>() && variant["first_pass"].is_object();
+  variant["fits_limits"] = variant["joins_seed"].get<bool>() && !has_virtual_joints;
+  variant["limits_early"] =
+      variant["fits_limits"].get<bool>() && has_first_pass && problem.filter == Filter::none;
   variant["row_kinds"] = has_virtual_joints ? "row_is_revolute" : "is_revolute";
   variant["row_arm"] = row_arm(problem, has_virtual_joints,
                                "inverse::", "Vector3<double>(" + numbers_of(problem.tool_axis) + ")");

@@ -113,10 +113,10 @@ ArmAngleIntervals intervals(const Arm& arm, const Pose<double>& pose, const Join
 
 /// One row for each branch that has one within the limits, in the middle of its widest interval, each joint's
 /// whole turns as near to zero as may be.
-LimitedSolutions<7, 8, 1> solve_within(const Arm& arm, const Pose<double>& pose, const JointLimits<7>& limits,
+LimitedSolutions<7, 8> solve_within(const Arm& arm, const Pose<double>& pose, const JointLimits<7>& limits,
                                        const ArmAngleReference& reference, double tolerance);
 /// The same at the arm angle that is nearest to the seed's, the nearest row first.
-LimitedSolutions<7, 8, 1> solve_within(const Arm& arm, const Pose<double>& pose, const Row& seed,
+LimitedSolutions<7, 8> solve_within(const Arm& arm, const Pose<double>& pose, const Row& seed,
                                        const JointLimits<7>& limits, const ArmAngleReference& reference,
                                        double tolerance);
 

@@ -6,32 +6,16 @@
 #include <cmath>
 #include <limits>
 
+#include <qvgen/inverse/all_within.h>
 #include <qvgen/inverse/solutions.h>
+#include <qvgen/inverse/within.h>
 
 namespace qvgen {
 
-template <int dof>
-using Joints = Eigen::Matrix<double, dof, 1>;
-
-/// Which joints are revolute; generated code has it as `is_revolute`.
-template <int dof>
-using JointKinds = std::array<bool, static_cast<std::size_t>(dof)>;
-
-/// Lower and upper bounds, rad or m; infinite where there is none. Generated code has the description's as
-/// `Limits`.
-template <int dof>
-struct JointLimits {
-  Joints<dof> lower;
-  Joints<dof> upper;
-};
-
-/// Solutions within limits, whole turns counted: the rows of one branch differ by them, and angles are not
-/// confined to (-pi, pi]. No branch lacks a row for want of room; `complete` tells whether there are all
-/// representatives.
-template <int dof, int capacity, int turns = 16>
-struct LimitedSolutions : Solutions<dof, turns * capacity> {
-  bool complete = true;
-};
+/// Solutions within limits, one row for each branch that has one inside: whole turns count, and angles are
+/// not confined to (-pi, pi].
+template <int dof, int capacity>
+struct LimitedSolutions : Solutions<dof, capacity> {};
 
 /// A difference of angles, rad, less the whole turns that bring it into [-pi, pi]. Adding and subtracting a
 /// large number rounds, some thirty times as fast as std::remainder.
@@ -58,19 +42,40 @@ double joint_distance(const Joints<dof>& a, const Joints<dof>& b, const JointKin
 
 namespace inverse {
 
+/// A distance that can be compared: one that is not a number is the farthest.
+inline double comparable(double distance) {
+  constexpr double farthest = std::numeric_limits<double>::infinity();
+  return distance < farthest ? distance : farthest;
+}
+
+/// Finds the place of each of some numbers in ascending order; equal ones keep theirs. Compares every pair,
+/// without a jump: for a handful of rows less than a sort.
+template <std::size_t capacity>
+void find_places(const std::array<double, capacity>& numbers, int count, std::array<int, capacity>& places) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+    int before = 0;
+    for (std::size_t k = 0; k < i; ++k) {
+      const int is_smaller = static_cast<int>(numbers[i] < numbers[k]);
+      places[k] += is_smaller;
+      before += 1 - is_smaller;
+    }
+    places[i] = before;
+  }
+}
+
 /// Order by distance, which is computed once a row; equal distances keep their order.
 template <int dof, int capacity, class Distance>
 void sort_rows(Solutions<dof, capacity>& found, const Distance& distance) {
-  std::array<double, static_cast<std::size_t>(capacity)> distances;
-  for (int i = 0; i < found.size(); ++i) {
-    const double own = distance(found[i].q);
-    double* const first = distances.data();
-    double* const place = std::upper_bound(first, first + i, own);
-    std::copy_backward(place, first + i, first + i + 1);
-    *place = own;
-    Solution<dof>* const row = found.begin() + (place - first);
-    std::rotate(row, found.begin() + i, found.begin() + i + 1);
-  }
+  constexpr auto size = static_cast<std::size_t>(capacity);
+  std::array<double, size> distances{};
+  std::array<int, size> places;
+  std::array<Solution<dof>, size> rows;
+  const int count = found.size();
+  for (int i = 0; i < count; ++i) distances[static_cast<std::size_t>(i)] = comparable(distance(found[i].q));
+  find_places(distances, count, places);
+  std::copy(found.begin(), found.end(), rows.begin());
+  for (int i = 0; i < count; ++i)
+    found[places[static_cast<std::size_t>(i)]] = rows[static_cast<std::size_t>(i)];
 }
 
 template <int dof, int capacity, class Distance>
@@ -85,48 +90,6 @@ const Solution<dof>* nearest_row(const Solutions<dof, capacity>& found, const Di
   return best;
 }
 
-/// The angles q + 2 pi k of one joint inside its limits, the nearest to a centre first. A slide has itself.
-class Representatives {
- public:
-  Representatives(double q, double centre, double lower, double upper, bool revolute) : q_(q) {
-    if (!revolute) {
-      count_ = q >= lower && q <= upper ? 1 : 0;
-      return;
-    }
-    const double low = lowest(lower), high = highest(upper);
-    const double first = std::fmin(std::fmax(std::rint((centre - q) / turn), low), high);
-    if (!(low <= high) || !std::isfinite(first)) return;
-    first_ = first;
-    below_ = first - low;
-    above_ = high - first;
-    count_ = std::isfinite(below_ + above_) ? std::fmin(below_ + above_ + 1, 1e9) : 1;
-  }
-
-  [[nodiscard]] int count() const { return static_cast<int>(count_); }
-  /// 0 is the nearest; then alternately above and below for as long as there are both.
-  [[nodiscard]] double operator[](int index) const {
-    const double both = 2 * std::fmin(below_, above_);
-    if (index > both) return at(above_ > below_ ? index - both / 2 : both / 2 - index);
-    return at(index % 2 == 1 ? (index + 1) / 2 : -index / 2);
-  }
-
- private:
-  static constexpr double turn = 6.283185307179586476925;
-  [[nodiscard]] double at(double steps) const { return q_ + turn * (first_ + steps); }
-  /// Rounding may put the quotient on either side of a whole number: the angle decides.
-  [[nodiscard]] double lowest(double lower) const {
-    const double k = std::ceil((lower - q_) / turn);
-    return q_ + turn * k < lower ? k + 1 : q_ + turn * (k - 1) >= lower ? k - 1 : k;
-  }
-  [[nodiscard]] double highest(double upper) const {
-    const double k = std::floor((upper - q_) / turn);
-    return q_ + turn * k > upper ? k - 1 : q_ + turn * (k + 1) <= upper ? k + 1 : k;
-  }
-
-  double q_;
-  double first_ = 0, below_ = 0, above_ = 0, count_ = 0;
-};
-
 }  // namespace inverse
 
 /// Puts the solutions in order of their distance from the seed; equal distances keep their order.
@@ -137,8 +100,8 @@ void sort_by_distance(Solutions<dof, capacity>& found, const Joints<dof>& seed,
 }
 
 /// The same of rows within limits: whole turns count.
-template <int dof, int capacity, int turns, std::size_t count>
-void sort_by_distance(LimitedSolutions<dof, capacity, turns>& found, const Joints<dof>& seed,
+template <int dof, int capacity, std::size_t count>
+void sort_by_distance(LimitedSolutions<dof, capacity>& found, const Joints<dof>& seed,
                       const std::array<bool, count>& /*revolute*/) {
   inverse::sort_rows(found, [&](const Joints<dof>& q) { return (q - seed).norm(); });
 }
@@ -152,8 +115,8 @@ const Solution<dof>* nearest(const Solutions<dof, capacity>& found, const Joints
 }
 
 /// The same of rows within limits: whole turns count.
-template <int dof, int capacity, int turns, std::size_t count>
-const Solution<dof>* nearest(const LimitedSolutions<dof, capacity, turns>& found, const Joints<dof>& seed,
+template <int dof, int capacity, std::size_t count>
+const Solution<dof>* nearest(const LimitedSolutions<dof, capacity>& found, const Joints<dof>& seed,
                              const std::array<bool, count>& /*revolute*/) {
   return inverse::nearest_row(found, [&](const Joints<dof>& q) { return (q - seed).norm(); });
 }
@@ -173,8 +136,8 @@ bool continued(const Solutions<dof, capacity>& found, const Joints<dof>& previou
 
 /// The same within limits: the nearest row as it stands. Where a joint has reached its limit this is a jump
 /// to another branch or by whole turns; the caller sees how far `next` is.
-template <int dof, int capacity, int turns, std::size_t count>
-bool continued(const LimitedSolutions<dof, capacity, turns>& found, const Joints<dof>& previous,
+template <int dof, int capacity, std::size_t count>
+bool continued(const LimitedSolutions<dof, capacity>& found, const Joints<dof>& previous,
                const std::array<bool, count>& revolute, Joints<dof>& next) {
   const Solution<dof>* row = nearest(found, previous, revolute);
   if (row != nullptr) next = row->q;
@@ -183,89 +146,65 @@ bool continued(const LimitedSolutions<dof, capacity, turns>& found, const Joints
 
 namespace inverse {
 
-/// The representatives of one joint of one solution.
-template <int dof, std::size_t count>
-Representatives representatives(const Solution<dof>& row, int joint, const JointLimits<dof>& limits,
-                                const std::array<bool, count>& revolute, const Joints<dof>& centre) {
-  return {row.q[joint], centre[joint], limits.lower[joint], limits.upper[joint],
-          revolute[static_cast<std::size_t>(joint)]};
-}
-
-/// How many rows all representatives of all solutions take.
-template <int dof, int capacity, std::size_t count>
-double rows_within_limits(const Solutions<dof, capacity>& found, const JointLimits<dof>& limits,
-                          const std::array<bool, count>& revolute, const Joints<dof>& centre) {
-  double rows = 0;
-  for (const Solution<dof>& row : found) {
-    double product = 1;
-    for (int i = 0; i < dof; ++i) product *= representatives(row, i, limits, revolute, centre).count();
-    rows += product;
+/// One row for each branch, the nearest first: see `nearest_within_limits`.
+template <int dof, int capacity>
+LimitedSolutions<dof, capacity> nearest_within(const Solutions<dof, capacity>& found,
+                                               const Within<dof>& within) {
+  LimitedSolutions<dof, capacity> result;
+  constexpr auto size = static_cast<std::size_t>(capacity);
+  std::array<Solution<dof>, size> rows;
+  std::array<double, size> squares;
+  std::array<int, size> places;
+  const int kept = keep_within(found, within, rows.data(), squares.data());
+  bool is_marked = false;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(kept); ++k) {
+    squares[k] = comparable(squares[k]);
+    is_marked = is_marked || rows[k].continuum;
   }
-  return rows;
-}
-
-/// Appends up to `most` representatives of each solution, the nearest to the centre first.
-template <int dof, int capacity, int rows, std::size_t count>
-void append_within_limits(const Solutions<dof, capacity>& found, const JointLimits<dof>& limits,
-                          const std::array<bool, count>& revolute, const Joints<dof>& centre, int most,
-                          Solutions<dof, rows>& result) {
-  for (const Solution<dof>& row : found) {
-    const auto of_joint = [&](int i) { return representatives(row, i, limits, revolute, centre); };
-    Joints<dof> q;
-    bool inside = true;
-    for (int i = 0; i < dof; ++i) {
-      inside = inside && of_joint(i).count() > 0;
-      if (inside) q[i] = of_joint(i)[0];
-    }
-    // Counts through all combinations like an odometer.
-    std::array<int, static_cast<std::size_t>(dof)> index{};
-    for (int appended = 0; inside && appended < most; ++appended) {
-      append(result, q, row.branch, row.continuum);
-      inside = false;
-      for (int i = 0; i < dof && !inside; ++i) {
-        int& k = index[static_cast<std::size_t>(i)];
-        inside = k + 1 < of_joint(i).count();
-        k = inside ? k + 1 : 0;
-        q[i] = of_joint(i)[k];
-      }
-    }
-  }
+  find_places(squares, kept, places);
+  result.truncate(kept);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(kept); ++k) result[places[k]] = rows[k];
   result.effort = found.effort;
-  result.status = found.status;
-  // Of an incomplete set a row inside the limits may be among those that are missing.
-  if (found.status != Status::invalid && found.status != Status::incomplete) result.conclude();
+  result.status = status_within(found.status, kept == 0, is_marked);
+  return result;
 }
 
 }  // namespace inverse
 
-/// The representatives of every solution inside the limits, of each branch those nearest to `centre` first.
-/// Status: unreachable if solutions exist but none inside. A limit that is not a number (lower above upper,
-/// NaN) admits nothing; a joint that has not two finite limits has the one representative nearest to
-/// `centre`. An incomplete set stays incomplete. Where they are more than sixteen times as many as solutions
-/// are kept every branch has an equal share.
+/// Every representative of every solution inside the limits, branch by branch, the nearest to `centre` first.
+/// Status: unreachable if solutions exist but none inside. A joint outside by no more than `limit_tolerance`
+/// is put on its limit. A limit that is not a number (lower above upper, NaN) admits nothing; a joint that
+/// has not two finite limits has the one representative nearest to `centre`. An incomplete set stays
+/// incomplete.
 template <int dof, int capacity, std::size_t count>
-LimitedSolutions<dof, capacity> within_limits(const Solutions<dof, capacity>& found,
-                                              const JointLimits<dof>& limits,
-                                              const std::array<bool, count>& revolute,
-                                              const Joints<dof>& centre = Joints<dof>::Zero()) {
-  LimitedSolutions<dof, capacity> result;
-  result.complete = inverse::rows_within_limits(found, limits, revolute, centre) <= result.max_size;
-  const int most = result.complete ? result.max_size : result.max_size / found.size();
-  inverse::append_within_limits(found, limits, revolute, centre, most, result);
+AllWithinLimits<dof, capacity> within_limits(const Solutions<dof, capacity>& found,
+                                             const JointLimits<dof>& limits,
+                                             const std::array<bool, count>& revolute,
+                                             const Joints<dof>& centre = Joints<dof>::Zero()) {
+  AllWithinLimits<dof, capacity> result{inverse::Within<dof>(limits, revolute, centre)};
+  result.add(found);
   return result;
+}
+
+/// The nearest representative of each branch to a seed, the nearest row first.
+template <int dof, int capacity>
+LimitedSolutions<dof, capacity> nearest_within_limits(const AllWithinLimits<dof, capacity>& all,
+                                                      const Joints<dof>& seed) {
+  Solutions<dof, capacity> rows;
+  for (int k = 0; k < all.branches(); ++k) rows.append() = all.nearest_to_centre(k);
+  rows.effort = all.effort;
+  rows.status = all.status;
+  return inverse::nearest_within(rows, all.within().next_to(seed));
 }
 
 /// One row for each branch that has one inside the limits, its representative nearest to the seed; the
 /// nearest row first. What is left out is farther from the seed on every joint, or as far.
 template <int dof, int capacity, std::size_t count>
-LimitedSolutions<dof, capacity, 1> nearest_within_limits(const Solutions<dof, capacity>& found,
-                                                         const JointLimits<dof>& limits,
-                                                         const std::array<bool, count>& revolute,
-                                                         const Joints<dof>& seed) {
-  LimitedSolutions<dof, capacity, 1> result;
-  inverse::append_within_limits(found, limits, revolute, seed, 1, result);
-  sort_by_distance(result, seed, revolute);
-  return result;
+LimitedSolutions<dof, capacity> nearest_within_limits(const Solutions<dof, capacity>& found,
+                                                      const JointLimits<dof>& limits,
+                                                      const std::array<bool, count>& revolute,
+                                                      const Joints<dof>& seed) {
+  return inverse::nearest_within(found, inverse::Within<dof>(limits, revolute, seed));
 }
 
 }  // namespace qvgen

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+// Inverse kinematics within joint limits at random poses, beside all solutions without limits:
+// `qvgen_limits_instructions` prints nanoseconds a call of every arm and call; `... ARM CALL POSES` runs one
+// of them, to be counted by limits_instructions.sh.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <qvgen/robots/irb6640.h>
+#include <qvgen/robots/puma560.h>
+#include <qvgen/robots/ur5.h>
+
+namespace {
+
+using Joints = qvgen::Joints<6>;
+using Limits = qvgen::JointLimits<6>;
+
+struct Query {
+  qvgen::Pose<double> pose;
+  Joints seed;
+};
+
+constexpr double degree = 3.14159265358979323846 / 180;
+
+Limits symmetric(double degrees) {
+  return {Joints::Constant(-degrees * degree), Joints::Constant(degrees * degree)};
+}
+
+struct Sums {
+  long rows = 0;
+};
+
+template <class Found>
+void add(const Found& found, Sums& sums) {
+  for (const auto& row : found) {
+    sums.rows += 1;
+    asm volatile("" : : "r"(row.q.data()) : "memory");  // the row is wanted
+  }
+}
+
+constexpr const char* calls[] = {"all", "seed", "seed_limits", "limits", "wide", "turns", "visits"};
+
+// The arm of a namespace `arm`, a type that has its functions.
+#define QVGEN_ARM_FUNCTIONS(name)                                    \
+  struct name {                                                      \
+    static constexpr const char* text = #name;                       \
+    template <class... Arguments>                                    \
+    static auto inverse(const Arguments&... arguments) {             \
+      return qvgen::robots::name::inverse_kinematics(arguments...);  \
+    }                                                                \
+    static qvgen::Pose<double> forward(const Joints& q) {            \
+      return qvgen::robots::name::forward_kinematics<double>(q);     \
+    }                                                                \
+    static Limits limits() { return qvgen::robots::name::Limits(); } \
+  };
+QVGEN_ARM_FUNCTIONS(irb6640)
+QVGEN_ARM_FUNCTIONS(puma560)
+QVGEN_ARM_FUNCTIONS(ur5)
+#undef QVGEN_ARM_FUNCTIONS
+
+template <class Arm>
+std::vector<Query> queries(int count) {
+  std::mt19937_64 random(42);
+  std::uniform_real_distribution<double> turn(-3, 3), little(-0.1, 0.1);
+  std::vector<Query> result;
+  for (int i = 0; i < count; ++i) {
+    Joints q;
+    for (int k = 0; k < 6; ++k) q[k] = turn(random);
+    result.push_back({Arm::forward(q), q});
+    for (int k = 0; k < 6; ++k) result.back().seed[k] += little(random);
+  }
+  return result;
+}
+
+template <class Call>
+Sums summed(const std::vector<Query>& all, const Call& call) {
+  Sums sums;
+  for (const Query& query : all) add(call(query), sums);
+  return sums;
+}
+
+/// One call for each query. Limits of half a turn and a little less, as most arms have; `wide`: of a whole
+/// turn to either side, counted; `turns`: every representative visited, `visits`: by `for_each`.
+template <class Arm>
+Sums run(const std::string& call, const std::vector<Query>& all) {
+  const Limits narrow = symmetric(170), wide = symmetric(360);
+  if (call == "all") return summed(all, [&](const Query& a) { return Arm::inverse(a.pose); });
+  if (call == "seed") return summed(all, [&](const Query& a) { return Arm::inverse(a.pose, a.seed); });
+  if (call == "seed_limits")
+    return summed(all, [&](const Query& a) { return Arm::inverse(a.pose, a.seed, narrow); });
+  if (call == "limits") return summed(all, [&](const Query& a) { return Arm::inverse(a.pose, narrow); });
+  if (call == "wide") {
+    Sums sums;
+    for (const Query& query : all) sums.rows += static_cast<long>(Arm::inverse(query.pose, wide).size());
+    return sums;
+  }
+  if (call == "turns") return summed(all, [&](const Query& a) { return Arm::inverse(a.pose, wide); });
+  Sums sums;
+  for (const Query& query : all)
+    Arm::inverse(query.pose, wide).for_each([&](const auto& row) {
+      sums.rows += 1;
+      asm volatile("" : : "r"(row.q.data()) : "memory");  // the row is wanted
+    });
+  return sums;
+}
+
+template <class Arm>
+double nanoseconds(const std::string& call, const std::vector<Query>& all) {
+  double best = 1e300;
+  for (int repeat = 0; repeat < 30; ++repeat) {
+    const auto start = std::chrono::steady_clock::now();
+    if (run<Arm>(call, all).rows < 0) std::abort();
+    const std::chrono::duration<double, std::nano> time = std::chrono::steady_clock::now() - start;
+    best = std::min(best, time.count() / static_cast<double>(all.size()));
+  }
+  return best;
+}
+
+template <class Arm>
+void print_times() {
+  const auto all = queries<Arm>(2000);
+  std::printf("%-10s", Arm::text);
+  const double unlimited = nanoseconds<Arm>("all", all);
+  for (const char* call : calls) {
+    const double time = nanoseconds<Arm>(call, all);
+    std::printf("%14.1f%6.2fx", time, time / unlimited);
+  }
+  std::printf("\n");
+}
+
+template <class Arm>
+bool count(const char* arm, const char* call, int poses) {
+  if (std::string(arm) != Arm::text) return false;
+  const Sums sums = run<Arm>(call, queries<Arm>(poses));
+  std::printf("%.4f\n", static_cast<double>(sums.rows) / poses);
+  return true;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc == 4) {
+    const int poses = std::atoi(argv[3]);
+    return count<irb6640>(argv[1], argv[2], poses) || count<puma560>(argv[1], argv[2], poses) ||
+                   count<ur5>(argv[1], argv[2], poses)
+               ? 0
+               : 2;
+  }
+  std::printf("%-10s", "ns a call");
+  for (const char* call : calls) std::printf("%14s%7s", call, "");
+  std::printf("\n");
+  print_times<irb6640>();
+  print_times<puma560>();
+  print_times<ur5>();
+  return 0;
+}
