@@ -96,7 +96,12 @@ TEST(Urdf, RoundedAnglesAndAxesAreWhatTheyWere) {
   EXPECT_EQ(texts(single("<axis xyz=\"0.9659 0.2588 0\"/>").axis),
             "(sqrt(6) + sqrt(2))/4, (sqrt(6) - sqrt(2))/4, 0");
   EXPECT_EQ(texts(single("<axis xyz=\"4.9e-12 1 -6e-17\"/>").axis), "0, 1, 0");
-  EXPECT_EQ(texts(single("<origin xyz=\"-1.75e-18 0.001 1e-8\"/>").before), "0, 1/1000, 1/100000000");
+  EXPECT_EQ(texts(single("<origin xyz=\"-1.75e-18 0.001 2e-6\"/>").before), "0, 1/1000, 1/500000");
+  // The wrist of a published arm is spherical but for a quarter of a micrometre.
+  EXPECT_EQ(texts(single("<origin xyz=\"0.0356 -0.000000239858 -0.0404996\"/>").before),
+            "89/2500, 0, -101249/2500000");
+  EXPECT_EQ(texts(single("<origin xyz=\"0.000001 -0.0000010001 0\"/>").before), "0, -10001/10000000000, 0");
+  EXPECT_EQ(texts(single("<origin xyz=\"1e-9 0 0\"/>", off).before), "1/1000000000, 0, 0");
 }
 
 TEST(Urdf, EveryChangeIsNoted) {

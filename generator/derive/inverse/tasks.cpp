@@ -147,6 +147,16 @@ bool has_one_too_many(const Robot& robot) {
   return count == 7 || (count == 4 && robot.inverse.task == Task::position) || turns_in_plane(robot);
 }
 
+/// Says why no joint of so many may be given.
+std::string joints_over(std::size_t count) {
+  const std::string number = std::to_string(count);
+  if (count > 7)
+    return "of " + number + " joints " + std::to_string(count - 6) +
+           " would have to be given, and only one can be: describe the arm without the first or the last of "
+           "them, and give poses as they are seen from there";
+  return "here, " + number + " joints leave none over";
+}
+
 }  // namespace
 
 Derivation derive(const Robot& robot) {
@@ -156,8 +166,8 @@ Derivation derive(const Robot& robot) {
             {},
             {},
             {"a joint's value may be given for seven joints, four that are asked for a position, or "
-             "three that turn in a plane; here, " +
-             std::to_string(robot.joints.size()) + " joints leave none over"}};
+             "three that turn in a plane; " +
+             joints_over(robot.joints.size())}};
   const auto asked = robot.inverse.task;
   std::vector<Offer> wanted;
   std::string tasks;

@@ -138,7 +138,7 @@ void Snap::note_turns(const Decimal& written, const std::vector<model::Turn>& tu
 }
 
 Expression Snap::length(const Decimal& metres) const {
-  const bool noise = cln::abs(metres.value) <= tolerance(-9);
+  const bool noise = cln::abs(metres.value) <= tolerance(-6);
   if (cln::zerop(metres.value) || !noise || options_.mode == SnapOptions::off) return metres.value;
   note(metres, "0", 0);
   return {};

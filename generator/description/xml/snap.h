@@ -21,7 +21,7 @@ class Snap {
   Snap(Context& context, const SnapOptions& options) : context_(&context), options_(options) {}
   /// An angle in radians: a multiple of pi/12, or as written.
   [[nodiscard]] model::Expression angle(const Decimal& radians) const;
-  /// A length: 0 if it is less than a nanometre, or as written.
+  /// A length: 0 if it is a micrometre or less, which no maker can mean, or as written.
   [[nodiscard]] model::Expression length(const Decimal& metres) const;
   [[nodiscard]] model::Vector3 lengths(const std::vector<Decimal>& metres) const;
   /// The unit vector of three numbers that are not all zero: exact cosines of multiples of 15 degrees and

@@ -4,6 +4,7 @@
 #include <qvgen/inverse/quartic/care.h>
 
 #include "goal.h"
+#include "near_structure.h"
 
 namespace qvgen::inverse::general {
 namespace {
@@ -272,9 +273,9 @@ Careful::Outcome Careful::settle_here(const Gathered& found) {
 }
 
 /// Where many solutions share an angle, as they do between right angles, nearby they do not.
-Careful::Outcome Careful::pass_nearby(const Pose<double>& pose) {
+Careful::Outcome Careful::pass_nearby(const Elimination& elimination, const Pose<double>& pose) {
   Gathered found;
-  eliminate(setup_.eliminations[0], pose, found);
+  eliminate(elimination, pose, found);
   const int before = size_;
   for (int i = 0; i < size_; ++i) rows_[i].seen = false;
   settle_nearby(found);
@@ -289,12 +290,26 @@ Careful::Outcome Careful::pass_nearby(const Pose<double>& pose) {
 void Careful::agree(const Gathered& first, const Gathered* second) {
   // Two eliminations may lose the same solutions.
   const bool few = setup_.count + setup_.further.count < 3;
+  // All eliminations of an arm that slides may lose the same ones between right angles, and those of a nearly
+  // spherical wrist next to its singularity: one has to be without doubt, and poses nearby are asked of each
+  // in turn.
+  const bool strict =
+      std::any_of(setup_.chain.slides, setup_.chain.slides + joints, [](bool is) { return is; }) ||
+      nearly_has_structure(setup_.description, setup_.chain.size);
   bool all_loud = first.loud, agreed = false, more_nearby = true;
-  int k = 0;
-  const auto look_nearby = [&] {
-    const Outcome near = pass_nearby(nearby(k++));
+  int k = 0, clear = 0;
+  // Where solutions meet poses nearby have others on each side.
+  const auto is_clear = [&] { return !strict || clear >= (any_is_singular() ? 3 : 1); };
+  const auto look_at = [&](const Pose<double>& pose) {
+    const Outcome near = pass_nearby(setup_.eliminations[strict ? k % setup_.count : 0], pose);
     more_nearby = !near.same;
-    return near.same && !near.doubtful;
+    const bool without_doubt = near.same && !near.doubtful;
+    clear += without_doubt && size_ > 0 ? 1 : 0;
+    return without_doubt;
+  };
+  const auto look_nearby = [&] {
+    const Pose<double> pose = nearby(k++);
+    return look_at(pose);
   };
   const auto is_enough = [&](const Gathered& found) {
     const Outcome here = settle_here(found);
@@ -303,15 +318,14 @@ void Careful::agree(const Gathered& first, const Gathered* second) {
     if (!agreed) more_nearby = true;
     if (!agreed || !is_even()) return false;
     if (!here.doubtful) more_nearby = false;
+    clear += here.doubtful ? 0 : 3;
     if (!more_nearby) return true;
     // Where solutions meet no elimination is without doubts, but one at a pose nearby is.
     if (all_loud || few || k == most_nearby) return false;
     // Two that meet are apart on one side and gone on the other.
     const Pose<double> opposite = mirrored(pose_, nearby(k));
     if (!look_nearby()) return false;
-    const Outcome other = pass_nearby(opposite);
-    more_nearby = !other.same;
-    return other.same && !other.doubtful;
+    return look_at(opposite);
   };
   bool enough = second != nullptr && is_enough(*second);
   while (!enough) {
@@ -321,13 +335,13 @@ void Careful::agree(const Gathered& first, const Gathered* second) {
     look_here(*elimination, found);
     enough = is_enough(found);
   }
-  while (k < most_nearby && (size_ == 0 || !is_even() || more_nearby || (few && k < 3))) {
+  while (k < most_nearby && (size_ == 0 || !is_even() || more_nearby || !is_clear() || (few && k < 3))) {
     look_nearby();
     agreed = few ? !more_nearby : agreed || !more_nearby;
   }
-  // Trusted is what the last elimination, or a pose nearby, has added nothing to, but where solutions meet
-  // only one of three.
-  unsure_ = !agreed || all_loud || !is_even() || (few && any_is_singular());
+  // Accepts the rows if the last elimination, or a pose nearby, has added none. If rows are singular, there
+  // must have been three.
+  unsure_ = !agreed || all_loud || !is_clear() || !is_even() || (few && any_is_singular());
 }
 
 }  // namespace qvgen::inverse::general

@@ -78,7 +78,7 @@ class Careful {
   void agree(const Gathered& first, const Gathered* second);
   void look_here(const Elimination& elimination, Gathered& gathered);
   Outcome settle_here(const Gathered& found);
-  Outcome pass_nearby(const Pose<double>& pose);
+  Outcome pass_nearby(const Elimination& elimination, const Pose<double>& pose);
   void agree_on_slides(const Gathered& first);
   void pass_of_slides(const Elimination& elimination, const Pose<double>& pose, bool exact,
                       Agreement& agreement);
