@@ -100,7 +100,10 @@ void add_generate(CommandLine& line) {
   command
       .add_option("--only", generate.parts,
                   "parts to generate: kinematics,jacobian,...; all without, but batch, forms of the other "
-                  "parts named for many at once, c_inverse, a C header for inverse kinematics by "
+                  "parts named for many at once, frames, poses and Jacobians of links and named frames, "
+                  "mass, the centre "
+                  "of mass, regressor_with_drives, for identification with drives, c_inverse, a C header for "
+                  "inverse kinematics by "
                   "elimination, certified, solutions with a proof, and moveit_plugin, a ROS 2 package")
       ->type_name("PARTS")
       ->allow_extra_args(false)

@@ -10,6 +10,7 @@
 #include "description/chain.h"
 #include "description/followers.h"
 #include "description/frames.h"
+#include "description/named_frames.h"
 #include "description/names.h"
 #include "description/physics.h"
 #include "description/plain_text.h"
@@ -107,7 +108,7 @@ model::Robot read_robot(const Table& root) {
   Context& context = root.context();
   root.allow_only({"name", "title", "source", "symbols", "inertia", "drives", "accept_unphysical_inertia",
                    "base", "tool", "defaults", "joint", "convention", "dh", "home", "screw", "task",
-                   "tool_axis", "given", "ideal"});
+                   "tool_axis", "given", "ideal", "frame"});
   context.is_measured = root.has("ideal");
   model::Robot robot;
   read_name(root, robot);
@@ -115,6 +116,7 @@ model::Robot read_robot(const Table& root) {
   robot.tool = read_frame(root, "tool");
   read_chain(root, read_free_parameters(root), robot);
   check_count(root, robot);
+  read_named_frames(root, robot);
   tie_followers(context, variables_of(robot), robot);
   read_request(root, robot);
   resolve_symbols(root, robot);

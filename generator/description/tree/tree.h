@@ -48,6 +48,7 @@ struct Node {
   std::vector<std::size_t> children;
   bool moves = false;      ///< the joint that holds it has a variable
   bool is_marker = false;  ///< a point on a link: a tip only if it is asked for, or called like one
+  bool has_name = true;    ///< the file gives it, not the reader
 };
 
 /// Reads the numbers of one link and its joint: only those that are needed, so that a gripper beside the
@@ -67,7 +68,7 @@ std::optional<Ends> find_ends(Context& context, const std::vector<Node>& nodes, 
 std::optional<std::vector<std::size_t>> path_between(const std::vector<Node>& nodes, Ends ends);
 
 /// Fills in joints and tool: fixed links are folded into the frames, the masses of all that is fixed to a
-/// moving link, on the path or beside it, are lumped.
+/// moving link, on the path or beside it, are lumped. Each of those fixed links becomes a named frame.
 void read_chain(Context& context, const std::vector<Node>& nodes, Ends ends, const ReadSegment& read,
                 model::Robot& robot);
 

@@ -54,7 +54,13 @@ class MjcfTree {
     for (const Element& child : element.children) {
       if (child.name == "body") add_body(child, parent, childclass);
       if (child.name == "site")
-        add({name_of(child, "site " + std::to_string(nodes.size())), child.place, parent, {}, false, true},
+        add({name_of(child, "site " + std::to_string(nodes.size())),
+             child.place,
+             parent,
+             {},
+             false,
+             true,
+             !name_of(child, "").empty()},
             {&child, std::nullopt, nullptr});
       if (child.name == "frame" || child.name == "replicate" || child.name == "composite" ||
           child.name == "attach")
@@ -80,7 +86,9 @@ class MjcfTree {
     }
     part.body = &body;
     const bool moves = part.joint.has_value();
-    add_children(body, add({name, body.place, holder, {}, moves, false}, std::move(part)), childclass);
+    add_children(
+        body, add({name, body.place, holder, {}, moves, false, !name_of(body, "").empty()}, std::move(part)),
+        childclass);
   }
 
   Context* context_;
