@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "description/names.h"
 #include "description/reader.h"
 #include "description/write.h"
 #include "xml.h"
@@ -41,7 +42,7 @@ TEST(NamedFrames, AreFixedToALink) {
 }
 
 TEST(NamedFrames, MistakesAreReported) {
-  EXPECT_EQ(complaint("[[frame]]\njoint = \"a\"\n"), "[[frame]] has no 'name'");
+  EXPECT_EQ(complaint("[[frame]]\njoint = \"a\"\n"), "missing key 'name' in [[frame]]");
   EXPECT_EQ(complaint("[[frame]]\nname = \"c\"\njoint = \"bb\"\n"),
             "there is no joint with the variable 'bb'");
   EXPECT_EQ(complaint("[[frame]]\nname = \"c\"\n[[frame]]\nname = \"c\"\n"),

@@ -155,7 +155,7 @@ TEST_P(Robots, RegressorWithDrivesHasIndependentColumns) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Generated, Robots, testing::ValuesIn(robots_under_test()),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& robot) { return robot.param.name; });
 
 }  // namespace
 }  // namespace qvgen::test
