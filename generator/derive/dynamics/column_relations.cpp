@@ -25,27 +25,35 @@ const cln::cl_RA negligible = cln::expt(cln::cl_RA(10), -40);
 /// Denominators of coefficients are small: halves, and those of the ratios of followers.
 constexpr long largest_denominator = 1000;
 
-/// Moving symbols from one point, constants from another.
+const char* const not_rational =
+    "a parameter of the drives depends on others by a factor that is neither a rational number nor one times "
+    "gravity; the drives' columns beside those of `regressor` are not independent here";
+
+/// Some symbols have given values, all others those of a point.
 struct Leaves {
-  const exact::ExactPoint& motion;
-  const std::map<std::string, Number>& constants;
+  const exact::ExactPoint& point;
+  std::map<std::string, Number> given;
 
   [[nodiscard]] Number constant(const Number& value) const { return value; }
   [[nodiscard]] Number symbol(const std::string& name) const {
-    const auto place = constants.find(name);
-    return place != constants.end() ? place->second : motion.symbol(name);
+    const auto place = given.find(name);
+    return place != given.end() ? place->second : point.symbol(name);
   }
-  [[nodiscard]] Number sine(const exact::Angle& angle) const { return motion.sine(angle); }
-  [[nodiscard]] Number cosine(const exact::Angle& angle) const { return motion.cosine(angle); }
-  [[nodiscard]] Number root(const Number& value) const { return motion.root(value); }
-  [[nodiscard]] Number arctangent(const Number& y, const Number& x) const { return motion.arctangent(y, x); }
+  [[nodiscard]] Number sine(const exact::Angle& angle) const { return point.sine(angle); }
+  [[nodiscard]] Number cosine(const exact::Angle& angle) const { return point.cosine(angle); }
+  [[nodiscard]] Number root(const Number& value) const { return point.root(value); }
+  [[nodiscard]] Number arctangent(const Number& y, const Number& x) const { return point.arctangent(y, x); }
 };
+
+/// No rational with a small denominator, so that a coefficient shows whether it contains gravity.
+const cln::cl_RA gravity = cln::cl_RA(980'665'003) / 100'000'007;
 
 /// The columns at so many random motions, one below the other.
 std::vector<Vector> columns_at(const model::Robot& robot, const Formulation& formulation, std::size_t rows,
                                const exact::ExactPoint& geometry) {
   std::map<std::string, Number> constants;
-  const auto values = dag::evaluate<Number>(formulation.constants, geometry);
+  const auto values =
+      dag::evaluate<Number>(formulation.constants, Leaves{geometry, {{gravity_symbol, gravity}}});
   for (std::size_t i = 0; i < values.size(); ++i)
     constants[formulation.constants.outputs[i].name] = values[i];
   std::set<std::string> whole;
@@ -61,9 +69,7 @@ std::vector<Vector> columns_at(const model::Robot& robot, const Formulation& for
   return columns;
 }
 
-bool is_negligible(const cl_R& value, const cl_R& beside) {
-  return cln::abs(value) <= negligible * beside;
-}
+bool is_negligible(const cl_R& value, const cl_R& beside) { return cln::abs(value) <= negligible * beside; }
 
 cl_R largest(const Vector& v) {
   cl_R result = 0;
@@ -114,18 +120,16 @@ std::optional<cln::cl_RA> rational_near(const cl_R& value) {
   return std::nullopt;
 }
 
-Coefficient coefficient_of(const cl_R& value, const cl_R& gravity) {
+Coefficient coefficient_of(const cl_R& value) {
   if (const auto rational = rational_near(value)) return {*rational, false};
   if (const auto rational = rational_near(value / gravity)) return {*rational, true};
-  throw std::domain_error(
-      "a parameter of the drives depends on others by a factor that is no rational number");
+  throw std::domain_error(not_rational);
 }
 
 std::vector<std::optional<Relation>> relations_at(const model::Robot& robot, const Formulation& formulation,
                                                   std::size_t rows, const std::vector<std::size_t>& order,
                                                   std::uint64_t seed) {
   const exact::ExactPoint geometry(seed);
-  const cl_R gravity = exact::to_float(geometry.symbol(gravity_symbol), cln::float_format(digits));
   const std::vector<Vector> columns = columns_at(robot, formulation, rows, geometry);
   std::vector<std::optional<Relation>> relations(columns.size());
   Elimination elimination;
@@ -134,7 +138,7 @@ std::vector<std::optional<Relation>> relations_at(const model::Robot& robot, con
     if (!found) continue;
     relations[index].emplace();
     for (const auto& [other, value] : *found)
-      if (!is_negligible(value, 1)) relations[index]->emplace(other, coefficient_of(value, gravity));
+      if (!is_negligible(value, 1)) relations[index]->emplace(other, coefficient_of(value));
   }
   return relations;
 }
@@ -145,8 +149,7 @@ std::vector<std::optional<Relation>> relations_of_columns(const model::Robot& ro
                                                           const Formulation& formulation, std::size_t rows,
                                                           const std::vector<std::size_t>& order) {
   const auto relations = relations_at(robot, formulation, rows, order, 21);
-  if (relations != relations_at(robot, formulation, rows, order, 22))
-    throw std::domain_error("parameters of the drives depend on others by factors of the geometry");
+  if (relations != relations_at(robot, formulation, rows, order, 22)) throw std::domain_error(not_rational);
   return relations;
 }
 
