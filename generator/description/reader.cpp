@@ -106,9 +106,10 @@ std::vector<std::string> variables_of(const model::Robot& robot) {
 
 model::Robot read_robot(const Table& root) {
   Context& context = root.context();
-  root.allow_only({"name", "title", "source", "symbols", "inertia", "drives", "accept_unphysical_inertia",
-                   "base", "tool", "defaults", "joint", "convention", "dh", "home", "screw", "task",
-                   "tool_axis", "given", "ideal", "frame"});
+  root.allow_only(
+      {"name",  "title", "source",    "symbols", "inertia",    "drives", "accept_unphysical_inertia",
+       "base",  "tool",  "defaults",  "joint",   "convention", "dh",     "home",
+       "screw", "task",  "tool_axis", "given",   "ideal",      "frame"});
   context.is_measured = root.has("ideal");
   model::Robot robot;
   read_name(root, robot);
