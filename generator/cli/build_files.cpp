@@ -38,10 +38,22 @@ std::string depfile(const GenerateArguments& arguments) {
 }
 
 /// Every C++ source that a robot may have.
-constexpr std::array sources{"kinematics", "inverse",  "inverse_avx2",         "arm_angle",
-                             "jacobian",   "dynamics", "dynamics_derivatives", "dynamics_loads",
-                             "regressor",  "batch",    "batch_derivatives",    "inverse_batch",
-                             "certified",  "mass"};
+constexpr std::array sources{"kinematics",
+                             "inverse",
+                             "inverse_avx2",
+                             "arm_angle",
+                             "jacobian",
+                             "dynamics",
+                             "dynamics_derivatives",
+                             "dynamics_loads",
+                             "regressor",
+                             "batch",
+                             "batch_derivatives",
+                             "inverse_batch",
+                             "certified",
+                             "mass",
+                             "frames",
+                             "regressor_with_drives"};
 
 /// Of all files of a robot.
 std::string fingerprint(const fs::path& output, const std::string& robot) {

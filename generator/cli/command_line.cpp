@@ -118,10 +118,11 @@ void add_generate(CommandLine& line) {
   command
       .add_option("--only", generate.parts,
                   "parts to generate: kinematics,jacobian,...; all without, but batch, forms of the other "
-                  "parts named for many at once, c_inverse, a C header for inverse kinematics by "
-                  "elimination, certified, solutions with a proof, nearest_pose, the nearest pose in reach, "
-                  "given_joint, seven joints within limits, and "
-                  "moveit_plugin, a ROS 2 package")
+                  "parts named for many at once, frames, poses and Jacobians of links and named frames, "
+                  "mass, the centre of mass, regressor_with_drives, for identification with drives, "
+                  "nearest_pose, the nearest pose in reach, given_joint, seven joints within limits, "
+                  "c_inverse, a C header for inverse kinematics by elimination, certified, solutions with a "
+                  "proof, and moveit_plugin, a ROS 2 package")
       ->type_name("PARTS")
       ->allow_extra_args(false)
       ->delimiter(',');

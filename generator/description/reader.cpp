@@ -8,6 +8,7 @@
 #include "description/chain.h"
 #include "description/followers.h"
 #include "description/frames.h"
+#include "description/named_frames.h"
 #include "description/names.h"
 #include "description/physics.h"
 #include "description/plain_text.h"
@@ -130,7 +131,8 @@ model::Robot read_robot(const Table& root) {
   root.allow_only(
       {"name",  "title", "source",    "symbols", "inertia",    "drives", "accept_unphysical_inertia",
        "base",  "tool",  "defaults",  "joint",   "convention", "dh",     "home",
-       "screw", "task",  "tool_axis", "given",   "ideal",      "unit",   "angle_unit"});
+       "screw", "task",  "tool_axis", "given",   "ideal",      "unit",   "angle_unit",
+       "frame"});
   read_units(root);
   context.is_measured = root.has("ideal");
   model::Robot robot;
@@ -139,6 +141,7 @@ model::Robot read_robot(const Table& root) {
   robot.tool = read_frame(root, "tool");
   read_chain(root, read_free_parameters(root), robot);
   check_count(root, robot);
+  read_named_frames(root, robot);
   tie_followers(context, variables_of(robot), robot);
   read_request(root, robot);
   resolve_symbols(root, robot);

@@ -126,6 +126,12 @@ std::string follows_text(const model::Robot& robot, const model::Joint& joint) {
          (joint.follows->ratio == 1 ? "" : "ratio = " + text(joint.follows->ratio) + "\n");
 }
 
+std::string named_frame_text(const model::Robot& robot, const model::Frame& frame) {
+  return "\n[[frame]]\nname = " + quoted(frame.name) +
+         "\njoint = " + quoted(robot.joints[frame.joint].variable) + "\n" +
+         frame_text(frame.placement, "translation");
+}
+
 std::string joint_text(const model::Robot& robot, const model::Joint& joint) {
   if (!joint.after.turns.empty()) throw std::invalid_argument("a link frame is turned behind its joint");
   std::string result = "\n[[joint]]\ntype = ";
@@ -151,6 +157,7 @@ std::string write_text(const model::Robot& robot) {
   if (!robot.source.empty()) result += "source = " + quoted(robot.source) + "\n";
   result += table("base", robot.base) + table("tool", robot.tool);
   for (const model::Joint& joint : robot.joints) result += joint_text(robot, joint);
+  for (const model::Frame& frame : robot.frames) result += named_frame_text(robot, frame);
   return result;
 }
 

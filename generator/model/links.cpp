@@ -101,6 +101,7 @@ Robot first_joints(const Robot& robot, std::size_t count) {
   if (count == robot.joints.size()) return part;
   part.joints.resize(count);
   part.tool = {};
+  std::erase_if(part.frames, [&](const Frame& frame) { return frame.joint >= count; });
   part.inverse = {};
   const std::vector<std::string> used = symbols(part);
   std::erase_if(part.geometry, [&](const Parameter& parameter) {

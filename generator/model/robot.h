@@ -72,6 +72,13 @@ struct Joint {
   std::optional<Expression> greatest_effort = {};    ///< Nm or N, above 0
 };
 
+/// A named frame that is fixed to a link: a camera, a flange, a sensor.
+struct Frame {
+  std::string name;        ///< an identifier
+  std::size_t joint = 0;   ///< index of the joint that moves the link
+  Displacement placement;  ///< link frame -> this frame
+};
+
 /// A named constant of the description: a field of the generated Geometry or Inertia struct.
 struct Parameter {
   std::string name;
@@ -107,13 +114,14 @@ struct Robot {
   Displacement base;  ///< world -> base of the first joint
   std::vector<Joint> joints;
   Displacement tool;  ///< last link frame -> tool
+  std::vector<Frame> frames = {};
   /// Symbols that stand for expressions in other symbols; none in what a reader builds.
   std::map<std::string, Expression> definitions;
   InverseRequest inverse;
   std::string ideal;  ///< the robot that this one, which is calibrated, differs from by little; empty: none
 };
 
-/// The symbols in the frames, axes and offsets of a robot, sorted, each once.
+/// The symbols in the frames, axes and offsets of a robot, sorted, each once; those of named frames not.
 std::vector<std::string> symbols(const Robot& robot);
 
 }  // namespace qvgen::model

@@ -94,9 +94,10 @@ Optimised searched(const Quantity& quantity, const DynamicsEffort& effort) {
 
 /// Y b - tau, the columns of Y one after the other in `values`.
 Values regressor_residuals(const model::Robot& robot, const derive::dynamics::Regressor& regressor,
-                           const ExactPoint& point, const Values& values) {
+                           bool with_drives, const ExactPoint& point, const Values& values) {
   PlainRecursion plain(robot, point);
   plain.take_standard_parameters();
+  if (with_drives) plain.take_drive_parameters();
   Values rest = plain.inverse_dynamics(plain.rates(), plain.accelerations(),
                                        point.symbol(derive::dynamics::gravity_symbol));
   const Values parameters = dag::evaluate<Number>(regressor.base_parameters, point);
@@ -169,9 +170,17 @@ dag::Function cheapest_derivatives(const model::Robot& robot, const dag::Functio
 Optimised regressor_function(const DynamicsModel& model, const derive::dynamics::Regressor& regressor,
                              const DynamicsEffort& effort) {
   const auto residuals = [&](const ExactPoint& point, const Values& values) {
-    return regressor_residuals(model.described, regressor, point, values);
+    return regressor_residuals(model.described, regressor, false, point, values);
   };
   return searched(quantity_of(model, "regressor", regressor.formulation, residuals), effort);
+}
+
+Optimised drive_regressor_function(const DynamicsModel& model, const derive::dynamics::Regressor& regressor,
+                                   const DynamicsEffort& effort) {
+  const auto residuals = [&](const ExactPoint& point, const Values& values) {
+    return regressor_residuals(model.described, regressor, true, point, values);
+  };
+  return searched(quantity_of(model, "regressor_with_drives", regressor.formulation, residuals), effort);
 }
 
 Optimised inverse_dynamics_derivatives(const DynamicsModel& model, const Optimised& inverse_dynamics,

@@ -19,5 +19,8 @@ Optimised inverse_dynamics_derivatives(const DynamicsModel& model, const Optimis
 /// for all inertias.
 Optimised regressor_function(const DynamicsModel& model, const derive::dynamics::Regressor& regressor,
                              const DynamicsEffort& effort = {});
+/// Likewise with drives: Y p equals the plain recursion for all inertias and drives.
+Optimised drive_regressor_function(const DynamicsModel& model, const derive::dynamics::Regressor& regressor,
+                                   const DynamicsEffort& effort = {});
 
 }  // namespace qvgen::optimise

@@ -28,7 +28,7 @@ std::vector<std::string> examples() {
 
 /// The reference shows some parts alone; they are completed to a file.
 std::string completed(std::string example) {
-  if (example.find("name =") == std::string::npos) example = "name = \"a\"\ntitle = \"A\"\n" + example;
+  if (example.find("title =") == std::string::npos) example = "name = \"a\"\ntitle = \"A\"\n" + example;
   if (example.find("variable =") == std::string::npos) {
     example += "[[joint]]\ntype = \"revolute\"\naxis = \"+z\"\nvariable = \"t1\"\n";
   }

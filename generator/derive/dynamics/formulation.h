@@ -79,7 +79,8 @@ Formulation potential_energy(const model::Robot& robot, const FormulationOptions
 /// rotations whose lengths are averages by mass of the described ones, one length across each axis.
 Formulation centre_of_mass(const model::Robot& robot, const FormulationOptions& choices);
 
-/// Outputs jx1, jy1, jz1, jx2, ... (column by column): its derivatives by the joints, the Jacobian of that tip.
+/// Outputs jx1, jy1, jz1, jx2, ... (column by column): its derivatives by the joints, the Jacobian of that
+/// tip.
 Formulation centre_of_mass_jacobian(const model::Robot& robot, const FormulationOptions& choices);
 
 }  // namespace qvgen::derive::dynamics

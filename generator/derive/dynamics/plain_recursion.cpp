@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 
+#include "derive/dynamics/drive_parameters.h"
 #include "derive/dynamics/formulation.h"
 #include "derive/dynamics/pseudo_inertia.h"
 #include "derive/dynamics/rotation_sequence.h"
@@ -149,6 +150,16 @@ void PlainRecursion::take_standard_parameters() {
   }
 }
 
+void PlainRecursion::take_drive_parameters() {
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    const auto value = [&](DriveParameter kind) { return point_.symbol(drive_parameter(i, kind)); };
+    links_[i].rotor = value(DriveParameter::rotor_inertia);
+    links_[i].viscous = value(DriveParameter::viscous_friction);
+    links_[i].coulomb = value(DriveParameter::coulomb_friction);
+    links_[i].offset = value(DriveParameter::offset);
+  }
+}
+
 void PlainRecursion::remove_friction() {
   for (Link& link : links_) link.viscous = link.coulomb = 0;
 }
@@ -257,7 +268,7 @@ PlainRecursion::Values PlainRecursion::forces_of_chain(const Values& rates, cons
     }
     const Number coulomb = rates[i].is_zero() ? Number(0) : links_[i].coulomb * links_[i].direction;
     torques[i] = dot(axes[i], links_[i].revolute ? m : f) + links_[i].rotor * accelerations[i] +
-                 links_[i].viscous * rates[i] + coulomb;
+                 links_[i].viscous * rates[i] + coulomb + links_[i].offset;
   }
   return torques;
 }

@@ -31,6 +31,8 @@ class PlainRecursion {
 
   /// All inertias from the standard parameters' values at the point, no drives.
   void take_standard_parameters();
+  /// All drives from the drive parameters' values at the point, offsets included.
+  void take_drive_parameters();
   void remove_friction();
 
   using Vector = std::array<Number, 3>;
@@ -80,6 +82,7 @@ class PlainRecursion {
     Frame before, motion, after;
     Vector axis;
     Number mass, rotor, viscous, coulomb, direction;
+    Number offset = 0;  ///< a force of the drive at rest; no description gives one
     Vector centre;
     Matrix inertia;
   };

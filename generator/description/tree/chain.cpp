@@ -3,6 +3,7 @@
 #include <map>
 
 #include "description/followers.h"
+#include "description/named_frames.h"
 #include "description/tree/tree.h"
 #include "model/arithmetic.h"
 
@@ -19,6 +20,7 @@ class ChainReader {
 
   void read(const std::vector<std::size_t>& path, model::Robot& robot) {
     model::Displacement pending;
+    tip_ = path.back();
     on_path_ = {path.begin(), path.end()};
     std::sort(on_path_.begin(), on_path_.end());
     for (const std::size_t node : path) {
@@ -29,7 +31,7 @@ class ChainReader {
         robot.joints.push_back(joint_of(*segment.joint, robot));
         robot.joints.back().before = pending;
         robot.joints.back().after = segment.after;
-        robot.joints.back().inertia = inertia_of(lumped(node));
+        robot.joints.back().inertia = inertia_of(lumped(node, robot));
         context_->joint_places.push_back(segment.joint->place);
         pending = {};
       } else {
@@ -89,8 +91,9 @@ class ChainReader {
     return joint;
   }
 
-  /// The link with all that is fixed to it, in the link's frame.
-  Body lumped(std::size_t link) {
+  /// The link with all that is fixed to it, in the link's frame. The robot's last joint moves it and its
+  /// frames.
+  Body lumped(std::size_t link, model::Robot& robot) {
     Body sum = segment_of(link).body;
     std::vector<std::pair<std::size_t, model::Displacement>> open{{link, {}}};
     while (!open.empty()) {
@@ -102,6 +105,7 @@ class ChainReader {
         } else if (segments_.size() < 2 * most_links) {
           const Segment& segment = segment_of(child);
           const auto to_child = folded(folded(frame, segment.before), segment.after);
+          name_frame(child, to_child, robot);
           if (!is_empty(segment.body)) sum = joined(sum, moved(to_child, segment.body));
           open.emplace_back(child, to_child);
         } else if (!crowded_) {
@@ -112,6 +116,14 @@ class ChainReader {
       }
     }
     return sum;
+  }
+
+  /// The tip has its functions already.
+  void name_frame(std::size_t node, const model::Displacement& placement, model::Robot& robot) const {
+    const Node& named = (*nodes_)[node];
+    if (node == tip_ || !named.has_name || robot.frames.size() == most_frames) return;
+    const std::string name = frame_identifier(named.name, robot.frames);
+    robot.frames.push_back({name, robot.joints.size() - 1, placement});
   }
 
   static bool is_empty(const Body& body) {
@@ -133,6 +145,7 @@ class ChainReader {
   Context* context_;
   const std::vector<Node>* nodes_;
   const ReadSegment* read_;
+  std::size_t tip_ = Node::none;
   std::vector<std::size_t> on_path_;
   std::vector<std::string> names_;  ///< of the chain's joints, in the file
   std::map<std::size_t, Segment> segments_;

@@ -51,6 +51,7 @@ struct Node {
   bool is_marker = false;  ///< a point on a link: a tip only if it is asked for, or called like one
   std::string joint = {};  ///< the name of the joint that holds it, if it has one
   bool floats = false;     ///< that joint is of a kind that no chain has: a chain begins behind it
+  bool has_name = true;    ///< the file gives it, not the reader
 };
 
 /// Reads the numbers of one link and its joint: only those that are needed, so that a gripper beside the
@@ -73,7 +74,7 @@ std::optional<std::size_t> likely_tip(Context& context, const std::vector<Node>&
 std::optional<std::vector<std::size_t>> path_between(const std::vector<Node>& nodes, Ends ends);
 
 /// Fills in joints and tool: fixed links are folded into the frames, the masses of all that is fixed to a
-/// moving link, on the path or beside it, are lumped.
+/// moving link, on the path or beside it, are lumped. Each of those fixed links becomes a named frame.
 void read_chain(Context& context, const std::vector<Node>& nodes, Ends ends, const ReadSegment& read,
                 model::Robot& robot);
 

@@ -43,7 +43,9 @@ void MjcfTree::add_children(const std::vector<Placed>& contents, std::size_t par
     if (kind == "site") {
       MjcfPart part;
       part.frame = child;
-      add({name_of(child, "site"), child.element->place, parent, {}, false, true}, std::move(part));
+      Node site{name_of(child, "site"), child.element->place, parent, {}, false, true};
+      site.has_name = !child.name().empty();
+      add(std::move(site), std::move(part));
     }
     if (kind == "composite" || kind == "flexcomp")
       context_->warning(child.element->place, "<" + kind + "> is not read: what it makes is left out",
@@ -90,6 +92,7 @@ void MjcfTree::add_body(const Placed& body, std::size_t parent, std::size_t dept
   Node node{name, body.element->place, holder, {}, part.joint.has_value(), false};
   if (part.joint) node.joint = part.joint->placed.name();
   node.floats = part.held.has_value();
+  node.has_name = !body.name().empty();
   add_children(contents, add(std::move(node), std::move(part)), depth);
 }
 

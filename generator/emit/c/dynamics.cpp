@@ -20,6 +20,7 @@ Parameter result_of(const model::Robot& robot, Result result, std::size_t output
     case Result::matrix:
       return result_matrix(dof, dof);
     case Result::regressor:
+    case Result::drive_regressor:
       return result_matrix(dof, outputs / dof);
     case Result::derivatives:
       return result_struct(robot, "inverse_dynamics_derivatives_result");
@@ -103,6 +104,29 @@ Function base_parameters(const model::Robot& robot, const derive::dynamics::Regr
   return function;
 }
 
+/// The parameters of the columns of a regressor with drives.
+Function identifiable_parameters(const model::Robot& robot,
+                                 const derive::dynamics::DriveRegressor& drive_regressor) {
+  const Code code = identifiable_parameters_code(robot, drive_regressor.regressor, spelling());
+  const std::string standard = "[" + std::to_string(10 * robot.joints.size()) + "]";
+  const std::string drives = "[" + std::to_string(4 * robot.joints.size()) + "]";
+  Function function{
+      "identifiable_parameters",
+      {"Columns' parameters in terms of ten standard parameters of each link, as base_parameters takes "
+       "them, and four",
+       "of each drive: rotor inertia, viscous friction, Coulomb friction, offset."},
+      {{"const double ", "standard", standard},
+       {"const double ", "drives", drives},
+       geometry(robot),
+       {"double ", "gravity"},
+       result_array(code.outputs.size())}};
+  for (const std::string& line : drive_regressor.left_out) function.doc.push_back(line + ".");
+  function.statements = temporaries(code);
+  for (std::size_t i = 0; i < code.outputs.size(); ++i)
+    function.statements.push_back("result[" + std::to_string(i) + "] = " + code.outputs[i].expression + ";");
+  return function;
+}
+
 }  // namespace
 
 Part dynamics(const model::Robot& robot, const std::vector<optimise::Optimised>& functions) {
@@ -114,6 +138,13 @@ Part dynamics(const model::Robot& robot, const std::vector<optimise::Optimised>&
     all += written(robot, {function_of(robot, function)});
   }
   return all;
+}
+
+Part regressor_with_drives(const model::Robot& robot, const derive::dynamics::DriveRegressor& regressor,
+                           const optimise::Optimised& function) {
+  Part part{render("c_regressor_with_drives.h",
+                   {{"name", robot.name}, {"count", regressor.regressor.names.size()}})};
+  return part += written(robot, {identifiable_parameters(robot, regressor), function_of(robot, function)});
 }
 
 Part total_mass(const model::Robot& robot) {

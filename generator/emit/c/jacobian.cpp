@@ -14,9 +14,21 @@ Parameter argument(const model::Robot& robot, const JacobianFunction::Argument& 
   return {"const double ", of.name, "[3]"};
 }
 
+bool is_list_of_poses(const JacobianFunction& function) {
+  return function.result == "LinkPoses" || function.result == "FramePoses";
+}
+
 Parameter result(const model::Robot& robot, const JacobianFunction& function) {
-  if (function.result == "Jacobian") return result_matrix(6, model::driven_count(robot));
+  if (function.result == "Jacobian" || function.result == "FrameJacobian")
+    return result_matrix(6, model::driven_count(robot));
   if (function.result == "TransformAndJacobian") return result_struct(robot, "transform_and_jacobian");
+  if (function.result == "Pose") return result_struct(robot, "pose");
+  if (function.result == "FrameTransform") return result_matrix(4, 4);
+  if (is_list_of_poses(function)) {
+    Parameter list = result_matrix(4, 4);
+    list.behind = "[" + std::to_string(function.targets.size() / 12) + "]" + list.behind;
+    return list;
+  }
   return result_array(function.targets.size());
 }
 
@@ -26,7 +38,10 @@ bool is_vector(const JacobianFunction& function) {
 
 /// "result.jacobian(0, 1)" is result->jacobian[0][1].
 std::string target(const JacobianFunction& function, std::size_t output) {
+  static const std::string parts = "wxyz";
   std::string text = place(function.targets.at(output), is_vector(function));
+  if (const auto at = text.find("orientation."); at != std::string::npos)
+    text = "result.orientation[" + std::to_string(parts.find(text.at(at + 12))) + "]";
   if (const auto dot = text.find('.'); dot != std::string::npos) text.replace(dot, 1, "->");
   return text;
 }
@@ -51,10 +66,27 @@ Function function_of(const model::Robot& robot, const JacobianFunction& from) {
   for (std::size_t i = 0; i < code.outputs.size(); ++i)
     function.statements.push_back(target(from, i) + " = " + code.outputs[i].expression + ";");
   if (from.result == "TransformAndJacobian") append(function.statements, last_row("result->transform"));
+  if (from.result == "FrameTransform") append(function.statements, last_row("result"));
+  for (std::size_t i = 0; is_list_of_poses(from) && i < from.targets.size() / 12; ++i)
+    append(function.statements, last_row("result[" + std::to_string(i) + "]"));
   return function;
 }
 
 }  // namespace
+
+Part frames(const model::Robot& robot, const std::vector<std::string>& names,
+            const std::vector<JacobianFunction>& functions) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const std::string& name : names)
+    list.push_back({{"robot", robot.name}, {"frame", name}, {"index", list.size()}});
+  Part part{render("c_frames.h", {{"robot", robot.name},
+                                  {"frames", list},
+                                  {"link_count", robot.joints.size()},
+                                  {"frame_count", names.size()}})};
+  std::vector<Function> all;
+  for (const JacobianFunction& function : functions) all.push_back(function_of(robot, function));
+  return part += written(robot, all);
+}
 
 Part jacobian(const model::Robot& robot, const std::vector<JacobianFunction>& functions) {
   std::vector<Function> all;

@@ -39,12 +39,17 @@ Part transform(const model::Robot& robot, const optimise::Optimised& optimised,
                const std::vector<std::string>& doc);
 
 Part jacobian(const model::Robot& robot, const std::vector<JacobianFunction>& functions);
+/// The places of frames in what `frame_poses` fills in, and functions of frames.
+Part frames(const model::Robot& robot, const std::vector<std::string>& names,
+            const std::vector<JacobianFunction>& functions);
 
 /// Functions of dynamics by the names that they have in operation_counts.json: C knows no overloads.
 Part dynamics(const model::Robot& robot, const std::vector<optimise::Optimised>& functions);
 Part total_mass(const model::Robot& robot);
 Part regressor(const model::Robot& robot, const derive::dynamics::Regressor& regressor,
                const optimise::Optimised& function);
+Part regressor_with_drives(const model::Robot& robot, const derive::dynamics::DriveRegressor& regressor,
+                           const optimise::Optimised& function);
 
 /// A whole file's header and source, of the parts one behind the other. `missing` are lines.
 Part file(const std::string& robot, const Part& parts, const std::vector<std::string>& missing);

@@ -68,6 +68,10 @@ void set_result(BatchForm& form, Result result) {
       form.rows = "dof * base_parameter_count";
       form.meaning = "all entries column by column";
       return;
+    case Result::drive_regressor:
+      form.rows = "dof * identifiable_parameter_count";
+      form.meaning = "all entries column by column";
+      return;
     case Result::derivatives:
       form.rows = "dof + 2 * dof * dof";
       form.meaning = "the forces, then their derivatives by q, then those by qd, column by column";
@@ -89,6 +93,8 @@ using Parts = std::tuple<std::string, std::string, std::string>;
 /// part.
 Parts parts_of(const DynamicsInterface& interface) {
   if (interface.result == Result::regressor) return {"regressor", "regressor_angles", "regressor"};
+  if (interface.result == Result::drive_regressor)
+    return {"regressor_with_drives", "drive_regressor_angles", "regressor_with_drives"};
   if (interface.result == Result::derivatives) return {"dynamics_derivatives", "dynamics_angles", "dynamics"};
   if (interface.result == Result::point || interface.result == Result::point_derivatives)
     return {"mass", "mass_angles", "mass"};

@@ -5,6 +5,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "derive/dynamics/drive_parameters.h"
 #include "emit/cpp/literal.h"
 #include "emit/cpp/symbol_table.h"
 #include "emit/cpp/template_values.h"
@@ -203,6 +204,33 @@ Code base_parameters_code(const model::Robot& robot, const derive::dynamics::Reg
   for (std::size_t i = 0; i < 10 * robot.joints.size(); ++i)
     known[derive::dynamics::standard_parameter(i)] = "standard[" + std::to_string(i) + "]";
   return straight_code(regressor.base_parameters, constant_names(robot, known, spelling));
+}
+
+Code identifiable_parameters_code(const model::Robot& robot, const derive::dynamics::Regressor& regressor,
+                                  const Spelling& spelling) {
+  std::map<std::string, std::string> known{{derive::dynamics::gravity_symbol, "gravity"}};
+  for (std::size_t i = 0; i < 10 * robot.joints.size(); ++i)
+    known[derive::dynamics::standard_parameter(i)] = "standard[" + std::to_string(i) + "]";
+  for (std::size_t i = 0; i < derive::dynamics::drive_parameters.size() * robot.joints.size(); ++i)
+    known[derive::dynamics::drive_parameter(i)] = "drives[" + std::to_string(i) + "]";
+  return straight_code(regressor.base_parameters, constant_names(robot, known, spelling));
+}
+
+json identifiable_parameter_values(const model::Robot& robot,
+                                   const derive::dynamics::DriveRegressor& drive_regressor) {
+  const auto& [regressor, left_out] = drive_regressor;
+  const Code code = identifiable_parameters_code(robot, regressor);
+  json parameters = json::array();
+  for (std::size_t i = 0; i < code.outputs.size(); ++i)
+    parameters.push_back({{"index", i},
+                          {"parameter", regressor.names[i]},
+                          {"expression", code.outputs[i].expression},
+                          {"last", i + 1 == code.outputs.size()}});
+  return {{"links", std::to_string(robot.joints.size())},
+          {"identifiable_parameters", parameters},
+          {"identifiable_count", code.outputs.size()},
+          {"parameter_set_up", values_of(code.temporaries)},
+          {"left_out", lines_of(left_out)}};
 }
 
 Code total_mass_code(const model::Robot& robot, const Spelling& spelling) {

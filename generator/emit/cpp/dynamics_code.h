@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "derive/dynamics/drive_regressor.h"
 #include "derive/dynamics/regressor.h"
 #include "emit/cpp/code.h"
 #include "optimise/dynamics.h"
@@ -23,6 +24,7 @@ enum class Result {
   symmetric_matrix,  ///< joints by joints; the outputs are the upper triangle, row by row
   matrix,            ///< joints by joints, row by row
   regressor,         ///< joints by base parameters, column by column
+  drive_regressor,   ///< joints by identifiable parameters, column by column
   derivatives,       ///< a vector, then for each joint its derivatives by position, and those by rate
   point,             ///< three coordinates
   point_derivatives  ///< three by joints, column by column
@@ -54,6 +56,13 @@ Code base_parameters_code(const model::Robot& robot, const derive::dynamics::Reg
 
 /// The mass of all links; its only output.
 Code total_mass_code(const model::Robot& robot, const Spelling& spelling = cpp_spelling());
+
+/// The parameters of a regressor with drives in terms of standard and drive parameters, and its template
+/// values.
+Code identifiable_parameters_code(const model::Robot& robot, const derive::dynamics::Regressor& regressor,
+                                  const Spelling& spelling = cpp_spelling());
+nlohmann::json identifiable_parameter_values(const model::Robot& robot,
+                                             const derive::dynamics::DriveRegressor& regressor);
 
 /// The type of a function's constants: InverseDynamicsConstants of inverse_dynamics.
 std::string constants_type(const std::string& function);

@@ -58,6 +58,12 @@ const std::map<std::string, DynamicsInterface>& known_interfaces() {
         Gravity::magnitude,
         "Y with inverse_dynamics = Y base_parameters for all inertias, without drives. `inertia` has no "
         "influence."}},
+      {"regressor_with_drives",
+       {{"q", "qd", "qdd"},
+        Result::drive_regressor,
+        Gravity::magnitude,
+        "Y with inverse_dynamics = Y identifiable_parameters for all inertias and drives. `inertia` has no "
+        "influence."}},
       {"inverse_dynamics_derivatives",
        {{"q", "qd", "qdd"},
         Result::derivatives,
@@ -123,6 +129,8 @@ std::string type_of(Result result, const std::string& scalar) {
       return "Eigen::Matrix<" + scalar + ", dof, dof>";
     case Result::regressor:
       return "Eigen::Matrix<" + scalar + ", dof, base_parameter_count>";
+    case Result::drive_regressor:
+      return "Eigen::Matrix<" + scalar + ", dof, identifiable_parameter_count>";
     case Result::derivatives:
       return "InverseDynamicsDerivatives<" + scalar + ">";
     case Result::point:
@@ -190,6 +198,7 @@ std::vector<std::string> places_of(Result result, std::size_t dof, std::size_t c
     case Result::matrix:
       return places_by_rows(dof);
     case Result::regressor:
+    case Result::drive_regressor:
       return places_by_columns("result", dof, count / dof);
     case Result::derivatives:
       return derivative_places(dof);

@@ -65,7 +65,7 @@ Code jacobian_code(const JacobianFunction& function, const model::Robot& robot,
 }
 
 json to_values(const JacobianFunction& function, const model::Robot& robot,
-               const std::vector<dag::Angle>& all) {
+               const std::vector<dag::Angle>& all, const std::string& no_angles) {
   const auto angles = angles_of(function.optimised.function);
   const SymbolTable names = names_of(robot, angles, cpp_spelling());
   const Code code = jacobian_code(function, robot, angles);
@@ -76,7 +76,7 @@ json to_values(const JacobianFunction& function, const model::Robot& robot,
   values["arguments"] = json::array();
   for (const auto& argument : function.arguments)
     values["arguments"].push_back({{"type", argument.type}, {"argument", argument.name}});
-  values["sines_cosines"] = sines_cosines_code(angles, names, "detail::NoAngles");
+  values["sines_cosines"] = sines_cosines_code(angles, names, no_angles);
   values["angle_count"] = angles.size();
   values["sines"] = selection(angles, all, "sine");
   values["cosines"] = selection(angles, all, "cosine");

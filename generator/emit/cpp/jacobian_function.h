@@ -36,8 +36,10 @@ std::vector<dag::Angle> angles_of(const std::vector<JacobianFunction>& functions
 Code jacobian_code(const JacobianFunction& function, const model::Robot& robot,
                    const std::vector<dag::Angle>& angles, const Spelling& spelling = cpp_spelling());
 
-/// Template values of a function. `all` are the angles of the header's JacobianAngles.
+/// Template values of a function. `all` are the angles of the header's JacobianAngles; `no_angles` is the
+/// type of what holds the sines and cosines of a function without any.
 nlohmann::json to_values(const JacobianFunction& function, const model::Robot& robot,
-                         const std::vector<dag::Angle>& all);
+                         const std::vector<dag::Angle>& all,
+                         const std::string& no_angles = "detail::NoAngles");
 
 }  // namespace qvgen::emit

@@ -26,7 +26,8 @@ json rates_values(const model::Robot& robot, const std::vector<emit::BatchForm>&
 
 /// The longest functions, by far, have a file of their own: compilers are told otherwise how to order them.
 bool is_long(const emit::BatchForm& form) {
-  return form.header == "dynamics_derivatives" || form.header == "regressor";
+  return form.header == "dynamics_derivatives" || form.header == "regressor" ||
+         form.header == "regressor_with_drives";
 }
 
 /// The forms of one file, and in batch.cpp the inverse velocity.

@@ -6,6 +6,7 @@
 #include "pipeline/products/c_inverse.h"
 #include "pipeline/products/certified.h"
 #include "pipeline/products/dynamics.h"
+#include "pipeline/products/frames.h"
 #include "pipeline/products/from_ideal.h"
 #include "pipeline/products/given_joint.h"
 #include "pipeline/products/inverse.h"
@@ -15,6 +16,7 @@
 #include "pipeline/products/model_header.h"
 #include "pipeline/products/moveit_plugin.h"
 #include "pipeline/products/nearest_pose.h"
+#include "pipeline/products/regressor_with_drives.h"
 
 namespace qvgen::pipeline {
 
@@ -31,7 +33,15 @@ const std::vector<Product>& all_products() {
        {"dynamics_derivatives", "dynamics_loads", "regressor"},
        {"forward_dynamics", "forward_dynamics_with_gravity_vector", "forward_dynamics_with_wrench"},
        generate_dynamics_c},
-      {"mass", generate_mass, {}, {}, generate_mass_c, true, {"dynamics"}}};
+      {"frames", generate_frames, {}, {}, generate_frames_c, true, {"kinematics"}},
+      {"mass", generate_mass, {}, {}, generate_mass_c, true, {"dynamics"}},
+      {"regressor_with_drives",
+       generate_regressor_with_drives,
+       {},
+       {},
+       generate_regressor_with_drives_c,
+       true,
+       {"dynamics"}}};
   return products;
 }
 

@@ -16,7 +16,7 @@ import sys
 import sysconfig
 import tempfile
 
-from ._source import BOUND, binding_source
+from ._source import binding_source, is_bound
 
 _here = pathlib.Path(__file__).resolve().parent
 _root = _here / "_tree" if (_here / "_tree").exists() else _here.parents[2]  # of an installed package, or of the sources
@@ -119,7 +119,7 @@ def _functions(entry):
     """Of each function where it is, of each part that is not there why; and what the inverse kinematics takes."""
     targets = entry.get("targets", {})
     names = [name for name in entry if name not in ("missing", "targets")]
-    functions = {name: "here" if name in BOUND or name in targets else "in C++ only" for name in [*names, *targets]}
+    functions = {name: "here" if is_bound(name) or name in targets else "in C++ only" for name in [*names, *targets]}
     if "arm_angle" in entry:
         functions["inverse_kinematics"] = "here"  # within limits, at any arm angle
     if {"forward_kinematics", "jacobian"} <= functions.keys():

@@ -2,6 +2,7 @@
 """The C++ source of a robot's module: its functions, those it has, handed to the templates of binding.h."""
 
 import json
+import re
 
 from ._inverse_source import ARM_ANGLE_FUNCTIONS, POSE, arm_angle_source, inverse_source, nearest_pose_source
 
@@ -29,6 +30,16 @@ KINEMATICS = {
     "velocity": ("q qd", "6", "Twist of the tool in the world frame, m/s and rad/s, linear first."),
     "jacobian_dot_times_qd": ("q qd", "6", "The tool's acceleration at constant joint rates."),
 }
+FRAMES = {
+    "link_poses": ("q", "arm::link_count, 4, 4", "Poses of all links in the world frame as 4 x 4 matrices, m."),
+    "frame_poses": ("q", "arm::frame_count, 4, 4", "Poses of all frames, as frame_names has them, m."),
+}
+# Functions of one frame, by what stands before its name.
+OF_A_FRAME = {
+    "forward_kinematics": ("q", "7", "Pose of the frame {} in the world frame, " + f"{POSE}."),
+    "homogeneous_transform": ("q", "4, 4", "Pose of the frame {} in the world frame as a 4 x 4 matrix, m."),
+    "jacobian": ("q", "6, arm::dof", "Jacobian of the frame {} at its origin in the world frame, linear rows first."),
+}
 DYNAMICS = {
     "inverse_dynamics": ("q qd qdd", "arm::dof", "Joint forces for a motion, N m or N."),
     "forward_dynamics": ("q qd torque", "arm::dof", "Joint accelerations for joint forces."),
@@ -40,6 +51,10 @@ DYNAMICS = {
     "potential_energy": ("q", "", "Potential energy, J."),
     "regressor": ("q qd qdd", "arm::dof, arm::base_parameter_count",
                   "Y with inverse_dynamics = Y b, b the base parameters, without drives."),
+    "regressor_with_drives": ("q qd qdd", "arm::dof, arm::identifiable_parameter_count",
+                              "Y with inverse_dynamics = Y p, p the identifiable parameters of links and drives."),
+    "centre_of_mass": ("q", "3", "Centre of mass of all links in the world frame, m."),
+    "centre_of_mass_jacobian": ("q", "3, arm::dof", "Derivatives of the centre of mass by the joints."),
     "inverse_dynamics_with_gravity_vector": ("q qd qdd fall", "arm::dof", "Joint forces, gravity in any direction."),
     "inverse_dynamics_with_wrench": ("q qd qdd fall wrench", "arm::dof", "Joint forces, with a load on the tool."),
     "gravity_torque_with_gravity_vector": ("q fall", "arm::dof", "Joint forces at rest, gravity in any direction."),
@@ -49,11 +64,27 @@ DYNAMICS = {
                                      "Joint accelerations, with a load on the tool."),
     "potential_energy_with_gravity_vector": ("q fall", "", "Potential energy, J, gravity in any direction."),
 }
-WITH_GRAVITY = {"inverse_dynamics", "forward_dynamics", "gravity_torque", "potential_energy", "regressor"}
+WITH_GRAVITY = {"inverse_dynamics", "forward_dynamics", "gravity_torque", "potential_energy", "regressor",
+                "regressor_with_drives"}
 # header beside the umbrella's: functions that need it
-HEADERS = {"dynamics_loads": {name for name in DYNAMICS if "_with_" in name}, "regressor": {"regressor"}}
+LOADS = {name for name in DYNAMICS if name.endswith(("_with_gravity_vector", "_with_wrench"))}
+HEADERS = {"dynamics_loads": LOADS, "regressor": {"regressor"}}
 
-BOUND = {*KINEMATICS, *DYNAMICS, *ARM_ANGLE_FUNCTIONS}
+
+def _of_a_frame(name):
+    """The entry of a function of one frame; None of any other."""
+    match = re.fullmatch("(" + "|".join(OF_A_FRAME) + r")_of_(\w+)", name)
+    if match is None:
+        return None
+    arguments, shape, line = OF_A_FRAME[match[1]]
+    return arguments, shape, line.format(match[2])
+
+
+def is_bound(name):
+    """True of a function of C++ that Python can have."""
+    return name in KINEMATICS or name in FRAMES or name in DYNAMICS or name in ARM_ANGLE_FUNCTIONS or \
+        _of_a_frame(name) is not None
+
 
 HEAD = """// SPDX-License-Identifier: MIT
 #include <qvgen/robots/{robot}.h>
@@ -76,6 +107,14 @@ INERTIA = """  m.attr("default_inertia") = defaults<arm::Inertia>(arm::inertia_n
 """
 
 NAMES = """  m.attr("{name}") = list_of(arm::{name});
+"""
+
+TOTAL_MASS = """  m.def("total_mass", +[](const py::object& geometry, const py::object& inertia) {
+          return arm::total_mass<double>(constants<arm::Geometry>(geometry, arm::geometry_names, "geometry"),
+                                         constants<arm::Inertia>(inertia, arm::inertia_names, "inertia"));
+        },
+        py::kw_only(), py::arg("geometry") = py::none(), py::arg("inertia") = py::none(),
+        text("Mass of all links, kg. geometry, inertia: values of constants of the description, by name."));
 """
 
 FUNCTION = """  m.def("{name}",
@@ -121,7 +160,7 @@ def _function(name, arguments, shape, text, dynamics):
     taken = {each: f"vector<{ARGUMENTS[each][1]}>(row[{place}])" for place, each in enumerate(arguments)}
     values += "".join(f", {taken.pop(each)}" for each in AFTER_INERTIA if each in taken)
     return FUNCTION.format(
-        name=name, called=name.partition("_with_")[0], shape=shape, doc=_doc(text, arguments, shape, extra),
+        name=name, called=name.partition("_with_")[0] if name in LOADS else name, shape=shape, doc=_doc(text, arguments, shape, extra),
         prepare=prepare, parameters="".join(f"const py::object& {each}, " for each in arguments),
         names=", ".join(arguments), rows=", ".join(rows), values=", ".join(taken.values()),
         keywords="".join(f'py::arg("{each}"), ' for each in arguments),
@@ -143,7 +182,11 @@ def binding_source(robot, functions, targets):
     text += INERTIA if "mass_matrix" in here else ""
     text += NAMES.format(name="singularity_names") if "singularity_measures" in here else ""
     text += NAMES.format(name="base_parameter_names") if "regressor" in here else ""
-    for table, dynamics in ((KINEMATICS, False), (DYNAMICS, True)):
+    text += NAMES.format(name="identifiable_parameter_names") if "regressor_with_drives" in here else ""
+    text += NAMES.format(name="frame_names") if "frame_poses" in here else ""
+    text += TOTAL_MASS if "centre_of_mass" in here else ""
+    of_frames = {name: _of_a_frame(name) for name in here if _of_a_frame(name)}
+    for table, dynamics in ((KINEMATICS, False), ({**FRAMES, **of_frames}, False), (DYNAMICS, True)):
         for name, (arguments, shape, line) in table.items():
             if name in here:
                 text += _function(name, arguments, shape, line, dynamics)

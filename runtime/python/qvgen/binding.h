@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <initializer_list>
 #include <string>
@@ -135,6 +136,11 @@ void write(const Pose<Scalar>& pose, Scalar* to) {
   const auto& p = pose.position;
   const Scalar numbers[7] = {q.w(), q.x(), q.y(), q.z(), p.x(), p.y(), p.z()};
   std::copy(numbers, numbers + 7, to);
+}
+
+template <class Scalar, std::size_t Count>
+void write(const std::array<Eigen::Transform<Scalar, 3, Eigen::Isometry>, Count>& transforms, Scalar* to) {
+  for (std::size_t i = 0; i < Count; ++i) write(transforms[i], to + 16 * i);
 }
 
 /// visit(i, rows) for every row of the arguments.

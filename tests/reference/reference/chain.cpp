@@ -54,15 +54,22 @@ std::vector<JointPlace> joint_places(const Chain& chain, const VectorXd& q) {
 
 Isometry3d forward_kinematics(const Chain& chain, const VectorXd& q) { return frames(chain, q).back(); }
 
+Isometry3d pose_of(const Chain& chain, const NamedFrame& frame, const VectorXd& q) {
+  return frames(chain, q)[frame.joint] * frame.placement;
+}
+
 MatrixXd jacobian(const Chain& chain, const VectorXd& q) {
-  const Vector3d tool = forward_kinematics(chain, q).translation();
+  return jacobian_of(chain, {"tool", chain.joints.size() - 1, chain.tool}, q);
+}
+
+MatrixXd jacobian_of(const Chain& chain, const NamedFrame& frame, const VectorXd& q) {
+  const Vector3d at = pose_of(chain, frame, q).translation();
   const std::vector<JointPlace> places = joint_places(chain, q);
-  const auto joints = static_cast<Eigen::Index>(chain.joints.size());
-  MatrixXd result = MatrixXd::Zero(6, joints);
-  for (Eigen::Index i = 0; i < joints; ++i) {
+  MatrixXd result = MatrixXd::Zero(6, static_cast<Eigen::Index>(chain.joints.size()));
+  for (Eigen::Index i = 0; i <= static_cast<Eigen::Index>(frame.joint); ++i) {
     const auto& [axis, point] = places[static_cast<std::size_t>(i)];
     if (chain.joints[static_cast<std::size_t>(i)].revolute) {
-      result.block<3, 1>(0, i) = axis.cross(tool - point);
+      result.block<3, 1>(0, i) = axis.cross(at - point);
       result.block<3, 1>(3, i) = axis;
     } else {
       result.block<3, 1>(0, i) = axis;

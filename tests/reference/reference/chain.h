@@ -40,11 +40,19 @@ struct Joint {
   double upper = std::numeric_limits<double>::infinity();
 };
 
+/// A frame that is fixed to a link and has a name.
+struct NamedFrame {
+  std::string name;
+  std::size_t joint = 0;  ///< index of the joint that moves the link
+  Isometry3d placement = Isometry3d::Identity();
+};
+
 struct Chain {
   std::string name;
   Isometry3d base = Isometry3d::Identity();  ///< world -> base of the first joint
   std::vector<Joint> joints;
   Isometry3d tool = Isometry3d::Identity();  ///< last link frame -> tool
+  std::vector<NamedFrame> frames;
   /// Joints with a value of their own: what q, rates and torques have entries for.
   [[nodiscard]] Eigen::Index size() const { return coupling().cols(); }
   /// Values of all joints by those of these: a row a joint, one entry in each.
@@ -63,6 +71,13 @@ std::vector<JointPlace> joint_places(const Chain& chain, const VectorXd& q);
 
 /// World -> tool, by homogeneous matrices.
 Isometry3d forward_kinematics(const Chain& chain, const VectorXd& q);
+
+/// World -> a frame that is fixed to a link.
+Isometry3d pose_of(const Chain& chain, const NamedFrame& frame, const VectorXd& q);
+
+/// 6 x n geometric Jacobian of that frame at its origin in the world frame, linear rows first: by cross
+/// products, zeros for joints that do not move it.
+MatrixXd jacobian_of(const Chain& chain, const NamedFrame& frame, const VectorXd& q);
 
 /// 6 x n geometric Jacobian at the tool point in the world frame, linear rows first: by cross products.
 MatrixXd jacobian(const Chain& chain, const VectorXd& q);

@@ -135,4 +135,27 @@ double potential_energy(const Chain& chain, const VectorXd& q, const Vector3d& b
   return energy;
 }
 
+double total_mass(const Chain& chain) {
+  double sum = 0;
+  for (const Joint& joint : chain.joints) sum += joint.mass;
+  return sum;
+}
+
+Vector3d centre_of_mass(const Chain& chain, const VectorXd& q) {
+  const std::vector<Isometry3d> links = frames(chain, q);
+  Vector3d sum = Vector3d::Zero();
+  for (std::size_t i = 0; i < chain.joints.size(); ++i)
+    sum += chain.joints[i].mass * (links[i] * chain.joints[i].centre_of_mass);
+  return sum / total_mass(chain);
+}
+
+MatrixXd centre_of_mass_jacobian(const Chain& chain, const VectorXd& q) {
+  MatrixXd sum = MatrixXd::Zero(3, chain.size());
+  for (std::size_t i = 0; i < chain.joints.size(); ++i) {
+    const Isometry3d at_centre(Eigen::Translation3d(chain.joints[i].centre_of_mass));
+    sum += chain.joints[i].mass * jacobian_of(chain, {"", i, at_centre}, q).topRows(3);
+  }
+  return sum / total_mass(chain);
+}
+
 }  // namespace reference

@@ -27,4 +27,11 @@ double kinetic_energy(const Chain& chain, const VectorXd& q, const VectorXd& qd)
 /// J, zero with all masses at the world's origin.
 double potential_energy(const Chain& chain, const VectorXd& q, const Vector3d& base_acceleration = standing);
 
+/// kg, of all links.
+double total_mass(const Chain& chain);
+/// m, in the world frame.
+Vector3d centre_of_mass(const Chain& chain, const VectorXd& q);
+/// 3 x n: its derivatives by the joints, the mean by mass of those of the links' own centres.
+MatrixXd centre_of_mass_jacobian(const Chain& chain, const VectorXd& q);
+
 }  // namespace reference

@@ -210,6 +210,17 @@ void read_screws(const Reader& root, Chain& chain) {
   chain.tool = shift(-at) * root.frame("home") * chain.tool;
 }
 
+/// Fixed to the link of the joint that is named, or of the last one.
+void read_frames(const Reader& root, Chain& chain) {
+  for (const Reader& table : root.tables("frame")) {
+    NamedFrame frame{table.text("name"), chain.joints.size() - 1,
+                     shift(table.vector("translation")) * table.rotation()};
+    for (std::size_t i = 0; i < chain.joints.size(); ++i)
+      if (chain.joints[i].variable == table.text("joint")) frame.joint = i;
+    chain.frames.push_back(frame);
+  }
+}
+
 Chain read(const toml::table& file, const Values& given) {
   Values values = given;
   if (const toml::table* defaults = file["defaults"].as_table()) {
@@ -224,6 +235,7 @@ Chain read(const toml::table& file, const Values& given) {
   if (root.has("dh")) read_table(root, chain);
   if (root.has("screw")) read_screws(root, chain);
   for (const char* key : {"joint", "dh", "screw"}) tie_followers(root.tables(key), chain);
+  read_frames(root, chain);
   if (chain.joints.empty()) throw std::runtime_error("no joints");
   return chain;
 }

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+
+namespace qvgen::derive::dynamics {
+
+/// What a joint's drive adds to its force, linear in these: rotor inertia times the acceleration, viscous
+/// friction times the rate, Coulomb friction times the rate's direction, and an offset. For a joint that
+/// follows another they act at its own rate.
+enum class DriveParameter { rotor_inertia, viscous_friction, coulomb_friction, offset };
+
+inline constexpr std::array drive_parameters{DriveParameter::rotor_inertia, DriveParameter::viscous_friction,
+                                             DriveParameter::coulomb_friction, DriveParameter::offset};
+
+/// Returns the place of a parameter among those of all joints: four of each.
+inline std::size_t place_of(std::size_t joint, DriveParameter kind) {
+  return drive_parameters.size() * joint + static_cast<std::size_t>(kind);
+}
+
+/// Symbol of a joint's drive parameter: "%6".
+inline std::string drive_parameter(std::size_t place) { return "%" + std::to_string(place); }
+inline std::string drive_parameter(std::size_t joint, DriveParameter kind) {
+  return drive_parameter(place_of(joint, kind));
+}
+
+}  // namespace qvgen::derive::dynamics

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "derive/dynamics/drive_regressor.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "dag/evaluate.h"
+#include "derive/dynamics/column_relations.h"
+#include "derive/dynamics/drive_parameters.h"
+#include "model/followers.h"
+
+namespace qvgen::derive::dynamics {
+namespace {
+
+/// A column of Y with the parameter that it is multiplied by.
+struct Column {
+  std::string name;
+  std::vector<dag::Edge> entries;  ///< of the function's graph, one a row
+  dag::Edge parameter;             ///< of the parameters' graph
+};
+
+const std::map<DriveParameter, std::string>& short_names() {
+  static const std::map<DriveParameter, std::string> names{{DriveParameter::rotor_inertia, "Ia"},
+                                                           {DriveParameter::viscous_friction, "fv"},
+                                                           {DriveParameter::coulomb_friction, "fc"},
+                                                           {DriveParameter::offset, "off"}};
+  return names;
+}
+
+std::vector<Column> columns_of_links(const Regressor& links, std::size_t joints) {
+  std::vector<Column> columns;
+  for (std::size_t k = 0; k < links.names.size(); ++k) {
+    columns.push_back({links.names[k], {}, links.base_parameters.outputs[k].value});
+    for (std::size_t i = 0; i < joints; ++i)
+      columns.back().entries.push_back(links.formulation.function.outputs[k * joints + i].value);
+  }
+  return columns;
+}
+
+/// What a drive of the chain multiplies, in terms of the joint that moves it. With the ratio r it turns r
+/// times as fast, and its force counts r times.
+dag::Edge factor_of(DriveParameter kind, const cln::cl_RA& ratio, const std::string& driven, bool reversed,
+                    dag::Graph& graph) {
+  const auto times = [&](const cln::cl_RA& factor, dag::Edge value) {
+    return graph.product({graph.constant(exact::Number(factor)), value});
+  };
+  switch (kind) {
+    case DriveParameter::rotor_inertia:
+      return times(ratio * ratio, graph.symbol(acceleration_of(driven)));
+    case DriveParameter::viscous_friction:
+      return times(ratio * ratio, graph.symbol(velocity_of(driven)));
+    case DriveParameter::coulomb_friction:
+      return times(cln::abs(ratio), graph.symbol(direction_of(driven)));
+    case DriveParameter::offset:
+      break;
+  }
+  return graph.constant(exact::Number(reversed ? -ratio : ratio));
+}
+
+/// The columns of one kind of drive parameter, a chain's joint each.
+std::vector<Column> columns_of_drives(const model::Robot& robot, const std::vector<bool>& reversed,
+                                      DriveParameter kind, Regressor& regressor) {
+  dag::Graph& graph = regressor.formulation.function.graph;
+  const std::vector<model::Share> shares = model::shares(robot);
+  const std::vector<std::string> variables = model::variables(robot);
+  std::vector<Column> columns;
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    const auto& [driven, ratio] = shares[i];
+    const bool opposite = !reversed.empty() && reversed[i];
+    Column column{short_names().at(kind) + std::to_string(i + 1),
+                  std::vector<dag::Edge>(variables.size(), graph.constant(0)),
+                  regressor.base_parameters.graph.symbol(drive_parameter(i, kind))};
+    column.entries[driven] = factor_of(kind, ratio, variables[driven], opposite, graph);
+    columns.push_back(std::move(column));
+  }
+  return columns;
+}
+
+/// The order in which columns are kept: with offsets first no coefficient divides by gravity.
+std::vector<std::size_t> order_of(std::size_t links, std::size_t drives_of_kind) {
+  std::vector<std::size_t> order;
+  const std::size_t offsets = links + 3 * drives_of_kind;
+  for (std::size_t i = 0; i < drives_of_kind; ++i) order.push_back(offsets + i);
+  for (std::size_t i = 0; i < offsets; ++i) order.push_back(i);
+  return order;
+}
+
+dag::Function function_of(const dag::Graph& graph, const std::vector<Column>& columns) {
+  dag::Function function{graph, {}};
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    for (std::size_t i = 0; i < columns[k].entries.size(); ++i)
+      function.outputs.push_back(
+          {"y" + std::to_string(i + 1) + "_" + std::to_string(k + 1), columns[k].entries[i]});
+  return function;
+}
+
+dag::Edge value_of(const Coefficient& coefficient, dag::Graph& graph) {
+  const dag::Edge factor = graph.constant(exact::Number(coefficient.factor));
+  return coefficient.of_gravity ? graph.product({factor, graph.symbol(gravity_symbol)}) : factor;
+}
+
+/// Adds the parameter of a column that depends on others to theirs, and says so.
+void join(const Column& column, const Relation& relation, std::vector<Column>& all, dag::Graph& parameters,
+          std::vector<std::string>& left_out) {
+  std::string others;
+  for (const auto& [index, coefficient] : relation) {
+    Column& other = all[index];
+    const dag::Edge part = parameters.product({value_of(coefficient, parameters), column.parameter});
+    other.parameter = parameters.sum({other.parameter, part});
+    others += (others.empty() ? "" : ", ") + other.name;
+  }
+  left_out.push_back(column.name + " has no column of its own: it is part of " + others);
+}
+
+}  // namespace
+
+DriveRegressor regressor_with_drives(const model::Robot& robot, const std::vector<bool>& reversed) {
+  DriveRegressor result{regressor(robot), {}};
+  Regressor& regressor = result.regressor;
+  const std::size_t rows = model::driven_count(robot);
+  std::vector<Column> columns = columns_of_links(regressor, rows);
+  const std::size_t links = columns.size();
+  for (const DriveParameter kind : drive_parameters)
+    for (Column& column : columns_of_drives(robot, reversed, kind, regressor))
+      columns.push_back(std::move(column));
+
+  const dag::Function function = function_of(regressor.formulation.function.graph, columns);
+  const auto relations = relations_of_columns(robot, {function, regressor.formulation.constants}, rows,
+                                              order_of(links, robot.joints.size()));
+  std::vector<Column> kept;
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    if (relations[k])
+      join(columns[k], *relations[k], columns, regressor.base_parameters.graph, result.left_out);
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    if (!relations[k]) kept.push_back(columns[k]);
+
+  regressor.formulation.function = function_of(function.graph, kept);
+  regressor.base_parameters.outputs.clear();
+  regressor.names.clear();
+  for (const Column& column : kept) {
+    regressor.names.push_back(column.name);
+    regressor.base_parameters.outputs.push_back(
+        {"b" + std::to_string(regressor.names.size()), column.parameter});
+  }
+  return result;
+}
+
+}  // namespace qvgen::derive::dynamics
