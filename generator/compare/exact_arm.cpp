@@ -196,7 +196,7 @@ class TableBuilder {
     ExactFrame* behind = &table.base;
     table.rows.reserve(joints.size());
     for (std::size_t i = 0; i < joints.size(); ++i) {
-      Row row;
+      TableRow row;
       row.revolute = joints[i].type == model::JointType::revolute;
       row.variable = joints[i].variable;
       begin(row, *behind);
@@ -215,7 +215,7 @@ class TableBuilder {
   }
 
   /// Takes from what is left behind the row before what lies along this row's axis.
-  void begin(Row& row, ExactFrame& left) const {
+  void begin(TableRow& row, ExactFrame& left) const {
     if (!left.turns.empty() && left.turns.back().axis == 2) {
       row.theta = left.turns.back().angle;
       left.turns.pop_back();
@@ -225,7 +225,7 @@ class TableBuilder {
     left.offset[2] = {};
   }
 
-  void finish(Row& row, std::size_t i) const {
+  void finish(TableRow& row, std::size_t i) const {
     const model::Joint& here = robot_.joints[i];
     const bool last = i + 1 == robot_.joints.size();
     const RotationSequence back = inverse(derive::dynamics::from_z_to(here.axis));

@@ -58,7 +58,7 @@ struct ParallelArm {
 ParallelArm parallel_arm(const model::Robot& robot, dag::Graph& graph);
 
 /// A row of a Denavit-Hartenberg table, Rz(theta) Tz(d) Tx(a) Rx(alpha), the variable added to theta or d.
-struct Row {
+struct TableRow {
   bool revolute = true;
   std::string variable;
   dag::Angle theta, alpha;
@@ -69,7 +69,7 @@ struct Row {
 };
 struct Table {
   ExactFrame base;
-  std::vector<Row> rows;
+  std::vector<TableRow> rows;
 };
 Table denavit_hartenberg(const model::Robot& robot, dag::Graph& graph);
 

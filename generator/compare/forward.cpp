@@ -123,7 +123,7 @@ struct RowMotion {
 };
 
 /// The row's cosines and sines: of the variable, or of a slide's constant angle.
-RowMotion row_motion(const Row& row, Recorder& recorder) {
+RowMotion row_motion(const TableRow& row, Recorder& recorder) {
   dag::Graph& graph = recorder.graph();
   const auto constant = [&](const dag::Angle& angle) {
     const auto c = derive::dynamics::circle(angle, graph);
@@ -136,7 +136,7 @@ RowMotion row_motion(const Row& row, Recorder& recorder) {
   return {{{{c, -(s * ca), s * sa}, {s, c * ca, -(c * sa)}, {none, sa, ca}}}, a * c, a * s};
 }
 
-Value shift(const Row& row, Recorder& recorder) {
+Value shift(const TableRow& row, Recorder& recorder) {
   const Value d = recorder.stored(row.d);
   return row.revolute ? d : d + recorder.argument(row.variable);
 }
@@ -146,7 +146,7 @@ Results denavit_hartenberg_matrices(Recorder& recorder, const model::Robot& robo
   const Table table = denavit_hartenberg(robot, recorder.graph());
   Chain<Transform> chain;
   if (!table.base.is_identity()) chain.append(stored(table.base, recorder));
-  for (const Row& row : table.rows) {
+  for (const TableRow& row : table.rows) {
     const RowMotion motion = row_motion(row, recorder);
     chain.append({motion.r, {motion.x, motion.y, shift(row, recorder)}});
     if (!row.rest.is_identity()) chain.append(stored(row.rest, recorder));
@@ -160,14 +160,14 @@ Results denavit_hartenberg_matrices(Recorder& recorder, const model::Robot& robo
 Results pieper_roth(Recorder& recorder, const model::Robot& robot) {
   const Table table = denavit_hartenberg(robot, recorder.graph());
   Chain<Transform> chain;
-  const auto along = [&](const Row& row) {
+  const auto along = [&](const TableRow& row) {
     if (!row.revolute || !row.d.is_zero())
       chain.append({identity(recorder), {recorder.entry(0), recorder.entry(0), shift(row, recorder)}});
   };
   if (!table.base.is_identity()) chain.append(stored(table.base, recorder));
   along(table.rows.front());
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    const Row& row = table.rows[i];
+    const TableRow& row = table.rows[i];
     const RowMotion motion = row_motion(row, recorder);
     const bool last = i + 1 == table.rows.size();
     const Vector x{motion.x, motion.y, recorder.entry(0)};
