@@ -171,6 +171,13 @@ void add_show(CommandLine& line) {
   command.add_flag("--inverse", line.show.inverse, "the derivation of inverse kinematics");
   command.add_flag("--class", line.show.structure,
                    "the class of the arm by its first three joints: two letters, workspace");
+  command
+      .add_option("--dh", line.show.dh,
+                  "a description with the table of Denavit and Hartenberg, standard or modified (Craig)")
+      ->expected(0, 1)
+      ->default_str("standard")
+      ->type_name("CONVENTION")
+      ->check(CLI::IsMember({"standard", "modified"}));
   command.add_flag("--workspace", line.show.workspace,
                    "the workspace of three joints or of a wrist centre: boundary curves, reach, volume");
   command.add_flag("--functions", line.functions,
