@@ -2,6 +2,7 @@
 #include "description/write.h"
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 
 #include <cln/integer.h>
@@ -152,13 +153,31 @@ std::string write_text(const model::Robot& robot) {
 
 namespace {
 
-/// The default values of the constants that have one.
-std::string defaults_text(const model::Robot& robot) {
-  std::string values;
-  for (const model::Parameter& parameter : robot.geometry)
+std::set<std::string> symbols_of(const model::DhTable& dh) {
+  std::set<std::string> names;
+  const auto add = [&](const Expression& e) {
+    for (const std::string& name : model::symbols(e)) names.insert(name);
+  };
+  for (const model::Displacement* frame : {&dh.base, &dh.tool})
+    for (const Expression& e : frame->translation) add(e);
+  for (const model::DhRow& row : dh.rows)
+    for (const Expression* e : {&row.theta, &row.d, &row.a, &row.alpha}) add(*e);
+  return names;
+}
+
+/// The constants of a table, those that have a default value with it.
+std::string constants_text(const model::Robot& robot, const model::DhTable& dh) {
+  const std::set<std::string> used = symbols_of(dh);
+  std::string values, names;
+  for (const model::Parameter& parameter : robot.geometry) {
+    if (used.count(parameter.name) == 0) continue;
     if (parameter.default_value)
       values += (values.empty() ? "" : ", ") + parameter.name + " = " + text(*parameter.default_value);
-  return values.empty() ? "" : "defaults = { " + values + " }\n";
+    else
+      names += (names.empty() ? "" : ", ") + quoted(parameter.name);
+  }
+  return (values.empty() ? "" : "defaults = { " + values + " }\n") +
+         (names.empty() ? "" : "symbols = [" + names + "]\n");
 }
 
 /// An entry of a row that may move: the variable, then a constant.
@@ -194,7 +213,7 @@ std::string write_dh_text(const model::Robot& robot, const model::DhTable& dh) {
       "Inertias are left out: they belong to other link frames.\n";
   result += "name = " + quoted(robot.name) + "\ntitle = " + quoted(robot.title) + "\n";
   if (!robot.source.empty()) result += "source = " + quoted(robot.source) + "\n";
-  result += defaults_text(robot) + "convention = " + (standard ? "\"standard\"\n" : "\"modified\"\n");
+  result += constants_text(robot, dh) + "convention = " + (standard ? "\"standard\"\n" : "\"modified\"\n");
   result += table("base", dh.base) + table("tool", dh.tool);
   for (const model::DhRow& row : dh.rows) result += row_text(robot, row);
   return result;
