@@ -98,10 +98,12 @@ void add_generate(CommandLine& line) {
       ->type_name("ROBOT");
   add_output(line, command, "folder to write to: files of it that qvgen has not written are never touched");
   command
-      .add_option("--only", generate.parts,
-                  "parts to generate: kinematics,jacobian,...; all without, but batch, forms of the other "
-                  "parts named for many at once, c_inverse, a C header for inverse kinematics by "
-                  "elimination, certified, solutions with a proof, and moveit_plugin, a ROS 2 package")
+      .add_option(
+          "--only", generate.parts,
+          "parts to generate, of model, kinematics, inverse, arm_angle, jacobian, from_ideal, dynamics "
+          "and four more; all without, but batch, forms of the other "
+          "parts named for many at once, c_inverse, a C header for inverse kinematics by "
+          "elimination, certified, solutions with a proof, and moveit_plugin, a ROS 2 package")
       ->type_name("PARTS")
       ->allow_extra_args(false)
       ->delimiter(',');

@@ -126,7 +126,7 @@ TEST_F(Ability, WhatIsNotServedIsRefused) {
   };
   refused(arm(five_joints, "task = \"position\"\n"),
           "the task position is none for this arm: it may be asked for position_and_direction");
-  refused(arm(five_joints, "given = \"q5\"\n"), "here, 5 joints leave none over");
+  refused(arm(five_joints, "given = \"q5\"\n"), "here, 5 joints are all needed: none is left over");
   refused(arm(std::string(seven_joints) + "; Ry 0 0 0.1"), "8 joints: a pose in space fixes six");
 }
 

@@ -157,7 +157,7 @@ Derivation derive(const Robot& robot) {
             {},
             {"a joint's value may be given for seven joints, four that are asked for a position, or "
              "three that turn in a plane; here, " +
-             std::to_string(robot.joints.size()) + " joints leave none over"}};
+             std::to_string(robot.joints.size()) + " joints are all needed: none is left over"}};
   const auto asked = robot.inverse.task;
   std::vector<Offer> wanted;
   std::string tasks;
