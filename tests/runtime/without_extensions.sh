@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# without_extensions.sh COMPILER EIGEN FOLDER WORK: every header of the runtime, and of the robots in FOLDER, as a compiler
-# reads it that knows no extension of GCC. A stand-in for cl.exe: the standard library and Eigen are included first; then
+# without_extensions.sh COMPILER EIGEN FOLDER WORK: compiles every header of the runtime and of the robots in FOLDER, and the
+# sources of two robots, as by a compiler that knows no extension of GCC. A stand-in for cl.exe: the standard library and Eigen are included first; then
 # __GNUC__ and __clang__ are undefined, and every keyword and built-in that only GCC and clang have is an error. Attributes
 # such as [[gnu::always_inline]] are left: C++17 wants unknown ones ignored.
 set -euo pipefail
@@ -24,6 +24,9 @@ __builtin_ctz __builtin_popcount __int128 __float128 __extension__ __typeof__ ty
   for folder in "$source/runtime/include" "$generated/include"; do
     (cd "$folder" && find qvgen -name '*.h' ! -name '*_avx2.h' ! -path '*/batch/*' ! -name batch.h ! -path '*/map/*' |
       sort | sed 's/.*/#include <&>/')
+  done
+  for robot in ur5 iiwa14; do
+    find "$generated/source/$robot" -name "*.cpp" ! -name "*_avx2.cpp" | sort | sed "s/.*/#include \"&\"/"
   done
 } > "$file"
 # The head includes no vector header of the processor, whose built-ins the words above are.
