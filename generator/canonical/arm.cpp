@@ -5,6 +5,7 @@
 
 #include <cln/integer.h>
 
+#include "canonical/passages.h"
 #include "canonical/placement.h"
 #include "exact/named_constant.h"
 #include "model/arithmetic.h"
@@ -17,32 +18,6 @@ using cln::cl_R;
 using model::Expression;
 
 cl_R pi() { return cln::pi(cln::float_format(model::evaluation_digits)); }
-
-bool has_symbols(const model::Displacement& displacement) {
-  return std::any_of(displacement.turns.begin(), displacement.turns.end(),
-                     [](const model::Turn& turn) { return !model::symbols(turn.angle).empty(); });
-}
-
-bool has_symbolic_turns(const model::Robot& robot) {
-  return has_symbols(robot.base) || has_symbols(robot.tool) ||
-         std::any_of(robot.joints.begin(), robot.joints.end(), [](const model::Joint& joint) {
-           return has_symbols(joint.before) || has_symbols(joint.after);
-         });
-}
-
-/// The constant ways of a chain whose joint axes are all z: world to the first joint, joint to joint, last
-/// joint to the tool.
-std::vector<Placement> passages(const model::Robot& robot, Definitions& definitions) {
-  std::vector<Placement> result;
-  Placement way = to_placement(robot.base, definitions);
-  for (const model::Joint& joint : robot.joints) {
-    const Rotation axis = from_z_to(joint.axis);
-    result.push_back(way * to_placement(joint.before, definitions) * Placement{axis, {}});
-    way = Placement{transpose(axis), {}} * to_placement(joint.after, definitions);
-  }
-  result.push_back(way * to_placement(robot.tool, definitions));
-  return result;
-}
 
 bool is_rational(const Expression& e) {
   return model::symbols(e).empty() && model::rational_value(model::evaluate(e)).has_value();
@@ -67,24 +42,6 @@ bool is_plain(const model::Robot& robot) {
          std::all_of(robot.joints.begin(), robot.joints.end(), [](const model::Joint& joint) {
            return is_plain(joint.before) && is_rational(joint.axis) && is_plain(joint.after);
          });
-}
-
-/// The direction across z of a length vector if it is a known one: (x, y) of its coefficients.
-std::optional<cl_R> heading(const LengthVector& v) {
-  const Length& x = v[0];
-  const Length& y = v[1];
-  if (x.empty() && y.empty()) return std::nullopt;
-  const auto angle = [](const cl_R& c, const cl_R& s) {
-    const cln::float_format_t format = cln::float_format(model::evaluation_digits);
-    return wrapped(cln::atan(cln::cl_float(c, format), cln::cl_float(s, format)));
-  };
-  if (y.empty()) return cl_R(0);
-  if (x.empty()) return angle(0, 1);
-  // The same polynomial but for a factor.
-  const cl_R ratio = y.begin()->second / x.begin()->second;
-  const Length rest = y + cl_R(-1) * (ratio * x);
-  if (!rest.empty()) return std::nullopt;
-  return angle(1, ratio);
 }
 
 model::Vector3 to_vector(const LengthVector& v) {

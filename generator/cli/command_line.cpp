@@ -116,13 +116,14 @@ void add_generate(CommandLine& line) {
       ->type_name("ROBOT");
   add_output(line, command, "folder to write to: files of it that qvgen has not written are never touched");
   command
-      .add_option("--only", generate.parts,
-                  "parts to generate: kinematics,jacobian,...; all without, but batch, forms of the other "
-                  "parts named for many at once, frames, poses and Jacobians of links and named frames, "
-                  "mass, the centre of mass, regressor_with_drives, for identification with drives, "
-                  "nearest_pose, the nearest pose in reach, given_joint, seven joints within limits, "
-                  "c_inverse, a C header for inverse kinematics by elimination, certified, solutions with a "
-                  "proof, and moveit_plugin, a ROS 2 package")
+      .add_option(
+          "--only", generate.parts,
+          "parts to generate: model, kinematics, inverse, arm_angle, jacobian, from_ideal, dynamics; "
+          "all of these without. Others are made if they are named: batch, forms of the other parts "
+          "named for many at once; frames, poses and Jacobians of links and named frames; mass, the "
+          "centre of mass; regressor_with_drives, for identification; nearest_pose, the nearest pose in "
+          "reach; given_joint, seven joints within limits; certified, solutions with a proof; c_inverse, a "
+          "C header for inverse kinematics by elimination; moveit_plugin, a ROS 2 package")
       ->type_name("PARTS")
       ->allow_extra_args(false)
       ->delimiter(',');
@@ -192,6 +193,13 @@ void add_show(CommandLine& line) {
   command.add_flag("--inverse", line.show.inverse, "the derivation of inverse kinematics");
   command.add_flag("--class", line.show.structure,
                    "the class of the arm by its first three joints: two letters, workspace");
+  command
+      .add_option("--dh", line.show.dh,
+                  "a description with the table of Denavit and Hartenberg, standard or modified (Craig)")
+      ->expected(0, 1)
+      ->default_str("standard")
+      ->type_name("CONVENTION")
+      ->check(CLI::IsMember({"standard", "modified"}));
   command.add_flag("--workspace", line.show.workspace,
                    "the workspace of three joints or of a wrist centre: boundary curves, reach, volume");
   command.add_flag("--functions", line.functions,

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "canonical/dh_table.h"
 #include "cli/suggestion.h"
 #include "description/reader.h"
 #include "description/write.h"
@@ -108,6 +109,18 @@ int show_class(const model::Robot& robot) {
   return failure;
 }
 
+int show_dh(const model::Robot& robot, const std::string& convention) {
+  const auto table = canonical::dh_table(
+      robot, convention == "modified" ? model::DhConvention::modified : model::DhConvention::standard);
+  if (table) {
+    fmt::print("{}", description::write_dh_text(robot, *table));
+    return success;
+  }
+  fmt::print(stderr, "qvgen: {} has no table of Denavit and Hartenberg: {}\n", robot.name,
+             robot.joints.empty() ? "no joints" : "the angle of a constant rotation is a symbol");
+  return failure;
+}
+
 int show_workspace(const model::Robot& robot, emit::Notation notation) {
   const auto lines = report::workspace_lines(robot, notation);
   for (const std::string& line : lines) fmt::print("{}\n", line);
@@ -155,6 +168,7 @@ int show(const model::Robot& whole, const ShowArguments& arguments) {
                                 arguments.exact ? emit::Numbers::exact : emit::Numbers::decimal};
   if (arguments.dynamics) return show_dynamics(robot, arguments.masses, notation);
   if (arguments.structure) return show_class(robot);
+  if (!arguments.dh.empty()) return show_dh(robot, arguments.dh);
   if (arguments.singularities) {
     for (const std::string& line : emit::singularity_lines(robot, notation)) fmt::print("{}\n", line);
     return success;

@@ -55,6 +55,7 @@ struct ShowArguments {
   bool transform = false;  ///< the homogeneous matrices instead
   bool jacobian = false;   ///< the Jacobian by three methods instead
   bool workspace = false;  ///< the section of the workspace instead
+  std::string dh;          ///< "standard" or "modified": the table of Denavit and Hartenberg instead
   bool structure = false;  ///< the class of the arm instead
   bool inverse = false;    ///< the derivation of inverse kinematics instead of the closed form of the pose
 };

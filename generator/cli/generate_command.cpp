@@ -137,6 +137,18 @@ void say_missing_ideals(const GenerateArguments& arguments, const std::vector<Ta
                  robot.ideal, arguments.output.string(), robot.ideal);
 }
 
+/// Whoever asks for the inverse kinematics of a calibrated arm may expect its form from the ideal arm with
+/// it.
+void say_left_out_ideals(const GenerateArguments& arguments, const std::vector<Task>& tasks) {
+  const auto named = [&](const char* part) {
+    return std::find(arguments.parts.begin(), arguments.parts.end(), part) != arguments.parts.end();
+  };
+  if (arguments.language == Language::c || !named("inverse") || named("from_ideal")) return;
+  for (const Task& task : tasks)
+    if (!task.robot.ideal.empty())
+      fmt::print(stderr, "{}: from_ideal.h is left out, since --only does not name from_ideal\n", task.name);
+}
+
 }  // namespace
 
 int run_generate(const GenerateArguments& arguments) {
@@ -154,6 +166,7 @@ int run_generate(const GenerateArguments& arguments) {
   std::fflush(stdout);
   const bool good = report_missing(counts, arguments.required);
   say_missing_ideals(arguments, tasks);
+  say_left_out_ideals(arguments, tasks);
   if (arguments.build.quiet && good) return success;
   fmt::print(stderr, "{} {} in {}: {} generated, {} files changed, {} removed\n", tasks.size(),
              tasks.size() == 1 ? "robot" : "robots", arguments.output.string(), update.robots.size(),

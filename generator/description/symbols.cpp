@@ -119,10 +119,13 @@ void check_uses(Context& context, const std::optional<std::vector<Declared>>& de
     const std::string quoted = "'" + use.name + "'";
     if (context.diagnostics.size() > max_diagnostics) return;
     if (const auto joint = joints.find(use.name); joint != joints.end()) {
-      context.error(
-          use.place,
-          quoted + " is the variable of joint " + std::to_string(joint->second) + ", not a constant",
-          "rename the variable or the symbol");
+      const std::string variable = quoted + " is the variable of joint " + std::to_string(joint->second);
+      if (use.automatic)
+        context.error(use.place,
+                      variable + ", and the name that free inertias and drives give a constant here",
+                      "rename the variable, e.g. 'q" + std::to_string(joint->second) + "'");
+      else
+        context.error(use.place, variable + ", not a constant", "rename the variable or the symbol");
     } else if (use.role == Role::constant) {
       context.error(use.place, "undefined symbol " + quoted, "only a constant can stand here");
     } else if (use.automatic) {

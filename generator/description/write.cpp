@@ -2,6 +2,7 @@
 #include "description/write.h"
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 
 #include <cln/integer.h>
@@ -158,6 +159,74 @@ std::string write_text(const model::Robot& robot) {
   result += table("base", robot.base) + table("tool", robot.tool);
   for (const model::Joint& joint : robot.joints) result += joint_text(robot, joint);
   for (const model::Frame& frame : robot.frames) result += named_frame_text(robot, frame);
+  return result;
+}
+
+namespace {
+
+std::set<std::string> symbols_of(const model::DhTable& dh) {
+  std::set<std::string> names;
+  const auto add = [&](const Expression& e) {
+    for (const std::string& name : model::symbols(e)) names.insert(name);
+  };
+  for (const model::Displacement* frame : {&dh.base, &dh.tool})
+    for (const Expression& e : frame->translation) add(e);
+  for (const model::DhRow& row : dh.rows)
+    for (const Expression* e : {&row.theta, &row.d, &row.a, &row.alpha}) add(*e);
+  return names;
+}
+
+/// The constants of a table, those that have a default value with it.
+std::string constants_text(const model::Robot& robot, const model::DhTable& dh) {
+  const std::set<std::string> used = symbols_of(dh);
+  std::string values, names;
+  for (const model::Parameter& parameter : robot.geometry) {
+    if (used.count(parameter.name) == 0) continue;
+    if (parameter.default_value)
+      values += (values.empty() ? "" : ", ") + parameter.name + " = " + text(*parameter.default_value);
+    else
+      names += (names.empty() ? "" : ", ") + quoted(parameter.name);
+  }
+  return (values.empty() ? "" : "defaults = { " + values + " }\n") +
+         (names.empty() ? "" : "symbols = [" + names + "]\n");
+}
+
+/// An entry of a row that may move: the variable, then a constant.
+std::string moving_text(const std::string& key, const std::string& variable, const Expression& offset) {
+  const Expression sum = model::add(Expression::symbol(variable), offset);
+  return key + " = " + quoted(to_string(sum)) + "\n";
+}
+
+std::string angle_entry(const std::string& key, const Expression& angle) {
+  return angle.is_literal_zero() ? "" : key + " = " + angle_text(angle) + "\n";
+}
+
+std::string row_text(const model::Robot& robot, const model::DhRow& row) {
+  std::string result = "\n[[dh]]\n";
+  const model::Joint* joint = row.joint ? &robot.joints[*row.joint] : nullptr;
+  const bool turns = joint != nullptr && joint->type == model::JointType::revolute;
+  const bool slides = joint != nullptr && !turns;
+  if (joint != nullptr) result += "variable = " + quoted(joint->variable) + "\n";
+  result += turns ? moving_text("theta", joint->variable, row.theta) : angle_entry("theta", row.theta);
+  result += slides ? moving_text("d", joint->variable, row.d) : entry("d", row.d);
+  result += entry("a", row.a) + angle_entry("alpha", row.alpha);
+  return joint == nullptr ? result : result + follows_text(robot, *joint) + limits_text(*joint);
+}
+
+}  // namespace
+
+std::string write_dh_text(const model::Robot& robot, const model::DhTable& dh) {
+  const bool standard = dh.convention == model::DhConvention::standard;
+  std::string result =
+      standard ? "# A row is Rz(theta) Tz(d) Tx(a) Rx(alpha)" : "# A row is Rx(alpha) Tx(a) Rz(theta) Tz(d)";
+  result +=
+      "; tool pose = base * rows * tool. Lengths in metres, angles in radians\n# unless they say deg. "
+      "Inertias are left out: they belong to other link frames.\n";
+  result += "name = " + quoted(robot.name) + "\ntitle = " + quoted(robot.title) + "\n";
+  if (!robot.source.empty()) result += "source = " + quoted(robot.source) + "\n";
+  result += constants_text(robot, dh) + "convention = " + (standard ? "\"standard\"\n" : "\"modified\"\n");
+  result += table("base", dh.base) + table("tool", dh.tool);
+  for (const model::DhRow& row : dh.rows) result += row_text(robot, row);
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "model/dh_table.h"
 #include "model/robot.h"
 
 namespace qvgen::description {
@@ -11,6 +12,10 @@ namespace qvgen::description {
 /// The robot as a TOML description with [[joint]] tables; reading it gives the same model again. Joints whose
 /// link frame is turned behind the motion cannot be written so: std::invalid_argument.
 std::string write_text(const model::Robot& robot);
+
+/// The robot as a TOML description with a table of Denavit and Hartenberg, without its inertias, which stand in
+/// other link frames. Reading it gives the same forward kinematics.
+std::string write_dh_text(const model::Robot& robot, const model::DhTable& table);
 
 /// A description to be edited, of joints by their letters (R, P; "RRP"), with an Euler wrist behind them or
 /// none, each a link longer than the one before. Nothing if a letter is neither.

@@ -8,11 +8,35 @@ typedef struct Pose {
   double position[3];
 } Pose;
 
-static Pose pose_from(const double* orientation, const double* position) {
-  Pose pose;
-  memcpy(pose.orientation.of, orientation, sizeof pose.orientation.of);
-  memcpy(pose.position, position, sizeof pose.position);
-  return pose;
+/// How far |q|^2 of a valid pose may be from 1.
+static const double unit_tolerance = 1e-6;
+
+/// Half a unit of the last digit of numbers with 3 to 6 digits behind the point, numbers that went through float
+/// included; else 0.
+static double half_last_digit(const double* numbers, int count) {
+  static const double units[7] = {1, 10, 100, 1000, 10000, 100000, 1000000};
+  for (int n = 0; n < 7; ++n) {
+    bool are_whole = true;
+    for (int i = 0; i < count; ++i) {
+      const double scaled = numbers[i] * units[n];
+      are_whole = are_whole && fabs(scaled - round(scaled)) <= 5.9604644775390625e-8 * fabs(scaled);
+    }
+    if (are_whole) return n < 3 ? 0 : 0.5 / units[n];
+  }
+  return 0;
+}
+
+/// True if numbers have not the length one, and rounding to their digits explains it.
+static bool is_unit_by_digits(const double* numbers, int count) {
+  double square = 0, sum = 0;
+  for (int i = 0; i < count; ++i) {
+    square += numbers[i] * numbers[i];
+    sum += fabs(numbers[i]);
+  }
+  const double excess = fabs(square - 1);
+  if (excess <= unit_tolerance || !(sum < HUGE_VAL)) return false;
+  const double off = half_last_digit(numbers, count);
+  return off > 0 && excess <= 2 * off * sum + count * off * off;
 }
 
 static const double no_place[3] = {0, 0, 0};
@@ -42,6 +66,15 @@ static Quaternion unit_quaternion(Quaternion q) {
   const double length = quaternion_length(q);
   for (int i = 0; i < 4; ++i) q.of[i] /= length;
   return q;
+}
+
+/// The pose of w, x, y, z and a position; a quaternion with few digits is brought to length one.
+static Pose pose_from(const double* orientation, const double* position) {
+  Pose pose;
+  memcpy(pose.orientation.of, orientation, sizeof pose.orientation.of);
+  if (is_unit_by_digits(orientation, 4)) pose.orientation = unit_quaternion(pose.orientation);
+  memcpy(pose.position, position, sizeof pose.position);
+  return pose;
 }
 
 static void turn_vector(Quaternion q, const double* v, double* result) {
@@ -81,9 +114,6 @@ static Pose with_unit_quaternion(const Pose* pose) {
   result.orientation = unit_quaternion(pose->orientation);
   return result;
 }
-
-/// How far |q|^2 of a valid pose may be from 1.
-static const double unit_tolerance = 1e-6;
 
 /// How far the square of a pose's quaternion is from 1.
 static inline double unit_excess(const Pose* pose) {
@@ -160,10 +190,15 @@ static Quaternion shortest_turn(const double* from, const double* to) {
 /// The pose with a given direction of a tool's axis that turns a tool at `at` least.
 static Pose directed_pose(const double* position, const double* direction, const double* tool_axis,
                           Quaternion at) {
-  double now[3];
+  double now[3], meant[3];
+  memcpy(meant, direction, sizeof meant);
+  if (is_unit_by_digits(direction, 3)) {
+    const double length = sqrt(projection(direction, direction));
+    for (int k = 0; k < 3; ++k) meant[k] /= length;
+  }
   turn_vector(at, tool_axis, now);
   Pose pose;
-  pose.orientation = turn_after(shortest_turn(now, direction), at);
+  pose.orientation = turn_after(shortest_turn(now, meant), at);
   memcpy(pose.position, position, sizeof pose.position);
   return pose;
 }

@@ -157,6 +157,35 @@ TEST_F(CommandLine, SaysWhichIdealArmIsMissing) {
   EXPECT_EQ(both.output.find("ideal arm"), std::string::npos) << both.output;
 }
 
+TEST_F(CommandLine, SaysThatTheFormFromTheIdealArmIsLeftOut) {
+  const std::string measured =
+      "generate " QVGEN_SOURCE_DIR "/tests/inverse/ur5_measured.toml --output " + out();
+  const ToolRun without = run(measured + " --only inverse");
+  EXPECT_EQ(without.code, 0);
+  EXPECT_TRUE(has(without, "ur5_measured: from_ideal.h is left out, since --only does not name from_ideal"))
+      << without.output;
+  EXPECT_FALSE(has(run(measured + " --only inverse,from_ideal"), "is left out"));
+}
+
+TEST_F(CommandLine, HelpNamesTheParts) {
+  const ToolRun help = run("generate --help");
+  for (const char* part : {"model", "kinematics", "inverse", "arm_angle", "jacobian", "from_ideal",
+                           "dynamics", "batch", "c_inverse", "certified", "moveit_plugin"})
+    EXPECT_TRUE(has(help, part)) << part;
+}
+
+TEST_F(CommandLine, ShowsATableOfDenavitAndHartenberg) {
+  const ToolRun standard = run("show ur5 --dh");
+  EXPECT_EQ(standard.code, 0);
+  EXPECT_TRUE(has(standard, "convention = \"standard\"\n")) << standard.output;
+  EXPECT_TRUE(has(standard, "theta = \"theta4\"\nd = 0.10915\nalpha = \"90 deg\"\n")) << standard.output;
+  EXPECT_TRUE(has(run("show puma560 --dh modified"), "d = 0.4318\na = 0.0203\nalpha = \"-90 deg\"\n"));
+  EXPECT_EQ(run("show ur5 --dh craig").code, 2);
+  const ToolRun none = run("show general_6r --dh");
+  EXPECT_EQ(none.code, 1);
+  EXPECT_TRUE(has(none, "general_6r has no table of Denavit and Hartenberg")) << none.output;
+}
+
 TEST_F(CommandLine, GeneratesOnlyThePartsAskedFor) {
   const std::string file = write("my_arm.toml", good_arm);
   // The file may stand on either side of the parts.

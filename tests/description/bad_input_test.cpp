@@ -161,6 +161,15 @@ TEST(BadInput, Variables) {
                    "symbol"}));
 }
 
+TEST(BadInput, AVariableWithTheNameOfAFreeMass) {
+  EXPECT_EQ(
+      report(
+          "name = \"a\"\ntitle = \"t\"\ninertia = \"free\"\n[[joint]]\ntype = \"revolute\"\naxis = \"+z\"\n"
+          "variable = \"m1\"\nlink = [1, 0, 0]\n"),
+      lines({"4:1: error: 'm1' is the variable of joint 1, and the name that free inertias and drives give a "
+             "constant here; rename the variable, e.g. 'q1'"}));
+}
+
 TEST(BadInput, Symbols) {
   EXPECT_EQ(report(head + joint + "link = [\"d2\", \"d2 + h11\", 0]\n[defaults]\nd2 = 1\nh1 = 2\n"),
             lines({"7:21: error: undefined symbol 'h11'; did you mean 'h1'?",

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Compiled inverse kinematics of every robot on sets of poses, against an independent chain of homogeneous
 // matrices.
+#include <qvgen/orientation/decimals.h>
+
 #include "check.h"
 
 namespace qvgen::test {
@@ -108,6 +110,46 @@ TEST_P(Inverse, ReflectionsAndScaledMatricesAreInvalid) {
   reflection.col(0) *= -1;
   for (const Eigen::Matrix3d& bad : {reflection, Eigen::Matrix3d(2 * target.linear())})
     EXPECT_EQ(GetParam().solve_matrix(bad, target.translation(), test().given(q)).status, Status::invalid);
+}
+
+void expect_same(const Case& test, const Found& found, const Found& expected) {
+  EXPECT_NE(found.status, Status::invalid);
+  EXPECT_EQ(found.status, expected.status);
+  ASSERT_EQ(found.rows.size(), expected.rows.size());
+  for (std::size_t k = 0; k < found.rows.size(); ++k)
+    EXPECT_LT(test.distance(found.rows[k].q, expected.rows[k].q), 1e-9);
+}
+
+TEST_P(Inverse, FewDigitsAreThePoseThatTheyMean) {
+  const InverseFunctions& call = GetParam().functions;
+  int count = 0;
+  for (int i = 0; i < 60 && !HasFailure(); ++i) {
+    const Eigen::VectorXd q = test().joints(), seed = test().joints();
+    const double given = test().given(q), unit = i % 2 == 0 ? 1e4 : 1e5;
+    Pose<double> pose = Pose<double>::from_isometry(test().tool(q));
+    for (double& x : pose.orientation.coeffs()) x = std::round(x * unit) / unit;
+    const Pose<double> meant = pose.normalised();
+    count += is_valid(pose) ? 0 : 1;
+    const double tolerance = inverse::default_tolerance;
+    expect_same(test(), GetParam().solve(pose, given, tolerance), GetParam().solve(meant, given, tolerance));
+    expect_same(test(), GetParam().solve_from(pose, given, seed), GetParam().solve_from(meant, given, seed));
+    if (call.solve_near)
+      expect_same(test(), GetParam().solve_near(pose, given, seed),
+                  GetParam().solve_near(meant, given, seed));
+    if (call.solve_pose)
+      expect_same(test(), call.solve_pose(pose, tolerance), call.solve_pose(meant, tolerance));
+    if (call.solve_pose_from)
+      expect_same(test(), call.solve_pose_from(pose, seed), call.solve_pose_from(meant, seed));
+    if (!call.solve_matrix) continue;
+    const Eigen::Matrix3d exact = meant.rotation_matrix();
+    const Eigen::Matrix3d rounded = (exact * unit).array().round() / unit;
+    const auto read = read_orientation(rounded);
+    ASSERT_EQ(read.defect, OrientationDefect::none);
+    expect_same(test(), GetParam().solve_matrix(rounded, meant.position, given),
+                GetParam().solve({read.orientation, meant.position}, given, tolerance));
+  }
+  // Some of those with five digits are unit by chance, and so are turns about one axis at right angles.
+  EXPECT_GT(count, 20);
 }
 
 TEST_P(Inverse, OppositeQuaternionAndMatrixGiveTheSame) {

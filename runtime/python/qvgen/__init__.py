@@ -9,10 +9,11 @@ else is float64. SI units, radians; quaternions are w, x, y, z; twists linear fi
 import enum
 import typing
 
-from . import robots
+from . import orientation, robots
 from ._build import BuildError, build_module, cache_folder, generate
 
-__all__ = ["BuildError", "NearSolution", "NearestRows", "Solutions", "Status", "cache_folder", "load", "robots"]
+__all__ = ["BuildError", "NearSolution", "NearestRows", "Solutions", "Status", "cache_folder", "load", "orientation",
+           "robots"]
 
 
 class Status(enum.IntEnum):

@@ -7,6 +7,7 @@ from typing import Any, Literal, NamedTuple, Protocol
 from numpy import bool_, float32, float64, int32
 from numpy.typing import ArrayLike, NDArray
 
+from . import orientation as orientation
 from . import robots as robots
 
 class BuildError(RuntimeError): ...

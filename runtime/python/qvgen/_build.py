@@ -9,6 +9,7 @@ import json
 import os
 import pathlib
 import platform
+import re
 import shlex
 import shutil
 import subprocess
@@ -81,6 +82,30 @@ def _pybind11():
     return [pybind11.get_include()]
 
 
+_PROBE = "#include <pybind11/pybind11.h>\n#include <Eigen/Core>\n"
+_HEADERS = {"Python.h": "the headers of Python are missing: install python3-dev",
+            "pybind11/pybind11.h": "pybind11 is missing: pip install pybind11, or install pybind11-dev",
+            "Eigen/Core": "Eigen is missing: install libeigen3-dev, or set QVGEN_EIGEN to its folder"}
+
+
+def _check_compiler(compiler, folders):
+    """Says in a sentence what is missing on this machine, before a robot is compiled."""
+    if shutil.which(compiler[0]) is None:
+        raise BuildError(f"there is no compiler {compiler[0]}: install g++ or clang, or set CXX; "
+                         "a wheel with compiled robots needs none (--config-settings=robots=all)")
+    with tempfile.TemporaryDirectory() as work:
+        probe = pathlib.Path(work) / "probe.cpp"
+        probe.write_text(_PROBE)
+        done = subprocess.run([*compiler, "-std=c++17", *(f"-I{each}" for each in folders), "-E", str(probe), "-o", os.devnull],
+                              capture_output=True, text=True)
+    if done.returncode == 0:
+        return
+    for header, sentence in _HEADERS.items():
+        if re.search(rf"['\"< ]{re.escape(header)}['\">: ]", done.stderr):
+            raise BuildError(sentence)
+    raise BuildError(f"the compiler {compiler[0]} fails: {done.stderr}")
+
+
 def _runtime_sources():
     sources = sorted((_root / "runtime/source").rglob("*.cpp"))
     return sources if _has_avx2_forms else [each for each in sources if each.name not in ("sine_cosine_avx2.cpp", "within_avx2.cpp")]
@@ -96,6 +121,7 @@ def _compile(robot, generated, target):
     folders = [generated / "include", _here, _root / "runtime/include",
                os.environ.get("QVGEN_EIGEN", "/usr/include/eigen3"), sysconfig.get_paths()["include"], *_pybind11()]
     compiler = shlex.split(os.environ.get("CXX", "c++"))
+    _check_compiler(compiler, folders)
     target.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=target.parent) as work:
         work = pathlib.Path(work)

@@ -133,8 +133,9 @@ bool is_valid(const ArmAngleReference& reference) {
 
 }  // namespace
 
-Goal goal_of(const Arm& arm, const Elbow& elbow, const Pose<double>& pose, const ArmAngleReference& reference,
-             double tolerance) {
+Goal goal_of(const Arm& arm, const Elbow& elbow, const Pose<double>& given,
+             const ArmAngleReference& reference, double tolerance) {
+  const Pose<double> pose = pose_meant(given).value_or(given);
   Goal goal;
   const double reach = elbow.longest() + (arm.tool.position - arm.wrist).norm() + arm.shoulder.norm();
   if (outlook(pose, reach, tolerance) != Outlook::open || !is_valid(reference)) {

@@ -150,6 +150,19 @@ TEST_P(SameRows, AllSolutions) {
   report("all", is_one_by_one() ? 0 : 1);
 }
 
+TEST_P(SameRows, FewDigitsAreThePoseThatTheyMean) {
+  for (int i = 0; i < 40; ++i) {
+    const Eigen::VectorXd q = test_.joints();
+    Pose<double> pose = Pose<double>::from_isometry(test_.tool(q));
+    for (double& x : pose.orientation.coeffs()) x = std::round(x * 1e4) / 1e4;
+    const double given = test_.given(q);
+    const Found few = c_->solve(pose, given, tolerance_, {});
+    const Found meant = c_->solve(pose.normalised(), given, tolerance_, {});
+    ASSERT_NE(few.status, Status::invalid);
+    ASSERT_EQ(different(meant, few, 1e-9), "");
+  }
+}
+
 TEST_P(SameRows, FromASeed) {
   const InverseUnderTest& cxx = GetParam();
   for_all_poses([&](const Sample& sample, const std::string& name) {

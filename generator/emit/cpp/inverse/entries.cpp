@@ -61,7 +61,7 @@ Argument reduced_argument(const model::Robot& described, const Problem& problem)
       return directed(problem, "Direction", "");
     case Task::orientation:
       return both({"const Eigen::Quaternion<double>& orientation", "orientation", "an orientation",
-                   "Pose<double>{orientation, Vector3<double>::Zero()}", "", false});
+                   "inverse::turn_meant(orientation)", "", false});
     case Task::position_and_yaw: {
       const int joint = first_turn(problem.robot);
       return both(

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+
 #include <Eigen/Geometry>
 #include <qvgen/inverse/choose.h>
 #include <qvgen/inverse/outlook.h>
 #include <qvgen/inverse/solutions.h>
+#include <qvgen/orientation/decimals.h>
 #include <qvgen/pose.h>
 #include <qvgen/sine_cosine.h>
 
@@ -54,6 +57,31 @@ inline bool is_rotation(const Matrix3<double>& r) {
   const double tolerance = unit_tolerance<double>();
   const double error = (r.transpose() * r - Matrix3<double>::Identity()).cwiseAbs().maxCoeff();
   return error <= tolerance && r.determinant() > 0;
+}
+
+/// Returns the pose of a rotation matrix and a position; none if that is no rotation, even by its digits.
+inline std::optional<Pose<double>> pose_by_matrix(const Matrix3<double>& rotation,
+                                                  const Vector3<double>& position) {
+  if (is_rotation(rotation)) return Pose<double>::from_matrix(rotation, position);
+  const auto read = read_orientation(rotation);
+  if (read.defect != OrientationDefect::none) return std::nullopt;
+  return Pose<double>{read.orientation, position};
+}
+
+/// Returns the pose meant by a quaternion whose length is off because its digits were rounded away; none if
+/// the quaternion is unit as it is, or is off by more than that.
+inline std::optional<Pose<double>> pose_meant(const Pose<double>& pose) {
+  const bool is_unit = std::abs(unit_excess(numbers_of(pose))) <= unit_tolerance<double>();
+  if (is_unit || !pose.orientation.coeffs().allFinite() || !is_unit_by_digits(pose.orientation.coeffs()))
+    return std::nullopt;
+  return pose.normalised();
+}
+
+/// Returns a direction with length one if its digits explain why it has not, else as it is.
+inline Vector3<double> direction_meant(const Vector3<double>& direction) {
+  const bool is_unit = std::abs(direction.squaredNorm() - 1) <= unit_tolerance<double>();
+  return is_unit || !direction.allFinite() || !is_unit_by_digits(direction) ? direction
+                                                                            : direction.normalized();
 }
 
 }  // namespace qvgen::inverse

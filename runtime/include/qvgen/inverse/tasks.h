@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <qvgen/inverse/request.h>
 #include <qvgen/inverse/screw.h>
 #include <qvgen/pose.h>
 
@@ -73,11 +74,17 @@ inline Eigen::Quaterniond turn_between(const Vector3<double>& from, const Vector
 /// The pose with a given direction that turns a tool at `near` least.
 inline Pose<double> pose_of(const PositionAndDirection<double>& task, const Vector3<double>& tool_axis,
                             const Eigen::Quaterniond& near) {
-  return {turn_between(near * tool_axis, task.direction) * near, task.position};
+  return {turn_between(near * tool_axis, direction_meant(task.direction)) * near, task.position};
 }
 inline Pose<double> pose_of(const Direction<double>& task, const Vector3<double>& tool_axis,
                             const Eigen::Quaterniond& near) {
-  return {turn_between(near * tool_axis, task.vector) * near, Vector3<double>::Zero()};
+  return {turn_between(near * tool_axis, direction_meant(task.vector)) * near, Vector3<double>::Zero()};
+}
+
+/// Returns an orientation alone as a pose, its digits completed if they were rounded away.
+inline Pose<double> turn_meant(const Eigen::Quaterniond& orientation) {
+  const Pose<double> given{orientation, Vector3<double>::Zero()};
+  return pose_meant(given).value_or(given);
 }
 
 /// `axis`: what the yaw turns about.

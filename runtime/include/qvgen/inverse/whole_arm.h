@@ -35,12 +35,18 @@ ArmMatching<dof, points> matching(const ArmAtZero<dof>& arm, const Pose<double>&
   return task;
 }
 
+// Four numbers at once: in the vector types of GCC and clang, where the compiler has them.
+#if defined(__GNUC__)
+using Four [[gnu::vector_size(32)]] = double;
+#else
+using Four = Eigen::Array4d;
+#endif
+
 /// How far joint values leave the points off their goals, the largest distance squared. All points side by
 /// side and no Jacobian: a quarter of what an evaluation for a Newton step takes.
 template <int points, int dof>
 double miss_square(const ArmMatching<dof, points>& task, const Preference<dof>& values) {
-  // Coordinates in the vector types of GCC and clang; the fourth point is the first once more.
-  using Four [[gnu::vector_size(32)]] = double;
+  // The fourth point is the first once more.
   constexpr std::size_t b = 1 % points, c = 2 % points;
   Four x[3], goal[3];
   for (std::size_t k = 0; k < 3; ++k) {
@@ -63,7 +69,7 @@ double miss_square(const ArmMatching<dof, points>& task, const Preference<dof>& 
     x[1] = screw.point[1] + turn.cosine * v + turn.sine * (a[2] * u - a[0] * w) + along * a[1];
     x[2] = screw.point[2] + turn.cosine * w + turn.sine * (a[0] * v - a[1] * u) + along * a[2];
   }
-  Four error{};
+  Four error{0, 0, 0, 0};
   for (std::size_t k = 0; k < 3; ++k) error += (goal[k] - x[k]) * (goal[k] - x[k]);
   return std::max({error[0], error[1], error[2]});
 }

@@ -6,12 +6,10 @@
 // digits explain. Numbers with all digits must be unit: a forgotten normalisation is still refused, with its
 // reason.
 
-#include <array>
 #include <cmath>
 #include <limits>
 
-#include <qvgen/orientation/nearest_rotation.h>
-#include <qvgen/pose.h>
+#include <qvgen/quaternion.h>
 #include <qvgen/unit_tolerance.h>
 
 namespace qvgen {
@@ -75,6 +73,16 @@ Scalar half_last_digit(const Scalar* numbers, int count) {
   return n < fewest_decimals ? Scalar(0) : Scalar(0.5) * pow(Scalar(10), Scalar(-n));
 }
 
+/// True if rounding to the digits given explains how far the sum of squares is from 1: each number x is off
+/// by e at most, and so its square by 2 |x| e + e^2.
+template <class Scalar, int count>
+bool is_unit_by_digits(const Eigen::Matrix<Scalar, count, 1>& numbers) {
+  using std::abs;
+  const Scalar off = half_last_digit(numbers.data(), count);
+  const Scalar excess = abs(numbers.squaredNorm() - 1);
+  return off > 0 && excess <= 2 * off * numbers.cwiseAbs().sum() + count * off * off;
+}
+
 /// An orientation that was read, or the reason why there is none.
 template <class Scalar>
 struct ReadOrientation {
@@ -87,35 +95,39 @@ struct ReadOrientation {
 template <class Scalar>
 ReadOrientation<Scalar> read_orientation(const Quaternion<Scalar>& q) {
   using std::abs;
-  if (!q.coeffs().allFinite()) return {{}, OrientationDefect::not_finite};
-  if (q.coeffs().isZero(0)) return {{}, OrientationDefect::no_length};
-  const Scalar excess = abs(q.squaredNorm() - 1);
-  if (!(excess <= unit_tolerance<Scalar>())) {
-    const Scalar off = half_last_digit(q.coeffs().data(), 4);
-    if (!(excess <= 2 * off * q.coeffs().cwiseAbs().sum() + 4 * off * off))
-      return {{}, OrientationDefect::not_unit};
-  }
-  return {nearest_rotation(q).orientation, OrientationDefect::none};
+  const Eigen::Matrix<Scalar, 4, 1>& numbers = q.coeffs();
+  if (!numbers.allFinite()) return {{}, OrientationDefect::not_finite};
+  if (numbers.isZero(0)) return {{}, OrientationDefect::no_length};
+  if (!(abs(numbers.squaredNorm() - 1) <= unit_tolerance<Scalar>()) && !is_unit_by_digits(numbers))
+    return {{}, OrientationDefect::not_unit};
+  return {Quaternion<Scalar>(Eigen::Matrix<Scalar, 4, 1>(numbers / q.norm())), OrientationDefect::none};
 }
 
-/// Returns the unit quaternion of a rotation matrix: each entry of R^T R - 1 may be off by `unit_tolerance`,
-/// or by what rounding to the digits given explains.
+/// True if every entry of R^T R - 1 is within `unit_tolerance`, or within what rounding to the digits given
+/// explains: entry i, j is a product of columns i and j, each number of which is off.
+template <class Scalar>
+bool is_orthonormal_by_digits(const Matrix3<Scalar>& r) {
+  const Matrix3<Scalar> error = (r.transpose() * r - Matrix3<Scalar>::Identity()).cwiseAbs();
+  if (error.maxCoeff() <= unit_tolerance<Scalar>()) return true;
+  const Scalar off = half_last_digit(r.data(), 9);
+  const Vector3<Scalar> sums = r.cwiseAbs().colwise().sum().transpose();
+  const Matrix3<Scalar> most = off * (sums.replicate(1, 3) + sums.transpose().replicate(3, 1));
+  return ((error - most).array() <= 3 * off * off).all();
+}
+
+/// Returns the unit quaternion of the nearest rotation to a matrix, each entry of whose R^T R - 1 may be off
+/// by `unit_tolerance`, or by what rounding to the digits given explains.
 template <class Scalar>
 ReadOrientation<Scalar> read_orientation(const Matrix3<Scalar>& r) {
   if (!r.allFinite()) return {{}, OrientationDefect::not_finite};
   if (r.isZero(0)) return {{}, OrientationDefect::no_length};
-  const Matrix3<Scalar> error = (r.transpose() * r - Matrix3<Scalar>::Identity()).cwiseAbs();
-  if (!(error.maxCoeff() <= unit_tolerance<Scalar>())) {
-    // Entry i, j is a product of columns i and j, each number of which is off.
-    const Scalar off = half_last_digit(r.data(), 9);
-    const Vector3<Scalar> sums = r.cwiseAbs().colwise().sum().transpose();
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
-        if (!(error(i, j) <= off * (sums[i] + sums[j]) + 3 * off * off))
-          return {{}, OrientationDefect::not_unit};
-  }
+  if (!is_orthonormal_by_digits(r)) return {{}, OrientationDefect::not_unit};
   if (r.determinant() < 0) return {{}, OrientationDefect::reflection};
-  return {nearest_rotation(r).orientation, OrientationDefect::none};
+  // Newton's steps to the polar factor: the error is squared by each, and 1e-3 at the beginning.
+  Matrix3<Scalar> rotation = r;
+  for (int step = 0; step < 4; ++step)
+    rotation = Matrix3<Scalar>((rotation + rotation.inverse().transpose()) / 2);
+  return {from_rotation_matrix(rotation), OrientationDefect::none};
 }
 
 }  // namespace qvgen
