@@ -30,10 +30,12 @@ class ChainReader {
         note_mimic(*segment.joint, robot.joints.size());
         robot.joints.push_back(joint_of(*segment.joint, robot));
         robot.joints.back().before = pending;
-        robot.joints.back().after = segment.after;
-        robot.joints.back().inertia = inertia_of(lumped(node));
+        // A link's frame is not turned behind its joint: such a turn belongs to what the link carries.
+        const model::Displacement behind{segment.after.turns, {}};
+        robot.joints.back().after.translation = segment.after.translation;
+        robot.joints.back().inertia = inertia_of(moved(behind, lumped(node)));
         context_->joint_places.push_back(segment.joint->place);
-        pending = {};
+        pending = behind;
       } else {
         pending = folded(pending, segment.after);
       }
