@@ -61,12 +61,28 @@ class Writer {
     const std::string number = std::to_string(names_++);
     Text text = both("<body" + attribute("name", count == 0 ? "tool0" : "b" + number) + pose() + ">");
     text += both("<inertial pos=\"0.1 0.2 0.3\" mass=\"2\" diaginertia=\"0.3 0.25 0.2\"/>\n");
-    if (count > 0)
-      text += both("<joint" + attribute("name", "j" + number) + attribute("axis", random.reals(3)) +
-                   attribute("pos", random.reals(3)) + "/>\n");
+    if (count > 0) text += joint("j" + number);
     if (random.below(2) == 0) text += copies(depth);
     if (count > 0) text += wrapped(count - 1, depth);
     return text += both("</body>\n");
+  }
+
+  /// A joint in a frame, and one whose point and axis have been displaced.
+  Text joint(const std::string& name) {
+    const auto vector = [&] { return Eigen::Vector3d(random.real(), random.real(), random.real()); };
+    const Eigen::Vector3d at = vector(), point = vector(), axis = vector();
+    const Eigen::Quaterniond turn(random.real(), random.real(), random.real(), random.real());
+    const auto with = [&](const Eigen::Vector3d& p, const Eigen::Vector3d& a) {
+      std::ostringstream text;
+      text << std::setprecision(17) << "<joint name=\"" << name << "\" pos=\"" << p.transpose()
+           << "\" axis=\"" << a.transpose() << "\"/>";
+      return text.str();
+    };
+    std::ostringstream frame;
+    frame << std::setprecision(17) << "<frame pos=\"" << at.transpose() << "\" quat=\"" << turn.w() << " "
+          << turn.x() << " " << turn.y() << " " << turn.z() << "\">" << with(point, axis) << "</frame>\n";
+    const Eigen::Quaterniond unit = turn.normalized();
+    return {frame.str(), with(at + unit * point, unit * axis) + "\n"};
   }
 
   Text wrapped(int count, int depth) {

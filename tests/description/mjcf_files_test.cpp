@@ -120,7 +120,8 @@ TEST(MjcfFiles, FramesAreAppliedToWhatTheyHold) {
   ASSERT_EQ(arm.joints.size(), 1U);
   EXPECT_EQ(texts(arm.joints[0].before), "0, 0, 1 by 1/2*pi; 1, 0, 0 by 1/2*pi; -1, 2, 0");
   EXPECT_EQ(texts(arm.joints[0].axis), "0, 1, 0");
-  EXPECT_EQ(texts(arm.tool), "0, 1, 0 by 1/2*pi; 5, 0, 0");
+  EXPECT_TRUE(arm.joints[0].after.turns.empty());  // link frames are not turned behind their joint
+  EXPECT_EQ(texts(arm.tool), "1, 0, 0 by -1/2*pi; 0, 1, 0 by 1/2*pi; 5, 0, 0");
 }
 
 TEST(MjcfFiles, ClassesOfFramesHoldInThem) {
@@ -154,7 +155,7 @@ TEST(MjcfFiles, CountlessCopiesAreRefused) {
   const auto with = [](const std::string& count) {
     return report(world("<body><joint/><replicate count=\"" + count + "\"><site/></replicate></body>"));
   };
-  const std::string hint = "; write a whole number of copies, at most 100000\n";
+  const std::string hint = "; write a whole number of copies, at most 1000\n";
   EXPECT_EQ(with("1000000000"), "3:33: error: a count of 1000000000" + hint);
   EXPECT_EQ(with("2.5"), "3:33: error: a count of 2.5" + hint);
   EXPECT_EQ(with("-1"), "3:33: error: a count of -1" + hint);
@@ -164,6 +165,16 @@ TEST(MjcfFiles, CountlessCopiesAreRefused) {
                          "<site/></replicate></replicate></replicate></body>"))
                 .find("with all copies more than 100000 elements; copy less"),
             std::string::npos);
+}
+
+TEST(MjcfFiles, DeepFramesAreRefused) {
+  std::string open, close;
+  for (int i = 0; i < 33; ++i) {
+    open += "<frame pos=\"1 0 0\">";
+    close += "</frame>";
+  }
+  EXPECT_EQ(report(world(open + "<body><joint/></body>" + close)),
+            "3:609: error: frames nested more than 32 deep; put them together\n");
 }
 
 TEST(MjcfFiles, PartsOfOtherModelsAreAttached) {

@@ -30,10 +30,12 @@ class ChainReader {
         note_mimic(*segment.joint, robot.joints.size());
         robot.joints.push_back(joint_of(*segment.joint, robot));
         robot.joints.back().before = pending;
-        robot.joints.back().after = segment.after;
-        robot.joints.back().inertia = inertia_of(lumped(node, robot));
+        // A link's frame is not turned behind its joint: such a turn belongs to what the link carries.
+        const model::Displacement behind{segment.after.turns, {}};
+        robot.joints.back().after.translation = segment.after.translation;
+        robot.joints.back().inertia = inertia_of(lumped(node, behind, robot));
         context_->joint_places.push_back(segment.joint->place);
-        pending = {};
+        pending = behind;
       } else {
         pending = folded(pending, segment.after);
       }
@@ -91,11 +93,11 @@ class ChainReader {
     return joint;
   }
 
-  /// The link with all that is fixed to it, in the link's frame. The robot's last joint moves it and its
-  /// frames.
-  Body lumped(std::size_t link, model::Robot& robot) {
-    Body sum = segment_of(link).body;
-    std::vector<std::pair<std::size_t, model::Displacement>> open{{link, {}}};
+  /// The link, `placement` in the frame behind its joint, with all that is fixed to it, in that frame. The
+  /// robot's last joint moves it and its frames.
+  Body lumped(std::size_t link, const model::Displacement& placement, model::Robot& robot) {
+    Body sum = moved(placement, segment_of(link).body);
+    std::vector<std::pair<std::size_t, model::Displacement>> open{{link, placement}};
     while (!open.empty()) {
       const auto [node, frame] = open.back();
       open.pop_back();

@@ -124,8 +124,17 @@ Vector values(const model::Vector3& v) {
   return {model::evaluate(v[0]), model::evaluate(v[1]), model::evaluate(v[2])};
 }
 
-Vector rotated(const std::vector<Turn>& turns, Vector v) {
-  for (auto turn = turns.rbegin(); turn != turns.rend(); ++turn) v = rotated(rounded_rotation(*turn), v);
+using Rotations = std::vector<Rotation<cln::cl_R>>;
+
+/// Sines and cosines take far longer than what is done with them.
+Rotations rounded_rotations(const std::vector<Turn>& turns) {
+  Rotations result;
+  for (const Turn& turn : turns) result.push_back(rounded_rotation(turn));
+  return result;
+}
+
+Vector rotated(const Rotations& by, Vector v) {
+  for (auto rotation = by.rbegin(); rotation != by.rend(); ++rotation) v = rotated(*rotation, v);
   return v;
 }
 
@@ -196,7 +205,7 @@ cln::cl_RA rounded(const cln::cl_R& value) {
 model::Vector3 turned(const std::vector<Turn>& turns, const model::Vector3& v) {
   if (turns.empty() || model::is_literal_zero(v)) return v;
   if (const auto exact = exactly_rotated(turns, v)) return *exact;
-  const Vector result = rotated(turns, values(v));
+  const Vector result = rotated(rounded_rotations(turns), values(v));
   return {rounded(result[0]), rounded(result[1]), rounded(result[2])};
 }
 
@@ -217,12 +226,13 @@ model::Displacement inverse(const model::Displacement& displacement) {
 
 Body moved(const model::Displacement& frame, const Body& body) {
   Body result = body;
-  result.centre = rotated(frame.turns, body.centre);
+  const Rotations by = rounded_rotations(frame.turns);
+  result.centre = rotated(by, body.centre);
   const Vector origin = values(frame.translation);
   for (std::size_t i = 0; i < 3; ++i) result.centre.at(i) = result.centre.at(i) + origin.at(i);
   // R I R^T: R applied to the rows of I, and again to those of the transpose.
   for (int side = 0; side < 2; ++side) {
-    for (Vector& row : result.inertia) row = rotated(frame.turns, row);
+    for (Vector& row : result.inertia) row = rotated(by, row);
     result.inertia = transposed(result.inertia);
   }
   return result;

@@ -86,9 +86,20 @@ void MjcfContents::add(const Element& holder, const Placed& around, std::vector<
   --depth_;
 }
 
+/// The frame around what it holds, with those around it.
+std::shared_ptr<const Around> MjcfContents::within(const Placed& frame, long copy) {
+  const std::size_t depth = frame.around == nullptr ? 1 : frame.around->depth + 1;
+  if (depth > max_frames && !refused_) {
+    refused_ = true;
+    context_->error(frame.element->place, "frames nested more than " + std::to_string(max_frames) + " deep",
+                    "put them together");
+  }
+  return std::make_shared<Around>(Around{frame.around, frame.model, frame.element, copy, depth});
+}
+
 void MjcfContents::add_frame(const Placed& frame, std::vector<Placed>& all) {
   Placed around = opened(frame);
-  around.around = std::make_shared<Around>(Around{frame.around, frame.model, frame.element, 0});
+  around.around = within(frame, 0);
   add(*frame.element, around, all);
 }
 
@@ -100,11 +111,10 @@ long MjcfContents::copies(const Element& replicate) {
     return 0;
   }
   const Decimal& number = count->front();
-  if (cln::denominator(number.value) == 1 && !cln::minusp(number.value) &&
-      number.value <= static_cast<long>(max_elements))
+  if (cln::denominator(number.value) == 1 && !cln::minusp(number.value) && number.value <= max_copies)
     return cln::cl_I_to_long(cln::numerator(number.value));
   context_->error(number.place, "a count of " + number.text,
-                  "write a whole number of copies, at most " + std::to_string(max_elements));
+                  "write a whole number of copies, at most " + std::to_string(max_copies));
   return 0;
 }
 
@@ -112,8 +122,7 @@ void MjcfContents::add_copies(const Placed& replicate, std::vector<Placed>& all)
   const long count = copies(*replicate.element);
   for (long copy = 0; copy < count && within_bounds(*replicate.element); ++copy) {
     Placed around = opened(replicate);
-    around.around =
-        std::make_shared<Around>(Around{replicate.around, replicate.model, replicate.element, copy});
+    around.around = within(replicate, copy);
     around.suffix = text_of(*replicate.element, "sep") + number_of(copy, count) + replicate.suffix;
     add(*replicate.element, around, all);
   }

@@ -12,8 +12,13 @@ struct Around {
   std::shared_ptr<const Around> outer;  ///< or none
   const MjcfModel* model = nullptr;
   const Element* element = nullptr;
-  long copy = 0;  ///< of a <replicate>, from 0
+  long copy = 0;          ///< of a <replicate>, from 0
+  std::size_t depth = 1;  ///< how many there are, this one included
 };
+
+/// More copies in a row, or frames in frames, than any robot has; each costs a few milliseconds.
+inline constexpr long max_copies = 1000;
+inline constexpr std::size_t max_frames = 32;
 
 struct Placed {
   const Element* element = nullptr;
@@ -36,6 +41,7 @@ class MjcfContents {
 
  private:
   void add(const Element& holder, const Placed& around, std::vector<Placed>& all);
+  [[nodiscard]] std::shared_ptr<const Around> within(const Placed& frame, long copy);
   void add_frame(const Placed& frame, std::vector<Placed>& all);
   void add_copies(const Placed& replicate, std::vector<Placed>& all);
   void add_attached(const Placed& attach, std::vector<Placed>& all);
