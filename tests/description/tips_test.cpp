@@ -134,6 +134,16 @@ TEST(Tips, ChainsBeginBehindWhatFloats) {
   EXPECT_EQ(title(robot, {.base = "trunk", .tip = "arm6"}), "r, trunk to arm6");
 }
 
+TEST(Tips, ATorsoIsNoPartOfTheArmThatIsProposed) {
+  Tree robot("base");
+  robot.row("base", "torso", 2).row("torso2", "left", 7).row("torso2", "right", 7);
+  EXPECT_EQ(report(robot.text()),
+            "1:1: error: the chain may end at left7 (arm, 9 joints, 7 of them behind torso2), right7 (arm, 9 "
+            "joints, 7 "
+            "of them behind torso2); say where: qvgen check r.xml --base torso2 --tip left7\n");
+  EXPECT_EQ(read(robot.text(), {.base = "torso2", .tip = "left7"}).joints.size(), 7U);
+}
+
 TEST(Tips, ManyNamesAreCut) {
   Tree many("base");
   for (int i = 0; i < 60; ++i) many.row("base", "limb" + std::to_string(i) + "_", 2);
