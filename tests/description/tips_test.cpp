@@ -100,6 +100,16 @@ TEST(Tips, FingersAreFolded) {
       "where: qvgen check r.xml --tip panda_hand\n");
 }
 
+TEST(Tips, AHandOfManyJointsIsFolded) {
+  Tree robot("base");
+  robot.row("base", "arm", 7).fixed("arm7", "palm");
+  for (const std::string finger : {"thumb", "index_finger", "ring_finger"}) robot.row("palm", finger, 6);
+  EXPECT_EQ(
+      report(robot.text()),
+      "1:1: error: the chain may end at palm (arm, 7 joints, without its fingers thumb6, index_finger6 and 1 "
+      "more); say where: qvgen check r.xml --tip palm\n");
+}
+
 TEST(Tips, ArmsBeforeLegsBeforeWheels) {
   Tree robot("base");
   robot.row("base", "wheel_l", 1).row("base", "wheel_r", 1).row("base", "head", 2).row("base", "left_leg", 3);
