@@ -117,7 +117,9 @@ bool report_missing(const ordered_json& counts, const std::vector<std::string>& 
     const bool lacks = std::any_of(required.begin(), required.end(), is_required);
     for (const Missing& missing : all) {
       if (missing.kind == Missing::Kind::not_described && !lacks) continue;
-      fmt::print(stderr, "{}: no {}: {}\n", robot, missing.part, missing.reason);
+      const bool had_no_time = missing.kind == Missing::Kind::not_finished;
+      fmt::print(stderr, "{}: no {}: {}{}\n", robot, missing.part, missing.reason,
+                 had_no_time ? "; --seconds and --megabytes allow more" : "");
       good = good && missing.kind != Missing::Kind::refuted;
     }
     for (const std::string& part : required)

@@ -95,6 +95,23 @@ TEST(OddFiles, LimitsOfVelocityAndEffort) {
   EXPECT_EQ(read_text(wrong, "r.toml").diagnostics.at(0).message, "'velocity_limit' is not above 0");
 }
 
+TEST(OddFiles, Commas) {
+  const auto origin = [](const std::string& xyz) {
+    return with("<origin xyz=\"" + xyz + "\"/><limit lower=\"-1\" upper=\"1\"/>");
+  };
+  const auto place = [&](const std::string& xyz) {
+    const ReadResult result = read_text(origin(xyz), "r.urdf");
+    return result.robot ? texts(result.robot->joints[0].before) : result.diagnostics.at(0).message;
+  };
+  EXPECT_EQ(place("1,234.5 0 -1,234,567"), "2469/2, 0, -1234567");
+  EXPECT_EQ(place("0.5, 0.25, 1"), "1/2, 1/4, 1");
+  EXPECT_EQ(report(origin("0, 0 0")), "2:81: warning: '0,' is read as 0; write it without ','\n");
+  // Thousands or a decimal point: nobody can tell.
+  EXPECT_EQ(place("1,571 0 0"), "'1,571' is no number");
+  EXPECT_EQ(place("0,1 0 0"), "'0,1' is no number");
+  EXPECT_EQ(place(", 0 0"), "',' is no number");
+}
+
 TEST(OddFiles, JointsOfOtherFormatsBesideTheChain) {
   std::string text = with("<limit lower=\"-1\" upper=\"1\"/>");
   text.insert(text.find("</robot>"),

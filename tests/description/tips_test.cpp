@@ -100,6 +100,16 @@ TEST(Tips, FingersAreFolded) {
       "where: qvgen check r.xml --tip panda_hand\n");
 }
 
+TEST(Tips, AHandOfManyJointsIsFolded) {
+  Tree robot("base");
+  robot.row("base", "arm", 7).fixed("arm7", "palm");
+  for (const std::string finger : {"thumb", "index_finger", "ring_finger"}) robot.row("palm", finger, 6);
+  EXPECT_EQ(
+      report(robot.text()),
+      "1:1: error: the chain may end at palm (arm, 7 joints, without its fingers thumb6, index_finger6 and 1 "
+      "more); say where: qvgen check r.xml --tip palm\n");
+}
+
 TEST(Tips, ArmsBeforeLegsBeforeWheels) {
   Tree robot("base");
   robot.row("base", "wheel_l", 1).row("base", "wheel_r", 1).row("base", "head", 2).row("base", "left_leg", 3);
@@ -132,6 +142,16 @@ TEST(Tips, ChainsBeginBehindWhatFloats) {
             "qvgen check "
             "r.xml --base trunk --tip arm6\n");
   EXPECT_EQ(title(robot, {.base = "trunk", .tip = "arm6"}), "r, trunk to arm6");
+}
+
+TEST(Tips, ATorsoIsNoPartOfTheArmThatIsProposed) {
+  Tree robot("base");
+  robot.row("base", "torso", 2).row("torso2", "left", 7).row("torso2", "right", 7);
+  EXPECT_EQ(report(robot.text()),
+            "1:1: error: the chain may end at left7 (arm, 9 joints, 7 of them behind torso2), right7 (arm, 9 "
+            "joints, 7 "
+            "of them behind torso2); say where: qvgen check r.xml --base torso2 --tip left7\n");
+  EXPECT_EQ(read(robot.text(), {.base = "torso2", .tip = "left7"}).joints.size(), 7U);
 }
 
 TEST(Tips, ManyNamesAreCut) {

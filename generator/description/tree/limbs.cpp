@@ -23,16 +23,19 @@ bool has_word(const std::string& text, std::initializer_list<const char*> words)
 /// True if what moves behind a link is the fingers of its gripper.
 bool is_hand(const std::vector<Node>& nodes, const MovingTree& tree, std::size_t link) {
   const auto& branches = tree.next[link];
-  constexpr std::size_t longest_finger = 5, shortest_arm = 3;
+  constexpr std::size_t longest_finger = 8, longest_unnamed = 2, shortest_arm = 3;
   const std::size_t depth = tree.height[link];
-  if (branches.empty() || depth > longest_finger || tree.joints[link] < shortest_arm ||
-      tree.joints[link] < depth)
+  if (branches.empty() || depth > longest_finger || tree.joints[link] < std::max(shortest_arm, depth))
     return false;
   const bool alike = std::all_of(branches.begin(), branches.end(),
                                  [&](std::size_t branch) { return tree.height[branch] + 1 == depth; });
-  const bool named = std::all_of(branches.begin(), branches.end(),
-                                 [&](std::size_t branch) { return is_finger(nodes[branch]); });
-  return named || (alike && branches.size() > 1 && depth <= 2);
+  const auto is_named = [&](std::size_t branch) { return is_finger(nodes[branch]); };
+  // Motors of a hand are single joints beside its fingers.
+  const bool named = std::any_of(branches.begin(), branches.end(), is_named) &&
+                     std::all_of(branches.begin(), branches.end(), [&](std::size_t branch) {
+                       return is_named(branch) || tree.height[branch] == 0;
+                     });
+  return named || (alike && branches.size() > 1 && depth <= longest_unnamed);
 }
 
 /// The moving links from the base to one of them.

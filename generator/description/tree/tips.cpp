@@ -42,9 +42,12 @@ std::vector<std::size_t> moved_by(const Nodes& nodes, std::size_t base) {
   return result;
 }
 
+/// As many joints as arms have that reach any pose.
+bool is_usual(std::size_t joints) { return joints == 6 || joints == 7; }
+
 /// Arms first, those of six or seven joints before others, then the longest.
 bool is_likelier(const Limb& a, const Limb& b) {
-  const auto usual = [](const Limb& limb) { return limb.joints == 6 || limb.joints == 7; };
+  const auto usual = [](const Limb& limb) { return is_usual(limb.joints) || is_usual(limb.own); };
   if (a.kind != b.kind) return a.kind < b.kind;
   if (usual(a) != usual(b)) return usual(a);
   return a.joints > b.joints;
@@ -65,10 +68,22 @@ std::size_t usable_joints(const Nodes& nodes, std::size_t base, std::size_t end)
   return count;
 }
 
+/// Returns the link on which the own joints of a limb hang if those alone are a usual arm and with a torso's
+/// they are too many; else none.
+std::size_t shoulder_of(const Nodes& nodes, std::size_t base, const Limb& limb) {
+  if (!is_usual(limb.own) || usable_joints(nodes, base, limb.end) <= 7) return Node::none;
+  std::size_t link = limb.end;
+  for (std::size_t joints = 0; link != base && joints < limb.own; link = nodes[link].parent)
+    joints += nodes[link].moves ? 1 : 0;
+  return link;
+}
+
 std::string described(const Nodes& nodes, std::size_t base, const Limb& limb) {
   static constexpr const char* kinds[]{"arm, ", "leg, ", "", "head, ", ""};
   std::string text = nodes[frame_of(nodes, limb.end)].name + " (" + kinds[limb.kind] +
                      joints_text(usable_joints(nodes, base, limb.end));
+  if (const std::size_t shoulder = shoulder_of(nodes, base, limb); shoulder != Node::none)
+    text += ", " + std::to_string(limb.own) + " of them behind " + nodes[shoulder].name;
   if (!limb.fingers.empty()) text += ", without its fingers " + names_of(nodes, limb.fingers, 2);
   return text + ")";
 }
@@ -85,9 +100,11 @@ std::string shell_word(const std::string& text) {
   return word + "'";
 }
 
-std::string command(const Context& context, const Nodes& nodes, std::size_t root, std::size_t tip) {
-  const std::size_t floating = floating_base(nodes, root, tip);
-  const std::string& named = floating == Node::none ? context.options.base : nodes[floating].name;
+/// The command that takes a chain: from `from` if there is such a link, else from behind what floats.
+std::string command(const Context& context, const Nodes& nodes, std::size_t root, std::size_t tip,
+                    std::size_t from = Node::none) {
+  if (from == Node::none) from = floating_base(nodes, root, tip);
+  const std::string& named = from == Node::none ? context.options.base : nodes[from].name;
   const std::string base = named.empty() ? "" : " --base " + shell_word(named);
   return "qvgen check " + shell_word(context.source.file()) + base + " --tip " + shell_word(nodes[tip].name);
 }
@@ -109,7 +126,8 @@ void report_limbs(Context& context, const Nodes& nodes, std::size_t base, std::v
     list += (listed == 0 ? "" : "; besides ") + std::to_string(wheels.size()) + " wheels or rotors (" +
             names_of(nodes, wheels, 4) + ")";
   context.error({}, "the chain may end at " + list,
-                "say where: " + command(context, nodes, base, frame_of(nodes, limbs.front().end)));
+                "say where: " + command(context, nodes, base, frame_of(nodes, limbs.front().end),
+                                        shoulder_of(nodes, base, limbs.front())));
 }
 
 /// True if another limb is an arm as good as the one that has the tip: a name alone does not choose between

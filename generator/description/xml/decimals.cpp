@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <regex>
 
 #include "description/lexer.h"
 #include "description/names.h"
@@ -42,7 +43,23 @@ void report(Context& context, Place place, const std::string& word) {
   context.error(place, "'" + word + "' is no number", "write a decimal number such as 0.1 or 1e-3");
 }
 
-std::optional<Decimal> decimal(Context& context, const std::string& word, Place place) {
+/// Returns a number without its commas where they can only part thousands (1,234.5 or 1,234,567) or numbers
+/// (0.5,). A single comma between digits may be a decimal point as well.
+std::optional<std::string> without_commas(const std::string& word) {
+  static const std::regex thousands(
+      R"([-+]?[1-9]\d{0,2}(,\d{3})+\.\d*([eE][-+]?\d+)?|[-+]?[1-9]\d{0,2}(,\d{3}){2,})");
+  constexpr std::size_t longest = 60;
+  if (word.size() > longest || word.find(',') == std::string::npos) return std::nullopt;
+  std::string bare = word;
+  std::erase(bare, ',');
+  const bool at_end = word.find(',') == word.size() - 1;
+  return (at_end && !bare.empty()) || std::regex_match(word, thousands) ? std::optional(bare) : std::nullopt;
+}
+
+std::optional<Decimal> decimal(Context& context, const std::string& written, Place place) {
+  const std::optional<std::string> bare = without_commas(written);
+  if (bare) context.warning(place, "'" + written + "' is read as " + *bare, "write it without ','");
+  const std::string word = bare.value_or(written);
   const bool negative = word.front() == '-';
   std::string digits = word.substr(negative || word.front() == '+' ? 1 : 0);
   if (!digits.empty() && digits.back() == '.') digits += '0';
