@@ -98,6 +98,25 @@ void expect_closed_form(RandomArm& arm, const char* part_of_structure) {
   EXPECT_NO_THROW(verify::certify_inverse(derivation.problem, lower(derivation.plan), 1)) << arm.text();
 }
 
+/// Lengths as they are measured: the product of two links is a root of twenty digits and more.
+TEST(MeetingAxes, ArmsWithMeasuredLengths) {
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    RandomArm arm(300 + seed);
+    const auto measured = [&arm] {
+      const auto length = [&arm] { return std::to_string(arm.below(2000000) - 1000000) + "e-6"; };
+      const std::string x = length(), y = length();
+      return x + ", " + y + ", " + length();
+    };
+    arm.add(true, "0, 0, 1", measured());
+    arm.add(true, "0, 1, 0", measured());
+    arm.add(true, "0, 1, 0", measured());
+    arm.add(true, "1, 0, 0", measured());
+    arm.add(true, "0, 1, 0", std::to_string(1 + arm.below(1000000)) + "e-6, 0, 0");
+    arm.add(true, "1, 0, 0");
+    expect_closed_form(arm, "joints 4, 5 and 6 meet in one point");
+  }
+}
+
 /// Shoulder and elbow, shoulder and slide, turn and wrist, slide and wrist.
 TEST(MeetingAxes, FourJointsWithThreeThroughAPoint) {
   for (unsigned seed = 0; seed < 12; ++seed) {
