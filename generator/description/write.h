@@ -13,8 +13,8 @@ namespace qvgen::description {
 /// link frame is turned behind the motion cannot be written so: std::invalid_argument.
 std::string write_text(const model::Robot& robot);
 
-/// The robot as a TOML description with a table of Denavit and Hartenberg, without its inertias, which stand in
-/// other link frames. Reading it gives the same forward kinematics.
+/// The robot as a TOML description with a table of Denavit and Hartenberg, without its inertias, which stand
+/// in other link frames. Reading it gives the same forward kinematics.
 std::string write_dh_text(const model::Robot& robot, const model::DhTable& table);
 
 /// A description to be edited, of joints by their letters (R, P; "RRP"), with an Euler wrist behind them or

@@ -12,8 +12,8 @@ namespace qvgen::model {
 /// row is Rx(alpha) Tx(a) Rz(theta) Tz(d).
 enum class DhConvention { standard, modified };
 
-/// A row of a table. The variable of `joint` is added to theta (revolute) or to d (prismatic); a row without a
-/// joint is a fixed displacement.
+/// A row of a table. The variable of `joint` is added to theta (revolute) or to d (prismatic); a row without
+/// a joint is a fixed displacement.
 struct DhRow {
   std::optional<std::size_t> joint;
   Expression theta, d, a, alpha;

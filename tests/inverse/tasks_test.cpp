@@ -77,5 +77,16 @@ TEST(Tasks, ADirectionOfAnotherLengthIsInvalid) {
   EXPECT_EQ(arm::inverse_kinematics(Direction<double>{{0.6, 0, 0.8}}).status, Status::solved);
 }
 
+TEST(Tasks, ADirectionWithFewDigitsIsTheOneThatItMeans) {
+  namespace arm = robots::pan_tilt;
+  const Eigen::Vector3d few(0.5774, 0.5774, 0.5773);
+  const auto found = arm::inverse_kinematics(Direction<double>{few});
+  const auto meant = arm::inverse_kinematics(Direction<double>{few.normalized()});
+  ASSERT_EQ(found.status, Status::solved);
+  ASSERT_EQ(found.size(), meant.size());
+  for (int i = 0; i < found.size(); ++i) EXPECT_LT((found[i].q - meant[i].q).norm(), 1e-12);
+  EXPECT_EQ(arm::inverse_kinematics(Direction<double>{{0.58, 0.58, 0.58}}).status, Status::invalid);
+}
+
 }  // namespace
 }  // namespace qvgen::test
