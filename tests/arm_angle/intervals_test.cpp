@@ -18,8 +18,6 @@ class ArmAngleLimits : public testing::TestWithParam<NamedBuild> {
   Random random_{11};
 };
 
-std::string name_of(const testing::TestParamInfo<NamedBuild>& info) { return info.param.name; }
-
 bool are_within(const Row& q, const JointLimits<7>& limits) {
   for (int i = 0; i < 7; ++i)
     if (inverse::Representatives(q[i], 0, limits.lower[i], limits.upper[i], true).count() == 0) return false;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include <Eigen/Dense>
+#include <gtest/gtest.h>
 #include <qvgen/inverse/arm_angle.h>
 
 namespace qvgen::test {
@@ -28,6 +29,8 @@ struct NamedBuild {
 
   friend void PrintTo(const NamedBuild& named, std::ostream* out) { *out << named.name; }
 };
+/// The end of a test's name: how the arm is built.
+inline std::string name_of(const testing::TestParamInfo<NamedBuild>& info) { return info.param.name; }
 inline constexpr NamedBuild builds[] = {
     {"plain", {true, true, true, false}},     {"equal", {true, true, true, true}},
     {"offset", {true, true, false, false}},   {"twisted", {true, false, false, false}},

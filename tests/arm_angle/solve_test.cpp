@@ -16,8 +16,6 @@ class ArmAngle : public testing::TestWithParam<NamedBuild> {
   Random random_{7};
 };
 
-std::string name_of(const testing::TestParamInfo<NamedBuild>& info) { return info.param.name; }
-
 TEST_P(ArmAngle, IsTheDihedralAngleOfTheElbow) {
   for (int i = 0; i < 2000; ++i) {
     const Arm arm = random_.arm(GetParam().build);

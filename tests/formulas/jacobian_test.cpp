@@ -19,10 +19,6 @@ namespace {
 
 using namespace reference;
 
-std::string file_of(const std::string& robot) {
-  return std::string(QVGEN_SOURCE_DIR) + "/generator/robots/" + robot + ".toml";
-}
-
 /// Derived once.
 const std::vector<std::string>& lines_of(const std::string& robot,
                                          emit::Notation notation = emit::Notation::text) {

@@ -18,6 +18,10 @@ std::vector<std::string> split(const std::string& text, const std::regex& separa
 
 }  // namespace
 
+std::string file_of(const std::string& robot) {
+  return std::string(QVGEN_SOURCE_DIR) + "/generator/robots/" + robot + ".toml";
+}
+
 Printed::Printed(const std::vector<std::string>& lines, reference::Values known) : values_(std::move(known)) {
   for (const std::string& line : lines) read(line);
 }

@@ -9,6 +9,9 @@
 
 namespace qvgen::test {
 
+/// Path of the description of a robot of the library.
+std::string file_of(const std::string& robot);
+
 /// Values of formulas as they are printed for people, read by the reference's parser, line by line: each may
 /// use what stands above it and nothing else. "name = formula", "name = [ x, y, z ]" (name_x, name_y,
 /// name_z), and matrices with a row a line (name_11, ...). Rates are written theta1'. Other lines are words.

@@ -18,10 +18,6 @@ namespace {
 using namespace reference;
 using Joints = Eigen::Matrix<double, 6, 1>;
 
-std::string file_of(const std::string& robot) {
-  return std::string(QVGEN_SOURCE_DIR) + "/generator/robots/" + robot + ".toml";
-}
-
 std::vector<std::string> lines_of(const std::string& robot) {
   const auto described = description::read_file(file_of(robot)).robot.value();
   const auto derivation = pipeline::derive_inverse(described);

@@ -19,14 +19,11 @@ namespace {
 
 using std::numbers::pi;
 
-std::string file_of(const std::string& robot) {
-  return std::string(QVGEN_SOURCE_DIR) + "/generator/robots/" + robot + ".toml";
-}
 model::Robot robot_of(const std::string& name) { return description::read_file(file_of(name)).robot.value(); }
 
 /// What is printed of a known robot at joint values, and its chain.
-struct Case {
-  Case(const std::string& robot, std::mt19937& random)
+struct Sample {
+  Sample(const std::string& robot, std::mt19937& random)
       : chain(reference::load(file_of(robot))), q(chain.size()) {
     std::uniform_real_distribution<double> uniform(-3, 3);
     for (const auto& [name, value] : model::default_bindings(robot_of(robot)))
@@ -42,7 +39,7 @@ struct Case {
 TEST(Workspace, PrintsWhereThePointIs) {
   std::mt19937 random(1);
   for (const char* robot : {"rrr", "rrp", "puma560", "stanford"}) {
-    const Case at(robot, random);
+    const Sample at(robot, random);
     const Printed printed(report::workspace_lines(robot_of(robot), emit::Notation::text), at.values);
     const auto places = reference::joint_places(at.chain, at.q);
     // Axes 5 and 6 of both arms pass the wrist centre where their frames have their origins.
@@ -61,7 +58,7 @@ TEST(Workspace, BoundaryIsWhereTheJacobianIsSingular) {
   std::mt19937 random(2);
   std::vector<double> ratios;
   for (int i = 0; i < 5; ++i) {
-    const Case at("rrr", random);
+    const Sample at("rrr", random);
     double product = 1;
     for (std::string line : report::workspace_lines(robot_of("rrr"), emit::Notation::text)) {
       const std::size_t zero = line.find(" = 0");

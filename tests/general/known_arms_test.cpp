@@ -4,19 +4,13 @@
 
 #include <gtest/gtest.h>
 
-#include "arms.h"
+#include "check.h"
 
 namespace qvgen::test {
 namespace {
 
 using inverse::general::Found;
 using Constants = inverse::general::Setup;
-
-/// Poses an arm; QVGEN_POSES=100000 asks for more.
-int pose_count() {
-  const char* text = std::getenv("QVGEN_POSES");
-  return text == nullptr ? 1000 : std::atoi(text);
-}
 
 class GeneralArm : public testing::TestWithParam<Arm> {
  protected:
@@ -35,18 +29,18 @@ class GeneralArm : public testing::TestWithParam<Arm> {
 TEST_P(GeneralArm, FindsTheSampledJoints) {
   for (const InstructionSet set : instruction_sets) {
     int unsure = 0;
-    for (int i = 0; i < pose_count(); ++i) {
+    for (int i = 0; i < pose_count(1000); ++i) {
       const Joints6 q = arm_.joints(random_);
       const Found found = solve_at(q, set);
       unsure += found.status == Status::incomplete ? 1 : 0;
       EXPECT_TRUE(contains(arm_, found, q) || found.status == Status::incomplete) << "pose " << i;
     }
-    EXPECT_LE(unsure, pose_count() / 100);
+    EXPECT_LE(unsure, pose_count(1000) / 100);
   }
 }
 
 TEST_P(GeneralArm, EverySetFindsTheSame) {
-  for (int i = 0; i < pose_count() / 10; ++i) {
+  for (int i = 0; i < pose_count(1000) / 10; ++i) {
     const Joints6 q = arm_.joints(random_);
     const Found baseline = solve_at(q, InstructionSet::baseline);
     for (const InstructionSet set : {InstructionSet::avx2, InstructionSet::avx512}) {
@@ -59,7 +53,7 @@ TEST_P(GeneralArm, EverySetFindsTheSame) {
 
 /// Every elimination that is kept finds all, alone: as many as all together.
 TEST_P(GeneralArm, EliminationsAgree) {
-  for (int i = 0; i < pose_count() / 50; ++i) {
+  for (int i = 0; i < pose_count(1000) / 50; ++i) {
     const Joints6 q = arm_.joints(random_);
     const Found found = solve_at(q);
     if (found.status == Status::incomplete) continue;
@@ -84,7 +78,6 @@ TEST_P(GeneralArm, InvalidAndUnreachablePoses) {
   EXPECT_EQ(solve(setup_, pose).status, Status::invalid);
 }
 
-std::string name_of(const testing::TestParamInfo<Arm>& arm) { return arm.param.name; }
 INSTANTIATE_TEST_SUITE_P(Named, GeneralArm, testing::ValuesIn(named_arms()), name_of);
 
 /// The pose of the paper's title.

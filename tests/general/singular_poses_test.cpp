@@ -6,16 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include "arms.h"
+#include "check.h"
 
 namespace qvgen::test {
 namespace {
-
-/// Poses an arm and set; QVGEN_POSES=2000 asks for more.
-int pose_count() {
-  const char* text = std::getenv("QVGEN_POSES");
-  return text == nullptr ? 500 : std::atoi(text);
-}
 
 struct Count {
   int poses = 0, told = 0, silent = 0;
@@ -32,7 +26,7 @@ class SingularPoses : public testing::TestWithParam<Arm> {
   template <class Off>
   Count count(const Off& off) {
     Count result;
-    for (int i = 0; result.poses < pose_count(); ++i) {
+    for (int i = 0; result.poses < pose_count(500); ++i) {
       std::optional<Joints6> q = at_a_singularity(arm_, random_, 1 + i % 4);
       if (!q) continue;
       (*q)[1 + i / 4 % 4] += off();
@@ -74,7 +68,6 @@ TEST_P(SingularPoses, Nearly) {
   check(count([this] { return std::pow(10, -uniform(random_, 2, 8)); }));
 }
 
-std::string name_of(const testing::TestParamInfo<Arm>& arm) { return arm.param.name; }
 INSTANTIATE_TEST_SUITE_P(Named, SingularPoses, testing::ValuesIn(named_arms()), name_of);
 
 }  // namespace

@@ -17,6 +17,9 @@ inline int pose_count() {
   return text == nullptr ? 1000 : std::atoi(text);
 }
 
+/// The end of a test's name: the robot's name.
+inline std::string name_of(const testing::TestParamInfo<InverseUnderTest>& info) { return info.param.name; }
+
 class Inverse : public testing::TestWithParam<InverseUnderTest> {
  protected:
   void SetUp() override { test_ = std::make_unique<Case>(GetParam()); }

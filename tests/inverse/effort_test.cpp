@@ -109,7 +109,6 @@ TEST(Effort, NextToASeedTheEquationsSuffice) {
   }
 }
 
-std::string name_of(const testing::TestParamInfo<InverseUnderTest>& info) { return info.param.name; }
 INSTANTIATE_TEST_SUITE_P(Robots, InverseEffort, testing::ValuesIn(inverses()), name_of);
 
 }  // namespace

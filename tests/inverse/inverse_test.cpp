@@ -189,7 +189,6 @@ TEST(PoseSets, HavePosesOfTheArmsThatTheyAreFor) {
   }
 }
 
-std::string name_of(const testing::TestParamInfo<InverseUnderTest>& info) { return info.param.name; }
 INSTANTIATE_TEST_SUITE_P(Robots, Inverse, testing::ValuesIn(inverses()), name_of);
 
 }  // namespace

@@ -41,7 +41,6 @@ TEST_P(InverseLanes, SameAsOneAfterTheOther) {
   EXPECT_GT(compared, pose_count());
 }
 
-std::string name_of(const testing::TestParamInfo<InverseUnderTest>& info) { return info.param.name; }
 INSTANTIATE_TEST_SUITE_P(Robots, InverseLanes, testing::ValuesIn(inverses()), name_of);
 
 }  // namespace

@@ -131,7 +131,6 @@ TEST_P(InversePaths, NearTheSeedEveryPoseIsAnswered) {
   EXPECT_GT(solved, 50);
 }
 
-std::string name_of(const testing::TestParamInfo<InverseUnderTest>& info) { return info.param.name; }
 INSTANTIATE_TEST_SUITE_P(Robots, InversePaths, testing::ValuesIn(inverses()), name_of);
 
 }  // namespace

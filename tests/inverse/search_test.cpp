@@ -82,7 +82,6 @@ TEST_P(InverseSearch, FindsNothingNewWithTheCentreOnTheFirstAxis) {
 TEST_P(InverseSearch, FindsNothingNewWithAJointAtZero) { expect_nothing_new("a joint at 0", 6); }
 TEST_P(InverseSearch, FindsNothingJustOutside) { expect_nothing_new("just outside", 3); }
 
-std::string name_of(const testing::TestParamInfo<InverseUnderTest>& info) { return info.param.name; }
 INSTANTIATE_TEST_SUITE_P(Robots, InverseSearch, testing::ValuesIn(inverses()), name_of);
 
 }  // namespace

@@ -71,7 +71,6 @@ TEST_P(InverseSeed, LimitsKeepWhatIsInsideWithWholeTurns) {
   }
 }
 
-std::string name_of(const testing::TestParamInfo<InverseUnderTest>& info) { return info.param.name; }
 INSTANTIATE_TEST_SUITE_P(Robots, InverseSeed, testing::ValuesIn(inverses()), name_of);
 
 }  // namespace

@@ -47,7 +47,6 @@ TEST_P(WholePose, AnyOtherIsUnreachable) {
   EXPECT_EQ(unreachable, 100);
 }
 
-std::string name_of(const testing::TestParamInfo<InverseUnderTest>& info) { return info.param.name; }
 INSTANTIATE_TEST_SUITE_P(Robots, WholePose, testing::ValuesIn(asked_for_whole_poses()), name_of);
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(WholePose);
 

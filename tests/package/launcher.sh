@@ -25,6 +25,21 @@ else
   grep -q '^ *apt-get install libcln-dev$' "$work/output" || fail "did not say how to install libcln-dev"
 fi
 
+# `test --everything` asks for what the tests that may be skipped need.
+for package in gcc-arm-none-eabi picolibc-arm-none-eabi qemu-system-arm g++-aarch64-linux-gnu qemu-user texlive-latex-base openmpi-bin \
+               clang-format chromium python3-pytest; do
+  stand_in dpkg-query "for last; do :; done; test \"\$last\" = $package || echo 'install ok installed'"
+  rm -f "$work/asked"
+  status=0
+  PATH=$work:$PATH "$repository/qvgen" test --everything </dev/null >"$work/output" 2>&1 || status=$?
+  ((status != 0)) || fail "test --everything succeeded without $package"
+  if ((EUID == 0)); then
+    grep -q "^install.* $package\$" "$work/asked" || fail "test --everything did not install $package"
+  else
+    grep -q "^ *apt-get install $package\$" "$work/output" || fail "test --everything did not say how to install $package"
+  fi
+done
+
 # Without arguments: how to use it, and exit code 2.
 status=0
 "$repository/qvgen" >"$work/output" 2>&1 || status=$?

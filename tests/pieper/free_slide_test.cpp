@@ -78,7 +78,6 @@ TEST_P(FreeSlide, EveryOtherPose) {
   for (const char* set : {"random", "a joint at 0", "a joint at 10^-u", "boundary", "float32"}) run(set, 200);
 }
 
-std::string name_of(const testing::TestParamInfo<InverseUnderTest>& info) { return info.param.name; }
 INSTANTIATE_TEST_SUITE_P(Arms, FreeSlide, testing::ValuesIn(inverses()), name_of);
 
 TEST(FreeSlides, NoArmIsLeftOut) { EXPECT_EQ(inverses().size(), 4U); }

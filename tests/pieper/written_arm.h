@@ -107,6 +107,4 @@ class WrittenArm : public Inverse {
   }
 };
 
-inline std::string name_of(const testing::TestParamInfo<InverseUnderTest>& info) { return info.param.name; }
-
 }  // namespace qvgen::test
