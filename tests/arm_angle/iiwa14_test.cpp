@@ -71,5 +71,42 @@ TEST(Iiwa14, EveryPoseWithinLimitsIsAnsweredWithinLimits) {
   }
 }
 
+/// Of a straight elbow joints 3 and 5 turn about one line: only their sum matters, and rows with the same sum
+/// are one.
+int repeats(const LimitedSolutions<7, 8>& rows) {
+  int count = 0;
+  for (int a = 0; a < rows.size(); ++a)
+    for (int b = 0; b < a; ++b) {
+      Q one = rows[a].q, other = rows[b].q;
+      one[2] += one[4];
+      other[2] += other[4];
+      one[4] = other[4] = 0;
+      count += joint_distance<7>(one, other, iiwa::is_revolute) < 1e-7 ? 1 : 0;
+    }
+  return count;
+}
+
+TEST(Iiwa14, AStraightElbowGivesNoRowTwice) {
+  Random random(5);
+  const JointLimits<7> limits{Q::Constant(-2.95), Q::Constant(2.95)};
+  Q named;
+  named << -0.48398915323753666, 0.85849746759415169, -1.4483266377199153, 1.820701665356445e-11,
+      -1.4836477199171705, 0.31504177095585417, 2.853155747334331;
+  for (int i = 0; i < 1000; ++i) {
+    Q q = named;
+    for (int j = 0; j < 7 && i > 0; ++j) q[j] = random.between(-2.9, 2.9);
+    if (i > 0) q[3] = i % 2 == 0 ? 0 : 1e-11 * random.between(-1, 1);
+    const Pose<double> pose = iiwa::forward_kinematics(q);
+    const auto found = iiwa::inverse_kinematics(pose, limits);
+    const auto near = iiwa::inverse_kinematics(pose, q, limits);
+    ASSERT_FALSE(found.empty());
+    ASSERT_FALSE(near.empty());
+    EXPECT_EQ(repeats(found), 0);
+    EXPECT_EQ(repeats(near), 0);
+    EXPECT_LT((near[0].q - q).norm(), 1e-6);
+    for (const auto& row : found) EXPECT_LT(miss(row.q, pose), 1e-7);
+  }
+}
+
 }  // namespace
 }  // namespace qvgen::test

@@ -59,6 +59,17 @@ bool append_row(const Solver& solver, const JointLimits<7>& limits, const Row& c
   return true;
 }
 
+/// Of a straight or folded elbow the second four branches are the first ones with the arm angle half a turn
+/// on: of the last row and the one that it repeats keeps the one nearer to the centre.
+void drop_repeat(const Row& centre, LimitedSolutions<7, 8>& rows) {
+  const int last = rows.size() - 1;
+  for (Solution<7>& row : rows) {
+    if (row.branch != rows[last].branch - 4) continue;
+    if ((rows[last].q - centre).squaredNorm() < (row.q - centre).squaredNorm()) row.q = rows[last].q;
+    return rows.truncate(last);
+  }
+}
+
 /// `choose`: the arm angle to take of each interval, and its distance from the best, by which the intervals
 /// of one branch are compared.
 template <class Choose>
@@ -72,8 +83,10 @@ LimitedSolutions<7, 8> rows_within(const Solver& solver, const JointLimits<7>& l
       if (interval.branch == branch && (best == nullptr || choose(interval).second < choose(*best).second))
         best = &interval;
     // Where another joint touches its limit in the middle rounding may be against it.
-    if (best != nullptr && !append_row(solver, limits, centre, branch, choose(*best).first, rows))
-      append_row(solver, limits, centre, branch, best->within, rows);
+    if (best == nullptr) continue;
+    const bool is_row = append_row(solver, limits, centre, branch, choose(*best).first, rows) ||
+                        append_row(solver, limits, centre, branch, best->within, rows);
+    if (is_row && solver.goal().is_one_elbow) drop_repeat(centre, rows);
   }
   rows.conclude();
   return rows;

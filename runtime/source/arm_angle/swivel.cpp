@@ -160,6 +160,7 @@ Goal goal_of(const Arm& arm, const Elbow& elbow, const Pose<double>& given,
     goal.low = goal.low < goal.high ? 0 : 1;
     goal.high = 1 - goal.low;
     goal.elbows = arm.planar ? 2 : 1;
+    goal.is_one_elbow = arm.planar;
   }
   const bool vanishes = distance <= no_direction * elbow.longest();
   goal.line = vanishes ? upwards(arm) : Vector3<double>(way / distance);

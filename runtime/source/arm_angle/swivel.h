@@ -77,6 +77,8 @@ struct Goal {
   bool undefined =
       false;       ///< the arm angle is: the elbow is straight or folded, or the reference says nothing
   int elbows = 2;  ///< ways to bend it
+  bool is_one_elbow =
+      false;  ///< over all arm angles both ways are the same: it is straight or folded, in one plane
 };
 Goal goal_of(const Arm& arm, const Elbow& elbow, const Pose<double>& pose, const ArmAngleReference& reference,
              double tolerance);
