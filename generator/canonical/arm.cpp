@@ -6,6 +6,7 @@
 #include <cln/integer.h>
 
 #include "canonical/passages.h"
+#include "canonical/pi.h"
 #include "canonical/placement.h"
 #include "exact/named_constant.h"
 #include "model/arithmetic.h"
@@ -16,8 +17,6 @@ namespace {
 
 using cln::cl_R;
 using model::Expression;
-
-cl_R pi() { return cln::pi(cln::float_format(model::evaluation_digits)); }
 
 bool is_rational(const Expression& e) {
   return model::symbols(e).empty() && model::rational_value(model::evaluate(e)).has_value();

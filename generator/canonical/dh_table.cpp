@@ -8,6 +8,7 @@
 #include <cln/float.h>
 
 #include "canonical/passages.h"
+#include "canonical/pi.h"
 #include "exact/named_constant.h"
 #include "model/arithmetic.h"
 #include "model/evaluate.h"
@@ -18,8 +19,6 @@ namespace {
 using cln::cl_R;
 using model::Displacement;
 using model::Expression;
-
-cl_R pi() { return cln::pi(cln::float_format(model::evaluation_digits)); }
 
 /// Rz(turn) Tz(shift), moved by a joint or not.
 struct AlongZ {
@@ -114,7 +113,7 @@ class Builder {
   Sequence sequence_;
 };
 
-Expression rounded(const cl_R& value) {
+Expression decimal(const cl_R& value) {
   return Expression(cln::rational(cln::cl_float(value, cln::float_format(25))));
 }
 
@@ -125,7 +124,7 @@ Expression angle_of(const cl_R& radians) {
   if (const auto part = exact::rational_near(angle / pi()))
     return model::multiply(Expression(*part), Expression::pi());
   if (const auto value = exact::rational_near(angle)) return Expression(*value);
-  return rounded(angle);
+  return decimal(angle);
 }
 
 /// Expressions in the description's symbols alone.
@@ -138,7 +137,7 @@ class Values {
     for (const auto& [factors, coefficient] : length) {
       const cl_R size = cln::abs(coefficient);
       const auto exact = exact::rational_near(size);
-      Expression term = exact ? Expression(*exact) : rounded(size);
+      Expression term = exact ? Expression(*exact) : decimal(size);
       for (const std::string& factor : factors) {
         const auto definition = definitions_.find(factor);
         term = model::multiply(

@@ -5,6 +5,7 @@
 #include <cln/integer.h>
 
 #include "canonical/arm.h"
+#include "canonical/pi.h"
 #include "exact/named_constant.h"
 #include "model/arithmetic.h"
 #include "model/evaluate.h"
@@ -15,7 +16,6 @@ namespace {
 using cln::cl_R;
 
 cln::float_format_t format() { return cln::float_format(model::evaluation_digits); }
-cl_R pi() { return cln::pi(format()); }
 
 /// Zeros and ones that rounding hides are put right.
 cl_R cleaned(const cl_R& value) {

@@ -12,7 +12,7 @@ namespace qvgen::description {
 namespace {
 
 /// Beyond this a name is cut off.
-constexpr std::size_t longest_name = 48;
+constexpr std::size_t longest_frame_name = 48;
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
@@ -82,7 +82,7 @@ void read_named_frames(const Table& root, model::Robot& robot) {
 
 std::string frame_identifier(const std::string& text, const std::vector<model::Frame>& frames) {
   std::string name;
-  for (const char c : text.substr(0, longest_name)) {
+  for (const char c : text.substr(0, longest_frame_name)) {
     const bool is_word = std::isalnum(static_cast<unsigned char>(c)) != 0;
     if (is_word)
       name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));

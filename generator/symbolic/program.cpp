@@ -35,6 +35,13 @@ Quaternion Program::let(const Quaternion& value) {
 
 Vector Program::let(const Vector& value) { return {let(value.x), let(value.y), let(value.z)}; }
 
+Matrix3 Program::let(const Matrix3& value) {
+  Matrix3 named;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) named[i][j] = let(value[i][j]);
+  return named;
+}
+
 void Program::output(const std::string& name, const ex& value) { outputs_.push_back({name, value}); }
 
 void Program::output(const GiNaC::symbol& name, const ex& value) {

@@ -29,6 +29,7 @@ class Program {
   GiNaC::ex let(const GiNaC::ex& value);
   Quaternion let(const Quaternion& value);
   Vector let(const Vector& value);
+  Matrix3 let(const Matrix3& value);
   void output(const std::string& name, const GiNaC::ex& value);
   /// Takes over a step of another program that began as a copy of this one.
   void append(const Step& step) { steps_.push_back(step); }

@@ -15,7 +15,7 @@ namespace qvgen::derive::dynamics {
 namespace {
 
 /// A column of Y with the parameter that it is multiplied by.
-struct Column {
+struct DriveColumn {
   std::string name;
   std::vector<dag::Edge> entries;  ///< of the function's graph, one a row
   dag::Edge parameter;             ///< of the parameters' graph
@@ -29,8 +29,8 @@ const std::map<DriveParameter, std::string>& short_names() {
   return names;
 }
 
-std::vector<Column> columns_of_links(const Regressor& links, std::size_t joints) {
-  std::vector<Column> columns;
+std::vector<DriveColumn> columns_of_links(const Regressor& links, std::size_t joints) {
+  std::vector<DriveColumn> columns;
   for (std::size_t k = 0; k < links.names.size(); ++k) {
     columns.push_back({links.names[k], {}, links.base_parameters.outputs[k].value});
     for (std::size_t i = 0; i < joints; ++i)
@@ -60,18 +60,18 @@ dag::Edge factor_of(DriveParameter kind, const cln::cl_RA& ratio, const std::str
 }
 
 /// The columns of one kind of drive parameter, a chain's joint each.
-std::vector<Column> columns_of_drives(const model::Robot& robot, const std::vector<bool>& reversed,
-                                      DriveParameter kind, Regressor& regressor) {
+std::vector<DriveColumn> columns_of_drives(const model::Robot& robot, const std::vector<bool>& reversed,
+                                           DriveParameter kind, Regressor& regressor) {
   dag::Graph& graph = regressor.formulation.function.graph;
   const std::vector<model::Share> shares = model::shares(robot);
   const std::vector<std::string> variables = model::variables(robot);
-  std::vector<Column> columns;
+  std::vector<DriveColumn> columns;
   for (std::size_t i = 0; i < shares.size(); ++i) {
     const auto& [driven, ratio] = shares[i];
     const bool opposite = !reversed.empty() && reversed[i];
-    Column column{short_names().at(kind) + std::to_string(i + 1),
-                  std::vector<dag::Edge>(variables.size(), graph.constant(0)),
-                  regressor.base_parameters.graph.symbol(drive_parameter(i, kind))};
+    DriveColumn column{short_names().at(kind) + std::to_string(i + 1),
+                       std::vector<dag::Edge>(variables.size(), graph.constant(0)),
+                       regressor.base_parameters.graph.symbol(drive_parameter(i, kind))};
     column.entries[driven] = factor_of(kind, ratio, variables[driven], opposite, graph);
     columns.push_back(std::move(column));
   }
@@ -87,7 +87,7 @@ std::vector<std::size_t> order_of(std::size_t links, std::size_t drives_of_kind)
   return order;
 }
 
-dag::Function function_of(const dag::Graph& graph, const std::vector<Column>& columns) {
+dag::Function function_of(const dag::Graph& graph, const std::vector<DriveColumn>& columns) {
   dag::Function function{graph, {}};
   for (std::size_t k = 0; k < columns.size(); ++k)
     for (std::size_t i = 0; i < columns[k].entries.size(); ++i)
@@ -102,11 +102,11 @@ dag::Edge value_of(const Coefficient& coefficient, dag::Graph& graph) {
 }
 
 /// Adds the parameter of a column that depends on others to theirs, and says so.
-void join(const Column& column, const Relation& relation, std::vector<Column>& all, dag::Graph& parameters,
-          std::vector<std::string>& left_out) {
+void join(const DriveColumn& column, const Relation& relation, std::vector<DriveColumn>& all,
+          dag::Graph& parameters, std::vector<std::string>& left_out) {
   std::string others;
   for (const auto& [index, coefficient] : relation) {
-    Column& other = all[index];
+    DriveColumn& other = all[index];
     const dag::Edge part = parameters.product({value_of(coefficient, parameters), column.parameter});
     other.parameter = parameters.sum({other.parameter, part});
     others += (others.empty() ? "" : ", ") + other.name;
@@ -120,16 +120,16 @@ DriveRegressor regressor_with_drives(const model::Robot& robot, const std::vecto
   DriveRegressor result{regressor(robot), {}};
   Regressor& regressor = result.regressor;
   const std::size_t rows = model::driven_count(robot);
-  std::vector<Column> columns = columns_of_links(regressor, rows);
+  std::vector<DriveColumn> columns = columns_of_links(regressor, rows);
   const std::size_t links = columns.size();
   for (const DriveParameter kind : drive_parameters)
-    for (Column& column : columns_of_drives(robot, reversed, kind, regressor))
+    for (DriveColumn& column : columns_of_drives(robot, reversed, kind, regressor))
       columns.push_back(std::move(column));
 
   const dag::Function function = function_of(regressor.formulation.function.graph, columns);
   const auto relations = relations_of_columns(robot, {function, regressor.formulation.constants}, rows,
                                               order_of(links, robot.joints.size()));
-  std::vector<Column> kept;
+  std::vector<DriveColumn> kept;
   for (std::size_t k = 0; k < columns.size(); ++k)
     if (relations[k])
       join(columns[k], *relations[k], columns, regressor.base_parameters.graph, result.left_out);
@@ -139,7 +139,7 @@ DriveRegressor regressor_with_drives(const model::Robot& robot, const std::vecto
   regressor.formulation.function = function_of(function.graph, kept);
   regressor.base_parameters.outputs.clear();
   regressor.names.clear();
-  for (const Column& column : kept) {
+  for (const DriveColumn& column : kept) {
     regressor.names.push_back(column.name);
     regressor.base_parameters.outputs.push_back(
         {"b" + std::to_string(regressor.names.size()), column.parameter});

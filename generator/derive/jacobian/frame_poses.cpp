@@ -41,13 +41,6 @@ Program plain_poses(const model::Robot& robot, const std::vector<model::Frame>& 
   return program;
 }
 
-Matrix3 let(Program& program, const Matrix3& m) {
-  Matrix3 named;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) named[i][j] = program.let(m[i][j]);
-  return named;
-}
-
 Matrix3 rotation_of(const Turn& turn) {
   const Vector x = turned(turn, {1, 0, 0}), y = turned(turn, {0, 1, 0}), z = turned(turn, {0, 0, 1});
   return {{{x.x, y.x, z.x}, {x.y, y.y, z.y}, {x.z, y.z, z.z}}};
@@ -67,7 +60,7 @@ class Outward {
       turn({pivot.axis, pivot.angle});
     }
     go(linkage_.beyond);
-    output(program_, frame, let(program_, rotation_ * to_matrix(linkage_.home)), position_);
+    output(program_, frame, program_.let(rotation_ * to_matrix(linkage_.home)), position_);
   }
 
  private:
@@ -87,7 +80,7 @@ class Outward {
       group_.angle += sign * next.angle;
     }
     has_turned_ = true;
-    rotation_ = let(program_, before_group_ * rotation_of(group_));
+    rotation_ = program_.let(before_group_ * rotation_of(group_));
   }
 
   Program& program_;

@@ -97,22 +97,15 @@ Matrix3 row_turned(const Matrix3& m, const Turn& turn) {
   return transpose(column_turned({turn.axis, -turn.angle}, transpose(m)));
 }
 
-Matrix3 let(Program& program, const Matrix3& m) {
-  Matrix3 named;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) named[i][j] = program.let(m[i][j]);
-  return named;
-}
-
 using Turns = std::vector<Turn>;
 
 Matrix3 from_left(Program& program, const Turns& turns, Matrix3 m) {
-  for (const Turn& turn : turns) m = let(program, row_turned(m, turn));
+  for (const Turn& turn : turns) m = program.let(row_turned(m, turn));
   return m;
 }
 
 Matrix3 from_right(Program& program, const Turns& turns, Matrix3 m) {
-  for (std::size_t i = turns.size(); i-- > 0;) m = let(program, column_turned(turns[i], m));
+  for (std::size_t i = turns.size(); i-- > 0;) m = program.let(column_turned(turns[i], m));
   return m;
 }
 
@@ -124,8 +117,8 @@ Matrix3 split_product(Program& program, const TurnSequence& sequence, std::size_
   const Matrix3 home = to_matrix(sequence.home);
   if (left.empty()) return from_right(program, right, home);
   const Matrix3 arm = from_left(program, left, identity);
-  if (right.empty()) return let(program, arm * home);
-  return let(program, arm * from_right(program, right, home));
+  if (right.empty()) return program.let(arm * home);
+  return program.let(arm * from_right(program, right, home));
 }
 
 Matrix3 with_cross_column(Program& program, Matrix3 m, int column) {

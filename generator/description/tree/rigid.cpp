@@ -56,8 +56,8 @@ std::optional<Number> number_of(const Expression& e) {
 Expression expression_of(const Number& number) {
   Expression sum;
   for (const auto& [radicand, coefficient] : number.terms()) {
-    const Expression root = radicand == 1 ? Expression(cln::cl_RA(1))
-                                          : Expression::make(Kind::root, {cln::cl_RA(radicand)});
+    const Expression root =
+        radicand == 1 ? Expression(cln::cl_RA(1)) : Expression::make(Kind::root, {cln::cl_RA(radicand)});
     sum = model::add(sum, model::multiply(coefficient, root));
   }
   return sum;
