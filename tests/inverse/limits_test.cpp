@@ -98,6 +98,32 @@ TEST_F(Limits, APathNeverLeavesTheLimits) {
   }
 }
 
+/// Next to a seed the row is that of the call without limits, or there is none: no jump.
+TEST_F(Limits, NearTheSeedTheyAreKeptWithoutAJump) {
+  int kept = 0, left = 0;
+  for (int k = 0; k < 500; ++k) {
+    const Joints q = draw() / 2, seed = q + 1e-2 * draw();
+    const auto pose = ur5::forward_kinematics(q);
+    qvgen::JointLimits<6> limits{q.array() - 0.3, q.array() + 0.3};
+    if (k % 2 == 0) limits.upper[k % 6] = q[k % 6] - 1e-6;
+    const auto free = ur5::inverse_kinematics_near(pose, seed);
+    const auto found = ur5::inverse_kinematics_near(pose, seed, limits);
+    ASSERT_FALSE(free.empty());
+    const bool is_inside = (free[0].q.array() >= limits.lower.array()).all() &&
+                           (free[0].q.array() <= limits.upper.array()).all();
+    if (is_inside) {
+      ASSERT_EQ(found.size(), 1);
+      EXPECT_EQ(found[0].q, free[0].q);
+    } else if (found.empty()) {
+      EXPECT_EQ(found.status, qvgen::Status::unreachable);
+    }
+    kept += is_inside ? 1 : 0;
+    left += found.empty() ? 1 : 0;
+  }
+  EXPECT_GT(kept, 200);
+  EXPECT_GT(left, 200);
+}
+
 TEST_F(Limits, AreTheDescriptionsByDefault) {
   const ur5::Limits own;
   for (int i = 0; i < ur5::dof; ++i) {

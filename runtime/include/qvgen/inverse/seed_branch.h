@@ -261,4 +261,24 @@ void unwind(Solutions<dof, 1>& found, const Eigen::Matrix<double, dof, 1>& seed,
       if (revolute[static_cast<std::size_t>(i)]) row.q[i] = seed[i] + without_turns(row.q[i] - seed[i]);
 }
 
+/// Whether a row is within limits as it stands, but for rounding; true if there is no row.
+template <int dof>
+bool is_near_within(const Solutions<dof, 1>& nearest, const JointLimits<dof>& limits) {
+  return nearest.empty() || ((nearest[0].q.array() >= limits.lower.array()).all() &&
+                             (nearest[0].q.array() <= limits.upper.array()).all());
+}
+
+/// Puts a row that is outside limits by rounding on them, and drops one that is outside by more.
+template <int dof>
+void keep_near_within(const JointLimits<dof>& limits, Solutions<dof, 1>& nearest) {
+  if (nearest.empty()) return;
+  const Joints<dof> q = nearest[0].q;
+  nearest[0].q = q.cwiseMax(limits.lower).cwiseMin(limits.upper);
+  const bool is_inside = (limits.lower.array() <= limits.upper.array()).all() &&
+                         (nearest[0].q - q).cwiseAbs().maxCoeff() <= limit_tolerance;
+  if (is_inside) return;
+  nearest.clear();
+  nearest.status = Status::unreachable;
+}
+
 }  // namespace qvgen::inverse
