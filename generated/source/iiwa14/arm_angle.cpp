@@ -93,12 +93,13 @@ qvgen::Solutions<dof, 8> inverse_kinematics_arm_angle(const Pose<double>& pose, 
 
 qvgen::Solutions<dof, 8> inverse_kinematics_arm_angle(const Matrix3<double>& rotation, const Vector3<double>& position,
     double psi, const ArmAngleReference& reference, const Geometry& g, double tolerance) {
-  if (!inverse::is_rotation(rotation)) {
+  const auto pose = inverse::pose_by_matrix(rotation, position);
+  if (!pose) {
     qvgen::Solutions<dof, 8> none;
     none.status = Status::invalid;
     return none;
   }
-  return inverse_kinematics_arm_angle(Pose<double>::from_matrix(rotation, position), psi, reference, g, tolerance);
+  return inverse_kinematics_arm_angle(*pose, psi, reference, g, tolerance);
 }
 
 ArmAngleIntervals arm_angle_intervals(const Pose<double>& pose, const JointLimits<dof>& limits,
@@ -106,12 +107,12 @@ ArmAngleIntervals arm_angle_intervals(const Pose<double>& pose, const JointLimit
   return inverse::arm_angle::intervals(detail::arm_angle::arm(g), pose, limits, reference, tolerance);
 }
 
-LimitedSolutions<dof, 8, 1> inverse_kinematics(const Pose<double>& pose, const JointLimits<dof>& limits,
+LimitedSolutions<dof, 8> inverse_kinematics(const Pose<double>& pose, const JointLimits<dof>& limits,
     const ArmAngleReference& reference, const Geometry& g, double tolerance) {
   return inverse::arm_angle::solve_within(detail::arm_angle::arm(g), pose, limits, reference, tolerance);
 }
 
-LimitedSolutions<dof, 8, 1> inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed,
+LimitedSolutions<dof, 8> inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed,
     const JointLimits<dof>& limits, const ArmAngleReference& reference, const Geometry& g, double tolerance) {
   return inverse::arm_angle::solve_within(detail::arm_angle::arm(g), pose, seed, limits, reference, tolerance);
 }

@@ -5,6 +5,7 @@
 
 #include <qvgen/robots/iiwa14/inverse.h>
 
+#include <qvgen/inverse/along_continuum.h>
 #include <qvgen/inverse/near_singular.h>
 #include <qvgen/inverse/lanes.h>
 
@@ -199,17 +200,34 @@ using Tracker = inverse::BranchTracker<double, 3, 4>;
   found.conclude();
 }
 
-[[gnu::always_inline]] inline void solve(const Pose<double>& pose, const Target& given, inverse::Form form,
+/// All solutions where rounding decides nothing; false elsewhere.
+[[gnu::always_inline]] inline bool solve_regular(const Pose<double>& pose, const Target& given, inverse::Form form,
     Rows& found) {
   // Branches side by side where machine and compiler know AVX2.
   if (form == inverse::Form::fastest && solve_in_lanes != nullptr && inverse::machine_has_avx2()) {
     const inverse::RowCount count = solve_in_lanes(inverse::numbers_of(pose), given, inverse::row_places(found));
-    if (count.rows >= 0) return inverse::conclude(found, count);
-  } else if (solve_one_by_one(inverse::numbers_of(pose), given, found)) {
-    return found.conclude();
+    if (count.rows >= 0) inverse::conclude(found, count);
+    return count.rows >= 0;
   }
+  if (!solve_one_by_one(inverse::numbers_of(pose), given, found)) return false;
+  found.conclude();
+  return true;
+}
 
+[[gnu::always_inline]] inline void solve(const Pose<double>& pose, const Target& given, inverse::Form form,
+    Rows& found) {
+  if (solve_regular(pose, given, form, found)) return;
   solve_near_singular(pose, given, found);
+}
+
+/// The rows of a pose at which rounding decides nothing and no joint is free, so that nobody's preference matters;
+/// false
+/// elsewhere.
+bool regular_rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, double given_theta3, Rows& found) {
+  const Target t = given(g, tolerance, inverse::zero_preference<7>, given_theta3);
+  if (!solve_regular(pose, t, inverse::Form::fastest, found) || found.status == Status::singular) return false;
+
+  return true;
 }
 
 Rows rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, const inverse::Preference<7>& preference,
@@ -377,6 +395,9 @@ SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, 
     inverse::Form form) {
   SolutionsGiven_theta3 found = detail::given_theta3::rows_of(pose, g, tolerance, inverse::zero_preference<7>, form,
       given_theta3);
+  if (found.status == Status::invalid)
+    if (const auto meant = inverse::pose_meant(pose)) return inverse_kinematics_given_theta3(*meant, given_theta3, g,
+        tolerance, form);
   return found;
 }
 
@@ -390,6 +411,9 @@ SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, 
   const auto preference = inverse::preference<dof>(inverse::with_value(seed, 2, given_theta3));
   SolutionsGiven_theta3 found = detail::given_theta3::rows_of(pose, g, tolerance, preference, inverse::Form::fastest,
       given_theta3);
+  if (found.status == Status::invalid)
+    if (const auto meant = inverse::pose_meant(pose)) return inverse_kinematics_given_theta3(*meant, given_theta3,
+        seed, g, tolerance);
   sort_by_distance(found, seed, is_revolute);
   const auto follow = [&](bool is_sure, NearSolution& nearest) {
       detail::given_theta3::follow_whole_arm(pose, preference, g, tolerance, given_theta3, is_sure, nearest); };
@@ -399,23 +423,37 @@ SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, 
 
 SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Matrix3<double>& rotation, const Vector3<double>& position,
     double given_theta3, const Geometry& g, double tolerance) {
-  if (!inverse::is_rotation(rotation)) {
+  const auto pose = inverse::pose_by_matrix(rotation, position);
+  if (!pose) {
     SolutionsGiven_theta3 none;
     none.status = Status::invalid;
     return none;
   }
-  return inverse_kinematics_given_theta3(Pose<double>::from_matrix(rotation, position), given_theta3, g, tolerance);
+  return inverse_kinematics_given_theta3(*pose, given_theta3, g, tolerance);
+}
+
+AllWithinLimits<dof, 8> inverse_kinematics_given_theta3(const Pose<double>& pose, double given_theta3,
+    const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
+  const auto choose = [&](const SolutionsGiven_theta3& found) { return within_limits(found, limits, is_revolute); };
+  const auto bring = [&](SolutionsGiven_theta3& found) {
+      inverse::bring_inside<3>(detail::arm_at_zero(g), pose, 2, given_theta3, limits, is_revolute, found); };
+  return inverse::chosen_within(inverse_kinematics_given_theta3(pose, given_theta3, g, tolerance), choose, bring);
 }
 
 LimitedSolutions<dof, 8> inverse_kinematics_given_theta3(const Pose<double>& pose, double given_theta3,
-    const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
-  return within_limits(inverse_kinematics_given_theta3(pose, given_theta3, g, tolerance), limits, is_revolute);
-}
-
-LimitedSolutions<dof, 8, 1> inverse_kinematics_given_theta3(const Pose<double>& pose, double given_theta3,
     const JointVector<double>& seed, const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
-  return nearest_within_limits(inverse_kinematics_given_theta3(pose, given_theta3, seed, g, tolerance), limits,
-      is_revolute, seed);
+  const inverse::Within<dof> within(limits, is_revolute, seed);
+  const auto choose = [&](const SolutionsGiven_theta3& found) { return inverse::nearest_within(found, within); };
+  // Without a free joint the seed chooses nothing, and neither its sines nor an order of all rows are needed.
+  SolutionsGiven_theta3 regular;
+  const bool is_regular = seed.allFinite()
+      && detail::given_theta3::regular_rows_of(pose, g, tolerance, given_theta3, regular);
+  LimitedSolutions<dof, 8> rows = is_regular ? choose(regular) : LimitedSolutions<dof, 8>();
+  if (is_regular && (!rows.empty() || regular.empty())) return rows;
+  const auto bring = [&](SolutionsGiven_theta3& found) {
+      inverse::bring_inside<3>(detail::arm_at_zero(g), pose, 2, given_theta3, limits, is_revolute, found); };
+  rows = inverse::chosen_within(inverse_kinematics_given_theta3(pose, given_theta3, seed, g, tolerance), choose, bring);
+  return rows;
 }
 
 NearSolution inverse_kinematics_near_given_theta3(const Pose<double>& pose, double given_theta3,
@@ -427,9 +465,22 @@ NearSolution inverse_kinematics_near_given_theta3(const Pose<double>& pose, doub
   }
   const auto preference = inverse::preference<dof>(inverse::with_value(seed, 2, given_theta3));
   NearSolution nearest = detail::given_theta3::nearest_to(pose, seed, preference, g, tolerance, given_theta3);
+  if (nearest.status == Status::invalid)
+    if (const auto meant = inverse::pose_meant(pose)) return inverse_kinematics_near_given_theta3(*meant, given_theta3,
+        seed, g, tolerance);
 
   inverse::unwind(nearest, seed, is_revolute);
   for (auto& row : nearest) row.q[2] = given_theta3;
+  return nearest;
+}
+
+NearSolution inverse_kinematics_near_given_theta3(const Pose<double>& pose, double given_theta3,
+    const JointVector<double>& seed, const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
+  NearSolution nearest = inverse_kinematics_near_given_theta3(pose, given_theta3, seed, g, tolerance);
+  if (inverse::is_near_within(nearest, limits)) return nearest;
+  inverse::bring_inside<3>(detail::arm_at_zero(g), pose, 2, given_theta3, limits, is_revolute, nearest);
+  inverse::unwind(nearest, seed, is_revolute);
+  inverse::keep_near_within(limits, nearest);
   return nearest;
 }
 

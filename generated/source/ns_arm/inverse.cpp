@@ -5,6 +5,7 @@
 
 #include <qvgen/robots/ns_arm/inverse.h>
 
+#include <qvgen/inverse/along_continuum.h>
 #include <qvgen/inverse/near_singular.h>
 #include <qvgen/inverse/lanes.h>
 
@@ -145,17 +146,34 @@ using Tracker = inverse::BranchTracker<double, 3, 4>;
   found.conclude();
 }
 
-[[gnu::always_inline]] inline void solve(const Pose<double>& pose, const Target& given, inverse::Form form,
+/// All solutions where rounding decides nothing; false elsewhere.
+[[gnu::always_inline]] inline bool solve_regular(const Pose<double>& pose, const Target& given, inverse::Form form,
     Rows& found) {
   // Branches side by side where machine and compiler know AVX2.
   if (form == inverse::Form::fastest && solve_in_lanes != nullptr && inverse::machine_has_avx2()) {
     const inverse::RowCount count = solve_in_lanes(inverse::numbers_of(pose), given, inverse::row_places(found));
-    if (count.rows >= 0) return inverse::conclude(found, count);
-  } else if (solve_one_by_one(inverse::numbers_of(pose), given, found)) {
-    return found.conclude();
+    if (count.rows >= 0) inverse::conclude(found, count);
+    return count.rows >= 0;
   }
+  if (!solve_one_by_one(inverse::numbers_of(pose), given, found)) return false;
+  found.conclude();
+  return true;
+}
 
+[[gnu::always_inline]] inline void solve(const Pose<double>& pose, const Target& given, inverse::Form form,
+    Rows& found) {
+  if (solve_regular(pose, given, form, found)) return;
   solve_near_singular(pose, given, found);
+}
+
+/// The rows of a pose at which rounding decides nothing and no joint is free, so that nobody's preference matters;
+/// false
+/// elsewhere.
+bool regular_rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, Rows& found) {
+  const Target t = given(g, tolerance, inverse::zero_preference<3>);
+  if (!solve_regular(pose, t, inverse::Form::fastest, found) || found.status == Status::singular) return false;
+
+  return true;
 }
 
 Rows rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, const inverse::Preference<3>& preference,
@@ -295,6 +313,7 @@ Solutions inverse_kinematics(const Vector3<double>& position, const Geometry& g,
     inverse::Form form) {
   const Pose<double> pose = Pose<double>{Eigen::Quaternion<double>::Identity(), position};
   Solutions found = detail::all::rows_of(pose, g, tolerance, inverse::zero_preference<3>, form);
+
   return found;
 }
 
@@ -308,6 +327,7 @@ Solutions inverse_kinematics(const Vector3<double>& position, const JointVector<
   const Pose<double> pose = Pose<double>{Eigen::Quaternion<double>::Identity(), position};
   const auto preference = inverse::preference<dof>(seed);
   Solutions found = detail::all::rows_of(pose, g, tolerance, preference, inverse::Form::fastest);
+
   sort_by_distance(found, seed, is_revolute);
   const auto follow = [&](bool is_sure, NearSolution& nearest) {
       detail::all::follow_whole_arm(pose, preference, g, tolerance, is_sure, nearest); };
@@ -315,12 +335,12 @@ Solutions inverse_kinematics(const Vector3<double>& position, const JointVector<
   return found;
 }
 
-LimitedSolutions<dof, 4> inverse_kinematics(const Vector3<double>& position, const JointLimits<dof>& limits,
+AllWithinLimits<dof, 4> inverse_kinematics(const Vector3<double>& position, const JointLimits<dof>& limits,
     const Geometry& g, double tolerance) {
   return within_limits(inverse_kinematics(position, g, tolerance), limits, is_revolute);
 }
 
-LimitedSolutions<dof, 4, 1> inverse_kinematics(const Vector3<double>& position, const JointVector<double>& seed,
+LimitedSolutions<dof, 4> inverse_kinematics(const Vector3<double>& position, const JointVector<double>& seed,
     const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
   return nearest_within_limits(inverse_kinematics(position, seed, g, tolerance), limits, is_revolute, seed);
 }
@@ -341,9 +361,19 @@ NearSolution inverse_kinematics_near(const Vector3<double>& position, const Join
   return nearest;
 }
 
+NearSolution inverse_kinematics_near(const Vector3<double>& position, const JointVector<double>& seed,
+    const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
+  NearSolution nearest = inverse_kinematics_near(position, seed, g, tolerance);
+
+  inverse::keep_near_within(limits, nearest);
+  return nearest;
+}
+
 Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g, double tolerance,
     inverse::Form form) {
   Solutions found = detail::all::rows_of(pose, g, tolerance, inverse::zero_preference<3>, form);
+  if (found.status == Status::invalid)
+    if (const auto meant = inverse::pose_meant(pose)) return inverse_kinematics(*meant, g, tolerance, form);
   return found;
 }
 
@@ -356,6 +386,8 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
   }
   const auto preference = inverse::preference<dof>(seed);
   Solutions found = detail::all::rows_of(pose, g, tolerance, preference, inverse::Form::fastest);
+  if (found.status == Status::invalid)
+    if (const auto meant = inverse::pose_meant(pose)) return inverse_kinematics(*meant, seed, g, tolerance);
   sort_by_distance(found, seed, is_revolute);
   const auto follow = [&](bool is_sure, NearSolution& nearest) {
       detail::all::follow_whole_arm(pose, preference, g, tolerance, is_sure, nearest); };
@@ -365,22 +397,36 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
 
 Solutions inverse_kinematics(const Matrix3<double>& rotation, const Vector3<double>& position, const Geometry& g,
     double tolerance) {
-  if (!inverse::is_rotation(rotation)) {
+  const auto pose = inverse::pose_by_matrix(rotation, position);
+  if (!pose) {
     Solutions none;
     none.status = Status::invalid;
     return none;
   }
-  return inverse_kinematics(Pose<double>::from_matrix(rotation, position), g, tolerance);
+  return inverse_kinematics(*pose, g, tolerance);
 }
 
-LimitedSolutions<dof, 4> inverse_kinematics(const Pose<double>& pose, const JointLimits<dof>& limits,
-    const Geometry& g, double tolerance) {
-  return within_limits(inverse_kinematics(pose, g, tolerance), limits, is_revolute);
+AllWithinLimits<dof, 4> inverse_kinematics(const Pose<double>& pose, const JointLimits<dof>& limits, const Geometry& g,
+    double tolerance) {
+  const auto choose = [&](const Solutions& found) { return within_limits(found, limits, is_revolute); };
+  const auto bring = [&](Solutions& found) {
+      inverse::bring_inside<1>(detail::arm_at_zero(g), pose, limits, is_revolute, found); };
+  return inverse::chosen_within(inverse_kinematics(pose, g, tolerance), choose, bring);
 }
 
-LimitedSolutions<dof, 4, 1> inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed,
+LimitedSolutions<dof, 4> inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed,
     const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
-  return nearest_within_limits(inverse_kinematics(pose, seed, g, tolerance), limits, is_revolute, seed);
+  const inverse::Within<dof> within(limits, is_revolute, seed);
+  const auto choose = [&](const Solutions& found) { return inverse::nearest_within(found, within); };
+  // Without a free joint the seed chooses nothing, and neither its sines nor an order of all rows are needed.
+  Solutions regular;
+  const bool is_regular = seed.allFinite() && detail::all::regular_rows_of(pose, g, tolerance, regular);
+  LimitedSolutions<dof, 4> rows = is_regular ? choose(regular) : LimitedSolutions<dof, 4>();
+  if (is_regular && (!rows.empty() || regular.empty())) return rows;
+  const auto bring = [&](Solutions& found) {
+      inverse::bring_inside<1>(detail::arm_at_zero(g), pose, limits, is_revolute, found); };
+  rows = inverse::chosen_within(inverse_kinematics(pose, seed, g, tolerance), choose, bring);
+  return rows;
 }
 
 NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g,
@@ -392,9 +438,21 @@ NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector
   }
   const auto preference = inverse::preference<dof>(seed);
   NearSolution nearest = detail::all::nearest_to(pose, seed, preference, g, tolerance);
+  if (nearest.status == Status::invalid)
+    if (const auto meant = inverse::pose_meant(pose)) return inverse_kinematics_near(*meant, seed, g, tolerance);
 
   inverse::unwind(nearest, seed, is_revolute);
 
+  return nearest;
+}
+
+NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector<double>& seed,
+    const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
+  NearSolution nearest = inverse_kinematics_near(pose, seed, g, tolerance);
+  if (inverse::is_near_within(nearest, limits)) return nearest;
+  inverse::bring_inside<1>(detail::arm_at_zero(g), pose, limits, is_revolute, nearest);
+  inverse::unwind(nearest, seed, is_revolute);
+  inverse::keep_near_within(limits, nearest);
   return nearest;
 }
 

@@ -5,6 +5,7 @@
 
 #include <qvgen/robots/planar_3r/inverse.h>
 
+#include <qvgen/inverse/along_continuum.h>
 #include <qvgen/inverse/near_singular.h>
 #include <qvgen/inverse/lanes.h>
 
@@ -146,9 +147,17 @@ using Tracker = inverse::BranchTracker<double, 2, 2>;
   found.conclude();
 }
 
-[[gnu::always_inline]] inline void solve(const Pose<double>& pose, const Target& given,
+/// All solutions where rounding decides nothing; false elsewhere.
+[[gnu::always_inline]] inline bool solve_regular(const Pose<double>& pose, const Target& given,
     [[maybe_unused]] inverse::Form form, Rows& found) {
-  if (solve_one_by_one(inverse::numbers_of(pose), given, found)) return found.conclude();
+  if (!solve_one_by_one(inverse::numbers_of(pose), given, found)) return false;
+  found.conclude();
+  return true;
+}
+
+[[gnu::always_inline]] inline void solve(const Pose<double>& pose, const Target& given, inverse::Form form,
+    Rows& found) {
+  if (solve_regular(pose, given, form, found)) return;
   solve_near_singular(pose, given, found);
 }
 
@@ -157,6 +166,16 @@ bool lacks_a_length(const Target& t) {
   if (t.geometry.l1 == 0) return true;
   if (t.geometry.l2 == 0) return true;
   return false;
+}
+
+/// The rows of a pose at which rounding decides nothing and no joint is free, so that nobody's preference matters;
+/// false
+/// elsewhere.
+bool regular_rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, Rows& found) {
+  const Target t = given(g, tolerance, inverse::zero_preference<3>);
+  if (!solve_regular(pose, t, inverse::Form::fastest, found) || found.status == Status::singular) return false;
+  if (found.empty()) return false;
+  return true;
 }
 
 Rows rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, const inverse::Preference<3>& preference,
@@ -373,9 +392,17 @@ using Tracker = inverse::BranchTracker<double, 2, 2>;
   found.conclude();
 }
 
-[[gnu::always_inline]] inline void solve(const Pose<double>& pose, const Target& given,
+/// All solutions where rounding decides nothing; false elsewhere.
+[[gnu::always_inline]] inline bool solve_regular(const Pose<double>& pose, const Target& given,
     [[maybe_unused]] inverse::Form form, Rows& found) {
-  if (solve_one_by_one(inverse::numbers_of(pose), given, found)) return found.conclude();
+  if (!solve_one_by_one(inverse::numbers_of(pose), given, found)) return false;
+  found.conclude();
+  return true;
+}
+
+[[gnu::always_inline]] inline void solve(const Pose<double>& pose, const Target& given, inverse::Form form,
+    Rows& found) {
+  if (solve_regular(pose, given, form, found)) return;
   solve_near_singular(pose, given, found);
 }
 
@@ -383,6 +410,16 @@ using Tracker = inverse::BranchTracker<double, 2, 2>;
 bool lacks_a_length(const Target& t) {
   if (t.geometry.l1 == 0) return true;
   return false;
+}
+
+/// The rows of a pose at which rounding decides nothing and no joint is free, so that nobody's preference matters;
+/// false
+/// elsewhere.
+bool regular_rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, double given_theta3, Rows& found) {
+  const Target t = given(g, tolerance, inverse::zero_preference<3>, given_theta3);
+  if (!solve_regular(pose, t, inverse::Form::fastest, found) || found.status == Status::singular) return false;
+  if (found.empty()) return false;
+  return true;
 }
 
 Rows rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, const inverse::Preference<3>& preference,
@@ -514,6 +551,8 @@ NearSolution nearest_to(const Pose<double>& pose, const JointVector<double>& see
 Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g, double tolerance,
     inverse::Form form) {
   Solutions found = detail::all::rows_of(pose, g, tolerance, inverse::zero_preference<3>, form);
+  if (found.status == Status::invalid)
+    if (const auto meant = inverse::pose_meant(pose)) return inverse_kinematics(*meant, g, tolerance, form);
   return found;
 }
 
@@ -526,6 +565,8 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
   }
   const auto preference = inverse::preference<dof>(seed);
   Solutions found = detail::all::rows_of(pose, g, tolerance, preference, inverse::Form::fastest);
+  if (found.status == Status::invalid)
+    if (const auto meant = inverse::pose_meant(pose)) return inverse_kinematics(*meant, seed, g, tolerance);
   sort_by_distance(found, seed, is_revolute);
   const auto follow = [&](bool is_sure, NearSolution& nearest) {
       detail::all::follow_whole_arm(pose, preference, g, tolerance, is_sure, nearest); };
@@ -535,22 +576,36 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
 
 Solutions inverse_kinematics(const Matrix3<double>& rotation, const Vector3<double>& position, const Geometry& g,
     double tolerance) {
-  if (!inverse::is_rotation(rotation)) {
+  const auto pose = inverse::pose_by_matrix(rotation, position);
+  if (!pose) {
     Solutions none;
     none.status = Status::invalid;
     return none;
   }
-  return inverse_kinematics(Pose<double>::from_matrix(rotation, position), g, tolerance);
+  return inverse_kinematics(*pose, g, tolerance);
 }
 
-LimitedSolutions<dof, 2> inverse_kinematics(const Pose<double>& pose, const JointLimits<dof>& limits,
-    const Geometry& g, double tolerance) {
-  return within_limits(inverse_kinematics(pose, g, tolerance), limits, is_revolute);
+AllWithinLimits<dof, 2> inverse_kinematics(const Pose<double>& pose, const JointLimits<dof>& limits, const Geometry& g,
+    double tolerance) {
+  const auto choose = [&](const Solutions& found) { return within_limits(found, limits, is_revolute); };
+  const auto bring = [&](Solutions& found) {
+      inverse::bring_inside<3>(detail::arm_at_zero(g), pose, limits, is_revolute, found); };
+  return inverse::chosen_within(inverse_kinematics(pose, g, tolerance), choose, bring);
 }
 
-LimitedSolutions<dof, 2, 1> inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed,
+LimitedSolutions<dof, 2> inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed,
     const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
-  return nearest_within_limits(inverse_kinematics(pose, seed, g, tolerance), limits, is_revolute, seed);
+  const inverse::Within<dof> within(limits, is_revolute, seed);
+  const auto choose = [&](const Solutions& found) { return inverse::nearest_within(found, within); };
+  // Without a free joint the seed chooses nothing, and neither its sines nor an order of all rows are needed.
+  Solutions regular;
+  const bool is_regular = seed.allFinite() && detail::all::regular_rows_of(pose, g, tolerance, regular);
+  LimitedSolutions<dof, 2> rows = is_regular ? choose(regular) : LimitedSolutions<dof, 2>();
+  if (is_regular && (!rows.empty() || regular.empty())) return rows;
+  const auto bring = [&](Solutions& found) {
+      inverse::bring_inside<3>(detail::arm_at_zero(g), pose, limits, is_revolute, found); };
+  rows = inverse::chosen_within(inverse_kinematics(pose, seed, g, tolerance), choose, bring);
+  return rows;
 }
 
 NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g,
@@ -562,9 +617,21 @@ NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector
   }
   const auto preference = inverse::preference<dof>(seed);
   NearSolution nearest = detail::all::nearest_to(pose, seed, preference, g, tolerance);
+  if (nearest.status == Status::invalid)
+    if (const auto meant = inverse::pose_meant(pose)) return inverse_kinematics_near(*meant, seed, g, tolerance);
 
   inverse::unwind(nearest, seed, is_revolute);
 
+  return nearest;
+}
+
+NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector<double>& seed,
+    const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
+  NearSolution nearest = inverse_kinematics_near(pose, seed, g, tolerance);
+  if (inverse::is_near_within(nearest, limits)) return nearest;
+  inverse::bring_inside<3>(detail::arm_at_zero(g), pose, limits, is_revolute, nearest);
+  inverse::unwind(nearest, seed, is_revolute);
+  inverse::keep_near_within(limits, nearest);
   return nearest;
 }
 
@@ -574,6 +641,7 @@ SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Vector3<double>& pos
   const Pose<double> pose = Pose<double>{Eigen::Quaternion<double>::Identity(), position};
   SolutionsGiven_theta3 found = detail::given_theta3::rows_of(pose, g, tolerance, inverse::zero_preference<3>, form,
       given_theta3);
+
   return found;
 }
 
@@ -588,6 +656,7 @@ SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Vector3<double>& pos
   const auto preference = inverse::preference<dof>(inverse::with_value(seed, 2, given_theta3));
   SolutionsGiven_theta3 found = detail::given_theta3::rows_of(pose, g, tolerance, preference, inverse::Form::fastest,
       given_theta3);
+
   sort_by_distance(found, seed, is_revolute);
   const auto follow = [&](bool is_sure, NearSolution& nearest) {
       detail::given_theta3::follow_whole_arm(pose, preference, g, tolerance, given_theta3, is_sure, nearest); };
@@ -595,12 +664,12 @@ SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Vector3<double>& pos
   return found;
 }
 
-LimitedSolutions<dof, 2> inverse_kinematics_given_theta3(const Vector3<double>& position, double given_theta3,
+AllWithinLimits<dof, 2> inverse_kinematics_given_theta3(const Vector3<double>& position, double given_theta3,
     const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
   return within_limits(inverse_kinematics_given_theta3(position, given_theta3, g, tolerance), limits, is_revolute);
 }
 
-LimitedSolutions<dof, 2, 1> inverse_kinematics_given_theta3(const Vector3<double>& position, double given_theta3,
+LimitedSolutions<dof, 2> inverse_kinematics_given_theta3(const Vector3<double>& position, double given_theta3,
     const JointVector<double>& seed, const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
   return nearest_within_limits(inverse_kinematics_given_theta3(position, given_theta3, seed, g, tolerance), limits,
       is_revolute, seed);
@@ -622,11 +691,22 @@ NearSolution inverse_kinematics_near_given_theta3(const Vector3<double>& positio
   return nearest;
 }
 
+NearSolution inverse_kinematics_near_given_theta3(const Vector3<double>& position, double given_theta3,
+    const JointVector<double>& seed, const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
+  NearSolution nearest = inverse_kinematics_near_given_theta3(position, given_theta3, seed, g, tolerance);
+
+  inverse::keep_near_within(limits, nearest);
+  return nearest;
+}
+
 SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, double given_theta3, const Geometry& g,
     double tolerance,
     inverse::Form form) {
   SolutionsGiven_theta3 found = detail::given_theta3::rows_of(pose, g, tolerance, inverse::zero_preference<3>, form,
       given_theta3);
+  if (found.status == Status::invalid)
+    if (const auto meant = inverse::pose_meant(pose)) return inverse_kinematics_given_theta3(*meant, given_theta3, g,
+        tolerance, form);
   return found;
 }
 
@@ -640,6 +720,9 @@ SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, 
   const auto preference = inverse::preference<dof>(inverse::with_value(seed, 2, given_theta3));
   SolutionsGiven_theta3 found = detail::given_theta3::rows_of(pose, g, tolerance, preference, inverse::Form::fastest,
       given_theta3);
+  if (found.status == Status::invalid)
+    if (const auto meant = inverse::pose_meant(pose)) return inverse_kinematics_given_theta3(*meant, given_theta3,
+        seed, g, tolerance);
   sort_by_distance(found, seed, is_revolute);
   const auto follow = [&](bool is_sure, NearSolution& nearest) {
       detail::given_theta3::follow_whole_arm(pose, preference, g, tolerance, given_theta3, is_sure, nearest); };
@@ -649,23 +732,37 @@ SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, 
 
 SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Matrix3<double>& rotation, const Vector3<double>& position,
     double given_theta3, const Geometry& g, double tolerance) {
-  if (!inverse::is_rotation(rotation)) {
+  const auto pose = inverse::pose_by_matrix(rotation, position);
+  if (!pose) {
     SolutionsGiven_theta3 none;
     none.status = Status::invalid;
     return none;
   }
-  return inverse_kinematics_given_theta3(Pose<double>::from_matrix(rotation, position), given_theta3, g, tolerance);
+  return inverse_kinematics_given_theta3(*pose, given_theta3, g, tolerance);
+}
+
+AllWithinLimits<dof, 2> inverse_kinematics_given_theta3(const Pose<double>& pose, double given_theta3,
+    const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
+  const auto choose = [&](const SolutionsGiven_theta3& found) { return within_limits(found, limits, is_revolute); };
+  const auto bring = [&](SolutionsGiven_theta3& found) {
+      inverse::bring_inside<1>(detail::arm_at_zero(g), pose, 2, given_theta3, limits, is_revolute, found); };
+  return inverse::chosen_within(inverse_kinematics_given_theta3(pose, given_theta3, g, tolerance), choose, bring);
 }
 
 LimitedSolutions<dof, 2> inverse_kinematics_given_theta3(const Pose<double>& pose, double given_theta3,
-    const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
-  return within_limits(inverse_kinematics_given_theta3(pose, given_theta3, g, tolerance), limits, is_revolute);
-}
-
-LimitedSolutions<dof, 2, 1> inverse_kinematics_given_theta3(const Pose<double>& pose, double given_theta3,
     const JointVector<double>& seed, const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
-  return nearest_within_limits(inverse_kinematics_given_theta3(pose, given_theta3, seed, g, tolerance), limits,
-      is_revolute, seed);
+  const inverse::Within<dof> within(limits, is_revolute, seed);
+  const auto choose = [&](const SolutionsGiven_theta3& found) { return inverse::nearest_within(found, within); };
+  // Without a free joint the seed chooses nothing, and neither its sines nor an order of all rows are needed.
+  SolutionsGiven_theta3 regular;
+  const bool is_regular = seed.allFinite()
+      && detail::given_theta3::regular_rows_of(pose, g, tolerance, given_theta3, regular);
+  LimitedSolutions<dof, 2> rows = is_regular ? choose(regular) : LimitedSolutions<dof, 2>();
+  if (is_regular && (!rows.empty() || regular.empty())) return rows;
+  const auto bring = [&](SolutionsGiven_theta3& found) {
+      inverse::bring_inside<1>(detail::arm_at_zero(g), pose, 2, given_theta3, limits, is_revolute, found); };
+  rows = inverse::chosen_within(inverse_kinematics_given_theta3(pose, given_theta3, seed, g, tolerance), choose, bring);
+  return rows;
 }
 
 NearSolution inverse_kinematics_near_given_theta3(const Pose<double>& pose, double given_theta3,
@@ -677,9 +774,22 @@ NearSolution inverse_kinematics_near_given_theta3(const Pose<double>& pose, doub
   }
   const auto preference = inverse::preference<dof>(inverse::with_value(seed, 2, given_theta3));
   NearSolution nearest = detail::given_theta3::nearest_to(pose, seed, preference, g, tolerance, given_theta3);
+  if (nearest.status == Status::invalid)
+    if (const auto meant = inverse::pose_meant(pose)) return inverse_kinematics_near_given_theta3(*meant, given_theta3,
+        seed, g, tolerance);
 
   inverse::unwind(nearest, seed, is_revolute);
   for (auto& row : nearest) row.q[2] = given_theta3;
+  return nearest;
+}
+
+NearSolution inverse_kinematics_near_given_theta3(const Pose<double>& pose, double given_theta3,
+    const JointVector<double>& seed, const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
+  NearSolution nearest = inverse_kinematics_near_given_theta3(pose, given_theta3, seed, g, tolerance);
+  if (inverse::is_near_within(nearest, limits)) return nearest;
+  inverse::bring_inside<1>(detail::arm_at_zero(g), pose, 2, given_theta3, limits, is_revolute, nearest);
+  inverse::unwind(nearest, seed, is_revolute);
+  inverse::keep_near_within(limits, nearest);
   return nearest;
 }
 

@@ -5,6 +5,7 @@
 
 #include <qvgen/robots/scara/inverse.h>
 
+#include <qvgen/inverse/along_continuum.h>
 #include <qvgen/inverse/near_singular.h>
 #include <qvgen/inverse/lanes.h>
 
@@ -149,9 +150,17 @@ using Tracker = inverse::BranchTracker<double, 3, 2>;
   found.conclude();
 }
 
-[[gnu::always_inline]] inline void solve(const Pose<double>& pose, const Target& given,
+/// All solutions where rounding decides nothing; false elsewhere.
+[[gnu::always_inline]] inline bool solve_regular(const Pose<double>& pose, const Target& given,
     [[maybe_unused]] inverse::Form form, Rows& found) {
-  if (solve_one_by_one(inverse::numbers_of(pose), given, found)) return found.conclude();
+  if (!solve_one_by_one(inverse::numbers_of(pose), given, found)) return false;
+  found.conclude();
+  return true;
+}
+
+[[gnu::always_inline]] inline void solve(const Pose<double>& pose, const Target& given, inverse::Form form,
+    Rows& found) {
+  if (solve_regular(pose, given, form, found)) return;
   solve_near_singular(pose, given, found);
 }
 
@@ -293,6 +302,7 @@ Solutions inverse_kinematics(const PositionAndYaw<double>& task, const Geometry&
   const inverse::ArmAtZero<dof> arm = detail::arm_at_zero(g);
   const Pose<double> pose = inverse::pose_of(task, arm.joints[0].axis, arm.tool.orientation);
   Solutions found = detail::all::rows_of(pose, g, tolerance, inverse::zero_preference<4>, form);
+
   return found;
 }
 
@@ -307,17 +317,18 @@ Solutions inverse_kinematics(const PositionAndYaw<double>& task, const JointVect
   const Pose<double> pose = inverse::pose_of(task, arm.joints[0].axis, arm.tool.orientation);
   const auto preference = inverse::preference<dof>(seed);
   Solutions found = detail::all::rows_of(pose, g, tolerance, preference, inverse::Form::fastest);
+
   sort_by_distance(found, seed, is_revolute);
 
   return found;
 }
 
-LimitedSolutions<dof, 2> inverse_kinematics(const PositionAndYaw<double>& task, const JointLimits<dof>& limits,
+AllWithinLimits<dof, 2> inverse_kinematics(const PositionAndYaw<double>& task, const JointLimits<dof>& limits,
     const Geometry& g, double tolerance) {
   return within_limits(inverse_kinematics(task, g, tolerance), limits, is_revolute);
 }
 
-LimitedSolutions<dof, 2, 1> inverse_kinematics(const PositionAndYaw<double>& task, const JointVector<double>& seed,
+LimitedSolutions<dof, 2> inverse_kinematics(const PositionAndYaw<double>& task, const JointVector<double>& seed,
     const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
   return nearest_within_limits(inverse_kinematics(task, seed, g, tolerance), limits, is_revolute, seed);
 }
@@ -339,11 +350,21 @@ NearSolution inverse_kinematics_near(const PositionAndYaw<double>& task, const J
   return nearest;
 }
 
+NearSolution inverse_kinematics_near(const PositionAndYaw<double>& task, const JointVector<double>& seed,
+    const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
+  NearSolution nearest = inverse_kinematics_near(task, seed, g, tolerance);
+
+  inverse::keep_near_within(limits, nearest);
+  return nearest;
+}
+
 Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g, double tolerance,
     inverse::Form form) {
   const inverse::ArmAtZero<dof> arm = detail::arm_at_zero(g);
   Solutions found = inverse::reaching<3, dof, 4>(pose, arm, tolerance, inverse::zero_preference<4>,
       [&](const auto& chosen) { return detail::all::rows_of(pose, g, tolerance, chosen, form); });
+  if (found.status == Status::invalid)
+    if (const auto meant = inverse::pose_meant(pose)) return inverse_kinematics(*meant, g, tolerance, form);
   return found;
 }
 
@@ -358,6 +379,8 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
   const auto preference = inverse::preference<dof>(seed);
   Solutions found = inverse::reaching<3, dof, 4>(pose, arm, tolerance, preference,
       [&](const auto& chosen) { return detail::all::rows_of(pose, g, tolerance, chosen, inverse::Form::fastest); });
+  if (found.status == Status::invalid)
+    if (const auto meant = inverse::pose_meant(pose)) return inverse_kinematics(*meant, seed, g, tolerance);
   sort_by_distance(found, seed, is_revolute);
 
   return found;
@@ -365,20 +388,21 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
 
 Solutions inverse_kinematics(const Matrix3<double>& rotation, const Vector3<double>& position, const Geometry& g,
     double tolerance) {
-  if (!inverse::is_rotation(rotation)) {
+  const auto pose = inverse::pose_by_matrix(rotation, position);
+  if (!pose) {
     Solutions none;
     none.status = Status::invalid;
     return none;
   }
-  return inverse_kinematics(Pose<double>::from_matrix(rotation, position), g, tolerance);
+  return inverse_kinematics(*pose, g, tolerance);
 }
 
-LimitedSolutions<dof, 2> inverse_kinematics(const Pose<double>& pose, const JointLimits<dof>& limits,
-    const Geometry& g, double tolerance) {
+AllWithinLimits<dof, 2> inverse_kinematics(const Pose<double>& pose, const JointLimits<dof>& limits, const Geometry& g,
+    double tolerance) {
   return within_limits(inverse_kinematics(pose, g, tolerance), limits, is_revolute);
 }
 
-LimitedSolutions<dof, 2, 1> inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed,
+LimitedSolutions<dof, 2> inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed,
     const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
   return nearest_within_limits(inverse_kinematics(pose, seed, g, tolerance), limits, is_revolute, seed);
 }
@@ -392,12 +416,22 @@ NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector
   }
   const auto preference = inverse::preference<dof>(seed);
   NearSolution nearest = detail::all::nearest_to(pose, seed, preference, g, tolerance);
+  if (nearest.status == Status::invalid)
+    if (const auto meant = inverse::pose_meant(pose)) return inverse_kinematics_near(*meant, seed, g, tolerance);
   nearest = inverse::reaching_row<3>(pose, detail::arm_at_zero(g), tolerance, nearest);
   if (nearest.empty() && nearest.status != Status::invalid)
     inverse::take_nearest(inverse_kinematics(pose, seed, g, tolerance), nearest);
 
   inverse::unwind(nearest, seed, is_revolute);
 
+  return nearest;
+}
+
+NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector<double>& seed,
+    const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
+  NearSolution nearest = inverse_kinematics_near(pose, seed, g, tolerance);
+
+  inverse::keep_near_within(limits, nearest);
   return nearest;
 }
 

@@ -39,7 +39,7 @@ std::vector<std::string> transform_targets(const std::string& what) {
 }
 
 /// In terms of the description's joints that follow none, counted anew where that changes something.
-optimise::Optimised in_terms_of_leaders(const model::Robot& described, optimise::Optimised optimised) {
+optimise::Optimised frames_in_terms_of_leaders(const model::Robot& described, optimise::Optimised optimised) {
   if (!model::has_followers(described)) return optimised;
   optimised.function = optimise::in_terms_of_leaders(optimised.function, described);
   optimised.counts = dag::count(optimised.function);
@@ -83,15 +83,15 @@ emit::JacobianFunction pose_function(const model::Robot& described, const model:
   optimise::Pose pose = optimise::forward_kinematics(model::up_to(described, frame), options());
   pose.function.largest_error = verify::largest_error_in_ulps(
       pose.function.function, {{"w", "x", "y", "z"}, position}, accuracy_points);
-  return {
-      "forward_kinematics_of_" + frame.name,
-      "Pose",
-      {},
-      {"Pose of the frame " + frame.name + " in the world frame: unit quaternion and position (m)."},
-      "",
-      {"result.orientation.w()", "result.orientation.x()", "result.orientation.y()", "result.orientation.z()",
-       "result.position[0]", "result.position[1]", "result.position[2]"},
-      in_terms_of_leaders(described, optimise::in_terms_of_description(std::move(pose.function), pose.arm))};
+  return {"forward_kinematics_of_" + frame.name,
+          "Pose",
+          {},
+          {"Pose of the frame " + frame.name + " in the world frame: unit quaternion and position (m)."},
+          "",
+          {"result.orientation.w()", "result.orientation.x()", "result.orientation.y()",
+           "result.orientation.z()", "result.position[0]", "result.position[1]", "result.position[2]"},
+          frames_in_terms_of_leaders(described,
+                                     optimise::in_terms_of_description(std::move(pose.function), pose.arm))};
 }
 
 emit::JacobianFunction transform_function(const model::Robot& described, const model::Frame& frame) {
@@ -104,7 +104,7 @@ emit::JacobianFunction transform_function(const model::Robot& described, const m
           {"Pose of the frame " + frame.name + " in the world frame as a homogeneous transformation (m)."},
           "result.makeAffine();",
           transform_targets("result"),
-          in_terms_of_leaders(described, optimise::in_terms_of_description(std::move(found), arm))};
+          frames_in_terms_of_leaders(described, optimise::in_terms_of_description(std::move(found), arm))};
 }
 
 emit::JacobianFunction jacobian_function(const model::Robot& described, const model::Frame& frame) {
@@ -131,7 +131,7 @@ emit::JacobianFunction jacobian_function(const model::Robot& described, const mo
           {"Jacobian of the frame " + frame.name + " at its origin, in the world frame; linear rows first."},
           "",
           targets,
-          in_terms_of_leaders(described, std::move(found))};
+          frames_in_terms_of_leaders(described, std::move(found))};
 }
 
 }  // namespace
@@ -178,7 +178,7 @@ emit::JacobianFunction frame_poses_function(const model::Robot& described, const
                : "Poses of all frames in the world frame at once, as `frame_names` has them (m)."},
           "for (auto& pose : result) pose.makeAffine();",
           targets,
-          in_terms_of_leaders(described, std::move(found))};
+          frames_in_terms_of_leaders(described, std::move(found))};
 }
 
 }  // namespace qvgen::pipeline

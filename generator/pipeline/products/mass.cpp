@@ -15,14 +15,12 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* part = "mass";
-
 bool has_mass(const model::Robot& described, RobotOutput& output) {
   const auto& joints = described.joints;
   if (std::any_of(joints.begin(), joints.end(),
                   [](const model::Joint& joint) { return !joint.inertia.mass.is_literal_zero(); }))
     return true;
-  output.missing.push_back({part, Missing::Kind::not_described, "the description gives no mass"});
+  output.missing.push_back({"mass", Missing::Kind::not_described, "the description gives no mass"});
   return false;
 }
 
@@ -54,7 +52,7 @@ void generate_mass(const model::Robot& described, RobotOutput& output) {
   const emit::Code mass = emit::total_mass_code(robot);
   const json values{{"total_mass", mass.outputs.front().expression},
                     {"mass_temporaries", emit::values_of(mass.temporaries)}};
-  add_functions(robot, functions, part, "MassAngles", values, output);
+  add_functions(robot, functions, "mass", "MassAngles", values, output);
 }
 
 void generate_mass_c(const model::Robot& described, RobotOutput& output) {

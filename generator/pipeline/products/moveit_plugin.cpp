@@ -9,7 +9,6 @@ namespace {
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-constexpr const char* part = "moveit_plugin";
 const std::string all = "inverse_kinematics";
 const std::string given_mark = "_given_";
 
@@ -32,7 +31,7 @@ void add_moveit_plugin(const model::Robot& robot, RobotOutput& output) {
   const bool locked = !given.empty();
   const bool wanted = robot.joints.size() == (locked ? 7 : 6);
   if (function.empty() || !wanted || !output.counts.contains("forward_kinematics")) {
-    output.missing.push_back({part, Missing::Kind::not_derived,
+    output.missing.push_back({"moveit_plugin", Missing::Kind::not_derived,
                               "it is for arms of six joints with inverse kinematics for a pose, and of seven "
                               "with one of them given"});
     return;

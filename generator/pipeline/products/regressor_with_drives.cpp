@@ -10,12 +10,10 @@
 namespace qvgen::pipeline {
 namespace {
 
-constexpr const char* part = "regressor_with_drives";
-
 bool has_dynamics(const model::Robot& described, RobotOutput& output) {
   if (optimise::has_inertia(described)) return true;
-  output.missing.push_back(
-      {part, Missing::Kind::not_described, "the description gives no mass and no inertia"});
+  output.missing.push_back({"regressor_with_drives", Missing::Kind::not_described,
+                            "the description gives no mass and no inertia"});
   return false;
 }
 
@@ -39,7 +37,7 @@ Found find(const model::Robot& described) {
 void generate_regressor_with_drives(const model::Robot& described, RobotOutput& output) {
   if (!has_dynamics(described, output)) return;
   const auto [robot, regressor, function] = find(described);
-  add_function(robot, function, part, "DriveRegressorAngles",
+  add_function(robot, function, "regressor_with_drives", "DriveRegressorAngles",
                emit::angles_of(std::vector{in_terms_of_leaders(robot, function)}),
                emit::identifiable_parameter_values(robot, regressor), output);
 }

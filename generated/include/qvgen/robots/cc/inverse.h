@@ -59,14 +59,17 @@ Solutions inverse_kinematics(const Matrix3<double>& rotation, const Vector3<doub
     double tolerance = inverse::default_tolerance);
 /// The solutions within joint limits, as in inverse_kinematics(pose, Limits()):
 /// every representative of an angle that differs by whole turns and lies inside, in each branch those nearest to zero
-/// first (see `within_limits`).
-LimitedSolutions<dof, 4> inverse_kinematics(const Pose<double>& pose, const JointLimits<dof>& limits,
+/// first, made one after the other when they are asked for (see `AllWithinLimits`). A joint off its limit by rounding
+/// is
+/// put on it. What a singular pose leaves free goes to where all joints are inside, if it is found on the way along the
+/// continuum, by at most 800 more evaluations of the Jacobian a row.
+AllWithinLimits<dof, 4> inverse_kinematics(const Pose<double>& pose, const JointLimits<dof>& limits,
     const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
 /// The same with a seed, inverse_kinematics(pose, seed, Limits()):
 /// one row for each branch that has one inside, the representative nearest to the seed; the nearest row first.
 /// `continued` goes on a path by them.
-LimitedSolutions<dof, 4, 1> inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed,
+LimitedSolutions<dof, 4> inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed,
     const JointLimits<dof>& limits,
     const Geometry& g = {}, double tolerance = inverse::default_tolerance);
 
@@ -80,6 +83,13 @@ LimitedSolutions<dof, 4, 1> inverse_kinematics(const Pose<double>& pose, const J
 /// nearest is taken.
 
 NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g = {},
+    double tolerance = inverse::default_tolerance);
+/// The same within joint limits, as in inverse_kinematics_near(pose, seed, Limits()), and never
+/// elsewhere by whole turns: Status::unreachable where that solution is outside. `inverse_kinematics` with a seed and
+/// limits
+/// then has the other branches.
+NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector<double>& seed,
+    const JointLimits<dof>& limits, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
 
 }  // namespace qvgen::robots::cc

@@ -52,11 +52,11 @@ ArmAngleIntervals arm_angle_intervals(const Pose<double>& pose, const JointLimit
 /// an arm angle with which it is within the limits, in the middle of the widest interval of these, farthest from the
 /// limits. Of the representatives of an angle that differ by whole turns and lie inside, the one nearest to zero.
 /// Where two things are singular at once and the limits leave next to nothing, a solution may be missed.
-LimitedSolutions<dof, 8, 1> inverse_kinematics(const Pose<double>& pose, const JointLimits<dof>& limits,
+LimitedSolutions<dof, 8> inverse_kinematics(const Pose<double>& pose, const JointLimits<dof>& limits,
     const ArmAngleReference& reference = {}, const Geometry& g = {}, double tolerance = inverse::default_tolerance);
 /// The same with the arm angle nearest to the seed's, and the representatives nearest to the seed; the nearest row
 /// first.
-LimitedSolutions<dof, 8, 1> inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed,
+LimitedSolutions<dof, 8> inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed,
     const JointLimits<dof>& limits, const ArmAngleReference& reference = {}, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
 

@@ -62,14 +62,17 @@ SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Matrix3<double>& rot
     double tolerance = inverse::default_tolerance);
 /// The solutions within joint limits, as in inverse_kinematics_given_theta3(pose, given, Limits()):
 /// every representative of an angle that differs by whole turns and lies inside, in each branch those nearest to zero
-/// first (see `within_limits`).
-LimitedSolutions<dof, 8> inverse_kinematics_given_theta3(const Pose<double>& pose, double given_theta3,
+/// first, made one after the other when they are asked for (see `AllWithinLimits`). A joint off its limit by rounding
+/// is
+/// put on it. What a singular pose leaves free goes to where all joints are inside, if it is found on the way along the
+/// continuum, by at most 800 more evaluations of the Jacobian a row.
+AllWithinLimits<dof, 8> inverse_kinematics_given_theta3(const Pose<double>& pose, double given_theta3,
     const JointLimits<dof>& limits, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
 /// The same with a seed, inverse_kinematics_given_theta3(pose, given, seed, Limits()):
 /// one row for each branch that has one inside, the representative nearest to the seed; the nearest row first.
 /// `continued` goes on a path by them.
-LimitedSolutions<dof, 8, 1> inverse_kinematics_given_theta3(const Pose<double>& pose, double given_theta3,
+LimitedSolutions<dof, 8> inverse_kinematics_given_theta3(const Pose<double>& pose, double given_theta3,
     const JointVector<double>& seed, const JointLimits<dof>& limits,
     const Geometry& g = {}, double tolerance = inverse::default_tolerance);
 
@@ -84,6 +87,13 @@ LimitedSolutions<dof, 8, 1> inverse_kinematics_given_theta3(const Pose<double>& 
 
 NearSolution inverse_kinematics_near_given_theta3(const Pose<double>& pose, double given_theta3,
     const JointVector<double>& seed, const Geometry& g = {},
+    double tolerance = inverse::default_tolerance);
+/// The same within joint limits, as in inverse_kinematics_near_given_theta3(pose, given, seed, Limits()), and never
+/// elsewhere by whole turns: Status::unreachable where that solution is outside. `inverse_kinematics_given_theta3` with
+/// a seed and limits
+/// then has the other branches.
+NearSolution inverse_kinematics_near_given_theta3(const Pose<double>& pose, double given_theta3,
+    const JointVector<double>& seed, const JointLimits<dof>& limits, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
 
 }  // namespace qvgen::robots::iiwa14
