@@ -36,7 +36,8 @@ bool mentions(const fs::path& file, const std::string& text) {
 Source runtime_source(const fs::path& file) {
   const std::string name = file.filename().string();
   if (!has_avx2_forms) return {file};
-  if (name == "sine_cosine.cpp") return {file, {"-DQVGEN_HAS_AVX2_KERNEL"}};
+  if (name == "sine_cosine.cpp" || name == "within.cpp") return {file, {"-DQVGEN_HAS_AVX2_KERNEL"}};
+  if (name == "within_avx2.cpp") return {file, {"-mavx2", "-ffp-contract=off"}};
   if (name == "sine_cosine_avx2.cpp") return {file, {"-mavx2", "-mfma", "-ffp-contract=off"}};
   if (name == "pass_avx2.cpp") return {file, {"-mavx2", "-mfma"}};
   if (name == "pass_avx512.cpp") return {file, {"-mavx512f", "-mavx512dq", "-mavx512vl", "-mavx2", "-mfma"}};
@@ -79,8 +80,10 @@ void add_runtime(const Runtime& runtime, const std::vector<fs::path>& generated,
     program.libraries.push_back(runtime.archive.string());
     return;
   }
-  program.sources.push_back(runtime_source(runtime.sources / "sine_cosine.cpp"));
-  if (has_avx2_forms) program.sources.push_back(runtime_source(runtime.sources / "sine_cosine_avx2.cpp"));
+  for (const std::string part : {"sine_cosine", "within"}) {
+    program.sources.push_back(runtime_source(runtime.sources / (part + ".cpp")));
+    if (has_avx2_forms) program.sources.push_back(runtime_source(runtime.sources / (part + "_avx2.cpp")));
+  }
   for (const std::string folder : {"general", "arm_angle"}) {
     const bool needed = std::any_of(generated.begin(), generated.end(), [&](const fs::path& file) {
       return mentions(program.folder / file, "#include <qvgen/inverse/" + folder);

@@ -35,8 +35,8 @@ std::optional<symbolic::Vector> meeting_point(const Screw& a, const Screw& b, co
 
 // Each of these fills in the attempt's plan and returns an empty text, or why the structure does not serve.
 
-/// Joints k, k+1, k+2 meet in a point: the others carry it, then the three turn about it. With four joints the
-/// rows are candidates, as below.
+/// Joints k, k+1, k+2 meet in a point: the others carry it, then the three turn about it. With four joints
+/// the rows are candidates, as below.
 std::string by_common_point(Attempt& attempt, std::size_t k);
 /// Four joints: the others carry a point on the axis of joint k, then that turns about it. The rows are
 /// candidates, for four joints do not follow every pose.
@@ -53,8 +53,8 @@ std::string by_parallel_axes(Attempt& attempt, std::size_t k);
 /// Six joints, three of them slides: the others turn the tool, then the slides are linear equations.
 std::string by_three_slides(Attempt& attempt);
 
-/// All joints, three or one, but joint k and those after it up to `count` bring a point on the axes of these to where the
-/// pose has it.
+/// All joints, three or one, but joint k and those after it up to `count` bring a point on the axes of these
+/// to where the pose has it.
 std::string place_centre(Attempt& attempt, Target& target, std::size_t k, std::size_t count,
                          const symbolic::Vector& centre);
 

@@ -7,9 +7,10 @@ else is float64. SI units, radians; quaternions are w, x, y, z; twists linear fi
 """
 
 import enum
+import importlib
 import typing
 
-from . import orientation, robots
+from . import robots
 from ._build import BuildError, build_module, cache_folder, generate
 
 __all__ = ["BuildError", "NearSolution", "NearestRows", "Solutions", "Status", "cache_folder", "load", "orientation",
@@ -48,6 +49,13 @@ class NearestRows(typing.NamedTuple):
     continuum: typing.Any  #: (16,), whether other joints next to these may be as near
     count: typing.Any  #: (), how many rows there are
     status: typing.Any  #: (), of qvgen.Status: solved where the first row reaches the pose
+
+
+def __getattr__(name):
+    """Imports qvgen.orientation when it is used: it needs NumPy, and whoever builds a wheel may not have it."""
+    if name == "orientation":
+        return importlib.import_module(".orientation", __name__)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 
 def load(description, *options):

@@ -114,11 +114,11 @@ ArmAngleIntervals intervals(const Arm& arm, const Pose<double>& pose, const Join
 /// One row for each branch that has one within the limits, in the middle of its widest interval, each joint's
 /// whole turns as near to zero as may be.
 LimitedSolutions<7, 8> solve_within(const Arm& arm, const Pose<double>& pose, const JointLimits<7>& limits,
-                                       const ArmAngleReference& reference, double tolerance);
+                                    const ArmAngleReference& reference, double tolerance);
 /// The same at the arm angle that is nearest to the seed's, the nearest row first.
 LimitedSolutions<7, 8> solve_within(const Arm& arm, const Pose<double>& pose, const Row& seed,
-                                       const JointLimits<7>& limits, const ArmAngleReference& reference,
-                                       double tolerance);
+                                    const JointLimits<7>& limits, const ArmAngleReference& reference,
+                                    double tolerance);
 
 }  // namespace inverse::arm_angle
 }  // namespace qvgen

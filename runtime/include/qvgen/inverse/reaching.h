@@ -66,8 +66,8 @@ class Reaching {
 
   /// How far off a row may be that Newton's steps are to bring to the pose, as a share of the size.
   ///
-  /// Near a singular pose a direction may have but few digits. A pose off by the tolerance, where the equations
-  /// have a double root, moves the root by the square root of that.
+  /// Near a singular pose a direction may have but few digits. A pose off by the tolerance, where the
+  /// equations have a double root, moves the root by the square root of that.
   [[nodiscard]] double near_enough(const Effort& effort) const {
     const double few_digits = effort.steps > 0 ? 1e-2 : 1e-4;
     return std::max(few_digits, std::min(0.3, 30 * std::sqrt(tolerance_)));
