@@ -2,12 +2,17 @@
 // Seven joints within limits, one of them given: the intervals of its values, and rows wherever there are
 // any.
 #include <random>
+#include <string>
 
 #include <gtest/gtest.h>
 #include <qvgen/robots/offset_wrist.h>
 #include <qvgen/robots/offset_wrist/given_joint.h>
 #include <qvgen/robots/skew_seven.h>
 #include <qvgen/robots/skew_seven/given_joint.h>
+
+#include "reference/chain.h"
+#include "reference/linear_algebra.h"
+#include "reference/load.h"
 
 namespace qvgen::test {
 namespace {
@@ -57,12 +62,24 @@ bool contains(const GivenIntervals& intervals, double value) {
   });
 }
 
-/// `intervals(pose, limits)`, `any(pose, limits)` and `near(pose, seed, limits)` of an arm.
-template <class Pose, class Intervals, class Any, class Near>
-void expect_found(int given, int count, const Pose& pose_of, const Intervals& intervals, const Any& any,
-                  const Near& near) {
+/// How far joints are from where the others cannot follow the given one: the least singular value of their
+/// columns, of rows in metres and radians.
+double regularity(const reference::Chain& chain, const Values& q, int given) {
+  Eigen::Matrix<double, 6, 7> others = reference::jacobian(chain, q);
+  others.col(given).setZero();
+  return reference::singular_values(others).values[5];
+}
+
+/// `intervals(pose, limits)`, `any(pose, limits)` and `near(pose, seed, limits)` of an arm: away from
+/// singular poses nothing is missed; next to them, where joints turn a hundred times as fast as the given
+/// one, next to nothing.
+template <class Forward, class Intervals, class Any, class Near>
+void expect_found(const char* description, int given, int count, const Forward& pose_of,
+                  const Intervals& intervals, const Any& any, const Near& near) {
+  const reference::Chain chain =
+      reference::load(std::string(QVGEN_SOURCE_DIR "/tests/given_joint/") + description);
   std::mt19937 random(1);
-  int poses = 0, missed = 0, empty = 0;
+  int singular = 0, missed = 0;
   for (const double share : {1.0, 0.3, 0.1})
     for (int i = 0; i < count; ++i) {
       const Draw drawn = draw(random, share);
@@ -70,28 +87,31 @@ void expect_found(int given, int count, const Pose& pose_of, const Intervals& in
       const GivenIntervals found = intervals(pose, drawn.limits);
       const auto rows = any(pose, drawn.limits);
       const auto nearest = near(pose, drawn.q, drawn.limits);
-      ++poses;
-      missed += contains(found, drawn.q[given]) ? 0 : 1;
-      empty += rows.empty() || nearest.empty() ? 1 : 0;
+      const bool is_found = contains(found, drawn.q[given]) && !rows.empty() && !nearest.empty();
+      const bool is_singular = regularity(chain, drawn.q, given) < 0.003;
+      if (!is_singular) {
+        EXPECT_TRUE(is_found) << share << ": " << drawn.q.transpose();
+      }
+      singular += is_singular ? 1 : 0;
+      missed += is_found ? 0 : 1;
       expect_within(rows, drawn.limits);
       expect_within(nearest, drawn.limits);
       for (const auto& row : rows) {
         EXPECT_LT(linear_distance(pose_of(row.q), pose), 1e-9);
         EXPECT_LT(angular_distance(pose_of(row.q), pose), 1e-9);
       }
-      if (!nearest.empty() && contains(found, drawn.q[given])) {
+      if (is_found) {
         EXPECT_NEAR(nearest[0].q[given], drawn.q[given], 1e-9);
       }
     }
-  // Next to singular poses joints turn a thousand times as fast as the given one.
-  EXPECT_LE(missed, poses / 200);
-  EXPECT_LE(empty, poses / 200);
+  EXPECT_LT(singular, count) << "of " << 3 * count;
+  EXPECT_LE(missed, 1 + singular / 10);
 }
 
 TEST(GivenJoint, ByTheLastJoint) {
   namespace arm = robots::offset_wrist;
   expect_found(
-      6, 150, [](const Values& q) { return arm::forward_kinematics(q); },
+      "offset_wrist.toml", 6, 150, [](const Values& q) { return arm::forward_kinematics(q); },
       [](const auto& pose, const auto& limits) { return arm::given_intervals_q7(pose, limits); },
       [](const auto& pose, const auto& limits) { return arm::inverse_kinematics_any_q7(pose, limits); },
       [](const auto& pose, const auto& seed, const auto& limits) {
@@ -102,12 +122,42 @@ TEST(GivenJoint, ByTheLastJoint) {
 TEST(GivenJoint, ByElimination) {
   namespace arm = robots::skew_seven;
   expect_found(
-      3, 15, [](const Values& q) { return arm::forward_kinematics(q); },
+      "skew_seven.toml", 3, 15, [](const Values& q) { return arm::forward_kinematics(q); },
       [](const auto& pose, const auto& limits) { return arm::given_intervals_q4(pose, limits); },
       [](const auto& pose, const auto& limits) { return arm::inverse_kinematics_any_q4(pose, limits); },
       [](const auto& pose, const auto& seed, const auto& limits) {
         return arm::inverse_kinematics_any_q4(pose, seed, limits);
       });
+}
+
+/// A margin that changes its sign everywhere, and rates that ask to look closer everywhere.
+TEST(GivenJoint, TheWorkIsBounded) {
+  int calls = 0;
+  const auto margin = [](const void* count, double value) {
+    ++*const_cast<int*>(static_cast<const int*>(count));
+    return inverse::given_joint::Margin{std::sin(1e5 * value), 0, false};
+  };
+  const GivenIntervals found = inverse::given_joint::intervals({&calls, margin}, -3, 3);
+  EXPECT_EQ(found.status, Status::incomplete);
+  EXPECT_EQ(found.size(), GivenIntervals::max_size);
+  EXPECT_LE(calls, 8100);
+}
+
+/// Two intervals whose ends are known.
+TEST(GivenJoint, EndsAreExact) {
+  const auto margin = [](const void*, double x) {
+    const double value = (x - 0.25) * (x - 0.5) * (0.75 - x);
+    return inverse::given_joint::Margin{value, std::numeric_limits<double>::infinity(), false};
+  };
+  const GivenIntervals found = inverse::given_joint::intervals({nullptr, margin}, -1, 1);
+  ASSERT_EQ(found.size(), 2);
+  EXPECT_EQ(found.status, Status::solved);
+  EXPECT_EQ(found[0].from, -1);
+  EXPECT_NEAR(found[0].to, 0.25, 1e-14);
+  EXPECT_NEAR(found[1].from, 0.5, 1e-14);
+  EXPECT_NEAR(found[1].to, 0.75, 1e-14);
+  EXPECT_EQ(found.nearest(0.4), found[1].from);
+  EXPECT_EQ(found.nearest(0.6), 0.6);
 }
 
 /// A point of an interval has a row, a point of a gap none: looked at one by one, a hundred times as densely.

@@ -21,7 +21,10 @@ namespace {
 
 constexpr int coarse_steps = 192;
 constexpr int most_halvings = 7;
+/// Calls after which no stretch is looked into further. Those of bisecting come on top, `most_bisections` for
+/// each end of an interval that there is room for.
 constexpr int most_calls = 4000;
+constexpr int most_bisections = 60;
 /// Rates change between samples: a zero may be nearer than they say, by this factor.
 constexpr double nearer = 3;
 
@@ -69,7 +72,9 @@ class Walk {
     const bool same_side = is_inside(a) == is_inside(b);
     // A change of sign is looked into as well, a little: it may be three.
     const int most = same_side ? most_halvings : 2;
-    if (halvings < most && calls_ < most_calls && is_doubtful(a, b)) {
+    const bool is_wanted = halvings < most && is_doubtful(a, b);
+    if (is_wanted && calls_ >= most_calls) found_.status = Status::incomplete;
+    if (is_wanted && calls_ < most_calls) {
       const Sample middle = sample(0.5 * (a.at + b.at));
       refine(a, middle, halvings + 1);
       refine(middle, b, halvings + 1);
@@ -80,7 +85,9 @@ class Walk {
 
   void step(Sample a, Sample b) {
     last_ = b;
-    if (is_inside(a) == is_inside(b)) return;
+    const bool is_full = found_.size() == GivenIntervals::max_size;
+    if (is_full && is_inside(b)) found_.status = Status::incomplete;
+    if (is_full || is_inside(a) == is_inside(b)) return;
     const double end = bisected(a, b);
     if (is_inside(b))
       from_ = end;
@@ -90,7 +97,7 @@ class Walk {
 
   /// The end on the inner side.
   double bisected(Sample a, Sample b) {
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < most_bisections; ++i) {
       const double middle = 0.5 * (a.at + b.at);
       if (middle <= a.at || middle >= b.at) break;
       const Sample next = sample(middle);
