@@ -14,15 +14,14 @@ int arm_count() {
   return text == nullptr ? 25 : std::atoi(text);
 }
 
-/// Arms with all lengths and twists drawn at random: the joints from which poses are made are among the rows.
-void check_arms(int slides) {
-  constexpr int poses = 50;
+/// Counts poses of an arm that lack the joints from which they were made, and those that are told to be
+/// incomplete.
+struct Tally {
   int missing = 0, incomplete = 0;
-  for (int number = 0; number < arm_count(); ++number) {
-    const Arm arm = random_arm(1000 + static_cast<unsigned>(number), slides);
-    const auto setup = inverse::general::set_up(arm.description());
-    ASSERT_GT(setup.count, 0) << arm.name;
-    Random random(static_cast<unsigned>(number));
+
+  template <class SetUp>
+  void add(const Arm& arm, const SetUp& setup, unsigned seed, int poses) {
+    Random random(seed);
     for (int i = 0; i < poses; ++i) {
       const Joints6 q = arm.joints(random);
       const Eigen::Isometry3d target = arm.tool(q);
@@ -33,8 +32,20 @@ void check_arms(int slides) {
       missing += contains(arm, found, q) || told ? 0 : 1;
     }
   }
-  EXPECT_EQ(missing, 0);
-  EXPECT_LE(incomplete, arm_count() * poses / 100);
+};
+
+/// Arms with all lengths and twists drawn at random: the joints from which poses are made are among the rows.
+void check_arms(int slides) {
+  constexpr int poses = 50;
+  Tally tally;
+  for (int number = 0; number < arm_count(); ++number) {
+    const Arm arm = random_arm(1000 + static_cast<unsigned>(number), slides);
+    const auto setup = inverse::general::set_up(arm.description());
+    ASSERT_GT(setup.count, 0) << arm.name;
+    tally.add(arm, setup, static_cast<unsigned>(number), poses);
+  }
+  EXPECT_EQ(tally.missing, 0);
+  EXPECT_LE(tally.incomplete, arm_count() * poses / 100);
 }
 
 TEST(RandomArms, SixRevoluteJoints) { check_arms(0); }
@@ -53,7 +64,8 @@ bool is_regular(const Arm& arm) {
 /// is not: both are pairs of an elimination where the slide is the third or the fourth joint.
 void check_arms_along_axes(bool parallel) {
   constexpr int poses = 10;
-  int regular = 0, refused = 0, missing = 0, incomplete = 0;
+  int regular = 0, refused = 0;
+  Tally tally;
   for (int number = 0; number < 6 * arm_count(); ++number) {
     const Arm arm = arm_along_axes(static_cast<unsigned>(number), number % 6, parallel);
     if (!is_regular(arm)) continue;
@@ -64,21 +76,12 @@ void check_arms_along_axes(bool parallel) {
       ++refused;
       continue;
     }
-    Random random(static_cast<unsigned>(number));
-    for (int i = 0; i < poses; ++i) {
-      const Joints6 q = arm.joints(random);
-      const Eigen::Isometry3d target = arm.tool(q);
-      const auto found = solve(setup, Pose<double>::from_isometry(target), instruction_sets[i % 3]);
-      EXPECT_EQ(fault(arm, target, found), "");
-      const bool told = found.status == Status::incomplete;
-      incomplete += told ? 1 : 0;
-      missing += contains(arm, found, q) || told ? 0 : 1;
-    }
+    tally.add(arm, setup, static_cast<unsigned>(number), poses);
   }
   EXPECT_GT(regular, 3 * arm_count());
   EXPECT_LE(refused, regular / 50);
-  EXPECT_EQ(missing, 0);
-  EXPECT_LE(incomplete, regular * poses / 100);
+  EXPECT_EQ(tally.missing, 0);
+  EXPECT_LE(tally.incomplete, regular * poses / 100);
 }
 
 TEST(RandomArms, OneSlideBetweenRightAngles) { check_arms_along_axes(false); }

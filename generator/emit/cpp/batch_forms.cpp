@@ -50,40 +50,31 @@ const std::vector<BatchForm>& known_forms() {
 }
 
 void set_result(BatchForm& form, Result result) {
+  const auto set = [&](const char* rows, const char* meaning) {
+    form.rows = rows;
+    form.meaning = meaning;
+  };
+  constexpr const char* entries = "all entries column by column";
   switch (result) {
     case Result::scalar:
-      form.rows = "1";
-      form.meaning = "the value";
-      return;
+      return set("1", "the value");
     case Result::vector:
-      form.rows = "dof";
-      form.meaning = "one for each joint";
-      return;
+      return set("dof", "one for each joint");
     case Result::symmetric_matrix:
     case Result::matrix:
-      form.rows = "dof * dof";
-      form.meaning = "all entries column by column";
-      return;
+      return set("dof * dof", entries);
     case Result::regressor:
-      form.rows = "dof * base_parameter_count";
-      form.meaning = "all entries column by column";
-      return;
+      return set("dof * base_parameter_count", entries);
     case Result::drive_regressor:
-      form.rows = "dof * identifiable_parameter_count";
-      form.meaning = "all entries column by column";
-      return;
+      return set("dof * identifiable_parameter_count", entries);
     case Result::derivatives:
-      form.rows = "dof + 2 * dof * dof";
-      form.meaning = "the forces, then their derivatives by q, then those by qd, column by column";
       form.members = {"torque", "by_position", "by_rate"};
-      return;
+      return set("dof + 2 * dof * dof",
+                 "the forces, then their derivatives by q, then those by qd, column by column");
     case Result::point:
-      form.rows = "3";
-      form.meaning = "x y z, m";
-      return;
+      return set("3", "x y z, m");
     case Result::point_derivatives:
-      form.rows = "3 * dof";
-      form.meaning = "its 3 x dof entries column by column";
+      return set("3 * dof", "its 3 x dof entries column by column");
   }
 }
 

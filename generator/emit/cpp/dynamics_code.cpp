@@ -216,18 +216,27 @@ Code identifiable_parameters_code(const model::Robot& robot, const derive::dynam
   return straight_code(regressor.base_parameters, constant_names(robot, known, spelling));
 }
 
-json identifiable_parameter_values(const model::Robot& robot,
-                                   const derive::dynamics::DriveRegressor& drive_regressor) {
-  const auto& [regressor, left_out] = drive_regressor;
-  const Code code = identifiable_parameters_code(robot, regressor);
+namespace {
+
+/// A parameter for each output, with its name.
+json named_parameters(const Code& code, const derive::dynamics::Regressor& regressor) {
   json parameters = json::array();
   for (std::size_t i = 0; i < code.outputs.size(); ++i)
     parameters.push_back({{"index", i},
                           {"parameter", regressor.names[i]},
                           {"expression", code.outputs[i].expression},
                           {"last", i + 1 == code.outputs.size()}});
+  return parameters;
+}
+
+}  // namespace
+
+json identifiable_parameter_values(const model::Robot& robot,
+                                   const derive::dynamics::DriveRegressor& drive_regressor) {
+  const auto& [regressor, left_out] = drive_regressor;
+  const Code code = identifiable_parameters_code(robot, regressor);
   return {{"links", std::to_string(robot.joints.size())},
-          {"identifiable_parameters", parameters},
+          {"identifiable_parameters", named_parameters(code, regressor)},
           {"identifiable_count", code.outputs.size()},
           {"parameter_set_up", values_of(code.temporaries)},
           {"left_out", lines_of(left_out)}};
@@ -244,14 +253,8 @@ Code total_mass_code(const model::Robot& robot, const Spelling& spelling) {
 
 json base_parameter_values(const model::Robot& robot, const derive::dynamics::Regressor& regressor) {
   const Code code = base_parameters_code(robot, regressor);
-  json parameters = json::array();
-  for (std::size_t i = 0; i < code.outputs.size(); ++i)
-    parameters.push_back({{"index", i},
-                          {"parameter", regressor.names[i]},
-                          {"expression", code.outputs[i].expression},
-                          {"last", i + 1 == code.outputs.size()}});
   return {{"links", model::has_followers(robot) ? std::to_string(robot.joints.size()) : "dof"},
-          {"parameters_of_base", parameters},
+          {"parameters_of_base", named_parameters(code, regressor)},
           {"base_set_up", values_of(code.temporaries)},
           {"base_count", code.outputs.size()}};
 }

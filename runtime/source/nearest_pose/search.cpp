@@ -15,7 +15,6 @@ using StackedVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6 + most_joint
 
 constexpr int most_steps = 200;
 constexpr double reached = 1e-11;  ///< as a share of the arm's size, and rad
-constexpr double half_turn = 3.14159265358979323846;
 
 /// An element of Halton's sequence (1960): numbers that fill [0, 1) evenly, coprime bases in many dimensions.
 double halton(int number, int base) {
@@ -94,7 +93,7 @@ Vector Search::clamped(Vector q) const {
   for (int i = 0; i < arm_.joints; ++i) {
     const bool is_free = std::isinf(request_.lower[i]) && std::isinf(request_.upper[i]);
     if (turns(i) && is_free) q[i] = without_turns(q[i]);
-    if (q[i] <= -half_turn && is_free && turns(i)) q[i] = half_turn;
+    if (q[i] <= -pi<double>() && is_free && turns(i)) q[i] = pi<double>();
     q[i] = std::min(std::max(q[i], request_.lower[i]), request_.upper[i]);
   }
   return q;
@@ -103,7 +102,7 @@ Vector Search::clamped(Vector q) const {
 Vector Search::spread(int number) const {
   Vector q(arm_.joints);
   for (int i = 0; i < arm_.joints; ++i) {
-    const double range = turns(i) ? half_turn : size_of_arm_;
+    const double range = turns(i) ? pi<double>() : size_of_arm_;
     double lower = request_.lower[i], upper = request_.upper[i];
     if (!std::isfinite(lower)) lower = std::isfinite(upper) ? upper - 2 * range : -range;
     if (!std::isfinite(upper)) upper = lower + 2 * range;

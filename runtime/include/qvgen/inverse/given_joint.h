@@ -11,6 +11,7 @@
 #include <Eigen/LU>
 #include <qvgen/inverse/choose.h>
 #include <qvgen/inverse/solutions.h>
+#include <qvgen/inverse/within.h>
 
 /// Seven joints within limits, where the inverse kinematics takes one of them as given.
 ///
@@ -84,14 +85,13 @@ GivenIntervals intervals(const Function& function, double lower, double upper);
 /// Distance of a joint to the nearer limit, rad or m, of the representative that is farthest from both;
 /// negative outside.
 inline double margin_of(double q, double lower, double upper, bool revolute) {
-  constexpr double turn = 6.283185307179586476925;
   if (revolute && std::isfinite(lower) && std::isfinite(upper)) {
     const double centre = 0.5 * (lower + upper);
     // Whole turns that lead past the centre may lead back into wide limits.
     const double off = std::abs(without_turns(q - centre));
     return 0.5 * (upper - lower) - off;
   }
-  if (revolute) return turn;
+  if (revolute) return whole_turn;
   return std::min(q - lower, upper - q);
 }
 
@@ -163,9 +163,8 @@ class GivenJoint {
     none.status = Status::invalid;
     double lower = limits_.lower[given_], upper = limits_.upper[given_];
     const bool turns = revolute_[static_cast<std::size_t>(given_)];
-    constexpr double half_turn = 3.14159265358979323846;
-    if (turns && !std::isfinite(lower)) lower = std::isfinite(upper) ? upper - 2 * half_turn : -half_turn;
-    if (turns && !std::isfinite(upper)) upper = lower + 2 * half_turn;
+    if (turns && !std::isfinite(lower)) lower = std::isfinite(upper) ? upper - whole_turn : -0.5 * whole_turn;
+    if (turns && !std::isfinite(upper)) upper = lower + whole_turn;
     const bool ordered = (limits_.lower.array() <= limits_.upper.array()).all();  // false for NaN
     if (!ordered || !std::isfinite(lower) || !std::isfinite(upper)) return none;
     if (solve_(0.5 * (lower + upper)).status == Status::invalid) return none;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include <Eigen/Core>
+#include <qvgen/inverse/angles.h>
 #include <qvgen/inverse/choose.h>
 #include <qvgen/inverse/solutions.h>
 #include <qvgen/pose.h>
