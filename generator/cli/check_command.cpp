@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.h"
+#include "cli/verdict.h"
 #include "pipeline/pipeline.h"
 #include "pipeline/products/inverse_derivation.h"
 
@@ -36,9 +37,8 @@ std::vector<RobotOutput> outlooks(const std::vector<model::Robot>& robots) {
   return outputs;
 }
 
-/// Says what `generate` will leave out of a robot. Returns false if a certificate has failed.
-bool report_missing(const description::Diagnostic& place, const RobotOutput& output) {
-  bool good = true;
+/// Says what `generate` will leave out of a robot.
+ExitCode report_missing(const description::Diagnostic& place, const RobotOutput& output) {
   for (const Missing& missing : output.missing) {
     if (missing.kind == Missing::Kind::not_described) continue;
     description::Diagnostic note = place;
@@ -47,9 +47,8 @@ bool report_missing(const description::Diagnostic& place, const RobotOutput& out
     note.message = "no " + missing.part + ": " + missing.reason;
     note.hint.clear();
     fmt::print(stderr, "{}\n", description::to_string(note));
-    good = good && missing.kind != Missing::Kind::refuted;
   }
-  return good;
+  return verdict_of(output.missing);
 }
 
 }  // namespace
@@ -61,16 +60,16 @@ int run_check(const std::vector<std::filesystem::path>& descriptions, const desc
   std::vector<model::Robot> robots;
   for (const auto& result : *results) robots.push_back(*result.robot);
   const std::vector<RobotOutput> outputs = thorough ? generate(robots, {}) : outlooks(robots);
-  bool good = true;
+  ExitCode verdict = success;
   for (std::size_t i = 0; i < robots.size(); ++i) {
-    good = report_missing((*results)[i].name_place, outputs[i]) && good;
+    verdict = worse(verdict, report_missing((*results)[i].name_place, outputs[i]));
     std::string structure;
     for (const model::Joint& joint : robots[i].joints)
       structure += joint.type == model::JointType::revolute ? 'R' : 'P';
     fmt::print("{}: {} ({}), {} geometric parameters\n", robots[i].name, robots[i].title, structure,
                robots[i].geometry.size());
   }
-  return good ? success : failure;
+  return verdict;
 }
 
 }  // namespace qvgen::cli

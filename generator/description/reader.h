@@ -31,6 +31,8 @@ struct ReadResult {
   /// Where the file gives the robot's name, for mistakes between files.
   Diagnostic name_place;
   std::string text;  ///< all that was read
+  /// Files that were read besides, sorted: what an MJCF or a xacro includes, meshes whose volume counts.
+  std::vector<std::string> files = {};
 };
 
 /// Which rounded numbers of a URDF or MJCF are read as the exact ones that they were (xml/snap.h).
@@ -53,6 +55,7 @@ struct ReadOptions {
   // For who reads files: what xacro is given, and where packages are.
   std::vector<std::string> xacro_arguments = {};
   std::vector<std::string> package_folders = {};
+  bool lists_files = false;  ///< also those that xacro includes, which takes another run of it
 };
 
 /// The largest file that is read: no description of one robot comes near.

@@ -29,6 +29,9 @@ struct Missing {
   std::string reason;
 };
 
+/// What is said of a check of the generator that has failed.
+std::string defect_text(const std::string& check);
+
 /// What one robot yields: its files and its entry in operation_counts.json.
 struct RobotOutput {
   std::string robot;

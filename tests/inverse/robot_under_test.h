@@ -52,6 +52,8 @@ struct InverseFunctions {
   std::function<Found(const Pose<double>&, double given, const Eigen::VectorXd& seed, double tolerance,
                       const reference::Values&)>
       solve_near = {};
+  /// Of arms that are asked for a pitch, which their main entry takes from a pose: by the pitch itself.
+  std::function<Found(const Eigen::Vector3d& position, double pitch, double given)> solve_pitch = {};
   /// Of arms that are asked for less than a pose: the whole pose, with and without a seed.
   std::function<Found(const Pose<double>&, double tolerance)> solve_pose = {};
   std::function<Found(const Pose<double>&, const Eigen::VectorXd& seed)> solve_pose_from = {};

@@ -14,6 +14,10 @@ namespace qvgen::derive::inverse {
 std::string dependent_joints(const Attempt& attempt, const std::vector<std::size_t>& joints,
                              bool position_only);
 
+/// Empty if four joints move the tool point and the pitch, which all but the first change by their turns, in
+/// every way at an ordinary place.
+std::string dependent_joints_of_pitch(const Attempt& attempt);
+
 /// The same of joint k of four and a point on its axis, which the three others place.
 std::string dependent_joints_about(const Attempt& attempt, std::size_t k);
 

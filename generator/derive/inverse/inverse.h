@@ -30,6 +30,8 @@ Derivation derive_pose(const Problem& problem);
 /// Of the tool point; the orientation is not asked for.
 Derivation derive_position(const Problem& problem);
 Derivation derive_orientation(const Problem& problem);
+/// Of the tool point and the angle that the tool makes with the axis of the first joint.
+Derivation derive_pitch(const Problem& problem);
 
 /// What is derived from the problem's arm in canonical frames: where its joints' zeros hide that a wrist has
 /// right angles, frames along the common normals show it.

@@ -89,8 +89,9 @@ Problem of_canonical_arm(const Problem& problem, const canonical::Arm& arm) {
     return exact::radians(phase).has_value();
   });
   // Where the tool point is in front of an oblique frame is told by the pose's orientation alone, which a
-  // position does not have.
-  const bool takes_tool_off = problem.task != model::Task::position;
+  // position does not have, and a pitch but for the turn of the first joint.
+  const bool takes_tool_off =
+      problem.task != model::Task::position && problem.task != model::Task::position_and_pitch;
   if (numbers && (is_oblique(robot.base) || (takes_tool_off && is_oblique(robot.tool)))) {
     result.has_frames = true;
     std::swap(result.base, robot.base);

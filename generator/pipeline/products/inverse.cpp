@@ -82,10 +82,13 @@ json effort_values(const qvgen::inverse::Budget& budget, std::size_t joints, int
 }
 
 /// What follows one branch: the first pass, if there is one, and the careful one. Not of arms whose rows have
-/// to be looked at: what reaches one pose of theirs need not lead on to the next.
+/// to be looked at: what reaches one pose of theirs need not lead on to the next. Nor of a pitch: Newton's
+/// steps of the whole arm would need its heading.
 json seed_branch(const derive::inverse::Problem& problem, const derive::inverse::LoweredPlan& plan,
                  const emit::Dialect& dialect) {
-  if (problem.filter != derive::inverse::Filter::none || !emit::has_seed_branch(plan)) return false;
+  const bool has_poses = problem.task != model::Task::position_and_pitch;
+  if (!has_poses || problem.filter != derive::inverse::Filter::none || !emit::has_seed_branch(plan))
+    return false;
   const auto lines = [&](emit::Pass pass) {
     return emit::lines_of(emit::seed_branch_lines(plan, pass, dialect));
   };
