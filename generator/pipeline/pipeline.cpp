@@ -50,7 +50,7 @@ void add_headers_of_missing_parts(RobotOutput& output) {
   for (const auto& [part, lines] : reasons)
     output.files.push_back(
         {header_of(output.robot, part),
-         emit::render("missing.h", {{"name", output.robot}, {"part", part}, {"reasons", lines}})});
+         emit::render("cpp/missing.h", {{"name", output.robot}, {"part", part}, {"reasons", lines}})});
 }
 
 /// Includes the headers that there are, and says what there is not.
@@ -60,10 +60,10 @@ OutputFile umbrella_header(const RobotOutput& output) {
     if (has_file(output, header_of(output.robot, product.part))) parts.push_back({{"part", product.part}});
   const json missing = emit::lines_of(lines_of_missing(output));
   return {"include/qvgen/robots/" + output.robot + ".h",
-          emit::render("robot.h", {{"name", output.robot},
-                                   {"parts", parts},
-                                   {"missing", missing},
-                                   {"is_complete", missing.empty()}})};
+          emit::render("cpp/robot.h", {{"name", output.robot},
+                                       {"parts", parts},
+                                       {"missing", missing},
+                                       {"is_complete", missing.empty()}})};
 }
 
 /// True if a part that is named needs the product.
@@ -273,7 +273,7 @@ RobotOutput generate_page_functions(const model::Robot& robot, const Budget& bud
 }
 
 std::vector<OutputFile> shared_files() {
-  return {{"README.md", emit::render("generated_readme.md", json::object())}};
+  return {{"README.md", emit::render("cpp/readme.md", json::object())}};
 }
 
 }  // namespace qvgen::pipeline

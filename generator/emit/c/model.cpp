@@ -31,7 +31,7 @@ Part constants(const model::Robot& robot, const std::string& name, const std::st
   if (list.empty())  // C has no empty struct
     values["parameters"].push_back(
         {{"type", "char"}, {"parameter", "none"}, {"default", "0"}, {"last", true}});
-  return {render("c_constants.h", values), render("c_constants.c", values)};
+  return {render("c/constants.h", values), render("c/constants.c", values)};
 }
 
 json values_of(const Joint& joint) {
@@ -52,7 +52,7 @@ Part model(const model::Robot& robot, const std::vector<Joint>& joints,
     values["joints"].push_back(values_of(joint));
     values["joints"].back()["last"] = &joint == &joints.back();
   }
-  Part part{render("c_model.h", values), render("c_model.c", values)};
+  Part part{render("c/model.h", values), render("c/model.c", values)};
   return part += constants(robot, "geometry", "Geometric constants, metres or radians.", geometry);
 }
 

@@ -110,7 +110,7 @@ void generate_model_header(const model::Robot& robot, RobotOutput& output) {
   values["has_defaults"] = has_defaults;
   values["lacks_defaults"] = lacks_defaults;
   output.files.push_back(
-      {"include/qvgen/robots/" + robot.name + "/model.h", emit::render("model.h", values)});
+      {"include/qvgen/robots/" + robot.name + "/model.h", emit::render("cpp/model.h", values)});
 }
 
 std::vector<emit::c::Constant> constants_of(const model::Robot& robot,
