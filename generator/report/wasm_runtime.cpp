@@ -52,7 +52,7 @@ std::string headers_text(const std::vector<std::string>& folders, const Runtime&
   return includes_of(names);
 }
 
-/// Of all that the compiler reads: what is in the runtime, and versions of the rest.
+/// Returns the key of all that the compiler reads: what is in the runtime, and versions of the rest.
 std::string key_of(const std::string& headers, const std::string& sources, const Runtime& runtime) {
   std::string text = headers + sources + toolchain::run({"clang++", "--version"}).said;
   for (const std::string& word : wasm_compiler(runtime)) text += word + "\n";

@@ -17,7 +17,7 @@ namespace {
 using optimise::DynamicsModel;
 using optimise::Optimised;
 
-/// What is found with it says nothing about the best, but is the same for the same arm.
+/// Settings of a short search: its counts are not the best, but equal for equal arms.
 constexpr optimise::DynamicsEffort little{.trial_steps = 500, .final_steps = 5'000, .certificate_points = 1};
 
 /// Every function of dynamics; each is certified as it is made.
@@ -86,7 +86,7 @@ TEST(DynamicsNotation, DoesNotDependOnTheNamesOfFreeInertias) {
   }
 }
 
-/// Where right angles do not say it all the description's frames stay.
+/// Keeps the description's frames if right angles do not say it all.
 TEST(DynamicsNotation, KeepsTheFramesOfLinksThatAreTurnedByOtherAngles) {
   std::mt19937 random(9);
   model::Robot robot = random_arm(test::InertiasIn::numbers, random);

@@ -64,7 +64,7 @@ std::array<Expression, 6> rotated(const std::vector<model::Turn>& turns,
   return {columns[0][0], columns[1][1], columns[2][2], columns[1][0], columns[2][1], columns[2][0]};
 }
 
-/// Of a link whose frame now lies there in the one that it had.
+/// Returns the inertia of a link in a frame that is given in the link's old one.
 model::Inertia seen_from(const Displacement& frame, model::Inertia inertia) {
   const Displacement back = inverse(frame);
   inertia.inertia = rotated(back.turns, inertia.inertia);

@@ -45,7 +45,7 @@ TEST_P(Formulations, AreTheDefinitionForCommittedRobots) {
   }
 }
 
-/// What is certified must be able to fail: a millionth.
+/// A certificate must be able to fail: it refuses an error of a millionth.
 TEST_P(Formulations, AWrongOneIsRefused) {
   const Subject subject(test::committed_robot("puma560"), GetParam());
   for (const Formulation& right : formulations(GetParam())) {

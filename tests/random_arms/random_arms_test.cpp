@@ -129,7 +129,7 @@ void check_kinematics(const Case& arm, std::mt19937& random) {
   }
 }
 
-/// Whether inverse kinematics was derived; it is certified in sixty digits.
+/// True if inverse kinematics was derived; it is certified in sixty digits.
 bool check_inverse(const Case& arm) {
   const auto derivation = derive::inverse::derive(arm.robot);
   if (derivation.found) verify::certify_inverse(derivation.problem, lower(derivation.plan), 1);

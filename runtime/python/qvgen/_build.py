@@ -30,7 +30,7 @@ class BuildError(RuntimeError):
 
 
 def cache_folder():
-    """Where modules are kept: $QVGEN_CACHE, or ~/.cache/qvgen. It may be deleted at any time."""
+    """Returns the folder of modules: $QVGEN_CACHE, or ~/.cache/qvgen. It may be deleted at any time."""
     default = pathlib.Path(os.environ.get("XDG_CACHE_HOME", pathlib.Path.home() / ".cache")) / "qvgen"
     return pathlib.Path(os.environ.get("QVGEN_CACHE", default))
 
@@ -144,7 +144,7 @@ def _compile(robot, generated, target):
 
 
 def _functions(entry):
-    """Of each function where it is, of each part that is not there why; and what the inverse kinematics takes."""
+    """Returns the header of each function, the reason for each part that is missing, and the targets of the inverse kinematics."""
     targets = entry.get("targets", {})
     names = [name for name in entry if name not in ("missing", "targets")]
     functions = {name: "here" if is_bound(name) or name in targets else "in C++ only" for name in [*names, *targets]}
@@ -164,7 +164,7 @@ def _binding(robot, generated):
 
 
 def module_file(robot, generated):
-    """Where the module belongs by the content of all that it is made from; compiled if it is not there."""
+    """Returns the path of the module, by the content of all that it is made from; compiles it if it is not there."""
     made_of = [*(generated / "source" / robot).glob("*"), *(generated / "include/qvgen/robots" / robot).glob("*"),
                *_here.glob("*.h"), *(_root / "runtime/include").rglob("*.h"),
                *(_root / "runtime/source").rglob("*.h"), *_runtime_sources()]
