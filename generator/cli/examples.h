@@ -8,7 +8,7 @@ extern const char* const examples;
 extern const char* const compare_examples;
 extern const char* const report_examples;
 extern const char* const map_examples;
-/// What the tool exits with, and why; see ExitCode.
+/// Exit codes of the tool, and why it has them; see ExitCode.
 extern const char* const exit_codes;
 
 }  // namespace qvgen::cli

@@ -61,7 +61,7 @@ std::string trial(const fs::path& path, const ReadOptions& options) {
   return expanded + list + "\n" + outcome.said;
 }
 
-/// What a trial has expanded: a line of the files that it includes, then a URDF.
+/// Reads what a trial has expanded: a line of the files that it includes, then a URDF.
 ReadResult result_of_expanded(const fs::path& path, const ReadOptions& options, const std::string& text) {
   const std::size_t end = text.find('\n');
   ReadResult result = description::read_text(text.substr(end + 1), path.string(), options);
@@ -90,7 +90,7 @@ std::string one_line(std::string text) {
   return line;
 }
 
-/// What may help xacro. It loads YAML by a module of Python that its package does not bring along.
+/// Returns what may help xacro. It loads YAML by a module of Python that its package does not bring along.
 std::string advice(const std::string& said) {
   if (said.find("No module named 'yaml'") != std::string::npos)
     return "it needs a module of Python beside xacro: pip install pyyaml";

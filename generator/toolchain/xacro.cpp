@@ -48,7 +48,8 @@ std::vector<std::string> together(std::vector<std::string> words, const std::vec
   return words;
 }
 
-/// What `xacro --deps` writes: paths with blanks between. One that has a blank itself is not found in it.
+/// Splits what `xacro --deps` writes, paths with blanks between. One that has a blank itself is not found in
+/// it.
 std::vector<std::string> split(const std::string& text) {
   std::istringstream stream(text);
   std::vector<std::string> paths;

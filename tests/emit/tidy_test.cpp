@@ -97,7 +97,7 @@ TEST(Tidy, EveryLineEnds) {
   }
 }
 
-/// Of everything that is generated: lines are short, and to tidy it again changes nothing.
+/// Generated lines are short, and tidying them again changes nothing.
 TEST(Tidy, GeneratedCodeIs) {
   int files = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(QVGEN_SOURCE_DIR "/generated")) {

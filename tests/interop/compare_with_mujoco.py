@@ -106,7 +106,7 @@ class Description:
 
 
 class Chain:
-    """The same chain in MuJoCo's model."""
+    """A chain between two bodies in MuJoCo's model."""
 
     def __init__(self, path, base, tip):
         self.model = mujoco.MjModel.from_xml_path(str(path))
@@ -169,7 +169,7 @@ class Chain:
         return self.seen_from_base(self.data.xmat[body], self.data.xpos[body])
 
     def frame(self, name):
-        """Of a site, else of a body of that name, or nothing; a site may be called as its body."""
+        """Returns the pose of a site, else of a body of that name, or nothing; a site may be called as its body."""
         site = mujoco.mj_name2id(self.model, mujoco.mjtObj.mjOBJ_SITE, name)
         body = mujoco.mj_name2id(self.model, mujoco.mjtObj.mjOBJ_BODY, name)
         return self.pose_of_site(site) if site >= 0 else self.pose_of_body(body) if body >= 0 else None

@@ -74,7 +74,7 @@ class Run:
 
     @property
     def trouble(self):
-        """What is wrong with the tool itself, empty if nothing."""
+        """Says what is wrong with the tool itself, empty if nothing."""
         return "hung" if self.hung else "crashed" if self.crashed else "defect" if self.code == DEFECT else ""
 
     def errors(self):

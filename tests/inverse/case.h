@@ -52,11 +52,11 @@ class Case {
   };
   [[nodiscard]] Miss miss(const Eigen::VectorXd& q, const Eigen::Isometry3d& target) const;
 
-  /// What is left to the target, in the rows of `jacobian`: displacement, then rotation vector.
+  /// Returns the residual to the target, in the rows of `jacobian`: displacement, then rotation vector.
   [[nodiscard]] Eigen::VectorXd residual(const Eigen::VectorXd& q, const Eigen::Isometry3d& target) const;
 
-  /// Of an arm that is asked for a pitch: the joint that turns all of it, the first of those that the pitch
-  /// is counted about, and the pitch, by the axes as they are with the first joint at zero.
+  /// Joints and pitch of an arm that is asked for a pitch: the joint that turns all of it, the first of those
+  /// that the pitch is counted about, and the pitch, by the axes as they are with the first joint at zero.
   [[nodiscard]] int base_joint() const { return robot_.info.given_joint == 0 ? 1 : 0; }
   [[nodiscard]] int pitch_joint() const;
   [[nodiscard]] double pitch(const Eigen::VectorXd& q) const;
@@ -83,7 +83,7 @@ class Case {
   [[nodiscard]] Eigen::Vector3d base_seen(const Eigen::VectorXd& q, const Eigen::Isometry3d& tool) const {
     return tool.linear().transpose() * axis(base_joint(), q);
   }
-  /// Of the residual, three rows each.
+  /// Number of the residual's parts, three rows each.
   [[nodiscard]] int parts() const {
     return (asks_position() ? 1 : 0) + (asks_orientation() || asks_direction() || asks_pitch() ? 1 : 0);
   }

@@ -21,7 +21,7 @@ for robot in "${again[@]}"; do
     exit 1
   done
 done
-# What is written by hand in generated/ is its CMakeLists.txt alone.
+# Only one file in generated/ is written by hand: its CMakeLists.txt.
 if ! diff -r --exclude=CMakeLists.txt --exclude=.qvgen "$generated" "$scratch/first"; then
   echo "generated/ is not what the generator writes. To update it: ./qvgen generate"
   exit 1

@@ -105,8 +105,8 @@ bool has_pitch(const Problem& problem, const Vector3& axis) {
   return !attempt.scope.is_zero(symbolic::cross(at_zero, attempt.chain.screws.back().axis));
 }
 
-/// With the pitch of the first axis of the tool that has one. `joint`: the one whose value is given, if there
-/// is one.
+/// Derives the pitch of the first axis of the tool that has one. `joint`: the one whose value is given, if
+/// there is one.
 Derivation pitched(const Robot& robot, std::optional<std::size_t> joint) {
   const auto moving = [&](const Problem& problem) { return joint ? with_held(problem, *joint) : problem; };
   return first_found(tool_axes(robot.inverse), [&](const Vector3& axis) -> Derivation {
@@ -118,7 +118,7 @@ Derivation pitched(const Robot& robot, std::optional<std::size_t> joint) {
   });
 }
 
-/// What an arm may be asked for, the most it can follow first.
+/// Ways to derive what an arm may be asked for, the most it can follow first.
 using Way = std::function<Derivation()>;
 struct Offer {
   Task task;
@@ -169,7 +169,7 @@ bool has_one_too_many_for_a_pitch(const Robot& robot) {
   return robot.joints.size() == 5 && robot.inverse.task == Task::position_and_pitch;
 }
 
-/// Whether a joint's value may be given.
+/// True if a joint's value may be given.
 bool has_one_too_many(const Robot& robot) {
   const std::size_t count = robot.joints.size();
   return count == 7 || (count == 4 && robot.inverse.task == Task::position) || turns_in_plane(robot) ||
@@ -203,7 +203,7 @@ Derivation derive_pitch_with_given(const Robot& robot) {
   });
 }
 
-/// What an arm of five joints may be asked for that nothing else is derived for.
+/// Returns what an arm of five joints may be asked for that nothing else is derived for.
 std::vector<std::string> other_task(const Robot& robot) {
   if (robot.joints.size() != 5) return {};
   const Derivation derivation = derive_pitch_with_given(robot);

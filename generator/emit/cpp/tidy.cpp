@@ -8,8 +8,8 @@
 namespace qvgen::emit {
 namespace {
 
-/// Where a line of code may be broken: in front of operators, behind commas, opening brackets of lists and
-/// "=".
+/// True if a line of code may be broken there: in front of operators, behind commas, opening brackets of
+/// lists and "=".
 bool may_break(const std::string& line, std::size_t at) {
   if (line[at - 1] != ' ') return false;
   const std::string_view before = std::string_view(line).substr(0, at - 1);

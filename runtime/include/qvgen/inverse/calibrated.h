@@ -20,7 +20,7 @@ using Columns = Eigen::Matrix<double, 6, dof>;
 template <int dof>
 using Joints = Eigen::Matrix<double, dof, 1>;
 
-/// Whether the joints of two arms turn and slide alike.
+/// True if the joints of two arms turn and slide alike.
 template <std::size_t dof>
 constexpr bool same_types(const std::array<bool, dof>& a, const std::array<bool, dof>& b) {
   for (std::size_t i = 0; i < dof; ++i)
@@ -28,7 +28,7 @@ constexpr bool same_types(const std::array<bool, dof>& a, const std::array<bool,
   return true;
 }
 
-/// What is left to a pose, to first order: metres, then a rotation vector.
+/// Difference from a pose to a goal, to first order: metres, then a rotation vector.
 inline Twist left_to(const Pose<double>& goal, const Pose<double>& at) {
   const Eigen::Quaterniond turn = goal.orientation * at.orientation.conjugate();
   Twist twist;
@@ -36,7 +36,7 @@ inline Twist left_to(const Pose<double>& goal, const Pose<double>& at) {
   return twist;
 }
 
-/// Of the arm's size and rad.
+/// Norm of a twist, rad; its metres are counted in units of the arm's size.
 inline double norm(const Twist& twist, double size) {
   return std::sqrt(twist.head<3>().squaredNorm() / (size * size) + twist.tail<3>().squaredNorm());
 }
