@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: MIT
+# cmake -DQVGEN=source -DBUILD=build -DWORK=folder -DGENERATOR=... -DCXX=... -DFLAGS=... -P folder.cmake: runtime/examples copied,
+# built beside an installation and run, as a newcomer would.
+function(run what)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT result EQUAL 0)
+    message(FATAL_ERROR "${what} failed (${result}):\n${output}")
+  endif()
+  message(STATUS "${what}: ${output}")
+endfunction()
+
+file(REMOVE_RECURSE ${WORK})
+foreach(component runtime robots tool)
+  run("installing ${component}" ${CMAKE_COMMAND} --install ${BUILD} --component ${component} --prefix ${WORK}/prefix)
+endforeach()
+file(COPY ${QVGEN}/runtime/examples/ DESTINATION ${WORK}/copy)
+# -O0 is the quickest to compile.
+run("configuring" ${CMAKE_COMMAND} -S ${WORK}/copy -B ${WORK}/build -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${CXX}
+    "-DCMAKE_CXX_FLAGS=${FLAGS} -O0 -Wall -Wextra -Werror" "-DCMAKE_C_FLAGS=-O0 -Wall -Wextra -Werror" -DCMAKE_PREFIX_PATH=${WORK}/prefix)
+run("building" ${CMAKE_COMMAND} --build ${WORK}/build --parallel 2)
+foreach(program control_loop planner_batch firmware)
+  run("${program}" ${WORK}/build/${program})
+endforeach()
