@@ -11,9 +11,9 @@ namespace qvgen::toolchain {
 
 /// Needs of generated code besides a compiler.
 struct Runtime {
-  std::vector<std::filesystem::path> headers;  ///< folders: the runtime's, Eigen's
-  std::filesystem::path sources;               ///< of the runtime; empty where it is installed as a library
-  std::filesystem::path archive;               ///< that one
+  std::vector<std::filesystem::path> headers;   ///< folders: the runtime's, Eigen's
+  std::filesystem::path sources;                ///< of the runtime; empty where it is installed as libraries
+  std::vector<std::filesystem::path> archives;  ///< those that generated code may need, in the linker's order
 };
 
 /// Returns the runtime of a source tree, or of the prefix where the tool is installed. Eigen's folder is

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -12,7 +13,10 @@ namespace {
 
 using nlohmann::json;
 
-std::string number(double value) { return spelling().number(fmt::format("{}", value)); }
+std::string number(double value) {
+  if (std::isinf(value)) return value > 0 ? "HUGE_VAL" : "-HUGE_VAL";
+  return spelling().number(fmt::format("{}", value));
+}
 
 /// Writes the value of a constant; NAN if nobody has set it, so that results show it.
 std::string value_of(const Constant& constant) { return constant.value ? number(*constant.value) : "NAN"; }
@@ -38,7 +42,9 @@ json values_of(const Joint& joint) {
   return {{"variable", joint.name},
           {"revolute", joint.revolute ? "1" : "0"},
           {"lower", joint.limits ? number(joint.limits->first) : "-HUGE_VAL"},
-          {"upper", joint.limits ? number(joint.limits->second) : "HUGE_VAL"}};
+          {"upper", joint.limits ? number(joint.limits->second) : "HUGE_VAL"},
+          {"velocity", number(joint.greatest_velocity)},
+          {"effort", number(joint.greatest_effort)}};
 }
 
 }  // namespace

@@ -49,6 +49,8 @@ def _hash(texts):
     return digest.hexdigest()[:24]
 
 
+# Of the runtime, in the linker's order.
+_LIBRARIES = ("certified", "arm_angle", "given_joint", "nearest_pose", "elimination", "inverse", "core")
 _has_avx2_forms = platform.machine() in ("x86_64", "AMD64")
 
 
@@ -115,9 +117,9 @@ def _compile(robot, generated, target):
     """Compiles and links in a folder of its own; the module appears whole, or not at all."""
     sources = _binding(robot, generated)
     robot_library = _built(f"libqvgen_robot_{robot}.a") if generated == generated_folder else None
-    runtime_library = _built("libqvgen_runtime.a")
+    runtime_libraries = [_built(f"libqvgen_runtime_{each}.a") for each in _LIBRARIES]
     to_compile = [] if robot_library else sorted((generated / "source" / robot).glob("*.cpp"))
-    to_compile += [] if runtime_library else _runtime_sources()
+    to_compile += [] if all(runtime_libraries) else _runtime_sources()
     folders = [generated / "include", _here, _root / "runtime/include",
                os.environ.get("QVGEN_EIGEN", "/usr/include/eigen3"), sysconfig.get_paths()["include"], *_pybind11()]
     compiler = shlex.split(os.environ.get("CXX", "c++"))
@@ -137,7 +139,7 @@ def _compile(robot, generated, target):
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
             objects = list(pool.map(compile_, enumerate([binding, *to_compile])))
         _run([*compiler, "-shared", "-o", work / target.name, *objects,
-              *(each for each in (robot_library, runtime_library) if each)])
+              *([robot_library] if robot_library else []), *(runtime_libraries if all(runtime_libraries) else [])])
         os.replace(work / target.name, target)
 
 
