@@ -1,13 +1,7 @@
 # SPDX-License-Identifier: MIT
 # cmake -DQVGEN=source -DBUILD=build -DWORK=folder -DGENERATOR=... -DCXX=... -DFLAGS=... -P folder.cmake: runtime/examples copied,
 # built beside an installation and run, as a newcomer would.
-function(run what)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  if(NOT result EQUAL 0)
-    message(FATAL_ERROR "${what} failed (${result}):\n${output}")
-  endif()
-  message(STATUS "${what}: ${output}")
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/../run.cmake)
 
 file(REMOVE_RECURSE ${WORK})
 foreach(component runtime robots tool)
@@ -20,4 +14,5 @@ run("configuring" ${CMAKE_COMMAND} -S ${WORK}/copy -B ${WORK}/build -G ${GENERAT
 run("building" ${CMAKE_COMMAND} --build ${WORK}/build --parallel 2)
 foreach(program control_loop planner_batch firmware)
   run("${program}" ${WORK}/build/${program})
+  message(STATUS "${program}: ${output}")
 endforeach()
