@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "other_notation.h"
 
+#include <fstream>
+
 #include "model/arithmetic.h"
 
 namespace qvgen::test {
@@ -150,6 +152,11 @@ model::Robot in_another_notation(const model::Robot& robot, std::mt19937& random
     next = model::compose(inverse(frame), next);
   }
   return other;
+}
+
+nlohmann::json committed_counts(const std::string& robot) {
+  std::ifstream file(QVGEN_SOURCE_DIR "/generated/operation_counts.json");
+  return nlohmann::json::parse(file).at(robot);
 }
 
 }  // namespace qvgen::test

@@ -49,7 +49,7 @@ def _hash(texts):
     return digest.hexdigest()[:24]
 
 
-# Of the runtime, in the linker's order.
+# Libraries of the runtime, in the linker's order.
 _LIBRARIES = ("certified", "arm_angle", "given_joint", "nearest_pose", "elimination", "inverse", "core")
 _has_avx2_forms = platform.machine() in ("x86_64", "AMD64")
 
