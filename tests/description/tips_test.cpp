@@ -49,7 +49,8 @@ std::string title(const Tree& tree, const ReadOptions& options = {}) {
   return read(tree.text(), options).title;
 }
 
-/// A gripper whose bars are called as in many a model: two that the motor turns, two behind them, two that guide.
+/// A gripper whose bars are called as in many a model: two that the motor turns, two behind them, two that
+/// guide.
 TEST(Tips, BarsOfAGripperInPairsAreItsFingers) {
   Tree robot("base");
   robot.row("base", "link", 7).fixed("link7", "gripper_base");
@@ -57,8 +58,9 @@ TEST(Tips, BarsOfAGripperInPairsAreItsFingers) {
     robot.moving("gripper_base", side + "_driver", side + "_driver_joint")
         .moving(side + "_driver", side + "_coupler", side + "_coupler_joint")
         .moving("gripper_base", side + "_spring_link", side + "_spring_link_joint");
-  EXPECT_NE(report(robot.text()).find("the chain may end at gripper_base (arm, 7 joints, without its fingers "),
-            std::string::npos)
+  EXPECT_NE(
+      report(robot.text()).find("the chain may end at gripper_base (arm, 7 joints, without its fingers "),
+      std::string::npos)
       << report(robot.text());
 }
 

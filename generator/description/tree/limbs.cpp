@@ -29,9 +29,8 @@ bool is_hand(const std::vector<Node>& nodes, const MovingTree& tree, std::size_t
     return false;
   // Two fingers, or the bars of their linkages in pairs.
   const bool alike = std::all_of(branches.begin(), branches.end(), [&](std::size_t branch) {
-    return std::count_if(branches.begin(), branches.end(), [&](std::size_t other) {
-             return tree.height[other] == tree.height[branch];
-           }) > 1;
+    return std::count_if(branches.begin(), branches.end(),
+                         [&](std::size_t other) { return tree.height[other] == tree.height[branch]; }) > 1;
   });
   const auto is_named = [&](std::size_t branch) { return is_finger(nodes[branch]); };
   // Motors of a hand are single joints beside its fingers.
