@@ -42,13 +42,16 @@ using qvgen::test::copy;
 const bool registered = qvgen::test::add_inverse({"@NAME@", "@DESCRIPTION@", robot::dof, robot::inverse_info@SUFFIX@, {}, {
     [](const Pose& pose, [[maybe_unused]] double given, double tolerance, const reference::Values&) { return copy(robot::inverse_kinematics@SUFFIX@(asked<robot::inverse_info@SUFFIX@.task>(pose, robot::inverse_info@SUFFIX@)@GIVEN@, robot::Geometry{}, tolerance)); },
     [](const Pose& pose, [[maybe_unused]] double given, const Eigen::VectorXd& seed, const reference::Values&) { return copy(robot::inverse_kinematics@SUFFIX@(asked<robot::inverse_info@SUFFIX@.task>(pose, robot::inverse_info@SUFFIX@)@GIVEN@, robot::JointVector<double>(seed))); },
-    {}, {}, {}, @NEAR@}});
+    {}, {}, {}, @NEAR@, @PITCH@}});
 }
 }
 )";
 
 constexpr const char* near_a_seed =
     R"([](const Pose& pose, [[maybe_unused]] double given, const Eigen::VectorXd& seed, double tolerance, const reference::Values&) { return copy(robot::inverse_kinematics_near@SUFFIX@(asked<robot::inverse_info@SUFFIX@.task>(pose, robot::inverse_info@SUFFIX@)@GIVEN@, robot::JointVector<double>(seed), robot::Geometry{}, tolerance)); })";
+
+constexpr const char* by_pitch =
+    R"([](const Eigen::Vector3d& position, double pitch, [[maybe_unused]] double given) { return copy(robot::inverse_kinematics@SUFFIX@(qvgen::PositionAndPitch<double>{position, pitch}@GIVEN@)); })";
 
 constexpr const char* unsolved_arm =
     R"(const bool @NAME@ = qvgen::test::add_unsolved({"@NAME@", "@DESCRIPTION@", R"text(@REASONS@)text"});
@@ -170,6 +173,7 @@ std::string registration(const Folder& folder, const std::string& name) {
   std::string text = solved ? solved_arm : unsolved_arm;
   const std::string given = suffix(folder.header(name));
   text = replaced(text, "@NEAR@", has_near(folder.header(name), given) ? near_a_seed : "{}");
+  text = replaced(text, "@PITCH@", task(folder.header(name)) == "position_and_pitch" ? by_pitch : "{}");
   text = replaced(text, "@NAME@", name);
   text = replaced(text, "@SUFFIX@", given);
   text = replaced(text, "@GIVEN@", given.empty() ? "" : ", given");
