@@ -7,6 +7,9 @@
 #include <qvgen/inverse/nearest.h>
 #include <qvgen/inverse/within.h>
 
+/// Solutions within joint limits: all representatives of all branches, or the one of each branch that is
+/// nearest to a seed. within.h says which whole turn brings an angle inside; all_within.h visits the
+/// representatives.
 namespace qvgen {
 namespace inverse {
 

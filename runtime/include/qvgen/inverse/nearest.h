@@ -9,6 +9,8 @@
 #include <qvgen/inverse/solutions.h>
 #include <qvgen/inverse/within.h>
 
+/// Solutions nearest to a seed: distances in joint space, the short way round for turns, and orders by them.
+/// Rows within limits have whole turns in their angles; there a distance counts them.
 namespace qvgen {
 
 /// A difference of angles, rad, less the whole turns that bring it into [-pi, pi]. Adding and subtracting a
