@@ -15,9 +15,15 @@ namespace {
 using namespace qvgen;
 using dag::Edge;
 
-const emit::SymbolTable names{[](const std::string& symbol) { return "g." + symbol; },
-                              [](const dag::Angle& angle) { return "sin<" + to_string(angle) + ">"; },
-                              [](const dag::Angle& angle) { return "cos<" + to_string(angle) + ">"; }};
+const emit::ast::Leaves names{
+    [](const std::string& symbol) { return emit::ast::name("g." + symbol); },
+    [](const dag::Angle& angle) { return emit::ast::name("sin<" + to_string(angle) + ">"); },
+    [](const dag::Angle& angle) { return emit::ast::name("cos<" + to_string(angle) + ">"); }};
+
+/// A symbol of a robot as plain C++ writes it.
+std::string symbol_text(const model::Robot& robot, const std::string& symbol) {
+  return emit::plain_cpp().text(emit::symbol_table(robot, {}).symbol(symbol));
+}
 
 class CodeTest : public testing::Test {
  protected:
@@ -44,7 +50,7 @@ TEST(SymbolTable, DefinitionsMayHaveOthersInThem) {
   const std::string half = exact::name_of_number(cln::cl_RA(1) / 2);
   robot.definitions.emplace("a", Expression::make(Kind::sum, {symbol("b"), symbol(half)}));
   robot.definitions.emplace("b", Expression::make(Kind::product, {symbol("l"), symbol("l")}));
-  EXPECT_EQ(emit::symbol_table(robot, {}).symbol("a"), "((g.l * g.l) + Scalar(0.5))");
+  EXPECT_EQ(symbol_text(robot, "a"), "((g.l * g.l) + Scalar(0.5))");
 }
 
 /// float's and any other number type's own functions, not the C library's for double.
@@ -57,7 +63,7 @@ TEST(SymbolTable, FunctionsInDefinitionsAreThoseOfTheScalar) {
        {std::pair{Kind::root, "sqrt"}, {Kind::sine, "sin"}, {Kind::cosine, "cos"}}) {
     robot.definitions.insert_or_assign("a", Expression::make(kind, {Expression::symbol("l")}));
     const std::string name = function;
-    EXPECT_EQ(emit::symbol_table(robot, {}).symbol("a"),
+    EXPECT_EQ(symbol_text(robot, "a"),
               "[](const Scalar& operand) { using std::" + name + "; return " + name + "(operand); }(g.l)");
   }
 }

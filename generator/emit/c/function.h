@@ -11,9 +11,6 @@
 /// spelling.
 namespace qvgen::emit::c {
 
-/// Numbers as 2.0; constants behind pointers.
-const Spelling& spelling();
-
 /// Text of a robot's header and of its source.
 struct Part {
   std::string header = {};

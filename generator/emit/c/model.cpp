@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "emit/c/parts.h"
+#include "emit/c/printer.h"
 #include "emit/cpp/template_values.h"
 #include "emit/render.h"
 
@@ -12,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-std::string number(double value) { return spelling().number(fmt::format("{}", value)); }
+std::string number(double value) { return printer().text(ast::real(fmt::format("{}", value))); }
 
 /// What is computed with a constant that nobody has set says so.
 std::string value_of(const Constant& constant) { return constant.value ? number(*constant.value) : "NAN"; }

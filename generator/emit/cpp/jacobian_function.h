@@ -34,7 +34,7 @@ std::vector<dag::Angle> angles_of(const std::vector<JacobianFunction>& functions
 
 /// The code of a function whose angles these are.
 Code jacobian_code(const JacobianFunction& function, const model::Robot& robot,
-                   const std::vector<dag::Angle>& angles, const Spelling& spelling = cpp_spelling());
+                   const std::vector<dag::Angle>& angles, const ast::Printer& language = plain_cpp());
 
 /// Template values of a function. `all` are the angles of the header's JacobianAngles; `no_angles` is the
 /// type of what holds the sines and cosines of a function without any.

@@ -9,9 +9,8 @@
 #include <tuple>
 #include <utility>
 
-#include <cln/integer.h>
-
 #include "dag/rebuild.h"
+#include "emit/ast/angle.h"
 #include "emit/cpp/literal.h"
 #include "exact/constant_angle.h"
 #include "exact/named_constant.h"
@@ -69,69 +68,56 @@ Term term_of(const model::Robot& robot, const std::string& symbol, bool negative
   return {variables.size() + 1, symbol, negative};
 }
 
-cln::cl_I common_denominator(const Angle& angle) {
-  cln::cl_I common = 1;
-  for (const auto& [name, coefficient] : angle.terms)
-    common = cln::lcm(common, cln::denominator(coefficient));
-  return common;
-}
-
-std::string scalar(const exact::Number& number, const Spelling& spelling) {
-  return spelling.number(literal(number));
-}
-
-/// pi * turns, in double.
-std::string radians(const cln::cl_RA& turns, const Spelling& spelling) {
-  const cln::cl_RA pi = cln::cl_RA(cln::cl_I("3141592653589793238462643383279502884197")) /
-                        cln::cl_RA(cln::expt_pos(cln::cl_I(10), 39));
-  return scalar(exact::Number(turns * pi), spelling);
-}
+ast::Expression scalar(const exact::Number& number) { return ast::real(literal(number)); }
 
 /// A named constant's value; nothing if it is none.
-std::optional<std::string> constant_code(const std::string& name, const Spelling& spelling) {
-  if (const auto constant = exact::named_value(name)) return scalar(exact::Number(*constant), spelling);
+std::optional<ast::Expression> constant_value(const std::string& name) {
+  if (const auto constant = exact::named_value(name)) return scalar(exact::Number(*constant));
   if (const auto constant = exact::constant_angle(name))
-    return scalar(exact::Number(exact::radians(*constant)), spelling);
+    return scalar(exact::Number(exact::radians(*constant)));
   return std::nullopt;
 }
 
-using Meaning = std::function<std::string(const std::string&)>;
+using Meaning = std::function<ast::Expression(const std::string&)>;
 
-/// A definition as code, for the few that stand inside of an angle. `meaning`: of a symbol, as code.
-std::string code_of(const model::Expression& e, const Meaning& meaning, const Spelling& spelling) {
+/// x^n of a whole n.
+ast::Expression power(const ast::Expression& base, long exponent) {
+  const ast::Expression product =
+      ast::grouped(ast::product(ast::Expressions(static_cast<std::size_t>(std::abs(exponent)), base)));
+  return exponent < 0 ? ast::grouped(ast::quotient(scalar(1), product)) : product;
+}
+
+/// A definition as an expression, for the few that stand inside of an angle. `meaning`: of a symbol.
+ast::Expression value_of(const model::Expression& e, const Meaning& meaning) {
   using Kind = model::Expression::Kind;
-  const auto operand = [&](std::size_t i) { return code_of(e.operands()[i], meaning, spelling); };
-  const auto joined = [&](const std::string& by) {
-    std::string text = operand(0);
-    for (std::size_t i = 1; i < e.operands().size(); ++i) text += by + operand(i);
-    return "(" + text + ")";
+  ast::Expressions operands;
+  for (const model::Expression& operand : e.operands()) operands.push_back(value_of(operand, meaning));
+  const auto called = [&](const char* function) {
+    return ast::call(ast::Expression::Kind::function, function, operands);
   };
   switch (e.kind()) {
     case Kind::number:
-      return scalar(exact::Number(e.number()), spelling);
+      return scalar(exact::Number(e.number()));
     case Kind::pi:
-      return radians(1, spelling);
+      return ast::radians(1);
     case Kind::symbol:
       return meaning(e.name());
     case Kind::negate:
-      return "(-" + operand(0) + ")";
+      return ast::grouped(ast::negative(operands[0]));
     case Kind::sum:
-      return joined(" + ");
+      return ast::grouped(ast::sum(operands));
     case Kind::product:
-      return joined(" * ");
+      return ast::grouped(ast::product(operands));
     case Kind::quotient:
-      return joined(" / ");
-    case Kind::power: {
-      std::string product = operand(0);
-      for (long i = 1; i < std::abs(e.exponent()); ++i) product += " * " + operand(0);
-      return e.exponent() < 0 ? "(" + scalar(1, spelling) + " / (" + product + "))" : "(" + product + ")";
-    }
+      return ast::grouped(ast::quotient(operands[0], operands[1]));
+    case Kind::power:
+      return power(operands[0], e.exponent());
     case Kind::root:
-      return spelling.call("sqrt", operand(0));
+      return called("sqrt");
     case Kind::sine:
-      return spelling.call("sin", operand(0));
+      return called("sin");
     case Kind::cosine:
-      return spelling.call("cos", operand(0));
+      return called("cos");
   }
   throw std::logic_error("unknown kind of expression");
 }
@@ -182,25 +168,24 @@ std::vector<std::string> sine_cosine_declarations(const model::Robot& robot, con
   return lines;
 }
 
-SymbolTable symbol_table(const model::Robot& robot, const std::vector<Angle>& angles,
-                         const std::function<std::string(const std::string&)>& others,
-                         const Spelling& spelling) {
-  std::map<std::string, std::string> known{{"pi", radians(1, spelling)}};
+ast::Leaves symbol_table(const model::Robot& robot, const std::vector<Angle>& angles, const Meaning& others) {
+  std::map<std::string, ast::Expression> known{{"pi", ast::radians(1)}};
   const std::vector<std::string> variables = model::variables(robot);
-  for (std::size_t i = 0; i < variables.size(); ++i) known[variables[i]] = "q[" + std::to_string(i) + "]";
+  for (std::size_t i = 0; i < variables.size(); ++i) known[variables[i]] = ast::entry("q", i);
+  const ast::Expression g = ast::name("g", {"Geometry"}, ast::Reach::reference);
   for (const model::Parameter& parameter : robot.geometry)
-    known[parameter.name] = "g" + spelling.member + model::described_name(parameter.name);
+    known[parameter.name] = ast::member(g, model::described_name(parameter.name));
   // A definition may have others in it, and constants.
   const Meaning defined = [&](const std::string& name) {
-    if (const auto constant = constant_code(name, spelling)) return *constant;
+    if (const auto constant = constant_value(name)) return *constant;
     const auto definition = robot.definitions.find(name);
     if (known.count(name) == 0 && definition != robot.definitions.end())
-      known[name] = code_of(definition->second, defined, spelling);
+      known[name] = value_of(definition->second, defined);
     return known.at(name);
   };
   for (const auto& [name, definition] : robot.definitions) defined(name);
-  const auto symbol = [known, others, spelling](const std::string& name) {
-    if (const auto constant = constant_code(name, spelling)) return *constant;
+  const auto symbol = [known, others](const std::string& name) {
+    if (const auto constant = constant_value(name)) return *constant;
     const auto place = known.find(name);
     if (place != known.end()) return place->second;
     if (!others) throw std::logic_error("symbol " + name + " has no place in the generated code");
@@ -208,43 +193,33 @@ SymbolTable symbol_table(const model::Robot& robot, const std::vector<Angle>& an
   };
   std::vector<std::string> names;
   for (std::size_t i = 0; i < angles.size(); ++i) names.push_back(angle_name(robot, angles[i], i));
-  return {symbol, [angles, names](const Angle& angle) { return "s" + names[place_of(angles, angle)]; },
-          [angles, names](const Angle& angle) { return "c" + names[place_of(angles, angle)]; }, spelling};
+  const auto named = [angles, names](const std::string& letter) {
+    return [angles, names, letter](const Angle& angle) {
+      return ast::name(letter + names[place_of(angles, angle)]);
+    };
+  };
+  return {symbol, named("s"), named("c")};
 }
 
-std::string angle_code(const Angle& angle, const SymbolTable& names) {
-  const cln::cl_I common = common_denominator(angle);
-  std::string sum;
-  for (const auto& [name, coefficient] : angle.terms) {
-    const cln::cl_RA factor = coefficient * common;
-    const cln::cl_RA size = cln::abs(factor);
-    sum += cln::minusp(factor) ? (sum.empty() ? "-" : " - ") : (sum.empty() ? "" : " + ");
-    sum += (size == 1 ? "" : scalar(exact::Number(size), names.spelling) + " * ") + names.symbol(name);
-  }
-  const bool compound = angle.terms.size() > 1;
-  if (common != 1)
-    sum = scalar(exact::Number(cln::recip(cln::cl_RA(common))), names.spelling) + " * " +
-          (compound ? "(" + sum + ")" : sum);
-  if (cln::zerop(angle.pi)) return sum;
-  if (sum.empty()) return radians(angle.pi, names.spelling);
-  return sum + (cln::minusp(angle.pi) ? " - " : " + ") + radians(cln::abs(angle.pi), names.spelling);
+std::string angle_code(const Angle& angle, const ast::Leaves& leaves, const ast::Printer& language) {
+  return language.text(ast::angle_value(angle, leaves.symbol));
 }
 
-nlohmann::json angle_values(const std::vector<Angle>& angles, const SymbolTable& names) {
+nlohmann::json angle_values(const std::vector<Angle>& angles, const ast::Leaves& leaves) {
   nlohmann::json values = nlohmann::json::array();
   for (std::size_t i = 0; i < angles.size(); ++i)
     values.push_back({{"text", to_string(angles[i])},
-                      {"code", angle_code(angles[i], names)},
+                      {"code", angle_code(angles[i], leaves)},
                       {"index", i},
                       {"last", i + 1 == angles.size()}});
   return values;
 }
 
-std::string sines_cosines_code(const std::vector<Angle>& angles, const SymbolTable& names,
+std::string sines_cosines_code(const std::vector<Angle>& angles, const ast::Leaves& leaves,
                                const std::string& empty) {
   if (angles.empty()) return empty + "<Scalar>{}";
   std::string arguments;
-  for (const Angle& angle : angles) arguments += (arguments.empty() ? "" : ", ") + angle_code(angle, names);
+  for (const Angle& angle : angles) arguments += (arguments.empty() ? "" : ", ") + angle_code(angle, leaves);
   return "sines_and_cosines<Scalar>(" + arguments + ")";
 }
 

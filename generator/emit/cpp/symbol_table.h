@@ -25,11 +25,10 @@ std::vector<dag::Angle> merged(const std::vector<std::vector<dag::Angle>>& lists
 /// theta4 - theta6 is 4m6, (theta4 + theta6)/2 is h46. `place` names what has other coefficients: _3.
 std::string angle_name(const model::Robot& robot, const dag::Angle& angle, std::size_t place);
 
-/// How generated functions write their leaves: joint variables are q[i], geometric constants g.name, sines
-/// and cosines by `angle_name`. `others` maps further symbols.
-SymbolTable symbol_table(const model::Robot& robot, const std::vector<dag::Angle>& angles,
-                         const std::function<std::string(const std::string&)>& others = {},
-                         const Spelling& spelling = cpp_spelling());
+/// Leaves of generated functions: joint variables are q[i], geometric constants g.name, sines and cosines by
+/// `angle_name`. `others` maps further symbols.
+ast::Leaves symbol_table(const model::Robot& robot, const std::vector<dag::Angle>& angles,
+                         const std::function<ast::Expression(const std::string&)>& others = {});
 
 /// The sines and cosines that a function uses, by the place of their angle.
 std::set<std::pair<std::size_t, dag::Op>> sines_and_cosines_of(const dag::Function& function,
@@ -41,14 +40,15 @@ std::vector<std::string> sine_cosine_declarations(const model::Robot& robot, con
                                                   const std::vector<dag::Angle>& angles);
 
 /// An angle as code: "Scalar(0.5) * (q[3] + q[5])".
-std::string angle_code(const dag::Angle& angle, const SymbolTable& names);
+std::string angle_code(const dag::Angle& angle, const ast::Leaves& leaves,
+                       const ast::Printer& language = plain_cpp());
 
 /// Template values for a list of angles: text, code, index, last.
-nlohmann::json angle_values(const std::vector<dag::Angle>& angles, const SymbolTable& names);
+nlohmann::json angle_values(const std::vector<dag::Angle>& angles, const ast::Leaves& leaves);
 
 /// Code that computes the sines and cosines of the angles: a call of the runtime, or an empty struct of that
 /// type.
-std::string sines_cosines_code(const std::vector<dag::Angle>& angles, const SymbolTable& names,
+std::string sines_cosines_code(const std::vector<dag::Angle>& angles, const ast::Leaves& leaves,
                                const std::string& empty);
 
 }  // namespace qvgen::emit

@@ -39,4 +39,8 @@ json values_of(const Code& code) {
   return values;
 }
 
+json values_of(const ast::Straight& code, const ast::Printer& language) {
+  return values_of(code_of(code, language));
+}
+
 }  // namespace qvgen::emit

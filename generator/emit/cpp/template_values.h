@@ -23,5 +23,6 @@ nlohmann::json values_of(const std::vector<Code::Value>& values);
 /// Straight code: `temporaries` and `outputs`, and both one behind the other as `declarations`, for places
 /// where outputs are constants like the others.
 nlohmann::json values_of(const Code& code);
+nlohmann::json values_of(const ast::Straight& code, const ast::Printer& language);
 
 }  // namespace qvgen::emit

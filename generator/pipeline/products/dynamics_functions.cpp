@@ -59,12 +59,12 @@ void add_files(const model::Robot& robot, const std::string& part, const json& v
 
 json angles_and_name(const model::Robot& robot, const std::vector<dag::Angle>& angles,
                      const std::string& angles_type) {
-  const emit::SymbolTable names = emit::symbol_table(robot, angles);
+  const emit::ast::Leaves leaves = emit::symbol_table(robot, angles);
   return {{"name", robot.name},
-          {"angles", emit::angle_values(angles, names)},
+          {"angles", emit::angle_values(angles, leaves)},
           {"angle_count", angles.size()},
           {"angles_type", angles_type},
-          {"sines_cosines", emit::sines_cosines_code(angles, names, angles_type)}};
+          {"sines_cosines", emit::sines_cosines_code(angles, leaves, angles_type)}};
 }
 
 }  // namespace

@@ -89,11 +89,11 @@ Jacobians jacobians_of(const model::Robot& described, RobotOutput& output) {
 void generate_jacobian(const model::Robot& described, RobotOutput& output) {
   const auto [robot, measures, functions] = jacobians_of(described, output);
   const std::vector<dag::Angle> angles = emit::angles_of(functions);
-  const emit::SymbolTable names = emit::symbol_table(robot, angles);
+  const emit::ast::Leaves leaves = emit::symbol_table(robot, angles);
   json values{{"name", robot.name}, {"scalars", {{{"scalar", "double"}}, {{"scalar", "float"}}}}};
-  values["angles"] = emit::angle_values(angles, names);
+  values["angles"] = emit::angle_values(angles, leaves);
   values["all_angle_count"] = angles.size();
-  values["all_sines_cosines"] = sines_cosines_code(angles, names, "detail::NoAngles");
+  values["all_sines_cosines"] = emit::sines_cosines_code(angles, leaves, "detail::NoAngles");
   values["functions"] = json::array();
   values["measure_count"] = measures.names.size();
   values["measures"] = measure_values(measures);

@@ -8,6 +8,7 @@
 #include "emit/cpp/inverse/entries.h"
 #include "emit/cpp/template_values.h"
 #include "emit/cpp/tidy.h"
+#include "emit/inverse/arm.h"
 #include "emit/render.h"
 #include "model/tasks.h"
 

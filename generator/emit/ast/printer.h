@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "emit/ast/statement.h"
+
+namespace qvgen::emit::ast {
+
+using Lines = std::vector<std::string>;
+
+/// Writes the tree down in a language.
+class Printer {
+ public:
+  virtual ~Printer() = default;
+  [[nodiscard]] virtual std::string text(const Expression& expression) const = 0;
+  /// Statements, indented by so many blocks around them.
+  [[nodiscard]] virtual Lines lines(const Statements& statements, int depth = 0) const = 0;
+  [[nodiscard]] virtual Lines function(const Function& function) const = 0;
+};
+
+}  // namespace qvgen::emit::ast
