@@ -5,17 +5,19 @@
 
 namespace qvgen::emit::ast {
 
-/// Writes what C and C++ write alike: operators, control flow, assignments. The rest is the language's.
+/// Writes operators and control flow, which C and C++ have alike. The rest is the language's.
 class CLikePrinter : public Printer {
  public:
   [[nodiscard]] std::string text(const Expression& expression) const final;
   [[nodiscard]] Lines lines(const Statements& statements, int depth = 0) const final;
+  [[nodiscard]] Lines body(const std::vector<std::string>& parameters,
+                           const Statements& statements) const override;
 
  protected:
   /// Expressions and statements that the languages write differently.
   [[nodiscard]] virtual std::string spelled(const Expression& expression) const = 0;
   [[nodiscard]] virtual Lines spelled(const Statement& statement) const = 0;
-  /// What stands between an object and its member.
+  /// Text between an object and its member.
   [[nodiscard]] virtual std::string arrow(const Expression& object) const = 0;
   /// Statement in front of a loop that compilers shall write out; empty if there is none.
   [[nodiscard]] virtual std::string unroll() const { return {}; }

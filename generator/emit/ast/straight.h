@@ -10,7 +10,7 @@
 
 namespace qvgen::emit::ast {
 
-/// What the leaves of a graph become.
+/// Expressions for the leaves of a graph.
 struct Leaves {
   std::function<Expression(const std::string& symbol)> symbol;
   std::function<Expression(const dag::Angle&)> sine;
@@ -30,6 +30,9 @@ struct Straight {
 /// Converts a graph. A value used more than once, or too long to read inline, becomes a temporary `t0, t1,
 /// ...`; sums begin with a positive term. The result depends on the graph's structure alone.
 Straight straight(const dag::Function& function, const Leaves& leaves);
+
+/// True if an expression of the code names it.
+bool mentions(const Straight& code, const std::string& name);
 
 /// Constants of those names.
 Statements declarations(const std::vector<Straight::Value>& values);

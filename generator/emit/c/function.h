@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "emit/cpp/code.h"
+#include "emit/code.h"
 #include "model/robot.h"
 
 /// The same graphs as C99: plain arrays, libm, no overloads. Expressions are those of C++ but for their

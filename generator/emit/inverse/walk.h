@@ -6,8 +6,8 @@
 
 namespace qvgen::emit {
 
-/// The way along a plan's branches as statements. What happens at a fork, at a wrist and at the end of a row
-/// is a policy: every branch in turn (`every_branch`), in lanes (`in_lanes`), or the seed's alone
+/// The way along a plan's branches as statements. A policy says what happens at a fork, at a wrist and at the
+/// end of a row: it follows every branch in turn (`every_branch`), in lanes (`in_lanes`), or the seed's alone
 /// (`seed_branch`).
 class Walk {
  public:
@@ -25,7 +25,7 @@ class Walk {
     ast::Expression work, target;
   };
 
-  /// What the function returns where no branch is left.
+  /// Value that the function returns where no branch is left.
   [[nodiscard]] virtual ast::Expression result() const = 0;
   virtual void fork(const BranchNode& node, const Place& at, ast::Statements& to) = 0;
   virtual void quartic(const BranchNode& node, const Place& at, ast::Statements& to) = 0;
@@ -38,7 +38,7 @@ class Walk {
   void follow(const BranchTree& tree, const Place& at, ast::Statements& to);
   /// A loop over a fork's two signs, in which the branch around it is put back in every round.
   void loop_of_signs(const BranchNode& node, const Place& at, bool unrolled, ast::Statements& to);
-  /// The same with other rounds: what stands in front of it, the loop's head, and the place in its body.
+  /// Head of a loop over a step's values, and the place in its body.
   struct Loop {
     ast::Statement head;
     Place in;
