@@ -61,8 +61,8 @@ void append(Statements& statements, const Statements& more);
 /// True if a statement or one in its body names a variable.
 bool mentions(const Statements& statements, const std::string& name);
 
-/// What Newton's steps move: names of triples that have been computed before (behind each _x, _y, _z), and
-/// the joints' values.
+/// Newton's steps: names of triples that have been computed before (behind each _x, _y, _z), and the joints'
+/// values that are moved.
 struct Polish {
   std::vector<bool> revolute;
   std::vector<std::string> axes, points, start, goal;

@@ -15,7 +15,7 @@ class Walk {
   virtual ~Walk() = default;
 
  protected:
-  /// Where a statement stands.
+  /// Surroundings of a statement.
   struct Place {
     int forks = 0;              ///< around it
     std::string loop_variable;  ///< of the innermost loop, empty outside of loops

@@ -85,7 +85,7 @@ std::vector<Chunk> chunks_of(const std::string& source) {
   return chunks;
 }
 
-/// What a definition gives a name to.
+/// Returns the names that a definition defines.
 std::set<std::string> defined(const Chunk& chunk) {
   const std::string code = chunk.code();
   if (begins_with(chunk.head(), "enum") || begins_with(chunk.head(), "typedef enum")) {
