@@ -8,6 +8,7 @@
 #include "emit/c/parts.h"
 #include "emit/cpp/dynamics_code.h"
 #include "model/evaluate.h"
+#include "model/mechanism.h"
 #include "optimise/dynamics_derivatives.h"
 #include "pipeline/c_files.h"
 #include "pipeline/products/dynamics_functions.h"
@@ -71,13 +72,22 @@ bool has_defaults(const model::Robot& robot) {
   return false;
 }
 
+/// True if there is one tool that a wrench may act on; else that is what is missing.
+bool has_tool(const model::Robot& robot, const std::string& function, RobotOutput& output) {
+  if (!model::branches(robot)) return true;
+  output.missing.push_back({function, Missing::Kind::not_described,
+                            "the joints branch: add the tips' Jacobians times their wrenches (limbs.h)"});
+  return false;
+}
+
 /// With the choices that were best for the functions that they overload.
 std::vector<optimise::Optimised> loaded_functions(const optimise::DynamicsModel& model,
                                                   const std::vector<optimise::Optimised>& functions,
                                                   RobotOutput& output) {
   std::vector<optimise::Optimised> result;
   for (const auto& [base, quantity] : optimise::loaded_quantities())
-    add_to(result, model, quantity, with_choices_of(functions, base), output);
+    if (!emit::dynamics_interface(quantity.name).wrench || has_tool(model.described, quantity.name, output))
+      add_to(result, model, quantity, with_choices_of(functions, base), output);
   return result;
 }
 

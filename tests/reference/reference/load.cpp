@@ -158,12 +158,20 @@ Joint start(const Reader& reader, std::size_t number) {
   return joint;
 }
 
+/// "base" is none.
+Eigen::Index named_joint(const Chain& chain, const std::string& name) {
+  for (std::size_t i = 0; i < chain.joints.size(); ++i)
+    if (chain.joints[i].variable == name) return static_cast<Eigen::Index>(i);
+  return -1;
+}
+
 void read_joints(const Reader& root, Chain& chain) {
   for (const Reader& table : root.tables("joint")) {
     Joint joint = start(table, chain.joints.size() + 1);
     joint.axis = table.axis();
     joint.before = shift(table.vector("origin")) * table.rotation();
     joint.after = shift(table.vector("link"));
+    if (table.has("parent")) joint.parent = named_joint(chain, table.text("parent"));
     chain.joints.push_back(joint);
   }
 }
