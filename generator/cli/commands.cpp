@@ -146,7 +146,7 @@ int show_inverse(const model::Robot& described, emit::Notation notation) {
   const pipeline::InverseDerivation derivation = pipeline::derive_inverse(described);
   for (const auto& elimination : derivation.eliminations) {
     fmt::print("{}\n\n", emit::ability(described, elimination));
-    for (const std::string& line : describe_general(elimination)) fmt::print("{}\n", line);
+    for (const std::string& line : describe_elimination(elimination)) fmt::print("{}\n", line);
   }
   const std::string by_arm_angle = emit::arm_angle_ability(described);
   for (const auto& form : derivation.closed_forms)

@@ -136,7 +136,9 @@ bool report_missing(const ordered_json& counts, const std::vector<std::string>& 
     const auto is_required = [&](const std::string& part) { return !has_part(all, part); };
     const bool lacks = std::any_of(required.begin(), required.end(), is_required);
     for (const Missing& missing : all) {
-      if (missing.kind == Missing::Kind::not_described && !lacks) continue;
+      const bool is_meant =
+          missing.kind == Missing::Kind::not_described || missing.kind == Missing::Kind::on_request;
+      if (is_meant && !lacks) continue;
       const bool had_no_time = missing.kind == Missing::Kind::not_finished;
       fmt::print(stderr, "{}: no {}: {}{}\n", robot, missing.part, missing.reason,
                  had_no_time ? "; --seconds and --megabytes allow more" : "");

@@ -130,10 +130,10 @@ void read_units(const Table& root) {
 model::Mechanism read_robot(const Table& root) {
   Context& context = root.context();
   root.allow_only(
-      {"name",  "title", "source",    "symbols", "inertia",    "drives", "accept_unphysical_inertia",
-       "base",  "tool",  "defaults",  "joint",   "convention", "dh",     "home",
-       "screw", "task",  "tool_axis", "given",   "ideal",      "unit",   "angle_unit",
-       "frame", "tip"});
+      {"name",  "title",      "source",    "symbols", "inertia",    "drives", "accept_unphysical_inertia",
+       "base",  "tool",       "defaults",  "joint",   "convention", "dh",     "home",
+       "screw", "task",       "tool_axis", "given",   "ideal",      "unit",   "angle_unit",
+       "frame", "on_request", "tip"});
   read_units(root);
   context.is_measured = root.has("ideal");
   model::Mechanism mechanism;

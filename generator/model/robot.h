@@ -110,6 +110,9 @@ struct InverseRequest {
   bool every_given = false;  ///< those of them that work, else all have to
 };
 
+/// Headers that a description may leave to who names them.
+inline constexpr std::array requestable_parts{"dynamics_derivatives", "dynamics_loads", "regressor"};
+
 /// A validated kinematic chain, base to tool; or the joints of a Mechanism (mechanism.h), which say where they
 /// hang and have no tool. Immutable once a reader has built it.
 struct Robot {
@@ -125,6 +128,8 @@ struct Robot {
   /// Symbols that stand for expressions in other symbols; none in what a reader builds.
   std::map<std::string, Expression> definitions;
   InverseRequest inverse;
+  /// Those of `requestable_parts` that are generated only for who names them.
+  std::vector<std::string> on_request = {};
   std::string ideal;  ///< the robot that this one, which is calibrated, differs from by little; empty: none
   std::optional<Inertia> floating_base = {};  ///< of the base in its own frame, if the base moves freely
 };

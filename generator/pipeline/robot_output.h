@@ -20,6 +20,7 @@ struct Missing {
   enum class Kind {
     not_described,    ///< the description has nothing to make it from (no inertia, no dynamics)
     not_derived,      ///< what can be derived does not cover this arm
+    on_request,       ///< the description leaves it to who names it
     not_in_language,  ///< it is there in another language
     not_finished,     ///< it has used up its budget of time or memory, or its process died
     refuted           ///< a certificate has failed: a defect of the generator, which says so
@@ -46,6 +47,10 @@ struct PartOfOutput {
   std::function<void(RobotOutput&)> generate;
 };
 void attempt_all(const std::vector<PartOfOutput>& parts, RobotOutput& output);
+
+/// Returns the parts without those on request, which are noted as missing from the output.
+std::vector<PartOfOutput> without_requested(std::vector<PartOfOutput> parts,
+                                            const std::vector<std::string>& on_request, RobotOutput& output);
 
 /// What operation_counts.json says of the missing parts, and back.
 nlohmann::ordered_json missing_to_json(const std::vector<Missing>& missing);

@@ -39,9 +39,9 @@ std::string sources_text(const std::vector<std::string>& folders, const Runtime&
   return includes_of(names);
 }
 
-/// The headers by the folders' names: qvgen/inverse/arm_angle.h, qvgen/inverse/general/*.h.
+/// The headers by the folders' names: qvgen/inverse/arm_angle.h, qvgen/inverse/elimination/*.h.
 std::string headers_text(const std::vector<std::string>& folders, const Runtime& runtime) {
-  std::vector<std::string> names{"qvgen/inverse/request.h"};
+  std::vector<std::string> names{"qvgen/inverse/requested_pose.h", "qvgen/inverse/seed.h"};
   for (const std::string& folder : folders) {
     const fs::path inverse = "qvgen/inverse";
     if (const fs::path one = inverse / (folder + ".h"); fs::exists(runtime.headers.front() / one))

@@ -84,7 +84,7 @@ void add_runtime(const Runtime& runtime, const std::vector<fs::path>& generated,
     program.sources.push_back(runtime_source(runtime.sources / (part + ".cpp")));
     if (has_avx2_forms) program.sources.push_back(runtime_source(runtime.sources / (part + "_avx2.cpp")));
   }
-  for (const std::string folder : {"general", "arm_angle"}) {
+  for (const std::string folder : {"elimination", "arm_angle"}) {
     const bool needed = std::any_of(generated.begin(), generated.end(), [&](const fs::path& file) {
       return mentions(program.folder / file, "#include <qvgen/inverse/" + folder);
     });

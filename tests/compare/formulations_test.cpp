@@ -3,7 +3,7 @@
 // reference computes, which reads the description by itself.
 #include <random>
 
-#include "../strangers/random_description.h"
+#include "../random_arms/random_description.h"
 #include "compare/comparison.h"
 #include "compare/measure.h"
 #include "dag/evaluate.h"

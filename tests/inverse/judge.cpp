@@ -72,7 +72,7 @@ class Judge {
     bool continuum = false;
     for (const Row& r : found_.rows) continuum = continuum || r.continuum;
     const Status status = found_.status;
-    // All allowed work was done: there may be other rows, or none. How often is the law of effort_test.cpp.
+    // All allowed work was done: there may be other rows, or none. How often is the law of budget_test.cpp.
     if (status == Status::incomplete && found_.effort.used_up && sample_.expect != Expect::invalid) return;
     const bool none = status == Status::unreachable || status == Status::invalid;
     if (found_.rows.empty() != none) blame("status and rows disagree");

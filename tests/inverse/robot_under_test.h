@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <Eigen/Geometry>
-#include <qvgen/inverse/scalar.h>
+#include <qvgen/inverse/branch.h>
 #include <qvgen/inverse/solutions.h>
 #include <qvgen/inverse/tasks.h>
 #include <qvgen/pose.h>

@@ -51,7 +51,7 @@ TEST_P(InverseSearch, ConfirmsTheBranches) {
     most = std::max(most, ends.size());
   }
   // Sixteen is what any six joints may have; few arms without structure do.
-  if (is_general() || fixes_more)
+  if (by_elimination() || fixes_more)
     EXPECT_LE(most, claimed);
   else
     EXPECT_EQ(most, claimed);

@@ -99,6 +99,11 @@ def test_points_and_singular_places(ns, rows):
     np.testing.assert_allclose(np.linalg.det(ns.jacobian(q)), 0, atol=1e-14)
 
 
+def test_limits_of_the_description(ns, arm):
+    assert arm.velocity_limits == [2, 3] and arm.effort_limits == [10, 7.5]
+    assert ns.velocity_limits == ns.effort_limits == [float("inf")] * 6  # it has none
+
+
 def test_constants_by_name(ns, rows):
     assert set(ns.default_geometry) == {"h1", "d2"}
     q = rows(ns, 1)[0]

@@ -109,7 +109,7 @@ class NativeCpp:
 
     def __init__(self, folder, robot, part):
         runtime = source / "runtime/source"
-        parts = {"arm_angle": ("arm_angle", "HAS_ARM_ANGLE"), "inverse": ("general", "HAS_INVERSE")}
+        parts = {"arm_angle": ("arm_angle", "HAS_ARM_ANGLE"), "inverse": ("elimination", "HAS_INVERSE")}
         sources, defined = parts[part]
         files = [runtime / "sine_cosine.cpp", *sorted((runtime / sources).glob("*.cpp"))]
         text = "".join(f'#include "{path}"\n' for path in files)

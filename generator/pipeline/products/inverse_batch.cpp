@@ -81,9 +81,9 @@ json variant(const model::Robot& described, const derive::inverse::Derivation& d
 }
 
 /// By single calls.
-json variant(const model::Robot& described, const derive::inverse::GeneralDerivation& derivation) {
+json variant(const model::Robot& described, const derive::inverse::EliminationDerivation& derivation) {
   json values = variant_names(described, derivation.problem);
-  values["capacity"] = inverse::general::most_solutions;
+  values["capacity"] = inverse::elimination::most_solutions;
   values["lanes"] = false;
   return values;
 }
@@ -95,7 +95,7 @@ json inverse_batch_values(const model::Robot& described) {
   json values{{"name", described.name}, {"variants", json::array()}};
   for (const derive::inverse::Derivation& form : derivation.closed_forms)
     values["variants"].push_back(variant(described, form));
-  for (const derive::inverse::GeneralDerivation& elimination : derivation.eliminations)
+  for (const derive::inverse::EliminationDerivation& elimination : derivation.eliminations)
     values["variants"].push_back(variant(described, elimination));
   const json& variants = values["variants"];
   values["has_lanes"] = std::any_of(variants.begin(), variants.end(),

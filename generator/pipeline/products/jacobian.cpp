@@ -101,10 +101,11 @@ void generate_jacobian(const model::Robot& described, RobotOutput& output) {
   for (const emit::JacobianFunction& function : functions)
     values["functions"].push_back(emit::to_values(function, robot, angles));
   const std::string headers = "include/qvgen/robots/" + robot.name + "/";
-  output.files.push_back({headers + "jacobian.h", emit::render("jacobian.h", values)});
+  output.files.push_back({headers + "jacobian.h", emit::render("cpp/jacobian.h", values)});
   output.files.push_back(
-      {headers + "jacobian_definitions.h", emit::render("jacobian_definitions.h", values)});
-  output.files.push_back({"source/" + robot.name + "/jacobian.cpp", emit::render("jacobian.cpp", values)});
+      {headers + "jacobian_definitions.h", emit::render("cpp/jacobian_definitions.h", values)});
+  output.files.push_back(
+      {"source/" + robot.name + "/jacobian.cpp", emit::render("cpp/jacobian.cpp", values)});
 }
 
 bool has_wrist_centre(const model::Robot& described) {

@@ -99,11 +99,11 @@ void generate_kinematics(const model::Robot& described, RobotOutput& output) {
   values["closed_form"] =
       emit::lines_of(emit::closed_form_lines(described, emit::Notation::text.with(emit::Numbers::exact)));
   const std::string headers = "include/qvgen/robots/" + robot.name + "/";
-  output.files.push_back({headers + "kinematics.h", emit::render("kinematics.h", values)});
+  output.files.push_back({headers + "kinematics.h", emit::render("cpp/kinematics.h", values)});
   output.files.push_back(
-      {headers + "kinematics_definitions.h", emit::render("kinematics_definitions.h", values)});
+      {headers + "kinematics_definitions.h", emit::render("cpp/kinematics_definitions.h", values)});
   output.files.push_back(
-      {"source/" + robot.name + "/kinematics.cpp", emit::render("kinematics.cpp", values)});
+      {"source/" + robot.name + "/kinematics.cpp", emit::render("cpp/kinematics.cpp", values)});
 }
 
 void generate_kinematics_c(const model::Robot& described, RobotOutput& output) {

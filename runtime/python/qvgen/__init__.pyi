@@ -53,6 +53,8 @@ class Robot(Protocol):
     is_revolute: list[bool]
     lower_limits: list[float]
     upper_limits: list[float]
+    velocity_limits: list[float]
+    effort_limits: list[float]
     default_geometry: dict[str, float]
     default_inertia: dict[str, float]
     functions: dict[str, str]

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include <qvgen/inverse/arm_angle.h>
-#include <qvgen/inverse/choose.h>
+#include <qvgen/inverse/joint_limits.h>
 #include <qvgen/inverse/solutions.h>
 #include <qvgen/inverse/tasks.h>
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include <qvgen/inverse/request.h>
+#include <qvgen/inverse/requested_pose.h>
 
 namespace qvgen::inverse::arm_angle {
 
@@ -138,7 +138,7 @@ Goal goal_of(const Arm& arm, const Elbow& elbow, const Pose<double>& given,
   const Pose<double> pose = pose_meant(given).value_or(given);
   Goal goal;
   const double reach = elbow.longest() + (arm.tool.position - arm.wrist).norm() + arm.shoulder.norm();
-  if (outlook(pose, reach, tolerance) != Outlook::open || !is_valid(reference)) {
+  if (reach_test(pose, reach, tolerance) != ReachTest::open || !is_valid(reference)) {
     goal.status = is_valid(reference) ? status_beyond(pose) : Status::invalid;
     return goal;
   }

@@ -143,10 +143,10 @@ void add_entries(const model::Robot& robot, const derive::inverse::Derivation& d
 Part inverse_kinematics(const model::Robot& robot, const json& given) {
   json values = given;
   add_sizes(robot, values);
-  const std::string& blocks = builtin_templates().at("c_inverse_blocks");
+  const std::string& blocks = builtin_templates().at("c/inverse_blocks");
   const std::string source =
-      render("c_solve_sizes.c", values) + "\n" + blocks + "\n" + render("c_solve.c", values);
-  return {render("c_solutions.h", values), render("c_solve_head.c", values) + "\n" + wrapped(needed(source))};
+      render("c/solve_sizes.c", values) + "\n" + blocks + "\n" + render("c/solve.c", values);
+  return {render("c/solutions.h", values), render("c/solve_head.c", values) + "\n" + wrapped(needed(source))};
 }
 
 }  // namespace qvgen::emit::c

@@ -6,7 +6,7 @@
 #include <limits>
 #include <type_traits>
 
-#include <qvgen/batch/choose.h>
+#include <qvgen/batch/dispatch.h>
 #include <qvgen/batch/solutions.h>
 #include <qvgen/batch/staging.h>
 #include <qvgen/pose.h>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <qvgen/batch/masks.h>
-#include <qvgen/inverse/outlook.h>
+#include <qvgen/inverse/reach_test.h>
 #include <qvgen/inverse/target.h>
 
 #define QVGEN_LANES [[gnu::always_inline]] inline
@@ -64,7 +64,7 @@ struct LanePoses {
   Lane position[3];
 };
 
-// As for one pose (inverse/target.h, inverse/outlook.h), operation by operation.
+// As for one pose (inverse/target.h, inverse/reach_test.h), operation by operation.
 
 template <class Lane>
 QVGEN_LANES Lane unit_excess(const LanePoses<Lane>& pose) {
@@ -74,8 +74,8 @@ QVGEN_LANES Lane unit_excess(const LanePoses<Lane>& pose) {
 /// The branch that all begin with: it exists where the pose may be in reach, and is doubtful where the pose
 /// is invalid.
 template <class Lane>
-QVGEN_LANES inverse::Branch<Lane> outlook(const LanePoses<Lane>& pose, const Lane& excess, double farthest,
-                                          double tolerance) {
+QVGEN_LANES inverse::Branch<Lane> reach_test(const LanePoses<Lane>& pose, const Lane& excess, double farthest,
+                                             double tolerance) {
   const Lane* p = pose.position;
   const Lane distance = (p[1] * p[1] + p[2] * p[2]) + p[0] * p[0];
   const double square = farthest * farthest;

@@ -19,7 +19,7 @@ struct LaneMask {
 };
 
 // What blocks of the inverse kinematics compute with doubles, for lanes of them: a lane has the bits that a
-// double has (qvgen/inverse/scalar.h).
+// double has (qvgen/inverse/branch.h).
 
 template <class Set>
 QVGEN_LANES LaneMask<Set> operator<(const Lanes<double, Set>& a, const Lanes<double, Set>& b) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <qvgen/inverse/choose.h>
 #include <qvgen/inverse/continuum.h>
+#include <qvgen/inverse/joint_limits.h>
 #include <qvgen/inverse/whole_arm.h>
 
 /// Within limits at and near singular poses.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <qvgen/inverse/scalar.h>
+#include <qvgen/inverse/branch.h>
 
 namespace qvgen::inverse {
 

@@ -3,8 +3,8 @@
 
 #include <array>
 
-#include <qvgen/inverse/choose.h>
-#include <qvgen/inverse/scalar.h>
+#include <qvgen/inverse/branch.h>
+#include <qvgen/inverse/joint_limits.h>
 #include <qvgen/inverse/solutions.h>
 #include <qvgen/pose.h>
 

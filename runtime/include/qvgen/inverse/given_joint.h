@@ -9,7 +9,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/LU>
-#include <qvgen/inverse/choose.h>
+#include <qvgen/inverse/joint_limits.h>
 #include <qvgen/inverse/solutions.h>
 #include <qvgen/inverse/within.h>
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <qvgen/inverse/choose.h>
+#include <qvgen/inverse/joint_limits.h>
 
 /// What makes one solution better than another, for `sort_by`, `best` and `nearest`. A metric is called with
 /// the way of each joint from the seed, rad or m: of rows within limits as it stands, else the short way

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <qvgen/inverse/branch_tracker.h>
-#include <qvgen/inverse/request.h>
+#include <qvgen/inverse/seed.h>
 #include <qvgen/inverse/solutions.h>
 
 /// Poses near singular ones, at which rounding would decide which solutions exist. Passes over the branches,

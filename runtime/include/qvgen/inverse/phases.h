@@ -4,7 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include <qvgen/inverse/request.h>
+#include <qvgen/inverse/requested_pose.h>
+#include <qvgen/inverse/seed.h>
 #include <qvgen/inverse/solutions.h>
 
 /// Joint angles of the arm that is described and of the one that inverse kinematics is derived for: the same

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <qvgen/inverse/effort.h>
+#include <qvgen/inverse/budget.h>
 #include <qvgen/inverse/least_squares.h>
 #include <qvgen/inverse/screw.h>
 

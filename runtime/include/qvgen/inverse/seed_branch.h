@@ -5,7 +5,7 @@
 #include <limits>
 
 #include <qvgen/inverse/continuum.h>
-#include <qvgen/inverse/request.h>
+#include <qvgen/inverse/seed.h>
 #include <qvgen/inverse/wrist.h>
 
 /// One solution: the branch of a seed. Of every equation's solutions the one whose joints are nearer to the

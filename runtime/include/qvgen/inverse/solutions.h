@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 #include <qvgen/detail/floating_point.h>
-#include <qvgen/inverse/effort.h>
+#include <qvgen/inverse/budget.h>
 
 namespace qvgen {
 
@@ -94,6 +94,11 @@ class Solutions {
   // Rows beyond size() are left as they are: filling them would cost more than many an arm's solution.
   std::array<Solution<dof>, static_cast<std::size_t>(capacity)> rows_;
 };
+
+/// Solutions within limits, one row for each branch that has one inside: whole turns count, and angles are
+/// not confined to (-pi, pi].
+template <int dof, int capacity>
+struct LimitedSolutions : Solutions<dof, capacity> {};
 
 namespace inverse {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <qvgen/inverse/request.h>
+#include <qvgen/inverse/requested_pose.h>
 #include <qvgen/inverse/screw.h>
 #include <qvgen/pose.h>
 

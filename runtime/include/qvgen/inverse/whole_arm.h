@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <qvgen/inverse/request.h>
+#include <qvgen/inverse/seed.h>
 #include <qvgen/inverse/seed_branch.h>
 #include <qvgen/inverse/tasks.h>
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <limits>
 
-#include <qvgen/inverse/choose.h>
+#include <qvgen/inverse/joint_limits.h>
 
 namespace qvgen::map {
 

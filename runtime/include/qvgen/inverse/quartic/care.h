@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include <qvgen/inverse/quartic/visited.h>
-#include <qvgen/inverse/request.h>
+#include <qvgen/inverse/seed.h>
 #include <qvgen/inverse/solutions.h>
 
 namespace qvgen::inverse::quartic {

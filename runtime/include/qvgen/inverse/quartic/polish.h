@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <qvgen/inverse/effort.h>
+#include <qvgen/inverse/budget.h>
 #include <qvgen/inverse/polish.h>
 
 /// Newton steps for arms with a quartic, whose roots carry so few digits that much has to be tried: see
