@@ -10,7 +10,7 @@ namespace {
 
 const std::string base_name = "base";
 
-/// What only a chain has: one pose to reach.
+/// Refuses requests of a chain, which has one pose to reach.
 void refuse_requests(const Table& root) {
   for (const char* key : {"tool", "task", "tool_axis", "given", "ideal"})
     if (root.has(key))

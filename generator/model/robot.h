@@ -70,7 +70,7 @@ struct Joint {
   std::optional<Follows> follows = {};
   std::optional<Expression> greatest_velocity = {};  ///< rad/s or m/s, above 0
   std::optional<Expression> greatest_effort = {};    ///< Nm or N, above 0
-  /// Where joints branch (mechanism.h): index of the joint whose link carries this one, an earlier one, or
+  /// For joints that branch (mechanism.h): index of the joint whose link carries this one, an earlier one, or
   /// `base_link`. None: the joint before it, as in every chain.
   std::optional<std::size_t> parent = {};
 };

@@ -22,7 +22,7 @@ using derive::dynamics::FormulationOptions;
 using exact::Number;
 
 constexpr std::size_t most_units = 6;
-/// Of more joints than arms have no choices are tried: each trial is a search of its own.
+/// Robots with more joints try no choices: each trial is a search of its own.
 constexpr std::size_t most_joints_with_trials = 8;
 
 int operations(const dag::OperationCounts& counts) {

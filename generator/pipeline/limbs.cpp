@@ -53,7 +53,7 @@ void add_limbs(const model::Mechanism& mechanism, RobotOutput& output) {
                                {"joints", joints}});
   }
   output.files.push_back(
-      {"include/qvgen/robots/" + mechanism.robot.name + "/limbs.h", emit::render("limbs.h", values)});
+      {"include/qvgen/robots/" + mechanism.robot.name + "/limbs.h", emit::render("cpp/limbs.h", values)});
 }
 
 }  // namespace qvgen::pipeline

@@ -6,7 +6,7 @@
 // where h are the link's own first moments. The part of H(k) along the axis does not turn with the joint: it
 // is constant and joins h(k-1). What is left of each turning link is a vector across its axis. Divided by the
 // whole mass all of them are lengths: those of an arm with the same rotations, whose tip is the centre of
-// mass. A slide moves it by the share of the mass that the slide carries. Where joints branch, H(k) is the
+// mass. A slide moves it by the share of the mass that the slide carries. If joints branch, H(k) is the
 // sum over the links behind, and so is the way to the tip.
 #include <array>
 #include <map>

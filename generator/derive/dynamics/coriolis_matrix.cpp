@@ -112,7 +112,7 @@ class ChristoffelSymbols {
     Column mass, rate, coriolis;
   };
 
-  /// What the links behind a link have sent to it.
+  /// Sum over the links that a link carries, in its frame.
   struct Behind {
     PseudoInertia bodies;
     Flow flow;

@@ -357,7 +357,7 @@ class Recursion {
   Parametrisation p_;
   std::vector<Joint> joints_;
   std::vector<State> states_;
-  std::vector<Wrench> behind_;  ///< by link, what those that it carries have sent to it
+  std::vector<Wrench> behind_;  ///< by link, the sum over those that it carries
   std::map<std::size_t, Arriving> arriving_;
   std::map<std::size_t, Wrench> unrotated_, last_shifted_;
 };

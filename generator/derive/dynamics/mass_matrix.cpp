@@ -17,7 +17,7 @@ class CompositeBodies {
   }
 
   void run(dag::Function& out) {
-    // What the links behind each link have sent to it.
+    // Sums over the links that each link carries, in its frame.
     std::vector<PseudoInertia> behind(p_.chain.links.size());
     std::vector<std::vector<Column>> columns(p_.chain.links.size());
     for (std::size_t j = p_.chain.links.size(); j-- > 0;) {

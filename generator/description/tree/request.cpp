@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the options ask of a tree of links: a chain or all of it, with some joints held.
+// Options choose from a tree of links: a chain or all of it, with some joints held.
 #include <algorithm>
 #include <set>
 

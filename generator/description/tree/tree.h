@@ -90,8 +90,8 @@ std::optional<std::vector<std::size_t>> path_between(const std::vector<Node>& no
 void read_chain(Context& context, const std::vector<Node>& nodes, Ends ends, const ReadSegment& read,
                 model::Robot& robot);
 
-/// Reads the whole tree behind a base: the limbs to the tips that the options name, or to all. What no limb
-/// needs is left out. Every fixed link becomes a named frame.
+/// Reads the whole tree behind a base: the limbs to the tips that the options name, or to all. Links that no
+/// limb needs are left out. Every fixed link becomes a named frame.
 model::Mechanism read_mechanism(Context& context, const std::vector<Node>& nodes, std::size_t base,
                                 const std::string& kind, const ReadSegment& read);
 

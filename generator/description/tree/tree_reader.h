@@ -25,7 +25,7 @@ class TreeReader {
   [[nodiscard]] model::Frame place_of(std::size_t node) const;
 
  private:
-  /// Where a node is: moved by a joint, its frame displaced from that joint's link frame.
+  /// Place of a node: moved by a joint, its frame displaced from that joint's link frame.
   struct Standing {
     std::size_t joint = model::base_link;
     model::Displacement frame;

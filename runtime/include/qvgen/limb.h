@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Limbs of a robot whose joints branch. A limb is a chain, which knows its own joints alone; the whole robot
-// has the joints of all limbs. What goes from one to the other is here: values of joints, and columns of
+// has the joints of all limbs. This file leads from one to the other: values of joints, and columns of
 // Jacobians.
 //
 //     const auto jacobian = columns_in<robot::dof>(joints, limb::jacobian(values_of(joints, q)));
