@@ -76,8 +76,9 @@ bool has_defaults(const model::Robot& robot) {
 /// True if there is one tool that a wrench may act on; else that is what is missing.
 bool has_tool(const model::Robot& robot, const std::string& function, RobotOutput& output) {
   if (!model::branches(robot)) return true;
-  output.missing.push_back({function, Missing::Kind::not_described,
-                            "the joints branch: add the tips' Jacobians times their wrenches (limbs.h)"});
+  output.missing.push_back(
+      {function, Missing::Kind::not_described,
+       "the joints branch: subtract the transposed Jacobians of the tips times their wrenches, limbs.h"});
   return false;
 }
 
