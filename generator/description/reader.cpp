@@ -178,9 +178,20 @@ void sort_by_place(Context& context) {
   all.erase(std::unique(all.begin(), all.end(), same), all.end());
 }
 
+/// Limbs are robots of their own, named after the robot and their tip.
+void check_names_of_limbs(Context& context, Place place, const model::Mechanism& mechanism) {
+  for (const model::Frame& tip : mechanism.tips) {
+    const std::string name = mechanism.robot.name + "_" + tip.name;
+    const NameProblem problem = check_robot_name(name);
+    if (!problem.message.empty())
+      context.error(place, "the limb '" + name + "': " + problem.message, problem.hint);
+  }
+}
+
 ReadResult finished(Context& context, Place name_place, model::Mechanism mechanism) {
-  sort_by_place(context);
   model::take_chain(mechanism);
+  check_names_of_limbs(context, name_place, mechanism);
+  sort_by_place(context);
   ReadResult result;
   result.name_place = context.diagnostic(name_place, "", "");
   result.diagnostics = std::move(context.diagnostics);
@@ -198,16 +209,6 @@ void rename(Context& context, model::Robot& robot) {
   const NameProblem problem = check_robot_name(name);
   if (!problem.message.empty()) context.error({}, "--name " + name + ": " + problem.message, problem.hint);
   robot.name = name;
-}
-
-/// Limbs are robots of their own, named after the robot and their tip.
-void check_names_of_limbs(Context& context, Place place, const model::Mechanism& mechanism) {
-  for (const model::Frame& tip : mechanism.tips) {
-    const std::string name = mechanism.robot.name + "_" + tip.name;
-    const NameProblem problem = check_robot_name(name);
-    if (!problem.message.empty())
-      context.error(place, "the limb '" + name + "': " + problem.message, problem.hint);
-  }
 }
 
 /// Leaves the chain to the tip that the options name.
@@ -247,7 +248,6 @@ ReadResult read_toml(Context& context, std::string_view text) {
       context.error({}, "--tips and --fixed: this description says itself what it has",
                     "they are for URDF and MJCF; here [[tip]] gives the tips");
     rename(context, mechanism.robot);
-    check_names_of_limbs(context, root.key_place("tip"), mechanism);
     return finished(context, root.place_of("name"), std::move(mechanism));
   } catch (const toml::parse_error& error) {
     return failed(context, begin_of(error.source()), "TOML syntax: " + std::string(error.description()),
@@ -299,7 +299,6 @@ ReadResult read_xml(Context& context, std::string_view text) {
       context.error(place, "the robot's title or source " + problem, "use plain text");
   if (!context.has_error) check_inertia(context, robot);
   if (!context.has_error) check_size(context, robot);
-  check_names_of_limbs(context, place, mechanism);
   return finished(context, place, std::move(mechanism));
 }
 

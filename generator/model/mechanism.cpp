@@ -38,7 +38,7 @@ std::vector<Frame> frames_of_limb(const Robot& robot, const Places& places, cons
 Robot chain_between(const Robot& robot, std::size_t from, const Frame& to) {
   Robot chain = robot;
   chain.name += "_" + to.name;
-  chain.title += ", to " + to.name;
+  chain.title += ", limb to " + to.name;
   chain.floating_base.reset();
   chain.joints.clear();
   Places places;

@@ -81,6 +81,37 @@ TEST(Mechanism, LimbsAreTheChainsThatTipsRead) {
   EXPECT_GT(limbs, 60);
 }
 
+constexpr const char* torso = R"(<mujoco model="r"><worldbody>
+<body name="torso" pos="0 0 1"><freejoint name="root"/><geom type="sphere" size="0.1" mass="5"/>
+ <body name="arm" pos="0 0.2 0" quat="0.5 0.5 -0.5 0.5"><joint name="shoulder" type="ball"/>
+  <geom type="capsule" size="0.02 0.1" mass="1"/>
+  <body name="hand" pos="0 0 0.3"><joint name="elbow" axis="0 1 0" pos="0 0 -0.1"/><joint name="reach" type="slide"/>
+   <geom type="box" size="0.02 0.03 0.04" mass="0.3"/><site name="palm" pos="0 0 0.05"/></body></body>
+ <body name="head" pos="0 0 0.4"><joint name="neck" axis="0 0 1"/><geom type="sphere" size="0.05" mass="0.8"/></body>
+</body></worldbody></mujoco>)";
+
+TEST(Mechanism, BodiesOfMjcfAreATreeAsWell) {
+  ReadOptions options;
+  options.tips = {every_tip};
+  const ReadResult result = read_text(torso, "r.xml", options);
+  ASSERT_TRUE(result.robot);
+  EXPECT_EQ(result.robot->joints.size(), 6U);  // the ball joint is three turns, the free joint is held
+  ASSERT_EQ(result.tips.size(), 2U);
+  EXPECT_EQ(result.tips[0].name, "hand");
+  EXPECT_EQ(result.tips[1].name, "head");
+  for (const model::Frame& tip : result.tips) {
+    ReadOptions one;
+    one.tip = tip.name;
+    EXPECT_EQ(content(model::limb(*result.robot, tip)),
+              content(read_text(torso, "r.xml", one).robot.value()));
+  }
+  options.fixed = {"reach", "neck"};
+  const ReadResult held = read_text(torso, "r.xml", options);
+  ASSERT_TRUE(held.robot);
+  EXPECT_EQ(held.robot->joints.size(), 4U);
+  EXPECT_TRUE(held.tips.empty());
+}
+
 TEST(Mechanism, LimbsFromAnyLinkMoveAsTheChainsDo) {
   int chains = 0;
   for (unsigned seed = 1; seed <= 40; ++seed) {
@@ -116,6 +147,7 @@ TEST(Mechanism, OneTipMakesTheChain) {
     const ReadResult result = whole(tree.text, {tip});
     ASSERT_TRUE(result.robot);
     EXPECT_TRUE(result.tips.empty());
+    EXPECT_EQ(result.robot->title, "r, l0 to " + tip);
     EXPECT_EQ(content(*result.robot), chain(tree.text, tip));
   }
 }
@@ -215,6 +247,14 @@ TEST(Mechanism, WhatCannotBeMeantIsReported) {
   EXPECT_EQ(
       told(cycle, {"all"}),
       "1:17: error: the link 'x' hangs on itself, through other links; a URDF is a tree: cut the loop\n");
+}
+
+TEST(Mechanism, NamesOfLimbsMayBeTooLong) {
+  std::string text = legs;
+  text.replace(text.find("\"r\""), 3, "\"" + std::string(60, 'r') + "\"");
+  EXPECT_EQ(told(text, {"foot"}), "");  // one tip makes a chain, which has the robot's own name
+  EXPECT_NE(told(text, {"all"}).find("error: the limb '" + std::string(60, 'r') + "_foot': "),
+            std::string::npos);
 }
 
 TEST(Mechanism, ATipWithoutMassIsTold) {

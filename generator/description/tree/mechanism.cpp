@@ -108,6 +108,8 @@ model::Mechanism read_mechanism(Context& context, const Nodes& nodes, std::size_
     frame.name = frame_identifier(frame.name, result.tips);
     result.tips.push_back(std::move(frame));
   }
+  result.robot.title = tips.size() == 1 ? nodes[base].name + " to " + nodes[tips.front()].name
+                                        : std::to_string(tips.size()) + " limbs from " + nodes[base].name;
   return result;
 }
 

@@ -58,7 +58,7 @@ model::Mechanism read_tree(Context& context, const std::vector<Node>& described,
   const auto base = find_base(context, nodes, kind);
   if (!base) return result;
   result = read_mechanism(context, nodes, *base, kind, read_unfixed);
-  result.robot.title = title + ", " + std::to_string(result.tips.size()) + " limbs from " + nodes[*base].name;
+  result.robot.title = title + ", " + result.robot.title;
   return result;
 }
 
