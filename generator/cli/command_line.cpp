@@ -11,6 +11,7 @@ const char* const examples = R"(
   qvgen generate my_arm.toml --output out     one robot, into out/; without --output into ./generated
   qvgen generate                              all robots that qvgen knows
   qvgen generate arm.urdf --tip tool0         an arm of a URDF (or MJCF), from its root to the link tool0
+  qvgen generate quad.urdf --tips all         a whole robot: its dynamics, and each limb as an arm
   qvgen generate ur5 --language c -o out      out/c/qvgen_ur5.h and .c: C99 that needs nothing but libm
   qvgen import arm.urdf > arm.toml            the same as a description to read and edit
   qvgen new RRP --wrist euler > my_arm.toml   a description to begin with
@@ -71,6 +72,11 @@ void add_reading(CLI::App& command, description::ReadOptions& options) {
       .add_option("--tip", options.tip,
                   "URDF, MJCF: link where it ends; the only one that can be meant without")
       ->type_name("LINK");
+  command
+      .add_option("--fixed", options.fixed, "URDF, MJCF: joints that are held at zero, as if they were fixed")
+      ->type_name("JOINTS")
+      ->allow_extra_args(false)
+      ->delimiter(',');
   command.add_option("--name", options.name, "the robot's name instead of the file's")->type_name("NAME");
   command
       .add_option_function<std::string>(
@@ -106,6 +112,18 @@ void add_reading(CLI::App& command, description::ReadOptions& options) {
       ->allow_extra_args(false);
 }
 
+/// The option of commands that take a whole tree of links.
+void add_tips(CLI::App& command, description::ReadOptions& options) {
+  command
+      .add_option(
+          "--tips", options.tips,
+          "URDF, MJCF: the whole robot in place of one chain, its limbs to these links; all: to every end")
+      ->type_name("LINKS")
+      ->allow_extra_args(false)
+      ->delimiter(',')
+      ->excludes("--tip");
+}
+
 void add_generate(CommandLine& line) {
   GenerateArguments& generate = line.generate;
   CLI::App& command = *line.app.add_subcommand("generate", "derive, certify and emit C++ for robots");
@@ -139,6 +157,7 @@ void add_generate(CommandLine& line) {
       ->check(CLI::IsMember({"cxx", "c"}));
   command.add_flag("--strict", generate.read.strict, "warnings about a description are errors");
   add_reading(command, generate.read);
+  add_tips(command, generate.read);
   command.add_flag("--force", generate.force, "also robots that have not changed");
   command.add_option("--seconds", generate.budget.seconds, "processor time that a part may take")
       ->type_name("SECONDS")
@@ -375,6 +394,7 @@ void add_check(CommandLine& line) {
   command.add_flag("--strict", line.check.strict, "warnings are errors");
   command.add_flag("--thorough", line.thorough, "derive and certify everything as generate does");
   add_reading(command, line.check);
+  add_tips(command, line.check);
 }
 
 void add_import(CommandLine& line) {
@@ -382,6 +402,7 @@ void add_import(CommandLine& line) {
       line.app.add_subcommand("import", "print the description that a URDF or MJCF is read as");
   line.import_command->add_option("FILE", line.imported, "URDF or MJCF")->type_name("FILE")->required();
   add_reading(*line.import_command, line.import);
+  add_tips(*line.import_command, line.import);
 }
 
 void add_new(CommandLine& line) {

@@ -7,6 +7,7 @@
 
 #include "emit/render.h"
 #include "emit/template_values.h"
+#include "model/mechanism.h"
 #include "pipeline/c_files.h"
 #include "pipeline/products/page.h"
 #include "pipeline/products/product.h"
@@ -100,8 +101,17 @@ std::vector<Product> wanted_products(const Parts& parts) {
   return wanted;
 }
 
+/// True if a product is of chains alone and the robot is none; its limbs have it then.
+bool is_of_limbs(bool of_trees, const model::Robot& robot, const std::string& part, RobotOutput& output) {
+  if (of_trees || !model::branches(robot)) return false;
+  output.missing.push_back(
+      {part, Missing::Kind::not_described, "the joints branch: each limb has it, as a robot of its own"});
+  return true;
+}
+
 RobotOutput generate_product(const model::Robot& robot, const Product& product, Language language) {
   RobotOutput output{robot.name};
+  if (is_of_limbs(product.of_trees, robot, product.part, output)) return output;
   const auto make = language == Language::c ? product.generate_c : product.generate;
   attempt(product.part, output, [&](RobotOutput& made) { make(robot, made); });
   return output;
@@ -117,6 +127,7 @@ std::vector<Extra> wanted_extras(const Parts& parts) {
 RobotOutput generate_extra(const model::Robot& robot, const Extra& extra, Language language,
                            const nlohmann::ordered_json& counts) {
   RobotOutput output{robot.name};
+  if (is_of_limbs(extra.of_trees, robot, extra.part, output)) return output;
   if (language == Language::c)
     output.missing.push_back({extra.part, Missing::Kind::not_in_language, "it is written in C++"});
   else

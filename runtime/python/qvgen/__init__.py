@@ -11,7 +11,7 @@ import importlib
 import typing
 
 from . import robots
-from ._build import BuildError, build_module, cache_folder, generate
+from ._build import BuildError, Limbs, build_module, cache_folder, generate
 
 __all__ = ["BuildError", "NearSolution", "NearestRows", "Solutions", "Status", "cache_folder", "load", "orientation",
            "robots"]
@@ -63,5 +63,12 @@ def load(description, *options):
 
     `options` are those of `qvgen generate`: load("arm.urdf", "--tip", "tool0"). Raises BuildError with the generator's
     messages.
+
+    If the joints branch (load("quad.urdf", "--tips", "all"), or [[tip]] in TOML) it is the whole robot, with its
+    dynamics. `limbs` has the modules of the chains to its tips, by the tips' names; each is compiled when it is asked
+    for. A limb's joints have the names that they have in the whole robot.
     """
-    return build_module(*generate(description, options))
+    robot, limbs, folder = generate(description, options)
+    module = build_module(robot, folder)
+    module.limbs = Limbs(robot, limbs, folder)
+    return module

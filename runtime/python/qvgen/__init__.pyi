@@ -2,7 +2,7 @@
 import enum
 import os
 import pathlib
-from typing import Any, Literal, NamedTuple, Protocol
+from typing import Any, Literal, Mapping, NamedTuple, Protocol
 
 from numpy import bool_, float32, float64, int32
 from numpy.typing import ArrayLike, NDArray
@@ -58,6 +58,7 @@ class Robot(Protocol):
     default_geometry: dict[str, float]
     default_inertia: dict[str, float]
     functions: dict[str, str]
+    limbs: Mapping[str, "Robot"]  #: of what `load` returns: chains to the tips, where the joints branch
     singularity_names: list[str]
     base_parameter_names: list[str]
 

@@ -102,7 +102,7 @@ PYBIND11_MODULE({robot}, m) {{
   m.attr("velocity_limits") = list_of(arm::velocity_limits);
   m.attr("effort_limits") = list_of(arm::effort_limits);
   m.attr("default_geometry") = defaults<arm::Geometry>(arm::geometry_names);
-  m.attr("functions") = py::module_::import("json").attr("loads")(R"({functions})");
+  m.attr("functions") = py::module_::import("json").attr("loads")(R"json({functions})json");
 """
 
 INERTIA = """  m.attr("default_inertia") = defaults<arm::Inertia>(arm::inertia_names);
