@@ -31,9 +31,12 @@ std::string escaped(const fs::path& path) {
   return text;
 }
 
-std::string depfile(const GenerateArguments& arguments) {
+std::string depfile(const GenerateArguments& arguments, const std::vector<std::string>& files) {
   std::string text = escaped(fs::path(arguments.build.depfile).replace_extension()) + ":";
   for (const fs::path& description : arguments.descriptions) text += " \\\n  " + escaped(description);
+  std::error_code error;
+  for (const std::string& file : files)
+    if (fs::exists(file, error)) text += " \\\n  " + escaped(file);
   return text + "\n";
 }
 
@@ -92,14 +95,15 @@ void write_sources(const GenerateArguments& arguments, const std::string& robot)
 
 }  // namespace
 
-void write_build_files(const GenerateArguments& arguments, const std::vector<std::string>& robots) {
+void write_build_files(const GenerateArguments& arguments, const std::vector<std::string>& robots,
+                       const std::vector<std::string>& files) {
   if (!arguments.build.outputs.empty()) {
     std::string list;
     for (const std::string& path : pipeline::files_of_robots(arguments.output, robots))
       list += (arguments.output / path).generic_string() + "\n";
     write(arguments.build.outputs, list);
   }
-  if (!arguments.build.depfile.empty()) write(arguments.build.depfile, depfile(arguments));
+  if (!arguments.build.depfile.empty()) write(arguments.build.depfile, depfile(arguments, files));
   if (arguments.build.sources.empty()) return;
   if (robots.size() != 1) throw std::runtime_error("--sources is for one robot");
   write_sources(arguments, robots.front());

@@ -69,11 +69,4 @@ struct CommandLine {
   CommandLine& operator=(const CommandLine&) = delete;
 };
 
-/// Calls that show what can be done, one a line, each with what it does.
-extern const char* const examples;
-extern const char* const compare_examples;
-extern const char* const report_examples;
-extern const char* const map_examples;
-extern const char* const exit_codes;
-
 }  // namespace qvgen::cli

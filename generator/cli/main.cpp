@@ -9,7 +9,9 @@
 #include "cli/installation.h"
 #include "cli/suggestion.h"
 #include "pipeline/pipeline.h"
+#include "pipeline/robot_output.h"
 #include "toolchain/packages.h"
+#include "verify/certificate.h"
 
 namespace {
 
@@ -219,6 +221,9 @@ int main(int argc, char** argv) {
   } catch (const UsageError& error) {
     fmt::print(stderr, "qvgen: {}\n", error.what());
     return usage_error;
+  } catch (const qvgen::verify::CertificateError& error) {
+    fmt::print(stderr, "qvgen: {}\n", qvgen::pipeline::defect_text(error.what()));
+    return internal_error;
   } catch (const std::exception& error) {
     fmt::print(stderr, "qvgen: {}\n", error.what());
     return failure;

@@ -2,6 +2,7 @@
 // The tool as its users meet it: exit codes, messages, files.
 #include "command_line.h"
 
+#include <sstream>
 #include <vector>
 
 namespace qvgen::test {
@@ -12,6 +13,7 @@ TEST_F(CommandLine, HelpShowsExamplesAndExitCodes) {
   EXPECT_EQ(help.code, 0);
   EXPECT_TRUE(has(help, "examples:"));
   EXPECT_TRUE(has(help, "exit codes:"));
+  EXPECT_TRUE(has(help, "70 a check of qvgen itself"));
   EXPECT_EQ(run("generate --help").code, 0);
 }
 
@@ -271,6 +273,36 @@ TEST_F(CommandLine, DoesNothingForWhatHasNotChanged) {
   EXPECT_TRUE(has(run(command), ": 1 generated"));
   fs::remove(fs::path(out()) / "source/my_arm/kinematics.cpp");
   EXPECT_TRUE(has(run(command), ": 1 generated, 1 files changed"));
+}
+
+/// An MJCF with an <include> and a mesh: the depfile names all of them, and a change of any makes the robot
+/// anew.
+TEST_F(CommandLine, FilesThatADescriptionNamesCountAsItsOwn) {
+  const std::string mesh =
+      write("box.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+  const std::string part = write("part.xml",
+                                 "<mujocoinclude><body name=\"b\"><joint/><geom type=\"mesh\" "
+                                 "mesh=\"box\"/></body></mujocoinclude>");
+  const std::string file =
+      write("arm.xml",
+            "<mujoco model=\"arm\"><asset><mesh file=\"box.obj\"/></asset><worldbody><include "
+            "file=\"part.xml\"/></worldbody></mujoco>");
+  const std::string depfile = (folder / "arm.d").string();
+  const std::string arguments =
+      "generate " + file + " --only kinematics --output " + out() + " --depfile " + depfile;
+  EXPECT_EQ(run(arguments).code, 0);
+  std::stringstream written;
+  written << std::ifstream(depfile).rdbuf();
+  for (const std::string& each : {file, part, mesh})
+    EXPECT_NE(written.str().find(" " + each + (each == part ? "\n" : " \\\n")), std::string::npos)
+        << written.str();
+  EXPECT_TRUE(has(run(arguments), ": 0 generated, 0 files changed"));
+  std::ofstream(part) << "<mujocoinclude><body name=\"b\"><joint axis=\"1 0 0\"/><geom type=\"mesh\" "
+                         "mesh=\"box\"/></body></mujocoinclude>";
+  EXPECT_TRUE(has(run(arguments), ": 1 generated, "));
+  EXPECT_TRUE(has(run(arguments), ": 0 generated, 0 files changed"));
+  std::ofstream(mesh, std::ios::app) << "# larger\n";
+  EXPECT_TRUE(has(run(arguments), ": 1 generated, "));
 }
 
 TEST_F(CommandLine, KnowsRobotsByName) {

@@ -49,6 +49,15 @@ std::string title(const Tree& tree, const ReadOptions& options = {}) {
   return read(tree.text(), options).title;
 }
 
+TEST(Tips, AChainOfMoreJointsThanADescriptionMayHaveIsOfferedFromItsOwn) {
+  Tree robot("base");
+  robot.row("base", "spine", 10).row("spine10", "left", 9).row("spine10", "right", 9);
+  EXPECT_NE(report(robot.text()).find("say where: qvgen check r.xml --base spine10 --tip left9\n"),
+            std::string::npos)
+      << report(robot.text());
+  EXPECT_EQ(read(robot.text(), {.base = "spine10", .tip = "left9"}).joints.size(), 9U);
+}
+
 TEST(Tips, FixedFramesBehindOneMovingChain) {
   Tree arm("base");
   arm.row("base", "link", 6).fixed("link6", "end_effector_link").fixed("link6", "camera_link");

@@ -188,6 +188,20 @@ def test_position_and_turn(scara, rows):
         np.testing.assert_allclose(scara.inverse_kinematics(target, q).q[:, 0], q, atol=1e-9)
 
 
+def test_position_and_pitch(desk_arm, rows):
+    q = rows(desk_arm)
+    poses = desk_arm.forward_kinematics(q)
+    pitch = np.pi / 2 + q[:, 1] + q[:, 2] + q[:, 3]
+    for target in (np.column_stack([poses[:, 4:], pitch]), poses):
+        found = desk_arm.inverse_kinematics_given_roll(target, q[:, 4], q)
+        assert solved(found)
+        np.testing.assert_allclose(found.q[:, 0], q, atol=1e-9)
+    down = desk_arm.inverse_kinematics_given_roll([0.2, 0.1, 0, np.pi], 0.3)
+    assert down.count == 4
+    approach = desk_arm.homogeneous_transform(down.q[:4])[:, :3, 0]
+    np.testing.assert_allclose(approach, np.tile([0, 0, -1], (4, 1)), atol=1e-12)
+
+
 def test_seven_joints(iiwa14, rows):
     q = rows(iiwa14)
     poses = iiwa14.forward_kinematics(q)

@@ -12,6 +12,8 @@
 
 namespace qvgen::emit {
 
+using derive::inverse::Filter;
+using derive::inverse::Problem;
 using model::Task;
 using nlohmann::json;
 
@@ -20,6 +22,18 @@ std::string numbers_of(const model::Vector3& axis) {
     return fmt::format("{}", model::to_double(model::evaluate(e)));
   };
   return number(axis[0]) + ", " + number(axis[1]) + ", " + number(axis[2]);
+}
+
+Filter filter_of_poses(const Problem& problem) {
+  const bool takes_poses = problem.task == Task::pose || problem.task == Task::position ||
+                           problem.task == Task::position_and_pitch;
+  return takes_poses ? problem.filter : Filter::pose;
+}
+
+PitchPlaces pitch_places(const Problem& problem) {
+  std::size_t first = 1;
+  while (problem.robot.joints[first].type != model::JointType::revolute) ++first;
+  return {problem.places[0], problem.places[first]};
 }
 
 int first_turn(const model::Robot& robot) {

@@ -83,10 +83,12 @@ json effort_values(const qvgen::inverse::Budget& budget, std::size_t joints, int
 
 /// Returns the values of the code that follows one branch: the first pass, if there is one, and the careful
 /// one. Arms whose rows have to be checked have none: a row that reaches one pose need not lead on to the
-/// next.
+/// next. Neither has a pitch: Newton's steps of the whole arm would need its heading.
 json seed_branch(const derive::inverse::Problem& problem, const derive::inverse::LoweredPlan& plan,
                  const emit::ast::Printer& language) {
-  if (problem.filter != derive::inverse::Filter::none || !emit::has_seed_branch(plan)) return false;
+  const bool has_poses = problem.task != model::Task::position_and_pitch;
+  if (!has_poses || problem.filter != derive::inverse::Filter::none || !emit::has_seed_branch(plan))
+    return false;
   const auto lines = [&](emit::Pass pass) {
     const std::vector<std::string> first{"t", "forks", "found"},
         careful{"t", "goal", "tracker", "forks", "found"};

@@ -10,6 +10,8 @@ TASKS = {
                                "[px, py, pz, x, y, z]: position, m, and the direction of the tool's axis, a unit vector"),
     "position_and_yaw": ("qvgen::PositionAndYaw<double>", 4,
                          "[px, py, pz, yaw]: position, m, and turn from where the tool is with all joints at zero, rad"),
+    "position_and_pitch": ("qvgen::PositionAndPitch<double>", 4,
+                           "[px, py, pz, pitch]: position, m, and angle of the tool's axis to the first joint's, rad"),
     "direction": ("qvgen::Direction<double>", 3, "[x, y, z]: direction of the tool's axis, a unit vector"),
     "orientation": ("Eigen::Quaternion<double>", 4, "[w, x, y, z]: unit quaternion"),
 }

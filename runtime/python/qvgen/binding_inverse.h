@@ -46,6 +46,11 @@ struct TargetOf<PositionAndYaw<double>> {
   static PositionAndYaw<double> read(const double* row) { return {{row[0], row[1], row[2]}, row[3]}; }
 };
 template <>
+struct TargetOf<PositionAndPitch<double>> {
+  static constexpr int size = 4;
+  static PositionAndPitch<double> read(const double* row) { return {{row[0], row[1], row[2]}, row[3]}; }
+};
+template <>
 struct TargetOf<Pose<double>> {
   static constexpr int size = 7;
   static Pose<double> read(const double* row) {

@@ -57,7 +57,21 @@ Argument with_yaw(const Problem& problem) {
           true};
 }
 
-Argument reduced(const Problem& problem) {
+Argument pitched(const model::Robot& described, const Problem& problem) {
+  const PitchPlaces places = pitch_places(problem);
+  const std::string given =
+      problem.given < 0 ? "0" : "given_" + described.joints[static_cast<std::size_t>(problem.given)].variable;
+  const std::string joints = std::to_string(places.base) + ", " + std::to_string(places.first) + ", " +
+                             std::to_string(problem.given);
+  return {"const double position[3], double pitch",
+          "position, pitch",
+          {"const double tool_axis[3] = {" + numbers_of(problem.tool_axis) + "};",
+           "const PitchJoints joints = {" + joints + "};",
+           "const Pose pose = pitched_pose(&arm, joints, tool_axis, position, pitch, " + given + ");"},
+          true};
+}
+
+Argument reduced(const model::Robot& described, const Problem& problem) {
   switch (problem.task) {
     case Task::position_and_direction:
       return directed(problem, true);
@@ -69,6 +83,8 @@ Argument reduced(const Problem& problem) {
               {"const Pose pose = pose_from(orientation, no_place);"}};
     case Task::position_and_yaw:
       return with_yaw(problem);
+    case Task::position_and_pitch:
+      return pitched(described, problem);
     case Task::position:
     case Task::pose:
       break;
@@ -156,11 +172,10 @@ void add_entries(const model::Robot& robot, const derive::inverse::Derivation& d
   variant["row_arm"] = row_arm(problem, variant["virtual_joints"], "", numbers_of(problem.tool_axis));
   json entries = json::array();
   const json& cpp = variant["entries"];
-  const bool position_only = task == Task::position;
   if (task != Task::pose)
-    entries.push_back(entry(reduced(problem), problem.filter, "_of_" + model::task_name(task), cpp.front()));
-  const Filter whole = task == Task::pose || position_only ? problem.filter : Filter::pose;
-  entries.push_back(entry(whole_pose(), whole, "", cpp.back()));
+    entries.push_back(
+        entry(reduced(robot, problem), problem.filter, "_of_" + model::task_name(task), cpp.front()));
+  entries.push_back(entry(whole_pose(), filter_of_poses(problem), "", cpp.back()));
   variant["c_entries"] = entries;
 }
 

@@ -23,14 +23,14 @@ struct Argument {
   bool is_pose = false;
 };
 
-Argument pose_argument(bool position_only) {
-  return {"const Pose<double>& pose",
-          "pose",
-          std::string("a pose (") +
-              (position_only ? "its position; the orientation is not used)" : "position and orientation)"),
-          "pose",
-          "pose",
-          true};
+Argument pose_argument(Task task) {
+  const auto used = [&] {
+    if (task == Task::position) return "its position; the orientation is not used)";
+    if (task == Task::position_and_pitch)
+      return "its position and pitch; its heading is not used, a tilt to the side is unreachable)";
+    return "position and orientation)";
+  };
+  return {"const Pose<double>& pose", "pose", std::string("a pose (") + used(), "pose", "pose", true};
 }
 
 Argument directed(const Problem& problem, const std::string& type, const std::string& what) {
@@ -39,6 +39,31 @@ Argument directed(const Problem& problem, const std::string& type, const std::st
           what + "the direction of its axis " + model::axis_text(problem.tool_axis) + " in the base frame",
           "inverse::pose_of(task, " + axis + ", Eigen::Quaterniond::Identity())",
           "inverse::pose_of(task, " + axis + ", inverse::tool_of<dof>(arm, seed).orientation)"};
+}
+
+/// Returns the joints that a pitch is about, as the runtime's PitchJoints.
+std::string pitch_joints(const Problem& problem) {
+  const PitchPlaces places = pitch_places(problem);
+  return "{" + std::to_string(places.base) + ", " + std::to_string(places.first) + ", " +
+         std::to_string(problem.given) + "}";
+}
+
+Argument pitched(const model::Robot& described, const Problem& problem) {
+  const std::string given =
+      problem.given < 0 ? ""
+                        : ", given_" + described.joints[static_cast<std::size_t>(problem.given)].variable;
+  const auto variable = [&](int joint) { return described.joints[static_cast<std::size_t>(joint)].variable; };
+  const PitchPlaces places = pitch_places(problem);
+  const std::string pose = "inverse::pose_of(task, arm, inverse::PitchJoints" + pitch_joints(problem) +
+                           ", Vector3<double>(" + numbers_of(problem.tool_axis) + ")" + given + ")";
+  return {"const PositionAndPitch<double>& task",
+          "task",
+          "a position of the tool point and a pitch, the angle of its axis " +
+              model::axis_text(problem.tool_axis) + " to the axis of " + variable(places.base) +
+              ", counted about the axis of " + variable(places.first),
+          pose,
+          pose,
+          false};
 }
 
 /// Returns the argument of a task that is less than a pose.
@@ -64,6 +89,8 @@ Argument reduced_argument(const model::Robot& described, const Problem& problem)
            "inverse::pose_of(task, arm.joints[" + std::to_string(joint) + "].axis, arm.tool.orientation)", "",
            false});
     }
+    case Task::position_and_pitch:
+      return pitched(described, problem);
     case Task::position:
     case Task::pose:
       break;
@@ -167,15 +194,14 @@ void add_entries(const model::Robot& robot, const Problem& problem, json& varian
   const Task task = problem.task;
   add_seed_branch(robot, problem, variant);
   json entries = json::array();
-  const bool position_only = task == Task::position;
   if (task != Task::pose)
     entries.push_back(entry(problem, reduced_argument(robot, problem), problem.filter, variant));
-  const Filter whole = task == Task::pose || position_only ? problem.filter : Filter::pose;
-  entries.push_back(entry(problem, pose_argument(position_only), whole, variant));
+  entries.push_back(entry(problem, pose_argument(task), filter_of_poses(problem), variant));
   variant["entries"] = entries;
-  const bool directed = task == Task::direction || task == Task::position_and_direction;
+  const bool directed =
+      task == Task::direction || task == Task::position_and_direction || task == Task::position_and_pitch;
   variant["tool_axis"] = directed ? "{" + numbers_of(problem.tool_axis) + "}" : "{}";
-  const bool plain = problem.filter == Filter::none && (task == Task::pose || position_only);
+  const bool plain = problem.filter == Filter::none && (task == Task::pose || task == Task::position);
   variant["checks_rows"] = !plain;
 }
 
