@@ -39,7 +39,8 @@ std::vector<Task> tasks_of(const GenerateArguments& arguments,
     model::Robot& robot = *descriptions[i].robot;
     const std::string origin = origin_of(file, arguments.output, arguments.known_robots) +
                                origin_options(arguments.read) +
-                               (arguments.language == Language::c ? " --language c" : "");
+                               (is_c(arguments.language) ? " --language c" : "") +
+                               (arguments.language == Language::c_in_float ? " --scalar float" : "");
     const std::string made_of = fmt::format("{}\n{}\n{}\n{}\n{}", arguments.tool, fmt::join(parts, ","),
                                             origin, snap_text(arguments.read), descriptions[i].text);
     const std::string name = folder_name(robot.name, arguments.language);
@@ -131,7 +132,7 @@ bool report_missing(const ordered_json& counts, const std::vector<std::string>& 
 
 /// A calibrated arm's function needs the ideal arm's.
 void say_missing_ideals(const GenerateArguments& arguments, const std::vector<Task>& tasks) {
-  if (arguments.language == Language::c) return;
+  if (is_c(arguments.language)) return;
   const std::set<std::string> there = robots_in(arguments.output);
   for (const auto& [robot, name, origin, key] : tasks)
     if (!robot.ideal.empty() && there.count(robot.ideal) == 0)
@@ -145,7 +146,7 @@ void say_left_out_ideals(const GenerateArguments& arguments, const std::vector<T
   const auto named = [&](const char* part) {
     return std::find(arguments.parts.begin(), arguments.parts.end(), part) != arguments.parts.end();
   };
-  if (arguments.language == Language::c || !named("inverse") || named("from_ideal")) return;
+  if (is_c(arguments.language) || !named("inverse") || named("from_ideal")) return;
   for (const Task& task : tasks)
     if (!task.robot.ideal.empty())
       fmt::print(stderr, "{}: from_ideal.h is left out, since --only does not name from_ideal\n", task.name);

@@ -15,8 +15,10 @@ namespace qvgen::pipeline {
 /// but the extras.
 using Parts = std::vector<std::string>;
 
-/// What the output is written in.
-enum class Language { cxx, c };
+/// What the output is written in; C in double or in float.
+enum class Language { cxx, c, c_in_float };
+
+inline bool is_c(Language language) { return language != Language::cxx; }
 
 /// What a folder calls a robot: C has a place of its own in it.
 std::string folder_name(const std::string& robot, Language language);

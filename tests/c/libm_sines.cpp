@@ -16,9 +16,9 @@ void sines_and_cosines(const double* angles, double* sines, double* cosines, int
 
 void sines_and_cosines(const float* angles, float* sines, float* cosines, int count) noexcept {
   for (int i = 0; i < count; ++i) {
-    const double angle = angles[i];
-    sines[i] = static_cast<float>(std::sin(angle));
-    cosines[i] = static_cast<float>(std::cos(angle));
+    const float angle = angles[i];
+    sines[i] = std::sin(angle);
+    cosines[i] = std::cos(angle);
   }
 }
 

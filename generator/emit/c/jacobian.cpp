@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "emit/c/parts.h"
 #include "emit/cpp/symbol_table.h"
+#include "emit/cpp/tidy.h"
 #include "emit/render.h"
 #include "model/followers.h"
 #include "verify/counts_json.h"
@@ -94,6 +95,14 @@ Part jacobian(const model::Robot& robot, const std::vector<JacobianFunction>& fu
     if (!function.targets.empty()) all.push_back(function_of(robot, function));
   Part part{render("c_jacobian.h", {{"name", robot.name}, {"dof", model::driven_count(robot)}})};
   return part += written(robot, all);
+}
+
+Part velocity(const model::Robot& robot, const std::vector<std::string>& wrist) {
+  nlohmann::json values{{"name", robot.name}, {"dof", model::driven_count(robot)}, {"wrist", !wrist.empty()}};
+  values["centre"] = nlohmann::json::array();
+  if (!wrist.empty())
+    values["centre"].push_back({{"x", wrist.at(0)}, {"y", wrist.at(1)}, {"z", wrist.at(2)}});
+  return {render("c_velocity.h", values), wrapped(render("c_velocity.c", values))};
 }
 
 }  // namespace qvgen::emit::c

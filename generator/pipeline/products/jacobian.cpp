@@ -42,18 +42,25 @@ json measure_values(const emit::SingularityMeasures& measures) {
   return values;
 }
 
-/// The wrist centre in the tool frame, if there is one: a list of one or none.
-json wrist_values(const model::Robot& robot) {
+/// The wrist centre in the tool frame, x, y and z, if there is one; nothing else.
+std::vector<std::string> wrist_centre_code(const model::Robot& robot, const emit::SymbolTable& names) {
   const auto centre = derive::wrist_centre(robot);
-  if (!centre) return json::array();
+  if (!centre) return {};
   symbolic::Program program;
   program.output("x", centre->x);
   program.output("y", centre->y);
   program.output("z", centre->z);
-  json values;
-  for (const auto& value : emit::straight_code(dag::import(program), emit::symbol_table(robot, {})).outputs)
-    values[value.name] = value.expression;
-  return json::array({values});
+  std::vector<std::string> code;
+  for (const auto& value : emit::straight_code(dag::import(program), names).outputs)
+    code.push_back(value.expression);
+  return code;
+}
+
+/// A list of one or none.
+json wrist_values(const model::Robot& robot) {
+  const std::vector<std::string> code = wrist_centre_code(robot, emit::symbol_table(robot, {}));
+  if (code.empty()) return json::array();
+  return json::array({{{"x", code.at(0)}, {"y", code.at(1)}, {"z", code.at(2)}}});
 }
 
 /// The functions, certified; their counts go to the output.
@@ -114,6 +121,8 @@ bool has_wrist_centre(const model::Robot& described) {
 void generate_jacobian_c(const model::Robot& described, RobotOutput& output) {
   const Jacobians found = jacobians_of(described, output);
   add_c_part(output, emit::c::jacobian(found.robot, found.functions));
+  const emit::SymbolTable names = emit::symbol_table(found.robot, {}, {}, emit::c::spelling());
+  add_c_files(output, "velocity", emit::c::velocity(found.robot, wrist_centre_code(found.robot, names)));
 }
 
 }  // namespace qvgen::pipeline

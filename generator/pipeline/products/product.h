@@ -20,6 +20,7 @@ struct Product {
   void (*generate_c)(const model::Robot& robot, RobotOutput& output);
   bool on_request = false;              ///< made only for who names it
   std::vector<std::string> needs = {};  ///< products whose headers its header includes
+  bool has_float = true;                ///< its C can be in float
 };
 
 /// A part that is made only for who asks for it by its name, from what others have made of a robot.

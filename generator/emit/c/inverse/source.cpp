@@ -149,4 +149,9 @@ Part inverse_kinematics(const model::Robot& robot, const json& given) {
   return {render("c_solutions.h", values), render("c_solve_head.c", values) + "\n" + wrapped(needed(source))};
 }
 
+Part metrics(const model::Robot& robot) {
+  const json values{{"name", robot.name}, {"dof", robot.joints.size()}};
+  return {render("c_metrics.h", values), wrapped(render("c_metrics.c", values))};
+}
+
 }  // namespace qvgen::emit::c
