@@ -15,12 +15,12 @@ namespace qvgen::pipeline {
 /// but the extras.
 using Parts = std::vector<std::string>;
 
-/// What the output is written in; C in double or in float.
+/// Language of the output; C in double or in float.
 enum class Language { cxx, c, c_in_float };
 
 inline bool is_c(Language language) { return language != Language::cxx; }
 
-/// What a folder calls a robot: C has a place of its own in it.
+/// Returns the folder entry of a robot; C entries are "c/NAME".
 std::string folder_name(const std::string& robot, Language language);
 bool is_in(Language language, const std::string& folder_name);
 
@@ -32,7 +32,7 @@ std::vector<std::string> extra_names();
 /// The product that a part belongs to.
 std::string product_of(const std::string& part);
 
-/// Whether a robot has a part, by what is missing of it.
+/// True if a robot has a part, by what is missing of it.
 bool has_part(const std::vector<Missing>& missing, const std::string& part);
 
 /// description -> model -> symbolic -> derive -> dag -> passes -> emit: the files of each robot. Every

@@ -16,7 +16,7 @@ struct JointRates {
   double residual;
 };
 
-/// Of joint rates within limits also the factor of the scaled ones, or whether limits were in the way.
+/// Joint rates within limits, with the factor of scaled ones, or whether limits were in the way.
 struct LimitedRates : JointRates {
   double factor = 1;
   bool limited = false;

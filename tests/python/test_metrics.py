@@ -12,7 +12,7 @@ METRICS = [WeightedDistance(np.arange(1.0, 7)), LargestJoint(), LargestJoint(np.
 
 
 def ways(ns, q, seed):
-    """Of one row, joint by joint."""
+    """Ways of one row, joint by joint."""
     return [np.remainder(a - b + np.pi, 2 * np.pi) - np.pi if turns else a - b
             for a, b, turns in zip(q, seed, ns.is_revolute)]
 

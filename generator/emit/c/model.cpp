@@ -18,7 +18,7 @@ std::string number(double value) {
   return spelling().number(fmt::format("{}", value));
 }
 
-/// What is computed with a constant that nobody has set says so.
+/// Writes the value of a constant; NAN if nobody has set it, so that results show it.
 std::string value_of(const Constant& constant) { return constant.value ? number(*constant.value) : "NAN"; }
 
 Part constants(const model::Robot& robot, const std::string& name, const std::string& text,
@@ -35,7 +35,7 @@ Part constants(const model::Robot& robot, const std::string& name, const std::st
   if (list.empty())  // C has no empty struct
     values["parameters"].push_back(
         {{"type", "char"}, {"parameter", "none"}, {"default", "0"}, {"last", true}});
-  return {render("c_constants.h", values), render("c_constants.c", values)};
+  return {render("c/constants.h", values), render("c/constants.c", values)};
 }
 
 json values_of(const Joint& joint) {
@@ -58,7 +58,7 @@ Part model(const model::Robot& robot, const std::vector<Joint>& joints,
     values["joints"].push_back(values_of(joint));
     values["joints"].back()["last"] = &joint == &joints.back();
   }
-  Part part{render("c_model.h", values), render("c_model.c", values)};
+  Part part{render("c/model.h", values), render("c/model.c", values)};
   return part += constants(robot, "geometry", "Geometric constants, metres or radians.", geometry);
 }
 

@@ -73,7 +73,7 @@ json joint(const model::Joint& joint, const model::Robot& robot, bool last) {
           {"last", last}};
 }
 
-/// What is said of joints that have no variable of their own.
+/// Returns the lines about joints that have no variable of their own.
 json follower_lines(const model::Robot& robot) {
   json lines = json::array();
   for (const model::Joint& joint : robot.joints)
@@ -112,7 +112,7 @@ void generate_model_header(const model::Robot& robot, RobotOutput& output) {
   values["has_defaults"] = has_defaults;
   values["lacks_defaults"] = lacks_defaults;
   output.files.push_back(
-      {"include/qvgen/robots/" + robot.name + "/model.h", emit::render("model.h", values)});
+      {"include/qvgen/robots/" + robot.name + "/model.h", emit::render("cpp/model.h", values)});
 }
 
 std::vector<emit::c::Constant> constants_of(const model::Robot& robot,

@@ -18,7 +18,7 @@ __all__ = ["BuildError", "JointRates", "NearSolution", "NearestRows", "Solutions
 
 
 class Status(enum.IntEnum):
-    """What became of a pose."""
+    """Status of a pose."""
     solved = 0
     singular = 1
     unreachable = 2
@@ -27,7 +27,7 @@ class Status(enum.IntEnum):
 
 
 class VelocityStatus(enum.IntEnum):
-    """What became of a twist."""
+    """Outcome of a twist."""
     solved = 0
     damped = 1
     invalid_input = 2
@@ -35,7 +35,7 @@ class VelocityStatus(enum.IntEnum):
 
 
 class Solutions(typing.NamedTuple):
-    """What inverse_kinematics has found; of a batch every field has its axis in front."""
+    """Result of inverse_kinematics; for a batch every field has the batch's axis in front."""
     q: typing.Any  #: (max, dof), rad or m, the rows of a pose one after the other; NaN behind the last
     count: typing.Any  #: (), how many rows there are
     status: typing.Any  #: (), of qvgen.Status
@@ -44,13 +44,13 @@ class Solutions(typing.NamedTuple):
 
 
 class NearSolution(typing.NamedTuple):
-    """What inverse_kinematics_near has found; of a batch both fields have its axis in front."""
+    """Result of inverse_kinematics_near; for a batch both fields have the batch's axis in front."""
     q: typing.Any  #: (dof,), rad or m; NaN if there is none
     status: typing.Any  #: (), of qvgen.Status
 
 
 class NearestRows(typing.NamedTuple):
-    """What nearest_pose has found; of a batch every field has its axis in front."""
+    """Result of nearest_pose; for a batch every field has the batch's axis in front."""
     q: typing.Any  #: (16, dof), rad or m, the nearest row first; NaN behind the last
     position_error: typing.Any  #: (16,), m, from the tool to the pose
     orientation_error: typing.Any  #: (16,), rad, from the tool to the pose
@@ -60,7 +60,7 @@ class NearestRows(typing.NamedTuple):
 
 
 class JointRates(typing.NamedTuple):
-    """What inverse_velocity and its kind have found; of a batch every field has its axis in front."""
+    """Result of inverse_velocity, inverse_velocity_scaled and inverse_velocity_within; of a batch every field has its axis in front."""
     qd: typing.Any  #: (dof,), rad/s or m/s
     status: typing.Any  #: (), of qvgen.VelocityStatus
     residual: typing.Any  #: (), |J qd - factor twist|

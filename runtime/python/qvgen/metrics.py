@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What makes one solution better than another: orders of what inverse_kinematics has found.
+"""Orders of what inverse_kinematics has found, by what makes one solution better than another.
 
 A metric takes the ways of the joints from the seed, an array (..., dof) in rad or m, and gives a number for each row; so does
 a score, of the joints themselves:
