@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "emit/c/single_precision.h"
 
-#include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <limits>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -42,8 +42,9 @@ std::size_t end_of_number(const std::string& code, std::size_t at) {
 std::string number_in_float(const std::string& number) {
   const bool hexadecimal = number.compare(0, 2, "0x") == 0;
   if (number.find_first_of(hexadecimal ? ".p" : ".eE") == std::string::npos) return number;
-  const auto value = static_cast<float>(std::strtod(number.c_str(), nullptr));
-  if (!(value <= 3.4e38F) || (value == 0 && number.find_first_of("123456789") != std::string::npos))
+  const double exact = std::strtod(number.c_str(), nullptr);
+  const auto value = static_cast<float>(exact);
+  if (exact > std::numeric_limits<float>::max() || (value == 0 && exact != 0))
     throw std::runtime_error("the number " + number + " has no place in float");
   const std::string text = fmt::format("{}", value);
   const bool whole = text.find_first_of(".e") == std::string::npos;
