@@ -84,7 +84,8 @@ TEST_F(CommandLine, CInFloatIsInFloatAlone) {
   }
   EXPECT_NE(run(arguments + " --only inverse --scalar float --require inverse").code, 0);
   // The next run knows what the folder has.
-  EXPECT_TRUE(has(run(arguments + " --only kinematics,inverse --scalar float"), ": 0 generated, 0 files changed"));
+  EXPECT_TRUE(
+      has(run(arguments + " --only kinematics,inverse --scalar float"), ": 0 generated, 0 files changed"));
   const ToolRun cxx = run("generate " + file + " --scalar float --output " + out());
   EXPECT_EQ(cxx.code, 2);
   EXPECT_TRUE(has(cxx, "--scalar float: it is for --language c")) << cxx.output;
