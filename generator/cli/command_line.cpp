@@ -111,6 +111,10 @@ void add_generate(CommandLine& line) {
       ->delimiter(',');
   command.add_option("--language", line.language, "cxx, or c: C99 into the output's folder c")
       ->check(CLI::IsMember({"cxx", "c"}));
+  command
+      .add_option("--scalar", line.scalar,
+                  "what C computes in: double, or float for controllers without double")
+      ->check(CLI::IsMember({"double", "float"}));
   command.add_flag("--strict", generate.read.strict, "warnings about a description are errors");
   add_reading(command, generate.read);
   add_tips(command, generate.read);

@@ -97,4 +97,12 @@ Part jacobian(const model::Robot& robot, const std::vector<JacobianFunction>& fu
   return part += written(robot, all);
 }
 
+Part velocity(const model::Robot& robot, const std::vector<std::string>& wrist) {
+  nlohmann::json values{{"name", robot.name}, {"dof", model::driven_count(robot)}, {"wrist", !wrist.empty()}};
+  values["centre"] = nlohmann::json::array();
+  if (!wrist.empty())
+    values["centre"].push_back({{"x", wrist.at(0)}, {"y", wrist.at(1)}, {"z", wrist.at(2)}});
+  return {render("c/velocity.h", values), render("c/velocity.c", values)};
+}
+
 }  // namespace qvgen::emit::c

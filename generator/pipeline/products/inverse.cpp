@@ -21,6 +21,7 @@
 #include "emit/template_values.h"
 #include "model/evaluate.h"
 #include "model/tasks.h"
+#include "pipeline/c_files.h"
 #include "pipeline/pipeline.h"
 #include "pipeline/products/inverse_derivation.h"
 #include "pipeline/products/inverse_elimination.h"
@@ -254,9 +255,8 @@ void generate_inverse_c(const model::Robot& described, RobotOutput& output) {
   if (!derivation.found()) return add_reasons(derivation, output);
   const emit::c::Part text =
       emit::c::inverse_kinematics(described, values_of(described, derivation, Language::c, output));
-  const std::string file = "c/qvgen_" + described.name + "_inverse";
-  output.files.push_back({file + ".h", text.header});
-  output.files.push_back({file + ".c", text.source});
+  add_c_files(output, "inverse", text);
+  add_c_files(output, "metrics", emit::c::metrics(described));
 }
 
 }  // namespace qvgen::pipeline

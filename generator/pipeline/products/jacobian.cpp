@@ -6,6 +6,7 @@
 #include "derive/jacobian/quantities.h"
 #include "derive/jacobian/wrist.h"
 #include "emit/c/parts.h"
+#include "emit/c/printer.h"
 #include "emit/code.h"
 #include "emit/cpp/angles.h"
 #include "emit/cpp/printer.h"
@@ -44,19 +45,26 @@ json measure_values(const emit::SingularityMeasures& measures) {
   return values;
 }
 
-/// The wrist centre in the tool frame, if there is one: a list of one or none.
-json wrist_values(const model::Robot& robot) {
+/// The wrist centre in the tool frame, x, y and z, if there is one; nothing else.
+std::vector<std::string> wrist_centre_code(const model::Robot& robot, const emit::ast::Printer& language) {
   const auto centre = derive::wrist_centre(robot);
-  if (!centre) return json::array();
+  if (!centre) return {};
   symbolic::Program program;
   program.output("x", centre->x);
   program.output("y", centre->y);
   program.output("z", centre->z);
-  json values;
+  std::vector<std::string> code;
   for (const auto& value :
-       emit::straight_code(dag::import(program), emit::robot_leaves(robot, {}), emit::plain_cpp()).outputs)
-    values[value.name] = value.expression;
-  return json::array({values});
+       emit::straight_code(dag::import(program), emit::robot_leaves(robot, {}), language).outputs)
+    code.push_back(value.expression);
+  return code;
+}
+
+/// A list of one or none.
+json wrist_values(const model::Robot& robot) {
+  const std::vector<std::string> code = wrist_centre_code(robot, emit::plain_cpp());
+  if (code.empty()) return json::array();
+  return json::array({{{"x", code.at(0)}, {"y", code.at(1)}, {"z", code.at(2)}}});
 }
 
 /// The functions, certified; their counts go to the output.
@@ -118,6 +126,8 @@ bool has_wrist_centre(const model::Robot& described) {
 void generate_jacobian_c(const model::Robot& described, RobotOutput& output) {
   const Jacobians found = jacobians_of(described, output);
   add_c_part(output, emit::c::jacobian(found.robot, found.functions));
+  add_c_files(output, "velocity",
+              emit::c::velocity(found.robot, wrist_centre_code(found.robot, emit::c::printer())));
 }
 
 }  // namespace qvgen::pipeline

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstring>
+#include <functional>
 #include <map>
 #include <string>
 
@@ -13,6 +14,14 @@ namespace qvgen::test {
 /// The functions in C by the names that the C++ ones are registered under.
 inline std::map<std::string, InverseFunctions>& inverses_in_c() {
   static std::map<std::string, InverseFunctions> all;
+  return all;
+}
+
+/// A solution next to a seed within limits, by the same names.
+using NearWithin = std::function<Found(const Pose<double>& pose, double given, const Eigen::VectorXd& seed,
+                                       const Eigen::VectorXd& lower, const Eigen::VectorXd& upper)>;
+inline std::map<std::string, NearWithin>& near_within_in_c() {
+  static std::map<std::string, NearWithin> all;
   return all;
 }
 

@@ -241,6 +241,43 @@ TEST_P(SameRows, WithinLimits) {
   std::printf("%-24s within limits %d rows, %d left out\n", GetParam().name.c_str(), kept, left_out);
 }
 
+/// The row without limits, where it is within them; none elsewhere, and no other.
+TEST_P(SameRows, NextToASeedWithinLimits) {
+  const auto place = near_within_in_c().find(GetParam().name);
+  if (place == near_within_in_c().end()) GTEST_SKIP() << "there is none for this arm";
+  int kept = 0, dropped = 0;
+  for (int i = 0; i < 4 * pose_count(); ++i) {
+    const Sample sample = sample_at(test_, test_.joints());
+    const double given = test_.given(sample.q);
+    const Eigen::VectorXd seed = sample.q + 0.01 * test_.joints();
+    Eigen::VectorXd lower = sample.q, upper = sample.q;
+    for (int k = 0; k < test_.dof(); ++k) {
+      lower[k] -= test_.uniform(-0.1, 2);
+      upper[k] += test_.uniform(-0.1, 2);
+    }
+    const Found free = c_->solve_near(sample.pose, given, seed, inverse::default_tolerance, {});
+    const Found found = place->second(sample.pose, given, seed, lower, upper);
+    const bool inside = !free.rows.empty() && (free.rows[0].q.array() >= lower.array()).all() &&
+                        (free.rows[0].q.array() <= upper.array()).all();
+    ASSERT_EQ(found.rows.size(), inside ? 1U : 0U) << text(free);
+    ASSERT_EQ(found.status, inside || free.rows.empty() ? free.status : Status::unreachable);
+    if (inside) {
+      ASSERT_EQ(found.rows[0].q, free.rows[0].q);
+    }
+    ++(inside ? kept : dropped);
+    if (!inside || i % 4 != 0) continue;
+    // On a limit but for rounding is on it.
+    upper[0] = free.rows[0].q[0] - 1e-13;
+    const Found clamped = place->second(sample.pose, given, seed, lower, upper);
+    ASSERT_EQ(clamped.rows.size(), lower[0] <= upper[0] ? 1U : 0U);
+    if (!clamped.rows.empty()) {
+      ASSERT_EQ(clamped.rows[0].q[0], upper[0]);
+    }
+  }
+  EXPECT_GT(kept, 0);
+  EXPECT_GT(dropped, 0);
+}
+
 TEST_P(SameRows, OtherConstants) {
   InverseUnderTest cxx = GetParam();
   if (cxx.constants.empty()) GTEST_SKIP() << "all constants of this arm are numbers";

@@ -188,4 +188,9 @@ Part inverse_kinematics(const model::Robot& robot, const json& given) {
   return {render("c/solutions.h", values), render("c/solve_head.c", values) + "\n" + wrapped(needed(source))};
 }
 
+Part metrics(const model::Robot& robot) {
+  const json values{{"name", robot.name}, {"dof", robot.joints.size()}};
+  return {render("c/metrics.h", values), render("c/metrics.c", values)};
+}
+
 }  // namespace qvgen::emit::c
