@@ -177,6 +177,7 @@ json variant(const model::Robot& described, const derive::inverse::Derivation& d
                           robot.joints.size(), branches)},
            {"careful_pass", emit::lines_of(emit::scalar_loop_lines(plan, emit::Pass::careful, dialect))},
            {"has_lanes", lanes ? "true" : "false"},
+           {"chooses_in_lanes", lanes && !problem.has_phases()},
            {"lanes", lanes ? json{{"lines", emit::lines_of(emit::simd_loop_lines(plan))}} : json(false)}});
   add_change_of_arm(problem, given, dialect, values);
   if (language == Language::c)

@@ -30,7 +30,7 @@ class SimdLoops {
 
   std::vector<std::string> write() {
     const Place top;
-    line(top, "inverse::avx2::LaneRows<" + dof() + "> rows(places);");
+    line(top, "Rows rows(places);");
     line(top, "Work<Pack> w;");
     line(top, "Pack q[" + dof() + "];");
     if (plan_.plan.given >= 0)

@@ -10,6 +10,8 @@ inline constexpr double limit_tolerance = 1e-12;
 
 namespace inverse {
 
+inline constexpr double whole_turn = 6.283185307179586476925;
+
 /// A number for each joint, zeros behind the last.
 template <int size>
 struct WithinTable {
