@@ -20,10 +20,6 @@ namespace qvgen::inverse {
 /// No row, because there are no lanes: they have not looked at the pose.
 inline constexpr RowCount without_lanes{-2, false};
 
-/// Up to this tolerance, as a share of the arm's size, Newton's steps from a seed lead to no other row than
-/// the equations, but next to singular poses.
-inline constexpr double usual_tolerance = 1e-9;
-
 /// Whether all joints are finite; in fewer steps than Eigen takes.
 template <int dof>
 bool is_finite(const Joints<dof>& q) {
