@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "derive/inverse/general.h"
+#include "derive/inverse/elimination.h"
 #include "derive/inverse/inverse.h"
 
 namespace qvgen::pipeline {
@@ -14,7 +14,7 @@ namespace qvgen::pipeline {
 struct InverseDerivation {
   /// Each found, for an arm whose symbols are private names (model/private_names.h).
   std::vector<derive::inverse::Derivation> closed_forms;
-  std::vector<derive::inverse::GeneralDerivation> eliminations;  ///< only if there is no closed form
+  std::vector<derive::inverse::EliminationDerivation> eliminations;  ///< only if there is no closed form
   std::vector<std::string> reasons;  ///< of what was not found, also if something else was
 
   [[nodiscard]] bool found() const { return !closed_forms.empty() || !eliminations.empty(); }

@@ -80,7 +80,7 @@ class LaneSolutions {
     append(other, other_branch, label + 1);
   }
 
-  /// Where a row is one of a continuum: lanes do not choose.
+  /// Mask of rows that belong to a continuum. Lanes make no choice there.
   QVGEN_INLINE const Truth& chosen() const { return chosen_; }
 
   /// Leaves of the rows those that are wanted, in their order, once the others are NaN. Returns the lanes

@@ -76,7 +76,7 @@ class Within {
     look_from(seed);
   }
 
-  /// The same limits next to another seed.
+  /// Returns these limits next to another seed.
   [[nodiscard]] Within next_to(const Joints<dof>& seed) const {
     Within other = *this;
     other.look_from(seed);
@@ -89,7 +89,7 @@ class Within {
     double square = 0;
     return take(q, square);
   }
-  /// The same, and the square of its distance from the seed.
+  /// Brings a row inside, as above, and sets the square of its distance from the seed.
   [[gnu::always_inline]] bool take(Joints<dof>& q, double& square) const {
     Row row;
     if constexpr (dof < pairs) row[pairs - 1] = 0;
