@@ -279,7 +279,7 @@ TYPED_TEST(LimitsNearSingularPoses, LanesChooseTheRowsOfAllSolutions) {
     ++regular;
     const auto within = qvgen::within_limits(all, limits, Arm::revolute);
     const auto nearest = qvgen::nearest_within_limits(all, limits, Arm::revolute, seed);
-    // Where nothing is inside a row may be brought there.
+    // A row may be brought inside if none is there.
     if (!within.empty()) {
       ASSERT_NO_FATAL_FAILURE(expect_same_rows(Arm::inverse(pose, limits), within, "within"));
       ASSERT_NO_FATAL_FAILURE(expect_same_rows(Arm::inverse(pose, seed, limits), nearest, "nearest within"));

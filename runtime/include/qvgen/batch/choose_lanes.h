@@ -115,7 +115,7 @@ QVGEN_INLINE inline inverse::Mask<Lane> choose_rows(const WantedSolutions& wante
       for (int i = 0; i < dof; ++i, to += q.stride) *to = rows[(s * dof + i) * lanes + lane];
     }
   for (int s = 0; s < capacity; ++s) labels[s] = Lane::load(in_order + s * lanes);
-  // Where solutions exist but none is inside, one may still be brought there.
+  // A solution may still be brought inside where there are some, none of them inside.
   const Truth is_empty = (kept == Lane(0.0)) & (Lane(0.0) < count);
   count = kept;
   return (!seeds.is_finite()) | (Truth(seeds.is_limited()) & is_empty);

@@ -55,7 +55,7 @@ class TurnLimits {
   }
 
   [[nodiscard]] const JointLimits<dof>& limits() const { return limits_; }
-  /// Whether a joint may have one angle twice.
+  /// True if a joint may have one angle twice.
   [[nodiscard]] bool some() const { return some_; }
 
  private:

@@ -20,7 +20,7 @@ namespace qvgen::inverse {
 /// No row, because there are no lanes: they have not looked at the pose.
 inline constexpr RowCount without_lanes{-2, false};
 
-/// Whether all joints are finite; in fewer steps than Eigen takes.
+/// True if all joints are finite; takes fewer steps than Eigen's `allFinite`.
 template <int dof>
 bool is_finite(const Joints<dof>& q) {
   double sum = 0;
@@ -44,7 +44,7 @@ RowCount choose_in_lanes(const Lanes& lanes, const JointLimits<dof>* limits, con
   return lanes(wanted);
 }
 
-/// Whether lanes have answered a question for rows within limits: where solutions exist but none is inside
+/// True if lanes have answered what is asked for rows within limits. If solutions exist but none is inside
 /// one of them may still be brought there.
 inline bool is_answered(const RowCount& chosen) {
   return chosen.rows >= 0 && !chosen.continuum && (chosen.rows > 0 || chosen.found == 0);

@@ -12,7 +12,7 @@
 
 namespace qvgen::inverse::avx2 {
 
-/// What stands behind the joints: the label in the lower half, the mark in the upper one's first byte.
+/// Numbers behind the joints of a row: the label in the lower half, the mark in the upper one's first byte.
 [[gnu::always_inline]] inline Pack row_end(const Branch<Pack>& branch, int label, int apart) {
   const __m256i labels = _mm256_setr_epi64x(label, label + apart, label + 2 * apart, label + 3 * apart);
   const __m256i mark =
@@ -93,7 +93,7 @@ class LaneWithin {
       (take_as_solved(rows.first, rows.branch, rows.result), ...);
   }
 
-  /// What `take` is given.
+  /// Four rows as they are solved, and the place for what of them is wanted.
   struct Rows {
     const Pack (&first)[dof];
     const Branch<Pack>& branch;
