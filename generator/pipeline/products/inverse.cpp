@@ -196,6 +196,7 @@ json variant(const model::Robot& described, const derive::inverse::Derivation& d
                           robot.joints.size(), branches)},
            {"careful_pass", pass_lines(emit::Pass::careful)},
            {"has_lanes", lanes ? "true" : "false"},
+           {"chooses_in_lanes", lanes && !problem.has_phases()},
            {"lanes", lanes ? json{{"lines", lane_lines(plan)}} : json(false)}});
   add_change_of_arm(problem, given, printer, values);
   if (language == Language::c)

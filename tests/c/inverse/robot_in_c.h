@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "robot_under_test.h"
 
@@ -22,6 +23,17 @@ using NearWithin = std::function<Found(const Pose<double>& pose, double given, c
                                        const Eigen::VectorXd& lower, const Eigen::VectorXd& upper)>;
 inline std::map<std::string, NearWithin>& near_within_in_c() {
   static std::map<std::string, NearWithin> all;
+  return all;
+}
+
+/// Every representative of a pose's solutions in C within limits, as C and as C++ goes through them.
+struct Representatives {
+  std::vector<Row> c, cxx;
+};
+using RepresentativesOf = std::function<Representatives(
+    const Pose<double>&, double given, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper)>;
+inline std::map<std::string, RepresentativesOf>& representatives_in_c() {
+  static std::map<std::string, RepresentativesOf> all;
   return all;
 }
 

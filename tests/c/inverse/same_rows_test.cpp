@@ -278,6 +278,31 @@ TEST_P(SameRows, NextToASeedWithinLimits) {
   EXPECT_GT(dropped, 0);
 }
 
+/// Law: C and C++ go through the same representatives in the same order, bit by bit.
+TEST_P(SameRows, Representatives) {
+  std::size_t most = 0;
+  for (int i = 0; i < pose_count(); ++i) {
+    const Sample sample = sample_at(test_, test_.joints());
+    Eigen::VectorXd lower = sample.q, upper = sample.q;
+    for (int k = 0; k < test_.dof(); ++k) {
+      // Up to three turns to either side of some joints, limits on the joints themselves and none.
+      const double way = k == i % test_.dof() ? 20 : 4;
+      lower[k] -= i % 7 == 0 ? 0 : test_.uniform(0, way);
+      upper[k] += test_.uniform(0, way);
+      if (i % 11 == k) upper[k] = std::numeric_limits<double>::infinity();
+    }
+    const auto all =
+        representatives_in_c().at(GetParam().name)(sample.pose, test_.given(sample.q), lower, upper);
+    ASSERT_EQ(all.c.size(), all.cxx.size());
+    for (std::size_t k = 0; k < all.c.size(); ++k) {
+      ASSERT_EQ(all.c[k].q, all.cxx[k].q) << k;
+      ASSERT_EQ(all.c[k].branch, all.cxx[k].branch);
+    }
+    most = std::max(most, all.c.size());
+  }
+  EXPECT_GT(most, 2U);
+}
+
 TEST_P(SameRows, OtherConstants) {
   InverseUnderTest cxx = GetParam();
   if (cxx.constants.empty()) GTEST_SKIP() << "all constants of this arm are numbers";

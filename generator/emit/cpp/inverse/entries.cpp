@@ -160,6 +160,7 @@ json entry(const Problem& problem, const Argument& argument, Filter filter, cons
           {"follows_seed", (filter == Filter::none || looks) && variant["seed_branch"].is_object()},
           {"looks", looks},
           {"is_early", is_early},
+          {"in_lanes", is_early && variant["chooses_in_lanes"].get<bool>()},
           {"fits_limits", filter == Filter::none && argument.is_pose && variant["fits_limits"].get<bool>()},
           {"points", problem.task == Task::position ? 1 : 3},
           {"whole_pose", filter == Filter::pose && argument.is_pose && problem.task != Task::pose}};

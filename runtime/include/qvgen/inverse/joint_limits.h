@@ -48,8 +48,8 @@ AllWithinLimits<dof, capacity> within_limits(const Solutions<dof, capacity>& fou
                                              const JointLimits<dof>& limits,
                                              const std::array<bool, count>& revolute,
                                              const Joints<dof>& centre = Joints<dof>::Zero()) {
-  AllWithinLimits<dof, capacity> result{inverse::Within<dof>(limits, revolute, centre)};
-  result.add(found);
+  AllWithinLimits<dof, capacity> result(limits, revolute, centre);
+  result.take(found);
   return result;
 }
 
