@@ -265,6 +265,8 @@ static bool next_row_inside(Representatives* all) {
       count_turns(i, all->own[i], all->lower[i], all->upper[i], &all->below[i], &all->above[i]);
     return true;
   }
+  // Behind the last one there is none, however often it is asked for.
+  for (int i = 0; i < dof; ++i) all->below[i] = all->above[i] = 0;
   return false;
 }
 

@@ -69,10 +69,10 @@ class AllWithinLimits {
     /// Counts through the turns of all joints like an odometer.
     Iterator& operator++() {
       ++number_;
-      for (int k = 0; k < turns_.joints; ++k) {
-        const bool is_more = ++index_[k] < turns_.count[k];
-        if (!is_more) index_[k] = 0;
-        row_.q[turns_.joint[k]] = turns_.value(k, index_[k]);
+      for (int i = 0; i < turns_.last; ++i) {
+        const bool is_more = ++index_[i] < turns_.count[i];
+        if (!is_more) index_[i] = 0;
+        row_.q[i] = turns_.value(i, index_[i]);
         if (is_more) return *this;
       }
       ++branch_;
@@ -164,20 +164,18 @@ class AllWithinLimits {
   }
 
  private:
-  /// The joints in front of `number`, which change faster, and that one.
-  template <int number, class Visit>
-  [[gnu::always_inline]] static void turns_of(const inverse::Turns<dof>& turns, Solution<dof>& row,
-                                              const Visit& visit) {
-    if constexpr (number < 0) {
+  /// All representatives of a joint and of those in front of it, which change faster.
+  template <int joint, class Visit>
+  static void turns_of(const inverse::Turns<dof>& turns, Solution<dof>& row, const Visit& visit) {
+    if constexpr (joint < 0) {
       visit(static_cast<const Solution<dof>&>(row));
+    } else if (joint >= turns.last) {
+      turns_of<joint - 1>(turns, row, visit);
     } else {
-      const bool turns_further = number < turns.joints;
-      const int count = turns_further ? turns.count[number] : 1;
-      const double* values = turns_further ? turns.values[number] : row.q.data();
-      double& value = row.q[turns_further ? turns.joint[number] : 0];
+      const int count = turns.count[joint];
       for (int index = 0; index < count; ++index) {
-        value = values[index];
-        turns_of<number - 1>(turns, row, visit);
+        row.q[joint] = turns.values[joint][index];
+        turns_of<joint - 1>(turns, row, visit);
       }
     }
   }

@@ -72,61 +72,57 @@ class TurnLimits {
   Numbers low_, high_, per_turn_;
 };
 
-/// The values of a row's joints that turn further.
+/// The values of a row's joints, each with its representatives.
 template <int dof>
 class Turns {
  public:
   /// Values of a joint that are kept; those beyond are computed.
   static constexpr int kept = 4;
 
-  int joints = 0;       ///< how many turn further; below, by their number
+  int last = 0;         ///< the joints in front of this one may turn further
   bool is_kept = true;  ///< all their values are
-  int joint[dof];
-  int count[dof];  ///< of values
+  int count[dof];       ///< of values of these joints
   double values[dof][kept];
 
   void start(const TurnLimits<dof>& limits, const Joints<dof>& q) {
-    joints = 0;
+    last = 0;
     if (!limits.some()) return;
     const auto further = limits.further(q);
     is_kept = true;
     for (int i = 0; i < dof; ++i) {
-      const int below = static_cast<int>(further.below[i]), above = static_cast<int>(further.above[i]);
-      if (below + above == 0) continue;
-      const int at = joints++;
-      joint[at] = i;
-      count[at] = below + above + 1;
-      below_[at] = below;
-      above_[at] = above;
-      own_[at] = q[i];
-      lower_[at] = limits.limits().lower[i];
-      upper_[at] = limits.limits().upper[i];
-      is_kept = is_kept && count[at] <= kept;
-      values[at][0] = q[i];
-      for (int index = 1; index < kept && index < count[at]; ++index) values[at][index] = turned(at, index);
+      below_[i] = static_cast<int>(further.below[i]);
+      above_[i] = static_cast<int>(further.above[i]);
+      count[i] = below_[i] + above_[i] + 1;
+      values[i][0] = q[i];
+      if (count[i] == 1) continue;
+      last = i + 1;
+      is_kept = is_kept && count[i] <= kept;
+      lower_[i] = limits.limits().lower[i];
+      upper_[i] = limits.limits().upper[i];
+      for (int index = 1; index < kept && index < count[i]; ++index) values[i][index] = turned(i, index);
     }
   }
 
-  [[nodiscard, gnu::always_inline]] double value(int number, int index) const {
-    return index < kept ? values[number][index] : turned(number, index);
+  [[nodiscard, gnu::always_inline]] double value(int joint, int index) const {
+    return index < kept ? values[joint][index] : turned(joint, index);
   }
 
  private:
   /// The row's own angle, then alternately above and below for as long as there are both.
-  [[nodiscard]] int turns_at(int number, int index) const {
-    const int below = below_[number], above = above_[number], fewer = below < above ? below : above;
+  [[nodiscard]] int turns_at(int joint, int index) const {
+    const int below = below_[joint], above = above_[joint], fewer = below < above ? below : above;
     if (index > 2 * fewer) return above > below ? index - fewer : fewer - index;
     return index % 2 == 1 ? (index + 1) / 2 : -index / 2;
   }
   /// The value with that index, on the limit if rounding has moved it outside.
-  [[nodiscard]] double turned(int number, int index) const {
-    const double value = own_[number] + whole_turn * turns_at(number, index);
-    const double raised = value > lower_[number] ? value : lower_[number];
-    return raised < upper_[number] ? raised : upper_[number];
+  [[nodiscard]] double turned(int joint, int index) const {
+    const double value = values[joint][0] + whole_turn * turns_at(joint, index);
+    const double raised = value > lower_[joint] ? value : lower_[joint];
+    return raised < upper_[joint] ? raised : upper_[joint];
   }
 
   int below_[dof], above_[dof];
-  double own_[dof], lower_[dof], upper_[dof];
+  double lower_[dof], upper_[dof];
 };
 
 }  // namespace qvgen::inverse

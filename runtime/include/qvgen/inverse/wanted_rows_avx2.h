@@ -244,7 +244,7 @@ class WantedLaneRows {
   using Places = const WantedRows&;
 
   [[gnu::always_inline]] explicit WantedLaneRows(Places wanted)
-      : wanted_(wanted), within_(wanted), waiting_(wanted.room + room_of_limits(dof)) {}
+      : wanted_(wanted), within_(wanted), waiting_(wanted.room + limits_room) {}
 
   [[gnu::always_inline]] RowCount count(const Branch<Pack>& branch) const {
     waiting_.write(wanted_.places.first, wanted_.places.stride);
@@ -288,6 +288,8 @@ class WantedLaneRows {
     continuum_ = continuum_ || (all & bits(branch.continuum)) != 0;
     is_sure_ = is_sure_ && (all & bits(branch.unsure)) == 0;
   }
+
+  static constexpr std::size_t limits_room = room_of_limits(dof);
 
   const WantedRows& wanted_;
   LaneWithin<dof> within_;
