@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "random_arm.h"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <random>
+#include <vector>
 
 #include "cut_arms.h"
 #include "five_arms.h"
@@ -107,9 +110,10 @@ class Writer {
     const Axis common = axis();
     Axis first = axis();
     while (parallel(first, common)) first = axis();
-    const int slide = below(3);  // 1 or 2, 0 for none
-    Axis across = axis();
-    while (!is_across(across, common)) across = axis();
+    std::vector<Axis> across;
+    std::copy_if(axes.begin(), axes.end(), std::back_inserter(across),
+                 [&](const Axis& each) { return is_across(each, common); });
+    const int slide = across.empty() ? 0 : below(3);  // 1 or 2, 0 for none
     constexpr std::array<int, 4> places{4, 4, 0, 1};
     const int given = below(2) == 0 ? places.at(static_cast<std::size_t>(below(4))) : -1;
     std::string joints;
@@ -119,7 +123,11 @@ class Writer {
       if (i == 4) break;
       const bool slides = i > 0 && i == slide;
       const std::string origin = link();
-      joints += joint(number++, !slides, i == 0 ? first : slides ? across : common, origin, link());
+      joints += joint(number++, !slides,
+                      i == 0   ? first
+                      : slides ? across[static_cast<std::size_t>(below(static_cast<int>(across.size())))]
+                               : common,
+                      origin, link());
     }
     Axis tool = axis();
     while (parallel(tool, common)) tool = axis();
