@@ -120,6 +120,9 @@ struct Boundary {
   double miss = 0;       ///< how far off the pose polished joints may leave the arm, as a share of its size
   double fold = 0;       ///< so far outside a wrist at the end of the arm's joints still exists, folded
 
+  /// Where joints can follow a choice in two separate ranges it is in the other one.
+  bool opposite = false;
+
   static constexpr Boundary plain(double tolerance) {
     Boundary boundary;
     boundary.doubt = 1e-7 + 100 * tolerance;
@@ -152,6 +155,13 @@ struct Boundary {
     Boundary boundary = chosen(tolerance);
     boundary.accept = 1e3;
     boundary.gap = 1e40;
+    return boundary;
+  }
+
+  /// The same, or a pass of quartic/care.h that chooses, with the choice in the other of two ranges.
+  [[nodiscard]] constexpr Boundary in_other_range() const {
+    Boundary boundary = *this;
+    boundary.opposite = true;
     return boundary;
   }
 
