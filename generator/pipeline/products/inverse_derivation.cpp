@@ -26,8 +26,9 @@ void add_eliminations(const model::Robot& described, InverseDerivation& result) 
   result.reasons.insert(result.reasons.end(), general.reasons.begin(), general.reasons.end());
 }
 
-/// True if a closed form is a quartic whose equations are nearly those of a simpler arm: its roots carry so
-/// few digits that solutions take twenty times as long as by elimination, and the smallest offsets lose some.
+/// True if a closed form is a quartic of an arm with axes that nearly meet. Its equations are nearly those of
+/// a simpler arm, and its roots carry so few digits that solutions take twenty times as long as by
+/// elimination; the smallest offsets lose some.
 bool has_faint_quartic(const model::Robot& described, const InverseDerivation& derivation) {
   const auto is_quartic = [](const derive::inverse::Derivation& form) { return form.plan.quartic(); };
   return std::any_of(derivation.closed_forms.begin(), derivation.closed_forms.end(), is_quartic) &&
