@@ -119,7 +119,8 @@ void add_generate(CommandLine& line) {
       .add_option(
           "--only", generate.parts,
           "parts to generate: model, kinematics, inverse, arm_angle, jacobian, from_ideal, dynamics; "
-          "all of these without. Others are made if they are named: batch, forms of the other parts "
+          "all of these without. Headers of dynamics that a description leaves out have names too: "
+          "dynamics_derivatives, dynamics_loads, regressor. Others are made if they are named: batch, forms of the other parts "
           "named for many at once; frames, poses and Jacobians of links and named frames; mass, the "
           "centre of mass; regressor_with_drives, for identification; nearest_pose, the nearest pose in "
           "reach; given_joint, seven joints within limits; certified, solutions with a proof; c_inverse, a "
@@ -394,7 +395,7 @@ void add_new(CommandLine& line) {
   command.add_option("--name", line.name, "the robot's name")->type_name("NAME")->capture_default_str();
 }
 
-/// Of the tool itself.
+/// Adds the commands about the tool itself.
 void add_documents(CommandLine& line) {
   line.list_command = line.app.add_subcommand("list", "print the names of the known robots");
   line.manual_command = line.app.add_subcommand("man", "print this help as a man page");

@@ -74,7 +74,7 @@ model::Robot part_to_show(model::Robot robot, const ShowArguments& arguments) {
   return robot;
 }
 
-/// What with_masses has put in place of the description's inertia.
+/// Returns a sentence on what with_masses has put in place of the description's inertia.
 std::string masses_sentence(const std::string& place) {
   if (place.empty()) return "";
   if (place == "end") return "m1, m2, ...: the mass of each link, all of it at the link's end.\n";
@@ -146,7 +146,7 @@ int show_inverse(const model::Robot& described, emit::Notation notation) {
   const pipeline::InverseDerivation derivation = pipeline::derive_inverse(described);
   for (const auto& elimination : derivation.eliminations) {
     fmt::print("{}\n\n", emit::ability(described, elimination));
-    for (const std::string& line : describe_general(elimination)) fmt::print("{}\n", line);
+    for (const std::string& line : describe_elimination(elimination)) fmt::print("{}\n", line);
   }
   const std::string by_arm_angle = emit::arm_angle_ability(described);
   for (const auto& form : derivation.closed_forms)

@@ -59,7 +59,8 @@ std::vector<Task> changed_tasks(const GenerateArguments& arguments, const std::v
   return changed;
 }
 
-/// What depends on the machine, or should never be, is not remembered as done.
+/// True if an output may be remembered as done: it does not depend on the machine, and has no fault of the
+/// tool.
 bool is_final(const RobotOutput& output) {
   return std::all_of(output.missing.begin(), output.missing.end(), [](const Missing& missing) {
     return missing.kind != Missing::Kind::not_finished && missing.kind != Missing::Kind::refuted;
@@ -116,7 +117,9 @@ bool report_missing(const ordered_json& counts, const std::vector<std::string>& 
     const auto is_required = [&](const std::string& part) { return !has_part(all, part); };
     const bool lacks = std::any_of(required.begin(), required.end(), is_required);
     for (const Missing& missing : all) {
-      if (missing.kind == Missing::Kind::not_described && !lacks) continue;
+      const bool is_meant =
+          missing.kind == Missing::Kind::not_described || missing.kind == Missing::Kind::on_request;
+      if (is_meant && !lacks) continue;
       const bool had_no_time = missing.kind == Missing::Kind::not_finished;
       fmt::print(stderr, "{}: no {}: {}{}\n", robot, missing.part, missing.reason,
                  had_no_time ? "; --seconds and --megabytes allow more" : "");

@@ -8,6 +8,7 @@
 
 #include "cli/suggestion.h"
 #include "compare/measure.h"
+#include "pipeline/lines_of_json.h"
 #include "verify/counts_json.h"
 
 namespace qvgen::cli {
@@ -121,7 +122,7 @@ ordered_json filtered(const ordered_json& counts, const CountsFilter& filter) {
 
 std::string report(const ordered_json& counts, ReportFormat format, bool forms,
                    const std::vector<std::string>& columns) {
-  if (format == ReportFormat::json) return counts.dump(1) + "\n";
+  if (format == ReportFormat::json) return lines_of_json(counts);
   CountsTable table(format, columns);
   for (const auto& [robot, functions] : counts.items())
     for (const auto& [function, entry] : functions.items()) {

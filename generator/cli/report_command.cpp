@@ -69,7 +69,7 @@ std::optional<toolchain::Runtime> runtime_sources(const ReportArguments& argumen
 /// The checked formulas of the sources, which only a source tree has.
 std::string errata(const ReportArguments& arguments) {
   if (!arguments.source_tree) return "";
-  return pipeline::content_of(*arguments.source_tree / "tests/sources/printed_equations.md").value_or("");
+  return pipeline::content_of(*arguments.source_tree / "tests/errata/printed_equations.md").value_or("");
 }
 
 FolderUpdate update_of(const ReportArguments& arguments, const report::Ingredients& ingredients,

@@ -46,7 +46,7 @@ void read_name(const Table& root, model::Robot& robot) {
   if (!problem.message.empty()) context.error(root.place_of("name"), problem.message, problem.hint);
 }
 
-/// Of a Denavit-Hartenberg table: what its rows lack.
+/// Reports what the rows of a Denavit-Hartenberg table lack.
 void say_that_nothing_moves(const Table& root) {
   Context& context = root.context();
   if (!root.has("dh"))
@@ -129,10 +129,10 @@ void read_units(const Table& root) {
 model::Robot read_robot(const Table& root) {
   Context& context = root.context();
   root.allow_only(
-      {"name",  "title", "source",    "symbols", "inertia",    "drives", "accept_unphysical_inertia",
-       "base",  "tool",  "defaults",  "joint",   "convention", "dh",     "home",
-       "screw", "task",  "tool_axis", "given",   "ideal",      "unit",   "angle_unit",
-       "frame"});
+      {"name",  "title",     "source",    "symbols", "inertia",    "drives", "accept_unphysical_inertia",
+       "base",  "tool",      "defaults",  "joint",   "convention", "dh",     "home",
+       "screw", "task",      "tool_axis", "given",   "ideal",      "unit",   "angle_unit",
+       "frame", "on_request"});
   read_units(root);
   context.is_measured = root.has("ideal");
   model::Robot robot;

@@ -23,6 +23,10 @@ std::string advice(const std::string& name, const std::vector<std::string>& name
   return near.empty() ? "write one of " + quoted_list(names) : "did you mean '" + near + "'?";
 }
 
+bool is_known(const std::vector<std::string>& list, const std::string& name) {
+  return std::find(list.begin(), list.end(), name) != list.end();
+}
+
 /// Between commas, without the blanks around.
 std::vector<std::string> words(const std::string& list) {
   std::vector<std::string> result;
@@ -51,9 +55,6 @@ void read_given(const Table& root, model::Robot& robot) {
   if (!text) return;
   std::vector<std::string> names;
   for (const model::Joint& joint : robot.joints) names.push_back(joint.variable);
-  const auto is_known = [&](const std::vector<std::string>& list, const std::string& name) {
-    return std::find(list.begin(), list.end(), name) != list.end();
-  };
   model::InverseRequest& request = robot.inverse;
   request.every_given = *text == "all" && !is_known(names, *text);
   if (request.every_given) {
@@ -68,6 +69,17 @@ void read_given(const Table& root, model::Robot& robot) {
       root.context().error(root.place_of("given"), "'given' names '" + name + "' twice", "leave one out");
     request.given.push_back(name);
   }
+}
+
+void read_on_request(const Table& root, model::Robot& robot) {
+  const auto text = root.text("on_request");
+  if (!text) return;
+  const std::vector<std::string> known(model::requestable_parts.begin(), model::requestable_parts.end());
+  robot.on_request = words(*text);
+  for (const std::string& part : robot.on_request)
+    if (!is_known(known, part))
+      root.context().error(root.place_of("on_request"), "'on_request' names no such part: '" + part + "'",
+                           advice(part, known));
 }
 
 void read_ideal(const Table& root, model::Robot& robot) {
@@ -90,6 +102,7 @@ void read_ideal(const Table& root, model::Robot& robot) {
 void read_request(const Table& root, model::Robot& robot) {
   read_task(root, robot.inverse);
   read_given(root, robot);
+  read_on_request(root, robot);
   read_ideal(root, robot);
   const toml::node* axis = root.find("tool_axis");
   if (axis != nullptr) robot.inverse.tool_axis = read_axis(root.context(), *axis);

@@ -1,33 +1,21 @@
 # SPDX-License-Identifier: MIT
-# cmake -DOUTPUT=file.cpp -DFOLDER=templates -P embed_templates.cmake: the templates as one C++ table, so that the
-# tool is a single file that works from anywhere.
-file(GLOB paths "${FOLDER}/*.mustache")
+# cmake -DOUTPUT=file.cpp -DFOLDER=templates -P embed_templates.cmake: writes the templates as one C++ table, so that the
+# tool is a single file that works from anywhere. A key is a file's path in the folder without ".mustache": "cpp/inverse.h".
+file(GLOB_RECURSE paths RELATIVE "${FOLDER}" "${FOLDER}/*")
 list(SORT paths)
 set(entries "")
+set(blocks "")
 foreach(path IN LISTS paths)
-  get_filename_component(name "${path}" NAME)
-  string(REGEX REPLACE "\\.mustache$" "" name "${name}")
-  file(READ "${path}" text)
-  string(APPEND entries "      {\"${name}\", R\"~template~(${text})~template~\"},\n")
+  file(READ "${FOLDER}/${path}" text)
+  if(path MATCHES "^c/inverse/")
+    # All robots in C share these blocks, which are put one behind the other and not filled in.
+    string(APPEND blocks "       R\"~template~(${text}\n)~template~\"\n")
+    continue()
+  endif()
+  string(REGEX REPLACE "\\.mustache$" "" key "${path}")
+  string(APPEND entries "      {\"${key}\", R\"~template~(${text})~template~\"},\n")
 endforeach()
-# What generated C has in common, not to be filled in.
-file(GLOB paths "${FOLDER}/c_inverse/*.c")
-list(SORT paths)
-string(APPEND entries "      {\"c_inverse_blocks\",\n")
-foreach(path IN LISTS paths)
-  file(READ "${path}" text)
-  string(APPEND entries "       R\"~template~(${text}\n)~template~\"\n")
-endforeach()
-string(APPEND entries "      },\n")
-# Pages: filled in where the name says so, else as they are.
-file(GLOB paths "${FOLDER}/report/*")
-list(SORT paths)
-foreach(path IN LISTS paths)
-  get_filename_component(name "${path}" NAME)
-  string(REGEX REPLACE "\\.mustache$" "" name "${name}")
-  file(READ "${path}" text)
-  string(APPEND entries "      {\"report/${name}\", R\"~template~(${text})~template~\"},\n")
-endforeach()
+string(APPEND entries "      {\"c/inverse_blocks\",\n${blocks}      },\n")
 file(WRITE "${OUTPUT}.new" "#include \"emit/builtin_templates.h\"
 
 namespace qvgen::emit {

@@ -59,7 +59,8 @@ std::string render(const std::string& template_name, const nlohmann::json& value
   mustache::data data = to_data(values);
   for (const auto& [name, part] : known)
     if (const auto end = name.rfind(".partial"); end != std::string::npos)
-      data.set(name.substr(0, end), part.substr(0, part.size() - 1));  // its last line ends where it is put
+      data.set(name.substr(name.rfind('/') + 1, end - name.rfind('/') - 1),
+               part.substr(0, part.size() - 1));  // its last line ends where it is put
   StrictContext context(&data);
   const std::string result = text.render(context);
   if (!context.missing().empty())

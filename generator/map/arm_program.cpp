@@ -78,12 +78,12 @@ std::string main_text(const model::Robot& robot, const Function& function,
                       const pipeline::RobotOutput& output) {
   const bool in_batches = function.task == "pose" || function.task == "position";
   const bool has_measures = robot.joints.size() == 6 && output.counts.contains("singularity_measures");
-  return emit::render("map_program.cpp", {{"name", robot.name},
-                                          {"function", function.name},
-                                          {"info", "inverse_info" + function.suffix},
-                                          {"in_batches", in_batches},
-                                          {"given", !function.given.empty()},
-                                          {"has_measures", has_measures}});
+  return emit::render("cpp/map_program.cpp", {{"name", robot.name},
+                                              {"function", function.name},
+                                              {"info", "inverse_info" + function.suffix},
+                                              {"in_batches", in_batches},
+                                              {"given", !function.given.empty()},
+                                              {"has_measures", has_measures}});
 }
 
 /// The widest instruction set that this machine has, and the compiler's options for it.
@@ -143,7 +143,7 @@ ordered_json made(const model::Robot& robot, const fs::path& target, const toolc
           {"given", function.given}};
 }
 
-/// What comes from the program, cut into blocks.
+/// Output of the program, cut into blocks.
 class Stream {
  public:
   Stream(const Grid& grid, const std::function<void(int, std::vector<Cell>)>& take)

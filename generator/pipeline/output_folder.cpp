@@ -6,6 +6,7 @@
 
 #include "pipeline/files.h"
 #include "pipeline/folder_state.h"
+#include "pipeline/lines_of_json.h"
 #include "pipeline/manifest.h"
 
 namespace qvgen::pipeline {
@@ -43,7 +44,7 @@ std::vector<OutputFile> files_of(const FolderUpdate& update, const ordered_json&
   for (const auto& robot : update.robots)
     files.insert(files.end(), robot.output.files.begin(), robot.output.files.end());
   files.insert(files.end(), update.shared.begin(), update.shared.end());
-  files.push_back({update.entries, counts.dump(1) + "\n"});
+  files.push_back({update.entries, lines_of_json(counts)});
   return files;
 }
 

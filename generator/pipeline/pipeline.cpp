@@ -29,7 +29,7 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Whether a part has a header of its own; else it is a function of one.
+/// True if a part has a header of its own; else it is a function of one.
 bool is_header(const std::string& part) {
   const auto& products = all_products();
   return std::any_of(products.begin(), products.end(), [&](const Product& product) {
@@ -41,14 +41,16 @@ bool is_header(const std::string& part) {
 void add_headers_of_missing_parts(RobotOutput& output) {
   std::map<std::string, json> reasons;
   for (const Missing& missing : output.missing) {
-    if (missing.kind == Missing::Kind::not_described || !is_header(missing.part)) continue;
+    if (missing.kind == Missing::Kind::not_described || missing.kind == Missing::Kind::on_request ||
+        !is_header(missing.part))
+      continue;
     json& lines = reasons.emplace(missing.part, json::array()).first->second;
     for (const json& line : emit::lines_of(emit::split_lines(missing.reason))) lines.push_back(line);
   }
   for (const auto& [part, lines] : reasons)
     output.files.push_back(
         {header_of(output.robot, part),
-         emit::render("missing.h", {{"name", output.robot}, {"part", part}, {"reasons", lines}})});
+         emit::render("cpp/missing.h", {{"name", output.robot}, {"part", part}, {"reasons", lines}})});
 }
 
 /// Includes the headers that there are, and says what there is not.
@@ -58,10 +60,10 @@ OutputFile umbrella_header(const RobotOutput& output) {
     if (has_file(output, header_of(output.robot, product.part))) parts.push_back({{"part", product.part}});
   const json missing = emit::lines_of(lines_of_missing(output));
   return {"include/qvgen/robots/" + output.robot + ".h",
-          emit::render("robot.h", {{"name", output.robot},
-                                   {"parts", parts},
-                                   {"missing", missing},
-                                   {"is_complete", missing.empty()}})};
+          emit::render("cpp/robot.h", {{"name", output.robot},
+                                       {"parts", parts},
+                                       {"missing", missing},
+                                       {"is_complete", missing.empty()}})};
 }
 
 /// True if a part that is named needs the product.
@@ -78,7 +80,17 @@ bool is_needed(const std::string& product, const Parts& parts) {
 /// Every part rests on the model header.
 bool is_wanted(const Product& product, const Parts& parts) {
   return (parts.empty() && !product.on_request) || is_needed(product.part, parts) ||
-         product.part == all_products().front().part || contains(parts, product.part);
+         product.part == all_products().front().part || contains(parts, product.part) ||
+         std::any_of(product.headers.begin(), product.headers.end(),
+                     [&](const std::string& header) { return contains(parts, header); });
+}
+
+/// The robot without requests that have been granted.
+model::Robot asked_for(model::Robot robot, const Parts& parts) {
+  auto& left = robot.on_request;
+  const auto is_named = [&](const std::string& part) { return contains(parts, part); };
+  left.erase(std::remove_if(left.begin(), left.end(), is_named), left.end());
+  return robot;
 }
 
 std::vector<Product> wanted_products(const Parts& parts) {
@@ -115,7 +127,7 @@ RobotOutput generate_extra(const model::Robot& robot, const Extra& extra, Langua
   return output;
 }
 
-/// What the products of each robot are, not put together yet.
+/// Makes the products of each robot, not put together yet.
 std::vector<RobotOutput> made(const std::vector<model::Robot>& robots, const std::vector<Product>& products,
                               const Budget& budget, const std::function<void(const std::string&)>& progress,
                               Language language) {
@@ -204,7 +216,10 @@ bool is_in(Language language, const std::string& folder_name) {
 
 std::vector<std::string> product_names() {
   std::vector<std::string> names;
-  for (const Product& product : all_products()) names.push_back(product.part);
+  for (const Product& product : all_products()) {
+    names.push_back(product.part);
+    names.insert(names.end(), product.headers.begin(), product.headers.end());
+  }
   for (const Extra& extra : all_extras()) names.push_back(extra.part);
   return names;
 }
@@ -240,10 +255,12 @@ bool has_part(const std::vector<Missing>& missing, const std::string& part) {
                       [&](const Missing& each) { return each.part == part || each.part == product; });
 }
 
-std::vector<RobotOutput> generate(const std::vector<model::Robot>& robots, const Parts& parts,
+std::vector<RobotOutput> generate(const std::vector<model::Robot>& described, const Parts& parts,
                                   const Budget& budget,
                                   const std::function<void(const std::string&)>& progress,
                                   Language language) {
+  std::vector<model::Robot> robots;
+  for (const model::Robot& robot : described) robots.push_back(asked_for(robot, parts));
   std::vector<RobotOutput> outputs = made(robots, wanted_products(parts), budget, progress, language);
   add_extras(robots, wanted_extras(parts), budget, language, outputs);
   outputs = whole(std::move(outputs), budget, language);
@@ -256,7 +273,7 @@ RobotOutput generate_page_functions(const model::Robot& robot, const Budget& bud
 }
 
 std::vector<OutputFile> shared_files() {
-  return {{"README.md", emit::render("generated_readme.md", json::object())}};
+  return {{"README.md", emit::render("cpp/readme.md", json::object())}};
 }
 
 }  // namespace qvgen::pipeline

@@ -13,6 +13,7 @@ namespace qvgen::pipeline {
 using nlohmann::ordered_json;
 
 NLOHMANN_JSON_SERIALIZE_ENUM(Missing::Kind, {{Missing::Kind::not_described, "not described"},
+                                             {Missing::Kind::on_request, "on request"},
                                              {Missing::Kind::not_derived, "not derived"},
                                              {Missing::Kind::not_in_language, "not in this language"},
                                              {Missing::Kind::not_finished, "not finished"},
@@ -63,6 +64,19 @@ void attempt_all(const std::vector<PartOfOutput>& parts, RobotOutput& output) {
       append(output, robot_output_from_text(outcomes[i].text));
     else
       output.missing.push_back({parts[i].part, Missing::Kind::not_finished, outcomes[i].text});
+}
+
+std::vector<PartOfOutput> without_requested(std::vector<PartOfOutput> parts,
+                                            const std::vector<std::string>& on_request, RobotOutput& output) {
+  const auto is_left = [&](const PartOfOutput& part) {
+    return std::find(on_request.begin(), on_request.end(), part.part) != on_request.end();
+  };
+  for (const PartOfOutput& part : parts)
+    if (is_left(part))
+      output.missing.push_back(
+          {part.part, Missing::Kind::on_request, "made on request, by --only " + part.part});
+  parts.erase(std::remove_if(parts.begin(), parts.end(), is_left), parts.end());
+  return parts;
 }
 
 std::vector<std::string> lines_of_missing(const RobotOutput& output) {

@@ -20,6 +20,7 @@ struct Missing {
   enum class Kind {
     not_described,    ///< the description has nothing to make it from (no inertia, no dynamics)
     not_derived,      ///< what can be derived does not cover this arm
+    on_request,       ///< the description leaves it to who names it
     not_in_language,  ///< it is there in another language
     not_finished,     ///< it has used up its budget of time or memory, or its process died
     refuted           ///< a certificate has failed: a defect of the generator, which says so
@@ -29,7 +30,7 @@ struct Missing {
   std::string reason;
 };
 
-/// What one robot yields: its files and its entry in operation_counts.json.
+/// Output of one robot: its files and its entry in operation_counts.json.
 struct RobotOutput {
   std::string robot;
   std::vector<OutputFile> files = {};
@@ -40,14 +41,18 @@ struct RobotOutput {
 /// Lets `generate` add a part to the output. If it throws, nothing of the part is left but the reason.
 void attempt(const std::string& part, RobotOutput& output, const std::function<void(RobotOutput&)>& generate);
 
-/// The same for several parts that do not need one another, each in a process of its own.
+/// Part of a robot's output, made in a process of its own; parts do not need one another.
 struct PartOfOutput {
   std::string part;
   std::function<void(RobotOutput&)> generate;
 };
 void attempt_all(const std::vector<PartOfOutput>& parts, RobotOutput& output);
 
-/// What operation_counts.json says of the missing parts, and back.
+/// Returns the parts without those on request, which are noted as missing from the output.
+std::vector<PartOfOutput> without_requested(std::vector<PartOfOutput> parts,
+                                            const std::vector<std::string>& on_request, RobotOutput& output);
+
+/// Writes the missing parts as in operation_counts.json, and reads them back.
 nlohmann::ordered_json missing_to_json(const std::vector<Missing>& missing);
 std::vector<Missing> missing_from_json(const nlohmann::ordered_json& json);
 
@@ -55,7 +60,7 @@ std::vector<Missing> missing_from_json(const nlohmann::ordered_json& json);
 /// inverse kinematics, of which it has under "targets" what each of them takes.
 std::vector<std::string> functions_in(const nlohmann::ordered_json& entry);
 
-/// What a robot does not get, with the reasons, as lines.
+/// Lists what a robot does not get, with the reasons, as lines.
 std::vector<std::string> lines_of_missing(const RobotOutput& output);
 
 /// Appends what another process has made of the same robot.

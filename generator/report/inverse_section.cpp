@@ -55,7 +55,7 @@ Section inverse_section(const model::Robot& robot) {
   json values{{"derivations", json::array()}, {"lines", json::array()}};
   for (const auto& elimination : derivation.eliminations) {
     values["lines"].push_back(line(escaped(emit::ability(robot, elimination))));
-    for (const std::string& text : describe_general(elimination))
+    for (const std::string& text : describe_elimination(elimination))
       values["lines"].push_back(line(escaped(text)));
   }
   if (const std::string by_angle = emit::arm_angle_ability(robot); !by_angle.empty())

@@ -33,7 +33,7 @@ std::map<std::string, std::string> sources_of(const model::Robot& robot, const C
 std::vector<std::string> folders_of(const CppFunctions& functions) {
   std::vector<std::string> folders;
   if (functions.has_arm_angle) folders.push_back("arm_angle");
-  if (!functions.inverse.function.empty()) folders.push_back("general");
+  if (!functions.inverse.function.empty()) folders.push_back("elimination");
   return folders;
 }
 

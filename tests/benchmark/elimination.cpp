@@ -13,13 +13,13 @@
 
 #include <valgrind/callgrind.h>
 
-#include "general/arms.h"
+#include "elimination/arms.h"
 
 namespace {
 
 using namespace qvgen::test;
 using qvgen::InstructionSet;
-using qvgen::inverse::general::Setup;
+using qvgen::inverse::elimination::Setup;
 using Pose = qvgen::Pose<double>;
 
 /// The tests' named arms, and some with all lengths and twists drawn at random.
@@ -89,7 +89,7 @@ void print_times(int count) {
   std::printf("%-24s%6s |%8s%8s%8s |%8s%8s |%8s%8s |%8s%8s%8s\n", "", "rows", "median", "mean", "99 %",
               "median", "mean", "median", "mean", "median", "mean", "99 %");
   for (const Arm& arm : all_arms()) {
-    const Setup setup = qvgen::inverse::general::set_up(arm.description());
+    const Setup setup = qvgen::inverse::elimination::set_up(arm.description());
     const std::vector<Pose> random = poses_of(arm, "random", count);
     const auto times = [&](InstructionSet registers) { return times_of(setup, random, registers); };
     const Times eight = times(InstructionSet::avx512), four = times(InstructionSet::avx2);
@@ -105,7 +105,7 @@ void print_times(int count) {
 bool count(const std::string& name, InstructionSet registers, const std::string& set, int poses) {
   for (const Arm& arm : all_arms()) {
     if (arm.name != name) continue;
-    const Setup setup = qvgen::inverse::general::set_up(arm.description());
+    const Setup setup = qvgen::inverse::elimination::set_up(arm.description());
     int rows = 0;
     for (const Pose& pose : poses_of(arm, set, poses)) {
       CALLGRIND_ZERO_STATS;

@@ -12,7 +12,7 @@ trap 'rm -r "$folder"' EXIT
 # count ARM REGISTERS SET: median, mean and worst.
 count() {
   rm -f "$folder"/out*
-  valgrind --tool=callgrind --toggle-collect='qvgen::inverse::general::solve(*' --callgrind-out-file="$folder/out" \
+  valgrind --tool=callgrind --toggle-collect='qvgen::inverse::elimination::solve(*' --callgrind-out-file="$folder/out" \
     --log-file="$folder/log" "$program" count "$1" "$2" "$3" "$poses" >/dev/null
   for file in "$folder"/out.*; do sed -n 's/^totals: //p' "$file"; done | sort -n | awk '
     { value[NR] = $1; sum += $1 }

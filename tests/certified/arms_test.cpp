@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What is proven of rows that the elimination finds, and that nothing wrong is.
-#include "../general/arms.h"
+#include "../elimination/arms.h"
 
 #include <chrono>
 #include <cstdio>
@@ -16,7 +16,7 @@ using Row = std::array<double, certified::joints>;
 
 /// The arm whose numbers are next to those doubles.
 certified::Arm in_bounds(const Arm& arm) {
-  const inverse::general::Description description = arm.description();
+  const inverse::elimination::Description description = arm.description();
   certified::Arm result;
   for (std::size_t i = 0; i < certified::joints; ++i) {
     const inverse::Screw<double>& joint = description.axes[i];
@@ -53,7 +53,7 @@ Outcome certify(const certified::Arm& arm, const Pose<double>& pose, const std::
 /// An arm and a pose that it reaches, with the rows that are found for it.
 struct Case {
   explicit Case(const Arm& from)
-      : arm(from), bounds(in_bounds(from)), setup(inverse::general::set_up(from.description())) {}
+      : arm(from), bounds(in_bounds(from)), setup(inverse::elimination::set_up(from.description())) {}
 
   void take(const Joints6& q) {
     const Eigen::Isometry3d tool = arm.tool(q);
@@ -67,7 +67,7 @@ struct Case {
 
   const Arm& arm;
   certified::Arm bounds;
-  inverse::general::Setup setup;
+  inverse::elimination::Setup setup;
   Pose<double> pose;
   std::vector<Row> rows;
 };

@@ -3,7 +3,7 @@
 // found is certified on the way: joints of the described arm are among the solutions.
 #include <gtest/gtest.h>
 
-#include "../pieper/seven_arms.h"
+#include "../inverse/families/seven_arms.h"
 #include "description/reader.h"
 #include "pipeline/products/arm_angle.h"
 

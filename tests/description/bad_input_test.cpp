@@ -223,6 +223,9 @@ TEST(BadInput, Tasks) {
             lines({"3:9: error: 'given' names 't1' twice; leave one out"}));
   EXPECT_EQ(report(head + "given = \"\"\n" + joint),
             lines({"3:9: error: 'given' names no joint: ''; write one of \"t1\""}));
+  EXPECT_EQ(report(head + "on_request = \"dynamics_load\"\n" + joint),
+            lines({"3:14: error: 'on_request' names no such part: 'dynamics_load'; did you mean "
+                   "'dynamics_loads'?"}));
   EXPECT_EQ(report(head + "tool_axis = \"+w\"\n" + joint),
             lines({"3:13: error: '+w' is no axis; write \"+x\", \"-x\", \"+y\", \"-y\", \"+z\" or \"-z\", or "
                    "three entries [x, y, z]"}));

@@ -116,16 +116,16 @@ TEST(Literal, IsTheShortestTextOfTheNearestDouble) {
 }
 
 TEST(Render, FillsTemplatesWithoutEscaping) {
-  const std::string text = emit::render("robot.h", {{"name", "a<b"},
-                                                    {"parts", {{{"part", "kinematics"}}}},
-                                                    {"missing", nlohmann::json::array()},
-                                                    {"is_complete", true}});
+  const std::string text = emit::render("cpp/robot.h", {{"name", "a<b"},
+                                                        {"parts", {{{"part", "kinematics"}}}},
+                                                        {"missing", nlohmann::json::array()},
+                                                        {"is_complete", true}});
   EXPECT_NE(text.find("#include <qvgen/robots/a<b/kinematics.h>"), std::string::npos);
 }
 
 TEST(Render, MissingKeyIsAnError) {
   try {
-    emit::render("robot.h", {{"parts", {{{"part", "kinematics"}}}}});
+    emit::render("cpp/robot.h", {{"parts", {{{"part", "kinematics"}}}}});
     FAIL() << "no error";
   } catch (const std::invalid_argument& error) {
     EXPECT_STREQ(error.what(), "template robot.h: no value for the key name");
@@ -133,6 +133,6 @@ TEST(Render, MissingKeyIsAnError) {
   EXPECT_THROW(emit::render("no such template", {}), std::invalid_argument);
 }
 
-TEST(Render, EveryTemplateIsBuiltIn) { EXPECT_TRUE(emit::builtin_templates().count("kinematics.h")); }
+TEST(Render, EveryTemplateIsBuiltIn) { EXPECT_TRUE(emit::builtin_templates().count("cpp/kinematics.h")); }
 
 }  // namespace

@@ -39,9 +39,9 @@ class Inverse : public testing::TestWithParam<InverseUnderTest> {
 
   /// Arms without a closed form: where solutions meet or the polynomial is flat one may be lost. README.md
   /// counts how many.
-  static bool is_general() { return GetParam().info.by_elimination; }
+  static bool by_elimination() { return GetParam().info.by_elimination; }
 
-  /// What came of a whole set.
+  /// Tally of a whole set.
   struct Tally {
     int poses = 0;
     int empty = 0;
@@ -79,7 +79,7 @@ class Inverse : public testing::TestWithParam<InverseUnderTest> {
       tally.missing += verdict.missing ? 1 : 0;
       EXPECT_TRUE(verdict.fault.empty()) << name << ", pose " << i << ": " << verdict.fault;
     }
-    if (is_general()) expect_few(name, tally);
+    if (by_elimination()) expect_few(name, tally);
     return tally;
   }
 

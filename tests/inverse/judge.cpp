@@ -42,7 +42,7 @@ class Judge {
     verdict_.fault = text.str();
   }
 
-  /// Whether the arm has no closed form, and its status says that there may be more solutions.
+  /// True if the arm has no closed form, and its status says that there may be more solutions.
   [[nodiscard]] bool admits() const {
     return test_.robot().info.by_elimination && found_.status == Status::incomplete;
   }
@@ -72,7 +72,7 @@ class Judge {
     bool continuum = false;
     for (const Row& r : found_.rows) continuum = continuum || r.continuum;
     const Status status = found_.status;
-    // All allowed work was done: there may be other rows, or none. How often is the law of effort_test.cpp.
+    // All allowed work was done: there may be other rows, or none. How often is the law of budget_test.cpp.
     if (status == Status::incomplete && found_.effort.used_up && sample_.expect != Expect::invalid) return;
     const bool none = status == Status::unreachable || status == Status::invalid;
     if (found_.rows.empty() != none) blame("status and rows disagree");
@@ -101,7 +101,7 @@ Eigen::VectorXd projected(const Case& test, const Sample& sample, Eigen::VectorX
   return q;
 }
 
-/// Whether a curve of joints that all reach the pose leads from the sample to a row: it is followed in steps.
+/// True if a curve of joints that all reach the pose leads from the sample to a row: it is followed in steps.
 /// Between two separate solutions there is none: the steps fall back to the first, and a jump is left over at
 /// the end.
 bool joined(const Case& test, const Sample& sample, const Eigen::VectorXd& row) {

@@ -48,7 +48,7 @@ class InversePaths : public Inverse {
   }
 
   /// README.md counts how many.
-  static int allowed_faults(int paths) { return paths / (is_general() ? 10 : 100); }
+  static int allowed_faults(int paths) { return paths / (by_elimination() ? 10 : 100); }
 
   void expect_no_jumps(const Nearest& nearest) {
     for (const char* name : {"random", "theta5 = 0", "theta5 = pi", "a joint at 0", "a joint at pi",
@@ -57,7 +57,7 @@ class InversePaths : public Inverse {
       EXPECT_LE(tally.faults, allowed_faults(tally.paths)) << tally.first;
       const std::string form = testing::UnitTest::GetInstance()->current_test_info()->name();
       Tally& together =
-          all()[form.substr(0, form.find('/')) + (is_general() ? ", by elimination, " : ", ") + name];
+          all()[form.substr(0, form.find('/')) + (by_elimination() ? ", by elimination, " : ", ") + name];
       together.paths += tally.paths;
       together.faults += tally.faults;
     }
@@ -81,7 +81,7 @@ TEST_P(InversePaths, NearTheSeedNothingJumps) {
 
 /// The first one of all solutions.
 TEST_P(InversePaths, TheNearestRowDoesNotJump) {
-  if (is_general())
+  if (by_elimination())
     GTEST_SKIP() << "for an arm without a closed form rows may be missing near singular poses";
   expect_no_jumps(first_row([&](const auto& pose, double given, const auto& seed) {
     return GetParam().solve_from(pose, given, seed);
@@ -110,7 +110,7 @@ TEST_P(InversePaths, NearTheSeedEveryPoseIsAnswered) {
       if (sample->expect == Expect::unreachable) {
         EXPECT_TRUE(found.rows.empty()) << set.name;
       }
-      if (!is_general()) {
+      if (!by_elimination()) {
         EXPECT_EQ(found.rows.empty(), all.rows.empty()) << set.name;
       }
       std::set<int> branches;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the modules of robots share, forward kinematics, Jacobians and dynamics."""
+"""Shared parts of the modules of robots: forward kinematics, Jacobians and dynamics."""
 
 import pathlib
 
@@ -97,6 +97,11 @@ def test_points_and_singular_places(ns, rows):
     q[:, 4] = 0
     np.testing.assert_allclose(ns.singularity_measures(q)[:, ns.singularity_names.index("wrist")], 0, atol=1e-15)
     np.testing.assert_allclose(np.linalg.det(ns.jacobian(q)), 0, atol=1e-14)
+
+
+def test_limits_of_the_description(ns, arm):
+    assert arm.velocity_limits == [2, 3] and arm.effort_limits == [10, 7.5]
+    assert ns.velocity_limits == ns.effort_limits == [float("inf")] * 6  # it has none
 
 
 def test_constants_by_name(ns, rows):

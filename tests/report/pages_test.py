@@ -150,7 +150,7 @@ class Pages(unittest.TestCase):
         self.assertIn("compare --time", report(folder, "ns_arm", "--times", str(folder / "counts.json"), fails=True))
 
     def test_printed_formulas_are_all_there(self):
-        document = (source / "tests/sources/printed_equations.md").read_text()
+        document = (source / "tests/errata/printed_equations.md").read_text()
         printed = sum(line.startswith("| ") for line in document.splitlines()) - document.count("\n|---")
         rows = list(self.trees["errata.html"].iter(xhtml + "tr"))
         self.assertEqual(sum(row.find(xhtml + "td") is not None for row in rows), printed)

@@ -45,7 +45,7 @@ std::vector<Parameter> parameters_of(const model::Robot& robot, const DynamicsIn
   return list;
 }
 
-/// What no joint variable takes part in, in a scope of its own.
+/// Writes the values that depend on no joint variable, in a scope of their own.
 std::vector<std::string> set_up(const Code& code) {
   if (code.outputs.empty()) return {};
   std::vector<std::string> lines{"double k[" + std::to_string(code.outputs.size()) + "];", "{"};
@@ -134,7 +134,7 @@ Part dynamics(const model::Robot& robot, const std::vector<optimise::Optimised>&
   for (const optimise::Optimised& function : functions) {
     if (dynamics_interface(function.name).result == Result::derivatives)
       all +=
-          {render("c_dynamics_derivatives.h", {{"name", robot.name}, {"dof", model::driven_count(robot)}})};
+          {render("c/dynamics_derivatives.h", {{"name", robot.name}, {"dof", model::driven_count(robot)}})};
     all += written(robot, {function_of(robot, function)});
   }
   return all;
@@ -142,7 +142,7 @@ Part dynamics(const model::Robot& robot, const std::vector<optimise::Optimised>&
 
 Part regressor_with_drives(const model::Robot& robot, const derive::dynamics::DriveRegressor& regressor,
                            const optimise::Optimised& function) {
-  Part part{render("c_regressor_with_drives.h",
+  Part part{render("c/regressor_with_drives.h",
                    {{"name", robot.name}, {"count", regressor.regressor.names.size()}})};
   return part += written(robot, {identifiable_parameters(robot, regressor), function_of(robot, function)});
 }
@@ -157,7 +157,7 @@ Part total_mass(const model::Robot& robot) {
 
 Part regressor(const model::Robot& robot, const derive::dynamics::Regressor& regressor,
                const optimise::Optimised& function) {
-  Part part{render("c_regressor.h", {{"name", robot.name}, {"count", regressor.names.size()}})};
+  Part part{render("c/regressor.h", {{"name", robot.name}, {"count", regressor.names.size()}})};
   return part += written(robot, {base_parameters(robot, regressor), function_of(robot, function)});
 }
 

@@ -136,7 +136,7 @@ std::string place(const std::string& target, bool of_vector) {
 Part written(const model::Robot& robot, const std::vector<Function>& functions) {
   json values{{"name", robot.name}, {"functions", json::array()}};
   for (const Function& function : functions) values["functions"].push_back(values_of(function));
-  return {render("c_functions.h", values), render("c_functions.c", values)};
+  return {render("c/functions.h", values), render("c/functions.c", values)};
 }
 
 void append(std::vector<std::string>& lines, const std::vector<std::string>& more) {

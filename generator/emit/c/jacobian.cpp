@@ -79,7 +79,7 @@ Part frames(const model::Robot& robot, const std::vector<std::string>& names,
   nlohmann::json list = nlohmann::json::array();
   for (const std::string& name : names)
     list.push_back({{"robot", robot.name}, {"frame", name}, {"index", list.size()}});
-  Part part{render("c_frames.h", {{"robot", robot.name},
+  Part part{render("c/frames.h", {{"robot", robot.name},
                                   {"frames", list},
                                   {"link_count", robot.joints.size()},
                                   {"frame_count", names.size()}})};
@@ -92,7 +92,7 @@ Part jacobian(const model::Robot& robot, const std::vector<JacobianFunction>& fu
   std::vector<Function> all;
   for (const JacobianFunction& function : functions)
     if (!function.targets.empty()) all.push_back(function_of(robot, function));
-  Part part{render("c_jacobian.h", {{"name", robot.name}, {"dof", model::driven_count(robot)}})};
+  Part part{render("c/jacobian.h", {{"name", robot.name}, {"dof", model::driven_count(robot)}})};
   return part += written(robot, all);
 }
 

@@ -45,7 +45,7 @@ Part pose(const model::Robot& robot, const optimise::Optimised& optimised,
           const std::vector<std::string>& doc) {
   std::vector<std::string> places = entries("result->orientation", 4);
   append(places, entries("result->position", 3));
-  Part part{render("c_kinematics.h", {{"name", robot.name}})};
+  Part part{render("c/kinematics.h", {{"name", robot.name}})};
   return part += written(robot, {function_of(robot, optimised, doc, result_struct(robot, "pose"), places)});
 }
 
@@ -57,11 +57,11 @@ Part transform(const model::Robot& robot, const optimise::Optimised& optimised,
 }
 
 Part file(const std::string& robot, const Part& parts, const std::vector<std::string>& missing) {
-  return {render("c_header.h", {{"name", robot},
+  return {render("c/header.h", {{"name", robot},
                                 {"body", parts.header},
                                 {"missing", lines_of(missing)},
                                 {"has_missing", !missing.empty()}}),
-          render("c_source.c", {{"name", robot}, {"body", parts.source}})};
+          render("c/source.c", {{"name", robot}, {"body", parts.source}})};
 }
 
 }  // namespace qvgen::emit::c

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -12,9 +13,12 @@ namespace {
 
 using nlohmann::json;
 
-std::string number(double value) { return spelling().number(fmt::format("{}", value)); }
+std::string number(double value) {
+  if (std::isinf(value)) return value > 0 ? "HUGE_VAL" : "-HUGE_VAL";
+  return spelling().number(fmt::format("{}", value));
+}
 
-/// What is computed with a constant that nobody has set says so.
+/// Writes the value of a constant; NAN if nobody has set it, so that results show it.
 std::string value_of(const Constant& constant) { return constant.value ? number(*constant.value) : "NAN"; }
 
 Part constants(const model::Robot& robot, const std::string& name, const std::string& text,
@@ -31,14 +35,16 @@ Part constants(const model::Robot& robot, const std::string& name, const std::st
   if (list.empty())  // C has no empty struct
     values["parameters"].push_back(
         {{"type", "char"}, {"parameter", "none"}, {"default", "0"}, {"last", true}});
-  return {render("c_constants.h", values), render("c_constants.c", values)};
+  return {render("c/constants.h", values), render("c/constants.c", values)};
 }
 
 json values_of(const Joint& joint) {
   return {{"variable", joint.name},
           {"revolute", joint.revolute ? "1" : "0"},
           {"lower", joint.limits ? number(joint.limits->first) : "-HUGE_VAL"},
-          {"upper", joint.limits ? number(joint.limits->second) : "HUGE_VAL"}};
+          {"upper", joint.limits ? number(joint.limits->second) : "HUGE_VAL"},
+          {"velocity", number(joint.greatest_velocity)},
+          {"effort", number(joint.greatest_effort)}};
 }
 
 }  // namespace
@@ -52,7 +58,7 @@ Part model(const model::Robot& robot, const std::vector<Joint>& joints,
     values["joints"].push_back(values_of(joint));
     values["joints"].back()["last"] = &joint == &joints.back();
   }
-  Part part{render("c_model.h", values), render("c_model.c", values)};
+  Part part{render("c/model.h", values), render("c/model.c", values)};
   return part += constants(robot, "geometry", "Geometric constants, metres or radians.", geometry);
 }
 

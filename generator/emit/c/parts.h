@@ -23,6 +23,8 @@ struct Joint {
   std::string name;
   bool revolute;
   std::optional<std::pair<double, double>> limits;  ///< rad or m
+  double greatest_velocity;                         ///< rad/s or m/s, infinite if there is none
+  double greatest_effort;                           ///< Nm or N, infinite if there is none
 };
 
 /// Joints, and the struct of geometric constants.

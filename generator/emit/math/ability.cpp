@@ -36,7 +36,7 @@ std::string asked(const Problem& problem) {
   return {};
 }
 
-/// What the derivation has put behind the arm's own joints.
+/// Names the joints that the derivation has put behind the arm's own.
 std::string virtual_joints(const Problem& problem) {
   std::string text;
   const auto& joints = problem.moving.joints;
@@ -62,11 +62,11 @@ std::string ability(const model::Robot& described, const Problem& problem, const
   return text + virtual_joints(problem);
 }
 
-/// Of an elimination: with two slides its polynomial has half the degree.
-int most_solutions(const derive::inverse::GeneralDerivation& derivation) {
-  namespace general = qvgen::inverse::general;
-  const bool slides = derivation.setup.eliminations[0].pair == general::Pair::slides;
-  return slides ? general::most_solutions / 2 : general::most_solutions;
+/// Returns the most solutions of an elimination: with two slides its polynomial has half the degree.
+int most_solutions(const derive::inverse::EliminationDerivation& derivation) {
+  namespace elimination = qvgen::inverse::elimination;
+  const bool slides = derivation.setup.eliminations[0].pair == elimination::Pair::slides;
+  return slides ? elimination::most_solutions / 2 : elimination::most_solutions;
 }
 
 }  // namespace
@@ -76,7 +76,7 @@ std::string ability(const model::Robot& described, const Derivation& derivation)
                  derivation.plan.quartic() ? ", by a quartic" : "");
 }
 
-std::string ability(const model::Robot& described, const derive::inverse::GeneralDerivation& derivation) {
+std::string ability(const model::Robot& described, const derive::inverse::EliminationDerivation& derivation) {
   const std::string near = described.ideal.empty() ? ""
                                                    : " Next to a seed also from the closed form of " +
                                                          described.ideal + ", not complete (from_ideal.h).";

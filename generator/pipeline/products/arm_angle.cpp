@@ -91,9 +91,9 @@ void generate_arm_angle(const model::Robot& described, RobotOutput& output) {
                               {"certificate", certify(with_names, robot, arm).text()},
                               {"arm", emit::arm_angle_values(robot, arm)}};
   output.files.push_back(
-      {"include/qvgen/robots/" + described.name + "/arm_angle.h", emit::render("arm_angle.h", values)});
+      {"include/qvgen/robots/" + described.name + "/arm_angle.h", emit::render("cpp/arm_angle.h", values)});
   output.files.push_back(
-      {"source/" + described.name + "/arm_angle.cpp", emit::render("arm_angle.cpp", values)});
+      {"source/" + described.name + "/arm_angle.cpp", emit::render("cpp/arm_angle.cpp", values)});
   // Not counted, but listed with the functions that are.
   for (const char* function : {"arm_angle", "inverse_kinematics_arm_angle", "arm_angle_intervals"})
     output.counts[function] = nlohmann::ordered_json::object();

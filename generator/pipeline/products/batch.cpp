@@ -15,7 +15,7 @@ using nlohmann::json;
 
 constexpr const char* part = "batch";
 
-/// Of the inverse velocity, which every robot with Jacobians has: a list of one or none.
+/// Returns the values of the inverse velocity, which every robot with Jacobians has: a list of one or none.
 json rates_values(const model::Robot& robot, const std::vector<emit::BatchForm>& forms) {
   const bool has_jacobian =
       std::any_of(forms.begin(), forms.end(), [](const auto& form) { return form.name == "jacobian"; });
@@ -41,7 +41,7 @@ void add_source(const model::Robot& robot, const std::vector<emit::BatchForm>& a
   values["holder"] = are_long ? "BatchDerivatives" : "BatchForms";
   values["rates"] = rates_values(robot, forms);
   output.files.push_back({"source/" + robot.name + (are_long ? "/batch_derivatives.cpp" : "/batch.cpp"),
-                          emit::render("batch.cpp", values)});
+                          emit::render("cpp/batch.cpp", values)});
 }
 
 }  // namespace
@@ -61,13 +61,13 @@ void add_batch(const model::Robot& robot, RobotOutput& output) {
   values["rates"] = rates_values(robot, forms);
   values["inverse"] = has_inverse ? inverse_batch_values(robot) : json(false);
   output.files.push_back(
-      {"include/qvgen/robots/" + robot.name + "/batch.h", emit::render("batch.h", values)});
+      {"include/qvgen/robots/" + robot.name + "/batch.h", emit::render("cpp/batch.h", values)});
   const std::string sources = "source/" + robot.name + "/";
   add_source(robot, forms, false, output);
   add_source(robot, forms, true, output);
   if (has_inverse)
     output.files.push_back(
-        {sources + "inverse_batch.cpp", emit::render("inverse_batch.cpp", values["inverse"])});
+        {sources + "inverse_batch.cpp", emit::render("cpp/inverse_batch.cpp", values["inverse"])});
 }
 
 }  // namespace qvgen::pipeline

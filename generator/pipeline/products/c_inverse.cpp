@@ -42,8 +42,8 @@ void add_c_inverse(const model::Robot& robot, RobotOutput& output) {
     if (output.counts.contains(function))
       return leave_out("it is a closed form, which --language c writes in C99", output);
   const json values{{"name", robot.name}, {"dof", robot.joints.size()}, {"variants", variants_of(targets)}};
-  output.files.push_back({"c/qvgen_" + robot.name + "_inverse.h", emit::render("c_inverse.h", values)});
-  output.files.push_back({"source/" + robot.name + "/c_inverse.cpp", emit::render("c_inverse.cpp", values)});
+  output.files.push_back({"c/qvgen_" + robot.name + "_inverse.h", emit::render("c/inverse.h", values)});
+  output.files.push_back({"source/" + robot.name + "/c_inverse.cpp", emit::render("c/inverse.cpp", values)});
 }
 
 }  // namespace qvgen::pipeline

@@ -55,8 +55,9 @@ void add_certified(const model::Robot& robot, RobotOutput& output) {
                     {"arm", emit::arm_in_bounds_values(robot)},
                     {"variants", variants_of(robot, targets)}};
   output.files.push_back(
-      {"include/qvgen/robots/" + robot.name + "/certified.h", emit::render("certified.h", values)});
-  output.files.push_back({"source/" + robot.name + "/certified.cpp", emit::render("certified.cpp", values)});
+      {"include/qvgen/robots/" + robot.name + "/certified.h", emit::render("cpp/certified.h", values)});
+  output.files.push_back(
+      {"source/" + robot.name + "/certified.cpp", emit::render("cpp/certified.cpp", values)});
 }
 
 }  // namespace qvgen::pipeline

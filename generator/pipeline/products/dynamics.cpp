@@ -120,8 +120,9 @@ void generate_dynamics_product(const model::Robot& described, RobotOutput& outpu
                   "dynamics_loads", "LoadAngles", json::object(), made);
   };
   const auto regressor = [&](RobotOutput& made) { add_regressor(model, made); };
-  attempt_all({{"dynamics_derivatives", derivatives}, {"dynamics_loads", loads}, {"regressor", regressor}},
-              output);
+  const std::vector<PartOfOutput> parts{
+      {"dynamics_derivatives", derivatives}, {"dynamics_loads", loads}, {"regressor", regressor}};
+  attempt_all(without_requested(parts, described.on_request, output), output);
 }
 
 void generate_dynamics_c(const model::Robot& described, RobotOutput& output) {
@@ -151,9 +152,9 @@ void generate_dynamics_c(const model::Robot& described, RobotOutput& output) {
     add_c_part(made, emit::c::regressor(robot, regressor, function));
     made.counts[function.name] = entry_of(robot, function);
   };
-  attempt_all(
-      {{"dynamics_derivatives", derivatives}, {"dynamics_loads", loads}, {"regressor", with_regressor}},
-      output);
+  const std::vector<PartOfOutput> parts{
+      {"dynamics_derivatives", derivatives}, {"dynamics_loads", loads}, {"regressor", with_regressor}};
+  attempt_all(without_requested(parts, described.on_request, output), output);
 }
 
 }  // namespace qvgen::pipeline

@@ -52,9 +52,11 @@ namespace {
 /// instances.
 void add_files(const model::Robot& robot, const std::string& part, const json& values, RobotOutput& output) {
   const std::string headers = "include/qvgen/robots/" + robot.name + "/";
-  output.files.push_back({headers + part + ".h", emit::render(part + ".h", values)});
-  output.files.push_back({headers + part + "_definitions.h", emit::render(part + "_definitions.h", values)});
-  output.files.push_back({"source/" + robot.name + "/" + part + ".cpp", emit::render(part + ".cpp", values)});
+  output.files.push_back({headers + part + ".h", emit::render("cpp/" + part + ".h", values)});
+  output.files.push_back(
+      {headers + part + "_definitions.h", emit::render("cpp/" + part + "_definitions.h", values)});
+  output.files.push_back(
+      {"source/" + robot.name + "/" + part + ".cpp", emit::render("cpp/" + part + ".cpp", values)});
 }
 
 json angles_and_name(const model::Robot& robot, const std::vector<dag::Angle>& angles,

@@ -50,9 +50,11 @@ void generate_frames(const model::Robot& described, RobotOutput& output) {
   for (const emit::JacobianFunction& function : functions)
     values["functions"].push_back(emit::to_values(function, described, angles, "detail::NoFrameAngles"));
   const std::string headers = "include/qvgen/robots/" + described.name + "/";
-  output.files.push_back({headers + "frames.h", emit::render("frames.h", values)});
-  output.files.push_back({headers + "frames_definitions.h", emit::render("frames_definitions.h", values)});
-  output.files.push_back({"source/" + described.name + "/frames.cpp", emit::render("frames.cpp", values)});
+  output.files.push_back({headers + "frames.h", emit::render("cpp/frames.h", values)});
+  output.files.push_back(
+      {headers + "frames_definitions.h", emit::render("cpp/frames_definitions.h", values)});
+  output.files.push_back(
+      {"source/" + described.name + "/frames.cpp", emit::render("cpp/frames.cpp", values)});
 }
 
 void generate_frames_c(const model::Robot& described, RobotOutput& output) {

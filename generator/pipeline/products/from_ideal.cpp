@@ -8,7 +8,7 @@ namespace qvgen::pipeline {
 void generate_from_ideal(const model::Robot& robot, RobotOutput& output) {
   if (robot.ideal.empty()) return;
   output.files.push_back({"include/qvgen/robots/" + robot.name + "/from_ideal.h",
-                          emit::render("from_ideal.h", {{"name", robot.name}, {"ideal", robot.ideal}})});
+                          emit::render("cpp/from_ideal.h", {{"name", robot.name}, {"ideal", robot.ideal}})});
 }
 
 void generate_from_ideal_c(const model::Robot& robot, RobotOutput& output) {

@@ -38,7 +38,7 @@ void add_given_joint(const model::Robot& robot, RobotOutput& output) {
     return;
   }
   output.files.push_back({"include/qvgen/robots/" + robot.name + "/given_joint.h",
-                          emit::render("given_joint.h", {{"name", robot.name}, {"joints", joints}})});
+                          emit::render("cpp/given_joint.h", {{"name", robot.name}, {"joints", joints}})});
 }
 
 }  // namespace qvgen::pipeline

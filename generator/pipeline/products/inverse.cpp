@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <qvgen/inverse/effort.h>
+#include <qvgen/inverse/budget.h>
 
 #include "emit/c/inverse/dialect.h"
 #include "emit/c/inverse/source.h"
@@ -23,7 +23,7 @@
 #include "model/tasks.h"
 #include "pipeline/pipeline.h"
 #include "pipeline/products/inverse_derivation.h"
-#include "pipeline/products/inverse_general.h"
+#include "pipeline/products/inverse_elimination.h"
 #include "pipeline/products/inverse_values.h"
 #include "pipeline/products/inverse_variant.h"
 #include "verify/inverse/certify.h"
@@ -81,8 +81,9 @@ json effort_values(const qvgen::inverse::Budget& budget, std::size_t joints, int
           {"instructions", thousands_text(thousands_of_instructions(budget, joints, branches))}};
 }
 
-/// What follows one branch: the first pass, if there is one, and the careful one. Not of arms whose rows have
-/// to be looked at: what reaches one pose of theirs need not lead on to the next.
+/// Returns the values of the code that follows one branch: the first pass, if there is one, and the careful
+/// one. Arms whose rows have to be checked have none: a row that reaches one pose need not lead on to the
+/// next.
 json seed_branch(const derive::inverse::Problem& problem, const derive::inverse::LoweredPlan& plan,
                  const emit::Dialect& dialect) {
   if (problem.filter != derive::inverse::Filter::none || !emit::has_seed_branch(plan)) return false;
@@ -93,7 +94,7 @@ json seed_branch(const derive::inverse::Problem& problem, const derive::inverse:
           {"careful", lines(emit::Pass::careful)}};
 }
 
-/// What templates of C need besides.
+/// Adds the values that templates of C need besides.
 void add_values_in_c(const model::Robot& described, const derive::inverse::Derivation& derivation,
                      json& values) {
   const derive::inverse::Problem& problem = derivation.problem;
@@ -216,13 +217,13 @@ void generate_inverse(const model::Robot& described, RobotOutput& output) {
   if (!derivation.found()) return add_reasons(derivation, output);
   const json values = values_of(described, derivation, Language::cxx, output);
   output.files.push_back(
-      {"include/qvgen/robots/" + described.name + "/inverse.h", emit::render("inverse.h", values)});
+      {"include/qvgen/robots/" + described.name + "/inverse.h", emit::render("cpp/inverse.h", values)});
   const std::string sources = "source/" + described.name + "/";
-  output.files.push_back({sources + "inverse_steps.h", emit::render("inverse_steps.h", values)});
-  output.files.push_back({sources + "inverse.cpp", emit::render("inverse.cpp", values)});
+  output.files.push_back({sources + "inverse_steps.h", emit::render("cpp/inverse_steps.h", values)});
+  output.files.push_back({sources + "inverse.cpp", emit::render("cpp/inverse.cpp", values)});
   const auto in_lanes = [](const json& variant) { return variant["has_lanes"] == "true"; };
   if (std::any_of(values["variants"].begin(), values["variants"].end(), in_lanes))
-    output.files.push_back({sources + "inverse_avx2.cpp", emit::render("inverse_avx2.cpp", values)});
+    output.files.push_back({sources + "inverse_avx2.cpp", emit::render("cpp/inverse_avx2.cpp", values)});
 }
 
 void generate_inverse_c(const model::Robot& described, RobotOutput& output) {

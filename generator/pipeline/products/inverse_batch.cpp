@@ -18,7 +18,7 @@ using derive::inverse::LoweredPlan;
 using derive::inverse::Problem;
 using nlohmann::json;
 
-/// Whether the rows of the plan are those of the function, without a look at what they reach.
+/// True if the rows of the plan are those of the function, without a look at what they reach.
 bool rows_are_results(const model::Robot& described, const Problem& problem) {
   const bool takes_poses = problem.task == model::Task::pose || problem.task == model::Task::position;
   return takes_poses && problem.filter == derive::inverse::Filter::none &&
@@ -37,7 +37,7 @@ void set_geometry(const json& geometry, const std::string& phase_of_given, json&
   }
 }
 
-/// Of the solver of several poses side by side; false if there is none.
+/// Returns the values of the solver of several poses side by side; false if there is none.
 json lane_values(const model::Robot& described, const derive::inverse::Derivation& derivation,
                  const std::string& given) {
   const Problem& problem = derivation.problem;
@@ -81,9 +81,9 @@ json variant(const model::Robot& described, const derive::inverse::Derivation& d
 }
 
 /// By single calls.
-json variant(const model::Robot& described, const derive::inverse::GeneralDerivation& derivation) {
+json variant(const model::Robot& described, const derive::inverse::EliminationDerivation& derivation) {
   json values = variant_names(described, derivation.problem);
-  values["capacity"] = inverse::general::most_solutions;
+  values["capacity"] = inverse::elimination::most_solutions;
   values["lanes"] = false;
   return values;
 }
@@ -95,7 +95,7 @@ json inverse_batch_values(const model::Robot& described) {
   json values{{"name", described.name}, {"variants", json::array()}};
   for (const derive::inverse::Derivation& form : derivation.closed_forms)
     values["variants"].push_back(variant(described, form));
-  for (const derive::inverse::GeneralDerivation& elimination : derivation.eliminations)
+  for (const derive::inverse::EliminationDerivation& elimination : derivation.eliminations)
     values["variants"].push_back(variant(described, elimination));
   const json& variants = values["variants"];
   values["has_lanes"] = std::any_of(variants.begin(), variants.end(),

@@ -21,9 +21,9 @@ void add_closed_forms(const model::Robot& described, InverseDerivation& result) 
 }
 
 void add_eliminations(const model::Robot& described, InverseDerivation& result) {
-  derive::inverse::GeneralDerivations general = derive::inverse::derive_general(described);
-  result.eliminations = std::move(general.found);
-  result.reasons.insert(result.reasons.end(), general.reasons.begin(), general.reasons.end());
+  derive::inverse::EliminationDerivations derivations = derive::inverse::derive_eliminations(described);
+  result.eliminations = std::move(derivations.found);
+  result.reasons.insert(result.reasons.end(), derivations.reasons.begin(), derivations.reasons.end());
 }
 
 /// True if a closed form is a quartic of an arm with axes that nearly meet. Its equations are nearly those of
@@ -37,9 +37,9 @@ bool has_faint_quartic(const model::Robot& described, const InverseDerivation& d
 
 /// Puts eliminations in place of closed forms, if there are any.
 void replace_by_eliminations(const model::Robot& described, InverseDerivation& derivation) {
-  derive::inverse::GeneralDerivations general = derive::inverse::derive_general(described);
-  if (general.found.empty()) return;
-  derivation = {{}, std::move(general.found), {}};
+  derive::inverse::EliminationDerivations derivations = derive::inverse::derive_eliminations(described);
+  if (derivations.found.empty()) return;
+  derivation = {{}, std::move(derivations.found), {}};
 }
 
 }  // namespace
@@ -50,10 +50,10 @@ InverseDerivation derive_inverse(const model::Robot& described) {
     result.reasons = {"a joint follows another, and none is derived for such arms"};
     return result;
   }
-  const bool is_general = derive::inverse::lacks_structure(described);
-  if (is_general) add_eliminations(described, result);
+  const bool has_no_structure = derive::inverse::lacks_structure(described);
+  if (has_no_structure) add_eliminations(described, result);
   if (!result.found()) add_closed_forms(described, result);
-  if (!result.found() && !is_general) add_eliminations(described, result);
+  if (!result.found() && !has_no_structure) add_eliminations(described, result);
   if (has_faint_quartic(described, result)) replace_by_eliminations(described, result);
   result.reasons = brief_reasons(result.reasons, described.joints.size());
   return result;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "derive/inverse/general.h"
+#include "derive/inverse/elimination.h"
 #include "derive/inverse/inverse.h"
 
 namespace qvgen::pipeline {
@@ -15,7 +15,7 @@ struct InverseDerivation {
   /// Each found, for an arm whose symbols are private names (model/private_names.h).
   std::vector<derive::inverse::Derivation> closed_forms;
   /// Only if there is no closed form, or none but a quartic that is much slower.
-  std::vector<derive::inverse::GeneralDerivation> eliminations;
+  std::vector<derive::inverse::EliminationDerivation> eliminations;
   std::vector<std::string> reasons;  ///< of what was not found, also if something else was
 
   [[nodiscard]] bool found() const { return !closed_forms.empty() || !eliminations.empty(); }

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include <qvgen/inverse/effort.h>
+#include <qvgen/inverse/budget.h>
 
 #include "model/tasks.h"
 

@@ -66,7 +66,7 @@ struct Jacobians {
 Jacobians jacobians_of(const model::Robot& described, RobotOutput& output) {
   const canonical::Arm arm = canonical::whatever_notation(described);
   verify::certify_same_pose(described, arm);
-  // What vanishes is told in the description's own angles.
+  // The header names what vanishes in the description's own angles.
   const canonical::Arm own = canonical::for_kinematics(described);
   auto [measures, measures_function] = singularity_measures_function(own.robot, output);
   Jacobians found{own.robot, measures, {plain_jacobian_function(arm.robot)}};
@@ -101,10 +101,11 @@ void generate_jacobian(const model::Robot& described, RobotOutput& output) {
   for (const emit::JacobianFunction& function : functions)
     values["functions"].push_back(emit::to_values(function, robot, angles));
   const std::string headers = "include/qvgen/robots/" + robot.name + "/";
-  output.files.push_back({headers + "jacobian.h", emit::render("jacobian.h", values)});
+  output.files.push_back({headers + "jacobian.h", emit::render("cpp/jacobian.h", values)});
   output.files.push_back(
-      {headers + "jacobian_definitions.h", emit::render("jacobian_definitions.h", values)});
-  output.files.push_back({"source/" + robot.name + "/jacobian.cpp", emit::render("jacobian.cpp", values)});
+      {headers + "jacobian_definitions.h", emit::render("cpp/jacobian_definitions.h", values)});
+  output.files.push_back(
+      {"source/" + robot.name + "/jacobian.cpp", emit::render("cpp/jacobian.cpp", values)});
 }
 
 bool has_wrist_centre(const model::Robot& described) {

@@ -23,7 +23,7 @@ using nlohmann::json;
 
 constexpr int accuracy_points = 200;
 
-/// What the head of a function says: counts, certificate, rounding error.
+/// Returns the notes in the head of a function: counts, certificate, rounding error.
 std::string notes(const optimise::Optimised& optimised) {
   return "/// " + verify::describe(optimised.counts) +
          ". Equal to the plain product of the joints' pairs at " +
@@ -99,11 +99,11 @@ void generate_kinematics(const model::Robot& described, RobotOutput& output) {
   values["closed_form"] =
       emit::lines_of(emit::closed_form_lines(described, emit::Notation::text.with(emit::Numbers::exact)));
   const std::string headers = "include/qvgen/robots/" + robot.name + "/";
-  output.files.push_back({headers + "kinematics.h", emit::render("kinematics.h", values)});
+  output.files.push_back({headers + "kinematics.h", emit::render("cpp/kinematics.h", values)});
   output.files.push_back(
-      {headers + "kinematics_definitions.h", emit::render("kinematics_definitions.h", values)});
+      {headers + "kinematics_definitions.h", emit::render("cpp/kinematics_definitions.h", values)});
   output.files.push_back(
-      {"source/" + robot.name + "/kinematics.cpp", emit::render("kinematics.cpp", values)});
+      {"source/" + robot.name + "/kinematics.cpp", emit::render("cpp/kinematics.cpp", values)});
 }
 
 void generate_kinematics_c(const model::Robot& described, RobotOutput& output) {

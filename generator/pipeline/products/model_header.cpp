@@ -32,8 +32,9 @@ std::string number(const model::Expression& expression, const model::Robot& robo
 
 using Greatest = std::optional<model::Expression> model::Joint::*;
 
-/// The limit of a joint that leads: where those that follow it have theirs, the tighter one.
-std::string greatest(const model::Robot& robot, std::size_t index, Greatest limit) {
+/// The limit of a joint that leads, infinite if it has none: where those that follow it have theirs, the
+/// tighter one.
+double greatest(const model::Robot& robot, std::size_t index, Greatest limit) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < robot.joints.size(); ++i) {
     const model::Joint& joint = robot.joints[i];
@@ -44,20 +45,23 @@ std::string greatest(const model::Robot& robot, std::size_t index, Greatest limi
     const double ratio = follows ? std::abs(cln::double_approx(joint.follows->ratio)) : 1;
     least = std::min(least, value_of(*(joint.*limit), robot) / ratio);
   }
-  return std::isinf(least) ? "unlimited" : fmt::format("{}", least);
+  return least;
 }
 
-/// One entry for each joint that follows none; empty if no joint has such a limit.
-json greatest_of_all(const model::Robot& robot, Greatest limit) {
+/// One entry for each joint that follows none.
+std::vector<double> greatest_of_all(const model::Robot& robot, Greatest limit) {
+  std::vector<double> list;
+  for (std::size_t i = 0; i < robot.joints.size(); ++i)
+    if (!robot.joints[i].follows) list.push_back(greatest(robot, i, limit));
+  return list;
+}
+
+json values_of(const std::vector<double>& limits) {
   json list = json::array();
-  bool any = false;
-  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
-    if (robot.joints[i].follows) continue;
-    list.push_back({{"value", greatest(robot, i, limit)}, {"last", false}});
-    any = any || list.back().at("value") != "unlimited";
-  }
-  if (any) list.back().at("last") = true;
-  return any ? list : json::array();
+  for (const double limit : limits)
+    list.push_back({{"value", std::isinf(limit) ? "unlimited" : fmt::format("{}", limit)}, {"last", false}});
+  list.back().at("last") = true;
+  return list;
 }
 
 json joint(const model::Joint& joint, const model::Robot& robot, bool last) {
@@ -69,7 +73,7 @@ json joint(const model::Joint& joint, const model::Robot& robot, bool last) {
           {"last", last}};
 }
 
-/// What is said of joints that have no variable of their own.
+/// Returns the lines about joints that have no variable of their own.
 json follower_lines(const model::Robot& robot) {
   json lines = json::array();
   for (const model::Joint& joint : robot.joints)
@@ -90,10 +94,8 @@ void generate_model_header(const model::Robot& robot, RobotOutput& output) {
   const std::vector<model::Joint> joints = model::without_followers(robot).joints;
   for (const model::Joint& each : joints)
     values["joints"].push_back(joint(each, robot, &each == &joints.back()));
-  values["velocities"] = greatest_of_all(robot, &model::Joint::greatest_velocity);
-  values["efforts"] = greatest_of_all(robot, &model::Joint::greatest_effort);
-  values["has_velocities"] = !values["velocities"].empty();
-  values["has_efforts"] = !values["efforts"].empty();
+  values["velocities"] = values_of(greatest_of_all(robot, &model::Joint::greatest_velocity));
+  values["efforts"] = values_of(greatest_of_all(robot, &model::Joint::greatest_effort));
   values["parameters"] = json::array();
   bool has_defaults = false;
   bool lacks_defaults = false;
@@ -110,7 +112,7 @@ void generate_model_header(const model::Robot& robot, RobotOutput& output) {
   values["has_defaults"] = has_defaults;
   values["lacks_defaults"] = lacks_defaults;
   output.files.push_back(
-      {"include/qvgen/robots/" + robot.name + "/model.h", emit::render("model.h", values)});
+      {"include/qvgen/robots/" + robot.name + "/model.h", emit::render("cpp/model.h", values)});
 }
 
 std::vector<emit::c::Constant> constants_of(const model::Robot& robot,
@@ -124,9 +126,13 @@ std::vector<emit::c::Constant> constants_of(const model::Robot& robot,
 }
 
 void generate_model_c(const model::Robot& robot, RobotOutput& output) {
+  const std::vector<double> velocities = greatest_of_all(robot, &model::Joint::greatest_velocity);
+  const std::vector<double> efforts = greatest_of_all(robot, &model::Joint::greatest_effort);
   std::vector<emit::c::Joint> joints;
   for (const model::Joint& joint : model::without_followers(robot).joints) {
-    joints.push_back({joint.variable, joint.type == model::JointType::revolute, std::nullopt});
+    const std::size_t place = joints.size();
+    joints.push_back({joint.variable, joint.type == model::JointType::revolute, std::nullopt,
+                      velocities.at(place), efforts.at(place)});
     if (joint.limits)
       joints.back().limits = {value_of(joint.limits->lower, robot), value_of(joint.limits->upper, robot)};
   }

@@ -47,13 +47,13 @@ void add_moveit_plugin(const model::Robot& robot, RobotOutput& output) {
                     {"has_near", has_near ? "true" : "false"},
                     {"near", has_near ? json{{"function", near}} : json(false)}};
   const std::string folder = "moveit/" + output.robot + "/";
-  output.files.push_back({folder + "package.xml", emit::render("moveit_package.xml", values)});
-  output.files.push_back({folder + "CMakeLists.txt", emit::render("moveit_cmake.txt", values)});
-  output.files.push_back({folder + "plugin.xml", emit::render("moveit_plugin.xml", values)});
-  output.files.push_back({folder + "README.md", emit::render("moveit_readme.md", values)});
+  output.files.push_back({folder + "package.xml", emit::render("moveit/package.xml", values)});
+  output.files.push_back({folder + "CMakeLists.txt", emit::render("moveit/cmake.txt", values)});
+  output.files.push_back({folder + "plugin.xml", emit::render("moveit/plugin.xml", values)});
+  output.files.push_back({folder + "README.md", emit::render("moveit/readme.md", values)});
   output.files.push_back(
-      {folder + "src/kinematics_plugin.h", emit::render("moveit_kinematics_plugin.h", json::object())});
-  output.files.push_back({folder + "src/plugin.cpp", emit::render("moveit_plugin.cpp", values)});
+      {folder + "src/kinematics_plugin.h", emit::render("moveit/kinematics_plugin.h", json::object())});
+  output.files.push_back({folder + "src/plugin.cpp", emit::render("moveit/plugin.cpp", values)});
 }
 
 }  // namespace qvgen::pipeline

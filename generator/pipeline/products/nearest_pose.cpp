@@ -16,7 +16,7 @@ void add_nearest_pose(const model::Robot& robot, RobotOutput& output) {
     return;
   }
   output.files.push_back({"include/qvgen/robots/" + robot.name + "/nearest_pose.h",
-                          emit::render("nearest_pose.h", {{"name", robot.name}})});
+                          emit::render("cpp/nearest_pose.h", {{"name", robot.name}})});
 }
 
 }  // namespace qvgen::pipeline

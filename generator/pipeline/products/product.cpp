@@ -30,7 +30,7 @@ const std::vector<Product>& all_products() {
       {"from_ideal", generate_from_ideal, {}, {}, generate_from_ideal_c},
       {"dynamics",
        generate_dynamics_product,
-       {"dynamics_derivatives", "dynamics_loads", "regressor"},
+       {model::requestable_parts.begin(), model::requestable_parts.end()},
        {"forward_dynamics", "forward_dynamics_with_gravity_vector", "forward_dynamics_with_wrench"},
        generate_dynamics_c},
       {"frames", generate_frames, {}, {}, generate_frames_c, true, {"kinematics"}},

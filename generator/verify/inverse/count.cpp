@@ -4,7 +4,7 @@
 #include <map>
 #include <type_traits>
 
-#include <qvgen/inverse/outlook.h>
+#include <qvgen/inverse/reach_test.h>
 
 #include "dag/counts.h"
 #include "verify/counts_json.h"
@@ -35,7 +35,7 @@ OperationCounts operator*(int times, const OperationCounts& a) {
   return sum;
 }
 
-/// The pose's quaternion brought to length one and the sizes of noise (request.h, target.h).
+/// The pose's quaternion brought to length one and the sizes of noise (requested_pose.h, target.h).
 OperationCounts preparation() {
   const OperationCounts squared_length{4, 3, 0, 0, 0, 0};
   const OperationCounts scale{2, 3, 0, 0, 0, 0};

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include <qvgen/inverse/scalar.h>
+#include <qvgen/inverse/branch.h>
 
 #include "dag/counts.h"
 

@@ -4,7 +4,7 @@
 #include <cln/float.h>
 #include <cln/lfloat.h>
 #include <cln/real.h>
-#include <qvgen/inverse/scalar.h>
+#include <qvgen/inverse/branch.h>
 
 #include "exact/number.h"
 

@@ -99,6 +99,8 @@ PYBIND11_MODULE({robot}, m) {{
   m.attr("is_revolute") = list_of(arm::is_revolute);
   m.attr("lower_limits") = list_of(arm::lower_limits);
   m.attr("upper_limits") = list_of(arm::upper_limits);
+  m.attr("velocity_limits") = list_of(arm::velocity_limits);
+  m.attr("effort_limits") = list_of(arm::effort_limits);
   m.attr("default_geometry") = defaults<arm::Geometry>(arm::geometry_names);
   m.attr("functions") = py::module_::import("json").attr("loads")(R"({functions})");
 """

@@ -9,3 +9,6 @@
 #include <qvgen/robots/cr/jacobian.h>
 #include <qvgen/robots/cr/dynamics.h>
 
+// Not generated:
+//   dynamics_derivatives: made on request, by --only dynamics_derivatives
+//   dynamics_loads: made on request, by --only dynamics_loads

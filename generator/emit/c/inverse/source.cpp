@@ -19,7 +19,7 @@ using derive::inverse::Problem;
 using model::Task;
 using nlohmann::json;
 
-/// What a public function takes, and the pose that it stands for.
+/// Argument of a public function, and the pose that it means.
 struct Argument {
   std::string parameters;
   std::string arguments;
@@ -115,7 +115,7 @@ void add_sizes(const model::Robot& robot, json& values) {
   values["no_geometry"] = robot.geometry.empty();
   json kinds = json::array();
   for (int i = 0; i < rows; ++i) {
-    // Of virtual joints a seed's branch has turns only.
+    // A seed's branch has no virtual slides.
     const bool slides =
         i < dof && robot.joints[static_cast<std::size_t>(i)].type != model::JointType::revolute;
     kinds.push_back({{"revolute", slides ? "false" : "true"}, {"last", i + 1 == rows}});
@@ -143,10 +143,10 @@ void add_entries(const model::Robot& robot, const derive::inverse::Derivation& d
 Part inverse_kinematics(const model::Robot& robot, const json& given) {
   json values = given;
   add_sizes(robot, values);
-  const std::string& blocks = builtin_templates().at("c_inverse_blocks");
+  const std::string& blocks = builtin_templates().at("c/inverse_blocks");
   const std::string source =
-      render("c_solve_sizes.c", values) + "\n" + blocks + "\n" + render("c_solve.c", values);
-  return {render("c_solutions.h", values), render("c_solve_head.c", values) + "\n" + wrapped(needed(source))};
+      render("c/solve_sizes.c", values) + "\n" + blocks + "\n" + render("c/solve.c", values);
+  return {render("c/solutions.h", values), render("c/solve_head.c", values) + "\n" + wrapped(needed(source))};
 }
 
 }  // namespace qvgen::emit::c

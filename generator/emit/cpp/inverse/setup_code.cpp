@@ -8,7 +8,7 @@
 namespace qvgen::emit {
 namespace {
 
-using namespace inverse::general;
+using namespace inverse::elimination;
 
 /// Collects lines of text that are not too long to read.
 class Initialiser {
@@ -100,13 +100,13 @@ void add(Initialiser& to, const Description& arm) {
 const char* name_of(Pair pair) {
   switch (pair) {
     case Pair::skew:
-      return "inverse::general::Pair::skew";
+      return "inverse::elimination::Pair::skew";
     case Pair::repeats:
-      return "inverse::general::Pair::repeats";
+      return "inverse::elimination::Pair::repeats";
     case Pair::confuses:
-      return "inverse::general::Pair::confuses";
+      return "inverse::elimination::Pair::confuses";
     default:
-      return "inverse::general::Pair::slides";
+      return "inverse::elimination::Pair::slides";
   }
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <qvgen/batch/masks.h>
-#include <qvgen/inverse/outlook.h>
+#include <qvgen/inverse/reach_test.h>
 #include <qvgen/inverse/target.h>
 
 #define QVGEN_LANES [[gnu::always_inline]] inline
@@ -24,7 +24,7 @@ inline constexpr bool leaves_singular_poses<batch::Lanes<double, Set>> = true;
 
 namespace qvgen::batch {
 
-/// What this source is compiled for.
+/// Lanes of doubles in the instruction set that this source is compiled for.
 using Doubles = Lanes<double, Compiled>;
 
 // No templates: GCC 12 does not always inline what those call.
@@ -57,14 +57,14 @@ QVGEN_LANES Doubles acute_arctangent(const Doubles& y, const Doubles& x) {
   return inverse::polynomial::acute_arctangent(y, x);
 }
 
-/// What poses say, one a lane: x, y, z, w of the quaternion, and the position.
+/// Poses side by side, one a lane: x, y, z, w of the quaternion, and the position.
 template <class Lane>
 struct LanePoses {
   Lane quaternion[4];
   Lane position[3];
 };
 
-// As for one pose (inverse/target.h, inverse/outlook.h), operation by operation.
+// As for one pose (inverse/target.h, inverse/reach_test.h), operation by operation.
 
 template <class Lane>
 QVGEN_LANES Lane unit_excess(const LanePoses<Lane>& pose) {
@@ -74,8 +74,8 @@ QVGEN_LANES Lane unit_excess(const LanePoses<Lane>& pose) {
 /// The branch that all begin with: it exists where the pose may be in reach, and is doubtful where the pose
 /// is invalid.
 template <class Lane>
-QVGEN_LANES inverse::Branch<Lane> outlook(const LanePoses<Lane>& pose, const Lane& excess, double farthest,
-                                          double tolerance) {
+QVGEN_LANES inverse::Branch<Lane> reach_test(const LanePoses<Lane>& pose, const Lane& excess, double farthest,
+                                             double tolerance) {
   const Lane* p = pose.position;
   const Lane distance = (p[1] * p[1] + p[2] * p[2]) + p[0] * p[0];
   const double square = farthest * farthest;
@@ -92,7 +92,8 @@ QVGEN_LANES inverse::Branch<Lane> outlook(const LanePoses<Lane>& pose, const Lan
 
 namespace qvgen::inverse {
 
-/// Of a whole pose `is_out_of_range` says one thing, here each lane has its own.
+/// Mask of lanes whose value is out of range. `inverse::is_out_of_range` answers once for a whole pose; here
+/// each lane has its own answer.
 template <class Set>
 QVGEN_LANES batch::LaneMask<Set> is_out_of_range(const batch::Lanes<double, Set>& middle,
                                                  const batch::Lanes<double, Set>& swing,
@@ -122,7 +123,7 @@ QVGEN_LANES inverse::Opposites<Doubles> output_angles(const inverse::Rotor<Doubl
   const inverse::Opposites<Doubles> value = opposite_arctangents(rotor.sine, rotor.cosine, length, pi);
   return {negated(value.one <= -pi, value.one), negated(value.other <= -pi, value.other)};
 }
-/// Of an angle in [0, pi].
+/// Returns the negative of an angle in [0, pi]; pi stays pi.
 QVGEN_LANES Doubles negative(const Doubles& angle, const Doubles& pi) { return negated(angle < pi, angle); }
 
 }  // namespace qvgen::batch

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include <qvgen/inverse/scalar.h>
+#include <qvgen/inverse/branch.h>
 
 namespace qvgen::inverse {
 

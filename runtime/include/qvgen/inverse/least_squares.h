@@ -4,8 +4,8 @@
 #include <array>
 #include <cstddef>
 
+#include <qvgen/inverse/branch.h>
 #include <qvgen/inverse/pairs.h>
-#include <qvgen/inverse/scalar.h>
 
 namespace qvgen::inverse {
 namespace polishing {

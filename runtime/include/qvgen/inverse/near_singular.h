@@ -2,7 +2,7 @@
 #pragma once
 
 #include <qvgen/inverse/branch_tracker.h>
-#include <qvgen/inverse/request.h>
+#include <qvgen/inverse/seed.h>
 #include <qvgen/inverse/solutions.h>
 
 /// Poses near singular ones, at which rounding would decide which solutions exist. Passes over the branches,
@@ -68,7 +68,7 @@ void solve_near_singular(Target goal, Tracker tracker, const Follow& follow,
     pass(chosen.in_other_range());
     tracker.follow_again(false);
   }
-  // What these leave.
+  // Choices that these passes leave.
   const int choices = tracker.budget().passes - tracker.budget().spent.passes;
   const bool persists = tracker.budget().persists;
   const auto misses = [&] { return found.empty() || (persists && tracker.any(BranchState::missed)); };

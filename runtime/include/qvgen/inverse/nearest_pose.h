@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 #include <qvgen/inverse/angles.h>
-#include <qvgen/inverse/choose.h>
+#include <qvgen/inverse/joint_limits.h>
 #include <qvgen/inverse/solutions.h>
 #include <qvgen/pose.h>
 

@@ -4,7 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include <qvgen/inverse/request.h>
+#include <qvgen/inverse/requested_pose.h>
+#include <qvgen/inverse/seed.h>
 #include <qvgen/inverse/solutions.h>
 
 /// Joint angles of the arm that is described and of the one that inverse kinematics is derived for: the same
@@ -41,7 +42,7 @@ void subtract_phases(Solutions<dof, capacity>& found, const Phases<dof>& phases)
     }
 }
 
-/// What free joints are to be, in the derivation's angles.
+/// Returns the preferred values of free joints, in the derivation's angles.
 template <int dof>
 Preference<dof> with_phases(Preference<dof> preference, const Phases<dof>& phases) {
   for (int i = 0; i < dof; ++i) {

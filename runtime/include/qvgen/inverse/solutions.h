@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 #include <qvgen/detail/floating_point.h>
-#include <qvgen/inverse/effort.h>
+#include <qvgen/inverse/budget.h>
 
 namespace qvgen {
 
@@ -20,10 +20,10 @@ enum class Status {
   incomplete    ///< near a singular pose all allowed work is done: every row is right, others may exist
 };
 
-/// What of a pose is asked for; see tasks.h.
+/// Target of an inverse kinematics: the whole pose, or a part of it; see tasks.h.
 enum class Task { pose, position, position_and_direction, position_and_yaw, direction, orientation };
 
-/// What a generated inverse kinematics solves.
+/// Properties of a generated inverse kinematics.
 struct InverseInfo {
   int capacity;                 ///< the most solutions that there can be
   Task task;                    ///< of the entry that asks for the most that the arm can follow
@@ -95,6 +95,11 @@ class Solutions {
   // Rows beyond size() are left as they are: filling them would cost more than many an arm's solution.
   std::array<Solution<dof>, static_cast<std::size_t>(capacity)> rows_;
 };
+
+/// Solutions within limits, one row for each branch that has one inside: whole turns count, and angles are
+/// not confined to (-pi, pi].
+template <int dof, int capacity>
+struct LimitedSolutions : Solutions<dof, capacity> {};
 
 namespace inverse {
 

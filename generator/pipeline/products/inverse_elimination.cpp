@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline/products/inverse_elimination.h"
+
+#include <fmt/format.h>
+
+#include "emit/cpp/inverse/entries.h"
+#include "emit/cpp/inverse/setup_code.h"
+#include "emit/cpp/template_values.h"
+#include "emit/render.h"
+#include "pipeline/products/inverse_variant.h"
+#include "verify/inverse/certify_rows.h"
+
+namespace qvgen::pipeline {
+namespace {
+
+namespace elimination = inverse::elimination;
+
+using derive::inverse::EliminationDerivation;
+using nlohmann::json;
+using Rows = std::vector<std::vector<double>>;
+
+template <int dof>
+Rows rows_of(const Solutions<dof, elimination::most_solutions>& found) {
+  Rows rows;
+  for (const auto& row : found) rows.emplace_back(row.q.data(), row.q.data() + row.q.size());
+  return rows;
+}
+
+/// By the functions that the generated code calls.
+Rows solved(const EliminationDerivation& derivation, const Pose<double>& pose,
+            const std::vector<double>& sampled) {
+  constexpr inverse::Form form = inverse::Form::scalar;
+  const int given = derivation.problem.given;
+  if (given >= 0)
+    return rows_of(elimination::solve_given(derivation.arm_at_zero<elimination::joints + 1>(), given,
+                                            sampled[static_cast<std::size_t>(given)], derivation.choices,
+                                            pose, inverse::default_tolerance,
+                                            inverse::zero_preference<elimination::joints + 1>, form));
+  const auto arm = elimination::description_of(derivation.arm_at_zero<elimination::joints>());
+  elimination::Found found;
+  elimination::solve(derivation.is_constant ? derivation.setup : set_up_first(arm, derivation.choices), pose,
+                     inverse::default_tolerance, inverse::zero_preference<elimination::joints>, form, found);
+  return rows_of(found);
+}
+
+verify::RowCertificate certify(const EliminationDerivation& derivation) {
+  constexpr int poses = 5;
+  const auto solver = [&](const verify::PoseInDoubles& numbers, const std::vector<double>& sampled) {
+    const Pose<double> pose{Eigen::Quaterniond(numbers[0], numbers[1], numbers[2], numbers[3]),
+                            Vector3<double>(numbers[4], numbers[5], numbers[6])};
+    return solved(derivation, pose, sampled);
+  };
+  return verify::certify_rows(derivation.arm, {}, derivation.setup.chain.size, solver, poses);
+}
+
+/// Returns the header's note on the time that a set-up takes, and on what may be missing.
+std::string by_elimination(const EliminationDerivation& derivation) {
+  std::string text =
+      "Rows stand in the order of their joints, a row's branch is its place.\n"
+      "/// Status::incomplete says that a solution may be missing: there is a reason to doubt that all have "
+      "been found;\n"
+      "/// near singular poses one may be missing without a word. No heap, no exceptions, bounded work.";
+  if (!derivation.is_constant)
+    text += "\n/// What the geometry or a given joint says is worked out at every call.";
+  return text;
+}
+
+std::string choices_text(const elimination::Choices& choices) {
+  std::string text;
+  for (int i = 0; i < choices.count; ++i)
+    text +=
+        fmt::format("{}{{{}, {}}}", i > 0 ? ", " : " ", choices.choice[i].backwards, choices.choice[i].shift);
+  return text + " ";
+}
+
+json variant(const model::Robot& described, const EliminationDerivation& derivation) {
+  const std::vector<std::string> mechanism = describe_elimination(derivation);
+  json values = variant_names(described, derivation.problem);
+  const auto setup =
+      derivation.is_constant ? emit::setup_lines(derivation.setup) : std::vector<std::string>();
+  values.update(json{{"elimination", true},
+                     {"by_elimination", by_elimination(derivation)},
+                     {"constant", derivation.is_constant},
+                     {"setup", emit::lines_of(setup)},
+                     {"choice_count", derivation.choices.count},
+                     {"choices", choices_text(derivation.choices)},
+                     {"capacity", elimination::most_solutions},
+                     {"structure", mechanism.front()},
+                     {"summary", emit::lines_of({mechanism.begin() + 1, mechanism.end()})},
+                     {"certificate", certify(derivation).text()},
+                     {"stable_branches", "false"},
+                     {"has_lanes", "false"},
+                     {"counts_roots", false},
+                     {"lanes", false},
+                     {"most_of_rows", false},
+                     {"most_of_reaching", false},
+                     {"seed_branch", json::object()}});
+  emit::add_entries(described, derivation.problem, values);
+  return values;
+}
+
+}  // namespace
+
+void add_eliminations(const model::Robot& described, const std::vector<EliminationDerivation>& derivations,
+                      RobotOutput& output) {
+  json values{{"name", described.name},
+              {"variants", json::array()},
+              {"arm", emit::arm_values(described, emit::cpp_dialect())}};
+  nlohmann::ordered_json targets;
+  for (const EliminationDerivation& derivation : derivations) {
+    values["variants"].push_back(variant(described, derivation));
+    add_targets(derivation.problem, values["variants"].back(), targets);
+  }
+  conclude_variants(values);
+  output.files.push_back(
+      {"include/qvgen/robots/" + described.name + "/inverse.h", emit::render("cpp/inverse.h", values)});
+  output.files.push_back(
+      {"source/" + described.name + "/inverse.cpp", emit::render("cpp/inverse_elimination.cpp", values)});
+  output.counts["targets"] = targets;
+}
+
+}  // namespace qvgen::pipeline

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <qvgen/inverse/scalar_traits.h>
+
+namespace qvgen::inverse {
+
+/// If true, branches next to a singular pose are only marked as doubtful, and another solver follows them.
+/// Regular branches, which are nearly all, need no steps for it.
+template <typename Scalar>
+inline constexpr bool leaves_singular_poses = false;
+
+/// Two roots closer than this share of their range are one double root: the distance of the roots is then the
+/// root of this number, about 6e-8, while the pose that their mean reaches is off by 4e-15 relative.
+template <typename Scalar>
+Scalar merge_share() {
+  return Scalar(18) * epsilon<Scalar>();
+}
+
+/// How far off a pose the nearest joints may leave the arm's point and still count as a solution, as a share
+/// of the arm's size: what a pose at the boundary of reach needs, since rounding puts every second one
+/// outside.
+inline constexpr double default_tolerance = 1e-13;
+
+/// How blocks treat the ends of their range, where two solutions meet and rounding decides whether they
+/// exist. `plain` is for regular poses: equations are taken at their word, and what should not be trusted is
+/// said. The others are for poses near singular ones: whatever might exist is followed, and Newton steps and
+/// the pose they reach decide; near_singular.h shows when each is used.
+struct Boundary {
+  double accept = 0;  ///< so far outside, as a share of the range, a branch still exists and is taken to the
+                      ///< end of the range
+  double doubt = 0;   ///< nearer to an end than this share, inside, the branch is doubtful
+  double beyond = 0;  ///< as near outside it is doubtful, too; farther out it does not exist
+  double unsure = 1e-7;  ///< nearer to an end than this share Newton steps judge what the branch leads to
+  double floor = 0;      ///< least share of the range: what is nearer to the end is moved away from it
+  double near = 1e18;    ///< a direction whose square is below this multiple of noise is nearly free, and
+                         ///< accepted at any share
+  bool wide = true;      ///< what is nearly free is doubtful, even if no pass would choose it
+  bool choose = false;   ///< what is nearly free is chosen as if it were free
+  bool take = false;     ///< places on a continuum are taken where nothing has been chosen, too
+  double gap = 64;       ///< a free direction's equation holds if the square of what is left is below this
+                         ///< multiple of noise
+  double miss = 0;       ///< how far off the pose polished joints may leave the arm, as a share of its size
+  double fold = 0;       ///< so far outside a wrist at the end of the arm's joints still exists, folded
+
+  /// Where joints can follow a choice in two separate ranges it is in the other one.
+  bool opposite = false;
+
+  static constexpr Boundary plain(double tolerance) {
+    Boundary boundary;
+    boundary.doubt = 1e-7 + 100 * tolerance;
+    boundary.beyond = 1e-10 + 100 * tolerance;
+    boundary.miss = tolerance;
+    boundary.fold = tolerance;
+    return boundary;
+  }
+
+  // The passes of near_singular.h.
+
+  /// From the ends of the ranges. What polishing leaves in the joints of an arm near a singular place of its
+  /// own reaches the wrist magnified: half of the 1e-12 that no solution may miss its pose by.
+  static constexpr Boundary ends(double tolerance) {
+    Boundary boundary = careful(tolerance);
+    boundary.unsure = 1e-7 + 100 * tolerance;
+    boundary.wide = false;
+    boundary.miss = tolerance;
+    return boundary;
+  }
+  /// Pass `ends` with a choice where an angle is nearly free.
+  static constexpr Boundary chosen(double tolerance) {
+    Boundary boundary = ends(tolerance);
+    boundary.choose = true;
+    return boundary;
+  }
+  /// Pass `chosen` for a choice that leaves the joints after it out of reach: they are stretched to where it
+  /// would be, and Newton's steps turn the chosen joint until they reach.
+  static constexpr Boundary stretched(double tolerance) {
+    Boundary boundary = chosen(tolerance);
+    boundary.accept = 1e3;
+    boundary.gap = 1e40;
+    return boundary;
+  }
+
+  /// The same, or a pass of quartic/care.h that chooses, with the choice in the other of two ranges.
+  [[nodiscard]] constexpr Boundary in_other_range() const {
+    Boundary boundary = *this;
+    boundary.opposite = true;
+    return boundary;
+  }
+
+  // The passes of quartic/care.h.
+
+  /// From the ends of the ranges, taking no miss but rounding.
+  static constexpr Boundary careful(double tolerance) {
+    Boundary boundary;
+    boundary.accept = 1e-3 + 100 * tolerance;
+    boundary.gap = 64e14;
+    boundary.fold = tolerance > 5e-13 ? tolerance : 5e-13;
+    return boundary;
+  }
+  /// Pass `careful` with a choice where an angle is nearly free.
+  static constexpr Boundary choosing(double tolerance) {
+    Boundary boundary = careful(tolerance);
+    boundary.choose = true;
+    boundary.take = true;
+    return boundary;
+  }
+  /// Pass `choosing` for a choice that leaves the joints after it out of reach.
+  static constexpr Boundary reaching(double tolerance) {
+    Boundary boundary = choosing(tolerance);
+    boundary.accept = 1e3;
+    return boundary;
+  }
+  /// From the ends once more, for places on a continuum to which no choice has led.
+  static constexpr Boundary taking(double tolerance) {
+    Boundary boundary = careful(tolerance);
+    boundary.take = true;
+    return boundary;
+  }
+  /// From two places apart.
+  static constexpr Boundary apart(double tolerance) {
+    Boundary boundary = choosing(tolerance);
+    boundary.floor = 1e-10;
+    return boundary;
+  }
+  /// From the ends again, for poses that are out of reach by no more than the tolerance.
+  static constexpr Boundary tolerant(double tolerance) {
+    Boundary boundary = taking(tolerance);
+    boundary.miss = tolerance;
+    return boundary;
+  }
+
+  /// True if this is the pass of a regular pose.
+  [[nodiscard]] constexpr bool is_plain() const { return doubt > 0; }
+};
+
+}  // namespace qvgen::inverse

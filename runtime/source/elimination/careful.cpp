@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: MIT
+#include "careful.h"
+
+#include <qvgen/inverse/quartic/care.h>
+
+#include "goal.h"
+#include "near_structure.h"
+
+namespace qvgen::inverse::elimination {
+namespace {
+
+Triple<double> triple_of(const Vector3<double>& v) { return {v[0], v[1], v[2]}; }
+
+Vector3<double> point_of(const Motion& motion, const Vector3<double>& x) {
+  Vector3<double> result;
+  for (int i = 0; i < 3; ++i)
+    result[i] = motion.rotation[3 * i] * x[0] + motion.rotation[3 * i + 1] * x[1] +
+                motion.rotation[3 * i + 2] * x[2] + motion.translation[i];
+  return result;
+}
+
+}  // namespace
+
+Task matching(const Setup& setup, const Pose<double>& pose) {
+  const double size = setup.chain.size;
+  Task task;
+  task.size_square = size * size;
+  for (std::size_t j = 0; j < joints; ++j) task.arm[j] = setup.description.axes[j];
+  const Pose<double> goal = pose.normalised();
+  for (int p = 0; p < 3; ++p) {
+    const Vector3<double> point =
+        p == 0 ? Vector3<double>(0, 0, 0) : Vector3<double>(size * Vector3<double>::Unit(p - 1));
+    task.start[static_cast<std::size_t>(p)] = triple_of(point_of(setup.description.tool, point));
+    task.goal[static_cast<std::size_t>(p)] = triple_of(goal * point);
+  }
+  return task;
+}
+
+bool is_singular(const Task& task, const Values& values) {
+  using Newton = polishing::Newton<double, joints, 3>;
+  return Newton::idle(Newton(task).reached(values)).least < joints;
+}
+
+Values seed_of(const Setup& setup, const Preference<joints>& preference) {
+  Values seed;
+  for (std::size_t j = 0; j < joints; ++j)
+    seed[j] = setup.chain.slides[j] ? Rotor<double>{preference.slide[j], 0} : preference.turn[j];
+  return seed;
+}
+
+bool is_settled(const Setup& setup, const Pose<double>& pose, const Gathered& found) {
+  if (found.doubtful || found.rows > most_solutions) return false;
+  if (!found.has_twins) return true;
+  const Task task = matching(setup, pose);
+  return std::none_of(found.row, found.row + found.rows,
+                      [&](const JointPairs& row) { return is_singular(task, values_of(row)); });
+}
+
+Careful::Careful(const Setup& setup, const Pose<double>& pose, double tolerance,
+                 const Preference<joints>& preference, const Pass& pass)
+    : setup_(setup),
+      pose_(pose),
+      task_(matching(setup, pose)),
+      tolerance_(tolerance),
+      boundary_(Boundary::ends(tolerance)),
+      seed_(seed_of(setup, preference)),
+      seeded_(preference.seeded),
+      pass_(pass),
+      tracker_(setup.eliminations[0].pair == Pair::slides ? most_of_slides : most) {}
+
+/// Those that are set up, then the further ones; null if enough have been asked for.
+const Elimination* Careful::next_elimination() {
+  if (eliminations_ == most_eliminations) return nullptr;
+  if (eliminations_ < setup_.count) return &setup_.eliminations[eliminations_++];
+  while (further_ < setup_.further.count) {
+    const Choice& choice = setup_.further.choice[further_++];
+    if (!elimination::eliminate(setup_.chain, choice.backwards, choice.shift, set_up_here_)) continue;
+    ++eliminations_;
+    return &set_up_here_;
+  }
+  return nullptr;
+}
+
+void Careful::eliminate(const Elimination& elimination, const Pose<double>& pose, Gathered& gathered) const {
+  pass_.eliminate(setup_.chain, elimination, goal_of(setup_.chain, pose), tolerance_, gathered);
+}
+
+namespace {
+
+/// On the other side of a pose.
+Pose<double> mirrored(const Pose<double>& middle, const Pose<double>& pose) {
+  Pose<double> result;
+  result.position = 2 * middle.position - pose.position;
+  result.orientation = (middle.orientation * pose.orientation.conjugate() * middle.orientation).normalized();
+  return result;
+}
+
+}  // namespace
+
+Pose<double> Careful::nearby(int k) const {
+  constexpr double far = 30;  // times what `displaced` takes for a little
+  return quartic::displaced(pose_, far * setup_.chain.size, k).pose;
+}
+
+void Careful::settle(const JointPairs& start) {
+  full_ = full_ || size_ == most_solutions;
+  effort_.used_up = effort_.used_up || starts_ == most_starts;
+  if (starts_ == most_starts || size_ == most_solutions) return;
+  const int label = starts_++;
+  Values values = values_of(start);
+  Branch<double> branch;
+  branch.unsure = true;
+  if (tracker_.settle(label, task_, boundary_, seeded_ ? &seed_ : nullptr, values, branch)) {
+    if (!branch.continuum || !is_on_known_continuum(values))
+      rows_[size_++] = {values, branch.continuum, true};
+    return;
+  }
+  constexpr double near = 1e-3, nearly = 1e-4;
+  for (int i = 0; i < size_; ++i)
+    if (distance_square(rows_[i].values, values) < near * near) rows_[i].seen = true;
+  if (tracker_.state(label) != BranchState::missed) return;
+  const double error = polishing::Newton<double, joints, 3>(task_).reached(values).error;
+  strays_ = strays_ || error < nearly * nearly * task_.size_square;
+}
+
+void Careful::settle(const Gathered& gathered) {
+  // Rows that are nearer to each other than lanes tell apart, and what steps in lanes have led to.
+  constexpr double same = 3e-7, near = 1e-5;
+  for (int i = 0; i < gathered.rows; ++i)
+    if (!was_looked_beside(gathered.row[i], same)) settle(gathered.row[i]);
+  for (int i = 0; i < gathered.starts; ++i) {
+    const Start& start = gathered.start[i];
+    if (!start.leads || !was_looked_beside(start.solution, near)) settle(start.values);
+  }
+}
+
+/// True if a start converges to a row that starts have reached twice before: the second time it was looked
+/// beside the row, so it leads to nothing else.
+bool Careful::was_looked_beside(const JointPairs& led_to, double near) {
+  const Values solution = values_of(led_to);
+  for (int i = 0; i < size_; ++i) {
+    Row& row = rows_[i];
+    if (!(distance_square(row.values, solution) < near * near)) continue;
+    if (row.beside) return row.seen = true;
+    row.beside = true;
+    return false;
+  }
+  return false;
+}
+
+/// From joint values that reach a pose nearby.
+void Careful::settle_nearby(Gathered& gathered) {
+  pass_.lead(setup_.chain, goal_of(setup_.chain, pose_), gathered.rows, gathered.row);
+  settle(gathered);
+}
+
+/// True if a curve of solutions leads from one row to another: it is followed in steps, each brought back to
+/// the pose.
+bool Careful::leads_to(Values values, const Values& goal) {
+  constexpr double longest = 0.8;
+  constexpr int most_steps = 12;
+  const double way = std::sqrt(distance_square(values, goal));
+  const double share = std::max(tolerance_, default_tolerance);
+  for (int left = std::min(most_steps, 1 + static_cast<int>(way / longest)); left > 0; --left) {
+    const Values before = values;
+    for (std::size_t j = 0; j < joints; ++j) {
+      values[j].cosine += (goal[j].cosine - values[j].cosine) / left;
+      values[j].sine += (goal[j].sine - values[j].sine) / left;
+    }
+    Reached<double, joints, 3> there;
+    if (!polish(task_, {share, 2}, values, there, walks_)) return false;
+    if (distance_square(before, values) > 4 * longest * longest) return false;
+  }
+  return distance_square(values, goal) < 1e-4;
+}
+
+/// The nearest first: the way there is the shortest.
+bool Careful::is_on_known_continuum(const Values& values) {
+  const Row* order[most_solutions];
+  int count = 0;
+  for (int i = 0; i < size_; ++i)
+    if (rows_[i].continuum) order[count++] = &rows_[i];
+  std::sort(order, order + count, [&](const Row* a, const Row* b) {
+    return distance_square(a->values, values) < distance_square(b->values, values);
+  });
+  return std::any_of(order, order + count, [&](const Row* row) { return leads_to(values, row->values); });
+}
+
+bool Careful::is_singular(const Row& row) const {
+  return row.continuum || elimination::is_singular(task_, row.values);
+}
+
+/// Rows that are hardly told apart are certain only where none is singular.
+bool Careful::leaves_doubt(const Gathered& found) const {
+  return found.doubtful || (found.has_twins && any_is_singular());
+}
+
+bool Careful::any_is_singular() const {
+  return std::any_of(rows_, rows_ + size_, [this](const Row& row) { return is_singular(row); });
+}
+
+/// Solutions over the complex numbers come in pairs but for the real ones, of which those where two meet
+/// count twice: whether their number leaves room for doubt.
+bool Careful::is_even() const { return any_is_singular() || size_ % 2 == 0; }
+
+/// True if what lies between two rows reaches the pose, too, to what rows may miss it by.
+bool Careful::are_one(const Row& a, const Row& b) {
+  constexpr double far = 1e-2;
+  if (distance_square(a.values, b.values) > far * far) return false;
+  Values middle;
+  for (std::size_t j = 0; j < joints; ++j) {
+    middle[j].cosine = (a.values[j].cosine + b.values[j].cosine) / 2;
+    middle[j].sine = (a.values[j].sine + b.values[j].sine) / 2;
+  }
+  normalise(task_, middle);
+  const polishing::Newton<double, joints, 3> newton(task_);
+  const auto idle = polishing::Newton<double, joints, 3>::idle(newton.reached(middle));
+  if (idle.least == joints) return false;
+  Budget few{0, 6};
+  Reached<double, joints, 3> there;
+  const double share = std::max(tolerance_, default_tolerance);
+  return polish(task_, {share}, middle, there, few, idle.is);
+}
+
+/// Near a place where two solutions meet many joint values reach the pose to rounding: one of them stays.
+void Careful::merge() {
+  for (int i = 0; i < size_; ++i)
+    for (int k = i + 1; k < size_; ++k) {
+      if (!are_one(rows_[i], rows_[k])) continue;
+      rows_[i].continuum = rows_[i].continuum || rows_[k].continuum;
+      rows_[i].beside = rows_[i].beside || rows_[k].beside;
+      rows_[k--] = rows_[--size_];
+    }
+}
+
+void Careful::look_here(const Elimination& elimination, Gathered& gathered) {
+  eliminate(elimination, pose_, gathered);
+  ++effort_.passes;
+}
+
+void Careful::take_rows(const Gathered& found) {
+  for (int i = 0; i < found.rows; ++i) rows_[size_++] = {values_of(found.row[i]), false, true};
+}
+
+void Careful::run(const Gathered& first) {
+  if (setup_.eliminations[0].pair == Pair::slides) {
+    settle(first);
+    merge();
+    agree_on_slides(first);
+  } else {
+    Gathered second;
+    for (int i = 0; i < first.rows; ++i) second.add_row(first.row[i]);
+    const Elimination* elimination = next_elimination();
+    if (elimination != nullptr) look_here(*elimination, second);
+    if (second.met == second.rows && elimination != nullptr && is_settled(setup_, pose_, second))
+      return take_rows(second);
+    settle(first);
+    merge();
+    agree(first, elimination != nullptr ? &second : nullptr);
+  }
+  const Effort& spent = tracker_.budget().spent;
+  effort_.steps = spent.steps + walks_.spent.steps;
+  // Regular rows of that number are all that there can be.
+  effort_.used_up = effort_.used_up || spent.used_up || (full_ && any_is_singular());
+}
+
+/// Settles the rows at the pose itself: says if the elimination has added nothing, and if it leaves no doubt.
+Careful::Outcome Careful::settle_here(const Gathered& found) {
+  const int before = size_;
+  settle(found);
+  merge();
+  return {size_ == before, leaves_doubt(found), found.loud};
+}
+
+/// Eliminates at a pose nearby. Solutions that share an angle here, as they do between right angles, do not
+/// share it there.
+Careful::Outcome Careful::pass_nearby(const Elimination& elimination, const Pose<double>& pose) {
+  Gathered found;
+  eliminate(elimination, pose, found);
+  const int before = size_;
+  for (int i = 0; i < size_; ++i) rows_[i].seen = false;
+  settle_nearby(found);
+  merge();
+  ++effort_.passes;
+  // Poses near one at which two solutions meet may have none of them.
+  const bool all_seen =
+      std::all_of(rows_, rows_ + size_, [this](const Row& row) { return row.seen || is_singular(row); });
+  return {size_ == before, leaves_doubt(found) || !all_seen, found.loud};
+}
+
+void Careful::agree(const Gathered& first, const Gathered* second) {
+  // Two eliminations may lose the same solutions.
+  const bool few = setup_.count + setup_.further.count < 3;
+  // All eliminations of an arm that slides may lose the same ones between right angles, and those of a nearly
+  // spherical wrist next to its singularity: one has to be without doubt, and poses nearby are asked of each
+  // in turn.
+  const bool strict =
+      std::any_of(setup_.chain.slides, setup_.chain.slides + joints, [](bool is) { return is; }) ||
+      nearly_has_structure(setup_.description, setup_.chain.size);
+  bool all_loud = first.loud, agreed = false, more_nearby = true;
+  int k = 0, clear = 0;
+  // Poses near one at which solutions meet have others on each side.
+  const auto is_clear = [&] { return !strict || clear >= (any_is_singular() ? 3 : 1); };
+  const auto look_at = [&](const Pose<double>& pose) {
+    const Outcome near = pass_nearby(setup_.eliminations[strict ? k % setup_.count : 0], pose);
+    more_nearby = !near.same;
+    const bool without_doubt = near.same && !near.doubtful;
+    clear += without_doubt && size_ > 0 ? 1 : 0;
+    return without_doubt;
+  };
+  const auto look_nearby = [&] {
+    const Pose<double> pose = nearby(k++);
+    return look_at(pose);
+  };
+  const auto is_enough = [&](const Gathered& found) {
+    const Outcome here = settle_here(found);
+    all_loud = all_loud && here.loud;
+    agreed = here.same;
+    if (!agreed) more_nearby = true;
+    if (!agreed || !is_even()) return false;
+    if (!here.doubtful) more_nearby = false;
+    clear += here.doubtful ? 0 : 3;
+    if (!more_nearby) return true;
+    // No elimination is without doubts where solutions meet, but one at a pose nearby is.
+    if (all_loud || few || k == most_nearby) return false;
+    // Two that meet are apart on one side and gone on the other.
+    const Pose<double> opposite = mirrored(pose_, nearby(k));
+    if (!look_nearby()) return false;
+    return look_at(opposite);
+  };
+  bool enough = second != nullptr && is_enough(*second);
+  while (!enough) {
+    const Elimination* elimination = next_elimination();
+    if (elimination == nullptr) break;
+    Gathered found;
+    look_here(*elimination, found);
+    enough = is_enough(found);
+  }
+  while (k < most_nearby && (size_ == 0 || !is_even() || more_nearby || !is_clear() || (few && k < 3))) {
+    look_nearby();
+    agreed = few ? !more_nearby : agreed || !more_nearby;
+  }
+  // Accepts the rows if the last elimination, or a pose nearby, has added none. If rows are singular, there
+  // must have been three.
+  unsure_ = !agreed || all_loud || !is_clear() || !is_even() || (few && any_is_singular());
+}
+
+}  // namespace qvgen::inverse::elimination

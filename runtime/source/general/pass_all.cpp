@@ -1,9 +1,0 @@
-// SPDX-License-Identifier: MIT
-#include "pass.h"
-
-namespace qvgen::inverse::general {
-
-static constexpr Pass pass = {&eliminate_once<2>, &lead_in_lanes<2>, &put_out_in_lanes<2>};
-const Pass* const pass_for_all = &pass;
-
-}  // namespace qvgen::inverse::general

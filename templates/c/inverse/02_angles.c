@@ -1,0 +1,246 @@
+static const double pi = 3.14159265358979323846;
+
+/// Cosine and sine of an angle; solved angles stay algebraic, the arctangent is taken for the output alone.
+typedef struct Rotor {
+  double cosine, sine;
+} Rotor;
+
+static inline Rotor rotor(double cosine, double sine) {
+  const Rotor r = {cosine, sine};
+  return r;
+}
+
+static inline Rotor product(Rotor a, Rotor b) {
+  return rotor(a.cosine * b.cosine - a.sine * b.sine, a.sine * b.cosine + a.cosine * b.sine);
+}
+
+static inline Rotor scaled(double factor, Rotor a) { return rotor(factor * a.cosine, factor * a.sine); }
+
+static inline Rotor inverse(Rotor a) { return rotor(a.cosine, -a.sine); }
+
+static inline double square_of(Rotor a) { return a.cosine * a.cosine + a.sine * a.sine; }
+
+/// A small turn, by 2 atan(angle/2): exact in length; far ones end at half a turn.
+static Rotor turned_by(Rotor u, double angle) {
+  const double t = angle / 2;
+  const double scale = 1 / (1 + t * t);
+  return product(rotor((1 - t) * (1 + t) * scale, 2 * t * scale), u);
+}
+
+/// (atan(t)/t - 1) / t^2 in z = t^2 <= 0.2025, error below 2^-56 of atan(t)/t (minimax).
+static inline double arctangent_series(double z) {
+  const double z2 = z * z;
+  const double z4 = z2 * z2;
+  const double c01 = -0x1.55555555554d3p-2 + z * 0x1.999999998721ap-3;
+  const double c23 = -0x1.2492491d4e0a2p-3 + z * 0x1.c71c6eeb5ad85p-4;
+  const double c45 = -0x1.745cc35dc5ea5p-4 + z * 0x1.3b0d9caeb1e12p-4;
+  const double c67 = -0x1.10c699c0d341ap-4 + z * 0x1.dd1589af82d9ep-5;
+  const double c89 = -0x1.947d0a96686b7p-5 + z * 0x1.23ffc268de3f2p-5;
+  const double low = c01 + z2 * c23;
+  const double middle = c45 + z2 * c67;
+  const double high = c89 + z2 * -0x1.f962b3a8b22c7p-7;
+  return low + z4 * (middle + z4 * high);
+}
+
+/// The angle of (width, height), neither negative, as base plus or minus atan(rise / run), |rise / run| <=
+/// 0.45.
+typedef struct Octant {
+  double rise, run, base;
+  bool steep;  // minus
+} Octant;
+
+static Octant octant(double height, double width) {
+  Octant found;
+  found.steep = height > width;
+  const double low = smaller(height, width);
+  const double high = larger(height, width);
+  // Above atan(0.45) from pi/4 downwards.
+  const bool near_diagonal = low > 0.45 * high;
+  found.rise = near_diagonal ? low - high : low;
+  found.run = larger(near_diagonal ? high + low : high, 0x1p-1022);
+  found.base = near_diagonal ? 0x1.921fb54442d18p-1 : found.steep ? 0x1.921fb54442d18p+0 : 0.0;
+  return found;
+}
+
+/// base + atan(t), base a multiple of pi/4 without the digits that it has beyond a double. What the sum of
+/// base and t loses is put back.
+static inline double turned_by_arctangent(double base, double t) {
+  const double z = t * t;
+  const double sum = base + t;
+  const double beyond = (0x1.1a62633145c07p-54 / 0x1.921fb54442d18p+0) * base;
+  const double rest = ((base - sum) + t) + beyond;
+  return sum + (rest + t * z * arctangent_series(z));
+}
+
+/// Returns the angle of a pair with no negative entry, in [0, pi/2], within 2 ulp.
+static double acute_arctangent(double y, double x) {
+  const Octant found = octant(y, x);
+  return turned_by_arctangent(found.base, negated(found.steep, found.rise) / found.run);
+}
+
+/// In [-pi, pi], within 2 ulp; 0 for (0, 0).
+static double arctangent(double y, double x) {
+  const Octant found = octant(fabs(y), fabs(x));
+  const bool back = x < 0;
+  const double base = back ? 0x1.921fb54442d18p+1 - found.base : found.base;
+  const double rise = negated(back != found.steep, found.rise);
+  return with_sign(turned_by_arctangent(base, rise / found.run), y);
+}
+
+static inline double angle_of(Rotor r) { return arctangent(r.sine, r.cosine); }
+
+/// (atan(t)/t - 1) / t^2 in z = t^2 <= tan^2(pi/8), error below 2^-54 of atan(t)/t.
+static inline double short_series(double z) {
+  const double z2 = z * z;
+  const double z4 = z2 * z2;
+  const double c01 = -0x1.5555555555317p-2 + z * 0x1.9999999949573p-3;
+  const double c23 = -0x1.2492490573282p-3 + z * 0x1.c71c65cc4b9efp-4;
+  const double c45 = -0x1.745bc2e136756p-4 + z * 0x1.3afc30ebd6b1bp-4;
+  const double c67 = -0x1.100504f5a18b1p-4 + z * 0x1.d252ee2a38bc9p-5;
+  const double c89 = -0x1.65109d731968bp-5 + z * 0x1.5c382b132ec64p-6;
+  return ((c01 + z2 * c23) + (z4 * z4) * c89) + z4 * (c45 + z2 * c67);
+}
+
+/// The arctangent of a pair of known length: `axis` and twice the arctangent of t, |t| <= tan(pi/8), with the
+/// signs that are to be, and what that is short of.
+typedef struct Tangent {
+  double axis, twice, rest;
+} Tangent;
+
+static inline Tangent tangent(double y, double x, double length) {
+  const double height = fabs(y);
+  const double width = fabs(x);
+  const double steep = width - height;  // by its sign
+  const double axis = signbit(steep) ? 0x1.921fb54442d18p+0 : signbit(x) ? 0x1.921fb54442d18p+1 : 0.0;
+  const double t = smaller(height, width) / (length + larger(height, width));
+  const double z = t * t;
+  Tangent found;
+  found.axis = copysign(axis, y);
+  found.twice = flipped(t + t, flipped(flipped(x, y), steep));
+  found.rest = found.twice * z * short_series(z);
+  return found;
+}
+
+static inline double arctangent_of_length(double y, double x, double length) {
+  const Tangent found = tangent(y, x, length);
+  return (found.axis + found.twice) + found.rest;
+}
+
+/// Angle in (-pi, pi], rad, of a pair of the given length: -pi, which a negative zero or a rounded sine would
+/// give, is pi.
+static inline double output_angle(double cosine, double sine, double length) {
+  const double value = arctangent_of_length(sine, cosine, length);
+  return value <= -pi ? pi : value;
+}
+
+/// An angle and the one of the opposite direction.
+typedef struct Opposites {
+  double one, other;
+} Opposites;
+
+static inline Opposites output_angles(double cosine, double sine, double length) {
+  const Tangent found = tangent(sine, cosine, length);
+  const double one = (found.axis + found.twice) + found.rest;
+  const double other = ((found.axis - copysign(pi, sine)) + found.twice) + found.rest;
+  const Opposites both = {one <= -pi ? pi : one, other <= -pi ? pi : other};
+  return both;
+}
+
+/// Returns, of all directions that a vector may have after rounding, its end within a disc, the one nearest to the
+/// preferred one. `unit` is the vector's direction, the squares are those of its length and of the disc's radius.
+/// `opposites`: the opposite direction is another branch.
+static Rotor turned_to(Rotor preferred, Rotor unit, double square, double disc, bool opposites) {
+  Rotor choice = preferred;
+  Rotor off = product(choice, inverse(unit));
+  if (opposites && off.cosine < 0) {
+    choice = scaled(-1, choice);
+    off = scaled(-1, off);
+  }
+  const double share = smaller(disc / square, 1);
+  const double sine = sqrt(share);
+  if (off.cosine > 0 && fabs(off.sine) <= sine) return choice;
+  return product(rotor(sqrt(1 - share), with_sign(sine, off.sine)), unit);
+}
+
+/// Below this multiple of what is noise for sure rounding can be seen in a direction.
+static inline bool is_blurred(double square, double noise) { return square <= 1e16 * noise; }
+
+static const double widest_blur = 64;
+
+/// A pair brought to length one. Where its squared length is below `tiny` it is the choice, and the branch is
+/// marked.
+static Rotor direction(bool opposites, Rotor v, double tiny, Rotor choice, Branch* branch) {
+  const double square = square_of(v);
+  const bool is_free = square <= tiny;
+  branch->continuum = branch->continuum || (branch->exists && is_free);
+  doubt(branch, square <= 1e16 * tiny);
+  if (is_free) return choice;
+  const Rotor unit = scaled(1 / sqrt(square), v);
+  return is_blurred(square, tiny) ? turned_to(choice, unit, square, widest_blur * tiny, opposites) : unit;
+}
+
+/// Length of a choice that takes the place of a direction without length.
+static const double brief_length = 0x1p-100;
+
+/// A pair left as long as it is; a free one is the caller's choice, of `brief_length`.
+static Rotor chosen_if_free(Rotor v, double square, double tiny, Rotor brief_choice, bool opposites,
+                            double* length, Branch* branch) {
+  if (!is_blurred(square, tiny)) return v;
+  const bool is_free = square <= tiny;
+  branch->continuum = branch->continuum || (branch->exists && is_free);
+  if (is_free) {
+    *length = brief_length;
+    return brief_choice;
+  }
+  return scaled(*length, turned_to(scaled(1 / brief_length, brief_choice), scaled(1 / *length, v), square,
+                                   widest_blur * tiny, opposites));
+}
+
+/// Returns the direction of a vector and its length.
+static inline Rotor span(bool opposites, Rotor v, double tiny, Rotor brief_choice, double* length,
+                         Branch* branch) {
+  const double square = square_of(v);
+  *length = sqrt(square);
+  return chosen_if_free(v, square, tiny, brief_choice, opposites, length, branch);
+}
+
+/// Returns the direction of a vector whose length is known but for rounding: a Newton step corrects it without waiting
+/// for a root.
+static inline Rotor span_of_length(bool opposites, Rotor v, double about, double tiny, Rotor brief_choice,
+                                   double* length, Branch* branch) {
+  const double square = square_of(v);
+  *length = 0.5 * about + square * (0.5 / about);
+  return chosen_if_free(v, square, tiny, brief_choice, opposites, length, branch);
+}
+
+/// Cosine and sine of half the angle (in (-pi/2, pi/2]) from a normalised pair.
+static inline Rotor half(Rotor r) {
+  const double longer = sqrt((1 + fabs(r.cosine)) / 2);
+  const double other = r.sine / (2 * longer);
+  return r.cosine >= 0 ? rotor(longer, other) : rotor(fabs(other), with_sign(longer, r.sine));
+}
+
+/// The direction of half the angle of a pair of the given length, for wrists: its squared length is between 2
+/// and 4 times the pair's.
+static inline Rotor half_direction(Rotor r, double length) {
+  const double longer = length + fabs(r.cosine);
+  return r.cosine >= 0 ? rotor(longer, r.sine) : rotor(fabs(r.sine), with_sign(longer, r.sine));
+}
+
+/// (-pi, pi] of an angle in (-3 pi, 3 pi].
+static inline double wrapped(double angle) {
+  return angle + (angle > pi ? -2 * pi : angle <= -pi ? 2 * pi : 0);
+}
+
+/// angle + pi for an angle in (-pi, pi], again in (-pi, pi].
+static inline double opposite(double angle) {
+  const double turned = angle + (angle > 0 ? -pi : pi);
+  return turned <= -pi ? pi : turned;
+}
+
+/// A difference of angles, rad, less the whole turns that bring it into [-pi, pi].
+static inline double without_turns(double difference) {
+  const double turn = 6.283185307179586476925;
+  const double rounds = 0x1.8p52;
+  return difference - turn * ((difference * (1 / turn) + rounds) - rounds);
+}

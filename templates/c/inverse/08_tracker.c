@@ -1,0 +1,326 @@
+/// Next to a continuum steps converge at once; elsewhere they need not.
+static Patience quick(double allowed) {
+  const Patience until = {allowed, 1, 1e-4};
+  return until;
+}
+
+/// Values moved on along an idle joint, the others following.
+static void move_along(const Matching* task, const Reached* at, int joint, double by, JointValues* values) {
+  const Steps others = following(task, at, joint, by);
+  for (int i = 0; i < task->joints; ++i) advance(task, i, others.by[i], values);
+}
+
+/// True if values that reach the goals, moved on a little, still miss them by no more than is allowed.
+static bool goes_on(const Matching* task, const JointValues* values, const Reached* at, double allowed,
+                    Budget* budget) {
+  const Dependent idle = idle_joints(task, at);
+  if (idle.least == task->joints) return false;
+  const double little = length_of_arc(task, idle.least, 1e-2);
+  // Rejects ways that are off to first order already, with a wide margin: the way may be curved.
+  const double most = 100 * allowed;
+  if (little * little * idle.square > most * most * task->size_square) return false;
+  for (int side = 1; side >= -1; side -= 2) {
+    JointValues moved_on = *values;
+    Reached there;
+    move_along(task, at, idle.least, side * little, &moved_on);
+    if (polish(task, quick(allowed), &moved_on, &there, budget, &idle.columns)) return true;
+  }
+  return false;
+}
+
+/// True if one of several joints that are idle goes on while the others are moved by whatever it takes: where
+/// two solutions meet on a continuum rounding takes them off it by half the digits.
+static bool leads_on_beside(const Matching* task, const JointValues* values, const Reached* at,
+                            double allowed, Budget* budget) {
+  const Dependent idle = idle_joints(task, at);
+  int count = 0;
+  for (int i = 0; i < task->joints; ++i) count += idle.columns.is[i] ? 1 : 0;
+  if (count < 2) return false;
+  for (int i = 0; i < task->joints; ++i) {
+    if (!idle.columns.is[i]) continue;
+    Held held = nothing_held;
+    held.is[i] = true;
+    JointValues moved_on = *values;
+    advance(task, i, length_of_arc(task, i, 1e-2), &moved_on);
+    Reached there;
+    if (polish(task, quick(allowed), &moved_on, &there, budget, &held)) return true;
+  }
+  return false;
+}
+
+/// True if values that reach the goals can be moved on a little and still reach them, to some more rounding.
+static bool is_continuum(const Matching* task, const JointValues* values, const Reached* at, Budget* budget) {
+  const double allowed = 64 * DBL_EPSILON;
+  return goes_on(task, values, at, allowed, budget) ||
+         leads_on_beside(task, values, at, allowed, budget);
+}
+
+/// True if between two values that reach the goals, near each other, there are such values too.
+static bool are_joined(const Matching* task, const JointValues* a, const Reached* at, const JointValues* b,
+                       Budget* budget) {
+  const Dependent idle = idle_joints(task, at);
+  if (idle.least == task->joints) return false;
+  JointValues middle = *a;
+  for (int i = 0; i < task->joints; ++i) {
+    middle.of[i].cosine = (a->of[i].cosine + b->of[i].cosine) / 2;
+    middle.of[i].sine = (a->of[i].sine + b->of[i].sine) / 2;
+  }
+  Reached there;
+  if (!polish(task, quick(0), &middle, &there, budget, &idle.columns)) return false;
+  const double most = 0.6 * values_apart(task->joints, a, b);
+  return values_apart(task->joints, a, &middle) < most && values_apart(task->joints, b, &middle) < most;
+}
+
+/// Solutions so far, by the values of the joints that decide.
+typedef struct Known {
+  int count;
+  JointValues of[most_branches];
+} Known;
+
+/// By more than half the digits.
+static bool are_apart(int joints, const JointValues* a, const JointValues* b) {
+  return !(values_apart(joints, a, b) < 180 * DBL_EPSILON);
+}
+
+static bool is_known(const Known* known, int joints, const JointValues* values) {
+  for (int k = 0; k < known->count; ++k)
+    if (!are_apart(joints, &known->of[k], values)) return true;
+  return false;
+}
+
+static const Known nothing_known = {0, {{{{0, 0}}}}};
+
+/// Leaves a place at which steps end short of the goals. Two solutions may meet there, or would meet beyond the
+/// boundary of reach: to first order nothing leads on. To second order a step to either side along the idle joint
+/// tells, and from there steps lead to the solutions if there are any. Returns whether they do; one that is known
+/// already is not enough.
+static bool leave_double_root(const Matching* task, Patience until, const Known* known, JointValues* values,
+                              Reached* at, Budget* budget) {
+  const double share = at->error / task->size_square;
+  if (!(share < 1e-8)) return false;
+  const Dependent idle = idle_joints(task, at);
+  if (idle.least == task->joints) return false;
+  const double aside = length_of_arc(task, idle.least, sqrt(sqrt(share)));
+  const JointValues meeting = *values;
+  const Reached there_at = *at;
+  bool found = false;
+  for (int side = 1; side >= -1; side -= 2) {
+    JointValues beside = meeting;
+    Reached there;
+    move_along(task, &there_at, idle.least, side * aside, &beside);
+    if (!may_step(budget)) return found;
+    reach(task, &beside, &there);
+    if (!(there.error < there_at.error) || !polish(task, until, &beside, &there, budget, &nothing_held))
+      continue;
+    *values = beside;
+    *at = there;
+    found = true;
+    if (!is_known(known, task->joints, values)) return true;
+  }
+  return found;
+}
+
+/// State of a branch so far: no pass has followed it to its end; no Newton steps lead from its end to the pose; a wrist
+/// cannot follow to what has been chosen on a continuum; it has led to a solution.
+typedef enum BranchState { unseen, missed, turned_back, settled } BranchState;
+
+/// The branches' states, and the solutions so far: the closed form may come to one from two branches, and
+/// polishing brings two together where they are one.
+typedef struct Tracker {
+  int branches;
+  BranchState states[most_branches];
+  Known known;
+  Budget budget;
+  bool persists;  // further choices are made as long as a branch is without a solution
+  bool again;     // branches that have led to a solution are followed again, to others
+  bool closed;    // but not those of which nothing is polished
+} Tracker;
+
+static void start_tracker(Tracker* tracker, int branches, int passes, int steps, bool persists) {
+  const Budget budget = {passes, steps, {0, 0, 0}};
+  tracker->branches = branches;
+  for (int i = 0; i < branches; ++i) tracker->states[i] = unseen;
+  tracker->known.count = 0;
+  tracker->budget = budget;
+  tracker->persists = persists;
+  tracker->again = tracker->closed = false;
+}
+
+static bool any_branch_is(const Tracker* tracker, BranchState state) {
+  for (int i = 0; i < tracker->branches; ++i)
+    if (tracker->states[i] == state) return true;
+  return false;
+}
+
+static bool all_settled(const Tracker* tracker) {
+  for (int i = 0; i < tracker->branches; ++i)
+    if (tracker->states[i] != settled) return false;
+  return true;
+}
+
+static bool is_settled(const Tracker* tracker, int label) {
+  return tracker->states[label] == settled && (!tracker->again || tracker->closed);
+}
+
+/// True if there is room for one more row. If there is none a row is lost, and the set is incomplete; but
+/// where branches are followed again each has a row of its own then.
+static bool has_room(Tracker* tracker) {
+  const bool is_full = tracker->known.count == tracker->branches;
+  if (is_full && !tracker->again) tracker->budget.spent.used_up = true;
+  return !is_full;
+}
+
+/// A solution of which nothing is polished.
+static void close_branch(Tracker* tracker, int label) {
+  tracker->states[label] = settled;
+  tracker->closed = true;
+}
+
+/// Takes back the last solution: a wrist cannot follow there.
+static void reopen_branch(Tracker* tracker, int label, bool continuum) {
+  tracker->states[label] = continuum ? turned_back : missed;
+  --tracker->known.count;
+}
+
+static bool is_joined_to_known(Tracker* tracker, const Matching* task, const JointValues* values,
+                               const Reached* at) {
+  for (int k = 0; k < tracker->known.count; ++k) {
+    const JointValues* other = &tracker->known.of[k];
+    if (values_apart(task->joints, other, values) < 1e-2 &&
+        are_joined(task, values, at, other, &tracker->budget))
+      return true;
+  }
+  return false;
+}
+
+/// Newton steps from where a branch has led. Where two solutions meet they may come to the one that another
+/// branch has found, or stand still: then to the side of the other.
+static bool lead_to_goal(Tracker* tracker, Patience until, const Matching* task, JointValues* values,
+                         Reached* reached) {
+  Budget* budget = &tracker->budget;
+  const JointValues start = *values;
+  const bool reaches = polish(task, until, values, reached, budget, &nothing_held);
+  if (reaches &&
+      !(is_known(&tracker->known, task->joints, values) && are_apart(task->joints, &start, values)))
+    return true;
+  if (!reaches) return leave_double_root(task, until, &tracker->known, values, reached, budget);
+  JointValues beside = start;
+  if (!may_step(budget)) return true;
+  normalise(task, &beside);
+  Reached there;
+  reach(task, &beside, &there);
+  if (leave_double_root(task, until, &tracker->known, &beside, &there, budget) &&
+      !is_known(&tracker->known, task->joints, &beside)) {
+    *values = beside;
+    *reached = there;
+  }
+  return true;
+}
+
+/// The place on the continuum to which Newton steps from the seed lead, if no branch has come there yet.
+static void take_place_near_seed(Tracker* tracker, const Matching* task, const JointValues* seed,
+                                 JointValues* values) {
+  JointValues at = *seed;
+  Reached there;
+  if (!polish(task, patience(0), &at, &there, &tracker->budget, &nothing_held) ||
+      is_known(&tracker->known, task->joints, &at) || is_joined_to_known(tracker, task, &at, &there) ||
+      !is_continuum(task, &at, &there, &tracker->budget))
+    return;
+  *values = at;
+}
+
+/// Polishes where a branch has led; true if that is a solution and a new one, to half the digits. On a
+/// continuum the place is the one next to the seed, if there is one.
+static bool settle_branch(Tracker* tracker, int label, const Matching* task, const Boundary* boundary,
+                          const JointValues* seed, JointValues* values, Branch* branch) {
+  BranchState* state = &tracker->states[label];
+  Known* known = &tracker->known;
+  if (!branch->exists || (tracker->again && is_known(known, task->joints, values))) return false;
+  if (!branch->unsure) {
+    // Closed forms are to be trusted, as elsewhere. Another branch may have been led there.
+    normalise(task, values);
+    *state = settled;
+    if (is_known(known, task->joints, values) || !has_room(tracker)) return false;
+    known->of[known->count++] = *values;
+    return true;
+  }
+  Reached reached;
+  const JointValues start = *values;
+  const bool leads = lead_to_goal(tracker, patience(boundary->miss), task, values, &reached);
+  const bool same = leads && is_known(known, task->joints, values);
+  // A branch that reached another branch's solution from elsewhere may have left its own, which a choice finds.
+  if (!leads || (tracker->persists && same && are_apart(task->joints, &start, values))) {
+    if (*state == unseen) *state = missed;
+    return false;
+  }
+  *state = settled;
+  if (same || is_joined_to_known(tracker, task, values, &reached) || !has_room(tracker)) return false;
+  if (branch->continuum || is_continuum(task, values, &reached, &tracker->budget)) {
+    branch->continuum = true;
+    if (seed != NULL) take_place_near_seed(tracker, task, seed, values);
+  }
+  known->of[known->count++] = *values;
+  return true;
+}
+
+/// From where Newton's steps start: from where the equations lead; from there, with what is idle put back to
+/// where the seed has it, and held; from the seed.
+typedef enum Start { from_form, from_held, from_seed } Start;
+
+/// Polishes the one branch's joints.
+typedef struct SeedTracker {
+  Start start;
+  Budget budget;
+} SeedTracker;
+
+static SeedTracker new_seed_tracker(void) {
+  const SeedTracker tracker = {from_form, {6, 60, {0, 0, 0}}};
+  return tracker;
+}
+
+/// True if from the seed steps lead to the pose of which the joints that are idle there take no part.
+static bool moves_without_idle(SeedTracker* tracker, const Matching* task, Patience until,
+                               JointValues* values, Reached* reached) {
+  if (!may_step(&tracker->budget)) return false;
+  Reached at;
+  reach(task, values, &at);
+  const Dependent idle = idle_joints(task, &at);
+  return idle.least != task->joints && polish(task, until, values, reached, &tracker->budget, &idle.columns);
+}
+
+/// True if the joints that are idle can be where the seed has them.
+static bool holds(SeedTracker* tracker, const Matching* task, Patience until, const JointValues* seed,
+                  JointValues* values, Reached* reached) {
+  const Dependent idle = idle_joints(task, reached);
+  if (idle.least == task->joints) return false;
+  for (int i = 0; i < task->joints; ++i)
+    if (idle.columns.is[i]) values->of[i] = seed->of[i];
+  return polish(task, until, values, reached, &tracker->budget, &idle.columns);
+}
+
+/// False if no steps lead to the pose.
+static bool settle_near_seed(SeedTracker* tracker, const Matching* task, const Boundary* boundary,
+                             const JointValues* seed, JointValues* values, Branch* branch) {
+  if (!branch->exists || (!branch->unsure && tracker->start != from_form)) return false;
+  if (!branch->unsure) {
+    normalise(task, values);
+    return true;
+  }
+  Budget* budget = &tracker->budget;
+  Reached reached;
+  const Patience until = patience(boundary->miss);
+  if (tracker->start == from_seed) {
+    *values = *seed;
+    if (moves_without_idle(tracker, task, until, values, &reached)) {
+      branch->continuum = branch->continuum || is_continuum(task, values, &reached, budget);
+      return true;
+    }
+    *values = *seed;
+  }
+  if (!polish(task, until, values, &reached, budget, &nothing_held) &&
+      !leave_double_root(task, until, &nothing_known, values, &reached, budget))
+    return false;
+  if (tracker->start == from_held && !holds(tracker, task, until, seed, values, &reached)) return false;
+  branch->continuum = branch->continuum || is_continuum(task, values, &reached, budget);
+  return true;
+}

@@ -1,0 +1,252 @@
+/// Preferred value of each joint, taken if a pose leaves it free: zero or the caller's.
+typedef struct Preference {
+  double angle[row_size];
+  double slide[row_size];
+  Rotor turn[row_size];
+  Rotor brief[row_size];  // the same as short as `span` wants them
+  Rotor spread;           // (1, 0): slides are where they are preferred; turned: elsewhere in reach
+  bool seeded;            // the caller's
+} Preference;
+
+static inline void choose_turn(Preference* preference, int joint, Rotor turn) {
+  preference->turn[joint] = turn;
+  preference->brief[joint] = scaled(brief_length, turn);
+}
+
+static void prefer_zero(Preference* preference) {
+  for (int i = 0; i < row_size; ++i) {
+    preference->angle[i] = preference->slide[i] = 0;
+    choose_turn(preference, i, rotor(1, 0));
+  }
+  preference->spread = rotor(1, 0);
+  preference->seeded = false;
+}
+
+/// Preference with zero for virtual joints, which come behind the arm's own.
+static void prefer_seed(const double* seed, Preference* preference) {
+  prefer_zero(preference);
+  preference->seeded = true;
+  for (int i = 0; i < dof; ++i) {
+    preference->angle[i] = without_turns(seed[i]);
+    preference->slide[i] = seed[i];
+    choose_turn(preference, i, rotor(cos(seed[i]), sin(seed[i])));
+  }
+}
+
+/// Every preferred angle further by one angle, slides elsewhere in reach.
+static void choose_further(Preference* preference, Rotor turn, Rotor spread) {
+  for (int i = 0; i < row_size; ++i) {
+    choose_turn(preference, i, product(turn, preference->turn[i]));
+    preference->angle[i] = angle_of(preference->turn[i]);
+  }
+  preference->spread = product(spread, preference->spread);
+}
+
+/// By the golden angle, which spreads any number of them evenly.
+static void next_choice(Preference* preference) {
+  choose_further(preference, rotor(-0x1.798869e0de833p-1, 0x1.59d9dd253cc13p-1),
+                 rotor(0x1.731267372626dp-2, 0x1.dd335a962dc90p-1));
+}
+
+/// By a 16th of a turn.
+static void next_choice_of_quartic(Preference* preference) {
+  choose_further(preference, rotor(0x1.d906bcf328d46p-1, 0x1.87de2a6aea963p-2),
+                 rotor(0x1.f6297cff75cb0p-1, 0x1.8f8b83c69a60ap-3));
+}
+
+/// An angle in (-pi, pi] less a phase in the same range, brought back into it.
+static double less_phase(double angle, double phase) {
+  const double less = angle - phase;
+  if (less > pi) return less - 2 * pi;
+  return less <= -pi ? less + 2 * pi : less;
+}
+
+/// Rows in the derivation's angles become rows in the description's. Slides have no phase.
+static void subtract_phases(Row* rows, int count, const double* phases) {
+  for (int k = 0; k < count; ++k)
+    for (int i = 0; i < row_size; ++i)
+      if (phases[i] != 0) rows[k].q[i] = less_phase(rows[k].q[i], phases[i]);
+}
+
+/// Preferred values of free joints, in the derivation's angles.
+static void add_phases(Preference* preference, const double* phases) {
+  for (int i = 0; i < row_size; ++i) {
+    if (phases[i] == 0) continue;
+    preference->angle[i] += phases[i];
+    choose_turn(preference, i, product(rotor(cos(phases[i]), sin(phases[i])), preference->turn[i]));
+  }
+}
+
+static void start_rows(Rows* found) {
+  found->status = status_unreachable;
+  found->count = 0;
+  found->effort.passes = found->effort.steps = found->effort.used_up = 0;
+}
+
+static void start_solutions(Solutions* found) {
+  found->status = status_unreachable;
+  found->count = 0;
+  found->effort.passes = found->effort.steps = found->effort.used_up = 0;
+}
+
+static inline void append(Rows* found, const double* q, int branch, bool continuum) {
+  Row* row = &found->rows[found->count++];
+  memcpy(row->q, q, sizeof row->q);
+  row->branch = branch;
+  row->continuum = continuum;
+}
+
+/// True if a row stands for a continuum.
+static bool has_continuum(const Rows* found) {
+  for (int i = 0; i < found->count; ++i)
+    if (found->rows[i].continuum) return true;
+  return false;
+}
+
+/// From the rows that were found.
+static void conclude(Rows* found) {
+  found->status = found->effort.used_up  ? status_incomplete
+                  : found->count == 0    ? status_unreachable
+                  : has_continuum(found) ? status_singular
+                                         : status_solved;
+}
+
+static bool is_branch_of_any(const Row* rows, int count, int branch) {
+  for (int i = 0; i < count; ++i)
+    if (rows[i].branch == branch) return true;
+  return false;
+}
+
+/// Gives rows whose branch an earlier row has, too, the first number that no row has.
+static void number_apart(Rows* found) {
+  for (int k = 1; k < found->count; ++k) {
+    if (!is_branch_of_any(found->rows, k, found->rows[k].branch)) continue;
+    int branch = 0;
+    while (is_branch_of_any(found->rows, found->count, branch)) ++branch;
+    found->rows[k].branch = branch;
+  }
+}
+
+static void conclude_solutions(Solutions* found) {
+  bool marked = false;
+  for (int i = 0; i < found->count; ++i) marked = marked || found->rows[i].continuum;
+  found->status = found->effort.used_up ? status_incomplete
+                  : found->count == 0   ? status_unreachable
+                  : marked              ? status_singular
+                                        : status_solved;
+}
+
+/// Back into the order of branches, for rows that two passes have found.
+static void sort_by_branch(Row* rows, int count) {
+  for (int i = 1; i < count; ++i) {
+    const Row row = rows[i];
+    int at = i;
+    for (; at > 0 && row.branch < rows[at - 1].branch; --at) rows[at] = rows[at - 1];
+    rows[at] = row;
+  }
+}
+
+/// In the order of their squared distances from a seed; equal ones keep their order.
+static void sort_rows(Solution* rows, int count, double* squares) {
+  for (int i = 1; i < count; ++i) {
+    const Solution row = rows[i];
+    const double own = squares[i];
+    int at = i;
+    for (; at > 0 && own < squares[at - 1]; --at) {
+      rows[at] = rows[at - 1];
+      squares[at] = squares[at - 1];
+    }
+    rows[at] = row;
+    squares[at] = own;
+  }
+}
+
+/// Revolute joints the short way round.
+static void sort_by_distance(Solutions* found, const double* seed) {
+  double distances[capacity];
+  for (int k = 0; k < found->count; ++k) {
+    double sum = 0;
+    for (int i = 0; i < dof; ++i) {
+      const double off =
+          is_revolute[i] ? without_turns(seed[i] - found->rows[k].q[i]) : seed[i] - found->rows[k].q[i];
+      sum += off * off;
+    }
+    distances[k] = sqrt(sum);
+  }
+  sort_rows(found->rows, found->count, distances);
+}
+
+/// How far outside its limits a joint still counts as on them, rad or m: rounding moves a joint that stands on its
+/// limit to either side. Such a joint is put on the limit itself.
+static const double limit_tolerance = 1e-12;
+
+static inline double between(double lower, double value, double upper) {
+  const double raised = value > lower ? value : lower;
+  return raised < upper ? raised : upper;
+}
+
+/// Puts the angle q + 2 pi k inside the limits that is nearest to a seed in the place of q; false if there is none. It
+/// is the one next to a value in the middle of the limits, or, where these are wide, the seed, half a turn away from
+/// them. A slide has itself.
+static bool representative(bool revolute, double seed, double lower, double upper, double* q) {
+  const double far = 1e300;
+  if (!(lower <= upper && lower < far && upper > -far)) return false;
+  double value = *q;
+  if (revolute) {
+    const double turn = 6.283185307179586476925;
+    const double rounds = 0x1.8p52;
+    const double half = 0.5 * turn - limit_tolerance;
+    const double least = lower + half, most = upper - half;
+    const double middle = least < most ? between(least, seed, most) : 0.5 * (lower + upper);
+    value += turn * (((middle - value) * (1 / turn) + rounds) - rounds);
+  }
+  *q = between(lower, value, upper);
+  return fabs(*q - value) <= limit_tolerance;
+}
+
+static bool row_within_limits(const double* seed, const double* lower, const double* upper, double* q) {
+  for (int i = 0; i < dof; ++i)
+    if (!representative(is_revolute[i], seed[i], lower[i], upper[i], &q[i])) return false;
+  return true;
+}
+
+/// Keeps of each row the representative nearest to the seed, if it has one inside the limits; the nearest row
+/// first.
+static void keep_within_limits(Solutions* found, const double* seed, const double* lower,
+                               const double* upper) {
+  double distances[capacity];
+  int kept = 0;
+  for (int k = 0; k < found->count; ++k) {
+    Solution row = found->rows[k];
+    if (!row_within_limits(seed, lower, upper, row.q)) continue;
+    double sum = 0;
+    for (int i = 0; i < dof; ++i) sum += (row.q[i] - seed[i]) * (row.q[i] - seed[i]);
+    distances[kept] = sum;
+    found->rows[kept++] = row;
+  }
+  const int status = found->status;
+  found->count = kept;
+  sort_rows(found->rows, kept, distances);
+  // A row inside the limits may be among those that an incomplete set lacks.
+  if (status != status_invalid && status != status_incomplete) conclude_solutions(found);
+}
+
+/// The arm's own joints of rows that virtual ones stand behind.
+static void own_joints(const Rows* rows, Solutions* found) {
+  found->status = rows->status;
+  found->effort = rows->effort;
+  found->count = rows->count;
+  for (int k = 0; k < rows->count; ++k) {
+    memcpy(found->rows[k].q, rows->rows[k].q, sizeof found->rows[k].q);
+    found->rows[k].branch = rows->rows[k].branch;
+    found->rows[k].continuum = rows->rows[k].continuum;
+  }
+}
+
+/// Preference by a seed of which one joint's value is given.
+static void prefer_seed_with(const double* seed, int joint, double value, Preference* preference) {
+  double q[dof];
+  memcpy(q, seed, sizeof q);
+  q[joint] = value;
+  prefer_seed(q, preference);
+}

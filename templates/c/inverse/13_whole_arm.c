@@ -1,0 +1,230 @@
+/// Joints and tool with all joints at zero.
+typedef struct Arm {
+  int joints;
+  Screw of[most_joints];
+  Pose tool;
+} Arm;
+
+static void set_screw(Arm* arm, int joint, bool revolute, double axis_x, double axis_y, double axis_z,
+                      double x, double y, double z) {
+  arm->of[joint].revolute = revolute;
+  set_triple(arm->of[joint].axis, axis_x, axis_y, axis_z);
+  set_triple(arm->of[joint].point, x, y, z);
+}
+
+static Pose carried_by(const Screw* joint, double q, Pose tool) {
+  if (!joint->revolute) {
+    for (int k = 0; k < 3; ++k) tool.position[k] += q * joint->axis[k];
+    return tool;
+  }
+  const Quaternion turn = turn_about(joint->axis, q);
+  double from[3];
+  difference(tool.position, joint->point, from);
+  turn_vector(turn, from, tool.position);
+  for (int k = 0; k < 3; ++k) tool.position[k] += joint->point[k];
+  tool.orientation = turn_after(turn, tool.orientation);
+  return tool;
+}
+
+static Pose tool_of(const Arm* arm, const double* q) {
+  Pose tool = arm->tool;
+  for (int i = arm->joints; i-- > 0;) tool = carried_by(&arm->of[i], q[i], tool);
+  return tool;
+}
+
+/// The tool's point (`points` 1) or its whole pose (3) at the zero pose, and where it is to be.
+static void set_matching(const Arm* arm, const Pose* pose, int points, Matching* task) {
+  const Pose back = inverse_pose(&arm->tool);
+  const Pose unit = with_unit_quaternion(pose);
+  const Pose moved = pose_after(&unit, &back);
+  const double square =
+      projection(pose->position, pose->position) + projection(arm->tool.position, arm->tool.position);
+  // An arm without size may measure turns by any length.
+  const double size = square > 0 ? sqrt(square) : 1;
+  task->joints = arm->joints;
+  task->points = points;
+  memcpy(task->arm, arm->of, sizeof task->arm);
+  task->size_square = size * size;
+  for (int i = 0; i < points; ++i) {
+    memcpy(task->start[i], arm->tool.position, sizeof task->start[i]);
+    if (i > 0) task->start[i][i - 1] += size;
+    if (points == 1) {
+      memcpy(task->goal[i], pose->position, sizeof task->goal[i]);
+      continue;
+    }
+    turn_vector(moved.orientation, task->start[i], task->goal[i]);
+    for (int k = 0; k < 3; ++k) task->goal[i][k] += moved.position[k];
+  }
+}
+
+/// The arm with a turn of its tool about an axis of its own, a unit vector, as one more joint: what a task
+/// with a direction leaves.
+static Arm with_tool_turn(Arm arm, double x, double y, double z) {
+  const double tool_axis[3] = {x, y, z};
+  double axis[3];
+  turn_vector(arm.tool.orientation, tool_axis, axis);
+  const double* point = arm.tool.position;
+  set_screw(&arm, arm.joints++, true, axis[0], axis[1], axis[2], point[0], point[1], point[2]);
+  return arm;
+}
+
+/// The arm with all axes and its tool in the origin, for tasks that leave the position. Of revolute joints.
+static Arm turns_of(Arm arm) {
+  for (int i = 0; i < arm.joints; ++i) set_triple(arm.of[i].point, 0, 0, 0);
+  set_triple(arm.tool.position, 0, 0, 0);
+  return arm;
+}
+
+/// An arm one of whose joints stands still: the others of it.
+static Arm without_joint(const Arm* arm, int still, double value) {
+  const Screw* screw = &arm->of[still];
+  const Rotor turn = screw->revolute ? rotor(cos(value), sin(value)) : rotor(value, 0);
+  Arm rest = *arm;
+  rest.joints = arm->joints - 1;
+  for (int i = still; i < rest.joints; ++i) {
+    rest.of[i] = arm->of[i + 1];
+    if (screw->revolute) turn_direction(screw, turn, rest.of[i].axis);
+    move_point(screw, turn, rest.of[i].point);
+  }
+  rest.tool = carried_by(screw, value, arm->tool);
+  return rest;
+}
+
+/// How far joint values leave the points off their goals, the largest distance squared.
+static double miss_square(const Matching* task, const JointValues* values) {
+  double largest = 0;
+  for (int p = 0; p < task->points; ++p) {
+    double x[3];
+    memcpy(x, task->start[p], sizeof x);
+    for (int i = task->joints; i-- > 0;) move_point(&task->arm[i], values->of[i], x);
+    difference(task->goal[p], x, x);
+    largest = larger(largest, dot(x, x));
+  }
+  return largest;
+}
+
+/// The share of the way between them by which two joint values miss each other's pose if nothing between them
+/// is nearly free.
+static const double least_miss = 0.05;
+
+/// True if a row of the equations that rounding may have decided is to be taken: it brings the tool to the pose, but
+/// for rounding, and nothing between the seed and it is nearly free, along which rounding would have moved it.
+static bool is_certain_row(const Arm* arm, int points, const Pose* pose, const Preference* seed,
+                           const Nearest* found) {
+  const double rounding = 32 * DBL_EPSILON;
+  Matching task;
+  JointValues row, start;
+  set_matching(arm, pose, points, &task);
+  for (int i = 0; i < arm->joints; ++i) {
+    const double q = found->row.q[i];
+    row.of[i] = arm->of[i].revolute ? rotor(cos(q), sin(q)) : rotor(q, 0);
+    start.of[i] = arm->of[i].revolute ? seed->turn[i] : rotor(seed->slide[i], 0);
+  }
+  if (!(miss_square(&task, &row) <= rounding * rounding * task.size_square)) return false;
+  return miss_square(&task, &start) >=
+         least_miss * least_miss * nearest_apart(found, seed) * task.size_square;
+}
+
+/// True if the seed misses the pose by much less than its way to a row lets expect: something between them is nearly
+/// free.
+static bool is_nearly_free(const Matching* task, const JointValues* seed, double row_apart, Budget* budget) {
+  if (!may_step(budget)) return false;
+  Reached at;
+  reach(task, seed, &at);
+  return at.error < least_miss * least_miss * row_apart * task->size_square;
+}
+
+/// The row to which Newton's steps of the whole arm lead from the seed, if they lead to the pose; one joint
+/// where it is given, none for -1. What is nearly free stays where the seed has it. `row_apart`: how far what
+/// has been found is from the seed, squared; where that `is_sure` steps are taken only next to what turns out
+/// to be singular.
+static void row_from_seed(const Arm* whole, int points, const Pose* pose, const Preference* seed, int given,
+                          double value, double tolerance, bool is_sure, double row_apart, Nearest* row) {
+  const Arm arm = given >= 0 ? without_joint(whole, given, value) : *whole;
+  Matching task;
+  JointValues start;
+  set_matching(&arm, pose, points, &task);
+  memset(&start, 0, sizeof start);
+  for (int i = 0; i < arm.joints; ++i) {
+    const int joint = given >= 0 && i >= given ? i + 1 : i;
+    start.of[i] = arm.of[i].revolute ? seed->turn[joint] : rotor(seed->slide[joint], 0);
+  }
+  SeedTracker tracker = new_seed_tracker();
+  tracker.start = from_seed;
+  const bool is_wanted =
+      !is_sure || (row_apart < HUGE_VAL && is_nearly_free(&task, &start, row_apart, &tracker.budget));
+  JointValues values = start;
+  Branch branch = new_branch;
+  branch.unsure = true;
+  const Boundary boundary = ends_boundary(tolerance);
+  if (is_wanted && settle_near_seed(&tracker, &task, &boundary, &start, &values, &branch)) {
+    double q[row_size];
+    for (int i = 0; i < arm.joints; ++i)
+      q[given >= 0 && i >= given ? i + 1 : i] =
+          arm.of[i].revolute ? output_angle(values.of[i].cosine, values.of[i].sine, 1) : values.of[i].cosine;
+    if (given >= 0) q[given] = value;
+    take_row(row, q, -1, branch.continuum);
+  }
+  row->effort = tracker.budget.spent;
+}
+
+/// Takes that row if it is nearer to the seed than what has been found.
+static void follow_whole_arm(const Arm* arm, int points, const Pose* pose, const Preference* seed, int given,
+                             double value, double tolerance, bool is_sure, Nearest* found) {
+  Nearest row;
+  start_nearest(&row);
+  row_from_seed(arm, points, pose, seed, given, value, tolerance, is_sure, nearest_apart(found, seed), &row);
+  take_nearer(&row, seed, found);
+}
+
+/// The first number that no row has.
+static int free_branch(const Solutions* rows) {
+  for (int branch = 0;; ++branch) {
+    bool has_it = false;
+    for (int i = 0; i < rows->count; ++i) has_it = has_it || rows->rows[i].branch == branch;
+    if (!has_it) return branch;
+  }
+}
+
+/// True if a set has a row that is this one but for rounding: next to a double root half the digits are lost.
+static bool has_row(const Solutions* found, const Row* row) {
+  for (int k = 0; k < found->count; ++k) {
+    double square = 0;
+    for (int i = 0; i < dof; ++i) {
+      const double difference = found->rows[k].q[i] - row->q[i];
+      const double off = is_revolute[i] ? without_turns(difference) : difference;
+      square += off * off;
+    }
+    if (square < 180 * DBL_EPSILON) return true;
+  }
+  return false;
+}
+
+/// Puts a row next to the seed in front of all solutions, which stand by their distance from it, if there is
+/// one that these do not have: in place of the nearest one where a joint is free or nearly free, and else as
+/// one that has been missed, as others may be, with a number that no other has.
+static void add_row_at_seed(const Arm* arm, int points, const Pose* pose, const Preference* seed, int given,
+                            double value, double tolerance, int most_rows_of_set, Solutions* found) {
+  Nearest nearest;
+  start_nearest(&nearest);
+  nearest.count = found->count > 0 ? 1 : 0;
+  if (found->count > 0) nearest.row = row_of(&found->rows[0]);
+  if (found->status == status_invalid) return;
+  const bool is_sure = found->effort.passes == 0;
+  const double row_apart = nearest_apart(&nearest, seed);
+  // Steps that rounding makes on a continuum would add up.
+  if (is_sure ? is_next_to(&nearest, seed) : row_apart < 1e-12) return;
+  follow_whole_arm(arm, points, pose, seed, given, value, tolerance, is_sure, &nearest);
+  found->effort.steps += nearest.effort.steps;
+  if (!(nearest_apart(&nearest, seed) < row_apart) || has_row(found, &nearest.row)) return;
+  const bool is_joined = found->count > 0 && (is_sure || found->rows[0].continuum || nearest.row.continuum);
+  const bool replaces = is_joined || found->count == most_rows_of_set;
+  const int branch = replaces ? found->rows[0].branch : free_branch(found);
+  if (!replaces) {
+    for (int i = found->count++; i > 0; --i) found->rows[i] = found->rows[i - 1];
+  }
+  found->rows[0] = own_solution(&nearest.row);
+  found->rows[0].branch = branch;
+  conclude_solutions(found);
+  if (!replaces) found->status = status_incomplete;
+}

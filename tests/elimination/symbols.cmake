@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: MIT
+# OBJECTS, compiled for a wider set than others, define nothing that other files' symbols may be merged with.
+if(NOT OBJECTS)
+  message(FATAL_ERROR "no objects")
+endif()
+foreach(object ${OBJECTS})
+  execute_process(COMMAND ${NM} -C --defined-only ${object} OUTPUT_VARIABLE symbols COMMAND_ERROR_IS_FATAL ANY)
+  if(NOT symbols MATCHES "elimination::pass_for_avx")
+    message(FATAL_ERROR "${object} is no pass of eliminations")
+  endif()
+  string(REGEX MATCHALL "[^\n]+ [WVuw] [^\n]+" weak "${symbols}")
+  if(weak)
+    message(FATAL_ERROR "${object}: ${weak}")
+  endif()
+endforeach()
