@@ -55,8 +55,8 @@ class WrittenArm : public Inverse {
                   name.c_str(), told + untold, poses, untold);
   }
 
-  /// Where a joint is free on several pieces of its circle each piece has a row, or the status says that some
-  /// may be missing, as it may at one pose of fifty.
+  /// Expects a row on each piece of its circle on which a joint is free, or a status that says that some may
+  /// be missing, as it may at one pose of fifty.
   void expect_a_row_on_every_piece() {
     int singular = 0, told = 0;
     const auto look_at = [&](const std::optional<Sample>& sample) {

@@ -43,7 +43,7 @@ struct Boundary {
   double miss = 0;       ///< how far off the pose polished joints may leave the arm, as a share of its size
   double fold = 0;       ///< so far outside a wrist at the end of the arm's joints still exists, folded
 
-  /// Where joints can follow a choice in two separate ranges it is in the other one.
+  /// A choice that joints can follow in two separate ranges is in the other one.
   bool opposite = false;
 
   static constexpr Boundary plain(double tolerance) {
@@ -81,7 +81,7 @@ struct Boundary {
     return boundary;
   }
 
-  /// The same, or a pass of quartic/care.h that chooses, with the choice in the other of two ranges.
+  /// Returns this boundary, that of a pass that chooses, with the choice in the other of two ranges.
   [[nodiscard]] constexpr Boundary in_other_range() const {
     Boundary boundary = *this;
     boundary.opposite = true;
