@@ -96,14 +96,35 @@ static inline void append(Rows* found, const double* q, int branch, bool continu
   row->continuum = continuum;
 }
 
+/// True if a row stands for a continuum.
+static bool has_continuum(const Rows* found) {
+  for (int i = 0; i < found->count; ++i)
+    if (found->rows[i].continuum) return true;
+  return false;
+}
+
 /// From the rows that were found.
 static void conclude(Rows* found) {
-  bool marked = false;
-  for (int i = 0; i < found->count; ++i) marked = marked || found->rows[i].continuum;
-  found->status = found->effort.used_up ? status_incomplete
-                  : found->count == 0   ? status_unreachable
-                  : marked              ? status_singular
-                                        : status_solved;
+  found->status = found->effort.used_up  ? status_incomplete
+                  : found->count == 0    ? status_unreachable
+                  : has_continuum(found) ? status_singular
+                                         : status_solved;
+}
+
+static bool is_branch_of_any(const Row* rows, int count, int branch) {
+  for (int i = 0; i < count; ++i)
+    if (rows[i].branch == branch) return true;
+  return false;
+}
+
+/// Gives rows whose branch an earlier row has, too, the first number that no row has.
+static void number_apart(Rows* found) {
+  for (int k = 1; k < found->count; ++k) {
+    if (!is_branch_of_any(found->rows, k, found->rows[k].branch)) continue;
+    int branch = 0;
+    while (is_branch_of_any(found->rows, found->count, branch)) ++branch;
+    found->rows[k].branch = branch;
+  }
 }
 
 static void conclude_solutions(Solutions* found) {
