@@ -10,7 +10,7 @@ namespace {
 
 using namespace pipeline;
 
-/// What can be told without deriving everything.
+/// Returns all that can be said of a robot without deriving everything.
 RobotOutput outlook(const model::Robot& robot) {
   RobotOutput output{robot.name};
   attempt("inverse", output, [&](RobotOutput& made) {

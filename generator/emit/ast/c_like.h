@@ -15,7 +15,7 @@ class CLikePrinter : public Printer {
   /// Expressions and statements that the languages write differently.
   [[nodiscard]] virtual std::string spelled(const Expression& expression) const = 0;
   [[nodiscard]] virtual Lines spelled(const Statement& statement) const = 0;
-  /// What stands between an object and its member.
+  /// Text between an object and its member.
   [[nodiscard]] virtual std::string arrow(const Expression& object) const = 0;
   /// Statement in front of a loop that compilers shall write out; empty if there is none.
   [[nodiscard]] virtual std::string unroll() const { return {}; }

@@ -56,16 +56,16 @@ struct Expression {
     reference,        ///< an argument that a function changes, or too large to copy
     usual,            ///< an argument that is the parameter's default
     block,            ///< call of a building block `text` of the runtime
-    direction_block,  ///< the same of one that makes a vector a direction; the first operand is whether the
-                      ///< opposite one is another branch
-    runtime,          ///< call of another function of the runtime
-    method,           ///< call of what an object, the first operand, can do
-    own,              ///< call of a function of the generated file
-    polishes,         ///< call of the step `text` that polishes: target, label, tracker, work
-    polishes_seed,    ///< the same on the seed's branch
-    function,         ///< sqrt, sin or cos, where nothing says of which library
-    mathematical,     ///< sin or cos of the language's library
-    named             ///< a function that a declaration in front has named
+    direction_block,  ///< call of a block that makes a vector a direction; the first operand tells whether
+                      ///< the opposite one is another branch
+    runtime,        ///< call of another function of the runtime
+    method,         ///< call of what an object, the first operand, can do
+    own,            ///< call of a function of the generated file
+    polishes,       ///< call of the step `text` that polishes: target, label, tracker, work
+    polishes_seed,  ///< call of that step on the seed's branch
+    function,       ///< sqrt, sin or cos, where nothing says of which library
+    mathematical,   ///< sin or cos of the language's library
+    named           ///< a function that a declaration in front has named
   };
 
   Kind kind = Kind::nothing;

@@ -11,7 +11,7 @@ namespace qvgen::emit::ast {
 struct Statement {
   enum class Kind {
     declare,      ///< a variable `name` of `type`; of its first value, if there is one
-    declare_row,  ///< the same of an array of joint values; the value is its size
+    declare_row,  ///< an array of joint values; the value is its size
     assign,       ///< the last value goes to all places before it
     evaluate,     ///< a call
     guard,        ///< a statement that is done if the value holds, on the same line
@@ -31,7 +31,7 @@ struct Statement {
   Type type = {};
   Expressions values = {};
   std::vector<Statement> body = {};
-  // Of declarations.
+  // Flags of declarations and loops.
   bool constant = false;
   bool deduced = false;  ///< the value says the type, in languages in which it can
   bool alias = false;    ///< another name for the value, in languages that have references
@@ -42,7 +42,7 @@ using Statements = std::vector<Statement>;
 
 Statement declare(const Type& type, const std::string& name);
 Statement constant(const Type& type, const std::string& name, const Expression& value);
-/// The same where the value says the type.
+/// Declares a variable whose type the value says.
 Statement deduced(const Type& type, const std::string& name, const Expression& value);
 Statement row(const std::string& name, int size, Element number = Element::plain);
 Statement assign(const Expression& place, const Expression& value);
@@ -61,8 +61,8 @@ void append(Statements& statements, const Statements& more);
 /// True if a statement or one in its body names a variable.
 bool mentions(const Statements& statements, const std::string& name);
 
-/// What Newton's steps move: names of triples that have been computed before (behind each _x, _y, _z), and
-/// the joints' values.
+/// Newton's steps: names of triples that have been computed before (behind each _x, _y, _z), and the joints'
+/// values that are moved.
 struct Polish {
   std::vector<bool> revolute;
   std::vector<std::string> axes, points, start, goal;

@@ -10,7 +10,7 @@
 
 namespace qvgen::emit::ast {
 
-/// What the leaves of a graph become.
+/// Expressions for the leaves of a graph.
 struct Leaves {
   std::function<Expression(const std::string& symbol)> symbol;
   std::function<Expression(const dag::Angle&)> sine;

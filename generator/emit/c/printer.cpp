@@ -25,7 +25,7 @@ std::string overloaded(const std::string& name, const std::string& type) {
   return place == names.end() ? name : place->second;
 }
 
-/// What an object can do, as a function of it.
+/// Function that stands for a method of an object.
 std::string function_of(const std::string& type, const std::string& name) {
   static const std::map<std::pair<std::string, std::string>, std::string> names{
       {{"Tracker", "settled"}, "is_settled"},   {{"Visited", "settled"}, "visit_is_settled"},

@@ -182,7 +182,7 @@ std::string CppPrinter::parameter(const Function& function, const Function::Para
          "& " + each.name;
 }
 
-/// What a step reads stands in the first line, what it takes or leaves in the second.
+/// The first line has the values that a step reads, the second those that it takes or leaves.
 std::string CppPrinter::head(const Function& function) const {
   using Role = Function::Role;
   const std::size_t count = function.parameters.size();

@@ -27,16 +27,17 @@ struct BranchNode {
 };
 using BranchTree = std::vector<BranchNode>;
 
-/// Of a first pass, or of a careful one, in which the joints' values are those that Newton steps leave.
+/// Returns the tree of a first pass, or of a careful one, in which the joints' values are those that Newton
+/// steps leave.
 BranchTree branch_tree(const derive::inverse::Plan& plan, bool careful);
 
 /// With joints' values and half angles computed as late as possible, so that a branch which ends early does
 /// not pay for them; in a fork's body, but once.
 BranchTree with_late_angles(const derive::inverse::Plan& plan, const BranchTree& tree);
 
-/// The same for lanes, which end only with the last of them: late as long as a later step may find that no
-/// branch is left. Beyond, a joint's arctangent stands one step behind, where it fills the time that the next
-/// step waits for its root.
+/// Computes angles late for lanes, which end only with the last of them: late as long as a later step may
+/// find that no branch is left. Beyond, a joint's arctangent stands one step behind, where it fills the time
+/// that the next step waits for its root.
 BranchTree with_late_angles_in_lanes(const derive::inverse::Plan& plan, const BranchTree& tree);
 
 }  // namespace qvgen::emit

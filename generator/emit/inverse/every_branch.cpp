@@ -23,7 +23,7 @@ class EveryBranch : public Walk {
 
   Statements write() {
     Statements all{ast::declare({"Work", ast::Element::plain}, "w"), ast::row("q", plan_.plan.row_size)};
-    // What starts near the goal may hold the given joint next to its value.
+    // A start near the goal may hold the given joint next to its value.
     put_given(target(careful_ && plan_.plan.searches_nearby() ? "goal" : "t"), all);
     follow(with_late_angles(plan_.plan, branch_tree(plan_.plan, careful_)), top(), all);
     all.push_back(ast::give(result()));

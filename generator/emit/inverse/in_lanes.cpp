@@ -25,7 +25,7 @@ int branchings(const LoweredPlan& plan) {
                     [&](const Step& step) { return step.branches == 2 && !step.ends_plan(); }));
 }
 
-/// What both kinds of lanes have in common: two rows a wrist, and a set of rows that knows its lanes.
+/// Common part of both kinds of lanes: two rows a wrist, and a set of rows that knows its lanes.
 class InLanes : public Walk {
  public:
   explicit InLanes(const LoweredPlan& plan) : Walk(plan, Element::lanes) {}

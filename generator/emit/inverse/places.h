@@ -7,7 +7,7 @@
 #include "derive/inverse/lower.h"
 #include "emit/ast/statement.h"
 
-/// Where the functions of the inverse kinematics have their values: t is the target, w (p, ...) what steps
+/// Places of values in the functions of the inverse kinematics: t is the target, w (p, ...) what steps
 /// leave for later ones, q a row.
 namespace qvgen::emit {
 
@@ -23,7 +23,7 @@ ast::Expression preferred(const derive::inverse::LoweredPlan& plan, const ast::E
                           const std::string& list, int joint);
 /// A joint's place in the row.
 ast::Expression joint_place(const derive::inverse::Plan& plan, int joint, const std::string& row = "q");
-/// Where the length of an unknown's direction stands.
+/// Place of the length of an unknown's direction.
 ast::Expression length_place(const ast::Expression& work, const std::string& unknown);
 
 /// Assignments of the joints' values that a step leaves in `work`, angles by their arctangent.

@@ -35,7 +35,7 @@ std::vector<std::string> triples(const std::string& name, std::size_t count) {
   return list;
 }
 
-/// What Newton's steps move, and the values they change in place.
+/// Newton's steps with the joints that they move, and the values they change in place.
 ast::Polish polish_task(const model::Robot& robot, const LoweredPlan& plan, const kind::Newton& newton) {
   ast::Polish task;
   const Expression w = work(), zero = ast::real("0");
@@ -63,7 +63,7 @@ ast::Polish polish_task(const model::Robot& robot, const LoweredPlan& plan, cons
   return task;
 }
 
-/// What a step leaves besides the values of its program.
+/// Values that a step leaves besides those of its program.
 ast::Statements further(const Step& step) {
   ast::Statements result;
   const Expression found = ast::name("result");

@@ -38,7 +38,7 @@ std::map<std::string, std::string> geometry_fields(const model::Robot& robot) {
 
 namespace {
 
-/// What a block has left, by the names that programs have for it.
+/// Results of a step's block, by the names that programs have for them.
 std::map<std::string, Expression> results_of(const Step& step) {
   const Expression result = ast::name("result");
   const Expression turn = step.is<kind::SlideTurn>() ? ast::member(result, "turn") : result;

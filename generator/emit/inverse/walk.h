@@ -15,7 +15,7 @@ class Walk {
   virtual ~Walk() = default;
 
  protected:
-  /// Where a statement stands.
+  /// Surroundings of a statement.
   struct Place {
     int forks = 0;              ///< around it
     std::string loop_variable;  ///< of the innermost loop, empty outside of loops
@@ -25,7 +25,7 @@ class Walk {
     ast::Expression work, target;
   };
 
-  /// What the function returns where no branch is left.
+  /// Value that the function returns where no branch is left.
   [[nodiscard]] virtual ast::Expression result() const = 0;
   virtual void fork(const BranchNode& node, const Place& at, ast::Statements& to) = 0;
   virtual void quartic(const BranchNode& node, const Place& at, ast::Statements& to) = 0;
@@ -38,7 +38,7 @@ class Walk {
   void follow(const BranchTree& tree, const Place& at, ast::Statements& to);
   /// A loop over a fork's two signs, in which the branch around it is put back in every round.
   void loop_of_signs(const BranchNode& node, const Place& at, bool unrolled, ast::Statements& to);
-  /// The same with other rounds: what stands in front of it, the loop's head, and the place in its body.
+  /// Head of a loop over a step's values, and the place in its body.
   struct Loop {
     ast::Statement head;
     Place in;

@@ -59,7 +59,7 @@ struct Chain {
   [[nodiscard]] MatrixXd coupling() const;
 };
 
-/// Where joint i acts, in the world frame.
+/// Place of joint i's axis, in the world frame.
 struct JointPlace {
   Vector3d axis;   ///< direction
   Vector3d point;  ///< origin of the frame after `before`: on the axis, fixed to the link before
