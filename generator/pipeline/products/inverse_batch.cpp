@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "emit/cpp/inverse/entries.h"
+#include "emit/cpp/printer.h"
 #include "emit/inverse/in_lanes.h"
 #include "emit/inverse/steps.h"
 #include "emit/inverse/target.h"
