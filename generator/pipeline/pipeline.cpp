@@ -5,8 +5,8 @@
 #include <map>
 #include <stdexcept>
 
-#include "emit/cpp/template_values.h"
 #include "emit/render.h"
+#include "emit/template_values.h"
 #include "pipeline/c_files.h"
 #include "pipeline/products/page.h"
 #include "pipeline/products/product.h"

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Golden texts of small functions, and the strictness of templates.
-#include "emit/cpp/code.h"
+#include "emit/code.h"
 
 #include <gtest/gtest.h>
 
+#include "emit/ast/literal.h"
 #include "emit/builtin_templates.h"
-#include "emit/cpp/literal.h"
-#include "emit/cpp/symbol_table.h"
+#include "emit/cpp/printer.h"
+#include "emit/leaves.h"
 #include "emit/render.h"
 #include "exact/named_constant.h"
 
@@ -22,7 +23,7 @@ const emit::ast::Leaves names{
 
 /// A symbol of a robot as plain C++ writes it.
 std::string symbol_text(const model::Robot& robot, const std::string& symbol) {
-  return emit::plain_cpp().text(emit::symbol_table(robot, {}).symbol(symbol));
+  return emit::plain_cpp().text(emit::robot_leaves(robot, {}).symbol(symbol));
 }
 
 class CodeTest : public testing::Test {
@@ -33,7 +34,7 @@ class CodeTest : public testing::Test {
 
   std::string text_of(Edge value) {
     f.outputs = {{"o", value}};
-    const emit::Code code = emit::straight_code(f, names);
+    const emit::Code code = emit::straight_code(f, names, emit::plain_cpp());
     std::string text;
     for (const auto& line : code.temporaries) text += line.name + " = " + line.expression + "; ";
     return text + code.outputs[0].expression;
@@ -97,7 +98,7 @@ TEST_F(CodeTest, LongExpressionsAreCut) {
   Edge value = a;
   for (int i = 0; i < 20; ++i) value = g.sum({g.product({value, b}), c});
   f.outputs = {{"o", value}};
-  const emit::Code code = emit::straight_code(f, names);
+  const emit::Code code = emit::straight_code(f, names, emit::plain_cpp());
   EXPECT_FALSE(code.temporaries.empty());
   for (const auto& line : code.temporaries) EXPECT_LT(line.expression.size(), 60U);
 }

@@ -3,7 +3,7 @@
 
 #include <cln/integer.h>
 
-#include "emit/cpp/literal.h"
+#include "emit/ast/literal.h"
 
 namespace qvgen::emit::ast {
 namespace {

@@ -79,6 +79,10 @@ Lines CLikePrinter::lines(const Statements& statements, int depth) const {
   return result;
 }
 
+Lines CLikePrinter::body(const std::vector<std::string>& /*parameters*/, const Statements& statements) const {
+  return lines(statements);
+}
+
 void CLikePrinter::add_block(const std::string& head, const Statements& body, int depth,
                              Lines& result) const {
   result.push_back(indented(depth, head + "{"));

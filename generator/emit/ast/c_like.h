@@ -5,11 +5,13 @@
 
 namespace qvgen::emit::ast {
 
-/// Writes what C and C++ write alike: operators, control flow, assignments. The rest is the language's.
+/// Writes operators and control flow, which C and C++ have alike. The rest is the language's.
 class CLikePrinter : public Printer {
  public:
   [[nodiscard]] std::string text(const Expression& expression) const final;
   [[nodiscard]] Lines lines(const Statements& statements, int depth = 0) const final;
+  [[nodiscard]] Lines body(const std::vector<std::string>& parameters,
+                           const Statements& statements) const override;
 
  protected:
   /// Expressions and statements that the languages write differently.

@@ -11,7 +11,7 @@
 ///     assign(member(name("w"), "x"), product({negative(name("a")), sum({name("b"), name("c")})}))
 namespace qvgen::emit::ast {
 
-/// Numbers that a value is made of: any that the function is called with, doubles, or lanes of doubles.
+/// Numbers of which a value is made: any that the function is called with, doubles, or lanes of doubles.
 enum class Element { generic, plain, lanes };
 
 /// Type of a value. `name` is one of the runtime's ("Rotor"), of the generated file ("Work"), or a basic one:
@@ -58,14 +58,14 @@ struct Expression {
     block,            ///< call of a building block `text` of the runtime
     direction_block,  ///< call of a block that makes a vector a direction; the first operand tells whether
                       ///< the opposite one is another branch
-    runtime,        ///< call of another function of the runtime
-    method,         ///< call of what an object, the first operand, can do
-    own,            ///< call of a function of the generated file
-    polishes,       ///< call of the step `text` that polishes: target, label, tracker, work
-    polishes_seed,  ///< call of that step on the seed's branch
-    function,       ///< sqrt, sin or cos, where nothing says of which library
-    mathematical,   ///< sin or cos of the language's library
-    named           ///< a function that a declaration in front has named
+    runtime,          ///< call of another function of the runtime
+    method,           ///< call of what an object, the first operand, can do
+    own,              ///< call of a function of the generated file
+    polishes,         ///< call of the step `text` that polishes: target, label, tracker, work
+    polishes_seed,    ///< call of that step on the seed's branch
+    function,         ///< sqrt, sin or cos, where nothing says of which library
+    mathematical,     ///< sin or cos of the language's library
+    named             ///< a function that a declaration in front has named
   };
 
   Kind kind = Kind::nothing;
@@ -94,7 +94,7 @@ Expression grouped(const Expression& value);
 Expression compare(const Expression& a, const std::string& by, const Expression& b);
 Expression is_not(const Expression& condition);
 Expression condition(const Expression& holds, const Expression& yes, const Expression& no);
-/// The sign of a branch, in lanes one for each or one for all.
+/// Sign of a branch; in lanes one for each or one for all.
 Expression sign(const std::vector<int>& signs, Element number = Element::plain);
 Expression sign_of_round(const std::string& variable, Element number = Element::plain);
 Expression rotor(const Expression& cosine, const Expression& sine);

@@ -71,7 +71,7 @@ struct Polish {
   Expression size_square;
 };
 
-/// A function of the generated file. What it is for says how a language writes its head.
+/// A function of the generated file. Its role says how a language writes its head.
 struct Function {
   enum class Role {
     solve,  ///< a step with one value, or with one for each sign

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "dag/rebuild.h"
-#include "emit/cpp/literal.h"
+#include "emit/ast/literal.h"
 
 namespace qvgen::emit::ast {
 namespace {
@@ -123,6 +123,12 @@ class Converter {
 
 Straight straight(const dag::Function& function, const Leaves& leaves) {
   return Converter(function, leaves).convert(function);
+}
+
+bool mentions(const Straight& code, const std::string& name) {
+  const auto reads = [&](const Straight::Value& value) { return mentions(value.expression, name); };
+  return std::any_of(code.temporaries.begin(), code.temporaries.end(), reads) ||
+         std::any_of(code.outputs.begin(), code.outputs.end(), reads);
 }
 
 Statements declarations(const std::vector<Straight::Value>& values) {

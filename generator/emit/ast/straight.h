@@ -31,6 +31,9 @@ struct Straight {
 /// ...`; sums begin with a positive term. The result depends on the graph's structure alone.
 Straight straight(const dag::Function& function, const Leaves& leaves);
 
+/// True if an expression of the code names it.
+bool mentions(const Straight& code, const std::string& name);
+
 /// Constants of those names.
 Statements declarations(const std::vector<Straight::Value>& values);
 

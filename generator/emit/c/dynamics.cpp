@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "emit/c/parts.h"
 #include "emit/c/printer.h"
-#include "emit/cpp/symbol_table.h"
-#include "emit/cpp/template_values.h"
+#include "emit/leaves.h"
 #include "emit/render.h"
+#include "emit/template_values.h"
 #include "model/followers.h"
 
 namespace qvgen::emit::c {

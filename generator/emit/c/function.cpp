@@ -7,9 +7,9 @@
 #include <regex>
 
 #include "emit/c/printer.h"
-#include "emit/cpp/symbol_table.h"
-#include "emit/cpp/template_values.h"
+#include "emit/leaves.h"
 #include "emit/render.h"
+#include "emit/template_values.h"
 #include "model/followers.h"
 
 namespace qvgen::emit::c {
@@ -82,7 +82,7 @@ Parameter result_struct(const model::Robot& robot, const std::string& type) {
 
 std::vector<std::string> sine_cosine_statements(const model::Robot& robot, const dag::Function& function,
                                                 const std::vector<dag::Angle>& angles) {
-  const ast::Leaves leaves = symbol_table(robot, angles);
+  const ast::Leaves leaves = robot_leaves(robot, angles);
   std::map<std::size_t, std::vector<std::string>> used;  // sine, cosine or both of an angle
   for (const auto& [place, op] : sines_and_cosines_of(function, angles))
     used[place].push_back(op == dag::Op::sine ? "s" : "c");

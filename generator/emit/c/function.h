@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "emit/cpp/code.h"
+#include "emit/code.h"
 #include "model/robot.h"
 
 /// Functions in C99, from the graphs of the C++ ones: plain arrays, libm, no overloads. Expressions are those

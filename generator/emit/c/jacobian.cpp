@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "emit/c/parts.h"
 #include "emit/c/printer.h"
-#include "emit/cpp/symbol_table.h"
+#include "emit/leaves.h"
 #include "emit/render.h"
 #include "model/followers.h"
 #include "verify/counts_json.h"

@@ -6,8 +6,8 @@
 
 #include "emit/c/parts.h"
 #include "emit/c/printer.h"
-#include "emit/cpp/template_values.h"
 #include "emit/render.h"
+#include "emit/template_values.h"
 
 namespace qvgen::emit::c {
 namespace {

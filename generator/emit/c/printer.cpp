@@ -214,6 +214,14 @@ Lines Printer::spelled(const Statement& s) const {
   }
 }
 
+Lines Printer::body(const std::vector<std::string>& parameters, const ast::Statements& statements) const {
+  Lines result;
+  for (const std::string& each : parameters)
+    if (!ast::mentions(statements, each)) result.push_back("(void)" + each + ";");
+  for (const std::string& each : lines(statements)) result.push_back(each);
+  return result;
+}
+
 std::string Printer::parameters(const ast::Function& function) const {
   std::string result;
   for (const auto& each : function.parameters) {
@@ -230,7 +238,9 @@ Lines Printer::function(const ast::Function& function) const {
   for (const std::string& each : function.comment) result.push_back("/// " + each);
   result.push_back("static " + type(function.result) + " " + prefix_ + function.name + "(" +
                    parameters(function) + ") {");
-  for (const std::string& each : lines(function.body, 1)) result.push_back(each);
+  std::vector<std::string> names;
+  for (const auto& each : function.parameters) names.push_back(each.name);
+  for (const std::string& each : body(names, function.body)) result.push_back("  " + each);
   result.emplace_back("}");
   return result;
 }

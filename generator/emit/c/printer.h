@@ -12,6 +12,9 @@ class Printer : public ast::CLikePrinter {
   explicit Printer(std::string prefix) : prefix_(std::move(prefix)) {}
 
   [[nodiscard]] ast::Lines function(const ast::Function& function) const override;
+  /// Parameters that are not read are marked: compilers warn of them.
+  [[nodiscard]] ast::Lines body(const std::vector<std::string>& parameters,
+                                const ast::Statements& statements) const override;
 
  protected:
   [[nodiscard]] std::string spelled(const ast::Expression& expression) const override;
@@ -34,7 +37,7 @@ class Printer : public ast::CLikePrinter {
   std::string prefix_;
 };
 
-/// The printer of what has no prefix.
+/// Printer of names without a prefix.
 const ast::Printer& printer();
 
 }  // namespace qvgen::emit::c

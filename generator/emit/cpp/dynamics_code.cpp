@@ -7,10 +7,11 @@
 
 #include "derive/dynamics/drive_parameters.h"
 #include "emit/ast/angle.h"
-#include "emit/cpp/literal.h"
-#include "emit/cpp/symbol_table.h"
-#include "emit/cpp/template_values.h"
+#include "emit/ast/literal.h"
+#include "emit/cpp/angles.h"
+#include "emit/leaves.h"
 #include "emit/math/dynamics_choices.h"
+#include "emit/template_values.h"
 #include "model/followers.h"
 #include "passes/constants.h"
 #include "verify/counts_json.h"
@@ -71,13 +72,13 @@ ast::Leaves leaves_of(const model::Robot& robot, const std::vector<dag::Angle>& 
     known[derive::dynamics::direction_of(variable)] = ast::call(ast::Expression::Kind::direction, "", {rate});
   }
   for (std::size_t k = 0; k < 6; ++k) known[derive::dynamics::wrench_component(k)] = ast::entry("wrench", k);
-  return symbol_table(robot, angles, [known](const std::string& name) { return known.at(name); });
+  return robot_leaves(robot, angles, [known](const std::string& name) { return known.at(name); });
 }
 
 /// Leaves where sines and cosines are of constant angles.
 ast::Leaves constant_leaves(const model::Robot& robot, const Known& known) {
   const auto symbol =
-      symbol_table(robot, {}, [known](const std::string& name) { return known.at(name); }).symbol;
+      robot_leaves(robot, {}, [known](const std::string& name) { return known.at(name); }).symbol;
   const auto called = [symbol](const char* function) {
     return [symbol, function](const dag::Angle& angle) {
       return ast::call(ast::Expression::Kind::named, function, {ast::angle_value(angle, symbol)});

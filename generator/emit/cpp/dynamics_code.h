@@ -8,7 +8,8 @@
 
 #include "derive/dynamics/drive_regressor.h"
 #include "derive/dynamics/regressor.h"
-#include "emit/cpp/code.h"
+#include "emit/code.h"
+#include "emit/cpp/printer.h"
 #include "optimise/dynamics.h"
 
 namespace qvgen::emit {

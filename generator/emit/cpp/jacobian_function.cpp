@@ -5,9 +5,10 @@
 #include <stdexcept>
 
 #include "derive/jacobian/rates.h"
-#include "emit/cpp/code.h"
-#include "emit/cpp/symbol_table.h"
-#include "emit/cpp/template_values.h"
+#include "emit/code.h"
+#include "emit/cpp/angles.h"
+#include "emit/leaves.h"
+#include "emit/template_values.h"
 #include "model/followers.h"
 #include "optimise/optimised_json.h"
 #include "verify/counts_json.h"
@@ -27,7 +28,7 @@ ast::Leaves leaves_of(const model::Robot& robot, const std::vector<dag::Angle>& 
       if (name == std::string("point.") + axes[i]) return ast::entry("point", i);
     throw std::logic_error("symbol " + name + " has no place in the generated code");
   };
-  return symbol_table(robot, angles, others);
+  return robot_leaves(robot, angles, others);
 }
 
 /// The places of a function's angles among those of the header.

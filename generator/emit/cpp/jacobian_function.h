@@ -6,7 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "emit/cpp/code.h"
+#include "emit/code.h"
+#include "emit/cpp/printer.h"
 #include "model/robot.h"
 #include "optimise/optimise.h"
 #include "verify/accuracy.h"

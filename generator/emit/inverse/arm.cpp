@@ -5,8 +5,8 @@
 
 #include "canonical/arm.h"
 #include "derive/inverse/lower.h"
-#include "emit/cpp/geometry_code.h"
-#include "emit/cpp/template_values.h"
+#include "emit/geometry_code.h"
+#include "emit/template_values.h"
 #include "model/evaluate.h"
 #include "model/private_names.h"
 
@@ -37,7 +37,8 @@ json arm_values(const model::Robot& described, const ast::Printer& language) {
                       {"number", std::to_string(i + 1)},
                       {"index", std::to_string(i)},
                       {"revolute", robot.joints[i].type == model::JointType::revolute ? "true" : "false"}});
-  return {{"values", values_of(geometry_code(robot, function, language))}, {"joints", joints}};
+  const ast::Straight code = geometry_tree(robot, function);
+  return {{"values", values_of(code, language)}, {"joints", joints}, {"reads_g", ast::mentions(code, "g")}};
 }
 
 std::string row_arm(const derive::inverse::Problem& problem, bool has_tool_turn, const std::string& scope,

@@ -5,8 +5,8 @@
 
 #include "dag/import.h"
 #include "emit/ast/angle.h"
-#include "emit/cpp/code.h"
-#include "emit/cpp/symbol_table.h"
+#include "emit/code.h"
+#include "emit/leaves.h"
 #include "exact/constant_angle.h"
 #include "passes/constants.h"
 #include "symbolic/model.h"
@@ -29,15 +29,16 @@ json inverse_pose(const model::Robot& robot, const model::Displacement& displace
   program.output("py", pair.p.y);
   program.output("pz", pair.p.z);
   const dag::Function function = passes::fold_constants(dag::import(program));
-  const auto symbol = symbol_table(robot, {}).symbol;
+  const auto symbol = robot_leaves(robot, {}).symbol;
   // Once a call, so that their sines have no names of their own.
   const auto called = [&](const char* name) {
     return [symbol, name](const dag::Angle& angle) {
       return ast::call(ast::Expression::Kind::function, name, {ast::angle_value(angle, symbol)});
     };
   };
-  const Code code = straight_code(function, {symbol, called("sin"), called("cos")}, language);
-  json values{{"temporaries", json::array()}};
+  const ast::Straight tree = ast::straight(function, {symbol, called("sin"), called("cos")});
+  const Code code = code_of(tree, language);
+  json values{{"temporaries", json::array()}, {"reads_g", ast::mentions(tree, "g")}};
   for (const auto& value : code.temporaries)
     values["temporaries"].push_back({{"name", value.name}, {"expression", value.expression}});
   for (const auto& output : code.outputs) values[output.name] = output.expression;

@@ -4,10 +4,10 @@
 #include <array>
 
 #include "derive/inverse/names.h"
-#include "emit/cpp/template_values.h"
 #include "emit/inverse/backend.h"
 #include "emit/inverse/target.h"
 #include "emit/math/describe.h"
+#include "emit/template_values.h"
 
 namespace qvgen::emit {
 

@@ -7,10 +7,10 @@
 #include "derive/inverse/divisors.h"
 #include "derive/inverse/names.h"
 #include "emit/ast/angle.h"
-#include "emit/cpp/literal.h"
-#include "emit/cpp/symbol_table.h"
-#include "emit/cpp/template_values.h"
+#include "emit/ast/literal.h"
 #include "emit/inverse/places.h"
+#include "emit/leaves.h"
+#include "emit/template_values.h"
 #include "exact/named_constant.h"
 #include "model/private_names.h"
 
@@ -91,7 +91,7 @@ class TargetCode {
     std::vector<ast::Straight::Value> sines;
     for (const dag::Angle& angle : angles_)
       for (const char* function : {"sin", "cos"})
-        if (is_read(code, name(function, angle)))
+        if (ast::mentions(code, name(function, angle)))
           sines.push_back({name(function, angle), ast::call(Expression::Kind::mathematical, function,
                                                             {ast::angle_value(angle, symbol_of)})});
     code.temporaries.insert(code.temporaries.begin(), sines.begin(), sines.end());
@@ -113,24 +113,31 @@ class TargetCode {
     return function + (of.front() == '_' ? "" : "_") + of;
   }
 
-  static bool is_read(const ast::Straight& code, const std::string& name) {
-    const auto reads = [&](const ast::Straight::Value& value) {
-      return ast::mentions(value.expression, name);
-    };
-    return std::any_of(code.temporaries.begin(), code.temporaries.end(), reads) ||
-           std::any_of(code.outputs.begin(), code.outputs.end(), reads);
-  }
-
   const model::Robot& robot_;
   const LoweredPlan& plan_;
   std::map<std::string, std::string> fields_;
   std::vector<dag::Angle> angles_;
 };
 
+/// Names of the pose's values, any of which a target may read.
+std::vector<std::string> pose_names() {
+  std::vector<std::string> result{names::pose_scale};
+  for (const char* part : {"_w", "_x", "_y", "_z"})
+    for (const char* quaternion : {names::pose_given, names::pose_quaternion})
+      result.push_back(std::string(quaternion) + part);
+  for (const char* part : {"_x", "_y", "_z"}) result.push_back(std::string(names::pose_position) + part);
+  return result;
+}
+
 }  // namespace
 
 json target_values(const model::Robot& robot, const LoweredPlan& plan, const ast::Printer& language) {
-  return values_of(TargetCode(robot, plan).write(), language);
+  const ast::Straight code = TargetCode(robot, plan).write();
+  json values = values_of(code, language);
+  values["reads"] = json::array();
+  for (const std::string& name : pose_names())
+    if (ast::mentions(code, name)) values["reads"].push_back(name);
+  return values;
 }
 
 json range_test_values(const model::Robot& robot, const LoweredPlan& plan, const ast::Printer& language) {

@@ -21,7 +21,8 @@ std::map<std::string, std::string> geometry_fields(const model::Robot& robot);
 ast::Leaves step_leaves(const model::Robot& robot, const derive::inverse::LoweredPlan& plan,
                         const derive::inverse::Step& step);
 
-/// Template values of the function that computes a plan's target from pose and geometry.
+/// Template values of the function that computes a plan's target from pose and geometry; `reads` are the
+/// names of the pose's values that it reads.
 nlohmann::json target_values(const model::Robot& robot, const derive::inverse::LoweredPlan& plan,
                              const ast::Printer& language);
 

@@ -6,8 +6,8 @@
 
 namespace qvgen::emit {
 
-/// The way along a plan's branches as statements. What happens at a fork, at a wrist and at the end of a row
-/// is a policy: every branch in turn (`every_branch`), in lanes (`in_lanes`), or the seed's alone
+/// The way along a plan's branches as statements. A policy says what happens at a fork, at a wrist and at the
+/// end of a row: it follows every branch in turn (`every_branch`), in lanes (`in_lanes`), or the seed's alone
 /// (`seed_branch`).
 class Walk {
  public:

@@ -10,15 +10,16 @@
 #include "emit/c/inverse/source.h"
 #include "emit/c/printer.h"
 #include "emit/cpp/inverse/entries.h"
-#include "emit/cpp/symbol_table.h"
-#include "emit/cpp/template_values.h"
+#include "emit/cpp/printer.h"
 #include "emit/inverse/arm.h"
 #include "emit/inverse/in_lanes.h"
 #include "emit/inverse/seed_branch.h"
 #include "emit/inverse/steps.h"
 #include "emit/inverse/target.h"
+#include "emit/leaves.h"
 #include "emit/math/describe.h"
 #include "emit/render.h"
+#include "emit/template_values.h"
 #include "model/evaluate.h"
 #include "model/tasks.h"
 #include "pipeline/pipeline.h"
@@ -88,7 +89,10 @@ json seed_branch(const derive::inverse::Problem& problem, const derive::inverse:
                  const emit::ast::Printer& language) {
   if (problem.filter != derive::inverse::Filter::none || !emit::has_seed_branch(plan)) return false;
   const auto lines = [&](emit::Pass pass) {
-    return emit::lines_of(language.lines(emit::seed_branch(plan, pass)));
+    const std::vector<std::string> first{"t", "forks", "found"},
+        careful{"t", "goal", "tracker", "forks", "found"};
+    return emit::lines_of(
+        language.body(pass == emit::Pass::first ? first : careful, emit::seed_branch(plan, pass)));
   };
   return {{"first", plan.plan.quartic() ? json(false) : json{{"lines", lines(emit::Pass::first)}}},
           {"careful", lines(emit::Pass::careful)}};
@@ -113,6 +117,10 @@ void add_values_in_c(const model::Robot& described, const derive::inverse::Deriv
   values["looking_steps"] = qvgen::inverse::effort_of_reaching(problem.own_joints, 1).steps;
   values["tracker"] = values["quartic"].get<bool>() ? "Visited" : "Tracker";
   values["settle"] = values["quartic"].get<bool>() ? "settle_visit" : "settle_branch";
+  const json& geometry = values["geometry"];
+  values["begin_reads_g"] = values["has_frames"].get<bool>() ||
+                            std::any_of(geometry.begin(), geometry.end(),
+                                        [](const json& each) { return each["reads_g"].get<bool>(); });
   emit::c::add_entries(described, derivation, values);
 }
 
@@ -145,7 +153,9 @@ json variant(const model::Robot& described, const derive::inverse::Derivation& d
   const qvgen::inverse::Budget most = most_effort(derived, static_cast<int>(joints), branches);
   const json divisors = emit::divisor_values(robot, plan);
   const auto pass_lines = [&](emit::Pass pass) {
-    return emit::lines_of(printer.lines(emit::every_branch(plan, pass)));
+    const std::vector<std::string> first, careful{"t", "goal", "tracker", "found"};
+    return emit::lines_of(
+        printer.body(pass == emit::Pass::first ? first : careful, emit::every_branch(plan, pass)));
   };
   const json near = seed_branch(problem, plan, printer);
   values.update(

@@ -4,10 +4,11 @@
 #include <algorithm>
 
 #include "emit/cpp/inverse/entries.h"
-#include "emit/cpp/template_values.h"
+#include "emit/cpp/printer.h"
 #include "emit/inverse/in_lanes.h"
 #include "emit/inverse/steps.h"
 #include "emit/inverse/target.h"
+#include "emit/template_values.h"
 #include "pipeline/products/inverse_derivation.h"
 #include "pipeline/products/inverse_values.h"
 #include "pipeline/products/inverse_variant.h"

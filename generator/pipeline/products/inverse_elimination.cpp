@@ -6,9 +6,9 @@
 #include "emit/cpp/inverse/entries.h"
 #include "emit/cpp/inverse/setup_code.h"
 #include "emit/cpp/printer.h"
-#include "emit/cpp/template_values.h"
 #include "emit/inverse/arm.h"
 #include "emit/render.h"
+#include "emit/template_values.h"
 #include "pipeline/products/inverse_variant.h"
 #include "verify/inverse/certify_rows.h"
 

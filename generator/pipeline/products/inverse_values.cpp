@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "canonical/arm.h"
-#include "emit/cpp/symbol_table.h"
 #include "emit/inverse/frames.h"
 #include "emit/inverse/target.h"
+#include "emit/leaves.h"
 #include "model/evaluate.h"
 
 namespace qvgen::pipeline {
@@ -62,13 +62,15 @@ json geometry_values(const derive::inverse::Problem& problem, const std::string&
                      const emit::ast::Printer& language) {
   const model::Robot& robot = problem.robot;
   const std::string held = derive::inverse::held_parameter(problem);
-  const auto symbol = emit::symbol_table(robot, {}).symbol;
+  const auto symbol = emit::robot_leaves(robot, {}).symbol;
   json list = json::array();
   const auto fields = emit::geometry_fields(robot);
   const auto add = [&](const std::string& name) {
+    const bool is_held = name == held;
     list.push_back({{"field", fields.at(name)},
-                    {"value", name == held ? "given_" + given : language.text(symbol(name))},
-                    {"is_given", name == held}});
+                    {"value", is_held ? "given_" + given : language.text(symbol(name))},
+                    {"is_given", is_held},
+                    {"reads_g", !is_held && emit::ast::mentions(symbol(name), "g")}});
   };
   for (const auto& parameter : robot.geometry) add(parameter.name);
   for (const auto& definition : robot.definitions) add(definition.first);

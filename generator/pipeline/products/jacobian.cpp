@@ -6,8 +6,10 @@
 #include "derive/jacobian/quantities.h"
 #include "derive/jacobian/wrist.h"
 #include "emit/c/parts.h"
-#include "emit/cpp/code.h"
-#include "emit/cpp/symbol_table.h"
+#include "emit/code.h"
+#include "emit/cpp/angles.h"
+#include "emit/cpp/printer.h"
+#include "emit/leaves.h"
 #include "emit/render.h"
 #include "optimise/described.h"
 #include "optimise/optimised_json.h"
@@ -51,7 +53,8 @@ json wrist_values(const model::Robot& robot) {
   program.output("y", centre->y);
   program.output("z", centre->z);
   json values;
-  for (const auto& value : emit::straight_code(dag::import(program), emit::symbol_table(robot, {})).outputs)
+  for (const auto& value :
+       emit::straight_code(dag::import(program), emit::robot_leaves(robot, {}), emit::plain_cpp()).outputs)
     values[value.name] = value.expression;
   return json::array({values});
 }
@@ -89,7 +92,7 @@ Jacobians jacobians_of(const model::Robot& described, RobotOutput& output) {
 void generate_jacobian(const model::Robot& described, RobotOutput& output) {
   const auto [robot, measures, functions] = jacobians_of(described, output);
   const std::vector<dag::Angle> angles = emit::angles_of(functions);
-  const emit::ast::Leaves leaves = emit::symbol_table(robot, angles);
+  const emit::ast::Leaves leaves = emit::robot_leaves(robot, angles);
   json values{{"name", robot.name}, {"scalars", {{{"scalar", "double"}}, {{"scalar", "float"}}}}};
   values["angles"] = emit::angle_values(angles, leaves);
   values["all_angle_count"] = angles.size();

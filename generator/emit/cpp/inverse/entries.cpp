@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "emit/cpp/inverse/entries.h"
 
-#include "emit/cpp/template_values.h"
 #include "emit/inverse/arm.h"
+#include "emit/template_values.h"
 #include "model/tasks.h"
 
 namespace qvgen::emit {

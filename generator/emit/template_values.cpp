@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "emit/cpp/template_values.h"
+#include "emit/template_values.h"
 
 #include <algorithm>
 

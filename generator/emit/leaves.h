@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "dag/graph.h"
-#include "emit/cpp/code.h"
+#include "emit/code.h"
 #include "model/robot.h"
 
 namespace qvgen::emit {
@@ -27,29 +27,14 @@ std::string angle_name(const model::Robot& robot, const dag::Angle& angle, std::
 
 /// Leaves of generated functions: joint variables are q[i], geometric constants g.name, sines and cosines by
 /// `angle_name`. `others` maps further symbols.
-ast::Leaves symbol_table(const model::Robot& robot, const std::vector<dag::Angle>& angles,
+ast::Leaves robot_leaves(const model::Robot& robot, const std::vector<dag::Angle>& angles,
                          const std::function<ast::Expression(const std::string&)>& others = {});
 
 /// The sines and cosines that a function uses, by the place of their angle.
 std::set<std::pair<std::size_t, dag::Op>> sines_and_cosines_of(const dag::Function& function,
                                                                const std::vector<dag::Angle>& angles);
 
-/// Declarations of the sines and cosines that a function uses, from a struct `angles` that holds those of all
-/// `angles`: "const Scalar& s1 = angles.sine[0];"; a name without joints with its angle, "// of theta1/2 -
-/// pi/4".
-std::vector<std::string> sine_cosine_declarations(const model::Robot& robot, const dag::Function& function,
-                                                  const std::vector<dag::Angle>& angles);
-
 /// An angle as code: "Scalar(0.5) * (q[3] + q[5])".
-std::string angle_code(const dag::Angle& angle, const ast::Leaves& leaves,
-                       const ast::Printer& language = plain_cpp());
-
-/// Template values for a list of angles: text, code, index, last.
-nlohmann::json angle_values(const std::vector<dag::Angle>& angles, const ast::Leaves& leaves);
-
-/// Code that computes the sines and cosines of the angles: a call of the runtime, or an empty struct of that
-/// type.
-std::string sines_cosines_code(const std::vector<dag::Angle>& angles, const ast::Leaves& leaves,
-                               const std::string& empty);
+std::string angle_code(const dag::Angle& angle, const ast::Leaves& leaves, const ast::Printer& language);
 
 }  // namespace qvgen::emit

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "emit/cpp/code.h"
+#include "emit/code.h"
 
 /// Values that templates are filled with.
 namespace qvgen::emit {

@@ -6,7 +6,6 @@
 
 #include "emit/ast/printer.h"
 #include "emit/ast/straight.h"
-#include "emit/cpp/printer.h"
 
 namespace qvgen::emit {
 
@@ -23,7 +22,6 @@ struct Code {
 Code code_of(const ast::Straight& code, const ast::Printer& language);
 
 /// Writes a graph down.
-Code straight_code(const dag::Function& function, const ast::Leaves& leaves,
-                   const ast::Printer& language = plain_cpp());
+Code straight_code(const dag::Function& function, const ast::Leaves& leaves, const ast::Printer& language);
 
 }  // namespace qvgen::emit

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "emit/cpp/symbol_table.h"
+#include "emit/leaves.h"
 
 #include <algorithm>
 #include <map>
@@ -11,7 +11,7 @@
 
 #include "dag/rebuild.h"
 #include "emit/ast/angle.h"
-#include "emit/cpp/literal.h"
+#include "emit/ast/literal.h"
 #include "exact/constant_angle.h"
 #include "exact/named_constant.h"
 #include "model/followers.h"
@@ -157,21 +157,7 @@ std::set<std::pair<std::size_t, Op>> sines_and_cosines_of(const dag::Function& f
   return used;
 }
 
-std::vector<std::string> sine_cosine_declarations(const model::Robot& robot, const dag::Function& function,
-                                                  const std::vector<Angle>& angles) {
-  std::vector<std::string> lines;
-  for (const auto& [place, op] : sines_and_cosines_of(function, angles)) {
-    const std::string letter = op == Op::sine ? "s" : "c";
-    const std::string name = angle_name(robot, angles[place], place);
-    // A name by the place alone says nothing of its angle.
-    const std::string note = name.front() == '_' ? "  // of " + to_string(angles[place]) : "";
-    lines.push_back("const Scalar& " + letter + name + " = angles." + (op == Op::sine ? "sine" : "cosine") +
-                    "[" + std::to_string(place) + "];" + note);
-  }
-  return lines;
-}
-
-ast::Leaves symbol_table(const model::Robot& robot, const std::vector<Angle>& angles, const Meaning& others) {
+ast::Leaves robot_leaves(const model::Robot& robot, const std::vector<Angle>& angles, const Meaning& others) {
   std::map<std::string, ast::Expression> known{{"pi", ast::radians(1)}};
   const std::vector<std::string> variables = model::variables(robot);
   for (std::size_t i = 0; i < variables.size(); ++i) known[variables[i]] = ast::entry("q", i);
@@ -206,24 +192,6 @@ ast::Leaves symbol_table(const model::Robot& robot, const std::vector<Angle>& an
 
 std::string angle_code(const Angle& angle, const ast::Leaves& leaves, const ast::Printer& language) {
   return language.text(ast::angle_value(angle, leaves.symbol));
-}
-
-nlohmann::json angle_values(const std::vector<Angle>& angles, const ast::Leaves& leaves) {
-  nlohmann::json values = nlohmann::json::array();
-  for (std::size_t i = 0; i < angles.size(); ++i)
-    values.push_back({{"text", to_string(angles[i])},
-                      {"code", angle_code(angles[i], leaves)},
-                      {"index", i},
-                      {"last", i + 1 == angles.size()}});
-  return values;
-}
-
-std::string sines_cosines_code(const std::vector<Angle>& angles, const ast::Leaves& leaves,
-                               const std::string& empty) {
-  if (angles.empty()) return empty + "<Scalar>{}";
-  std::string arguments;
-  for (const Angle& angle : angles) arguments += (arguments.empty() ? "" : ", ") + angle_code(angle, leaves);
-  return "sines_and_cosines<Scalar>(" + arguments + ")";
 }
 
 }  // namespace qvgen::emit

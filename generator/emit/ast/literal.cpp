@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "emit/cpp/literal.h"
+#include "emit/ast/literal.h"
 
 #include <cln/real.h>
 #include <fmt/format.h>

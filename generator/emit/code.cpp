@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "emit/cpp/code.h"
+#include "emit/code.h"
 
 namespace qvgen::emit {
 
