@@ -10,6 +10,7 @@
 #include "emit/c/inverse/source.h"
 #include "emit/c/printer.h"
 #include "emit/cpp/inverse/entries.h"
+#include "emit/cpp/printer.h"
 #include "emit/inverse/arm.h"
 #include "emit/inverse/in_lanes.h"
 #include "emit/inverse/seed_branch.h"
