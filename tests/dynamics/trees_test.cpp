@@ -2,6 +2,7 @@
 // Dynamics of joints that branch. Random trees of turns, slides, joints that follow others and links without
 // mass, their frames turned anyhow: each quantity, as it is derived, against the tests' own recursion, which
 // shares no code; and a few of them through search and certificate.
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -34,7 +35,12 @@ class TreeWriter {
   std::string tree(int joints, bool followers) {
     std::string text = "name = \"tree\"\ntitle = \"tree\"\naccept_unphysical_inertia = true\n[base]\n" +
                        vector("translation") + turns();
-    for (int i = 0; i < joints; ++i) text += joint(i, i + 1 == joints, followers);
+    std::vector<int> parents;  // -1: the base
+    for (int i = 0; i < joints; ++i) parents.push_back(below(i + 1) - 1);
+    for (int i = 0; i < joints; ++i) {
+      const bool last = std::find(parents.begin(), parents.end(), i) == parents.end();
+      text += joint(i, parents[static_cast<std::size_t>(i)], last, followers);
+    }
     return text + "[[tip]]\nname = \"tip\"\n";
   }
 
@@ -61,10 +67,10 @@ class TreeWriter {
                          : fmt::format("turns = [{{ axis = {}, angle = \"{}\" }}]\n", axis(),
                                        angles[static_cast<std::size_t>(below(6))]);
   }
-  std::string joint(int i, bool last, bool followers) {
+  /// A last link has a mass, others may have none.
+  std::string joint(int i, int parent, bool last, bool followers) {
     std::string text = fmt::format("[[joint]]\ntype = \"{}\"\naxis = {}\nvariable = \"q{}\"\n",
                                    below(3) == 0 ? "prismatic" : "revolute", axis(), i);
-    const int parent = below(i + 1) - 1;
     if (i > 0) text += fmt::format("parent = \"{}\"\n", parent < 0 ? "base" : fmt::format("q{}", parent));
     if (followers && i > 0 && !last && below(4) == 0) text += "follows = \"q0\"\nratio = \"-3/2\"\n";
     text += vector("origin") + turns() + vector("link");
