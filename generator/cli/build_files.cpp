@@ -78,10 +78,11 @@ void write_sources(const GenerateArguments& arguments, const std::string& robot)
         fs::exists(generated) ? "#include \"" + include + "\"\n" : "struct qvgen_has_none;\n";
     write(folder / name, mark + code);
   };
-  if (arguments.language == pipeline::Language::c) {
+  if (is_c(arguments.language)) {
     const std::string name = "qvgen_" + fs::path(robot).filename().string();
     write_source("robot.c", output / "c" / (name + ".c"));
-    write_source("inverse.c", output / "c" / (name + "_inverse.c"));
+    for (const std::string part : {"inverse", "metrics", "velocity"})
+      write_source(part + ".c", output / "c" / (name + "_" + part + ".c"));
     return;
   }
   const fs::path model = output / "include/qvgen/robots" / robot / "model.h";

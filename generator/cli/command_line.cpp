@@ -28,6 +28,11 @@ void add_reading(CLI::App& command, description::ReadOptions& options) {
       .add_option("--tip", options.tip,
                   "URDF, MJCF: link where it ends; the only one that can be meant without")
       ->type_name("LINK");
+  command
+      .add_option("--fixed", options.fixed, "URDF, MJCF: joints that are held at zero, as if they were fixed")
+      ->type_name("JOINTS")
+      ->allow_extra_args(false)
+      ->delimiter(',');
   command.add_option("--name", options.name, "the robot's name instead of the file's")->type_name("NAME");
   command
       .add_option_function<std::string>(
@@ -63,6 +68,18 @@ void add_reading(CLI::App& command, description::ReadOptions& options) {
       ->allow_extra_args(false);
 }
 
+/// The option of commands that take a whole tree of links.
+void add_tips(CLI::App& command, description::ReadOptions& options) {
+  command
+      .add_option(
+          "--tips", options.tips,
+          "URDF, MJCF: the whole robot in place of one chain, its limbs to these links; all: to every end")
+      ->type_name("LINKS")
+      ->allow_extra_args(false)
+      ->delimiter(',')
+      ->excludes("--tip");
+}
+
 void add_generate(CommandLine& line) {
   GenerateArguments& generate = line.generate;
   CLI::App& command = *line.app.add_subcommand("generate", "derive, certify and emit C++ for robots");
@@ -94,8 +111,13 @@ void add_generate(CommandLine& line) {
       ->delimiter(',');
   command.add_option("--language", line.language, "cxx, or c: C99 into the output's folder c")
       ->check(CLI::IsMember({"cxx", "c"}));
+  command
+      .add_option("--scalar", line.scalar,
+                  "what C computes in: double, or float for controllers without double")
+      ->check(CLI::IsMember({"double", "float"}));
   command.add_flag("--strict", generate.read.strict, "warnings about a description are errors");
   add_reading(command, generate.read);
+  add_tips(command, generate.read);
   command.add_flag("--force", generate.force, "also robots that have not changed");
   command.add_option("--seconds", generate.budget.seconds, "processor time that a part may take")
       ->type_name("SECONDS")
@@ -332,6 +354,7 @@ void add_check(CommandLine& line) {
   command.add_flag("--strict", line.check.strict, "warnings are errors");
   command.add_flag("--thorough", line.thorough, "derive and certify everything as generate does");
   add_reading(command, line.check);
+  add_tips(command, line.check);
 }
 
 void add_import(CommandLine& line) {
@@ -339,6 +362,7 @@ void add_import(CommandLine& line) {
       line.app.add_subcommand("import", "print the description that a URDF or MJCF is read as");
   line.import_command->add_option("FILE", line.imported, "URDF or MJCF")->type_name("FILE")->required();
   add_reading(*line.import_command, line.import);
+  add_tips(*line.import_command, line.import);
 }
 
 void add_new(CommandLine& line) {

@@ -21,6 +21,7 @@ struct CommandLine {
   GenerateArguments generate;
   std::vector<std::string> generate_files;
   std::string language = "cxx";
+  std::string scalar = "double";
 
   CLI::App* remove_command = nullptr;
   std::vector<std::string> removed;

@@ -135,7 +135,12 @@ int run_new(const std::string& code, const std::string& name, bool euler_wrist,
 std::optional<std::vector<description::ReadResult>> read_descriptions(
     const std::vector<std::filesystem::path>& paths, const description::ReadOptions& options);
 
-/// Reads all files and reports all their mistakes; nothing if there is an error in any.
+/// Returns the robot that was read, which there must be, with its tips.
+model::Mechanism mechanism_of(const description::ReadResult& result);
+
+/// Likewise for commands that work on chains: a robot whose joints branch is an error, which names its tips.
+std::optional<std::vector<description::ReadResult>> read_chains(
+    const std::vector<std::filesystem::path>& paths, const description::ReadOptions& options);
 std::optional<std::vector<model::Robot>> read_robots(const std::vector<std::filesystem::path>& paths,
                                                      const description::ReadOptions& options);
 

@@ -9,10 +9,12 @@
 #include "cli/commands.h"
 #include "cli/origin.h"
 #include "cli/progress_line.h"
+#include "cli/suggestion.h"
 #include "cli/verdict.h"
 #include "exact/hash.h"
 #include "pipeline/files.h"
 #include "pipeline/folder_state.h"
+#include "pipeline/limbs.h"
 #include "pipeline/output_folder.h"
 #include "pipeline/pipeline.h"
 
@@ -23,13 +25,24 @@ namespace fs = std::filesystem;
 using namespace pipeline;
 using nlohmann::ordered_json;
 
-/// A robot of the run: where it comes from, and what its files are made of.
+/// A robot of the run: where it comes from, and what its files are made of. It has tips if its joints branch:
+/// then its limbs are robots of the run as well.
 struct Task {
   model::Robot robot;
   std::string name;  ///< in the folder
   std::string origin;
   std::string key;
+  std::vector<model::Frame> tips = {};
 };
+
+/// A limb may be called like another robot.
+void check_names(const std::vector<Task>& tasks) {
+  std::set<std::string> names;
+  for (const Task& task : tasks)
+    if (!names.insert(task.name).second)
+      throw UsageError("two robots of this run, or their limbs, are called " + task.robot.name +
+                       ": give one another name");
+}
 
 /// One line for each file that a description names; nothing for a description alone.
 std::string fingerprints(const std::vector<std::string>& files) {
@@ -54,16 +67,22 @@ std::vector<Task> tasks_of(const GenerateArguments& arguments,
   std::sort(parts.begin(), parts.end());
   for (std::size_t i = 0; i < descriptions.size(); ++i) {
     const fs::path& file = arguments.descriptions[i];
-    model::Robot& robot = *descriptions[i].robot;
+    const model::Mechanism mechanism = mechanism_of(descriptions[i]);
     const std::string origin = origin_of(file, arguments.output, arguments.known_robots) +
                                origin_options(arguments.read) +
-                               (arguments.language == Language::c ? " --language c" : "");
+                               (is_c(arguments.language) ? " --language c" : "") +
+                               (arguments.language == Language::c_in_float ? " --scalar float" : "");
     const std::string made_of =
         fmt::format("{}\n{}\n{}\n{}\n{}{}", arguments.tool, fmt::join(parts, ","), origin,
                     snap_text(arguments.read), descriptions[i].text, fingerprints(descriptions[i].files));
-    const std::string name = folder_name(robot.name, arguments.language);
-    tasks.push_back({std::move(robot), name, origin, fingerprint(made_of)});
+    const auto add = [&](const model::Robot& robot, const std::vector<model::Frame>& tips) {
+      tasks.push_back(
+          {robot, folder_name(robot.name, arguments.language), origin, fingerprint(made_of), tips});
+    };
+    add(mechanism.robot, mechanism.tips);
+    for (const model::Robot& limb : limbs_of(mechanism)) add(limb, {});
   }
+  check_names(tasks);
   return tasks;
 }
 
@@ -106,6 +125,8 @@ FolderUpdate update_of(const GenerateArguments& arguments, const std::vector<Tas
       arguments.language);
   FolderUpdate update;
   for (std::size_t i = 0; i < outputs.size(); ++i) {
+    if (!changed[i].tips.empty() && arguments.language == Language::cxx)
+      add_limbs({changed[i].robot, changed[i].tips}, outputs[i]);
     const std::string key = is_final(outputs[i]) ? changed[i].key : "";
     update.robots.push_back({std::move(outputs[i]), changed[i].origin, key});
   }
@@ -153,12 +174,12 @@ ExitCode report_missing(const ordered_json& counts, const std::vector<std::strin
 
 /// A calibrated arm's function needs the ideal arm's.
 void say_missing_ideals(const GenerateArguments& arguments, const std::vector<Task>& tasks) {
-  if (arguments.language == Language::c) return;
+  if (is_c(arguments.language)) return;
   const std::set<std::string> there = robots_in(arguments.output);
-  for (const auto& [robot, name, origin, key] : tasks)
-    if (!robot.ideal.empty() && there.count(robot.ideal) == 0)
-      fmt::print(stderr, "{}: its ideal arm {} is not in {}: name it too, qvgen generate {} ...\n", name,
-                 robot.ideal, arguments.output.string(), robot.ideal);
+  for (const Task& task : tasks)
+    if (const std::string& ideal = task.robot.ideal; !ideal.empty() && there.count(ideal) == 0)
+      fmt::print(stderr, "{}: its ideal arm {} is not in {}: name it too, qvgen generate {} ...\n", task.name,
+                 ideal, arguments.output.string(), ideal);
 }
 
 /// Whoever asks for the inverse kinematics of a calibrated arm may expect its form from the ideal arm with
@@ -167,7 +188,7 @@ void say_left_out_ideals(const GenerateArguments& arguments, const std::vector<T
   const auto named = [&](const char* part) {
     return std::find(arguments.parts.begin(), arguments.parts.end(), part) != arguments.parts.end();
   };
-  if (arguments.language == Language::c || !named("inverse") || named("from_ideal")) return;
+  if (is_c(arguments.language) || !named("inverse") || named("from_ideal")) return;
   for (const Task& task : tasks)
     if (!task.robot.ideal.empty())
       fmt::print(stderr, "{}: from_ideal.h is left out, since --only does not name from_ideal\n", task.name);

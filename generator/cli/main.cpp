@@ -133,7 +133,9 @@ void check_parts_of(const GenerateArguments& generate) {
 int generate(CommandLine& line, const Installation& here) {
   GenerateArguments& generate = line.generate;
   check_parts_of(generate);
-  if (line.language == "c") generate.language = Language::c;
+  if (line.scalar == "float" && line.language != "c")
+    throw UsageError("--scalar float: it is for --language c; functions of C++ take float as they are");
+  if (line.language == "c") generate.language = line.scalar == "float" ? Language::c_in_float : Language::c;
   generate.known_robots = here.robots;
   generate.output = folder_of(line, here, line.generate_files);
   generate.tool = here.tool;

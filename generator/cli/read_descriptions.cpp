@@ -106,6 +106,15 @@ ReadResult result_of(const fs::path& path, const ReadOptions& options, const pip
   return description::read_text(behind, path.string(), options);
 }
 
+Diagnostic tree_refused(const ReadResult& result) {
+  std::string tips;
+  for (const model::Frame& tip : result.tips) tips += (tips.empty() ? "" : ", ") + tip.name;
+  Diagnostic diagnostic = result.name_place;
+  diagnostic.message = "this command takes one chain, and the robot has the tips " + tips;
+  diagnostic.hint = "say which: --tip " + result.tips.front().name;
+  return diagnostic;
+}
+
 }  // namespace
 
 std::optional<std::vector<ReadResult>> read_descriptions(const std::vector<fs::path>& paths,
@@ -125,9 +134,25 @@ std::optional<std::vector<ReadResult>> read_descriptions(const std::vector<fs::p
   return results;
 }
 
+model::Mechanism mechanism_of(const ReadResult& result) { return {result.robot.value(), result.tips}; }
+
+std::optional<std::vector<ReadResult>> read_chains(const std::vector<fs::path>& paths,
+                                                   const ReadOptions& options) {
+  auto results = read_descriptions(paths, options);
+  if (!results) return std::nullopt;
+  bool good = true;
+  for (const ReadResult& result : *results) {
+    if (result.tips.empty()) continue;
+    print_diagnostics({tree_refused(result)});
+    good = false;
+  }
+  if (!good) return std::nullopt;
+  return results;
+}
+
 std::optional<std::vector<model::Robot>> read_robots(const std::vector<fs::path>& paths,
                                                      const ReadOptions& options) {
-  auto results = read_descriptions(paths, options);
+  auto results = read_chains(paths, options);
   if (!results) return std::nullopt;
   std::vector<model::Robot> robots;
   for (auto& result : *results) robots.push_back(std::move(*result.robot));

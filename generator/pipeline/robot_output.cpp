@@ -4,7 +4,7 @@
 #include <cctype>
 #include <new>
 
-#include "emit/cpp/template_values.h"
+#include "emit/template_values.h"
 #include "pipeline/parallel.h"
 #include "verify/certificate.h"
 

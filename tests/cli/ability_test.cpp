@@ -2,6 +2,8 @@
 // What `show --inverse` says first: what an arm can be asked for, by which structure, how many solutions.
 #include <sstream>
 
+#include <gmock/gmock.h>
+
 #include "command_line.h"
 
 namespace qvgen::test {
@@ -148,6 +150,34 @@ TEST_F(Ability, WhatIsNotServedIsRefused) {
   refused(arm(std::string(seven_joints) + "; Ry 0 0 0.1", "given = \"q1, q7\"\n"),
           "of 8 joints 2 would have to be given, and only one can be");
   refused(arm(std::string(seven_joints) + "; Ry 0 0 0.1"), "8 joints: a pose in space fixes six");
+}
+
+/// Three axes are parallel, and the sixth passes the fifth: by a quartic only if no two neighbours pass each
+/// other at less than a tenth of the arm's size.
+TEST_F(Ability, OfAxesThatNearlyMeet) {
+  const auto passing_by = [](const std::string& length) {
+    return arm("Rz 0.02 0 0.05; Ry -0.26 0 0; Ry 0.25 0 0.06; Ry 0.04 0 -0.04; Rz 0.04 " + length +
+               " 0.04; Rx 0.13 0 0");
+  };
+  EXPECT_THAT(of(passing_by("0")),
+              testing::HasSubstr("the axes of joints 2, 3 and 4 are parallel. At most 8"));
+  for (const char* length : {"1e-9", "2.4e-7", "1e-5", "1e-3", "1e-2"})
+    EXPECT_THAT(of(passing_by(length)), testing::HasSubstr("by elimination")) << length;
+  EXPECT_THAT(
+      of(arm("Rz 0.2 0 0.05; Ry -0.26 0 0; Ry 0.25 0 0.06; Ry 0.2 0 -0.04; Rz 0.04 0.3 0.04; Rx 0.13 0 0")),
+      testing::HasSubstr("by a quartic"));
+}
+
+/// Two parallel turns and a slide across them leave no elimination, and that is the reason given.
+TEST_F(Ability, OfThreeJointsInAPlaneIsExplained) {
+  for (const char* joints :
+       {"Rz 0.3 0.1 0.2; Rz 0.2 0.5 0.3; Py; Rx 0.4 0.2 0.6; Rx 0.1 0.7 0.3; Ry 0.2 0.1 0.4",
+        "Rz 0.3 0.1 0.2; Rz 0.2 0.5 0.3; Ry 0.5 0.1 0.2; Py; Ry 0.1 0.7 0.3; Rx 0.2 0.1 0.4"}) {
+    const ToolRun shown = run("show --inverse " + write("my_arm.toml", arm(joints)));
+    EXPECT_NE(shown.code, 0);
+    EXPECT_THAT(shown.output,
+                testing::HasSubstr("two parallel turns and a slide across them, move in a plane"));
+  }
 }
 
 }  // namespace

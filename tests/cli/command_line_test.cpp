@@ -71,6 +71,28 @@ TEST_F(CommandLine, BothLanguagesShareAFolder) {
   EXPECT_EQ(run("generate " + file + " --language fortran --output " + out()).code, 2);
 }
 
+TEST_F(CommandLine, CInFloatIsInFloatAlone) {
+  const std::string file = write("my_arm.toml", good_arm);
+  const std::string arguments = "generate " + file + " --language c --output " + out();
+  EXPECT_EQ(run(arguments + " --only kinematics").code, 0);
+  const ToolRun single = run(arguments + " --only kinematics,inverse --scalar float");
+  EXPECT_EQ(single.code, 0) << single.output;
+  EXPECT_TRUE(has(single, "no inverse: it is in double alone")) << single.output;
+  for (const char* part : {".h", ".c"}) {
+    std::ifstream generated(fs::path(out()) / "c" / (std::string("qvgen_my_arm") + part));
+    const std::string text{std::istreambuf_iterator<char>(generated), {}};
+    EXPECT_NE(text.find("float"), std::string::npos);
+    EXPECT_EQ(text.find("double"), std::string::npos) << text;
+  }
+  EXPECT_NE(run(arguments + " --only inverse --scalar float --require inverse").code, 0);
+  // The next run knows what the folder has.
+  EXPECT_TRUE(
+      has(run(arguments + " --only kinematics,inverse --scalar float"), ": 0 generated, 0 files changed"));
+  const ToolRun cxx = run("generate " + file + " --scalar float --output " + out());
+  EXPECT_EQ(cxx.code, 2);
+  EXPECT_TRUE(has(cxx, "--scalar float: it is for --language c")) << cxx.output;
+}
+
 TEST_F(CommandLine, ComparesFormulations) {
   const ToolRun table = run("compare ns --level textbook --formulations pairs,dh");
   EXPECT_EQ(table.code, 0) << table.output;

@@ -152,6 +152,20 @@ def test_a_path_is_followed(planar):
     assert planar.inverse_kinematics_near(poses[:0], q[:0]).q.shape == (0, 3)
 
 
+def test_limits_near_a_seed(ns, rows):
+    q = rows(ns)
+    poses = ns.forward_kinematics(q)
+    free = ns.inverse_kinematics_near(poses, q + 0.01)
+    lower, upper = np.full(6, -1.0), np.full(6, 1.3)
+    inside = ((free.q >= lower) & (free.q <= upper)).all(axis=1)
+    assert 0 < inside.sum() < 50
+    found = ns.inverse_kinematics_near(poses, q + 0.01, limits=(lower, upper))
+    np.testing.assert_array_equal(found.q[inside], free.q[inside])
+    assert np.isnan(found.q[~inside]).all() and (found.status[~inside] == qvgen.Status.unreachable).all()
+    with pytest.raises(ValueError, match="limits: neither None"):
+        ns.inverse_kinematics_near(poses, q, limits=3)
+
+
 def test_less_than_a_pose(arm, rows):
     q = rows(arm)
     poses = arm.forward_kinematics(q)

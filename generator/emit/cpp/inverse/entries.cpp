@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "emit/cpp/inverse/entries.h"
 
-#include <fmt/format.h>
-
-#include "canonical/arm.h"
-#include "derive/inverse/lower.h"
-#include "emit/cpp/geometry_code.h"
-#include "emit/cpp/symbol_table.h"
-#include "emit/cpp/template_values.h"
-#include "model/evaluate.h"
-#include "model/private_names.h"
+#include "emit/inverse/arm.h"
+#include "emit/template_values.h"
 #include "model/tasks.h"
 
 namespace qvgen::emit {
@@ -167,70 +160,13 @@ json entry(const Problem& problem, const Argument& argument, Filter filter, cons
           {"follows_seed", (filter == Filter::none || looks) && variant["seed_branch"].is_object()},
           {"looks", looks},
           {"is_early", is_early},
+          {"in_lanes", is_early && variant["chooses_in_lanes"].get<bool>()},
           {"fits_limits", filter == Filter::none && argument.is_pose && variant["fits_limits"].get<bool>()},
           {"points", problem.task == Task::position ? 1 : 3},
           {"whole_pose", filter == Filter::pose && argument.is_pose && problem.task != Task::pose}};
 }
 
 }  // namespace
-
-std::string numbers_of(const model::Vector3& axis) {
-  const auto number = [](const model::Expression& e) {
-    return fmt::format("{}", model::to_double(model::evaluate(e)));
-  };
-  return number(axis[0]) + ", " + number(axis[1]) + ", " + number(axis[2]);
-}
-
-Filter filter_of_poses(const Problem& problem) {
-  const bool takes_poses = problem.task == Task::pose || problem.task == Task::position ||
-                           problem.task == Task::position_and_pitch;
-  return takes_poses ? problem.filter : Filter::pose;
-}
-
-PitchPlaces pitch_places(const Problem& problem) {
-  std::size_t first = 1;
-  while (problem.robot.joints[first].type != model::JointType::revolute) ++first;
-  return {problem.places[0], problem.places[first]};
-}
-
-int first_turn(const model::Robot& robot) {
-  int joint = 0;
-  while (robot.joints[static_cast<std::size_t>(joint)].type != model::JointType::revolute) ++joint;
-  return joint;
-}
-
-namespace {
-
-/// `writing`: a spelling or a dialect.
-template <class Writing>
-json arm_values_in(const model::Robot& described, const Writing& writing) {
-  const model::Robot robot = canonical::for_dynamics(model::with_private_names(described));
-  const dag::Function function = derive::inverse::lowered_arm_at_zero(robot);
-  const Code code = geometry_code(robot, function, writing);
-  json joints = json::array();
-  for (std::size_t i = 0; i < robot.joints.size(); ++i)
-    joints.push_back({{"open", "{"},
-                      {"number", std::to_string(i + 1)},
-                      {"index", std::to_string(i)},
-                      {"revolute", robot.joints[i].type == model::JointType::revolute ? "true" : "false"}});
-  return {{"values", values_of(code)}, {"joints", joints}};
-}
-
-}  // namespace
-
-json arm_values(const model::Robot& described, const Dialect& dialect) {
-  return arm_values_in(described, dialect);
-}
-json arm_values(const model::Robot& described, const Spelling& spelling) {
-  return arm_values_in(described, spelling);
-}
-
-std::string row_arm(const Problem& problem, bool has_tool_turn, const std::string& scope,
-                    const std::string& tool_axis) {
-  const bool turns = problem.task == Task::direction || problem.task == Task::orientation;
-  const std::string arm = turns ? scope + "turns_of(arm_at_zero(g))" : "arm_at_zero(g)";
-  return has_tool_turn ? scope + "with_tool_turn(" + arm + ", " + tool_axis + ")" : arm;
-}
 
 namespace {
 

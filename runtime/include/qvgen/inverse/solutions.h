@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include <Eigen/Core>
 #include <qvgen/detail/floating_point.h>
@@ -124,6 +125,27 @@ void append(Solutions<dof, capacity>& found, const Eigen::Matrix<double, dof, 1>
   row.q = q;
   row.branch = branch;
   row.continuum = continuum;
+}
+
+/// True if a row stands for a continuum.
+template <int dof, int capacity>
+bool has_continuum(const Solutions<dof, capacity>& found) {
+  return std::any_of(found.begin(), found.end(), [](const Solution<dof>& row) { return row.continuum; });
+}
+
+/// Gives rows whose branch an earlier row has, too, the first number that no row has.
+template <int dof, int capacity>
+void number_apart(Solutions<dof, capacity>& found) {
+  const auto has = [&found](const Solution<dof>* end, int branch) {
+    return std::any_of(std::as_const(found).begin(), end,
+                       [branch](const Solution<dof>& row) { return row.branch == branch; });
+  };
+  for (Solution<dof>& row : found) {
+    if (!has(&row, row.branch)) continue;
+    int branch = 0;
+    while (has(found.end(), branch)) ++branch;
+    row.branch = branch;
+  }
 }
 
 /// Back into the order of branches, for rows that two passes have found.
