@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include "cli/commands.h"
+#include "cli/verdict.h"
+#include "pipeline/limbs.h"
 #include "pipeline/pipeline.h"
 #include "pipeline/products/inverse_derivation.h"
 
@@ -13,6 +15,7 @@ using namespace pipeline;
 /// Returns all that can be said of a robot without deriving everything.
 RobotOutput outlook(const model::Robot& robot) {
   RobotOutput output{robot.name};
+  if (model::branches(robot)) return output;
   attempt("inverse", output, [&](RobotOutput& made) {
     const InverseDerivation derivation = derive_inverse(robot);
     if (derivation.found()) return;
@@ -36,9 +39,8 @@ std::vector<RobotOutput> outlooks(const std::vector<model::Robot>& robots) {
   return outputs;
 }
 
-/// Says what `generate` will leave out of a robot. Returns false if a certificate has failed.
-bool report_missing(const description::Diagnostic& place, const RobotOutput& output) {
-  bool good = true;
+/// Says what `generate` will leave out of a robot.
+ExitCode report_missing(const description::Diagnostic& place, const RobotOutput& output) {
   for (const Missing& missing : output.missing) {
     if (missing.kind == Missing::Kind::not_described) continue;
     description::Diagnostic note = place;
@@ -47,9 +49,31 @@ bool report_missing(const description::Diagnostic& place, const RobotOutput& out
     note.message = "no " + missing.part + ": " + missing.reason;
     note.hint.clear();
     fmt::print(stderr, "{}\n", description::to_string(note));
-    good = good && missing.kind != Missing::Kind::refuted;
   }
-  return good;
+  return verdict_of(output.missing);
+}
+
+std::string letters_of(const model::Robot& robot) {
+  std::string letters;
+  for (const model::Joint& joint : robot.joints)
+    letters += joint.type == model::JointType::revolute ? 'R' : 'P';
+  return letters;
+}
+
+/// A robot to check, with its place in the file that has it; a limb is one as well.
+struct Checked {
+  description::Diagnostic place;
+  model::Robot robot;
+};
+
+std::vector<Checked> all_of(const std::vector<description::ReadResult>& results) {
+  std::vector<Checked> all;
+  for (const description::ReadResult& result : results) {
+    const model::Mechanism mechanism = mechanism_of(result);
+    all.push_back({result.name_place, mechanism.robot});
+    for (const model::Robot& limb : limbs_of(mechanism)) all.push_back({result.name_place, limb});
+  }
+  return all;
 }
 
 }  // namespace
@@ -58,19 +82,17 @@ int run_check(const std::vector<std::filesystem::path>& descriptions, const desc
               bool thorough) {
   const auto results = read_descriptions(descriptions, options);
   if (!results) return bad_description;
+  const std::vector<Checked> checked = all_of(*results);
   std::vector<model::Robot> robots;
-  for (const auto& result : *results) robots.push_back(*result.robot);
+  for (const Checked& each : checked) robots.push_back(each.robot);
   const std::vector<RobotOutput> outputs = thorough ? generate(robots, {}) : outlooks(robots);
-  bool good = true;
+  ExitCode verdict = success;
   for (std::size_t i = 0; i < robots.size(); ++i) {
-    good = report_missing((*results)[i].name_place, outputs[i]) && good;
-    std::string structure;
-    for (const model::Joint& joint : robots[i].joints)
-      structure += joint.type == model::JointType::revolute ? 'R' : 'P';
-    fmt::print("{}: {} ({}), {} geometric parameters\n", robots[i].name, robots[i].title, structure,
-               robots[i].geometry.size());
+    verdict = worse(verdict, report_missing(checked[i].place, outputs[i]));
+    fmt::print("{}: {} ({}), {} geometric parameters\n", robots[i].name, robots[i].title,
+               letters_of(robots[i]), robots[i].geometry.size());
   }
-  return good ? success : failure;
+  return verdict;
 }
 
 }  // namespace qvgen::cli

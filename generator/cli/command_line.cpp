@@ -5,52 +5,9 @@
 #include <cstdlib>
 #include <map>
 
+#include "cli/examples.h"
+
 namespace qvgen::cli {
-
-const char* const examples = R"(
-  qvgen generate my_arm.toml --output out     one robot, into out/; without --output into ./generated
-  qvgen generate                              all robots that qvgen knows
-  qvgen generate arm.urdf --tip tool0         an arm of a URDF (or MJCF), from its root to the link tool0
-  qvgen generate ur5 --language c -o out      out/c/qvgen_ur5.h and .c: C99 that needs nothing but libm
-  qvgen import arm.urdf > arm.toml            the same as a description to read and edit
-  qvgen new RRP --wrist euler > my_arm.toml   a description to begin with
-  qvgen check my_arm.toml                     every mistake of a description, nothing written
-  qvgen show ns                               the closed form of the forward kinematics
-  qvgen show my_arm.toml --latex              the same typeset
-  qvgen show puma560 --singularities          where the arm is singular, factor by factor
-  qvgen show nn --dynamics --joints 3 --masses end   joint forces of its first three joints, written out
-  qvgen counts --format markdown              operation counts of everything generated
-  qvgen counts ur5 --functions jacobian       of one function of one robot
-  qvgen counts --against before.json          what a change has made cheaper or dearer
-  qvgen report puma560 -o pages               a page that opens in any browser, pages/puma560.html
-  qvgen map ur5 -o ur5.npz -o ur5.svg         what the arm reaches: arrays for NumPy, slices as a picture
-  qvgen compare puma560 ns                    formulations by their operations: pairs, Denavit-Hartenberg, ...
-)";
-
-const char* const compare_examples = R"(
-  qvgen compare                               all known robots, and a summary by their workspaces
-  qvgen compare my_arm.toml --level textbook  as a library multiplies that does not know the robot
-  qvgen compare ns --formulations pairs,dh    two of them
-  qvgen compare rx90 --what dynamics          Newton-Euler by matrices and by quaternions
-  qvgen compare ns --time                     with nanoseconds on this machine
-  qvgen compare --format csv > compared.csv   for other programs
-)";
-
-const char* const report_examples = R"(
-  qvgen report                                all known robots, into ./report; begin with report/index.html
-  qvgen report my_arm.toml -o pages           one robot, pages/my_arm.html, and the index of all that are there
-  qvgen report arm.urdf --generated my_code   with the counts and signatures of the code in my_code/
-  qvgen report puma560 --times puma.json      with times: qvgen compare puma560 --time --format json > puma.json
-)";
-
-const char* const map_examples = R"(
-  qvgen map ur5 -o ur5.npz -o ur5.svg         arrays for NumPy, and slices as a picture
-  qvgen map arm.urdf --tip tool0 --limits --resolution 0.02 --orientations 500 -o arm.vtk   for ParaView
-  qvgen map ur5 --blocks 0:499 -o a.part      one half, anywhere; blocks are numbered 0 to 999
-  qvgen map --merge a.part b.part -o ur5.npz  the parts together, the same file as of one run
-)";
-
-const char* const exit_codes = "0 success, 1 failure, 2 wrong arguments, 3 mistakes in a description";
 
 namespace {
 
@@ -71,6 +28,11 @@ void add_reading(CLI::App& command, description::ReadOptions& options) {
       .add_option("--tip", options.tip,
                   "URDF, MJCF: link where it ends; the only one that can be meant without")
       ->type_name("LINK");
+  command
+      .add_option("--fixed", options.fixed, "URDF, MJCF: joints that are held at zero, as if they were fixed")
+      ->type_name("JOINTS")
+      ->allow_extra_args(false)
+      ->delimiter(',');
   command.add_option("--name", options.name, "the robot's name instead of the file's")->type_name("NAME");
   command
       .add_option_function<std::string>(
@@ -106,6 +68,18 @@ void add_reading(CLI::App& command, description::ReadOptions& options) {
       ->allow_extra_args(false);
 }
 
+/// The option of commands that take a whole tree of links.
+void add_tips(CLI::App& command, description::ReadOptions& options) {
+  command
+      .add_option(
+          "--tips", options.tips,
+          "URDF, MJCF: the whole robot in place of one chain, its limbs to these links; all: to every end")
+      ->type_name("LINKS")
+      ->allow_extra_args(false)
+      ->delimiter(',')
+      ->excludes("--tip");
+}
+
 void add_generate(CommandLine& line) {
   GenerateArguments& generate = line.generate;
   CLI::App& command = *line.app.add_subcommand("generate", "derive, certify and emit C++ for robots");
@@ -120,7 +94,8 @@ void add_generate(CommandLine& line) {
           "--only", generate.parts,
           "parts to generate: model, kinematics, inverse, arm_angle, jacobian, from_ideal, dynamics; "
           "all of these without. Headers of dynamics that a description leaves out have names too: "
-          "dynamics_derivatives, dynamics_loads, regressor. Others are made if they are named: batch, forms of the other parts "
+          "dynamics_derivatives, dynamics_loads, regressor. Others are made if they are named: batch, forms "
+          "of the other parts "
           "named for many at once; frames, poses and Jacobians of links and named frames; mass, the "
           "centre of mass; regressor_with_drives, for identification; nearest_pose, the nearest pose in "
           "reach; given_joint, seven joints within limits; certified, solutions with a proof; c_inverse, a "
@@ -136,8 +111,13 @@ void add_generate(CommandLine& line) {
       ->delimiter(',');
   command.add_option("--language", line.language, "cxx, or c: C99 into the output's folder c")
       ->check(CLI::IsMember({"cxx", "c"}));
+  command
+      .add_option("--scalar", line.scalar,
+                  "what C computes in: double, or float for controllers without double")
+      ->check(CLI::IsMember({"double", "float"}));
   command.add_flag("--strict", generate.read.strict, "warnings about a description are errors");
   add_reading(command, generate.read);
+  add_tips(command, generate.read);
   command.add_flag("--force", generate.force, "also robots that have not changed");
   command.add_option("--seconds", generate.budget.seconds, "processor time that a part may take")
       ->type_name("SECONDS")
@@ -374,6 +354,7 @@ void add_check(CommandLine& line) {
   command.add_flag("--strict", line.check.strict, "warnings are errors");
   command.add_flag("--thorough", line.thorough, "derive and certify everything as generate does");
   add_reading(command, line.check);
+  add_tips(command, line.check);
 }
 
 void add_import(CommandLine& line) {
@@ -381,6 +362,7 @@ void add_import(CommandLine& line) {
       line.app.add_subcommand("import", "print the description that a URDF or MJCF is read as");
   line.import_command->add_option("FILE", line.imported, "URDF or MJCF")->type_name("FILE")->required();
   add_reading(*line.import_command, line.import);
+  add_tips(*line.import_command, line.import);
 }
 
 void add_new(CommandLine& line) {

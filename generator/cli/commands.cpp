@@ -43,10 +43,10 @@ std::vector<fs::path> descriptions_in(const fs::path& folder) {
 }
 
 int run_import(const fs::path& description, const description::ReadOptions& options) {
-  const auto robots = read_robots({description}, options);
-  if (!robots) return bad_description;
+  const auto results = read_descriptions({description}, options);
+  if (!results) return bad_description;
   return pipeline::bounded(description.string(), {}, [&] {
-    fmt::print("{}", description::write_text(robots->front()));
+    fmt::print("{}", description::write_text(mechanism_of(results->front())));
     return int{success};
   });
 }

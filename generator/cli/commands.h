@@ -16,8 +16,8 @@
 
 namespace qvgen::cli {
 
-/// Exit codes of the tool.
-enum ExitCode { success = 0, failure = 1, usage_error = 2, bad_description = 3 };
+/// Exit codes of the tool; the last one is EX_SOFTWARE of sysexits.h.
+enum ExitCode { success = 0, failure = 1, usage_error = 2, bad_description = 3, internal_error = 70 };
 
 /// Files for other build systems; paths may be empty.
 struct BuildFiles {
@@ -135,7 +135,12 @@ int run_new(const std::string& code, const std::string& name, bool euler_wrist,
 std::optional<std::vector<description::ReadResult>> read_descriptions(
     const std::vector<std::filesystem::path>& paths, const description::ReadOptions& options);
 
-/// Reads all files and reports all their mistakes; nothing if there is an error in any.
+/// Returns the robot that was read, which there must be, with its tips.
+model::Mechanism mechanism_of(const description::ReadResult& result);
+
+/// Likewise for commands that work on chains: a robot whose joints branch is an error, which names its tips.
+std::optional<std::vector<description::ReadResult>> read_chains(
+    const std::vector<std::filesystem::path>& paths, const description::ReadOptions& options);
 std::optional<std::vector<model::Robot>> read_robots(const std::vector<std::filesystem::path>& paths,
                                                      const description::ReadOptions& options);
 

@@ -9,8 +9,12 @@
 #include "cli/commands.h"
 #include "cli/origin.h"
 #include "cli/progress_line.h"
+#include "cli/suggestion.h"
+#include "cli/verdict.h"
+#include "exact/hash.h"
 #include "pipeline/files.h"
 #include "pipeline/folder_state.h"
+#include "pipeline/limbs.h"
 #include "pipeline/output_folder.h"
 #include "pipeline/pipeline.h"
 
@@ -21,13 +25,40 @@ namespace fs = std::filesystem;
 using namespace pipeline;
 using nlohmann::ordered_json;
 
-/// A robot of the run: where it comes from, and what its files are made of.
+/// A robot of the run: where it comes from, and what its files are made of. It has tips if its joints branch:
+/// then its limbs are robots of the run as well.
 struct Task {
   model::Robot robot;
   std::string name;  ///< in the folder
   std::string origin;
   std::string key;
+  std::vector<model::Frame> tips = {};
 };
+
+/// A limb may be called like another robot.
+void check_names(const std::vector<Task>& tasks) {
+  std::set<std::string> names;
+  for (const Task& task : tasks)
+    if (!names.insert(task.name).second)
+      throw UsageError("two robots of this run, or their limbs, are called " + task.robot.name +
+                       ": give one another name");
+}
+
+/// One line for each file that a description names; nothing for a description alone.
+std::string fingerprints(const std::vector<std::string>& files) {
+  std::string lines;
+  for (const std::string& file : files)
+    lines += fmt::format("\n{} {}", file, exact::hash(content_of(file).value_or("")));
+  return lines;
+}
+
+/// The files besides the descriptions that a run has read.
+std::vector<std::string> files_besides(const std::vector<description::ReadResult>& descriptions) {
+  std::vector<std::string> files;
+  for (const description::ReadResult& each : descriptions)
+    files.insert(files.end(), each.files.begin(), each.files.end());
+  return files;
+}
 
 std::vector<Task> tasks_of(const GenerateArguments& arguments,
                            std::vector<description::ReadResult> descriptions) {
@@ -36,15 +67,22 @@ std::vector<Task> tasks_of(const GenerateArguments& arguments,
   std::sort(parts.begin(), parts.end());
   for (std::size_t i = 0; i < descriptions.size(); ++i) {
     const fs::path& file = arguments.descriptions[i];
-    model::Robot& robot = *descriptions[i].robot;
+    const model::Mechanism mechanism = mechanism_of(descriptions[i]);
     const std::string origin = origin_of(file, arguments.output, arguments.known_robots) +
                                origin_options(arguments.read) +
-                               (arguments.language == Language::c ? " --language c" : "");
-    const std::string made_of = fmt::format("{}\n{}\n{}\n{}\n{}", arguments.tool, fmt::join(parts, ","),
-                                            origin, snap_text(arguments.read), descriptions[i].text);
-    const std::string name = folder_name(robot.name, arguments.language);
-    tasks.push_back({std::move(robot), name, origin, fingerprint(made_of)});
+                               (is_c(arguments.language) ? " --language c" : "") +
+                               (arguments.language == Language::c_in_float ? " --scalar float" : "");
+    const std::string made_of =
+        fmt::format("{}\n{}\n{}\n{}\n{}{}", arguments.tool, fmt::join(parts, ","), origin,
+                    snap_text(arguments.read), descriptions[i].text, fingerprints(descriptions[i].files));
+    const auto add = [&](const model::Robot& robot, const std::vector<model::Frame>& tips) {
+      tasks.push_back(
+          {robot, folder_name(robot.name, arguments.language), origin, fingerprint(made_of), tips});
+    };
+    add(mechanism.robot, mechanism.tips);
+    for (const model::Robot& limb : limbs_of(mechanism)) add(limb, {});
   }
+  check_names(tasks);
   return tasks;
 }
 
@@ -87,6 +125,8 @@ FolderUpdate update_of(const GenerateArguments& arguments, const std::vector<Tas
       arguments.language);
   FolderUpdate update;
   for (std::size_t i = 0; i < outputs.size(); ++i) {
+    if (!changed[i].tips.empty() && arguments.language == Language::cxx)
+      add_limbs({changed[i].robot, changed[i].tips}, outputs[i]);
     const std::string key = is_final(outputs[i]) ? changed[i].key : "";
     update.robots.push_back({std::move(outputs[i]), changed[i].origin, key});
   }
@@ -108,10 +148,10 @@ std::vector<Missing> missing_of(const ordered_json& entry) {
   return entry.contains("missing") ? missing_from_json(entry.at("missing")) : std::vector<Missing>{};
 }
 
-/// Says what the robots lack. Returns false if a certificate has failed, a robot is lost, or what is lacking
-/// was required.
-bool report_missing(const ordered_json& counts, const std::vector<std::string>& required) {
-  bool good = true;
+/// Says what the robots lack. Returns `failure` if a robot is lost or what is lacking was required, and what
+/// a failed certificate exits with if one has failed.
+ExitCode report_missing(const ordered_json& counts, const std::vector<std::string>& required) {
+  ExitCode verdict = success;
   for (const auto& [robot, entry] : counts.items()) {
     const std::vector<Missing> all = missing_of(entry);
     const auto is_required = [&](const std::string& part) { return !has_part(all, part); };
@@ -123,23 +163,23 @@ bool report_missing(const ordered_json& counts, const std::vector<std::string>& 
       const bool had_no_time = missing.kind == Missing::Kind::not_finished;
       fmt::print(stderr, "{}: no {}: {}{}\n", robot, missing.part, missing.reason,
                  had_no_time ? "; --seconds and --megabytes allow more" : "");
-      good = good && missing.kind != Missing::Kind::refuted;
     }
     for (const std::string& part : required)
       if (is_required(part)) fmt::print(stderr, "qvgen: {} is required and {} has none\n", part, robot);
-    good = good && !lacks && has_part(all, "model");
+    verdict = worse(verdict, verdict_of(all));
+    if (lacks || !has_part(all, "model")) verdict = worse(verdict, failure);
   }
-  return good;
+  return verdict;
 }
 
 /// A calibrated arm's function needs the ideal arm's.
 void say_missing_ideals(const GenerateArguments& arguments, const std::vector<Task>& tasks) {
-  if (arguments.language == Language::c) return;
+  if (is_c(arguments.language)) return;
   const std::set<std::string> there = robots_in(arguments.output);
-  for (const auto& [robot, name, origin, key] : tasks)
-    if (!robot.ideal.empty() && there.count(robot.ideal) == 0)
-      fmt::print(stderr, "{}: its ideal arm {} is not in {}: name it too, qvgen generate {} ...\n", name,
-                 robot.ideal, arguments.output.string(), robot.ideal);
+  for (const Task& task : tasks)
+    if (const std::string& ideal = task.robot.ideal; !ideal.empty() && there.count(ideal) == 0)
+      fmt::print(stderr, "{}: its ideal arm {} is not in {}: name it too, qvgen generate {} ...\n", task.name,
+                 ideal, arguments.output.string(), ideal);
 }
 
 /// Whoever asks for the inverse kinematics of a calibrated arm may expect its form from the ideal arm with
@@ -148,7 +188,7 @@ void say_left_out_ideals(const GenerateArguments& arguments, const std::vector<T
   const auto named = [&](const char* part) {
     return std::find(arguments.parts.begin(), arguments.parts.end(), part) != arguments.parts.end();
   };
-  if (arguments.language == Language::c || !named("inverse") || named("from_ideal")) return;
+  if (is_c(arguments.language) || !named("inverse") || named("from_ideal")) return;
   for (const Task& task : tasks)
     if (!task.robot.ideal.empty())
       fmt::print(stderr, "{}: from_ideal.h is left out, since --only does not name from_ideal\n", task.name);
@@ -157,8 +197,11 @@ void say_left_out_ideals(const GenerateArguments& arguments, const std::vector<T
 }  // namespace
 
 int run_generate(const GenerateArguments& arguments) {
-  auto descriptions = read_descriptions(arguments.descriptions, arguments.read);
+  description::ReadOptions reading = arguments.read;
+  reading.lists_files = !arguments.build.depfile.empty();
+  auto descriptions = read_descriptions(arguments.descriptions, reading);
   if (!descriptions) return bad_description;
+  const std::vector<std::string> files = files_besides(*descriptions);
   const std::vector<Task> tasks = tasks_of(arguments, std::move(*descriptions));
   check_folder(arguments.output, shared_files());
   const FolderUpdate update = update_of(arguments, tasks);
@@ -166,17 +209,17 @@ int run_generate(const GenerateArguments& arguments) {
   const ordered_json counts = only(counts_in(arguments.output), tasks);
   std::vector<std::string> names;
   for (const Task& task : tasks) names.push_back(task.name);
-  write_build_files(arguments, names);
+  write_build_files(arguments, names, files);
   if (!arguments.build.quiet) fmt::print("{}", report(counts, ReportFormat::table));
   std::fflush(stdout);
-  const bool good = report_missing(counts, arguments.required);
+  const ExitCode verdict = report_missing(counts, arguments.required);
   say_missing_ideals(arguments, tasks);
   say_left_out_ideals(arguments, tasks);
-  if (arguments.build.quiet && good) return success;
+  if (arguments.build.quiet && verdict == success) return success;
   fmt::print(stderr, "{} {} in {}: {} generated, {} files changed, {} removed\n", tasks.size(),
              tasks.size() == 1 ? "robot" : "robots", arguments.output.string(), update.robots.size(),
              change.written, change.removed);
-  return good ? success : failure;
+  return verdict;
 }
 
 int run_remove(const std::vector<std::string>& robots, const fs::path& output) {

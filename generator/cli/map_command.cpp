@@ -206,7 +206,7 @@ int run_map(const MapArguments& arguments) {
     write_all(map::merged(arguments.merged), arguments.outputs);
     return success;
   }
-  const auto descriptions = read_descriptions({arguments.description}, arguments.read);
+  const auto descriptions = read_chains({arguments.description}, arguments.read);
   if (!descriptions) return bad_description;
   const model::Robot& robot = *descriptions->front().robot;
   const report::Chain chain = report::chain_of(robot);

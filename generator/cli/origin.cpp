@@ -7,6 +7,16 @@
 
 namespace qvgen::cli {
 
+namespace {
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ",") + name;
+  return text;
+}
+
+}  // namespace
+
 std::string origin_options(const description::ReadOptions& options) {
   std::string text;
   const auto add = [&](const char* option, const std::string& value) {
@@ -15,6 +25,8 @@ std::string origin_options(const description::ReadOptions& options) {
   add("--name", options.name);
   add("--base", options.base);
   add("--tip", options.tip);
+  add("--tips", joined(options.tips));
+  add("--fixed", joined(options.fixed));
   for (const std::string& argument : options.xacro_arguments) add("--xacro-arg", argument);
   return text;
 }

@@ -92,7 +92,7 @@ FolderUpdate update_of(const ReportArguments& arguments, const report::Ingredien
 }  // namespace
 
 int run_report(const ReportArguments& arguments) {
-  auto descriptions = read_descriptions(arguments.descriptions, arguments.read);
+  auto descriptions = read_chains(arguments.descriptions, arguments.read);
   if (!descriptions) return bad_description;
   pipeline::check_folder(arguments.output,
                          report::common_pages(nlohmann::ordered_json::object(), errata(arguments)),

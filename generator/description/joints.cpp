@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "description/branches.h"
 #include "description/chain.h"
 #include "description/frames.h"
 
@@ -6,7 +7,7 @@ namespace qvgen::description {
 namespace {
 
 model::Joint read_joint(const Table& table, const FreeParameters& free) {
-  table.allow_only(joint_keys({"axis", "origin", "link", "rpy", "turns"}));
+  table.allow_only(joint_keys({"axis", "origin", "link", "rpy", "turns", "parent"}));
   table.require("type", "type = \"revolute\" or \"prismatic\"");
   table.require("variable", "a name, e.g. variable = \"theta1\"");
   model::Joint joint;
@@ -27,6 +28,7 @@ void read_joints(const Table& root, const FreeParameters& free, model::Robot& ro
   for (const Table& table : root.tables("joint")) {
     table.context().joint_places.push_back(table.place());
     robot.joints.push_back(read_joint(table, free));
+    read_parent(table, robot);
   }
 }
 

@@ -27,19 +27,20 @@ bool is_taken(const std::string& name, const std::vector<model::Frame>& frames) 
                      [&](const model::Frame& frame) { return frame.name == name; });
 }
 
-/// The frame's name; reported if it cannot be one.
-std::string read_name(const Table& table, const std::vector<model::Frame>& frames) {
+/// The frame's name; reported if it cannot be one. `kind` is how messages call it.
+std::string read_name(const Table& table, const std::string& kind, const std::vector<model::Frame>& frames) {
   Context& context = table.context();
   if (table.require("name", "name = \"camera\"") == nullptr) return "";
   const std::string name = table.text("name").value_or("");
   const Place place = table.place_of("name");
-  const std::string told = "the frame '" + name + "': ";
+  const std::string told = "the " + kind + " '" + name + "': ";
   if (const NameProblem problem = check_identifier(name); !problem.message.empty())
     context.error(place, told + problem.message, problem.hint);
   else if (is_name_of_link(name))
     context.error(place, told + "link1, link2, ... are the links' own frames", "give it another name");
   else if (is_taken(name, frames))
-    context.error(place, told + "another frame has this name", "give each frame a name of its own");
+    context.error(place, told + "another " + kind + " has this name",
+                  "give each " + kind + " a name of its own");
   return name;
 }
 
@@ -64,20 +65,26 @@ std::size_t read_joint(const Table& table, const std::vector<model::Joint>& join
 
 }  // namespace
 
-void read_named_frames(const Table& root, model::Robot& robot) {
-  if (!root.has("frame")) return;
-  for (const Table& table : root.tables("frame")) {
+std::vector<model::Frame> read_frame_tables(const Table& root, const std::string& key,
+                                            const model::Robot& robot) {
+  std::vector<model::Frame> frames;
+  for (const Table& table : root.tables(key)) {
     table.allow_only({"name", "joint", "translation", "rpy", "turns"});
-    if (robot.frames.size() == most_frames) {
-      root.context().error(table.place(), "more than " + std::to_string(most_frames) + " frames",
+    if (frames.size() == most_frames) {
+      root.context().error(table.place(), "more than " + std::to_string(most_frames) + " " + key + "s",
                            "leave out those that no program asks for");
-      return;
+      break;
     }
-    model::Frame frame{read_name(table, robot.frames), read_joint(table, robot.joints), {}};
+    model::Frame frame{read_name(table, key, frames), read_joint(table, robot.joints), {}};
     frame.placement.turns = read_turns(table);
     frame.placement.translation = vector_or_zero(table, "translation", {});
-    robot.frames.push_back(std::move(frame));
+    frames.push_back(std::move(frame));
   }
+  return frames;
+}
+
+void read_named_frames(const Table& root, model::Robot& robot) {
+  if (root.has("frame")) robot.frames = read_frame_tables(root, "frame", robot);
 }
 
 std::string frame_identifier(const std::string& text, const std::vector<model::Frame>& frames) {

@@ -5,6 +5,7 @@
 #include <map>
 #include <sstream>
 
+#include "description/branches.h"
 #include "description/chain.h"
 #include "description/followers.h"
 #include "description/frames.h"
@@ -65,10 +66,10 @@ void check_count(const Table& root, const model::Robot& robot) {
   const bool is_hidden = context.has_error && (root.has("joint") || root.has("dh") || root.has("screw"));
   if (robot.joints.empty()) {
     if (!is_hidden) say_that_nothing_moves(root);
-  } else if (robot.joints.size() > max_joints) {
-    const std::string limit = std::to_string(max_joints);
-    context.error(context.joint_places[max_joints],
-                  std::to_string(robot.joints.size()) + " joints are too many",
+  } else if (const std::size_t most = root.has("tip") ? max_joints_of_tree : max_joints;
+             robot.joints.size() > most) {
+    const std::string limit = std::to_string(most);
+    context.error(context.joint_places[most], std::to_string(robot.joints.size()) + " joints are too many",
                   "a robot has at most " + limit + " joints");
   }
 }
@@ -126,22 +127,24 @@ void read_units(const Table& root) {
   }
 }
 
-model::Robot read_robot(const Table& root) {
+model::Mechanism read_robot(const Table& root) {
   Context& context = root.context();
   root.allow_only(
-      {"name",  "title",     "source",    "symbols", "inertia",    "drives", "accept_unphysical_inertia",
-       "base",  "tool",      "defaults",  "joint",   "convention", "dh",     "home",
-       "screw", "task",      "tool_axis", "given",   "ideal",      "unit",   "angle_unit",
-       "frame", "on_request"});
+      {"name",  "title",      "source",    "symbols", "inertia",    "drives", "accept_unphysical_inertia",
+       "base",  "tool",       "defaults",  "joint",   "convention", "dh",     "home",
+       "screw", "task",       "tool_axis", "given",   "ideal",      "unit",   "angle_unit",
+       "frame", "on_request", "tip"});
   read_units(root);
   context.is_measured = root.has("ideal");
-  model::Robot robot;
+  model::Mechanism mechanism;
+  model::Robot& robot = mechanism.robot;
   read_name(root, robot);
   robot.base = read_frame(root, "base");
   robot.tool = read_frame(root, "tool");
   read_chain(root, read_free_parameters(root), robot);
   check_count(root, robot);
   read_named_frames(root, robot);
+  mechanism.tips = read_tips(root, robot);
   tie_followers(context, variables_of(robot), robot);
   read_request(root, robot);
   resolve_symbols(root, robot);
@@ -149,7 +152,7 @@ model::Robot read_robot(const Table& root) {
   check_default_values(context, robot);
   if (!accept_inertia && !context.has_error) check_inertia(context, robot);
   if (!context.has_error) check_size(context, robot);
-  return robot;
+  return mechanism;
 }
 
 bool is_blank(std::string_view text) {
@@ -175,14 +178,31 @@ void sort_by_place(Context& context) {
   all.erase(std::unique(all.begin(), all.end(), same), all.end());
 }
 
-ReadResult finished(Context& context, Place name_place, model::Robot robot) {
+/// Limbs are robots of their own, named after the robot and their tip.
+void check_names_of_limbs(Context& context, Place place, const model::Mechanism& mechanism) {
+  for (const model::Frame& tip : mechanism.tips) {
+    const std::string name = mechanism.robot.name + "_" + tip.name;
+    const NameProblem problem = check_robot_name(name);
+    if (!problem.message.empty())
+      context.error(place, "the limb '" + name + "': " + problem.message, problem.hint);
+  }
+}
+
+ReadResult finished(Context& context, Place name_place, model::Mechanism mechanism) {
+  model::take_chain(mechanism);
+  check_names_of_limbs(context, name_place, mechanism);
   sort_by_place(context);
   ReadResult result;
   result.name_place = context.diagnostic(name_place, "", "");
+  result.files = context.files;
+  std::sort(result.files.begin(), result.files.end());
+  result.files.erase(std::unique(result.files.begin(), result.files.end()), result.files.end());
   result.diagnostics = std::move(context.diagnostics);
   const auto is_error = [](const Diagnostic& d) { return d.severity == Diagnostic::error; };
-  if (std::none_of(result.diagnostics.begin(), result.diagnostics.end(), is_error))
-    result.robot = std::move(robot);
+  if (std::none_of(result.diagnostics.begin(), result.diagnostics.end(), is_error)) {
+    result.robot = std::move(mechanism.robot);
+    result.tips = std::move(mechanism.tips);
+  }
   return result;
 }
 
@@ -192,6 +212,20 @@ void rename(Context& context, model::Robot& robot) {
   const NameProblem problem = check_robot_name(name);
   if (!problem.message.empty()) context.error({}, "--name " + name + ": " + problem.message, problem.hint);
   robot.name = name;
+}
+
+/// Leaves the chain to the tip that the options name.
+void take_limb(Context& context, model::Mechanism& mechanism) {
+  std::vector<std::string> names;
+  for (const model::Frame& tip : mechanism.tips) {
+    names.push_back(tip.name);
+    if (tip.name != context.options.tip) continue;
+    mechanism = {model::limb(mechanism.robot, tip), {}};
+    return;
+  }
+  const std::string near = nearest(context.options.tip, names);
+  context.error({}, "--tip " + context.options.tip + ": there is no [[tip]] of that name",
+                near.empty() ? "name a tip of the file" : "did you mean '" + near + "'?");
 }
 
 ReadResult read_toml(Context& context, std::string_view text) {
@@ -206,12 +240,18 @@ ReadResult read_toml(Context& context, std::string_view text) {
   try {
     const toml::table document = toml::parse(text);
     const Table root(context, document, "the file");
-    model::Robot robot = read_robot(root);
-    if (!context.options.base.empty() || !context.options.tip.empty())
+    model::Mechanism mechanism = read_robot(root);
+    const ReadOptions& options = context.options;
+    if (mechanism.tips.empty() ? !options.base.empty() || !options.tip.empty() : !options.base.empty())
       context.error({}, "--base and --tip: this description has no links to choose from",
                     "they are for URDF and MJCF; here [base] and [tool] give the frames");
-    rename(context, robot);
-    return finished(context, root.place_of("name"), std::move(robot));
+    else if (!options.tip.empty())
+      take_limb(context, mechanism);
+    if (!options.tips.empty() || !options.fixed.empty())
+      context.error({}, "--tips and --fixed: this description says itself what it has",
+                    "they are for URDF and MJCF; here [[tip]] gives the tips");
+    rename(context, mechanism.robot);
+    return finished(context, root.place_of("name"), std::move(mechanism));
   } catch (const toml::parse_error& error) {
     return failed(context, begin_of(error.source()), "TOML syntax: " + std::string(error.description()),
                   "texts and expressions stand in quotes, arrays in [ ], one key = value per line");
@@ -240,15 +280,17 @@ void name_robot(Context& context, const xml::Element& root, model::Robot& robot)
 }
 
 ReadResult read_xml(Context& context, std::string_view text) {
-  model::Robot robot;
+  model::Mechanism mechanism;
+  model::Robot& robot = mechanism.robot;
   const auto root = xml::parse(context, text);
   const Place place = root ? root->place : Place{};
   if (root && root->name == "robot") {
-    robot = xml::read_urdf(context, *root);
+    mechanism = xml::read_urdf(context, *root);
   } else if (root && root->name == "mujoco") {
-    robot = xml::read_mjcf(context, *root);
+    mechanism = xml::read_mjcf(context, *root);
   } else if (root && root->name == "mujocoinclude") {
-    if (const auto model = xml::model_of_fragment(context, *root)) robot = xml::read_mjcf(context, *model);
+    if (const auto model = xml::model_of_fragment(context, *root))
+      mechanism = xml::read_mjcf(context, *model);
   } else if (root) {
     context.error(place, "<" + root->name + "> is no robot description",
                   "a URDF begins with <robot>, an MJCF with <mujoco>");
@@ -260,7 +302,7 @@ ReadResult read_xml(Context& context, std::string_view text) {
       context.error(place, "the robot's title or source " + problem, "use plain text");
   if (!context.has_error) check_inertia(context, robot);
   if (!context.has_error) check_size(context, robot);
-  return finished(context, place, std::move(robot));
+  return finished(context, place, std::move(mechanism));
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "model/robot.h"
+#include "model/mechanism.h"
 
 namespace qvgen::description {
 
@@ -31,6 +31,10 @@ struct ReadResult {
   /// Place of the robot's name in the file, for mistakes between files.
   Diagnostic name_place;
   std::string text;  ///< all that was read
+  /// The ends of limbs, where the robot is a whole tree of links: `robot` has the joints of all of them.
+  std::vector<model::Frame> tips = {};
+  /// Files that were read besides, sorted: what an MJCF or a xacro includes, meshes whose volume counts.
+  std::vector<std::string> files = {};
 };
 
 /// Which rounded numbers of a URDF or MJCF are read as the exact ones that they were (xml/snap.h).
@@ -49,17 +53,25 @@ struct ReadOptions {
   // The rest is for URDF and MJCF.
   std::string base = {};  ///< link where the chain begins; empty: the root
   std::string tip = {};   ///< link where it ends; empty: the only one that can be meant
+  /// Links at which limbs end, for a whole tree in place of a chain; `every_tip` alone: all ends of the tree.
+  std::vector<std::string> tips = {};
+  std::vector<std::string> fixed = {};  ///< joints that are held at zero
   SnapOptions snap = {};
   // For who reads files: what xacro is given, and where packages are.
   std::vector<std::string> xacro_arguments = {};
   std::vector<std::string> package_folders = {};
+  bool lists_files = false;  ///< also those that xacro includes, which takes another run of it
 };
 
 /// The largest file that is read: no description of one robot comes near.
 inline constexpr std::size_t max_file_size = 4'000'000;
 
-/// The largest number of joints a description may have.
+/// The largest number of joints a chain may have, and a whole tree.
 inline constexpr std::size_t max_joints = 16;
+inline constexpr std::size_t max_joints_of_tree = 64;
+
+/// In place of the names of tips.
+inline constexpr const char* every_tip = "all";
 
 /// Reads a robot description, TOML (the format: generator/robots/README.md), URDF or MJCF, and reports all of
 /// its mistakes.

@@ -127,8 +127,14 @@ std::string follows_text(const model::Robot& robot, const model::Joint& joint) {
          (joint.follows->ratio == 1 ? "" : "ratio = " + text(joint.follows->ratio) + "\n");
 }
 
-std::string named_frame_text(const model::Robot& robot, const model::Frame& frame) {
-  return "\n[[frame]]\nname = " + quoted(frame.name) +
+std::string parent_text(const model::Robot& robot, const model::Joint& joint) {
+  if (!joint.parent) return "";
+  const bool on_base = *joint.parent == model::base_link;
+  return "parent = " + quoted(on_base ? "base" : robot.joints[*joint.parent].variable) + "\n";
+}
+
+std::string named_frame_text(const model::Robot& robot, const model::Frame& frame, const std::string& key) {
+  return "\n[[" + key + "]]\nname = " + quoted(frame.name) +
          "\njoint = " + quoted(robot.joints[frame.joint].variable) + "\n" +
          frame_text(frame.placement, "translation");
 }
@@ -138,7 +144,7 @@ std::string joint_text(const model::Robot& robot, const model::Joint& joint) {
   std::string result = "\n[[joint]]\ntype = ";
   result += joint.type == model::JointType::revolute ? "\"revolute\"\n" : "\"prismatic\"\n";
   result += "axis = " + axis_text(joint.axis) + "\nvariable = " + quoted(joint.variable) + "\n" +
-            follows_text(robot, joint);
+            parent_text(robot, joint) + follows_text(robot, joint);
   result += frame_text(joint.before, "origin");
   if (!model::is_literal_zero(joint.after.translation))
     result += "link = " + list(joint.after.translation) + "\n";
@@ -158,7 +164,13 @@ std::string write_text(const model::Robot& robot) {
   if (!robot.source.empty()) result += "source = " + quoted(robot.source) + "\n";
   result += table("base", robot.base) + table("tool", robot.tool);
   for (const model::Joint& joint : robot.joints) result += joint_text(robot, joint);
-  for (const model::Frame& frame : robot.frames) result += named_frame_text(robot, frame);
+  for (const model::Frame& frame : robot.frames) result += named_frame_text(robot, frame, "frame");
+  return result;
+}
+
+std::string write_text(const model::Mechanism& mechanism) {
+  std::string result = write_text(mechanism.robot);
+  for (const model::Frame& tip : mechanism.tips) result += named_frame_text(mechanism.robot, tip, "tip");
   return result;
 }
 

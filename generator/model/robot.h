@@ -70,7 +70,13 @@ struct Joint {
   std::optional<Follows> follows = {};
   std::optional<Expression> greatest_velocity = {};  ///< rad/s or m/s, above 0
   std::optional<Expression> greatest_effort = {};    ///< Nm or N, above 0
+  /// For joints that branch (mechanism.h): index of the joint whose link carries this one, an earlier one, or
+  /// `base_link`. None: the joint before it, as in every chain.
+  std::optional<std::size_t> parent = {};
 };
+
+/// In place of a joint's index: the link that no joint moves.
+inline constexpr std::size_t base_link = static_cast<std::size_t>(-1);
 
 /// A named frame that is fixed to a link: a camera, a flange, a sensor.
 struct Frame {
@@ -91,6 +97,7 @@ enum class Task {
   position,                ///< of the tool point; the orientation follows
   position_and_direction,  ///< the tool point, and where one axis of the tool points
   position_and_yaw,        ///< the tool point, and the turn about the direction that all axes have
+  position_and_pitch,      ///< the tool point, and the angle of one axis of the tool to joint 1's axis
   direction,               ///< where one axis of the tool points; the position follows
   orientation              ///< the position follows
 };
@@ -107,7 +114,8 @@ struct InverseRequest {
 /// Headers that a description may leave to who names them.
 inline constexpr std::array requestable_parts{"dynamics_derivatives", "dynamics_loads", "regressor"};
 
-/// A validated kinematic chain, base to tool. Immutable once a reader has built it.
+/// A validated kinematic chain, base to tool; or the joints of a Mechanism (mechanism.h), which say where they
+/// hang and have no tool. Immutable once a reader has built it.
 struct Robot {
   std::string name;  ///< a C++ identifier, lower case: the namespace of the generated code
   std::string title;
@@ -124,6 +132,7 @@ struct Robot {
   /// Those of `requestable_parts` that are generated only for who names them.
   std::vector<std::string> on_request = {};
   std::string ideal;  ///< the robot that this one, which is calibrated, differs from by little; empty: none
+  std::optional<Inertia> floating_base = {};  ///< of the base in its own frame, if the base moves freely
 };
 
 /// The symbols in the frames, axes and offsets of a robot, sorted, each once; those of named frames not.

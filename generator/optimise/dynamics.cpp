@@ -22,6 +22,8 @@ using derive::dynamics::FormulationOptions;
 using exact::Number;
 
 constexpr std::size_t most_units = 6;
+/// Robots with more joints try no choices: each trial is a search of its own.
+constexpr std::size_t most_joints_with_trials = 8;
 
 int operations(const dag::OperationCounts& counts) {
   constexpr int division = 4;
@@ -73,6 +75,7 @@ void try_units(Trials& trials, const model::Robot& robot, bool unrotated) {
 }
 
 FormulationOptions best_choices(const model::Robot& robot, const DynamicsQuantity& quantity, long steps) {
+  if (robot.joints.size() > most_joints_with_trials) return {};
   Trials trials(robot, quantity, steps);
   try_units(trials, robot, true);
   if (quantity.has_wrenches) try_units(trials, robot, false);

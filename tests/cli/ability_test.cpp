@@ -120,6 +120,21 @@ TEST_F(Ability, OfAnArmAngle) {
   EXPECT_FALSE(says(arm(four_joints), "arm angle"));
 }
 
+constexpr const char* five_servos = "Rz 0 0 0.1; Ry 0.1 0 0; Ry 0.1 0 0; Ry 0.05 0 0; Rx 0.1 0 0";
+
+TEST_F(Ability, OfAPositionAndAPitch) {
+  const std::string asked = " asked for a position of the tool point and the pitch of the tool's axis ";
+  const std::string by_plane =
+      "joints 2, 3 and 4 move in one plane: the pitch tells where the axis of q4 is, the others place it. At "
+      "most 4 "
+      "solutions. A pose may be given too, for its position and pitch; one that is tilted to the side is "
+      "unreachable.";
+  const std::string task = "task = \"position_and_pitch\"\n";
+  EXPECT_EQ(of(arm(four_joints, task)), "4 joints," + asked + "z: " + by_plane);
+  EXPECT_EQ(of(arm(five_servos, task + "tool_axis = \"+x\"\n")),
+            "5 joints," + asked + "x with q5 given by the caller: " + by_plane);
+}
+
 TEST_F(Ability, WhatIsNotServedIsRefused) {
   const auto refused = [&](const std::string& description, const std::string& reason) {
     const ToolRun shown = run("show --inverse " + write("my_arm.toml", description));
@@ -129,6 +144,9 @@ TEST_F(Ability, WhatIsNotServedIsRefused) {
   refused(arm(five_joints, "task = \"position\"\n"),
           "the task position is none for this arm: it may be asked for position_and_direction");
   refused(arm(five_joints, "given = \"q5\"\n"), "here, 5 joints leave none over");
+  refused(arm(five_servos, "tool_axis = \"+x\"\n"),
+          "it may be asked for task = \"position_and_pitch\", with joint 5 given");
+  refused(arm(five_joints, "task = \"position_and_pitch\"\n"), "joints 2, 3 and 4 do not move in one plane");
   refused(arm(std::string(seven_joints) + "; Ry 0 0 0.1", "given = \"q1, q7\"\n"),
           "of 8 joints 2 would have to be given, and only one can be");
   refused(arm(std::string(seven_joints) + "; Ry 0 0 0.1"), "8 joints: a pose in space fixes six");

@@ -34,15 +34,20 @@ class DynamicsUnderTest {
   virtual VectorXd inverse(const VectorXd& q, const VectorXd& qd, const VectorXd& qdd, double g) const = 0;
   virtual VectorXd inverse(const VectorXd& q, const VectorXd& qd, const VectorXd& qdd,
                            const Vector3d& falling) const = 0;
-  virtual VectorXd inverse(const VectorXd& q, const VectorXd& qd, const VectorXd& qdd,
-                           const Vector3d& falling, const Wrench& wrench) const = 0;
+  /// Robots whose joints branch have no tool; `has_tool` of the factory tells.
+  virtual VectorXd inverse(const VectorXd&, const VectorXd&, const VectorXd&, const Vector3d&,
+                           const Wrench&) const {
+    return {};
+  }
   virtual DualVector inverse(const DualVector& q, const DualVector& qd, const DualVector& qdd,
                              double g) const = 0;
   /// With the angles' sines and cosines and the constants computed before.
   virtual VectorXd inverse_prepared(const VectorXd& q, const VectorXd& qd, const VectorXd& qdd,
                                     double g) const = 0;
-  virtual VectorXd inverse_prepared(const VectorXd& q, const VectorXd& qd, const VectorXd& qdd,
-                                    const Vector3d& falling, const Wrench& wrench) const = 0;
+  virtual VectorXd inverse_prepared(const VectorXd&, const VectorXd&, const VectorXd&, const Vector3d&,
+                                    const Wrench&) const {
+    return {};
+  }
   virtual VectorXd gravity(const VectorXd& q, double g) const = 0;
   virtual VectorXd gravity(const VectorXd& q, const Vector3d& falling) const = 0;
   virtual VectorXd coriolis(const VectorXd& q, const VectorXd& qd) const = 0;
@@ -52,8 +57,10 @@ class DynamicsUnderTest {
   virtual VectorXd forward(const VectorXd& q, const VectorXd& qd, const VectorXd& torque, double g) const = 0;
   virtual VectorXd forward(const VectorXd& q, const VectorXd& qd, const VectorXd& torque,
                            const Vector3d& falling) const = 0;
-  virtual VectorXd forward(const VectorXd& q, const VectorXd& qd, const VectorXd& torque,
-                           const Vector3d& falling, const Wrench& wrench) const = 0;
+  virtual VectorXd forward(const VectorXd&, const VectorXd&, const VectorXd&, const Vector3d&,
+                           const Wrench&) const {
+    return {};
+  }
   virtual double kinetic(const VectorXd& q, const VectorXd& qd) const = 0;
   virtual Dual kinetic(const DualVector& q, const DualVector& qd) const = 0;
   virtual double potential(const VectorXd& q, double g) const = 0;
@@ -67,6 +74,7 @@ class DynamicsUnderTest {
 
 struct DynamicsFactory {
   std::string name, description;
+  bool has_tool = true;
   std::vector<std::string> inertia_names;
   /// From the values of the inertial parameters.
   std::function<std::unique_ptr<DynamicsUnderTest>(const std::vector<double>&)> make;

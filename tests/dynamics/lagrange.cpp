@@ -145,12 +145,16 @@ template <class S>
 S lagrangian(const reference::Chain& chain, const std::vector<S>& q, const std::vector<S>& qd,
              const Eigen::Vector3d& gravity) {
   const Vector<S> none = vector<S>(Eigen::Vector3d(0, 0, 0));
-  Body<S> body{matrix<S>(chain.base.linear()), vector<S>(chain.base.translation()), none, none};
+  const Body<S> base{matrix<S>(chain.base.linear()), vector<S>(chain.base.translation()), none, none};
+  std::vector<Body<S>> links;
   const Eigen::MatrixXd coupling = chain.coupling();
   S sum(0.0);
   for (std::size_t i = 0; i < chain.joints.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
+    const Eigen::Index parent = chain.parent_of(i);
+    Body<S> body = parent < 0 ? base : links[static_cast<std::size_t>(parent)];
     body.cross_joint(chain.joints[i], value_of(coupling, row, q), value_of(coupling, row, qd));
+    links.push_back(body);
     sum = sum + kinetic_minus_potential(chain.joints[i], body, gravity);
   }
   return sum;

@@ -178,6 +178,23 @@ def test_the_same_description_is_compiled_once(arm):
     assert qvgen.load(HERE.parent / "c/robots/urdf_arm.urdf").__file__ == arm.__file__
 
 
+def test_limbs_of_joints_that_branch(tmp_path):
+    joint = '[[joint]]\ntype = "revolute"\naxis = "+{}"\nvariable = "{}"\nlink = [{}, 0, 0]\n'
+    tip = '[[tip]]\nname = "{}_hand"\njoint = "{}"\n'
+    description = tmp_path / "two_arms.toml"
+    description.write_text('name = "two_arms"\ntitle = "two arms"\n' + joint.format("z", "waist", 0.5)
+                           + joint.format("y", "left", 0.3) + joint.format("x", "right", 0.2) + 'parent = "waist"\n'
+                           + tip.format("left", "left") + tip.format("right", "right"))
+    robot = qvgen.load(description, "--only", "kinematics")
+    assert robot.joint_names == ["waist", "left", "right"]
+    assert list(robot.limbs) == ["left_hand", "right_hand"]
+    limb = robot.limbs["right_hand"]
+    assert limb.joint_names == ["waist", "right"] and limb is robot.limbs["right_hand"]
+    np.testing.assert_allclose(limb.forward_kinematics([np.pi / 2, 0.3])[4:], [0, 0.7, 0], atol=1e-14)
+    with pytest.raises(AttributeError, match="each limb has it"):
+        robot.forward_kinematics
+
+
 def test_what_the_readme_shows():
     lines = (HERE.parents[1] / "README.md").read_text().splitlines()
     begin = next(place for place, line in enumerate(lines) if line.startswith("    import numpy, qvgen"))

@@ -23,6 +23,7 @@ Vector3 movable_moments(const Link& link, const Rotations& rotations, dag::Graph
 /// The part of the link's inertia that may as well belong to the link before.
 PseudoInertia movable(const Link& link, const Rotations& rotations, dag::Graph& graph) {
   PseudoInertia part;
+  if (link.motion == Motion::free) return part;
   if (link.motion == Motion::none) return link.inertia;
   if (link.motion == Motion::revolute) {
     part.at(2, 2) = link.inertia.at(2, 2);
@@ -50,7 +51,9 @@ void give_inward(Chain& chain, const Rotations& rotations, dag::Graph& graph, st
   Link& link = chain.links[j];
   const PseudoInertia part = movable(link, rotations, graph);
   link.inertia = link.inertia - part;
-  if (j > 0) chain.links[j - 1].inertia = chain.links[j - 1].inertia + seen_from_before(link, part, graph);
+  if (link.parent == no_link) return;
+  PseudoInertia& before = chain.links[link.parent].inertia;
+  before = before + seen_from_before(link, part, graph);
 }
 
 }  // namespace
@@ -65,10 +68,11 @@ void shift_mass(Chain& chain, dag::Graph& graph, std::size_t j, std::size_t k) {
   unit.at(3, 3) = Scalar(graph, graph.constant(1));
   const Link& link = chain.links[j];
   const PseudoInertia before = seen_from_before(link, unit, graph);
-  const Scalar mass = chain.links[j - 1].inertia.at(k, 3) / before.at(k, 3);
+  PseudoInertia& carrying = chain.links[link.parent].inertia;
+  const Scalar mass = carrying.at(k, 3) / before.at(k, 3);
   PseudoInertia point;
   point.at(3, 3) = mass;
-  chain.links[j - 1].inertia = chain.links[j - 1].inertia - seen_from_before(link, point, graph);
+  carrying = carrying - seen_from_before(link, point, graph);
   chain.links[j].inertia = chain.links[j].inertia + point;
   const auto rotations = rotations_of(chain, graph);
   for (std::size_t i = j; i-- > 0;) give_inward(chain, rotations[i], graph, i);

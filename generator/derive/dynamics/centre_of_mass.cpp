@@ -6,7 +6,8 @@
 // where h are the link's own first moments. The part of H(k) along the axis does not turn with the joint: it
 // is constant and joins h(k-1). What is left of each turning link is a vector across its axis. Divided by the
 // whole mass all of them are lengths: those of an arm with the same rotations, whose tip is the centre of
-// mass. A slide moves it by the share of the mass that the slide carries.
+// mass. A slide moves it by the share of the mass that the slide carries. If joints branch, H(k) is the
+// sum over the links behind, and so is the way to the tip.
 #include <array>
 #include <map>
 #include <utility>
@@ -47,21 +48,28 @@ MassArm plain_arm(const model::Robot& robot, dag::Graph& graph) {
   result.chain = make_chain(robot, graph);
   const std::vector<Link>& links = result.chain.links;
   result.segments.resize(links.size());
-  Vector3 moment;  // of what is constant behind the joint at hand
-  Scalar mass;
+  struct Behind {
+    Vector3 moment;  ///< of what is constant there
+    Scalar mass;
+  };
+  Behind all;
+  std::vector<Behind> behind(links.size());
   for (std::size_t k = links.size(); k-- > 0;) {
     const Link& link = links[k];
-    moment = moment + link.inertia.first_moments();
-    mass = mass + link.inertia.mass();
+    Vector3 moment = behind[k].moment + link.inertia.first_moments();
+    const Scalar mass = behind[k].mass + link.inertia.mass();
     Vector3 constant = split_off_constant(link, moment);
     result.segments[k].arm = moment;
     if (link.motion == Motion::prismatic) result.segments[k].share = mass;
     if (link.motion != Motion::revolute) constant = rotate(2, circle(link.angle, graph), constant);
     constant[2] = constant[2] + mass * link.d;
-    moment = rotate(0, circle(link.alpha, graph), constant) + mass * Vector3{link.a, link.b, Scalar()};
+    Behind& before = link.parent == no_link ? all : behind[link.parent];
+    before.moment = before.moment + rotate(0, circle(link.alpha, graph), constant) +
+                    mass * Vector3{link.a, link.b, Scalar()};
+    before.mass = before.mass + mass;
   }
-  result.base = rotate(2, circle(result.chain.yaw, graph), moment) + mass * result.chain.start;
-  const Scalar per_mass = Scalar(graph, graph.constant(1)) / mass;
+  result.base = rotate(2, circle(result.chain.yaw, graph), all.moment) + all.mass * result.chain.start;
+  const Scalar per_mass = Scalar(graph, graph.constant(1)) / all.mass;
   for (Segment& segment : result.segments) {
     segment.arm = per_mass * segment.arm;
     segment.share = per_mass * segment.share;
@@ -121,37 +129,40 @@ class CentreOfMass {
   struct Moved {
     std::size_t joint = 0;
     Vector3 vector;
+    std::size_t link = no_link;  ///< where it has come to
   };
 
   /// The vector from link 0's start to the tip, in the frame there; columns and vectors of the joints on the
   /// way.
   Vector3 reach() {
-    Vector3 tip;
+    Vector3 reach;
     const std::vector<Link>& links = arm_.chain.links;
+    std::vector<Vector3> behind(links.size());
     for (std::size_t k = links.size(); k-- > 0;) {
       const Link& link = links[k];
-      const Vector3 behind = tip;
-      tip = tip + arm_.segments[k].arm;
-      offer_apart(k, behind);
+      Vector3 tip = behind[k] + arm_.segments[k].arm;
+      offer_apart(k, behind[k]);
       if (link.motion == Motion::prismatic)
         tip[2] = tip[2] + arm_.segments[k].share * Scalar(graph_, graph_.symbol(link.variable));
-      add_joint(link, arm_.segments[k], tip);
+      add_joint(link, k, arm_.segments[k], tip);
       inner_[k] = tip;
-      tip = to_parent(k, tip);
+      Vector3& before = link.parent == no_link ? reach : behind[link.parent];
+      before = before + to_parent(k, tip);
       for (std::vector<Moved>* list : {&columns_, &reaches_, &axes_})
-        for (Moved& each : *list) each.vector = to_parent(k, each.vector);
+        for (Moved& each : *list)
+          if (each.link == k) each = {each.joint, to_parent(k, each.vector), link.parent};
     }
-    return tip;
+    return reach;
   }
 
-  void add_joint(const Link& link, const Segment& segment, const Vector3& tip) {
+  void add_joint(const Link& link, std::size_t k, const Segment& segment, const Vector3& tip) {
     const Scalar one(graph_, graph_.constant(1));
     if (link.motion == Motion::prismatic)
-      columns_.push_back({link.joint, {Scalar(), Scalar(), segment.share}});
+      columns_.push_back({link.joint, {Scalar(), Scalar(), segment.share}, k});
     if (link.motion != Motion::revolute) return;
-    columns_.push_back({link.joint, {-tip[1], tip[0], Scalar()}});
-    reaches_.push_back({link.joint, tip});
-    axes_.push_back({link.joint, {Scalar(), Scalar(), one}});
+    columns_.push_back({link.joint, {-tip[1], tip[0], Scalar()}, k});
+    reaches_.push_back({link.joint, tip, k});
+    axes_.push_back({link.joint, {Scalar(), Scalar(), one}, k});
   }
 
   Vector3 to_parent(std::size_t k, const Vector3& v) {
@@ -167,7 +178,9 @@ class CentreOfMass {
     exact::Angle angle = links[k].angle;
     suggest_(rotate(2, circle(angle, graph_), arm_.segments[k].arm) +
              rotate(2, circle(angle, graph_), behind));
-    for (std::size_t m = k + 1; m < links.size() && circle(links[m].alpha, graph_).cosine.is_one(); ++m) {
+    for (std::size_t m = k + 1;
+         m < links.size() && links[m].parent + 1 == m && circle(links[m].alpha, graph_).cosine.is_one();
+         ++m) {
       angle = angle + links[m].angle;
       suggest_(rotate(2, circle(angle, graph_), arm_.segments[m].arm));
       suggest_(rotate(2, circle(angle, graph_), inner_.at(m)));

@@ -8,6 +8,7 @@
 
 #include "derive/dynamics/rotation_sequence.h"
 #include "exact/constant_angle.h"
+#include "model/mechanism.h"
 
 namespace qvgen::derive::dynamics {
 namespace {
@@ -88,32 +89,75 @@ class ChainBuilder {
 
   Chain build() {
     if (robot_.joints.empty()) throw std::domain_error("dynamics: no joints");
-    const model::Joint& first = robot_.joints.front();
-    RotationSequence sequence =
-        to_sequence(robot_.base.turns) * to_sequence(first.before.turns) * from_z_to(first.axis);
-    Passage passage = make_passage(std::move(sequence), {}, graph_);
-    chain_.yaw = passage.phi;
-    chain_.start =
-        to_vector(robot_.base.translation, graph_) +
-        rotated(to_sequence(robot_.base.turns), to_vector(first.before.translation, graph_), graph_);
+    stands_.resize(robot_.joints.size());
     for (std::size_t j = 0; j < robot_.joints.size(); ++j) {
-      arrive(j, std::move(passage));
-      passage = j + 1 < robot_.joints.size() ? passage_behind(j) : last_passage();
-      leave(j, passage);
+      const std::size_t parent = model::parent_of(robot_, j);
+      if (parent == model::base_link)
+        arrive_from_base(j);
+      else if (first_behind(parent) == j)
+        arrive(j, stands_[parent].link, stands_[parent].next);
+      else
+        arrive_beside(j, stands_[parent].link, way_from_joint(parent, j), stands_[parent].next);
+      const auto next = first_behind(j);
+      stands_[j] = {chain_.links.size() - 1, next ? passage_of(way_from_joint(j, *next)) : last_passage()};
+      leave(j, stands_[j].next);
     }
     return std::move(chain_);
   }
 
  private:
-  Passage passage_behind(std::size_t j) {
+  /// Rotation and translation from one joint frame to another.
+  struct Way {
+    RotationSequence turns;
+    Vector3 offset;
+  };
+  /// The link that a joint moves, whose frame is the one from which the next passage starts.
+  struct Stand {
+    std::size_t link = no_link;
+    Passage next;
+  };
+
+  /// The joint behind a link for which its frame is chosen: the first one.
+  [[nodiscard]] std::optional<std::size_t> first_behind(std::size_t link) const {
+    for (std::size_t j = 0; j < robot_.joints.size(); ++j)
+      if (model::parent_of(robot_, j) == link) return j;
+    return std::nullopt;
+  }
+
+  Passage passage_of(const Way& way) { return make_passage(way.turns, way.offset, graph_); }
+
+  Way way_from_base(std::size_t j) {
+    const model::Joint& joint = robot_.joints[j];
+    const RotationSequence base = to_sequence(robot_.base.turns);
+    return {base * to_sequence(joint.before.turns) * from_z_to(joint.axis),
+            to_vector(robot_.base.translation, graph_) +
+                rotated(base, to_vector(joint.before.translation, graph_), graph_)};
+  }
+
+  Way way_from_joint(std::size_t j, std::size_t behind) {
     const model::Joint& here = robot_.joints[j];
-    const model::Joint& next = robot_.joints[j + 1];
+    const model::Joint& next = robot_.joints[behind];
     const RotationSequence back = inverse(from_z_to(here.axis));
     const RotationSequence after = to_sequence(here.after.turns);
     const Vector3 offset = to_vector(here.after.translation, graph_) +
                            rotated(after, to_vector(next.before.translation, graph_), graph_);
-    return make_passage(back * after * to_sequence(next.before.turns) * from_z_to(next.axis),
-                        rotated(back, offset, graph_), graph_);
+    return {back * after * to_sequence(next.before.turns) * from_z_to(next.axis),
+            rotated(back, offset, graph_)};
+  }
+
+  /// The frame in which the first joint begins is the one for all others on the base.
+  void arrive_from_base(std::size_t j) {
+    const Way way = way_from_base(j);
+    if (first_behind(model::base_link) == j) {
+      chain_.start = way.offset;
+      const Passage passage = passage_of({way.turns, {}});
+      chain_.yaw = passage.phi;
+      return arrive(j, no_link, passage);
+    }
+    Passage taken;
+    taken.phi = chain_.yaw;
+    const Vector3 offset = way.offset - chain_.start;
+    arrive_beside(j, no_link, {way.turns, offset}, taken);
   }
 
   /// Behind the last joint its frame is free along its axis: the remaining offset goes into the inertia.
@@ -123,10 +167,30 @@ class ChainBuilder {
     return passage;
   }
 
+  /// A further joint on a link whose frame was chosen for another one: what that has taken of the way (a turn
+  /// about z and a shift along it) is taken back, and what is left of such a turn is a link without motion.
+  void arrive_beside(std::size_t j, std::size_t parent, Way way, const Passage& taken) {
+    way.turns = RotationSequence{{2, cln::cl_RA(-1) * taken.phi}} * way.turns;
+    way.offset = unrotate(2, circle(taken.phi, graph_), way.offset);
+    way.offset[2] = way.offset[2] - taken.d;
+    const Passage passage = passage_of(way);
+    if (passage.phi != Angle{} || !passage.d.is_zero()) {
+      Link between;
+      between.joint = j;
+      between.parent = parent;
+      between.angle = passage.phi;
+      between.d = passage.d;
+      chain_.links.push_back(between);
+      parent = chain_.links.size() - 1;
+    }
+    arrive(j, parent, passage);
+  }
+
   /// Links up to joint j; more than one if the passage has turns left over.
-  void arrive(std::size_t j, Passage passage) {
+  void arrive(std::size_t j, std::size_t parent, Passage passage) {
     Link link;
     link.joint = j;
+    link.parent = parent;
     link.alpha = passage.alpha;
     link.a = passage.a;
     link.b = passage.b;
@@ -136,6 +200,7 @@ class ChainBuilder {
       chain_.links.push_back(link);
       link = Link();
       link.joint = j;
+      link.parent = chain_.links.size() - 1;
       link.alpha = take(passage.rest, 0);
       link.angle = take(passage.rest, 2);
     }
@@ -162,7 +227,7 @@ class ChainBuilder {
     }
     inertia = rotated(RotationSequence{{2, cln::cl_RA(-1) * passage.phi}} * back, inertia, graph_);
     link.inertia = shifted(inertia, 2, -passage.d);
-    if (j + 1 == robot_.joints.size()) place_tool(joint, back, passage);
+    if (j + 1 == robot_.joints.size() && !model::branches(robot_)) place_tool(joint, back, passage);
   }
 
   void place_tool(const model::Joint& last, const RotationSequence& back, const Passage& passage) {
@@ -183,6 +248,7 @@ class ChainBuilder {
   dag::Graph& graph_;
   Inertias inertias_;
   Chain chain_;
+  std::vector<Stand> stands_;  ///< by joint
 };
 
 }  // namespace

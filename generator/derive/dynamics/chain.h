@@ -11,16 +11,21 @@
 
 namespace qvgen::derive::dynamics {
 
-enum class Motion { revolute, prismatic, none };
+/// How a link moves against the one before it. `free`: a floating base, in six ways.
+enum class Motion { revolute, prismatic, none, free };
+
+inline constexpr std::size_t no_link = static_cast<std::size_t>(-1);
 
 /// A joint with its link, all frames z-aligned (Khalil and Kleinfinger 1986):
-/// frame(j) = frame(j-1) * T(a, b, 0) * Rx(alpha) * Rz(angle) * T(0, 0, d), the variable added to `angle` or
-/// to d. b is zero wherever the angle between neighbouring axes is a known number. Where two axes
-/// need more turns than x z, links without mass or motion stand between.
+/// frame(j) = frame(parent) * T(a, b, 0) * Rx(alpha) * Rz(angle) * T(0, 0, d), the variable added to `angle`
+/// or to d. b is zero wherever the angle between neighbouring axes is a known number. Where two axes need
+/// more turns than x z, links without mass or motion stand between.
 struct Link {
   Motion motion = Motion::none;
   std::string variable;
   std::size_t joint = 0;  ///< index in the robot; of links without motion, of the joint behind
+  std::size_t parent =
+      no_link;  ///< index of the link before, a smaller one; none: the base, which stands still
   exact::Angle alpha;
   exact::Angle angle;  ///< the joint variable included
   Scalar a, b, d;
@@ -28,12 +33,14 @@ struct Link {
   Scalar rotor, viscous, coulomb;  ///< inertia and friction of the drive, on the joint's side
 };
 
-/// A robot in those frames. Lengths and inertias are exact expressions of the description's symbols.
+/// A robot in those frames. Lengths and inertias are exact expressions of the description's symbols. A
+/// floating base is link 0, in its own frame.
 struct Chain {
   std::vector<Link> links;
-  exact::Angle yaw;  ///< link 0 starts from a frame that is the world's turned by this about z,
-  Vector3 start;     ///< with its origin here in the world
-  Vector3 tool;      ///< the tool point in the last link's frame
+  exact::Angle
+      yaw;        ///< links without a parent start from a frame that is the world's turned by this about z,
+  Vector3 start;  ///< with its origin here in the world
+  Vector3 tool;   ///< the tool point in the last link's frame; of chains
 };
 
 /// Whose inertias a chain has: the description's, or symbols for all ten standard parameters of every link

@@ -13,6 +13,7 @@ Vector3 seen_from(const Link& link, const Vector3& v, dag::Graph& graph) {
 }
 
 Rotations behind(const Rotations& before, const Link& link, dag::Graph& graph) {
+  if (link.motion == Motion::free) return {Kind::any, {}};
   Rotations here = before;
   if (here.kind == Kind::about_one_axis) here.axis = seen_from(link, before.axis, graph);
   if (link.motion != Motion::revolute) return here;
@@ -25,8 +26,10 @@ Rotations behind(const Rotations& before, const Link& link, dag::Graph& graph) {
 
 std::vector<Rotations> rotations_of(const Chain& chain, dag::Graph& graph) {
   std::vector<Rotations> result;
-  Rotations here;
-  for (const Link& link : chain.links) result.push_back(here = behind(here, link, graph));
+  for (const Link& link : chain.links) {
+    const Rotations before = link.parent == no_link ? Rotations{} : result[link.parent];
+    result.push_back(behind(before, link, graph));
+  }
   return result;
 }
 

@@ -47,6 +47,12 @@ Flow shifted(const Flow& flow, const Vector3& t) {
   return result;
 }
 
+Flow sum(const Flow& a, const Flow& b) {
+  Flow result;
+  for (std::size_t r = 0; r < 4; ++r) result[r] = a[r] + b[r];
+  return result;
+}
+
 PseudoInertia rate_of_inertia(const Flow& flow) {
   PseudoInertia rate;
   for (std::size_t r = 0; r < 3; ++r) {
@@ -74,21 +80,26 @@ class ChristoffelSymbols {
 
   void run(dag::Function& out) {
     find_rotation_rates();
-    PseudoInertia composite;
-    Flow flow;
+    std::vector<Behind> all(p_.chain.links.size());
     for (std::size_t j = p_.chain.links.size(); j-- > 0;) {
       const Link& link = p_.chain.links[j];
-      composite = link.inertia + composite;
-      if (link.motion != Motion::none) open(j, composite, flow);
-      for (Open& other : open_) {
+      auto& [bodies, flow, open] = all[j];
+      const PseudoInertia composite = link.inertia + bodies;
+      if (link.motion != Motion::none) open.push_back(opened(j, composite, flow));
+      for (Open& other : open) {
         if (link.motion != Motion::none) record(link, other);
-        if (j > 0) transform_to_parent(j, other);
+        if (link.parent == no_link) continue;
+        transform_to_parent(j, other);
+        all[link.parent].open.push_back(other);
       }
-      if (j == 0) break;
+      if (link.parent == no_link) continue;
       if (link.motion != Motion::none) flow = with_own_motion(flow, link, composite, rate_of(link));
-      flow = carried(link, flow);
-      composite = inward_.transform_to_parent(j, composite);
+      Behind& before = all[link.parent];
+      before.flow = sum(before.flow, carried(link, flow));
+      before.bodies = before.bodies + inward_.transform_to_parent(j, composite);
     }
+    for (std::size_t i = 0; i < robot_.joints.size(); ++i)
+      for (std::size_t k = 0; k < robot_.joints.size(); ++k) entries_.try_emplace({i, k});
     for (const auto& [place, value] : gathered(robot_, entries_, graph_))
       out.outputs.push_back(
           {"c" + std::to_string(place.first + 1) + "_" + std::to_string(place.second + 1), value.in(graph_)});
@@ -101,36 +112,44 @@ class ChristoffelSymbols {
     Column mass, rate, coriolis;
   };
 
+  /// Sum over the links that a link carries, in its frame.
+  struct Behind {
+    PseudoInertia bodies;
+    Flow flow;
+    std::vector<Open> open;
+  };
+
   Scalar rate_of(const Link& link) const {
     const Scalar rate = inward_.symbol(velocity_of(link.variable));
     return link.motion == Motion::prismatic ? p_.per_unit * rate : rate;
   }
 
   void find_rotation_rates() {
-    Vector3 w, arriving;
+    std::vector<Vector3> arriving;
     for (const Link& link : p_.chain.links) {
       const Circle angle = circle(link.angle, graph_), alpha = circle(link.alpha, graph_);
-      if (link.alpha.terms.empty() && link.alpha.pi == 0 && !rotation_rates_.empty())
-        offer_sum(angle, arriving);
-      arriving = unrotate(0, alpha, w);
-      w = unrotate(2, angle, arriving);
+      const bool has_parent = link.parent != no_link;
+      if (link.alpha.terms.empty() && link.alpha.pi == 0 && has_parent)
+        offer_sum(link.parent, angle, arriving[link.parent]);
+      arriving.push_back(unrotate(0, alpha, has_parent ? rotation_rates_[link.parent] : Vector3{}));
+      Vector3 w = unrotate(2, angle, arriving.back());
       if (link.motion == Motion::revolute) w[2] = w[2] + rate_of(link);
       rotation_rates_.push_back(w);
     }
   }
 
   /// Two parallel axes in a row: what arrives at the first turned by the sum of both angles.
-  void offer_sum(const Circle& second, const Vector3& arriving) {
-    const Circle first = circle(p_.chain.links[rotation_rates_.size() - 1].angle, graph_);
+  void offer_sum(std::size_t before, const Circle& second, const Vector3& arriving) {
+    const Circle first = circle(p_.chain.links[before].angle, graph_);
     const Circle both{first.cosine * second.cosine - first.sine * second.sine,
                       first.sine * second.cosine + first.cosine * second.sine};
     suggest_(unrotate(2, both, arriving));
   }
 
-  void open(std::size_t j, const PseudoInertia& composite, const Flow& flow) {
+  Open opened(std::size_t j, const PseudoInertia& composite, const Flow& flow) const {
     const Link& link = p_.chain.links[j];
     const Column coriolis = coriolis_column(link, composite, flow, rotation_rates_[j]);
-    open_.push_back({column_of(link, composite), column_of(link, rate_of_inertia(flow)), coriolis});
+    return {column_of(link, composite), column_of(link, rate_of_inertia(flow)), coriolis};
   }
 
   /// The wrench of G_j: the force is the last row, the moment the antisymmetric part of the others.
@@ -180,7 +199,6 @@ class ChristoffelSymbols {
   Parametrisation p_;
   InwardRecursion inward_;
   std::vector<Vector3> rotation_rates_;
-  std::vector<Open> open_;
   Entries entries_;
 };
 

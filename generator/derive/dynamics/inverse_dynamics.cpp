@@ -68,15 +68,18 @@ class Recursion {
 
   void run(dag::Function& out) {
     for (const Link& link : p_.chain.links) joints_.push_back(joint_of(link));
+    find_neighbours();
     const Circle last = joints_.back().angle;
-    if (choices_.last_link_unrotated) unrotate_last();
-    State state;
-    if (effects_ != Effects::velocity) state.v = p_.gravity;
+    if (choices_.last_link_unrotated) unrotate_last_links();
+    State base;
+    if (effects_ != Effects::velocity) base.v = p_.gravity;
     for (std::size_t j = 0; j < joints_.size(); ++j) {
-      state = joints_[j].moving == Motion::revolute ? turn(j, state) : slide(j, state);
-      states_.push_back(state);
+      const State& before = joints_[j].parent == no_link ? base : states_[joints_[j].parent];
+      states_.push_back(joints_[j].moving == Motion::revolute ? turn(j, before) : slide(j, before));
     }
-    backward(choices_.wrench ? wrench_to_balance(last) : Wrench(), out);
+    behind_.resize(joints_.size());
+    if (choices_.wrench) behind_.back() = wrench_to_balance(last);
+    backward(out);
   }
 
  private:
@@ -89,6 +92,9 @@ class Recursion {
     Scalar drive;  ///< force that the drive itself takes
     PseudoInertia inertia;
     std::size_t index;
+    std::size_t parent;
+    std::size_t depth = 0;               ///< links between this one and the base
+    std::vector<std::size_t> next = {};  ///< links that this one carries
   };
   /// Motion as the frame before the joint's rotation sees it; kept for parallel neighbours.
   struct Arriving {
@@ -108,7 +114,8 @@ class Recursion {
                 {},
                 {},
                 link.inertia,
-                link.joint};
+                link.joint,
+                link.parent};
     if (link.motion == Motion::none) return joint;
     const Scalar scale = link.motion == Motion::prismatic ? p_.per_unit : Scalar(graph_, graph_.constant(1));
     if (effects_ != Effects::gravity) joint.rate = symbol(velocity_of(link.variable)) * scale;
@@ -123,11 +130,21 @@ class Recursion {
     return joint;
   }
 
-  void unrotate_last() {
-    Joint& last = joints_.back();
-    if (last.moving != Motion::revolute) return;
-    last.inertia = rotated(last.inertia, 2, last.angle);
-    last.angle = {Scalar(graph_, graph_.constant(1)), Scalar()};
+  void find_neighbours() {
+    for (std::size_t j = 0; j < joints_.size(); ++j) {
+      if (joints_[j].parent == no_link) continue;
+      Joint& parent = joints_[joints_[j].parent];
+      parent.next.push_back(j);
+      joints_[j].depth = parent.depth + 1;
+    }
+  }
+
+  void unrotate_last_links() {
+    for (Joint& last : joints_) {
+      if (!last.next.empty() || last.moving != Motion::revolute) continue;
+      last.inertia = rotated(last.inertia, 2, last.angle);
+      last.angle = {Scalar(graph_, graph_.constant(1)), Scalar()};
+    }
   }
 
   /// U z of the joint axis, in the frame before the joint's rotation.
@@ -157,8 +174,8 @@ class Recursion {
     state.v = unrotate(2, joint.angle, in.v) + joint.d * Vector3{column[0], column[1], state.u[2][2]};
     suggest_(unrotate(2, joint.angle, in.v + joint.d * in.column));
     offer_twisted(in, before);
-    if (choices_.unrotated.contains(j)) offer_unrotated(j, in, wz_rate);
-    if (j > 0 && is_parallel(j)) offer_parallel(j, before.u);
+    if (choices_.unrotated.contains(joint.depth)) offer_unrotated(j, in, wz_rate);
+    if (is_parallel(j)) offer_parallel(j, before.u);
     arriving_[j] = in;
     return state;
   }
@@ -195,15 +212,16 @@ class Recursion {
   }
 
   bool is_parallel(std::size_t j) const {
-    const auto& c = joints_[j].alpha.cosine;
-    return joints_[j].alpha.sine.is_zero() && c.is_one() && joints_[j - 1].moving == Motion::revolute;
+    const Joint& joint = joints_[j];
+    return joint.parent != no_link && joint.alpha.sine.is_zero() && joint.alpha.cosine.is_one() &&
+           joints_[joint.parent].moving == Motion::revolute;
   }
 
   /// Two parallel axes in a row: what arrives at the first turned by the sum of both angles.
   void offer_parallel(std::size_t j, const Matrix3& u_before) {
     const Joint& joint = joints_[j];
-    const Joint& first = joints_[j - 1];
-    const Arriving& in = arriving_.at(j - 1);
+    const Joint& first = joints_[joint.parent];
+    const Arriving& in = arriving_.at(joint.parent);
     const Circle both = sum_of(first.angle, joint.angle);
     suggest_(unrotate(2, both, in.w));
     const Vector3 column = unrotate(2, both, in.column);
@@ -248,28 +266,25 @@ class Recursion {
   Vector3 outward(Vector3 v) {
     Vector3 arriving;
     for (std::size_t j = 0; j < joints_.size(); ++j) {
-      if (j > 0 && is_parallel(j))
-        suggest_(unrotate(2, sum_of(joints_[j - 1].angle, joints_[j].angle), arriving));
+      if (is_parallel(j)) suggest_(unrotate(2, sum_of(joints_[j - 1].angle, joints_[j].angle), arriving));
       arriving = unrotate(0, joints_[j].alpha, v);
       v = unrotate(2, joints_[j].angle, arriving);
     }
     return v;
   }
 
-  void backward(Wrench behind, dag::Function& out) {
+  void backward(dag::Function& out) {
     std::vector<Scalar> torques(robot_.joints.size());
     for (std::size_t j = joints_.size(); j-- > 0;) {
       const Joint& joint = joints_[j];
       const Wrench own = link_wrench(joint.inertia, states_[j].u, states_[j].v, suggest_);
-      const Wrench total = own + behind;
-      if (joint.moving == Motion::none) {
-        behind = carried_inward(j, own, behind);
-        continue;
-      }
+      const Wrench total = own + behind_[j];
       if (joint.moving == Motion::revolute) torques[joint.index] = total.moment[2];
       if (joint.moving == Motion::prismatic) torques[joint.index] = p_.per_unit * total.force[2];
-      torques[joint.index] = torques[joint.index] + joint.drive;
-      if (j > 0) behind = carried_inward(j, own, behind);
+      if (joint.moving != Motion::none) torques[joint.index] = torques[joint.index] + joint.drive;
+      if (joint.parent == no_link && joint.moving != Motion::none) continue;
+      const Wrench inward = carried_inward(j, own, behind_[j]);
+      if (joint.parent != no_link) behind_[joint.parent] = behind_[joint.parent] + inward;
     }
     finish(out, torques);
   }
@@ -283,7 +298,7 @@ class Recursion {
     suggest_(shifted({turned.force, rotate(2, joint.angle, total.moment)}, joint.d).moment);
     if (const auto place = unrotated_.find(j); place != unrotated_.end())
       offer_sum_unrotated(j, place->second, behind);
-    if (j + 1 < joints_.size() && is_parallel(j + 1)) offer_parallel_inward(j, own);
+    if (joint.next.size() == 1 && is_parallel(joint.next.front())) offer_parallel_inward(j, own);
     const Vector3 force = rotate(0, joint.alpha, turned.force);
     Vector3 moment = rotate(0, joint.alpha, turned.moment);
     moment = moment + cross(Vector3{joint.a, joint.b, Scalar()}, force);
@@ -308,10 +323,10 @@ class Recursion {
   /// The moment behind joint j + 1 turned by both angles at once, its offset's part by the first alone.
   void offer_parallel_inward(std::size_t j, const Wrench& own) {
     const Joint& joint = joints_[j];
-    const Joint& next = joints_[j + 1];
+    const Joint& next = joints_[joint.next.front()];
     if (!next.b.is_zero()) return;
     const Circle both = sum_of(joint.angle, next.angle);
-    const Wrench& outer = last_shifted_.at(j + 1);
+    const Wrench& outer = last_shifted_.at(joint.next.front());
     const Vector3 direct = rotate(2, both, outer.moment);
     const Vector3 force = rotate(2, next.angle, outer.force);
     const Scalar z = outer.force[2];
@@ -343,6 +358,7 @@ class Recursion {
   Parametrisation p_;
   std::vector<Joint> joints_;
   std::vector<State> states_;
+  std::vector<Wrench> behind_;  ///< by link, the sum over those that it carries
   std::map<std::size_t, Arriving> arriving_;
   std::map<std::size_t, Wrench> unrotated_, last_shifted_;
 };

@@ -38,24 +38,24 @@ void InwardRecursion::transform_to_parent(std::size_t j, Column& column) {
   const Vector3 force = rotate(2, angle, column.force);
   const Vector3 moment = rotate(2, angle, at_axis);
   suggest_(about(rotate(2, angle, column.moment), force, d));
-  if (is_parallel(j + 1) && column.outer_moment) offer_parallel(j, column, angle);
+  if (column.outer_moment && is_parallel(column.outer_link)) offer_parallel(j, column, angle);
   column.outer_moment = at_axis;
   column.outer_force = column.force;
+  column.outer_link = j;
   column.force = rotate(0, alpha, force);
   column.moment = rotate(0, alpha, moment) + cross(Vector3{link.a, link.b, Scalar()}, column.force);
 }
 
 bool InwardRecursion::is_parallel(std::size_t j) const {
-  if (j >= p_.chain.links.size()) return false;
   const Link& link = p_.chain.links[j];
   return link.alpha.terms.empty() && link.alpha.pi == 0 && link.b.is_zero() &&
-         link.motion == Motion::revolute && p_.chain.links[j - 1].motion == Motion::revolute;
+         link.motion == Motion::revolute && p_.chain.links[link.parent].motion == Motion::revolute;
 }
 
 /// Offers what lies behind two parallel axes, turned by the sum of both angles.
 void InwardRecursion::offer_parallel(std::size_t j, const Column& column, const Circle& first) {
   const Link& link = p_.chain.links[j];
-  const Link& next = p_.chain.links[j + 1];
+  const Link& next = p_.chain.links[column.outer_link];
   const Circle second = circle(next.angle, graph_);
   const Circle both{first.cosine * second.cosine - first.sine * second.sine,
                     first.sine * second.cosine + first.cosine * second.sine};

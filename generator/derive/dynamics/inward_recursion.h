@@ -15,7 +15,8 @@ struct Column {
   bool slides = false;
   Vector3 force, moment;
   std::optional<Vector3> outer_moment,
-      outer_force = {};  ///< before the joint behind, for parallel neighbours
+      outer_force = {};              ///< before the joint behind, for parallel neighbours
+  std::size_t outer_link = no_link;  ///< the link of that joint
 };
 
 /// Takes what is known in a link's frame to the frame of the link before, with other ways to do it suggested.

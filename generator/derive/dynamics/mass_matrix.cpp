@@ -17,17 +17,25 @@ class CompositeBodies {
   }
 
   void run(dag::Function& out) {
-    PseudoInertia composite;
+    // Sums over the links that each link carries, in its frame.
+    std::vector<PseudoInertia> behind(p_.chain.links.size());
+    std::vector<std::vector<Column>> columns(p_.chain.links.size());
     for (std::size_t j = p_.chain.links.size(); j-- > 0;) {
       const Link& link = p_.chain.links[j];
-      composite = link.inertia + composite;
-      if (link.motion != Motion::none) columns_.push_back(column_of(link, composite));
-      for (Column& column : columns_) {
+      const PseudoInertia composite = link.inertia + behind[j];
+      if (link.motion != Motion::none) columns[j].push_back(column_of(link, composite));
+      for (Column& column : columns[j]) {
         if (link.motion != Motion::none) entries_[{link.joint, column.joint}] = entry_of(link, column);
-        if (j > 0) inward_.transform_to_parent(j, column);
+        if (link.parent == no_link) continue;
+        inward_.transform_to_parent(j, column);
+        columns[link.parent].push_back(column);
       }
-      if (j > 0) composite = inward_.transform_to_parent(j, composite);
+      if (link.parent != no_link)
+        behind[link.parent] = behind[link.parent] + inward_.transform_to_parent(j, composite);
     }
+    // Joints that do not carry one another do not feel one another.
+    for (std::size_t i = 0; i < robot_.joints.size(); ++i)
+      for (std::size_t k = i; k < robot_.joints.size(); ++k) entries_.try_emplace({i, k});
     for (const auto& [place, value] : gathered_symmetric(robot_, entries_, graph_))
       out.outputs.push_back(
           {"m" + std::to_string(place.first + 1) + "_" + std::to_string(place.second + 1), value.in(graph_)});
@@ -44,7 +52,6 @@ class CompositeBodies {
   Suggestions suggest_;
   Parametrisation p_;
   InwardRecursion inward_;
-  std::vector<Column> columns_;
   Entries entries_;
 };
 

@@ -59,7 +59,7 @@ std::vector<std::pair<std::size_t, std::size_t>> mass_shifts(const model::Robot&
   std::vector<std::pair<std::size_t, std::size_t>> result;
   for (std::size_t j = 1; j < chain.links.size(); ++j) {
     const Link& link = chain.links[j];
-    if (link.motion != Motion::revolute) continue;
+    if (link.motion != Motion::revolute || link.parent == no_link) continue;
     if (!link.a.is_zero()) result.emplace_back(j, 0);
     const bool sideways =
         !link.b.is_zero() || (!link.d.is_zero() && !circle(link.alpha, graph).sine.is_zero());

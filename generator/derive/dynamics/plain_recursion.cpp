@@ -7,6 +7,7 @@
 #include "derive/dynamics/formulation.h"
 #include "derive/dynamics/pseudo_inertia.h"
 #include "derive/dynamics/rotation_sequence.h"
+#include "model/mechanism.h"
 
 namespace qvgen::derive::dynamics {
 namespace {
@@ -58,6 +59,7 @@ PlainRecursion::PlainRecursion(const model::Robot& robot, const exact::ExactPoin
     Link link;
     link.revolute = joint.type == model::JointType::revolute;
     link.variable = joint.variable;
+    link.parent = model::parent_of(robot, links_.size());
     link.before = frame_of(joint.before);
     link.after = frame_of(joint.after);
     link.axis = vector_of(joint.axis);
@@ -195,13 +197,18 @@ PlainRecursion::Load PlainRecursion::load(bool wrench) const {
 
 std::vector<PlainRecursion::Frame> PlainRecursion::link_frames() const {
   std::vector<Frame> frames;
-  Frame at = base_;
   for (const Link& link : links_) {
+    Frame at = link.parent == model::base_link ? base_ : frames[link.parent];
     for (const Frame* step : {&link.before, &link.motion, &link.after})
       at = {at.rotation * step->rotation, at.position + at.rotation * step->position};
     frames.push_back(at);
   }
   return frames;
+}
+
+bool PlainRecursion::carries(std::size_t i, std::size_t k) const {
+  while (k != i && k != model::base_link) k = links_[k].parent;
+  return k == i;
 }
 
 PlainRecursion::Values PlainRecursion::of_chain(const Values& driven) const {
@@ -228,14 +235,20 @@ PlainRecursion::Values PlainRecursion::forces_of_chain(const Values& rates, cons
   const std::vector<Frame> frames = link_frames();
   const std::size_t n = links_.size();
   std::vector<Vector> axes(n), origins(n), force(n), moment(n), centres(n);
-  Vector w{}, dw{}, a = Number(-1) * load.gravity, origin = base_.position;
-  Matrix rotation = base_.rotation;
+  struct Moving {
+    Vector w, dw, a, origin;
+    Matrix rotation;
+  };
+  const Moving base{{}, {}, Number(-1) * load.gravity, base_.position, base_.rotation};
+  std::vector<Moving> links(n);
   for (std::size_t i = 0; i < n; ++i) {
     const Link& link = links_[i];
-    const auto moved_to = [&](const Vector& point) {
-      const Vector lever = point + Number(-1) * origin;
-      a = a + cross(dw, lever) + cross(w, cross(w, lever));
-      origin = point;
+    Moving& here = links[i] = link.parent == model::base_link ? base : links[link.parent];
+    auto& [w, dw, a, origin, rotation] = here;
+    const auto moved_to = [&here](const Vector& point) {
+      const Vector lever = point + Number(-1) * here.origin;
+      here.a = here.a + cross(here.dw, lever) + cross(here.w, cross(here.w, lever));
+      here.origin = point;
     };
     const Vector joint_origin = origin + rotation * link.before.position;
     rotation = rotation * link.before.rotation;
@@ -263,6 +276,7 @@ PlainRecursion::Values PlainRecursion::forces_of_chain(const Values& rates, cons
     Vector f = Number(-1) * load.force;
     Vector m = Number(-1) * load.moment + cross(tool + Number(-1) * origins[i], f);
     for (std::size_t k = i; k < n; ++k) {
+      if (!carries(i, k)) continue;
       f = f + force[k];
       m = m + moment[k] + cross(centres[k] + Number(-1) * origins[i], force[k]);
     }
@@ -287,11 +301,16 @@ std::vector<PlainRecursion::Values> PlainRecursion::mass_matrix() const {
 Number PlainRecursion::kinetic_energy(const Values& driven) const {
   const Values rates = of_chain(driven);
   const std::vector<Frame> frames = link_frames();
-  Vector w{}, v{}, origin = base_.position;
-  Matrix rotation = base_.rotation;
+  struct Moving {
+    Vector w, v, origin;
+    Matrix rotation;
+  };
+  const Moving base{{}, {}, base_.position, base_.rotation};
+  std::vector<Moving> links(links_.size());
   Number twice = 0;
   for (std::size_t i = 0; i < links_.size(); ++i) {
     const Link& link = links_[i];
+    auto& [w, v, origin, rotation] = links[i] = link.parent == model::base_link ? base : links[link.parent];
     const Vector joint_origin = origin + rotation * link.before.position;
     const Vector axis = rotation * (link.before.rotation * link.axis);
     v = v + cross(w, joint_origin + Number(-1) * origin);

@@ -79,6 +79,7 @@ class PlainRecursion {
   struct Link {
     bool revolute = true;
     std::string variable;
+    std::size_t parent;  ///< model::parent_of
     Frame before, motion, after;
     Vector axis;
     Number mass, rotor, viscous, coulomb, direction;
@@ -91,6 +92,8 @@ class PlainRecursion {
   [[nodiscard]] Values forces_of_chain(const Values& rates, const Values& accelerations,
                                        const Load& load) const;
   [[nodiscard]] std::vector<Frame> link_frames() const;
+  /// True if link i carries link k, or is it.
+  [[nodiscard]] bool carries(std::size_t i, std::size_t k) const;
   [[nodiscard]] Frame frame_of(const model::Displacement& displacement) const;
   [[nodiscard]] Vector vector_of(const model::Vector3& v) const;
   [[nodiscard]] Number number_of(const model::Expression& expression) const;

@@ -120,20 +120,27 @@ Formulation potential_energy(const model::Robot& robot, const FormulationOptions
   convention.masses.clear();
   const Parametrisation p = parametrise(robot, convention, graph);
   result.constants = p.constants;
-  Vector3 first;
-  Scalar mass;
+  struct Behind {
+    Vector3 first;
+    Scalar mass;
+  };
+  Behind base;
+  std::vector<Behind> links(p.chain.links.size());
   for (std::size_t j = p.chain.links.size(); j-- > 0;) {
     const Link& link = p.chain.links[j];
-    first = first + link.inertia.first_moments();
-    mass = mass + link.inertia.mass();
+    Vector3 first = links[j].first + link.inertia.first_moments();
+    const Scalar mass = links[j].mass + link.inertia.mass();
     Scalar d = link.d;
     if (link.motion == Motion::prismatic) d = d + p.per_unit * Scalar(graph, graph.symbol(link.variable));
     first[2] = first[2] + mass * d;
     first = rotate(0, circle(link.alpha, graph), rotate(2, circle(link.angle, graph), first));
-    first = first + mass * Vector3{link.a, link.b, Scalar()};
+    Behind& before = link.parent == no_link ? base : links[link.parent];
+    before.first = before.first + first + mass * Vector3{link.a, link.b, Scalar()};
+    before.mass = before.mass + mass;
   }
+  const Vector3& first = base.first;
   const Scalar energy =
-      first[0] * p.gravity[0] + first[1] * p.gravity[1] + first[2] * p.gravity[2] + mass * p.height;
+      first[0] * p.gravity[0] + first[1] * p.gravity[1] + first[2] * p.gravity[2] + base.mass * p.height;
   result.function.outputs.push_back({"energy", energy.in(graph)});
   return result;
 }

@@ -7,9 +7,6 @@
 namespace qvgen::description::tree {
 namespace {
 
-/// Beyond this many names a list helps nobody, and looking for the nearest one takes too long.
-constexpr std::size_t many = 1000;
-
 std::string list(const std::vector<Node>& nodes, const std::vector<std::size_t>& which) {
   static constexpr std::size_t shown = 12;
   std::string text;
@@ -17,19 +14,6 @@ std::string list(const std::vector<Node>& nodes, const std::vector<std::size_t>&
     text += (i == 0 ? "" : ", ") + nodes[which[i]].name;
   if (which.size() > shown) text += " and " + std::to_string(which.size() - shown) + " more";
   return text;
-}
-
-std::optional<std::size_t> find(Context& context, const std::vector<Node>& nodes, const std::string& name,
-                                const std::string& option, const std::string& kind) {
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (nodes[i].name == name) return i;
-    if (i < many) names.push_back(nodes[i].name);
-  }
-  const std::string near = nearest(name, names);
-  context.error({}, option + " " + name + ": there is no " + kind + " of that name",
-                near.empty() ? "name a " + kind + " of the file" : "did you mean '" + near + "'?");
-  return std::nullopt;
 }
 
 std::optional<std::size_t> only_root(Context& context, const std::vector<Node>& nodes,
@@ -45,10 +29,31 @@ std::optional<std::size_t> only_root(Context& context, const std::vector<Node>& 
 
 }  // namespace
 
+std::optional<std::size_t> find_node(Context& context, const std::vector<Node>& nodes,
+                                     const std::string& name, const std::string& option,
+                                     const std::string& kind) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (nodes[i].name == name) return i;
+    if (i < many_names) names.push_back(nodes[i].name);
+  }
+  const std::string near = nearest(name, names);
+  context.error({}, option + " " + name + ": there is no " + kind + " of that name",
+                near.empty() ? "name a " + kind + " of the file" : "did you mean '" + near + "'?");
+  return std::nullopt;
+}
+
+std::optional<std::size_t> find_base(Context& context, const std::vector<Node>& nodes,
+                                     const std::string& kind) {
+  const std::string& base = context.options.base;
+  return base.empty() ? only_root(context, nodes, kind) : find_node(context, nodes, base, "--base", kind);
+}
+
 std::optional<Ends> find_ends(Context& context, const std::vector<Node>& nodes, const std::string& kind) {
   const ReadOptions& options = context.options;
-  const auto base = options.base.empty() ? std::nullopt : find(context, nodes, options.base, "--base", kind);
-  const auto tip = options.tip.empty() ? std::nullopt : find(context, nodes, options.tip, "--tip", kind);
+  const auto base =
+      options.base.empty() ? std::nullopt : find_node(context, nodes, options.base, "--base", kind);
+  const auto tip = options.tip.empty() ? std::nullopt : find_node(context, nodes, options.tip, "--tip", kind);
   if ((!options.base.empty() && !base) || (!options.tip.empty() && !tip)) return std::nullopt;
   Ends ends;
   if (base) {

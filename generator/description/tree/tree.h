@@ -8,6 +8,7 @@
 
 #include "description/context.h"
 #include "description/tree/rigid.h"
+#include "model/mechanism.h"
 
 /// Files that describe a tree of links, of which one path is the robot.
 namespace qvgen::description::tree {
@@ -63,6 +64,17 @@ struct Ends {
   std::size_t tip = Node::none;
 };
 
+/// Beyond this many names a list helps nobody, and looking for the nearest one takes too long.
+inline constexpr std::size_t many_names = 1000;
+
+/// Returns the node of that name, which an option gives; reported if there is none.
+std::optional<std::size_t> find_node(Context& context, const std::vector<Node>& nodes,
+                                     const std::string& name, const std::string& option,
+                                     const std::string& kind);
+/// Returns the base that an option names, or the only root; reported if there is none.
+std::optional<std::size_t> find_base(Context& context, const std::vector<Node>& nodes,
+                                     const std::string& kind);
+
 /// The base and tip that the options name, or the only ones that can be meant; reported if there are none.
 /// `kind` is how the file calls its nodes: link, body.
 std::optional<Ends> find_ends(Context& context, const std::vector<Node>& nodes, const std::string& kind);
@@ -77,6 +89,16 @@ std::optional<std::vector<std::size_t>> path_between(const std::vector<Node>& no
 /// moving link, on the path or beside it, are lumped. Each of those fixed links becomes a named frame.
 void read_chain(Context& context, const std::vector<Node>& nodes, Ends ends, const ReadSegment& read,
                 model::Robot& robot);
+
+/// Reads the whole tree behind a base: the limbs to the tips that the options name, or to all. Links that no
+/// limb needs are left out. Every fixed link becomes a named frame.
+model::Mechanism read_mechanism(Context& context, const std::vector<Node>& nodes, std::size_t base,
+                                const std::string& kind, const ReadSegment& read);
+
+/// Reads what the options ask for: a chain, which has no tips then, or a whole tree; with joints held where
+/// they say so. `title` is what the file calls the robot.
+model::Mechanism read_tree(Context& context, const std::vector<Node>& nodes, const std::string& kind,
+                           const std::string& title, const ReadSegment& read);
 
 /// Returns a valid name of the generated code for a joint that a file calls by any text, different from those
 /// that are taken.

@@ -65,21 +65,15 @@ class SegmentReader {
 
 }  // namespace
 
-model::Robot read_mjcf(Context& context, const Element& root) {
-  model::Robot robot;
+model::Mechanism read_mjcf(Context& context, const Element& root) {
   const auto model = load_model(context, root);
-  if (context.has_error) return robot;
+  if (context.has_error) return {};
   const MjcfTree tree(context, *model);
-  if (context.has_error) return robot;
-  const auto ends = find_ends(context, tree.nodes, "body");
-  if (!ends) return robot;
+  if (context.has_error) return {};
   const Attribute* name = root.attribute("model");
   const std::string title = name == nullptr || name->value.empty() ? "robot" : name->value;
-  robot.title = title + ", " + tree.nodes[ends->base].name + " to " + tree.nodes[ends->tip].name;
   SegmentReader reader(context, tree, model->settings.inertia);
-  read_chain(
-      context, tree.nodes, *ends, [&](std::size_t node) { return reader.read(node); }, robot);
-  return robot;
+  return read_tree(context, tree.nodes, "body", title, [&](std::size_t node) { return reader.read(node); });
 }
 
 }  // namespace qvgen::description::xml

@@ -66,8 +66,9 @@ std::size_t MjcfTree::add_joints(const Placed& body, MjcfPart& part, std::size_t
         MjcfPart link;
         std::swap(link.frame, part.frame);
         std::swap(link.joint, part.joint);
-        holder =
-            add({name + " behind " + before, body.element->place, holder, {}, true, false}, std::move(link));
+        Node node{name + " behind " + before, body.element->place, holder, {}, true, false};
+        node.joint = link.joint->placed.name();
+        holder = add(std::move(node), std::move(link));
       }
       part.joint = joint;
     }

@@ -147,20 +147,14 @@ class UrdfTree {
 
 }  // namespace
 
-model::Robot read_urdf(Context& context, const Element& root) {
-  model::Robot robot;
+model::Mechanism read_urdf(Context& context, const Element& root) {
   const UrdfTree tree(context, root);
-  if (!tree.good()) return robot;
-  const auto ends = find_ends(context, tree.nodes, "link");
-  if (!ends) return robot;
+  if (!tree.good()) return {};
   const Attribute* name = root.attribute("name");
   const std::string title = name == nullptr || name->value.empty() ? "robot" : name->value;
-  robot.title = title + ", " + tree.nodes[ends->base].name + " to " + tree.nodes[ends->tip].name;
   const UrdfNumbers numbers(context);
-  read_chain(
-      context, tree.nodes, *ends,
-      [&](std::size_t node) { return numbers.segment(*tree.links[node], *tree.joints[node]); }, robot);
-  return robot;
+  return read_tree(context, tree.nodes, "link", title,
+                   [&](std::size_t node) { return numbers.segment(*tree.links[node], *tree.joints[node]); });
 }
 
 }  // namespace qvgen::description::xml

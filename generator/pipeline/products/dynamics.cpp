@@ -8,6 +8,8 @@
 #include "emit/c/parts.h"
 #include "emit/cpp/dynamics_code.h"
 #include "model/evaluate.h"
+#include "model/followers.h"
+#include "model/mechanism.h"
 #include "optimise/dynamics_derivatives.h"
 #include "pipeline/c_files.h"
 #include "pipeline/products/dynamics_functions.h"
@@ -71,13 +73,23 @@ bool has_defaults(const model::Robot& robot) {
   return false;
 }
 
+/// True if there is one tool that a wrench may act on; else that is what is missing.
+bool has_tool(const model::Robot& robot, const std::string& function, RobotOutput& output) {
+  if (!model::branches(robot)) return true;
+  output.missing.push_back(
+      {function, Missing::Kind::not_described,
+       "the joints branch: subtract the transposed Jacobians of the tips times their wrenches, limbs.h"});
+  return false;
+}
+
 /// With the choices that were best for the functions that they overload.
 std::vector<optimise::Optimised> loaded_functions(const optimise::DynamicsModel& model,
                                                   const std::vector<optimise::Optimised>& functions,
                                                   RobotOutput& output) {
   std::vector<optimise::Optimised> result;
   for (const auto& [base, quantity] : optimise::loaded_quantities())
-    add_to(result, model, quantity, with_choices_of(functions, base), output);
+    if (!emit::dynamics_interface(quantity.name).wrench || has_tool(model.described, quantity.name, output))
+      add_to(result, model, quantity, with_choices_of(functions, base), output);
   return result;
 }
 
@@ -88,6 +100,39 @@ void add_regressor(const optimise::DynamicsModel& model, RobotOutput& output) {
   add_function(robot, function, "regressor", "RegressorAngles",
                emit::angles_of(std::vector{in_terms_of_leaders(robot, function)}),
                emit::base_parameter_values(robot, regressor), output);
+}
+
+/// Which joints carry one another, for the equations of the mass matrix: of each joint the one before it on
+/// its branch. Joints that follow others tie branches together; then all are on one.
+json parents_of(const model::Robot& robot) {
+  json list = json::array();
+  const std::size_t count = model::driven_count(robot);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t parent = model::has_followers(robot) ? i - 1 : model::parent_of(robot, i);
+    list.push_back({{"parent", static_cast<int>(parent)}, {"last", i + 1 == count}});
+  }
+  return list;
+}
+
+/// The entries of the upper triangle that are not zero.
+json nonzeros_of(const optimise::Optimised& mass_matrix, std::size_t dof) {
+  json list = json::array();
+  std::size_t output = 0;
+  for (std::size_t i = 0; i < dof; ++i)
+    for (std::size_t k = i; k < dof; ++k)
+      if (!mass_matrix.function.graph.is_zero(mass_matrix.function.outputs[output++].value))
+        list.push_back({{"row", i}, {"column", k}, {"last", false}});
+  if (!list.empty()) list.back()["last"] = true;
+  return list;
+}
+
+/// The structure of the mass matrix of joints that branch; nothing for a chain, whose matrix is full.
+json branches_of(const model::Robot& robot, const std::vector<optimise::Optimised>& functions) {
+  const auto mass = std::find_if(functions.begin(), functions.end(),
+                                 [](const auto& function) { return function.name == "mass_matrix"; });
+  if (!model::branches(robot) || mass == functions.end()) return false;
+  const json nonzeros = nonzeros_of(*mass, model::driven_count(robot));
+  return {{"parents", parents_of(robot)}, {"nonzeros", nonzeros}, {"nonzero_count", nonzeros.size()}};
 }
 
 bool has_dynamics(const model::Robot& described, RobotOutput& output) {
@@ -104,12 +149,11 @@ void generate_dynamics_product(const model::Robot& described, RobotOutput& outpu
   const optimise::DynamicsModel model = optimise::dynamics_model(described);
   const model::Robot& robot = model.arm.robot;
   const std::vector<optimise::Optimised> functions = all_functions(model, output);
-  const json inertia{{"parameters", parameters_of(robot)},
-                     {"parameter_count", robot.inertia_parameters.size()},
-                     {"has_friction", has_friction(robot)},
-                     {"has_parameters", !robot.inertia_parameters.empty()},
-                     {"has_defaults", has_defaults(robot)}};
   const std::vector<optimise::Optimised> written = in_terms_of_leaders(robot, functions);
+  const json inertia{
+      {"parameters", parameters_of(robot)},  {"parameter_count", robot.inertia_parameters.size()},
+      {"has_friction", has_friction(robot)}, {"has_parameters", !robot.inertia_parameters.empty()},
+      {"has_defaults", has_defaults(robot)}, {"branches", branches_of(robot, written)}};
   add_functions(robot, written, "dynamics", "DynamicsAngles", inertia, output);
   const auto derivatives = [&](RobotOutput& made) {
     add_function(robot, inverse_dynamics_derivatives(model, functions.front()), "dynamics_derivatives",

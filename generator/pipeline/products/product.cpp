@@ -22,9 +22,9 @@ namespace qvgen::pipeline {
 
 const std::vector<Product>& all_products() {
   static const std::vector<Product> products{
-      {"model", generate_model_header, {}, {}, generate_model_c},
+      {"model", generate_model_header, {}, {}, generate_model_c, false, {}, true},
       {"kinematics", generate_kinematics, {}, {}, generate_kinematics_c},
-      {"inverse", generate_inverse, {}, {}, generate_inverse_c},
+      {"inverse", generate_inverse, {}, {}, generate_inverse_c, false, {}, false, false},
       {"arm_angle", generate_arm_angle, {}, {}, generate_arm_angle_c},
       {"jacobian", generate_jacobian, {}, {"singularity_measures"}, generate_jacobian_c},
       {"from_ideal", generate_from_ideal, {}, {}, generate_from_ideal_c},
@@ -32,22 +32,26 @@ const std::vector<Product>& all_products() {
        generate_dynamics_product,
        {model::requestable_parts.begin(), model::requestable_parts.end()},
        {"forward_dynamics", "forward_dynamics_with_gravity_vector", "forward_dynamics_with_wrench"},
-       generate_dynamics_c},
+       generate_dynamics_c,
+       false,
+       {},
+       true},
       {"frames", generate_frames, {}, {}, generate_frames_c, true, {"kinematics"}},
-      {"mass", generate_mass, {}, {}, generate_mass_c, true, {"dynamics"}},
+      {"mass", generate_mass, {}, {}, generate_mass_c, true, {"dynamics"}, true},
       {"regressor_with_drives",
        generate_regressor_with_drives,
        {},
        {},
        generate_regressor_with_drives_c,
        true,
-       {"dynamics"}}};
+       {"dynamics"},
+       true}};
   return products;
 }
 
 const std::vector<Extra>& all_extras() {
   static const std::vector<Extra> extras{
-      {"batch", {}, add_batch},
+      {"batch", {}, add_batch, true},
       {"c_inverse", {"inverse"}, add_c_inverse},
       {"certified", {"inverse"}, add_certified},
       {"moveit_plugin", {"kinematics", "inverse"}, add_moveit_plugin},

@@ -20,6 +20,8 @@ struct Product {
   void (*generate_c)(const model::Robot& robot, RobotOutput& output);
   bool on_request = false;              ///< made only for who names it
   std::vector<std::string> needs = {};  ///< products whose headers its header includes
+  bool of_trees = false;  ///< made of robots whose joints branch, too; others are of their limbs
+  bool has_float = true;                ///< its C can be in float
 };
 
 /// A part that is made only for who asks for it by its name, from what others have made of a robot.
@@ -28,6 +30,7 @@ struct Extra {
   std::vector<std::string> needs;  ///< products
   /// Adds files, or what is missing.
   void (*add)(const model::Robot& robot, RobotOutput& output);
+  bool of_trees = false;
 };
 const std::vector<Extra>& all_extras();
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Compiles a robot's module, once for each content of what it is made from."""
 
+import collections.abc
 import concurrent.futures
 import difflib
 import hashlib
@@ -18,6 +19,7 @@ import sysconfig
 import tempfile
 
 from ._source import binding_source, is_bound
+from ._velocity_source import FUNCTIONS as VELOCITY_FUNCTIONS
 
 _here = pathlib.Path(__file__).resolve().parent
 _root = _here / "_tree" if (_here / "_tree").exists() else _here.parents[2]  # of an installed package, or of the sources
@@ -152,6 +154,8 @@ def _functions(entry):
         functions["inverse_kinematics"] = "here"  # within limits, at any arm angle
     if {"forward_kinematics", "jacobian"} <= functions.keys():
         functions["nearest_pose"] = "here"
+    if "jacobian" in functions:
+        functions.update(dict.fromkeys(VELOCITY_FUNCTIONS, "here"))
     missing = {part["part"]: part["reason"] for part in entry.get("missing", [])}
     return {**functions, **missing}, targets
 
@@ -207,8 +211,29 @@ def build_module(robot, generated=generated_folder):
     return module
 
 
+class Limbs(collections.abc.Mapping):
+    """The modules of a robot's limbs by the names of their tips, compiled when they are asked for."""
+
+    def __init__(self, robot, limbs, folder):
+        self._names = {name[len(robot) + 1:]: name for name in limbs}
+        self._folder = folder
+        self._modules = {}
+
+    def __getitem__(self, tip):
+        name = self._names[tip]
+        if tip not in self._modules:
+            self._modules[tip] = build_module(name, self._folder)
+        return self._modules[tip]
+
+    def __iter__(self):
+        return iter(self._names)
+
+    def __len__(self):
+        return len(self._names)
+
+
 def generate(description, options):
-    """Generates the code of a description into the cache; returns the robot's name and the folder."""
+    """Generates the code of a description into the cache; returns the names of the robot and of its limbs, and the folder."""
     description = pathlib.Path(description).resolve()
     known = _root / "build/release/generator/cli/qvgen"
     tool = os.environ.get("QVGEN_TOOL") or (known if known.exists() else shutil.which("qvgen"))
@@ -217,4 +242,5 @@ def generate(description, options):
     folder = cache_folder() / ("generated-" + _hash([description, *options]))
     _run([tool, "generate", description, "--output", folder, *options])
     counts = json.loads((folder / "operation_counts.json").read_text())
-    return next(iter(counts)), folder
+    robot = min(counts, key=len)  # limbs are called after it
+    return robot, [name for name in counts if name != robot], folder

@@ -278,7 +278,7 @@ static SeedTracker new_seed_tracker(void) {
   return tracker;
 }
 
-/// True if from the seed steps lead to the pose of which the joints that are idle there take no part.
+/// True if Newton from the seed converges with the idle joints held.
 static bool moves_without_idle(SeedTracker* tracker, const Matching* task, Patience until,
                                JointValues* values, Reached* reached) {
   if (!may_step(&tracker->budget)) return false;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,7 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 /// One joint and the link that it moves, in plain numbers:
-/// link frame i = link frame i-1 * before * (motion about or along `axis`) * after.
+/// link frame i = link frame of its parent * before * (motion about or along `axis`) * after.
 struct Joint {
   bool revolute = true;
   std::string variable;
@@ -35,6 +36,9 @@ struct Joint {
   /// The joint that moves it, and by how much of its own way; -1: it has a value of its own.
   Eigen::Index leader = -1;
   double ratio = 1;
+
+  /// The joint whose link carries this one, -1: the base. None: the joint before.
+  std::optional<Eigen::Index> parent = {};
 
   double lower = -std::numeric_limits<double>::infinity();  ///< rad or m
   double upper = std::numeric_limits<double>::infinity();
@@ -57,6 +61,10 @@ struct Chain {
   [[nodiscard]] Eigen::Index size() const { return coupling().cols(); }
   /// Values of all joints by those of these: a row a joint, one entry in each.
   [[nodiscard]] MatrixXd coupling() const;
+  /// The joint whose link carries joint i, or -1.
+  [[nodiscard]] Eigen::Index parent_of(std::size_t i) const;
+  /// True if joint i moves the link of joint k.
+  [[nodiscard]] bool moves(std::size_t i, std::size_t k) const;
 };
 
 /// Place of joint i's axis, in the world frame.

@@ -36,10 +36,16 @@ std::vector<Link> moving_links(const Chain& chain, const VectorXd& values, const
   const std::vector<Isometry3d> frame = frames(chain, values);
   const std::vector<JointPlace> places = joint_places(chain, values);
   std::vector<Link> links;
-  Link previous;  // the base: it does not turn
-  Vector3d origin = chain.base.translation();
-  PointMotion at_origin{Vector3d::Zero(), base_acceleration};
+  std::vector<PointMotion> at_origins;
   for (std::size_t i = 0; i < chain.joints.size(); ++i) {
+    const Eigen::Index carrier = chain.parent_of(i);
+    const auto parent = static_cast<std::size_t>(carrier);
+    const bool on_base = carrier < 0;  // which does not turn
+    const Link previous = on_base ? Link() : links[parent];
+    const Vector3d origin =
+        on_base ? Vector3d(chain.base.translation()) : Vector3d(frame[parent].translation());
+    const PointMotion at_origin =
+        on_base ? PointMotion{Vector3d::Zero(), base_acceleration} : at_origins[parent];
     const auto n = static_cast<Eigen::Index>(i);
     const Joint& joint = chain.joints[i];
     const Vector3d& axis = places[i].axis;
@@ -64,10 +70,8 @@ std::vector<Link> moving_links(const Chain& chain, const VectorXd& values, const
     link.force = joint.mass * centre.acceleration;
     link.moment =
         inertia * link.angular_acceleration + link.angular_velocity.cross(inertia * link.angular_velocity);
-    at_origin = carry(motion, link, point, frame[i].translation());
-    origin = frame[i].translation();
+    at_origins.push_back(carry(motion, link, point, frame[i].translation()));
     links.push_back(link);
-    previous = link;
   }
   return links;
 }
@@ -87,6 +91,7 @@ VectorXd inverse_dynamics(const Chain& chain, const VectorXd& q, const VectorXd&
     Vector3d moment =
         Vector3d::Zero();  // about the joint's point; for a prismatic joint only the force counts
     for (std::size_t j = i; j < links.size(); ++j) {
+      if (!chain.moves(i, j)) continue;
       force += links[j].force;
       moment += links[j].moment + (links[j].centre - places[i].point).cross(links[j].force);
     }

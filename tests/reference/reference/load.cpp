@@ -158,12 +158,20 @@ Joint start(const Reader& reader, std::size_t number) {
   return joint;
 }
 
+/// "base" is none.
+Eigen::Index named_joint(const Chain& chain, const std::string& name) {
+  for (std::size_t i = 0; i < chain.joints.size(); ++i)
+    if (chain.joints[i].variable == name) return static_cast<Eigen::Index>(i);
+  return -1;
+}
+
 void read_joints(const Reader& root, Chain& chain) {
   for (const Reader& table : root.tables("joint")) {
     Joint joint = start(table, chain.joints.size() + 1);
     joint.axis = table.axis();
     joint.before = shift(table.vector("origin")) * table.rotation();
     joint.after = shift(table.vector("link"));
+    if (table.has("parent")) joint.parent = named_joint(chain, table.text("parent"));
     chain.joints.push_back(joint);
   }
 }
@@ -211,8 +219,8 @@ void read_screws(const Reader& root, Chain& chain) {
 }
 
 /// Fixed to the link of the joint that is named, or of the last one.
-void read_frames(const Reader& root, Chain& chain) {
-  for (const Reader& table : root.tables("frame")) {
+void read_frames(const Reader& root, std::string_view key, Chain& chain) {
+  for (const Reader& table : root.tables(key)) {
     NamedFrame frame{table.text("name"), chain.joints.size() - 1,
                      shift(table.vector("translation")) * table.rotation()};
     for (std::size_t i = 0; i < chain.joints.size(); ++i)
@@ -235,7 +243,7 @@ Chain read(const toml::table& file, const Values& given) {
   if (root.has("dh")) read_table(root, chain);
   if (root.has("screw")) read_screws(root, chain);
   for (const char* key : {"joint", "dh", "screw"}) tie_followers(root.tables(key), chain);
-  read_frames(root, chain);
+  for (const char* key : {"frame", "tip"}) read_frames(root, key, chain);
   if (chain.joints.empty()) throw std::runtime_error("no joints");
   return chain;
 }

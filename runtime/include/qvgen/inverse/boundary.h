@@ -3,6 +3,9 @@
 
 #include <qvgen/inverse/scalar_traits.h>
 
+/// Tolerances of one pass over the branches: how an equation treats the ends of its range, where two
+/// solutions meet and rounding decides whether they exist. Regular poses have `plain`; the passes of
+/// near_singular.h and quartic/care.h, for poses near singular ones, each have theirs.
 namespace qvgen::inverse {
 
 /// If true, branches next to a singular pose are only marked as doubtful, and another solver follows them.

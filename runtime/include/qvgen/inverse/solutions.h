@@ -21,7 +21,15 @@ enum class Status {
 };
 
 /// Target of an inverse kinematics: the whole pose, or a part of it; see tasks.h.
-enum class Task { pose, position, position_and_direction, position_and_yaw, direction, orientation };
+enum class Task {
+  pose,
+  position,
+  position_and_direction,
+  position_and_yaw,
+  position_and_pitch,
+  direction,
+  orientation
+};
 
 /// Properties of a generated inverse kinematics.
 struct InverseInfo {
@@ -30,7 +38,7 @@ struct InverseInfo {
   int given_joint;              ///< index of the joint whose value the caller gives, -1 for none
   bool has_lanes;               ///< there is a form that follows several branches at once
   bool stable_branches;         ///< a branch keeps its number along a path without a singularity
-  double tool_axis[3];          ///< for tasks with a direction: the axis of the tool that points there
+  double tool_axis[3];          ///< for tasks with a direction or a pitch: the axis of the tool that is meant
   bool by_elimination = false;  ///< no closed form: near singular poses a solution may be missing
 };
 

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include "description/tree/tree_reader.h"
+
+#include <algorithm>
+
+#include "description/followers.h"
+#include "description/named_frames.h"
+#include "model/arithmetic.h"
+#include "model/mechanism.h"
+
+namespace qvgen::description::tree {
+namespace {
+
+bool is_empty(const model::Joint& joint) {
+  const auto is_zero = [](const model::Expression& e) { return e.is_literal_zero(); };
+  return is_zero(joint.inertia.mass) && is_zero(joint.drive.rotor_inertia) &&
+         std::all_of(joint.inertia.inertia.begin(), joint.inertia.inertia.end(), is_zero);
+}
+
+bool is_empty(const Body& body) {
+  return cln::zerop(body.mass) &&
+         std::all_of(body.inertia.begin(), body.inertia.end(), [](const Vector& row) {
+           return std::all_of(row.begin(), row.end(),
+                              [](const cln::cl_R& entry) { return cln::zerop(entry); });
+         });
+}
+
+}  // namespace
+
+void TreeReader::read(const std::vector<std::size_t>& order, model::Robot& robot) {
+  read_nodes_ = order;
+  std::sort(read_nodes_.begin(), read_nodes_.end());
+  if (!order.empty()) standing_[(*nodes_)[order.front()].parent] = {};
+  for (const std::size_t node : order) read_node(node, robot);
+  tie_followers(*context_, names_, robot);
+  if (!robot.joints.empty()) check_ends(robot);
+}
+
+model::Frame TreeReader::place_of(std::size_t node) const {
+  const Standing& standing = standing_.at(node);
+  return {(*nodes_)[node].name, standing.joint, standing.frame};
+}
+
+void TreeReader::read_node(std::size_t node, model::Robot& robot) {
+  const Segment segment = segment_of(node);
+  Standing standing = standing_.at((*nodes_)[node].parent);
+  standing.frame = folded(standing.frame, segment.before);
+  if (segment.joint) {
+    add_joint(segment, standing, robot);
+    // A link's frame is not turned behind its joint: such a turn belongs to what the link carries.
+    standing = {robot.joints.size() - 1, {segment.after.turns, {}}};
+    robot.joints.back().inertia = inertia_of(lumped(node, standing.frame, robot));
+  } else {
+    standing.frame = folded(standing.frame, segment.after);
+  }
+  standing_[node] = standing;
+}
+
+void TreeReader::add_joint(const Segment& segment, const Standing& before, model::Robot& robot) {
+  note_mimic(*segment.joint, robot.joints.size());
+  robot.joints.push_back(joint_of(*segment.joint, robot));
+  robot.joints.back().before = before.frame;
+  robot.joints.back().after.translation = segment.after.translation;
+  model::set_parent(robot, robot.joints.size() - 1, before.joint);
+  context_->joint_places.push_back(segment.joint->place);
+}
+
+void TreeReader::note_mimic(const MovingJoint& joint, std::size_t index) {
+  names_.push_back(joint.name);
+  if (const auto& mimic = joint.mimic)
+    context_->followers.push_back({index, mimic->leader, mimic->ratio, mimic->offset, mimic->place});
+}
+
+const Segment& TreeReader::segment_of(std::size_t node) {
+  const auto [place, is_new] = segments_.try_emplace(node);
+  if (is_new) place->second = (*read_)(node).value_or(Segment{});
+  return place->second;
+}
+
+model::Joint TreeReader::joint_of(const MovingJoint& moving, const model::Robot& robot) const {
+  std::vector<std::string> taken;
+  for (const model::Joint& joint : robot.joints) taken.push_back(joint.variable);
+  model::Joint joint;
+  joint.type = moving.type;
+  joint.variable = identifier(moving.name, taken);
+  if (moving.is_named && joint.variable != moving.name)
+    context_->note(moving.place, "the joint '" + moving.name + "' is '" + joint.variable + "' in the code",
+                   "names have letters, digits and '_' there, at most 64, and are no macros");
+  joint.axis = moving.axis;
+  joint.limits = moving.limits;
+  joint.greatest_velocity = moving.greatest_velocity;
+  joint.greatest_effort = moving.greatest_effort;
+  joint.drive = moving.drive;
+  return joint;
+}
+
+/// The link, `placement` in the frame behind its joint, with all that is fixed to it, in that frame. The
+/// robot's last joint moves it and its frames.
+Body TreeReader::lumped(std::size_t link, const model::Displacement& placement, model::Robot& robot) {
+  Body sum = moved(placement, segment_of(link).body);
+  std::vector<std::pair<std::size_t, model::Displacement>> open{{link, placement}};
+  while (!open.empty()) {
+    const auto [node, frame] = open.back();
+    open.pop_back();
+    for (const std::size_t child : (*nodes_)[node].children) {
+      if ((*nodes_)[child].moves) {
+        note_branch(child);
+      } else if (segments_.size() < 2 * most_links) {
+        const Segment& segment = segment_of(child);
+        const auto to_child = folded(folded(frame, segment.before), segment.after);
+        name_frame(child, to_child, robot);
+        if (!is_empty(segment.body)) sum = joined(sum, moved(to_child, segment.body));
+        open.emplace_back(child, to_child);
+      } else if (!crowded_) {
+        crowded_ = true;
+        context_->error((*nodes_)[child].place, "more than " + std::to_string(2 * most_links) + " links",
+                        "an arm has fewer");
+      }
+    }
+  }
+  return sum;
+}
+
+/// The tip has its functions already.
+void TreeReader::name_frame(std::size_t node, const model::Displacement& placement,
+                            model::Robot& robot) const {
+  const Node& named = (*nodes_)[node];
+  if (node == tip_ || !named.has_name || robot.frames.size() == most_frames) return;
+  const std::string name = frame_identifier(named.name, robot.frames);
+  robot.frames.push_back({name, robot.joints.size() - 1, placement});
+}
+
+void TreeReader::note_branch(std::size_t child) {
+  if (std::binary_search(read_nodes_.begin(), read_nodes_.end(), child)) return;
+  const Node& node = (*nodes_)[child];
+  context_->note(node.place,
+                 "'" + node.name + "' moves beside the chain: it and what it carries are left out",
+                 "fix it if its mass is to count");
+}
+
+/// Last links without mass have no forward dynamics, and it is seldom that this is what was meant.
+void TreeReader::check_ends(model::Robot& robot) const {
+  if (!model::branches(robot)) return leave_out_partial_inertia(robot);
+  std::vector<bool> carries(robot.joints.size(), false);
+  for (std::size_t i = 0; i < robot.joints.size(); ++i)
+    if (const std::size_t parent = model::parent_of(robot, i); parent != model::base_link)
+      carries[parent] = true;
+  if (std::all_of(robot.joints.begin(), robot.joints.end(),
+                  [](const model::Joint& joint) { return is_empty(joint); }))
+    return;
+  for (std::size_t i = 0; i < robot.joints.size(); ++i)
+    if (!carries[i] && is_empty(robot.joints[i]))
+      context_->warning(context_->joint_places[i],
+                        "the joint '" + names_[i] + "' moves no mass: there is no forward dynamics",
+                        "give its link a mass, or hold the joint: --fixed " + names_[i]);
+}
+
+void TreeReader::leave_out_partial_inertia(model::Robot& robot) const {
+  const bool last_is_empty = is_empty(robot.joints.back());
+  if (!last_is_empty || std::all_of(robot.joints.begin(), robot.joints.end(),
+                                    [](const model::Joint& joint) { return is_empty(joint); }))
+    return;
+  context_->warning(context_->joint_places.back(),
+                    "the last joint moves no mass, others do: the inertia of all is left out",
+                    "give its link a mass, or none any");
+  for (model::Joint& joint : robot.joints) joint.inertia = {};
+}
+
+}  // namespace qvgen::description::tree

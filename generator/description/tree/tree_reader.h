@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// The joints of a tree of links, parents first. Fixed links are folded into the frames, and what is fixed to
+// a moving link becomes part of its mass. A chain is the tree whose links are one path.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "description/tree/tree.h"
+
+namespace qvgen::description::tree {
+
+class TreeReader {
+ public:
+  /// `tip`: the node that is no named frame, or none.
+  TreeReader(Context& context, const std::vector<Node>& nodes, const ReadSegment& read, std::size_t tip)
+      : context_(&context), nodes_(&nodes), read_(&read), tip_(tip) {}
+
+  /// Fills in the joints that hold these nodes, each of which stands behind its parent. Their first parent is
+  /// the base.
+  void read(const std::vector<std::size_t>& order, model::Robot& robot);
+
+  /// Returns the joint that moves a node that was read, and the node's frame in that joint's link frame.
+  [[nodiscard]] model::Frame place_of(std::size_t node) const;
+
+ private:
+  /// Place of a node: moved by a joint, its frame displaced from that joint's link frame.
+  struct Standing {
+    std::size_t joint = model::base_link;
+    model::Displacement frame;
+  };
+
+  void read_node(std::size_t node, model::Robot& robot);
+  void add_joint(const Segment& segment, const Standing& before, model::Robot& robot);
+  model::Joint joint_of(const MovingJoint& moving, const model::Robot& robot) const;
+  void note_mimic(const MovingJoint& joint, std::size_t index);
+  void check_ends(model::Robot& robot) const;
+  void leave_out_partial_inertia(model::Robot& robot) const;
+
+  const Segment& segment_of(std::size_t node);
+  Body lumped(std::size_t link, const model::Displacement& placement, model::Robot& robot);
+  void name_frame(std::size_t node, const model::Displacement& placement, model::Robot& robot) const;
+  void note_branch(std::size_t child);
+
+  Context* context_;
+  const std::vector<Node>* nodes_;
+  const ReadSegment* read_;
+  std::size_t tip_;
+  std::map<std::size_t, Standing> standing_;
+  std::vector<std::size_t> read_nodes_;  ///< sorted
+  std::vector<std::string> names_;       ///< of the joints, in the file
+  std::map<std::size_t, Segment> segments_;
+  bool crowded_ = false;
+};
+
+/// More links in a row, or fixed to one another, than any robot has; each costs a few microseconds.
+inline constexpr std::size_t most_links = 1000;
+
+}  // namespace qvgen::description::tree

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "model/mechanism.h"
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+
+#include "model/arithmetic.h"
+
+namespace qvgen::model {
+namespace {
+
+using Places = std::map<std::size_t, std::size_t>;  ///< index in the whole robot -> index in the limb
+
+/// A joint with the indices of the limb.
+Joint joint_of_limb(const Joint& joint, const Places& places) {
+  Joint result = joint;
+  result.parent.reset();
+  if (!joint.follows) return result;
+  const auto leader = places.find(joint.follows->joint);
+  if (leader == places.end())
+    result.follows.reset();
+  else
+    result.follows->joint = leader->second;
+  return result;
+}
+
+std::vector<Frame> frames_of_limb(const Robot& robot, const Places& places, const Frame& tip) {
+  std::vector<Frame> frames;
+  for (const Frame& frame : robot.frames) {
+    const auto place = places.find(frame.joint);
+    if (place == places.end() || (frame.name == tip.name && frame.joint == tip.joint)) continue;
+    frames.push_back({frame.name, place->second, frame.placement});
+  }
+  return frames;
+}
+
+Robot chain_between(const Robot& robot, std::size_t from, const Frame& to) {
+  Robot chain = robot;
+  chain.name += "_" + to.name;
+  chain.title += ", limb to " + to.name;
+  chain.floating_base.reset();
+  chain.joints.clear();
+  Places places;
+  const std::vector<std::size_t> joints = path(robot, from, to.joint);
+  for (std::size_t i = 0; i < joints.size(); ++i) places[joints[i]] = i;
+  for (const std::size_t joint : joints) chain.joints.push_back(joint_of_limb(robot.joints[joint], places));
+  chain.frames = frames_of_limb(robot, places, to);
+  chain.tool = to.placement;
+  return chain;
+}
+
+Displacement inverse(const Displacement& displacement) {
+  Displacement result;
+  for (auto turn = displacement.turns.rbegin(); turn != displacement.turns.rend(); ++turn)
+    result.turns.push_back({turn->axis, negate(turn->angle)});
+  result.translation = rotate(result.turns, subtract({}, displacement.translation));
+  return result;
+}
+
+}  // namespace
+
+std::size_t parent_of(const Robot& robot, std::size_t joint) {
+  if (const auto& parent = robot.joints.at(joint).parent) return *parent;
+  return joint == 0 ? base_link : joint - 1;
+}
+
+void set_parent(Robot& robot, std::size_t joint, std::size_t parent) {
+  robot.joints.at(joint).parent.reset();
+  if (parent_of(robot, joint) != parent) robot.joints[joint].parent = parent;
+}
+
+bool branches(const Robot& robot) {
+  return std::any_of(robot.joints.begin(), robot.joints.end(),
+                     [](const Joint& joint) { return joint.parent.has_value(); });
+}
+
+void take_chain(Mechanism& mechanism) {
+  auto& [robot, tips] = mechanism;
+  if (tips.empty() || branches(robot)) return;
+  const auto last = std::find_if(tips.begin(), tips.end(), [&robot = robot](const Frame& tip) {
+    return tip.joint + 1 == robot.joints.size();
+  });
+  if (last == tips.end()) return;
+  robot.tool = last->placement;
+  std::erase_if(robot.frames,
+                [&](const Frame& frame) { return frame.name == last->name && frame.joint == last->joint; });
+  if (tips.size() == 1) tips.clear();
+}
+
+std::vector<std::size_t> path(const Robot& robot, std::size_t from, std::size_t to) {
+  std::vector<std::size_t> joints;
+  for (std::size_t joint = to; joint != from; joint = parent_of(robot, joint)) {
+    if (joint == base_link) throw std::domain_error("no chain of joints leads from one link to the other");
+    joints.push_back(joint);
+  }
+  std::reverse(joints.begin(), joints.end());
+  return joints;
+}
+
+Robot limb(const Robot& robot, const Frame& to) { return chain_between(robot, base_link, to); }
+
+Robot limb(const Robot& robot, const Frame& from, const Frame& to) {
+  Robot chain = chain_between(robot, from.joint, to);
+  if (chain.joints.empty()) throw std::domain_error("no joint between " + from.name + " and " + to.name);
+  chain.base = inverse(from.placement);
+  return chain;
+}
+
+}  // namespace qvgen::model
