@@ -102,7 +102,7 @@ class Aligner {
       const bool flipped = !is_zero_turn(angles.middle);
       angles.last = angles.last + (flipped ? angles.first : -angles.first);
     }
-    // The same rotation with the axis's normal reversed; the smaller phase is taken.
+    // Reversing the axis's normal leaves the rotation; the smaller phase is taken.
     cl_R phase = wrapped(carried_ + angles.first);
     if (cln::abs(phase) > pi() / 2 || phase == -pi() / 2) {
       angles.first = angles.first + pi();

@@ -33,9 +33,9 @@ struct Arm {
 /// with symbols in a constant rotation keep their frames.
 Arm for_kinematics(const model::Robot& robot);
 
-/// The same with frames along the common normals for right-angled arms too: neighbouring axes then lie as
-/// they do whatever the joints' zeros are. An arm with symbols in a constant rotation comes as for_kinematics
-/// has it.
+/// Returns the arm with frames along the common normals, for right-angled arms too: neighbouring axes then
+/// lie as they do whatever the joints' zeros are. An arm with symbols in a constant rotation comes as
+/// for_kinematics has it.
 Arm along_normals(const model::Robot& robot);
 
 /// The described arm with its own link frames, its constants named as above.

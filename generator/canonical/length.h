@@ -12,8 +12,8 @@
 
 namespace qvgen::canonical {
 
-/// What the description's quotients, roots and sines of symbols are called in a canonical arm, with what they
-/// are.
+/// Names of a canonical arm for the description's quotients, roots and sines of symbols, with their
+/// definitions.
 using Definitions = std::map<std::string, model::Expression>;
 
 /// A length as a polynomial: products of symbols (sorted; the empty one for a number) with real coefficients,

@@ -16,7 +16,7 @@ class MassKey {
   /// A rotation by right angles, row by row.
   using Right = std::array<std::array<int, 3>, 3>;
 
-  /// Of a link whose frame is there, turned by right angles.
+  /// Makes the key of a link with that frame, turned by right angles.
   MassKey(const model::Inertia& inertia, const Placement& frame);
   /// As it is seen after a further rotation.
   [[nodiscard]] std::vector<std::int64_t> turned(const Right& rotation) const;

@@ -47,7 +47,7 @@ std::optional<cl_R> heading(const LengthVector& v) {
   };
   if (y.empty()) return cl_R(0);
   if (x.empty()) return angle(0, 1);
-  // The same polynomial but for a factor.
+  // The polynomials may differ by a factor.
   const cl_R ratio = y.begin()->second / x.begin()->second;
   const Length rest = y + cl_R(-1) * (ratio * x);
   if (!rest.empty()) return std::nullopt;

@@ -28,7 +28,7 @@ Rotation transpose(const Rotation& r);
 LengthVector operator*(const Rotation& r, const LengthVector& v);
 Placement operator*(const Placement& a, const Placement& b);
 
-/// Whether the rotation takes every coordinate axis to one: all entries 0, 1 or -1.
+/// True if the rotation takes every coordinate axis to one: all entries 0, 1 or -1.
 bool is_right_angled(const Rotation& r);
 
 /// A rotation that takes +z to the axis, by right angles if the axis is a coordinate axis.

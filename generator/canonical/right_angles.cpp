@@ -126,8 +126,8 @@ std::optional<AtZero> at_zero(const model::Robot& robot) {
   return arm;
 }
 
-/// What a joint does not move goes behind it: all of an offset before a slide, of one before a turn what is
-/// along its axis.
+/// Puts offsets that a joint does not move behind it: all of an offset before a slide, and the part along the
+/// axis before a turn.
 AtZero with_offsets_behind(AtZero arm) {
   for (std::size_t i = 0; i < arm.axes.size(); ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -140,7 +140,8 @@ AtZero with_offsets_behind(AtZero arm) {
   return arm;
 }
 
-/// Of an arm with its offsets behind: as far in front as they can be, that to the tool from behind a slide.
+/// Puts the offsets of an arm, which are behind its joints, as far in front as they can be; that to the tool
+/// comes from behind a slide.
 AtZero with_offsets_in_front(AtZero arm) {
   for (std::size_t i = arm.turns.size() - (arm.turns.back() ? 1 : 0); i-- > 0;) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -182,8 +183,8 @@ class Ranks {
   std::vector<std::array<int, 2>> ranks_;
 };
 
-/// What a zero pose leaves behind the last joint, as a unit quaternion: one component is a half turn or
-/// nothing, two are a right angle or a half turn about a diagonal, four a third of a turn.
+/// Counts the components of the unit quaternion that a zero pose leaves behind the last joint: one component
+/// is a half turn or nothing, two are a right angle or a half turn about a diagonal, four a third of a turn.
 int components(const Right& home) {
   const int trace = home[0][0] + home[1][1] + home[2][2];
   if (trace == 3) return 1;
@@ -340,8 +341,8 @@ std::vector<std::vector<std::size_t>> zero_poses(const AtZero& arm) {
   return poses;
 }
 
-/// Of poses at which the arm looks the same, that whose links' masses come first in an order that does not
-/// depend on who describes them.
+/// Returns one of the poses at which the arm looks the same: the one whose links' masses come first in an
+/// order that does not depend on the notation.
 ZeroPose by_mass(const model::Robot& robot, const AtZero& arm, const std::vector<std::size_t>& poses) {
   std::vector<MassKey> links;
   for (std::size_t i = 0; i < arm.links.size(); ++i)

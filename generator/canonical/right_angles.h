@@ -23,11 +23,11 @@ std::vector<Arm> right_angled_models(const model::Robot& robot);
 /// in all.
 Arm whatever_notation(const model::Robot& robot);
 
-/// The same for dynamics: with the links' inertias, each in the frame that the description gives it in (its
-/// `frame`). A slide's axis may lie anywhere: in the first arm it meets the joint before, in the second, if
-/// that makes a difference, the joint behind or the tool. The described arm alone, as for_dynamics has it,
-/// where there is no such model, where a link frame is not turned by right angles, or where a length is not
-/// rational.
+/// Returns the arm's models for dynamics, with the links' inertias, each in the frame that the description
+/// gives it in (its `frame`). A slide's axis may lie anywhere: in the first arm it meets the joint before, in
+/// the second, if that makes a difference, the joint behind or the tool. The described arm alone, as
+/// for_dynamics has it, where there is no such model, where a link frame is not turned by right angles, or
+/// where a length is not rational.
 std::vector<Arm> whatever_notation_with_links(const model::Robot& robot);
 
 }  // namespace qvgen::canonical

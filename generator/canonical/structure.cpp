@@ -56,7 +56,7 @@ std::optional<Structure> exchanged(const Structure& s, std::size_t k) {
     // One direction for both: all relations stay, and now the ends have one, or none.
     result.ends = result.turns[1] ? Relation::oblique : s.relations[other];
   } else {
-    // Of three fixed directions each pair keeps its relation: the slide that comes next to the third joint
+    // Each pair of three fixed directions keeps its relation: the slide that comes next to the third joint
     // brings its own.
     std::swap(result.relations[other], result.ends);
     if (result.turns[1]) result.ends = Relation::oblique;

@@ -22,7 +22,7 @@ struct Structure {
   friend bool operator==(const Structure&, const Structure&) = default;
 };
 
-/// Of the first three joints; nothing with fewer, or where a twist is a symbol.
+/// Returns the structure of the first three joints; nothing if there are fewer, or if a twist is a symbol.
 std::optional<Structure> structure_of(const model::Robot& robot);
 
 /// "RRP"
@@ -37,7 +37,7 @@ std::string pattern_of(const Structure& structure);
 /// useless ones, two slides around a turn, and oblique axes.
 std::optional<std::string> code_of(const Structure& structure);
 
-/// Whether the joints move a point in all three directions, whatever the offsets.
+/// True if the joints move a point in all three directions, whatever the offsets.
 bool is_useful(const Structure& structure);
 
 /// The structures that move alike: a slide and what is parallel to it change places, and so do two slides.

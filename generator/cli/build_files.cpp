@@ -55,7 +55,7 @@ constexpr std::array sources{"kinematics",
                              "frames",
                              "regressor_with_drives"};
 
-/// Of all files of a robot.
+/// Returns the fingerprint of all files of a robot.
 std::string fingerprint(const fs::path& output, const std::string& robot) {
   std::uint64_t all = 0;
   for (const std::string& path : pipeline::files_of_robots(output, {robot}))
@@ -68,7 +68,7 @@ std::string fingerprint(const fs::path& output, const std::string& robot) {
 void write_sources(const GenerateArguments& arguments, const std::string& robot) {
   const fs::path folder = fs::absolute(arguments.build.sources), output = fs::absolute(arguments.output);
   const std::string mark = "// Code " + fingerprint(output, robot) + "\n";
-  // Of what a robot has not there is a declaration: no C source may be empty.
+  // Parts that a robot lacks get a declaration: no C source may be empty.
   const auto write_source = [&](const std::string& name, const fs::path& generated) {
     const std::string include = generated.lexically_relative(folder).generic_string();
     const std::string code =

@@ -11,7 +11,7 @@ namespace {
 
 using namespace pipeline;
 
-/// What can be told without deriving everything.
+/// Returns all that can be said of a robot without deriving everything.
 RobotOutput outlook(const model::Robot& robot) {
   RobotOutput output{robot.name};
   if (model::branches(robot)) return output;

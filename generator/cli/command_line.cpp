@@ -416,7 +416,7 @@ void add_new(CommandLine& line) {
   command.add_option("--name", line.name, "the robot's name")->type_name("NAME")->capture_default_str();
 }
 
-/// Of the tool itself.
+/// Adds the commands about the tool itself.
 void add_documents(CommandLine& line) {
   line.list_command = line.app.add_subcommand("list", "print the names of the known robots");
   line.manual_command = line.app.add_subcommand("man", "print this help as a man page");

@@ -74,7 +74,7 @@ model::Robot part_to_show(model::Robot robot, const ShowArguments& arguments) {
   return robot;
 }
 
-/// What with_masses has put in place of the description's inertia.
+/// Returns a sentence on what with_masses has put in place of the description's inertia.
 std::string masses_sentence(const std::string& place) {
   if (place.empty()) return "";
   if (place == "end") return "m1, m2, ...: the mass of each link, all of it at the link's end.\n";

@@ -19,7 +19,7 @@ namespace qvgen::cli {
 /// Exit codes of the tool.
 enum ExitCode { success = 0, failure = 1, usage_error = 2, bad_description = 3 };
 
-/// What other build systems need; paths may be empty.
+/// Files for other build systems; paths may be empty.
 struct BuildFiles {
   std::filesystem::path outputs;  ///< a list of all files of the robots, one a line
   std::filesystem::path depfile;  ///< for make and ninja: what the file of that name without .d is made from

@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// What a robot may take; the largest takes a tenth of it.
+/// Budget of a robot; the largest takes a tenth of it.
 constexpr pipeline::Budget budget{60, 4096};
 
 std::string compared(const model::Robot& robot, const compare::Request& request) {

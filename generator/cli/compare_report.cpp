@@ -124,7 +124,7 @@ ordered_json summary_json(const std::vector<compare::ClassSummary>& summaries) {
   return result;
 }
 
-/// The same rows with nanoseconds for their cost; none where nothing was timed.
+/// Returns the rows with nanoseconds for their cost; none where nothing was timed.
 std::vector<compare::Row> by_time(std::vector<compare::Row> rows) {
   if (rows.empty() || !rows.front().time) return {};
   for (compare::Row& row : rows) row.cost = row.time->median;

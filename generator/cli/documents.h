@@ -8,7 +8,7 @@
 
 namespace qvgen::cli {
 
-/// What an option takes, or an argument without a name.
+/// Value of an option, or an argument without a name.
 struct Value {
   enum class Kind { none, robot, file, folder, parts, choice, other };
   Kind kind = Kind::none;

@@ -77,7 +77,8 @@ std::vector<Task> changed_tasks(const GenerateArguments& arguments, const std::v
   return changed;
 }
 
-/// What depends on the machine, or should never be, is not remembered as done.
+/// True if an output may be remembered as done: it does not depend on the machine, and has no fault of the
+/// tool.
 bool is_final(const RobotOutput& output) {
   return std::all_of(output.missing.begin(), output.missing.end(), [](const Missing& missing) {
     return missing.kind != Missing::Kind::not_finished && missing.kind != Missing::Kind::refuted;

@@ -7,7 +7,7 @@
 
 namespace qvgen::cli {
 
-/// Where the running tool has its things. Nothing of it is compiled in: an installed tool may be moved.
+/// Folders of the running tool. Nothing of them is compiled in: an installed tool may be moved.
 struct Installation {
   std::filesystem::path robots;                      ///< the descriptions that the tool knows by name
   std::optional<std::filesystem::path> source_tree;  ///< of a tool that stands where it was built

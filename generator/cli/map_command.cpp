@@ -172,7 +172,7 @@ void fill(map::Journal& journal, const map::ArmProgram& program, const std::vect
       });
 }
 
-/// What came of it, in one line.
+/// Returns a summary of a part in one line.
 std::string summary(const map::Part& part) {
   std::uint64_t positions = 0, reached = 0, some = 0;
   for (const auto& [block, cells] : part.blocks)

@@ -7,7 +7,7 @@
 
 namespace qvgen::cli {
 
-/// What the options make of a description: one file may give several robots.
+/// Returns the options that tell robots of one description apart: one file may give several robots.
 std::string origin_options(const description::ReadOptions& options);
 
 /// How its numbers are read.

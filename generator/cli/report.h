@@ -10,7 +10,7 @@
 
 namespace qvgen::cli {
 
-/// What of the operation counts is wanted; nothing named means all.
+/// Filter of the operation counts; nothing named means all.
 struct CountsFilter {
   std::vector<std::string> robots;
   std::vector<std::string> functions;
@@ -28,8 +28,8 @@ nlohmann::ordered_json filtered(const nlohmann::ordered_json& counts, const Coun
 std::string report(const nlohmann::ordered_json& counts, ReportFormat format, bool forms = false,
                    const std::vector<std::string>& columns = {});
 
-/// What has changed from one file of operation counts to another: a line for each function whose numbers are
-/// others, or that is in one of the files alone, and how many became cheaper by the cost model. JSON has the
+/// Returns the changes from one file of operation counts to another: a line for each function whose numbers
+/// differ, or that is in one of the files alone, and how many became cheaper by the cost model. JSON has the
 /// numbers of both.
 std::string changes(const nlohmann::ordered_json& before, const nlohmann::ordered_json& after,
                     ReportFormat format, const std::vector<std::string>& columns = {});

@@ -15,7 +15,7 @@ namespace qvgen::compare {
 /// The function with what its unknown entries are.
 dag::Function with_entries(const dag::Function& function, const dag::Function& entries);
 
-/// What a quantity's definition gives at random exact points.
+/// Values of a quantity's definition at random exact points.
 struct Definition {
   std::vector<std::string> outputs;
   std::vector<std::vector<exact::Number>> values;  ///< at each point, of each output

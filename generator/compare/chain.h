@@ -6,7 +6,7 @@
 
 #include "compare/library.h"
 
-/// What the algorithms of several quantities share.
+/// Shared parts of the algorithms of several quantities.
 namespace qvgen::compare {
 
 inline dag::Angle variable(const std::string& name) { return {{{name, 1}}, 0}; }

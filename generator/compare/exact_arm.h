@@ -11,7 +11,7 @@
 #include "derive/dynamics/scalar.h"
 #include "model/robot.h"
 
-/// What the formulations need of an arm, worked out in exact arithmetic.
+/// Numbers of an arm that the formulations need, in exact arithmetic.
 namespace qvgen::compare {
 
 using Exact = derive::dynamics::Scalar;
@@ -28,7 +28,7 @@ ExactVector product(const ExactMatrix& m, const ExactVector& v);
 ExactMatrix product(const ExactMatrix& a, const ExactMatrix& b);
 ExactMatrix transposed(const ExactMatrix& m);
 Exact dot(const ExactVector& a, const ExactVector& b);
-/// Of a number without symbols of the description; 0 for others, and for zero.
+/// Returns the sign of a number without symbols of the description; 0 for others, and for zero.
 int sign(const Exact& number, const dag::Graph& graph);
 
 /// A constant displacement.
@@ -52,7 +52,7 @@ struct ParallelArm {
   ExactVector tool;
   derive::dynamics::RotationSequence home;
   ExactQuaternion home_quaternion;
-  /// Whether the tool's frame is the last one.
+  /// True if the tool's frame is the last one.
   [[nodiscard]] bool ends_in_tool() const;
 };
 ParallelArm parallel_arm(const model::Robot& robot, dag::Graph& graph);
@@ -63,8 +63,8 @@ struct TableRow {
   std::string variable;
   dag::Angle theta, alpha;
   Exact d, a;
-  /// What four parameters cannot say: behind the last row; and elsewhere where an axis has a symbol for its
-  /// twist or is displaced from a parallel one in two directions.
+  /// Displacement that four parameters cannot express: behind the last row, and elsewhere if an axis has a
+  /// symbol for its twist or is displaced from a parallel one in two directions.
   ExactFrame rest;
 };
 struct Table {

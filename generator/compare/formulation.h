@@ -30,7 +30,7 @@ struct Formulation {
   /// The recorder must outlive the results. None for what the generator emits, all its forms together:
   /// `emitted`.
   std::function<Results(Recorder&, const model::Robot&)> run;
-  /// Whether it wants its frames on the common normals of the axes (canonical::along_normals).
+  /// True if it wants its frames on the common normals of the axes (canonical::along_normals).
   bool along_normals = false;
   /// The certified function of the generator, for formulations without an algorithm.
   std::function<dag::Function(const model::Robot&)> emitted = {};
@@ -40,7 +40,7 @@ struct Formulation {
 /// section 1.3).
 const std::vector<Formulation>& formulations(What what);
 
-/// What arithmetic is free on: all but joint variables, their rates and accelerations.
+/// Returns the symbols on which arithmetic is free: all but joint variables, their rates and accelerations.
 dag::IsFree free_symbols(const model::Robot& robot);
 
 /// Forward kinematics: outputs w x y z px py pz or r11 ... r33 px py pz, the tool in the world.

@@ -90,7 +90,7 @@ Results exponentials(Recorder& recorder, const model::Robot& robot) {
   return results(chain.value());
 }
 
-/// The same product of screws as dual quaternions: cos + sin (w + e m), m = r x w; of a slide 1 + e axis d/2.
+/// Multiplies the screws as dual quaternions: cos + sin (w + e m), m = r x w; of a slide 1 + e axis d/2.
 Results dual_quaternions(Recorder& recorder, const model::Robot& robot) {
   const ParallelArm arm = parallel_arm(robot, recorder.graph());
   const auto points = points_of(arm);

@@ -14,13 +14,13 @@ namespace qvgen::compare {
 
 enum class Level {
   textbook,     ///< joint by joint, as a library multiplies that does not know the robot
-  specialised,  ///< the same steps with the robot's numbers: zeros and ones gone, what is written twice once
+  specialised,  ///< these steps with the robot's numbers: zeros and ones gone, what is written twice once
   optimised     ///< that, after all passes and the search
 };
 /// "textbook", ...
 const std::vector<std::string>& level_names();
 
-/// What a formulation takes at a level.
+/// Costs of a formulation at a level.
 struct Measured {
   dag::OperationCounts counts;
   int constants = 0;  ///< numbers kept for the robot

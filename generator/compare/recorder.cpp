@@ -42,7 +42,7 @@ Recorder::Circle Recorder::circle(const dag::Angle& angle) {
 
 namespace {
 
-/// What is left of a sum to which one of its own terms is added with the other sign: (1 - c) + c, as
+/// Returns what is left of a sum to which one of its own terms is added with the other sign: (1 - c) + c, as
 /// Rodrigues' formula has it about a coordinate axis.
 std::optional<dag::Edge> without_cancelled(dag::Graph& graph, dag::Edge sum, dag::Edge added) {
   const dag::Node node = graph.node(sum);

@@ -27,7 +27,7 @@ class Value {
   dag::Edge edge_;
 };
 
-/// What an algorithm knows of the robot's numbers while it runs.
+/// Knowledge that an algorithm has of the robot's numbers while it runs.
 enum class Entries {
   unknown,  ///< nothing, as a library: each is a number in memory, and no operation is left out
   known     ///< everything: zeros, ones and what cancels vanish as they come, numbers are folded
@@ -81,7 +81,7 @@ class Recorder {
   int stored_ = 0;
 };
 
-/// Whether a symbol stands for a number of the robot that the recorder took for unknown.
+/// True if a symbol stands for a number of the robot that the recorder took for unknown.
 bool is_opaque(const std::string& symbol);
 
 }  // namespace qvgen::compare

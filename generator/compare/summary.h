@@ -21,10 +21,10 @@ struct Ratios {
   std::string robot;
   std::map<Level, double> by_level;
 };
-/// Of the robots that have both, in the order of the rows.
+/// Returns the ratios of the robots that have both, in the order of the rows.
 std::vector<Ratios> pairs_against_matrices(const std::vector<Row>& rows);
 
-/// The same over the robots of a workspace class.
+/// Summary over the robots of a workspace class.
 struct ClassSummary {
   std::string workspace;
   int robots = 0;

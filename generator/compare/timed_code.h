@@ -18,7 +18,7 @@ struct TimedCode {
 };
 TimedCode timed_code(const dag::Function& function, const dag::IsFree& is_free);
 
-/// That as a C++ function of a name.
+/// Returns the code as a C++ function of a name.
 std::string cpp_function(const TimedCode& code, const std::string& name);
 
 /// A program that calls each body in turn, `rounds` times over, and prints a line for each: the median and

@@ -26,9 +26,9 @@ struct OperationCounts {
 /// Tells the symbols on which arithmetic is done once, in a set-up function, and therefore not counted.
 using IsFree = std::function<bool(const std::string& symbol)>;
 
-/// Whether an angle is made of free symbols and constants alone.
+/// True if an angle is made of free symbols and constants alone.
 bool is_free(const Angle& angle, const IsFree& is_free_symbol);
-/// The same of every node of a function's graph; none without `is_free`.
+/// Returns, for every node of a function's graph, if it is free; empty without `is_free`.
 std::vector<bool> free_nodes(const Function& function, const IsFree& is_free);
 
 /// Counts what the outputs reach; with `is_free`, nodes that depend on free symbols and constants alone cost

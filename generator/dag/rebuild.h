@@ -8,11 +8,11 @@
 
 namespace qvgen::dag {
 
-/// The same node built in another graph from operands that are there already.
+/// Builds a node in another graph from operands that are there already.
 Edge copy_node(const Graph& from, const Node& node, const std::vector<Edge>& operands, Graph& to);
 
-/// The same, sums and products of just these operands (Graph::as_is): for rewrites that only give leaves
-/// other names and must not undo what a search has chosen.
+/// Builds a node from just these operands (Graph::as_is), for rewrites that only give leaves other names and
+/// must not undo what a search has chosen.
 Edge copy_node_as_is(const Graph& from, const Node& node, const std::vector<Edge>& operands, Graph& to);
 
 /// Makes a node of the new graph out of an old node and its already rebuilt operands.

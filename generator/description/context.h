@@ -9,7 +9,7 @@
 
 namespace qvgen::description {
 
-/// What a symbol is used for: it decides which struct of the generated code gets its field.
+/// Use of a symbol: it decides which struct of the generated code gets its field.
 enum class Role { geometry, inertia, constant };
 
 struct SymbolUse {
@@ -31,7 +31,7 @@ struct Variable {
   Place place;
 };
 
-/// What the numbers of a file are in; names and what they stand for are in metres and radians always.
+/// Units of the numbers of a file; symbols and their values are always in metres and radians.
 struct Units {
   cln::cl_RA length = 1;  ///< metres
   bool degrees = false;
@@ -46,14 +46,14 @@ struct Follower {
   Place place;
 };
 
-/// What the readers of the parts of one file share: the text, the mistakes so far, the names met so far.
+/// Shared state of the readers of one file's parts: the text, the mistakes so far, the names met so far.
 struct Context {
   Context(std::string_view text, std::string file, const ReadOptions& read_options)
       : source(text, std::move(file)), options(read_options) {}
 
   void error(Place place, std::string message, std::string hint);
   void warning(Place place, std::string message, std::string hint);
-  /// What the reader did of its own accord; never an error.
+  /// Notes what the reader did of its own accord; never an error.
   void note(Place place, std::string message, std::string hint);
   [[nodiscard]] Diagnostic diagnostic(Place place, std::string message, std::string hint) const;
   [[nodiscard]] const std::string& file_of(Place place) const;

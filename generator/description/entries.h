@@ -5,7 +5,7 @@
 
 namespace qvgen::description {
 
-/// What an entry may hold.
+/// Names and numbers that an entry may hold.
 struct Scope {
   Role role = Role::geometry;
   /// The joint variable that may stand in this entry (a table's theta or d); empty: none.

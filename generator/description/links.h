@@ -5,7 +5,7 @@
 
 namespace qvgen::description {
 
-/// What the whole file says about inertial parameters that a joint leaves out.
+/// Statement of the whole file about inertial parameters that a joint leaves out.
 struct FreeParameters {
   bool inertia = false;
   bool drives = false;

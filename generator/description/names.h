@@ -10,7 +10,7 @@ namespace qvgen::description {
 /// The candidate nearest to the name by edit distance, or empty if none is near enough to be meant.
 std::string nearest(std::string_view name, const std::vector<std::string>& candidates);
 
-/// What keeps a name from becoming an identifier of the generated code; empty message: nothing.
+/// Problem that keeps a name from becoming an identifier of the generated code; empty message: none.
 struct NameProblem {
   std::string message;
   std::string hint;

@@ -47,7 +47,7 @@ void read_name(const Table& root, model::Robot& robot) {
   if (!problem.message.empty()) context.error(root.place_of("name"), problem.message, problem.hint);
 }
 
-/// Of a Denavit-Hartenberg table: what its rows lack.
+/// Reports what the rows of a Denavit-Hartenberg table lack.
 void say_that_nothing_moves(const Table& root) {
   Context& context = root.context();
   if (!root.has("dh"))

@@ -28,7 +28,7 @@ std::string to_string(const Diagnostic& diagnostic);
 struct ReadResult {
   std::optional<model::Robot> robot;  ///< absent as soon as there is an error
   std::vector<Diagnostic> diagnostics;
-  /// Where the file gives the robot's name, for mistakes between files.
+  /// Place of the robot's name in the file, for mistakes between files.
   Diagnostic name_place;
   std::string text;  ///< all that was read
   /// The ends of limbs, where the robot is a whole tree of links: `robot` has the joints of all of them.

@@ -6,7 +6,7 @@
 
 namespace qvgen::description {
 
-/// What the file asks of the inverse kinematics: `task`, `tool_axis`, `given`, `ideal`.
+/// Reads what the file asks of the inverse kinematics: `task`, `tool_axis`, `given`, `ideal`.
 void read_request(const Table& root, model::Robot& robot);
 
 }  // namespace qvgen::description

@@ -27,7 +27,7 @@ class Source {
  public:
   Source(std::string_view text, std::string file);
   [[nodiscard]] const std::string& file() const { return file_; }
-  /// What stands in a region within one line; empty if it spans several.
+  /// Returns the text of a region within one line; empty if it spans several.
   [[nodiscard]] std::string slice(const toml::source_region& region) const;
 
  private:

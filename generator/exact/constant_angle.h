@@ -17,7 +17,7 @@ struct CosineSine {
   }
 };
 
-/// Of the sum of two angles, and of a multiple.
+/// Returns sine and cosine of the sum of two angles, and of a multiple.
 CosineSine then(const CosineSine& a, const CosineSine& b);
 CosineSine times(CosineSine base, long count);
 
@@ -25,15 +25,15 @@ CosineSine times(CosineSine base, long count);
 /// (3/5, 0, 4/5): a term of an Angle by this name, "atan2(3/5,4/5)", which no symbol can have.
 std::string constant_angle(const CosineSine& value);
 
-/// What the name says; nothing if it is another name.
+/// Returns sine and cosine by the name of a constant; nothing for other names.
 std::optional<CosineSine> constant_angle(const std::string& name);
 
-/// Of an angle without a variable, if they are exact.
+/// Returns sine and cosine of an angle without a variable, if they are exact.
 std::optional<CosineSine> value_of(const Angle& angle);
 
 /// The angle in radians as a rational number, to 70 digits.
 cln::cl_RA radians(const CosineSine& value);
-/// The same of an angle without a variable; nothing if it has one.
+/// Returns an angle without a variable in radians; nothing if it has one.
 std::optional<cln::cl_RA> radians(const Angle& angle);
 
 }  // namespace qvgen::exact

@@ -48,7 +48,7 @@ class ExactPoint {
   mutable std::map<std::string, CosineSine> turns_;
 };
 
-/// Whether two values at a point are equal: exactly, or to 40 digits where a constant angle was taken to 100.
+/// True if two values at a point are equal: exactly, or to 40 digits where a constant angle was taken to 100.
 bool agree(const Number& a, const Number& b);
 
 }  // namespace qvgen::exact

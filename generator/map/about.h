@@ -8,7 +8,7 @@
 
 namespace qvgen::map {
 
-/// What a map is of: all that its numbers depend on. Parts of one map have the same.
+/// Subject of a map: all that its numbers depend on. Parts of one map agree in it.
 struct About {
   std::string robot;
   std::string title;
@@ -23,7 +23,7 @@ struct About {
 nlohmann::ordered_json to_json(const About& about);
 About about_from_json(const nlohmann::ordered_json& json);
 
-/// What the targets at a position are called, "orientations".
+/// Returns the name of the targets at a position: "orientations".
 std::string target_name(const About& about);
 /// How many there are: "100 orientations", or that only positions are asked for.
 std::string targets_text(const About& about);

@@ -143,7 +143,7 @@ ordered_json made(const model::Robot& robot, const fs::path& target, const toolc
           {"given", function.given}};
 }
 
-/// What comes from the program, cut into blocks.
+/// Output of the program, cut into blocks.
 class Stream {
  public:
   Stream(const Grid& grid, const std::function<void(int, std::vector<Cell>)>& take)

@@ -48,7 +48,7 @@ class Zip {
   }
 
  private:
-  /// What both records of an entry say: stored, on the first day that can be written.
+  /// Writes the part that both records of an entry share: stored, on the first day that can be written.
   static std::string description(const std::string& name, const std::string& content) {
     std::string text;
     append_number(text, std::uint16_t{20});

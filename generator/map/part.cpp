@@ -56,7 +56,7 @@ bool read_record(const std::string& bytes, const Grid& grid, std::size_t& at, Bl
   return true;
 }
 
-/// What is whole of a file, and how long that is.
+/// Reads the whole blocks of a file; `end` is where they end.
 Part read_whole(const std::string& bytes, const fs::path& file, std::size_t& end) {
   const std::size_t line = bytes.find('\n');
   const ordered_json head =

@@ -94,7 +94,7 @@ std::string legend(double largest, const std::string& label) {
                     largest, report::escaped(label));
 }
 
-/// Of all that the three planes show.
+/// Returns the largest value that the three planes show.
 double largest_of(const Cube& cube, const Quantity& quantity) {
   if (quantity.name == "share" || quantity.name == "limit_distance") return 1;
   double largest = 0;

@@ -16,7 +16,7 @@ struct Stop {
   Vector axis = Vector::Zero();
 };
 
-/// Where a way from `before` to `after` over a line is shortest: as light goes.
+/// Returns the point of a line over which the way from `before` to `after` is shortest, as light goes.
 Vector shortest(const Stop& line, const Vector& before, const Vector& after) {
   const double first = (before - line.point).dot(line.axis), last = (after - line.point).dot(line.axis);
   const double first_off = (before - line.point - first * line.axis).norm();
@@ -72,7 +72,7 @@ Sphere sphere_of(const report::Chain& chain, std::optional<double> radius) {
   double length = travel;
   for (std::size_t i = 0; i + 1 < stops.size(); ++i) length += (stops[i + 1].point - stops[i].point).norm();
   const Vector centre = stops.front().point + shift;
-  // What rounding leaves of a zero would be seen in file names and labels.
+  // A zero that rounding has moved would be seen in file names and labels.
   const auto clean = [](double value) { return std::abs(value) < 1e-12 ? 0.0 : value; };
   return {{clean(centre[0]), clean(centre[1]), clean(centre[2])}, radius.value_or(length * (1 + 1e-9)), 0};
 }

@@ -16,7 +16,8 @@ bool has_followers(const Robot& robot);
 /// is called with their values.
 Robot without_followers(const Robot& robot);
 
-/// Of a joint of the chain: which of the joints that follow none moves it (an index among these), how much.
+/// Share of a joint of the chain in the motion of another: the index of the joint that moves it, among those
+/// that follow none, and how much.
 struct Share {
   std::size_t driven = 0;
   cln::cl_RA ratio = 1;

@@ -9,7 +9,7 @@ namespace qvgen::model {
 /// where a joint follows another, or where there are not that many.
 Robot first_joints(const Robot& robot, std::size_t count);
 
-/// Where a link is taken to have its mass.
+/// Place where a link is taken to have its mass.
 enum class MassPlace {
   middle,  ///< of the straight line from its beginning to its end, with three principal moments about it
   end      ///< all of it

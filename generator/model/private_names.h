@@ -12,7 +12,7 @@ namespace qvgen::model {
 /// is letters and a number, as derivations' own names never are.
 Robot with_private_names(const Robot& robot);
 
-/// Whether a name is that of a symbol of the geometry, so marked.
+/// True if a name is that of a symbol of the geometry, so marked.
 bool is_marked(const std::string& name);
 /// The name as the description has it.
 std::string described_name(const std::string& name);

@@ -38,7 +38,7 @@ struct Inertia {
   Vector3 centre_of_mass;
   /// About the centre of mass: xx, yy, zz, xy, yz, xz.
   std::array<Expression, 6> inertia;
-  /// Where they are given in another frame, that frame seen from the link frame; not in what a reader builds.
+  /// Frame of the parameters, seen from the link frame, if it is another one; readers never set it.
   Displacement frame = {};
 };
 
@@ -91,7 +91,7 @@ struct Parameter {
   std::optional<Expression> default_value;
 };
 
-/// What inverse kinematics asks of the tool. The reduced ones are for arms that cannot follow a whole pose.
+/// Target of an inverse kinematics. The reduced ones are for arms that cannot follow a whole pose.
 enum class Task {
   pose,                    ///< position and orientation
   position,                ///< of the tool point; the orientation follows
@@ -101,7 +101,7 @@ enum class Task {
   orientation              ///< the position follows
 };
 
-/// What a description says about its inverse kinematics; what it leaves open is derived from the arm.
+/// Demands of a description on its inverse kinematics; what it leaves open is derived from the arm.
 struct InverseRequest {
   std::optional<Task> task;
   std::optional<Vector3> tool_axis;  ///< unit vector in the tool's frame, for tasks with a direction

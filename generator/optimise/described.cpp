@@ -101,7 +101,7 @@ dag::Function in_terms_of_description(const dag::Function& function, const canon
 Optimised in_terms_of_description(Optimised optimised, const canonical::Arm& arm) {
   const auto before = dag::count(optimised.function);
   optimised.function = in_terms_of_description(optimised.function, arm);
-  // Where folding and definitions change the counts they change those of the other choice alike.
+  // Folding and definitions change the counts of the other choice alike.
   const auto after = dag::count(optimised.function);
   if (!(after == before)) optimised.counts = after;
   return optimised;

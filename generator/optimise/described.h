@@ -11,17 +11,18 @@ namespace qvgen::optimise {
 /// variables, those of joints that follow none, its symbols and numbers.
 dag::Function in_terms_of_description(const dag::Function& function, const canonical::Arm& arm);
 
-/// The same for a function of dynamics, named outputs and symbols as derive/dynamics/formulation.h has them:
-/// where an axis has another sense, so have the joint's rate, acceleration and force.
+/// Writes a function of dynamics in the description's terms, with outputs and symbols as
+/// derive/dynamics/formulation.h names them. If an axis is reversed, so are the joint's rate, acceleration
+/// and force.
 dag::Function dynamics_in_terms_of_description(const dag::Function& function, const canonical::Arm& arm);
 
-/// The same with the operations counted anew.
+/// Writes a function in the description's terms and counts its operations anew.
 Optimised in_terms_of_description(Optimised optimised, const canonical::Arm& arm);
 
-/// The same for names of definitions alone.
+/// Replaces the names of definitions alone.
 dag::Function with_definitions(const dag::Function& function, const model::Robot& robot);
 
-/// The same for joints that follow others, and their rates.
+/// Expresses joints that follow others, and their rates, by those that they follow.
 dag::Function in_terms_of_leaders(const dag::Function& function, const model::Robot& robot);
 
 }  // namespace qvgen::optimise

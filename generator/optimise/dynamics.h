@@ -24,7 +24,7 @@ struct DynamicsQuantity {
   std::function<std::vector<exact::Number>(const derive::dynamics::PlainRecursion&, const exact::ExactPoint&,
                                            const std::vector<exact::Number>& values)>
       residuals;
-  /// Whether choosing the last link's frame makes a difference.
+  /// True if choosing the last link's frame makes a difference.
   bool has_wrenches = false;
   /// An earlier quantity whose best choices serve this one as well, so that none are tried; or nothing.
   std::string choices_of = {};
@@ -51,7 +51,7 @@ struct DynamicsEffort {
   std::optional<derive::dynamics::FormulationOptions> choices = {};
 };
 
-/// What dynamics are derived from: `arm`, which does not depend on the notation if its angles are right
+/// Arm from which dynamics are derived: `arm` does not depend on the notation if its angles are right
 /// (canonical/right_angles.h). Functions are held against `described` and written in its terms.
 struct DynamicsModel {
   canonical::Arm arm;
@@ -64,7 +64,8 @@ DynamicsModel dynamics_model(const model::Robot& described, const DynamicsEffort
 Optimised generate_dynamics(const DynamicsModel& model, const DynamicsQuantity& quantity,
                             const DynamicsEffort& effort = {});
 
-/// What arithmetic is free on: all symbols but joint variables, their derivatives and forces.
+/// Returns the symbols on which arithmetic is free: all symbols but joint variables, their derivatives and
+/// forces.
 dag::IsFree free_symbols(const model::Robot& robot);
 
 /// A formulation of the model's arm as a quantity, with these symbols free.
@@ -78,7 +79,7 @@ OptimiseOptions final_search(const DynamicsEffort& effort);
 /// rounding errors mean little for a robot that cannot be. Nothing if a parameter has no (rational) default.
 std::optional<dag::Function> with_default_values(const model::Robot& robot, const Optimised& function);
 
-/// Whether any link of the robot has inertia: without, it has no dynamics.
+/// True if any link of the robot has inertia: without, it has no dynamics.
 bool has_inertia(const model::Robot& robot);
 
 }  // namespace qvgen::optimise

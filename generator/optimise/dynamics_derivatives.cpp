@@ -130,7 +130,8 @@ void gather_derivatives(const model::Robot& robot, std::size_t rows, dag::Functi
   }
 }
 
-/// Of the joints that follow none: the change of a follower's value belongs to its leader.
+/// Appends the derivatives by the joints that follow none: the change of a follower's value belongs to its
+/// leader.
 void append_derivatives(const model::Robot& robot, dag::Function& form) {
   const std::size_t rows = form.outputs.size();
   std::vector<passes::Direction> directions;

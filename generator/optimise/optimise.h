@@ -30,7 +30,7 @@ struct Optimised {
   std::vector<FormCounts> forms;  ///< each competing form by itself, after the passes
   int certified_points = 0;       ///< exact points at which `function` equals the definition
   double largest_error = 0;       ///< see accuracy.h
-  /// Of dynamics, for functions that there are choices for.
+  /// Choices for functions of dynamics that have any.
   std::optional<derive::dynamics::FormulationOptions> choices;
 };
 

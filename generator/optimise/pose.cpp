@@ -13,14 +13,14 @@
 namespace qvgen::optimise {
 namespace {
 
-/// Of so many zero poses the forms are counted, those with a free rotation at the end first: arms of eight
+/// Number of zero poses whose forms are counted, those with a free rotation at the end first: arms of eight
 /// joints have hundreds.
 constexpr std::size_t counted = 64;
 
 /// More cost time and gain next to nothing.
 constexpr std::size_t searched = 3;
 
-/// Of the cheapest form as it is derived, before any pass.
+/// Returns the cost of the cheapest form as it is derived, before any pass.
 double promise(const canonical::Arm& arm, const passes::CostModel& cost) {
   double least = std::numeric_limits<double>::infinity();
   for (const derive::Form& form : derive::forward_kinematics(arm.robot).forms)

@@ -23,7 +23,7 @@ struct Quantity {
     dag::Function function;  ///< with suggestions for the search among its outputs
   };
   std::vector<Form> forms;  ///< they compete; all have the same outputs
-  /// What must be left of the outputs' values: nothing.
+  /// Residuals of the outputs' values, all of which must be zero.
   verify::Residuals residuals;
   std::vector<std::string> outputs = {};  ///< their names; none if the forms alone say them
   /// An output for each symbol "$0", ... of the forms that stands for a constant. With it, what can be

@@ -9,7 +9,7 @@
 
 namespace qvgen::passes {
 
-/// Whether a symbol is a constant whose name says its value (exact/named_constant.h): arithmetic on such
+/// True if a symbol is a constant whose name says its value (exact/named_constant.h): arithmetic on such
 /// symbols and numbers alone is done at generation.
 bool is_named_constant(const std::string& symbol);
 
@@ -20,8 +20,8 @@ dag::Function fold_constants(const dag::Function& function);
 /// Puts the meanings in place of symbols: each is a function with one output.
 dag::Function substitute(const dag::Function& function, const std::map<std::string, dag::Function>& meanings);
 
-/// What a variable is in terms of another one with the same name: that one, with the other sign if
-/// `reversed`, plus a constant angle.
+/// Variable in terms of another one with its name: the other one, negated if `reversed`, plus a constant
+/// angle.
 struct OtherZero {
   bool reversed = false;
   dag::Angle phase;

@@ -5,7 +5,7 @@
 
 namespace qvgen::passes {
 
-/// What an operation of the emitted graph costs. Only the ratios matter; a sign change is free.
+/// Costs of the operations of an emitted graph. Only the ratios matter; a sign change is free.
 ///
 /// Between latency and throughput of a scalar double on current x86-64 cores, in multiples of one
 /// multiplication: additions and multiplications alike, a division about four, a square root about five of

@@ -7,7 +7,7 @@
 
 namespace qvgen::pipeline {
 
-/// What this machine remembers of a folder, so that robots that have not changed need not be generated again.
+/// Memory of this machine about a folder, so that robots that have not changed need not be generated again.
 /// It may be deleted at any time: then everything is generated anew.
 struct FolderState {
   struct Robot {
@@ -27,7 +27,7 @@ void write_state(const std::filesystem::path& folder, const FolderState& state);
 /// Sixteen hexadecimal digits of a text.
 std::string fingerprint(const std::string& text);
 
-/// Where a file is written before it takes its place.
+/// Returns the place where a file is written before it is moved to its own.
 std::filesystem::path temporary_in(const std::filesystem::path& folder);
 /// Removes what killed runs have left; for the process that holds the folder.
 void remove_leftovers(const std::filesystem::path& folder);

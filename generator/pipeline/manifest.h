@@ -8,8 +8,8 @@
 
 namespace qvgen::pipeline {
 
-/// What qvgen owns in a folder: files that are not listed here are never changed or removed. Paths are
-/// relative to the folder, with '/'.
+/// List of the files that qvgen owns in a folder: files that are not listed here are never changed or
+/// removed. Paths are relative to the folder, with '/'.
 struct Manifest {
   struct Robot {
     std::string description;  ///< where it comes from, see `origin_of`
@@ -21,7 +21,7 @@ struct Manifest {
 
 inline constexpr const char* manifest_name = "qvgen_manifest.json";
 
-/// The same manifest gives the same text.
+/// Writes a manifest; equal manifests give equal texts.
 std::string to_text(const Manifest& manifest);
 /// Throws std::invalid_argument if the text is no manifest, or names a path outside its folder.
 Manifest manifest_from_text(const std::string& text);

@@ -12,7 +12,7 @@ namespace qvgen::pipeline {
 
 inline constexpr const char* counts_name = "operation_counts.json";
 
-/// What a run leaves in its folder.
+/// Files that a run leaves in its folder.
 struct FolderUpdate {
   struct Robot {
     RobotOutput output;
@@ -30,8 +30,8 @@ struct FolderChange {
   int removed = 0;
 };
 
-/// Where a description is, seen from the folder that its robot is written to; of a robot that the tool
-/// knows, its name. Never where folder and description lie on this machine.
+/// Returns the path of a description, seen from the folder that its robot is written to, or the name of a
+/// robot that the tool knows. It never says where folder and description lie on this machine.
 std::string origin_of(const std::filesystem::path& description, const std::filesystem::path& folder,
                       const std::filesystem::path& known_robots);
 bool is_known_origin(const std::string& origin);
@@ -67,7 +67,7 @@ nlohmann::ordered_json entries_after(const std::filesystem::path& folder, const 
 /// The content of a folder's operation_counts.json, or of the file of that name. Throws std::runtime_error
 /// that names the file if it is none.
 nlohmann::ordered_json counts_in(const std::filesystem::path& folder, const std::string& name = counts_name);
-/// The same of a file, which must be there.
+/// Reads the counts of a file, which must be there.
 nlohmann::ordered_json counts_of(const std::filesystem::path& path);
 
 }  // namespace qvgen::pipeline

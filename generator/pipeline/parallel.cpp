@@ -61,7 +61,7 @@ void apply(const Budget& budget) {
   if (!has_address_sanitizer) limit(RLIMIT_AS, budget.megabytes << 20U);
 }
 
-/// Of a limit that is set, else of the default.
+/// Returns a limit that is set, else the default.
 std::uint64_t limit_of(decltype(RLIMIT_CPU) what, std::uint64_t otherwise) {
   rlimit bounds{};
   const bool known = ::getrlimit(what, &bounds) == 0 && bounds.rlim_cur != RLIM_INFINITY;

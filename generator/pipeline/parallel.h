@@ -8,7 +8,7 @@
 
 namespace qvgen::pipeline {
 
-/// What one piece of work may use at most. A last resort: what is derived bounds its own work first. A build
+/// Most that one piece of work may use. A last resort: what is derived bounds its own work first. A build
 /// with sanitizers has more of both.
 struct Budget {
   std::uint64_t seconds = 20;      ///< of processor time
@@ -23,7 +23,7 @@ int bounded(const std::string& what, const Budget& budget, const std::function<i
 /// The budget that a worker itself has, for workers of its own.
 Budget own_budget();
 
-/// What became of a piece of work.
+/// Outcome of a piece of work.
 struct Outcome {
   bool done = false;
   std::string text;  ///< what it returned, or why it has not

@@ -30,7 +30,7 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Whether a part has a header of its own; else it is a function of one.
+/// True if a part has a header of its own; else it is a function of one.
 bool is_header(const std::string& part) {
   const auto& products = all_products();
   return std::any_of(products.begin(), products.end(), [&](const Product& product) {
@@ -138,7 +138,7 @@ RobotOutput generate_extra(const model::Robot& robot, const Extra& extra, Langua
   return output;
 }
 
-/// What the products of each robot are, not put together yet.
+/// Makes the products of each robot, not put together yet.
 std::vector<RobotOutput> made(const std::vector<model::Robot>& robots, const std::vector<Product>& products,
                               const Budget& budget, const std::function<void(const std::string&)>& progress,
                               Language language) {

@@ -15,10 +15,10 @@ namespace qvgen::pipeline {
 /// but the extras.
 using Parts = std::vector<std::string>;
 
-/// What the output is written in.
+/// Language of the output.
 enum class Language { cxx, c };
 
-/// What a folder calls a robot: C has a place of its own in it.
+/// Returns the folder entry of a robot; C entries are "c/NAME".
 std::string folder_name(const std::string& robot, Language language);
 bool is_in(Language language, const std::string& folder_name);
 
@@ -30,7 +30,7 @@ std::vector<std::string> extra_names();
 /// The product that a part belongs to.
 std::string product_of(const std::string& part);
 
-/// Whether a robot has a part, by what is missing of it.
+/// True if a robot has a part, by what is missing of it.
 bool has_part(const std::vector<Missing>& missing, const std::string& part);
 
 /// description -> model -> symbolic -> derive -> dag -> passes -> emit: the files of each robot. Every

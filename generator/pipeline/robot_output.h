@@ -30,7 +30,7 @@ struct Missing {
   std::string reason;
 };
 
-/// What one robot yields: its files and its entry in operation_counts.json.
+/// Output of one robot: its files and its entry in operation_counts.json.
 struct RobotOutput {
   std::string robot;
   std::vector<OutputFile> files = {};
@@ -41,7 +41,7 @@ struct RobotOutput {
 /// Lets `generate` add a part to the output. If it throws, nothing of the part is left but the reason.
 void attempt(const std::string& part, RobotOutput& output, const std::function<void(RobotOutput&)>& generate);
 
-/// The same for several parts that do not need one another, each in a process of its own.
+/// Part of a robot's output, made in a process of its own; parts do not need one another.
 struct PartOfOutput {
   std::string part;
   std::function<void(RobotOutput&)> generate;
@@ -52,7 +52,7 @@ void attempt_all(const std::vector<PartOfOutput>& parts, RobotOutput& output);
 std::vector<PartOfOutput> without_requested(std::vector<PartOfOutput> parts,
                                             const std::vector<std::string>& on_request, RobotOutput& output);
 
-/// What operation_counts.json says of the missing parts, and back.
+/// Writes the missing parts as in operation_counts.json, and reads them back.
 nlohmann::ordered_json missing_to_json(const std::vector<Missing>& missing);
 std::vector<Missing> missing_from_json(const nlohmann::ordered_json& json);
 
@@ -60,7 +60,7 @@ std::vector<Missing> missing_from_json(const nlohmann::ordered_json& json);
 /// inverse kinematics, of which it has under "targets" what each of them takes.
 std::vector<std::string> functions_in(const nlohmann::ordered_json& entry);
 
-/// What a robot does not get, with the reasons, as lines.
+/// Lists what a robot does not get, with the reasons, as lines.
 std::vector<std::string> lines_of_missing(const RobotOutput& output);
 
 /// Appends what another process has made of the same robot.

@@ -52,7 +52,7 @@ std::string displacement_text(const Displacement& displacement) {
   return text.empty() ? "–" : text;
 }
 
-/// Of a follower what it follows, since that has the limits.
+/// Returns a joint's limits as text; for a follower the joint that it follows, since that has the limits.
 std::string limits_text(const Chain& chain, const ChainJoint& joint) {
   if (joint.follows)
     return fmt::format("{:.4g} {}", joint.follows->second,

@@ -16,7 +16,7 @@ struct BranchSign {
   std::string meet;  ///< where they coincide, in words
 };
 
-/// Of a plan, from the root of its tree to a solution.
+/// Returns the signs of a plan, from the root of its tree to a solution.
 std::vector<BranchSign> branch_signs(const derive::inverse::Plan& plan);
 
 /// As data for the page's script; nothing if there are none.

@@ -44,7 +44,7 @@ Chain chain_of(const model::Robot& robot);
 /// The values with those of followers made what their leaders' are.
 std::vector<double> following(const Chain& chain, std::vector<double> q);
 
-/// Where things are, in the world.
+/// Places of an arm's parts, in the world.
 struct Posture {
   struct Joint {
     Vector point;  ///< on its axis, before a slide has moved

@@ -151,7 +151,7 @@ Cell ratio_cell(const ordered_json& compared, const std::string& level) {
           true};
 }
 
-/// The same of measured times.
+/// Returns the cell of a ratio of measured times.
 Cell measured_ratio_cell(const ordered_json& entry, const std::string& level) {
   const ordered_json times = times_at(entry, "forward", level);
   if (times.is_null() || !times.contains("pairs") || !times.contains("dh")) return {"–", true};

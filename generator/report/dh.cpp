@@ -40,7 +40,7 @@ Vector direction(const Line& first, const Line& second, const Vector& from, cons
   if ((to - from).norm() > 1e-9) return (to - from).normalized();
   const Vector normal = first.axis.cross(second.axis);
   if (normal.norm() < parallel) return x;
-  // Of two ways the one that leaves the joint's zero where it is, as far as it can.
+  // One of two ways leaves the joint's zero where it is, as far as it can: that one.
   const Vector candidate = normal.normalized();
   return candidate.dot(x) < -1e-9 ? Vector(-candidate) : candidate;
 }

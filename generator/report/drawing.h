@@ -8,7 +8,7 @@
 
 namespace qvgen::report {
 
-/// What a drawing is called, and says to those who do not see it.
+/// Title of a drawing, and its text for those who do not see it.
 struct Caption {
   std::string id;  ///< unique on its page
   std::string title;
@@ -20,7 +20,7 @@ struct Caption {
 /// The arm as an SVG: turns as cylinders on their axes, slides as boxes, constant pieces as lines.
 std::string drawing(const Chain& chain, const std::vector<double>& q, const Caption& caption);
 
-/// The same small and without names, for lists.
+/// Draws an arm small and without names, for lists.
 std::string thumbnail(const Chain& chain, const Caption& caption);
 
 }  // namespace qvgen::report

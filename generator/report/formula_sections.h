@@ -8,7 +8,7 @@
 
 namespace qvgen::report {
 
-/// What was derived, as mathematics; each says why where there is nothing.
+/// Sections with the derived mathematics; each says why if there is none.
 Section forward_section(const model::Robot& robot);
 Section inverse_section(const model::Robot& robot);
 Section jacobian_section(const model::Robot& robot);

@@ -17,7 +17,7 @@ struct InverseCall {
 };
 InverseCall inverse_call(const pipeline::RobotOutput& output);
 
-/// What a page calls besides the robot's C functions: what is generated in C++ alone.
+/// Functions that a page calls besides the robot's C functions: those that are generated in C++ alone.
 struct CppFunctions {
   Compiled module;
   InverseCall inverse;  ///< by elimination
@@ -26,8 +26,8 @@ struct CppFunctions {
   [[nodiscard]] bool wanted() const { return has_arm_angle || !inverse.function.empty(); }
 };
 
-/// Of a robot whose C functions have, or have not, all solutions of a pose. Without a runtime nothing is
-/// compiled and the module says so.
+/// Returns the C++ functions of a robot whose C functions have, or lack, all solutions of a pose. Without a
+/// runtime nothing is compiled and the module says so.
 CppFunctions cpp_functions(const model::Robot& robot, bool has_inverse_in_c,
                            const toolchain::Runtime* runtime);
 

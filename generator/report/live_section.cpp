@@ -75,7 +75,7 @@ int place_of(const model::Robot& robot, const std::string& variable) {
   return -1;
 }
 
-/// What the page cannot do for want of a library, in a sentence.
+/// Returns a sentence on what the page cannot do for want of a library.
 std::string lacking(const CppFunctions& more) {
   if (!more.wanted() || more.module.done) return "";
   const std::string what = more.has_arm_angle ? "The arm angle is not shown" : "Not all solutions are shown";

@@ -13,7 +13,7 @@
 
 namespace qvgen::report {
 
-/// What pages are made from besides descriptions.
+/// Inputs of pages besides descriptions.
 struct Ingredients {
   std::filesystem::path generated;              ///< folder of generated code: counts and signatures
   const toolchain::Runtime* runtime = nullptr;  ///< null where its sources are not on this machine
@@ -27,7 +27,7 @@ std::vector<pipeline::RobotOutput> robot_pages(const std::vector<model::Robot>& 
                                                const Ingredients& ingredients,
                                                const std::function<void(const std::string& robot)>& progress);
 
-/// Of all that a robot's page is made from besides its description: equal for equal pages.
+/// Returns the fingerprint of all inputs of a robot's page besides its description: equal for equal pages.
 std::string made_of(const std::string& robot, const Ingredients& ingredients);
 
 /// index.html and comparison.html, by the entries of all robots of a folder; errata.html where there is such
@@ -35,7 +35,7 @@ std::string made_of(const std::string& robot, const Ingredients& ingredients);
 std::vector<pipeline::OutputFile> common_pages(const nlohmann::ordered_json& entries,
                                                const std::string& errata);
 
-/// What a folder of pages calls a robot, so that it is no folder of code.
+/// Returns the name of a robot in a folder of pages, which is not that of a folder of code.
 std::string page_name(const std::string& robot);
 
 /// A folder's file of the entries.

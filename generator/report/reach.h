@@ -8,7 +8,7 @@
 
 namespace qvgen::report {
 
-/// Where the tool point comes to: a half plane through the axis of the first joint, found by moving the
+/// Places that the tool point reaches: a half plane through the axis of the first joint, found by moving the
 /// joints through their ranges at `samples` joint vectors, the same in every run.
 struct Reach {
   static constexpr int samples = 40000;

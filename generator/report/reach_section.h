@@ -6,7 +6,7 @@
 
 namespace qvgen::report {
 
-/// Where the tool comes to: by samples, and by its boundary where there is a closed form.
+/// Section on where the tool comes to: by samples, and by its boundary where there is a closed form.
 Section reach_section(const model::Robot& robot);
 
 }  // namespace qvgen::report

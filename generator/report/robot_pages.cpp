@@ -28,7 +28,7 @@ using compare::What;
 using nlohmann::ordered_json;
 using toolchain::Runtime;
 
-/// What one part of a page may take; the largest takes a twentieth of it.
+/// Budget of one part of a page; the largest takes a twentieth of it.
 constexpr pipeline::Budget budget{60, 4096};
 
 ordered_json to_json(const Section& section) {
@@ -108,7 +108,7 @@ ordered_json numbers_of(const compare::Row& row) {
   return {row.counts.multiplications, row.counts.additions, row.counts.sine_cosines, row.cost};
 }
 
-/// What the common pages say of a robot.
+/// Returns the entry of a robot on the common pages.
 ordered_json entry_of(const model::Robot& robot, const std::vector<Compared>& compared, const Times& times) {
   ordered_json entry{{"title", robot.title.empty() ? robot.name : robot.title},
                      {"joints", letters_of(robot)}};

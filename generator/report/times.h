@@ -22,7 +22,7 @@ struct MeasuredTime {
   double median = 0, lower = 0, upper = 0;  ///< quartiles
 };
 
-/// What was measured on one machine.
+/// Measurements of one machine.
 struct Times {
   std::string machine;  ///< processor and compiler
   std::map<std::string, std::vector<MeasuredTime>> robots;
@@ -37,8 +37,8 @@ Times read_times(const std::vector<std::filesystem::path>& files);
 /// A table of them with the machine's name; nothing if there are none.
 std::string times_html(const Times& times, const std::string& robot, compare::What what);
 
-/// The same for the pages of all robots: by quantity, level and formulation, and "machine"; null if there are
-/// none.
+/// Returns the times for the pages of all robots: by quantity, level and formulation, and "machine"; null if
+/// there are none.
 nlohmann::ordered_json times_json(const Times& times, const std::string& robot);
 
 }  // namespace qvgen::report

@@ -33,7 +33,7 @@ std::string includes_of(const std::vector<std::string>& names) {
 
 /// All sources as one, so that headers are read once.
 std::string sources_text(const std::vector<std::string>& folders, const Runtime& runtime) {
-  std::vector<std::string> names{"sine_cosine.cpp", "within.cpp"};
+  std::vector<std::string> names{"core/sine_cosine.cpp", "inverse/within.cpp"};
   for (const std::string& folder : folders)
     for (const std::string& name : files_in(runtime.sources, folder, ".cpp")) names.push_back(name);
   return includes_of(names);
@@ -52,7 +52,7 @@ std::string headers_text(const std::vector<std::string>& folders, const Runtime&
   return includes_of(names);
 }
 
-/// Of all that the compiler reads: what is in the runtime, and versions of the rest.
+/// Returns the key of all that the compiler reads: what is in the runtime, and versions of the rest.
 std::string key_of(const std::string& headers, const std::string& sources, const Runtime& runtime) {
   std::string text = headers + sources + toolchain::run({"clang++", "--version"}).said;
   for (const std::string& word : wasm_compiler(runtime)) text += word + "\n";

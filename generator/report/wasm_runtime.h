@@ -9,8 +9,8 @@
 
 namespace qvgen::report {
 
-/// What the C++ of all pages shares, compiled for WebAssembly once: sources of the runtime, and the headers
-/// that generated code includes as clang keeps them when it has read them.
+/// Shared C++ of all pages, compiled for WebAssembly once: sources of the runtime, and the headers that
+/// generated code includes as clang keeps them when it has read them.
 struct WasmRuntime {
   std::filesystem::path object;
   std::filesystem::path headers;

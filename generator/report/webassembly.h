@@ -9,20 +9,20 @@
 
 namespace qvgen::report {
 
-/// What a compiler made of sources, or why not.
+/// Result of a compiler, or why there is none.
 struct Compiled {
   bool done = false;
   std::string bytes;
   std::string reason;
 };
 
-/// What this machine lacks to compile; empty if nothing.
+/// Names what this machine lacks to compile; empty if nothing.
 std::string missing_compiler();
 
 /// C sources and headers, by their names, as one WebAssembly module, by clang and wasm-ld of this machine.
 Compiled to_webassembly(const std::map<std::string, std::string>& files);
 
-/// What this machine lacks besides to compile C++ for WebAssembly; empty if nothing.
+/// Names what this machine lacks besides to compile C++ for WebAssembly; empty if nothing.
 std::string missing_cpp_library();
 
 /// calls.cpp of the files, with those sources of the runtime that are in the folders, as one module.

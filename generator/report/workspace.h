@@ -42,7 +42,7 @@ struct WorkspacePassage {
 };
 std::vector<WorkspacePassage> workspace_passages(const model::Robot& described, emit::Notation notation);
 
-/// The same as lines.
+/// Returns the workspace as lines.
 std::vector<std::string> workspace_lines(const model::Robot& described, emit::Notation notation);
 
 }  // namespace qvgen::report

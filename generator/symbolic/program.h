@@ -48,7 +48,7 @@ class Program {
   std::vector<Step> steps_;
   std::vector<Output> outputs_;
 
-  /// What is known of the first so many steps and outputs.
+  /// Knowledge of the first steps and outputs.
   struct Read {
     std::set<std::string> names, own;
     std::size_t steps = 0, outputs = 0;

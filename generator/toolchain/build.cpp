@@ -21,7 +21,7 @@ Words operator+(Words first, const Words& second) {
   return first;
 }
 
-/// What a compiler says of one mistake may be thousands of lines long.
+/// Shortens the words of a compiler, which may say thousands of lines about one mistake.
 std::string shortened(const std::string& said) {
   constexpr std::size_t most = 4000;
   return said.size() <= most ? said : said.substr(0, said.rfind('\n', most)) + "\n...\n";

@@ -16,13 +16,13 @@ struct Source {
   std::vector<std::string> options = {};
 };
 
-/// What a program is made of.
+/// Sources and options of a program.
 struct Program {
   std::vector<std::string> compiler;  ///< its words: a launcher, ccache, may stand before it
   std::vector<std::string> options;   ///< of every source
   std::vector<Source> sources;
   std::vector<std::string> libraries = {};  ///< the last words of the linker's command
-  /// Where the compiler runs: what it is told may be relative to it, so that ccache knows it again.
+  /// Folder in which the compiler runs: what it is told may be relative to it, so that ccache knows it again.
   std::filesystem::path folder = ".";
 };
 
@@ -32,7 +32,7 @@ using Progress = std::function<void(const std::string& done)>;
 /// The machine's C++ compiler: $CXX, or c++.
 std::vector<std::string> cxx_compiler();
 
-/// What the machine lacks to run a compiler, as a part of a sentence; empty if nothing.
+/// Returns what the machine lacks to run a compiler, as a part of a sentence; empty if nothing.
 std::string missing(const std::vector<std::string>& compiler);
 
 /// Compiles on all cores and links. The program appears whole or not at all, and what the compiler left on

@@ -5,7 +5,8 @@
 
 namespace qvgen::toolchain {
 
-/// Where what is compiled is kept: $QVGEN_CACHE, or ~/.cache/qvgen. It may be deleted at any time.
+/// Returns the folder that keeps compiled code: $QVGEN_CACHE, or ~/.cache/qvgen. It may be deleted at any
+/// time.
 std::filesystem::path cache_folder();
 
 }  // namespace qvgen::toolchain

@@ -44,6 +44,12 @@ Source runtime_source(const fs::path& file) {
   return {file};
 }
 
+fs::path archive_in(const fs::path& folder, const std::string& name) {
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.path().filename() == name) return entry.path();
+  throw std::runtime_error(name + " is not in " + folder.string());
+}
+
 }  // namespace
 
 Runtime runtime_of(const fs::path& source_tree) {
@@ -54,10 +60,10 @@ Runtime runtime_in(const fs::path& prefix) {
   if (!fs::exists(prefix / "include/qvgen/pose.h"))
     throw std::runtime_error("qvgen's headers are not in " + (prefix / "include").string() +
                              ", where the tool is installed: install the component runtime too");
-  for (const auto& entry : fs::recursive_directory_iterator(prefix / "lib"))
-    if (entry.path().filename() == "libqvgen_runtime.a")
-      return {{prefix / "include", eigen()}, {}, entry.path()};
-  throw std::runtime_error("libqvgen_runtime.a is not in " + (prefix / "lib").string());
+  std::vector<fs::path> archives;
+  for (const std::string library : {"arm_angle", "elimination", "inverse", "core"})
+    archives.push_back(archive_in(prefix / "lib", "libqvgen_runtime_" + library + ".a"));
+  return {{prefix / "include", eigen()}, {}, archives};
 }
 
 std::vector<std::string> options_of_all(const Runtime& runtime) {
@@ -77,10 +83,10 @@ Source generated_source(const fs::path& file) {
 
 void add_runtime(const Runtime& runtime, const std::vector<fs::path>& generated, Program& program) {
   if (runtime.sources.empty()) {
-    program.libraries.push_back(runtime.archive.string());
+    for (const fs::path& archive : runtime.archives) program.libraries.push_back(archive.string());
     return;
   }
-  for (const std::string part : {"sine_cosine", "within"}) {
+  for (const std::string part : {"core/sine_cosine", "inverse/within"}) {
     program.sources.push_back(runtime_source(runtime.sources / (part + ".cpp")));
     if (has_avx2_forms) program.sources.push_back(runtime_source(runtime.sources / (part + "_avx2.cpp")));
   }

@@ -9,19 +9,19 @@
 
 namespace qvgen::toolchain {
 
-/// What generated code needs of the machine besides a compiler.
+/// Needs of generated code besides a compiler.
 struct Runtime {
-  std::vector<std::filesystem::path> headers;  ///< folders: the runtime's, Eigen's
-  std::filesystem::path sources;               ///< of the runtime; empty where it is installed as a library
-  std::filesystem::path archive;               ///< that one
+  std::vector<std::filesystem::path> headers;   ///< folders: the runtime's, Eigen's
+  std::filesystem::path sources;                ///< of the runtime; empty where it is installed as libraries
+  std::vector<std::filesystem::path> archives;  ///< those that generated code may need, in the linker's order
 };
 
-/// Of a source tree, or of the prefix where the tool is installed. Eigen's folder is $QVGEN_EIGEN, or that of
-/// Debian. Throws std::runtime_error if anything is not there.
+/// Returns the runtime of a source tree, or of the prefix where the tool is installed. Eigen's folder is
+/// $QVGEN_EIGEN, or that of Debian. Throws std::runtime_error if anything is not there.
 Runtime runtime_of(const std::filesystem::path& source_tree);
 Runtime runtime_in(const std::filesystem::path& prefix);
 
-/// What every source of generated code is compiled with.
+/// Returns the options with which every source of generated code is compiled.
 std::vector<std::string> options_of_all(const Runtime& runtime);
 
 /// A generated source as runtime/cmake/qvgenRobot.cmake compiles it: inverse kinematics without contraction,

@@ -53,7 +53,7 @@ class Pipe {
   std::array<int, 2> ends_{-1, -1};
 };
 
-/// What a program is started with; -1 leaves it ours.
+/// Streams that a program is started with; -1 leaves it ours.
 struct Streams {
   int input = -1, output = -1, error = -1;
 };

@@ -19,13 +19,12 @@ struct Outcome {
 /// several threads at a time.
 Outcome run(const std::vector<std::string>& words, const std::filesystem::path& folder = ".");
 
-/// The same for a program that reads a short text and whose output is taken piece by piece as it comes; what
-/// it says on stderr goes where ours goes. The outcome says how it ended if not well. What `take` throws ends
-/// the program.
+/// Runs a program that reads a short text, and takes its output piece by piece as it comes; its stderr goes
+/// where ours goes. The outcome says how it ended if not well. What `take` throws ends the program.
 Outcome run(const std::vector<std::string>& words, const std::string& input,
             const std::function<void(std::string_view)>& take);
 
-/// Whether the machine has a program of that name or path.
+/// True if the machine has a program of that name or path.
 bool is_program(const std::string& name);
 
 }  // namespace qvgen::toolchain

@@ -19,7 +19,8 @@ class CertificateError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What is left of a function's outputs at an exact point once what they must be is taken away: zeros.
+/// Residuals of a function's outputs at an exact point: their values less those of the definition, all zero
+/// if it is right.
 using Residuals = std::function<std::vector<exact::Number>(const exact::ExactPoint&,
                                                            const std::vector<exact::Number>& values)>;
 
@@ -30,12 +31,12 @@ using Residuals = std::function<std::vector<exact::Number>(const exact::ExactPoi
 void certify(const dag::Function& function, const dag::Function& constants, const Residuals& residuals,
              const std::set<std::string>& whole, int points, const std::string& what);
 
-/// The same for a definition, which is evaluated by GiNaC and never passes through the graph. Unit
-/// quaternions are compared with their sign: forms of one quantity agree on it.
+/// Certifies a function by its definition, which is evaluated by GiNaC and never passes through the graph.
+/// Unit quaternions are compared with their sign: forms of one quantity agree on it.
 void certify(const dag::Function& function, const symbolic::Program& definition, int points,
              const std::string& what);
 
-/// What is left of the outputs of a definition.
+/// Returns the residuals to a definition's outputs.
 Residuals residuals_of(const symbolic::Program& definition);
 
 }  // namespace qvgen::verify

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # How generated code is compiled, wherever it was generated: qvgen_robot(TARGET INCLUDE folder SOURCES a.cpp...
-# [PRECOMPILED target]) makes a static library of one robot.
+# [PRECOMPILED target] [NEEDS library...]) makes a static library of one robot, which links the libraries of the runtime that
+# it needs: all without NEEDS.
 #
 # Inverse kinematics rounds products and sums one by one, so that it gives the same bits whatever the machine; it is a
 # library of its own, since GCC takes that option from a precompiled header, whatever the command says. The vector forms
@@ -20,8 +21,35 @@ function(qvgen_avx2_options variable)
   set(${variable} ${options} PARENT_SCOPE)
 endfunction()
 
+# qvgen_light_inverse(TARGET): with QVGEN_LIGHT inverse kinematics is optimised lightly, which takes two thirds of the time to
+# compile. Rows have the same bits: products and sums are rounded one by one, in the order in which they are written.
+function(qvgen_light_inverse target)
+  if(QVGEN_LIGHT AND CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  endif()
+endfunction()
+
+# qvgen_libraries_of(variable FILES file...): the libraries of the runtime that generated files include headers of.
+function(qvgen_libraries_of variable)
+  cmake_parse_arguments(PARSE_ARGV 1 of "" "" "FILES")
+  set(libraries qvgen::core)
+  foreach(file ${of_FILES})
+    file(STRINGS ${file} includes REGEX "^#include <qvgen/")
+    foreach(include ${includes})
+      if(include MATCHES "<qvgen/inverse/(elimination|arm_angle|given_joint|nearest_pose|certified)" OR include MATCHES "<qvgen/(inverse|batch|map)/")
+        list(APPEND libraries qvgen::${CMAKE_MATCH_1})
+      endif()
+    endforeach()
+  endforeach()
+  list(REMOVE_DUPLICATES libraries)
+  set(${variable} ${libraries} PARENT_SCOPE)
+endfunction()
+
 function(qvgen_robot target)
-  cmake_parse_arguments(PARSE_ARGV 1 robot "" "INCLUDE" "SOURCES;PRECOMPILED")
+  cmake_parse_arguments(PARSE_ARGV 1 robot "" "INCLUDE" "SOURCES;PRECOMPILED;NEEDS")
+  if(NOT robot_NEEDS)
+    set(robot_NEEDS qvgen::runtime)
+  endif()
   set(inverse_sources ${robot_SOURCES})
   list(FILTER inverse_sources INCLUDE REGEX "/inverse\\.cpp$")
   set(vector_sources ${robot_SOURCES})
@@ -49,17 +77,18 @@ function(qvgen_robot target)
     add_library(${target}_inverse OBJECT ${inverse_sources})
     target_sources(${target} PRIVATE $<TARGET_OBJECTS:${target}_inverse>)
     target_include_directories(${target}_inverse PRIVATE ${robot_INCLUDE})
-    target_link_libraries(${target}_inverse PRIVATE qvgen::runtime)
+    target_link_libraries(${target}_inverse PRIVATE ${robot_NEEDS})
     if(knows_gcc_options)
       target_compile_options(${target}_inverse PRIVATE -ffp-contract=off -DQVGEN_NO_CONTRACTION)
     endif()
+    qvgen_light_inverse(${target}_inverse)
     list(APPEND libraries ${target}_inverse)
   endif()
   if(batch_sources)
     qvgen_robot_batch(${target} ${robot_INCLUDE} ${batch_sources})
   endif()
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${robot_INCLUDE}>)
-  target_link_libraries(${target} PUBLIC qvgen::runtime)
+  target_link_libraries(${target} PUBLIC ${robot_NEEDS})
   foreach(library ${libraries})
     set_target_properties(${library} PROPERTIES POSITION_INDEPENDENT_CODE ON)
     target_compile_features(${library} PRIVATE cxx_std_17)

@@ -115,7 +115,7 @@ function solved(matrix, right) {
   return { x: y, determinant: l.reduce((all, row, i) => all * row[i] ** 2, 1) };
 }
 
-/// What a page computes from the pose and its Jacobian.
+/// Computes the numbers of a page from the pose and its Jacobian.
 function numerics(data, pose, jacobian) {
   const count = data.joints.length;
   /// Yoshikawa's measure: the root of det(J J^T), or of det(J^T J) where there are fewer joints than rows.

@@ -22,7 +22,7 @@ function branchName(signs, branch) {
   return signs.map((sign, i) => `${sign.name} ${value(i)}`).join(", ");
 }
 
-/// Where two branches that differ by one sign meet, in words.
+/// Says in words where two branches that differ by one sign meet.
 function meetingName(signs, a, b) {
   const [one, other] = [branchDigits(signs, a), branchDigits(signs, b)];
   const differ = signs.filter((_, i) => one[i] !== other[i]);

@@ -1,4 +1,4 @@
-// What the hand does to the arm: pointer, keys, buttons, and paths that it starts.
+// Moves of the arm by hand: pointer, keys, buttons, and paths that it starts.
 
 function listen(live, canvas) {
   let last = null;

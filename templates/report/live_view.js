@@ -84,7 +84,7 @@ function prism(centre, axis, radius, halfHeight, corners) {
   return [ring(-1), ring(1)];
 }
 
-/// Where joints are drawn: those at one point move apart along their axes.
+/// Returns where joints are drawn: those at one point move apart along their axes.
 function symbolPlaces(skeleton, radius) {
   const { joints, tool } = skeleton;
   const places = joints.map((joint) => joint.point);
@@ -206,7 +206,7 @@ class View {
       this.solid(rings, axis, this.colour.shade);
     }
   }
-  /// Where the target may be taken hold of, in the world: its ball first, then the tips of its axes.
+  /// Returns where the target may be taken hold of, in the world: its ball first, then the tips of its axes.
   handles(target) {
     const length = 5 * this.radius;
     return [target.p, ...[0, 1, 2].map((k) => add(target.p, scaled(length, column(target.r, k))))];

@@ -71,8 +71,8 @@ TEST(Iiwa14, EveryPoseWithinLimitsIsAnsweredWithinLimits) {
   }
 }
 
-/// Of a straight elbow joints 3 and 5 turn about one line: only their sum matters, and rows with the same sum
-/// are one.
+/// Counts rows that repeat another at a straight elbow: joints 3 and 5 turn about one line, so only their sum
+/// matters.
 int repeats(const LimitedSolutions<7, 8>& rows) {
   int count = 0;
   for (int a = 0; a < rows.size(); ++a)

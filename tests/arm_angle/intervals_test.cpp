@@ -34,7 +34,7 @@ unsigned branches_within(const Arm& arm, const Pose<double>& pose, double psi,
   return bits;
 }
 
-/// The same by the intervals.
+/// Returns the branches at an arm angle, by the intervals.
 unsigned branches_at(const ArmAngleIntervals& found, double psi) {
   unsigned bits = 0;
   for (const auto& each : found) {

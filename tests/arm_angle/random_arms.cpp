@@ -76,7 +76,7 @@ Arm Random::arm(const Build& build) {
 
 namespace {
 
-/// Where joints up to one carry what they carry.
+/// Returns the pose of the frame that the first `joints` joints carry.
 Isometry3d carried(const Arm& arm, const Row& q, int joints) {
   Isometry3d result = Isometry3d::Identity();
   for (int i = 0; i < joints; ++i) {

@@ -13,7 +13,7 @@ using inverse::arm_angle::arm_angle;
 using inverse::arm_angle::solve;
 using inverse::arm_angle::solve_within;
 
-/// What is singular about a configuration.
+/// Singularities of a configuration.
 struct Place {
   const char* name;
   bool straight, folded, shoulder, wrist;

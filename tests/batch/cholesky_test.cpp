@@ -69,7 +69,7 @@ TEST_P(Cholesky, SolvesInPlaceForSeveralRightHandSides) {
 INSTANTIATE_TEST_SUITE_P(Counts, Cholesky, testing::Values(0U, 1U, 15U, 16U, 17U, 50U));
 
 TEST(CholeskyOfAnyMatrix, SaysWhatIsNotPositiveDefiniteAndLeavesNeighboursAlone) {
-  // Of 2 x 2 matrices: positive definite, indefinite, singular.
+  // Two by two matrices: positive definite, indefinite, singular.
   float numbers[] = {4, 1, 1, /**/ 2, 2, 1, /**/ 2, 2, 1, /**/ 10, 1, 1};
   const Batch<float> all{numbers, 3};
   cholesky<2>(all, all);

@@ -9,10 +9,10 @@
 
 #include "laws.h"
 
-/// What is true of every batch form of inverse kinematics.
+/// Laws of every batch form of inverse kinematics.
 namespace qvgen::batch_laws {
 
-/// What a solver is asked for; `given` is the value of the joint that is given, if one is.
+/// Request to a solver; `given` is the value of the joint that is given, if one is.
 struct Request {
   Pose<double> pose;
   double given = 0;
@@ -71,7 +71,7 @@ struct Requests {
     const double off[] = {0, 1e-16, -1e-15, 1e-13, -1e-12, 1e-10, -1e-8, 1e-7};
     return moved(request, inside * (1 + off[random() % 8]));
   }
-  /// What is no pose, or hardly one.
+  /// Turns a request into an invalid pose, or one that is hardly valid.
   Request odd(Request request) {
     const double limit = std::numeric_limits<double>::infinity();
     const double values[] = {std::nan(""), limit, -limit, 1e200, 0, 1e-320};
@@ -136,7 +136,7 @@ void expect_single_solutions(const std::vector<Request>& requests, std::size_t f
   ASSERT_EQ(marks.numbers(), wanted_marks.numbers());
 }
 
-/// The same for every instruction set, short batches of every size and a long one.
+/// Expects the single calls' rows in every instruction set, for short batches of every size and a long one.
 template <int dof, int capacity, class Single, class Form>
 void expect_single_solutions(const std::vector<Request>& requests, const Single& single, const Form& form) {
   for (const InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {

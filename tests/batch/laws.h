@@ -14,7 +14,7 @@
 #include <qvgen/batch/view.h>
 #include <qvgen/pose.h>
 
-/// What is true of every batch form, whatever the robot and the function.
+/// Laws of every batch form, for any robot and function.
 namespace qvgen::batch_laws {
 
 // The rows that a single call's result has.
@@ -72,7 +72,7 @@ class Owned {
   std::vector<T> numbers_;
 };
 
-/// Where configurations stand, and what they are.
+/// Layout of a batch's configurations, and its name.
 struct Case {
   std::size_t count = 0;
   std::size_t stride = 0;

@@ -18,7 +18,7 @@ namespace {
 template <class T>
 struct Both {
   std::vector<T> lanes;   ///< sines, then cosines
-  std::vector<T> single;  ///< the same
+  std::vector<T> single;  ///< by single calls
 };
 
 template <class Set, class T>
@@ -31,7 +31,7 @@ Both<T> both(const std::vector<T>& angles) {
   return result;
 }
 
-/// Of all sizes, multiples of a quarter turn and their neighbours, what is no number.
+/// Returns angles of all sizes, multiples of a quarter turn and their neighbours, infinities and NaN.
 template <class T>
 std::vector<T> angles() {
   std::vector<T> list{T(0),

@@ -8,7 +8,7 @@
 
 #include "laws.h"
 
-/// What is true of every batch form of the inverse velocity.
+/// Laws of every batch form of the inverse velocity.
 namespace qvgen::batch_laws {
 
 /// The status of each configuration as a number, so that it stands in a row beside the others.

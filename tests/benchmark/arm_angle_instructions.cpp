@@ -14,7 +14,7 @@ namespace {
 
 namespace arm = qvgen::robots::iiwa14;
 
-/// Of the data sheet, rad.
+/// Returns the limits of the data sheet, rad.
 qvgen::JointLimits<arm::dof> data_sheet_limits() {
   constexpr double degree = 3.14159265358979323846 / 180;
   arm::JointVector<double> most;

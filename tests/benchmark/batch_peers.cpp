@@ -17,7 +17,7 @@ std::string description_of(const std::string& robot) {
   return QVGEN_SOURCE_DIR "/generator/robots/" + robot + ".toml";
 }
 
-/// What both libraries have, `n` joints.
+/// Returns a call of the functions that both libraries have, for `n` joints.
 template <class Library>
 PeerCall dynamics(const std::string& function, const std::shared_ptr<Library>& arm, std::size_t n) {
   if (function == "inverse_dynamics")

@@ -25,7 +25,7 @@ namespace {
 
 using namespace throughput;
 
-/// What one core of the machine does in a second at most.
+/// Most that one core of the machine does in a second.
 struct Machine {
   double bytes;
   double numbers[2];  ///< operations on doubles, on floats
@@ -36,7 +36,7 @@ struct PeerTime {
   double one_thread, threads;
 };
 
-/// What has been measured of a function in one scalar.
+/// Measurements of a function in one scalar.
 struct Measured {
   std::string name;
   double bytes, operations;              ///< a configuration
@@ -74,7 +74,7 @@ std::vector<double> results_of(const Function<double>& function, Rows<double>& i
 void require_agreement(const Function<double>& function, const Peer& peer, const PeerCall& call) {
   Rows<double> in(function.in, 1000);
   const std::vector<double> results = results_of(function, in);
-  // Of a pose libraries have the position first, the batch behind the quaternion.
+  // Libraries have the position of a pose first, the batch behind the quaternion.
   const bool is_pose = function.name.find("kinematics") != std::string::npos;
   const std::size_t first = is_pose ? 4 : 0, rows = is_pose ? 3 : function.out;
   double worst = 0;
@@ -212,8 +212,8 @@ void print_ratios(const std::vector<Measured>& all, std::size_t largest) {
   }
 }
 
-/// What bounds functions whose numbers come from memory: the longer of the times that they and the arithmetic
-/// take at the least.
+/// Prints the bound of functions whose numbers come from memory: the longer of the times that they and the
+/// arithmetic take at the least.
 void print_roofline(const std::vector<Measured>& all, double moved, double computed,
                     const std::string& scalar) {
   fmt::print("\n{:<37}{:>6}{:>12}{:>8}{:>9}{:>12}{:>9}{:>12}   bound from memory by\n", scalar, "bytes",

@@ -60,7 +60,7 @@ std::vector<qvgen::Pose<double>> just_unreachable(const std::vector<Goal<Arm>>& 
   return result;
 }
 
-/// What the solutions of all poses are like: how many, how far off, whether the sampled joints are among
+/// Statistics of the solutions of all poses: how many, how far off, whether the sampled joints are among
 /// them.
 struct Agreement {
   double solutions = 0;  ///< a pose

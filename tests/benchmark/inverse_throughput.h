@@ -48,7 +48,8 @@ class Comparison {
   Comparison(const Forward& forward, const Single& single, const Form& form, int given_joint)
       : forward_(forward), single_(single), form_(form), given_joint_(given_joint) {}
 
-  /// What is larger than a million, 500 MB, comes in blocks of that, the same memory again and again.
+  /// Most poses in a block: larger batches than a million, 500 MB, come in blocks, the same memory again and
+  /// again.
   Times measure(std::size_t count, double share) {
     constexpr std::size_t most = 1000000;
     const std::vector<Request> all = requests(std::min(count, most), share);

@@ -8,7 +8,7 @@
 
 #include "throughput.h"
 
-/// What one core of the machine does at most, measured.
+/// Most that one core of the machine does, measured.
 namespace throughput {
 
 /// Bytes a second that a copy reads and writes.

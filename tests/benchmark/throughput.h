@@ -42,7 +42,7 @@ struct Lanes {
   qvgen::InstructionSet set;
 };
 
-/// What is compared, the widest last: the sets with lanes that the machine has, or else the baseline.
+/// Compared sets, the widest last: the sets with lanes that the machine has, or else the baseline.
 inline std::vector<Lanes> lanes_of_machine() {
   using qvgen::InstructionSet;
   std::vector<Lanes> has;

@@ -17,7 +17,7 @@ namespace {
 using optimise::DynamicsModel;
 using optimise::Optimised;
 
-/// What is found with it says nothing about the best, but is the same for the same arm.
+/// Settings of a short search: its counts are not the best, but equal for equal arms.
 constexpr optimise::DynamicsEffort little{.trial_steps = 500, .final_steps = 5'000, .certificate_points = 1};
 
 /// Every function of dynamics; each is certified as it is made.
@@ -86,7 +86,7 @@ TEST(DynamicsNotation, DoesNotDependOnTheNamesOfFreeInertias) {
   }
 }
 
-/// Where right angles do not say it all the description's frames stay.
+/// Keeps the description's frames if right angles do not say it all.
 TEST(DynamicsNotation, KeepsTheFramesOfLinksThatAreTurnedByOtherAngles) {
   std::mt19937 random(9);
   model::Robot robot = random_arm(test::InertiasIn::numbers, random);
@@ -105,27 +105,41 @@ TEST(DynamicsNotation, KeepsTheFramesOfLinksThatAreTurnedByOtherAngles) {
   EXPECT_TRUE(arms.front().reversed.empty());
 }
 
-void expect_equal_products(const std::string& name, pipeline::Language language) {
-  const std::string file = std::string(QVGEN_SOURCE_DIR) + "/generator/robots/" + name + ".toml";
-  const description::ReadResult described = description::read_file(file);
-  ASSERT_TRUE(described.robot);
-  std::mt19937 random(3);
-  model::Robot other = test::in_another_notation(*described.robot, random);
-  other.name += "_written_otherwise";
-  const auto outputs = pipeline::generate({*described.robot, other}, {"dynamics"}, {}, {}, language);
-  ASSERT_EQ(outputs[0].counts.size(), 16U);
-  for (const auto& [function, entry] : outputs[0].counts.items())
-    EXPECT_EQ(entry.at("emitted"), outputs[1].counts.at(function).at("emitted")) << function;
+nlohmann::json counts_of(const model::Robot& robot, pipeline::Language language) {
+  return pipeline::generate({robot}, {"dynamics"}, {}, {}, language).front().counts;
 }
 
-TEST(DynamicsNotation, OfPumaGivesEqualCounts) { expect_equal_products("puma560", pipeline::Language::cxx); }
-TEST(DynamicsNotation, OfIrb6640GivesEqualCounts) {
-  expect_equal_products("irb6640", pipeline::Language::cxx);
+/// A robot in another notation has the counts that it is given.
+void expect_counts(const model::Robot& robot, const nlohmann::json& own, pipeline::Language language) {
+  std::mt19937 random(3);
+  model::Robot other = test::in_another_notation(robot, random);
+  other.name += "_written_otherwise";
+  const nlohmann::json theirs = counts_of(other, language);
+  ASSERT_EQ(theirs.size(), 16U);
+  for (const auto& [function, entry] : theirs.items())
+    EXPECT_EQ(entry.at("emitted"), own.at(function).at("emitted")) << function;
 }
-TEST(DynamicsNotation, OfAnArmWithASlideGivesEqualCounts) {
-  expect_equal_products("stanford", pipeline::Language::cxx);
+
+model::Robot robot_of_library(const std::string& name) {
+  const auto described =
+      description::read_file(std::string(QVGEN_SOURCE_DIR) + "/generator/robots/" + name + ".toml");
+  if (!described.robot) throw std::runtime_error("not read: " + name);
+  return *described.robot;
 }
-TEST(DynamicsNotation, GivesEqualCountsInC) { expect_equal_products("ns", pipeline::Language::c); }
+
+class RobotsOfLibrary : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(RobotsOfLibrary, HaveEqualCountsInAnyNotation) {
+  expect_counts(robot_of_library(GetParam()), test::committed_counts(GetParam()), pipeline::Language::cxx);
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, RobotsOfLibrary, ::testing::Values("puma560", "irb6640", "stanford"),
+                         [](const auto& test) { return std::string(test.param); });
+
+TEST(DynamicsNotation, GivesEqualCountsInC) {
+  const model::Robot robot = robot_of_library("ns");
+  expect_counts(robot, counts_of(robot, pipeline::Language::c), pipeline::Language::c);
+}
 
 }  // namespace
 }  // namespace qvgen

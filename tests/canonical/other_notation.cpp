@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "other_notation.h"
 
+#include <fstream>
+
 #include "model/arithmetic.h"
 
 namespace qvgen::test {
@@ -64,7 +66,7 @@ std::array<Expression, 6> rotated(const std::vector<model::Turn>& turns,
   return {columns[0][0], columns[1][1], columns[2][2], columns[1][0], columns[2][1], columns[2][0]};
 }
 
-/// Of a link whose frame now lies there in the one that it had.
+/// Returns the inertia of a link in a frame that is given in the link's old one.
 model::Inertia seen_from(const Displacement& frame, model::Inertia inertia) {
   const Displacement back = inverse(frame);
   inertia.inertia = rotated(back.turns, inertia.inertia);
@@ -150,6 +152,11 @@ model::Robot in_another_notation(const model::Robot& robot, std::mt19937& random
     next = model::compose(inverse(frame), next);
   }
   return other;
+}
+
+nlohmann::json committed_counts(const std::string& robot) {
+  std::ifstream file(QVGEN_SOURCE_DIR "/generated/operation_counts.json");
+  return nlohmann::json::parse(file).at(robot);
 }
 
 }  // namespace qvgen::test

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <random>
+#include <string>
+
+#include <nlohmann/json.hpp>
 
 #include "model/robot.h"
 
@@ -18,8 +21,12 @@ model::Robot with_random_inertias(model::Robot robot, InertiasIn kind, std::mt19
 /// The arm with symbols for all inertias of its links in the frames that it has, and no drives.
 model::Robot with_free_inertias(model::Robot robot);
 
-/// The same arm as somebody else would write it: zeros of turns elsewhere by right angles, axes reversed,
-/// link frames in other places and turned by right angles, inertias seen from those.
+/// Writes an arm as somebody else would: zeros of turns elsewhere by right angles, axes reversed, link frames
+/// in other places and turned by right angles, inertias seen from those.
 model::Robot in_another_notation(const model::Robot& robot, std::mt19937& random);
+
+/// Returns the operation counts of a robot as they are committed; `freshness` of the tests says that they are
+/// the tool's.
+nlohmann::json committed_counts(const std::string& robot);
 
 }  // namespace qvgen::test

@@ -200,7 +200,7 @@ TEST_F(CommandLine, GeneratesOnlyThePartsAskedFor) {
   const ToolRun none = run("generate " + file + " --only kinematic --output " + out());
   EXPECT_EQ(none.code, 2);
   EXPECT_TRUE(has(none, "did you mean 'kinematics'?")) << none.output;
-  // What was generated before and is not any more is gone.
+  // Parts that were generated before, and now are not, are gone.
   EXPECT_EQ(run("generate " + file + " --only inverse --output " + out()).code, 0);
   EXPECT_FALSE(fs::exists(fs::path(out()) / "source/my_arm/kinematics.cpp"));
   // An option takes one value: what follows is a file.

@@ -38,7 +38,7 @@ arm third more_variables locals >"$scratch/third.toml"
 counts() { "$tool" counts --format csv -o "$scratch/out" | sed -n "s/^$1,inverse_kinematics,//p"; }
 [[ -n $(counts plain) ]] || fail "no counts"
 for robot in first second third; do
-  # The same arm by other names gives the same derivation.
+  # Other names give the arm the same derivation.
   [[ $(counts "$robot") == "$(counts plain)" ]] || fail "counts of $robot"
   for dialect in c++17 gnu++20; do
     "$cxx" -std=$dialect -O0 -fsyntax-only -Wall -Wextra -Wconversion -Wshadow -Werror -isystem "$eigen" -I"$runtime" \

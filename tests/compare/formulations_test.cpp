@@ -3,12 +3,12 @@
 // reference computes, which reads the description by itself.
 #include <random>
 
+#include "../random_arms/leaves.h"
 #include "../random_arms/random_description.h"
 #include "compare/comparison.h"
 #include "compare/measure.h"
 #include "dag/evaluate.h"
 #include "derive/dynamics/formulation.h"
-#include "leaves.h"
 #include "model/followers.h"
 #include "optimise/described.h"
 #include "optimise/dynamics.h"
@@ -45,7 +45,7 @@ TEST_P(Formulations, AreTheDefinitionForCommittedRobots) {
   }
 }
 
-/// What is certified must be able to fail: a millionth.
+/// A certificate must be able to fail: it refuses an error of a millionth.
 TEST_P(Formulations, AWrongOneIsRefused) {
   const Subject subject(test::committed_robot("puma560"), GetParam());
   for (const Formulation& right : formulations(GetParam())) {

@@ -38,7 +38,7 @@ class Arm {
     wrist_ = wrist(q_);
   }
 
-  /// Whether joint j moves what the step compares.
+  /// True if joint j moves what the step compares.
   bool moves(Eigen::Index j, const Step& step) {
     const Eigen::Index i = step.elements.joint;
     const double before = compared(q_, step, j < i ? wrist_ : wrist(q_));

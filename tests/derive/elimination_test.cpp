@@ -47,7 +47,7 @@ variable = "q6"
 link = ["1/9", 0, 0]
 )toml";
 
-/// Whether it is a quotient by something that is no number.
+/// True if it is a quotient by something that is no number.
 bool divides(const ex& value) {
   const bool quotient = GiNaC::is_a<GiNaC::power>(value) && value.op(1).info(GiNaC::info_flags::negative);
   if (quotient && !GiNaC::is_a<GiNaC::numeric>(value.op(0).evalf())) return true;

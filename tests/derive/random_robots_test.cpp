@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../random_arms/leaves.h"
 #include "dag/evaluate.h"
 #include "derive/jacobian/quantities.h"
 #include "derive/kinematics/forward_kinematics.h"
@@ -20,22 +21,7 @@ namespace {
 
 using namespace qvgen;
 
-/// Values of symbols and joint variables in double.
-struct Leaves {
-  std::map<std::string, double> values;
-  double constant(const exact::Number& number) const { return number.to_double(); }
-  double symbol(const std::string& name) const { return values.at(name); }
-  double angle(const exact::Angle& angle) const {
-    double sum = cln::double_approx(angle.pi) * M_PI;
-    for (const auto& [name, coefficient] : angle.terms)
-      sum += cln::double_approx(coefficient) * values.at(name);
-    return sum;
-  }
-  double sine(const exact::Angle& a) const { return std::sin(angle(a)); }
-  double cosine(const exact::Angle& a) const { return std::cos(angle(a)); }
-  double root(double x) const { return std::sqrt(x); }
-  double arctangent(double y, double x) const { return std::atan2(y, x); }
-};
+using test::Leaves;
 
 class RandomRobots : public testing::TestWithParam<std::uint32_t> {};
 

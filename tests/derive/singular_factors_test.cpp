@@ -77,7 +77,7 @@ TEST(SingularFactors, SlidesAreNoParameters) {
 }
 
 TEST(SingularFactors, AnyNameIsAUsers) {
-  // The same arm whatever its lengths and slides are called.
+  // Names of lengths and slides make no difference.
   for (const char* name : {"t0", "t1", "s0", "s1", "c0", "c1", "tangent", "x"}) {
     const ex length = symbol(name);
     const ex expression = ((length * cos(a) + sin(a + b)) * (d + length * cos(b)) * sin(b)).expand();

@@ -61,7 +61,7 @@ TEST(Targets, JacobianIsBelowItsThreeMethodsAndSympy) {
   }
 }
 
-/// What axes and vectors with their derivatives in one frame give; columns differentiated on their way
+/// Counts of axes and vectors with their derivatives in one frame. Columns differentiated on their way
 /// through the frames cost half as much again.
 TEST(Targets, DerivativesOfTheJacobian) {
   const std::map<std::string, std::pair<int, int>> most{{"iiwa14", {269, 176}},

@@ -19,7 +19,7 @@ ReadResult read_joints(const std::string& joints) {
   return read_text("name = \"arm\"\ntitle = \"t\"\n" + joints, "arm.toml");
 }
 
-/// What is wrong, without the place.
+/// Returns the complaint about a description, without its place.
 std::string complaint(const std::string& joints) {
   const ReadResult result = read_joints(joints);
   EXPECT_FALSE(result.robot);

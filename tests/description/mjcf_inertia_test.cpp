@@ -218,7 +218,7 @@ void expect_same(const model::Robot& a, const model::Robot& b) {
     EXPECT_NEAR(x[i], y[i], 1e-12 * std::max({1.0, y[0], y[4], y[5]})) << i;
 }
 
-/// What MuJoCo makes of a geom of the box's size there.
+/// Returns MuJoCo's reading of a geom of the box's size and place.
 model::Robot geom_of(const Box& box, const std::string& more = "") {
   const auto half = [&](std::size_t i) { return decimal(box.sides.at(i) / 128.0) + " "; };
   const std::string size = half(0) + half(1) + half(2);

@@ -18,7 +18,7 @@ const std::string two_joints =
 
 ReadResult read_frames(const std::string& frames) { return read_text(two_joints + frames, "arm.toml"); }
 
-/// What is wrong, without the place.
+/// Returns the complaint about a description, without its place.
 std::string complaint(const std::string& frames) {
   const ReadResult result = read_frames(frames);
   EXPECT_FALSE(result.robot);

@@ -3,7 +3,7 @@
 
 #include "xml.h"
 
-// Where a chain ends if nobody says it: one limb is taken, several are listed, arms first, with a command to
+// End of a chain that nobody names: one limb is taken, several are listed, arms first, with a command to
 // copy.
 namespace qvgen::description {
 namespace {

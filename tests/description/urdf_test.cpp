@@ -74,7 +74,7 @@ TEST(Urdf, RoundedAnglesAndAxesAreWhatTheyWere) {
   EXPECT_EQ(roll("0.785398"), "1, 0, 0 by 1/4*pi; 0, 0, 0");
   EXPECT_EQ(roll("0.262"), "1, 0, 0 by 1/12*pi; 0, 0, 0");
   EXPECT_EQ(roll("1e-17"), "0, 0, 0");
-  // What was measured, or is too coarse to tell, stays.
+  // Angles that were measured, or are too coarse to tell, stay.
   EXPECT_EQ(roll("1.5702"), "1, 0, 0 by 7851/5000; 0, 0, 0");
   EXPECT_EQ(roll("1.570659"), "1, 0, 0 by 1570659/1000000; 0, 0, 0");
   EXPECT_EQ(roll("0.26"), "1, 0, 0 by 13/50; 0, 0, 0");

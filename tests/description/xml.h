@@ -8,7 +8,7 @@
 #include "description/reader.h"
 #include "model/arithmetic.h"
 
-/// What the tests of URDF and MJCF have in common.
+/// Shared parts of the tests of URDF and MJCF.
 namespace qvgen::description {
 
 /// Every diagnostic on a line of its own, without the name of the file.

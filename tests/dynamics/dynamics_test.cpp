@@ -194,7 +194,7 @@ TEST_P(GeneratedDynamics, RegressorTimesBaseParametersIsInverseDynamicsAndOfFull
     expect_close(y * parameters, robot().inverse(q, qd, qdd, gravity), 1e-11);
     all.middleRows(k * dof(), dof()) = y;
   }
-  // Where a joint follows another, parameters of both may act alike.
+  // Parameters of a joint and of one that follows it may act alike.
   if (dof() < static_cast<Eigen::Index>(chain_.joints.size())) return;
   // A dependent column leaves a singular value of rounding size, 1e-13 of the largest; independent ones are
   // far above 1e-9.

@@ -95,7 +95,7 @@ Matrix<S> rotation(const Eigen::Vector3d& axis, const S& angle) {
   return transposed(columns);
 }
 
-/// Where a body is and how it moves, in the world.
+/// Pose and motion of a body, in the world.
 template <class S>
 struct Body {
   Matrix<S> rotation;

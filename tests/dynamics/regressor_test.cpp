@@ -126,7 +126,8 @@ bool has_independent_columns_with_drives(const std::string& text) {
   }
 }
 
-/// Where a slide and parallel axes make a factor of lengths, there is none, with the reason: seldom.
+/// Columns are independent, or there is no regressor, and a reason: seldom, if a slide and parallel axes make
+/// a factor of lengths.
 TEST(RegressorWithDrives, OfRandomArmsHasIndependentColumns) {
   constexpr std::uint32_t arms = 12;
   std::uint32_t found = 0;

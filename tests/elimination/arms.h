@@ -32,7 +32,7 @@ struct Arm {
   [[nodiscard]] Joints6 joints(Random& random) const;
   /// Largest difference of two joint vectors, revolute joints the short way round.
   [[nodiscard]] double distance(const Joints6& a, const Joints6& b) const;
-  /// Of the Jacobian at the tool, lengths in units of the arm's size.
+  /// Returns the determinant of the Jacobian at the tool, lengths in units of the arm's size.
   [[nodiscard]] double determinant(const Joints6& q) const;
 };
 
@@ -42,7 +42,7 @@ std::optional<Joints6> at_a_singularity(const Arm& arm, Random& random, int join
 
 /// Rows d, a, alpha (m, degrees) of Denavit and Hartenberg's table, angles measured from its x axes.
 Arm of_table(const std::string& name, const double (&table)[6][3]);
-/// The same in Craig's convention: a and alpha stand before the joint.
+/// Returns an arm by a table in Craig's convention: a and alpha come before the joint.
 Arm of_modified_table(const std::string& name, const double (&table)[6][3]);
 /// Every axis turned and moved by as much as this, rad and m.
 Arm miscalibrated(Arm arm, double by, unsigned seed);
@@ -63,13 +63,13 @@ Arm piper();
 /// All of these, the last three miscalibrated by 1e-4.
 std::vector<Arm> named_arms();
 
-/// What the solver has been compiled for: everything is looked at with each of them that the machine has.
+/// Instruction sets of the solver; each test runs with all that the machine has.
 inline constexpr InstructionSet instruction_sets[] = {InstructionSet::avx512, InstructionSet::avx2,
                                                       InstructionSet::baseline};
 inverse::elimination::Found solve(const inverse::elimination::Setup& setup, const Pose<double>& pose,
                                   InstructionSet set = InstructionSet::avx512);
 
-/// What is wrong with the rows of a pose; empty if nothing is.
+/// Returns the fault of a pose's rows; empty if there is none.
 std::string fault(const Arm& arm, const Eigen::Isometry3d& target, const inverse::elimination::Found& found);
 bool contains(const Arm& arm, const inverse::elimination::Found& found, const Joints6& q,
               double close = 1e-6);

@@ -18,7 +18,7 @@ reference::Chain arm_on_a_rail();
 /// half of the lengths are zero.
 reference::Chain right_angled_arm(unsigned seed);
 
-/// Whether the solver takes the arm; one that is singular everywhere it does not.
+/// True if the solver takes the arm; one that is singular everywhere it does not.
 bool is_solved(const reference::Chain& chain);
 WrittenArm written_arm(const reference::Chain& chain);
 

@@ -35,7 +35,7 @@ class SingularPoses : public testing::TestWithParam<Arm> {
           solve(setup_, Pose<double>::from_isometry(target), instruction_sets[result.poses % 3]);
       EXPECT_EQ(fault(arm_, target, found), "");
       const bool told = found.status == Status::incomplete, has_continuum = found.status == Status::singular;
-      // Where two solutions meet their joints are known to few digits.
+      // Joints are known to few digits where two solutions meet.
       constexpr double close = 1e-3;
       ++result.poses;
       result.told += told ? 1 : 0;

@@ -62,7 +62,7 @@ void count(const Arm& arm, const inverse::elimination::Setup& setup, Draw draw, 
     const auto found = solve(setup, Pose<double>::from_isometry(target), instruction_sets[i % 3]);
     EXPECT_EQ(fault(arm, target, found), "");
     const bool told = found.status == Status::incomplete;
-    // Where two solutions meet their joints are known to few digits.
+    // Joints are known to few digits where two solutions meet.
     constexpr double close = 1e-3;
     ++sum.poses;
     sum.told += told ? 1 : 0;

@@ -54,6 +54,14 @@ TEST(Tidy, CommentsKeepTheirMarks) {
   EXPECT_EQ(second.substr(0, 12), "  ///   word");
 }
 
+/// Prose of doc comments flows on: the words that a line has no room for begin the next line of the paragraph.
+TEST(Tidy, ProseFlowsOn) {
+  const std::string full(line_width - 5, 'a');
+  EXPECT_EQ(wrapped("/// " + full + " b\n/// c\nint d;\n"), "/// " + full + "\n/// b c\nint d;\n");
+  for (const char* next : {"///\n", "/// - c\n", "///     c\n", "  /// c\n", "// c\n", "int c;\n", ""})
+    EXPECT_EQ(wrapped("/// " + full + " b\n" + next), "/// " + full + "\n/// b\n" + next);
+}
+
 /// Words longer than a line, behind a mark that continuation lines repeat: once an endless loop.
 TEST(Tidy, LongWordsEnd) {
   const std::string number(150, '7');
@@ -97,7 +105,7 @@ TEST(Tidy, EveryLineEnds) {
   }
 }
 
-/// Of everything that is generated: lines are short, and to tidy it again changes nothing.
+/// Generated lines are short, and tidying them again changes nothing.
 TEST(Tidy, GeneratedCodeIs) {
   int files = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(QVGEN_SOURCE_DIR "/generated")) {

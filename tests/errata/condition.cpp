@@ -19,7 +19,8 @@ struct Signed {
 /// An expression that the transcription proposes.
 bool is_expression(const std::string& name) { return name.find(' ') != std::string::npos; }
 
-/// What people would look at first: a proposal, joints, the position, cosines, sines and the rest.
+/// Ranks names by what people would look at first: a proposal, joints, the position, cosines, sines and the
+/// rest.
 int rank(const std::string& name) {
   if (is_expression(name)) return -1;
   if (name.rfind("theta", 0) == 0) return 0;

@@ -8,7 +8,7 @@
 
 namespace qvgen::test::sources {
 
-/// What a formula gives at one solution.
+/// Value of a formula at one solution.
 struct Outcome {
   const reference::Values* values;  ///< of all that a formula may refer to
   bool reached;                     ///< whether its value, with one of its signs, is the solution's

@@ -9,8 +9,8 @@
 
 namespace qvgen::test::sources {
 
-/// What a section's equations may name, at random configurations of arms of random lengths: the same ones at
-/// every run.
+/// Returns the names that a section's equations may use, with values at random configurations of arms of
+/// random lengths: the same ones at every run.
 std::vector<Known> configurations(const Section& section);
 
 /// The variables of the arm's joints, in their order.

@@ -16,7 +16,7 @@ int rows_of(const Part& part);
 /// Returns how many rows of all parts are errata.
 int errata_in(const std::vector<Part>& parts);
 
-/// What both documents say first.
+/// Returns the introduction of both documents.
 std::string introduction();
 /// On names, verdicts and slips.
 std::string legend();

@@ -34,7 +34,7 @@ struct Part {
   std::vector<Table> tables;
 };
 
-/// Of all sources, judged.
+/// Returns the parts of all sources, judged.
 std::vector<Part> parts();
 
 /// True if a row is wrong, or right on a condition only: a reader of the source should know.

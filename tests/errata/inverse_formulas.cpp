@@ -67,7 +67,7 @@ void add_entries(const std::string& prefix, const Eigen::Matrix3d& r, reference:
     for (int k = 0; k < 3; ++k) values[prefix + std::to_string(i + 1) + std::to_string(k + 1)] = r(i, k);
 }
 
-/// What formulas may refer to, at one solution of a pose.
+/// Returns the values that formulas may refer to, at one solution of a pose.
 reference::Values values_at(const Case& test, const Eigen::VectorXd& q, const Eigen::Isometry3d& tool) {
   reference::Values values = test.robot().geometry;
   const Eigen::Quaterniond pose(tool.linear());

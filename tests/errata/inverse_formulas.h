@@ -40,7 +40,7 @@ struct Arm {
 /// With the signs pm and pm2 among the values.
 double value_of(const Text& text, reference::Values values);
 
-/// Of one file in the folder printed/.
+/// Returns the arms of one file in the folder printed/.
 std::vector<Arm> load_inverse_formulas(const std::string& file);
 /// The generated inverse kinematics of a robot; throws std::runtime_error if there is none.
 const InverseUnderTest& inverse_of(const std::string& robot);
@@ -66,7 +66,7 @@ class Judge {
 
   /// `index` is the formula's place in the arm: the joints of those before it are known.
   [[nodiscard]] Verdict formula(std::size_t index, const Text& text) const;
-  /// Whether a formula needs a joint that itself is computed from this one.
+  /// True if a formula needs a joint that itself is computed from this one.
   [[nodiscard]] bool circular(std::size_t index) const;
 
  private:
@@ -77,7 +77,7 @@ class Judge {
   void add_pose(Case& drawn);
   [[nodiscard]] std::set<int> joints_in(const Text& text) const;
   [[nodiscard]] int joint(const std::string& name) const;
-  /// Whether the formula gives the solution's value; what else it gives counts in the verdict.
+  /// True if the formula gives the solution's value; what else it gives counts in the verdict.
   bool judge(const Place& place, std::size_t solution, const std::string& of, const Text& text,
              const std::set<int>& known, Verdict& verdict) const;
   /// Returns when the formula is right, from the solutions that it reaches (in the order of places_).

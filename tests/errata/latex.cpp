@@ -62,7 +62,7 @@ std::vector<int> joints_in(const std::string& subscript) {
   return joints;
 }
 
-/// Of a general equation: the index is in brackets, as in omega[i+1].
+/// Returns an index of a general equation in brackets, as in omega[i+1].
 std::string indexed(const std::string& subscript) {
   const std::size_t letter = subscript.rfind('i');
   const bool index =
@@ -321,7 +321,7 @@ class Reader {
     return squared ? make(Kind::power, {std::move(result), number(2)}) : result;
   }
 
-  /// What a sine without parentheses is of: a name, or a fraction of it.
+  /// Reads the angle of a sine without parentheses: a name, or a fraction of it.
   Tree angle() {
     Tree first = primary();
     if (first.kind != Kind::quotient) return first;

@@ -28,7 +28,7 @@ void add_point(const std::string& name, const Vector3d& point, Known& known) {
   for (int i = 0; i < 3; ++i) known[name + "xyz"[i]] = point[i];
 }
 
-/// What is across an axis.
+/// Returns the component of a vector across an axis.
 Vector3d across(const Vector3d& axis, const Vector3d& v) { return v - axis.dot(v) * axis; }
 
 struct Arm {

@@ -55,7 +55,7 @@ struct Chapter {
   std::vector<Section> sections;
 };
 
-/// Of the folder printed/, in the order of the sources.
+/// Reads the folder printed/, in the order of the sources.
 std::vector<Chapter> transcriptions();
 
 }  // namespace qvgen::test::sources

@@ -41,7 +41,7 @@ struct Tree {
 struct Notation {
   std::optional<int> index =
       {};  ///< the letter i stands for this number (at most 8, since i + 1 has one digit)
-  /// Whether frames before a letter belong to its name: {}^{0}_{1}T is T01, {}^{0}P_{2} is P02. Else they are
+  /// True if frames before a letter belong to its name: {}^{0}_{1}T is T01, {}^{0}P_{2} is P02. Else they are
   /// passed over.
   bool frames = false;
 };

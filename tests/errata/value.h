@@ -11,7 +11,7 @@
 
 namespace qvgen::test::sources {
 
-/// Of any length, as printed formulas have them; [s, v] in print.
+/// Quaternion of any length, as printed formulas have them; [s, v] in print.
 struct Quaternion {
   double s = 1;
   Eigen::Vector3d v = Eigen::Vector3d::Zero();

@@ -10,7 +10,7 @@
 
 namespace qvgen::test::sources {
 
-/// What an equation is worth, all that it names having its true value.
+/// Judgement of an equation in which every name has its true value.
 struct Judgement {
   enum class Kind {
     right,
@@ -27,7 +27,7 @@ struct Judgement {
   std::vector<Tree> right;      ///< the sides as they should be; empty if right as printed
   std::string trouble;          ///< of one without meaning
   double error = 0;             ///< the largest difference of two sides
-  double brackets_alone = 0;    ///< the same once the brackets are right and all else is as printed
+  double brackets_alone = 0;    ///< largest difference once the brackets are right and all else is as printed
   bool corrected = false;       ///< whether the right form is right
   std::set<std::string> slips;  ///< what tells the printed from the right form: "sign", "index", ...
   std::string counterexample;   ///< the first configuration's values, of numbers
@@ -37,8 +37,8 @@ struct Judgement {
 /// equation's number.
 std::vector<Judgement> judge(const Section& section);
 
-/// What tells two expressions apart: "sign", "index", "prime", "name", "half angle", "function", "axis",
-/// "value", "bracket", "form".
+/// Returns what tells two expressions apart: "sign", "index", "prime", "name", "half angle", "function",
+/// "axis", "value", "bracket", "form".
 std::set<std::string> differences(const std::vector<Tree>& printed, const std::vector<Tree>& right);
 
 }  // namespace qvgen::test::sources

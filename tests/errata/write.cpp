@@ -34,7 +34,7 @@ int binding(const Tree& tree) {
 
 bool signed_term(const Tree& tree) { return tree.kind == Kind::negative || tree.kind == Kind::either; }
 
-/// What a notation has of its own; the rest is common.
+/// Parts of a writer that its notation decides; the rest is common.
 class Writer {
  public:
   explicit Writer(bool latex) : latex_(latex) {}

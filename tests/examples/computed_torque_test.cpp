@@ -106,7 +106,7 @@ double largest_error(double step, double known_gravity = gravity) {
 
 TEST(ComputedTorque, FollowsAPathAtAThousandTimesASecond) { EXPECT_LT(largest_error(1e-3), 1e-3); }
 
-// What is left is the time that a torque is held: of the first order in it.
+// The rest is due to the time that a torque is held: of the first order in it.
 TEST(ComputedTorque, ErrorIsThatOfHeldTorques) {
   const double error = largest_error(1e-3);
   const double half = largest_error(0.5e-3);

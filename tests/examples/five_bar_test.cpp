@@ -30,8 +30,8 @@ std::vector<Vector2d> inverse(const Vector3d& point) {
   return driven;
 }
 
-/// Where the driven joints bring the shared point: the left forearm turns until its end is as far from the
-/// right elbow as the right forearm is long; none, one or two.
+/// Returns the places of the shared point for given driven joints: the left forearm turns until its end is as
+/// far from the right elbow as the right forearm is long; none, one or two.
 std::vector<Vector3d> forward(const Vector2d& driven) {
   Vector3d elbows[2];
   for (int i = 0; i < 2; ++i)

@@ -30,7 +30,7 @@ Names names_of(const fs::path& description) {
   return words_of({std::istreambuf_iterator<char>(file), {}});
 }
 
-/// What is defined nowhere.
+/// Returns the names that are defined nowhere.
 Names undefined(const std::vector<std::string>& lines, Names known) {
   for (const char* word : {"w",   "a",   "b", "c", "p_x", "p_y", "p_z",  "sqrt", "atan2",     "cos", "sin",
                            "phi", "arg", "u", "v", "pi",  "or",  "from", "the",  "direction", "r"})

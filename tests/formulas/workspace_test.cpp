@@ -21,7 +21,7 @@ using std::numbers::pi;
 
 model::Robot robot_of(const std::string& name) { return description::read_file(file_of(name)).robot.value(); }
 
-/// What is printed of a known robot at joint values, and its chain.
+/// Printed formulas of a known robot at joint values, and its chain.
 struct Sample {
   Sample(const std::string& robot, std::mt19937& random)
       : chain(reference::load(file_of(robot))), q(chain.size()) {

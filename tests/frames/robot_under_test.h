@@ -21,7 +21,7 @@ struct RobotUnderTest {
   std::vector<std::string> inertia_names, frame_names, identifiable_names;
 
   std::function<std::vector<Isometry3d>(const VectorXd&q)> link_poses, frame_poses;
-  /// Of the frame of that index: the quaternion's pose as a matrix, the matrix, and in float.
+  /// Poses of the frame with that index: the quaternion's pose as a matrix, the matrix, and in float.
   std::function<Isometry3d(std::size_t frame, const VectorXd&q)> pose_of, transform_of, float_pose_of;
   std::function<MatrixXd(std::size_t frame, const VectorXd& q)> jacobian_of;
 

@@ -6,7 +6,7 @@
 
 namespace qvgen::test {
 
-/// What `check` and `generate --only kinematics` make of a text, be it a description or anything else.
+/// Answer of `check` and `generate --only kinematics` to any text.
 enum class Answer { refused, read, generated };
 
 /// The answer to a text: a description is read or refused with a place, what is wrong and what would be

@@ -56,8 +56,8 @@ TEST(Arms, AsMjcfAgreeWithMuJoCo) {
   }
 }
 
-// What is read of five digits is what is read of all digits: so the rounding is gone. A calibrated arm keeps
-// its own.
+// Files of five digits are read as those of all digits: so the rounding is gone. A calibrated arm keeps its
+// own.
 TEST(Arms, RoundedAreWhatTheyWere) {
   std::mt19937 random(3);
   for (const Arm& arm : table()) {

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The same content in both ways.
+/// Two texts with equal content.
 struct Text {
   std::string parts, plain;
   Text& operator+=(const Text& other) {

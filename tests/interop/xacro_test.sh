@@ -32,7 +32,7 @@ cat > "$folder/ws/parts/link.xacro" <<'END'
 </robot>
 END
 
-# What can be read once is read once.
+# A file is read once if that is enough.
 said=$(echo '<robot name="piped"><link name="a"/><link name="b"/><joint name="j" type="continuous"><parent link="a"/>
   <child link="b"/></joint></robot>' | "$qvgen" check /dev/stdin 2>&1) || fail "$said"
 expect "$said" "piped: piped, a to b (R)"

@@ -92,8 +92,8 @@ TEST(Effort, OfKnownPoses) {
   }
 }
 
-/// What `inverse_kinematics_near` adds to the equations where two solutions meet and where a joint is free:
-/// no step, as long as nothing but rounding stands between the seed and the pose.
+/// `inverse_kinematics_near` takes no step beyond the equations where two solutions meet or a joint is free,
+/// as long as nothing but rounding lies between the seed and the pose.
 TEST(Effort, NextToASeedTheEquationsSuffice) {
   namespace arm = qvgen::robots::ur5;
   const std::pair<double, double> elbow_and_wrist[] = {{0, -0.9}, {1e-9, -0.9}, {1e-5, -0.9}, {pi, -0.9},

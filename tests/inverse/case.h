@@ -52,7 +52,7 @@ class Case {
   };
   [[nodiscard]] Miss miss(const Eigen::VectorXd& q, const Eigen::Isometry3d& target) const;
 
-  /// What is left to the target, in the rows of `jacobian`: displacement, then rotation vector.
+  /// Returns the residual to the target, in the rows of `jacobian`: displacement, then rotation vector.
   [[nodiscard]] Eigen::VectorXd residual(const Eigen::VectorXd& q, const Eigen::Isometry3d& target) const;
 
   /// b - a, revolute joints the short way round.
@@ -70,7 +70,7 @@ class Case {
   [[nodiscard]] bool asks_orientation() const;
   [[nodiscard]] bool asks_direction() const;
   [[nodiscard]] Eigen::Vector3d tool_axis() const;
-  /// Of the residual, three rows each.
+  /// Number of the residual's parts, three rows each.
   [[nodiscard]] int parts() const {
     return (asks_position() ? 1 : 0) + (asks_orientation() || asks_direction() ? 1 : 0);
   }

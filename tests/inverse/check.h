@@ -41,7 +41,7 @@ class Inverse : public testing::TestWithParam<InverseUnderTest> {
   /// counts how many.
   static bool by_elimination() { return GetParam().info.by_elimination; }
 
-  /// What came of a whole set.
+  /// Tally of a whole set.
   struct Tally {
     int poses = 0;
     int empty = 0;

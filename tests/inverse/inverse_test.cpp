@@ -87,8 +87,8 @@ TEST_P(Inverse, BoundaryOfReach) {
   if (rays == 0) GTEST_SKIP() << "slides reach a hundred times as far";
 }
 
-/// What is a billionth beyond reach is solved by the nearest joints where that much is tolerated, and nothing
-/// is farther off.
+/// A pose a billionth beyond reach is solved by the nearest joints if that much is tolerated, and no row is
+/// farther off.
 TEST_P(Inverse, ToleranceBringsBackWhatIsBeyondReach) {
   constexpr double tolerance = 1e-6;
   for (int i = 0; i < pose_count() / 50 && !HasFailure(); ++i) {

@@ -42,7 +42,7 @@ class Judge {
     verdict_.fault = text.str();
   }
 
-  /// Whether the arm has no closed form, and its status says that there may be more solutions.
+  /// True if the arm has no closed form, and its status says that there may be more solutions.
   [[nodiscard]] bool admits() const {
     return test_.robot().info.by_elimination && found_.status == Status::incomplete;
   }
@@ -101,7 +101,7 @@ Eigen::VectorXd projected(const Case& test, const Sample& sample, Eigen::VectorX
   return q;
 }
 
-/// Whether a curve of joints that all reach the pose leads from the sample to a row: it is followed in steps.
+/// True if a curve of joints that all reach the pose leads from the sample to a row: it is followed in steps.
 /// Between two separate solutions there is none: the steps fall back to the first, and a jump is left over at
 /// the end.
 bool joined(const Case& test, const Sample& sample, const Eigen::VectorXd& row) {

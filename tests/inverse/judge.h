@@ -7,7 +7,7 @@
 
 namespace qvgen::test {
 
-/// What is wrong with the solutions of one pose, and how exact they are.
+/// Faults of the solutions of one pose, and how exact they are.
 struct Verdict {
   int rows = 0;
   Case::Miss miss;       ///< largest of all rows
@@ -20,7 +20,7 @@ struct Verdict {
 
 Verdict judge(const Case& test, const Sample& sample, const Found& found);
 
-/// Whether joints that reach a pose stand in its set: as a row (no further off than `close`), joined to one
+/// True if joints that reach a pose stand in its set: as a row (no further off than `close`), joined to one
 /// by a curve all of whose points reach the pose, or, on a marked continuum, as the row that a seed brings
 /// out.
 bool contains(const Case& test, const Found& found, const Sample& sample, double close = 1e-6);

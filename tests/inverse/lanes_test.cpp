@@ -8,7 +8,7 @@ namespace {
 
 class InverseLanes : public testing::TestWithParam<InverseUnderTest> {};
 
-/// What is different, empty if nothing is.
+/// Returns the difference of two sets; empty if there is none.
 std::string difference(const Found& a, const Found& b) {
   if (a.status != b.status) return "status";
   if (a.rows.size() != b.rows.size()) return "number of rows";

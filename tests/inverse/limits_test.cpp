@@ -184,7 +184,7 @@ QVGEN_ARM(puma560);
 QVGEN_ARM(stanford);
 #undef QVGEN_ARM
 
-/// Whether two things are singular at once, or nearly so: the pose then leaves two joints free, and the way
+/// True if two things are singular at once, or nearly so: the pose then leaves two joints free, and the way
 /// from one place to another is not one way.
 template <class Arm>
 bool is_doubly_singular(const typename Arm::Row& q) {

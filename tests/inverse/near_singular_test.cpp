@@ -148,7 +148,7 @@ TEST(BranchTracker, AContinuumIsMarkedAndNextToTheSeed) {
   EXPECT_FALSE(tracker.settle(1, task, ends, &seed, again, other));
 }
 
-/// What joint values reach, for the tests below.
+/// Place that joint values reach, for the tests below.
 template <std::size_t joints>
 struct At {
   PointMatching<double, joints, 1> task;
@@ -200,8 +200,8 @@ TEST(Idling, TellsAContinuumBesideAPose) {
   }
 }
 
-/// What cannot be told apart along a nearly free joint is one solution; what merely is near each other is
-/// not.
+/// Solutions that cannot be told apart along a nearly free joint are one; solutions that are merely near each
+/// other are not.
 TEST(Idling, JoinsWhatRoundingCannotTellApart) {
   const auto nearly = links<2>({0, 2 - 1e-8, 0});
   JointValues<double, 2> left = {turn(pi<double>() / 2 - 1e-4), turn(2e-4)};
@@ -215,7 +215,7 @@ TEST(Idling, JoinsWhatRoundingCannotTellApart) {
   EXPECT_TRUE((At<3>{curve, a}.is_joined(b)));
 }
 
-/// What `solve_near_singular` asks of a target.
+/// Target as `solve_near_singular` needs it.
 struct Aimed {
   const Preference<1>* preference;
   Boundary boundary;

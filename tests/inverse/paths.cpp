@@ -9,8 +9,8 @@ namespace {
 /// A joint may go so many times as far as the path's own joints do, which may come to a singular pose on one
 /// of two branches that meet there and leave on the other.
 constexpr double factor = 30;
-/// Of what is nearer than this no other solution is asked for; rounding may have moved it along a direction
-/// that is next to free. rad or m.
+/// Distance within which no other solution is asked for, rad or m: rounding may have moved a row along a
+/// nearly free direction.
 constexpr double slack = 1e-2;
 
 std::vector<double> even_places(Case& test) {
@@ -71,7 +71,7 @@ class Follower {
     return true;
   }
 
-  /// The same in halves, as long as a step is too long: a branch beside the path's may be faster than it.
+  /// Goes in halves as long as a step is too long: a branch beside the path's may be faster than it.
   bool go_in_halves(const Eigen::VectorXd& from, const Eigen::VectorXd& to, int times) {
     if (go_to(to, test_.distance(from, to))) return true;
     if (times == 0) return false;

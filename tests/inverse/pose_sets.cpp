@@ -53,7 +53,7 @@ Drawn with_joint(Case& test, int i, double value) {
   return sample_at(test, q);
 }
 
-/// Where the last three axes meet.
+/// Returns the point at which the last three axes meet.
 std::optional<Eigen::Vector3d> wrist_centre(const Case& test, const Eigen::VectorXd& q) {
   const auto places = reference::joint_places(test.chain(), q);
   const auto& axis = places[places.size() - 3];
@@ -237,7 +237,7 @@ Drawn invalid(Case& test, int i) {
 }
 
 bool has_six_joints(const Case& test) { return test.dof() >= 6; }
-/// Whether an arm has them depends on its lengths.
+/// True if an arm has them depends on its lengths.
 bool no_arm(const Case&) { return false; }
 
 std::vector<PoseSet> all() {

@@ -10,7 +10,7 @@
 
 namespace qvgen::test {
 
-/// What must come of a pose.
+/// Expected result of a pose.
 enum class Expect {
   joints,       ///< the sampled joints are among the solutions, or on a marked continuum
   clean,        ///< whatever is returned is right; nothing need be
@@ -31,7 +31,7 @@ struct PoseSet {
   /// The i-th pose; nothing if the arm has no such pose (then it has none for any i) or the search for it
   /// failed.
   std::function<std::optional<Sample>(Case&, int i)> draw;
-  /// Whether an arm must have such poses; others may.
+  /// True if an arm must have such poses; others may.
   std::function<bool(const Case&)> is_for = [](const Case&) { return true; };
 };
 

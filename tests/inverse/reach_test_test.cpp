@@ -13,7 +13,7 @@ using qvgen::test::Random;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// Whether a circle with this share has a solution, or might have one.
+/// True if a circle with this share has a solution, or might have one.
 bool may_exist(double share, const Boundary& boundary) {
   Branch<double> branch;
   const double range = 2.5;

@@ -52,13 +52,13 @@ struct InverseFunctions {
   std::function<Found(const Pose<double>&, double given, const Eigen::VectorXd& seed, double tolerance,
                       const reference::Values&)>
       solve_near = {};
-  /// Of arms that are asked for less than a pose: the whole pose, with and without a seed.
+  /// Whole poses of arms that are asked for less, with and without a seed.
   std::function<Found(const Pose<double>&, double tolerance)> solve_pose = {};
   std::function<Found(const Pose<double>&, const Eigen::VectorXd& seed)> solve_pose_from = {};
 };
 
-/// What a robot's main entry takes for a pose: not a number where the pose is invalid, which a task would
-/// hide.
+/// Returns the argument of a robot's main entry for a pose: not a number where the pose is invalid, which a
+/// task would hide.
 template <Task task>
 auto asked(const Pose<double>& pose, const InverseInfo& info) {
   const bool valid = pose.position.allFinite() && std::abs(pose.orientation.squaredNorm() - 1) < 1e-3;

@@ -16,7 +16,7 @@ bool descend(const Case& test, Eigen::VectorXd& q, const Eigen::Isometry3d& targ
 std::vector<Eigen::VectorXd> search(const Case& test, const Sample& sample, std::size_t returned,
                                     const std::function<Eigen::VectorXd()>& start);
 
-/// Where two solutions nearly touch, thousands of searches may all end on one of them.
+/// True if two solutions nearly touch: then thousands of searches may all end on one of them.
 bool nearly_singular(const Case& test, const Eigen::VectorXd& q);
 
 }  // namespace qvgen::test

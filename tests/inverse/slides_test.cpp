@@ -114,7 +114,7 @@ TEST(FreeSlide, StaysWithinReachOfTheNextJoint) {
     EXPECT_GE(square_at(point, along, between), inner - 1e-13);
     EXPECT_LE(square_at(point, along, between), outer + 1e-13);
     EXPECT_GE(square_at(point, along, beyond), inner - 1e-13);
-    // What is within reach is taken; else an end of the reach.
+    // A slide within reach is taken; else an end of the reach.
     const double square = square_at(point, along, wanted);
     const double end = square < inner ? inner : outer;
     const bool in_reach = square >= inner && square <= outer;
@@ -173,7 +173,7 @@ TEST(QuadraticRoot, LosesOneRootAtInfinity) {
   EXPECT_TRUE(linear.exists);
 }
 
-/// What is left of the two equations of two_slides.
+/// Returns the residual of the two equations of two_slides.
 double left_over(const Rotor<double>& ab, double k, const Rotor<double>& gf, double gap,
                  const Rotor<double>& st) {
   const double s = st.cosine, t = st.sine;

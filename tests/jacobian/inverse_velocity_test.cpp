@@ -28,7 +28,7 @@ class InverseVelocity : public testing::TestWithParam<RobotUnderTest> {
   std::mt19937_64 random_{11};
 };
 
-/// Where nothing was damped, J^T (J qd - twist) = 0: the twist is reached, or as nearly as the arm can.
+/// Solves J^T (J qd - twist) = 0 if nothing was damped: the twist is reached, or as nearly as the arm can.
 /// Rounding grows with the condition number, which the threshold bounds by 50 for each of the systems, by
 /// 50^2 for the whole.
 TEST_P(InverseVelocity, SolvesWhereNotDamped) {

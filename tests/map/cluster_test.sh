@@ -8,7 +8,7 @@ command -v mpirun >/dev/null || { echo "skipped: no mpirun here (Debian: apt-get
 rm -rf "$work" && mkdir -p "$work" && cd "$work"
 options=(--resolution 0.2 --orientations 7 --threads 1)
 "$tool" map "$robot" "${options[@]}" -o one.npz
-# What a scheduler's job would say, by the number that it gives to each process.
+# Command of a scheduler's job, by the number that it gives to each process.
 cat > share.sh <<'TEXT'
 set -e
 rank=$OMPI_COMM_WORLD_RANK count=$OMPI_COMM_WORLD_SIZE

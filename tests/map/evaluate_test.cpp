@@ -12,7 +12,7 @@ namespace {
 template <int dof_>
 struct SevenOrFour {
   static constexpr int dof = dof_;
-  /// Of the Jacobians, one by one.
+  /// Computes a result of the Jacobians, one by one.
   template <class Jacobian>
   static void each(const Batch<const double>& q, const Batch<double>& result, const Jacobian& jacobian) {
     for (std::size_t k = 0; k < q.count; ++k) {
@@ -56,7 +56,7 @@ struct Iiwa : SevenOrFour<7> {
   }
 };
 
-/// What rows of one target add to a cell.
+/// Contribution of one target's rows to a cell.
 struct Target {
   std::uint32_t found = 0;
   template <class Arm, class Rows, class Jacobian>

@@ -93,7 +93,7 @@ double limit_distance(const arm::JointVector<double>& q) {
   return worst;
 }
 
-/// What a loop over single calls finds at a position.
+/// Result of a loop over single calls at a position.
 struct Expected {
   int reached = 0, solutions = 0, most = 0;
   double manipulability = 0, distance = -100;

@@ -1,12 +1,6 @@
 # SPDX-License-Identifier: MIT
 # cmake -DBUILD=... -DPACKAGE=... -DWORK=... -DGENERATOR=... -DCXX=... -DFLAGS=... -P try.cmake
-function(run what)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  if(NOT result EQUAL 0)
-    message(FATAL_ERROR "${what} failed (${result}):\n${output}")
-  endif()
-  set(output "${output}" PARENT_SCOPE)
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/../run.cmake)
 
 file(REMOVE_RECURSE ${WORK})
 find_program(ccache ccache)

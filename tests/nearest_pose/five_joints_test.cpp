@@ -81,7 +81,7 @@ TEST_F(FiveJoints, TheNearestPoseOfARoundedOne) {
     EXPECT_GE(rows.size(), 2);
     EXPECT_LT(rows[1].position_error + rows[1].orientation_error, 1e-5);
   }
-  // Of some poses what was rounded lies along what the arm can do, but for 1e-11.
+  // The rounding of some poses lies along what the arm can do, but for 1e-11.
   EXPECT_GE(unreachable, 90);
 }
 

@@ -2,14 +2,7 @@
 # cmake -DWAY=find_package|add_subdirectory -DQVGEN=source -DBUILD=build -DWORK=folder -DGENERATOR=... -DCXX=...
 #       -DFLAGS=... -P try.cmake
 
-# run(WHAT command...): fails the test with the command's output.
-function(run what)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  if(NOT result EQUAL 0)
-    message(FATAL_ERROR "${what} failed (${result}):\n${output}")
-  endif()
-  set(output "${output}" PARENT_SCOPE)
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/../run.cmake)
 
 file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK}/no_packages)

@@ -34,7 +34,7 @@ TEST_P(EveryPass, KeepsExactValues) {
 TEST_P(EveryPass, DependsOnStructureAlone) {
   for (std::uint32_t seed = 1; seed <= 50; ++seed) {
     const dag::Function before = test::random_function(seed, 25);
-    // The same function in a graph where everything was created in another order.
+    // An equal function in a graph where everything was created in another order.
     dag::Function reordered = before;
     std::reverse(reordered.outputs.begin(), reordered.outputs.end());
     reordered = dag::rebuild(reordered);

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What is missing for compiling a robot is said in a sentence."""
+"""A sentence says what is missing for compiling a robot."""
 
 import pytest
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What is made on request: frames, masses and the regressor with drives."""
+"""Parts that are made on request: frames, masses and the regressor with drives."""
 
 import os
 import pathlib

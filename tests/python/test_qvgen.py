@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the modules of robots share, forward kinematics, Jacobians and dynamics."""
+"""Shared parts of the modules of robots: forward kinematics, Jacobians and dynamics."""
 
 import pathlib
 

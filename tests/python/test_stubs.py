@@ -29,7 +29,7 @@ def signatures_of_stubs():
 
 
 def signature_of(function):
-    """The same of a function of a module, from the first line of its docstring."""
+    """Returns the signature of a function of a module, from the first line of its docstring."""
     listed = re.match(r"\w+\((.*)\) ->", function.__doc__).group(1).split(", ")
     star = listed.index("*")
     name = [re.match(r"\w*", each).group(0) for each in listed]

@@ -17,6 +17,7 @@
 #include "description/reader.h"
 #include "exact/constant_angle.h"
 #include "exact/named_constant.h"
+#include "leaves.h"
 #include "model/followers.h"
 #include "optimise/described.h"
 #include "optimise/dynamics.h"
@@ -31,36 +32,8 @@
 namespace qvgen {
 namespace {
 
-/// Symbols of the descriptions.
-reference::Values symbols() {
-  reference::Values values{{"h1", 0.7}};
-  for (int i = 1; i <= 9; ++i) values["l" + std::to_string(i)] = 0.2 + 0.11 * i;
-  return values;
-}
-
-/// Values of a function's leaves in double.
-struct Leaves {
-  std::map<std::string, double> values;
-
-  double constant(const exact::Number& number) const { return number.to_double(); }
-  double symbol(const std::string& name) const {
-    if (const auto named = exact::named_value(name)) return cln::double_approx(*named);
-    return values.at(name);
-  }
-  double of(const exact::Angle& angle) const {
-    double sum = M_PI * cln::double_approx(angle.pi);
-    for (const auto& [name, coefficient] : angle.terms) {
-      const auto constant = exact::constant_angle(name);
-      sum += cln::double_approx(coefficient) *
-             (constant ? cln::double_approx(exact::radians(*constant)) : symbol(name));
-    }
-    return sum;
-  }
-  double sine(const exact::Angle& angle) const { return std::sin(of(angle)); }
-  double cosine(const exact::Angle& angle) const { return std::cos(of(angle)); }
-  double root(double x) const { return std::sqrt(x); }
-  double arctangent(double y, double x) const { return std::atan2(y, x); }
-};
+using test::Leaves;
+using test::symbols;
 
 struct Case {
   std::string text;
@@ -129,7 +102,7 @@ void check_kinematics(const Case& arm, std::mt19937& random) {
   }
 }
 
-/// Whether inverse kinematics was derived; it is certified in sixty digits.
+/// True if inverse kinematics was derived; it is certified in sixty digits.
 bool check_inverse(const Case& arm) {
   const auto derivation = derive::inverse::derive(arm.robot);
   if (derivation.found) verify::certify_inverse(derivation.problem, lower(derivation.plan), 1);

@@ -12,7 +12,7 @@ namespace qvgen::test {
 /// Denavit-Hartenberg table (standard and modified) or as screws.
 std::string random_description(std::uint32_t seed);
 
-/// The same with inertias on every link.
+/// Writes the random description with inertias on every link.
 std::string random_description_with_inertia(std::uint32_t seed);
 /// Chains of two to six joints with inertia, of which some follow others.
 std::string random_description_with_followers(std::uint32_t seed);

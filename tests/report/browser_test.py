@@ -16,13 +16,13 @@ lacking = webdriver.missing() + [name for name in ("clang", "wasm-ld") if shutil
 if lacking:
     print("skipped: no", ", ".join(lacking))
     sys.exit(77)
-# What is generated in C++ alone is on the pages only where they were made with its library.
+# Functions that are generated in C++ alone are on the pages only if these were made with its library.
 has_cpp = '"cpp":' in (pages / "iiwa14.html").read_text()
 needs_cpp = unittest.skipUnless(has_cpp, "no libc++-dev-wasm32 when the pages were made")
 robots = ["puma560", "iiwa14", "crx10ia", "finger"]
 pictures = work / "screenshots"
 
-# Whether the arm's tool is where the target is, by the page's own picture of its links and by the generated functions.
+# True if the arm's tool is where the target is, by the page's own picture of its links and by the generated functions.
 gap = """
 const { arm, q, target } = window.live;
 const apart = (a, b) => norm(subtract(a.p, b.p)) + norm(turnVector(product(a.r, transposed(b.r))));

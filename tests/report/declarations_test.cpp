@@ -14,7 +14,7 @@ namespace qvgen {
 struct Type {
   int a;
 };
-/// What it does,
+/// Does a thing,
 /// in two lines.
 ///
 /// Bounds.
@@ -32,7 +32,7 @@ extern template Pose<double> pose(const Type&, const int);
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(found[0].name, "pose");
   EXPECT_EQ(found[0].signature, "Pose<Scalar> pose(const Type& q,\n                  const int n = 3)");
-  EXPECT_EQ(found[0].comment, (std::vector<std::string>{"What it does, in two lines.", "Bounds."}));
+  EXPECT_EQ(found[0].comment, (std::vector<std::string>{"Does a thing, in two lines.", "Bounds."}));
   EXPECT_EQ(found[1].name, "small");
   EXPECT_EQ(found[1].signature, "inline int small(int a)");
 }

@@ -21,7 +21,7 @@ for page in pages:
     mistakes += [f"{page.name}: {line}" for line in said.splitlines() if line and not known.search(line)]
 print("\n".join(mistakes) or f"{len(pages)} pages: valid")
 
-# That it can fail.
+# The test can fail.
 broken = subprocess.run(["tidy", "-quiet", "-errors", "--show-info", "no"], input="<!DOCTYPE html><title>t</title><p><div></p>",
                         capture_output=True, text=True).stderr
 sys.exit(1 if mistakes or not broken else 0)

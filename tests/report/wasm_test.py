@@ -30,7 +30,7 @@ everything = bool(os.environ.get("QVGEN_REPORT_ALL"))
 robots = sorted(p.stem for p in (source / "generator/robots").glob("*.toml")) if everything else some
 poses = 10000 if everything else 1000
 tolerance = 1e-12
-# Of poses, in metres and parts of a quaternion: the last bits of sines differ by the C library, and elimination iterates.
+# Tolerance of poses, in metres and parts of a quaternion: the last bits of sines differ by the C library, and elimination iterates.
 rounding = {"closed form": 1e-14, "elimination": 1e-13}
 
 
@@ -111,7 +111,7 @@ class NativeCpp:
         runtime = source / "runtime/source"
         parts = {"arm_angle": ("arm_angle", "HAS_ARM_ANGLE"), "inverse": ("elimination", "HAS_INVERSE")}
         sources, defined = parts[part]
-        files = [runtime / "sine_cosine.cpp", *sorted((runtime / sources).glob("*.cpp"))]
+        files = [runtime / "core/sine_cosine.cpp", *sorted((runtime / sources).glob("*.cpp"))]
         text = "".join(f'#include "{path}"\n' for path in files)
         everything_in_one = folder / f"{part}.cpp"
         everything_in_one.write_text(text + f'#include "{pathlib.Path(__file__).parent / "native_calls.cpp"}"\n')
@@ -234,7 +234,7 @@ def joint_difference(row, other):
 
 
 def told(native, cpp, row, geometry):
-    """What the solver was given, of a row's joints: their pose, and the arm angle. An arm with few joints takes a position;
+    """Returns the solver's arguments for a row's joints: their pose, and the arm angle. An arm with few joints takes a position;
     an orientation it meets within the tolerance of whole poses, not to rounding."""
     pose = native.pose(row[:-2], geometry)
     turn = pose[:4] if native.fixes_orientation else [1, 0, 0, 0]
@@ -242,7 +242,7 @@ def told(native, cpp, row, geometry):
 
 
 def pose_difference(a, b):
-    """Of poses w x y z and metres, and of arm angles; a quaternion's sign means nothing."""
+    """Compares poses, w x y z and metres, and of arm angles; a quaternion's sign means nothing."""
     (p, psi), (r, phi) = a, b
     sign = math.copysign(1, sum(x * y for x, y in zip(p[:4], r[:4])))
     apart = [x - sign * y for x, y in zip(p[:4], r[:4])] + [x - y for x, y in zip(p[4:], r[4:])]

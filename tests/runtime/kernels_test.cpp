@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-// What machines without AVX2 get must not go untested on those that have it.
+// Kernels of machines without AVX2, tested on machines that have it, too.
 #include "kernels.h"
 
 #include <cmath>

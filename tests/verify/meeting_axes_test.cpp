@@ -129,7 +129,7 @@ TEST(MeetingAxes, FourJointsWithThreeThroughAPoint) {
   }
 }
 
-/// Where the fourth axis goes through the point too no pose has finitely many solutions.
+/// Refuses arms whose fourth axis goes through the point, too: no pose has finitely many solutions.
 TEST(MeetingAxes, FourAxesThroughAPointAreRefused) {
   RandomArm arm(3);
   arm.add_triple("0, 0, 0");

@@ -6,9 +6,9 @@
 namespace qvgen::derive::dynamics {
 namespace {
 
-/// Of a link that only slides: what of its first moments no joint force depends on, or depends on as if it
-/// were fixed to the link before. With all rotations about one axis, these are the moments along it, and all
-/// of them if the slide is parallel to it.
+/// Returns the first moments of a sliding link on which no joint force depends, or depends as if they were
+/// fixed to the link before. With all rotations about one axis, these are the moments along it, and all of
+/// them if the slide is parallel to it.
 Vector3 movable_moments(const Link& link, const Rotations& rotations, dag::Graph& graph) {
   const Vector3 h = link.inertia.first_moments();
   if (rotations.kind == Rotations::Kind::none) return h;

@@ -20,7 +20,7 @@
 namespace qvgen::derive::dynamics {
 namespace {
 
-/// What is left of a link.
+/// Rest of a link.
 struct Segment {
   Vector3 arm;   ///< behind the joint; across its axis if it turns, none if not
   Scalar share;  ///< of the mass that the joint moves, for a slide

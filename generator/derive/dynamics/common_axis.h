@@ -14,7 +14,8 @@ struct Rotations {
   Vector3 axis;  ///< of unit length, in the link's frame, if all revolute joints so far are parallel
 };
 
-/// Of every link. Axes that are parallel only for some values of symbolic twists do not count as such.
+/// Returns the rotations of every link. Axes that are parallel only for some values of symbolic twists do not
+/// count as such.
 std::vector<Rotations> rotations_of(const Chain& chain, dag::Graph& graph);
 
 }  // namespace qvgen::derive::dynamics

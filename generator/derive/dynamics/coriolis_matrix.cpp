@@ -15,8 +15,7 @@ std::array<Scalar, 4> column(const PseudoInertia& p, std::size_t k) {
   return {p.at(0, k), p.at(1, k), p.at(2, k), p.at(3, k)};
 }
 
-/// What the joint's own motion adds to the relative velocities of all behind it: e_z x r or e_z, times the
-/// rate.
+/// Adds the joint's own motion to the relative velocities of all behind it: e_z x r or e_z, times the rate.
 Flow with_own_motion(Flow flow, const Link& link, const PseudoInertia& composite, const Scalar& rate) {
   const bool slides = link.motion == Motion::prismatic;
   const auto x = column(composite, 0), y = column(composite, 1), mass = column(composite, 3);
@@ -107,7 +106,8 @@ class ChristoffelSymbols {
   }
 
  private:
-  /// Of one joint: its column of M, the column's rate in the frame that it has come to, and its column of C.
+  /// Open column of one joint: its column of M, the column's rate in the frame that it has come to, and its
+  /// column of C.
   struct Open {
     Column mass, rate, coriolis;
   };

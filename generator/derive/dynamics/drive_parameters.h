@@ -7,9 +7,9 @@
 
 namespace qvgen::derive::dynamics {
 
-/// What a joint's drive adds to its force, linear in these: rotor inertia times the acceleration, viscous
-/// friction times the rate, Coulomb friction times the rate's direction, and an offset. For a joint that
-/// follows another they act at its own rate.
+/// Parameters of a joint's drive, in which its share of the joint's force is linear: rotor inertia times the
+/// acceleration, viscous friction times the rate, Coulomb friction times the rate's direction, and an offset.
+/// For a joint that follows another they act at its own rate.
 enum class DriveParameter { rotor_inertia, viscous_friction, coulomb_friction, offset };
 
 inline constexpr std::array drive_parameters{DriveParameter::rotor_inertia, DriveParameter::viscous_friction,

@@ -39,8 +39,8 @@ std::vector<DriveColumn> columns_of_links(const Regressor& links, std::size_t jo
   return columns;
 }
 
-/// What a drive of the chain multiplies, in terms of the joint that moves it. With the ratio r it turns r
-/// times as fast, and its force counts r times.
+/// Returns the factor of a drive of the chain, in terms of the joint that moves it. With the ratio r it turns
+/// r times as fast, and its force counts r times.
 dag::Edge factor_of(DriveParameter kind, const cln::cl_RA& ratio, const std::string& driven, bool reversed,
                     dag::Graph& graph) {
   const auto times = [&](const cln::cl_RA& factor, dag::Edge value) {

@@ -7,7 +7,7 @@
 
 #include "derive/dynamics/formulation.h"
 
-/// What a recursion gives for every joint of the chain, for the joints that follow none
+/// Gathers the results of a recursion, one for every joint of the chain, for the joints that follow none
 /// (model/followers.h). Arms without followers come back as they are.
 namespace qvgen::derive::dynamics {
 
@@ -20,7 +20,7 @@ std::vector<Scalar> gathered(const model::Robot& robot, const std::vector<Scalar
 /// C^T M C of the entries that are there.
 using Entries = std::map<std::pair<std::size_t, std::size_t>, Scalar>;
 Entries gathered(const model::Robot& robot, const Entries& entries, dag::Graph& graph);
-/// The same for a symmetric matrix, of which only the upper triangle is there, before and after.
+/// Gathers a symmetric matrix, of which only the upper triangle is there, before and after.
 Entries gathered_symmetric(const model::Robot& robot, const Entries& upper, dag::Graph& graph);
 
 }  // namespace qvgen::derive::dynamics

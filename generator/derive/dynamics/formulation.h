@@ -29,7 +29,7 @@ std::string direction_of(const std::string& variable);
 /// world frame.
 std::string wrench_component(std::size_t index);
 
-/// What a formulation leaves to choose before the search, and what acts on the robot.
+/// Choices that a formulation leaves before the search, and loads on the robot.
 struct FormulationOptions {
   FrameConvention convention;
   bool wrench = false;              ///< on the tool, from outside
@@ -50,8 +50,9 @@ enum class Effects { all, gravity, velocity, bias };
 
 /// Outputs tau1 ... taun: the Newton-Euler recursion in pseudo-inertia base parameters.
 ///
-/// Of the acceleration of a body it propagates U = [w'] + [w][w] (Newton-Euler: v' of a point r is U r), and
-/// of that mainly the column U z, which neighbouring links share (inverse of thesis 5.2-5.4); with it
+/// Formulates the inverse dynamics by U = [w'] + [w][w] of each body, where v' of a point r is U r
+/// (Newton-Euler). It propagates mainly the column U z, which neighbouring links share (inverse of thesis
+/// 5.2-5.4); with it
 ///   force   f = U h + m v',
 ///   moment  n = (U Sigma's antisymmetric part) + h x v'
 /// replace thesis 5.6-5.13.

@@ -30,7 +30,8 @@ Matrix3 u_matrix(const Vector3& w, const Scalar& u13, const Scalar& u23, const S
   u[1] = {xy + wz_rate, -(xx + zz), u23};
   const Scalar wy_rate = u13 - xz, wx_rate = yz - u23;
   u[2] = {xz - wy_rate, yz + wx_rate, -(xx + yy)};
-  // The same diagonal from U33, which a joint's rotation about z leaves alone; and doubles of products.
+  // The diagonal follows from U33 as well, which a joint's rotation about z leaves alone; and doubles of
+  // products.
   suggest({-u[2][2] - xx, -u[2][2] - yy, u[2][2] + (xx - zz), u[2][2] + (yy - zz)});
   suggest({(xz + xz) - u13, (yz + yz) - u23});
   return u;
@@ -95,7 +96,7 @@ class Recursion {
     std::size_t depth = 0;               ///< links between this one and the base
     std::vector<std::size_t> next = {};  ///< links that this one carries
   };
-  /// What the frame before the joint's rotation sees; kept for parallel neighbours.
+  /// Motion as the frame before the joint's rotation sees it; kept for parallel neighbours.
   struct Arriving {
     Vector3 w, v, column;
   };

@@ -52,7 +52,7 @@ bool InwardRecursion::is_parallel(std::size_t j) const {
          link.motion == Motion::revolute && p_.chain.links[link.parent].motion == Motion::revolute;
 }
 
-/// What lies behind two parallel axes turned by the sum of both angles.
+/// Offers what lies behind two parallel axes, turned by the sum of both angles.
 void InwardRecursion::offer_parallel(std::size_t j, const Column& column, const Circle& first) {
   const Link& link = p_.chain.links[j];
   const Link& next = p_.chain.links[column.outer_link];

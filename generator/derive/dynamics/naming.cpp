@@ -27,8 +27,8 @@ Scalar Naming::name(std::size_t index) {
   const Number& value = values_.front()[index];
   if (is(0)) return {};
   if (is(1) || is(-1)) return {target_, target_.constant(value)};
-  // Of what is no number the first one met is positive: which sign the symbols of a description give it
-  // says nothing about the arm.
+  // The first value met that is no number is positive: which sign the symbols of a description give it says
+  // nothing about the arm.
   const bool negative = is(value) ? value.sign() < 0 : known_.contains(key_of(index, true));
   const auto [place, inserted] =
       known_.try_emplace(key_of(index, negative), "$" + std::to_string(known_.size()));

@@ -32,7 +32,7 @@ void rescale(Chain& chain, const Scalar& unit) {
   for (Scalar& component : chain.tool) component = component / unit;
 }
 
-/// Of the world: minus the acceleration of free fall.
+/// Returns the acceleration of the world: minus that of free fall.
 Vector3 base_acceleration(Gravity gravity, dag::Graph& graph) {
   const auto symbol = [&](const std::string& name) { return Scalar(graph, graph.symbol(name)); };
   if (gravity == Gravity::down) return {Scalar(), Scalar(), symbol(gravity_symbol)};

@@ -217,7 +217,7 @@ PlainRecursion::Values PlainRecursion::of_chain(const Values& driven) const {
   return values;
 }
 
-/// What moves all joints of the chain at once, by their ratios: virtual work.
+/// Returns the forces that move all joints of the chain at once, by their ratios: virtual work.
 PlainRecursion::Values PlainRecursion::inverse_dynamics(const Values& rates, const Values& accelerations,
                                                         const Load& load) const {
   const Values forces = forces_of_chain(of_chain(rates), of_chain(accelerations), load);

@@ -36,7 +36,7 @@ class PlainRecursion {
   void remove_friction();
 
   using Vector = std::array<Number, 3>;
-  /// What acts on the robot besides its drives, in the world.
+  /// Load on the robot besides its drives, in the world.
   struct Load {
     Vector gravity;        ///< acceleration of free fall
     Vector force, moment;  ///< from outside on the tool, about the tool point

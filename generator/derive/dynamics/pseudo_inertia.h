@@ -42,10 +42,11 @@ PseudoInertia shifted(const PseudoInertia& inertia, std::size_t k, const Scalar&
 /// t = s (Sigma_ii - Sigma_jj) + 2 c Sigma_ij: Sigma_ii - s t, Sigma_jj + s t, c t - Sigma_ij.
 PseudoInertia rotated(const PseudoInertia& inertia, std::size_t k, const Circle& by);
 
-/// Of a link in its own link frame, from mass, centre of mass and inertia about it.
+/// Returns the pseudo-inertia of a link in its own link frame, from mass, centre of mass and inertia about
+/// it.
 PseudoInertia from_description(const model::Inertia& inertia, dag::Graph& graph);
 
-/// Of link j with symbols for its standard parameters, in which it is linear.
+/// Returns the pseudo-inertia of link j with symbols for its standard parameters, in which it is linear.
 PseudoInertia from_standard(std::size_t link, dag::Graph& graph);
 
 /// Symbol of a standard parameter: of each link mass, first moments x y z, and the inertia about the origin

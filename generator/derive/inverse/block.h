@@ -23,7 +23,7 @@ struct Block {
   /// n·point at the solved value of the joint.
   [[nodiscard]] GiNaC::ex at_value(const symbolic::Vector& n, Builder& builder) const;
   [[nodiscard]] bool depends(const symbolic::Vector& n, const Scope& scope) const;
-  /// Whether some angle of a turn brings the point onto the axis of another joint.
+  /// True if some angle of a turn brings the point onto the axis of another joint.
   [[nodiscard]] bool comes_onto(const Screw& line, const Scope& scope) const;
 };
 

@@ -48,12 +48,12 @@ struct Reach {
 /// Appends steps to a plan: every canonical equation in its robust form, and the names of what it gives.
 class Builder {
  public:
-  /// What depends on the parameter `held` is no constant of the arm: it may vanish.
+  /// Values that depend on the parameter `held` are no constants of the arm: they may vanish.
   Builder(const model::Robot& robot, Scope& scope, Plan& plan, const std::string& held = "");
 
   [[nodiscard]] Scope& scope() { return scope_; }
   [[nodiscard]] Plan& plan() { return plan_; }
-  /// Whether an expression is a constant of the arm: geometry and numbers only.
+  /// True if an expression is a constant of the arm: geometry and numbers only.
   [[nodiscard]] bool is_constant(const GiNaC::ex& value) const;
 
   [[nodiscard]] Ring ring(const Flat& v, const Flat& x0) const;
@@ -69,7 +69,7 @@ class Builder {
   /// equation before has one.
   void turn_by_pair(const Screw& screw, const Flat& direction, const std::string& equation,
                     const GiNaC::ex& length = 0, bool at_double_root = false);
-  /// The same for a sum of angles, which is `choice` where it is free: names cos_NAME, sin_NAME. The
+  /// Appends the step for a sum of angles, which is `choice` where it is free: names cos_NAME, sin_NAME. The
   /// direction is a number.
   Scope::Turn turn_by_pair(const std::string& name, const Flat& direction, const Scope::Turn& choice,
                            const std::string& equation);

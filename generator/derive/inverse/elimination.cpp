@@ -81,7 +81,7 @@ double distance(const Axis& a, const Axis& b) {
   return std::abs(dot(normal, difference(a.point, b.point))) / std::sqrt(dot(normal, normal));
 }
 
-/// Whether three axes in a row are nearly parallel or nearly meet in pairs.
+/// True if three axes in a row are nearly parallel or nearly meet in pairs.
 bool may_have_structure(const Axis& a, const Axis& b, const Axis& c) {
   constexpr double nearly = 1e-9;
   const auto parallel = [](const Axis& x, const Axis& y) {
@@ -155,7 +155,7 @@ std::optional<EliminationDerivation> derived(const Robot& described, const Probl
   return result;
 }
 
-/// Of several that are found the first with the fewest doubts stays.
+/// Keeps the first derivation with the fewest doubts, of several that are found.
 void keep_best(std::vector<EliminationDerivation>& found) {
   const auto best = std::min_element(found.begin(), found.end(), [](const auto& a, const auto& b) {
     return a.choices.score < b.choices.score;

@@ -43,11 +43,11 @@ struct EliminationDerivations {
 /// For arms of which `derive` and `derive_given` find nothing.
 EliminationDerivations derive_eliminations(const model::Robot& described);
 
-/// Whether a look at the numbers shows that no three axes in a row meet or are parallel: `derive` need not be
+/// True if a look at the numbers shows that no three axes in a row meet or are parallel: `derive` need not be
 /// asked, whose expressions become long where every angle is a constant of its own.
 bool lacks_structure(const model::Robot& described);
 
-/// What is eliminated and how, for people: a line for each elimination, by the joints' variables.
+/// Describes what is eliminated and how, for people: a line for each elimination, by the joints' variables.
 std::vector<std::string> describe_elimination(const EliminationDerivation& derivation);
 
 }  // namespace qvgen::derive::inverse

@@ -30,7 +30,7 @@ class Placed {
 
   /// Velocity of the tool point, then the angular velocity.
   [[nodiscard]] Column column(std::size_t joint) const { return column(joint, tool_); }
-  /// The same for the tool's point that stands on a joint's axis.
+  /// Returns the column of a tool point on a joint's axis.
   [[nodiscard]] Column column_about(std::size_t joint, std::size_t axis) const {
     return column(joint, carried(screws_[axis].point, axis));
   }

@@ -14,7 +14,8 @@ namespace qvgen::derive::inverse {
 std::string dependent_joints(const Attempt& attempt, const std::vector<std::size_t>& joints,
                              bool position_only);
 
-/// The same of joint k of four and a point on its axis, which the three others place.
+/// Names the dependent joints of an arm whose joint k of four has a point on its axis that the three others
+/// place.
 std::string dependent_joints_about(const Attempt& attempt, std::size_t k);
 
 }  // namespace qvgen::derive::inverse

@@ -24,15 +24,15 @@ Derivation derive(const model::Robot& robot);
 /// that the description names, or the one that leaves the shortest way; all are found, or none is.
 std::vector<Derivation> derive_given(const model::Robot& robot);
 
-// Of a problem without a task: what its arm's joints determine.
+// Without a task: derives what the arm's joints determine.
 
 Derivation derive_pose(const Problem& problem);
-/// Of the tool point; the orientation is not asked for.
+/// Derives the tool point's position; the orientation is not asked for.
 Derivation derive_position(const Problem& problem);
 Derivation derive_orientation(const Problem& problem);
 
-/// What is derived from the problem's arm in canonical frames: where its joints' zeros hide that a wrist has
-/// right angles, frames along the common normals show it.
+/// Derives from the problem's arm in canonical frames: if its joints' zeros hide that a wrist has right
+/// angles, frames along the common normals show it.
 Derivation in_canonical_frames(const Problem& problem,
                                const std::function<Derivation(const Problem&)>& derived);
 

@@ -51,7 +51,7 @@ std::optional<ex> by_length(const ex& value, const Step& step, const Names& name
   return rest + factor * symbolic::symbol(names::result);
 }
 
-/// What the step leaves, by its direction's length wherever the direction itself was read.
+/// Rewrites a step's results by its direction's length wherever the direction itself was read.
 std::optional<Program> by_length(const Step& step, const Names& names, const Scope& scope) {
   Program program;
   for (const Program::Step& value : step.after.steps()) {
@@ -68,7 +68,7 @@ kind::Direction* direction_of(Step& step) {
   return std::get_if<kind::Pair>(&step.kind);
 }
 
-/// Whether the direction itself, not its length alone, decides what exists on a later step: next to noise it
+/// True if the direction itself, not its length alone, decides what exists on a later step: next to noise it
 /// has to be doubted, as no direction is that is left as long as it is.
 bool decides_later(const Plan& plan, const Step& direction) {
   std::set<std::string> uncertain{names::cosine(direction.unknown), names::sine(direction.unknown)};

@@ -7,7 +7,7 @@
 /// Names of the symbols in a plan's programs: made and read here alone.
 namespace qvgen::derive::inverse::names {
 
-/// What the caller gives: the pose's unit quaternion and position.
+/// Names of the caller's values: the pose's unit quaternion and position.
 inline constexpr const char* pose_quaternion = "pose_q";
 inline constexpr const char* pose_position = "pose_p";
 /// The quaternion as it was given, of any length, and 1 / its square: the rotation matrix does not wait for a
@@ -24,11 +24,11 @@ inline constexpr const char* result = "result";
 inline constexpr const char* result_1 = "result_1";
 inline constexpr const char* result_2 = "result_2";
 
-/// Of an angle, by the joint's variable or what else it is called.
+/// Name of an angle's cosine, by the joint's variable or another name of the angle.
 inline std::string cosine(const std::string& angle) { return "cos_" + angle; }
 inline std::string sine(const std::string& angle) { return "sin_" + angle; }
 inline std::string half(const std::string& angle) { return "half_" + angle; }
-/// Of a direction that is left as long as it is.
+/// Name of the length of a direction that is not normalised.
 inline std::string length(const std::string& unknown) { return "length_" + unknown; }
 /// A coordinate ("x", "y") in the plane across the axis in the middle of a position problem, of what the
 /// joint on one side carries.
@@ -38,7 +38,7 @@ inline std::string plane(const std::string& variable, const std::string& coordin
 /// The orientation with joints taken off, the last of them last; its components are behind an underscore.
 inline std::string orientation_without(const std::string& joints) { return "after_" + joints; }
 
-/// What follows in a name that begins so; nothing if it does not.
+/// Returns the rest of a name with that beginning; nothing if it begins otherwise.
 inline std::optional<std::string> behind(const std::string& beginning, const std::string& name) {
   if (name.rfind(beginning, 0) != 0) return std::nullopt;
   return name.substr(beginning.size());

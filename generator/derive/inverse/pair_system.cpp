@@ -13,7 +13,7 @@ ex determinant(const PairRows& rows, const Scope& scope) {
   return scope.clean(rows[0].k.x * rows[1].k.y - rows[0].k.y * rows[1].k.x);
 }
 
-/// What of the block holds the pose as named values: multiplied out it would fill pages.
+/// Names the block's values that hold the pose: multiplied out they would fill pages.
 Block with_names(Builder& builder, const Block& block) {
   const auto named = [&](const std::string& what, const ex& value) {
     return builder.is_constant(value) ? value : builder.keep(what + "_" + block.screw.variable, value);

@@ -21,9 +21,9 @@ PairRow same_distance(const symbolic::Vector& from, const Block& u, const Block&
 /// x out of two linear equations, then its length is a conic in (cos q_c, sin q_c). Empty, or why that fails.
 std::string eliminate(Builder& builder, const Block& a, const Screw& c, const PairRows& rows);
 
-/// The same with one of two joints eliminated. `rows(u, w)`: to eliminate u from. Where their determinant
-/// holds the pose it vanishes at some poses, and all is noise: the joint whose determinant is constant is the
-/// one, if only one is.
+/// Solves the system with one of two joints eliminated. `rows(u, w)` are the rows to eliminate u from. If
+/// their determinant holds the pose, it vanishes at some poses, and all is noise: so the joint with a
+/// constant determinant is eliminated, if only one has it.
 std::string eliminate_one(Builder& builder, const Block& a, const Block& c,
                           const std::function<PairRows(const Block& u, const Block& w)>& rows);
 

@@ -145,7 +145,7 @@ class ParallelAxes {
     int degree;
   };
 
-  /// What a does equals what the tool's side shows, along the axes of the three.
+  /// Equates the motion by a with what the tool's side shows, along the axes of the three.
   PairRow row(const Block& a, const ToolSide::Image& image) const {
     const Block::Form own = a.form(axis(), scope_);
     const Block::Form other = image.form(ToolSide::along, scope_);
@@ -197,7 +197,7 @@ class ParallelAxes {
                           "the turn of the axis of " + b_.variable + " about the axes of " + three());
   }
 
-  /// What is left of the orientation once a, c and the sum are known.
+  /// Solves the rest of the orientation once a, c and the sum are known.
   void solve_b(ToolSide& side) {
     const ToolSide::Image image = side.direction("goal_side", b_.first);
     const Flat in_plane = Flat{image.at(ToolSide::first, builder_), image.at(ToolSide::second, builder_)} *
@@ -219,7 +219,8 @@ class ParallelAxes {
             scope_.clean(y - dot(three_[0].second, three_[0].point))};
   }
 
-  /// Where axis b stands parallel to the three, their sum is free: one that the two links can reach.
+  /// Returns a sum of the three angles that the two links can reach, for poses with axis b parallel to the
+  /// three: there the sum is free.
   Scope::Turn free_sum() {
     const auto length = [&](std::size_t from) {
       const Flat link = across(three_[from + 1].point - three_[from].point);

@@ -49,14 +49,14 @@ struct Step : Unknown {
     if (const auto* right = as<kind::RightWrist>()) return right;
     return as<kind::ObliqueWrist>();
   }
-  /// Whether it is the wrist behind which nothing comes: it gives angles, not cosines and sines.
+  /// True if it is the wrist behind which nothing comes: it gives angles, not cosines and sines.
   [[nodiscard]] bool ends_plan() const { return wrist() != nullptr && wrist()->ends_the_plan; }
   /// The direction that a joint follows, nothing if the step has none.
   [[nodiscard]] const kind::Direction* direction() const {
     if (const auto* opposite = as<kind::Opposite>()) return opposite;
     return as<kind::Pair>();
   }
-  /// Whether the direction is left as long as it is, and its length kept.
+  /// True if the direction is left as long as it is, and its length kept.
   [[nodiscard]] bool keeps_length() const { return direction() != nullptr && !direction()->unit; }
   /// Indices of the joints whose values it leaves. A sum of angles is none, and so is a joint that is held.
   [[nodiscard]] std::vector<int> joints() const {
@@ -115,7 +115,7 @@ struct Plan {
       if (step.is_quartic()) return true;
     return false;
   }
-  /// Whether a pose may leave a joint free while the others can follow for few of its angles: one about whose
+  /// True if a pose may leave a joint free while the others can follow for few of its angles: one about whose
   /// axis the arm turns when it is stretched, or a first one whose axis the tool's point is on, if the others
   /// have to follow the orientation too.
   [[nodiscard]] bool follows_for_few_angles() const {
@@ -127,7 +127,7 @@ struct Plan {
     }
     return reaches && is_opposite;
   }
-  /// Whether near singular poses branches are looked for as for a quartic: also where a pose may leave a
+  /// True if near singular poses branches are looked for as for a quartic: also where a pose may leave a
   /// slide free that the joints behind it have to follow.
   [[nodiscard]] bool searches_nearby() const {
     for (const Step& step : steps) {

@@ -47,7 +47,8 @@ class Position {
  private:
   std::string name(const Block& block) const { return block.screw.variable; }
 
-  /// What the latest step compares, where the joints are the first ones and the equation is one of M_b = N_b.
+  /// Notes the elements that the latest step compares, if the joints are the first ones and the equation is
+  /// one of M_b = N_b.
   void compares(const Elements& elements) {
     const bool in_order = a_.screw.joint >= 0 && a_.screw.joint < b_.joint && b_.joint < c_.screw.joint;
     if (in_order) builder_.plan().steps.back().elements = elements;
@@ -92,7 +93,7 @@ class Position {
     const ex square = builder_.keep("square_" + name(u), square_of(arm));
     const std::string reason = by_distance(u, r, square, false);
     if (!reason.empty()) return reason;
-    // What the other joint is solved by then is at an end of its range: see turn_by_pair.
+    // The equation that solves the other joint is then at an end of its range: see turn_by_pair.
     comes_onto_axis_ = u.comes_onto(b_, scope_);
     keep_flat(u);
     if (own && distance_depends(w, *own)) {
@@ -200,7 +201,7 @@ class Position {
     return !scope_.is_zero(v.x) || !scope_.is_zero(v.y);
   }
 
-  /// Where axis b meets another revolute axis.
+  /// Returns the point where axis b meets another revolute axis, if it does.
   std::optional<Vector> common_point(const Screw& other) const {
     if (!other.revolute) return std::nullopt;
     const Vector normal = cross(b_.axis, other.axis);
@@ -299,7 +300,7 @@ class Position {
     return "";
   }
 
-  /// Whether the component along n never loses the joint, whatever the pose.
+  /// True if the component along n never loses the joint, whatever the pose.
   bool sees_always(const Block& u, const Vector& n) const {
     const Flat& k = u.form(n, scope_).coefficients;
     return builder_.is_constant(k.x) && builder_.is_constant(k.y);

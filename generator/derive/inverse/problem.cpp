@@ -88,8 +88,8 @@ Problem of_canonical_arm(const Problem& problem, const canonical::Arm& arm) {
   const bool numbers = std::all_of(arm.phases.begin(), arm.phases.end(), [](const exact::Angle& phase) {
     return exact::radians(phase).has_value();
   });
-  // Where the tool point is in front of an oblique frame is told by the pose's orientation alone, which a
-  // position does not have.
+  // A position has no orientation, which alone would say where the tool point is in front of an oblique
+  // frame.
   const bool takes_tool_off = problem.task != model::Task::position;
   if (numbers && (is_oblique(robot.base) || (takes_tool_off && is_oblique(robot.tool)))) {
     result.has_frames = true;

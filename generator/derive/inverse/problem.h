@@ -14,7 +14,7 @@
 /// derived then knows nothing of tasks.
 namespace qvgen::derive::inverse {
 
-/// What of a pose the rows of a plan may still miss and has to be looked at.
+/// Part of a pose that the rows of a plan may still miss, so that it is checked.
 enum class Filter { none, position, pose };
 
 struct Problem {
@@ -29,7 +29,7 @@ struct Problem {
   Filter filter = Filter::none;
   model::Vector3 tool_axis;  ///< of the tool's frame, for tasks with a direction
 
-  // What the described arm's poses and joint values are for `robot`, where that has canonical frames.
+  // Relation of the described arm to `robot`, if that has canonical frames.
   model::Robot described;  ///< the arm as it is described, virtual joints behind its tool
   model::Robot moving;     ///< `robot` with the given joint moving
   model::Displacement base,

@@ -20,7 +20,7 @@ namespace {
 
 GiNaC::symbol k() { return symbolic::symbol("signed_root"); }
 
-/// What takes longer to write out tells no sooner than a branch does.
+/// Length of an expression beyond which a test takes as long as a branch.
 constexpr std::size_t short_enough = 150;
 
 /// A branching step's results by k = ±√square.
@@ -29,7 +29,7 @@ struct Signed {
   ex square;
 };
 
-/// What earlier steps have left, by k if one of them has branched.
+/// Values that earlier steps have left, by k if one of them has branched.
 struct Known {
   exmap values;
   std::optional<Signed> sign;

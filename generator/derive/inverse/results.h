@@ -6,8 +6,8 @@
 
 namespace qvgen::derive::inverse {
 
-/// Where an angle is counted from a constant direction, what is linear in its cosine and sine is written in
-/// the block's own result: fewer products, and none that waits for the turned pair.
+/// Rewrites what is linear in an angle's cosine and sine in terms of the block's own result, if the angle is
+/// counted from a constant direction: fewer products, and none that waits for the turned pair.
 void read_results(Plan& plan, const Scope& scope);
 
 }  // namespace qvgen::derive::inverse

@@ -66,7 +66,7 @@ bool any_of(const std::vector<std::string>& names, const std::set<std::string>& 
                      [&](const std::string& name) { return wanted.count(name) > 0; });
 }
 
-/// Whether each of the first steps has to come before step `end`, which reads none of them: all but half
+/// True if each of the first steps has to come before step `end`, which reads none of them: all but half
 /// angles that wait.
 std::vector<bool> needed_before(const Plan& plan, std::size_t end) {
   std::vector<bool> needed(end);
@@ -138,7 +138,7 @@ void prune(Plan& plan) {
   }
   collect(plan.range_test.values, wanted);
   plan.target_kept = kept(plan.target);
-  // What steps read of the pose itself passes through the target under its own name.
+  // Values that steps read of the pose itself pass through the target under its own name.
   for (const std::string& name : wanted) {
     if (name.rfind(names::pose_quaternion, 0) != 0 && name.rfind(names::pose_position, 0) != 0) continue;
     plan.target.output(name, symbolic::symbol(name));

@@ -15,7 +15,7 @@ void prune(Plan& plan);
 /// Names of symbols that a step reads.
 std::vector<std::string> reads(const Step& step);
 
-/// Whether a step reads what half angles leave, itself.
+/// True if a step reads what half angles leave, itself.
 bool reads_halves(const Plan& plan, const Step& step);
 
 /// The steps before one whose values it reads, itself or by another, in order.

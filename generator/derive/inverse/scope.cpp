@@ -30,7 +30,7 @@ class Digits {
   long before_;
 };
 
-/// What is longer when multiplied out stays as it is: for long expressions it gains nothing and takes ages.
+/// Most terms of an expression that is multiplied out: for longer ones it gains nothing and takes ages.
 constexpr double most_terms = 2'000;
 
 /// An upper bound on the terms of an expression when multiplied out.

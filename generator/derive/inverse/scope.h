@@ -57,13 +57,13 @@ class Scope {
   [[nodiscard]] bool is_known(const GiNaC::ex& value) const;
   /// Value at the first sample point, a number of 60 digits.
   [[nodiscard]] GiNaC::numeric value(const GiNaC::ex& value) const;
-  /// The same, rounded.
+  /// Returns the sample of a value, rounded.
   [[nodiscard]] double sample(const GiNaC::ex& value) const;
 
   /// Names a value as an output of the program and returns its symbol; numbers and single symbols stay
   /// themselves.
   GiNaC::ex define(symbolic::Program& program, const std::string& name, const GiNaC::ex& value);
-  /// The same for any value, symbols too: one that does not outlive its step, say.
+  /// Renames any value, symbols too: one that does not outlive its step, say.
   GiNaC::ex rename(symbolic::Program& program, const std::string& name, const GiNaC::ex& value);
   symbolic::Vector define(symbolic::Program& program, const std::string& name, const symbolic::Vector& value);
   symbolic::Quaternion define(symbolic::Program& program, const std::string& name,

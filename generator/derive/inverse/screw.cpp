@@ -42,8 +42,8 @@ Completion completion(const Vector& along, const Scope& scope) {
   return {first, scope.clean(cross(along, first)), divided};
 }
 
-/// The same of a joint's axis at the zero pose. Where it turns with a symbol, what completes it in its own
-/// frame turns with it: no length is divided by that may vanish.
+/// Completes a joint's axis at the zero pose to a frame. If the axis turns with a symbol, the frame turns
+/// with it: no length is divided by that may vanish.
 Completion completion_of(const model::Joint& joint, const Screw& screw, const Scope& scope) {
   const Completion direct = completion(screw.axis, scope);
   if (!direct.divided) return direct;
@@ -54,7 +54,7 @@ Completion completion_of(const model::Joint& joint, const Screw& screw, const Sc
 
 constexpr const char* named_part = "chain_";
 
-/// Whether the sine of a symbolic twist is in it, or a name that stands for such a thing.
+/// True if the sine of a symbolic twist is in it, or a name that stands for such a thing.
 bool holds_twist(const ex& value) {
   if (GiNaC::is_a<GiNaC::function>(value)) return true;
   if (GiNaC::is_a<GiNaC::symbol>(value))

@@ -25,7 +25,7 @@ struct Chain {
   symbolic::Pair home;
 };
 
-/// What depends on symbolic twists is named in `constants`.
+/// Returns the arm's chain of screws. Values that depend on symbolic twists are named in `constants`.
 Chain chain_of(const model::Robot& robot, Scope& scope, symbolic::Program& constants);
 
 /// The directions of three joints in the first one's own frame, with those between them at zero: numbers,
@@ -33,7 +33,7 @@ Chain chain_of(const model::Robot& robot, Scope& scope, symbolic::Program& const
 std::array<Screw, 3> in_own_frame(const model::Robot& robot, const std::array<std::size_t, 3>& joints,
                                   const Scope& scope);
 
-/// The same joint read backwards: e(-axis, q) = e(axis, q)^-1.
+/// Returns the joint read backwards: e(-axis, q) = e(axis, q)^-1.
 Screw reversed(const Screw& screw);
 /// exp of the screw at a known value, as the pair of cosine and sine or a length.
 symbolic::Vector apply(const Screw& screw, const GiNaC::ex& cosine_or_length, const GiNaC::ex& sine,

@@ -26,7 +26,7 @@ bool are_parallel(const std::vector<Screw>& joints, const Screw& turn, const Sco
   });
 }
 
-/// What the other joints, all of which turn about parallel axes, leave of the tool's turn.
+/// Returns the part of the tool's turn that the other joints leave; all of them turn about parallel axes.
 Flat rest_in_plane(Attempt& attempt, const std::vector<Screw>& others, const Screw& turn, Target& target) {
   Flat rest = twist(target.orientation(), turn.axis, attempt.scope);
   for (const Screw& joint : others) {

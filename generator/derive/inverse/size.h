@@ -9,7 +9,7 @@ namespace qvgen::derive::inverse {
 
 /// How much there is to write: symbols, numbers and operations of an expression as it stands.
 std::size_t nodes(const GiNaC::ex& value);
-/// Of all programs of a plan.
+/// Counts the nodes of all programs of a plan.
 std::size_t nodes(const Plan& plan);
 
 }  // namespace qvgen::derive::inverse

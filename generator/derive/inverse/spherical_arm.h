@@ -19,7 +19,7 @@ struct SphericalArm {
   dag::Function values;
 };
 
-/// Whether an arm has seven joints that all turn.
+/// True if an arm has seven joints that all turn.
 bool has_seven_turns(const model::Robot& robot);
 
 /// `robot` in frames of its own, its constants named.

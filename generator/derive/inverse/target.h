@@ -16,7 +16,7 @@ class Target {
   [[nodiscard]] symbolic::Vector source(const symbolic::Vector& x) const;
   /// T's quaternion, named on first use.
   const symbolic::Quaternion& orientation() { return orientation(home_.q); }
-  /// The same for another orientation of the tool at zero, the only one that is asked for.
+  /// Returns the orientation for another orientation of the tool at zero, the only one that is asked for.
   const symbolic::Quaternion& orientation(const symbolic::Quaternion& home);
   /// The rotation of T, of T^-1, in the matrix's named entries.
   [[nodiscard]] symbolic::Vector direction_image(const symbolic::Vector& v) const;

@@ -96,7 +96,7 @@ Derivation kept_level(const Robot& robot) {
   return derivation;
 }
 
-/// What an arm may be asked for, the most it can follow first.
+/// Ways to derive what an arm may be asked for, the most it can follow first.
 using Way = std::function<Derivation()>;
 struct Offer {
   Task task;
@@ -141,7 +141,7 @@ bool turns_in_plane(const Robot& robot) {
   return robot.joints.size() == 3 && kinds.planar && kinds.turns == 3;
 }
 
-/// Whether a joint's value may be given.
+/// True if a joint's value may be given.
 bool has_one_too_many(const Robot& robot) {
   const std::size_t count = robot.joints.size();
   return count == 7 || (count == 4 && robot.inverse.task == Task::position) || turns_in_plane(robot);

@@ -112,7 +112,7 @@ class Slides {
                                    {scope().clean(dot(rest_, n)) / divisor, 0}, {}, equation);
   }
 
-  /// What is left for the others once a slide is known.
+  /// Subtracts a known slide from what is left for the others.
   void subtract(const Slide& slide) {
     const ex value = attempt_.builder.value(slide.screw).cosine;
     rest_ = keep("rest_" + slide.screw.variable, scope().clean(rest_ - value * slide.direction));

@@ -12,7 +12,7 @@ namespace qvgen::derive::inverse {
 /// The joint as it turns directions instead of points.
 Screw without_place(const Screw& screw);
 
-/// What the pose and one joint c say of points and directions: G = e_c^-1 T or T e_c^-1, T the tool's
+/// Points and directions as the pose and one joint c place them: G = e_c^-1 T or T e_c^-1, T the tool's
 /// displacement (its inverse for an arm that is read backwards), in the components along and across an axis.
 class ToolSide {
  public:
@@ -56,7 +56,7 @@ class ToolSide {
   Screw c_;
   Options options_;
   std::array<symbolic::Vector, 3> components_;
-  std::array<symbolic::Vector, 3> seen_;  ///< the same in T's own frame, for T e_c^-1
+  std::array<symbolic::Vector, 3> seen_;  ///< these in T's own frame, for T e_c^-1
 };
 
 }  // namespace qvgen::derive::inverse

@@ -13,7 +13,7 @@ bool is_wrist(const Screw& first, const Screw& middle, const Screw& last, const 
 /// `choice`: cosine and sine of the first angle where it is free, of a wrist behind which further steps come.
 void solve_wrist(Builder& builder, const Screw& first, const Screw& middle, const Screw& last,
                  const symbolic::Quaternion& rotation, const Scope::Turn* choice = nullptr);
-/// Of a wrist behind which further steps come, its first angle the seed's where it is free.
+/// Solves a wrist behind which further steps come; its first angle is the seed's if it is free.
 void solve_wrist_of_seed(Builder& builder, const Screw& first, const Screw& middle, const Screw& last,
                          const symbolic::Quaternion& rotation);
 

@@ -11,8 +11,8 @@ namespace qvgen::derive {
 /// (omega x v) + alpha x v, with the link's angular velocity omega and, at constant joint rates, acceleration
 /// alpha.
 ///
-/// What lies between two axes is taken apart into a part along the one, a part along the other and a rest, so
-/// that the axes' derivatives serve for the vectors too: omega x z is there already.
+/// Splits the offset between two axes into a part along the one, a part along the other and a rest, so that
+/// the axes' derivatives serve for the vectors too: omega x z is there already.
 class AxesInMotion {
  public:
   enum class Order { first, second };
@@ -26,7 +26,7 @@ class AxesInMotion {
   Twist acceleration();
 
  private:
-  /// What is behind the first k pivots.
+  /// Link behind the first k pivots.
   struct Link {
     symbolic::Vector velocity;      ///< angular
     symbolic::Vector acceleration;  ///< angular, if it is wanted

@@ -46,7 +46,7 @@ class CirclePolynomials {
   /// An expression in sines and cosines of linear forms as the shorter of sums of products and sums of
   /// angles.
   GiNaC::ex written_out(const GiNaC::ex& expression);
-  /// Whether the second expression is a multiple of the first, and so vanishes wherever the first does.
+  /// True if the second expression is a multiple of the first, and so vanishes wherever the first does.
   bool divides(const GiNaC::ex& factor, const GiNaC::ex& multiple);
 
  private:

@@ -42,8 +42,8 @@ std::size_t frame_count(const model::Robot& robot);
 /// The columns' time derivatives.
 Columns column_rates_by_frames(symbolic::Program& program, const model::Robot& robot, std::size_t middle);
 
-/// The same, and the tool's acceleration at constant joint rates, by axes and vectors written out in one
-/// frame.
+/// Returns the rates of the columns, and the tool's acceleration at constant joint rates, by axes and vectors
+/// written out in one frame.
 Columns column_rates_by_axes(symbolic::Program& program, const model::Robot& robot, std::size_t frame);
 Twist acceleration_by_axes(symbolic::Program& program, const model::Robot& robot, std::size_t frame);
 

@@ -44,13 +44,13 @@ class Frames {
   };
   /// Column of each joint in front of its group of parallel joints, where its axis is a constant.
   [[nodiscard]] const std::vector<Column>& columns() const { return columns_; }
-  /// The same behind the group.
+  /// Columns behind the group.
   [[nodiscard]] const std::vector<Column>& columns_behind() const { return behind_; }
 
   /// From the base's origin to the tool point, in the base frame.
   [[nodiscard]] const Moving& position() const { return position_; }
 
-  /// The same vector in another frame, one group's turn after the other.
+  /// Returns a vector in another frame, one group's turn after the other.
   Moving move(Moving v, std::size_t from, std::size_t to);
   MovingTwist move(const MovingTwist& twist, std::size_t from, std::size_t to);
   /// A vector given behind the first pivots of the linkage.

@@ -36,7 +36,7 @@ struct Linkage {
 
 Linkage linkage(const model::Robot& robot);
 
-/// The same robot with its tool moved by (point.x, point.y, point.z), symbols, in its own frame.
+/// Returns the robot with its tool moved by (point.x, point.y, point.z), symbols, in its own frame.
 model::Robot with_free_tool_point(const model::Robot& robot);
 
 }  // namespace qvgen::derive

@@ -32,7 +32,8 @@ bool is_zero(const Vector& v) {
   return v.x.expand().is_zero() && v.y.expand().is_zero() && v.z.expand().is_zero();
 }
 
-/// Of a number, or of a product with parameters, which are lengths: positive. 0 where that does not tell.
+/// Returns the sign of a number, or of a product with parameters, which are lengths and so positive; 0 if
+/// that does not tell.
 int sign(const ex& value) {
   const ex e = value.expand();
   if (GiNaC::is_a<GiNaC::add>(e)) return 0;
@@ -237,7 +238,7 @@ SingularCause SingularCauses::of(const ex& factor, const std::vector<std::size_t
   if (auto found = parallel_axes_in_plane(factor, joints)) return *found;
   if (auto found = point_in_plane_of_axes(factor, joints)) return *found;
   if (auto found = along_first_axis(factor, joints)) return *found;
-  // What changes the second joint's angle is the arm as a whole against the first axis.
+  // The second joint's angle moves the arm as a whole against the first axis.
   const bool whole = std::any_of(joints.begin(), joints.end(),
                                  [&](std::size_t j) { return j < 2 && factor.has(variables_[j]); });
   return {whole ? Kind::shoulder : Kind::elbow,

@@ -10,7 +10,7 @@
 
 namespace qvgen::derive {
 
-/// What a factor of the determinant is called, and what happens where it vanishes.
+/// Name of a factor of the determinant, and what happens where it vanishes.
 struct SingularCause {
   enum class Kind { shoulder, elbow, workspace_boundary, inner_boundary, wrist };
   Kind kind = Kind::shoulder;
@@ -25,9 +25,9 @@ class SingularCauses {
   /// `point`: what the linkage's tool point is called.
   SingularCauses(CirclePolynomials& circles, const Linkage& linkage, std::string point);
 
-  /// Of a factor of the determinant of these joints' columns.
+  /// Returns the cause behind a factor of the determinant of these joints' columns.
   SingularCause of(const GiNaC::ex& factor, const std::vector<std::size_t>& joints);
-  /// Of a factor that only the last three of six joints enter.
+  /// Returns the cause behind a factor that only the last three of six joints enter.
   SingularCause of_wrist(const GiNaC::ex& factor, bool axes_meet);
 
  private:

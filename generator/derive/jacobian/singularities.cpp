@@ -75,7 +75,7 @@ struct Square {
   std::vector<std::size_t> columns;
 };
 
-/// Whether the rows are whole vectors: only then is their determinant the same in every frame.
+/// True if the rows are whole vectors: only then is their determinant the same in every frame.
 bool is_independent_of_frame(const std::vector<int>& rows) {
   return rows.size() == 6 || rows == std::vector<int>{0, 1, 2} || rows == std::vector<int>{3, 4, 5};
 }
@@ -122,7 +122,7 @@ bool of_last_three_joints(const ex& value, const Linkage& linkage) {
          !value.has(linkage.variables[2]);
 }
 
-/// What the linkage's tool point is called.
+/// Name of the linkage's tool point.
 enum class Point { tool, wrist_centre, last_axis };
 std::string name_of(Point point) {
   switch (point) {

@@ -96,7 +96,7 @@ std::size_t common_ancestor(const std::vector<Node>& nodes, const std::vector<st
   return best;
 }
 
-/// What tips are called; the first that a file has is meant.
+/// Names of tips; the first that a file has is meant.
 constexpr std::array tip_names{"tool0", "tool",    "tcp",    "tool_link", "ee_link",    "end_effector",
                                "ee",    "link_ee", "flange", "hand_tcp",  "tool_frame", "attachment_site"};
 /// Likewise, but too common among other links to be looked for everywhere.

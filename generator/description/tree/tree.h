@@ -13,7 +13,7 @@
 /// Files that describe a tree of links, of which one path is the robot.
 namespace qvgen::description::tree {
 
-/// What moves a joint besides its own drive: the value of another joint, by the name that the file has.
+/// Motion of a joint by the value of another one, which has the name in the file.
 struct Mimic {
   std::string leader;
   cln::cl_RA ratio;

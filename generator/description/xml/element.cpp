@@ -34,7 +34,7 @@ class Cursor {
   Place place_;
 };
 
-/// Where the values of a start tag's attributes begin; the tag is well formed, and begins at `from`.
+/// Returns where the values of a start tag's attributes begin; the tag is well formed, and begins at `from`.
 std::vector<std::size_t> value_offsets(std::string_view text, std::size_t from, std::size_t count) {
   std::vector<std::size_t> offsets;
   while (offsets.size() < count) {

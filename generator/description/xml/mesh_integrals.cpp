@@ -31,7 +31,7 @@ Point middle(const Corners& c) {
   return sum;
 }
 
-/// What one triangle counts: the volume of its pyramid over the origin, or its area.
+/// Returns the weight of one triangle: the volume of its pyramid over the origin, or its area.
 double weight(const Corners& c, MeshInertia inertia) {
   if (inertia == MeshInertia::shell) return area(c);
   const double volume = dot(middle(c), normal(c)) / 6;

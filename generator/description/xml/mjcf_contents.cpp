@@ -29,7 +29,7 @@ Placed inside(const Placed& around, const Element& element) {
   return placed;
 }
 
-/// What stands in the element: its class for children, if it has one.
+/// Opens an element: notes its class for children, if it has one.
 Placed opened(Placed holder) {
   if (const Attribute* own = holder.element->attribute("childclass")) holder.childclass = own->value;
   return holder;

@@ -3,8 +3,8 @@
 
 #include "description/xml/mjcf_model.h"
 
-/// What a body holds once <frame>, <replicate> and <attach> are written out. Nothing is copied: an element
-/// stands there with the frames around it and with what its names are extended by.
+/// Contents of a body once <frame>, <replicate> and <attach> are written out. Nothing is copied: each element
+/// comes with the frames around it and with what its names are extended by.
 namespace qvgen::description::xml {
 
 /// A frame around elements of a body: a <frame>, or a copy of a <replicate>.

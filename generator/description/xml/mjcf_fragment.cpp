@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Where there is more to look through, it is no robot's folder.
+// A folder with more entries is no robot's folder.
 constexpr std::size_t most_entries = 10'000;
 constexpr std::size_t most_bytes = 50'000'000;
 
@@ -29,7 +29,7 @@ void add_includes(const Element& element, const std::vector<fs::path>& folders, 
   for (const Element& child : element.children) add_includes(child, folders, neighbour);
 }
 
-/// What is in a folder, in the order of names; nothing where it cannot be read.
+/// Returns the entries of a folder, in the order of names; none if it cannot be read.
 std::set<fs::path> entries_of(const fs::path& folder) {
   std::set<fs::path> result;
   std::error_code error;

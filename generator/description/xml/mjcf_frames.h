@@ -12,7 +12,7 @@ class MjcfFrames {
   MjcfFrames(Context& context, const SnapOptions& snap) : context_(&context), snap_(snap) {}
   /// From the body's frame to the innermost frame around the element.
   [[nodiscard]] model::Displacement around(const std::shared_ptr<const Around>& frame);
-  /// Where the element is in its body: the frames around it, then its own.
+  /// Returns the element's place in its body: the frames around it, then its own.
   [[nodiscard]] model::Displacement frame(const Placed& placed);
 
  private:

@@ -13,7 +13,7 @@ std::string type_of(const Element& joint) {
   return joint.name == "freejoint" ? "free" : type == nullptr ? "hinge" : type->value;
 }
 
-/// What a ball has about each axis of the body that it moves, which no turn about a moved axis has.
+/// Attributes that act about each axis of the body that a ball moves; no turn about a moved axis has them.
 const std::vector<std::string>& isotropic() {
   static const std::vector<std::string> keys{"damping", "frictionloss", "armature", "stiffness"};
   return keys;

@@ -19,7 +19,7 @@ class MjcfNumbers {
   /// The joint, whose attributes are complete, about a point of the body's frame: before, motion, after.
   /// Nothing if it is of a type that no chain has.
   [[nodiscard]] std::optional<tree::Segment> joint(const Element& joint, const std::string& name) const;
-  /// Of a <replicate>: how its copy of that number is turned, and how far each is from the one before.
+  /// Returns how the copy of that number of a <replicate> is turned.
   [[nodiscard]] std::vector<model::Turn> turns_of_copy(const Element& replicate, long copy) const;
   [[nodiscard]] model::Vector3 offset_of_copies(const Element& replicate) const;
 
@@ -32,7 +32,7 @@ class MjcfNumbers {
                                                     bool hinge) const;
   [[nodiscard]] std::optional<model::Expression> greatest_effort(const Element& joint) const;
   [[nodiscard]] model::Drive drive(const Element& joint) const;
-  /// Whether the first numbers are all 0, which is reported.
+  /// True if the first numbers are all 0, which is reported.
   [[nodiscard]] bool is_zero(const Attribute& attribute, const std::vector<Decimal>& numbers,
                              std::size_t count) const;
 

@@ -6,7 +6,7 @@
 
 namespace qvgen::description::xml {
 
-/// What holds a node: the frame of its body first, then its joints, each a node of its own; or a site.
+/// Part that holds a node: the frame of its body first, then its joints, each a node of its own; or a site.
 struct MjcfPart {
   std::optional<Placed> frame;     ///< body or site whose frame is applied before the joint
   std::optional<MjcfJoint> joint;  ///< none: fixed

@@ -11,7 +11,7 @@ namespace qvgen::description::xml {
 /// `written` is what stands for it in the file: its digits say what rounding may have done.
 std::vector<model::Turn> turns_of(const Snap& snap, const tree::Matrix& rotation, const Decimal& written);
 
-/// Of a quaternion [w, x, y, z] that need not be of length 1, but is not zero.
+/// Returns the rotation matrix of a quaternion [w, x, y, z] that need not be of length 1, but is not zero.
 tree::Matrix matrix_of(const std::vector<Decimal>& quaternion);
 /// Columns x, y, x cross y after y has been made perpendicular to x; nothing if they are parallel or zero.
 std::optional<tree::Matrix> matrix_of_axes(const std::vector<Decimal>& x_and_y);

@@ -20,7 +20,7 @@ Expression fraction(const Expression& numerator, long denominator) {
   return model::divide(numerator, cln::cl_RA(denominator));
 }
 
-/// What an entry of a unit vector may have been, not negative.
+/// Exact values that an entry of a unit vector may have been, not negative.
 const std::vector<Expression>& known_entries() {
   static const std::vector<Expression> entries{
       Expression(),
@@ -35,7 +35,7 @@ const std::vector<Expression>& known_entries() {
   return entries;
 }
 
-/// What was computed to tree::rounded_digits is exact if it is so near.
+/// Digits to which a value computed to tree::rounded_digits must agree to count as exact.
 constexpr long tree_digits = 36;
 
 cln::cl_RA tolerance(long exponent) { return cln::expt(cln::cl_RA(10), cln::cl_I(exponent)); }
@@ -45,7 +45,7 @@ std::string angle_text(const cln::cl_I& twelfths) {
   return fmt::format("{} deg", cln::cl_I_to_long(15 * twelfths));
 }
 
-/// Of a turn about a coordinate axis.
+/// Writes a turn about a coordinate axis.
 std::string turn_text(const model::Turn& turn) {
   const double half_turns = model::to_double(model::evaluate(turn.angle) / model::evaluate(Expression::pi()));
   std::size_t axis = 0;

@@ -32,7 +32,7 @@ class Snap {
   /// The multiple of pi/12 that is meant by an angle computed from what is written; no note.
   [[nodiscard]] std::optional<model::Expression> part_of_turn(const cln::cl_RA& radians,
                                                               const Decimal& written) const;
-  /// That the turns are read instead of the rotation (rows of a matrix), if they differ.
+  /// Notes that the turns are read instead of the rotation (rows of a matrix), if they differ.
   void note_turns(const Decimal& written, const std::vector<model::Turn>& turns,
                   const std::array<std::array<cln::cl_R, 3>, 3>& rotation) const;
 

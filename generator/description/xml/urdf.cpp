@@ -92,7 +92,7 @@ class UrdfTree {
     if (type == nullptr) return false;
     if (std::find(types.begin(), types.end(), type->value) == types.end()) {
       const std::string near = nearest(type->value, types);
-      // Of another format: told where such a joint is part of the chain.
+      // Joints of another format are reported if they are part of the chain.
       if (!near.empty())
         error(type->place, "unknown joint type '" + type->value + "'", "did you mean '" + near + "'?");
     }

@@ -45,7 +45,7 @@ std::vector<Parameter> parameters_of(const model::Robot& robot, const DynamicsIn
   return list;
 }
 
-/// What no joint variable takes part in, in a scope of its own.
+/// Writes the values that depend on no joint variable, in a scope of their own.
 std::vector<std::string> set_up(const Code& code) {
   if (code.outputs.empty()) return {};
   std::vector<std::string> lines{"double k[" + std::to_string(code.outputs.size()) + "];", "{"};

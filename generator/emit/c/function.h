@@ -7,8 +7,8 @@
 #include "emit/cpp/code.h"
 #include "model/robot.h"
 
-/// The same graphs as C99: plain arrays, libm, no overloads. Expressions are those of C++ but for their
-/// spelling.
+/// Functions in C99, from the graphs of the C++ ones: plain arrays, libm, no overloads. Expressions are those
+/// of C++ but for their spelling.
 namespace qvgen::emit::c {
 
 /// Numbers as 2.0; constants behind pointers.
@@ -48,7 +48,7 @@ Parameter result_struct(const model::Robot& robot, const std::string& type);
 /// The sines and cosines that a function uses, as constants of the names of `emit::angle_name`.
 std::vector<std::string> sine_cosine_statements(const model::Robot& robot, const dag::Function& function,
                                                 const std::vector<dag::Angle>& angles);
-/// Of a homogeneous transformation: 0 0 0 1.
+/// Writes the last row of a homogeneous transformation: 0 0 0 1.
 std::vector<std::string> last_row(const std::string& matrix);
 /// "const double t0 = ...;"
 std::vector<std::string> temporaries(const Code& code);

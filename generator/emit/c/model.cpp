@@ -18,7 +18,7 @@ std::string number(double value) {
   return spelling().number(fmt::format("{}", value));
 }
 
-/// What is computed with a constant that nobody has set says so.
+/// Writes the value of a constant; NAN if nobody has set it, so that results show it.
 std::string value_of(const Constant& constant) { return constant.value ? number(*constant.value) : "NAN"; }
 
 Part constants(const model::Robot& robot, const std::string& name, const std::string& text,

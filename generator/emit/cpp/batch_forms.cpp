@@ -106,7 +106,7 @@ BatchForm dynamics_form(const std::string& name, const DynamicsInterface& interf
   return form;
 }
 
-/// What each instance of the template takes for gravity.
+/// Returns the type that each instance of the template takes for gravity.
 json instances(const BatchForm& form) {
   json list = json::array();
   for (const std::string scalar : {"double", "float"})

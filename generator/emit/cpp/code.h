@@ -10,7 +10,7 @@
 
 namespace qvgen::emit {
 
-/// What languages write differently in an expression.
+/// Spelling of expressions, where languages differ.
 struct Spelling {
   std::function<std::string(const std::string& literal)> number;  ///< "Scalar(2)"
   std::string member;                                             ///< behind what holds constants: "."

@@ -17,7 +17,7 @@ namespace qvgen::emit {
 /// the acceleration of free fall.
 enum class Gravity { none, magnitude, vector };
 
-/// What a function returns, and so the order of its outputs.
+/// Result of a function, and so the order of its outputs.
 enum class Result {
   scalar,
   vector,            ///< a number for each joint
@@ -81,12 +81,12 @@ nlohmann::json base_parameter_values(const model::Robot& robot, const derive::dy
 
 /// Interface of a quantity by its name.
 DynamicsInterface dynamics_interface(const std::string& name);
-/// Whether there is a quantity of that name.
+/// True if there is a quantity of that name.
 bool is_dynamics_function(const std::string& name);
 
-/// What a function returns, as a C++ type.
+/// Returns the C++ type of a result.
 std::string type_of(Result result, const std::string& scalar);
-/// Where each of `count` outputs goes in what is returned: "result(0, 1) = result(1, 0)".
+/// Returns the place of each of `count` outputs in the result: "result(0, 1) = result(1, 0)".
 std::vector<std::string> places_of(Result result, std::size_t dof, std::size_t count);
 
 }  // namespace qvgen::emit

@@ -24,7 +24,7 @@ struct JacobianFunction {
   std::vector<Argument> arguments;  ///< behind q
   std::vector<std::string> text;    ///< lines of the doc comment
   std::string last_statement;       ///< before the result is returned; may be empty
-  /// Where output `i` of the function goes: "result(0, 3)".
+  /// Place of output `i` of the function: "result(0, 3)".
   std::vector<std::string> targets;
   optimise::Optimised optimised;
 };

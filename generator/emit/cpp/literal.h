@@ -10,7 +10,7 @@ namespace qvgen::emit {
 
 /// C++ literal of the double nearest to a number, the shortest text that reads back as it: "2", "0.4318".
 std::string literal(const exact::Number& number);
-/// The same of the sine and the cosine of an angle without a variable; empty if it has one.
+/// Returns the sine, and the cosine, of an angle without a variable as a literal; empty if it has one.
 std::string sine_literal(const exact::Angle& angle);
 std::string cosine_literal(const exact::Angle& angle);
 

@@ -18,7 +18,8 @@ std::size_t behind_text(const std::string& code, std::size_t at) {
   return at;
 }
 
-/// Where the declaration ends that begins here: before = , ; or a closing bracket, outside of <> and ().
+/// Returns the end of the declaration that begins here: before = , ; or a closing bracket, outside of <> and
+/// ().
 std::size_t end_of_declaration(const std::string& code, std::size_t at) {
   int depth = 0;
   for (; at < code.size(); ++at) {
@@ -37,7 +38,7 @@ std::string last_name(const std::string& declaration) {
   return declaration.substr(begin, end - begin);
 }
 
-/// Whether the name stands at a place, by itself and not as a member of something.
+/// True if the name stands at a place, by itself and not as a member of something.
 bool stands_at(const std::string& code, std::size_t at, const std::string& name) {
   if (code.compare(at, name.size(), name) != 0) return false;
   if (at + name.size() < code.size() && is_name(code[at + name.size()])) return false;
@@ -45,7 +46,7 @@ bool stands_at(const std::string& code, std::size_t at, const std::string& name)
          !(is_name(code[at - 1]) || code[at - 1] == '.' || code[at - 1] == ':' || code[at - 1] == '>');
 }
 
-/// Whether the code of the scope in which a thing is declared names it: the function's body for a parameter,
+/// True if the code of the scope in which a thing is declared names it: the function's body for a parameter,
 /// up to the end of the block for a variable. A function without a body names nothing.
 bool is_used(const std::string& code, std::size_t at, const std::string& name) {
   int braces = 0;

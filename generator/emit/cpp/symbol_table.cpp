@@ -176,8 +176,11 @@ std::vector<std::string> sine_cosine_declarations(const model::Robot& robot, con
   std::vector<std::string> lines;
   for (const auto& [place, op] : sines_and_cosines_of(function, angles)) {
     const std::string letter = op == Op::sine ? "s" : "c";
-    lines.push_back("const Scalar& " + letter + angle_name(robot, angles[place], place) + " = angles." +
-                    (op == Op::sine ? "sine" : "cosine") + "[" + std::to_string(place) + "];");
+    const std::string name = angle_name(robot, angles[place], place);
+    // A name by the place alone says nothing of its angle.
+    const std::string note = name.front() == '_' ? "  // of " + to_string(angles[place]) : "";
+    lines.push_back("const Scalar& " + letter + name + " = angles." + (op == Op::sine ? "sine" : "cosine") +
+                    "[" + std::to_string(place) + "];" + note);
   }
   return lines;
 }

@@ -20,9 +20,9 @@ std::vector<dag::Angle> angles_of(const dag::Function& function);
 /// Those of several functions, each once, in the same order.
 std::vector<dag::Angle> merged(const std::vector<std::vector<dag::Angle>>& lists);
 
-/// What an angle is called behind s for its sine and c for its cosine: the numbers of its joints, "m" before
-/// one that is subtracted, "h" in front for half angles; other symbols by their names. Theta2 + theta3 is 23,
-/// theta4 - theta6 is 4m6, (theta4 + theta6)/2 is h46. `place` names what has other coefficients: _3.
+/// Returns the name of an angle behind s for its sine and c for its cosine: the numbers of its joints, "m"
+/// before one that is subtracted, "h" in front for half angles; other symbols by their names. Theta2 + theta3
+/// is 23, theta4 - theta6 is 4m6, (theta4 + theta6)/2 is h46. `place` names what has other coefficients: _3.
 std::string angle_name(const model::Robot& robot, const dag::Angle& angle, std::size_t place);
 
 /// How generated functions write their leaves: joint variables are q[i], geometric constants g.name, sines
@@ -36,7 +36,8 @@ std::set<std::pair<std::size_t, dag::Op>> sines_and_cosines_of(const dag::Functi
                                                                const std::vector<dag::Angle>& angles);
 
 /// Declarations of the sines and cosines that a function uses, from a struct `angles` that holds those of all
-/// `angles`: "const Scalar& s1 = angles.sine[0];".
+/// `angles`: "const Scalar& s1 = angles.sine[0];"; a name without joints with its angle, "// of theta1/2 -
+/// pi/4".
 std::vector<std::string> sine_cosine_declarations(const model::Robot& robot, const dag::Function& function,
                                                   const std::vector<dag::Angle>& angles);
 

@@ -8,7 +8,7 @@
 
 #include "emit/cpp/code.h"
 
-/// What templates are filled with.
+/// Values that templates are filled with.
 namespace qvgen::emit {
 
 /// A line an entry: line.

@@ -2,14 +2,15 @@
 #include "emit/cpp/tidy.h"
 
 #include <algorithm>
+#include <cctype>
 #include <limits>
 #include <string_view>
 
 namespace qvgen::emit {
 namespace {
 
-/// Where a line of code may be broken: in front of operators, behind commas, opening brackets of lists and
-/// "=".
+/// True if a line of code may be broken there: in front of operators, behind commas, opening brackets of
+/// lists and "=".
 bool may_break(const std::string& line, std::size_t at) {
   if (line[at - 1] != ' ') return false;
   const std::string_view before = std::string_view(line).substr(0, at - 1);
@@ -68,7 +69,17 @@ void put(std::string& result, const std::string& line, std::size_t end) {
   result += line.substr(0, last + 1) + "\n";
 }
 
-void put_wrapped(std::string& result, std::string line) {
+/// Returns what lines of a doc comment's prose begin with ("  /// "); empty for other lines.
+std::string prose_mark(const std::string& line) {
+  const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
+  const std::size_t words = indent + std::string_view("/// ").size();
+  const bool is_prose = line.compare(indent, words - indent, "/// ") == 0 && words < line.size() &&
+                        (std::isalnum(static_cast<unsigned char>(line[words])) != 0 || line[words] == '`');
+  return is_prose ? line.substr(0, words) : "";
+}
+
+/// Puts a line in pieces that are short enough, and returns the last one.
+std::string put_wrapped(std::string& result, std::string line) {
   const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
   const bool comment = line.compare(indent, 2, "//") == 0;
   const std::size_t words = comment ? std::min(line.find_first_not_of("/ ", indent), line.size()) : 0;
@@ -83,17 +94,29 @@ void put_wrapped(std::string& result, std::string line) {
     put(result, line, at);
     line = next + line.substr(at);
   }
-  result += line + "\n";
+  return line;
 }
 
 }  // namespace
 
 std::string wrapped(const std::string& code) {
   std::string result;
+  std::string carried;  // the last words of a doc comment's line, which go on in the next
   std::size_t begin = 0;
   for (std::size_t end = code.find('\n'); end != std::string::npos;
-       begin = end + 1, end = code.find('\n', begin))
-    put_wrapped(result, code.substr(begin, end - begin));
+       begin = end + 1, end = code.find('\n', begin)) {
+    std::string line = code.substr(begin, end - begin);
+    const std::string mark = prose_mark(line);
+    if (!carried.empty() && mark == prose_mark(carried)) {
+      line = carried + " " + line.substr(mark.size());
+    } else if (!carried.empty()) {
+      result += carried + "\n";
+    }
+    const std::string last = put_wrapped(result, line);
+    carried = last != line && !mark.empty() ? last : "";
+    if (carried.empty()) result += last + "\n";
+  }
+  if (!carried.empty()) result += carried + "\n";
   return result + code.substr(begin);
 }
 

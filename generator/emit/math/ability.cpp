@@ -36,7 +36,7 @@ std::string asked(const Problem& problem) {
   return {};
 }
 
-/// What the derivation has put behind the arm's own joints.
+/// Names the joints that the derivation has put behind the arm's own.
 std::string virtual_joints(const Problem& problem) {
   std::string text;
   const auto& joints = problem.moving.joints;
@@ -62,7 +62,7 @@ std::string ability(const model::Robot& described, const Problem& problem, const
   return text + virtual_joints(problem);
 }
 
-/// Of an elimination: with two slides its polynomial has half the degree.
+/// Returns the most solutions of an elimination: with two slides its polynomial has half the degree.
 int most_solutions(const derive::inverse::EliminationDerivation& derivation) {
   namespace elimination = qvgen::inverse::elimination;
   const bool slides = derivation.setup.eliminations[0].pair == elimination::Pair::slides;

@@ -13,7 +13,7 @@ namespace qvgen::emit {
 /// ("w = ..."), wrapped to fit a comment. Empty where the robot has symbolic twists.
 std::vector<std::string> closed_form_lines(const model::Robot& described, Notation notation);
 
-/// The same for people, sums collected: one formula a component.
+/// Returns the pose's formulas for people, sums collected: one formula a component.
 std::vector<std::string> pose_formulas(const model::Robot& robot, Notation notation);
 
 /// These in lines that fit, in LaTeX an align* environment.

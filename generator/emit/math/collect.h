@@ -5,9 +5,9 @@
 
 namespace qvgen::emit {
 
-/// The same outputs as people write them: sums of products with what their terms have in common taken out
-/// (sines and cosines first), products of sines and cosines that are one of a sum of angles as that, and
-/// a - a sin^2 as a cos^2. What is no sum of products stays as it is within its term.
+/// Rewrites outputs as people write them: common factors of a sum's terms are taken out (sines and cosines
+/// first), products of sines and cosines become sines or cosines of sums of angles, and a - a sin^2 becomes a
+/// cos^2. Terms that are no sums of products stay unchanged.
 dag::Function collected(dag::Function function);
 
 }  // namespace qvgen::emit

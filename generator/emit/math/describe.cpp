@@ -75,7 +75,7 @@ class Description {
   }
 
  private:
-  /// What is compared: the thesis's (1.22) and (1.23), and what the names below are.
+  /// Describes what is compared: the thesis's (1.22) and (1.23), and what the names below are.
   [[nodiscard]] std::vector<std::string> scheme() const {
     std::vector<std::string> lines = names_of_pairs();
     const auto& steps = plan_.plan.steps;
@@ -85,7 +85,8 @@ class Description {
     return lines;
   }
 
-  /// Of the point that the first joints place: a wrist's, which `goal` is in the base frame, or the tool's.
+  /// Describes the point that the first joints place: a wrist's, which `goal` is in the base frame, or the
+  /// tool's.
   [[nodiscard]] std::string names_of_vectors() const {
     const auto& kept = plan_.plan.target_kept;
     const bool goal = std::any_of(kept.begin(), kept.end(),
@@ -109,7 +110,8 @@ class Description {
             "N_x, N_y, M_x, M_y = a point on both sides, across an axis"};
   }
 
-  /// What a root is of, as it reads without a name; empty where a step's own angle or length stands in it.
+  /// Returns the radicand of a root, as it reads without a name; empty where a step's own angle or length
+  /// stands in it.
   [[nodiscard]] std::string radicand(const dag::Graph& graph, const dag::Node& root) const {
     const auto name = [&](const std::string& symbol) { return words_(symbol); };
     const std::string text = formula(graph, root.operands[0], Notation::text, name);
@@ -148,7 +150,7 @@ class Description {
     std::vector<std::string> lines;
     const dag::Function function = with_named_roots(plain, step, lines);
     for (const dag::Output& output : function.outputs) {
-      // What tells noise from values is no part of the mathematics.
+      // Values that tell noise from signal are no part of the mathematics.
       if (output.name == names::size_square || output.name == "scale") continue;
       const std::string left = name(output.name);
       const std::string right = formula(function.graph, output.value, notation_, name);
@@ -157,7 +159,7 @@ class Description {
     return lines;
   }
 
-  /// What tells before any branch that a pose is out of reach.
+  /// Describes the test that tells before any branch that a pose is out of reach.
   void range_test() {
     const derive::inverse::RangeTest& test = plan_.plan.range_test;
     Passage& passage = add("Out of reach, before any branch: no " + test.unknown, test.equation);

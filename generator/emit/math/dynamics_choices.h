@@ -7,7 +7,7 @@
 
 namespace qvgen::emit {
 
-/// What was chosen for a function of dynamics, in words: unit of length, shifted masses, last link's frame.
+/// Describes the choices for a function of dynamics: unit of length, shifted masses, last link's frame.
 std::string choices_text(const model::Robot& robot, const derive::dynamics::FormulationOptions& choices);
 
 /// The symbolic unit of length by which the set-up divides; nothing if there is none, or if it is a number,

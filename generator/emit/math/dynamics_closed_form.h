@@ -25,7 +25,7 @@ std::vector<ForceTerm> dynamics_closed_form(const model::Robot& robot);
 /// theta1'*theta2' as it is, or \dot{\theta_1} \dot{\theta_2}.
 std::string motion_formula(const std::string& motion, Notation notation);
 
-/// The same as text or an align* environment, a term a line or more.
+/// Returns the closed form as text or an align* environment, a term a line or more.
 std::vector<std::string> dynamics_closed_form_lines(const model::Robot& robot, Notation notation);
 
 }  // namespace qvgen::emit

@@ -15,7 +15,7 @@ std::vector<std::string> broken(const std::string& formula, Notation notation, s
 /// left = right, broken into lines of text, or of an align* environment.
 std::vector<std::string> equation_lines(const std::string& left, const std::string& right, Notation notation);
 
-/// The same of a formula with or without " = ".
+/// Breaks a formula with or without " = " into lines.
 std::vector<std::string> formula_lines(const std::string& formula, Notation notation);
 
 /// Words without formulas as LaTeX takes them.

@@ -26,7 +26,7 @@ using GiNaC::ex;
 /// Components longer than this are written in those of the link before.
 constexpr std::size_t readable = 150;
 
-/// What a joint's unit rate adds to the velocities of its link, in the link's frame.
+/// Returns the velocities that a joint's unit rate adds to its link, in the link's frame.
 Twist added_by(const model::Joint& joint) {
   const LinkMatrix after = matrix_of(joint.after);
   const Matrix3 back = transpose(after.rotation);

@@ -79,7 +79,7 @@ class Parser {
     return place_ > start;
   }
 
-  /// What stands between braces, as it is.
+  /// Reads the text between braces, unchanged.
   std::string braced() {
     if (at_end() || take() != '{') throw std::invalid_argument("LaTeX without a brace: " + latex_);
     const std::size_t end = latex_.find('}', place_);

@@ -10,7 +10,7 @@ namespace qvgen::emit {
 /// std::invalid_argument for a command that it does not know.
 std::string mathml(const std::string& latex);
 
-/// The same as an element of its own, within a line of text.
+/// Writes a formula as an element within a line of text.
 std::string inline_mathml(const std::string& latex);
 
 /// Formulas "left = right" below each other, aligned at the sign; long sums are continued on further lines.

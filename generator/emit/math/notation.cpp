@@ -195,7 +195,7 @@ class Formula {
     }
   }
 
-  /// What a factor is as a decimal number: a named constant or a number beside one.
+  /// Returns a factor as a decimal number: a named constant or a number beside one.
   [[nodiscard]] std::optional<double> decimal_value(Edge edge) const {
     const dag::Node& node = graph_.node(edge);
     std::optional<double> value;
@@ -221,7 +221,7 @@ class Formula {
     return fmt::format("{:.6g}", value);
   }
 
-  /// Of products within it too.
+  /// Adds the factors of a product, and of products within it.
   void add_factors(const dag::Node& node, std::vector<Edge>& factors) const {
     for (const Edge& operand : node.operands)
       if (graph_.node(operand).op == Op::product && !operand.negative)

@@ -26,7 +26,7 @@ inline constexpr Notation Notation::latex{true, Numbers::decimal};
 /// A value in mathematical notation, sums of products as they stand in the graph: "cos((theta4 +
 /// theta6)/2)*..." or LaTeX with \bar\theta_4 for the half angle of theta4, the thesis's notation.
 std::string formula(const dag::Graph& graph, dag::Edge value, Notation notation);
-/// The same with names of the caller's for the symbols.
+/// Writes a formula with the caller's names for the symbols.
 std::string formula(const dag::Graph& graph, dag::Edge value, Notation notation,
                     const std::function<std::string(const std::string&)>& name);
 

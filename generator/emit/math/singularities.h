@@ -10,8 +10,8 @@
 
 namespace qvgen::emit {
 
-/// What vanishes at an arm's singular configurations, in a fixed order, with signs that no run of GiNaC
-/// changes.
+/// Quantities that vanish at an arm's singular configurations, in a fixed order, with signs that no run of
+/// GiNaC changes.
 struct SingularityMeasures {
   std::vector<std::string>
       names;  ///< shoulder, elbow, workspace boundary, inner boundary, wrist; determinant

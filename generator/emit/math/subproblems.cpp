@@ -16,7 +16,7 @@ using derive::inverse::Screw;
 using symbolic::cross;
 using symbolic::Vector;
 
-/// What the sequence rests on: where the wrist's axes meet, and where the first two do, if they do.
+/// Points that the sequence rests on: where the wrist's axes meet, and where the first two do, if they do.
 struct Points {
   Vector wrist;
   std::optional<Vector> shoulder;

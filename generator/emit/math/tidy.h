@@ -10,10 +10,11 @@ namespace qvgen::emit {
 /// A value as a function of one output, simplified, certified to be the same.
 dag::Function tidy(const GiNaC::ex& value);
 
-/// Whether all angles are sums of symbols with whole coefficients: what derive::CirclePolynomials can take.
+/// True if all angles are sums of symbols with whole coefficients: what derive::CirclePolynomials can take.
 bool has_whole_angles(const GiNaC::ex& value);
 
-/// The same, or products of sines and cosines as sines and cosines of sums of angles, whichever is shorter.
+/// Tidies a value, with or without products of sines and cosines turned into sines and cosines of sums of
+/// angles, whichever is shorter.
 dag::Function tidy_in_sums(const GiNaC::ex& value);
 
 }  // namespace qvgen::emit

@@ -86,7 +86,7 @@ struct Entries {
 };
 
 Entries short_entries(const std::string& matrix, const Cells& cells, Notation notation) {
-  // What a line of LaTeX's article and of a terminal hold of four columns.
+  // Most characters of four columns in a line of LaTeX's article, and of a terminal.
   const std::size_t most = notation.typeset ? 46 : 100;
   std::array<std::size_t, 4> widths{1, 1, 1, 1};
   for (const auto& row : cells)

@@ -32,7 +32,7 @@ struct ENode {
   friend bool operator==(const ENode&, const ENode&) = default;
 };
 
-/// What a leaf stands for; a sine or cosine names its angle by index.
+/// Meaning of a leaf; a sine or cosine names its angle by index.
 struct Leaf {
   dag::Op op;
   exact::Number number;

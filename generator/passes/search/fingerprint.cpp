@@ -42,7 +42,7 @@ Field Fingerprint::number(const exact::Number& value) {
   return result;
 }
 
-/// Of a long radicand the rest without small factors counts as a prime.
+/// Returns a root in the field. The rest of a long radicand, without its small factors, counts as a prime.
 Field Fingerprint::root(const cln::cl_I& radicand) {
   const auto known = roots_.find(radicand);
   if (known != roots_.end()) return known->second;

@@ -20,7 +20,7 @@ struct Choice {
   std::int32_t node = -1;  ///< index in the class, -1 for the leaf itself
 };
 
-/// What extraction looks at: classes as numbers, prices as integers (so that no rounding enters a decision),
+/// Network for extraction: classes as numbers, prices as integers (so that no rounding enters a decision),
 /// free classes gone.
 struct Network {
   static constexpr std::int32_t unit = 1024;  ///< price of cost 1

@@ -140,8 +140,8 @@ void share_reciprocals(Classes& classes) {
 
 namespace {
 
-/// Whether a value may be one of the classes' or its negative: a bit for each of many remainders, small
-/// enough for the processor's cache. Most of the values that the closure asks for are none.
+/// Filter that tells if a value may be one of the classes' or its negative: a bit for each of many
+/// remainders, small enough for the processor's cache. Most of the values that the closure asks for are none.
 class ValueFilter {
  public:
   explicit ValueFilter(const Classes& classes) {

@@ -19,7 +19,7 @@ class SelectionState {
   [[nodiscard]] const std::vector<std::uint32_t>& candidates() const { return candidates_; }
   [[nodiscard]] const Choice& chosen(std::uint32_t node) const { return *uses_[node].chosen; }
   void select(std::uint32_t node, std::uint32_t choice);
-  /// Of each class the choice it takes, null for classes without.
+  /// Returns the choice of each class, null for classes without.
   [[nodiscard]] std::vector<const Choice*> choices() const;
 
  private:

@@ -15,7 +15,7 @@ using nlohmann::json;
 
 constexpr const char* part = "batch";
 
-/// Of the inverse velocity, which every robot with Jacobians has: a list of one or none.
+/// Returns the values of the inverse velocity, which every robot with Jacobians has: a list of one or none.
 json rates_values(const model::Robot& robot, const std::vector<emit::BatchForm>& forms) {
   const bool has_jacobian =
       std::any_of(forms.begin(), forms.end(), [](const auto& form) { return form.name == "jacobian"; });

@@ -7,8 +7,8 @@
 namespace qvgen::pipeline {
 namespace {
 
-/// What stands before and behind the name of the choice that a reason is about, and how many rows of three
-/// joints the arm has then: fewer than joints by so many. A turn that is left is one more joint.
+/// Text before and behind the name of the choice that a reason is about, and how many rows of three joints
+/// the arm has then: fewer than joints by so many. A turn that is left is one more joint.
 struct Frame {
   std::string begin;
   std::string end;
@@ -35,7 +35,7 @@ Reason read(const std::string& line) {
   return {"", line};
 }
 
-/// What is said of the axes of three joints; empty if it is said of something else.
+/// Returns the statement about the axes of three joints; empty if the text is about something else.
 std::string of_three_axes(const std::string& text) {
   if (text.rfind("joints ", 0) != 0) return "";
   for (const char* said : {"meet in one point", "parallel"})

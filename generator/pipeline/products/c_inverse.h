@@ -6,8 +6,8 @@
 
 namespace qvgen::pipeline {
 
-/// Of an arm by elimination, which is C++ alone: adds a header in C for that, c/qvgen_NAME_inverse.h, and the
-/// C++ behind it.
+/// Adds C functions of an arm by elimination, which has C++ alone: a header in C, c/qvgen_NAME_inverse.h, and
+/// the C++ behind it.
 void add_c_inverse(const model::Robot& robot, RobotOutput& output);
 
 }  // namespace qvgen::pipeline

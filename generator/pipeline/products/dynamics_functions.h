@@ -8,7 +8,7 @@
 #include "optimise/optimise.h"
 #include "pipeline/robot_output.h"
 
-/// What the headers of functions of dynamics share: measuring, counting and writing them.
+/// Shared parts of the headers of functions of dynamics: measuring, counting and writing them.
 namespace qvgen::pipeline {
 
 /// Returns a function's entry in operation_counts.json.

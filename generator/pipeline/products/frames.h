@@ -8,7 +8,7 @@ namespace qvgen::pipeline {
 
 /// frames.h: poses and Jacobians of every link and of the frames that the description names.
 void generate_frames(const model::Robot& described, RobotOutput& output);
-/// The same functions in C.
+/// Generates the frames' functions in C.
 void generate_frames_c(const model::Robot& described, RobotOutput& output);
 
 }  // namespace qvgen::pipeline

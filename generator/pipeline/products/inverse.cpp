@@ -81,8 +81,9 @@ json effort_values(const qvgen::inverse::Budget& budget, std::size_t joints, int
           {"instructions", thousands_text(thousands_of_instructions(budget, joints, branches))}};
 }
 
-/// What follows one branch: the first pass, if there is one, and the careful one. Not of arms whose rows have
-/// to be looked at: what reaches one pose of theirs need not lead on to the next.
+/// Returns the values of the code that follows one branch: the first pass, if there is one, and the careful
+/// one. Arms whose rows have to be checked have none: a row that reaches one pose need not lead on to the
+/// next.
 json seed_branch(const derive::inverse::Problem& problem, const derive::inverse::LoweredPlan& plan,
                  const emit::Dialect& dialect) {
   if (problem.filter != derive::inverse::Filter::none || !emit::has_seed_branch(plan)) return false;
@@ -93,7 +94,7 @@ json seed_branch(const derive::inverse::Problem& problem, const derive::inverse:
           {"careful", lines(emit::Pass::careful)}};
 }
 
-/// What templates of C need besides.
+/// Adds the values that templates of C need besides.
 void add_values_in_c(const model::Robot& described, const derive::inverse::Derivation& derivation,
                      json& values) {
   const derive::inverse::Problem& problem = derivation.problem;

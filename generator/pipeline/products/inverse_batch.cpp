@@ -18,7 +18,7 @@ using derive::inverse::LoweredPlan;
 using derive::inverse::Problem;
 using nlohmann::json;
 
-/// Whether the rows of the plan are those of the function, without a look at what they reach.
+/// True if the rows of the plan are those of the function, without a look at what they reach.
 bool rows_are_results(const model::Robot& described, const Problem& problem) {
   const bool takes_poses = problem.task == model::Task::pose || problem.task == model::Task::position;
   return takes_poses && problem.filter == derive::inverse::Filter::none &&
@@ -37,7 +37,7 @@ void set_geometry(const json& geometry, const std::string& phase_of_given, json&
   }
 }
 
-/// Of the solver of several poses side by side; false if there is none.
+/// Returns the values of the solver of several poses side by side; false if there is none.
 json lane_values(const model::Robot& described, const derive::inverse::Derivation& derivation,
                  const std::string& given) {
   const Problem& problem = derivation.problem;

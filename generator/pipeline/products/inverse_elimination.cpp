@@ -53,7 +53,7 @@ verify::RowCertificate certify(const EliminationDerivation& derivation) {
   return verify::certify_rows(derivation.arm, {}, derivation.setup.chain.size, solver, poses);
 }
 
-/// What the header says of the time that a set-up takes, and of what may be missing.
+/// Returns the header's note on the time that a set-up takes, and on what may be missing.
 std::string by_elimination(const EliminationDerivation& derivation) {
   std::string text =
       "Rows stand in the order of their joints, a row's branch is its place.\n"

@@ -14,7 +14,7 @@ namespace qvgen::pipeline {
 /// A field an entry.
 nlohmann::json fields_of(const std::vector<std::string>& names);
 
-/// What the tool's distance from the origin cannot exceed, as text: the sum of all lengths, if they are
+/// Returns a bound of the tool's distance from the origin, as text: the sum of all lengths, if they are
 /// numbers and no joint of the arm's own slides; else empty. A virtual joint at the tool has to end at zero.
 std::string reach(const derive::inverse::Problem& problem);
 

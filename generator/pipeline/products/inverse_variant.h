@@ -7,8 +7,8 @@
 
 #include "derive/inverse/problem.h"
 
-/// What the templates of closed forms and of eliminations have in common: a robot's variants, one for each
-/// way to ask for its inverse kinematics.
+/// Shared part of the templates of closed forms and of eliminations: a robot's variants, one for each way to
+/// ask for its inverse kinematics.
 namespace qvgen::pipeline {
 
 /// The variable of the joint that the caller gives; empty for none.
@@ -17,7 +17,7 @@ std::string given_variable(const model::Robot& described, const derive::inverse:
 /// The names of a variant's functions and types, and what its caller gives.
 nlohmann::json variant_names(const model::Robot& described, const derive::inverse::Problem& problem);
 
-/// What the functions of a variant take, by the names of tasks.
+/// Adds the arguments of a variant's functions, by the names of tasks.
 void add_targets(const derive::inverse::Problem& problem, const nlohmann::json& variant,
                  nlohmann::ordered_json& targets);
 

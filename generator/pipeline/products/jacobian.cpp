@@ -66,7 +66,7 @@ struct Jacobians {
 Jacobians jacobians_of(const model::Robot& described, RobotOutput& output) {
   const canonical::Arm arm = canonical::whatever_notation(described);
   verify::certify_same_pose(described, arm);
-  // What vanishes is told in the description's own angles.
+  // The header names what vanishes in the description's own angles.
   const canonical::Arm own = canonical::for_kinematics(described);
   auto [measures, measures_function] = singularity_measures_function(own.robot, output);
   Jacobians found{own.robot, measures, {plain_jacobian_function(arm.robot)}};

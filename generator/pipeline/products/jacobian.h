@@ -10,7 +10,7 @@ namespace qvgen::pipeline {
 void generate_jacobian(const model::Robot& robot, RobotOutput& output);
 void generate_jacobian_c(const model::Robot& robot, RobotOutput& output);
 
-/// Whether its `inverse_velocity` decouples arm and wrist.
+/// True if its `inverse_velocity` decouples arm and wrist.
 bool has_wrist_centre(const model::Robot& robot);
 
 }  // namespace qvgen::pipeline

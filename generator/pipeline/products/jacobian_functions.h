@@ -9,7 +9,7 @@
 
 namespace qvgen::pipeline {
 
-/// What vanishes at singular configurations, and the function that computes it.
+/// Measures that vanish at singular configurations, and the function that computes them.
 struct MeasuresFunction {
   emit::SingularityMeasures measures;
   emit::JacobianFunction function;

@@ -23,7 +23,7 @@ using nlohmann::json;
 
 constexpr int accuracy_points = 200;
 
-/// What the head of a function says: counts, certificate, rounding error.
+/// Returns the notes in the head of a function: counts, certificate, rounding error.
 std::string notes(const optimise::Optimised& optimised) {
   return "/// " + verify::describe(optimised.counts) +
          ". Equal to the plain product of the joints' pairs at " +

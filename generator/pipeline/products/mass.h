@@ -8,7 +8,7 @@ namespace qvgen::pipeline {
 
 /// mass.h: the mass of all links, their centre of mass and its Jacobian.
 void generate_mass(const model::Robot& described, RobotOutput& output);
-/// The same functions in C.
+/// Generates the mass functions in C.
 void generate_mass_c(const model::Robot& described, RobotOutput& output);
 
 }  // namespace qvgen::pipeline

@@ -73,7 +73,7 @@ json joint(const model::Joint& joint, const model::Robot& robot, bool last) {
           {"last", last}};
 }
 
-/// What is said of joints that have no variable of their own.
+/// Returns the lines about joints that have no variable of their own.
 json follower_lines(const model::Robot& robot) {
   json lines = json::array();
   for (const model::Joint& joint : robot.joints)

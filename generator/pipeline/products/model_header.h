@@ -15,7 +15,7 @@ void generate_model_header(const model::Robot& robot, RobotOutput& output);
 std::vector<emit::c::Constant> constants_of(const model::Robot& robot,
                                             const std::vector<model::Parameter>& parameters);
 
-/// The same as model.h in C.
+/// Generates the model in C.
 void generate_model_c(const model::Robot& robot, RobotOutput& output);
 
 }  // namespace qvgen::pipeline

@@ -8,7 +8,7 @@ namespace qvgen::pipeline {
 
 /// regressor_with_drives.h: joint forces, drives included, as a linear function of what motions can tell.
 void generate_regressor_with_drives(const model::Robot& described, RobotOutput& output);
-/// The same functions in C.
+/// Generates the regressor with drives in C.
 void generate_regressor_with_drives_c(const model::Robot& described, RobotOutput& output);
 
 }  // namespace qvgen::pipeline

@@ -17,8 +17,8 @@ namespace {
 using derive::inverse::LoweredPlan;
 using derive::inverse::Problem;
 
-/// That a row is right its pose says, to fifty digits. Which of the rows it is, joints next to a singular
-/// structure, axes nearly in line, tell with fewer.
+/// Digits to which a row's joints are compared. Its pose is compared to fifty digits; joints next to a
+/// singular structure, axes nearly in line, have fewer.
 constexpr double forty_digits = 1e-40;
 
 bool asks_for_position(model::Task task) {
@@ -26,8 +26,8 @@ bool asks_for_position(model::Task task) {
 }
 bool asks_for_orientation(model::Task task) { return task != model::Task::position; }
 
-/// What the functions for a task make of it: a pose with nothing in place of what it leaves open. What is
-/// left of the orientation is a joint of the problem's.
+/// Returns a pose as the functions for a task see it, with zeros in place of what the task leaves open. The
+/// rest of the orientation is a joint of the problem's.
 Pair asked(Pair pose, model::Task task) {
   if (!asks_for_position(task)) pose.p = {0, 0, 0};
   if (!asks_for_orientation(task)) pose.q = {1, 0, 0, 0};

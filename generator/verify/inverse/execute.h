@@ -17,7 +17,7 @@ struct Row {
   bool continuum = false;
 };
 
-/// What certificates of inverse kinematics allow of the sixty digits that they compute with.
+/// Tolerance of certificates of inverse kinematics, which compute with sixty digits.
 inline constexpr double fifty_digits = 1e-50;
 
 /// Outputs of a function at values of its symbols, in sixty digits.

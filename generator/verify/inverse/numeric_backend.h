@@ -11,9 +11,8 @@
 
 namespace qvgen::verify {
 
-/// What backends that carry out the building blocks with numbers have in common
-/// (derive/inverse/kinds/kinds.h): the seed's angles and lengths are zero. `Own` adds inputs, tolerances and
-/// what becomes of the results.
+/// Shared part of backends that carry out the building blocks with numbers (derive/inverse/kinds/kinds.h):
+/// the seed's angles and lengths are zero. `Own` adds inputs, tolerances and what becomes of the results.
 template <class Scalar, class Own>
 class NumericBackend {
  public:

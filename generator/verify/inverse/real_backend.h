@@ -88,7 +88,7 @@ class RealBackend : public NumericBackend<Real, RealBackend> {
     set(wrist, angles);
   }
 
-  /// Of a quartic: each root's turn and slide.
+  /// Turn and slide of each root of a quartic.
   [[nodiscard]] const std::vector<qvgen::inverse::SlideTurn<Real>>& all_roots() const { return roots_; }
 
  private:

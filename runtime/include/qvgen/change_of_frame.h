@@ -18,8 +18,8 @@ Eigen::Matrix<typename Derived::Scalar, 6, Derived::ColsAtCompileTime> turned_in
   return result;
 }
 
-/// The same twists at another point of the body, `offset` (m) away from the old one, in the same frame:
-/// v' = v + omega x offset.
+/// Moves twists to another point of the body, `offset` (m) away from the old one, in the same frame: v' = v +
+/// omega x offset.
 template <class Derived>
 Eigen::Matrix<typename Derived::Scalar, 6, Derived::ColsAtCompileTime> moved_by(
     const Vector3<typename Derived::Scalar>& offset, const Eigen::MatrixBase<Derived>& twists) {

@@ -42,7 +42,7 @@ Cubic<Scalar> cubic_between(Scalar begin, Scalar end, Scalar duration, Scalar be
            (begin_rate + end_rate - 2 * slope) / (duration * duration)}};
 }
 
-/// What is asked of a trajectory at one of its ends.
+/// Demands on a trajectory at one of its ends.
 template <class Scalar>
 struct EndCondition {
   enum class Kind { rate, acceleration };

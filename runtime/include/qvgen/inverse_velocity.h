@@ -127,9 +127,9 @@ InverseVelocity<Scalar, Joints> inverse_velocity(const Eigen::Matrix<Scalar, 6, 
   return result;
 }
 
-/// The same for six joints with a spherical wrist: at the wrist centre the last three joints give no linear
-/// velocity, so the arm follows from the linear part alone and the wrist from what is left of the angular
-/// part: two 3 x 3 systems. Near a singularity of one of them only that one is damped.
+/// Inverse velocity of six joints with a spherical wrist: at the wrist centre the last three joints give no
+/// linear velocity, so the arm follows from the linear part alone and the wrist from what is left of the
+/// angular part: two 3 x 3 systems. Near a singularity of one of them only that one is damped.
 ///
 /// wrist_centre: from the tool point (to which Jacobian and twist belong) to the wrist centre, base frame, m.
 template <class Scalar>

@@ -8,8 +8,7 @@
 
 namespace qvgen {
 
-// Whether a pack is one vector register or four doubles is known where it is compiled: two types to the
-// linker.
+// The compiler's options decide if a pack is one vector register or four doubles: two types to the linker.
 #if defined(__AVX__)
 #define QVGEN_PACK_ABI vectors
 #else

@@ -26,7 +26,8 @@ struct Pose {
 
   static Pose identity() { return {}; }
 
-  /// Of a rotation matrix (orthogonal, determinant 1; see `from_rotation_matrix`) and a position.
+  /// Makes a pose of a rotation matrix (orthogonal, determinant 1; see `from_rotation_matrix`) and a
+  /// position.
   static Pose from_matrix(const Matrix3<Scalar>& rotation, const Vector3<Scalar>& position) {
     return {from_rotation_matrix<Scalar>(rotation), position};
   }
@@ -51,7 +52,7 @@ struct Pose {
     return {back, -(back * position)};
   }
 
-  /// The same pose with a quaternion of length one; a zero quaternion gives NaN.
+  /// Returns this pose with a quaternion of length one; a zero quaternion gives NaN.
   [[nodiscard]] Pose normalised() const {
     return {Eigen::Quaternion<Scalar>(orientation.coeffs() / orientation.norm()), position};
   }

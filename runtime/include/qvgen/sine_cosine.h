@@ -10,16 +10,16 @@ namespace qvgen {
 
 /// Sines and cosines of `count` >= 0 angles, rad, in one vector pass.
 ///
-/// Where the machine has AVX2 and FMA (asked once, at the first call), within 2 ulp for |angle| <= 2^30, and
-/// exactly odd and even; larger angles, and all angles on other machines, are std::sin's and std::cos's. NaN
-/// and infinities give NaN. float is computed in double and rounded once. The three arrays need no alignment
-/// and no padding; `sines` or `cosines` may be the array of the angles. Reentrant; no heap, no locks, no
-/// exceptions.
+/// Computes sines and cosines of `count` angles, rad. On machines with AVX2 and FMA (asked once, at the first
+/// call) they are within 2 ulp for |angle| <= 2^30, and exactly odd and even; larger angles, and all angles
+/// on other machines, are std::sin's and std::cos's. NaN and infinities give NaN. float is computed in double
+/// and rounded once. The three arrays need no alignment and no padding; `sines` or `cosines` may be the array
+/// of the angles. Reentrant; no heap, no locks, no exceptions.
 void sines_and_cosines(const double* angles, double* sines, double* cosines, int count) noexcept;
 void sines_and_cosines(const float* angles, float* sines, float* cosines, int count) noexcept;
 
-/// The same for any other scalar (long double, automatic differentiation, packs) by its own sin and cos,
-/// found by argument-dependent look-up.
+/// Computes sines and cosines of any other scalar (long double, automatic differentiation, packs) by its own
+/// sin and cos, found by argument-dependent look-up.
 template <class Scalar>
 void sines_and_cosines(const Scalar* angles, Scalar* sines, Scalar* cosines, int count) {
   using std::cos;

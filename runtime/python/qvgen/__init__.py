@@ -18,7 +18,7 @@ __all__ = ["BuildError", "NearSolution", "NearestRows", "Solutions", "Status", "
 
 
 class Status(enum.IntEnum):
-    """What became of a pose."""
+    """Status of a pose."""
     solved = 0
     singular = 1
     unreachable = 2
@@ -27,7 +27,7 @@ class Status(enum.IntEnum):
 
 
 class Solutions(typing.NamedTuple):
-    """What inverse_kinematics has found; of a batch every field has its axis in front."""
+    """Result of inverse_kinematics; for a batch every field has the batch's axis in front."""
     q: typing.Any  #: (max, dof), rad or m, the rows of a pose one after the other; NaN behind the last
     count: typing.Any  #: (), how many rows there are
     status: typing.Any  #: (), of qvgen.Status
@@ -36,13 +36,13 @@ class Solutions(typing.NamedTuple):
 
 
 class NearSolution(typing.NamedTuple):
-    """What inverse_kinematics_near has found; of a batch both fields have its axis in front."""
+    """Result of inverse_kinematics_near; for a batch both fields have the batch's axis in front."""
     q: typing.Any  #: (dof,), rad or m; NaN if there is none
     status: typing.Any  #: (), of qvgen.Status
 
 
 class NearestRows(typing.NamedTuple):
-    """What nearest_pose has found; of a batch every field has its axis in front."""
+    """Result of nearest_pose; for a batch every field has the batch's axis in front."""
     q: typing.Any  #: (16, dof), rad or m, the nearest row first; NaN behind the last
     position_error: typing.Any  #: (16,), m, from the tool to the pose
     orientation_error: typing.Any  #: (16,), rad, from the tool to the pose

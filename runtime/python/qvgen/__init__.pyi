@@ -46,7 +46,7 @@ _Result = NDArray[float64] | NDArray[float32]
 _Out = NDArray[float64] | NDArray[float32] | None
 
 class Robot(Protocol):
-    """What the module of a robot can have: `functions` tells what it has. Shapes and units are in the docstrings."""
+    """Module of a robot, with all that it can have: `functions` tells what it has. Shapes and units are in the docstrings."""
 
     dof: int
     joint_names: list[str]
@@ -149,7 +149,7 @@ class Robot(Protocol):
         geometry: _Constants = None, inertia: _Constants = None, out: _Out = None,
     ) -> _Result: ...
 
-    # Of an arm with a joint given also inverse_kinematics_given_NAME(target, given, seed=None, ...) and
+    # An arm with a joint given has also inverse_kinematics_given_NAME(target, given, seed=None, ...) and
     # inverse_kinematics_near_given_NAME(target, given, seed, ...). Where less than a pose is taken too `pose` is `target`.
     def inverse_kinematics(
         self, pose: ArrayLike, seed: ArrayLike | None = None, *, limits: _Limits = None, geometry: _Constants = None,
@@ -159,7 +159,7 @@ class Robot(Protocol):
         self, pose: ArrayLike, seed: ArrayLike, *, path: bool = False, geometry: _Constants = None,
         tolerance: float = 1e-13,
     ) -> NearSolution: ...
-    # Of seven joints around a spherical shoulder and wrist; their inverse_kinematics has limits="description".
+    # Arms of seven joints around a spherical shoulder and wrist; their inverse_kinematics has limits="description".
     def arm_angle(
         self, q: ArrayLike, *, reference: _Reference = "conventional", geometry: _Constants = None,
     ) -> NDArray[float64]: ...

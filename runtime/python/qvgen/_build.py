@@ -31,7 +31,7 @@ class BuildError(RuntimeError):
 
 
 def cache_folder():
-    """Where modules are kept: $QVGEN_CACHE, or ~/.cache/qvgen. It may be deleted at any time."""
+    """Returns the folder of modules: $QVGEN_CACHE, or ~/.cache/qvgen. It may be deleted at any time."""
     default = pathlib.Path(os.environ.get("XDG_CACHE_HOME", pathlib.Path.home() / ".cache")) / "qvgen"
     return pathlib.Path(os.environ.get("QVGEN_CACHE", default))
 
@@ -50,6 +50,8 @@ def _hash(texts):
     return digest.hexdigest()[:24]
 
 
+# Libraries of the runtime, in the linker's order.
+_LIBRARIES = ("certified", "arm_angle", "given_joint", "nearest_pose", "elimination", "inverse", "core")
 _has_avx2_forms = platform.machine() in ("x86_64", "AMD64")
 
 
@@ -116,9 +118,9 @@ def _compile(robot, generated, target):
     """Compiles and links in a folder of its own; the module appears whole, or not at all."""
     sources = _binding(robot, generated)
     robot_library = _built(f"libqvgen_robot_{robot}.a") if generated == generated_folder else None
-    runtime_library = _built("libqvgen_runtime.a")
+    runtime_libraries = [_built(f"libqvgen_runtime_{each}.a") for each in _LIBRARIES]
     to_compile = [] if robot_library else sorted((generated / "source" / robot).glob("*.cpp"))
-    to_compile += [] if runtime_library else _runtime_sources()
+    to_compile += [] if all(runtime_libraries) else _runtime_sources()
     folders = [generated / "include", _here, _root / "runtime/include",
                os.environ.get("QVGEN_EIGEN", "/usr/include/eigen3"), sysconfig.get_paths()["include"], *_pybind11()]
     compiler = shlex.split(os.environ.get("CXX", "c++"))
@@ -138,12 +140,12 @@ def _compile(robot, generated, target):
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
             objects = list(pool.map(compile_, enumerate([binding, *to_compile])))
         _run([*compiler, "-shared", "-o", work / target.name, *objects,
-              *(each for each in (robot_library, runtime_library) if each)])
+              *([robot_library] if robot_library else []), *(runtime_libraries if all(runtime_libraries) else [])])
         os.replace(work / target.name, target)
 
 
 def _functions(entry):
-    """Of each function where it is, of each part that is not there why; and what the inverse kinematics takes."""
+    """Returns the header of each function, the reason for each part that is missing, and the targets of the inverse kinematics."""
     targets = entry.get("targets", {})
     names = [name for name in entry if name not in ("missing", "targets")]
     functions = {name: "here" if is_bound(name) or name in targets else "in C++ only" for name in [*names, *targets]}
@@ -163,7 +165,7 @@ def _binding(robot, generated):
 
 
 def module_file(robot, generated):
-    """Where the module belongs by the content of all that it is made from; compiled if it is not there."""
+    """Returns the path of the module, by the content of all that it is made from; compiles it if it is not there."""
     made_of = [*(generated / "source" / robot).glob("*"), *(generated / "include/qvgen/robots" / robot).glob("*"),
                *_here.glob("*.h"), *(_root / "runtime/include").rglob("*.h"),
                *(_root / "runtime/source").rglob("*.h"), *_runtime_sources()]

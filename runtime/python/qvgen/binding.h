@@ -14,7 +14,7 @@
 #include <pybind11/pybind11.h>
 #include <qvgen/pose.h>
 
-/// What the Python modules of all robots share: arrays in, one row or a batch of rows, arrays out.
+/// Shared part of the Python modules of all robots: arrays in, one row or a batch of rows, arrays out.
 namespace qvgen::python {
 
 namespace py = pybind11;
@@ -99,7 +99,7 @@ py::ssize_t batch_of(const std::vector<Rows<Scalar>>& arguments) {
   return batch;
 }
 
-/// What is returned: `out` if it is given and fits, else a new array.
+/// Returns the result's array: `out` if it is given and fits, else a new array.
 template <class Number>
 py::array_t<Number> result_array(const py::object& out, py::ssize_t batch, Shape shape) {
   if (batch >= 0) shape.insert(shape.begin(), batch);

@@ -14,7 +14,7 @@
 /// Inverse kinematics for Python: rows of targets in, solutions padded to equal size out. Always in double.
 namespace qvgen::python {
 
-/// What of a row of numbers makes a target, and how many they are.
+/// Reads a target from a row of numbers, and says how many numbers it takes.
 template <class Target>
 struct TargetOf;
 
@@ -120,7 +120,7 @@ class SolutionArrays {
   bool* continuum_;
 };
 
-/// Whether it is known how many solutions there are at most. Where whole turns make more of one it is not.
+/// True if it is known how many solutions there are at most. Where whole turns make more of one it is not.
 template <class Found>
 struct CapacityOf {
   static constexpr bool is_fixed = true;
@@ -200,7 +200,7 @@ py::object solutions_of(const InverseArguments& arguments, const std::optional<J
   return each_solution<dof>(rows, [&](const double* const* row) { return call(row, seed(row), *limits); });
 }
 
-/// Whether the last axis of a target is as long as this kind's.
+/// True if the last axis of a target is as long as this kind's.
 template <class Target>
 bool is_of_kind(const py::object& target) {
   const auto array = Array<double>::ensure(target);
@@ -208,8 +208,7 @@ bool is_of_kind(const py::object& target) {
   return array && array.ndim() > 0 && array.shape(array.ndim() - 1) == TargetOf<Target>::size;
 }
 
-/// The same for a function that takes a pose, or less (`Reduced`), told apart by the length of their last
-/// axis.
+/// Binds a function that takes a pose, or less (`Reduced`), told apart by the length of their last axis.
 template <class Reduced, int dof, bool has_given, class Geometry, class Solve>
 py::object solutions_of_either(const InverseArguments& arguments,
                                const std::optional<JointLimits<dof>>& limits, const Geometry& g,
@@ -258,8 +257,8 @@ py::object near_solutions_of(const InverseArguments& arguments, bool path, const
   return py::module_::import("qvgen").attr("NearSolution")(solutions, status);
 }
 
-/// The same for a function that takes a pose, or less (`Reduced`), told apart by the length of their last
-/// axis.
+/// Binds the function next to a seed that takes a pose, or less (`Reduced`), told apart by the length of
+/// their last axis.
 template <class Reduced, int dof, bool has_given, class Geometry, class Solve>
 py::object near_solutions_of_either(const InverseArguments& arguments, bool path, const Geometry& g,
                                     double tolerance, const Solve& solve) {

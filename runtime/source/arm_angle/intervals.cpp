@@ -14,7 +14,7 @@ constexpr double half_turn = 3.14159265358979323846;
 class Marks {
  public:
   void append(double angle) { angles_[static_cast<std::size_t>(count_++)] = without_turns(angle); }
-  /// Where the wave is zero.
+  /// Appends the angles at which the wave is zero.
   void append_zeros(const Swivel::Wave& wave) {
     const double height = std::hypot(wave.cosine, wave.sine);
     if (!(std::abs(wave.constant) <= height)) return;
@@ -48,8 +48,8 @@ void append_limits(const ThreeTurns& three, const Ranges& ranges, const WaveOf& 
     if (ranges.last.cuts()) marks.append_zeros(wave(a, turned(c, rotor(-limit), b), a.dot(b)));
 }
 
-/// The same where the outer axes are in line all around the circle, along or opposite: where both outer
-/// joints stand at a limit.
+/// Appends the ends of a swivel whose outer axes are in line all around the circle, along or opposite: there
+/// both outer joints are at a limit.
 template <class WaveOf>
 void append_shared_limits(const ThreeTurns& three, const Ranges& ranges, bool opposite, const WaveOf& wave,
                           Marks& marks) {
@@ -74,7 +74,7 @@ void append_marks(const ThreeTurns& three, const Ranges& ranges, const WaveOf& w
   for (const double cosine : {three.least_cosine(), three.most_cosine()})
     if (std::abs(cosine) < 1 - 1e-12)
       marks.append_zeros({between.cosine, between.sine, between.constant - cosine});
-  // Where the outer axes come into line the outer joints jump, and there alone they are free: a point that
+  // The outer joints jump where the outer axes come into line, and there alone they are free: a point that
   // may be within the limits while both sides are not.
   if (most < 1 - 1e-9) return;
   const double crest = std::atan2(between.sine, between.cosine);
@@ -139,7 +139,7 @@ Masks masks_of(const Circle& circle, const Solver& solver, const Swivel& swivel,
   const Halved halved(solver, swivel, limits);
   Masks masks{};
   const auto at = [&](int arc) -> unsigned& { return masks[static_cast<std::size_t>(arc % circle.arcs())]; };
-  // What is narrower is looked at by itself, and so is what comes behind.
+  // Narrower intervals are looked at by themselves, and so is what follows them.
   constexpr double narrow = 1e-9;
   unsigned shoulder = 0, wrist = 0;
   bool known = false;

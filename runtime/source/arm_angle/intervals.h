@@ -14,11 +14,11 @@ class Circle {
 
   /// One where nothing is cut: the whole circle.
   [[nodiscard]] int arcs() const { return count_ == 0 ? 1 : count_; }
-  /// Where an arc begins; of the arc behind the last, where the last one ends.
+  /// Returns the beginning of an arc; behind the last arc, the end of that one.
   [[nodiscard]] double begin(int arc) const;
   [[nodiscard]] double middle(int arc) const { return (begin(arc) + begin(arc + 1)) / 2; }
   [[nodiscard]] double width(int arc) const { return begin(arc + 1) - begin(arc); }
-  /// Whether it is something of the wrist that changes where an arc begins, else of the shoulder.
+  /// True if it is something of the wrist that changes where an arc begins, else of the shoulder.
   [[nodiscard]] bool is_of_wrist(int arc) const {
     return count_ > 0 && marks_[static_cast<std::size_t>(arc % count_)].of_wrist;
   }
@@ -32,7 +32,7 @@ class Circle {
   std::array<Mark, 36> marks_{};
 };
 
-/// Of a pose that has solutions.
+/// Returns the intervals of a pose that has solutions.
 ArmAngleIntervals intervals(const Solver& solver, const JointLimits<7>& limits);
 
 }  // namespace qvgen::inverse::arm_angle

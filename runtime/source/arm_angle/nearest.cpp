@@ -59,8 +59,8 @@ bool append_row(const Solver& solver, const JointLimits<7>& limits, const Row& c
   return true;
 }
 
-/// Of a straight or folded elbow the second four branches are the first ones with the arm angle half a turn
-/// on: of the last row and the one that it repeats keeps the one nearer to the centre.
+/// Drops one of two equal rows, the last and the one that it repeats: the one nearer to the centre stays.
+/// With a straight or folded elbow the second four branches are the first four, the arm angle half a turn on.
 void drop_repeat(const Row& centre, LimitedSolutions<7, 8>& rows) {
   const int last = rows.size() - 1;
   for (Solution<7>& row : rows) {
@@ -82,7 +82,7 @@ LimitedSolutions<7, 8> rows_within(const Solver& solver, const JointLimits<7>& l
     for (const ArmAngleInterval& interval : found)
       if (interval.branch == branch && (best == nullptr || choose(interval).second < choose(*best).second))
         best = &interval;
-    // Where another joint touches its limit in the middle rounding may be against it.
+    // Rounding may exclude an interval in which another joint touches its limit in the middle.
     if (best == nullptr) continue;
     const bool is_row = append_row(solver, limits, centre, branch, choose(*best).first, rows) ||
                         append_row(solver, limits, centre, branch, best->within, rows);

@@ -99,13 +99,13 @@ Elbow::Bent Elbow::bent(const Rotor<double>& bend, double sense) const {
   const Vector3<double> sideways = axis_.cross(forward_);
   const double ahead = upper_length_ + forearm_length_ * bend.cosine, beside = forearm_length_ * bend.sine;
   const double distance = std::sqrt(ahead * ahead + beside * beside + along_ * along_);
-  // Of a wrist on the shoulder, the way on which it leaves.
+  // A wrist on the shoulder has the direction in which it leaves.
   const bool vanishes = distance <= no_direction * longest_;
   const Vector3<double> line =
       vanishes ? Vector3<double>(sense * sideways)
                : Vector3<double>((ahead / distance) * forward_ + (beside / distance) * sideways +
                                  (along_ / distance) * axis_);
-  // Of a straight or folded elbow too, the plane in which it bends.
+  // A straight or folded elbow has the plane in which it bends.
   const Vector3<double> normal = planar_ ? Vector3<double>(sense * axis_)
                                          : Vector3<double>((beside * axis_ - along_ * sideways).normalized());
   return {bend * stretched_, line, line.cross(normal), -normal};
@@ -152,7 +152,8 @@ Goal goal_of(const Arm& arm, const Elbow& elbow, const Pose<double>& given,
   if (square > elbow.most_square() + miss || square < elbow.least_square() - miss) return goal;
   goal.low = smaller(not_negative((elbow.most_square() - square) / range), 1.0);
   goal.high = smaller(not_negative((square - elbow.least_square()) / range), 1.0);
-  // What rounding cannot tell from a straight or folded elbow is one: the wrist is as good as where it was.
+  // An elbow that rounding cannot tell from a straight or folded one is one: the wrist is as good as where it
+  // was.
   const double distance = std::sqrt(square);
   const double end = std::sqrt(goal.low < goal.high ? elbow.most_square() : elbow.least_square());
   const bool is_end = std::abs(distance - end) <= 1e-14 * reach;

@@ -52,7 +52,7 @@ class Elbow {
   bool planar_;
 };
 
-/// What joints 1 to 3 do at an arm angle: R(psi) = goal frame, turned about the line by psi, times the
+/// Rotation of joints 1 to 3 at an arm angle: R(psi) = goal frame, turned about the line by psi, times the
 /// elbow's frame transposed.
 struct Swivel {
   Vector3<double> line;  ///< unit vector from shoulder to wrist
@@ -67,7 +67,7 @@ struct Swivel {
   [[nodiscard]] Wave wave(const Vector3<double>& p, const Vector3<double>& q, double value) const;
 };
 
-/// What the pose alone decides.
+/// Values that the pose alone decides.
 struct Goal {
   Status status = Status::unreachable;
   Matrix3<double> rotation;  ///< of all joints together, from where they are at zero
@@ -87,7 +87,7 @@ inline Swivel swivel_of(const Goal& goal, const Elbow& elbow, int branch) {
   return {goal.line, goal.plane, elbow.at_shares(goal.low, goal.high, branch == 0 ? 1 : -1)};
 }
 
-/// What is left for the wrist when joints 1 to 4 are known.
+/// Returns the rotation that is left for the wrist when joints 1 to 4 are known.
 inline Matrix3<double> wrist_rotation(const Arm& arm, const Goal& goal, const Swivel& swivel,
                                       const Matrix3<double>& upper) {
   const Matrix3<double> rest = upper.transpose() * goal.rotation;

@@ -71,7 +71,7 @@ Decomposition ThreeTurns::solve(const Matrix3<double>& rotation, double choice, 
     found.count = 1;
     return found;
   }
-  // Where both ways to turn the middle joint are one; at right angles the ends are where the first is free.
+  // Both ways to turn the middle joint are one here; at right angles the ends are where the first is free.
   const bool meet = smaller(low, high) <= merge_share<double>() && smaller(apart, opposed) > 1e-12;
   const double sine = meet ? 0 : 2 * std::sqrt(not_negative(low) * not_negative(high));
   const double cosine = meet ? (low < high ? 1 : -1) : high - low;

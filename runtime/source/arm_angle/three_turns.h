@@ -21,8 +21,8 @@ struct Decomposition {
 /// v turned about a unit vector.
 Vector3<double> turned(const Vector3<double>& axis, const Rotor<double>& by, const Vector3<double>& v);
 
-/// Where the outer axes are this far apart, or less, the first angle is free: taking them as in line turns by
-/// no more.
+/// Angle between the outer axes, rad, up to which the first angle is free: taking them as in line turns by no
+/// more.
 inline constexpr double in_line = 1e-13;
 
 /// Three revolute joints about a point, neighbouring axes not parallel, at any angles.

@@ -37,7 +37,7 @@ inline Matrix transposed(const Matrix& a) {
 inline Vector sum(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 inline Vector negative(const Vector& a) { return {-a[0], -a[1], -a[2]}; }
 
-/// Of a quaternion of any length but zero.
+/// Encloses the rotation of a quaternion of any length but zero.
 inline Matrix rotation_of(const Interval (&q)[4]) {
   const Interval &w = q[0], &x = q[1], &y = q[2], &z = q[3];
   const Interval ww = square(w), xx = square(x), yy = square(y), zz = square(z);

@@ -17,7 +17,7 @@ struct Rows {
   Enclosure enclosure[most_rows];
 };
 
-/// Whether each of them is proven.
+/// True if each of them is proven.
 bool prove(const Loop& loop, double farthest, Rows& rows) {
   bool all = true;
   for (int i = 0; i < rows.count; ++i) {
@@ -27,7 +27,7 @@ bool prove(const Loop& loop, double farthest, Rows& rows) {
   return all;
 }
 
-/// Whether two joint values are certainly not the same; angles whole turns apart are.
+/// True if two joint values are certainly not the same; angles whole turns apart are.
 bool differ(const Interval& a, const Interval& b, bool revolute) {
   if (!revolute) return are_apart(a, b);
   const Interval way = a - b;
@@ -64,7 +64,7 @@ struct Reduction {
   Region regions[most_rows] = {};
 };
 
-/// Of what can be dropped of the loop, that with the largest regions.
+/// Returns the reduction with the largest regions, of all that can be dropped of the loop.
 Reduction best_reduction(const Loop& loop, const Rows& rows) {
   Reduction best, other;
   double largest = 0;

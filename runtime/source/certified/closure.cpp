@@ -13,7 +13,7 @@ Vector times(const Interval& factor, const Vector& v) {
   return {factor * v[0], factor * v[1], factor * v[2]};
 }
 
-/// Where the joints of a box take axes, links and tool.
+/// Axes, links and tool, moved by the joints of a box.
 struct Chain {
   Vector axis[joints];
   Vector arm[joints];  ///< from a point of the axis to the tool

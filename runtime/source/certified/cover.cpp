@@ -7,7 +7,7 @@ namespace {
 const Interval whole_turn{0x1.921fb54442d18p+2, 0x1.921fb54442d19p+2};
 constexpr double half_turn_and_more = 0x1.921fb54442d19p+1;
 
-/// Whether all of a box is in a region, or in one that is whole turns off.
+/// True if all of a box is in a region, or in one that is whole turns off.
 bool is_in(const Box& box, const Region& region, int unknowns) {
   for (int k = 0; k < unknowns; ++k) {
     bool is_near = false;

@@ -10,7 +10,7 @@ struct Box {
   Interval angle[most_unknown];
 };
 
-/// Where no more than one solution of the reduced equations lies: all angles within `radius` of a row.
+/// Region with at most one solution of the reduced equations: all angles within `radius` of a row.
 struct Region {
   double centre[most_unknown];
   double radius = 0;  ///< 0: none is known
@@ -25,7 +25,7 @@ class Equations {
   /// The joint whose angle the unknown is.
   [[nodiscard]] int joint(int unknown) const { return joint_[unknown]; }
 
-  /// Whether some equation has certainly no zero in a box.
+  /// True if some equation has certainly no zero in a box.
   [[nodiscard]] bool exclude(const Box& box) const;
   /// Leaves of a box what may hold a zero by Krawczyk's operator; false if nothing does.
   [[nodiscard]] bool narrow(Box& box) const;

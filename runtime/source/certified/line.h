@@ -21,7 +21,7 @@ class Line {
     for (std::size_t i = 0; i < 3; ++i) direction_[i][0] = direction[i];
   }
 
-  /// What comes next is seen from elsewhere.
+  /// Moves the point from which later operands are seen.
   void move(const Vector& way) { shift_ = sum(shift_, way); }
   /// By an angle that is one more variable, or by its opposite.
   void turn(const Turns& turns, bool backwards);

@@ -36,7 +36,7 @@ struct Closing {
   }
 };
 
-/// Where what is carried starts: at joint Y's own frame, or between two joints behind a cut.
+/// Way that lines are carried, and its start: at joint Y's own frame, or between two joints behind a cut.
 class Way {
  public:
   Way(const Loop& loop, const Closing& closing) : loop_(loop), closing_(closing) {}
@@ -51,7 +51,7 @@ class Way {
     }
     line.settle();
   }
-  /// The same the other way round, to the frame before joint `to`.
+  /// Carries a line the other way round, to the frame before joint `to`.
   void up(int from, int to, Line& line, Side& side) const {
     for (int at = from;;) {
       at = next(at);

@@ -19,11 +19,12 @@
 /// - two neighbours: they leave the turn, and of p what is along the normal of both.
 /// - three slides: they leave the turn (3 angles).
 ///
-/// What counts for a proof: every solution solves these equations; and two solutions that agree in the angles
-/// that are left differ in motions of what was dropped that undo one another. Turns about two axes do that
-/// only where the axes are in line, slides only where they are linearly dependent: the arm's Jacobian is
-/// singular there, which no proven row's is. So where one solution of the reduced equations is known that
-/// belongs to a proven row, and it is shown that there is no second one, no solution is missing.
+/// Reduced equations of the loop. Two facts make them a proof. Every solution solves these equations; and two
+/// solutions that agree in the angles that are left differ in motions of what was dropped that undo one
+/// another. Turns about two axes do that only where the axes are in line, slides only where they are linearly
+/// dependent: the arm's Jacobian is singular there, which no proven row's is. So where one solution of the
+/// reduced equations is known that belongs to a proven row, and it is shown that there is no second one, no
+/// solution is missing.
 namespace qvgen::inverse::certified {
 
 inline constexpr int most_functions = 7;

@@ -39,7 +39,7 @@ class Row {
     return most;
   }
 
-  /// Whether Krawczyk's operator takes the box of all joints within `radius` of the row into its inside,
+  /// True if Krawczyk's operator takes the box of all joints within `radius` of the row into its inside,
   /// where nothing but the pose itself solves the equations: exactly one solution lies there. In `image`.
   [[nodiscard]] bool has_one_within(double radius, Enclosure& image) const {
     Interval x[joints], offset[joints];

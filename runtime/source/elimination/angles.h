@@ -52,7 +52,7 @@ QVGEN_LANES T angles_of(const T& cosine, const T& sine) {
   return angle <= -pi ? spread<T>(pi) : angle;
 }
 
-/// What rows are put out as: angles, and lengths of slides.
+/// Writes rows in lanes: angles, and lengths of slides.
 template <int width>
 void put_out_in_lanes(const Chain& chain, int rows, const JointPairs* row, double (*q)[joints]) {
   // As they follow each other: joints and rows are no multiples of the lanes.

@@ -40,7 +40,7 @@ struct Candidates {
     list[count] = {angle, spread, count};
     ++count;
   }
-  /// The same, unless a neighbouring stretch has given it before.
+  /// Adds a candidate unless a neighbouring stretch has given it before.
   void add_once(const Direction& angle, double spread) {
     for (int i = 0; i < count; ++i) {
       const double x = list[i].angle.cosine - angle.cosine, y = list[i].angle.sine - angle.sine;

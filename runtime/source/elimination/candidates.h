@@ -18,7 +18,7 @@ class Disturbance {
   unsigned state_ = 1;
 };
 
-/// The same equations with every coefficient changed.
+/// Changes every coefficient of the equations a little.
 inline void disturb(Equations& equations) {
   Disturbance change;
   for (auto& part : equations.a)
@@ -85,7 +85,7 @@ double find_candidates(const PoseSystem& system, Pair pair, double tolerance, Ca
     const Magnifier magnifier{faint.middle, tangent / std::tan(half / 2)};
     const Trigonometric part = magnified<width>(system, other, pair, magnifier);
     Candidates widened;
-    // Where the equations' own rounding shows, magnifying it shows no more of the roots.
+    // Once the equations' own rounding shows, magnifying it shows no more of the roots.
     constexpr double blurred = 1e-7, few_digits = 1e-5;
     const bool is_blurred = !(part.noise < blurred);
     RootFinder<width>(part, tolerance, window, level[i] < 4 && !is_blurred, widened);

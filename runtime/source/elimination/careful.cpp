@@ -134,8 +134,8 @@ void Careful::settle(const Gathered& gathered) {
   }
 }
 
-/// What leads to a row that has been led to twice before leads to nothing else: the second time it was looked
-/// beside the row.
+/// True if a start converges to a row that starts have reached twice before: the second time it was looked
+/// beside the row, so it leads to nothing else.
 bool Careful::was_looked_beside(const JointPairs& led_to, double near) {
   const Values solution = values_of(led_to);
   for (int i = 0; i < size_; ++i) {
@@ -154,7 +154,7 @@ void Careful::settle_nearby(Gathered& gathered) {
   settle(gathered);
 }
 
-/// Whether a curve of solutions leads from one row to another: it is followed in steps, each brought back to
+/// True if a curve of solutions leads from one row to another: it is followed in steps, each brought back to
 /// the pose.
 bool Careful::leads_to(Values values, const Values& goal) {
   constexpr double longest = 0.8;
@@ -203,7 +203,7 @@ bool Careful::any_is_singular() const {
 /// count twice: whether their number leaves room for doubt.
 bool Careful::is_even() const { return any_is_singular() || size_ % 2 == 0; }
 
-/// Whether what lies between two rows reaches the pose, too, to what rows may miss it by.
+/// True if what lies between two rows reaches the pose, too, to what rows may miss it by.
 bool Careful::are_one(const Row& a, const Row& b) {
   constexpr double far = 1e-2;
   if (distance_square(a.values, b.values) > far * far) return false;
@@ -264,7 +264,7 @@ void Careful::run(const Gathered& first) {
   effort_.used_up = effort_.used_up || spent.used_up || (full_ && any_is_singular());
 }
 
-/// Whether an elimination at the pose itself has added nothing, and whether it leaves no doubt.
+/// Settles the rows at the pose itself: says if the elimination has added nothing, and if it leaves no doubt.
 Careful::Outcome Careful::settle_here(const Gathered& found) {
   const int before = size_;
   settle(found);
@@ -272,7 +272,8 @@ Careful::Outcome Careful::settle_here(const Gathered& found) {
   return {size_ == before, leaves_doubt(found), found.loud};
 }
 
-/// Where many solutions share an angle, as they do between right angles, nearby they do not.
+/// Eliminates at a pose nearby. Solutions that share an angle here, as they do between right angles, do not
+/// share it there.
 Careful::Outcome Careful::pass_nearby(const Elimination& elimination, const Pose<double>& pose) {
   Gathered found;
   eliminate(elimination, pose, found);
@@ -281,7 +282,7 @@ Careful::Outcome Careful::pass_nearby(const Elimination& elimination, const Pose
   settle_nearby(found);
   merge();
   ++effort_.passes;
-  // Where two solutions meet poses nearby may have none.
+  // Poses near one at which two solutions meet may have none of them.
   const bool all_seen =
       std::all_of(rows_, rows_ + size_, [this](const Row& row) { return row.seen || is_singular(row); });
   return {size_ == before, leaves_doubt(found) || !all_seen, found.loud};
@@ -298,7 +299,7 @@ void Careful::agree(const Gathered& first, const Gathered* second) {
       nearly_has_structure(setup_.description, setup_.chain.size);
   bool all_loud = first.loud, agreed = false, more_nearby = true;
   int k = 0, clear = 0;
-  // Where solutions meet poses nearby have others on each side.
+  // Poses near one at which solutions meet have others on each side.
   const auto is_clear = [&] { return !strict || clear >= (any_is_singular() ? 3 : 1); };
   const auto look_at = [&](const Pose<double>& pose) {
     const Outcome near = pass_nearby(setup_.eliminations[strict ? k % setup_.count : 0], pose);
@@ -320,7 +321,7 @@ void Careful::agree(const Gathered& first, const Gathered* second) {
     if (!here.doubtful) more_nearby = false;
     clear += here.doubtful ? 0 : 3;
     if (!more_nearby) return true;
-    // Where solutions meet no elimination is without doubts, but one at a pose nearby is.
+    // No elimination is without doubts where solutions meet, but one at a pose nearby is.
     if (all_loud || few || k == most_nearby) return false;
     // Two that meet are apart on one side and gone on the other.
     const Pose<double> opposite = mirrored(pose_, nearby(k));

@@ -32,10 +32,10 @@ Task matching(const Setup& setup, const Pose<double>& pose);
 /// The values that a preference has.
 Values seed_of(const Setup& setup, const Preference<joints>& preference);
 
-/// Whether two solutions meet at joint values that reach the pose, or they are on a continuum.
+/// True if two solutions meet at joint values that reach the pose, or they are on a continuum.
 bool is_singular(const Task& task, const Values& values);
 
-/// Whether an elimination has left nothing to be looked at more closely.
+/// True if an elimination has left nothing to be looked at more closely.
 bool is_settled(const Setup& setup, const Pose<double>& pose, const Gathered& found);
 
 /// Solves a pose at which the first elimination has left doubts. A second one often has none: most doubts are
@@ -58,7 +58,7 @@ class Careful {
   [[nodiscard]] int size() const { return size_; }
   [[nodiscard]] const Row& row(int i) const { return rows_[i]; }
   [[nodiscard]] const Effort& effort() const { return effort_; }
-  /// Whether a solution may be missing.
+  /// True if a solution may be missing.
   [[nodiscard]] bool is_unsure() const { return unsure_; }
 
  private:
@@ -67,7 +67,7 @@ class Careful {
   using Tracker = BranchTracker<double, joints, most_starts>;
 
   struct Agreement;
-  /// What a pass has come to.
+  /// Result of a pass.
   struct Outcome {
     bool same;  ///< it has added no row
     bool doubtful, loud;

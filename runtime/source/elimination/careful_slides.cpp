@@ -4,7 +4,7 @@
 
 namespace qvgen::inverse::elimination {
 
-/// What the passes so far have come to.
+/// Agreement of the passes so far.
 struct Careful::Agreement {
   bool any_loud;    ///< the polynomial drowned in rounding: of some pass,
   bool all_loud;    ///< of all at the pose itself,
@@ -30,7 +30,7 @@ void Careful::pass_of_slides(const Elimination& elimination, const Pose<double>&
   else
     settle_nearby(more);
   merge();
-  // Where two solutions meet poses nearby may have none, and of a continuum they have any place.
+  // Poses near one at which two solutions meet may have none of them, and any place of a continuum.
   const bool all_seen = std::all_of(rows_, rows_ + size_, [&](const Row& row) {
     return row.seen || row.continuum || (!exact && is_singular(row));
   });

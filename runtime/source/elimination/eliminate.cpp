@@ -185,8 +185,8 @@ class Triangular {
     result[9 + k] = 1;
     for (int j = 8; j >= 0; --j) reflect(j, result);
   }
-  /// What gives a vector's share of the k-th column, if it is brought as near to the vector as the columns
-  /// allow: the k-th row of their pseudo-inverse.
+  /// Computes the k-th row of the columns' pseudo-inverse, which gives a vector's share of the k-th column in
+  /// the least-squares sense.
   void share_of(int k, Line& result) const {
     for (Long& x : result) x = 0;
     for (int i = k; i < 9; ++i) {
@@ -250,7 +250,7 @@ void set_table(const Elimination& e, const Rows& rows, double (&table)[18][15]) 
   }
 }
 
-/// Whether the six equations are dependent at an outer angle of no importance.
+/// True if the six equations are dependent at an outer angle of no importance.
 bool equations_repeat(const Elimination& e, const Chain& chain, const Goal& goal) {
   PoseSystem system;
   set_pose<2>(e, chain, goal, system);
@@ -290,7 +290,7 @@ Rows derivative_of(const Rows& rows, const PairMatrix& q, const Triangular& tria
   return change;
 }
 
-/// Whether the three turns behind the outer joint make any orientation: neighbours' axes are not parallel,
+/// True if the three turns behind the outer joint make any orientation: neighbours' axes are not parallel,
 /// unless only the pose says how they lie.
 bool turns_serve(const Elimination& e) {
   SlideSystem constants;

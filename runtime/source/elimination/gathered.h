@@ -18,14 +18,14 @@ struct JointPairs {
   double sine[joints];
 };
 
-/// Where steps to a solution may begin, if there is one.
+/// Joints from which steps may lead to a solution, if there is one.
 struct Start {
   JointPairs values;
   bool leads;  ///< Newton's steps have led from here to a solution that was found before
   JointPairs solution;
 };
 
-/// What eliminations have found.
+/// Rows that eliminations have found.
 struct Gathered {
   static constexpr int most_rows = 32;
   int rows = 0;
@@ -51,7 +51,7 @@ struct Gathered {
   }
 };
 
-/// What is done in lanes.
+/// Part of the work that is done in lanes.
 struct Pass {
   /// Eliminates once and adds what comes of it. `tolerance`: see `default_tolerance`.
   void (*eliminate)(const Chain&, const Elimination&, const Goal&, double tolerance, Gathered&);

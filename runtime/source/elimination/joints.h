@@ -21,7 +21,7 @@ QVGEN_LANES void null_vector(Kernel<T>& kernel, Pair pair, T (&z)[3]) {
   if (pair == Pair::confuses) {
     FirstOrder<T> first;
     first.eliminate(kernel.matrix, kernel.derivative);
-    // Of the two last columns, by the longer row of the 2 x 2 block.
+    // The longer row of the 2 x 2 block decides about the two last columns.
     const T upper = magnitude_of(first.a[4][10]) + magnitude_of(first.a[4][11]);
     const T lower = magnitude_of(first.a[5][10]) + magnitude_of(first.a[5][11]);
     T y[6];

@@ -95,7 +95,7 @@ QVGEN_LANES unsigned sign_mask(const T& x) {
   return result;
 }
 
-/// What that gives if all are set.
+/// Bits of lanes if all are set.
 template <class T>
 inline constexpr unsigned all_lanes = (1U << lane_count<T>)-1;
 

@@ -27,7 +27,7 @@ double distance(const Line& a, const Line& b) {
   return std::abs(normal.dot(b.point - a.point));
 }
 
-/// Where on line b, from its point on, line a is nearest; they are not parallel.
+/// Returns the place on line b, from its point on, that is nearest to line a; they are not parallel.
 double place_on(const Line& b, const Line& a) {
   const Vector3d normal = a.direction.cross(b.direction);
   return (a.point - b.point).cross(a.direction).dot(-normal) / normal.squaredNorm();

@@ -39,7 +39,7 @@ class Eliminated {
     const bool drowns = !(noise < loud), slides = e.pair == Pair::slides;
     found.loud = drowns || (slides && vanishes());
     if (found.loud || candidates.overflow) found.doubtful = true;
-    // Of two slides there is a better way then.
+    // Arms with two slides have a better way then.
     for (int first = 0; first < candidates.count && !(drowns && slides); first += width)
       in_lanes<width>(candidates.count - first,
                       [&](auto lanes, int some) { follow<lanes>(candidates, first, some); });
@@ -91,7 +91,7 @@ class Eliminated {
     if (any) slide_starts<lanes>().offer_other_sign(cosine, sine, count, is_doubtful);
   }
 
-  /// Whether joints have the outer angle of a candidate.
+  /// True if joints have the outer angle of a candidate.
   [[nodiscard]] bool is_at(const Candidate& candidate, const JointPairs& values) const {
     const int j = e_.joint[3];
     const double x = values.cosine[j] - candidate.angle.cosine;
@@ -99,8 +99,8 @@ class Eliminated {
     return x * x + y * y < 4 * candidate.spread * candidate.spread;
   }
 
-  /// Of two roots that are not told apart, and are all that there can be, each has led to a solution of its
-  /// own.
+  /// True if two roots that are not told apart, and are all that there can be, have each led to a solution of
+  /// its own.
   [[nodiscard]] bool is_settled(const Candidates& candidates, int i) const {
     const int twin = candidates.list[i].twin;
     return e_.pair != Pair::slides && twin != i && is_own_[i] && is_own_[twin];
@@ -115,7 +115,7 @@ class Eliminated {
                        [](const Candidate& each) { return each.is_doubtful(); });
   }
 
-  /// Of two slides.
+  /// Looks for further starts beside the roots of an arm with two slides.
   void look_beside_roots() {
     const auto starts = slide_starts<width>();
     starts.offer_in_line();

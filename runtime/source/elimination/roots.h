@@ -201,8 +201,8 @@ class RootFinder {
     sort(other, high, count);
   }
 
-  /// Where two roots are as near as makes no difference, or the polynomial hardly misses zero: the two roots
-  /// of the parabola about the stationary point, or of one that is a tolerance off.
+  /// Adds the roots of the parabola about a stationary point, or of one that is a tolerance off: there two
+  /// roots are too near to be told apart, or the polynomial hardly misses zero.
   void look_at_double_root(const Part& part, bool are_all) {
     const double width_of_part = 2 * tangent_of_arc * (part.high - part.low);
     const Direction middle = angle_of(part.arc, (part.low + part.high) / 2);
@@ -249,7 +249,7 @@ class RootFinder {
     T x = low + (high - low) * at_low / (at_low - at_high);
     x = x >= low && x <= high ? x : T(0.5 * (low + high));
     T cosine{}, sine{};
-    // What a step of this length, in units of the arc's tangent, leaves is rounding.
+    // A step of this length, in units of the arc's tangent, leaves rounding only.
     constexpr double short_step = 1e-7;
     constexpr int most_steps = 6;
     bool arrived = false;

@@ -61,13 +61,13 @@ struct Taken {
   double cosine = 1, sine = 0;
 };
 
-/// What the joints at an outer angle leave.
+/// Equations that are left once an outer angle is known.
 template <class T>
 struct Left {
   T across;  ///< the square of the sine between the axes of a and c: at 0 only their sum or difference is
              ///< known
   T volume;  ///< that the way and the slides' directions span: 0 at a solution
-  T box;     ///< the same if they were at right angles to each other
+  T box;     ///< volume if they were at right angles to each other
   T square;  ///< of the root, as a share of the largest
 };
 

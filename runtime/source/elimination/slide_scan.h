@@ -23,7 +23,7 @@ class VolumeScan {
     }
   }
 
-  /// Whether, for one sign, the volume is next to nothing everywhere but not rounding: where it vanishes is
+  /// True if, for one sign, the volume is next to nothing everywhere but not rounding: where it vanishes is
   /// then known to few digits.
   [[nodiscard]] bool nearly_vanishes() const {
     for (const int sign : {0, 1}) {

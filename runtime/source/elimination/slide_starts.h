@@ -26,8 +26,8 @@ class SlideStarts {
   SlideStarts(const Elimination& e, const SlideSystem& s, double size, const Offer& offer)
       : e_(e), s_(s), size_(size), offer_(offer) {}
 
-  /// Where two roots are not told apart each sign of the root may have one: where `of` says so, the joints of
-  /// the sign that leaves the larger volume, if that is small too.
+  /// Offers the joints of the other sign where two roots are not told apart, since each sign of the root may
+  /// have one: in lanes chosen by `of`, the sign that leaves the larger volume, if that is small too.
   template <class Of>
   void offer_other_sign(const T& cosine, const T& sine, int count, const Of& of) const {
     constexpr double small = 0.05;
@@ -55,7 +55,8 @@ class SlideStarts {
     }
   }
 
-  /// Where the polynomial drowns: each sign by itself. Returns whether even so they are known to few digits.
+  /// Offers each sign by itself if the polynomial drowns in rounding. Returns true if the starts are known to
+  /// few digits even so.
   [[nodiscard]] bool offer_each_sign() const {
     const VolumeScan<width> scan(s_);
     scan.take_places([this](const Direction& angle, int sign) {

@@ -15,8 +15,8 @@
 namespace qvgen::inverse::elimination {
 namespace {
 
-/// What a pose says of the loop J4' C4' J5' ... C3' = I, cut into four stretches, each behind a turn: theta,
-/// a, b, c.
+/// Equations of a pose for the loop J4' C4' J5' ... C3' = I, cut into four stretches, each behind a turn:
+/// theta, a, b, c.
 struct SlideSystem {
   double rotation[4][9];   ///< of each stretch
   double column[3][4][3];  ///< the way without slides, the slides' directions; in each stretch's first frame
@@ -25,7 +25,7 @@ struct SlideSystem {
   double level;            ///< and what does not depend on b
 };
 
-/// Where the loop's joints stand, from the outer one on.
+/// Order of the loop's joints, from the outer one on.
 inline constexpr int from_outer[joints] = {3, 4, 5, 0, 1, 2};
 
 inline void identity(double (&r)[9]) {
@@ -177,10 +177,11 @@ struct AtOuter {
   }
 };
 
-/// Of degree four in cosine and sine of the outer angle, zero wherever it belongs to a solution.
+/// Returns the resultant, of degree four in cosine and sine of the outer angle; it is zero at each angle of a
+/// solution.
 template <class T>
 [[gnu::noinline]] T resultant_of_slides(const SlideSystem& s, const T& cosine, const T& sine) {
-  // Where the axes of a and c, of a and b or of b and c are parallel their angles have no meaning, and the
+  // If the axes of a and c, of a and b or of b and c are parallel, their angles have no meaning, and the
   // equation is rounding: at an outer angle or two, or, of some poses, at all of them.
   constexpr double parallel = 1e-12;
   if (!(s.bend_square > parallel)) return spread<T>(std::nan(""));
@@ -190,7 +191,7 @@ template <class T>
   return at.across > parallel ? value : spread<T>(std::nan(""));
 }
 
-/// Whether the polynomial is next to nothing beside what it is the difference of, at all outer angles: of
+/// True if the polynomial is next to nothing beside what it is the difference of, at all outer angles: of
 /// poses next to those that leave an outer angle free. Its roots are then no better than rounding.
 template <class T>
 [[gnu::noinline]] bool nearly_vanishes(const SlideSystem& s, const T& cosines, const T& sines) {

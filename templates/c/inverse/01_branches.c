@@ -1,5 +1,5 @@
-// What is known of a branch, and how equations treat the ends of their ranges: branch.h, boundary.h and target.h of the
-// C++ library say more of each.
+// State of a branch, and how equations treat the ends of their ranges: branch.h, boundary.h and target.h of the C++
+// library say more of each.
 
 typedef struct Branch {
   bool exists;     // false: no such solution
@@ -17,7 +17,7 @@ typedef struct Boundary {
 
 static const Boundary boundary_of_nothing = {0, 0, 0, 1e-7, 0, 1e18, 64, 0, 0, true, false, false};
 
-/// Of regular poses.
+/// Boundary of regular poses.
 static Boundary plain_boundary(double tolerance) {
   Boundary b = boundary_of_nothing;
   b.doubt = 1e-7 + 100 * tolerance;
@@ -44,14 +44,14 @@ static Boundary ends_boundary(double tolerance) {
   return b;
 }
 
-/// The same with a choice where an angle is nearly free.
+/// Pass `careful` with a choice where an angle is nearly free.
 static Boundary chosen_boundary(double tolerance) {
   Boundary b = ends_boundary(tolerance);
   b.choose = true;
   return b;
 }
 
-/// The same where the choice leaves the joints after it out of reach.
+/// Pass `choosing` for a choice that leaves the joints after it out of reach.
 static Boundary stretched_boundary(double tolerance) {
   Boundary b = chosen_boundary(tolerance);
   b.accept = 1e3;
@@ -59,7 +59,7 @@ static Boundary stretched_boundary(double tolerance) {
   return b;
 }
 
-// Of arms with a quartic.
+// Passes of arms with a quartic.
 
 static Boundary choosing_boundary(double tolerance) {
   Boundary b = careful_boundary(tolerance);
@@ -104,8 +104,7 @@ static inline void doubt(Branch* branch, bool condition) {
   branch->unsure = branch->unsure || condition;
 }
 
-/// Where an angle is free it has been chosen, if the equation holds; elsewhere the branch is what a regular
-/// block has found.
+/// Takes the choice where an angle is free and the equation holds, and the result of a regular block elsewhere.
 static inline void take(Branch* branch, bool is_free, bool holds, const Branch* regular) {
   branch->doubtful = branch->doubtful || (branch->exists && is_free) || regular->doubtful;
   branch->unsure = branch->unsure || is_free || regular->unsure;

@@ -72,7 +72,7 @@ static inline double turned_by_arctangent(double base, double t) {
   return sum + (rest + t * z * arctangent_series(z));
 }
 
-/// Of two numbers that are not negative: in [0, pi/2], within 2 ulp.
+/// Returns the angle of a pair with no negative entry, in [0, pi/2], within 2 ulp.
 static double acute_arctangent(double y, double x) {
   const Octant found = octant(y, x);
   return turned_by_arctangent(found.base, negated(found.steep, found.rise) / found.run);
@@ -146,9 +146,9 @@ static inline Opposites output_angles(double cosine, double sine, double length)
   return both;
 }
 
-/// Of all directions that a vector known but for rounding may have, its end within a disc, the one nearest to
-/// the preferred one. `unit` is the vector's direction, the squares are those of its length and of the disc's
-/// radius. `opposites`: the opposite direction is another branch.
+/// Returns, of all directions that a vector may have after rounding, its end within a disc, the one nearest to the
+/// preferred one. `unit` is the vector's direction, the squares are those of its length and of the disc's radius.
+/// `opposites`: the opposite direction is another branch.
 static Rotor turned_to(Rotor preferred, Rotor unit, double square, double disc, bool opposites) {
   Rotor choice = preferred;
   Rotor off = product(choice, inverse(unit));
@@ -196,7 +196,7 @@ static Rotor chosen_if_free(Rotor v, double square, double tiny, Rotor brief_cho
                                    widest_blur * tiny, opposites));
 }
 
-/// The same, and its length.
+/// Returns the direction of a vector and its length.
 static inline Rotor span(bool opposites, Rotor v, double tiny, Rotor brief_choice, double* length,
                          Branch* branch) {
   const double square = square_of(v);
@@ -204,8 +204,8 @@ static inline Rotor span(bool opposites, Rotor v, double tiny, Rotor brief_choic
   return chosen_if_free(v, square, tiny, brief_choice, opposites, length, branch);
 }
 
-/// The same where the length is known but for rounding: a Newton step makes it good without waiting for a
-/// root.
+/// Returns the direction of a vector whose length is known but for rounding: a Newton step corrects it without waiting
+/// for a root.
 static inline Rotor span_of_length(bool opposites, Rotor v, double about, double tiny, Rotor brief_choice,
                                    double* length, Branch* branch) {
   const double square = square_of(v);

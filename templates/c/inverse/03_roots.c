@@ -19,7 +19,7 @@ static inline Limits limits_in_range(const Boundary* boundary, double range) {
   return limits;
 }
 
-/// Whether a branch exists that is `margin` from the end of a range.
+/// True if a branch exists that is `margin` from the end of a range.
 static inline void admit(double margin, const Limits* limits, bool nearly_free, Branch* branch) {
   const bool close = margin < limits->doubt && margin > limits->beyond;
   doubt(branch, close || (limits->wide && nearly_free));
@@ -45,8 +45,8 @@ static inline Rotor circle_angle(double low, double high, double scale, double s
   return circle_from(low, high, scale, sign, boundary, false, branch);
 }
 
-/// Whether a direction of the given square is nearly free, or the nearer end of its range so near that
-/// earlier equations may have moved it across.
+/// True if a direction of the given square is nearly free, or the nearer end of its range so near that earlier
+/// equations may have moved it across.
 static inline bool nearly_free(double square, double low, double high, double tiny,
                                const Boundary* boundary) {
   const double end = smaller(fabs(low), fabs(high));
@@ -86,14 +86,14 @@ static Rotor factored_line_angle(Rotor v, double rhs, double low, double high, d
   const double height =
       sign * fabs(range) * sqrt(larger(low_share, boundary->floor) * larger(high_share, boundary->floor));
   const double length_square = rhs * rhs + height * height;
-  // Where all three vanish but for rounding, any direction will do for Newton's steps to begin with.
+  // If all three vanish but for rounding, Newton's steps may begin with any direction.
   if (length_square == 0) return scaled(1 / sqrt(square), v);
   const double unit = 1 / (sqrt(length_square) * sqrt(square));
   return product(rotor(rhs * unit, height * unit), v);
 }
 
-/// Of the directions u with inner <= |point + u offset|^2 <= outer, `choice` or one near it: what a free
-/// angle may be if the joints after it are to stay in reach.
+/// Returns `choice`, or a direction near it, among the directions u with inner <= |point + u offset|^2 <= outer: what a
+/// free angle may be if the joints after it are to stay in reach.
 static Rotor reachable_direction(Rotor point, Rotor offset, double inner, double outer, Rotor choice) {
   const Rotor both = product(inverse(point), offset);
   const double square = square_of(both);
@@ -122,8 +122,8 @@ static Rotor chosen_direction(Rotor v, Rotor choice, const Boundary* boundary, B
   return direction(false, v, boundary->choose ? little : noise * noise * noise * noise, choice, branch);
 }
 
-/// What is noise in v, a product of two vectors that vanish together where an equation before has a double
-/// root; `tiny`: the fourth power of what is noise for sure.
+/// Noise in v, a product of two vectors that vanish together where an equation before has a double root; `tiny`: the
+/// fourth power of what is noise for sure.
 static inline double tiny_at_double_root(Rotor v, double tiny, const Boundary* boundary, Branch* branch) {
   const double little = 6.3e37 * tiny;
   doubt(branch, square_of(v) <= little);
@@ -145,8 +145,8 @@ static inline void require_zero(double residual, double scale, double tolerance,
   branch->exists = branch->exists && residual <= tolerance * scale && residual >= -tolerance * scale;
 }
 
-/// Whether a `circle_angle` that comes before all other branches, or behind one of two signs, has no solution
-/// whatever the sign: its share low / (low + high) is `middle` +- sqrt(`swing`). Told without a root.
+/// True if a `circle_angle` that comes before all other branches, or behind one of two signs, has no solution whatever
+/// the sign: its share low / (low + high) is `middle` +- sqrt(`swing`). Told without a root.
 static inline bool is_out_of_range(double middle, double swing, const Boundary* boundary) {
   const double off = fabs(middle - 0.5);
   const double to_end = 0.5 + boundary->beyond;

@@ -6,7 +6,7 @@ typedef struct WristAngles {
 /// Below this share of the whole length of U11 and U12 an argument is noise: the angle is free.
 static const double wrist_noise = 18 * DBL_EPSILON;
 
-/// The same where the arm before the wrist is ill-conditioned, as a multiple of its square.
+/// Largest noise of a wrist behind an ill-conditioned arm, as a multiple of its square.
 static const double widest_wrist_noise = 1024;
 
 /// Which of two complex numbers, given by their squares, is noise next to the other.
@@ -23,7 +23,8 @@ static inline Vanishing vanishing(double u_square, double v_square) {
   return is_free;
 }
 
-/// The same before further joints: nearly free, what the angles are is for those to say.
+/// Says which vectors vanish at a wrist before further joints. If one is nearly free, the further joints decide the
+/// angles.
 static Vanishing vanishing_before_joints(double u_square, double v_square, const Boundary* boundary,
                                          Branch* branch) {
   Vanishing is_free = vanishing(u_square, v_square);
@@ -62,8 +63,8 @@ static inline WristBranches wrist_branches(Opposites first, double middle, Oppos
   return both;
 }
 
-/// Where u or v vanishes first is the choice, what is left follows from the other number, the middle angle is
-/// 0 or pi.
+/// Sets the branches where u or v vanishes: the first angle is the choice, the last follows from the other number, the
+/// middle angle is 0 or pi.
 static WristBranches aligned_wrist(WristBranches regular, Rotor u, Rotor v, Vanishing is_free, bool swapped,
                                    double choice) {
   if (!is_free.u && !is_free.v) return regular;
@@ -222,7 +223,7 @@ static WristAngles oblique_wrist(Rotor u11, Rotor u12, WristShape shape, double 
   return found;
 }
 
-/// The same as cosines and sines, `delta` the angle between the normals.
+/// Returns the angles of an oblique wrist as cosines and sines, `delta` the angle between the normals.
 static WristTurns oblique_wrist_turns(Rotor u11, Rotor u12, WristShape shape, Rotor delta, Rotor choice,
                                       double sign, const Boundary* boundary, Branch* branch) {
   const ObliqueSquares square = oblique_squares(u11, u12, &shape);

@@ -10,7 +10,7 @@ static inline void doubt_digits(double square, const Boundary* boundary, Branch*
   branch->unsure = branch->unsure || square <= 1e-4;
 }
 
-/// Where the line point + t along meets a circle about the origin: t = foot +- half, half = 0 if it does not.
+/// Chord of the line point + t along in a circle about the origin: t = foot +- half, half = 0 if it does not.
 typedef struct Chord {
   bool is_point;  // along = 0
   double foot, half;
@@ -41,8 +41,8 @@ static double slide_between(Rotor point, Rotor along, double inner, double outer
   return inside.is_point ? value : inside.foot + off;
 }
 
-/// The same without an outer end: the turned `spread` is the direction of the slide as seen from beside its
-/// foot.
+/// Returns a place of the slide without an outer end: the turned `spread` is the direction of the slide as seen from
+/// beside its foot.
 static double slide_beyond(Rotor point, Rotor along, double inner, double size_square, double value,
                            Rotor spread) {
   const Chord inside = chord(point, along, inner);

@@ -202,7 +202,7 @@ static Dependent dependent(Columns* a) {
   return result;
 }
 
-/// What joint values reach, to first order. Rows: the position; of a whole pose also the orientation, as a
+/// Place that joint values reach, with derivatives. Rows: the position; for a whole pose also the orientation, as a
 /// rotation vector times the size.
 typedef struct Reached {
   double jacobian[most_joints][6];

@@ -10,13 +10,13 @@ static void move_along(const Matching* task, const Reached* at, int joint, doubl
   for (int i = 0; i < task->joints; ++i) advance(task, i, others.by[i], values);
 }
 
-/// Whether values that reach the goals can be moved on a little and still reach them, to some more rounding.
+/// True if values that reach the goals can be moved on a little and still reach them, to some more rounding.
 static bool is_continuum(const Matching* task, const JointValues* values, const Reached* at, Budget* budget) {
   const double allowed = 64 * DBL_EPSILON;
   const Dependent idle = idle_joints(task, at);
   if (idle.least == task->joints) return false;
   const double little = length_of_arc(task, idle.least, 1e-2);
-  // What is off to first order already, with a wide margin: the way may be curved.
+  // Rejects ways that are off to first order already, with a wide margin: the way may be curved.
   const double most = 100 * allowed;
   if (little * little * idle.square > most * most * task->size_square) return false;
   for (int side = 1; side >= -1; side -= 2) {
@@ -28,7 +28,7 @@ static bool is_continuum(const Matching* task, const JointValues* values, const 
   return false;
 }
 
-/// Whether between two values that reach the goals, near each other, there are such values too.
+/// True if between two values that reach the goals, near each other, there are such values too.
 static bool are_joined(const Matching* task, const JointValues* a, const Reached* at, const JointValues* b,
                        Budget* budget) {
   const Dependent idle = idle_joints(task, at);
@@ -63,10 +63,10 @@ static bool is_known(const Known* known, int joints, const JointValues* values) 
 
 static const Known nothing_known = {0, {{{{0, 0}}}}};
 
-/// Where steps end short of the goals two solutions may meet, or would beyond the boundary of reach: to first
-/// order nothing leads on. To second order a step to either side along the idle joint tells, and from there
-/// steps lead to the solutions if there are any. Returns whether they do; one that is known already is not
-/// enough.
+/// Leaves a place at which steps end short of the goals. Two solutions may meet there, or would meet beyond the
+/// boundary of reach: to first order nothing leads on. To second order a step to either side along the idle joint
+/// tells, and from there steps lead to the solutions if there are any. Returns whether they do; one that is known
+/// already is not enough.
 static bool leave_double_root(const Matching* task, Patience until, const Known* known, JointValues* values,
                               Reached* at, Budget* budget) {
   const double share = at->error / task->size_square;
@@ -93,8 +93,8 @@ static bool leave_double_root(const Matching* task, Patience until, const Known*
   return found;
 }
 
-/// What has come of a branch so far: no pass has followed it to its end; no Newton steps lead from its end to
-/// the pose; a wrist cannot follow to what has been chosen on a continuum; it has led to a solution.
+/// State of a branch so far: no pass has followed it to its end; no Newton steps lead from its end to the pose; a wrist
+/// cannot follow to what has been chosen on a continuum; it has led to a solution.
 typedef enum BranchState { unseen, missed, turned_back, settled } BranchState;
 
 /// The branches' states, and the solutions so far: the closed form may come to one from two branches, and
@@ -205,7 +205,7 @@ static bool settle_branch(Tracker* tracker, int label, const Matching* task, con
   const JointValues start = *values;
   const bool leads = lead_to_goal(tracker, patience(boundary->miss), task, values, &reached);
   const bool same = leads && is_known(known, task->joints, values);
-  // What has come to another branch's solution from elsewhere may have left its own, which a choice finds.
+  // A branch that reached another branch's solution from elsewhere may have left its own, which a choice finds.
   if (!leads || (tracker->persists && same && are_apart(task->joints, &start, values))) {
     if (*state == unseen) *state = missed;
     return false;
@@ -236,7 +236,7 @@ static SeedTracker new_seed_tracker(void) {
   return tracker;
 }
 
-/// Whether from the seed steps lead to the pose of which the joints that are idle there take no part.
+/// True if from the seed steps lead to the pose of which the joints that are idle there take no part.
 static bool moves_without_idle(SeedTracker* tracker, const Matching* task, Patience until,
                                JointValues* values, Reached* reached) {
   if (!may_step(&tracker->budget)) return false;
@@ -246,7 +246,7 @@ static bool moves_without_idle(SeedTracker* tracker, const Matching* task, Patie
   return idle.least != task->joints && polish(task, until, values, reached, &tracker->budget, &idle.columns);
 }
 
-/// Whether the joints that are idle can be where the seed has them.
+/// True if the joints that are idle can be where the seed has them.
 static bool holds(SeedTracker* tracker, const Matching* task, Patience until, const JointValues* seed,
                   JointValues* values, Reached* reached) {
   const Dependent idle = idle_joints(task, reached);

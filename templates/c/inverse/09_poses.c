@@ -127,8 +127,8 @@ static inline double unit_scale(double excess) { return 1 + excess * (-0.5 + 0.3
 /// 1 / |q|^2, the same way.
 static inline double square_scale(double excess) { return 1 + excess * (excess - 1); }
 
-/// What can be said of a pose before any branch is followed: branches have to tell; not a rotation, not
-/// finite, or too large to be squared.
+/// Answer that a pose alone allows, before any branch is followed: branches have to tell; not a rotation, not finite,
+/// or too large to be squared.
 typedef enum ReachTest { reach_test_open, reach_test_unreachable, reach_test_invalid } ReachTest;
 
 /// By the pose's quaternion, and by the distance that the arm's tool cannot exceed.

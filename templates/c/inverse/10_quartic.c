@@ -1,6 +1,6 @@
 // Newton steps for arms with a quartic, whose roots carry so few digits that much has to be tried.
 
-/// Where a point of the zero pose has come.
+/// Place to which a point of the zero pose has moved.
 static void carried(const Matching* task, const JointValues* values, int point, double* x) {
   memcpy(x, task->start[point], sizeof task->start[point]);
   for (int i = task->joints; i-- > 0;) move_point(&task->arm[i], values->of[i], x);
@@ -112,14 +112,14 @@ static bool is_continuum_of_points(const Matching* task, const JointValues* valu
   return points_go_on(task, values, 64 * DBL_EPSILON, budget);
 }
 
-/// Whether values that miss the goals by very little can be moved on and miss them by not much more.
+/// True if values that miss the goals by very little can be moved on and miss them by not much more.
 static bool is_nearly_continuum(const Matching* task, const JointValues* values, Budget* budget) {
   const double share = miss(task, values) / task->size_square;
   return share < 1e-12 && points_go_on(task, values, 4 * sqrt(share), budget);
 }
 
-/// Whether values that reach the goals can be moved on and miss them by little. Where two solutions merely meet
-/// what is missing then is a hundred times as much.
+/// True if values that reach the goals can be moved on and miss them by little. Where two solutions merely meet what is
+/// missing then is a hundred times as much.
 static bool is_next_to_continuum(const Matching* task, const JointValues* values, Budget* budget) {
   return points_go_on(task, values, 1e-6, budget);
 }
@@ -180,7 +180,7 @@ static bool points_are_joined(const Matching* task, const JointValues* a, const 
 /// the solution of another branch alone; whose wrist cannot follow to what has been chosen.
 typedef enum Mark { has_settled, has_missed, is_left, has_strayed, has_shared, has_turned_back, marks } Mark;
 
-/// What has come of each branch, and the solutions so far.
+/// State of each branch, and the solutions so far.
 typedef struct Visited {
   int branches;
   bool marked[marks][most_branches];
@@ -196,7 +196,7 @@ static void start_visits(Visited* visited, int branches, int passes, int steps) 
   visited->known.count = 0;
 }
 
-/// Whether a branch that is not settled is marked so.
+/// True if a branch that is not settled is marked so.
 static bool is_open(const Visited* visited, Mark mark) {
   for (int i = 0; i < visited->branches; ++i)
     if (visited->marked[mark][i] && !visited->marked[has_settled][i]) return true;

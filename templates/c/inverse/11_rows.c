@@ -1,4 +1,4 @@
-/// What is to be taken where a joint is free: zero or the caller's.
+/// Preferred value of each joint, taken if a pose leaves it free: zero or the caller's.
 typedef struct Preference {
   double angle[row_size];
   double slide[row_size];
@@ -22,7 +22,7 @@ static void prefer_zero(Preference* preference) {
   preference->seeded = false;
 }
 
-/// Of virtual joints, which stand behind the arm's own, nothing is preferred.
+/// Preference with zero for virtual joints, which come behind the arm's own.
 static void prefer_seed(const double* seed, Preference* preference) {
   prefer_zero(preference);
   preference->seeded = true;
@@ -68,7 +68,7 @@ static void subtract_phases(Row* rows, int count, const double* phases) {
       if (phases[i] != 0) rows[k].q[i] = less_phase(rows[k].q[i], phases[i]);
 }
 
-/// What free joints are to be, in the derivation's angles.
+/// Preferred values of free joints, in the derivation's angles.
 static void add_phases(Preference* preference, const double* phases) {
   for (int i = 0; i < row_size; ++i) {
     if (phases[i] == 0) continue;
@@ -206,7 +206,7 @@ static void keep_within_limits(Solutions* found, const double* seed, const doubl
   const int status = found->status;
   found->count = kept;
   sort_rows(found->rows, kept, distances);
-  // Of an incomplete set a row inside the limits may be among those that are missing.
+  // A row inside the limits may be among those that an incomplete set lacks.
   if (status != status_invalid && status != status_incomplete) conclude_solutions(found);
 }
 
@@ -222,7 +222,7 @@ static void own_joints(const Rows* rows, Solutions* found) {
   }
 }
 
-/// The same of a seed of which one joint's value is given.
+/// Preference by a seed of which one joint's value is given.
 static void prefer_seed_with(const double* seed, int joint, double value, Preference* preference) {
   double q[dof];
   memcpy(q, seed, sizeof q);

@@ -44,7 +44,7 @@ static inline double wrist_apart(WristAngles angles, double first, double middle
   return x * x + y * y + z * z;
 }
 
-/// Of a row; infinite if there is none.
+/// Squared distance of a row; infinite if there is none.
 static double nearest_apart(const Nearest* found, const Preference* seed) {
   if (found->count == 0) return HUGE_VAL;
   double sum = 0;
@@ -66,13 +66,13 @@ typedef struct Forks {
 
 static const Forks no_forks = {0, 0, {0}, 0};
 
-/// Whether two solutions meet, but for rounding: both in doubt, and as far from the seed to half the digits.
+/// True if two solutions meet, but for rounding: both in doubt, and as far from the seed to half the digits.
 static bool are_one(const Branch* other, double other_apart, const Branch* branch, double apart) {
   const double difference = other_apart - apart;
   return other->unsure && branch->unsure && difference * difference <= 1e-12 * apart;
 }
 
-/// Whether the other of two solutions is to be taken.
+/// True if the other of two solutions is to be taken.
 static bool takes_other(Forks* forks, const Branch* other, double other_apart, const Branch* branch,
                         double apart) {
   const bool is_nearer = other->exists && (!branch->exists || other_apart < apart);
@@ -92,14 +92,14 @@ static unsigned open_forks(const Forks* forks, double least) {
   return open;
 }
 
-/// Whether a row of the equations alone, which leave free joints where the seed has them, is so near to the
-/// seed that no other needs to be asked for: 10 mrad.
+/// True if a row of the equations alone, which leave free joints where the seed has them, is so near to the seed that
+/// no other needs to be asked for: 10 mrad.
 static bool is_by_seed(const Nearest* found, const Preference* seed) {
   return nearest_apart(found, seed) < 1e-4;
 }
 
-/// The same of a row that Newton's steps have led to: they may have moved it along a continuum, on which it
-/// has to be within 2 mrad.
+/// True if a row that Newton's steps have found is so near to the seed that no other is needed. The steps may have
+/// moved it along a continuum, on which it has to be within 2 mrad.
 static bool is_next_to(const Nearest* found, const Preference* seed) {
   return is_by_seed(found, seed) && (!found->row.continuum || nearest_apart(found, seed) < 4e-6);
 }

@@ -39,7 +39,7 @@ static void set_matching(const Arm* arm, const Pose* pose, int points, Matching*
   const Pose moved = pose_after(&unit, &back);
   const double square =
       projection(pose->position, pose->position) + projection(arm->tool.position, arm->tool.position);
-  // Of an arm without size: any length serves to measure turns by.
+  // An arm without size may measure turns by any length.
   const double size = square > 0 ? sqrt(square) : 1;
   task->joints = arm->joints;
   task->points = points;
@@ -107,9 +107,8 @@ static double miss_square(const Matching* task, const JointValues* values) {
 /// is nearly free.
 static const double least_miss = 0.05;
 
-/// Whether a row of the equations that rounding may have decided is to be taken: it brings the tool to the
-/// pose, but for rounding, and nothing between the seed and it is nearly free, along which rounding would
-/// have moved it.
+/// True if a row of the equations that rounding may have decided is to be taken: it brings the tool to the pose, but
+/// for rounding, and nothing between the seed and it is nearly free, along which rounding would have moved it.
 static bool is_certain_row(const Arm* arm, int points, const Pose* pose, const Preference* seed,
                            const Nearest* found) {
   const double rounding = 32 * DBL_EPSILON;
@@ -126,8 +125,8 @@ static bool is_certain_row(const Arm* arm, int points, const Pose* pose, const P
          least_miss * least_miss * nearest_apart(found, seed) * task.size_square;
 }
 
-/// Whether the seed misses the pose by much less than its way to a row lets expect: something between them is
-/// nearly free.
+/// True if the seed misses the pose by much less than its way to a row lets expect: something between them is nearly
+/// free.
 static bool is_nearly_free(const Matching* task, const JointValues* seed, double row_apart, Budget* budget) {
   if (!may_step(budget)) return false;
   Reached at;
@@ -187,7 +186,7 @@ static int free_branch(const Solutions* rows) {
   }
 }
 
-/// Whether a set has a row that is this one but for rounding: next to a double root half the digits are lost.
+/// True if a set has a row that is this one but for rounding: next to a double root half the digits are lost.
 static bool has_row(const Solutions* found, const Row* row) {
   for (int k = 0; k < found->count; ++k) {
     double square = 0;

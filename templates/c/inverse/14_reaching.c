@@ -1,5 +1,5 @@
-/// Of rows that solve less than is asked those which reach the tool's point (`points` 1) or the whole pose
-/// (3).
+/// Keeps the rows that also reach the tool's point (`points` 1) or the whole pose (3), of rows that solve less than
+/// that.
 typedef struct Reaching {
   Matching task;
   double tolerance;

@@ -35,7 +35,7 @@ std::vector<T> numbers(std::size_t count) {
   return result;
 }
 
-/// Whether the numbers are as good as the same.
+/// True if the numbers are as good as the same.
 template <class T, class Single>
 bool is_near(const std::vector<T>& rows, std::size_t count, std::size_t k, const Single& single,
              double bound) {

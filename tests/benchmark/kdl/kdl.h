@@ -9,7 +9,7 @@ namespace comparison {
 /// An arm in Orocos KDL. Numbers go in and out; KDL's and Eigen's types stay inside (CMakeLists.txt says
 /// why).
 ///
-/// What is measured: joints are copied in, KDL computes in its own types, made once. A result is a pointer to
+/// Measured calls: joints are copied in, KDL computes in its own types, made once. A result is a pointer to
 /// KDL's own numbers, valid until the next call; matrices are stored by columns.
 class __attribute__((visibility("default"))) KdlArm {
  public:

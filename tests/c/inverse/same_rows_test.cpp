@@ -19,7 +19,7 @@ int pose_count() {
   return count == nullptr ? 30 : std::atoi(count);
 }
 
-/// What was compared, for a line of the report.
+/// Number of comparisons, for a line of the report.
 struct Tally {
   int sets = 0, singular = 0, other = 0, rows = 0, same_bits = 0;
   double largest = 0;
@@ -62,7 +62,7 @@ class SameRows : public testing::TestWithParam<InverseUnderTest> {
     expect_right(c, sample, both);
   }
 
-  /// Whether both compute the same; else lanes are compared with one branch after the other, and seeds have
+  /// True if both compute the same; else lanes are compared with one branch after the other, and seeds have
   /// other sines, which a wrist that is nearly straight magnifies.
   [[nodiscard]] static bool is_one_by_one() { return static_cast<bool>(GetParam().functions.solve_scalar); }
 
@@ -86,7 +86,7 @@ class SameRows : public testing::TestWithParam<InverseUnderTest> {
     }
   }
 
-  /// What holds of every set: each row reaches the pose, none is there twice.
+  /// Laws of every set: each row reaches the pose, none is there twice.
   void expect_right(const Found& c, const Sample& sample, const std::string& what) const {
     for (std::size_t i = 0; i < c.rows.size(); ++i) {
       ASSERT_LE(test_.miss(c.rows[i].q, sample.target).largest(), 1e-9 + 10 * tolerance_) << what;

@@ -19,7 +19,7 @@ class FreeSlide : public Inverse {
                                            : Eigen::VectorXd::Zero(q.size());
   }
 
-  /// What is wrong with solutions in any order.
+  /// Returns the fault of solutions in any order; empty if there is none.
   std::string fault(const Sample& sample, Found found) {
     std::sort(found.rows.begin(), found.rows.end(),
               [](const Row& a, const Row& b) { return a.branch < b.branch; });

@@ -23,8 +23,8 @@ INSTANTIATE_TEST_SUITE_P(Arms, RandomArm, testing::ValuesIn(inverses()), name_of
 
 TEST(RandomArms, NoneIsLeftOut) { EXPECT_EQ(inverses().size() + unsolved().size(), written_arms()); }
 
-/// What is not solved cannot be: some joints move without moving the tool, wherever the arm stands; and that
-/// is said.
+/// Arms without a solution have none to find: some joints move without moving the tool, wherever the arm
+/// stands; and that is said.
 TEST(RandomArms, TheUnsolvedOnesAreSingularEverywhere) {
   for (const Unsolved& arm : unsolved()) {
     EXPECT_FALSE(arm.reasons.empty()) << arm.name;

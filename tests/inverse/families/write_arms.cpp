@@ -96,7 +96,7 @@ std::string reasons(const fs::path& header) {
   return result;
 }
 
-/// What the functions' names end with: "_given_q7", or nothing.
+/// Returns the end of the functions' names: "_given_q7", or nothing.
 std::string suffix(const fs::path& header) {
   const std::string start = "inline constexpr InverseInfo inverse_info";
   std::ifstream file(header);
@@ -105,7 +105,7 @@ std::string suffix(const fs::path& header) {
   return "";
 }
 
-/// Whether an arm takes every pose next to one that it has.
+/// True if an arm takes every pose next to one that it has.
 bool has_near(const fs::path& header, const std::string& given) {
   const std::string start = "NearSolution inverse_kinematics_near" + given + "(";
   std::ifstream file(header);
@@ -127,7 +127,7 @@ std::string task(const fs::path& header) {
   return "";
 }
 
-/// The same arm's functions in C behind the same type; nothing of an arm that has none.
+/// Registers the arm's functions in C behind the type of the C++ ones; empty if the arm has none.
 std::string registration_in_c(const Folder& folder, const std::string& name) {
   if (!fs::exists(folder.in_c(name))) return "";
   const fs::path header = folder.header(name);

@@ -12,7 +12,7 @@
 
 namespace qvgen::test {
 
-/// What every family of arms that are written, generated and compiled here is asked.
+/// Laws of every family of arms that are written, generated and compiled here.
 class WrittenArm : public Inverse {
  protected:
   /// A search from random joints, the given one at its value, ends on nothing but rows.

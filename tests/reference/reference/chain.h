@@ -67,7 +67,7 @@ struct Chain {
   [[nodiscard]] bool moves(std::size_t i, std::size_t k) const;
 };
 
-/// Where joint i acts, in the world frame.
+/// Place of joint i's axis, in the world frame.
 struct JointPlace {
   Vector3d axis;   ///< direction
   Vector3d point;  ///< origin of the frame after `before`: on the axis, fixed to the link before

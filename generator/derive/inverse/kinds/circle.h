@@ -28,8 +28,8 @@ struct Circle {
   }
 };
 
-/// The same from a direction (x, y) of the pose, which vanishes where the angle is free. Inputs: low, high,
-/// x, y.
+/// Angle of a circle, from a direction (x, y) of the pose, which vanishes where the angle is free. Inputs:
+/// low, high, x, y.
 struct FreeCircle {
   static constexpr const char* title = meets_circle;
   int degree = 1;  ///< the direction's units, as in `Direction`

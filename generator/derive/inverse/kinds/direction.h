@@ -82,7 +82,7 @@ struct Pair : Direction {
   }
 };
 
-/// The same for a sum of joint angles, which is (choice_x, choice_y) where it is free. Inputs: x, y,
+/// Direction of a sum of joint angles, which is (choice_x, choice_y) where it is free. Inputs: x, y,
 /// choice_x, choice_y.
 struct ChosenPair {
   static constexpr const char* title = Pair::title;
@@ -128,7 +128,7 @@ struct Reach {
 /// Cosine and sine of half an angle already known. Inputs: cosine, sine.
 struct Half {
   static constexpr const char* title = "half angle";
-  /// Whether a direction of any length will do, as for the half angles of a wrist with right angles.
+  /// True if a direction of any length will do, as for the half angles of a wrist with right angles.
   bool of_any_length = true;
   std::vector<std::string> lengths;  ///< unknowns among the angle's terms whose direction is not unit
 

@@ -6,7 +6,7 @@
 
 namespace qvgen::derive::inverse {
 
-/// What a step computes.
+/// Unknown that a step computes.
 struct Unknown {
   int joint = -1;       ///< index of the joint that it determines, -1 if none
   std::string unknown;  ///< that joint's variable, or a name for what else it computes

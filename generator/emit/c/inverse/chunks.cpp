@@ -85,7 +85,7 @@ std::vector<Chunk> chunks_of(const std::string& source) {
   return chunks;
 }
 
-/// What a definition gives a name to.
+/// Returns the names that a definition defines.
 std::set<std::string> defined(const Chunk& chunk) {
   const std::string code = chunk.code();
   if (begins_with(chunk.head(), "enum") || begins_with(chunk.head(), "typedef enum")) {
@@ -149,7 +149,8 @@ void drop_unread(Chunk& chunk) {
   }
 }
 
-/// Of a function's head, which may be broken into lines: "(const double* q, double given)".
+/// Returns the parameters of a function's head, which may be broken into lines: "(const double* q, double
+/// given)".
 std::vector<std::string> parameters(const std::string& code) {
   const std::size_t begin = code.find('('), end = code.find(") {");
   if (end == std::string::npos) return {};

@@ -131,7 +131,8 @@ std::string C::reopen(const std::string& label, const std::string& work, bool vi
          ";";
 }
 
-/// Of two functions: what fills in the task and the values; and behind an empty line, what takes these back.
+/// Writes the bodies of two functions: one fills in the task and the values; the other, behind an empty line,
+/// takes these back.
 Dialect::Lines C::polish_lines(const PolishTask& task) const {
   Lines lines{"task->joints = " + std::to_string(task.axes.size()) + ";",
               "task->points = " + std::to_string(task.start.size()) + ";",

@@ -19,7 +19,7 @@ using derive::inverse::Problem;
 using model::Task;
 using nlohmann::json;
 
-/// What a public function takes, and the pose that it stands for.
+/// Argument of a public function, and the pose that it means.
 struct Argument {
   std::string parameters;
   std::string arguments;
@@ -115,7 +115,7 @@ void add_sizes(const model::Robot& robot, json& values) {
   values["no_geometry"] = robot.geometry.empty();
   json kinds = json::array();
   for (int i = 0; i < rows; ++i) {
-    // Of virtual joints a seed's branch has turns only.
+    // A seed's branch has no virtual slides.
     const bool slides =
         i < dof && robot.joints[static_cast<std::size_t>(i)].type != model::JointType::revolute;
     kinds.push_back({{"revolute", slides ? "false" : "true"}, {"last", i + 1 == rows}});

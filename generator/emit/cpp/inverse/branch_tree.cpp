@@ -62,7 +62,7 @@ bool is_half(const Plan& plan, const Statement& statement) {
   return statement.kind == Kind::solve && plan.steps[statement.step].is<kind::Half>();
 }
 
-/// Whether half angles must be there before a step.
+/// True if half angles must be there before a step.
 bool needs_halves(const Plan& plan, const Statement& statement) {
   const Step& step = plan.steps[statement.step];
   return step.wrist() != nullptr || derive::inverse::reads_halves(plan, step);
@@ -72,7 +72,7 @@ bool is_fork_of_signs(const Plan& plan, const Statement& statement) {
   return statement.kind == Kind::fork && !plan.steps[statement.step].is_quartic();
 }
 
-/// Whether all that waits must be done before a statement.
+/// True if all that waits must be done before a statement.
 bool needs_all(const Plan& plan, const Statement& statement) {
   if (statement.kind == Kind::row || statement.kind == Kind::last_wrist) return true;
   if (statement.kind == Kind::fork) return plan.steps[statement.step].wrist() != nullptr;
@@ -144,7 +144,7 @@ class LateInLanes {
   bool leaves_ = true;
 };
 
-/// Whether a label needs no brackets in a product.
+/// True if a label needs no brackets in a product.
 bool is_simple(const std::string& label) { return label.find(' ') == std::string::npos; }
 
 }  // namespace

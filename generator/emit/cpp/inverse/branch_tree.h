@@ -27,16 +27,17 @@ struct Statement {
 };
 using Statements = std::vector<Statement>;
 
-/// Of a first pass, or of a careful one, in which the joints' values are those that Newton steps leave.
+/// Returns the tree of a first pass, or of a careful one, in which the joints' values are those that Newton
+/// steps leave.
 Statements branch_tree(const derive::inverse::Plan& plan, bool careful);
 
 /// With joints' values and half angles computed as late as possible, so that a branch which ends early does
 /// not pay for them; in a fork's body, but once.
 Statements with_late_angles(const derive::inverse::Plan& plan, const Statements& tree);
 
-/// The same for lanes, which end only with the last of them: late as long as a later step may find that no
-/// branch is left. Beyond, a joint's arctangent stands one step behind, where it fills the time that the next
-/// step waits for its root.
+/// Computes angles late for lanes, which end only with the last of them: late as long as a later step may
+/// find that no branch is left. Beyond, a joint's arctangent stands one step behind, where it fills the time
+/// that the next step waits for its root.
 Statements with_late_angles_in_lanes(const derive::inverse::Plan& plan, const Statements& tree);
 
 /// A branch's label in a fork with that loop variable, by the label of the branch around it (empty if none).

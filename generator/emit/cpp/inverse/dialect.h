@@ -8,7 +8,7 @@
 
 namespace qvgen::emit {
 
-/// What Newton's steps move: names of triples that a step has computed, and expressions.
+/// Task of Newton's steps: names of triples that a step has computed, and expressions.
 struct PolishTask {
   std::vector<bool> revolute;
   std::vector<std::string> axes, points, start, goal;  ///< behind each _x, _y, _z
@@ -49,7 +49,7 @@ class Dialect {
   [[nodiscard]] virtual std::string function(const std::string& name) const = 0;
   /// A call of a building block of the runtime.
   [[nodiscard]] virtual std::string block(const std::string& name, const Arguments& arguments) const = 0;
-  /// The same of one that makes a vector a direction; `opposites`: the opposite one is another branch.
+  /// Writes a block that makes a vector a direction; `opposites`: the opposite one is another branch.
   [[nodiscard]] virtual std::string direction_block(const std::string& name, bool opposites,
                                                     const Arguments& arguments) const = 0;
   [[nodiscard]] virtual std::string number_type() const = 0;
@@ -71,7 +71,7 @@ class Dialect {
 
   // Statements.
 
-  /// What steps leave, at first.
+  /// Declares the values that steps leave, at first.
   [[nodiscard]] virtual Lines new_work(const std::string& name, bool all_zero) const = 0;
   [[nodiscard]] virtual Lines copied_work(const std::string& name, const std::string& from) const = 0;
   [[nodiscard]] virtual std::string assign_work(const std::string& name, const std::string& from) const = 0;
@@ -82,7 +82,7 @@ class Dialect {
   /// A constant of a runtime's type.
   [[nodiscard]] virtual std::string constant(const std::string& type, const std::string& name,
                                              const std::string& value) const = 0;
-  /// The same, to be changed; and one of two things that are there.
+  /// Declares a variable that is changed later; and returns one of two things that are there.
   [[nodiscard]] virtual std::string variable(const std::string& type, const std::string& name,
                                              const std::string& value) const = 0;
   [[nodiscard]] virtual std::string chosen(const std::string& type, const std::string& name,
@@ -90,28 +90,28 @@ class Dialect {
   [[nodiscard]] virtual std::string entry(const std::string& array, const std::string& index) const = 0;
   [[nodiscard]] virtual std::string rows_found() const = 0;
   [[nodiscard]] virtual std::string append(const std::string& label, const std::string& work) const = 0;
-  /// The same of the one row of a seed's branch.
+  /// Appends the one row of a seed's branch.
   [[nodiscard]] virtual std::string append_nearest(const std::string& work) const = 0;
-  // Of the tracker; `visits`: that of arms with a quartic.
+  // Calls of the tracker; `visits`: that of arms with a quartic.
   [[nodiscard]] virtual std::string is_settled(const std::string& label, bool visits) const = 0;
   [[nodiscard]] virtual std::string close(const std::string& label) const = 0;
   [[nodiscard]] virtual std::string reopen(const std::string& label, const std::string& work,
                                            bool visits) const = 0;
   /// The body of a polish step's function.
   [[nodiscard]] virtual Lines polish_lines(const PolishTask& task) const = 0;
-  /// Whether a polish step leads on; of a seed's branch, by its tracker.
+  /// True if a polish step leads on; of a seed's branch, by its tracker.
   [[nodiscard]] virtual std::string polishes(const std::string& step, const std::string& target,
                                              const std::string& label, const std::string& work,
                                              bool of_seed) const = 0;
   [[nodiscard]] virtual std::string take_nearer(const std::string& other, const std::string& other_apart,
                                                 const std::string& work, const std::string& apart) const = 0;
-  /// Of a quartic's roots, which `take` (a call) makes work of, the one nearest to the seed becomes w.
+  /// Makes w of the quartic's root that is nearest to the seed; `take` (a call) makes work of a root.
   [[nodiscard]] virtual Lines nearest_root(const std::string& number, const std::string& take,
                                            const std::string& apart, int branches) const = 0;
 };
 
 const Dialect& cpp_dialect();
-/// The same for lanes: functions are found by what they are called with.
+/// Returns the dialect for lanes: functions are found by what they are called with.
 const Dialect& cpp_lane_dialect();
 
 }  // namespace qvgen::emit

@@ -20,13 +20,13 @@ using derive::inverse::Problem;
 using model::Task;
 using nlohmann::json;
 
-/// What a public function takes.
+/// Argument of a public function.
 struct Argument {
   std::string parameter;  ///< as it is declared
   std::string name;
   std::string meaning;
   std::string pose;    ///< the pose that it stands for
-  std::string seeded;  ///< the same next to a seed
+  std::string seeded;  ///< its form next to a seed
   bool is_pose = false;
 };
 
@@ -48,7 +48,7 @@ Argument directed(const Problem& problem, const std::string& type, const std::st
           "inverse::pose_of(task, " + axis + ", inverse::tool_of<dof>(arm, seed).orientation)"};
 }
 
-/// Of a task that is less than a pose.
+/// Returns the argument of a task that is less than a pose.
 Argument reduced_argument(const model::Robot& described, const Problem& problem) {
   const auto both = [](Argument argument) {
     argument.seeded = argument.pose;
@@ -120,7 +120,7 @@ std::vector<std::string> body(const Problem& problem, const Argument& argument, 
   return lines;
 }
 
-/// Whether next to a seed the equations for less than a pose lead to what has to be looked at alone. What a
+/// True if next to a seed the equations for less than a pose lead to what has to be looked at alone. What a
 /// direction or an orientation leaves can be at a pose or not, that an arm is level it always is.
 bool looks_at_one(const Problem& problem, Filter filter) {
   return problem.task == Task::position_and_yaw && problem.filter == Filter::none && filter == Filter::pose;
@@ -195,7 +195,7 @@ std::string row_arm(const Problem& problem, bool has_tool_turn, const std::strin
 
 namespace {
 
-/// What the form next to a seed needs besides.
+/// Adds the values that the form next to a seed needs besides.
 void add_seed_branch(const model::Robot& robot, const Problem& problem, json& variant) {
   const bool has_virtual_joints = problem.row_size > static_cast<int>(robot.joints.size());
   const bool takes_poses = problem.task == Task::pose || problem.task == Task::position;

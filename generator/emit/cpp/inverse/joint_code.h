@@ -9,7 +9,7 @@
 
 namespace qvgen::emit {
 
-/// Where generated code has a joint's value: "q[2]".
+/// Returns the place of a joint's value in generated code: "q[2]".
 std::string joint_place(const derive::inverse::Plan& plan, int joint);
 
 /// Assignments of the joints' values that a step leaves in `work`, angles by their arctangent.

@@ -28,7 +28,7 @@ class PoseLoops {
   }
 
  private:
-  /// Where a statement stands.
+  /// Place of a statement in the tree.
   struct Place {
     int depth = 0;      ///< forks around it
     std::string label;  ///< of the branch, empty outside of forks

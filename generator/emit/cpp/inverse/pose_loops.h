@@ -8,7 +8,7 @@
 
 namespace qvgen::emit {
 
-/// Whether every step is a block without jumps: then poses can be solved side by side.
+/// True if every step is a block without jumps: then poses can be solved side by side.
 bool has_pose_lanes(const derive::inverse::LoweredPlan& plan);
 
 /// Body of the function that follows one pose a lane: all branching steps are loops. A lane that has no such

@@ -23,7 +23,7 @@ class ScalarLoops {
     const Place top;
     for (const std::string& text : dialect_.new_work("w", false)) line(top, text);
     line(top, dialect_.new_row(plan_.plan.row_size));
-    // What starts near the goal may hold the given joint next to its value.
+    // Branches that start near the goal may hold the given joint next to its value.
     const std::string asked = careful_ && visits_ ? "goal" : "t";
     if (plan_.plan.given >= 0)
       line(top, "q[" + std::to_string(plan_.plan.given) + "] = " + dialect_.member(asked, "geometry.given_") +
@@ -34,7 +34,7 @@ class ScalarLoops {
   }
 
  private:
-  /// Where a statement stands.
+  /// Place of a statement in the tree.
   struct Place {
     int depth = 0;
     int forks = 0;              ///< around it

@@ -14,7 +14,7 @@ namespace qvgen::emit {
 std::vector<std::string> seed_branch_lines(const derive::inverse::LoweredPlan& plan, Pass pass,
                                            const Dialect& dialect);
 
-/// Whether each choice between solutions can be made by the joints that its step determines.
+/// True if each choice between solutions can be made by the joints that its step determines.
 bool has_seed_branch(const derive::inverse::LoweredPlan& plan);
 
 }  // namespace qvgen::emit

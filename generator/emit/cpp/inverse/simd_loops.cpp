@@ -41,7 +41,7 @@ class SimdLoops {
   }
 
  private:
-  /// Where a statement stands.
+  /// Place of a statement in the tree.
   struct Place {
     int depth = 0;
     int forks = 0;      ///< around it

@@ -8,7 +8,7 @@
 
 namespace qvgen::emit {
 
-/// Whether four branches or more lead to the wrist (or the end), all by blocks without jumps: then they can
+/// True if four branches or more lead to the wrist (or the end), all by blocks without jumps: then they can
 /// be followed side by side.
 bool has_lanes(const derive::inverse::LoweredPlan& plan);
 

@@ -222,7 +222,7 @@ std::vector<std::string> further_lines(const model::Robot& robot, const LoweredP
   return {};
 }
 
-/// What a template writes a step's function from.
+/// Returns the values from which a template writes a step's function.
 json step_value(const model::Robot& robot, const LoweredPlan& plan, std::size_t i, const Dialect& d) {
   const Step& step = plan.plan.steps[i];
   const SymbolTable names = names_of(robot, plan, step, d);

@@ -10,7 +10,7 @@
 
 namespace qvgen::emit {
 
-/// Where the length of an unknown's direction stands.
+/// Returns the place of the length of an unknown's direction.
 std::string length_place(const Dialect& d, const std::string& unknown);
 
 /// A joint's seed; what a sum of angles shall be is worked out before.

@@ -11,7 +11,7 @@
 #include <qvgen/batch/staging.h>
 #include <qvgen/pose.h>
 
-// What batches of the inverse kinematics have in common, whatever the robot.
+// Shared parts of batched inverse kinematics; no robot is named here.
 namespace qvgen::batch {
 
 /// How many poses are solved side by side at most.
@@ -29,7 +29,7 @@ inline void put_pose(const Pose<double>& pose, const Batch<double>& poses, std::
   for (std::size_t i = 0; i < 7; ++i) poses(i, k) = numbers[i];
 }
 
-/// What a single call has found.
+/// Writes the solutions of a single call into a batch, at configuration `k`.
 template <int dof, int capacity>
 void put(const Solutions<dof, capacity>& single, const BatchOfSolutions& found, std::size_t k) {
   unsigned marks = 0;
@@ -53,8 +53,8 @@ void one_by_one(std::size_t count, const BatchOfSolutions& found, const Single& 
   for (std::size_t k = 0; k < count; ++k) put(single(k), found, k);
 }
 
-/// The same by `lanes(set, first, count, found)`, which solves some poses side by side and returns a bit for
-/// each that is to be solved alone. Without vector registers all are.
+/// Solves a batch by `lanes(set, first, count, found)`, which solves some poses side by side and returns a
+/// bit for each that is to be solved alone. Without vector registers all are.
 template <int dof, int capacity, class Lanes, class Single>
 void side_by_side(InstructionSet set, std::size_t count, const BatchOfSolutions& found, const Lanes& lanes,
                   const Single& single) {

@@ -24,7 +24,7 @@ inline constexpr bool leaves_singular_poses<batch::Lanes<double, Set>> = true;
 
 namespace qvgen::batch {
 
-/// What this source is compiled for.
+/// Lanes of doubles in the instruction set that this source is compiled for.
 using Doubles = Lanes<double, Compiled>;
 
 // No templates: GCC 12 does not always inline what those call.
@@ -57,7 +57,7 @@ QVGEN_LANES Doubles acute_arctangent(const Doubles& y, const Doubles& x) {
   return inverse::polynomial::acute_arctangent(y, x);
 }
 
-/// What poses say, one a lane: x, y, z, w of the quaternion, and the position.
+/// Poses side by side, one a lane: x, y, z, w of the quaternion, and the position.
 template <class Lane>
 struct LanePoses {
   Lane quaternion[4];
@@ -92,7 +92,8 @@ QVGEN_LANES inverse::Branch<Lane> reach_test(const LanePoses<Lane>& pose, const 
 
 namespace qvgen::inverse {
 
-/// Of a whole pose `is_out_of_range` says one thing, here each lane has its own.
+/// Mask of lanes whose value is out of range. `inverse::is_out_of_range` answers once for a whole pose; here
+/// each lane has its own answer.
 template <class Set>
 QVGEN_LANES batch::LaneMask<Set> is_out_of_range(const batch::Lanes<double, Set>& middle,
                                                  const batch::Lanes<double, Set>& swing,
@@ -122,7 +123,7 @@ QVGEN_LANES inverse::Opposites<Doubles> output_angles(const inverse::Rotor<Doubl
   const inverse::Opposites<Doubles> value = opposite_arctangents(rotor.sine, rotor.cosine, length, pi);
   return {negated(value.one <= -pi, value.one), negated(value.other <= -pi, value.other)};
 }
-/// Of an angle in [0, pi].
+/// Returns the negative of an angle in [0, pi]; pi stays pi.
 QVGEN_LANES Doubles negative(const Doubles& angle, const Doubles& pi) { return negated(angle < pi, angle); }
 
 }  // namespace qvgen::batch

@@ -6,8 +6,8 @@
 
 #include <qvgen/batch/rates.h>
 
-// What batches of inverse velocities have in common, whatever the robot: Jacobians in lanes, what branches on
-// their values one by one.
+// Shared parts of batched inverse velocities: Jacobians are computed in lanes, what branches on their values
+// one by one.
 namespace qvgen::batch {
 
 /// How many Jacobians stand between the two at a time: they stay in the cache.

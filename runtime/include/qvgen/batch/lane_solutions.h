@@ -79,7 +79,7 @@ class LaneSolutions {
     append(other, other_branch, label + 1);
   }
 
-  /// Where a row is one of a continuum: lanes do not choose.
+  /// Mask of rows that belong to a continuum. Lanes make no choice there.
   QVGEN_INLINE const Truth& chosen() const { return chosen_; }
 
   /// NaN behind the last solution of each lane.

@@ -56,7 +56,8 @@ class Lanes {
     return Lanes(a.vector_ > zero ? one : a.vector_ < zero ? -one : zero);
   }
   QVGEN_LANES Lanes sqrt(const Lanes& a) { return Lanes(Register<T, Set>::root(a.vector_)); }
-  // Of single angles generated functions ask only where they are the arm's own, the same in all lanes.
+  // Generated functions ask for the sine of a single angle only if it is a constant of the arm, equal in all
+  // lanes.
   QVGEN_LANES Lanes sin(const Lanes& a) {
     return of_constant(a, [](T x) { return std::sin(x); });
   }

@@ -5,8 +5,8 @@
 
 namespace qvgen {
 
-/// What batches are computed with, by the width of its registers. On x86-64 the same bits from each of them
-/// in double.
+/// Instruction sets of batches, ordered by the width of their registers. On x86-64 all of them give the same
+/// bits in double.
 enum class InstructionSet { baseline, neon, avx2, avx512 };
 
 namespace batch {
@@ -40,7 +40,7 @@ using Compiled = Neon;
 using Compiled = Baseline;
 #endif
 
-/// Whether this machine runs code for the set.
+/// True if this machine runs code for the set.
 inline bool machine_has([[maybe_unused]] InstructionSet set) {
 #if defined(__GNUC__) && (defined(__x86_64__) || defined(__i386__))
   const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");

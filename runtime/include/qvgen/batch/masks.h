@@ -18,8 +18,8 @@ struct LaneMask {
   [[gnu::always_inline]] explicit LaneMask(typename Unit::Mask all) : lanes(all) {}
 };
 
-// What blocks of the inverse kinematics compute with doubles, for lanes of them: a lane has the bits that a
-// double has (qvgen/inverse/branch.h).
+// Operations that blocks of the inverse kinematics use on doubles, here for lanes of doubles. Each lane has
+// the bits that a double has (qvgen/inverse/branch.h).
 
 template <class Set>
 QVGEN_LANES LaneMask<Set> operator<(const Lanes<double, Set>& a, const Lanes<double, Set>& b) {
@@ -115,7 +115,7 @@ QVGEN_LANES Lanes<double, Set> with_sign(const Lanes<double, Set>& magnitude,
                                          const Lanes<double, Set>& sign) {
   return negated(sign < Lanes<double, Set>(0.0), magnitude);
 }
-/// Of a number that is not negative.
+/// Gives a number that is not negative the sign bit of another.
 template <class Set>
 QVGEN_LANES Lanes<double, Set> with_sign_bit(const Lanes<double, Set>& magnitude,
                                              const Lanes<double, Set>& sign) {

@@ -13,8 +13,8 @@
 
 namespace qvgen::batch {
 
-/// What the compiler's vectors have no notation for, or none that it translates well: products and sums
-/// rounded once, and, for doubles, truth values of lanes. Of the set that is compiled alone.
+/// Operations for which the compiler's vectors have no notation, or none that it translates well: products
+/// and sums rounded once and, for doubles, truth values of lanes. Only the set that is compiled has them.
 template <class T, class Set>
 struct Register;
 

@@ -13,7 +13,7 @@
 
 namespace qvgen::batch {
 
-/// What the functions are computed with: lanes, or numbers one by one.
+/// Numbers that functions compute with: lanes, or single numbers.
 template <class Lane>
 struct LaneTraits {
   using Number = typename Lane::Number;
@@ -38,8 +38,8 @@ struct LaneTraits<float> : OneNumber<float> {};
 template <class T, class Set>
 using LaneOf = std::conditional_t<std::is_same_v<Set, Baseline>, T, Lanes<T, Set>>;
 
-/// The same numbers in all lanes: `From` holds numbers and nothing else, `To` the same with lanes in their
-/// places (geometries, arrays of constants, vectors).
+/// Copies numbers into all lanes: `From` holds numbers and nothing else, `To` has lanes in their places
+/// (geometries, arrays of constants, vectors).
 template <class Lane, class To, class From>
 To in_all_lanes(const From& from) {
   using T = typename LaneTraits<Lane>::Number;

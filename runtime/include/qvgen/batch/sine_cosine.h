@@ -20,8 +20,8 @@ struct SineConstants<double> : detail::SineConstants {
   static constexpr int terms = 6;
 };
 
-/// The same in float: polynomials fitted on |r| <= pi/4, relative error below 2^-27. Fused, the first step of
-/// the reduction is exact up to the bound.
+/// Constants for float: polynomials fitted on |r| <= pi/4, relative error below 2^-27. Fused, the first step
+/// of the reduction is exact up to the bound.
 template <>
 struct SineConstants<float> {
   using Bits = std::int32_t;

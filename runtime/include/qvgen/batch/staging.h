@@ -21,12 +21,12 @@ namespace qvgen::batch {
 enum class Route {
   direct,    ///< register by register
   staged,    ///< by way of a buffer, from which many configurations of one row are copied, then of the next
-  streamed,  ///< the same, past the caches
+  streamed,  ///< by way of a buffer, past the caches
 };
 
 inline constexpr std::size_t cache_line = 64;  ///< bytes
 
-/// Whether rows, one every so many bytes, begin in so few sets of the first cache, as with 1024 numbers a
+/// True if rows, one every so many bytes, begin in so few sets of the first cache, as with 1024 numbers a
 /// row, that more than so many lines of a set are in use at a time: beyond 8 they push each other out before
 /// they are full or read. For a cache with 64 sets; with another one the results are the same.
 QVGEN_INLINE inline bool share_sets(std::size_t rows, std::size_t bytes_a_row, std::size_t lines_a_set) {
@@ -80,8 +80,8 @@ class Staging {
 
   [[nodiscard]] QVGEN_INLINE bool is_direct() const { return route_ == Route::direct; }
 
-  /// Where the results of configurations first, first + 1, ... are to be put, no more than a block of them
-  /// unless directly.
+  /// Returns where the results of configurations first, first + 1, ... go. Without staging that is the batch
+  /// itself; else room for one block.
   QVGEN_INLINE Batch<T> place(std::size_t first, std::size_t count) {
     if (is_direct()) return result_.part(first, count);
     return {buffer_ + line, count, line + block};

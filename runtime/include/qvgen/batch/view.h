@@ -18,7 +18,7 @@ struct Batch {
   Batch() = default;
   Batch(T* data_, std::size_t count_) : Batch(data_, count_, count_) {}
   Batch(T* data_, std::size_t count_, std::size_t stride_) : data(data_), count(count_), stride(stride_) {}
-  /// What may be written may be read.
+  /// Converts a view that may be written to one that may be read.
   template <class Other, class = std::enable_if_t<std::is_same_v<T, const Other>>>
   Batch(const Batch<Other>& other) : Batch(other.data, other.count, other.stride) {}  // NOLINT
 

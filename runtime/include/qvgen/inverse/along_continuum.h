@@ -27,7 +27,7 @@ namespace qvgen::inverse {
 template <int dof, int points>
 class AlongContinuum {
  public:
-  /// What following one row may cost in either direction.
+  /// Budget for following one row in either direction.
   static constexpr Budget most{0, 400};
 
   AlongContinuum(const ArmAtZero<dof>& arm, const Pose<double>& pose, const JointLimits<dof>& limits)
@@ -42,8 +42,7 @@ class AlongContinuum {
     return found;
   }
 
-  /// The same of a row outside by no more than what rounding may do to the joints of a pose that is not near
-  /// a singular one.
+  /// Brings a row inside limits that it exceeds by rounding alone, at a pose that is not near a singular one.
   bool bring_back(Joints<dof>& q, Effort& effort) {
     Budget budget = most;
     const bool found = press(q, rounding, budget);
@@ -55,8 +54,8 @@ class AlongContinuum {
   static constexpr auto joints = static_cast<std::size_t>(dof);
   static constexpr double longest = 0.1;    ///< rad, or a share of the arm's size
   static constexpr double near = 1e-3;      ///< rad or m outside, from where a joint may be put on its limit
-  static constexpr double rounding = 1e-7;  ///< the same where nothing is nearly singular
-  /// What the pose may be missed by: it is itself off its continuum by rounding, or limits by as much.
+  static constexpr double rounding = 1e-7;  ///< rad or m outside where nothing is nearly singular
+  /// Patience with the pose: the pose is off its continuum by rounding, and limits may move it by as much.
   static constexpr Patience patience{limit_tolerance, 3, 0.5};
   using Values = JointValues<double, joints>;
   using Newton = polishing::Newton<double, joints, static_cast<std::size_t>(points)>;
@@ -164,7 +163,7 @@ class AlongContinuum {
     return product / std::sqrt(square_a * square_b);
   }
 
-  /// Whether joints that go so move the points next to nothing.
+  /// True if joints that go so move the points next to nothing.
   [[nodiscard]] bool is_idle(const At& at, const Way& way) const {
     constexpr double next_to_nothing = 1e-5;
     double square = 0;
@@ -189,7 +188,7 @@ class AlongContinuum {
     return way;
   }
 
-  /// What a slide goes where an angle goes by one radian.
+  /// Length of a slide's step where an angle's step is one radian.
   [[nodiscard]] double unit(std::size_t i) const {
     return task_.arm[i].revolute ? 1 : std::sqrt(task_.size_square);
   }
@@ -263,7 +262,7 @@ class Straight {
     for (int i = 1; i + 1 < dof; ++i) add(arm, i);
   }
 
-  /// Whether some joint is next to such a value, or to the opposite one.
+  /// True if some joint is next to such a value, or to the opposite one.
   [[nodiscard]] bool holds(const Joints<dof>& q) const {
     constexpr double next_to = 1e-5;
     for (int i = 1; i + 1 < dof; ++i)
@@ -306,7 +305,7 @@ void bring_inside(const ArmAtZero<dof>& arm, const Pose<double>& pose, const Joi
   }
 }
 
-/// The same with one joint where it is given.
+/// Brings the rows of an arm with a given joint inside the limits; the given joint keeps its value.
 template <int points, int dof, int capacity, std::size_t count>
 void bring_inside(const ArmAtZero<dof>& arm, const Pose<double>& pose, int given, double value,
                   const JointLimits<dof>& limits, const std::array<bool, count>& revolute,

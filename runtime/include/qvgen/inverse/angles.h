@@ -54,7 +54,7 @@ Scalar output_angle(const Rotor<Scalar>& rotor, const Scalar& length, const Scal
   return select(value <= -pi, pi, value);
 }
 
-/// The same and the angle of the opposite direction.
+/// Returns the angle of a direction and the angle of the opposite direction, both in (-pi, pi].
 template <typename Scalar>
 Opposites<Scalar> output_angles(const Rotor<Scalar>& rotor, const Scalar& length, const Scalar& pi) {
   const Opposites<Scalar> value = opposite_arctangents(rotor.sine, rotor.cosine, length, pi);
@@ -66,11 +66,11 @@ Scalar output_angle(const Scalar& cosine, const Scalar& sine, const Scalar& leng
   return output_angle(Rotor<Scalar>{cosine, sine}, length, pi<Scalar>());
 }
 
-/// Where a vector is known but for rounding, which may move its end within a disc, so may its direction be
-/// turned: of all that it may have, the one nearest to `choice`. `unit` is the vector's direction, the
-/// squares are those of its length and of the disc's radius. Near a place where the vector
-/// vanishes and its direction is free this goes over from the choice to the direction without a jump.
-/// `opposites`: the opposite direction is another branch, which the opposite of the choice is near to.
+/// Returns, of all directions that a vector may have after rounding, the one nearest to `choice`. Rounding
+/// may move the vector's end within a disc. `unit` is the vector's direction, the squares are those of its
+/// length and of the disc's radius. Near a place where the vector vanishes and its direction is free this
+/// goes over from the choice to the direction without a jump. `opposites`: the opposite direction is another
+/// branch, which the opposite of the choice is near to.
 template <typename Scalar, bool opposites>
 Rotor<Scalar> turned_to(const Rotor<Scalar>& preferred, const Rotor<Scalar>& unit, const Scalar& square,
                         const Scalar& disc) {
@@ -154,7 +154,7 @@ Rotor<Scalar> chosen_if_free(const Rotor<Scalar>& v, const Scalar& square, const
   return {select(is_free, brief_choice.cosine, seen.cosine), select(is_free, brief_choice.sine, seen.sine)};
 }
 
-/// The same, and its length.
+/// Returns the direction of a vector and its length.
 template <typename Scalar, bool opposites = false>
 Rotor<Scalar> span(const Rotor<Scalar>& v, const Scalar& tiny, const Rotor<Scalar>& brief_choice,
                    Scalar& length, Branch<Scalar>& branch) {
@@ -164,8 +164,8 @@ Rotor<Scalar> span(const Rotor<Scalar>& v, const Scalar& tiny, const Rotor<Scala
   return chosen_if_free<Scalar, opposites>(v, square, tiny, brief_choice, length, branch);
 }
 
-/// The same where the length is known but for rounding: a Newton step makes it good without waiting for a
-/// root.
+/// Returns the direction of a vector whose length is known but for rounding: a Newton step corrects it
+/// without waiting for a root.
 template <typename Scalar, bool opposites = false>
 Rotor<Scalar> span_of_length(const Rotor<Scalar>& v, const Scalar& about, const Scalar& tiny,
                              const Rotor<Scalar>& brief_choice, Scalar& length, Branch<Scalar>& branch) {

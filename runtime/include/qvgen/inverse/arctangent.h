@@ -12,7 +12,7 @@ Scalar arctangent(const Scalar& y, const Scalar& x) {
   return atan2(y, x);
 }
 
-/// The same of a pair whose length is known.
+/// Returns the angle of a pair (x, y) whose length is known.
 template <typename Scalar>
 Scalar arctangent(const Scalar& y, const Scalar& x, [[maybe_unused]] const Scalar& length) {
   return arctangent(y, x);
@@ -31,7 +31,7 @@ Opposites<Scalar> opposite_arctangents(const Scalar& y, const Scalar& x, const S
   return {one, one - with_sign(pi, y)};
 }
 
-/// The same where neither is negative: in [0, pi/2].
+/// Returns the angle of a pair with no negative entry, in [0, pi/2].
 template <typename Scalar>
 Scalar acute_arctangent(const Scalar& y, const Scalar& x) {
   return arctangent(y, x);

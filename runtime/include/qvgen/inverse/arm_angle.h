@@ -14,9 +14,9 @@
 /// cos psi + b sin psi + c = 0.
 namespace qvgen {
 
-/// What an arm angle is counted from: at zero the elbow is on the side of a reference direction, in the plane
-/// that this direction and the line from shoulder to wrist span. All directions in the base frame, of any
-/// length; a zero vector stands for the arm's own choice.
+/// Zero of an arm angle: there the elbow is on the side of a reference direction, in the plane that this
+/// direction and the line from shoulder to wrist span. All directions in the base frame, of any length; a
+/// zero vector stands for the arm's own choice.
 struct ArmAngleReference {
   enum class Kind {
     /// A fixed direction, the arm's own choice being the first axis, away from the base. Undefined where the
@@ -81,7 +81,7 @@ struct ChosenArmAngle {
 
 /// The arm angle of an interval that is nearest to a given one, rad; at an interval's end, a little inside.
 double nearest_arm_angle(const ArmAngleInterval& interval, double psi);
-/// The same of all intervals; they have to outlive what is returned.
+/// Returns the nearest arm angle of all intervals; these have to outlive the result.
 ChosenArmAngle nearest_arm_angle(const ArmAngleIntervals& intervals, double psi);
 /// The one from which arm angles at which a joint meets a limit are farthest: the middle of the widest
 /// interval.
@@ -115,7 +115,7 @@ ArmAngleIntervals intervals(const Arm& arm, const Pose<double>& pose, const Join
 /// whole turns as near to zero as may be.
 LimitedSolutions<7, 8> solve_within(const Arm& arm, const Pose<double>& pose, const JointLimits<7>& limits,
                                     const ArmAngleReference& reference, double tolerance);
-/// The same at the arm angle that is nearest to the seed's, the nearest row first.
+/// Returns the rows within limits at the arm angle that is nearest to the seed's, the nearest row first.
 LimitedSolutions<7, 8> solve_within(const Arm& arm, const Pose<double>& pose, const Row& seed,
                                     const JointLimits<7>& limits, const ArmAngleReference& reference,
                                     double tolerance);

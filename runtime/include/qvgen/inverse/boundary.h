@@ -5,8 +5,8 @@
 
 namespace qvgen::inverse {
 
-/// Whether what is next to a singular pose is left to another solver: such a branch is doubtful then, and
-/// regular ones, which are nearly all, need no steps for it.
+/// If true, branches next to a singular pose are only marked as doubtful, and another solver follows them.
+/// Regular branches, which are nearly all, need no steps for it.
 template <typename Scalar>
 inline constexpr bool leaves_singular_poses = false;
 
@@ -30,7 +30,7 @@ struct Boundary {
   double accept = 0;  ///< so far outside, as a share of the range, a branch still exists and is taken to the
                       ///< end of the range
   double doubt = 0;   ///< nearer to an end than this share, inside, the branch is doubtful
-  double beyond = 0;  ///< the same outside: what is farther out is not for rounding to decide
+  double beyond = 0;  ///< as near outside it is doubtful, too; farther out it does not exist
   double unsure = 1e-7;  ///< nearer to an end than this share Newton steps judge what the branch leads to
   double floor = 0;      ///< least share of the range: what is nearer to the end is moved away from it
   double near = 1e18;    ///< a direction whose square is below this multiple of noise is nearly free, and
@@ -63,14 +63,14 @@ struct Boundary {
     boundary.miss = tolerance;
     return boundary;
   }
-  /// The same with a choice where an angle is nearly free.
+  /// Pass `ends` with a choice where an angle is nearly free.
   static constexpr Boundary chosen(double tolerance) {
     Boundary boundary = ends(tolerance);
     boundary.choose = true;
     return boundary;
   }
-  /// The same where the choice leaves the joints after it out of reach: they are stretched to where it would
-  /// be, and Newton's steps turn the chosen joint until they reach.
+  /// Pass `chosen` for a choice that leaves the joints after it out of reach: they are stretched to where it
+  /// would be, and Newton's steps turn the chosen joint until they reach.
   static constexpr Boundary stretched(double tolerance) {
     Boundary boundary = chosen(tolerance);
     boundary.accept = 1e3;
@@ -88,14 +88,14 @@ struct Boundary {
     boundary.fold = tolerance > 5e-13 ? tolerance : 5e-13;
     return boundary;
   }
-  /// The same with a choice where an angle is nearly free.
+  /// Pass `careful` with a choice where an angle is nearly free.
   static constexpr Boundary choosing(double tolerance) {
     Boundary boundary = careful(tolerance);
     boundary.choose = true;
     boundary.take = true;
     return boundary;
   }
-  /// The same where the choice leaves the joints after it out of reach.
+  /// Pass `choosing` for a choice that leaves the joints after it out of reach.
   static constexpr Boundary reaching(double tolerance) {
     Boundary boundary = choosing(tolerance);
     boundary.accept = 1e3;
@@ -120,7 +120,7 @@ struct Boundary {
     return boundary;
   }
 
-  /// Whether this is the pass of a regular pose.
+  /// True if this is the pass of a regular pose.
   [[nodiscard]] constexpr bool is_plain() const { return doubt > 0; }
 };
 

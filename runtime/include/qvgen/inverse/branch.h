@@ -5,7 +5,7 @@
 
 namespace qvgen::inverse {
 
-/// What is known of the branch that a sequence of blocks follows.
+/// State of the branch that a sequence of blocks follows.
 template <typename Scalar>
 struct Branch {
   Mask<Scalar> exists{true};      ///< false: no such solution
@@ -13,7 +13,7 @@ struct Branch {
   Mask<Scalar> doubtful{
       false};  ///< true: rounding may have decided what exists, on this branch or on one before
 
-  Mask<Scalar> unsure{false};  ///< the same on this branch alone, in passes near singular poses too
+  Mask<Scalar> unsure{false};  ///< doubtful on this branch alone, in passes near singular poses too
 
   /// Back to a fork; doubts stay.
   void resume(const Branch& fork) {
@@ -25,8 +25,8 @@ struct Branch {
     doubtful = doubtful | (exists & condition);
     unsure = unsure | condition;
   }
-  /// Where an angle is free it has been chosen, if the equation holds; elsewhere the branch is what a regular
-  /// block has found.
+  /// Takes the choice where an angle is free and the equation holds, and the result of a regular block
+  /// elsewhere.
   void take(const Mask<Scalar>& is_free, const Mask<Scalar>& holds, const Branch& regular) {
     doubtful = doubtful | (exists & is_free) | regular.doubtful;
     unsure = unsure | is_free | regular.unsure;

@@ -5,7 +5,7 @@
 
 namespace qvgen::inverse {
 
-/// What has come of a branch so far.
+/// State of a branch so far.
 enum class BranchState {
   unseen,       ///< no pass has followed it to its end
   missed,       ///< no Newton steps lead from its end to the pose
@@ -25,7 +25,7 @@ class BranchTracker {
 
   [[nodiscard]] bool settled(int label) const { return state(label) == BranchState::settled; }
   [[nodiscard]] BranchState state(int label) const { return states_[static_cast<std::size_t>(label)]; }
-  /// Whether some branch is in this state.
+  /// True if some branch is in this state.
   [[nodiscard]] bool any(BranchState state) const {
     for (const BranchState each : states_)
       if (each == state) return true;
@@ -61,7 +61,8 @@ class BranchTracker {
     const Values start = values;
     const bool leads = lead_to_goal(idling, {boundary.miss}, task, values, reached);
     const bool same = leads && is_same(values);
-    // What has come to another branch's solution from elsewhere may have left its own, which a choice finds.
+    // A branch that reached another branch's solution from elsewhere may have left its own, which a choice
+    // finds.
     if (!leads || (budget_.persists && same && is_apart(start, values))) {
       if (state == BranchState::unseen) state = BranchState::missed;
       return false;

@@ -3,8 +3,8 @@
 
 namespace qvgen::inverse {
 
-/// What a pose near a singular one has cost beyond closed forms; all zero elsewhere, but for the evaluations
-/// that polish the roots of a quartic.
+/// Work beyond closed forms at a pose near a singular one. All zero elsewhere, except the evaluations that
+/// polish the roots of a quartic.
 struct Effort {
   int passes = 0;        ///< passes over the branches, one by one
   int steps = 0;         ///< evaluations of the Jacobian, a Newton step each or a test
@@ -30,36 +30,35 @@ struct Budget {
   }
 };
 
-/// What one solution next to a seed may cost, whatever the arm.
+/// Budget of one solution next to a seed, for any arm.
 inline constexpr Budget near_effort{6, 60};
 
-/// What a pose may cost an arm whose joints are polished on so many branches. Of the poses that the tests
-/// draw an ur5 uses up to 49 of its 80 evaluations. With six joints a step takes three times as long as with
-/// three.
+/// Budget of a pose, for an arm whose joints are polished on so many branches. A ur5 uses up to 49 of its 80
+/// evaluations at the poses of the tests. A step of six joints takes three times as long as one of three.
 constexpr Budget most_effort(int joints, int branches) {
   return {8, joints > 3 ? 24 + 7 * branches : 40 + 8 * branches};
 }
 
-/// The same of an arm with a joint that a pose may leave free while the others can follow for few of its
-/// angles: near such a pose the equations lead nowhere, and more choices are made.
+/// Budget of a pose for an arm with a joint that a pose may leave free while the others can follow for few of
+/// its angles: near such a pose the equations lead nowhere, and more choices are made.
 constexpr Budget most_effort_for_few_angles(int joints, int branches) {
   return {24, 5 * most_effort(joints, branches).steps, true};
 }
 
-/// The same of an arm with a quartic, whose roots carry so few digits that they are always polished, by two
-/// or three evaluations a branch, or with slides that a pose may leave free. Poses out of reach where
-/// something is free may want more: they are told to be incomplete.
+/// Budget of a pose for an arm with a quartic or with slides that a pose may leave free. Roots of a quartic
+/// carry so few digits that they are always polished, by two or three evaluations a branch. Poses out of
+/// reach where something is free may want more: they are reported as incomplete.
 constexpr Budget most_effort_with_quartic(int branches) { return {40, 400 + 200 * branches}; }
 
 /// So often are the rows that `reaching` looks at computed anew, where they leave a joint free.
 inline constexpr int reaching_choices = 16;
 
-/// What `reaching` may cost besides the rows, which are at most so many.
+/// Budget of `reaching` besides the rows, which are at most so many.
 constexpr Budget effort_of_reaching(int joints, int rows) {
   return {0, reaching_choices * most_effort(joints, rows).steps};
 }
 
-/// The same together with the rows, each time of which costs at most `once`.
+/// Budget of `reaching` together with the rows; computing these once costs at most `once`.
 constexpr Budget most_effort_of_reaching(int joints, int rows, Budget once) {
   return {reaching_choices * once.passes,
           reaching_choices * once.steps + effort_of_reaching(joints, rows).steps};

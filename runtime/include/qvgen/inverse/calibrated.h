@@ -20,7 +20,7 @@ using Columns = Eigen::Matrix<double, 6, dof>;
 template <int dof>
 using Joints = Eigen::Matrix<double, dof, 1>;
 
-/// Whether the joints of two arms turn and slide alike.
+/// True if the joints of two arms turn and slide alike.
 template <std::size_t dof>
 constexpr bool same_types(const std::array<bool, dof>& a, const std::array<bool, dof>& b) {
   for (std::size_t i = 0; i < dof; ++i)
@@ -28,7 +28,7 @@ constexpr bool same_types(const std::array<bool, dof>& a, const std::array<bool,
   return true;
 }
 
-/// What is left to a pose, to first order: metres, then a rotation vector.
+/// Difference from a pose to a goal, to first order: metres, then a rotation vector.
 inline Twist left_to(const Pose<double>& goal, const Pose<double>& at) {
   const Eigen::Quaterniond turn = goal.orientation * at.orientation.conjugate();
   Twist twist;
@@ -36,7 +36,7 @@ inline Twist left_to(const Pose<double>& goal, const Pose<double>& at) {
   return twist;
 }
 
-/// Of the arm's size and rad.
+/// Norm of a twist, rad; its metres are counted in units of the arm's size.
 inline double norm(const Twist& twist, double size) {
   return std::sqrt(twist.head<3>().squaredNorm() / (size * size) + twist.tail<3>().squaredNorm());
 }
@@ -61,8 +61,8 @@ Joints<dof> step(const Columns<dof>& jacobian, const Twist& twist, double size) 
 
 /// An arm that differs a little from an ideal one with a closed form: its axes were measured, and those that
 /// should meet or be parallel miss each other by 1e-4. All its solutions take elimination; the one next to a
-/// seed is found here from the ideal arm's, in about a third of that time. A description with `ideal = "ur5"`
-/// has it as `inverse_kinematics_from_ideal`; by hand:
+/// seed is found here from the ideal arm's, in less time (runtime/README.md, Calibrated arms). A description
+/// with `ideal = "ur5"` has it as `inverse_kinematics_from_ideal`; by hand:
 ///
 ///     namespace ideal = qvgen::robots::ur5;
 ///     namespace mine = qvgen::robots::ur5_17;

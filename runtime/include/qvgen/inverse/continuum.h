@@ -17,17 +17,17 @@ class Idling {
   Idling(const PointMatching<Scalar, joints, points>& task, Budget& budget)
       : task_(task), newton_(task), budget_(budget) {}
 
-  /// Whether values that reach the goals can be moved on a little and still reach them, to some more
+  /// True if values that reach the goals can be moved on a little and still reach them, to some more
   /// rounding: the pose itself may be off the continuum by as much as these values are allowed to miss. Where
   /// two solutions merely meet, what is missing then is as the square of the little.
   [[nodiscard]] bool is_continuum(const Values& values, const Reached& at) const {
     return goes_on(values, at, Scalar(Scalar(64) * epsilon<Scalar>()));
   }
 
-  /// Where steps end short of the goals two solutions may meet, or would beyond the boundary of reach: to
-  /// first order nothing leads on. To second order a step to either side along the idle joint tells, and from
-  /// there steps lead to the solutions if there are any. Returns whether they do. `is_known(values)`: the one
-  /// that another branch has come to already.
+  /// Leaves a place at which steps end short of the goals. Two solutions may meet there, or would meet beyond
+  /// the boundary of reach: to first order nothing leads on. To second order a step to either side along the
+  /// idle joint tells, and from there steps lead to the solutions if there are any. Returns whether they do.
+  /// `is_known(values)`: the one that another branch has come to already.
   template <class Known>
   bool leave_double_root(const Patience& patience, const Known& is_known, Values& values, Reached& at) const {
     using std::sqrt;
@@ -54,7 +54,7 @@ class Idling {
     return found;
   }
 
-  /// Whether between two values that reach the goals, near each other, there are such values too.
+  /// True if between two values that reach the goals, near each other, there are such values too.
   [[nodiscard]] bool are_joined(const Values& a, const Reached& at, const Values& b) const {
     const auto idle = Newton::idle(at);
     if (idle.least == joints) return false;
@@ -82,7 +82,7 @@ class Idling {
     const auto idle = Newton::idle(at);
     if (idle.least == joints) return false;
     const Scalar little = length(idle.least, Scalar(1e-2));
-    // What is off to first order already, with a wide margin: the way may be curved.
+    // Rejects ways that are off to first order already, with a wide margin: the way may be curved.
     const Scalar most = Scalar(100) * allowed;
     if (little * little * idle.square > most * most * task_.size_square) return false;
     for (const Scalar& by : {little, Scalar(-little)}) {

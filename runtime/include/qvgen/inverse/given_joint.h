@@ -64,7 +64,7 @@ class GivenIntervals {
 namespace inverse {
 namespace given_joint {
 
-/// What one value of the given joint allows.
+/// Distance to the limits that one value of the given joint leaves.
 struct Margin {
   double value = -std::numeric_limits<double>::infinity();  ///< of the best solution; without one -infinity
   /// How far the given joint has to go until the margin of some solution may change its sign, by the joints'

@@ -89,7 +89,7 @@ class LaneRows {
              _mm_extract_epi64(high, 1)}};
   }
 
-  /// What stands behind the joints: the label in the lower half, the mark in the upper one's first byte.
+  /// Numbers behind the joints of a row: the label in the lower half, the mark in the upper one's first byte.
   [[gnu::always_inline]] static Pack row_end(const Branch<Pack>& branch, int label, int apart) {
     const __m256i labels = _mm256_setr_epi64x(label, label + apart, label + 2 * apart, label + 3 * apart);
     const __m256i mark =

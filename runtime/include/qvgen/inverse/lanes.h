@@ -8,7 +8,7 @@
 
 namespace qvgen::inverse {
 
-/// Whether this machine runs code for AVX2.
+/// True if this machine runs code for AVX2.
 inline bool machine_has_avx2() {
 #if defined(__GNUC__) && (defined(__x86_64__) || defined(__i386__))
   return __builtin_cpu_supports("avx2");

@@ -6,9 +6,8 @@
 
 #include <qvgen/inverse/joint_limits.h>
 
-/// What makes one solution better than another, for `sort_by`, `best` and `nearest`. A metric is called with
-/// the way of each joint from the seed, rad or m: of rows within limits as it stands, else the short way
-/// round.
+/// Metrics by which `sort_by`, `best` and `nearest` prefer one solution to another. A metric is called with
+/// the way of each joint from the seed, rad or m: unchanged for rows within limits, else the short way round.
 ///
 ///     sort_by(found, seed, arm::is_revolute, FastestTime<6>{speeds, accelerations});
 ///     sort_by(found, [](const auto& q) { return score(q); });      // one's own, the least first

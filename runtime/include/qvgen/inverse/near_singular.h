@@ -59,7 +59,7 @@ void solve_near_singular(Target goal, Tracker tracker, const Follow& follow,
   const Boundary chosen = Boundary::chosen(goal.tolerance);
   const bool met_free = pass(Boundary::ends(goal.tolerance));
   if (met_free && !tracker.all_settled()) pass(chosen);
-  // What the first two leave.
+  // Choices that the first two passes leave.
   const int choices = tracker.budget().passes - 2;
   const bool persists = tracker.budget().persists;
   const auto misses = [&] { return found.empty() || (persists && tracker.any(BranchState::missed)); };

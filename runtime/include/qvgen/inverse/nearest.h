@@ -93,7 +93,7 @@ void sort_by_distance(Solutions<dof, capacity>& found, const Joints<dof>& seed,
   inverse::sort_rows(found, [&](const Joints<dof>& q) { return joint_distance<dof>(q, seed, revolute); });
 }
 
-/// The same of rows within limits: whole turns count.
+/// Sorts rows within limits by their distance from the seed; whole turns count.
 template <int dof, int capacity, std::size_t count>
 void sort_by_distance(LimitedSolutions<dof, capacity>& found, const Joints<dof>& seed,
                       const std::array<bool, count>& /*revolute*/) {
@@ -108,7 +108,7 @@ const Solution<dof>* nearest(const Solutions<dof, capacity>& found, const Joints
                               [&](const Joints<dof>& q) { return joint_distance<dof>(q, seed, revolute); });
 }
 
-/// The same of rows within limits: whole turns count.
+/// Returns the row within limits that is nearest to the seed, whole turns counted; null if there is none.
 template <int dof, int capacity, std::size_t count>
 const Solution<dof>* nearest(const LimitedSolutions<dof, capacity>& found, const Joints<dof>& seed,
                              const std::array<bool, count>& /*revolute*/) {
@@ -128,8 +128,8 @@ bool continued(const Solutions<dof, capacity>& found, const Joints<dof>& previou
   return true;
 }
 
-/// The same within limits: the nearest row as it stands. Where a joint has reached its limit this is a jump
-/// to another branch or by whole turns; the caller sees how far `next` is.
+/// Joints that continue a path within limits: the nearest row, unchanged. At a limit this may be a jump to
+/// another branch or by whole turns: check the distance of `next` if jumps are not allowed.
 template <int dof, int capacity, std::size_t count>
 bool continued(const LimitedSolutions<dof, capacity>& found, const Joints<dof>& previous,
                const std::array<bool, count>& revolute, Joints<dof>& next) {

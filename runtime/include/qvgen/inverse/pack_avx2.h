@@ -65,7 +65,7 @@ QVGEN_PACK Pack select(const PackMask& condition, const Pack& yes, const Pack& n
   return Pack(condition.lanes ? yes.lanes : no.lanes);
 }
 
-// What the general templates say, in one or two instructions.
+// Functions of the general templates, in one or two instructions.
 QVGEN_PACK Pack smaller(const Pack& a, const Pack& b) { return Pack(_mm256_min_pd(a.lanes, b.lanes)); }
 QVGEN_PACK Pack larger(const Pack& a, const Pack& b) { return Pack(_mm256_max_pd(a.lanes, b.lanes)); }
 QVGEN_PACK Pack not_negative(const Pack& a) { return larger(a, Pack(_mm256_setzero_pd())); }

@@ -42,7 +42,7 @@ void subtract_phases(Solutions<dof, capacity>& found, const Phases<dof>& phases)
     }
 }
 
-/// What free joints are to be, in the derivation's angles.
+/// Returns the preferred values of free joints, in the derivation's angles.
 template <int dof>
 Preference<dof> with_phases(Preference<dof> preference, const Phases<dof>& phases) {
   for (int i = 0; i < dof; ++i) {

@@ -38,8 +38,8 @@ Scalar distance_square(const JointValues<Scalar, joints>& a, const JointValues<S
 template <std::size_t joints>
 using Held = std::array<bool, joints>;
 
-/// What joint values reach, to first order. Rows: the position; of a whole pose also the orientation, as a
-/// rotation vector times the size.
+/// Place that joint values reach, with derivatives. Rows: the position; for a whole pose also the
+/// orientation, as a rotation vector times the size.
 template <typename Scalar, std::size_t joints, std::size_t points>
 struct Reached {
   static constexpr std::size_t rows = points == 1 ? 3 : 6;
@@ -65,8 +65,8 @@ class Newton {
       return reached_pose(values);
   }
 
-  /// Where the least squares of J step = goal - reached and, far from the goal, λ step = 0 lead, some joints
-  /// held; `nothing` as for `least_squares`.
+  /// Returns the least-squares step of J step = goal - reached and, far from the goal, λ step = 0, with some
+  /// joints held. `nothing` as for `least_squares`.
   [[nodiscard]] Vector<Scalar, joints> step(const Result& at, const Scalar& lambda, const Scalar& nothing,
                                             const Held<joints>& held = {}) const {
     const bool near = at.error < Scalar(1e-12) * task_.size_square;
@@ -289,7 +289,7 @@ bool polish(const PointMatching<Scalar, joints, points>& task, const Patience& p
   return best.error <= share * share * task.size_square;
 }
 
-/// The same with as many steps as it takes.
+/// Polishes joint values by up to a thousand evaluations; true if they reach the goal.
 template <typename Scalar, std::size_t joints, std::size_t points>
 bool polish(const PointMatching<Scalar, joints, points>& task, double allowed,
             JointValues<Scalar, joints>& values, const Held<joints>& held = {}) {

@@ -20,7 +20,7 @@ Solutions<dof, capacity> own_joints(const Solutions<row, capacity>& rows) {
   return result;
 }
 
-/// What is preferred of rows that virtual joints stand in: nothing of these.
+/// Returns the caller's preference for rows with virtual joints, which prefer zero.
 template <int row, int dof>
 Preference<row> row_preference(const Joints<dof>& seed) {
   Joints<row> all = Joints<row>::Zero();
@@ -28,8 +28,8 @@ Preference<row> row_preference(const Joints<dof>& seed) {
   return preference<row>(all);
 }
 
-/// Of rows that solve less than is asked those which reach the tool's point (`points` 1) or the whole pose
-/// (3).
+/// Keeps the rows that also reach the tool's point (`points` 1) or the whole pose (3), of rows that solve
+/// less than that.
 template <int points, int dof, int capacity>
 class PoseFilter {
  public:
@@ -120,7 +120,7 @@ class PoseFilter {
 
   Values& start_of(int branch) { return starts_[static_cast<std::size_t>(branch % capacity)]; }
 
-  /// Whether a choice has led to where the first one has.
+  /// True if a choice has led to where the first one has.
   [[nodiscard]] bool is_start(int branch, const Values& values) {
     constexpr double same = 1e-6;
     return distance_square(start_of(branch), values) < same * same;

@@ -7,14 +7,14 @@
 
 namespace qvgen::inverse {
 
-/// What can be said of a pose before any branch is followed.
+/// Answer that a pose alone allows, before any branch is followed.
 enum class ReachTest {
   open,  ///< branches have to tell
   unreachable,
   invalid  ///< not a rotation, not finite, or too large to be squared
 };
 
-/// What lanes find where no branch is followed.
+/// Returns the row count of lanes if no branch is followed.
 [[gnu::always_inline]] inline RowCount no_rows(ReachTest reach_test) {
   return {reach_test == ReachTest::unreachable ? 0 : -1, false};
 }
@@ -38,7 +38,7 @@ enum class ReachTest {
   return distance < std::numeric_limits<double>::infinity() ? ReachTest::unreachable : ReachTest::invalid;
 }
 
-/// Whether a `circle_angle` that comes before all other branches, or behind one of two signs, has no solution
+/// True if a `circle_angle` that comes before all other branches, or behind one of two signs, has no solution
 /// whatever the sign: its share low / (low + high) is `middle` ± √`swing`. Told without a root.
 template <typename Scalar>
 [[gnu::always_inline]] inline bool is_out_of_range(const Scalar& middle, const Scalar& swing,

@@ -25,7 +25,7 @@ struct Limits {
         wide(boundary.wide) {}
 };
 
-/// Whether a branch exists that is `margin` from the end of a range; `nearly_free` as for `Boundary::near`.
+/// True if a branch exists that is `margin` from the end of a range; `nearly_free` as for `Boundary::near`.
 template <typename Scalar>
 void admit(const Scalar& margin, const Limits<Scalar>& limits, const Mask<Scalar>& nearly_free,
            Branch<Scalar>& branch) {
@@ -56,7 +56,7 @@ Rotor<Scalar> circle_angle(const Scalar& low, const Scalar& high, const Scalar& 
   return {larger(cosine2, floor) - larger(sine2, floor), (Scalar(2) * sign * magnitude(scale)) * height};
 }
 
-/// Whether a direction of the given square is nearly free, or the nearer end of its range so near that
+/// True if a direction of the given square is nearly free, or the nearer end of its range so near that
 /// earlier equations, which magnify rounding where they are at their own ends, may have moved it across.
 template <typename Scalar>
 Mask<Scalar> nearly_free(const Scalar& square, const Scalar& low, const Scalar& high, const Scalar& tiny,
@@ -109,7 +109,7 @@ Rotor<Scalar> factored_line_angle(const Rotor<Scalar>& v, const Scalar& rhs, con
   const Scalar height =
       sign * magnitude(range) * sqrt(Scalar(larger(low_share, floor) * larger(high_share, floor)));
   const Scalar length_square = rhs * rhs + height * height;
-  // Where all three vanish but for rounding, any direction will do for Newton's steps to begin with.
+  // If all three vanish but for rounding, Newton's steps may begin with any direction.
   const Mask<Scalar> is_nothing = length_square == Scalar(0);
   const Scalar length = sqrt(select(is_nothing, Scalar(1), length_square));
   const Scalar unit = Scalar(1) / (length * sqrt(select(is_free, Scalar(1), square)));
@@ -118,9 +118,9 @@ Rotor<Scalar> factored_line_angle(const Rotor<Scalar>& v, const Scalar& rhs, con
           select(is_free, Scalar(sign * choice.sine), found.sine)};
 }
 
-/// Of the directions u with inner <= |point + u offset|² <= outer (u turns the offset), `choice` or one near
-/// it: what a free angle may be if the joints after it are to stay in reach. Not one at the very end of their
-/// reach, where they would be singular, too. Without any such direction, the least wrong one.
+/// Returns `choice`, or a direction near it, among the directions u with inner <= |point + u offset|² <=
+/// outer (u turns the offset): a free angle that keeps the joints after it in reach. It avoids the very end
+/// of their reach, where they would be singular, too. Without any such direction, it is the least wrong one.
 template <typename Scalar>
 Rotor<Scalar> reachable_direction(const Rotor<Scalar>& point, const Rotor<Scalar>& offset,
                                   const Scalar& inner, const Scalar& outer, const Rotor<Scalar>& choice) {
@@ -161,9 +161,9 @@ Rotor<Scalar> chosen_direction(const Rotor<Scalar>& v, const Rotor<Scalar>& choi
   return direction(v, boundary.choose ? little : Scalar(noise * noise * noise * noise), choice, branch);
 }
 
-/// What is noise in v, a product of two vectors that vanish together where an equation before has a double
-/// root, which carries half the digits: a pass that chooses takes more of it for noise. `tiny`: the fourth
-/// power of what is noise for sure.
+/// Noise in v, a product of two vectors that vanish together if an earlier equation has a double root. Such a
+/// root carries half the digits, so a pass that chooses takes more of v for noise. `tiny`: the fourth power
+/// of what is noise for sure.
 template <typename Scalar>
 Scalar tiny_at_double_root(const Rotor<Scalar>& v, const Scalar& tiny, const Boundary& boundary,
                            Branch<Scalar>& branch) {

@@ -5,9 +5,8 @@
 
 namespace qvgen::inverse {
 
-/// Where rows of solutions are written: the joints of the first, and how many numbers further the next
-/// begins. Behind a row's joints stand its branch (an int) and its mark (a bool). For code that may not know
-/// Eigen.
+/// Memory of solution rows: the joints of the first, and how many numbers further the next begins. A row's
+/// branch (an int) and its mark (a bool) follow its joints. Serves code that may not include Eigen.
 struct RowPlaces {
   double* first;
   std::ptrdiff_t stride;

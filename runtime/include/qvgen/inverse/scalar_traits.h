@@ -9,7 +9,7 @@
 /// lane.
 namespace qvgen::inverse {
 
-/// What a scalar type needs beyond arithmetic; packs and multi-precision numbers specialise it.
+/// Traits of a scalar type beyond arithmetic; packs and multi-precision numbers specialise it.
 template <typename Scalar>
 struct ScalarTraits {
   using Mask = bool;  ///< a truth value for each lane

@@ -35,7 +35,7 @@ struct Forks {
       {};  ///< squared distance from the seed of what was not taken, infinite if it is nothing
   int label = 0;
 
-  /// Whether two solutions meet, but for rounding: both in doubt, and as far from the seed to half the
+  /// True if two solutions meet, but for rounding: both in doubt, and as far from the seed to half the
   /// digits.
   static bool are_one(const Branch<double>& other, double other_apart, const Branch<double>& branch,
                       double apart) {
@@ -43,7 +43,7 @@ struct Forks {
     return other.unsure && branch.unsure && difference * difference <= 1e-12 * apart;
   }
 
-  /// Whether the other of two solutions is to be taken.
+  /// True if the farther of two solutions is to be taken.
   bool takes_other(const Branch<double>& other, double other_apart, const Branch<double>& branch,
                    double apart) {
     const bool is_nearer = other.exists && (!branch.exists || other_apart < apart);
@@ -61,7 +61,7 @@ void take_nearer(const Work& other, double other_apart, Work& work, double apart
   if (forks.takes_other(other.branch, other_apart, work.branch, apart)) work = other;
 }
 
-/// Of the roots of a quartic the nearest one.
+/// Picks the root of a quartic that is nearest to the seed.
 template <class Work>
 struct NearestRoot {
   Work work;
@@ -173,7 +173,7 @@ class SeedTracker {
            idling.leave_double_root(patience, is_known, values, reached);
   }
 
-  /// Whether from the seed steps lead to the pose of which the joints that are idle there take no part.
+  /// True if Newton from the seed converges with the idle joints held.
   template <std::size_t points>
   bool moves_without_idle(const PointMatching<Scalar, joints, points>& task, const Patience& patience,
                           Values& values, Reached<Scalar, joints, points>& reached) {
@@ -183,7 +183,7 @@ class SeedTracker {
     return idle.least != joints && polish(task, patience, values, reached, budget_, idle.is);
   }
 
-  /// Whether the joints that are idle can be where the seed has them.
+  /// True if the joints that are idle can be where the seed has them.
   template <std::size_t points>
   bool holds(const PointMatching<Scalar, joints, points>& task, const Patience& patience, const Values& seed,
              Values& values, Reached<Scalar, joints, points>& reached) {
@@ -198,23 +198,23 @@ class SeedTracker {
   Budget budget_ = near_effort;
 };
 
-/// Whether a row of the equations alone, which leave free joints where the seed has them, is so near to the
+/// True if a row of the equations alone, which leave free joints where the seed has them, is so near to the
 /// seed that no other needs to be asked for: 10 mrad.
 template <int dof>
 bool is_by_seed(const Solutions<dof, 1>& found, const Preference<dof>& seed, const bool* revolute) {
   return apart(found, seed, revolute) < 1e-4;
 }
 
-/// The same of a row that Newton's steps have led to: they may have moved it along a continuum, on which it
-/// has to be within 2 mrad.
+/// True if a row that Newton's steps have found is so near to the seed that no other is needed. The steps may
+/// have moved it along a continuum, so it has to be within 2 mrad.
 template <int dof>
 bool is_next_to(const Solutions<dof, 1>& found, const Preference<dof>& seed, const bool* revolute) {
   return is_by_seed(found, seed, revolute) && (!found[0].continuum || apart(found, seed, revolute) < 4e-6);
 }
 
-/// The same near a singular pose, `follow(start, goal, tracker, forks, found)`, from several starts, of which
-/// the one counts that comes nearest to the seed: with what is nearly free held where the seed has it, or, if
-/// the other joints cannot follow, where the equations say.
+/// Follows the seed's branch near a singular pose by `follow(start, goal, tracker, forks, found)`. Of several
+/// starts the one counts that comes nearest to the seed: what is nearly free is held at the seed or, if the
+/// other joints cannot follow, where the equations put it.
 template <int dof, class Target, class Tracker, class Follow>
 void follow_forks_carefully(Target goal, Tracker tracker, const bool* revolute, const Follow& follow,
                             Solutions<dof, 1>& found) {
@@ -261,7 +261,7 @@ void unwind(Solutions<dof, 1>& found, const Eigen::Matrix<double, dof, 1>& seed,
       if (revolute[static_cast<std::size_t>(i)]) row.q[i] = seed[i] + without_turns(row.q[i] - seed[i]);
 }
 
-/// Whether a row is within limits as it stands, but for rounding; true if there is no row.
+/// True if a row is within limits as it stands, but for rounding; true if there is no row.
 template <int dof>
 bool is_near_within(const Solutions<dof, 1>& nearest, const JointLimits<dof>& limits) {
   return nearest.empty() || ((nearest[0].q.array() >= limits.lower.array()).all() &&

@@ -23,7 +23,7 @@ void doubt_digits(const Scalar& square, const Boundary& boundary, Branch<Scalar>
   branch.unsure = branch.unsure | (square <= Scalar(1e-4));
 }
 
-/// Where the line point + t along meets a circle about the origin: t = foot ± half, half = 0 if it does not.
+/// Chord of the line point + t along in a circle about the origin: t = foot ± half, half = 0 if it does not.
 template <typename Scalar>
 struct Chord {
   Mask<Scalar> is_point;  ///< along = 0
@@ -56,8 +56,8 @@ Scalar slide_between(const Rotor<Scalar>& point, const Rotor<Scalar>& along, con
   return select(near.is_point, value, Scalar(near.foot + off));
 }
 
-/// The same without an outer end: the turned `spread` is the direction of the slide as seen from beside its
-/// foot, at the distance of the arm's size.
+/// Returns a place of the slide without an outer end: the turned `spread` is the direction of the slide as
+/// seen from beside its foot, at the distance of the arm's size.
 template <typename Scalar>
 Scalar slide_beyond(const Rotor<Scalar>& point, const Rotor<Scalar>& along, const Scalar& inner,
                     const Scalar& size_square, const Scalar& value, const Rotor<Scalar>& spread) {

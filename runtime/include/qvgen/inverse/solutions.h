@@ -19,10 +19,10 @@ enum class Status {
   incomplete    ///< near a singular pose all allowed work is done: every row is right, others may exist
 };
 
-/// What of a pose is asked for; see tasks.h.
+/// Target of an inverse kinematics: the whole pose, or a part of it; see tasks.h.
 enum class Task { pose, position, position_and_direction, position_and_yaw, direction, orientation };
 
-/// What a generated inverse kinematics solves.
+/// Properties of a generated inverse kinematics.
 struct InverseInfo {
   int capacity;                 ///< the most solutions that there can be
   Task task;                    ///< of the entry that asks for the most that the arm can follow

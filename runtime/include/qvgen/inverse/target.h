@@ -5,14 +5,14 @@
 
 namespace qvgen::inverse {
 
-/// What is to be taken where a joint is free, by joint, angles with their cosines and sines: zero or the
-/// caller's.
+/// Preferred value of each joint, taken if a pose leaves it free: zero or the caller's. Angles come with
+/// their cosines and sines.
 template <int dof>
 struct Preference {
   double angle[dof];
   double slide[dof];
   Rotor<double> turn[dof];
-  Rotor<double> brief[dof];  ///< the same as short as `span` wants them
+  Rotor<double> brief[dof];  ///< directions as short as `span` wants them
   Rotor<double> spread;      ///< (1, 0): slides are where they are preferred; turned: elsewhere in reach, see
                              ///< `slide_between`
   bool seeded = false;       ///< the caller's
@@ -29,7 +29,7 @@ struct Preference {
 template <int dof>
 inline constexpr Preference<dof> zero_preference{};
 
-/// Where a pose's numbers stand: x, y, z, w of its quaternion, then its position.
+/// Pointers to a pose's numbers: x, y, z, w of its quaternion, then its position.
 struct PoseNumbers {
   const double* quaternion;
   const double* position;
@@ -53,7 +53,7 @@ template <typename Scalar>
 template <int dof, typename Scalar = double>
 struct TargetBase {
   static constexpr double noise = 16 * std::numeric_limits<double>::epsilon();
-  static constexpr double tiny0 = noise * noise;  ///< the same of directions of unit length
+  static constexpr double tiny0 = noise * noise;  ///< square of noise in directions of unit length
   double tolerance;                               ///< see `default_tolerance`
   Boundary boundary;                              ///< how this pass treats the ends of ranges
   Scalar tiny1, tiny2,

@@ -7,23 +7,23 @@
 
 namespace qvgen {
 
-/// Where the tool point is, m, and where one axis of the tool points: a unit vector. The turn about it is
-/// left.
+/// Target position of the tool point, m, and direction of one of the tool's axes, a unit vector. The turn
+/// about that axis is left open.
 template <class Scalar>
 struct PositionAndDirection {
   Vector3<Scalar> position;
   Vector3<Scalar> direction;
 };
 
-/// Where the tool point is, m, and how far the tool is turned, rad, from where it is with all joints at zero,
-/// about the direction that all of the arm's axes have.
+/// Target position of the tool point, m, and yaw of the tool, rad: its turn about the direction that all of
+/// the arm's axes share, counted from the pose with all joints at zero.
 template <class Scalar>
 struct PositionAndYaw {
   Vector3<Scalar> position;
   Scalar yaw;
 };
 
-/// Where one axis of the tool points: a unit vector.
+/// Target direction of one axis of the tool: a unit vector.
 template <class Scalar>
 struct Direction {
   Vector3<Scalar> vector;

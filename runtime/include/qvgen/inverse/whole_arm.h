@@ -9,7 +9,7 @@
 /// rounding leaves of the arm's joints, where both are singular; all joints together need not.
 namespace qvgen::inverse {
 
-/// Of a row that Newton's steps have found, not the equations.
+/// Branch number of a row that Newton's steps have found, not the equations.
 inline constexpr int unknown_branch = -1;
 
 template <int dof, int points>
@@ -20,7 +20,7 @@ template <int points, int dof>
 ArmMatching<dof, points> matching(const ArmAtZero<dof>& arm, const Pose<double>& pose) {
   const Pose<double> moved = pose.normalised() * arm.tool.inverse();
   const double square = pose.position.squaredNorm() + arm.tool.position.squaredNorm();
-  // Of an arm without size: any length serves to measure turns by.
+  // An arm without size may measure turns by any length.
   const double size = square > 0 ? std::sqrt(square) : 1;
   ArmMatching<dof, points> task;
   task.arm = arm.joints;
@@ -78,9 +78,9 @@ double miss_square(const ArmMatching<dof, points>& task, const Preference<dof>& 
 /// is nearly free.
 inline constexpr double least_miss = 0.05;
 
-/// Whether a row of the equations that rounding may have decided is to be taken: it brings the tool to the
-/// pose, but for rounding, and nothing between the seed and it is nearly free, along which rounding would
-/// have moved it.
+/// True if a row of the equations is to be taken although rounding may have decided it: it brings the tool to
+/// the pose, but for rounding, and no joint between the seed and it is nearly free, along which rounding
+/// would have moved it.
 template <int points, int dof>
 bool is_certain_row(const ArmAtZero<dof>& arm, const Pose<double>& pose, const Preference<dof>& seed,
                     const Solutions<dof, 1>& found, const bool* revolute) {
@@ -92,8 +92,8 @@ bool is_certain_row(const ArmAtZero<dof>& arm, const Pose<double>& pose, const P
   return miss_square<points>(task, seed) >= least_miss * least_miss * way * task.size_square;
 }
 
-/// Whether the seed misses the pose by much less than its way to a row lets expect: something between them is
-/// nearly free.
+/// True if the seed misses the pose by much less than its way to a row lets expect: some joint between them
+/// is nearly free.
 template <std::size_t joints, std::size_t points>
 bool is_nearly_free(const PointMatching<double, joints, points>& task,
                     const JointValues<double, joints>& seed, double row_apart, Budget& budget) {
@@ -220,7 +220,7 @@ Solutions<dof + 1, capacity> with_joint(const Solutions<dof, capacity>& rows, in
   return result;
 }
 
-/// The same with one joint where it is given, as the seed has it too.
+/// Follows the whole arm with one joint given, which the seed has at its value, too.
 template <int points, int dof>
 void follow_whole_arm(const ArmAtZero<dof>& arm, const Pose<double>& pose, const Preference<dof>& seed,
                       int given, double value, double tolerance, const bool* revolute, bool is_sure,
@@ -240,7 +240,7 @@ int free_branch(const Solutions<dof, capacity>& rows) {
   return branch;
 }
 
-/// Whether two rows are one but for rounding: next to a double root half the digits are lost.
+/// True if two rows are one but for rounding: next to a double root half the digits are lost.
 template <int dof>
 bool is_same_row(const Solution<dof>& a, const Solution<dof>& b, const bool* revolute) {
   double square = 0;

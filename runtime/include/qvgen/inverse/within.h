@@ -79,7 +79,7 @@ class Within {
     look_from(seed);
   }
 
-  /// The same limits next to another seed.
+  /// Returns these limits next to another seed.
   [[nodiscard]] Within next_to(const Joints<dof>& seed) const {
     Within other = *this;
     other.look_from(seed);
@@ -92,7 +92,7 @@ class Within {
     double square = 0;
     return take(q, square);
   }
-  /// The same, and the square of its distance from the seed.
+  /// Brings a row inside, as above, and sets the square of its distance from the seed.
   [[gnu::always_inline]] bool take(Joints<dof>& q, double& square) const {
     Row row;
     if constexpr (dof < pairs) row[pairs - 1] = 0;
@@ -109,7 +109,7 @@ class Within {
 
   [[nodiscard]] const WithinTable<size>& table() const { return table_; }
 
-  /// Whether some joint may have one angle twice.
+  /// True if some joint may have one angle twice.
   [[nodiscard]] bool has_turns() const {
     bool some = false;
     for (int i = 0; i < dof; ++i)

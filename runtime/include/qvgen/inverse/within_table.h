@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// What of joint limits is compared with rows, in numbers. For code that may not know Eigen; see within.h.
+/// Numbers of joint limits that rows are compared with. Serves code that may not include Eigen; see within.h.
 namespace qvgen {
 
 /// How far outside its limits a joint still counts as on them, rad or m: rounding moves a joint that stands

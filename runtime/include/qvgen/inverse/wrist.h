@@ -23,8 +23,8 @@ Scalar wrist_noise() {
   return Scalar(18) * epsilon<Scalar>();
 }
 
-/// The same where the arm before the wrist is ill-conditioned, as a multiple of its square: no rounding
-/// leaves more, and turning by it is 4e-13 at most.
+/// Largest noise of a wrist behind an ill-conditioned arm, as a multiple of the square of `wrist_noise`: no
+/// rounding leaves more, and turning by it is 4e-13 at most.
 template <typename Scalar>
 Scalar widest_wrist_noise() {
   return Scalar(1024);
@@ -43,8 +43,8 @@ Vanishing<Scalar> vanishing(const Scalar& u_square, const Scalar& v_square) {
   return {u_square <= noise, v_square <= noise, noise};
 }
 
-/// The same before further joints: nearly free, what the angles are is for those to say, which may be at the
-/// end of their reach.
+/// Says which vectors vanish at a wrist before further joints. If one is nearly free, the further joints
+/// decide the angles: they may be at the end of their reach.
 template <typename Scalar>
 Vanishing<Scalar> vanishing(const Scalar& u_square, const Scalar& v_square, const Boundary& boundary,
                             Branch<Scalar>& branch) {
@@ -115,8 +115,8 @@ struct WristBranches {
       : one{first.one, middle, last.one}, other{first.other, negative(middle, pi), last.other} {}
 };
 
-/// Where u or v vanishes first is the choice, what is left follows from the other number, the middle angle is
-/// 0 or pi. Elsewhere the branches stay as they are.
+/// Sets the branches where u or v vanishes: the first angle is the choice, the last follows from the other
+/// number, the middle angle is 0 or pi. Other branches stay unchanged.
 template <typename Scalar>
 WristBranches<Scalar> aligned_wrist(const WristBranches<Scalar>& regular, const Rotor<Scalar>& u,
                                     const Rotor<Scalar>& v, const Vanishing<Scalar>& is_free, bool swapped,
@@ -286,8 +286,8 @@ WristAngles<Scalar> oblique_wrist(const Rotor<Scalar>& u11, const Rotor<Scalar>&
   const ObliqueSquares<Scalar> square(u11, u12, shape);
   const Vanishing<Scalar> is_free = vanishing(square.u11, square.u12);
   const Scalar margin = smaller(square.sine, square.cosine);
-  // Where the first or last angle is free the middle one is 0 or pi, which with a right sum or difference is
-  // no double root.
+  // If the first or last angle is free, the middle one is 0 or pi, which with a right sum or difference is no
+  // double root.
   const Mask<Scalar> sine_twin = ((square.sine <= merge_share<Scalar>()) & (!square.right_sum)) | is_free.u;
   const Mask<Scalar> cosine_twin =
       ((square.cosine <= merge_share<Scalar>()) & (!square.right_difference)) | is_free.v;
@@ -305,7 +305,7 @@ WristAngles<Scalar> oblique_wrist(const Rotor<Scalar>& u11, const Rotor<Scalar>&
           wrapped(Scalar(first_argument - second_argument), pi)};
 }
 
-/// The same as cosines and sines, `delta` the angle between the normals.
+/// Returns the angles of an oblique wrist as cosines and sines, `delta` the angle between the normals.
 template <typename Scalar>
 WristTurns<Scalar> oblique_wrist_turns(const Rotor<Scalar>& u11, const Rotor<Scalar>& u12,
                                        const WristShape<Scalar>& shape, const Rotor<Scalar>& delta,

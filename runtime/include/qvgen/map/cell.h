@@ -11,7 +11,7 @@
 
 namespace qvgen::map {
 
-/// What is known of one position: of the targets there, orientations or what the arm is asked for instead.
+/// Results at one position, over its targets: orientations, or what the arm is asked for instead.
 struct Cell {
   std::uint64_t solutions = 0;  ///< of all targets
   std::uint32_t reached = 0;    ///< targets that have one

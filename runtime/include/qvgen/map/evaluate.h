@@ -19,7 +19,7 @@
 //   volumes(q, result)             the product of the Jacobian's singular values
 namespace qvgen::map {
 
-/// What is looked for.
+/// Quantities that an evaluation looks for.
 struct Plan {
   Sphere sphere;
   std::size_t targets = 1;      ///< orientations at each position, or what the task has instead
@@ -28,9 +28,9 @@ struct Plan {
   bool limits = false;          ///< solutions beyond a joint's limits do not count
 };
 
-/// What an arm is asked for besides a position: w x y z of an orientation, x y z of a direction, or an angle;
-/// as many numbers as each has, zeros behind them. Arms that place a point take the orientation that they are
-/// told for none.
+/// Returns the target of an arm besides a position: w x y z of an orientation, x y z of a direction, or an
+/// angle; as many numbers as each has, zeros behind them. Arms that place a point take the orientation that
+/// they are told for none.
 inline std::array<double, 4> target_of(Task task, std::size_t i, std::size_t count) {
   if (task == Task::position_and_direction) {
     const std::array<double, 3> to = even_direction(i, count);
@@ -41,7 +41,7 @@ inline std::array<double, 4> target_of(Task task, std::size_t i, std::size_t cou
   return even_orientation(i, count);
 }
 
-/// What single calls are asked for, by the rows of a batch of targets.
+/// Returns the target of a single call, from a row of a batch of targets.
 template <Task task>
 auto target_at(const Batch<const double>& targets, std::size_t k) {
   const Vector3<double> position(targets(4, k), targets(5, k), targets(6, k));

@@ -69,7 +69,7 @@ class Grid {
   }
 
  private:
-  /// Of a row the cells' k are in [-height, height]; -1 if it has none.
+  /// Returns the height of a row: its cells' k are in [-height, height]; -1 if it has none.
   [[nodiscard]] std::int64_t height(std::int64_t i, std::int64_t j) const {
     const std::int64_t left = square_ - i * i - j * j;
     return left < 0 ? -1 : whole_root(left);

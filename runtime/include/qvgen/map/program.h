@@ -34,7 +34,7 @@ inline std::vector<int> blocks_of_input() {
   return blocks;
 }
 
-/// Whether it could be written.
+/// Writes cells of a block; false if the file could not be written.
 inline bool put(std::FILE* to, int block, const std::vector<Cell>& cells) {
   const auto number = static_cast<std::uint32_t>(block);
   return std::fwrite(&number, sizeof number, 1, to) == 1 &&

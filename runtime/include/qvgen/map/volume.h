@@ -81,8 +81,9 @@ template <class Scalar, int dof>
   }
 }
 
-/// What the product of an arm's singularity measures is to be multiplied with for |det J|: they are its
-/// factors but for a constant, and cost less. 0 if that is not so at joint values scattered over [-2, 2].
+/// Returns the factor by which the product of an arm's singularity measures gives |det J|. The measures are
+/// the factors of the determinant but for a constant, and cost less. Returns 0 if that is not so at joint
+/// values scattered over [-2, 2].
 template <class Joints, class Jacobian, class Measures>
 double scale_of_measures(const Jacobian& jacobian, const Measures& measures) {
   constexpr double golden = 0.6180339887498948482;

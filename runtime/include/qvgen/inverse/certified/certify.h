@@ -31,19 +31,20 @@ struct Effort {
   double farthest = 1e-8;
 };
 
-/// Whether rows are all solutions, and the boxes that were looked at to say so.
+/// Proof that rows are all solutions, and how many boxes it took.
 struct Count {
   Proof proof = Proof::undecided;
   int boxes = 0;
 };
 
-/// Of `count` rows, each six joint values, that are meant to solve a pose: fills in what is proven of each of
-/// them. The rows may have any origin; of more than 64 nothing is proven. No heap, no exceptions, the same
-/// bits at every call.
+/// Certifies `count` rows, each six joint values, that are meant to solve a pose, and fills in a proof for
+/// each. The rows may have any origin; nothing is proven if there are more than 64. No heap, no exceptions,
+/// the same bits at every call.
 Count certify(const Arm& arm, const Pose<double>& pose, const double (*rows)[joints], int count,
               const Effort& effort, RowProof* proofs);
 
-/// Of a solution set whose rows have a seventh joint, if `given` is not -1, which `arm` is without.
+/// Certifies a solution set. If `given` is not -1, its rows have a seventh joint at that index, which `arm`
+/// lacks.
 template <int dof, int capacity>
 CertifiedSolutions<dof, capacity> certified_rows(const Arm& arm, const Pose<double>& pose,
                                                  const Solutions<dof, capacity>& found, int given,
@@ -60,7 +61,7 @@ CertifiedSolutions<dof, capacity> certified_rows(const Arm& arm, const Pose<doub
   return result;
 }
 
-/// What is proven of a solution set.
+/// Certifies a solution set of six joints.
 template <int capacity>
 CertifiedSolutions<joints, capacity> certified(const Arm& arm, const Pose<double>& pose,
                                                const Solutions<joints, capacity>& found,
@@ -68,7 +69,8 @@ CertifiedSolutions<joints, capacity> certified(const Arm& arm, const Pose<double
   return certified_rows(arm, pose, found, -1, effort);
 }
 
-/// The same of seven joints, that with the index `given` at a value: of all solutions with that value.
+/// Certifies a solution set of seven joints, whose joint with the index `given` has a value: complete means
+/// all solutions with that value.
 template <int capacity>
 CertifiedSolutions<joints + 1, capacity> certified(const ArmInBounds<joints + 1>& arm,
                                                    const Pose<double>& pose, int given, double value,

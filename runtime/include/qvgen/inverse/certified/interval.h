@@ -85,7 +85,7 @@ inline Interval square(const Interval& a) {
   const double least = a.lower <= 0 && a.upper >= 0 ? 0 : outward::below_product(std::min(p, q));
   return {std::max(least, 0.0), outward::above_product(std::max(p, q))};
 }
-/// Of a number that is known not to be negative: bounds below zero count as zero.
+/// Returns the root of a number that is known not to be negative: bounds below zero count as zero.
 inline Interval sqrt(const Interval& a) {
   return {std::max(0.0, outward::below(std::sqrt(std::max(a.lower, 0.0)))),
           outward::above(std::sqrt(std::max(a.upper, 0.0)))};
@@ -94,7 +94,7 @@ inline Interval sqrt(const Interval& a) {
 inline Interval hull(const Interval& a, const Interval& b) {
   return {std::min(a.lower, b.lower), std::max(a.upper, b.upper)};
 }
-/// What both have in common; they have to have something.
+/// Returns the intersection of two intervals, which must not be empty.
 inline Interval common(const Interval& a, const Interval& b) {
   return {std::max(a.lower, b.lower), std::min(a.upper, b.upper)};
 }

@@ -6,7 +6,7 @@
 
 #include <qvgen/inverse/solutions.h>
 
-/// What has been proven of the solutions of a pose, by interval arithmetic: no rounding can make it wrong.
+/// Proofs about the solutions of a pose, by interval arithmetic: no rounding can make them wrong.
 ///
 /// A row. The six joints x of a solution are a zero of f(x), the six equations of the loop that the arm and
 /// the pose close (`certified/closure.h` in the runtime's sources). For a box X around the row m, an

@@ -73,7 +73,7 @@ inline Interval between(const Interval& at_lower, const Interval& at_upper, cons
 
 }  // namespace sines
 
-/// Of one number. Beyond 64 rad nothing is said but that they are at most 1.
+/// Encloses sine and cosine of one number. Beyond 64 rad the enclosure is [-1, 1].
 inline SineCosine sine_cosine_of(double x) {
   if (x == 0) return {0.0, 1.0};
   if (!(std::abs(x) <= sines::most)) return {{-1, 1}, {-1, 1}};
@@ -93,7 +93,7 @@ inline SineCosine sine_cosine_of(double x) {
   }
 }
 
-/// Of all angles between two bounds; tight up to 3 rad.
+/// Encloses sine and cosine of all angles between two bounds; tight up to a width of 3 rad.
 inline SineCosine sine_cosine(const Interval& x) {
   if (x.lower == x.upper) return sine_cosine_of(x.lower);
   if (!(x.width() < 3)) return {{-1, 1}, {-1, 1}};

@@ -25,7 +25,7 @@ struct Description {
   Motion tool;
 };
 
-/// The same as a chain: base J1 C1 ... J6 C6, each J a turn about its frame's z axis or a slide along it.
+/// The arm as a chain: base J1 C1 ... J6 C6, each J a turn about its frame's z axis or a slide along it.
 struct Chain {
   Motion to_base;  ///< takes a pose into the first axis's frame
   Motion links[joints];

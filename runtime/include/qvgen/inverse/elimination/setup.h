@@ -47,7 +47,7 @@ struct Elimination {
 
 inline constexpr int most_eliminations = 4;
 
-/// What does not depend on the pose.
+/// Constants of an arm: all that does not depend on the pose.
 struct Setup {
   Chain chain;
   Description description;
@@ -62,9 +62,9 @@ Choices choose(const Description* arms, int count);
 
 /// Everything that can be known before a pose is, by the choices that are best for the arm.
 Setup set_up(const Description& arm);
-/// What most poses need of it, some tens of microseconds, for a geometry or the value of a given joint that
-/// is known when the pose is: the first of the choices that the arm admits. Where the value of a given joint
-/// brings axes together it may not admit all.
+/// Computes the part of a setup that most poses need, in some tens of microseconds: the first of the choices
+/// that the arm admits. It serves a geometry, or the value of a given joint, that is known only with the
+/// pose. A given joint may bring axes together, so that the arm does not admit all choices.
 Setup set_up_first(const Description& arm, const Choices& choices);
 
 /// One elimination alone, untried: what the generator states and what tests compare. False if the joints 1'

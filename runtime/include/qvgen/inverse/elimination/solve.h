@@ -18,7 +18,8 @@ using Found = Solutions<joints, most_solutions>;
 /// `tolerance`: see `default_tolerance`. `preference`: what free joints are where they can be chosen.
 void solve(const Setup& setup, const Pose<double>& pose, double tolerance,
            const Preference<joints>& preference, Form form, Found& found);
-/// The same in registers of a set, or of the next narrower one if the machine or the compiler has it not.
+/// Solves in registers of an instruction set, or of the next narrower one if the machine or the compiler
+/// lacks it.
 void solve(const Setup& setup, const Pose<double>& pose, double tolerance,
            const Preference<joints>& preference, InstructionSet set, Found& found);
 

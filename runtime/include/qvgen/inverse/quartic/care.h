@@ -70,7 +70,7 @@ void solve_carefully(const Pose<double>& pose, const Aim& aimed, Visited visited
   const auto pass = [&](const Boundary& boundary) { return pass_from(goal, boundary, boundary); };
   const Boundary careful = Boundary::careful(goal.tolerance);
   const Boundary choosing = Boundary::choosing(goal.tolerance);
-  // Where every pose comes here the first pass is no sign of anything singular.
+  // If every pose comes here, the first pass says nothing about singular poses.
   const int regular = always ? 1 : 0;
   visited.budget().passes += regular;
   bool met_free = pass(careful);

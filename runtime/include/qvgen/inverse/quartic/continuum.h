@@ -15,21 +15,21 @@ class Idling {
   Idling(const PointMatching<Scalar, joints, points>& task, Budget& budget)
       : task_(task), newton_(task), budget_(budget) {}
 
-  /// Whether values that reach the goals can be moved on a little and still reach them, to some more
+  /// True if values that reach the goals can be moved on a little and still reach them, to some more
   /// rounding: the pose itself may be off the continuum by as much as these values are allowed to miss. Where
   /// two solutions merely meet, what is missing then is as the square of the little.
   [[nodiscard]] bool is_continuum(const Values& values) const {
     return goes_on(values, Scalar(Scalar(64) * epsilon<Scalar>()));
   }
 
-  /// Whether values that miss the goals by very little can be moved on and miss them by not much more.
+  /// True if values that miss the goals by very little can be moved on and miss them by not much more.
   [[nodiscard]] bool is_nearly_continuum(const Values& values) const {
     using std::sqrt;
     const Scalar share = newton_.miss(values) / task_.size_square;
     return share < Scalar(1e-12) && goes_on(values, Scalar(Scalar(4) * sqrt(share)));
   }
 
-  /// Whether values that reach the goals can be moved on and miss them by little. Where two solutions merely
+  /// True if values that reach the goals can be moved on and miss them by little. Where two solutions merely
   /// meet what is missing then is a hundred times as much.
   [[nodiscard]] bool is_next_to_continuum(const Values& values) const {
     return goes_on(values, Scalar(1e-6));
@@ -48,7 +48,7 @@ class Idling {
     return false;
   }
 
-  /// Whether between two values that reach the goals, near each other, there are such values too.
+  /// True if between two values that reach the goals, near each other, there are such values too.
   [[nodiscard]] bool are_joined(const Values& a, const Values& b) const {
     if (!budget_.step()) return false;
     const auto idle = newton_.idle(a);

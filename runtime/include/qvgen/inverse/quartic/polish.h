@@ -31,8 +31,8 @@ class Newton {
     return sum;
   }
 
-  /// Where the least squares of J step = goal - points and λ step = 0 lead, some joints held; `nothing` as
-  /// for `least_squares`.
+  /// Returns the least-squares step of J step = goal - points and λ step = 0, with some joints held;
+  /// `nothing` as for `least_squares`.
   Vector<joints> step(const Values& values, const Scalar& lambda, const Scalar& nothing,
                       const Held<joints>& held = {}) const {
     std::array<Column, joints> jacobian{};

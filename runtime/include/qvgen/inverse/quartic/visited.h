@@ -5,8 +5,8 @@
 
 namespace qvgen::inverse::quartic {
 
-/// What has come of each branch, and the solutions so far by the values of the joints that decide: the closed
-/// form may come to one from two branches, and polishing brings two together where they are one.
+/// State of each branch, and the solutions so far, by the values of the joints that decide. The closed form
+/// may reach a solution from two branches, and polishing brings two together if they are one.
 template <typename Scalar, std::size_t joints, std::size_t capacity>
 class Visited {
  public:
@@ -16,21 +16,21 @@ class Visited {
 
   [[nodiscard]] Budget& budget() { return budget_; }
   [[nodiscard]] bool settled(int label) const { return settled_[static_cast<std::size_t>(label)]; }
-  /// Whether some branch came near a solution and has none.
+  /// True if some branch came near a solution and has none.
   [[nodiscard]] bool misses_any() const { return is_open(missed_); }
-  /// Whether a branch on a continuum has been left to a pass that chooses.
+  /// True if a branch on a continuum has been left to a pass that chooses.
   [[nodiscard]] bool left_any() const { return is_open(left_); }
-  /// Whether a branch has come near a continuum, and to no solution of its own on it.
+  /// True if a branch has come near a continuum, and to no solution of its own on it.
   [[nodiscard]] bool strays_any() const { return is_open(strayed_); }
 
-  /// Whether near a continuum a branch has come to the solution of another one alone.
+  /// True if near a continuum a branch has come to the solution of another one alone.
   [[nodiscard]] bool shares_any() const { return is_open(shared_); }
   /// Leaves these at that.
   void settle_shared() {
     for (std::size_t i = 0; i < capacity; ++i) settled_[i] = settled_[i] || shared_[i];
   }
 
-  /// Whether a wrist cannot follow to what has been chosen on a continuum.
+  /// True if a wrist cannot follow to what has been chosen on a continuum.
   [[nodiscard]] bool turned_back_any() const { return is_open(turned_back_); }
 
   /// Takes back the last solution: a wrist cannot follow there.

@@ -47,7 +47,7 @@ class JointModelGroup {
   std::vector<const JointModel*> active_;
 };
 
-/// Of one group, "arm". The places of links come from the test.
+/// Model of one group, "arm". The places of links come from the test.
 class RobotModel : public std::enable_shared_from_this<RobotModel> {
  public:
   using Places = std::function<Eigen::Isometry3d(const std::string& link, const std::vector<double>& joints)>;

@@ -11,7 +11,7 @@
 
 namespace qvgen::test {
 
-/// Values of the symbols of random descriptions (../random_arms/random_description.h).
+/// Values of the symbols of random descriptions (random_description.h).
 inline reference::Values symbols() {
   reference::Values values{{"h1", 0.7}};
   for (int i = 1; i <= 9; ++i) values["l" + std::to_string(i)] = 0.2 + 0.11 * i;

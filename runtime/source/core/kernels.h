@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What sine_cosine.cpp chooses from. Nothing here may be inline: it is included by files that are compiled
-// for different machines.
+// Kernels from which sine_cosine.cpp chooses. Nothing here may be inline: it is included by files that are
+// compiled for different machines.
 
 namespace qvgen::detail {
 

@@ -1,0 +1,9 @@
+# SPDX-License-Identifier: MIT
+# run(WHAT command...): fails the test with the command's output, which is `output` afterwards.
+function(run what)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT result EQUAL 0)
+    message(FATAL_ERROR "${what} failed (${result}):\n${output}")
+  endif()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
