@@ -138,7 +138,8 @@ void add_generate(CommandLine& line) {
           "--only", generate.parts,
           "parts to generate: model, kinematics, inverse, arm_angle, jacobian, from_ideal, dynamics; "
           "all of these without. Headers of dynamics that a description leaves out have names too: "
-          "dynamics_derivatives, dynamics_loads, regressor. Others are made if they are named: batch, forms of the other parts "
+          "dynamics_derivatives, dynamics_loads, regressor. Others are made if they are named: batch, forms "
+          "of the other parts "
           "named for many at once; frames, poses and Jacobians of links and named frames; mass, the "
           "centre of mass; regressor_with_drives, for identification; nearest_pose, the nearest pose in "
           "reach; given_joint, seven joints within limits; certified, solutions with a proof; c_inverse, a "
