@@ -31,9 +31,12 @@ std::string escaped(const fs::path& path) {
   return text;
 }
 
-std::string depfile(const GenerateArguments& arguments) {
+std::string depfile(const GenerateArguments& arguments, const std::vector<std::string>& files) {
   std::string text = escaped(fs::path(arguments.build.depfile).replace_extension()) + ":";
   for (const fs::path& description : arguments.descriptions) text += " \\\n  " + escaped(description);
+  std::error_code error;
+  for (const std::string& file : files)
+    if (fs::exists(file, error)) text += " \\\n  " + escaped(file);
   return text + "\n";
 }
 
@@ -75,10 +78,11 @@ void write_sources(const GenerateArguments& arguments, const std::string& robot)
         fs::exists(generated) ? "#include \"" + include + "\"\n" : "struct qvgen_has_none;\n";
     write(folder / name, mark + code);
   };
-  if (arguments.language == pipeline::Language::c) {
+  if (is_c(arguments.language)) {
     const std::string name = "qvgen_" + fs::path(robot).filename().string();
     write_source("robot.c", output / "c" / (name + ".c"));
-    write_source("inverse.c", output / "c" / (name + "_inverse.c"));
+    for (const std::string part : {"inverse", "metrics", "velocity"})
+      write_source(part + ".c", output / "c" / (name + "_" + part + ".c"));
     return;
   }
   const fs::path model = output / "include/qvgen/robots" / robot / "model.h";
@@ -92,14 +96,15 @@ void write_sources(const GenerateArguments& arguments, const std::string& robot)
 
 }  // namespace
 
-void write_build_files(const GenerateArguments& arguments, const std::vector<std::string>& robots) {
+void write_build_files(const GenerateArguments& arguments, const std::vector<std::string>& robots,
+                       const std::vector<std::string>& files) {
   if (!arguments.build.outputs.empty()) {
     std::string list;
     for (const std::string& path : pipeline::files_of_robots(arguments.output, robots))
       list += (arguments.output / path).generic_string() + "\n";
     write(arguments.build.outputs, list);
   }
-  if (!arguments.build.depfile.empty()) write(arguments.build.depfile, depfile(arguments));
+  if (!arguments.build.depfile.empty()) write(arguments.build.depfile, depfile(arguments, files));
   if (arguments.build.sources.empty()) return;
   if (robots.size() != 1)
     throw std::runtime_error(

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.h"
+#include "cli/verdict.h"
 #include "pipeline/limbs.h"
 #include "pipeline/pipeline.h"
 #include "pipeline/products/inverse_derivation.h"
@@ -38,9 +39,8 @@ std::vector<RobotOutput> outlooks(const std::vector<model::Robot>& robots) {
   return outputs;
 }
 
-/// Says what `generate` will leave out of a robot. Returns false if a certificate has failed.
-bool report_missing(const description::Diagnostic& place, const RobotOutput& output) {
-  bool good = true;
+/// Says what `generate` will leave out of a robot.
+ExitCode report_missing(const description::Diagnostic& place, const RobotOutput& output) {
   for (const Missing& missing : output.missing) {
     if (missing.kind == Missing::Kind::not_described) continue;
     description::Diagnostic note = place;
@@ -49,9 +49,8 @@ bool report_missing(const description::Diagnostic& place, const RobotOutput& out
     note.message = "no " + missing.part + ": " + missing.reason;
     note.hint.clear();
     fmt::print(stderr, "{}\n", description::to_string(note));
-    good = good && missing.kind != Missing::Kind::refuted;
   }
-  return good;
+  return verdict_of(output.missing);
 }
 
 std::string letters_of(const model::Robot& robot) {
@@ -87,13 +86,13 @@ int run_check(const std::vector<std::filesystem::path>& descriptions, const desc
   std::vector<model::Robot> robots;
   for (const Checked& each : checked) robots.push_back(each.robot);
   const std::vector<RobotOutput> outputs = thorough ? generate(robots, {}) : outlooks(robots);
-  bool good = true;
+  ExitCode verdict = success;
   for (std::size_t i = 0; i < robots.size(); ++i) {
-    good = report_missing(checked[i].place, outputs[i]) && good;
+    verdict = worse(verdict, report_missing(checked[i].place, outputs[i]));
     fmt::print("{}: {} ({}), {} geometric parameters\n", robots[i].name, robots[i].title,
                letters_of(robots[i]), robots[i].geometry.size());
   }
-  return good ? success : failure;
+  return verdict;
 }
 
 }  // namespace qvgen::cli

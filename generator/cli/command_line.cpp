@@ -5,53 +5,9 @@
 #include <cstdlib>
 #include <map>
 
+#include "cli/examples.h"
+
 namespace qvgen::cli {
-
-const char* const examples = R"(
-  qvgen generate my_arm.toml --output out     one robot, into out/; without --output into ./generated
-  qvgen generate                              all robots that qvgen knows
-  qvgen generate arm.urdf --tip tool0         an arm of a URDF (or MJCF), from its root to the link tool0
-  qvgen generate quad.urdf --tips all         a whole robot: its dynamics, and each limb as an arm
-  qvgen generate ur5 --language c -o out      out/c/qvgen_ur5.h and .c: C99 that needs nothing but libm
-  qvgen import arm.urdf > arm.toml            the same as a description to read and edit
-  qvgen new RRP --wrist euler > my_arm.toml   a description to begin with
-  qvgen check my_arm.toml                     every mistake of a description, nothing written
-  qvgen show ns                               the closed form of the forward kinematics
-  qvgen show my_arm.toml --latex              the same typeset
-  qvgen show puma560 --singularities          where the arm is singular, factor by factor
-  qvgen show nn --dynamics --joints 3 --masses end   joint forces of its first three joints, written out
-  qvgen counts --format markdown              operation counts of everything generated
-  qvgen counts ur5 --functions jacobian       of one function of one robot
-  qvgen counts --against before.json          what a change has made cheaper or dearer
-  qvgen report puma560 -o pages               a page that opens in any browser, pages/puma560.html
-  qvgen map ur5 -o ur5.npz -o ur5.svg         what the arm reaches: arrays for NumPy, slices as a picture
-  qvgen compare puma560 ns                    formulations by their operations: pairs, Denavit-Hartenberg, ...
-)";
-
-const char* const compare_examples = R"(
-  qvgen compare                               all known robots, and a summary by their workspaces
-  qvgen compare my_arm.toml --level textbook  as a library multiplies that does not know the robot
-  qvgen compare ns --formulations pairs,dh    two of them
-  qvgen compare rx90 --what dynamics          Newton-Euler by matrices and by quaternions
-  qvgen compare ns --time                     with nanoseconds on this machine
-  qvgen compare --format csv > compared.csv   for other programs
-)";
-
-const char* const report_examples = R"(
-  qvgen report                                all known robots, into ./report; begin with report/index.html
-  qvgen report my_arm.toml -o pages           one robot, pages/my_arm.html, and the index of all that are there
-  qvgen report arm.urdf --generated my_code   with the counts and signatures of the code in my_code/
-  qvgen report puma560 --times puma.json      with times: qvgen compare puma560 --time --format json > puma.json
-)";
-
-const char* const map_examples = R"(
-  qvgen map ur5 -o ur5.npz -o ur5.svg         arrays for NumPy, and slices as a picture
-  qvgen map arm.urdf --tip tool0 --limits --resolution 0.02 --orientations 500 -o arm.vtk   for ParaView
-  qvgen map ur5 --blocks 0:499 -o a.part      one half, anywhere; blocks are numbered 0 to 999
-  qvgen map --merge a.part b.part -o ur5.npz  the parts together, the same file as of one run
-)";
-
-const char* const exit_codes = "0 success, 1 failure, 2 wrong arguments, 3 mistakes in a description";
 
 namespace {
 
@@ -155,6 +111,10 @@ void add_generate(CommandLine& line) {
       ->delimiter(',');
   command.add_option("--language", line.language, "cxx, or c: C99 into the output's folder c")
       ->check(CLI::IsMember({"cxx", "c"}));
+  command
+      .add_option("--scalar", line.scalar,
+                  "what C computes in: double, or float for controllers without double")
+      ->check(CLI::IsMember({"double", "float"}));
   command.add_flag("--strict", generate.read.strict, "warnings about a description are errors");
   add_reading(command, generate.read);
   add_tips(command, generate.read);

@@ -21,6 +21,7 @@ struct CommandLine {
   GenerateArguments generate;
   std::vector<std::string> generate_files;
   std::string language = "cxx";
+  std::string scalar = "double";
 
   CLI::App* remove_command = nullptr;
   std::vector<std::string> removed;
@@ -68,12 +69,5 @@ struct CommandLine {
   CommandLine(const CommandLine&) = delete;  // the options point into it
   CommandLine& operator=(const CommandLine&) = delete;
 };
-
-/// Calls that show what can be done, one a line, each with what it does.
-extern const char* const examples;
-extern const char* const compare_examples;
-extern const char* const report_examples;
-extern const char* const map_examples;
-extern const char* const exit_codes;
 
 }  // namespace qvgen::cli

@@ -16,8 +16,8 @@
 
 namespace qvgen::cli {
 
-/// Exit codes of the tool.
-enum ExitCode { success = 0, failure = 1, usage_error = 2, bad_description = 3 };
+/// Exit codes of the tool; the last one is EX_SOFTWARE of sysexits.h.
+enum ExitCode { success = 0, failure = 1, usage_error = 2, bad_description = 3, internal_error = 70 };
 
 /// Files for other build systems; paths may be empty.
 struct BuildFiles {

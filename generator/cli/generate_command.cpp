@@ -10,6 +10,8 @@
 #include "cli/origin.h"
 #include "cli/progress_line.h"
 #include "cli/suggestion.h"
+#include "cli/verdict.h"
+#include "exact/hash.h"
 #include "pipeline/files.h"
 #include "pipeline/folder_state.h"
 #include "pipeline/limbs.h"
@@ -42,6 +44,22 @@ void check_names(const std::vector<Task>& tasks) {
                        ": give one another name");
 }
 
+/// One line for each file that a description names; nothing for a description alone.
+std::string fingerprints(const std::vector<std::string>& files) {
+  std::string lines;
+  for (const std::string& file : files)
+    lines += fmt::format("\n{} {}", file, exact::hash(content_of(file).value_or("")));
+  return lines;
+}
+
+/// The files besides the descriptions that a run has read.
+std::vector<std::string> files_besides(const std::vector<description::ReadResult>& descriptions) {
+  std::vector<std::string> files;
+  for (const description::ReadResult& each : descriptions)
+    files.insert(files.end(), each.files.begin(), each.files.end());
+  return files;
+}
+
 std::vector<Task> tasks_of(const GenerateArguments& arguments,
                            std::vector<description::ReadResult> descriptions) {
   std::vector<Task> tasks;
@@ -52,9 +70,11 @@ std::vector<Task> tasks_of(const GenerateArguments& arguments,
     const model::Mechanism mechanism = mechanism_of(descriptions[i]);
     const std::string origin = origin_of(file, arguments.output, arguments.known_robots) +
                                origin_options(arguments.read) +
-                               (arguments.language == Language::c ? " --language c" : "");
-    const std::string made_of = fmt::format("{}\n{}\n{}\n{}\n{}", arguments.tool, fmt::join(parts, ","),
-                                            origin, snap_text(arguments.read), descriptions[i].text);
+                               (is_c(arguments.language) ? " --language c" : "") +
+                               (arguments.language == Language::c_in_float ? " --scalar float" : "");
+    const std::string made_of =
+        fmt::format("{}\n{}\n{}\n{}\n{}{}", arguments.tool, fmt::join(parts, ","), origin,
+                    snap_text(arguments.read), descriptions[i].text, fingerprints(descriptions[i].files));
     const auto add = [&](const model::Robot& robot, const std::vector<model::Frame>& tips) {
       tasks.push_back(
           {robot, folder_name(robot.name, arguments.language), origin, fingerprint(made_of), tips});
@@ -128,10 +148,10 @@ std::vector<Missing> missing_of(const ordered_json& entry) {
   return entry.contains("missing") ? missing_from_json(entry.at("missing")) : std::vector<Missing>{};
 }
 
-/// Says what the robots lack. Returns false if a certificate has failed, a robot is lost, or what is lacking
-/// was required.
-bool report_missing(const ordered_json& counts, const std::vector<std::string>& required) {
-  bool good = true;
+/// Says what the robots lack. Returns `failure` if a robot is lost or what is lacking was required, and what
+/// a failed certificate exits with if one has failed.
+ExitCode report_missing(const ordered_json& counts, const std::vector<std::string>& required) {
+  ExitCode verdict = success;
   for (const auto& [robot, entry] : counts.items()) {
     const std::vector<Missing> all = missing_of(entry);
     const auto is_required = [&](const std::string& part) { return !has_part(all, part); };
@@ -143,18 +163,18 @@ bool report_missing(const ordered_json& counts, const std::vector<std::string>& 
       const bool had_no_time = missing.kind == Missing::Kind::not_finished;
       fmt::print(stderr, "{}: no {}: {}{}\n", robot, missing.part, missing.reason,
                  had_no_time ? "; --seconds and --megabytes allow more" : "");
-      good = good && missing.kind != Missing::Kind::refuted;
     }
     for (const std::string& part : required)
       if (is_required(part)) fmt::print(stderr, "qvgen: {} is required and {} has none\n", part, robot);
-    good = good && !lacks && has_part(all, "model");
+    verdict = worse(verdict, verdict_of(all));
+    if (lacks || !has_part(all, "model")) verdict = worse(verdict, failure);
   }
-  return good;
+  return verdict;
 }
 
 /// A calibrated arm's function needs the ideal arm's.
 void say_missing_ideals(const GenerateArguments& arguments, const std::vector<Task>& tasks) {
-  if (arguments.language == Language::c) return;
+  if (is_c(arguments.language)) return;
   const std::set<std::string> there = robots_in(arguments.output);
   for (const Task& task : tasks)
     if (const std::string& ideal = task.robot.ideal; !ideal.empty() && there.count(ideal) == 0)
@@ -168,7 +188,7 @@ void say_left_out_ideals(const GenerateArguments& arguments, const std::vector<T
   const auto named = [&](const char* part) {
     return std::find(arguments.parts.begin(), arguments.parts.end(), part) != arguments.parts.end();
   };
-  if (arguments.language == Language::c || !named("inverse") || named("from_ideal")) return;
+  if (is_c(arguments.language) || !named("inverse") || named("from_ideal")) return;
   for (const Task& task : tasks)
     if (!task.robot.ideal.empty())
       fmt::print(stderr, "{}: from_ideal.h is left out, since --only does not name from_ideal\n", task.name);
@@ -177,8 +197,11 @@ void say_left_out_ideals(const GenerateArguments& arguments, const std::vector<T
 }  // namespace
 
 int run_generate(const GenerateArguments& arguments) {
-  auto descriptions = read_descriptions(arguments.descriptions, arguments.read);
+  description::ReadOptions reading = arguments.read;
+  reading.lists_files = !arguments.build.depfile.empty();
+  auto descriptions = read_descriptions(arguments.descriptions, reading);
   if (!descriptions) return bad_description;
+  const std::vector<std::string> files = files_besides(*descriptions);
   const std::vector<Task> tasks = tasks_of(arguments, std::move(*descriptions));
   check_folder(arguments.output, shared_files());
   const FolderUpdate update = update_of(arguments, tasks);
@@ -186,17 +209,17 @@ int run_generate(const GenerateArguments& arguments) {
   const ordered_json counts = only(counts_in(arguments.output), tasks);
   std::vector<std::string> names;
   for (const Task& task : tasks) names.push_back(task.name);
-  write_build_files(arguments, names);
+  write_build_files(arguments, names, files);
   if (!arguments.build.quiet) fmt::print("{}", report(counts, ReportFormat::table));
   std::fflush(stdout);
-  const bool good = report_missing(counts, arguments.required);
+  const ExitCode verdict = report_missing(counts, arguments.required);
   say_missing_ideals(arguments, tasks);
   say_left_out_ideals(arguments, tasks);
-  if (arguments.build.quiet && good) return success;
+  if (arguments.build.quiet && verdict == success) return success;
   fmt::print(stderr, "{} {} in {}: {} generated, {} files changed, {} removed\n", tasks.size(),
              tasks.size() == 1 ? "robot" : "robots", arguments.output.string(), update.robots.size(),
              change.written, change.removed);
-  return good ? success : failure;
+  return verdict;
 }
 
 int run_remove(const std::vector<std::string>& robots, const fs::path& output) {

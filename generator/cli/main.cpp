@@ -9,7 +9,9 @@
 #include "cli/installation.h"
 #include "cli/suggestion.h"
 #include "pipeline/pipeline.h"
+#include "pipeline/robot_output.h"
 #include "toolchain/packages.h"
+#include "verify/certificate.h"
 
 namespace {
 
@@ -131,7 +133,9 @@ void check_parts_of(const GenerateArguments& generate) {
 int generate(CommandLine& line, const Installation& here) {
   GenerateArguments& generate = line.generate;
   check_parts_of(generate);
-  if (line.language == "c") generate.language = Language::c;
+  if (line.scalar == "float" && line.language != "c")
+    throw UsageError("--scalar float: it is for --language c; functions of C++ take float as they are");
+  if (line.language == "c") generate.language = line.scalar == "float" ? Language::c_in_float : Language::c;
   generate.known_robots = here.robots;
   generate.output = folder_of(line, here, line.generate_files);
   generate.tool = here.tool;
@@ -219,6 +223,9 @@ int main(int argc, char** argv) {
   } catch (const UsageError& error) {
     fmt::print(stderr, "qvgen: {}\n", error.what());
     return usage_error;
+  } catch (const qvgen::verify::CertificateError& error) {
+    fmt::print(stderr, "qvgen: {}\n", qvgen::pipeline::defect_text(error.what()));
+    return internal_error;
   } catch (const std::exception& error) {
     fmt::print(stderr, "qvgen: {}\n", error.what());
     return failure;

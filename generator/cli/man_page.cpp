@@ -3,6 +3,7 @@
 
 #include "cli/command_line.h"
 #include "cli/documents.h"
+#include "cli/examples.h"
 
 namespace qvgen::cli {
 namespace {

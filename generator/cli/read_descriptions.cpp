@@ -3,6 +3,7 @@
 // that no file can hold a command up; there macros are expanded, too. What was read in time is read again
 // here: a model does not travel between processes.
 #include <algorithm>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -21,7 +22,7 @@ using description::ReadResult;
 
 // The first letter of what a trial says: what comes behind it.
 constexpr char as_it_is = 'a';  ///< nothing
-constexpr char expanded = 'x';  ///< what xacro makes of the file
+constexpr char expanded = 'x';  ///< the files that xacro has included, and what it makes of the file
 constexpr char refused = 'r';   ///< what xacro says against it
 constexpr char piped = 'p';     ///< the text of what can be read once, such as /dev/stdin
 
@@ -50,11 +51,29 @@ std::string trial(const fs::path& path, const ReadOptions& options) {
     const bool lasts = result.text.empty() || fs::is_regular_file(path, error);
     return lasts ? std::string(1, as_it_is) : piped + result.text;
   }
-  const toolchain::Outcome outcome =
-      toolchain::run_xacro(path, options.xacro_arguments, options.package_folders);
+  std::vector<std::string> files;
+  const toolchain::Outcome outcome = toolchain::run_xacro(
+      path, options.xacro_arguments, options.package_folders, options.lists_files ? &files : nullptr);
   if (!outcome.done) return refused + outcome.said;
   description::read_text(outcome.said, path.string(), options);
-  return expanded + outcome.said;
+  std::string list;
+  for (const std::string& file : files) list += (list.empty() ? "" : "\t") + file;
+  return expanded + list + "\n" + outcome.said;
+}
+
+/// Reads what a trial has expanded: a line of the files that it includes, then a URDF.
+ReadResult result_of_expanded(const fs::path& path, const ReadOptions& options, const std::string& text) {
+  const std::size_t end = text.find('\n');
+  ReadResult result = description::read_text(text.substr(end + 1), path.string(), options);
+  std::istringstream list(text.substr(0, end));
+  for (std::string file; std::getline(list, file, '\t');) result.files.push_back(file);
+  const bool has_links = text.find("<link", end) != std::string::npos;
+  for (Diagnostic& diagnostic : result.diagnostics) {
+    diagnostic.file += " (expanded)";  // the lines are xacro's
+    if (diagnostic.severity == Diagnostic::error && !has_links)
+      diagnostic.hint = "if it defines macros alone, give the file that includes it and calls them";
+  }
+  return result;
 }
 
 ReadResult failed(const fs::path& path, const std::string& message, const std::string& hint) {
@@ -71,18 +90,20 @@ std::string one_line(std::string text) {
   return line;
 }
 
+/// Returns what may help xacro. It loads YAML by a module of Python that its package does not bring along.
+std::string advice(const std::string& said) {
+  if (said.find("No module named 'yaml'") != std::string::npos)
+    return "it needs a module of Python beside xacro: pip install pyyaml";
+  return "give its arguments with --xacro-arg NAME:=VALUE, folders of packages with --package-path";
+}
+
 ReadResult result_of(const fs::path& path, const ReadOptions& options, const pipeline::Outcome& outcome) {
   if (!outcome.done) return failed(path, "reading it does not end: " + outcome.text, "make it simpler");
   const std::string behind = outcome.text.substr(1);
-  if (outcome.text.front() == refused)
-    return failed(path, "xacro: " + one_line(behind),
-                  "give its arguments with --xacro-arg NAME:=VALUE, folders of packages with --package-path");
+  if (outcome.text.front() == refused) return failed(path, "xacro: " + one_line(behind), advice(behind));
   if (outcome.text.front() == as_it_is) return description::read_file(path, options);
-  ReadResult result = description::read_text(behind, path.string(), options);
-  if (outcome.text.front() == piped) return result;
-  for (Diagnostic& diagnostic : result.diagnostics)
-    diagnostic.file += " (expanded)";  // the lines are xacro's
-  return result;
+  if (outcome.text.front() == expanded) return result_of_expanded(path, options, behind);
+  return description::read_text(behind, path.string(), options);
 }
 
 Diagnostic tree_refused(const ReadResult& result) {

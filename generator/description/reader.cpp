@@ -194,6 +194,9 @@ ReadResult finished(Context& context, Place name_place, model::Mechanism mechani
   sort_by_place(context);
   ReadResult result;
   result.name_place = context.diagnostic(name_place, "", "");
+  result.files = context.files;
+  std::sort(result.files.begin(), result.files.end());
+  result.files.erase(std::unique(result.files.begin(), result.files.end()), result.files.end());
   result.diagnostics = std::move(context.diagnostics);
   const auto is_error = [](const Diagnostic& d) { return d.severity == Diagnostic::error; };
   if (std::none_of(result.diagnostics.begin(), result.diagnostics.end(), is_error)) {

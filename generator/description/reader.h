@@ -33,6 +33,8 @@ struct ReadResult {
   std::string text;  ///< all that was read
   /// The ends of limbs, where the robot is a whole tree of links: `robot` has the joints of all of them.
   std::vector<model::Frame> tips = {};
+  /// Files that were read besides, sorted: what an MJCF or a xacro includes, meshes whose volume counts.
+  std::vector<std::string> files = {};
 };
 
 /// Which rounded numbers of a URDF or MJCF are read as the exact ones that they were (xml/snap.h).
@@ -58,6 +60,7 @@ struct ReadOptions {
   // For who reads files: what xacro is given, and where packages are.
   std::vector<std::string> xacro_arguments = {};
   std::vector<std::string> package_folders = {};
+  bool lists_files = false;  ///< also those that xacro includes, which takes another run of it
 };
 
 /// The largest file that is read: no description of one robot comes near.

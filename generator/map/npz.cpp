@@ -115,7 +115,8 @@ void add_targets(const About& about, Zip& zip) {
   if (about.task == "pose") zip.add(name, target_array(about, Task::pose, 4));
   if (about.task == "position_and_direction")
     zip.add(name, target_array(about, Task::position_and_direction, 3));
-  if (about.task == "position_and_yaw") zip.add(name, target_array(about, Task::position_and_yaw, 1));
+  if (about.task == "position_and_yaw" || about.task == "position_and_pitch")
+    zip.add(name, target_array(about, Task::position_and_yaw, 1));
 }
 
 }  // namespace

@@ -97,6 +97,7 @@ enum class Task {
   position,                ///< of the tool point; the orientation follows
   position_and_direction,  ///< the tool point, and where one axis of the tool points
   position_and_yaw,        ///< the tool point, and the turn about the direction that all axes have
+  position_and_pitch,      ///< the tool point, and the angle of one axis of the tool to joint 1's axis
   direction,               ///< where one axis of the tool points; the position follows
   orientation              ///< the position follows
 };

@@ -10,6 +10,7 @@ const std::vector<NamedTask>& named_tasks() {
                                           {Task::position, "position"},
                                           {Task::position_and_direction, "position_and_direction"},
                                           {Task::position_and_yaw, "position_and_yaw"},
+                                          {Task::position_and_pitch, "position_and_pitch"},
                                           {Task::direction, "direction"},
                                           {Task::orientation, "orientation"}};
   return all;

@@ -14,6 +14,12 @@ void add_c_part(RobotOutput& output, const emit::c::Part& part) {
   output.files.push_back({source_of(output.robot), part.source});
 }
 
+void add_c_files(RobotOutput& output, const std::string& name, const emit::c::Part& part) {
+  const std::string file = "c/qvgen_" + output.robot + "_" + name;
+  output.files.push_back({file + ".h", part.header});
+  output.files.push_back({file + ".c", part.source});
+}
+
 RobotOutput with_c_files(RobotOutput output) {
   emit::c::Part all;
   std::vector<OutputFile> others;

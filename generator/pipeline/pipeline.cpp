@@ -5,8 +5,9 @@
 #include <map>
 #include <stdexcept>
 
-#include "emit/cpp/template_values.h"
+#include "emit/c/single_precision.h"
 #include "emit/render.h"
+#include "emit/template_values.h"
 #include "model/mechanism.h"
 #include "pipeline/c_files.h"
 #include "pipeline/products/page.h"
@@ -112,7 +113,11 @@ bool is_of_limbs(bool of_trees, const model::Robot& robot, const std::string& pa
 RobotOutput generate_product(const model::Robot& robot, const Product& product, Language language) {
   RobotOutput output{robot.name};
   if (is_of_limbs(product.of_trees, robot, product.part, output)) return output;
-  const auto make = language == Language::c ? product.generate_c : product.generate;
+  const auto make = is_c(language) ? product.generate_c : product.generate;
+  if (language == Language::c_in_float && !product.has_float) {
+    output.missing.push_back({product.part, Missing::Kind::not_in_language, "it is in double alone"});
+    return output;
+  }
   attempt(product.part, output, [&](RobotOutput& made) { make(robot, made); });
   return output;
 }
@@ -128,7 +133,7 @@ RobotOutput generate_extra(const model::Robot& robot, const Extra& extra, Langua
                            const nlohmann::ordered_json& counts) {
   RobotOutput output{robot.name};
   if (is_of_limbs(extra.of_trees, robot, extra.part, output)) return output;
-  if (language == Language::c)
+  if (is_c(language))
     output.missing.push_back({extra.part, Missing::Kind::not_in_language, "it is written in C++"});
   else
     attempt(extra.part, output, [&](RobotOutput& made) {
@@ -192,7 +197,10 @@ RobotOutput whole(RobotOutput output, Language language) {
   if (!has_model) output.files.clear();
   if (!output.missing.empty()) output.counts["missing"] = missing_to_json(output.missing);
   if (!has_model) return output;
-  if (language == Language::c) return with_c_files(std::move(output));
+  if (is_c(language)) output = with_c_files(std::move(output));
+  if (language == Language::c_in_float)
+    for (OutputFile& file : output.files) file.content = emit::c::in_single_precision(file.content);
+  if (is_c(language)) return output;
   add_headers_of_missing_parts(output);
   output.files.push_back(umbrella_header(output));
   return output;
@@ -218,11 +226,11 @@ std::vector<RobotOutput> whole(std::vector<RobotOutput> outputs, const Budget& b
 }  // namespace
 
 std::string folder_name(const std::string& robot, Language language) {
-  return (language == Language::c ? "c/" : "") + robot;
+  return (is_c(language) ? "c/" : "") + robot;
 }
 
 bool is_in(Language language, const std::string& folder_name) {
-  return (folder_name.rfind("c/", 0) == 0) == (language == Language::c);
+  return (folder_name.rfind("c/", 0) == 0) == is_c(language);
 }
 
 std::vector<std::string> product_names() {

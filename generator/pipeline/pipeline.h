@@ -15,8 +15,10 @@ namespace qvgen::pipeline {
 /// but the extras.
 using Parts = std::vector<std::string>;
 
-/// Language of the output.
-enum class Language { cxx, c };
+/// Language of the output; C in double or in float.
+enum class Language { cxx, c, c_in_float };
+
+inline bool is_c(Language language) { return language != Language::cxx; }
 
 /// Returns the folder entry of a robot; C entries are "c/NAME".
 std::string folder_name(const std::string& robot, Language language);

@@ -4,7 +4,7 @@
 #include <cctype>
 #include <new>
 
-#include "emit/cpp/template_values.h"
+#include "emit/template_values.h"
 #include "pipeline/parallel.h"
 #include "verify/certificate.h"
 
@@ -32,6 +32,11 @@ std::string one_line(std::string text) {
 
 }  // namespace
 
+std::string defect_text(const std::string& check) {
+  return "a check of the generator itself has failed (" + check +
+         "): a defect of this tool, not of the description; please report it with the description";
+}
+
 void attempt(const std::string& part, RobotOutput& output,
              const std::function<void(RobotOutput&)>& generate) {
   RobotOutput made{output.robot, {}, ordered_json::object(), {}};
@@ -42,9 +47,7 @@ void attempt(const std::string& part, RobotOutput& output,
     generate(made);
     append(output, made);
   } catch (const verify::CertificateError& error) {
-    leave_out(Missing::Kind::refuted,
-              "a check of the generator itself has failed (" + std::string(error.what()) +
-                  "): a defect of this tool, not of the description; please report it with the description");
+    leave_out(Missing::Kind::refuted, defect_text(error.what()));
   } catch (const std::bad_alloc&) {
     leave_out(Missing::Kind::not_finished, "it takes more memory than it may have");
   } catch (const std::exception& error) {

@@ -30,6 +30,9 @@ struct Missing {
   std::string reason;
 };
 
+/// Returns the message for a check of the generator that has failed.
+std::string defect_text(const std::string& check);
+
 /// Output of one robot: its files and its entry in operation_counts.json.
 struct RobotOutput {
   std::string robot;

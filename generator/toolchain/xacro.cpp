@@ -2,6 +2,7 @@
 #include "toolchain/xacro.h"
 
 #include <cstdlib>
+#include <sstream>
 
 #include "toolchain/packages.h"
 #include "toolchain/workshop.h"
@@ -42,6 +43,21 @@ std::string variable(const char* name) {
   return value == nullptr ? "" : value;
 }
 
+std::vector<std::string> together(std::vector<std::string> words, const std::vector<std::string>& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+/// Splits what `xacro --deps` writes, paths with blanks between. One that has a blank itself is not found in
+/// it.
+std::vector<std::string> split(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> paths;
+  for (std::string path; stream >> path;)
+    if (std::error_code error; std::filesystem::exists(path, error)) paths.push_back(path);
+  return paths;
+}
+
 }  // namespace
 
 bool uses_xacro(std::string_view text) {
@@ -52,7 +68,7 @@ bool uses_xacro(std::string_view text) {
 }
 
 Outcome run_xacro(const std::filesystem::path& file, const std::vector<std::string>& arguments,
-                  const std::vector<std::string>& package_folders) {
+                  const std::vector<std::string>& package_folders, std::vector<std::string>* files) {
   std::vector<std::string> folders = package_folders;
   folders.push_back(variable("ROS_PACKAGE_PATH"));
   const Workshop workshop;
@@ -62,17 +78,20 @@ Outcome run_xacro(const std::filesystem::path& file, const std::vector<std::stri
   std::string ros_path;
   for (const std::string& folder : folders)
     if (!folder.empty()) ros_path += (ros_path.empty() ? "" : ":") + folder;
-  const std::filesystem::path output = workshop.folder() / "robot.urdf";
+  const std::filesystem::path output = workshop.folder() / "robot.urdf",
+                              list = workshop.folder() / "files.txt";
   std::vector<std::string> words{"env",
                                  "PYTHONDONTWRITEBYTECODE=1",
                                  "PYTHONPATH=" + workshop.folder().string() + ":" + variable("PYTHONPATH"),
                                  "ROS_PACKAGE_PATH=" + ros_path,
                                  "xacro",
-                                 std::filesystem::absolute(file).string(),
-                                 "-o",
-                                 output.string()};
-  words.insert(words.end(), arguments.begin(), arguments.end());
-  Outcome outcome = run(words);
+                                 std::filesystem::absolute(file).string()};
+  const auto run_to = [&](const std::filesystem::path& target, const std::vector<std::string>& more) {
+    return run(together(together(words, {"-o", target.string()}), together(arguments, more)));
+  };
+  Outcome outcome = run_to(output, {});
+  if (outcome.done && files != nullptr && run_to(list, {"--deps"}).done)
+    *files = split(workshop.read("files.txt"));
   if (outcome.done) return {true, workshop.read("robot.urdf")};
   if (outcome.said.empty()) outcome.said = "it ended without a word: it may have taken too long";
   return outcome;

@@ -20,7 +20,8 @@ bool uses_xacro(std::string_view text);
 
 /// Runs the machine's xacro on a file and returns the URDF, or what xacro says is wrong. Arguments are
 /// `name:=value`; packages are looked for in the folders, in those of ROS_PACKAGE_PATH and around the file.
+/// `files`: where to put the paths of the files that it includes, if they are wanted.
 Outcome run_xacro(const std::filesystem::path& file, const std::vector<std::string>& arguments,
-                  const std::vector<std::string>& package_folders);
+                  const std::vector<std::string>& package_folders, std::vector<std::string>* files = nullptr);
 
 }  // namespace qvgen::toolchain

@@ -6,7 +6,8 @@
 #
 # The code is made in the build tree when the build runs: anew when a description, the tool or the list of parts changes, and
 # not otherwise. What cannot be derived for a robot is said there. Batch forms are made of the other parts named: PARTS
-# kinematics batch. C99 has headers qvgen_NAME.h and qvgen_NAME_inverse.h, and needs libm alone.
+# kinematics batch. C99 has headers qvgen_NAME.h, and with
+# _inverse, _metrics and _velocity behind the name, and needs libm alone.
 include_guard(GLOBAL)
 
 # The tool is installed or built with the runtime, or else named.
@@ -110,7 +111,10 @@ function(qvgen_generate_c library robot namespace reading only)
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/${library})
   set(sources ${folder}/sources/robot.c)
   if(NOT only OR "inverse" IN_LIST only)
-    list(APPEND sources ${folder}/sources/inverse.c)
+    list(APPEND sources ${folder}/sources/inverse.c ${folder}/sources/metrics.c)
+  endif()
+  if(NOT only OR "jacobian" IN_LIST only)
+    list(APPEND sources ${folder}/sources/velocity.c)
   endif()
   qvgen_generated_code(${library} ${robot} "${namespace}" "${reading}" c "${only}" ${sources})
   add_library(${library} STATIC ${sources})

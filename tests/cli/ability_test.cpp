@@ -2,6 +2,8 @@
 // What `show --inverse` says first: what an arm can be asked for, by which structure, how many solutions.
 #include <sstream>
 
+#include <gmock/gmock.h>
+
 #include "command_line.h"
 
 namespace qvgen::test {
@@ -118,6 +120,21 @@ TEST_F(Ability, OfAnArmAngle) {
   EXPECT_FALSE(says(arm(four_joints), "arm angle"));
 }
 
+constexpr const char* five_servos = "Rz 0 0 0.1; Ry 0.1 0 0; Ry 0.1 0 0; Ry 0.05 0 0; Rx 0.1 0 0";
+
+TEST_F(Ability, OfAPositionAndAPitch) {
+  const std::string asked = " asked for a position of the tool point and the pitch of the tool's axis ";
+  const std::string by_plane =
+      "joints 2, 3 and 4 move in one plane: the pitch tells where the axis of q4 is, the others place it. At "
+      "most 4 "
+      "solutions. A pose may be given too, for its position and pitch; one that is tilted to the side is "
+      "unreachable.";
+  const std::string task = "task = \"position_and_pitch\"\n";
+  EXPECT_EQ(of(arm(four_joints, task)), "4 joints," + asked + "z: " + by_plane);
+  EXPECT_EQ(of(arm(five_servos, task + "tool_axis = \"+x\"\n")),
+            "5 joints," + asked + "x with q5 given by the caller: " + by_plane);
+}
+
 TEST_F(Ability, WhatIsNotServedIsRefused) {
   const auto refused = [&](const std::string& description, const std::string& reason) {
     const ToolRun shown = run("show --inverse " + write("my_arm.toml", description));
@@ -127,9 +144,40 @@ TEST_F(Ability, WhatIsNotServedIsRefused) {
   refused(arm(five_joints, "task = \"position\"\n"),
           "the task position is none for this arm: it may be asked for position_and_direction");
   refused(arm(five_joints, "given = \"q5\"\n"), "here, 5 joints leave none over");
+  refused(arm(five_servos, "tool_axis = \"+x\"\n"),
+          "it may be asked for task = \"position_and_pitch\", with joint 5 given");
+  refused(arm(five_joints, "task = \"position_and_pitch\"\n"), "joints 2, 3 and 4 do not move in one plane");
   refused(arm(std::string(seven_joints) + "; Ry 0 0 0.1", "given = \"q1, q7\"\n"),
           "of 8 joints 2 would have to be given, and only one can be");
   refused(arm(std::string(seven_joints) + "; Ry 0 0 0.1"), "8 joints: a pose in space fixes six");
+}
+
+/// Three axes are parallel, and the sixth passes the fifth: by a quartic only if no two neighbours pass each
+/// other at less than a tenth of the arm's size.
+TEST_F(Ability, OfAxesThatNearlyMeet) {
+  const auto passing_by = [](const std::string& length) {
+    return arm("Rz 0.02 0 0.05; Ry -0.26 0 0; Ry 0.25 0 0.06; Ry 0.04 0 -0.04; Rz 0.04 " + length +
+               " 0.04; Rx 0.13 0 0");
+  };
+  EXPECT_THAT(of(passing_by("0")),
+              testing::HasSubstr("the axes of joints 2, 3 and 4 are parallel. At most 8"));
+  for (const char* length : {"1e-9", "2.4e-7", "1e-5", "1e-3", "1e-2"})
+    EXPECT_THAT(of(passing_by(length)), testing::HasSubstr("by elimination")) << length;
+  EXPECT_THAT(
+      of(arm("Rz 0.2 0 0.05; Ry -0.26 0 0; Ry 0.25 0 0.06; Ry 0.2 0 -0.04; Rz 0.04 0.3 0.04; Rx 0.13 0 0")),
+      testing::HasSubstr("by a quartic"));
+}
+
+/// Two parallel turns and a slide across them leave no elimination, and that is the reason given.
+TEST_F(Ability, OfThreeJointsInAPlaneIsExplained) {
+  for (const char* joints :
+       {"Rz 0.3 0.1 0.2; Rz 0.2 0.5 0.3; Py; Rx 0.4 0.2 0.6; Rx 0.1 0.7 0.3; Ry 0.2 0.1 0.4",
+        "Rz 0.3 0.1 0.2; Rz 0.2 0.5 0.3; Ry 0.5 0.1 0.2; Py; Ry 0.1 0.7 0.3; Rx 0.2 0.1 0.4"}) {
+    const ToolRun shown = run("show --inverse " + write("my_arm.toml", arm(joints)));
+    EXPECT_NE(shown.code, 0);
+    EXPECT_THAT(shown.output,
+                testing::HasSubstr("two parallel turns and a slide across them, move in a plane"));
+  }
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // The tool as its users meet it: exit codes, messages, files.
 #include "command_line.h"
 
+#include <sstream>
 #include <vector>
 
 namespace qvgen::test {
@@ -12,6 +13,7 @@ TEST_F(CommandLine, HelpShowsExamplesAndExitCodes) {
   EXPECT_EQ(help.code, 0);
   EXPECT_TRUE(has(help, "examples:"));
   EXPECT_TRUE(has(help, "exit codes:"));
+  EXPECT_TRUE(has(help, "70 a check of qvgen itself"));
   EXPECT_EQ(run("generate --help").code, 0);
 }
 
@@ -67,6 +69,28 @@ TEST_F(CommandLine, BothLanguagesShareAFolder) {
   EXPECT_EQ(run("remove c/my_arm --output " + out()).code, 0);
   EXPECT_FALSE(fs::exists(fs::path(out()) / "c/qvgen_my_arm_inverse.h"));
   EXPECT_EQ(run("generate " + file + " --language fortran --output " + out()).code, 2);
+}
+
+TEST_F(CommandLine, CInFloatIsInFloatAlone) {
+  const std::string file = write("my_arm.toml", good_arm);
+  const std::string arguments = "generate " + file + " --language c --output " + out();
+  EXPECT_EQ(run(arguments + " --only kinematics").code, 0);
+  const ToolRun single = run(arguments + " --only kinematics,inverse --scalar float");
+  EXPECT_EQ(single.code, 0) << single.output;
+  EXPECT_TRUE(has(single, "no inverse: it is in double alone")) << single.output;
+  for (const char* part : {".h", ".c"}) {
+    std::ifstream generated(fs::path(out()) / "c" / (std::string("qvgen_my_arm") + part));
+    const std::string text{std::istreambuf_iterator<char>(generated), {}};
+    EXPECT_NE(text.find("float"), std::string::npos);
+    EXPECT_EQ(text.find("double"), std::string::npos) << text;
+  }
+  EXPECT_NE(run(arguments + " --only inverse --scalar float --require inverse").code, 0);
+  // The next run knows what the folder has.
+  EXPECT_TRUE(
+      has(run(arguments + " --only kinematics,inverse --scalar float"), ": 0 generated, 0 files changed"));
+  const ToolRun cxx = run("generate " + file + " --scalar float --output " + out());
+  EXPECT_EQ(cxx.code, 2);
+  EXPECT_TRUE(has(cxx, "--scalar float: it is for --language c")) << cxx.output;
 }
 
 TEST_F(CommandLine, ComparesFormulations) {
@@ -271,6 +295,36 @@ TEST_F(CommandLine, DoesNothingForWhatHasNotChanged) {
   EXPECT_TRUE(has(run(command), ": 1 generated"));
   fs::remove(fs::path(out()) / "source/my_arm/kinematics.cpp");
   EXPECT_TRUE(has(run(command), ": 1 generated, 1 files changed"));
+}
+
+/// An MJCF with an <include> and a mesh: the depfile names all of them, and a change of any makes the robot
+/// anew.
+TEST_F(CommandLine, FilesThatADescriptionNamesCountAsItsOwn) {
+  const std::string mesh =
+      write("box.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+  const std::string part = write("part.xml",
+                                 "<mujocoinclude><body name=\"b\"><joint/><geom type=\"mesh\" "
+                                 "mesh=\"box\"/></body></mujocoinclude>");
+  const std::string file =
+      write("arm.xml",
+            "<mujoco model=\"arm\"><asset><mesh file=\"box.obj\"/></asset><worldbody><include "
+            "file=\"part.xml\"/></worldbody></mujoco>");
+  const std::string depfile = (folder / "arm.d").string();
+  const std::string arguments =
+      "generate " + file + " --only kinematics --output " + out() + " --depfile " + depfile;
+  EXPECT_EQ(run(arguments).code, 0);
+  std::stringstream written;
+  written << std::ifstream(depfile).rdbuf();
+  for (const std::string& each : {file, part, mesh})
+    EXPECT_NE(written.str().find(" " + each + (each == part ? "\n" : " \\\n")), std::string::npos)
+        << written.str();
+  EXPECT_TRUE(has(run(arguments), ": 0 generated, 0 files changed"));
+  std::ofstream(part) << "<mujocoinclude><body name=\"b\"><joint axis=\"1 0 0\"/><geom type=\"mesh\" "
+                         "mesh=\"box\"/></body></mujocoinclude>";
+  EXPECT_TRUE(has(run(arguments), ": 1 generated, "));
+  EXPECT_TRUE(has(run(arguments), ": 0 generated, 0 files changed"));
+  std::ofstream(mesh, std::ios::app) << "# larger\n";
+  EXPECT_TRUE(has(run(arguments), ": 1 generated, "));
 }
 
 TEST_F(CommandLine, KnowsRobotsByName) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/suggestion.h"
+#include "cli/verdict.h"
 
 namespace {
 
@@ -82,6 +83,19 @@ TEST(Changes, AreTheFunctionsThatDiffer) {
 
 TEST(Report, JsonIsTheWhole) {
   EXPECT_EQ(nlohmann::ordered_json::parse(report(counts, ReportFormat::json)), counts);
+}
+
+/// A failed check of the tool itself outweighs whatever else is wrong, and its code says so to scripts.
+TEST(Verdict, ADefectOfTheToolHasACodeOfItsOwn) {
+  using qvgen::pipeline::Missing;
+  const Missing not_derived{"inverse", Missing::Kind::not_derived, ""},
+      refuted{"jacobian", Missing::Kind::refuted, ""};
+  EXPECT_EQ(verdict_of({}), success);
+  EXPECT_EQ(verdict_of({not_derived}), success);
+  EXPECT_EQ(verdict_of({not_derived, refuted}), internal_error);
+  EXPECT_EQ(static_cast<int>(internal_error), 70);
+  EXPECT_EQ(worse(failure, verdict_of({refuted})), internal_error);
+  EXPECT_EQ(worse(success, failure), failure);
 }
 
 }  // namespace

@@ -2,11 +2,14 @@
 #include <cstdint>
 #include <cstring>
 #include <iomanip>
+#include <map>
 #include <random>
 #include <sstream>
 
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include "description/xml/mesh.h"
 #include "folder.h"
 #include "model/evaluate.h"
 #include "xml.h"
@@ -15,6 +18,10 @@
 // random models with MuJoCo; here are named cases, and meshes of boxes, whose integrals are known.
 namespace qvgen::description {
 namespace {
+
+using xml::convex_hull;
+using xml::Mesh;
+using xml::Point;
 
 std::string body(const std::string& geoms, const std::string& head = "") {
   return "<mujoco>" + head + "<worldbody>\n<body name=\"b\"><joint/>" + geoms +
@@ -250,6 +257,74 @@ TEST(MjcfInertia, MeshesOfBoxesAreBoxes) {
       expect_same(files.write("a.xml", mesh_model(file, "inertia=\"shell\"")).robot("a.xml"), hollow);
     }
   }
+}
+
+/// Random points, on a small lattice every second time, where many lie in one plane.
+Mesh random_points(std::mt19937& engine, int i) {
+  std::normal_distribution<double> anywhere;
+  std::uniform_int_distribution<int> lattice(0, 3), count(5, 40);
+  Mesh mesh;
+  for (int k = count(engine); k > 0; --k) {
+    Point& point = mesh.points.emplace_back();
+    for (double& x : point) x = i % 2 == 0 ? anywhere(engine) : lattice(engine);
+  }
+  return mesh;
+}
+
+/// Six times the volume of a triangle's pyramid with that top.
+double pyramid(const Mesh& mesh, const std::array<std::size_t, 3>& triangle, const Point& top) {
+  Eigen::Matrix3d sides;
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t x = 0; x < 3; ++x)
+      sides(static_cast<int>(k), static_cast<int>(x)) = mesh.points[triangle.at(k)].at(x) - top.at(x);
+  return sides.determinant();
+}
+
+/// A closed surface whose triangles have every point behind them, seen from outside, is the hull.
+TEST(MjcfInertia, NoPointIsOutsideOfTheConvexHull) {
+  std::mt19937 engine{7};
+  int hulls = 0;
+  for (int i = 0; i < 400 && !HasFailure(); ++i) {
+    const Mesh hull = convex_hull(random_points(engine, i));
+    if (!hull.problem.empty()) continue;
+    ++hulls;
+    std::map<std::pair<std::size_t, std::size_t>, int> edges;
+    for (const auto& triangle : hull.triangles) {
+      for (const Point& point : hull.points) EXPECT_GT(pyramid(hull, triangle, point), -1e-12) << i;
+      for (std::size_t k = 0; k < 3; ++k) ++edges[{triangle.at(k), triangle.at((k + 1) % 3)}];
+    }
+    for (const auto& [edge, count] : edges) {
+      EXPECT_EQ(count, 1) << i;
+      EXPECT_EQ(edges.count({edge.second, edge.first}), 1U) << i;
+    }
+  }
+  EXPECT_GT(hulls, 300);
+}
+
+/// An L from above, one unit high, by its corners; counted by its hull, which fills the notch by half.
+TEST(MjcfInertia, MeshesAreCountedByTheirConvexHull) {
+  const std::string corners = "0 0 0 2 0 0 2 1 0 1 1 0 1 3 0 0 3 0 0 0 1 2 0 1 2 1 1 1 1 1 1 3 1 0 3 1";
+  const std::string faces =
+      "0 2 1 0 3 2 0 4 3 0 5 4 6 7 8 6 8 9 6 9 10 6 10 11 0 1 7 0 7 6 1 2 8 1 8 7 2 3 9 2 9 8 "
+      "3 4 10 3 10 9 4 5 11 4 11 10 5 0 6 5 6 11";
+  const auto model = [&](const std::string& asset) {
+    return body("<geom type=\"mesh\" mesh=\"m\"/>", "<asset><mesh name=\"m\" " + asset + "/></asset>");
+  };
+  const std::string vertex = "vertex=\"" + corners + "\"", face = " face=\"" + faces + "\"";
+  // As MuJoCo 4.0.1 counts them.
+  const std::vector<double> hull{5000, 13 / 15.0, 4 / 3.0, 0.5}, exact{4000, 0.75, 1.25, 0.5};
+  const auto expect = [](const model::Robot& arm, const std::vector<double>& wanted) {
+    const std::vector<double> found = numbers(arm);
+    for (std::size_t i = 0; i < wanted.size(); ++i) EXPECT_NEAR(found[i], wanted[i], 1e-12 * wanted[0]) << i;
+  };
+  expect(read(model(vertex + face + " inertia=\"exact\"")), exact);
+  expect(read(model(vertex + face + " inertia=\"convex\"")), hull);
+  expect(read(model(vertex)), hull);
+  expect(read(model(vertex + " inertia=\"exact\"")), hull);
+  const std::string few = report(model(vertex + " maxhullvert=\"6\"")),
+                    flat = report(model("vertex=\"0 0 0 1 0 0 0 1 0 1 1 0\""));
+  EXPECT_NE(few.find("by a hull of few vertices (maxhullvert)"), std::string::npos) << few;
+  EXPECT_NE(flat.find("its points lie in a plane"), std::string::npos) << flat;
 }
 
 TEST(MjcfInertia, MeshesAreMovedTurnedAndScaled) {

@@ -49,6 +49,30 @@ std::string title(const Tree& tree, const ReadOptions& options = {}) {
   return read(tree.text(), options).title;
 }
 
+/// A gripper whose bars are called as in many a model: two that the motor turns, two behind them, two that
+/// guide.
+TEST(Tips, BarsOfAGripperInPairsAreItsFingers) {
+  Tree robot("base");
+  robot.row("base", "link", 7).fixed("link7", "gripper_base");
+  for (const std::string side : {"left", "right"})
+    robot.moving("gripper_base", side + "_driver", side + "_driver_joint")
+        .moving(side + "_driver", side + "_coupler", side + "_coupler_joint")
+        .moving("gripper_base", side + "_spring_link", side + "_spring_link_joint");
+  EXPECT_NE(
+      report(robot.text()).find("the chain may end at gripper_base (arm, 7 joints, without its fingers "),
+      std::string::npos)
+      << report(robot.text());
+}
+
+TEST(Tips, AChainOfMoreJointsThanADescriptionMayHaveIsOfferedFromItsOwn) {
+  Tree robot("base");
+  robot.row("base", "spine", 10).row("spine10", "left", 9).row("spine10", "right", 9);
+  EXPECT_NE(report(robot.text()).find("say where: qvgen check r.xml --base spine10 --tip left9\n"),
+            std::string::npos)
+      << report(robot.text());
+  EXPECT_EQ(read(robot.text(), {.base = "spine10", .tip = "left9"}).joints.size(), 9U);
+}
+
 TEST(Tips, FixedFramesBehindOneMovingChain) {
   Tree arm("base");
   arm.row("base", "link", 6).fixed("link6", "end_effector_link").fixed("link6", "camera_link");

@@ -211,6 +211,11 @@ Arm jaco2() {
                             {-share * (d4 + d5), 0, 120},
                             {-(share * d5 + 0.16), 0, 180}});
 }
+Arm in_line() {
+  return of_table(
+      "in_line",
+      {{-0.2848, 0, 90}, {-0.0118, -0.41, 180}, {0, 0, 90}, {-0.3143, 0, 90}, {0, 0, 90}, {-0.1674, 0, 180}});
+}
 Arm crx10ia() {
   return of_modified_table(
       "crx10ia",

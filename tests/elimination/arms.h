@@ -60,6 +60,9 @@ Arm m10();
 Arm ur5();
 Arm irb6640();
 Arm piper();
+/// All axes in two directions at many poses, four of them in two lines, as a Gen3's: several joints are free
+/// at once.
+Arm in_line();
 /// All of these, the last three miscalibrated by 1e-4.
 std::vector<Arm> named_arms();
 

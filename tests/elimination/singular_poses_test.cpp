@@ -25,11 +25,20 @@ class SingularPoses : public testing::TestWithParam<Arm> {
   /// `off(random)`: how far one of the inner joints is from a singular place.
   template <class Off>
   Count count(const Off& off) {
+    return count_drawn([&](int i) {
+      std::optional<Joints6> q = at_a_singularity(arm_, random_, 1 + i % 4);
+      if (q) (*q)[1 + i / 4 % 4] += off();
+      return q;
+    });
+  }
+
+  /// `draw(i)`: joints, or none.
+  template <class Draw>
+  Count count_drawn(const Draw& draw) {
     Count result;
     for (int i = 0; result.poses < pose_count(500); ++i) {
-      std::optional<Joints6> q = at_a_singularity(arm_, random_, 1 + i % 4);
+      const std::optional<Joints6> q = draw(i);
       if (!q) continue;
-      (*q)[1 + i / 4 % 4] += off();
       const Eigen::Isometry3d target = arm_.tool(*q);
       const auto found =
           solve(setup_, Pose<double>::from_isometry(target), instruction_sets[result.poses % 3]);
@@ -68,7 +77,24 @@ TEST_P(SingularPoses, Nearly) {
   check(count([this] { return std::pow(10, -uniform(random_, 2, 8)); }));
 }
 
-INSTANTIATE_TEST_SUITE_P(Named, SingularPoses, testing::ValuesIn(named_arms()), name_of);
+/// All joints at multiples of 45 degrees, or of 90: many arms are singular in several ways at once there.
+TEST_P(SingularPoses, BetweenRightAngles) {
+  const Count result = count_drawn([this](int i) {
+    const double unit = std::atan(1) * (1 + i % 2);
+    Joints6 q = arm_.joints(random_);
+    for (double& value : q) value = unit * std::round(value / unit);
+    return std::optional(q);
+  });
+  EXPECT_LE(result.silent, result.poses / 500);
+}
+
+std::vector<Arm> arms() {
+  std::vector<Arm> all = named_arms();
+  all.push_back(in_line());
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Named, SingularPoses, testing::ValuesIn(arms()), name_of);
 
 }  // namespace
 }  // namespace qvgen::test

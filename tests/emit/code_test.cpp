@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Golden texts of small functions, and the strictness of templates.
-#include "emit/cpp/code.h"
+#include "emit/code.h"
 
 #include <gtest/gtest.h>
 
+#include "emit/ast/literal.h"
 #include "emit/builtin_templates.h"
-#include "emit/cpp/literal.h"
-#include "emit/cpp/symbol_table.h"
+#include "emit/cpp/printer.h"
+#include "emit/leaves.h"
 #include "emit/render.h"
 #include "exact/named_constant.h"
 
@@ -15,9 +16,15 @@ namespace {
 using namespace qvgen;
 using dag::Edge;
 
-const emit::SymbolTable names{[](const std::string& symbol) { return "g." + symbol; },
-                              [](const dag::Angle& angle) { return "sin<" + to_string(angle) + ">"; },
-                              [](const dag::Angle& angle) { return "cos<" + to_string(angle) + ">"; }};
+const emit::ast::Leaves names{
+    [](const std::string& symbol) { return emit::ast::name("g." + symbol); },
+    [](const dag::Angle& angle) { return emit::ast::name("sin<" + to_string(angle) + ">"); },
+    [](const dag::Angle& angle) { return emit::ast::name("cos<" + to_string(angle) + ">"); }};
+
+/// A symbol of a robot as plain C++ writes it.
+std::string symbol_text(const model::Robot& robot, const std::string& symbol) {
+  return emit::plain_cpp().text(emit::robot_leaves(robot, {}).symbol(symbol));
+}
 
 class CodeTest : public testing::Test {
  protected:
@@ -27,7 +34,7 @@ class CodeTest : public testing::Test {
 
   std::string text_of(Edge value) {
     f.outputs = {{"o", value}};
-    const emit::Code code = emit::straight_code(f, names);
+    const emit::Code code = emit::straight_code(f, names, emit::plain_cpp());
     std::string text;
     for (const auto& line : code.temporaries) text += line.name + " = " + line.expression + "; ";
     return text + code.outputs[0].expression;
@@ -44,7 +51,7 @@ TEST(SymbolTable, DefinitionsMayHaveOthersInThem) {
   const std::string half = exact::name_of_number(cln::cl_RA(1) / 2);
   robot.definitions.emplace("a", Expression::make(Kind::sum, {symbol("b"), symbol(half)}));
   robot.definitions.emplace("b", Expression::make(Kind::product, {symbol("l"), symbol("l")}));
-  EXPECT_EQ(emit::symbol_table(robot, {}).symbol("a"), "((g.l * g.l) + Scalar(0.5))");
+  EXPECT_EQ(symbol_text(robot, "a"), "((g.l * g.l) + Scalar(0.5))");
 }
 
 /// float's and any other number type's own functions, not the C library's for double.
@@ -57,7 +64,7 @@ TEST(SymbolTable, FunctionsInDefinitionsAreThoseOfTheScalar) {
        {std::pair{Kind::root, "sqrt"}, {Kind::sine, "sin"}, {Kind::cosine, "cos"}}) {
     robot.definitions.insert_or_assign("a", Expression::make(kind, {Expression::symbol("l")}));
     const std::string name = function;
-    EXPECT_EQ(emit::symbol_table(robot, {}).symbol("a"),
+    EXPECT_EQ(symbol_text(robot, "a"),
               "[](const Scalar& operand) { using std::" + name + "; return " + name + "(operand); }(g.l)");
   }
 }
@@ -91,7 +98,7 @@ TEST_F(CodeTest, LongExpressionsAreCut) {
   Edge value = a;
   for (int i = 0; i < 20; ++i) value = g.sum({g.product({value, b}), c});
   f.outputs = {{"o", value}};
-  const emit::Code code = emit::straight_code(f, names);
+  const emit::Code code = emit::straight_code(f, names, emit::plain_cpp());
   EXPECT_FALSE(code.temporaries.empty());
   for (const auto& line : code.temporaries) EXPECT_LT(line.expression.size(), 60U);
 }

@@ -54,7 +54,8 @@ TEST(Tidy, CommentsKeepTheirMarks) {
   EXPECT_EQ(second.substr(0, 12), "  ///   word");
 }
 
-/// Prose of doc comments flows on: the words that a line has no room for begin the next line of the paragraph.
+/// Prose of doc comments flows on: the words that a line has no room for begin the next line of the
+/// paragraph.
 TEST(Tidy, ProseFlowsOn) {
   const std::string full(line_width - 5, 'a');
   EXPECT_EQ(wrapped("/// " + full + " b\n/// c\nint d;\n"), "/// " + full + "\n/// b c\nint d;\n");

@@ -10,6 +10,7 @@ import re
 import sys
 
 RULED_OUT = re.compile(r"(Of|What|Whether|That|Where|The same)\b")
+TAGS = re.compile(r"^({{[^}]*}}+)+")  # of a template, in front of a comment
 NOTE = re.compile(r"///<\s*[Tt]he same\b")  # behind a member; otherwise its words go on from the member's name
 MARKS = {".py": r"#|\"\"\"", ".pyi": r"#|\"\"\"", ".sh": "#", ".cmake": "#", ".txt": "#", "": "#"}
 BY_NAME = {"CMakeLists.txt", "qvgen"}
@@ -20,7 +21,7 @@ def openings(text, mark=r"///?<?|/\*\*"):
     """Yields the line numbers of comments that open with a word that is ruled out; a blank line within one begins another."""
     was_comment = False
     for number, line in enumerate(text.splitlines(), 1):
-        found = re.match(rf"\s*({mark})\s*(.*)", line)
+        found = re.match(rf"\s*({mark})\s*(.*)", TAGS.sub("", line))
         words = found.group(2) if found else ""
         if NOTE.search(line) or (words and not was_comment and RULED_OUT.match(words)):
             yield number
@@ -39,6 +40,7 @@ def files_of(folder):
 
 def main():
     assert list(openings("/// Of a joint.\n/// That one.\nint a;  ///< of a\n\n  // What is left.\n///\n/// Where it is.")) == [1, 5, 7]
+    assert list(openings("{{/a}}{{#b}}/// The same.")) == [1]
     assert not list(openings("/// Returns what is left.\n/// Of course.\n/// Office hours.")), "a word within a comment"
     folder = pathlib.Path(sys.argv[1])
     failed = False

@@ -5,7 +5,8 @@
     tests/interop/try_files.py FOLDER... [--tool build/ci/generator/cli/qvgen] [--seconds 60]
 
 Each file is checked and generated, with a bound on the time of each command. Files that leave the tip open are
-tried with the tip that the message proposes. The exit code is 1 if a command hung or crashed.
+tried with the tip that the message proposes. The exit code is 1 if a command hung or crashed, or if qvgen said that a
+check of its own has failed.
 """
 import argparse
 import collections
@@ -23,6 +24,7 @@ import time
 ENDINGS = {".urdf", ".xml", ".mjcf", ".xacro", ".toml"}
 MARKS = (b"<robot", b"<mujoco", b"[[joint]]", b"[[dh]]", b"[[screw]]")
 PARTS = "kinematics,inverse,dynamics"
+DEFECT = 70  # how qvgen exits if a check of its own has failed
 
 
 def arguments():
@@ -68,7 +70,12 @@ class Run:
 
     @property
     def crashed(self):
-        return not self.hung and self.code not in (0, 1, 3)
+        return not self.hung and self.code not in (0, 1, 3, DEFECT)
+
+    @property
+    def trouble(self):
+        """Says what is wrong with the tool itself, empty if nothing."""
+        return "hung" if self.hung else "crashed" if self.crashed else "defect" if self.code == DEFECT else ""
 
     def errors(self):
         return [line for line in self.lines if ": error: " in line or line.startswith("qvgen: ")]
@@ -102,8 +109,8 @@ def try_file(options, path):
     several = bool(tip)
     if tip:
         check = Run([options.tool, "check", str(path), *common, *tip], options.seconds)
-    if check.hung or check.crashed:
-        return "check hung" if check.hung else "check crashed", "", [], several
+    if check.trouble:
+        return "check " + check.trouble, "", [], several
     if check.code != 0:
         return "refused", kind_of((check.errors() or check.lines or ["no word"])[0]), [], several
     if not options.only:
@@ -111,8 +118,8 @@ def try_file(options, path):
     with tempfile.TemporaryDirectory() as folder:
         words = [options.tool, "generate", str(path), *common, *tip, "--only", options.only, "--quiet", "-o", folder]
         generate = Run(words, options.seconds)
-    if generate.hung or generate.crashed:
-        return "generate hung" if generate.hung else "generate crashed", "", [], several
+    if generate.trouble:
+        return "generate " + generate.trouble, "", [], several
     left_out = [kind_of(line.split(": ", 1)[1]) for line in generate.lines
                 if re.match(r"\S+: no \w+: ", line) and ": note: " not in line]
     if generate.code != 0:
@@ -142,7 +149,7 @@ def main():
                 refused.setdefault(f"{outcome}: {kind}", []).append(path)
             for part in missing:
                 left_out.setdefault(part, []).append(path)
-            if "hung" in outcome or "crashed" in outcome:
+            if outcome.endswith(("hung", "crashed", "defect")):
                 bad.append((outcome, path))
             if options.verbose:
                 print(f"{path}: {outcome} {kind} {'; '.join(missing)}", flush=True)

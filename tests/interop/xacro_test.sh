@@ -66,6 +66,21 @@ expect "$said" "error: xacro: "
 "$qvgen" generate "$arm" --only model --quiet --output "$folder/out" --xacro-arg length:=1 --xacro-arg n:=2
 grep -q -e "--xacro-arg length:=1 --xacro-arg n:=2" -r "$folder/out" || fail "the arguments are not in the list of robots"
 
+# A depfile names what the file includes, by another run of xacro that lists it.
+cat > "$folder/bin/xacro" <<'END'
+#!/bin/sh
+output=$3
+case "$*" in
+  *--deps*) echo "$2/none $1 $(dirname "$1")/part.xacro" > "$output" ;;
+  *) echo "<robot name='given'><link name='base'/><link name='tip'/><joint name='j' type='continuous'><parent link='base'/>
+<child link='tip'/></joint></robot>" > "$output" ;;
+esac
+END
+: > "$(dirname "$arm")/part.xacro"
+"$qvgen" generate "$arm" --only model --quiet --output "$folder/out" --depfile "$folder/arm.d"
+grep -q "urdf/part.xacro" "$folder/arm.d" || fail "no included file in the depfile: $(cat "$folder/arm.d")"
+grep -q none "$folder/arm.d" && fail "a file that is not there in the depfile"
+
 # A file of a package, by the package's name.
 cp "$arm" "$folder/ws/parts/robot.xacro"
 said=$("$qvgen" check package://parts_description/robot.xacro --package-path "$folder/ws" 2>&1) || fail "$said"

@@ -273,4 +273,23 @@ TEST(ReachableDirection, IsTheChoiceOrWellInside) {
   }
 }
 
+/// Angles between what is too near and too far are two ranges, mirror images; if nothing is too near or
+/// nothing too far they are one.
+TEST(ReachableDirection, IsInTheOtherRangeIfAskedFor) {
+  const Rotor<double> point{3, 0}, offset{1, 0};
+  const Boundary other = Boundary::chosen(default_tolerance).in_other_range();
+  for (const double choice : {0.3, 1.6, 2.9, -0.4, -1.8}) {
+    const auto one = reachable_direction(point, offset, 6.25, 12.25, turn(choice));
+    const auto mirrored = reachable_direction(point, offset, 6.25, 12.25, turn(choice), other);
+    EXPECT_NEAR(mirrored.cosine, one.cosine, 1e-15) << choice;
+    EXPECT_NEAR(mirrored.sine, -one.sine, 1e-15) << choice;
+    for (const auto& [inner, outer] : {std::pair{1.0, 12.25}, std::pair{6.25, 25.0}}) {
+      const auto alone = reachable_direction(point, offset, inner, outer, turn(choice));
+      const auto same = reachable_direction(point, offset, inner, outer, turn(choice), other);
+      EXPECT_EQ(same.cosine, alone.cosine) << choice;
+      EXPECT_EQ(same.sine, alone.sine) << choice;
+    }
+  }
+}
+
 }  // namespace

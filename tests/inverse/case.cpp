@@ -27,6 +27,32 @@ bool Case::asks_direction() const {
 
 Eigen::Vector3d Case::tool_axis() const { return Eigen::Vector3d(robot_.info.tool_axis); }
 
+Eigen::Vector3d Case::axis(int joint, const Eigen::VectorXd& q) const {
+  return reference::joint_places(chain_, q)[static_cast<std::size_t>(joint)].axis;
+}
+
+int Case::pitch_joint() const {
+  int joint = base_joint() + 1;
+  while (joint == robot_.info.given_joint || !revolute(joint)) ++joint;
+  return joint;
+}
+
+namespace {
+
+/// From one vector to another, seen along a unit vector.
+double angle_about(const Eigen::Vector3d& axis, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  return std::atan2(axis.dot(from.cross(to)), from.cross(axis).dot(to.cross(axis)));
+}
+
+}  // namespace
+
+double Case::pitch(const Eigen::VectorXd& q) const {
+  Eigen::VectorXd ahead = q;
+  ahead[base_joint()] = 0;
+  return angle_about(axis(pitch_joint(), ahead), axis(base_joint(), ahead),
+                     tool(ahead).linear() * tool_axis());
+}
+
 Case::Miss Case::miss(const Eigen::VectorXd& q, const Eigen::Isometry3d& target) const {
   const Eigen::Isometry3d reached = tool(q);
   Miss result;
@@ -35,6 +61,7 @@ Case::Miss Case::miss(const Eigen::VectorXd& q, const Eigen::Isometry3d& target)
   const double gap = (reached.linear() - target.linear()).norm();
   if (asks_orientation()) result.orientation = 2 * std::asin(std::min(1.0, gap / std::sqrt(8.0)));
   if (asks_direction()) result.orientation = ((reached.linear() - target.linear()) * tool_axis()).norm();
+  if (asks_pitch()) result.orientation = (base_seen(q, reached) - base_seen(q, target)).norm();
   return result;
 }
 
@@ -44,6 +71,11 @@ Eigen::VectorXd Case::residual(const Eigen::VectorXd& q, const Eigen::Isometry3d
   if (asks_position()) result.head<3>() = target.translation() - reached.translation();
   if (asks_direction())
     result.tail<3>() = reached.linear().transpose() * (target.linear() - reached.linear()) * tool_axis();
+  if (asks_pitch()) {
+    const Eigen::Vector3d across = reached.linear().transpose() * axis(pitch_joint(), q);
+    result.tail<3>() =
+        Eigen::Vector3d(angle_about(across, base_seen(q, target), base_seen(q, reached)), 0, 0);
+  }
   if (!asks_orientation()) return result;
   const Eigen::AngleAxisd turn(target.linear() * reached.linear().transpose());
   result.tail<3>() = turn.angle() * turn.axis();
@@ -76,6 +108,11 @@ Eigen::MatrixXd Case::jacobian(const Eigen::VectorXd& q) const {
     // In the tool's frame, where nothing moves along the axis.
     if (asks_direction())
       column.tail<3>() = Eigen::Vector3d(to_tool * full.col(i).tail<3>()).cross(tool_axis());
+    // The first joint turns what the pitch is counted from, too.
+    if (asks_pitch()) {
+      const double rate = i == base_joint() ? 0 : full.col(i).tail<3>().dot(axis(pitch_joint(), q));
+      column.tail<3>() = Eigen::Vector3d(rate, 0, 0);
+    }
     result.conservativeResize(Eigen::NoChange, result.cols() + 1);
     result.col(result.cols() - 1) = column;
   }

@@ -55,6 +55,12 @@ class Case {
   /// Returns the residual to the target, in the rows of `jacobian`: displacement, then rotation vector.
   [[nodiscard]] Eigen::VectorXd residual(const Eigen::VectorXd& q, const Eigen::Isometry3d& target) const;
 
+  /// Joints and pitch of an arm that is asked for a pitch: the joint that turns all of it, the first of those
+  /// that the pitch is counted about, and the pitch, by the axes as they are with the first joint at zero.
+  [[nodiscard]] int base_joint() const { return robot_.info.given_joint == 0 ? 1 : 0; }
+  [[nodiscard]] int pitch_joint() const;
+  [[nodiscard]] double pitch(const Eigen::VectorXd& q) const;
+
   /// b - a, revolute joints the short way round.
   [[nodiscard]] Eigen::VectorXd difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const;
   [[nodiscard]] double distance(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
@@ -69,10 +75,17 @@ class Case {
  private:
   [[nodiscard]] bool asks_orientation() const;
   [[nodiscard]] bool asks_direction() const;
+  [[nodiscard]] bool asks_pitch() const { return robot_.info.task == Task::position_and_pitch; }
   [[nodiscard]] Eigen::Vector3d tool_axis() const;
+  /// Direction of a joint's axis in the base frame.
+  [[nodiscard]] Eigen::Vector3d axis(int joint, const Eigen::VectorXd& q) const;
+  /// The first joint's axis as a tool there sees it.
+  [[nodiscard]] Eigen::Vector3d base_seen(const Eigen::VectorXd& q, const Eigen::Isometry3d& tool) const {
+    return tool.linear().transpose() * axis(base_joint(), q);
+  }
   /// Number of the residual's parts, three rows each.
   [[nodiscard]] int parts() const {
-    return (asks_position() ? 1 : 0) + (asks_orientation() || asks_direction() ? 1 : 0);
+    return (asks_position() ? 1 : 0) + (asks_orientation() || asks_direction() || asks_pitch() ? 1 : 0);
   }
 
   InverseUnderTest robot_;

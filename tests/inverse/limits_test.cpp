@@ -175,6 +175,11 @@ class NearSingular {
     static auto inverse(const Arguments&... arguments) {                                     \
       return qvgen::robots::name::inverse_kinematics(arguments...);                          \
     }                                                                                        \
+    static auto one_by_one(const qvgen::Pose<double>& pose) {                                \
+      return qvgen::robots::name::inverse_kinematics(pose, qvgen::robots::name::Geometry(),  \
+                                                     qvgen::inverse::default_tolerance,      \
+                                                     qvgen::inverse::Form::scalar);          \
+    }                                                                                        \
     static auto jacobian(const Row& q) { return qvgen::robots::name::jacobian(q); }          \
     static auto forward(const Row& q) { return qvgen::robots::name::forward_kinematics(q); } \
   }
@@ -223,6 +228,85 @@ TYPED_TEST(LimitsNearSingularPoses, WhatIsWithinLimitsIsReached) {
   }
   EXPECT_GT(singular, 100);
   EXPECT_LE(missing, 2) << "of 6000 calls";
+}
+
+template <class Found, class Expected>
+void expect_same_rows(const Found& found, const Expected& expected, const std::string& what) {
+  auto row = expected.begin();
+  ASSERT_EQ(found.size(), expected.size()) << what;
+  ASSERT_EQ(found.status, expected.status) << what;
+  for (const auto& own : found) {
+    ASSERT_EQ(own.q, row->q) << what << ": " << own.q.transpose() << "; " << row->q.transpose();
+    ASSERT_EQ(own.branch, row->branch) << what;
+    ++row;
+  }
+}
+
+/// Limits of all kinds: of half a turn and several, of a whole turn but for rounding, infinite, and no range.
+template <class Arm>
+qvgen::JointLimits<Arm::dof> any_limits(std::mt19937_64& random) {
+  std::uniform_real_distribution<double> share(0, 1);
+  qvgen::JointLimits<Arm::dof> limits;
+  for (int i = 0; i < Arm::dof; ++i) {
+    const double kind = share(random), infinite = std::numeric_limits<double>::infinity();
+    limits.lower[i] = -pi - 3 * share(random);
+    limits.upper[i] = kind < 0.3 ? limits.lower[i] + 2 * pi : 3 + 8 * share(random);
+    if (kind > 0.9) limits.upper[i] = infinite;
+    if (kind > 0.95) limits.lower[i] = -infinite;
+    if (kind > 0.999) limits.upper[i] = limits.lower[i] - 1;
+  }
+  return limits;
+}
+
+/// Law: what lanes choose are the rows, the bits and the order of the rows that are chosen of all solutions,
+/// which are followed one after the other.
+TYPED_TEST(LimitsNearSingularPoses, LanesChooseTheRowsOfAllSolutions) {
+  using Arm = TypeParam;
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> angle(-2 * pi, 2 * pi);
+  int regular = 0, equal = 0;
+  for (int k = 0; k < 1000; ++k) {
+    typename Arm::Row q, seed;
+    for (int i = 0; i < Arm::dof; ++i) {
+      q[i] = angle(random);
+      // Seeds of zeros are as far from several rows.
+      seed[i] = k % 3 == 0 ? 0 : k % 3 == 1 ? angle(random) : q[i] + 0.1 * angle(random);
+    }
+    const auto pose = Arm::forward(q);
+    const auto limits = any_limits<Arm>(random);
+    auto all = Arm::one_by_one(pose);
+    if (all.status != qvgen::Status::solved || all.effort.passes > 0) continue;
+    ++regular;
+    const auto within = qvgen::within_limits(all, limits, Arm::revolute);
+    const auto nearest = qvgen::nearest_within_limits(all, limits, Arm::revolute, seed);
+    // A row may be brought inside if none is there.
+    if (!within.empty()) {
+      ASSERT_NO_FATAL_FAILURE(expect_same_rows(Arm::inverse(pose, limits), within, "within"));
+      ASSERT_NO_FATAL_FAILURE(expect_same_rows(Arm::inverse(pose, seed, limits), nearest, "nearest within"));
+      ++equal;
+    }
+    qvgen::sort_by_distance(all, seed, Arm::revolute);
+    ASSERT_NO_FATAL_FAILURE(expect_same_rows(Arm::inverse(pose, seed), all, "nearest"));
+  }
+  EXPECT_GT(regular, 800);
+  EXPECT_GT(equal, 300);
+}
+
+/// Law: next to a singular wrist the joints that are the seed come first, whatever rounding makes of the row.
+TYPED_TEST(LimitsNearSingularPoses, TheSeedComesFirst) {
+  using Arm = TypeParam;
+  NearSingular<Arm> samples(6);
+  int asked = 0, missing = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const auto sample = samples.draw();
+    if (is_doubly_singular<Arm>(sample.q)) continue;
+    const auto found = Arm::inverse(Arm::forward(sample.q), sample.q);
+    ASSERT_FALSE(found.empty());
+    ++asked;
+    missing += qvgen::joint_distance<Arm::dof>(found[0].q, sample.q, Arm::revolute) > 2e-3 ? 1 : 0;
+  }
+  EXPECT_GT(asked, 1000);
+  EXPECT_LE(missing, 2);
 }
 
 /// A joint on its limit is not lost by rounding, and is returned on it.

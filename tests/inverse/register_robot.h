@@ -53,7 +53,16 @@ bool register_inverse() {
                              const reference::Values& values) {
     return solve(given, pose, typename Arm::Joints(seed), geometry_of<Arm>(values));
   };
-  constexpr bool takes_poses = Arm::info.task == Task::pose || Arm::info.task == Task::position;
+  constexpr bool takes_poses = Arm::info.task == Task::pose || Arm::info.task == Task::position ||
+                               Arm::info.task == Task::position_and_pitch;
+  if constexpr (Arm::info.task == Task::position_and_pitch)
+    functions.solve_pitch = [](const Eigen::Vector3d& position, double pitch, [[maybe_unused]] double given) {
+      const PositionAndPitch<double> task{position, pitch};
+      if constexpr (Arm::info.given_joint >= 0)
+        return copy(Arm::inverse(task, given));
+      else
+        return copy(Arm::inverse(task));
+    };
   if constexpr (takes_poses) {
     functions.solve_matrix = [=](const Eigen::Matrix3d& rotation, const Eigen::Vector3d& position,
                                  double given) { return of_matrix(given, rotation, position); };

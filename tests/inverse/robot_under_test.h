@@ -52,6 +52,8 @@ struct InverseFunctions {
   std::function<Found(const Pose<double>&, double given, const Eigen::VectorXd& seed, double tolerance,
                       const reference::Values&)>
       solve_near = {};
+  /// Rows by the pitch itself, of arms that are asked for one: their main entry takes it from a pose.
+  std::function<Found(const Eigen::Vector3d& position, double pitch, double given)> solve_pitch = {};
   /// Whole poses of arms that are asked for less, with and without a seed.
   std::function<Found(const Pose<double>&, double tolerance)> solve_pose = {};
   std::function<Found(const Pose<double>&, const Eigen::VectorXd& seed)> solve_pose_from = {};

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Seeds at singular poses, order, limits.
+#include <algorithm>
+
 #include "check.h"
 
 namespace qvgen::test {
@@ -44,6 +46,21 @@ TEST_P(InverseSeed, FreeAngleIsTakenFromTheSeed) {
         << found.rows.front().q.transpose();
   }
   EXPECT_GT(singular, 150);
+}
+
+/// Joints that a solved pose was made from are a row themselves: if they are merely joined to one, something
+/// is free, and that is said.
+TEST_P(InverseSeed, WhatIsFreeIsMarked) {
+  if (is_general()) GTEST_SKIP() << "the law of tests/general";
+  for (int i = 0; i < 200; ++i) {
+    const std::optional<Sample> sample = draw(pose_set("a joint at 0"), i);
+    if (!sample) continue;
+    const Found found = GetParam().solve(sample->pose, test().given(sample->q), inverse::default_tolerance);
+    if (found.status != Status::solved) continue;
+    const auto is_sampled = [&](const Row& row) { return test().distance(row.q, sample->q) < 1e-3; };
+    EXPECT_TRUE(std::any_of(found.rows.begin(), found.rows.end(), is_sampled))
+        << GetParam().name << ": " << sample->q.transpose();
+  }
 }
 
 TEST_P(InverseSeed, LimitsKeepWhatIsInsideWithWholeTurns) {

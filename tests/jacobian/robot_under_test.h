@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <Eigen/Geometry>
-#include <qvgen/inverse_velocity.h>
+#include <qvgen/inverse_velocity_within.h>
 
 namespace qvgen::test {
 
@@ -14,6 +14,12 @@ struct JointRates {
   VelocityStatus status;
   Eigen::VectorXd qd;
   double residual;
+};
+
+/// Joint rates within limits, with the factor of scaled ones, or whether limits were in the way.
+struct LimitedRates : JointRates {
+  double factor = 1;
+  bool limited = false;
 };
 
 /// The generated functions of one robot behind one type; geometry is that of the defaults.
@@ -33,6 +39,10 @@ struct RobotUnderTest {
   std::function<Vector(const Vector& q, const Vector& qd)> jacobian_dot_times_qd;
   std::function<Vector(const Vector& q)> singularity_measures;
   std::function<JointRates(const Vector& q, const Vector& twist)> inverse_velocity;
+  std::function<JointRates(const Vector& q, const Vector& twist)> inverse_velocity_of_the_whole;
+  using Limited = LimitedRates(const Vector& q, const Vector& twist, const Vector& lower,
+                               const Vector& upper);
+  std::function<Limited> scaled, within;
   std::vector<std::string> singularity_names;
 };
 

@@ -43,6 +43,14 @@ def iiwa14():
 
 
 @pytest.fixture(scope="session")
+def desk_arm():
+    """Five joints, of which one is given: for a position and a pitch."""
+    if not os.environ.get("QVGEN_PYTHON_ROBOTS"):
+        pytest.skip("QVGEN_PYTHON_ROBOTS=1 compiles more robots")
+    return qvgen.load(pathlib.Path(__file__).with_name("desk_arm.toml"), "--only", "kinematics,inverse")
+
+
+@pytest.fixture(scope="session")
 def crx10ia():
     """Six joints, solved by elimination."""
     return of_the_long_form("crx10ia")

@@ -152,6 +152,20 @@ def test_a_path_is_followed(planar):
     assert planar.inverse_kinematics_near(poses[:0], q[:0]).q.shape == (0, 3)
 
 
+def test_limits_near_a_seed(ns, rows):
+    q = rows(ns)
+    poses = ns.forward_kinematics(q)
+    free = ns.inverse_kinematics_near(poses, q + 0.01)
+    lower, upper = np.full(6, -1.0), np.full(6, 1.3)
+    inside = ((free.q >= lower) & (free.q <= upper)).all(axis=1)
+    assert 0 < inside.sum() < 50
+    found = ns.inverse_kinematics_near(poses, q + 0.01, limits=(lower, upper))
+    np.testing.assert_array_equal(found.q[inside], free.q[inside])
+    assert np.isnan(found.q[~inside]).all() and (found.status[~inside] == qvgen.Status.unreachable).all()
+    with pytest.raises(ValueError, match="limits: neither None"):
+        ns.inverse_kinematics_near(poses, q, limits=3)
+
+
 def test_less_than_a_pose(arm, rows):
     q = rows(arm)
     poses = arm.forward_kinematics(q)
@@ -186,6 +200,20 @@ def test_position_and_turn(scara, rows):
     yaw = np.arctan2(turned[:, 1, 0], turned[:, 0, 0])
     for target in (np.column_stack([poses[:, 4:], yaw]), poses):
         np.testing.assert_allclose(scara.inverse_kinematics(target, q).q[:, 0], q, atol=1e-9)
+
+
+def test_position_and_pitch(desk_arm, rows):
+    q = rows(desk_arm)
+    poses = desk_arm.forward_kinematics(q)
+    pitch = np.pi / 2 + q[:, 1] + q[:, 2] + q[:, 3]
+    for target in (np.column_stack([poses[:, 4:], pitch]), poses):
+        found = desk_arm.inverse_kinematics_given_roll(target, q[:, 4], q)
+        assert solved(found)
+        np.testing.assert_allclose(found.q[:, 0], q, atol=1e-9)
+    down = desk_arm.inverse_kinematics_given_roll([0.2, 0.1, 0, np.pi], 0.3)
+    assert down.count == 4
+    approach = desk_arm.homogeneous_transform(down.q[:4])[:, :3, 0]
+    np.testing.assert_allclose(approach, np.tile([0, 0, -1], (4, 1)), atol=1e-12)
 
 
 def test_seven_joints(iiwa14, rows):

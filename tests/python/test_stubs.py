@@ -66,9 +66,9 @@ def test_values(arm):
 
 def test_package():
     tree = ast.parse(STUBS.read_text())
-    named = {each.name for each in tree.body if isinstance(each, (ast.ClassDef, ast.FunctionDef))} | {"robots", "orientation"}
+    named = {each.name for each in tree.body if isinstance(each, (ast.ClassDef, ast.FunctionDef))} | {"robots", "metrics", "orientation"}
     assert named - {"Robot"} == set(qvgen.__all__)
-    for name in ("Solutions", "NearSolution", "Status"):
+    for name in ("Solutions", "NearSolution", "Status", "JointRates", "VelocityStatus"):
         lines = stub_class(name).body
         fields = [each.target.id if isinstance(each, ast.AnnAssign) else each.targets[0].id for each in lines]
         members = getattr(qvgen, name)

@@ -65,12 +65,16 @@ def call(name, arguments, dof):
             before.append(f"{kind} = malloc({size_of(argument)} * sizeof(double));")
             values.append(word)
             after.append(f"free({word});")
+        elif argument == "const void* constants":  # of metrics: at most two numbers a joint
+            before.append(f"double* const {word} = drawn(kind, {2 * dof});")
+            values.append(word)
+            after.append(f"free({word});")
         elif argument.startswith("const double*"):
             before.append(f"double* const {word} = uniform() > 0 ? drawn(kind, {dof}) : NULL;")
             values.append(word)
             after.append(f"free({word});")
         elif argument.startswith("const"):
-            values.append("&" + re.search(r"const (\w+)_(geometry|inertia)\*", argument).expand(r"\1_default_\2"))
+            values.append("&" + re.search(r"const (\w+)_(geometry|inertia|damping)\*", argument).expand(r"\1_default_\2"))
         elif argument.startswith("double "):
             values.append("1e-13" if word == "tolerance" else "9.80665" if word == "gravity" else "sample(kind)")
         else:
@@ -85,6 +89,7 @@ def main():
     texts = [open(header, encoding="utf-8").read() for header in sys.argv[1:]]
     includes = "\n".join(f'#include "{header}"' for header in sys.argv[1:])
     robot, dof = re.search(r"enum \{ (\w+)_dof = (\d+)", texts[0]).groups()
+    dof = int(dof)
     print(HEAD.format(includes=includes))
     count = 0
     print(f"int main(void) {{\n  for (int round = 0; round < 100; ++round) {{\n    const int kind = round % 5;\n"
@@ -93,6 +98,8 @@ def main():
           "    free(joints);\n    free(copy(tool.position, 3));")
     for text in texts:
         for _, name, arguments in prototypes(text):
+            if any(argument.endswith("_metric metric") for argument in arguments):
+                continue  # it takes solutions and a function: tests/c/metrics_test.cpp
             count += 1
             print("    {\n      " + "\n      ".join(call(name, arguments, dof)) + "\n    }")
     print(f'  }}\n  puts("{robot}: {count} functions in C");\n  return 0;\n}}')

@@ -45,6 +45,8 @@ std::string by_single_turn(Attempt& attempt, std::size_t k);
 std::string by_orientation(Attempt& attempt);
 /// Three joints and a point: the orientation is not asked for.
 std::string by_position(Attempt& attempt);
+/// Four joints and a pitch: the first turns the others, which move in one plane, the last of them a turn.
+std::string by_pitch(Attempt& attempt);
 /// Parallel revolute joints in a plane: two of them with a position, three with an orientation too.
 std::string in_plane(Attempt& attempt);
 /// Six revolute joints, k, k+1, k+2 parallel: directions and heights along their axes hold the angles of two

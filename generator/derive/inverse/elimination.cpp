@@ -138,12 +138,18 @@ std::vector<Problem> problems_of(const Robot& robot) {
   return result;
 }
 
+/// The arm of a problem with its geometry in numbers, the given joint, if there is one, at no place.
+Robot sample_arm(const Robot& described, const Problem& problem) {
+  return model::with_geometry(problem.given < 0 ? problem.robot : described,
+                              model::sample_geometry(described));
+}
+
 /// Nothing if no elimination serves.
 std::optional<EliminationDerivation> derived(const Robot& described, const Problem& problem) {
   EliminationDerivation result;
   result.problem = problem;
   result.problem.moving = problem.given < 0 ? problem.robot : described;
-  result.arm = model::with_geometry(result.problem.moving, model::sample_geometry(described));
+  result.arm = sample_arm(described, problem);
   const Placed placed(result.arm);
   result.joints = placed.joints;
   result.tool = placed.tool;
@@ -164,12 +170,57 @@ void keep_best(std::vector<EliminationDerivation>& found) {
   found.resize(1);
 }
 
-std::string without_elimination(const Robot& robot) {
+/// True if three joints are two parallel turns and a slide across them: they move a plane in itself, and a
+/// pair of them, or of their neighbours, leaves equations that vanish.
+bool move_in_plane(const Axis* three) {
+  constexpr double nearly = 1e-9;
+  const Axis *slide = nullptr, *turn = nullptr, *other = nullptr;
+  for (const Axis* each = three; each != three + 3; ++each)
+    (!each->revolute ? slide : turn == nullptr ? turn : other) = each;
+  if (slide == nullptr || other == nullptr) return false;
+  const auto normal = cross(turn->axis, other->axis);
+  return dot(normal, normal) < nearly * nearly && std::abs(dot(slide->axis, turn->axis)) < nearly;
+}
+
+/// The variables of three joints in a row that do so, where need be in the order that results if a turn and a
+/// slide along its direction change places; empty if there are none.
+std::vector<std::string> joints_in_plane(const Robot& arm) {
+  std::vector<Axis> axes = Placed(arm).joints;
+  std::vector<std::string> names;
+  for (const model::Joint& joint : arm.joints) names.push_back(joint.variable);
+  const auto found = [&]() -> std::vector<std::string> {
+    for (std::size_t k = 0; k + 2 < axes.size(); ++k)
+      if (move_in_plane(&axes[k])) return {names[k], names[k + 1], names[k + 2]};
+    return {};
+  };
+  const auto change_places = [&](std::size_t i) {
+    if (axes[i].revolute == axes[i + 1].revolute) return false;
+    const auto normal = cross(axes[i].axis, axes[i + 1].axis);
+    if (dot(normal, normal) > 1e-18) return false;
+    std::swap(axes[i], axes[i + 1]);
+    std::swap(names[i], names[i + 1]);
+    return true;
+  };
+  std::vector<std::string> result = found();
+  for (std::size_t i = 0; result.empty() && i + 1 < axes.size(); ++i) {
+    if (!change_places(i)) continue;
+    result = found();
+    change_places(i);
+  }
+  return result;
+}
+
+std::string without_elimination(const Robot& robot, const Robot& arm) {
   const auto slides = std::count_if(robot.joints.begin(), robot.joints.end(), [](const auto& joint) {
     return joint.type == model::JointType::prismatic;
   });
-  return slides > 2 ? "by elimination: more than two of the joints slide"
-                    : "by elimination: none finds the joints of sampled poses";
+  if (slides > 2) return "by elimination: more than two of the joints slide";
+  const bool is_whole = arm.joints.size() == static_cast<std::size_t>(six);
+  const std::vector<std::string> plane = is_whole ? joints_in_plane(arm) : std::vector<std::string>();
+  if (!plane.empty())
+    return "by elimination: the joints " + plane[0] + ", " + plane[1] + " and " + plane[2] +
+           ", two parallel turns and a slide across them, move in a plane, and none serves";
+  return "by elimination: none finds the joints of sampled poses";
 }
 
 }  // namespace
@@ -187,7 +238,8 @@ EliminationDerivations derive_eliminations(const Robot& described) {
       asks_for_all && !request.every_given ? result.found.size() == problems.size() : !result.found.empty();
   if (!is_enough) {
     result.found.clear();
-    if (!problems.empty()) result.reasons.push_back(without_elimination(described));
+    if (!problems.empty())
+      result.reasons.push_back(without_elimination(described, sample_arm(described, problems.front())));
   } else if (!asks_for_all) {
     keep_best(result.found);
   }
@@ -255,6 +307,23 @@ std::vector<std::string> describe_elimination(const EliminationDerivation& deriv
     lines.push_back("  " + text[1]);
   }
   return lines;
+}
+
+bool nearly_has_structure(const Robot& described) {
+  if (described.joints.size() != static_cast<std::size_t>(six) || !is_in_numbers(described)) return false;
+  const Placed placed(described);
+  EliminationDerivation arm;
+  arm.joints = placed.joints;
+  arm.tool = placed.tool;
+  const double size = elimination::chain_of(elimination::description_of(arm.arm_at_zero<six>())).size;
+  for (std::size_t i = 0; i + 1 < six; ++i) {
+    const Axis &a = arm.joints[i], &b = arm.joints[i + 1];
+    const auto normal = cross(a.axis, b.axis);
+    if (!a.revolute || !b.revolute || dot(normal, normal) < 1e-18) continue;
+    const double gap = distance(a, b);
+    if (gap > 1e-12 * size && gap < 0.1 * size) return true;
+  }
+  return false;
 }
 
 }  // namespace qvgen::derive::inverse

@@ -47,6 +47,10 @@ EliminationDerivations derive_eliminations(const model::Robot& described);
 /// asked, whose expressions become long where every angle is a constant of its own.
 bool lacks_structure(const model::Robot& described);
 
+/// True if the axes of two neighbours, both turns, pass each other at less than a tenth of the arm's size,
+/// but do not meet: a maker's offset, or the rounding of a file. Of an arm of six joints in numbers.
+bool nearly_has_structure(const model::Robot& described);
+
 /// Describes what is eliminated and how, for people: a line for each elimination, by the joints' variables.
 std::vector<std::string> describe_elimination(const EliminationDerivation& derivation);
 

@@ -100,6 +100,22 @@ std::string dependent_joints(const Attempt& attempt, const std::vector<std::size
          (position_only ? " point" : "") + ": the Jacobian's determinant vanishes everywhere";
 }
 
+std::string dependent_joints_of_pitch(const Attempt& attempt) {
+  const auto& screws = attempt.chain.screws;
+  for (const long place : {1, 2, 3}) {
+    const Placed placed(attempt, place);
+    std::vector<Column> columns;
+    for (std::size_t joint = 0; joint < 4; ++joint) {
+      Column column = placed.column(joint);
+      const bool turns = joint > 0 && screws[joint].revolute;
+      column[3] = turns ? attempt.scope.value(symbolic::dot(screws[joint].axis, screws[3].axis)) : numeric(0);
+      columns.push_back(column);
+    }
+    if (independent(std::move(columns), 4)) return "";
+  }
+  return "at every pose some joints can move without moving the tool point or changing the pitch";
+}
+
 std::string dependent_joints_about(const Attempt& attempt, std::size_t k) {
   for (const long place : {1, 2, 3}) {
     const Placed placed(attempt, place);

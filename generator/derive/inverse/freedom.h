@@ -14,6 +14,10 @@ namespace qvgen::derive::inverse {
 std::string dependent_joints(const Attempt& attempt, const std::vector<std::size_t>& joints,
                              bool position_only);
 
+/// Names the dependent joints of an arm of four that is asked for a pitch, which all but the first change by
+/// their turns: empty if they move the tool point and the pitch in every way at an ordinary place.
+std::string dependent_joints_of_pitch(const Attempt& attempt);
+
 /// Names the dependent joints of an arm whose joint k of four has a point on its axis that the three others
 /// place.
 std::string dependent_joints_about(const Attempt& attempt, std::size_t k);

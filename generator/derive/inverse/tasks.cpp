@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 
 #include "derive/inverse/attempt.h"
 #include "derive/inverse/inverse.h"
 #include "derive/inverse/requests.h"
 #include "model/arithmetic.h"
+#include "symbolic/model.h"
 
 namespace qvgen::derive::inverse {
 
@@ -96,6 +98,26 @@ Derivation kept_level(const Robot& robot) {
   return derivation;
 }
 
+/// True if an axis of the tool is inclined by the joints that turn about the last one's axis.
+bool has_pitch(const Problem& problem, const Vector3& axis) {
+  const Attempt attempt(problem);
+  const symbolic::Vector at_zero = symbolic::rotate(attempt.chain.home.q, symbolic::to_symbolic(axis));
+  return !attempt.scope.is_zero(symbolic::cross(at_zero, attempt.chain.screws.back().axis));
+}
+
+/// Derives the pitch of the first axis of the tool that has one. `joint`: the one whose value is given, if
+/// there is one.
+Derivation pitched(const Robot& robot, std::optional<std::size_t> joint) {
+  const auto moving = [&](const Problem& problem) { return joint ? with_held(problem, *joint) : problem; };
+  return first_found(tool_axes(robot.inverse), [&](const Vector3& axis) -> Derivation {
+    Problem problem = problem_of(robot, Task::position_and_pitch);
+    problem.tool_axis = axis;
+    if (!has_pitch(moving(problem), axis))
+      return {false, {}, {}, {"no joint changes the pitch of the tool's axis " + model::axis_text(axis)}};
+    return in_canonical_frames(problem, [&](const Problem& arm) { return derive_pitch(moving(arm)); });
+  });
+}
+
 /// Ways to derive what an arm may be asked for, the most it can follow first.
 using Way = std::function<Derivation()>;
 struct Offer {
@@ -122,6 +144,8 @@ std::vector<Offer> offers(const Robot& robot) {
   if (count == 5 && kinds.level) offer(Task::position_and_yaw, [&robot] { return kept_level(robot); });
   if (count == 4 && kinds.parallel) whole(Task::position_and_yaw, derive_pose);
   if (count == 4) checked(Task::pose, Filter::pose, 4, derive_pose);
+  if (count == 4 && !kinds.parallel && kinds.turns > 1)
+    offer(Task::position_and_pitch, [&robot] { return pitched(robot, std::nullopt); });
   if (count == 3 && kinds.planar && kinds.slides == 0) whole(Task::pose, derive_pose);
   if (count == 3 && !kinds.planar) whole(Task::position, derive_position);
   if (count == 3 && kinds.turns == 3) whole(Task::orientation, derive_orientation);
@@ -141,10 +165,15 @@ bool turns_in_plane(const Robot& robot) {
   return robot.joints.size() == 3 && kinds.planar && kinds.turns == 3;
 }
 
+bool has_one_too_many_for_a_pitch(const Robot& robot) {
+  return robot.joints.size() == 5 && robot.inverse.task == Task::position_and_pitch;
+}
+
 /// True if a joint's value may be given.
 bool has_one_too_many(const Robot& robot) {
   const std::size_t count = robot.joints.size();
-  return count == 7 || (count == 4 && robot.inverse.task == Task::position) || turns_in_plane(robot);
+  return count == 7 || (count == 4 && robot.inverse.task == Task::position) || turns_in_plane(robot) ||
+         has_one_too_many_for_a_pitch(robot);
 }
 
 /// Says why no joint of so many may be given.
@@ -159,14 +188,41 @@ std::string joints_over(std::size_t count) {
 
 }  // namespace
 
+namespace {
+
+/// The joints that may be given where a pitch is asked for, the roll of the tool first: it changes no pitch
+/// of its own axis.
+Derivation derive_pitch_with_given(const Robot& robot) {
+  std::vector<std::size_t> joints = given_joints(robot);
+  std::sort(joints.rbegin(), joints.rend());
+  return first_found(joints, [&](std::size_t joint) {
+    Derivation derivation = pitched(robot, joint);
+    for (std::string& reason : derivation.reasons)
+      reason = "with " + robot.joints[joint].variable + " given: " + reason;
+    return derivation;
+  });
+}
+
+/// Returns what an arm of five joints may be asked for that nothing else is derived for.
+std::vector<std::string> other_task(const Robot& robot) {
+  if (robot.joints.size() != 5) return {};
+  const Derivation derivation = derive_pitch_with_given(robot);
+  if (!derivation.found) return {};
+  return {"it may be asked for task = \"position_and_pitch\", with joint " +
+          std::to_string(derivation.problem.given + 1) + " given"};
+}
+
+}  // namespace
+
 Derivation derive(const Robot& robot) {
+  if (has_one_too_many_for_a_pitch(robot)) return {};
   const std::vector<Offer> all = offers(robot);
   if (!robot.inverse.given.empty() && !has_one_too_many(robot))
     return {false,
             {},
             {},
-            {"a joint's value may be given for seven joints, four that are asked for a position, or "
-             "three that turn in a plane; " +
+            {"a joint's value may be given for seven joints, five that are asked for a position and a pitch, "
+             "four that are asked for a position, or three that turn in a plane; " +
              joints_over(robot.joints.size())}};
   const auto asked = robot.inverse.task;
   std::vector<Offer> wanted;
@@ -182,6 +238,8 @@ Derivation derive(const Robot& robot) {
   if (wanted.empty() && !all.empty())
     derivation.reasons.push_back("the task " + model::task_name(*asked) +
                                  " is none for this arm: it may be asked for " + tasks);
+  if (!derivation.found)
+    for (const std::string& other : other_task(robot)) derivation.reasons.push_back(other);
   if (derivation.found && asked == Task::pose && derivation.problem.task != Task::pose) {
     derivation.problem.task = Task::pose;
     derivation.problem.filter = Filter::pose;
@@ -199,6 +257,7 @@ Derivation with_given(const Robot& robot, Task task, std::size_t joint, Derivati
 /// The best of the joints that may be given.
 Derivation derive_best_given(const Robot& robot) {
   const std::size_t count = robot.joints.size();
+  if (has_one_too_many_for_a_pitch(robot)) return derive_pitch_with_given(robot);
   if (turns_in_plane(robot) || (count == 4 && robot.inverse.task == Task::position))
     return first_found(given_joints(robot), [&](std::size_t joint) {
       return with_given(robot, Task::position, joint, derive_position);

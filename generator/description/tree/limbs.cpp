@@ -27,15 +27,18 @@ bool is_hand(const std::vector<Node>& nodes, const MovingTree& tree, std::size_t
   const std::size_t depth = tree.height[link];
   if (branches.empty() || depth > longest_finger || tree.joints[link] < std::max(shortest_arm, depth))
     return false;
-  const bool alike = std::all_of(branches.begin(), branches.end(),
-                                 [&](std::size_t branch) { return tree.height[branch] + 1 == depth; });
+  // Two fingers, or the bars of their linkages in pairs.
+  const bool alike = std::all_of(branches.begin(), branches.end(), [&](std::size_t branch) {
+    return std::count_if(branches.begin(), branches.end(),
+                         [&](std::size_t other) { return tree.height[other] == tree.height[branch]; }) > 1;
+  });
   const auto is_named = [&](std::size_t branch) { return is_finger(nodes[branch]); };
   // Motors of a hand are single joints beside its fingers.
   const bool named = std::any_of(branches.begin(), branches.end(), is_named) &&
                      std::all_of(branches.begin(), branches.end(), [&](std::size_t branch) {
                        return is_named(branch) || tree.height[branch] == 0;
                      });
-  return named || (alike && branches.size() > 1 && depth <= longest_unnamed);
+  return named || (alike && depth <= longest_unnamed);
 }
 
 /// The moving links from the base to one of them.

@@ -68,10 +68,11 @@ std::size_t usable_joints(const Nodes& nodes, std::size_t base, std::size_t end)
   return count;
 }
 
-/// Returns the link on which the own joints of a limb hang if those alone are a usual arm and with a torso's
-/// they are too many; else none.
+/// Returns the link on which the own joints of a limb hang if with a torso's they are too many: those alone
+/// are a usual arm, or all together are more than a description may have. Else none.
 std::size_t shoulder_of(const Nodes& nodes, std::size_t base, const Limb& limb) {
-  if (!is_usual(limb.own) || usable_joints(nodes, base, limb.end) <= 7) return Node::none;
+  const std::size_t all = usable_joints(nodes, base, limb.end);
+  if (all <= 7 || (!is_usual(limb.own) && all <= max_joints)) return Node::none;
   std::size_t link = limb.end;
   for (std::size_t joints = 0; link != base && joints < limb.own; link = nodes[link].parent)
     joints += nodes[link].moves ? 1 : 0;

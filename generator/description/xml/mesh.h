@@ -28,6 +28,9 @@ Mesh read_stl(const std::string& text);
 Mesh read_obj(const std::string& text);
 Mesh read_msh(const std::string& text);
 
+/// The triangles around all points of a mesh, outwards; the mesh's own do not count.
+Mesh convex_hull(const Mesh& mesh);
+
 /// How the volume is counted: `legacy` takes that of every triangle's pyramid as positive (MuJoCo's default,
 /// which forgives triangles that face the wrong way), `exact` with its sign, `shell` the surface.
 enum class MeshInertia { legacy, exact, shell };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include "description/xml/mesh.h"
+#include "description/xml/mesh_vectors.h"
 
 // Every triangle is the base of a pyramid whose top is inside: first at the centroid of the surface, to find
 // the centre, then at that centre. MuJoCo does so too, and where the volumes are taken as positive it
@@ -10,12 +10,6 @@ namespace qvgen::description::xml {
 namespace {
 
 using Corners = std::array<Point, 3>;
-
-Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 Corners corners(const Mesh& mesh, std::size_t triangle, const Point& from) {
   const auto& t = mesh.triangles[triangle];

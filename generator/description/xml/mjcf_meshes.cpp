@@ -20,17 +20,17 @@ std::filesystem::path path_of(const MjcfModel& model, const std::string& file) {
   return model.folder / model.settings.mesh_folder / (model.settings.strip_paths ? name.filename() : name);
 }
 
-/// Vertices and faces that stand in the model itself.
+/// Vertices and faces that stand in the model itself; without faces those of the convex hull are meant.
 Mesh written_mesh(Context& context, const Element& mesh) {
   Mesh result;
   const Attribute* vertices = mesh.attribute("vertex");
   const Attribute* faces = mesh.attribute("face");
-  if (vertices == nullptr || faces == nullptr) {
-    result.problem =
-        vertices == nullptr ? "it names no file" : "it has vertices only: the convex hull is not read";
+  if (vertices == nullptr) {
+    result.problem = "it names no file";
     return result;
   }
-  const auto points = read_decimals(context, *vertices), corners = read_decimals(context, *faces);
+  const auto points = read_decimals(context, *vertices);
+  const auto corners = faces == nullptr ? std::nullopt : read_decimals(context, *faces);
   for (std::size_t i = 0; points && i + 2 < points->size(); i += 3) {
     Point& point = result.points.emplace_back();
     for (std::size_t k = 0; k < 3; ++k)
@@ -47,7 +47,7 @@ Mesh written_mesh(Context& context, const Element& mesh) {
       triangle.at(k) = static_cast<std::size_t>(index);
     }
   }
-  if (result.triangles.empty()) result.problem = "it has no triangles";
+  if (faces != nullptr && result.triangles.empty()) result.problem = "it has no triangles";
   return result;
 }
 
@@ -92,6 +92,7 @@ const MjcfMeshes::Result& MjcfMeshes::of(const MjcfModel& model, const std::stri
 Mesh MjcfMeshes::points(const MjcfModel& model, const Element& mesh) const {
   const std::string file = text_of(mesh, "file");
   Mesh result = file.empty() ? written_mesh(*context_, mesh) : read_mesh(path_of(model, file));
+  if (!file.empty()) context_->files.push_back(path_of(model, file).string());
   if (!result.problem.empty() && !file.empty())
     result.problem = path_of(model, file).string() + ": " + result.problem;
   place(*context_, mesh, result.points);
@@ -104,10 +105,13 @@ MjcfMeshes::Result MjcfMeshes::read(const MjcfModel& model, const std::string& n
   const auto asset = model.meshes.find(name);
   if (asset == model.meshes.end()) return {{}, "there is no <mesh> of that name in <asset>"};
   const std::string kind = text_of(asset->second, "inertia");
-  if (kind == "convex") return {{}, "the convex hull is not read"};
-  const Mesh mesh = points(model, asset->second);
+  Mesh mesh = points(model, asset->second);
+  const bool is_hull = mesh.problem.empty() && (kind == "convex" || mesh.triangles.empty());
+  if (is_hull && asset->second.attribute("maxhullvert") != nullptr)
+    return {{}, "it is counted by a hull of few vertices (maxhullvert), which MuJoCo alone chooses"};
+  if (is_hull) mesh = convex_hull(mesh);
   if (!mesh.problem.empty()) return {{}, mesh.problem};
-  const bool exact = kind == "exact" || (kind.empty() && model.settings.inertia.exact_meshes);
+  const bool exact = is_hull || kind == "exact" || (kind.empty() && model.settings.inertia.exact_meshes);
   const auto inertia = kind == "shell" ? MeshInertia::shell
                        : exact         ? MeshInertia::exact
                                        : MeshInertia::legacy;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "emit/c/parts.h"
-#include "emit/cpp/symbol_table.h"
-#include "emit/cpp/template_values.h"
+#include "emit/c/printer.h"
+#include "emit/leaves.h"
 #include "emit/render.h"
+#include "emit/template_values.h"
 #include "model/followers.h"
 
 namespace qvgen::emit::c {
@@ -78,7 +79,7 @@ std::vector<std::string> without_slashes(const std::string& doc) {
 Function function_of(const model::Robot& robot, const optimise::Optimised& from) {
   const DynamicsInterface interface = dynamics_interface(from.name);
   const auto angles = angles_of(from.function);
-  const DynamicsCode code = dynamics_code(robot, from, angles, spelling());
+  const DynamicsCode code = dynamics_code(robot, from, angles, printer());
   Function function{from.name, without_slashes(dynamics_doc(robot, from, interface)),
                     parameters_of(robot, interface, code.code.outputs.size())};
   if (interface.result == Result::scalar) function.result = "double";
@@ -90,7 +91,7 @@ Function function_of(const model::Robot& robot, const optimise::Optimised& from)
 }
 
 Function base_parameters(const model::Robot& robot, const derive::dynamics::Regressor& regressor) {
-  const Code code = base_parameters_code(robot, regressor, spelling());
+  const Code code = base_parameters_code(robot, regressor, printer());
   const std::string count = std::to_string(10 * robot.joints.size());
   Function function{
       "base_parameters",
@@ -107,7 +108,7 @@ Function base_parameters(const model::Robot& robot, const derive::dynamics::Regr
 /// The parameters of the columns of a regressor with drives.
 Function identifiable_parameters(const model::Robot& robot,
                                  const derive::dynamics::DriveRegressor& drive_regressor) {
-  const Code code = identifiable_parameters_code(robot, drive_regressor.regressor, spelling());
+  const Code code = identifiable_parameters_code(robot, drive_regressor.regressor, printer());
   const std::string standard = "[" + std::to_string(10 * robot.joints.size()) + "]";
   const std::string drives = "[" + std::to_string(4 * robot.joints.size()) + "]";
   Function function{
@@ -148,7 +149,7 @@ Part regressor_with_drives(const model::Robot& robot, const derive::dynamics::Dr
 }
 
 Part total_mass(const model::Robot& robot) {
-  const Code code = total_mass_code(robot, spelling());
+  const Code code = total_mass_code(robot, printer());
   Function function{"total_mass", {"Mass of all links, kg."}, {geometry(robot), inertia(robot)}, "double"};
   append(function.statements, temporaries(code));
   function.statements.push_back("return " + code.outputs.front().expression + ";");

@@ -6,21 +6,16 @@
 #include <map>
 #include <regex>
 
-#include "emit/cpp/symbol_table.h"
-#include "emit/cpp/template_values.h"
+#include "emit/c/printer.h"
+#include "emit/leaves.h"
 #include "emit/render.h"
+#include "emit/template_values.h"
 #include "model/followers.h"
 
 namespace qvgen::emit::c {
 namespace {
 
 using nlohmann::json;
-
-std::string number(const std::string& literal) {
-  const bool whole = literal.find_first_not_of("-0123456789") == std::string::npos;
-  const std::string text = whole ? literal + ".0" : literal;
-  return text[0] == '-' ? "(" + text + ")" : text;
-}
 
 bool is_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
@@ -61,14 +56,6 @@ std::string dimension(std::size_t size) { return "[" + std::to_string(size) + "]
 
 }  // namespace
 
-const Spelling& spelling() {
-  static const Spelling c_spelling{
-      number, "->",
-      [](const std::string& rate) { return "(" + rate + " > 0 ? 1.0 : " + rate + " < 0 ? -1.0 : 0.0)"; },
-      [](const std::string& function, const std::string& value) { return function + "(" + value + ")"; }};
-  return c_spelling;
-}
-
 Part& Part::operator+=(const Part& more) {
   for (const auto& text : {&Part::header, &Part::source}) {
     const bool both = !(this->*text).empty() && !(more.*text).empty();
@@ -95,14 +82,14 @@ Parameter result_struct(const model::Robot& robot, const std::string& type) {
 
 std::vector<std::string> sine_cosine_statements(const model::Robot& robot, const dag::Function& function,
                                                 const std::vector<dag::Angle>& angles) {
-  const SymbolTable table = symbol_table(robot, angles, {}, spelling());
+  const ast::Leaves leaves = robot_leaves(robot, angles);
   std::map<std::size_t, std::vector<std::string>> used;  // sine, cosine or both of an angle
   for (const auto& [place, op] : sines_and_cosines_of(function, angles))
     used[place].push_back(op == dag::Op::sine ? "s" : "c");
   std::vector<std::string> lines;
   for (const auto& [place, letters] : used) {
     const std::string name = angle_name(robot, angles[place], place);
-    std::string angle = angle_code(angles[place], table);
+    std::string angle = angle_code(angles[place], leaves, printer());
     if (letters.size() > 1 && angle.find(' ') != std::string::npos) {
       lines.push_back("const double a" + name + " = " + angle + ";");
       angle = "a" + name;

@@ -4,15 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "emit/cpp/code.h"
+#include "emit/code.h"
 #include "model/robot.h"
 
 /// Functions in C99, from the graphs of the C++ ones: plain arrays, libm, no overloads. Expressions are those
 /// of C++ but for their spelling.
 namespace qvgen::emit::c {
-
-/// Numbers as 2.0; constants behind pointers.
-const Spelling& spelling();
 
 /// Text of a robot's header and of its source.
 struct Part {

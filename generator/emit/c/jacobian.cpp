@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "emit/c/parts.h"
-#include "emit/cpp/symbol_table.h"
+#include "emit/c/printer.h"
+#include "emit/leaves.h"
 #include "emit/render.h"
 #include "model/followers.h"
 #include "verify/counts_json.h"
@@ -56,7 +57,7 @@ std::vector<std::string> doc(const JacobianFunction& function) {
 Function function_of(const model::Robot& robot, const JacobianFunction& from) {
   const dag::Function& graph = from.optimised.function;
   const auto angles = angles_of(graph);
-  const Code code = jacobian_code(from, robot, angles, spelling());
+  const Code code = jacobian_code(from, robot, angles, printer());
   Function function{from.name, doc(from), {joint_array(robot, "q")}};
   for (const auto& each : from.arguments) function.parameters.push_back(argument(robot, each));
   function.parameters.push_back(geometry(robot));
@@ -94,6 +95,14 @@ Part jacobian(const model::Robot& robot, const std::vector<JacobianFunction>& fu
     if (!function.targets.empty()) all.push_back(function_of(robot, function));
   Part part{render("c/jacobian.h", {{"name", robot.name}, {"dof", model::driven_count(robot)}})};
   return part += written(robot, all);
+}
+
+Part velocity(const model::Robot& robot, const std::vector<std::string>& wrist) {
+  nlohmann::json values{{"name", robot.name}, {"dof", model::driven_count(robot)}, {"wrist", !wrist.empty()}};
+  values["centre"] = nlohmann::json::array();
+  if (!wrist.empty())
+    values["centre"].push_back({{"x", wrist.at(0)}, {"y", wrist.at(1)}, {"z", wrist.at(2)}});
+  return {render("c/velocity.h", values), render("c/velocity.c", values)};
 }
 
 }  // namespace qvgen::emit::c

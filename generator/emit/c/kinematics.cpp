@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "emit/c/parts.h"
-#include "emit/cpp/symbol_table.h"
-#include "emit/cpp/template_values.h"
+#include "emit/c/printer.h"
+#include "emit/leaves.h"
 #include "emit/render.h"
+#include "emit/template_values.h"
 
 namespace qvgen::emit::c {
 namespace {
@@ -16,7 +17,7 @@ Function function_of(const model::Robot& robot, const optimise::Optimised& optim
                      const std::vector<std::string>& doc, const Parameter& result,
                      const std::vector<std::string>& targets) {
   const auto angles = angles_of(optimised.function);
-  const Code code = straight_code(optimised.function, symbol_table(robot, angles, {}, spelling()));
+  const Code code = straight_code(optimised.function, robot_leaves(robot, angles), printer());
   Function function{optimised.name, doc, {joint_array(robot, "q"), geometry(robot), result}};
   append(function.statements, sine_cosine_statements(robot, optimised.function, angles));
   append(function.statements, temporaries(code));

@@ -5,8 +5,9 @@
 #include <fmt/format.h>
 
 #include "emit/c/parts.h"
-#include "emit/cpp/template_values.h"
+#include "emit/c/printer.h"
 #include "emit/render.h"
+#include "emit/template_values.h"
 
 namespace qvgen::emit::c {
 namespace {
@@ -15,7 +16,7 @@ using nlohmann::json;
 
 std::string number(double value) {
   if (std::isinf(value)) return value > 0 ? "HUGE_VAL" : "-HUGE_VAL";
-  return spelling().number(fmt::format("{}", value));
+  return printer().text(ast::real(fmt::format("{}", value)));
 }
 
 /// Writes the value of a constant; NAN if nobody has set it, so that results show it.

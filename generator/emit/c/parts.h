@@ -41,6 +41,9 @@ Part transform(const model::Robot& robot, const optimise::Optimised& optimised,
                const std::vector<std::string>& doc);
 
 Part jacobian(const model::Robot& robot, const std::vector<JacobianFunction>& functions);
+/// Header and source of joint rates for twists; `wrist` are the wrist centre's x, y and z in the tool frame
+/// as expressions of C, or nothing.
+Part velocity(const model::Robot& robot, const std::vector<std::string>& wrist);
 /// The places of frames in what `frame_poses` fills in, and functions of frames.
 Part frames(const model::Robot& robot, const std::vector<std::string>& names,
             const std::vector<JacobianFunction>& functions);

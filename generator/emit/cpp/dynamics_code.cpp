@@ -6,10 +6,12 @@
 #include <stdexcept>
 
 #include "derive/dynamics/drive_parameters.h"
-#include "emit/cpp/literal.h"
-#include "emit/cpp/symbol_table.h"
-#include "emit/cpp/template_values.h"
+#include "emit/ast/angle.h"
+#include "emit/ast/literal.h"
+#include "emit/cpp/angles.h"
+#include "emit/leaves.h"
 #include "emit/math/dynamics_choices.h"
+#include "emit/template_values.h"
 #include "model/followers.h"
 #include "passes/constants.h"
 #include "verify/counts_json.h"
@@ -26,21 +28,23 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   return text;
 }
 
-/// Constants as the code writes them: numbers in place, the others by their place in the set-up function's
+using Known = std::map<std::string, ast::Expression>;
+
+/// Constants as the code has them: numbers in place, the others by their place in the set-up function's
 /// array.
 struct Constants {
-  std::map<std::string, std::string> text;
+  Known value;
   dag::Function stored;
 };
 
-Constants constants_of(const Optimised& function, const Spelling& spelling) {
+Constants constants_of(const Optimised& function) {
   Constants result;
   result.stored.graph = function.constants.graph;
   for (const dag::Output& output : function.constants.outputs) {
     if (function.constants.graph.is_constant(output.value)) {
-      result.text[output.name] = spelling.number(literal(function.constants.graph.value_of(output.value)));
+      result.value[output.name] = ast::real(literal(function.constants.graph.value_of(output.value)));
     } else {
-      result.text[output.name] = "k[" + std::to_string(result.stored.outputs.size()) + "]";
+      result.value[output.name] = ast::entry("k", result.stored.outputs.size());
       result.stored.outputs.push_back(output);
     }
   }
@@ -55,42 +59,42 @@ json statements_of(const std::vector<Code::Value>& outputs, Result result, std::
   return list;
 }
 
-SymbolTable names_of(const model::Robot& robot, const std::vector<dag::Angle>& angles,
-                     const std::map<std::string, std::string>& constants, const Spelling& spelling) {
-  std::map<std::string, std::string> known = constants;
+ast::Leaves leaves_of(const model::Robot& robot, const std::vector<dag::Angle>& angles,
+                      const Known& constants) {
+  Known known = constants;
   const std::vector<std::string> variables = model::variables(robot);
   for (std::size_t i = 0; i < variables.size(); ++i) {
     const std::string& variable = variables[i];
-    const std::string index = "[" + std::to_string(i) + "]";
-    known[derive::dynamics::velocity_of(variable)] = "qd" + index;
-    known[derive::dynamics::acceleration_of(variable)] = "qdd" + index;
-    known[derive::dynamics::force_of(variable)] = "torque" + index;
-    known[derive::dynamics::direction_of(variable)] = spelling.direction("qd" + index);
+    const ast::Expression rate = ast::entry("qd", i);
+    known[derive::dynamics::velocity_of(variable)] = rate;
+    known[derive::dynamics::acceleration_of(variable)] = ast::entry("qdd", i);
+    known[derive::dynamics::force_of(variable)] = ast::entry("torque", i);
+    known[derive::dynamics::direction_of(variable)] = ast::call(ast::Expression::Kind::direction, "", {rate});
   }
-  for (std::size_t k = 0; k < 6; ++k)
-    known[derive::dynamics::wrench_component(k)] = "wrench[" + std::to_string(k) + "]";
-  return symbol_table(
-      robot, angles, [known](const std::string& name) { return known.at(name); }, spelling);
+  for (std::size_t k = 0; k < 6; ++k) known[derive::dynamics::wrench_component(k)] = ast::entry("wrench", k);
+  return robot_leaves(robot, angles, [known](const std::string& name) { return known.at(name); });
 }
 
-/// A table where sines and cosines are of constant angles.
-SymbolTable constant_names(const model::Robot& robot, const std::map<std::string, std::string>& known,
-                           const Spelling& spelling) {
-  SymbolTable names = symbol_table(
-      robot, {}, [known](const std::string& name) { return known.at(name); }, spelling);
-  const SymbolTable leaves = names;
-  names.sine = [leaves](const dag::Angle& angle) { return "sin(" + angle_code(angle, leaves) + ")"; };
-  names.cosine = [leaves](const dag::Angle& angle) { return "cos(" + angle_code(angle, leaves) + ")"; };
-  return names;
+/// Leaves where sines and cosines are of constant angles.
+ast::Leaves constant_leaves(const model::Robot& robot, const Known& known) {
+  const auto symbol =
+      robot_leaves(robot, {}, [known](const std::string& name) { return known.at(name); }).symbol;
+  const auto called = [symbol](const char* function) {
+    return [symbol, function](const dag::Angle& angle) {
+      return ast::call(ast::Expression::Kind::named, function, {ast::angle_value(angle, symbol)});
+    };
+  };
+  return {symbol, called("sin"), called("cos")};
 }
 
-SymbolTable set_up_names(const model::Robot& robot, const Spelling& spelling) {
-  std::map<std::string, std::string> known{{derive::dynamics::gravity_symbol, "gravity"}};
+ast::Leaves set_up_leaves(const model::Robot& robot) {
+  Known known{{derive::dynamics::gravity_symbol, ast::name("gravity")}};
   for (std::size_t k = 0; k < 3; ++k)
-    known[derive::dynamics::gravity_component(k)] = "gravity[" + std::to_string(k) + "]";
+    known[derive::dynamics::gravity_component(k)] = ast::entry("gravity", k);
+  const ast::Expression inertia = ast::name("inertia", {"Inertia"}, ast::Reach::reference);
   for (const model::Parameter& parameter : robot.inertia_parameters)
-    known[parameter.name] = "inertia" + spelling.member + parameter.name;
-  return constant_names(robot, known, spelling);
+    known[parameter.name] = ast::member(inertia, parameter.name);
+  return constant_leaves(robot, known);
 }
 
 std::string joined(const std::vector<std::string>& items, const std::string& before,
@@ -162,10 +166,10 @@ std::string dynamics_doc(const model::Robot& robot, const Optimised& function,
 }
 
 DynamicsCode dynamics_code(const model::Robot& robot, const Optimised& function,
-                           const std::vector<dag::Angle>& angles, const Spelling& spelling) {
-  const Constants constants = constants_of(function, spelling);
-  return {straight_code(constants.stored, set_up_names(robot, spelling)),
-          straight_code(function.function, names_of(robot, angles, constants.text, spelling))};
+                           const std::vector<dag::Angle>& angles, const ast::Printer& language) {
+  const Constants constants = constants_of(function);
+  return {straight_code(constants.stored, set_up_leaves(robot), language),
+          straight_code(function.function, leaves_of(robot, angles, constants.value), language)};
 }
 
 json dynamics_values(const model::Robot& robot, const Optimised& function, const DynamicsInterface& interface,
@@ -199,21 +203,21 @@ json dynamics_values(const model::Robot& robot, const Optimised& function, const
 }
 
 Code base_parameters_code(const model::Robot& robot, const derive::dynamics::Regressor& regressor,
-                          const Spelling& spelling) {
-  std::map<std::string, std::string> known;
+                          const ast::Printer& language) {
+  Known known;
   for (std::size_t i = 0; i < 10 * robot.joints.size(); ++i)
-    known[derive::dynamics::standard_parameter(i)] = "standard[" + std::to_string(i) + "]";
-  return straight_code(regressor.base_parameters, constant_names(robot, known, spelling));
+    known[derive::dynamics::standard_parameter(i)] = ast::entry("standard", i);
+  return straight_code(regressor.base_parameters, constant_leaves(robot, known), language);
 }
 
 Code identifiable_parameters_code(const model::Robot& robot, const derive::dynamics::Regressor& regressor,
-                                  const Spelling& spelling) {
-  std::map<std::string, std::string> known{{derive::dynamics::gravity_symbol, "gravity"}};
+                                  const ast::Printer& language) {
+  Known known{{derive::dynamics::gravity_symbol, ast::name("gravity")}};
   for (std::size_t i = 0; i < 10 * robot.joints.size(); ++i)
-    known[derive::dynamics::standard_parameter(i)] = "standard[" + std::to_string(i) + "]";
+    known[derive::dynamics::standard_parameter(i)] = ast::entry("standard", i);
   for (std::size_t i = 0; i < derive::dynamics::drive_parameters.size() * robot.joints.size(); ++i)
-    known[derive::dynamics::drive_parameter(i)] = "drives[" + std::to_string(i) + "]";
-  return straight_code(regressor.base_parameters, constant_names(robot, known, spelling));
+    known[derive::dynamics::drive_parameter(i)] = ast::entry("drives", i);
+  return straight_code(regressor.base_parameters, constant_leaves(robot, known), language);
 }
 
 namespace {
@@ -242,13 +246,13 @@ json identifiable_parameter_values(const model::Robot& robot,
           {"left_out", lines_of(left_out)}};
 }
 
-Code total_mass_code(const model::Robot& robot, const Spelling& spelling) {
+Code total_mass_code(const model::Robot& robot, const ast::Printer& language) {
   dag::Function function;
   derive::dynamics::Scalar mass;
   for (const model::Joint& joint : robot.joints)
     mass = mass + derive::dynamics::to_scalar(joint.inertia.mass, function.graph);
   function.outputs.push_back({"mass", mass.in(function.graph)});
-  return straight_code(passes::fold_constants(function), set_up_names(robot, spelling));
+  return straight_code(passes::fold_constants(function), set_up_leaves(robot), language);
 }
 
 json base_parameter_values(const model::Robot& robot, const derive::dynamics::Regressor& regressor) {

@@ -8,7 +8,8 @@
 
 #include "derive/dynamics/drive_regressor.h"
 #include "derive/dynamics/regressor.h"
-#include "emit/cpp/code.h"
+#include "emit/code.h"
+#include "emit/cpp/printer.h"
 #include "optimise/dynamics.h"
 
 namespace qvgen::emit {
@@ -50,17 +51,17 @@ struct DynamicsCode {
   Code code;
 };
 DynamicsCode dynamics_code(const model::Robot& robot, const optimise::Optimised& function,
-                           const std::vector<dag::Angle>& angles, const Spelling& spelling = cpp_spelling());
+                           const std::vector<dag::Angle>& angles, const ast::Printer& language = plain_cpp());
 Code base_parameters_code(const model::Robot& robot, const derive::dynamics::Regressor& regressor,
-                          const Spelling& spelling = cpp_spelling());
+                          const ast::Printer& language = plain_cpp());
 
 /// The mass of all links; its only output.
-Code total_mass_code(const model::Robot& robot, const Spelling& spelling = cpp_spelling());
+Code total_mass_code(const model::Robot& robot, const ast::Printer& language = plain_cpp());
 
 /// The parameters of a regressor with drives in terms of standard and drive parameters, and its template
 /// values.
 Code identifiable_parameters_code(const model::Robot& robot, const derive::dynamics::Regressor& regressor,
-                                  const Spelling& spelling = cpp_spelling());
+                                  const ast::Printer& language = plain_cpp());
 nlohmann::json identifiable_parameter_values(const model::Robot& robot,
                                              const derive::dynamics::DriveRegressor& regressor);
 

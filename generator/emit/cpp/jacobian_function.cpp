@@ -5,9 +5,10 @@
 #include <stdexcept>
 
 #include "derive/jacobian/rates.h"
-#include "emit/cpp/code.h"
-#include "emit/cpp/symbol_table.h"
-#include "emit/cpp/template_values.h"
+#include "emit/code.h"
+#include "emit/cpp/angles.h"
+#include "emit/leaves.h"
+#include "emit/template_values.h"
 #include "model/followers.h"
 #include "optimise/optimised_json.h"
 #include "verify/counts_json.h"
@@ -18,17 +19,16 @@ namespace {
 using nlohmann::json;
 
 /// Joint rates are qd[i], the free point is point[i].
-SymbolTable names_of(const model::Robot& robot, const std::vector<dag::Angle>& angles,
-                     const Spelling& spelling) {
-  const auto others = [variables = model::variables(robot)](const std::string& name) -> std::string {
+ast::Leaves leaves_of(const model::Robot& robot, const std::vector<dag::Angle>& angles) {
+  const auto others = [variables = model::variables(robot)](const std::string& name) -> ast::Expression {
     for (std::size_t i = 0; i < variables.size(); ++i)
-      if (name == derive::rate_name(variables[i])) return "qd[" + std::to_string(i) + "]";
+      if (name == derive::rate_name(variables[i])) return ast::entry("qd", i);
     const std::string axes = "xyz";
     for (std::size_t i = 0; i < 3; ++i)
-      if (name == std::string("point.") + axes[i]) return "point[" + std::to_string(i) + "]";
+      if (name == std::string("point.") + axes[i]) return ast::entry("point", i);
     throw std::logic_error("symbol " + name + " has no place in the generated code");
   };
-  return symbol_table(robot, angles, others, spelling);
+  return robot_leaves(robot, angles, others);
 }
 
 /// The places of a function's angles among those of the header.
@@ -60,14 +60,14 @@ std::vector<dag::Angle> angles_of(const std::vector<JacobianFunction>& functions
 }
 
 Code jacobian_code(const JacobianFunction& function, const model::Robot& robot,
-                   const std::vector<dag::Angle>& angles, const Spelling& spelling) {
-  return straight_code(function.optimised.function, names_of(robot, angles, spelling));
+                   const std::vector<dag::Angle>& angles, const ast::Printer& language) {
+  return straight_code(function.optimised.function, leaves_of(robot, angles), language);
 }
 
 json to_values(const JacobianFunction& function, const model::Robot& robot,
                const std::vector<dag::Angle>& all, const std::string& no_angles) {
   const auto angles = angles_of(function.optimised.function);
-  const SymbolTable names = names_of(robot, angles, cpp_spelling());
+  const ast::Leaves leaves = leaves_of(robot, angles);
   const Code code = jacobian_code(function, robot, angles);
   json values{{"function", function.name}, {"result", function.result}, {"text", lines_of(function.text)}};
   values["counts"] = verify::describe(function.optimised.counts);
@@ -76,7 +76,7 @@ json to_values(const JacobianFunction& function, const model::Robot& robot,
   values["arguments"] = json::array();
   for (const auto& argument : function.arguments)
     values["arguments"].push_back({{"type", argument.type}, {"argument", argument.name}});
-  values["sines_cosines"] = sines_cosines_code(angles, names, no_angles);
+  values["sines_cosines"] = sines_cosines_code(angles, leaves, no_angles);
   values["angle_count"] = angles.size();
   values["sines"] = selection(angles, all, "sine");
   values["cosines"] = selection(angles, all, "cosine");

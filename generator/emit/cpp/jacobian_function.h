@@ -6,7 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "emit/cpp/code.h"
+#include "emit/code.h"
+#include "emit/cpp/printer.h"
 #include "model/robot.h"
 #include "optimise/optimise.h"
 #include "verify/accuracy.h"
@@ -34,7 +35,7 @@ std::vector<dag::Angle> angles_of(const std::vector<JacobianFunction>& functions
 
 /// The code of a function whose angles these are.
 Code jacobian_code(const JacobianFunction& function, const model::Robot& robot,
-                   const std::vector<dag::Angle>& angles, const Spelling& spelling = cpp_spelling());
+                   const std::vector<dag::Angle>& angles, const ast::Printer& language = plain_cpp());
 
 /// Template values of a function. `all` are the angles of the header's JacobianAngles; `no_angles` is the
 /// type of what holds the sines and cosines of a function without any.

@@ -28,6 +28,9 @@ std::string asked(const Problem& problem) {
              model::axis_text(problem.tool_axis);
     case Task::position_and_yaw:
       return "a position of the tool point and a turn about the direction that its axes share";
+    case Task::position_and_pitch:
+      return "a position of the tool point and the pitch of the tool's axis " +
+             model::axis_text(problem.tool_axis);
     case Task::direction:
       return "the direction of the tool's axis " + model::axis_text(problem.tool_axis);
     case Task::orientation:
@@ -57,7 +60,11 @@ std::string ability(const model::Robot& described, const Problem& problem, const
                         described.joints[static_cast<std::size_t>(problem.given)].variable);
   text += fmt::format(": {}. At most {} {}{}.", structure, capacity, capacity == 1 ? "solution" : "solutions",
                       how);
-  if (problem.task != Task::pose && problem.task != Task::position)
+  if (problem.task == Task::position_and_pitch)
+    text +=
+        " A pose may be given too, for its position and pitch; one that is tilted to the side is "
+        "unreachable.";
+  else if (problem.task != Task::pose && problem.task != Task::position)
     text += " A whole pose may be asked for too; it is unreachable unless the arm can take it.";
   return text + virtual_joints(problem);
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/products/dynamics_functions.h"
 
+#include "emit/cpp/angles.h"
 #include "emit/cpp/dynamics_code.h"
-#include "emit/cpp/symbol_table.h"
+#include "emit/leaves.h"
 #include "emit/math/dynamics_choices.h"
 #include "emit/render.h"
 #include "model/followers.h"
@@ -61,12 +62,12 @@ void add_files(const model::Robot& robot, const std::string& part, const json& v
 
 json angles_and_name(const model::Robot& robot, const std::vector<dag::Angle>& angles,
                      const std::string& angles_type) {
-  const emit::SymbolTable names = emit::symbol_table(robot, angles);
+  const emit::ast::Leaves leaves = emit::robot_leaves(robot, angles);
   return {{"name", robot.name},
-          {"angles", emit::angle_values(angles, names)},
+          {"angles", emit::angle_values(angles, leaves)},
           {"angle_count", angles.size()},
           {"angles_type", angles_type},
-          {"sines_cosines", emit::sines_cosines_code(angles, names, angles_type)}};
+          {"sines_cosines", emit::sines_cosines_code(angles, leaves, angles_type)}};
 }
 
 }  // namespace

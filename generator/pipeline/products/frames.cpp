@@ -2,7 +2,7 @@
 #include "pipeline/products/frames.h"
 
 #include "emit/c/parts.h"
-#include "emit/cpp/symbol_table.h"
+#include "emit/leaves.h"
 #include "emit/render.h"
 #include "model/frames.h"
 #include "optimise/optimised_json.h"

@@ -7,20 +7,22 @@
 #include <fmt/format.h>
 #include <qvgen/inverse/budget.h>
 
-#include "emit/c/inverse/dialect.h"
 #include "emit/c/inverse/source.h"
+#include "emit/c/printer.h"
 #include "emit/cpp/inverse/entries.h"
-#include "emit/cpp/inverse/frames.h"
-#include "emit/cpp/inverse/scalar_loops.h"
-#include "emit/cpp/inverse/seed_branch.h"
-#include "emit/cpp/inverse/simd_loops.h"
-#include "emit/cpp/inverse/step_code.h"
-#include "emit/cpp/symbol_table.h"
-#include "emit/cpp/template_values.h"
+#include "emit/cpp/printer.h"
+#include "emit/inverse/arm.h"
+#include "emit/inverse/in_lanes.h"
+#include "emit/inverse/seed_branch.h"
+#include "emit/inverse/steps.h"
+#include "emit/inverse/target.h"
+#include "emit/leaves.h"
 #include "emit/math/describe.h"
 #include "emit/render.h"
+#include "emit/template_values.h"
 #include "model/evaluate.h"
 #include "model/tasks.h"
+#include "pipeline/c_files.h"
 #include "pipeline/pipeline.h"
 #include "pipeline/products/inverse_derivation.h"
 #include "pipeline/products/inverse_elimination.h"
@@ -83,15 +85,25 @@ json effort_values(const qvgen::inverse::Budget& budget, std::size_t joints, int
 
 /// Returns the values of the code that follows one branch: the first pass, if there is one, and the careful
 /// one. Arms whose rows have to be checked have none: a row that reaches one pose need not lead on to the
-/// next.
+/// next. Neither has a pitch: Newton's steps of the whole arm would need its heading.
 json seed_branch(const derive::inverse::Problem& problem, const derive::inverse::LoweredPlan& plan,
-                 const emit::Dialect& dialect) {
-  if (problem.filter != derive::inverse::Filter::none || !emit::has_seed_branch(plan)) return false;
+                 const emit::ast::Printer& language) {
+  const bool has_poses = problem.task != model::Task::position_and_pitch;
+  if (!has_poses || problem.filter != derive::inverse::Filter::none || !emit::has_seed_branch(plan))
+    return false;
   const auto lines = [&](emit::Pass pass) {
-    return emit::lines_of(emit::seed_branch_lines(plan, pass, dialect));
+    const std::vector<std::string> first{"t", "forks", "found"},
+        careful{"t", "goal", "tracker", "forks", "found"};
+    return emit::lines_of(
+        language.body(pass == emit::Pass::first ? first : careful, emit::seed_branch(plan, pass)));
   };
   return {{"first", plan.plan.quartic() ? json(false) : json{{"lines", lines(emit::Pass::first)}}},
           {"careful", lines(emit::Pass::careful)}};
+}
+
+/// Branches side by side, in the lanes of packs.
+json lane_lines(const derive::inverse::LoweredPlan& plan) {
+  return emit::lines_of(emit::CppPrinter("Pack").lines(emit::branches_in_lanes(plan)));
 }
 
 /// Adds the values that templates of C need besides.
@@ -108,6 +120,10 @@ void add_values_in_c(const model::Robot& described, const derive::inverse::Deriv
   values["looking_steps"] = qvgen::inverse::effort_of_reaching(problem.own_joints, 1).steps;
   values["tracker"] = values["quartic"].get<bool>() ? "Visited" : "Tracker";
   values["settle"] = values["quartic"].get<bool>() ? "settle_visit" : "settle_branch";
+  const json& geometry = values["geometry"];
+  values["begin_reads_g"] = values["has_frames"].get<bool>() ||
+                            std::any_of(geometry.begin(), geometry.end(),
+                                        [](const json& each) { return each["reads_g"].get<bool>(); });
   emit::c::add_entries(described, derivation, values);
 }
 
@@ -129,9 +145,9 @@ json variant(const model::Robot& described, const derive::inverse::Derivation& d
   const bool lanes = emit::has_lanes(plan);
   const std::string given = given_variable(described, problem);
   json values = variant_names(described, problem);
-  const emit::c::C in_c(values["space"].get<std::string>() + "_");
-  const emit::Dialect& dialect = language == Language::c ? in_c : emit::cpp_dialect();
-  const json geometry = geometry_values(problem, given, dialect);
+  const emit::c::Printer in_c(values["space"].get<std::string>() + "_");
+  const emit::ast::Printer& printer = language == Language::c ? in_c : emit::cpp();
+  const json geometry = geometry_values(problem, given, printer);
   if (const auto counts = verify::inverse_counts(plan); !counts.empty())
     all_counts[values["function"].get<std::string>()] = counts;
   // A tracker of branches is there for a wrist alone too.
@@ -139,7 +155,12 @@ json variant(const model::Robot& described, const derive::inverse::Derivation& d
   const int branches = polished_branches(derived);
   const qvgen::inverse::Budget most = most_effort(derived, static_cast<int>(joints), branches);
   const json divisors = emit::divisor_values(robot, plan);
-  const json near = seed_branch(problem, plan, dialect);
+  const auto pass_lines = [&](emit::Pass pass) {
+    const std::vector<std::string> first, careful{"t", "goal", "tracker", "found"};
+    return emit::lines_of(
+        printer.body(pass == emit::Pass::first ? first : careful, emit::every_branch(plan, pass)));
+  };
+  const json near = seed_branch(problem, plan, printer);
   values.update(
       json{{"elimination", false},
            {"seed_branch", near},
@@ -156,17 +177,15 @@ json variant(const model::Robot& described, const derive::inverse::Derivation& d
            {"certificate", certificate.text()},
            {"target_fields", fields_of(derived.target_kept)},
            {"work_fields", fields_of(emit::work_fields(plan))},
-           {"target", emit::target_values(robot, plan, dialect)},
-           {"range_test", emit::range_test_values(robot, plan, dialect)},
-           {"steps", emit::step_values(robot, plan, dialect)},
+           {"target", emit::target_values(robot, plan, printer)},
+           {"range_test", emit::range_test_values(robot, plan, printer)},
+           {"steps", emit::step_values(robot, plan, printer)},
            {"divisors", divisors},
            {"divides", !divisors.empty()},
            {"has_geometry", !geometry.empty()},
            {"has_definitions", !robot.definitions.empty()},
            {"geometry", geometry},
-           {"first_pass", derived.quartic() ? json(false)
-                                            : json{{"lines", emit::lines_of(emit::scalar_loop_lines(
-                                                                 plan, emit::Pass::first, dialect))}}},
+           {"first_pass", derived.quartic() ? json(false) : json{{"lines", pass_lines(emit::Pass::first)}}},
            {"polished_joints", std::to_string(joints)},
            {"polished_branches", std::to_string(branches)},
            {"tries_more", derived.follows_for_few_angles()},
@@ -176,10 +195,11 @@ json variant(const model::Robot& described, const derive::inverse::Derivation& d
            {"most_of_reaching",
             effort_values(qvgen::inverse::most_effort_of_reaching(problem.own_joints, derived.capacity, most),
                           robot.joints.size(), branches)},
-           {"careful_pass", emit::lines_of(emit::scalar_loop_lines(plan, emit::Pass::careful, dialect))},
+           {"careful_pass", pass_lines(emit::Pass::careful)},
            {"has_lanes", lanes ? "true" : "false"},
-           {"lanes", lanes ? json{{"lines", emit::lines_of(emit::simd_loop_lines(plan))}} : json(false)}});
-  add_change_of_arm(problem, given, dialect, values);
+           {"chooses_in_lanes", lanes && !problem.has_phases()},
+           {"lanes", lanes ? json{{"lines", lane_lines(plan)}} : json(false)}});
+  add_change_of_arm(problem, given, printer, values);
   if (language == Language::c)
     add_values_in_c(described, derivation, values);
   else
@@ -198,9 +218,8 @@ json values_of(const model::Robot& described, const InverseDerivation& derivatio
   }
   output.counts["targets"] = targets;
   conclude_variants(values);
-  const emit::c::C in_c("");
-  const emit::Dialect& dialect = language == Language::c ? in_c : emit::cpp_dialect();
-  values["arm"] = values["checks"] || values["near"] ? emit::arm_values(described, dialect) : json(false);
+  const emit::ast::Printer& printer = language == Language::c ? emit::c::printer() : emit::cpp();
+  values["arm"] = values["checks"] || values["near"] ? emit::arm_values(described, printer) : json(false);
   return values;
 }
 
@@ -238,9 +257,8 @@ void generate_inverse_c(const model::Robot& described, RobotOutput& output) {
   if (!derivation.found()) return add_reasons(derivation, output);
   const emit::c::Part text =
       emit::c::inverse_kinematics(described, values_of(described, derivation, Language::c, output));
-  const std::string file = "c/qvgen_" + described.name + "_inverse";
-  output.files.push_back({file + ".h", text.header});
-  output.files.push_back({file + ".c", text.source});
+  add_c_files(output, "inverse", text);
+  add_c_files(output, "metrics", emit::c::metrics(described));
 }
 
 }  // namespace qvgen::pipeline

@@ -4,9 +4,11 @@
 #include <algorithm>
 
 #include "emit/cpp/inverse/entries.h"
-#include "emit/cpp/inverse/pose_loops.h"
-#include "emit/cpp/inverse/step_code.h"
-#include "emit/cpp/template_values.h"
+#include "emit/cpp/printer.h"
+#include "emit/inverse/in_lanes.h"
+#include "emit/inverse/steps.h"
+#include "emit/inverse/target.h"
+#include "emit/template_values.h"
 #include "pipeline/products/inverse_derivation.h"
 #include "pipeline/products/inverse_values.h"
 #include "pipeline/products/inverse_variant.h"
@@ -48,28 +50,29 @@ json lane_values(const model::Robot& described, const derive::inverse::Derivatio
                                             [](const json& each) { return each["field"] == "given_"; });
   if (!emit::has_pose_lanes(plan) || !rows_are_results(described, problem) || divides_by_given) return false;
   const std::string farthest = reach(problem);
+  const emit::CppPrinter language("Lane");
   json lanes{{"has_definitions", !robot.definitions.empty()},
              {"reach", farthest.empty() ? "1e50" : farthest},
              {"has_reach", !farthest.empty()},
              {"row_size", problem.row_size},
              {"target_fields", fields_of(derivation.plan.target_kept)},
              {"work_fields", fields_of(emit::work_fields(plan))},
-             {"target", emit::target_values(robot, plan, emit::cpp_lane_dialect())},
-             {"range_test", emit::range_test_values(robot, plan, emit::cpp_lane_dialect())},
-             {"steps", emit::step_values(robot, plan, emit::cpp_lane_dialect())},
+             {"target", emit::target_values(robot, plan, language)},
+             {"range_test", emit::range_test_values(robot, plan, language)},
+             {"steps", emit::step_values(robot, plan, language)},
              {"divisors", divisors},
              {"divides", !divisors.empty()},
-             {"lines", emit::lines_of(emit::pose_loop_lines(plan))},
+             {"lines", emit::lines_of(language.lines(emit::poses_in_lanes(plan)))},
              {"phases", false},
              {"frames", false}};
-  add_change_of_arm(problem, given, emit::cpp_dialect(), lanes);
+  add_change_of_arm(problem, given, emit::cpp(), lanes);
   if (lanes["change"].is_object()) {
     lanes["phases"] = lanes["change"]["phases"];
     lanes["frames"] = lanes["change"]["frames"];
   }
   const std::string phase =
       problem.has_phases() ? " + Lane(batch_phases[" + std::to_string(problem.given) + "])" : "";
-  set_geometry(geometry_values(problem, given, emit::cpp_dialect()), phase, lanes);
+  set_geometry(geometry_values(problem, given, emit::cpp()), phase, lanes);
   return lanes;
 }
 

@@ -14,7 +14,8 @@ namespace qvgen::pipeline {
 struct InverseDerivation {
   /// Each found, for an arm whose symbols are private names (model/private_names.h).
   std::vector<derive::inverse::Derivation> closed_forms;
-  std::vector<derive::inverse::EliminationDerivation> eliminations;  ///< only if there is no closed form
+  /// Only if there is no closed form, or none but a quartic that is much slower.
+  std::vector<derive::inverse::EliminationDerivation> eliminations;
   std::vector<std::string> reasons;  ///< of what was not found, also if something else was
 
   [[nodiscard]] bool found() const { return !closed_forms.empty() || !eliminations.empty(); }

@@ -5,8 +5,10 @@
 
 #include "emit/cpp/inverse/entries.h"
 #include "emit/cpp/inverse/setup_code.h"
-#include "emit/cpp/template_values.h"
+#include "emit/cpp/printer.h"
+#include "emit/inverse/arm.h"
 #include "emit/render.h"
+#include "emit/template_values.h"
 #include "pipeline/products/inverse_variant.h"
 #include "verify/inverse/certify_rows.h"
 
@@ -105,7 +107,7 @@ void add_eliminations(const model::Robot& described, const std::vector<Eliminati
                       RobotOutput& output) {
   json values{{"name", described.name},
               {"variants", json::array()},
-              {"arm", emit::arm_values(described, emit::cpp_dialect())}};
+              {"arm", emit::arm_values(described, emit::cpp())}};
   nlohmann::ordered_json targets;
   for (const EliminationDerivation& derivation : derivations) {
     values["variants"].push_back(variant(described, derivation));

@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "canonical/arm.h"
-#include "emit/cpp/inverse/frames.h"
-#include "emit/cpp/inverse/step_code.h"
-#include "emit/cpp/symbol_table.h"
+#include "emit/inverse/frames.h"
+#include "emit/inverse/target.h"
+#include "emit/leaves.h"
 #include "model/evaluate.h"
 
 namespace qvgen::pipeline {
@@ -59,16 +59,18 @@ std::string reach(const derive::inverse::Problem& problem) {
 }
 
 json geometry_values(const derive::inverse::Problem& problem, const std::string& given,
-                     const emit::Dialect& dialect) {
+                     const emit::ast::Printer& language) {
   const model::Robot& robot = problem.robot;
   const std::string held = derive::inverse::held_parameter(problem);
-  const emit::SymbolTable names = emit::symbol_table(robot, {}, {}, dialect.spelling());
+  const auto symbol = emit::robot_leaves(robot, {}).symbol;
   json list = json::array();
   const auto fields = emit::geometry_fields(robot);
   const auto add = [&](const std::string& name) {
+    const bool is_held = name == held;
     list.push_back({{"field", fields.at(name)},
-                    {"value", name == held ? "given_" + given : names.symbol(name)},
-                    {"is_given", name == held}});
+                    {"value", is_held ? "given_" + given : language.text(symbol(name))},
+                    {"is_given", is_held},
+                    {"reads_g", !is_held && emit::ast::mentions(symbol(name), "g")}});
   };
   for (const auto& parameter : robot.geometry) add(parameter.name);
   for (const auto& definition : robot.definitions) add(definition.first);
@@ -76,10 +78,10 @@ json geometry_values(const derive::inverse::Problem& problem, const std::string&
 }
 
 void add_change_of_arm(const derive::inverse::Problem& problem, const std::string& given,
-                       const emit::Dialect& dialect, json& values) {
+                       const emit::ast::Printer& language, json& values) {
   const bool has_phases = problem.has_phases();
   const std::string phase = has_phases ? " + phases[" + std::to_string(problem.given) + "]" : "";
-  values["change"] = emit::change_of_arm(problem, dialect);
+  values["change"] = emit::change_of_arm(problem, language);
   values["has_phases"] = has_phases;
   values["has_frames"] = problem.has_frames;
   values["inner_pose"] =

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "derive/inverse/inverse.h"
-#include "emit/cpp/inverse/dialect.h"
+#include "emit/ast/printer.h"
 
 namespace qvgen::pipeline {
 
@@ -20,10 +20,10 @@ std::string reach(const derive::inverse::Problem& problem);
 
 /// Fields of the target's geometry with what the caller's geometry, or the given joint's value, says of them.
 nlohmann::json geometry_values(const derive::inverse::Problem& problem, const std::string& given,
-                               const emit::Dialect& dialect);
+                               const emit::ast::Printer& language);
 
 /// Adds what the solver hands to the derivation's arm in place of what it is given.
 void add_change_of_arm(const derive::inverse::Problem& problem, const std::string& given,
-                       const emit::Dialect& dialect, nlohmann::json& values);
+                       const emit::ast::Printer& language, nlohmann::json& values);
 
 }  // namespace qvgen::pipeline

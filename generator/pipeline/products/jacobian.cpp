@@ -6,8 +6,11 @@
 #include "derive/jacobian/quantities.h"
 #include "derive/jacobian/wrist.h"
 #include "emit/c/parts.h"
-#include "emit/cpp/code.h"
-#include "emit/cpp/symbol_table.h"
+#include "emit/c/printer.h"
+#include "emit/code.h"
+#include "emit/cpp/angles.h"
+#include "emit/cpp/printer.h"
+#include "emit/leaves.h"
 #include "emit/render.h"
 #include "optimise/described.h"
 #include "optimise/optimised_json.h"
@@ -42,18 +45,26 @@ json measure_values(const emit::SingularityMeasures& measures) {
   return values;
 }
 
-/// The wrist centre in the tool frame, if there is one: a list of one or none.
-json wrist_values(const model::Robot& robot) {
+/// The wrist centre in the tool frame, x, y and z, if there is one; nothing else.
+std::vector<std::string> wrist_centre_code(const model::Robot& robot, const emit::ast::Printer& language) {
   const auto centre = derive::wrist_centre(robot);
-  if (!centre) return json::array();
+  if (!centre) return {};
   symbolic::Program program;
   program.output("x", centre->x);
   program.output("y", centre->y);
   program.output("z", centre->z);
-  json values;
-  for (const auto& value : emit::straight_code(dag::import(program), emit::symbol_table(robot, {})).outputs)
-    values[value.name] = value.expression;
-  return json::array({values});
+  std::vector<std::string> code;
+  for (const auto& value :
+       emit::straight_code(dag::import(program), emit::robot_leaves(robot, {}), language).outputs)
+    code.push_back(value.expression);
+  return code;
+}
+
+/// A list of one or none.
+json wrist_values(const model::Robot& robot) {
+  const std::vector<std::string> code = wrist_centre_code(robot, emit::plain_cpp());
+  if (code.empty()) return json::array();
+  return json::array({{{"x", code.at(0)}, {"y", code.at(1)}, {"z", code.at(2)}}});
 }
 
 /// The functions, certified; their counts go to the output.
@@ -89,11 +100,11 @@ Jacobians jacobians_of(const model::Robot& described, RobotOutput& output) {
 void generate_jacobian(const model::Robot& described, RobotOutput& output) {
   const auto [robot, measures, functions] = jacobians_of(described, output);
   const std::vector<dag::Angle> angles = emit::angles_of(functions);
-  const emit::SymbolTable names = emit::symbol_table(robot, angles);
+  const emit::ast::Leaves leaves = emit::robot_leaves(robot, angles);
   json values{{"name", robot.name}, {"scalars", {{{"scalar", "double"}}, {{"scalar", "float"}}}}};
-  values["angles"] = emit::angle_values(angles, names);
+  values["angles"] = emit::angle_values(angles, leaves);
   values["all_angle_count"] = angles.size();
-  values["all_sines_cosines"] = sines_cosines_code(angles, names, "detail::NoAngles");
+  values["all_sines_cosines"] = emit::sines_cosines_code(angles, leaves, "detail::NoAngles");
   values["functions"] = json::array();
   values["measure_count"] = measures.names.size();
   values["measures"] = measure_values(measures);
@@ -115,6 +126,8 @@ bool has_wrist_centre(const model::Robot& described) {
 void generate_jacobian_c(const model::Robot& described, RobotOutput& output) {
   const Jacobians found = jacobians_of(described, output);
   add_c_part(output, emit::c::jacobian(found.robot, found.functions));
+  add_c_files(output, "velocity",
+              emit::c::velocity(found.robot, wrist_centre_code(found.robot, emit::c::printer())));
 }
 
 }  // namespace qvgen::pipeline

@@ -4,10 +4,12 @@
 #include "canonical/right_angles.h"
 #include "derive/kinematics/forward_kinematics.h"
 #include "emit/c/parts.h"
-#include "emit/cpp/symbol_table.h"
-#include "emit/cpp/template_values.h"
+#include "emit/cpp/angles.h"
+#include "emit/cpp/printer.h"
+#include "emit/leaves.h"
 #include "emit/math/closed_form.h"
 #include "emit/render.h"
+#include "emit/template_values.h"
 #include "optimise/described.h"
 #include "optimise/optimised_json.h"
 #include "optimise/pose.h"
@@ -42,12 +44,12 @@ optimise::Optimised with_accuracy(const canonical::Arm& arm, optimise::Optimised
 emit::Code add_function(const model::Robot& robot, const optimise::Optimised& optimised,
                         const std::string& prefix, const std::string& angles_type, json& values) {
   const auto angles = emit::angles_of(optimised.function);
-  const emit::SymbolTable names = emit::symbol_table(robot, angles);
-  emit::Code code = emit::straight_code(optimised.function, names);
+  const emit::ast::Leaves leaves = emit::robot_leaves(robot, angles);
+  emit::Code code = emit::straight_code(optimised.function, leaves, emit::plain_cpp());
   values[prefix + "notes"] = notes(optimised);
-  values[prefix + "angles"] = emit::angle_values(angles, names);
+  values[prefix + "angles"] = emit::angle_values(angles, leaves);
   values[prefix + "angle_count"] = angles.size();
-  values[prefix + "sines_cosines"] = emit::sines_cosines_code(angles, names, angles_type);
+  values[prefix + "sines_cosines"] = emit::sines_cosines_code(angles, leaves, angles_type);
   values[prefix + "named_angles"] =
       emit::lines_of(emit::sine_cosine_declarations(robot, optimised.function, angles));
   values[prefix + "temporaries"] = emit::values_of(code.temporaries);

@@ -5,7 +5,7 @@
 
 #include "emit/c/parts.h"
 #include "emit/cpp/dynamics_code.h"
-#include "emit/cpp/template_values.h"
+#include "emit/template_values.h"
 #include "optimise/dynamics.h"
 #include "pipeline/c_files.h"
 #include "pipeline/products/dynamics_functions.h"

@@ -34,6 +34,33 @@ Pair asked(Pair pose, model::Task task) {
   return pose;
 }
 
+/// The direction of the first joint that is solved for, of any length, as the tool sees it at those joints.
+std::array<Real, 3> base_seen_by_tool(const Problem& problem, const DescribedArm& arm,
+                                      const std::vector<Real>& q) {
+  std::vector<Real> turned = q;
+  turned[static_cast<std::size_t>(problem.places.front())] =
+      turned[static_cast<std::size_t>(problem.places.front())] + Real(1);
+  // conj(after) before: minus the turn about the axis, in the tool's frame, which it leaves where it is.
+  const Quaternion turn = product(conjugate(arm.pose(q).q), arm.pose(turned).q);
+  return {turn[1], turn[2], turn[3]};
+}
+
+/// How far rows with those joints are from another's position and pitch.
+double difference_of_pitch(const Problem& problem, const DescribedArm& arm, const std::vector<Real>& a,
+                           const std::vector<Real>& b) {
+  const Pair at = arm.pose(a), other = arm.pose(b);
+  const std::array<Real, 3> seen = base_seen_by_tool(problem, arm, a),
+                            by_other = base_seen_by_tool(problem, arm, b);
+  // A quaternion's sign means nothing.
+  const Real with = seen[0] * by_other[0] + seen[1] * by_other[1] + seen[2] * by_other[2];
+  const Real sign = with.to_double() < 0 ? Real(-1) : Real(1);
+  Real worst(0);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (const Real& gap : {abs(at.p[i] - other.p[i]), abs(seen[i] - sign * by_other[i])})
+      worst = gap > worst ? gap : worst;
+  return worst.to_double();
+}
+
 /// Differences of two poses and of two joint vectors, orientations up to sign, angles up to whole turns.
 double difference(const Pair& a, const Pair& b, model::Task task) {
   Real worst(0);
@@ -109,7 +136,10 @@ InverseCertificate certify_inverse(const Problem& problem, const LoweredPlan& pl
     bool sampled = false;
     for (const Row& of_plan : execute(plan, values)) {
       const std::vector<Real> row = arm.row(of_plan, q);
-      if (difference(arm.pose(row), pose, problem.task) > fifty_digits) {
+      const double off = problem.task == model::Task::position_and_pitch
+                             ? difference_of_pitch(problem, arm, row, q)
+                             : difference(arm.pose(row), pose, problem.task);
+      if (off > fifty_digits) {
         if (plan.plan.candidates) continue;
         throw CertificateError("inverse kinematics: a solution does not give the pose back");
       }

@@ -10,9 +10,10 @@
 namespace qvgen {
 
 enum class VelocityStatus {
-  solved,        ///< the arm moves as asked (in the least squares sense if it has fewer than six joints)
-  damped,        ///< near a singularity: the joint rates are kept small, the twist is not quite reached
-  invalid_input  ///< NaN or infinite: the joint rates are zero
+  solved,         ///< the arm moves as asked (in the least squares sense if it has fewer than six joints)
+  damped,         ///< near a singularity: the joint rates are kept small, the twist is not quite reached
+  invalid_input,  ///< NaN or infinite, or limits that admit nothing: the joint rates are zero
+  incomplete      ///< within limits, but not for sure the best rates: numbers overflow
 };
 
 template <class Scalar>
@@ -47,40 +48,56 @@ bool all_finite(const Vector& v) {
   return (difference.array() == typename Vector::Scalar(0)).all();
 }
 
+/// Penalty of a damped system beside its residual: the square of damping(i) times the part of x along
+/// directions.col(i). Directions behind the rank have the damping of the last one before them, since at a
+/// singularity nothing tells them apart.
+template <class Scalar, int Size>
+struct Damping {
+  Eigen::Matrix<Scalar, Size, Size> directions;  ///< orthonormal, the system's right singular vectors
+  Eigen::Matrix<Scalar, Size, 1> damping;        ///< zero where the system is regular
+  Scalar largest;                                ///< singular value, at least options.scale
+};
+
 /// Damped least squares by singular values: sum of sigma / (sigma^2 + lambda^2) v u^T, with lambda rising
 /// from 0 at the threshold to its full size at sigma = 0, over the first `rank` ones: the others belong to
-/// rows and columns that only make the matrix square. Returns true if it had to be damped.
+/// rows and columns that only make the matrix square. Returns true if it had to be damped; tells how, if
+/// asked.
 template <class Scalar, int Size>
 bool damped_solve(const Eigen::Matrix<Scalar, Size, Size>& a, const Eigen::Matrix<Scalar, Size, 1>& b,
                   Eigen::Index rank, const InverseVelocityOptions<Scalar>& options,
-                  Eigen::Matrix<Scalar, Size, 1>& x) {
+                  Eigen::Matrix<Scalar, Size, 1>& x, Damping<Scalar, Size>* told = nullptr) {
   const Eigen::JacobiSVD<Eigen::Matrix<Scalar, Size, Size>> svd(a, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const auto& values = svd.singularValues();
   const Scalar largest = values(0) > options.scale ? values(0) : options.scale;
   const Scalar bound = options.threshold * largest;
   x.setZero();
   bool damped = false;
+  const auto damping_of = [&](Scalar sigma) {
+    return sigma < bound ? (Scalar(1) - sigma / bound) * options.damping * largest : Scalar(0);
+  };
   for (Eigen::Index i = 0; i < rank; ++i) {
     const Scalar sigma = values(i);
-    Scalar lambda = Scalar(0);
-    if (sigma < bound) {
-      lambda = (Scalar(1) - sigma / bound) * options.damping * largest;
-      damped = true;
-    }
+    const Scalar lambda = damping_of(sigma);
+    damped = damped || sigma < bound;
     x += sigma / (sigma * sigma + lambda * lambda) * svd.matrixU().col(i).dot(b) * svd.matrixV().col(i);
   }
+  if (told == nullptr) return damped;
+  *told = {svd.matrixV(), values.unaryExpr(damping_of), largest};
+  told->damping.tail(Size - rank).setConstant(damping_of(values(rank - 1)));
   return damped;
 }
 
 // In the library: the decomposition takes a second to compile.
 extern template bool damped_solve(const Matrix3<double>&, const Vector3<double>&, Eigen::Index,
-                                  const InverseVelocityOptions<double>&, Vector3<double>&);
+                                  const InverseVelocityOptions<double>&, Vector3<double>&,
+                                  Damping<double, 3>*);
 extern template bool damped_solve(const Matrix3<float>&, const Vector3<float>&, Eigen::Index,
-                                  const InverseVelocityOptions<float>&, Vector3<float>&);
+                                  const InverseVelocityOptions<float>&, Vector3<float>&, Damping<float, 3>*);
 extern template bool damped_solve(const Matrix6<double>&, const Vector6<double>&, Eigen::Index,
-                                  const InverseVelocityOptions<double>&, Vector6<double>&);
+                                  const InverseVelocityOptions<double>&, Vector6<double>&,
+                                  Damping<double, 6>*);
 extern template bool damped_solve(const Matrix6<float>&, const Vector6<float>&, Eigen::Index,
-                                  const InverseVelocityOptions<float>&, Vector6<float>&);
+                                  const InverseVelocityOptions<float>&, Vector6<float>&, Damping<float, 6>*);
 
 /// A 3 x 3 system by cofactors where it is far from singular: |det| against the product of the columns'
 /// lengths.

@@ -13,8 +13,8 @@ import typing
 from . import robots
 from ._build import BuildError, Limbs, build_module, cache_folder, generate
 
-__all__ = ["BuildError", "NearSolution", "NearestRows", "Solutions", "Status", "cache_folder", "load", "orientation",
-           "robots"]
+__all__ = ["BuildError", "JointRates", "NearSolution", "NearestRows", "Solutions", "Status", "VelocityStatus",
+           "cache_folder", "load", "metrics", "orientation", "robots"]
 
 
 class Status(enum.IntEnum):
@@ -24,6 +24,14 @@ class Status(enum.IntEnum):
     unreachable = 2
     invalid = 3
     incomplete = 4
+
+
+class VelocityStatus(enum.IntEnum):
+    """Outcome of a twist."""
+    solved = 0
+    damped = 1
+    invalid_input = 2
+    incomplete = 3
 
 
 class Solutions(typing.NamedTuple):
@@ -51,10 +59,20 @@ class NearestRows(typing.NamedTuple):
     status: typing.Any  #: (), of qvgen.Status: solved where the first row reaches the pose
 
 
+class JointRates(typing.NamedTuple):
+    """Result of inverse_velocity, inverse_velocity_scaled and inverse_velocity_within; of a batch every field has its axis in front."""
+    qd: typing.Any  #: (dof,), rad/s or m/s
+    status: typing.Any  #: (), of qvgen.VelocityStatus
+    residual: typing.Any  #: (), |J qd - factor twist|
+    factor: typing.Any  #: (), what all rates were scaled by, in [0, 1]; 1 where they are not scaled
+    limited: typing.Any  #: (), whether the rates without limits are not within them
+
+
 def __getattr__(name):
-    """Imports qvgen.orientation when it is used: it needs NumPy, and whoever builds a wheel may not have it."""
-    if name == "orientation":
-        return importlib.import_module(".orientation", __name__)
+    """Imports qvgen.metrics and qvgen.orientation when they are used: they need NumPy, and whoever builds a wheel may not
+    have it."""
+    if name in ("metrics", "orientation"):
+        return importlib.import_module("." + name, __name__)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 

@@ -7,6 +7,7 @@ from typing import Any, Literal, Mapping, NamedTuple, Protocol
 from numpy import bool_, float32, float64, int32
 from numpy.typing import ArrayLike, NDArray
 
+from . import metrics as metrics
 from . import orientation as orientation
 from . import robots as robots
 
@@ -18,6 +19,12 @@ class Status(enum.IntEnum):
     unreachable = 2
     invalid = 3
     incomplete = 4
+
+class VelocityStatus(enum.IntEnum):
+    solved = 0
+    damped = 1
+    invalid_input = 2
+    incomplete = 3
 
 class Solutions(NamedTuple):
     q: NDArray[float64]
@@ -38,8 +45,16 @@ class NearestRows(NamedTuple):
     count: NDArray[int32]
     status: NDArray[int32]
 
+class JointRates(NamedTuple):
+    qd: _Result
+    status: NDArray[int32]
+    residual: _Result
+    factor: _Result
+    limited: NDArray[bool_]
+
 _Constants = dict[str, float] | None
 _Limits = Literal["description"] | tuple[ArrayLike, ArrayLike] | None
+_RateLimits = Literal["description"] | tuple[ArrayLike, ArrayLike]
 _Reference = Literal["conventional", "stereographic"]
 _Prefer = Literal["both", "position", "orientation"]
 _Result = NDArray[float64] | NDArray[float32]
@@ -89,6 +104,18 @@ class Robot(Protocol):
     def jacobian_dot_times_qd(
         self, q: ArrayLike, qd: ArrayLike, *, geometry: _Constants = None, out: _Out = None,
     ) -> _Result: ...
+    def inverse_velocity(
+        self, q: ArrayLike, twist: ArrayLike, *, geometry: _Constants = None, threshold: float = 0.02,
+        damping: float = 0.02, scale: float = 0.05,
+    ) -> JointRates: ...
+    def inverse_velocity_scaled(
+        self, q: ArrayLike, twist: ArrayLike, *, limits: _RateLimits = "description", geometry: _Constants = None,
+        threshold: float = 0.02, damping: float = 0.02, scale: float = 0.05,
+    ) -> JointRates: ...
+    def inverse_velocity_within(
+        self, q: ArrayLike, twist: ArrayLike, *, limits: _RateLimits = "description", geometry: _Constants = None,
+        threshold: float = 0.02, damping: float = 0.02, scale: float = 0.05,
+    ) -> JointRates: ...
     def inverse_dynamics(
         self, q: ArrayLike, qd: ArrayLike, qdd: ArrayLike, *,
         geometry: _Constants = None, inertia: _Constants = None, gravity: float = 9.80665, out: _Out = None,
@@ -156,7 +183,7 @@ class Robot(Protocol):
         tolerance: float = 1e-13,
     ) -> Solutions: ...
     def inverse_kinematics_near(
-        self, pose: ArrayLike, seed: ArrayLike, *, path: bool = False, geometry: _Constants = None,
+        self, pose: ArrayLike, seed: ArrayLike, *, path: bool = False, limits: _Limits = None, geometry: _Constants = None,
         tolerance: float = 1e-13,
     ) -> NearSolution: ...
     # Arms of seven joints around a spherical shoulder and wrist; their inverse_kinematics has limits="description".

@@ -19,6 +19,7 @@ import sysconfig
 import tempfile
 
 from ._source import binding_source, is_bound
+from ._velocity_source import FUNCTIONS as VELOCITY_FUNCTIONS
 
 _here = pathlib.Path(__file__).resolve().parent
 _root = _here / "_tree" if (_here / "_tree").exists() else _here.parents[2]  # of an installed package, or of the sources
@@ -153,6 +154,8 @@ def _functions(entry):
         functions["inverse_kinematics"] = "here"  # within limits, at any arm angle
     if {"forward_kinematics", "jacobian"} <= functions.keys():
         functions["nearest_pose"] = "here"
+    if "jacobian" in functions:
+        functions.update(dict.fromkeys(VELOCITY_FUNCTIONS, "here"))
     missing = {part["part"]: part["reason"] for part in entry.get("missing", [])}
     return {**functions, **missing}, targets
 

@@ -10,6 +10,8 @@ TASKS = {
                                "[px, py, pz, x, y, z]: position, m, and the direction of the tool's axis, a unit vector"),
     "position_and_yaw": ("qvgen::PositionAndYaw<double>", 4,
                          "[px, py, pz, yaw]: position, m, and turn from where the tool is with all joints at zero, rad"),
+    "position_and_pitch": ("qvgen::PositionAndPitch<double>", 4,
+                           "[px, py, pz, pitch]: position, m, and angle of the tool's axis to the first joint's, rad"),
     "direction": ("qvgen::Direction<double>", 3, "[x, y, z]: direction of the tool's axis, a unit vector"),
     "orientation": ("Eigen::Quaternion<double>", 4, "[w, x, y, z]: unit quaternion"),
 }
@@ -30,13 +32,15 @@ ALL = """  m.def("{name}",
 """
 
 NEAR = """  m.def("{name}",
-        [](const py::object& {target}, {given_parameter}const py::object& seed, bool path, const py::object& geometry,
-           double tolerance) {{
+        [](const py::object& {target}, {given_parameter}const py::object& seed, bool path, const py::object& limits,
+           const py::object& geometry, double tolerance) {{
           const auto g = constants<arm::Geometry>(geometry, arm::geometry_names, "geometry");
+          const auto bounds = limits_of<arm::Limits, arm::dof>(limits);
           const auto solve = [](const auto&... arguments) {{ return arm::{name}(arguments...); }};
-          return near_{solutions}({{{target}, {given}, seed, {{}}}}, path, g, tolerance, {label}solve);
+          return near_{solutions}({{{target}, {given}, seed, limits}}, path, bounds, g, tolerance, {label}solve);
         }},
         py::arg("{target}"), {given_keyword}py::arg("seed"), py::kw_only(), py::arg("path") = false,
+        py::arg("limits") = py::none(),
         py::arg("geometry") = py::none(), py::arg("tolerance") = qvgen::inverse::default_tolerance,
         R"({doc})");
 """
@@ -135,6 +139,8 @@ NEAR_DOC = """For control loops: the joint values on the branch of the seed, the
 
 {targets}seed: (dof,) or (n, dof); angles are within half a turn of it
 path: the targets follow each other: `seed`, a single row, is the first one's, then the last solution before a target is its seed
+limits: None; "description": the description's; (lower, upper): two rows of dof numbers. The solution without limits if it is
+    within them, else none: it neither jumps to another branch nor by whole turns
 {common}
 Returns qvgen.NearSolution: q (dof,), NaN if there is none, and status (), with a batch axis in front of each if an
 argument has one. Whoever must not jump looks how far q is from the seed. Always computed and returned in float64."""

@@ -5,6 +5,7 @@ import json
 import re
 
 from ._inverse_source import ARM_ANGLE_FUNCTIONS, POSE, arm_angle_source, inverse_source, nearest_pose_source
+from ._velocity_source import velocity_source
 
 # name: length of a row, its type in C++, what it is
 ARGUMENTS = {
@@ -178,7 +179,8 @@ def binding_source(robot, functions, targets):
     here = [name for name, place in functions.items() if place == "here"]
     headers = [f"<qvgen/robots/{robot}/{each}.h>" for each, users in HEADERS.items() if users.intersection(here)]
     headers += ['"binding.h"', *(['"binding_inverse.h"'] if targets or "nearest_pose" in here else []),
-                *(['"binding_nearest_pose.h"'] if "nearest_pose" in here else [])]
+                *(['"binding_nearest_pose.h"'] if "nearest_pose" in here else []),
+                *(['"binding_velocity.h"'] if "inverse_velocity" in here else [])]
     text = HEAD.format(robot=robot, functions=json.dumps(functions),
                        headers="".join(f"#include {each}\n" for each in headers))
     text += INERTIA if "mass_matrix" in here else ""
@@ -193,5 +195,6 @@ def binding_source(robot, functions, targets):
             if name in here:
                 text += _function(name, arguments, shape, line, dynamics)
     text += arm_angle_source() if "arm_angle" in here else ""
+    text += velocity_source() if "inverse_velocity" in here else ""
     text += nearest_pose_source() if "nearest_pose" in here else ""
     return text + "".join(inverse_source(name, taken) for name, taken in targets.items()) + "}\n"

@@ -46,6 +46,11 @@ struct TargetOf<PositionAndYaw<double>> {
   static PositionAndYaw<double> read(const double* row) { return {{row[0], row[1], row[2]}, row[3]}; }
 };
 template <>
+struct TargetOf<PositionAndPitch<double>> {
+  static constexpr int size = 4;
+  static PositionAndPitch<double> read(const double* row) { return {{row[0], row[1], row[2]}, row[3]}; }
+};
+template <>
 struct TargetOf<Pose<double>> {
   static constexpr int size = 7;
   static Pose<double> read(const double* row) {
@@ -221,7 +226,8 @@ py::object solutions_of_either(const InverseArguments& arguments,
 /// qvgen.NearSolution of every row of one kind of target. On a path the seed of a row is the last solution
 /// before it.
 template <class Target, int dof, bool has_given, class Geometry, class Solve>
-py::object near_solutions_of(const InverseArguments& arguments, bool path, const Geometry& g,
+py::object near_solutions_of(const InverseArguments& arguments, bool path,
+                             const std::optional<JointLimits<dof>>& limits, const Geometry& g,
                              double tolerance, const char* name, const Solve& solve) {
   std::vector<Rows<double>> rows{Rows<double>(arguments.target, {TargetOf<Target>::size}, name)};
   if constexpr (has_given) rows.emplace_back(arguments.given, Shape{}, "given");
@@ -242,12 +248,13 @@ py::object near_solutions_of(const InverseArguments& arguments, bool path, const
     for_each_row(rows, batch, [&](py::ssize_t i, const double* const* row) {
       const Target target = TargetOf<Target>::read(row[0]);
       const Joints<dof> seed = path ? before : vector<Joints<dof>>(row[last]);
-      const auto found = [&] {
+      const auto call = [&](const auto&... more) {
         if constexpr (has_given)
-          return solve(target, row[1][0], seed, g, tolerance);
+          return solve(target, row[1][0], seed, more..., g, tolerance);
         else
-          return solve(target, seed, g, tolerance);
-      }();
+          return solve(target, seed, more..., g, tolerance);
+      };
+      const auto found = limits ? call(*limits) : call();
       outcome[i] = static_cast<int>(found.status);
       if (found.empty()) return;
       before = found[0].q;
@@ -260,11 +267,13 @@ py::object near_solutions_of(const InverseArguments& arguments, bool path, const
 /// Binds the function next to a seed that takes a pose, or less (`Reduced`), told apart by the length of
 /// their last axis.
 template <class Reduced, int dof, bool has_given, class Geometry, class Solve>
-py::object near_solutions_of_either(const InverseArguments& arguments, bool path, const Geometry& g,
+py::object near_solutions_of_either(const InverseArguments& arguments, bool path,
+                                    const std::optional<JointLimits<dof>>& limits, const Geometry& g,
                                     double tolerance, const Solve& solve) {
   if (is_of_kind<Pose<double>>(arguments.target))
-    return near_solutions_of<Pose<double>, dof, has_given>(arguments, path, g, tolerance, "target", solve);
-  return near_solutions_of<Reduced, dof, has_given>(arguments, path, g, tolerance, "target", solve);
+    return near_solutions_of<Pose<double>, dof, has_given>(arguments, path, limits, g, tolerance, "target",
+                                                           solve);
+  return near_solutions_of<Reduced, dof, has_given>(arguments, path, limits, g, tolerance, "target", solve);
 }
 
 }  // namespace qvgen::python

@@ -12,10 +12,10 @@ static const Branch new_branch = {true, false, false, false};
 
 typedef struct Boundary {
   double accept, doubt, beyond, unsure, floor, near, gap, miss, fold;
-  bool wide, choose, take;
+  bool wide, choose, take, opposite;
 } Boundary;
 
-static const Boundary boundary_of_nothing = {0, 0, 0, 1e-7, 0, 1e18, 64, 0, 0, true, false, false};
+static const Boundary boundary_of_nothing = {0, 0, 0, 1e-7, 0, 1e18, 64, 0, 0, true, false, false, false};
 
 /// Boundary of regular poses.
 static Boundary plain_boundary(double tolerance) {
@@ -48,6 +48,12 @@ static Boundary ends_boundary(double tolerance) {
 static Boundary chosen_boundary(double tolerance) {
   Boundary b = ends_boundary(tolerance);
   b.choose = true;
+  return b;
+}
+
+/// Boundary of a pass that chooses, with a choice of which joints can follow in two ranges in the other one.
+static Boundary in_other_range(Boundary b) {
+  b.opposite = true;
   return b;
 }
 

@@ -93,8 +93,9 @@ static Rotor factored_line_angle(Rotor v, double rhs, double low, double high, d
 }
 
 /// Returns `choice`, or a direction near it, among the directions u with inner <= |point + u offset|^2 <= outer: what a
-/// free angle may be if the joints after it are to stay in reach.
-static Rotor reachable_direction(Rotor point, Rotor offset, double inner, double outer, Rotor choice) {
+/// free angle may be if the joints after it are to stay in reach. Such directions are one range or two, mirror images.
+static Rotor reachable_direction(Rotor point, Rotor offset, double inner, double outer, Rotor choice,
+                                 const Boundary* boundary) {
   const Rotor both = product(inverse(point), offset);
   const double square = square_of(both);
   if (square == 0) return choice;
@@ -103,13 +104,16 @@ static Rotor reachable_direction(Rotor point, Rotor offset, double inner, double
   const Rotor now = product(choice, along);
   const double sum = point.cosine * point.cosine + point.sine * point.sine + offset.cosine * offset.cosine +
                      offset.sine * offset.sine;
-  const double low = larger((inner - sum) / (2 * length), -1);
-  const double high = smaller((outer - sum) / (2 * length), 1);
+  const double least = (inner - sum) / (2 * length), most = (outer - sum) / (2 * length);
+  const double low = larger(least, -1);
+  const double high = smaller(most, 1);
+  const bool crosses = boundary->opposite && least > -1 && most < 1;
   const double inside = not_negative(high - low) / 16;
   const double above = now.cosine < low ? low + inside : now.cosine;
   const double cosine = clamped(above > high ? high - inside : above, -1, 1);
-  if (cosine == now.cosine) return choice;
-  const Rotor moved = rotor(cosine, with_sign(sqrt(not_negative((1 - cosine) * (1 + cosine))), now.sine));
+  if (cosine == now.cosine && !crosses) return choice;
+  const double side = crosses ? -now.sine : now.sine;
+  const Rotor moved = rotor(cosine, with_sign(sqrt(not_negative((1 - cosine) * (1 + cosine))), side));
   return product(moved, inverse(along));
 }
 

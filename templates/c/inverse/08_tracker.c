@@ -10,9 +10,9 @@ static void move_along(const Matching* task, const Reached* at, int joint, doubl
   for (int i = 0; i < task->joints; ++i) advance(task, i, others.by[i], values);
 }
 
-/// True if values that reach the goals can be moved on a little and still reach them, to some more rounding.
-static bool is_continuum(const Matching* task, const JointValues* values, const Reached* at, Budget* budget) {
-  const double allowed = 64 * DBL_EPSILON;
+/// True if values that reach the goals, moved on a little, still miss them by no more than is allowed.
+static bool goes_on(const Matching* task, const JointValues* values, const Reached* at, double allowed,
+                    Budget* budget) {
   const Dependent idle = idle_joints(task, at);
   if (idle.least == task->joints) return false;
   const double little = length_of_arc(task, idle.least, 1e-2);
@@ -26,6 +26,33 @@ static bool is_continuum(const Matching* task, const JointValues* values, const 
     if (polish(task, quick(allowed), &moved_on, &there, budget, &idle.columns)) return true;
   }
   return false;
+}
+
+/// True if one of several joints that are idle goes on while the others are moved by whatever it takes: where
+/// two solutions meet on a continuum rounding takes them off it by half the digits.
+static bool leads_on_beside(const Matching* task, const JointValues* values, const Reached* at,
+                            double allowed, Budget* budget) {
+  const Dependent idle = idle_joints(task, at);
+  int count = 0;
+  for (int i = 0; i < task->joints; ++i) count += idle.columns.is[i] ? 1 : 0;
+  if (count < 2) return false;
+  for (int i = 0; i < task->joints; ++i) {
+    if (!idle.columns.is[i]) continue;
+    Held held = nothing_held;
+    held.is[i] = true;
+    JointValues moved_on = *values;
+    advance(task, i, length_of_arc(task, i, 1e-2), &moved_on);
+    Reached there;
+    if (polish(task, quick(allowed), &moved_on, &there, budget, &held)) return true;
+  }
+  return false;
+}
+
+/// True if values that reach the goals can be moved on a little and still reach them, to some more rounding.
+static bool is_continuum(const Matching* task, const JointValues* values, const Reached* at, Budget* budget) {
+  const double allowed = 64 * DBL_EPSILON;
+  return goes_on(task, values, at, allowed, budget) ||
+         leads_on_beside(task, values, at, allowed, budget);
 }
 
 /// True if between two values that reach the goals, near each other, there are such values too.
@@ -105,6 +132,8 @@ typedef struct Tracker {
   Known known;
   Budget budget;
   bool persists;  // further choices are made as long as a branch is without a solution
+  bool again;     // branches that have led to a solution are followed again, to others
+  bool closed;    // but not those of which nothing is polished
 } Tracker;
 
 static void start_tracker(Tracker* tracker, int branches, int passes, int steps, bool persists) {
@@ -114,6 +143,7 @@ static void start_tracker(Tracker* tracker, int branches, int passes, int steps,
   tracker->known.count = 0;
   tracker->budget = budget;
   tracker->persists = persists;
+  tracker->again = tracker->closed = false;
 }
 
 static bool any_branch_is(const Tracker* tracker, BranchState state) {
@@ -128,10 +158,23 @@ static bool all_settled(const Tracker* tracker) {
   return true;
 }
 
-static bool is_settled(const Tracker* tracker, int label) { return tracker->states[label] == settled; }
+static bool is_settled(const Tracker* tracker, int label) {
+  return tracker->states[label] == settled && (!tracker->again || tracker->closed);
+}
+
+/// True if there is room for one more row. If there is none a row is lost, and the set is incomplete; but
+/// where branches are followed again each has a row of its own then.
+static bool has_room(Tracker* tracker) {
+  const bool is_full = tracker->known.count == tracker->branches;
+  if (is_full && !tracker->again) tracker->budget.spent.used_up = true;
+  return !is_full;
+}
 
 /// A solution of which nothing is polished.
-static void close_branch(Tracker* tracker, int label) { tracker->states[label] = settled; }
+static void close_branch(Tracker* tracker, int label) {
+  tracker->states[label] = settled;
+  tracker->closed = true;
+}
 
 /// Takes back the last solution: a wrist cannot follow there.
 static void reopen_branch(Tracker* tracker, int label, bool continuum) {
@@ -192,12 +235,12 @@ static bool settle_branch(Tracker* tracker, int label, const Matching* task, con
                           const JointValues* seed, JointValues* values, Branch* branch) {
   BranchState* state = &tracker->states[label];
   Known* known = &tracker->known;
-  if (!branch->exists) return false;
+  if (!branch->exists || (tracker->again && is_known(known, task->joints, values))) return false;
   if (!branch->unsure) {
     // Closed forms are to be trusted, as elsewhere. Another branch may have been led there.
     normalise(task, values);
     *state = settled;
-    if (is_known(known, task->joints, values)) return false;
+    if (is_known(known, task->joints, values) || !has_room(tracker)) return false;
     known->of[known->count++] = *values;
     return true;
   }
@@ -211,8 +254,7 @@ static bool settle_branch(Tracker* tracker, int label, const Matching* task, con
     return false;
   }
   *state = settled;
-  if (same || is_joined_to_known(tracker, task, values, &reached))
-    return false;
+  if (same || is_joined_to_known(tracker, task, values, &reached) || !has_room(tracker)) return false;
   if (branch->continuum || is_continuum(task, values, &reached, &tracker->budget)) {
     branch->continuum = true;
     if (seed != NULL) take_place_near_seed(tracker, task, seed, values);
@@ -236,7 +278,7 @@ static SeedTracker new_seed_tracker(void) {
   return tracker;
 }
 
-/// True if from the seed steps lead to the pose of which the joints that are idle there take no part.
+/// True if Newton from the seed converges with the idle joints held.
 static bool moves_without_idle(SeedTracker* tracker, const Matching* task, Patience until,
                                JointValues* values, Reached* reached) {
   if (!may_step(&tracker->budget)) return false;

@@ -186,6 +186,7 @@ typedef struct Visited {
   bool marked[marks][most_branches];
   Known known;
   Budget budget;
+  bool again;  // branches that have led to a solution are followed again, to others
 } Visited;
 
 static void start_visits(Visited* visited, int branches, int passes, int steps) {
@@ -194,6 +195,7 @@ static void start_visits(Visited* visited, int branches, int passes, int steps) 
   memset(visited->marked, 0, sizeof visited->marked);
   visited->branches = branches;
   visited->known.count = 0;
+  visited->again = false;
 }
 
 /// True if a branch that is not settled is marked so.
@@ -210,7 +212,7 @@ static void settle_shared(Visited* visited) {
 }
 
 static bool visit_is_settled(const Visited* visited, int label) {
-  return visited->marked[has_settled][label];
+  return visited->marked[has_settled][label] && !visited->again;
 }
 
 /// Takes back the last solution: a wrist cannot follow there.
@@ -236,6 +238,7 @@ static bool is_visited(Visited* visited, const Matching* task, const JointValues
 static bool settle_visit(Visited* visited, int label, const Matching* task, const Boundary* boundary,
                          const JointValues* seed, JointValues* values, Branch* branch) {
   Budget* budget = &visited->budget;
+  if (visited->again && (!branch->exists || is_known(&visited->known, task->joints, values))) return false;
   bool reached = branch->exists && polish_points(task, boundary->miss, values, budget, &nothing_held);
   const bool strays = branch->exists && !reached && is_nearly_continuum(task, values, budget);
   if (strays) reached = move_on(task, values, budget);
@@ -264,6 +267,11 @@ static bool settle_visit(Visited* visited, int label, const Matching* task, cons
                         is_next_to_continuum(task, values, budget));
   visited->marked[has_settled][label] = !(known && (astray || *shared));
   if (known) return false;
+  if (visited->known.count == visited->branches) {
+    // A row is lost; but where branches are followed again each has a row of its own then.
+    if (!visited->again) budget->spent.used_up = true;
+    return false;
+  }
   visited->known.of[visited->known.count++] = *values;
   return true;
 }

@@ -96,14 +96,35 @@ static inline void append(Rows* found, const double* q, int branch, bool continu
   row->continuum = continuum;
 }
 
+/// True if a row stands for a continuum.
+static bool has_continuum(const Rows* found) {
+  for (int i = 0; i < found->count; ++i)
+    if (found->rows[i].continuum) return true;
+  return false;
+}
+
 /// From the rows that were found.
 static void conclude(Rows* found) {
-  bool marked = false;
-  for (int i = 0; i < found->count; ++i) marked = marked || found->rows[i].continuum;
-  found->status = found->effort.used_up ? status_incomplete
-                  : found->count == 0   ? status_unreachable
-                  : marked              ? status_singular
-                                        : status_solved;
+  found->status = found->effort.used_up  ? status_incomplete
+                  : found->count == 0    ? status_unreachable
+                  : has_continuum(found) ? status_singular
+                                         : status_solved;
+}
+
+static bool is_branch_of_any(const Row* rows, int count, int branch) {
+  for (int i = 0; i < count; ++i)
+    if (rows[i].branch == branch) return true;
+  return false;
+}
+
+/// Gives rows whose branch an earlier row has, too, the first number that no row has.
+static void number_apart(Rows* found) {
+  for (int k = 1; k < found->count; ++k) {
+    if (!is_branch_of_any(found->rows, k, found->rows[k].branch)) continue;
+    int branch = 0;
+    while (is_branch_of_any(found->rows, found->count, branch)) ++branch;
+    found->rows[k].branch = branch;
+  }
 }
 
 static void conclude_solutions(Solutions* found) {
@@ -140,19 +161,25 @@ static void sort_rows(Solution* rows, int count, double* squares) {
   }
 }
 
+/// Sum of squares, in the order in which C++ adds them.
+static double sum_of_squares(const double* numbers) {
+  double sums[4] = {0, 0, 0, 0};
+  for (int i = 0; i < dof; ++i) sums[i % 4] += numbers[i] * numbers[i];
+  return (sums[0] + sums[2]) + (sums[1] + sums[3]);
+}
+
 /// Revolute joints the short way round.
 static void sort_by_distance(Solutions* found, const double* seed) {
-  double distances[capacity];
+  double squares[capacity];
   for (int k = 0; k < found->count; ++k) {
-    double sum = 0;
+    double off[dof];
     for (int i = 0; i < dof; ++i) {
-      const double off =
-          is_revolute[i] ? without_turns(seed[i] - found->rows[k].q[i]) : seed[i] - found->rows[k].q[i];
-      sum += off * off;
+      const double way = seed[i] - found->rows[k].q[i];
+      off[i] = is_revolute[i] ? without_turns(way) : way;
     }
-    distances[k] = sqrt(sum);
+    squares[k] = sum_of_squares(off);
   }
-  sort_rows(found->rows, found->count, distances);
+  sort_rows(found->rows, found->count, squares);
 }
 
 /// How far outside its limits a joint still counts as on them, rad or m: rounding moves a joint that stands on its
@@ -193,21 +220,87 @@ static bool row_within_limits(const double* seed, const double* lower, const dou
 /// first.
 static void keep_within_limits(Solutions* found, const double* seed, const double* lower,
                                const double* upper) {
-  double distances[capacity];
+  double squares[capacity];
   int kept = 0;
   for (int k = 0; k < found->count; ++k) {
     Solution row = found->rows[k];
     if (!row_within_limits(seed, lower, upper, row.q)) continue;
-    double sum = 0;
-    for (int i = 0; i < dof; ++i) sum += (row.q[i] - seed[i]) * (row.q[i] - seed[i]);
-    distances[kept] = sum;
+    double off[dof];
+    for (int i = 0; i < dof; ++i) off[i] = row.q[i] - seed[i];
+    squares[kept] = sum_of_squares(off);
     found->rows[kept++] = row;
   }
   const int status = found->status;
   found->count = kept;
-  sort_rows(found->rows, kept, distances);
+  sort_rows(found->rows, kept, squares);
   // A row inside the limits may be among those that an incomplete set lacks.
   if (status != status_invalid && status != status_incomplete) conclude_solutions(found);
+}
+
+/// Counts the whole turns that a joint inside its limits may go further down and up; none if it has not two finite
+/// limits.
+static void count_turns(int joint, double q, double lower, double upper, int* below, int* above) {
+  const double turn = 6.283185307179586476925;
+  const double rounds = 0x1.8p52;
+  const double most = 5e8;
+  *below = *above = 0;
+  if (!is_revolute[joint] || !(upper - lower >= turn - 2 * limit_tolerance && upper - lower < HUGE_VAL)) return;
+  const double low = lower - limit_tolerance, high = upper + limit_tolerance;
+  double down = ((q - low) * (1 / turn) + rounds) - rounds;
+  double up = ((high - q) * (1 / turn) + rounds) - rounds;
+  if (down > most) down = most;
+  if (up > most) up = most;
+  // The next whole number may be one too far: the angle decides.
+  if (down > 0 && q - turn * down < low) down -= 1;
+  if (up > 0 && q + turn * up > high) up -= 1;
+  *below = (int)down;
+  *above = (int)up;
+}
+
+/// Returns a joint's representative with that number: its own angle, then alternately above and below for as long as there
+/// are both.
+static double numbered_turn(double own, int below, int above, int number, double lower, double upper) {
+  const double turn = 6.283185307179586476925;
+  const int fewer = below < above ? below : above;
+  int turns = number % 2 == 1 ? (number + 1) / 2 : -number / 2;
+  if (number > 2 * fewer) turns = above > below ? number - fewer : fewer - number;
+  return between(lower, own + turn * turns, upper);
+}
+
+static void start_representatives(const Solutions* found, const double* lower, const double* upper, Representatives* all) {
+  all->solutions = found;
+  all->next_row = 0;
+  memcpy(all->lower, lower, sizeof all->lower);
+  memcpy(all->upper, upper, sizeof all->upper);
+  for (int i = 0; i < dof; ++i) all->below[i] = all->above[i] = all->number[i] = 0;
+}
+
+/// Goes to the next row that has a representative inside, and to that which is nearest to zero.
+static bool next_row_inside(Representatives* all) {
+  const double zero[dof] = {0};
+  while (all->next_row < all->solutions->count) {
+    all->row = all->solutions->rows[all->next_row++];
+    if (!row_within_limits(zero, all->lower, all->upper, all->row.q)) continue;
+    memcpy(all->own, all->row.q, sizeof all->own);
+    for (int i = 0; i < dof; ++i)
+      count_turns(i, all->own[i], all->lower[i], all->upper[i], &all->below[i], &all->above[i]);
+    return true;
+  }
+  // Behind the last one there is none, however often it is asked for.
+  for (int i = 0; i < dof; ++i) all->below[i] = all->above[i] = 0;
+  return false;
+}
+
+/// Counts through the turns of all joints like an odometer, then goes to the next row.
+static bool next_representative(Representatives* all) {
+  for (int i = 0; i < dof; ++i) {
+    const bool is_more = ++all->number[i] <= all->below[i] + all->above[i];
+    if (!is_more) all->number[i] = 0;
+    if (is_more || all->below[i] + all->above[i] > 0)
+      all->row.q[i] = numbered_turn(all->own[i], all->below[i], all->above[i], all->number[i], all->lower[i], all->upper[i]);
+    if (is_more) return true;
+  }
+  return next_row_inside(all);
 }
 
 /// The arm's own joints of rows that virtual ones stand behind.

@@ -156,3 +156,17 @@ static int as_solutions(const Nearest* nearest, Solutions* found) {
   if (nearest->count > 0) found->rows[0] = own_solution(&nearest->row);
   return found->count;
 }
+
+/// Puts a solution that is outside limits by rounding on them, and drops one that is outside by more.
+static int keep_near_within(const double* lower, const double* upper, Solutions* found) {
+  for (int i = 0; found->count > 0 && i < dof; ++i) {
+    double* q = &found->rows[0].q[i];
+    const double inside = between(lower[i], *q, upper[i]);
+    if (!(lower[i] <= upper[i] && fabs(inside - *q) <= limit_tolerance)) {
+      found->count = 0;
+      found->status = status_unreachable;
+    }
+    *q = inside;
+  }
+  return found->count;
+}

@@ -32,6 +32,44 @@ static Pose tool_of(const Arm* arm, const double* q) {
   return tool;
 }
 
+/// The joints that a pitch is about: what turns the whole arm, the first of those that the pitch is counted about, and
+/// what the caller gives, -1 for none.
+typedef struct PitchJoints {
+  int base, first, given;
+} PitchJoints;
+
+/// The direction of a joint's axis with the given joint moved.
+static void axis_with_given(const Arm* arm, PitchJoints joints, Quaternion moved, int joint, double* axis) {
+  if (joints.given >= 0 && joints.given < joint)
+    turn_vector(moved, arm->of[joint].axis, axis);
+  else
+    memcpy(axis, arm->of[joint].axis, 3 * sizeof *axis);
+}
+
+/// A pose that has a position and a pitch: the joint at the base is at zero. It is no rotation where the given joint
+/// brings the tool's axis along the axes of the pitch.
+static Pose pitched_pose(const Arm* arm, PitchJoints joints, const double* tool_axis, const double* position, double pitch,
+                         double given) {
+  double q[most_joints] = {0}, base[3], across[3], inclined[3], normal[3], beside[3];
+  Quaternion moved = {{1, 0, 0, 0}};
+  if (joints.given >= 0) {
+    q[joints.given] = given;
+    if (arm->of[joints.given].revolute) moved = turn_about(arm->of[joints.given].axis, given);
+  }
+  axis_with_given(arm, joints, moved, joints.base, base);
+  axis_with_given(arm, joints, moved, joints.first, across);
+  const Quaternion tool = tool_of(arm, q).orientation;
+  turn_vector(tool, tool_axis, inclined);
+  cross(base, inclined, normal);
+  cross(inclined, across, beside);
+  const double now =
+      atan2(projection(across, normal), projection(base, inclined) - projection(across, base) * projection(across, inclined));
+  Pose pose = pose_from(no_turn, position);
+  pose.orientation = turn_after(turn_about(across, pitch - now), tool);
+  if (!(projection(beside, beside) > 1e-20)) memset(pose.orientation.of, 0, sizeof pose.orientation.of);
+  return pose;
+}
+
 /// The tool's point (`points` 1) or its whole pose (3) at the zero pose, and where it is to be.
 static void set_matching(const Arm* arm, const Pose* pose, int points, Matching* task) {
   const Pose back = inverse_pose(&arm->tool);

@@ -3,8 +3,10 @@
 
 #include <array>
 #include <cstring>
+#include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "robot_under_test.h"
 
@@ -13,6 +15,25 @@ namespace qvgen::test {
 /// The functions in C by the names that the C++ ones are registered under.
 inline std::map<std::string, InverseFunctions>& inverses_in_c() {
   static std::map<std::string, InverseFunctions> all;
+  return all;
+}
+
+/// A solution next to a seed within limits, by the same names.
+using NearWithin = std::function<Found(const Pose<double>& pose, double given, const Eigen::VectorXd& seed,
+                                       const Eigen::VectorXd& lower, const Eigen::VectorXd& upper)>;
+inline std::map<std::string, NearWithin>& near_within_in_c() {
+  static std::map<std::string, NearWithin> all;
+  return all;
+}
+
+/// Every representative of a pose's solutions in C within limits, as C and as C++ goes through them.
+struct Representatives {
+  std::vector<Row> c, cxx;
+};
+using RepresentativesOf = std::function<Representatives(
+    const Pose<double>&, double given, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper)>;
+inline std::map<std::string, RepresentativesOf>& representatives_in_c() {
+  static std::map<std::string, RepresentativesOf> all;
   return all;
 }
 

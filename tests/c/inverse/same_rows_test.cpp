@@ -241,6 +241,68 @@ TEST_P(SameRows, WithinLimits) {
   std::printf("%-24s within limits %d rows, %d left out\n", GetParam().name.c_str(), kept, left_out);
 }
 
+/// The row without limits, where it is within them; none elsewhere, and no other.
+TEST_P(SameRows, NextToASeedWithinLimits) {
+  const auto place = near_within_in_c().find(GetParam().name);
+  if (place == near_within_in_c().end()) GTEST_SKIP() << "there is none for this arm";
+  int kept = 0, dropped = 0;
+  for (int i = 0; i < 4 * pose_count(); ++i) {
+    const Sample sample = sample_at(test_, test_.joints());
+    const double given = test_.given(sample.q);
+    const Eigen::VectorXd seed = sample.q + 0.01 * test_.joints();
+    Eigen::VectorXd lower = sample.q, upper = sample.q;
+    for (int k = 0; k < test_.dof(); ++k) {
+      lower[k] -= test_.uniform(-0.1, 2);
+      upper[k] += test_.uniform(-0.1, 2);
+    }
+    const Found free = c_->solve_near(sample.pose, given, seed, inverse::default_tolerance, {});
+    const Found found = place->second(sample.pose, given, seed, lower, upper);
+    const bool inside = !free.rows.empty() && (free.rows[0].q.array() >= lower.array()).all() &&
+                        (free.rows[0].q.array() <= upper.array()).all();
+    ASSERT_EQ(found.rows.size(), inside ? 1U : 0U) << text(free);
+    ASSERT_EQ(found.status, inside || free.rows.empty() ? free.status : Status::unreachable);
+    if (inside) {
+      ASSERT_EQ(found.rows[0].q, free.rows[0].q);
+    }
+    ++(inside ? kept : dropped);
+    if (!inside || i % 4 != 0) continue;
+    // On a limit but for rounding is on it.
+    upper[0] = free.rows[0].q[0] - 1e-13;
+    const Found clamped = place->second(sample.pose, given, seed, lower, upper);
+    ASSERT_EQ(clamped.rows.size(), lower[0] <= upper[0] ? 1U : 0U);
+    if (!clamped.rows.empty()) {
+      ASSERT_EQ(clamped.rows[0].q[0], upper[0]);
+    }
+  }
+  EXPECT_GT(kept, 0);
+  EXPECT_GT(dropped, 0);
+}
+
+/// Law: C and C++ go through the same representatives in the same order, bit by bit.
+TEST_P(SameRows, Representatives) {
+  std::size_t most = 0;
+  for (int i = 0; i < pose_count(); ++i) {
+    const Sample sample = sample_at(test_, test_.joints());
+    Eigen::VectorXd lower = sample.q, upper = sample.q;
+    for (int k = 0; k < test_.dof(); ++k) {
+      // Up to three turns to either side of some joints, limits on the joints themselves and none.
+      const double way = k == i % test_.dof() ? 20 : 4;
+      lower[k] -= i % 7 == 0 ? 0 : test_.uniform(0, way);
+      upper[k] += test_.uniform(0, way);
+      if (i % 11 == k) upper[k] = std::numeric_limits<double>::infinity();
+    }
+    const auto all =
+        representatives_in_c().at(GetParam().name)(sample.pose, test_.given(sample.q), lower, upper);
+    ASSERT_EQ(all.c.size(), all.cxx.size());
+    for (std::size_t k = 0; k < all.c.size(); ++k) {
+      ASSERT_EQ(all.c[k].q, all.cxx[k].q) << k;
+      ASSERT_EQ(all.c[k].branch, all.cxx[k].branch);
+    }
+    most = std::max(most, all.c.size());
+  }
+  EXPECT_GT(most, 2U);
+}
+
 TEST_P(SameRows, OtherConstants) {
   InverseUnderTest cxx = GetParam();
   if (cxx.constants.empty()) GTEST_SKIP() << "all constants of this arm are numbers";

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "random_arm.h"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <random>
+#include <vector>
 
 #include "cut_arms.h"
 #include "five_arms.h"
 #include "other_zeros.h"
+#include "pitched_arms.h"
 #include "seven_arms.h"
 #include "sliding_arms.h"
 #include "sliding_machines.h"
@@ -38,6 +42,8 @@ constexpr int along_coordinates = 6;
 bool parallel(const Axis& a, const Axis& b) {
   return a[1] * b[2] == a[2] * b[1] && a[2] * b[0] == a[0] * b[2] && a[0] * b[1] == a[1] * b[0];
 }
+
+bool is_across(const Axis& a, const Axis& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] == 0; }
 
 class Writer {
  public:
@@ -95,6 +101,39 @@ class Writer {
       joints += joint(i, !slide, along, origin, slide ? "" : offset());
     }
     return description("random arm with three slides", joints);
+  }
+
+  /// Four joints that a position and a pitch determine: a turn, then turns about one direction and at most
+  /// one slide across it, the last a turn. Every second arm has one joint more, whose value is given: behind
+  /// the others, before them, or between the first and the rest.
+  std::string pitched() {
+    const Axis common = axis();
+    Axis first = axis();
+    while (parallel(first, common)) first = axis();
+    std::vector<Axis> across;
+    std::copy_if(axes.begin(), axes.end(), std::back_inserter(across),
+                 [&](const Axis& each) { return is_across(each, common); });
+    const int slide = across.empty() ? 0 : below(3);  // 1 or 2, 0 for none
+    constexpr std::array<int, 4> places{4, 4, 0, 1};
+    const int given = below(2) == 0 ? places.at(static_cast<std::size_t>(below(4))) : -1;
+    std::string joints;
+    int number = 0;
+    for (int i = 0; i <= 4; ++i) {
+      if (i == given) joints += arm_joint(number++);
+      if (i == 4) break;
+      const bool slides = i > 0 && i == slide;
+      const std::string origin = link();
+      joints += joint(number++, !slides,
+                      i == 0   ? first
+                      : slides ? across[static_cast<std::size_t>(below(static_cast<int>(across.size())))]
+                               : common,
+                      origin, link());
+    }
+    Axis tool = axis();
+    while (parallel(tool, common)) tool = axis();
+    return description("random arm with a pitch", joints,
+                       "task = \"position_and_pitch\"\ntool_axis = " + text(tool) + "\n" +
+                           (given < 0 ? "" : "given = \"q" + std::to_string(given + 1) + "\"\n"));
   }
 
   /// Six joints, five, or seven of which one is given; no two axes meet or are parallel but by chance.
@@ -299,6 +338,13 @@ std::string arm_description(const std::string& family, std::uint32_t seed) {
     return seed < unstructured_arms.size()
                ? "name = \"" + name + "\"\ntitle = \"without structure\"\n" + unstructured_arms[seed]
                : Writer(name, seed).unstructured();
+  }
+  if (family == "pitch") {
+    const std::string name = arm_name(family, seed);
+    return seed < pitched_arms.size()
+               ? "name = \"" + name + "\"\ntitle = \"with a pitch\"\ntask = \"position_and_pitch\"\n" +
+                     pitched_arms[seed]
+               : Writer(name, seed).pitched();
   }
   if (family == "machines") {
     const std::string name = arm_name(family, seed);

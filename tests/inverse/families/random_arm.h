@@ -11,8 +11,8 @@ std::string arm_name(const std::string& family, std::uint32_t seed);
 
 /// Writes an arm of a family: "pieper" or "parallel", one of these cut to "five" or "four" joints, one of the
 /// sixteen "codes" cut to two to five, or the arm of that number in sliding_arms.h, twisted_arms.h,
-/// other_zeros.h, sliding_machines.h, seven_arms.h or unstructured_arms.h; behind these three random arms of
-/// the kind follow.
+/// other_zeros.h, sliding_machines.h, seven_arms.h, pitched_arms.h or unstructured_arms.h; behind these four
+/// random arms of the kind follow.
 std::string arm_description(const std::string& family, std::uint32_t seed);
 
 /// The description of a random arm of six joints, three consecutive of them revolute with axes through one

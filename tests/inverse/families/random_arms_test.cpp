@@ -15,6 +15,8 @@ TEST_P(RandomArm, PosesRoundedToFloat) { run("float32", pose_count() / 20); }
 TEST_P(RandomArm, BranchesThatMeet) { run("boundary", pose_count() / 20); }
 TEST_P(RandomArm, ToolPointOnTheFirstAxis) { expect_found_or_told("tool on axis 1"); }
 
+TEST_P(RandomArm, EveryPieceOfAContinuumHasARow) { expect_a_row_on_every_piece(); }
+
 TEST_P(RandomArm, TheSearchFindsNothingElse) { expect_the_search_finds_nothing_else(); }
 TEST_P(RandomArm, NextToASeedNothingJumps) { expect_no_jumps_next_to_a_seed(); }
 TEST_P(RandomArm, FewPosesNeedAllThatIsAllowed) { expect_few_poses_need_all_that_is_allowed(); }

@@ -70,7 +70,7 @@ qvgen::test::InverseFunctions functions() {
   qvgen::test::InverseFunctions all;
   all.solve = [](const Pose& pose, double given, double tolerance, const reference::Values&) { return qvgen::test::found_in_c<Set>(robot::dof, [&](Set* set) { return call(pose, given, nullptr, tolerance, set); }); };
   all.solve_from = [](const Pose& pose, double given, const Eigen::VectorXd& seed, const reference::Values&) { return qvgen::test::found_in_c<Set>(robot::dof, [&](Set* set) { return call(pose, given, seed.data(), 1e-13, set); }); };
-@NEAR@  return all;
+@NEAR@@PITCH@  return all;
 }
 const bool registered = qvgen::test::inverses_in_c().emplace("@NAME@", functions()).second;
 }
@@ -79,6 +79,10 @@ const bool registered = qvgen::test::inverses_in_c().emplace("@NAME@", functions
 
 constexpr const char* near_a_seed_in_c =
     R"(  all.solve_near = [](const Pose& pose, [[maybe_unused]] double given, const Eigen::VectorXd& seed, double tolerance, const reference::Values&) { return qvgen::test::found_in_c<Set>(robot::dof, [&](Set* set) { const auto task = asked<robot::inverse_info@SUFFIX@.task>(pose, robot::inverse_info@SUFFIX@); return @NAME@_inverse_kinematics_near@SUFFIX@@OF@(@ARGUMENTS@@GIVEN@, seed.data(), &@NAME@_default_geometry, tolerance, set); }); };
+)";
+
+constexpr const char* by_pitch_in_c =
+    R"(  all.solve_pitch = [](const Eigen::Vector3d& position, double pitch, [[maybe_unused]] double given) { return qvgen::test::found_in_c<Set>(robot::dof, [&](Set* set) { return @NAME@_inverse_kinematics@SUFFIX@_of_position_and_pitch(position.data(), pitch@GIVEN@, nullptr, &@NAME@_default_geometry, 1e-13, set); }); };
 )";
 
 std::string replaced(std::string text, const std::string& what, const std::string& by) {
@@ -133,8 +137,10 @@ std::string registration_in_c(const Folder& folder, const std::string& name) {
   const fs::path header = folder.header(name);
   const std::string given = suffix(header), asked = task(header);
   const std::string pose = "wxyz(task.orientation).data(), task.position.data()";
-  const bool whole = asked == "pose" || asked == "position" || asked == "position_and_yaw";
+  const bool has_pitch = asked == "position_and_pitch";
+  const bool whole = asked == "pose" || asked == "position" || asked == "position_and_yaw" || has_pitch;
   std::string text = replaced(arm_in_c, "@NEAR@", has_near(header, given) ? near_a_seed_in_c : "");
+  text = replaced(text, "@PITCH@", has_pitch ? by_pitch_in_c : "");
   text = replaced(text, "@OF@", whole ? "" : "_of_" + asked);
   text = replaced(text, "@ARGUMENTS@",
                   whole                    ? pose

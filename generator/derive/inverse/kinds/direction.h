@@ -121,7 +121,7 @@ struct Reach {
     const auto solve = [](auto&&... a) { return qvgen::inverse::reachable_direction(a...); };
     return b.turn(b.call("reachable_direction", solve, b.pair("point_x", "point_y"),
                          b.pair("offset_x", "offset_y"), b.input("inner"), b.input("outer"),
-                         b.sum_of_seeds(seeds)));
+                         b.sum_of_seeds(seeds), b.boundary()));
   }
 };
 

@@ -127,65 +127,12 @@ std::vector<Chunk> reached(const std::vector<Chunk>& chunks) {
   return result;
 }
 
-/// The name that a line gives a constant of its own, if it is `  const double name = ...;`.
-std::string local_constant(const std::string& line) {
-  const std::size_t begin = line.find_first_not_of(' ');
-  if (begin == std::string::npos || begin == 0 || line.compare(begin, 13, "const double ") != 0) return "";
-  const std::size_t end = line.find(" =", begin);
-  if (end == std::string::npos || line.back() != ';' || line.find('[', begin) < end) return "";
-  return line.substr(begin + 13, end - begin - 13);
-}
-
-/// Drops local constants that nothing reads, from the last line up: one may have been read by another alone.
-void drop_unread(Chunk& chunk) {
-  for (std::size_t i = chunk.lines.size(); i-- > 1;) {
-    const std::string name = local_constant(chunk.lines[i]);
-    if (name.empty()) continue;
-    std::string rest;
-    for (std::size_t j = i + 1; j < chunk.lines.size(); ++j) rest += chunk.lines[j] + "\n";
-    const auto names = names_in(rest);
-    if (std::find(names.begin(), names.end(), name) == names.end())
-      chunk.lines.erase(chunk.lines.begin() + static_cast<std::ptrdiff_t>(i));
-  }
-}
-
-/// Returns the parameters of a function's head, which may be broken into lines: "(const double* q, double
-/// given)".
-std::vector<std::string> parameters(const std::string& code) {
-  const std::size_t begin = code.find('('), end = code.find(") {");
-  if (end == std::string::npos) return {};
-  std::vector<std::string> names;
-  std::istringstream list(code.substr(begin + 1, end - begin - 1));
-  for (std::string each; std::getline(list, each, ',');) {
-    const auto words = names_in(each.substr(0, each.find('[')));
-    if (words.size() > 1) names.push_back(words.back());
-  }
-  return names;
-}
-
-void mark_unread_parameters(Chunk& chunk) {
-  const auto opening = std::find_if(chunk.lines.begin(), chunk.lines.end(),
-                                    [](const std::string& line) { return line.back() == '{'; });
-  if (!chunk.is_function() || opening == chunk.lines.end()) return;
-  const std::string code = chunk.code();
-  const auto names = names_in(code.substr(code.find(") {")));
-  std::vector<std::string> lines;
-  for (const std::string& parameter : parameters(code))
-    if (std::find(names.begin(), names.end(), parameter) == names.end())
-      lines.push_back("  (void)" + parameter + ";");
-  chunk.lines.insert(opening + 1, lines.begin(), lines.end());
-}
-
 }  // namespace
 
 std::string needed(const std::string& source) {
   std::string text;
-  std::vector<Chunk> chunks = chunks_of(source);
-  for (Chunk& chunk : chunks) drop_unread(chunk);
-  for (Chunk& chunk : reached(chunks)) {
-    mark_unread_parameters(chunk);
+  for (const Chunk& chunk : reached(chunks_of(source)))
     text += (text.empty() ? "" : "\n") + chunk.comment + chunk.code();
-  }
   return text;
 }
 

@@ -6,8 +6,7 @@
 namespace qvgen::emit::c {
 
 /// A C source of which only what its public functions need is left: types, constants and static functions
-/// that nothing reaches from there go, and so do local constants that are not read; parameters that are not
-/// are marked. Compilers warn of all three.
+/// that nothing reaches from there go. Compilers warn of them.
 std::string needed(const std::string& source);
 
 }  // namespace qvgen::emit::c

@@ -2,13 +2,17 @@
 #include "emit/c/inverse/source.h"
 
 #include <algorithm>
+#include <set>
+#include <utility>
+#include <vector>
 
 #include "emit/builtin_templates.h"
 #include "emit/c/inverse/chunks.h"
 #include "emit/cpp/inverse/entries.h"
-#include "emit/cpp/template_values.h"
 #include "emit/cpp/tidy.h"
+#include "emit/inverse/arm.h"
 #include "emit/render.h"
+#include "emit/template_values.h"
 #include "model/tasks.h"
 
 namespace qvgen::emit::c {
@@ -53,7 +57,21 @@ Argument with_yaw(const Problem& problem) {
           true};
 }
 
-Argument reduced(const Problem& problem) {
+Argument pitched(const model::Robot& described, const Problem& problem) {
+  const PitchPlaces places = pitch_places(problem);
+  const std::string given =
+      problem.given < 0 ? "0" : "given_" + described.joints[static_cast<std::size_t>(problem.given)].variable;
+  const std::string joints = std::to_string(places.base) + ", " + std::to_string(places.first) + ", " +
+                             std::to_string(problem.given);
+  return {"const double position[3], double pitch",
+          "position, pitch",
+          {"const double tool_axis[3] = {" + numbers_of(problem.tool_axis) + "};",
+           "const PitchJoints joints = {" + joints + "};",
+           "const Pose pose = pitched_pose(&arm, joints, tool_axis, position, pitch, " + given + ");"},
+          true};
+}
+
+Argument reduced(const model::Robot& described, const Problem& problem) {
   switch (problem.task) {
     case Task::position_and_direction:
       return directed(problem, true);
@@ -65,6 +83,8 @@ Argument reduced(const Problem& problem) {
               {"const Pose pose = pose_from(orientation, no_place);"}};
     case Task::position_and_yaw:
       return with_yaw(problem);
+    case Task::position_and_pitch:
+      return pitched(described, problem);
     case Task::position:
     case Task::pose:
       break;
@@ -86,6 +106,25 @@ json entry(const Argument& argument, Filter filter, const std::string& suffix, c
           {"follows_seed", cpp["follows_seed"]},
           {"looks", cpp["looks"]},
           {"pose_lines", lines_of(argument.pose)}};
+}
+
+/// Adds the values of the pose that a target reads, as C has them.
+void add_pose_values(json& target) {
+  static const std::vector<std::pair<std::string, std::string>> all{
+      {"pose_r_w", "pose->orientation.of[0]"},  {"pose_r_x", "pose->orientation.of[1]"},
+      {"pose_r_y", "pose->orientation.of[2]"},  {"pose_r_z", "pose->orientation.of[3]"},
+      {"pose_s", "square_scale(excess)"},       {"scale_to_unit", "unit_scale(excess)"},
+      {"pose_q_w", "scale_to_unit * pose_r_w"}, {"pose_q_x", "scale_to_unit * pose_r_x"},
+      {"pose_q_y", "scale_to_unit * pose_r_y"}, {"pose_q_z", "scale_to_unit * pose_r_z"},
+      {"pose_p_x", "pose->position[0]"},        {"pose_p_y", "pose->position[1]"},
+      {"pose_p_z", "pose->position[2]"}};
+  std::set<std::string> read = target["reads"].get<std::set<std::string>>();
+  for (const std::string part : {"w", "x", "y", "z"})
+    if (read.count("pose_q_" + part) > 0) read.insert({"scale_to_unit", "pose_r_" + part});
+  target["reads_excess"] = read.count("pose_s") > 0 || read.count("scale_to_unit") > 0;
+  target["pose_values"] = json::array();
+  for (const auto& [name, expression] : all)
+    if (read.count(name) > 0) target["pose_values"].push_back({{"name", name}, {"expression", expression}});
 }
 
 int largest(const json& variants, const char* key) {
@@ -129,14 +168,14 @@ void add_entries(const model::Robot& robot, const derive::inverse::Derivation& d
   const Problem& problem = derivation.problem;
   const Task task = problem.task;
   emit::add_entries(robot, derivation.problem, variant);
+  add_pose_values(variant["target"]);
   variant["row_arm"] = row_arm(problem, variant["virtual_joints"], "", numbers_of(problem.tool_axis));
   json entries = json::array();
   const json& cpp = variant["entries"];
-  const bool position_only = task == Task::position;
   if (task != Task::pose)
-    entries.push_back(entry(reduced(problem), problem.filter, "_of_" + model::task_name(task), cpp.front()));
-  const Filter whole = task == Task::pose || position_only ? problem.filter : Filter::pose;
-  entries.push_back(entry(whole_pose(), whole, "", cpp.back()));
+    entries.push_back(
+        entry(reduced(robot, problem), problem.filter, "_of_" + model::task_name(task), cpp.front()));
+  entries.push_back(entry(whole_pose(), filter_of_poses(problem), "", cpp.back()));
   variant["c_entries"] = entries;
 }
 
@@ -147,6 +186,11 @@ Part inverse_kinematics(const model::Robot& robot, const json& given) {
   const std::string source =
       render("c/solve_sizes.c", values) + "\n" + blocks + "\n" + render("c/solve.c", values);
   return {render("c/solutions.h", values), render("c/solve_head.c", values) + "\n" + wrapped(needed(source))};
+}
+
+Part metrics(const model::Robot& robot) {
+  const json values{{"name", robot.name}, {"dof", robot.joints.size()}};
+  return {render("c/metrics.h", values), render("c/metrics.c", values)};
 }
 
 }  // namespace qvgen::emit::c

@@ -16,4 +16,7 @@ void add_entries(const model::Robot& robot, const derive::inverse::Derivation& d
 /// Header and source of a robot's inverse kinematics, of the variants' values.
 Part inverse_kinematics(const model::Robot& robot, const nlohmann::json& values);
 
+/// Header and source of what orders the solutions of a robot.
+Part metrics(const model::Robot& robot);
+
 }  // namespace qvgen::emit::c

@@ -1,31 +1,30 @@
 // SPDX-License-Identifier: MIT
 #include "emit/cpp/inverse/bounds_code.h"
 
-#include "emit/cpp/code.h"
-#include "emit/cpp/inverse/entries.h"
+#include "emit/cpp/printer.h"
+#include "emit/inverse/arm.h"
 
 namespace qvgen::emit {
 namespace {
 
-/// A whole number is a double; of others a literal is only the one next to it.
-std::string number_in_bounds(const std::string& literal) {
-  const bool whole = literal.find_first_not_of("-0123456789") == std::string::npos && literal.size() < 16;
-  return (whole ? "Interval(" : "next_to(") + literal + ")";
-}
-
-Spelling interval_spelling() {
-  Spelling spelling = cpp_spelling();
-  spelling.number = number_in_bounds;
-  spelling.call = [](const std::string& function, const std::string& value) {
-    return "inverse::certified::" + function + "(" + value + ")";
-  };
-  return spelling;
-}
+/// Interval arithmetic. A whole number is a double; of others a literal is only the one next to it.
+class InBounds : public CppPrinter {
+  [[nodiscard]] std::string real(const std::string& decimal) const override {
+    const bool whole = decimal.find_first_not_of("-0123456789") == std::string::npos && decimal.size() < 16;
+    return (whole ? "Interval(" : "next_to(") + decimal + ")";
+  }
+  [[nodiscard]] std::string function(const std::string& name, const std::string& value) const override {
+    return "inverse::certified::" + name + "(" + value + ")";
+  }
+  [[nodiscard]] std::string mathematical(const std::string& name, const std::string& value) const override {
+    return function(name, value);
+  }
+};
 
 }  // namespace
 
 nlohmann::json arm_in_bounds_values(const model::Robot& described) {
-  nlohmann::json values = arm_values(described, interval_spelling());
+  nlohmann::json values = arm_values(described, InBounds());
   nlohmann::json symbols = nlohmann::json::array();
   for (const model::Parameter& parameter : described.geometry)
     symbols.push_back({{"symbol", parameter.name}, {"last", &parameter == &described.geometry.back()}});

@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "emit/cpp/inverse/entries.h"
 
-#include <fmt/format.h>
-
-#include "canonical/arm.h"
-#include "derive/inverse/lower.h"
-#include "emit/cpp/geometry_code.h"
-#include "emit/cpp/symbol_table.h"
-#include "emit/cpp/template_values.h"
-#include "model/evaluate.h"
-#include "model/private_names.h"
+#include "emit/inverse/arm.h"
+#include "emit/template_values.h"
 #include "model/tasks.h"
 
 namespace qvgen::emit {
@@ -30,14 +23,14 @@ struct Argument {
   bool is_pose = false;
 };
 
-Argument pose_argument(bool position_only) {
-  return {"const Pose<double>& pose",
-          "pose",
-          std::string("a pose (") +
-              (position_only ? "its position; the orientation is not used)" : "position and orientation)"),
-          "pose",
-          "pose",
-          true};
+Argument pose_argument(Task task) {
+  const auto used = [&] {
+    if (task == Task::position) return "its position; the orientation is not used)";
+    if (task == Task::position_and_pitch)
+      return "its position and pitch; its heading is not used, a tilt to the side is unreachable)";
+    return "position and orientation)";
+  };
+  return {"const Pose<double>& pose", "pose", std::string("a pose (") + used(), "pose", "pose", true};
 }
 
 Argument directed(const Problem& problem, const std::string& type, const std::string& what) {
@@ -46,6 +39,31 @@ Argument directed(const Problem& problem, const std::string& type, const std::st
           what + "the direction of its axis " + model::axis_text(problem.tool_axis) + " in the base frame",
           "inverse::pose_of(task, " + axis + ", Eigen::Quaterniond::Identity())",
           "inverse::pose_of(task, " + axis + ", inverse::tool_of<dof>(arm, seed).orientation)"};
+}
+
+/// Returns the joints that a pitch is about, as the runtime's PitchJoints.
+std::string pitch_joints(const Problem& problem) {
+  const PitchPlaces places = pitch_places(problem);
+  return "{" + std::to_string(places.base) + ", " + std::to_string(places.first) + ", " +
+         std::to_string(problem.given) + "}";
+}
+
+Argument pitched(const model::Robot& described, const Problem& problem) {
+  const std::string given =
+      problem.given < 0 ? ""
+                        : ", given_" + described.joints[static_cast<std::size_t>(problem.given)].variable;
+  const auto variable = [&](int joint) { return described.joints[static_cast<std::size_t>(joint)].variable; };
+  const PitchPlaces places = pitch_places(problem);
+  const std::string pose = "inverse::pose_of(task, arm, inverse::PitchJoints" + pitch_joints(problem) +
+                           ", Vector3<double>(" + numbers_of(problem.tool_axis) + ")" + given + ")";
+  return {"const PositionAndPitch<double>& task",
+          "task",
+          "a position of the tool point and a pitch, the angle of its axis " +
+              model::axis_text(problem.tool_axis) + " to the axis of " + variable(places.base) +
+              ", counted about the axis of " + variable(places.first),
+          pose,
+          pose,
+          false};
 }
 
 /// Returns the argument of a task that is less than a pose.
@@ -71,6 +89,8 @@ Argument reduced_argument(const model::Robot& described, const Problem& problem)
            "inverse::pose_of(task, arm.joints[" + std::to_string(joint) + "].axis, arm.tool.orientation)", "",
            false});
     }
+    case Task::position_and_pitch:
+      return pitched(described, problem);
     case Task::position:
     case Task::pose:
       break;
@@ -140,58 +160,13 @@ json entry(const Problem& problem, const Argument& argument, Filter filter, cons
           {"follows_seed", (filter == Filter::none || looks) && variant["seed_branch"].is_object()},
           {"looks", looks},
           {"is_early", is_early},
+          {"in_lanes", is_early && variant["chooses_in_lanes"].get<bool>()},
           {"fits_limits", filter == Filter::none && argument.is_pose && variant["fits_limits"].get<bool>()},
           {"points", problem.task == Task::position ? 1 : 3},
           {"whole_pose", filter == Filter::pose && argument.is_pose && problem.task != Task::pose}};
 }
 
 }  // namespace
-
-std::string numbers_of(const model::Vector3& axis) {
-  const auto number = [](const model::Expression& e) {
-    return fmt::format("{}", model::to_double(model::evaluate(e)));
-  };
-  return number(axis[0]) + ", " + number(axis[1]) + ", " + number(axis[2]);
-}
-
-int first_turn(const model::Robot& robot) {
-  int joint = 0;
-  while (robot.joints[static_cast<std::size_t>(joint)].type != model::JointType::revolute) ++joint;
-  return joint;
-}
-
-namespace {
-
-/// `writing`: a spelling or a dialect.
-template <class Writing>
-json arm_values_in(const model::Robot& described, const Writing& writing) {
-  const model::Robot robot = canonical::for_dynamics(model::with_private_names(described));
-  const dag::Function function = derive::inverse::lowered_arm_at_zero(robot);
-  const Code code = geometry_code(robot, function, writing);
-  json joints = json::array();
-  for (std::size_t i = 0; i < robot.joints.size(); ++i)
-    joints.push_back({{"open", "{"},
-                      {"number", std::to_string(i + 1)},
-                      {"index", std::to_string(i)},
-                      {"revolute", robot.joints[i].type == model::JointType::revolute ? "true" : "false"}});
-  return {{"values", values_of(code)}, {"joints", joints}};
-}
-
-}  // namespace
-
-json arm_values(const model::Robot& described, const Dialect& dialect) {
-  return arm_values_in(described, dialect);
-}
-json arm_values(const model::Robot& described, const Spelling& spelling) {
-  return arm_values_in(described, spelling);
-}
-
-std::string row_arm(const Problem& problem, bool has_tool_turn, const std::string& scope,
-                    const std::string& tool_axis) {
-  const bool turns = problem.task == Task::direction || problem.task == Task::orientation;
-  const std::string arm = turns ? scope + "turns_of(arm_at_zero(g))" : "arm_at_zero(g)";
-  return has_tool_turn ? scope + "with_tool_turn(" + arm + ", " + tool_axis + ")" : arm;
-}
 
 namespace {
 
@@ -220,15 +195,14 @@ void add_entries(const model::Robot& robot, const Problem& problem, json& varian
   const Task task = problem.task;
   add_seed_branch(robot, problem, variant);
   json entries = json::array();
-  const bool position_only = task == Task::position;
   if (task != Task::pose)
     entries.push_back(entry(problem, reduced_argument(robot, problem), problem.filter, variant));
-  const Filter whole = task == Task::pose || position_only ? problem.filter : Filter::pose;
-  entries.push_back(entry(problem, pose_argument(position_only), whole, variant));
+  entries.push_back(entry(problem, pose_argument(task), filter_of_poses(problem), variant));
   variant["entries"] = entries;
-  const bool directed = task == Task::direction || task == Task::position_and_direction;
+  const bool directed =
+      task == Task::direction || task == Task::position_and_direction || task == Task::position_and_pitch;
   variant["tool_axis"] = directed ? "{" + numbers_of(problem.tool_axis) + "}" : "{}";
-  const bool plain = problem.filter == Filter::none && (task == Task::pose || position_only);
+  const bool plain = problem.filter == Filter::none && (task == Task::pose || task == Task::position);
   variant["checks_rows"] = !plain;
 }
 

@@ -4,25 +4,11 @@
 #include <nlohmann/json.hpp>
 
 #include "derive/inverse/inverse.h"
-#include "emit/cpp/inverse/dialect.h"
 
 namespace qvgen::emit {
 
 /// Adds to a variant's template values its public functions: what each takes, how that becomes a pose of the
 /// arm that the plan is of, and what is done with the rows.
 void add_entries(const model::Robot& robot, const derive::inverse::Problem& problem, nlohmann::json& variant);
-
-/// The arm's screws at zero, for functions that look at rows, turn a tool, or move the whole arm.
-nlohmann::json arm_values(const model::Robot& described, const Dialect& dialect);
-nlohmann::json arm_values(const model::Robot& described, const Spelling& spelling);
-
-/// A constant direction's numbers, with commas.
-std::string numbers_of(const model::Vector3& axis);
-/// The text of a row's arm with all joints at zero: of a task that leaves the position it turns only, and the
-/// turn of the tool that a direction leaves stands behind. `scope`, `tool_axis`: as the language has them.
-std::string row_arm(const derive::inverse::Problem& problem, bool has_tool_turn, const std::string& scope,
-                    const std::string& tool_axis);
-/// The arm's first revolute joint.
-int first_turn(const model::Robot& robot);
 
 }  // namespace qvgen::emit

@@ -6,6 +6,8 @@
 
 #include <qvgen/batch/machine.h>
 
+/// Choice of the instruction set of a batch at run time: the wanted one, or the next narrower one that this
+/// machine has and the build has compiled.
 namespace qvgen::batch {
 
 /// The set for so many configurations: fewer than four in double are computed as single calls do, where those

@@ -9,6 +9,7 @@
 #include <qvgen/batch/dispatch.h>
 #include <qvgen/batch/solutions.h>
 #include <qvgen/batch/staging.h>
+#include <qvgen/batch/wanted.h>
 #include <qvgen/pose.h>
 
 // Shared parts of batched inverse kinematics; no robot is named here.
@@ -20,6 +21,14 @@ inline constexpr std::size_t block = 64;
 /// w, x, y, z of the quaternion, then the position.
 inline Pose<double> pose_at(const Batch<const double>& poses, std::size_t k) {
   return {{poses(0, k), poses(1, k), poses(2, k), poses(3, k)}, {poses(4, k), poses(5, k), poses(6, k)}};
+}
+
+/// One vector of a batch.
+template <int dof>
+Eigen::Matrix<double, dof, 1> joints_at(const Batch<const double>& all, std::size_t k) {
+  Eigen::Matrix<double, dof, 1> q;
+  for (int i = 0; i < dof; ++i) q[i] = all(static_cast<std::size_t>(i), k);
+  return q;
 }
 
 inline void put_pose(const Pose<double>& pose, const Batch<double>& poses, std::size_t k) {

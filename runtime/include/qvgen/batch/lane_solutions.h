@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 
+#include <qvgen/batch/choose_lanes.h>
 #include <qvgen/batch/inverse_lanes.h>
 #include <qvgen/batch/solutions.h>
 
@@ -82,6 +83,15 @@ class LaneSolutions {
   /// Mask of rows that belong to a continuum. Lanes make no choice there.
   QVGEN_INLINE const Truth& chosen() const { return chosen_; }
 
+  /// Leaves of the rows those that are wanted, in their order, once the others are NaN. Returns the lanes
+  /// that have to be looked at alone.
+  QVGEN_INLINE Truth choose(const WantedSolutions& wanted) {
+    const Truth alone = choose_rows<Lane, dof, capacity>(
+        wanted, {q_, static_cast<std::size_t>(Lane::size), stride_}, labels_, count_);
+    // Within limits a row next to a singular one is as good as any.
+    return alone | (Truth(wanted.lower == nullptr) & unsure_);
+  }
+
   /// NaN behind the last solution of each lane.
   QVGEN_INLINE void pad() {
     const Lane nothing(std::numeric_limits<double>::quiet_NaN());
@@ -137,6 +147,7 @@ class LaneSolutions {
   QVGEN_INLINE void count(const Branch& branch, int rows) {
     appended_ += rows;
     chosen_ = chosen_ | (branch.exists & branch.continuum);
+    unsure_ = unsure_ | (branch.exists & branch.unsure);
     count_ = count_ + select(branch.exists, Lane(rows), Lane(0.0));
   }
 
@@ -147,6 +158,7 @@ class LaneSolutions {
   int appended_ = 0;
   Lane count_ = Lane(0.0);
   Truth chosen_ = Truth(false);
+  Truth unsure_ = Truth(false);
   Lane labels_[capacity];
 };
 
@@ -159,6 +171,10 @@ class PaddedPoses {
   Batch<const double> poses(const Batch<const double>& from) { return copies(from, 7, numbers_); }
   Batch<const double> given(const Batch<const double>& from) {
     return from.data == nullptr ? from : copies(from, 1, given_);
+  }
+  WantedSolutions wanted(const WantedSolutions& from) {
+    if (from.seeds.data == nullptr) return from;
+    return {copies(from.seeds, dof, seeds_), from.lower, from.upper, from.revolute};
   }
   BatchOfSolutions places() {
     return {{q_, lanes}, {count_, lanes}, {status_, lanes}, {branch_, lanes}, {marks_, lanes}};
@@ -183,7 +199,7 @@ class PaddedPoses {
     return {to, lanes};
   }
 
-  double numbers_[7 * lanes], given_[lanes], q_[capacity * dof * lanes];
+  double numbers_[7 * lanes], given_[lanes], seeds_[dof * lanes], q_[capacity * dof * lanes];
   int count_[lanes], branch_[capacity * lanes];
   Status status_[lanes];
   unsigned marks_[lanes];
@@ -192,14 +208,15 @@ class PaddedPoses {
 /// The solutions of as many poses as there are lanes. Returns a bit for each that is doubtful.
 template <class Lane, int dof, int capacity, class Described, class Follow>
 QVGEN_INLINE inline unsigned solve_lanes(const Batch<const double>& poses, const Batch<const double>& given,
-                                         const BatchOfSolutions& found, const Described& described,
-                                         const Follow& follow) {
+                                         const WantedSolutions& wanted, const BatchOfSolutions& found,
+                                         const Described& described, const Follow& follow) {
   const auto row = [&](std::size_t i) { return Lane::load(poses.data + i * poses.stride); };
   const LanePoses<Lane> pose{{row(1), row(2), row(3), row(0)}, {row(4), row(5), row(6)}};
   const Lane joint = given.data == nullptr ? Lane(0.0) : Lane::load(given.data);
   LaneSolutions<Lane, dof, capacity, Described> rows(found.q, described, joint);
-  const auto doubtful = follow(pose, joint, rows);
+  auto doubtful = follow(pose, joint, rows);
   rows.pad();
+  if (wanted.seeds.data != nullptr) doubtful = doubtful | rows.choose(wanted);
   rows.put_the_rest(found);
   return bits(doubtful | rows.chosen());
 }
@@ -209,17 +226,18 @@ inline constexpr std::size_t few_poses = 2;
 
 /// The solutions of at most 64 poses, one a lane: `follow(poses, given joint, solutions)` appends them and
 /// says which lanes are doubtful. Returns a bit for each pose that is, whose solutions are not to be taken,
-/// or that is one of the few at the end.
+/// or that is one of the few at the end. Seeds without data: all solutions, by branch.
 template <class Lane, int dof, int capacity, class Described, class Follow>
 QVGEN_INLINE inline std::uint64_t solve_in_lanes(const Batch<const double>& poses,
                                                  const Batch<const double>& given,
-                                                 const BatchOfSolutions& found, const Described& described,
-                                                 const Follow& follow) {
+                                                 const WantedSolutions& wanted, const BatchOfSolutions& found,
+                                                 const Described& described, const Follow& follow) {
   constexpr std::size_t lanes = Lane::size;
   PaddedPoses<Lane, dof, capacity> padded;
   std::uint64_t doubtful = 0;
   for (std::size_t k = 0; k < poses.count; k += lanes) {
     Batch<const double> here = poses.part(k, lanes), joint = given.part(k, lanes);
+    WantedSolutions these = wanted.part(k, lanes);
     const BatchOfSolutions to = found.part(k, lanes);
     const std::size_t count = here.count;
     const std::uint64_t all = (1U << count) - 1;
@@ -228,9 +246,9 @@ QVGEN_INLINE inline std::uint64_t solve_in_lanes(const Batch<const double>& pose
       continue;
     }
     const bool is_whole = count == lanes;
-    if (!is_whole) here = padded.poses(here), joint = padded.given(joint);
-    const std::uint64_t some =
-        solve_lanes<Lane, dof, capacity>(here, joint, is_whole ? to : padded.places(), described, follow);
+    if (!is_whole) here = padded.poses(here), joint = padded.given(joint), these = padded.wanted(these);
+    const std::uint64_t some = solve_lanes<Lane, dof, capacity>(
+        here, joint, these, is_whole ? to : padded.places(), described, follow);
     if (!is_whole) padded.put(to, count);
     doubtful |= (some & all) << k;
   }

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include <qvgen/inverse/solutions.h>
+#include <qvgen/inverse/turns.h>
 #include <qvgen/inverse/within.h>
 
 namespace qvgen {
@@ -67,11 +68,11 @@ class AllWithinLimits {
     const Solution<dof>* operator->() const { return &row_; }
     /// Counts through the turns of all joints like an odometer.
     Iterator& operator++() {
-      const Turns& turns = all_->turns_[branch_];
-      for (int i = 0; i < turns.last; ++i) {
-        const bool is_more = ++index_[i] < turns.count(i);
+      ++number_;
+      for (int i = 0; i < turns_.last; ++i) {
+        const bool is_more = ++index_[i] < turns_.count[i];
         if (!is_more) index_[i] = 0;
-        row_.q[i] = all_->value(branch_, i, index_[i]);
+        row_.q[i] = turns_.value(i, index_[i]);
         if (is_more) return *this;
       }
       ++branch_;
@@ -83,123 +84,106 @@ class AllWithinLimits {
       ++*this;
       return before;
     }
+    [[nodiscard]] int branch() const { return branch_; }
     friend bool operator==(const Iterator& a, const Iterator& b) {
-      return a.branch_ == b.branch_ && std::equal(a.index_, a.index_ + dof, b.index_);
+      return a.branch_ == b.branch_ && a.number_ == b.number_;
     }
     friend bool operator!=(const Iterator& a, const Iterator& b) { return !(a == b); }
 
    private:
     void begin_branch() {
-      if (branch_ < all_->branch_count_) row_ = all_->rows_[branch_];
+      number_ = 0;
+      if (branch_ >= all_->branches()) return;
+      row_ = all_->rows_[branch_];
+      turns_.start(all_->limits_, row_.q);
     }
 
     const AllWithinLimits* all_;
     int branch_;
+    std::size_t number_ = 0;  ///< of the row among its branch's
+    inverse::Turns<dof> turns_;
     int index_[dof] = {};
     Solution<dof> row_;
   };
 
   [[nodiscard]] Iterator begin() const { return {*this, 0}; }
-  [[nodiscard]] Iterator end() const { return {*this, branch_count_}; }
-  [[nodiscard]] bool empty() const { return branch_count_ == 0; }
+  [[nodiscard]] Iterator end() const { return {*this, branches()}; }
+  [[nodiscard]] bool empty() const { return rows_.empty(); }
   /// How many rows there are; the largest number that there is if there are more.
   [[nodiscard]] std::size_t size() const {
     constexpr auto most = std::numeric_limits<std::size_t>::max();
     double sum = 0;
-    for (int k = 0; k < branch_count_; ++k) sum += turns_[k].rows();
+    for (const Solution<dof>& row : rows_) sum += limits_.representatives(row.q);
     return sum < static_cast<double>(most) ? static_cast<std::size_t>(sum) : most;
   }
 
   /// How many branches have a row inside, and the row of each that is nearest to the centre.
-  [[nodiscard]] int branches() const { return branch_count_; }
+  [[nodiscard]] int branches() const { return rows_.size(); }
   [[nodiscard]] const Solution<dof>& nearest_to_centre(int branch) const { return rows_[branch]; }
 
   /// Calls `visit(row)` for all rows, in their order.
   template <class Visit>
   void for_each(const Visit& visit) const {
-    for (int k = 0; k < branch_count_; ++k) {
-      Solution<dof> row = rows_[k];
-      turns_of<dof - 1>(k, row, visit);
-    }
-  }
-
-  /// For `within_limits`: adds the rows of all solutions that have one inside.
-  explicit AllWithinLimits(const inverse::Within<dof>& within) : within_(within) {}
-  void add(const Solutions<dof, capacity>& found) {
-    double squares[capacity];
-    branch_count_ = inverse::keep_within(found, within_, rows_, squares);
-    const bool has_turns = within_.has_turns();
-    bool is_marked = false;
-    for (int k = 0; k < branch_count_; ++k) {
-      turns_[k].last = 0;
-      if (has_turns) count_turns(rows_[k], turns_[k]);
-      is_marked = is_marked || rows_[k].continuum;
-    }
-    effort = found.effort;
-    status = inverse::status_within(found.status, empty(), is_marked);
-  }
-  [[nodiscard]] const inverse::Within<dof>& within() const { return within_; }
-
- private:
-  /// Values of a joint that are kept; those beyond are computed.
-  static constexpr int kept = 4;
-
-  /// How many whole turns further the joints of one row may go.
-  struct Turns {
-    int last;                    ///< the joints in front of this one may turn further
-    int below[dof], above[dof];  ///< by how many turns, of these joints
-    double values[dof][kept];
-
-    [[nodiscard]] int count(int joint) const { return below[joint] + above[joint] + 1; }
-    [[nodiscard]] double rows() const {
-      double product = 1;
-      for (int i = 0; i < last; ++i) product *= count(i);
-      return product;
-    }
-    /// The row's own angle, then alternately above and below for as long as there are both.
-    [[nodiscard]] int at(int joint, int index) const {
-      const int fewer = below[joint] < above[joint] ? below[joint] : above[joint];
-      if (index > 2 * fewer) return above[joint] > below[joint] ? index - fewer : fewer - index;
-      return index % 2 == 1 ? (index + 1) / 2 : -index / 2;
-    }
-  };
-
-  void count_turns(const Solution<dof>& row, Turns& turns) const {
-    for (int i = 0; i < dof; ++i) {
-      within_.further_turns(i, row.q[i], turns.below[i], turns.above[i]);
-      const int count = turns.count(i);
-      if (count > 1) turns.last = i + 1;
-      turns.values[i][0] = row.q[i];
-      for (int index = 1; index < kept && index < count; ++index)
-        turns.values[i][index] = within_.turned(i, row.q[i], turns.at(i, index));
-    }
-  }
-
-  [[nodiscard]] double value(int branch, int joint, int index) const {
-    const Turns& turns = turns_[branch];
-    return index < kept ? turns.values[joint][index]
-                        : within_.turned(joint, rows_[branch].q[joint], turns.at(joint, index));
-  }
-
-  template <int joint, class Visit>
-  void turns_of(int branch, Solution<dof>& row, const Visit& visit) const {
-    if constexpr (joint < 0) {
-      visit(static_cast<const Solution<dof>&>(row));
-    } else if (joint >= turns_[branch].last) {
-      turns_of<joint - 1>(branch, row, visit);
-    } else {
-      const int count = turns_[branch].count(joint);
-      for (int index = 0; index < count; ++index) {
-        row.q[joint] = value(branch, joint, index);
-        turns_of<joint - 1>(branch, row, visit);
+    for (int branch = 0; branch < branches(); ++branch) {
+      inverse::Turns<dof> turns;
+      turns.start(limits_, rows_[branch].q);
+      if (turns.is_kept) {
+        Solution<dof> row = rows_[branch];
+        turns_of<dof - 1>(turns, row, visit);
+      } else {
+        for (Iterator each(*this, branch); each.branch() == branch; ++each) visit(*each);
       }
     }
   }
 
-  inverse::Within<dof> within_;
-  int branch_count_ = 0;
-  Solution<dof> rows_[capacity];  // both are filled as far as the count
-  Turns turns_[capacity];
+  template <std::size_t count>
+  AllWithinLimits(const JointLimits<dof>& limits, const std::array<bool, count>& revolute,
+                  const Joints<dof>& centre)
+      : limits_(limits, revolute), centre_(centre) {
+    std::copy(revolute.begin(), revolute.begin() + dof, revolute_.begin());
+  }
+
+  /// Takes the rows of all solutions that have one inside.
+  void take(const Solutions<dof, capacity>& found) {
+    double squares[capacity];
+    rows_.truncate(inverse::keep_within(found, within(), rows_.begin(), squares));
+    bool is_marked = false;
+    for (const Solution<dof>& row : rows_) is_marked = is_marked || row.continuum;
+    effort = found.effort;
+    status = inverse::status_within(found.status, empty(), is_marked);
+  }
+  /// For generated code: room for rows that stand next to the centre, which `count` then are.
+  [[nodiscard]] Solutions<dof, capacity>& room() { return rows_; }
+  void take_rows(int count) {
+    rows_.truncate(count);
+    status = count == 0 ? Status::unreachable : Status::solved;
+  }
+  [[nodiscard]] const Joints<dof>& centre() const { return centre_; }
+  [[nodiscard]] inverse::Within<dof> within() const {
+    return inverse::Within<dof>(limits_.limits(), revolute_, centre_);
+  }
+
+ private:
+  /// All representatives of a joint and of those in front of it, which change faster.
+  template <int joint, class Visit>
+  static void turns_of(const inverse::Turns<dof>& turns, Solution<dof>& row, const Visit& visit) {
+    if constexpr (joint < 0) {
+      visit(static_cast<const Solution<dof>&>(row));
+    } else if (joint >= turns.last) {
+      turns_of<joint - 1>(turns, row, visit);
+    } else {
+      const int count = turns.count[joint];
+      for (int index = 0; index < count; ++index) {
+        row.q[joint] = turns.values[joint][index];
+        turns_of<joint - 1>(turns, row, visit);
+      }
+    }
+  }
+
+  inverse::TurnLimits<dof> limits_;
+  JointKinds<dof> revolute_;
+  Joints<dof> centre_;
+  Solutions<dof, capacity> rows_;
 };
 
 }  // namespace qvgen

@@ -3,6 +3,9 @@
 
 #include <qvgen/inverse/scalar_traits.h>
 
+/// Tolerances of one pass over the branches: how an equation treats the ends of its range, where two
+/// solutions meet and rounding decides whether they exist. Regular poses have `plain`; the passes of
+/// near_singular.h and quartic/care.h, for poses near singular ones, each have theirs.
 namespace qvgen::inverse {
 
 /// If true, branches next to a singular pose are only marked as doubtful, and another solver follows them.
@@ -43,6 +46,9 @@ struct Boundary {
   double miss = 0;       ///< how far off the pose polished joints may leave the arm, as a share of its size
   double fold = 0;       ///< so far outside a wrist at the end of the arm's joints still exists, folded
 
+  /// A choice that joints can follow in two separate ranges is in the other one.
+  bool opposite = false;
+
   static constexpr Boundary plain(double tolerance) {
     Boundary boundary;
     boundary.doubt = 1e-7 + 100 * tolerance;
@@ -75,6 +81,13 @@ struct Boundary {
     Boundary boundary = chosen(tolerance);
     boundary.accept = 1e3;
     boundary.gap = 1e40;
+    return boundary;
+  }
+
+  /// Returns this boundary, that of a pass that chooses, with the choice in the other of two ranges.
+  [[nodiscard]] constexpr Boundary in_other_range() const {
+    Boundary boundary = *this;
+    boundary.opposite = true;
     return boundary;
   }
 

@@ -3,6 +3,8 @@
 
 #include <qvgen/inverse/boundary.h>
 
+/// State of the branch that a sequence of blocks follows: it exists or not, a free joint was chosen on it or
+/// not, and rounding may have decided so or not.
 namespace qvgen::inverse {
 
 /// State of the branch that a sequence of blocks follows.

@@ -23,7 +23,11 @@ class BranchTracker {
   BranchTracker() : BranchTracker(most_effort(static_cast<int>(joints), static_cast<int>(capacity))) {}
   explicit BranchTracker(const Budget& budget) : budget_(budget) {}
 
-  [[nodiscard]] bool settled(int label) const { return state(label) == BranchState::settled; }
+  [[nodiscard]] bool settled(int label) const {
+    return state(label) == BranchState::settled && (!again_ || closed_);
+  }
+  /// Begins or ends a pass in which branches that have led to a solution are followed again, to others.
+  void follow_again(bool again) { again_ = again; }
   [[nodiscard]] BranchState state(int label) const { return states_[static_cast<std::size_t>(label)]; }
   /// True if some branch is in this state.
   [[nodiscard]] bool any(BranchState state) const {
@@ -40,7 +44,10 @@ class BranchTracker {
   [[nodiscard]] Budget& budget() { return budget_; }
 
   /// A solution of which nothing is polished.
-  void close(int label) { states_[static_cast<std::size_t>(label)] = BranchState::settled; }
+  void close(int label) {
+    states_[static_cast<std::size_t>(label)] = BranchState::settled;
+    closed_ = true;
+  }
 
   /// Takes back the last solution: a wrist cannot follow there.
   void reopen(int label, bool continuum) {
@@ -54,7 +61,7 @@ class BranchTracker {
   bool settle(int label, const PointMatching<Scalar, joints, points>& task, const Boundary& boundary,
               const Values* seed, Values& values, Branch<Scalar>& branch) {
     BranchState& state = states_[static_cast<std::size_t>(label)];
-    if (!branch.exists) return false;
+    if (!branch.exists || (again_ && is_same(values))) return false;
     if (!branch.unsure) return is_new_regular(task, state, values);
     const Idling<Scalar, joints, points> idling(task, budget_);
     Reached<Scalar, joints, points> reached;
@@ -68,7 +75,7 @@ class BranchTracker {
       return false;
     }
     state = BranchState::settled;
-    if (same || is_joined(idling, values, reached)) return false;
+    if (same || is_joined(idling, values, reached) || !has_room()) return false;
     if (branch.continuum || idling.is_continuum(values, reached)) {
       branch.continuum = true;
       if (seed != nullptr) near_seed(task, *seed, values, reached);
@@ -78,12 +85,20 @@ class BranchTracker {
   }
 
  private:
+  /// True if there is room for one more row. If there is none a row is lost, and the set is incomplete; but
+  /// where branches are followed again each has a row of its own then, both signs of a choice among them.
+  bool has_room() {
+    const bool is_full = count_ == capacity;
+    budget_.spent.used_up = budget_.spent.used_up || (is_full && !again_);
+    return !is_full;
+  }
+
   /// A branch on which closed forms are to be trusted, as elsewhere. Another may have been led there.
   template <std::size_t points>
   bool is_new_regular(const PointMatching<Scalar, joints, points>& task, BranchState& state, Values& values) {
     normalise(task, values);
     state = BranchState::settled;
-    if (is_same(values)) return false;
+    if (is_same(values) || !has_room()) return false;
     rows_[count_++] = values;
     return true;
   }
@@ -148,6 +163,7 @@ class BranchTracker {
   std::array<BranchState, capacity> states_{};
   std::array<Values, capacity> rows_;
   std::size_t count_ = 0;
+  bool again_ = false, closed_ = false;
   Budget budget_;
 };
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+/// Bounds on the extra work near singular poses. Passes over the branches and evaluations of the Jacobian are
+/// counted, and refused beyond what the arm's structure allows: so no pose can take longer, and a set that
+/// wanted more says so.
 namespace qvgen::inverse {
 
 /// Work beyond closed forms at a pose near a singular one. All zero elsewhere, except the evaluations that

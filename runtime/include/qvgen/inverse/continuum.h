@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+
 #include <qvgen/inverse/polish.h>
 
 namespace qvgen::inverse {
@@ -21,7 +23,8 @@ class Idling {
   /// rounding: the pose itself may be off the continuum by as much as these values are allowed to miss. Where
   /// two solutions merely meet, what is missing then is as the square of the little.
   [[nodiscard]] bool is_continuum(const Values& values, const Reached& at) const {
-    return goes_on(values, at, Scalar(Scalar(64) * epsilon<Scalar>()));
+    const Scalar allowed = Scalar(64) * epsilon<Scalar>();
+    return goes_on(values, at, allowed) || leads_on_beside(values, at, allowed);
   }
 
   /// Leaves a place at which steps end short of the goals. Two solutions may meet there, or would meet beyond
@@ -92,6 +95,24 @@ class Idling {
       Reached there;
       if (polish(task_, {allowed, quick.idle_steps, quick.gain}, moved_on, there, budget_, idle.is))
         return true;
+    }
+    return false;
+  }
+
+  /// True if one of several joints that are idle goes on while the others are moved by whatever it takes.
+  /// Where two solutions meet on a continuum rounding takes them apart by half the digits, and off it by as
+  /// much: a slide is 1e-9 where it should be zero, and the turn before it is not quite idle.
+  [[nodiscard]] bool leads_on_beside(const Values& values, const Reached& at, const Scalar& allowed) const {
+    const auto idle = Newton::idle(at);
+    if (std::count(idle.is.begin(), idle.is.end(), true) < 2) return false;
+    for (std::size_t i = 0; i < joints; ++i) {
+      if (!idle.is[i]) continue;
+      Held<joints> held{};
+      held[i] = true;
+      Values moved_on = values;
+      newton_.advance(i, length(i, Scalar(1e-2)), moved_on);
+      Reached there;
+      if (polish(task_, {allowed, quick.idle_steps, quick.gain}, moved_on, there, budget_, held)) return true;
     }
     return false;
   }

@@ -7,6 +7,9 @@
 #include <qvgen/inverse/nearest.h>
 #include <qvgen/inverse/within.h>
 
+/// Solutions within joint limits: all representatives of all branches, or the one of each branch that is
+/// nearest to a seed. within.h says which whole turn brings an angle inside; all_within.h visits the
+/// representatives.
 namespace qvgen {
 namespace inverse {
 
@@ -45,8 +48,8 @@ AllWithinLimits<dof, capacity> within_limits(const Solutions<dof, capacity>& fou
                                              const JointLimits<dof>& limits,
                                              const std::array<bool, count>& revolute,
                                              const Joints<dof>& centre = Joints<dof>::Zero()) {
-  AllWithinLimits<dof, capacity> result{inverse::Within<dof>(limits, revolute, centre)};
-  result.add(found);
+  AllWithinLimits<dof, capacity> result(limits, revolute, centre);
+  result.take(found);
   return result;
 }
 

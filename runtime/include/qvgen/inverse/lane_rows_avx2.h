@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <qvgen/inverse/pack_avx2.h>
+#include <qvgen/inverse/wanted_rows_avx2.h>
 
 namespace qvgen::inverse::avx2 {
 
@@ -16,7 +16,9 @@ struct Lane {
 template <int dof>
 class LaneRows {
  public:
-  [[gnu::always_inline]] explicit LaneRows(RowPlaces places) : next_(places.first), stride_(places.stride) {}
+  using Places = RowPlaces;
+
+  [[gnu::always_inline]] explicit LaneRows(Places places) : next_(places.first), stride_(places.stride) {}
 
   [[gnu::always_inline]] RowCount count(const Branch<Pack>& branch) const {
     return {any(branch.doubtful) ? -1 : rows_, continuum_};
@@ -87,14 +89,6 @@ class LaneRows {
     const __m128i high = _mm256_extracti128_si256(all, 1);
     return {{_mm_cvtsi128_si64(low), _mm_extract_epi64(low, 1), _mm_cvtsi128_si64(high),
              _mm_extract_epi64(high, 1)}};
-  }
-
-  /// Numbers behind the joints of a row: the label in the lower half, the mark in the upper one's first byte.
-  [[gnu::always_inline]] static Pack row_end(const Branch<Pack>& branch, int label, int apart) {
-    const __m256i labels = _mm256_setr_epi64x(label, label + apart, label + 2 * apart, label + 3 * apart);
-    const __m256i mark =
-        _mm256_and_si256(reinterpret_cast<__m256i>(branch.continuum.lanes), _mm256_set1_epi64x(1LL << 32));
-    return Pack(reinterpret_cast<__m256d>(_mm256_or_si256(labels, mark)));
   }
 
   [[gnu::always_inline]] void add(const Branch<Pack>& branch, int rows) {

@@ -13,9 +13,12 @@
 ///                                          ends of their ranges          no other pass
 ///     chosen  something was nearly free    with what is nearly free      continua of which rounding
 ///             and a branch is open         chosen as if it were free     picks a place out of reach
+///     other   a row is on a continuum      all, with the choice in the   continua in two pieces, between
+///                                          other of two ranges           which no joints can follow
 ///     turned  a wrist has turned back, or  the same with other choices;  continua of which the
 ///             something was nearly free    if there is no solution,      joints behind the choice
-///             and a solution is missing    stretched towards it          reach a part only
+///             and a solution is missing,   stretched towards it          reach a part only, maybe in
+///             or a branch on a continuum                                 several pieces
 ///
 /// The state of a branch (`BranchState`):
 ///
@@ -59,16 +62,28 @@ void solve_near_singular(Target goal, Tracker tracker, const Follow& follow,
   const Boundary chosen = Boundary::chosen(goal.tolerance);
   const bool met_free = pass(Boundary::ends(goal.tolerance));
   if (met_free && !tracker.all_settled()) pass(chosen);
-  // Choices that the first two passes leave.
-  const int choices = tracker.budget().passes - 2;
+  const int in_one_range = found.size();
+  if (met_free && has_continuum(found)) {
+    tracker.follow_again(true);
+    pass(chosen.in_other_range());
+    tracker.follow_again(false);
+  }
+  // Choices that these passes leave.
+  const int choices = tracker.budget().passes - tracker.budget().spent.passes;
   const bool persists = tracker.budget().persists;
   const auto misses = [&] { return found.empty() || (persists && tracker.any(BranchState::missed)); };
-  const auto is_open = [&] { return (met_free && misses()) || tracker.any(BranchState::turned_back); };
+  // Rows in both ranges are all that there are.
+  const bool is_in_ranges = found.size() > in_one_range;
+  const auto in_pieces = [&] { return !is_in_ranges && has_continuum(found) && !tracker.all_settled(); };
+  const auto is_open = [&] {
+    return (met_free && (misses() || in_pieces())) || tracker.any(BranchState::turned_back);
+  };
   for (int k = 0; k < choices && is_open(); ++k) {
     preference = next_choice(preference);
     pass(found.empty() && k < choices / 2 ? Boundary::stretched(goal.tolerance) : chosen);
   }
   found.effort = tracker.budget().spent;
+  number_apart(found);
   sort_by_branch(found);
 }
 

@@ -9,6 +9,8 @@
 #include <qvgen/inverse/solutions.h>
 #include <qvgen/inverse/within.h>
 
+/// Solutions nearest to a seed: distances in joint space, the short way round for turns, and orders by them.
+/// Rows within limits have whole turns in their angles; there a distance counts them.
 namespace qvgen {
 
 /// A difference of angles, rad, less the whole turns that bring it into [-pi, pi]. Adding and subtracting a
@@ -22,16 +24,26 @@ inline double without_turns(double difference) {
 /// Difference of two angles in [-pi, pi], rad.
 inline double turn_between(double from, double to) { return without_turns(to - from); }
 
-/// Root of the sum of squares of the differences, rad and m mixed as they stand; revolute joints the short
-/// way round.
+namespace inverse {
+
+/// Sum of squares of the differences of joints, rad and m mixed as they stand; revolute joints the short way
+/// round. Summed as `Within::take` and lanes do.
 template <int dof>
-double joint_distance(const Joints<dof>& a, const Joints<dof>& b, const JointKinds<dof>& revolute) {
-  double sum = 0;
+double joint_square(const Joints<dof>& a, const Joints<dof>& b, const JointKinds<dof>& revolute) {
+  double sums[4] = {};
   for (int i = 0; i < dof; ++i) {
     const double difference = revolute[static_cast<std::size_t>(i)] ? turn_between(a[i], b[i]) : b[i] - a[i];
-    sum += difference * difference;
+    sums[i % 4] += difference * difference;
   }
-  return std::sqrt(sum);
+  return (sums[0] + sums[2]) + (sums[1] + sums[3]);
+}
+
+}  // namespace inverse
+
+/// Root of that sum.
+template <int dof>
+double joint_distance(const Joints<dof>& a, const Joints<dof>& b, const JointKinds<dof>& revolute) {
+  return std::sqrt(inverse::joint_square<dof>(a, b, revolute));
 }
 
 namespace inverse {
@@ -90,7 +102,8 @@ const Solution<dof>* nearest_row(const Solutions<dof, capacity>& found, const Di
 template <int dof, int capacity, std::size_t count>
 void sort_by_distance(Solutions<dof, capacity>& found, const Joints<dof>& seed,
                       const std::array<bool, count>& revolute) {
-  inverse::sort_rows(found, [&](const Joints<dof>& q) { return joint_distance<dof>(q, seed, revolute); });
+  inverse::sort_rows(found,
+                     [&](const Joints<dof>& q) { return inverse::joint_square<dof>(q, seed, revolute); });
 }
 
 /// Sorts rows within limits by their distance from the seed; whole turns count.
@@ -104,8 +117,8 @@ void sort_by_distance(LimitedSolutions<dof, capacity>& found, const Joints<dof>&
 template <int dof, int capacity, std::size_t count>
 const Solution<dof>* nearest(const Solutions<dof, capacity>& found, const Joints<dof>& seed,
                              const std::array<bool, count>& revolute) {
-  return inverse::nearest_row(found,
-                              [&](const Joints<dof>& q) { return joint_distance<dof>(q, seed, revolute); });
+  return inverse::nearest_row(
+      found, [&](const Joints<dof>& q) { return inverse::joint_square<dof>(q, seed, revolute); });
 }
 
 /// Returns the row within limits that is nearest to the seed, whole turns counted; null if there is none.

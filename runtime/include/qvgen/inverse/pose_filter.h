@@ -7,6 +7,10 @@
 #include <qvgen/inverse/near_singular.h>
 #include <qvgen/inverse/whole_arm.h>
 
+/// Filter for arms that solve less than the whole pose: of their rows it keeps those that also reach the
+/// tool's point or the whole pose, after Newton's steps where a row misses it by little. Example: an arm of
+/// five joints is asked for a pose that it can take; its equations place a point and a direction, and the
+/// filter looks at the rest.
 namespace qvgen::inverse {
 
 /// The arm's own joints of rows that virtual ones stand behind.

@@ -9,6 +9,8 @@
 #include <qvgen/orientation/decimals.h>
 #include <qvgen/pose.h>
 
+/// Poses as callers give them: quaternions that rounding has left a little off length one, matrices,
+/// directions with few digits. Each becomes the pose that its digits mean, or is refused.
 namespace qvgen::inverse {
 
 inline PoseNumbers numbers_of(const Pose<double>& pose) {

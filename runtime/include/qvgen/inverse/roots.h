@@ -121,9 +121,11 @@ Rotor<Scalar> factored_line_angle(const Rotor<Scalar>& v, const Scalar& rhs, con
 /// Returns `choice`, or a direction near it, among the directions u with inner <= |point + u offset|² <=
 /// outer (u turns the offset): a free angle that keeps the joints after it in reach. It avoids the very end
 /// of their reach, where they would be singular, too. Without any such direction, it is the least wrong one.
+/// Such directions are one range or two, mirror images; `Boundary::opposite` asks for the other one.
 template <typename Scalar>
 Rotor<Scalar> reachable_direction(const Rotor<Scalar>& point, const Rotor<Scalar>& offset,
-                                  const Scalar& inner, const Scalar& outer, const Rotor<Scalar>& choice) {
+                                  const Scalar& inner, const Scalar& outer, const Rotor<Scalar>& choice,
+                                  const Boundary& boundary = {}) {
   using std::sqrt;
   const Rotor<Scalar> product = inverse(point) * offset;
   const Scalar square = product.cosine * product.cosine + product.sine * product.sine;
@@ -142,10 +144,18 @@ Rotor<Scalar> reachable_direction(const Rotor<Scalar>& point, const Rotor<Scalar
   const Scalar above = select(now.cosine < low, Scalar(low + inside), now.cosine);
   const Scalar within = select(above > high, Scalar(high - inside), above);
   const Scalar cosine = smaller(larger(within, Scalar(-1)), Scalar(1));
+  Scalar side = now.sine;
+  Mask<Scalar> stays = (cosine == now.cosine) | round;
+  if constexpr (!leaves_singular_poses<Scalar>) {
+    if (boundary.opposite) {
+      const Mask<Scalar> crosses = (least > Scalar(-1)) & (most < Scalar(1)) & !round;
+      side = negated<Scalar>(crosses, side);
+      stays = stays & !crosses;
+    }
+  }
   const Rotor<Scalar> moved{
-      cosine, with_sign(sqrt(not_negative(Scalar((Scalar(1) - cosine) * (Scalar(1) + cosine)))), now.sine)};
+      cosine, with_sign(sqrt(not_negative(Scalar((Scalar(1) - cosine) * (Scalar(1) + cosine)))), side)};
   const Rotor<Scalar> found = moved * inverse(along);
-  const Mask<Scalar> stays = (cosine == now.cosine) | round;
   return {select(stays, choice.cosine, found.cosine), select(stays, choice.sine, found.sine)};
 }
 

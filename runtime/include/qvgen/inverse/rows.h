@@ -12,9 +12,29 @@ struct RowPlaces {
   std::ptrdiff_t stride;
 };
 
+/// Which of a pose's rows are wanted and in which order; where branches are followed in lanes they are chosen
+/// there, before a row is written. A number for each joint.
+struct WantedRows {
+  const double* lower;   ///< limits; null: rows stay as they are solved
+  const double* upper;   ///< limits
+  const double* seed;    ///< finite: next to it the representatives of angles are looked for
+  const bool* revolute;  ///< which joints may be turned by whole turns
+  bool is_sorted;        ///< the nearest to the seed first; false: by branch
+  double* room;          ///< `room_of_wanted` numbers
+  RowPlaces places;
+};
+
+/// How many numbers lanes keep of limits, and with rows until these have their order.
+constexpr std::size_t room_of_limits(int dof) { return 5 * static_cast<std::size_t>((dof + 3) / 4 * 4); }
+constexpr std::size_t room_of_wanted(int dof, int capacity) {
+  return room_of_limits(dof) + static_cast<std::size_t>((capacity + 3) / 4 * 4 * (dof + 2));
+}
+
 struct RowCount {
-  int rows;        ///< -1: rounding may have decided what exists, or the pose is invalid
-  bool continuum;  ///< one of them is marked
+  int rows;             ///< -1: rounding may have decided what exists, or the pose is invalid
+  bool continuum;       ///< one of them is marked
+  bool is_sure = true;  ///< of wanted rows: none is next to one that would be marked
+  int found = 0;        ///< of wanted rows: how many there are if all are wanted
 };
 
 }  // namespace qvgen::inverse

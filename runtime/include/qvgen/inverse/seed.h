@@ -6,6 +6,8 @@
 #include <qvgen/inverse/target.h>
 #include <qvgen/sine_cosine.h>
 
+/// Seeds as preferences: a joint that a pose leaves free takes the seed's value, an angle with its sine and
+/// cosine.
 namespace qvgen::inverse {
 
 template <int dof>

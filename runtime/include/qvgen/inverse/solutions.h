@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include <Eigen/Core>
 #include <qvgen/detail/floating_point.h>
@@ -20,7 +21,15 @@ enum class Status {
 };
 
 /// Target of an inverse kinematics: the whole pose, or a part of it; see tasks.h.
-enum class Task { pose, position, position_and_direction, position_and_yaw, direction, orientation };
+enum class Task {
+  pose,
+  position,
+  position_and_direction,
+  position_and_yaw,
+  position_and_pitch,
+  direction,
+  orientation
+};
 
 /// Properties of a generated inverse kinematics.
 struct InverseInfo {
@@ -29,7 +38,7 @@ struct InverseInfo {
   int given_joint;              ///< index of the joint whose value the caller gives, -1 for none
   bool has_lanes;               ///< there is a form that follows several branches at once
   bool stable_branches;         ///< a branch keeps its number along a path without a singularity
-  double tool_axis[3];          ///< for tasks with a direction: the axis of the tool that points there
+  double tool_axis[3];          ///< for tasks with a direction or a pitch: the axis of the tool that is meant
   bool by_elimination = false;  ///< no closed form: near singular poses a solution may be missing
 };
 
@@ -116,6 +125,27 @@ void append(Solutions<dof, capacity>& found, const Eigen::Matrix<double, dof, 1>
   row.q = q;
   row.branch = branch;
   row.continuum = continuum;
+}
+
+/// True if a row stands for a continuum.
+template <int dof, int capacity>
+bool has_continuum(const Solutions<dof, capacity>& found) {
+  return std::any_of(found.begin(), found.end(), [](const Solution<dof>& row) { return row.continuum; });
+}
+
+/// Gives rows whose branch an earlier row has, too, the first number that no row has.
+template <int dof, int capacity>
+void number_apart(Solutions<dof, capacity>& found) {
+  const auto has = [&found](const Solution<dof>* end, int branch) {
+    return std::any_of(std::as_const(found).begin(), end,
+                       [branch](const Solution<dof>& row) { return row.branch == branch; });
+  };
+  for (Solution<dof>& row : found) {
+    if (!has(&row, row.branch)) continue;
+    int branch = 0;
+    while (has(found.end(), branch)) ++branch;
+    row.branch = branch;
+  }
 }
 
 /// Back into the order of branches, for rows that two passes have found.

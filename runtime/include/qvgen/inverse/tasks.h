@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
+
 #include <qvgen/inverse/requested_pose.h>
 #include <qvgen/inverse/screw.h>
 #include <qvgen/pose.h>
@@ -21,6 +23,15 @@ template <class Scalar>
 struct PositionAndYaw {
   Vector3<Scalar> position;
   Scalar yaw;
+};
+
+/// Target position of the tool point, m, and pitch of one axis of the tool, rad: its angle to the axis about
+/// which the arm turns as a whole, counted about the axes of the joints behind it. 0 is along that axis, pi
+/// against it: with an upright first axis a gripper that points down has the pitch pi.
+template <class Scalar>
+struct PositionAndPitch {
+  Vector3<Scalar> position;
+  Scalar pitch;
 };
 
 /// Target direction of one axis of the tool: a unit vector.
@@ -92,6 +103,45 @@ inline Pose<double> pose_of(const PositionAndYaw<double>& task, const Triple<dou
                             const Eigen::Quaterniond& at_zero) {
   const Eigen::Quaterniond turn(Eigen::AngleAxisd(task.yaw, Vector3<double>(axis[0], axis[1], axis[2])));
   return {turn * at_zero, task.position};
+}
+
+/// Which of an arm's joints a pitch is about.
+struct PitchJoints {
+  int base;        ///< turns the whole arm
+  int first;       ///< the first of those that turn about the axes of the pitch
+  int given = -1;  ///< the joint whose value the caller gives
+};
+
+/// Returns the angle from one vector to another as it is seen along a unit vector, 0 if one of them is along
+/// it.
+inline double angle_about(const Vector3<double>& axis, const Vector3<double>& from,
+                          const Vector3<double>& to) {
+  return std::atan2(axis.dot(from.cross(to)), from.dot(to) - axis.dot(from) * axis.dot(to));
+}
+
+/// Returns a pose that has the position and the pitch of a task: the joint at the base is at zero. It is no
+/// rotation where the given joint brings the tool's axis along the axes of the pitch.
+template <int dof>
+Pose<double> pose_of(const PositionAndPitch<double>& task, const ArmAtZero<dof>& arm,
+                     const PitchJoints& joints, const Vector3<double>& tool_axis, double given = 0) {
+  Eigen::Matrix<double, dof, 1> q = Eigen::Matrix<double, dof, 1>::Zero();
+  Eigen::Quaterniond moved = Eigen::Quaterniond::Identity();
+  const auto axis_of = [&](int joint) {
+    const Triple<double>& axis = arm.joints[static_cast<std::size_t>(joint)].axis;
+    const Vector3<double> at_zero(axis[0], axis[1], axis[2]);
+    return joints.given < joint ? Vector3<double>(moved * at_zero) : at_zero;
+  };
+  if (joints.given >= 0) {
+    q[joints.given] = given;
+    if (arm.joints[static_cast<std::size_t>(joints.given)].revolute)
+      moved = Eigen::AngleAxisd(given, axis_of(joints.given));
+  }
+  const Vector3<double> base = axis_of(joints.base), across = axis_of(joints.first);
+  const Eigen::Quaterniond tool = tool_of<dof>(arm, q).orientation;
+  const Vector3<double> inclined = tool * tool_axis;
+  const Eigen::Quaterniond turn(Eigen::AngleAxisd(task.pitch - angle_about(across, base, inclined), across));
+  const bool has_pitch = inclined.cross(across).squaredNorm() > 1e-20;
+  return {has_pitch ? turn * tool : Eigen::Quaterniond(0, 0, 0, 0), task.position};
 }
 
 }  // namespace inverse

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 #include <Eigen/Core>
 #include <qvgen/inverse/within_table.h>
@@ -43,8 +42,6 @@ struct JointLimits {
 };
 
 namespace inverse {
-
-inline constexpr double whole_turn = 6.283185307179586476925;
 
 /// The whole numbers next to some quotients of less than 2^51: adding and subtracting a large number rounds,
 /// some thirty times as fast as std::rint where that is a call.
@@ -108,38 +105,6 @@ class Within {
   }
 
   [[nodiscard]] const WithinTable<size>& table() const { return table_; }
-
-  /// True if some joint may have one angle twice.
-  [[nodiscard]] bool has_turns() const {
-    bool some = false;
-    for (int i = 0; i < dof; ++i)
-      some = some ||
-             (table_.turn[i] > 0 && table_.upper[i] - table_.lower[i] >= whole_turn - 2 * limit_tolerance);
-    return some;
-  }
-
-  /// How many whole turns further down and up a joint of a row inside may go. None for slides, and where a
-  /// limit is not finite.
-  void further_turns(int i, double q, int& below, int& above) const {
-    constexpr double most = 5e8;
-    below = above = 0;
-    if (!(table_.upper[i] - table_.lower[i] < std::numeric_limits<double>::infinity())) return;
-    const double low = table_.lower[i] - limit_tolerance, high = table_.upper[i] + limit_tolerance;
-    double down = nearest_whole((q - low) * table_.per_turn[i]);
-    double up = nearest_whole((high - q) * table_.per_turn[i]);
-    // The next whole number may be one too far: the angle decides.
-    down -= down > 0 && q - table_.turn[i] * down < low ? 1.0 : 0.0;
-    up -= up > 0 && q + table_.turn[i] * up > high ? 1.0 : 0.0;
-    below = static_cast<int>(down < most ? down : most);
-    above = static_cast<int>(up < most ? up : most);
-  }
-
-  /// A joint's value that many turns further, on the limit if rounding has moved it outside.
-  [[nodiscard]] double turned(int joint, double q, int turns) const {
-    const double value = q + table_.turn[joint] * turns;
-    const double raised = value > table_.lower[joint] ? value : table_.lower[joint];
-    return raised < table_.upper[joint] ? raised : table_.upper[joint];
-  }
 
  private:
   /// Joints in pairs, for vectors of two.

@@ -36,7 +36,8 @@ inline std::array<double, 4> target_of(Task task, std::size_t i, std::size_t cou
     const std::array<double, 3> to = even_direction(i, count);
     return {to[0], to[1], to[2], 0};
   }
-  if (task == Task::position_and_yaw) return {even_angle(i, count), 0, 0, 0};
+  if (task == Task::position_and_yaw || task == Task::position_and_pitch)
+    return {even_angle(i, count), 0, 0, 0};
   if (task == Task::position) return {1, 0, 0, 0};
   return even_orientation(i, count);
 }
@@ -47,6 +48,8 @@ auto target_at(const Batch<const double>& targets, std::size_t k) {
   const Vector3<double> position(targets(4, k), targets(5, k), targets(6, k));
   if constexpr (task == Task::position_and_direction)
     return PositionAndDirection<double>{position, {targets(0, k), targets(1, k), targets(2, k)}};
+  else if constexpr (task == Task::position_and_pitch)
+    return PositionAndPitch<double>{position, targets(0, k)};
   else
     return PositionAndYaw<double>{position, targets(0, k)};
 }

@@ -78,6 +78,11 @@ void solve_carefully(const Pose<double>& pose, const Aim& aimed, Visited visited
   if (met_free) pass(choosing);
   if (visited.left_any()) pass(Boundary::taking(goal.tolerance));
   if (visited.misses_any()) pass(Boundary::apart(goal.tolerance));
+  if (has_continuum(found)) {
+    visited.follow_again(true);
+    pass(choosing.in_other_range());
+    visited.follow_again(false);
+  }
   const bool strays = visited.strays_any();
   const auto from_nearby = [&](int k, const Boundary& at_goal) {
     pass_from(aimed(displaced(pose, std::sqrt(goal.size_square), k)), careful, at_goal);
@@ -100,6 +105,7 @@ void solve_carefully(const Pose<double>& pose, const Aim& aimed, Visited visited
   }
   found.effort = visited.budget().spent;
   found.effort.passes -= regular;
+  number_apart(found);
   sort_by_branch(found);
 }
 

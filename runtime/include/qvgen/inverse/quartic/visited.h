@@ -15,7 +15,9 @@ class Visited {
   explicit Visited(const Budget& budget) : budget_(budget) {}
 
   [[nodiscard]] Budget& budget() { return budget_; }
-  [[nodiscard]] bool settled(int label) const { return settled_[static_cast<std::size_t>(label)]; }
+  [[nodiscard]] bool settled(int label) const { return settled_[static_cast<std::size_t>(label)] && !again_; }
+  /// Begins or ends a pass in which branches that have led to a solution are followed again, to others.
+  void follow_again(bool again) { again_ = again; }
   /// True if some branch came near a solution and has none.
   [[nodiscard]] bool misses_any() const { return is_open(missed_); }
   /// True if a branch on a continuum has been left to a pass that chooses.
@@ -48,6 +50,7 @@ class Visited {
   bool settle(int label, const PointMatching<Scalar, joints, points>& task, const Boundary& boundary,
               const Values* seed, Values& values, Branch<Scalar>& branch) {
     const auto at = static_cast<std::size_t>(label);
+    if (again_ && (!branch.exists || is_row(values))) return false;
     const Idling<Scalar, joints, points> idling(task, budget_);
     bool reached = branch.exists && quartic::polish(task, Scalar(boundary.miss), values, budget_);
     const bool strays = branch.exists && !reached && idling.is_nearly_continuum(values);
@@ -68,12 +71,26 @@ class Visited {
     shared_[at] =
         shared_[at] || (known && !astray && !turned_back_[at] && idling.is_next_to_continuum(values));
     settled_[at] = !(known && (astray || shared_[at]));
-    if (known) return false;
+    if (known || !has_room()) return false;
     rows_[count_++] = values;
     return true;
   }
 
  private:
+  [[nodiscard]] bool is_row(const Values& values) const {
+    for (std::size_t k = 0; k < count_; ++k)
+      if (distance_square(rows_[k], values) < Scalar(180) * epsilon<Scalar>()) return true;
+    return false;
+  }
+
+  /// True if there is room for one more row. If there is none a row is lost, and the set is incomplete; but
+  /// where branches are followed again each has a row of its own then.
+  bool has_room() {
+    const bool is_full = count_ == capacity;
+    budget_.spent.used_up = budget_.spent.used_up || (is_full && !again_);
+    return !is_full;
+  }
+
   /// The place on the continuum to which Newton steps from the seed lead, if no branch has come there yet.
   template <std::size_t points>
   void near_seed(const PointMatching<Scalar, joints, points>& task, const Values& seed, Values& values) {
@@ -106,6 +123,7 @@ class Visited {
   Labels settled_{}, missed_{}, left_{}, strayed_{}, shared_{}, turned_back_{};
   std::array<Values, capacity> rows_;
   std::size_t count_ = 0;
+  bool again_ = false;
   Budget budget_;
 };
 

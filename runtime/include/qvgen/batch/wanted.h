@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+
+#include <qvgen/batch/view.h>
+
+namespace qvgen::batch {
+
+/// Which solutions of each pose are wanted: the nearest to the pose's seed first, and within limits. Numbers
+/// alone, for code that is compiled for other machines than the rest.
+struct WantedSolutions {
+  Batch<const double> seeds;      ///< a row for each joint
+  const double* lower = nullptr;  ///< limits, the same for all poses; null: none
+  const double* upper = nullptr;
+  const bool* revolute = nullptr;
+
+  [[nodiscard, gnu::always_inline]] WantedSolutions part(std::size_t first, std::size_t most) const {
+    return {seeds.part(first, most), lower, upper, revolute};
+  }
+};
+
+}  // namespace qvgen::batch

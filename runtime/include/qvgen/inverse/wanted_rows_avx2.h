@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstring>
+
+#include <qvgen/inverse/pack_avx2.h>
+#include <qvgen/inverse/within_table.h>
+
+// Wanted rows chosen in lanes. Four rows are compared with limits at once, joint by joint, with the
+// operations of `Within::take` and in their order; then each row waits until all distances are known, and is
+// written once, at its place in the wanted order.
+
+namespace qvgen::inverse::avx2 {
+
+/// Numbers behind the joints of a row: the label in the lower half, the mark in the upper one's first byte.
+[[gnu::always_inline]] inline Pack row_end(const Branch<Pack>& branch, int label, int apart) {
+  const __m256i labels = _mm256_setr_epi64x(label, label + apart, label + 2 * apart, label + 3 * apart);
+  const __m256i mark =
+      _mm256_and_si256(reinterpret_cast<__m256i>(branch.continuum.lanes), _mm256_set1_epi64x(1LL << 32));
+  return Pack(reinterpret_cast<__m256d>(_mm256_or_si256(labels, mark)));
+}
+
+/// Numbers of joints, four at a time, zeros behind the last one. They stand in the caller's room: in
+/// registers there is none for them, and an object that has them keeps everything else of it in memory too.
+template <int dof>
+class OfJoints {
+ public:
+  static constexpr int parts = (dof + 3) / 4;
+  static constexpr int size = 4 * parts;
+
+  [[gnu::always_inline]] explicit OfJoints(double* room) : of_(room) {}
+
+  [[gnu::always_inline]] static __m256d load(const double* numbers, int part) {
+    const int rest = dof - 4 * part;
+    if (rest >= 4) return _mm256_loadu_pd(numbers + 4 * part);
+    const __m256i index = _mm256_setr_epi64x(0, 1, 2, 3);
+    return _mm256_maskload_pd(numbers + 4 * part, _mm256_cmpgt_epi64(_mm256_set1_epi64x(rest), index));
+  }
+  /// All bits where a joint is revolute.
+  [[gnu::always_inline]] static __m256d revolute(const bool* is, int part) {
+    const int rest = dof - 4 * part;
+    int bytes = 0;
+    std::memcpy(&bytes, is + 4 * part, rest < 4 ? static_cast<std::size_t>(rest) : 4);
+    const __m256i ones = _mm256_cvtepi8_epi64(_mm_cvtsi32_si128(bytes));
+    return _mm256_castsi256_pd(_mm256_sub_epi64(_mm256_setzero_si256(), ones));
+  }
+
+  [[gnu::always_inline]] void set(int part, __m256d numbers) { _mm256_storeu_pd(of_ + 4 * part, numbers); }
+  [[gnu::always_inline]] Pack operator[](int joint) const { return Pack(_mm256_broadcast_sd(of_ + joint)); }
+
+ private:
+  double* of_;
+};
+
+/// Four rows as they are wanted.
+template <int dof>
+struct FourRows {
+  Pack q[dof], square;  ///< representatives, and the squares of their distances from the seed
+  PackMask exists = false;
+};
+
+/// Limits and a seed as `Within` has them.
+template <int dof>
+class LaneWithin {
+  using Numbers = OfJoints<dof>;
+
+ public:
+  static_assert(room_of_limits(dof) >= 5 * Numbers::size);
+
+  [[gnu::always_inline]] explicit LaneWithin(const WantedRows& wanted)
+      : is_limited_(wanted.lower != nullptr),
+        lower_(wanted.room),
+        upper_(wanted.room + Numbers::size),
+        seed_(wanted.room + 2 * Numbers::size),
+        middle_(wanted.room + 3 * Numbers::size),
+        per_turn_(wanted.room + 4 * Numbers::size) {
+    const __m256d turn = _mm256_set1_pd(1 / whole_turn);
+    for (int part = 0; part < Numbers::parts; ++part) {
+      const __m256d seed = Numbers::load(wanted.seed, part);
+      seed_.set(part, seed);
+      per_turn_.set(part, _mm256_and_pd(Numbers::revolute(wanted.revolute, part), turn));
+      if (is_limited_)
+        set_limits(part, Numbers::load(wanted.lower, part), Numbers::load(wanted.upper, part), seed);
+    }
+  }
+
+  /// Takes rows of which all are known before any is written: some have joints in common.
+  template <class... Rows>
+  [[gnu::always_inline]] void take(const Rows&... rows) const {
+    if (is_limited_)
+      (take_inside(rows.first, rows.branch, rows.result), ...);
+    else
+      (take_as_solved(rows.first, rows.branch, rows.result), ...);
+  }
+
+  /// Four rows as they are solved, and the place for what of them is wanted.
+  struct Rows {
+    const Pack (&first)[dof];
+    const Branch<Pack>& branch;
+    FourRows<dof>& result;
+  };
+
+ private:
+  [[gnu::always_inline]] void take_as_solved(const Pack (&q)[dof], const Branch<Pack>& branch,
+                                             FourRows<dof>& rows) const {
+    const Pack rounds = 0x1.8p52, turn = whole_turn;
+    Pack squares[dof];
+    for (int i = 0; i < dof; ++i) {
+      const Pack way = seed_[i] - q[i];
+      const Pack off = way - turn * ((way * per_turn_[i] + rounds) - rounds);
+      squares[i] = off * off;
+      rows.q[i] = q[i];
+    }
+    rows.square = sum(squares);
+    rows.exists = branch.exists;
+  }
+
+  /// Finds the representatives next to the seed; rows outside do not exist.
+  [[gnu::always_inline]] void take_inside(const Pack (&q)[dof], const Branch<Pack>& branch,
+                                          FourRows<dof>& rows) const {
+    const Pack rounds = 0x1.8p52, turn = whole_turn;
+    Pack squares[dof], farthest;
+    for (int i = 0; i < dof; ++i) {
+      const Pack turns = (((middle_[i] - q[i]) * per_turn_[i]) + rounds) - rounds;
+      const Pack value = q[i] + turn * turns;
+      rows.q[i] = smaller(larger(value, lower_[i]), upper_[i]);
+      const Pack outside = magnitude(rows.q[i] - value);
+      farthest = i == 0 ? outside : larger(farthest, outside);
+      const Pack off = rows.q[i] - seed_[i];
+      squares[i] = off * off;
+    }
+    rows.square = sum(squares);
+    rows.exists = branch.exists & (farthest <= Pack(limit_tolerance));
+  }
+
+  [[gnu::always_inline]] static Pack sum(const Pack (&squares)[dof]) {
+    Pack sums[4] = {0.0, 0.0, 0.0, 0.0};
+    for (int i = 0; i < dof; ++i) sums[i % 4] = i < 4 ? squares[i] : sums[i % 4] + squares[i];
+    return (sums[0] + sums[2]) + (sums[1] + sums[3]);
+  }
+
+  [[gnu::always_inline]] void set_limits(int part, __m256d lower, __m256d upper, __m256d seed) {
+    const __m256d far = _mm256_set1_pd(1e300), opposite = _mm256_set1_pd(-1e300);
+    const __m256d half = _mm256_set1_pd(0.5 * whole_turn - limit_tolerance);
+    const __m256d is_range = _mm256_and_pd(
+        _mm256_cmp_pd(lower, upper, _CMP_LE_OQ),
+        _mm256_and_pd(_mm256_cmp_pd(lower, far, _CMP_LT_OQ), _mm256_cmp_pd(upper, opposite, _CMP_GT_OQ)));
+    const __m256d low = _mm256_blendv_pd(far, lower, is_range);
+    const __m256d high = _mm256_blendv_pd(opposite, upper, is_range);
+    const __m256d centre = _mm256_mul_pd(
+        _mm256_set1_pd(0.5), _mm256_add_pd(_mm256_max_pd(low, opposite), _mm256_min_pd(high, far)));
+    const __m256d least = _mm256_min_pd(_mm256_add_pd(low, half), centre);
+    const __m256d most = _mm256_max_pd(_mm256_sub_pd(high, half), centre);
+    lower_.set(part, low);
+    upper_.set(part, high);
+    middle_.set(part, _mm256_min_pd(_mm256_max_pd(seed, least), most));
+  }
+
+  bool is_limited_;
+  Numbers lower_, upper_, seed_, middle_, per_turn_;
+};
+
+/// Rows that wait for their places, four in each block: their joints, what stands behind these, and a key, by
+/// which they are put in order.
+template <int dof>
+class WaitingRows {
+ public:
+  [[gnu::always_inline]] explicit WaitingRows(double* room) : room_(room) {}
+
+  /// Adds four rows, some of which exist, by their distance or else by their number.
+  [[gnu::always_inline]] void add(const FourRows<dof>& rows, const Pack& end, bool is_sorted) {
+    double* block = room_ + size * blocks_++;
+    for (int i = 0; i < dof; ++i) _mm256_storeu_pd(block + 4 * i, rows.q[i].lanes);
+    _mm256_storeu_pd(block + 4 * dof, end.lanes);
+    const Pack square = is_sorted ? rows.square : Pack(0.0);
+    const Pack key = select(rows.exists, square, Pack(_mm256_castsi256_pd(_mm256_set1_epi64x(absent))));
+    _mm256_storeu_pd(block + 4 * dof + 4, key.lanes);
+  }
+
+  /// Writes the rows by ascending keys, equal ones by branch, those that do not exist behind them.
+  [[gnu::always_inline]] void write(double* first, std::ptrdiff_t stride) const {
+    // Unrolled these loops are longer than what the solution leaves of the decoder's cache.
+#pragma GCC unroll 1
+    for (int block = 0; block < blocks_; ++block) {
+      const __m256i offsets = _mm256_mul_epu32(places_of(block), _mm256_set1_epi64x(stride));
+      const __m128i low = _mm256_castsi256_si128(offsets), high = _mm256_extracti128_si256(offsets, 1);
+      double* const places[4] = {first + _mm_cvtsi128_si64(low), first + _mm_extract_epi64(low, 1),
+                                 first + _mm_cvtsi128_si64(high), first + _mm_extract_epi64(high, 1)};
+      put(places, room_ + size * block);
+    }
+  }
+
+ private:
+  static constexpr int size = 4 * (dof + 2);
+  static constexpr long long absent = 0x7fff'ffff'ffff'ffff;
+
+  /// How many rows stand before each of a block's. Numbers that are not negative have the order of their
+  /// bits; of equal keys the earlier branch counts as smaller by one.
+  [[gnu::always_inline]] __m256i places_of(int block) const {
+    const double* ends = room_ + 4 * dof;
+    const auto four = [&](const double* from) {
+      return _mm256_loadu_si256(reinterpret_cast<const __m256i*>(from + size * block));
+    };
+    const __m256i end = four(ends), key = four(ends + 4);
+    __m256i places = _mm256_setzero_si256();
+#pragma GCC unroll 1
+    for (int other = 0; other < blocks_; ++other) {
+      for (int lane = 0; lane < 4; ++lane) {
+        const double* its = ends + size * other + lane;
+        const __m256i its_end = _mm256_castpd_si256(_mm256_broadcast_sd(its));
+        const __m256i its_key = _mm256_castpd_si256(_mm256_broadcast_sd(its + 4));
+        const __m256i counted = _mm256_add_epi64(its_key, _mm256_cmpgt_epi64(end, its_end));
+        places = _mm256_sub_epi64(places, _mm256_cmpgt_epi64(key, counted));
+      }
+    }
+    return places;
+  }
+
+  /// Two numbers of each row at a time.
+  template <int joint = 0>
+  [[gnu::always_inline]] static void put(double* const (&places)[4], const double* from) {
+    const double* numbers = from + 4 * joint;
+    if constexpr (joint < dof) {
+      const __m256d a = _mm256_loadu_pd(numbers), b = _mm256_loadu_pd(numbers + 4);
+      const __m256d even = _mm256_unpacklo_pd(a, b), odd = _mm256_unpackhi_pd(a, b);
+      _mm_storeu_pd(places[0] + joint, _mm256_castpd256_pd128(even));
+      _mm_storeu_pd(places[1] + joint, _mm256_castpd256_pd128(odd));
+      _mm_storeu_pd(places[2] + joint, _mm256_extractf128_pd(even, 1));
+      _mm_storeu_pd(places[3] + joint, _mm256_extractf128_pd(odd, 1));
+      put<joint + 2>(places, from);
+    } else if constexpr (joint == dof) {
+      for (int lane = 0; lane < 4; ++lane) places[lane][dof] = numbers[lane];
+    }
+  }
+
+  double* room_;
+  int blocks_ = 0;
+};
+
+/// Takes the place of LaneRows where not all rows are wanted.
+template <int dof>
+class WantedLaneRows {
+ public:
+  using Places = const WantedRows&;
+
+  [[gnu::always_inline]] explicit WantedLaneRows(Places wanted)
+      : wanted_(wanted), within_(wanted), waiting_(wanted.room + limits_room) {}
+
+  [[gnu::always_inline]] RowCount count(const Branch<Pack>& branch) const {
+    waiting_.write(wanted_.places.first, wanted_.places.stride);
+    return {any(branch.doubtful) ? -1 : rows_, continuum_, is_sure_, found_};
+  }
+
+  [[gnu::always_inline]] void append(const Pack (&q)[dof], const Branch<Pack>& branch, int label) {
+    FourRows<dof> rows;
+    within_.take(Rows{q, branch, rows});
+    add(rows, row_end(branch, label, 1));
+    look_at(branch, 1);
+  }
+  [[gnu::always_inline]] void append(const Pack (&q)[dof], const Pack (&twin)[dof],
+                                     const Branch<Pack>& branch, int label) {
+    FourRows<dof> rows, twins;
+    within_.take(Rows{q, branch, rows}, Rows{twin, branch, twins});
+    add(rows, row_end(branch, label, 2));
+    add(twins, row_end(branch, label + 1, 2));
+    look_at(branch, 2);
+  }
+  [[gnu::always_inline]] void append(const Pack (&q)[dof], const Branch<Pack>& branch,
+                                     const Pack (&other)[dof], const Branch<Pack>& other_branch, int label) {
+    FourRows<dof> rows, others;
+    within_.take(Rows{q, branch, rows}, Rows{other, other_branch, others});
+    add(rows, row_end(branch, label, 2));
+    add(others, row_end(other_branch, label + 1, 2));
+    look_at(branch, 1);
+    look_at(other_branch, 1);
+  }
+
+ private:
+  using Rows = typename LaneWithin<dof>::Rows;
+
+  [[gnu::always_inline]] void add(const FourRows<dof>& rows, const Pack& end) {
+    waiting_.add(rows, end, wanted_.is_sorted);
+    rows_ += __builtin_popcount(static_cast<unsigned>(bits(rows.exists)));
+  }
+  [[gnu::always_inline]] void look_at(const Branch<Pack>& branch, int rows) {
+    const int all = bits(branch.exists);
+    found_ += rows * __builtin_popcount(static_cast<unsigned>(all));
+    continuum_ = continuum_ || (all & bits(branch.continuum)) != 0;
+    is_sure_ = is_sure_ && (all & bits(branch.unsure)) == 0;
+  }
+
+  static constexpr std::size_t limits_room = room_of_limits(dof);
+
+  const WantedRows& wanted_;
+  LaneWithin<dof> within_;
+  WaitingRows<dof> waiting_;
+  int rows_ = 0, found_ = 0;
+  bool continuum_ = false, is_sure_ = true;
+};
+
+}  // namespace qvgen::inverse::avx2
