@@ -106,7 +106,10 @@ void write_build_files(const GenerateArguments& arguments, const std::vector<std
   }
   if (!arguments.build.depfile.empty()) write(arguments.build.depfile, depfile(arguments, files));
   if (arguments.build.sources.empty()) return;
-  if (robots.size() != 1) throw std::runtime_error("--sources is for one robot");
+  if (robots.size() != 1)
+    throw std::runtime_error(
+        "--sources is for one robot, and joints that branch make several: compile the files "
+        "that --outputs lists");
   write_sources(arguments, robots.front());
 }
 

@@ -114,8 +114,8 @@ struct InverseRequest {
 /// Headers that a description may leave to who names them.
 inline constexpr std::array requestable_parts{"dynamics_derivatives", "dynamics_loads", "regressor"};
 
-/// A validated kinematic chain, base to tool; or the joints of a Mechanism (mechanism.h), which say where they
-/// hang and have no tool. Immutable once a reader has built it.
+/// A validated kinematic chain, base to tool; or the joints of a Mechanism (mechanism.h), which say where
+/// they hang and have no tool. Immutable once a reader has built it.
 struct Robot {
   std::string name;  ///< a C++ identifier, lower case: the namespace of the generated code
   std::string title;
