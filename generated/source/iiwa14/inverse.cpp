@@ -9,8 +9,9 @@
 #include <qvgen/inverse/near_singular.h>
 #include <qvgen/inverse/lanes.h>
 
-#include <qvgen/inverse/request.h>
+#include <qvgen/inverse/requested_pose.h>
 #include <qvgen/inverse/seed_branch.h>
+#include <qvgen/inverse/wanted.h>
 #include <qvgen/inverse/whole_arm.h>
 
 #include "inverse_steps.h"
@@ -104,8 +105,8 @@ Target given([[maybe_unused]] const Geometry& g, double tolerance, const inverse
 /// All branches, one after the other. Returns whether rounding has decided nothing, of a valid pose.
 [[gnu::flatten, gnu::noinline]] bool solve_one_by_one(inverse::PoseNumbers pose, const Target& given, Rows& found) {
   Target t = given;
-  if (const inverse::Outlook outlook =
-      look_at(pose, t); outlook != inverse::Outlook::open) return outlook == inverse::Outlook::unreachable;
+  if (const inverse::ReachTest reach_test =
+      look_at(pose, t); reach_test != inverse::ReachTest::open) return reach_test == inverse::ReachTest::unreachable;
   Work<double> w;
   qvgen::Joints<7> q;
   q[2] = t.geometry.given_;
@@ -188,7 +189,7 @@ using Tracker = inverse::BranchTracker<double, 3, 4>;
 
 [[gnu::noinline]] void solve_near_singular(const Pose<double>& pose, const Target& given, Rows& found) {
   found.clear();
-  if (inverse::outlook(pose, farthest, given.tolerance) != inverse::Outlook::open) {
+  if (inverse::reach_test(pose, farthest, given.tolerance) != inverse::ReachTest::open) {
     found.status = inverse::status_beyond(pose);
     return;
   }
@@ -220,9 +221,18 @@ using Tracker = inverse::BranchTracker<double, 3, 4>;
   solve_near_singular(pose, given, found);
 }
 
+/// The wanted rows of a pose at which rounding decides nothing, chosen in lanes, where the machine has them.
+inverse::RowCount wanted_rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, double given_theta3,
+    const inverse::WantedRows& wanted) {
+  if (choose_in_lanes == nullptr || !inverse::machine_has_avx2()) return inverse::without_lanes;
+  const Target t = given(g, tolerance, inverse::zero_preference<7>, given_theta3);
+  inverse::RowCount count = choose_in_lanes(inverse::numbers_of(pose), t, wanted);
+
+  return count;
+}
+
 /// The rows of a pose at which rounding decides nothing and no joint is free, so that nobody's preference matters;
-/// false
-/// elsewhere.
+/// false elsewhere.
 bool regular_rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, double given_theta3, Rows& found) {
   const Target t = given(g, tolerance, inverse::zero_preference<7>, given_theta3);
   if (!solve_regular(pose, t, inverse::Form::fastest, found) || found.status == Status::singular) return false;
@@ -278,7 +288,7 @@ using NearRow = qvgen::Solutions<7, 1>;
   return !w.branch.doubtful;
 }
 
-/// The same near a singular pose, the joints polished by Newton steps.
+/// Follows the seed's branch near a singular pose, the joints polished by Newton steps.
 [[gnu::noinline]] void polish_near_seed(const Target& t, const Target& goal, inverse::SeedTracker<double, 3>& tracker,
     inverse::Forks& forks, NearRow& found) {
   Work<double> w{};
@@ -322,7 +332,7 @@ using NearRow = qvgen::Solutions<7, 1>;
 bool is_open(const Pose<double>& pose, Target& t, NearRow& found) {
   const inverse::PoseNumbers numbers = inverse::numbers_of(pose);
   const double excess = inverse::unit_excess(numbers);
-  if (inverse::outlook(numbers, excess, farthest, t.tolerance) != inverse::Outlook::open) {
+  if (inverse::reach_test(numbers, excess, farthest, t.tolerance) != inverse::ReachTest::open) {
     found.status = inverse::status_beyond(pose);
     return false;
   }
@@ -337,7 +347,7 @@ bool solve_near_seed(Target& t, NearRow& found) {
   return inverse::follow_forks(*t.preference, is_revolute.data(), follow, found);
 }
 
-/// Where the equations lead near a singular pose, if that is nearer to the seed than what has been found.
+/// Replaces the row by where the equations lead near a singular pose, if that is nearer to the seed.
 void polish_next_to_seed(const Target& t, const inverse::Preference<7>& seed, NearRow& found) {
   NearRow row;
   inverse::follow_forks_carefully(t, inverse::SeedTracker<double, 3>(), is_revolute.data(), polish_near_seed, row);
@@ -376,7 +386,7 @@ NearRow follow_to(const Pose<double>& pose, const inverse::Preference<7>& prefer
   return found;
 }
 
-/// The same, or else the nearest of all solutions, or why there is none.
+/// Returns the solution on the branch of the seed, or else the nearest of all, or why there is none.
 NearSolution nearest_to(const Pose<double>& pose, const JointVector<double>& seed,
     const inverse::Preference<7>& preference, const Geometry& g, double tolerance, double given_theta3) {
   NearSolution nearest = follow_to(pose, preference, g, tolerance, given_theta3);
@@ -403,6 +413,7 @@ SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, 
 
 SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, double given_theta3,
     const JointVector<double>& seed, const Geometry& g, double tolerance) {
+  const auto all = [&] {
   if (!seed.allFinite()) {
     SolutionsGiven_theta3 none;
     none.status = Status::invalid;
@@ -419,6 +430,11 @@ SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, 
       detail::given_theta3::follow_whole_arm(pose, preference, g, tolerance, given_theta3, is_sure, nearest); };
   inverse::add_row_at_seed(preference, is_revolute.data(), follow, found);
   return found;
+  };
+  const auto lanes = [&](const inverse::WantedRows& wanted) {
+      return detail::given_theta3::wanted_rows_of(pose, g, tolerance, given_theta3, wanted); };
+
+  return inverse::next_to_seed(seed, is_revolute, tolerance, lanes, all);
 }
 
 SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Matrix3<double>& rotation, const Vector3<double>& position,
@@ -434,26 +450,27 @@ SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Matrix3<double>& rot
 
 AllWithinLimits<dof, 8> inverse_kinematics_given_theta3(const Pose<double>& pose, double given_theta3,
     const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
-  const auto choose = [&](const SolutionsGiven_theta3& found) { return within_limits(found, limits, is_revolute); };
-  const auto bring = [&](SolutionsGiven_theta3& found) {
+  const auto lanes = [&](const inverse::WantedRows& wanted) {
+      return detail::given_theta3::wanted_rows_of(pose, g, tolerance, given_theta3, wanted); };
+
+  const auto all = [&] { return inverse_kinematics_given_theta3(pose, given_theta3, g, tolerance); };
+  const auto bring = [&](auto& found) {
       inverse::bring_inside<3>(detail::arm_at_zero(g), pose, 2, given_theta3, limits, is_revolute, found); };
-  return inverse::chosen_within(inverse_kinematics_given_theta3(pose, given_theta3, g, tolerance), choose, bring);
+  return inverse::every_within<dof, 8>(limits, is_revolute, lanes, all, bring);
 }
 
 LimitedSolutions<dof, 8> inverse_kinematics_given_theta3(const Pose<double>& pose, double given_theta3,
     const JointVector<double>& seed, const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
-  const inverse::Within<dof> within(limits, is_revolute, seed);
-  const auto choose = [&](const SolutionsGiven_theta3& found) { return inverse::nearest_within(found, within); };
-  // Without a free joint the seed chooses nothing, and neither its sines nor an order of all rows are needed.
-  SolutionsGiven_theta3 regular;
-  const bool is_regular = seed.allFinite()
-      && detail::given_theta3::regular_rows_of(pose, g, tolerance, given_theta3, regular);
-  LimitedSolutions<dof, 8> rows = is_regular ? choose(regular) : LimitedSolutions<dof, 8>();
-  if (is_regular && (!rows.empty() || regular.empty())) return rows;
-  const auto bring = [&](SolutionsGiven_theta3& found) {
+  const auto lanes = [&](const inverse::WantedRows& wanted) {
+      return detail::given_theta3::wanted_rows_of(pose, g, tolerance, given_theta3, wanted); };
+
+  const auto regular = [&](SolutionsGiven_theta3& rows) {
+      return detail::given_theta3::regular_rows_of(pose, g, tolerance, given_theta3, rows); };
+
+  const auto all = [&] { return inverse_kinematics_given_theta3(pose, given_theta3, seed, g, tolerance); };
+  const auto bring = [&](auto& found) {
       inverse::bring_inside<3>(detail::arm_at_zero(g), pose, 2, given_theta3, limits, is_revolute, found); };
-  rows = inverse::chosen_within(inverse_kinematics_given_theta3(pose, given_theta3, seed, g, tolerance), choose, bring);
-  return rows;
+  return inverse::next_to_seed<dof, 8>(seed, limits, is_revolute, lanes, regular, all, bring);
 }
 
 NearSolution inverse_kinematics_near_given_theta3(const Pose<double>& pose, double given_theta3,
@@ -478,7 +495,9 @@ NearSolution inverse_kinematics_near_given_theta3(const Pose<double>& pose, doub
     const JointVector<double>& seed, const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
   NearSolution nearest = inverse_kinematics_near_given_theta3(pose, given_theta3, seed, g, tolerance);
   if (inverse::is_near_within(nearest, limits)) return nearest;
-  inverse::bring_inside<3>(detail::arm_at_zero(g), pose, 2, given_theta3, limits, is_revolute, nearest);
+  const auto bring = [&](auto& found) {
+      inverse::bring_inside<3>(detail::arm_at_zero(g), pose, 2, given_theta3, limits, is_revolute, found); };
+  bring(nearest);
   inverse::unwind(nearest, seed, is_revolute);
   inverse::keep_near_within(limits, nearest);
   return nearest;

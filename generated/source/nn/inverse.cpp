@@ -9,8 +9,9 @@
 #include <qvgen/inverse/near_singular.h>
 #include <qvgen/inverse/lanes.h>
 
-#include <qvgen/inverse/request.h>
+#include <qvgen/inverse/requested_pose.h>
 #include <qvgen/inverse/seed_branch.h>
+#include <qvgen/inverse/wanted.h>
 #include <qvgen/inverse/whole_arm.h>
 
 #include "inverse_steps.h"
@@ -101,8 +102,8 @@ Target given(const Geometry& g, double tolerance, const inverse::Preference<6>& 
 /// All branches, one after the other. Returns whether rounding has decided nothing, of a valid pose.
 [[gnu::flatten, gnu::noinline]] bool solve_one_by_one(inverse::PoseNumbers pose, const Target& given, Rows& found) {
   Target t = given;
-  if (const inverse::Outlook outlook =
-      look_at(pose, t); outlook != inverse::Outlook::open) return outlook == inverse::Outlook::unreachable;
+  if (const inverse::ReachTest reach_test =
+      look_at(pose, t); reach_test != inverse::ReachTest::open) return reach_test == inverse::ReachTest::unreachable;
   Work<double> w;
   qvgen::Joints<6> q;
   const inverse::Branch<double> above0 = w.branch;
@@ -181,7 +182,7 @@ using Tracker = inverse::BranchTracker<double, 3, 4>;
 
 [[gnu::noinline]] void solve_near_singular(const Pose<double>& pose, const Target& given, Rows& found) {
   found.clear();
-  if (inverse::outlook(pose, farthest, given.tolerance) != inverse::Outlook::open) {
+  if (inverse::reach_test(pose, farthest, given.tolerance) != inverse::ReachTest::open) {
     found.status = inverse::status_beyond(pose);
     return;
   }
@@ -213,16 +214,25 @@ using Tracker = inverse::BranchTracker<double, 3, 4>;
   solve_near_singular(pose, given, found);
 }
 
-/// Whether equations divide by a length that is zero: what such an arm reaches they do not say.
+/// True if equations divide by a length that is zero: what such an arm reaches they do not say.
 bool lacks_a_length(const Target& t) {
   if (t.geometry.d4 == 0) return true;
   if (t.geometry.l1 == 0) return true;
   return false;
 }
 
+/// The wanted rows of a pose at which rounding decides nothing, chosen in lanes, where the machine has them.
+inverse::RowCount wanted_rows_of(const Pose<double>& pose, const Geometry& g, double tolerance,
+    const inverse::WantedRows& wanted) {
+  if (choose_in_lanes == nullptr || !inverse::machine_has_avx2()) return inverse::without_lanes;
+  const Target t = given(g, tolerance, inverse::zero_preference<6>);
+  inverse::RowCount count = choose_in_lanes(inverse::numbers_of(pose), t, wanted);
+  if (count.found == 0) count.rows = -1;
+  return count;
+}
+
 /// The rows of a pose at which rounding decides nothing and no joint is free, so that nobody's preference matters;
-/// false
-/// elsewhere.
+/// false elsewhere.
 bool regular_rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, Rows& found) {
   const Target t = given(g, tolerance, inverse::zero_preference<6>);
   if (!solve_regular(pose, t, inverse::Form::fastest, found) || found.status == Status::singular) return false;
@@ -276,7 +286,7 @@ using NearRow = qvgen::Solutions<6, 1>;
   return !w.branch.doubtful;
 }
 
-/// The same near a singular pose, the joints polished by Newton steps.
+/// Follows the seed's branch near a singular pose, the joints polished by Newton steps.
 [[gnu::noinline]] void polish_near_seed(const Target& t, const Target& goal, inverse::SeedTracker<double, 3>& tracker,
     inverse::Forks& forks, NearRow& found) {
   Work<double> w{};
@@ -318,7 +328,7 @@ using NearRow = qvgen::Solutions<6, 1>;
 bool is_open(const Pose<double>& pose, Target& t, NearRow& found) {
   const inverse::PoseNumbers numbers = inverse::numbers_of(pose);
   const double excess = inverse::unit_excess(numbers);
-  if (inverse::outlook(numbers, excess, farthest, t.tolerance) != inverse::Outlook::open) {
+  if (inverse::reach_test(numbers, excess, farthest, t.tolerance) != inverse::ReachTest::open) {
     found.status = inverse::status_beyond(pose);
     return false;
   }
@@ -333,7 +343,7 @@ bool solve_near_seed(Target& t, NearRow& found) {
   return inverse::follow_forks(*t.preference, is_revolute.data(), follow, found);
 }
 
-/// Where the equations lead near a singular pose, if that is nearer to the seed than what has been found.
+/// Replaces the row by where the equations lead near a singular pose, if that is nearer to the seed.
 void polish_next_to_seed(const Target& t, const inverse::Preference<6>& seed, NearRow& found) {
   NearRow row;
   inverse::follow_forks_carefully(t, inverse::SeedTracker<double, 3>(), is_revolute.data(), polish_near_seed, row);
@@ -371,7 +381,7 @@ NearRow follow_to(const Pose<double>& pose, const inverse::Preference<6>& prefer
   return found;
 }
 
-/// The same, or else the nearest of all solutions, or why there is none.
+/// Returns the solution on the branch of the seed, or else the nearest of all, or why there is none.
 NearSolution nearest_to(const Pose<double>& pose, const JointVector<double>& seed,
     const inverse::Preference<6>& preference, const Geometry& g, double tolerance) {
   NearSolution nearest = follow_to(pose, preference, g, tolerance);
@@ -395,6 +405,7 @@ Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g, double
 
 Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g,
     double tolerance) {
+  const auto all = [&] {
   if (!seed.allFinite()) {
     Solutions none;
     none.status = Status::invalid;
@@ -409,6 +420,11 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
       detail::all::follow_whole_arm(pose, preference, g, tolerance, is_sure, nearest); };
   inverse::add_row_at_seed(preference, is_revolute.data(), follow, found);
   return found;
+  };
+  const auto lanes = [&](const inverse::WantedRows& wanted) {
+      return detail::all::wanted_rows_of(pose, g, tolerance, wanted); };
+
+  return inverse::next_to_seed(seed, is_revolute, tolerance, lanes, all);
 }
 
 Solutions inverse_kinematics(const Matrix3<double>& rotation, const Vector3<double>& position, const Geometry& g,
@@ -424,25 +440,26 @@ Solutions inverse_kinematics(const Matrix3<double>& rotation, const Vector3<doub
 
 AllWithinLimits<dof, 8> inverse_kinematics(const Pose<double>& pose, const JointLimits<dof>& limits, const Geometry& g,
     double tolerance) {
-  const auto choose = [&](const Solutions& found) { return within_limits(found, limits, is_revolute); };
-  const auto bring = [&](Solutions& found) {
+  const auto lanes = [&](const inverse::WantedRows& wanted) {
+      return detail::all::wanted_rows_of(pose, g, tolerance, wanted); };
+
+  const auto all = [&] { return inverse_kinematics(pose, g, tolerance); };
+  const auto bring = [&](auto& found) {
       inverse::bring_inside<3>(detail::arm_at_zero(g), pose, limits, is_revolute, found); };
-  return inverse::chosen_within(inverse_kinematics(pose, g, tolerance), choose, bring);
+  return inverse::every_within<dof, 8>(limits, is_revolute, lanes, all, bring);
 }
 
 LimitedSolutions<dof, 8> inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed,
     const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
-  const inverse::Within<dof> within(limits, is_revolute, seed);
-  const auto choose = [&](const Solutions& found) { return inverse::nearest_within(found, within); };
-  // Without a free joint the seed chooses nothing, and neither its sines nor an order of all rows are needed.
-  Solutions regular;
-  const bool is_regular = seed.allFinite() && detail::all::regular_rows_of(pose, g, tolerance, regular);
-  LimitedSolutions<dof, 8> rows = is_regular ? choose(regular) : LimitedSolutions<dof, 8>();
-  if (is_regular && (!rows.empty() || regular.empty())) return rows;
-  const auto bring = [&](Solutions& found) {
+  const auto lanes = [&](const inverse::WantedRows& wanted) {
+      return detail::all::wanted_rows_of(pose, g, tolerance, wanted); };
+
+  const auto regular = [&](Solutions& rows) { return detail::all::regular_rows_of(pose, g, tolerance, rows); };
+
+  const auto all = [&] { return inverse_kinematics(pose, seed, g, tolerance); };
+  const auto bring = [&](auto& found) {
       inverse::bring_inside<3>(detail::arm_at_zero(g), pose, limits, is_revolute, found); };
-  rows = inverse::chosen_within(inverse_kinematics(pose, seed, g, tolerance), choose, bring);
-  return rows;
+  return inverse::next_to_seed<dof, 8>(seed, limits, is_revolute, lanes, regular, all, bring);
 }
 
 NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g,
@@ -466,7 +483,9 @@ NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector
     const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
   NearSolution nearest = inverse_kinematics_near(pose, seed, g, tolerance);
   if (inverse::is_near_within(nearest, limits)) return nearest;
-  inverse::bring_inside<3>(detail::arm_at_zero(g), pose, limits, is_revolute, nearest);
+  const auto bring = [&](auto& found) {
+      inverse::bring_inside<3>(detail::arm_at_zero(g), pose, limits, is_revolute, found); };
+  bring(nearest);
   inverse::unwind(nearest, seed, is_revolute);
   inverse::keep_near_within(limits, nearest);
   return nearest;

@@ -16,13 +16,14 @@ namespace qvgen::robots::ns_arm::detail::all {
 namespace {
 
 /// The steps of inverse_steps.h, each once for four branches.
+template <class Rows>
 [[gnu::flatten]] inverse::RowCount all_lanes(inverse::PoseNumbers pose, const Target& given,
-    inverse::RowPlaces places) {
+    typename Rows::Places places) {
   using inverse::avx2::Pack;
   Target t = given;
-  if (const inverse::Outlook outlook =
-      look_at(pose, t); outlook != inverse::Outlook::open) return inverse::no_rows(outlook);
-  inverse::avx2::LaneRows<3> rows(places);
+  if (const inverse::ReachTest reach_test =
+      look_at(pose, t); reach_test != inverse::ReachTest::open) return inverse::no_rows(reach_test);
+  Rows rows(places);
   Work<Pack> w;
   Pack q[3];
   solve_theta1(t, Pack(1, 1, -1, -1), w);
@@ -39,8 +40,10 @@ namespace {
 
 }  // namespace
 
-const LaneSolver solve_in_lanes = &all_lanes;
+const LaneSolver solve_in_lanes = &all_lanes<inverse::avx2::LaneRows<3>>;
+const LaneChooser choose_in_lanes = &all_lanes<inverse::avx2::WantedLaneRows<3>>;
 #else
 const LaneSolver solve_in_lanes = nullptr;
+const LaneChooser choose_in_lanes = nullptr;
 #endif
 }  // namespace qvgen::robots::ns_arm::detail::all

@@ -10,9 +10,10 @@
 #include <qvgen/inverse/lanes.h>
 
 #include <qvgen/inverse/phases.h>
-#include <qvgen/inverse/reaching.h>
-#include <qvgen/inverse/request.h>
+#include <qvgen/inverse/pose_filter.h>
+#include <qvgen/inverse/requested_pose.h>
 #include <qvgen/inverse/seed_branch.h>
+#include <qvgen/inverse/wanted.h>
 #include <qvgen/inverse/whole_arm.h>
 
 #include "inverse_steps.h"
@@ -58,7 +59,7 @@ namespace {
 
 using Rows = qvgen::Solutions<3, 2>;
 
-/// Where the derivation's joint values have their zeros, rad before the description's.
+/// Zeros of the derivation's joint values, rad before the description's.
 constexpr inverse::Phases<3> phases{ 0, 1.5707963267948966, 0 };
 
 /// All of a target that the pose does not say.
@@ -73,8 +74,8 @@ Target given([[maybe_unused]] const Geometry& g, double tolerance, const inverse
 /// All branches, one after the other. Returns whether rounding has decided nothing, of a valid pose.
 [[gnu::flatten, gnu::noinline]] bool solve_one_by_one(inverse::PoseNumbers pose, const Target& given, Rows& found) {
   Target t = given;
-  if (const inverse::Outlook outlook =
-      look_at(pose, t); outlook != inverse::Outlook::open) return outlook == inverse::Outlook::unreachable;
+  if (const inverse::ReachTest reach_test =
+      look_at(pose, t); reach_test != inverse::ReachTest::open) return reach_test == inverse::ReachTest::unreachable;
   Work<double> w;
   qvgen::Joints<3> q;
   const auto angles = solve_wrist(t, w);
@@ -113,7 +114,7 @@ using Tracker = inverse::BranchTracker<double, 1, 1>;
 
 [[gnu::noinline]] void solve_near_singular(const Pose<double>& pose, const Target& given, Rows& found) {
   found.clear();
-  if (inverse::outlook(pose, farthest, given.tolerance) != inverse::Outlook::open) {
+  if (inverse::reach_test(pose, farthest, given.tolerance) != inverse::ReachTest::open) {
     found.status = inverse::status_beyond(pose);
     return;
   }
@@ -169,7 +170,7 @@ constexpr JointKinds<3> row_is_revolute{ true, true, true };
   return !w.branch.doubtful;
 }
 
-/// The same near a singular pose, the joints polished by Newton steps.
+/// Follows the seed's branch near a singular pose, the joints polished by Newton steps.
 [[gnu::noinline]] void polish_near_seed(const Target& t, [[maybe_unused]] const Target& goal,
     [[maybe_unused]] inverse::SeedTracker<double, 1>& tracker, inverse::Forks& forks, NearRow& found) {
   Work<double> w{};
@@ -190,7 +191,7 @@ constexpr JointKinds<3> row_is_revolute{ true, true, true };
 bool is_open(const Pose<double>& pose, Target& t, NearRow& found) {
   const inverse::PoseNumbers numbers = inverse::numbers_of(pose);
   const double excess = inverse::unit_excess(numbers);
-  if (inverse::outlook(numbers, excess, farthest, t.tolerance) != inverse::Outlook::open) {
+  if (inverse::reach_test(numbers, excess, farthest, t.tolerance) != inverse::ReachTest::open) {
     found.status = inverse::status_beyond(pose);
     return false;
   }
@@ -205,7 +206,7 @@ bool solve_near_seed(Target& t, NearRow& found) {
   return inverse::follow_forks(*t.preference, row_is_revolute.data(), follow, found);
 }
 
-/// Where the equations lead near a singular pose, if that is nearer to the seed than what has been found.
+/// Replaces the row by where the equations lead near a singular pose, if that is nearer to the seed.
 void polish_next_to_seed(const Target& t, const inverse::Preference<3>& seed, NearRow& found) {
   NearRow row;
   inverse::follow_forks_carefully(t, inverse::SeedTracker<double, 1>(), row_is_revolute.data(), polish_near_seed, row);
@@ -245,7 +246,7 @@ NearRow follow_to(const Pose<double>& pose, const inverse::Preference<3>& prefer
   return found;
 }
 
-/// The same, or else the nearest of all solutions, or why there is none.
+/// Returns the solution on the branch of the seed, or else the nearest of all, or why there is none.
 NearSolution nearest_to(const Pose<double>& pose, const JointVector<double>& seed,
     const inverse::Preference<3>& preference, const Geometry& g, double tolerance) {
   NearSolution nearest = inverse::own_joints<dof>(follow_to(pose, preference, g, tolerance));

@@ -5,8 +5,8 @@
 
 #include <qvgen/detail/floating_point.h>
 #include <qvgen/inverse/conic_circle.h>
-#include <qvgen/inverse/outlook.h>
 #include <qvgen/inverse/polish.h>
+#include <qvgen/inverse/reach_test.h>
 #include <qvgen/inverse/roots.h>
 #include <qvgen/inverse/slide_and_turn.h>
 #include <qvgen/inverse/wrist.h>
@@ -15,7 +15,7 @@
 // Eigen here: a file that is compiled for wider vectors than the rest reads this too.
 namespace qvgen::robots::rr::detail::all {
 
-/// What the pose says, once for all branches.
+/// Values of the pose, computed once for all branches.
 struct Target : inverse::TargetBase<6> {
   struct {
     double h1;
@@ -33,14 +33,17 @@ struct Target : inverse::TargetBase<6> {
 };
 
 /// All branches, four at a time in the lanes of AVX2 registers; null if the compiler was not asked for it. Aims at the
-/// pose
-/// itself, which spares what it reads of it the way through memory.
+/// pose itself, which spares what it reads of it the way through memory.
 using LaneSolver = inverse::RowCount (*)(inverse::PoseNumbers, const Target& given, inverse::RowPlaces);
 extern const LaneSolver solve_in_lanes;
 
+/// Follows all branches likewise, and writes only the rows that are wanted.
+using LaneChooser = inverse::RowCount (*)(inverse::PoseNumbers, const Target& given, const inverse::WantedRows&);
+extern const LaneChooser choose_in_lanes;
+
 namespace {
 
-/// What the tool's distance from the base cannot exceed, m; not known here, beyond this products would overflow.
+/// Bound of the tool's distance from the base, m; not known here, beyond this products would overflow.
 constexpr double farthest = 1e50;
 
 /// Fills in what the pose says, for a first pass; `excess` is what its quaternion's square has beyond 1.
@@ -74,8 +77,7 @@ inline void aim(const inverse::PoseNumbers& pose, double excess, Target& t) {
   t.boundary = inverse::Boundary::plain(t.tolerance);
 }
 
-/// Whether theta3 has no solution on any branch, told without a root.
-/// From: perpendicular to d2, nothing changes.
+/// True if theta3 has no solution on any branch, told without a root. From: perpendicular to d2, nothing changes.
 inline bool is_out_of_reach(const Target& t) {
   using Scalar = double;
   const Scalar middle = Scalar(0.5) * (Scalar(t.geometry.d4) - Scalar(t.geometry.h1) + Scalar(t.pose_p_z))
@@ -84,13 +86,13 @@ inline bool is_out_of_reach(const Target& t) {
   return inverse::is_out_of_range(middle, swing, t.boundary);
 }
 
-/// What can be said before any branch is followed; aims at the pose if branches have to tell.
-[[gnu::always_inline]] inline inverse::Outlook look_at(const inverse::PoseNumbers& pose, Target& t) {
+/// Tests the pose before any branch is followed; aims at the pose if branches have to tell.
+[[gnu::always_inline]] inline inverse::ReachTest look_at(const inverse::PoseNumbers& pose, Target& t) {
   const double excess = inverse::unit_excess(pose);
-  const inverse::Outlook outlook = inverse::outlook(pose, excess, farthest, t.tolerance);
-  if (outlook != inverse::Outlook::open) return outlook;
+  const inverse::ReachTest reach_test = inverse::reach_test(pose, excess, farthest, t.tolerance);
+  if (reach_test != inverse::ReachTest::open) return reach_test;
   aim(pose, excess, t);
-  return is_out_of_reach(t) ? inverse::Outlook::unreachable : inverse::Outlook::open;
+  return is_out_of_reach(t) ? inverse::ReachTest::unreachable : inverse::ReachTest::open;
 }
 
 template <typename Scalar>

@@ -9,8 +9,9 @@
 #include <qvgen/inverse/near_singular.h>
 #include <qvgen/inverse/lanes.h>
 
-#include <qvgen/inverse/request.h>
+#include <qvgen/inverse/requested_pose.h>
 #include <qvgen/inverse/seed_branch.h>
+#include <qvgen/inverse/wanted.h>
 #include <qvgen/inverse/whole_arm.h>
 
 #include "inverse_steps.h"
@@ -99,8 +100,8 @@ Target given(const Geometry& g, double tolerance, const inverse::Preference<6>& 
 /// All branches, one after the other. Returns whether rounding has decided nothing, of a valid pose.
 [[gnu::flatten, gnu::noinline]] bool solve_one_by_one(inverse::PoseNumbers pose, const Target& given, Rows& found) {
   Target t = given;
-  if (const inverse::Outlook outlook =
-      look_at(pose, t); outlook != inverse::Outlook::open) return outlook == inverse::Outlook::unreachable;
+  if (const inverse::ReachTest reach_test =
+      look_at(pose, t); reach_test != inverse::ReachTest::open) return reach_test == inverse::ReachTest::unreachable;
   Work<double> w;
   qvgen::Joints<6> q;
   solve_d3(t, w);
@@ -165,7 +166,7 @@ using Tracker = inverse::BranchTracker<double, 3, 2>;
 
 [[gnu::noinline]] void solve_near_singular(const Pose<double>& pose, const Target& given, Rows& found) {
   found.clear();
-  if (inverse::outlook(pose, farthest, given.tolerance) != inverse::Outlook::open) {
+  if (inverse::reach_test(pose, farthest, given.tolerance) != inverse::ReachTest::open) {
     found.status = inverse::status_beyond(pose);
     return;
   }
@@ -191,15 +192,14 @@ using Tracker = inverse::BranchTracker<double, 3, 2>;
   solve_near_singular(pose, given, found);
 }
 
-/// Whether equations divide by a length that is zero: what such an arm reaches they do not say.
+/// True if equations divide by a length that is zero: what such an arm reaches they do not say.
 bool lacks_a_length(const Target& t) {
   if (t.geometry.l1 == 0) return true;
   return false;
 }
 
 /// The rows of a pose at which rounding decides nothing and no joint is free, so that nobody's preference matters;
-/// false
-/// elsewhere.
+/// false elsewhere.
 bool regular_rows_of(const Pose<double>& pose, const Geometry& g, double tolerance, Rows& found) {
   const Target t = given(g, tolerance, inverse::zero_preference<6>);
   if (!solve_regular(pose, t, inverse::Form::fastest, found) || found.status == Status::singular) return false;
@@ -246,7 +246,7 @@ using NearRow = qvgen::Solutions<6, 1>;
   return !w.branch.doubtful;
 }
 
-/// The same near a singular pose, the joints polished by Newton steps.
+/// Follows the seed's branch near a singular pose, the joints polished by Newton steps.
 [[gnu::noinline]] void polish_near_seed(const Target& t, const Target& goal, inverse::SeedTracker<double, 3>& tracker,
     inverse::Forks& forks, NearRow& found) {
   Work<double> w{};
@@ -281,7 +281,7 @@ using NearRow = qvgen::Solutions<6, 1>;
 bool is_open(const Pose<double>& pose, Target& t, NearRow& found) {
   const inverse::PoseNumbers numbers = inverse::numbers_of(pose);
   const double excess = inverse::unit_excess(numbers);
-  if (inverse::outlook(numbers, excess, farthest, t.tolerance) != inverse::Outlook::open) {
+  if (inverse::reach_test(numbers, excess, farthest, t.tolerance) != inverse::ReachTest::open) {
     found.status = inverse::status_beyond(pose);
     return false;
   }
@@ -296,7 +296,7 @@ bool solve_near_seed(Target& t, NearRow& found) {
   return inverse::follow_forks(*t.preference, is_revolute.data(), follow, found);
 }
 
-/// Where the equations lead near a singular pose, if that is nearer to the seed than what has been found.
+/// Replaces the row by where the equations lead near a singular pose, if that is nearer to the seed.
 void polish_next_to_seed(const Target& t, const inverse::Preference<6>& seed, NearRow& found) {
   NearRow row;
   inverse::follow_forks_carefully(t, inverse::SeedTracker<double, 3>(), is_revolute.data(), polish_near_seed, row);
@@ -334,7 +334,7 @@ NearRow follow_to(const Pose<double>& pose, const inverse::Preference<6>& prefer
   return found;
 }
 
-/// The same, or else the nearest of all solutions, or why there is none.
+/// Returns the solution on the branch of the seed, or else the nearest of all, or why there is none.
 NearSolution nearest_to(const Pose<double>& pose, const JointVector<double>& seed,
     const inverse::Preference<6>& preference, const Geometry& g, double tolerance) {
   NearSolution nearest = follow_to(pose, preference, g, tolerance);
@@ -387,25 +387,22 @@ Solutions inverse_kinematics(const Matrix3<double>& rotation, const Vector3<doub
 
 AllWithinLimits<dof, 4> inverse_kinematics(const Pose<double>& pose, const JointLimits<dof>& limits, const Geometry& g,
     double tolerance) {
-  const auto choose = [&](const Solutions& found) { return within_limits(found, limits, is_revolute); };
-  const auto bring = [&](Solutions& found) {
+  const auto lanes = [](const inverse::WantedRows&) { return inverse::without_lanes; };
+  const auto all = [&] { return inverse_kinematics(pose, g, tolerance); };
+  const auto bring = [&](auto& found) {
       inverse::bring_inside<3>(detail::arm_at_zero(g), pose, limits, is_revolute, found); };
-  return inverse::chosen_within(inverse_kinematics(pose, g, tolerance), choose, bring);
+  return inverse::every_within<dof, 4>(limits, is_revolute, lanes, all, bring);
 }
 
 LimitedSolutions<dof, 4> inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed,
     const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
-  const inverse::Within<dof> within(limits, is_revolute, seed);
-  const auto choose = [&](const Solutions& found) { return inverse::nearest_within(found, within); };
-  // Without a free joint the seed chooses nothing, and neither its sines nor an order of all rows are needed.
-  Solutions regular;
-  const bool is_regular = seed.allFinite() && detail::all::regular_rows_of(pose, g, tolerance, regular);
-  LimitedSolutions<dof, 4> rows = is_regular ? choose(regular) : LimitedSolutions<dof, 4>();
-  if (is_regular && (!rows.empty() || regular.empty())) return rows;
-  const auto bring = [&](Solutions& found) {
+  const auto lanes = [](const inverse::WantedRows&) { return inverse::without_lanes; };
+  const auto regular = [&](Solutions& rows) { return detail::all::regular_rows_of(pose, g, tolerance, rows); };
+
+  const auto all = [&] { return inverse_kinematics(pose, seed, g, tolerance); };
+  const auto bring = [&](auto& found) {
       inverse::bring_inside<3>(detail::arm_at_zero(g), pose, limits, is_revolute, found); };
-  rows = inverse::chosen_within(inverse_kinematics(pose, seed, g, tolerance), choose, bring);
-  return rows;
+  return inverse::next_to_seed<dof, 4>(seed, limits, is_revolute, lanes, regular, all, bring);
 }
 
 NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g,
@@ -429,7 +426,9 @@ NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector
     const JointLimits<dof>& limits, const Geometry& g, double tolerance) {
   NearSolution nearest = inverse_kinematics_near(pose, seed, g, tolerance);
   if (inverse::is_near_within(nearest, limits)) return nearest;
-  inverse::bring_inside<3>(detail::arm_at_zero(g), pose, limits, is_revolute, nearest);
+  const auto bring = [&](auto& found) {
+      inverse::bring_inside<3>(detail::arm_at_zero(g), pose, limits, is_revolute, found); };
+  bring(nearest);
   inverse::unwind(nearest, seed, is_revolute);
   inverse::keep_near_within(limits, nearest);
   return nearest;

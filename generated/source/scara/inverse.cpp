@@ -9,9 +9,10 @@
 #include <qvgen/inverse/near_singular.h>
 #include <qvgen/inverse/lanes.h>
 
-#include <qvgen/inverse/reaching.h>
-#include <qvgen/inverse/request.h>
+#include <qvgen/inverse/pose_filter.h>
+#include <qvgen/inverse/requested_pose.h>
 #include <qvgen/inverse/seed_branch.h>
+#include <qvgen/inverse/wanted.h>
 #include <qvgen/inverse/whole_arm.h>
 
 #include "inverse_steps.h"
@@ -86,8 +87,8 @@ Target given(const Geometry& g, double tolerance, const inverse::Preference<4>& 
 /// All branches, one after the other. Returns whether rounding has decided nothing, of a valid pose.
 [[gnu::flatten, gnu::noinline]] bool solve_one_by_one(inverse::PoseNumbers pose, const Target& given, Rows& found) {
   Target t = given;
-  if (const inverse::Outlook outlook =
-      look_at(pose, t); outlook != inverse::Outlook::open) return outlook == inverse::Outlook::unreachable;
+  if (const inverse::ReachTest reach_test =
+      look_at(pose, t); reach_test != inverse::ReachTest::open) return reach_test == inverse::ReachTest::unreachable;
   Work<double> w;
   qvgen::Joints<4> q;
   solve_d3(t, w);
@@ -138,7 +139,7 @@ using Tracker = inverse::BranchTracker<double, 3, 2>;
 
 [[gnu::noinline]] void solve_near_singular(const Pose<double>& pose, const Target& given, Rows& found) {
   found.clear();
-  if (inverse::outlook(pose, farthest, given.tolerance) != inverse::Outlook::open) {
+  if (inverse::reach_test(pose, farthest, given.tolerance) != inverse::ReachTest::open) {
     found.status = inverse::status_beyond(pose);
     return;
   }
@@ -164,7 +165,7 @@ using Tracker = inverse::BranchTracker<double, 3, 2>;
   solve_near_singular(pose, given, found);
 }
 
-/// Whether equations divide by a length that is zero: what such an arm reaches they do not say.
+/// True if equations divide by a length that is zero: what such an arm reaches they do not say.
 bool lacks_a_length(const Target& t) {
   if (t.geometry.l1 == 0) return true;
   return false;
@@ -202,7 +203,7 @@ using NearRow = qvgen::Solutions<4, 1>;
   return !w.branch.doubtful;
 }
 
-/// The same near a singular pose, the joints polished by Newton steps.
+/// Follows the seed's branch near a singular pose, the joints polished by Newton steps.
 [[gnu::noinline]] void polish_near_seed(const Target& t, const Target& goal, inverse::SeedTracker<double, 3>& tracker,
     inverse::Forks& forks, NearRow& found) {
   Work<double> w{};
@@ -230,7 +231,7 @@ using NearRow = qvgen::Solutions<4, 1>;
 bool is_open(const Pose<double>& pose, Target& t, NearRow& found) {
   const inverse::PoseNumbers numbers = inverse::numbers_of(pose);
   const double excess = inverse::unit_excess(numbers);
-  if (inverse::outlook(numbers, excess, farthest, t.tolerance) != inverse::Outlook::open) {
+  if (inverse::reach_test(numbers, excess, farthest, t.tolerance) != inverse::ReachTest::open) {
     found.status = inverse::status_beyond(pose);
     return false;
   }
@@ -245,7 +246,7 @@ bool solve_near_seed(Target& t, NearRow& found) {
   return inverse::follow_forks(*t.preference, is_revolute.data(), follow, found);
 }
 
-/// Where the equations lead near a singular pose, if that is nearer to the seed than what has been found.
+/// Replaces the row by where the equations lead near a singular pose, if that is nearer to the seed.
 void polish_next_to_seed(const Target& t, const inverse::Preference<4>& seed, NearRow& found) {
   NearRow row;
   inverse::follow_forks_carefully(t, inverse::SeedTracker<double, 3>(), is_revolute.data(), polish_near_seed, row);
@@ -283,7 +284,7 @@ NearRow follow_to(const Pose<double>& pose, const inverse::Preference<4>& prefer
   return found;
 }
 
-/// The same, or else the nearest of all solutions, or why there is none.
+/// Returns the solution on the branch of the seed, or else the nearest of all, or why there is none.
 NearSolution nearest_to(const Pose<double>& pose, const JointVector<double>& seed,
     const inverse::Preference<4>& preference, const Geometry& g, double tolerance) {
   NearSolution nearest = follow_to(pose, preference, g, tolerance);

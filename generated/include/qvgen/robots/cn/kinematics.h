@@ -41,7 +41,7 @@ TransformAngles<Scalar> transform_angles(const JointVector<Scalar>& q, const Bas
 /// NaN or infinite joint variables give NaN. No heap, no exceptions.
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {});
-/// The same with the sines and cosines given; q is read for prismatic joints only.
+/// Takes the sines and cosines as they are given; q is read for prismatic joints only.
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const PoseAngles<Scalar>& angles,
                                 const BasicGeometry<Scalar>& g = {});
@@ -55,7 +55,7 @@ Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const PoseAngles<S
 template <class Scalar>
 Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(const JointVector<Scalar>& q,
                                                                    const BasicGeometry<Scalar>& g = {});
-/// The same with the sines and cosines given; q is read for prismatic joints only.
+/// Takes the sines and cosines as they are given; q is read for prismatic joints only.
 template <class Scalar>
 Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(const JointVector<Scalar>& q,
                                                                    const TransformAngles<Scalar>& angles,

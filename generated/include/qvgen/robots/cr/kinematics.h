@@ -12,8 +12,7 @@
 namespace qvgen::robots::cr {
 
 /// Sines and cosines that forward_kinematics needs, of the angles theta1/2, theta3/2, theta5/2, (theta4 + theta6)/2,
-/// (theta4 - theta6)/2.
-template <class Scalar>
+/// (theta4 - theta6)/2. template <class Scalar>
 struct PoseAngles {
   std::array<Scalar, 5> sine;
   std::array<Scalar, 5> cosine;
@@ -41,7 +40,7 @@ TransformAngles<Scalar> transform_angles(const JointVector<Scalar>& q, const Bas
 /// NaN or infinite joint variables give NaN. No heap, no exceptions.
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {});
-/// The same with the sines and cosines given; q is read for prismatic joints only.
+/// Takes the sines and cosines as they are given; q is read for prismatic joints only.
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const PoseAngles<Scalar>& angles,
                                 const BasicGeometry<Scalar>& g = {});
@@ -55,7 +54,7 @@ Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const PoseAngles<S
 template <class Scalar>
 Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(const JointVector<Scalar>& q,
                                                                    const BasicGeometry<Scalar>& g = {});
-/// The same with the sines and cosines given; q is read for prismatic joints only.
+/// Takes the sines and cosines as they are given; q is read for prismatic joints only.
 template <class Scalar>
 Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(const JointVector<Scalar>& q,
                                                                    const TransformAngles<Scalar>& angles,

@@ -154,8 +154,7 @@ Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, co
 /// Joint accelerations for given joint forces: M qdd = torque - C qd - gravity, by M = U D U^T.
 ///
 /// 97 multiplications, 85 additions, 2 divisions, 2 sine/cosine pairs. Set-up: 70 multiplications, 64 additions, 3
-/// divisions.
-/// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
+/// divisions. Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is -l1*sin(0.174533), which must not be zero.
 template <class Scalar>
 JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,

@@ -82,10 +82,10 @@ template <class Scalar, class Angles>
 inline InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const Angles& angles,
     const InverseDynamicsDerivativesConstants<Scalar>& k) {
-  const Scalar& s_0 = angles.sine[0];
-  const Scalar& c_0 = angles.cosine[0];
-  const Scalar& s_1 = angles.sine[1];
-  const Scalar& c_1 = angles.cosine[1];
+  const Scalar& s_0 = angles.sine[0];  // of 2*bend/3
+  const Scalar& c_0 = angles.cosine[0];  // of 2*bend/3
+  const Scalar& s_1 = angles.sine[1];  // of bend + turn(1/18)
+  const Scalar& c_1 = angles.cosine[1];  // of bend + turn(1/18)
   const Scalar t0 = Scalar(1.6666666666666667) * qdd[1];
   const Scalar t1 = qd[0] * s_1;
   const Scalar t2 = qd[0] * t1;

@@ -14,7 +14,7 @@ namespace qvgen::robots::finger {
 
 namespace detail {
 
-/// Of all angles of the header those that one function needs.
+/// Selects, of all angles of the header, those that one function needs.
 template <class Scalar, std::size_t Count>
 struct JacobianSelection {
   std::array<Scalar, Count> sine;
@@ -26,8 +26,8 @@ using NoAngles = JacobianSelection<Scalar, 0>;
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s_0 = angles.sine[0];
-  const Scalar& c_0 = angles.cosine[0];
+  const Scalar& s_0 = angles.sine[0];  // of (30*bend + pi)/18
+  const Scalar& c_0 = angles.cosine[0];  // of (30*bend + pi)/18
   const Scalar& s2 = angles.sine[1];
   const Scalar& c2 = angles.cosine[1];
   const Scalar& s1 = angles.sine[2];
@@ -58,8 +58,8 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s_0 = angles.sine[0];
-  const Scalar& c_0 = angles.cosine[0];
+  const Scalar& s_0 = angles.sine[0];  // of (30*bend + pi)/18
+  const Scalar& c_0 = angles.cosine[0];  // of (30*bend + pi)/18
   const Scalar& s2 = angles.sine[1];
   const Scalar& c2 = angles.cosine[1];
   const Scalar& s1 = angles.sine[2];
@@ -104,10 +104,10 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s_0 = angles.sine[0];
-  const Scalar& c_0 = angles.cosine[0];
-  const Scalar& s_1 = angles.sine[1];
-  const Scalar& c_1 = angles.cosine[1];
+  const Scalar& s_0 = angles.sine[0];  // of (12*bend + pi)/18
+  const Scalar& c_0 = angles.cosine[0];  // of (12*bend + pi)/18
+  const Scalar& s_1 = angles.sine[1];  // of (30*bend + pi)/18
+  const Scalar& c_1 = angles.cosine[1];  // of (30*bend + pi)/18
   const Scalar t0 = g.l1 * s_0;
   const Scalar t1 = Scalar(0.02) + g.l2;
   const Scalar t2 = t1 + g.l1 * c_0;
@@ -132,8 +132,8 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& q,
     const Vector3<Scalar>& point,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s_0 = angles.sine[0];
-  const Scalar& c_0 = angles.cosine[0];
+  const Scalar& s_0 = angles.sine[0];  // of (30*bend + pi)/18
+  const Scalar& c_0 = angles.cosine[0];  // of (30*bend + pi)/18
   const Scalar& s2 = angles.sine[1];
   const Scalar& c2 = angles.cosine[1];
   const Scalar& s1 = angles.sine[2];
@@ -165,8 +165,8 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> velocity([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s_0 = angles.sine[0];
-  const Scalar& c_0 = angles.cosine[0];
+  const Scalar& s_0 = angles.sine[0];  // of (30*bend + pi)/18
+  const Scalar& c_0 = angles.cosine[0];  // of (30*bend + pi)/18
   const Scalar& s2 = angles.sine[1];
   const Scalar& c2 = angles.cosine[1];
   const Scalar& s1 = angles.sine[2];
@@ -191,8 +191,8 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s_0 = angles.sine[0];
-  const Scalar& c_0 = angles.cosine[0];
+  const Scalar& s_0 = angles.sine[0];  // of (30*bend + pi)/18
+  const Scalar& c_0 = angles.cosine[0];  // of (30*bend + pi)/18
   const Scalar& s2 = angles.sine[1];
   const Scalar& c2 = angles.cosine[1];
   const Scalar& s1 = angles.sine[2];
@@ -232,8 +232,8 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s_0 = angles.sine[0];
-  const Scalar& c_0 = angles.cosine[0];
+  const Scalar& s_0 = angles.sine[0];  // of (30*bend + pi)/18
+  const Scalar& c_0 = angles.cosine[0];  // of (30*bend + pi)/18
   const Scalar& s2 = angles.sine[1];
   const Scalar& c2 = angles.cosine[1];
   const Scalar& s1 = angles.sine[2];

@@ -44,8 +44,8 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        const BasicGeometry<Scalar>& g) {
-  const Scalar& s_0 = angles.sine[0];
-  const Scalar& c_0 = angles.cosine[0];
+  const Scalar& s_0 = angles.sine[0];  // of (30*bend + pi)/36
+  const Scalar& c_0 = angles.cosine[0];  // of (30*bend + pi)/36
   const Scalar& s2 = angles.sine[1];
   const Scalar& c2 = angles.cosine[1];
   const Scalar& sh1 = angles.sine[2];
@@ -66,8 +66,8 @@ template <class Scalar, class Angles>
 inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
     [[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     const BasicGeometry<Scalar>& g) {
-  const Scalar& s_0 = angles.sine[0];
-  const Scalar& c_0 = angles.cosine[0];
+  const Scalar& s_0 = angles.sine[0];  // of (30*bend + pi)/18
+  const Scalar& c_0 = angles.cosine[0];  // of (30*bend + pi)/18
   const Scalar& s2 = angles.sine[1];
   const Scalar& c2 = angles.cosine[1];
   const Scalar& s1 = angles.sine[2];

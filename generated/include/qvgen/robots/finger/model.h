@@ -25,6 +25,10 @@ inline constexpr std::array<bool, dof> is_revolute{ true, true };
 inline constexpr double unlimited = std::numeric_limits<double>::infinity();
 inline constexpr std::array<double, dof> lower_limits{ -0.3490658503988659, 0 };
 inline constexpr std::array<double, dof> upper_limits{ 0.3490658503988659, 1.3089969389957472 };
+/// Greatest velocities of the description, rad/s or m/s; infinite where it has none.
+inline constexpr std::array<double, dof> velocity_limits{ unlimited, unlimited };
+/// Greatest torques or forces of the description, Nm or N; infinite where it has none.
+inline constexpr std::array<double, dof> effort_limits{ unlimited, unlimited };
 
 /// Geometric constants, metres or radians; defaults from the description.
 template <class Scalar>

@@ -98,8 +98,7 @@ DynamicsAngles<Scalar> dynamics_angles(const JointVector<Scalar>& q);
 /// Joint forces for a motion: Newton-Euler recursion in base parameters (thesis 5.1-5.15).
 ///
 /// 360 multiplications, 307 additions, 5 sine/cosine pairs. Set-up: 189 multiplications, 203 additions, 11 divisions, 5
-/// sine/cosine pairs.
-/// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
+/// sine/cosine pairs. Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d2, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
@@ -118,8 +117,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 /// Joint forces that hold the robot against gravity at rest.
 ///
 /// 73 multiplications, 43 additions, 5 sine/cosine pairs. Set-up: 40 multiplications, 24 additions, 5 sine/cosine
-/// pairs.
-/// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
+/// pairs. Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));
@@ -135,8 +133,7 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const DynamicsA
 /// Joint forces that come from the joint rates alone, C(q, qd) qd, without friction.
 ///
 /// 350 multiplications, 278 additions, 5 sine/cosine pairs. Set-up: 150 multiplications, 160 additions, 9 divisions, 5
-/// sine/cosine pairs.
-/// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
+/// sine/cosine pairs. Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d2, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
@@ -155,8 +152,7 @@ JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVec
 /// Symmetric, positive definite M(q), by composite bodies in base parameters; rotors included.
 ///
 /// 307 multiplications, 258 additions, 5 sine/cosine pairs. Set-up: 166 multiplications, 166 additions, 8 divisions, 5
-/// sine/cosine pairs.
-/// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
+/// sine/cosine pairs. Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is a3, which must not be zero.
 template <class Scalar>
 Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},
@@ -173,8 +169,7 @@ Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const 
 /// C(q, qd) of Christoffel's symbols: C qd is coriolis_torque, dM/dt - 2 C is skew-symmetric.
 ///
 /// 981 multiplications, 763 additions, 5 sine/cosine pairs. Set-up: 158 multiplications, 143 additions, 8 divisions, 5
-/// sine/cosine pairs.
-/// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
+/// sine/cosine pairs. Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is a3, which must not be zero.
 template <class Scalar>
 Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
@@ -193,8 +188,7 @@ Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, co
 /// Joint accelerations for given joint forces: M qdd = torque - C qd - gravity, by M = U D U^T.
 ///
 /// 736 multiplications, 602 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 170 multiplications, 167 additions, 10
-/// divisions, 5 sine/cosine pairs.
-/// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
+/// divisions, 5 sine/cosine pairs. Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d2, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
@@ -213,8 +207,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 /// qd^T M qd / 2, J.
 ///
 /// 339 multiplications, 279 additions, 5 sine/cosine pairs. Set-up: 164 multiplications, 166 additions, 8 divisions, 5
-/// sine/cosine pairs.
-/// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
+/// sine/cosine pairs. Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is a3, which must not be zero.
 template <class Scalar>
 Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const BasicGeometry<Scalar>& g = {},
@@ -231,8 +224,7 @@ Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Scalar>& q
 /// Sum of m g z over the links, z of the centre of mass in the world, J.
 ///
 /// 35 multiplications, 39 additions, 5 sine/cosine pairs. Set-up: 31 multiplications, 13 additions, 5 sine/cosine
-/// pairs.
-/// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
+/// pairs. Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Scalar potential_energy(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {},
     const BasicInertia<Scalar>& inertia = {}, NonDeduced<Scalar> gravity = Scalar(9.80665));

@@ -18,8 +18,7 @@ struct InverseDynamicsDerivatives {
 /// Joint forces for a motion, and their derivatives by q and qd; the one by qdd is mass_matrix.
 ///
 /// 2712 multiplications, 2219 additions, 5 sine/cosine pairs. Set-up: 205 multiplications, 203 additions, 11 divisions,
-/// 5 sine/cosine pairs.
-/// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
+/// 5 sine/cosine pairs. Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d2, which must not be zero.
 template <class Scalar>
 InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives(const JointVector<Scalar>& q,

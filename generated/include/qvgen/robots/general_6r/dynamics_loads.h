@@ -10,7 +10,7 @@ namespace qvgen::robots::general_6r {
 // Overloads of functions of dynamics.h for gravity in any direction and a wrench on the tool. `gravity` is the
 // acceleration of free fall in the world, m/s^2: (0, 0, -9.80665) for a robot that stands upright.
 
-/// What acts on the tool from outside: force (N), then moment about the tool point (N m), both in the world frame. It
+/// Wrench on the tool from outside: force (N), then moment about the tool point (N m), both in the world frame. It
 /// does work at the rate wrench . velocity, as the rows of the Jacobian go: linear first, then angular.
 template <class Scalar>
 using Wrench = Eigen::Matrix<Scalar, 6, 1>;
@@ -27,8 +27,7 @@ LoadAngles<Scalar> load_angles(const JointVector<Scalar>& q);
 /// Joint forces for a motion, under gravity in any direction.
 ///
 /// 369 multiplications, 312 additions, 6 sine/cosine pairs. Set-up: 194 multiplications, 209 additions, 13 divisions, 5
-/// sine/cosine pairs.
-/// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
+/// sine/cosine pairs. Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d2, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
@@ -48,8 +47,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 /// Joint forces for a motion while a wrench acts on the tool from outside: those without it minus jacobian(q)^T wrench.
 ///
 /// 451 multiplications, 361 additions, 6 sine/cosine pairs. Set-up: 198 multiplications, 209 additions, 14 divisions, 5
-/// sine/cosine pairs.
-/// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
+/// sine/cosine pairs. Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d2, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
@@ -69,8 +67,7 @@ JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVe
 /// Joint forces that hold the robot at rest, under gravity in any direction.
 ///
 /// 96 multiplications, 57 additions, 6 sine/cosine pairs. Set-up: 42 multiplications, 31 additions, 5 sine/cosine
-/// pairs.
-/// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
+/// pairs. Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);
@@ -87,8 +84,7 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const LoadAngle
 /// Joint accelerations for given joint forces, under gravity in any direction.
 ///
 /// 742 multiplications, 610 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 175 multiplications, 169 additions, 12
-/// divisions, 5 sine/cosine pairs.
-/// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
+/// divisions, 5 sine/cosine pairs. Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d2, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
@@ -108,8 +104,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 /// Joint accelerations for given joint forces while a wrench acts on the tool from outside.
 ///
 /// 827 multiplications, 657 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 178 multiplications, 169 additions, 13
-/// divisions, 5 sine/cosine pairs.
-/// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
+/// divisions, 5 sine/cosine pairs. Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d2, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
@@ -129,8 +124,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 /// Minus the sum of m gravity . r over the links, r the centre of mass in the world, J.
 ///
 /// 45 multiplications, 48 additions, 6 sine/cosine pairs. Set-up: 34 multiplications, 13 additions, 5 sine/cosine
-/// pairs.
-/// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
+/// pairs. Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 Scalar potential_energy(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g,
     const BasicInertia<Scalar>& inertia, const NonDeduced<Eigen::Matrix<Scalar, 3, 1>>& gravity);

@@ -14,7 +14,7 @@ namespace qvgen::robots::general_6r {
 
 namespace detail {
 
-/// Of all angles of the header those that one function needs.
+/// Selects, of all angles of the header, those that one function needs.
 template <class Scalar, std::size_t Count>
 struct JacobianSelection {
   std::array<Scalar, Count> sine;
@@ -26,16 +26,16 @@ using NoAngles = JacobianSelection<Scalar, 0>;
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s_alpha2 = angles.sine[0];
-  const Scalar& c_alpha2 = angles.cosine[0];
-  const Scalar& s_alpha3 = angles.sine[1];
-  const Scalar& c_alpha3 = angles.cosine[1];
-  const Scalar& s_alpha4 = angles.sine[2];
-  const Scalar& c_alpha4 = angles.cosine[2];
-  const Scalar& s_alpha5 = angles.sine[3];
-  const Scalar& c_alpha5 = angles.cosine[3];
-  const Scalar& s_alpha6 = angles.sine[4];
-  const Scalar& c_alpha6 = angles.cosine[4];
+  const Scalar& s_alpha2 = angles.sine[0];  // of alpha2
+  const Scalar& c_alpha2 = angles.cosine[0];  // of alpha2
+  const Scalar& s_alpha3 = angles.sine[1];  // of alpha3
+  const Scalar& c_alpha3 = angles.cosine[1];  // of alpha3
+  const Scalar& s_alpha4 = angles.sine[2];  // of alpha4
+  const Scalar& c_alpha4 = angles.cosine[2];  // of alpha4
+  const Scalar& s_alpha5 = angles.sine[3];  // of alpha5
+  const Scalar& c_alpha5 = angles.cosine[3];  // of alpha5
+  const Scalar& s_alpha6 = angles.sine[4];  // of alpha6
+  const Scalar& c_alpha6 = angles.cosine[4];  // of alpha6
   const Scalar& s1 = angles.sine[5];
   const Scalar& c1 = angles.cosine[5];
   const Scalar& s2 = angles.sine[6];
@@ -174,16 +174,16 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s_alpha2 = angles.sine[0];
-  const Scalar& c_alpha2 = angles.cosine[0];
-  const Scalar& s_alpha3 = angles.sine[1];
-  const Scalar& c_alpha3 = angles.cosine[1];
-  const Scalar& s_alpha4 = angles.sine[2];
-  const Scalar& c_alpha4 = angles.cosine[2];
-  const Scalar& s_alpha5 = angles.sine[3];
-  const Scalar& c_alpha5 = angles.cosine[3];
-  const Scalar& s_alpha6 = angles.sine[4];
-  const Scalar& c_alpha6 = angles.cosine[4];
+  const Scalar& s_alpha2 = angles.sine[0];  // of alpha2
+  const Scalar& c_alpha2 = angles.cosine[0];  // of alpha2
+  const Scalar& s_alpha3 = angles.sine[1];  // of alpha3
+  const Scalar& c_alpha3 = angles.cosine[1];  // of alpha3
+  const Scalar& s_alpha4 = angles.sine[2];  // of alpha4
+  const Scalar& c_alpha4 = angles.cosine[2];  // of alpha4
+  const Scalar& s_alpha5 = angles.sine[3];  // of alpha5
+  const Scalar& c_alpha5 = angles.cosine[3];  // of alpha5
+  const Scalar& s_alpha6 = angles.sine[4];  // of alpha6
+  const Scalar& c_alpha6 = angles.cosine[4];  // of alpha6
   const Scalar& s1 = angles.sine[5];
   const Scalar& c1 = angles.cosine[5];
   const Scalar& s2 = angles.sine[6];
@@ -377,16 +377,16 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s_alpha2 = angles.sine[0];
-  const Scalar& c_alpha2 = angles.cosine[0];
-  const Scalar& s_alpha3 = angles.sine[1];
-  const Scalar& c_alpha3 = angles.cosine[1];
-  const Scalar& s_alpha4 = angles.sine[2];
-  const Scalar& c_alpha4 = angles.cosine[2];
-  const Scalar& s_alpha5 = angles.sine[3];
-  const Scalar& c_alpha5 = angles.cosine[3];
-  const Scalar& s_alpha6 = angles.sine[4];
-  const Scalar& c_alpha6 = angles.cosine[4];
+  const Scalar& s_alpha2 = angles.sine[0];  // of alpha2
+  const Scalar& c_alpha2 = angles.cosine[0];  // of alpha2
+  const Scalar& s_alpha3 = angles.sine[1];  // of alpha3
+  const Scalar& c_alpha3 = angles.cosine[1];  // of alpha3
+  const Scalar& s_alpha4 = angles.sine[2];  // of alpha4
+  const Scalar& c_alpha4 = angles.cosine[2];  // of alpha4
+  const Scalar& s_alpha5 = angles.sine[3];  // of alpha5
+  const Scalar& c_alpha5 = angles.cosine[3];  // of alpha5
+  const Scalar& s_alpha6 = angles.sine[4];  // of alpha6
+  const Scalar& c_alpha6 = angles.cosine[4];  // of alpha6
   const Scalar& s2 = angles.sine[5];
   const Scalar& c2 = angles.cosine[5];
   const Scalar& s3 = angles.sine[6];
@@ -539,16 +539,16 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& q,
     const Vector3<Scalar>& point,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s_alpha2 = angles.sine[0];
-  const Scalar& c_alpha2 = angles.cosine[0];
-  const Scalar& s_alpha3 = angles.sine[1];
-  const Scalar& c_alpha3 = angles.cosine[1];
-  const Scalar& s_alpha4 = angles.sine[2];
-  const Scalar& c_alpha4 = angles.cosine[2];
-  const Scalar& s_alpha5 = angles.sine[3];
-  const Scalar& c_alpha5 = angles.cosine[3];
-  const Scalar& s_alpha6 = angles.sine[4];
-  const Scalar& c_alpha6 = angles.cosine[4];
+  const Scalar& s_alpha2 = angles.sine[0];  // of alpha2
+  const Scalar& c_alpha2 = angles.cosine[0];  // of alpha2
+  const Scalar& s_alpha3 = angles.sine[1];  // of alpha3
+  const Scalar& c_alpha3 = angles.cosine[1];  // of alpha3
+  const Scalar& s_alpha4 = angles.sine[2];  // of alpha4
+  const Scalar& c_alpha4 = angles.cosine[2];  // of alpha4
+  const Scalar& s_alpha5 = angles.sine[3];  // of alpha5
+  const Scalar& c_alpha5 = angles.cosine[3];  // of alpha5
+  const Scalar& s_alpha6 = angles.sine[4];  // of alpha6
+  const Scalar& c_alpha6 = angles.cosine[4];  // of alpha6
   const Scalar& s1 = angles.sine[5];
   const Scalar& c1 = angles.cosine[5];
   const Scalar& s2 = angles.sine[6];
@@ -712,16 +712,16 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> velocity([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s_alpha2 = angles.sine[0];
-  const Scalar& c_alpha2 = angles.cosine[0];
-  const Scalar& s_alpha3 = angles.sine[1];
-  const Scalar& c_alpha3 = angles.cosine[1];
-  const Scalar& s_alpha4 = angles.sine[2];
-  const Scalar& c_alpha4 = angles.cosine[2];
-  const Scalar& s_alpha5 = angles.sine[3];
-  const Scalar& c_alpha5 = angles.cosine[3];
-  const Scalar& s_alpha6 = angles.sine[4];
-  const Scalar& c_alpha6 = angles.cosine[4];
+  const Scalar& s_alpha2 = angles.sine[0];  // of alpha2
+  const Scalar& c_alpha2 = angles.cosine[0];  // of alpha2
+  const Scalar& s_alpha3 = angles.sine[1];  // of alpha3
+  const Scalar& c_alpha3 = angles.cosine[1];  // of alpha3
+  const Scalar& s_alpha4 = angles.sine[2];  // of alpha4
+  const Scalar& c_alpha4 = angles.cosine[2];  // of alpha4
+  const Scalar& s_alpha5 = angles.sine[3];  // of alpha5
+  const Scalar& c_alpha5 = angles.cosine[3];  // of alpha5
+  const Scalar& s_alpha6 = angles.sine[4];  // of alpha6
+  const Scalar& c_alpha6 = angles.cosine[4];  // of alpha6
   const Scalar& s1 = angles.sine[5];
   const Scalar& c1 = angles.cosine[5];
   const Scalar& s2 = angles.sine[6];
@@ -799,16 +799,16 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s_alpha2 = angles.sine[0];
-  const Scalar& c_alpha2 = angles.cosine[0];
-  const Scalar& s_alpha3 = angles.sine[1];
-  const Scalar& c_alpha3 = angles.cosine[1];
-  const Scalar& s_alpha4 = angles.sine[2];
-  const Scalar& c_alpha4 = angles.cosine[2];
-  const Scalar& s_alpha5 = angles.sine[3];
-  const Scalar& c_alpha5 = angles.cosine[3];
-  const Scalar& s_alpha6 = angles.sine[4];
-  const Scalar& c_alpha6 = angles.cosine[4];
+  const Scalar& s_alpha2 = angles.sine[0];  // of alpha2
+  const Scalar& c_alpha2 = angles.cosine[0];  // of alpha2
+  const Scalar& s_alpha3 = angles.sine[1];  // of alpha3
+  const Scalar& c_alpha3 = angles.cosine[1];  // of alpha3
+  const Scalar& s_alpha4 = angles.sine[2];  // of alpha4
+  const Scalar& c_alpha4 = angles.cosine[2];  // of alpha4
+  const Scalar& s_alpha5 = angles.sine[3];  // of alpha5
+  const Scalar& c_alpha5 = angles.cosine[3];  // of alpha5
+  const Scalar& s_alpha6 = angles.sine[4];  // of alpha6
+  const Scalar& c_alpha6 = angles.cosine[4];  // of alpha6
   const Scalar& s1 = angles.sine[5];
   const Scalar& c1 = angles.cosine[5];
   const Scalar& s2 = angles.sine[6];
@@ -994,16 +994,16 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s_alpha2 = angles.sine[0];
-  const Scalar& c_alpha2 = angles.cosine[0];
-  const Scalar& s_alpha3 = angles.sine[1];
-  const Scalar& c_alpha3 = angles.cosine[1];
-  const Scalar& s_alpha4 = angles.sine[2];
-  const Scalar& c_alpha4 = angles.cosine[2];
-  const Scalar& s_alpha5 = angles.sine[3];
-  const Scalar& c_alpha5 = angles.cosine[3];
-  const Scalar& s_alpha6 = angles.sine[4];
-  const Scalar& c_alpha6 = angles.cosine[4];
+  const Scalar& s_alpha2 = angles.sine[0];  // of alpha2
+  const Scalar& c_alpha2 = angles.cosine[0];  // of alpha2
+  const Scalar& s_alpha3 = angles.sine[1];  // of alpha3
+  const Scalar& c_alpha3 = angles.cosine[1];  // of alpha3
+  const Scalar& s_alpha4 = angles.sine[2];  // of alpha4
+  const Scalar& c_alpha4 = angles.cosine[2];  // of alpha4
+  const Scalar& s_alpha5 = angles.sine[3];  // of alpha5
+  const Scalar& c_alpha5 = angles.cosine[3];  // of alpha5
+  const Scalar& s_alpha6 = angles.sine[4];  // of alpha6
+  const Scalar& c_alpha6 = angles.cosine[4];  // of alpha6
   const Scalar& s1 = angles.sine[5];
   const Scalar& c1 = angles.cosine[5];
   const Scalar& s2 = angles.sine[6];
@@ -1126,16 +1126,16 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
 template <class Scalar, class Angles>
 inline SingularityMeasures<Scalar> singularity_measures([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s_alpha2 = angles.sine[0];
-  const Scalar& c_alpha2 = angles.cosine[0];
-  const Scalar& s_alpha3 = angles.sine[1];
-  const Scalar& c_alpha3 = angles.cosine[1];
-  const Scalar& s_alpha4 = angles.sine[2];
-  const Scalar& c_alpha4 = angles.cosine[2];
-  const Scalar& s_alpha5 = angles.sine[3];
-  const Scalar& c_alpha5 = angles.cosine[3];
-  const Scalar& s_alpha6 = angles.sine[4];
-  const Scalar& c_alpha6 = angles.cosine[4];
+  const Scalar& s_alpha2 = angles.sine[0];  // of alpha2
+  const Scalar& c_alpha2 = angles.cosine[0];  // of alpha2
+  const Scalar& s_alpha3 = angles.sine[1];  // of alpha3
+  const Scalar& c_alpha3 = angles.cosine[1];  // of alpha3
+  const Scalar& s_alpha4 = angles.sine[2];  // of alpha4
+  const Scalar& c_alpha4 = angles.cosine[2];  // of alpha4
+  const Scalar& s_alpha5 = angles.sine[3];  // of alpha5
+  const Scalar& c_alpha5 = angles.cosine[3];  // of alpha5
+  const Scalar& s_alpha6 = angles.sine[4];  // of alpha6
+  const Scalar& c_alpha6 = angles.cosine[4];  // of alpha6
   const Scalar& s2 = angles.sine[5];
   const Scalar& c2 = angles.cosine[5];
   const Scalar& s3 = angles.sine[6];

@@ -37,13 +37,12 @@ TransformAngles<Scalar> transform_angles(const JointVector<Scalar>& q, const Bas
 /// 1.12).
 ///
 /// 154 multiplications, 103 additions, 11 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4
-/// random
-/// exact points, tolerance zero; largest rounding error found 14.81 ulp.
+/// random exact points, tolerance zero; largest rounding error found 14.81 ulp.
 ///
 /// NaN or infinite joint variables give NaN. No heap, no exceptions.
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const BasicGeometry<Scalar>& g = {});
-/// The same with the sines and cosines given; q is read for prismatic joints only.
+/// Takes the sines and cosines as they are given; q is read for prismatic joints only.
 template <class Scalar>
 Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const PoseAngles<Scalar>& angles,
                                 const BasicGeometry<Scalar>& g = {});
@@ -51,14 +50,13 @@ Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q, const PoseAngles<S
 /// Pose of the tool in the world frame as a homogeneous transformation: rotation matrix and position (m).
 ///
 /// 168 multiplications, 116 additions, 11 sine/cosine pairs. Equal to the plain product of the joints' pairs at 4
-/// random
-/// exact points, tolerance zero; largest rounding error found 15.96 ulp.
+/// random exact points, tolerance zero; largest rounding error found 15.96 ulp.
 ///
 /// NaN or infinite joint variables give NaN. No heap, no exceptions.
 template <class Scalar>
 Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(const JointVector<Scalar>& q,
                                                                    const BasicGeometry<Scalar>& g = {});
-/// The same with the sines and cosines given; q is read for prismatic joints only.
+/// Takes the sines and cosines as they are given; q is read for prismatic joints only.
 template <class Scalar>
 Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(const JointVector<Scalar>& q,
                                                                    const TransformAngles<Scalar>& angles,

@@ -33,11 +33,11 @@ double arm_angle(const JointVector<double>& q, const ArmAngleReference& referenc
 /// undefined, or of a wrist where the reference is. The work does not depend on the pose. No heap, no exceptions.
 qvgen::Solutions<dof, 8> inverse_kinematics_arm_angle(const Pose<double>& pose, double psi,
     const ArmAngleReference& reference = {}, const Geometry& g = {}, double tolerance = inverse::default_tolerance);
-/// The same, nearest to the seed first (see `sort_by_distance`); free joints are taken from the seed.
+/// Returns these rows, nearest to the seed first (see `sort_by_distance`); free joints are taken from the seed.
 qvgen::Solutions<dof, 8> inverse_kinematics_arm_angle(const Pose<double>& pose, double psi,
     const JointVector<double>& seed,
     const ArmAngleReference& reference = {}, const Geometry& g = {}, double tolerance = inverse::default_tolerance);
-/// The same for a rotation matrix and a position (m).
+/// Solves for a rotation matrix and a position (m).
 qvgen::Solutions<dof, 8> inverse_kinematics_arm_angle(const Matrix3<double>& rotation, const Vector3<double>& position,
     double psi, const ArmAngleReference& reference = {}, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
@@ -54,8 +54,8 @@ ArmAngleIntervals arm_angle_intervals(const Pose<double>& pose, const JointLimit
 /// Where two things are singular at once and the limits leave next to nothing, a solution may be missed.
 LimitedSolutions<dof, 8> inverse_kinematics(const Pose<double>& pose, const JointLimits<dof>& limits,
     const ArmAngleReference& reference = {}, const Geometry& g = {}, double tolerance = inverse::default_tolerance);
-/// The same with the arm angle nearest to the seed's, and the representatives nearest to the seed; the nearest row
-/// first.
+/// Returns the rows within limits with the arm angle nearest to the seed's, and the representatives nearest to the
+/// seed; the nearest row first.
 LimitedSolutions<dof, 8> inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed,
     const JointLimits<dof>& limits, const ArmAngleReference& reference = {}, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);

@@ -10,7 +10,7 @@ namespace qvgen::robots::iiwa14 {
 // Overloads of functions of dynamics.h for gravity in any direction and a wrench on the tool. `gravity` is the
 // acceleration of free fall in the world, m/s^2: (0, 0, -9.80665) for a robot that stands upright.
 
-/// What acts on the tool from outside: force (N), then moment about the tool point (N m), both in the world frame. It
+/// Wrench on the tool from outside: force (N), then moment about the tool point (N m), both in the world frame. It
 /// does work at the rate wrench . velocity, as the rows of the Jacobian go: linear first, then angular.
 template <class Scalar>
 using Wrench = Eigen::Matrix<Scalar, 6, 1>;

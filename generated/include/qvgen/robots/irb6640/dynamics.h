@@ -184,8 +184,7 @@ Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, co
 /// Joint accelerations for given joint forces: M qdd = torque - C qd - gravity, by M = U D U^T.
 ///
 /// 396 multiplications, 363 additions, 5 divisions, 5 sine/cosine pairs. Set-up: 91 multiplications, 102 additions, 1
-/// division.
-/// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
+/// division. Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g = {},

@@ -10,7 +10,7 @@ namespace qvgen::robots::irb6640 {
 // Overloads of functions of dynamics.h for gravity in any direction and a wrench on the tool. `gravity` is the
 // acceleration of free fall in the world, m/s^2: (0, 0, -9.80665) for a robot that stands upright.
 
-/// What acts on the tool from outside: force (N), then moment about the tool point (N m), both in the world frame. It
+/// Wrench on the tool from outside: force (N), then moment about the tool point (N m), both in the world frame. It
 /// does work at the rate wrench . velocity, as the rows of the Jacobian go: linear first, then angular.
 template <class Scalar>
 using Wrench = Eigen::Matrix<Scalar, 6, 1>;
@@ -82,8 +82,7 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const LoadAngle
 /// Joint accelerations for given joint forces, under gravity in any direction.
 ///
 /// 405 multiplications, 372 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 94 multiplications, 105 additions, 1
-/// division.
-/// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
+/// division. Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g,
@@ -102,8 +101,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 /// Joint accelerations for given joint forces while a wrench acts on the tool from outside.
 ///
 /// 438 multiplications, 396 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 94 multiplications, 105 additions, 1
-/// division.
-/// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
+/// division. Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 template <class Scalar>
 JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& torque, const BasicGeometry<Scalar>& g,

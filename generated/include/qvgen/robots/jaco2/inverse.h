@@ -3,8 +3,8 @@
 // ./qvgen generate
 #pragma once
 
-#include <qvgen/inverse/choose.h>
-#include <qvgen/inverse/scalar.h>
+#include <qvgen/inverse/branch.h>
+#include <qvgen/inverse/joint_limits.h>
 #include <qvgen/inverse/solutions.h>
 #include <qvgen/pose.h>
 #include <qvgen/robots/jaco2/model.h>
@@ -27,7 +27,7 @@ using Solutions = qvgen::Solutions<dof, 16>;
 /// the axis of the tool whose direction is asked for; no closed form.
 inline constexpr InverseInfo inverse_info{ 16, Task::pose, -1, false, false, {}, true };
 
-/// All joint values that bring the tool to a pose (position and orientation), angles in (-pi, pi], each once.
+/// Returns all joint values that bring the tool to a pose (position and orientation), angles in (-pi, pi], each once.
 ///
 /// Derived from the description: six joints of any geometry: elimination to a polynomial of degree 8 in cosine and sine
 /// of one angle.
@@ -47,31 +47,30 @@ inline constexpr InverseInfo inverse_info{ 16, Task::pose, -1, false, false, {},
 ///
 /// The pose's quaternion may be off its length by rounding (float's too) and is normalised; NaN, infinity or no
 /// rotation gives Status::invalid. `tolerance` is how far beyond the boundary of reach, as a share of the arm's size,
-/// a pose is still solved by the nearest joints. What a singular pose leaves free is taken as it is found, or near
+/// a pose is still solved by the nearest joints. A joint that a singular pose leaves free stays as it is found, or near
 /// the seed. Rows stand in the order of their joints, a row's branch is its place.
 /// Status::incomplete says that a solution may be missing: there is a reason to doubt that all have been found;
 /// near singular poses one may be missing without a word. No heap, no exceptions, bounded work.
-/// Four angles at a time in the lanes of AVX2 registers, if the machine has them; `form` is for comparisons.
+/// The elimination tries two angles at a time, four with AVX2 and eight with AVX-512; `form` is for comparisons.
 Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g = {},
     double tolerance = inverse::default_tolerance, inverse::Form form = inverse::Form::fastest);
-/// The same, nearest to the seed first (see `sort_by_distance`); free joints are taken from the seed. Where
+/// Returns these rows, nearest to the seed first (see `sort_by_distance`); free joints are taken from the seed. Where
 /// a joint is nearly free Newton steps from the seed bring the nearest row to it, by at most 60 more
 /// evaluations of the Jacobian.
 Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
-/// The same for a rotation matrix and a position (m).
+/// Solves for a rotation matrix and a position (m).
 Solutions inverse_kinematics(const Matrix3<double>& rotation, const Vector3<double>& position, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
-/// The solutions within joint limits, as in inverse_kinematics(pose, Limits()):
+/// Returns the solutions within joint limits, as in inverse_kinematics(pose, Limits()):
 /// every representative of an angle that differs by whole turns and lies inside, in each branch those nearest to zero
 /// first, made one after the other when they are asked for (see `AllWithinLimits`). A joint off its limit by rounding
-/// is
-/// put on it. What a singular pose leaves free goes to where all joints are inside, if it is found on the way along the
-/// continuum, by at most 800 more evaluations of the Jacobian a row.
+/// is put on it. A free joint at a singular pose moves to where all joints are inside, if that is found on the way
+/// along the continuum, by at most 800 more evaluations of the Jacobian a row.
 AllWithinLimits<dof, 16> inverse_kinematics(const Pose<double>& pose, const JointLimits<dof>& limits,
     const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
-/// The same with a seed, inverse_kinematics(pose, seed, Limits()):
+/// Returns the rows within limits next to a seed, inverse_kinematics(pose, seed, Limits()):
 /// one row for each branch that has one inside, the representative nearest to the seed; the nearest row first.
 /// `continued` goes on a path by them.
 LimitedSolutions<dof, 16> inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed,
@@ -80,15 +79,13 @@ LimitedSolutions<dof, 16> inverse_kinematics(const Pose<double>& pose, const Joi
 
 /// For control loops: the solution that Newton's steps from the seed, the joints that went before, lead to. Angles
 /// are within half a turn of the seed's, not confined to (-pi, pi]. A joint that a singular pose leaves free stays
-/// where the seed has it, as far as the other joints can follow, and Status::singular says so. Where the steps, a
-/// bounded number, do not come to the pose, all solutions are looked for as above, and the nearest is taken.
-
+/// where the seed has it, as far as the other joints can follow, and Status::singular says so. If the steps, a
+/// bounded number, do not reach the pose, all solutions are computed as above, and the nearest is taken.
 NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
-/// The same within joint limits, as in inverse_kinematics_near(pose, seed, Limits()), and never
+/// Returns the near solution within joint limits, as in inverse_kinematics_near(pose, seed, Limits()), and never
 /// elsewhere by whole turns: Status::unreachable where that solution is outside. `inverse_kinematics` with a seed and
-/// limits
-/// then has the other branches.
+/// limits then has the other branches.
 NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector<double>& seed,
     const JointLimits<dof>& limits, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);

@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 #include <array>
 
-#include <qvgen/inverse_velocity.h>
+#include <qvgen/inverse_velocity_within.h>
 #include <qvgen/quaternion.h>
 #include <qvgen/robots/nc/model.h>
 
@@ -56,7 +56,7 @@ JacobianAngles<Scalar> jacobian_angles(const JointVector<Scalar>& q, const Basic
 template <class Scalar>
 Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
     const BasicGeometry<Scalar>& g = {});
-/// The same with the sines and cosines given; q is read for prismatic joints only.
+/// Takes the sines and cosines as they are given; q is read for prismatic joints only.
 template <class Scalar>
 Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
     const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g = {});
@@ -68,7 +68,7 @@ Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
 template <class Scalar>
 TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointVector<Scalar>& q,
     const BasicGeometry<Scalar>& g = {});
-/// The same with the sines and cosines given; q is read for prismatic joints only.
+/// Takes the sines and cosines as they are given; q is read for prismatic joints only.
 template <class Scalar>
 TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointVector<Scalar>& q,
     const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g = {});
@@ -79,7 +79,7 @@ TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointVector<S
 template <class Scalar>
 Jacobian<Scalar> tool_jacobian(const JointVector<Scalar>& q,
     const BasicGeometry<Scalar>& g = {});
-/// The same with the sines and cosines given; q is read for prismatic joints only.
+/// Takes the sines and cosines as they are given; q is read for prismatic joints only.
 template <class Scalar>
 Jacobian<Scalar> tool_jacobian(const JointVector<Scalar>& q,
     const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g = {});
@@ -90,7 +90,7 @@ Jacobian<Scalar> tool_jacobian(const JointVector<Scalar>& q,
 template <class Scalar>
 Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q, const Vector3<Scalar>& point,
     const BasicGeometry<Scalar>& g = {});
-/// The same with the sines and cosines given; q is read for prismatic joints only.
+/// Takes the sines and cosines as they are given; q is read for prismatic joints only.
 template <class Scalar>
 Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q, const Vector3<Scalar>& point,
     const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g = {});
@@ -101,7 +101,7 @@ Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q, const Vector3<Scalar>
 template <class Scalar>
 Twist<Scalar> velocity(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {});
-/// The same with the sines and cosines given; q is read for prismatic joints only.
+/// Takes the sines and cosines as they are given; q is read for prismatic joints only.
 template <class Scalar>
 Twist<Scalar> velocity(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g = {});
@@ -112,20 +112,19 @@ Twist<Scalar> velocity(const JointVector<Scalar>& q, const JointVector<Scalar>& 
 template <class Scalar>
 Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {});
-/// The same with the sines and cosines given; q is read for prismatic joints only.
+/// Takes the sines and cosines as they are given; q is read for prismatic joints only.
 template <class Scalar>
 Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g = {});
 
 /// The tool's acceleration (m/s², rad/s²) at constant joint rates qd: `jacobian_dot(q, qd) * qd`; with joint
-/// accelerations
-/// it is `jacobian(q) * qdd` plus this.
+/// accelerations it is `jacobian(q) * qdd` plus this.
 ///
 /// 35 multiplications, 19 additions, 4 sine/cosine pairs. Certified at 3 points; largest rounding error found 3.5 ulp.
 template <class Scalar>
 Twist<Scalar> jacobian_dot_times_qd(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const BasicGeometry<Scalar>& g = {});
-/// The same with the sines and cosines given; q is read for prismatic joints only.
+/// Takes the sines and cosines as they are given; q is read for prismatic joints only.
 template <class Scalar>
 Twist<Scalar> jacobian_dot_times_qd(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g = {});
@@ -137,7 +136,7 @@ Twist<Scalar> jacobian_dot_times_qd(const JointVector<Scalar>& q, const JointVec
 template <class Scalar>
 SingularityMeasures<Scalar> singularity_measures(const JointVector<Scalar>& q,
     const BasicGeometry<Scalar>& g = {});
-/// The same with the sines and cosines given; q is read for prismatic joints only.
+/// Takes the sines and cosines as they are given; q is read for prismatic joints only.
 template <class Scalar>
 SingularityMeasures<Scalar> singularity_measures(const JointVector<Scalar>& q,
     const JacobianAngles<Scalar>& angles, const BasicGeometry<Scalar>& g = {});
@@ -157,6 +156,34 @@ InverseVelocity<Scalar, dof> inverse_velocity(const JointVector<Scalar>& q, cons
   const TransformAndJacobian<Scalar> tool = forward_kinematics_and_jacobian(q, g);
   const Vector3<Scalar> to_wrist = tool.transform.linear() * wrist_centre(g);
   return qvgen::inverse_velocity_decoupled<Scalar>(tool.jacobian, to_wrist, twist, options);
+}
+
+/// Limits of the joint rates, rad/s or m/s: the description's greatest velocities unless set.
+template <class Scalar>
+struct RateLimits : qvgen::RateLimits<Scalar, dof> {
+  RateLimits() : RateLimits(JointVector<double>(velocity_limits.data()).template cast<Scalar>()) {}
+  explicit RateLimits(const JointVector<Scalar>& greatest) : RateLimits(-greatest, greatest) {}
+  RateLimits(const JointVector<Scalar>& lowest, const JointVector<Scalar>& greatest)
+      : qvgen::RateLimits<Scalar, dof>{lowest, greatest} {}
+};
+
+/// The rates of `inverse_velocity`, all scaled by the largest factor up to 1 that brings them within limits: the tool
+/// goes in the direction that is wanted, slower.
+template <class Scalar>
+ScaledVelocity<Scalar, dof> inverse_velocity_scaled(const JointVector<Scalar>& q, const Twist<Scalar>& twist,
+                                                    const qvgen::RateLimits<Scalar, dof>& limits = RateLimits<Scalar>(),
+                                                    const BasicGeometry<Scalar>& g = {},
+                                                    const InverseVelocityOptions<Scalar>& options = {}) {
+  return scaled_to_limits<Scalar, dof>(inverse_velocity<Scalar>(q, twist, g, options), limits);
+}
+
+/// The rates within limits that come nearest to a twist: qvgen/inverse_velocity_within.h on the Jacobian.
+template <class Scalar>
+VelocityWithin<Scalar, dof> inverse_velocity_within(const JointVector<Scalar>& q, const Twist<Scalar>& twist,
+                                                    const qvgen::RateLimits<Scalar, dof>& limits = RateLimits<Scalar>(),
+                                                    const BasicGeometry<Scalar>& g = {},
+                                                    const InverseVelocityOptions<Scalar>& options = {}) {
+  return qvgen::inverse_velocity_within<Scalar, dof>(jacobian(q, g), twist, limits, options);
 }
 
 // Compiled into the library for double and float; other scalar types include jacobian_definitions.h.

@@ -14,7 +14,7 @@ namespace qvgen::robots::nn {
 
 namespace detail {
 
-/// Of all angles of the header those that one function needs.
+/// Selects, of all angles of the header, those that one function needs.
 template <class Scalar, std::size_t Count>
 struct JacobianSelection {
   std::array<Scalar, Count> sine;

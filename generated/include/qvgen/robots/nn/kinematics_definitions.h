@@ -58,10 +58,10 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        const BasicGeometry<Scalar>& g) {
-  const Scalar& s_0 = angles.sine[0];
-  const Scalar& c_0 = angles.cosine[0];
-  const Scalar& s_1 = angles.sine[1];
-  const Scalar& c_1 = angles.cosine[1];
+  const Scalar& s_0 = angles.sine[0];  // of (2*theta1 - pi)/4
+  const Scalar& c_0 = angles.cosine[0];  // of (2*theta1 - pi)/4
+  const Scalar& s_1 = angles.sine[1];  // of (2*theta3 - pi)/4
+  const Scalar& c_1 = angles.cosine[1];  // of (2*theta3 - pi)/4
   const Scalar& sh2 = angles.sine[2];
   const Scalar& ch2 = angles.cosine[2];
   const Scalar& sh5 = angles.sine[3];

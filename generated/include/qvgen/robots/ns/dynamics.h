@@ -187,8 +187,7 @@ Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, co
 /// Joint accelerations for given joint forces: M qdd = torque - C qd - gravity, by M = U D U^T.
 ///
 /// 344 multiplications, 310 additions, 5 divisions, 4 sine/cosine pairs. Set-up: 87 multiplications, 96 additions, 3
-/// divisions.
-/// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
+/// divisions. Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d2, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,

@@ -54,16 +54,16 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        const BasicGeometry<Scalar>& g) {
-  const Scalar& s_0 = angles.sine[0];
-  const Scalar& c_0 = angles.cosine[0];
+  const Scalar& s_0 = angles.sine[0];  // of (2*theta1 - pi)/4
+  const Scalar& c_0 = angles.cosine[0];  // of (2*theta1 - pi)/4
   const Scalar& sh2 = angles.sine[1];
   const Scalar& ch2 = angles.cosine[1];
   const Scalar& sh5 = angles.sine[2];
   const Scalar& ch5 = angles.cosine[2];
-  const Scalar& s_3 = angles.sine[3];
-  const Scalar& c_3 = angles.cosine[3];
-  const Scalar& s_4 = angles.sine[4];
-  const Scalar& c_4 = angles.cosine[4];
+  const Scalar& s_3 = angles.sine[3];  // of (2*theta4 + 2*theta6 + pi)/4
+  const Scalar& c_3 = angles.cosine[3];  // of (2*theta4 + 2*theta6 + pi)/4
+  const Scalar& s_4 = angles.sine[4];  // of (2*theta4 - 2*theta6 - pi)/4
+  const Scalar& c_4 = angles.cosine[4];  // of (2*theta4 - 2*theta6 - pi)/4
   const Scalar t0 = c_4 * sh5;
   const Scalar t1 = ch2 * ch5;
   const Scalar t2 = sh2 * t0 + c_3 * t1;

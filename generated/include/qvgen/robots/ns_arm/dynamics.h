@@ -140,8 +140,7 @@ Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, co
 /// Joint accelerations for given joint forces: M qdd = torque - C qd - gravity, by M = U D U^T.
 ///
 /// 50 multiplications, 31 additions, 2 divisions, 1 sine/cosine pair. Set-up: 16 multiplications, 22 additions, 1
-/// division.
-/// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
+/// division. Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// Largest rounding error found 6.18 ulp of the largest component.
 template <class Scalar>
 JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,

@@ -10,7 +10,7 @@ namespace qvgen::robots::ns_arm {
 // Overloads of functions of dynamics.h for gravity in any direction and a wrench on the tool. `gravity` is the
 // acceleration of free fall in the world, m/s^2: (0, 0, -9.80665) for a robot that stands upright.
 
-/// What acts on the tool from outside: force (N), then moment about the tool point (N m), both in the world frame. It
+/// Wrench on the tool from outside: force (N), then moment about the tool point (N m), both in the world frame. It
 /// does work at the rate wrench . velocity, as the rows of the Jacobian go: linear first, then angular.
 template <class Scalar>
 using Wrench = Eigen::Matrix<Scalar, 6, 1>;
@@ -87,8 +87,7 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const LoadAngle
 /// Joint accelerations for given joint forces, under gravity in any direction.
 ///
 /// 57 multiplications, 38 additions, 2 divisions, 2 sine/cosine pairs. Set-up: 16 multiplications, 22 additions, 1
-/// division.
-/// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
+/// division. Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// Largest rounding error found 4.4 ulp of the largest component.
 template <class Scalar>
 JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
@@ -108,8 +107,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 /// Joint accelerations for given joint forces while a wrench acts on the tool from outside.
 ///
 /// 73 multiplications, 52 additions, 2 divisions, 2 sine/cosine pairs. Set-up: 17 multiplications, 22 additions, 1
-/// division.
-/// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
+/// division. Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// Largest rounding error found 3.94 ulp of the largest component.
 template <class Scalar>
 JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,

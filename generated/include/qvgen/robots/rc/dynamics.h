@@ -186,8 +186,7 @@ Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, co
 /// Joint accelerations for given joint forces: M qdd = torque - C qd - gravity, by M = U D U^T.
 ///
 /// 344 multiplications, 313 additions, 5 divisions, 4 sine/cosine pairs. Set-up: 80 multiplications, 87 additions, 5
-/// divisions.
-/// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
+/// divisions. Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is d4, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,

@@ -26,6 +26,12 @@ inline constexpr std::array<double, dof> lower_limits{ -unlimited, -unlimited, -
     -unlimited };
 inline constexpr std::array<double, dof> upper_limits{ unlimited, unlimited, unlimited, unlimited, unlimited,
     unlimited };
+/// Greatest velocities of the description, rad/s or m/s; infinite where it has none.
+inline constexpr std::array<double, dof> velocity_limits{ unlimited, unlimited, unlimited, unlimited, unlimited,
+    unlimited };
+/// Greatest torques or forces of the description, Nm or N; infinite where it has none.
+inline constexpr std::array<double, dof> effort_limits{ unlimited, unlimited, unlimited, unlimited, unlimited,
+    unlimited };
 
 /// Geometric constants, metres or radians; defaults from the description.
 template <class Scalar>

@@ -3,8 +3,8 @@
 // ./qvgen generate
 #pragma once
 
-#include <qvgen/inverse/choose.h>
-#include <qvgen/inverse/scalar.h>
+#include <qvgen/inverse/branch.h>
+#include <qvgen/inverse/joint_limits.h>
 #include <qvgen/inverse/solutions.h>
 #include <qvgen/pose.h>
 #include <qvgen/robots/rpp/model.h>
@@ -27,7 +27,7 @@ using Solutions = qvgen::Solutions<dof, 2>;
 /// the axis of the tool whose direction is asked for.
 inline constexpr InverseInfo inverse_info{ 2, Task::position, -1, false, true, {} };
 
-/// All joint values that bring the tool to a position of the tool point, angles in (-pi, pi], each once.
+/// Returns all joint values that bring the tool to a position of the tool point, angles in (-pi, pi], each once.
 ///
 /// Derived from the description: three joints place the tool point; the orientation follows.
 /// - theta1: line or circle meets circle, 2 values.
@@ -38,29 +38,27 @@ inline constexpr InverseInfo inverse_info{ 2, Task::position, -1, false, true, {
 /// the sampled joints among them.
 ///
 /// Directions and quaternions may be off their length by rounding; NaN, infinity or another length gives
-/// Status::invalid.
-/// `tolerance` is how far beyond the boundary of reach, as a share of the arm's size, the task is still solved by the
-/// nearest joints. What a singular place leaves free is taken as 0, or near it where the other joints cannot follow.
-/// No heap, no exceptions.
+/// Status::invalid. `tolerance` is how far beyond the boundary of reach, as a share of the arm's size, the task is
+/// still solved by the nearest joints. A joint that a singular place leaves free is 0, or near it if the other joints
+/// cannot follow. No heap, no exceptions.
 /// Near a singular pose, where rounding would decide which solutions exist, at most
 /// 8 passes over the branches and 56 evaluations of the Jacobian are added (`effort` of the set), at most
 /// 116,000 instructions (x86-64, AVX2); Status::incomplete says that they did not suffice.
 Solutions inverse_kinematics(const Vector3<double>& position, const Geometry& g = {},
     double tolerance = inverse::default_tolerance, inverse::Form form = inverse::Form::fastest);
-/// The same, nearest to the seed first (see `sort_by_distance`); free joints are taken from the seed. Where
+/// Returns these rows, nearest to the seed first (see `sort_by_distance`); free joints are taken from the seed. Where
 /// a joint is nearly free Newton steps from the seed bring the nearest row to it, by at most 60 more
 /// evaluations of the Jacobian.
 Solutions inverse_kinematics(const Vector3<double>& position, const JointVector<double>& seed, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
-/// The solutions within joint limits, as in inverse_kinematics(position, Limits()):
+/// Returns the solutions within joint limits, as in inverse_kinematics(position, Limits()):
 /// every representative of an angle that differs by whole turns and lies inside, in each branch those nearest to zero
 /// first, made one after the other when they are asked for (see `AllWithinLimits`). A joint off its limit by rounding
-/// is
-/// put on it.
+/// is put on it.
 AllWithinLimits<dof, 2> inverse_kinematics(const Vector3<double>& position, const JointLimits<dof>& limits,
     const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
-/// The same with a seed, inverse_kinematics(position, seed, Limits()):
+/// Returns the rows within limits next to a seed, inverse_kinematics(position, seed, Limits()):
 /// one row for each branch that has one inside, the representative nearest to the seed; the nearest row first.
 /// `continued` goes on a path by them.
 LimitedSolutions<dof, 2> inverse_kinematics(const Vector3<double>& position, const JointVector<double>& seed,
@@ -69,26 +67,24 @@ LimitedSolutions<dof, 2> inverse_kinematics(const Vector3<double>& position, con
 
 /// For control loops: the solution on the branch of the seed, the joints that went before; of every equation above
 /// the value that is nearer to the seed's. Near singular poses Newton steps of all joints lead from the seed to the
-/// pose. If the branch does not come to it others are followed: whoever must not jump looks how far the row is.
-/// Angles are within half a turn of the seed's, not confined to (-pi, pi]. A joint that a singular pose leaves free
-/// stays where the seed has it, as far as the other joints can follow, and Status::singular says so. Of a row that
-/// steps from the seed have found the branch is not known: -1. At most 120 evaluations of the Jacobian,
-/// and those near singular poses only; where they lead to nothing, all solutions are looked for as above, and the
+/// pose. If the branch does not come to it others are followed: check the distance to the seed if jumps are not
+/// allowed. Angles are within half a turn of the seed's, not confined to (-pi, pi]. A joint that a singular pose leaves
+/// free stays where the seed has it, as far as the other joints can follow, and Status::singular says so. A row that
+/// steps from the seed have found has the branch -1. At most 120 evaluations of the Jacobian,
+/// and those near singular poses only; if they lead to nothing, all solutions are computed as above, and the
 /// nearest is taken.
-
 NearSolution inverse_kinematics_near(const Vector3<double>& position, const JointVector<double>& seed,
     const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
-/// The same within joint limits, as in inverse_kinematics_near(position, seed, Limits()), and never
+/// Returns the near solution within joint limits, as in inverse_kinematics_near(position, seed, Limits()), and never
 /// elsewhere by whole turns: Status::unreachable where that solution is outside. `inverse_kinematics` with a seed and
-/// limits
-/// then has the other branches.
+/// limits then has the other branches.
 NearSolution inverse_kinematics_near(const Vector3<double>& position, const JointVector<double>& seed,
     const JointLimits<dof>& limits, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
 
-/// All joint values that bring the tool to a pose (its position; the orientation is not used), angles in (-pi, pi],
-/// each once.
+/// Returns all joint values that bring the tool to a pose (its position; the orientation is not used), angles in (-pi,
+/// pi], each once.
 ///
 /// Derived from the description: three joints place the tool point; the orientation follows.
 /// - theta1: line or circle meets circle, 2 values.
@@ -100,31 +96,30 @@ NearSolution inverse_kinematics_near(const Vector3<double>& position, const Join
 ///
 /// The pose's quaternion may be off its length by rounding (float's too) and is normalised; NaN, infinity or no
 /// rotation gives Status::invalid. `tolerance` is how far beyond the boundary of reach, as a share of the arm's size,
-/// a pose is still solved by the nearest joints. What a singular pose leaves free is taken as 0, or near it where the
+/// a pose is still solved by the nearest joints. A joint that a singular pose leaves free is 0, or near it if the
 /// other joints cannot follow. No heap, no exceptions.
 /// Near a singular pose, where rounding would decide which solutions exist, at most
 /// 8 passes over the branches and 56 evaluations of the Jacobian are added (`effort` of the set), at most
 /// 116,000 instructions (x86-64, AVX2); Status::incomplete says that they did not suffice.
 Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g = {},
     double tolerance = inverse::default_tolerance, inverse::Form form = inverse::Form::fastest);
-/// The same, nearest to the seed first (see `sort_by_distance`); free joints are taken from the seed. Where
+/// Returns these rows, nearest to the seed first (see `sort_by_distance`); free joints are taken from the seed. Where
 /// a joint is nearly free Newton steps from the seed bring the nearest row to it, by at most 60 more
 /// evaluations of the Jacobian.
 Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
-/// The same for a rotation matrix and a position (m).
+/// Solves for a rotation matrix and a position (m).
 Solutions inverse_kinematics(const Matrix3<double>& rotation, const Vector3<double>& position, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
-/// The solutions within joint limits, as in inverse_kinematics(pose, Limits()):
+/// Returns the solutions within joint limits, as in inverse_kinematics(pose, Limits()):
 /// every representative of an angle that differs by whole turns and lies inside, in each branch those nearest to zero
 /// first, made one after the other when they are asked for (see `AllWithinLimits`). A joint off its limit by rounding
-/// is
-/// put on it. What a singular pose leaves free goes to where all joints are inside, if it is found on the way along the
-/// continuum, by at most 800 more evaluations of the Jacobian a row.
+/// is put on it. A free joint at a singular pose moves to where all joints are inside, if that is found on the way
+/// along the continuum, by at most 800 more evaluations of the Jacobian a row.
 AllWithinLimits<dof, 2> inverse_kinematics(const Pose<double>& pose, const JointLimits<dof>& limits,
     const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
-/// The same with a seed, inverse_kinematics(pose, seed, Limits()):
+/// Returns the rows within limits next to a seed, inverse_kinematics(pose, seed, Limits()):
 /// one row for each branch that has one inside, the representative nearest to the seed; the nearest row first.
 /// `continued` goes on a path by them.
 LimitedSolutions<dof, 2> inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed,
@@ -133,19 +128,17 @@ LimitedSolutions<dof, 2> inverse_kinematics(const Pose<double>& pose, const Join
 
 /// For control loops: the solution on the branch of the seed, the joints that went before; of every equation above
 /// the value that is nearer to the seed's. Near singular poses Newton steps of all joints lead from the seed to the
-/// pose. If the branch does not come to it others are followed: whoever must not jump looks how far the row is.
-/// Angles are within half a turn of the seed's, not confined to (-pi, pi]. A joint that a singular pose leaves free
-/// stays where the seed has it, as far as the other joints can follow, and Status::singular says so. Of a row that
-/// steps from the seed have found the branch is not known: -1. At most 120 evaluations of the Jacobian,
-/// and those near singular poses only; where they lead to nothing, all solutions are looked for as above, and the
+/// pose. If the branch does not come to it others are followed: check the distance to the seed if jumps are not
+/// allowed. Angles are within half a turn of the seed's, not confined to (-pi, pi]. A joint that a singular pose leaves
+/// free stays where the seed has it, as far as the other joints can follow, and Status::singular says so. A row that
+/// steps from the seed have found has the branch -1. At most 120 evaluations of the Jacobian,
+/// and those near singular poses only; if they lead to nothing, all solutions are computed as above, and the
 /// nearest is taken.
-
 NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);
-/// The same within joint limits, as in inverse_kinematics_near(pose, seed, Limits()), and never
+/// Returns the near solution within joint limits, as in inverse_kinematics_near(pose, seed, Limits()), and never
 /// elsewhere by whole turns: Status::unreachable where that solution is outside. `inverse_kinematics` with a seed and
-/// limits
-/// then has the other branches.
+/// limits then has the other branches.
 NearSolution inverse_kinematics_near(const Pose<double>& pose, const JointVector<double>& seed,
     const JointLimits<dof>& limits, const Geometry& g = {},
     double tolerance = inverse::default_tolerance);

@@ -45,8 +45,8 @@ inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar
   const Scalar& ch1 = angles.cosine[0];
   const Scalar& s2 = angles.sine[1];
   const Scalar& c2 = angles.cosine[1];
-  const Scalar& s_2 = angles.sine[2];
-  const Scalar& c_2 = angles.cosine[2];
+  const Scalar& s_2 = angles.sine[2];  // of (2*theta2 + 2*theta3 + pi)/4
+  const Scalar& c_2 = angles.cosine[2];  // of (2*theta2 + 2*theta3 + pi)/4
   const Scalar t0 = c_2 - s_2;
   const Scalar t1 = Scalar(2) * s_2;
   const Scalar t2 = t0 + t1;

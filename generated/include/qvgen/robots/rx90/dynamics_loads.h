@@ -10,7 +10,7 @@ namespace qvgen::robots::rx90 {
 // Overloads of functions of dynamics.h for gravity in any direction and a wrench on the tool. `gravity` is the
 // acceleration of free fall in the world, m/s^2: (0, 0, -9.80665) for a robot that stands upright.
 
-/// What acts on the tool from outside: force (N), then moment about the tool point (N m), both in the world frame. It
+/// Wrench on the tool from outside: force (N), then moment about the tool point (N m), both in the world frame. It
 /// does work at the rate wrench . velocity, as the rows of the Jacobian go: linear first, then angular.
 template <class Scalar>
 using Wrench = Eigen::Matrix<Scalar, 6, 1>;
@@ -84,8 +84,7 @@ JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const LoadAngle
 /// Joint accelerations for given joint forces, under gravity in any direction.
 ///
 /// 382 multiplications, 347 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 88 multiplications, 97 additions, 6
-/// divisions.
-/// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
+/// divisions. Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is D3, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
@@ -105,8 +104,7 @@ JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVe
 /// Joint accelerations for given joint forces while a wrench acts on the tool from outside.
 ///
 /// 415 multiplications, 370 additions, 5 divisions, 6 sine/cosine pairs. Set-up: 88 multiplications, 97 additions, 6
-/// divisions.
-/// Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
+/// divisions. Equal to the plain Newton-Euler recursion at 2 random exact points, tolerance zero.
 /// The unit of length is D3, which must not be zero.
 template <class Scalar>
 JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,

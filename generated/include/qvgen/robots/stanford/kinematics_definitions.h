@@ -53,8 +53,8 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s_0 = angles.sine[0];
-  const Scalar& c_0 = angles.cosine[0];
+  const Scalar& s_0 = angles.sine[0];  // of (2*theta1 + pi)/4
+  const Scalar& c_0 = angles.cosine[0];  // of (2*theta1 + pi)/4
   const Scalar& sh2 = angles.sine[1];
   const Scalar& ch2 = angles.cosine[1];
   const Scalar& sh5 = angles.sine[2];

@@ -61,18 +61,18 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s_0 = angles.sine[0];
-  const Scalar& c_0 = angles.cosine[0];
-  const Scalar& s_1 = angles.sine[1];
-  const Scalar& c_1 = angles.cosine[1];
+  const Scalar& s_0 = angles.sine[0];  // of (2*theta5 - pi)/4
+  const Scalar& c_0 = angles.cosine[0];  // of (2*theta5 - pi)/4
+  const Scalar& s_1 = angles.sine[1];  // of (2*theta6 + pi)/4
+  const Scalar& c_1 = angles.cosine[1];  // of (2*theta6 + pi)/4
   const Scalar& sh1 = angles.sine[2];
   const Scalar& ch1 = angles.cosine[2];
   const Scalar& s2 = angles.sine[3];
   const Scalar& c2 = angles.cosine[3];
   const Scalar& s23 = angles.sine[4];
   const Scalar& c23 = angles.cosine[4];
-  const Scalar& s_5 = angles.sine[5];
-  const Scalar& c_5 = angles.cosine[5];
+  const Scalar& s_5 = angles.sine[5];  // of (2*theta2 + 2*theta3 + 2*theta4 + pi)/4
+  const Scalar& c_5 = angles.cosine[5];  // of (2*theta2 + 2*theta3 + 2*theta4 + pi)/4
   const Scalar t0 = c_5 * c_0;
   const Scalar t1 = s_5 * sh1;
   const Scalar t2 = ch1 * t0 + s_0 * t1;

@@ -68,10 +68,10 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s_0 = angles.sine[0];
-  const Scalar& c_0 = angles.cosine[0];
-  const Scalar& s_1 = angles.sine[1];
-  const Scalar& c_1 = angles.cosine[1];
+  const Scalar& s_0 = angles.sine[0];  // of (2*theta4 - pi)/4
+  const Scalar& c_0 = angles.cosine[0];  // of (2*theta4 - pi)/4
+  const Scalar& s_1 = angles.sine[1];  // of (2*theta6 + pi)/4
+  const Scalar& c_1 = angles.cosine[1];  // of (2*theta6 + pi)/4
   const Scalar& sh1 = angles.sine[2];
   const Scalar& ch1 = angles.cosine[2];
   const Scalar& s2 = angles.sine[3];
