@@ -64,6 +64,14 @@ TEST(Tidy, ProseFlowsOn) {
 }
 
 /// Words longer than a line, behind a mark that continuation lines repeat: once an endless loop.
+/// Whatever the carried words begin with, the code behind the comment stays code.
+TEST(Tidy, ProseEndsBeforeCode) {
+  const std::string full = "/// " + std::string(line_width - 4, 'a');
+  for (const char* word : {"word", "(in brackets)", "-1", "<", "`code`"})
+    EXPECT_EQ(wrapped(full + " " + word + "\ntemplate <class T>\n"),
+              full + "\n/// " + word + "\ntemplate <class T>\n");
+}
+
 TEST(Tidy, LongWordsEnd) {
   const std::string number(150, '7');
   EXPECT_EQ(wrapped("//   - " + number + " more\n"), "//   - " + number + "\n//     more\n");

@@ -102,18 +102,20 @@ std::string put_wrapped(std::string& result, std::string line) {
 std::string wrapped(const std::string& code) {
   std::string result;
   std::string carried;  // the last words of a doc comment's line, which go on in the next
+  std::string begun;    // what lines of that comment begin with
   std::size_t begin = 0;
   for (std::size_t end = code.find('\n'); end != std::string::npos;
        begin = end + 1, end = code.find('\n', begin)) {
     std::string line = code.substr(begin, end - begin);
     const std::string mark = prose_mark(line);
-    if (!carried.empty() && mark == prose_mark(carried)) {
+    if (!carried.empty() && mark == begun) {
       line = carried + " " + line.substr(mark.size());
     } else if (!carried.empty()) {
       result += carried + "\n";
     }
     const std::string last = put_wrapped(result, line);
     carried = last != line && !mark.empty() ? last : "";
+    begun = mark;
     if (carried.empty()) result += last + "\n";
   }
   if (!carried.empty()) result += carried + "\n";
