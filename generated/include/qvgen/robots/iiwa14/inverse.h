@@ -28,7 +28,8 @@ using SolutionsGiven_theta3 = qvgen::Solutions<dof, 8>;
 inline constexpr InverseInfo inverse_info_given_theta3{ 8, Task::pose, 2, true, true, {} };
 
 /// Returns all joint values that bring the tool to a pose (position and orientation); theta3, rad, is given, angles in
-/// (-pi, pi], each once. ///
+/// (-pi, pi], each once.
+///
 /// Derived from the description: the axes of joints 5, 6 and 7 meet in one point: position and orientation decouple.
 /// - theta4: line or circle meets circle, 2 values.
 /// - theta1: line or circle meets circle, 2 values.

@@ -12,7 +12,8 @@
 namespace qvgen::robots::puma560 {
 
 /// Sines and cosines that forward_kinematics needs, of the angles theta1/2, theta2, theta5/2, (theta2 + theta3)/2,
-/// (theta4 + theta6)/2, (theta4 - theta6)/2. template <class Scalar>
+/// (theta4 + theta6)/2, (theta4 - theta6)/2.
+template <class Scalar>
 struct PoseAngles {
   std::array<Scalar, 6> sine;
   std::array<Scalar, 6> cosine;
