@@ -135,7 +135,7 @@ TEST(Render, MissingKeyIsAnError) {
     emit::render("cpp/robot.h", {{"parts", {{{"part", "kinematics"}}}}});
     FAIL() << "no error";
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "template robot.h: no value for the key name");
+    EXPECT_STREQ(error.what(), "template cpp/robot.h: no value for the key name");
   }
   EXPECT_THROW(emit::render("no such template", {}), std::invalid_argument);
 }
