@@ -29,10 +29,12 @@ function(qvgen_light_inverse target)
   endif()
 endfunction()
 
-# qvgen_libraries_of(variable FILES file...): the libraries of the runtime that generated files include headers of.
+# qvgen_libraries_of(variable FILES file...): the libraries of the runtime that generated files include headers of. They are read
+# again when one of them changes.
 function(qvgen_libraries_of variable)
   cmake_parse_arguments(PARSE_ARGV 1 of "" "" "FILES")
   set(libraries qvgen::core)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${of_FILES})
   foreach(file ${of_FILES})
     file(STRINGS ${file} includes REGEX "^#include <qvgen/")
     foreach(include ${includes})

@@ -72,6 +72,13 @@ TEST(Tidy, ProseEndsBeforeCode) {
               full + "\n/// " + word + "\ntemplate <class T>\n");
 }
 
+/// A comment behind code goes to the next line whole: what is broken within would be code again.
+TEST(Tidy, CommentsBehindCodeStayWhole) {
+  const std::string code = "  const double& s = angles[4];",
+                    words = "// of angle(0." + std::string(70, '6') + ") - theta1";
+  EXPECT_EQ(wrapped(code + "  " + words + "\n"), code + "\n      " + words + "\n");
+}
+
 TEST(Tidy, LongWordsEnd) {
   const std::string number(150, '7');
   EXPECT_EQ(wrapped("//   - " + number + " more\n"), "//   - " + number + "\n//     more\n");

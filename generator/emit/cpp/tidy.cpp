@@ -44,6 +44,7 @@ std::size_t last_outermost(const std::string& line, std::size_t begin, const May
       least = depth;
       best = at;
     }
+    if (!text && line.compare(at, 3, "// ") == 0) break;  // words behind code
     if (line[at] == '"') text = !text;
     if (!text) depth += opens(line, at);
   }
