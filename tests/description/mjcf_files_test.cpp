@@ -3,7 +3,7 @@
 #include "xml.h"
 
 // Models in several files: <include>, <attach>, fragments; and what is written out within one: <frame>,
-// <replicate>. tests/arms/parts_test.cpp compares random ones with MuJoCo.
+// <replicate>. tests/interop/parts_test.cpp compares random ones with MuJoCo.
 namespace qvgen::description {
 namespace {
 

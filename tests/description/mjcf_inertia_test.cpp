@@ -14,7 +14,7 @@
 #include "model/evaluate.h"
 #include "xml.h"
 
-// Inertia of bodies from geoms and meshes, and the settings about it. tests/arms/geoms_test.cpp compares
+// Inertia of bodies from geoms and meshes, and the settings about it. tests/interop/geoms_test.cpp compares
 // random models with MuJoCo; here are named cases, and meshes of boxes, whose integrals are known.
 namespace qvgen::description {
 namespace {

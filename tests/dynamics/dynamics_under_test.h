@@ -32,9 +32,11 @@ class DynamicsUnderTest {
   virtual ~DynamicsUnderTest() = default;
 
   virtual VectorXd inverse(const VectorXd& q, const VectorXd& qd, const VectorXd& qdd, double g) const = 0;
-  virtual VectorXd inverse(const VectorXd& q, const VectorXd& qd, const VectorXd& qdd,
-                           const Vector3d& falling) const = 0;
-  /// Robots whose joints branch have no tool; `has_tool` of the factory tells.
+  /// Some robots leave gravity in any direction, wrenches and derivatives to who names them; `has_requested`
+  /// of the factory tells. Robots whose joints branch have no tool: `has_tool`.
+  virtual VectorXd inverse(const VectorXd&, const VectorXd&, const VectorXd&, const Vector3d&) const {
+    return {};
+  }
   virtual VectorXd inverse(const VectorXd&, const VectorXd&, const VectorXd&, const Vector3d&,
                            const Wrench&) const {
     return {};
@@ -49,14 +51,15 @@ class DynamicsUnderTest {
     return {};
   }
   virtual VectorXd gravity(const VectorXd& q, double g) const = 0;
-  virtual VectorXd gravity(const VectorXd& q, const Vector3d& falling) const = 0;
+  virtual VectorXd gravity(const VectorXd&, const Vector3d&) const { return {}; }
   virtual VectorXd coriolis(const VectorXd& q, const VectorXd& qd) const = 0;
   virtual MatrixXd coriolis_matrix(const VectorXd& q, const VectorXd& qd) const = 0;
   virtual MatrixXd mass(const VectorXd& q) const = 0;
   virtual DualMatrix mass(const DualVector& q) const = 0;
   virtual VectorXd forward(const VectorXd& q, const VectorXd& qd, const VectorXd& torque, double g) const = 0;
-  virtual VectorXd forward(const VectorXd& q, const VectorXd& qd, const VectorXd& torque,
-                           const Vector3d& falling) const = 0;
+  virtual VectorXd forward(const VectorXd&, const VectorXd&, const VectorXd&, const Vector3d&) const {
+    return {};
+  }
   virtual VectorXd forward(const VectorXd&, const VectorXd&, const VectorXd&, const Vector3d&,
                            const Wrench&) const {
     return {};
@@ -64,10 +67,11 @@ class DynamicsUnderTest {
   virtual double kinetic(const VectorXd& q, const VectorXd& qd) const = 0;
   virtual Dual kinetic(const DualVector& q, const DualVector& qd) const = 0;
   virtual double potential(const VectorXd& q, double g) const = 0;
-  virtual double potential(const VectorXd& q, const Vector3d& falling) const = 0;
+  virtual double potential(const VectorXd&, const Vector3d&) const { return 0; }
   virtual Dual potential(const DualVector& q, double g) const = 0;
-  virtual TorqueDerivatives derivatives(const VectorXd& q, const VectorXd& qd, const VectorXd& qdd,
-                                        double g) const = 0;
+  virtual TorqueDerivatives derivatives(const VectorXd&, const VectorXd&, const VectorXd&, double) const {
+    return {};
+  }
   virtual VectorXd base_parameters(const VectorXd& standard) const = 0;
   virtual MatrixXd regressor(const VectorXd& q, const VectorXd& qd, const VectorXd& qdd, double g) const = 0;
 };
@@ -75,6 +79,7 @@ class DynamicsUnderTest {
 struct DynamicsFactory {
   std::string name, description;
   bool has_tool = true;
+  bool has_requested = true;  ///< gravity in any direction, wrenches and derivatives
   std::vector<std::string> inertia_names;
   /// From the values of the inertial parameters.
   std::function<std::unique_ptr<DynamicsUnderTest>(const std::vector<double>&)> make;

@@ -19,7 +19,7 @@ auto rows(const toml::table& file, const char* key, const Make& make) {
 }  // namespace
 
 PrintedTables printed_tables() {
-  const toml::table file = toml::parse_file(QVGEN_SOURCE_DIR "/tests/sources/printed/tables.toml");
+  const toml::table file = toml::parse_file(QVGEN_SOURCE_DIR "/tests/errata/printed/tables.toml");
   return {rows(file, "caption",
                [](const toml::table& row) {
                  return Caption{text(row, "figure"), text(row, "robot"), text(row, "types")};

@@ -17,7 +17,7 @@ namespace {
 namespace description = qvgen::description;
 
 const std::vector<Arm>& table() {
-  static const std::vector<Arm> arms = read_table(QVGEN_SOURCE_DIR "/tests/arms/arms.txt");
+  static const std::vector<Arm> arms = read_table(QVGEN_SOURCE_DIR "/tests/interop/arms.txt");
   return arms;
 }
 

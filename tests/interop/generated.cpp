@@ -16,7 +16,7 @@ void expect_near(const MatrixXd& a, const MatrixXd& b, const char* what) {
 }  // namespace
 
 void compare_generated(Peer&& generated, const std::string& name, const std::string& format) {
-  const auto table = read_table(QVGEN_SOURCE_DIR "/tests/arms/arms.txt");
+  const auto table = read_table(QVGEN_SOURCE_DIR "/tests/interop/arms.txt");
   const auto arm = std::find_if(table.begin(), table.end(), [&](const Arm& a) { return a.name == name; });
   ASSERT_NE(arm, table.end());
   const auto peer = format == "urdf" ? kdl(urdf(*arm)) : mujoco(mjcf(*arm));

@@ -15,7 +15,7 @@ int main(int argc, char** argv) {
   const std::filesystem::path folder = argv[1];
   const int digits = argc > 2 ? std::atoi(argv[2]) : 0;
   std::filesystem::create_directories(folder);
-  for (const arms::Arm& arm : arms::read_table(QVGEN_SOURCE_DIR "/tests/arms/arms.txt")) {
+  for (const arms::Arm& arm : arms::read_table(QVGEN_SOURCE_DIR "/tests/interop/arms.txt")) {
     std::ofstream(folder / (arm.name + ".urdf")) << arms::urdf(arm, digits);
     std::ofstream(folder / (arm.name + ".xml")) << arms::mjcf(arm, digits);
   }
