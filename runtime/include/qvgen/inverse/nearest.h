@@ -32,7 +32,8 @@ template <int dof>
 double joint_square(const Joints<dof>& a, const Joints<dof>& b, const JointKinds<dof>& revolute) {
   double sums[4] = {};
   for (int i = 0; i < dof; ++i) {
-    const double difference = revolute[static_cast<std::size_t>(i)] ? qvgen::turn_between(a[i], b[i]) : b[i] - a[i];
+    const double difference =
+        revolute[static_cast<std::size_t>(i)] ? qvgen::turn_between(a[i], b[i]) : b[i] - a[i];
     sums[i % 4] += difference * difference;
   }
   return (sums[0] + sums[2]) + (sums[1] + sums[3]);
@@ -136,8 +137,9 @@ bool continued(const Solutions<dof, capacity>& found, const Joints<dof>& previou
   const Solution<dof>* row = nearest(found, previous, revolute);
   if (row == nullptr) return false;
   for (int i = 0; i < dof; ++i)
-    next[i] = revolute[static_cast<std::size_t>(i)] ? previous[i] + qvgen::turn_between(previous[i], row->q[i])
-                                                    : row->q[i];
+    next[i] = revolute[static_cast<std::size_t>(i)]
+                  ? previous[i] + qvgen::turn_between(previous[i], row->q[i])
+                  : row->q[i];
   return true;
 }
 
