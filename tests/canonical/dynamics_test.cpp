@@ -106,7 +106,9 @@ TEST(DynamicsNotation, KeepsTheFramesOfLinksThatAreTurnedByOtherAngles) {
 }
 
 nlohmann::json counts_of(const model::Robot& robot, pipeline::Language language) {
-  return pipeline::generate({robot}, {"dynamics"}, {}, {}, language).front().counts;
+  return pipeline::generate({robot}, {"dynamics_derivatives", "dynamics_loads"}, {}, {}, language)
+      .front()
+      .counts;
 }
 
 /// A robot in another notation has the counts that it is given.

@@ -80,14 +80,18 @@ TEST_F(CommandLine, CInFloatIsInFloatAlone) {
   EXPECT_TRUE(has(single, "no inverse: it is in double alone")) << single.output;
   for (const char* part : {".h", ".c"}) {
     std::ifstream generated(fs::path(out()) / "c" / (std::string("qvgen_my_arm") + part));
-    const std::string text{std::istreambuf_iterator<char>(generated), {}};
-    EXPECT_NE(text.find("float"), std::string::npos);
-    EXPECT_EQ(text.find("double"), std::string::npos) << text;
+    bool has_float = false;
+    for (std::string line; std::getline(generated, line);) {
+      if (line.rfind("//", 0) == 0) continue;  // what is not generated, and why
+      has_float = has_float || line.find("float") != std::string::npos;
+      EXPECT_EQ(line.find("double"), std::string::npos) << line;
+    }
+    EXPECT_TRUE(has_float) << part;
   }
-  EXPECT_NE(run(arguments + " --only inverse --scalar float --require inverse").code, 0);
   // The next run knows what the folder has.
   EXPECT_TRUE(
       has(run(arguments + " --only kinematics,inverse --scalar float"), ": 0 generated, 0 files changed"));
+  EXPECT_NE(run(arguments + " --only inverse --scalar float --require inverse").code, 0);
   const ToolRun cxx = run("generate " + file + " --scalar float --output " + out());
   EXPECT_EQ(cxx.code, 2);
   EXPECT_TRUE(has(cxx, "--scalar float: it is for --language c")) << cxx.output;

@@ -74,7 +74,7 @@ TEST(Tidy, ProseEndsBeforeCode) {
 
 /// A comment behind code goes to the next line whole: what is broken within would be code again.
 TEST(Tidy, CommentsBehindCodeStayWhole) {
-  const std::string code = "  const double& s = angles[4];",
+  const std::string code = "  const double& cosine_4 = angles.cosine[4];",
                     words = "// of angle(0." + std::string(line_width - 40, '6') + ") - theta1";
   EXPECT_EQ(wrapped(code + "  " + words + "\n"), code + "\n      " + words + "\n");
 }

@@ -413,7 +413,6 @@ SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, 
 
 SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, double given_theta3,
     const JointVector<double>& seed, const Geometry& g, double tolerance) {
-  const auto all = [&] {
   if (!seed.allFinite()) {
     SolutionsGiven_theta3 none;
     none.status = Status::invalid;
@@ -430,11 +429,6 @@ SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, 
       detail::given_theta3::follow_whole_arm(pose, preference, g, tolerance, given_theta3, is_sure, nearest); };
   inverse::add_row_at_seed(preference, is_revolute.data(), follow, found);
   return found;
-  };
-  const auto lanes = [&](const inverse::WantedRows& wanted) {
-      return detail::given_theta3::wanted_rows_of(pose, g, tolerance, given_theta3, wanted); };
-
-  return inverse::next_to_seed(seed, is_revolute, tolerance, lanes, all);
 }
 
 SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Matrix3<double>& rotation, const Vector3<double>& position,

@@ -389,7 +389,6 @@ Solutions inverse_kinematics(const Pose<double>& pose, const Geometry& g, double
 
 Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>& seed, const Geometry& g,
     double tolerance) {
-  const auto all = [&] {
   if (!seed.allFinite()) {
     Solutions none;
     none.status = Status::invalid;
@@ -404,11 +403,6 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
       detail::all::follow_whole_arm(pose, preference, g, tolerance, is_sure, nearest); };
   inverse::add_row_at_seed(preference, is_revolute.data(), follow, found);
   return found;
-  };
-  const auto lanes = [&](const inverse::WantedRows& wanted) {
-      return detail::all::wanted_rows_of(pose, g, tolerance, wanted); };
-
-  return inverse::next_to_seed(seed, is_revolute, tolerance, lanes, all);
 }
 
 Solutions inverse_kinematics(const Matrix3<double>& rotation, const Vector3<double>& position, const Geometry& g,

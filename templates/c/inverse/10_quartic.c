@@ -187,7 +187,18 @@ typedef struct Visited {
   Known known;
   Budget budget;
   bool again;  // branches that have led to a solution are followed again, to others
+  bool before[marks][most_branches];
 } Visited;
+
+/// Begins or ends a pass in which branches that have led to a solution are followed again, to others. It changes no
+/// branch's marks.
+static void follow_again(Visited* visited, bool again) {
+  if (again)
+    memcpy(visited->before, visited->marked, sizeof visited->marked);
+  else
+    memcpy(visited->marked, visited->before, sizeof visited->marked);
+  visited->again = again;
+}
 
 static void start_visits(Visited* visited, int branches, int passes, int steps) {
   const Budget budget = {passes, steps, {0, 0, 0}};

@@ -50,23 +50,6 @@ inline bool is_answered(const RowCount& chosen) {
   return chosen.rows >= 0 && !chosen.continuum && (chosen.rows > 0 || chosen.found == 0);
 }
 
-/// All solutions, the nearest to the seed first. A row is taken from lanes only where Newton's steps from the
-/// seed could lead to no other: see `add_row_at_seed`.
-template <std::size_t count, int dof, class Lanes, class All>
-auto next_to_seed(const Joints<dof>& seed, const std::array<bool, count>& revolute, double tolerance,
-                  const Lanes& lanes, const All& all) {
-  decltype(all()) found;
-  if (is_finite(seed) && tolerance <= usual_tolerance) {
-    const RowCount chosen = choose_in_lanes<dof>(lanes, nullptr, seed, revolute, true, found);
-    if (chosen.rows >= 0 && !chosen.continuum && chosen.is_sure) {
-      conclude(found, chosen);
-      return found;
-    }
-  }
-  found = all();
-  return found;
-}
-
 /// One row for each branch that has one inside limits, the nearest to the seed first.
 template <int dof, int capacity, std::size_t count, class Lanes, class Regular, class All, class Bring>
 LimitedSolutions<dof, capacity> next_to_seed(const Joints<dof>& seed, const JointLimits<dof>& limits,

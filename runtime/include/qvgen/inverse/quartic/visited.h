@@ -7,6 +7,7 @@ namespace qvgen::inverse::quartic {
 
 /// State of each branch, and the solutions so far, by the values of the joints that decide. The closed form
 /// may reach a solution from two branches, and polishing brings two together if they are one.
+/// `capacity`: how many branches there are, each with one solution of these joints at most.
 template <typename Scalar, std::size_t joints, std::size_t capacity>
 class Visited {
  public:
@@ -15,32 +16,41 @@ class Visited {
   explicit Visited(const Budget& budget) : budget_(budget) {}
 
   [[nodiscard]] Budget& budget() { return budget_; }
-  [[nodiscard]] bool settled(int label) const { return settled_[static_cast<std::size_t>(label)] && !again_; }
-  /// Begins or ends a pass in which branches that have led to a solution are followed again, to others.
-  void follow_again(bool again) { again_ = again; }
+  [[nodiscard]] bool settled(int label) const {
+    return marks_.settled[static_cast<std::size_t>(label)] && !again_;
+  }
+  /// Begins or ends a pass in which branches that have led to a solution are followed again, to others. It
+  /// changes no branch's state.
+  void follow_again(bool again) {
+    if (again)
+      before_ = marks_;
+    else
+      marks_ = before_;
+    again_ = again;
+  }
   /// True if some branch came near a solution and has none.
-  [[nodiscard]] bool misses_any() const { return is_open(missed_); }
+  [[nodiscard]] bool misses_any() const { return is_open(marks_.missed); }
   /// True if a branch on a continuum has been left to a pass that chooses.
-  [[nodiscard]] bool left_any() const { return is_open(left_); }
+  [[nodiscard]] bool left_any() const { return is_open(marks_.left); }
   /// True if a branch has come near a continuum, and to no solution of its own on it.
-  [[nodiscard]] bool strays_any() const { return is_open(strayed_); }
+  [[nodiscard]] bool strays_any() const { return is_open(marks_.strayed); }
 
   /// True if near a continuum a branch has come to the solution of another one alone.
-  [[nodiscard]] bool shares_any() const { return is_open(shared_); }
+  [[nodiscard]] bool shares_any() const { return is_open(marks_.shared); }
   /// Leaves these at that.
   void settle_shared() {
-    for (std::size_t i = 0; i < capacity; ++i) settled_[i] = settled_[i] || shared_[i];
+    for (std::size_t i = 0; i < capacity; ++i) marks_.settled[i] = marks_.settled[i] || marks_.shared[i];
   }
 
   /// True if a wrist cannot follow to what has been chosen on a continuum.
-  [[nodiscard]] bool turned_back_any() const { return is_open(turned_back_); }
+  [[nodiscard]] bool turned_back_any() const { return is_open(marks_.turned_back); }
 
   /// Takes back the last solution: a wrist cannot follow there.
   void reopen(int label, bool continuum) {
     const auto at = static_cast<std::size_t>(label);
-    settled_[at] = false;
-    missed_[at] = true;
-    turned_back_[at] = turned_back_[at] || (continuum && !shared_[at]);
+    marks_.settled[at] = false;
+    marks_.missed[at] = true;
+    marks_.turned_back[at] = marks_.turned_back[at] || (continuum && !marks_.shared[at]);
     --count_;
   }
 
@@ -55,22 +65,22 @@ class Visited {
     bool reached = branch.exists && quartic::polish(task, Scalar(boundary.miss), values, budget_);
     const bool strays = branch.exists && !reached && idling.is_nearly_continuum(values);
     if (strays) reached = idling.move_on(values);
-    strayed_[at] = strayed_[at] || strays;
-    missed_[at] = missed_[at] || !reached;
+    marks_.strayed[at] = marks_.strayed[at] || strays;
+    marks_.missed[at] = marks_.missed[at] || !reached;
     if (!reached) return false;
     if (idling.is_continuum(values)) {
-      left_[at] = !branch.continuum && !boundary.take;
-      if (left_[at]) return false;
+      marks_.left[at] = !branch.continuum && !boundary.take;
+      if (marks_.left[at]) return false;
       branch.continuum = true;
       if (seed != nullptr) near_seed(task, *seed, values);
     }
     const bool known = is_known(idling, values);
     // Near a continuum two branches may have been led to the one solution and left another; and so may a
     // choice lead.
-    const bool astray = strays || left_[at] || shared_[at];
-    shared_[at] =
-        shared_[at] || (known && !astray && !turned_back_[at] && idling.is_next_to_continuum(values));
-    settled_[at] = !(known && (astray || shared_[at]));
+    const bool astray = strays || marks_.left[at] || marks_.shared[at];
+    marks_.shared[at] = marks_.shared[at] ||
+                        (known && !astray && !marks_.turned_back[at] && idling.is_next_to_continuum(values));
+    marks_.settled[at] = !(known && (astray || marks_.shared[at]));
     if (known || !has_room()) return false;
     rows_[count_++] = values;
     return true;
@@ -116,11 +126,14 @@ class Visited {
 
   [[nodiscard]] bool is_open(const Labels& labels) const {
     bool open = false;
-    for (std::size_t i = 0; i < capacity; ++i) open = open || (labels[i] && !settled_[i]);
+    for (std::size_t i = 0; i < capacity; ++i) open = open || (labels[i] && !marks_.settled[i]);
     return open;
   }
 
-  Labels settled_{}, missed_{}, left_{}, strayed_{}, shared_{}, turned_back_{};
+  struct Marks {
+    Labels settled{}, missed{}, left{}, strayed{}, shared{}, turned_back{};
+  };
+  Marks marks_, before_;
   std::array<Values, capacity> rows_;
   std::size_t count_ = 0;
   bool again_ = false;
