@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the end of a help text shows, and the man page with it.
+// Examples and exit codes: the end of each help text, and of the man page.
 #include "cli/examples.h"
 
 namespace qvgen::cli {

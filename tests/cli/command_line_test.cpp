@@ -47,56 +47,6 @@ TEST_F(CommandLine, GeneratesARobotFromAnEmptyFolder) {
   EXPECT_TRUE(has(second, ": 0 generated, 0 files changed, 0 removed")) << second.output;
 }
 
-TEST_F(CommandLine, BothLanguagesShareAFolder) {
-  const std::string file = write("my_arm.toml", good_arm);
-  const std::string arguments = "generate " + file + " --only kinematics --output " + out();
-  EXPECT_EQ(run(arguments).code, 0);
-  const ToolRun c = run(arguments + " --language c");
-  EXPECT_EQ(c.code, 0) << c.output;
-  EXPECT_TRUE(has(run(arguments), ": 0 generated, 0 files changed, 0 removed"));
-  EXPECT_TRUE(has(run(arguments + " --language c"), ": 0 generated, 0 files changed, 0 removed"));
-  EXPECT_TRUE(fs::exists(fs::path(out()) / "source/my_arm/kinematics.cpp"));
-  EXPECT_EQ(run("remove my_arm --output " + out()).code, 0);
-  EXPECT_FALSE(fs::exists(fs::path(out()) / "source"));
-  EXPECT_TRUE(fs::exists(fs::path(out()) / "c/qvgen_my_arm.c"));
-  EXPECT_EQ(run("generate " + file + " --language c --require inverse --output " + out()).code, 0);
-  EXPECT_TRUE(fs::exists(fs::path(out()) / "c/qvgen_my_arm_inverse.h"));
-  const ToolRun elimination =
-      run("generate crx10ia --only inverse --language c --require inverse --output " + out());
-  EXPECT_NE(elimination.code, 0);
-  EXPECT_TRUE(has(elimination, "it is by elimination, which is written in C++")) << elimination.output;
-  EXPECT_FALSE(fs::exists(fs::path(out()) / "c/qvgen_crx10ia_inverse.h"));
-  EXPECT_EQ(run("remove c/my_arm --output " + out()).code, 0);
-  EXPECT_FALSE(fs::exists(fs::path(out()) / "c/qvgen_my_arm_inverse.h"));
-  EXPECT_EQ(run("generate " + file + " --language fortran --output " + out()).code, 2);
-}
-
-TEST_F(CommandLine, CInFloatIsInFloatAlone) {
-  const std::string file = write("my_arm.toml", good_arm);
-  const std::string arguments = "generate " + file + " --language c --output " + out();
-  EXPECT_EQ(run(arguments + " --only kinematics").code, 0);
-  const ToolRun single = run(arguments + " --only kinematics,inverse --scalar float");
-  EXPECT_EQ(single.code, 0) << single.output;
-  EXPECT_TRUE(has(single, "no inverse: it is in double alone")) << single.output;
-  for (const char* part : {".h", ".c"}) {
-    std::ifstream generated(fs::path(out()) / "c" / (std::string("qvgen_my_arm") + part));
-    bool has_float = false;
-    for (std::string line; std::getline(generated, line);) {
-      if (line.rfind("//", 0) == 0) continue;  // what is not generated, and why
-      has_float = has_float || line.find("float") != std::string::npos;
-      EXPECT_EQ(line.find("double"), std::string::npos) << line;
-    }
-    EXPECT_TRUE(has_float) << part;
-  }
-  // The next run knows what the folder has.
-  EXPECT_TRUE(
-      has(run(arguments + " --only kinematics,inverse --scalar float"), ": 0 generated, 0 files changed"));
-  EXPECT_NE(run(arguments + " --only inverse --scalar float --require inverse").code, 0);
-  const ToolRun cxx = run("generate " + file + " --scalar float --output " + out());
-  EXPECT_EQ(cxx.code, 2);
-  EXPECT_TRUE(has(cxx, "--scalar float: it is for --language c")) << cxx.output;
-}
-
 TEST_F(CommandLine, ComparesFormulations) {
   const ToolRun table = run("compare ns --level textbook --formulations pairs,dh");
   EXPECT_EQ(table.code, 0) << table.output;
