@@ -14,8 +14,8 @@ int arm_count() {
   return text == nullptr ? 25 : std::atoi(text);
 }
 
-/// Counts poses of an arm that lack the joints from which they were made, and those that are told to be
-/// incomplete.
+/// Counts the poses of an arm whose solutions lack the joints that the pose was made from, and the poses that
+/// are answered as incomplete.
 struct Tally {
   int missing = 0, incomplete = 0;
 
