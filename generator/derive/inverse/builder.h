@@ -48,7 +48,7 @@ struct Reach {
 /// Appends steps to a plan: every canonical equation in its robust form, and the names of what it gives.
 class Builder {
  public:
-  /// Values that depend on the parameter `held` are no constants of the arm: they may vanish.
+  /// A value that depends on the parameter `held` is not a constant of the arm: it may vanish.
   Builder(const model::Robot& robot, Scope& scope, Plan& plan, const std::string& held = "");
 
   [[nodiscard]] Scope& scope() { return scope_; }

@@ -9,8 +9,8 @@
 
 // Quickhull (Barber, Dobkin, Huhdanpaa 1996): a tetrahedron grows. Every face keeps the points in front of
 // it. The farthest of them is taken in: the faces that it sees go, and it is joined to the edges around them.
-// What is in front of a face by no more than rounding is inside: faces of many points in one plane do not
-// grow, and every point is taken in once at most.
+// A point that rounding alone puts in front of a face counts as inside: faces of many points in one plane do
+// not grow, and every point is taken in once at most.
 namespace qvgen::description::xml {
 namespace {
 

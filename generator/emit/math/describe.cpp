@@ -150,7 +150,7 @@ class Description {
     std::vector<std::string> lines;
     const dag::Function function = with_named_roots(plain, step, lines);
     for (const dag::Output& output : function.outputs) {
-      // Values that tell noise from signal are no part of the mathematics.
+      // The mathematics has no thresholds between noise and signal.
       if (output.name == names::size_square || output.name == "scale") continue;
       const std::string left = name(output.name);
       const std::string right = formula(function.graph, output.value, notation_, name);

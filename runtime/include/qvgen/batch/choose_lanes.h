@@ -19,33 +19,26 @@ class LaneSeeds {
  public:
   using Truth = inverse::Mask<Lane>;
 
-  QVGEN_INLINE explicit LaneSeeds(const WantedSolutions& wanted) : is_limited_(wanted.lower != nullptr) {
+  QVGEN_INLINE explicit LaneSeeds(const WantedSolutions& wanted) {
     Lane sum = 0.0;
     for (int i = 0; i < dof; ++i) {
       seed_[i] = Lane::load(wanted.seeds.data + static_cast<std::size_t>(i) * wanted.seeds.stride);
       sum += Lane(0.0) * seed_[i];
       per_turn_[i] = wanted.revolute[i] ? 1 / inverse::whole_turn : 0;
-      if (is_limited_) set_limits(i, wanted.lower[i], wanted.upper[i]);
+      set_limits(i, wanted.lower[i], wanted.upper[i]);
     }
     is_finite_ = sum == Lane(0.0);
   }
 
-  [[nodiscard]] QVGEN_INLINE bool is_limited() const { return is_limited_; }
   [[nodiscard]] QVGEN_INLINE const Truth& is_finite() const { return is_finite_; }
 
   /// Puts the representatives next to the seeds in place of a row, and the squares of their distances in
-  /// `square`. Returns which are inside; without limits the row stays as it is.
+  /// `square`. Returns which are inside.
   QVGEN_INLINE Truth take(Lane (&q)[dof], Lane& square) const {
     const Lane rounds = 0x1.8p52, turn = inverse::whole_turn;
     Lane sums[4] = {0.0, 0.0, 0.0, 0.0}, farthest = 0.0;
     for (int i = 0; i < dof; ++i) {
       const Lane per_turn = per_turn_[i];
-      if (!is_limited_) {
-        const Lane way = seed_[i] - q[i];
-        const Lane off = way - turn * ((way * per_turn + rounds) - rounds);
-        sums[i % 4] = sums[i % 4] + off * off;
-        continue;
-      }
       const Lane middle = smaller(larger(seed_[i], Lane(least_[i])), Lane(most_[i]));
       const Lane value = q[i] + turn * ((((middle - q[i]) * per_turn) + rounds) - rounds);
       q[i] = smaller(larger(value, Lane(lower_[i])), Lane(upper_[i]));
@@ -69,7 +62,6 @@ class LaneSeeds {
     most_[i] = most > centre ? most : centre;
   }
 
-  bool is_limited_;
   Truth is_finite_;
   Lane seed_[dof];
   double per_turn_[dof], lower_[dof], upper_[dof], least_[dof], most_[dof];
@@ -118,7 +110,7 @@ QVGEN_INLINE inline inverse::Mask<Lane> choose_rows(const WantedSolutions& wante
   // A solution may still be brought inside where there are some, none of them inside.
   const Truth is_empty = (kept == Lane(0.0)) & (Lane(0.0) < count);
   count = kept;
-  return (!seeds.is_finite()) | (Truth(seeds.is_limited()) & is_empty);
+  return (!seeds.is_finite()) | is_empty;
 }
 
 }  // namespace qvgen::batch

@@ -86,10 +86,8 @@ class LaneSolutions {
   /// Leaves of the rows those that are wanted, in their order, once the others are NaN. Returns the lanes
   /// that have to be looked at alone.
   QVGEN_INLINE Truth choose(const WantedSolutions& wanted) {
-    const Truth alone = choose_rows<Lane, dof, capacity>(
-        wanted, {q_, static_cast<std::size_t>(Lane::size), stride_}, labels_, count_);
-    // Within limits a row next to a singular one is as good as any.
-    return alone | (Truth(wanted.lower == nullptr) & unsure_);
+    return choose_rows<Lane, dof, capacity>(wanted, {q_, static_cast<std::size_t>(Lane::size), stride_},
+                                            labels_, count_);
   }
 
   /// NaN behind the last solution of each lane.
@@ -147,7 +145,6 @@ class LaneSolutions {
   QVGEN_INLINE void count(const Branch& branch, int rows) {
     appended_ += rows;
     chosen_ = chosen_ | (branch.exists & branch.continuum);
-    unsure_ = unsure_ | (branch.exists & branch.unsure);
     count_ = count_ + select(branch.exists, Lane(rows), Lane(0.0));
   }
 
@@ -158,7 +155,6 @@ class LaneSolutions {
   int appended_ = 0;
   Lane count_ = Lane(0.0);
   Truth chosen_ = Truth(false);
-  Truth unsure_ = Truth(false);
   Lane labels_[capacity];
 };
 

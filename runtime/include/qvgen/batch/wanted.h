@@ -7,11 +7,11 @@
 
 namespace qvgen::batch {
 
-/// Which solutions of each pose are wanted: the nearest to the pose's seed first, and within limits. Numbers
-/// alone, for code that is compiled for other machines than the rest.
+/// Wanted solutions of each pose: within limits, the nearest to the pose's seed first; all by branch if there
+/// are no seeds. Numbers alone, for code that is compiled for other machines than the rest.
 struct WantedSolutions {
   Batch<const double> seeds;      ///< a row for each joint
-  const double* lower = nullptr;  ///< limits, the same for all poses; null: none
+  const double* lower = nullptr;  ///< limits, the same for all poses
   const double* upper = nullptr;
   const bool* revolute = nullptr;
 

@@ -99,9 +99,9 @@ class Idling {
     return false;
   }
 
-  /// True if one of several joints that are idle goes on while the others are moved by whatever it takes.
-  /// Where two solutions meet on a continuum rounding takes them apart by half the digits, and off it by as
-  /// much: a slide is 1e-9 where it should be zero, and the turn before it is not quite idle.
+  /// True if one of several idle joints goes on while the others are moved by whatever it takes. Rounding
+  /// separates two solutions that meet on a continuum by half the digits, and takes them off it by as much: a
+  /// slide is 1e-9 instead of zero, and the turn before it is not quite idle.
   [[nodiscard]] bool leads_on_beside(const Values& values, const Reached& at, const Scalar& allowed) const {
     const auto idle = Newton::idle(at);
     if (std::count(idle.is.begin(), idle.is.end(), true) < 2) return false;

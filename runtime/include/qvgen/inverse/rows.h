@@ -15,8 +15,8 @@ struct RowPlaces {
 /// Which of a pose's rows are wanted and in which order; where branches are followed in lanes they are chosen
 /// there, before a row is written. A number for each joint.
 struct WantedRows {
-  const double* lower;   ///< limits; null: rows stay as they are solved
-  const double* upper;   ///< limits
+  const double* lower;  ///< limits
+  const double* upper;
   const double* seed;    ///< finite: next to it the representatives of angles are looked for
   const bool* revolute;  ///< which joints may be turned by whole turns
   bool is_sorted;        ///< the nearest to the seed first; false: by branch
@@ -31,10 +31,9 @@ constexpr std::size_t room_of_wanted(int dof, int capacity) {
 }
 
 struct RowCount {
-  int rows;             ///< -1: rounding may have decided what exists, or the pose is invalid
-  bool continuum;       ///< one of them is marked
-  bool is_sure = true;  ///< of wanted rows: none is next to one that would be marked
-  int found = 0;        ///< of wanted rows: how many there are if all are wanted
+  int rows;        ///< -1: rounding may have decided what exists, or the pose is invalid
+  bool continuum;  ///< one of them is marked
+  int found = 0;   ///< of wanted rows: how many there are if all are wanted
 };
 
 }  // namespace qvgen::inverse

@@ -12,10 +12,6 @@ namespace inverse {
 
 inline constexpr double whole_turn = 6.283185307179586476925;
 
-/// Up to this tolerance, as a share of the arm's size, Newton's steps from a seed lead to no other row than
-/// the equations, but next to singular poses.
-inline constexpr double usual_tolerance = 1e-9;
-
 /// A number for each joint, zeros behind the last.
 template <int size>
 struct WithinTable {

@@ -30,12 +30,6 @@ Scalar widest_wrist_noise() {
   return Scalar(1024);
 }
 
-/// The multiple of the square of that share below which an argument, if not noise, may be turned far by it.
-template <typename Scalar>
-Scalar nearly_free_noise() {
-  return Scalar(1e18);
-}
-
 /// Which of two complex numbers, given by their squares, is noise next to the other: its argument is free.
 template <typename Scalar>
 struct Vanishing {
@@ -93,7 +87,6 @@ void arguments(const Rotor<Scalar>& u, const Rotor<Scalar>& v, const Scalar& u_s
   const Scalar v_angle = angle(v);
   const Scalar least = smaller(u_square, v_square);
   const Mask<Scalar> blurred = is_blurred(least, is_free.noise);
-  branch.unsure = branch.unsure | (least <= nearly_free_noise<Scalar>() * is_free.noise);
   if constexpr (leaves_singular_poses<Scalar>) {
     branch.doubt(blurred);
     u_argument = u_angle;
@@ -180,7 +173,6 @@ WristBranches<Scalar> right_wrist(const Rotor<Scalar>& u, const Rotor<Scalar>& v
   const Vanishing<Scalar> is_free = vanishing(u_square, v_square);
   const Scalar least = smaller(u_square, v_square);
   const Mask<Scalar> blurred = is_blurred(least, is_free.noise);
-  branch.unsure = branch.unsure | (least <= nearly_free_noise<Scalar>() * is_free.noise);
   if constexpr (leaves_singular_poses<Scalar>) {
     branch.doubt(blurred);
     return regular;
