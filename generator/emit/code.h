@@ -19,6 +19,17 @@ struct Code {
   std::vector<Value> outputs;
 };
 
+/// One statement that assigns an expression: "target = other_target" and the expression.
+struct Assignment {
+  std::string targets;
+  std::string expression;
+};
+
+/// The assignments of outputs to their targets; equal expressions are assigned together, where the first
+/// stands.
+std::vector<Assignment> assignments(const std::vector<std::string>& targets,
+                                    const std::vector<Code::Value>& outputs);
+
 Code code_of(const ast::Straight& code, const ast::Printer& language);
 
 /// Writes a graph down.

@@ -72,14 +72,16 @@ class DynamicsUnderTest {
   virtual TorqueDerivatives derivatives(const VectorXd&, const VectorXd&, const VectorXd&, double) const {
     return {};
   }
-  virtual VectorXd base_parameters(const VectorXd& standard) const = 0;
-  virtual MatrixXd regressor(const VectorXd& q, const VectorXd& qd, const VectorXd& qdd, double g) const = 0;
+  /// Some robots leave the regressor to who names it; `has_regressor` of the factory tells.
+  virtual VectorXd base_parameters(const VectorXd&) const { return {}; }
+  virtual MatrixXd regressor(const VectorXd&, const VectorXd&, const VectorXd&, double) const { return {}; }
 };
 
 struct DynamicsFactory {
   std::string name, description;
   bool has_tool = true;
   bool has_requested = true;  ///< gravity in any direction, wrenches and derivatives
+  bool has_regressor = true;
   std::vector<std::string> inertia_names;
   /// From the values of the inertial parameters.
   std::function<std::unique_ptr<DynamicsUnderTest>(const std::vector<double>&)> make;

@@ -88,8 +88,9 @@ class Converter {
     return edge.negative ? negative(value_[edge.node]) : value_[edge.node];
   }
 
-  /// A value with its sign; an inline sum takes the sign term by term.
+  /// A value with its sign, which a zero lacks; an inline sum takes the sign term by term.
   [[nodiscard]] Expression with_sign(Edge edge) const {
+    if (graph_.is_constant(edge) && graph_.value_of(edge) == 0) edge.negative = false;
     const bool is_inline_sum = graph_.node(edge.node).op == Op::sum && length_[edge.node] > 0;
     if (!edge.negative || !is_inline_sum) return factor(edge);
     std::vector<Edge> terms = graph_.node(edge).operands;

@@ -9,17 +9,34 @@ namespace qvgen::emit {
 using dag::Angle;
 using dag::Op;
 
+namespace {
+
+/// A reference to the sine or cosine of an angle: "&s1 = angles.sine[0]".
+std::string reference(const std::string& name, std::size_t place, Op op) {
+  const bool is_sine = op == Op::sine;
+  return "&" + ((is_sine ? "s" : "c") + name) + " = angles." + (is_sine ? "sine[" : "cosine[") +
+         std::to_string(place) + "]";
+}
+
+}  // namespace
+
 std::vector<std::string> sine_cosine_declarations(const model::Robot& robot, const dag::Function& function,
                                                   const std::vector<Angle>& angles) {
-  std::vector<std::string> lines;
+  constexpr std::size_t longest_statement = 4;  // references
+  std::vector<std::string> lines, notes;
+  std::size_t count = 0;
   for (const auto& [place, op] : sines_and_cosines_of(function, angles)) {
-    const std::string letter = op == Op::sine ? "s" : "c";
     const std::string name = angle_name(robot, angles[place], place);
+    if (count++ % longest_statement == 0)
+      lines.push_back("const Scalar " + reference(name, place, op));
+    else
+      lines.back() += ", " + reference(name, place, op);
     // A name by the place alone says nothing of its angle.
-    const std::string note = name.front() == '_' ? "  // of " + to_string(angles[place]) : "";
-    lines.push_back("const Scalar& " + letter + name + " = angles." + (op == Op::sine ? "sine" : "cosine") +
-                    "[" + std::to_string(place) + "];" + note);
+    if (name.front() == '_')
+      notes.push_back("// " + ((op == Op::sine ? "s" : "c") + name) + ": of " + to_string(angles[place]));
   }
+  for (std::string& line : lines) line += ";";
+  lines.insert(lines.end(), notes.begin(), notes.end());
   return lines;
 }
 

@@ -11,9 +11,9 @@
 
 namespace qvgen::emit {
 
-/// Declarations of the sines and cosines that a function uses, from a struct `angles` that holds those of all
-/// `angles`: "const Scalar& s1 = angles.sine[0];"; a name without joints with its angle, "// of theta1/2 -
-/// pi/4".
+/// Declaration of the sines and cosines that a function uses, from a struct `angles` that holds those of all
+/// `angles`: "const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0];". A name that does not name joints
+/// gets a comment with its angle: "// s_0: of theta1/2 - pi/4".
 std::vector<std::string> sine_cosine_declarations(const model::Robot& robot, const dag::Function& function,
                                                   const std::vector<dag::Angle>& angles);
 

@@ -53,9 +53,9 @@ Constants constants_of(const Optimised& function) {
 
 /// The outputs with the places where they go.
 json statements_of(const std::vector<Code::Value>& outputs, Result result, std::size_t dof) {
-  const std::vector<std::string> places = places_of(result, dof, outputs.size());
-  json list = values_of(outputs);
-  for (std::size_t i = 0; i < outputs.size(); ++i) list[i]["place"] = places.at(i);
+  json list = json::array();
+  for (const auto& [targets, expression] : assignments(places_of(result, dof, outputs.size()), outputs))
+    list.push_back({{"place", targets}, {"expression", expression}});
   return list;
 }
 

@@ -42,12 +42,10 @@ std::string selection(const std::vector<dag::Angle>& angles, const std::vector<d
   return text;
 }
 
-json assignments(const JacobianFunction& function, const Code& code) {
+json assignment_values(const JacobianFunction& function, const Code& code) {
   json list = json::array();
-  for (std::size_t i = 0; i < code.outputs.size(); ++i) {
-    const std::string& text = code.outputs[i].expression;
-    list.push_back({{"target", function.targets.at(i)}, {"expression", text}});
-  }
+  for (const auto& [targets, expression] : assignments(function.targets, code.outputs))
+    list.push_back({{"target", targets}, {"expression", expression}});
   return list;
 }
 
@@ -82,7 +80,7 @@ json to_values(const JacobianFunction& function, const model::Robot& robot,
   values["cosines"] = selection(angles, all, "cosine");
   values["named_angles"] = lines_of(sine_cosine_declarations(robot, function.optimised.function, angles));
   values["temporaries"] = values_of(code.temporaries);
-  values["assignments"] = assignments(function, code);
+  values["assignments"] = assignment_values(function, code);
   values["last_statements"] = json::array();
   if (!function.last_statement.empty())
     values["last_statements"].push_back({{"statement", function.last_statement}});

@@ -9,3 +9,6 @@
 #include <qvgen/robots/ns_numbers/jacobian.h>
 #include <qvgen/robots/ns_numbers/dynamics.h>
 
+// Not generated:
+//   dynamics_derivatives: made on request, by --only dynamics_derivatives
+//   dynamics_loads: made on request, by --only dynamics_loads

@@ -9,3 +9,6 @@
 #include <qvgen/robots/poe_6r/jacobian.h>
 #include <qvgen/robots/poe_6r/dynamics.h>
 
+// Not generated:
+//   dynamics_derivatives: made on request, by --only dynamics_derivatives
+//   dynamics_loads: made on request, by --only dynamics_loads

@@ -12,3 +12,4 @@
 // Not generated:
 //   dynamics_derivatives: made on request, by --only dynamics_derivatives
 //   dynamics_loads: made on request, by --only dynamics_loads
+//   regressor: made on request, by --only regressor

@@ -108,14 +108,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> inverse_dynamics([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const Angles& angles,
     const InverseDynamicsConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[4] * s6 - k[5] * c6;
   const Scalar t1 = qd[0] + qd[2];
   const Scalar t2 = s4 * t1;
@@ -265,12 +259,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     const GravityTorqueConstants<Scalar>& k) {
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s4 = angles.sine[1], &c4 = angles.cosine[1], &s5 = angles.sine[2], &c5 = angles.cosine[2];
+  const Scalar &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[0] * c4;
   const Scalar t1 = k[0] * s4;
   const Scalar t2 = k[2] * c6 + k[3] * s6;
@@ -281,9 +271,8 @@ inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Sca
   const Scalar t7 = c5 * (k[4] * t1 + t5) + s5 * (t6 * t4 + k[1] * t1);
   const Scalar t8 = t2 * t6 - (k[1] * t3 - k[4] * t6);
   JointVector<Scalar> result;
-  result[0] = Scalar(0);
+  result[0] = result[2] = Scalar(0);
   result[1] = k[7];
-  result[2] = Scalar(0);
   result[3] = (k[5] * t0 - k[6] * t1) - t7;
   result[4] = -t8;
   result[5] = -t5;
@@ -376,14 +365,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> coriolis_torque([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const Angles& angles,
     const CoriolisTorqueConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = qd[0] + qd[2];
   const Scalar t1 = c4 * t0;
   const Scalar t2 = t1 * t1;
@@ -579,14 +562,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     const MassMatrixConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[9] * c6 + k[10] * s6;
   const Scalar t1 = k[11] + t0;
   const Scalar t2 = c5 * t1 + k[8] * s5;
@@ -635,13 +612,12 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointV
   const Scalar t45 = t44 + (c3 * s5 * t4 + s3 * t43);
   Eigen::Matrix<Scalar, dof, dof> result;
   result(0, 0) = t36;
-  result(0, 1) = result(1, 0) = Scalar(0);
+  result(0, 1) = result(1, 0) = result(1, 2) = result(2, 1) = Scalar(0);
   result(0, 2) = result(2, 0) = t8 - t35;
   result(0, 3) = result(3, 0) = -t38 - s3 * t37;
   result(0, 4) = result(4, 0) = t40;
   result(0, 5) = result(5, 0) = -t45;
   result(1, 1) = k[32];
-  result(1, 2) = result(2, 1) = Scalar(0);
   result(1, 3) = result(3, 1) = -k[31] * t6;
   result(1, 4) = result(4, 1) = -k[31] * c4 * t7;
   result(1, 5) = result(5, 1) = -k[31] * (s4 * t0 - c4 * t42);
@@ -736,14 +712,8 @@ template <class Scalar, class Angles>
 inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const Angles& angles,
     const CoriolisMatrixConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[0] * s6 - k[1] * c6;
   const Scalar t1 = k[20] - t0;
   const Scalar t2 = k[0] * c6 + k[1] * s6;
@@ -870,41 +840,34 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const Jo
   const Scalar t123 = s3 * (qd[2] * t103 - t115) - c3 * t122;
   Eigen::Matrix<Scalar, dof, dof> result;
   result(0, 0) = -t56;
-  result(0, 1) = Scalar(0);
+  result(0, 1) = result(1, 0) = result(1, 1) = result(1, 2) = result(2, 1) = result(3, 1) = result(4, 1) =
+      result(5, 1) = result(5, 5) = Scalar(0);
   result(0, 2) = t55 - t58;
   result(0, 3) = -t74;
   result(0, 4) = -t88;
   result(0, 5) = -t101;
-  result(1, 0) = Scalar(0);
-  result(1, 1) = Scalar(0);
-  result(1, 2) = Scalar(0);
   result(1, 3) = -k[26] * t16;
   result(1, 4) = k[26] * (s4 * t82 - c4 * t84);
   result(1, 5) = k[26] * (s4 * t102 - c4 * t104);
   result(2, 0) = t58 - t56;
-  result(2, 1) = Scalar(0);
   result(2, 2) = t55;
   result(2, 3) = t73;
   result(2, 4) = -t86;
   result(2, 5) = -t99;
   result(3, 0) = t74 - ((qd[2] * t59 - t61) - t107);
-  result(3, 1) = Scalar(0);
   result(3, 2) = t107 - t73;
   result(3, 3) = -t35;
   result(3, 4) = t108;
   result(3, 5) = -t109;
   result(4, 0) = t88 - (t111 + t114);
-  result(4, 1) = Scalar(0);
   result(4, 2) = t86 - t114;
   result(4, 3) = -t105 - t108;
   result(4, 4) = -t28;
   result(4, 5) = -t95;
   result(5, 0) = t101 + (t120 - t123);
-  result(5, 1) = -Scalar(0);
   result(5, 2) = t99 + t120;
   result(5, 3) = (s5 * t117 - c5 * t118) + t109;
   result(5, 4) = t95 + t37;
-  result(5, 5) = Scalar(0);
   return result;
 }
 
@@ -1032,14 +995,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> forward_dynamics([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const Angles& angles,
     const ForwardDynamicsConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[0] * s6 - k[1] * c6;
   const Scalar t1 = k[2] * t0;
   const Scalar t2 = k[4] * c6 - k[3] * s6;
@@ -1335,14 +1292,8 @@ template <class Scalar, class Angles>
 inline Scalar kinetic_energy([[maybe_unused]] const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const Angles& angles,
     const KineticEnergyConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[10] * s6 - k[11] * c6;
   const Scalar t1 = k[12] + c6 * t0;
   const Scalar t2 = k[13] - t1;
@@ -1442,12 +1393,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Scalar potential_energy(const JointVector<Scalar>& q, const Angles& angles,
     const PotentialEnergyConstants<Scalar>& k) {
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s4 = angles.sine[1], &c4 = angles.cosine[1], &s5 = angles.sine[2], &c5 = angles.cosine[2];
+  const Scalar &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = c5 * (k[4] + (k[0] * s6 + k[1] * c6));
   const Scalar t1 = k[3] + (k[2] + (k[0] * c6 - k[1] * s6));
   const Scalar t2 = c4 * (k[6] + (t0 + k[5] * s5)) + s4 * t1;

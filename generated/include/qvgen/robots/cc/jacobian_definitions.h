@@ -26,52 +26,27 @@ using NoAngles = JacobianSelection<Scalar, 0>;
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s13 = angles.sine[3];
-  const Scalar& c13 = angles.cosine[3];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s13 = angles.sine[3], &c13 = angles.cosine[3];
   const Scalar t0 = g.d4 * c13;
   const Scalar t1 = g.d4 * s13;
   const Scalar t2 = s4 * s5;
   Jacobian<Scalar> result;
   result(0, 0) = t0 - g.l1 * s1;
-  result(0, 1) = Scalar(0);
+  result(0, 1) = result(0, 3) = result(0, 4) = result(0, 5) = result(1, 1) = result(1, 3) = result(1, 4) =
+      result(1, 5) = result(2, 0) = result(2, 2) = result(2, 3) = result(2, 4) = result(2, 5) = result(3, 0) =
+      result(3, 1) = result(3, 2) = result(4, 0) = result(4, 1) = result(4, 2) = result(5, 1) = result(5, 3) =
+      Scalar(0);
   result(0, 2) = t0;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = -Scalar(0);
-  result(0, 5) = -Scalar(0);
   result(1, 0) = g.l1 * c1 + t1;
-  result(1, 1) = Scalar(0);
   result(1, 2) = t1;
-  result(1, 3) = Scalar(0);
-  result(1, 4) = -Scalar(0);
-  result(1, 5) = -Scalar(0);
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(1);
-  result(2, 2) = Scalar(0);
-  result(2, 3) = Scalar(0);
-  result(2, 4) = -Scalar(0);
-  result(2, 5) = -Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
-  result(3, 2) = Scalar(0);
+  result(2, 1) = result(5, 0) = result(5, 2) = Scalar(1);
   result(3, 3) = s13;
   result(3, 4) = c13 * c4;
   result(3, 5) = c5 * s13 + c13 * t2;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(4, 2) = Scalar(0);
   result(4, 3) = -c13;
   result(4, 4) = c4 * s13;
   result(4, 5) = s13 * t2 - c13 * c5;
-  result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(1);
-  result(5, 3) = Scalar(0);
   result(5, 4) = s4;
   result(5, 5) = -c4 * s5;
 
@@ -81,16 +56,9 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
-  const Scalar& s13 = angles.sine[4];
-  const Scalar& c13 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
+  const Scalar &s13 = angles.sine[4], &c13 = angles.cosine[4];
   const Scalar t0 = c4 * s5;
   const Scalar t1 = c4 * s13;
   const Scalar t2 = c13 * s5;
@@ -117,43 +85,25 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointV
   result.transform(2, 0) = t11;
   result.transform(2, 1) = t0;
   result.transform(2, 2) = -t7;
-  result.transform(0, 3) = t13;
+  result.transform(0, 3) = result.jacobian(1, 0) = t13;
   result.transform(1, 3) = t15;
   result.transform(2, 3) = q[1];
   result.jacobian(0, 0) = -t15;
-  result.jacobian(0, 1) = Scalar(0);
+  result.jacobian(0, 1) = result.jacobian(0, 3) = result.jacobian(0, 4) = result.jacobian(0, 5) =
+      result.jacobian(1, 1) = result.jacobian(1, 3) = result.jacobian(1, 4) = result.jacobian(1, 5) =
+      result.jacobian(2, 0) = result.jacobian(2, 2) = result.jacobian(2, 3) = result.jacobian(2, 4) =
+      result.jacobian(2, 5) = result.jacobian(3, 0) = result.jacobian(3, 1) = result.jacobian(3, 2) =
+      result.jacobian(4, 0) = result.jacobian(4, 1) = result.jacobian(4, 2) = result.jacobian(5, 1) =
+      result.jacobian(5, 3) = Scalar(0);
   result.jacobian(0, 2) = t14;
-  result.jacobian(0, 3) = Scalar(0);
-  result.jacobian(0, 4) = -Scalar(0);
-  result.jacobian(0, 5) = -Scalar(0);
-  result.jacobian(1, 0) = t13;
-  result.jacobian(1, 1) = Scalar(0);
   result.jacobian(1, 2) = t12;
-  result.jacobian(1, 3) = Scalar(0);
-  result.jacobian(1, 4) = -Scalar(0);
-  result.jacobian(1, 5) = -Scalar(0);
-  result.jacobian(2, 0) = Scalar(0);
-  result.jacobian(2, 1) = Scalar(1);
-  result.jacobian(2, 2) = Scalar(0);
-  result.jacobian(2, 3) = Scalar(0);
-  result.jacobian(2, 4) = -Scalar(0);
-  result.jacobian(2, 5) = -Scalar(0);
-  result.jacobian(3, 0) = Scalar(0);
-  result.jacobian(3, 1) = Scalar(0);
-  result.jacobian(3, 2) = Scalar(0);
+  result.jacobian(2, 1) = result.jacobian(5, 0) = result.jacobian(5, 2) = Scalar(1);
   result.jacobian(3, 3) = s13;
   result.jacobian(3, 4) = c13 * c4;
   result.jacobian(3, 5) = t9;
-  result.jacobian(4, 0) = Scalar(0);
-  result.jacobian(4, 1) = Scalar(0);
-  result.jacobian(4, 2) = Scalar(0);
   result.jacobian(4, 3) = -c13;
   result.jacobian(4, 4) = t1;
   result.jacobian(4, 5) = t8;
-  result.jacobian(5, 0) = Scalar(1);
-  result.jacobian(5, 1) = Scalar(0);
-  result.jacobian(5, 2) = Scalar(1);
-  result.jacobian(5, 3) = Scalar(0);
   result.jacobian(5, 4) = s4;
   result.jacobian(5, 5) = -t0;
   result.transform.makeAffine();
@@ -163,14 +113,8 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointV
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = g.l1 * c3;
   const Scalar t1 = g.d4 + g.l1 * s3;
   const Scalar t2 = s4 * t1;
@@ -185,41 +129,23 @@ inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>
   const Scalar t11 = s4 * s6 - c6 * t5;
   Jacobian<Scalar> result;
   result(0, 0) = c6 * t4 - s6 * t3;
-  result(0, 1) = t6;
+  result(0, 1) = result(3, 0) = result(3, 2) = t6;
   result(0, 2) = c6 * t7 - s6 * t9;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = -Scalar(0);
-  result(0, 5) = -Scalar(0);
+  result(0, 3) = result(0, 4) = result(0, 5) = result(1, 3) = result(1, 4) = result(1, 5) = result(2, 3) =
+      result(2, 4) = result(2, 5) = result(3, 1) = result(3, 5) = result(4, 1) = result(4, 4) = result(5, 1) =
+      result(5, 5) = Scalar(0);
   result(1, 0) = c5 * t0 - s5 * t2;
-  result(1, 1) = t10;
+  result(1, 1) = result(4, 0) = result(4, 2) = t10;
   result(1, 2) = -s5 * t8;
-  result(1, 3) = Scalar(0);
-  result(1, 4) = -Scalar(0);
-  result(1, 5) = -Scalar(0);
   result(2, 0) = -s6 * t4 - c6 * t3;
-  result(2, 1) = -t11;
+  result(2, 1) = result(5, 0) = result(5, 2) = -t11;
   result(2, 2) = -s6 * t7 - c6 * t9;
-  result(2, 3) = Scalar(0);
-  result(2, 4) = -Scalar(0);
-  result(2, 5) = -Scalar(0);
-  result(3, 0) = t6;
-  result(3, 1) = Scalar(0);
-  result(3, 2) = t6;
   result(3, 3) = s5 * s6;
   result(3, 4) = c6;
-  result(3, 5) = -Scalar(0);
-  result(4, 0) = t10;
-  result(4, 1) = Scalar(0);
-  result(4, 2) = t10;
   result(4, 3) = -c5;
-  result(4, 4) = -Scalar(0);
   result(4, 5) = -Scalar(1);
-  result(5, 0) = -t11;
-  result(5, 1) = Scalar(0);
-  result(5, 2) = -t11;
   result(5, 3) = c6 * s5;
   result(5, 4) = -s6;
-  result(5, 5) = -Scalar(0);
 
   return result;
 }
@@ -228,16 +154,9 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& q,
     const Vector3<Scalar>& point,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
-  const Scalar& s13 = angles.sine[4];
-  const Scalar& c13 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
+  const Scalar &s13 = angles.sine[4], &c13 = angles.cosine[4];
   const Scalar t0 = point[2] * c6 + point[0] * s6;
   const Scalar t1 = point[1] * c5 - s5 * t0;
   const Scalar t2 = g.d4 - t1;
@@ -259,39 +178,27 @@ inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& 
   const Scalar t18 = c5 * s13 + c13 * t11;
   Jacobian<Scalar> result;
   result(0, 0) = t7 - g.l1 * s1;
-  result(0, 1) = Scalar(0);
+  result(0, 1) = result(1, 1) = result(2, 0) = result(2, 2) = result(3, 0) = result(3, 1) = result(3, 2) =
+      result(4, 0) = result(4, 1) = result(4, 2) = result(5, 1) = result(5, 3) = Scalar(0);
   result(0, 2) = t7;
   result(0, 3) = c13 * t8;
   result(0, 4) = s4 * t9 - t8 * t10;
   result(0, 5) = -t8 * t12 - t9 * t13;
   result(1, 0) = t15 + g.l1 * c1;
-  result(1, 1) = Scalar(0);
   result(1, 2) = t15;
   result(1, 3) = s13 * t8;
   result(1, 4) = t17 * t8 - s4 * t16;
   result(1, 5) = t13 * t16 + t8 * t18;
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(1);
-  result(2, 2) = Scalar(0);
+  result(2, 1) = result(5, 0) = result(5, 2) = Scalar(1);
   result(2, 3) = -t5;
   result(2, 4) = c4 * t1;
   result(2, 5) = t16 * t12 - t9 * t18;
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
-  result(3, 2) = Scalar(0);
   result(3, 3) = s13;
   result(3, 4) = t17;
   result(3, 5) = t18;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(4, 2) = Scalar(0);
   result(4, 3) = -c13;
   result(4, 4) = t10;
   result(4, 5) = t12;
-  result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(1);
-  result(5, 3) = Scalar(0);
   result(5, 4) = s4;
   result(5, 5) = -t13;
 
@@ -302,14 +209,8 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> velocity([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s13 = angles.sine[3];
-  const Scalar& c13 = angles.cosine[3];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s13 = angles.sine[3], &c13 = angles.cosine[3];
   const Scalar t0 = qd[0] + qd[2];
   const Scalar t1 = t0 * g.d4 * c13 - qd[0] * g.l1 * s1;
   const Scalar t2 = t0 * g.d4 * s13 + qd[0] * g.l1 * c1;
@@ -331,14 +232,8 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s13 = angles.sine[3];
-  const Scalar& c13 = angles.cosine[3];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s13 = angles.sine[3], &c13 = angles.cosine[3];
   const Scalar t0 = qd[0] + qd[2];
   const Scalar t1 = s13 * t0;
   const Scalar t2 = g.d4 * t1;
@@ -350,39 +245,19 @@ inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>&
   const Scalar t8 = s5 * (qd[4] + s4 * t0);
   Jacobian<Scalar> result;
   result(0, 0) = -qd[0] * g.l1 * c1 - t2;
-  result(0, 1) = Scalar(0);
+  result(0, 1) = result(0, 3) = result(0, 4) = result(0, 5) = result(1, 1) = result(1, 3) = result(1, 4) =
+      result(1, 5) = result(2, 0) = result(2, 1) = result(2, 2) = result(2, 3) = result(2, 4) = result(2, 5) =
+      result(3, 0) = result(3, 1) = result(3, 2) = result(4, 0) = result(4, 1) = result(4, 2) = result(5, 0) =
+      result(5, 1) = result(5, 2) = result(5, 3) = Scalar(0);
   result(0, 2) = -t2;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = -Scalar(0);
-  result(0, 5) = -Scalar(0);
   result(1, 0) = t4 - qd[0] * g.l1 * s1;
-  result(1, 1) = Scalar(0);
   result(1, 2) = t4;
-  result(1, 3) = Scalar(0);
-  result(1, 4) = -Scalar(0);
-  result(1, 5) = -Scalar(0);
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(0);
-  result(2, 2) = Scalar(0);
-  result(2, 3) = Scalar(0);
-  result(2, 4) = -Scalar(0);
-  result(2, 5) = -Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
-  result(3, 2) = Scalar(0);
   result(3, 3) = t3;
   result(3, 4) = -c13 * t5 - c4 * t1;
   result(3, 5) = c13 * t7 - s13 * t8;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(4, 2) = Scalar(0);
   result(4, 3) = t1;
   result(4, 4) = c4 * t3 - s13 * t5;
   result(4, 5) = c13 * t8 + s13 * t7;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
-  result(5, 3) = Scalar(0);
   result(5, 4) = t6;
   result(5, 5) = s5 * t5 - c4 * qd[4] * c5;
 
@@ -393,14 +268,8 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s13 = angles.sine[3];
-  const Scalar& c13 = angles.cosine[3];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s13 = angles.sine[3], &c13 = angles.cosine[3];
   const Scalar t0 = qd[0] + qd[2];
   const Scalar t1 = g.d4 * t0 * t0;
   const Scalar t2 = qd[0] * qd[0] * g.l1 * c1 + s13 * t1;
@@ -429,8 +298,7 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
 template <class Scalar, class Angles>
 inline SingularityMeasures<Scalar> singularity_measures([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
+  const Scalar &c3 = angles.cosine[0], &s5 = angles.sine[1];
 
   SingularityMeasures<Scalar> result;
   result(0, 0) = c3;

@@ -118,14 +118,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> inverse_dynamics([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const Angles& angles,
     const InverseDynamicsConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[9] + k[8] * qdd[0];
   const Scalar t1 = qd[1] * c3;
   const Scalar t2 = t1 * t1;
@@ -302,14 +296,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     const GravityTorqueConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[0] * s3;
   const Scalar t1 = s4 * t0;
   const Scalar t2 = k[4] * c6 + k[3] * s6;
@@ -435,14 +423,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> coriolis_torque([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const Angles& angles,
     const CoriolisTorqueConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = qd[1] * s3;
   const Scalar t1 = c4 * t0;
   const Scalar t2 = qd[2] * s4 + t1;
@@ -667,14 +649,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     const MassMatrixConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[2] * c6 + k[1] * s6;
   const Scalar t1 = k[3] + t0;
   const Scalar t2 = s5 * t1 - k[0] * c5;
@@ -848,14 +824,8 @@ template <class Scalar, class Angles>
 inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const Angles& angles,
     const CoriolisMatrixConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[2] * c6 + k[1] * s6;
   const Scalar t1 = k[3] + t0;
   const Scalar t2 = s5 * t1;
@@ -1035,42 +1005,36 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const Jo
   const Scalar t176 = qd[2] * t164 + (s4 * t171 + c4 * t165);
   const Scalar t177 = s3 * (t163 - t173) - c3 * ((t174 - qd[2] * t175) - t176);
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = Scalar(0);
-  result(0, 1) = Scalar(0);
+  result(0, 0) = result(0, 1) = result(1, 0) = result(2, 0) = result(3, 0) = result(4, 0) = result(5, 0) =
+      result(5, 5) = Scalar(0);
   result(0, 2) = -k[8] * (c3 * t15 - s3 * t18);
   result(0, 3) = k[8] * (c3 * t23 + s3 * t28);
   result(0, 4) = -k[8] * (c3 * t31 - s3 * t36);
   result(0, 5) = k[8] * (s3 * t44 - c3 * t45);
-  result(1, 0) = Scalar(0);
   result(1, 1) = -t115;
   result(1, 2) = -t125;
   result(1, 3) = -t131;
   result(1, 4) = t138;
   result(1, 5) = t147;
-  result(2, 0) = Scalar(0);
   result(2, 1) = t149 + t125;
   result(2, 2) = t87;
   result(2, 3) = t150;
   result(2, 4) = t151;
   result(2, 5) = -t152;
-  result(3, 0) = Scalar(0);
   result(3, 1) = t131 + (t153 + s3 * t154);
   result(3, 2) = t148 - t150;
   result(3, 3) = t95;
   result(3, 4) = -t134;
   result(3, 5) = t142;
-  result(4, 0) = Scalar(0);
   result(4, 1) = -t161 - t138;
   result(4, 2) = -t151 - (s4 * t158 - c4 * t159);
   result(4, 3) = t100 + t134;
   result(4, 4) = t65;
   result(4, 5) = -t143;
-  result(5, 0) = -Scalar(0);
   result(5, 1) = t177 - t147;
   result(5, 2) = (s4 * t172 + c4 * t168) + t152;
   result(5, 3) = t174 - t142;
   result(5, 4) = t143 + t167;
-  result(5, 5) = Scalar(0);
   return result;
 }
 
@@ -1202,14 +1166,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> forward_dynamics([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const Angles& angles,
     const ForwardDynamicsConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[0] * s6 + k[1] * c6;
   const Scalar t1 = k[2] * c5 + s5 * t0;
   const Scalar t2 = k[7] * t1;
@@ -1546,14 +1504,8 @@ template <class Scalar, class Angles>
 inline Scalar kinetic_energy([[maybe_unused]] const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const Angles& angles,
     const KineticEnergyConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[0] * c6 - k[1] * s6;
   const Scalar t1 = k[2] * c6 + k[3] * s6;
   const Scalar t2 = k[13] + t1;
@@ -1671,14 +1623,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Scalar potential_energy(const JointVector<Scalar>& q, const Angles& angles,
     const PotentialEnergyConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[4] + (k[2] * c6 + k[3] * s6);
   const Scalar t1 = k[6] - (k[5] + (k[1] * c5 - s5 * t0));
   const Scalar t2 = k[10] + (k[9] - (k[2] * s6 - k[3] * c6));

@@ -26,14 +26,8 @@ using NoAngles = JacobianSelection<Scalar, 0>;
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = g.d4 * s3;
   const Scalar t1 = g.d4 * c3;
   const Scalar t2 = c3 * s4;
@@ -41,39 +35,23 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
   const Scalar t4 = c5 * s3 + c3 * t3;
   const Scalar t5 = s4 * s5;
   Jacobian<Scalar> result;
-  result(0, 0) = Scalar(0);
+  result(0, 0) = result(0, 3) = result(0, 4) = result(0, 5) = result(1, 0) = result(1, 3) = result(1, 4) =
+      result(1, 5) = result(2, 1) = result(2, 3) = result(2, 4) = result(2, 5) = result(3, 0) = result(3, 1) =
+      result(4, 0) = result(4, 1) = result(5, 0) = result(5, 2) = Scalar(0);
   result(0, 1) = s2 * t0 - g.l1 * c2;
   result(0, 2) = -c2 * t1;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = -Scalar(0);
-  result(0, 5) = -Scalar(0);
-  result(1, 0) = Scalar(0);
   result(1, 1) = -g.l1 * s2 - c2 * t0;
   result(1, 2) = -s2 * t1;
-  result(1, 3) = Scalar(0);
-  result(1, 4) = -Scalar(0);
-  result(1, 5) = -Scalar(0);
-  result(2, 0) = Scalar(1);
-  result(2, 1) = Scalar(0);
+  result(2, 0) = result(5, 1) = Scalar(1);
   result(2, 2) = t0;
-  result(2, 3) = Scalar(0);
-  result(2, 4) = -Scalar(0);
-  result(2, 5) = -Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
   result(3, 2) = -s2;
   result(3, 3) = -c2 * s3;
   result(3, 4) = c2 * t2 - c4 * s2;
   result(3, 5) = -c2 * t4 - s2 * t5;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
   result(4, 2) = c2;
   result(4, 3) = -s2 * s3;
   result(4, 4) = s2 * t2 + c2 * c4;
   result(4, 5) = c2 * t5 - s2 * t4;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(1);
-  result(5, 2) = Scalar(0);
   result(5, 3) = -c3;
   result(5, 4) = -s3 * s4;
   result(5, 5) = s3 * t3 - c3 * c5;
@@ -84,16 +62,9 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4];
   const Scalar t0 = c4 * s3;
   const Scalar t1 = c3 * c5 - s5 * t0;
   const Scalar t2 = c2 * s4;
@@ -127,39 +98,25 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointV
   result.transform(0, 3) = g.h1 - t17;
   result.transform(1, 3) = -t18;
   result.transform(2, 3) = q[0] - t19;
-  result.jacobian(0, 0) = Scalar(0);
+  result.jacobian(0, 0) = result.jacobian(0, 3) = result.jacobian(0, 4) = result.jacobian(0, 5) =
+      result.jacobian(1, 0) = result.jacobian(1, 3) = result.jacobian(1, 4) = result.jacobian(1, 5) =
+      result.jacobian(2, 1) = result.jacobian(2, 3) = result.jacobian(2, 4) = result.jacobian(2, 5) =
+      result.jacobian(3, 0) = result.jacobian(3, 1) = result.jacobian(4, 0) = result.jacobian(4, 1) =
+      result.jacobian(5, 0) = result.jacobian(5, 2) = Scalar(0);
   result.jacobian(0, 1) = t18;
   result.jacobian(0, 2) = -c2 * t19;
-  result.jacobian(0, 3) = Scalar(0);
-  result.jacobian(0, 4) = -Scalar(0);
-  result.jacobian(0, 5) = -Scalar(0);
-  result.jacobian(1, 0) = Scalar(0);
   result.jacobian(1, 1) = -t17;
   result.jacobian(1, 2) = -s2 * t19;
-  result.jacobian(1, 3) = Scalar(0);
-  result.jacobian(1, 4) = -Scalar(0);
-  result.jacobian(1, 5) = -Scalar(0);
-  result.jacobian(2, 0) = Scalar(1);
-  result.jacobian(2, 1) = Scalar(0);
+  result.jacobian(2, 0) = result.jacobian(5, 1) = Scalar(1);
   result.jacobian(2, 2) = t16;
-  result.jacobian(2, 3) = Scalar(0);
-  result.jacobian(2, 4) = -Scalar(0);
-  result.jacobian(2, 5) = -Scalar(0);
-  result.jacobian(3, 0) = Scalar(0);
-  result.jacobian(3, 1) = Scalar(0);
   result.jacobian(3, 2) = -s2;
   result.jacobian(3, 3) = -c2 * s3;
   result.jacobian(3, 4) = c3 * t2 - t3;
   result.jacobian(3, 5) = -t15;
-  result.jacobian(4, 0) = Scalar(0);
-  result.jacobian(4, 1) = Scalar(0);
   result.jacobian(4, 2) = c2;
   result.jacobian(4, 3) = -t5;
   result.jacobian(4, 4) = t7;
   result.jacobian(4, 5) = -t12;
-  result.jacobian(5, 0) = Scalar(0);
-  result.jacobian(5, 1) = Scalar(1);
-  result.jacobian(5, 2) = Scalar(0);
   result.jacobian(5, 3) = -c3;
   result.jacobian(5, 4) = -t10;
   result.jacobian(5, 5) = -t1;
@@ -170,14 +127,8 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointV
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = s3 * s4;
   const Scalar t1 = c4 * s3;
   const Scalar t2 = c3 * s5 + c5 * t1;
@@ -194,41 +145,26 @@ inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>
   const Scalar t13 = c3 * c5 - s5 * t1;
   const Scalar t14 = c5 * s4;
   Jacobian<Scalar> result;
-  result(0, 0) = t3;
+  result(0, 0) = result(3, 1) = t3;
   result(0, 1) = s6 * t5 - c6 * t9;
   result(0, 2) = s6 * t6 - c6 * t11;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = -Scalar(0);
-  result(0, 5) = -Scalar(0);
-  result(1, 0) = -t12;
+  result(0, 3) = result(0, 4) = result(0, 5) = result(1, 3) = result(1, 4) = result(1, 5) = result(2, 3) =
+      result(2, 4) = result(2, 5) = result(3, 0) = result(3, 5) = result(4, 0) = result(4, 5) = result(5, 0) =
+      result(5, 4) = Scalar(0);
+  result(1, 0) = result(4, 1) = -t12;
   result(1, 1) = -c6 * t5 - s6 * t9;
   result(1, 2) = -s6 * t11 - c6 * t6;
-  result(1, 3) = Scalar(0);
-  result(1, 4) = -Scalar(0);
-  result(1, 5) = -Scalar(0);
-  result(2, 0) = t13;
+  result(2, 0) = result(5, 1) = t13;
   result(2, 1) = -c5 * t8 - s5 * t7;
   result(2, 2) = -s5 * t10;
-  result(2, 3) = Scalar(0);
-  result(2, 4) = -Scalar(0);
-  result(2, 5) = -Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = t3;
   result(3, 2) = -c6 * t14 - c4 * s6;
   result(3, 3) = c6 * s5;
   result(3, 4) = -s6;
-  result(3, 5) = -Scalar(0);
-  result(4, 0) = Scalar(0);
-  result(4, 1) = -t12;
   result(4, 2) = c4 * c6 - s6 * t14;
   result(4, 3) = s5 * s6;
   result(4, 4) = c6;
-  result(4, 5) = -Scalar(0);
-  result(5, 0) = Scalar(0);
-  result(5, 1) = t13;
   result(5, 2) = -s4 * s5;
   result(5, 3) = -c5;
-  result(5, 4) = -Scalar(0);
   result(5, 5) = -Scalar(1);
 
   return result;
@@ -238,16 +174,9 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& q,
     const Vector3<Scalar>& point,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4];
   const Scalar t0 = point[0] * c6 + point[1] * s6;
   const Scalar t1 = c5 * t0 + point[2] * s5;
   const Scalar t2 = point[0] * s6 - point[1] * c6;
@@ -277,39 +206,31 @@ inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& 
   const Scalar t26 = c2 * t13 - t24;
   const Scalar t27 = c2 * t22 + s2 * t21;
   Jacobian<Scalar> result;
-  result(0, 0) = Scalar(0);
+  result(0, 0) = result(1, 0) = result(2, 1) = result(3, 0) = result(3, 1) = result(4, 0) = result(4, 1) =
+      result(5, 0) = result(5, 2) = Scalar(0);
   result(0, 1) = s2 * t9 - c2 * t4;
   result(0, 2) = c2 * t11;
   result(0, 3) = -s2 * t5 - c3 * t12;
   result(0, 4) = t17 * t18 - t14 * t15;
   result(0, 5) = t14 * t20 + t23 * t18;
-  result(1, 0) = Scalar(0);
   result(1, 1) = -c2 * t9 - s2 * t4;
   result(1, 2) = s2 * t11;
   result(1, 3) = c2 * t5 - c3 * t24;
   result(1, 4) = t25 * t18 + t26 * t15;
   result(1, 5) = t27 * t18 - t26 * t20;
-  result(2, 0) = Scalar(1);
-  result(2, 1) = Scalar(0);
+  result(2, 0) = result(5, 1) = Scalar(1);
   result(2, 2) = t9;
   result(2, 3) = s3 * t3;
   result(2, 4) = t26 * t17 + t14 * t25;
   result(2, 5) = t23 * t26 + t14 * t27;
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
   result(3, 2) = -s2;
   result(3, 3) = -c2 * s3;
   result(3, 4) = -t25;
   result(3, 5) = -t27;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
   result(4, 2) = c2;
   result(4, 3) = -s2 * s3;
   result(4, 4) = t17;
   result(4, 5) = t23;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(1);
-  result(5, 2) = Scalar(0);
   result(5, 3) = -c3;
   result(5, 4) = -t15;
   result(5, 5) = t20;
@@ -321,14 +242,8 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> velocity([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = g.d4 * s3;
   const Scalar t1 = qd[1] * t0;
   const Scalar t2 = g.l1 * qd[1] + qd[2] * g.d4 * c3;
@@ -352,14 +267,8 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = qd[1] * s2;
   const Scalar t1 = qd[1] * c2;
   const Scalar t2 = qd[2] * c3;
@@ -381,39 +290,22 @@ inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>&
   const Scalar t18 = c3 * t14 + s3 * t17;
   const Scalar t19 = c5 * t15 + t9 * t16;
   Jacobian<Scalar> result;
-  result(0, 0) = Scalar(0);
+  result(0, 0) = result(0, 3) = result(0, 4) = result(0, 5) = result(1, 0) = result(1, 3) = result(1, 4) =
+      result(1, 5) = result(2, 0) = result(2, 1) = result(2, 3) = result(2, 4) = result(2, 5) = result(3, 0) =
+      result(3, 1) = result(4, 0) = result(4, 1) = result(5, 0) = result(5, 1) = result(5, 2) = Scalar(0);
   result(0, 1) = g.l1 * t0 + g.d4 * t3;
   result(0, 2) = t0 * t4 + c2 * t6;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = -Scalar(0);
-  result(0, 5) = -Scalar(0);
-  result(1, 0) = Scalar(0);
   result(1, 1) = g.d4 * t8 - g.l1 * t1;
   result(1, 2) = s2 * t6 - t1 * t4;
-  result(1, 3) = Scalar(0);
-  result(1, 4) = -Scalar(0);
-  result(1, 5) = -Scalar(0);
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(0);
   result(2, 2) = g.d4 * t2;
-  result(2, 3) = Scalar(0);
-  result(2, 4) = -Scalar(0);
-  result(2, 5) = -Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
   result(3, 2) = -t1;
   result(3, 3) = t8;
   result(3, 4) = s2 * t10 - c2 * t11;
   result(3, 5) = c2 * t18 - s2 * t19;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
   result(4, 2) = -t0;
   result(4, 3) = -t3;
   result(4, 4) = -s2 * t11 - c2 * t10;
   result(4, 5) = c2 * t19 + s2 * t18;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
   result(5, 3) = t5;
   result(5, 4) = -s4 * t2 - c4 * qd[3] * s3;
   result(5, 5) = c3 * t17 - s3 * t14;
@@ -425,14 +317,8 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = qd[2] * g.d4 * c3;
   const Scalar t1 = g.l1 * qd[1] * qd[1] + (qd[1] + qd[1]) * t0;
   const Scalar t2 = qd[1] * s3;
@@ -464,9 +350,7 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
 template <class Scalar, class Angles>
 inline SingularityMeasures<Scalar> singularity_measures([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s5 = angles.sine[1];
 
   SingularityMeasures<Scalar> result;
   result(0, 0) = s3;

@@ -54,16 +54,15 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        const BasicGeometry<Scalar>& g) {
-  const Scalar& s_0 = angles.sine[0];  // of (2*theta2 + pi)/4
-  const Scalar& c_0 = angles.cosine[0];  // of (2*theta2 + pi)/4
-  const Scalar& sh3 = angles.sine[1];
-  const Scalar& ch3 = angles.cosine[1];
-  const Scalar& sh5 = angles.sine[2];
-  const Scalar& ch5 = angles.cosine[2];
-  const Scalar& s_3 = angles.sine[3];  // of (2*theta4 + 2*theta6 - pi)/4
-  const Scalar& c_3 = angles.cosine[3];  // of (2*theta4 + 2*theta6 - pi)/4
-  const Scalar& s_4 = angles.sine[4];  // of (2*theta4 - 2*theta6 - pi)/4
-  const Scalar& c_4 = angles.cosine[4];  // of (2*theta4 - 2*theta6 - pi)/4
+  const Scalar &s_0 = angles.sine[0], &c_0 = angles.cosine[0], &sh3 = angles.sine[1], &ch3 = angles.cosine[1];
+  const Scalar &sh5 = angles.sine[2], &ch5 = angles.cosine[2], &s_3 = angles.sine[3], &c_3 = angles.cosine[3];
+  const Scalar &s_4 = angles.sine[4], &c_4 = angles.cosine[4];
+  // s_0: of (2*theta2 + pi)/4
+  // c_0: of (2*theta2 + pi)/4
+  // s_3: of (2*theta4 + 2*theta6 - pi)/4
+  // c_3: of (2*theta4 + 2*theta6 - pi)/4
+  // s_4: of (2*theta4 - 2*theta6 - pi)/4
+  // c_4: of (2*theta4 - 2*theta6 - pi)/4
   const Scalar t0 = s_4 * sh5;
   const Scalar t1 = c_3 * ch5;
   const Scalar t2 = sh3 * t0 + ch3 * t1;
@@ -90,16 +89,9 @@ template <class Scalar, class Angles>
 inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
     const JointVector<Scalar>& q, const Angles& angles,
     const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4];
   const Scalar t0 = s4 * s5;
   const Scalar t1 = c4 * s5;
   const Scalar t2 = c5 * s3 + c3 * t1;

@@ -120,14 +120,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> inverse_dynamics([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const Angles& angles,
     const InverseDynamicsConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = qd[0] * s3;
   const Scalar t1 = s4 * t0 - qd[2] * c4;
   const Scalar t2 = qd[2] * s4 + c4 * t0;
@@ -305,14 +299,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     const GravityTorqueConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[0] * c3;
   const Scalar t1 = k[0] * s3;
   const Scalar t2 = c4 * t1;
@@ -438,14 +426,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> coriolis_torque([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const Angles& angles,
     const CoriolisTorqueConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = qd[0] * s3;
   const Scalar t1 = s4 * t0;
   const Scalar t2 = t1 - qd[2] * c4;
@@ -679,14 +661,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     const MassMatrixConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[0] * c6 - k[1] * s6;
   const Scalar t1 = k[8] - s6 * t0;
   const Scalar t2 = k[11] - (k[10] - t1);
@@ -856,14 +832,8 @@ template <class Scalar, class Angles>
 inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const Angles& angles,
     const CoriolisMatrixConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[16] * s6 - k[15] * c6;
   const Scalar t1 = qd[5] * t0;
   const Scalar t2 = k[19] * qd[4] - t1;
@@ -1035,41 +1005,35 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const Jo
   const Scalar t168 = t167 + k[23] * (c4 * t161 - s4 * t164);
   Eigen::Matrix<Scalar, dof, dof> result;
   result(0, 0) = t85 - t88;
-  result(0, 1) = Scalar(0);
+  result(0, 1) = result(1, 0) = result(1, 1) = result(2, 1) = result(3, 1) = result(4, 1) = result(5, 1) =
+      result(5, 5) = Scalar(0);
   result(0, 2) = t98;
   result(0, 3) = -t108;
   result(0, 4) = t121;
   result(0, 5) = -t137;
-  result(1, 0) = Scalar(0);
-  result(1, 1) = Scalar(0);
   result(1, 2) = k[31] * t18;
   result(1, 3) = k[31] * t139;
   result(1, 4) = k[31] * t140;
   result(1, 5) = k[31] * t141;
   result(2, 0) = -t143 - t98;
-  result(2, 1) = Scalar(0);
   result(2, 2) = t86;
   result(2, 3) = t144;
   result(2, 4) = t145;
   result(2, 5) = -t146;
   result(3, 0) = t108 + (k[23] * t15 + t147);
-  result(3, 1) = Scalar(0);
   result(3, 2) = -t144 - t142;
   result(3, 3) = t84;
   result(3, 4) = t119;
   result(3, 5) = t135;
   result(4, 0) = t154 - t121;
-  result(4, 1) = Scalar(0);
   result(4, 2) = (c4 * t152 - s4 * t151) - t145;
   result(4, 3) = -t80 - t119;
   result(4, 4) = t29;
   result(4, 5) = t133;
   result(5, 0) = t137 + t168;
-  result(5, 1) = -Scalar(0);
   result(5, 2) = t146 - (c4 * t165 - s4 * t162);
   result(5, 3) = -t135 - t159;
   result(5, 4) = t163 - t133;
-  result(5, 5) = Scalar(0);
   return result;
 }
 
@@ -1201,14 +1165,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> forward_dynamics([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const Angles& angles,
     const ForwardDynamicsConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[0] * s6 + k[1] * c6;
   const Scalar t1 = k[2] * s6 + k[3] * c6;
   const Scalar t2 = (k[4] * s5 - c5 * t0) - t1;
@@ -1543,14 +1501,8 @@ template <class Scalar, class Angles>
 inline Scalar kinetic_energy([[maybe_unused]] const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const Angles& angles,
     const KineticEnergyConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[0] * c6 - k[1] * s6;
   const Scalar t1 = k[4] * c6 - k[5] * s6;
   const Scalar t2 = k[7] - (k[6] - c6 * t1);
@@ -1664,14 +1616,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Scalar potential_energy(const JointVector<Scalar>& q, const Angles& angles,
     const PotentialEnergyConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[3] + (k[2] * c6 + k[1] * s6);
   const Scalar t1 = k[9] - (k[8] - (s5 * t0 - k[0] * c5));
   const Scalar t2 = c4 * (k[4] + (c5 * t0 + k[0] * s5));

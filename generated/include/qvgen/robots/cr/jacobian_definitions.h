@@ -26,14 +26,8 @@ using NoAngles = JacobianSelection<Scalar, 0>;
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = g.d4 * s3;
   const Scalar t1 = g.l2 - t0;
   const Scalar t2 = g.d4 * c3;
@@ -43,38 +37,22 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
   const Scalar t6 = s4 * s5;
   Jacobian<Scalar> result;
   result(0, 0) = -s1 * t1;
-  result(0, 1) = Scalar(0);
+  result(0, 1) = result(0, 3) = result(0, 4) = result(0, 5) = result(1, 1) = result(1, 3) = result(1, 4) =
+      result(1, 5) = result(2, 0) = result(2, 3) = result(2, 4) = result(2, 5) = result(3, 0) = result(3, 1) =
+      result(4, 0) = result(4, 1) = result(5, 1) = result(5, 2) = Scalar(0);
   result(0, 2) = -c1 * t2;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = Scalar(0);
-  result(0, 5) = -Scalar(0);
   result(1, 0) = c1 * t1;
-  result(1, 1) = Scalar(0);
   result(1, 2) = -s1 * t2;
-  result(1, 3) = Scalar(0);
-  result(1, 4) = Scalar(0);
-  result(1, 5) = -Scalar(0);
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(1);
+  result(2, 1) = result(5, 0) = Scalar(1);
   result(2, 2) = t0;
-  result(2, 3) = Scalar(0);
-  result(2, 4) = Scalar(0);
-  result(2, 5) = -Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
   result(3, 2) = -s1;
   result(3, 3) = -c1 * s3;
   result(3, 4) = c1 * t3 - c4 * s1;
   result(3, 5) = -c1 * t5 - s1 * t6;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
   result(4, 2) = c1;
   result(4, 3) = -s1 * s3;
   result(4, 4) = s1 * t3 + c1 * c4;
   result(4, 5) = c1 * t6 - s1 * t5;
-  result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
   result(5, 3) = -c3;
   result(5, 4) = -s3 * s4;
   result(5, 5) = s3 * t4 - c3 * c5;
@@ -85,16 +63,9 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4];
   const Scalar t0 = c1 * s3;
   const Scalar t1 = s1 * s4;
   const Scalar t2 = c1 * c4;
@@ -127,42 +98,27 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointV
   result.transform(2, 0) = t15;
   result.transform(2, 1) = -t14;
   result.transform(2, 2) = t11;
-  result.transform(0, 3) = t19;
+  result.transform(0, 3) = result.jacobian(1, 0) = t19;
   result.transform(1, 3) = t20;
   result.transform(2, 3) = q[1] - t21;
   result.jacobian(0, 0) = -t20;
-  result.jacobian(0, 1) = Scalar(0);
+  result.jacobian(0, 1) = result.jacobian(0, 3) = result.jacobian(0, 4) = result.jacobian(0, 5) =
+      result.jacobian(1, 1) = result.jacobian(1, 3) = result.jacobian(1, 4) = result.jacobian(1, 5) =
+      result.jacobian(2, 0) = result.jacobian(2, 3) = result.jacobian(2, 4) = result.jacobian(2, 5) =
+      result.jacobian(3, 0) = result.jacobian(3, 1) = result.jacobian(4, 0) = result.jacobian(4, 1) =
+      result.jacobian(5, 1) = result.jacobian(5, 2) = Scalar(0);
   result.jacobian(0, 2) = -g.d4 * t5;
-  result.jacobian(0, 3) = Scalar(0);
-  result.jacobian(0, 4) = Scalar(0);
-  result.jacobian(0, 5) = -Scalar(0);
-  result.jacobian(1, 0) = t19;
-  result.jacobian(1, 1) = Scalar(0);
   result.jacobian(1, 2) = -s1 * t21;
-  result.jacobian(1, 3) = Scalar(0);
-  result.jacobian(1, 4) = Scalar(0);
-  result.jacobian(1, 5) = -Scalar(0);
-  result.jacobian(2, 0) = Scalar(0);
-  result.jacobian(2, 1) = Scalar(1);
+  result.jacobian(2, 1) = result.jacobian(5, 0) = Scalar(1);
   result.jacobian(2, 2) = t17;
-  result.jacobian(2, 3) = Scalar(0);
-  result.jacobian(2, 4) = Scalar(0);
-  result.jacobian(2, 5) = -Scalar(0);
-  result.jacobian(3, 0) = Scalar(0);
-  result.jacobian(3, 1) = Scalar(0);
   result.jacobian(3, 2) = -s1;
   result.jacobian(3, 3) = -t0;
   result.jacobian(3, 4) = t6;
   result.jacobian(3, 5) = -t9;
-  result.jacobian(4, 0) = Scalar(0);
-  result.jacobian(4, 1) = Scalar(0);
   result.jacobian(4, 2) = c1;
   result.jacobian(4, 3) = -s1 * s3;
   result.jacobian(4, 4) = c3 * t1 + t2;
   result.jacobian(4, 5) = t16;
-  result.jacobian(5, 0) = Scalar(1);
-  result.jacobian(5, 1) = Scalar(0);
-  result.jacobian(5, 2) = Scalar(0);
   result.jacobian(5, 3) = -c3;
   result.jacobian(5, 4) = -t13;
   result.jacobian(5, 5) = -t11;
@@ -173,14 +129,8 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointV
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = g.l2 - g.d4 * s3;
   const Scalar t1 = c5 * s4;
   const Scalar t2 = c6 * t1 + c4 * s6;
@@ -197,40 +147,25 @@ inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>
   const Scalar t13 = c3 * c5 - s5 * t4;
   Jacobian<Scalar> result;
   result(0, 0) = -t0 * t2;
-  result(0, 1) = t6;
+  result(0, 1) = result(3, 0) = t6;
   result(0, 2) = s6 * t7 - c6 * t9;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = Scalar(0);
-  result(0, 5) = -Scalar(0);
+  result(0, 3) = result(0, 4) = result(0, 5) = result(1, 3) = result(1, 4) = result(1, 5) = result(2, 3) =
+      result(2, 4) = result(2, 5) = result(3, 1) = result(3, 5) = result(4, 1) = result(4, 5) = result(5, 1) =
+      result(5, 4) = Scalar(0);
   result(1, 0) = -t0 * t10;
-  result(1, 1) = -t11;
+  result(1, 1) = result(4, 0) = -t11;
   result(1, 2) = -s6 * t9 - c6 * t7;
-  result(1, 3) = Scalar(0);
-  result(1, 4) = Scalar(0);
-  result(1, 5) = -Scalar(0);
   result(2, 0) = -t0 * t12;
-  result(2, 1) = t13;
+  result(2, 1) = result(5, 0) = t13;
   result(2, 2) = -s5 * t8;
-  result(2, 3) = Scalar(0);
-  result(2, 4) = Scalar(0);
-  result(2, 5) = -Scalar(0);
-  result(3, 0) = t6;
-  result(3, 1) = Scalar(0);
   result(3, 2) = -t2;
   result(3, 3) = c6 * s5;
   result(3, 4) = -s6;
-  result(3, 5) = -Scalar(0);
-  result(4, 0) = -t11;
-  result(4, 1) = Scalar(0);
   result(4, 2) = -t10;
   result(4, 3) = s5 * s6;
   result(4, 4) = c6;
-  result(4, 5) = -Scalar(0);
-  result(5, 0) = t13;
-  result(5, 1) = Scalar(0);
   result(5, 2) = -t12;
   result(5, 3) = -c5;
-  result(5, 4) = Scalar(0);
   result(5, 5) = -Scalar(1);
 
   return result;
@@ -240,16 +175,9 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& q,
     const Vector3<Scalar>& point,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4];
   const Scalar t0 = point[0] * c6 + point[1] * s6;
   const Scalar t1 = c5 * t0 + point[2] * s5;
   const Scalar t2 = point[0] * s6 - point[1] * c6;
@@ -281,38 +209,30 @@ inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& 
   const Scalar t28 = c1 * t23 + s1 * t22;
   Jacobian<Scalar> result;
   result(0, 0) = t4 - s1 * t10;
-  result(0, 1) = Scalar(0);
+  result(0, 1) = result(1, 1) = result(2, 0) = result(3, 0) = result(3, 1) = result(4, 0) = result(4, 1) =
+      result(5, 1) = result(5, 2) = Scalar(0);
   result(0, 2) = c1 * t12;
   result(0, 3) = -c3 * t4 - s1 * t5;
   result(0, 4) = t14 * t15 - t18 * t19;
   result(0, 5) = t18 * t21 + t15 * t24;
   result(1, 0) = c1 * t10 + t25;
-  result(1, 1) = Scalar(0);
   result(1, 2) = s1 * t12;
   result(1, 3) = c1 * t5 - c3 * t25;
   result(1, 4) = t26 * t19 - t15 * t27;
   result(1, 5) = t15 * t28 - t26 * t21;
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(1);
+  result(2, 1) = result(5, 0) = Scalar(1);
   result(2, 2) = t9;
   result(2, 3) = s3 * t3;
   result(2, 4) = -c3 * t1 - c4 * t16;
   result(2, 5) = t26 * t24 + t18 * t28;
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
   result(3, 2) = -s1;
   result(3, 3) = -c1 * s3;
   result(3, 4) = t27;
   result(3, 5) = -t28;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
   result(4, 2) = c1;
   result(4, 3) = -s1 * s3;
   result(4, 4) = t14;
   result(4, 5) = t24;
-  result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
   result(5, 3) = -c3;
   result(5, 4) = -t19;
   result(5, 5) = t21;
@@ -324,14 +244,8 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> velocity([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = g.d4 * s3;
   const Scalar t1 = qd[0] * (g.l2 - t0);
   const Scalar t2 = qd[2] * g.d4 * c3;
@@ -355,14 +269,8 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = qd[0] * c1;
   const Scalar t1 = qd[2] * c3;
   const Scalar t2 = s3 * t0 + s1 * t1;
@@ -388,38 +296,21 @@ inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>&
   const Scalar t22 = t15 * t20 + t18 * t21;
   Jacobian<Scalar> result;
   result(0, 0) = g.d4 * t2 - g.l2 * t0;
-  result(0, 1) = Scalar(0);
+  result(0, 1) = result(0, 3) = result(0, 4) = result(0, 5) = result(1, 1) = result(1, 3) = result(1, 4) =
+      result(1, 5) = result(2, 0) = result(2, 1) = result(2, 3) = result(2, 4) = result(2, 5) = result(3, 0) =
+      result(3, 1) = result(4, 0) = result(4, 1) = result(5, 0) = result(5, 1) = result(5, 2) = Scalar(0);
   result(0, 2) = c1 * t4 + s1 * t6;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = Scalar(0);
-  result(0, 5) = -Scalar(0);
   result(1, 0) = g.d4 * t8 - g.l2 * t7;
-  result(1, 1) = Scalar(0);
   result(1, 2) = s1 * t4 - c1 * t6;
-  result(1, 3) = Scalar(0);
-  result(1, 4) = Scalar(0);
-  result(1, 5) = -Scalar(0);
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(0);
   result(2, 2) = g.d4 * t1;
-  result(2, 3) = Scalar(0);
-  result(2, 4) = Scalar(0);
-  result(2, 5) = -Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
   result(3, 2) = -t0;
   result(3, 3) = t8;
   result(3, 4) = s1 * t11 - c1 * t10;
   result(3, 5) = c1 * t22 - s1 * t19;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
   result(4, 2) = -t7;
   result(4, 3) = -t2;
   result(4, 4) = -s1 * t10 - c1 * t11;
   result(4, 5) = s1 * t22 + c1 * t19;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
   result(5, 3) = t3;
   result(5, 4) = -s4 * t1 - c4 * t16;
   result(5, 5) = t13 * t21 - t17 * t20;
@@ -431,14 +322,8 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = g.d4 * s3;
   const Scalar t1 = qd[0] * qd[0] * (g.l2 - t0) - t0 * qd[2] * qd[2];
   const Scalar t2 = g.d4 * qd[2] * c3;
@@ -473,9 +358,7 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
 template <class Scalar, class Angles>
 inline SingularityMeasures<Scalar> singularity_measures([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s5 = angles.sine[1];
 
   SingularityMeasures<Scalar> result;
   result(0, 0) = g.l2 - g.d4 * s3;

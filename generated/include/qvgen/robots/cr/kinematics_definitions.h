@@ -53,16 +53,9 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        const BasicGeometry<Scalar>& g) {
-  const Scalar& sh1 = angles.sine[0];
-  const Scalar& ch1 = angles.cosine[0];
-  const Scalar& sh3 = angles.sine[1];
-  const Scalar& ch3 = angles.cosine[1];
-  const Scalar& sh5 = angles.sine[2];
-  const Scalar& ch5 = angles.cosine[2];
-  const Scalar& sh46 = angles.sine[3];
-  const Scalar& ch46 = angles.cosine[3];
-  const Scalar& sh4m6 = angles.sine[4];
-  const Scalar& ch4m6 = angles.cosine[4];
+  const Scalar &sh1 = angles.sine[0], &ch1 = angles.cosine[0], &sh3 = angles.sine[1], &ch3 = angles.cosine[1];
+  const Scalar &sh5 = angles.sine[2], &ch5 = angles.cosine[2], &sh46 = angles.sine[3], &ch46 = angles.cosine[3];
+  const Scalar &sh4m6 = angles.sine[4], &ch4m6 = angles.cosine[4];
   const Scalar t0 = sh4m6 * sh5;
   const Scalar t1 = ch3 * ch5;
   const Scalar t2 = sh3 * t0 + sh46 * t1;
@@ -87,16 +80,9 @@ template <class Scalar, class Angles>
 inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
     const JointVector<Scalar>& q, const Angles& angles,
     const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4];
   const Scalar t0 = c5 * s6;
   const Scalar t1 = c4 * t0 + c6 * s4;
   const Scalar t2 = s5 * s6;

@@ -26,16 +26,9 @@ using NoAngles = JacobianSelection<Scalar, 0>;
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s2m3 = angles.sine[4];
-  const Scalar& c2m3 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s2m3 = angles.sine[4], &c2m3 = angles.cosine[4];
   const Scalar t0 = Scalar(0.16) * s5;
   const Scalar t1 = Scalar(0.15) * c4 - s4 * t0;
   const Scalar t2 = c1 * t1;
@@ -62,34 +55,28 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
   result(0, 2) = c1 * t8;
   result(0, 3) = c2m3 * t2 - s1 * t3;
   result(0, 4) = -Scalar(0.16) * (c5 * t12 - s5 * t13);
-  result(0, 5) = -Scalar(0);
+  result(0, 5) = result(1, 5) = result(2, 0) = result(2, 5) = result(3, 0) = result(4, 0) = result(5, 1) =
+      result(5, 2) = Scalar(0);
   result(1, 0) = c1 * t7 + t14;
   result(1, 1) = -s1 * t9;
   result(1, 2) = s1 * t8;
   result(1, 3) = c1 * t3 + c2m3 * t14;
   result(1, 4) = Scalar(0.16) * (c5 * t17 + s5 * t18);
-  result(1, 5) = -Scalar(0);
-  result(2, 0) = Scalar(0);
   result(2, 1) = -t7;
   result(2, 2) = t6;
   result(2, 3) = -s2m3 * t1;
   result(2, 4) = c2m3 * t0 - t19 * t4;
-  result(2, 5) = -Scalar(0);
-  result(3, 0) = Scalar(0);
   result(3, 1) = -s1;
   result(3, 2) = s1;
   result(3, 3) = t13;
   result(3, 4) = t15 + c2m3 * t16;
   result(3, 5) = s5 * t12 + c5 * t13;
-  result(4, 0) = Scalar(0);
   result(4, 1) = c1;
   result(4, 2) = -c1;
   result(4, 3) = t18;
   result(4, 4) = c2m3 * t10 - t11;
   result(4, 5) = c5 * t18 - s5 * t17;
   result(5, 0) = Scalar(1);
-  result(5, 1) = -Scalar(0);
-  result(5, 2) = Scalar(0);
   result(5, 3) = c2m3;
   result(5, 4) = -s2m3 * s4;
   result(5, 5) = c2m3 * c5 + s5 * t19;
@@ -100,18 +87,9 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
-  const Scalar& s2m3 = angles.sine[5];
-  const Scalar& c2m3 = angles.cosine[5];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4], &s2m3 = angles.sine[5], &c2m3 = angles.cosine[5];
   const Scalar t0 = c4 * s1;
   const Scalar t1 = c1 * s4;
   const Scalar t2 = t0 + c2m3 * t1;
@@ -148,14 +126,14 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
   TransformAndJacobian<Scalar> result;
   result.transform(0, 0) = -t8;
   result.transform(0, 1) = -t9;
-  result.transform(0, 2) = t10;
+  result.transform(0, 2) = result.jacobian(3, 5) = t10;
   result.transform(1, 0) = t15;
   result.transform(1, 1) = -t16;
-  result.transform(1, 2) = t17;
+  result.transform(1, 2) = result.jacobian(4, 5) = t17;
   result.transform(2, 0) = t18;
   result.transform(2, 1) = t19;
-  result.transform(2, 2) = t20;
-  result.transform(0, 3) = t28;
+  result.transform(2, 2) = result.jacobian(5, 5) = t20;
+  result.transform(0, 3) = result.jacobian(1, 0) = t28;
   result.transform(1, 3) = -t30;
   result.transform(2, 3) = Scalar(0.245) - t32;
   result.jacobian(0, 0) = t30;
@@ -163,37 +141,27 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
   result.jacobian(0, 2) = c1 * t31;
   result.jacobian(0, 3) = c2m3 * t29 - s1 * t22;
   result.jacobian(0, 4) = -Scalar(0.16) * t7;
-  result.jacobian(0, 5) = -Scalar(0);
-  result.jacobian(1, 0) = t28;
+  result.jacobian(0, 5) = result.jacobian(1, 5) = result.jacobian(2, 0) = result.jacobian(2, 5) =
+      result.jacobian(3, 0) = result.jacobian(4, 0) = result.jacobian(5, 1) = result.jacobian(5, 2) = Scalar(0);
   result.jacobian(1, 1) = -s1 * t32;
   result.jacobian(1, 2) = s1 * t31;
   result.jacobian(1, 3) = c1 * t22 + c2m3 * t27;
   result.jacobian(1, 4) = Scalar(0.16) * t14;
-  result.jacobian(1, 5) = -Scalar(0);
-  result.jacobian(2, 0) = Scalar(0);
   result.jacobian(2, 1) = -t25;
   result.jacobian(2, 2) = t24;
   result.jacobian(2, 3) = -s2m3 * t26;
   result.jacobian(2, 4) = -Scalar(0.16) * (s6 * t19 - c6 * t18);
-  result.jacobian(2, 5) = -Scalar(0);
-  result.jacobian(3, 0) = Scalar(0);
   result.jacobian(3, 1) = -s1;
   result.jacobian(3, 2) = s1;
   result.jacobian(3, 3) = t6;
   result.jacobian(3, 4) = t2;
-  result.jacobian(3, 5) = t10;
-  result.jacobian(4, 0) = Scalar(0);
   result.jacobian(4, 1) = c1;
   result.jacobian(4, 2) = -c1;
   result.jacobian(4, 3) = t13;
   result.jacobian(4, 4) = -t11;
-  result.jacobian(4, 5) = t17;
   result.jacobian(5, 0) = Scalar(1);
-  result.jacobian(5, 1) = -Scalar(0);
-  result.jacobian(5, 2) = Scalar(0);
   result.jacobian(5, 3) = c2m3;
   result.jacobian(5, 4) = -s2m3 * s4;
-  result.jacobian(5, 5) = t20;
   result.transform.makeAffine();
   return result;
 }
@@ -201,16 +169,9 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
-  const Scalar& s2m3 = angles.sine[4];
-  const Scalar& c2m3 = angles.cosine[4];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
+  const Scalar &s2m3 = angles.sine[4], &c2m3 = angles.cosine[4];
   const Scalar t0 = s4 * s5;
   const Scalar t1 = Scalar(0.15) * c4 - Scalar(0.16) * t0;
   const Scalar t2 = c2m3 * t1;
@@ -243,36 +204,30 @@ inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>
   result(0, 2) = c6 * t17 - s6 * t16;
   result(0, 3) = Scalar(0.16) * t18 + c6 * t19;
   result(0, 4) = t20;
-  result(0, 5) = -Scalar(0);
+  result(0, 5) = result(1, 5) = result(2, 4) = result(2, 5) = result(3, 5) = result(4, 5) = result(5, 4) = Scalar(0);
   result(1, 0) = -c6 * t9 - s6 * t12;
   result(1, 1) = c6 * t15 + s6 * t14;
   result(1, 2) = -c6 * t16 - s6 * t17;
   result(1, 3) = s5 * t20 - s6 * t19;
   result(1, 4) = -Scalar(0.16) * s6;
-  result(1, 5) = -Scalar(0);
   result(2, 0) = c5 * t10 - s5 * t11;
   result(2, 1) = t5 * t4 - c5 * t7;
   result(2, 2) = c5 * t6 - t3 * t5;
   result(2, 3) = -Scalar(0.15) * s5;
-  result(2, 4) = Scalar(0);
-  result(2, 5) = -Scalar(0);
   result(3, 0) = s6 * t22 - c6 * t21;
   result(3, 1) = t24;
   result(3, 2) = -t24;
   result(3, 3) = c6 * s5;
   result(3, 4) = -s6;
-  result(3, 5) = -Scalar(0);
   result(4, 0) = c6 * t22 + s6 * t21;
   result(4, 1) = -t25;
   result(4, 2) = t25;
   result(4, 3) = -t18;
   result(4, 4) = -c6;
-  result(4, 5) = -Scalar(0);
   result(5, 0) = c2m3 * c5 + s2m3 * t5;
   result(5, 1) = -t0;
   result(5, 2) = t0;
   result(5, 3) = c5;
-  result(5, 4) = Scalar(0);
   result(5, 5) = Scalar(1);
 
   return result;
@@ -282,18 +237,9 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& q,
     const Vector3<Scalar>& point,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
-  const Scalar& s2m3 = angles.sine[5];
-  const Scalar& c2m3 = angles.cosine[5];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4], &s2m3 = angles.sine[5], &c2m3 = angles.cosine[5];
   const Scalar t0 = point[0] * c6 - point[1] * s6;
   const Scalar t1 = Scalar(0.16) - point[2];
   const Scalar t2 = c5 * t0 + s5 * t1;
@@ -333,27 +279,23 @@ inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& 
   result(1, 3) = c1 * t5 + c2m3 * t22;
   result(1, 4) = -s1 * t16 - t23 * t6;
   result(1, 5) = -s1 * t20 - c1 * t21;
-  result(2, 0) = Scalar(0);
+  result(2, 0) = result(3, 0) = result(4, 0) = result(5, 1) = result(5, 2) = Scalar(0);
   result(2, 1) = -t9;
   result(2, 2) = t8;
   result(2, 3) = -s2m3 * t10;
   result(2, 4) = s2m3 * t15 + c2m3 * t2;
   result(2, 5) = s2m3 * t19 - c2m3 * t17;
-  result(3, 0) = Scalar(0);
   result(3, 1) = -s1;
   result(3, 2) = s1;
   result(3, 3) = c1 * s2m3;
   result(3, 4) = c4 * s1 + c2m3 * t23;
   result(3, 5) = s5 * t14 - c1 * t25;
-  result(4, 0) = Scalar(0);
   result(4, 1) = c1;
   result(4, 2) = -c1;
   result(4, 3) = s1 * s2m3;
   result(4, 4) = c2m3 * t14 - c1 * c4;
   result(4, 5) = -s1 * t25 - s5 * t23;
   result(5, 0) = Scalar(1);
-  result(5, 1) = -Scalar(0);
-  result(5, 2) = Scalar(0);
   result(5, 3) = c2m3;
   result(5, 4) = -s2m3 * s4;
   result(5, 5) = c2m3 * c5 + s2m3 * t24;
@@ -365,16 +307,9 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> velocity([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s2m3 = angles.sine[4];
-  const Scalar& c2m3 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s2m3 = angles.sine[4], &c2m3 = angles.cosine[4];
   const Scalar t0 = s4 * s5;
   const Scalar t1 = Scalar(0.15) * c4 - Scalar(0.16) * t0;
   const Scalar t2 = Scalar(0.16) * qd[4] * s5;
@@ -412,16 +347,9 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s2m3 = angles.sine[4];
-  const Scalar& c2m3 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s2m3 = angles.sine[4], &c2m3 = angles.cosine[4];
   const Scalar t0 = qd[0] + qd[3] * c2m3;
   const Scalar t1 = qd[4] * s4;
   const Scalar t2 = t0 - s2m3 * t1;
@@ -479,34 +407,27 @@ inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>&
   result(0, 2) = c1 * t39 - t32 * t34;
   result(0, 3) = -s1 * t42 - c1 * t43;
   result(0, 4) = s1 * t44 + c1 * t46;
-  result(0, 5) = -Scalar(0);
+  result(0, 5) = result(1, 5) = result(2, 0) = result(2, 5) = result(3, 0) = result(4, 0) = result(5, 0) =
+      result(5, 1) = result(5, 2) = Scalar(0);
   result(1, 0) = c1 * t30 - s1 * t15;
   result(1, 1) = -t33 * t47 - s1 * t40;
   result(1, 2) = s1 * t39 + t32 * t47;
   result(1, 3) = c1 * t42 - s1 * t43;
   result(1, 4) = s1 * t46 - c1 * t44;
-  result(1, 5) = -Scalar(0);
-  result(2, 0) = Scalar(0);
   result(2, 1) = t29;
   result(2, 2) = -t27;
   result(2, 3) = t48;
   result(2, 4) = -Scalar(0.16) * t49;
-  result(2, 5) = -Scalar(0);
-  result(3, 0) = Scalar(0);
   result(3, 1) = -t47;
   result(3, 2) = t47;
   result(3, 3) = c1 * t35 - s1 * t13;
   result(3, 4) = -s1 * t50 - c1 * t22;
   result(3, 5) = s1 * t8 + c1 * t25;
-  result(4, 0) = Scalar(0);
   result(4, 1) = -t34;
   result(4, 2) = t34;
   result(4, 3) = s1 * t35 + c1 * t13;
   result(4, 4) = c1 * t50 - s1 * t22;
   result(4, 5) = s1 * t25 - c1 * t8;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = -Scalar(0);
-  result(5, 2) = Scalar(0);
   result(5, 3) = -t21;
   result(5, 4) = -t36;
   result(5, 5) = -t37;
@@ -518,16 +439,9 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s2m3 = angles.sine[4];
-  const Scalar& c2m3 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s2m3 = angles.sine[4], &c2m3 = angles.cosine[4];
   const Scalar t0 = qd[1] * Scalar(0.54) * s2;
   const Scalar t1 = qd[0] * t0;
   const Scalar t2 = qd[1] - qd[2];
@@ -589,14 +503,8 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
 template <class Scalar, class Angles>
 inline SingularityMeasures<Scalar> singularity_measures([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = c3 * s5;
   const Scalar t1 = c2 * t0;
   const Scalar t2 = s4 * s5;

@@ -62,18 +62,9 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& sh1 = angles.sine[0];
-  const Scalar& ch1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& sh4 = angles.sine[2];
-  const Scalar& ch4 = angles.cosine[2];
-  const Scalar& sh5 = angles.sine[3];
-  const Scalar& ch5 = angles.cosine[3];
-  const Scalar& sh6 = angles.sine[4];
-  const Scalar& ch6 = angles.cosine[4];
-  const Scalar& sh2m3 = angles.sine[5];
-  const Scalar& ch2m3 = angles.cosine[5];
+  const Scalar &sh1 = angles.sine[0], &ch1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &sh4 = angles.sine[2], &ch4 = angles.cosine[2], &sh5 = angles.sine[3], &ch5 = angles.cosine[3];
+  const Scalar &sh6 = angles.sine[4], &ch6 = angles.cosine[4], &sh2m3 = angles.sine[5], &ch2m3 = angles.cosine[5];
   const Scalar t0 = sh4 * sh6;
   const Scalar t1 = ch4 * ch6;
   const Scalar t2 = t0 - t1;
@@ -117,18 +108,9 @@ template <class Scalar, class Angles>
 inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
     [[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
-  const Scalar& s2m3 = angles.sine[5];
-  const Scalar& c2m3 = angles.cosine[5];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4], &s2m3 = angles.sine[5], &c2m3 = angles.cosine[5];
   const Scalar t0 = c4 * s5;
   const Scalar t1 = c2m3 * c5 + s2m3 * t0;
   const Scalar t2 = c5 * s6;

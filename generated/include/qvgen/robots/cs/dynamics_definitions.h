@@ -99,12 +99,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& qdd, const Angles& angles,
     const InverseDynamicsConstants<Scalar>& k) {
-  const Scalar& s4 = angles.sine[0];
-  const Scalar& c4 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
-  const Scalar& c5 = angles.cosine[1];
-  const Scalar& s6 = angles.sine[2];
-  const Scalar& c6 = angles.cosine[2];
+  const Scalar &s4 = angles.sine[0], &c4 = angles.cosine[0], &s5 = angles.sine[1], &c5 = angles.cosine[1];
+  const Scalar &s6 = angles.sine[2], &c6 = angles.cosine[2];
   const Scalar t0 = k[15] + qdd[1];
   const Scalar t1 = qd[2] * qd[0];
   const Scalar t2 = q[2] * qdd[0] + (t1 + t1);
@@ -248,12 +244,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     const GravityTorqueConstants<Scalar>& k) {
-  const Scalar& s4 = angles.sine[0];
-  const Scalar& c4 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
-  const Scalar& c5 = angles.cosine[1];
-  const Scalar& s6 = angles.sine[2];
-  const Scalar& c6 = angles.cosine[2];
+  const Scalar &s4 = angles.sine[0], &c4 = angles.cosine[0], &s5 = angles.sine[1], &c5 = angles.cosine[1];
+  const Scalar &s6 = angles.sine[2], &c6 = angles.cosine[2];
   const Scalar t0 = k[0] * c4;
   const Scalar t1 = k[0] * s4;
   const Scalar t2 = s5 * t0;
@@ -264,9 +256,8 @@ inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Sca
   const Scalar t7 = s5 * (t2 * t3 + k[4] * t1) + c5 * (k[1] * t1 + t6);
   const Scalar t8 = t4 * t2 + (k[1] * t2 - k[4] * t5);
   JointVector<Scalar> result;
-  result[0] = Scalar(0);
+  result[0] = result[2] = Scalar(0);
   result[1] = k[7];
-  result[2] = -Scalar(0);
   result[3] = (k[5] * t0 - k[6] * t1) - t7;
   result[4] = -t8;
   result[5] = -t6;
@@ -355,12 +346,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const Angles& angles,
     const CoriolisTorqueConstants<Scalar>& k) {
-  const Scalar& s4 = angles.sine[0];
-  const Scalar& c4 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
-  const Scalar& c5 = angles.cosine[1];
-  const Scalar& s6 = angles.sine[2];
-  const Scalar& c6 = angles.cosine[2];
+  const Scalar &s4 = angles.sine[0], &c4 = angles.cosine[0], &s5 = angles.sine[1], &c5 = angles.cosine[1];
+  const Scalar &s6 = angles.sine[2], &c6 = angles.cosine[2];
   const Scalar t0 = qd[0] * qd[0];
   const Scalar t1 = qd[2] * qd[0];
   const Scalar t2 = k[2] * c6 + k[3] * s6;
@@ -544,12 +531,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const Angles& angles,
     const MassMatrixConstants<Scalar>& k) {
-  const Scalar& s4 = angles.sine[0];
-  const Scalar& c4 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
-  const Scalar& c5 = angles.cosine[1];
-  const Scalar& s6 = angles.sine[2];
-  const Scalar& c6 = angles.cosine[2];
+  const Scalar &s4 = angles.sine[0], &c4 = angles.cosine[0], &s5 = angles.sine[1], &c5 = angles.cosine[1];
+  const Scalar &s6 = angles.sine[2], &c6 = angles.cosine[2];
   const Scalar t0 = k[12] * s6 + k[11] * c6;
   const Scalar t1 = k[20] + t0;
   const Scalar t2 = c5 * t1;
@@ -588,18 +571,16 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q,
   const Scalar t35 = q[2] * (s4 * t32 - c4 * t8) + (t33 + k[29] * t34);
   Eigen::Matrix<Scalar, dof, dof> result;
   result(0, 0) = t26;
-  result(0, 1) = result(1, 0) = Scalar(0);
+  result(0, 1) = result(1, 0) = result(1, 2) = result(2, 1) = result(2, 3) = result(3, 2) = Scalar(0);
   result(0, 2) = result(2, 0) = -k[26] - t25;
   result(0, 3) = result(3, 0) = -t29;
   result(0, 4) = result(4, 0) = t31 - q[2] * s4 * t10;
   result(0, 5) = result(5, 0) = t35;
   result(1, 1) = k[30];
-  result(1, 2) = result(2, 1) = -Scalar(0);
   result(1, 3) = result(3, 1) = t25;
   result(1, 4) = result(4, 1) = c4 * t10;
   result(1, 5) = result(5, 1) = -c4 * t32 - s4 * t8;
   result(2, 2) = k[23];
-  result(2, 3) = result(3, 2) = Scalar(0);
   result(2, 4) = result(4, 2) = t23;
   result(2, 5) = result(5, 2) = -t34;
   result(3, 3) = t13 - t14;
@@ -683,12 +664,8 @@ template <class Scalar, class Angles>
 inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const Angles& angles,
     const CoriolisMatrixConstants<Scalar>& k) {
-  const Scalar& s4 = angles.sine[0];
-  const Scalar& c4 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
-  const Scalar& c5 = angles.cosine[1];
-  const Scalar& s6 = angles.sine[2];
-  const Scalar& c6 = angles.cosine[2];
+  const Scalar &s4 = angles.sine[0], &c4 = angles.cosine[0], &s5 = angles.sine[1], &c5 = angles.cosine[1];
+  const Scalar &s6 = angles.sine[2], &c6 = angles.cosine[2];
   const Scalar t0 = k[7] * c6 - k[6] * s6;
   const Scalar t1 = k[19] + t0;
   const Scalar t2 = k[10] * s6 - k[11] * c6;
@@ -803,41 +780,33 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>
   const Scalar t111 = q[2] * (s4 * t95 - c4 * t96) - (qd[2] * t104 - t110);
   Eigen::Matrix<Scalar, dof, dof> result;
   result(0, 0) = t53 - t49;
-  result(0, 1) = Scalar(0);
+  result(0, 1) = result(1, 0) = result(1, 1) = result(1, 2) = result(2, 1) = result(2, 2) = result(3, 1) =
+      result(4, 1) = result(5, 1) = result(5, 5) = Scalar(0);
   result(0, 2) = t54;
   result(0, 3) = -t68;
   result(0, 4) = t80;
   result(0, 5) = t93;
-  result(1, 0) = Scalar(0);
-  result(1, 1) = Scalar(0);
-  result(1, 2) = -Scalar(0);
   result(1, 3) = -t48;
   result(1, 4) = -c4 * t50 - s4 * t94;
   result(1, 5) = -c4 * t95 - s4 * t96;
   result(2, 0) = t48 - t54;
-  result(2, 1) = -Scalar(0);
-  result(2, 2) = Scalar(0);
   result(2, 3) = t56;
   result(2, 4) = t77;
   result(2, 5) = -t91;
   result(3, 0) = t67 - (t97 + qd[2] * t55);
-  result(3, 1) = -Scalar(0);
   result(3, 2) = -t56;
   result(3, 3) = -t21;
   result(3, 4) = t98;
   result(3, 5) = -t99;
   result(4, 0) = -t80 - t103;
-  result(4, 1) = -Scalar(0);
   result(4, 2) = -t76;
   result(4, 3) = -t98 - t64;
   result(4, 4) = -t8;
   result(4, 5) = -t90;
   result(5, 0) = t111 - t93;
-  result(5, 1) = -Scalar(0);
   result(5, 2) = -t109;
   result(5, 3) = (s5 * t106 - c5 * t107) + t99;
   result(5, 4) = t90 + t25;
-  result(5, 5) = Scalar(0);
   return result;
 }
 
@@ -951,12 +920,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& torque, const Angles& angles,
     const ForwardDynamicsConstants<Scalar>& k) {
-  const Scalar& s4 = angles.sine[0];
-  const Scalar& c4 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
-  const Scalar& c5 = angles.cosine[1];
-  const Scalar& s6 = angles.sine[2];
-  const Scalar& c6 = angles.cosine[2];
+  const Scalar &s4 = angles.sine[0], &c4 = angles.cosine[0], &s5 = angles.sine[1], &c5 = angles.cosine[1];
+  const Scalar &s6 = angles.sine[2], &c6 = angles.cosine[2];
   const Scalar t0 = k[8] * c6 + k[7] * s6;
   const Scalar t1 = k[3] * c5 + s5 * t0;
   const Scalar t2 = k[7] * c6 - k[8] * s6;
@@ -1231,12 +1196,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const Angles& angles,
     const KineticEnergyConstants<Scalar>& k) {
-  const Scalar& s4 = angles.sine[0];
-  const Scalar& c4 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
-  const Scalar& c5 = angles.cosine[1];
-  const Scalar& s6 = angles.sine[2];
-  const Scalar& c6 = angles.cosine[2];
+  const Scalar &s4 = angles.sine[0], &c4 = angles.cosine[0], &s5 = angles.sine[1], &c5 = angles.cosine[1];
+  const Scalar &s6 = angles.sine[2], &c6 = angles.cosine[2];
   const Scalar t0 = k[6] * s6 - k[5] * c6;
   const Scalar t1 = k[17] * s6 - k[18] * c6;
   const Scalar t2 = k[19] - t1;
@@ -1328,12 +1289,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Scalar potential_energy(const JointVector<Scalar>& q, const Angles& angles,
     const PotentialEnergyConstants<Scalar>& k) {
-  const Scalar& s4 = angles.sine[0];
-  const Scalar& c4 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
-  const Scalar& c5 = angles.cosine[1];
-  const Scalar& s6 = angles.sine[2];
-  const Scalar& c6 = angles.cosine[2];
+  const Scalar &s4 = angles.sine[0], &c4 = angles.cosine[0], &s5 = angles.sine[1], &c5 = angles.cosine[1];
+  const Scalar &s6 = angles.sine[2], &c6 = angles.cosine[2];
   const Scalar t0 = c5 * (k[4] + (k[2] * c6 + k[3] * s6));
   const Scalar t1 = k[7] + (k[6] - (k[2] * s6 - k[3] * c6));
   const Scalar t2 = c4 * (k[5] + (t0 + k[1] * s5)) + s4 * t1;

@@ -26,48 +26,23 @@ using NoAngles = JacobianSelection<Scalar, 0>;
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2];
   const Scalar t0 = s4 * s5;
   Jacobian<Scalar> result;
   result(0, 0) = q[2] * c1 - g.l1 * s1;
-  result(0, 1) = Scalar(0);
-  result(0, 2) = s1;
-  result(0, 3) = -Scalar(0);
-  result(0, 4) = -Scalar(0);
-  result(0, 5) = -Scalar(0);
+  result(0, 1) = result(0, 3) = result(0, 4) = result(0, 5) = result(1, 1) = result(1, 3) = result(1, 4) =
+      result(1, 5) = result(2, 0) = result(2, 2) = result(2, 3) = result(2, 4) = result(2, 5) = result(3, 0) =
+      result(3, 1) = result(3, 2) = result(4, 0) = result(4, 1) = result(4, 2) = result(5, 1) = result(5, 2) =
+      result(5, 3) = Scalar(0);
+  result(0, 2) = result(3, 3) = s1;
   result(1, 0) = g.l1 * c1 + q[2] * s1;
-  result(1, 1) = Scalar(0);
-  result(1, 2) = -c1;
-  result(1, 3) = -Scalar(0);
-  result(1, 4) = -Scalar(0);
-  result(1, 5) = -Scalar(0);
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(1);
-  result(2, 2) = -Scalar(0);
-  result(2, 3) = -Scalar(0);
-  result(2, 4) = -Scalar(0);
-  result(2, 5) = -Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
-  result(3, 2) = -Scalar(0);
-  result(3, 3) = s1;
+  result(1, 2) = result(4, 3) = -c1;
+  result(2, 1) = result(5, 0) = Scalar(1);
   result(3, 4) = c1 * c4;
   result(3, 5) = c1 * t0 + c5 * s1;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(4, 2) = -Scalar(0);
-  result(4, 3) = -c1;
   result(4, 4) = c4 * s1;
   result(4, 5) = s1 * t0 - c1 * c5;
-  result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = -Scalar(0);
-  result(5, 3) = -Scalar(0);
   result(5, 4) = s4;
   result(5, 5) = -c4 * s5;
 
@@ -77,14 +52,8 @@ inline Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = c4 * s5;
   const Scalar t1 = c4 * s1;
   const Scalar t2 = c5 * s1;
@@ -109,43 +78,23 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointV
   result.transform(2, 0) = t11;
   result.transform(2, 1) = t0;
   result.transform(2, 2) = -t7;
-  result.transform(0, 3) = t12;
+  result.transform(0, 3) = result.jacobian(1, 0) = t12;
   result.transform(1, 3) = -t13;
   result.transform(2, 3) = q[1];
   result.jacobian(0, 0) = t13;
-  result.jacobian(0, 1) = Scalar(0);
-  result.jacobian(0, 2) = s1;
-  result.jacobian(0, 3) = -Scalar(0);
-  result.jacobian(0, 4) = -Scalar(0);
-  result.jacobian(0, 5) = -Scalar(0);
-  result.jacobian(1, 0) = t12;
-  result.jacobian(1, 1) = Scalar(0);
-  result.jacobian(1, 2) = -c1;
-  result.jacobian(1, 3) = -Scalar(0);
-  result.jacobian(1, 4) = -Scalar(0);
-  result.jacobian(1, 5) = -Scalar(0);
-  result.jacobian(2, 0) = Scalar(0);
-  result.jacobian(2, 1) = Scalar(1);
-  result.jacobian(2, 2) = -Scalar(0);
-  result.jacobian(2, 3) = -Scalar(0);
-  result.jacobian(2, 4) = -Scalar(0);
-  result.jacobian(2, 5) = -Scalar(0);
-  result.jacobian(3, 0) = Scalar(0);
-  result.jacobian(3, 1) = Scalar(0);
-  result.jacobian(3, 2) = -Scalar(0);
-  result.jacobian(3, 3) = s1;
+  result.jacobian(0, 1) = result.jacobian(0, 3) = result.jacobian(0, 4) = result.jacobian(0, 5) =
+      result.jacobian(1, 1) = result.jacobian(1, 3) = result.jacobian(1, 4) = result.jacobian(1, 5) =
+      result.jacobian(2, 0) = result.jacobian(2, 2) = result.jacobian(2, 3) = result.jacobian(2, 4) =
+      result.jacobian(2, 5) = result.jacobian(3, 0) = result.jacobian(3, 1) = result.jacobian(3, 2) =
+      result.jacobian(4, 0) = result.jacobian(4, 1) = result.jacobian(4, 2) = result.jacobian(5, 1) =
+      result.jacobian(5, 2) = result.jacobian(5, 3) = Scalar(0);
+  result.jacobian(0, 2) = result.jacobian(3, 3) = s1;
+  result.jacobian(1, 2) = result.jacobian(4, 3) = -c1;
+  result.jacobian(2, 1) = result.jacobian(5, 0) = Scalar(1);
   result.jacobian(3, 4) = c1 * c4;
   result.jacobian(3, 5) = t9;
-  result.jacobian(4, 0) = Scalar(0);
-  result.jacobian(4, 1) = Scalar(0);
-  result.jacobian(4, 2) = -Scalar(0);
-  result.jacobian(4, 3) = -c1;
   result.jacobian(4, 4) = t1;
   result.jacobian(4, 5) = t8;
-  result.jacobian(5, 0) = Scalar(1);
-  result.jacobian(5, 1) = Scalar(0);
-  result.jacobian(5, 2) = -Scalar(0);
-  result.jacobian(5, 3) = -Scalar(0);
   result.jacobian(5, 4) = s4;
   result.jacobian(5, 5) = -t0;
   result.transform.makeAffine();
@@ -155,12 +104,8 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointV
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> tool_jacobian(const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s4 = angles.sine[0];
-  const Scalar& c4 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
-  const Scalar& c5 = angles.cosine[1];
-  const Scalar& s6 = angles.sine[2];
-  const Scalar& c6 = angles.cosine[2];
+  const Scalar &s4 = angles.sine[0], &c4 = angles.cosine[0], &s5 = angles.sine[1], &c5 = angles.cosine[1];
+  const Scalar &s6 = angles.sine[2], &c6 = angles.cosine[2];
   const Scalar t0 = q[2] * s4;
   const Scalar t1 = c5 * t0 + g.l1 * s5;
   const Scalar t2 = q[2] * c4;
@@ -172,41 +117,20 @@ inline Jacobian<Scalar> tool_jacobian(const JointVector<Scalar>& q,
   const Scalar t8 = c6 * s5;
   Jacobian<Scalar> result;
   result(0, 0) = c6 * t2 - s6 * t1;
-  result(0, 1) = t4;
-  result(0, 2) = t5;
-  result(0, 3) = -Scalar(0);
-  result(0, 4) = -Scalar(0);
-  result(0, 5) = -Scalar(0);
+  result(0, 1) = result(3, 0) = t4;
+  result(0, 2) = result(3, 3) = t5;
+  result(0, 3) = result(0, 4) = result(0, 5) = result(1, 3) = result(1, 4) = result(1, 5) = result(2, 3) =
+      result(2, 4) = result(2, 5) = result(3, 1) = result(3, 2) = result(3, 5) = result(4, 1) = result(4, 2) =
+      result(4, 4) = result(5, 1) = result(5, 2) = result(5, 5) = Scalar(0);
   result(1, 0) = g.l1 * c5 - s5 * t0;
-  result(1, 1) = t6;
-  result(1, 2) = -c5;
-  result(1, 3) = -Scalar(0);
-  result(1, 4) = -Scalar(0);
-  result(1, 5) = -Scalar(0);
+  result(1, 1) = result(4, 0) = t6;
+  result(1, 2) = result(4, 3) = -c5;
   result(2, 0) = -s6 * t2 - c6 * t1;
-  result(2, 1) = -t7;
-  result(2, 2) = t8;
-  result(2, 3) = -Scalar(0);
-  result(2, 4) = -Scalar(0);
-  result(2, 5) = -Scalar(0);
-  result(3, 0) = t4;
-  result(3, 1) = Scalar(0);
-  result(3, 2) = -Scalar(0);
-  result(3, 3) = t5;
+  result(2, 1) = result(5, 0) = -t7;
+  result(2, 2) = result(5, 3) = t8;
   result(3, 4) = c6;
-  result(3, 5) = -Scalar(0);
-  result(4, 0) = t6;
-  result(4, 1) = Scalar(0);
-  result(4, 2) = -Scalar(0);
-  result(4, 3) = -c5;
-  result(4, 4) = -Scalar(0);
   result(4, 5) = -Scalar(1);
-  result(5, 0) = -t7;
-  result(5, 1) = Scalar(0);
-  result(5, 2) = -Scalar(0);
-  result(5, 3) = t8;
   result(5, 4) = -s6;
-  result(5, 5) = -Scalar(0);
 
   return result;
 }
@@ -215,14 +139,8 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q,
     const Vector3<Scalar>& point,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = point[2] * s6 - point[0] * c6;
   const Scalar t1 = point[2] * c6 + point[0] * s6;
   const Scalar t2 = point[1] * s5 + c5 * t1;
@@ -238,39 +156,25 @@ inline Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q,
   const Scalar t12 = s4 * s5;
   Jacobian<Scalar> result;
   result(0, 0) = c1 * t6 - s1 * t4;
-  result(0, 1) = Scalar(0);
-  result(0, 2) = s1;
+  result(0, 1) = result(1, 1) = result(2, 0) = result(2, 2) = result(3, 0) = result(3, 1) = result(3, 2) =
+      result(4, 0) = result(4, 1) = result(4, 2) = result(5, 1) = result(5, 2) = result(5, 3) = Scalar(0);
+  result(0, 2) = result(3, 3) = s1;
   result(0, 3) = c1 * t7;
   result(0, 4) = s1 * t2 - c1 * t8;
   result(0, 5) = c1 * t11 - s1 * t9;
   result(1, 0) = c1 * t4 + s1 * t6;
-  result(1, 1) = Scalar(0);
-  result(1, 2) = -c1;
+  result(1, 2) = result(4, 3) = -c1;
   result(1, 3) = s1 * t7;
   result(1, 4) = -c1 * t2 - s1 * t8;
   result(1, 5) = c1 * t9 + s1 * t11;
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(1);
-  result(2, 2) = -Scalar(0);
+  result(2, 1) = result(5, 0) = Scalar(1);
   result(2, 3) = -t3;
   result(2, 4) = c4 * t5;
   result(2, 5) = -c4 * t10 - s4 * t1;
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
-  result(3, 2) = -Scalar(0);
-  result(3, 3) = s1;
   result(3, 4) = c1 * c4;
   result(3, 5) = c1 * t12 + c5 * s1;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(4, 2) = -Scalar(0);
-  result(4, 3) = -c1;
   result(4, 4) = c4 * s1;
   result(4, 5) = s1 * t12 - c1 * c5;
-  result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = -Scalar(0);
-  result(5, 3) = -Scalar(0);
   result(5, 4) = s4;
   result(5, 5) = -c4 * s5;
 
@@ -281,12 +185,8 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> velocity(const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2];
   const Scalar t0 = q[2] * qd[0];
   const Scalar t1 = qd[2] - g.l1 * qd[0];
   const Scalar t2 = qd[3] + qd[5] * c5;
@@ -307,12 +207,8 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2];
   const Scalar t0 = qd[2] - g.l1 * qd[0];
   const Scalar t1 = qd[0] * s1;
   const Scalar t2 = qd[0] * c1;
@@ -322,39 +218,17 @@ inline Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q,
   const Scalar t6 = s5 * (qd[4] + qd[0] * s4);
   Jacobian<Scalar> result;
   result(0, 0) = c1 * t0 - q[2] * t1;
-  result(0, 1) = Scalar(0);
-  result(0, 2) = t2;
-  result(0, 3) = -Scalar(0);
-  result(0, 4) = -Scalar(0);
-  result(0, 5) = -Scalar(0);
+  result(0, 1) = result(0, 3) = result(0, 4) = result(0, 5) = result(1, 1) = result(1, 3) = result(1, 4) =
+      result(1, 5) = result(2, 0) = result(2, 1) = result(2, 2) = result(2, 3) = result(2, 4) = result(2, 5) =
+      result(3, 0) = result(3, 1) = result(3, 2) = result(4, 0) = result(4, 1) = result(4, 2) = result(5, 0) =
+      result(5, 1) = result(5, 2) = result(5, 3) = Scalar(0);
+  result(0, 2) = result(3, 3) = t2;
   result(1, 0) = q[2] * t2 + s1 * t0;
-  result(1, 1) = Scalar(0);
-  result(1, 2) = t1;
-  result(1, 3) = -Scalar(0);
-  result(1, 4) = -Scalar(0);
-  result(1, 5) = -Scalar(0);
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(0);
-  result(2, 2) = -Scalar(0);
-  result(2, 3) = -Scalar(0);
-  result(2, 4) = -Scalar(0);
-  result(2, 5) = -Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
-  result(3, 2) = -Scalar(0);
-  result(3, 3) = t2;
+  result(1, 2) = result(4, 3) = t1;
   result(3, 4) = -c1 * t3 - c4 * t1;
   result(3, 5) = c1 * t5 - s1 * t6;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(4, 2) = -Scalar(0);
-  result(4, 3) = t1;
   result(4, 4) = c4 * t2 - s1 * t3;
   result(4, 5) = s1 * t5 + c1 * t6;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = -Scalar(0);
-  result(5, 3) = -Scalar(0);
   result(5, 4) = t4;
   result(5, 5) = s5 * t3 - qd[4] * c4 * c5;
 
@@ -365,12 +239,8 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> jacobian_dot_times_qd(const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2];
   const Scalar t0 = qd[2] * qd[0];
   const Scalar t1 = qd[0] * qd[0];
   const Scalar t2 = t0 + (t0 - g.l1 * t1);
@@ -396,7 +266,7 @@ inline Twist<Scalar> jacobian_dot_times_qd(const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline SingularityMeasures<Scalar> singularity_measures(const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s5 = angles.sine[0];
+  const Scalar &s5 = angles.sine[0];
 
   SingularityMeasures<Scalar> result;
   result(0, 0) = q[2];

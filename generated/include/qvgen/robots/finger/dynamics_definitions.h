@@ -90,10 +90,11 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> inverse_dynamics([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const Angles& angles,
     const InverseDynamicsConstants<Scalar>& k) {
-  const Scalar& s_0 = angles.sine[0];  // of 2*bend/3
-  const Scalar& c_0 = angles.cosine[0];  // of 2*bend/3
-  const Scalar& s_1 = angles.sine[1];  // of bend + turn(1/18)
-  const Scalar& c_1 = angles.cosine[1];  // of bend + turn(1/18)
+  const Scalar &s_0 = angles.sine[0], &c_0 = angles.cosine[0], &s_1 = angles.sine[1], &c_1 = angles.cosine[1];
+  // s_0: of 2*bend/3
+  // c_0: of 2*bend/3
+  // s_1: of bend + turn(1/18)
+  // c_1: of bend + turn(1/18)
   const Scalar t0 = qd[1] * qd[1];
   const Scalar t1 = qd[0] * qd[0];
   const Scalar t2 = c_1 * t1;
@@ -196,10 +197,11 @@ namespace detail {
 template <class Scalar, class Angles>
 inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     const GravityTorqueConstants<Scalar>& k) {
-  const Scalar& s_0 = angles.sine[0];  // of 2*bend/3
-  const Scalar& c_0 = angles.cosine[0];  // of 2*bend/3
-  const Scalar& s_1 = angles.sine[1];  // of bend + turn(1/18)
-  const Scalar& c_1 = angles.cosine[1];  // of bend + turn(1/18)
+  const Scalar &s_0 = angles.sine[0], &c_0 = angles.cosine[0], &s_1 = angles.sine[1], &c_1 = angles.cosine[1];
+  // s_0: of 2*bend/3
+  // c_0: of 2*bend/3
+  // s_1: of bend + turn(1/18)
+  // c_1: of bend + turn(1/18)
   const Scalar t0 = k[2] * (c_1 * s_0 + c_0 * s_1) + k[3] * (c_0 * c_1 - s_0 * s_1);
   const Scalar t1 = (t0 + (k[0] * s_1 - k[1] * c_1)) + Scalar(0.6666666666666666) * t0;
   JointVector<Scalar> result;
@@ -290,10 +292,11 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> coriolis_torque([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const Angles& angles,
     const CoriolisTorqueConstants<Scalar>& k) {
-  const Scalar& s_0 = angles.sine[0];  // of 2*bend/3
-  const Scalar& c_0 = angles.cosine[0];  // of 2*bend/3
-  const Scalar& s_1 = angles.sine[1];  // of bend + turn(1/18)
-  const Scalar& c_1 = angles.cosine[1];  // of bend + turn(1/18)
+  const Scalar &s_0 = angles.sine[0], &c_0 = angles.cosine[0], &s_1 = angles.sine[1], &c_1 = angles.cosine[1];
+  // s_0: of 2*bend/3
+  // c_0: of 2*bend/3
+  // s_1: of bend + turn(1/18)
+  // c_1: of bend + turn(1/18)
   const Scalar t0 = k[12] * s_0 - k[11] * c_0;
   const Scalar t1 = qd[0] * qd[0];
   const Scalar t2 = c_1 * t1;
@@ -428,10 +431,11 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     const MassMatrixConstants<Scalar>& k) {
-  const Scalar& s_0 = angles.sine[0];  // of 2*bend/3
-  const Scalar& c_0 = angles.cosine[0];  // of 2*bend/3
-  const Scalar& s_1 = angles.sine[1];  // of bend + turn(1/18)
-  const Scalar& c_1 = angles.cosine[1];  // of bend + turn(1/18)
+  const Scalar &s_0 = angles.sine[0], &c_0 = angles.cosine[0], &s_1 = angles.sine[1], &c_1 = angles.cosine[1];
+  // s_0: of 2*bend/3
+  // c_0: of 2*bend/3
+  // s_1: of bend + turn(1/18)
+  // c_1: of bend + turn(1/18)
   const Scalar t0 = k[0] * c_0 - k[1] * s_0;
   const Scalar t1 = s_0 * t0;
   const Scalar t2 = k[4] * c_0 + k[3] * s_0;
@@ -540,10 +544,11 @@ template <class Scalar, class Angles>
 inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const Angles& angles,
     const CoriolisMatrixConstants<Scalar>& k) {
-  const Scalar& s_0 = angles.sine[0];  // of 2*bend/3
-  const Scalar& c_0 = angles.cosine[0];  // of 2*bend/3
-  const Scalar& s_1 = angles.sine[1];  // of bend + turn(1/18)
-  const Scalar& c_1 = angles.cosine[1];  // of bend + turn(1/18)
+  const Scalar &s_0 = angles.sine[0], &c_0 = angles.cosine[0], &s_1 = angles.sine[1], &c_1 = angles.cosine[1];
+  // s_0: of 2*bend/3
+  // c_0: of 2*bend/3
+  // s_1: of bend + turn(1/18)
+  // c_1: of bend + turn(1/18)
   const Scalar t0 = k[1] * c_0 - k[0] * s_0;
   const Scalar t1 = qd[1] * t0;
   const Scalar t2 = qd[1] * s_0;
@@ -704,10 +709,11 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> forward_dynamics([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const Angles& angles,
     const ForwardDynamicsConstants<Scalar>& k) {
-  const Scalar& s_0 = angles.sine[0];  // of 2*bend/3
-  const Scalar& c_0 = angles.cosine[0];  // of 2*bend/3
-  const Scalar& s_1 = angles.sine[1];  // of bend + turn(1/18)
-  const Scalar& c_1 = angles.cosine[1];  // of bend + turn(1/18)
+  const Scalar &s_0 = angles.sine[0], &c_0 = angles.cosine[0], &s_1 = angles.sine[1], &c_1 = angles.cosine[1];
+  // s_0: of 2*bend/3
+  // c_0: of 2*bend/3
+  // s_1: of bend + turn(1/18)
+  // c_1: of bend + turn(1/18)
   const Scalar t0 = k[0] * c_0 - k[1] * s_0;
   const Scalar t1 = k[1] * c_0 + k[0] * s_0;
   const Scalar t2 = s_1 * (k[3] + t0) - c_1 * (k[2] - t1);
@@ -860,10 +866,11 @@ template <class Scalar, class Angles>
 inline Scalar kinetic_energy([[maybe_unused]] const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const Angles& angles,
     const KineticEnergyConstants<Scalar>& k) {
-  const Scalar& s_0 = angles.sine[0];  // of 2*bend/3
-  const Scalar& c_0 = angles.cosine[0];  // of 2*bend/3
-  const Scalar& s_1 = angles.sine[1];  // of bend + turn(1/18)
-  const Scalar& c_1 = angles.cosine[1];  // of bend + turn(1/18)
+  const Scalar &s_0 = angles.sine[0], &c_0 = angles.cosine[0], &s_1 = angles.sine[1], &c_1 = angles.cosine[1];
+  // s_0: of 2*bend/3
+  // c_0: of 2*bend/3
+  // s_1: of bend + turn(1/18)
+  // c_1: of bend + turn(1/18)
   const Scalar t0 = k[0] * c_0 - k[1] * s_0;
   const Scalar t1 = k[2] * t0;
   const Scalar t2 = k[1] * c_0 + k[0] * s_0;
@@ -928,10 +935,11 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Scalar potential_energy([[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     const PotentialEnergyConstants<Scalar>& k) {
-  const Scalar& s_0 = angles.sine[0];  // of 2*bend/3
-  const Scalar& c_0 = angles.cosine[0];  // of 2*bend/3
-  const Scalar& s_1 = angles.sine[1];  // of bend + turn(1/18)
-  const Scalar& c_1 = angles.cosine[1];  // of bend + turn(1/18)
+  const Scalar &s_0 = angles.sine[0], &c_0 = angles.cosine[0], &s_1 = angles.sine[1], &c_1 = angles.cosine[1];
+  // s_0: of 2*bend/3
+  // c_0: of 2*bend/3
+  // s_1: of bend + turn(1/18)
+  // c_1: of bend + turn(1/18)
   const Scalar t0 = k[3] - (k[2] + (k[1] * c_0 + k[0] * s_0));
   const Scalar t1 = k[5] + (k[4] + (k[0] * c_0 - k[1] * s_0));
   const Scalar t2 = k[7] - (k[6] - (s_1 * t0 + c_1 * t1));

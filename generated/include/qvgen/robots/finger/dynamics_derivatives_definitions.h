@@ -82,10 +82,11 @@ template <class Scalar, class Angles>
 inline InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const Angles& angles,
     const InverseDynamicsDerivativesConstants<Scalar>& k) {
-  const Scalar& s_0 = angles.sine[0];  // of 2*bend/3
-  const Scalar& c_0 = angles.cosine[0];  // of 2*bend/3
-  const Scalar& s_1 = angles.sine[1];  // of bend + turn(1/18)
-  const Scalar& c_1 = angles.cosine[1];  // of bend + turn(1/18)
+  const Scalar &s_0 = angles.sine[0], &c_0 = angles.cosine[0], &s_1 = angles.sine[1], &c_1 = angles.cosine[1];
+  // s_0: of 2*bend/3
+  // c_0: of 2*bend/3
+  // s_1: of bend + turn(1/18)
+  // c_1: of bend + turn(1/18)
   const Scalar t0 = Scalar(1.6666666666666667) * qdd[1];
   const Scalar t1 = qd[0] * s_1;
   const Scalar t2 = qd[0] * t1;
@@ -230,8 +231,7 @@ inline InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives([[maybe_u
   InverseDynamicsDerivatives<Scalar> result;
   result.torque[0] = k[18] * qdd[0] + t49;
   result.torque[1] = -Scalar(0.6666666666666666) * t57 - (t64 - t66);
-  result.by_position(0, 0) = Scalar(0);
-  result.by_position(1, 0) = Scalar(0);
+  result.by_position(0, 0) = result.by_position(1, 0) = Scalar(0);
   result.by_rate(0, 0) = t87 + (t88 + t79);
   result.by_rate(1, 0) = -t99 - Scalar(0.6666666666666666) * t94;
   result.by_position(0, 1) = t113 - Scalar(0.6666666666666666) * (t100 + t106);

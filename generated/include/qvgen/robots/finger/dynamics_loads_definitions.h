@@ -102,12 +102,12 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> inverse_dynamics_with_gravity_vector([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const Angles& angles,
     const InverseDynamicsWithGravityVectorConstants<Scalar>& k) {
-  const Scalar& s_0 = angles.sine[0];  // of 2*bend/3
-  const Scalar& c_0 = angles.cosine[0];  // of 2*bend/3
-  const Scalar& s1 = angles.sine[1];
-  const Scalar& c1 = angles.cosine[1];
-  const Scalar& s_2 = angles.sine[2];  // of bend + turn(1/18)
-  const Scalar& c_2 = angles.cosine[2];  // of bend + turn(1/18)
+  const Scalar &s_0 = angles.sine[0], &c_0 = angles.cosine[0], &s1 = angles.sine[1], &c1 = angles.cosine[1];
+  const Scalar &s_2 = angles.sine[2], &c_2 = angles.cosine[2];
+  // s_0: of 2*bend/3
+  // c_0: of 2*bend/3
+  // s_2: of bend + turn(1/18)
+  // c_2: of bend + turn(1/18)
   const Scalar t0 = qd[1] * qd[0];
   const Scalar t1 = c_2 * t0;
   const Scalar t2 = qdd[0] * s_2;
@@ -273,12 +273,12 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> inverse_dynamics_with_wrench([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const Wrench<Scalar>& wrench, const Angles& angles,
     const InverseDynamicsWithWrenchConstants<Scalar>& k) {
-  const Scalar& s_0 = angles.sine[0];  // of 2*bend/3
-  const Scalar& c_0 = angles.cosine[0];  // of 2*bend/3
-  const Scalar& s1 = angles.sine[1];
-  const Scalar& c1 = angles.cosine[1];
-  const Scalar& s_2 = angles.sine[2];  // of bend + turn(1/18)
-  const Scalar& c_2 = angles.cosine[2];  // of bend + turn(1/18)
+  const Scalar &s_0 = angles.sine[0], &c_0 = angles.cosine[0], &s1 = angles.sine[1], &c1 = angles.cosine[1];
+  const Scalar &s_2 = angles.sine[2], &c_2 = angles.cosine[2];
+  // s_0: of 2*bend/3
+  // c_0: of 2*bend/3
+  // s_2: of bend + turn(1/18)
+  // c_2: of bend + turn(1/18)
   const Scalar t0 = Scalar(0.6666666666666666) * qdd[1];
   const Scalar t1 = qd[0] * s_2;
   const Scalar t2 = t1 * qd[0] * c_2;
@@ -411,12 +411,12 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> gravity_torque_with_gravity_vector([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles,
     const GravityTorqueWithGravityVectorConstants<Scalar>& k) {
-  const Scalar& s_0 = angles.sine[0];  // of 2*bend/3
-  const Scalar& c_0 = angles.cosine[0];  // of 2*bend/3
-  const Scalar& s1 = angles.sine[1];
-  const Scalar& c1 = angles.cosine[1];
-  const Scalar& s_2 = angles.sine[2];  // of bend + turn(1/18)
-  const Scalar& c_2 = angles.cosine[2];  // of bend + turn(1/18)
+  const Scalar &s_0 = angles.sine[0], &c_0 = angles.cosine[0], &s1 = angles.sine[1], &c1 = angles.cosine[1];
+  const Scalar &s_2 = angles.sine[2], &c_2 = angles.cosine[2];
+  // s_0: of 2*bend/3
+  // c_0: of 2*bend/3
+  // s_2: of bend + turn(1/18)
+  // c_2: of bend + turn(1/18)
   const Scalar t0 = k[1] * s1 - k[0] * c1;
   const Scalar t1 = k[3] * t0;
   const Scalar t2 = k[2] * t0;
@@ -540,12 +540,12 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> forward_dynamics_with_gravity_vector([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const Angles& angles,
     const ForwardDynamicsWithGravityVectorConstants<Scalar>& k) {
-  const Scalar& s_0 = angles.sine[0];  // of 2*bend/3
-  const Scalar& c_0 = angles.cosine[0];  // of 2*bend/3
-  const Scalar& s1 = angles.sine[1];
-  const Scalar& c1 = angles.cosine[1];
-  const Scalar& s_2 = angles.sine[2];  // of bend + turn(1/18)
-  const Scalar& c_2 = angles.cosine[2];  // of bend + turn(1/18)
+  const Scalar &s_0 = angles.sine[0], &c_0 = angles.cosine[0], &s1 = angles.sine[1], &c1 = angles.cosine[1];
+  const Scalar &s_2 = angles.sine[2], &c_2 = angles.cosine[2];
+  // s_0: of 2*bend/3
+  // c_0: of 2*bend/3
+  // s_2: of bend + turn(1/18)
+  // c_2: of bend + turn(1/18)
   const Scalar t0 = k[3] * c_0 + k[2] * s_0;
   const Scalar t1 = k[2] * c_0 - k[3] * s_0;
   const Scalar t2 = c_2 * t0 + s_2 * t1;
@@ -722,12 +722,12 @@ inline JointVector<Scalar> forward_dynamics_with_wrench([[maybe_unused]] const J
     const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const Wrench<Scalar>& wrench,
     const Angles& angles,
     const ForwardDynamicsWithWrenchConstants<Scalar>& k) {
-  const Scalar& s_0 = angles.sine[0];  // of 2*bend/3
-  const Scalar& c_0 = angles.cosine[0];  // of 2*bend/3
-  const Scalar& s1 = angles.sine[1];
-  const Scalar& c1 = angles.cosine[1];
-  const Scalar& s_2 = angles.sine[2];  // of bend + turn(1/18)
-  const Scalar& c_2 = angles.cosine[2];  // of bend + turn(1/18)
+  const Scalar &s_0 = angles.sine[0], &c_0 = angles.cosine[0], &s1 = angles.sine[1], &c1 = angles.cosine[1];
+  const Scalar &s_2 = angles.sine[2], &c_2 = angles.cosine[2];
+  // s_0: of 2*bend/3
+  // c_0: of 2*bend/3
+  // s_2: of bend + turn(1/18)
+  // c_2: of bend + turn(1/18)
   const Scalar t0 = k[4] * c_0 - k[5] * s_0;
   const Scalar t1 = k[4] * s_0 + k[5] * c_0;
   const Scalar t2 = s_2 * (k[16] + t0) - c_2 * (k[17] - t1);
@@ -858,12 +858,12 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Scalar potential_energy_with_gravity_vector([[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     const PotentialEnergyWithGravityVectorConstants<Scalar>& k) {
-  const Scalar& s_0 = angles.sine[0];  // of 2*bend/3
-  const Scalar& c_0 = angles.cosine[0];  // of 2*bend/3
-  const Scalar& s1 = angles.sine[1];
-  const Scalar& c1 = angles.cosine[1];
-  const Scalar& s_2 = angles.sine[2];  // of bend + turn(1/18)
-  const Scalar& c_2 = angles.cosine[2];  // of bend + turn(1/18)
+  const Scalar &s_0 = angles.sine[0], &c_0 = angles.cosine[0], &s1 = angles.sine[1], &c1 = angles.cosine[1];
+  const Scalar &s_2 = angles.sine[2], &c_2 = angles.cosine[2];
+  // s_0: of 2*bend/3
+  // c_0: of 2*bend/3
+  // s_2: of bend + turn(1/18)
+  // c_2: of bend + turn(1/18)
   const Scalar t0 = k[3] + (k[2] + (k[0] * c_0 - k[1] * s_0));
   const Scalar t1 = k[5] - (k[4] + (k[1] * c_0 + k[0] * s_0));
   const Scalar t2 = k[12] - (k[11] - (c_2 * t0 + s_2 * t1));

@@ -26,12 +26,10 @@ using NoAngles = JacobianSelection<Scalar, 0>;
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s_0 = angles.sine[0];  // of (30*bend + pi)/18
-  const Scalar& c_0 = angles.cosine[0];  // of (30*bend + pi)/18
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s1 = angles.sine[2];
-  const Scalar& c1 = angles.cosine[2];
+  const Scalar &s_0 = angles.sine[0], &c_0 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[2], &c1 = angles.cosine[2];
+  // s_0: of (30*bend + pi)/18
+  // c_0: of (30*bend + pi)/18
   const Scalar t0 = Scalar(0.02) + g.l2;
   const Scalar t1 = c_0 * t0;
   const Scalar t2 = t1 + g.l1 * c2;
@@ -43,14 +41,11 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
   result(0, 1) = -Scalar(0.6666666666666666) * c1 * t4 - c1 * t5;
   result(1, 0) = c1 * t3;
   result(1, 1) = -Scalar(0.6666666666666666) * s1 * t4 - s1 * t5;
-  result(2, 0) = Scalar(0);
+  result(2, 0) = result(3, 0) = result(4, 0) = result(5, 1) = Scalar(0);
   result(2, 1) = -Scalar(0.6666666666666666) * t1 - t2;
-  result(3, 0) = Scalar(0);
   result(3, 1) = -Scalar(1.6666666666666667) * s1;
-  result(4, 0) = Scalar(0);
   result(4, 1) = Scalar(1.6666666666666667) * c1;
   result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(0);
 
   return result;
 }
@@ -58,12 +53,10 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s_0 = angles.sine[0];  // of (30*bend + pi)/18
-  const Scalar& c_0 = angles.cosine[0];  // of (30*bend + pi)/18
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s1 = angles.sine[2];
-  const Scalar& c1 = angles.cosine[2];
+  const Scalar &s_0 = angles.sine[0], &c_0 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[2], &c1 = angles.cosine[2];
+  // s_0: of (30*bend + pi)/18
+  // c_0: of (30*bend + pi)/18
   const Scalar t0 = Scalar(0.02) + g.l2;
   const Scalar t1 = c_0 * t0;
   const Scalar t2 = t1 + g.l1 * c2;
@@ -80,23 +73,19 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
   result.transform(1, 1) = c1;
   result.transform(1, 2) = s_0 * s1;
   result.transform(2, 0) = -s_0;
-  result.transform(2, 1) = Scalar(0);
+  result.transform(2, 1) = result.jacobian(2, 0) = result.jacobian(3, 0) = result.jacobian(4, 0) =
+      result.jacobian(5, 1) = Scalar(0);
   result.transform(2, 2) = c_0;
-  result.transform(0, 3) = t4;
+  result.transform(0, 3) = result.jacobian(1, 0) = t4;
   result.transform(1, 3) = t5;
   result.transform(2, 3) = Scalar(0.02) - t7;
   result.jacobian(0, 0) = -t5;
   result.jacobian(0, 1) = -Scalar(0.6666666666666666) * c1 * t6 - c1 * t7;
-  result.jacobian(1, 0) = t4;
   result.jacobian(1, 1) = -Scalar(0.6666666666666666) * s1 * t6 - s1 * t7;
-  result.jacobian(2, 0) = Scalar(0);
   result.jacobian(2, 1) = -Scalar(0.6666666666666666) * t1 - t2;
-  result.jacobian(3, 0) = Scalar(0);
   result.jacobian(3, 1) = -Scalar(1.6666666666666667) * s1;
-  result.jacobian(4, 0) = Scalar(0);
   result.jacobian(4, 1) = Scalar(1.6666666666666667) * c1;
   result.jacobian(5, 0) = Scalar(1);
-  result.jacobian(5, 1) = Scalar(0);
   result.transform.makeAffine();
   return result;
 }
@@ -104,26 +93,22 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s_0 = angles.sine[0];  // of (12*bend + pi)/18
-  const Scalar& c_0 = angles.cosine[0];  // of (12*bend + pi)/18
-  const Scalar& s_1 = angles.sine[1];  // of (30*bend + pi)/18
-  const Scalar& c_1 = angles.cosine[1];  // of (30*bend + pi)/18
+  const Scalar &s_0 = angles.sine[0], &c_0 = angles.cosine[0], &s_1 = angles.sine[1], &c_1 = angles.cosine[1];
+  // s_0: of (12*bend + pi)/18
+  // c_0: of (12*bend + pi)/18
+  // s_1: of (30*bend + pi)/18
+  // c_1: of (30*bend + pi)/18
   const Scalar t0 = g.l1 * s_0;
   const Scalar t1 = Scalar(0.02) + g.l2;
   const Scalar t2 = t1 + g.l1 * c_0;
   Jacobian<Scalar> result;
-  result(0, 0) = Scalar(0);
+  result(0, 0) = result(1, 1) = result(2, 0) = result(3, 1) = result(4, 0) = result(5, 1) = Scalar(0);
   result(0, 1) = t0;
   result(1, 0) = Scalar(0.01) + (s_1 * t0 + c_1 * t2);
-  result(1, 1) = Scalar(0);
-  result(2, 0) = Scalar(0);
   result(2, 1) = -Scalar(0.6666666666666666) * t1 - t2;
   result(3, 0) = -s_1;
-  result(3, 1) = Scalar(0);
-  result(4, 0) = Scalar(0);
   result(4, 1) = Scalar(1.6666666666666667);
   result(5, 0) = c_1;
-  result(5, 1) = Scalar(0);
 
   return result;
 }
@@ -132,12 +117,10 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& q,
     const Vector3<Scalar>& point,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s_0 = angles.sine[0];  // of (30*bend + pi)/18
-  const Scalar& c_0 = angles.cosine[0];  // of (30*bend + pi)/18
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s1 = angles.sine[2];
-  const Scalar& c1 = angles.cosine[2];
+  const Scalar &s_0 = angles.sine[0], &c_0 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[2], &c1 = angles.cosine[2];
+  // s_0: of (30*bend + pi)/18
+  // c_0: of (30*bend + pi)/18
   const Scalar t0 = Scalar(0.02) + (g.l2 + point[0]);
   const Scalar t1 = point[2] * s_0 + c_0 * t0;
   const Scalar t2 = g.l1 * c2 + t1;
@@ -149,14 +132,11 @@ inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& 
   result(0, 1) = -c1 * t5 - Scalar(0.6666666666666666) * c1 * t4;
   result(1, 0) = c1 * t3 - point[1] * s1;
   result(1, 1) = -s1 * t5 - Scalar(0.6666666666666666) * s1 * t4;
-  result(2, 0) = Scalar(0);
+  result(2, 0) = result(3, 0) = result(4, 0) = result(5, 1) = Scalar(0);
   result(2, 1) = -Scalar(0.6666666666666666) * t1 - t2;
-  result(3, 0) = Scalar(0);
   result(3, 1) = -Scalar(1.6666666666666667) * s1;
-  result(4, 0) = Scalar(0);
   result(4, 1) = Scalar(1.6666666666666667) * c1;
   result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(0);
 
   return result;
 }
@@ -165,12 +145,10 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> velocity([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s_0 = angles.sine[0];  // of (30*bend + pi)/18
-  const Scalar& c_0 = angles.cosine[0];  // of (30*bend + pi)/18
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s1 = angles.sine[2];
-  const Scalar& c1 = angles.cosine[2];
+  const Scalar &s_0 = angles.sine[0], &c_0 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[2], &c1 = angles.cosine[2];
+  // s_0: of (30*bend + pi)/18
+  // c_0: of (30*bend + pi)/18
   const Scalar t0 = Scalar(1) + Scalar(50) * g.l2;
   const Scalar t1 = c_0 * t0;
   const Scalar t2 = Scalar(0.02) * t1 + g.l1 * c2;
@@ -191,12 +169,10 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s_0 = angles.sine[0];  // of (30*bend + pi)/18
-  const Scalar& c_0 = angles.cosine[0];  // of (30*bend + pi)/18
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s1 = angles.sine[2];
-  const Scalar& c1 = angles.cosine[2];
+  const Scalar &s_0 = angles.sine[0], &c_0 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[2], &c1 = angles.cosine[2];
+  // s_0: of (30*bend + pi)/18
+  // c_0: of (30*bend + pi)/18
   const Scalar t0 = Scalar(0.02) + g.l2;
   const Scalar t1 = c_0 * t0;
   const Scalar t2 = g.l1 * c2;
@@ -216,14 +192,10 @@ inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>&
   result(0, 1) = (t9 * t11 - c1 * t12) - t10;
   result(1, 0) = -c1 * t8 - t3 * t9;
   result(1, 1) = -t13 - (t4 * t11 + s1 * t12);
-  result(2, 0) = Scalar(0);
+  result(2, 0) = result(3, 0) = result(4, 0) = result(5, 0) = result(5, 1) = Scalar(0);
   result(2, 1) = Scalar(1.1111111111111112) * t6 + t8;
-  result(3, 0) = Scalar(0);
   result(3, 1) = -Scalar(1.6666666666666667) * t4;
-  result(4, 0) = Scalar(0);
   result(4, 1) = -Scalar(1.6666666666666667) * t9;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
 
   return result;
 }
@@ -232,12 +204,10 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s_0 = angles.sine[0];  // of (30*bend + pi)/18
-  const Scalar& c_0 = angles.cosine[0];  // of (30*bend + pi)/18
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s1 = angles.sine[2];
-  const Scalar& c1 = angles.cosine[2];
+  const Scalar &s_0 = angles.sine[0], &c_0 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[2], &c1 = angles.cosine[2];
+  // s_0: of (30*bend + pi)/18
+  // c_0: of (30*bend + pi)/18
   const Scalar t0 = g.l1 * c2;
   const Scalar t1 = Scalar(1) + Scalar(50) * g.l2;
   const Scalar t2 = c_0 * t1;

@@ -44,12 +44,10 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        const BasicGeometry<Scalar>& g) {
-  const Scalar& s_0 = angles.sine[0];  // of (30*bend + pi)/36
-  const Scalar& c_0 = angles.cosine[0];  // of (30*bend + pi)/36
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& sh1 = angles.sine[2];
-  const Scalar& ch1 = angles.cosine[2];
+  const Scalar &s_0 = angles.sine[0], &c_0 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &sh1 = angles.sine[2], &ch1 = angles.cosine[2];
+  // s_0: of (30*bend + pi)/36
+  // c_0: of (30*bend + pi)/36
   const Scalar t0 = Scalar(0.02) + g.l2;
   const Scalar t1 = (Scalar(0.01) + g.l1 * c2) + t0 * (Scalar(1) - Scalar(2) * s_0 * s_0);
   const Scalar t2 = Scalar(2) * s_0 * c_0 * t0 + g.l1 * s2;
@@ -66,12 +64,10 @@ template <class Scalar, class Angles>
 inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
     [[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     const BasicGeometry<Scalar>& g) {
-  const Scalar& s_0 = angles.sine[0];  // of (30*bend + pi)/18
-  const Scalar& c_0 = angles.cosine[0];  // of (30*bend + pi)/18
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s1 = angles.sine[2];
-  const Scalar& c1 = angles.cosine[2];
+  const Scalar &s_0 = angles.sine[0], &c_0 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[2], &c1 = angles.cosine[2];
+  // s_0: of (30*bend + pi)/18
+  // c_0: of (30*bend + pi)/18
   const Scalar t0 = Scalar(0.02) + g.l2;
   const Scalar t1 = Scalar(0.01) + (c_0 * t0 + g.l1 * c2);
   Eigen::Transform<Scalar, 3, Eigen::Isometry> tool;

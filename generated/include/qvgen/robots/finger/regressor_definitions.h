@@ -85,10 +85,11 @@ template <class Scalar, class Angles>
 inline Eigen::Matrix<Scalar, dof, base_parameter_count> regressor([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const Angles& angles,
     const RegressorConstants<Scalar>& k) {
-  const Scalar& s_0 = angles.sine[0];  // of 2*bend/3
-  const Scalar& c_0 = angles.cosine[0];  // of 2*bend/3
-  const Scalar& s_1 = angles.sine[1];  // of bend + turn(1/18)
-  const Scalar& c_1 = angles.cosine[1];  // of bend + turn(1/18)
+  const Scalar &s_0 = angles.sine[0], &c_0 = angles.cosine[0], &s_1 = angles.sine[1], &c_1 = angles.cosine[1];
+  // s_0: of 2*bend/3
+  // c_0: of 2*bend/3
+  // s_1: of bend + turn(1/18)
+  // c_1: of bend + turn(1/18)
   const Scalar t0 = qd[0] * c_1;
   const Scalar t1 = qd[1] * t0;
   const Scalar t2 = qdd[0] * s_1;

@@ -26,26 +26,23 @@ using NoAngles = JacobianSelection<Scalar, 0>;
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s_alpha2 = angles.sine[0];  // of alpha2
-  const Scalar& c_alpha2 = angles.cosine[0];  // of alpha2
-  const Scalar& s_alpha3 = angles.sine[1];  // of alpha3
-  const Scalar& c_alpha3 = angles.cosine[1];  // of alpha3
-  const Scalar& s_alpha4 = angles.sine[2];  // of alpha4
-  const Scalar& c_alpha4 = angles.cosine[2];  // of alpha4
-  const Scalar& s_alpha5 = angles.sine[3];  // of alpha5
-  const Scalar& c_alpha5 = angles.cosine[3];  // of alpha5
-  const Scalar& s_alpha6 = angles.sine[4];  // of alpha6
-  const Scalar& c_alpha6 = angles.cosine[4];  // of alpha6
-  const Scalar& s1 = angles.sine[5];
-  const Scalar& c1 = angles.cosine[5];
-  const Scalar& s2 = angles.sine[6];
-  const Scalar& c2 = angles.cosine[6];
-  const Scalar& s3 = angles.sine[7];
-  const Scalar& c3 = angles.cosine[7];
-  const Scalar& s4 = angles.sine[8];
-  const Scalar& c4 = angles.cosine[8];
-  const Scalar& s5 = angles.sine[9];
-  const Scalar& c5 = angles.cosine[9];
+  const Scalar &s_alpha2 = angles.sine[0], &c_alpha2 = angles.cosine[0], &s_alpha3 = angles.sine[1], &c_alpha3 =
+      angles.cosine[1];
+  const Scalar &s_alpha4 = angles.sine[2], &c_alpha4 = angles.cosine[2], &s_alpha5 = angles.sine[3], &c_alpha5 =
+      angles.cosine[3];
+  const Scalar &s_alpha6 = angles.sine[4], &c_alpha6 = angles.cosine[4], &s1 = angles.sine[5], &c1 = angles.cosine[5];
+  const Scalar &s2 = angles.sine[6], &c2 = angles.cosine[6], &s3 = angles.sine[7], &c3 = angles.cosine[7];
+  const Scalar &s4 = angles.sine[8], &c4 = angles.cosine[8], &s5 = angles.sine[9], &c5 = angles.cosine[9];
+  // s_alpha2: of alpha2
+  // c_alpha2: of alpha2
+  // s_alpha3: of alpha3
+  // c_alpha3: of alpha3
+  // s_alpha4: of alpha4
+  // c_alpha4: of alpha4
+  // s_alpha5: of alpha5
+  // c_alpha5: of alpha5
+  // s_alpha6: of alpha6
+  // c_alpha6: of alpha6
   const Scalar t0 = s_alpha6 * s5;
   const Scalar t1 = g.d6 * t0 + g.a6 * c5;
   const Scalar t2 = g.a5 + t1;
@@ -136,26 +133,21 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
   result(0, 2) = -s1 * t26 - c1 * t27;
   result(0, 3) = s1 * t35 - c1 * t36;
   result(0, 4) = -c1 * t46 - s1 * t49;
-  result(0, 5) = Scalar(0);
+  result(0, 5) = result(1, 5) = result(2, 0) = result(2, 5) = result(3, 0) = result(4, 0) = Scalar(0);
   result(1, 0) = c1 * t21 - s1 * t19;
   result(1, 1) = c1 * t22 - s1 * t17;
   result(1, 2) = c1 * t26 - s1 * t27;
   result(1, 3) = -s1 * t36 - c1 * t35;
   result(1, 4) = c1 * t49 - s1 * t46;
-  result(1, 5) = Scalar(0);
-  result(2, 0) = Scalar(0);
   result(2, 1) = s_alpha2 * t20;
   result(2, 2) = s_alpha2 * t24 + c_alpha2 * t25;
   result(2, 3) = c_alpha2 * t31 + s_alpha2 * t34;
   result(2, 4) = c_alpha2 * t48 + s_alpha2 * t47;
-  result(2, 5) = Scalar(0);
-  result(3, 0) = Scalar(0);
   result(3, 1) = s_alpha2 * s1;
   result(3, 2) = s1 * t51 + c1 * t52;
   result(3, 3) = c1 * t56 - s1 * t59;
   result(3, 4) = c1 * t67 + s1 * t70;
   result(3, 5) = c1 * t80 + s1 * t83;
-  result(4, 0) = Scalar(0);
   result(4, 1) = -c1 * s_alpha2;
   result(4, 2) = s1 * t52 - c1 * t51;
   result(4, 3) = c1 * t59 + s1 * t56;
@@ -174,28 +166,24 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s_alpha2 = angles.sine[0];  // of alpha2
-  const Scalar& c_alpha2 = angles.cosine[0];  // of alpha2
-  const Scalar& s_alpha3 = angles.sine[1];  // of alpha3
-  const Scalar& c_alpha3 = angles.cosine[1];  // of alpha3
-  const Scalar& s_alpha4 = angles.sine[2];  // of alpha4
-  const Scalar& c_alpha4 = angles.cosine[2];  // of alpha4
-  const Scalar& s_alpha5 = angles.sine[3];  // of alpha5
-  const Scalar& c_alpha5 = angles.cosine[3];  // of alpha5
-  const Scalar& s_alpha6 = angles.sine[4];  // of alpha6
-  const Scalar& c_alpha6 = angles.cosine[4];  // of alpha6
-  const Scalar& s1 = angles.sine[5];
-  const Scalar& c1 = angles.cosine[5];
-  const Scalar& s2 = angles.sine[6];
-  const Scalar& c2 = angles.cosine[6];
-  const Scalar& s3 = angles.sine[7];
-  const Scalar& c3 = angles.cosine[7];
-  const Scalar& s4 = angles.sine[8];
-  const Scalar& c4 = angles.cosine[8];
-  const Scalar& s5 = angles.sine[9];
-  const Scalar& c5 = angles.cosine[9];
-  const Scalar& s6 = angles.sine[10];
-  const Scalar& c6 = angles.cosine[10];
+  const Scalar &s_alpha2 = angles.sine[0], &c_alpha2 = angles.cosine[0], &s_alpha3 = angles.sine[1], &c_alpha3 =
+      angles.cosine[1];
+  const Scalar &s_alpha4 = angles.sine[2], &c_alpha4 = angles.cosine[2], &s_alpha5 = angles.sine[3], &c_alpha5 =
+      angles.cosine[3];
+  const Scalar &s_alpha6 = angles.sine[4], &c_alpha6 = angles.cosine[4], &s1 = angles.sine[5], &c1 = angles.cosine[5];
+  const Scalar &s2 = angles.sine[6], &c2 = angles.cosine[6], &s3 = angles.sine[7], &c3 = angles.cosine[7];
+  const Scalar &s4 = angles.sine[8], &c4 = angles.cosine[8], &s5 = angles.sine[9], &c5 = angles.cosine[9];
+  const Scalar &s6 = angles.sine[10], &c6 = angles.cosine[10];
+  // s_alpha2: of alpha2
+  // c_alpha2: of alpha2
+  // s_alpha3: of alpha3
+  // c_alpha3: of alpha3
+  // s_alpha4: of alpha4
+  // c_alpha4: of alpha4
+  // s_alpha5: of alpha5
+  // c_alpha5: of alpha5
+  // s_alpha6: of alpha6
+  // c_alpha6: of alpha6
   const Scalar t0 = s5 * s6;
   const Scalar t1 = c5 * c6;
   const Scalar t2 = c_alpha6 * t0 - t1;
@@ -324,14 +312,14 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
   TransformAndJacobian<Scalar> result;
   result.transform(0, 0) = s1 * t19 - c1 * t16;
   result.transform(0, 1) = -s1 * t34 - c1 * t35;
-  result.transform(0, 2) = t51;
+  result.transform(0, 2) = result.jacobian(3, 5) = t51;
   result.transform(1, 0) = -s1 * t16 - c1 * t19;
   result.transform(1, 1) = c1 * t34 - s1 * t35;
-  result.transform(1, 2) = t52;
+  result.transform(1, 2) = result.jacobian(4, 5) = t52;
   result.transform(2, 0) = -c_alpha2 * t18 - s_alpha2 * t17;
   result.transform(2, 1) = -s_alpha2 * t33 - c_alpha2 * t30;
-  result.transform(2, 2) = t53;
-  result.transform(0, 3) = -t74;
+  result.transform(2, 2) = result.jacobian(5, 5) = t53;
+  result.transform(0, 3) = result.jacobian(1, 0) = -t74;
   result.transform(1, 3) = t75;
   result.transform(2, 3) = c_alpha2 * t70 + s_alpha2 * t69;
   result.jacobian(0, 0) = -t75;
@@ -339,37 +327,29 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
   result.jacobian(0, 2) = -s1 * t80 - c1 * t81;
   result.jacobian(0, 3) = s1 * t89 - c1 * t90;
   result.jacobian(0, 4) = -c1 * t100 - s1 * t103;
-  result.jacobian(0, 5) = Scalar(0);
-  result.jacobian(1, 0) = -t74;
+  result.jacobian(0, 5) = result.jacobian(1, 5) = result.jacobian(2, 0) = result.jacobian(2, 5) =
+      result.jacobian(3, 0) = result.jacobian(4, 0) = Scalar(0);
   result.jacobian(1, 1) = c1 * t76 - s1 * t69;
   result.jacobian(1, 2) = c1 * t80 - s1 * t81;
   result.jacobian(1, 3) = -s1 * t90 - c1 * t89;
   result.jacobian(1, 4) = c1 * t103 - s1 * t100;
-  result.jacobian(1, 5) = Scalar(0);
-  result.jacobian(2, 0) = Scalar(0);
   result.jacobian(2, 1) = s_alpha2 * t72;
   result.jacobian(2, 2) = s_alpha2 * t78 + c_alpha2 * t79;
   result.jacobian(2, 3) = c_alpha2 * t85 + s_alpha2 * t88;
   result.jacobian(2, 4) = c_alpha2 * t102 + s_alpha2 * t101;
-  result.jacobian(2, 5) = Scalar(0);
-  result.jacobian(3, 0) = Scalar(0);
   result.jacobian(3, 1) = s_alpha2 * s1;
   result.jacobian(3, 2) = s1 * t105 + c1 * t106;
   result.jacobian(3, 3) = c1 * t110 - s1 * t113;
   result.jacobian(3, 4) = c1 * t121 + s1 * t124;
-  result.jacobian(3, 5) = t51;
-  result.jacobian(4, 0) = Scalar(0);
   result.jacobian(4, 1) = -c1 * s_alpha2;
   result.jacobian(4, 2) = s1 * t106 - c1 * t105;
   result.jacobian(4, 3) = c1 * t113 + s1 * t110;
   result.jacobian(4, 4) = s1 * t121 - c1 * t124;
-  result.jacobian(4, 5) = t52;
   result.jacobian(5, 0) = Scalar(1);
   result.jacobian(5, 1) = c_alpha2;
   result.jacobian(5, 2) = c_alpha2 * c_alpha3 - s_alpha2 * t104;
   result.jacobian(5, 3) = c_alpha2 * t112 + s_alpha2 * t111;
   result.jacobian(5, 4) = c_alpha2 * t123 - s_alpha2 * t122;
-  result.jacobian(5, 5) = t53;
   result.transform.makeAffine();
   return result;
 }
@@ -377,26 +357,23 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s_alpha2 = angles.sine[0];  // of alpha2
-  const Scalar& c_alpha2 = angles.cosine[0];  // of alpha2
-  const Scalar& s_alpha3 = angles.sine[1];  // of alpha3
-  const Scalar& c_alpha3 = angles.cosine[1];  // of alpha3
-  const Scalar& s_alpha4 = angles.sine[2];  // of alpha4
-  const Scalar& c_alpha4 = angles.cosine[2];  // of alpha4
-  const Scalar& s_alpha5 = angles.sine[3];  // of alpha5
-  const Scalar& c_alpha5 = angles.cosine[3];  // of alpha5
-  const Scalar& s_alpha6 = angles.sine[4];  // of alpha6
-  const Scalar& c_alpha6 = angles.cosine[4];  // of alpha6
-  const Scalar& s2 = angles.sine[5];
-  const Scalar& c2 = angles.cosine[5];
-  const Scalar& s3 = angles.sine[6];
-  const Scalar& c3 = angles.cosine[6];
-  const Scalar& s4 = angles.sine[7];
-  const Scalar& c4 = angles.cosine[7];
-  const Scalar& s5 = angles.sine[8];
-  const Scalar& c5 = angles.cosine[8];
-  const Scalar& s6 = angles.sine[9];
-  const Scalar& c6 = angles.cosine[9];
+  const Scalar &s_alpha2 = angles.sine[0], &c_alpha2 = angles.cosine[0], &s_alpha3 = angles.sine[1], &c_alpha3 =
+      angles.cosine[1];
+  const Scalar &s_alpha4 = angles.sine[2], &c_alpha4 = angles.cosine[2], &s_alpha5 = angles.sine[3], &c_alpha5 =
+      angles.cosine[3];
+  const Scalar &s_alpha6 = angles.sine[4], &c_alpha6 = angles.cosine[4], &s2 = angles.sine[5], &c2 = angles.cosine[5];
+  const Scalar &s3 = angles.sine[6], &c3 = angles.cosine[6], &s4 = angles.sine[7], &c4 = angles.cosine[7];
+  const Scalar &s5 = angles.sine[8], &c5 = angles.cosine[8], &s6 = angles.sine[9], &c6 = angles.cosine[9];
+  // s_alpha2: of alpha2
+  // c_alpha2: of alpha2
+  // s_alpha3: of alpha3
+  // c_alpha3: of alpha3
+  // s_alpha4: of alpha4
+  // c_alpha4: of alpha4
+  // s_alpha5: of alpha5
+  // c_alpha5: of alpha5
+  // s_alpha6: of alpha6
+  // c_alpha6: of alpha6
   const Scalar t0 = g.d6 * s_alpha6;
   const Scalar t1 = g.a5 + (s5 * t0 + g.a6 * c5);
   const Scalar t2 = c5 * t0 - g.a6 * s5;
@@ -500,31 +477,27 @@ inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>
   result(0, 2) = s6 * t53 + c6 * t54;
   result(0, 3) = c6 * t59 - s6 * t58;
   result(0, 4) = s6 * t60 + c6 * t0;
-  result(0, 5) = Scalar(0);
+  result(0, 5) = result(1, 5) = result(2, 5) = result(3, 5) = result(4, 5) = Scalar(0);
   result(1, 0) = c6 * t32 + s6 * t29;
   result(1, 1) = c6 * t45 + s6 * t42;
   result(1, 2) = c6 * t53 - s6 * t54;
   result(1, 3) = -c6 * t58 - s6 * t59;
   result(1, 4) = c6 * t60 - s6 * t0;
-  result(1, 5) = Scalar(0);
   result(2, 0) = c_alpha6 * t31 - s_alpha6 * t30;
   result(2, 1) = -s_alpha6 * t43 - c_alpha6 * t44;
   result(2, 2) = -s_alpha6 * t51 - c_alpha6 * t52;
   result(2, 3) = s_alpha6 * t56 - c_alpha6 * t57;
   result(2, 4) = -g.a6 * s_alpha6;
-  result(2, 5) = Scalar(0);
   result(3, 0) = s6 * t74 + c6 * t75;
   result(3, 1) = c6 * t86 - s6 * t85;
   result(3, 2) = c6 * t90 - s6 * t93;
   result(3, 3) = s6 * t95 + c6 * t96;
   result(3, 4) = s_alpha6 * s6;
-  result(3, 5) = Scalar(0);
   result(4, 0) = c6 * t74 - s6 * t75;
   result(4, 1) = -c6 * t85 - s6 * t86;
   result(4, 2) = -s6 * t90 - c6 * t93;
   result(4, 3) = c6 * t95 - s6 * t96;
   result(4, 4) = c6 * s_alpha6;
-  result(4, 5) = Scalar(0);
   result(5, 0) = s_alpha6 * t73 + c_alpha6 * t70;
   result(5, 1) = s_alpha6 * t83 + c_alpha6 * t84;
   result(5, 2) = c_alpha6 * t92 + s_alpha6 * t91;
@@ -539,28 +512,24 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& q,
     const Vector3<Scalar>& point,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s_alpha2 = angles.sine[0];  // of alpha2
-  const Scalar& c_alpha2 = angles.cosine[0];  // of alpha2
-  const Scalar& s_alpha3 = angles.sine[1];  // of alpha3
-  const Scalar& c_alpha3 = angles.cosine[1];  // of alpha3
-  const Scalar& s_alpha4 = angles.sine[2];  // of alpha4
-  const Scalar& c_alpha4 = angles.cosine[2];  // of alpha4
-  const Scalar& s_alpha5 = angles.sine[3];  // of alpha5
-  const Scalar& c_alpha5 = angles.cosine[3];  // of alpha5
-  const Scalar& s_alpha6 = angles.sine[4];  // of alpha6
-  const Scalar& c_alpha6 = angles.cosine[4];  // of alpha6
-  const Scalar& s1 = angles.sine[5];
-  const Scalar& c1 = angles.cosine[5];
-  const Scalar& s2 = angles.sine[6];
-  const Scalar& c2 = angles.cosine[6];
-  const Scalar& s3 = angles.sine[7];
-  const Scalar& c3 = angles.cosine[7];
-  const Scalar& s4 = angles.sine[8];
-  const Scalar& c4 = angles.cosine[8];
-  const Scalar& s5 = angles.sine[9];
-  const Scalar& c5 = angles.cosine[9];
-  const Scalar& s6 = angles.sine[10];
-  const Scalar& c6 = angles.cosine[10];
+  const Scalar &s_alpha2 = angles.sine[0], &c_alpha2 = angles.cosine[0], &s_alpha3 = angles.sine[1], &c_alpha3 =
+      angles.cosine[1];
+  const Scalar &s_alpha4 = angles.sine[2], &c_alpha4 = angles.cosine[2], &s_alpha5 = angles.sine[3], &c_alpha5 =
+      angles.cosine[3];
+  const Scalar &s_alpha6 = angles.sine[4], &c_alpha6 = angles.cosine[4], &s1 = angles.sine[5], &c1 = angles.cosine[5];
+  const Scalar &s2 = angles.sine[6], &c2 = angles.cosine[6], &s3 = angles.sine[7], &c3 = angles.cosine[7];
+  const Scalar &s4 = angles.sine[8], &c4 = angles.cosine[8], &s5 = angles.sine[9], &c5 = angles.cosine[9];
+  const Scalar &s6 = angles.sine[10], &c6 = angles.cosine[10];
+  // s_alpha2: of alpha2
+  // c_alpha2: of alpha2
+  // s_alpha3: of alpha3
+  // c_alpha3: of alpha3
+  // s_alpha4: of alpha4
+  // c_alpha4: of alpha4
+  // s_alpha5: of alpha5
+  // c_alpha5: of alpha5
+  // s_alpha6: of alpha6
+  // c_alpha6: of alpha6
   const Scalar t0 = point[0] * s6 + point[1] * c6;
   const Scalar t1 = g.d6 + point[2];
   const Scalar t2 = g.d5 + (s_alpha6 * t0 + c_alpha6 * t1);
@@ -680,19 +649,17 @@ inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& 
   result(1, 3) = -c1 * t38 - s1 * t39;
   result(1, 4) = c1 * t51 - s1 * t52;
   result(1, 5) = c1 * t69 + s1 * t66;
-  result(2, 0) = Scalar(0);
+  result(2, 0) = result(3, 0) = result(4, 0) = Scalar(0);
   result(2, 1) = s_alpha2 * t23;
   result(2, 2) = c_alpha2 * t28 - s_alpha2 * t27;
   result(2, 3) = s_alpha2 * t37 + c_alpha2 * t34;
   result(2, 4) = -s_alpha2 * t50 - c_alpha2 * t47;
   result(2, 5) = s_alpha2 * t67 - c_alpha2 * t68;
-  result(3, 0) = Scalar(0);
   result(3, 1) = s_alpha2 * s1;
   result(3, 2) = s1 * t71 + c1 * t72;
   result(3, 3) = c1 * t76 - s1 * t79;
   result(3, 4) = c1 * t87 + s1 * t90;
   result(3, 5) = c1 * t102 + s1 * t105;
-  result(4, 0) = Scalar(0);
   result(4, 1) = -c1 * s_alpha2;
   result(4, 2) = s1 * t72 - c1 * t71;
   result(4, 3) = c1 * t79 + s1 * t76;
@@ -712,26 +679,23 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> velocity([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s_alpha2 = angles.sine[0];  // of alpha2
-  const Scalar& c_alpha2 = angles.cosine[0];  // of alpha2
-  const Scalar& s_alpha3 = angles.sine[1];  // of alpha3
-  const Scalar& c_alpha3 = angles.cosine[1];  // of alpha3
-  const Scalar& s_alpha4 = angles.sine[2];  // of alpha4
-  const Scalar& c_alpha4 = angles.cosine[2];  // of alpha4
-  const Scalar& s_alpha5 = angles.sine[3];  // of alpha5
-  const Scalar& c_alpha5 = angles.cosine[3];  // of alpha5
-  const Scalar& s_alpha6 = angles.sine[4];  // of alpha6
-  const Scalar& c_alpha6 = angles.cosine[4];  // of alpha6
-  const Scalar& s1 = angles.sine[5];
-  const Scalar& c1 = angles.cosine[5];
-  const Scalar& s2 = angles.sine[6];
-  const Scalar& c2 = angles.cosine[6];
-  const Scalar& s3 = angles.sine[7];
-  const Scalar& c3 = angles.cosine[7];
-  const Scalar& s4 = angles.sine[8];
-  const Scalar& c4 = angles.cosine[8];
-  const Scalar& s5 = angles.sine[9];
-  const Scalar& c5 = angles.cosine[9];
+  const Scalar &s_alpha2 = angles.sine[0], &c_alpha2 = angles.cosine[0], &s_alpha3 = angles.sine[1], &c_alpha3 =
+      angles.cosine[1];
+  const Scalar &s_alpha4 = angles.sine[2], &c_alpha4 = angles.cosine[2], &s_alpha5 = angles.sine[3], &c_alpha5 =
+      angles.cosine[3];
+  const Scalar &s_alpha6 = angles.sine[4], &c_alpha6 = angles.cosine[4], &s1 = angles.sine[5], &c1 = angles.cosine[5];
+  const Scalar &s2 = angles.sine[6], &c2 = angles.cosine[6], &s3 = angles.sine[7], &c3 = angles.cosine[7];
+  const Scalar &s4 = angles.sine[8], &c4 = angles.cosine[8], &s5 = angles.sine[9], &c5 = angles.cosine[9];
+  // s_alpha2: of alpha2
+  // c_alpha2: of alpha2
+  // s_alpha3: of alpha3
+  // c_alpha3: of alpha3
+  // s_alpha4: of alpha4
+  // c_alpha4: of alpha4
+  // s_alpha5: of alpha5
+  // c_alpha5: of alpha5
+  // s_alpha6: of alpha6
+  // c_alpha6: of alpha6
   const Scalar t0 = g.d6 * s_alpha6;
   const Scalar t1 = s5 * t0 + g.a6 * c5;
   const Scalar t2 = g.a5 + t1;
@@ -799,26 +763,23 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s_alpha2 = angles.sine[0];  // of alpha2
-  const Scalar& c_alpha2 = angles.cosine[0];  // of alpha2
-  const Scalar& s_alpha3 = angles.sine[1];  // of alpha3
-  const Scalar& c_alpha3 = angles.cosine[1];  // of alpha3
-  const Scalar& s_alpha4 = angles.sine[2];  // of alpha4
-  const Scalar& c_alpha4 = angles.cosine[2];  // of alpha4
-  const Scalar& s_alpha5 = angles.sine[3];  // of alpha5
-  const Scalar& c_alpha5 = angles.cosine[3];  // of alpha5
-  const Scalar& s_alpha6 = angles.sine[4];  // of alpha6
-  const Scalar& c_alpha6 = angles.cosine[4];  // of alpha6
-  const Scalar& s1 = angles.sine[5];
-  const Scalar& c1 = angles.cosine[5];
-  const Scalar& s2 = angles.sine[6];
-  const Scalar& c2 = angles.cosine[6];
-  const Scalar& s3 = angles.sine[7];
-  const Scalar& c3 = angles.cosine[7];
-  const Scalar& s4 = angles.sine[8];
-  const Scalar& c4 = angles.cosine[8];
-  const Scalar& s5 = angles.sine[9];
-  const Scalar& c5 = angles.cosine[9];
+  const Scalar &s_alpha2 = angles.sine[0], &c_alpha2 = angles.cosine[0], &s_alpha3 = angles.sine[1], &c_alpha3 =
+      angles.cosine[1];
+  const Scalar &s_alpha4 = angles.sine[2], &c_alpha4 = angles.cosine[2], &s_alpha5 = angles.sine[3], &c_alpha5 =
+      angles.cosine[3];
+  const Scalar &s_alpha6 = angles.sine[4], &c_alpha6 = angles.cosine[4], &s1 = angles.sine[5], &c1 = angles.cosine[5];
+  const Scalar &s2 = angles.sine[6], &c2 = angles.cosine[6], &s3 = angles.sine[7], &c3 = angles.cosine[7];
+  const Scalar &s4 = angles.sine[8], &c4 = angles.cosine[8], &s5 = angles.sine[9], &c5 = angles.cosine[9];
+  // s_alpha2: of alpha2
+  // c_alpha2: of alpha2
+  // s_alpha3: of alpha3
+  // c_alpha3: of alpha3
+  // s_alpha4: of alpha4
+  // c_alpha4: of alpha4
+  // s_alpha5: of alpha5
+  // c_alpha5: of alpha5
+  // s_alpha6: of alpha6
+  // c_alpha6: of alpha6
   const Scalar t0 = g.a3 * s2;
   const Scalar t1 = qd[0] * c_alpha2;
   const Scalar t2 = qd[1] + t1;
@@ -955,33 +916,27 @@ inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>&
   result(0, 2) = c1 * t113 - s1 * t111;
   result(0, 3) = -s1 * t117 - c1 * t119;
   result(0, 4) = s1 * t125 - c1 * t121;
-  result(0, 5) = Scalar(0);
+  result(0, 5) = result(1, 5) = result(2, 0) = result(2, 5) = result(3, 0) = result(4, 0) = result(5, 0) =
+      result(5, 1) = Scalar(0);
   result(1, 0) = -c1 * t67 - s1 * t94;
   result(1, 1) = -s1 * t85 - c1 * t103;
   result(1, 2) = c1 * t111 + s1 * t113;
   result(1, 3) = c1 * t117 - s1 * t119;
   result(1, 4) = -s1 * t121 - c1 * t125;
-  result(1, 5) = Scalar(0);
-  result(2, 0) = Scalar(0);
   result(2, 1) = c_alpha2 * t98 - s_alpha2 * t102;
   result(2, 2) = s_alpha2 * t108 - c_alpha2 * t110;
   result(2, 3) = -c_alpha2 * t115 - s_alpha2 * t116;
   result(2, 4) = -s_alpha2 * t123 - c_alpha2 * t124;
-  result(2, 5) = Scalar(0);
-  result(3, 0) = Scalar(0);
   result(3, 1) = c1 * t6;
   result(3, 2) = c1 * t65 - s1 * t126;
   result(3, 3) = s1 * t127 - c1 * t12;
   result(3, 4) = c1 * t52 - s1 * t128;
   result(3, 5) = c1 * t50 + s1 * t129;
-  result(4, 0) = Scalar(0);
   result(4, 1) = s1 * t6;
   result(4, 2) = s1 * t65 + c1 * t126;
   result(4, 3) = -s1 * t12 - c1 * t127;
   result(4, 4) = s1 * t52 + c1 * t128;
   result(4, 5) = s1 * t50 - c1 * t129;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
   result(5, 2) = t68 * qd[1] * s_alpha2;
   result(5, 3) = c_alpha2 * t91 - s_alpha2 * t82;
   result(5, 4) = -c_alpha2 * t87 - s_alpha2 * t80;
@@ -994,26 +949,23 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s_alpha2 = angles.sine[0];  // of alpha2
-  const Scalar& c_alpha2 = angles.cosine[0];  // of alpha2
-  const Scalar& s_alpha3 = angles.sine[1];  // of alpha3
-  const Scalar& c_alpha3 = angles.cosine[1];  // of alpha3
-  const Scalar& s_alpha4 = angles.sine[2];  // of alpha4
-  const Scalar& c_alpha4 = angles.cosine[2];  // of alpha4
-  const Scalar& s_alpha5 = angles.sine[3];  // of alpha5
-  const Scalar& c_alpha5 = angles.cosine[3];  // of alpha5
-  const Scalar& s_alpha6 = angles.sine[4];  // of alpha6
-  const Scalar& c_alpha6 = angles.cosine[4];  // of alpha6
-  const Scalar& s1 = angles.sine[5];
-  const Scalar& c1 = angles.cosine[5];
-  const Scalar& s2 = angles.sine[6];
-  const Scalar& c2 = angles.cosine[6];
-  const Scalar& s3 = angles.sine[7];
-  const Scalar& c3 = angles.cosine[7];
-  const Scalar& s4 = angles.sine[8];
-  const Scalar& c4 = angles.cosine[8];
-  const Scalar& s5 = angles.sine[9];
-  const Scalar& c5 = angles.cosine[9];
+  const Scalar &s_alpha2 = angles.sine[0], &c_alpha2 = angles.cosine[0], &s_alpha3 = angles.sine[1], &c_alpha3 =
+      angles.cosine[1];
+  const Scalar &s_alpha4 = angles.sine[2], &c_alpha4 = angles.cosine[2], &s_alpha5 = angles.sine[3], &c_alpha5 =
+      angles.cosine[3];
+  const Scalar &s_alpha6 = angles.sine[4], &c_alpha6 = angles.cosine[4], &s1 = angles.sine[5], &c1 = angles.cosine[5];
+  const Scalar &s2 = angles.sine[6], &c2 = angles.cosine[6], &s3 = angles.sine[7], &c3 = angles.cosine[7];
+  const Scalar &s4 = angles.sine[8], &c4 = angles.cosine[8], &s5 = angles.sine[9], &c5 = angles.cosine[9];
+  // s_alpha2: of alpha2
+  // c_alpha2: of alpha2
+  // s_alpha3: of alpha3
+  // c_alpha3: of alpha3
+  // s_alpha4: of alpha4
+  // c_alpha4: of alpha4
+  // s_alpha5: of alpha5
+  // c_alpha5: of alpha5
+  // s_alpha6: of alpha6
+  // c_alpha6: of alpha6
   const Scalar t0 = s_alpha6 * s5;
   const Scalar t1 = g.d6 * t0 + g.a6 * c5;
   const Scalar t2 = g.a5 + t1;
@@ -1126,24 +1078,23 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
 template <class Scalar, class Angles>
 inline SingularityMeasures<Scalar> singularity_measures([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s_alpha2 = angles.sine[0];  // of alpha2
-  const Scalar& c_alpha2 = angles.cosine[0];  // of alpha2
-  const Scalar& s_alpha3 = angles.sine[1];  // of alpha3
-  const Scalar& c_alpha3 = angles.cosine[1];  // of alpha3
-  const Scalar& s_alpha4 = angles.sine[2];  // of alpha4
-  const Scalar& c_alpha4 = angles.cosine[2];  // of alpha4
-  const Scalar& s_alpha5 = angles.sine[3];  // of alpha5
-  const Scalar& c_alpha5 = angles.cosine[3];  // of alpha5
-  const Scalar& s_alpha6 = angles.sine[4];  // of alpha6
-  const Scalar& c_alpha6 = angles.cosine[4];  // of alpha6
-  const Scalar& s2 = angles.sine[5];
-  const Scalar& c2 = angles.cosine[5];
-  const Scalar& s3 = angles.sine[6];
-  const Scalar& c3 = angles.cosine[6];
-  const Scalar& s4 = angles.sine[7];
-  const Scalar& c4 = angles.cosine[7];
-  const Scalar& s5 = angles.sine[8];
-  const Scalar& c5 = angles.cosine[8];
+  const Scalar &s_alpha2 = angles.sine[0], &c_alpha2 = angles.cosine[0], &s_alpha3 = angles.sine[1], &c_alpha3 =
+      angles.cosine[1];
+  const Scalar &s_alpha4 = angles.sine[2], &c_alpha4 = angles.cosine[2], &s_alpha5 = angles.sine[3], &c_alpha5 =
+      angles.cosine[3];
+  const Scalar &s_alpha6 = angles.sine[4], &c_alpha6 = angles.cosine[4], &s2 = angles.sine[5], &c2 = angles.cosine[5];
+  const Scalar &s3 = angles.sine[6], &c3 = angles.cosine[6], &s4 = angles.sine[7], &c4 = angles.cosine[7];
+  const Scalar &s5 = angles.sine[8], &c5 = angles.cosine[8];
+  // s_alpha2: of alpha2
+  // c_alpha2: of alpha2
+  // s_alpha3: of alpha3
+  // c_alpha3: of alpha3
+  // s_alpha4: of alpha4
+  // c_alpha4: of alpha4
+  // s_alpha5: of alpha5
+  // c_alpha5: of alpha5
+  // s_alpha6: of alpha6
+  // c_alpha6: of alpha6
   const Scalar t0 = g.a6 * s5;
   const Scalar t1 = g.d5 * s_alpha5 - c_alpha5 * t0;
   const Scalar t2 = g.a6 * c5;

@@ -42,28 +42,15 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        const BasicGeometry<Scalar>& g) {
-  const Scalar& sh_alpha2 = angles.sine[0];
-  const Scalar& ch_alpha2 = angles.cosine[0];
-  const Scalar& sh_alpha3 = angles.sine[1];
-  const Scalar& ch_alpha3 = angles.cosine[1];
-  const Scalar& sh_alpha4 = angles.sine[2];
-  const Scalar& ch_alpha4 = angles.cosine[2];
-  const Scalar& sh_alpha5 = angles.sine[3];
-  const Scalar& ch_alpha5 = angles.cosine[3];
-  const Scalar& sh_alpha6 = angles.sine[4];
-  const Scalar& ch_alpha6 = angles.cosine[4];
-  const Scalar& sh1 = angles.sine[5];
-  const Scalar& ch1 = angles.cosine[5];
-  const Scalar& sh2 = angles.sine[6];
-  const Scalar& ch2 = angles.cosine[6];
-  const Scalar& sh3 = angles.sine[7];
-  const Scalar& ch3 = angles.cosine[7];
-  const Scalar& sh4 = angles.sine[8];
-  const Scalar& ch4 = angles.cosine[8];
-  const Scalar& sh5 = angles.sine[9];
-  const Scalar& ch5 = angles.cosine[9];
-  const Scalar& sh6 = angles.sine[10];
-  const Scalar& ch6 = angles.cosine[10];
+  const Scalar &sh_alpha2 = angles.sine[0], &ch_alpha2 = angles.cosine[0], &sh_alpha3 = angles.sine[1], &ch_alpha3 =
+      angles.cosine[1];
+  const Scalar &sh_alpha4 = angles.sine[2], &ch_alpha4 = angles.cosine[2], &sh_alpha5 = angles.sine[3], &ch_alpha5 =
+      angles.cosine[3];
+  const Scalar &sh_alpha6 = angles.sine[4], &ch_alpha6 = angles.cosine[4], &sh1 = angles.sine[5], &ch1 =
+      angles.cosine[5];
+  const Scalar &sh2 = angles.sine[6], &ch2 = angles.cosine[6], &sh3 = angles.sine[7], &ch3 = angles.cosine[7];
+  const Scalar &sh4 = angles.sine[8], &ch4 = angles.cosine[8], &sh5 = angles.sine[9], &ch5 = angles.cosine[9];
+  const Scalar &sh6 = angles.sine[10], &ch6 = angles.cosine[10];
   const Scalar t0 = ch_alpha2 * sh1;
   const Scalar t1 = ch_alpha2 * ch1;
   const Scalar t2 = ch2 * t0 + sh2 * t1;
@@ -160,28 +147,15 @@ template <class Scalar, class Angles>
 inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
     [[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     const BasicGeometry<Scalar>& g) {
-  const Scalar& sh_alpha2 = angles.sine[0];
-  const Scalar& ch_alpha2 = angles.cosine[0];
-  const Scalar& sh_alpha3 = angles.sine[1];
-  const Scalar& ch_alpha3 = angles.cosine[1];
-  const Scalar& sh_alpha4 = angles.sine[2];
-  const Scalar& ch_alpha4 = angles.cosine[2];
-  const Scalar& sh_alpha5 = angles.sine[3];
-  const Scalar& ch_alpha5 = angles.cosine[3];
-  const Scalar& sh_alpha6 = angles.sine[4];
-  const Scalar& ch_alpha6 = angles.cosine[4];
-  const Scalar& sh1 = angles.sine[5];
-  const Scalar& ch1 = angles.cosine[5];
-  const Scalar& sh2 = angles.sine[6];
-  const Scalar& ch2 = angles.cosine[6];
-  const Scalar& sh3 = angles.sine[7];
-  const Scalar& ch3 = angles.cosine[7];
-  const Scalar& sh4 = angles.sine[8];
-  const Scalar& ch4 = angles.cosine[8];
-  const Scalar& sh5 = angles.sine[9];
-  const Scalar& ch5 = angles.cosine[9];
-  const Scalar& sh6 = angles.sine[10];
-  const Scalar& ch6 = angles.cosine[10];
+  const Scalar &sh_alpha2 = angles.sine[0], &ch_alpha2 = angles.cosine[0], &sh_alpha3 = angles.sine[1], &ch_alpha3 =
+      angles.cosine[1];
+  const Scalar &sh_alpha4 = angles.sine[2], &ch_alpha4 = angles.cosine[2], &sh_alpha5 = angles.sine[3], &ch_alpha5 =
+      angles.cosine[3];
+  const Scalar &sh_alpha6 = angles.sine[4], &ch_alpha6 = angles.cosine[4], &sh1 = angles.sine[5], &ch1 =
+      angles.cosine[5];
+  const Scalar &sh2 = angles.sine[6], &ch2 = angles.cosine[6], &sh3 = angles.sine[7], &ch3 = angles.cosine[7];
+  const Scalar &sh4 = angles.sine[8], &ch4 = angles.cosine[8], &sh5 = angles.sine[9], &ch5 = angles.cosine[9];
+  const Scalar &sh6 = angles.sine[10], &ch6 = angles.cosine[10];
   const Scalar t0 = ch_alpha2 * sh1;
   const Scalar t1 = ch_alpha2 * ch1;
   const Scalar t2 = ch2 * t0 + sh2 * t1;

@@ -31,16 +31,9 @@ template <class Scalar, class Angles>
 inline InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const Angles& angles,
     const InverseDynamicsDerivativesConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4];
   const Scalar t0 = Scalar(2) * qd[1];
   const Scalar t1 = qd[0] * t0;
   const Scalar t2 = Scalar(0.95518064) * s2 - Scalar(0.0001416) * c2;
@@ -926,20 +919,17 @@ inline InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives([[maybe_u
   result.torque[4] = -t143;
   result.torque[5] = -t127;
   result.torque[6] = t111;
-  result.by_position(0, 0) = Scalar(0);
-  result.by_position(1, 0) = Scalar(0);
-  result.by_position(2, 0) = Scalar(0);
-  result.by_position(3, 0) = Scalar(0);
-  result.by_position(4, 0) = Scalar(0);
-  result.by_position(5, 0) = Scalar(0);
-  result.by_position(6, 0) = Scalar(0);
+  result.by_position(0, 0) = result.by_position(1, 0) = result.by_position(2, 0) = result.by_position(3, 0) =
+      result.by_position(4, 0) = result.by_position(5, 0) = result.by_position(6, 0) = result.by_rate(5, 5) =
+      result.by_position(0, 6) = result.by_position(1, 6) = result.by_position(2, 6) = result.by_position(3, 6) =
+      result.by_position(4, 6) = result.by_position(5, 6) = result.by_position(6, 6) = result.by_rate(6, 6) = Scalar(0);
   result.by_rate(0, 0) = t0 * t3 - t258;
   result.by_rate(1, 0) = -t260 - (c3 * t257 + s3 * t249);
   result.by_rate(2, 0) = -t245;
   result.by_rate(3, 0) = t252;
   result.by_rate(4, 0) = -t223;
   result.by_rate(5, 0) = -t235;
-  result.by_rate(6, 0) = t221;
+  result.by_rate(6, 0) = result.by_rate(0, 6) = t221;
   result.by_position(0, 1) = t363;
   result.by_position(1, 1) = (s3 * t354 - c3 * t361) - t364;
   result.by_position(2, 1) = -t351;
@@ -1008,22 +998,12 @@ inline InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives([[maybe_u
   result.by_rate(2, 5) = -t850;
   result.by_rate(3, 5) = t852;
   result.by_rate(4, 5) = -t849;
-  result.by_rate(5, 5) = Scalar(0);
   result.by_rate(6, 5) = -t843;
-  result.by_position(0, 6) = Scalar(0);
-  result.by_position(1, 6) = Scalar(0);
-  result.by_position(2, 6) = Scalar(0);
-  result.by_position(3, 6) = Scalar(0);
-  result.by_position(4, 6) = Scalar(0);
-  result.by_position(5, 6) = Scalar(0);
-  result.by_position(6, 6) = Scalar(0);
-  result.by_rate(0, 6) = t221;
   result.by_rate(1, 6) = t860;
   result.by_rate(2, 6) = -s4 * t858 - c4 * t857;
   result.by_rate(3, 6) = -t859;
   result.by_rate(4, 6) = -t857;
   result.by_rate(5, 6) = t843;
-  result.by_rate(6, 6) = Scalar(0);
   return result;
 }
 

@@ -41,18 +41,9 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> inverse_dynamics_with_gravity_vector([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const Angles& angles,
     const InverseDynamicsWithGravityVectorConstants<Scalar>& k) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s3 = angles.sine[2];
-  const Scalar& c3 = angles.cosine[2];
-  const Scalar& s4 = angles.sine[3];
-  const Scalar& c4 = angles.cosine[3];
-  const Scalar& s5 = angles.sine[4];
-  const Scalar& c5 = angles.cosine[4];
-  const Scalar& s6 = angles.sine[5];
-  const Scalar& c6 = angles.cosine[5];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s3 = angles.sine[2], &c3 = angles.cosine[2], &s4 = angles.sine[3], &c4 = angles.cosine[3];
+  const Scalar &s5 = angles.sine[4], &c5 = angles.cosine[4], &s6 = angles.sine[5], &c6 = angles.cosine[5];
   const Scalar t0 = qd[0] * qd[1];
   const Scalar t1 = t0 + t0;
   const Scalar t2 = qdd[0] * s2 + c2 * t1;
@@ -230,18 +221,9 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> inverse_dynamics_with_wrench([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const Wrench<Scalar>& wrench, const Angles& angles,
     const InverseDynamicsWithWrenchConstants<Scalar>& k) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s3 = angles.sine[2];
-  const Scalar& c3 = angles.cosine[2];
-  const Scalar& s4 = angles.sine[3];
-  const Scalar& c4 = angles.cosine[3];
-  const Scalar& s5 = angles.sine[4];
-  const Scalar& c5 = angles.cosine[4];
-  const Scalar& s6 = angles.sine[5];
-  const Scalar& c6 = angles.cosine[5];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s3 = angles.sine[2], &c3 = angles.cosine[2], &s4 = angles.sine[3], &c4 = angles.cosine[3];
+  const Scalar &s5 = angles.sine[4], &c5 = angles.cosine[4], &s6 = angles.sine[5], &c6 = angles.cosine[5];
   const Scalar t0 = k[0] * s1 - k[1] * c1;
   const Scalar t1 = qd[1] * qd[1] * (Scalar(5.04e-05) * c2 - Scalar(0.009912) * s2);
   const Scalar t2 = Scalar(5.04e-05) * s2 + Scalar(0.009912) * c2;
@@ -438,18 +420,9 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> gravity_torque_with_gravity_vector([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles,
     const GravityTorqueWithGravityVectorConstants<Scalar>& k) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s3 = angles.sine[2];
-  const Scalar& c3 = angles.cosine[2];
-  const Scalar& s4 = angles.sine[3];
-  const Scalar& c4 = angles.cosine[3];
-  const Scalar& s5 = angles.sine[4];
-  const Scalar& c5 = angles.cosine[4];
-  const Scalar& s6 = angles.sine[5];
-  const Scalar& c6 = angles.cosine[5];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s3 = angles.sine[2], &c3 = angles.cosine[2], &s4 = angles.sine[3], &c4 = angles.cosine[3];
+  const Scalar &s5 = angles.sine[4], &c5 = angles.cosine[4], &s6 = angles.sine[5], &c6 = angles.cosine[5];
   const Scalar t0 = k[0] * s1 + k[1] * c1;
   const Scalar t1 = s2 * t0 + k[2] * c2;
   const Scalar t2 = k[1] * s1 - k[0] * c1;
@@ -519,18 +492,9 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> forward_dynamics_with_gravity_vector([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const Angles& angles,
     const ForwardDynamicsWithGravityVectorConstants<Scalar>& k) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s3 = angles.sine[2];
-  const Scalar& c3 = angles.cosine[2];
-  const Scalar& s4 = angles.sine[3];
-  const Scalar& c4 = angles.cosine[3];
-  const Scalar& s5 = angles.sine[4];
-  const Scalar& c5 = angles.cosine[4];
-  const Scalar& s6 = angles.sine[5];
-  const Scalar& c6 = angles.cosine[5];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s3 = angles.sine[2], &c3 = angles.cosine[2], &s4 = angles.sine[3], &c4 = angles.cosine[3];
+  const Scalar &s5 = angles.sine[4], &c5 = angles.cosine[4], &s6 = angles.sine[5], &c6 = angles.cosine[5];
   const Scalar t0 = Scalar(4.32e-07) * c6;
   const Scalar t1 = Scalar(0.0131796) * c6;
   const Scalar t2 = Scalar(0.008760948) + Scalar(0.9523809523809523) * t1;
@@ -836,18 +800,9 @@ inline JointVector<Scalar> forward_dynamics_with_wrench([[maybe_unused]] const J
     const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const Wrench<Scalar>& wrench,
     const Angles& angles,
     const ForwardDynamicsWithWrenchConstants<Scalar>& k) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s3 = angles.sine[2];
-  const Scalar& c3 = angles.cosine[2];
-  const Scalar& s4 = angles.sine[3];
-  const Scalar& c4 = angles.cosine[3];
-  const Scalar& s5 = angles.sine[4];
-  const Scalar& c5 = angles.cosine[4];
-  const Scalar& s6 = angles.sine[5];
-  const Scalar& c6 = angles.cosine[5];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s3 = angles.sine[2], &c3 = angles.cosine[2], &s4 = angles.sine[3], &c4 = angles.cosine[3];
+  const Scalar &s5 = angles.sine[4], &c5 = angles.cosine[4], &s6 = angles.sine[5], &c6 = angles.cosine[5];
   const Scalar t0 = Scalar(0.001) * c6;
   const Scalar t1 = Scalar(0.004460948) * s6;
   const Scalar t2 = s6 * t1;
@@ -1171,18 +1126,9 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Scalar potential_energy_with_gravity_vector([[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     const PotentialEnergyWithGravityVectorConstants<Scalar>& k) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s3 = angles.sine[2];
-  const Scalar& c3 = angles.cosine[2];
-  const Scalar& s4 = angles.sine[3];
-  const Scalar& c4 = angles.cosine[3];
-  const Scalar& s5 = angles.sine[4];
-  const Scalar& c5 = angles.cosine[4];
-  const Scalar& s6 = angles.sine[5];
-  const Scalar& c6 = angles.cosine[5];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s3 = angles.sine[2], &c3 = angles.cosine[2], &s4 = angles.sine[3], &c4 = angles.cosine[3];
+  const Scalar &s5 = angles.sine[4], &c5 = angles.cosine[4], &s6 = angles.sine[5], &c6 = angles.cosine[5];
   const Scalar t0 = Scalar(0.00017) - Scalar(0.03138) * s6;
   const Scalar t1 = Scalar(0.03498) * s5 - c5 * t0;
   const Scalar t2 = Scalar(0.1809) + (Scalar(1.52) - (Scalar(0.23715) - Scalar(0.03138) * c6));

@@ -26,18 +26,9 @@ using NoAngles = JacobianSelection<Scalar, 0>;
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s3 = angles.sine[2];
-  const Scalar& c3 = angles.cosine[2];
-  const Scalar& s4 = angles.sine[3];
-  const Scalar& c4 = angles.cosine[3];
-  const Scalar& s5 = angles.sine[4];
-  const Scalar& c5 = angles.cosine[4];
-  const Scalar& s6 = angles.sine[5];
-  const Scalar& c6 = angles.cosine[5];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s3 = angles.sine[2], &c3 = angles.cosine[2], &s4 = angles.sine[3], &c4 = angles.cosine[3];
+  const Scalar &s5 = angles.sine[4], &c5 = angles.cosine[4], &s6 = angles.sine[5], &c6 = angles.cosine[5];
   const Scalar t0 = Scalar(0.126) * s6;
   const Scalar t1 = c5 * t0;
   const Scalar t2 = Scalar(0.4) + Scalar(0.126) * c6;
@@ -89,29 +80,24 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
   result(0, 3) = t6 * t13 - c1 * t14;
   result(0, 4) = -t22 * t0;
   result(0, 5) = -t27 * t35 - t36 * t39;
-  result(0, 6) = Scalar(0);
+  result(0, 6) = result(1, 6) = result(2, 0) = result(2, 6) = result(3, 0) = result(4, 0) = result(5, 1) = Scalar(0);
   result(1, 0) = -t40;
   result(1, 1) = t12;
   result(1, 2) = -t11 * t17 - c2 * t40;
   result(1, 3) = -t19 * t6 - s1 * t14;
   result(1, 4) = -t27 * t0;
   result(1, 5) = t43 * t36 + t22 * t35;
-  result(1, 6) = Scalar(0);
-  result(2, 0) = Scalar(0);
   result(2, 1) = -t8;
   result(2, 2) = s2 * t9;
   result(2, 3) = t6 * t30 + c2 * t3;
   result(2, 4) = t0 * t36;
   result(2, 5) = t27 * t43 - t22 * t39;
-  result(2, 6) = Scalar(0);
-  result(3, 0) = Scalar(0);
   result(3, 1) = -s1;
   result(3, 2) = t17;
   result(3, 3) = t21;
   result(3, 4) = t41;
   result(3, 5) = -t22;
   result(3, 6) = t42;
-  result(4, 0) = Scalar(0);
   result(4, 1) = c1;
   result(4, 2) = t24;
   result(4, 3) = -t26;
@@ -119,7 +105,6 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
   result(4, 5) = -t27;
   result(4, 6) = t38;
   result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(0);
   result(5, 2) = c2;
   result(5, 3) = -t29;
   result(5, 4) = t31;
@@ -132,20 +117,10 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s3 = angles.sine[2];
-  const Scalar& c3 = angles.cosine[2];
-  const Scalar& s4 = angles.sine[3];
-  const Scalar& c4 = angles.cosine[3];
-  const Scalar& s5 = angles.sine[4];
-  const Scalar& c5 = angles.cosine[4];
-  const Scalar& s6 = angles.sine[5];
-  const Scalar& c6 = angles.cosine[5];
-  const Scalar& s7 = angles.sine[6];
-  const Scalar& c7 = angles.cosine[6];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s3 = angles.sine[2], &c3 = angles.cosine[2], &s4 = angles.sine[3], &c4 = angles.cosine[3];
+  const Scalar &s5 = angles.sine[4], &c5 = angles.cosine[4], &s6 = angles.sine[5], &c6 = angles.cosine[5];
+  const Scalar &s7 = angles.sine[6], &c7 = angles.cosine[6];
   const Scalar t0 = c1 * s2;
   const Scalar t1 = c1 * c3;
   const Scalar t2 = s1 * s3;
@@ -196,14 +171,14 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
   TransformAndJacobian<Scalar> result;
   result.transform(0, 0) = -t12;
   result.transform(0, 1) = -t13;
-  result.transform(0, 2) = t14;
+  result.transform(0, 2) = result.jacobian(3, 6) = t14;
   result.transform(1, 0) = -t23;
   result.transform(1, 1) = -t24;
-  result.transform(1, 2) = t25;
+  result.transform(1, 2) = result.jacobian(4, 6) = t25;
   result.transform(2, 0) = -t26;
   result.transform(2, 1) = -t27;
-  result.transform(2, 2) = t28;
-  result.transform(0, 3) = -t39;
+  result.transform(2, 2) = result.jacobian(5, 6) = t28;
+  result.transform(0, 3) = result.jacobian(1, 0) = -t39;
   result.transform(1, 3) = t40;
   result.transform(2, 3) = Scalar(0.36) + t41;
   result.jacobian(0, 0) = -t40;
@@ -212,42 +187,33 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
   result.jacobian(0, 3) = t36 * t2 - c1 * t44;
   result.jacobian(0, 4) = -t11 * t29;
   result.jacobian(0, 5) = -Scalar(0.126) * t10;
-  result.jacobian(0, 6) = Scalar(0);
-  result.jacobian(1, 0) = -t39;
+  result.jacobian(0, 6) = result.jacobian(1, 6) = result.jacobian(2, 0) = result.jacobian(2, 6) =
+      result.jacobian(3, 0) = result.jacobian(4, 0) = result.jacobian(5, 1) = Scalar(0);
   result.jacobian(1, 1) = t42;
   result.jacobian(1, 2) = -t41 * t0 - c2 * t39;
   result.jacobian(1, 3) = -t6 * t36 - s1 * t44;
   result.jacobian(1, 4) = -t22 * t29;
   result.jacobian(1, 5) = -Scalar(0.126) * t21;
-  result.jacobian(1, 6) = Scalar(0);
-  result.jacobian(2, 0) = Scalar(0);
   result.jacobian(2, 1) = -t38;
   result.jacobian(2, 2) = s2 * t34;
   result.jacobian(2, 3) = c2 * t32 + s2 * t43;
   result.jacobian(2, 4) = -t29 * t45;
   result.jacobian(2, 5) = Scalar(0.126) * t46;
-  result.jacobian(2, 6) = Scalar(0);
-  result.jacobian(3, 0) = Scalar(0);
   result.jacobian(3, 1) = -s1;
   result.jacobian(3, 2) = t0;
   result.jacobian(3, 3) = t8;
   result.jacobian(3, 4) = t4;
   result.jacobian(3, 5) = -t11;
-  result.jacobian(3, 6) = t14;
-  result.jacobian(4, 0) = Scalar(0);
   result.jacobian(4, 1) = c1;
   result.jacobian(4, 2) = t15;
   result.jacobian(4, 3) = -t19;
   result.jacobian(4, 4) = t17;
   result.jacobian(4, 5) = -t22;
-  result.jacobian(4, 6) = t25;
   result.jacobian(5, 0) = Scalar(1);
-  result.jacobian(5, 1) = Scalar(0);
   result.jacobian(5, 2) = c2;
   result.jacobian(5, 3) = -s2 * s3;
   result.jacobian(5, 4) = c6 * t28 - s6 * t46;
   result.jacobian(5, 5) = -t45;
-  result.jacobian(5, 6) = t28;
   result.transform.makeAffine();
   return result;
 }
@@ -255,18 +221,9 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
-  const Scalar& s7 = angles.sine[5];
-  const Scalar& c7 = angles.cosine[5];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4], &s7 = angles.sine[5], &c7 = angles.cosine[5];
   const Scalar t0 = s5 * s6;
   const Scalar t1 = Scalar(0.126) * t0;
   const Scalar t2 = Scalar(0.4) + Scalar(0.126) * c6;
@@ -324,41 +281,35 @@ inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>
   result(0, 3) = s7 * t36 - c7 * t35;
   result(0, 4) = Scalar(0.126) * t37;
   result(0, 5) = Scalar(0.126) * c7;
-  result(0, 6) = Scalar(0);
+  result(0, 6) = result(1, 6) = result(2, 4) = result(2, 5) = result(2, 6) = result(3, 6) = result(4, 6) =
+      result(5, 5) = Scalar(0);
   result(1, 0) = c7 * t18 - s7 * t21;
   result(1, 1) = -c7 * t30 - s7 * t28;
   result(1, 2) = s7 * t32 - c7 * t34;
   result(1, 3) = c7 * t36 + s7 * t35;
   result(1, 4) = Scalar(0.126) * t38;
   result(1, 5) = -Scalar(0.126) * s7;
-  result(1, 6) = Scalar(0);
   result(2, 0) = s6 * t19 - c6 * t20;
   result(2, 1) = -s6 * t27 - c6 * t23;
   result(2, 2) = -Scalar(0.4) * s6 * t39;
   result(2, 3) = -Scalar(0.4) * t4;
-  result(2, 4) = Scalar(0);
-  result(2, 5) = Scalar(0);
-  result(2, 6) = Scalar(0);
   result(3, 0) = -c7 * t43 - s7 * t44;
   result(3, 1) = c7 * t47 - s7 * t45;
   result(3, 2) = c7 * t49 - s7 * t39;
   result(3, 3) = -c5 * s7 - c7 * t31;
   result(3, 4) = -t38;
   result(3, 5) = s7;
-  result(3, 6) = Scalar(0);
   result(4, 0) = s7 * t43 - c7 * t44;
   result(4, 1) = -s7 * t47 - c7 * t45;
   result(4, 2) = -c7 * t39 - s7 * t49;
   result(4, 3) = s7 * t31 - c5 * c7;
   result(4, 4) = t37;
   result(4, 5) = c7;
-  result(4, 6) = Scalar(0);
   result(5, 0) = s6 * t42 + c6 * t40;
   result(5, 1) = s6 * t46 - s3 * t48;
   result(5, 2) = t10 + c4 * c6;
   result(5, 3) = -t0;
   result(5, 4) = c6;
-  result(5, 5) = Scalar(0);
   result(5, 6) = Scalar(1);
 
   return result;
@@ -368,20 +319,10 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& q,
     const Vector3<Scalar>& point,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s3 = angles.sine[2];
-  const Scalar& c3 = angles.cosine[2];
-  const Scalar& s4 = angles.sine[3];
-  const Scalar& c4 = angles.cosine[3];
-  const Scalar& s5 = angles.sine[4];
-  const Scalar& c5 = angles.cosine[4];
-  const Scalar& s6 = angles.sine[5];
-  const Scalar& c6 = angles.cosine[5];
-  const Scalar& s7 = angles.sine[6];
-  const Scalar& c7 = angles.cosine[6];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s3 = angles.sine[2], &c3 = angles.cosine[2], &s4 = angles.sine[3], &c4 = angles.cosine[3];
+  const Scalar &s5 = angles.sine[4], &c5 = angles.cosine[4], &s6 = angles.sine[5], &c6 = angles.cosine[5];
+  const Scalar &s7 = angles.sine[6], &c7 = angles.cosine[6];
   const Scalar t0 = point[1] * s7 - point[0] * c7;
   const Scalar t1 = Scalar(0.126) + point[2];
   const Scalar t2 = s6 * t0 + c6 * t1;
@@ -459,21 +400,19 @@ inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& 
   result(1, 4) = t27 * t57 - t32 * t53;
   result(1, 5) = -t44 * t58 - t60 * t42;
   result(1, 6) = t61 * t42 - t51 * t58;
-  result(2, 0) = Scalar(0);
+  result(2, 0) = result(3, 0) = result(4, 0) = result(5, 1) = Scalar(0);
   result(2, 1) = -t19;
   result(2, 2) = -s2 * t11;
   result(2, 3) = -t25 * t54 - t53 * t30;
   result(2, 4) = t36 * t53 - t25 * t57;
   result(2, 5) = t60 * t47 - t38 * t58;
   result(2, 6) = t50 * t58 - t61 * t47;
-  result(3, 0) = Scalar(0);
   result(3, 1) = -s1;
   result(3, 2) = t55;
   result(3, 3) = t54;
   result(3, 4) = t57;
   result(3, 5) = -t60;
   result(3, 6) = t61;
-  result(4, 0) = Scalar(0);
   result(4, 1) = c1;
   result(4, 2) = t23;
   result(4, 3) = -t30;
@@ -481,7 +420,6 @@ inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& 
   result(4, 5) = -t38;
   result(4, 6) = t50;
   result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(0);
   result(5, 2) = c2;
   result(5, 3) = -t26;
   result(5, 4) = t32;
@@ -495,18 +433,9 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> velocity([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s3 = angles.sine[2];
-  const Scalar& c3 = angles.cosine[2];
-  const Scalar& s4 = angles.sine[3];
-  const Scalar& c4 = angles.cosine[3];
-  const Scalar& s5 = angles.sine[4];
-  const Scalar& c5 = angles.cosine[4];
-  const Scalar& s6 = angles.sine[5];
-  const Scalar& c6 = angles.cosine[5];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s3 = angles.sine[2], &c3 = angles.cosine[2], &s4 = angles.sine[3], &c4 = angles.cosine[3];
+  const Scalar &s5 = angles.sine[4], &c5 = angles.cosine[4], &s6 = angles.sine[5], &c6 = angles.cosine[5];
   const Scalar t0 = c5 * s6;
   const Scalar t1 = Scalar(0.126) * c6;
   const Scalar t2 = Scalar(0.4) + t1;
@@ -553,18 +482,9 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s3 = angles.sine[2];
-  const Scalar& c3 = angles.cosine[2];
-  const Scalar& s4 = angles.sine[3];
-  const Scalar& c4 = angles.cosine[3];
-  const Scalar& s5 = angles.sine[4];
-  const Scalar& c5 = angles.cosine[4];
-  const Scalar& s6 = angles.sine[5];
-  const Scalar& c6 = angles.cosine[5];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s3 = angles.sine[2], &c3 = angles.cosine[2], &s4 = angles.sine[3], &c4 = angles.cosine[3];
+  const Scalar &s5 = angles.sine[4], &c5 = angles.cosine[4], &s6 = angles.sine[5], &c6 = angles.cosine[5];
   const Scalar t0 = qd[0] * c1;
   const Scalar t1 = qd[1] * s1;
   const Scalar t2 = s2 * t0 + c2 * t1;
@@ -662,37 +582,31 @@ inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>&
   result(0, 3) = t66;
   result(0, 4) = t16 * t57 - Scalar(0.126) * t67;
   result(0, 5) = -t70 - t35 * t38;
-  result(0, 6) = Scalar(0);
+  result(0, 6) = result(1, 6) = result(2, 0) = result(2, 6) = result(3, 0) = result(4, 0) = result(5, 0) =
+      result(5, 1) = Scalar(0);
   result(1, 0) = t76;
   result(1, 1) = t59 * t0 - s1 * t56;
   result(1, 2) = t79;
   result(1, 3) = t81;
   result(1, 4) = t6 * t54 - t82;
   result(1, 5) = Scalar(0.126) * t84 - t54 * t23;
-  result(1, 6) = Scalar(0);
-  result(2, 0) = Scalar(0);
   result(2, 1) = -t85;
   result(2, 2) = t12 * t39 + t86;
   result(2, 3) = t87 - t75 * t43;
   result(2, 4) = Scalar(0.126) * t88 - t61 * t72;
   result(2, 5) = Scalar(0.126) * t89 + t38 * t23;
-  result(2, 6) = Scalar(0);
-  result(3, 0) = Scalar(0);
   result(3, 1) = -t0;
   result(3, 2) = t71;
   result(3, 3) = -t80;
   result(3, 4) = -t72;
   result(3, 5) = t83;
   result(3, 6) = -t73;
-  result(4, 0) = Scalar(0);
   result(4, 1) = -t60;
   result(4, 2) = t2;
   result(4, 3) = t65;
   result(4, 4) = t16;
   result(4, 5) = -t68;
   result(4, 6) = -t37;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
   result(5, 2) = -t41;
   result(5, 3) = -t64;
   result(5, 4) = t48;
@@ -706,18 +620,9 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s3 = angles.sine[2];
-  const Scalar& c3 = angles.cosine[2];
-  const Scalar& s4 = angles.sine[3];
-  const Scalar& c4 = angles.cosine[3];
-  const Scalar& s5 = angles.sine[4];
-  const Scalar& c5 = angles.cosine[4];
-  const Scalar& s6 = angles.sine[5];
-  const Scalar& c6 = angles.cosine[5];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s3 = angles.sine[2], &c3 = angles.cosine[2], &s4 = angles.sine[3], &c4 = angles.cosine[3];
+  const Scalar &s5 = angles.sine[4], &c5 = angles.cosine[4], &s6 = angles.sine[5], &c6 = angles.cosine[5];
   const Scalar t0 = qd[0] * s2;
   const Scalar t1 = qd[1] * c3;
   const Scalar t2 = s3 * t0 + t1;

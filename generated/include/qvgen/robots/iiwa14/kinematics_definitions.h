@@ -97,20 +97,10 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& sh1 = angles.sine[0];
-  const Scalar& ch1 = angles.cosine[0];
-  const Scalar& sh2 = angles.sine[1];
-  const Scalar& ch2 = angles.cosine[1];
-  const Scalar& sh3 = angles.sine[2];
-  const Scalar& ch3 = angles.cosine[2];
-  const Scalar& sh4 = angles.sine[3];
-  const Scalar& ch4 = angles.cosine[3];
-  const Scalar& sh5 = angles.sine[4];
-  const Scalar& ch5 = angles.cosine[4];
-  const Scalar& sh6 = angles.sine[5];
-  const Scalar& ch6 = angles.cosine[5];
-  const Scalar& sh7 = angles.sine[6];
-  const Scalar& ch7 = angles.cosine[6];
+  const Scalar &sh1 = angles.sine[0], &ch1 = angles.cosine[0], &sh2 = angles.sine[1], &ch2 = angles.cosine[1];
+  const Scalar &sh3 = angles.sine[2], &ch3 = angles.cosine[2], &sh4 = angles.sine[3], &ch4 = angles.cosine[3];
+  const Scalar &sh5 = angles.sine[4], &ch5 = angles.cosine[4], &sh6 = angles.sine[5], &ch6 = angles.cosine[5];
+  const Scalar &sh7 = angles.sine[6], &ch7 = angles.cosine[6];
   const Scalar t0 = sh1 * sh3;
   const Scalar t1 = ch1 * ch3;
   const Scalar t2 = ch2 * (t0 - t1);
@@ -155,20 +145,10 @@ template <class Scalar, class Angles>
 inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
     [[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s3 = angles.sine[2];
-  const Scalar& c3 = angles.cosine[2];
-  const Scalar& s4 = angles.sine[3];
-  const Scalar& c4 = angles.cosine[3];
-  const Scalar& s5 = angles.sine[4];
-  const Scalar& c5 = angles.cosine[4];
-  const Scalar& s6 = angles.sine[5];
-  const Scalar& c6 = angles.cosine[5];
-  const Scalar& s7 = angles.sine[6];
-  const Scalar& c7 = angles.cosine[6];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s3 = angles.sine[2], &c3 = angles.cosine[2], &s4 = angles.sine[3], &c4 = angles.cosine[3];
+  const Scalar &s5 = angles.sine[4], &c5 = angles.cosine[4], &s6 = angles.sine[5], &c6 = angles.cosine[5];
+  const Scalar &s7 = angles.sine[6], &c7 = angles.cosine[6];
   const Scalar t0 = c5 * s6;
   const Scalar t1 = s4 * t0;
   const Scalar t2 = t1 + c4 * c6;

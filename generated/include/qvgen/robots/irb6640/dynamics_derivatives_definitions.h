@@ -124,16 +124,9 @@ template <class Scalar, class Angles>
 inline InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const Angles& angles,
     const InverseDynamicsDerivativesConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4];
   const Scalar t0 = k[10] * c6 + k[11] * s6;
   const Scalar t1 = qd[1] + qd[2];
   const Scalar t2 = s2 * s3 - c2 * c3;
@@ -920,12 +913,8 @@ inline InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives([[maybe_u
   result.torque[3] = -t144;
   result.torque[4] = t160;
   result.torque[5] = -t130;
-  result.by_position(0, 0) = Scalar(0);
-  result.by_position(1, 0) = Scalar(0);
-  result.by_position(2, 0) = Scalar(0);
-  result.by_position(3, 0) = -Scalar(0);
-  result.by_position(4, 0) = Scalar(0);
-  result.by_position(5, 0) = Scalar(0);
+  result.by_position(0, 0) = result.by_position(1, 0) = result.by_position(2, 0) = result.by_position(3, 0) =
+      result.by_position(4, 0) = result.by_position(5, 0) = result.by_rate(5, 5) = Scalar(0);
   result.by_rate(0, 0) = -t304;
   result.by_rate(1, 0) = -(Scalar(3.359375) * t311 - t314) - (t171 - t315);
   result.by_rate(2, 0) = t314;
@@ -991,7 +980,6 @@ inline InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives([[maybe_u
   result.by_rate(2, 5) = -t777;
   result.by_rate(3, 5) = t767;
   result.by_rate(4, 5) = -t769;
-  result.by_rate(5, 5) = Scalar(0);
   return result;
 }
 

@@ -136,18 +136,9 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> inverse_dynamics_with_gravity_vector([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const Angles& angles,
     const InverseDynamicsWithGravityVectorConstants<Scalar>& k) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s3 = angles.sine[2];
-  const Scalar& c3 = angles.cosine[2];
-  const Scalar& s4 = angles.sine[3];
-  const Scalar& c4 = angles.cosine[3];
-  const Scalar& s5 = angles.sine[4];
-  const Scalar& c5 = angles.cosine[4];
-  const Scalar& s6 = angles.sine[5];
-  const Scalar& c6 = angles.cosine[5];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s3 = angles.sine[2], &c3 = angles.cosine[2], &s4 = angles.sine[3], &c4 = angles.cosine[3];
+  const Scalar &s5 = angles.sine[4], &c5 = angles.cosine[4], &s6 = angles.sine[5], &c6 = angles.cosine[5];
   const Scalar t0 = k[6] * s2 + k[5] * c2;
   const Scalar t1 = k[5] * s2 - k[6] * c2;
   const Scalar t2 = qd[0] * qd[1];
@@ -443,18 +434,9 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> inverse_dynamics_with_wrench([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const Wrench<Scalar>& wrench, const Angles& angles,
     const InverseDynamicsWithWrenchConstants<Scalar>& k) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s3 = angles.sine[2];
-  const Scalar& c3 = angles.cosine[2];
-  const Scalar& s4 = angles.sine[3];
-  const Scalar& c4 = angles.cosine[3];
-  const Scalar& s5 = angles.sine[4];
-  const Scalar& c5 = angles.cosine[4];
-  const Scalar& s6 = angles.sine[5];
-  const Scalar& c6 = angles.cosine[5];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s3 = angles.sine[2], &c3 = angles.cosine[2], &s4 = angles.sine[3], &c4 = angles.cosine[3];
+  const Scalar &s5 = angles.sine[4], &c5 = angles.cosine[4], &s6 = angles.sine[5], &c6 = angles.cosine[5];
   const Scalar t0 = s2 * s3 - c2 * c3;
   const Scalar t1 = wrench[0] * c1 + wrench[1] * s1;
   const Scalar t2 = c3 * s2 + c2 * s3;
@@ -689,18 +671,9 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> gravity_torque_with_gravity_vector([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles,
     const GravityTorqueWithGravityVectorConstants<Scalar>& k) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s3 = angles.sine[2];
-  const Scalar& c3 = angles.cosine[2];
-  const Scalar& s4 = angles.sine[3];
-  const Scalar& c4 = angles.cosine[3];
-  const Scalar& s5 = angles.sine[4];
-  const Scalar& c5 = angles.cosine[4];
-  const Scalar& s6 = angles.sine[5];
-  const Scalar& c6 = angles.cosine[5];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s3 = angles.sine[2], &c3 = angles.cosine[2], &s4 = angles.sine[3], &c4 = angles.cosine[3];
+  const Scalar &s5 = angles.sine[4], &c5 = angles.cosine[4], &s6 = angles.sine[5], &c6 = angles.cosine[5];
   const Scalar t0 = k[1] * s1 - k[0] * c1;
   const Scalar t1 = k[0] * s1 + k[1] * c1;
   const Scalar t2 = c3 * s2 + c2 * s3;
@@ -877,18 +850,9 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> forward_dynamics_with_gravity_vector([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const Angles& angles,
     const ForwardDynamicsWithGravityVectorConstants<Scalar>& k) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s3 = angles.sine[2];
-  const Scalar& c3 = angles.cosine[2];
-  const Scalar& s4 = angles.sine[3];
-  const Scalar& c4 = angles.cosine[3];
-  const Scalar& s5 = angles.sine[4];
-  const Scalar& c5 = angles.cosine[4];
-  const Scalar& s6 = angles.sine[5];
-  const Scalar& c6 = angles.cosine[5];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s3 = angles.sine[2], &c3 = angles.cosine[2], &s4 = angles.sine[3], &c4 = angles.cosine[3];
+  const Scalar &s5 = angles.sine[4], &c5 = angles.cosine[4], &s6 = angles.sine[5], &c6 = angles.cosine[5];
   const Scalar t0 = k[17] * s6 + k[16] * c6;
   const Scalar t1 = s5 * t0 - k[7] * c5;
   const Scalar t2 = k[18] * t1;
@@ -1303,18 +1267,9 @@ inline JointVector<Scalar> forward_dynamics_with_wrench([[maybe_unused]] const J
     const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const Wrench<Scalar>& wrench,
     const Angles& angles,
     const ForwardDynamicsWithWrenchConstants<Scalar>& k) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s3 = angles.sine[2];
-  const Scalar& c3 = angles.cosine[2];
-  const Scalar& s4 = angles.sine[3];
-  const Scalar& c4 = angles.cosine[3];
-  const Scalar& s5 = angles.sine[4];
-  const Scalar& c5 = angles.cosine[4];
-  const Scalar& s6 = angles.sine[5];
-  const Scalar& c6 = angles.cosine[5];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s3 = angles.sine[2], &c3 = angles.cosine[2], &s4 = angles.sine[3], &c4 = angles.cosine[3];
+  const Scalar &s5 = angles.sine[4], &c5 = angles.cosine[4], &s6 = angles.sine[5], &c6 = angles.cosine[5];
   const Scalar t0 = k[11] * c6 - k[10] * s6;
   const Scalar t1 = k[30] * t0;
   const Scalar t2 = k[4] * c6 - k[5] * s6;
@@ -1665,18 +1620,9 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Scalar potential_energy_with_gravity_vector([[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     const PotentialEnergyWithGravityVectorConstants<Scalar>& k) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s3 = angles.sine[2];
-  const Scalar& c3 = angles.cosine[2];
-  const Scalar& s4 = angles.sine[3];
-  const Scalar& c4 = angles.cosine[3];
-  const Scalar& s5 = angles.sine[4];
-  const Scalar& c5 = angles.cosine[4];
-  const Scalar& s6 = angles.sine[5];
-  const Scalar& c6 = angles.cosine[5];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s3 = angles.sine[2], &c3 = angles.cosine[2], &s4 = angles.sine[3], &c4 = angles.cosine[3];
+  const Scalar &s5 = angles.sine[4], &c5 = angles.cosine[4], &s6 = angles.sine[5], &c6 = angles.cosine[5];
   const Scalar t0 = k[3] + (k[2] * c6 + k[1] * s6);
   const Scalar t1 = k[10] - (k[9] - (s5 * t0 + k[0] * c5));
   const Scalar t2 = k[11] + t1;

@@ -26,16 +26,9 @@ using NoAngles = JacobianSelection<Scalar, 0>;
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s23 = angles.sine[4];
-  const Scalar& c23 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s23 = angles.sine[4], &c23 = angles.cosine[4];
   const Scalar t0 = Scalar(0.2) * s5;
   const Scalar t1 = c1 * s4;
   const Scalar t2 = Scalar(0.2) - c4 * t0;
@@ -63,34 +56,26 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
   result(0, 2) = -c1 * t8;
   result(0, 3) = -t0 * t10;
   result(0, 4) = -t13 * t15 - t17 * t19;
-  result(0, 5) = Scalar(0);
+  result(0, 5) = result(1, 5) = result(2, 0) = result(2, 5) = result(3, 0) = result(4, 0) = result(5, 1) =
+      result(5, 2) = Scalar(0);
   result(1, 0) = c1 * t7 - t0 * t14;
   result(1, 1) = -s1 * t9;
   result(1, 2) = -s1 * t8;
   result(1, 3) = t0 * t15;
   result(1, 4) = -t20 * t19 - t13 * t10;
-  result(1, 5) = Scalar(0);
-  result(2, 0) = Scalar(0);
   result(2, 1) = -t6;
   result(2, 2) = -t5;
   result(2, 3) = t0 * t18;
   result(2, 4) = s23 * t0 - c23 * c4 * t3;
-  result(2, 5) = Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = -s1;
-  result(3, 2) = -s1;
+  result(3, 1) = result(3, 2) = -s1;
   result(3, 3) = c1 * c23;
   result(3, 4) = -t10;
   result(3, 5) = -t20;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = c1;
-  result(4, 2) = c1;
+  result(4, 1) = result(4, 2) = c1;
   result(4, 3) = c23 * s1;
   result(4, 4) = t15;
   result(4, 5) = t17;
   result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
   result(5, 3) = -s23;
   result(5, 4) = t18;
   result(5, 5) = -t12;
@@ -101,18 +86,9 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
-  const Scalar& s23 = angles.sine[5];
-  const Scalar& c23 = angles.cosine[5];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4], &s23 = angles.sine[5], &c23 = angles.cosine[5];
   const Scalar t0 = c23 * c4;
   const Scalar t1 = s23 * s5 - c5 * t0;
   const Scalar t2 = c23 * s4;
@@ -143,16 +119,16 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
   const Scalar t27 = t6 - s23 * t7;
   const Scalar t28 = t5 * Scalar(0.2) * t16 + Scalar(0.2) * t15 * t2;
   TransformAndJacobian<Scalar> result;
-  result.transform(0, 0) = -t14;
+  result.transform(0, 0) = result.jacobian(3, 5) = -t14;
   result.transform(0, 1) = t15 * t13 + t16 * t11;
   result.transform(0, 2) = t12 * t16 - t3 * t15;
-  result.transform(1, 0) = t15;
+  result.transform(1, 0) = result.jacobian(4, 5) = t15;
   result.transform(1, 1) = t12;
   result.transform(1, 2) = -t11;
-  result.transform(2, 0) = -t16;
+  result.transform(2, 0) = result.jacobian(5, 5) = -t16;
   result.transform(2, 1) = -t3;
   result.transform(2, 2) = -t13;
-  result.transform(0, 3) = t23;
+  result.transform(0, 3) = result.jacobian(1, 0) = t23;
   result.transform(1, 3) = t24;
   result.transform(2, 3) = Scalar(0.78) - t26;
   result.jacobian(0, 0) = -t24;
@@ -160,37 +136,25 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
   result.jacobian(0, 2) = -c1 * t25;
   result.jacobian(0, 3) = -t17 * t27;
   result.jacobian(0, 4) = -t28;
-  result.jacobian(0, 5) = Scalar(0);
-  result.jacobian(1, 0) = t23;
+  result.jacobian(0, 5) = result.jacobian(1, 5) = result.jacobian(2, 0) = result.jacobian(2, 5) =
+      result.jacobian(3, 0) = result.jacobian(4, 0) = result.jacobian(5, 1) = result.jacobian(5, 2) = Scalar(0);
   result.jacobian(1, 1) = -s1 * t26;
   result.jacobian(1, 2) = -s1 * t25;
   result.jacobian(1, 3) = t17 * t5;
   result.jacobian(1, 4) = -Scalar(0.2) * t10;
-  result.jacobian(1, 5) = Scalar(0);
-  result.jacobian(2, 0) = Scalar(0);
   result.jacobian(2, 1) = -t21;
   result.jacobian(2, 2) = -t20;
   result.jacobian(2, 3) = t17 * t2;
   result.jacobian(2, 4) = Scalar(0.2) * t1;
-  result.jacobian(2, 5) = Scalar(0);
-  result.jacobian(3, 0) = Scalar(0);
-  result.jacobian(3, 1) = -s1;
-  result.jacobian(3, 2) = -s1;
+  result.jacobian(3, 1) = result.jacobian(3, 2) = -s1;
   result.jacobian(3, 3) = c1 * c23;
   result.jacobian(3, 4) = -t27;
-  result.jacobian(3, 5) = -t14;
-  result.jacobian(4, 0) = Scalar(0);
-  result.jacobian(4, 1) = c1;
-  result.jacobian(4, 2) = c1;
+  result.jacobian(4, 1) = result.jacobian(4, 2) = c1;
   result.jacobian(4, 3) = t9;
   result.jacobian(4, 4) = t5;
-  result.jacobian(4, 5) = t15;
   result.jacobian(5, 0) = Scalar(1);
-  result.jacobian(5, 1) = Scalar(0);
-  result.jacobian(5, 2) = Scalar(0);
   result.jacobian(5, 3) = -s23;
   result.jacobian(5, 4) = t2;
-  result.jacobian(5, 5) = -t16;
   result.transform.makeAffine();
   return result;
 }
@@ -198,16 +162,9 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
-  const Scalar& s23 = angles.sine[4];
-  const Scalar& c23 = angles.cosine[4];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
+  const Scalar &s23 = angles.sine[4], &c23 = angles.cosine[4];
   const Scalar t0 = s4 * s5;
   const Scalar t1 = Scalar(0.2) * t0;
   const Scalar t2 = c23 * t1;
@@ -238,39 +195,30 @@ inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>
   result(0, 0) = s5 * t11 - c5 * t2;
   result(0, 1) = c5 * t6 - t3 * t8;
   result(0, 2) = t3 * t7 + c5 * t5;
-  result(0, 3) = -Scalar(0);
-  result(0, 4) = Scalar(0);
-  result(0, 5) = Scalar(0);
+  result(0, 3) = result(0, 4) = result(0, 5) = result(1, 5) = result(2, 5) = result(3, 4) = result(4, 5) =
+      result(5, 5) = Scalar(0);
   result(1, 0) = -c6 * t12 - s6 * t13;
   result(1, 1) = c6 * t14 + s6 * t16;
   result(1, 2) = -s6 * t17 - c6 * t18;
   result(1, 3) = s5 * t19;
   result(1, 4) = -Scalar(0.2) * s6;
-  result(1, 5) = Scalar(0);
   result(2, 0) = s6 * t12 - c6 * t13;
   result(2, 1) = c6 * t16 - s6 * t14;
   result(2, 2) = s6 * t18 - c6 * t17;
   result(2, 3) = -Scalar(0.2) * t20;
   result(2, 4) = -t19;
-  result(2, 5) = Scalar(0);
   result(3, 0) = -c23 * t3 - c5 * s23;
-  result(3, 1) = t0;
-  result(3, 2) = t0;
+  result(3, 1) = result(3, 2) = t0;
   result(3, 3) = c5;
-  result(3, 4) = Scalar(0);
   result(3, 5) = Scalar(1);
   result(4, 0) = s6 * t21 + c6 * t22;
-  result(4, 1) = -t24;
-  result(4, 2) = -t24;
+  result(4, 1) = result(4, 2) = -t24;
   result(4, 3) = t20;
   result(4, 4) = c6;
-  result(4, 5) = Scalar(0);
   result(5, 0) = c6 * t21 - s6 * t22;
-  result(5, 1) = -t25;
-  result(5, 2) = -t25;
+  result(5, 1) = result(5, 2) = -t25;
   result(5, 3) = c6 * s5;
   result(5, 4) = -s6;
-  result(5, 5) = Scalar(0);
 
   return result;
 }
@@ -279,18 +227,9 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& q,
     const Vector3<Scalar>& point,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
-  const Scalar& s23 = angles.sine[5];
-  const Scalar& c23 = angles.cosine[5];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4], &s23 = angles.sine[5], &c23 = angles.cosine[5];
   const Scalar t0 = point[2] * s6 - point[1] * c6;
   const Scalar t1 = Scalar(0.2) + point[0];
   const Scalar t2 = point[2] * c6 + point[1] * s6;
@@ -334,27 +273,21 @@ inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& 
   result(1, 3) = s23 * t26 + c1 * t4;
   result(1, 4) = t28 * t18 - t15 * t27;
   result(1, 5) = -t15 * t29 - t28 * t25;
-  result(2, 0) = Scalar(0);
+  result(2, 0) = result(3, 0) = result(4, 0) = result(5, 1) = result(5, 2) = Scalar(0);
   result(2, 1) = -t9;
   result(2, 2) = -t8;
   result(2, 3) = c23 * t11;
   result(2, 4) = -t27 * t20 - t28 * t17;
   result(2, 5) = -t29 * t20 - t28 * t24;
-  result(3, 0) = Scalar(0);
-  result(3, 1) = -s1;
-  result(3, 2) = -s1;
+  result(3, 1) = result(3, 2) = -s1;
   result(3, 3) = c1 * c23;
   result(3, 4) = -t27;
   result(3, 5) = -t29;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = c1;
-  result(4, 2) = c1;
+  result(4, 1) = result(4, 2) = c1;
   result(4, 3) = c23 * s1;
   result(4, 4) = t17;
   result(4, 5) = t24;
   result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
   result(5, 3) = -s23;
   result(5, 4) = t18;
   result(5, 5) = -t25;
@@ -366,16 +299,9 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> velocity([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s23 = angles.sine[4];
-  const Scalar& c23 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s23 = angles.sine[4], &c23 = angles.cosine[4];
   const Scalar t0 = Scalar(0.2) * qd[4] * s5;
   const Scalar t1 = qd[4] * c4;
   const Scalar t2 = s4 * s5;
@@ -415,16 +341,9 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s23 = angles.sine[4];
-  const Scalar& c23 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s23 = angles.sine[4], &c23 = angles.cosine[4];
   const Scalar t0 = c4 * s5;
   const Scalar t1 = qd[4] * c5;
   const Scalar t2 = s4 * t1;
@@ -482,34 +401,25 @@ inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>&
   result(0, 2) = t22 * t29 + c1 * t27;
   result(0, 3) = c1 * t34 - s1 * t19;
   result(0, 4) = -s1 * t39 - c1 * t41;
-  result(0, 5) = Scalar(0);
+  result(0, 5) = result(1, 5) = result(2, 0) = result(2, 5) = result(3, 0) = result(4, 0) = result(5, 0) =
+      result(5, 1) = result(5, 2) = Scalar(0);
   result(1, 0) = -s1 * t11 - c1 * t25;
   result(1, 1) = t42 * t23 - s1 * t28;
   result(1, 2) = s1 * t27 - t42 * t22;
   result(1, 3) = c1 * t19 + s1 * t34;
   result(1, 4) = c1 * t39 - s1 * t41;
-  result(1, 5) = Scalar(0);
-  result(2, 0) = Scalar(0);
   result(2, 1) = t24;
   result(2, 2) = t21;
   result(2, 3) = c23 * t3 - t4 * t44;
   result(2, 4) = t30 * t38 + c23 * t40;
-  result(2, 5) = Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = -t42;
-  result(3, 2) = -t42;
+  result(3, 1) = result(3, 2) = -t42;
   result(3, 3) = -c23 * t29 - c1 * t43;
   result(3, 4) = s1 * t45 + c1 * t47;
   result(3, 5) = -s1 * t33 - c1 * t50;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = -t29;
-  result(4, 2) = -t29;
+  result(4, 1) = result(4, 2) = -t29;
   result(4, 3) = c23 * t42 - s1 * t43;
   result(4, 4) = s1 * t47 - c1 * t45;
   result(4, 5) = c1 * t33 - s1 * t50;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
   result(5, 3) = -t46;
   result(5, 4) = c23 * qd[3] * c4 - t44;
   result(5, 5) = s23 * t48 - c23 * t49;
@@ -521,16 +431,9 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s23 = angles.sine[4];
-  const Scalar& c23 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s23 = angles.sine[4], &c23 = angles.cosine[4];
   const Scalar t0 = qd[0] * s23;
   const Scalar t1 = qd[0] * c23;
   const Scalar t2 = Scalar(2.15) * qd[1] * (s3 * t0 + c3 * t1);
@@ -584,11 +487,8 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
 template <class Scalar, class Angles>
 inline SingularityMeasures<Scalar> singularity_measures([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
-  const Scalar& s23 = angles.sine[2];
-  const Scalar& c23 = angles.cosine[2];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s5 = angles.sine[1], &s23 = angles.sine[2];
+  const Scalar &c23 = angles.cosine[2];
   const Scalar t0 = Scalar(0.9409190371991247) * (c3 * s23 - c23 * s3) + (c23 + Scalar(0.175054704595186) * s23);
   SingularityMeasures<Scalar> result;
   result(0, 0) = Scalar(0.2800875273522976) + t0;

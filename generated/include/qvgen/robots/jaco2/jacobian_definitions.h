@@ -26,16 +26,9 @@ using NoAngles = JacobianSelection<Scalar, 0>;
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s3 = angles.sine[2];
-  const Scalar& c3 = angles.cosine[2];
-  const Scalar& s4 = angles.sine[3];
-  const Scalar& c4 = angles.cosine[3];
-  const Scalar& s5 = angles.sine[4];
-  const Scalar& c5 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s3 = angles.sine[2], &c3 = angles.cosine[2], &s4 = angles.sine[3], &c4 = angles.cosine[3];
+  const Scalar &s5 = angles.sine[4], &c5 = angles.cosine[4];
   const Scalar t0 = c5 * Scalar(0.8660254037844386);
   const Scalar t1 = Scalar(0.026976691327885265) - Scalar(0.11705) * t0;
   const Scalar t2 = c4 * Scalar(0.8660254037844386);
@@ -87,34 +80,28 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
   result(0, 2) = -c1 * t21;
   result(0, 3) = s1 * t4 - t22 * t23;
   result(0, 4) = t27 * t30 - t32 * t33;
-  result(0, 5) = Scalar(0);
+  result(0, 5) = result(1, 5) = result(2, 0) = result(2, 5) = result(3, 0) = result(4, 0) = result(5, 1) =
+      result(5, 2) = Scalar(0);
   result(1, 0) = s1 * t18 + c1 * t14;
   result(1, 1) = -s1 * t20;
   result(1, 2) = -s1 * t21;
   result(1, 3) = -t22 * t34 - c1 * t4;
   result(1, 4) = -t35 * t30 - t36 * t33;
-  result(1, 5) = Scalar(0);
-  result(2, 0) = Scalar(0);
   result(2, 1) = t14;
   result(2, 2) = c2 * t9 - t13;
   result(2, 3) = -t17 * t37;
   result(2, 4) = -t32 * t35 - t36 * t27;
-  result(2, 5) = Scalar(0);
-  result(3, 0) = Scalar(0);
   result(3, 1) = s1;
   result(3, 2) = -s1;
   result(3, 3) = -c1 * t37;
   result(3, 4) = t36;
   result(3, 5) = s1 * t44 - c1 * t43;
-  result(4, 0) = Scalar(0);
   result(4, 1) = -c1;
   result(4, 2) = c1;
   result(4, 3) = -s1 * t37;
   result(4, 4) = -t32;
   result(4, 5) = -s1 * t43 - c1 * t44;
   result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
   result(5, 3) = t22;
   result(5, 4) = t30;
   result(5, 5) = c2 * t41 + s2 * t42;
@@ -125,18 +112,9 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s3 = angles.sine[2];
-  const Scalar& c3 = angles.cosine[2];
-  const Scalar& s4 = angles.sine[3];
-  const Scalar& c4 = angles.cosine[3];
-  const Scalar& s5 = angles.sine[4];
-  const Scalar& c5 = angles.cosine[4];
-  const Scalar& s6 = angles.sine[5];
-  const Scalar& c6 = angles.cosine[5];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s3 = angles.sine[2], &c3 = angles.cosine[2], &s4 = angles.sine[3], &c4 = angles.cosine[3];
+  const Scalar &s5 = angles.sine[4], &c5 = angles.cosine[4], &s6 = angles.sine[5], &c6 = angles.cosine[5];
   const Scalar t0 = c5 * s6;
   const Scalar t1 = c6 * s5;
   const Scalar t2 = Scalar(-0.5) * (Scalar(-0.5) * t0 + t1) - Scalar(0.75) * s6;
@@ -217,7 +195,7 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
   result.transform(2, 0) = c2 * t11 - s2 * t12;
   result.transform(2, 1) = s2 * t18 - c2 * t19;
   result.transform(2, 2) = -t35;
-  result.transform(0, 3) = t49;
+  result.transform(0, 3) = result.jacobian(1, 0) = t49;
   result.transform(1, 3) = -t50;
   result.transform(2, 3) = Scalar(0.2755) + t52;
   result.jacobian(0, 0) = t50;
@@ -225,34 +203,27 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
   result.jacobian(0, 2) = -c1 * t53;
   result.jacobian(0, 3) = s1 * t39 + t54 * t55;
   result.jacobian(0, 4) = t59 * t62 - t64 * t65;
-  result.jacobian(0, 5) = Scalar(0);
-  result.jacobian(1, 0) = t49;
+  result.jacobian(0, 5) = result.jacobian(1, 5) = result.jacobian(2, 0) = result.jacobian(2, 5) =
+      result.jacobian(3, 0) = result.jacobian(4, 0) = result.jacobian(5, 1) = result.jacobian(5, 2) = Scalar(0);
   result.jacobian(1, 1) = -s1 * t52;
   result.jacobian(1, 2) = -s1 * t53;
   result.jacobian(1, 3) = t54 * t66 - c1 * t39;
   result.jacobian(1, 4) = -t67 * t65 - t68 * t62;
-  result.jacobian(1, 5) = Scalar(0);
-  result.jacobian(2, 0) = Scalar(0);
   result.jacobian(2, 1) = t48;
   result.jacobian(2, 2) = t47 + c2 * t43;
   result.jacobian(2, 3) = t69 * t37;
   result.jacobian(2, 4) = -t67 * t59 - t64 * t68;
-  result.jacobian(2, 5) = Scalar(0);
-  result.jacobian(3, 0) = Scalar(0);
   result.jacobian(3, 1) = s1;
   result.jacobian(3, 2) = -s1;
   result.jacobian(3, 3) = -c1 * t69;
   result.jacobian(3, 4) = t67;
   result.jacobian(3, 5) = t33;
-  result.jacobian(4, 0) = Scalar(0);
   result.jacobian(4, 1) = -c1;
   result.jacobian(4, 2) = c1;
   result.jacobian(4, 3) = -s1 * t69;
   result.jacobian(4, 4) = -t64;
   result.jacobian(4, 5) = t34;
   result.jacobian(5, 0) = Scalar(1);
-  result.jacobian(5, 1) = Scalar(0);
-  result.jacobian(5, 2) = Scalar(0);
   result.jacobian(5, 3) = t54;
   result.jacobian(5, 4) = t62;
   result.jacobian(5, 5) = t35;
@@ -263,16 +234,9 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4];
   const Scalar t0 = c5 * Scalar(-0.5);
   const Scalar t1 = Scalar(0.026976691327885265) + Scalar(0.20273654702593707) * t0;
   const Scalar t2 = c4 * s5;
@@ -334,31 +298,26 @@ inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>
   result(0, 2) = s6 * t35 + c6 * t36;
   result(0, 3) = s6 * t39 - c6 * t38;
   result(0, 4) = -Scalar(0.20273654702593707) * c6;
-  result(0, 5) = Scalar(0);
+  result(0, 5) = result(1, 5) = result(2, 4) = result(2, 5) = result(3, 5) = result(4, 5) = Scalar(0);
   result(1, 0) = s6 * t21 + c6 * t20;
   result(1, 1) = -s6 * t27 - c6 * t31;
   result(1, 2) = s6 * t36 - c6 * t35;
   result(1, 3) = -s6 * t38 - c6 * t39;
   result(1, 4) = -Scalar(0.20273654702593707) * s6;
-  result(1, 5) = Scalar(0);
   result(2, 0) = Scalar(-0.5) * t16 - Scalar(0.8660254037844386) * t19;
   result(2, 1) = Scalar(0.8660254037844386) * t28 + Scalar(-0.5) * t30;
   result(2, 2) = Scalar(0.8660254037844386) * t33 - Scalar(-0.5) * t34;
   result(2, 3) = Scalar(0.1482) * Scalar(0.75) * s5;
-  result(2, 4) = Scalar(0);
-  result(2, 5) = Scalar(0);
   result(3, 0) = c6 * t41 - s6 * t44;
   result(3, 1) = -t49;
   result(3, 2) = t49;
   result(3, 3) = t50 * t51 + s5 * t52;
   result(3, 4) = t50;
-  result(3, 5) = Scalar(0);
   result(4, 0) = c6 * t44 + s6 * t41;
   result(4, 1) = t53;
   result(4, 2) = -t53;
   result(4, 3) = s5 * t50 - t52 * t51;
   result(4, 4) = -t52;
-  result(4, 5) = Scalar(0);
   result(5, 0) = -Scalar(-0.5) * t43 - Scalar(0.8660254037844386) * t42;
   result(5, 1) = -t54;
   result(5, 2) = t54;
@@ -373,18 +332,9 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& q,
     const Vector3<Scalar>& point,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s3 = angles.sine[2];
-  const Scalar& c3 = angles.cosine[2];
-  const Scalar& s4 = angles.sine[3];
-  const Scalar& c4 = angles.cosine[3];
-  const Scalar& s5 = angles.sine[4];
-  const Scalar& c5 = angles.cosine[4];
-  const Scalar& s6 = angles.sine[5];
-  const Scalar& c6 = angles.cosine[5];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s3 = angles.sine[2], &c3 = angles.cosine[2], &s4 = angles.sine[3], &c4 = angles.cosine[3];
+  const Scalar &s5 = angles.sine[4], &c5 = angles.cosine[4], &s6 = angles.sine[5], &c6 = angles.cosine[5];
   const Scalar t0 = point[0] * s6 - point[1] * c6;
   const Scalar t1 = Scalar(0.2341) + point[2];
   const Scalar t2 = Scalar(0.8660254037844386) * t0 - Scalar(-0.5) * t1;
@@ -463,27 +413,23 @@ inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& 
   result(1, 3) = c1 * t14 - t29 * t60;
   result(1, 4) = t62 * t40 - t61 * t32;
   result(1, 5) = t64 * t55 - t63 * t56;
-  result(2, 0) = Scalar(0);
+  result(2, 0) = result(3, 0) = result(4, 0) = result(5, 1) = result(5, 2) = Scalar(0);
   result(2, 1) = t21;
   result(2, 2) = -c2 * t19 - t17;
   result(2, 3) = -t23 * t31;
   result(2, 4) = t62 * t36 - t61 * t39;
   result(2, 5) = t64 * t59 - t63 * t49;
-  result(3, 0) = Scalar(0);
   result(3, 1) = s1;
   result(3, 2) = -s1;
   result(3, 3) = -c1 * t31;
   result(3, 4) = t62;
   result(3, 5) = t64;
-  result(4, 0) = Scalar(0);
   result(4, 1) = -c1;
   result(4, 2) = c1;
   result(4, 3) = -s1 * t31;
   result(4, 4) = -t39;
   result(4, 5) = -t49;
   result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
   result(5, 3) = t29;
   result(5, 4) = t32;
   result(5, 5) = t56;
@@ -495,16 +441,9 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> velocity([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s3 = angles.sine[2];
-  const Scalar& c3 = angles.cosine[2];
-  const Scalar& s4 = angles.sine[3];
-  const Scalar& c4 = angles.cosine[3];
-  const Scalar& s5 = angles.sine[4];
-  const Scalar& c5 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s3 = angles.sine[2], &c3 = angles.cosine[2], &s4 = angles.sine[3], &c4 = angles.cosine[3];
+  const Scalar &s5 = angles.sine[4], &c5 = angles.cosine[4];
   const Scalar t0 = s5 * Scalar(0.8660254037844386);
   const Scalar t1 = c4 * t0;
   const Scalar t2 = Scalar(0.2341) * t1;
@@ -555,16 +494,9 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s3 = angles.sine[2];
-  const Scalar& c3 = angles.cosine[2];
-  const Scalar& s4 = angles.sine[3];
-  const Scalar& c4 = angles.cosine[3];
-  const Scalar& s5 = angles.sine[4];
-  const Scalar& c5 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s3 = angles.sine[2], &c3 = angles.cosine[2], &s4 = angles.sine[3], &c4 = angles.cosine[3];
+  const Scalar &s5 = angles.sine[4], &c5 = angles.cosine[4];
   const Scalar t0 = c3 * s2 - c2 * s3;
   const Scalar t1 = qd[3] * t0;
   const Scalar t2 = s4 * Scalar(0.8660254037844386);
@@ -632,34 +564,27 @@ inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>&
   result(0, 2) = t42 * t44 + c1 * t39;
   result(0, 3) = s1 * t49 + c1 * t52;
   result(0, 4) = -s1 * t54 - c1 * t56;
-  result(0, 5) = Scalar(0);
+  result(0, 5) = result(1, 5) = result(2, 0) = result(2, 5) = result(3, 0) = result(4, 0) = result(5, 0) =
+      result(5, 1) = result(5, 2) = Scalar(0);
   result(1, 0) = -c1 * t34 - s1 * t22;
   result(1, 1) = -t57 * t43 - s1 * t40;
   result(1, 2) = s1 * t39 - t57 * t42;
   result(1, 3) = s1 * t52 - c1 * t49;
   result(1, 4) = c1 * t54 - s1 * t56;
-  result(1, 5) = Scalar(0);
-  result(2, 0) = Scalar(0);
   result(2, 1) = t58 - t24;
   result(2, 2) = -t58;
   result(2, 3) = -t59;
   result(2, 4) = t50 * t27 - t60;
-  result(2, 5) = Scalar(0);
-  result(3, 0) = Scalar(0);
   result(3, 1) = t57;
   result(3, 2) = -t57;
   result(3, 3) = t0 * t44 - c1 * t45;
   result(3, 4) = c1 * t27 - s1 * t7;
   result(3, 5) = c1 * t30 - s1 * t18;
-  result(4, 0) = Scalar(0);
   result(4, 1) = t44;
   result(4, 2) = -t44;
   result(4, 3) = -t57 * t0 - s1 * t45;
   result(4, 4) = s1 * t27 + c1 * t7;
   result(4, 5) = c1 * t18 + s1 * t30;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
   result(5, 3) = -t35;
   result(5, 4) = t36;
   result(5, 5) = t37;
@@ -671,16 +596,9 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s3 = angles.sine[2];
-  const Scalar& c3 = angles.cosine[2];
-  const Scalar& s4 = angles.sine[3];
-  const Scalar& c4 = angles.cosine[3];
-  const Scalar& s5 = angles.sine[4];
-  const Scalar& c5 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s3 = angles.sine[2], &c3 = angles.cosine[2], &s4 = angles.sine[3], &c4 = angles.cosine[3];
+  const Scalar &s5 = angles.sine[4], &c5 = angles.cosine[4];
   const Scalar t0 = qd[0] * qd[0];
   const Scalar t1 = qd[1] * qd[1];
   const Scalar t2 = qd[1] - qd[2];
@@ -747,14 +665,8 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
 template <class Scalar, class Angles>
 inline SingularityMeasures<Scalar> singularity_measures([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = c5 * Scalar(0.8660254037844386);
   const Scalar t1 = Scalar(0.026976691327885265) - Scalar(0.11705) * t0;
   const Scalar t2 = s5 * Scalar(0.8660254037844386);

@@ -37,18 +37,9 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& sh1 = angles.sine[0];
-  const Scalar& ch1 = angles.cosine[0];
-  const Scalar& sh2 = angles.sine[1];
-  const Scalar& ch2 = angles.cosine[1];
-  const Scalar& sh3 = angles.sine[2];
-  const Scalar& ch3 = angles.cosine[2];
-  const Scalar& sh4 = angles.sine[3];
-  const Scalar& ch4 = angles.cosine[3];
-  const Scalar& sh5 = angles.sine[4];
-  const Scalar& ch5 = angles.cosine[4];
-  const Scalar& sh6 = angles.sine[5];
-  const Scalar& ch6 = angles.cosine[5];
+  const Scalar &sh1 = angles.sine[0], &ch1 = angles.cosine[0], &sh2 = angles.sine[1], &ch2 = angles.cosine[1];
+  const Scalar &sh3 = angles.sine[2], &ch3 = angles.cosine[2], &sh4 = angles.sine[3], &ch4 = angles.cosine[3];
+  const Scalar &sh5 = angles.sine[4], &ch5 = angles.cosine[4], &sh6 = angles.sine[5], &ch6 = angles.cosine[5];
   const Scalar t0 = ch1 * sh2;
   const Scalar t1 = ch2 * sh1;
   const Scalar t2 = Scalar(0.7071067811865476) * (t0 + t1);
@@ -112,18 +103,9 @@ template <class Scalar, class Angles>
 inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
     [[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& sh1 = angles.sine[0];
-  const Scalar& ch1 = angles.cosine[0];
-  const Scalar& sh2 = angles.sine[1];
-  const Scalar& ch2 = angles.cosine[1];
-  const Scalar& sh3 = angles.sine[2];
-  const Scalar& ch3 = angles.cosine[2];
-  const Scalar& sh4 = angles.sine[3];
-  const Scalar& ch4 = angles.cosine[3];
-  const Scalar& sh5 = angles.sine[4];
-  const Scalar& ch5 = angles.cosine[4];
-  const Scalar& sh6 = angles.sine[5];
-  const Scalar& ch6 = angles.cosine[5];
+  const Scalar &sh1 = angles.sine[0], &ch1 = angles.cosine[0], &sh2 = angles.sine[1], &ch2 = angles.cosine[1];
+  const Scalar &sh3 = angles.sine[2], &ch3 = angles.cosine[2], &sh4 = angles.sine[3], &ch4 = angles.cosine[3];
+  const Scalar &sh5 = angles.sine[4], &ch5 = angles.cosine[4], &sh6 = angles.sine[5], &ch6 = angles.cosine[5];
   const Scalar t0 = ch1 * sh2;
   const Scalar t1 = ch2 * sh1;
   const Scalar t2 = Scalar(0.7071067811865476) * (t0 + t1);

@@ -134,14 +134,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& qdd, const Angles& angles,
     const InverseDynamicsConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[5] * q[2];
   const Scalar t1 = qd[0] * s2;
   const Scalar t2 = qd[0] * c2;
@@ -324,14 +318,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     const GravityTorqueConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[0] * c2;
   const Scalar t1 = k[0] * s2;
   const Scalar t2 = s4 * t0 + c4 * t1;
@@ -346,9 +334,8 @@ inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Sca
   const Scalar t11 = (k[10] * t0 - k[9] * t1) - (t10 - (k[7] * t0 - k[8] * t1));
   const Scalar t12 = (k[5] * t4 - k[6] * t8) - t8 * t6;
   JointVector<Scalar> result;
-  result[0] = Scalar(0);
+  result[0] = result[2] = Scalar(0);
   result[1] = t11;
-  result[2] = Scalar(0);
   result[3] = -t10;
   result[4] = -t12;
   result[5] = -t7;
@@ -470,14 +457,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const Angles& angles,
     const CoriolisTorqueConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = qd[0] * qd[0];
   const Scalar t1 = q[2] * t0;
   const Scalar t2 = qd[0] * s2;
@@ -713,14 +694,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const Angles& angles,
     const MassMatrixConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[0] * s6 - k[1] * c6;
   const Scalar t1 = k[8] + c6 * t0;
   const Scalar t2 = k[11] - t1;
@@ -787,12 +762,11 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q,
   result(0, 4) = result(4, 0) = c2 * t47 + s2 * t49;
   result(0, 5) = result(5, 0) = -s2 * t54 - c2 * t56;
   result(1, 1) = t27 - t18;
-  result(1, 2) = result(2, 1) = Scalar(0);
+  result(1, 2) = result(2, 1) = result(2, 3) = result(3, 2) = Scalar(0);
   result(1, 3) = result(3, 1) = -t19 - t26;
   result(1, 4) = result(4, 1) = -t48 - t37;
   result(1, 5) = result(5, 1) = t53 - t57;
   result(2, 2) = k[36];
-  result(2, 3) = result(3, 2) = Scalar(0);
   result(2, 4) = result(4, 2) = k[27] * t22;
   result(2, 5) = result(5, 2) = k[27] * t55;
   result(3, 3) = -t19;
@@ -911,14 +885,8 @@ template <class Scalar, class Angles>
 inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const Angles& angles,
     const CoriolisMatrixConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[0] * s6 - k[1] * c6;
   const Scalar t1 = k[10] + c6 * t0;
   const Scalar t2 = k[11] + t1;
@@ -1135,7 +1103,7 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>
   result(1, 5) = -t158;
   result(2, 0) = k[24] * (t159 - t100);
   result(2, 1) = t154;
-  result(2, 2) = Scalar(0);
+  result(2, 2) = result(5, 5) = Scalar(0);
   result(2, 3) = t160;
   result(2, 4) = k[24] * t127;
   result(2, 5) = -t161;
@@ -1156,7 +1124,6 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>
   result(5, 2) = t161 - k[24] * t195;
   result(5, 3) = -t200 - t157;
   result(5, 4) = t142 + t10;
-  result(5, 5) = Scalar(0);
   return result;
 }
 
@@ -1317,14 +1284,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& torque, const Angles& angles,
     const ForwardDynamicsConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[14] * s6 - k[15] * c6;
   const Scalar t1 = k[2] * c6 + k[3] * s6;
   const Scalar t2 = k[2] * s6 - k[3] * c6;
@@ -1672,14 +1633,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const Angles& angles,
     const KineticEnergyConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[6] * c6 + k[7] * s6;
   const Scalar t1 = k[8] + t0;
   const Scalar t2 = c5 * t1;
@@ -1804,14 +1759,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Scalar potential_energy([[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     const PotentialEnergyConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = c5 * (k[3] + (k[1] * c6 + k[2] * s6));
   const Scalar t1 = k[4] + (k[0] * s5 + t0);
   const Scalar t2 = k[6] + (k[5] + (k[2] * c6 - k[1] * s6));

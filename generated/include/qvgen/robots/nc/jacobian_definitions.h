@@ -26,14 +26,8 @@ using NoAngles = JacobianSelection<Scalar, 0>;
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s24 = angles.sine[3];
-  const Scalar& c24 = angles.cosine[3];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s24 = angles.sine[3], &c24 = angles.cosine[3];
   const Scalar t0 = g.l2 * c2;
   const Scalar t1 = q[2] + (g.d2 + g.d4);
   const Scalar t2 = g.l2 * s2;
@@ -41,38 +35,19 @@ inline Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
   Jacobian<Scalar> result;
   result(0, 0) = c1 * t1 - s1 * t0;
   result(0, 1) = -c1 * t2;
-  result(0, 2) = s1;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = -Scalar(0);
-  result(0, 5) = -Scalar(0);
+  result(0, 2) = result(3, 1) = result(3, 3) = s1;
+  result(0, 3) = result(0, 4) = result(0, 5) = result(1, 3) = result(1, 4) = result(1, 5) = result(2, 0) =
+      result(2, 2) = result(2, 3) = result(2, 4) = result(2, 5) = result(3, 0) = result(3, 2) = result(4, 0) =
+      result(4, 2) = result(5, 1) = result(5, 2) = result(5, 3) = Scalar(0);
   result(1, 0) = s1 * t1 + c1 * t0;
   result(1, 1) = -s1 * t2;
-  result(1, 2) = -c1;
-  result(1, 3) = Scalar(0);
-  result(1, 4) = -Scalar(0);
-  result(1, 5) = -Scalar(0);
-  result(2, 0) = Scalar(0);
+  result(1, 2) = result(4, 1) = result(4, 3) = -c1;
   result(2, 1) = t0;
-  result(2, 2) = Scalar(0);
-  result(2, 3) = Scalar(0);
-  result(2, 4) = -Scalar(0);
-  result(2, 5) = -Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = s1;
-  result(3, 2) = Scalar(0);
-  result(3, 3) = s1;
   result(3, 4) = c1 * c24;
   result(3, 5) = c1 * t3 + c5 * s1;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = -c1;
-  result(4, 2) = Scalar(0);
-  result(4, 3) = -c1;
   result(4, 4) = c24 * s1;
   result(4, 5) = s1 * t3 - c1 * c5;
   result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
-  result(5, 3) = Scalar(0);
   result(5, 4) = s24;
   result(5, 5) = -c24 * s5;
 
@@ -82,16 +57,9 @@ inline Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
-  const Scalar& s24 = angles.sine[4];
-  const Scalar& c24 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
+  const Scalar &s24 = angles.sine[4], &c24 = angles.cosine[4];
   const Scalar t0 = c1 * c24;
   const Scalar t1 = c1 * c5;
   const Scalar t2 = s24 * t1 - s1 * s5;
@@ -119,43 +87,25 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointV
   result.transform(2, 0) = t11;
   result.transform(2, 1) = t9;
   result.transform(2, 2) = -t8;
-  result.transform(0, 3) = t14;
+  result.transform(0, 3) = result.jacobian(1, 0) = t14;
   result.transform(1, 3) = t15;
   result.transform(2, 3) = g.h1 + t16;
   result.jacobian(0, 0) = -t15;
   result.jacobian(0, 1) = -c1 * t16;
-  result.jacobian(0, 2) = s1;
-  result.jacobian(0, 3) = Scalar(0);
-  result.jacobian(0, 4) = -Scalar(0);
-  result.jacobian(0, 5) = -Scalar(0);
-  result.jacobian(1, 0) = t14;
+  result.jacobian(0, 2) = result.jacobian(3, 1) = result.jacobian(3, 3) = s1;
+  result.jacobian(0, 3) = result.jacobian(0, 4) = result.jacobian(0, 5) = result.jacobian(1, 3) =
+      result.jacobian(1, 4) = result.jacobian(1, 5) = result.jacobian(2, 0) = result.jacobian(2, 2) =
+      result.jacobian(2, 3) = result.jacobian(2, 4) = result.jacobian(2, 5) = result.jacobian(3, 0) =
+      result.jacobian(3, 2) = result.jacobian(4, 0) = result.jacobian(4, 2) = result.jacobian(5, 1) =
+      result.jacobian(5, 2) = result.jacobian(5, 3) = Scalar(0);
   result.jacobian(1, 1) = -s1 * t16;
-  result.jacobian(1, 2) = -c1;
-  result.jacobian(1, 3) = Scalar(0);
-  result.jacobian(1, 4) = -Scalar(0);
-  result.jacobian(1, 5) = -Scalar(0);
-  result.jacobian(2, 0) = Scalar(0);
+  result.jacobian(1, 2) = result.jacobian(4, 1) = result.jacobian(4, 3) = -c1;
   result.jacobian(2, 1) = t13;
-  result.jacobian(2, 2) = Scalar(0);
-  result.jacobian(2, 3) = Scalar(0);
-  result.jacobian(2, 4) = -Scalar(0);
-  result.jacobian(2, 5) = -Scalar(0);
-  result.jacobian(3, 0) = Scalar(0);
-  result.jacobian(3, 1) = s1;
-  result.jacobian(3, 2) = Scalar(0);
-  result.jacobian(3, 3) = s1;
   result.jacobian(3, 4) = t0;
   result.jacobian(3, 5) = t5;
-  result.jacobian(4, 0) = Scalar(0);
-  result.jacobian(4, 1) = -c1;
-  result.jacobian(4, 2) = Scalar(0);
-  result.jacobian(4, 3) = -c1;
   result.jacobian(4, 4) = c24 * s1;
   result.jacobian(4, 5) = -t10;
   result.jacobian(5, 0) = Scalar(1);
-  result.jacobian(5, 1) = Scalar(0);
-  result.jacobian(5, 2) = Scalar(0);
-  result.jacobian(5, 3) = Scalar(0);
   result.jacobian(5, 4) = s24;
   result.jacobian(5, 5) = -t9;
   result.transform.makeAffine();
@@ -165,14 +115,8 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointV
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> tool_jacobian(const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s4 = angles.sine[0];
-  const Scalar& c4 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
-  const Scalar& c5 = angles.cosine[1];
-  const Scalar& s6 = angles.sine[2];
-  const Scalar& c6 = angles.cosine[2];
-  const Scalar& s24 = angles.sine[3];
-  const Scalar& c24 = angles.cosine[3];
+  const Scalar &s4 = angles.sine[0], &c4 = angles.cosine[0], &s5 = angles.sine[1], &c5 = angles.cosine[1];
+  const Scalar &s6 = angles.sine[2], &c6 = angles.cosine[2], &s24 = angles.sine[3], &c24 = angles.cosine[3];
   const Scalar t0 = q[2] + (g.d2 + g.d4);
   const Scalar t1 = s24 * t0;
   const Scalar t2 = g.l2 * s4;
@@ -187,40 +131,22 @@ inline Jacobian<Scalar> tool_jacobian(const JointVector<Scalar>& q,
   Jacobian<Scalar> result;
   result(0, 0) = c6 * t6 - s6 * t5;
   result(0, 1) = s6 * t7 + c6 * t2;
-  result(0, 2) = t8;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = -Scalar(0);
-  result(0, 5) = -Scalar(0);
+  result(0, 2) = result(3, 1) = result(3, 3) = t8;
+  result(0, 3) = result(0, 4) = result(0, 5) = result(1, 3) = result(1, 4) = result(1, 5) = result(2, 3) =
+      result(2, 4) = result(2, 5) = result(3, 2) = result(3, 5) = result(4, 2) = result(4, 4) = result(5, 2) =
+      result(5, 5) = Scalar(0);
   result(1, 0) = c5 * t4 - s5 * t1;
   result(1, 1) = s5 * t3;
-  result(1, 2) = -c5;
-  result(1, 3) = Scalar(0);
-  result(1, 4) = -Scalar(0);
-  result(1, 5) = -Scalar(0);
+  result(1, 2) = result(4, 1) = result(4, 3) = -c5;
   result(2, 0) = -c6 * t5 - s6 * t6;
   result(2, 1) = c6 * t7 - s6 * t2;
-  result(2, 2) = t9;
-  result(2, 3) = Scalar(0);
-  result(2, 4) = -Scalar(0);
-  result(2, 5) = -Scalar(0);
+  result(2, 2) = result(5, 1) = result(5, 3) = t9;
   result(3, 0) = s6 * t10 + c6 * s24;
-  result(3, 1) = t8;
-  result(3, 2) = Scalar(0);
-  result(3, 3) = t8;
   result(3, 4) = c6;
-  result(3, 5) = -Scalar(0);
   result(4, 0) = c24 * s5;
-  result(4, 1) = -c5;
-  result(4, 2) = Scalar(0);
-  result(4, 3) = -c5;
-  result(4, 4) = -Scalar(0);
   result(4, 5) = -Scalar(1);
   result(5, 0) = c6 * t10 - s24 * s6;
-  result(5, 1) = t9;
-  result(5, 2) = Scalar(0);
-  result(5, 3) = t9;
   result(5, 4) = -s6;
-  result(5, 5) = -Scalar(0);
 
   return result;
 }
@@ -229,16 +155,9 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q,
     const Vector3<Scalar>& point,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
-  const Scalar& s24 = angles.sine[4];
-  const Scalar& c24 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
+  const Scalar &s24 = angles.sine[4], &c24 = angles.cosine[4];
   const Scalar t0 = point[2] * c6 + point[0] * s6;
   const Scalar t1 = point[1] * c5 - s5 * t0;
   const Scalar t2 = q[2] + (g.d2 + (g.d4 - t1));
@@ -257,38 +176,27 @@ inline Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q,
   Jacobian<Scalar> result;
   result(0, 0) = c1 * t2 - s1 * t7;
   result(0, 1) = -c1 * t10;
-  result(0, 2) = s1;
+  result(0, 2) = result(3, 1) = result(3, 3) = s1;
   result(0, 3) = c1 * t9;
   result(0, 4) = s1 * t3 - t1 * t11;
   result(0, 5) = -s1 * t12 - c1 * t13;
   result(1, 0) = c1 * t7 + s1 * t2;
   result(1, 1) = -s1 * t10;
-  result(1, 2) = -c1;
+  result(1, 2) = result(4, 1) = result(4, 3) = -c1;
   result(1, 3) = s1 * t9;
   result(1, 4) = -c1 * t3 - t14 * t1;
   result(1, 5) = c1 * t12 - s1 * t13;
-  result(2, 0) = Scalar(0);
+  result(2, 0) = result(2, 2) = result(3, 0) = result(3, 2) = result(4, 0) = result(4, 2) = result(5, 1) =
+      result(5, 2) = result(5, 3) = Scalar(0);
   result(2, 1) = t7;
-  result(2, 2) = Scalar(0);
   result(2, 3) = -t6;
   result(2, 4) = c24 * t1;
   result(2, 5) = -s24 * t0 - c5 * t5;
-  result(3, 0) = Scalar(0);
-  result(3, 1) = s1;
-  result(3, 2) = Scalar(0);
-  result(3, 3) = s1;
   result(3, 4) = c1 * c24;
   result(3, 5) = c5 * s1 + s5 * t11;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = -c1;
-  result(4, 2) = Scalar(0);
-  result(4, 3) = -c1;
   result(4, 4) = c24 * s1;
   result(4, 5) = s5 * t14 - c1 * c5;
   result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
-  result(5, 3) = Scalar(0);
   result(5, 4) = s24;
   result(5, 5) = -c24 * s5;
 
@@ -299,14 +207,8 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> velocity(const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s24 = angles.sine[3];
-  const Scalar& c24 = angles.cosine[3];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s24 = angles.sine[3], &c24 = angles.cosine[3];
   const Scalar t0 = g.l2 * c2;
   const Scalar t1 = qd[2] - qd[0] * t0;
   const Scalar t2 = qd[0] * (q[2] + (g.d2 + g.d4)) - qd[1] * g.l2 * s2;
@@ -328,14 +230,8 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s24 = angles.sine[3];
-  const Scalar& c24 = angles.cosine[3];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s24 = angles.sine[3], &c24 = angles.cosine[3];
   const Scalar t0 = g.l2 * s2;
   const Scalar t1 = qd[1] * t0;
   const Scalar t2 = qd[0] * (q[2] + (g.d2 + g.d4)) - t1;
@@ -352,38 +248,18 @@ inline Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q,
   Jacobian<Scalar> result;
   result(0, 0) = c1 * t4 - s1 * t2;
   result(0, 1) = t0 * t5 - c1 * t6;
-  result(0, 2) = t7;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = -Scalar(0);
-  result(0, 5) = -Scalar(0);
+  result(0, 2) = result(3, 1) = result(3, 3) = t7;
+  result(0, 3) = result(0, 4) = result(0, 5) = result(1, 3) = result(1, 4) = result(1, 5) = result(2, 0) =
+      result(2, 2) = result(2, 3) = result(2, 4) = result(2, 5) = result(3, 0) = result(3, 2) = result(4, 0) =
+      result(4, 2) = result(5, 0) = result(5, 1) = result(5, 2) = result(5, 3) = Scalar(0);
   result(1, 0) = s1 * t4 + c1 * t2;
   result(1, 1) = -t0 * t7 - s1 * t6;
-  result(1, 2) = t5;
-  result(1, 3) = Scalar(0);
-  result(1, 4) = -Scalar(0);
-  result(1, 5) = -Scalar(0);
-  result(2, 0) = Scalar(0);
+  result(1, 2) = result(4, 1) = result(4, 3) = t5;
   result(2, 1) = -t1;
-  result(2, 2) = Scalar(0);
-  result(2, 3) = Scalar(0);
-  result(2, 4) = -Scalar(0);
-  result(2, 5) = -Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = t7;
-  result(3, 2) = Scalar(0);
-  result(3, 3) = t7;
   result(3, 4) = -c24 * t5 - c1 * t9;
   result(3, 5) = c1 * t12 - s1 * t10;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = t5;
-  result(4, 2) = Scalar(0);
-  result(4, 3) = t5;
   result(4, 4) = c24 * t7 - s1 * t9;
   result(4, 5) = c1 * t10 + s1 * t12;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
-  result(5, 3) = Scalar(0);
   result(5, 4) = t11;
   result(5, 5) = s5 * t9 - c24 * qd[4] * c5;
 
@@ -394,14 +270,8 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> jacobian_dot_times_qd(const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s24 = angles.sine[3];
-  const Scalar& c24 = angles.cosine[3];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s24 = angles.sine[3], &c24 = angles.cosine[3];
   const Scalar t0 = qd[0] * qd[0];
   const Scalar t1 = qd[0] + qd[0];
   const Scalar t2 = qd[1] * g.l2 * s2;
@@ -430,8 +300,7 @@ inline Twist<Scalar> jacobian_dot_times_qd(const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline SingularityMeasures<Scalar> singularity_measures(const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
+  const Scalar &c2 = angles.cosine[0], &s5 = angles.sine[1];
 
   SingularityMeasures<Scalar> result;
   result(0, 0) = c2;

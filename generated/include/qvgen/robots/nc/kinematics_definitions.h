@@ -45,16 +45,9 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        const BasicGeometry<Scalar>& g) {
-  const Scalar& sh1 = angles.sine[0];
-  const Scalar& ch1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& sh5 = angles.sine[2];
-  const Scalar& ch5 = angles.cosine[2];
-  const Scalar& sh246 = angles.sine[3];
-  const Scalar& ch246 = angles.cosine[3];
-  const Scalar& sh24m6 = angles.sine[4];
-  const Scalar& ch24m6 = angles.cosine[4];
+  const Scalar &sh1 = angles.sine[0], &ch1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &sh5 = angles.sine[2], &ch5 = angles.cosine[2], &sh246 = angles.sine[3], &ch246 = angles.cosine[3];
+  const Scalar &sh24m6 = angles.sine[4], &ch24m6 = angles.cosine[4];
   const Scalar t0 = sh24m6 * sh5;
   const Scalar t1 = ch246 * ch5;
   const Scalar t2 = ch24m6 * sh5;
@@ -77,16 +70,9 @@ template <class Scalar, class Angles>
 inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
     const JointVector<Scalar>& q, const Angles& angles,
     const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
-  const Scalar& s24 = angles.sine[4];
-  const Scalar& c24 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
+  const Scalar &s24 = angles.sine[4], &c24 = angles.cosine[4];
   const Scalar t0 = c5 * c6;
   const Scalar t1 = c24 * s6 + s24 * t0;
   const Scalar t2 = c6 * s5;

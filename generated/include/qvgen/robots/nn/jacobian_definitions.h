@@ -26,16 +26,9 @@ using NoAngles = JacobianSelection<Scalar, 0>;
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s3 = angles.sine[2];
-  const Scalar& c3 = angles.cosine[2];
-  const Scalar& s4 = angles.sine[3];
-  const Scalar& c4 = angles.cosine[3];
-  const Scalar& s5 = angles.sine[4];
-  const Scalar& c5 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s3 = angles.sine[2], &c3 = angles.cosine[2], &s4 = angles.sine[3], &c4 = angles.cosine[3];
+  const Scalar &s5 = angles.sine[4], &c5 = angles.cosine[4];
   const Scalar t0 = g.d4 * s3;
   const Scalar t1 = g.l2 * s2 - c2 * t0;
   const Scalar t2 = g.l1 + g.d4 * c3;
@@ -59,35 +52,24 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
   result(0, 0) = s1 * t1 + c1 * t2;
   result(0, 1) = -c1 * t3;
   result(0, 2) = g.d4 * t6;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = Scalar(0);
-  result(0, 5) = -Scalar(0);
+  result(0, 3) = result(0, 4) = result(0, 5) = result(1, 3) = result(1, 4) = result(1, 5) = result(2, 0) =
+      result(2, 3) = result(2, 4) = result(2, 5) = result(3, 0) = result(4, 0) = result(5, 1) = Scalar(0);
   result(1, 0) = s1 * t2 - c1 * t1;
   result(1, 1) = -s1 * t3;
   result(1, 2) = g.d4 * t9;
-  result(1, 3) = Scalar(0);
-  result(1, 4) = Scalar(0);
-  result(1, 5) = -Scalar(0);
-  result(2, 0) = Scalar(0);
   result(2, 1) = -t1;
   result(2, 2) = g.d4 * t10;
-  result(2, 3) = Scalar(0);
-  result(2, 4) = Scalar(0);
-  result(2, 5) = -Scalar(0);
-  result(3, 0) = Scalar(0);
   result(3, 1) = s1;
   result(3, 2) = -t11;
   result(3, 3) = t12;
   result(3, 4) = s4 * t11 - c4 * t6;
   result(3, 5) = t13;
-  result(4, 0) = Scalar(0);
   result(4, 1) = -c1;
   result(4, 2) = -t14;
   result(4, 3) = -t15;
   result(4, 4) = s4 * t14 - c4 * t9;
   result(4, 5) = -t16;
   result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(0);
   result(5, 2) = c2;
   result(5, 3) = t17;
   result(5, 4) = -c2 * s4 - c4 * t10;
@@ -99,18 +81,9 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s3 = angles.sine[2];
-  const Scalar& c3 = angles.cosine[2];
-  const Scalar& s4 = angles.sine[3];
-  const Scalar& c4 = angles.cosine[3];
-  const Scalar& s5 = angles.sine[4];
-  const Scalar& c5 = angles.cosine[4];
-  const Scalar& s6 = angles.sine[5];
-  const Scalar& c6 = angles.cosine[5];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s3 = angles.sine[2], &c3 = angles.cosine[2], &s4 = angles.sine[3], &c4 = angles.cosine[3];
+  const Scalar &s5 = angles.sine[4], &c5 = angles.cosine[4], &s6 = angles.sine[5], &c6 = angles.cosine[5];
   const Scalar t0 = c1 * c3;
   const Scalar t1 = s1 * s3;
   const Scalar t2 = c2 * t0 - t1;
@@ -150,41 +123,31 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
   result.transform(2, 0) = t20;
   result.transform(2, 1) = -t19;
   result.transform(2, 2) = -t18;
-  result.transform(0, 3) = -t24;
+  result.transform(0, 3) = result.jacobian(1, 0) = -t24;
   result.transform(1, 3) = -t25;
   result.transform(2, 3) = g.h1 + t26;
   result.jacobian(0, 0) = t25;
   result.jacobian(0, 1) = -c1 * t26;
   result.jacobian(0, 2) = g.d4 * t2;
-  result.jacobian(0, 3) = Scalar(0);
-  result.jacobian(0, 4) = Scalar(0);
-  result.jacobian(0, 5) = -Scalar(0);
-  result.jacobian(1, 0) = -t24;
+  result.jacobian(0, 3) = result.jacobian(0, 4) = result.jacobian(0, 5) = result.jacobian(1, 3) =
+      result.jacobian(1, 4) = result.jacobian(1, 5) = result.jacobian(2, 0) = result.jacobian(2, 3) =
+      result.jacobian(2, 4) = result.jacobian(2, 5) = result.jacobian(3, 0) = result.jacobian(4, 0) =
+      result.jacobian(5, 1) = Scalar(0);
   result.jacobian(1, 1) = -s1 * t26;
   result.jacobian(1, 2) = g.d4 * t27;
-  result.jacobian(1, 3) = Scalar(0);
-  result.jacobian(1, 4) = Scalar(0);
-  result.jacobian(1, 5) = -Scalar(0);
-  result.jacobian(2, 0) = Scalar(0);
   result.jacobian(2, 1) = -t22;
   result.jacobian(2, 2) = g.d4 * t13;
-  result.jacobian(2, 3) = Scalar(0);
-  result.jacobian(2, 4) = Scalar(0);
-  result.jacobian(2, 5) = -Scalar(0);
-  result.jacobian(3, 0) = Scalar(0);
   result.jacobian(3, 1) = s1;
   result.jacobian(3, 2) = -t3;
   result.jacobian(3, 3) = t8;
   result.jacobian(3, 4) = -t4;
   result.jacobian(3, 5) = t11;
-  result.jacobian(4, 0) = Scalar(0);
   result.jacobian(4, 1) = -c1;
   result.jacobian(4, 2) = -t28;
   result.jacobian(4, 3) = c2 * t1 - t0;
   result.jacobian(4, 4) = s4 * t28 - c4 * t27;
   result.jacobian(4, 5) = t21;
   result.jacobian(5, 0) = Scalar(1);
-  result.jacobian(5, 1) = Scalar(0);
   result.jacobian(5, 2) = c2;
   result.jacobian(5, 3) = t15;
   result.jacobian(5, 4) = -t17;
@@ -196,16 +159,9 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4];
   const Scalar t0 = g.l1 + g.d4 * c3;
   const Scalar t1 = c2 * t0;
   const Scalar t2 = g.d4 * s3;
@@ -237,39 +193,29 @@ inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>
   result(0, 0) = c6 * t6 - s6 * t9;
   result(0, 1) = s6 * t14 - c6 * t11;
   result(0, 2) = c6 * t15 - s6 * t17;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = Scalar(0);
-  result(0, 5) = -Scalar(0);
+  result(0, 3) = result(0, 4) = result(0, 5) = result(1, 3) = result(1, 4) = result(1, 5) = result(2, 3) =
+      result(2, 4) = result(2, 5) = result(3, 5) = result(4, 4) = result(5, 5) = Scalar(0);
   result(1, 0) = s5 * t7 - c5 * t8;
   result(1, 1) = c5 * t12 - s5 * t13;
   result(1, 2) = s5 * t16;
-  result(1, 3) = Scalar(0);
-  result(1, 4) = Scalar(0);
-  result(1, 5) = -Scalar(0);
   result(2, 0) = -c6 * t9 - s6 * t6;
   result(2, 1) = c6 * t14 + s6 * t11;
   result(2, 2) = -s6 * t15 - c6 * t17;
-  result(2, 3) = Scalar(0);
-  result(2, 4) = Scalar(0);
-  result(2, 5) = -Scalar(0);
   result(3, 0) = c6 * t19 - s6 * t22;
   result(3, 1) = -c6 * t23 - s6 * t25;
   result(3, 2) = c6 * s4 + s6 * t26;
   result(3, 3) = -s5 * s6;
   result(3, 4) = -c6;
-  result(3, 5) = -Scalar(0);
   result(4, 0) = s5 * t20 - c5 * t21;
   result(4, 1) = -c3 * c5 - s5 * t24;
   result(4, 2) = -c4 * s5;
   result(4, 3) = -c5;
-  result(4, 4) = Scalar(0);
   result(4, 5) = -Scalar(1);
   result(5, 0) = -c6 * t22 - s6 * t19;
   result(5, 1) = s6 * t23 - c6 * t25;
   result(5, 2) = c6 * t26 - s4 * s6;
   result(5, 3) = -c6 * s5;
   result(5, 4) = s6;
-  result(5, 5) = -Scalar(0);
 
   return result;
 }
@@ -278,18 +224,9 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& q,
     const Vector3<Scalar>& point,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s3 = angles.sine[2];
-  const Scalar& c3 = angles.cosine[2];
-  const Scalar& s4 = angles.sine[3];
-  const Scalar& c4 = angles.cosine[3];
-  const Scalar& s5 = angles.sine[4];
-  const Scalar& c5 = angles.cosine[4];
-  const Scalar& s6 = angles.sine[5];
-  const Scalar& c6 = angles.cosine[5];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s3 = angles.sine[2], &c3 = angles.cosine[2], &s4 = angles.sine[3], &c4 = angles.cosine[3];
+  const Scalar &s5 = angles.sine[4], &c5 = angles.cosine[4], &s6 = angles.sine[5], &c6 = angles.cosine[5];
   const Scalar t0 = point[2] * s6 - point[0] * c6;
   const Scalar t1 = point[2] * c6 + point[0] * s6;
   const Scalar t2 = point[1] * s5 - c5 * t1;
@@ -346,26 +283,23 @@ inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& 
   result(1, 3) = s1 * t17 + t27 * t3;
   result(1, 4) = t40 * t25 - t26 * t39;
   result(1, 5) = t26 * t42 - t40 * t33;
-  result(2, 0) = Scalar(0);
+  result(2, 0) = result(3, 0) = result(4, 0) = result(5, 1) = Scalar(0);
   result(2, 1) = -t10;
   result(2, 2) = s2 * t12;
   result(2, 3) = c3 * t20 - c2 * t7;
   result(2, 4) = t39 * t23 - t40 * t31;
   result(2, 5) = -t36 * t40 - t23 * t42;
-  result(3, 0) = Scalar(0);
   result(3, 1) = s1;
   result(3, 2) = -t38;
   result(3, 3) = t41;
   result(3, 4) = -t39;
   result(3, 5) = t42;
-  result(4, 0) = Scalar(0);
   result(4, 1) = -c1;
   result(4, 2) = -t30;
   result(4, 3) = -t35;
   result(4, 4) = -t31;
   result(4, 5) = -t36;
   result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(0);
   result(5, 2) = c2;
   result(5, 3) = t32;
   result(5, 4) = -t25;
@@ -378,16 +312,9 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> velocity([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s3 = angles.sine[2];
-  const Scalar& c3 = angles.cosine[2];
-  const Scalar& s4 = angles.sine[3];
-  const Scalar& c4 = angles.cosine[3];
-  const Scalar& s5 = angles.sine[4];
-  const Scalar& c5 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s3 = angles.sine[2], &c3 = angles.cosine[2], &s4 = angles.sine[3], &c4 = angles.cosine[3];
+  const Scalar &s5 = angles.sine[4], &c5 = angles.cosine[4];
   const Scalar t0 = g.d4 * c3;
   const Scalar t1 = g.d4 * s3;
   const Scalar t2 = qd[0] * (g.l1 + t0) - qd[1] * (s2 * t1 + g.l2 * c2);
@@ -417,16 +344,9 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s3 = angles.sine[2];
-  const Scalar& c3 = angles.cosine[2];
-  const Scalar& s4 = angles.sine[3];
-  const Scalar& c4 = angles.cosine[3];
-  const Scalar& s5 = angles.sine[4];
-  const Scalar& c5 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s3 = angles.sine[2], &c3 = angles.cosine[2], &s4 = angles.sine[3], &c4 = angles.cosine[3];
+  const Scalar &s5 = angles.sine[4], &c5 = angles.cosine[4];
   const Scalar t0 = qd[0] * s1;
   const Scalar t1 = qd[2] + qd[0] * c2;
   const Scalar t2 = s3 * t1;
@@ -476,35 +396,24 @@ inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>&
   result(0, 0) = -t11;
   result(0, 1) = c1 * t14 + t17 * t0;
   result(0, 2) = -s1 * t19 - c1 * t20;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = Scalar(0);
-  result(0, 5) = -Scalar(0);
+  result(0, 3) = result(0, 4) = result(0, 5) = result(1, 3) = result(1, 4) = result(1, 5) = result(2, 0) =
+      result(2, 3) = result(2, 4) = result(2, 5) = result(3, 0) = result(4, 0) = result(5, 0) = result(5, 1) =
+      Scalar(0);
   result(1, 0) = -t23;
   result(1, 1) = s1 * t14 - t9 * t17;
   result(1, 2) = c1 * t19 - s1 * t20;
-  result(1, 3) = Scalar(0);
-  result(1, 4) = Scalar(0);
-  result(1, 5) = -Scalar(0);
-  result(2, 0) = Scalar(0);
   result(2, 1) = t4 * t18 - qd[1] * t17;
   result(2, 2) = t8 * t18 - qd[2] * t16;
-  result(2, 3) = Scalar(0);
-  result(2, 4) = Scalar(0);
-  result(2, 5) = -Scalar(0);
-  result(3, 0) = Scalar(0);
   result(3, 1) = t9;
   result(3, 2) = -t22;
   result(3, 3) = -t21;
   result(3, 4) = c1 * t33 - s1 * t30;
   result(3, 5) = c1 * t44 - s1 * t41;
-  result(4, 0) = Scalar(0);
   result(4, 1) = t0;
   result(4, 2) = -t10;
   result(4, 3) = t7;
   result(4, 4) = c1 * t30 + s1 * t33;
   result(4, 5) = s1 * t44 + c1 * t41;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
   result(5, 2) = -t3;
   result(5, 3) = t13;
   result(5, 4) = t32 * t25 + t29 * t31;
@@ -517,16 +426,9 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s3 = angles.sine[2];
-  const Scalar& c3 = angles.cosine[2];
-  const Scalar& s4 = angles.sine[3];
-  const Scalar& c4 = angles.cosine[3];
-  const Scalar& s5 = angles.sine[4];
-  const Scalar& c5 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s3 = angles.sine[2], &c3 = angles.cosine[2], &s4 = angles.sine[3], &c4 = angles.cosine[3];
+  const Scalar &s5 = angles.sine[4], &c5 = angles.cosine[4];
   const Scalar t0 = g.d4 * s3;
   const Scalar t1 = qd[2] * t0;
   const Scalar t2 = qd[2] * t1;
@@ -580,10 +482,7 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
 template <class Scalar, class Angles>
 inline SingularityMeasures<Scalar> singularity_measures([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& s5 = angles.sine[2];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &s5 = angles.sine[2];
 
   SingularityMeasures<Scalar> result;
   result(0, 0) = g.l2 * s2 - g.d4 * c2 * s3;

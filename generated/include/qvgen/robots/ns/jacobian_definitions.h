@@ -26,14 +26,8 @@ using NoAngles = JacobianSelection<Scalar, 0>;
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = q[2] * s2;
   const Scalar t1 = q[2] * c2;
   const Scalar t2 = c1 * s2;
@@ -45,38 +39,22 @@ inline Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
   Jacobian<Scalar> result;
   result(0, 0) = g.d2 * c1 + s1 * t0;
   result(0, 1) = -c1 * t1;
-  result(0, 2) = -t2;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = Scalar(0);
-  result(0, 5) = Scalar(0);
+  result(0, 2) = result(3, 3) = -t2;
+  result(0, 3) = result(0, 4) = result(0, 5) = result(1, 3) = result(1, 4) = result(1, 5) = result(2, 0) =
+      result(2, 3) = result(2, 4) = result(2, 5) = result(3, 0) = result(3, 2) = result(4, 0) = result(4, 2) =
+      result(5, 1) = result(5, 2) = Scalar(0);
   result(1, 0) = g.d2 * s1 - c1 * t0;
   result(1, 1) = -s1 * t1;
-  result(1, 2) = -t3;
-  result(1, 3) = Scalar(0);
-  result(1, 4) = Scalar(0);
-  result(1, 5) = Scalar(0);
-  result(2, 0) = Scalar(0);
+  result(1, 2) = result(4, 3) = -t3;
   result(2, 1) = -t0;
-  result(2, 2) = c2;
-  result(2, 3) = Scalar(0);
-  result(2, 4) = Scalar(0);
-  result(2, 5) = Scalar(0);
-  result(3, 0) = Scalar(0);
+  result(2, 2) = result(5, 3) = c2;
   result(3, 1) = s1;
-  result(3, 2) = Scalar(0);
-  result(3, 3) = -t2;
   result(3, 4) = -c1 * t4 - c4 * s1;
   result(3, 5) = c1 * t7 - s1 * t5;
-  result(4, 0) = Scalar(0);
   result(4, 1) = -c1;
-  result(4, 2) = Scalar(0);
-  result(4, 3) = -t3;
   result(4, 4) = c1 * c4 - s1 * t4;
   result(4, 5) = s1 * t7 + c1 * t5;
   result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
-  result(5, 3) = c2;
   result(5, 4) = -s2 * s4;
   result(5, 5) = c2 * c5 + s2 * t6;
 
@@ -86,16 +64,9 @@ inline Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4];
   const Scalar t0 = s2 * s4;
   const Scalar t1 = c4 * s2;
   const Scalar t2 = c2 * s5 - c5 * t1;
@@ -119,52 +90,33 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointV
   TransformAndJacobian<Scalar> result;
   result.transform(0, 0) = -t3 * t8 - t11 * t12;
   result.transform(0, 1) = t8 * t13 + t12 * t14;
-  result.transform(0, 2) = -t15;
+  result.transform(0, 2) = result.jacobian(3, 5) = -t15;
   result.transform(1, 0) = -t14;
   result.transform(1, 1) = -t11;
-  result.transform(1, 2) = -t8;
+  result.transform(1, 2) = result.jacobian(4, 5) = -t8;
   result.transform(2, 0) = -t13;
   result.transform(2, 1) = -t3;
-  result.transform(2, 2) = t12;
-  result.transform(0, 3) = -t17;
+  result.transform(2, 2) = result.jacobian(5, 5) = t12;
+  result.transform(0, 3) = result.jacobian(1, 0) = -t17;
   result.transform(1, 3) = -t18;
   result.transform(2, 3) = g.h1 + t19;
   result.jacobian(0, 0) = t18;
   result.jacobian(0, 1) = -c1 * t19;
-  result.jacobian(0, 2) = -t16;
-  result.jacobian(0, 3) = Scalar(0);
-  result.jacobian(0, 4) = Scalar(0);
-  result.jacobian(0, 5) = Scalar(0);
-  result.jacobian(1, 0) = -t17;
+  result.jacobian(0, 2) = result.jacobian(3, 3) = -t16;
+  result.jacobian(0, 3) = result.jacobian(0, 4) = result.jacobian(0, 5) = result.jacobian(1, 3) =
+      result.jacobian(1, 4) = result.jacobian(1, 5) = result.jacobian(2, 0) = result.jacobian(2, 3) =
+      result.jacobian(2, 4) = result.jacobian(2, 5) = result.jacobian(3, 0) = result.jacobian(3, 2) =
+      result.jacobian(4, 0) = result.jacobian(4, 2) = result.jacobian(5, 1) = result.jacobian(5, 2) = Scalar(0);
   result.jacobian(1, 1) = -s1 * t19;
-  result.jacobian(1, 2) = -t4;
-  result.jacobian(1, 3) = Scalar(0);
-  result.jacobian(1, 4) = Scalar(0);
-  result.jacobian(1, 5) = Scalar(0);
-  result.jacobian(2, 0) = Scalar(0);
+  result.jacobian(1, 2) = result.jacobian(4, 3) = -t4;
   result.jacobian(2, 1) = -q[2] * s2;
-  result.jacobian(2, 2) = c2;
-  result.jacobian(2, 3) = Scalar(0);
-  result.jacobian(2, 4) = Scalar(0);
-  result.jacobian(2, 5) = Scalar(0);
-  result.jacobian(3, 0) = Scalar(0);
+  result.jacobian(2, 2) = result.jacobian(5, 3) = c2;
   result.jacobian(3, 1) = s1;
-  result.jacobian(3, 2) = Scalar(0);
-  result.jacobian(3, 3) = -t16;
   result.jacobian(3, 4) = -c2 * t6 - t5;
-  result.jacobian(3, 5) = -t15;
-  result.jacobian(4, 0) = Scalar(0);
   result.jacobian(4, 1) = -c1;
-  result.jacobian(4, 2) = Scalar(0);
-  result.jacobian(4, 3) = -t4;
   result.jacobian(4, 4) = -t10;
-  result.jacobian(4, 5) = -t8;
   result.jacobian(5, 0) = Scalar(1);
-  result.jacobian(5, 1) = Scalar(0);
-  result.jacobian(5, 2) = Scalar(0);
-  result.jacobian(5, 3) = c2;
   result.jacobian(5, 4) = -t0;
-  result.jacobian(5, 5) = t12;
   result.transform.makeAffine();
   return result;
 }
@@ -172,14 +124,8 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointV
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> tool_jacobian(const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = g.d2 * s2;
   const Scalar t1 = g.d2 * c2;
   const Scalar t2 = q[2] * s4;
@@ -197,39 +143,24 @@ inline Jacobian<Scalar> tool_jacobian(const JointVector<Scalar>& q,
   Jacobian<Scalar> result;
   result(0, 0) = c6 * t4 - s6 * t6;
   result(0, 1) = s6 * t2 - c6 * t8;
-  result(0, 2) = -t9;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = Scalar(0);
-  result(0, 5) = Scalar(0);
+  result(0, 2) = result(3, 3) = -t9;
+  result(0, 3) = result(0, 4) = result(0, 5) = result(1, 3) = result(1, 4) = result(1, 5) = result(2, 3) =
+      result(2, 4) = result(2, 5) = result(3, 2) = result(3, 5) = result(4, 2) = result(4, 5) = result(5, 2) =
+      result(5, 4) = Scalar(0);
   result(1, 0) = -s6 * t4 - c6 * t6;
   result(1, 1) = c6 * t2 + s6 * t8;
-  result(1, 2) = t10;
-  result(1, 3) = Scalar(0);
-  result(1, 4) = Scalar(0);
-  result(1, 5) = Scalar(0);
+  result(1, 2) = result(4, 3) = t10;
   result(2, 0) = s5 * t3 - c5 * t0;
   result(2, 1) = -s5 * t7;
-  result(2, 2) = c5;
-  result(2, 3) = Scalar(0);
-  result(2, 4) = Scalar(0);
-  result(2, 5) = Scalar(0);
+  result(2, 2) = result(5, 3) = c5;
   result(3, 0) = -s6 * t11 - c6 * t12;
   result(3, 1) = -c6 * t13 - c4 * s6;
-  result(3, 2) = Scalar(0);
-  result(3, 3) = -t9;
   result(3, 4) = s6;
-  result(3, 5) = Scalar(0);
   result(4, 0) = s6 * t12 - c6 * t11;
   result(4, 1) = s6 * t13 - c4 * c6;
-  result(4, 2) = Scalar(0);
-  result(4, 3) = t10;
   result(4, 4) = c6;
-  result(4, 5) = Scalar(0);
   result(5, 0) = s5 * t5 + c2 * c5;
   result(5, 1) = -s4 * s5;
-  result(5, 2) = Scalar(0);
-  result(5, 3) = c5;
-  result(5, 4) = Scalar(0);
   result(5, 5) = Scalar(1);
 
   return result;
@@ -239,16 +170,9 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q,
     const Vector3<Scalar>& point,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4];
   const Scalar t0 = point[0] * c6 - point[1] * s6;
   const Scalar t1 = c5 * t0 + point[2] * s5;
   const Scalar t2 = point[0] * s6 + point[1] * c6;
@@ -282,38 +206,29 @@ inline Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q,
   Jacobian<Scalar> result;
   result(0, 0) = c1 * t9 - s1 * t7;
   result(0, 1) = -c1 * t11;
-  result(0, 2) = -t12;
+  result(0, 2) = result(3, 3) = -t12;
   result(0, 3) = -c2 * t13 - s1 * t3;
   result(0, 4) = t14 * t17 - t18 * t20;
   result(0, 5) = t18 * t25 - t22 * t17;
   result(1, 0) = s1 * t9 + c1 * t7;
   result(1, 1) = -s1 * t11;
-  result(1, 2) = -t26;
+  result(1, 2) = result(4, 3) = -t26;
   result(1, 3) = t18 * t12 - c2 * t27;
   result(1, 4) = t27 * t14 + t18 * t28;
   result(1, 5) = t18 * t29 - t27 * t22;
-  result(2, 0) = Scalar(0);
+  result(2, 0) = result(3, 0) = result(3, 2) = result(4, 0) = result(4, 2) = result(5, 1) = result(5, 2) = Scalar(0);
   result(2, 1) = t7;
-  result(2, 2) = c2;
+  result(2, 2) = result(5, 3) = c2;
   result(2, 3) = -s2 * t8;
   result(2, 4) = -c2 * t1 - c4 * t15;
   result(2, 5) = t27 * t25 - t29 * t17;
-  result(3, 0) = Scalar(0);
   result(3, 1) = s1;
-  result(3, 2) = Scalar(0);
-  result(3, 3) = -t12;
   result(3, 4) = -t28;
   result(3, 5) = -t29;
-  result(4, 0) = Scalar(0);
   result(4, 1) = -c1;
-  result(4, 2) = Scalar(0);
-  result(4, 3) = -t26;
   result(4, 4) = -t20;
   result(4, 5) = t25;
   result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
-  result(5, 3) = c2;
   result(5, 4) = -t14;
   result(5, 5) = t22;
 
@@ -324,14 +239,8 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> velocity(const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = (qd[2] * s2 + qd[1] * q[2] * c2) - g.d2 * qd[0];
   const Scalar t1 = q[2] * s2;
   const Scalar t2 = qd[0] * t1;
@@ -355,14 +264,8 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = qd[0] * s2;
   const Scalar t1 = c1 * t0;
   const Scalar t2 = qd[1] * c2;
@@ -388,38 +291,21 @@ inline Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q,
   Jacobian<Scalar> result;
   result(0, 0) = q[2] * t1 + s1 * t4;
   result(0, 1) = c1 * t6 + s1 * t8;
-  result(0, 2) = t10;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = Scalar(0);
-  result(0, 5) = Scalar(0);
+  result(0, 2) = result(3, 3) = t10;
+  result(0, 3) = result(0, 4) = result(0, 5) = result(1, 3) = result(1, 4) = result(1, 5) = result(2, 0) =
+      result(2, 3) = result(2, 4) = result(2, 5) = result(3, 0) = result(3, 2) = result(4, 0) = result(4, 2) =
+      result(5, 0) = result(5, 1) = result(5, 2) = Scalar(0);
   result(1, 0) = q[2] * t9 - c1 * t4;
   result(1, 1) = s1 * t6 - c1 * t8;
-  result(1, 2) = -t11;
-  result(1, 3) = Scalar(0);
-  result(1, 4) = Scalar(0);
-  result(1, 5) = Scalar(0);
-  result(2, 0) = Scalar(0);
+  result(1, 2) = result(4, 3) = -t11;
   result(2, 1) = -t3;
-  result(2, 2) = -t5;
-  result(2, 3) = Scalar(0);
-  result(2, 4) = Scalar(0);
-  result(2, 5) = Scalar(0);
-  result(3, 0) = Scalar(0);
+  result(2, 2) = result(5, 3) = -t5;
   result(3, 1) = qd[0] * c1;
-  result(3, 2) = Scalar(0);
-  result(3, 3) = t10;
   result(3, 4) = c1 * t12 + s1 * t14;
   result(3, 5) = -c1 * t20 - s1 * t21;
-  result(4, 0) = Scalar(0);
   result(4, 1) = qd[0] * s1;
-  result(4, 2) = Scalar(0);
-  result(4, 3) = -t11;
   result(4, 4) = s1 * t12 - c1 * t14;
   result(4, 5) = c1 * t21 - s1 * t20;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
-  result(5, 3) = -t5;
   result(5, 4) = -s4 * t2 - qd[3] * c4 * s2;
   result(5, 5) = c2 * t18 - s2 * t19;
 
@@ -430,14 +316,8 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> jacobian_dot_times_qd(const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = qd[0] * qd[0];
   const Scalar t1 = qd[2] * s2;
   const Scalar t2 = qd[1] * c2;
@@ -474,8 +354,7 @@ inline Twist<Scalar> jacobian_dot_times_qd(const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline SingularityMeasures<Scalar> singularity_measures(const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& s5 = angles.sine[1];
+  const Scalar &s2 = angles.sine[0], &s5 = angles.sine[1];
 
   SingularityMeasures<Scalar> result;
   result(0, 0) = s2;

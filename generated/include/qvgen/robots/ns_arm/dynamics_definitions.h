@@ -50,8 +50,7 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& qdd, const Angles& angles,
     const InverseDynamicsConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0];
   const Scalar t0 = k[3] * q[2];
   const Scalar t1 = qdd[0] * s2;
   const Scalar t2 = Scalar(2) * qd[0] * qd[1];
@@ -112,8 +111,7 @@ namespace detail {
 template <class Scalar, class Angles>
 inline JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const Angles& angles,
     const GravityTorqueConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0];
 
   JointVector<Scalar> result;
   result[0] = Scalar(0);
@@ -158,8 +156,7 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const Angles& angles,
     const CoriolisTorqueConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0];
   const Scalar t0 = qd[0] * c2;
   const Scalar t1 = qd[1] * t0;
   const Scalar t2 = t1 + t1;
@@ -224,8 +221,7 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const Angles& angles,
     const MassMatrixConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0];
   const Scalar t0 = k[1] - k[0] * q[2];
   const Scalar t1 = k[2] + q[2] * (k[1] + t0);
   const Scalar t2 = k[4] + (k[3] - s2 * s2 * (k[3] - t1));
@@ -234,7 +230,7 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q,
   result(0, 1) = result(1, 0) = c2 * k[6] * t0;
   result(0, 2) = result(2, 0) = -k[7] * s2;
   result(1, 1) = -k[3] - t1;
-  result(1, 2) = result(2, 1) = -Scalar(0);
+  result(1, 2) = result(2, 1) = Scalar(0);
   result(2, 2) = k[0];
   return result;
 }
@@ -277,8 +273,7 @@ template <class Scalar, class Angles>
 inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const Angles& angles,
     const CoriolisMatrixConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0];
   const Scalar t0 = k[1] * q[2];
   const Scalar t1 = k[2] - t0;
   const Scalar t2 = qd[2] * t1;
@@ -355,8 +350,7 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& torque, const Angles& angles,
     const ForwardDynamicsConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0];
   const Scalar t0 = k[0] * s2;
   const Scalar t1 = qd[0] * s2;
   const Scalar t2 = qd[1] * qd[1] + t1 * t1;
@@ -434,8 +428,7 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const Angles& angles,
     const KineticEnergyConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0];
   const Scalar t0 = k[1] - k[0] * q[2];
   const Scalar t1 = k[2] + q[2] * (k[1] + t0);
   const Scalar t2 = k[4] + (k[3] - s2 * s2 * (k[3] - t1));
@@ -481,7 +474,7 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Scalar potential_energy(const JointVector<Scalar>& q, const Angles& angles,
     const PotentialEnergyConstants<Scalar>& k) {
-  const Scalar& c2 = angles.cosine[0];
+  const Scalar &c2 = angles.cosine[0];
   const Scalar t0 = k[3] * (k[2] + c2 * (k[1] - k[0] * q[2]));
   Scalar result;
   result = k[4] - t0;

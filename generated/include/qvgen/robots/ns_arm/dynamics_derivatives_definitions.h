@@ -43,8 +43,7 @@ template <class Scalar, class Angles>
 inline InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives(const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const Angles& angles,
     const InverseDynamicsDerivativesConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0];
   const Scalar t0 = qdd[0] * s2;
   const Scalar t1 = qd[1] * c2;
   const Scalar t2 = Scalar(2) * qd[0];
@@ -120,9 +119,7 @@ inline InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives(const Joi
   result.torque[0] = -t31;
   result.torque[1] = t33;
   result.torque[2] = -k[3] * t17;
-  result.by_position(0, 0) = Scalar(0);
-  result.by_position(1, 0) = Scalar(0);
-  result.by_position(2, 0) = -Scalar(0);
+  result.by_position(0, 0) = result.by_position(1, 0) = result.by_position(2, 0) = result.by_rate(2, 2) = Scalar(0);
   result.by_rate(0, 0) = t47 - t44;
   result.by_rate(1, 0) = k[7] * t49 + s2 * t50;
   result.by_rate(2, 0) = t51;
@@ -137,7 +134,6 @@ inline InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives(const Joi
   result.by_position(2, 2) = -k[3] * t67;
   result.by_rate(0, 2) = -t51 - (t70 + t70);
   result.by_rate(1, 2) = -t66;
-  result.by_rate(2, 2) = Scalar(0);
   return result;
 }
 

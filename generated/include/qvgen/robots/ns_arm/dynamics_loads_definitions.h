@@ -57,10 +57,7 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> inverse_dynamics_with_gravity_vector(const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const Angles& angles,
     const InverseDynamicsWithGravityVectorConstants<Scalar>& k) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
   const Scalar t0 = k[0] * s1 + k[1] * c1;
   const Scalar t1 = k[10] * s2;
   const Scalar t2 = qd[0] * c2;
@@ -141,10 +138,7 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> inverse_dynamics_with_wrench(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& qdd, const Wrench<Scalar>& wrench, const Angles& angles,
     const InverseDynamicsWithWrenchConstants<Scalar>& k) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
   const Scalar t0 = k[0] * s1 + k[1] * c1;
   const Scalar t1 = k[9] * s2;
   const Scalar t2 = qd[0] * c2;
@@ -225,10 +219,7 @@ namespace detail {
 template <class Scalar, class Angles>
 inline JointVector<Scalar> gravity_torque_with_gravity_vector(const JointVector<Scalar>& q, const Angles& angles,
     const GravityTorqueWithGravityVectorConstants<Scalar>& k) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
   const Scalar t0 = k[0] * s1 + k[1] * c1;
   const Scalar t1 = k[1] * s1 - k[0] * c1;
   const Scalar t2 = s2 * (q[2] * k[3] * t1 - k[4] * t1);
@@ -292,10 +283,7 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> forward_dynamics_with_gravity_vector(const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const Angles& angles,
     const ForwardDynamicsWithGravityVectorConstants<Scalar>& k) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
   const Scalar t0 = qd[0] * s2;
   const Scalar t1 = qd[0] * c2;
   const Scalar t2 = t0 * t1;
@@ -388,10 +376,7 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> forward_dynamics_with_wrench(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& torque, const Wrench<Scalar>& wrench, const Angles& angles,
     const ForwardDynamicsWithWrenchConstants<Scalar>& k) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
   const Scalar t0 = k[5] - k[4] * q[2];
   const Scalar t1 = k[0] * c2 * t0;
   const Scalar t2 = k[7] + q[2] * (k[5] + t0);
@@ -475,10 +460,7 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Scalar potential_energy_with_gravity_vector(const JointVector<Scalar>& q, const Angles& angles,
     const PotentialEnergyWithGravityVectorConstants<Scalar>& k) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
   const Scalar t0 = k[1] - k[0] * q[2];
   const Scalar t1 = s2 * t0;
   const Scalar t2 = k[3] * (k[2] * c1 + s1 * t1) - k[4] * (k[2] * s1 - c1 * t1);

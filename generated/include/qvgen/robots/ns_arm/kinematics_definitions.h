@@ -40,10 +40,7 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        const BasicGeometry<Scalar>& g) {
-  const Scalar& sh1 = angles.sine[0];
-  const Scalar& ch1 = angles.cosine[0];
-  const Scalar& sh2 = angles.sine[1];
-  const Scalar& ch2 = angles.cosine[1];
+  const Scalar &sh1 = angles.sine[0], &ch1 = angles.cosine[0], &sh2 = angles.sine[1], &ch2 = angles.cosine[1];
   const Scalar t0 = sh1 + sh1;
   const Scalar t1 = Scalar(1) - sh1 * t0;
   const Scalar t2 = Scalar(2) * ch2;
@@ -62,10 +59,7 @@ template <class Scalar, class Angles>
 inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
     const JointVector<Scalar>& q, const Angles& angles,
     const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
   const Scalar t0 = c1 * s2;
   const Scalar t1 = s1 * s2;
   Eigen::Transform<Scalar, 3, Eigen::Isometry> tool;

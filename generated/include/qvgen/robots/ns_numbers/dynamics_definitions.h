@@ -38,8 +38,7 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& qdd, const Angles& angles,
     const InverseDynamicsConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0];
   const Scalar t0 = qd[0] * s2;
   const Scalar t1 = qd[1] * qd[1] + t0 * t0;
   const Scalar t2 = qdd[2] + (k[0] * c2 - q[2] * t1);
@@ -101,8 +100,7 @@ namespace detail {
 template <class Scalar, class Angles>
 inline JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const Angles& angles,
     const GravityTorqueConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0];
   const Scalar t0 = k[2] * s2 + (k[1] * s2 + q[2] * k[0] * s2);
   JointVector<Scalar> result;
   result[0] = Scalar(0);
@@ -142,8 +140,7 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const Angles& angles,
     [[maybe_unused]] const CoriolisTorqueConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0];
   const Scalar t0 = qd[0] * c2;
   const Scalar t1 = qd[1] * t0;
   const Scalar t2 = qd[0] * s2;
@@ -197,8 +194,7 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const Angles& angles,
     [[maybe_unused]] const MassMatrixConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0];
   const Scalar t0 = Scalar(0.175) + q[2] * (Scalar(0.4) + (Scalar(0.4) + Scalar(2) * q[2]));
   const Scalar t1 = Scalar(0.01) + (Scalar(0.025) - (Scalar(0.025) - t0) * s2 * s2);
   Eigen::Matrix<Scalar, dof, dof> result;
@@ -241,8 +237,7 @@ template <class Scalar, class Angles>
 inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const Angles& angles,
     [[maybe_unused]] const CoriolisMatrixConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0];
   const Scalar t0 = c2 * s2;
   const Scalar t1 = Scalar(0.4) + Scalar(2) * q[2];
   const Scalar t2 = qd[2] * t1;
@@ -300,8 +295,7 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& torque, const Angles& angles,
     const ForwardDynamicsConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0];
   const Scalar t0 = Scalar(2) * q[2];
   const Scalar t1 = Scalar(0.15) + q[2] * (Scalar(0.8) + t0);
   const Scalar t2 = Scalar(1) / (Scalar(0.05) + t1);
@@ -369,8 +363,7 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const Angles& angles,
     [[maybe_unused]] const KineticEnergyConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0];
   const Scalar t0 = Scalar(0.175) + q[2] * (Scalar(0.4) + (Scalar(0.4) + Scalar(2) * q[2]));
   const Scalar t1 = Scalar(0.01) + (Scalar(0.025) - s2 * s2 * (Scalar(0.025) - t0));
   const Scalar t2 = qd[0] * qd[0] * (Scalar(0.285) + t1) + qd[1] * qd[1] * (Scalar(0.025) + t0);
@@ -411,7 +404,7 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Scalar potential_energy(const JointVector<Scalar>& q, const Angles& angles,
     const PotentialEnergyConstants<Scalar>& k) {
-  const Scalar& c2 = angles.cosine[0];
+  const Scalar &c2 = angles.cosine[0];
   const Scalar t0 = Scalar(1) - c2 * (Scalar(0.3) + (Scalar(0.4) + Scalar(2) * q[2]));
   Scalar result;
   result = k[0] * (Scalar(4.5) - t0);

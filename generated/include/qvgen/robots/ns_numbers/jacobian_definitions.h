@@ -26,10 +26,7 @@ using NoAngles = JacobianSelection<Scalar, 0>;
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
   const Scalar t0 = Scalar(0.4) + q[2];
   const Scalar t1 = s2 * t0;
   const Scalar t2 = c2 * t0;
@@ -41,18 +38,12 @@ inline Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
   result(1, 0) = Scalar(0.2) * s1 - t3 * t0;
   result(1, 1) = -s1 * t2;
   result(1, 2) = -s1 * s2;
-  result(2, 0) = Scalar(0);
+  result(2, 0) = result(3, 0) = result(3, 2) = result(4, 0) = result(4, 2) = result(5, 1) = result(5, 2) = Scalar(0);
   result(2, 1) = -t1;
   result(2, 2) = c2;
-  result(3, 0) = Scalar(0);
   result(3, 1) = s1;
-  result(3, 2) = Scalar(0);
-  result(4, 0) = Scalar(0);
   result(4, 1) = -c1;
-  result(4, 2) = Scalar(0);
   result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
 
   return result;
 }
@@ -60,10 +51,7 @@ inline Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
   const Scalar t0 = c1 * c2;
   const Scalar t1 = c1 * s2;
   const Scalar t2 = c2 * s1;
@@ -75,34 +63,24 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointV
   TransformAndJacobian<Scalar> result;
   result.transform(0, 0) = t0;
   result.transform(0, 1) = -s1;
-  result.transform(0, 2) = -t1;
+  result.transform(0, 2) = result.jacobian(0, 2) = -t1;
   result.transform(1, 0) = t2;
   result.transform(1, 1) = c1;
-  result.transform(1, 2) = -t3;
+  result.transform(1, 2) = result.jacobian(1, 2) = -t3;
   result.transform(2, 0) = s2;
-  result.transform(2, 1) = Scalar(0);
-  result.transform(2, 2) = c2;
-  result.transform(0, 3) = -t6;
+  result.transform(2, 1) = result.jacobian(2, 0) = result.jacobian(3, 0) = result.jacobian(3, 2) =
+      result.jacobian(4, 0) = result.jacobian(4, 2) = result.jacobian(5, 1) = result.jacobian(5, 2) = Scalar(0);
+  result.transform(2, 2) = result.jacobian(2, 2) = c2;
+  result.transform(0, 3) = result.jacobian(1, 0) = -t6;
   result.transform(1, 3) = -t7;
   result.transform(2, 3) = Scalar(0.5) + c2 * t4;
   result.jacobian(0, 0) = t7;
   result.jacobian(0, 1) = -t0 * t4;
-  result.jacobian(0, 2) = -t1;
-  result.jacobian(1, 0) = -t6;
   result.jacobian(1, 1) = -t4 * t2;
-  result.jacobian(1, 2) = -t3;
-  result.jacobian(2, 0) = Scalar(0);
   result.jacobian(2, 1) = -t5;
-  result.jacobian(2, 2) = c2;
-  result.jacobian(3, 0) = Scalar(0);
   result.jacobian(3, 1) = s1;
-  result.jacobian(3, 2) = Scalar(0);
-  result.jacobian(4, 0) = Scalar(0);
   result.jacobian(4, 1) = -c1;
-  result.jacobian(4, 2) = Scalar(0);
   result.jacobian(5, 0) = Scalar(1);
-  result.jacobian(5, 1) = Scalar(0);
-  result.jacobian(5, 2) = Scalar(0);
   result.transform.makeAffine();
   return result;
 }
@@ -110,28 +88,19 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointV
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> tool_jacobian(const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0];
   const Scalar t0 = Scalar(0.4) + q[2];
   Jacobian<Scalar> result;
   result(0, 0) = Scalar(0.2) * c2;
   result(0, 1) = -t0;
-  result(0, 2) = Scalar(0);
+  result(0, 2) = result(1, 1) = result(1, 2) = result(2, 1) = result(3, 1) = result(3, 2) = result(4, 0) =
+      result(4, 2) = result(5, 1) = result(5, 2) = Scalar(0);
   result(1, 0) = -s2 * t0;
-  result(1, 1) = Scalar(0);
-  result(1, 2) = Scalar(0);
   result(2, 0) = -Scalar(0.2) * s2;
-  result(2, 1) = Scalar(0);
   result(2, 2) = Scalar(1);
   result(3, 0) = s2;
-  result(3, 1) = Scalar(0);
-  result(3, 2) = Scalar(0);
-  result(4, 0) = Scalar(0);
   result(4, 1) = -Scalar(1);
-  result(4, 2) = Scalar(0);
   result(5, 0) = c2;
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
 
   return result;
 }
@@ -140,10 +109,7 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q,
     const Vector3<Scalar>& point,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
   const Scalar t0 = Scalar(0.2) - point[1];
   const Scalar t1 = Scalar(0.2) * (Scalar(2) + Scalar(5) * (q[2] + point[2]));
   const Scalar t2 = s2 * t1 - point[0] * c2;
@@ -155,18 +121,12 @@ inline Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q,
   result(1, 0) = s1 * t0 - c1 * t2;
   result(1, 1) = -s1 * t3;
   result(1, 2) = -s1 * s2;
-  result(2, 0) = Scalar(0);
+  result(2, 0) = result(3, 0) = result(3, 2) = result(4, 0) = result(4, 2) = result(5, 1) = result(5, 2) = Scalar(0);
   result(2, 1) = -t2;
   result(2, 2) = c2;
-  result(3, 0) = Scalar(0);
   result(3, 1) = s1;
-  result(3, 2) = Scalar(0);
-  result(4, 0) = Scalar(0);
   result(4, 1) = -c1;
-  result(4, 2) = Scalar(0);
   result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
 
   return result;
 }
@@ -175,10 +135,7 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> velocity(const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
   const Scalar t0 = Scalar(2) + Scalar(5) * q[2];
   const Scalar t1 = s2 * t0;
   const Scalar t2 = Scalar(0.2) * qd[0];
@@ -199,10 +156,7 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
   const Scalar t0 = Scalar(0.4) + q[2];
   const Scalar t1 = qd[0] * c1;
   const Scalar t2 = s2 * t1;
@@ -221,18 +175,12 @@ inline Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q,
   result(1, 0) = t0 * t10 + c1 * t5;
   result(1, 1) = -t6 * t1 - s1 * t9;
   result(1, 2) = -s1 * t3 - t2;
-  result(2, 0) = Scalar(0);
+  result(2, 0) = result(3, 0) = result(3, 2) = result(4, 0) = result(4, 2) = result(5, 0) = result(5, 1) =
+      result(5, 2) = Scalar(0);
   result(2, 1) = -t4;
   result(2, 2) = -t8;
-  result(3, 0) = Scalar(0);
   result(3, 1) = t1;
-  result(3, 2) = Scalar(0);
-  result(4, 0) = Scalar(0);
   result(4, 1) = t7;
-  result(4, 2) = Scalar(0);
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
 
   return result;
 }
@@ -241,10 +189,7 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> jacobian_dot_times_qd(const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
   const Scalar t0 = qd[2] * s2;
   const Scalar t1 = Scalar(2) + Scalar(5) * q[2];
   const Scalar t2 = t0 + Scalar(0.2) * qd[1] * c2 * t1;
@@ -270,7 +215,7 @@ inline Twist<Scalar> jacobian_dot_times_qd(const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline SingularityMeasures<Scalar> singularity_measures(const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
+  const Scalar &s2 = angles.sine[0];
 
   SingularityMeasures<Scalar> result;
   result(0, 0) = s2;

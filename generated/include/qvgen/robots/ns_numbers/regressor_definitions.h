@@ -66,8 +66,7 @@ template <class Scalar, class Angles>
 inline Eigen::Matrix<Scalar, dof, base_parameter_count> regressor(const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const Angles& angles,
     const RegressorConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0];
   const Scalar t0 = qd[0] * c2;
   const Scalar t1 = qd[1] * t0;
   const Scalar t2 = qdd[0] * s2;
@@ -97,29 +96,20 @@ inline Eigen::Matrix<Scalar, dof, base_parameter_count> regressor(const JointVec
   const Scalar t26 = c2 * t25 + s2 * (t23 + q[2] * t14);
   Eigen::Matrix<Scalar, dof, base_parameter_count> result;
   result(0, 0) = qdd[0];
-  result(1, 0) = Scalar(0);
-  result(2, 0) = Scalar(0);
+  result(1, 0) = result(2, 0) = result(2, 1) = result(2, 2) = result(2, 3) = result(0, 4) = result(2, 4) =
+      result(2, 5) = result(2, 6) = result(0, 7) = result(2, 7) = Scalar(0);
   result(0, 1) = qdd[0] - t4;
   result(1, 1) = t7;
-  result(2, 1) = Scalar(0);
   result(0, 2) = -t10 - c2 * t3;
   result(1, 2) = t17;
-  result(2, 2) = Scalar(0);
   result(0, 3) = s2 * t7 + c2 * (t15 + t17);
   result(1, 3) = t2;
-  result(2, 3) = Scalar(0);
-  result(0, 4) = Scalar(0);
   result(1, 4) = -t18;
-  result(2, 4) = Scalar(0);
   result(0, 5) = t4;
   result(1, 5) = t19;
-  result(2, 5) = Scalar(0);
   result(0, 6) = c2 * t19 - s2 * t15;
   result(1, 6) = t8;
-  result(2, 6) = Scalar(0);
-  result(0, 7) = Scalar(0);
   result(1, 7) = t20;
-  result(2, 7) = Scalar(0);
   result(0, 8) = q[2] * t10 + c2 * t22;
   result(1, 8) = -t23 - q[2] * t13;
   result(2, 8) = -t7;

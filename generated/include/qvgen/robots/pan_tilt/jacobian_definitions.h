@@ -26,10 +26,7 @@ using NoAngles = JacobianSelection<Scalar, 0>;
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
   const Scalar t0 = Scalar(0.1) * c2;
   const Scalar t1 = Scalar(0.1) * s2;
   Jacobian<Scalar> result;
@@ -37,14 +34,11 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
   result(0, 1) = -c1 * t1;
   result(1, 0) = c1 * t0;
   result(1, 1) = -s1 * t1;
-  result(2, 0) = Scalar(0);
+  result(2, 0) = result(3, 0) = result(4, 0) = result(5, 1) = Scalar(0);
   result(2, 1) = t0;
-  result(3, 0) = Scalar(0);
   result(3, 1) = s1;
-  result(4, 0) = Scalar(0);
   result(4, 1) = -c1;
   result(5, 0) = Scalar(1);
-  result(5, 1) = -Scalar(0);
 
   return result;
 }
@@ -52,10 +46,7 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
   const Scalar t0 = c1 * s2;
   const Scalar t1 = c1 * c2;
   const Scalar t2 = s1 * s2;
@@ -70,23 +61,19 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
   result.transform(1, 1) = c1;
   result.transform(1, 2) = t3;
   result.transform(2, 0) = -c2;
-  result.transform(2, 1) = Scalar(0);
+  result.transform(2, 1) = result.jacobian(2, 0) = result.jacobian(3, 0) = result.jacobian(4, 0) =
+      result.jacobian(5, 1) = Scalar(0);
   result.transform(2, 2) = s2;
-  result.transform(0, 3) = t4;
+  result.transform(0, 3) = result.jacobian(1, 0) = t4;
   result.transform(1, 3) = t5;
   result.transform(2, 3) = Scalar(0.2) + Scalar(0.1) * s2;
   result.jacobian(0, 0) = -t5;
   result.jacobian(0, 1) = -Scalar(0.1) * t0;
-  result.jacobian(1, 0) = t4;
   result.jacobian(1, 1) = -Scalar(0.1) * t2;
-  result.jacobian(2, 0) = Scalar(0);
   result.jacobian(2, 1) = Scalar(0.1) * c2;
-  result.jacobian(3, 0) = Scalar(0);
   result.jacobian(3, 1) = s1;
-  result.jacobian(4, 0) = Scalar(0);
   result.jacobian(4, 1) = -c1;
   result.jacobian(5, 0) = Scalar(1);
-  result.jacobian(5, 1) = -Scalar(0);
   result.transform.makeAffine();
   return result;
 }
@@ -94,22 +81,15 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0];
 
   Jacobian<Scalar> result;
-  result(0, 0) = Scalar(0);
+  result(0, 0) = result(1, 1) = result(2, 0) = result(2, 1) = result(3, 1) = result(4, 0) = result(5, 1) = Scalar(0);
   result(0, 1) = -Scalar(0.1);
   result(1, 0) = Scalar(0.1) * c2;
-  result(1, 1) = -Scalar(0);
-  result(2, 0) = Scalar(0);
-  result(2, 1) = -Scalar(0);
   result(3, 0) = -c2;
-  result(3, 1) = -Scalar(0);
-  result(4, 0) = Scalar(0);
   result(4, 1) = -Scalar(1);
   result(5, 0) = s2;
-  result(5, 1) = -Scalar(0);
 
   return result;
 }
@@ -118,10 +98,7 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& q,
     const Vector3<Scalar>& point,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
   const Scalar t0 = Scalar(0.1) + point[2];
   const Scalar t1 = point[0] * s2 + c2 * t0;
   const Scalar t2 = s2 * t0 - point[0] * c2;
@@ -130,14 +107,11 @@ inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& 
   result(0, 1) = -c1 * t2;
   result(1, 0) = c1 * t1 - point[1] * s1;
   result(1, 1) = -s1 * t2;
-  result(2, 0) = Scalar(0);
+  result(2, 0) = result(3, 0) = result(4, 0) = result(5, 1) = Scalar(0);
   result(2, 1) = t1;
-  result(3, 0) = Scalar(0);
   result(3, 1) = s1;
-  result(4, 0) = Scalar(0);
   result(4, 1) = -c1;
   result(5, 0) = Scalar(1);
-  result(5, 1) = -Scalar(0);
 
   return result;
 }
@@ -146,10 +120,7 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> velocity([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
   const Scalar t0 = Scalar(0.1) * qd[0] * c2;
   const Scalar t1 = Scalar(0.1) * qd[1];
   const Scalar t2 = s2 * t1;
@@ -168,10 +139,7 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
   const Scalar t0 = Scalar(0.1) * s2;
   const Scalar t1 = qd[1] * t0;
   const Scalar t2 = qd[0] * c1;
@@ -183,14 +151,10 @@ inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>&
   result(0, 1) = t0 * t5 - c1 * t4;
   result(1, 0) = -t3 * t5 - c1 * t1;
   result(1, 1) = -s1 * t4 - t2 * t0;
-  result(2, 0) = Scalar(0);
+  result(2, 0) = result(3, 0) = result(4, 0) = result(5, 0) = result(5, 1) = Scalar(0);
   result(2, 1) = -t1;
-  result(3, 0) = Scalar(0);
   result(3, 1) = t2;
-  result(4, 0) = Scalar(0);
   result(4, 1) = t5;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = -Scalar(0);
 
   return result;
 }
@@ -199,10 +163,7 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
   const Scalar t0 = qd[0] * qd[1];
   const Scalar t1 = s1 * t0;
   const Scalar t2 = Scalar(0.1) * s2;
@@ -225,8 +186,7 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
 template <class Scalar, class Angles>
 inline SingularityMeasures<Scalar> singularity_measures([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0];
 
   SingularityMeasures<Scalar> result;
   result(0, 0) = c2;

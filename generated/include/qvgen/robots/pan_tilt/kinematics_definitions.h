@@ -40,10 +40,9 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s_0 = angles.sine[0];  // of (2*theta2 - pi)/4
-  const Scalar& c_0 = angles.cosine[0];  // of (2*theta2 - pi)/4
-  const Scalar& sh1 = angles.sine[1];
-  const Scalar& ch1 = angles.cosine[1];
+  const Scalar &s_0 = angles.sine[0], &c_0 = angles.cosine[0], &sh1 = angles.sine[1], &ch1 = angles.cosine[1];
+  // s_0: of (2*theta2 - pi)/4
+  // c_0: of (2*theta2 - pi)/4
   const Scalar t0 = c_0 * ch1;
   const Scalar t1 = s_0 * sh1;
   const Scalar t2 = ch1 * s_0;
@@ -61,10 +60,7 @@ template <class Scalar, class Angles>
 inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
     [[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
   const Scalar t0 = c1 * c2;
   const Scalar t1 = c2 * s1;
   Eigen::Transform<Scalar, 3, Eigen::Isometry> tool;

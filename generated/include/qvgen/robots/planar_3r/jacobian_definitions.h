@@ -26,12 +26,8 @@ using NoAngles = JacobianSelection<Scalar, 0>;
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s12 = angles.sine[1];
-  const Scalar& c12 = angles.cosine[1];
-  const Scalar& s123 = angles.sine[2];
-  const Scalar& c123 = angles.cosine[2];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s12 = angles.sine[1], &c12 = angles.cosine[1];
+  const Scalar &s123 = angles.sine[2], &c123 = angles.cosine[2];
   const Scalar t0 = g.l3 * s123;
   const Scalar t1 = g.l2 * s12 + t0;
   const Scalar t2 = g.l3 * c123;
@@ -43,18 +39,9 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
   result(1, 0) = t3 + g.l1 * c1;
   result(1, 1) = t3;
   result(1, 2) = t2;
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(0);
-  result(2, 2) = Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
-  result(3, 2) = Scalar(0);
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(4, 2) = Scalar(0);
-  result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(1);
-  result(5, 2) = Scalar(1);
+  result(2, 0) = result(2, 1) = result(2, 2) = result(3, 0) = result(3, 1) = result(3, 2) = result(4, 0) =
+      result(4, 1) = result(4, 2) = Scalar(0);
+  result(5, 0) = result(5, 1) = result(5, 2) = Scalar(1);
 
   return result;
 }
@@ -62,12 +49,8 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s12 = angles.sine[1];
-  const Scalar& c12 = angles.cosine[1];
-  const Scalar& s123 = angles.sine[2];
-  const Scalar& c123 = angles.cosine[2];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s12 = angles.sine[1], &c12 = angles.cosine[1];
+  const Scalar &s123 = angles.sine[2], &c123 = angles.cosine[2];
   const Scalar t0 = g.l3 * c123;
   const Scalar t1 = t0 + g.l2 * c12;
   const Scalar t2 = t1 + g.l1 * c1;
@@ -75,36 +58,21 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
   const Scalar t4 = g.l2 * s12 + t3;
   const Scalar t5 = g.l1 * s1 + t4;
   TransformAndJacobian<Scalar> result;
-  result.transform(0, 0) = c123;
+  result.transform(0, 0) = result.transform(1, 1) = c123;
   result.transform(0, 1) = -s123;
-  result.transform(0, 2) = Scalar(0);
+  result.transform(0, 2) = result.transform(1, 2) = result.transform(2, 0) = result.transform(2, 1) =
+      result.transform(2, 3) = result.jacobian(2, 0) = result.jacobian(2, 1) = result.jacobian(2, 2) =
+      result.jacobian(3, 0) = result.jacobian(3, 1) = result.jacobian(3, 2) = result.jacobian(4, 0) =
+      result.jacobian(4, 1) = result.jacobian(4, 2) = Scalar(0);
   result.transform(1, 0) = s123;
-  result.transform(1, 1) = c123;
-  result.transform(1, 2) = Scalar(0);
-  result.transform(2, 0) = Scalar(0);
-  result.transform(2, 1) = Scalar(0);
-  result.transform(2, 2) = Scalar(1);
-  result.transform(0, 3) = t2;
+  result.transform(2, 2) = result.jacobian(5, 0) = result.jacobian(5, 1) = result.jacobian(5, 2) = Scalar(1);
+  result.transform(0, 3) = result.jacobian(1, 0) = t2;
   result.transform(1, 3) = t5;
-  result.transform(2, 3) = Scalar(0);
   result.jacobian(0, 0) = -t5;
   result.jacobian(0, 1) = -t4;
   result.jacobian(0, 2) = -t3;
-  result.jacobian(1, 0) = t2;
   result.jacobian(1, 1) = t1;
   result.jacobian(1, 2) = t0;
-  result.jacobian(2, 0) = Scalar(0);
-  result.jacobian(2, 1) = Scalar(0);
-  result.jacobian(2, 2) = Scalar(0);
-  result.jacobian(3, 0) = Scalar(0);
-  result.jacobian(3, 1) = Scalar(0);
-  result.jacobian(3, 2) = Scalar(0);
-  result.jacobian(4, 0) = Scalar(0);
-  result.jacobian(4, 1) = Scalar(0);
-  result.jacobian(4, 2) = Scalar(0);
-  result.jacobian(5, 0) = Scalar(1);
-  result.jacobian(5, 1) = Scalar(1);
-  result.jacobian(5, 2) = Scalar(1);
   result.transform.makeAffine();
   return result;
 }
@@ -112,31 +80,18 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s23 = angles.sine[1];
-  const Scalar& c23 = angles.cosine[1];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s23 = angles.sine[1], &c23 = angles.cosine[1];
   const Scalar t0 = g.l2 * s3;
   const Scalar t1 = g.l3 + g.l2 * c3;
   Jacobian<Scalar> result;
   result(0, 0) = g.l1 * s23 + t0;
   result(0, 1) = t0;
-  result(0, 2) = Scalar(0);
+  result(0, 2) = result(2, 0) = result(2, 1) = result(2, 2) = result(3, 0) = result(3, 1) = result(3, 2) =
+      result(4, 0) = result(4, 1) = result(4, 2) = Scalar(0);
   result(1, 0) = t1 + g.l1 * c23;
   result(1, 1) = t1;
   result(1, 2) = g.l3;
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(0);
-  result(2, 2) = Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
-  result(3, 2) = Scalar(0);
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(4, 2) = Scalar(0);
-  result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(1);
-  result(5, 2) = Scalar(1);
+  result(5, 0) = result(5, 1) = result(5, 2) = Scalar(1);
 
   return result;
 }
@@ -145,12 +100,8 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& q,
     const Vector3<Scalar>& point,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s12 = angles.sine[1];
-  const Scalar& c12 = angles.cosine[1];
-  const Scalar& s123 = angles.sine[2];
-  const Scalar& c123 = angles.cosine[2];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s12 = angles.sine[1], &c12 = angles.cosine[1];
+  const Scalar &s123 = angles.sine[2], &c123 = angles.cosine[2];
   const Scalar t0 = g.l3 + point[0];
   const Scalar t1 = point[1] * c123 + s123 * t0;
   const Scalar t2 = g.l2 * s12 + t1;
@@ -163,18 +114,9 @@ inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& 
   result(1, 0) = g.l1 * c1 + t4;
   result(1, 1) = t4;
   result(1, 2) = t3;
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(0);
-  result(2, 2) = Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
-  result(3, 2) = Scalar(0);
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(4, 2) = Scalar(0);
-  result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(1);
-  result(5, 2) = Scalar(1);
+  result(2, 0) = result(2, 1) = result(2, 2) = result(3, 0) = result(3, 1) = result(3, 2) = result(4, 0) =
+      result(4, 1) = result(4, 2) = Scalar(0);
+  result(5, 0) = result(5, 1) = result(5, 2) = Scalar(1);
 
   return result;
 }
@@ -183,12 +125,8 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> velocity([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s12 = angles.sine[1];
-  const Scalar& c12 = angles.cosine[1];
-  const Scalar& s123 = angles.sine[2];
-  const Scalar& c123 = angles.cosine[2];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s12 = angles.sine[1], &c12 = angles.cosine[1];
+  const Scalar &s123 = angles.sine[2], &c123 = angles.cosine[2];
   const Scalar t0 = qd[0] + qd[1];
   const Scalar t1 = qd[2] + t0;
   const Scalar t2 = g.l3 * s123 * t1 + g.l2 * s12 * t0;
@@ -196,9 +134,7 @@ inline Twist<Scalar> velocity([[maybe_unused]] const JointVector<Scalar>& q,
   Twist<Scalar> result;
   result(0, 0) = -qd[0] * g.l1 * s1 - t2;
   result(1, 0) = t3 + qd[0] * g.l1 * c1;
-  result(2, 0) = Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(4, 0) = Scalar(0);
+  result(2, 0) = result(3, 0) = result(4, 0) = Scalar(0);
   result(5, 0) = t1;
 
   return result;
@@ -208,12 +144,8 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s12 = angles.sine[1];
-  const Scalar& c12 = angles.cosine[1];
-  const Scalar& s123 = angles.sine[2];
-  const Scalar& c123 = angles.cosine[2];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s12 = angles.sine[1], &c12 = angles.cosine[1];
+  const Scalar &s123 = angles.sine[2], &c123 = angles.cosine[2];
   const Scalar t0 = qd[0] + qd[1];
   const Scalar t1 = g.l3 * (qd[2] + t0);
   const Scalar t2 = c123 * t1;
@@ -227,18 +159,8 @@ inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>&
   result(1, 0) = -qd[0] * g.l1 * s1 - t5;
   result(1, 1) = -t5;
   result(1, 2) = -t4;
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(0);
-  result(2, 2) = Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
-  result(3, 2) = Scalar(0);
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(4, 2) = Scalar(0);
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
+  result(2, 0) = result(2, 1) = result(2, 2) = result(3, 0) = result(3, 1) = result(3, 2) = result(4, 0) =
+      result(4, 1) = result(4, 2) = result(5, 0) = result(5, 1) = result(5, 2) = Scalar(0);
 
   return result;
 }
@@ -247,12 +169,8 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s12 = angles.sine[1];
-  const Scalar& c12 = angles.cosine[1];
-  const Scalar& s123 = angles.sine[2];
-  const Scalar& c123 = angles.cosine[2];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s12 = angles.sine[1], &c12 = angles.cosine[1];
+  const Scalar &s123 = angles.sine[2], &c123 = angles.cosine[2];
   const Scalar t0 = qd[0] + qd[1];
   const Scalar t1 = qd[2] + t0;
   const Scalar t2 = g.l3 * t1 * t1;
@@ -261,10 +179,7 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
   Twist<Scalar> result;
   result(0, 0) = -qd[0] * qd[0] * g.l1 * c1 - t3;
   result(1, 0) = -t4 - qd[0] * qd[0] * g.l1 * s1;
-  result(2, 0) = Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(4, 0) = Scalar(0);
-  result(5, 0) = Scalar(0);
+  result(2, 0) = result(3, 0) = result(4, 0) = result(5, 0) = Scalar(0);
 
   return result;
 }
@@ -272,7 +187,7 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
 template <class Scalar, class Angles>
 inline SingularityMeasures<Scalar> singularity_measures([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
+  const Scalar &s2 = angles.sine[0];
 
   SingularityMeasures<Scalar> result;
   result(0, 0) = s2;

@@ -40,12 +40,8 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s12 = angles.sine[1];
-  const Scalar& c12 = angles.cosine[1];
-  const Scalar& sh123 = angles.sine[2];
-  const Scalar& ch123 = angles.cosine[2];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s12 = angles.sine[1], &c12 = angles.cosine[1];
+  const Scalar &sh123 = angles.sine[2], &ch123 = angles.cosine[2];
   const Scalar t0 = g.l3 * sh123;
   const Scalar t1 = Scalar(2) * sh123 * t0 - (g.l1 * c1 + g.l2 * c12);
   const Scalar t2 = g.l2 * s12 + (g.l1 * s1 + Scalar(2) * ch123 * t0);
@@ -62,12 +58,8 @@ template <class Scalar, class Angles>
 inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
     [[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s12 = angles.sine[1];
-  const Scalar& c12 = angles.cosine[1];
-  const Scalar& s123 = angles.sine[2];
-  const Scalar& c123 = angles.cosine[2];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s12 = angles.sine[1], &c12 = angles.cosine[1];
+  const Scalar &s123 = angles.sine[2], &c123 = angles.cosine[2];
   const Scalar t0 = g.l3 * c123 + (g.l1 * c1 + g.l2 * c12);
   const Scalar t1 = g.l2 * s12 + (g.l1 * s1 + g.l3 * s123);
   Eigen::Transform<Scalar, 3, Eigen::Isometry> tool;

@@ -26,16 +26,9 @@ using NoAngles = JacobianSelection<Scalar, 0>;
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s23 = angles.sine[4];
-  const Scalar& c23 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s23 = angles.sine[4], &c23 = angles.cosine[4];
   const Scalar t0 = g.d3 * c5;
   const Scalar t1 = g.d2 + t0;
   const Scalar t2 = g.d3 * s5;
@@ -63,34 +56,26 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
   result(0, 2) = -c1 * t8;
   result(0, 3) = -t11 * t2;
   result(0, 4) = -g.d3 * (s5 * t12 + c5 * t15);
-  result(0, 5) = Scalar(0);
+  result(0, 5) = result(1, 5) = result(2, 0) = result(2, 5) = result(3, 0) = result(4, 0) = result(5, 1) =
+      result(5, 2) = Scalar(0);
   result(1, 0) = c1 * t6 - t13 * t2;
   result(1, 1) = s1 * t9;
   result(1, 2) = -s1 * t8;
   result(1, 3) = t2 * t16;
   result(1, 4) = -g.d3 * (c5 * t17 + s5 * t18);
-  result(1, 5) = Scalar(0);
-  result(2, 0) = Scalar(0);
   result(2, 1) = -t5;
   result(2, 2) = -t4;
   result(2, 3) = t19 * t2;
   result(2, 4) = s23 * t2 - t20 * t0;
-  result(2, 5) = Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = -s1;
-  result(3, 2) = -s1;
+  result(3, 1) = result(3, 2) = -s1;
   result(3, 3) = t12;
   result(3, 4) = -t11;
   result(3, 5) = c5 * t12 - s5 * t15;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = c1;
-  result(4, 2) = c1;
+  result(4, 1) = result(4, 2) = c1;
   result(4, 3) = t18;
   result(4, 4) = t16;
   result(4, 5) = c5 * t18 - s5 * t17;
   result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
   result(5, 3) = -s23;
   result(5, 4) = t19;
   result(5, 5) = -s5 * t20 - c5 * s23;
@@ -101,18 +86,9 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
-  const Scalar& s23 = angles.sine[5];
-  const Scalar& c23 = angles.cosine[5];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4], &s23 = angles.sine[5], &c23 = angles.cosine[5];
   const Scalar t0 = c1 * c23;
   const Scalar t1 = s1 * s4;
   const Scalar t2 = c1 * c4;
@@ -146,16 +122,16 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
   const Scalar t30 = g.a2 * c2 - t29;
   const Scalar t31 = c23 * s4;
   TransformAndJacobian<Scalar> result;
-  result.transform(0, 0) = t4;
+  result.transform(0, 0) = result.jacobian(3, 5) = t4;
   result.transform(0, 1) = -t9;
   result.transform(0, 2) = t10;
-  result.transform(1, 0) = t13;
+  result.transform(1, 0) = result.jacobian(4, 5) = t13;
   result.transform(1, 1) = t16;
   result.transform(1, 2) = -t17;
-  result.transform(2, 0) = -t19;
+  result.transform(2, 0) = result.jacobian(5, 5) = -t19;
   result.transform(2, 1) = t17 * t4 + t10 * t13;
   result.transform(2, 2) = t9 * t13 + t16 * t4;
-  result.transform(0, 3) = t27;
+  result.transform(0, 3) = result.jacobian(1, 0) = t27;
   result.transform(1, 3) = t28;
   result.transform(2, 3) = g.a1 + t30;
   result.jacobian(0, 0) = -t28;
@@ -163,37 +139,25 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
   result.jacobian(0, 2) = -c1 * t29;
   result.jacobian(0, 3) = -t7 * t22;
   result.jacobian(0, 4) = -g.d3 * t8;
-  result.jacobian(0, 5) = Scalar(0);
-  result.jacobian(1, 0) = t27;
+  result.jacobian(0, 5) = result.jacobian(1, 5) = result.jacobian(2, 0) = result.jacobian(2, 5) =
+      result.jacobian(3, 0) = result.jacobian(4, 0) = result.jacobian(5, 1) = result.jacobian(5, 2) = Scalar(0);
   result.jacobian(1, 1) = s1 * t30;
   result.jacobian(1, 2) = -s1 * t29;
   result.jacobian(1, 3) = t22 * t14;
   result.jacobian(1, 4) = -g.d3 * t15;
-  result.jacobian(1, 5) = Scalar(0);
-  result.jacobian(2, 0) = Scalar(0);
   result.jacobian(2, 1) = -t25;
   result.jacobian(2, 2) = -t24;
   result.jacobian(2, 3) = t31 * t22;
   result.jacobian(2, 4) = s23 * t22 - t18 * t20;
-  result.jacobian(2, 5) = Scalar(0);
-  result.jacobian(3, 0) = Scalar(0);
-  result.jacobian(3, 1) = -s1;
-  result.jacobian(3, 2) = -s1;
+  result.jacobian(3, 1) = result.jacobian(3, 2) = -s1;
   result.jacobian(3, 3) = t0;
   result.jacobian(3, 4) = -t7;
-  result.jacobian(3, 5) = t4;
-  result.jacobian(4, 0) = Scalar(0);
-  result.jacobian(4, 1) = c1;
-  result.jacobian(4, 2) = c1;
+  result.jacobian(4, 1) = result.jacobian(4, 2) = c1;
   result.jacobian(4, 3) = t11;
   result.jacobian(4, 4) = t14;
-  result.jacobian(4, 5) = t13;
   result.jacobian(5, 0) = Scalar(1);
-  result.jacobian(5, 1) = Scalar(0);
-  result.jacobian(5, 2) = Scalar(0);
   result.jacobian(5, 3) = -s23;
   result.jacobian(5, 4) = t31;
-  result.jacobian(5, 5) = -t19;
   result.transform.makeAffine();
   return result;
 }
@@ -201,16 +165,9 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
-  const Scalar& s23 = angles.sine[4];
-  const Scalar& c23 = angles.cosine[4];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
+  const Scalar &s23 = angles.sine[4], &c23 = angles.cosine[4];
   const Scalar t0 = g.d3 * s5;
   const Scalar t1 = c23 * t0;
   const Scalar t2 = c5 * s4;
@@ -242,39 +199,30 @@ inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>
   result(0, 0) = s5 * t10 - t1 * t2;
   result(0, 1) = c5 * t6 - s5 * t11;
   result(0, 2) = s5 * t12 + c5 * t5;
-  result(0, 3) = -Scalar(0);
-  result(0, 4) = Scalar(0);
-  result(0, 5) = Scalar(0);
+  result(0, 3) = result(0, 4) = result(0, 5) = result(1, 5) = result(2, 5) = result(3, 4) = result(4, 5) =
+      result(5, 5) = Scalar(0);
   result(1, 0) = c6 * t13 - s6 * t15;
   result(1, 1) = s6 * t16 + c6 * t17;
   result(1, 2) = s6 * t19 - c6 * t18;
   result(1, 3) = s5 * t20;
   result(1, 4) = -g.d3 * s6;
-  result(1, 5) = Scalar(0);
   result(2, 0) = -s6 * t13 - c6 * t15;
   result(2, 1) = c6 * t16 - s6 * t17;
   result(2, 2) = c6 * t19 + s6 * t18;
   result(2, 3) = -g.d3 * t21;
   result(2, 4) = -t20;
-  result(2, 5) = Scalar(0);
   result(3, 0) = -s5 * t22 - c5 * s23;
-  result(3, 1) = t14;
-  result(3, 2) = t14;
+  result(3, 1) = result(3, 2) = t14;
   result(3, 3) = c5;
-  result(3, 4) = Scalar(0);
   result(3, 5) = Scalar(1);
   result(4, 0) = c6 * t24 - s6 * t23;
-  result(4, 1) = -t25;
-  result(4, 2) = -t25;
+  result(4, 1) = result(4, 2) = -t25;
   result(4, 3) = t21;
   result(4, 4) = c6;
-  result(4, 5) = Scalar(0);
   result(5, 0) = -c6 * t23 - s6 * t24;
-  result(5, 1) = -t26;
-  result(5, 2) = -t26;
+  result(5, 1) = result(5, 2) = -t26;
   result(5, 3) = c6 * s5;
   result(5, 4) = -s6;
-  result(5, 5) = Scalar(0);
 
   return result;
 }
@@ -283,18 +231,9 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& q,
     const Vector3<Scalar>& point,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
-  const Scalar& s23 = angles.sine[5];
-  const Scalar& c23 = angles.cosine[5];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4], &s23 = angles.sine[5], &c23 = angles.cosine[5];
   const Scalar t0 = point[2] * c6 + point[1] * s6;
   const Scalar t1 = g.d3 + point[0];
   const Scalar t2 = c5 * t0 - s5 * t1;
@@ -338,27 +277,21 @@ inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& 
   result(1, 3) = c1 * t6 - s23 * t26;
   result(1, 4) = t15 * t28 - t20 * t27;
   result(1, 5) = -t29 * t20 - t25 * t28;
-  result(2, 0) = Scalar(0);
+  result(2, 0) = result(3, 0) = result(4, 0) = result(5, 1) = result(5, 2) = Scalar(0);
   result(2, 1) = -t11;
   result(2, 2) = -t10;
   result(2, 3) = -c23 * t4;
   result(2, 4) = t27 * t17 - t28 * t19;
   result(2, 5) = t29 * t17 - t24 * t28;
-  result(3, 0) = Scalar(0);
-  result(3, 1) = -s1;
-  result(3, 2) = -s1;
+  result(3, 1) = result(3, 2) = -s1;
   result(3, 3) = c1 * c23;
   result(3, 4) = -t27;
   result(3, 5) = -t29;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = c1;
-  result(4, 2) = c1;
+  result(4, 1) = result(4, 2) = c1;
   result(4, 3) = c23 * s1;
   result(4, 4) = t19;
   result(4, 5) = t24;
   result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
   result(5, 3) = -s23;
   result(5, 4) = t15;
   result(5, 5) = -t25;
@@ -370,16 +303,9 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> velocity([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s23 = angles.sine[4];
-  const Scalar& c23 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s23 = angles.sine[4], &c23 = angles.cosine[4];
   const Scalar t0 = qd[1] + qd[2];
   const Scalar t1 = g.d3 * c5;
   const Scalar t2 = g.d2 + t1;
@@ -420,16 +346,9 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s23 = angles.sine[4];
-  const Scalar& c23 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s23 = angles.sine[4], &c23 = angles.cosine[4];
   const Scalar t0 = g.d3 * s5;
   const Scalar t1 = qd[0] * s4 * t0;
   const Scalar t2 = g.a2 * c3;
@@ -485,34 +404,25 @@ inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>&
   result(0, 2) = t30 * t28 - c1 * t32;
   result(0, 3) = s1 * t14 - c1 * t36;
   result(0, 4) = -c1 * t41 - s1 * t42;
-  result(0, 5) = Scalar(0);
+  result(0, 5) = result(1, 5) = result(2, 0) = result(2, 5) = result(3, 0) = result(4, 0) = result(5, 0) =
+      result(5, 1) = result(5, 2) = Scalar(0);
   result(1, 0) = s1 * t26 - c1 * t19;
   result(1, 1) = t43 * t29 - s1 * t31;
   result(1, 2) = -t43 * t28 - s1 * t32;
   result(1, 3) = -c1 * t14 - s1 * t36;
   result(1, 4) = c1 * t42 - s1 * t41;
-  result(1, 5) = Scalar(0);
-  result(2, 0) = Scalar(0);
   result(2, 1) = -t18;
   result(2, 2) = qd[1] * t27 - t18;
   result(2, 3) = t44 * t0 - c23 * t33;
   result(2, 4) = c23 * t40 + s23 * t39;
-  result(2, 5) = Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = -t43;
-  result(3, 2) = -t43;
+  result(3, 1) = result(3, 2) = -t43;
   result(3, 3) = -c1 * t45 - s1 * t20;
   result(3, 4) = s1 * t11 - c1 * t46;
   result(3, 5) = -c1 * t48 - s1 * t23;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = -t30;
-  result(4, 2) = -t30;
+  result(4, 1) = result(4, 2) = -t30;
   result(4, 3) = c23 * t43 - s1 * t45;
   result(4, 4) = -c1 * t11 - s1 * t46;
   result(4, 5) = c1 * t23 - s1 * t48;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
   result(5, 3) = -c23 * t3;
   result(5, 4) = c23 * t22 + t44;
   result(5, 5) = s23 * t47 + c23 * t13;
@@ -524,16 +434,9 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s23 = angles.sine[4];
-  const Scalar& c23 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s23 = angles.sine[4], &c23 = angles.cosine[4];
   const Scalar t0 = qd[1] * g.a2 * c2;
   const Scalar t1 = qd[1] + qd[2];
   const Scalar t2 = g.d3 * c5;
@@ -597,11 +500,8 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
 template <class Scalar, class Angles>
 inline SingularityMeasures<Scalar> singularity_measures([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
-  const Scalar& s23 = angles.sine[2];
-  const Scalar& c23 = angles.cosine[2];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s5 = angles.sine[1], &s23 = angles.sine[2];
+  const Scalar &c23 = angles.cosine[2];
   const Scalar t0 = g.a3 * s23 + g.a2 * (c3 * s23 - c23 * s3);
   SingularityMeasures<Scalar> result;
   result(0, 0) = t0 + (g.d1 + g.d2 * c23);

@@ -39,14 +39,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> inverse_dynamics([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const Angles& angles,
     const InverseDynamicsConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = qd[1] + qd[2];
   const Scalar t1 = s2 * s3 - c2 * c3;
   const Scalar t2 = qd[0] * t1;
@@ -182,14 +176,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     const GravityTorqueConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = k[0] * s2;
   const Scalar t1 = k[0] * c2;
   const Scalar t2 = s3 * t0 - c3 * t1;
@@ -198,12 +186,11 @@ inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Sca
   const Scalar t5 = Scalar(0.00288) * s4 * t3;
   const Scalar t6 = (c4 * t4 - s4 * c5 * t5) - (Scalar(0.89133) * t3 + Scalar(0.025375) * t2);
   JointVector<Scalar> result;
-  result[0] = Scalar(0);
+  result[0] = result[5] = Scalar(0);
   result[1] = t6 - (Scalar(0.1044) * t0 - Scalar(3.79559) * t1);
   result[2] = t6;
   result[3] = s5 * t5;
   result[4] = t4;
-  result[5] = Scalar(0);
   return result;
 }
 
@@ -238,14 +225,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> coriolis_torque([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const Angles& angles,
     [[maybe_unused]] const CoriolisTorqueConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = qd[1] * qd[1];
   const Scalar t1 = Scalar(0.0070992) - c2 * (Scalar(1.368797152) * s2 + Scalar(0.0141984) * c2);
   const Scalar t2 = Scalar(2) * qd[0] * qd[1];
@@ -366,14 +347,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     [[maybe_unused]] const MassMatrixConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = Scalar(0.00020216) * s5;
   const Scalar t1 = s5 * t0;
   const Scalar t2 = Scalar(0.00065) + (Scalar(0.00022) + t1);
@@ -431,16 +406,14 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointV
   result(1, 2) = result(2, 1) = t21 + t11;
   result(1, 3) = result(3, 1) = s3 * t6 - t28;
   result(1, 4) = result(4, 1) = t42 - (s3 * t38 + c3 * t5);
-  result(1, 5) = result(5, 1) = t43;
+  result(1, 5) = result(5, 1) = result(2, 5) = result(5, 2) = t43;
   result(2, 2) = t21;
   result(2, 3) = result(3, 2) = -t28;
   result(2, 4) = result(4, 2) = t42;
-  result(2, 5) = result(5, 2) = t43;
   result(3, 3) = t34;
-  result(3, 4) = result(4, 3) = Scalar(0);
+  result(3, 4) = result(4, 3) = result(4, 5) = result(5, 4) = Scalar(0);
   result(3, 5) = result(5, 3) = t41;
   result(4, 4) = Scalar(0.00064216);
-  result(4, 5) = result(5, 4) = -Scalar(0);
   result(5, 5) = Scalar(4e-05);
   return result;
 }
@@ -475,14 +448,8 @@ template <class Scalar, class Angles>
 inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const Angles& angles,
     [[maybe_unused]] const CoriolisMatrixConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = Scalar(0.001243584) * s5;
   const Scalar t1 = c4 * t0;
   const Scalar t2 = Scalar(0.001243584) * c5;
@@ -667,19 +634,18 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const Jo
   result(0, 2) = -t105;
   result(0, 3) = t119;
   result(0, 4) = t134;
-  result(0, 5) = t139;
+  result(0, 5) = result(5, 0) = t139;
   result(1, 0) = -t141 - t94;
   result(1, 1) = -t63;
   result(1, 2) = -t62 - t142;
   result(1, 3) = t144;
   result(1, 4) = -t146;
-  result(1, 5) = t147;
+  result(1, 5) = result(2, 5) = t147;
   result(2, 0) = t148 + t105;
   result(2, 1) = t142 - t63;
   result(2, 2) = -t62;
   result(2, 3) = -t143;
   result(2, 4) = -t145;
-  result(2, 5) = t147;
   result(3, 0) = -t119 - (t155 - c2 * t156);
   result(3, 1) = -t157 - t144;
   result(3, 2) = t143 - t85;
@@ -690,14 +656,11 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const Jo
   result(4, 1) = -t174;
   result(4, 2) = t145 - t173;
   result(4, 3) = t129;
-  result(4, 4) = Scalar(0);
+  result(4, 4) = result(5, 5) = Scalar(0);
   result(4, 5) = t138;
-  result(5, 0) = t139;
-  result(5, 1) = t176;
-  result(5, 2) = t176;
+  result(5, 1) = result(5, 2) = t176;
   result(5, 3) = t136 - qd[4] * t175;
   result(5, 4) = -t138;
-  result(5, 5) = Scalar(0);
   return result;
 }
 
@@ -736,14 +699,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> forward_dynamics([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const Angles& angles,
     const ForwardDynamicsConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = Scalar(0.00020216) * s5;
   const Scalar t1 = Scalar(0.001243584) * s5;
   const Scalar t2 = c5 * t0 + t1;
@@ -958,14 +915,8 @@ template <class Scalar, class Angles>
 inline Scalar kinetic_energy([[maybe_unused]] const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const Angles& angles,
     [[maybe_unused]] const KineticEnergyConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = Scalar(4e-05) * c5;
   const Scalar t1 = Scalar(4e-05) * s5;
   const Scalar t2 = qd[5] * s4 * t1;
@@ -1061,13 +1012,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Scalar potential_energy([[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     const PotentialEnergyConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = Scalar(0.025375) - c4 * Scalar(0.00288) * s5;
   const Scalar t1 = Scalar(0.336) + (Scalar(0.53975) + (Scalar(0.01558) + Scalar(0.00288) * c5));
   const Scalar t2 = c2 * (Scalar(0.1044) + (s3 * t0 + c3 * t1));

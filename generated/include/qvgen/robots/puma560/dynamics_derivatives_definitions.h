@@ -33,14 +33,8 @@ template <class Scalar, class Angles>
 inline InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const Angles& angles,
     const InverseDynamicsDerivativesConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = qd[1] + qd[2];
   const Scalar t1 = c2 * s3;
   const Scalar t2 = c3 * s2 + t1;
@@ -527,42 +521,38 @@ inline InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives([[maybe_u
   result.torque[3] = -t112;
   result.torque[4] = t100;
   result.torque[5] = t87;
-  result.by_position(0, 0) = Scalar(0);
-  result.by_position(1, 0) = Scalar(0);
-  result.by_position(2, 0) = Scalar(0);
-  result.by_position(3, 0) = -Scalar(0);
-  result.by_position(4, 0) = -Scalar(0);
-  result.by_position(5, 0) = Scalar(0);
+  result.by_position(0, 0) = result.by_position(1, 0) = result.by_position(2, 0) = result.by_position(3, 0) =
+      result.by_position(4, 0) = result.by_position(5, 0) = result.by_rate(4, 4) = result.by_position(0, 5) =
+      result.by_position(1, 5) = result.by_position(2, 5) = result.by_position(3, 5) = result.by_position(4, 5) =
+      result.by_position(5, 5) = result.by_rate(5, 5) = Scalar(0);
   result.by_rate(0, 0) = t192;
   result.by_rate(1, 0) = t198;
   result.by_rate(2, 0) = -t197;
   result.by_rate(3, 0) = -t186;
   result.by_rate(4, 0) = t164;
-  result.by_rate(5, 0) = -t171;
+  result.by_rate(5, 0) = result.by_rate(0, 5) = -t171;
   result.by_position(0, 1) = t200 - t270;
   result.by_position(1, 1) = t278;
   result.by_position(2, 1) = -t276;
   result.by_position(3, 1) = t262;
   result.by_position(4, 1) = t230;
-  result.by_position(5, 1) = -t238;
+  result.by_position(5, 1) = result.by_position(5, 2) = -t238;
   result.by_rate(0, 1) = -t345;
   result.by_rate(1, 1) = t347 - t348;
   result.by_rate(2, 1) = t347;
   result.by_rate(3, 1) = -t310;
   result.by_rate(4, 1) = t336;
-  result.by_rate(5, 1) = -t288;
+  result.by_rate(5, 1) = result.by_rate(5, 2) = -t288;
   result.by_position(0, 2) = c2 * (t269 - t354) + t367;
   result.by_position(1, 2) = -t369 - t370;
   result.by_position(2, 2) = -t369;
   result.by_position(3, 2) = t364;
   result.by_position(4, 2) = t359;
-  result.by_position(5, 2) = -t238;
   result.by_rate(0, 2) = t385;
   result.by_rate(1, 2) = -t386 - t348;
   result.by_rate(2, 2) = -t386;
   result.by_rate(3, 2) = -t383;
   result.by_rate(4, 2) = t380;
-  result.by_rate(5, 2) = -t288;
   result.by_position(0, 3) = t416;
   result.by_position(1, 3) = t418 + (s3 * t399 + c3 * t408);
   result.by_position(2, 3) = t418;
@@ -585,20 +575,10 @@ inline InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives([[maybe_u
   result.by_rate(1, 4) = -t472;
   result.by_rate(2, 4) = -t471;
   result.by_rate(3, 4) = -t438;
-  result.by_rate(4, 4) = Scalar(0);
   result.by_rate(5, 4) = -t435;
-  result.by_position(0, 5) = Scalar(0);
-  result.by_position(1, 5) = Scalar(0);
-  result.by_position(2, 5) = Scalar(0);
-  result.by_position(3, 5) = -Scalar(0);
-  result.by_position(4, 5) = -Scalar(0);
-  result.by_position(5, 5) = Scalar(0);
-  result.by_rate(0, 5) = -t171;
-  result.by_rate(1, 5) = t473;
-  result.by_rate(2, 5) = t473;
+  result.by_rate(1, 5) = result.by_rate(2, 5) = t473;
   result.by_rate(3, 5) = -Scalar(4e-05) * t298;
   result.by_rate(4, 5) = t435;
-  result.by_rate(5, 5) = Scalar(0);
   return result;
 }
 

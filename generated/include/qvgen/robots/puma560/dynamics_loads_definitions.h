@@ -40,16 +40,9 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> inverse_dynamics_with_gravity_vector([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const Angles& angles,
     const InverseDynamicsWithGravityVectorConstants<Scalar>& k) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s3 = angles.sine[2];
-  const Scalar& c3 = angles.cosine[2];
-  const Scalar& s4 = angles.sine[3];
-  const Scalar& c4 = angles.cosine[3];
-  const Scalar& s5 = angles.sine[4];
-  const Scalar& c5 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s3 = angles.sine[2], &c3 = angles.cosine[2], &s4 = angles.sine[3], &c4 = angles.cosine[3];
+  const Scalar &s5 = angles.sine[4], &c5 = angles.cosine[4];
   const Scalar t0 = s2 * s3 - c2 * c3;
   const Scalar t1 = c3 * s2 + c2 * s3;
   const Scalar t2 = qd[1] + qd[2];
@@ -190,16 +183,9 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> inverse_dynamics_with_wrench([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const Wrench<Scalar>& wrench, const Angles& angles,
     const InverseDynamicsWithWrenchConstants<Scalar>& k) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s3 = angles.sine[2];
-  const Scalar& c3 = angles.cosine[2];
-  const Scalar& s4 = angles.sine[3];
-  const Scalar& c4 = angles.cosine[3];
-  const Scalar& s5 = angles.sine[4];
-  const Scalar& c5 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s3 = angles.sine[2], &c3 = angles.cosine[2], &s4 = angles.sine[3], &c4 = angles.cosine[3];
+  const Scalar &s5 = angles.sine[4], &c5 = angles.cosine[4];
   const Scalar t0 = qd[1] + qd[2];
   const Scalar t1 = s2 * s3 - c2 * c3;
   const Scalar t2 = qd[0] * t1;
@@ -360,16 +346,9 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> gravity_torque_with_gravity_vector([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles,
     const GravityTorqueWithGravityVectorConstants<Scalar>& k) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s3 = angles.sine[2];
-  const Scalar& c3 = angles.cosine[2];
-  const Scalar& s4 = angles.sine[3];
-  const Scalar& c4 = angles.cosine[3];
-  const Scalar& s5 = angles.sine[4];
-  const Scalar& c5 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s3 = angles.sine[2], &c3 = angles.cosine[2], &s4 = angles.sine[3], &c4 = angles.cosine[3];
+  const Scalar &s5 = angles.sine[4], &c5 = angles.cosine[4];
   const Scalar t0 = k[1] * s1 - k[0] * c1;
   const Scalar t1 = Scalar(3.79559) * c2 - Scalar(0.1044) * s2;
   const Scalar t2 = s2 * s3 - c2 * c3;
@@ -431,16 +410,9 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> forward_dynamics_with_gravity_vector([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const Angles& angles,
     const ForwardDynamicsWithGravityVectorConstants<Scalar>& k) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s3 = angles.sine[2];
-  const Scalar& c3 = angles.cosine[2];
-  const Scalar& s4 = angles.sine[3];
-  const Scalar& c4 = angles.cosine[3];
-  const Scalar& s5 = angles.sine[4];
-  const Scalar& c5 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s3 = angles.sine[2], &c3 = angles.cosine[2], &s4 = angles.sine[3], &c4 = angles.cosine[3];
+  const Scalar &s5 = angles.sine[4], &c5 = angles.cosine[4];
   const Scalar t0 = Scalar(0.001243584) * c5;
   const Scalar t1 = Scalar(0.384876294) + t0;
   const Scalar t2 = Scalar(0.001243584) * s5;
@@ -665,16 +637,9 @@ inline JointVector<Scalar> forward_dynamics_with_wrench([[maybe_unused]] const J
     const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const Wrench<Scalar>& wrench,
     const Angles& angles,
     const ForwardDynamicsWithWrenchConstants<Scalar>& k) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s3 = angles.sine[2];
-  const Scalar& c3 = angles.cosine[2];
-  const Scalar& s4 = angles.sine[3];
-  const Scalar& c4 = angles.cosine[3];
-  const Scalar& s5 = angles.sine[4];
-  const Scalar& c5 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s3 = angles.sine[2], &c3 = angles.cosine[2], &s4 = angles.sine[3], &c4 = angles.cosine[3];
+  const Scalar &s5 = angles.sine[4], &c5 = angles.cosine[4];
   const Scalar t0 = s2 * s3 - c2 * c3;
   const Scalar t1 = qd[0] * t0;
   const Scalar t2 = c3 * s2 + c2 * s3;
@@ -913,16 +878,9 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Scalar potential_energy_with_gravity_vector([[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     const PotentialEnergyWithGravityVectorConstants<Scalar>& k) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s3 = angles.sine[2];
-  const Scalar& c3 = angles.cosine[2];
-  const Scalar& s4 = angles.sine[3];
-  const Scalar& c4 = angles.cosine[3];
-  const Scalar& s5 = angles.sine[4];
-  const Scalar& c5 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s3 = angles.sine[2], &c3 = angles.cosine[2], &s4 = angles.sine[3], &c4 = angles.cosine[3];
+  const Scalar &s5 = angles.sine[4], &c5 = angles.cosine[4];
   const Scalar t0 = Scalar(0.00288) * s5;
   const Scalar t1 = Scalar(3.9585) + (Scalar(0.9078025) + (Scalar(0.06768) + s4 * t0));
   const Scalar t2 = Scalar(0.336) + (Scalar(0.53975) + (Scalar(0.01558) + Scalar(0.00288) * c5));

@@ -122,16 +122,9 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> inverse_dynamics([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const Angles& angles,
     const InverseDynamicsConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4];
   const Scalar t0 = qdd[0] + qdd[1];
   const Scalar t1 = k[8] * qd[0] * qd[0];
   const Scalar t2 = k[8] * qdd[0];
@@ -314,14 +307,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     const GravityTorqueConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
+  const Scalar &s3 = angles.sine[1], &c3 = angles.cosine[1], &s4 = angles.sine[2], &c4 = angles.cosine[2];
+  const Scalar &s5 = angles.sine[3], &c5 = angles.cosine[3], &s6 = angles.sine[4], &c6 = angles.cosine[4];
   const Scalar t0 = k[2] * c6 + k[3] * s6;
   const Scalar t1 = k[0] * s3;
   const Scalar t2 = c4 * t1;
@@ -338,8 +325,7 @@ inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Sca
   const Scalar t13 = c4 * (t6 + k[6] * t3) + s4 * t12;
   const Scalar t14 = (k[6] * t7 - k[5] * t2) - (c5 * t11 + s5 * t9);
   JointVector<Scalar> result;
-  result[0] = Scalar(0);
-  result[1] = Scalar(0);
+  result[0] = result[1] = Scalar(0);
   result[2] = -t13 - (k[8] * t3 + k[7] * t1);
   result[3] = t14;
   result[4] = t6;
@@ -452,16 +438,9 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> coriolis_torque([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const Angles& angles,
     const CoriolisTorqueConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4];
   const Scalar t0 = k[6] * qd[0] * qd[0];
   const Scalar t1 = k[35] * c2 + k[34] * s2;
   const Scalar t2 = qd[0] + qd[1];
@@ -702,16 +681,9 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     const MassMatrixConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4];
   const Scalar t0 = k[14] * s6 - k[13] * c6;
   const Scalar t1 = k[15] - t0;
   const Scalar t2 = k[14] * c6 + k[13] * s6;
@@ -905,16 +877,9 @@ template <class Scalar, class Angles>
 inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const Angles& angles,
     const CoriolisMatrixConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4];
   const Scalar t0 = k[0] * s6 - k[1] * c6;
   const Scalar t1 = s6 * t0;
   const Scalar t2 = k[2] + t1;
@@ -1305,16 +1270,9 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> forward_dynamics([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const Angles& angles,
     const ForwardDynamicsConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4];
   const Scalar t0 = k[4] * c6 - k[5] * s6;
   const Scalar t1 = k[6] * t0;
   const Scalar t2 = k[9] * c6 - k[10] * s6;
@@ -1677,16 +1635,9 @@ template <class Scalar, class Angles>
 inline Scalar kinetic_energy([[maybe_unused]] const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const Angles& angles,
     const KineticEnergyConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4];
   const Scalar t0 = k[0] * c6 + k[1] * s6;
   const Scalar t1 = k[2] * c5 - s5 * t0;
   const Scalar t2 = k[0] * s6 - k[1] * c6;
@@ -1818,14 +1769,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Scalar potential_energy([[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     const PotentialEnergyConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
+  const Scalar &s3 = angles.sine[1], &c3 = angles.cosine[1], &s4 = angles.sine[2], &c4 = angles.cosine[2];
+  const Scalar &s5 = angles.sine[3], &c5 = angles.cosine[3], &s6 = angles.sine[4], &c6 = angles.cosine[4];
   const Scalar t0 = k[2] + (k[0] * s6 + k[1] * c6);
   const Scalar t1 = k[5] - (k[4] + (s5 * t0 + k[3] * c5));
   const Scalar t2 = k[8] + (k[7] + (k[0] * c6 - k[1] * s6));

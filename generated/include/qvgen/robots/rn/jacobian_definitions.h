@@ -26,16 +26,9 @@ using NoAngles = JacobianSelection<Scalar, 0>;
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s12 = angles.sine[4];
-  const Scalar& c12 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s12 = angles.sine[4], &c12 = angles.cosine[4];
   const Scalar t0 = g.l3 * s3;
   const Scalar t1 = g.l2 - t0;
   const Scalar t2 = s12 * t1;
@@ -49,36 +42,22 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
   result(0, 0) = -t2 - g.l1 * s1;
   result(0, 1) = -t2;
   result(0, 2) = -c12 * t3;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = -Scalar(0);
-  result(0, 5) = -Scalar(0);
+  result(0, 3) = result(0, 4) = result(0, 5) = result(1, 3) = result(1, 4) = result(1, 5) = result(2, 0) =
+      result(2, 1) = result(2, 3) = result(2, 4) = result(2, 5) = result(3, 0) = result(3, 1) = result(4, 0) =
+      result(4, 1) = result(5, 2) = Scalar(0);
   result(1, 0) = t4 + g.l1 * c1;
   result(1, 1) = t4;
   result(1, 2) = -s12 * t3;
-  result(1, 3) = Scalar(0);
-  result(1, 4) = -Scalar(0);
-  result(1, 5) = -Scalar(0);
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(0);
   result(2, 2) = t0;
-  result(2, 3) = Scalar(0);
-  result(2, 4) = -Scalar(0);
-  result(2, 5) = -Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
   result(3, 2) = -s12;
   result(3, 3) = -c12 * s3;
   result(3, 4) = c4 * s12 - c12 * t5;
   result(3, 5) = s12 * t8 - c12 * t7;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
   result(4, 2) = c12;
   result(4, 3) = -s12 * s3;
   result(4, 4) = -c12 * c4 - s12 * t5;
   result(4, 5) = -c12 * t8 - s12 * t7;
-  result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(1);
-  result(5, 2) = Scalar(0);
+  result(5, 0) = result(5, 1) = Scalar(1);
   result(5, 3) = -c3;
   result(5, 4) = s3 * s4;
   result(5, 5) = -s3 * t6 - c3 * c5;
@@ -89,18 +68,9 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
-  const Scalar& s12 = angles.sine[5];
-  const Scalar& c12 = angles.cosine[5];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4], &s12 = angles.sine[5], &c12 = angles.cosine[5];
   const Scalar t0 = c12 * s3;
   const Scalar t1 = s12 * s4;
   const Scalar t2 = c12 * c4;
@@ -137,42 +107,28 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
   result.transform(2, 0) = t16 * t10 + t17 * t9;
   result.transform(2, 1) = -t10 * t15 - t8 * t17;
   result.transform(2, 2) = -t18;
-  result.transform(0, 3) = t22;
+  result.transform(0, 3) = result.jacobian(1, 0) = t22;
   result.transform(1, 3) = t24;
   result.transform(2, 3) = g.h1 - t25;
   result.jacobian(0, 0) = -t24;
   result.jacobian(0, 1) = -t23;
   result.jacobian(0, 2) = -c12 * t25;
-  result.jacobian(0, 3) = Scalar(0);
-  result.jacobian(0, 4) = -Scalar(0);
-  result.jacobian(0, 5) = -Scalar(0);
-  result.jacobian(1, 0) = t22;
+  result.jacobian(0, 3) = result.jacobian(0, 4) = result.jacobian(0, 5) = result.jacobian(1, 3) =
+      result.jacobian(1, 4) = result.jacobian(1, 5) = result.jacobian(2, 0) = result.jacobian(2, 1) =
+      result.jacobian(2, 3) = result.jacobian(2, 4) = result.jacobian(2, 5) = result.jacobian(3, 0) =
+      result.jacobian(3, 1) = result.jacobian(4, 0) = result.jacobian(4, 1) = result.jacobian(5, 2) = Scalar(0);
   result.jacobian(1, 1) = t21;
   result.jacobian(1, 2) = -s12 * t25;
-  result.jacobian(1, 3) = Scalar(0);
-  result.jacobian(1, 4) = -Scalar(0);
-  result.jacobian(1, 5) = -Scalar(0);
-  result.jacobian(2, 0) = Scalar(0);
-  result.jacobian(2, 1) = Scalar(0);
   result.jacobian(2, 2) = t19;
-  result.jacobian(2, 3) = Scalar(0);
-  result.jacobian(2, 4) = -Scalar(0);
-  result.jacobian(2, 5) = -Scalar(0);
-  result.jacobian(3, 0) = Scalar(0);
-  result.jacobian(3, 1) = Scalar(0);
   result.jacobian(3, 2) = -s12;
   result.jacobian(3, 3) = -t0;
   result.jacobian(3, 4) = -t7;
   result.jacobian(3, 5) = t10;
-  result.jacobian(4, 0) = Scalar(0);
-  result.jacobian(4, 1) = Scalar(0);
   result.jacobian(4, 2) = c12;
   result.jacobian(4, 3) = -t12;
   result.jacobian(4, 4) = -t14;
   result.jacobian(4, 5) = -t17;
-  result.jacobian(5, 0) = Scalar(1);
-  result.jacobian(5, 1) = Scalar(1);
-  result.jacobian(5, 2) = Scalar(0);
+  result.jacobian(5, 0) = result.jacobian(5, 1) = Scalar(1);
   result.jacobian(5, 3) = -c3;
   result.jacobian(5, 4) = s3 * s4;
   result.jacobian(5, 5) = t18;
@@ -183,16 +139,9 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4];
   const Scalar t0 = g.l1 * s2;
   const Scalar t1 = c3 * t0;
   const Scalar t2 = g.l2 - g.l3 * s3;
@@ -218,38 +167,25 @@ inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>
   result(0, 0) = c6 * t6 - s6 * t7;
   result(0, 1) = -t2 * t9;
   result(0, 2) = s6 * t10 - c6 * t12;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = -Scalar(0);
-  result(0, 5) = -Scalar(0);
+  result(0, 3) = result(0, 4) = result(0, 5) = result(1, 3) = result(1, 4) = result(1, 5) = result(2, 3) =
+      result(2, 4) = result(2, 5) = result(3, 5) = result(4, 5) = result(5, 4) = Scalar(0);
   result(1, 0) = c6 * t7 + s6 * t6;
   result(1, 1) = -t13 * t2;
   result(1, 2) = -s6 * t12 - c6 * t10;
-  result(1, 3) = Scalar(0);
-  result(1, 4) = -Scalar(0);
-  result(1, 5) = -Scalar(0);
   result(2, 0) = c5 * t5 - s5 * t4;
   result(2, 1) = t2 * t14;
   result(2, 2) = s5 * t11;
-  result(2, 3) = Scalar(0);
-  result(2, 4) = -Scalar(0);
-  result(2, 5) = -Scalar(0);
-  result(3, 0) = t18;
-  result(3, 1) = t18;
+  result(3, 0) = result(3, 1) = t18;
   result(3, 2) = -t9;
   result(3, 3) = -c6 * s5;
   result(3, 4) = s6;
-  result(3, 5) = -Scalar(0);
-  result(4, 0) = t19;
-  result(4, 1) = t19;
+  result(4, 0) = result(4, 1) = t19;
   result(4, 2) = -t13;
   result(4, 3) = -s5 * s6;
   result(4, 4) = -c6;
-  result(4, 5) = -Scalar(0);
-  result(5, 0) = t20;
-  result(5, 1) = t20;
+  result(5, 0) = result(5, 1) = t20;
   result(5, 2) = t14;
   result(5, 3) = -c5;
-  result(5, 4) = -Scalar(0);
   result(5, 5) = -Scalar(1);
 
   return result;
@@ -259,18 +195,9 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& q,
     const Vector3<Scalar>& point,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
-  const Scalar& s12 = angles.sine[5];
-  const Scalar& c12 = angles.cosine[5];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4], &s12 = angles.sine[5], &c12 = angles.cosine[5];
   const Scalar t0 = point[0] * s6 - point[1] * c6;
   const Scalar t1 = point[0] * c6 + point[1] * s6;
   const Scalar t2 = c5 * t1 - point[2] * s5;
@@ -315,27 +242,20 @@ inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& 
   result(1, 3) = c12 * t3 - c3 * t26;
   result(1, 4) = t14 * t28 - t29 * t17;
   result(1, 5) = t14 * t30 + t29 * t25;
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(0);
+  result(2, 0) = result(2, 1) = result(3, 0) = result(3, 1) = result(4, 0) = result(4, 1) = result(5, 2) = Scalar(0);
   result(2, 2) = t7;
   result(2, 3) = s3 * t9;
   result(2, 4) = c3 * t2 + c4 * t18;
   result(2, 5) = t20 * t30 - t24 * t29;
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
   result(3, 2) = -s12;
   result(3, 3) = -c12 * s3;
   result(3, 4) = -t28;
   result(3, 5) = -t30;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
   result(4, 2) = c12;
   result(4, 3) = -s12 * s3;
   result(4, 4) = -t16;
   result(4, 5) = -t24;
-  result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(1);
-  result(5, 2) = Scalar(0);
+  result(5, 0) = result(5, 1) = Scalar(1);
   result(5, 3) = -c3;
   result(5, 4) = t17;
   result(5, 5) = -t25;
@@ -347,16 +267,9 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> velocity([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s12 = angles.sine[4];
-  const Scalar& c12 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s12 = angles.sine[4], &c12 = angles.cosine[4];
   const Scalar t0 = g.l3 * s3;
   const Scalar t1 = g.l2 - t0;
   const Scalar t2 = qd[0] + qd[1];
@@ -383,16 +296,9 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s12 = angles.sine[4];
-  const Scalar& c12 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s12 = angles.sine[4], &c12 = angles.cosine[4];
   const Scalar t0 = qd[0] + qd[1];
   const Scalar t1 = s3 * t0;
   const Scalar t2 = qd[2] * c3;
@@ -420,36 +326,21 @@ inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>&
   result(0, 0) = t5 - qd[0] * g.l1 * c1;
   result(0, 1) = t5;
   result(0, 2) = t6 * t7 + c12 * t9;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = -Scalar(0);
-  result(0, 5) = -Scalar(0);
+  result(0, 3) = result(0, 4) = result(0, 5) = result(1, 3) = result(1, 4) = result(1, 5) = result(2, 0) =
+      result(2, 1) = result(2, 3) = result(2, 4) = result(2, 5) = result(3, 0) = result(3, 1) = result(4, 0) =
+      result(4, 1) = result(5, 0) = result(5, 1) = result(5, 2) = Scalar(0);
   result(1, 0) = -qd[0] * g.l1 * s1 - t11;
   result(1, 1) = -t11;
   result(1, 2) = s12 * t9 - t4 * t7;
-  result(1, 3) = Scalar(0);
-  result(1, 4) = -Scalar(0);
-  result(1, 5) = -Scalar(0);
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(0);
   result(2, 2) = qd[2] * t7;
-  result(2, 3) = Scalar(0);
-  result(2, 4) = -Scalar(0);
-  result(2, 5) = -Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
   result(3, 2) = -t4;
   result(3, 3) = -t10;
   result(3, 4) = -c12 * t12 - s12 * t14;
   result(3, 5) = s12 * t22 - c12 * t21;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
   result(4, 2) = -t6;
   result(4, 3) = -t3;
   result(4, 4) = c12 * t14 - s12 * t12;
   result(4, 5) = -s12 * t21 - c12 * t22;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
   result(5, 3) = t8;
   result(5, 4) = s4 * t2 + qd[3] * c4 * s3;
   result(5, 5) = s3 * t17 - c3 * t20;
@@ -461,16 +352,9 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s12 = angles.sine[4];
-  const Scalar& c12 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s12 = angles.sine[4], &c12 = angles.cosine[4];
   const Scalar t0 = g.l3 * s3;
   const Scalar t1 = qd[2] * qd[2] * t0;
   const Scalar t2 = qd[0] + qd[1];
@@ -512,9 +396,7 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
 template <class Scalar, class Angles>
 inline SingularityMeasures<Scalar> singularity_measures([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& s5 = angles.sine[2];
+  const Scalar &s2 = angles.sine[0], &s3 = angles.sine[1], &s5 = angles.sine[2];
 
   SingularityMeasures<Scalar> result;
   result(0, 0) = s2;

@@ -26,28 +26,16 @@ using NoAngles = JacobianSelection<Scalar, 0>;
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0];
 
   Jacobian<Scalar> result;
   result(0, 0) = q[2] * c1 - g.l1 * s1;
-  result(0, 1) = Scalar(0);
+  result(0, 1) = result(1, 1) = result(2, 0) = result(2, 2) = result(3, 0) = result(3, 1) = result(3, 2) =
+      result(4, 0) = result(4, 1) = result(4, 2) = result(5, 1) = result(5, 2) = Scalar(0);
   result(0, 2) = s1;
   result(1, 0) = g.l1 * c1 + q[2] * s1;
-  result(1, 1) = Scalar(0);
   result(1, 2) = -c1;
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(1);
-  result(2, 2) = -Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
-  result(3, 2) = -Scalar(0);
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(4, 2) = -Scalar(0);
-  result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = -Scalar(0);
+  result(2, 1) = result(5, 0) = Scalar(1);
 
   return result;
 }
@@ -55,41 +43,22 @@ inline Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0];
   const Scalar t0 = g.l1 * c1 + q[2] * s1;
   const Scalar t1 = q[2] * c1 - g.l1 * s1;
   TransformAndJacobian<Scalar> result;
   result.transform(0, 0) = c1;
-  result.transform(0, 1) = Scalar(0);
-  result.transform(0, 2) = s1;
-  result.transform(1, 0) = s1;
-  result.transform(1, 1) = Scalar(0);
-  result.transform(1, 2) = -c1;
-  result.transform(2, 0) = Scalar(0);
-  result.transform(2, 1) = Scalar(1);
-  result.transform(2, 2) = Scalar(0);
-  result.transform(0, 3) = t0;
+  result.transform(0, 1) = result.transform(1, 1) = result.transform(2, 0) = result.transform(2, 2) =
+      result.jacobian(0, 1) = result.jacobian(1, 1) = result.jacobian(2, 0) = result.jacobian(2, 2) =
+      result.jacobian(3, 0) = result.jacobian(3, 1) = result.jacobian(3, 2) = result.jacobian(4, 0) =
+      result.jacobian(4, 1) = result.jacobian(4, 2) = result.jacobian(5, 1) = result.jacobian(5, 2) = Scalar(0);
+  result.transform(0, 2) = result.transform(1, 0) = result.jacobian(0, 2) = s1;
+  result.transform(1, 2) = result.jacobian(1, 2) = -c1;
+  result.transform(2, 1) = result.jacobian(2, 1) = result.jacobian(5, 0) = Scalar(1);
+  result.transform(0, 3) = result.jacobian(1, 0) = t0;
   result.transform(1, 3) = -t1;
   result.transform(2, 3) = q[1];
   result.jacobian(0, 0) = t1;
-  result.jacobian(0, 1) = Scalar(0);
-  result.jacobian(0, 2) = s1;
-  result.jacobian(1, 0) = t0;
-  result.jacobian(1, 1) = Scalar(0);
-  result.jacobian(1, 2) = -c1;
-  result.jacobian(2, 0) = Scalar(0);
-  result.jacobian(2, 1) = Scalar(1);
-  result.jacobian(2, 2) = -Scalar(0);
-  result.jacobian(3, 0) = Scalar(0);
-  result.jacobian(3, 1) = Scalar(0);
-  result.jacobian(3, 2) = -Scalar(0);
-  result.jacobian(4, 0) = Scalar(0);
-  result.jacobian(4, 1) = Scalar(0);
-  result.jacobian(4, 2) = -Scalar(0);
-  result.jacobian(5, 0) = Scalar(1);
-  result.jacobian(5, 1) = Scalar(0);
-  result.jacobian(5, 2) = -Scalar(0);
   result.transform.makeAffine();
   return result;
 }
@@ -99,23 +68,10 @@ inline Jacobian<Scalar> tool_jacobian(const JointVector<Scalar>& q,
     [[maybe_unused]] const Angles& angles, const BasicGeometry<Scalar>& g) {
   Jacobian<Scalar> result;
   result(0, 0) = q[2];
-  result(0, 1) = Scalar(0);
-  result(0, 2) = -Scalar(0);
-  result(1, 0) = Scalar(0);
-  result(1, 1) = Scalar(1);
-  result(1, 2) = -Scalar(0);
+  result(0, 1) = result(0, 2) = result(1, 0) = result(1, 2) = result(2, 1) = result(3, 0) = result(3, 1) =
+      result(3, 2) = result(4, 1) = result(4, 2) = result(5, 0) = result(5, 1) = result(5, 2) = Scalar(0);
+  result(1, 1) = result(2, 2) = result(4, 0) = Scalar(1);
   result(2, 0) = -g.l1;
-  result(2, 1) = Scalar(0);
-  result(2, 2) = Scalar(1);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
-  result(3, 2) = -Scalar(0);
-  result(4, 0) = Scalar(1);
-  result(4, 1) = Scalar(0);
-  result(4, 2) = -Scalar(0);
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = -Scalar(0);
 
   return result;
 }
@@ -124,29 +80,17 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q,
     const Vector3<Scalar>& point,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0];
   const Scalar t0 = g.l1 + point[0];
   const Scalar t1 = q[2] + point[2];
   Jacobian<Scalar> result;
   result(0, 0) = c1 * t1 - s1 * t0;
-  result(0, 1) = Scalar(0);
+  result(0, 1) = result(1, 1) = result(2, 0) = result(2, 2) = result(3, 0) = result(3, 1) = result(3, 2) =
+      result(4, 0) = result(4, 1) = result(4, 2) = result(5, 1) = result(5, 2) = Scalar(0);
   result(0, 2) = s1;
   result(1, 0) = c1 * t0 + s1 * t1;
-  result(1, 1) = Scalar(0);
   result(1, 2) = -c1;
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(1);
-  result(2, 2) = -Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
-  result(3, 2) = -Scalar(0);
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(4, 2) = -Scalar(0);
-  result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = -Scalar(0);
+  result(2, 1) = result(5, 0) = Scalar(1);
 
   return result;
 }
@@ -155,16 +99,14 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> velocity(const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0];
   const Scalar t0 = q[2] * qd[0];
   const Scalar t1 = qd[2] - g.l1 * qd[0];
   Twist<Scalar> result;
   result(0, 0) = c1 * t0 + s1 * t1;
   result(1, 0) = s1 * t0 - c1 * t1;
   result(2, 0) = qd[1];
-  result(3, 0) = Scalar(0);
-  result(4, 0) = Scalar(0);
+  result(3, 0) = result(4, 0) = Scalar(0);
   result(5, 0) = qd[0];
 
   return result;
@@ -174,30 +116,18 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0];
   const Scalar t0 = qd[2] - g.l1 * qd[0];
   const Scalar t1 = qd[0] * s1;
   const Scalar t2 = qd[0] * c1;
   Jacobian<Scalar> result;
   result(0, 0) = c1 * t0 - q[2] * t1;
-  result(0, 1) = Scalar(0);
+  result(0, 1) = result(1, 1) = result(2, 0) = result(2, 1) = result(2, 2) = result(3, 0) = result(3, 1) =
+      result(3, 2) = result(4, 0) = result(4, 1) = result(4, 2) = result(5, 0) = result(5, 1) = result(5, 2) =
+      Scalar(0);
   result(0, 2) = t2;
   result(1, 0) = q[2] * t2 + s1 * t0;
-  result(1, 1) = Scalar(0);
   result(1, 2) = t1;
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(0);
-  result(2, 2) = -Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
-  result(3, 2) = -Scalar(0);
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(4, 2) = -Scalar(0);
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = -Scalar(0);
 
   return result;
 }
@@ -206,17 +136,13 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> jacobian_dot_times_qd(const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0];
   const Scalar t0 = qd[0] * q[2] * qd[0];
   const Scalar t1 = qd[0] * g.l1 * qd[0] - Scalar(2) * qd[2] * qd[0];
   Twist<Scalar> result;
   result(0, 0) = -s1 * t0 - c1 * t1;
   result(1, 0) = c1 * t0 - s1 * t1;
-  result(2, 0) = Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(4, 0) = Scalar(0);
-  result(5, 0) = Scalar(0);
+  result(2, 0) = result(3, 0) = result(4, 0) = result(5, 0) = Scalar(0);
 
   return result;
 }

@@ -40,8 +40,7 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        const BasicGeometry<Scalar>& g) {
-  const Scalar& sh1 = angles.sine[0];
-  const Scalar& ch1 = angles.cosine[0];
+  const Scalar &sh1 = angles.sine[0], &ch1 = angles.cosine[0];
   const Scalar t0 = Scalar(0.7071067811865476) * ch1;
   const Scalar t1 = Scalar(0.7071067811865476) * sh1;
   const Scalar t2 = Scalar(2) * sh1;
@@ -60,8 +59,7 @@ template <class Scalar, class Angles>
 inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
     const JointVector<Scalar>& q, const Angles& angles,
     const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0];
 
   Eigen::Transform<Scalar, 3, Eigen::Isometry> tool;
   tool(0, 0) = c1;

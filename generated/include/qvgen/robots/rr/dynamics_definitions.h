@@ -121,14 +121,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& qdd, const Angles& angles,
     const InverseDynamicsConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[2] + k[1] * q[1];
   const Scalar t1 = qd[0] * k[1] * qd[1];
   const Scalar t2 = qdd[0] * t0 + (t1 + t1);
@@ -310,14 +304,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     const GravityTorqueConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[0] * s3;
   const Scalar t1 = k[0] * c3;
   const Scalar t2 = c4 * t1;
@@ -334,8 +322,7 @@ inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Sca
   const Scalar t13 = c4 * (k[5] * t0 + t6) + s4 * t12;
   const Scalar t14 = (s5 * t11 + c5 * t10) + (k[5] * t7 - k[6] * t2);
   JointVector<Scalar> result;
-  result[0] = Scalar(0);
-  result[1] = Scalar(0);
+  result[0] = result[1] = Scalar(0);
   result[2] = -t13 - (k[8] * t1 + k[7] * t0);
   result[3] = -t14;
   result[4] = -t6;
@@ -452,14 +439,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const Angles& angles,
     const CoriolisTorqueConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = qd[0] * qd[0];
   const Scalar t1 = k[11] * t0;
   const Scalar t2 = k[1] + k[0] * q[1];
@@ -694,14 +675,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const Angles& angles,
     const MassMatrixConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[29] + q[1];
   const Scalar t1 = k[17] * s6 - k[18] * c6;
   const Scalar t2 = k[26] - t1;
@@ -875,14 +850,8 @@ template <class Scalar, class Angles>
 inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const Angles& angles,
     const CoriolisMatrixConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[12] * s6 - k[13] * c6;
   const Scalar t1 = k[14] + c6 * t0;
   const Scalar t2 = k[15] + t1;
@@ -1069,13 +1038,12 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>
   result(0, 4) = t126;
   result(0, 5) = -t142;
   result(1, 0) = t143 + t92;
-  result(1, 1) = Scalar(0);
+  result(1, 1) = result(2, 1) = result(5, 5) = Scalar(0);
   result(1, 2) = -s3 * t51 - c3 * t60;
   result(1, 3) = t145 - (s3 * t143 - t144);
   result(1, 4) = -t146;
   result(1, 5) = t147;
   result(2, 0) = -t149 - t102;
-  result(2, 1) = Scalar(0);
   result(2, 2) = t87;
   result(2, 3) = t150;
   result(2, 4) = t151;
@@ -1097,7 +1065,6 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>
   result(5, 2) = (c4 * t174 - s4 * t173) - t152;
   result(5, 3) = t170 - t133;
   result(5, 4) = t5 - t137;
-  result(5, 5) = Scalar(0);
   return result;
 }
 
@@ -1234,14 +1201,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& torque, const Angles& angles,
     const ForwardDynamicsConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[2] * s6 - k[3] * c6;
   const Scalar t1 = k[10] - t0;
   const Scalar t2 = k[12] * s6 - k[11] * c6;
@@ -1583,14 +1544,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const Angles& angles,
     const KineticEnergyConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[2] * c6 - k[1] * s6;
   const Scalar t1 = k[4] + (k[3] + s6 * t0);
   const Scalar t2 = k[6] * s6 - k[5] * c6;
@@ -1710,14 +1665,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Scalar potential_energy([[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     const PotentialEnergyConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[4] + (k[0] * c6 + k[1] * s6);
   const Scalar t1 = k[9] - (k[8] + (k[5] * c5 - s5 * t0));
   const Scalar t2 = c4 * (k[6] + (k[5] * s5 + c5 * t0));

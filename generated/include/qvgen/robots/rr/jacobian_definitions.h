@@ -26,14 +26,8 @@ using NoAngles = JacobianSelection<Scalar, 0>;
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = g.d4 * c3;
   const Scalar t1 = q[1] + (g.l2 + t0);
   const Scalar t2 = g.d4 * s3;
@@ -43,38 +37,23 @@ inline Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
   const Scalar t6 = s3 * t5 - c3 * c5;
   Jacobian<Scalar> result;
   result(0, 0) = c1 * t1;
-  result(0, 1) = s1;
+  result(0, 1) = result(4, 2) = s1;
   result(0, 2) = -s1 * t2;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = Scalar(0);
-  result(0, 5) = -Scalar(0);
+  result(0, 3) = result(0, 4) = result(0, 5) = result(1, 3) = result(1, 4) = result(1, 5) = result(2, 0) =
+      result(2, 1) = result(2, 3) = result(2, 4) = result(2, 5) = result(3, 0) = result(3, 1) = result(4, 0) =
+      result(4, 1) = result(5, 1) = result(5, 2) = Scalar(0);
   result(1, 0) = s1 * t1;
   result(1, 1) = -c1;
   result(1, 2) = c1 * t2;
-  result(1, 3) = Scalar(0);
-  result(1, 4) = Scalar(0);
-  result(1, 5) = -Scalar(0);
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(0);
   result(2, 2) = -t0;
-  result(2, 3) = Scalar(0);
-  result(2, 4) = Scalar(0);
-  result(2, 5) = -Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
   result(3, 2) = c1;
   result(3, 3) = c3 * s1;
   result(3, 4) = s1 * t3 + c1 * c4;
   result(3, 5) = c1 * t4 - s1 * t6;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(4, 2) = s1;
   result(4, 3) = -c1 * c3;
   result(4, 4) = c4 * s1 - c1 * t3;
   result(4, 5) = s1 * t4 + c1 * t6;
   result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
   result(5, 3) = -s3;
   result(5, 4) = c3 * s4;
   result(5, 5) = -c5 * s3 - c3 * t5;
@@ -85,16 +64,9 @@ inline Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4];
   const Scalar t0 = c3 * c4;
   const Scalar t1 = c5 * t0 - s3 * s5;
   const Scalar t2 = c3 * s4;
@@ -127,42 +99,28 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointV
   result.transform(2, 0) = t14;
   result.transform(2, 1) = t9;
   result.transform(2, 2) = t3;
-  result.transform(0, 3) = t19;
+  result.transform(0, 3) = result.jacobian(1, 0) = t19;
   result.transform(1, 3) = -t20;
   result.transform(2, 3) = g.h1 - t21;
   result.jacobian(0, 0) = t20;
-  result.jacobian(0, 1) = s1;
+  result.jacobian(0, 1) = result.jacobian(4, 2) = s1;
   result.jacobian(0, 2) = -s1 * t21;
-  result.jacobian(0, 3) = Scalar(0);
-  result.jacobian(0, 4) = Scalar(0);
-  result.jacobian(0, 5) = -Scalar(0);
-  result.jacobian(1, 0) = t19;
+  result.jacobian(0, 3) = result.jacobian(0, 4) = result.jacobian(0, 5) = result.jacobian(1, 3) =
+      result.jacobian(1, 4) = result.jacobian(1, 5) = result.jacobian(2, 0) = result.jacobian(2, 1) =
+      result.jacobian(2, 3) = result.jacobian(2, 4) = result.jacobian(2, 5) = result.jacobian(3, 0) =
+      result.jacobian(3, 1) = result.jacobian(4, 0) = result.jacobian(4, 1) = result.jacobian(5, 1) =
+      result.jacobian(5, 2) = Scalar(0);
   result.jacobian(1, 1) = -c1;
   result.jacobian(1, 2) = g.d4 * t10;
-  result.jacobian(1, 3) = Scalar(0);
-  result.jacobian(1, 4) = Scalar(0);
-  result.jacobian(1, 5) = -Scalar(0);
-  result.jacobian(2, 0) = Scalar(0);
-  result.jacobian(2, 1) = Scalar(0);
   result.jacobian(2, 2) = -t17;
-  result.jacobian(2, 3) = Scalar(0);
-  result.jacobian(2, 4) = Scalar(0);
-  result.jacobian(2, 5) = -Scalar(0);
-  result.jacobian(3, 0) = Scalar(0);
-  result.jacobian(3, 1) = Scalar(0);
   result.jacobian(3, 2) = c1;
   result.jacobian(3, 3) = c3 * s1;
   result.jacobian(3, 4) = t5 + s3 * t4;
   result.jacobian(3, 5) = t16;
-  result.jacobian(4, 0) = Scalar(0);
-  result.jacobian(4, 1) = Scalar(0);
-  result.jacobian(4, 2) = s1;
   result.jacobian(4, 3) = -t7;
   result.jacobian(4, 4) = t11;
   result.jacobian(4, 5) = t8;
   result.jacobian(5, 0) = Scalar(1);
-  result.jacobian(5, 1) = Scalar(0);
-  result.jacobian(5, 2) = Scalar(0);
   result.jacobian(5, 3) = -s3;
   result.jacobian(5, 4) = t2;
   result.jacobian(5, 5) = -t9;
@@ -173,14 +131,8 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointV
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> tool_jacobian(const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = q[1] + (g.l2 + g.d4 * c3);
   const Scalar t1 = c5 * s4;
   const Scalar t2 = s6 * t1 - c4 * c6;
@@ -201,39 +153,27 @@ inline Jacobian<Scalar> tool_jacobian(const JointVector<Scalar>& q,
   result(0, 0) = -t0 * t2;
   result(0, 1) = s6 * t5 + c6 * t6;
   result(0, 2) = -s6 * t8 - c6 * t9;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = Scalar(0);
-  result(0, 5) = -Scalar(0);
+  result(0, 3) = result(0, 4) = result(0, 5) = result(1, 3) = result(1, 4) = result(1, 5) = result(2, 3) =
+      result(2, 4) = result(2, 5) = result(3, 1) = result(3, 5) = result(4, 1) = result(4, 4) = result(5, 1) =
+      result(5, 5) = Scalar(0);
   result(1, 0) = -t0 * t10;
   result(1, 1) = c4 * t12 - t11;
   result(1, 2) = -s5 * t7;
-  result(1, 3) = Scalar(0);
-  result(1, 4) = Scalar(0);
-  result(1, 5) = -Scalar(0);
   result(2, 0) = -t0 * t13;
   result(2, 1) = c6 * t5 - s6 * t6;
   result(2, 2) = s6 * t9 - c6 * t8;
-  result(2, 3) = Scalar(0);
-  result(2, 4) = Scalar(0);
-  result(2, 5) = -Scalar(0);
   result(3, 0) = c6 * t15 - s6 * t14;
-  result(3, 1) = Scalar(0);
   result(3, 2) = -t2;
   result(3, 3) = s5 * s6;
   result(3, 4) = c6;
-  result(3, 5) = -Scalar(0);
   result(4, 0) = c4 * t3 + t4;
-  result(4, 1) = Scalar(0);
   result(4, 2) = -t10;
   result(4, 3) = -c5;
-  result(4, 4) = Scalar(0);
   result(4, 5) = -Scalar(1);
   result(5, 0) = -s6 * t15 - c6 * t14;
-  result(5, 1) = Scalar(0);
   result(5, 2) = -t13;
   result(5, 3) = c6 * s5;
   result(5, 4) = -s6;
-  result(5, 5) = -Scalar(0);
 
   return result;
 }
@@ -242,16 +182,9 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q,
     const Vector3<Scalar>& point,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4];
   const Scalar t0 = point[2] * s6 - point[0] * c6;
   const Scalar t1 = point[2] * c6 + point[0] * s6;
   const Scalar t2 = point[1] * s5 + c5 * t1;
@@ -282,7 +215,7 @@ inline Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q,
   const Scalar t27 = s5 * t17 - s1 * t21;
   Jacobian<Scalar> result;
   result(0, 0) = t4 + c1 * t10;
-  result(0, 1) = s1;
+  result(0, 1) = result(4, 2) = s1;
   result(0, 2) = -s1 * t12;
   result(0, 3) = c1 * t7 - s3 * t4;
   result(0, 4) = t14 * t15 + t16 * t18;
@@ -293,27 +226,20 @@ inline Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q,
   result(1, 3) = s3 * t24 + s1 * t7;
   result(1, 4) = t16 * t25 - t26 * t15;
   result(1, 5) = t23 * t26 + t16 * t27;
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(0);
+  result(2, 0) = result(2, 1) = result(3, 0) = result(3, 1) = result(4, 0) = result(4, 1) = result(5, 1) =
+      result(5, 2) = Scalar(0);
   result(2, 2) = -t9;
   result(2, 3) = -c3 * t3;
   result(2, 4) = -t26 * t18 - t25 * t14;
   result(2, 5) = t26 * t22 - t14 * t27;
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
   result(3, 2) = c1;
   result(3, 3) = c3 * s1;
   result(3, 4) = t25;
   result(3, 5) = t27;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(4, 2) = s1;
   result(4, 3) = -c1 * c3;
   result(4, 4) = -t18;
   result(4, 5) = t22;
   result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
   result(5, 3) = -s3;
   result(5, 4) = t15;
   result(5, 5) = -t23;
@@ -325,14 +251,8 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> velocity(const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = g.d4 * c3;
   const Scalar t1 = qd[0] * ((q[1] + g.l2) + t0);
   const Scalar t2 = qd[1] - qd[2] * g.d4 * s3;
@@ -356,14 +276,8 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = qd[2] * s3;
   const Scalar t1 = g.d4 * t0;
   const Scalar t2 = qd[1] - t1;
@@ -386,38 +300,22 @@ inline Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q,
   const Scalar t19 = s3 * t17 - c3 * t18;
   Jacobian<Scalar> result;
   result(0, 0) = c1 * t2 - t3 * t4;
-  result(0, 1) = t5;
+  result(0, 1) = result(4, 2) = t5;
   result(0, 2) = -s1 * t7 - t8 * t5;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = Scalar(0);
-  result(0, 5) = -Scalar(0);
+  result(0, 3) = result(0, 4) = result(0, 5) = result(1, 3) = result(1, 4) = result(1, 5) = result(2, 0) =
+      result(2, 1) = result(2, 3) = result(2, 4) = result(2, 5) = result(3, 0) = result(3, 1) = result(4, 0) =
+      result(4, 1) = result(5, 0) = result(5, 1) = result(5, 2) = Scalar(0);
   result(1, 0) = s1 * t2 + t3 * t5;
   result(1, 1) = t4;
   result(1, 2) = c1 * t7 - t8 * t4;
-  result(1, 3) = Scalar(0);
-  result(1, 4) = Scalar(0);
-  result(1, 5) = -Scalar(0);
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(0);
   result(2, 2) = t1;
-  result(2, 3) = Scalar(0);
-  result(2, 4) = Scalar(0);
-  result(2, 5) = -Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
   result(3, 2) = -t4;
   result(3, 3) = c3 * t5 - s1 * t0;
   result(3, 4) = s1 * t11 - c1 * t10;
   result(3, 5) = c1 * t14 + s1 * t19;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(4, 2) = t5;
   result(4, 3) = c1 * t0 + c3 * t4;
   result(4, 4) = -c1 * t11 - s1 * t10;
   result(4, 5) = s1 * t14 - c1 * t19;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
   result(5, 3) = -t6;
   result(5, 4) = c4 * qd[3] * c3 - s4 * t0;
   result(5, 5) = c3 * t17 + s3 * t18;
@@ -429,14 +327,8 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> jacobian_dot_times_qd(const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = qd[2] * g.d4 * s3;
   const Scalar t1 = (qd[1] - t0) * Scalar(2) * qd[0];
   const Scalar t2 = g.d4 * c3;
@@ -471,8 +363,7 @@ inline Twist<Scalar> jacobian_dot_times_qd(const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline SingularityMeasures<Scalar> singularity_measures(const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
+  const Scalar &c3 = angles.cosine[0], &s5 = angles.sine[1];
 
   SingularityMeasures<Scalar> result;
   result(0, 0) = q[1] + (g.l2 + g.d4 * c3);

@@ -26,10 +26,7 @@ using NoAngles = JacobianSelection<Scalar, 0>;
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s12 = angles.sine[1];
-  const Scalar& c12 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s12 = angles.sine[1], &c12 = angles.cosine[1];
   const Scalar t0 = g.l2 * s12;
   const Scalar t1 = g.l2 * c12;
   Jacobian<Scalar> result;
@@ -37,14 +34,8 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
   result(0, 1) = -t0;
   result(1, 0) = g.l1 * c1 + t1;
   result(1, 1) = t1;
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(1);
+  result(2, 0) = result(2, 1) = result(3, 0) = result(3, 1) = result(4, 0) = result(4, 1) = Scalar(0);
+  result(5, 0) = result(5, 1) = Scalar(1);
 
   return result;
 }
@@ -52,39 +43,24 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s12 = angles.sine[1];
-  const Scalar& c12 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s12 = angles.sine[1], &c12 = angles.cosine[1];
   const Scalar t0 = g.l2 * c12;
   const Scalar t1 = g.l1 * c1 + t0;
   const Scalar t2 = g.l2 * s12;
   const Scalar t3 = t2 + g.l1 * s1;
   TransformAndJacobian<Scalar> result;
-  result.transform(0, 0) = c12;
+  result.transform(0, 0) = result.transform(1, 1) = c12;
   result.transform(0, 1) = -s12;
-  result.transform(0, 2) = Scalar(0);
+  result.transform(0, 2) = result.transform(1, 2) = result.transform(2, 0) = result.transform(2, 1) =
+      result.transform(2, 3) = result.jacobian(2, 0) = result.jacobian(2, 1) = result.jacobian(3, 0) =
+      result.jacobian(3, 1) = result.jacobian(4, 0) = result.jacobian(4, 1) = Scalar(0);
   result.transform(1, 0) = s12;
-  result.transform(1, 1) = c12;
-  result.transform(1, 2) = Scalar(0);
-  result.transform(2, 0) = Scalar(0);
-  result.transform(2, 1) = Scalar(0);
-  result.transform(2, 2) = Scalar(1);
-  result.transform(0, 3) = t1;
+  result.transform(2, 2) = result.jacobian(5, 0) = result.jacobian(5, 1) = Scalar(1);
+  result.transform(0, 3) = result.jacobian(1, 0) = t1;
   result.transform(1, 3) = t3;
-  result.transform(2, 3) = Scalar(0);
   result.jacobian(0, 0) = -t3;
   result.jacobian(0, 1) = -t2;
-  result.jacobian(1, 0) = t1;
   result.jacobian(1, 1) = t0;
-  result.jacobian(2, 0) = Scalar(0);
-  result.jacobian(2, 1) = Scalar(0);
-  result.jacobian(3, 0) = Scalar(0);
-  result.jacobian(3, 1) = Scalar(0);
-  result.jacobian(4, 0) = Scalar(0);
-  result.jacobian(4, 1) = Scalar(0);
-  result.jacobian(5, 0) = Scalar(1);
-  result.jacobian(5, 1) = Scalar(1);
   result.transform.makeAffine();
   return result;
 }
@@ -92,22 +68,14 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0];
 
   Jacobian<Scalar> result;
   result(0, 0) = g.l1 * s2;
-  result(0, 1) = Scalar(0);
+  result(0, 1) = result(2, 0) = result(2, 1) = result(3, 0) = result(3, 1) = result(4, 0) = result(4, 1) = Scalar(0);
   result(1, 0) = g.l2 + g.l1 * c2;
   result(1, 1) = g.l2;
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(1);
+  result(5, 0) = result(5, 1) = Scalar(1);
 
   return result;
 }
@@ -116,10 +84,7 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& q,
     const Vector3<Scalar>& point,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s12 = angles.sine[1];
-  const Scalar& c12 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s12 = angles.sine[1], &c12 = angles.cosine[1];
   const Scalar t0 = g.l2 + point[0];
   const Scalar t1 = point[1] * c12 + s12 * t0;
   const Scalar t2 = c12 * t0 - point[1] * s12;
@@ -128,14 +93,8 @@ inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& 
   result(0, 1) = -t1;
   result(1, 0) = t2 + g.l1 * c1;
   result(1, 1) = t2;
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(1);
+  result(2, 0) = result(2, 1) = result(3, 0) = result(3, 1) = result(4, 0) = result(4, 1) = Scalar(0);
+  result(5, 0) = result(5, 1) = Scalar(1);
 
   return result;
 }
@@ -144,19 +103,14 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> velocity([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s12 = angles.sine[1];
-  const Scalar& c12 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s12 = angles.sine[1], &c12 = angles.cosine[1];
   const Scalar t0 = qd[0] + qd[1];
   const Scalar t1 = qd[0] * g.l1 * s1 + g.l2 * s12 * t0;
   const Scalar t2 = t0 * g.l2 * c12 + qd[0] * g.l1 * c1;
   Twist<Scalar> result;
   result(0, 0) = -t1;
   result(1, 0) = t2;
-  result(2, 0) = Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(4, 0) = Scalar(0);
+  result(2, 0) = result(3, 0) = result(4, 0) = Scalar(0);
   result(5, 0) = t0;
 
   return result;
@@ -166,10 +120,7 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s12 = angles.sine[1];
-  const Scalar& c12 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s12 = angles.sine[1], &c12 = angles.cosine[1];
   const Scalar t0 = g.l2 * (qd[0] + qd[1]);
   const Scalar t1 = c12 * t0;
   const Scalar t2 = s12 * t0;
@@ -178,14 +129,8 @@ inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>&
   result(0, 1) = -t1;
   result(1, 0) = -qd[0] * g.l1 * s1 - t2;
   result(1, 1) = -t2;
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
+  result(2, 0) = result(2, 1) = result(3, 0) = result(3, 1) = result(4, 0) = result(4, 1) = result(5, 0) =
+      result(5, 1) = Scalar(0);
 
   return result;
 }
@@ -194,10 +139,7 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s12 = angles.sine[1];
-  const Scalar& c12 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s12 = angles.sine[1], &c12 = angles.cosine[1];
   const Scalar t0 = qd[0] + qd[1];
   const Scalar t1 = t0 * g.l2 * t0;
   const Scalar t2 = qd[0] * qd[0] * g.l1 * c1 + c12 * t1;
@@ -205,10 +147,7 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
   Twist<Scalar> result;
   result(0, 0) = -t2;
   result(1, 0) = -t3;
-  result(2, 0) = Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(4, 0) = Scalar(0);
-  result(5, 0) = Scalar(0);
+  result(2, 0) = result(3, 0) = result(4, 0) = result(5, 0) = Scalar(0);
 
   return result;
 }
@@ -216,7 +155,7 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
 template <class Scalar, class Angles>
 inline SingularityMeasures<Scalar> singularity_measures([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
+  const Scalar &s2 = angles.sine[0];
 
   SingularityMeasures<Scalar> result;
   result(0, 0) = s2;

@@ -40,10 +40,7 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& sh12 = angles.sine[1];
-  const Scalar& ch12 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &sh12 = angles.sine[1], &ch12 = angles.cosine[1];
   const Scalar t0 = g.l2 * sh12;
   const Scalar t1 = g.l2 - (Scalar(2) * sh12 * t0 - g.l1 * c1);
   return {Eigen::Quaternion<Scalar>(ch12,
@@ -59,10 +56,7 @@ template <class Scalar, class Angles>
 inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
     [[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s12 = angles.sine[1];
-  const Scalar& c12 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s12 = angles.sine[1], &c12 = angles.cosine[1];
 
   Eigen::Transform<Scalar, 3, Eigen::Isometry> tool;
   tool(0, 0) = c12;

@@ -26,10 +26,7 @@ using NoAngles = JacobianSelection<Scalar, 0>;
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
   const Scalar t0 = q[2] + g.l2;
   const Scalar t1 = s2 * t0;
   const Scalar t2 = c2 * t0;
@@ -40,18 +37,12 @@ inline Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
   result(1, 0) = g.d2 * s1 - c1 * t1;
   result(1, 1) = -s1 * t2;
   result(1, 2) = -s1 * s2;
-  result(2, 0) = Scalar(0);
+  result(2, 0) = result(3, 0) = result(3, 2) = result(4, 0) = result(4, 2) = result(5, 1) = result(5, 2) = Scalar(0);
   result(2, 1) = -t1;
   result(2, 2) = c2;
-  result(3, 0) = Scalar(0);
   result(3, 1) = s1;
-  result(3, 2) = Scalar(0);
-  result(4, 0) = Scalar(0);
   result(4, 1) = -c1;
-  result(4, 2) = Scalar(0);
   result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
 
   return result;
 }
@@ -59,10 +50,7 @@ inline Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
   const Scalar t0 = c1 * s2;
   const Scalar t1 = s1 * s2;
   const Scalar t2 = q[2] + g.l2;
@@ -73,34 +61,24 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointV
   TransformAndJacobian<Scalar> result;
   result.transform(0, 0) = c1 * c2;
   result.transform(0, 1) = -s1;
-  result.transform(0, 2) = -t0;
+  result.transform(0, 2) = result.jacobian(0, 2) = -t0;
   result.transform(1, 0) = c2 * s1;
   result.transform(1, 1) = c1;
-  result.transform(1, 2) = -t1;
+  result.transform(1, 2) = result.jacobian(1, 2) = -t1;
   result.transform(2, 0) = s2;
-  result.transform(2, 1) = Scalar(0);
-  result.transform(2, 2) = c2;
-  result.transform(0, 3) = -t4;
+  result.transform(2, 1) = result.jacobian(2, 0) = result.jacobian(3, 0) = result.jacobian(3, 2) =
+      result.jacobian(4, 0) = result.jacobian(4, 2) = result.jacobian(5, 1) = result.jacobian(5, 2) = Scalar(0);
+  result.transform(2, 2) = result.jacobian(2, 2) = c2;
+  result.transform(0, 3) = result.jacobian(1, 0) = -t4;
   result.transform(1, 3) = -t5;
   result.transform(2, 3) = g.h1 + t6;
   result.jacobian(0, 0) = t5;
   result.jacobian(0, 1) = -c1 * t6;
-  result.jacobian(0, 2) = -t0;
-  result.jacobian(1, 0) = -t4;
   result.jacobian(1, 1) = -s1 * t6;
-  result.jacobian(1, 2) = -t1;
-  result.jacobian(2, 0) = Scalar(0);
   result.jacobian(2, 1) = -t3;
-  result.jacobian(2, 2) = c2;
-  result.jacobian(3, 0) = Scalar(0);
   result.jacobian(3, 1) = s1;
-  result.jacobian(3, 2) = Scalar(0);
-  result.jacobian(4, 0) = Scalar(0);
   result.jacobian(4, 1) = -c1;
-  result.jacobian(4, 2) = Scalar(0);
   result.jacobian(5, 0) = Scalar(1);
-  result.jacobian(5, 1) = Scalar(0);
-  result.jacobian(5, 2) = Scalar(0);
   result.transform.makeAffine();
   return result;
 }
@@ -108,28 +86,19 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointV
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> tool_jacobian(const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0];
   const Scalar t0 = q[2] + g.l2;
   Jacobian<Scalar> result;
   result(0, 0) = g.d2 * c2;
   result(0, 1) = -t0;
-  result(0, 2) = Scalar(0);
+  result(0, 2) = result(1, 1) = result(1, 2) = result(2, 1) = result(3, 1) = result(3, 2) = result(4, 0) =
+      result(4, 2) = result(5, 1) = result(5, 2) = Scalar(0);
   result(1, 0) = -s2 * t0;
-  result(1, 1) = Scalar(0);
-  result(1, 2) = Scalar(0);
   result(2, 0) = -g.d2 * s2;
-  result(2, 1) = Scalar(0);
   result(2, 2) = Scalar(1);
   result(3, 0) = s2;
-  result(3, 1) = Scalar(0);
-  result(3, 2) = Scalar(0);
-  result(4, 0) = Scalar(0);
   result(4, 1) = -Scalar(1);
-  result(4, 2) = Scalar(0);
   result(5, 0) = c2;
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
 
   return result;
 }
@@ -138,10 +107,7 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q,
     const Vector3<Scalar>& point,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
   const Scalar t0 = q[2] + (g.l2 + point[2]);
   const Scalar t1 = s2 * t0 - point[0] * c2;
   const Scalar t2 = g.d2 - point[1];
@@ -153,18 +119,12 @@ inline Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q,
   result(1, 0) = s1 * t2 - c1 * t1;
   result(1, 1) = -s1 * t3;
   result(1, 2) = -s1 * s2;
-  result(2, 0) = Scalar(0);
+  result(2, 0) = result(3, 0) = result(3, 2) = result(4, 0) = result(4, 2) = result(5, 1) = result(5, 2) = Scalar(0);
   result(2, 1) = -t1;
   result(2, 2) = c2;
-  result(3, 0) = Scalar(0);
   result(3, 1) = s1;
-  result(3, 2) = Scalar(0);
-  result(4, 0) = Scalar(0);
   result(4, 1) = -c1;
-  result(4, 2) = Scalar(0);
   result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
 
   return result;
 }
@@ -173,10 +133,7 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> velocity(const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
   const Scalar t0 = q[2] + g.l2;
   const Scalar t1 = s2 * t0;
   const Scalar t2 = qd[0] * t1;
@@ -196,10 +153,7 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
   const Scalar t0 = q[2] + g.l2;
   const Scalar t1 = c2 * t0;
   const Scalar t2 = qd[1] * t1 + qd[2] * s2;
@@ -218,18 +172,12 @@ inline Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q,
   result(1, 0) = t0 * t10 - c1 * t3;
   result(1, 1) = s1 * t7 - t4 * t1;
   result(1, 2) = -s1 * t9 - t5;
-  result(2, 0) = Scalar(0);
+  result(2, 0) = result(3, 0) = result(3, 2) = result(4, 0) = result(4, 2) = result(5, 0) = result(5, 1) =
+      result(5, 2) = Scalar(0);
   result(2, 1) = -t2;
   result(2, 2) = -t6;
-  result(3, 0) = Scalar(0);
   result(3, 1) = t4;
-  result(3, 2) = Scalar(0);
-  result(4, 0) = Scalar(0);
   result(4, 1) = t8;
-  result(4, 2) = Scalar(0);
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
 
   return result;
 }
@@ -238,10 +186,7 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> jacobian_dot_times_qd(const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
   const Scalar t0 = qd[0] * qd[0];
   const Scalar t1 = q[2] + g.l2;
   const Scalar t2 = qd[2] * s2;
@@ -265,7 +210,7 @@ inline Twist<Scalar> jacobian_dot_times_qd(const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline SingularityMeasures<Scalar> singularity_measures(const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
+  const Scalar &s2 = angles.sine[0];
 
   SingularityMeasures<Scalar> result;
   result(0, 0) = s2;

@@ -26,12 +26,8 @@ using NoAngles = JacobianSelection<Scalar, 0>;
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s23 = angles.sine[2];
-  const Scalar& c23 = angles.cosine[2];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s23 = angles.sine[2], &c23 = angles.cosine[2];
   const Scalar t0 = g.l3 * c23;
   const Scalar t1 = g.l2 * c2 + t0;
   const Scalar t2 = g.l3 * s23;
@@ -43,18 +39,12 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
   result(1, 0) = c1 * t1 - g.d2 * s1;
   result(1, 1) = -s1 * t3;
   result(1, 2) = -s1 * t2;
-  result(2, 0) = Scalar(0);
+  result(2, 0) = result(3, 0) = result(4, 0) = result(5, 1) = result(5, 2) = Scalar(0);
   result(2, 1) = -t1;
   result(2, 2) = -t0;
-  result(3, 0) = Scalar(0);
-  result(3, 1) = -s1;
-  result(3, 2) = -s1;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = c1;
-  result(4, 2) = c1;
+  result(3, 1) = result(3, 2) = -s1;
+  result(4, 1) = result(4, 2) = c1;
   result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
 
   return result;
 }
@@ -62,12 +52,8 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s23 = angles.sine[2];
-  const Scalar& c23 = angles.cosine[2];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s23 = angles.sine[2], &c23 = angles.cosine[2];
   const Scalar t0 = g.l3 * c23;
   const Scalar t1 = g.l2 * c2 + t0;
   const Scalar t2 = c1 * t1 - g.d2 * s1;
@@ -77,34 +63,25 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
   TransformAndJacobian<Scalar> result;
   result.transform(0, 0) = c1 * c23;
   result.transform(0, 1) = -c1 * s23;
-  result.transform(0, 2) = -s1;
+  result.transform(0, 2) = result.jacobian(3, 1) = result.jacobian(3, 2) = -s1;
   result.transform(1, 0) = c23 * s1;
   result.transform(1, 1) = -s1 * s23;
-  result.transform(1, 2) = c1;
+  result.transform(1, 2) = result.jacobian(4, 1) = result.jacobian(4, 2) = c1;
   result.transform(2, 0) = -s23;
   result.transform(2, 1) = -c23;
-  result.transform(2, 2) = Scalar(0);
-  result.transform(0, 3) = t2;
+  result.transform(2, 2) = result.jacobian(2, 0) = result.jacobian(3, 0) = result.jacobian(4, 0) =
+      result.jacobian(5, 1) = result.jacobian(5, 2) = Scalar(0);
+  result.transform(0, 3) = result.jacobian(1, 0) = t2;
   result.transform(1, 3) = t3;
   result.transform(2, 3) = g.h1 - t5;
   result.jacobian(0, 0) = -t3;
   result.jacobian(0, 1) = -c1 * t5;
   result.jacobian(0, 2) = -c1 * t4;
-  result.jacobian(1, 0) = t2;
   result.jacobian(1, 1) = -s1 * t5;
   result.jacobian(1, 2) = -s1 * t4;
-  result.jacobian(2, 0) = Scalar(0);
   result.jacobian(2, 1) = -t1;
   result.jacobian(2, 2) = -t0;
-  result.jacobian(3, 0) = Scalar(0);
-  result.jacobian(3, 1) = -s1;
-  result.jacobian(3, 2) = -s1;
-  result.jacobian(4, 0) = Scalar(0);
-  result.jacobian(4, 1) = c1;
-  result.jacobian(4, 2) = c1;
   result.jacobian(5, 0) = Scalar(1);
-  result.jacobian(5, 1) = Scalar(0);
-  result.jacobian(5, 2) = Scalar(0);
   result.transform.makeAffine();
   return result;
 }
@@ -112,31 +89,21 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s23 = angles.sine[1];
-  const Scalar& c23 = angles.cosine[1];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s23 = angles.sine[1], &c23 = angles.cosine[1];
   const Scalar t0 = g.l2 * s3;
   const Scalar t1 = g.l3 + g.l2 * c3;
   Jacobian<Scalar> result;
   result(0, 0) = -g.d2 * c23;
   result(0, 1) = t0;
-  result(0, 2) = Scalar(0);
+  result(0, 2) = result(2, 1) = result(2, 2) = result(3, 1) = result(3, 2) = result(4, 1) = result(4, 2) =
+      result(5, 0) = Scalar(0);
   result(1, 0) = g.d2 * s23;
   result(1, 1) = t1;
   result(1, 2) = g.l3;
   result(2, 0) = c23 * t1 + s23 * t0;
-  result(2, 1) = Scalar(0);
-  result(2, 2) = Scalar(0);
   result(3, 0) = -s23;
-  result(3, 1) = Scalar(0);
-  result(3, 2) = Scalar(0);
   result(4, 0) = -c23;
-  result(4, 1) = Scalar(0);
-  result(4, 2) = Scalar(0);
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(1);
-  result(5, 2) = Scalar(1);
+  result(5, 1) = result(5, 2) = Scalar(1);
 
   return result;
 }
@@ -145,12 +112,8 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& q,
     const Vector3<Scalar>& point,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s23 = angles.sine[2];
-  const Scalar& c23 = angles.cosine[2];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s23 = angles.sine[2], &c23 = angles.cosine[2];
   const Scalar t0 = g.d2 + point[2];
   const Scalar t1 = g.l3 + point[0];
   const Scalar t2 = c23 * t1 - point[1] * s23;
@@ -164,18 +127,12 @@ inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& 
   result(1, 0) = c1 * t3 - s1 * t0;
   result(1, 1) = -s1 * t5;
   result(1, 2) = -s1 * t4;
-  result(2, 0) = Scalar(0);
+  result(2, 0) = result(3, 0) = result(4, 0) = result(5, 1) = result(5, 2) = Scalar(0);
   result(2, 1) = -t3;
   result(2, 2) = -t2;
-  result(3, 0) = Scalar(0);
-  result(3, 1) = -s1;
-  result(3, 2) = -s1;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = c1;
-  result(4, 2) = c1;
+  result(3, 1) = result(3, 2) = -s1;
+  result(4, 1) = result(4, 2) = c1;
   result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
 
   return result;
 }
@@ -184,12 +141,8 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> velocity([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s23 = angles.sine[2];
-  const Scalar& c23 = angles.cosine[2];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s23 = angles.sine[2], &c23 = angles.cosine[2];
   const Scalar t0 = qd[1] + qd[2];
   const Scalar t1 = qd[1] * g.l2 * s2 + t0 * g.l3 * s23;
   const Scalar t2 = t1 + g.d2 * qd[0];
@@ -211,12 +164,8 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s23 = angles.sine[2];
-  const Scalar& c23 = angles.cosine[2];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s23 = angles.sine[2], &c23 = angles.cosine[2];
   const Scalar t0 = g.l2 * s2;
   const Scalar t1 = qd[1] + qd[2];
   const Scalar t2 = g.l3 * s23;
@@ -238,18 +187,11 @@ inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>&
   result(1, 0) = -t9 * t11 - c1 * t5;
   result(1, 1) = -s1 * t13 - t10 * t6;
   result(1, 2) = -s1 * t12 - t6 * t2;
-  result(2, 0) = Scalar(0);
+  result(2, 0) = result(3, 0) = result(4, 0) = result(5, 0) = result(5, 1) = result(5, 2) = Scalar(0);
   result(2, 1) = t4;
   result(2, 2) = t3;
-  result(3, 0) = Scalar(0);
-  result(3, 1) = -t6;
-  result(3, 2) = -t6;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = -t11;
-  result(4, 2) = -t11;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
+  result(3, 1) = result(3, 2) = -t6;
+  result(4, 1) = result(4, 2) = -t11;
 
   return result;
 }
@@ -258,12 +200,8 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s23 = angles.sine[2];
-  const Scalar& c23 = angles.cosine[2];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s23 = angles.sine[2], &c23 = angles.cosine[2];
   const Scalar t0 = qd[1] + qd[2];
   const Scalar t1 = g.l3 * t0;
   const Scalar t2 = s23 * t1;
@@ -288,10 +226,7 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
 template <class Scalar, class Angles>
 inline SingularityMeasures<Scalar> singularity_measures([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
   const Scalar t0 = g.l3 * (s2 * s3 - c2 * c3) - g.l2 * c2;
   SingularityMeasures<Scalar> result;
   result(0, 0) = -t0;

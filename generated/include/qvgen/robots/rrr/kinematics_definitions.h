@@ -41,12 +41,10 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        const BasicGeometry<Scalar>& g) {
-  const Scalar& sh1 = angles.sine[0];
-  const Scalar& ch1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s_2 = angles.sine[2];  // of (2*theta2 + 2*theta3 + pi)/4
-  const Scalar& c_2 = angles.cosine[2];  // of (2*theta2 + 2*theta3 + pi)/4
+  const Scalar &sh1 = angles.sine[0], &ch1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s_2 = angles.sine[2], &c_2 = angles.cosine[2];
+  // s_2: of (2*theta2 + 2*theta3 + pi)/4
+  // c_2: of (2*theta2 + 2*theta3 + pi)/4
   const Scalar t0 = c_2 - s_2;
   const Scalar t1 = Scalar(2) * s_2;
   const Scalar t2 = t0 + t1;
@@ -74,12 +72,8 @@ template <class Scalar, class Angles>
 inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
     [[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s23 = angles.sine[2];
-  const Scalar& c23 = angles.cosine[2];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s23 = angles.sine[2], &c23 = angles.cosine[2];
   const Scalar t0 = g.l2 * c2 + g.l3 * c23;
   Eigen::Transform<Scalar, 3, Eigen::Isometry> tool;
   tool(0, 0) = c1 * c23;

@@ -98,14 +98,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> inverse_dynamics([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const Angles& angles,
     const InverseDynamicsConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = qd[4] * qd[4];
   const Scalar t1 = qd[0] + qd[1];
   const Scalar t2 = qd[3] - t1;
@@ -230,18 +224,13 @@ namespace detail {
 template <class Scalar, class Angles>
 inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     const GravityTorqueConstants<Scalar>& k) {
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[0] * c5;
   const Scalar t1 = k[0] * s5;
   const Scalar t2 = (k[4] * c6 + k[3] * s6) * t0 + (k[1] * t0 - k[2] * t1);
   JointVector<Scalar> result;
-  result[0] = Scalar(0);
-  result[1] = Scalar(0);
+  result[0] = result[1] = result[3] = Scalar(0);
   result[2] = -k[5];
-  result[3] = -Scalar(0);
   result[4] = t2;
   result[5] = (k[3] * c6 - k[4] * s6) * t1;
   return result;
@@ -316,14 +305,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> coriolis_torque([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const Angles& angles,
     const CoriolisTorqueConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[19] * c2 + k[20] * s2;
   const Scalar t1 = qd[0] + qd[1];
   const Scalar t2 = t1 * t1;
@@ -489,14 +472,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     const MassMatrixConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[17] * s6 + k[16] * c6;
   const Scalar t1 = k[18] + t0;
   const Scalar t2 = c5 * t1 - k[15] * s5;
@@ -545,17 +522,15 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointV
   Eigen::Matrix<Scalar, dof, dof> result;
   result(0, 0) = t32;
   result(0, 1) = result(1, 0) = t31 - t8;
-  result(0, 2) = result(2, 0) = -Scalar(0);
+  result(0, 2) = result(2, 0) = result(1, 2) = result(2, 1) = result(2, 3) = result(3, 2) = Scalar(0);
   result(0, 3) = result(3, 0) = -(c2 * t7 + s2 * t6) - t34;
   result(0, 4) = result(4, 0) = -t39;
   result(0, 5) = result(5, 0) = t42 - t44;
   result(1, 1) = t31;
-  result(1, 2) = result(2, 1) = -Scalar(0);
   result(1, 3) = result(3, 1) = -t34;
   result(1, 4) = result(4, 1) = -t38;
   result(1, 5) = result(5, 1) = -t44;
   result(2, 2) = k[32];
-  result(2, 3) = result(3, 2) = Scalar(0);
   result(2, 4) = result(4, 2) = -k[31] * t2;
   result(2, 5) = result(5, 2) = -k[31] * s5 * t4;
   result(3, 3) = -t33;
@@ -632,14 +607,8 @@ template <class Scalar, class Angles>
 inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const Angles& angles,
     const CoriolisMatrixConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[8] * c6 - k[9] * s6;
   const Scalar t1 = qd[5] * t0;
   const Scalar t2 = k[9] * c6 + k[8] * s6;
@@ -736,40 +705,32 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const Jo
   Eigen::Matrix<Scalar, dof, dof> result;
   result(0, 0) = t34;
   result(0, 1) = t27 - t36;
-  result(0, 2) = -Scalar(0);
+  result(0, 2) = result(1, 2) = result(2, 0) = result(2, 1) = result(2, 2) = result(2, 3) = result(3, 2) =
+      result(4, 2) = result(5, 2) = result(5, 5) = Scalar(0);
   result(0, 3) = -t44;
   result(0, 4) = t61;
   result(0, 5) = -t75;
   result(1, 0) = t36 + t34;
   result(1, 1) = t27;
-  result(1, 2) = -Scalar(0);
   result(1, 3) = -t42;
   result(1, 4) = t57;
   result(1, 5) = -t74;
-  result(2, 0) = -Scalar(0);
-  result(2, 1) = -Scalar(0);
-  result(2, 2) = Scalar(0);
-  result(2, 3) = Scalar(0);
   result(2, 4) = k[22] * t20;
   result(2, 5) = k[22] * (c5 * t66 + s5 * t67);
   result(3, 0) = t44 - ((t27 + t12) + t76);
   result(3, 1) = -t27 - t41;
-  result(3, 2) = Scalar(0);
   result(3, 3) = t12;
   result(3, 4) = -t56;
   result(3, 5) = t73;
   result(4, 0) = -t82 - t61;
   result(4, 1) = -t57 - t81;
-  result(4, 2) = -Scalar(0);
   result(4, 3) = t56 - t80;
   result(4, 4) = t10;
   result(4, 5) = -t83;
   result(5, 0) = t92;
   result(5, 1) = t74 - t89;
-  result(5, 2) = Scalar(0);
   result(5, 3) = t88 - t73;
   result(5, 4) = t83 - t79;
-  result(5, 5) = Scalar(0);
   return result;
 }
 
@@ -891,14 +852,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> forward_dynamics([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const Angles& angles,
     const ForwardDynamicsConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[14] * s6 + k[15] * c6;
   const Scalar t1 = c5 - k[16] * s5 * t0;
   const Scalar t2 = k[8] * c6 + k[9] * s6;
@@ -1166,14 +1121,8 @@ template <class Scalar, class Angles>
 inline Scalar kinetic_energy([[maybe_unused]] const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const Angles& angles,
     const KineticEnergyConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[0] * c6 - k[1] * s6;
   const Scalar t1 = k[2] + s6 * t0;
   const Scalar t2 = k[3] - t1;
@@ -1274,10 +1223,7 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Scalar potential_energy(const JointVector<Scalar>& q, const Angles& angles,
     const PotentialEnergyConstants<Scalar>& k) {
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = s5 * (k[2] + (k[0] * s6 + k[1] * c6));
   const Scalar t1 = k[6] + (k[5] + (k[4] + (t0 + k[3] * c5)));
   const Scalar t2 = k[10] * (k[9] + (k[8] + (t1 - k[7] * q[2])));

@@ -26,52 +26,25 @@ using NoAngles = JacobianSelection<Scalar, 0>;
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
-  const Scalar& c5 = angles.cosine[1];
-  const Scalar& s12 = angles.sine[2];
-  const Scalar& c12 = angles.cosine[2];
-  const Scalar& s12m4 = angles.sine[3];
-  const Scalar& c12m4 = angles.cosine[3];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s5 = angles.sine[1], &c5 = angles.cosine[1];
+  const Scalar &s12 = angles.sine[2], &c12 = angles.cosine[2], &s12m4 = angles.sine[3], &c12m4 = angles.cosine[3];
   const Scalar t0 = g.l2 * s12;
   const Scalar t1 = g.l2 * c12;
   Jacobian<Scalar> result;
   result(0, 0) = -t0 - g.l1 * s1;
   result(0, 1) = -t0;
-  result(0, 2) = -Scalar(0);
-  result(0, 3) = -Scalar(0);
-  result(0, 4) = -Scalar(0);
-  result(0, 5) = -Scalar(0);
+  result(0, 2) = result(0, 3) = result(0, 4) = result(0, 5) = result(1, 2) = result(1, 3) = result(1, 4) =
+      result(1, 5) = result(2, 0) = result(2, 1) = result(2, 3) = result(2, 4) = result(2, 5) = result(3, 0) =
+      result(3, 1) = result(3, 2) = result(3, 3) = result(4, 0) = result(4, 1) = result(4, 2) = result(4, 3) =
+      result(5, 2) = result(5, 4) = Scalar(0);
   result(1, 0) = g.l1 * c1 + t1;
   result(1, 1) = t1;
-  result(1, 2) = -Scalar(0);
-  result(1, 3) = -Scalar(0);
-  result(1, 4) = -Scalar(0);
-  result(1, 5) = -Scalar(0);
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(0);
-  result(2, 2) = -Scalar(1);
-  result(2, 3) = -Scalar(0);
-  result(2, 4) = -Scalar(0);
-  result(2, 5) = -Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
-  result(3, 2) = -Scalar(0);
-  result(3, 3) = -Scalar(0);
+  result(2, 2) = result(5, 3) = -Scalar(1);
   result(3, 4) = s12m4;
   result(3, 5) = c12m4 * s5;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(4, 2) = -Scalar(0);
-  result(4, 3) = -Scalar(0);
   result(4, 4) = -c12m4;
   result(4, 5) = s12m4 * s5;
-  result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(1);
-  result(5, 2) = -Scalar(0);
-  result(5, 3) = -Scalar(1);
-  result(5, 4) = -Scalar(0);
+  result(5, 0) = result(5, 1) = Scalar(1);
   result(5, 5) = -c5;
 
   return result;
@@ -80,16 +53,9 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
-  const Scalar& c5 = angles.cosine[1];
-  const Scalar& s6 = angles.sine[2];
-  const Scalar& c6 = angles.cosine[2];
-  const Scalar& s12 = angles.sine[3];
-  const Scalar& c12 = angles.cosine[3];
-  const Scalar& s12m4 = angles.sine[4];
-  const Scalar& c12m4 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s5 = angles.sine[1], &c5 = angles.cosine[1];
+  const Scalar &s6 = angles.sine[2], &c6 = angles.cosine[2], &s12 = angles.sine[3], &c12 = angles.cosine[3];
+  const Scalar &s12m4 = angles.sine[4], &c12m4 = angles.cosine[4];
   const Scalar t0 = c12m4 * c6;
   const Scalar t1 = s12m4 * s6;
   const Scalar t2 = c6 * s12m4;
@@ -110,44 +76,24 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointV
   result.transform(2, 0) = c6 * s5;
   result.transform(2, 1) = s5 * s6;
   result.transform(2, 2) = c5;
-  result.transform(0, 3) = t7;
+  result.transform(0, 3) = result.jacobian(1, 0) = t7;
   result.transform(1, 3) = t9;
   result.transform(2, 3) = g.h1 - q[2];
   result.jacobian(0, 0) = -t9;
   result.jacobian(0, 1) = -t8;
-  result.jacobian(0, 2) = -Scalar(0);
-  result.jacobian(0, 3) = -Scalar(0);
-  result.jacobian(0, 4) = -Scalar(0);
-  result.jacobian(0, 5) = -Scalar(0);
-  result.jacobian(1, 0) = t7;
+  result.jacobian(0, 2) = result.jacobian(0, 3) = result.jacobian(0, 4) = result.jacobian(0, 5) =
+      result.jacobian(1, 2) = result.jacobian(1, 3) = result.jacobian(1, 4) = result.jacobian(1, 5) =
+      result.jacobian(2, 0) = result.jacobian(2, 1) = result.jacobian(2, 3) = result.jacobian(2, 4) =
+      result.jacobian(2, 5) = result.jacobian(3, 0) = result.jacobian(3, 1) = result.jacobian(3, 2) =
+      result.jacobian(3, 3) = result.jacobian(4, 0) = result.jacobian(4, 1) = result.jacobian(4, 2) =
+      result.jacobian(4, 3) = result.jacobian(5, 2) = result.jacobian(5, 4) = Scalar(0);
   result.jacobian(1, 1) = t6;
-  result.jacobian(1, 2) = -Scalar(0);
-  result.jacobian(1, 3) = -Scalar(0);
-  result.jacobian(1, 4) = -Scalar(0);
-  result.jacobian(1, 5) = -Scalar(0);
-  result.jacobian(2, 0) = Scalar(0);
-  result.jacobian(2, 1) = Scalar(0);
-  result.jacobian(2, 2) = -Scalar(1);
-  result.jacobian(2, 3) = -Scalar(0);
-  result.jacobian(2, 4) = -Scalar(0);
-  result.jacobian(2, 5) = -Scalar(0);
-  result.jacobian(3, 0) = Scalar(0);
-  result.jacobian(3, 1) = Scalar(0);
-  result.jacobian(3, 2) = -Scalar(0);
-  result.jacobian(3, 3) = -Scalar(0);
+  result.jacobian(2, 2) = result.jacobian(5, 3) = -Scalar(1);
   result.jacobian(3, 4) = s12m4;
   result.jacobian(3, 5) = t4;
-  result.jacobian(4, 0) = Scalar(0);
-  result.jacobian(4, 1) = Scalar(0);
-  result.jacobian(4, 2) = -Scalar(0);
-  result.jacobian(4, 3) = -Scalar(0);
   result.jacobian(4, 4) = -c12m4;
   result.jacobian(4, 5) = t5;
-  result.jacobian(5, 0) = Scalar(1);
-  result.jacobian(5, 1) = Scalar(1);
-  result.jacobian(5, 2) = -Scalar(0);
-  result.jacobian(5, 3) = -Scalar(1);
-  result.jacobian(5, 4) = -Scalar(0);
+  result.jacobian(5, 0) = result.jacobian(5, 1) = Scalar(1);
   result.jacobian(5, 5) = -c5;
   result.transform.makeAffine();
   return result;
@@ -156,14 +102,8 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointV
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s4 = angles.sine[0];
-  const Scalar& c4 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
-  const Scalar& c5 = angles.cosine[1];
-  const Scalar& s6 = angles.sine[2];
-  const Scalar& c6 = angles.cosine[2];
-  const Scalar& s2m4 = angles.sine[3];
-  const Scalar& c2m4 = angles.cosine[3];
+  const Scalar &s4 = angles.sine[0], &c4 = angles.cosine[0], &s5 = angles.sine[1], &c5 = angles.cosine[1];
+  const Scalar &s6 = angles.sine[2], &c6 = angles.cosine[2], &s2m4 = angles.sine[3], &c2m4 = angles.cosine[3];
   const Scalar t0 = g.l2 * s4;
   const Scalar t1 = g.l1 * s2m4 - t0;
   const Scalar t2 = c5 * t1;
@@ -175,39 +115,21 @@ inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>
   Jacobian<Scalar> result;
   result(0, 0) = c6 * t2 - s6 * t4;
   result(0, 1) = -s6 * t3 - c6 * t5;
-  result(0, 2) = -t6;
-  result(0, 3) = -Scalar(0);
-  result(0, 4) = -Scalar(0);
-  result(0, 5) = -Scalar(0);
+  result(0, 2) = result(3, 3) = -t6;
+  result(0, 3) = result(0, 4) = result(0, 5) = result(1, 3) = result(1, 4) = result(1, 5) = result(2, 3) =
+      result(2, 4) = result(2, 5) = result(3, 2) = result(3, 5) = result(4, 2) = result(4, 5) = result(5, 2) =
+      result(5, 4) = Scalar(0);
   result(1, 0) = s6 * t2 + c6 * t4;
   result(1, 1) = c6 * t3 - s6 * t5;
-  result(1, 2) = -t7;
-  result(1, 3) = -Scalar(0);
-  result(1, 4) = -Scalar(0);
-  result(1, 5) = -Scalar(0);
+  result(1, 2) = result(4, 3) = -t7;
   result(2, 0) = -s5 * t1;
   result(2, 1) = s5 * t0;
-  result(2, 2) = -c5;
-  result(2, 3) = -Scalar(0);
-  result(2, 4) = -Scalar(0);
-  result(2, 5) = -Scalar(0);
-  result(3, 0) = t6;
-  result(3, 1) = t6;
-  result(3, 2) = -Scalar(0);
-  result(3, 3) = -t6;
+  result(2, 2) = result(5, 3) = -c5;
+  result(3, 0) = result(3, 1) = t6;
   result(3, 4) = s6;
-  result(3, 5) = -Scalar(0);
-  result(4, 0) = t7;
-  result(4, 1) = t7;
-  result(4, 2) = -Scalar(0);
-  result(4, 3) = -t7;
+  result(4, 0) = result(4, 1) = t7;
   result(4, 4) = -c6;
-  result(4, 5) = -Scalar(0);
-  result(5, 0) = c5;
-  result(5, 1) = c5;
-  result(5, 2) = -Scalar(0);
-  result(5, 3) = -c5;
-  result(5, 4) = -Scalar(0);
+  result(5, 0) = result(5, 1) = c5;
   result(5, 5) = -Scalar(1);
 
   return result;
@@ -217,16 +139,9 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& q,
     const Vector3<Scalar>& point,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
-  const Scalar& c5 = angles.cosine[1];
-  const Scalar& s6 = angles.sine[2];
-  const Scalar& c6 = angles.cosine[2];
-  const Scalar& s12 = angles.sine[3];
-  const Scalar& c12 = angles.cosine[3];
-  const Scalar& s12m4 = angles.sine[4];
-  const Scalar& c12m4 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s5 = angles.sine[1], &c5 = angles.cosine[1];
+  const Scalar &s6 = angles.sine[2], &c6 = angles.cosine[2], &s12 = angles.sine[3], &c12 = angles.cosine[3];
+  const Scalar &s12m4 = angles.sine[4], &c12m4 = angles.cosine[4];
   const Scalar t0 = point[0] * s6 - point[1] * c6;
   const Scalar t1 = point[0] * c6 + point[1] * s6;
   const Scalar t2 = c5 * t1 - point[2] * s5;
@@ -240,39 +155,25 @@ inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& 
   Jacobian<Scalar> result;
   result(0, 0) = -g.l1 * s1 - t4;
   result(0, 1) = -t4;
-  result(0, 2) = -Scalar(0);
+  result(0, 2) = result(1, 2) = result(2, 0) = result(2, 1) = result(2, 3) = result(3, 0) = result(3, 1) =
+      result(3, 2) = result(3, 3) = result(4, 0) = result(4, 1) = result(4, 2) = result(4, 3) = result(5, 2) =
+      result(5, 4) = Scalar(0);
   result(0, 3) = -t3;
   result(0, 4) = -c12m4 * t5;
   result(0, 5) = t5 * t6 - c5 * t3;
   result(1, 0) = t8 + g.l1 * c1;
   result(1, 1) = t8;
-  result(1, 2) = -Scalar(0);
   result(1, 3) = -t7;
   result(1, 4) = -s12m4 * t5;
   result(1, 5) = -c5 * t7 - t5 * t9;
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(0);
-  result(2, 2) = -Scalar(1);
-  result(2, 3) = -Scalar(0);
+  result(2, 2) = result(5, 3) = -Scalar(1);
   result(2, 4) = t2;
   result(2, 5) = -s5 * t0;
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
-  result(3, 2) = -Scalar(0);
-  result(3, 3) = -Scalar(0);
   result(3, 4) = s12m4;
   result(3, 5) = t9;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(4, 2) = -Scalar(0);
-  result(4, 3) = -Scalar(0);
   result(4, 4) = -c12m4;
   result(4, 5) = t6;
-  result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(1);
-  result(5, 2) = -Scalar(0);
-  result(5, 3) = -Scalar(1);
-  result(5, 4) = -Scalar(0);
+  result(5, 0) = result(5, 1) = Scalar(1);
   result(5, 5) = -c5;
 
   return result;
@@ -282,14 +183,8 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> velocity([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
-  const Scalar& c5 = angles.cosine[1];
-  const Scalar& s12 = angles.sine[2];
-  const Scalar& c12 = angles.cosine[2];
-  const Scalar& s12m4 = angles.sine[3];
-  const Scalar& c12m4 = angles.cosine[3];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s5 = angles.sine[1], &c5 = angles.cosine[1];
+  const Scalar &s12 = angles.sine[2], &c12 = angles.cosine[2], &s12m4 = angles.sine[3], &c12m4 = angles.cosine[3];
   const Scalar t0 = qd[0] + qd[1];
   const Scalar t1 = qd[0] * g.l1 * s1 + g.l2 * s12 * t0;
   const Scalar t2 = t0 * g.l2 * c12 + qd[0] * g.l1 * c1;
@@ -309,14 +204,8 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
-  const Scalar& c5 = angles.cosine[1];
-  const Scalar& s12 = angles.sine[2];
-  const Scalar& c12 = angles.cosine[2];
-  const Scalar& s12m4 = angles.sine[3];
-  const Scalar& c12m4 = angles.cosine[3];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s5 = angles.sine[1], &c5 = angles.cosine[1];
+  const Scalar &s12 = angles.sine[2], &c12 = angles.cosine[2], &s12m4 = angles.sine[3], &c12m4 = angles.cosine[3];
   const Scalar t0 = qd[0] + qd[1];
   const Scalar t1 = t0 * g.l2 * c12;
   const Scalar t2 = g.l2 * s12 * t0;
@@ -327,39 +216,16 @@ inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>&
   Jacobian<Scalar> result;
   result(0, 0) = -t1 - qd[0] * g.l1 * c1;
   result(0, 1) = -t1;
-  result(0, 2) = -Scalar(0);
-  result(0, 3) = -Scalar(0);
-  result(0, 4) = -Scalar(0);
-  result(0, 5) = -Scalar(0);
+  result(0, 2) = result(0, 3) = result(0, 4) = result(0, 5) = result(1, 2) = result(1, 3) = result(1, 4) =
+      result(1, 5) = result(2, 0) = result(2, 1) = result(2, 2) = result(2, 3) = result(2, 4) = result(2, 5) =
+      result(3, 0) = result(3, 1) = result(3, 2) = result(3, 3) = result(4, 0) = result(4, 1) = result(4, 2) =
+      result(4, 3) = result(5, 0) = result(5, 1) = result(5, 2) = result(5, 3) = result(5, 4) = Scalar(0);
   result(1, 0) = -qd[0] * g.l1 * s1 - t2;
   result(1, 1) = -t2;
-  result(1, 2) = -Scalar(0);
-  result(1, 3) = -Scalar(0);
-  result(1, 4) = -Scalar(0);
-  result(1, 5) = -Scalar(0);
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(0);
-  result(2, 2) = -Scalar(0);
-  result(2, 3) = -Scalar(0);
-  result(2, 4) = -Scalar(0);
-  result(2, 5) = -Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
-  result(3, 2) = -Scalar(0);
-  result(3, 3) = -Scalar(0);
   result(3, 4) = -t4;
   result(3, 5) = c12m4 * t5 + s5 * t6;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(4, 2) = -Scalar(0);
-  result(4, 3) = -Scalar(0);
   result(4, 4) = -t6;
   result(4, 5) = s12m4 * t5 - s5 * t4;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = -Scalar(0);
-  result(5, 3) = -Scalar(0);
-  result(5, 4) = -Scalar(0);
   result(5, 5) = qd[4] * s5;
 
   return result;
@@ -369,14 +235,8 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
-  const Scalar& c5 = angles.cosine[1];
-  const Scalar& s12 = angles.sine[2];
-  const Scalar& c12 = angles.cosine[2];
-  const Scalar& s12m4 = angles.sine[3];
-  const Scalar& c12m4 = angles.cosine[3];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s5 = angles.sine[1], &c5 = angles.cosine[1];
+  const Scalar &s12 = angles.sine[2], &c12 = angles.cosine[2], &s12m4 = angles.sine[3], &c12m4 = angles.cosine[3];
   const Scalar t0 = qd[0] + qd[1];
   const Scalar t1 = qd[0] * qd[0] * g.l1 * c1 + t0 * g.l2 * c12 * t0;
   const Scalar t2 = g.l2 * s12 * t0 * t0 + qd[0] * qd[0] * g.l1 * s1;
@@ -398,8 +258,7 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
 template <class Scalar, class Angles>
 inline SingularityMeasures<Scalar> singularity_measures([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& s5 = angles.sine[1];
+  const Scalar &s2 = angles.sine[0], &s5 = angles.sine[1];
 
   SingularityMeasures<Scalar> result;
   result(0, 0) = s2;

@@ -41,16 +41,9 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& sh5 = angles.sine[1];
-  const Scalar& ch5 = angles.cosine[1];
-  const Scalar& s12 = angles.sine[2];
-  const Scalar& c12 = angles.cosine[2];
-  const Scalar& sh12m46 = angles.sine[3];
-  const Scalar& ch12m46 = angles.cosine[3];
-  const Scalar& sh12m4m6 = angles.sine[4];
-  const Scalar& ch12m4m6 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &sh5 = angles.sine[1], &ch5 = angles.cosine[1];
+  const Scalar &s12 = angles.sine[2], &c12 = angles.cosine[2], &sh12m46 = angles.sine[3], &ch12m46 = angles.cosine[3];
+  const Scalar &sh12m4m6 = angles.sine[4], &ch12m4m6 = angles.cosine[4];
 
   return {Eigen::Quaternion<Scalar>(ch12m4m6 * ch5,
                                     sh12m46 * sh5,
@@ -65,16 +58,9 @@ template <class Scalar, class Angles>
 inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
     const JointVector<Scalar>& q, const Angles& angles,
     const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
-  const Scalar& c5 = angles.cosine[1];
-  const Scalar& s6 = angles.sine[2];
-  const Scalar& c6 = angles.cosine[2];
-  const Scalar& s12 = angles.sine[3];
-  const Scalar& c12 = angles.cosine[3];
-  const Scalar& s12m4 = angles.sine[4];
-  const Scalar& c12m4 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s5 = angles.sine[1], &c5 = angles.cosine[1];
+  const Scalar &s6 = angles.sine[2], &c6 = angles.cosine[2], &s12 = angles.sine[3], &c12 = angles.cosine[3];
+  const Scalar &s12m4 = angles.sine[4], &c12m4 = angles.cosine[4];
   const Scalar t0 = c12m4 * c6;
   const Scalar t1 = s12m4 * s6;
   const Scalar t2 = c6 * s12m4;

@@ -26,16 +26,9 @@ using NoAngles = JacobianSelection<Scalar, 0>;
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s23 = angles.sine[4];
-  const Scalar& c23 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s23 = angles.sine[4], &c23 = angles.cosine[4];
   const Scalar t0 = g.RL4 * s23;
   const Scalar t1 = g.D3 * c2 - t0;
   const Scalar t2 = g.RL4 * c23;
@@ -48,36 +41,23 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
   result(0, 0) = -s1 * t1;
   result(0, 1) = -c1 * t3;
   result(0, 2) = -c1 * t2;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = -Scalar(0);
-  result(0, 5) = Scalar(0);
+  result(0, 3) = result(0, 4) = result(0, 5) = result(1, 3) = result(1, 4) = result(1, 5) = result(2, 0) =
+      result(2, 3) = result(2, 4) = result(2, 5) = result(3, 0) = result(4, 0) = result(5, 1) = result(5, 2) =
+      Scalar(0);
   result(1, 0) = c1 * t1;
   result(1, 1) = -s1 * t3;
   result(1, 2) = -s1 * t2;
-  result(1, 3) = Scalar(0);
-  result(1, 4) = -Scalar(0);
-  result(1, 5) = Scalar(0);
-  result(2, 0) = Scalar(0);
   result(2, 1) = t1;
   result(2, 2) = -t0;
-  result(2, 3) = Scalar(0);
-  result(2, 4) = -Scalar(0);
-  result(2, 5) = Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = s1;
-  result(3, 2) = s1;
+  result(3, 1) = result(3, 2) = s1;
   result(3, 3) = -c1 * s23;
   result(3, 4) = c1 * t4 + c4 * s1;
   result(3, 5) = s1 * t7 - c1 * t6;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = -c1;
-  result(4, 2) = -c1;
+  result(4, 1) = result(4, 2) = -c1;
   result(4, 3) = -s1 * s23;
   result(4, 4) = s1 * t4 - c1 * c4;
   result(4, 5) = -s1 * t6 - c1 * t7;
   result(5, 0) = Scalar(1);
-  result(5, 1) = -Scalar(0);
-  result(5, 2) = -Scalar(0);
   result(5, 3) = c23;
   result(5, 4) = s23 * s4;
   result(5, 5) = c23 * c5 - s23 * t5;
@@ -88,18 +68,9 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
-  const Scalar& s23 = angles.sine[5];
-  const Scalar& c23 = angles.cosine[5];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4], &s23 = angles.sine[5], &c23 = angles.cosine[5];
   const Scalar t0 = c1 * s23;
   const Scalar t1 = s1 * s4;
   const Scalar t2 = c1 * c23;
@@ -125,52 +96,36 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
   TransformAndJacobian<Scalar> result;
   result.transform(0, 0) = -t6;
   result.transform(0, 1) = t7;
-  result.transform(0, 2) = -t8;
+  result.transform(0, 2) = result.jacobian(3, 5) = -t8;
   result.transform(1, 0) = t8 * t12 + t7 * t13;
   result.transform(1, 1) = t14 * t8 + t13 * t6;
-  result.transform(1, 2) = t15;
+  result.transform(1, 2) = result.jacobian(4, 5) = t15;
   result.transform(2, 0) = t14;
   result.transform(2, 1) = -t12;
-  result.transform(2, 2) = -t13;
-  result.transform(0, 3) = t18;
+  result.transform(2, 2) = result.jacobian(5, 5) = -t13;
+  result.transform(0, 3) = result.jacobian(1, 0) = t18;
   result.transform(1, 3) = t19;
   result.transform(2, 3) = t21;
   result.jacobian(0, 0) = -t19;
   result.jacobian(0, 1) = -c1 * t21;
   result.jacobian(0, 2) = -g.RL4 * t2;
-  result.jacobian(0, 3) = Scalar(0);
-  result.jacobian(0, 4) = -Scalar(0);
-  result.jacobian(0, 5) = Scalar(0);
-  result.jacobian(1, 0) = t18;
+  result.jacobian(0, 3) = result.jacobian(0, 4) = result.jacobian(0, 5) = result.jacobian(1, 3) =
+      result.jacobian(1, 4) = result.jacobian(1, 5) = result.jacobian(2, 0) = result.jacobian(2, 3) =
+      result.jacobian(2, 4) = result.jacobian(2, 5) = result.jacobian(3, 0) = result.jacobian(4, 0) =
+      result.jacobian(5, 1) = result.jacobian(5, 2) = Scalar(0);
   result.jacobian(1, 1) = -s1 * t21;
   result.jacobian(1, 2) = -s1 * t20;
-  result.jacobian(1, 3) = Scalar(0);
-  result.jacobian(1, 4) = -Scalar(0);
-  result.jacobian(1, 5) = Scalar(0);
-  result.jacobian(2, 0) = Scalar(0);
   result.jacobian(2, 1) = t17;
   result.jacobian(2, 2) = -t16;
-  result.jacobian(2, 3) = Scalar(0);
-  result.jacobian(2, 4) = -Scalar(0);
-  result.jacobian(2, 5) = Scalar(0);
-  result.jacobian(3, 0) = Scalar(0);
-  result.jacobian(3, 1) = s1;
-  result.jacobian(3, 2) = s1;
+  result.jacobian(3, 1) = result.jacobian(3, 2) = s1;
   result.jacobian(3, 3) = -t0;
   result.jacobian(3, 4) = t5;
-  result.jacobian(3, 5) = -t8;
-  result.jacobian(4, 0) = Scalar(0);
-  result.jacobian(4, 1) = -c1;
-  result.jacobian(4, 2) = -c1;
+  result.jacobian(4, 1) = result.jacobian(4, 2) = -c1;
   result.jacobian(4, 3) = -s1 * s23;
   result.jacobian(4, 4) = c23 * t1 - c1 * c4;
-  result.jacobian(4, 5) = t15;
   result.jacobian(5, 0) = Scalar(1);
-  result.jacobian(5, 1) = -Scalar(0);
-  result.jacobian(5, 2) = -Scalar(0);
   result.jacobian(5, 3) = c23;
   result.jacobian(5, 4) = t11;
-  result.jacobian(5, 5) = -t13;
   result.transform.makeAffine();
   return result;
 }
@@ -178,16 +133,9 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
-  const Scalar& s23 = angles.sine[4];
-  const Scalar& c23 = angles.cosine[4];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
+  const Scalar &s23 = angles.sine[4], &c23 = angles.cosine[4];
   const Scalar t0 = c5 * s4;
   const Scalar t1 = c6 * t0 + c4 * s6;
   const Scalar t2 = g.D3 * c3;
@@ -208,38 +156,25 @@ inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>
   result(0, 0) = t1 * t4;
   result(0, 1) = s6 * t7 - c6 * t6;
   result(0, 2) = s6 * t10 - c6 * t9;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = -Scalar(0);
-  result(0, 5) = Scalar(0);
+  result(0, 3) = result(0, 4) = result(0, 5) = result(1, 3) = result(1, 4) = result(1, 5) = result(2, 3) =
+      result(2, 4) = result(2, 5) = result(3, 5) = result(4, 5) = result(5, 4) = Scalar(0);
   result(1, 0) = -t11 * t4;
   result(1, 1) = c6 * t7 + s6 * t6;
   result(1, 2) = s6 * t9 + c6 * t10;
-  result(1, 3) = Scalar(0);
-  result(1, 4) = -Scalar(0);
-  result(1, 5) = Scalar(0);
   result(2, 0) = -t4 * t12;
   result(2, 1) = s5 * t5 + c5 * t2;
   result(2, 2) = s5 * t8;
-  result(2, 3) = Scalar(0);
-  result(2, 4) = -Scalar(0);
-  result(2, 5) = Scalar(0);
   result(3, 0) = c6 * t14 - s6 * t15;
-  result(3, 1) = -t1;
-  result(3, 2) = -t1;
+  result(3, 1) = result(3, 2) = -t1;
   result(3, 3) = c6 * s5;
   result(3, 4) = -s6;
-  result(3, 5) = Scalar(0);
   result(4, 0) = -s6 * t14 - c6 * t15;
-  result(4, 1) = t11;
-  result(4, 2) = t11;
+  result(4, 1) = result(4, 2) = t11;
   result(4, 3) = -s5 * s6;
   result(4, 4) = -c6;
-  result(4, 5) = Scalar(0);
   result(5, 0) = c23 * c5 - s5 * t13;
-  result(5, 1) = t12;
-  result(5, 2) = t12;
+  result(5, 1) = result(5, 2) = t12;
   result(5, 3) = c5;
-  result(5, 4) = -Scalar(0);
   result(5, 5) = Scalar(1);
 
   return result;
@@ -249,18 +184,9 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& q,
     const Vector3<Scalar>& point,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
-  const Scalar& s23 = angles.sine[5];
-  const Scalar& c23 = angles.cosine[5];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4], &s23 = angles.sine[5], &c23 = angles.cosine[5];
   const Scalar t0 = point[0] * c6 - point[1] * s6;
   const Scalar t1 = c5 * t0 - point[2] * s5;
   const Scalar t2 = point[0] * s6 + point[1] * c6;
@@ -305,27 +231,21 @@ inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& 
   result(1, 3) = -c23 * t26 - c1 * t7;
   result(1, 4) = -t20 * t27 - t28 * t14;
   result(1, 5) = t28 * t25 - t20 * t30;
-  result(2, 0) = Scalar(0);
+  result(2, 0) = result(3, 0) = result(4, 0) = result(5, 1) = result(5, 2) = Scalar(0);
   result(2, 1) = t10;
   result(2, 2) = -t9;
   result(2, 3) = -s23 * t3;
   result(2, 4) = -t19 * t28 - t27 * t16;
   result(2, 5) = -t28 * t24 - t30 * t16;
-  result(3, 0) = Scalar(0);
-  result(3, 1) = s1;
-  result(3, 2) = s1;
+  result(3, 1) = result(3, 2) = s1;
   result(3, 3) = -t29;
   result(3, 4) = t27;
   result(3, 5) = t30;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = -c1;
-  result(4, 2) = -c1;
+  result(4, 1) = result(4, 2) = -c1;
   result(4, 3) = -t23;
   result(4, 4) = -t19;
   result(4, 5) = -t24;
   result(5, 0) = Scalar(1);
-  result(5, 1) = -Scalar(0);
-  result(5, 2) = -Scalar(0);
   result(5, 3) = c23;
   result(5, 4) = t14;
   result(5, 5) = -t25;
@@ -337,16 +257,9 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> velocity([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s23 = angles.sine[4];
-  const Scalar& c23 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s23 = angles.sine[4], &c23 = angles.cosine[4];
   const Scalar t0 = qd[1] + qd[2];
   const Scalar t1 = qd[1] * g.D3 * s2 + g.RL4 * c23 * t0;
   const Scalar t2 = g.RL4 * s23;
@@ -372,16 +285,9 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s23 = angles.sine[4];
-  const Scalar& c23 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s23 = angles.sine[4], &c23 = angles.cosine[4];
   const Scalar t0 = g.D3 * c2;
   const Scalar t1 = g.RL4 * s23;
   const Scalar t2 = t0 - t1;
@@ -411,36 +317,22 @@ inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>&
   result(0, 0) = s1 * t8 - t2 * t3;
   result(0, 1) = t9 * t10 - c1 * t12;
   result(0, 2) = c1 * t11 + t5 * t10;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = -Scalar(0);
-  result(0, 5) = Scalar(0);
+  result(0, 3) = result(0, 4) = result(0, 5) = result(1, 3) = result(1, 4) = result(1, 5) = result(2, 0) =
+      result(2, 3) = result(2, 4) = result(2, 5) = result(3, 0) = result(4, 0) = result(5, 0) = result(5, 1) =
+      result(5, 2) = Scalar(0);
   result(1, 0) = -c1 * t8 - t2 * t10;
   result(1, 1) = -t9 * t3 - s1 * t12;
   result(1, 2) = s1 * t11 - t3 * t5;
-  result(1, 3) = Scalar(0);
-  result(1, 4) = -Scalar(0);
-  result(1, 5) = Scalar(0);
-  result(2, 0) = Scalar(0);
   result(2, 1) = -t8;
   result(2, 2) = -t7;
-  result(2, 3) = Scalar(0);
-  result(2, 4) = -Scalar(0);
-  result(2, 5) = Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = t3;
-  result(3, 2) = t3;
+  result(3, 1) = result(3, 2) = t3;
   result(3, 3) = s23 * t10 - c1 * t13;
   result(3, 4) = c1 * t17 - s1 * t15;
   result(3, 5) = c1 * t23 + s1 * t24;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = t10;
-  result(4, 2) = t10;
+  result(4, 1) = result(4, 2) = t10;
   result(4, 3) = -s23 * t3 - s1 * t13;
   result(4, 4) = s1 * t17 + c1 * t15;
   result(4, 5) = s1 * t23 - c1 * t24;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = -Scalar(0);
-  result(5, 2) = -Scalar(0);
   result(5, 3) = -t16;
   result(5, 4) = s4 * t13 + s23 * qd[3] * c4;
   result(5, 5) = s23 * t22 - c23 * t21;
@@ -452,16 +344,9 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s23 = angles.sine[4];
-  const Scalar& c23 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s23 = angles.sine[4], &c23 = angles.cosine[4];
   const Scalar t0 = qd[1] * g.D3 * s2;
   const Scalar t1 = qd[1] + qd[2];
   const Scalar t2 = g.RL4 * c23 * t1;
@@ -504,11 +389,8 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
 template <class Scalar, class Angles>
 inline SingularityMeasures<Scalar> singularity_measures([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2];
   const Scalar t0 = g.D3 * c2 - g.RL4 * (c3 * s2 + c2 * s3);
   SingularityMeasures<Scalar> result;
   result(0, 0) = t0;

@@ -55,18 +55,9 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        const BasicGeometry<Scalar>& g) {
-  const Scalar& sh1 = angles.sine[0];
-  const Scalar& ch1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& sh5 = angles.sine[2];
-  const Scalar& ch5 = angles.cosine[2];
-  const Scalar& sh23 = angles.sine[3];
-  const Scalar& ch23 = angles.cosine[3];
-  const Scalar& sh46 = angles.sine[4];
-  const Scalar& ch46 = angles.cosine[4];
-  const Scalar& sh4m6 = angles.sine[5];
-  const Scalar& ch4m6 = angles.cosine[5];
+  const Scalar &sh1 = angles.sine[0], &ch1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &sh5 = angles.sine[2], &ch5 = angles.cosine[2], &sh23 = angles.sine[3], &ch23 = angles.cosine[3];
+  const Scalar &sh46 = angles.sine[4], &ch46 = angles.cosine[4], &sh4m6 = angles.sine[5], &ch4m6 = angles.cosine[5];
   const Scalar t0 = ch5 * sh46;
   const Scalar t1 = sh23 * sh5;
   const Scalar t2 = ch23 * t0 + sh4m6 * t1;
@@ -92,18 +83,9 @@ template <class Scalar, class Angles>
 inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
     [[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
-  const Scalar& s23 = angles.sine[5];
-  const Scalar& c23 = angles.cosine[5];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4], &s23 = angles.sine[5], &c23 = angles.cosine[5];
   const Scalar t0 = c5 * s6;
   const Scalar t1 = c4 * t0 + c6 * s4;
   const Scalar t2 = s5 * s6;

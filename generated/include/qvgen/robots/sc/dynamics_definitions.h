@@ -97,14 +97,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> inverse_dynamics([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const Angles& angles,
     const InverseDynamicsConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[0] + qdd[0];
   const Scalar t1 = qd[2] * qd[2];
   const Scalar t2 = qd[3] * qd[3];
@@ -255,14 +249,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     const GravityTorqueConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[0] * c3;
   const Scalar t1 = k[6] * s6 + k[5] * c6;
   const Scalar t2 = k[0] * s3;
@@ -371,14 +359,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> coriolis_torque([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const Angles& angles,
     const CoriolisTorqueConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = qd[2] * qd[2];
   const Scalar t1 = k[2] * c6 - k[3] * s6;
   const Scalar t2 = qd[2] * s4;
@@ -557,14 +539,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     const MassMatrixConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[0] * s6 - k[1] * c6;
   const Scalar t1 = k[2] - t0;
   const Scalar t2 = k[3] * c5 + s5 * t1;
@@ -602,13 +578,12 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointV
   const Scalar t34 = c4 * (c5 * t19 + k[14] * s5) - s4 * t14;
   Eigen::Matrix<Scalar, dof, dof> result;
   result(0, 0) = k[29];
-  result(0, 1) = result(1, 0) = Scalar(0);
+  result(0, 1) = result(1, 0) = result(1, 2) = result(2, 1) = Scalar(0);
   result(0, 2) = result(2, 0) = -t8;
   result(0, 3) = result(3, 0) = s3 * t9;
   result(0, 4) = result(4, 0) = s3 * s4 * t2 - c3 * t3;
   result(0, 5) = result(5, 0) = s3 * t11 - c3 * s5 * t5;
   result(1, 1) = k[30];
-  result(1, 2) = result(2, 1) = Scalar(0);
   result(1, 3) = result(3, 1) = -t7;
   result(1, 4) = result(4, 1) = -c4 * t2;
   result(1, 5) = result(5, 1) = s4 * t0 - c4 * t10;
@@ -700,14 +675,8 @@ template <class Scalar, class Angles>
 inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const Angles& angles,
     const CoriolisMatrixConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[2] * c6 - k[1] * s6;
   const Scalar t1 = k[3] + t0;
   const Scalar t2 = c5 * t1;
@@ -810,42 +779,31 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const Jo
   const Scalar t99 = s4 * (qd[3] * (k[21] * s5 + t73) + t66);
   const Scalar t100 = (c4 * t98 + t99) + k[23] * (t35 - qd[2] * s5 * t6);
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = Scalar(0);
-  result(0, 1) = Scalar(0);
+  result(0, 0) = result(0, 1) = result(1, 0) = result(1, 1) = result(1, 2) = result(2, 0) = result(2, 1) =
+      result(3, 0) = result(3, 1) = result(4, 0) = result(4, 1) = result(5, 0) = result(5, 1) = result(5, 5) =
+      Scalar(0);
   result(0, 2) = -t16;
   result(0, 3) = -t20;
   result(0, 4) = t24;
   result(0, 5) = t36;
-  result(1, 0) = Scalar(0);
-  result(1, 1) = Scalar(0);
-  result(1, 2) = Scalar(0);
   result(1, 3) = -t12;
   result(1, 4) = s4 * t21 - c4 * t15;
   result(1, 5) = c4 * t34 + s4 * t27;
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(0);
   result(2, 2) = t71;
   result(2, 3) = t81 + k[23] * t19;
   result(2, 4) = t85;
   result(2, 5) = t90;
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
   result(3, 2) = t91 - t81;
   result(3, 3) = -t64;
   result(3, 4) = -t92;
   result(3, 5) = t93;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
   result(4, 2) = -t85 - (t95 - k[23] * t22);
   result(4, 3) = t74 + t92;
   result(4, 4) = t52;
   result(4, 5) = -t88;
-  result(5, 0) = -Scalar(0);
-  result(5, 1) = -Scalar(0);
   result(5, 2) = t100 - t90;
   result(5, 3) = -t93 - (s5 * t96 - c5 * t97);
   result(5, 4) = t88 - t66;
-  result(5, 5) = Scalar(0);
   return result;
 }
 
@@ -955,14 +913,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> forward_dynamics([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const Angles& angles,
     const ForwardDynamicsConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[12] * s6 + k[11] * c6;
   const Scalar t1 = k[13] + t0;
   const Scalar t2 = k[7] * c6 + k[8] * s6;
@@ -1230,14 +1182,8 @@ template <class Scalar, class Angles>
 inline Scalar kinetic_energy([[maybe_unused]] const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const Angles& angles,
     const KineticEnergyConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[3] * c6 + k[4] * s6;
   const Scalar t1 = k[5] + c6 * t0;
   const Scalar t2 = k[7] - (k[0] - t1);
@@ -1334,14 +1280,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Scalar potential_energy(const JointVector<Scalar>& q, const Angles& angles,
     const PotentialEnergyConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[4] + (k[2] * c6 - k[3] * s6);
   const Scalar t1 = k[10] - (k[9] + (k[1] * c5 + s5 * t0));
   const Scalar t2 = k[7] + (k[6] + (k[2] * s6 + k[3] * c6));

@@ -26,47 +26,22 @@ using NoAngles = JacobianSelection<Scalar, 0>;
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2];
   const Scalar t0 = s4 * s5;
   Jacobian<Scalar> result;
-  result(0, 0) = Scalar(0);
-  result(0, 1) = Scalar(0);
+  result(0, 0) = result(0, 1) = result(0, 3) = result(0, 4) = result(0, 5) = result(1, 0) = result(1, 2) =
+      result(1, 3) = result(1, 4) = result(1, 5) = result(2, 1) = result(2, 3) = result(2, 4) = result(2, 5) =
+      result(3, 0) = result(3, 1) = result(3, 2) = result(4, 0) = result(4, 1) = result(4, 3) = result(5, 0) =
+      result(5, 1) = result(5, 2) = Scalar(0);
   result(0, 2) = -g.d4 * c3;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = Scalar(0);
-  result(0, 5) = -Scalar(0);
-  result(1, 0) = Scalar(0);
-  result(1, 1) = Scalar(1);
-  result(1, 2) = Scalar(0);
-  result(1, 3) = Scalar(0);
-  result(1, 4) = Scalar(0);
-  result(1, 5) = -Scalar(0);
-  result(2, 0) = Scalar(1);
-  result(2, 1) = Scalar(0);
+  result(1, 1) = result(2, 0) = result(4, 2) = Scalar(1);
   result(2, 2) = g.d4 * s3;
-  result(2, 3) = Scalar(0);
-  result(2, 4) = Scalar(0);
-  result(2, 5) = -Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
-  result(3, 2) = Scalar(0);
   result(3, 3) = -s3;
   result(3, 4) = c3 * c4;
   result(3, 5) = c3 * t0 - c5 * s3;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(4, 2) = Scalar(1);
-  result(4, 3) = Scalar(0);
   result(4, 4) = -s4;
   result(4, 5) = c4 * s5;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
   result(5, 3) = -c3;
   result(5, 4) = -c4 * s3;
   result(5, 5) = -c3 * c5 - s3 * t0;
@@ -77,14 +52,8 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = c3 * c4;
   const Scalar t1 = c3 * s4;
   const Scalar t2 = s3 * s5;
@@ -112,39 +81,20 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointV
   result.transform(0, 3) = -t12;
   result.transform(1, 3) = q[1] + g.l1;
   result.transform(2, 3) = q[0] - t13;
-  result.jacobian(0, 0) = Scalar(0);
-  result.jacobian(0, 1) = Scalar(0);
+  result.jacobian(0, 0) = result.jacobian(0, 1) = result.jacobian(0, 3) = result.jacobian(0, 4) =
+      result.jacobian(0, 5) = result.jacobian(1, 0) = result.jacobian(1, 2) = result.jacobian(1, 3) =
+      result.jacobian(1, 4) = result.jacobian(1, 5) = result.jacobian(2, 1) = result.jacobian(2, 3) =
+      result.jacobian(2, 4) = result.jacobian(2, 5) = result.jacobian(3, 0) = result.jacobian(3, 1) =
+      result.jacobian(3, 2) = result.jacobian(4, 0) = result.jacobian(4, 1) = result.jacobian(4, 3) =
+      result.jacobian(5, 0) = result.jacobian(5, 1) = result.jacobian(5, 2) = Scalar(0);
   result.jacobian(0, 2) = -t13;
-  result.jacobian(0, 3) = Scalar(0);
-  result.jacobian(0, 4) = Scalar(0);
-  result.jacobian(0, 5) = -Scalar(0);
-  result.jacobian(1, 0) = Scalar(0);
-  result.jacobian(1, 1) = Scalar(1);
-  result.jacobian(1, 2) = Scalar(0);
-  result.jacobian(1, 3) = Scalar(0);
-  result.jacobian(1, 4) = Scalar(0);
-  result.jacobian(1, 5) = -Scalar(0);
-  result.jacobian(2, 0) = Scalar(1);
-  result.jacobian(2, 1) = Scalar(0);
+  result.jacobian(1, 1) = result.jacobian(2, 0) = result.jacobian(4, 2) = Scalar(1);
   result.jacobian(2, 2) = t12;
-  result.jacobian(2, 3) = Scalar(0);
-  result.jacobian(2, 4) = Scalar(0);
-  result.jacobian(2, 5) = -Scalar(0);
-  result.jacobian(3, 0) = Scalar(0);
-  result.jacobian(3, 1) = Scalar(0);
-  result.jacobian(3, 2) = Scalar(0);
   result.jacobian(3, 3) = -s3;
   result.jacobian(3, 4) = t0;
   result.jacobian(3, 5) = -t6;
-  result.jacobian(4, 0) = Scalar(0);
-  result.jacobian(4, 1) = Scalar(0);
-  result.jacobian(4, 2) = Scalar(1);
-  result.jacobian(4, 3) = Scalar(0);
   result.jacobian(4, 4) = -s4;
   result.jacobian(4, 5) = t10;
-  result.jacobian(5, 0) = Scalar(0);
-  result.jacobian(5, 1) = Scalar(0);
-  result.jacobian(5, 2) = Scalar(0);
   result.jacobian(5, 3) = -c3;
   result.jacobian(5, 4) = -c4 * s3;
   result.jacobian(5, 5) = -t11;
@@ -155,14 +105,8 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointV
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = c4 * s3;
   const Scalar t1 = s3 * s4;
   const Scalar t2 = c3 * s5 - c5 * t1;
@@ -175,40 +119,22 @@ inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>
   const Scalar t9 = c4 * s5;
   Jacobian<Scalar> result;
   result(0, 0) = -c6 * t0 - s6 * t2;
-  result(0, 1) = -t4;
+  result(0, 1) = result(3, 2) = -t4;
   result(0, 2) = s6 * t7 - c6 * t5;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = Scalar(0);
-  result(0, 5) = -Scalar(0);
+  result(0, 3) = result(0, 4) = result(0, 5) = result(1, 3) = result(1, 4) = result(1, 5) = result(2, 3) =
+      result(2, 4) = result(2, 5) = result(3, 0) = result(3, 1) = result(3, 5) = result(4, 0) = result(4, 1) =
+      result(4, 5) = result(5, 0) = result(5, 1) = result(5, 4) = Scalar(0);
   result(1, 0) = c6 * t2 - s6 * t0;
-  result(1, 1) = -t8;
+  result(1, 1) = result(4, 2) = -t8;
   result(1, 2) = -s6 * t5 - c6 * t7;
-  result(1, 3) = Scalar(0);
-  result(1, 4) = Scalar(0);
-  result(1, 5) = -Scalar(0);
   result(2, 0) = c3 * c5 + s5 * t1;
-  result(2, 1) = -t9;
+  result(2, 1) = result(5, 2) = -t9;
   result(2, 2) = s5 * t6;
-  result(2, 3) = Scalar(0);
-  result(2, 4) = Scalar(0);
-  result(2, 5) = -Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
-  result(3, 2) = -t4;
   result(3, 3) = s5 * s6;
   result(3, 4) = c6;
-  result(3, 5) = -Scalar(0);
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(4, 2) = -t8;
   result(4, 3) = -c6 * s5;
   result(4, 4) = s6;
-  result(4, 5) = -Scalar(0);
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = -t9;
   result(5, 3) = -c5;
-  result(5, 4) = Scalar(0);
   result(5, 5) = -Scalar(1);
 
   return result;
@@ -218,14 +144,8 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& q,
     const Vector3<Scalar>& point,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = point[0] * s6 - point[1] * c6;
   const Scalar t1 = point[2] * c5 - s5 * t0;
   const Scalar t2 = g.d4 - t1;
@@ -244,39 +164,26 @@ inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& 
   const Scalar t15 = s3 * t1 + t14;
   const Scalar t16 = c3 * c4;
   Jacobian<Scalar> result;
-  result(0, 0) = Scalar(0);
-  result(0, 1) = Scalar(0);
+  result(0, 0) = result(0, 1) = result(1, 0) = result(1, 2) = result(2, 1) = result(3, 0) = result(3, 1) =
+      result(3, 2) = result(4, 0) = result(4, 1) = result(4, 3) = result(5, 0) = result(5, 1) = result(5, 2) =
+      Scalar(0);
   result(0, 2) = -c3 * t2 - t6;
   result(0, 3) = -c3 * t7;
   result(0, 4) = s4 * t8 - t7 * t9;
   result(0, 5) = -t7 * t11 - t12 * t8;
-  result(1, 0) = Scalar(0);
-  result(1, 1) = Scalar(1);
-  result(1, 2) = Scalar(0);
+  result(1, 1) = result(2, 0) = result(4, 2) = Scalar(1);
   result(1, 3) = -t5;
   result(1, 4) = -c4 * t1;
   result(1, 5) = -t13 * t8 - t11 * t15;
-  result(2, 0) = Scalar(1);
-  result(2, 1) = Scalar(0);
   result(2, 2) = s3 * t2 - t14;
   result(2, 3) = s3 * t7;
   result(2, 4) = s4 * t15 - t7 * t16;
   result(2, 5) = t13 * t7 - t12 * t15;
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
-  result(3, 2) = Scalar(0);
   result(3, 3) = -s3;
   result(3, 4) = t16;
   result(3, 5) = -t13;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(4, 2) = Scalar(1);
-  result(4, 3) = Scalar(0);
   result(4, 4) = -s4;
   result(4, 5) = t12;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
   result(5, 3) = -c3;
   result(5, 4) = -t9;
   result(5, 5) = -t11;
@@ -288,12 +195,8 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> velocity([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2];
   const Scalar t0 = qd[5] * s5;
   const Scalar t1 = qd[4] * c4 + s4 * t0;
   const Scalar t2 = qd[3] + qd[5] * c5;
@@ -312,12 +215,8 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2];
   const Scalar t0 = qd[2] * s3;
   const Scalar t1 = qd[2] * c3;
   const Scalar t2 = qd[3] * s4;
@@ -325,39 +224,17 @@ inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>&
   const Scalar t4 = qd[3] * c4;
   const Scalar t5 = s5 * t4 - c5 * (qd[2] - qd[4] * s4);
   Jacobian<Scalar> result;
-  result(0, 0) = Scalar(0);
-  result(0, 1) = Scalar(0);
+  result(0, 0) = result(0, 1) = result(0, 3) = result(0, 4) = result(0, 5) = result(1, 0) = result(1, 1) =
+      result(1, 2) = result(1, 3) = result(1, 4) = result(1, 5) = result(2, 0) = result(2, 1) = result(2, 3) =
+      result(2, 4) = result(2, 5) = result(3, 0) = result(3, 1) = result(3, 2) = result(4, 0) = result(4, 1) =
+      result(4, 2) = result(4, 3) = result(5, 0) = result(5, 1) = result(5, 2) = Scalar(0);
   result(0, 2) = g.d4 * t0;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = Scalar(0);
-  result(0, 5) = -Scalar(0);
-  result(1, 0) = Scalar(0);
-  result(1, 1) = Scalar(0);
-  result(1, 2) = Scalar(0);
-  result(1, 3) = Scalar(0);
-  result(1, 4) = Scalar(0);
-  result(1, 5) = -Scalar(0);
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(0);
   result(2, 2) = g.d4 * t1;
-  result(2, 3) = Scalar(0);
-  result(2, 4) = Scalar(0);
-  result(2, 5) = -Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
-  result(3, 2) = Scalar(0);
   result(3, 3) = -t1;
   result(3, 4) = -c4 * t0 - c3 * t2;
   result(3, 5) = s3 * t3 + c3 * t5;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(4, 2) = Scalar(0);
-  result(4, 3) = Scalar(0);
   result(4, 4) = -t4;
   result(4, 5) = c5 * qd[4] * c4 - s5 * t2;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
   result(5, 3) = t0;
   result(5, 4) = s3 * t2 - c4 * t1;
   result(5, 5) = c3 * t3 - s3 * t5;
@@ -369,12 +246,8 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2];
   const Scalar t0 = g.d4 * qd[2] * qd[2];
   const Scalar t1 = qd[2] * c4;
   const Scalar t2 = qd[2] * s4;
@@ -397,8 +270,7 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
 template <class Scalar, class Angles>
 inline SingularityMeasures<Scalar> singularity_measures([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
+  const Scalar &c3 = angles.cosine[0], &s5 = angles.sine[1];
 
   SingularityMeasures<Scalar> result;
   result(0, 0) = c3;

@@ -26,37 +26,19 @@ using NoAngles = JacobianSelection<Scalar, 0>;
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s12 = angles.sine[1];
-  const Scalar& c12 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s12 = angles.sine[1], &c12 = angles.cosine[1];
   const Scalar t0 = g.l2 * s12;
   const Scalar t1 = g.l2 * c12;
   Jacobian<Scalar> result;
   result(0, 0) = -t0 - g.l1 * s1;
   result(0, 1) = -t0;
-  result(0, 2) = -Scalar(0);
-  result(0, 3) = -Scalar(0);
+  result(0, 2) = result(0, 3) = result(1, 2) = result(1, 3) = result(2, 0) = result(2, 1) = result(2, 3) =
+      result(3, 0) = result(3, 1) = result(3, 2) = result(3, 3) = result(4, 0) = result(4, 1) = result(4, 2) =
+      result(4, 3) = result(5, 2) = Scalar(0);
   result(1, 0) = g.l1 * c1 + t1;
   result(1, 1) = t1;
-  result(1, 2) = -Scalar(0);
-  result(1, 3) = -Scalar(0);
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(0);
-  result(2, 2) = -Scalar(1);
-  result(2, 3) = -Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
-  result(3, 2) = -Scalar(0);
-  result(3, 3) = -Scalar(0);
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(4, 2) = -Scalar(0);
-  result(4, 3) = -Scalar(0);
-  result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(1);
-  result(5, 2) = -Scalar(0);
-  result(5, 3) = -Scalar(1);
+  result(2, 2) = result(5, 3) = -Scalar(1);
+  result(5, 0) = result(5, 1) = Scalar(1);
 
   return result;
 }
@@ -64,53 +46,29 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s12 = angles.sine[1];
-  const Scalar& c12 = angles.cosine[1];
-  const Scalar& s12m4 = angles.sine[2];
-  const Scalar& c12m4 = angles.cosine[2];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s12 = angles.sine[1], &c12 = angles.cosine[1];
+  const Scalar &s12m4 = angles.sine[2], &c12m4 = angles.cosine[2];
   const Scalar t0 = g.l2 * c12;
   const Scalar t1 = g.l1 * c1 + t0;
   const Scalar t2 = g.l2 * s12;
   const Scalar t3 = t2 + g.l1 * s1;
   TransformAndJacobian<Scalar> result;
-  result.transform(0, 0) = c12m4;
+  result.transform(0, 0) = result.transform(1, 1) = c12m4;
   result.transform(0, 1) = -s12m4;
-  result.transform(0, 2) = Scalar(0);
+  result.transform(0, 2) = result.transform(1, 2) = result.transform(2, 0) = result.transform(2, 1) =
+      result.jacobian(0, 2) = result.jacobian(0, 3) = result.jacobian(1, 2) = result.jacobian(1, 3) =
+      result.jacobian(2, 0) = result.jacobian(2, 1) = result.jacobian(2, 3) = result.jacobian(3, 0) =
+      result.jacobian(3, 1) = result.jacobian(3, 2) = result.jacobian(3, 3) = result.jacobian(4, 0) =
+      result.jacobian(4, 1) = result.jacobian(4, 2) = result.jacobian(4, 3) = result.jacobian(5, 2) = Scalar(0);
   result.transform(1, 0) = s12m4;
-  result.transform(1, 1) = c12m4;
-  result.transform(1, 2) = Scalar(0);
-  result.transform(2, 0) = Scalar(0);
-  result.transform(2, 1) = Scalar(0);
-  result.transform(2, 2) = Scalar(1);
-  result.transform(0, 3) = t1;
+  result.transform(2, 2) = result.jacobian(5, 0) = result.jacobian(5, 1) = Scalar(1);
+  result.transform(0, 3) = result.jacobian(1, 0) = t1;
   result.transform(1, 3) = t3;
   result.transform(2, 3) = g.l3 - q[2];
   result.jacobian(0, 0) = -t3;
   result.jacobian(0, 1) = -t2;
-  result.jacobian(0, 2) = -Scalar(0);
-  result.jacobian(0, 3) = -Scalar(0);
-  result.jacobian(1, 0) = t1;
   result.jacobian(1, 1) = t0;
-  result.jacobian(1, 2) = -Scalar(0);
-  result.jacobian(1, 3) = -Scalar(0);
-  result.jacobian(2, 0) = Scalar(0);
-  result.jacobian(2, 1) = Scalar(0);
-  result.jacobian(2, 2) = -Scalar(1);
-  result.jacobian(2, 3) = -Scalar(0);
-  result.jacobian(3, 0) = Scalar(0);
-  result.jacobian(3, 1) = Scalar(0);
-  result.jacobian(3, 2) = -Scalar(0);
-  result.jacobian(3, 3) = -Scalar(0);
-  result.jacobian(4, 0) = Scalar(0);
-  result.jacobian(4, 1) = Scalar(0);
-  result.jacobian(4, 2) = -Scalar(0);
-  result.jacobian(4, 3) = -Scalar(0);
-  result.jacobian(5, 0) = Scalar(1);
-  result.jacobian(5, 1) = Scalar(1);
-  result.jacobian(5, 2) = -Scalar(0);
-  result.jacobian(5, 3) = -Scalar(1);
+  result.jacobian(2, 2) = result.jacobian(5, 3) = -Scalar(1);
   result.transform.makeAffine();
   return result;
 }
@@ -118,37 +76,19 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointV
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s4 = angles.sine[0];
-  const Scalar& c4 = angles.cosine[0];
-  const Scalar& s2m4 = angles.sine[1];
-  const Scalar& c2m4 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[0], &c4 = angles.cosine[0], &s2m4 = angles.sine[1], &c2m4 = angles.cosine[1];
   const Scalar t0 = g.l2 * s4;
   const Scalar t1 = g.l2 * c4;
   Jacobian<Scalar> result;
   result(0, 0) = g.l1 * s2m4 - t0;
   result(0, 1) = -t0;
-  result(0, 2) = -Scalar(0);
-  result(0, 3) = -Scalar(0);
+  result(0, 2) = result(0, 3) = result(1, 2) = result(1, 3) = result(2, 0) = result(2, 1) = result(2, 3) =
+      result(3, 0) = result(3, 1) = result(3, 2) = result(3, 3) = result(4, 0) = result(4, 1) = result(4, 2) =
+      result(4, 3) = result(5, 2) = Scalar(0);
   result(1, 0) = g.l1 * c2m4 + t1;
   result(1, 1) = t1;
-  result(1, 2) = -Scalar(0);
-  result(1, 3) = -Scalar(0);
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(0);
-  result(2, 2) = -Scalar(1);
-  result(2, 3) = -Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
-  result(3, 2) = -Scalar(0);
-  result(3, 3) = -Scalar(0);
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(4, 2) = -Scalar(0);
-  result(4, 3) = -Scalar(0);
-  result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(1);
-  result(5, 2) = -Scalar(0);
-  result(5, 3) = -Scalar(1);
+  result(2, 2) = result(5, 3) = -Scalar(1);
+  result(5, 0) = result(5, 1) = Scalar(1);
 
   return result;
 }
@@ -157,12 +97,8 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& q,
     const Vector3<Scalar>& point,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s12 = angles.sine[1];
-  const Scalar& c12 = angles.cosine[1];
-  const Scalar& s12m4 = angles.sine[2];
-  const Scalar& c12m4 = angles.cosine[2];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s12 = angles.sine[1], &c12 = angles.cosine[1];
+  const Scalar &s12m4 = angles.sine[2], &c12m4 = angles.cosine[2];
   const Scalar t0 = point[1] * c12m4 + point[0] * s12m4;
   const Scalar t1 = g.l2 * s12 + t0;
   const Scalar t2 = point[0] * c12m4 - point[1] * s12m4;
@@ -170,28 +106,15 @@ inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& 
   Jacobian<Scalar> result;
   result(0, 0) = -t1 - g.l1 * s1;
   result(0, 1) = -t1;
-  result(0, 2) = -Scalar(0);
+  result(0, 2) = result(1, 2) = result(2, 0) = result(2, 1) = result(2, 3) = result(3, 0) = result(3, 1) =
+      result(3, 2) = result(3, 3) = result(4, 0) = result(4, 1) = result(4, 2) = result(4, 3) = result(5, 2) =
+      Scalar(0);
   result(0, 3) = t0;
   result(1, 0) = t3 + g.l1 * c1;
   result(1, 1) = t3;
-  result(1, 2) = -Scalar(0);
   result(1, 3) = -t2;
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(0);
-  result(2, 2) = -Scalar(1);
-  result(2, 3) = -Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
-  result(3, 2) = -Scalar(0);
-  result(3, 3) = -Scalar(0);
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(4, 2) = -Scalar(0);
-  result(4, 3) = -Scalar(0);
-  result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(1);
-  result(5, 2) = -Scalar(0);
-  result(5, 3) = -Scalar(1);
+  result(2, 2) = result(5, 3) = -Scalar(1);
+  result(5, 0) = result(5, 1) = Scalar(1);
 
   return result;
 }
@@ -200,10 +123,7 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> velocity([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s12 = angles.sine[1];
-  const Scalar& c12 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s12 = angles.sine[1], &c12 = angles.cosine[1];
   const Scalar t0 = qd[0] + qd[1];
   const Scalar t1 = qd[0] * g.l1 * s1 + g.l2 * s12 * t0;
   const Scalar t2 = t0 * g.l2 * c12 + qd[0] * g.l1 * c1;
@@ -211,8 +131,7 @@ inline Twist<Scalar> velocity([[maybe_unused]] const JointVector<Scalar>& q,
   result(0, 0) = -t1;
   result(1, 0) = t2;
   result(2, 0) = -qd[2];
-  result(3, 0) = Scalar(0);
-  result(4, 0) = Scalar(0);
+  result(3, 0) = result(4, 0) = Scalar(0);
   result(5, 0) = t0 - qd[3];
 
   return result;
@@ -222,38 +141,18 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s12 = angles.sine[1];
-  const Scalar& c12 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s12 = angles.sine[1], &c12 = angles.cosine[1];
   const Scalar t0 = qd[0] + qd[1];
   const Scalar t1 = t0 * g.l2 * c12;
   const Scalar t2 = g.l2 * s12 * t0;
   Jacobian<Scalar> result;
   result(0, 0) = -t1 - qd[0] * g.l1 * c1;
   result(0, 1) = -t1;
-  result(0, 2) = -Scalar(0);
-  result(0, 3) = -Scalar(0);
+  result(0, 2) = result(0, 3) = result(1, 2) = result(1, 3) = result(2, 0) = result(2, 1) = result(2, 2) =
+      result(2, 3) = result(3, 0) = result(3, 1) = result(3, 2) = result(3, 3) = result(4, 0) = result(4, 1) =
+      result(4, 2) = result(4, 3) = result(5, 0) = result(5, 1) = result(5, 2) = result(5, 3) = Scalar(0);
   result(1, 0) = -qd[0] * g.l1 * s1 - t2;
   result(1, 1) = -t2;
-  result(1, 2) = -Scalar(0);
-  result(1, 3) = -Scalar(0);
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(0);
-  result(2, 2) = -Scalar(0);
-  result(2, 3) = -Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
-  result(3, 2) = -Scalar(0);
-  result(3, 3) = -Scalar(0);
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(4, 2) = -Scalar(0);
-  result(4, 3) = -Scalar(0);
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = -Scalar(0);
-  result(5, 3) = -Scalar(0);
 
   return result;
 }
@@ -262,20 +161,14 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s12 = angles.sine[1];
-  const Scalar& c12 = angles.cosine[1];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s12 = angles.sine[1], &c12 = angles.cosine[1];
   const Scalar t0 = qd[0] + qd[1];
   const Scalar t1 = qd[0] * qd[0] * g.l1 * c1 + t0 * g.l2 * c12 * t0;
   const Scalar t2 = g.l2 * s12 * t0 * t0 + qd[0] * qd[0] * g.l1 * s1;
   Twist<Scalar> result;
   result(0, 0) = -t1;
   result(1, 0) = -t2;
-  result(2, 0) = Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(4, 0) = Scalar(0);
-  result(5, 0) = Scalar(0);
+  result(2, 0) = result(3, 0) = result(4, 0) = result(5, 0) = Scalar(0);
 
   return result;
 }
@@ -283,7 +176,7 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
 template <class Scalar, class Angles>
 inline SingularityMeasures<Scalar> singularity_measures([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
+  const Scalar &s2 = angles.sine[0];
 
   SingularityMeasures<Scalar> result;
   result(0, 0) = s2;

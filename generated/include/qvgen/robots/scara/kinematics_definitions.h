@@ -40,12 +40,8 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s12 = angles.sine[1];
-  const Scalar& c12 = angles.cosine[1];
-  const Scalar& sh12m4 = angles.sine[2];
-  const Scalar& ch12m4 = angles.cosine[2];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s12 = angles.sine[1], &c12 = angles.cosine[1];
+  const Scalar &sh12m4 = angles.sine[2], &ch12m4 = angles.cosine[2];
 
   return {Eigen::Quaternion<Scalar>(ch12m4,
                                     Scalar(0),
@@ -60,12 +56,8 @@ template <class Scalar, class Angles>
 inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
     const JointVector<Scalar>& q, const Angles& angles,
     const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s12 = angles.sine[1];
-  const Scalar& c12 = angles.cosine[1];
-  const Scalar& s12m4 = angles.sine[2];
-  const Scalar& c12m4 = angles.cosine[2];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s12 = angles.sine[1], &c12 = angles.cosine[1];
+  const Scalar &s12m4 = angles.sine[2], &c12m4 = angles.cosine[2];
 
   Eigen::Transform<Scalar, 3, Eigen::Isometry> tool;
   tool(0, 0) = c12m4;

@@ -26,14 +26,8 @@ using NoAngles = JacobianSelection<Scalar, 0>;
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = g.d4 * s3;
   const Scalar t1 = g.d4 * c3;
   const Scalar t2 = c3 * c4;
@@ -41,38 +35,22 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
   const Scalar t4 = c5 * s3 - c3 * t3;
   const Scalar t5 = c4 * s5;
   Jacobian<Scalar> result;
-  result(0, 0) = Scalar(0);
+  result(0, 0) = result(0, 3) = result(0, 4) = result(0, 5) = result(1, 0) = result(1, 1) = result(1, 3) =
+      result(1, 4) = result(1, 5) = result(2, 3) = result(2, 4) = result(2, 5) = result(3, 0) = result(3, 1) =
+      result(4, 0) = result(4, 2) = result(5, 0) = result(5, 1) = Scalar(0);
   result(0, 1) = g.l2 * c2 - s2 * t0;
   result(0, 2) = c2 * t1;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = Scalar(0);
-  result(0, 5) = -Scalar(0);
-  result(1, 0) = Scalar(0);
-  result(1, 1) = Scalar(0);
   result(1, 2) = t0;
-  result(1, 3) = Scalar(0);
-  result(1, 4) = Scalar(0);
-  result(1, 5) = -Scalar(0);
-  result(2, 0) = Scalar(1);
+  result(2, 0) = result(4, 1) = Scalar(1);
   result(2, 1) = -g.l2 * s2 - c2 * t0;
   result(2, 2) = -s2 * t1;
-  result(2, 3) = Scalar(0);
-  result(2, 4) = Scalar(0);
-  result(2, 5) = -Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
   result(3, 2) = s2;
   result(3, 3) = c2 * s3;
   result(3, 4) = -s2 * s4 - c2 * t2;
   result(3, 5) = c2 * t4 + s2 * t5;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(1);
-  result(4, 2) = Scalar(0);
   result(4, 3) = -c3;
   result(4, 4) = -c4 * s3;
   result(4, 5) = -c3 * c5 - s3 * t3;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
   result(5, 2) = c2;
   result(5, 3) = -s2 * s3;
   result(5, 4) = s2 * t2 - c2 * s4;
@@ -84,16 +62,9 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4];
   const Scalar t0 = s2 * s4 + c2 * c3 * c4;
   const Scalar t1 = c4 * s2;
   const Scalar t2 = c2 * s4;
@@ -127,38 +98,24 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointV
   result.transform(0, 3) = t17;
   result.transform(1, 3) = g.d2 - t18;
   result.transform(2, 3) = q[0] - t19;
-  result.jacobian(0, 0) = Scalar(0);
+  result.jacobian(0, 0) = result.jacobian(0, 3) = result.jacobian(0, 4) = result.jacobian(0, 5) =
+      result.jacobian(1, 0) = result.jacobian(1, 1) = result.jacobian(1, 3) = result.jacobian(1, 4) =
+      result.jacobian(1, 5) = result.jacobian(2, 3) = result.jacobian(2, 4) = result.jacobian(2, 5) =
+      result.jacobian(3, 0) = result.jacobian(3, 1) = result.jacobian(4, 0) = result.jacobian(4, 2) =
+      result.jacobian(5, 0) = result.jacobian(5, 1) = Scalar(0);
   result.jacobian(0, 1) = -t19;
   result.jacobian(0, 2) = c2 * t18;
-  result.jacobian(0, 3) = Scalar(0);
-  result.jacobian(0, 4) = Scalar(0);
-  result.jacobian(0, 5) = -Scalar(0);
-  result.jacobian(1, 0) = Scalar(0);
-  result.jacobian(1, 1) = Scalar(0);
   result.jacobian(1, 2) = t16;
-  result.jacobian(1, 3) = Scalar(0);
-  result.jacobian(1, 4) = Scalar(0);
-  result.jacobian(1, 5) = -Scalar(0);
-  result.jacobian(2, 0) = Scalar(1);
+  result.jacobian(2, 0) = result.jacobian(4, 1) = Scalar(1);
   result.jacobian(2, 1) = -t17;
   result.jacobian(2, 2) = -s2 * t18;
-  result.jacobian(2, 3) = Scalar(0);
-  result.jacobian(2, 4) = Scalar(0);
-  result.jacobian(2, 5) = -Scalar(0);
-  result.jacobian(3, 0) = Scalar(0);
-  result.jacobian(3, 1) = Scalar(0);
   result.jacobian(3, 2) = s2;
   result.jacobian(3, 3) = t4;
   result.jacobian(3, 4) = -t0;
   result.jacobian(3, 5) = t7;
-  result.jacobian(4, 0) = Scalar(0);
-  result.jacobian(4, 1) = Scalar(1);
-  result.jacobian(4, 2) = Scalar(0);
   result.jacobian(4, 3) = -c3;
   result.jacobian(4, 4) = -t9;
   result.jacobian(4, 5) = -t13;
-  result.jacobian(5, 0) = Scalar(0);
-  result.jacobian(5, 1) = Scalar(0);
   result.jacobian(5, 2) = c2;
   result.jacobian(5, 3) = -s2 * s3;
   result.jacobian(5, 4) = c3 * t1 - t2;
@@ -170,16 +127,9 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointV
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4];
   const Scalar t0 = c3 * s2;
   const Scalar t1 = c2 * s4 - c4 * t0;
   const Scalar t2 = s4 * t0 + c2 * c4;
@@ -201,39 +151,27 @@ inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>
   result(0, 0) = c6 * t1 + s6 * t4;
   result(0, 1) = c6 * t11 - s6 * t9;
   result(0, 2) = c6 * t12 - s6 * t13;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = Scalar(0);
-  result(0, 5) = -Scalar(0);
+  result(0, 3) = result(0, 4) = result(0, 5) = result(1, 3) = result(1, 4) = result(1, 5) = result(2, 3) =
+      result(2, 4) = result(2, 5) = result(3, 0) = result(3, 5) = result(4, 0) = result(4, 4) = result(5, 0) =
+      result(5, 5) = Scalar(0);
   result(1, 0) = c5 * t3 - s5 * t2;
   result(1, 1) = s5 * t8 - c5 * t5;
   result(1, 2) = s5 * t10;
-  result(1, 3) = Scalar(0);
-  result(1, 4) = Scalar(0);
-  result(1, 5) = -Scalar(0);
   result(2, 0) = c6 * t4 - s6 * t1;
   result(2, 1) = -c6 * t9 - s6 * t11;
   result(2, 2) = -s6 * t12 - c6 * t13;
-  result(2, 3) = Scalar(0);
-  result(2, 4) = Scalar(0);
-  result(2, 5) = -Scalar(0);
-  result(3, 0) = Scalar(0);
   result(3, 1) = c6 * t7 + s6 * t15;
   result(3, 2) = c6 * s4 + s6 * t16;
   result(3, 3) = -s5 * s6;
   result(3, 4) = -c6;
-  result(3, 5) = -Scalar(0);
-  result(4, 0) = Scalar(0);
   result(4, 1) = c3 * c5 + s5 * t14;
   result(4, 2) = -c4 * s5;
   result(4, 3) = -c5;
-  result(4, 4) = Scalar(0);
   result(4, 5) = -Scalar(1);
-  result(5, 0) = Scalar(0);
   result(5, 1) = c6 * t15 - s6 * t7;
   result(5, 2) = c6 * t16 - s4 * s6;
   result(5, 3) = -c6 * s5;
   result(5, 4) = s6;
-  result(5, 5) = -Scalar(0);
 
   return result;
 }
@@ -242,16 +180,9 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& q,
     const Vector3<Scalar>& point,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4];
   const Scalar t0 = point[2] * s6 - point[0] * c6;
   const Scalar t1 = point[2] * c6 + point[0] * s6;
   const Scalar t2 = point[1] * s5 - c5 * t1;
@@ -281,38 +212,30 @@ inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& 
   const Scalar t26 = c2 * t13 + t25;
   const Scalar t27 = c2 * t20 + s2 * t21;
   Jacobian<Scalar> result;
-  result(0, 0) = Scalar(0);
+  result(0, 0) = result(1, 0) = result(1, 1) = result(3, 0) = result(3, 1) = result(4, 0) = result(4, 2) =
+      result(5, 0) = result(5, 1) = Scalar(0);
   result(0, 1) = c2 * t4 - s2 * t9;
   result(0, 2) = c2 * t11;
   result(0, 3) = c3 * t12 - s2 * t7;
   result(0, 4) = t16 * t18 - t14 * t15;
   result(0, 5) = t22 * t16 - t14 * t23;
-  result(1, 0) = Scalar(0);
-  result(1, 1) = Scalar(0);
   result(1, 2) = t9;
   result(1, 3) = s3 * t3;
   result(1, 4) = t24 * t14 + t26 * t18;
   result(1, 5) = t22 * t26 - t14 * t27;
-  result(2, 0) = Scalar(1);
+  result(2, 0) = result(4, 1) = Scalar(1);
   result(2, 1) = -s2 * t4 - c2 * t9;
   result(2, 2) = -s2 * t11;
   result(2, 3) = -c3 * t25 - c2 * t7;
   result(2, 4) = -t26 * t15 - t24 * t16;
   result(2, 5) = t16 * t27 - t26 * t23;
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
   result(3, 2) = s2;
   result(3, 3) = c2 * s3;
   result(3, 4) = -t24;
   result(3, 5) = t27;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(1);
-  result(4, 2) = Scalar(0);
   result(4, 3) = -c3;
   result(4, 4) = -t15;
   result(4, 5) = -t23;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
   result(5, 2) = c2;
   result(5, 3) = -s2 * s3;
   result(5, 4) = -t18;
@@ -325,14 +248,8 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> velocity([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = qd[2] * g.d4 * c3;
   const Scalar t1 = g.d4 * s3;
   const Scalar t2 = c2 * t0 - qd[1] * (s2 * t1 - g.l2 * c2);
@@ -357,14 +274,8 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = qd[1] * s2;
   const Scalar t1 = qd[1] * c2;
   const Scalar t2 = qd[2] * c3;
@@ -386,38 +297,21 @@ inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>&
   const Scalar t18 = s3 * t16 + c3 * t17;
   const Scalar t19 = t10 * t15 - c5 * t13;
   Jacobian<Scalar> result;
-  result(0, 0) = Scalar(0);
+  result(0, 0) = result(0, 3) = result(0, 4) = result(0, 5) = result(1, 0) = result(1, 1) = result(1, 3) =
+      result(1, 4) = result(1, 5) = result(2, 0) = result(2, 3) = result(2, 4) = result(2, 5) = result(3, 0) =
+      result(3, 1) = result(4, 0) = result(4, 1) = result(4, 2) = result(5, 0) = result(5, 1) = Scalar(0);
   result(0, 1) = -g.l2 * t0 - g.d4 * t3;
   result(0, 2) = -s2 * t5 - c2 * t7;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = Scalar(0);
-  result(0, 5) = -Scalar(0);
-  result(1, 0) = Scalar(0);
-  result(1, 1) = Scalar(0);
   result(1, 2) = g.d4 * t2;
-  result(1, 3) = Scalar(0);
-  result(1, 4) = Scalar(0);
-  result(1, 5) = -Scalar(0);
-  result(2, 0) = Scalar(0);
   result(2, 1) = g.d4 * t9 - g.l2 * t1;
   result(2, 2) = s2 * t7 - c2 * t5;
-  result(2, 3) = Scalar(0);
-  result(2, 4) = Scalar(0);
-  result(2, 5) = -Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
   result(3, 2) = t1;
   result(3, 3) = -t9;
   result(3, 4) = c2 * t12 - s2 * t11;
   result(3, 5) = -c2 * t18 - s2 * t19;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(4, 2) = Scalar(0);
   result(4, 3) = t6;
   result(4, 4) = s3 * qd[3] * s4 - c4 * t2;
   result(4, 5) = c3 * t16 - s3 * t17;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
   result(5, 2) = -t0;
   result(5, 3) = -t3;
   result(5, 4) = -c2 * t11 - s2 * t12;
@@ -430,14 +324,8 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = g.d4 * s3;
   const Scalar t1 = qd[1] * qd[1];
   const Scalar t2 = t0 * t1 + t0 * qd[2] * qd[2];
@@ -472,10 +360,7 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
 template <class Scalar, class Angles>
 inline SingularityMeasures<Scalar> singularity_measures([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& s5 = angles.sine[2];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &s5 = angles.sine[2];
 
   SingularityMeasures<Scalar> result;
   result(0, 0) = s3;

@@ -103,14 +103,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> inverse_dynamics([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const Angles& angles,
     const InverseDynamicsConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[1] + k[0] * qdd[0];
   const Scalar t1 = qd[1] + qd[2];
   const Scalar t2 = c4 * t1;
@@ -257,12 +251,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     const GravityTorqueConstants<Scalar>& k) {
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s4 = angles.sine[1], &c4 = angles.cosine[1], &s5 = angles.sine[2], &c5 = angles.cosine[2];
+  const Scalar &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[0] * c4;
   const Scalar t1 = k[0] * s4;
   const Scalar t2 = s5 * t0;
@@ -274,8 +264,7 @@ inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Sca
   const Scalar t8 = t2 * t4 + (k[3] * t2 - k[6] * t5);
   JointVector<Scalar> result;
   result[0] = k[7];
-  result[1] = Scalar(0);
-  result[2] = Scalar(0);
+  result[1] = result[2] = Scalar(0);
   result[3] = (k[1] * t0 - k[2] * t1) - t7;
   result[4] = -t8;
   result[5] = -t6;
@@ -366,14 +355,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> coriolis_torque([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const Angles& angles,
     const CoriolisTorqueConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[4] * s6 - k[5] * c6;
   const Scalar t1 = qd[1] + qd[2];
   const Scalar t2 = c4 * t1;
@@ -567,14 +550,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     const MassMatrixConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[1] * c6 - k[2] * s6;
   const Scalar t1 = k[5] + t0;
   const Scalar t2 = k[2] * c6 + k[1] * s6;
@@ -622,8 +599,7 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointV
   const Scalar t44 = (c3 * s5 * t0 + s3 * t41) + t43;
   Eigen::Matrix<Scalar, dof, dof> result;
   result(0, 0) = k[33];
-  result(0, 1) = result(1, 0) = Scalar(0);
-  result(0, 2) = result(2, 0) = Scalar(0);
+  result(0, 1) = result(1, 0) = result(0, 2) = result(2, 0) = Scalar(0);
   result(0, 3) = result(3, 0) = k[6] * t6;
   result(0, 4) = result(4, 0) = -k[6] * c4 * t7;
   result(0, 5) = result(5, 0) = k[6] * (c4 * t8 - s4 * t2);
@@ -723,14 +699,8 @@ template <class Scalar, class Angles>
 inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const Angles& angles,
     const CoriolisMatrixConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[0] * s6 + k[1] * c6;
   const Scalar t1 = k[3] + t0;
   const Scalar t2 = c5 * t1;
@@ -856,42 +826,35 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const Jo
   const Scalar t122 = (qd[4] * t121 - s5 * t5) + qd[2] * (c4 * t0 + s4 * t121);
   const Scalar t123 = c3 * t122 - s3 * (qd[2] * t26 - t115);
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = Scalar(0);
-  result(0, 1) = Scalar(0);
-  result(0, 2) = Scalar(0);
+  result(0, 0) = result(0, 1) = result(0, 2) = result(1, 0) = result(2, 0) = result(3, 0) = result(4, 0) =
+      result(5, 0) = result(5, 5) = Scalar(0);
   result(0, 3) = -k[6] * t14;
   result(0, 4) = -k[6] * (c4 * t19 - s4 * t24);
   result(0, 5) = -k[6] * (s4 * t25 + c4 * t27);
-  result(1, 0) = Scalar(0);
   result(1, 1) = t68;
   result(1, 2) = t63 - t69;
   result(1, 3) = t86;
   result(1, 4) = -t93;
   result(1, 5) = -t106;
-  result(2, 0) = Scalar(0);
   result(2, 1) = t69 + t68;
   result(2, 2) = t63;
   result(2, 3) = t83;
   result(2, 4) = -t91;
   result(2, 5) = -t105;
-  result(3, 0) = Scalar(0);
   result(3, 1) = t107;
   result(3, 2) = -t80;
   result(3, 3) = -t43;
   result(3, 4) = t108;
   result(3, 5) = t109;
-  result(4, 0) = Scalar(0);
   result(4, 1) = (t111 - t114) + t93;
   result(4, 2) = t91 - t114;
   result(4, 3) = -t72 - t108;
   result(4, 4) = -t41;
   result(4, 5) = t104;
-  result(5, 0) = -Scalar(0);
   result(5, 1) = t106 - (t120 + t123);
   result(5, 2) = t105 - t120;
   result(5, 3) = -(qd[4] * t116 - s5 * t118) - t109;
   result(5, 4) = t71 - t104;
-  result(5, 5) = Scalar(0);
   return result;
 }
 
@@ -1013,14 +976,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> forward_dynamics([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const Angles& angles,
     const ForwardDynamicsConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[17] * s6 - k[16] * c6;
   const Scalar t1 = c5 * t0;
   const Scalar t2 = k[17] * c6 + k[16] * s6;
@@ -1312,14 +1269,8 @@ template <class Scalar, class Angles>
 inline Scalar kinetic_energy([[maybe_unused]] const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const Angles& angles,
     const KineticEnergyConstants<Scalar>& k) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = k[2] * c6 - k[1] * s6;
   const Scalar t1 = k[1] * c6 + k[2] * s6;
   const Scalar t2 = k[12] + t1;
@@ -1425,12 +1376,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Scalar potential_energy(const JointVector<Scalar>& q, const Angles& angles,
     const PotentialEnergyConstants<Scalar>& k) {
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s4 = angles.sine[1], &c4 = angles.cosine[1], &s5 = angles.sine[2], &c5 = angles.cosine[2];
+  const Scalar &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = c5 * (k[4] + (k[2] * c6 + k[3] * s6));
   const Scalar t1 = k[7] + (k[6] - (k[2] * s6 - k[3] * c6));
   const Scalar t2 = c4 * (k[5] + (t0 + k[1] * s5)) + s4 * t1;

@@ -26,52 +26,27 @@ using NoAngles = JacobianSelection<Scalar, 0>;
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s23 = angles.sine[3];
-  const Scalar& c23 = angles.cosine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s23 = angles.sine[3], &c23 = angles.cosine[3];
   const Scalar t0 = g.d4 * c23;
   const Scalar t1 = g.d4 * s23;
   const Scalar t2 = s4 * s5;
   Jacobian<Scalar> result;
-  result(0, 0) = Scalar(0);
+  result(0, 0) = result(0, 3) = result(0, 4) = result(0, 5) = result(1, 0) = result(1, 3) = result(1, 4) =
+      result(1, 5) = result(2, 1) = result(2, 2) = result(2, 3) = result(2, 4) = result(2, 5) = result(3, 0) =
+      result(3, 1) = result(3, 2) = result(4, 0) = result(4, 1) = result(4, 2) = result(5, 0) = result(5, 3) =
+      Scalar(0);
   result(0, 1) = t0 - g.l2 * s2;
   result(0, 2) = t0;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = -Scalar(0);
-  result(0, 5) = -Scalar(0);
-  result(1, 0) = Scalar(0);
   result(1, 1) = t1 + g.l2 * c2;
   result(1, 2) = t1;
-  result(1, 3) = Scalar(0);
-  result(1, 4) = -Scalar(0);
-  result(1, 5) = -Scalar(0);
-  result(2, 0) = Scalar(1);
-  result(2, 1) = Scalar(0);
-  result(2, 2) = Scalar(0);
-  result(2, 3) = Scalar(0);
-  result(2, 4) = -Scalar(0);
-  result(2, 5) = -Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
-  result(3, 2) = Scalar(0);
+  result(2, 0) = result(5, 1) = result(5, 2) = Scalar(1);
   result(3, 3) = s23;
   result(3, 4) = c23 * c4;
   result(3, 5) = c23 * t2 + c5 * s23;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(4, 2) = Scalar(0);
   result(4, 3) = -c23;
   result(4, 4) = c4 * s23;
   result(4, 5) = s23 * t2 - c23 * c5;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(1);
-  result(5, 2) = Scalar(1);
-  result(5, 3) = Scalar(0);
   result(5, 4) = s4;
   result(5, 5) = -c4 * s5;
 
@@ -81,16 +56,9 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
-  const Scalar& s23 = angles.sine[4];
-  const Scalar& c23 = angles.cosine[4];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
+  const Scalar &s23 = angles.sine[4], &c23 = angles.cosine[4];
   const Scalar t0 = c23 * s4;
   const Scalar t1 = s23 * s5;
   const Scalar t2 = c5 * t0 - t1;
@@ -120,40 +88,23 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointV
   result.transform(0, 3) = g.l1 + t13;
   result.transform(1, 3) = t15;
   result.transform(2, 3) = q[0];
-  result.jacobian(0, 0) = Scalar(0);
+  result.jacobian(0, 0) = result.jacobian(0, 3) = result.jacobian(0, 4) = result.jacobian(0, 5) =
+      result.jacobian(1, 0) = result.jacobian(1, 3) = result.jacobian(1, 4) = result.jacobian(1, 5) =
+      result.jacobian(2, 1) = result.jacobian(2, 2) = result.jacobian(2, 3) = result.jacobian(2, 4) =
+      result.jacobian(2, 5) = result.jacobian(3, 0) = result.jacobian(3, 1) = result.jacobian(3, 2) =
+      result.jacobian(4, 0) = result.jacobian(4, 1) = result.jacobian(4, 2) = result.jacobian(5, 0) =
+      result.jacobian(5, 3) = Scalar(0);
   result.jacobian(0, 1) = -t15;
   result.jacobian(0, 2) = t14;
-  result.jacobian(0, 3) = Scalar(0);
-  result.jacobian(0, 4) = -Scalar(0);
-  result.jacobian(0, 5) = -Scalar(0);
-  result.jacobian(1, 0) = Scalar(0);
   result.jacobian(1, 1) = t13;
   result.jacobian(1, 2) = t12;
-  result.jacobian(1, 3) = Scalar(0);
-  result.jacobian(1, 4) = -Scalar(0);
-  result.jacobian(1, 5) = -Scalar(0);
-  result.jacobian(2, 0) = Scalar(1);
-  result.jacobian(2, 1) = Scalar(0);
-  result.jacobian(2, 2) = Scalar(0);
-  result.jacobian(2, 3) = Scalar(0);
-  result.jacobian(2, 4) = -Scalar(0);
-  result.jacobian(2, 5) = -Scalar(0);
-  result.jacobian(3, 0) = Scalar(0);
-  result.jacobian(3, 1) = Scalar(0);
-  result.jacobian(3, 2) = Scalar(0);
+  result.jacobian(2, 0) = result.jacobian(5, 1) = result.jacobian(5, 2) = Scalar(1);
   result.jacobian(3, 3) = s23;
   result.jacobian(3, 4) = t3;
   result.jacobian(3, 5) = t5;
-  result.jacobian(4, 0) = Scalar(0);
-  result.jacobian(4, 1) = Scalar(0);
-  result.jacobian(4, 2) = Scalar(0);
   result.jacobian(4, 3) = -c23;
   result.jacobian(4, 4) = c4 * s23;
   result.jacobian(4, 5) = t10;
-  result.jacobian(5, 0) = Scalar(0);
-  result.jacobian(5, 1) = Scalar(1);
-  result.jacobian(5, 2) = Scalar(1);
-  result.jacobian(5, 3) = Scalar(0);
   result.jacobian(5, 4) = s4;
   result.jacobian(5, 5) = -t7;
   result.transform.makeAffine();
@@ -163,14 +114,8 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointV
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = c4 * c5;
   const Scalar t1 = c6 * s4 + s6 * t0;
   const Scalar t2 = g.d4 + g.l2 * s3;
@@ -184,42 +129,24 @@ inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>
   const Scalar t10 = c4 * s5;
   const Scalar t11 = s4 * s6 - c6 * t0;
   Jacobian<Scalar> result;
-  result(0, 0) = t1;
+  result(0, 0) = result(3, 1) = result(3, 2) = t1;
   result(0, 1) = c6 * t3 - s6 * t6;
   result(0, 2) = c6 * t7 - s6 * t9;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = -Scalar(0);
-  result(0, 5) = -Scalar(0);
-  result(1, 0) = t10;
+  result(0, 3) = result(0, 4) = result(0, 5) = result(1, 3) = result(1, 4) = result(1, 5) = result(2, 3) =
+      result(2, 4) = result(2, 5) = result(3, 0) = result(3, 5) = result(4, 0) = result(4, 4) = result(5, 0) =
+      result(5, 5) = Scalar(0);
+  result(1, 0) = result(4, 1) = result(4, 2) = t10;
   result(1, 1) = c5 * t4 - s5 * t5;
   result(1, 2) = -s5 * t8;
-  result(1, 3) = Scalar(0);
-  result(1, 4) = -Scalar(0);
-  result(1, 5) = -Scalar(0);
-  result(2, 0) = -t11;
+  result(2, 0) = result(5, 1) = result(5, 2) = -t11;
   result(2, 1) = -s6 * t3 - c6 * t6;
   result(2, 2) = -s6 * t7 - c6 * t9;
-  result(2, 3) = Scalar(0);
-  result(2, 4) = -Scalar(0);
-  result(2, 5) = -Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = t1;
-  result(3, 2) = t1;
   result(3, 3) = s5 * s6;
   result(3, 4) = c6;
-  result(3, 5) = -Scalar(0);
-  result(4, 0) = Scalar(0);
-  result(4, 1) = t10;
-  result(4, 2) = t10;
   result(4, 3) = -c5;
-  result(4, 4) = -Scalar(0);
   result(4, 5) = -Scalar(1);
-  result(5, 0) = Scalar(0);
-  result(5, 1) = -t11;
-  result(5, 2) = -t11;
   result(5, 3) = c6 * s5;
   result(5, 4) = -s6;
-  result(5, 5) = -Scalar(0);
 
   return result;
 }
@@ -228,16 +155,9 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& q,
     const Vector3<Scalar>& point,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
-  const Scalar& s23 = angles.sine[4];
-  const Scalar& c23 = angles.cosine[4];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
+  const Scalar &s23 = angles.sine[4], &c23 = angles.cosine[4];
   const Scalar t0 = point[2] * c6 + point[0] * s6;
   const Scalar t1 = point[1] * c5 - s5 * t0;
   const Scalar t2 = g.d4 - t1;
@@ -257,40 +177,28 @@ inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& 
   const Scalar t16 = s23 * t1;
   const Scalar t17 = c23 * t12 + c5 * s23;
   Jacobian<Scalar> result;
-  result(0, 0) = Scalar(0);
+  result(0, 0) = result(1, 0) = result(2, 1) = result(2, 2) = result(3, 0) = result(3, 1) = result(3, 2) =
+      result(4, 0) = result(4, 1) = result(4, 2) = result(5, 0) = result(5, 3) = Scalar(0);
   result(0, 1) = t8 - g.l2 * s2;
   result(0, 2) = t8;
   result(0, 3) = c23 * t9;
   result(0, 4) = s23 * t5 - s4 * t10;
   result(0, 5) = t9 * t13 - t11 * (t7 - t10);
-  result(1, 0) = Scalar(0);
   result(1, 1) = g.l2 * c2 - t15;
   result(1, 2) = -t15;
   result(1, 3) = s23 * t9;
   result(1, 4) = -s4 * t16 - c23 * t5;
   result(1, 5) = t9 * t17 + t11 * (t14 + t16);
-  result(2, 0) = Scalar(1);
-  result(2, 1) = Scalar(0);
-  result(2, 2) = Scalar(0);
+  result(2, 0) = result(5, 1) = result(5, 2) = Scalar(1);
   result(2, 3) = -t6;
   result(2, 4) = c4 * t1;
   result(2, 5) = -c5 * t4 - s4 * t0;
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
-  result(3, 2) = Scalar(0);
   result(3, 3) = s23;
   result(3, 4) = c23 * c4;
   result(3, 5) = t17;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(4, 2) = Scalar(0);
   result(4, 3) = -c23;
   result(4, 4) = c4 * s23;
   result(4, 5) = -t13;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(1);
-  result(5, 2) = Scalar(1);
-  result(5, 3) = Scalar(0);
   result(5, 4) = s4;
   result(5, 5) = -t11;
 
@@ -301,14 +209,8 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> velocity([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s23 = angles.sine[3];
-  const Scalar& c23 = angles.cosine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s23 = angles.sine[3], &c23 = angles.cosine[3];
   const Scalar t0 = qd[1] + qd[2];
   const Scalar t1 = qd[1] * g.l2 * s2 - g.d4 * c23 * t0;
   const Scalar t2 = g.d4 * s23 * t0 + qd[1] * g.l2 * c2;
@@ -330,14 +232,8 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s23 = angles.sine[3];
-  const Scalar& c23 = angles.cosine[3];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s23 = angles.sine[3], &c23 = angles.cosine[3];
   const Scalar t0 = qd[1] + qd[2];
   const Scalar t1 = g.d4 * t0;
   const Scalar t2 = t1 + qd[1] * g.l2 * s3;
@@ -349,40 +245,20 @@ inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>&
   const Scalar t8 = qd[3] * c4;
   const Scalar t9 = s5 * t8 + c5 * (qd[4] * s4 + t0);
   Jacobian<Scalar> result;
-  result(0, 0) = Scalar(0);
+  result(0, 0) = result(0, 3) = result(0, 4) = result(0, 5) = result(1, 0) = result(1, 3) = result(1, 4) =
+      result(1, 5) = result(2, 0) = result(2, 1) = result(2, 2) = result(2, 3) = result(2, 4) = result(2, 5) =
+      result(3, 0) = result(3, 1) = result(3, 2) = result(4, 0) = result(4, 1) = result(4, 2) = result(5, 0) =
+      result(5, 1) = result(5, 2) = result(5, 3) = Scalar(0);
   result(0, 1) = -s23 * t2 - c23 * t3;
   result(0, 2) = -s23 * t1;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = -Scalar(0);
-  result(0, 5) = -Scalar(0);
-  result(1, 0) = Scalar(0);
   result(1, 1) = c23 * t2 - s23 * t3;
   result(1, 2) = c23 * t1;
-  result(1, 3) = Scalar(0);
-  result(1, 4) = -Scalar(0);
-  result(1, 5) = -Scalar(0);
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(0);
-  result(2, 2) = Scalar(0);
-  result(2, 3) = Scalar(0);
-  result(2, 4) = -Scalar(0);
-  result(2, 5) = -Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
-  result(3, 2) = Scalar(0);
   result(3, 3) = t4;
   result(3, 4) = -c4 * t5 - c23 * t6;
   result(3, 5) = c23 * t9 - s23 * t7;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(4, 2) = Scalar(0);
   result(4, 3) = t5;
   result(4, 4) = c4 * t4 - s23 * t6;
   result(4, 5) = s23 * t9 + c23 * t7;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
-  result(5, 3) = Scalar(0);
   result(5, 4) = t8;
   result(5, 5) = s5 * t6 - qd[4] * c4 * c5;
 
@@ -393,14 +269,8 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s23 = angles.sine[3];
-  const Scalar& c23 = angles.cosine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s23 = angles.sine[3], &c23 = angles.cosine[3];
   const Scalar t0 = qd[1] + qd[2];
   const Scalar t1 = g.d4 * t0 * t0;
   const Scalar t2 = s23 * t1 + qd[1] * qd[1] * g.l2 * c2;
@@ -429,8 +299,7 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
 template <class Scalar, class Angles>
 inline SingularityMeasures<Scalar> singularity_measures([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
+  const Scalar &c3 = angles.cosine[0], &s5 = angles.sine[1];
 
   SingularityMeasures<Scalar> result;
   result(0, 0) = c3;

@@ -74,12 +74,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> inverse_dynamics([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const Angles& angles,
     const InverseDynamicsConstants<Scalar>& k) {
-  const Scalar& s4 = angles.sine[0];
-  const Scalar& c4 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
-  const Scalar& c5 = angles.cosine[1];
-  const Scalar& s6 = angles.sine[2];
-  const Scalar& c6 = angles.cosine[2];
+  const Scalar &s4 = angles.sine[0], &c4 = angles.cosine[0], &s5 = angles.sine[1], &c5 = angles.cosine[1];
+  const Scalar &s6 = angles.sine[2], &c6 = angles.cosine[2];
   const Scalar t0 = k[0] + qdd[0];
   const Scalar t1 = qd[3] * qd[3];
   const Scalar t2 = qd[3] * s5;
@@ -193,12 +189,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     const GravityTorqueConstants<Scalar>& k) {
-  const Scalar& s4 = angles.sine[0];
-  const Scalar& c4 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
-  const Scalar& c5 = angles.cosine[1];
-  const Scalar& s6 = angles.sine[2];
-  const Scalar& c6 = angles.cosine[2];
+  const Scalar &s4 = angles.sine[0], &c4 = angles.cosine[0], &s5 = angles.sine[1], &c5 = angles.cosine[1];
+  const Scalar &s6 = angles.sine[2], &c6 = angles.cosine[2];
   const Scalar t0 = k[2] * c4;
   const Scalar t1 = k[0] * s6 - k[1] * c6;
   const Scalar t2 = k[0] * c6 + k[1] * s6;
@@ -210,8 +202,7 @@ inline JointVector<Scalar> gravity_torque([[maybe_unused]] const JointVector<Sca
   const Scalar t8 = t1 * t6 + (k[4] * t4 - k[3] * t6);
   JointVector<Scalar> result;
   result[0] = k[7];
-  result[1] = Scalar(0);
-  result[2] = Scalar(0);
+  result[1] = result[2] = Scalar(0);
   result[3] = t7 + (k[5] * t0 - k[6] * t3);
   result[4] = t8;
   result[5] = -t5;
@@ -278,12 +269,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> coriolis_torque([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const Angles& angles,
     const CoriolisTorqueConstants<Scalar>& k) {
-  const Scalar& s4 = angles.sine[0];
-  const Scalar& c4 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
-  const Scalar& c5 = angles.cosine[1];
-  const Scalar& s6 = angles.sine[2];
-  const Scalar& c6 = angles.cosine[2];
+  const Scalar &s4 = angles.sine[0], &c4 = angles.cosine[0], &s5 = angles.sine[1], &c5 = angles.cosine[1];
+  const Scalar &s6 = angles.sine[2], &c6 = angles.cosine[2];
   const Scalar t0 = k[2] * c6 + k[3] * s6;
   const Scalar t1 = qd[4] * qd[4];
   const Scalar t2 = qd[3] * c5;
@@ -404,12 +391,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     const MassMatrixConstants<Scalar>& k) {
-  const Scalar& s4 = angles.sine[0];
-  const Scalar& c4 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
-  const Scalar& c5 = angles.cosine[1];
-  const Scalar& s6 = angles.sine[2];
-  const Scalar& c6 = angles.cosine[2];
+  const Scalar &s4 = angles.sine[0], &c4 = angles.cosine[0], &s5 = angles.sine[1], &c5 = angles.cosine[1];
+  const Scalar &s6 = angles.sine[2], &c6 = angles.cosine[2];
   const Scalar t0 = k[0] * c6 + k[1] * s6;
   const Scalar t1 = k[2] + t0;
   const Scalar t2 = k[0] * s6 - k[1] * c6;
@@ -428,18 +411,16 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix([[maybe_unused]] const JointV
   const Scalar t15 = c5 * (k[17] + t14) - s5 * (k[19] - (k[18] - c6 * t8));
   Eigen::Matrix<Scalar, dof, dof> result;
   result(0, 0) = k[21];
-  result(0, 1) = result(1, 0) = Scalar(0);
-  result(0, 2) = result(2, 0) = Scalar(0);
+  result(0, 1) = result(1, 0) = result(0, 2) = result(2, 0) = result(1, 2) = result(2, 1) = result(2, 3) =
+      result(3, 2) = Scalar(0);
   result(0, 3) = result(3, 0) = c4 * t5 - s4 * t1;
   result(0, 4) = result(4, 0) = -s4 * t6;
   result(0, 5) = result(5, 0) = -s4 * t7 - c4 * t2;
   result(1, 1) = k[22];
-  result(1, 2) = result(2, 1) = Scalar(0);
   result(1, 3) = result(3, 1) = -c4 * t1 - s4 * t5;
   result(1, 4) = result(4, 1) = -c4 * t6;
   result(1, 5) = result(5, 1) = s4 * t2 - c4 * t7;
   result(2, 2) = k[23];
-  result(2, 3) = result(3, 2) = Scalar(0);
   result(2, 4) = result(4, 2) = -t4;
   result(2, 5) = result(5, 2) = s5 * t0;
   result(3, 3) = -t13;
@@ -509,12 +490,8 @@ template <class Scalar, class Angles>
 inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const Angles& angles,
     const CoriolisMatrixConstants<Scalar>& k) {
-  const Scalar& s4 = angles.sine[0];
-  const Scalar& c4 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
-  const Scalar& c5 = angles.cosine[1];
-  const Scalar& s6 = angles.sine[2];
-  const Scalar& c6 = angles.cosine[2];
+  const Scalar &s4 = angles.sine[0], &c4 = angles.cosine[0], &s5 = angles.sine[1], &c5 = angles.cosine[1];
+  const Scalar &s6 = angles.sine[2], &c6 = angles.cosine[2];
   const Scalar t0 = k[2] * c6 + k[1] * s6;
   const Scalar t1 = k[0] * qd[4] - qd[5] * t0;
   const Scalar t2 = k[1] * c6 - k[2] * s6;
@@ -561,42 +538,25 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix([[maybe_unused]] const Jo
   const Scalar t43 = c6 * t38 + s6 * t39;
   const Scalar t44 = s5 * (k[18] * qd[4] - t28) + qd[4] * c5 * t20;
   Eigen::Matrix<Scalar, dof, dof> result;
-  result(0, 0) = Scalar(0);
-  result(0, 1) = Scalar(0);
-  result(0, 2) = Scalar(0);
+  result(0, 0) = result(0, 1) = result(0, 2) = result(1, 0) = result(1, 1) = result(1, 2) = result(2, 0) =
+      result(2, 1) = result(2, 2) = result(2, 3) = result(3, 0) = result(3, 1) = result(3, 2) = result(4, 0) =
+      result(4, 1) = result(4, 2) = result(5, 0) = result(5, 1) = result(5, 2) = result(5, 5) = Scalar(0);
   result(0, 3) = -c4 * t6 - s4 * t9;
   result(0, 4) = -s4 * t10 - c4 * t11;
   result(0, 5) = -c4 * t14 - s4 * t16;
-  result(1, 0) = Scalar(0);
-  result(1, 1) = Scalar(0);
-  result(1, 2) = Scalar(0);
   result(1, 3) = s4 * t6 - c4 * t9;
   result(1, 4) = s4 * t11 - c4 * t10;
   result(1, 5) = s4 * t14 - c4 * t16;
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(0);
-  result(2, 2) = Scalar(0);
-  result(2, 3) = Scalar(0);
   result(2, 4) = -t5;
   result(2, 5) = c5 * t15 + s5 * t8;
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
-  result(3, 2) = Scalar(0);
   result(3, 3) = t19 - (c5 * t26 - s5 * t29);
   result(3, 4) = -t35;
   result(3, 5) = -t40;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(4, 2) = Scalar(0);
   result(4, 3) = t35 + t42;
   result(4, 4) = -t19;
   result(4, 5) = -t43;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
   result(5, 3) = t40 - t44;
   result(5, 4) = t41 + t43;
-  result(5, 5) = Scalar(0);
   return result;
 }
 
@@ -692,12 +652,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> forward_dynamics([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const Angles& angles,
     const ForwardDynamicsConstants<Scalar>& k) {
-  const Scalar& s4 = angles.sine[0];
-  const Scalar& c4 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
-  const Scalar& c5 = angles.cosine[1];
-  const Scalar& s6 = angles.sine[2];
-  const Scalar& c6 = angles.cosine[2];
+  const Scalar &s4 = angles.sine[0], &c4 = angles.cosine[0], &s5 = angles.sine[1], &c5 = angles.cosine[1];
+  const Scalar &s6 = angles.sine[2], &c6 = angles.cosine[2];
   const Scalar t0 = k[0] * c6 - k[1] * s6;
   const Scalar t1 = k[0] * s6 + k[1] * c6;
   const Scalar t2 = c5 * t1;
@@ -896,12 +852,8 @@ template <class Scalar, class Angles>
 inline Scalar kinetic_energy([[maybe_unused]] const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const Angles& angles,
     const KineticEnergyConstants<Scalar>& k) {
-  const Scalar& s4 = angles.sine[0];
-  const Scalar& c4 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
-  const Scalar& c5 = angles.cosine[1];
-  const Scalar& s6 = angles.sine[2];
-  const Scalar& c6 = angles.cosine[2];
+  const Scalar &s4 = angles.sine[0], &c4 = angles.cosine[0], &s5 = angles.sine[1], &c5 = angles.cosine[1];
+  const Scalar &s6 = angles.sine[2], &c6 = angles.cosine[2];
   const Scalar t0 = k[2] * c6 + k[1] * s6;
   const Scalar t1 = k[3] - s6 * t0;
   const Scalar t2 = k[4] - t1;
@@ -976,12 +928,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Scalar potential_energy(const JointVector<Scalar>& q, const Angles& angles,
     const PotentialEnergyConstants<Scalar>& k) {
-  const Scalar& s4 = angles.sine[0];
-  const Scalar& c4 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
-  const Scalar& c5 = angles.cosine[1];
-  const Scalar& s6 = angles.sine[2];
-  const Scalar& c6 = angles.cosine[2];
+  const Scalar &s4 = angles.sine[0], &c4 = angles.cosine[0], &s5 = angles.sine[1], &c5 = angles.cosine[1];
+  const Scalar &s6 = angles.sine[2], &c6 = angles.cosine[2];
   const Scalar t0 = c5 * (k[5] + (k[0] * c6 - k[1] * s6));
   const Scalar t1 = k[3] + (k[2] + (k[0] * s6 + k[1] * c6));
   const Scalar t2 = s4 * (k[6] + (t0 + k[4] * s5)) + c4 * t1;

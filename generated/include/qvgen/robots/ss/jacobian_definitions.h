@@ -26,46 +26,17 @@ using NoAngles = JacobianSelection<Scalar, 0>;
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s4 = angles.sine[0];
-  const Scalar& c4 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
-  const Scalar& c5 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[0], &c4 = angles.cosine[0], &s5 = angles.sine[1], &c5 = angles.cosine[1];
 
   Jacobian<Scalar> result;
-  result(0, 0) = Scalar(0);
-  result(0, 1) = Scalar(0);
-  result(0, 2) = Scalar(1);
-  result(0, 3) = Scalar(0);
-  result(0, 4) = Scalar(0);
-  result(0, 5) = Scalar(0);
-  result(1, 0) = Scalar(0);
-  result(1, 1) = Scalar(1);
-  result(1, 2) = Scalar(0);
-  result(1, 3) = Scalar(0);
-  result(1, 4) = Scalar(0);
-  result(1, 5) = Scalar(0);
-  result(2, 0) = Scalar(1);
-  result(2, 1) = Scalar(0);
-  result(2, 2) = Scalar(0);
-  result(2, 3) = Scalar(0);
-  result(2, 4) = Scalar(0);
-  result(2, 5) = Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
-  result(3, 2) = Scalar(0);
-  result(3, 3) = Scalar(1);
-  result(3, 4) = Scalar(0);
+  result(0, 0) = result(0, 1) = result(0, 3) = result(0, 4) = result(0, 5) = result(1, 0) = result(1, 2) =
+      result(1, 3) = result(1, 4) = result(1, 5) = result(2, 1) = result(2, 2) = result(2, 3) = result(2, 4) =
+      result(2, 5) = result(3, 0) = result(3, 1) = result(3, 2) = result(3, 4) = result(4, 0) = result(4, 1) =
+      result(4, 2) = result(4, 3) = result(5, 0) = result(5, 1) = result(5, 2) = result(5, 3) = Scalar(0);
+  result(0, 2) = result(1, 1) = result(2, 0) = result(3, 3) = Scalar(1);
   result(3, 5) = c5;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(4, 2) = Scalar(0);
-  result(4, 3) = Scalar(0);
   result(4, 4) = -s4;
   result(4, 5) = c4 * s5;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
-  result(5, 3) = Scalar(0);
   result(5, 4) = c4;
   result(5, 5) = s4 * s5;
 
@@ -75,12 +46,8 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s4 = angles.sine[0];
-  const Scalar& c4 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
-  const Scalar& c5 = angles.cosine[1];
-  const Scalar& s6 = angles.sine[2];
-  const Scalar& c6 = angles.cosine[2];
+  const Scalar &s4 = angles.sine[0], &c4 = angles.cosine[0], &s5 = angles.sine[1], &c5 = angles.cosine[1];
+  const Scalar &s6 = angles.sine[2], &c6 = angles.cosine[2];
   const Scalar t0 = c4 * s5;
   const Scalar t1 = s4 * s6;
   const Scalar t2 = c4 * c6;
@@ -88,54 +55,28 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointV
   const Scalar t4 = c6 * s4;
   const Scalar t5 = s4 * s5;
   TransformAndJacobian<Scalar> result;
-  result.transform(0, 0) = c5;
+  result.transform(0, 0) = result.jacobian(3, 5) = c5;
   result.transform(0, 1) = -c6 * s5;
   result.transform(0, 2) = s5 * s6;
-  result.transform(1, 0) = t0;
+  result.transform(1, 0) = result.jacobian(4, 5) = t0;
   result.transform(1, 1) = c5 * t2 - t1;
   result.transform(1, 2) = -c5 * t3 - t4;
-  result.transform(2, 0) = t5;
+  result.transform(2, 0) = result.jacobian(5, 5) = t5;
   result.transform(2, 1) = c5 * t4 + t3;
   result.transform(2, 2) = t2 - c5 * t1;
   result.transform(0, 3) = q[2];
   result.transform(1, 3) = q[1];
   result.transform(2, 3) = q[0];
-  result.jacobian(0, 0) = Scalar(0);
-  result.jacobian(0, 1) = Scalar(0);
-  result.jacobian(0, 2) = Scalar(1);
-  result.jacobian(0, 3) = Scalar(0);
-  result.jacobian(0, 4) = Scalar(0);
-  result.jacobian(0, 5) = Scalar(0);
-  result.jacobian(1, 0) = Scalar(0);
-  result.jacobian(1, 1) = Scalar(1);
-  result.jacobian(1, 2) = Scalar(0);
-  result.jacobian(1, 3) = Scalar(0);
-  result.jacobian(1, 4) = Scalar(0);
-  result.jacobian(1, 5) = Scalar(0);
-  result.jacobian(2, 0) = Scalar(1);
-  result.jacobian(2, 1) = Scalar(0);
-  result.jacobian(2, 2) = Scalar(0);
-  result.jacobian(2, 3) = Scalar(0);
-  result.jacobian(2, 4) = Scalar(0);
-  result.jacobian(2, 5) = Scalar(0);
-  result.jacobian(3, 0) = Scalar(0);
-  result.jacobian(3, 1) = Scalar(0);
-  result.jacobian(3, 2) = Scalar(0);
-  result.jacobian(3, 3) = Scalar(1);
-  result.jacobian(3, 4) = Scalar(0);
-  result.jacobian(3, 5) = c5;
-  result.jacobian(4, 0) = Scalar(0);
-  result.jacobian(4, 1) = Scalar(0);
-  result.jacobian(4, 2) = Scalar(0);
-  result.jacobian(4, 3) = Scalar(0);
+  result.jacobian(0, 0) = result.jacobian(0, 1) = result.jacobian(0, 3) = result.jacobian(0, 4) =
+      result.jacobian(0, 5) = result.jacobian(1, 0) = result.jacobian(1, 2) = result.jacobian(1, 3) =
+      result.jacobian(1, 4) = result.jacobian(1, 5) = result.jacobian(2, 1) = result.jacobian(2, 2) =
+      result.jacobian(2, 3) = result.jacobian(2, 4) = result.jacobian(2, 5) = result.jacobian(3, 0) =
+      result.jacobian(3, 1) = result.jacobian(3, 2) = result.jacobian(3, 4) = result.jacobian(4, 0) =
+      result.jacobian(4, 1) = result.jacobian(4, 2) = result.jacobian(4, 3) = result.jacobian(5, 0) =
+      result.jacobian(5, 1) = result.jacobian(5, 2) = result.jacobian(5, 3) = Scalar(0);
+  result.jacobian(0, 2) = result.jacobian(1, 1) = result.jacobian(2, 0) = result.jacobian(3, 3) = Scalar(1);
   result.jacobian(4, 4) = -s4;
-  result.jacobian(4, 5) = t0;
-  result.jacobian(5, 0) = Scalar(0);
-  result.jacobian(5, 1) = Scalar(0);
-  result.jacobian(5, 2) = Scalar(0);
-  result.jacobian(5, 3) = Scalar(0);
   result.jacobian(5, 4) = c4;
-  result.jacobian(5, 5) = t5;
   result.transform.makeAffine();
   return result;
 }
@@ -143,12 +84,8 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointV
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s4 = angles.sine[0];
-  const Scalar& c4 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
-  const Scalar& c5 = angles.cosine[1];
-  const Scalar& s6 = angles.sine[2];
-  const Scalar& c6 = angles.cosine[2];
+  const Scalar &s4 = angles.sine[0], &c4 = angles.cosine[0], &s5 = angles.sine[1], &c5 = angles.cosine[1];
+  const Scalar &s6 = angles.sine[2], &c6 = angles.cosine[2];
   const Scalar t0 = c6 * s4;
   const Scalar t1 = c4 * s6;
   const Scalar t2 = s4 * s6;
@@ -158,40 +95,20 @@ inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>
   Jacobian<Scalar> result;
   result(0, 0) = s4 * s5;
   result(0, 1) = c4 * s5;
-  result(0, 2) = c5;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = Scalar(0);
-  result(0, 5) = Scalar(0);
+  result(0, 2) = result(3, 3) = c5;
+  result(0, 3) = result(0, 4) = result(0, 5) = result(1, 3) = result(1, 4) = result(1, 5) = result(2, 3) =
+      result(2, 4) = result(2, 5) = result(3, 0) = result(3, 1) = result(3, 2) = result(3, 4) = result(4, 0) =
+      result(4, 1) = result(4, 2) = result(4, 5) = result(5, 0) = result(5, 1) = result(5, 2) = result(5, 5) =
+      Scalar(0);
   result(1, 0) = c5 * t0 + t1;
   result(1, 1) = c5 * t3 - t2;
-  result(1, 2) = -t4;
-  result(1, 3) = Scalar(0);
-  result(1, 4) = Scalar(0);
-  result(1, 5) = Scalar(0);
+  result(1, 2) = result(4, 3) = -t4;
   result(2, 0) = t3 - c5 * t2;
   result(2, 1) = -c5 * t1 - t0;
-  result(2, 2) = t5;
-  result(2, 3) = Scalar(0);
-  result(2, 4) = Scalar(0);
-  result(2, 5) = Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
-  result(3, 2) = Scalar(0);
-  result(3, 3) = c5;
-  result(3, 4) = Scalar(0);
+  result(2, 2) = result(5, 3) = t5;
   result(3, 5) = Scalar(1);
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(4, 2) = Scalar(0);
-  result(4, 3) = -t4;
   result(4, 4) = s6;
-  result(4, 5) = Scalar(0);
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
-  result(5, 3) = t5;
   result(5, 4) = c6;
-  result(5, 5) = Scalar(0);
 
   return result;
 }
@@ -200,12 +117,8 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& q,
     const Vector3<Scalar>& point,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s4 = angles.sine[0];
-  const Scalar& c4 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
-  const Scalar& c5 = angles.cosine[1];
-  const Scalar& s6 = angles.sine[2];
-  const Scalar& c6 = angles.cosine[2];
+  const Scalar &s4 = angles.sine[0], &c4 = angles.cosine[0], &s5 = angles.sine[1], &c5 = angles.cosine[1];
+  const Scalar &s6 = angles.sine[2], &c6 = angles.cosine[2];
   const Scalar t0 = point[2] * s6 - point[1] * c6;
   const Scalar t1 = c5 * t0 - point[0] * s5;
   const Scalar t2 = point[2] * c6 + point[1] * s6;
@@ -215,40 +128,21 @@ inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& 
   const Scalar t6 = s4 * t2 + c4 * t1;
   const Scalar t7 = c4 * s5;
   Jacobian<Scalar> result;
-  result(0, 0) = Scalar(0);
-  result(0, 1) = Scalar(0);
-  result(0, 2) = Scalar(1);
-  result(0, 3) = Scalar(0);
+  result(0, 0) = result(0, 1) = result(0, 3) = result(1, 0) = result(1, 2) = result(2, 1) = result(2, 2) =
+      result(3, 0) = result(3, 1) = result(3, 2) = result(3, 4) = result(4, 0) = result(4, 1) = result(4, 2) =
+      result(4, 3) = result(5, 0) = result(5, 1) = result(5, 2) = result(5, 3) = Scalar(0);
+  result(0, 2) = result(1, 1) = result(2, 0) = result(3, 3) = Scalar(1);
   result(0, 4) = t1;
   result(0, 5) = s5 * t2;
-  result(1, 0) = Scalar(0);
-  result(1, 1) = Scalar(1);
-  result(1, 2) = Scalar(0);
   result(1, 3) = t3;
   result(1, 4) = c4 * t4;
   result(1, 5) = c5 * t3 + t5 * t4;
-  result(2, 0) = Scalar(1);
-  result(2, 1) = Scalar(0);
-  result(2, 2) = Scalar(0);
   result(2, 3) = -t6;
   result(2, 4) = s4 * t4;
   result(2, 5) = -c5 * t6 - t7 * t4;
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
-  result(3, 2) = Scalar(0);
-  result(3, 3) = Scalar(1);
-  result(3, 4) = Scalar(0);
   result(3, 5) = c5;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(4, 2) = Scalar(0);
-  result(4, 3) = Scalar(0);
   result(4, 4) = -s4;
   result(4, 5) = t7;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
-  result(5, 3) = Scalar(0);
   result(5, 4) = c4;
   result(5, 5) = t5;
 
@@ -259,10 +153,7 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> velocity([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s4 = angles.sine[0];
-  const Scalar& c4 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
-  const Scalar& c5 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[0], &c4 = angles.cosine[0], &s5 = angles.sine[1], &c5 = angles.cosine[1];
   const Scalar t0 = qd[5] * s5;
   Twist<Scalar> result;
   result(0, 0) = qd[2];
@@ -279,48 +170,19 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s4 = angles.sine[0];
-  const Scalar& c4 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
-  const Scalar& c5 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[0], &c4 = angles.cosine[0], &s5 = angles.sine[1], &c5 = angles.cosine[1];
   const Scalar t0 = qd[3] * c4;
   const Scalar t1 = qd[3] * s4;
   const Scalar t2 = qd[4] * c5;
   Jacobian<Scalar> result;
-  result(0, 0) = Scalar(0);
-  result(0, 1) = Scalar(0);
-  result(0, 2) = Scalar(0);
-  result(0, 3) = Scalar(0);
-  result(0, 4) = Scalar(0);
-  result(0, 5) = Scalar(0);
-  result(1, 0) = Scalar(0);
-  result(1, 1) = Scalar(0);
-  result(1, 2) = Scalar(0);
-  result(1, 3) = Scalar(0);
-  result(1, 4) = Scalar(0);
-  result(1, 5) = Scalar(0);
-  result(2, 0) = Scalar(0);
-  result(2, 1) = Scalar(0);
-  result(2, 2) = Scalar(0);
-  result(2, 3) = Scalar(0);
-  result(2, 4) = Scalar(0);
-  result(2, 5) = Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = Scalar(0);
-  result(3, 2) = Scalar(0);
-  result(3, 3) = Scalar(0);
-  result(3, 4) = Scalar(0);
+  result(0, 0) = result(0, 1) = result(0, 2) = result(0, 3) = result(0, 4) = result(0, 5) = result(1, 0) =
+      result(1, 1) = result(1, 2) = result(1, 3) = result(1, 4) = result(1, 5) = result(2, 0) = result(2, 1) =
+      result(2, 2) = result(2, 3) = result(2, 4) = result(2, 5) = result(3, 0) = result(3, 1) = result(3, 2) =
+      result(3, 3) = result(3, 4) = result(4, 0) = result(4, 1) = result(4, 2) = result(4, 3) = result(5, 0) =
+      result(5, 1) = result(5, 2) = result(5, 3) = Scalar(0);
   result(3, 5) = -qd[4] * s5;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = Scalar(0);
-  result(4, 2) = Scalar(0);
-  result(4, 3) = Scalar(0);
   result(4, 4) = -t0;
   result(4, 5) = c4 * t2 - s5 * t1;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
-  result(5, 3) = Scalar(0);
   result(5, 4) = -t1;
   result(5, 5) = s5 * t0 + s4 * t2;
 
@@ -331,17 +193,12 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s4 = angles.sine[0];
-  const Scalar& c4 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
-  const Scalar& c5 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[0], &c4 = angles.cosine[0], &s5 = angles.sine[1], &c5 = angles.cosine[1];
   const Scalar t0 = qd[5] * s5;
   const Scalar t1 = qd[3] * t0;
   const Scalar t2 = qd[4] * (qd[3] - qd[5] * c5);
   Twist<Scalar> result;
-  result(0, 0) = Scalar(0);
-  result(1, 0) = Scalar(0);
-  result(2, 0) = Scalar(0);
+  result(0, 0) = result(1, 0) = result(2, 0) = Scalar(0);
   result(3, 0) = -qd[4] * t0;
   result(4, 0) = -s4 * t1 - c4 * t2;
   result(5, 0) = c4 * t1 - s4 * t2;
@@ -352,7 +209,7 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
 template <class Scalar, class Angles>
 inline SingularityMeasures<Scalar> singularity_measures([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s5 = angles.sine[0];
+  const Scalar &s5 = angles.sine[0];
 
   SingularityMeasures<Scalar> result;
   result(0, 0) = s5;

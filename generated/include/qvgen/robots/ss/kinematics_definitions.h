@@ -41,12 +41,8 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& sh5 = angles.sine[0];
-  const Scalar& ch5 = angles.cosine[0];
-  const Scalar& sh46 = angles.sine[1];
-  const Scalar& ch46 = angles.cosine[1];
-  const Scalar& sh4m6 = angles.sine[2];
-  const Scalar& ch4m6 = angles.cosine[2];
+  const Scalar &sh5 = angles.sine[0], &ch5 = angles.cosine[0], &sh46 = angles.sine[1], &ch46 = angles.cosine[1];
+  const Scalar &sh4m6 = angles.sine[2], &ch4m6 = angles.cosine[2];
 
   return {Eigen::Quaternion<Scalar>(ch46 * ch5,
                                     ch5 * sh46,
@@ -61,12 +57,8 @@ template <class Scalar, class Angles>
 inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
     const JointVector<Scalar>& q, const Angles& angles,
     [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s4 = angles.sine[0];
-  const Scalar& c4 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
-  const Scalar& c5 = angles.cosine[1];
-  const Scalar& s6 = angles.sine[2];
-  const Scalar& c6 = angles.cosine[2];
+  const Scalar &s4 = angles.sine[0], &c4 = angles.cosine[0], &s5 = angles.sine[1], &c5 = angles.cosine[1];
+  const Scalar &s6 = angles.sine[2], &c6 = angles.cosine[2];
   const Scalar t0 = s4 * s6;
   const Scalar t1 = c4 * c6;
   const Scalar t2 = c4 * s6;

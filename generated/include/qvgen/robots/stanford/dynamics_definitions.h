@@ -37,12 +37,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> inverse_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& qdd, const Angles& angles,
     const InverseDynamicsConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2];
   const Scalar t0 = qd[0] * s2;
   const Scalar t1 = c4 * t0 - qd[1] * s4;
   const Scalar t2 = qd[4] - t1;
@@ -152,12 +148,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const Angles& angles,
     const GravityTorqueConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2];
   const Scalar t0 = k[0] * s2;
   const Scalar t1 = s4 * t0;
   const Scalar t2 = k[0] * c2;
@@ -166,12 +158,11 @@ inline JointVector<Scalar> gravity_torque(const JointVector<Scalar>& q, const An
   const Scalar t5 = s4 * t3 + c4 * (c5 * t4 + Scalar(0.29826) * t2);
   const Scalar t6 = q[2] * Scalar(6.47) * t0 - (Scalar(27.49911) * t0 - t5);
   JointVector<Scalar> result;
-  result[0] = Scalar(0);
+  result[0] = result[5] = Scalar(0);
   result[1] = -t6;
   result[2] = Scalar(6.47) * t2;
   result[3] = Scalar(0.29826) * t1 - s5 * t4;
   result[4] = -t3;
-  result[5] = Scalar(0);
   return result;
 }
 
@@ -206,12 +197,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> coriolis_torque(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const Angles& angles,
     [[maybe_unused]] const CoriolisTorqueConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2];
   const Scalar t0 = qd[0] * c2;
   const Scalar t1 = qd[1] + qd[1];
   const Scalar t2 = t0 * t1;
@@ -314,12 +301,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q, const Angles& angles,
     [[maybe_unused]] const MassMatrixConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2];
   const Scalar t0 = Scalar(0.00106974) * s5;
   const Scalar t1 = c4 * t0;
   const Scalar t2 = Scalar(1.24731283) * s5;
@@ -367,14 +350,12 @@ inline Eigen::Matrix<Scalar, dof, dof> mass_matrix(const JointVector<Scalar>& q,
   result(1, 4) = result(4, 1) = t29 * t13 + (Scalar(1.24501283) * s4 + t1);
   result(1, 5) = result(5, 1) = -c4 * t33;
   result(2, 2) = Scalar(6.47);
-  result(2, 3) = result(3, 2) = Scalar(0);
+  result(2, 3) = result(3, 2) = result(2, 5) = result(5, 2) = result(4, 5) = result(5, 4) = Scalar(0);
   result(2, 4) = result(4, 2) = -Scalar(7.479431563201197) * t7;
-  result(2, 5) = result(5, 2) = Scalar(0);
   result(3, 3) = t28;
   result(3, 4) = result(4, 3) = -t16;
   result(3, 5) = result(5, 3) = t32;
   result(4, 4) = Scalar(1.24501283);
-  result(4, 5) = result(5, 4) = Scalar(0);
   result(5, 5) = Scalar(0.0003);
   return result;
 }
@@ -409,12 +390,8 @@ template <class Scalar, class Angles>
 inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const Angles& angles,
     [[maybe_unused]] const CoriolisMatrixConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2];
   const Scalar t0 = Scalar(0.106215291) * c5;
   const Scalar t1 = qd[4] * t0;
   const Scalar t2 = Scalar(0.039877362) * qd[3] - t1;
@@ -543,7 +520,7 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>
   result(0, 2) = t75;
   result(0, 3) = t91;
   result(0, 4) = t98;
-  result(0, 5) = -t103;
+  result(0, 5) = result(5, 0) = -t103;
   result(1, 0) = t104 - t71;
   result(1, 1) = -t51;
   result(1, 2) = Scalar(7.479431563201197) * t54;
@@ -552,10 +529,9 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>
   result(1, 5) = t107;
   result(2, 0) = -Scalar(7.479431563201197) * (t72 - s2 * t78);
   result(2, 1) = -Scalar(7.479431563201197) * t55;
-  result(2, 2) = Scalar(0);
+  result(2, 2) = result(2, 5) = result(4, 4) = result(5, 2) = result(5, 5) = Scalar(0);
   result(2, 3) = t108;
   result(2, 4) = -Scalar(7.479431563201197) * t95;
-  result(2, 5) = Scalar(0);
   result(3, 0) = -t110 - t91;
   result(3, 1) = -t105 - t68;
   result(3, 2) = -t108;
@@ -566,14 +542,10 @@ inline Eigen::Matrix<Scalar, dof, dof> coriolis_matrix(const JointVector<Scalar>
   result(4, 1) = t120 + t106;
   result(4, 2) = -Scalar(7.479431563201197) * t94;
   result(4, 3) = t88;
-  result(4, 4) = Scalar(0);
   result(4, 5) = t99;
-  result(5, 0) = -t103;
   result(5, 1) = (Scalar(0.0003) * t3 - t121 * t62) - t107;
-  result(5, 2) = Scalar(0);
   result(5, 3) = s5 * (t100 - t121);
   result(5, 4) = -t99;
-  result(5, 5) = Scalar(0);
   return result;
 }
 
@@ -610,12 +582,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> forward_dynamics(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& torque, const Angles& angles,
     const ForwardDynamicsConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2];
   const Scalar t0 = Scalar(0.00106974) * c5;
   const Scalar t1 = Scalar(0.79443) * c5;
   const Scalar t2 = s4 * t1;
@@ -792,12 +760,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Scalar kinetic_energy(const JointVector<Scalar>& q, const JointVector<Scalar>& qd, const Angles& angles,
     [[maybe_unused]] const KineticEnergyConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2];
   const Scalar t0 = Scalar(0.106215291) * c5;
   const Scalar t1 = Scalar(3.676631007) - t0;
   const Scalar t2 = Scalar(7.479431563201197) * q[2];
@@ -878,12 +842,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Scalar potential_energy(const JointVector<Scalar>& q, const Angles& angles,
     const PotentialEnergyConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2];
   const Scalar t0 = (Scalar(27.39975) + (Scalar(0.09936) - Scalar(0.79443) * c5)) - Scalar(6.47) * q[2];
   const Scalar t1 = s2 * (Scalar(0.29826) * c4 + s4 * Scalar(0.79443) * s5);
   const Scalar t2 = k[1] - k[0] * (Scalar(0.162575) + (c2 * t0 + t1));

@@ -31,12 +31,8 @@ template <class Scalar, class Angles>
 inline InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives(const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const Angles& angles,
     const InverseDynamicsDerivativesConstants<Scalar>& k) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2];
   const Scalar t0 = qd[0] * c2;
   const Scalar t1 = qd[1] * t0;
   const Scalar t2 = qdd[0] * s2;
@@ -425,18 +421,17 @@ inline InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives(const Joi
   result.torque[3] = t100;
   result.torque[4] = t71;
   result.torque[5] = t77;
-  result.by_position(0, 0) = Scalar(0);
-  result.by_position(1, 0) = Scalar(0);
-  result.by_position(2, 0) = Scalar(0);
-  result.by_position(3, 0) = Scalar(0);
-  result.by_position(4, 0) = Scalar(0);
-  result.by_position(5, 0) = Scalar(0);
+  result.by_position(0, 0) = result.by_position(1, 0) = result.by_position(2, 0) = result.by_position(3, 0) =
+      result.by_position(4, 0) = result.by_position(5, 0) = result.by_position(5, 2) = result.by_rate(2, 2) =
+      result.by_rate(5, 2) = result.by_rate(4, 4) = result.by_position(0, 5) = result.by_position(1, 5) =
+      result.by_position(2, 5) = result.by_position(3, 5) = result.by_position(4, 5) = result.by_position(5, 5) =
+      result.by_rate(2, 5) = result.by_rate(5, 5) = Scalar(0);
   result.by_rate(0, 0) = -t169;
   result.by_rate(1, 0) = (t171 - t5 * t168) - Scalar(179.16832937) * t172;
   result.by_rate(2, 0) = -Scalar(7.479431563201197) * t161;
   result.by_rate(3, 0) = t165;
   result.by_rate(4, 0) = t155;
-  result.by_rate(5, 0) = -t140;
+  result.by_rate(5, 0) = result.by_rate(0, 5) = -t140;
   result.by_position(0, 1) = (s2 * t219 + c2 * t92) - t223;
   result.by_position(1, 1) = (t224 + t5 * t222) - Scalar(179.16832937) * t183;
   result.by_position(2, 1) = Scalar(7.479431563201197) * t192;
@@ -454,13 +449,10 @@ inline InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives(const Joi
   result.by_position(2, 2) = -Scalar(7.479431563201197) * t282;
   result.by_position(3, 2) = t284;
   result.by_position(4, 2) = t280;
-  result.by_position(5, 2) = Scalar(0);
   result.by_rate(0, 2) = c2 * (t288 - t289) + s2 * t292;
   result.by_rate(1, 2) = t293;
-  result.by_rate(2, 2) = Scalar(0);
   result.by_rate(3, 2) = t288;
   result.by_rate(4, 2) = -Scalar(1.58886) * t294;
-  result.by_rate(5, 2) = Scalar(0);
   result.by_position(0, 3) = t329;
   result.by_position(1, 3) = t330 - t5 * t320;
   result.by_position(2, 3) = Scalar(7.479431563201197) * t328;
@@ -483,20 +475,10 @@ inline InverseDynamicsDerivatives<Scalar> inverse_dynamics_derivatives(const Joi
   result.by_rate(1, 4) = -c4 * t375 - t369 * t5;
   result.by_rate(2, 4) = -Scalar(7.479431563201197) * t374;
   result.by_rate(3, 4) = -t373;
-  result.by_rate(4, 4) = Scalar(0);
   result.by_rate(5, 4) = -t371;
-  result.by_position(0, 5) = Scalar(0);
-  result.by_position(1, 5) = Scalar(0);
-  result.by_position(2, 5) = Scalar(0);
-  result.by_position(3, 5) = Scalar(0);
-  result.by_position(4, 5) = Scalar(0);
-  result.by_position(5, 5) = Scalar(0);
-  result.by_rate(0, 5) = -t140;
   result.by_rate(1, 5) = s4 * t371 - Scalar(0.0003) * t242;
-  result.by_rate(2, 5) = Scalar(0);
   result.by_rate(3, 5) = -Scalar(0.0003) * t229;
   result.by_rate(4, 5) = t371;
-  result.by_rate(5, 5) = Scalar(0);
   return result;
 }
 

@@ -40,14 +40,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> inverse_dynamics_with_gravity_vector(const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& qdd, const Angles& angles,
     const InverseDynamicsWithGravityVectorConstants<Scalar>& k) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = qd[0] * s2;
   const Scalar t1 = c4 * t0 - qd[1] * s4;
   const Scalar t2 = qd[4] - t1;
@@ -167,14 +161,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> inverse_dynamics_with_wrench(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& qdd, const Wrench<Scalar>& wrench, const Angles& angles,
     const InverseDynamicsWithWrenchConstants<Scalar>& k) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = k[1] * s1 + k[0] * c1;
   const Scalar t1 = qd[0] * c2;
   const Scalar t2 = qd[1] * t1;
@@ -305,14 +293,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline JointVector<Scalar> gravity_torque_with_gravity_vector(const JointVector<Scalar>& q, const Angles& angles,
     const GravityTorqueWithGravityVectorConstants<Scalar>& k) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = k[1] * s1 - k[0] * c1;
   const Scalar t1 = k[0] * s1 + k[1] * c1;
   const Scalar t2 = c2 * t1 - k[2] * s2;
@@ -370,14 +352,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> forward_dynamics_with_gravity_vector(const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd, const JointVector<Scalar>& torque, const Angles& angles,
     const ForwardDynamicsWithGravityVectorConstants<Scalar>& k) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = Scalar(0.79443) * s5;
   const Scalar t1 = Scalar(0.00106974) * c5;
   const Scalar t2 = Scalar(0.8032045742050706) * t1;
@@ -570,14 +546,8 @@ template <class Scalar, class Angles>
 inline JointVector<Scalar> forward_dynamics_with_wrench(const JointVector<Scalar>& q, const JointVector<Scalar>& qd,
     const JointVector<Scalar>& torque, const Wrench<Scalar>& wrench, const Angles& angles,
     const ForwardDynamicsWithWrenchConstants<Scalar>& k) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = Scalar(0.6380898098857343) * s5;
   const Scalar t1 = Scalar(1.24501283) * c4;
   const Scalar t2 = t0 * t1 - Scalar(0.29826) * s4;
@@ -785,14 +755,8 @@ namespace detail {
 template <class Scalar, class Angles>
 inline Scalar potential_energy_with_gravity_vector(const JointVector<Scalar>& q, const Angles& angles,
     const PotentialEnergyWithGravityVectorConstants<Scalar>& k) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = Scalar(0.79443) * s5;
   const Scalar t1 = Scalar(0.29826) * c4 + s4 * t0;
   const Scalar t2 = Scalar(6.47) * q[2] - (Scalar(27.39975) + (Scalar(0.09936) - Scalar(0.79443) * c5));

@@ -26,14 +26,8 @@ using NoAngles = JacobianSelection<Scalar, 0>;
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = q[2] * s2;
   const Scalar t1 = q[2] * c2;
   const Scalar t2 = c1 * s2;
@@ -45,38 +39,22 @@ inline Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
   Jacobian<Scalar> result;
   result(0, 0) = -Scalar(0.1337) * c1 - s1 * t0;
   result(0, 1) = c1 * t1;
-  result(0, 2) = t2;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = Scalar(0);
-  result(0, 5) = Scalar(0);
+  result(0, 2) = result(3, 3) = t2;
+  result(0, 3) = result(0, 4) = result(0, 5) = result(1, 3) = result(1, 4) = result(1, 5) = result(2, 0) =
+      result(2, 3) = result(2, 4) = result(2, 5) = result(3, 0) = result(3, 2) = result(4, 0) = result(4, 2) =
+      result(5, 1) = result(5, 2) = Scalar(0);
   result(1, 0) = c1 * t0 - Scalar(0.1337) * s1;
   result(1, 1) = s1 * t1;
-  result(1, 2) = t3;
-  result(1, 3) = Scalar(0);
-  result(1, 4) = Scalar(0);
-  result(1, 5) = Scalar(0);
-  result(2, 0) = Scalar(0);
+  result(1, 2) = result(4, 3) = t3;
   result(2, 1) = -t0;
-  result(2, 2) = c2;
-  result(2, 3) = Scalar(0);
-  result(2, 4) = Scalar(0);
-  result(2, 5) = Scalar(0);
-  result(3, 0) = Scalar(0);
+  result(2, 2) = result(5, 3) = c2;
   result(3, 1) = -s1;
-  result(3, 2) = Scalar(0);
-  result(3, 3) = t2;
   result(3, 4) = c1 * t4 - s1 * s4;
   result(3, 5) = s1 * t5 + c1 * t7;
-  result(4, 0) = Scalar(0);
   result(4, 1) = c1;
-  result(4, 2) = Scalar(0);
-  result(4, 3) = t3;
   result(4, 4) = s1 * t4 + c1 * s4;
   result(4, 5) = s1 * t7 - c1 * t5;
   result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
-  result(5, 3) = c2;
   result(5, 4) = -c4 * s2;
   result(5, 5) = c2 * c5 - s2 * t6;
 
@@ -86,16 +64,9 @@ inline Jacobian<Scalar> jacobian(const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4];
   const Scalar t0 = s1 * s2;
   const Scalar t1 = c1 * c4;
   const Scalar t2 = s1 * s4;
@@ -120,52 +91,33 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointV
   TransformAndJacobian<Scalar> result;
   result.transform(0, 0) = t6 * t8 - t9 * t12;
   result.transform(0, 1) = t8 * t14 - t9 * t13;
-  result.transform(0, 2) = t15;
+  result.transform(0, 2) = result.jacobian(3, 5) = t15;
   result.transform(1, 0) = -t14;
   result.transform(1, 1) = t6;
-  result.transform(1, 2) = t9;
+  result.transform(1, 2) = result.jacobian(4, 5) = t9;
   result.transform(2, 0) = -t13;
   result.transform(2, 1) = t12;
-  result.transform(2, 2) = t8;
-  result.transform(0, 3) = -t17;
+  result.transform(2, 2) = result.jacobian(5, 5) = t8;
+  result.transform(0, 3) = result.jacobian(1, 0) = -t17;
   result.transform(1, 3) = t18;
   result.transform(2, 3) = Scalar(0.412) + t19;
   result.jacobian(0, 0) = -t18;
   result.jacobian(0, 1) = c1 * t19;
-  result.jacobian(0, 2) = t20;
-  result.jacobian(0, 3) = Scalar(0);
-  result.jacobian(0, 4) = Scalar(0);
-  result.jacobian(0, 5) = Scalar(0);
-  result.jacobian(1, 0) = -t17;
+  result.jacobian(0, 2) = result.jacobian(3, 3) = t20;
+  result.jacobian(0, 3) = result.jacobian(0, 4) = result.jacobian(0, 5) = result.jacobian(1, 3) =
+      result.jacobian(1, 4) = result.jacobian(1, 5) = result.jacobian(2, 0) = result.jacobian(2, 3) =
+      result.jacobian(2, 4) = result.jacobian(2, 5) = result.jacobian(3, 0) = result.jacobian(3, 2) =
+      result.jacobian(4, 0) = result.jacobian(4, 2) = result.jacobian(5, 1) = result.jacobian(5, 2) = Scalar(0);
   result.jacobian(1, 1) = s1 * t19;
-  result.jacobian(1, 2) = t0;
-  result.jacobian(1, 3) = Scalar(0);
-  result.jacobian(1, 4) = Scalar(0);
-  result.jacobian(1, 5) = Scalar(0);
-  result.jacobian(2, 0) = Scalar(0);
+  result.jacobian(1, 2) = result.jacobian(4, 3) = t0;
   result.jacobian(2, 1) = -t16;
-  result.jacobian(2, 2) = c2;
-  result.jacobian(2, 3) = Scalar(0);
-  result.jacobian(2, 4) = Scalar(0);
-  result.jacobian(2, 5) = Scalar(0);
-  result.jacobian(3, 0) = Scalar(0);
+  result.jacobian(2, 2) = result.jacobian(5, 3) = c2;
   result.jacobian(3, 1) = -s1;
-  result.jacobian(3, 2) = Scalar(0);
-  result.jacobian(3, 3) = t20;
   result.jacobian(3, 4) = c2 * t1 - t2;
-  result.jacobian(3, 5) = t15;
-  result.jacobian(4, 0) = Scalar(0);
   result.jacobian(4, 1) = c1;
-  result.jacobian(4, 2) = Scalar(0);
-  result.jacobian(4, 3) = t0;
   result.jacobian(4, 4) = t5;
-  result.jacobian(4, 5) = t9;
   result.jacobian(5, 0) = Scalar(1);
-  result.jacobian(5, 1) = Scalar(0);
-  result.jacobian(5, 2) = Scalar(0);
-  result.jacobian(5, 3) = c2;
   result.jacobian(5, 4) = -t11;
-  result.jacobian(5, 5) = t8;
   result.transform.makeAffine();
   return result;
 }
@@ -173,14 +125,8 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian(const JointV
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> tool_jacobian(const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
   const Scalar t0 = Scalar(0.1337) * c2;
   const Scalar t1 = c4 * s2;
   const Scalar t2 = s4 * t0 + q[2] * t1;
@@ -198,39 +144,24 @@ inline Jacobian<Scalar> tool_jacobian(const JointVector<Scalar>& q,
   Jacobian<Scalar> result;
   result(0, 0) = -c6 * t4 - s6 * t6;
   result(0, 1) = s6 * t7 + c6 * t9;
-  result(0, 2) = -t10;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = Scalar(0);
-  result(0, 5) = Scalar(0);
+  result(0, 2) = result(3, 3) = -t10;
+  result(0, 3) = result(0, 4) = result(0, 5) = result(1, 3) = result(1, 4) = result(1, 5) = result(2, 3) =
+      result(2, 4) = result(2, 5) = result(3, 2) = result(3, 5) = result(4, 2) = result(4, 5) = result(5, 2) =
+      result(5, 4) = Scalar(0);
   result(1, 0) = s6 * t4 - c6 * t6;
   result(1, 1) = c6 * t7 - s6 * t9;
-  result(1, 2) = t11;
-  result(1, 3) = Scalar(0);
-  result(1, 4) = Scalar(0);
-  result(1, 5) = Scalar(0);
+  result(1, 2) = result(4, 3) = t11;
   result(2, 0) = -c5 * t3 - s5 * t2;
   result(2, 1) = s5 * t8;
-  result(2, 2) = c5;
-  result(2, 3) = Scalar(0);
-  result(2, 4) = Scalar(0);
-  result(2, 5) = Scalar(0);
+  result(2, 2) = result(5, 3) = c5;
   result(3, 0) = -c6 * t12 - s6 * t1;
   result(3, 1) = s4 * s6 - c6 * t13;
-  result(3, 2) = Scalar(0);
-  result(3, 3) = -t10;
   result(3, 4) = s6;
-  result(3, 5) = Scalar(0);
   result(4, 0) = s6 * t12 - c6 * t1;
   result(4, 1) = c6 * s4 + s6 * t13;
-  result(4, 2) = Scalar(0);
-  result(4, 3) = t11;
   result(4, 4) = c6;
-  result(4, 5) = Scalar(0);
   result(5, 0) = c2 * c5 - s5 * t5;
   result(5, 1) = -c4 * s5;
-  result(5, 2) = Scalar(0);
-  result(5, 3) = c5;
-  result(5, 4) = Scalar(0);
   result(5, 5) = Scalar(1);
 
   return result;
@@ -240,16 +171,9 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q,
     const Vector3<Scalar>& point,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4];
   const Scalar t0 = point[0] * c6 - point[1] * s6;
   const Scalar t1 = c5 * t0 + point[2] * s5;
   const Scalar t2 = point[0] * s6 + point[1] * c6;
@@ -282,38 +206,29 @@ inline Jacobian<Scalar> jacobian_at(const JointVector<Scalar>& q,
   Jacobian<Scalar> result;
   result(0, 0) = -s1 * t7 - c1 * t9;
   result(0, 1) = -c1 * t11;
-  result(0, 2) = t12;
+  result(0, 2) = result(3, 3) = t12;
   result(0, 3) = -t13 * t14 - c2 * t16;
   result(0, 4) = t17 * t16 - t19 * t13;
   result(0, 5) = -t13 * t23 - t24 * t16;
   result(1, 0) = c1 * t7 - s1 * t9;
   result(1, 1) = -s1 * t11;
-  result(1, 2) = t14;
+  result(1, 2) = result(4, 3) = t14;
   result(1, 3) = c2 * t25 + c1 * t3;
   result(1, 4) = -t13 * t26 - t17 * t27;
   result(1, 5) = t13 * t28 + t24 * t27;
-  result(2, 0) = Scalar(0);
+  result(2, 0) = result(3, 0) = result(3, 2) = result(4, 0) = result(4, 2) = result(5, 1) = result(5, 2) = Scalar(0);
   result(2, 1) = -t7;
-  result(2, 2) = c2;
+  result(2, 2) = result(5, 3) = c2;
   result(2, 3) = -s2 * t8;
   result(2, 4) = -t26 * t16 - t19 * t27;
   result(2, 5) = t28 * t16 - t27 * t23;
-  result(3, 0) = Scalar(0);
   result(3, 1) = -s1;
-  result(3, 2) = Scalar(0);
-  result(3, 3) = t12;
   result(3, 4) = -t26;
   result(3, 5) = t28;
-  result(4, 0) = Scalar(0);
   result(4, 1) = c1;
-  result(4, 2) = Scalar(0);
-  result(4, 3) = t14;
   result(4, 4) = t19;
   result(4, 5) = t23;
   result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
-  result(5, 3) = c2;
   result(5, 4) = -t17;
   result(5, 5) = t24;
 
@@ -324,14 +239,8 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> velocity(const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = (qd[2] * s2 + qd[1] * q[2] * c2) - Scalar(0.1337) * qd[0];
   const Scalar t1 = q[2] * s2;
   const Scalar t2 = qd[0] * t1;
@@ -355,14 +264,8 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = qd[1] * c2;
   const Scalar t1 = qd[2] * s2 + q[2] * t0;
   const Scalar t2 = Scalar(0.1337) * qd[0] - t1;
@@ -392,38 +295,21 @@ inline Jacobian<Scalar> jacobian_dot(const JointVector<Scalar>& q,
   Jacobian<Scalar> result;
   result(0, 0) = s1 * t2 - q[2] * t4;
   result(0, 1) = -c1 * t6 - t7 * t8;
-  result(0, 2) = t10;
-  result(0, 3) = Scalar(0);
-  result(0, 4) = Scalar(0);
-  result(0, 5) = Scalar(0);
+  result(0, 2) = result(3, 3) = t10;
+  result(0, 3) = result(0, 4) = result(0, 5) = result(1, 3) = result(1, 4) = result(1, 5) = result(2, 0) =
+      result(2, 3) = result(2, 4) = result(2, 5) = result(3, 0) = result(3, 2) = result(4, 0) = result(4, 2) =
+      result(5, 0) = result(5, 1) = result(5, 2) = Scalar(0);
   result(1, 0) = -q[2] * t9 - c1 * t2;
   result(1, 1) = t7 * t3 - s1 * t6;
-  result(1, 2) = t11;
-  result(1, 3) = Scalar(0);
-  result(1, 4) = Scalar(0);
-  result(1, 5) = Scalar(0);
-  result(2, 0) = Scalar(0);
+  result(1, 2) = result(4, 3) = t11;
   result(2, 1) = -t1;
-  result(2, 2) = -t5;
-  result(2, 3) = Scalar(0);
-  result(2, 4) = Scalar(0);
-  result(2, 5) = Scalar(0);
-  result(3, 0) = Scalar(0);
+  result(2, 2) = result(5, 3) = -t5;
   result(3, 1) = -t3;
-  result(3, 2) = Scalar(0);
-  result(3, 3) = t10;
   result(3, 4) = -s1 * t13 - c1 * t17;
   result(3, 5) = s1 * t25 - c1 * t24;
-  result(4, 0) = Scalar(0);
   result(4, 1) = -t8;
-  result(4, 2) = Scalar(0);
-  result(4, 3) = t11;
   result(4, 4) = c1 * t13 - s1 * t17;
   result(4, 5) = -s1 * t24 - c1 * t25;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
-  result(5, 3) = -t5;
   result(5, 4) = s2 * t16 - c2 * t15;
   result(5, 5) = -s2 * t23 - c2 * t22;
 
@@ -434,14 +320,8 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> jacobian_dot_times_qd(const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
   const Scalar t0 = qd[0] * qd[0];
   const Scalar t1 = qd[2] * s2;
   const Scalar t2 = t1 + q[2] * qd[1] * c2;
@@ -478,8 +358,7 @@ inline Twist<Scalar> jacobian_dot_times_qd(const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline SingularityMeasures<Scalar> singularity_measures(const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& s5 = angles.sine[1];
+  const Scalar &s2 = angles.sine[0], &s5 = angles.sine[1];
 
   SingularityMeasures<Scalar> result;
   result(0, 0) = s2;

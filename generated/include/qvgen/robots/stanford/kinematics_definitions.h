@@ -53,16 +53,11 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics(const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s_0 = angles.sine[0];  // of (2*theta1 + pi)/4
-  const Scalar& c_0 = angles.cosine[0];  // of (2*theta1 + pi)/4
-  const Scalar& sh2 = angles.sine[1];
-  const Scalar& ch2 = angles.cosine[1];
-  const Scalar& sh5 = angles.sine[2];
-  const Scalar& ch5 = angles.cosine[2];
-  const Scalar& sh46 = angles.sine[3];
-  const Scalar& ch46 = angles.cosine[3];
-  const Scalar& sh4m6 = angles.sine[4];
-  const Scalar& ch4m6 = angles.cosine[4];
+  const Scalar &s_0 = angles.sine[0], &c_0 = angles.cosine[0], &sh2 = angles.sine[1], &ch2 = angles.cosine[1];
+  const Scalar &sh5 = angles.sine[2], &ch5 = angles.cosine[2], &sh46 = angles.sine[3], &ch46 = angles.cosine[3];
+  const Scalar &sh4m6 = angles.sine[4], &ch4m6 = angles.cosine[4];
+  // s_0: of (2*theta1 + pi)/4
+  // c_0: of (2*theta1 + pi)/4
   const Scalar t0 = sh4m6 * sh5;
   const Scalar t1 = ch2 * ch5;
   const Scalar t2 = sh2 * t0 - ch46 * t1;
@@ -89,16 +84,9 @@ template <class Scalar, class Angles>
 inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
     const JointVector<Scalar>& q, const Angles& angles,
     [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4];
   const Scalar t0 = s4 * s5;
   const Scalar t1 = c2 * c5 - s2 * t0;
   const Scalar t2 = c5 * s6;

@@ -26,16 +26,9 @@ using NoAngles = JacobianSelection<Scalar, 0>;
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s23 = angles.sine[3];
-  const Scalar& c23 = angles.cosine[3];
-  const Scalar& s234 = angles.sine[4];
-  const Scalar& c234 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s23 = angles.sine[3], &c23 = angles.cosine[3];
+  const Scalar &s234 = angles.sine[4], &c234 = angles.cosine[4];
   const Scalar t0 = Scalar(0.0823) * c5;
   const Scalar t1 = Scalar(0.10915) + t0;
   const Scalar t2 = c234 * s5;
@@ -54,35 +47,24 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
   result(0, 2) = c1 * t8;
   result(0, 3) = c1 * t7;
   result(0, 4) = -Scalar(0.0823) * (c234 * t10 + s1 * s5);
-  result(0, 5) = Scalar(0);
+  result(0, 5) = result(1, 5) = result(2, 0) = result(2, 5) = result(3, 0) = result(4, 0) = result(5, 1) =
+      result(5, 2) = result(5, 3) = Scalar(0);
   result(1, 0) = s1 * t1 - c1 * t5;
   result(1, 1) = s1 * t9;
   result(1, 2) = s1 * t8;
   result(1, 3) = s1 * t7;
   result(1, 4) = -Scalar(0.0823) * (c234 * t11 - c1 * s5);
-  result(1, 5) = Scalar(0);
-  result(2, 0) = Scalar(0);
   result(2, 1) = -t5;
   result(2, 2) = t4;
   result(2, 3) = t3;
   result(2, 4) = -s234 * t0;
-  result(2, 5) = Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = s1;
-  result(3, 2) = s1;
-  result(3, 3) = s1;
+  result(3, 1) = result(3, 2) = result(3, 3) = s1;
   result(3, 4) = c1 * s234;
   result(3, 5) = t11 - c1 * t2;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = -c1;
-  result(4, 2) = -c1;
-  result(4, 3) = -c1;
+  result(4, 1) = result(4, 2) = result(4, 3) = -c1;
   result(4, 4) = s1 * s234;
   result(4, 5) = -s1 * t2 - t10;
   result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
-  result(5, 3) = Scalar(0);
   result(5, 4) = -c234;
   result(5, 5) = -t6;
 
@@ -92,18 +74,9 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
-  const Scalar& s23 = angles.sine[4];
-  const Scalar& c23 = angles.cosine[4];
-  const Scalar& s234 = angles.sine[5];
-  const Scalar& c234 = angles.cosine[5];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
+  const Scalar &s23 = angles.sine[4], &c23 = angles.cosine[4], &s234 = angles.sine[5], &c234 = angles.cosine[5];
   const Scalar t0 = c1 * c5;
   const Scalar t1 = c234 * t0 + s1 * s5;
   const Scalar t2 = c1 * s234;
@@ -132,14 +105,14 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
   TransformAndJacobian<Scalar> result;
   result.transform(0, 0) = t3;
   result.transform(0, 1) = -t4;
-  result.transform(0, 2) = -t7;
+  result.transform(0, 2) = result.jacobian(3, 5) = -t7;
   result.transform(1, 0) = -t10;
   result.transform(1, 1) = -t11;
-  result.transform(1, 2) = -t13;
+  result.transform(1, 2) = result.jacobian(4, 5) = -t13;
   result.transform(2, 0) = t4 * t13 - t11 * t7;
   result.transform(2, 1) = t13 * t3 + t7 * t10;
-  result.transform(2, 2) = -t14;
-  result.transform(0, 3) = -t20;
+  result.transform(2, 2) = result.jacobian(5, 5) = -t14;
+  result.transform(0, 3) = result.jacobian(1, 0) = -t20;
   result.transform(1, 3) = -t21;
   result.transform(2, 3) = Scalar(0.089159) - t24;
   result.jacobian(0, 0) = t21;
@@ -147,37 +120,23 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
   result.jacobian(0, 2) = c1 * t23;
   result.jacobian(0, 3) = c1 * t22;
   result.jacobian(0, 4) = -Scalar(0.0823) * t1;
-  result.jacobian(0, 5) = Scalar(0);
-  result.jacobian(1, 0) = -t20;
+  result.jacobian(0, 5) = result.jacobian(1, 5) = result.jacobian(2, 0) = result.jacobian(2, 5) =
+      result.jacobian(3, 0) = result.jacobian(4, 0) = result.jacobian(5, 1) = result.jacobian(5, 2) =
+      result.jacobian(5, 3) = Scalar(0);
   result.jacobian(1, 1) = s1 * t24;
   result.jacobian(1, 2) = s1 * t23;
   result.jacobian(1, 3) = s1 * t22;
   result.jacobian(1, 4) = -Scalar(0.0823) * t9;
-  result.jacobian(1, 5) = Scalar(0);
-  result.jacobian(2, 0) = Scalar(0);
   result.jacobian(2, 1) = -t17;
   result.jacobian(2, 2) = t16;
   result.jacobian(2, 3) = t15;
   result.jacobian(2, 4) = -s234 * t18;
-  result.jacobian(2, 5) = Scalar(0);
-  result.jacobian(3, 0) = Scalar(0);
-  result.jacobian(3, 1) = s1;
-  result.jacobian(3, 2) = s1;
-  result.jacobian(3, 3) = s1;
+  result.jacobian(3, 1) = result.jacobian(3, 2) = result.jacobian(3, 3) = s1;
   result.jacobian(3, 4) = t2;
-  result.jacobian(3, 5) = -t7;
-  result.jacobian(4, 0) = Scalar(0);
-  result.jacobian(4, 1) = -c1;
-  result.jacobian(4, 2) = -c1;
-  result.jacobian(4, 3) = -c1;
+  result.jacobian(4, 1) = result.jacobian(4, 2) = result.jacobian(4, 3) = -c1;
   result.jacobian(4, 4) = t8;
-  result.jacobian(4, 5) = -t13;
   result.jacobian(5, 0) = Scalar(1);
-  result.jacobian(5, 1) = Scalar(0);
-  result.jacobian(5, 2) = Scalar(0);
-  result.jacobian(5, 3) = Scalar(0);
   result.jacobian(5, 4) = -c234;
-  result.jacobian(5, 5) = -t14;
   result.transform.makeAffine();
   return result;
 }
@@ -185,16 +144,9 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s4 = angles.sine[0];
-  const Scalar& c4 = angles.cosine[0];
-  const Scalar& s5 = angles.sine[1];
-  const Scalar& c5 = angles.cosine[1];
-  const Scalar& s6 = angles.sine[2];
-  const Scalar& c6 = angles.cosine[2];
-  const Scalar& s34 = angles.sine[3];
-  const Scalar& c34 = angles.cosine[3];
-  const Scalar& s234 = angles.sine[4];
-  const Scalar& c234 = angles.cosine[4];
+  const Scalar &s4 = angles.sine[0], &c4 = angles.cosine[0], &s5 = angles.sine[1], &c5 = angles.cosine[1];
+  const Scalar &s6 = angles.sine[2], &c6 = angles.cosine[2], &s34 = angles.sine[3], &c34 = angles.cosine[3];
+  const Scalar &s234 = angles.sine[4], &c234 = angles.cosine[4];
   const Scalar t0 = Scalar(0.10915) + Scalar(0.0823) * c5;
   const Scalar t1 = s234 * t0;
   const Scalar t2 = c234 * t0;
@@ -215,36 +167,24 @@ inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>
   result(0, 2) = t3 * t10 - s6 * t6;
   result(0, 3) = Scalar(0.09465) * t10 - s6 * t5;
   result(0, 4) = -Scalar(0.0823) * c6;
-  result(0, 5) = Scalar(0);
+  result(0, 5) = result(1, 5) = result(2, 4) = result(2, 5) = result(3, 5) = result(4, 5) = result(5, 4) = Scalar(0);
   result(1, 0) = -s6 * t9 - c6 * t1;
   result(1, 1) = t4 * t11 - c6 * t7;
   result(1, 2) = -t3 * t11 - c6 * t6;
   result(1, 3) = -c6 * t5 - Scalar(0.09465) * t11;
   result(1, 4) = Scalar(0.0823) * s6;
-  result(1, 5) = Scalar(0);
   result(2, 0) = c5 * t8 - s5 * t2;
   result(2, 1) = s5 * t4;
   result(2, 2) = -s5 * t3;
   result(2, 3) = -Scalar(0.09465) * s5;
-  result(2, 4) = Scalar(0);
-  result(2, 5) = Scalar(0);
   result(3, 0) = c234 * s6 + s234 * t10;
-  result(3, 1) = t12;
-  result(3, 2) = t12;
-  result(3, 3) = t12;
+  result(3, 1) = result(3, 2) = result(3, 3) = t12;
   result(3, 4) = -s6;
-  result(3, 5) = Scalar(0);
   result(4, 0) = c234 * c6 - s234 * t11;
-  result(4, 1) = -t13;
-  result(4, 2) = -t13;
-  result(4, 3) = -t13;
+  result(4, 1) = result(4, 2) = result(4, 3) = -t13;
   result(4, 4) = -c6;
-  result(4, 5) = Scalar(0);
   result(5, 0) = -s234 * s5;
-  result(5, 1) = c5;
-  result(5, 2) = c5;
-  result(5, 3) = c5;
-  result(5, 4) = Scalar(0);
+  result(5, 1) = result(5, 2) = result(5, 3) = c5;
   result(5, 5) = Scalar(1);
 
   return result;
@@ -254,18 +194,9 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& q,
     const Vector3<Scalar>& point,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
-  const Scalar& s23 = angles.sine[4];
-  const Scalar& c23 = angles.cosine[4];
-  const Scalar& s234 = angles.sine[5];
-  const Scalar& c234 = angles.cosine[5];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
+  const Scalar &s23 = angles.sine[4], &c23 = angles.cosine[4], &s234 = angles.sine[5], &c234 = angles.cosine[5];
   const Scalar t0 = Scalar(0.0823) + point[2];
   const Scalar t1 = point[0] * c6 - point[1] * s6;
   const Scalar t2 = c5 * t0 + s5 * t1;
@@ -297,28 +228,19 @@ inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& 
   result(1, 3) = -s1 * t10;
   result(1, 4) = -c1 * t4 - s1 * t13;
   result(1, 5) = c1 * t16 - s1 * t15;
-  result(2, 0) = Scalar(0);
+  result(2, 0) = result(3, 0) = result(4, 0) = result(5, 1) = result(5, 2) = result(5, 3) = Scalar(0);
   result(2, 1) = -t9;
   result(2, 2) = t8;
   result(2, 3) = t7;
   result(2, 4) = -s234 * t2;
   result(2, 5) = c234 * t1 - s234 * t14;
-  result(3, 0) = Scalar(0);
-  result(3, 1) = s1;
-  result(3, 2) = s1;
-  result(3, 3) = s1;
+  result(3, 1) = result(3, 2) = result(3, 3) = s1;
   result(3, 4) = c1 * s234;
   result(3, 5) = c5 * s1 - c1 * t17;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = -c1;
-  result(4, 2) = -c1;
-  result(4, 3) = -c1;
+  result(4, 1) = result(4, 2) = result(4, 3) = -c1;
   result(4, 4) = s1 * s234;
   result(4, 5) = -s1 * t17 - c1 * c5;
   result(5, 0) = Scalar(1);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
-  result(5, 3) = Scalar(0);
   result(5, 4) = -c234;
   result(5, 5) = -s234 * s5;
 
@@ -329,16 +251,9 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> velocity([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s23 = angles.sine[3];
-  const Scalar& c23 = angles.cosine[3];
-  const Scalar& s234 = angles.sine[4];
-  const Scalar& c234 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s23 = angles.sine[3], &c23 = angles.cosine[3];
+  const Scalar &s234 = angles.sine[4], &c234 = angles.cosine[4];
   const Scalar t0 = qd[4] * c234;
   const Scalar t1 = Scalar(0.0823) * c5;
   const Scalar t2 = qd[1] + qd[2];
@@ -374,16 +289,9 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s23 = angles.sine[3];
-  const Scalar& c23 = angles.cosine[3];
-  const Scalar& s234 = angles.sine[4];
-  const Scalar& c234 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s23 = angles.sine[3], &c23 = angles.cosine[3];
+  const Scalar &s234 = angles.sine[4], &c234 = angles.cosine[4];
   const Scalar t0 = Scalar(0.425) * c2;
   const Scalar t1 = Scalar(0.09465) * s234;
   const Scalar t2 = Scalar(0.0823) * s5;
@@ -424,35 +332,23 @@ inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>&
   result(0, 2) = c1 * t24 - t18 * t20;
   result(0, 3) = c1 * t23 - t12 * t20;
   result(0, 4) = -c1 * t28 - t30 * t7;
-  result(0, 5) = Scalar(0);
+  result(0, 5) = result(1, 5) = result(2, 0) = result(2, 5) = result(3, 0) = result(4, 0) = result(5, 0) =
+      result(5, 1) = result(5, 2) = result(5, 3) = Scalar(0);
   result(1, 0) = s1 * t6 + c1 * t17;
   result(1, 1) = t19 * t31 + s1 * t25;
   result(1, 2) = s1 * t24 + t31 * t18;
   result(1, 3) = s1 * t23 + t31 * t12;
   result(1, 4) = t32 * t7 - s1 * t28;
-  result(1, 5) = Scalar(0);
-  result(2, 0) = Scalar(0);
   result(2, 1) = t16;
   result(2, 2) = t15;
   result(2, 3) = t14;
   result(2, 4) = s234 * t5 - t21 * t7;
-  result(2, 5) = Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = t31;
-  result(3, 2) = t31;
-  result(3, 3) = t31;
+  result(3, 1) = result(3, 2) = result(3, 3) = t31;
   result(3, 4) = c1 * t21 - s234 * t20;
   result(3, 5) = c1 * t33 - s5 * t30;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = t20;
-  result(4, 2) = t20;
-  result(4, 3) = t20;
+  result(4, 1) = result(4, 2) = result(4, 3) = t20;
   result(4, 4) = s234 * t31 + s1 * t21;
   result(4, 5) = s1 * t33 + s5 * t32;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = Scalar(0);
-  result(5, 2) = Scalar(0);
-  result(5, 3) = Scalar(0);
   result(5, 4) = t27;
   result(5, 5) = -t22;
 
@@ -463,16 +359,9 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s23 = angles.sine[3];
-  const Scalar& c23 = angles.cosine[3];
-  const Scalar& s234 = angles.sine[4];
-  const Scalar& c234 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s23 = angles.sine[3], &c23 = angles.cosine[3];
+  const Scalar &s234 = angles.sine[4], &c234 = angles.cosine[4];
   const Scalar t0 = qd[1] + qd[2];
   const Scalar t1 = qd[3] + t0;
   const Scalar t2 = s234 * t1;
@@ -521,12 +410,8 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
 template <class Scalar, class Angles>
 inline SingularityMeasures<Scalar> singularity_measures([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& s234 = angles.sine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &s234 = angles.sine[3];
   const Scalar t0 = c2 - Scalar(0.9229411764705883) * (s2 * s3 - c2 * c3);
   SingularityMeasures<Scalar> result;
   result(0, 0) = t0 - Scalar(0.22270588235294117) * s234;

@@ -61,18 +61,15 @@ template <class Scalar, class Angles>
 inline Pose<Scalar> forward_kinematics([[maybe_unused]] const JointVector<Scalar>& q,
                                        const Angles& angles,
                                        [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s_0 = angles.sine[0];  // of (2*theta5 - pi)/4
-  const Scalar& c_0 = angles.cosine[0];  // of (2*theta5 - pi)/4
-  const Scalar& s_1 = angles.sine[1];  // of (2*theta6 + pi)/4
-  const Scalar& c_1 = angles.cosine[1];  // of (2*theta6 + pi)/4
-  const Scalar& sh1 = angles.sine[2];
-  const Scalar& ch1 = angles.cosine[2];
-  const Scalar& s2 = angles.sine[3];
-  const Scalar& c2 = angles.cosine[3];
-  const Scalar& s23 = angles.sine[4];
-  const Scalar& c23 = angles.cosine[4];
-  const Scalar& s_5 = angles.sine[5];  // of (2*theta2 + 2*theta3 + 2*theta4 + pi)/4
-  const Scalar& c_5 = angles.cosine[5];  // of (2*theta2 + 2*theta3 + 2*theta4 + pi)/4
+  const Scalar &s_0 = angles.sine[0], &c_0 = angles.cosine[0], &s_1 = angles.sine[1], &c_1 = angles.cosine[1];
+  const Scalar &sh1 = angles.sine[2], &ch1 = angles.cosine[2], &s2 = angles.sine[3], &c2 = angles.cosine[3];
+  const Scalar &s23 = angles.sine[4], &c23 = angles.cosine[4], &s_5 = angles.sine[5], &c_5 = angles.cosine[5];
+  // s_0: of (2*theta5 - pi)/4
+  // c_0: of (2*theta5 - pi)/4
+  // s_1: of (2*theta6 + pi)/4
+  // c_1: of (2*theta6 + pi)/4
+  // s_5: of (2*theta2 + 2*theta3 + 2*theta4 + pi)/4
+  // c_5: of (2*theta2 + 2*theta3 + 2*theta4 + pi)/4
   const Scalar t0 = c_5 * c_0;
   const Scalar t1 = s_5 * sh1;
   const Scalar t2 = ch1 * t0 + s_0 * t1;
@@ -105,18 +102,9 @@ template <class Scalar, class Angles>
 inline Eigen::Transform<Scalar, 3, Eigen::Isometry> homogeneous_transform(
     [[maybe_unused]] const JointVector<Scalar>& q, const Angles& angles,
     [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
-  const Scalar& s23 = angles.sine[4];
-  const Scalar& c23 = angles.cosine[4];
-  const Scalar& s234 = angles.sine[5];
-  const Scalar& c234 = angles.cosine[5];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
+  const Scalar &s23 = angles.sine[4], &c23 = angles.cosine[4], &s234 = angles.sine[5], &c234 = angles.cosine[5];
   const Scalar t0 = c5 * s6;
   const Scalar t1 = c234 * t0 + c6 * s234;
   const Scalar t2 = s5 * s6;

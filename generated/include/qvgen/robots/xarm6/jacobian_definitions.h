@@ -26,16 +26,9 @@ using NoAngles = JacobianSelection<Scalar, 0>;
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s23 = angles.sine[4];
-  const Scalar& c23 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s23 = angles.sine[4], &c23 = angles.cosine[4];
   const Scalar t0 = Scalar(0.097) * s5 - Scalar(0.076) * c5;
   const Scalar t1 = c1 * s4;
   const Scalar t2 = Scalar(0.0775) - c4 * t0;
@@ -59,34 +52,26 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
   result(0, 2) = -c1 * t7;
   result(0, 3) = t9 * t0;
   result(0, 4) = c1 * t12 - t13 * t3;
-  result(0, 5) = Scalar(0);
+  result(0, 5) = result(1, 5) = result(2, 0) = result(2, 5) = result(3, 0) = result(4, 0) = result(5, 1) =
+      result(5, 2) = Scalar(0);
   result(1, 0) = c1 * t6 - t13 * t0;
   result(1, 1) = -s1 * t8;
   result(1, 2) = -s1 * t7;
   result(1, 3) = t0 * t14;
   result(1, 4) = s1 * t12 + t1 * t3;
-  result(1, 5) = Scalar(0);
-  result(2, 0) = Scalar(0);
   result(2, 1) = -t6;
   result(2, 2) = -t5;
   result(2, 3) = -s4 * t10;
   result(2, 4) = c23 * t0 + t3 * t15;
-  result(2, 5) = Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = -s1;
-  result(3, 2) = -s1;
+  result(3, 1) = result(3, 2) = -s1;
   result(3, 3) = -c1 * s23;
   result(3, 4) = t9;
   result(3, 5) = -c1 * t16 - s5 * t13;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = c1;
-  result(4, 2) = c1;
+  result(4, 1) = result(4, 2) = c1;
   result(4, 3) = -s1 * s23;
   result(4, 4) = t14;
   result(4, 5) = s5 * t1 - s1 * t16;
   result(5, 0) = Scalar(1);
-  result(5, 1) = -Scalar(0);
-  result(5, 2) = -Scalar(0);
   result(5, 3) = -c23;
   result(5, 4) = -s23 * s4;
   result(5, 5) = s5 * t15 - c23 * c5;
@@ -97,18 +82,9 @@ inline Jacobian<Scalar> jacobian([[maybe_unused]] const JointVector<Scalar>& q,
 template <class Scalar, class Angles>
 inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
-  const Scalar& s23 = angles.sine[5];
-  const Scalar& c23 = angles.cosine[5];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4], &s23 = angles.sine[5], &c23 = angles.cosine[5];
   const Scalar t0 = c4 * s23;
   const Scalar t1 = s5 * t0 - c23 * c5;
   const Scalar t2 = s1 * s4;
@@ -141,14 +117,14 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
   TransformAndJacobian<Scalar> result;
   result.transform(0, 0) = t12 * t13 - t1 * t9;
   result.transform(0, 1) = t14 * t13 + t1 * t15;
-  result.transform(0, 2) = -t16;
+  result.transform(0, 2) = result.jacobian(3, 5) = -t16;
   result.transform(1, 0) = -t15;
   result.transform(1, 1) = -t9;
-  result.transform(1, 2) = -t13;
+  result.transform(1, 2) = result.jacobian(4, 5) = -t13;
   result.transform(2, 0) = -t14;
   result.transform(2, 1) = t12;
-  result.transform(2, 2) = t1;
-  result.transform(0, 3) = t23;
+  result.transform(2, 2) = result.jacobian(5, 5) = t1;
+  result.transform(0, 3) = result.jacobian(1, 0) = t23;
   result.transform(1, 3) = t24;
   result.transform(2, 3) = Scalar(0.267) - t26;
   result.jacobian(0, 0) = -t24;
@@ -156,37 +132,25 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
   result.jacobian(0, 2) = -c1 * t25;
   result.jacobian(0, 3) = t27 * t17;
   result.jacobian(0, 4) = c1 * t28 - t2 * t19;
-  result.jacobian(0, 5) = Scalar(0);
-  result.jacobian(1, 0) = t23;
+  result.jacobian(0, 5) = result.jacobian(1, 5) = result.jacobian(2, 0) = result.jacobian(2, 5) =
+      result.jacobian(3, 0) = result.jacobian(4, 0) = result.jacobian(5, 1) = result.jacobian(5, 2) = Scalar(0);
   result.jacobian(1, 1) = -s1 * t26;
   result.jacobian(1, 2) = -s1 * t25;
   result.jacobian(1, 3) = t17 * t3;
   result.jacobian(1, 4) = s1 * t28 + t5 * t19;
-  result.jacobian(1, 5) = Scalar(0);
-  result.jacobian(2, 0) = Scalar(0);
   result.jacobian(2, 1) = -t22;
   result.jacobian(2, 2) = -t21;
   result.jacobian(2, 3) = -t17 * t11;
   result.jacobian(2, 4) = c23 * t17 + t19 * t0;
-  result.jacobian(2, 5) = Scalar(0);
-  result.jacobian(3, 0) = Scalar(0);
-  result.jacobian(3, 1) = -s1;
-  result.jacobian(3, 2) = -s1;
+  result.jacobian(3, 1) = result.jacobian(3, 2) = -s1;
   result.jacobian(3, 3) = -c1 * s23;
   result.jacobian(3, 4) = t27;
-  result.jacobian(3, 5) = -t16;
-  result.jacobian(4, 0) = Scalar(0);
-  result.jacobian(4, 1) = c1;
-  result.jacobian(4, 2) = c1;
+  result.jacobian(4, 1) = result.jacobian(4, 2) = c1;
   result.jacobian(4, 3) = -t7;
   result.jacobian(4, 4) = t3;
-  result.jacobian(4, 5) = -t13;
   result.jacobian(5, 0) = Scalar(1);
-  result.jacobian(5, 1) = -Scalar(0);
-  result.jacobian(5, 2) = -Scalar(0);
   result.jacobian(5, 3) = -c23;
   result.jacobian(5, 4) = -t11;
-  result.jacobian(5, 5) = t1;
   result.transform.makeAffine();
   return result;
 }
@@ -194,16 +158,9 @@ inline TransformAndJacobian<Scalar> forward_kinematics_and_jacobian([[maybe_unus
 template <class Scalar, class Angles>
 inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s3 = angles.sine[0];
-  const Scalar& c3 = angles.cosine[0];
-  const Scalar& s4 = angles.sine[1];
-  const Scalar& c4 = angles.cosine[1];
-  const Scalar& s5 = angles.sine[2];
-  const Scalar& c5 = angles.cosine[2];
-  const Scalar& s6 = angles.sine[3];
-  const Scalar& c6 = angles.cosine[3];
-  const Scalar& s23 = angles.sine[4];
-  const Scalar& c23 = angles.cosine[4];
+  const Scalar &s3 = angles.sine[0], &c3 = angles.cosine[0], &s4 = angles.sine[1], &c4 = angles.cosine[1];
+  const Scalar &s5 = angles.sine[2], &c5 = angles.cosine[2], &s6 = angles.sine[3], &c6 = angles.cosine[3];
+  const Scalar &s23 = angles.sine[4], &c23 = angles.cosine[4];
   const Scalar t0 = Scalar(0.097) * s5 - Scalar(0.076) * c5;
   const Scalar t1 = c4 * t0;
   const Scalar t2 = Scalar(0.0775) - t1;
@@ -235,36 +192,27 @@ inline Jacobian<Scalar> tool_jacobian([[maybe_unused]] const JointVector<Scalar>
   result(0, 2) = c6 * t17 + s6 * t18;
   result(0, 3) = -s6 * t0;
   result(0, 4) = -Scalar(0.097) * c6;
-  result(0, 5) = Scalar(0);
+  result(0, 5) = result(1, 5) = result(2, 3) = result(2, 5) = result(3, 5) = result(4, 5) = result(5, 4) = Scalar(0);
   result(1, 0) = -c6 * t8 - s6 * t12;
   result(1, 1) = -c6 * t15 - s6 * t14;
   result(1, 2) = c6 * t18 - s6 * t17;
   result(1, 3) = -c6 * t0;
   result(1, 4) = Scalar(0.097) * s6;
-  result(1, 5) = Scalar(0);
   result(2, 0) = s5 * t11 + t9 * t19;
   result(2, 1) = c5 * t3 - s5 * t13;
   result(2, 2) = c5 * t2 + s5 * t16;
-  result(2, 3) = Scalar(0);
   result(2, 4) = Scalar(0.076);
-  result(2, 5) = Scalar(0);
   result(3, 0) = s6 * t22 - c6 * t21;
-  result(3, 1) = -t23;
-  result(3, 2) = -t23;
+  result(3, 1) = result(3, 2) = -t23;
   result(3, 3) = c6 * s5;
   result(3, 4) = -s6;
-  result(3, 5) = Scalar(0);
   result(4, 0) = s6 * t21 + c6 * t22;
-  result(4, 1) = t24;
-  result(4, 2) = t24;
+  result(4, 1) = result(4, 2) = t24;
   result(4, 3) = -s5 * s6;
   result(4, 4) = -c6;
-  result(4, 5) = Scalar(0);
   result(5, 0) = s5 * t20 - c23 * c5;
-  result(5, 1) = t10;
-  result(5, 2) = t10;
+  result(5, 1) = result(5, 2) = t10;
   result(5, 3) = c5;
-  result(5, 4) = -Scalar(0);
   result(5, 5) = Scalar(1);
 
   return result;
@@ -274,18 +222,9 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& q,
     const Vector3<Scalar>& point,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s6 = angles.sine[4];
-  const Scalar& c6 = angles.cosine[4];
-  const Scalar& s23 = angles.sine[5];
-  const Scalar& c23 = angles.cosine[5];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s6 = angles.sine[4], &c6 = angles.cosine[4], &s23 = angles.sine[5], &c23 = angles.cosine[5];
   const Scalar t0 = Scalar(0.097) + point[2];
   const Scalar t1 = point[0] * c6 - point[1] * s6;
   const Scalar t2 = Scalar(0.076) + t1;
@@ -327,27 +266,21 @@ inline Jacobian<Scalar> jacobian_at([[maybe_unused]] const JointVector<Scalar>& 
   result(1, 3) = c23 * t24 + c1 * t9;
   result(1, 4) = t25 * t11 + s1 * t18;
   result(1, 5) = c1 * t23 + s1 * t22;
-  result(2, 0) = Scalar(0);
+  result(2, 0) = result(3, 0) = result(4, 0) = result(5, 1) = result(5, 2) = Scalar(0);
   result(2, 1) = -t14;
   result(2, 2) = -t13;
   result(2, 3) = -s23 * t6;
   result(2, 4) = c23 * t3 + s23 * t17;
   result(2, 5) = s23 * t21 + c23 * t20;
-  result(3, 0) = Scalar(0);
-  result(3, 1) = -s1;
-  result(3, 2) = -s1;
+  result(3, 1) = result(3, 2) = -s1;
   result(3, 3) = -c1 * s23;
   result(3, 4) = c23 * t25 - c4 * s1;
   result(3, 5) = -s5 * t19 - c1 * t27;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = c1;
-  result(4, 2) = c1;
+  result(4, 1) = result(4, 2) = c1;
   result(4, 3) = -s1 * s23;
   result(4, 4) = c1 * c4 + c23 * t19;
   result(4, 5) = s5 * t25 - s1 * t27;
   result(5, 0) = Scalar(1);
-  result(5, 1) = -Scalar(0);
-  result(5, 2) = -Scalar(0);
   result(5, 3) = -c23;
   result(5, 4) = -s23 * s4;
   result(5, 5) = s23 * t26 - c23 * c5;
@@ -359,16 +292,9 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> velocity([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s23 = angles.sine[4];
-  const Scalar& c23 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s23 = angles.sine[4], &c23 = angles.cosine[4];
   const Scalar t0 = Scalar(0.097) * c5 + Scalar(0.076) * s5;
   const Scalar t1 = Scalar(0.3425) + t0;
   const Scalar t2 = Scalar(0.097) * s5 - Scalar(0.076) * c5;
@@ -408,16 +334,9 @@ template <class Scalar, class Angles>
 inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s23 = angles.sine[4];
-  const Scalar& c23 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s23 = angles.sine[4], &c23 = angles.cosine[4];
   const Scalar t0 = qd[4] * s4;
   const Scalar t1 = Scalar(0.097) * c5 + Scalar(0.076) * s5;
   const Scalar t2 = t0 * t1;
@@ -476,34 +395,25 @@ inline Jacobian<Scalar> jacobian_dot([[maybe_unused]] const JointVector<Scalar>&
   result(0, 2) = t12 * t25 - c1 * t28;
   result(0, 3) = s1 * t20 - c1 * t34;
   result(0, 4) = -s1 * t38 - c1 * t42;
-  result(0, 5) = Scalar(0);
+  result(0, 5) = result(1, 5) = result(2, 0) = result(2, 5) = result(3, 0) = result(4, 0) = result(5, 0) =
+      result(5, 1) = result(5, 2) = Scalar(0);
   result(1, 0) = -c1 * t24 - s1 * t10;
   result(1, 1) = -s1 * t29 - t43 * t26;
   result(1, 2) = -t43 * t12 - s1 * t28;
   result(1, 3) = -s1 * t34 - c1 * t20;
   result(1, 4) = c1 * t38 - s1 * t42;
-  result(1, 5) = Scalar(0);
-  result(2, 0) = Scalar(0);
   result(2, 1) = t23;
   result(2, 2) = t22;
   result(2, 3) = -s23 * t5 - t27 * t31;
   result(2, 4) = -t45;
-  result(2, 5) = Scalar(0);
-  result(3, 0) = Scalar(0);
-  result(3, 1) = -t43;
-  result(3, 2) = -t43;
+  result(3, 1) = result(3, 2) = -t43;
   result(3, 3) = s23 * t25 - c1 * t46;
   result(3, 4) = s1 * t18 + c1 * t47;
   result(3, 5) = c1 * t50 - s1 * t51;
-  result(4, 0) = Scalar(0);
-  result(4, 1) = -t25;
-  result(4, 2) = -t25;
+  result(4, 1) = result(4, 2) = -t25;
   result(4, 3) = -s1 * t46 - c1 * t36;
   result(4, 4) = s1 * t47 - c1 * t18;
   result(4, 5) = s1 * t50 + c1 * t51;
-  result(5, 0) = Scalar(0);
-  result(5, 1) = -Scalar(0);
-  result(5, 2) = -Scalar(0);
   result(5, 3) = s23 * t13;
   result(5, 4) = -c23 * t32 - t17 * t30;
   result(5, 5) = c23 * t49 - s23 * t48;
@@ -515,16 +425,9 @@ template <class Scalar, class Angles>
 inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Scalar>& q,
     const JointVector<Scalar>& qd,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s1 = angles.sine[0];
-  const Scalar& c1 = angles.cosine[0];
-  const Scalar& s2 = angles.sine[1];
-  const Scalar& c2 = angles.cosine[1];
-  const Scalar& s4 = angles.sine[2];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
-  const Scalar& c5 = angles.cosine[3];
-  const Scalar& s23 = angles.sine[4];
-  const Scalar& c23 = angles.cosine[4];
+  const Scalar &s1 = angles.sine[0], &c1 = angles.cosine[0], &s2 = angles.sine[1], &c2 = angles.cosine[1];
+  const Scalar &s4 = angles.sine[2], &c4 = angles.cosine[2], &s5 = angles.sine[3], &c5 = angles.cosine[3];
+  const Scalar &s23 = angles.sine[4], &c23 = angles.cosine[4];
   const Scalar t0 = Scalar(0.097) * c5 + Scalar(0.076) * s5;
   const Scalar t1 = qd[4] * t0;
   const Scalar t2 = qd[4] * t1;
@@ -588,12 +491,8 @@ inline Twist<Scalar> jacobian_dot_times_qd([[maybe_unused]] const JointVector<Sc
 template <class Scalar, class Angles>
 inline SingularityMeasures<Scalar> singularity_measures([[maybe_unused]] const JointVector<Scalar>& q,
     const Angles& angles, [[maybe_unused]] const BasicGeometry<Scalar>& g) {
-  const Scalar& s2 = angles.sine[0];
-  const Scalar& c2 = angles.cosine[0];
-  const Scalar& s3 = angles.sine[1];
-  const Scalar& c3 = angles.cosine[1];
-  const Scalar& c4 = angles.cosine[2];
-  const Scalar& s5 = angles.sine[3];
+  const Scalar &s2 = angles.sine[0], &c2 = angles.cosine[0], &s3 = angles.sine[1], &c3 = angles.cosine[1];
+  const Scalar &c4 = angles.cosine[2], &s5 = angles.sine[3];
   const Scalar t0 = c3 * s2;
   const Scalar t1 = c3 * t0;
   const Scalar t2 = c2 * c3;
