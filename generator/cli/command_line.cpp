@@ -342,6 +342,7 @@ CommandLine::CommandLine() {
   add_compare(*this);
   add_report(*this);
   add_map(*this);
+  calibrate_command = add_calibrate(app, calibrate);
   add_check(*this);
   add_import(*this);
   add_new(*this);

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/calibrate_command.h"
 #include "cli/commands.h"
 
 namespace qvgen::cli {
@@ -46,6 +47,9 @@ struct CommandLine {
   CLI::App* map_command = nullptr;
   std::string mapped;
   MapArguments map;
+
+  CLI::App* calibrate_command = nullptr;
+  CalibrateArguments calibrate;
 
   CLI::App* check_command = nullptr;
   std::vector<std::string> checked;

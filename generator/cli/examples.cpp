@@ -22,6 +22,7 @@ const char* const examples = R"(
   qvgen counts --against before.json          what a change has made cheaper or dearer
   qvgen report puma560 -o pages               a page that opens in any browser, pages/puma560.html
   qvgen map ur5 -o ur5.npz -o ur5.svg         what the arm reaches: arrays for NumPy, slices as a picture
+  qvgen calibrate ur5 poses.csv -o my_ur5.toml   this very arm, from measurements
   qvgen compare puma560 ns                    formulations by their operations: pairs, Denavit-Hartenberg, ...
 )";
 
@@ -46,6 +47,14 @@ const char* const map_examples = R"(
   qvgen map arm.urdf --tip tool0 --limits --resolution 0.02 --orientations 500 -o arm.vtk   for ParaView
   qvgen map ur5 --blocks 0:499 -o a.part      one half, anywhere; blocks are numbered 0 to 999
   qvgen map --merge a.part b.part -o ur5.npz  the parts together, the same file as of one run
+)";
+
+const char* const calibrate_examples = R"(
+  qvgen calibrate ur5 poses.csv -o my_ur5.toml    all errors from poses; then qvgen generate ur5 my_ur5.toml
+  qvgen calibrate scara tracker.csv --errors zeros -o my_scara.toml   positions; zeros of the joints alone
+  qvgen calibrate arm.toml poses.csv --known tracker,target   poses of the tool in the described world
+  qvgen calibrate arm.urdf board.csv --tip tool0 --camera -o my_arm.toml   a camera on the tool sees a board
+  qvgen calibrate ur5 poses.csv --unit mm --angle-unit deg --sigma 0.00005   headers without units
 )";
 
 const char* const exit_codes =

@@ -178,6 +178,12 @@ int map(CommandLine& line, const Installation& here) {
   return run_map(map);
 }
 
+int calibrate(CommandLine& line, const Installation& here) {
+  CalibrateArguments& calibrate = line.calibrate;
+  calibrate.description = description_of(calibrate.robot, here.robots, calibrate.read);
+  return run_calibrate(calibrate);
+}
+
 int run(CommandLine& line, const Installation& here) {
   if (*line.generate_command) return generate(line, here);
   if (*line.remove_command) return run_remove(line.removed, folder_of(line, here, {}));
@@ -186,6 +192,7 @@ int run(CommandLine& line, const Installation& here) {
   if (*line.compare_command) return run_compare(compare_arguments(line, here));
   if (*line.report_command) return report(line, here);
   if (*line.map_command) return map(line, here);
+  if (*line.calibrate_command) return calibrate(line, here);
   if (*line.import_command)
     return run_import(description_of(line.imported, here.robots, line.import), line.import);
   if (*line.new_command) return run_new(line.letters, line.name, line.wrist == "euler", here.robots);

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "model/arithmetic.h"
+#include "model/tasks.h"
 
 namespace qvgen::description {
 namespace {
@@ -154,6 +155,37 @@ std::string joint_text(const model::Robot& robot, const model::Joint& joint) {
          entry("coulomb_friction", joint.drive.coulomb_friction);
 }
 
+/// Names of constants with their default values, and without; nothing if none has one.
+std::string parameters_text(const model::Robot& robot) {
+  std::string values, names;
+  for (const auto* parameters : {&robot.geometry, &robot.inertia_parameters})
+    for (const model::Parameter& each : *parameters)
+      if (each.default_value)
+        values += (values.empty() ? "" : ", ") + each.name + " = " + text(*each.default_value);
+      else
+        names += (names.empty() ? "" : ", ") + quoted(each.name);
+  if (values.empty()) return "";
+  return "defaults = { " + values + " }\n" + (names.empty() ? "" : "symbols = [" + names + "]\n");
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string result;
+  for (const std::string& name : names) result += (result.empty() ? "" : ", ") + name;
+  return result;
+}
+
+/// Demands on the inverse kinematics, and the robot that this one would be ideally.
+std::string request_text(const model::Robot& robot) {
+  const model::InverseRequest& request = robot.inverse;
+  const std::string given = request.every_given ? "all" : joined(request.given);
+  const std::string later = joined(robot.on_request);
+  return (robot.ideal.empty() ? "" : "ideal = " + quoted(robot.ideal) + "\n") +
+         (request.task ? "task = " + quoted(model::task_name(*request.task)) + "\n" : "") +
+         (request.tool_axis ? "tool_axis = " + axis_text(*request.tool_axis) + "\n" : "") +
+         (given.empty() ? "" : "given = " + quoted(given) + "\n") +
+         (later.empty() ? "" : "on_request = " + quoted(later) + "\n");
+}
+
 }  // namespace
 
 std::string write_text(const model::Robot& robot) {
@@ -162,6 +194,7 @@ std::string write_text(const model::Robot& robot) {
       "exact.\n";
   result += "name = " + quoted(robot.name) + "\ntitle = " + quoted(robot.title) + "\n";
   if (!robot.source.empty()) result += "source = " + quoted(robot.source) + "\n";
+  result += request_text(robot) + parameters_text(robot);
   result += table("base", robot.base) + table("tool", robot.tool);
   for (const model::Joint& joint : robot.joints) result += joint_text(robot, joint);
   for (const model::Frame& frame : robot.frames) result += named_frame_text(robot, frame, "frame");

@@ -40,6 +40,29 @@ TEST(Write, ReadsBackAsTheSame) {
   EXPECT_EQ(texts(again.robot->tool), texts(robot.tool));
 }
 
+TEST(Write, DefaultsAndRequestsComeBack) {
+  const std::string joint =
+      "[[joint]]\ntype = \"revolute\"\naxis = \"+z\"\nlink = [\"l\", 0, 0]\nmass = \"free\"\n";
+  std::string text =
+      "name = \"a\"\ntitle = \"a\"\nideal = \"b\"\ntask = \"pose\"\non_request = \"regressor\"\n"
+      "defaults = { l = 0.25 }\nsymbols = [\"m1\", \"m2\", \"m3\", \"m4\", \"m5\", \"m6\"]\n";
+  for (int i = 1; i <= 6; ++i) text += joint + "variable = \"t" + std::to_string(i) + "\"\n";
+  const ReadResult first = read_text(text, "a.toml");
+  for (const auto& diagnostic : first.diagnostics)
+    if (diagnostic.severity == Diagnostic::error) ADD_FAILURE() << to_string(diagnostic);
+  ASSERT_TRUE(first.robot);
+  const std::string written = write_text(*first.robot);
+  const ReadResult again = read_text(written, "b.toml");
+  ASSERT_TRUE(again.robot) << written;
+  EXPECT_EQ(again.robot->ideal, "b");
+  EXPECT_EQ(again.robot->inverse.task, model::Task::pose);
+  EXPECT_EQ(again.robot->on_request, first.robot->on_request);
+  ASSERT_EQ(again.robot->geometry.size(), 1U);
+  EXPECT_EQ(to_string(*again.robot->geometry.front().default_value), "1/4");
+  EXPECT_EQ(again.robot->inertia_parameters.size(), 6U);
+  EXPECT_EQ(write_text(*again.robot), written);
+}
+
 TEST(Write, LooksLikeTheCommittedOnes) {
   EXPECT_EQ(
       write_text(

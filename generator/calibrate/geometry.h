@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// The arm as a chain of gaps and joints over either scalar, with the directions in which each gap may err.
+#pragma once
+
+#include <optional>
+
+#include "calibrate/rigid.h"
+#include "calibrate/values.h"
+#include "model/robot.h"
+
+namespace qvgen::calibrate {
+
+/// How the axes before and behind a gap lie, by which its directions are chosen. Doubles decide, the field
+/// follows.
+struct GapClass {
+  bool parallel = true;    ///< the axes, to a hundredth
+  bool coincident = true;  ///< parallel, and on one line
+  std::size_t helper = 0;  ///< coordinate axis that is not along the joint's, for coincident axes
+};
+
+template <class S>
+struct Gap {
+  Rigid<S> way;  ///< nominal
+  std::array<Vec<S>, 3>
+      directions;  ///< u, v, axis in the frame behind the gap; u and v of any length in the field
+};
+
+struct JointForm {
+  bool revolute = true;
+  std::size_t variable = 0;  ///< index among the joints that follow none
+  double ratio = 1;
+  cln::cl_RA exact_ratio = 1;
+};
+
+/// An arm in numbers: gaps 1 ... n + 1 are gaps[0 ... n].
+template <class S>
+struct Geometry {
+  std::vector<Gap<S>> gaps;
+  std::vector<JointForm> joints;
+  std::size_t variables = 0;  ///< joints that follow none
+};
+
+std::vector<GapClass> classes_of(const model::Robot& robot);
+Geometry<double> geometry_of(const model::Robot& robot, const std::vector<GapClass>& classes);
+Geometry<Field> field_geometry_of(const model::Robot& robot, const std::vector<GapClass>& classes);
+
+/// Returns the nominal length of the arm: its gaps added up, at least 0.1 m.
+double reach_of(const Geometry<double>& geometry);
+
+}  // namespace qvgen::calibrate

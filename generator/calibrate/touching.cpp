@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "calibrate/touching.h"
+
+namespace qvgen::calibrate {
+namespace {
+
+Field height(Data data, const Surface<Field>& surface, const Vec<Field>& at) {
+  if (data == Data::plane) return dot(surface.normal, at) - surface.offset;
+  const Vec<Field> from = at - surface.point;
+  return dot(from, from) - surface.radius * surface.radius;
+}
+
+/// Returns cosine and sine with a cos + b sin + c = 0.
+std::optional<CosSin<Field>> solve(Field a, Field b, Field c) {
+  const Field square = a * a + b * b;
+  if (square.is_zero()) return std::nullopt;
+  const auto root = square_root(square - c * c);
+  if (!root) return std::nullopt;
+  const Field scale = square.inverse();
+  return CosSin<Field>{-(a * c + b * *root) * scale, (a * *root - b * c) * scale};
+}
+
+}  // namespace
+
+std::optional<Field> square_root(Field value) {
+  if (value.is_zero()) return value;
+  constexpr std::uint64_t minus_one = Field::prime - 1;
+  const Field one = Field::from(1);
+  if (!(value.power(minus_one / 2) == one)) return std::nullopt;
+  std::uint64_t odd = minus_one;
+  unsigned twos = 0;
+  for (; odd % 2 == 0; odd /= 2) ++twos;
+  Field other = Field::from(2);
+  while (other.power(minus_one / 2) == one) other = other + one;
+  Field step = other.power(odd), root = value.power(odd / 2 + 1), rest = value.power(odd);
+  while (!(rest == one)) {
+    unsigned order = 0;
+    for (Field square = rest; !(square == one); square = square * square) ++order;
+    for (unsigned i = order + 1; i < twos; ++i) step = step * step;
+    twos = order;
+    root = root * step;
+    step = step * step;
+    rest = rest * step;
+  }
+  return root;
+}
+
+std::optional<Posture<Field>> touching_posture(const Model<Field>& model, Data data,
+                                               const Frames<Field>& frames, std::size_t target,
+                                               const Surface<Field>& surface, std::uint64_t seed) {
+  Posture<Field> posture = random_posture(model.geometry, seed);
+  if (data != Data::plane && data != Data::sphere) return posture;
+  const Field one = Field::from(1), zero = one - one, half = Field::from(2).inverse();
+  for (std::size_t joint = posture.circular.size(); joint-- > 0;) {
+    if (!model.geometry.joints[joint].revolute || !(model.geometry.joints[joint].exact_ratio == 1)) continue;
+    const auto at = [&](Field cosine, Field sine) {
+      Posture<Field> other = posture;
+      other.circular[joint] = {cosine, sine};
+      return height(data, surface, predict(model, other, frames, target).pose.position);
+    };
+    const Field front = at(one, zero), back = at(-one, zero), side = at(zero, one);
+    const Field c = (front + back) * half;
+    if (const auto value = solve(front - c, side - c, c)) {
+      posture.circular[joint] = *value;
+      return posture;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace qvgen::calibrate

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// Reads the arm and the data, calibrates, prints what was found, and writes the arm's description.
+#include "cli/calibrate_command.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "calibrate/report.h"
+#include "calibrate/result.h"
+#include "cli/commands.h"
+#include "cli/suggestion.h"
+#include "description/names.h"
+#include "description/write.h"
+#include "pipeline/files.h"
+
+namespace qvgen::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using calibrate::Calibration;
+
+bool has(const std::vector<std::string>& list, const std::string& name) {
+  return std::find(list.begin(), list.end(), name) != list.end();
+}
+
+void print_diagnostics(const std::vector<description::Diagnostic>& diagnostics) {
+  for (const auto& each : diagnostics) fmt::print(stderr, "{}\n", description::to_string(each));
+}
+
+/// Returns the name of the calibrated robot: said, or the output's, or the robot's with an ending.
+std::string name_of(const CalibrateArguments& arguments, const model::Robot& robot) {
+  if (!arguments.read.name.empty()) return arguments.read.name;
+  const std::string stem = arguments.output.stem().string();
+  const bool is_name = description::check_robot_name(stem).message.empty();
+  return is_name && stem != robot.name ? stem : robot.name + "_calibrated";
+}
+
+void check_numbers(const model::Robot& robot) {
+  for (const model::Parameter& each : robot.geometry)
+    if (!each.default_value)
+      throw std::runtime_error(
+          fmt::format("{} of {} has no value: a calibration begins with numbers; write one under [defaults]",
+                      each.name, robot.name));
+}
+
+/// Writes the description as a whole, once it is read again without a mistake.
+void write(const CalibrateArguments& arguments, const model::Robot& robot, const Calibration& found) {
+  const model::Robot result = calibrate::calibrated_robot(robot, found, name_of(arguments, robot));
+  const std::string text = description::write_text(result);
+  const auto read = description::read_text(text, arguments.output.string());
+  if (!read.robot) {
+    print_diagnostics(read.diagnostics);
+    throw std::logic_error("the calibrated description cannot be read");
+  }
+  fs::path temporary = arguments.output;
+  temporary += ".unfinished";
+  pipeline::replace_file(arguments.output, text, temporary);
+  const std::string ideal = result.ideal.empty() ? "" : result.ideal + " ";
+  fmt::print(stderr, "wrote {}; next: qvgen generate {}{}\n", arguments.output.string(), ideal,
+             arguments.output.string());
+}
+
+}  // namespace
+
+int run_calibrate(const CalibrateArguments& arguments) {
+  description::ReadOptions read = arguments.read;
+  read.name.clear();
+  const auto descriptions = read_chains({arguments.description}, read);
+  if (!descriptions) return bad_description;
+  const model::Robot& robot = *descriptions->front().robot;
+  check_numbers(robot);
+  const calibrate::DataResult data = calibrate::read_data(arguments.data, robot, arguments.options);
+  print_diagnostics(data.diagnostics);
+  if (!data.good) return failure;
+  calibrate::Options options{arguments.errors, arguments.gears, has(arguments.known, "tracker"),
+                             has(arguments.known, "target")};
+  calibrate::DataError error;
+  const auto found = calibrate::calibrate(robot, data.set, options, error);
+  if (!found) {
+    print_diagnostics({{data.set.file, 1, 1, description::Diagnostic::error, error.message, error.hint}});
+    return failure;
+  }
+  fmt::print("{}", calibrate::report_text(robot, data.set, *found));
+  if (!arguments.output.empty()) write(arguments, robot, *found);
+  return success;
+}
+
+}  // namespace qvgen::cli

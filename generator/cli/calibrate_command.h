@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// `qvgen calibrate`: its arguments, its options on the command line, and the command.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "calibrate/data.h"
+#include "calibrate/setup.h"
+#include "description/reader.h"
+
+namespace qvgen::cli {
+
+struct CalibrateArguments {
+  std::string robot;  ///< as the command line names it
+  std::filesystem::path description;
+  std::filesystem::path data;
+  std::filesystem::path output;
+  description::ReadOptions read;
+  calibrate::DataOptions options;
+  calibrate::Errors errors = calibrate::Errors::all;
+  bool gears = false;              ///< eccentricity of gears, too
+  std::vector<std::string> known;  ///< frames: tracker, target
+};
+
+/// Adds the command to a command line; its options write into `arguments`.
+CLI::App* add_calibrate(CLI::App& app, CalibrateArguments& arguments);
+
+int run_calibrate(const CalibrateArguments& arguments);
+
+}  // namespace qvgen::cli
