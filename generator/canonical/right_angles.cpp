@@ -307,7 +307,7 @@ Arm to_arm(const model::Robot& robot, const AtZero& zero, const ZeroPose& pose) 
 std::optional<AtZero> right_angled(const model::Robot& robot) {
   const bool follow = std::any_of(robot.joints.begin(), robot.joints.end(),
                                   [](const model::Joint& joint) { return joint.follows.has_value(); });
-  if (robot.joints.empty() || follow || model::branches(robot)) return std::nullopt;
+  if (robot.joints.empty() || follow || model::branches(robot) || robot.floating_base) return std::nullopt;
   std::optional<AtZero> arm = at_zero(robot);
   if (!arm) return std::nullopt;
   const auto turns = static_cast<std::size_t>(std::count(arm->turns.begin(), arm->turns.end(), true));

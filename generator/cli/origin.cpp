@@ -26,6 +26,7 @@ std::string origin_options(const description::ReadOptions& options) {
   add("--base", options.base);
   add("--tip", options.tip);
   add("--tips", joined(options.tips));
+  if (options.floating) text += " --floating";
   add("--fixed", joined(options.fixed));
   for (const std::string& argument : options.xacro_arguments) add("--xacro-arg", argument);
   return text;

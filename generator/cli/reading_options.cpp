@@ -59,6 +59,12 @@ void add_tips(CLI::App& command, description::ReadOptions& options) {
       ->allow_extra_args(false)
       ->delimiter(',')
       ->excludes("--tip");
+  command
+      .add_flag(
+          "--floating", options.floating,
+          "URDF, MJCF: the whole robot, whose base moves freely: the body with a free joint, else --base, "
+          "else the root")
+      ->excludes("--tip");
 }
 
 }  // namespace qvgen::cli

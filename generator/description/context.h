@@ -68,6 +68,7 @@ struct Context {
   std::vector<Variable> constants_in_place_of_variables;
   std::vector<Entry> entries;  ///< every expression of the chain, for checks at the default values
   std::vector<Place> joint_places;
+  Place base_place;  ///< of a base that floats
   std::vector<Follower> followers;
   Units units;
   bool takes_units = false;            ///< the format has keys for them

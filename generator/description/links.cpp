@@ -130,6 +130,21 @@ FreeParameters read_free_parameters(const Table& root) {
   return {read_free(root, "inertia"), read_free(root, "drives")};
 }
 
+std::optional<model::Inertia> read_floating_base(const Table& root, const FreeParameters& free) {
+  const auto table = root.table("floating_base");
+  if (!table) return std::nullopt;
+  table->allow_only({"mass", "centre_of_mass", "inertia"});
+  for (const char* key : {"base", "home"})
+    if (root.has(key))
+      root.context().error(root.key_place(key), "[" + std::string(key) + "] beside [floating_base]",
+                           "the pose of a base that floats is an argument of the functions");
+  root.context().base_place = table->place();
+  model::Inertia inertia;
+  read_masses(*table, free.inertia, inertia);
+  read_tensor(*table, free.inertia, inertia);
+  return inertia;
+}
+
 std::vector<std::string> joint_keys(const std::vector<std::string>& more) {
   std::vector<std::string> keys{
       "type",           "variable",         "limits",           "mass",    "centre_of_mass", "inertia",

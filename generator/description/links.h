@@ -12,6 +12,9 @@ struct FreeParameters {
 };
 FreeParameters read_free_parameters(const Table& root);
 
+/// Reads [floating_base]: the inertia of a base that moves freely, in its own frame. Nothing without it.
+std::optional<model::Inertia> read_floating_base(const Table& root, const FreeParameters& free);
+
 /// The keys that a joint has in every form of the description, and `more`.
 std::vector<std::string> joint_keys(const std::vector<std::string>& more);
 /// type (may be absent: nullopt) and variable, limits, inertia, drive.

@@ -91,8 +91,7 @@ std::string triangle_reason(const Body& body) {
   return "a principal moment exceeds the sum of the other two";
 }
 
-void check_body(Context& context, Place place, std::size_t number, const Body& body) {
-  const std::string link = "link " + std::to_string(number);
+void check_body(Context& context, Place place, const std::string& link, const Body& body) {
   if (is_negative(body.mass)) {
     context.warning(place, link + " has the negative mass " + text(body.mass), "masses are positive");
   }
@@ -149,9 +148,12 @@ void check_inertia(Context& context, const model::Robot& robot) {
   const model::Bindings bindings = model::default_bindings(robot);
   for (std::size_t i = 0; i < robot.joints.size(); ++i) {
     if (const auto body = evaluated(robot.joints[i].inertia, bindings)) {
-      check_body(context, context.joint_places.at(i), i + 1, *body);
+      check_body(context, context.joint_places.at(i), "link " + std::to_string(i + 1), *body);
     }
   }
+  if (!robot.floating_base) return;
+  if (const auto body = evaluated(*robot.floating_base, bindings))
+    check_body(context, context.base_place, "the floating base", *body);
 }
 
 }  // namespace qvgen::description

@@ -129,11 +129,31 @@ void read_units(const Table& root) {
 
 model::Mechanism read_robot(const Table& root) {
   Context& context = root.context();
-  root.allow_only(
-      {"name",  "title",      "source",    "symbols", "inertia",    "drives", "accept_unphysical_inertia",
-       "base",  "tool",       "defaults",  "joint",   "convention", "dh",     "home",
-       "screw", "task",       "tool_axis", "given",   "ideal",      "unit",   "angle_unit",
-       "frame", "on_request", "tip"});
+  root.allow_only({"name",
+                   "title",
+                   "source",
+                   "symbols",
+                   "inertia",
+                   "drives",
+                   "accept_unphysical_inertia",
+                   "base",
+                   "tool",
+                   "defaults",
+                   "joint",
+                   "convention",
+                   "dh",
+                   "home",
+                   "screw",
+                   "task",
+                   "tool_axis",
+                   "given",
+                   "ideal",
+                   "unit",
+                   "angle_unit",
+                   "frame",
+                   "on_request",
+                   "tip",
+                   "floating_base"});
   read_units(root);
   context.is_measured = root.has("ideal");
   model::Mechanism mechanism;
@@ -141,7 +161,9 @@ model::Mechanism read_robot(const Table& root) {
   read_name(root, robot);
   robot.base = read_frame(root, "base");
   robot.tool = read_frame(root, "tool");
-  read_chain(root, read_free_parameters(root), robot);
+  const FreeParameters free = read_free_parameters(root);
+  robot.floating_base = read_floating_base(root, free);
+  read_chain(root, free, robot);
   check_count(root, robot);
   read_named_frames(root, robot);
   mechanism.tips = read_tips(root, robot);
@@ -247,9 +269,10 @@ ReadResult read_toml(Context& context, std::string_view text) {
                     "they are for URDF and MJCF; here [base] and [tool] give the frames");
     else if (!options.tip.empty())
       take_limb(context, mechanism);
-    if (!options.tips.empty() || !options.fixed.empty())
-      context.error({}, "--tips and --fixed: this description says itself what it has",
-                    "they are for URDF and MJCF; here [[tip]] gives the tips");
+    if (!options.tips.empty() || !options.fixed.empty() || options.floating)
+      context.error(
+          {}, "--tips, --fixed and --floating: this description says itself what it has",
+          "they are for URDF and MJCF; here [[tip]] gives the tips, [floating_base] a base that floats");
     rename(context, mechanism.robot);
     return finished(context, root.place_of("name"), std::move(mechanism));
   } catch (const toml::parse_error& error) {

@@ -55,6 +55,7 @@ struct ReadOptions {
   std::string tip = {};   ///< link where it ends; empty: the only one that can be meant
   /// Links at which limbs end, for a whole tree in place of a chain; `every_tip` alone: all ends of the tree.
   std::vector<std::string> tips = {};
+  bool floating = false;  ///< the base moves freely: a whole tree, with all tips if none is named
   std::vector<std::string> fixed = {};  ///< joints that are held at zero
   SnapOptions snap = {};
   // For who reads files: what xacro is given, and where packages are.

@@ -112,6 +112,10 @@ std::string inertia_text(const model::Inertia& inertia) {
   return result + "]\n";
 }
 
+std::string floating_base_text(const model::Robot& robot) {
+  return robot.floating_base ? "\n[floating_base]\n" + inertia_text(*robot.floating_base) : "";
+}
+
 std::string limits_text(const model::Joint& joint) {
   std::string result;
   const auto bound = joint.type == model::JointType::revolute ? angle_text : text;
@@ -195,7 +199,7 @@ std::string write_text(const model::Robot& robot) {
   result += "name = " + quoted(robot.name) + "\ntitle = " + quoted(robot.title) + "\n";
   if (!robot.source.empty()) result += "source = " + quoted(robot.source) + "\n";
   result += request_text(robot) + parameters_text(robot);
-  result += table("base", robot.base) + table("tool", robot.tool);
+  result += table("base", robot.base) + table("tool", robot.tool) + floating_base_text(robot);
   for (const model::Joint& joint : robot.joints) result += joint_text(robot, joint);
   for (const model::Frame& frame : robot.frames) result += named_frame_text(robot, frame, "frame");
   return result;

@@ -9,6 +9,7 @@
 #include "canonical/right_angles.h"
 #include "dag/evaluate.h"
 #include "dag/rebuild.h"
+#include "model/coordinates.h"
 #include "model/evaluate.h"
 #include "optimise/described.h"
 #include "passes/search/search.h"
@@ -75,7 +76,7 @@ void try_units(Trials& trials, const model::Robot& robot, bool unrotated) {
 }
 
 FormulationOptions best_choices(const model::Robot& robot, const DynamicsQuantity& quantity, long steps) {
-  if (robot.joints.size() > most_joints_with_trials) return {};
+  if (robot.joints.size() > most_joints_with_trials || robot.floating_base) return {};
   Trials trials(robot, quantity, steps);
   try_units(trials, robot, true);
   if (quantity.has_wrenches) try_units(trials, robot, false);
@@ -112,6 +113,13 @@ dag::IsFree free_symbols(const model::Robot& robot) {
           derive::dynamics::direction_of(joint.variable)})
       moving.insert(name);
   for (std::size_t k = 0; k < 6; ++k) moving.insert(derive::dynamics::wrench_component(k));
+  for (std::size_t k = 0; k < model::base_motions(robot); ++k) {
+    const std::string name = model::base_coordinate(k);
+    moving.merge(std::set{derive::dynamics::velocity_of(name), derive::dynamics::acceleration_of(name),
+                          derive::dynamics::force_of(name)});
+  }
+  for (std::size_t k = 0; robot.floating_base && k < 4; ++k)
+    moving.insert(derive::dynamics::gravity_component(k));
   return [moving](const std::string& name) { return !moving.contains(name); };
 }
 
@@ -175,12 +183,14 @@ std::optional<dag::Function> with_default_values(const model::Robot& robot, cons
 }
 
 bool has_inertia(const model::Robot& robot) {
-  const auto heavy = [](const model::Joint& joint) {
-    const auto& i = joint.inertia.inertia;
-    return !joint.inertia.mass.is_literal_zero() ||
+  const auto heavy = [](const model::Inertia& inertia) {
+    const auto& i = inertia.inertia;
+    return !inertia.mass.is_literal_zero() ||
            !std::all_of(i.begin(), i.end(), [](const model::Expression& e) { return e.is_literal_zero(); });
   };
-  return std::any_of(robot.joints.begin(), robot.joints.end(), heavy);
+  return (robot.floating_base && heavy(*robot.floating_base)) ||
+         std::any_of(robot.joints.begin(), robot.joints.end(),
+                     [&](const model::Joint& joint) { return heavy(joint.inertia); });
 }
 
 Optimised generate_dynamics(const DynamicsModel& model, const DynamicsQuantity& quantity,

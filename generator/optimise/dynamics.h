@@ -33,6 +33,9 @@ struct DynamicsQuantity {
 /// All quantities, in the order of the generated header.
 const std::vector<DynamicsQuantity>& dynamics_quantities();
 
+/// Further ones of a robot whose base floats; none of another.
+const std::vector<DynamicsQuantity>& floating_base_quantities(const model::Robot& robot);
+
 /// The quantity under gravity in any direction, or a wrench on the tool as well: an overload of `base`.
 struct LoadedQuantity {
   std::string base;

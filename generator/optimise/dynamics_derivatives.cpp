@@ -2,6 +2,7 @@
 #include "optimise/dynamics_derivatives.h"
 
 #include "dag/evaluate.h"
+#include "model/coordinates.h"
 #include "model/followers.h"
 #include "passes/differentiate.h"
 
@@ -25,23 +26,37 @@ Values combined(const Number& a, const Values& x, const Number& b, const Values&
 class Differences {
  public:
   Differences(const model::Robot& robot, const ExactPoint& point)
-      : robot_(robot),
-        point_(point),
-        plain_(robot, point),
-        gravity_(point.symbol(derive::dynamics::gravity_symbol)) {}
+      : robot_(robot), point_(point), plain_(robot, point), load_(plain_.usual_load()) {}
 
-  Values torques() const { return plain_.inverse_dynamics(plain_.rates(), plain_.accelerations(), gravity_); }
+  Values torques() const { return torques_under(load_); }
   /// (f(x + 1) - f(x - 1))/2 of a polynomial of degree two.
   Values by_rate(std::size_t joint) const {
     Values up = plain_.rates(), down = up;
     up[joint] = up[joint] + 1;
     down[joint] = down[joint] - 1;
     const Number half = Number(1) / Number(2);
-    return combined(half, plain_.inverse_dynamics(up, plain_.accelerations(), gravity_), -half,
-                    plain_.inverse_dynamics(down, plain_.accelerations(), gravity_));
+    return combined(half, plain_.inverse_dynamics(up, plain_.accelerations(), load_), -half,
+                    plain_.inverse_dynamics(down, plain_.accelerations(), load_));
   }
-  /// By the joint and what follows it.
-  Values by_position(std::size_t driven) const {
+  /// By the joint and what follows it, or by a motion of the base: where it is makes no difference, and a
+  /// turn is one of gravity the other way, in which forces are linear.
+  Values by_position(std::size_t coordinate) const {
+    const std::size_t base = model::base_motions(robot_);
+    if (coordinate >= base) return by_joint(coordinate - base);
+    if (coordinate < 3) return Values(plain_.size());
+    const std::size_t k = coordinate - 3, i = (k + 1) % 3, j = (k + 2) % 3;
+    PlainRecursion::Load turned = load_;
+    turned.gravity[i] = turned.gravity[i] + load_.gravity[j];
+    turned.gravity[j] = turned.gravity[j] - load_.gravity[i];
+    return combined(1, torques_under(turned), -1, torques());
+  }
+
+ private:
+  Values torques_under(const PlainRecursion::Load& load) const {
+    return plain_.inverse_dynamics(plain_.rates(), plain_.accelerations(), load);
+  }
+
+  Values by_joint(std::size_t driven) const {
     Values sum(plain_.size());
     const std::vector<model::Share> shares = model::shares(robot_);
     for (std::size_t i = 0; i < shares.size(); ++i)
@@ -49,7 +64,6 @@ class Differences {
     return sum;
   }
 
- private:
   Values by_position_of_chain(std::size_t joint) const {
     const Number half = Number(1) / Number(2);
     if (robot_.joints[joint].type == model::JointType::prismatic)
@@ -65,19 +79,19 @@ class Differences {
 
   Values moved(const PlainRecursion::Move& move) const {
     return PlainRecursion(robot_, point_, move)
-        .inverse_dynamics(plain_.rates(), plain_.accelerations(), gravity_);
+        .inverse_dynamics(plain_.rates(), plain_.accelerations(), load_);
   }
 
   const model::Robot& robot_;
   const ExactPoint& point_;
   PlainRecursion plain_;
-  Number gravity_;
+  PlainRecursion::Load load_;
 };
 
 Values expected(const model::Robot& robot, const ExactPoint& point) {
   const Differences differences(robot, point);
   Values result = differences.torques();
-  for (std::size_t k = 0; k < model::driven_count(robot); ++k)
+  for (std::size_t k = 0; k < model::coordinate_count(robot); ++k)
     for (const Values& column : {differences.by_position(k), differences.by_rate(k)})
       result.insert(result.end(), column.begin(), column.end());
   return result;
@@ -130,17 +144,76 @@ void gather_derivatives(const model::Robot& robot, std::size_t rows, dag::Functi
   }
 }
 
-/// Appends the derivatives by the joints that follow none: the change of a follower's value belongs to its
-/// leader.
+/// Derivatives of a function's outputs by one of its symbols, with the arithmetic to combine them.
+class Columns {
+ public:
+  explicit Columns(dag::Function& form) : form_(form), outputs_(form.outputs), size_(form.graph.size()) {}
+
+  std::vector<dag::Edge> by(const std::string& symbol) const {
+    const std::vector<dag::Edge> rates = passes::derivatives(form_.graph, size_, symbol);
+    std::vector<dag::Edge> column;
+    for (const dag::Output& output : outputs_) {
+      const dag::Edge rate = rates[output.value.node];
+      column.push_back(output.value.negative ? -rate : rate);
+    }
+    return column;
+  }
+  /// a x - b y for symbols a and b.
+  std::vector<dag::Edge> combined(const std::string& a, const std::vector<dag::Edge>& x, const std::string& b,
+                                  const std::vector<dag::Edge>& y) const {
+    dag::Graph& graph = form_.graph;
+    std::vector<dag::Edge> result;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      result.push_back(
+          graph.sum({graph.product({graph.symbol(a), x[i]}), -graph.product({graph.symbol(b), y[i]})}));
+    return result;
+  }
+  std::vector<dag::Edge> zero() const { return {outputs_.size(), form_.graph.constant(0)}; }
+
+ private:
+  dag::Function& form_;
+  std::vector<dag::Output> outputs_;
+  std::uint32_t size_;
+};
+
+/// By the motions of a floating base, by position and by rate in turn. Where the base is makes no difference;
+/// a turn of it about an axis e changes the gravity g that it sees by g x e.
+std::vector<dag::Output> columns_of_base(const model::Robot& robot, const Columns& columns) {
+  std::vector<std::vector<dag::Edge>> by_gravity;
+  for (std::size_t k = 0; k < 3 && robot.floating_base; ++k)
+    by_gravity.push_back(columns.by(derive::dynamics::gravity_component(k)));
+  std::vector<dag::Output> result;
+  const auto add = [&](const std::string& prefix, std::size_t number, const std::vector<dag::Edge>& column) {
+    for (std::size_t row = 0; row < column.size(); ++row)
+      result.push_back({prefix + std::to_string(row + 1) + "_" + std::to_string(number), column[row]});
+  };
+  for (std::size_t motion = 0; motion < model::base_motions(robot); ++motion) {
+    const std::size_t i = (motion + 1) % 3, j = (motion + 2) % 3;
+    add("q", motion + 1,
+        motion < 3 ? columns.zero()
+                   : columns.combined(derive::dynamics::gravity_component(j), by_gravity[i],
+                                      derive::dynamics::gravity_component(i), by_gravity[j]));
+    add("v", motion + 1, columns.by(derive::dynamics::velocity_of(model::base_coordinate(motion))));
+  }
+  return result;
+}
+
+/// Appends the derivatives by the base's motions and by the joints that follow none: the change of a
+/// follower's value belongs to its leader.
 void append_derivatives(const model::Robot& robot, dag::Function& form) {
   const std::size_t rows = form.outputs.size();
+  const Columns columns(form);
   std::vector<passes::Direction> directions;
   for (std::size_t k = 0; k < robot.joints.size(); ++k) {
-    directions.push_back({robot.joints[k].variable, "q", k + 1});
-    directions.push_back({derive::dynamics::velocity_of(robot.joints[k].variable), "v", k + 1});
+    const std::size_t number = model::base_motions(robot) + k + 1;
+    directions.push_back({robot.joints[k].variable, "q", number});
+    directions.push_back({derive::dynamics::velocity_of(robot.joints[k].variable), "v", number});
   }
   passes::append_derivatives(form, directions);
   if (model::has_followers(robot)) gather_derivatives(robot, rows, form);
+  const std::vector<dag::Output> of_base = columns_of_base(robot, columns);
+  form.outputs.insert(form.outputs.begin() + static_cast<std::ptrdiff_t>(rows), of_base.begin(),
+                      of_base.end());
 }
 
 /// The torques and their derivatives as the chain rule gives them. Ways to compute the torques that cost the

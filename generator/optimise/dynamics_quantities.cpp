@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "model/coordinates.h"
 #include "optimise/dynamics.h"
 
 namespace qvgen::optimise {
@@ -18,21 +19,19 @@ Values minus(const Values& a, const Values& b) {
   return result;
 }
 
-Number gravity_at(const ExactPoint& point) { return point.symbol(derive::dynamics::gravity_symbol); }
-
 Values zeros(const PlainRecursion& plain) { return Values(plain.size()); }
 
 DynamicsQuantity torque(const std::string& name, Effects effects) {
   const auto formulate = [effects](const model::Robot& robot, const FormulationOptions& choices) {
     return inverse_dynamics(robot, choices, effects);
   };
-  const auto residuals = [effects](PlainRecursion plain, const ExactPoint& point, const Values& values) {
+  const auto residuals = [effects](PlainRecursion plain, const ExactPoint&, const Values& values) {
     if (effects == Effects::velocity) plain.remove_friction();
     const bool moves = effects != Effects::gravity;
-    const Number gravity = effects == Effects::velocity ? Number(0) : gravity_at(point);
+    const PlainRecursion::Load load =
+        effects == Effects::velocity ? PlainRecursion::falling(0) : plain.usual_load();
     const Values accelerations = effects == Effects::all ? plain.accelerations() : zeros(plain);
-    return minus(values,
-                 plain.inverse_dynamics(moves ? plain.rates() : zeros(plain), accelerations, gravity));
+    return minus(values, plain.inverse_dynamics(moves ? plain.rates() : zeros(plain), accelerations, load));
   };
   return {name, formulate, residuals, true};
 }
@@ -42,6 +41,14 @@ Values mass_matrix_residuals(const PlainRecursion& plain, const ExactPoint&, con
   Values expected;
   for (std::size_t i = 0; i < plain.size(); ++i)
     for (std::size_t k = i; k < plain.size(); ++k) expected.push_back(matrix[i][k]);
+  return minus(values, expected);
+}
+
+Values momentum_matrix_residuals(const PlainRecursion& plain, const ExactPoint&, const Values& values) {
+  const auto matrix = plain.mass_matrix();
+  Values expected;
+  for (std::size_t i = 0; i < model::motions_of_body; ++i)
+    expected.insert(expected.end(), matrix[i].begin(), matrix[i].end());
   return minus(values, expected);
 }
 
@@ -63,16 +70,17 @@ Values coriolis_matrix_residuals(PlainRecursion plain, const ExactPoint&, const 
 }
 
 /// The accelerations put into the plain inverse dynamics must give back the forces.
-Values forward_residuals(const PlainRecursion& plain, const ExactPoint& point, const Values& values) {
-  return minus(plain.inverse_dynamics(plain.rates(), values, gravity_at(point)), plain.forces());
+Values forward_residuals(const PlainRecursion& plain, const ExactPoint&, const Values& values) {
+  return minus(plain.inverse_dynamics(plain.rates(), values, plain.usual_load()), plain.forces());
 }
 
 Values kinetic_residuals(const PlainRecursion& plain, const ExactPoint&, const Values& values) {
   return {values.at(0) - plain.kinetic_energy(plain.rates())};
 }
 
-Values potential_residuals(const PlainRecursion& plain, const ExactPoint& point, const Values& values) {
-  return {values.at(0) - plain.potential_energy(PlainRecursion::falling(gravity_at(point)).gravity)};
+Values potential_residuals(const PlainRecursion& plain, const ExactPoint&, const Values& values) {
+  return {values.at(0) - (plain.floats() ? plain.potential_energy_of_floating_base()
+                                         : plain.potential_energy(plain.usual_load().gravity))};
 }
 
 FormulationOptions under_load(FormulationOptions choices, bool wrench) {
@@ -126,6 +134,12 @@ const std::vector<DynamicsQuantity>& dynamics_quantities() {
       {"potential_energy", derive::dynamics::potential_energy, potential_residuals, false},
   };
   return quantities;
+}
+
+const std::vector<DynamicsQuantity>& floating_base_quantities(const model::Robot& robot) {
+  static const std::vector<DynamicsQuantity> none,
+      quantities{{"momentum_matrix", derive::dynamics::momentum_matrix, momentum_matrix_residuals, false}};
+  return robot.floating_base ? quantities : none;
 }
 
 const std::vector<LoadedQuantity>& loaded_quantities() {

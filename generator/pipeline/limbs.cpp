@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/limbs.h"
 
+#include <set>
+
 #include <fmt/format.h>
 
 #include "emit/render.h"
+#include "model/coordinates.h"
 #include "model/followers.h"
 
 namespace qvgen::pipeline {
@@ -25,6 +28,31 @@ json joints_of(const model::Robot& robot, const model::Robot& limb, const model:
   }
   list.back()["last"] = true;
   return list;
+}
+
+/// The places of a limb's joints among all velocities, behind those of a floating base.
+json columns_of(const model::Robot& robot, const json& joints) {
+  std::set<std::size_t> columns;
+  const std::size_t base = model::base_motions(robot);
+  for (std::size_t k = 0; k < base; ++k) columns.insert(k);
+  for (const json& joint : joints) columns.insert(base + joint.at("joint").get<std::size_t>());
+  json list = json::array();
+  for (const std::size_t column : columns)
+    list.push_back({{"column", column}, {"last", column == *columns.rbegin()}});
+  return list;
+}
+
+/// How the functions of tips are told where the robot is: by a base that floats, or by joints alone.
+json names_of_configuration(const model::Robot& robot) {
+  if (robot.floating_base)
+    return {{"configuration", "Configuration"}, {"velocity", "Velocity"}, {"size", "velocity_size"},
+            {"before_pose", "at.base * "},      {"joints_at", "at.q"},    {"tip_function", "floating_tip"}};
+  return {{"configuration", "JointVector"},
+          {"velocity", "JointVector"},
+          {"size", "dof"},
+          {"before_pose", ""},
+          {"joints_at", "at"},
+          {"tip_function", "fixed_tip"}};
 }
 
 }  // namespace
@@ -50,10 +78,18 @@ void add_limbs(const model::Mechanism& mechanism, RobotOutput& output) {
     values["limbs"].push_back({{"tip", mechanism.tips[i].name},
                                {"limb", limbs[i].name},
                                {"joint_count", joints.size()},
-                               {"joints", joints}});
+                               {"joints", joints},
+                               {"columns", columns_of(mechanism.robot, joints)},
+                               {"last", i + 1 == limbs.size()}});
+    json& limb = values["limbs"].back();
+    limb["column_count"] = limb["columns"].size();
   }
   output.files.push_back(
       {"include/qvgen/robots/" + mechanism.robot.name + "/limbs.h", emit::render("cpp/limbs.h", values)});
+  values["tip_count"] = limbs.size();
+  values.update(names_of_configuration(mechanism.robot));
+  output.files.push_back(
+      {"include/qvgen/robots/" + mechanism.robot.name + "/tips.h", emit::render("cpp/tips.h", values)});
 }
 
 }  // namespace qvgen::pipeline

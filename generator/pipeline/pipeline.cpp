@@ -110,9 +110,18 @@ bool is_of_limbs(bool of_trees, const model::Robot& robot, const std::string& pa
   return true;
 }
 
+/// True if a product is not made yet for a base that floats.
+bool is_of_fixed_bases(const std::string& part, const model::Robot& robot, RobotOutput& output) {
+  static const std::vector<std::string> parts{"mass", "regressor_with_drives", "batch"};
+  if (!robot.floating_base || !contains(parts, part)) return false;
+  output.missing.push_back({part, Missing::Kind::not_described, "the base floats: it is of fixed bases"});
+  return true;
+}
+
 RobotOutput generate_product(const model::Robot& robot, const Product& product, Language language) {
   RobotOutput output{robot.name};
   if (is_of_limbs(product.of_trees, robot, product.part, output)) return output;
+  if (is_of_fixed_bases(product.part, robot, output)) return output;
   const auto make = is_c(language) ? product.generate_c : product.generate;
   if (language == Language::c_in_float && !product.has_float) {
     output.missing.push_back({product.part, Missing::Kind::not_in_language, "it is in double alone"});
@@ -133,6 +142,7 @@ RobotOutput generate_extra(const model::Robot& robot, const Extra& extra, Langua
                            const nlohmann::ordered_json& counts) {
   RobotOutput output{robot.name};
   if (is_of_limbs(extra.of_trees, robot, extra.part, output)) return output;
+  if (is_of_fixed_bases(extra.part, robot, output)) return output;
   if (is_c(language))
     output.missing.push_back({extra.part, Missing::Kind::not_in_language, "it is written in C++"});
   else

@@ -8,6 +8,7 @@
 
 #include "derive/dynamics/rotation_sequence.h"
 #include "exact/constant_angle.h"
+#include "model/coordinates.h"
 #include "model/mechanism.h"
 
 namespace qvgen::derive::dynamics {
@@ -90,6 +91,7 @@ class ChainBuilder {
   Chain build() {
     if (robot_.joints.empty()) throw std::domain_error("dynamics: no joints");
     stands_.resize(robot_.joints.size());
+    if (robot_.floating_base) add_floating_base();
     for (std::size_t j = 0; j < robot_.joints.size(); ++j) {
       const std::size_t parent = model::parent_of(robot_, j);
       if (parent == model::base_link)
@@ -107,7 +109,7 @@ class ChainBuilder {
 
  private:
   /// Rotation and translation from one joint frame to another.
-  struct Way {
+  struct Offset {
     RotationSequence turns;
     Vector3 offset;
   };
@@ -118,15 +120,22 @@ class ChainBuilder {
   };
 
   /// The joint behind a link for which its frame is chosen: the first one.
+  void add_floating_base() {
+    Link base;
+    base.motion = Motion::free;
+    base.inertia = from_description(*robot_.floating_base, graph_);
+    chain_.links.push_back(base);
+  }
+
   [[nodiscard]] std::optional<std::size_t> first_behind(std::size_t link) const {
     for (std::size_t j = 0; j < robot_.joints.size(); ++j)
       if (model::parent_of(robot_, j) == link) return j;
     return std::nullopt;
   }
 
-  Passage passage_of(const Way& way) { return make_passage(way.turns, way.offset, graph_); }
+  Passage passage_of(const Offset& way) { return make_passage(way.turns, way.offset, graph_); }
 
-  Way way_from_base(std::size_t j) {
+  Offset way_from_base(std::size_t j) {
     const model::Joint& joint = robot_.joints[j];
     const RotationSequence base = to_sequence(robot_.base.turns);
     return {base * to_sequence(joint.before.turns) * from_z_to(joint.axis),
@@ -134,7 +143,7 @@ class ChainBuilder {
                 rotated(base, to_vector(joint.before.translation, graph_), graph_)};
   }
 
-  Way way_from_joint(std::size_t j, std::size_t behind) {
+  Offset way_from_joint(std::size_t j, std::size_t behind) {
     const model::Joint& here = robot_.joints[j];
     const model::Joint& next = robot_.joints[behind];
     const RotationSequence back = inverse(from_z_to(here.axis));
@@ -147,7 +156,8 @@ class ChainBuilder {
 
   /// The frame in which the first joint begins is the one for all others on the base.
   void arrive_from_base(std::size_t j) {
-    const Way way = way_from_base(j);
+    const Offset way = way_from_base(j);
+    if (robot_.floating_base) return arrive_beside(j, 0, way, {});
     if (first_behind(model::base_link) == j) {
       chain_.start = way.offset;
       const Passage passage = passage_of({way.turns, {}});
@@ -169,7 +179,7 @@ class ChainBuilder {
 
   /// A further joint on a link whose frame was chosen for another one: what that has taken of the way (a turn
   /// about z and a shift along it) is taken back, and what is left of such a turn is a link without motion.
-  void arrive_beside(std::size_t j, std::size_t parent, Way way, const Passage& taken) {
+  void arrive_beside(std::size_t j, std::size_t parent, Offset way, const Passage& taken) {
     way.turns = RotationSequence{{2, cln::cl_RA(-1) * taken.phi}} * way.turns;
     way.offset = unrotate(2, circle(taken.phi, graph_), way.offset);
     way.offset[2] = way.offset[2] - taken.d;
@@ -206,6 +216,7 @@ class ChainBuilder {
     }
     const model::Joint& joint = robot_.joints[j];
     link.variable = joint.variable;
+    link.coordinate = model::base_motions(robot_) + j;
     if (inertias_ == Inertias::described) read_drive(joint, link);
     link.motion = joint.type == model::JointType::revolute ? Motion::revolute : Motion::prismatic;
     if (link.motion == Motion::revolute) link.angle = link.angle + Angle{{{joint.variable, 1}}, 0};
@@ -252,6 +263,15 @@ class ChainBuilder {
 };
 
 }  // namespace
+
+std::vector<Way> ways_of(const Link& link) {
+  if (link.motion == Motion::none) return {};
+  if (link.motion != Motion::free) return {{link.motion == Motion::prismatic, 2, link.coordinate}};
+  std::vector<Way> ways;
+  for (std::size_t k = 0; k < model::motions_of_body; ++k)
+    ways.push_back({k < 3, k % 3, link.coordinate + k});
+  return ways;
+}
 
 Chain make_chain(const model::Robot& robot, dag::Graph& graph, Inertias inertias) {
   return ChainBuilder(robot, graph, inertias).build();

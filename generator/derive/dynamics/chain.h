@@ -23,7 +23,8 @@ inline constexpr std::size_t no_link = static_cast<std::size_t>(-1);
 struct Link {
   Motion motion = Motion::none;
   std::string variable;
-  std::size_t joint = 0;  ///< index in the robot; of links without motion, of the joint behind
+  std::size_t joint = 0;       ///< index in the robot; of links without motion, of the joint behind
+  std::size_t coordinate = 0;  ///< of its motion (model/coordinates.h); the first of a floating base's six
   std::size_t parent =
       no_link;  ///< index of the link before, a smaller one; none: the base, which stands still
   exact::Angle alpha;
@@ -32,6 +33,15 @@ struct Link {
   PseudoInertia inertia;           ///< in frame(j)
   Scalar rotor, viscous, coulomb;  ///< inertia and friction of the drive, on the joint's side
 };
+
+/// One way in which a link can move: along an axis of its own frame or about it.
+struct Way {
+  bool slides = false;
+  std::size_t axis = 2;
+  std::size_t coordinate = 0;
+};
+/// Returns the ways of a link: one behind a joint, six of a floating base, none without motion.
+std::vector<Way> ways_of(const Link& link);
 
 /// A robot in those frames. Lengths and inertias are exact expressions of the description's symbols. A
 /// floating base is link 0, in its own frame.

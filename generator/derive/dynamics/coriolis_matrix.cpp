@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <map>
 
 #include "derive/dynamics/followers.h"
 #include "derive/dynamics/inward_recursion.h"
+#include "model/coordinates.h"
 
 namespace qvgen::derive::dynamics {
 namespace {
@@ -85,9 +87,10 @@ class ChristoffelSymbols {
       const Link& link = p_.chain.links[j];
       auto& [bodies, flow, open] = all[j];
       const PseudoInertia composite = link.inertia + bodies;
-      if (link.motion != Motion::none) open.push_back(opened(j, composite, flow));
+      const std::vector<Way> ways = ways_of(link);
+      for (const Way& way : ways) open.push_back(opened(j, way, composite, flow));
       for (Open& other : open) {
-        if (link.motion != Motion::none) record(link, other);
+        for (const Way& way : ways) record(way, other, ways);
         if (link.parent == no_link) continue;
         transform_to_parent(j, other);
         all[link.parent].open.push_back(other);
@@ -98,8 +101,9 @@ class ChristoffelSymbols {
       before.flow = sum(before.flow, carried(link, flow));
       before.bodies = before.bodies + inward_.transform_to_parent(j, composite);
     }
-    for (std::size_t i = 0; i < robot_.joints.size(); ++i)
-      for (std::size_t k = 0; k < robot_.joints.size(); ++k) entries_.try_emplace({i, k});
+    const std::size_t size = model::base_motions(robot_) + robot_.joints.size();
+    for (std::size_t i = 0; i < size; ++i)
+      for (std::size_t k = 0; k < size; ++k) entries_.try_emplace({i, k});
     for (const auto& [place, value] : gathered(robot_, entries_, graph_))
       out.outputs.push_back(
           {"c" + std::to_string(place.first + 1) + "_" + std::to_string(place.second + 1), value.in(graph_)});
@@ -124,6 +128,10 @@ class ChristoffelSymbols {
     return link.motion == Motion::prismatic ? p_.per_unit * rate : rate;
   }
 
+  Scalar base_rate(const Way& way) const {
+    return inward_.symbol(velocity_of(model::base_coordinate(way.coordinate)));
+  }
+
   void find_rotation_rates() {
     std::vector<Vector3> arriving;
     for (const Link& link : p_.chain.links) {
@@ -134,6 +142,8 @@ class ChristoffelSymbols {
       arriving.push_back(unrotate(0, alpha, has_parent ? rotation_rates_[link.parent] : Vector3{}));
       Vector3 w = unrotate(2, angle, arriving.back());
       if (link.motion == Motion::revolute) w[2] = w[2] + rate_of(link);
+      for (const Way& way : ways_of(link))
+        if (link.motion == Motion::free && !way.slides) w[way.axis] = base_rate(way);
       rotation_rates_.push_back(w);
     }
   }
@@ -146,30 +156,33 @@ class ChristoffelSymbols {
     suggest_(unrotate(2, both, arriving));
   }
 
-  Open opened(std::size_t j, const PseudoInertia& composite, const Flow& flow) const {
-    const Link& link = p_.chain.links[j];
-    const Column coriolis = coriolis_column(link, composite, flow, rotation_rates_[j]);
-    return {column_of(link, composite), column_of(link, rate_of_inertia(flow)), coriolis};
+  Open opened(std::size_t j, const Way& way, const PseudoInertia& composite, const Flow& flow) const {
+    const Column coriolis = coriolis_column(way, composite, flow, rotation_rates_[j]);
+    return {column_of(way, composite), column_of(way, rate_of_inertia(flow)), coriolis};
   }
 
   /// The wrench of G_j: the force is the last row, the moment the antisymmetric part of the others.
-  static Column coriolis_column(const Link& link, const PseudoInertia& composite, const Flow& flow,
+  static Column coriolis_column(const Way& way, const PseudoInertia& composite, const Flow& flow,
                                 const Vector3& w) {
-    const bool slides = link.motion == Motion::prismatic;
-    const auto x = column(composite, 0), y = column(composite, 1), mass = column(composite, 3);
+    const std::size_t k = way.axis, i = (k + 1) % 3, j = (k + 2) % 3;
+    const auto x = column(composite, i), y = column(composite, j), mass = column(composite, 3);
     Flow g;
-    for (std::size_t r = 0; r < 4; ++r)
-      g[r] = slides
-                 ? Vector3{w[1] * mass[r], -(w[0] * mass[r]), Scalar()}
-                 : Vector3{-(w[2] * x[r]) - flow[r][1], flow[r][0] - w[2] * y[r], w[0] * x[r] + w[1] * y[r]};
-    return {link.joint, slides, g[3], {g[1][2] - g[2][1], g[2][0] - g[0][2], g[0][1] - g[1][0]}, {}};
+    for (std::size_t r = 0; r < 4; ++r) {
+      g[r][i] = way.slides ? w[j] * mass[r] : -(w[k] * x[r]) - flow[r][j];
+      g[r][j] = way.slides ? -(w[i] * mass[r]) : flow[r][i] - w[k] * y[r];
+      if (!way.slides) g[r][k] = w[i] * x[r] + w[j] * y[r];
+    }
+    const Vector3 moment = {g[1][2] - g[2][1], g[2][0] - g[0][2], g[0][1] - g[1][0]};
+    return {way.coordinate, way.slides, g[3], moment, {}};
   }
 
-  void record(const Link& link, const Open& outer) {
-    const std::size_t i = link.joint, j = outer.mass.joint;
-    const Scalar above = entry(p_, link, outer.coriolis);
+  /// `own`: the ways of the link, among which each pair comes in both orders.
+  void record(const Way& way, const Open& outer, const std::vector<Way>& own) {
+    const std::size_t i = way.coordinate, j = outer.mass.coordinate;
+    const Scalar above = entry(p_, way, outer.coriolis);
     entries_[{i, j}] = above;
-    if (i != j) entries_[{j, i}] = entry(p_, link, outer.rate) - above;
+    const bool is_own = std::any_of(own.begin(), own.end(), [j](const Way& w) { return w.coordinate == j; });
+    if (!is_own) entries_[{j, i}] = entry(p_, way, outer.rate) - above;
   }
 
   /// The rate of what the joint turns or slides: rate (e_z x column), or rate e_z x force for the moment.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "derive/dynamics/followers.h"
 
+#include "model/coordinates.h"
 #include "model/followers.h"
 #include "passes/constants.h"
 
@@ -9,6 +10,15 @@ namespace {
 
 Scalar times(const cln::cl_RA& ratio, const Scalar& value, dag::Graph& graph) {
   return ratio == 1 ? value : Scalar(graph, graph.constant(exact::Number(ratio))) * value;
+}
+
+/// One for each coordinate of the base and each joint; nothing of the base follows.
+std::vector<model::Share> shares_of_coordinates(const model::Robot& robot) {
+  const std::size_t base = model::base_motions(robot);
+  std::vector<model::Share> result;
+  for (std::size_t k = 0; k < base; ++k) result.push_back({k, 1});
+  for (const model::Share& share : model::shares(robot)) result.push_back({base + share.driven, share.ratio});
+  return result;
 }
 
 }  // namespace
@@ -36,7 +46,7 @@ std::vector<Scalar> gathered(const model::Robot& robot, const std::vector<Scalar
 
 Entries gathered(const model::Robot& robot, const Entries& entries, dag::Graph& graph) {
   if (!model::has_followers(robot)) return entries;
-  const std::vector<model::Share> shares = model::shares(robot);
+  const std::vector<model::Share> shares = shares_of_coordinates(robot);
   Entries result;
   for (const auto& [place, value] : entries) {
     const model::Share &row = shares[place.first], &column = shares[place.second];

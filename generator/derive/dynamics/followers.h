@@ -17,7 +17,7 @@ Formulation in_rates_of_leaders(const model::Robot& robot, Formulation formulati
 /// C^T x.
 std::vector<Scalar> gathered(const model::Robot& robot, const std::vector<Scalar>& forces, dag::Graph& graph);
 
-/// C^T M C of the entries that are there.
+/// C^T M C of the entries that are there, by coordinates (model/coordinates.h).
 using Entries = std::map<std::pair<std::size_t, std::size_t>, Scalar>;
 Entries gathered(const model::Robot& robot, const Entries& entries, dag::Graph& graph);
 /// Gathers a symmetric matrix, of which only the upper triangle is there, before and after.

@@ -63,6 +63,10 @@ Formulation inverse_dynamics(const model::Robot& robot, const FormulationOptions
 /// 1987) in pseudo-inertia form.
 Formulation mass_matrix(const model::Robot& robot, const FormulationOptions& choices);
 
+/// Outputs h11, h12, ... (row by row): the six rows of a floating base in the mass matrix, whose product with
+/// the velocities is the momentum of all links, linear and about the base's origin, in the base's frame.
+Formulation momentum_matrix(const model::Robot& robot, const FormulationOptions& choices);
+
 /// Outputs c11, c12, ... (row by row): the matrix of Christoffel's symbols, for which C q' are the forces of
 /// Effects::velocity and M' - 2 C is skew-symmetric.
 Formulation coriolis_matrix(const model::Robot& robot, const FormulationOptions& choices);

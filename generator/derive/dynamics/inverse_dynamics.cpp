@@ -1,58 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <map>
 
+#include "derive/dynamics/body.h"
 #include "derive/dynamics/followers.h"
 #include "derive/dynamics/suggestions.h"
+#include "model/coordinates.h"
 
 namespace qvgen::derive::dynamics {
 namespace {
-
-/// Motion of a link, in its own frame; v is the acceleration of its origin, gravity included.
-struct State {
-  Vector3 w, v;
-  Matrix3 u;
-};
-
-struct Wrench {
-  Vector3 force, moment;
-};
-
-Wrench operator+(const Wrench& a, const Wrench& b) { return {a.force + b.force, a.moment + b.moment}; }
-
-/// U from the rotation rate, its axis column (U13, U23) and the rate of change of w_z. What of it is not w'
-/// shows how w' is got back: w'_y = U13 - w_x w_z, w'_x = w_y w_z - U23.
-Matrix3 u_matrix(const Vector3& w, const Scalar& u13, const Scalar& u23, const Scalar& wz_rate,
-                 Suggestions& suggest) {
-  const Scalar xx = w[0] * w[0], yy = w[1] * w[1], zz = w[2] * w[2];
-  const Scalar xy = w[0] * w[1], xz = w[0] * w[2], yz = w[1] * w[2];
-  Matrix3 u;
-  u[0] = {-(yy + zz), xy - wz_rate, u13};
-  u[1] = {xy + wz_rate, -(xx + zz), u23};
-  const Scalar wy_rate = u13 - xz, wx_rate = yz - u23;
-  u[2] = {xz - wy_rate, yz + wx_rate, -(xx + yy)};
-  // The diagonal follows from U33 as well, which a joint's rotation about z leaves alone; and doubles of
-  // products.
-  suggest({-u[2][2] - xx, -u[2][2] - yy, u[2][2] + (xx - zz), u[2][2] + (yy - zz)});
-  suggest({(xz + xz) - u13, (yz + yz) - u23});
-  return u;
-}
-
-Wrench link_wrench(const PseudoInertia& p, const Matrix3& u, const Vector3& v, Suggestions& suggest) {
-  const Vector3 h = p.first_moments();
-  Wrench result;
-  for (std::size_t r = 0; r < 3; ++r)
-    result.force[r] = (u[r][0] * h[0] + u[r][1] * h[1]) + u[r][2] * h[2] + p.mass() * v[r];
-  const auto s = [&](std::size_t i, std::size_t k) { return p.at(i, k); };
-  const Scalar n1 = u[2][0] * s(0, 1) + u[2][1] * s(1, 1);
-  const Scalar n2 = u[2][0] * s(0, 0) + u[2][1] * s(0, 1);
-  const Scalar x = n1 + (u[2][2] - u[1][1]) * s(1, 2) - u[1][0] * s(0, 2) - u[1][2] * s(2, 2);
-  const Scalar y = (u[0][0] - u[2][2]) * s(0, 2) + u[0][1] * s(1, 2) - n2 + u[0][2] * s(2, 2);
-  const Scalar z = ((u[1][1] - u[0][0]) * s(0, 1) + (u[1][0] * s(0, 0) - u[0][1] * s(1, 1))) +
-                   (u[1][2] * s(0, 2) - u[0][2] * s(1, 2));
-  result.moment = Vector3{x, y, z} + cross(h, v);
-  suggest(result.force);
-  return result;
-}
 
 class Recursion {
  public:
@@ -75,7 +30,7 @@ class Recursion {
     if (effects_ != Effects::velocity) base.v = p_.gravity;
     for (std::size_t j = 0; j < joints_.size(); ++j) {
       const State& before = joints_[j].parent == no_link ? base : states_[joints_[j].parent];
-      states_.push_back(joints_[j].moving == Motion::revolute ? turn(j, before) : slide(j, before));
+      states_.push_back(moved(j, before));
     }
     behind_.resize(joints_.size());
     if (choices_.wrench) behind_.back() = wrench_to_balance(last);
@@ -91,8 +46,8 @@ class Recursion {
     Scalar rate, acceleration;
     Scalar drive;  ///< force that the drive itself takes
     PseudoInertia inertia;
-    std::size_t index;
     std::size_t parent;
+    std::size_t coordinate = 0;
     std::size_t depth = 0;               ///< links between this one and the base
     std::vector<std::size_t> next = {};  ///< links that this one carries
   };
@@ -114,9 +69,9 @@ class Recursion {
                 {},
                 {},
                 link.inertia,
-                link.joint,
                 link.parent};
-    if (link.motion == Motion::none) return joint;
+    joint.coordinate = link.coordinate;
+    if (link.motion == Motion::none || link.motion == Motion::free) return joint;
     const Scalar scale = link.motion == Motion::prismatic ? p_.per_unit : Scalar(graph_, graph_.constant(1));
     if (effects_ != Effects::gravity) joint.rate = symbol(velocity_of(link.variable)) * scale;
     if (effects_ == Effects::all || effects_ == Effects::bias)
@@ -153,6 +108,35 @@ class Recursion {
     for (std::size_t r = 0; r < 3; ++r)
       column[r] = -joint.alpha.sine * u[r][1] + joint.alpha.cosine * u[r][2];
     return unrotate(0, joint.alpha, column);
+  }
+
+  State moved(std::size_t j, const State& before) {
+    if (joints_[j].moving == Motion::free) return float_freely();
+    return joints_[j].moving == Motion::revolute ? turn(j, before) : slide(j, before);
+  }
+
+  /// Three components of the floating base's velocity or acceleration, the first of them given.
+  Vector3 of_base(std::string (*symbol_of)(const std::string&), std::size_t first) {
+    const auto component = [&](std::size_t k) {
+      return symbol(symbol_of(model::base_coordinate(first + k)));
+    };
+    return {component(0), component(1), component(2)};
+  }
+
+  /// The base's motion is what the caller says. The derivatives of its velocity are those of the components
+  /// in its own frame, which turns.
+  State float_freely() {
+    const bool moves = effects_ != Effects::gravity, speeds_up = effects_ == Effects::all;
+    const Vector3 linear = moves ? of_base(velocity_of, 0) : Vector3{};
+    const Vector3 rate = speeds_up ? of_base(acceleration_of, 3) : Vector3{};
+    State state;
+    state.w = moves ? of_base(velocity_of, 3) : Vector3{};
+    state.v = cross(state.w, linear);
+    if (speeds_up) state.v = state.v + of_base(acceleration_of, 0);
+    if (effects_ != Effects::velocity) state.v = state.v + p_.gravity;
+    state.u = u_matrix(state.w, rate[1] + state.w[0] * state.w[2], state.w[1] * state.w[2] - rate[0], rate[2],
+                       suggest_);
+    return state;
   }
 
   Vector3 offset_acceleration(const Joint& joint, const Matrix3& u) {
@@ -274,19 +258,19 @@ class Recursion {
   }
 
   void backward(dag::Function& out) {
-    std::vector<Scalar> torques(robot_.joints.size());
+    std::vector<Scalar> forces(model::base_motions(robot_) + robot_.joints.size());
     for (std::size_t j = joints_.size(); j-- > 0;) {
       const Joint& joint = joints_[j];
       const Wrench own = link_wrench(joint.inertia, states_[j].u, states_[j].v, suggest_);
       const Wrench total = own + behind_[j];
-      if (joint.moving == Motion::revolute) torques[joint.index] = total.moment[2];
-      if (joint.moving == Motion::prismatic) torques[joint.index] = p_.per_unit * total.force[2];
-      if (joint.moving != Motion::none) torques[joint.index] = torques[joint.index] + joint.drive;
+      for (const Way& way : ways_of(p_.chain.links[j]))
+        forces[way.coordinate] =
+            (way.slides ? p_.per_unit * total.force[way.axis] : total.moment[way.axis]) + joint.drive;
       if (joint.parent == no_link && joint.moving != Motion::none) continue;
       const Wrench inward = carried_inward(j, own, behind_[j]);
       if (joint.parent != no_link) behind_[joint.parent] = behind_[joint.parent] + inward;
     }
-    finish(out, torques);
+    finish(out, forces);
   }
 
   /// The wrench on link j and all behind it, in the frame of the link before and about its origin.
@@ -344,10 +328,14 @@ class Recursion {
     suggest_(rotate(2, both, outer.force));
   }
 
-  void finish(dag::Function& out, const std::vector<Scalar>& of_chain) {
-    const std::vector<Scalar> torques = gathered(robot_, of_chain, graph_);
-    for (std::size_t i = 0; i < torques.size(); ++i)
-      out.outputs.push_back({"tau" + std::to_string(i + 1), torques[i].in(graph_)});
+  /// Forces by coordinates; nothing of the base follows.
+  void finish(dag::Function& out, const std::vector<Scalar>& of_all) {
+    const auto joints = of_all.begin() + static_cast<std::ptrdiff_t>(model::base_motions(robot_));
+    std::vector<Scalar> forces(of_all.begin(), joints);
+    const std::vector<Scalar> of_joints(joints, of_all.end());
+    for (const Scalar& force : gathered(robot_, of_joints, graph_)) forces.push_back(force);
+    for (std::size_t i = 0; i < forces.size(); ++i)
+      out.outputs.push_back({"tau" + std::to_string(i + 1), forces[i].in(graph_)});
   }
 
   const model::Robot& robot_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "derive/dynamics/inward_recursion.h"
 
+#include <tuple>
+
 namespace qvgen::derive::dynamics {
 namespace {
 
@@ -11,19 +13,25 @@ Vector3 about(const Vector3& moment, const Vector3& force, const Scalar& d) {
 
 }  // namespace
 
-Scalar entry(const Parametrisation& p, const Link& link, const Column& column) {
-  const bool slides = link.motion == Motion::prismatic;
-  const Scalar value = slides ? p.per_unit * column.force[2] : column.moment[2];
+Scalar entry(const Parametrisation& p, const Way& way, const Column& column) {
+  const Scalar value = way.slides ? p.per_unit * column.force[way.axis] : column.moment[way.axis];
   return column.slides ? p.per_unit * value : value;
 }
 
-/// Acceleration of a turning body about its origin: f = e_z x h; of a sliding one: f = m e_z.
-Column column_of(const Link& link, const PseudoInertia& p) {
+/// Acceleration of a turning body about its origin: f = e x h; of a sliding one: f = m e, e the axis.
+Column column_of(const Way& way, const PseudoInertia& p) {
+  const std::size_t k = way.axis, i = (k + 1) % 3, j = (k + 2) % 3;
   const Vector3 h = p.first_moments();
-  if (link.motion == Motion::prismatic)
-    return {link.joint, true, {Scalar(), Scalar(), p.mass()}, {h[1], -h[0], Scalar()}, {}};
-  const Vector3 moment = {-p.at(0, 2), -p.at(1, 2), p.at(0, 0) + p.at(1, 1)};
-  return {link.joint, false, {-h[1], h[0], Scalar()}, moment, {}};
+  Column column{way.coordinate, way.slides, {}, {}, {}};
+  Vector3& across = way.slides ? column.moment : column.force;
+  across[i] = way.slides ? h[j] : -h[j];
+  across[j] = way.slides ? -h[i] : h[i];
+  if (way.slides)
+    column.force[k] = p.mass();
+  else
+    std::tie(column.moment[i], column.moment[j], column.moment[k]) =
+        std::make_tuple(-p.at(i, k), -p.at(j, k), p.at(i, i) + p.at(j, j));
+  return column;
 }
 
 Scalar InwardRecursion::shift_of(const Link& link) const {

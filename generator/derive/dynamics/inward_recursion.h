@@ -9,9 +9,9 @@
 
 namespace qvgen::derive::dynamics {
 
-/// Force and moment (about the frame's origin) that belong to one joint, on their way inward.
+/// Force and moment (about the frame's origin) that belong to one coordinate, on their way inward.
 struct Column {
-  std::size_t joint = 0;
+  std::size_t coordinate = 0;
   bool slides = false;
   Vector3 force, moment;
   std::optional<Vector3> outer_moment,
@@ -43,11 +43,11 @@ class InwardRecursion {
   Suggestions& suggest_;
 };
 
-/// The column's part of the generalised force of the link's joint. In units of length, forces come out too
+/// The column's part of the generalised force of one way of the link. In units of length, forces come out too
 /// large by one: once for each sliding joint of the pair.
-Scalar entry(const Parametrisation& p, const Link& link, const Column& column);
+Scalar entry(const Parametrisation& p, const Way& way, const Column& column);
 
-/// Force and moment on a composite body for unit acceleration of the link's joint.
-Column column_of(const Link& link, const PseudoInertia& composite);
+/// Force and moment on a composite body for unit acceleration in one way of its link.
+Column column_of(const Way& way, const PseudoInertia& composite);
 
 }  // namespace qvgen::derive::dynamics

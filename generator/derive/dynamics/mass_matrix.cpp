@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <map>
+#include <string>
+
 #include "derive/dynamics/followers.h"
 #include "derive/dynamics/inward_recursion.h"
+#include "model/coordinates.h"
 
 namespace qvgen::derive::dynamics {
 namespace {
@@ -23,9 +28,12 @@ class CompositeBodies {
     for (std::size_t j = p_.chain.links.size(); j-- > 0;) {
       const Link& link = p_.chain.links[j];
       const PseudoInertia composite = link.inertia + behind[j];
-      if (link.motion != Motion::none) columns[j].push_back(column_of(link, composite));
+      const std::vector<Way> ways = ways_of(link);
+      for (const Way& way : ways) columns[j].push_back(column_of(way, composite));
       for (Column& column : columns[j]) {
-        if (link.motion != Motion::none) entries_[{link.joint, column.joint}] = entry_of(link, column);
+        for (const Way& way : ways)
+          if (way.coordinate <= column.coordinate)
+            entries_[{way.coordinate, column.coordinate}] = entry_of(link, way, column);
         if (link.parent == no_link) continue;
         inward_.transform_to_parent(j, column);
         columns[link.parent].push_back(column);
@@ -34,17 +42,18 @@ class CompositeBodies {
         behind[link.parent] = behind[link.parent] + inward_.transform_to_parent(j, composite);
     }
     // Joints that do not carry one another do not feel one another.
-    for (std::size_t i = 0; i < robot_.joints.size(); ++i)
-      for (std::size_t k = i; k < robot_.joints.size(); ++k) entries_.try_emplace({i, k});
+    const std::size_t size = model::base_motions(robot_) + robot_.joints.size();
+    for (std::size_t i = 0; i < size; ++i)
+      for (std::size_t k = i; k < size; ++k) entries_.try_emplace({i, k});
     for (const auto& [place, value] : gathered_symmetric(robot_, entries_, graph_))
       out.outputs.push_back(
           {"m" + std::to_string(place.first + 1) + "_" + std::to_string(place.second + 1), value.in(graph_)});
   }
 
  private:
-  Scalar entry_of(const Link& link, const Column& column) const {
-    const Scalar value = entry(p_, link, column);
-    return link.joint == column.joint ? value + link.rotor : value;
+  Scalar entry_of(const Link& link, const Way& way, const Column& column) const {
+    const Scalar value = entry(p_, way, column);
+    return way.coordinate == column.coordinate ? value + link.rotor : value;
   }
 
   const model::Robot& robot_;
@@ -60,6 +69,24 @@ class CompositeBodies {
 Formulation mass_matrix(const model::Robot& robot, const FormulationOptions& choices) {
   Formulation result;
   CompositeBodies(robot, choices, result).run(result.function);
+  return result;
+}
+
+Formulation momentum_matrix(const model::Robot& robot, const FormulationOptions& choices) {
+  Formulation result = mass_matrix(robot, choices);
+  std::vector<dag::Output>& outputs = result.function.outputs;
+  std::map<std::string, dag::Edge> entries;
+  for (const dag::Output& output : outputs) entries.emplace(output.name, output.value);
+  std::erase_if(outputs, [](const dag::Output& output) { return output.name.front() != '?'; });
+  std::vector<dag::Output> rows;
+  for (std::size_t i = 1; i <= model::base_motions(robot); ++i)
+    for (std::size_t k = 1; k <= model::coordinate_count(robot); ++k) {
+      const auto number = [](std::size_t a, std::size_t b) {
+        return std::to_string(a) + "_" + std::to_string(b);
+      };
+      rows.push_back({"h" + number(i, k), entries.at("m" + number(std::min(i, k), std::max(i, k)))});
+    }
+  outputs.insert(outputs.begin(), rows.begin(), rows.end());
   return result;
 }
 

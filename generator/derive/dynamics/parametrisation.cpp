@@ -39,6 +39,14 @@ Vector3 base_acceleration(Gravity gravity, dag::Graph& graph) {
   return {-symbol(gravity_component(0)), -symbol(gravity_component(1)), -symbol(gravity_component(2))};
 }
 
+/// A floating base turns in gravity: what it sees of it is an argument of the function.
+Parametrisation with_gravity_at_base(Parametrisation p, dag::Graph& graph) {
+  const auto symbol = [&](std::size_t k) { return Scalar(graph, graph.symbol(gravity_component(k))); };
+  p.gravity = {-symbol(0), -symbol(1), -symbol(2)};
+  p.height = symbol(3);
+  return p;
+}
+
 }  // namespace
 
 std::string gravity_component(std::size_t axis) { return "^" + std::to_string(axis); }
@@ -92,6 +100,7 @@ Parametrisation parametrise(const model::Robot& robot, const FrameConvention& co
   Naming naming(std::move(source), std::move(edges), graph);
   for (std::size_t i = 0; i < places.size(); ++i) *places[i] = naming.name(i);
   chain.start = {};
+  if (robot.floating_base) result = with_gravity_at_base(std::move(result), graph);
   result.constants = naming.take();
   return result;
 }

@@ -44,7 +44,8 @@ struct Parametrisation {
   dag::Function constants;  ///< outputs "$0", ... in terms of the description's symbols and `gravity_symbol`
 };
 
-/// The magnitude, and the components of the acceleration of free fall in the world.
+/// The magnitude, and the components of the acceleration of free fall in the world. For a floating base these
+/// are components in the base's own frame, and the fourth is minus their product with the base's position.
 inline constexpr const char* gravity_symbol = "gravity";
 std::string gravity_component(std::size_t axis);
 bool is_constant_symbol(const std::string& name);

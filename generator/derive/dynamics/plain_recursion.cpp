@@ -7,6 +7,7 @@
 #include "derive/dynamics/formulation.h"
 #include "derive/dynamics/pseudo_inertia.h"
 #include "derive/dynamics/rotation_sequence.h"
+#include "model/coordinates.h"
 #include "model/mechanism.h"
 
 namespace qvgen::derive::dynamics {
@@ -52,8 +53,16 @@ Matrix rotation(const Vector& axis, const exact::CosineSine& angle) {
 }  // namespace
 
 PlainRecursion::PlainRecursion(const model::Robot& robot, const exact::ExactPoint& point, const Move& move)
-    : point_(point), shares_(model::shares(robot)), driven_(model::variables(robot)) {
+    : point_(point),
+      shares_(model::shares(robot)),
+      driven_(model::coordinates(robot)),
+      base_motions_(model::base_motions(robot)) {
   base_ = frame_of(robot.base);
+  if (robot.floating_base) {
+    base_mass_ = number_of(robot.floating_base->mass);
+    base_centre_ = vector_of(robot.floating_base->centre_of_mass);
+    base_inertia_ = tensor_of(*robot.floating_base);
+  }
   tool_ = vector_of(robot.tool.translation);
   for (const model::Joint& joint : robot.joints) {
     Link link;
@@ -77,11 +86,10 @@ PlainRecursion::PlainRecursion(const model::Robot& robot, const exact::ExactPoin
     link.viscous = number_of(joint.drive.viscous_friction);
     link.coulomb = number_of(joint.drive.coulomb_friction);
     const model::Share& share = shares_[links_.size()];
-    link.direction = Number(cln::signum(share.ratio)) * point.symbol(direction_of(driven_[share.driven]));
+    const std::string& leader = driven_[base_motions_ + share.driven];
+    link.direction = Number(cln::signum(share.ratio)) * point.symbol(direction_of(leader));
     link.centre = vector_of(joint.inertia.centre_of_mass);
-    std::array<Number, 6> i;
-    for (std::size_t k = 0; k < 6; ++k) i[k] = number_of(joint.inertia.inertia[k]);
-    link.inertia = {{{i[0], i[3], i[5]}, {i[3], i[1], i[4]}, {i[5], i[4], i[2]}}};
+    link.inertia = tensor_of(joint.inertia);
     links_.push_back(link);
   }
 }
@@ -121,6 +129,12 @@ Number PlainRecursion::number_of(const model::Expression& expression) const {
 
 Vector PlainRecursion::vector_of(const model::Vector3& v) const {
   return {number_of(v[0]), number_of(v[1]), number_of(v[2])};
+}
+
+PlainRecursion::Matrix PlainRecursion::tensor_of(const model::Inertia& inertia) const {
+  std::array<Number, 6> i;
+  for (std::size_t k = 0; k < 6; ++k) i[k] = number_of(inertia.inertia[k]);
+  return {{{i[0], i[3], i[5]}, {i[3], i[1], i[4]}, {i[5], i[4], i[2]}}};
 }
 
 exact::CosineSine PlainRecursion::turn(const exact::Angle& angle) const {
@@ -195,6 +209,10 @@ PlainRecursion::Load PlainRecursion::load(bool wrench) const {
   return load;
 }
 
+PlainRecursion::Load PlainRecursion::usual_load() const {
+  return floats() ? load(false) : falling(point_.symbol(gravity_symbol));
+}
+
 std::vector<PlainRecursion::Frame> PlainRecursion::link_frames() const {
   std::vector<Frame> frames;
   for (const Link& link : links_) {
@@ -211,40 +229,53 @@ bool PlainRecursion::carries(std::size_t i, std::size_t k) const {
   return k == i;
 }
 
-PlainRecursion::Values PlainRecursion::of_chain(const Values& driven) const {
+PlainRecursion::Values PlainRecursion::of_chain(const Values& coordinates) const {
   Values values;
-  for (const model::Share& share : shares_) values.push_back(Number(share.ratio) * driven[share.driven]);
+  for (const model::Share& share : shares_)
+    values.push_back(Number(share.ratio) * coordinates[base_motions_ + share.driven]);
   return values;
+}
+
+/// The rate of a velocity's components in a frame that turns lacks w x v.
+PlainRecursion::Moving PlainRecursion::base_motion(const Values& rates, const Values& accelerations,
+                                                   const Load& load) const {
+  Moving base{{}, {}, {}, Number(-1) * load.gravity, base_.position, base_.rotation};
+  if (!floats()) return base;
+  const auto three = [](const Values& of, std::size_t first) {
+    return Vector{of[first], of[first + 1], of[first + 2]};
+  };
+  base.v = three(rates, 0);
+  base.w = three(rates, 3);
+  base.dw = three(accelerations, 3);
+  base.a = base.a + three(accelerations, 0) + cross(base.w, base.v);
+  return base;
 }
 
 /// Returns the forces that move all joints of the chain at once, by their ratios: virtual work.
 PlainRecursion::Values PlainRecursion::inverse_dynamics(const Values& rates, const Values& accelerations,
                                                         const Load& load) const {
-  const Values forces = forces_of_chain(of_chain(rates), of_chain(accelerations), load);
+  const auto [force, moment, joints] = forces_of_chain(base_motion(rates, accelerations, load),
+                                                       of_chain(rates), of_chain(accelerations), load);
   Values result(size());
-  for (std::size_t i = 0; i < forces.size(); ++i) {
-    Number& sum = result[shares_[i].driven];
-    sum = sum + Number(shares_[i].ratio) * forces[i];
+  for (std::size_t k = 0; k < base_motions_; ++k) result[k] = k < 3 ? force[k] : moment[k - 3];
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    Number& sum = result[base_motions_ + shares_[i].driven];
+    sum = sum + Number(shares_[i].ratio) * joints[i];
   }
   return result;
 }
 
 /// Everything in the world frame: 5.2-5.5 for the motion, 5.6-5.9 for force and moment, 5.10-5.15 inward.
-PlainRecursion::Values PlainRecursion::forces_of_chain(const Values& rates, const Values& accelerations,
-                                                       const Load& load) const {
+PlainRecursion::Forces PlainRecursion::forces_of_chain(const Moving& base, const Values& rates,
+                                                       const Values& accelerations, const Load& load) const {
   const std::vector<Frame> frames = link_frames();
   const std::size_t n = links_.size();
   std::vector<Vector> axes(n), origins(n), force(n), moment(n), centres(n);
-  struct Moving {
-    Vector w, dw, a, origin;
-    Matrix rotation;
-  };
-  const Moving base{{}, {}, Number(-1) * load.gravity, base_.position, base_.rotation};
   std::vector<Moving> links(n);
   for (std::size_t i = 0; i < n; ++i) {
     const Link& link = links_[i];
     Moving& here = links[i] = link.parent == model::base_link ? base : links[link.parent];
-    auto& [w, dw, a, origin, rotation] = here;
+    auto& [w, dw, v, a, origin, rotation] = here;
     const auto moved_to = [&here](const Vector& point) {
       const Vector lever = point + Number(-1) * here.origin;
       here.a = here.a + cross(here.dw, lever) + cross(here.w, cross(here.w, lever));
@@ -284,7 +315,14 @@ PlainRecursion::Values PlainRecursion::forces_of_chain(const Values& rates, cons
     torques[i] = dot(axes[i], links_[i].revolute ? m : f) + links_[i].rotor * accelerations[i] +
                  links_[i].viscous * rates[i] + coulomb + links_[i].offset;
   }
-  return torques;
+  Vector f =
+      base_mass_ * (base.a + cross(base.dw, base_centre_) + cross(base.w, cross(base.w, base_centre_)));
+  Vector m = base_inertia_ * base.dw + cross(base.w, base_inertia_ * base.w) + cross(base_centre_, f);
+  for (std::size_t k = 0; k < n; ++k) {
+    f = f + force[k];
+    m = m + moment[k] + cross(centres[k], force[k]);
+  }
+  return {f, m, torques};
 }
 
 std::vector<PlainRecursion::Values> PlainRecursion::mass_matrix() const {
@@ -301,16 +339,14 @@ std::vector<PlainRecursion::Values> PlainRecursion::mass_matrix() const {
 Number PlainRecursion::kinetic_energy(const Values& driven) const {
   const Values rates = of_chain(driven);
   const std::vector<Frame> frames = link_frames();
-  struct Moving {
-    Vector w, v, origin;
-    Matrix rotation;
-  };
-  const Moving base{{}, {}, base_.position, base_.rotation};
+  const Moving base = base_motion(driven, Values(size()), {});
   std::vector<Moving> links(links_.size());
-  Number twice = 0;
+  const Vector base_velocity = base.v + cross(base.w, base_centre_);
+  Number twice = base_mass_ * dot(base_velocity, base_velocity) + dot(base.w, base_inertia_ * base.w);
   for (std::size_t i = 0; i < links_.size(); ++i) {
     const Link& link = links_[i];
-    auto& [w, v, origin, rotation] = links[i] = link.parent == model::base_link ? base : links[link.parent];
+    auto& [w, dw, v, a, origin, rotation] = links[i] =
+        link.parent == model::base_link ? base : links[link.parent];
     const Vector joint_origin = origin + rotation * link.before.position;
     const Vector axis = rotation * (link.before.rotation * link.axis);
     v = v + cross(w, joint_origin + Number(-1) * origin);
@@ -337,15 +373,21 @@ Number PlainRecursion::potential_energy(const Vector& gravity) const {
   return sum;
 }
 
+Number PlainRecursion::potential_energy_of_floating_base() const {
+  const Vector gravity = load(false).gravity;
+  return potential_energy(gravity) + total_mass() * point_.symbol(gravity_component(3)) -
+         base_mass_ * dot(gravity, base_centre_);
+}
+
 Number PlainRecursion::total_mass() const {
-  Number sum = 0;
+  Number sum = base_mass_;
   for (const Link& link : links_) sum = sum + link.mass;
   return sum;
 }
 
 Vector PlainRecursion::centre_of_mass() const {
   const std::vector<Frame> frames = link_frames();
-  Vector sum{};
+  Vector sum = base_mass_ * base_centre_;
   for (std::size_t i = 0; i < links_.size(); ++i)
     sum = sum + links_[i].mass * (frames[i].position + frames[i].rotation * links_[i].centre);
   return total_mass().inverse() * sum;

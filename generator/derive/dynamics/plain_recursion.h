@@ -13,7 +13,8 @@ namespace qvgen::derive::dynamics {
 /// The Newton-Euler recursion as it stands in the books (thesis 5.1-5.15, with the indices of 5.7-5.13 put
 /// right), straight from the description: link frames as given, ten inertial parameters a link, nothing
 /// simplified, no graph. In exact numbers, so that generated functions can be held against it with tolerance
-/// zero. Rates, accelerations and forces are those of the joints that follow none (model/followers.h).
+/// zero. Rates, accelerations and forces are by coordinates (model/coordinates.h). A floating base is at the
+/// world's origin, turned as the world; the gravity that it sees is given.
 class PlainRecursion {
  public:
   using Number = exact::Number;
@@ -41,6 +42,8 @@ class PlainRecursion {
     Vector gravity;        ///< acceleration of free fall
     Vector force, moment;  ///< from outside on the tool, about the tool point
   };
+  /// Gravity as the robot's functions are told of it: along -z, or in the frame of a base that floats.
+  [[nodiscard]] Load usual_load() const;
   /// Gravity of that magnitude along -z and nothing else.
   static Load falling(const Number& gravity) { return {{0, 0, -gravity}, {}, {}}; }
   /// The values of the symbols at the point.
@@ -60,6 +63,10 @@ class PlainRecursion {
   [[nodiscard]] Number kinetic_energy(const Values& rates) const;
   /// Minus the sum of m gravity . r over the links' centres of mass r in the world.
   [[nodiscard]] Number potential_energy(const Vector& gravity) const;
+  /// Likewise of a floating base, which is not at the origin: minus its mass times gravity . position is
+  /// given.
+  [[nodiscard]] Number potential_energy_of_floating_base() const;
+  [[nodiscard]] bool floats() const { return base_motions_ > 0; }
   [[nodiscard]] Number total_mass() const;
   /// The sum of m r over the links' centres of mass r in the world, divided by the mass.
   [[nodiscard]] Vector centre_of_mass() const;
@@ -88,14 +95,28 @@ class PlainRecursion {
     Matrix inertia;
   };
 
-  [[nodiscard]] Values of_chain(const Values& driven) const;
-  [[nodiscard]] Values forces_of_chain(const Values& rates, const Values& accelerations,
+  /// Motion of a body in the world: angular velocity and its rate, velocity and acceleration of its origin.
+  struct Moving {
+    Vector w, dw, v, a, origin;
+    Matrix rotation;
+  };
+  /// Forces of all joints, behind force and moment that a floating base takes.
+  struct Forces {
+    Vector force, moment;
+    Values joints;
+  };
+
+  [[nodiscard]] Values of_chain(const Values& coordinates) const;
+  [[nodiscard]] Forces forces_of_chain(const Moving& base, const Values& rates, const Values& accelerations,
                                        const Load& load) const;
+  /// Returns the base's motion under gravity, at rest if it does not float.
+  [[nodiscard]] Moving base_motion(const Values& rates, const Values& accelerations, const Load& load) const;
   [[nodiscard]] std::vector<Frame> link_frames() const;
   /// True if link i carries link k, or is it.
   [[nodiscard]] bool carries(std::size_t i, std::size_t k) const;
   [[nodiscard]] Frame frame_of(const model::Displacement& displacement) const;
   [[nodiscard]] Vector vector_of(const model::Vector3& v) const;
+  [[nodiscard]] Matrix tensor_of(const model::Inertia& inertia) const;
   [[nodiscard]] Number number_of(const model::Expression& expression) const;
   [[nodiscard]] exact::CosineSine turn(const exact::Angle& angle) const;
 
@@ -104,7 +125,11 @@ class PlainRecursion {
   Vector tool_;  ///< in the last link's frame
   std::vector<Link> links_;
   std::vector<model::Share> shares_;  ///< of the chain's joints
-  std::vector<std::string> driven_;   ///< variables of the joints that follow none
+  std::vector<std::string> driven_;  ///< coordinates: those of the base, variables of joints that follow none
+  std::size_t base_motions_ = 0;
+  Number base_mass_;  ///< of a floating base
+  Vector base_centre_{};
+  Matrix base_inertia_{};
 };
 
 }  // namespace qvgen::derive::dynamics

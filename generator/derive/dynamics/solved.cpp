@@ -4,7 +4,7 @@
 #include "dag/rebuild.h"
 #include "derive/dynamics/formulation.h"
 #include "derive/dynamics/suggestions.h"
-#include "model/followers.h"
+#include "model/coordinates.h"
 
 namespace qvgen::derive::dynamics {
 namespace {
@@ -75,7 +75,7 @@ Formulation forward_dynamics(const model::Robot& robot, const FormulationOptions
   const auto forces = copied(bias.function, graph);
   const auto entries = copied(mass.function, graph);
   std::vector<Scalar> rest;
-  const std::vector<std::string> variables = model::variables(robot);
+  const std::vector<std::string> variables = model::coordinates(robot);
   for (std::size_t i = 0; i < variables.size(); ++i)
     rest.push_back(Scalar(graph, graph.symbol(force_of(variables[i]))) -
                    forces.at("tau" + std::to_string(i + 1)));
@@ -94,7 +94,7 @@ Formulation kinetic_energy(const model::Robot& robot, const FormulationOptions& 
   result.constants = mass.constants;
   dag::Graph& graph = result.function.graph;
   const auto entries = copied(mass.function, graph);
-  const std::vector<std::string> variables = model::variables(robot);
+  const std::vector<std::string> variables = model::coordinates(robot);
   const std::size_t n = variables.size();
   const Matrix m = matrix_of(entries, n);
   const Scalar half(graph, graph.constant(exact::Number(cln::cl_RA(1) / 2)));

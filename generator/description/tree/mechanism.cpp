@@ -90,9 +90,10 @@ bool is_too_large(Context& context, const Nodes& nodes, std::size_t base,
 }  // namespace
 
 model::Mechanism read_mechanism(Context& context, const Nodes& nodes, std::size_t base,
-                                const std::string& kind, const ReadSegment& read) {
+                                const std::string& kind, const ReadSegment& read, const ReadBody& read_body) {
   model::Mechanism result;
-  const bool every = context.options.tips == std::vector<std::string>{every_tip};
+  const auto& named = context.options.tips;
+  const bool every = named.empty() || named == std::vector<std::string>{every_tip};
   const std::vector<std::size_t> tips =
       every ? all_tips(nodes, base) : named_tips(context, nodes, base, kind);
   if (context.has_error) return result;
@@ -102,6 +103,7 @@ model::Mechanism read_mechanism(Context& context, const Nodes& nodes, std::size_
   const std::vector<std::size_t> order = links_to(nodes, base, tips);
   if (tips.empty() || is_too_large(context, nodes, base, order)) return result;
   TreeReader reader(context, nodes, read, Node::none);
+  if (read_body) result.robot.floating_base = reader.read_base(base, read_body(base), order);
   reader.read(order, result.robot);
   for (const std::size_t tip : tips) {
     model::Frame frame = reader.place_of(tip);

@@ -36,10 +36,33 @@ Segment held(Segment segment) {
   return segment;
 }
 
+/// Returns the body that a file lets float, else the base.
+std::size_t floating_body(Context& context, const std::vector<Node>& nodes, std::size_t base) {
+  if (!context.options.base.empty()) return base;
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    if (nodes[i].is_free) found.push_back(i);
+  if (found.size() > 1)
+    context.error(nodes[found[1]].place,
+                  "--floating: '" + nodes[found[0]].name + "' and '" + nodes[found[1]].name + "' are free",
+                  "choose one: --base " + nodes[found[0]].name);
+  return found.empty() ? base : found.front();
+}
+
+model::Mechanism read_whole(Context& context, const std::vector<Node>& nodes, const std::string& kind,
+                            const ReadSegment& read, const ReadBody& read_body) {
+  const auto root = find_base(context, nodes, kind);
+  if (!root) return {};
+  const bool floats = context.options.floating;
+  const std::size_t base = floats ? floating_body(context, nodes, *root) : *root;
+  if (context.has_error) return {};
+  return read_mechanism(context, nodes, base, kind, read, floats ? read_body : ReadBody{});
+}
+
 }  // namespace
 
 model::Mechanism read_tree(Context& context, const std::vector<Node>& described, const std::string& kind,
-                           const std::string& title, const ReadSegment& read) {
+                           const std::string& title, const ReadSegment& read, const ReadBody& read_body) {
   model::Mechanism result;
   const std::vector<Node> nodes = with_fixed_joints(context, described);
   if (context.has_error) return result;
@@ -48,16 +71,14 @@ model::Mechanism read_tree(Context& context, const std::vector<Node>& described,
     const bool is_held = described[node].moves && !nodes[node].moves;
     return segment && is_held ? held(std::move(*segment)) : segment;
   };
-  if (context.options.tips.empty()) {
+  if (context.options.tips.empty() && !context.options.floating) {
     const auto ends = find_ends(context, nodes, kind);
     if (!ends) return result;
     result.robot.title = title + ", " + nodes[ends->base].name + " to " + nodes[ends->tip].name;
     read_chain(context, nodes, *ends, read_unfixed, result.robot);
     return result;
   }
-  const auto base = find_base(context, nodes, kind);
-  if (!base) return result;
-  result = read_mechanism(context, nodes, *base, kind, read_unfixed);
+  result = read_whole(context, nodes, kind, read_unfixed, read_body);
   result.robot.title = title + ", " + result.robot.title;
   return result;
 }

@@ -52,12 +52,16 @@ struct Node {
   bool is_marker = false;  ///< a point on a link: a tip only if it is asked for, or called like one
   std::string joint = {};  ///< the name of the joint that holds it, if it has one
   bool floats = false;     ///< that joint is of a kind that no chain has: a chain begins behind it
+  bool is_free = false;    ///< that joint lets it move in all six ways
   bool has_name = true;    ///< the file gives it, not the reader
 };
 
 /// Reads the numbers of one link and its joint: only those that are needed, so that a gripper beside the
 /// chain cannot spoil it. Nothing where that joint can be in no chain; it has been reported then.
 using ReadSegment = std::function<std::optional<Segment>(std::size_t node)>;
+
+/// Reads the body of a link in its own frame, whatever joint holds it.
+using ReadBody = std::function<Body(std::size_t node)>;
 
 struct Ends {
   std::size_t base = Node::none;
@@ -91,14 +95,15 @@ void read_chain(Context& context, const std::vector<Node>& nodes, Ends ends, con
                 model::Robot& robot);
 
 /// Reads the whole tree behind a base: the limbs to the tips that the options name, or to all. Links that no
-/// limb needs are left out. Every fixed link becomes a named frame.
+/// limb needs are left out. Every fixed link becomes a named frame, but those of the base. With `read_body`
+/// the base floats.
 model::Mechanism read_mechanism(Context& context, const std::vector<Node>& nodes, std::size_t base,
-                                const std::string& kind, const ReadSegment& read);
+                                const std::string& kind, const ReadSegment& read, const ReadBody& read_body);
 
 /// Reads what the options ask for: a chain, which has no tips then, or a whole tree; with joints held where
 /// they say so. `title` is what the file calls the robot.
 model::Mechanism read_tree(Context& context, const std::vector<Node>& nodes, const std::string& kind,
-                           const std::string& title, const ReadSegment& read);
+                           const std::string& title, const ReadSegment& read, const ReadBody& read_body);
 
 /// Returns a valid name of the generated code for a joint that a file calls by any text, different from those
 /// that are taken.

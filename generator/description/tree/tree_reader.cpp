@@ -36,6 +36,13 @@ void TreeReader::read(const std::vector<std::size_t>& order, model::Robot& robot
   if (!robot.joints.empty()) check_ends(robot);
 }
 
+model::Inertia TreeReader::read_base(std::size_t base, const Body& own,
+                                     const std::vector<std::size_t>& order) {
+  read_nodes_ = order;
+  std::sort(read_nodes_.begin(), read_nodes_.end());
+  return inertia_of(lumped(base, own, {}, nullptr));
+}
+
 model::Frame TreeReader::place_of(std::size_t node) const {
   const Standing& standing = standing_.at(node);
   return {(*nodes_)[node].name, standing.joint, standing.frame};
@@ -49,7 +56,7 @@ void TreeReader::read_node(std::size_t node, model::Robot& robot) {
     add_joint(segment, standing, robot);
     // A link's frame is not turned behind its joint: such a turn belongs to what the link carries.
     standing = {robot.joints.size() - 1, {segment.after.turns, {}}};
-    robot.joints.back().inertia = inertia_of(lumped(node, standing.frame, robot));
+    robot.joints.back().inertia = inertia_of(lumped(node, segment_of(node).body, standing.frame, &robot));
   } else {
     standing.frame = folded(standing.frame, segment.after);
   }
@@ -94,10 +101,11 @@ model::Joint TreeReader::joint_of(const MovingJoint& moving, const model::Robot&
   return joint;
 }
 
-/// The link, `placement` in the frame behind its joint, with all that is fixed to it, in that frame. The
-/// robot's last joint moves it and its frames.
-Body TreeReader::lumped(std::size_t link, const model::Displacement& placement, model::Robot& robot) {
-  Body sum = moved(placement, segment_of(link).body);
+/// The link with its own body, `placement` in the frame behind its joint, with all that is fixed to it, in
+/// that frame. The robot's last joint moves it and its frames; none: they have no names.
+Body TreeReader::lumped(std::size_t link, const Body& own, const model::Displacement& placement,
+                        model::Robot* robot) {
+  Body sum = moved(placement, own);
   std::vector<std::pair<std::size_t, model::Displacement>> open{{link, placement}};
   while (!open.empty()) {
     const auto [node, frame] = open.back();
@@ -108,7 +116,7 @@ Body TreeReader::lumped(std::size_t link, const model::Displacement& placement, 
       } else if (segments_.size() < 2 * most_links) {
         const Segment& segment = segment_of(child);
         const auto to_child = folded(folded(frame, segment.before), segment.after);
-        name_frame(child, to_child, robot);
+        if (robot != nullptr) name_frame(child, to_child, *robot);
         if (!is_empty(segment.body)) sum = joined(sum, moved(to_child, segment.body));
         open.emplace_back(child, to_child);
       } else if (!crowded_) {

@@ -21,6 +21,10 @@ class TreeReader {
   /// the base.
   void read(const std::vector<std::size_t>& order, model::Robot& robot);
 
+  /// Returns the inertia of the base with all that is fixed to it, in its own frame. `order`: as `read` has
+  /// it.
+  model::Inertia read_base(std::size_t base, const Body& own, const std::vector<std::size_t>& order);
+
   /// Returns the joint that moves a node that was read, and the node's frame in that joint's link frame.
   [[nodiscard]] model::Frame place_of(std::size_t node) const;
 
@@ -39,7 +43,7 @@ class TreeReader {
   void leave_out_partial_inertia(model::Robot& robot) const;
 
   const Segment& segment_of(std::size_t node);
-  Body lumped(std::size_t link, const model::Displacement& placement, model::Robot& robot);
+  Body lumped(std::size_t link, const Body& own, const model::Displacement& placement, model::Robot* robot);
   void name_frame(std::size_t node, const model::Displacement& placement, model::Robot& robot) const;
   void note_branch(std::size_t child);
 

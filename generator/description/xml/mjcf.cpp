@@ -22,8 +22,13 @@ class SegmentReader {
     if (!segment) return std::nullopt;
     if (part.held) tell_of_free(node, *part.held);
     if (part.frame) segment->before = tree::folded(frames_.frame(*part.frame), segment->before);
-    if (part.body) segment->body = scaled(inertia_.of(*part.body, part.contents), scale_);
+    segment->body = body(node);
     return segment;
+  }
+
+  tree::Body body(std::size_t node) {
+    const MjcfPart& part = tree_->parts[node];
+    return part.body ? scaled(inertia_.of(*part.body, part.contents), scale_) : tree::Body{};
   }
 
  private:
@@ -73,7 +78,9 @@ model::Mechanism read_mjcf(Context& context, const Element& root) {
   const Attribute* name = root.attribute("model");
   const std::string title = name == nullptr || name->value.empty() ? "robot" : name->value;
   SegmentReader reader(context, tree, model->settings.inertia);
-  return read_tree(context, tree.nodes, "body", title, [&](std::size_t node) { return reader.read(node); });
+  return read_tree(
+      context, tree.nodes, "body", title, [&](std::size_t node) { return reader.read(node); },
+      [&](std::size_t node) { return reader.body(node); });
 }
 
 }  // namespace qvgen::description::xml

@@ -92,7 +92,7 @@ void MjcfTree::add_body(const Placed& body, std::size_t parent, std::size_t dept
   const std::size_t holder = add_joints(body, part, parent, name);
   Node node{name, body.element->place, holder, {}, part.joint.has_value(), false};
   if (part.joint) node.joint = part.joint->placed.name();
-  node.floats = part.held.has_value();
+  node.floats = node.is_free = part.held.has_value();
   node.has_name = !body.name().empty();
   add_children(contents, add(std::move(node), std::move(part)), depth);
 }

@@ -117,6 +117,7 @@ class UrdfTree {
     node.moves = is_moving;
     node.joint = name->value;
     const Attribute* type = joint.attribute("type");
+    node.is_free = type != nullptr && type->value == "floating";
     node.floats = type != nullptr && (type->value == "floating" || type->value == "planar");
     nodes[*parent].children.push_back(*child);
   }
@@ -153,8 +154,10 @@ model::Mechanism read_urdf(Context& context, const Element& root) {
   const Attribute* name = root.attribute("name");
   const std::string title = name == nullptr || name->value.empty() ? "robot" : name->value;
   const UrdfNumbers numbers(context);
-  return read_tree(context, tree.nodes, "link", title,
-                   [&](std::size_t node) { return numbers.segment(*tree.links[node], *tree.joints[node]); });
+  return read_tree(
+      context, tree.nodes, "link", title,
+      [&](std::size_t node) { return numbers.segment(*tree.links[node], *tree.joints[node]); },
+      [&](std::size_t node) { return numbers.body(*tree.links[node]); });
 }
 
 }  // namespace qvgen::description::xml

@@ -12,6 +12,8 @@ class UrdfNumbers {
   explicit UrdfNumbers(Context& context) : context_(&context), snap_(context) {}
   /// Nothing if the joint is of a type that no chain has.
   [[nodiscard]] std::optional<tree::Segment> segment(const Element& link, const Element& joint) const;
+  /// The link's inertia in its own frame.
+  [[nodiscard]] tree::Body body(const Element& link) const;
 
  private:
   [[nodiscard]] model::Displacement origin(const Element& parent) const;
@@ -22,7 +24,6 @@ class UrdfNumbers {
   [[nodiscard]] model::Drive drive(const Element& joint) const;
   [[nodiscard]] tree::MovingJoint moving(const Element& joint, const std::string& type) const;
   [[nodiscard]] std::optional<tree::Mimic> mimic(const Element& joint, model::JointType type) const;
-  [[nodiscard]] tree::Body body(const Element& link) const;
 
   Context* context_;
   Snap snap_;

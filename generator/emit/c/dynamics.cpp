@@ -25,6 +25,8 @@ Parameter result_of(const model::Robot& robot, Result result, std::size_t output
       return result_matrix(dof, outputs / dof);
     case Result::derivatives:
       return result_struct(robot, "inverse_dynamics_derivatives_result");
+    case Result::momentum_matrix:
+      return result_matrix(6, outputs / 6);
     case Result::point:
       return result_array(3);
     case Result::point_derivatives:

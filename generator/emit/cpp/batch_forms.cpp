@@ -71,6 +71,8 @@ void set_result(BatchForm& form, Result result) {
       form.members = {"torque", "by_position", "by_rate"};
       return set("dof + 2 * dof * dof",
                  "the forces, then their derivatives by q, then those by qd, column by column");
+    case Result::momentum_matrix:
+      return set("6 * dof", entries);
     case Result::point:
       return set("3", "x y z, m");
     case Result::point_derivatives:

@@ -12,6 +12,7 @@
 #include "emit/leaves.h"
 #include "emit/math/dynamics_choices.h"
 #include "emit/template_values.h"
+#include "model/coordinates.h"
 #include "model/followers.h"
 #include "passes/constants.h"
 #include "verify/counts_json.h"
@@ -63,12 +64,21 @@ ast::Leaves leaves_of(const model::Robot& robot, const std::vector<dag::Angle>& 
                       const Known& constants) {
   Known known = constants;
   const std::vector<std::string> variables = model::variables(robot);
+  const std::size_t base = model::base_motions(robot);
+  for (std::size_t k = 0; k < base; ++k) {
+    const std::string motion = model::base_coordinate(k);
+    known[derive::dynamics::velocity_of(motion)] = ast::entry("qd", k);
+    known[derive::dynamics::acceleration_of(motion)] = ast::entry("qdd", k);
+    known[derive::dynamics::force_of(motion)] = ast::entry("torque", k);
+  }
+  for (std::size_t k = 0; base > 0 && k < 4; ++k)
+    known[derive::dynamics::gravity_component(k)] = ast::entry("gravity", k);
   for (std::size_t i = 0; i < variables.size(); ++i) {
     const std::string& variable = variables[i];
-    const ast::Expression rate = ast::entry("qd", i);
+    const ast::Expression rate = ast::entry("qd", base + i);
     known[derive::dynamics::velocity_of(variable)] = rate;
-    known[derive::dynamics::acceleration_of(variable)] = ast::entry("qdd", i);
-    known[derive::dynamics::force_of(variable)] = ast::entry("torque", i);
+    known[derive::dynamics::acceleration_of(variable)] = ast::entry("qdd", base + i);
+    known[derive::dynamics::force_of(variable)] = ast::entry("torque", base + i);
     known[derive::dynamics::direction_of(variable)] = ast::call(ast::Expression::Kind::direction, "", {rate});
   }
   for (std::size_t k = 0; k < 6; ++k) known[derive::dynamics::wrench_component(k)] = ast::entry("wrench", k);
@@ -95,14 +105,6 @@ ast::Leaves set_up_leaves(const model::Robot& robot) {
   for (const model::Parameter& parameter : robot.inertia_parameters)
     known[parameter.name] = ast::member(inertia, parameter.name);
   return constant_leaves(robot, known);
-}
-
-std::string joined(const std::vector<std::string>& items, const std::string& before,
-                   const std::string& after) {
-  std::string text;
-  for (const std::string& item : items)
-    text += (text.empty() ? "" : ", ") + before + (after.empty() ? "" : after + item);
-  return text;
 }
 
 }  // namespace
@@ -148,6 +150,58 @@ json wrench_values(bool wrench, const std::string& scalar) {
           {"wrench_type", ", const Wrench<" + scalar + ">&"}};
 }
 
+/// A base that floats turns in gravity, which is no constant of its functions.
+json gravity_at_base_values(Gravity gravity, const std::string& scalar) {
+  json values = gravity_values(Gravity::none, scalar);
+  values.update(wrench_values(false, scalar));
+  values["load_default"] = "";
+  if (gravity == Gravity::none) return values;
+  values["load_default"] = " = Scalar(9.80665)";
+  values["wrench_parameter"] = ", NonDeduced<Scalar> gravity";
+  values["wrench_unused"] = ", [[maybe_unused]] const GravityAtBase<Scalar>& gravity";
+  values["wrench_argument"] = ", gravity_at_base(at.base, gravity)";
+  values["wrench_type"] = ", " + scalar;
+  return values;
+}
+
+json load_values(const model::Robot& robot, const DynamicsInterface& interface, const std::string& scalar) {
+  if (robot.floating_base) return gravity_at_base_values(interface.gravity, scalar);
+  json values = gravity_values(interface.gravity, scalar);
+  values.update(wrench_values(interface.wrench, scalar));
+  values["load_default"] = "";
+  return values;
+}
+
+/// A function's arguments besides loads: as declared, as its body has them, as they are handed on, and their
+/// types.
+struct Arguments {
+  std::string declared, unused, handed_on, types;
+
+  void add(const std::string& type, const std::string& name, const std::string& inner_type,
+           const std::string& inner_name, const std::string& value) {
+    const std::string comma = declared.empty() ? "" : ", ";
+    declared += comma + type + " " + name;
+    unused += comma + "[[maybe_unused]] " + inner_type + " " + inner_name;
+    handed_on += comma + value;
+    types += comma + type;
+  }
+};
+
+Arguments arguments_of(const model::Robot& robot, const DynamicsInterface& interface,
+                       const std::string& scalar) {
+  const std::string joints = "const JointVector<" + scalar + ">&";
+  const std::string velocity = "const Velocity<" + scalar + ">&";
+  Arguments result;
+  for (const std::string& name : interface.arguments)
+    if (!robot.floating_base)
+      result.add(joints, name, joints, name, name);
+    else if (name == "q")
+      result.add("const Configuration<" + scalar + ">&", "at", joints, name, "at.q");
+    else
+      result.add(velocity, name, velocity, name, name);
+  return result;
+}
+
 }  // namespace
 
 std::string dynamics_doc(const model::Robot& robot, const Optimised& function,
@@ -175,20 +229,17 @@ DynamicsCode dynamics_code(const model::Robot& robot, const Optimised& function,
 json dynamics_values(const model::Robot& robot, const Optimised& function, const DynamicsInterface& interface,
                      const std::vector<dag::Angle>& angles, const std::string& scalar) {
   const auto [set_up, code] = dynamics_code(robot, function, angles);
-  const std::string vector = "const JointVector<" + scalar + ">&";
-  std::string unused;
-  for (const std::string& name : interface.arguments)
-    unused += (unused.empty() ? "" : ", ") + ("[[maybe_unused]] " + vector + " " + name);
-  std::string arguments;
-  for (const std::string& name : interface.arguments) arguments += (arguments.empty() ? "" : ", ") + name;
+  const Arguments arguments = arguments_of(robot, interface, scalar);
+  const bool floats = robot.floating_base.has_value();
   json values{{"entry", function.name},
               {"function", interface.overloads.empty() ? function.name : interface.overloads},
               {"doc", dynamics_doc(robot, function, interface)},
-              {"type", type_of(interface.result, scalar)},
-              {"parameters", joined(interface.arguments, vector, " ")},
-              {"unused_parameters", unused},
-              {"types", joined(interface.arguments, vector, "")},
-              {"arguments", arguments},
+              {"type", type_of(interface.result, scalar, floats)},
+              {"floats", floats},
+              {"parameters", arguments.declared},
+              {"unused_parameters", arguments.unused},
+              {"types", arguments.types},
+              {"arguments", arguments.handed_on},
               {"default", interface.gravity == Gravity::vector ? "" : " = {}"},
               {"constants", constants_type(function.name)},
               {"constant_count", set_up.outputs.size()},
@@ -196,9 +247,8 @@ json dynamics_values(const model::Robot& robot, const Optimised& function, const
               {"stored", values_of(set_up.outputs)},
               {"named_angles", lines_of(sine_cosine_declarations(robot, function.function, angles))},
               {"temporaries", values_of(code.temporaries)},
-              {"statements", statements_of(code.outputs, interface.result, model::driven_count(robot))}};
-  values.update(gravity_values(interface.gravity, scalar));
-  values.update(wrench_values(interface.wrench, scalar));
+              {"statements", statements_of(code.outputs, interface.result, model::coordinate_count(robot))}};
+  values.update(load_values(robot, interface, scalar));
   return values;
 }
 

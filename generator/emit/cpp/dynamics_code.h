@@ -24,6 +24,7 @@ enum class Result {
   vector,            ///< a number for each joint
   symmetric_matrix,  ///< joints by joints; the outputs are the upper triangle, row by row
   matrix,            ///< joints by joints, row by row
+  momentum_matrix,   ///< six by joints, row by row
   regressor,         ///< joints by base parameters, column by column
   drive_regressor,   ///< joints by identifiable parameters, column by column
   derivatives,       ///< a vector, then for each joint its derivatives by position, and those by rate
@@ -85,8 +86,8 @@ DynamicsInterface dynamics_interface(const std::string& name);
 /// True if there is a quantity of that name.
 bool is_dynamics_function(const std::string& name);
 
-/// Returns the C++ type of a result.
-std::string type_of(Result result, const std::string& scalar);
+/// Returns the C++ type of a result; `floats`: the robot has a base that floats.
+std::string type_of(Result result, const std::string& scalar, bool floats = false);
 /// Returns the place of each of `count` outputs in the result: "result(0, 1) = result(1, 0)".
 std::vector<std::string> places_of(Result result, std::size_t dof, std::size_t count);
 

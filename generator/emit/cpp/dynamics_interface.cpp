@@ -39,6 +39,14 @@ const std::map<std::string, DynamicsInterface>& known_interfaces() {
         Result::vector,
         Gravity::magnitude,
         "Joint accelerations for given joint forces: M qdd = torque - C qd - gravity, by M = U D U^T."}},
+      {"momentum_matrix",
+       {{"q"},
+        Result::momentum_matrix,
+        Gravity::none,
+        "Momentum, linear and angular about the base's origin, in the base's own frame, by velocities: the\n"
+        "first six rows of the mass matrix. Centroidal (centroidal.h) makes of it what concerns the centre "
+        "of\n"
+        "mass."}},
       {"kinetic_energy", {{"q", "qd"}, Result::scalar, Gravity::none, "qd^T M qd / 2, J."}},
       {"potential_energy",
        {{"q"},
@@ -118,15 +126,18 @@ DynamicsInterface dynamics_interface(const std::string& name) { return known_int
 
 bool is_dynamics_function(const std::string& name) { return known_interfaces().count(name) > 0; }
 
-std::string type_of(Result result, const std::string& scalar) {
+std::string type_of(Result result, const std::string& scalar, bool floats) {
+  const std::string size = floats ? "velocity_size" : "dof";
   switch (result) {
     case Result::scalar:
       return scalar;
     case Result::vector:
-      return "JointVector<" + scalar + ">";
+      return (floats ? "Velocity<" : "JointVector<") + scalar + ">";
     case Result::symmetric_matrix:
     case Result::matrix:
-      return "Eigen::Matrix<" + scalar + ", dof, dof>";
+      return "Eigen::Matrix<" + scalar + ", " + size + ", " + size + ">";
+    case Result::momentum_matrix:
+      return "Eigen::Matrix<" + scalar + ", 6, " + size + ">";
     case Result::regressor:
       return "Eigen::Matrix<" + scalar + ", dof, base_parameter_count>";
     case Result::drive_regressor:
@@ -153,10 +164,10 @@ std::vector<std::string> vector_places(const std::string& vector, std::size_t si
   return places;
 }
 
-std::vector<std::string> places_by_rows(std::size_t size) {
+std::vector<std::string> places_by_rows(std::size_t rows, std::size_t columns) {
   std::vector<std::string> places;
-  for (std::size_t i = 0; i < size; ++i)
-    for (std::size_t k = 0; k < size; ++k) places.push_back(entry("result", i, k));
+  for (std::size_t i = 0; i < rows; ++i)
+    for (std::size_t k = 0; k < columns; ++k) places.push_back(entry("result", i, k));
   return places;
 }
 
@@ -196,7 +207,9 @@ std::vector<std::string> places_of(Result result, std::size_t dof, std::size_t c
     case Result::symmetric_matrix:
       return symmetric_places(dof);
     case Result::matrix:
-      return places_by_rows(dof);
+      return places_by_rows(dof, dof);
+    case Result::momentum_matrix:
+      return places_by_rows(6, dof);
     case Result::regressor:
     case Result::drive_regressor:
       return places_by_columns("result", dof, count / dof);

@@ -7,6 +7,7 @@
 
 #include "emit/c/parts.h"
 #include "emit/cpp/dynamics_code.h"
+#include "model/coordinates.h"
 #include "model/evaluate.h"
 #include "model/followers.h"
 #include "model/mechanism.h"
@@ -43,8 +44,10 @@ void add_to(std::vector<optimise::Optimised>& functions, const optimise::Dynamic
 
 std::vector<optimise::Optimised> all_functions(const optimise::DynamicsModel& model, RobotOutput& output) {
   std::vector<optimise::Optimised> functions;
-  for (const optimise::DynamicsQuantity& quantity : optimise::dynamics_quantities())
-    add_to(functions, model, quantity, with_choices_of(functions, quantity.choices_of), output);
+  for (const auto* quantities :
+       {&optimise::dynamics_quantities(), &optimise::floating_base_quantities(model.described)})
+    for (const optimise::DynamicsQuantity& quantity : *quantities)
+      add_to(functions, model, quantity, with_choices_of(functions, quantity.choices_of), output);
   return functions;
 }
 
@@ -106,20 +109,25 @@ void add_regressor(const optimise::DynamicsModel& model, RobotOutput& output) {
 /// its branch. Joints that follow others tie branches together; then all are on one.
 json parents_of(const model::Robot& robot) {
   json list = json::array();
-  const std::size_t count = model::driven_count(robot);
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t parent = model::has_followers(robot) ? i - 1 : model::parent_of(robot, i);
-    list.push_back({{"parent", static_cast<int>(parent)}, {"last", i + 1 == count}});
+  const int base = static_cast<int>(model::base_motions(robot));
+  const int count = static_cast<int>(model::coordinate_count(robot));
+  for (int i = 0; i < count; ++i) {
+    const bool on_one_branch = i < base || model::has_followers(robot);
+    // base_link is -1 as a number.
+    const int parent =
+        on_one_branch ? i - 1
+                      : base + static_cast<int>(model::parent_of(robot, static_cast<std::size_t>(i - base)));
+    list.push_back({{"parent", parent}, {"last", i + 1 == count}});
   }
   return list;
 }
 
 /// The entries of the upper triangle that are not zero.
-json nonzeros_of(const optimise::Optimised& mass_matrix, std::size_t dof) {
+json nonzeros_of(const optimise::Optimised& mass_matrix, std::size_t size) {
   json list = json::array();
   std::size_t output = 0;
-  for (std::size_t i = 0; i < dof; ++i)
-    for (std::size_t k = i; k < dof; ++k)
+  for (std::size_t i = 0; i < size; ++i)
+    for (std::size_t k = i; k < size; ++k)
       if (!mass_matrix.function.graph.is_zero(mass_matrix.function.outputs[output++].value))
         list.push_back({{"row", i}, {"column", k}, {"last", false}});
   if (!list.empty()) list.back()["last"] = true;
@@ -130,9 +138,18 @@ json nonzeros_of(const optimise::Optimised& mass_matrix, std::size_t dof) {
 json branches_of(const model::Robot& robot, const std::vector<optimise::Optimised>& functions) {
   const auto mass = std::find_if(functions.begin(), functions.end(),
                                  [](const auto& function) { return function.name == "mass_matrix"; });
-  if (!model::branches(robot) || mass == functions.end()) return false;
-  const json nonzeros = nonzeros_of(*mass, model::driven_count(robot));
-  return {{"parents", parents_of(robot)}, {"nonzeros", nonzeros}, {"nonzero_count", nonzeros.size()}};
+  if ((!model::branches(robot) && !robot.floating_base) || mass == functions.end()) return false;
+  const json nonzeros = nonzeros_of(*mass, model::coordinate_count(robot));
+  return {{"parents", parents_of(robot)},
+          {"size", robot.floating_base ? "velocity_size" : "dof"},
+          {"nonzeros", nonzeros},
+          {"nonzero_count", nonzeros.size()}};
+}
+
+/// Parts that are not derived yet for a base that floats.
+void say_what_floats(RobotOutput& output) {
+  for (const char* part : {"dynamics_loads", "regressor"})
+    output.missing.push_back({part, Missing::Kind::not_described, "the base floats: it is of fixed bases"});
 }
 
 bool has_dynamics(const model::Robot& described, RobotOutput& output) {
@@ -164,12 +181,20 @@ void generate_dynamics_product(const model::Robot& described, RobotOutput& outpu
                   "dynamics_loads", "LoadAngles", json::object(), made);
   };
   const auto regressor = [&](RobotOutput& made) { add_regressor(model, made); };
-  const std::vector<PartOfOutput> parts{
+  std::vector<PartOfOutput> parts{
       {"dynamics_derivatives", derivatives}, {"dynamics_loads", loads}, {"regressor", regressor}};
+  if (described.floating_base) {
+    parts.resize(1);
+    say_what_floats(output);
+  }
   attempt_all(without_requested(parts, described.on_request, output), output);
 }
 
 void generate_dynamics_c(const model::Robot& described, RobotOutput& output) {
+  if (described.floating_base) {
+    output.missing.push_back({"dynamics", Missing::Kind::not_in_language, "the base floats: it is in C++"});
+    return;
+  }
   if (!has_dynamics(described, output)) return;
   const optimise::DynamicsModel model = optimise::dynamics_model(described);
   const model::Robot& robot = model.arm.robot;

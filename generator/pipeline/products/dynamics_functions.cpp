@@ -64,6 +64,7 @@ json angles_and_name(const model::Robot& robot, const std::vector<dag::Angle>& a
                      const std::string& angles_type) {
   const emit::ast::Leaves leaves = emit::robot_leaves(robot, angles);
   return {{"name", robot.name},
+          {"base_floats", robot.floating_base.has_value()},
           {"angles", emit::angle_values(angles, leaves)},
           {"angle_count", angles.size()},
           {"angles_type", angles_type},

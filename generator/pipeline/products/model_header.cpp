@@ -88,6 +88,7 @@ json follower_lines(const model::Robot& robot) {
 
 void generate_model_header(const model::Robot& robot, RobotOutput& output) {
   json values{{"name", robot.name}, {"title", robot.title}, {"dof", model::driven_count(robot)}};
+  values["base_floats"] = robot.floating_base.has_value();
   values["source"] = robot.source.empty() ? json(false) : json(robot.source);
   values["followers"] = follower_lines(robot);
   values["joints"] = json::array();

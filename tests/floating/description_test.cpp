@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+// Bases that float, as they are described: TOML, URDF and MJCF; what cannot be meant is reported with its
+// place.
+#include <gtest/gtest.h>
+
+#include "description/reader.h"
+#include "description/write.h"
+#include "model/evaluate.h"
+
+namespace qvgen::description {
+namespace {
+
+const std::string toml = R"(name = "r"
+title = "r"
+[floating_base]
+mass = 3
+centre_of_mass = [0.1, 0, 0]
+inertia = [1, 1.5, 1.2, 0.1, 0, 0]
+[[joint]]
+type = "revolute"
+axis = "+z"
+variable = "a"
+mass = 1
+[[joint]]
+type = "prismatic"
+axis = "+x"
+variable = "b"
+parent = "base"
+mass = 2
+[[tip]]
+name = "one"
+joint = "a"
+[[tip]]
+name = "two"
+joint = "b"
+)";
+
+std::string messages(const ReadResult& result) {
+  std::string text;
+  for (const Diagnostic& diagnostic : result.diagnostics) text += to_string(diagnostic) + "\n";
+  return text;
+}
+
+ReadResult floating(const std::string& text, const std::string& base = {}) {
+  ReadOptions options;
+  options.floating = true;
+  options.base = base;
+  return read_text(text, "r.xml", options);
+}
+
+double number(const model::Expression& e) { return model::to_double(model::evaluate(e)); }
+
+TEST(FloatingBase, IsATableOfTomlAndWrittenBack) {
+  const ReadResult result = read_text(toml, "r.toml");
+  ASSERT_TRUE(result.robot) << messages(result);
+  ASSERT_TRUE(result.robot->floating_base);
+  EXPECT_EQ(number(result.robot->floating_base->mass), 3);
+  const std::string written = write_text(model::Mechanism{*result.robot, result.tips});
+  const ReadResult again = read_text(written, "r.toml");
+  ASSERT_TRUE(again.robot) << messages(again);
+  EXPECT_EQ(write_text(model::Mechanism{*again.robot, again.tips}), written);
+}
+
+TEST(FloatingBase, OfSymbolsIsInertiaOfTheRobot) {
+  std::string text = toml;
+  text.replace(text.find("mass = 3"), 8, "mass = \"free\"");
+  const ReadResult result = read_text(text, "r.toml");
+  ASSERT_TRUE(result.robot) << messages(result);
+  ASSERT_EQ(result.robot->inertia_parameters.size(), 1U);
+  EXPECT_EQ(result.robot->inertia_parameters.front().name, "m0");
+}
+
+TEST(FloatingBase, IsNoPartOfItsLimbs) {
+  const ReadResult result = read_text(toml, "r.toml");
+  ASSERT_TRUE(result.robot);
+  EXPECT_FALSE(model::limb(*result.robot, result.tips.front()).floating_base);
+}
+
+TEST(FloatingBase, MistakesAreReportedWithTheirPlace) {
+  const auto refused = [](std::string text, const std::string& what, const std::string& with,
+                          const std::string& message) {
+    text.replace(text.find(what), what.size(), with);
+    const ReadResult result = read_text(text, "r.toml");
+    EXPECT_FALSE(result.robot);
+    EXPECT_NE(messages(result).find(message), std::string::npos) << messages(result);
+  };
+  refused(toml, "[floating_base]", "[base]\ntranslation = [1, 0, 0]\n[floating_base]",
+          "r.toml:3:1: error: [base] beside [floating_base]");
+  refused(toml, "mass = 3", "mess = 3", "r.toml:4:1: error");
+  refused(toml, "mass = 3", "mass = \"90 deg\"", "r.toml:4:");
+  ReadOptions options;
+  options.floating = true;
+  const ReadResult result = read_text(toml, "r.toml", options);
+  EXPECT_FALSE(result.robot);
+  EXPECT_NE(messages(result).find("--floating"), std::string::npos) << messages(result);
+}
+
+TEST(FloatingBase, WarnsOfInertiaThatNoBodyHas) {
+  std::string text = toml;
+  text.replace(text.find("[1, 1.5, 1.2, 0.1, 0, 0]"), 24, "[1, 5, 1]");
+  const ReadResult result = read_text(text, "r.toml");
+  EXPECT_NE(messages(result).find("r.toml:3:1: warning: the inertia of the floating base"), std::string::npos)
+      << messages(result);
+}
+
+const std::string inertial =
+    "<inertial><mass value=\"2\"/><inertia ixx=\"1\" iyy=\"1\" izz=\"1\" ixy=\"0\" ixz=\"0\" "
+    "iyz=\"0\"/></inertial>";
+
+std::string link(const std::string& name) { return "<link name=\"" + name + "\">" + inertial + "</link>"; }
+std::string joint(const std::string& name, const std::string& type, const std::string& parent,
+                  const std::string& child) {
+  return "<joint name=\"" + name + "\" type=\"" + type + "\"><parent link=\"" + parent +
+         "\"/><child link=\"" + child +
+         "\"/><origin xyz=\"0 0 1\"/><axis xyz=\"0 0 1\"/><limit lower=\"-1\" upper=\"1\" effort=\"1\" "
+         "velocity=\"1\"/></joint>";
+}
+
+TEST(FloatingBase, IsTheRootOfAUrdfWithAllThatIsFixedToIt) {
+  const std::string text = "<robot name=\"r\">" + link("torso") + link("head") + link("arm") + link("leg") +
+                           joint("neck", "fixed", "torso", "head") + joint("a", "revolute", "torso", "arm") +
+                           joint("b", "revolute", "head", "leg") + "</robot>";
+  const ReadResult result = floating(text);
+  ASSERT_TRUE(result.robot) << messages(result);
+  ASSERT_TRUE(result.robot->floating_base);
+  EXPECT_EQ(number(result.robot->floating_base->mass), 4);
+  EXPECT_EQ(number(result.robot->floating_base->centre_of_mass[2]), 0.5);
+  EXPECT_EQ(result.robot->joints.size(), 2U);
+  EXPECT_EQ(result.tips.size(), 2U);
+  ReadOptions held;
+  held.floating = true;
+  held.fixed = {"a"};
+  const ReadResult heavier = read_text(text, "r.xml", held);
+  ASSERT_TRUE(heavier.robot) << messages(heavier);
+  EXPECT_EQ(number(heavier.robot->floating_base->mass), 6);
+}
+
+TEST(FloatingBase, IsTheLinkBehindAFloatingJoint) {
+  const std::string text = "<robot name=\"r\"><link name=\"world\"/>" + link("torso") + link("arm") +
+                           joint("free", "floating", "world", "torso") +
+                           joint("a", "revolute", "torso", "arm") + "</robot>";
+  const ReadResult result = floating(text);
+  ASSERT_TRUE(result.robot) << messages(result);
+  EXPECT_EQ(number(result.robot->floating_base->mass), 2);
+  EXPECT_EQ(result.robot->joints.size(), 1U);
+}
+
+std::string mjcf(const std::string& bodies) {
+  return "<mujoco model=\"r\"><worldbody>" + bodies + "</worldbody></mujoco>";
+}
+std::string body(const std::string& name) {
+  return "<body name=\"" + name +
+         "\" pos=\"0 0 1\"><freejoint/><inertial pos=\"0 0 0.1\" mass=\"3\" diaginertia=\"1 1 1\"/><body "
+         "name=\"" +
+         name + "_arm\"><joint name=\"" + name +
+         "_j\" axis=\"0 1 0\"/><inertial pos=\"0 0 0.1\" mass=\"1\" diaginertia=\"1 1 1\"/></body></body>";
+}
+
+TEST(FloatingBase, IsTheBodyWithAFreeJointOfAnMjcf) {
+  const ReadResult result = floating(mjcf(body("torso")));
+  ASSERT_TRUE(result.robot) << messages(result);
+  EXPECT_EQ(number(result.robot->floating_base->mass), 3);
+  EXPECT_EQ(number(result.robot->floating_base->centre_of_mass[2]), 0.1);
+  EXPECT_EQ(messages(result).find("free"), std::string::npos) << messages(result);
+}
+
+TEST(FloatingBase, IsChosenAmongSeveralFreeBodies) {
+  const std::string text = mjcf(body("one") + body("two"));
+  const ReadResult result = floating(text);
+  EXPECT_FALSE(result.robot);
+  EXPECT_NE(messages(result).find("--base one"), std::string::npos) << messages(result);
+  const ReadResult chosen = floating(text, "two");
+  ASSERT_TRUE(chosen.robot) << messages(chosen);
+  EXPECT_EQ(chosen.robot->joints.front().variable, "two_j");
+}
+
+TEST(FloatingBase, WithoutJointsIsNoRobot) {
+  const ReadResult result = floating("<robot name=\"r\">" + link("stone") + "</robot>");
+  EXPECT_FALSE(result.robot);
+  EXPECT_NE(messages(result).find("nothing moves"), std::string::npos) << messages(result);
+}
+
+}  // namespace
+}  // namespace qvgen::description

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// A compiled quadruped with a base that floats, random motions of it, and the reference: the same robot with
+// six joints in place of the base, made from the description that `qvgen import` writes.
+#pragma once
+
+#include <fstream>
+#include <random>
+#include <sstream>
+#include <string>
+
+#include <qvgen/base_conventions.h>
+#include <qvgen/branch_factorisation.h>
+#include <qvgen/centroidal.h>
+#include <qvgen/robots/quad/dynamics.h>
+#include <qvgen/robots/quad/tips.h>
+
+#include "base_motion.h"
+#include "reference/dynamics.h"
+#include "reference/load.h"
+
+namespace qvgen::test::floating {
+
+namespace quad = qvgen::robots::quad;
+using At = quad::Configuration<double>;
+using Vector = quad::Velocity<double>;
+using Matrix = Eigen::Matrix<double, quad::velocity_size, quad::velocity_size>;
+
+inline std::string text_of(const std::string& file) {
+  std::stringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+/// The description with three slides and three turns in place of the floating base.
+inline std::string with_six_joints(std::string text) {
+  const std::string begin = "[floating_base]\n", on_base = "parent = \"base\"";
+  const std::size_t at = text.find(begin), end = text.find("\n\n", at);
+  const std::string inertia = text.substr(at + begin.size(), end - at - begin.size()) + "\n";
+  std::string six;
+  for (const std::string axis : {"x", "y", "z"})
+    six += "[[joint]]\ntype = \"prismatic\"\naxis = \"+" + axis + "\"\nvariable = \"base_" + axis + "\"\n";
+  for (const std::string axis : {"z", "y", "x"})
+    six += "[[joint]]\ntype = \"revolute\"\naxis = \"+" + axis + "\"\nvariable = \"base_r" + axis + "\"\n";
+  text.replace(at, end - at, six + inertia);
+  for (std::size_t place = text.find(on_base); place != std::string::npos; place = text.find(on_base))
+    text.replace(place, on_base.size(), "parent = \"base_rx\"");
+  return text;
+}
+
+/// A motion of the robot, and that of the reference.
+struct QuadMotion {
+  explicit QuadMotion(unsigned seed) : base(seed) {
+    std::mt19937 random(seed + 77);
+    std::uniform_real_distribution<double> unit(-1.5, 1.5);
+    const auto draw = [&] {
+      return Eigen::VectorXd::NullaryExpr(quad::dof, [&] { return unit(random); }).eval();
+    };
+    const Eigen::VectorXd joints = draw(), rates = draw(), accelerations = draw();
+    at.base = Pose<double>::from_matrix(base.rotation, base.q.head<3>());
+    at.q = joints;
+    qd << base.velocity, rates;
+    qdd << base.acceleration, accelerations;
+    force = Vector::NullaryExpr([&] { return 10 * unit(random); });
+    q_of_joints = trees::joined(base.q, joints);
+    qd_of_joints = trees::joined(base.qd, rates);
+    qdd_of_joints = trees::joined(base.qdd, accelerations);
+    back = base.by_rates(quad::dof).inverse();
+  }
+  /// Forces of the reference's joints as those of the base and the robot's own joints.
+  [[nodiscard]] Vector to_base(const Eigen::VectorXd& torque) const { return back.transpose() * torque; }
+
+  trees::BaseMotion base;
+  At at;
+  Vector qd, qdd, force;
+  Eigen::VectorXd q_of_joints, qd_of_joints, qdd_of_joints;
+  Eigen::MatrixXd back;
+};
+
+inline const reference::Chain& reference_chain() {
+  static const reference::Chain chain = reference::load_text(with_six_joints(text_of(QVGEN_QUAD)));
+  return chain;
+}
+
+template <class A, class B>
+void expect_close(const A& a, const B& b, double tolerance = 1e-12) {
+  EXPECT_LE((a - b).cwiseAbs().maxCoeff(), tolerance * (1 + b.cwiseAbs().maxCoeff()));
+}
+
+}  // namespace qvgen::test::floating
