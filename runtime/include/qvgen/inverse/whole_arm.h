@@ -93,13 +93,16 @@ bool is_certain_row(const ArmAtZero<dof>& arm, const Pose<double>& pose, const P
 }
 
 /// True if the seed misses the pose by much less than its way to a row lets expect: some joint between them
-/// is nearly free.
-template <std::size_t joints, std::size_t points>
-bool is_nearly_free(const PointMatching<double, joints, points>& task,
-                    const JointValues<double, joints>& seed, double row_apart, Budget& budget) {
-  if (!budget.step()) return false;
-  const double error = polishing::Newton<double, joints, points>(task).reached(seed).error;
-  return error < least_miss * least_miss * row_apart * task.size_square;
+/// is nearly free. The largest distance of a point, which is quickly known, is at most twice the root of the
+/// error: a point off by a turn and a move is off by their sum, and the error has half the square of a turn.
+template <int points, int dof>
+bool is_nearly_free(const ArmMatching<dof, points>& task, const Preference<dof>& seed,
+                    const JointValues<double, static_cast<std::size_t>(dof)>& start, double row_apart,
+                    Budget& budget) {
+  const double least = least_miss * least_miss * row_apart * task.size_square;
+  if (miss_square<points>(task, seed) >= 4 * least || !budget.step()) return false;
+  using Newton = polishing::Newton<double, static_cast<std::size_t>(dof), static_cast<std::size_t>(points)>;
+  return Newton(task).reached(start).error < least;
 }
 
 /// Keeps the row that is nearer to the seed, and counts what both have cost.
@@ -125,8 +128,8 @@ Solutions<dof, 1> row_from_seed(const ArmAtZero<dof>& arm, const Pose<double>& p
   SeedTracker<double, static_cast<std::size_t>(dof)> tracker;
   tracker.start_from(Start::seed);
   Solutions<dof, 1> row;
-  const bool is_wanted =
-      !is_sure || (std::isfinite(row_apart) && is_nearly_free(task, start, row_apart, tracker.budget()));
+  const bool is_wanted = !is_sure || (std::isfinite(row_apart) &&
+                                      is_nearly_free<points>(task, seed, start, row_apart, tracker.budget()));
   auto values = start;
   Branch<double> branch;
   branch.unsure = true;
