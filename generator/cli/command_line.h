@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/commands.h"
+#include "cli/identify_command.h"
 
 namespace qvgen::cli {
 
@@ -46,6 +47,10 @@ struct CommandLine {
   CLI::App* map_command = nullptr;
   std::string mapped;
   MapArguments map;
+
+  CLI::App* identify_command = nullptr;
+  std::string identified;
+  IdentifyArguments identify;
 
   CLI::App* check_command = nullptr;
   std::vector<std::string> checked;
