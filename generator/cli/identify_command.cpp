@@ -71,7 +71,7 @@ std::optional<std::vector<MotionLog>> logs_of(const std::vector<std::string>& fi
   return logs;
 }
 
-void write(const fs::path& path, const std::string& content) {
+void write_and_say(const fs::path& path, const std::string& content) {
   if (path.empty()) return;
   fs::path temporary = path;
   temporary += ".new";
@@ -105,7 +105,7 @@ int run_plan(const IdentifyArguments& arguments, const model::Robot& robot) {
     return success;
   }
   fmt::print("{}", identify::plan_summary(plan));
-  write(arguments.output, table);
+  write_and_say(arguments.output, table);
   return success;
 }
 
@@ -126,8 +126,8 @@ int run_identify(const IdentifyArguments& arguments) {
       identify::identify(robot, std::move(*logs), std::move(*hold_out), request, std::move(*payload));
   const std::string text = description_text(arguments, descriptions->front(), found);
   fmt::print("{}", identify::summary(robot, found));
-  write(arguments.output, text);
-  if (!arguments.table.empty()) write(arguments.table, identify::parameter_table(found));
+  write_and_say(arguments.output, text);
+  if (!arguments.table.empty()) write_and_say(arguments.table, identify::parameter_table(found));
   return success;
 }
 

@@ -163,8 +163,9 @@ VectorXd towards(const Problem& problem, VectorXd y, double weight) {
     sides << (problem.wished - problem.wish * y) / root, -curvature.matrixL().solve(problem.gradient(y));
     const VectorXd direction = rows.colPivHouseholderQr().solve(sides);
     const double share = share_of(y, direction, merit);
+    if (share == 0) break;  // at the border of what bodies can have, as near as numbers tell
     y += share * direction;
-    if (share == 0 || (rows * direction).norm() < 1e-6) break;
+    if ((rows * direction).norm() < 1e-6) break;
   }
   return y;
 }
@@ -208,6 +209,7 @@ class WithEquations {
     const VectorXd turn = next - multipliers_;
     const double share = share_of(
         y_, step, [&](const VectorXd& at, double part) { return residual(at, multipliers_ + part * turn); });
+    if (share == 0) return;
     y_ += share * step;
     multipliers_ += share * turn;
   }

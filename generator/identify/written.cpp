@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include <cln/integer.h>
 #include <cln/rational.h>
 #include <fmt/format.h>
 #include <toml++/toml.h>
@@ -61,9 +62,7 @@ model::Expression exact(double value) {
   if (point != std::string::npos) whole.erase(point, 1);
   const cln::cl_I number = whole.c_str();
   const long shift = exponent - places;
-  const cln::cl_I ten = cln::expt_pos(cln::cl_I(10), static_cast<cln::uintL>(std::max(1L, std::abs(shift))));
-  if (shift == 0) return model::Expression(cln::cl_RA(number));
-  return model::Expression(shift > 0 ? cln::cl_RA(number * ten) : number / cln::cl_RA(ten));
+  return model::Expression(cln::cl_RA(number) * cln::expt(cln::cl_RA(10), static_cast<int>(shift)));
 }
 
 std::string list(const double* numbers, std::size_t count, double unit = 1) {

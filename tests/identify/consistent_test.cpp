@@ -27,7 +27,9 @@ void expect_bodies(const FullSet& full, Index links) {
     EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(body).eigenvalues()[0], 0) << i;
   }
   for (Index k = 0; k < 4 * links; ++k)
-    if (k % 4 != 3) EXPECT_GT(full.values[10 * links + k], 0);
+    if (k % 4 != 3) {
+      EXPECT_GT(full.values[10 * links + k], 0);
+    }
 }
 
 /// Exact data of arms that the description knows nothing of: the written description has their torques.
@@ -96,7 +98,7 @@ TEST(FullSetOfParameters, OfWhatNoBodyHasIsTheNearest) {
       const auto body = identify::pseudo_inertia(other.values.segment<10>(10 * i));
       other.values.segment<10>(10 * i) = identify::standard_of(turn * body * turn.transpose());
     }
-    EXPECT_GT(squares(other.values), found.full.distance * (1 - 1e-6));
+    ASSERT_GT(squares(other.values), found.full.distance * (1 - 1e-6));
   }
 }
 

@@ -98,10 +98,11 @@ TEST(Estimate, WhatDataDoNotTellIsNamed) {
   EXPECT_EQ(std::count(found.told.begin(), found.told.end(), true), rank_of(reference_regressor(chain, log)));
   const VectorXd truth = arm.combination * parameters_of(chain);
   for (Index k = 0; k < truth.size(); ++k) {
-    if (found.told[static_cast<std::size_t>(k)])
+    if (found.told[static_cast<std::size_t>(k)]) {
       EXPECT_NEAR(found.value[k], truth[k] + found.parts.col(k).dot(truth), 1e-7);
-    else if (arm.names[static_cast<std::size_t>(k)] == "fv2")
+    } else if (arm.names[static_cast<std::size_t>(k)] == "fv2") {
       EXPECT_TRUE(found.parts.row(k).isZero(0));
+    }
   }
 }
 
