@@ -6,6 +6,7 @@
 #include <map>
 
 #include "cli/examples.h"
+#include "cli/identify_options.h"
 #include "cli/reading_options.h"
 
 namespace qvgen::cli {
@@ -343,6 +344,7 @@ CommandLine::CommandLine() {
   add_report(*this);
   add_map(*this);
   calibrate_command = add_calibrate(app, calibrate);
+  identify_command = add_identify(app, identified, identify);
   add_check(*this);
   add_import(*this);
   add_new(*this);

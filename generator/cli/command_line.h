@@ -8,6 +8,7 @@
 
 #include "cli/calibrate_command.h"
 #include "cli/commands.h"
+#include "cli/identify_command.h"
 
 namespace qvgen::cli {
 
@@ -50,6 +51,9 @@ struct CommandLine {
 
   CLI::App* calibrate_command = nullptr;
   CalibrateArguments calibrate;
+  CLI::App* identify_command = nullptr;
+  std::string identified;
+  IdentifyArguments identify;
 
   CLI::App* check_command = nullptr;
   std::vector<std::string> checked;

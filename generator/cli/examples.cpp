@@ -24,6 +24,7 @@ const char* const examples = R"(
   qvgen report puma560 -o pages               a page that opens in any browser, pages/puma560.html
   qvgen map ur5 -o ur5.npz -o ur5.svg         what the arm reaches: arrays for NumPy, slices as a picture
   qvgen calibrate ur5 poses.csv -o my_ur5.toml   this very arm, from measurements
+  qvgen identify my_arm.toml log.csv -o measured.toml   inertias and friction from a log of motion and torques
   qvgen compare puma560 ns                    formulations by their operations: pairs, Denavit-Hartenberg, ...
 )";
 
@@ -58,8 +59,18 @@ const char* const calibrate_examples = R"(
   qvgen calibrate ur5 poses.csv --unit mm --angle-unit deg --sigma 0.00005   headers without units
 )";
 
+const char* const identify_examples = R"(
+  qvgen identify my_arm.toml log.csv -o measured.toml          the description with inertias and friction
+  qvgen identify my_arm.toml slow.csv fast.csv --hold-out third.csv --table parameters.csv
+  qvgen identify my_arm.toml log.csv --torque-constants 11.3,11.3,8.4,2.9,2.9,2.9      currents in place of torques
+  qvgen identify my_arm.toml log.csv --drives viscous_friction,coulomb_friction        no rotor inertia, no offset
+  qvgen identify my_arm.toml empty.csv --payload with_gripper.csv   mass, centre and inertia of what it carries
+  qvgen identify my_arm.toml --plan 30 -o motion.csv                a motion to record: it tells much
+)";
+
 const char* const exit_codes =
-    "0 success, 1 failure, 2 wrong arguments, 3 mistakes in a description, 70 a check of qvgen itself has "
+    "0 success, 1 failure, 2 wrong arguments, 3 mistakes in a description or in data, 70 a check of qvgen "
+    "itself has "
     "failed: a defect "
     "of the tool, the parts that it does not concern are written";
 

@@ -184,6 +184,11 @@ int calibrate(CommandLine& line, const Installation& here) {
   return run_calibrate(calibrate);
 }
 
+int identify(CommandLine& line, const Installation& here) {
+  line.identify.description = description_of(line.identified, here.robots, line.identify.read);
+  return run_identify(line.identify);
+}
+
 int run(CommandLine& line, const Installation& here) {
   if (*line.generate_command) return generate(line, here);
   if (*line.remove_command) return run_remove(line.removed, folder_of(line, here, {}));
@@ -193,6 +198,7 @@ int run(CommandLine& line, const Installation& here) {
   if (*line.report_command) return report(line, here);
   if (*line.map_command) return map(line, here);
   if (*line.calibrate_command) return calibrate(line, here);
+  if (*line.identify_command) return identify(line, here);
   if (*line.import_command)
     return run_import(description_of(line.imported, here.robots, line.import), line.import);
   if (*line.new_command) return run_new(line.letters, line.name, line.wrist == "euler", here.robots);

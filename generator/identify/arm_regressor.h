@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// The joint torques of an arm as a linear function of parameters that motions can tell apart, tau = Y(q, q',
+// q'') p, ready to be evaluated over a log. Derived as for the generated `regressor_with_drives`, with the
+// numbers of the description put in.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "derive/dynamics/drive_parameters.h"
+#include "identify/tape.h"
+#include "model/robot.h"
+
+namespace qvgen::identify {
+
+using derive::dynamics::DriveParameter;
+
+/// Standard parameters of a link: mass, first moments x y z, inertia about the origin of the link frame
+/// xx yy zz xy yz xz.
+inline constexpr Eigen::Index standard_count = 10;
+
+struct ArmRegressor {
+  std::size_t joints = 0;              ///< that follow none: rows of Y, torques
+  std::size_t links = 0;               ///< of the whole chain
+  std::vector<std::string> names;      ///< of the identifiable parameters p: "Sxx2", "hx3", "Ia3", "fv1", ...
+  std::vector<DriveParameter> drives;  ///< kinds that the joints are taken to have
+  /// p = combination * x, with x the standard parameters of all links, then the drive parameters of all
+  /// joints.
+  Eigen::MatrixXd combination;
+  /// Sentences on drive parameters that show as parts of others only.
+  std::vector<std::string> left_out;
+  /// Outputs y<row>_<column>, column by column; inputs q, q', q'' and directions of rates, each by joint.
+  Tape tape;
+  /// For each joint the columns that are not zero for every motion.
+  std::vector<std::vector<Eigen::Index>> columns;
+
+  [[nodiscard]] Eigen::Index parameters() const { return static_cast<Eigen::Index>(names.size()); }
+  [[nodiscard]] Eigen::Index standard() const { return static_cast<Eigen::Index>(links) * standard_count; }
+};
+
+/// The kinds of drive parameters, all four.
+std::vector<DriveParameter> all_drives();
+
+/// Derives the regressor; gravity in m/s^2 along the world's -z. Throws std::runtime_error if a length of the
+/// description has no value, std::domain_error where the drives' columns depend on the links' by lengths.
+ArmRegressor arm_regressor(const model::Robot& described, const std::vector<DriveParameter>& drives,
+                           double gravity = 9.80665);
+
+}  // namespace qvgen::identify

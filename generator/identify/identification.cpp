@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "identify/identification.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "identify/derivatives.h"
+#include "identify/prior.h"
+
+namespace qvgen::identify {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// Samples of each log that windows are tried on.
+constexpr Index trial_samples = 10'000;
+constexpr double standstill_share = 0.01;
+
+MotionLog beginning(const MotionLog& log, Index samples) {
+  MotionLog result = log;
+  if (samples >= log.samples()) return result;
+  result.time.resize(std::min(log.time.size(), static_cast<std::size_t>(samples)));
+  for (Eigen::MatrixXd* part : {&result.q, &result.qd, &result.qdd, &result.torque})
+    if (part->rows() > 0) part->conservativeResize(samples, Eigen::NoChange);
+  return result;
+}
+
+Equations equations_of_all(const ArmRegressor& arm, const std::vector<MotionLog>& logs, const UseOfLog& use) {
+  Equations all = equations_of(arm, logs.front(), use);
+  for (std::size_t i = 1; i < logs.size(); ++i) add(all, equations_of(arm, logs[i], use));
+  return all;
+}
+
+bool has_coulomb(const ArmRegressor& arm) {
+  return std::find(arm.drives.begin(), arm.drives.end(), DriveParameter::coulomb_friction) !=
+         arm.drives.end();
+}
+
+/// Greatest finite rate of each joint.
+VectorXd greatest_rates(const std::vector<MotionLog>& logs) {
+  VectorXd greatest = VectorXd::Zero(logs.front().joints());
+  for (const MotionLog& log : logs)
+    for (Index i = 0; i < log.joints(); ++i)
+      for (Index k = 0; k < log.samples(); ++k)
+        if (std::isfinite(log.qd(k, i))) greatest[i] = std::max(greatest[i], std::abs(log.qd(k, i)));
+  return greatest;
+}
+
+UseOfLog use_of(const ArmRegressor& arm, const std::vector<MotionLog>& logs, const Request& request) {
+  if (!has_coulomb(arm)) return {};
+  UseOfLog use;
+  const VectorXd greatest = greatest_rates(logs);
+  for (Index i = 0; i < greatest.size(); ++i)
+    use.slowest.push_back(request.standstill.value_or(standstill_share * greatest[i]));
+  return use;
+}
+
+bool derives(const MotionLog& log) { return log.qd.rows() == 0 || log.qdd.rows() == 0; }
+
+void derive_all(std::vector<MotionLog>& logs, Index half) {
+  for (MotionLog& log : logs) derive_motion(log, half);
+}
+
+/// Sum of the logarithms of the joints' noise: the less, the more likely are the data.
+double unlikelihood(const ArmRegressor& arm, std::vector<MotionLog> logs, Index half,
+                    const Request& request) {
+  derive_all(logs, half);
+  const Estimate found = estimate(equations_of_all(arm, logs, use_of(arm, logs, request)), arm.parameters());
+  return found.noise.array().max(std::numeric_limits<double>::min()).log().sum();
+}
+
+/// The window that lets the torques be predicted best.
+Index best_half(const ArmRegressor& arm, const std::vector<MotionLog>& logs, const Request& request) {
+  std::vector<MotionLog> trial;
+  Index shortest = trial_samples;
+  for (const MotionLog& log : logs) {
+    trial.push_back(beginning(log, trial_samples));
+    shortest = std::min(shortest, trial.back().samples());
+  }
+  Index best = 0;
+  double least = 0;
+  for (const Index half : windows_for(shortest)) {
+    const double found = unlikelihood(arm, trial, half, request);
+    if (best != 0 && found >= least) continue;
+    best = half;
+    least = found;
+  }
+  return best;
+}
+
+/// Fills in rates and accelerations of all logs; a window that is not given is chosen by those that are
+/// fitted.
+Filter filtered(const ArmRegressor& arm, std::vector<MotionLog>& logs, std::vector<MotionLog>& hold_out,
+                std::vector<MotionLog>& payload, const Request& request) {
+  Filter filter;
+  for (const MotionLog& log : logs) {
+    filter.rates |= log.qd.rows() == 0;
+    filter.accelerations |= log.qdd.rows() == 0;
+  }
+  bool any = false;
+  for (const auto* part : {&logs, &hold_out, &payload})
+    any |= std::any_of(part->begin(), part->end(), derives);
+  if (!any) return filter;
+  filter.half = request.window ? (*request.window - 1) / 2 : best_half(arm, logs, request);
+  const auto timed = std::find_if(logs.begin(), logs.end(), derives);
+  if (timed != logs.end()) filter.band = band_of(filter.half, usual_step(timed->time));
+  for (auto* part : {&logs, &hold_out, &payload}) derive_all(*part, filter.half);
+  return filter;
+}
+
+/// Correlation of each joint's residual with the one of the next sample.
+VectorXd correlations(const ArmRegressor& arm, const std::vector<MotionLog>& logs,
+                      const VectorXd& parameters) {
+  const auto joints = static_cast<Index>(arm.joints);
+  VectorXd products = VectorXd::Zero(joints), squares = VectorXd::Zero(joints);
+  for (const MotionLog& log : logs) {
+    const Eigen::MatrixXd residual = log.torque - predicted(arm, log, parameters);
+    for (Index i = 0; i < joints; ++i)
+      for (Index k = 0; k + 1 < residual.rows(); ++k) {
+        const double product = residual(k, i) * residual(k + 1, i);
+        if (!std::isfinite(product)) continue;
+        products[i] += product;
+        squares[i] += residual(k, i) * residual(k, i);
+      }
+  }
+  return products.cwiseQuotient(squares.cwiseMax(std::numeric_limits<double>::min()));
+}
+
+std::vector<JointResidual> joints_of(const ArmRegressor& arm, const Equations& equations,
+                                     const Estimate& estimate, const std::vector<MotionLog>& logs) {
+  const VectorXd levels = torque_levels(equations), rest = residuals(equations, estimate.value);
+  const VectorXd lasting = correlations(arm, logs, estimate.value);
+  std::vector<JointResidual> joints;
+  for (Index i = 0; i < levels.size(); ++i)
+    joints.push_back({estimate.measured[static_cast<std::size_t>(i)], levels[i], rest[i], estimate.noise[i],
+                      lasting[i], std::nullopt});
+  return joints;
+}
+
+}  // namespace
+
+Identification identify(const model::Robot& robot, std::vector<MotionLog> logs,
+                        std::vector<MotionLog> hold_out, const Request& request,
+                        std::vector<MotionLog> payload) {
+  Identification result{arm_regressor(robot, request.drives, request.gravity), {}, {}, {}, {}, {}, {}, {}};
+  result.filter = filtered(result.arm, logs, hold_out, payload, request);
+  const UseOfLog use = use_of(result.arm, logs, request);
+  result.standstill = use.slowest;
+  const Equations equations = equations_of_all(result.arm, logs, use);
+  result.estimate = estimate(equations, result.arm.parameters());
+  result.full = closest_consistent(result.arm, result.estimate,
+                                   prior_of(robot, result.arm, result.estimate, request.mass));
+  result.joints = joints_of(result.arm, equations, result.estimate, logs);
+  if (!hold_out.empty()) {
+    const VectorXd rest = residuals(equations_of_all(result.arm, hold_out, use), result.estimate.value);
+    for (Index i = 0; i < rest.size(); ++i) result.joints[static_cast<std::size_t>(i)].hold_out = rest[i];
+  }
+  if (!payload.empty())
+    result.payload = payload_of(result.arm, equations, equations_of_all(result.arm, payload, use));
+  result.logs = std::move(logs);
+  return result;
+}
+
+}  // namespace qvgen::identify

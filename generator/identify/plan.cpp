@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+#include "identify/plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "model/evaluate.h"
+#include "model/followers.h"
+
+namespace qvgen::identify {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr Index harmonics = 5;
+/// Samples that a trial is judged by.
+constexpr double trial_rate = 10;
+/// Share of the time in which a motion begins, and ends.
+constexpr double ramp = 0.1;
+/// Half range of a turning joint without limits, rad.
+constexpr double free_range = std::numbers::pi / 2;
+
+struct Range {
+  double middle, half, speed;
+};
+
+/// Coefficients of sines, then of cosines: a row a joint.
+using Series = MatrixXd;
+
+double number(const model::Expression& expression, const model::Bindings& values) {
+  return model::to_double(model::evaluate(expression, values));
+}
+
+Range range_of(const model::Joint& joint, const model::Bindings& values, const PlanRequest& request) {
+  Range range{0, free_range, request.speed};
+  if (joint.limits) {
+    const double lower = number(joint.limits->lower, values), upper = number(joint.limits->upper, values);
+    range = {(lower + upper) / 2, (upper - lower) / 2, request.speed};
+  } else if (joint.type == model::JointType::prismatic) {
+    throw std::runtime_error(joint.variable +
+                             " slides and has no limits: write limits = [lower, upper], so that a "
+                             "motion can be planned");
+  }
+  if (joint.greatest_velocity) range.speed = number(*joint.greatest_velocity, values);
+  range.half *= request.share;
+  range.speed *= request.share;
+  return range;
+}
+
+std::vector<Range> ranges_of(const model::Robot& robot, const PlanRequest& request) {
+  const model::Bindings values = model::default_bindings(robot);
+  std::vector<Range> ranges;
+  for (const model::Joint& joint : robot.joints)
+    if (!joint.follows) ranges.push_back(range_of(joint, values, request));
+  return ranges;
+}
+
+/// From 0 to 1 with two derivatives that vanish at both ends; and these derivatives.
+struct Envelope {
+  double value = 1, first = 0, second = 0;
+};
+
+Envelope envelope_at(double time, double seconds) {
+  const double length = ramp * seconds;
+  const bool begins = time<length, ends = time> seconds - length;
+  if (!begins && !ends) return {};
+  const double x = std::clamp((begins ? time : seconds - time) / length, 0.0, 1.0), sign = begins ? 1 : -1;
+  return {x * x * x * (10 + x * (6 * x - 15)), sign * 30 * x * x * (1 - x) * (1 - x) / length,
+          60 * x * (1 - x) * (1 - 2 * x) / (length * length)};
+}
+
+/// The motion of one joint about its middle.
+void fill_joint(const Series& series, Index joint, double seconds, MotionLog& log) {
+  for (Index k = 0; k < log.samples(); ++k) {
+    const double t = log.time[static_cast<std::size_t>(k)];
+    double value = 0, first = 0, second = 0;
+    for (Index h = 0; h < harmonics; ++h) {
+      const double w = 2 * std::numbers::pi * static_cast<double>(h + 1) / seconds;
+      const double a = series(joint, h), b = series(joint, harmonics + h), s = std::sin(w * t),
+                   c = std::cos(w * t);
+      value += a * s + b * c;
+      first += w * (a * c - b * s);
+      second -= w * w * (a * s + b * c);
+    }
+    const Envelope e = envelope_at(t, seconds);
+    log.q(k, joint) = e.value * value;
+    log.qd(k, joint) = e.value * first + e.first * value;
+    log.qdd(k, joint) = e.value * second + 2 * e.first * first + e.second * value;
+  }
+}
+
+/// A joint's motion made as large as its range and its speed allow.
+void fit(const Range& range, Index joint, MotionLog& log) {
+  const double reach = log.q.col(joint).cwiseAbs().maxCoeff(),
+               speed = log.qd.col(joint).cwiseAbs().maxCoeff();
+  const double factor = std::min(range.half / std::max(reach, 1e-9), range.speed / std::max(speed, 1e-9));
+  for (MatrixXd* part : {&log.q, &log.qd, &log.qdd}) part->col(joint) *= factor;
+  log.q.col(joint).array() += range.middle;
+}
+
+MotionLog motion_of(const std::vector<Range>& ranges, const Series& series, double seconds, double rate) {
+  const auto samples = static_cast<Index>(std::floor(seconds * rate)) + 1;
+  const auto joints = static_cast<Index>(ranges.size());
+  MotionLog log{"plan", {}, {}, {}, {}, MatrixXd::Zero(samples, joints)};
+  for (Index k = 0; k < samples; ++k) log.time.push_back(static_cast<double>(k) / rate);
+  for (MatrixXd* part : {&log.q, &log.qd, &log.qdd}) part->setZero(samples, joints);
+  for (Index i = 0; i < joints; ++i) {
+    fill_joint(series, i, seconds, log);
+    fit(ranges[static_cast<std::size_t>(i)], i, log);
+  }
+  return log;
+}
+
+Estimate expected(const ArmRegressor& arm, const MotionLog& log) {
+  return estimate(equations_of(arm, log), arm.parameters(), VectorXd::Ones(log.joints()));
+}
+
+/// Logarithm of the determinant of the information; each parameter that is not told counts as a catastrophe.
+double information_of(const Estimate& estimate) {
+  double sum = 0;
+  for (Index k = 0; k < estimate.information.rows(); ++k)
+    sum += std::log(std::max(std::abs(estimate.information(k, k)), 1e-12));
+  return sum;
+}
+
+class Search {
+ public:
+  Search(const ArmRegressor& arm, const std::vector<Range>& ranges, double seconds)
+      : arm_(arm), ranges_(ranges), seconds_(seconds) {}
+
+  Series best(int trials) {
+    const auto joints = static_cast<Index>(ranges_.size());
+    for (int trial = 0; trial < trials; ++trial) {
+      const Series noise = Series::NullaryExpr(joints, 2 * harmonics, [&] { return normal_(random_); });
+      // A third of the trials begin anew, the others change the best by less and less.
+      const double change = std::exp(-4.0 * trial / trials);
+      consider(3 * trial < trials ? noise : Series(best_ + change * noise));
+    }
+    return best_;
+  }
+
+ private:
+  void consider(const Series& series) {
+    const double found = information_of(expected(arm_, motion_of(ranges_, series, seconds_, trial_rate)));
+    if (best_.size() > 0 && !(found > most_)) return;
+    best_ = series;
+    most_ = found;
+  }
+
+  const ArmRegressor& arm_;
+  const std::vector<Range>& ranges_;
+  double seconds_, most_ = 0;
+  Series best_;
+  std::mt19937_64 random_{1};
+  std::normal_distribution<double> normal_;
+};
+
+}  // namespace
+
+Plan plan(const model::Robot& robot, const PlanRequest& request) {
+  const std::vector<Range> ranges = ranges_of(robot, request);
+  ArmRegressor arm = arm_regressor(robot, request.drives);
+  const Series series = Search(arm, ranges, request.seconds).best(request.trials);
+  MotionLog motion = motion_of(ranges, series, request.seconds, request.rate);
+  const Estimate estimate = expected(arm, motion);
+  return {std::move(motion), estimate.condition, std::move(arm), estimate.deviation};
+}
+
+std::string plan_summary(const Plan& plan) {
+  std::string text =
+      fmt::format("{} samples; condition number {:.3g}; deviations for white noise of 1 Nm (N):\n",
+                  plan.motion.samples(), plan.condition);
+  for (Index k = 0; k < plan.deviation.size(); ++k)
+    text += fmt::format("{:<16}{:>12.2g}\n", plan.arm.names[static_cast<std::size_t>(k)], plan.deviation[k]);
+  return text;
+}
+
+std::string plan_table(const model::Robot& robot, const MotionLog& motion) {
+  std::string text = "time [s]";
+  std::vector<std::string> units;
+  for (const model::Joint& joint : robot.joints)
+    if (!joint.follows) units.push_back(joint.type == model::JointType::revolute ? "rad" : "m");
+  for (const auto& [name, per] : {std::pair("q", ""), std::pair("qd", "/s")})
+    for (std::size_t i = 0; i < units.size(); ++i)
+      text += fmt::format(", {}{} [{}{}]", name, i + 1, units[i], per);
+  text += "\n";
+  for (Index k = 0; k < motion.samples(); ++k) {
+    text += fmt::format("{:.6g}", motion.time[static_cast<std::size_t>(k)]);
+    for (const MatrixXd* part : {&motion.q, &motion.qd})
+      for (Index i = 0; i < motion.joints(); ++i) text += fmt::format(", {:.9g}", (*part)(k, i));
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace qvgen::identify

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "identify/prior.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include "model/evaluate.h"
+
+namespace qvgen::identify {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+/// Thickness of a rod as a share of the longest link's length.
+constexpr double thickness = 0.1;
+/// Share of a typical moment that a drive without a description is taken to have.
+constexpr double drive_share = 0.1;
+
+double number(const model::Expression& expression, const model::Bindings& values) {
+  return model::to_double(model::evaluate(expression, values));
+}
+
+std::optional<PseudoInertia> described(const model::Inertia& inertia, const model::Bindings& values) {
+  try {
+    const double mass = number(inertia.mass, values);
+    Vector3d c;
+    Eigen::Matrix<double, 6, 1> i;
+    for (Index k = 0; k < 3; ++k) c[k] = number(inertia.centre_of_mass[static_cast<std::size_t>(k)], values);
+    for (Index k = 0; k < 6; ++k) i[k] = number(inertia.inertia[static_cast<std::size_t>(k)], values);
+    Matrix3d about_centre;
+    about_centre << i[0], i[3], i[5], i[3], i[1], i[4], i[5], i[4], i[2];
+    const Matrix3d moments = about_centre.trace() / 2 * Matrix3d::Identity() - about_centre;
+    const double least = Eigen::SelfAdjointEigenSolver<Matrix3d>(moments).eigenvalues()[0];
+    if (!(mass > 0) || !(least > 1e-9 * moments.trace())) return std::nullopt;
+    PseudoInertia result;
+    result << moments + mass * c * c.transpose(), mass * c, mass * c.transpose(), mass;
+    return result;
+  } catch (const model::EvaluationError&) {
+    return std::nullopt;
+  }
+}
+
+/// Ends of the links, in their frames: where the next joint is.
+std::vector<Vector3d> ends_of(const model::Robot& robot, const model::Bindings& values) {
+  std::vector<Vector3d> ends;
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    const bool last = i + 1 == robot.joints.size();
+    const model::Vector3& way = last ? robot.tool.translation : robot.joints[i + 1].before.translation;
+    Vector3d end;
+    for (Index k = 0; k < 3; ++k) end[k] = number(way[static_cast<std::size_t>(k)], values);
+    if (end.norm() == 0)  // the frame is at the link's end: its begin is behind
+      for (Index k = 0; k < 3; ++k)
+        end[k] = -number(robot.joints[i].after.translation[static_cast<std::size_t>(k)], values);
+    ends.push_back(end);
+  }
+  return ends;
+}
+
+/// A rod of mass one from the origin to its end.
+PseudoInertia rod(const Vector3d& end, double radius) {
+  PseudoInertia result;
+  const Vector3d c = end / 2;
+  const Matrix3d moments = end * end.transpose() / 3 + radius * radius / 4 * Matrix3d::Identity();
+  result << moments, c, c.transpose(), 1;
+  return result;
+}
+
+std::vector<PseudoInertia> rods_of(const model::Robot& robot, const model::Bindings& values) {
+  const std::vector<Vector3d> ends = ends_of(robot, values);
+  double longest = 0;
+  for (const Vector3d& end : ends) longest = std::max(longest, end.norm());
+  if (longest == 0) longest = 0.3;
+  std::vector<PseudoInertia> rods;
+  for (const Vector3d& end : ends) rods.push_back(rod(end, thickness * longest));
+  return rods;
+}
+
+/// All values of links: drives zero.
+VectorXd values_of_links(const std::vector<PseudoInertia>& links) {
+  VectorXd values = VectorXd::Zero(14 * static_cast<Index>(links.size()));
+  for (std::size_t i = 0; i < links.size(); ++i)
+    values.segment<10>(10 * static_cast<Index>(i)) = standard_of(links[i]);
+  return values;
+}
+
+/// The mass of each rod that lets the weighted torques fit best; at least a gram.
+double fitting_mass(const ArmRegressor& arm, const Estimate& estimate,
+                    const std::vector<PseudoInertia>& known, const std::vector<PseudoInertia>& rods) {
+  const VectorXd fixed = estimate.information * (arm.combination * values_of_links(known));
+  const VectorXd each = estimate.information * (arm.combination * values_of_links(rods));
+  const double length = each.squaredNorm();
+  return length > 0 ? std::max(1e-3, each.dot(estimate.right_side - fixed) / length) : 1;
+}
+
+double positive_or(const model::Expression& expression, const model::Bindings& values, double otherwise) {
+  try {
+    const double value = number(expression, values);
+    return value > 0 ? value : otherwise;
+  } catch (const model::EvaluationError&) {
+    return otherwise;
+  }
+}
+
+VectorXd drives_of(const model::Robot& robot, const model::Bindings& values, double typical) {
+  VectorXd drives(4 * static_cast<Index>(robot.joints.size()));
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    const model::Drive& drive = robot.joints[i].drive;
+    drives.segment<4>(4 * static_cast<Index>(i)) << positive_or(drive.rotor_inertia, values, typical),
+        positive_or(drive.viscous_friction, values, 1), positive_or(drive.coulomb_friction, values, 1), 1;
+  }
+  return drives;
+}
+
+}  // namespace
+
+std::vector<bool> described_links(const model::Robot& robot) {
+  const model::Bindings values = model::default_bindings(robot);
+  std::vector<bool> result;
+  for (const model::Joint& joint : robot.joints)
+    result.push_back(described(joint.inertia, values).has_value());
+  return result;
+}
+
+Prior prior_of(const model::Robot& robot, const ArmRegressor& arm, const Estimate& estimate,
+               std::optional<double> mass) {
+  const model::Bindings values = model::default_bindings(robot);
+  std::vector<PseudoInertia> known(robot.joints.size(), PseudoInertia::Zero()), rods = rods_of(robot, values);
+  double known_mass = 0;
+  Index unknown = 0;
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    const auto link = described(robot.joints[i].inertia, values);
+    known[i] = link.value_or(PseudoInertia::Zero());
+    known_mass += known[i](3, 3);
+    if (link) rods[i].setZero();
+    if (!link) ++unknown;
+  }
+  double each = fitting_mass(arm, estimate, known, rods);
+  if (mass && unknown > 0 && *mass > known_mass) each = (*mass - known_mass) / static_cast<double>(unknown);
+  Prior prior{{}, {}, mass};
+  double typical = 0;
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    prior.links.push_back(known[i] + each * rods[i]);
+    typical += prior.links.back().topLeftCorner<3, 3>().trace() / static_cast<double>(known.size());
+  }
+  prior.drives = drives_of(robot, values, drive_share * typical);
+  return prior;
+}
+
+}  // namespace qvgen::identify
