@@ -9,6 +9,7 @@
 #include "description/chain.h"
 #include "description/followers.h"
 #include "description/frames.h"
+#include "description/loops.h"
 #include "description/named_frames.h"
 #include "description/names.h"
 #include "description/physics.h"
@@ -133,7 +134,7 @@ model::Mechanism read_robot(const Table& root) {
       {"name",  "title",      "source",    "symbols", "inertia",    "drives", "accept_unphysical_inertia",
        "base",  "tool",       "defaults",  "joint",   "convention", "dh",     "home",
        "screw", "task",       "tool_axis", "given",   "ideal",      "unit",   "angle_unit",
-       "frame", "on_request", "tip"});
+       "frame", "on_request", "tip",     "loop",       "actuated",   "outputs"});
   read_units(root);
   context.is_measured = root.has("ideal");
   model::Mechanism mechanism;
@@ -146,6 +147,7 @@ model::Mechanism read_robot(const Table& root) {
   read_named_frames(root, robot);
   mechanism.tips = read_tips(root, robot);
   tie_followers(context, variables_of(robot), robot);
+  read_loops(root, mechanism);
   read_request(root, robot);
   resolve_symbols(root, robot);
   const bool accept_inertia = root.boolean("accept_unphysical_inertia").value_or(false);
@@ -202,6 +204,7 @@ ReadResult finished(Context& context, Place name_place, model::Mechanism mechani
   if (std::none_of(result.diagnostics.begin(), result.diagnostics.end(), is_error)) {
     result.robot = std::move(mechanism.robot);
     result.tips = std::move(mechanism.tips);
+    result.loops = std::move(mechanism.loops);
   }
   return result;
 }

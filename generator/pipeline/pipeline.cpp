@@ -258,6 +258,8 @@ std::vector<std::string> part_names() {
     names.insert(names.end(), product.headers.begin(), product.headers.end());
     names.insert(names.end(), product.functions.begin(), product.functions.end());
   }
+  for (const char* part : {"assembly", "assemble", "assemble_from_outputs"})
+    names.emplace_back(part);  // of mechanisms with loops, made beside the products
   for (const Extra& extra : all_extras()) names.push_back(extra.part);
   return names;
 }
