@@ -40,11 +40,16 @@ std::string head(const std::string& actuated) {
 }
 const std::string tip = "[[tip]]\nname = \"end\"\n";
 
-/// A parallelogram with a third, redundant crank.
-const std::string three_cranks = head("\"a\"") + joint("a", "link = [1, 0, 0]\n") + joint("c", "") +
-                                 joint("b", "parent = \"base\"\norigin = [2, 0, 0]\n") +
-                                 joint("d", "parent = \"base\"\norigin = [1, 0, 0]\n") + tip +
-                                 pin("c", "[2, 0, 0]", "b", "[1, 0, 0]") + pin("c", "[1, 0, 0]", "d", "[1, 0, 0]");
+std::string rod(const std::string& a, const std::string& at, const std::string& b, const std::string& bt,
+                const std::string& length) {
+  return "[[loop]]\ntype = \"rod\"\nbetween = [\"" + a + "\", \"" + b + "\"]\nat = [" + at + ", " + bt +
+         "]\nlength = " + length + "\n";
+}
+
+/// A parallelogram whose second rod holds nothing more, and rules its mirror image out.
+const std::string two_rods = head("\"a\"") + joint("a", "") + joint("b", "parent = \"base\"\norigin = [2, 0, 0]\n") +
+                             tip + rod("a", "[1, 0, 0]", "b", "[1, 0, 0]", "2") +
+                             rod("a", "[0.5, 0, 0]", "b", "[0.5, 0, 0]", "2");
 
 TEST(Mobility, CountsPlanarLoopsThatGrueblerDoesNotSee) {
   const auto four_bar = verify::mobility_of(mechanism_of_file("four_bar"));
@@ -110,10 +115,18 @@ TEST(AssemblyPlan, RefusesWhatItCannotDeriveWithTheReason) {
 }
 
 TEST(AssemblyPlan, FindsTheLoopThatIsRedundant) {
-  const auto mechanism = mechanism_of(three_cranks);
+  const auto mechanism = mechanism_of(two_rods);
   const auto plan = derive::loops::assembly_plan(mechanism, mechanism.loops.actuated);
   ASSERT_TRUE(plan.found);
-  EXPECT_EQ(plan.used.size() + plan.redundant.size(), 2U);
+  EXPECT_EQ(plan.used, std::vector<std::size_t>{0});
+  EXPECT_EQ(plan.redundant, std::vector<std::size_t>{1});
+  const auto mobility = verify::mobility_of(mechanism);
+  EXPECT_EQ(mobility.free, 1);
+  EXPECT_EQ(mobility.redundant, std::vector<std::size_t>{1});
+  EXPECT_THAT(verify::text_of(mobility, mechanism).back(), HasSubstr("loop 2 is redundant"));
+  // Of both assemblies that the first rod leaves the second one takes one.
+  const auto certificate = verify::certify_loops(mechanism, plan, derive::inverse::lower(plan.plan), 3);
+  EXPECT_EQ(certificate.assemblies, certificate.inputs);
 }
 
 /// Every mechanism of the tests, from its motors and from its platform.
