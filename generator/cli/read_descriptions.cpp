@@ -134,7 +134,9 @@ std::optional<std::vector<ReadResult>> read_descriptions(const std::vector<fs::p
   return results;
 }
 
-model::Mechanism mechanism_of(const ReadResult& result) { return {result.robot.value(), result.tips, result.loops}; }
+model::Mechanism mechanism_of(const ReadResult& result) {
+  return {result.robot.value(), result.tips, result.loops};
+}
 
 namespace {
 

@@ -31,9 +31,9 @@ std::optional<std::size_t> joint_of(Context& context, const toml::node& node, co
   if (takes_base) names.push_back(base_name);
   const std::string near = nearest(*name, names);
   context.error(begin_of(node.source()), "there is no joint with the variable '" + *name + "'",
-                !near.empty()  ? "did you mean '" + near + "'?"
-                : takes_base ? "a link is called by the variable of the joint that moves it, or \"base\""
-                             : "name the variables of joints");
+                !near.empty() ? "did you mean '" + near + "'?"
+                : takes_base  ? "a link is called by the variable of the joint that moves it, or \"base\""
+                              : "name the variables of joints");
   return std::nullopt;
 }
 

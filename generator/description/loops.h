@@ -7,8 +7,8 @@
 
 namespace qvgen::description {
 
-/// Reads `[[loop]]`, `actuated` and `outputs` into the mechanism, whose joints are known. Links that are unknown, a loop within one link
-/// and joints that are named twice are reported with their place.
+/// Reads `[[loop]]`, `actuated` and `outputs` into the mechanism, whose joints are known. Links that are
+/// unknown, a loop within one link and joints that are named twice are reported with their place.
 void read_loops(const Table& root, model::Mechanism& mechanism);
 
 }  // namespace qvgen::description

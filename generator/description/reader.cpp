@@ -134,7 +134,7 @@ model::Mechanism read_robot(const Table& root) {
       {"name",  "title",      "source",    "symbols", "inertia",    "drives", "accept_unphysical_inertia",
        "base",  "tool",       "defaults",  "joint",   "convention", "dh",     "home",
        "screw", "task",       "tool_axis", "given",   "ideal",      "unit",   "angle_unit",
-       "frame", "on_request", "tip",     "loop",       "actuated",   "outputs"});
+       "frame", "on_request", "tip",       "loop",    "actuated",   "outputs"});
   read_units(root);
   context.is_measured = root.has("ideal");
   model::Mechanism mechanism;

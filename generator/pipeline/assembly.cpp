@@ -87,7 +87,8 @@ struct ProgramCode {
   json code;
 };
 
-ProgramCode code_of(const symbolic::Program& program, const model::Robot& robot, const std::vector<std::string>& places) {
+ProgramCode code_of(const symbolic::Program& program, const model::Robot& robot,
+                    const std::vector<std::string>& places) {
   std::vector<std::string> all;
   for (const auto& output : program.outputs()) all.push_back(output.name);
   dag::Function function = derive::inverse::lowered(program, all);
@@ -163,8 +164,8 @@ json variant_of(const model::Mechanism& mechanism, const LoopVariant& variant, c
   return {{"function", variant.function},
           {"type", type},
           {"space", forward ? "assembly" : "assembly_from_outputs"},
-          {"doc", "All assemblies for values of " + described_names(mechanism.robot, variant.given) + "; at most " +
-                      std::to_string(assembly.plan.capacity) + "."},
+          {"doc", "All assemblies for values of " + described_names(mechanism.robot, variant.given) +
+                      "; at most " + std::to_string(assembly.plan.capacity) + "."},
           {"summary", emit::lines_of(step_lines(mechanism.robot, assembly.plan))},
           {"certificate", certificate.text()},
           {"capacity", assembly.plan.capacity},
@@ -185,7 +186,9 @@ json variant_of(const model::Mechanism& mechanism, const LoopVariant& variant, c
           {"lines", emit::lines_of(emit::cpp().body({"t", "q", "found"}, emit::every_assembly(plan)))}};
 }
 
-std::string joined(const std::vector<std::string>& reasons) { return fmt::format("{}", fmt::join(reasons, "; ")); }
+std::string joined(const std::vector<std::string>& reasons) {
+  return fmt::format("{}", fmt::join(reasons, "; "));
+}
 
 void check_number_of_motors(const model::Mechanism& mechanism) {
   const verify::Mobility mobility = verify::mobility_of(mechanism);
@@ -228,7 +231,8 @@ std::vector<Planned> plans_of(const model::Mechanism& mechanism) {
   return plans;
 }
 
-/// The first plan that there is. Its equations, as many as there are passive joints, serve rates and dynamics.
+/// The first plan that there is. Its equations, as many as there are passive joints, serve rates and
+/// dynamics.
 const AssemblyPlan& first_found(const std::vector<Planned>& plans) {
   for (const Planned& each : plans)
     if (each.assembly.found) return each.assembly;
@@ -263,7 +267,8 @@ void add_variants(const model::Mechanism& mechanism, const std::vector<Planned>&
   }
 }
 
-void generate_assembly(const model::Mechanism& mechanism, bool has_dynamics, bool has_limbs, RobotOutput& output) {
+void generate_assembly(const model::Mechanism& mechanism, bool has_dynamics, bool has_limbs,
+                       RobotOutput& output) {
   const std::string& name = mechanism.robot.name;
   const model::Loops& loops = mechanism.loops;
   check_number_of_motors(mechanism);
@@ -284,7 +289,8 @@ void generate_assembly(const model::Mechanism& mechanism, bool has_dynamics, boo
   add_constraints(first_found(plans), values);
   add_platform(loops, mechanism.robot.joints.size(), values);
   add_variants(mechanism, plans, output, values);
-  output.files.push_back({"include/qvgen/robots/" + name + "/assembly.h", emit::render("cpp/assembly.h", values)});
+  output.files.push_back(
+      {"include/qvgen/robots/" + name + "/assembly.h", emit::render("cpp/assembly.h", values)});
   output.files.push_back({"source/" + name + "/assembly.cpp", emit::render("cpp/assembly.cpp", values)});
 }
 
@@ -318,8 +324,8 @@ std::string problem_of_motors(const model::Mechanism& mechanism, int freedoms) {
     return fmt::format("the mechanism has {} and {}; name {} in `actuated`", count(freedoms, "freedom"),
                        count(driven, "driven joint"), freedoms);
   if (outputs != 0 && outputs != freedoms)
-    return fmt::format("the mechanism has {} and `outputs` names {}; name as many", count(freedoms, "freedom"),
-                       count(outputs, "joint"));
+    return fmt::format("the mechanism has {} and `outputs` names {}; name as many",
+                       count(freedoms, "freedom"), count(outputs, "joint"));
   return "";
 }
 

@@ -20,7 +20,8 @@ void add_plan(const model::Mechanism& mechanism, const LoopVariant& variant, boo
   const derive::loops::AssemblyPlan assembly = derive::loops::assembly_plan(mechanism, variant.given);
   const std::string from = names_of(mechanism, variant.given);
   if (!assembly.found) {
-    to.lines.push_back(fmt::format("no {} from {}: {}", variant.function, from, fmt::join(assembly.reasons, "; ")));
+    to.lines.push_back(
+        fmt::format("no {} from {}: {}", variant.function, from, fmt::join(assembly.reasons, "; ")));
     return;
   }
   to.lines.push_back(
@@ -42,7 +43,8 @@ LoopLines loop_lines(const model::Mechanism& mechanism, bool steps) {
   result.lines = text;
   if (const std::string problem = problem_of_motors(mechanism, mobility.free); !problem.empty())
     result.problems.push_back(problem);
-  for (const LoopVariant& variant : loop_variants(mechanism.loops)) add_plan(mechanism, variant, steps, result);
+  for (const LoopVariant& variant : loop_variants(mechanism.loops))
+    add_plan(mechanism, variant, steps, result);
   return result;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Assemblies of every mechanism: each closes all loops, none is missing, none is there twice; they are next to a seed;
-// what cannot be assembled is said.
+// Assemblies of every mechanism: each closes all loops, none is missing, none is there twice; they are next
+// to a seed; what cannot be assembled is said.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -54,8 +54,9 @@ VectorXd random_values(const reference::LoopMechanism& of, const std::vector<Eig
   std::uniform_real_distribution<double> turn(-3.2, 3.2), slide(-of.size / 2, of.size / 2);
   VectorXd values(static_cast<Eigen::Index>(joints.size()));
   for (Eigen::Index i = 0; i < values.size(); ++i)
-    values[i] = of.chain.joints[static_cast<std::size_t>(joints[static_cast<std::size_t>(i)])].revolute ? turn(random)
-                                                                                                         : slide(random);
+    values[i] = of.chain.joints[static_cast<std::size_t>(joints[static_cast<std::size_t>(i)])].revolute
+                    ? turn(random)
+                    : slide(random);
   return values;
 }
 
@@ -82,7 +83,8 @@ bool is_apart(const reference::LoopMechanism& of, const Set& set) {
   return true;
 }
 
-/// Inputs at which the rows are those that Newton's steps find from many starts. Returns how many assemblies there were.
+/// Inputs at which the rows are those that Newton's steps find from many starts. Returns how many assemblies
+/// there were.
 int compare(const reference::LoopMechanism& of, const std::vector<Eigen::Index>& given,
             const std::function<Set(const VectorXd&)>& solve) {
   std::mt19937 random(7);
@@ -96,7 +98,8 @@ int compare(const reference::LoopMechanism& of, const std::vector<Eigen::Index>&
     assemblies += static_cast<int>(set.rows.size());
     if (!is_apart(of, set)) continue;
     for (const VectorXd& other : reference::assemblies(of, q, given, starts, static_cast<unsigned>(k)))
-      EXPECT_TRUE(has(of, set, other, 1e-6)) << "missing: " << other.transpose() << " for " << values.transpose();
+      EXPECT_TRUE(has(of, set, other, 1e-6))
+          << "missing: " << other.transpose() << " for " << values.transpose();
   }
   return assemblies;
 }
@@ -158,7 +161,8 @@ TEST_P(Assemblies, TakeAnglesNextToTheSeedByWholeTurns) {
 TEST_P(Assemblies, AreInvalidForWhatIsNoNumber) {
   if (!mechanism_.assemble) GTEST_SKIP() << "there is no closed form from its motors";
   VectorXd a = VectorXd::Zero(mechanism_.driven);
-  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     a[0] = bad;
     const Set set = mechanism_.assemble(a);
     EXPECT_EQ(set.status, Status::invalid);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Freedoms, refusals and certificates: what is counted of mechanisms that are known, and the reason where there is no
-// closed form.
+// Freedoms, refusals and certificates: what is counted of mechanisms that are known, and the reason where
+// there is no closed form.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -30,10 +30,12 @@ model::Mechanism mechanism_of_file(const std::string& name) {
 
 std::string joint(const std::string& variable, const std::string& more, const std::string& type = "revolute",
                   const std::string& axis = "+z") {
-  return "[[joint]]\ntype = \"" + type + "\"\naxis = \"" + axis + "\"\nvariable = \"" + variable + "\"\n" + more;
+  return "[[joint]]\ntype = \"" + type + "\"\naxis = \"" + axis + "\"\nvariable = \"" + variable + "\"\n" +
+         more;
 }
 std::string pin(const std::string& a, const std::string& at, const std::string& b, const std::string& bt) {
-  return "[[loop]]\ntype = \"pin\"\nbetween = [\"" + a + "\", \"" + b + "\"]\nat = [" + at + ", " + bt + "]\n";
+  return "[[loop]]\ntype = \"pin\"\nbetween = [\"" + a + "\", \"" + b + "\"]\nat = [" + at + ", " + bt +
+         "]\n";
 }
 std::string head(const std::string& actuated) {
   return "name = \"m\"\ntitle = \"m\"\nactuated = [" + actuated + "]\n";
@@ -47,9 +49,9 @@ std::string rod(const std::string& a, const std::string& at, const std::string& 
 }
 
 /// A parallelogram whose second rod holds nothing more, and rules its mirror image out.
-const std::string two_rods = head("\"a\"") + joint("a", "") + joint("b", "parent = \"base\"\norigin = [2, 0, 0]\n") +
-                             tip + rod("a", "[1, 0, 0]", "b", "[1, 0, 0]", "2") +
-                             rod("a", "[0.5, 0, 0]", "b", "[0.5, 0, 0]", "2");
+const std::string two_rods =
+    head("\"a\"") + joint("a", "") + joint("b", "parent = \"base\"\norigin = [2, 0, 0]\n") + tip +
+    rod("a", "[1, 0, 0]", "b", "[1, 0, 0]", "2") + rod("a", "[0.5, 0, 0]", "b", "[0.5, 0, 0]", "2");
 
 TEST(Mobility, CountsPlanarLoopsThatGrueblerDoesNotSee) {
   const auto four_bar = verify::mobility_of(mechanism_of_file("four_bar"));
@@ -107,11 +109,11 @@ TEST(AssemblyPlan, RefusesWhatItCannotDeriveWithTheReason) {
                                       pin("c", "[1, 0, 0]", "b", "[1, 0, 0]"))),
               HasSubstr("its ends move in parallel planes that do not meet"));
   // A joint that no loop holds and no motor drives.
-  EXPECT_THAT(reasons_of(mechanism_of(head("\"a\"") + joint("a", "link = [1, 0, 0]\n") + joint("c", "") +
-                                      joint("loose", "") +
-                                      joint("b", "parent = \"base\"\norigin = [1, 0, 0]\n") + tip +
-                                      pin("c", "[1, 0, 0]", "b", "[1, 0, 0]"))),
-              HasSubstr("joint loose is on no loop and is not driven"));
+  EXPECT_THAT(
+      reasons_of(mechanism_of(head("\"a\"") + joint("a", "link = [1, 0, 0]\n") + joint("c", "") +
+                              joint("loose", "") + joint("b", "parent = \"base\"\norigin = [1, 0, 0]\n") +
+                              tip + pin("c", "[1, 0, 0]", "b", "[1, 0, 0]"))),
+      HasSubstr("joint loose is on no loop and is not driven"));
 }
 
 TEST(AssemblyPlan, FindsTheLoopThatIsRedundant) {

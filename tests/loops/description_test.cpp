@@ -61,8 +61,10 @@ TEST(LoopDescription, RefusesRodsWithoutLength) {
 }
 
 TEST(LoopDescription, RefusesTypesThatAreNotDerived) {
-  EXPECT_THAT(first_error(two_links + "[[loop]]\ntype = \"weld\"\nbetween = [\"a\", \"b\"]\nat = [[0, 0, 0], [0, 0, 0]]\n" + tip),
-              HasSubstr("unknown type of loop 'weld'; write pin, ball or rod"));
+  EXPECT_THAT(
+      first_error(two_links +
+                  "[[loop]]\ntype = \"weld\"\nbetween = [\"a\", \"b\"]\nat = [[0, 0, 0], [0, 0, 0]]\n" + tip),
+      HasSubstr("unknown type of loop 'weld'; write pin, ball or rod"));
 }
 
 TEST(LoopDescription, WantsToKnowWhichJointsAreDriven) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// 200 random linkages of each family, by the geometry of one mechanism each: the number of assemblies is what circles
-// and lines say that meet, and every one closes. Boundary cases by name.
+// 200 random linkages of each family, by the geometry of one mechanism each: the number of assemblies is what
+// circles and lines say that meet, and every one closes. Boundary cases by name.
 #include <cmath>
 #include <random>
 
@@ -155,7 +155,8 @@ TEST_F(Families, Deltas) {
         for (const auto& mode : modes) {
           ASSERT_LT(gap(mode.q), 1e-13 * size);
           double off = 0;
-          for (int arm = 0; arm < 3; ++arm) off = std::max(off, std::abs(std::sin((mode.q[arm] - a[arm]) / 2)));
+          for (int arm = 0; arm < 3; ++arm)
+            off = std::max(off, std::abs(std::sin((mode.q[arm] - a[arm]) / 2)));
           same = same || off < 1e-6;
           ++inverse;
         }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Generated functions of a mechanism with loops behind one interface of dynamic sizes, for tests of all of them.
+// Generated functions of a mechanism with loops behind one interface of dynamic sizes, for tests of all of
+// them.
 #pragma once
 
 #include <functional>
@@ -39,11 +40,12 @@ struct MechanismUnderTest {
   std::function<Set(const VectorXd& a)> assemble;  ///< empty without a closed form
   std::function<Set(const VectorXd& a, const VectorXd& seed)> assemble_near;
   std::function<Set(const VectorXd& outputs)> from_outputs;  ///< empty without a platform
-  std::function<VectorXd(const VectorXd& a, const VectorXd& seed)> follow;  ///< gives nothing where it does not close
+  std::function<VectorXd(const VectorXd& a, const VectorXd& seed)>
+      follow;  ///< gives nothing where it does not close
   std::function<VectorXd(const VectorXd& q)> gaps;
   std::function<MatrixXd(const VectorXd& q)> rates;
   std::function<VectorXd(const VectorXd& q, const VectorXd& qd, const VectorXd& add)> accelerations;
-  std::function<double(const VectorXd& q)> drive_measure, platform_measure;
+  std::function<double(const VectorXd&q)> drive_measure, platform_measure;
   std::function<VectorXd(const VectorXd& q, const VectorXd& ad, const VectorXd& add)> inverse_dynamics;
   std::function<VectorXd(const VectorXd& q, const VectorXd& ad, const VectorXd& forces)> forward_dynamics;
   std::function<MatrixXd(const VectorXd& q)> mass_matrix;

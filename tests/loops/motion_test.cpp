@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rates, Jacobians and dynamics of every mechanism: rates are what neighbouring assemblies say, tips move as the
-// reference's frames, motors see what multipliers say, and power in is power out.
+// Rates, Jacobians and dynamics of every mechanism: rates are what neighbouring assemblies say, tips move as
+// the reference's frames, motors see what multipliers say, and power in is power out.
 #include <cmath>
 #include <random>
 
@@ -43,7 +43,8 @@ class Motions : public testing::TestWithParam<MechanismUnderTest> {
         for (double& x : *v) x = turn(random_);
       m.q = sampled();
       if (m.q.size() == 0) continue;
-      for (int i = 0; i < mechanism_.driven; ++i) m.a[i] = m.q[mechanism_.driven_joints[static_cast<std::size_t>(i)]];
+      for (int i = 0; i < mechanism_.driven; ++i)
+        m.a[i] = m.q[mechanism_.driven_joints[static_cast<std::size_t>(i)]];
       if (mechanism_.drive_measure(m.q) < far_from_dead_centres) continue;
       m.qd = mechanism_.rates(m.q) * m.ad;
       result.push_back(m);
@@ -104,7 +105,8 @@ TEST_P(Motions, TipsAreTheReferencesFrames) {
       for (const reference::NamedFrame& frame : reference_.chain.frames) {
         if (frame.name != tip.name) continue;
         EXPECT_LT((tip.pose(m.q) - reference::pose_of(reference_.chain, frame, m.q).matrix()).norm(), 1e-12);
-        const MatrixXd expected = reference::jacobian_of(reference_.chain, frame, m.q) * mechanism_.rates(m.q);
+        const MatrixXd expected =
+            reference::jacobian_of(reference_.chain, frame, m.q) * mechanism_.rates(m.q);
         EXPECT_LT((tip.jacobian(m.q) - expected).norm(), 1e-10 * (1 + expected.norm()));
       }
     }
@@ -115,7 +117,8 @@ TEST_P(Motions, MotorsMoveTheMechanismAsMultipliersSay) {
   for (const Motion& m : motions_of(motions)) {
     VectorXd forces(mechanism_.driven), all = VectorXd::Zero(mechanism_.dof);
     for (double& force : forces) force = std::uniform_real_distribution<double>(-5, 5)(random_);
-    for (int i = 0; i < mechanism_.driven; ++i) all[mechanism_.driven_joints[static_cast<std::size_t>(i)]] = forces[i];
+    for (int i = 0; i < mechanism_.driven; ++i)
+      all[mechanism_.driven_joints[static_cast<std::size_t>(i)]] = forces[i];
     const VectorXd expected = reference::constrained_acceleration(reference_, m.q, m.qd, all);
     const VectorXd found = mechanism_.forward_dynamics(m.q, m.ad, forces);
     for (int i = 0; i < mechanism_.driven; ++i)
@@ -136,7 +139,8 @@ TEST_P(Motions, PowerInIsPowerOut) {
     }
     const auto energy = [&](double time) {
       const VectorXd q = after(m, time), qd = mechanism_.rates(q) * (m.ad + time * m.add);
-      return reference::kinetic_energy(reference_.chain, q, qd) + reference::potential_energy(reference_.chain, q);
+      return reference::kinetic_energy(reference_.chain, q, qd) +
+             reference::potential_energy(reference_.chain, q);
     };
     const double step = 1e-4;
     const double rate = (energy(step) - energy(-step)) / (2 * step);

@@ -30,7 +30,8 @@ std::vector<std::size_t> others(std::size_t count, const std::vector<std::size_t
 void give(Plan& plan, inverse::Scope& scope, const model::Robot& robot, std::size_t joint) {
   const std::string& variable = robot.joints[joint].variable;
   const bool turns = robot.joints[joint].type == model::JointType::revolute;
-  plan.joints[joint] = {turns, turns ? names::cosine(variable) : variable, turns ? names::sine(variable) : ""};
+  plan.joints[joint] = {turns, turns ? names::cosine(variable) : variable,
+                        turns ? names::sine(variable) : ""};
   if (turns) {
     const inverse::Scope::Turn turn = scope.turn(variable);
     plan.target.output(names::cosine(variable), turn.cosine);
@@ -48,7 +49,8 @@ ex square_of(const model::Displacement& displacement) {
 /// The square of a length of the mechanism's size.
 ex size_square(const AssemblyPlan& assembly) {
   ex sum = 0;
-  for (const model::Joint& joint : assembly.robot.joints) sum += square_of(joint.before) + square_of(joint.after);
+  for (const model::Joint& joint : assembly.robot.joints)
+    sum += square_of(joint.before) + square_of(joint.after);
   for (const Cycle& cycle : assembly.cycles) {
     sum += cycle.length * cycle.length;
     for (const Side& side : cycle.sides) sum += dot(side.point, side.point);
@@ -138,7 +140,8 @@ class Search {
     std::vector<std::size_t> group;
     for (const std::size_t i : open_) {
       if (cycle(i).type != model::LoopType::rod || unknowns(i) != 3) continue;
-      if (group.empty() || solver_.unknown(cycle(i)) == solver_.unknown(cycle(group.front()))) group.push_back(i);
+      if (group.empty() || solver_.unknown(cycle(i)) == solver_.unknown(cycle(group.front())))
+        group.push_back(i);
       if (group.size() == 3) break;
     }
     if (group.size() != 3) return false;
@@ -168,7 +171,8 @@ class Search {
 
   [[nodiscard]] std::string unknown_names(std::size_t i) const {
     std::string text;
-    for (const std::size_t joint : solver_.unknown(cycle(i))) text += (text.empty() ? "" : ", ") + described_[joint];
+    for (const std::size_t joint : solver_.unknown(cycle(i)))
+      text += (text.empty() ? "" : ", ") + described_[joint];
     return text;
   }
 
@@ -176,9 +180,11 @@ class Search {
     const std::string head = "loop " + std::to_string(cycle(i).number) + " has no closed form: ";
     const std::size_t count = unknowns(i);
     if (cycle(i).type == model::LoopType::rod)
-      return head + "its rod places one joint, and " + unknown_names(i) + " are open; drive all but one of them";
+      return head + "its rod places one joint, and " + unknown_names(i) +
+             " are open; drive all but one of them";
     if (!cycle(i).normal)
-      return head + "its axes are not all parallel; in space, write rods in place of links with balls at both ends";
+      return head +
+             "its axes are not all parallel; in space, write rods in place of links with balls at both ends";
     if (const std::string gap = gap_along_normal(i); !gap.empty()) return gap;
     if (count < 2)
       return head + "it has two equations, and only " + unknown_names(i) +

@@ -13,8 +13,8 @@ using symbolic::symbol;
 using symbolic::Vector;
 namespace names = inverse::names;
 
-/// Two directions across a loop's normal, at right angles to each other and of any length: what the gap is measured
-/// along. Coordinate axes where the normal is one.
+/// Two directions across a loop's normal, at right angles to each other and of any length: what the gap is
+/// measured along. Coordinate axes where the normal is one.
 std::array<Vector, 2> across(const Vector& normal) {
   const Vector x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
   if (normal.x.is_zero() && normal.y.is_zero()) return {x, y};
@@ -49,9 +49,7 @@ class Equations {
     return c * gap.diff(s) - s * gap.diff(c);
   }
 
-  [[nodiscard]] ex rate(std::size_t joint) const {
-    return symbol("rate_" + robot_.joints[joint].variable);
-  }
+  [[nodiscard]] ex rate(std::size_t joint) const { return symbol("rate_" + robot_.joints[joint].variable); }
 
  private:
   [[nodiscard]] inverse::Scope::Turn value(std::size_t joint) const {

@@ -63,8 +63,8 @@ std::optional<Vector> normal_of(const model::Robot& robot, const Cycle& cycle, c
         if ((robot.joints[side.joints[i]].type == model::JointType::revolute) != turns) continue;
         if (turns && !normal) normal = scope.clean(directions[i]);
         if (!normal) return std::nullopt;
-        const bool fits = turns ? scope.is_zero(cross(directions[i], *normal))
-                                : scope.is_zero(dot(directions[i], *normal));
+        const bool fits =
+            turns ? scope.is_zero(cross(directions[i], *normal)) : scope.is_zero(dot(directions[i], *normal));
         if (!fits) return std::nullopt;
       }
     }
@@ -103,9 +103,10 @@ void check_axis(const model::Loop& loop, const model::Robot& robot, const Cycle&
     axis = at_zero.lifted_direction(side, static_cast<int>(side.joints.size()) - 1, axis, -1);
   }
   if (!scope.is_zero(cross(axis, *cycle.normal)))
-    throw std::domain_error("loop " + std::to_string(cycle.number) +
-                            ": the pin's axis is not parallel to the axes of the loop's joints, so that nothing "
-                            "moves; correct `axis`, or make it a ball");
+    throw std::domain_error(
+        "loop " + std::to_string(cycle.number) +
+        ": the pin's axis is not parallel to the axes of the loop's joints, so that nothing "
+        "moves; correct `axis`, or make it a ball");
 }
 
 }  // namespace
@@ -149,7 +150,8 @@ Vector Carrier::lifted(const Side& side, int from, const Vector& x, int to) cons
   };
   Vector v = symbolic::to_symbolic(joint(from).before) * x;
   for (int i = from - 1; i > to; --i) {
-    v = moved(side.joints[static_cast<std::size_t>(i)], symbolic::to_symbolic(joint(i).after) * v, false, false);
+    v = moved(side.joints[static_cast<std::size_t>(i)], symbolic::to_symbolic(joint(i).after) * v, false,
+              false);
     v = symbolic::to_symbolic(joint(i).before) * v;
   }
   return to < 0 ? v : symbolic::to_symbolic(joint(to).after) * v;

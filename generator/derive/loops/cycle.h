@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A closure and the joints around it. The two links that meet have a last common link; from it one side of the loop
-// leads to either end. Points and directions are carried along a side, joint by joint, so that an equation can be
-// written in the frame of whichever joint it is to be solved for.
+// A closure and the joints around it. The two links that meet have a last common link; from it one side of
+// the loop leads to either end. Points and directions are carried along a side, joint by joint, so that an
+// equation can be written in the frame of whichever joint it is to be solved for.
 #pragma once
 
 #include <array>
@@ -26,8 +26,8 @@ struct Cycle {
   model::LoopType type = model::LoopType::pin;
   std::array<Side, 2> sides;
   GiNaC::ex length = 0;  ///< of a rod
-  /// Unit vector that all axes of the loop are parallel to and all slides at right angles to, in the frame of the
-  /// common link; nothing if the loop moves in space.
+  /// Unit vector that all axes of the loop are parallel to and all slides at right angles to, in the frame of
+  /// the common link; nothing if the loop moves in space.
   std::optional<symbolic::Vector> normal = {};
 
   /// Joints of both sides, sorted.
@@ -46,8 +46,8 @@ struct Carrier {
   std::function<inverse::Scope::Turn(std::size_t joint)> value;
   std::function<symbolic::Vector(const symbolic::Vector&)> name = {};
 
-  /// From the frame in front of joint `from`'s motion (place in the side) to the frame behind that of joint `to`,
-  /// an earlier one; -1: to the common link's frame.
+  /// From the frame in front of joint `from`'s motion (place in the side) to the frame behind that of joint
+  /// `to`, an earlier one; -1: to the common link's frame.
   [[nodiscard]] symbolic::Vector lifted(const Side& side, int from, const symbolic::Vector& x, int to) const;
   [[nodiscard]] symbolic::Vector lifted_direction(const Side& side, int from, const symbolic::Vector& d,
                                                   int to) const;

@@ -105,7 +105,8 @@ std::string Solver::rod(const Cycle& cycle) {
   const Screw screw = screw_of(at.joint);
   const Vector y = kept(carrier().end(*at.side, at.index)), q = goal(at);
   const Flat arm = in_frame(screw, y, scope_), to = in_frame(screw, q, scope_);
-  if (scope_.is_zero(square(arm))) return "the rod of " + loop_name(cycle) + " ends on the axis of " + screw.variable;
+  if (scope_.is_zero(square(arm)))
+    return "the rod of " + loop_name(cycle) + " ends on the axis of " + screw.variable;
   const ex height = scope_.clean(dot(screw.axis, q - y));
   const ex distance = kept(cycle.length * cycle.length - height * height);
   builder_.turn_by_distance(screw, 1, negative(to), arm, distance,
@@ -183,10 +184,9 @@ std::string Solver::turn_and_slide(const Cycle& cycle, const Place& turn, const 
   const Flat d = in_frame(screw, goal_by(turn, slide), scope_);
   const Flat level{-d.y, d.x};
   if (scope_.is_zero(square(start))) return loop_name(cycle) + " closes on the axis of " + screw.variable;
-  builder_.turn_by_line(screw,
-                        {kept(level.x * start.x + level.y * start.y), kept(level.y * start.x - level.x * start.y)},
-                        kept(level.x * to.x + level.y * to.y), closes + "the distance from the line of " +
-                        along.variable);
+  builder_.turn_by_line(
+      screw, {kept(level.x * start.x + level.y * start.y), kept(level.y * start.x - level.x * start.y)},
+      kept(level.x * to.x + level.y * to.y), closes + "the distance from the line of " + along.variable);
   know(turn.joint);
   const inverse::Scope::Turn by = builder_.value(screw);
   const Flat end{by.cosine * start.x - by.sine * start.y, by.sine * start.x + by.cosine * start.y};
@@ -207,9 +207,7 @@ std::string Solver::two_slides(const Cycle& cycle, const Place& s, const Place& 
   const Vector gap = kept(carrier().end(cycle.sides[1], -1) - carrier().end(cycle.sides[0], -1));
   // Coordinates along a and across it.
   const Vector across = cross(n, a);
-  const auto flat = [&](const Vector& v) {
-    return Flat{kept(dot(a, v)), kept(dot(across, v))};
-  };
+  const auto flat = [&](const Vector& v) { return Flat{kept(dot(a, v)), kept(dot(across, v))}; };
   const Flat first = flat(a), second = flat(b), to = flat(gap);
   if (scope_.is_zero(second.y)) return loop_name(cycle) + ": its two slides are parallel";
   builder_.slide_by_value(screw_of(t.joint), to.y / second.y, loop_name(cycle) + ": the way across");
@@ -245,8 +243,9 @@ std::string Solver::three_spheres(const std::vector<const Cycle*>& cycles) {
   const ex k = kept((dot(a, a) + length_square(0) - length_square(1)) / 2);
   const ex l = kept((dot(b, b) + length_square(0) - length_square(2)) / 2);
   const Vector foot = kept(ex(1) / normal_square * (k * cross(b, normal) + l * cross(normal, a)));
-  const std::string rods = "loops " + std::to_string(cycles[0]->number) + ", " + std::to_string(cycles[1]->number) +
-                           " and " + std::to_string(cycles[2]->number) + ": three spheres meet";
+  const std::string rods = "loops " + std::to_string(cycles[0]->number) + ", " +
+                           std::to_string(cycles[1]->number) + " and " + std::to_string(cycles[2]->number) +
+                           ": three spheres meet";
   const ex height = builder_.root("height_" + std::to_string(cycles[0]->number), length_square(0),
                                   kept(dot(foot, foot)), rods);
   const Vector point = kept(centre[0] + foot + height / GiNaC::sqrt(normal_square) * normal);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Steps that solve closures for the joints that they hold, each with the equation of inverse kinematics that fits.
+// Steps that solve closures for the joints that they hold, each with the equation of inverse kinematics that
+// fits.
 #pragma once
 
 #include <set>

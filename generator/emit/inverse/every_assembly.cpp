@@ -27,7 +27,8 @@ class EveryAssembly : public Walk {
 
   void row(const Place& at, Statements& to) override {
     to.push_back(ast::evaluate(
-        ast::call(Kind::own, "take", {target(), ast::name("q"), times(1, at.label), branch(at.work), ast::name("found")})));
+        ast::call(Kind::own, "take",
+                  {target(), ast::name("q"), times(1, at.label), branch(at.work), ast::name("found")})));
   }
   void fork(const BranchNode& node, const Place& at, Statements& to) override {
     loop_of_signs(node, at, false, to);
@@ -41,11 +42,15 @@ class EveryAssembly : public Walk {
   }
   void newton(const BranchNode& /*node*/, const Place& /*at*/, Statements& /*to*/) override { refuse(); }
   void wrist(std::size_t /*step*/, const Place& /*at*/, Statements& /*to*/) override { refuse(); }
-  [[noreturn]] static void refuse() { throw std::logic_error("closed loops have neither wrists nor Newton steps"); }
+  [[noreturn]] static void refuse() {
+    throw std::logic_error("closed loops have neither wrists nor Newton steps");
+  }
 };
 
 }  // namespace
 
-ast::Statements every_assembly(const derive::inverse::LoweredPlan& plan) { return EveryAssembly(plan).write(); }
+ast::Statements every_assembly(const derive::inverse::LoweredPlan& plan) {
+  return EveryAssembly(plan).write();
+}
 
 }  // namespace qvgen::emit

@@ -6,8 +6,8 @@
 
 namespace qvgen::emit {
 
-/// Follows all branches of a plan of closed loops one after the other. Each row goes to the generated function
-/// `take(t, q, label, branch, found)`, which puts the given joints beside it.
+/// Follows all branches of a plan of closed loops one after the other. Each row goes to the generated
+/// function `take(t, q, label, branch, found)`, which puts the given joints beside it.
 ast::Statements every_assembly(const derive::inverse::LoweredPlan& plan);
 
 }  // namespace qvgen::emit

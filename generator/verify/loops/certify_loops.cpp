@@ -73,7 +73,9 @@ LoopCertificate certify_loops(const model::Mechanism& mechanism, const AssemblyP
   const std::size_t rows = derive::loops::constraints_of(assembly).rows;
   for (int k = 0; k < inputs; ++k) {
     const auto q = numbers.assembled(static_cast<unsigned>(k + 1));
-    if (!q) throw std::domain_error("no joint values were found at which all loops close; correct lengths or points");
+    if (!q)
+      throw std::domain_error(
+          "no joint values were found at which all loops close; correct lengths or points");
     Values values = geometry_of(assembly);
     for (const std::size_t joint : assembly.given)
       put(assembly.robot.joints[joint], Real((*q)[static_cast<Eigen::Index>(joint)]), values);

@@ -89,7 +89,8 @@ std::vector<std::size_t> still_in(const MatrixXd& jacobian) {
   const MatrixXd motions = svd.matrixV().rightCols(jacobian.cols() - rank);
   std::vector<std::size_t> result;
   for (Eigen::Index i = 0; i < motions.rows(); ++i)
-    if (motions.cols() == 0 || motions.row(i).norm() < rank_share) result.push_back(static_cast<std::size_t>(i));
+    if (motions.cols() == 0 || motions.row(i).norm() < rank_share)
+      result.push_back(static_cast<std::size_t>(i));
   return result;
 }
 
@@ -210,8 +211,9 @@ Mobility mobility_of(const model::Mechanism& mechanism) {
 
 std::vector<std::string> text_of(const Mobility& mobility, const model::Mechanism& mechanism) {
   if (!mobility.assembled)
-    return {"the loops cannot be closed together: no joint values were found at which all of them are; "
-            "correct lengths or points"};
+    return {
+        "the loops cannot be closed together: no joint values were found at which all of them are; "
+        "correct lengths or points"};
   std::vector<std::string> lines;
   const int driven = static_cast<int>(mechanism.loops.actuated.size());
   std::string count = count_of(mobility.free, "freedom") + ", " + std::to_string(driven) + " driven";
@@ -220,7 +222,8 @@ std::vector<std::string> text_of(const Mobility& mobility, const model::Mechanis
              ", since it does not see that axes are parallel";
   lines.push_back(count);
   for (const std::size_t loop : mobility.redundant)
-    lines.push_back("loop " + std::to_string(loop + 1) + " is redundant: the loops before it hold all that it holds");
+    lines.push_back("loop " + std::to_string(loop + 1) +
+                    " is redundant: the loops before it hold all that it holds");
   for (const std::size_t joint : mobility.still)
     lines.push_back("joint " + mechanism.robot.joints[joint].variable + " never moves");
   return lines;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Assemblies of closed loops: joint values of the whole mechanism for given values of some of its joints. The equations
-// are those of inverse kinematics, and so is the set: rows with branches, a status, orders and limits. What belongs to
-// loops alone is here: where two assemblies meet, and how passive joints move with the given ones.
+// Assemblies of closed loops: joint values of the whole mechanism for given values of some of its joints. The
+// equations are those of inverse kinematics, and so is the set: rows with branches, a status, orders and
+// limits. What belongs to loops alone is here: where two assemblies meet, and how passive joints move with
+// the given ones.
 #pragma once
 
 #include <array>
@@ -16,11 +17,13 @@
 
 namespace qvgen {
 
-/// Assemblies for given joints, in the order of their branches, none twice. A row has the values of all joints. Its
-/// branch is a number of which sign each step took, which stays along a path without dead centres.
+/// Assemblies for given joints, in the order of their branches, none twice. A row has the values of all
+/// joints. Its branch is a number of which sign each step took, which stays along a path without dead
+/// centres.
 ///
-/// Status: `unreachable` if the loops cannot be closed there, `singular` if a row's passive joint is free (its
-/// `continuum`), `incomplete` if an equation has lost its meaning (three centres in line), `invalid` for NaN.
+/// Status: `unreachable` if the loops cannot be closed there, `singular` if a row's passive joint is free
+/// (its `continuum`), `incomplete` if an equation has lost its meaning (three centres in line), `invalid` for
+/// NaN.
 template <int dof, int capacity>
 struct Assemblies : Solutions<dof, capacity> {
   std::bitset<static_cast<std::size_t>(capacity)> meeting;  ///< by branch
@@ -38,8 +41,8 @@ inline constexpr double same_assembly = 6e-8;
 
 /// Appends a row, but for one that an earlier row it meets is; for generated code.
 template <int dof, int capacity, std::size_t count>
-void append_assembly(Assemblies<dof, capacity>& found, const Joints<dof>& q, int branch, bool is_free, bool meets,
-                     const std::array<bool, count>& revolute) {
+void append_assembly(Assemblies<dof, capacity>& found, const Joints<dof>& q, int branch, bool is_free,
+                     bool meets, const std::array<bool, count>& revolute) {
   if (meets)
     for (const Solution<dof>& row : found)
       if (found.meets(row) && joint_distance<dof>(row.q, q, revolute) < same_assembly) return;
@@ -55,7 +58,8 @@ constexpr Boundary boundary_of_loops() {
   return boundary;
 }
 
-/// Brings angles next to those of the seed by whole turns, and sorts the rows by their distance from it, nearest first.
+/// Brings angles next to those of the seed by whole turns, and sorts the rows by their distance from it,
+/// nearest first.
 template <int dof, int capacity, std::size_t count>
 void put_near(Assemblies<dof, capacity>& found, const Joints<dof>& seed, const std::array<bool, count>& given,
               const std::array<bool, count>& revolute) {
@@ -70,15 +74,16 @@ void put_near(Assemblies<dof, capacity>& found, const Joints<dof>& seed, const s
 
 /// Columns of a matrix, in that order.
 template <int rows, int dof, std::size_t count>
-Eigen::Matrix<double, rows, static_cast<int>(count)> columns_of(const Eigen::Matrix<double, rows, dof>& matrix,
-                                                                const std::array<int, count>& columns) {
+Eigen::Matrix<double, rows, static_cast<int>(count)> columns_of(
+    const Eigen::Matrix<double, rows, dof>& matrix, const std::array<int, count>& columns) {
   Eigen::Matrix<double, rows, static_cast<int>(count)> result;
   for (std::size_t i = 0; i < count; ++i) result.col(static_cast<int>(i)) = matrix.col(columns[i]);
   return result;
 }
 
-/// Rates of all joints for rates of the given ones: dq/da, one row a joint and one column a given joint. `jacobian` has
-/// the loops' equations by all joints, as many rows as there are passive joints. Not finite at dead centres.
+/// Rates of all joints for rates of the given ones: dq/da, one row a joint and one column a given joint.
+/// `jacobian` has the loops' equations by all joints, as many rows as there are passive joints. Not finite at
+/// dead centres.
 template <int rows, int dof, std::size_t passive_count, std::size_t given_count>
 Eigen::Matrix<double, dof, static_cast<int>(given_count)> loop_rates(
     const Eigen::Matrix<double, rows, dof>& jacobian, const std::array<int, passive_count>& passive,
@@ -94,8 +99,8 @@ Eigen::Matrix<double, dof, static_cast<int>(given_count)> loop_rates(
   return rates;
 }
 
-/// Accelerations of all joints at which the given ones have none: what their rates alone make of the passive ones.
-/// `bias` is the loops' second derivative by time at those rates.
+/// Accelerations of all joints at which the given ones have none: what their rates alone make of the passive
+/// ones. `bias` is the loops' second derivative by time at those rates.
 template <int rows, int dof, std::size_t passive_count>
 Joints<dof> loop_bias(const Eigen::Matrix<double, rows, dof>& jacobian,
                       const std::array<int, passive_count>& passive,
@@ -107,8 +112,9 @@ Joints<dof> loop_bias(const Eigen::Matrix<double, rows, dof>& jacobian,
   return result;
 }
 
-/// Measure, from 0 to 1, of how well some joints are held by the loops if the others are given: 0 where they can move
-/// although the others stand still. The determinant by these joints, divided by the lengths of its rows.
+/// Measure, from 0 to 1, of how well some joints are held by the loops if the others are given: 0 where they
+/// can move although the others stand still. The determinant by these joints, divided by the lengths of its
+/// rows.
 template <int rows, int dof>
 double loop_measure(const Eigen::Matrix<double, rows, dof>& jacobian, const std::array<int, rows>& held) {
   const Eigen::Matrix<double, rows, rows> part = columns_of(jacobian, held);
@@ -124,9 +130,10 @@ struct Followed {
   bool closed = false;  ///< false: Newton's steps have not closed the loops; q is where they have ended
 };
 
-/// Follows the loops to new values of the given joints, from joints nearby, by Newton's steps of the passive ones: 30 at
-/// most, each of no more than 0.5 rad or m. `gaps` and `jacobian` are functions of q; `enough` is the gap, m, that counts
-/// as closed. It is an iteration: it leads to one assembly, which need not be the seed's where the way is long.
+/// Follows the loops to new values of the given joints, from joints nearby, by Newton's steps of the passive
+/// ones: 30 at most, each of no more than 0.5 rad or m. `gaps` and `jacobian` are functions of q; `enough` is
+/// the gap, m, that counts as closed. It is an iteration: it leads to one assembly, which need not be the
+/// seed's where the way is long.
 template <int dof, std::size_t passive_count, class Gaps, class Jacobian>
 Followed<dof> follow_loops(Joints<dof> q, const std::array<int, passive_count>& passive, const Gaps& gaps,
                            const Jacobian& jacobian, double enough) {

@@ -30,7 +30,8 @@ Eigen::Index joint_named(const Chain& chain, const std::string& name) {
 std::vector<Eigen::Index> joints_in(const toml::table& file, const char* key, const Chain& chain) {
   std::vector<Eigen::Index> joints;
   if (const toml::array* list = file[key].as_array())
-    for (const toml::node& name : *list) joints.push_back(joint_named(chain, name.value<std::string>().value()));
+    for (const toml::node& name : *list)
+      joints.push_back(joint_named(chain, name.value<std::string>().value()));
   return joints;
 }
 
@@ -52,8 +53,9 @@ struct Ends {
 Ends ends_of(const LoopMechanism& mechanism, const Closure& closure, const std::vector<Isometry3d>& frames) {
   Ends ends;
   for (std::size_t i = 0; i < 2; ++i)
-    ends.at[i] = (closure.links[i] < 0 ? mechanism.chain.base : frames[static_cast<std::size_t>(closure.links[i])]) *
-                 closure.points[i];
+    ends.at[i] =
+        (closure.links[i] < 0 ? mechanism.chain.base : frames[static_cast<std::size_t>(closure.links[i])]) *
+        closure.points[i];
   return ends;
 }
 

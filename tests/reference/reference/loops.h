@@ -7,8 +7,8 @@
 #include "reference/chain.h"
 #include "reference/expression.h"
 
-/// Closed loops in numbers: gaps between points of links, by homogeneous matrices, and motions that keep them closed, by
-/// multipliers. Nothing is solved for joints here but by Newton's steps.
+/// Closed loops in numbers: gaps between points of links, by homogeneous matrices, and motions that keep them
+/// closed, by multipliers. Nothing is solved for joints here but by Newton's steps.
 namespace reference {
 
 /// Two points of links: together, or a length apart.
@@ -32,7 +32,8 @@ VectorXd gaps(const LoopMechanism& mechanism, const VectorXd& q);
 /// Their derivatives by all joints, by cross products.
 MatrixXd gap_jacobian(const LoopMechanism& mechanism, const VectorXd& q);
 
-/// Passive joints for given ones (indices) at which all gaps vanish, from many starts: each once, angles in (-pi, pi].
+/// Passive joints for given ones (indices) at which all gaps vanish, from many starts: each once, angles in
+/// (-pi, pi].
 std::vector<VectorXd> assemblies(const LoopMechanism& mechanism, const VectorXd& q,
                                  const std::vector<Eigen::Index>& given, int starts, unsigned seed);
 
