@@ -73,7 +73,7 @@ TEST(LoopDescription, WantsToKnowWhichJointsAreDriven) {
   EXPECT_THAT(first_error(text), HasSubstr("actuated"));
   std::string twice = two_links + rod("[\"a\", \"b\"]") + tip;
   twice.replace(twice.find("[\"a\"]"), 5, "[\"a\", \"a\"]");
-  EXPECT_THAT(first_error(twice), HasSubstr("m.toml:3:19: error: 'actuated' names this joint twice"));
+  EXPECT_THAT(first_error(twice), HasSubstr("m.toml:3:18: error: 'actuated' names this joint twice"));
 }
 
 TEST(LoopDescription, RefusesDrivenJointsWithoutLoops) {

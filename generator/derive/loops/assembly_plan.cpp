@@ -200,13 +200,30 @@ class Search {
   std::vector<std::size_t> open_;
 };
 
+/// Names of joints as the description has them, in a text of the derivation.
+std::string with_described_names(std::string text, const model::Robot& robot,
+                                 const std::vector<std::string>& described) {
+  // From the last one on: joint12 before joint1.
+  for (std::size_t i = described.size(); i-- > 0;) {
+    const std::string& name = robot.joints[i].variable;
+    if (name == described[i]) continue;
+    for (auto at = text.find(name); at != std::string::npos; at = text.find(name, at + described[i].size()))
+      text.replace(at, name.size(), described[i]);
+  }
+  return text;
+}
+
 /// Places in a row, the number of branches, and what steps leave for later ones.
-void conclude(AssemblyPlan& assembly) {
+void conclude(AssemblyPlan& assembly, const std::vector<std::string>& described) {
   Plan& plan = assembly.plan;
   for (std::size_t i = 0; i < assembly.robot.joints.size(); ++i) plan.places.push_back(static_cast<int>(i));
   plan.row_size = static_cast<int>(assembly.robot.joints.size());
   plan.capacity = 1;
   for (const inverse::Step& step : plan.steps) plan.capacity *= step.branches;
+  for (inverse::Step& step : plan.steps) {
+    step.equation = with_described_names(step.equation, assembly.robot, described);
+    step.degenerate = with_described_names(step.degenerate, assembly.robot, described);
+  }
   plan.structure = "closed loops, one after the other";
   inverse::prune(plan);
 }
@@ -224,9 +241,9 @@ AssemblyPlan assembly_plan(const model::Mechanism& mechanism, const std::vector<
   assembly.cycles = cycles_of(mechanism, assembly.robot, scope);
   inverse::Builder builder(assembly.robot, scope, assembly.plan);
   for (const std::size_t joint : given) give(assembly.plan, scope, assembly.robot, joint);
-  scope.define(assembly.plan.target, names::size_square, size_square(assembly));
+  scope.rename(assembly.plan.target, names::size_square, size_square(assembly));
   Search(assembly, described, scope, builder).run();
-  if (assembly.found) conclude(assembly);
+  if (assembly.found) conclude(assembly, described);
   return assembly;
 }
 

@@ -164,7 +164,10 @@ std::optional<VectorXd> LoopNumbers::closed_from(VectorXd q) const {
     const VectorXd off = gaps(q);
     if (!off.allFinite() || off.norm() > 1e6 * size_) return std::nullopt;
     if (off.cwiseAbs().maxCoeff() < 1e-13 * size_) return q;
-    VectorXd way = jacobian(q).completeOrthogonalDecomposition().solve(off);
+    // Redundant equations differ by rounding: what they say of each other is no motion.
+    Eigen::CompleteOrthogonalDecomposition<MatrixXd> factors;
+    factors.setThreshold(rank_share * 10);
+    VectorXd way = factors.compute(jacobian(q)).solve(off);
     const double longest = way.cwiseAbs().maxCoeff();
     if (longest > 0.5) way *= 0.5 / longest;
     q -= way;
@@ -200,10 +203,12 @@ Mobility mobility_of(const model::Mechanism& mechanism) {
     const int free = result.joints - rank_of(jacobian);
     const auto redundant = redundant_in(jacobian, numbers.loop_of_row());
     const auto still = still_in(jacobian);
-    // A random point may be next to a singular one, where more seems free: the least counts.
-    result.free = result.assembled ? std::min(result.free, free) : free;
-    result.redundant = result.assembled ? in_both(result.redundant, redundant) : redundant;
-    result.still = result.assembled ? in_both(result.still, still) : still;
+    // Assemblies may be of several kinds, some of which do not move: those that move most count.
+    if (result.assembled && free < result.free) continue;
+    const bool is_first = !result.assembled || free > result.free;
+    result.free = free;
+    result.redundant = is_first ? redundant : in_both(result.redundant, redundant);
+    result.still = is_first ? still : in_both(result.still, still);
     result.assembled = true;
   }
   return result;

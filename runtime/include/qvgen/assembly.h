@@ -115,8 +115,8 @@ Joints<dof> loop_bias(const Eigen::Matrix<double, rows, dof>& jacobian,
 /// Measure, from 0 to 1, of how well some joints are held by the loops if the others are given: 0 where they
 /// can move although the others stand still. The determinant by these joints, divided by the lengths of its
 /// rows.
-template <int rows, int dof>
-double loop_measure(const Eigen::Matrix<double, rows, dof>& jacobian, const std::array<int, rows>& held) {
+template <int rows, int dof, std::size_t count>
+double loop_measure(const Eigen::Matrix<double, rows, dof>& jacobian, const std::array<int, count>& held) {
   const Eigen::Matrix<double, rows, rows> part = columns_of(jacobian, held);
   double lengths = 1;
   for (int i = 0; i < rows; ++i) lengths *= jacobian.row(i).norm();

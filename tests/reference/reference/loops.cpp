@@ -15,7 +15,7 @@
 namespace reference {
 namespace {
 
-double number(const toml::node& node, const Values& values) {
+double value_of(const toml::node& node, const Values& values) {
   if (const auto text = node.value_exact<std::string>()) return evaluate(*text, values);
   return node.value<double>().value();
 }
@@ -40,9 +40,9 @@ Closure closure_of(const toml::table& table, const Chain& chain, const Values& v
   for (std::size_t i = 0; i < 2; ++i) {
     closure.links[i] = joint_named(chain, table["between"][i].value<std::string>().value());
     for (std::size_t k = 0; k < 3; ++k)
-      closure.points[i][static_cast<Eigen::Index>(k)] = number(*table["at"][i][k].node(), values);
+      closure.points[i][static_cast<Eigen::Index>(k)] = value_of(*table["at"][i][k].node(), values);
   }
-  if (const toml::node* length = table.get("length")) closure.length = number(*length, values);
+  if (const toml::node* length = table.get("length")) closure.length = value_of(*length, values);
   return closure;
 }
 
@@ -93,7 +93,7 @@ LoopMechanism load_loops(const std::filesystem::path& path, const Values& given)
   const toml::table file = toml::parse_file(path.string());
   Values values = given;
   if (const toml::table* defaults = file["defaults"].as_table())
-    for (const auto& [key, node] : *defaults) values.emplace(std::string(key.str()), number(node, {}));
+    for (const auto& [key, node] : *defaults) values.emplace(std::string(key.str()), value_of(node, {}));
   LoopMechanism mechanism;
   mechanism.chain = load(path, given);
   mechanism.size = 0;
