@@ -4,6 +4,7 @@
 #include "cli/commands.h"
 #include "cli/verdict.h"
 #include "pipeline/limbs.h"
+#include "pipeline/loop_lines.h"
 #include "pipeline/pipeline.h"
 #include "pipeline/products/inverse_derivation.h"
 
@@ -76,6 +77,24 @@ std::vector<Checked> all_of(const std::vector<description::ReadResult>& results)
   return all;
 }
 
+/// Prints freedoms and closed forms of loops; what is wrong with them is an error at the robot's place.
+ExitCode check_loops(const description::Diagnostic& place, const model::Mechanism& mechanism) {
+  const auto work = [&] {
+    const LoopLines loops = loop_lines(mechanism, false);
+    for (const std::string& line : loops.lines) fmt::print("{}: {}\n", mechanism.robot.name, line);
+    for (const std::string& problem : loops.problems) {
+      description::Diagnostic error = place;
+      error.severity = description::Diagnostic::error;
+      error.message = problem;
+      error.hint.clear();
+      fmt::print(stderr, "{}\n", description::to_string(error));
+    }
+    std::fflush(stdout);
+    return static_cast<int>(loops.problems.empty() ? success : bad_description);
+  };
+  return static_cast<ExitCode>(bounded("check " + mechanism.robot.name, {}, work));
+}
+
 }  // namespace
 
 int run_check(const std::vector<std::filesystem::path>& descriptions, const description::ReadOptions& options,
@@ -92,6 +111,9 @@ int run_check(const std::vector<std::filesystem::path>& descriptions, const desc
     fmt::print("{}: {} ({}), {} geometric parameters\n", robots[i].name, robots[i].title,
                letters_of(robots[i]), robots[i].geometry.size());
   }
+  std::fflush(stdout);
+  for (const description::ReadResult& result : *results)
+    if (!result.loops.empty()) verdict = worse(verdict, check_loops(result.name_place, mechanism_of(result)));
   return verdict;
 }
 

@@ -35,7 +35,8 @@ void add_generate(CommandLine& line) {
       .add_option(
           "--only", generate.parts,
           "parts to generate: model, kinematics, inverse, arm_angle, jacobian, from_ideal, dynamics; "
-          "all of these without. Headers of dynamics that a description leaves out have names too: "
+          "all of these without, and assembly of mechanisms with loops. Headers of dynamics that a "
+          "description leaves out have names too: "
           "dynamics_derivatives, dynamics_loads, regressor. Others are made if they are named: batch, forms "
           "of the other parts "
           "named for many at once; frames, poses and Jacobians of links and named frames; mass, the "

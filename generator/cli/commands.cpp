@@ -22,6 +22,7 @@
 #include "model/links.h"
 #include "optimise/dynamics.h"
 #include "pipeline/files.h"
+#include "pipeline/loop_lines.h"
 #include "pipeline/output_folder.h"
 #include "pipeline/products/inverse_derivation.h"
 #include "report/class_lines.h"
@@ -192,10 +193,23 @@ int show(const model::Robot& whole, const ShowArguments& arguments) {
   return failure;
 }
 
+/// The derivation of closed loops, step by step, in a process of its own.
+int show_loops(const model::Mechanism& mechanism) {
+  return pipeline::bounded("show " + mechanism.robot.name, {}, [&] {
+    const pipeline::LoopLines loops = pipeline::loop_lines(mechanism, true);
+    for (const std::string& line : loops.lines) fmt::print("{}\n", line);
+    for (const std::string& problem : loops.problems) fmt::print(stderr, "qvgen: {}\n", problem);
+    return static_cast<int>(loops.problems.empty() ? success : failure);
+  });
+}
+
 }  // namespace
 
 int run_show(const ShowArguments& arguments) {
-  const auto robots = read_robots({arguments.description}, arguments.read);
+  const auto results = read_descriptions({arguments.description}, arguments.read);
+  if (!results) return bad_description;
+  if (!results->front().loops.empty()) return show_loops(mechanism_of(results->front()));
+  const auto robots = robots_of(*results);
   if (!robots) return bad_description;
   return pipeline::bounded("show " + robots->front().name, {},
                            [&] { return show(robots->front(), arguments); });

@@ -144,6 +144,9 @@ std::optional<std::vector<description::ReadResult>> read_chains(
 std::optional<std::vector<model::Robot>> read_robots(const std::vector<std::filesystem::path>& paths,
                                                      const description::ReadOptions& options);
 
+/// Returns robots that were read; nothing if the joints of one branch, which is reported.
+std::optional<std::vector<model::Robot>> robots_of(const std::vector<description::ReadResult>& results);
+
 /// Every *.toml of a folder, sorted by name.
 std::vector<std::filesystem::path> descriptions_in(const std::filesystem::path& folder);
 

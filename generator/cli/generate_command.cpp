@@ -12,6 +12,7 @@
 #include "cli/suggestion.h"
 #include "cli/verdict.h"
 #include "exact/hash.h"
+#include "pipeline/assembly.h"
 #include "pipeline/files.h"
 #include "pipeline/folder_state.h"
 #include "pipeline/limbs.h"
@@ -33,6 +34,7 @@ struct Task {
   std::string origin;
   std::string key;
   std::vector<model::Frame> tips = {};
+  model::Loops loops = {};
 };
 
 /// A limb may be called like another robot.
@@ -75,12 +77,13 @@ std::vector<Task> tasks_of(const GenerateArguments& arguments,
     const std::string made_of =
         fmt::format("{}\n{}\n{}\n{}\n{}{}", arguments.tool, fmt::join(parts, ","), origin,
                     snap_text(arguments.read), descriptions[i].text, fingerprints(descriptions[i].files));
-    const auto add = [&](const model::Robot& robot, const std::vector<model::Frame>& tips) {
+    const auto add = [&](const model::Robot& robot, const std::vector<model::Frame>& tips,
+                         const model::Loops& loops) {
       tasks.push_back(
-          {robot, folder_name(robot.name, arguments.language), origin, fingerprint(made_of), tips});
+          {robot, folder_name(robot.name, arguments.language), origin, fingerprint(made_of), tips, loops});
     };
-    add(mechanism.robot, mechanism.tips);
-    for (const model::Robot& limb : limbs_of(mechanism)) add(limb, {});
+    add(mechanism.robot, mechanism.tips, mechanism.loops);
+    for (const model::Robot& limb : limbs_of(mechanism)) add(limb, {}, {});
   }
   check_names(tasks);
   return tasks;
@@ -123,10 +126,14 @@ FolderUpdate update_of(const GenerateArguments& arguments, const std::vector<Tas
   std::vector<RobotOutput> outputs = generate(
       robots, arguments.parts, arguments.budget, [&](const std::string& robot) { line.finished(robot); },
       arguments.language);
+  const auto& parts = arguments.parts;
+  const bool has_assembly = parts.empty() || std::find(parts.begin(), parts.end(), "assembly") != parts.end();
   FolderUpdate update;
   for (std::size_t i = 0; i < outputs.size(); ++i) {
-    if (!changed[i].tips.empty() && arguments.language == Language::cxx)
-      add_limbs({changed[i].robot, changed[i].tips}, outputs[i]);
+    const bool in_cxx = arguments.language == Language::cxx;
+    if (!changed[i].tips.empty() && in_cxx) add_limbs({changed[i].robot, changed[i].tips}, outputs[i]);
+    if (!changed[i].loops.empty() && in_cxx && has_assembly)
+      add_assembly({changed[i].robot, changed[i].tips, changed[i].loops}, outputs[i]);
     const std::string key = is_final(outputs[i]) ? changed[i].key : "";
     update.robots.push_back({std::move(outputs[i]), changed[i].origin, key});
   }

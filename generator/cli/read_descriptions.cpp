@@ -134,29 +134,42 @@ std::optional<std::vector<ReadResult>> read_descriptions(const std::vector<fs::p
   return results;
 }
 
-model::Mechanism mechanism_of(const ReadResult& result) { return {result.robot.value(), result.tips}; }
+model::Mechanism mechanism_of(const ReadResult& result) {
+  return {result.robot.value(), result.tips, result.loops};
+}
 
-std::optional<std::vector<ReadResult>> read_chains(const std::vector<fs::path>& paths,
-                                                   const ReadOptions& options) {
-  auto results = read_descriptions(paths, options);
-  if (!results) return std::nullopt;
+namespace {
+
+bool are_chains(const std::vector<ReadResult>& results) {
   bool good = true;
-  for (const ReadResult& result : *results) {
+  for (const ReadResult& result : results) {
     if (result.tips.empty()) continue;
     print_diagnostics({tree_refused(result)});
     good = false;
   }
-  if (!good) return std::nullopt;
+  return good;
+}
+
+}  // namespace
+
+std::optional<std::vector<ReadResult>> read_chains(const std::vector<fs::path>& paths,
+                                                   const ReadOptions& options) {
+  auto results = read_descriptions(paths, options);
+  if (!results || !are_chains(*results)) return std::nullopt;
   return results;
+}
+
+std::optional<std::vector<model::Robot>> robots_of(const std::vector<ReadResult>& results) {
+  if (!are_chains(results)) return std::nullopt;
+  std::vector<model::Robot> robots;
+  for (const ReadResult& result : results) robots.push_back(result.robot.value());
+  return robots;
 }
 
 std::optional<std::vector<model::Robot>> read_robots(const std::vector<fs::path>& paths,
                                                      const ReadOptions& options) {
-  auto results = read_chains(paths, options);
-  if (!results) return std::nullopt;
-  std::vector<model::Robot> robots;
-  for (auto& result : *results) robots.push_back(std::move(*result.robot));
-  return robots;
+  const auto results = read_descriptions(paths, options);
+  return results ? robots_of(*results) : std::nullopt;
 }
 
 }  // namespace qvgen::cli

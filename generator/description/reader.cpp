@@ -9,6 +9,7 @@
 #include "description/chain.h"
 #include "description/followers.h"
 #include "description/frames.h"
+#include "description/loops.h"
 #include "description/named_frames.h"
 #include "description/names.h"
 #include "description/physics.h"
@@ -153,7 +154,10 @@ model::Mechanism read_robot(const Table& root) {
                    "frame",
                    "on_request",
                    "tip",
-                   "floating_base"});
+                   "floating_base",
+                   "loop",
+                   "actuated",
+                   "outputs"});
   read_units(root);
   context.is_measured = root.has("ideal");
   model::Mechanism mechanism;
@@ -168,6 +172,7 @@ model::Mechanism read_robot(const Table& root) {
   read_named_frames(root, robot);
   mechanism.tips = read_tips(root, robot);
   tie_followers(context, variables_of(robot), robot);
+  read_loops(root, mechanism);
   read_request(root, robot);
   resolve_symbols(root, robot);
   const bool accept_inertia = root.boolean("accept_unphysical_inertia").value_or(false);
@@ -224,6 +229,7 @@ ReadResult finished(Context& context, Place name_place, model::Mechanism mechani
   if (std::none_of(result.diagnostics.begin(), result.diagnostics.end(), is_error)) {
     result.robot = std::move(mechanism.robot);
     result.tips = std::move(mechanism.tips);
+    result.loops = std::move(mechanism.loops);
   }
   return result;
 }

@@ -33,6 +33,7 @@ struct ReadResult {
   std::string text;  ///< all that was read
   /// The ends of limbs, where the robot is a whole tree of links: `robot` has the joints of all of them.
   std::vector<model::Frame> tips = {};
+  model::Loops loops = {};  ///< closures of loops, if there are any
   /// Files that were read besides, sorted: what an MJCF or a xacro includes, meshes whose volume counts.
   std::vector<std::string> files = {};
 };

@@ -76,8 +76,8 @@ bool branches(const Robot& robot) {
 }
 
 void take_chain(Mechanism& mechanism) {
-  auto& [robot, tips] = mechanism;
-  if (tips.empty() || branches(robot)) return;
+  auto& [robot, tips, loops] = mechanism;
+  if (!loops.empty() || tips.empty() || branches(robot)) return;
   const auto last = std::find_if(tips.begin(), tips.end(), [&robot = robot](const Frame& tip) {
     return tip.joint + 1 == robot.joints.size();
   });

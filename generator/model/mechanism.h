@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "model/loops.h"
 #include "model/robot.h"
 
 namespace qvgen::model {
@@ -15,6 +16,7 @@ namespace qvgen::model {
 struct Mechanism {
   Robot robot;  ///< every joint stands behind the one that carries it; no tool, and frames of all links
   std::vector<Frame> tips;  ///< ends of limbs, in the order of the file; their names differ
+  Loops loops = {};
 };
 
 /// Returns the index of the joint that carries a joint, or base_link.

@@ -250,6 +250,7 @@ std::vector<std::string> product_names() {
     names.insert(names.end(), product.headers.begin(), product.headers.end());
   }
   for (const Extra& extra : all_extras()) names.push_back(extra.part);
+  names.emplace_back("assembly");  // of mechanisms with loops, made beside the products
   return names;
 }
 
@@ -268,6 +269,7 @@ std::vector<std::string> part_names() {
     names.insert(names.end(), product.headers.begin(), product.headers.end());
     names.insert(names.end(), product.functions.begin(), product.functions.end());
   }
+  for (const char* part : {"assembly", "assemble", "assemble_from_outputs"}) names.emplace_back(part);
   for (const Extra& extra : all_extras()) names.push_back(extra.part);
   return names;
 }

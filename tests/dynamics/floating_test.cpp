@@ -101,7 +101,7 @@ TEST(FloatingTrees, RateOfTheMassMatrixLessTwiceCoriolisIsSkewSymmetric) {
     const model::Robot robot = read(text);
     Motion motion(robot, seed);
     add_base(BaseMotion(seed), VectorXd::Zero(6), motion);
-    const Formulation mass = mass_matrix(robot, {});
+    const Formulation mass = derive::dynamics::mass_matrix(robot, {});
     const auto n = static_cast<Eigen::Index>(model::coordinate_count(robot));
     const auto mass_after = [&](double time) {
       Motion moved = motion;

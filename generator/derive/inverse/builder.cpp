@@ -252,6 +252,18 @@ void Builder::slide_by_root(const Screw& screw, const ex& foot, const ex& square
   roots_.push_back({symbolic::symbol(screw.variable), foot, square - height_square});
 }
 
+ex Builder::root(const std::string& name, const ex& square, const ex& height_square,
+                 const std::string& equation) {
+  Step& step = add(kind::Root{}, nullptr, 2, equation);
+  step.unknown = name;
+  step.before.output("square", square - height_square);
+  step.before.output("scale", height_square);
+  step.degenerate = "the two solutions coincide";
+  const ex length = scope_.length(name);
+  step.after.output(symbolic::symbol(name), result_length());
+  return length;
+}
+
 void Builder::slide_by_value(const Screw& screw, const ex& value, const std::string& equation) {
   set_length(add(kind::Linear{}, &screw, 1, equation), screw, value);
 }

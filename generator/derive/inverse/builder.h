@@ -75,6 +75,9 @@ class Builder {
                            const std::string& equation);
   void slide_by_root(const Screw& screw, const GiNaC::ex& foot, const GiNaC::ex& square,
                      const GiNaC::ex& height_square, const std::string& equation);
+  /// ±sqrt(square - height_square), a length that belongs to no joint; returns it by its name.
+  GiNaC::ex root(const std::string& name, const GiNaC::ex& square, const GiNaC::ex& height_square,
+                 const std::string& equation);
   /// t along = rhs in a plane or, y = 0, on a line; `along`, a part of a unit vector, may depend on the pose.
   void slide_by_line(const Screw& screw, const Flat& along, const Flat& rhs,
                      const std::optional<Reach>& reach, const std::string& equation);

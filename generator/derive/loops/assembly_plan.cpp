@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+#include "derive/loops/assembly_plan.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "derive/inverse/names.h"
+#include "derive/inverse/schedule.h"
+#include "derive/loops/solver.h"
+#include "model/private_names.h"
+#include "symbolic/model.h"
+
+namespace qvgen::derive::loops {
+namespace {
+
+using GiNaC::ex;
+using inverse::Plan;
+using symbolic::dot;
+using symbolic::Vector;
+namespace names = inverse::names;
+
+std::vector<std::size_t> others(std::size_t count, const std::vector<std::size_t>& joints) {
+  std::vector<std::size_t> rest;
+  for (std::size_t i = 0; i < count; ++i)
+    if (std::find(joints.begin(), joints.end(), i) == joints.end()) rest.push_back(i);
+  return rest;
+}
+
+/// Puts the values of a given joint into the plan's target, under the names that steps read.
+void give(Plan& plan, inverse::Scope& scope, const model::Robot& robot, std::size_t joint) {
+  const std::string& variable = robot.joints[joint].variable;
+  const bool turns = robot.joints[joint].type == model::JointType::revolute;
+  plan.joints[joint] = {turns, turns ? names::cosine(variable) : variable,
+                        turns ? names::sine(variable) : ""};
+  if (turns) {
+    const inverse::Scope::Turn turn = scope.turn(variable);
+    plan.target.output(names::cosine(variable), turn.cosine);
+    plan.target.output(names::sine(variable), turn.sine);
+  } else {
+    plan.target.output(variable, scope.length(variable));
+  }
+}
+
+ex square_of(const model::Displacement& displacement) {
+  const Vector v = symbolic::to_symbolic(displacement.translation);
+  return dot(v, v);
+}
+
+/// The square of a length of the mechanism's size.
+ex size_square(const AssemblyPlan& assembly) {
+  ex sum = 0;
+  for (const model::Joint& joint : assembly.robot.joints)
+    sum += square_of(joint.before) + square_of(joint.after);
+  for (const Cycle& cycle : assembly.cycles) {
+    sum += cycle.length * cycle.length;
+    for (const Side& side : cycle.sides) sum += dot(side.point, side.point);
+  }
+  for (const std::size_t joint : assembly.given) {
+    const model::Joint& given = assembly.robot.joints[joint];
+    if (given.type == model::JointType::prismatic) sum += GiNaC::pow(symbolic::symbol(given.variable), 2);
+  }
+  return sum;
+}
+
+std::string number_list(const std::vector<std::size_t>& cycles) {
+  std::string text;
+  for (std::size_t i = 0; i < cycles.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == cycles.size() ? " and " : ", ") + std::to_string(cycles[i] + 1);
+  return text;
+}
+
+/// Solves closures as long as one of them serves.
+class Search {
+ public:
+  Search(AssemblyPlan& assembly, const std::vector<std::string>& described, inverse::Scope& scope,
+         inverse::Builder& builder)
+      : assembly_(assembly), described_(described), solver_(assembly.robot, scope, builder), scope_(scope) {
+    for (const std::size_t joint : assembly.given) solver_.know(joint);
+  }
+
+  void run() {
+    for (std::size_t i = 0; i < assembly_.cycles.size(); ++i) open_.push_back(i);
+    while (step()) {
+    }
+    for (const std::size_t i : open_) assembly_.reasons.push_back(why_open(i));
+    for (const std::size_t joint : assembly_.passive)
+      if (!is_on_a_loop(joint))
+        assembly_.reasons.push_back("joint " + described_[joint] +
+                                    " is on no loop and is not driven; name it in `actuated`");
+    assembly_.found = assembly_.reasons.empty();
+  }
+
+ private:
+  [[nodiscard]] const Cycle& cycle(std::size_t i) const { return assembly_.cycles[i]; }
+  [[nodiscard]] std::size_t unknowns(std::size_t i) const { return solver_.unknown(cycle(i)).size(); }
+
+  [[nodiscard]] bool is_on_a_loop(std::size_t joint) const {
+    return std::any_of(assembly_.cycles.begin(), assembly_.cycles.end(), [&](const Cycle& each) {
+      const auto joints = each.joints();
+      return std::find(joints.begin(), joints.end(), joint) != joints.end();
+    });
+  }
+
+  void close(const std::vector<std::size_t>& solved, std::vector<std::size_t>& into) {
+    for (const std::size_t i : solved) {
+      into.push_back(i);
+      std::erase(open_, i);
+    }
+  }
+
+  /// True if a closure was solved, or found to hold nothing more.
+  bool step() {
+    for (const std::size_t i : open_) {
+      if (unknowns(i) == 0) {
+        close({i}, assembly_.redundant);
+        return true;
+      }
+    }
+    for (const std::size_t i : open_) {
+      if (!serves(i)) continue;
+      const std::string problem =
+          cycle(i).type == model::LoopType::rod ? solver_.rod(cycle(i)) : solver_.meeting(cycle(i));
+      if (!problem.empty()) {
+        assembly_.reasons.push_back(problem);
+        return false;
+      }
+      close({i}, assembly_.used);
+      return true;
+    }
+    return platform();
+  }
+
+  [[nodiscard]] bool serves(std::size_t i) const {
+    if (cycle(i).type == model::LoopType::rod) return unknowns(i) == 1;
+    return cycle(i).normal && unknowns(i) == 2 && gap_along_normal(i).empty();
+  }
+
+  /// True if three rods hold the same three slides.
+  bool platform() {
+    std::vector<std::size_t> group;
+    for (const std::size_t i : open_) {
+      if (cycle(i).type != model::LoopType::rod || unknowns(i) != 3) continue;
+      if (group.empty() || solver_.unknown(cycle(i)) == solver_.unknown(cycle(group.front())))
+        group.push_back(i);
+      if (group.size() == 3) break;
+    }
+    if (group.size() != 3) return false;
+    const std::string problem = solver_.three_spheres({&cycle(group[0]), &cycle(group[1]), &cycle(group[2])});
+    if (!problem.empty()) {
+      assembly_.reasons.push_back("loops " + number_list(group) + " hold " + problem +
+                                  ": three rods place a platform on three slides at right angles");
+      return false;
+    }
+    close(group, assembly_.used);
+    return true;
+  }
+
+  /// Why a planar loop does not close: its ends are in different planes.
+  [[nodiscard]] std::string gap_along_normal(std::size_t i) const {
+    const Cycle& of = cycle(i);
+    const Carrier at_zero{assembly_.robot, [&](std::size_t joint) {
+                            const bool turns =
+                                assembly_.robot.joints[joint].type == model::JointType::revolute;
+                            return inverse::Scope::Turn{turns ? 1 : 0, 0};
+                          }};
+    const ex gap = dot(*of.normal, at_zero.end(of.sides[0], -1) - at_zero.end(of.sides[1], -1));
+    if (scope_.is_zero(gap)) return "";
+    return "loop " + std::to_string(of.number) +
+           " never closes: its ends move in parallel planes that do not meet; correct `at` or an origin";
+  }
+
+  [[nodiscard]] std::string unknown_names(std::size_t i) const {
+    std::string text;
+    for (const std::size_t joint : solver_.unknown(cycle(i)))
+      text += (text.empty() ? "" : ", ") + described_[joint];
+    return text;
+  }
+
+  [[nodiscard]] std::string why_open(std::size_t i) const {
+    const std::string head = "loop " + std::to_string(cycle(i).number) + " has no closed form: ";
+    const std::size_t count = unknowns(i);
+    if (cycle(i).type == model::LoopType::rod)
+      return head + "its rod places one joint, and " + unknown_names(i) +
+             " are open; drive all but one of them";
+    if (!cycle(i).normal)
+      return head +
+             "its axes are not all parallel; in space, write rods in place of links with balls at both ends";
+    if (const std::string gap = gap_along_normal(i); !gap.empty()) return gap;
+    if (count < 2)
+      return head + "it has two equations, and only " + unknown_names(i) +
+             " is open; drive fewer joints of it, or leave the loop out";
+    return head + "its point places two joints, and " + unknown_names(i) +
+           " are open; drive all but two of them, or close the loops that hold them one by one";
+  }
+
+  AssemblyPlan& assembly_;
+  const std::vector<std::string>& described_;
+  Solver solver_;
+  const inverse::Scope& scope_;
+  std::vector<std::size_t> open_;
+};
+
+/// Names of joints as the description has them, in a text of the derivation.
+std::string with_described_names(std::string text, const model::Robot& robot,
+                                 const std::vector<std::string>& described) {
+  // From the last one on: joint12 before joint1.
+  for (std::size_t i = described.size(); i-- > 0;) {
+    const std::string& name = robot.joints[i].variable;
+    if (name == described[i]) continue;
+    for (auto at = text.find(name); at != std::string::npos; at = text.find(name, at + described[i].size()))
+      text.replace(at, name.size(), described[i]);
+  }
+  return text;
+}
+
+/// Places in a row, the number of branches, and what steps leave for later ones.
+void conclude(AssemblyPlan& assembly, const std::vector<std::string>& described) {
+  Plan& plan = assembly.plan;
+  for (std::size_t i = 0; i < assembly.robot.joints.size(); ++i) plan.places.push_back(static_cast<int>(i));
+  plan.row_size = static_cast<int>(assembly.robot.joints.size());
+  plan.capacity = 1;
+  for (const inverse::Step& step : plan.steps) plan.capacity *= step.branches;
+  for (inverse::Step& step : plan.steps) {
+    step.equation = with_described_names(step.equation, assembly.robot, described);
+    step.degenerate = with_described_names(step.degenerate, assembly.robot, described);
+  }
+  plan.structure = "closed loops, one after the other";
+  inverse::prune(plan);
+}
+
+}  // namespace
+
+AssemblyPlan assembly_plan(const model::Mechanism& mechanism, const std::vector<std::size_t>& given) {
+  AssemblyPlan assembly;
+  assembly.robot = model::with_private_names(mechanism.robot);
+  assembly.given = given;
+  assembly.passive = others(mechanism.robot.joints.size(), given);
+  std::vector<std::string> described;
+  for (const model::Joint& joint : mechanism.robot.joints) described.push_back(joint.variable);
+  inverse::Scope scope(assembly.robot);
+  assembly.cycles = cycles_of(mechanism, assembly.robot, scope);
+  inverse::Builder builder(assembly.robot, scope, assembly.plan);
+  for (const std::size_t joint : given) give(assembly.plan, scope, assembly.robot, joint);
+  scope.rename(assembly.plan.target, names::size_square, size_square(assembly));
+  Search(assembly, described, scope, builder).run();
+  if (assembly.found) conclude(assembly, described);
+  return assembly;
+}
+
+}  // namespace qvgen::derive::loops

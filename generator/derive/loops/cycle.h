@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// A closure and the joints around it. The two links that meet have a last common link; from it one side of
+// the loop leads to either end. Points and directions are carried along a side, joint by joint, so that an
+// equation can be written in the frame of whichever joint it is to be solved for.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "derive/inverse/scope.h"
+#include "model/mechanism.h"
+
+namespace qvgen::derive::loops {
+
+/// One side of a loop: its joints, in order, and the point at its end in the last link's frame.
+struct Side {
+  std::vector<std::size_t> joints;
+  symbolic::Vector point;
+};
+
+/// A closure with both of its sides. Expressions are in the names of `with_private_names`.
+struct Cycle {
+  std::size_t number = 0;  ///< in the order of the file, from 1
+  model::LoopType type = model::LoopType::pin;
+  std::array<Side, 2> sides;
+  GiNaC::ex length = 0;  ///< of a rod
+  /// Unit vector that all axes of the loop are parallel to and all slides at right angles to, in the frame of
+  /// the common link; nothing if the loop moves in space.
+  std::optional<symbolic::Vector> normal = {};
+
+  /// Joints of both sides, sorted.
+  [[nodiscard]] std::vector<std::size_t> joints() const;
+};
+
+/// Returns the cycles of a mechanism, in the order of its closures. `robot` is its robot with private names.
+/// Throws std::domain_error if a pin's axis is not that of its loop's joints.
+std::vector<Cycle> cycles_of(const model::Mechanism& mechanism, const model::Robot& robot,
+                             const inverse::Scope& scope);
+
+/// Values of joints, and what becomes of long expressions on the way along a side.
+struct Carrier {
+  const model::Robot& robot;
+  /// Cosine and sine of a turn, or the length of a slide in `cosine`.
+  std::function<inverse::Scope::Turn(std::size_t joint)> value;
+  std::function<symbolic::Vector(const symbolic::Vector&)> name = {};
+
+  /// From the frame in front of joint `from`'s motion (place in the side) to the frame behind that of joint
+  /// `to`, an earlier one; -1: to the common link's frame.
+  [[nodiscard]] symbolic::Vector lifted(const Side& side, int from, const symbolic::Vector& x, int to) const;
+  [[nodiscard]] symbolic::Vector lifted_direction(const Side& side, int from, const symbolic::Vector& d,
+                                                  int to) const;
+  /// The way back.
+  [[nodiscard]] symbolic::Vector lowered(const Side& side, int from, const symbolic::Vector& x, int to) const;
+  [[nodiscard]] symbolic::Vector lowered_direction(const Side& side, int from, const symbolic::Vector& d,
+                                                   int to) const;
+  /// The side's point in the frame behind joint `to`'s motion; -1: in the common link's frame.
+  [[nodiscard]] symbolic::Vector end(const Side& side, int to) const;
+
+ private:
+  [[nodiscard]] symbolic::Vector moved(std::size_t joint, const symbolic::Vector& x, bool back,
+                                       bool is_direction) const;
+};
+
+}  // namespace qvgen::derive::loops

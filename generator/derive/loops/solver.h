@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// Steps that solve closures for the joints that they hold, each with the equation of inverse kinematics that
+// fits.
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "derive/inverse/builder.h"
+#include "derive/loops/cycle.h"
+
+namespace qvgen::derive::loops {
+
+/// Appends steps to a plan; joints become known one after the other.
+class Solver {
+ public:
+  Solver(const model::Robot& robot, inverse::Scope& scope, inverse::Builder& builder);
+
+  /// Makes a joint known by the names of its value.
+  void know(std::size_t joint);
+  /// Joints of a cycle that are not known yet.
+  [[nodiscard]] std::vector<std::size_t> unknown(const Cycle& cycle) const;
+
+  // Each returns an empty text if it has appended its steps, or why the equation does not serve.
+
+  /// Distance of two points, for the one unknown joint.
+  std::string rod(const Cycle& cycle);
+  /// A common point of links that move in one plane, for two unknown joints.
+  std::string meeting(const Cycle& cycle);
+  /// Three distances to points of one link that three slides at right angles carry.
+  std::string three_spheres(const std::vector<const Cycle*>& cycles);
+
+ private:
+  /// An unknown joint's place: side and index there.
+  struct Place {
+    const Side* side;
+    const Side* other;
+    int index;
+    std::size_t joint;
+  };
+  [[nodiscard]] Place place_of(const Cycle& cycle, std::size_t joint) const;
+  [[nodiscard]] bool turns(std::size_t joint) const;
+  [[nodiscard]] inverse::Screw screw_of(std::size_t joint);
+  [[nodiscard]] Carrier carrier();
+  symbolic::Vector kept(const symbolic::Vector& v);
+  GiNaC::ex kept(const GiNaC::ex& value);
+  /// The other side's end in the frame in front of a joint.
+  symbolic::Vector goal(const Place& at);
+  /// How that moves with a slide, which is on either side or in front of the joint.
+  symbolic::Vector goal_by(const Place& at, const Place& slide);
+  void pair(const Place& at, const std::string& equation);
+
+  std::string slide_by_rod(const Cycle& cycle, const Place& at);
+  std::string two_turns(const Cycle& cycle, Place u, Place v);
+  std::string turn_and_slide(const Cycle& cycle, const Place& turn, const Place& slide);
+  std::string two_slides(const Cycle& cycle, const Place& s, const Place& t);
+
+  const model::Robot& robot_;
+  inverse::Scope& scope_;
+  inverse::Builder& builder_;
+  std::set<std::size_t> known_;
+  int names_ = 0;
+};
+
+}  // namespace qvgen::derive::loops

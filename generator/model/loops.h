@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Closed loops of links: the joints of a mechanism are a tree, and closures tie two of its links together.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "model/robot.h"
+
+namespace qvgen::model {
+
+/// Kinds of closures.
+enum class LoopType {
+  pin,   ///< a point is common to both links, and an axis through it
+  ball,  ///< a point is common to both links
+  rod    ///< two points keep their distance
+};
+
+/// A closure of a loop. A link is called by the index of the joint that moves it, or `base_link`.
+struct Loop {
+  LoopType type = LoopType::pin;
+  std::array<std::size_t, 2> links{};
+  std::array<Vector3, 2> points{};   ///< in the links' frames, m
+  std::optional<Vector3> axis = {};  ///< of a pin, unit vector in the first link's frame; none: the joints'
+  Expression length = {};            ///< of a rod, m
+};
+
+/// All closures of a mechanism, with the joints that are driven.
+struct Loops {
+  std::vector<Loop> closures = {};         ///< in the order of the file
+  std::vector<std::size_t> actuated = {};  ///< joints with motors; the others are passive
+  std::vector<std::size_t> outputs = {};   ///< joints that say where a platform is; may be empty
+
+  [[nodiscard]] bool empty() const { return closures.empty(); }
+};
+
+}  // namespace qvgen::model

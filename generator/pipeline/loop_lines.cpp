@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline/loop_lines.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "pipeline/assembly.h"
+#include "verify/loops/mobility.h"
+
+namespace qvgen::pipeline {
+namespace {
+
+std::string names_of(const model::Mechanism& mechanism, const std::vector<std::size_t>& joints) {
+  std::vector<std::string> names;
+  for (const std::size_t joint : joints) names.push_back(mechanism.robot.joints[joint].variable);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+void add_plan(const model::Mechanism& mechanism, const LoopVariant& variant, bool steps, LoopLines& to) {
+  const derive::loops::AssemblyPlan assembly = derive::loops::assembly_plan(mechanism, variant.given);
+  const std::string from = names_of(mechanism, variant.given);
+  if (!assembly.found) {
+    to.lines.push_back(
+        fmt::format("no {} from {}: {}", variant.function, from, fmt::join(assembly.reasons, "; ")));
+    return;
+  }
+  to.lines.push_back(
+      fmt::format("{} from {}: {} assemblies at most", variant.function, from, assembly.plan.capacity));
+  if (!steps) return;
+  for (const std::string& line : step_lines(mechanism.robot, assembly.plan)) to.lines.push_back("  " + line);
+}
+
+}  // namespace
+
+LoopLines loop_lines(const model::Mechanism& mechanism, bool steps) {
+  LoopLines result;
+  const verify::Mobility mobility = verify::mobility_of(mechanism);
+  const std::vector<std::string> text = verify::text_of(mobility, mechanism);
+  if (!mobility.assembled) {
+    result.problems = text;
+    return result;
+  }
+  result.lines = text;
+  if (const std::string problem = problem_of_motors(mechanism, mobility.free); !problem.empty())
+    result.problems.push_back(problem);
+  for (const LoopVariant& variant : loop_variants(mechanism.loops))
+    add_plan(mechanism, variant, steps, result);
+  return result;
+}
+
+}  // namespace qvgen::pipeline

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+#include "verify/loops/mobility.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include <Eigen/QR>
+#include <Eigen/SVD>
+
+#include "dag/evaluate.h"
+#include "derive/inverse/lower.h"
+#include "derive/inverse/names.h"
+#include "exact/named_constant.h"
+#include "model/private_names.h"
+#include "model/replace.h"
+
+namespace qvgen::verify {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+namespace names = derive::inverse::names;
+
+constexpr int most_starts = 400;
+constexpr int most_steps = 60;
+constexpr int samples = 5;
+/// Singular values below this share of the greatest are none.
+constexpr double rank_share = 1e-7;
+
+struct Leaves {
+  const std::map<std::string, double>& values;
+  double constant(const exact::Number& number) const { return number.to_double(); }
+  double symbol(const std::string& name) const {
+    if (const auto constant = exact::named_value(name)) return cln::double_approx(*constant);
+    return values.at(name);
+  }
+  double sine(const dag::Angle& angle) const { return std::sin(of(angle)); }
+  double cosine(const dag::Angle& angle) const { return std::cos(of(angle)); }
+  static double root(double x) { return std::sqrt(std::max(x, 0.0)); }
+  static double arctangent(double y, double x) { return std::atan2(y, x); }
+
+ private:
+  double of(const dag::Angle& angle) const {
+    double sum = cln::double_approx(angle.pi) * M_PI;
+    for (const auto& [name, coefficient] : angle.terms) sum += cln::double_approx(coefficient) * symbol(name);
+    return sum;
+  }
+};
+
+std::vector<std::string> output_names(const symbolic::Program& program) {
+  std::vector<std::string> result;
+  for (const auto& output : program.outputs()) result.push_back(output.name);
+  return result;
+}
+
+dag::Function lowered(const symbolic::Program& program) {
+  return derive::inverse::lowered(program, output_names(program));
+}
+
+int rank_of(const MatrixXd& matrix) {
+  if (matrix.rows() == 0) return 0;
+  const VectorXd values = Eigen::JacobiSVD<MatrixXd>(matrix).singularValues();
+  return static_cast<int>((values.array() > rank_share * std::max(values[0], 1e-300)).count());
+}
+
+/// Equations that a closure in space would be.
+int equations_in_space(model::LoopType type) {
+  return type == model::LoopType::pin ? 5 : type == model::LoopType::ball ? 3 : 1;
+}
+
+/// Loops whose rows do not raise the rank of those before them.
+std::vector<std::size_t> redundant_in(const MatrixXd& jacobian, const std::vector<std::size_t>& loop_of_row) {
+  std::vector<std::size_t> result;
+  int rank = 0;
+  for (Eigen::Index row = 0; row < jacobian.rows();) {
+    const std::size_t loop = loop_of_row[static_cast<std::size_t>(row)];
+    while (row < jacobian.rows() && loop_of_row[static_cast<std::size_t>(row)] == loop) ++row;
+    const int with = rank_of(jacobian.topRows(row));
+    if (with == rank) result.push_back(loop);
+    rank = with;
+  }
+  return result;
+}
+
+std::vector<std::size_t> still_in(const MatrixXd& jacobian) {
+  const Eigen::JacobiSVD<MatrixXd> svd(jacobian, Eigen::ComputeFullV);
+  const int rank = rank_of(jacobian);
+  const MatrixXd motions = svd.matrixV().rightCols(jacobian.cols() - rank);
+  std::vector<std::size_t> result;
+  for (Eigen::Index i = 0; i < motions.rows(); ++i)
+    if (motions.cols() == 0 || motions.row(i).norm() < rank_share)
+      result.push_back(static_cast<std::size_t>(i));
+  return result;
+}
+
+std::vector<std::size_t> in_both(const std::vector<std::size_t>& a, const std::vector<std::size_t>& b) {
+  std::vector<std::size_t> result;
+  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result));
+  return result;
+}
+
+std::string count_of(int count, const std::string& of) {
+  return std::to_string(count) + " " + of + (count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+LoopNumbers::LoopNumbers(const model::Mechanism& mechanism)
+    : robot_(model::with_private_names(mechanism.robot)), geometry_(model::sample_geometry(robot_)) {
+  const derive::inverse::Scope scope(robot_);
+  const auto cycles = derive::loops::cycles_of(mechanism, robot_, scope);
+  const derive::loops::Constraints constraints = derive::loops::constraints_of(robot_, cycles);
+  gap_ = lowered(constraints.gap);
+  jacobian_ = lowered(constraints.jacobian);
+  for (const auto& cycle : cycles) {
+    const bool is_rod = cycle.type == model::LoopType::rod;
+    loop_of_row_.insert(loop_of_row_.end(), is_rod ? 1 : cycle.normal ? 2 : 3, cycle.number - 1);
+  }
+  size_ = 1e-3;
+  std::mt19937 random(1);
+  for (int sample = 0; sample < 8; ++sample) {
+    VectorXd q = VectorXd::Zero(static_cast<Eigen::Index>(robot_.joints.size()));
+    for (Eigen::Index i = 0; i < q.size(); ++i)
+      if (robot_.joints[static_cast<std::size_t>(i)].type == model::JointType::revolute)
+        q[i] = static_cast<double>(random() % 6283) / 1000;
+    size_ = std::max(size_, gaps(q).cwiseAbs().maxCoeff());
+  }
+}
+
+namespace {
+
+std::map<std::string, double> values_at(const model::Robot& robot, const model::Bindings& geometry,
+                                        const VectorXd& q) {
+  std::map<std::string, double> values;
+  for (const auto& [name, value] : geometry) values[name] = model::to_double(value);
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    const std::string& variable = robot.joints[i].variable;
+    const double at = q[static_cast<Eigen::Index>(i)];
+    values[variable] = at;
+    values[names::cosine(variable)] = std::cos(at);
+    values[names::sine(variable)] = std::sin(at);
+  }
+  return values;
+}
+
+}  // namespace
+
+VectorXd LoopNumbers::gaps(const VectorXd& q) const {
+  const auto values = values_at(robot_, geometry_, q);
+  const std::vector<double> results = dag::evaluate<double>(gap_, Leaves{values});
+  return Eigen::Map<const VectorXd>(results.data(), static_cast<Eigen::Index>(results.size()));
+}
+
+MatrixXd LoopNumbers::jacobian(const VectorXd& q) const {
+  const auto values = values_at(robot_, geometry_, q);
+  const std::vector<double> results = dag::evaluate<double>(jacobian_, Leaves{values});
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  return Eigen::Map<const RowMajor>(results.data(), static_cast<Eigen::Index>(loop_of_row_.size()), q.size());
+}
+
+std::optional<VectorXd> LoopNumbers::closed_from(VectorXd q) const {
+  for (int step = 0; step < most_steps; ++step) {
+    const VectorXd off = gaps(q);
+    if (!off.allFinite() || off.norm() > 1e6 * size_) return std::nullopt;
+    if (off.cwiseAbs().maxCoeff() < 1e-13 * size_) return q;
+    // Redundant equations differ by rounding: what they say of each other is no motion.
+    Eigen::CompleteOrthogonalDecomposition<MatrixXd> factors;
+    factors.setThreshold(rank_share * 10);
+    VectorXd way = factors.compute(jacobian(q)).solve(off);
+    const double longest = way.cwiseAbs().maxCoeff();
+    if (longest > 0.5) way *= 0.5 / longest;
+    q -= way;
+  }
+  return gaps(q).cwiseAbs().maxCoeff() < 1e-11 * size_ ? std::optional(q) : std::nullopt;
+}
+
+std::optional<VectorXd> LoopNumbers::assembled(unsigned seed) const {
+  std::mt19937 random(seed);
+  // Whole numbers alone are the same on every machine.
+  const auto number = [&] { return static_cast<double>(random() % 20001) / 10000 - 1; };
+  for (int start = 0; start < most_starts; ++start) {
+    VectorXd q(static_cast<Eigen::Index>(robot_.joints.size()));
+    for (Eigen::Index i = 0; i < q.size(); ++i) {
+      const bool turns = robot_.joints[static_cast<std::size_t>(i)].type == model::JointType::revolute;
+      q[i] = number() * (turns ? 3.1 : size_);
+    }
+    if (const auto closed = closed_from(q)) return closed;
+  }
+  return std::nullopt;
+}
+
+Mobility mobility_of(const model::Mechanism& mechanism) {
+  Mobility result;
+  const LoopNumbers numbers(mechanism);
+  result.joints = static_cast<int>(mechanism.robot.joints.size());
+  result.gruebler = result.joints;
+  for (const model::Loop& loop : mechanism.loops.closures) result.gruebler -= equations_in_space(loop.type);
+  for (unsigned sample = 0; sample < samples; ++sample) {
+    const auto q = numbers.assembled(sample + 1);
+    if (!q) break;
+    const MatrixXd jacobian = numbers.jacobian(*q);
+    const int free = result.joints - rank_of(jacobian);
+    const auto redundant = redundant_in(jacobian, numbers.loop_of_row());
+    const auto still = still_in(jacobian);
+    // Assemblies may be of several kinds, some of which do not move: those that move most count.
+    if (result.assembled && free < result.free) continue;
+    const bool is_first = !result.assembled || free > result.free;
+    result.free = free;
+    result.redundant = is_first ? redundant : in_both(result.redundant, redundant);
+    result.still = is_first ? still : in_both(result.still, still);
+    result.assembled = true;
+  }
+  return result;
+}
+
+std::vector<std::string> text_of(const Mobility& mobility, const model::Mechanism& mechanism) {
+  if (!mobility.assembled)
+    return {
+        "the loops cannot be closed together: no joint values were found at which all of them are; "
+        "correct lengths or points"};
+  std::vector<std::string> lines;
+  const int driven = static_cast<int>(mechanism.loops.actuated.size());
+  std::string count = count_of(mobility.free, "freedom") + ", " + std::to_string(driven) + " driven";
+  if (mobility.gruebler != mobility.free)
+    count += "; Gruebler's formula counts " + std::to_string(mobility.gruebler) +
+             ", since it does not see that axes are parallel";
+  lines.push_back(count);
+  for (const std::size_t loop : mobility.redundant)
+    lines.push_back("loop " + std::to_string(loop + 1) +
+                    " is redundant: the loops before it hold all that it holds");
+  for (const std::size_t joint : mobility.still)
+    lines.push_back("joint " + mechanism.robot.joints[joint].variable + " never moves");
+  return lines;
+}
+
+}  // namespace qvgen::verify

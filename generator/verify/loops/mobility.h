@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// Freedoms of a mechanism with loops, counted twice: by Gruebler's formula, which looks at numbers of joints
+// alone, and by the rank of the loops' equations where the mechanism is assembled. They differ where loops
+// are overconstrained, as all planar ones are; the rank is what moves.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "dag/graph.h"
+#include "derive/loops/constraints.h"
+#include "model/evaluate.h"
+#include "model/mechanism.h"
+
+namespace qvgen::verify {
+
+/// Gaps of loops, m, and their derivatives as numbers, at the default geometry (numbers from 1 to 2 without
+/// one).
+class LoopNumbers {
+ public:
+  explicit LoopNumbers(const model::Mechanism& mechanism);
+
+  [[nodiscard]] Eigen::VectorXd gaps(const Eigen::VectorXd& q) const;
+  [[nodiscard]] Eigen::MatrixXd jacobian(const Eigen::VectorXd& q) const;  ///< a row for each gap
+  [[nodiscard]] double size() const { return size_; }                      ///< of the mechanism, m
+  /// Index of the loop that a row belongs to.
+  [[nodiscard]] const std::vector<std::size_t>& loop_of_row() const { return loop_of_row_; }
+  /// Joints at which all loops are closed, by Newton's steps from random ones; nothing if none of many starts
+  /// ends so.
+  [[nodiscard]] std::optional<Eigen::VectorXd> assembled(unsigned seed) const;
+
+ private:
+  [[nodiscard]] std::optional<Eigen::VectorXd> closed_from(Eigen::VectorXd q) const;
+
+  model::Robot robot_;
+  model::Bindings geometry_;
+  dag::Function gap_, jacobian_;
+  std::vector<std::size_t> loop_of_row_;
+  double size_ = 1;
+};
+
+struct Mobility {
+  bool assembled = false;  ///< false: no joints were found at which all loops close
+  int joints = 0;
+  int gruebler = 0;
+  int free = 0;
+  std::vector<std::size_t> redundant;  ///< loops that hold nothing more than those before them
+  std::vector<std::size_t> still;      ///< joints that never move
+};
+
+Mobility mobility_of(const model::Mechanism& mechanism);
+
+/// In words: how many freedoms, which loops are redundant, which joints never move, what is wrong with the
+/// number of driven joints. One sentence an entry.
+std::vector<std::string> text_of(const Mobility& mobility, const model::Mechanism& mechanism);
+
+}  // namespace qvgen::verify

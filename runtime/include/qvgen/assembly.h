@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// Assemblies of closed loops: joint values of the whole mechanism for given values of some of its joints. The
+// equations are those of inverse kinematics, and so is the set: rows with branches, a status, orders and
+// limits. What belongs to loops alone is here: where two assemblies meet, and how passive joints move with
+// the given ones.
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <cmath>
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <qvgen/inverse/branch.h>
+#include <qvgen/inverse/joint_limits.h>
+#include <qvgen/inverse/solutions.h>
+
+namespace qvgen {
+
+/// Assemblies for given joints, in the order of their branches, none twice. A row has the values of all
+/// joints. Its branch is a number of which sign each step took, which stays along a path without dead
+/// centres.
+///
+/// Status: `unreachable` if the loops cannot be closed there, `singular` if a row's passive joint is free
+/// (its `continuum`), `incomplete` if an equation has lost its meaning (three centres in line), `invalid` for
+/// NaN.
+template <int dof, int capacity>
+struct Assemblies : Solutions<dof, capacity> {
+  std::bitset<static_cast<std::size_t>(capacity)> meeting;  ///< by branch
+
+  /// True if another assembly is so near that both meet: at a dead centre, or where a parallelogram may fold.
+  [[nodiscard]] bool meets(const Solution<dof>& row) const {
+    return meeting[static_cast<std::size_t>(row.branch)];
+  }
+};
+
+namespace inverse {
+
+/// Two assemblies that meet are one if their joints, rad or m, are nearer than this: the root of rounding.
+inline constexpr double same_assembly = 6e-8;
+
+/// Appends a row, but for one that an earlier row it meets is; for generated code.
+template <int dof, int capacity, std::size_t count>
+void append_assembly(Assemblies<dof, capacity>& found, const Joints<dof>& q, int branch, bool is_free,
+                     bool meets, const std::array<bool, count>& revolute) {
+  if (meets)
+    for (const Solution<dof>& row : found)
+      if (found.meets(row) && joint_distance<dof>(row.q, q, revolute) < same_assembly) return;
+  if (meets) found.meeting.set(static_cast<std::size_t>(branch));
+  append(static_cast<Solutions<dof, capacity>&>(found), q, branch, is_free);
+}
+
+/// Boundary of steps of closed loops: taken at their word, and no farther outside than rounding.
+constexpr Boundary boundary_of_loops() {
+  Boundary boundary = Boundary::plain(0);
+  boundary.accept = 1e-14;
+  boundary.near = 1;
+  return boundary;
+}
+
+/// Brings angles next to those of the seed by whole turns, and sorts the rows by their distance from it,
+/// nearest first.
+template <int dof, int capacity, std::size_t count>
+void put_near(Assemblies<dof, capacity>& found, const Joints<dof>& seed, const std::array<bool, count>& given,
+              const std::array<bool, count>& revolute) {
+  for (Solution<dof>& row : found)
+    for (int i = 0; i < dof; ++i)
+      if (revolute[static_cast<std::size_t>(i)] && !given[static_cast<std::size_t>(i)])
+        row.q[i] = seed[i] + turn_between(seed[i], row.q[i]);
+  sort_by_distance(static_cast<Solutions<dof, capacity>&>(found), seed, revolute);
+}
+
+}  // namespace inverse
+
+/// Columns of a matrix, in that order.
+template <int rows, int dof, std::size_t count>
+Eigen::Matrix<double, rows, static_cast<int>(count)> columns_of(
+    const Eigen::Matrix<double, rows, dof>& matrix, const std::array<int, count>& columns) {
+  Eigen::Matrix<double, rows, static_cast<int>(count)> result;
+  for (std::size_t i = 0; i < count; ++i) result.col(static_cast<int>(i)) = matrix.col(columns[i]);
+  return result;
+}
+
+/// Rates of all joints for rates of the given ones: dq/da, one row a joint and one column a given joint.
+/// `jacobian` has the loops' equations by all joints, as many rows as there are passive joints. Not finite at
+/// dead centres.
+template <int rows, int dof, std::size_t passive_count, std::size_t given_count>
+Eigen::Matrix<double, dof, static_cast<int>(given_count)> loop_rates(
+    const Eigen::Matrix<double, rows, dof>& jacobian, const std::array<int, passive_count>& passive,
+    const std::array<int, given_count>& given) {
+  static_assert(rows == static_cast<int>(passive_count), "as many equations as passive joints");
+  const Eigen::PartialPivLU<Eigen::Matrix<double, rows, rows>> factors(columns_of(jacobian, passive));
+  const Eigen::Matrix<double, rows, static_cast<int>(given_count)> solved =
+      factors.solve(columns_of(jacobian, given));
+  Eigen::Matrix<double, dof, static_cast<int>(given_count)> rates;
+  rates.setZero();
+  for (std::size_t i = 0; i < passive_count; ++i) rates.row(passive[i]) = -solved.row(static_cast<int>(i));
+  for (std::size_t i = 0; i < given_count; ++i) rates(given[i], static_cast<int>(i)) = 1;
+  return rates;
+}
+
+/// Accelerations of all joints at which the given ones have none: what their rates alone make of the passive
+/// ones. `bias` is the loops' second derivative by time at those rates.
+template <int rows, int dof, std::size_t passive_count>
+Joints<dof> loop_bias(const Eigen::Matrix<double, rows, dof>& jacobian,
+                      const std::array<int, passive_count>& passive,
+                      const Eigen::Matrix<double, rows, 1>& bias) {
+  const Eigen::Matrix<double, rows, 1> solved =
+      Eigen::PartialPivLU<Eigen::Matrix<double, rows, rows>>(columns_of(jacobian, passive)).solve(bias);
+  Joints<dof> result = Joints<dof>::Zero();
+  for (std::size_t i = 0; i < passive_count; ++i) result[passive[i]] = -solved[static_cast<int>(i)];
+  return result;
+}
+
+/// Measure, from 0 to 1, of how well some joints are held by the loops if the others are given: 0 where they
+/// can move although the others stand still. The determinant by these joints, divided by the lengths of its
+/// rows.
+template <int rows, int dof, std::size_t count>
+double loop_measure(const Eigen::Matrix<double, rows, dof>& jacobian, const std::array<int, count>& held) {
+  const Eigen::Matrix<double, rows, rows> part = columns_of(jacobian, held);
+  double lengths = 1;
+  for (int i = 0; i < rows; ++i) lengths *= jacobian.row(i).norm();
+  return lengths > 0 ? std::abs(part.partialPivLu().determinant()) / lengths : 0;
+}
+
+/// Outcome of following loops from a seed.
+template <int dof>
+struct Followed {
+  Joints<dof> q;
+  bool closed = false;  ///< false: Newton's steps have not closed the loops; q is where they have ended
+};
+
+/// Follows the loops to new values of the given joints, from joints nearby, by Newton's steps of the passive
+/// ones: 30 at most, each of no more than 0.5 rad or m. `gaps` and `jacobian` are functions of q; `enough` is
+/// the gap, m, that counts as closed. It is an iteration: it leads to one assembly, which need not be the
+/// seed's where the way is long.
+template <int dof, std::size_t passive_count, class Gaps, class Jacobian>
+Followed<dof> follow_loops(Joints<dof> q, const std::array<int, passive_count>& passive, const Gaps& gaps,
+                           const Jacobian& jacobian, double enough) {
+  constexpr int rows = static_cast<int>(passive_count);
+  for (int step = 0; step < 30; ++step) {
+    const auto gap = gaps(q);
+    if (!gap.allFinite()) return {q, false};
+    if (gap.cwiseAbs().maxCoeff() <= enough) return {q, true};
+    const Eigen::Matrix<double, rows, rows> by = columns_of(jacobian(q), passive);
+    Eigen::Matrix<double, rows, 1> way = by.partialPivLu().solve(gap.template head<rows>());
+    const double longest = way.cwiseAbs().maxCoeff();
+    if (!(longest < 1e300)) return {q, false};
+    if (longest > 0.5) way *= 0.5 / longest;
+    for (std::size_t i = 0; i < passive_count; ++i) q[passive[i]] -= way[static_cast<int>(i)];
+  }
+  return {q, gaps(q).cwiseAbs().maxCoeff() <= enough};
+}
+
+}  // namespace qvgen

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+// Freedoms, refusals and certificates: what is counted of mechanisms that are known, and the reason where
+// there is no closed form.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "derive/inverse/lower.h"
+#include "derive/loops/assembly_plan.h"
+#include "description/reader.h"
+#include "verify/certificate.h"
+#include "verify/loops/certify_loops.h"
+#include "verify/loops/mobility.h"
+
+namespace qvgen::test::loops_derivation {
+namespace {
+
+using testing::HasSubstr;
+
+model::Mechanism mechanism_of(const std::string& text) {
+  const auto result = description::read_text(text, "m.toml");
+  if (!result.robot) throw std::runtime_error(description::to_string(result.diagnostics.front()));
+  return {*result.robot, result.tips, result.loops};
+}
+
+model::Mechanism mechanism_of_file(const std::string& name) {
+  const auto result = description::read_file(std::string(QVGEN_LOOP_ROBOTS) + "/" + name + ".toml");
+  if (!result.robot) throw std::runtime_error(description::to_string(result.diagnostics.front()));
+  return {*result.robot, result.tips, result.loops};
+}
+
+std::string joint(const std::string& variable, const std::string& more, const std::string& type = "revolute",
+                  const std::string& axis = "+z") {
+  return "[[joint]]\ntype = \"" + type + "\"\naxis = \"" + axis + "\"\nvariable = \"" + variable + "\"\n" +
+         more;
+}
+std::string pin(const std::string& a, const std::string& at, const std::string& b, const std::string& bt) {
+  return "[[loop]]\ntype = \"pin\"\nbetween = [\"" + a + "\", \"" + b + "\"]\nat = [" + at + ", " + bt +
+         "]\n";
+}
+std::string head(const std::string& actuated) {
+  return "name = \"m\"\ntitle = \"m\"\nactuated = [" + actuated + "]\n";
+}
+const std::string tip = "[[tip]]\nname = \"end\"\n";
+
+std::string rod(const std::string& a, const std::string& at, const std::string& b, const std::string& bt,
+                const std::string& length) {
+  return "[[loop]]\ntype = \"rod\"\nbetween = [\"" + a + "\", \"" + b + "\"]\nat = [" + at + ", " + bt +
+         "]\nlength = " + length + "\n";
+}
+
+/// A parallelogram whose second rod holds nothing more, and rules its mirror image out.
+const std::string two_rods =
+    head("\"a\"") + joint("a", "") + joint("b", "parent = \"base\"\norigin = [2, 0, 0]\n") + tip +
+    rod("a", "[1, 0, 0]", "b", "[1, 0, 0]", "2") + rod("a", "[0.5, 0, 0]", "b", "[0.5, 0, 0]", "2");
+
+TEST(Mobility, CountsPlanarLoopsThatGrueblerDoesNotSee) {
+  const auto four_bar = verify::mobility_of(mechanism_of_file("four_bar"));
+  EXPECT_TRUE(four_bar.assembled);
+  EXPECT_EQ(four_bar.free, 1);
+  EXPECT_EQ(four_bar.gruebler, -2);
+  EXPECT_TRUE(four_bar.redundant.empty());
+  EXPECT_TRUE(four_bar.still.empty());
+  EXPECT_EQ(verify::mobility_of(mechanism_of_file("five_bar")).free, 2);
+  EXPECT_EQ(verify::mobility_of(mechanism_of_file("palletiser")).free, 4);
+  EXPECT_EQ(verify::mobility_of(mechanism_of_file("delta")).free, 3);
+  EXPECT_EQ(verify::mobility_of(mechanism_of_file("ankle")).free, 2);
+}
+
+TEST(Mobility, SaysHowManyAreFreeAndDriven) {
+  const auto mechanism = mechanism_of_file("four_bar");
+  EXPECT_THAT(verify::text_of(verify::mobility_of(mechanism), mechanism).front(),
+              HasSubstr("1 freedom, 1 driven; Gruebler's formula counts -2"));
+}
+
+TEST(Mobility, FindsJointsThatNeverMove) {
+  // A triangle: three links with pins at all corners.
+  const auto mechanism = mechanism_of(head("\"w\"") + joint("w", "") + joint("a", "origin = [1, 0, 0]\n") +
+                                      joint("b", "parent = \"w\"\norigin = [3, 0, 0]\n") + tip +
+                                      pin("a", "[1.5, 0, 0]", "b", "[1.2, 0, 0]"));
+  const auto mobility = verify::mobility_of(mechanism);
+  EXPECT_EQ(mobility.free, 1);
+  EXPECT_EQ(mobility.still, (std::vector<std::size_t>{1, 2}));
+  EXPECT_THAT(verify::text_of(mobility, mechanism).back(), HasSubstr("joint b never moves"));
+}
+
+TEST(Mobility, SaysThatLoopsDoNotClose) {
+  const auto mechanism = mechanism_of(head("\"a\"") + joint("a", "link = [1, 0, 0]\n") + joint("c", "") +
+                                      joint("b", "parent = \"base\"\norigin = [20, 0, 0]\n") + tip +
+                                      pin("c", "[1, 0, 0]", "b", "[1, 0, 0]"));
+  const auto mobility = verify::mobility_of(mechanism);
+  EXPECT_FALSE(mobility.assembled);
+  EXPECT_THAT(verify::text_of(mobility, mechanism).front(), HasSubstr("cannot be closed"));
+}
+
+std::string reasons_of(const model::Mechanism& mechanism) {
+  const auto plan = derive::loops::assembly_plan(mechanism, mechanism.loops.actuated);
+  EXPECT_FALSE(plan.found);
+  std::string text;
+  for (const std::string& reason : plan.reasons) text += reason + "\n";
+  return text;
+}
+
+TEST(AssemblyPlan, RefusesWhatItCannotDeriveWithTheReason) {
+  EXPECT_THAT(reasons_of(mechanism_of_file("ankle")),
+              HasSubstr("its rod places one joint, and pitch, roll are open; drive all but one of them"));
+  // Links in parallel planes that do not meet.
+  EXPECT_THAT(reasons_of(mechanism_of(head("\"a\"") + joint("a", "link = [1, 0, 0]\n") + joint("c", "") +
+                                      joint("b", "parent = \"base\"\norigin = [1, 0, 0.1]\n") + tip +
+                                      pin("c", "[1, 0, 0]", "b", "[1, 0, 0]"))),
+              HasSubstr("its ends move in parallel planes that do not meet"));
+  // A joint that no loop holds and no motor drives.
+  EXPECT_THAT(
+      reasons_of(mechanism_of(head("\"a\"") + joint("a", "link = [1, 0, 0]\n") + joint("c", "") +
+                              joint("loose", "") + joint("b", "parent = \"base\"\norigin = [1, 0, 0]\n") +
+                              tip + pin("c", "[1, 0, 0]", "b", "[1, 0, 0]"))),
+      HasSubstr("joint loose is on no loop and is not driven"));
+}
+
+TEST(AssemblyPlan, FindsTheLoopThatIsRedundant) {
+  const auto mechanism = mechanism_of(two_rods);
+  const auto plan = derive::loops::assembly_plan(mechanism, mechanism.loops.actuated);
+  ASSERT_TRUE(plan.found);
+  EXPECT_EQ(plan.used, std::vector<std::size_t>{0});
+  EXPECT_EQ(plan.redundant, std::vector<std::size_t>{1});
+  const auto mobility = verify::mobility_of(mechanism);
+  EXPECT_EQ(mobility.free, 1);
+  EXPECT_EQ(mobility.redundant, std::vector<std::size_t>{1});
+  EXPECT_THAT(verify::text_of(mobility, mechanism).back(), HasSubstr("loop 2 is redundant"));
+  // Of both assemblies that the first rod leaves the second one takes one.
+  const auto certificate = verify::certify_loops(mechanism, plan, derive::inverse::lower(plan.plan), 3);
+  EXPECT_EQ(certificate.assemblies, certificate.inputs);
+}
+
+/// Every mechanism of the tests, from its motors and from its platform.
+TEST(LoopCertificate, HoldsForEveryMechanism) {
+  for (const char* name : {"four_bar", "slider_crank", "five_bar", "palletiser", "delta"}) {
+    const auto mechanism = mechanism_of_file(name);
+    const auto assembly = derive::loops::assembly_plan(mechanism, mechanism.loops.actuated);
+    ASSERT_TRUE(assembly.found) << name;
+    const auto certificate =
+        verify::certify_loops(mechanism, assembly, derive::inverse::lower(assembly.plan), 3);
+    EXPECT_EQ(certificate.inputs, 3) << name;
+    EXPECT_GE(certificate.assemblies, 3) << name;
+  }
+}
+
+TEST(LoopCertificate, RefutesAStepThatIsWrong) {
+  const auto mechanism = mechanism_of_file("four_bar");
+  auto assembly = derive::loops::assembly_plan(mechanism, mechanism.loops.actuated);
+  auto other = mechanism_of_file("four_bar");
+  other.loops.closures[0].points[0][0] = model::Expression::symbol("r3");
+  const auto wrong = derive::loops::assembly_plan(other, other.loops.actuated);
+  EXPECT_THROW(verify::certify_loops(mechanism, assembly, derive::inverse::lower(wrong.plan), 3),
+               verify::CertificateError);
+}
+
+}  // namespace
+}  // namespace qvgen::test::loops_derivation

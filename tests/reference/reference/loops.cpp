@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#include "reference/loops.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <stdexcept>
+
+#include <toml++/toml.h>
+
+#include "reference/dynamics.h"
+#include "reference/linear_algebra.h"
+#include "reference/load.h"
+
+namespace reference {
+namespace {
+
+double value_of(const toml::node& node, const Values& values) {
+  if (const auto text = node.value_exact<std::string>()) return evaluate(*text, values);
+  return node.value<double>().value();
+}
+
+Eigen::Index joint_named(const Chain& chain, const std::string& name) {
+  for (std::size_t i = 0; i < chain.joints.size(); ++i)
+    if (chain.joints[i].variable == name) return static_cast<Eigen::Index>(i);
+  if (name != "base") throw std::runtime_error("no joint " + name);
+  return -1;
+}
+
+std::vector<Eigen::Index> joints_in(const toml::table& file, const char* key, const Chain& chain) {
+  std::vector<Eigen::Index> joints;
+  if (const toml::array* list = file[key].as_array())
+    for (const toml::node& name : *list)
+      joints.push_back(joint_named(chain, name.value<std::string>().value()));
+  return joints;
+}
+
+Closure closure_of(const toml::table& table, const Chain& chain, const Values& values) {
+  Closure closure;
+  for (std::size_t i = 0; i < 2; ++i) {
+    closure.links[i] = joint_named(chain, table["between"][i].value<std::string>().value());
+    for (std::size_t k = 0; k < 3; ++k)
+      closure.points[i][static_cast<Eigen::Index>(k)] = value_of(*table["at"][i][k].node(), values);
+  }
+  if (const toml::node* length = table.get("length")) closure.length = value_of(*length, values);
+  return closure;
+}
+
+struct Ends {
+  std::array<Vector3d, 2> at;
+};
+
+Ends ends_of(const LoopMechanism& mechanism, const Closure& closure, const std::vector<Isometry3d>& frames) {
+  Ends ends;
+  for (std::size_t i = 0; i < 2; ++i)
+    ends.at[i] =
+        (closure.links[i] < 0 ? mechanism.chain.base : frames[static_cast<std::size_t>(closure.links[i])]) *
+        closure.points[i];
+  return ends;
+}
+
+double wrapped(double angle) { return std::remainder(angle, 2 * M_PI); }
+
+double distance(const LoopMechanism& mechanism, const VectorXd& a, const VectorXd& b) {
+  double worst = 0;
+  for (Eigen::Index i = 0; i < a.size(); ++i) {
+    const bool turns = mechanism.chain.joints[static_cast<std::size_t>(i)].revolute;
+    worst = std::max(worst, std::abs(turns ? wrapped(a[i] - b[i]) : a[i] - b[i]));
+  }
+  return worst;
+}
+
+/// True if Newton's steps of the passive joints close the gaps.
+bool close(const LoopMechanism& mechanism, const std::vector<Eigen::Index>& open, VectorXd& q) {
+  for (int step = 0; step < 40; ++step) {
+    const VectorXd off = gaps(mechanism, q);
+    if (off.cwiseAbs().maxCoeff() < 1e-12 * mechanism.size) return true;
+    const MatrixXd all = gap_jacobian(mechanism, q);
+    MatrixXd by(off.size(), static_cast<Eigen::Index>(open.size()));
+    for (std::size_t i = 0; i < open.size(); ++i) by.col(static_cast<Eigen::Index>(i)) = all.col(open[i]);
+    VectorXd way = least_squares(by, off);
+    const double longest = way.cwiseAbs().maxCoeff();
+    if (!std::isfinite(longest)) return false;
+    if (longest > 1) way /= longest;
+    for (std::size_t i = 0; i < open.size(); ++i) q[open[i]] -= way[static_cast<Eigen::Index>(i)];
+  }
+  return false;
+}
+
+}  // namespace
+
+LoopMechanism load_loops(const std::filesystem::path& path, const Values& given) {
+  const toml::table file = toml::parse_file(path.string());
+  Values values = given;
+  if (const toml::table* defaults = file["defaults"].as_table())
+    for (const auto& [key, node] : *defaults) values.emplace(std::string(key.str()), value_of(node, {}));
+  LoopMechanism mechanism;
+  mechanism.chain = load(path, given);
+  mechanism.size = 0;
+  for (const toml::node& node : *file["loop"].as_array()) {
+    mechanism.closures.push_back(closure_of(*node.as_table(), mechanism.chain, values));
+    const Closure& closure = mechanism.closures.back();
+    mechanism.size += closure.length + closure.points[0].norm() + closure.points[1].norm();
+  }
+  for (const Joint& joint : mechanism.chain.joints)
+    mechanism.size += joint.before.translation().norm() + joint.after.translation().norm();
+  mechanism.driven = joints_in(file, "actuated", mechanism.chain);
+  mechanism.outputs = joints_in(file, "outputs", mechanism.chain);
+  for (std::size_t i = 0; i < mechanism.chain.joints.size(); ++i) {
+    const auto joint = static_cast<Eigen::Index>(i);
+    if (std::find(mechanism.driven.begin(), mechanism.driven.end(), joint) == mechanism.driven.end())
+      mechanism.passive.push_back(joint);
+  }
+  return mechanism;
+}
+
+VectorXd gaps(const LoopMechanism& mechanism, const VectorXd& q) {
+  const std::vector<Isometry3d> at = frames(mechanism.chain, q);
+  std::vector<double> result;
+  for (const Closure& closure : mechanism.closures) {
+    const Ends ends = ends_of(mechanism, closure, at);
+    const Vector3d way = ends.at[0] - ends.at[1];
+    if (closure.length > 0)
+      result.push_back(way.norm() - closure.length);
+    else
+      result.insert(result.end(), {way.x(), way.y(), way.z()});
+  }
+  return Eigen::Map<VectorXd>(result.data(), static_cast<Eigen::Index>(result.size()));
+}
+
+MatrixXd gap_jacobian(const LoopMechanism& mechanism, const VectorXd& q) {
+  const Chain& chain = mechanism.chain;
+  const std::vector<Isometry3d> at = frames(chain, q);
+  const std::vector<JointPlace> places = joint_places(chain, q);
+  MatrixXd result = MatrixXd::Zero(gaps(mechanism, q).size(), q.size());
+  Eigen::Index row = 0;
+  for (const Closure& closure : mechanism.closures) {
+    const Ends ends = ends_of(mechanism, closure, at);
+    MatrixXd by = MatrixXd::Zero(3, q.size());
+    for (std::size_t end = 0; end < 2; ++end) {
+      for (std::size_t i = 0; closure.links[end] >= 0 && i < chain.joints.size(); ++i) {
+        if (!chain.moves(i, static_cast<std::size_t>(closure.links[end]))) continue;
+        const Vector3d rate =
+            chain.joints[i].revolute ? places[i].axis.cross(ends.at[end] - places[i].point) : places[i].axis;
+        by.col(static_cast<Eigen::Index>(i)) += (end == 0 ? 1 : -1) * rate;
+      }
+    }
+    if (closure.length > 0) {
+      result.row(row++) = (ends.at[0] - ends.at[1]).normalized().transpose() * by;
+    } else {
+      result.middleRows(row, 3) = by;
+      row += 3;
+    }
+  }
+  return result;
+}
+
+std::vector<VectorXd> assemblies(const LoopMechanism& mechanism, const VectorXd& q,
+                                 const std::vector<Eigen::Index>& given, int starts, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> turn(-M_PI, M_PI), slide(-mechanism.size, mechanism.size);
+  std::vector<Eigen::Index> open;
+  for (Eigen::Index i = 0; i < q.size(); ++i)
+    if (std::find(given.begin(), given.end(), i) == given.end()) open.push_back(i);
+  std::vector<VectorXd> found;
+  for (int start = 0; start < starts; ++start) {
+    VectorXd at = q;
+    for (const Eigen::Index i : open)
+      at[i] = mechanism.chain.joints[static_cast<std::size_t>(i)].revolute ? turn(random) : slide(random);
+    if (!close(mechanism, open, at)) continue;
+    for (const Eigen::Index i : open)
+      if (mechanism.chain.joints[static_cast<std::size_t>(i)].revolute) at[i] = wrapped(at[i]);
+    const auto same = [&](const VectorXd& other) { return distance(mechanism, at, other) < 1e-5; };
+    if (std::none_of(found.begin(), found.end(), same)) found.push_back(at);
+  }
+  return found;
+}
+
+VectorXd constrained_acceleration(const LoopMechanism& mechanism, const VectorXd& q, const VectorXd& qd,
+                                  const VectorXd& forces) {
+  const Chain& chain = mechanism.chain;
+  const Eigen::Index n = q.size();
+  const MatrixXd jacobian = gap_jacobian(mechanism, q);
+  // The rate of the Jacobian along qd, by differences in the middle.
+  const double step = 1e-5;
+  const MatrixXd rate =
+      (gap_jacobian(mechanism, q + step * qd) - gap_jacobian(mechanism, q - step * qd)) / (2 * step);
+  const Eigen::Index rows = jacobian.rows();
+  MatrixXd whole = MatrixXd::Zero(n + rows, n + rows);
+  whole.topLeftCorner(n, n) = mass_matrix(chain, q);
+  whole.topRightCorner(n, rows) = jacobian.transpose();
+  whole.bottomLeftCorner(rows, n) = jacobian;
+  VectorXd right(n + rows);
+  right.head(n) = forces - inverse_dynamics(chain, q, qd, VectorXd::Zero(n));
+  right.tail(rows) = -rate * qd;
+  return least_squares(whole, right).head(n);
+}
+
+}  // namespace reference

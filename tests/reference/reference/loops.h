@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <filesystem>
+
+#include "reference/chain.h"
+#include "reference/expression.h"
+
+/// Closed loops in numbers: gaps between points of links, by homogeneous matrices, and motions that keep them
+/// closed, by multipliers. Nothing is solved for joints here but by Newton's steps.
+namespace reference {
+
+/// Two points of links: together, or a length apart.
+struct Closure {
+  std::array<Eigen::Index, 2> links{-1, -1};  ///< joints that move them, -1: the base
+  std::array<Vector3d, 2> points{};           ///< in the links' frames
+  double length = 0;                          ///< of a rod; 0: the points are one
+};
+
+struct LoopMechanism {
+  Chain chain;
+  std::vector<Closure> closures;
+  std::vector<Eigen::Index> driven, outputs, passive;
+  double size = 1;  ///< m: all lengths together
+};
+
+LoopMechanism load_loops(const std::filesystem::path& file, const Values& values = {});
+
+/// Three gaps for points that are one, m; for a rod how much longer it is than it should be.
+VectorXd gaps(const LoopMechanism& mechanism, const VectorXd& q);
+/// Their derivatives by all joints, by cross products.
+MatrixXd gap_jacobian(const LoopMechanism& mechanism, const VectorXd& q);
+
+/// Passive joints for given ones (indices) at which all gaps vanish, from many starts: each once, angles in
+/// (-pi, pi].
+std::vector<VectorXd> assemblies(const LoopMechanism& mechanism, const VectorXd& q,
+                                 const std::vector<Eigen::Index>& given, int starts, unsigned seed);
+
+/// Accelerations of all joints under forces of all joints, with multipliers that hold the loops together.
+VectorXd constrained_acceleration(const LoopMechanism& mechanism, const VectorXd& q, const VectorXd& qd,
+                                  const VectorXd& forces);
+
+}  // namespace reference
