@@ -342,6 +342,7 @@ CommandLine::CommandLine() {
   add_compare(*this);
   add_report(*this);
   add_map(*this);
+  path_command = add_path(app, path);
   add_check(*this);
   add_import(*this);
   add_new(*this);

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/commands.h"
+#include "cli/path_options.h"
 
 namespace qvgen::cli {
 
@@ -46,6 +47,9 @@ struct CommandLine {
   CLI::App* map_command = nullptr;
   std::string mapped;
   MapArguments map;
+
+  CLI::App* path_command = nullptr;
+  PathArguments path;
 
   CLI::App* check_command = nullptr;
   std::vector<std::string> checked;

@@ -22,6 +22,7 @@ const char* const examples = R"(
   qvgen counts --against before.json          what a change has made cheaper or dearer
   qvgen report puma560 -o pages               a page that opens in any browser, pages/puma560.html
   qvgen map ur5 -o ur5.npz -o ur5.svg         what the arm reaches: arrays for NumPy, slices as a picture
+  qvgen path ur5 seam.csv -o motions.csv      all continuous motions of the joints along a path of the tool
   qvgen compare puma560 ns                    formulations by their operations: pairs, Denavit-Hartenberg, ...
 )";
 
@@ -46,6 +47,14 @@ const char* const map_examples = R"(
   qvgen map arm.urdf --tip tool0 --limits --resolution 0.02 --orientations 500 -o arm.vtk   for ParaView
   qvgen map ur5 --blocks 0:499 -o a.part      one half, anywhere; blocks are numbered 0 to 999
   qvgen map --merge a.part b.part -o ur5.npz  the parts together, the same file as of one run
+)";
+
+const char* const path_examples = R"(
+  qvgen path ur5 seam.csv                     what follows the path, and where and why the other motions end
+  qvgen path ur5 seam.csv -o motions.csv -o motions.svg   joints at the poses, and a picture
+  qvgen path arm.urdf seam.csv --speed 0.1    with the largest joint speeds, the tool going 0.1 m/s
+  qvgen path ur5 seam.csv --limit theta1=-170:170deg --limit theta6=-360:360deg
+  qvgen path iiwa14 seam.csv --hold theta3=0  seven joints, the third of which stays
 )";
 
 const char* const exit_codes =
