@@ -346,6 +346,7 @@ CommandLine::CommandLine() {
   add_map(*this);
   calibrate_command = add_calibrate(app, calibrate);
   identify_command = add_identify(app, identified, identify);
+  path_command = add_path(app, path);
   add_check(*this);
   add_import(*this);
   add_new(*this);

@@ -9,6 +9,7 @@
 #include "cli/calibrate_command.h"
 #include "cli/commands.h"
 #include "cli/identify_command.h"
+#include "cli/path_options.h"
 
 namespace qvgen::cli {
 
@@ -54,6 +55,8 @@ struct CommandLine {
   CLI::App* identify_command = nullptr;
   std::string identified;
   IdentifyArguments identify;
+  CLI::App* path_command = nullptr;
+  PathArguments path;
 
   CLI::App* check_command = nullptr;
   std::vector<std::string> checked;

@@ -25,6 +25,7 @@ const char* const examples = R"(
   qvgen map ur5 -o ur5.npz -o ur5.svg         what the arm reaches: arrays for NumPy, slices as a picture
   qvgen calibrate ur5 poses.csv -o my_ur5.toml   this very arm, from measurements
   qvgen identify my_arm.toml log.csv -o measured.toml   inertias and friction from a log of motion and torques
+  qvgen path ur5 seam.csv -o motions.csv      all continuous motions of the joints along a path of the tool
   qvgen compare puma560 ns                    formulations by their operations: pairs, Denavit-Hartenberg, ...
 )";
 
@@ -66,6 +67,14 @@ const char* const identify_examples = R"(
   qvgen identify my_arm.toml log.csv --drives viscous_friction,coulomb_friction        no rotor inertia, no offset
   qvgen identify my_arm.toml empty.csv --payload with_gripper.csv   mass, centre and inertia of what it carries
   qvgen identify my_arm.toml --plan 30 -o motion.csv                a motion to record: it tells much
+)";
+
+const char* const path_examples = R"(
+  qvgen path ur5 seam.csv                     what follows the path, and where and why the other motions end
+  qvgen path ur5 seam.csv -o motions.csv -o motions.svg   joints at the poses, and a picture
+  qvgen path arm.urdf seam.csv --speed 0.1    with the largest joint speeds, the tool going 0.1 m/s
+  qvgen path ur5 seam.csv --limit theta1=-170:170deg --limit theta6=-360:360deg
+  qvgen path iiwa14 seam.csv --hold theta3=0  seven joints, the third of which stays
 )";
 
 const char* const exit_codes =

@@ -10,6 +10,7 @@ extern const char* const report_examples;
 extern const char* const map_examples;
 extern const char* const calibrate_examples;
 extern const char* const identify_examples;
+extern const char* const path_examples;
 /// Exit codes of the tool, and why it has them; see ExitCode.
 extern const char* const exit_codes;
 

@@ -189,6 +189,15 @@ int identify(CommandLine& line, const Installation& here) {
   return run_identify(line.identify);
 }
 
+int path(CommandLine& line, const Installation& here) {
+  PathArguments& path = line.path;
+  path.description = description_of(path.robot, here.robots, path.read);
+  path.known_robots = here.robots;
+  path.source_tree = here.source_tree;
+  path.tool = here.tool;
+  return run_path(path);
+}
+
 int run(CommandLine& line, const Installation& here) {
   if (*line.generate_command) return generate(line, here);
   if (*line.remove_command) return run_remove(line.removed, folder_of(line, here, {}));
@@ -199,6 +208,7 @@ int run(CommandLine& line, const Installation& here) {
   if (*line.map_command) return map(line, here);
   if (*line.calibrate_command) return calibrate(line, here);
   if (*line.identify_command) return identify(line, here);
+  if (*line.path_command) return path(line, here);
   if (*line.import_command)
     return run_import(description_of(line.imported, here.robots, line.import), line.import);
   if (*line.new_command) return run_new(line.letters, line.name, line.wrist == "euler", here.robots);

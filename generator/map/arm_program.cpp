@@ -1,35 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include "map/arm_program.h"
 
-#include <algorithm>
 #include <cstring>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "emit/render.h"
-#include "pipeline/files.h"
-#include "pipeline/folder_state.h"
-#include "pipeline/pipeline.h"
-#include "toolchain/cache.h"
-#include "toolchain/workshop.h"
+#include "programs/program.h"
+#include "toolchain/process.h"
 
 namespace qvgen::map {
 namespace {
 
-namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 /// The inverse kinematics that is mapped: the first that there is.
 struct Function {
   std::string name, suffix, task, given;
 };
-
-std::string reason_of(const pipeline::RobotOutput& output) {
-  for (const pipeline::Missing& missing : output.missing)
-    if (missing.part == "inverse" || missing.part == "jacobian") return missing.reason;
-  return "none was derived";
-}
 
 Function function_of(const pipeline::RobotOutput& output) {
   const auto targets = output.counts.value("targets", ordered_json::object());
@@ -40,7 +29,7 @@ Function function_of(const pipeline::RobotOutput& output) {
     return {name, suffix, tasks.front(), suffix.rfind(given, 0) == 0 ? suffix.substr(given.size()) : ""};
   }
   throw std::runtime_error(output.robot +
-                           " has no inverse kinematics that could be mapped: " + reason_of(output));
+                           " has no inverse kinematics that could be mapped: " + programs::reason_of(output));
 }
 
 void refuse_what_has_no_map(const model::Robot& robot, const Function& function) {
@@ -54,24 +43,6 @@ void refuse_what_has_no_map(const model::Robot& robot, const Function& function)
         "{}: its inverse kinematics is asked for whole poses, of which {} joints reach so few that their "
         "share says nothing; write task = \"position\" or another task into its description, if it has one",
         robot.name, joints));
-}
-
-/// All files that the compiler reads besides the system's, one after the other.
-std::string sources_text(const pipeline::RobotOutput& output, const std::string& main,
-                         const toolchain::Runtime& runtime) {
-  std::string text = main;
-  for (const pipeline::OutputFile& file : output.files) text += file.path + "\n" + file.content;
-  std::vector<fs::path> folders{runtime.headers.front() / "qvgen"};
-  if (!runtime.sources.empty()) folders.push_back(runtime.sources);
-  std::vector<fs::path> files;
-  for (const fs::path& folder : folders)
-    for (const auto& entry : fs::recursive_directory_iterator(folder))
-      // Those of robots are generated ones, which are not used here.
-      if (entry.is_regular_file() && entry.path().string().find("/qvgen/robots") == std::string::npos)
-        files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  for (const fs::path& file : files) text += pipeline::content_of(file).value_or("");
-  return text;
 }
 
 std::string main_text(const model::Robot& robot, const Function& function,
@@ -98,49 +69,26 @@ std::vector<std::pair<std::string, std::vector<std::string>>> lane_forms() {
   return {};
 }
 
-toolchain::Program program_of(const model::Robot& robot, const pipeline::RobotOutput& output,
-                              const fs::path& folder, const toolchain::Runtime& runtime) {
-  toolchain::Program program{toolchain::cxx_compiler(), toolchain::options_of_all(runtime), {}, {"-pthread"}};
-  program.folder = folder;
-  program.options.insert(program.options.end(), {"-I.", "-Iinclude"});
+std::vector<toolchain::Source> sources_of() {
+  std::vector<toolchain::Source> sources;
   toolchain::Source plain{"map_program.cpp", {"-ffp-contract=off"}};
   for (const auto& [set, options] : lane_forms()) {
     toolchain::Source lanes{"map_program.cpp", {"-ffp-contract=off", "-DQVGEN_BATCH_" + set}};
     lanes.options.insert(lanes.options.end(), options.begin(), options.end());
-    program.sources.push_back(lanes);
+    sources.push_back(lanes);
     plain.options.push_back("-DQVGEN_BATCH_HAS_" + set);
   }
-  program.sources.push_back(plain);
-  std::vector<fs::path> generated;
-  for (const pipeline::OutputFile& file : output.files)
-    for (const char* name : {"inverse.cpp", "inverse_avx2.cpp"})
-      if (file.path == "source/" + robot.name + "/" + name) generated.push_back(file.path);
-  for (const fs::path& file : generated) program.sources.push_back(toolchain::generated_source(file));
-  toolchain::add_runtime(runtime, generated, program);
-  return program;
+  sources.push_back(plain);
+  return sources;
 }
 
-ordered_json made(const model::Robot& robot, const fs::path& target, const toolchain::Runtime& runtime,
-                  const std::function<void(const std::string&)>& progress) {
-  const std::vector<std::string> compiler = toolchain::cxx_compiler();
-  if (const std::string missing = toolchain::missing(compiler); !missing.empty())
-    throw std::runtime_error("a map is computed by a program that is compiled for the arm, but " + missing);
-  progress("deriving " + robot.name);
-  const pipeline::RobotOutput output = pipeline::generate({robot}, {"jacobian", "inverse", "batch"}).front();
+programs::Prepared prepared(const model::Robot& robot, const pipeline::RobotOutput& output) {
   const Function function = function_of(output);
   refuse_what_has_no_map(robot, function);
-  const toolchain::Workshop workshop;
-  for (const pipeline::OutputFile& file : output.files) workshop.write(file.path, file.content);
-  const std::string main = main_text(robot, function, output);
-  workshop.write("map_program.cpp", main);
-  const toolchain::Outcome outcome =
-      toolchain::build(program_of(robot, output, workshop.folder(), runtime), target,
-                       [&](const std::string& file) { progress("compiled " + file); });
-  if (!outcome.done)
-    throw std::runtime_error("the program that computes the map cannot be compiled:\n" + outcome.said);
-  return {{"fingerprint", pipeline::fingerprint(sources_text(output, main, runtime))},
-          {"task", function.task},
-          {"given", function.given}};
+  return {main_text(robot, function, output),
+          sources_of(),
+          {"-pthread"},
+          {{"task", function.task}, {"given", function.given}}};
 }
 
 /// Output of the program, cut into blocks.
@@ -178,26 +126,13 @@ class Stream {
 ArmProgram arm_program(const model::Robot& robot, const std::string& key, const toolchain::Runtime& runtime,
                        const std::function<void(const std::string&)>& progress) {
   const auto forms = lane_forms();  // machines that share a cache may have others
-  const fs::path folder =
-      toolchain::cache_folder() /
-      fmt::format("map-{}-{}{}", robot.name, key, forms.empty() ? "" : "-" + forms.front().first);
-  fs::create_directories(folder);
-  const fs::path program = folder / "program", about = folder / "about.json";
-  const pipeline::FolderLock lock(folder);  // of several processes one compiles
-  auto known = pipeline::content_of(about);
-  if (!known || !fs::exists(program)) {
-    fs::remove(about);
-    try {
-      known = made(robot, program, runtime, progress).dump();
-    } catch (...) {
-      std::error_code ignored;
-      fs::remove(folder, ignored);  // nothing is in it
-      throw;
-    }
-    pipeline::replace_file(about, *known, folder / "about.new");
-  }
-  const ordered_json json = ordered_json::parse(*known);
-  return {program, json.at("fingerprint"), json.at("task"), json.at("given")};
+  const programs::Recipe recipe{"map",
+                                key + (forms.empty() ? "" : "-" + forms.front().first),
+                                {"jacobian", "inverse", "batch"},
+                                [&](const pipeline::RobotOutput& output) { return prepared(robot, output); }};
+  const programs::Program program = programs::program_for(robot, recipe, runtime, progress);
+  const ordered_json& about = program.about;
+  return {program.file, about.at("fingerprint"), about.at("task"), about.at("given")};
 }
 
 void compute(const ArmProgram& program, const Plan& plan, const std::vector<int>& blocks, int threads,

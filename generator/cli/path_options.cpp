@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "cli/path_options.h"
+
+#include "cli/examples.h"
+#include "cli/reading_options.h"
+
+namespace qvgen::cli {
+
+CLI::App* add_path(CLI::App& app, PathArguments& arguments) {
+  CLI::App& command = *app.add_subcommand("path",
+                                          "all continuous motions of the joints that follow a path of the "
+                                          "tool: where each begins and ends, and why; "
+                                          "or the fewest that follow it one after the other");
+  command.add_option("ROBOT", arguments.robot, "name of a known robot, or a description")
+      ->type_name("ROBOT")
+      ->required();
+  command
+      .add_option("POSES", arguments.poses,
+                  "table of poses: columns x y z and qw qx qy qz, or roll pitch yaw, or rx ry rz (rotation "
+                  "vector); t, if there are times. A header may state units: x [mm], roll [deg]")
+      ->type_name("FILE")
+      ->required();
+  command
+      .add_option("-o,--output", arguments.outputs,
+                  "file to write: .csv (the motions at the poses), .json (everything) or .svg (each joint "
+                  "along the path); may be repeated")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  command
+      .add_option(
+          "--limit", arguments.limits,
+          "limits of a joint in place of the description's, NAME=LOWER:UPPER, rad or m, or with deg or "
+          "mm behind: theta1=-170:170deg; may be repeated")
+      ->type_name("LIMIT")
+      ->allow_extra_args(false);
+  command.add_flag("--without-limits", arguments.without_limits, "as if joints had no limits");
+  command
+      .add_option("--hold", arguments.held,
+                  "seven joints: the one that stays, NAME=VALUE, rad or m, or with deg or mm behind")
+      ->type_name("JOINT");
+  command.add_flag("--screw", arguments.screw,
+                   "screw motions between poses, in place of straight lines with an even turn");
+  command.add_option("--speed", arguments.speed, "the tool's speed, m/s, where the poses have no times")
+      ->type_name("SPEED")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--length-unit", arguments.length_unit, "of lengths whose header states none")
+      ->check(CLI::IsMember({"m", "mm"}))
+      ->capture_default_str();
+  command.add_option("--angle-unit", arguments.angle_unit, "of angles whose header states none")
+      ->check(CLI::IsMember({"rad", "deg"}))
+      ->capture_default_str();
+  add_reading(command, arguments.read);
+  command.footer(std::string("\nexamples:") + path_examples);
+  return &command;
+}
+
+}  // namespace qvgen::cli

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "cli/path_report.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/table.h"
+
+namespace qvgen::cli {
+namespace {
+
+constexpr double degrees = 180 / std::numbers::pi;
+constexpr std::size_t most_rows = 100;
+
+/// A path coordinate, to the digits that are right.
+std::string place(double s) { return fmt::format("{:.12g}", s); }
+
+std::string joint_name(const path::Task& task, int joint) {
+  return joint < 0 ? "" : task.joints.at(static_cast<std::size_t>(joint)).name;
+}
+
+/// A joint's value with its unit, degrees or millimetres.
+std::string value_of(const path::Task& task, int joint, double value) {
+  return task.joints.at(static_cast<std::size_t>(joint)).revolute ? fmt::format("{:.2f} deg", value * degrees)
+                                                                  : fmt::format("{:.2f} mm", value * 1e3);
+}
+
+std::string extreme_of(const path::Task& task, const path::Extreme& extreme, const char* per = "") {
+  if (!extreme.value) return "-";
+  return fmt::format("{}{} {} at {:.6g}", value_of(task, extreme.joint, *extreme.value), per,
+                     joint_name(task, extreme.joint), extreme.s);
+}
+
+std::string branches_of(const path::Motion& motion) {
+  return motion.branches.empty() ? "-" : fmt::format("{}", fmt::join(motion.branches, " > "));
+}
+
+Table table_of(const path::Result& result, const path::Task& task, bool timed) {
+  Table table;
+  table.names = 11;
+  table.rows.push_back(
+      {"motion", "from", "to", "branch", "turns", "begins", "ends", "nearest limit", "regularity"});
+  if (timed) table.rows.front().insert(table.rows.front().end(), {"largest speed", "acceleration"});
+  for (std::size_t i = 0; i < std::min(result.motions.size(), most_rows); ++i) {
+    const path::Motion& motion = result.motions[i];
+    TableRow row{std::to_string(i + 1),
+                 place(motion.begin.s),
+                 place(motion.end.s),
+                 branches_of(motion),
+                 fmt::format("{:g}", motion.representatives),
+                 path::words_of(motion.begin, true, task, result),
+                 path::words_of(motion.end, false, task, result),
+                 extreme_of(task, motion.limit_distance),
+                 fmt::format("{:.3g} at {:.6g}", motion.regularity.value.value_or(0), motion.regularity.s)};
+    if (timed) {
+      row.push_back(extreme_of(task, motion.speed, "/s"));
+      row.push_back(extreme_of(task, motion.acceleration, "/s^2"));
+    }
+    table.rows.push_back(row);
+  }
+  return table;
+}
+
+std::string joints_of(const path::Task& task, const std::vector<double>& q) {
+  std::vector<std::string> words;
+  for (std::size_t i = 0; i < q.size(); ++i)
+    words.push_back(fmt::format("{:.4f}", task.joints[i].revolute ? q[i] * degrees : q[i] * 1e3));
+  return fmt::format("{}", fmt::join(words, " "));
+}
+
+std::string whole_text(const path::Result& result, const path::Task& task) {
+  std::string text;
+  for (std::size_t i = 0; i < result.motions.size(); ++i)
+    if (result.is_whole(result.motions[i]))
+      text += fmt::format("  motion {}: {}\n", i + 1, joints_of(task, result.motions[i].begin.q));
+  return text.empty() ? "" : "joints that follow the whole path from its start (deg, mm):\n" + text;
+}
+
+/// The fewest motions, and where to change from one to the next.
+std::string chain_text(const path::Result& result) {
+  if (result.chain.empty()) return "";
+  std::string text = fmt::format("no motion follows the whole path; {} follow it one after the other:\n",
+                                 result.chain.size());
+  for (const path::Change& change : result.chain) {
+    text += fmt::format("  motion {} from {}", change.motion + 1, place(change.s));
+    if (change.way && *change.way > 0)
+      text += fmt::format(", to which the farthest joint goes {:.4g} rad or m", *change.way);
+    text += "\n";
+  }
+  return text;
+}
+
+std::string gaps_text(const path::Result& result) {
+  std::string text;
+  for (const auto& [from, to] : result.gaps)
+    text += fmt::format("nothing follows the path from {} to {}\n", place(from), place(to));
+  return text;
+}
+
+}  // namespace
+
+std::string path_text(const path::Result& result, const path::Task& task, const path::Poses& poses,
+                      const std::string& robot) {
+  const auto whole = std::count_if(result.motions.begin(), result.motions.end(),
+                                   [&](const path::Motion& motion) { return result.is_whole(motion); });
+  std::string text = fmt::format("{}: {} poses, {:.4g} m; {} motions, {} of them all the way\n", robot,
+                                 result.samples, poses.length(), result.motions.size(), whole);
+  if (!result.motions.empty()) text += text_of(table_of(result, task, poses.timed), ReportFormat::table);
+  if (result.motions.size() > most_rows)
+    text += fmt::format("... and {} more: -o FILE.csv or .json has all\n", result.motions.size() - most_rows);
+  text += whole > 0 ? whole_text(result, task) : chain_text(result);
+  text += gaps_text(result);
+  if (result.full) text += "there were more motions than there is room for: some are missing\n";
+  if (result.doubtful)
+    text += "the inverse kinematics was not sure to have all solutions everywhere: a motion may be missing\n";
+  return text;
+}
+
+}  // namespace qvgen::cli

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "path/arm_program.h"
+
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "emit/render.h"
+#include "toolchain/process.h"
+#include "toolchain/workshop.h"
+
+namespace qvgen::path {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+constexpr const char* plain = "inverse_kinematics";
+
+/// Names of the inverse kinematics that take whole poses.
+std::vector<std::string> functions_of(const pipeline::RobotOutput& output) {
+  std::vector<std::string> names;
+  const auto targets = output.counts.value("targets", ordered_json::object());
+  for (const auto& [name, tasks] : targets.items())
+    for (const auto& task : tasks)
+      if (task == "pose") names.push_back(name);
+  return names;
+}
+
+/// Joints of which one can be held, as words.
+std::string joints_to_hold(const std::vector<std::string>& functions) {
+  const std::string given = std::string(plain) + "_given_";
+  std::string words;
+  for (const std::string& name : functions)
+    if (name.rfind(given, 0) == 0) words += (words.empty() ? "" : ", ") + name.substr(given.size());
+  return words;
+}
+
+std::string function_of(const model::Robot& robot, const Task& task, const pipeline::RobotOutput& output) {
+  const std::vector<std::string> functions = functions_of(output);
+  const std::string wanted = task.held ? fmt::format("{}_given_{}", plain, task.held->name) : plain;
+  for (const std::string& name : functions)
+    if (name == wanted) return name;
+  const std::string joints = joints_to_hold(functions);
+  if (task.held && !joints.empty())
+    throw std::runtime_error(
+        fmt::format("{}: {} cannot be held; {} can", robot.name, task.held->name, joints));
+  throw std::runtime_error(fmt::format("{} has no inverse kinematics that follows whole poses: {}",
+                                       robot.name, programs::reason_of(output)));
+}
+
+std::string header_of(const Task& task) {
+  std::string header;
+  for (const MovingJoint& joint : task.joints)
+    header += fmt::format(",{} [{}]", joint.name, joint.revolute ? "rad" : "m");
+  return header;
+}
+
+int index_of(const model::Robot& robot, const std::string& joint) {
+  int index = 0;
+  for (const auto& each : robot.joints) {
+    if (each.follows) continue;
+    if (each.variable == joint) return index;
+    ++index;
+  }
+  throw std::runtime_error(fmt::format("{} has no joint {}", robot.name, joint));
+}
+
+programs::Prepared prepared(const model::Robot& robot, const Task& task,
+                            const pipeline::RobotOutput& output) {
+  const std::string function = function_of(robot, task, output);
+  const std::string suffix = function.substr(std::string(plain).size());
+  const std::string main =
+      emit::render("cpp/path_program.cpp", {{"name", robot.name},
+                                            {"function", function},
+                                            {"info", "inverse_info" + suffix},
+                                            {"held", task.held.has_value()},
+                                            {"index", task.held ? index_of(robot, task.held->name) : 0},
+                                            {"header", header_of(task)}});
+  return {main, {{"path_program.cpp", {"-ffp-contract=off"}}}, {}, {{"function", function}}};
+}
+
+std::string hexadecimal(double value) { return fmt::format("{:a}", value); }
+
+}  // namespace
+
+programs::Program arm_program(const model::Robot& robot, const Task& task, const std::string& key,
+                              const toolchain::Runtime& runtime, const programs::Progress& progress) {
+  const std::string held = task.held ? "-" + task.held->name : "";
+  const programs::Recipe recipe{
+      "path", key + held, {"kinematics", "jacobian", "inverse"}, [&](const pipeline::RobotOutput& output) {
+        return prepared(robot, task, output);
+      }};
+  return programs::program_for(robot, recipe, runtime, progress);
+}
+
+ordered_json follow(const programs::Program& program, const Task& task, const Poses& poses) {
+  const toolchain::Workshop workshop;
+  const auto* bytes = reinterpret_cast<const char*>(poses.samples.data());
+  workshop.write("poses", std::string(bytes, poses.samples.size() * sizeof(Sample)));
+  std::vector<std::string> words{
+      program.file.string(), (workshop.folder() / "poses").string(), task.screw ? "screw" : "straight",
+      task.motions.empty() ? "-" : task.motions.string(), hexadecimal(task.held ? task.held->value : 0)};
+  for (const MovingJoint& joint : task.joints) words.push_back(hexadecimal(joint.limits.first));
+  for (const MovingJoint& joint : task.joints) words.push_back(hexadecimal(joint.limits.second));
+  std::string text;
+  const toolchain::Outcome outcome = toolchain::run(words, "", [&](std::string_view some) { text += some; });
+  if (!outcome.done)
+    throw std::runtime_error("the program that follows the path has not finished: " + outcome.said);
+  return ordered_json::parse(text);
+}
+
+}  // namespace qvgen::path

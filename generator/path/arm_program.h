@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// The program that follows paths for one arm (qvgen/path/program.h): compiled once, run with a file of poses.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "model/robot.h"
+#include "path/poses.h"
+#include "programs/program.h"
+
+namespace qvgen::path {
+
+/// A joint of seven that stays at a value, rad or m.
+struct HeldJoint {
+  std::string name;
+  double value = 0;
+};
+
+/// A joint that moves along the path.
+struct MovingJoint {
+  std::string name;
+  bool revolute = true;
+  std::pair<double, double> limits;  ///< infinite without
+};
+
+/// Joints that follow a path, and the ways between its poses.
+struct Task {
+  std::optional<HeldJoint> held;
+  std::vector<MovingJoint> joints;  ///< six
+  bool screw = false;               ///< screw motions between poses, in place of straight lines
+  std::filesystem::path motions;    ///< CSV to write; empty for none
+};
+
+/// Returns the program of an arm, from the cache if it is there. Throws std::runtime_error if the arm cannot
+/// follow poses, with the reason.
+programs::Program arm_program(const model::Robot& robot, const Task& task, const std::string& key,
+                              const toolchain::Runtime& runtime, const programs::Progress& progress);
+
+/// Runs the program; returns its JSON. Throws std::runtime_error if it fails.
+nlohmann::ordered_json follow(const programs::Program& program, const Task& task, const Poses& poses);
+
+}  // namespace qvgen::path

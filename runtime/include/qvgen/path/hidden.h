@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+
+#include <qvgen/path/limits_on_track.h>
+#include <qvgen/path/step.h>
+
+/// Things that two steps may hide: solutions that meet and part between places, and joints that touch a limit. Both
+/// are judged by parabolas through three places: of the square of the distance of two solutions, which is
+/// linear where they meet, and of each joint.
+namespace qvgen::path {
+
+/// A parabola through values at 0, 1/2 and 1.
+struct Parabola {
+  double first, middle, last;
+
+  [[nodiscard]] double bend() const { return 2 * (first - 2 * middle + last); }
+  [[nodiscard]] double slope() const { return 4 * middle - 3 * first - last; }
+  /// The extreme value between 0 and 1; the middle value if it is not there.
+  [[nodiscard]] double extreme() const {
+    const double at = -slope(), twice = 2 * bend();
+    const bool is_inside = twice > 0 ? at > 0 && at < twice : at < 0 && at > twice;
+    return is_inside ? first - 0.5 * slope() * slope() / twice : middle;
+  }
+  [[nodiscard]] double most() const { return std::max({first, middle, last}); }
+  [[nodiscard]] double least() const { return std::min({first, middle, last}); }
+};
+
+template <class Arm>
+class Hidden {
+ public:
+  Hidden(const Arm& arm, const Place<Arm>& a, const Place<Arm>& m, const Place<Arm>& b,
+         const Step<Arm>& first, const Step<Arm>& second)
+      : arm_(arm), a_(a), m_(m), b_(b), first_(first.match), second_(second.match) {}
+
+  /// True if two solutions may meet between the places.
+  [[nodiscard]] bool meeting() const {
+    for (int i = 0; i < m_.found.size(); ++i)
+      for (int k = 0; k < i; ++k)
+        if (may_meet(i, k)) return true;
+    return false;
+  }
+
+  /// True if a joint of a row of `a`, on its track at `u`, may touch a limit of its cell that no place shows.
+  [[nodiscard]] bool touch(int row, const Values& u, const Cell& cell) const {
+    const int middle = first_.to[static_cast<std::size_t>(row)];
+    const int last = middle < 0 ? -1 : second_.to[static_cast<std::size_t>(middle)];
+    if (last < 0) return false;
+    const Values at_middle = u + difference(m_.found[middle].q, a_.found[row].q, arm_.revolute);
+    const Values at_last = at_middle + difference(b_.found[last].q, m_.found[middle].q, arm_.revolute);
+    for (int i = 0; i < 6; ++i)
+      if (touches({u[i], at_middle[i], at_last[i]}, cell.below[i], cell.above[i])) return true;
+    return false;
+  }
+
+ private:
+  static constexpr double far = 1;  ///< rad or m: solutions that are farther apart cannot meet within a step
+
+  static bool touches(const Parabola& joint, double below, double above) {
+    const double extreme = joint.extreme();
+    return (joint.most() < above && extreme >= above) || (joint.least() > below && extreme <= below);
+  }
+
+  [[nodiscard]] bool may_meet(int i, int k) const {
+    if (distance(m_.found[i].q, m_.found[k].q, arm_.revolute) > far) return false;
+    const int before_i = first_.from[static_cast<std::size_t>(i)],
+              before_k = first_.from[static_cast<std::size_t>(k)],
+              behind_i = second_.to[static_cast<std::size_t>(i)],
+              behind_k = second_.to[static_cast<std::size_t>(k)];
+    if (before_i < 0 || before_k < 0 || behind_i < 0 || behind_k < 0) return false;
+    const Parabola square{apart(a_, before_i, before_k), apart(m_, i, k), apart(b_, behind_i, behind_k)};
+    return square.bend() > 0 && square.extreme() < 0.1 * square.most();
+  }
+
+  [[nodiscard]] double apart(const Place<Arm>& place, int i, int k) const {
+    return difference(place.found[i].q, place.found[k].q, arm_.revolute).squaredNorm();
+  }
+
+  const Arm& arm_;
+  const Place<Arm>&a_, &m_, &b_;
+  const Match<Arm>&first_, &second_;
+};
+
+}  // namespace qvgen::path

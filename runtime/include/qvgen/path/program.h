@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <vector>
+
+#include <qvgen/path/cover.h>
+#include <qvgen/path/follow.h>
+#include <qvgen/path/held.h>
+#include <qvgen/path/json.h>
+#include <qvgen/path/review.h>
+
+/// The program that `qvgen path` compiles for an arm and runs. A file has the samples, eight numbers each:
+/// w x y z of the orientation, the position, the time (NaN without). The result goes to the output as JSON,
+/// and, if wanted, the motions at the samples to a file as CSV.
+namespace qvgen::path {
+
+/// A path to follow, and limits.
+struct Request {
+  std::vector<Pose<double>> samples;
+  std::vector<double> times;  ///< empty without
+  Between between = Between::straight;
+  JointLimits<6> limits;
+  const char* motions = nullptr;  ///< the CSV's file
+};
+
+inline bool read_samples(const char* file, Request& request) {
+  std::FILE* from = std::fopen(file, "rb");
+  if (from == nullptr) return false;
+  double row[8];
+  while (std::fread(row, sizeof row, 1, from) == 1) {
+    request.samples.push_back({{row[0], row[1], row[2], row[3]}, {row[4], row[5], row[6]}});
+    if (!std::isnan(row[7])) request.times.push_back(row[7]);
+  }
+  std::fclose(from);
+  return !request.samples.empty();
+}
+
+/// All that was found along one path, with the memory that it takes.
+template <class Arm>
+class Found {
+ public:
+  static constexpr int capacity = Arm::capacity;
+
+  Found(const Arm& arm, const Request& request)
+      : arm_(arm),
+        request_(request),
+        curve_(request.samples.data(), request.samples.size(), request.between),
+        q_(request.samples.size() * capacity * 6),
+        track_(request.samples.size() * capacity),
+        tracks_(most_tracks),
+        events_(most_events),
+        record_(Buffers<capacity>{q_.data(), track_.data(), tracks_.data(), tracks_.size(), events_.data(),
+                                  events_.size()}) {
+    const auto start = std::chrono::steady_clock::now();
+    Follower<Arm> follower(arm_, curve_, request.limits, record_);
+    follower.run();
+    seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const auto take = [&](const Motion& motion) { motions_.push_back(motion); };
+    MotionsOf<capacity, decltype(take)> cut(record_, request.limits, arm_.revolute, take);
+    record_.is_full = !cut.run() || record_.is_full;
+  }
+
+  void write_json() {
+    std::printf("{\"samples\":%zu,\"seconds\":%.6f,\"full\":%s,\"doubtful\":%s,\"tracks\":%d,\n\"motions\":[",
+                request_.samples.size(), seconds_, record_.is_full ? "true" : "false",
+                record_.is_doubtful ? "true" : "false", record_.tracks());
+    for (std::size_t i = 0; i < motions_.size(); ++i) {
+      std::printf("%s\n", i > 0 ? "," : "");
+      write_motion(motions_[i]);
+    }
+    std::printf("],\n\"chain\":[");
+    write_chain();
+    std::printf("],\n\"gaps\":[");
+    write_gaps();
+    std::printf("]}\n");
+  }
+
+  /// Rows of motion, path coordinate, time if there is one, and joints; false if the file cannot be written.
+  [[nodiscard]] bool write_motions(const char* header) const {
+    std::FILE* to = std::fopen(request_.motions, "wb");
+    if (to == nullptr) return false;
+    std::fprintf(to, "motion,s%s%s\n", request_.times.empty() ? "" : ",t [s]", header);
+    for (std::size_t i = 0; i < motions_.size(); ++i)
+      for_each_place(motions_[i], 1, [&](double s, const Values& q) { write_row(to, i, s, q); });
+    const bool failed = std::ferror(to) != 0;
+    return std::fclose(to) == 0 && !failed;
+  }
+
+ private:
+  static constexpr std::size_t most_tracks = 20000, most_events = 200000, most_drawn = 400;
+
+  /// Calls with the places of a motion: its ends and each sample between them, or some of these.
+  template <class Take>
+  void for_each_place(const Motion& motion, std::size_t stride, const Take& take) const {
+    take(motion.begin.s, motion.begin.q);
+    for (auto i = static_cast<std::size_t>(motion.begin.s) + 1; static_cast<double>(i) < motion.end.s; ++i) {
+      Values q;
+      if (i % stride == 0 && record_.at(i, motion.track, q)) take(static_cast<double>(i), q + motion.turns);
+    }
+    if (motion.end.s > motion.begin.s) take(motion.end.s, motion.end.q);
+  }
+
+  void write_row(std::FILE* to, std::size_t motion, double s, const Values& q) const {
+    std::fprintf(to, "%zu,%s", motion + 1, json::text(s).c_str());
+    if (!request_.times.empty()) std::fprintf(to, ",%s", json::text(time_at(s)).c_str());
+    for (int i = 0; i < 6; ++i) std::fprintf(to, ",%s", json::text(q[i]).c_str());
+    std::fprintf(to, "\n");
+  }
+
+  [[nodiscard]] double time_at(double s) const {
+    if (curve_.pieces() == 0) return request_.times[0];
+    const std::size_t i = curve_.piece_at(s);
+    return request_.times[i] + (s - static_cast<double>(i)) * (request_.times[i + 1] - request_.times[i]);
+  }
+
+  static void write_extreme(const char* name, const Extreme& extreme) {
+    std::printf(",\"%s\":{\"value\":%s,\"s\":%s,\"joint\":%d}", name, json::text(extreme.value).c_str(),
+                json::text(extreme.s).c_str(), extreme.joint);
+  }
+
+  void write_motion(const Motion& motion) const {
+    std::printf("{\"track\":%d,\"representatives\":%.17g,\"begin\":%s,\"end\":%s,\"branches\":[%d,%d],",
+                motion.track, motion.representatives, json::text(motion.begin).c_str(),
+                json::text(motion.end).c_str(), tracks_[static_cast<std::size_t>(motion.track)].first_branch,
+                tracks_[static_cast<std::size_t>(motion.track)].last_branch);
+    write_crossings(motion);
+    const Reviewer<Arm> reviewer(arm_, curve_, request_.limits, record_,
+                                 request_.times.empty() ? nullptr : request_.times.data());
+    const Review review = reviewer.review(motion);
+    write_extreme("limit_distance", review.limit_distance);
+    write_extreme("regularity", review.regularity);
+    write_extreme("speed", review.speed);
+    write_extreme("acceleration", review.acceleration);
+    std::printf(",\"travel\":%s,\"curve\":[", json::text(review.travel).c_str());
+    const char* separator = "";
+    for_each_place(motion, request_.samples.size() / most_drawn + 1, [&](double s, const Values& q) {
+      std::printf("%s[%s,%s]", separator, json::text(s).c_str(), json::text(q).c_str());
+      separator = ",";
+    });
+    std::printf("]}");
+  }
+
+  void write_crossings(const Motion& motion) const {
+    std::printf("\"crossings\":[");
+    const char* separator = "";
+    for (std::size_t i = 0; i < record_.events(); ++i) {
+      const Event& event = record_.event(i);
+      const bool is_here = event.track == motion.track && event.kind == Event::Kind::crossing &&
+                           event.s >= motion.begin.s && event.s <= motion.end.s;
+      if (!is_here) continue;
+      std::printf("%s{\"s\":%s,\"before\":%d,\"behind\":%d}", separator, json::text(event.s).c_str(),
+                  event.branch_before, event.branch_behind);
+      separator = ",";
+    }
+    std::printf("]");
+  }
+
+  void write_chain() const {
+    std::vector<int> first(motions_.size()), last(motions_.size());
+    std::vector<Chain> best(motions_.size()), next(motions_.size());
+    Cover<capacity> cover(record_, motions_.data(), motions_.size(), request_.samples.size(),
+                          {first.data(), last.data(), best.data(), next.data()});
+    const Chain chain = cover.fewest();
+    for (int i = 0; i < chain.count; ++i) {
+      const Change& change = chain.changes[static_cast<std::size_t>(i)];
+      std::printf("%s{\"motion\":%d,\"s\":%s,\"way\":%s}", i > 0 ? "," : "", change.motion,
+                  json::text(change.s).c_str(), json::text(change.way).c_str());
+    }
+  }
+
+  /// Stretches of the path that no motion follows.
+  void write_gaps() const {
+    std::vector<std::pair<double, double>> covered;
+    for (const Motion& motion : motions_) covered.emplace_back(motion.begin.s, motion.end.s);
+    std::sort(covered.begin(), covered.end());
+    covered.emplace_back(curve_.end(), curve_.end());
+    double reached = 0;
+    const char* separator = "";
+    bool is_first = motions_.empty() || covered.front().first > 0;
+    for (const auto& [from, to] : covered) {
+      if (from > reached + 1e-9 || (is_first && curve_.end() == 0)) {
+        std::printf("%s[%s,%s]", separator, json::text(reached).c_str(), json::text(from).c_str());
+        separator = ",";
+      }
+      is_first = false;
+      reached = std::max(reached, to);
+    }
+  }
+
+  const Arm& arm_;
+  const Request& request_;
+  Curve curve_;
+  std::vector<double> q_;
+  std::vector<int> track_;
+  std::vector<Track> tracks_;
+  std::vector<Event> events_;
+  Record<capacity> record_;
+  std::vector<Motion> motions_;
+  double seconds_ = 0;
+};
+
+/// Arguments: the file of samples, "straight" or "screw", the file of motions or "-", the value of the joint
+/// that is held (0 without), six lower and six upper limits. `arm_of` makes the arm from that value.
+template <class ArmOf>
+int run(int argc, char** argv, const char* header, const ArmOf& arm_of) {
+  if (argc != 17) return 2;
+  Request request;
+  if (!read_samples(argv[1], request)) return 2;
+  request.between = std::string(argv[2]) == "screw" ? Between::screw : Between::straight;
+  if (std::string(argv[3]) != "-") request.motions = argv[3];
+  for (int i = 0; i < 6; ++i) {
+    request.limits.lower[i] = std::strtod(argv[5 + i], nullptr);
+    request.limits.upper[i] = std::strtod(argv[11 + i], nullptr);
+  }
+  const auto arm = arm_of(std::strtod(argv[4], nullptr));
+  Found<std::decay_t<decltype(arm)>> found(arm, request);
+  found.write_json();
+  if (request.motions != nullptr && !found.write_motions(header)) return 1;
+  return std::fflush(stdout) == 0 ? 0 : 1;
+}
+
+}  // namespace qvgen::path

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// `qvgen path` as its users meet it: a path that an arm was seen to follow is followed, files hold what the
+// table says, and bad input gets an answer and leaves nothing.
+#include <cmath>
+#include <sstream>
+#include <vector>
+
+#include "command_line.h"
+
+namespace qvgen::test {
+namespace {
+
+constexpr const char* header = "x [mm],y [mm],z [mm],roll [deg],pitch [deg],yaw [deg],t [s]\n";
+
+/// A seam before a UR5; `far` makes it leave the reach.
+std::string seam(double far) {
+  std::ostringstream text;
+  text << header;
+  for (int i = 0; i <= 40; ++i) {
+    const double u = i / 40.0;
+    text << 400 + far * u << "," << -300 + 500 * u << "," << 250 + 100 * std::sin(3 * u) << ",180," << 20 * u
+         << "," << 30 * u << "," << 0.1 * i << "\n";
+  }
+  return text.str();
+}
+
+class PathCommand : public CommandLine {
+ protected:
+  [[nodiscard]] ToolRun follow(const std::string& arguments) {
+    return run_in(folder, "path " + arguments, QVGEN_TOOL);
+  }
+  std::string read(const std::string& name) {
+    std::ifstream stream(folder / name);
+    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  }
+};
+
+TEST_F(PathCommand, AReachablePathIsFollowedAllTheWay) {
+  write("seam.csv", seam(100));
+  const ToolRun result = follow("ur5 seam.csv -o motions.csv -o motions.json -o motions.svg");
+  ASSERT_EQ(result.code, 0) << result.output;
+  EXPECT_TRUE(has(result, "ur5: 41 poses")) << result.output;
+  EXPECT_TRUE(has(result, "joints that follow the whole path from its start")) << result.output;
+  EXPECT_EQ(read("motions.csv").rfind("motion,s,t [s],theta1 [rad],", 0), 0U);
+  EXPECT_NE(read("motions.csv").find("\n1,40,4,"), std::string::npos);
+  EXPECT_NE(read("motions.json").find("\"robot\": \"ur5\""), std::string::npos);
+  EXPECT_NE(read("motions.svg").find("<polyline"), std::string::npos);
+}
+
+TEST_F(PathCommand, APathThatLeavesTheReachEndsThere) {
+  write("seam.csv", seam(900));
+  const ToolRun result = follow("ur5 seam.csv");
+  ASSERT_EQ(result.code, 0) << result.output;
+  EXPECT_TRUE(has(result, "boundary of reach")) << result.output;
+  EXPECT_TRUE(has(result, "nothing follows the path from")) << result.output;
+}
+
+TEST_F(PathCommand, LimitsCutMotions) {
+  write("seam.csv", seam(100));
+  const ToolRun result = follow("ur5 seam.csv --limit theta1=-30:30deg");
+  ASSERT_EQ(result.code, 0) << result.output;
+  EXPECT_TRUE(has(result, "theta1 at its")) << result.output;
+}
+
+TEST_F(PathCommand, BadInputGetsAnAnswer) {
+  write("nan.csv", std::string(header) + "400,0,250,180,0,0,0\n400,nan,250,180,0,0,1\n");
+  write("good.csv", std::string(header) + "400,0,250,180,0,0,0\n400,10,250,180,0,0,1\n");
+  const auto expect = [&](const std::string& arguments, int code, const std::string& words) {
+    const ToolRun result = follow(arguments);
+    EXPECT_EQ(result.code, code) << arguments << "\n" << result.output;
+    EXPECT_TRUE(has(result, words)) << result.output;
+  };
+  expect("ur5 nan.csv -o out.csv", 1, "nan.csv:3");
+  expect("ur5 none.csv", 1, "none.csv");
+  expect("ur5 good.csv -o out.txt", 2, ".csv, .json or .svg");
+  expect("ur5 good.csv --limit theta9=0:1", 2, "there is no joint");
+  expect("ur5 good.csv --limit theta1=1:0", 2, "above the upper one");
+  expect("scara good.csv", 1, "six");
+  expect("iiwa14 good.csv", 1, "--hold");
+  EXPECT_FALSE(fs::exists(folder / "out.csv"));
+  EXPECT_FALSE(fs::exists(folder / "out.csv.new"));
+}
+
+}  // namespace
+}  // namespace qvgen::test
