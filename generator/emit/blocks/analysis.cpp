@@ -173,7 +173,8 @@ bool returns_last(const Function& function) {
   if (!function.is_public || function.parameters.empty()) return false;
   const Field& last = function.parameters.back();
   return last.type->kind == Type::Kind::pointer && !last.type->constant &&
-         (last.name == "result" || last.name == "found");
+         (last.name == "result" || last.name == "found" ||
+          (last.name == "all" && function.result->kind == Type::Kind::nothing));
 }
 
 Extent extent_of(const Expression& size) {

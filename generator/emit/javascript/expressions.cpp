@@ -255,6 +255,9 @@ std::string FunctionWriter::argument(const Expression& e, const TypeRef& wanted,
     return within(e.operands[0], 3, blocks::basic(Type::Kind::boolean)) + " ? " +
            argument(e.operands[1], wanted, shape) + " : " + argument(e.operands[2], wanted, shape);
   if (!shape.many && blocks::is_scalar_pointer(wanted)) return box(e);
+  // One object where an array is wanted is an array of one.
+  if (shape.many && e.kind == Kind::address && e.operands[0].type->kind == Type::Kind::structure)
+    return "[" + place(e) + "]";
   return place(e);
 }
 

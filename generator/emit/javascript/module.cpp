@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "emit/blocks/documentation.h"
 #include "emit/javascript/names.h"
 #include "emit/javascript/writer.h"
 #include "emit/render.h"
@@ -15,14 +16,13 @@ namespace {
 using blocks::Type;
 using blocks::TypeRef;
 
-Lines documented(const Lines& doc, const std::string& indent, const std::string& robot) {
+Lines documented(const Lines& doc, const std::string& indent, const std::string& robot,
+                 bool returns_last = false) {
   if (doc.empty()) return {};
   Lines result{indent + "/**"};
-  for (std::string each : doc) {
-    for (const auto& [word, own] :
-         {std::pair<std::string, std::string>{"NULL", "null"}, {robot + "_", ""}, {"*/", "* /"}})
-      for (std::size_t at = each.find(word); at != std::string::npos; at = each.find(word, at + own.size()))
-        each.replace(at, word.size(), own);
+  for (std::string each : blocks::documentation(doc, {robot, "null", 110, returns_last})) {
+    for (std::size_t at = each.find("*/"); at != std::string::npos; at = each.find("*/"))
+      each.insert(at + 1, " ");
     result.push_back(indent + " *" + (each.empty() ? "" : " ") + each);
   }
   result.push_back(indent + " */");
@@ -42,7 +42,7 @@ class ModuleWriter {
     for (const blocks::Function& each : unit_.functions) {
       if (!each.is_defined) continue;
       add("");
-      add(documented(each.doc, "", unit_.robot));
+      add(documented(each.doc, "", unit_.robot, blocks::returns_last(each)));
       add(FunctionWriter(context_, each).lines());
     }
     return joined();
@@ -152,7 +152,7 @@ class ModuleWriter {
 
   void declare(const blocks::Function& function) {
     add("");
-    add(documented(function.doc, "", unit_.robot));
+    add(documented(function.doc, "", unit_.robot, blocks::returns_last(function)));
     const std::vector<std::string> usual = FunctionWriter(context_, function).parameters();
     std::string list;
     // A parameter may be left out if all behind it may.

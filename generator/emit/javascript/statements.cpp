@@ -120,7 +120,7 @@ std::string FunctionWriter::declared(const Statement& s) {
       aliases_[s.name] = s.values[0];
       return "";
     }
-    return "const " + local(s.name) + " = " + argument(s.values[0], s.type, Shape{true});
+    return "const " + local(s.name) + " = " + argument(s.values[0], s.type, Shape{});
   }
   const bool is_object = s.type->kind == Type::Kind::structure || s.type->kind == Type::Kind::array;
   const std::string mark = is_object || changed_.count(s.name) == 0 ? "const " : "let ";

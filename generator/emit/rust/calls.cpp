@@ -54,6 +54,10 @@ bool FunctionWriter::overlap(const Path& a, const Path& b) const {
 std::string FunctionWriter::reference(const Expression& e, const Shape& shape) {
   if (const Expression* other = alias(e)) return reference(*other, shape);
   const std::string mark = shape.changed ? "&mut " : "&";
+  // One object where an array is wanted is an array of one.
+  if (e.kind == Kind::address && shape.many)
+    return std::string("core::slice::") + (shape.changed ? "from_mut(" : "from_ref(") + mark +
+           place(e.operands[0]) + ")";
   if (e.kind == Kind::address) return mark + place(e.operands[0]);
   if (e.kind == Kind::conditional)
     return "if " + condition(e.operands[0]) + " { " + reference(e.operands[1], shape) + " } else { " +

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "emit/blocks/documentation.h"
 #include "emit/render.h"
 #include "emit/rust/names.h"
 #include "emit/rust/writer.h"
@@ -14,13 +15,11 @@ namespace {
 using blocks::Type;
 using nlohmann::json;
 
-/// Lines of documentation, in the words of Rust.
-Lines documented(const Lines& doc, const std::string& indent, const std::string& robot) {
+/// Lines of documentation; brackets are no links.
+Lines documented(const Lines& doc, const std::string& indent, const std::string& robot,
+                 bool returns_last = false) {
   Lines result;
-  for (std::string each : doc) {
-    for (const auto& [word, own] : {std::pair<std::string, std::string>{"NULL", "`None`"}, {robot + "_", ""}})
-      for (std::size_t at = each.find(word); at != std::string::npos; at = each.find(word, at + own.size()))
-        each.replace(at, word.size(), own);
+  for (std::string each : blocks::documentation(doc, {robot, "`None`", 110, returns_last})) {
     for (std::size_t at = each.find('['); at != std::string::npos; at = each.find('[', at + 2))
       each.insert(at, "\\");
     result.push_back(indent + "///" + (each.empty() ? "" : " ") + each);
@@ -130,7 +129,7 @@ class CrateWriter {
 
   void add(const blocks::Function& function) {
     add("");
-    add(documented(function.doc, "", unit_.robot));
+    add(documented(function.doc, "", unit_.robot, blocks::returns_last(function)));
     add(FunctionWriter(context_, function).lines());
   }
 

@@ -196,8 +196,7 @@ FunctionWriter::Text FunctionWriter::binary(const Expression& e) {
   const Expression &a = e.operands[0], &b = e.operands[1];
   for (const auto& [pointer, other] : {std::pair{&a, &b}, {&b, &a}})
     if (other->kind == Kind::null) {
-      if (!is_optional(*pointer))
-        throw blocks::NotInSubset(function_.name + ": NULL of what is always there");
+      if (!is_optional(*pointer)) return {e.text == "==" ? "false" : "true", atom};
       return {value_name(pointer->text) + (e.text == "==" ? ".is_none()" : ".is_some()"), atom};
     }
   const int level = level_of(e.text);
@@ -225,7 +224,8 @@ FunctionWriter::Text FunctionWriter::value(const Expression& e) {
     case Kind::null:
       return {"None", atom};
     case Kind::negative:
-      return {"-" + inner(unary_level), unary_level};
+      return {inner(unary_level)[0] == '-' ? "-(" + inner(unary_level) + ")" : "-" + inner(unary_level),
+              unary_level};
     case Kind::complement:
       return {"!" + inner(unary_level), unary_level};
     case Kind::is_not:

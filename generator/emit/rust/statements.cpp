@@ -153,7 +153,7 @@ void FunctionWriter::declare_pointer(const Statement& s, int depth) {
   const bool is_place = to.kind == Kind::address || to.type->kind == Type::Kind::array ||
                         (to.kind == Kind::name && context_.unit.constant_of(to) == nullptr);
   if (!is_place) {
-    const Shape shape{true, false, !s.type->constant, 0};
+    const Shape shape{false, false, !s.type->constant, 0};
     line(depth, "let " + value_name(s.name) + " = " + reference(to, shape) + ";");
     return;
   }
