@@ -56,18 +56,15 @@ std::vector<std::string> documentation(const std::vector<std::string>& doc, cons
     add_broken(in_words(paragraph, words), words.width, lines);
     paragraph.clear();
   };
-  bool was_code = false;
   for (const std::string& line : doc) {
     if (is_code(line)) {
       // The paragraph in front ends with a colon.
       if (!lines.empty() && lines.back().empty()) lines.pop_back();
       if (!lines.empty() && lines.back().back() == ':') lines.back().back() = '.';
-      was_code = true;
       continue;
     }
     if (line.empty() || is_item(line)) end();
     if (line.empty() && !lines.empty() && !lines.back().empty()) lines.emplace_back();
-    was_code = false;
     paragraph += (paragraph.empty() ? "" : " ") + line;
   }
   end();
