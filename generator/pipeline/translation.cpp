@@ -33,6 +33,7 @@ RobotOutput translated(RobotOutput output, Language language) {
   } catch (const emit::blocks::NotInSubset& error) {
     output.files.clear();
     output.missing.push_back({"model", Missing::Kind::refuted, defect_text(error.what())});
+    output.counts["missing"] = missing_to_json(output.missing);
   }
   return output;
 }

@@ -14,14 +14,18 @@
 namespace qvgen::test {
 namespace {
 
-using namespace emit::blocks;
+using emit::blocks::File;
+using emit::blocks::NotInSubset;
+using emit::blocks::parse;
+using emit::blocks::Shapes;
+using emit::blocks::Unit;
 using testing::HasSubstr;
 
-Unit unit_of(const std::string& text) { return parse("arm", {{"blocks.c", "inverse", false, text}}); }
+Unit unit_of_blocks(const std::string& text) { return parse("arm", {{"blocks.c", "inverse", false, text}}); }
 
-std::string error_of(const std::string& text) {
+std::string error_of_blocks(const std::string& text) {
   try {
-    const Unit unit = unit_of(text);
+    const Unit unit = unit_of_blocks(text);
     (void)emit::rust::crate(unit, {});
   } catch (const NotInSubset& error) {
     return error.what();
@@ -30,8 +34,8 @@ std::string error_of(const std::string& text) {
 }
 
 template <class Writer, class Context>
-std::string printed(const std::string& text, const std::string& function) {
-  const Unit unit = unit_of(text);
+std::string printed_blocks(const std::string& text, const std::string& function) {
+  const Unit unit = unit_of_blocks(text);
   const Shapes shapes(unit);
   const Context context{unit, shapes};
   std::string result;
@@ -40,13 +44,13 @@ std::string printed(const std::string& text, const std::string& function) {
 }
 
 std::string in_rust(const std::string& text, const std::string& function) {
-  return printed<emit::rust::FunctionWriter, emit::rust::Context>(text, function);
+  return printed_blocks<emit::rust::FunctionWriter, emit::rust::Context>(text, function);
 }
 std::string in_javascript(const std::string& text, const std::string& function) {
-  return printed<emit::javascript::FunctionWriter, emit::javascript::Context>(text, function);
+  return printed_blocks<emit::javascript::FunctionWriter, emit::javascript::Context>(text, function);
 }
 
-const std::string shared = R"(
+const std::string shared_blocks = R"(
 typedef struct Pair {
   double a, b;
   int count;
@@ -58,13 +62,13 @@ static void add(const double* x, double* y, int count) {
 )";
 
 TEST(Blocks, ALoopBecomesARange) {
-  EXPECT_EQ(in_rust(shared, "add"), R"(fn add(x: &[f64], y: &mut [f64], count: i32) {
+  EXPECT_EQ(in_rust(shared_blocks, "add"), R"(fn add(x: &[f64], y: &mut [f64], count: i32) {
     for i in 0..count {
         y[i as usize] += 2.0 * x[i as usize];
     }
 }
 )");
-  EXPECT_EQ(in_javascript(shared, "add"), R"(function add(x, y, count) {
+  EXPECT_EQ(in_javascript(shared_blocks, "add"), R"(function add(x, y, count) {
   for (let i = 0; i < count; ++i) {
     y[i] += 2 * x[i];
   }
@@ -73,22 +77,22 @@ TEST(Blocks, ALoopBecomesARange) {
 }
 
 TEST(Blocks, AnArgumentThatTheCallChangesIsCopied) {
-  const std::string text = shared + "static void twice(double x[3]) {\n  add(x, x, 3);\n}\n";
+  const std::string text = shared_blocks + "static void twice(double x[3]) {\n  add(x, x, 3);\n}\n";
   EXPECT_THAT(in_rust(text, "twice"), HasSubstr("let copy0 = *x; add(&copy0, x, 3)"));
-  const std::string unknown = shared + "static void twice(double* x) {\n  add(x, x, 3);\n}\n";
-  EXPECT_THAT(error_of(unknown),
+  const std::string unknown = shared_blocks + "static void twice(double* x) {\n  add(x, x, 3);\n}\n";
+  EXPECT_THAT(error_of_blocks(unknown),
               HasSubstr("twice: an argument of x overlaps what the call changes, and has no size"));
 }
 
 TEST(Blocks, AnObjectAndAPartOfItAreNotChangedAtOnce) {
-  const std::string text = shared +
+  const std::string text = shared_blocks +
                            "static void both(Pair* p, double* a) {\n  *a += p->a;\n  p->a = 0;\n}\n"
                            "static void call(Pair* p) {\n  both(p, &p->a);\n}\n";
-  EXPECT_THAT(error_of(text), HasSubstr("call: both gets an object to change and a part of it"));
+  EXPECT_THAT(error_of_blocks(text), HasSubstr("call: both gets an object to change and a part of it"));
 }
 
 TEST(Blocks, NumbersKeepTheirKind) {
-  const std::string text = shared +
+  const std::string text = shared_blocks +
                            "static double mean(const Pair* p) {\n"
                            "  const int half = p->count / 2;\n"
                            "  return half * p->a + (p->count > 0) + 0x1.8p1;\n}\n";
@@ -106,7 +110,7 @@ TEST(Blocks, NumbersKeepTheirKind) {
 
 TEST(Blocks, AStructIsCopiedWhereCCopies) {
   const std::string text =
-      shared +
+      shared_blocks +
       "static Pair raised(Pair p) {\n  p.a += 1;\n  return p;\n}\n"
       "static double both(const Pair* p) {\n  Pair q = *p;\n  q = raised(q);\n  return q.a;\n}\n";
   EXPECT_EQ(in_javascript(text, "raised"),
@@ -125,7 +129,7 @@ TEST(Blocks, AStepBeforeTheNextRoundIsDone) {
 
 TEST(Blocks, WhatLeavesTheSubsetIsRefusedWithItsPlace) {
   const auto error_in = [](const std::string& statement) {
-    return error_of("static void f(double* x) {\n  " + statement + "\n}\n");
+    return error_of_blocks("static void f(double* x) {\n  " + statement + "\n}\n");
   };
   EXPECT_THAT(error_in("goto end;"), HasSubstr("blocks.c:2: goto is not in the subset"));
   EXPECT_THAT(error_in("y = 1;"), HasSubstr("blocks.c:2: \"y\" is not declared: y = 1;"));
@@ -134,8 +138,8 @@ TEST(Blocks, WhatLeavesTheSubsetIsRefusedWithItsPlace) {
   EXPECT_THAT(error_in("do { } while (1);"), HasSubstr("blocks.c:2: do is not in the subset"));
   EXPECT_THAT(error_in("float y = 0;"), HasSubstr("blocks.c:2: \"float\" is not declared"));
   EXPECT_THAT(error_in("x[0] = 1;"), "");
-  EXPECT_THAT(error_of("static void f(void) {\n"), HasSubstr("a block without an end"));
-  EXPECT_THAT(error_of("double x;\n"), HasSubstr("a variable outside of functions"));
+  EXPECT_THAT(error_of_blocks("static void f(void) {\n"), HasSubstr("a block without an end"));
+  EXPECT_THAT(error_of_blocks("double x;\n"), HasSubstr("a variable outside of functions"));
 }
 
 /// All blocks of inverse kinematics, as files of their own: an error names the template.

@@ -80,10 +80,11 @@ def javascript(folder):
 
 def readme_block(readme, first_line):
     """The indented block of a README that begins with that line."""
-    lines = iter(pathlib.Path(readme).read_text().splitlines())
-    block = [line for line in lines if line.startswith("    " + first_line)][:1]
-    assert block, f"{readme} has no block that begins with {first_line}"
-    for line in lines:
+    lines = pathlib.Path(readme).read_text().splitlines()
+    starts = [i for i, line in enumerate(lines) if line.startswith("    " + first_line)]
+    assert starts, f"{readme} has no block that begins with {first_line}"
+    block = []
+    for line in lines[starts[0]:]:
         if line and not line.startswith("    "):
             break
         block.append(line)

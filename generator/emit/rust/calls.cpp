@@ -174,6 +174,8 @@ std::string FunctionWriter::call(const Expression& e) {
   const bool is_elsewhere = callee->module != function_.module;
   const std::string result =
       (is_elsewhere ? "crate::" : "") + function_name(context_.unit, *callee) + "(" + list + ")";
+  if (!text.behind.empty() && callee->result->kind == Type::Kind::nothing)
+    return "{ " + text.before + result + "; " + text.behind + "}";
   if (!text.behind.empty())
     return "{ " + text.before + "let result = " + result + "; " + text.behind + "result }";
   return text.before.empty() ? result : "{ " + text.before + result + " }";
