@@ -78,7 +78,7 @@ void write_sources(const GenerateArguments& arguments, const std::string& robot)
         fs::exists(generated) ? "#include \"" + include + "\"\n" : "struct qvgen_has_none;\n";
     write(folder / name, mark + code);
   };
-  if (is_c(arguments.language)) {
+  if (comes_from_c(arguments.language)) {
     const std::string name = "qvgen_" + fs::path(robot).filename().string();
     write_source("robot.c", output / "c" / (name + ".c"));
     for (const std::string part : {"inverse", "metrics", "velocity"})

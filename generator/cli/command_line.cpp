@@ -52,8 +52,10 @@ void add_generate(CommandLine& line) {
       ->type_name("PARTS")
       ->allow_extra_args(false)
       ->delimiter(',');
-  command.add_option("--language", line.language, "cxx, or c: C99 into the output's folder c")
-      ->check(CLI::IsMember({"cxx", "c"}));
+  command
+      .add_option("--language", line.language,
+                  "cxx; c, rust or javascript: files in a folder of that name in the output")
+      ->check(CLI::IsMember({"cxx", "c", "rust", "javascript"}));
   command
       .add_option("--scalar", line.scalar,
                   "what C computes in: double, or float for controllers without double")
@@ -323,6 +325,8 @@ void add_new(CommandLine& line) {
 /// Adds the commands about the tool itself.
 void add_documents(CommandLine& line) {
   line.list_command = line.app.add_subcommand("list", "print the names of the known robots");
+  line.languages_command =
+      line.app.add_subcommand("languages", "print which parts each language has, and why not");
   line.manual_command = line.app.add_subcommand("man", "print this help as a man page");
   line.completion_command =
       line.app.add_subcommand("completion", "print a script that completes this command line in a shell");

@@ -71,6 +71,7 @@ struct CommandLine {
   std::string letters, wrist = "none", name = "my_arm";
 
   CLI::App* list_command = nullptr;
+  CLI::App* languages_command = nullptr;
 
   CLI::App* manual_command = nullptr;
   CLI::App* completion_command = nullptr;

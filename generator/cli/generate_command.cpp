@@ -70,10 +70,10 @@ std::vector<Task> tasks_of(const GenerateArguments& arguments,
   for (std::size_t i = 0; i < descriptions.size(); ++i) {
     const fs::path& file = arguments.descriptions[i];
     const model::Mechanism mechanism = mechanism_of(descriptions[i]);
-    const std::string origin = origin_of(file, arguments.output, arguments.known_robots) +
-                               origin_options(arguments.read) +
-                               (is_c(arguments.language) ? " --language c" : "") +
-                               (arguments.language == Language::c_in_float ? " --scalar float" : "");
+    const std::string origin =
+        origin_of(file, arguments.output, arguments.known_robots) + origin_options(arguments.read) +
+        (comes_from_c(arguments.language) ? " --language " + row_of(arguments.language).name : "") +
+        (arguments.language == Language::c_in_float ? " --scalar float" : "");
     const std::string made_of =
         fmt::format("{}\n{}\n{}\n{}\n{}{}", arguments.tool, fmt::join(parts, ","), origin,
                     snap_text(arguments.read), descriptions[i].text, fingerprints(descriptions[i].files));
@@ -181,7 +181,7 @@ ExitCode report_missing(const ordered_json& counts, const std::vector<std::strin
 
 /// A calibrated arm's function needs the ideal arm's.
 void say_missing_ideals(const GenerateArguments& arguments, const std::vector<Task>& tasks) {
-  if (is_c(arguments.language)) return;
+  if (comes_from_c(arguments.language)) return;
   const std::set<std::string> there = robots_in(arguments.output);
   for (const Task& task : tasks)
     if (const std::string& ideal = task.robot.ideal; !ideal.empty() && there.count(ideal) == 0)
@@ -195,7 +195,7 @@ void say_left_out_ideals(const GenerateArguments& arguments, const std::vector<T
   const auto named = [&](const char* part) {
     return std::find(arguments.parts.begin(), arguments.parts.end(), part) != arguments.parts.end();
   };
-  if (is_c(arguments.language) || !named("inverse") || named("from_ideal")) return;
+  if (comes_from_c(arguments.language) || !named("inverse") || named("from_ideal")) return;
   for (const Task& task : tasks)
     if (!task.robot.ideal.empty())
       fmt::print(stderr, "{}: from_ideal.h is left out, since --only does not name from_ideal\n", task.name);

@@ -7,6 +7,7 @@
 #include "cli/command_line.h"
 #include "cli/documents.h"
 #include "cli/installation.h"
+#include "cli/language_table.h"
 #include "cli/suggestion.h"
 #include "pipeline/pipeline.h"
 #include "pipeline/robot_output.h"
@@ -134,8 +135,12 @@ int generate(CommandLine& line, const Installation& here) {
   GenerateArguments& generate = line.generate;
   check_parts_of(generate);
   if (line.scalar == "float" && line.language != "c")
-    throw UsageError("--scalar float: it is for --language c; functions of C++ take float as they are");
-  if (line.language == "c") generate.language = line.scalar == "float" ? Language::c_in_float : Language::c;
+    throw UsageError(
+        "--scalar float: it is for --language c; functions of C++ take float as they are, other languages "
+        "compute in double");
+  for (const LanguageRow& row : languages())
+    if (row.name == line.language) generate.language = row.language;
+  if (line.scalar == "float") generate.language = Language::c_in_float;
   generate.known_robots = here.robots;
   generate.output = folder_of(line, here, line.generate_files);
   generate.tool = here.tool;
@@ -213,6 +218,7 @@ int run(CommandLine& line, const Installation& here) {
     return run_import(description_of(line.imported, here.robots, line.import), line.import);
   if (*line.new_command) return run_new(line.letters, line.name, line.wrist == "euler", here.robots);
   if (*line.list_command) return print(names_in(here.robots));
+  if (*line.languages_command) return print({language_table()});
   if (*line.manual_command) return print({man_page(line.app)});
   if (*line.completion_command) return print({completion(line.app, line.shell)});
   return run_check(descriptions_of(line.checked, here.robots, line.check), line.check, line.thorough);

@@ -12,6 +12,7 @@
 #include "pipeline/c_files.h"
 #include "pipeline/products/page.h"
 #include "pipeline/products/product.h"
+#include "pipeline/translation.h"
 
 namespace qvgen::pipeline {
 namespace {
@@ -122,7 +123,7 @@ RobotOutput generate_product(const model::Robot& robot, const Product& product, 
   RobotOutput output{robot.name};
   if (is_of_limbs(product.of_trees, robot, product.part, output)) return output;
   if (is_of_fixed_bases(product.part, robot, output)) return output;
-  const auto make = is_c(language) ? product.generate_c : product.generate;
+  const auto make = comes_from_c(language) ? product.generate_c : product.generate;
   if (language == Language::c_in_float && !product.has_float) {
     output.missing.push_back({product.part, Missing::Kind::not_in_language, "it is in double alone"});
     return output;
@@ -143,7 +144,7 @@ RobotOutput generate_extra(const model::Robot& robot, const Extra& extra, Langua
   RobotOutput output{robot.name};
   if (is_of_limbs(extra.of_trees, robot, extra.part, output)) return output;
   if (is_of_fixed_bases(extra.part, robot, output)) return output;
-  if (is_c(language))
+  if (comes_from_c(language))
     output.missing.push_back({extra.part, Missing::Kind::not_in_language, "it is written in C++"});
   else
     attempt(extra.part, output, [&](RobotOutput& made) {
@@ -207,10 +208,12 @@ RobotOutput whole(RobotOutput output, Language language) {
   if (!has_model) output.files.clear();
   if (!output.missing.empty()) output.counts["missing"] = missing_to_json(output.missing);
   if (!has_model) return output;
-  if (is_c(language)) output = with_c_files(std::move(output));
+  if (comes_from_c(language)) output = with_c_files(std::move(output));
   if (language == Language::c_in_float)
     for (OutputFile& file : output.files) file.content = emit::c::in_single_precision(file.content);
-  if (is_c(language)) return output;
+  if (language == Language::rust || language == Language::javascript)
+    output = translated(std::move(output), language);
+  if (comes_from_c(language)) return output;
   add_headers_of_missing_parts(output);
   output.files.push_back(umbrella_header(output));
   return output;
@@ -236,11 +239,14 @@ std::vector<RobotOutput> whole(std::vector<RobotOutput> outputs, const Budget& b
 }  // namespace
 
 std::string folder_name(const std::string& robot, Language language) {
-  return (is_c(language) ? "c/" : "") + robot;
+  return (comes_from_c(language) ? row_of(language).name + "/" : "") + robot;
 }
 
 bool is_in(Language language, const std::string& folder_name) {
-  return (folder_name.rfind("c/", 0) == 0) == is_c(language);
+  const std::size_t slash = folder_name.find('/');
+  const std::string folder =
+      slash == std::string::npos ? languages().front().name : folder_name.substr(0, slash);
+  return folder == row_of(language).name;
 }
 
 std::vector<std::string> product_names() {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "model/robot.h"
+#include "pipeline/language.h"
 #include "pipeline/parallel.h"
 #include "pipeline/robot_output.h"
 
@@ -15,12 +16,10 @@ namespace qvgen::pipeline {
 /// but the extras.
 using Parts = std::vector<std::string>;
 
-/// Language of the output; C in double or in float.
-enum class Language { cxx, c, c_in_float };
+/// True if a language's files come from those of C: C itself, and what is translated from it.
+inline bool comes_from_c(Language language) { return language != Language::cxx; }
 
-inline bool is_c(Language language) { return language != Language::cxx; }
-
-/// Returns the folder entry of a robot; C entries are "c/NAME".
+/// Returns the folder entry of a robot; entries of C are "c/NAME", and so on for each language but C++.
 std::string folder_name(const std::string& robot, Language language);
 bool is_in(Language language, const std::string& folder_name);
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Output folders with C++, with C, and with C in float.
-#include "command_line.h"
-
 #include <fstream>
 #include <iterator>
+
+#include "command_line.h"
 
 namespace qvgen::test {
 namespace {
@@ -30,6 +30,39 @@ TEST_F(CommandLine, BothLanguagesShareAFolder) {
   EXPECT_EQ(run("remove c/my_arm --output " + out()).code, 0);
   EXPECT_FALSE(fs::exists(fs::path(out()) / "c/qvgen_my_arm_inverse.h"));
   EXPECT_EQ(run("generate " + file + " --language fortran --output " + out()).code, 2);
+}
+
+TEST_F(CommandLine, RustAndJavaScriptHaveFoldersOfTheirOwn) {
+  const std::string file = write("my_arm.toml", good_arm);
+  const std::string arguments = "generate " + file + " --only kinematics,inverse --output " + out();
+  for (const std::string language : {"rust", "javascript", "c"})
+    EXPECT_EQ(run(arguments + " --language " + language).code, 0) << language;
+  EXPECT_TRUE(has(run(arguments + " --language rust"), ": 0 generated, 0 files changed, 0 removed"));
+  const fs::path crate = fs::path(out()) / "rust/qvgen_my_arm";
+  for (const char* path : {"Cargo.toml", "src/lib.rs", "src/math.rs", "src/inverse.rs"})
+    EXPECT_TRUE(fs::exists(crate / path)) << path;
+  const fs::path module = fs::path(out()) / "javascript/qvgen_my_arm";
+  for (const char* path : {"package.json", "qvgen_my_arm.mjs", "qvgen_my_arm.d.mts"})
+    EXPECT_TRUE(fs::exists(module / path)) << path;
+  // Without the part its file goes, and no other robot's or language's.
+  EXPECT_EQ(run("generate " + file + " --only kinematics --language rust --output " + out()).code, 0);
+  EXPECT_FALSE(fs::exists(crate / "src/inverse.rs"));
+  EXPECT_EQ(run("remove rust/my_arm --output " + out()).code, 0);
+  EXPECT_FALSE(fs::exists(crate));
+  EXPECT_TRUE(fs::exists(module / "qvgen_my_arm.mjs"));
+  EXPECT_TRUE(fs::exists(fs::path(out()) / "c/qvgen_my_arm.c"));
+  EXPECT_EQ(run(arguments + " --language rust --scalar float").code, 2);
+  EXPECT_EQ(run(arguments + " --language javascript --only certified --require certified").code, 1);
+}
+
+TEST_F(CommandLine, TheTableOfLanguagesSaysWhatIsMissingAndWhy) {
+  const ToolRun table = run("languages");
+  EXPECT_EQ(table.code, 0);
+  for (const char* line : {"part                    cxx  c       rust    javascript",
+                           "inverse                 yes  yes     yes     yes",
+                           "certified               yes  no (2)  no (2)  no (2)", "(2) it is written in C++",
+                           "rust: a crate in rust/"})
+    EXPECT_TRUE(has(table, line)) << line << "\n" << table.output;
 }
 
 TEST_F(CommandLine, CInFloatIsInFloatAlone) {

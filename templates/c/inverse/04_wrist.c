@@ -200,7 +200,10 @@ static void arguments(Rotor u, Rotor v, double u_square, double v_square, Vanish
   if (!is_blurred(least, is_free.noise)) return;
   const double turn =
       is_free.u || is_free.v ? 0 : turn_to_choice(wrapped(u_angle + v_angle), first, least, is_free.noise);
-  *(u_square < v_square ? u_argument : v_argument) += turn;
+  if (u_square < v_square)
+    *u_argument += turn;
+  else
+    *v_argument += turn;
   branch->continuum = branch->continuum || (branch->exists && least <= widest_wrist_noise * is_free.noise);
 }
 

@@ -5,19 +5,19 @@ typedef struct Budget {
   Effort spent;
 } Budget;
 
-static bool take_of_budget(int* spent, int most, Effort* effort) {
+static bool take_of_budget(int* spent, int most, int* used_up) {
   const bool allowed = *spent < most;
   *spent += allowed ? 1 : 0;
-  effort->used_up = effort->used_up || !allowed;
+  *used_up = *used_up || !allowed;
   return allowed;
 }
 
 static bool may_pass(Budget* budget) {
-  return take_of_budget(&budget->spent.passes, budget->passes, &budget->spent);
+  return take_of_budget(&budget->spent.passes, budget->passes, &budget->spent.used_up);
 }
 
 static bool may_step(Budget* budget) {
-  return take_of_budget(&budget->spent.steps, budget->steps, &budget->spent);
+  return take_of_budget(&budget->spent.steps, budget->steps, &budget->spent.used_up);
 }
 
 static inline void cross(const double* a, const double* b, double* result) {
@@ -55,7 +55,7 @@ static void turn_direction(const Screw* screw, Rotor value, double* v) {
 
 /// A point carried by a joint, in place. Value of a joint: an angle as its pair, a length in the cosine's
 /// place.
-static void move_point(const Screw* screw, Rotor value, double* x) {
+static void move_point(const Screw* screw, Rotor value, double x[3]) {
   if (screw->revolute) {
     difference(x, screw->point, x);
     turn_direction(screw, value, x);

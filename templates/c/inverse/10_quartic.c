@@ -1,7 +1,7 @@
 // Newton steps for arms with a quartic, whose roots carry so few digits that much has to be tried.
 
 /// Place to which a point of the zero pose has moved.
-static void carried(const Matching* task, const JointValues* values, int point, double* x) {
+static void carried(const Matching* task, const JointValues* values, int point, double x[3]) {
   memcpy(x, task->start[point], sizeof task->start[point]);
   for (int i = task->joints; i-- > 0;) move_point(&task->arm[i], values->of[i], x);
 }

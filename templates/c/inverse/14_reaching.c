@@ -6,7 +6,6 @@ typedef struct Reaching {
   bool is_incomplete;
   int capacity;
   Budget budget;
-  Solutions* found;
   JointValues known[capacity];
   JointValues starts[capacity];  // of the first round, by branch
 } Reaching;
@@ -19,7 +18,6 @@ static void start_reaching(Reaching* kept, const Arm* arm, const Pose* pose, int
   kept->is_incomplete = false;
   kept->capacity = rows;
   kept->budget = budget;
-  kept->found = found;
   memset(kept->starts, 0, sizeof kept->starts);
   start_solutions(found);
 }
@@ -31,8 +29,7 @@ static void add_effort(const Effort* more, Effort* effort) {
 }
 
 static void keep_reaching(Reaching* kept, const double* q, const JointValues* values, int branch,
-                          bool continuum) {
-  Solutions* found = kept->found;
+                          bool continuum, Solutions* found) {
   if (found->count == kept->capacity) return;
   for (int k = 0; k < found->count; ++k)
     if (!are_apart(kept->task.joints, &kept->known[k], values)) return;
@@ -70,7 +67,7 @@ static bool has_branch(const Solutions* found, int branch) {
   return false;
 }
 
-static void look_at_row(Reaching* kept, const Row* from, double near, int round) {
+static void look_at_row(Reaching* kept, const Row* from, double near, int round, Solutions* found) {
   const Matching* task = &kept->task;
   const double exact = 4 * DBL_EPSILON, same = 1e-6;
   double q[dof];
@@ -94,8 +91,8 @@ static void look_at_row(Reaching* kept, const Row* from, double near, int round)
     q[i] = task->arm[i].revolute ? output_angle(values.of[i].cosine, values.of[i].sine, 1)
                                  : values.of[i].cosine;
   const bool continuum = from->continuum && is_continuum(task, &values, &at, &kept->budget);
-  if (continuum && round > 0 && (!next_to_continuum || has_branch(kept->found, from->branch))) return;
-  keep_reaching(kept, q, &values, from->branch, continuum);
+  if (continuum && round > 0 && (!next_to_continuum || has_branch(found, from->branch))) return;
+  keep_reaching(kept, q, &values, from->branch, continuum, found);
 }
 
 /// How far off a row may be that Newton's steps are to bring to the pose: near a singular pose what a direction is
@@ -108,16 +105,15 @@ static double near_enough(const Effort* effort, double tolerance) {
 }
 
 /// Looks at every row, all on continua from wherever they are; in rounds after the first at other places of these.
-static void look_at_rows(Reaching* kept, const Rows* rows, int round) {
-  add_effort(&rows->effort, &kept->found->effort);
+static void look_at_rows(Reaching* kept, const Rows* rows, int round, Solutions* found) {
+  add_effort(&rows->effort, &found->effort);
   kept->is_incomplete = kept->is_incomplete || rows->status == status_incomplete;
   for (int i = 0; i < rows->count; ++i)
     if (round == 0 || rows->rows[i].continuum)
-      look_at_row(kept, &rows->rows[i], near_enough(&rows->effort, kept->tolerance), round);
+      look_at_row(kept, &rows->rows[i], near_enough(&rows->effort, kept->tolerance), round, found);
 }
 
-static void conclude_reaching(Reaching* kept) {
-  Solutions* found = kept->found;
+static void conclude_reaching(Reaching* kept, Solutions* found) {
   add_effort(&kept->budget.spent, &found->effort);
   for (int i = 1; i < found->count; ++i) {
     const Solution row = found->rows[i];

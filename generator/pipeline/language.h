@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+/// The one table of languages: `--language`, the folders of the output and `qvgen languages` read it.
+namespace qvgen::pipeline {
+
+/// Language of the output; C in double or in float.
+enum class Language { cxx, c, c_in_float, rust, javascript };
+
+/// Parts that a language has not, and why.
+struct Lack {
+  std::vector<std::string> parts;
+  std::string reason;
+};
+
+struct LanguageRow {
+  Language language;
+  std::string name;     ///< as `--language` calls it, and the folder of its files
+  std::string gives;    ///< files of a robot
+  std::string numbers;  ///< scalars, and whose bits the results have
+  std::vector<Lack> lacks;
+};
+
+/// Languages that `--language` takes, C++ first.
+const std::vector<LanguageRow>& languages();
+
+/// The row of a language; C in float has C's.
+const LanguageRow& row_of(Language language);
+
+/// The reason for which a language lacks a part; empty if it has it.
+std::string lack_of(const LanguageRow& row, const std::string& part);
+
+}  // namespace qvgen::pipeline

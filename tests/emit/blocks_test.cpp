@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+// C read as a tree and printed in other languages: golden texts, and what leaves the subset is refused with
+// its place.
+#include <fstream>
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "emit/javascript/writer.h"
+#include "emit/rust/crate.h"
+#include "emit/rust/writer.h"
+
+namespace qvgen::test {
+namespace {
+
+using emit::blocks::File;
+using emit::blocks::NotInSubset;
+using emit::blocks::parse;
+using emit::blocks::Shapes;
+using emit::blocks::Unit;
+using testing::HasSubstr;
+
+Unit unit_of_blocks(const std::string& text) { return parse("arm", {{"blocks.c", "inverse", false, text}}); }
+
+std::string error_of_blocks(const std::string& text) {
+  try {
+    const Unit unit = unit_of_blocks(text);
+    (void)emit::rust::crate(unit, {});
+  } catch (const NotInSubset& error) {
+    return error.what();
+  }
+  return "";
+}
+
+template <class Writer, class Context>
+std::string printed_blocks(const std::string& text, const std::string& function) {
+  const Unit unit = unit_of_blocks(text);
+  const Shapes shapes(unit);
+  const Context context{unit, shapes};
+  std::string result;
+  for (const std::string& line : Writer(context, *unit.function(function)).lines()) result += line + "\n";
+  return result;
+}
+
+std::string in_rust(const std::string& text, const std::string& function) {
+  return printed_blocks<emit::rust::FunctionWriter, emit::rust::Context>(text, function);
+}
+std::string in_javascript(const std::string& text, const std::string& function) {
+  return printed_blocks<emit::javascript::FunctionWriter, emit::javascript::Context>(text, function);
+}
+
+const std::string shared_blocks = R"(
+typedef struct Pair {
+  double a, b;
+  int count;
+} Pair;
+
+static void add(const double* x, double* y, int count) {
+  for (int i = 0; i < count; ++i) y[i] += 2 * x[i];
+}
+)";
+
+TEST(Blocks, ALoopBecomesARange) {
+  EXPECT_EQ(in_rust(shared_blocks, "add"), R"(fn add(x: &[f64], y: &mut [f64], count: i32) {
+    for i in 0..count {
+        y[i as usize] += 2.0 * x[i as usize];
+    }
+}
+)");
+  EXPECT_EQ(in_javascript(shared_blocks, "add"), R"(function add(x, y, count) {
+  for (let i = 0; i < count; ++i) {
+    y[i] += 2 * x[i];
+  }
+}
+)");
+}
+
+TEST(Blocks, AnArgumentThatTheCallChangesIsCopied) {
+  const std::string text = shared_blocks + "static void twice(double x[3]) {\n  add(x, x, 3);\n}\n";
+  EXPECT_THAT(in_rust(text, "twice"), HasSubstr("let copy0 = *x; add(&copy0, x, 3)"));
+  const std::string unknown = shared_blocks + "static void twice(double* x) {\n  add(x, x, 3);\n}\n";
+  EXPECT_THAT(error_of_blocks(unknown),
+              HasSubstr("twice: an argument of x overlaps what the call changes, and has no size"));
+}
+
+TEST(Blocks, AnObjectAndAPartOfItAreNotChangedAtOnce) {
+  const std::string text = shared_blocks +
+                           "static void both(Pair* p, double* a) {\n  *a += p->a;\n  p->a = 0;\n}\n"
+                           "static void call(Pair* p) {\n  both(p, &p->a);\n}\n";
+  EXPECT_THAT(error_of_blocks(text), HasSubstr("call: both gets an object to change and a part of it"));
+}
+
+TEST(Blocks, NumbersKeepTheirKind) {
+  const std::string text = shared_blocks +
+                           "static double mean(const Pair* p) {\n"
+                           "  const int half = p->count / 2;\n"
+                           "  return half * p->a + (p->count > 0) + 0x1.8p1;\n}\n";
+  EXPECT_EQ(in_rust(text, "mean"), R"(fn mean(p: &Pair) -> f64 {
+    let half = p.count / 2;
+    f64::from(half) * p.a + f64::from(u8::from(p.count > 0)) + 3.0
+}
+)");
+  EXPECT_EQ(in_javascript(text, "mean"), R"(function mean(p) {
+  const half = Math.trunc(p.count / 2);
+  return half * p.a + Number(p.count > 0) + 3;
+}
+)");
+}
+
+TEST(Blocks, AStructIsCopiedWhereCCopies) {
+  const std::string text =
+      shared_blocks +
+      "static Pair raised(Pair p) {\n  p.a += 1;\n  return p;\n}\n"
+      "static double both(const Pair* p) {\n  Pair q = *p;\n  q = raised(q);\n  return q.a;\n}\n";
+  EXPECT_EQ(in_javascript(text, "raised"),
+            "function raised(p) {\n  p = copyPair(p);\n  p.a += 1;\n  return p;\n}\n");
+  EXPECT_THAT(in_javascript(text, "both"), HasSubstr("const q = copyPair(p);\n  setPair(q, raised(q));"));
+  EXPECT_THAT(in_rust(text, "both"), HasSubstr("let mut q = *p;\n    q = raised(q);"));
+}
+
+TEST(Blocks, AStepBeforeTheNextRoundIsDone) {
+  const std::string text =
+      "static int odd(int n) {\n  int sum = 0;\n  for (int i = 0; i < n; i += 1) {\n    if (i % 2 == 0) "
+      "continue;\n"
+      "    sum += i;\n  }\n  return sum;\n}\n";
+  EXPECT_THAT(in_rust(text, "odd"), HasSubstr("i += 1;\n                continue;"));
+}
+
+TEST(Blocks, WhatLeavesTheSubsetIsRefusedWithItsPlace) {
+  const auto error_in = [](const std::string& statement) {
+    return error_of_blocks("static void f(double* x) {\n  " + statement + "\n}\n");
+  };
+  EXPECT_THAT(error_in("goto end;"), HasSubstr("blocks.c:2: goto is not in the subset"));
+  EXPECT_THAT(error_in("y = 1;"), HasSubstr("blocks.c:2: \"y\" is not declared: y = 1;"));
+  EXPECT_THAT(error_in("*x = pow(*x, 2);"), HasSubstr("blocks.c:2: the function pow is not declared"));
+  EXPECT_THAT(error_in("double (*rows)[3] = 0;"), HasSubstr("pointers to arrays or to functions"));
+  EXPECT_THAT(error_in("do { } while (1);"), HasSubstr("blocks.c:2: do is not in the subset"));
+  EXPECT_THAT(error_in("float y = 0;"), HasSubstr("blocks.c:2: \"float\" is not declared"));
+  EXPECT_THAT(error_in("x[0] = 1;"), "");
+  EXPECT_THAT(error_of_blocks("static void f(void) {\n"), HasSubstr("a block without an end"));
+  EXPECT_THAT(error_of_blocks("double x;\n"), HasSubstr("a variable outside of functions"));
+}
+
+/// All blocks of inverse kinematics, as files of their own: an error names the template.
+TEST(Blocks, TheTemplatesAreInTheSubset) {
+  const std::string sizes = R"(
+enum { dof = 6, row_size = 6, capacity = 8, most_joints = 6, most_rows = 12, most_branches = 8 };
+enum { status_solved, status_singular, status_unreachable, status_invalid, status_incomplete };
+static const bool is_revolute[row_size] = {true, true, true, true, true, true};
+typedef struct Effort {
+  int passes, steps, used_up;
+} Effort;
+typedef struct Solution {
+  double q[dof];
+  int branch, continuum;
+} Solution;
+typedef struct Solutions {
+  int status, count;
+  Effort effort;
+  Solution rows[capacity];
+} Solutions;
+typedef struct Representatives {
+  Solution row;
+  const Solutions* solutions;
+  double lower[dof], upper[dof], own[dof];
+  int below[dof], above[dof], number[dof];
+  int next_row;
+} Representatives;
+typedef Solution Row;
+typedef Solutions Rows;
+)";
+  std::vector<File> files{{"sizes", "inverse", false, sizes}};
+  for (const char* name :
+       {"01_branches", "02_angles", "03_roots", "04_wrist", "05_slides", "06_quartic_roots", "07_polish",
+        "08_tracker", "09_poses", "10_quartic", "11_rows", "12_seed", "13_whole_arm", "14_reaching"}) {
+    const std::string path = std::string("templates/c/inverse/") + name + ".c";
+    std::ifstream file(QVGEN_SOURCE_DIR + std::string("/") + path);
+    std::stringstream text;
+    text << file.rdbuf();
+    files.push_back({path, "inverse", false, text.str()});
+  }
+  const Unit unit = parse("arm", files);
+  EXPECT_GT(unit.functions.size(), 200U);
+  EXPECT_NO_THROW((void)emit::rust::crate(unit, {}));
+}
+
+}  // namespace
+}  // namespace qvgen::test

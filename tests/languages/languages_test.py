@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: MIT
+"""Makes robots in a further language and runs their vectors in it.
+
+    python3 languages_test.py make QVGEN CC FOLDER ROBOT[:PARTS]...   C, Rust and JavaScript, and vectors by the C
+    python3 languages_test.py rust|clippy|cargo|javascript FOLDER     their vectors, or what the language's checker says
+    python3 languages_test.py readme FOLDER README                    the programs that the README shows
+"""
+import pathlib
+import shutil
+import subprocess
+import sys
+
+import rust_runner
+import vectors
+
+HERE = pathlib.Path(__file__).resolve().parent
+SKIPPED = 77
+
+
+def make(tool, cc, folder, *robots):
+    folder = pathlib.Path(folder)
+    for each in robots:
+        description, _, parts = each.partition(":")
+        robot = pathlib.Path(description).stem
+        for language in ("c", "rust", "javascript"):
+            only = ["--only", parts.replace("+", ",")] if parts else []
+            subprocess.run([tool, "generate", description, *only, "--language", language, "--output", folder / "made",
+                            "--quiet"], check=True)
+        header, made = vectors.make(folder / "made", robot, cc, folder / "vectors", 6)
+        # Iterators over structs are no calls of numbers: they have a test of their own.
+        assert set(made["left_out"]) <= {"start_representatives", "next_representative"}, made["left_out"]
+        (folder / "vectors" / f"{robot}.rs").write_text(rust_runner.program(header))
+        (folder / "vectors" / f"{robot}.txt").write_text("".join(rust_runner.vector_lines(made)))
+        print(f"{robot}: {len(made['calls'])} vectors of {len(header.functions)} functions")
+
+
+def robots_of(folder):
+    return sorted(path.stem for path in (folder / "vectors").glob("*.json"))
+
+
+def needed(program):
+    if shutil.which(program) is None:
+        print(f"skipped: there is no {program}; Debian has it in the package {PACKAGES[program]}")
+        sys.exit(SKIPPED)
+    return program
+
+
+PACKAGES = {"rustc": "rustc", "cargo": "cargo", "clippy-driver": "rust-clippy", "node": "nodejs"}
+CRATE = ["--edition", "2021", "--crate-type", "lib", "--cfg", 'feature="std"']
+
+
+def rust(folder):
+    rustc = needed("rustc")
+    for robot in robots_of(folder):
+        vectors_of = folder / "vectors"
+        library = vectors_of / f"libqvgen_{robot}.rlib"
+        crate = folder / "made/rust" / f"qvgen_{robot}/src/lib.rs"
+        subprocess.run([rustc, *CRATE, "--crate-name", f"qvgen_{robot}", "-O", "-D", "warnings", crate, "-o", library],
+                       check=True)
+        program = vectors_of / f"{robot}_in_rust"
+        subprocess.run([rustc, "--edition", "2021", "--extern", f"qvgen_{robot}={library}", vectors_of / f"{robot}.rs",
+                        "-o", program], check=True)
+        subprocess.run([program, vectors_of / f"{robot}.txt"], check=True)
+
+
+def clippy(folder):
+    driver = needed("clippy-driver")
+    for robot in robots_of(folder):
+        crate = folder / "made/rust" / f"qvgen_{robot}/src/lib.rs"
+        subprocess.run([driver, *CRATE, "--crate-name", f"qvgen_{robot}", "--emit", "metadata", "-D", "warnings",
+                        "-D", "clippy::all", crate, "-o", folder / "vectors" / "checked.rmeta"], check=True)
+
+
+def javascript(folder):
+    node = needed("node")
+    for robot in robots_of(folder):
+        module = folder / "made/javascript" / f"qvgen_{robot}/qvgen_{robot}.mjs"
+        subprocess.run([node, HERE / "run_vectors.mjs", module, folder / "vectors" / f"{robot}.json"], check=True)
+
+
+def readme_block(readme, first_line):
+    """The indented block of a README that begins with that line."""
+    lines = pathlib.Path(readme).read_text().splitlines()
+    starts = [i for i, line in enumerate(lines) if line.startswith("    " + first_line)]
+    assert starts, f"{readme} has no block that begins with {first_line}"
+    block = []
+    for line in lines[starts[0]:]:
+        if line and not line.startswith("    "):
+            break
+        block.append(line)
+    return "\n".join(line[4:] for line in block) + "\n"
+
+
+def readme(folder, page):
+    """Runs the READMEs' programs in the languages that are there."""
+    (folder / "readme").mkdir(exist_ok=True)
+    ran = 0
+    if shutil.which("node"):
+        program = folder / "readme/example.mjs"
+        text = readme_block(page, "import * as arm from")
+        program.write_text(text.replace("./out/", "../made/"))
+        subprocess.run(["node", program], check=True)
+        ran += 1
+    if shutil.which("rustc"):
+        program = folder / "readme/example.rs"
+        program.write_text(readme_block(page, "use qvgen_puma560"))
+        library = folder / "readme/libqvgen_puma560.rlib"
+        crate = folder / "made/rust/qvgen_puma560/src/lib.rs"
+        subprocess.run(["rustc", *CRATE, "--crate-name", "qvgen_puma560", crate, "-o", library], check=True)
+        subprocess.run(["rustc", "--edition", "2021", "--extern", f"qvgen_puma560={library}", program, "-o",
+                        folder / "readme/example"], check=True)
+        subprocess.run([folder / "readme/example"], check=True)
+        ran += 1
+    if ran < 2:
+        print(f"skipped: {2 - ran} of 2 examples, node or rustc is not there")
+        sys.exit(SKIPPED)
+
+
+def cargo(folder):
+    """Builds a crate as its users do; the feature libm needs the network, or a cargo that has it."""
+    program = needed("cargo")
+    crate = folder / "made/rust/qvgen_ns_arm"
+    target = ["--target-dir", str(folder / "cargo")]
+    done = subprocess.run([program, "build", *target, "--no-default-features", "--features", "libm"], cwd=crate,
+                          capture_output=True, text=True, timeout=300)
+    if done.returncode != 0 and any(word in done.stderr for word in ("index", "network", "resolve host", "download")):
+        print("skipped: cargo cannot reach crates.io, where the crate libm is")
+        sys.exit(SKIPPED)
+    if done.returncode != 0:
+        sys.exit(done.stderr)
+    subprocess.run([program, "test", *target, "--quiet"], cwd=crate, check=True)
+
+
+if __name__ == "__main__":
+    what, *arguments = sys.argv[1:]
+    try:
+        if what == "make":
+            make(*arguments)
+        else:
+            run = {"rust": rust, "clippy": clippy, "cargo": cargo, "javascript": javascript, "readme": readme}[what]
+            run(pathlib.Path(arguments[0]), *arguments[1:])
+    except subprocess.CalledProcessError as error:
+        sys.exit(f"failed: {error}")
