@@ -26,7 +26,7 @@ struct Identifiable {
   Model<double> model;                  ///< the minimal complete set, and frames and surfaces
   std::vector<std::size_t> candidates;  ///< indices that this kind of data can tell, in the order of priority
   std::vector<std::string> never;       ///< in words
-  std::vector<Dependence> dependent;    ///< the same of the model's parameters
+  std::vector<Dependence> dependent;    ///< parameters of the model that are never told
 };
 
 Setup setup_of(const DataSet& set, const Options& options);
@@ -49,7 +49,7 @@ struct Calibration {
   Size before, after;                 ///< with frames and surfaces fitted in both
   double sigma = 0, sigma_angle = 0;  ///< the deviations that weighed: said, or found from the residuals
   double misfit = 1;  ///< root mean square of residuals over their deviations, by the degrees of freedom
-  /// Of every fifth measurement, with a fit of the others; and as expected by the covariance.
+  /// Residuals of every fifth measurement, with a fit of the others; and as the covariance promises.
   std::optional<Size> hold_out, expected;
 };
 

@@ -66,7 +66,7 @@ std::string list(const model::Vector3& v) {
   return "[" + text(v[0]) + ", " + text(v[1]) + ", " + text(v[2]) + "]";
 }
 
-std::string axis_value(const model::Vector3& axis) {
+std::string quoted_axis(const model::Vector3& axis) {
   for (std::size_t i = 0; i < 3; ++i)
     for (const long sign : {1L, -1L})
       if (const auto unit = model::unit_vector(i, sign);
@@ -79,7 +79,7 @@ std::string turns_text(const std::vector<model::Turn>& turns) {
   std::string result;
   for (const model::Turn& turn : turns)
     result += (result.empty() ? "" : ", ") +
-              fmt::format("{{ axis = {}, angle = {} }}", axis_value(turn.axis), angle_text(turn.angle));
+              fmt::format("{{ axis = {}, angle = {} }}", quoted_axis(turn.axis), angle_text(turn.angle));
   return "[" + result + "]";
 }
 
@@ -148,7 +148,7 @@ std::string joint_text(const model::Robot& robot, const model::Joint& joint) {
   if (!joint.after.turns.empty()) throw std::invalid_argument("a link frame is turned behind its joint");
   std::string result = "\n[[joint]]\ntype = ";
   result += joint.type == model::JointType::revolute ? "\"revolute\"\n" : "\"prismatic\"\n";
-  result += "axis = " + axis_value(joint.axis) + "\nvariable = " + quoted(joint.variable) + "\n" +
+  result += "axis = " + quoted_axis(joint.axis) + "\nvariable = " + quoted(joint.variable) + "\n" +
             parent_text(robot, joint) + follows_text(robot, joint);
   result += frame_text(joint.before, "origin");
   if (!model::is_literal_zero(joint.after.translation))
@@ -185,7 +185,7 @@ std::string request_text(const model::Robot& robot) {
   const std::string later = joined(robot.on_request);
   return (robot.ideal.empty() ? "" : "ideal = " + quoted(robot.ideal) + "\n") +
          (request.task ? "task = " + quoted(model::task_name(*request.task)) + "\n" : "") +
-         (request.tool_axis ? "tool_axis = " + axis_value(*request.tool_axis) + "\n" : "") +
+         (request.tool_axis ? "tool_axis = " + quoted_axis(*request.tool_axis) + "\n" : "") +
          (given.empty() ? "" : "given = " + quoted(given) + "\n") +
          (later.empty() ? "" : "on_request = " + quoted(later) + "\n");
 }

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// Every kind of data, with one target and several, finds the true arm: what it predicts at other joints is
+// true.
+#include <gtest/gtest.h>
+
+#include "simulate.h"
+
+namespace calibrate_test {
+namespace {
+
+Calibration calibrated_kind(const Scene& scene, const DataSet& set, const Options& options) {
+  DataError error;
+  auto found = calibrate(scene.robot, set, options, error);
+  if (!found) throw std::runtime_error(error.message + "; " + error.hint);
+  return std::move(*found);
+}
+
+/// Returns the greatest residual (m or rad) of measurements without noise that the fit has not seen.
+double greatest_residual(const Scene& scene, const Calibration& found, std::size_t count = 30) {
+  double greatest = 0;
+  Scene exact = scene;
+  exact.noise = 0;
+  for (const Measurement& other : measure(exact, count).rows) {
+    const Residual residual = residual_of(found.identifiable.model, scene.data, found.state, other, false);
+    greatest = std::max(greatest, residual.value.cwiseAbs().maxCoeff());
+  }
+  return greatest;
+}
+
+TEST(Kinds, AllFindTheTrueArm) {
+  for (const char* robot : {"ur5", "scara", "puma560"})
+    for (const Data data : {Data::pose, Data::position, Data::camera, Data::distance}) {
+      Scene scene = scene_of(robot, 4);
+      scene.data = data;
+      if (data != Data::distance) stand_anywhere(scene);
+      const Calibration found =
+          calibrated_kind(scene, measure(scene, 150), {Errors::all, false, false, data == Data::distance});
+      EXPECT_LE(greatest_residual(scene, found), 1e-8) << robot << " " << static_cast<int>(data);
+      EXPECT_GE(found.before.position, 1e-4) << robot;
+    }
+}
+
+TEST(Kinds, TouchedPlanesAndSpheres) {
+  for (const Data data : {Data::plane, Data::sphere}) {
+    Scene scene = scene_of("ur5", 6);
+    scene.data = data;
+    const Calibration found = calibrated_kind(scene, measure(scene, 200), {Errors::all, false, false, true});
+    EXPECT_LE(greatest_residual(scene, found), 1e-8) << static_cast<int>(data);
+  }
+}
+
+TEST(Kinds, SeveralTargetsOnTheTool) {
+  Scene scene = scene_of("ur5", 8);
+  stand_anywhere(scene, 3);
+  scene.data = Data::position;
+  scene.noise = 5e-5;
+  const Calibration found = calibrated_kind(scene, measure(scene, 120), {});
+  EXPECT_LE(found.after.position, 1.1e-4);
+  EXPECT_LE(greatest_residual(scene, found), 2e-4);
+}
+
+TEST(Kinds, GearsThatAreEccentric) {
+  Scene scene = scene_of("ur5", 9, 0);
+  stand_anywhere(scene);
+  DataSet set = measure(scene, 80);
+  // The encoders report other values than the joints have.
+  for (Measurement& row : set.rows) {
+    const double true_angle = row.q[2];
+    row.q[2] = true_angle - 2e-3 * std::cos(true_angle) + 1e-3 * std::sin(true_angle);
+  }
+  const Calibration found = calibrated_kind(scene, set, {Errors::all, true, false, false});
+  for (std::size_t i = 0; i < found.active.size(); ++i) {
+    const Parameter& each = found.identifiable.model.parameters[found.active[i]];
+    if (each.gap != 3 || each.nuisance) continue;
+    const double value = found.state.values[found.active[i]];
+    if (each.kind == Kind::eccentric_cosine) EXPECT_NEAR(value, 2e-3, 1e-5);
+    if (each.kind == Kind::eccentric_sine) EXPECT_NEAR(value, -1e-3, 1e-5);
+  }
+}
+
+TEST(Kinds, ZerosAloneLeaveTheRest) {
+  Scene scene = scene_of("ur5", 10, 0);
+  scene.truth.joints[2].before =
+      scene.truth.joints[2].before * Isometry3d(Eigen::AngleAxisd(4e-3, Vector3d::UnitZ()));
+  stand_anywhere(scene);
+  const Calibration found = calibrated_kind(scene, measure(scene, 30), {Errors::zeros, false, false, false});
+  for (std::size_t i = 0; i < found.active.size(); ++i) {
+    const Parameter& each = found.identifiable.model.parameters[found.active[i]];
+    if (each.nuisance) continue;
+    EXPECT_EQ(each.kind, Kind::zero);
+    EXPECT_NEAR(found.state.values[found.active[i]], each.gap == 3 ? 4e-3 : 0, 1e-9) << each.name;
+  }
+}
+
+}  // namespace
+}  // namespace calibrate_test
