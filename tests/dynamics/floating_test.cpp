@@ -112,7 +112,7 @@ TEST(FloatingTrees, RateOfTheMassMatrixLessTwiceCoriolisIsSkewSymmetric) {
     };
     const double step = 1e-5;
     const MatrixXd rate = (mass_after(step) - mass_after(-step)) / (2 * step);
-    const VectorXd entries = values_of(coriolis_matrix(robot, {}), motion);
+    const VectorXd entries = values_of(derive::dynamics::coriolis_matrix(robot, {}), motion);
     const MatrixXd c = Eigen::Map<const Eigen::Matrix<double, -1, -1, Eigen::RowMajor>>(entries.data(), n, n);
     expect_close(c + c.transpose(), rate, text, 1e-7);
   }
