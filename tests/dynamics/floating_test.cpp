@@ -101,7 +101,7 @@ TEST(FloatingTrees, RateOfTheMassMatrixLessTwiceCoriolisIsSkewSymmetric) {
     const model::Robot robot = read(text);
     Motion motion(robot, seed);
     add_base(BaseMotion(seed), VectorXd::Zero(6), motion);
-    const Formulation mass = mass_matrix(robot, {});
+    const Formulation mass = derive::dynamics::mass_matrix(robot, {});
     const auto n = static_cast<Eigen::Index>(model::coordinate_count(robot));
     const auto mass_after = [&](double time) {
       Motion moved = motion;
@@ -112,7 +112,7 @@ TEST(FloatingTrees, RateOfTheMassMatrixLessTwiceCoriolisIsSkewSymmetric) {
     };
     const double step = 1e-5;
     const MatrixXd rate = (mass_after(step) - mass_after(-step)) / (2 * step);
-    const VectorXd entries = values_of(coriolis_matrix(robot, {}), motion);
+    const VectorXd entries = values_of(derive::dynamics::coriolis_matrix(robot, {}), motion);
     const MatrixXd c = Eigen::Map<const Eigen::Matrix<double, -1, -1, Eigen::RowMajor>>(entries.data(), n, n);
     expect_close(c + c.transpose(), rate, text, 1e-7);
   }
