@@ -11,6 +11,7 @@
 #include "dag/rebuild.h"
 #include "model/coordinates.h"
 #include "model/evaluate.h"
+#include "optimise/coriolis_laws.h"
 #include "optimise/described.h"
 #include "passes/search/search.h"
 #include "verify/some_given.h"
@@ -25,6 +26,17 @@ using exact::Number;
 constexpr std::size_t most_units = 6;
 /// Robots with more joints try no choices: each trial is a search of its own.
 constexpr std::size_t most_joints_with_trials = 8;
+
+/// More than any chain has. Functions of larger robots have ten thousand values: pairs of all are too many.
+constexpr std::size_t most_coordinates_with_long_search = 16;
+
+OptimiseOptions short_search(OptimiseOptions options) {
+  options.search.closure = false;
+  options.search.iterations = std::min(options.search.iterations, 200'000L);
+  options.search.restarts = 1;
+  options.more_steps = 0;
+  return options;
+}
 
 int operations(const dag::OperationCounts& counts) {
   constexpr int division = 4;
@@ -198,13 +210,16 @@ Optimised generate_dynamics(const DynamicsModel& model, const DynamicsQuantity& 
   const model::Robot& robot = model.arm.robot;
   const FormulationOptions choices =
       effort.choices ? *effort.choices : best_choices(robot, quantity, effort.trial_steps);
+  const bool by_laws = robot.floating_base && quantity.name == "coriolis_matrix";
   const auto residuals = [&](const exact::ExactPoint& point, const std::vector<Number>& values) {
+    if (by_laws) return residuals_of_coriolis_laws(model.described, point, values);
     return quantity.residuals(derive::dynamics::PlainRecursion(model.described, point), point, values);
   };
+  const Formulation formulation = quantity.formulate(robot, choices);
   OptimiseOptions options = final_search(effort);
   options.search.restarts = 2;
-  Optimised result =
-      optimise(quantity_of(model, quantity.name, quantity.formulate(robot, choices), residuals), options);
+  if (model::coordinate_count(robot) > most_coordinates_with_long_search) options = short_search(options);
+  Optimised result = optimise(quantity_of(model, quantity.name, formulation, residuals), options);
   result.choices = choices;
   return result;
 }

@@ -118,6 +118,17 @@ TEST(FloatingTrees, RateOfTheMassMatrixLessTwiceCoriolisIsSkewSymmetric) {
   }
 }
 
+/// A base without inertia, two links that are points: turns about the line between them move nothing.
+TEST(FloatingTrees, MotionsWithoutMassAreRefused) {
+  const std::string text =
+      "name = \"r\"\ntitle = \"r\"\n[floating_base]\nmass = 1\n[[joint]]\ntype = \"revolute\"\naxis = "
+      "\"+z\"\n"
+      "variable = \"a\"\nlink = [1, 0, 0]\nmass = 1\n[[joint]]\ntype = \"revolute\"\naxis = \"+y\"\nvariable "
+      "= \"b\"\n"
+      "link = [1, 0, 0]\nmass = 2\n";
+  EXPECT_THROW(derive::dynamics::forward_dynamics(read(text), {}), derive::dynamics::MasslessLink);
+}
+
 /// Search and certificate, which throws if any output differs from the plain recursion.
 TEST(FloatingTrees, PassTheirCertificates) {
   const optimise::DynamicsEffort little{.trial_steps = 500, .final_steps = 2'000, .certificate_points = 1};

@@ -13,7 +13,6 @@ bool step(qvgen::robots::quad::Configuration<double>& at, qvgen::robots::quad::V
 namespace qvgen::test::floating {
 namespace {
 
-constexpr double g = 9.81;
 using Contacts = ContactSet<double, quad::velocity_size, 24>;
 using Mass = BranchFactorisation<double, quad::velocity_size>;
 
@@ -107,8 +106,9 @@ TEST(Contacts, KeepEverySubsetOfFeetInPlace) {
       Contacts contacts;
       unsigned rest = subset;
       for (const auto& tip : s.tips) {
-        if (rest % 3 > 0)
+        if (rest % 3 > 0) {
           EXPECT_TRUE(contacts.add(tip, rest % 3 == 1 ? ContactKind::point : ContactKind::rigid));
+        }
         rest /= 3;
       }
       const auto found = contacts.forward_dynamics(s.mass, s.force);
@@ -116,9 +116,10 @@ TEST(Contacts, KeepEverySubsetOfFeetInPlace) {
       expect_close((s.matrix * found.qdd).eval(), (s.force + jacobian.transpose() * found.forces).eval(),
                    1e-9);
       // A leg has three joints: each rigid foot takes six motions of the base and its leg.
-      if (contacts.rows() > 0 && found.status != ContactStatus::contradictory)
+      if (contacts.rows() > 0 && found.status != ContactStatus::contradictory) {
         EXPECT_LE((jacobian * found.qdd + contacts.bias()).norm(), 1e-6 * (1 + contacts.bias().norm()))
             << subset;
+      }
       const bool is_full = found.rank == contacts.rows();
       EXPECT_EQ(found.status == ContactStatus::solved, is_full) << subset;
       EXPECT_NE(found.status, ContactStatus::invalid);

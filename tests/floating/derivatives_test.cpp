@@ -10,7 +10,7 @@
 namespace qvgen::test::floating {
 namespace {
 
-constexpr double g = 9.81, length = 1e-5;
+constexpr double length = 1e-5;
 
 /// Central differences of a function of a step, column by column.
 template <class Function>

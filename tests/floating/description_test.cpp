@@ -85,7 +85,7 @@ TEST(FloatingBase, MistakesAreReportedWithTheirPlace) {
     EXPECT_NE(messages(result).find(message), std::string::npos) << messages(result);
   };
   refused(toml, "[floating_base]", "[base]\ntranslation = [1, 0, 0]\n[floating_base]",
-          "r.toml:3:1: error: [base] beside [floating_base]");
+          "r.toml:3:2: error: [base] beside [floating_base]");
   refused(toml, "mass = 3", "mess = 3", "r.toml:4:1: error");
   refused(toml, "mass = 3", "mass = \"90 deg\"", "r.toml:4:");
   ReadOptions options;

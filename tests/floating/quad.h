@@ -81,6 +81,8 @@ inline const reference::Chain& reference_chain() {
   return chain;
 }
 
+inline constexpr double g = 9.81;  ///< m/s^2, as the reference has it
+
 template <class A, class B>
 void expect_close(const A& a, const B& b, double tolerance = 1e-12) {
   EXPECT_LE((a - b).cwiseAbs().maxCoeff(), tolerance * (1 + b.cwiseAbs().maxCoeff()));

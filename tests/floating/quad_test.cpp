@@ -10,8 +10,6 @@
 namespace qvgen::test::floating {
 namespace {
 
-constexpr double g = 9.81;
-
 TEST(Quad, EveryFunctionIsTheReference) {
   const reference::Chain& chain = reference_chain();
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(quad::velocity_size);
@@ -50,7 +48,9 @@ TEST(Quad, MassMatrixIsPositiveAndZeroWhereItsListSaysSo) {
     EXPECT_EQ(mass, mass.transpose());
     for (int i = 0; i < quad::velocity_size; ++i)
       for (int k = 0; k < quad::velocity_size; ++k)
-        if (!listed(i, k)) EXPECT_EQ(mass(i, k), 0);
+        if (!listed(i, k)) {
+          EXPECT_EQ(mass(i, k), 0);
+        }
     EXPECT_GT(mass.ldlt().vectorD().minCoeff(), 0);
     const BranchFactorisation factors(mass, quad::mass_matrix_parents);
     EXPECT_TRUE(factors.is_positive());

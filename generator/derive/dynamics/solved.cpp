@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
 #include <map>
 
+#include "dag/evaluate.h"
 #include "dag/rebuild.h"
 #include "derive/dynamics/formulation.h"
 #include "derive/dynamics/suggestions.h"
+#include "exact/point.h"
 #include "model/coordinates.h"
 
 namespace qvgen::derive::dynamics {
@@ -64,11 +67,64 @@ std::vector<Scalar> solved(Matrix m, std::vector<Scalar> b, const Scalar& one) {
   return x;
 }
 
+/// A random point in numbers, the constants with the values that they have there.
+struct RoundedPoint {
+  const exact::ExactPoint& point;
+  std::map<std::string, double> known;
+
+  [[nodiscard]] double constant(const exact::Number& number) const { return number.to_double(); }
+  [[nodiscard]] double symbol(const std::string& name) const {
+    const auto place = known.find(name);
+    return place == known.end() ? point.symbol(name).to_double() : place->second;
+  }
+  [[nodiscard]] double sine(const exact::Angle& angle) const { return point.sine(angle).to_double(); }
+  [[nodiscard]] double cosine(const exact::Angle& angle) const { return point.cosine(angle).to_double(); }
+  [[nodiscard]] double root(double value) const { return std::sqrt(value); }
+  [[nodiscard]] double arctangent(double y, double x) const { return std::atan2(y, x); }
+};
+
+/// True if elimination from the last row on meets no zero. `upper`: the upper triangle, row by row; what
+/// cancels but for rounding is zero. A row without mass of its own is for others to report.
+bool is_positive(std::vector<std::vector<double>> upper) {
+  constexpr double rounding = 1e-11;
+  const auto at = [&](std::size_t i, std::size_t k) -> double& { return upper[i][k - i]; };
+  for (const auto& row : upper)
+    if (row.front() == 0) return true;
+  for (std::size_t k = upper.size(); k-- > 1;)
+    for (std::size_t i = 0; i < k; ++i)
+      for (std::size_t j = i; j < k; ++j) {
+        if (at(k, k) == 0) return false;
+        const double taken = at(i, k) / at(k, k) * at(j, k);
+        at(i, j) = std::abs(at(i, j) - taken) < rounding * std::abs(taken) ? 0 : at(i, j) - taken;
+      }
+  return upper.empty() || at(0, 0) != 0;
+}
+
+/// Throws if some motion moves no mass wherever the robot is, though no entry on the diagonal is zero: two
+/// joints about one axis with nothing between them, a floating base without inertia.
+void refuse_motions_without_mass(const Formulation& mass, std::size_t n) {
+  const exact::ExactPoint point(0x3a55);
+  RoundedPoint leaves{point, {}};
+  const auto constants = dag::evaluate<double>(mass.constants, leaves);
+  for (std::size_t i = 0; i < constants.size(); ++i)
+    leaves.known[mass.constants.outputs[i].name] = constants[i];
+  const auto values = dag::evaluate<double>(mass.function, leaves);
+  std::vector<std::vector<double>> m(n);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (mass.function.outputs[i].name.front() != 'm') continue;  // row by row, the upper triangle
+    std::size_t row = 0;
+    while (m[row].size() == n - row) ++row;
+    m[row].push_back(values[i]);
+  }
+  if (!is_positive(m)) throw MasslessLink("some motion moves no mass: the mass matrix has no inverse");
+}
+
 }  // namespace
 
 Formulation forward_dynamics(const model::Robot& robot, const FormulationOptions& choices) {
   const Formulation bias = inverse_dynamics(robot, choices, Effects::bias);
   const Formulation mass = mass_matrix(robot, choices);
+  refuse_motions_without_mass(mass, model::coordinate_count(robot));
   Formulation result;
   result.constants = bias.constants;  // the same chain names the same constants
   dag::Graph& graph = result.function.graph;

@@ -65,6 +65,8 @@ json angles_and_name(const model::Robot& robot, const std::vector<dag::Angle>& a
   const emit::ast::Leaves leaves = emit::robot_leaves(robot, angles);
   return {{"name", robot.name},
           {"base_floats", robot.floating_base.has_value()},
+          {"vector_type", robot.floating_base ? "Velocity" : "JointVector"},
+          {"velocity_size", robot.floating_base ? "velocity_size" : "dof"},
           {"angles", emit::angle_values(angles, leaves)},
           {"angle_count", angles.size()},
           {"angles_type", angles_type},

@@ -11,7 +11,7 @@
 //
 // With M qdd + bias = torque + J^T f and J qdd + (dJ/dt) qd = 0, the forces solve J M^-1 J^T f = r. Where
 // contacts repeat one another that matrix is singular: the accelerations are unique still, the forces not.
-// The smallest ones, row by row in the scale of the matrix, are given then and marked.
+// Some of the rows that others repeat have no force then, and the result is marked.
 #pragma once
 
 #include <algorithm>
@@ -87,8 +87,8 @@ class ContactSet {
     return solved(mass, qd, -(Scalar(1) + restitution) * meeting);
   }
 
-  /// Returns the inertia that the contacts feel, (J M^-1 J^T)^-1, rows x rows; its pseudo-inverse where rows
-  /// are dependent. `rank` tells.
+  /// Returns the inertia that the contacts feel, (J M^-1 J^T)^-1, rows x rows, symmetric; one of its
+  /// generalised inverses where rows are dependent, which `rank` tells.
   [[nodiscard]] Square operational_space_inertia(const Mass& mass, int* rank = nullptr) const {
     const System system(*this, mass);
     if (rank != nullptr) *rank = system.rank();
@@ -124,16 +124,19 @@ class ContactSet {
       const Scalar wanted = scale_.cwiseProduct(right).norm();
       return wanted > Scalar(0) ? rest.norm() / wanted : rest.norm();
     }
+    /// X with A X A = A makes X A X^T, which is symmetric.
     [[nodiscard]] Square inverse() const {
-      const Square scaled = decomposition_.pseudoInverse();
-      return scale_.asDiagonal() * scaled * scale_.asDiagonal();
+      const Square unit = Square::Identity(matrix_.rows(), matrix_.cols());
+      const Square one = scale_.asDiagonal() * Square(decomposition_.solve(unit)) * scale_.asDiagonal();
+      const Square half = one * matrix_;
+      return half * one.transpose();
     }
 
    private:
     Columns solved_;
     Square matrix_;
     Rows scale_;
-    Eigen::CompleteOrthogonalDecomposition<Square> decomposition_;
+    Eigen::ColPivHouseholderQR<Square> decomposition_;
   };
 
   [[nodiscard]] Result solved(const Mass& mass, const Vector& before, const Rows& right) const {
