@@ -128,7 +128,7 @@ TEST(AssemblyPlan, FindsTheLoopThatIsRedundant) {
   EXPECT_EQ(mobility.free, 1);
   EXPECT_EQ(mobility.redundant, std::vector<std::size_t>{1});
   EXPECT_THAT(verify::text_of(mobility, mechanism).back(), HasSubstr("loop 2 is redundant"));
-  // Of both assemblies that the first rod leaves the second one takes one.
+  // The second rod takes one of the two assemblies that the first one leaves.
   const auto certificate = verify::certify_loops(mechanism, plan, derive::inverse::lower(plan.plan), 3);
   EXPECT_EQ(certificate.assemblies, certificate.inputs);
 }
