@@ -93,7 +93,7 @@ ProgramCode code_of(const symbolic::Program& program, const model::Robot& robot,
   for (const auto& output : program.outputs()) all.push_back(output.name);
   dag::Function function = derive::inverse::lowered(program, all);
   std::vector<std::string> kept;
-  // What is zero stays as it was set.
+  // Zeros stay as they were set.
   std::vector<dag::Output> outputs;
   for (std::size_t i = 0; i < function.outputs.size(); ++i) {
     const bool is_entry = places[i].find(',') != std::string::npos;

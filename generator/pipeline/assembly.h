@@ -22,8 +22,7 @@ std::vector<LoopVariant> loop_variants(const model::Loops& loops);
 /// Each unknown of a plan with its equation, a line a step.
 std::vector<std::string> step_lines(const model::Robot& described, const derive::inverse::Plan& plan);
 
-/// What is wrong with the numbers of driven joints and of outputs in a mechanism of that many freedoms; may
-/// be empty.
+/// Says why the numbers of driven joints and of outputs do not fit so many freedoms; empty if they do.
 std::string problem_of_motors(const model::Mechanism& mechanism, int freedoms);
 
 /// Adds `assembly.h` and its source to the output of a robot with loops, or what is missing of it. The

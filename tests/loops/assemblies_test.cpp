@@ -48,15 +48,20 @@ bool has(const reference::LoopMechanism& of, const Set& set, const VectorXd& q, 
                      [&](const Row& row) { return distance(of, row.q, q) < within; });
 }
 
-/// Values for some joints; slides within the mechanism's size.
+/// Values for some joints: any, slides within the mechanism's size; or, in every second case, those of an
+/// assembly.
 VectorXd random_values(const reference::LoopMechanism& of, const std::vector<Eigen::Index>& joints,
                        std::mt19937& random) {
   std::uniform_real_distribution<double> turn(-3.2, 3.2), slide(-of.size / 2, of.size / 2);
+  const auto count = static_cast<Eigen::Index>(of.chain.joints.size());
+  const auto assembled = random() % 2 == 0 ? reference::assemblies(of, VectorXd::Zero(count), {}, 1, random())
+                                           : std::vector<VectorXd>{};
   VectorXd values(static_cast<Eigen::Index>(joints.size()));
-  for (Eigen::Index i = 0; i < values.size(); ++i)
-    values[i] = of.chain.joints[static_cast<std::size_t>(joints[static_cast<std::size_t>(i)])].revolute
-                    ? turn(random)
-                    : slide(random);
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    const Eigen::Index joint = joints[static_cast<std::size_t>(i)];
+    const bool turns = of.chain.joints[static_cast<std::size_t>(joint)].revolute;
+    values[i] = !assembled.empty() ? assembled[0][joint] : turns ? turn(random) : slide(random);
+  }
   return values;
 }
 
@@ -177,7 +182,8 @@ TEST_P(Assemblies, KeepTheirBranchAlongAPath) {
     VectorXd a = random_values(reference_, reference_.driven, random);
     const Set begin = mechanism_.assemble(a);
     if (begin.rows.empty()) continue;
-    const VectorXd way = 1e-3 * random_values(reference_, reference_.driven, random);
+    VectorXd way(a.size());
+    for (double& x : way) x = std::uniform_real_distribution<double>(-3e-3, 3e-3)(random);
     Row at = begin.rows.front();
     for (int step = 0; step < 100; ++step) {
       a += way;

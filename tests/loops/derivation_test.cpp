@@ -64,6 +64,8 @@ TEST(Mobility, CountsPlanarLoopsThatGrueblerDoesNotSee) {
   EXPECT_EQ(verify::mobility_of(mechanism_of_file("palletiser")).free, 4);
   EXPECT_EQ(verify::mobility_of(mechanism_of_file("delta")).free, 3);
   EXPECT_EQ(verify::mobility_of(mechanism_of_file("ankle")).free, 2);
+  EXPECT_EQ(verify::mobility_of(mechanism_of_file("planar_3rpr")).free, 3);
+  EXPECT_EQ(verify::mobility_of(mechanism_of_file("../platforms/hexapod")).free, 6);
 }
 
 TEST(Mobility, SaysHowManyAreFreeAndDriven) {
@@ -126,22 +128,29 @@ TEST(AssemblyPlan, FindsTheLoopThatIsRedundant) {
   EXPECT_EQ(mobility.free, 1);
   EXPECT_EQ(mobility.redundant, std::vector<std::size_t>{1});
   EXPECT_THAT(verify::text_of(mobility, mechanism).back(), HasSubstr("loop 2 is redundant"));
-  // Of both assemblies that the first rod leaves the second one takes one.
+  // The second rod takes one of the two assemblies that the first one leaves.
   const auto certificate = verify::certify_loops(mechanism, plan, derive::inverse::lower(plan.plan), 3);
   EXPECT_EQ(certificate.assemblies, certificate.inputs);
 }
 
-/// Every mechanism of the tests, from its motors and from its platform.
-TEST(LoopCertificate, HoldsForEveryMechanism) {
-  for (const char* name : {"four_bar", "slider_crank", "five_bar", "palletiser", "delta"}) {
-    const auto mechanism = mechanism_of_file(name);
-    const auto assembly = derive::loops::assembly_plan(mechanism, mechanism.loops.actuated);
-    ASSERT_TRUE(assembly.found) << name;
-    const auto certificate =
-        verify::certify_loops(mechanism, assembly, derive::inverse::lower(assembly.plan), 3);
-    EXPECT_EQ(certificate.inputs, 3) << name;
-    EXPECT_GE(certificate.assemblies, 3) << name;
-  }
+/// Certifies a way through the loops, from some joints.
+void expect_certificate(const model::Mechanism& mechanism, const std::vector<std::size_t>& given) {
+  const auto assembly = derive::loops::assembly_plan(mechanism, given);
+  ASSERT_TRUE(assembly.found) << mechanism.robot.name;
+  const auto certificate =
+      verify::certify_loops(mechanism, assembly, derive::inverse::lower(assembly.plan), 3);
+  EXPECT_EQ(certificate.inputs, 3) << mechanism.robot.name;
+  EXPECT_GE(certificate.assemblies, 3) << mechanism.robot.name;
+}
+
+TEST(LoopCertificate, HoldsForEveryMechanismFromItsMotors) {
+  for (const char* name : {"four_bar", "slider_crank", "five_bar", "palletiser", "excavator", "delta"})
+    expect_certificate(mechanism_of_file(name), mechanism_of_file(name).loops.actuated);
+}
+
+TEST(LoopCertificate, HoldsForEveryPlatformFromItsPlace) {
+  for (const char* name : {"ankle", "delta", "planar_3rrr", "planar_3rpr", "../platforms/hexapod"})
+    expect_certificate(mechanism_of_file(name), mechanism_of_file(name).loops.outputs);
 }
 
 TEST(LoopCertificate, RefutesAStepThatIsWrong) {

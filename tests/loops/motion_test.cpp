@@ -23,14 +23,14 @@ struct Motion {
 
 class Motions : public testing::TestWithParam<MechanismUnderTest> {
  protected:
-  /// A random assembly, from the motors or from the platform.
+  /// A random assembly that the reference has found; nothing where it is at the end of what can be assembled.
   VectorXd sampled() {
-    std::uniform_real_distribution<double> turn(-3.1, 3.1), small(-0.6, 0.6);
-    const bool forward = static_cast<bool>(mechanism_.assemble);
-    VectorXd values(forward ? mechanism_.driven : static_cast<int>(mechanism_.output_joints.size()));
-    for (double& x : values) x = forward ? turn(random_) : small(random_);
-    const Set set = forward ? mechanism_.assemble(values) : mechanism_.from_outputs(values);
-    return set.rows.empty() ? VectorXd() : set.rows[random_() % set.rows.size()].q;
+    const auto found = reference::assemblies(reference_, VectorXd::Zero(mechanism_.dof), {}, 1, random_());
+    if (found.empty()) return {};
+    VectorXd a(mechanism_.driven);
+    for (int i = 0; i < mechanism_.driven; ++i)
+      a[i] = found[0][mechanism_.driven_joints[static_cast<std::size_t>(i)]];
+    return mechanism_.follow(a, found[0]);
   }
   /// Random assemblies with rates, apart from dead centres.
   std::vector<Motion> motions_of(int count) {

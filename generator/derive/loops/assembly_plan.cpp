@@ -82,7 +82,7 @@ class Search {
     for (std::size_t i = 0; i < assembly_.cycles.size(); ++i) open_.push_back(i);
     while (step()) {
     }
-    for (const std::size_t i : open_) assembly_.reasons.push_back(why_open(i));
+    for (const std::size_t i : open_) add_reason(why_open(i), i);
     for (const std::size_t joint : assembly_.passive)
       if (!is_on_a_loop(joint))
         assembly_.reasons.push_back("joint " + described_[joint] +
@@ -99,6 +99,17 @@ class Search {
       const auto joints = each.joints();
       return std::find(joints.begin(), joints.end(), joint) != joints.end();
     });
+  }
+
+  /// A reason that another loop has, too, is said once.
+  void add_reason(const std::string& reason, std::size_t loop) {
+    const auto tail = [](const std::string& text) { return text.substr(text.find(": ") + 1); };
+    for (std::string& other : assembly_.reasons) {
+      if (tail(other).rfind(tail(reason), 0) != 0) continue;
+      other += " (loop " + std::to_string(loop + 1) + " likewise)";
+      return;
+    }
+    assembly_.reasons.push_back(reason);
   }
 
   void close(const std::vector<std::size_t>& solved, std::vector<std::size_t>& into) {

@@ -16,7 +16,8 @@ struct Constraints {
   std::size_t redundant_rows = 0;
 };
 
-/// Of a plan's closures, and of all those of a mechanism, solved or not; `robot` has private names.
+/// Returns the equations of a plan's closures, and those of all closures, solved or not; `robot` has private
+/// names.
 Constraints constraints_of(const AssemblyPlan& assembly);
 Constraints constraints_of(const model::Robot& robot, const std::vector<Cycle>& cycles);
 

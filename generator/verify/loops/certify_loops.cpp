@@ -65,7 +65,7 @@ std::string LoopCertificate::text() const {
 
 LoopCertificate certify_loops(const model::Mechanism& mechanism, const AssemblyPlan& assembly,
                               const derive::inverse::LoweredPlan& plan, int inputs) {
-  /// What Newton's steps leave in a sample of doubles, also where two assemblies are near each other.
+  /// Accuracy of samples in double, also where two assemblies are near each other.
   constexpr double sample_accuracy = 1e-6;
   LoopCertificate certificate;
   const LoopNumbers numbers(mechanism);
