@@ -18,10 +18,16 @@ using Eigen::VectorXd;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-const std::array<PseudoInertia, 10>& directions() {
+/// An orthonormal basis of symmetric matrices.
+const std::array<PseudoInertia, 10>& symmetric_basis() {
   static const auto all = [] {
     std::array<PseudoInertia, 10> result;
-    for (std::size_t k = 0; k < 10; ++k) result[k] = pseudo_inertia(Standard::Unit(static_cast<Index>(k)));
+    std::size_t k = 0;
+    for (Index a = 0; a < 4; ++a)
+      for (Index b = a; b < 4; ++b, ++k) {
+        result[k].setZero();
+        result[k](a, b) = result[k](b, a) = a == b ? 1 : std::sqrt(0.5);
+      }
     return result;
   }();
   return all;
@@ -91,34 +97,33 @@ double Divergence::at(const VectorXd& values) const {
   return sum;
 }
 
-VectorXd Divergence::gradient(const VectorXd& values) const {
-  VectorXd result(values.size());
+MatrixXd Divergence::directions(const VectorXd& values) const {
+  MatrixXd result = MatrixXd::Zero(values.size(), values.size());
   for (Index i = 0; i < links(); ++i) {
-    const PseudoInertia difference = inverse_[static_cast<std::size_t>(i)] - link_of(values, i).inverse();
+    const PseudoInertia factor = Eigen::LLT<PseudoInertia>(link_of(values, i)).matrixL();
     for (Index k = 0; k < 10; ++k)
-      result[10 * i + k] = difference.cwiseProduct(directions()[static_cast<std::size_t>(k)]).sum();
+      result.block<10, 1>(10 * i, 10 * i + k) =
+          standard_of(factor * symmetric_basis()[static_cast<std::size_t>(k)] * factor.transpose());
   }
   for (Index k = 0; k < 4 * links(); ++k) {
-    const double value = values[10 * links() + k], prior = prior_.drives[k];
-    result[10 * links() + k] = has_sign(k) ? 1 / prior - 1 / value : value / (prior * prior);
+    const Index place = 10 * links() + k;
+    result(place, place) = has_sign(k) ? values[place] : prior_.drives[k];
   }
   return result;
 }
 
-MatrixXd Divergence::hessian(const VectorXd& values) const {
-  MatrixXd result = MatrixXd::Zero(values.size(), values.size());
+VectorXd Divergence::slope(const VectorXd& values) const {
+  VectorXd result(values.size());
   for (Index i = 0; i < links(); ++i) {
-    const PseudoInertia inverse = link_of(values, i).inverse();
-    for (Index k = 0; k < 10; ++k) {
-      const PseudoInertia moved = inverse * directions()[static_cast<std::size_t>(k)] * inverse;
-      for (Index l = 0; l < 10; ++l)
-        result(10 * i + k, 10 * i + l) = moved.cwiseProduct(directions()[static_cast<std::size_t>(l)]).sum();
-    }
+    const PseudoInertia factor = Eigen::LLT<PseudoInertia>(link_of(values, i)).matrixL();
+    const PseudoInertia difference =
+        factor.transpose() * inverse_[static_cast<std::size_t>(i)] * factor - PseudoInertia::Identity();
+    for (Index k = 0; k < 10; ++k)
+      result[10 * i + k] = difference.cwiseProduct(symmetric_basis()[static_cast<std::size_t>(k)]).sum();
   }
   for (Index k = 0; k < 4 * links(); ++k) {
-    const Index place = 10 * links() + k;
-    const double size = has_sign(k) ? values[place] : prior_.drives[k];
-    result(place, place) = 1 / (size * size);
+    const double share = values[10 * links() + k] / prior_.drives[k];
+    result[10 * links() + k] = has_sign(k) ? share - 1 : share;
   }
   return result;
 }

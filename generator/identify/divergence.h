@@ -16,9 +16,11 @@ class Divergence {
 
   /// Returns the distance; infinity outside.
   [[nodiscard]] double at(const Eigen::VectorXd& values) const;
-  [[nodiscard]] Eigen::VectorXd gradient(const Eigen::VectorXd& values) const;
-  /// Positive definite, a block of ten for each link, diagonal for the drives.
-  [[nodiscard]] Eigen::MatrixXd hessian(const Eigen::VectorXd& values) const;
+  /// Returns directions, a column each, in which the curvature at a place is one: of the links
+  /// L S L^T with L the factor of the pseudo-inertia and S symmetric, of drives shares of their values.
+  [[nodiscard]] Eigen::MatrixXd directions(const Eigen::VectorXd& values) const;
+  /// Returns the slope along these directions.
+  [[nodiscard]] Eigen::VectorXd slope(const Eigen::VectorXd& values) const;
   /// Values of the prior itself.
   [[nodiscard]] Eigen::VectorXd prior() const;
 

@@ -89,13 +89,17 @@ VectorXd values_of_links(const std::vector<PseudoInertia>& links) {
   return values;
 }
 
-/// The mass of each rod that lets the weighted torques fit best; at least a gram.
+/// The mass of each rod that lets the weighted torques fit best, but no less than some share of the one with
+/// torques as large as those: rods that point the wrong way would fit best without mass.
 double fitting_mass(const ArmRegressor& arm, const Estimate& estimate,
                     const std::vector<PseudoInertia>& known, const std::vector<PseudoInertia>& rods) {
+  constexpr double least_share = 0.3;
   const VectorXd fixed = estimate.information * (arm.combination * values_of_links(known));
   const VectorXd each = estimate.information * (arm.combination * values_of_links(rods));
-  const double length = each.squaredNorm();
-  return length > 0 ? std::max(1e-3, each.dot(estimate.right_side - fixed) / length) : 1;
+  const VectorXd rest = estimate.right_side - fixed;
+  const double length = each.norm();
+  if (!(length > 0)) return 1;
+  return std::max({1e-3, least_share * rest.norm() / length, each.dot(rest) / (length * length)});
 }
 
 double positive_or(const model::Expression& expression, const model::Bindings& values, double otherwise) {
