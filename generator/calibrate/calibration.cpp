@@ -59,6 +59,7 @@ class Calibrator {
   std::optional<Calibration> run(DataError& error) {
     const Identifiable& can = result_.identifiable;
     const std::vector<std::size_t> frames = nuisances(can.model.parameters, can.candidates);
+    if (too_few(frames.size(), error)) return std::nullopt;
     State start = first_state(can.model, can.setup, set_);
     start = fit(can.model, {&set_, all_}, start, frames);
     if (const std::string doubt = suspicion(can, set_, start); !doubt.empty()) {
@@ -66,8 +67,9 @@ class Calibrator {
       return std::nullopt;
     }
     choose(start);
-    if (too_few(error)) return std::nullopt;
+    if (too_few(result_.active.size(), error)) return std::nullopt;
     settle(start);
+    if (!set_.sigma_known) choose_again();
     // Before: the frames fitted to the same measurements with the nominal arm.
     const State nominal =
         fit(can.model, {&set_, result_.weights}, start, nuisances(can.model.parameters, result_.active));
@@ -88,9 +90,20 @@ class Calibrator {
     result_.untold = sentences(can.model.parameters, rank.dependent);
   }
 
-  bool too_few(DataError& error) const {
+  /// Chooses once more with the deviations that were found: data that are better than usual tell more.
+  void choose_again() {
+    const std::vector<std::size_t> before = result_.active;
+    choose(result_.state);
+    if (result_.active == before) return;
+    State state = result_.state;
+    for (std::size_t i = 0; i < state.values.size(); ++i)
+      if (!std::binary_search(result_.active.begin(), result_.active.end(), i)) state.values[i] = 0;
+    settle(state);
+  }
+
+  bool too_few(std::size_t unknowns, DataError& error) const {
     const double numbers = numbers_of(set_.data) * static_cast<double>(set_.rows.size());
-    const double unknown = static_cast<double>(result_.active.size());
+    const double unknown = static_cast<double>(unknowns);
     if (numbers > unknown) return false;
     error = {
         fmt::format("{} rows are too few: {} numbers for {} unknowns", set_.rows.size(), numbers, unknown),

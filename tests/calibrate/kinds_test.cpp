@@ -35,7 +35,10 @@ TEST(Kinds, AllFindTheTrueArm) {
       if (data != Data::distance) stand_anywhere(scene);
       const Calibration found =
           calibrated_kind(scene, measure(scene, 150), {Errors::all, false, false, data == Data::distance});
-      EXPECT_LE(greatest_residual(scene, found), 1e-8) << robot << " " << static_cast<int>(data);
+      EXPECT_LE(greatest_residual(scene, found), 1e-8)
+          << robot << " " << static_cast<int>(data) << " " << found.after.position << " "
+          << found.active.size() << "/" << found.identifiable.candidates.size()
+          << testing::PrintToString(found.untold) << found.outliers.size();
       EXPECT_GE(found.before.position, 1e-4) << robot;
     }
 }
@@ -45,7 +48,10 @@ TEST(Kinds, TouchedPlanesAndSpheres) {
     Scene scene = scene_of("ur5", 6);
     scene.data = data;
     const Calibration found = calibrated_kind(scene, measure(scene, 200), {Errors::all, false, false, true});
-    EXPECT_LE(greatest_residual(scene, found), 1e-8) << static_cast<int>(data);
+    EXPECT_LE(greatest_residual(scene, found), 1e-8)
+        << static_cast<int>(data) << " " << found.after.position << " " << found.active.size() << "/"
+        << found.identifiable.candidates.size() << testing::PrintToString(found.untold)
+        << found.outliers.size();
   }
 }
 
@@ -73,8 +79,11 @@ TEST(Kinds, GearsThatAreEccentric) {
     const Parameter& each = found.identifiable.model.parameters[found.active[i]];
     if (each.gap != 3 || each.nuisance) continue;
     const double value = found.state.values[found.active[i]];
-    if (each.kind == Kind::eccentric_cosine) EXPECT_NEAR(value, 2e-3, 1e-5);
-    if (each.kind == Kind::eccentric_sine) EXPECT_NEAR(value, -1e-3, 1e-5);
+    if (each.kind == Kind::eccentric_cosine) {
+      EXPECT_NEAR(value, 2e-3, 1e-5);
+    } else if (each.kind == Kind::eccentric_sine) {
+      EXPECT_NEAR(value, -1e-3, 1e-5);
+    }
   }
 }
 

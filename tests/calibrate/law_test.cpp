@@ -139,6 +139,8 @@ TEST(Law, AnExactArmStaysAsItIs) {
 TEST(Law, ExactDataGiveTheTrueArm) {
   for (const char* robot : {"ur5", "scara", "puma560", "stanford", "iiwa14", "ns"}) {
     Scene scene = scene_of(robot, 11);
+    for (auto& joint : scene.robot.joints)
+      joint.inertia = {};  // symbols, which the reference wants values of
     const Calibration found = calibrated(scene, measure(scene, 80), {Errors::all, false, true, true});
     const std::string text = qvgen::description::write_text(calibrated_robot(scene.robot, found, "mine"));
     const reference::Chain again = reference::load_text(text);

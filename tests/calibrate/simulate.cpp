@@ -91,7 +91,9 @@ Scene scene_from(const qvgen::description::ReadResult& read, reference::Chain ch
                  double error) {
   for (const auto& each : read.diagnostics)
     if (each.severity == qvgen::description::Diagnostic::error) ADD_FAILURE() << to_string(each);
-  Scene scene{read.robot.value(), chain, std::move(chain)};
+  Scene scene;
+  scene.robot = read.robot.value();
+  scene.nominal = scene.truth = std::move(chain);
   scene.random.seed(seed);
   for (reference::Joint& joint : scene.truth.joints)
     joint.before =

@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# command_test.sh TOOL WRITE_POSES WORK: the worked example, from a table of poses to the generated arm; and mistakes, which
+# leave nothing behind.
+set -euo pipefail
+tool=$1 write_poses=$2 work=$3
+fail() { echo "$*" >&2; exit 1; }
+rm -rf "$work" && mkdir -p "$work" && cd "$work"
+
+"$write_poses" ur5 60 > poses.csv
+"$tool" calibrate ur5 poses.csv -o my_ur5.toml > report.txt
+grep -q '^the zero of joint 3 ' report.txt || fail "no zero of joint 3: $(cat report.txt)"
+grep -q 'the offset of link 2 and the offset of link 3 only together with the offset of link 1' report.txt || fail "$(cat report.txt)"
+awk '/^position/ { exit !($3 > 1 && $4 < 0.12) }' report.txt || fail "residuals: $(grep ^position report.txt)"
+grep -q '^ideal = "ur5"' my_ur5.toml || fail "the ideal arm is not named"
+"$tool" check my_ur5.toml
+"$tool" generate ur5 my_ur5.toml --only model,kinematics,from_ideal -o code --quiet
+[[ -f code/include/qvgen/robots/my_ur5/from_ideal.h ]] || fail "no from_ideal.h"
+"$tool" calibrate ur5 poses.csv -o again.toml --name my_ur5 > /dev/null
+cmp my_ur5.toml again.toml || fail "two runs differ"
+
+"$write_poses" scara 60 > scara.csv
+"$tool" calibrate scara scara.csv --errors lengths -o my_scara.toml > /dev/null
+"$tool" generate my_scara.toml --only model,kinematics -o code --quiet
+
+sed '5s/^[^,]*/nan/; 7s/,[^,]*$//' poses.csv > wrong.csv
+if "$tool" calibrate ur5 wrong.csv -o wrong.toml 2> errors.txt; then fail "wrong data were taken"; fi
+grep -q "wrong.csv:5:1: error: 'q1' is nan" errors.txt && grep -q 'wrong.csv:7:1: error: 12 cells' errors.txt || fail "$(cat errors.txt)"
+[[ ! -e wrong.toml && ! -e wrong.toml.unfinished ]] || fail "something was written"
