@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "cli/commands.h"
-#include "cli/identify_options.h"
 #include "cli/suggestion.h"
 #include "identify/identification.h"
 #include "identify/log_table.h"
@@ -110,6 +109,12 @@ int run_plan(const IdentifyArguments& arguments, const model::Robot& robot) {
 }
 
 }  // namespace
+
+const std::vector<std::string>& drive_names() {
+  static const std::vector<std::string> names{"rotor_inertia", "viscous_friction", "coulomb_friction",
+                                              "offset"};
+  return names;
+}
 
 int run_identify(const IdentifyArguments& arguments) {
   const identify::Request request = request_of(arguments);

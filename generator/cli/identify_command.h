@@ -24,6 +24,9 @@ struct IdentifyArguments {
 };
 
 /// Prints what the logs tell, and writes the description with numbers.
+/// Names of the kinds of drive parameters, in the order of derive::dynamics::DriveParameter.
+const std::vector<std::string>& drive_names();
+
 int run_identify(const IdentifyArguments& arguments);
 
 }  // namespace qvgen::cli

@@ -77,12 +77,6 @@ void add_model(CLI::App& command, IdentifyArguments& arguments) {
 
 }  // namespace
 
-const std::vector<std::string>& drive_names() {
-  static const std::vector<std::string> names{"rotor_inertia", "viscous_friction", "coulomb_friction",
-                                              "offset"};
-  return names;
-}
-
 CLI::App* add_identify(CLI::App& app, std::string& robot, IdentifyArguments& arguments) {
   CLI::App& command = *app.add_subcommand("identify",
                                           "inertias, rotor inertias and friction of an arm from logs of its "

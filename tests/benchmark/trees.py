@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Dynamics of whole robots beside CasADi's C code of Pinocchio's algorithms, and Pinocchio's own loops: nanoseconds and
-instructions a call, size of the code, and what generating and compiling it take. All compiled with the same options.
+"""Dynamics of whole robots beside Pinocchio's own loops: nanoseconds and instructions a call, size of the code, and what
+generating and compiling it take. Both are compiled with the same options.
 
-    tests/benchmark/trees.py [--tool build/ci/generator/cli/qvgen] [--robot quad] [--robot humanoid] [--loops]
+    tests/benchmark/trees.py [--tool build/ci/generator/cli/qvgen] [--robot quad] [--robot humanoid]
 
-Needs g++ and `pip install pin casadi numpy`; exit code 77, and says so, without them. Instructions need valgrind. `--loops`
-compiles Pinocchio itself, which takes minutes. No test passes or fails by what this prints.
+Needs g++ and `pip install pin`; exit code 77, and says so, without it. Instructions need valgrind. No test passes or fails by
+what this prints.
 """
 import argparse
+import importlib.util
 import pathlib
 import re
 import shutil
@@ -63,113 +64,78 @@ def timed(command, **options):
     return time.monotonic() - begin
 
 
-HARNESS = r"""
+COMMON = r"""
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
-#include <random>
-#include <qvgen/robots/NAME/dynamics.h>
-#include <qvgen/robots/NAME/dynamics_derivatives.h>
-namespace robot = qvgen::robots::NAME;
-extern "C" {
-CASADI
-}
-int main(int count, char** arguments) {
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> unit(-1, 1);
-  robot::Configuration<double> at;
-  at.base.orientation = Eigen::Quaterniond(0.5, 0.5, 0.5, 0.5);
-  at.q = at.q.unaryExpr([&](double) { return unit(random); });
-  robot::Velocity<double> v, a;
-  for (int i = 0; i < robot::velocity_size; ++i) v[i] = unit(random), a[i] = unit(random);
-  Eigen::Matrix<double, 7 + robot::dof, 1> q;
-  q << at.base.position, at.base.orientation.coeffs(), at.q;
-  static double results[4][100000], work[1000000];
-  static long long integers[100000];
-  double sum = 0;
-  const double* inputs[8] = {q.data(), v.data(), a.data()};
-  const auto run = [&](const char* name, long calls, const auto& call) {
-    if (count > 2) {
-      if (std::strcmp(arguments[1], name) != 0) return;
-      for (long i = 0; i < std::atol(arguments[2]); ++i) call(i);
+/// Times a function, or calls it as often as the command line says.
+struct Runner {
+  int count;
+  char** arguments;
+  template <class Call>
+  void operator()(const char* name, const Call& call) const {
+    if (count > 3) {
+      if (std::strcmp(arguments[2], name) != 0) return;
+      for (long i = 0; i < std::atol(arguments[3]); ++i) call(i);
       return;
     }
     double best = 1e300;
     for (int repeat = 0; repeat < 7; ++repeat) {
       const auto begin = std::chrono::steady_clock::now();
-      for (long i = 0; i < calls; ++i) call(i);
+      for (long i = 0; i < 5000; ++i) call(i);
       const double spent = std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - begin).count();
-      best = std::min(best, spent / double(calls));
+      if (spent < best) best = spent;
     }
-    std::printf("%s %.0f\n", name, best);
-  };
-  const auto change = [&](long i) { at.q[0] = q[7] = 1e-3 * double(i % 1000); };
-  run("qvgen_inverse_dynamics", 20000, [&](long i) { change(i); sum += robot::inverse_dynamics(at, v, a)[1]; });
-  run("qvgen_mass_matrix", 20000, [&](long i) { change(i); sum += robot::mass_matrix(at)(1, 1); });
-  run("qvgen_forward_dynamics", 20000, [&](long i) { change(i); sum += robot::forward_dynamics(at, v, a)[1]; });
-  run("qvgen_inverse_dynamics_derivatives", 5000, [&](long i) { change(i); sum += robot::inverse_dynamics_derivatives(at, v, a).by_rate(1, 1); });
-  double* outputs[4] = {results[0], results[1], results[2], results[3]};
-CALLS
-  std::fprintf(stderr, "%g\n", sum + results[0][1]);
+    std::printf("%s %.0f\n", name, best / 5000);
+  }
+};
+"""
+
+HARNESS = COMMON + r"""
+#include <qvgen/robots/NAME/dynamics.h>
+#include <qvgen/robots/NAME/dynamics_derivatives.h>
+namespace robot = qvgen::robots::NAME;
+int main(int count, char** arguments) {
+  robot::Configuration<double> at;
+  at.q.setConstant(0.3);
+  const robot::Velocity<double> v = robot::Velocity<double>::Constant(0.4), a = v;
+  double sum = 0;
+  const Runner run{count, arguments};
+  const auto change = [&](long i) { at.q[0] = 1e-4 * double(i); };
+  run("inverse_dynamics", [&](long i) { change(i); sum += robot::inverse_dynamics(at, v, a)[1]; });
+  run("mass_matrix", [&](long i) { change(i); sum += robot::mass_matrix(at)(1, 1); });
+  run("forward_dynamics", [&](long i) { change(i); sum += robot::forward_dynamics(at, v, a)[1]; });
+  run("inverse_dynamics_derivatives",
+      [&](long i) { change(i); sum += robot::inverse_dynamics_derivatives(at, v, a).by_rate(1, 1); });
+  std::fprintf(stderr, "%g\n", sum);
   return 0;
 }
 """
 
-LOOPS = r"""
-#include <chrono>
-#include <cstdio>
+LOOPS = COMMON + r"""
 #include <pinocchio/algorithm/aba.hpp>
 #include <pinocchio/algorithm/crba.hpp>
 #include <pinocchio/algorithm/rnea-derivatives.hpp>
 #include <pinocchio/algorithm/rnea.hpp>
 #include <pinocchio/parsers/urdf.hpp>
-int main(int, char** arguments) {
+int main(int count, char** arguments) {
   pinocchio::Model model;
   pinocchio::urdf::buildModel(arguments[1], pinocchio::JointModelFreeFlyer(), model);
   pinocchio::Data data(model);
-  Eigen::VectorXd q = pinocchio::neutral(model);
-  q.tail(model.nq - 7).setConstant(0.3);
+  Eigen::VectorXd q = Eigen::VectorXd::Constant(model.nq, 0.3);
+  q.head<7>() << 0, 0, 0, 0, 0, 0, 1;
   const Eigen::VectorXd v = Eigen::VectorXd::Constant(model.nv, 0.4), a = v;
-  const auto run = [&](const char* name, const auto& call) {
-    double best = 1e300;
-    for (int repeat = 0; repeat < 7; ++repeat) {
-      const auto begin = std::chrono::steady_clock::now();
-      for (int i = 0; i < 5000; ++i) { q[7] = 1e-4 * i; call(); }
-      best = std::min(best, std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - begin).count() / 5000);
-    }
-    std::printf("loops_%s %.0f\n", name, best);
-  };
-  run("inverse_dynamics", [&] { pinocchio::rnea(model, data, q, v, a); });
-  run("mass_matrix", [&] { pinocchio::crba(model, data, q); });
-  run("forward_dynamics", [&] { pinocchio::aba(model, data, q, v, a); });
-  run("inverse_dynamics_derivatives", [&] { pinocchio::computeRNEADerivatives(model, data, q, v, a); });
+  const Runner run{count, arguments};
+  const auto change = [&](long i) { q[7] = 1e-4 * double(i); };
+  run("inverse_dynamics", [&](long i) { change(i); pinocchio::rnea(model, data, q, v, a); });
+  run("mass_matrix", [&](long i) { change(i); pinocchio::crba(model, data, q); });
+  run("forward_dynamics", [&](long i) { change(i); pinocchio::aba(model, data, q, v, a); });
+  run("inverse_dynamics_derivatives",
+      [&](long i) { change(i); pinocchio::computeRNEADerivatives(model, data, q, v, a); });
   return 0;
 }
 """
-
-
-def casadi_sources(urdf, folder):
-    """C of Pinocchio's algorithms, one file a function; seconds that writing them took."""
-    import casadi
-    import pinocchio as pin
-    from pinocchio import casadi as cpin
-    begin = time.monotonic()
-    model = cpin.Model(pin.buildModelFromUrdf(str(urdf), pin.JointModelFreeFlyer()))
-    data = model.createData()
-    q, v, a = casadi.SX.sym("q", model.nq), casadi.SX.sym("v", model.nv), casadi.SX.sym("a", model.nv)
-    cpin.computeRNEADerivatives(model, data, q, v, a)
-    derivatives = [data.tau, data.dtau_dq, data.dtau_dv]
-    results = {"inverse_dynamics_derivatives": derivatives}
-    results["inverse_dynamics"] = [cpin.rnea(model, model.createData(), q, v, a)]
-    results["mass_matrix"] = [casadi.triu(cpin.crba(model, model.createData(), q))]
-    results["forward_dynamics"] = [cpin.aba(model, model.createData(), q, v, a)]
-    sources = []
-    for name, outputs in results.items():
-        outputs = [casadi.SX(o) for o in outputs]
-        casadi.Function("casadi_" + name, [q, v, a], outputs).generate(f"casadi_{name}.c", {"with_header": False})
-        shutil.move(f"casadi_{name}.c", folder / f"casadi_{name}.c")
-        sources.append(folder / f"casadi_{name}.c")
-    return sources, time.monotonic() - begin
 
 
 def compiled(sources, includes, folder):
@@ -182,25 +148,25 @@ def compiled(sources, includes, folder):
     return objects
 
 
-def instructions(program, name):
+def instructions(program, urdf, name):
     """A call's, by the difference of two runs."""
     if shutil.which("valgrind") is None:
-        return None
+        return float("nan")
 
     def total(calls):
         with tempfile.NamedTemporaryFile() as out:
-            done = subprocess.run(["valgrind", "--tool=callgrind", f"--callgrind-out-file={out.name}", program, name, str(calls)],
+            done = subprocess.run(["valgrind", "--tool=callgrind", f"--callgrind-out-file={out.name}", program, urdf, name, str(calls)],
                                   capture_output=True, text=True, check=True)
         return int(re.search(r"Collected : (\d+)", done.stderr).group(1))
     return (total(300) - total(100)) / 200
 
 
-def times(program, *arguments):
-    output = subprocess.run([program, *map(str, arguments)], check=True, capture_output=True, text=True).stdout
+def times(program, urdf):
+    output = subprocess.run([program, urdf], check=True, capture_output=True, text=True).stdout
     return {line.split()[0]: float(line.split()[1]) for line in output.splitlines()}
 
 
-def measure(name, urdf, tool, folder, with_loops):
+def measure(name, urdf, tool, folder):
     code = folder / "code"
     generating = timed([tool, "generate", urdf, "--floating", "--only", "dynamics", "--output", code, "--name", name],
                        stdout=subprocess.DEVNULL)
@@ -209,33 +175,20 @@ def measure(name, urdf, tool, folder, with_loops):
     begin = time.monotonic()
     own = compiled(sources, include, folder)
     compiling = time.monotonic() - begin
-    peers, writing = casadi_sources(urdf, folder)
-    begin = time.monotonic()
-    peer_objects = compiled(peers, [], folder)
-    peer_compiling = time.monotonic() - begin
-    names = [peer.stem for peer in peers]
-    harness = folder / "harness.cpp"
-    declarations = "\n".join(f"int {n}(const double**, double**, long long*, double*, int);" for n in names)
-    calls = "\n".join(f'  run("{n}", 5000, [&](long i) {{ change(i); {n}(inputs, outputs, integers, work, 0); }});' for n in names)
-    harness.write_text(HARNESS.replace("NAME", name).replace("CASADI", declarations).replace("CALLS", calls))
-    program = folder / "harness"
+    harness, program = folder / "harness.cpp", folder / "harness"
+    harness.write_text(HARNESS.replace("NAME", name))
     library = sorted((ROOT / "build").glob("*/runtime/libqvgen_runtime_core.a"))
-    subprocess.run(["g++", "-std=c++17", *OPTIONS, *include, harness, *own, *peer_objects, *map(str, library[:1]), "-o", program],
-                   check=True)
-    found = times(program)
-    if with_loops:
-        found |= times(loops(folder), urdf)
+    subprocess.run(["g++", "-std=c++17", *OPTIONS, *include, harness, *own, *map(str, library[:1]), "-o", program], check=True)
+    peer = loops(folder)
+    mine, theirs = times(program, urdf), times(peer, urdf)
     parts = list((code / "include").rglob(f"{name}/dynamics*.h"))
     size = sum(p.stat().st_size for p in parts + sources)
-    print(f"{name}: qvgen {size / 1000:.0f} kB, generated in {generating:.1f} s, compiled in {compiling:.1f} s (double and float); "
-          f"CasADi {sum(p.stat().st_size for p in peers) / 1000:.0f} kB, {writing:.1f} s, {peer_compiling:.1f} s")
-    print(f"{'function':30} {'qvgen ns':>9} {'CasADi ns':>10} {'loops ns':>9} {'ratio':>6} {'qvgen instr':>12} {'CasADi instr':>13} {'ratio':>6}")
+    print(f"{name}: {size / 1000:.0f} kB, generated in {generating:.1f} s, compiled in {compiling:.1f} s (double and float)")
+    print(f"{'function':30} {'ns':>8} {'Pinocchio':>10} {'ratio':>6} {'instructions':>13} {'Pinocchio':>10} {'ratio':>6}")
     for function in FUNCTIONS:
-        mine, peer = found["qvgen_" + function], found["casadi_" + function]
-        count = [instructions(program, who + function) for who in ("qvgen_", "casadi_")]
-        counted = "" if None in count else f"{count[0]:12.0f} {count[1]:13.0f} {count[0] / count[1]:6.2f}"
-        print(f"{function:30} {mine:9.0f} {peer:10.0f} {found.get('loops_' + function, float('nan')):9.0f} {mine / peer:6.2f} {counted}",
-              flush=True)
+        counts = [instructions(which, urdf, function) for which in (program, peer)]
+        print(f"{function:30} {mine[function]:8.0f} {theirs[function]:10.0f} {mine[function] / theirs[function]:6.2f} "
+              f"{counts[0]:13.0f} {counts[1]:10.0f} {counts[0] / counts[1]:6.2f}", flush=True)
 
 
 def loops(folder):
@@ -252,19 +205,15 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--tool", default=ROOT / "build/ci/generator/cli/qvgen", type=pathlib.Path)
     parser.add_argument("--robot", action="append", choices=["quad", "humanoid"])
-    parser.add_argument("--loops", action="store_true")
     arguments = parser.parse_args()
-    try:
-        import casadi  # noqa: F401
-        from pinocchio import casadi as _  # noqa: F401
-    except ImportError as reason:
-        print(f"skipped: pip install pin casadi numpy ({reason})")
+    if importlib.util.find_spec("pinocchio") is None:
+        print("skipped: pip install pin")
         return 77
     for name in arguments.robot or ["quad", "humanoid"]:
         with tempfile.TemporaryDirectory() as folder:
             urdf = pathlib.Path(folder) / f"{name}.urdf"
             urdf.write_text((ROOT / "tests/floating/quad.urdf").read_text() if name == "quad" else humanoid())
-            measure(name, urdf, arguments.tool.resolve(), pathlib.Path(folder), arguments.loops)
+            measure(name, urdf, arguments.tool.resolve(), pathlib.Path(folder))
     return 0
 
 

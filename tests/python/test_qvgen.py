@@ -195,6 +195,30 @@ def test_limbs_of_joints_that_branch(tmp_path):
         robot.forward_kinematics
 
 
+def test_a_base_that_floats(tmp_path):
+    inertial = ('<inertial><origin xyz="0.1 0 0"/><mass value="2"/>'
+                '<inertia ixx="1" iyy="1.2" izz="1.5" ixy="0.1" ixz="0" iyz="0"/></inertial>')
+    description = tmp_path / "satellite.urdf"
+    description.write_text(f'<robot name="satellite"><link name="body">{inertial}</link><link name="arm">{inertial}</link>'
+                           '<joint name="shoulder" type="continuous"><parent link="body"/><child link="arm"/>'
+                           '<origin xyz="0 0.3 0"/><axis xyz="0 1 0"/></joint></robot>')
+    robot = qvgen.load(description, "--only", "dynamics", floating=True)
+    assert (robot.dof, robot.velocity_size) == (1, 7)
+    random = np.random.default_rng(3)
+    q, qd, qdd = random.uniform(-1, 1, (5, 8)), random.uniform(-1, 1, (5, 7)), random.uniform(-1, 1, (5, 7))
+    q[:, :4] /= np.linalg.norm(q[:, :4], axis=1)[:, None]
+    torque = robot.inverse_dynamics(q, qd, qdd)
+    np.testing.assert_allclose(robot.forward_dynamics(q, qd, torque), qdd, atol=1e-11)
+    mass = robot.mass_matrix(q)
+    parts = np.einsum("nij,nj->ni", mass, qdd) + robot.coriolis_torque(q, qd) + robot.gravity_torque(q)
+    np.testing.assert_allclose(torque, parts, atol=1e-11)
+    np.testing.assert_allclose(robot.momentum_matrix(q), mass[:, :6], atol=1e-13)
+    moved = robot.integrated(q, 0.1 * qd)
+    np.testing.assert_allclose(robot.difference(q, moved), 0.1 * qd, atol=1e-14)
+    with pytest.raises(ValueError, match="q has the shape"):
+        robot.mass_matrix(np.zeros(1))
+
+
 def test_what_the_readme_shows():
     lines = (HERE.parents[1] / "README.md").read_text().splitlines()
     begin = next(place for place, line in enumerate(lines) if line.startswith("    import numpy, qvgen"))

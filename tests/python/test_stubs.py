@@ -75,4 +75,5 @@ def test_package():
         assert fields == list(getattr(members, "_fields", None) or members.__members__)
     stub = next(each for each in tree.body if isinstance(each, ast.FunctionDef) and each.name == "load")
     signature = inspect.signature(qvgen.load).parameters
-    assert [*(each.arg for each in stub.args.args), stub.args.vararg.arg] == list(signature)
+    only = [each.arg for each in stub.args.kwonlyargs]
+    assert [*(each.arg for each in stub.args.args), stub.args.vararg.arg, *only] == list(signature)

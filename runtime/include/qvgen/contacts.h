@@ -114,7 +114,7 @@ class ContactSet {
     [[nodiscard]] int rank() const { return static_cast<int>(decomposition_.rank()); }
     [[nodiscard]] Rows forces(const Rows& right) const {
       const Rows scaled = scale_.cwiseProduct(right);
-      return scale_.cwiseProduct(Rows(decomposition_.solve(scaled)));
+      return scale_.cwiseProduct(Rows(basic_solution(scaled)));
     }
     /// Returns the accelerations that forces make.
     [[nodiscard]] Vector effect(const Rows& forces) const { return solved_ * forces; }
@@ -127,12 +127,26 @@ class ContactSet {
     /// X with A X A = A makes X A X^T, which is symmetric.
     [[nodiscard]] Square inverse() const {
       const Square unit = Square::Identity(matrix_.rows(), matrix_.cols());
-      const Square one = scale_.asDiagonal() * Square(decomposition_.solve(unit)) * scale_.asDiagonal();
+      const Square one = scale_.asDiagonal() * Square(basic_solution(unit)) * scale_.asDiagonal();
       const Square half = one * matrix_;
       return half * one.transpose();
     }
 
    private:
+    /// Least squares by as many columns as the rank says; Eigen's own solution takes all that are not zero.
+    template <class Right>
+    [[nodiscard]] Right basic_solution(Right right) const {
+      const Eigen::Index rank = decomposition_.rank();
+      right.applyOnTheLeft(decomposition_.householderQ().setLength(rank).adjoint());
+      decomposition_.matrixQR()
+          .topLeftCorner(rank, rank)
+          .template triangularView<Eigen::Upper>()
+          .solveInPlace(right.topRows(rank));
+      right.bottomRows(right.rows() - rank).setZero();
+      right = (decomposition_.colsPermutation() * right).eval();
+      return right;
+    }
+
     Columns solved_;
     Square matrix_;
     Rows scale_;

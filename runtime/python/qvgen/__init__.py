@@ -76,7 +76,7 @@ def __getattr__(name):
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 
-def load(description, *options):
+def load(description, *options, floating=False):
     """The module of a robot described in a file (TOML, URDF, MJCF): generated, compiled, and kept in a cache.
 
     `options` are those of `qvgen generate`: load("arm.urdf", "--tip", "tool0"). Raises BuildError with the generator's
@@ -85,7 +85,12 @@ def load(description, *options):
     If the joints branch (load("quad.urdf", "--tips", "all"), or [[tip]] in TOML) it is the whole robot, with its
     dynamics. `limbs` has the modules of the chains to its tips, by the tips' names; each is compiled when it is asked
     for. A limb's joints have the names that they have in the whole robot.
+
+    `floating`: the base moves freely, as with "--floating". Functions of dynamics take configurations then: the pose of the
+    base, w x y z and metres, and the joints; velocities begin with the base's six.
     """
+    if floating and "--floating" not in options:
+        options += ("--floating",)
     robot, limbs, folder = generate(description, options)
     module = build_module(robot, folder)
     module.limbs = Limbs(robot, limbs, folder)

@@ -17,6 +17,15 @@ ARGUMENTS = {
     "fall": ("3", "qvgen::Vector3<Scalar>", "acceleration of free fall in the world frame, m/s^2"),
     "wrench": ("6", "arm::Wrench<Scalar>", "force and moment on the tool from outside, in the world frame, N and N m"),
 }
+# Likewise of a robot whose base floats, in functions of dynamics.
+FLOATING = {
+    "q": ("7 + dof", "", "pose of the base in the world, w x y z, then metres, and joint positions, rad or m"),
+    "qd": ("velocity_size", "arm::Velocity<Scalar>",
+           "velocity of the base in its own frame, linear, then angular, m/s and rad/s, and joint rates"),
+    "qdd": ("velocity_size", "arm::Velocity<Scalar>", "derivatives of the numbers in qd"),
+    "torque": ("velocity_size", "arm::Velocity<Scalar>",
+               "force and moment on the base from outside, in its own frame, N and N m, and joint forces"),
+}
 AFTER_INERTIA = ("fall", "wrench")  # where they stand in C++
 # name: arguments, shape of a row of the result, a line of text
 KINEMATICS = {
@@ -48,6 +57,7 @@ DYNAMICS = {
     "coriolis_torque": ("q qd", "arm::dof", "Joint forces of the joint rates alone, without friction."),
     "mass_matrix": ("q", "arm::dof, arm::dof", "M(q), symmetric."),
     "coriolis_matrix": ("q qd", "arm::dof, arm::dof", "C(q, qd) of Christoffel's symbols."),
+    "momentum_matrix": ("q", "6, arm::dof", "Momentum about the base's origin, in the base's frame, by velocities."),
     "kinetic_energy": ("q qd", "", "Kinetic energy, J."),
     "potential_energy": ("q", "", "Potential energy, J."),
     "regressor": ("q qd qdd", "arm::dof, arm::base_parameter_count",
@@ -106,6 +116,37 @@ PYBIND11_MODULE({robot}, m) {{
   m.attr("functions") = py::module_::import("json").attr("loads")(R"json({functions})json");
 """
 
+FLOATING_BASE = """  m.attr("velocity_size") = arm::velocity_size;
+  m.def("integrated",
+        +[](const py::object& q, const py::object& step, const py::object& out) {
+          return in_scalar_of({q, step}, [&](auto zero) {
+            using Scalar = decltype(zero);
+            return each_row<Scalar>(
+                {Rows<Scalar>(q, {7 + arm::dof}, "q"), Rows<Scalar>(step, {arm::velocity_size}, "step")}, {7 + arm::dof}, out,
+                [&](const Scalar* const* row) {
+                  return qvgen::integrated(configuration<arm::Configuration<Scalar>>(row[0]),
+                                           vector<arm::Velocity<Scalar>>(row[1]));
+                });
+          });
+        },
+        py::arg("q"), py::arg("step"), py::kw_only(), py::arg("out") = py::none(),
+        text("The configuration that a step leads to, a velocity times a time. q: (7 + dof,) or (n, 7 + dof), step: (velocity_size,)."));
+  m.def("difference",
+        +[](const py::object& from, const py::object& to, const py::object& out) {
+          return in_scalar_of({from, to}, [&](auto zero) {
+            using Scalar = decltype(zero);
+            return each_row<Scalar>(
+                {Rows<Scalar>(from, {7 + arm::dof}, "start"), Rows<Scalar>(to, {7 + arm::dof}, "goal")}, {arm::velocity_size},
+                out, [&](const Scalar* const* row) {
+                  return qvgen::difference(configuration<arm::Configuration<Scalar>>(row[0]),
+                                           configuration<arm::Configuration<Scalar>>(row[1]));
+                });
+          });
+        },
+        py::arg("start"), py::arg("goal"), py::kw_only(), py::arg("out") = py::none(),
+        text("The step from one configuration to another, (velocity_size,): integrated(start, step) is the goal."));
+"""
+
 INERTIA = """  m.attr("default_inertia") = defaults<arm::Inertia>(arm::inertia_names);
 """
 
@@ -135,9 +176,9 @@ FUNCTION = """  m.def("{name}",
 """
 
 
-def _doc(text, arguments, shape, extra):
+def _doc(text, arguments, shape, extra, meanings):
     row = shape.replace("arm::", "")
-    sizes = [(name, *ARGUMENTS[name]) for name in arguments]
+    sizes = [(name, *meanings[name]) for name in arguments]
     lines = [text, "", *(f"{name}: ({size},) or (n, {size}), {meaning}" for name, size, _, meaning in sizes), *extra,
              "geometry: values of constants of the description, by name",
              f"Returns the shape ({row}{'' if ',' in row or not row else ','}), a batch axis in front if an argument has one;",
@@ -146,8 +187,18 @@ def _doc(text, arguments, shape, extra):
     return "\n".join(lines)
 
 
-def _function(name, arguments, shape, text, dynamics):
+def _taken(argument, place, meanings):
+    """The argument as C++ takes it."""
+    if not meanings[argument][1]:
+        return f"configuration<arm::Configuration<Scalar>>(row[{place}])"
+    return f"vector<{meanings[argument][1]}>(row[{place}])"
+
+
+def _function(name, arguments, shape, text, dynamics, floats):
     arguments = arguments.split()
+    meanings = ARGUMENTS | (FLOATING if floats and dynamics else {})
+    if floats and dynamics:
+        shape = shape.replace("arm::dof", "arm::velocity_size")
     extra, prepare, parameters, values, keywords = [], "", "", "", ""
     if dynamics:
         extra.append("inertia: inertial parameters of the description, by name")
@@ -159,19 +210,19 @@ def _function(name, arguments, shape, text, dynamics):
             extra.append("gravity: acceleration of free fall along the world's -z, m/s^2")
             parameters, values = parameters + ", double gravity", values + ", static_cast<Scalar>(gravity)"
             keywords += 'py::arg("gravity") = 9.80665, '
-    rows = [f'Rows<Scalar>({each}, {{{_length(each)}}}, "{each}")' for each in arguments]
-    taken = {each: f"vector<{ARGUMENTS[each][1]}>(row[{place}])" for place, each in enumerate(arguments)}
+    rows = [f'Rows<Scalar>({each}, {{{_length(meanings[each][0])}}}, "{each}")' for each in arguments]
+    taken = {each: _taken(each, place, meanings) for place, each in enumerate(arguments)}
     values += "".join(f", {taken.pop(each)}" for each in AFTER_INERTIA if each in taken)
     return FUNCTION.format(
-        name=name, called=name.partition("_with_")[0] if name in LOADS else name, shape=shape, doc=_doc(text, arguments, shape, extra),
+        name=name, called=name.partition("_with_")[0] if name in LOADS else name, shape=shape, doc=_doc(text, arguments, shape, extra, meanings),
         prepare=prepare, parameters="".join(f"const py::object& {each}, " for each in arguments),
         names=", ".join(arguments), rows=", ".join(rows), values=", ".join(taken.values()),
         keywords="".join(f'py::arg("{each}"), ' for each in arguments),
         more_parameters=parameters, more_values=values, more_keywords=keywords)
 
 
-def _length(argument):
-    return ARGUMENTS[argument][0].replace("dof", "arm::dof")
+def _length(size):
+    return size.replace("dof", "arm::dof").replace("velocity_size", "arm::velocity_size")
 
 
 def binding_source(robot, functions, targets):
@@ -183,6 +234,8 @@ def binding_source(robot, functions, targets):
                 *(['"binding_velocity.h"'] if "inverse_velocity" in here else [])]
     text = HEAD.format(robot=robot, functions=json.dumps(functions),
                        headers="".join(f"#include {each}\n" for each in headers))
+    floats = "momentum_matrix" in here
+    text += FLOATING_BASE if floats else ""
     text += INERTIA if "mass_matrix" in here else ""
     text += NAMES.format(name="singularity_names") if "singularity_measures" in here else ""
     text += NAMES.format(name="base_parameter_names") if "regressor" in here else ""
@@ -193,7 +246,7 @@ def binding_source(robot, functions, targets):
     for table, dynamics in ((KINEMATICS, False), ({**FRAMES, **of_frames}, False), (DYNAMICS, True)):
         for name, (arguments, shape, line) in table.items():
             if name in here:
-                text += _function(name, arguments, shape, line, dynamics)
+                text += _function(name, arguments, shape, line, dynamics, floats)
     text += arm_angle_source() if "arm_angle" in here else ""
     text += velocity_source() if "inverse_velocity" in here else ""
     text += nearest_pose_source() if "nearest_pose" in here else ""

@@ -12,7 +12,7 @@
 #include <Eigen/Geometry>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
-#include <qvgen/pose.h>
+#include <qvgen/floating_base.h>
 
 /// Shared part of the Python modules of all robots: arrays in, one row or a batch of rows, arrays out.
 namespace qvgen::python {
@@ -118,6 +118,15 @@ Vector vector(const typename Vector::Scalar* row) {
   return Eigen::Map<const Vector>(row);
 }
 
+/// One row of configurations: the base's quaternion w x y z and its position, then the joints.
+template <class Configuration, class Scalar>
+Configuration configuration(const Scalar* row) {
+  Configuration result;
+  result.base = {Eigen::Quaternion<Scalar>(row[0], row[1], row[2], row[3]), {row[4], row[5], row[6]}};
+  for (Eigen::Index i = 0; i < result.q.size(); ++i) result.q[i] = row[7 + i];
+  return result;
+}
+
 /// A result, row by row.
 template <class Derived>
 void write(const Eigen::MatrixBase<Derived>& matrix, typename Derived::Scalar* to) {
@@ -136,6 +145,12 @@ void write(const Pose<Scalar>& pose, Scalar* to) {
   const auto& p = pose.position;
   const Scalar numbers[7] = {q.w(), q.x(), q.y(), q.z(), p.x(), p.y(), p.z()};
   std::copy(numbers, numbers + 7, to);
+}
+
+template <class Scalar, int dof>
+void write(const FloatingConfiguration<Scalar, dof>& at, Scalar* to) {
+  write(at.base, to);
+  write(at.q, to + 7);
 }
 
 template <class Scalar, std::size_t Count>
