@@ -44,7 +44,7 @@ std::string random_arm(std::mt19937& random) {
 TEST(Rank, OfRandomArmsIsThatOfDifferences) {
   std::mt19937 random(2);
   int compared = 0;
-  for (int trial = 0; trial < 140; ++trial) {
+  for (int trial = 0; trial < 160; ++trial) {
     const std::string arm = random_arm(random);
     Scene scene = scene_of_text(arm, 1, 0);
     scene.data = static_cast<Data>(random() % 6);

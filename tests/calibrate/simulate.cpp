@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "simulate.h"
 
+#include <fstream>
+#include <sstream>
+
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
@@ -131,6 +134,13 @@ Scene scene_of(const std::string& robot, unsigned seed, double error) {
 
 Scene scene_of_text(const std::string& toml, unsigned seed, double error) {
   return scene_from(qvgen::description::read_text(toml, "arm.toml"), reference::load_text(toml), seed, error);
+}
+
+Scene scene_with_tool(const std::string& robot, unsigned seed) {
+  std::ifstream file(QVGEN_SOURCE_DIR "/generator/robots/" + robot + ".toml");
+  std::ostringstream text;
+  text << file.rdbuf() << "\n[tool]\ntranslation = [0.07, 0.04, 0.12]\n";
+  return scene_of_text(text.str(), seed);
 }
 
 void stand_anywhere(Scene& scene, std::size_t targets) {

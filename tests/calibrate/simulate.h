@@ -35,6 +35,9 @@ struct Scene {
 Scene scene_of(const std::string& robot, unsigned seed, double error = 1e-3);
 Scene scene_of_text(const std::string& toml, unsigned seed, double error = 1e-3);
 
+/// Returns such an arm whose tool is off all axes: distances to a point on an axis do not see that axis turn.
+Scene scene_with_tool(const std::string& robot, unsigned seed);
+
 /// Places the tracker and so many targets anywhere.
 void stand_anywhere(Scene& scene, std::size_t targets = 1);
 
