@@ -63,6 +63,9 @@ class Driver:
             solves = kinds[-1][1] == "found"
             for round_ in range(self.rounds * (4 if solves else 1)):
                 self.call(name, kinds, result, round_)
+        if self.header.has_representatives():
+            for round_ in range(2 * self.rounds):
+                self.representatives(round_)
         return head + recorded() + "int main(void) {\n" + "\n".join(self.lines) + "\n  return 0;\n}\n"
 
     def joints(self, round_):
@@ -117,6 +120,25 @@ class Driver:
             add("    begin(\"|\"); " + printed)
         add('    begin("|="); ' + (f"{'number' if returns == 'double' else 'whole'}(given);" if returns
                                    else self.printed_result(kinds[-1][2])))
+        add('    printf("\\n");')
+        add("  }")
+
+    def representatives(self, round_):
+        """Goes through at most fifty rows within limits that admit several turns."""
+        robot, add = self.header.robot, self.lines.append
+        add("  {")
+        add(f"    const double at[] = {self.list(self.joints(round_))};")
+        for name in ("lower", "upper"):
+            add(f"    const double {name}[] = {self.list(self.array(name, self.dof, round_))};")
+        add(f"    {robot}_pose pose;")
+        add(f"    {robot}_forward_kinematics(at, &{robot}_default_geometry, &pose);")
+        add(f"    {robot}_solutions found;")
+        add(f"    {robot}_representatives all;")
+        add(f"    (void){robot}_inverse_kinematics(pose.orientation, pose.position, NULL, &{robot}_default_geometry, 1e-13, &found);")
+        add(f"    {robot}_start_representatives(&found, lower, upper, &all);")
+        add('    printf("representatives"); begin("|"); numbers(pose.orientation, 4); begin("|"); numbers(pose.position, 3);')
+        add(f'    begin("|"); numbers(lower, {self.dof}); begin("|"); numbers(upper, {self.dof}); begin("|=");')
+        add(f"    for (int k = 0; k < 50 && {robot}_next_representative(&all); ++k) numbers(all.row.q, {self.dof});")
         add('    printf("\\n");')
         add("  }")
 

@@ -25,6 +25,13 @@ class Header:
         for result, name, parameters in re.findall(r"^(\w[\w ]*?)\s+(\w+)\(([^;{]*)\);", text, flags=re.S | re.M):
             self.add(result, name[len(robot) + 1:], [" ".join(p.split()) for p in parameters.split(",")])
 
+    def has_representatives(self):
+        """True if rows of a pose can be gone through within limits, whole turns counted."""
+        plain = [("array", "orientation", 4), ("array", "position", 3)]
+        return "next_representative" in self.left_out and any(
+            name == "inverse_kinematics" and kinds[:2] == plain and kinds[2][1] == "seed"
+            for name, kinds, _ in self.functions)
+
     def fields(self, body):
         fields = []
         for line in body.split(";"):

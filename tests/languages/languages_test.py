@@ -27,7 +27,7 @@ def make(tool, cc, folder, *robots):
             subprocess.run([tool, "generate", description, *only, "--language", language, "--output", folder / "made",
                             "--quiet"], check=True)
         header, made = vectors.make(folder / "made", robot, cc, folder / "vectors", 6)
-        # Iterators over structs are no calls of numbers: they have a test of their own.
+        # These two take structs: the vectors called "representatives" go through rows by both.
         assert set(made["left_out"]) <= {"start_representatives", "next_representative"}, made["left_out"]
         (folder / "vectors" / f"{robot}.rs").write_text(rust_runner.program(header))
         (folder / "vectors" / f"{robot}.txt").write_text("".join(rust_runner.vector_lines(made)))

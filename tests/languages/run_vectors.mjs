@@ -36,7 +36,16 @@ const same = (wanted, x) =>
 const near = (wanted, x, size) =>
   wanted[0] === "#" ? Number(wanted.slice(1)) === x : Math.abs(x - numberOf(wanted)) <= 1e-12 * size || same(wanted, x);
 
+/** The first fifty rows within limits, whole turns counted. */
+function representatives(orientation, position, lower, upper) {
+  const all = robot.startRepresentatives(robot.inverseKinematics(orientation, position), lower, upper);
+  const rows = [];
+  while (rows.length < 50 && robot.nextRepresentative(all)) rows.push(all.row.q.slice());
+  return rows;
+}
+
 function run(call) {
+  if (call.function === "representatives") return flat(representatives(...call.arguments.map(argumentOf)));
   const own = robot[camel(call.function)];
   if (own === undefined) throw new Error(`the module has no ${camel(call.function)}`);
   const list = call.arguments.map(argumentOf);
@@ -70,7 +79,7 @@ for (const [name, table] of Object.entries(vectors.library)) {
 const count = vectors.calls.length;
 let failures = check(same, "with C's sines");
 for (const name of Object.keys(own)) Math[name] = own[name];
-vectors.calls = vectors.calls.filter((call) => !call.function.startsWith("inverse_kinematics"));
+vectors.calls = vectors.calls.filter((call) => !call.function.startsWith("inverse_kinematics") && call.function !== "representatives");
 failures += check(near, "with Math's sines");
 console.log(`${count} vectors of ${vectors.robot} in JavaScript, ${failures} failures`);
 process.exit(failures === 0 && count > 0 ? 0 : 1);

@@ -2,6 +2,20 @@
 """Writes a Rust program that runs a robot's vectors, for its C header: one arm of a match for each function."""
 
 
+REPRESENTATIVES = """        "representatives" => {
+            let g = &robot::DEFAULT_GEOMETRY;
+            let found = robot::inverse_kinematics(&array::<4>(a[0]), &array::<3>(a[1]), None, g, 1e-13);
+            let (lower, upper) = (array::<%(dof)s>(a[2]), array::<%(dof)s>(a[3]));
+            let mut all = robot::start_representatives(&found, Some(&lower), Some(&upper));
+            let mut rows = 0;
+            while rows < 50 && robot::next_representative(&mut all) != 0 {
+                rows += 1;
+                for x in all.row.q { out.push(bits(x)); }
+            }
+        }
+"""
+
+
 def type_name(name, robot):
     return "".join(part[:1].upper() + part[1:] for part in name.removeprefix(robot + "_").split("_"))
 
@@ -86,6 +100,8 @@ def program(header):
         else:
             out = pushed(header, last[2], "r")
         text += f'        "{name}" => {{ let r = robot::{name}({", ".join(arguments)}); {out}}}\n'
+    if header.has_representatives():
+        text += REPRESENTATIVES % {"dof": header.numbers[robot + "_dof"]}
     return text + TAIL
 
 

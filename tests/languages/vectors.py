@@ -52,7 +52,7 @@ def make(output, robot, cc, folder, rounds):
     calls = [call_of(line) for line in lines]
     numbers = {name: [i for i, kind in enumerate(kinds) if kind[0] == "number"] for name, kinds, _ in header.functions}
     for call in calls:
-        call["numbers"] = numbers[call["function"]]  # arguments that are no arrays
+        call["numbers"] = numbers.get(call["function"], [])  # arguments that are no arrays
     known = {}
     for line in library:
         name, *inputs, value = line.split()
