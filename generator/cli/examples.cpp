@@ -77,6 +77,8 @@ const char* const path_examples = R"(
   qvgen path arm.urdf seam.csv --speed 0.1    with the largest joint speeds, the tool going 0.1 m/s
   qvgen path ur5 seam.csv --limit theta1=-170:170deg --limit theta6=-360:360deg
   qvgen path iiwa14 seam.csv --hold theta3=0  seven joints, the third of which stays
+  qvgen path ur5 weld.csv --free tool_z -o motion.csv   the best motion, the tool turning about its z as it likes
+  qvgen path iiwa14 seam.csv --free arm_angle -o motion.csv   likewise, the elbow where it is best
 )";
 
 const char* const exit_codes =

@@ -13,6 +13,7 @@
 #include "cli/path_report.h"
 #include "cli/progress_line.h"
 #include "cli/suggestion.h"
+#include "path/free.h"
 #include "path/result.h"
 #include "pipeline/files.h"
 #include "pipeline/folder_state.h"
@@ -96,15 +97,21 @@ void set_limits(const PathArguments& arguments, std::vector<path::MovingJoint>& 
   }
 }
 
-path::Task task_of(const PathArguments& arguments, const model::Robot& robot) {
+/// All joints of the arm, with the limits that hold.
+std::vector<path::MovingJoint> all_joints(const PathArguments& arguments, const model::Robot& robot) {
   const report::Chain chain = report::chain_of(robot);
   if (!chain.assumed.empty())
     throw std::runtime_error(chain.assumed.front() +
                              " has no value: a path is followed in numbers; write one under [defaults]");
+  std::vector<path::MovingJoint> joints = joints_of(chain, !arguments.without_limits);
+  set_limits(arguments, joints);
+  return joints;
+}
+
+path::Task task_of(const PathArguments& arguments, const model::Robot& robot) {
   path::Task task;
   task.screw = arguments.screw;
-  task.joints = joints_of(chain, !arguments.without_limits);
-  set_limits(arguments, task.joints);
+  task.joints = all_joints(arguments, robot);
   const std::size_t count = task.joints.size();
   if (!arguments.held.empty()) {
     const auto [name, value] = named("--hold", arguments.held);
@@ -113,9 +120,28 @@ path::Task task_of(const PathArguments& arguments, const model::Robot& robot) {
     std::erase_if(task.joints, [&](const path::MovingJoint& joint) { return joint.name == task.held->name; });
   }
   if (task.joints.size() != 6)
-    throw std::runtime_error(fmt::format("{} has {} joints{}: a path of whole poses is followed by six{}",
-                                         robot.name, count, task.held ? ", one of them held" : "",
-                                         count == 7 ? ", one of seven held: --hold NAME=VALUE" : ""));
+    throw std::runtime_error(
+        fmt::format("{} has {} joints{}: a path of whole poses is followed by six{}", robot.name, count,
+                    task.held ? ", one of them held" : "",
+                    count == 7 ? ", one of seven held: --hold NAME=VALUE; or free: --free NAME" : ""));
+  return task;
+}
+
+path::FreeTask free_task_of(const PathArguments& arguments, const model::Robot& robot) {
+  path::FreeTask task;
+  task.free = arguments.free;
+  task.joints = all_joints(arguments, robot);
+  task.values = arguments.values;
+  task.screw = arguments.screw;
+  task.preferred = arguments.preferred;
+  const std::size_t wanted = task.turns_tool() ? 6 : 7;
+  if (!task.turns_tool() && task.free != "arm_angle") joint_called(task.joints, "--free", task.free);
+  if (task.joints.size() != wanted)
+    throw std::runtime_error(fmt::format("--free {} is for arms of {} joints; {} has {}", task.free, wanted,
+                                         robot.name, task.joints.size()));
+  if (!task.preferred.empty() && task.preferred.size() != wanted)
+    throw UsageError(
+        fmt::format("--prefer has {} numbers; {} has {} joints", task.preferred.size(), robot.name, wanted));
   return task;
 }
 
@@ -127,18 +153,20 @@ path::PoseOptions pose_options(const PathArguments& arguments) {
   return options;
 }
 
-programs::Program program_of(const PathArguments& arguments, const description::ReadResult& description,
-                             const path::Task& task) {
-  const toolchain::Runtime runtime =
-      arguments.source_tree
-          ? toolchain::runtime_of(*arguments.source_tree)
-          : toolchain::runtime_in(arguments.known_robots.parent_path().parent_path().parent_path());
-  const std::string key = pipeline::fingerprint(
+toolchain::Runtime runtime_of(const PathArguments& arguments) {
+  return arguments.source_tree
+             ? toolchain::runtime_of(*arguments.source_tree)
+             : toolchain::runtime_in(arguments.known_robots.parent_path().parent_path().parent_path());
+}
+
+std::string key_of(const PathArguments& arguments, const description::ReadResult& description) {
+  return pipeline::fingerprint(
       fmt::format("{}\n{}\n{}\n{}\n{}", arguments.tool, fmt::join(toolchain::cxx_compiler(), " "),
                   origin_options(arguments.read), snap_text(arguments.read), description.text));
-  const ProgressLine progress(0);
-  return path::arm_program(*description.robot, task, key, runtime,
-                           [&](const std::string& what) { progress.say(what); });
+}
+
+programs::Progress said_on(const ProgressLine& line) {
+  return [&line](const std::string& what) { line.say(what); };
 }
 
 /// The result as it is, with the joints' names before it.
@@ -156,23 +184,32 @@ void write(const fs::path& output, const std::string& text) {
 
 }  // namespace
 
-int run_path(const PathArguments& arguments) {
-  check_outputs(arguments);
-  const auto descriptions = read_chains({arguments.description}, arguments.read);
-  if (!descriptions) return bad_description;
-  const model::Robot& robot = *descriptions->front().robot;
-  path::Task task = task_of(arguments, robot);
-  const path::Poses poses = path::read_poses(arguments.poses, pose_options(arguments));
-  for (const auto& diagnostic : poses.diagnostics)
-    fmt::print(stderr, "{}\n", description::to_string(diagnostic));
-  if (!poses.good()) return failure;
-  const programs::Program program = program_of(arguments, descriptions->front(), task);
+namespace {
+
+/// Where the CSV goes until all is well; empty if none is wanted.
+fs::path unfinished_csv(const PathArguments& arguments) {
   for (const fs::path& output : arguments.outputs)
-    if (output.extension() == ".csv") task.motions = output.string() + ".new";
+    if (output.extension() == ".csv") return output.string() + ".new";
+  return {};
+}
+
+void finish_csv(const PathArguments& arguments) {
+  for (const fs::path& output : arguments.outputs)
+    if (output.extension() == ".csv") fs::rename(output.string() + ".new", output);
+}
+
+int follow_all(const PathArguments& arguments, const description::ReadResult& description,
+               const path::Poses& poses) {
+  const model::Robot& robot = *description.robot;
+  path::Task task = task_of(arguments, robot);
+  const ProgressLine progress(0);
+  const programs::Program program = path::arm_program(robot, task, key_of(arguments, description),
+                                                      runtime_of(arguments), said_on(progress));
+  task.motions = unfinished_csv(arguments);
   const nlohmann::ordered_json json = path::follow(program, task, poses);
   const path::Result result = path::result_of(json);
+  finish_csv(arguments);
   for (const fs::path& output : arguments.outputs) {
-    if (output.extension() == ".csv") fs::rename(task.motions, output);
     if (output.extension() == ".json") write(output, json_text(robot, task, json));
     if (output.extension() == ".svg")
       write(output,
@@ -181,6 +218,42 @@ int run_path(const PathArguments& arguments) {
   }
   fmt::print("{}", path_text(result, task, poses, robot.name));
   return success;
+}
+
+int follow_best(const PathArguments& arguments, const description::ReadResult& description,
+                const path::Poses& poses) {
+  const model::Robot& robot = *description.robot;
+  path::FreeTask task = free_task_of(arguments, robot);
+  for (const fs::path& output : arguments.outputs)
+    if (output.extension() != ".csv") throw UsageError("--free writes one motion: -o FILE.csv");
+  const ProgressLine progress(0);
+  const programs::Program program = path::free_program(robot, task, key_of(arguments, description),
+                                                       runtime_of(arguments), said_on(progress));
+  task.motion = unfinished_csv(arguments);
+  const path::FreeMotion motion = path::follow_free(program, task, poses);
+  finish_csv(arguments);
+  fmt::print("{}", free_text(motion, task, poses, robot.name));
+  return motion.followed >= static_cast<double>(motion.samples) - 1 ? success : failure;
+}
+
+}  // namespace
+
+int run_path(const PathArguments& arguments) {
+  check_outputs(arguments);
+  const auto descriptions = read_chains({arguments.description}, arguments.read);
+  if (!descriptions) return bad_description;
+  const description::ReadResult& description = descriptions->front();
+  // What is wrong with the options is said before the poses are read.
+  if (arguments.free.empty())
+    task_of(arguments, *description.robot);
+  else
+    free_task_of(arguments, *description.robot);
+  const path::Poses poses = path::read_poses(arguments.poses, pose_options(arguments));
+  for (const auto& diagnostic : poses.diagnostics)
+    fmt::print(stderr, "{}\n", description::to_string(diagnostic));
+  if (!poses.good()) return failure;
+  return arguments.free.empty() ? follow_all(arguments, description, poses)
+                                : follow_best(arguments, description, poses);
 }
 
 }  // namespace qvgen::cli

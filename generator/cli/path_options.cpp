@@ -38,6 +38,22 @@ CLI::App* add_path(CLI::App& app, PathArguments& arguments) {
       .add_option("--hold", arguments.held,
                   "seven joints: the one that stays, NAME=VALUE, rad or m, or with deg or mm behind")
       ->type_name("JOINT");
+  command
+      .add_option(
+          "--free", arguments.free,
+          "what the path leaves open: a turn about a tool axis, tool_x, tool_y or tool_z; of seven joints "
+          "one by its name, or arm_angle. The best motion is found, and the values that it takes")
+      ->type_name("WHAT")
+      ->excludes("--hold");
+  command.add_option("--values", arguments.values, "for --free: how many are tried at each pose")
+      ->type_name("NUMBER")
+      ->check(CLI::Range(4, 100000).description(""))
+      ->capture_default_str();
+  command
+      .add_option("--prefer", arguments.preferred, "for --free: joints to be near to, rad or m, with commas")
+      ->type_name("JOINTS")
+      ->allow_extra_args(false)
+      ->delimiter(',');
   command.add_flag("--screw", arguments.screw,
                    "screw motions between poses, in place of straight lines with an even turn");
   command.add_option("--speed", arguments.speed, "the tool's speed, m/s, where the poses have no times")

@@ -18,6 +18,9 @@ struct PathArguments {
   std::vector<std::filesystem::path> outputs;
   std::vector<std::string> limits;  ///< NAME=LOWER:UPPER
   std::string held;                 ///< NAME=VALUE
+  std::string free;                 ///< tool_x, tool_y, tool_z, arm_angle or a joint; empty for none
+  std::vector<double> preferred;    ///< joints to be near to, rad or m
+  int values = 72;                  ///< of what is free, at each pose
   bool without_limits = false;
   bool screw = false;
   double speed = 0;

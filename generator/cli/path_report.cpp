@@ -119,4 +119,25 @@ std::string path_text(const path::Result& result, const path::Task& task, const 
   return text;
 }
 
+std::string free_text(const path::FreeMotion& motion, const path::FreeTask& task, const path::Poses& poses,
+                      const std::string& robot) {
+  std::string text =
+      fmt::format("{}: {} poses, {:.4g} m, free {}\n", robot, motion.samples, poses.length(), task.free);
+  if (motion.places.empty()) return text + "nothing reaches the first pose\n";
+  const auto [low, high] =
+      std::minmax_element(motion.places.begin(), motion.places.end(),
+                          [](const auto& a, const auto& b) { return a.value < b.value; });
+  const bool slides = task.joint() != nullptr && !task.joint()->revolute;
+  const double unit = slides ? 1e3 : degrees;
+  text += fmt::format("{} from {:.4g} to {:.4g} {}\n", task.free, low->value * unit, high->value * unit,
+                      slides ? "mm" : "deg");
+  path::Task joints;
+  joints.joints = task.joints;
+  text += fmt::format("joints at the start (deg, mm): {}\n", joints_of(joints, motion.places.front().q));
+  const double end = static_cast<double>(motion.samples) - 1;
+  if (motion.followed >= end) return text + "the motion follows the whole path\n";
+  return text +
+         fmt::format("no motion was found that goes farther than {} of {}\n", place(motion.followed), end);
+}
+
 }  // namespace qvgen::cli

@@ -6,26 +6,12 @@
 #include <fmt/format.h>
 
 #include "emit/render.h"
-#include "toolchain/process.h"
-#include "toolchain/workshop.h"
+#include "path/run.h"
 
 namespace qvgen::path {
 namespace {
 
-namespace fs = std::filesystem;
 using nlohmann::ordered_json;
-
-constexpr const char* plain = "inverse_kinematics";
-
-/// Names of the inverse kinematics that take whole poses.
-std::vector<std::string> functions_of(const pipeline::RobotOutput& output) {
-  std::vector<std::string> names;
-  const auto targets = output.counts.value("targets", ordered_json::object());
-  for (const auto& [name, tasks] : targets.items())
-    for (const auto& task : tasks)
-      if (task == "pose") names.push_back(name);
-  return names;
-}
 
 /// Joints of which one can be held, as words.
 std::string joints_to_hold(const std::vector<std::string>& functions) {
@@ -95,19 +81,12 @@ programs::Program arm_program(const model::Robot& robot, const Task& task, const
 }
 
 ordered_json follow(const programs::Program& program, const Task& task, const Poses& poses) {
-  const toolchain::Workshop workshop;
-  const auto* bytes = reinterpret_cast<const char*>(poses.samples.data());
-  workshop.write("poses", std::string(bytes, poses.samples.size() * sizeof(Sample)));
-  std::vector<std::string> words{
-      program.file.string(), (workshop.folder() / "poses").string(), task.screw ? "screw" : "straight",
-      task.motions.empty() ? "-" : task.motions.string(), hexadecimal(task.held ? task.held->value : 0)};
+  std::vector<std::string> words{task.screw ? "screw" : "straight",
+                                 task.motions.empty() ? "-" : task.motions.string(),
+                                 hexadecimal(task.held ? task.held->value : 0)};
   for (const MovingJoint& joint : task.joints) words.push_back(hexadecimal(joint.limits.first));
   for (const MovingJoint& joint : task.joints) words.push_back(hexadecimal(joint.limits.second));
-  std::string text;
-  const toolchain::Outcome outcome = toolchain::run(words, "", [&](std::string_view some) { text += some; });
-  if (!outcome.done)
-    throw std::runtime_error("the program that follows the path has not finished: " + outcome.said);
-  return ordered_json::parse(text);
+  return run_with_poses(program, words, poses);
 }
 
 }  // namespace qvgen::path

@@ -60,7 +60,11 @@ void search(const Invented& all, std::size_t motion, std::size_t s, int count, d
     if (count < best.count || way < best.way) best = {count, way};
   }
   for (std::size_t next = 0; next < all.motions.size(); ++next)
-    for (std::size_t at = s; next != motion && static_cast<double>(at) <= all.motions[motion].end.s; ++at) {
+    // In a chain of the fewest motions each ends later than the one before, which else could go on in its
+    // place.
+    for (std::size_t at = s; all.motions[next].end.s > all.motions[motion].end.s &&
+                             static_cast<double>(at) <= all.motions[motion].end.s;
+         ++at) {
       const double step = all.way(motion, next, at);
       if (step < 1e8) search(all, next, at, count + 1, way + step, best);
     }

@@ -192,7 +192,7 @@ std::vector<std::string> names() {
 }
 
 INSTANTIATE_TEST_SUITE_P(Arms, PathLaws, testing::ValuesIn(names()),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& arm_info) { return arm_info.param; });
 
 }  // namespace
 }  // namespace path_test

@@ -84,10 +84,10 @@ TEST(PathPoses, ASpeedGivesTimes) {
   EXPECT_FALSE(read("x,y,z,qw,qx,qy,qz\n0,0,0,1,0,0,0\n0,0,0,0.8,0.6,0,0\n", 0.25).good());
 }
 
-TEST(PathPoses, AMillionPosesAreRead) {
+TEST(PathPoses, ManyPosesAreRead) {
   std::string text = "x,y,z,qw,qx,qy,qz\n";
-  for (int i = 0; i < 1000000; ++i) text += std::to_string(i % 1000) + "e-3,0.1,0.2,1,0,0,0\n";
-  EXPECT_EQ(read(text).samples.size(), 1000000U);
+  for (int i = 0; i < 100000; ++i) text += std::to_string(i % 1000) + "e-3,0.1,0.2,1,0,0,0\n";
+  EXPECT_EQ(read(text).samples.size(), 100000U);
 }
 
 }  // namespace

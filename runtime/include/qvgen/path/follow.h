@@ -124,6 +124,19 @@ class Follower {
   }
 
   void go_to(Place<Arm>& next) {
+    if (!leap(next)) go_by_halves(next);
+  }
+
+  /// Goes to the next place at once, if nothing can be hidden on the way.
+  bool leap(const Place<Arm>& next) {
+    Step<Arm> step;
+    step.match = matched(arm_, live_.place(), next, options_.longest_step);
+    if (!is_calm(arm_, live_.place(), next, step.match) || live_.nears_limits(next, step.match)) return false;
+    live_.commit(*equations_, step, next);
+    return true;
+  }
+
+  void go_by_halves(Place<Arm>& next) {
     const double from = live_.place().u;
     if (next.u - from < shortest || left_ < 0) {
       record_.is_doubtful = record_.is_doubtful || left_ < 0;

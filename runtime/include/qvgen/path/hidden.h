@@ -6,9 +6,9 @@
 #include <qvgen/path/limits_on_track.h>
 #include <qvgen/path/step.h>
 
-/// Things that two steps may hide: solutions that meet and part between places, and joints that touch a limit. Both
-/// are judged by parabolas through three places: of the square of the distance of two solutions, which is
-/// linear where they meet, and of each joint.
+/// Things that two steps may hide: solutions that meet and part between places, and joints that touch a
+/// limit. Both are judged by parabolas through three places: of the square of the distance of two solutions,
+/// which is linear where they meet, and of each joint.
 namespace qvgen::path {
 
 /// A parabola through values at 0, 1/2 and 1.
@@ -26,6 +26,29 @@ struct Parabola {
   [[nodiscard]] double most() const { return std::max({first, middle, last}); }
   [[nodiscard]] double least() const { return std::min({first, middle, last}); }
 };
+
+/// True if a step leaves no room for what it might hide: all rows go on, and each goes a small part of its
+/// way to the nearest other one. For two to meet on the way they would have to be far faster there than on
+/// the whole.
+template <class Arm>
+bool is_calm(const Arm& arm, const Place<Arm>& a, const Place<Arm>& b, const Match<Arm>& match) {
+  constexpr double share = 0.2, far = 1;
+  const int count = a.found.size();
+  if (count != b.found.size()) return false;
+  std::array<double, Place<Arm>::capacity> way;
+  for (int i = 0; i < count; ++i) {
+    const int j = match.to[static_cast<std::size_t>(i)];
+    if (j < 0) return false;
+    way[static_cast<std::size_t>(i)] = distance(a.found[i].q, b.found[j].q, arm.revolute);
+    if (way[static_cast<std::size_t>(i)] > share * far) return false;
+  }
+  for (int i = 0; i < count; ++i)
+    for (int k = 0; k < i; ++k) {
+      const double longest = std::max(way[static_cast<std::size_t>(i)], way[static_cast<std::size_t>(k)]);
+      if (!are_apart(a.found[i].q, a.found[k].q, longest / share, arm.revolute)) return false;
+    }
+  return true;
+}
 
 template <class Arm>
 class Hidden {

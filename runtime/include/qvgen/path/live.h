@@ -50,6 +50,17 @@ class Live {
     return false;
   }
 
+  /// True if a joint is nearer to a limit of its cell, at either end of a step, than the step is long.
+  [[nodiscard]] bool nears_limits(const Place<Arm>& next, const Match<Arm>& match) const {
+    for (int i = 0; limits_.some() && i < place_.found.size(); ++i) {
+      const Row& row = rows_[index(i)];
+      const Values way = difference(next.found[match.to[index(i)]].q, row.u, arm_.revolute);
+      const Values room = (row.cell.above - row.u).cwiseMin(row.u - row.cell.below);
+      if ((room.array() < 2 * way.array().abs()).any()) return true;
+    }
+    return false;
+  }
+
   /// Goes on to the next place by a step that is sure.
   void commit(const Equations<Arm>& equations, const Step<Arm>& step, const Place<Arm>& next) {
     end_meetings(equations, step, next);
@@ -60,7 +71,7 @@ class Live {
       rows[index(j)] = rows_[index(i)];
       move(equations, rows[index(j)], next.u, next.found[j].q);
     }
-    begin_meetings(step, next, rows);
+    begin_meetings(equations, step, next, rows);
     advance(next, rows);
   }
 
@@ -199,18 +210,23 @@ class Live {
     return 0.5 * (low + high);
   }
 
-  /// From a place to a meeting joints change as the root of the way.
+  /// Returns a function that solves for a place between a meeting and another point: joints change as the
+  /// root of the way from the meeting.
+  static auto next_to(const Equations<Arm>& equations, const Point& meeting, const Point& other) {
+    return [&equations, meeting, other](double place, const Values&) {
+      const Values way = other.q - meeting.q;
+      const double share = std::sqrt(std::max(0.0, (place - meeting.u) / (other.u - meeting.u)));
+      const Values guess = meeting.q + share * way;
+      Point at{guess, place};
+      return equations.settle(at) && (at.q - guess).norm() < 0.5 * way.norm() + 1e-9 ? at.q : guess;
+    };
+  }
+
+  /// Goes on to a meeting, past limits.
   void move_to_meeting(const Equations<Arm>& equations, Row& row, const Meeting& meeting) {
     const Values u = row.u + difference(meeting.at.q, row.u, arm_.revolute);
-    const Values from = row.u;
-    const double start = place_.u, goal = meeting.at.u;
-    const auto solve = [&](double place, const Values&) {
-      const double share = std::sqrt(std::max(0.0, (goal - place) / (goal - start)));
-      Point at{u + share * (from - u), place};
-      const Values guess = at.q;
-      return equations.settle(at) && (at.q - guess).norm() < 0.5 * (u - from).norm() + 1e-9 ? at.q : guess;
-    };
-    if (limits_.some()) see_limits(row, u, solve, start, goal);
+    const auto solve = next_to(equations, {u, meeting.at.u}, {row.u, place_.u});
+    if (limits_.some()) see_limits(row, u, solve, place_.u, meeting.at.u);
     row.u = u;
   }
 
@@ -227,7 +243,8 @@ class Live {
     }
   }
 
-  void begin_meetings(const Step<Arm>& step, const Place<Arm>& next, std::array<Row, capacity>& rows) {
+  void begin_meetings(const Equations<Arm>& equations, const Step<Arm>& step, const Place<Arm>& next,
+                      std::array<Row, capacity>& rows) {
     const Cause cause = place_.found.empty() ? Cause::boundary : Cause::meeting;
     for (std::size_t k = 0; k < step.begun_count; ++k) {
       const Meeting& meeting = step.begun[k];
@@ -243,7 +260,7 @@ class Live {
       if (meeting.second >= 0) pair(rows[index(meeting.first)].track, rows[index(meeting.second)].track);
       record_.is_doubtful = record_.is_doubtful || meeting.second < 0;
     }
-    finish_begun(step, next, rows);
+    finish_begun(equations, step, next, rows);
   }
 
   void pair(int first, int second) {
@@ -252,18 +269,16 @@ class Live {
   }
 
   /// From the meeting on to the next place.
-  void finish_begun(const Step<Arm>& step, const Place<Arm>& next, std::array<Row, capacity>& rows) {
+  void finish_begun(const Equations<Arm>& equations, const Step<Arm>& step, const Place<Arm>& next,
+                    std::array<Row, capacity>& rows) {
     for (std::size_t k = 0; k < step.begun_count; ++k) {
       const Meeting& meeting = step.begun[k];
       for (const int j : {meeting.first, meeting.second}) {
         if (j < 0) continue;
         Row& row = rows[index(j)];
-        const Values from = row.u, u = from + difference(next.found[j].q, from, arm_.revolute);
-        const double start = meeting.at.u;
-        const auto guess = [&](double place, const Values&) {
-          return Values(from + std::sqrt(std::max(0.0, (place - start) / (next.u - start))) * (u - from));
-        };
-        if (limits_.some()) see_limits(row, u, guess, start, next.u);
+        const Values u = row.u + difference(next.found[j].q, row.u, arm_.revolute);
+        const auto solve = next_to(equations, {row.u, meeting.at.u}, {u, next.u});
+        if (limits_.some()) see_limits(row, u, solve, meeting.at.u, next.u);
         row.u = u;
         if (row.track >= 0) widen(record_.track(row.track), u);
       }

@@ -75,6 +75,16 @@ inline double distance(const Values& a, const Values& b, const JointKinds<6>& re
   return most;
 }
 
+/// True if some joint differs by more than a bound.
+inline bool are_apart(const Values& a, const Values& b, double bound, const JointKinds<6>& revolute) {
+  for (int i = 0; i < 6; ++i) {
+    const double off = std::abs(a[i] - b[i]);
+    const bool turns = revolute[static_cast<std::size_t>(i)] && off > 0.5 * whole_turn;
+    if ((turns ? std::abs(whole_turn - off) : off) > bound) return true;
+  }
+  return false;
+}
+
 /// Finds the row nearest to some joints, and the distance of the second nearest.
 struct Nearest {
   int row = -1;
