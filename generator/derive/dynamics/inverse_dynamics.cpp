@@ -130,6 +130,16 @@ class Recursion {
     return joint;
   }
 
+  /// Force that a motor takes for itself.
+  Scalar force(const MotorDrive& motor) {
+    Scalar sum;
+    if (effects_ == Effects::all || effects_ == Effects::bias)
+      sum = motor.viscous * symbol(velocity_of(motor.variable)) +
+            motor.coulomb * symbol(direction_of(motor.variable));
+    if (effects_ == Effects::all) sum = sum + motor.rotor * symbol(acceleration_of(motor.variable));
+    return sum;
+  }
+
   void find_neighbours() {
     for (std::size_t j = 0; j < joints_.size(); ++j) {
       if (joints_[j].parent == no_link) continue;
@@ -345,7 +355,9 @@ class Recursion {
   }
 
   void finish(dag::Function& out, const std::vector<Scalar>& of_chain) {
-    const std::vector<Scalar> torques = gathered(robot_, of_chain, graph_);
+    std::vector<Scalar> torques = gathered(robot_, of_chain, graph_);
+    for (const MotorDrive& motor : p_.chain.motors)
+      torques[motor.driven] = torques[motor.driven] + force(motor);
     for (std::size_t i = 0; i < torques.size(); ++i)
       out.outputs.push_back({"tau" + std::to_string(i + 1), torques[i].in(graph_)});
   }

@@ -36,7 +36,12 @@ class CompositeBodies {
     // Joints that do not carry one another do not feel one another.
     for (std::size_t i = 0; i < robot_.joints.size(); ++i)
       for (std::size_t k = i; k < robot_.joints.size(); ++k) entries_.try_emplace({i, k});
-    for (const auto& [place, value] : gathered_symmetric(robot_, entries_, graph_))
+    Entries gathered = gathered_symmetric(robot_, entries_, graph_);
+    for (const MotorDrive& motor : p_.chain.motors) {
+      Scalar& inertia = gathered[{motor.driven, motor.driven}];
+      inertia = inertia + motor.rotor;
+    }
+    for (const auto& [place, value] : gathered)
       out.outputs.push_back(
           {"m" + std::to_string(place.first + 1) + "_" + std::to_string(place.second + 1), value.in(graph_)});
   }
