@@ -51,7 +51,7 @@ class DataReader {
   std::vector<Wanted> wanted() {
     std::vector<Wanted> all;
     for (const model::Joint& joint : robot_.joints) {
-      if (joint.follows) continue;
+      if (!joint.follows.empty()) continue;
       const std::string name = fmt::format("q{}", joints_.size() + 1);
       const bool turns = joint.type == model::JointType::revolute;
       all.push_back({name, turns ? Quantity::angle : Quantity::length, true, false, {joint.variable}});

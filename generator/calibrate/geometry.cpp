@@ -99,15 +99,25 @@ class Builder {
   }
 
  private:
+  /// The joint that moves joint i: itself, or the one that it follows.
+  [[nodiscard]] std::size_t leader_of(std::size_t i) const {
+    const auto& follows = robot_.joints[i].follows;
+    if (follows.empty()) return i;
+    const auto is_leader = [&](const model::Joint& joint) {
+      return joint.variable == follows.front().variable;
+    };
+    const auto leader = std::find_if(robot_.joints.begin(), robot_.joints.end(), is_leader);
+    return static_cast<std::size_t>(leader - robot_.joints.begin());
+  }
+
   void add_joints(Geometry<S>& geometry) {
     std::vector<std::size_t> variable(robot_.joints.size());
     for (std::size_t i = 0; i < robot_.joints.size(); ++i)
-      if (!robot_.joints[i].follows) variable[i] = geometry.variables++;
+      if (robot_.joints[i].follows.empty()) variable[i] = geometry.variables++;
     for (std::size_t i = 0; i < robot_.joints.size(); ++i) {
       const model::Joint& joint = robot_.joints[i];
-      const cln::cl_RA ratio = joint.follows ? joint.follows->ratio : cln::cl_RA(1);
-      geometry.joints.push_back({joint.type == model::JointType::revolute,
-                                 variable[joint.follows ? joint.follows->joint : i],
+      const cln::cl_RA ratio = joint.follows.empty() ? cln::cl_RA(1) : joint.follows.front().ratio;
+      geometry.joints.push_back({joint.type == model::JointType::revolute, variable[leader_of(i)],
                                  cln::double_approx(ratio), ratio});
     }
   }

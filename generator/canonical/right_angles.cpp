@@ -306,7 +306,7 @@ Arm to_arm(const model::Robot& robot, const AtZero& zero, const ZeroPose& pose) 
 /// The described arm with its offsets behind the joints, if all its angles are right.
 std::optional<AtZero> right_angled(const model::Robot& robot) {
   const bool follow = std::any_of(robot.joints.begin(), robot.joints.end(),
-                                  [](const model::Joint& joint) { return joint.follows.has_value(); });
+                                  [](const model::Joint& joint) { return !joint.follows.empty(); });
   if (robot.joints.empty() || follow || model::branches(robot) || robot.floating_base) return std::nullopt;
   std::optional<AtZero> arm = at_zero(robot);
   if (!arm) return std::nullopt;

@@ -36,6 +36,16 @@ std::string name_of(const CalibrateArguments& arguments, const model::Robot& rob
   return is_name && stem != robot.name ? stem : robot.name + "_calibrated";
 }
 
+/// Errors of geometry are seen joint by joint, whose values motors must say one by one.
+void check_joints(const model::Robot& robot) {
+  for (const model::Joint& joint : robot.joints)
+    if (joint.follows.size() > 1 || !robot.motors.empty())
+      throw std::runtime_error(
+          fmt::format("{} has joints that follow sums of others or motors: calibrate it "
+                      "without these relations, with the joints' values as data",
+                      robot.name));
+}
+
 void check_numbers(const model::Robot& robot) {
   for (const model::Parameter& each : robot.geometry)
     if (!each.default_value)
@@ -70,6 +80,7 @@ int run_calibrate(const CalibrateArguments& arguments) {
   if (!descriptions) return bad_description;
   const model::Robot& robot = *descriptions->front().robot;
   check_numbers(robot);
+  check_joints(robot);
   const calibrate::DataResult data = calibrate::read_data(arguments.data, robot, arguments.options);
   print_diagnostics(data.diagnostics);
   if (!data.good) return failure;

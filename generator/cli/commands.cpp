@@ -143,8 +143,21 @@ void show_closed_form(const model::Robot& described, const derive::inverse::Deri
   for (const std::string& line : describe(derivation, notation)) fmt::print("{}\n", line);
 }
 
-int show_inverse(const model::Robot& described, emit::Notation notation) {
-  const pipeline::InverseDerivation derivation = pipeline::derive_inverse(described);
+/// Says what stands between the robot and the arm that the inverse kinematics is derived for.
+void show_derived_arm(const model::Robot& robot, const pipeline::InverseDerivation& derivation) {
+  for (const model::Joint& joint : robot.joints)
+    if (!joint.follows.empty())
+      fmt::print("In joints, with {} = {}.\n", joint.variable, model::relation_text(joint.follows));
+  if (derivation.outer)
+    fmt::print(
+        "Joints at the ends of the arm are given and move the pose; what follows is of the {} others.\n",
+        derivation.arm.joints.size());
+}
+
+int show_inverse(const model::Robot& robot, emit::Notation notation) {
+  const pipeline::InverseDerivation derivation = pipeline::derive_inverse(robot);
+  const model::Robot& described = derivation.found() ? derivation.arm : robot;
+  if (derivation.found()) show_derived_arm(robot, derivation);
   for (const auto& elimination : derivation.eliminations) {
     fmt::print("{}\n\n", emit::ability(described, elimination));
     for (const std::string& line : describe_elimination(elimination)) fmt::print("{}\n", line);

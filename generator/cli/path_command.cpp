@@ -99,6 +99,11 @@ void set_limits(const PathArguments& arguments, std::vector<path::MovingJoint>& 
 
 /// All joints of the arm, with the limits that hold.
 std::vector<path::MovingJoint> all_joints(const PathArguments& arguments, const model::Robot& robot) {
+  for (const model::Joint& joint : robot.joints)
+    if (joint.follows.size() > 1 || !robot.motors.empty())
+      throw std::runtime_error(robot.name +
+                               " has joints that follow sums of others or motors: paths are "
+                               "followed joint by joint; leave out these relations");
   const report::Chain chain = report::chain_of(robot);
   if (!chain.assumed.empty())
     throw std::runtime_error(chain.assumed.front() +

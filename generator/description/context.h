@@ -37,11 +37,10 @@ struct Units {
   bool degrees = false;
 };
 
-/// A joint that is said to follow another.
+/// A joint that is said to follow others.
 struct Follower {
   std::size_t joint;
-  std::string leader;  ///< as the file calls it
-  cln::cl_RA ratio;
+  model::Follows leaders;  ///< as the file calls them
   model::Expression offset;
   Place place;
 };
@@ -70,6 +69,7 @@ struct Context {
   std::vector<Place> joint_places;
   Place base_place;  ///< of a base that floats
   std::vector<Follower> followers;
+  std::vector<Place> motor_places;
   Units units;
   bool takes_units = false;            ///< the format has keys for them
   bool is_measured = false;            ///< an angle next to a right one is meant

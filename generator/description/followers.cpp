@@ -5,8 +5,10 @@
 
 #include "description/entries.h"
 #include "description/names.h"
+#include "description/relation.h"
 #include "model/arithmetic.h"
 #include "model/evaluate.h"
+#include "model/followers.h"
 
 namespace qvgen::description {
 namespace {
@@ -38,9 +40,9 @@ void add_offset(model::Joint& joint, const Expression& offset) {
   joint.before = model::compose(joint.before, {{}, way});
 }
 
-/// The value of the leader at which the follower has the value of `limit`.
+/// The value of the only leader at which the follower has the value of `limit`.
 Expression at_leader(const Expression& limit, const Follower& follower) {
-  return model::divide(model::subtract(limit, follower.offset), Expression(follower.ratio));
+  return model::divide(model::subtract(limit, follower.offset), Expression(follower.leaders.front().ratio));
 }
 
 bool is_below(const Expression& a, const Expression& b) {
@@ -52,15 +54,22 @@ void narrow(model::Limits& limits, const model::Limits& by) {
   if (is_below(by.upper, limits.upper)) limits.upper = by.upper;
 }
 
-/// A follower's limits as limits of its leader. An offset with symbols has no value yet: they are dropped.
-void hand_on_limits(Context& context, const Follower& follower, model::Joint& joint, model::Joint& leader) {
+/// A joint or a motor.
+struct Leader {
+  std::string variable;
+  std::optional<model::Limits>* limits;
+};
+
+/// Limits of a joint with one leader as limits of that. An offset with symbols has no value yet: they are
+/// dropped.
+void hand_on_limits(Context& context, const Follower& follower, model::Joint& joint, const Leader& leader) {
   const std::optional<model::Limits> own = joint.limits;
   joint.limits.reset();
   if (!own || !symbols(follower.offset).empty()) return;
   model::Limits limits{at_leader(own->lower, follower), at_leader(own->upper, follower)};
-  if (cln::minusp(follower.ratio)) std::swap(limits.lower, limits.upper);
-  if (leader.limits) narrow(limits, *leader.limits);
-  leader.limits = limits;
+  if (cln::minusp(follower.leaders.front().ratio)) std::swap(limits.lower, limits.upper);
+  if (*leader.limits) narrow(limits, **leader.limits);
+  *leader.limits = limits;
   if (is_below(limits.lower, limits.upper)) return;
   context.error(follower.place,
                 "the limits of '" + joint.variable + "' and of '" + leader.variable +
@@ -68,29 +77,135 @@ void hand_on_limits(Context& context, const Follower& follower, model::Joint& jo
                 "correct ratio, offset or limits");
 }
 
-/// The index of the leader; reported if there is none that may lead.
-std::optional<std::size_t> leader_of(Context& context, const Follower& follower,
-                                     const std::vector<std::string>& names) {
-  const std::string told = "'" + names[follower.joint] + "' follows '" + follower.leader + "'";
-  const auto found = std::find(names.begin(), names.end(), follower.leader);
-  if (found == names.end()) {
-    std::vector<std::string> others = names;
-    others.erase(others.begin() + static_cast<std::ptrdiff_t>(follower.joint));
-    const std::string near = nearest(follower.leader, others);
-    context.error(follower.place, told + ", which is no joint of the chain",
-                  near.empty() ? "take a chain with both, or make it a joint of its own"
-                               : "did you mean '" + near + "'?");
+/// Limits of a joint with several leaders, as limits of the relation without its offset, which stands in the
+/// joint's frame.
+void shift_limits(const Follower& follower, model::Joint& joint) {
+  if (!joint.limits) return;
+  if (!symbols(follower.offset).empty()) return joint.limits.reset();
+  joint.limits->lower = model::subtract(joint.limits->lower, follower.offset);
+  joint.limits->upper = model::subtract(joint.limits->upper, follower.offset);
+}
+
+class Ties {
+ public:
+  Ties(Context& context, const std::vector<std::string>& names, model::Robot& robot)
+      : context_(context), names_(names), robot_(robot) {}
+
+  void tie(const Follower& follower) {
+    model::Joint& joint = robot_.joints[follower.joint];
+    std::vector<Leader> leaders;
+    for (const model::Lead& lead : follower.leaders) {
+      const auto leader = leader_of(follower, lead.variable);
+      if (!leader) return;
+      leaders.push_back(*leader);
+      joint.follows.push_back({leader->variable, lead.ratio});
+    }
+    if (leaders.size() == 1)
+      hand_on_limits(context_, follower, joint, leaders.front());
+    else
+      shift_limits(follower, joint);
+    add_offset(joint, follower.offset);
+    if (leaders.size() > 1 && !joint.drive.coulomb_friction.is_literal_zero())
+      context_.error(follower.place,
+                     "'" + joint.variable +
+                         "' follows several and has Coulomb friction, whose direction is no "
+                         "sum of theirs",
+                     "give the friction to the motors");
+  }
+
+  /// Every motor moves something, and no two alike.
+  void check_motors() {
+    const auto is_led = [&](const model::Motor& motor) {
+      return std::any_of(robot_.joints.begin(), robot_.joints.end(), [&](const model::Joint& joint) {
+        return std::any_of(joint.follows.begin(), joint.follows.end(),
+                           [&](const model::Lead& lead) { return lead.variable == motor.variable; });
+      });
+    };
+    for (std::size_t i = 0; i < robot_.motors.size(); ++i)
+      if (!is_led(robot_.motors[i]))
+        context_.error(context_.motor_places[i],
+                       "no joint follows the motor '" + robot_.motors[i].variable + "'",
+                       "write follows = \"" + robot_.motors[i].variable + "\" in the joint that it moves");
+    if (context_.has_error || robot_.motors.empty() || model::has_independent_motors(robot_)) return;
+    context_.error(
+        context_.motor_places.front(),
+        "the relations of the joints do not tell the motors apart: some motion of the motors moves no "
+        "joint",
+        "correct the factors of 'follows'; there are at most as many motors as joints");
+  }
+
+ private:
+  /// The leader of that name; reported if there is none that may lead.
+  std::optional<Leader> leader_of(const Follower& follower, const std::string& name) {
+    for (model::Motor& motor : robot_.motors)
+      if (motor.variable == name) return Leader{motor.variable, &motor.limits};
+    const std::string told = "'" + names_[follower.joint] + "' follows '" + name + "'";
+    const auto found = std::find(names_.begin(), names_.end(), name);
+    if (found == names_.end()) return unknown(follower, name, told);
+    const auto leader = static_cast<std::size_t>(found - names_.begin());
+    if (std::none_of(context_.followers.begin(), context_.followers.end(),
+                     [&](const Follower& other) { return other.joint == leader; }))
+      return Leader{robot_.joints[leader].variable, &robot_.joints[leader].limits};
+    context_.error(
+        follower.place,
+        told + (leader == follower.joint ? ": no joint leads itself" : ", which follows another itself"),
+        follower.leaders.size() == 1 ? "name the joint at the beginning, with the product of the ratios"
+                                     : "name joints that follow none, or motors");
     return std::nullopt;
   }
-  const auto leader = static_cast<std::size_t>(found - names.begin());
-  if (std::none_of(context.followers.begin(), context.followers.end(),
-                   [&](const Follower& other) { return other.joint == leader; }))
-    return leader;
-  context.error(
-      follower.place,
-      told + (leader == follower.joint ? ": no joint leads itself" : ", which follows another itself"),
-      "name the joint at the beginning, with the product of the ratios");
-  return std::nullopt;
+
+  std::nullopt_t unknown(const Follower& follower, const std::string& name, const std::string& told) {
+    std::vector<std::string> others = names_;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(follower.joint));
+    for (const model::Motor& motor : robot_.motors) others.push_back(motor.variable);
+    const std::string near = nearest(name, others);
+    context_.error(follower.place,
+                   told + (robot_.motors.empty() ? ", which is no joint of the chain"
+                                                 : ", which is neither a joint of the chain nor a motor"),
+                   near.empty() ? "take a chain with both, or make it a joint of its own"
+                                : "did you mean '" + near + "'?");
+    return std::nullopt;
+  }
+
+  Context& context_;
+  const std::vector<std::string>& names_;
+  model::Robot& robot_;
+};
+
+Entry offset_of(const Table& table, const Entry& entry, model::JointType type) {
+  Context& context = table.context();
+  const bool turns = type == model::JointType::revolute;
+  Entry offset = (turns ? in_radians : in_metres)(context, entry);
+  if (turns)
+    check_angle(context, offset);
+  else
+    check_length(context, offset, "offset");
+  return offset;
+}
+
+/// A leader by its name alone, with `ratio` and `offset`.
+Follower plain_follower(const Table& table, const std::string& leader, model::JointType type) {
+  const Entry offset = offset_of(table, entry_or_zero(table, "offset", {}), type);
+  return {table.context().joint_places.size() - 1,
+          {{leader, read_ratio(table)}},
+          offset.value,
+          table.place_of("follows")};
+}
+
+bool is_name(const std::string& text) { return text.find_first_of(" +-*/()\t") == std::string::npos; }
+
+/// A relation, which has factors and constant itself.
+void read_sum(const Table& table, const std::string& text, model::JointType type) {
+  Context& context = table.context();
+  for (const char* key : {"ratio", "offset"})
+    if (table.has(key))
+      context.error(table.key_place(key), "'" + std::string(key) + "' beside a sum in 'follows'",
+                    "write it in the sum, e.g. follows = \"1/2 ml + 1/2 mr + 10 deg\"");
+  const auto relation = read_relation(context, text, table.place_of("follows"));
+  if (!relation) return;
+  const Entry offset = offset_of(table, relation->constant, type);
+  context.followers.push_back(
+      {context.joint_places.size() - 1, relation->leaders, offset.value, table.place_of("follows")});
 }
 
 }  // namespace
@@ -104,25 +219,21 @@ void read_follower(const Table& table, model::JointType type) {
                       "write follows = \"theta1\", the variable of the joint that leads");
     return;
   }
-  const bool turns = type == model::JointType::revolute;
-  const Entry offset = (turns ? in_radians : in_metres)(context, entry_or_zero(table, "offset", {}));
-  if (turns)
-    check_angle(context, offset);
+  const std::string text = table.text("follows").value_or("");
+  if (is_name(text))
+    context.followers.push_back(plain_follower(table, text, type));
   else
-    check_length(context, offset, "offset");
-  context.followers.push_back({context.joint_places.size() - 1, table.text("follows").value_or(""),
-                               read_ratio(table), offset.value, table.place_of("follows")});
+    read_sum(table, text, type);
+}
+
+bool follows_sum(const Table& table) {
+  return table.has("follows") && !is_name(table.find("follows")->value_or(std::string()));
 }
 
 void tie_followers(Context& context, const std::vector<std::string>& names, model::Robot& robot) {
-  for (const Follower& follower : context.followers) {
-    const auto leader = leader_of(context, follower, names);
-    if (!leader) continue;
-    model::Joint& joint = robot.joints[follower.joint];
-    joint.follows = model::Follows{*leader, follower.ratio};
-    add_offset(joint, follower.offset);
-    hand_on_limits(context, follower, joint, robot.joints[*leader]);
-  }
+  Ties ties(context, names, robot);
+  for (const Follower& follower : context.followers) ties.tie(follower);
+  ties.check_motors();
 }
 
 }  // namespace qvgen::description

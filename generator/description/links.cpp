@@ -73,14 +73,14 @@ void read_tensor(const Table& table, bool free, model::Inertia& inertia) {
 Expression read_drive_entry(const Table& table, const std::string& key, bool free,
                             const std::string& symbol) {
   const bool becomes_symbol = is_free(table, key) || (free && !table.has(key));
-  if (!becomes_symbol) return read_number(table, key);
-  return free_symbol(table, symbol + link_number(table.context()));
+  return becomes_symbol ? free_symbol(table, symbol) : read_number(table, key);
 }
 
-void read_drive(const Table& table, bool free, model::Drive& drive) {
-  drive.rotor_inertia = read_drive_entry(table, "rotor_inertia", free, "Ia");
-  drive.viscous_friction = read_drive_entry(table, "viscous_friction", free, "Fv");
-  drive.coulomb_friction = read_drive_entry(table, "coulomb_friction", free, "Fc");
+/// `number` ends the names of free parameters.
+void read_drive(const Table& table, bool free, const std::string& number, model::Drive& drive) {
+  drive.rotor_inertia = read_drive_entry(table, "rotor_inertia", free, "Ia" + number);
+  drive.viscous_friction = read_drive_entry(table, "viscous_friction", free, "Fv" + number);
+  drive.coulomb_friction = read_drive_entry(table, "coulomb_friction", free, "Fc" + number);
 }
 
 std::optional<model::Limits> read_limits(const Table& table, model::JointType type) {
@@ -186,8 +186,26 @@ void read_link(const Table& table, const FreeParameters& free, model::Joint& joi
   joint.greatest_effort = read_greatest(table, "effort_limit");
   read_masses(table, free.inertia, joint.inertia);
   read_tensor(table, free.inertia, joint.inertia);
-  read_drive(table, free.drives, joint.drive);
+  // Motors have the drives of a joint that follows several.
+  read_drive(table, free.drives && !follows_sum(table), link_number(table.context()), joint.drive);
   read_follower(table, joint.type);
+}
+
+void read_motors(const Table& root, const FreeParameters& free, model::Robot& robot) {
+  for (const Table& table : root.tables("motor")) {
+    table.allow_only({"type", "variable", "limits", "velocity_limit", "effort_limit", "rotor_inertia",
+                      "viscous_friction", "coulomb_friction"});
+    table.require("variable", "variable = \"m1\", the name of its value");
+    model::Motor motor;
+    motor.type = read_joint_type(table).value_or(model::JointType::revolute);
+    motor.variable = read_variable(table);
+    motor.limits = read_limits(table, motor.type);
+    motor.greatest_velocity = read_greatest(table, "velocity_limit");
+    motor.greatest_effort = read_greatest(table, "effort_limit");
+    read_drive(table, free.drives, "_" + motor.variable, motor.drive);
+    table.context().motor_places.push_back(table.place());
+    robot.motors.push_back(std::move(motor));
+  }
 }
 
 }  // namespace qvgen::description

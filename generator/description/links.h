@@ -20,6 +20,8 @@ std::vector<std::string> joint_keys(const std::vector<std::string>& more);
 /// type (may be absent: nullopt) and variable, limits, inertia, drive.
 std::optional<model::JointType> read_joint_type(const Table& table);
 std::string read_variable(const Table& table);
+/// The motors that are no joints, [[motor]].
+void read_motors(const Table& root, const FreeParameters& free, model::Robot& robot);
 void read_link(const Table& table, const FreeParameters& free, model::Joint& joint);
 
 }  // namespace qvgen::description

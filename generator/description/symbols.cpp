@@ -63,6 +63,13 @@ std::optional<std::vector<Declared>> read_declared(const Table& root, const std:
   return declared;
 }
 
+/// The joint or the motor that a variable belongs to.
+std::string owner(const Context& context, std::size_t index) {
+  const std::size_t joints = context.variables.size() - context.motor_places.size();
+  return index < joints ? "joint " + std::to_string(index + 1)
+                        : "motor " + std::to_string(index - joints + 1);
+}
+
 void check_variables(Context& context) {
   std::map<std::string, std::size_t> first;
   for (std::size_t i = 0; i < context.variables.size(); ++i) {
@@ -70,10 +77,11 @@ void check_variables(Context& context) {
     if (name.empty()) continue;
     const auto [known, is_new] = first.emplace(name, i);
     if (is_new) continue;
-    context.error(place,
-                  "the variable '" + name + "' is used twice: joint " + std::to_string(known->second + 1) +
-                      " has it already",
-                  "give each joint a variable of its own");
+    context.error(
+        place,
+        "the variable '" + name + "' is used twice: " + owner(context, known->second) + " has it already",
+        context.motor_places.empty() ? "give each joint a variable of its own"
+                                     : "give each joint and each motor a variable of its own");
   }
 }
 
@@ -119,7 +127,7 @@ void check_uses(Context& context, const std::optional<std::vector<Declared>>& de
     const std::string quoted = "'" + use.name + "'";
     if (context.diagnostics.size() > max_diagnostics) return;
     if (const auto joint = joints.find(use.name); joint != joints.end()) {
-      const std::string variable = quoted + " is the variable of joint " + std::to_string(joint->second);
+      const std::string variable = quoted + " is the variable of " + owner(context, joint->second - 1);
       if (use.automatic)
         context.error(use.place,
                       variable + ", and the name that free inertias and drives give a constant here",

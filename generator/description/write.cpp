@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "model/arithmetic.h"
+#include "model/followers.h"
 #include "model/tasks.h"
 
 namespace qvgen::description {
@@ -116,7 +117,9 @@ std::string floating_base_text(const model::Robot& robot) {
   return robot.floating_base ? "\n[floating_base]\n" + inertia_text(*robot.floating_base) : "";
 }
 
-std::string limits_text(const model::Joint& joint) {
+/// Limits of a joint or of a motor, as lines.
+template <class Moving>
+std::string limits_text(const Moving& joint) {
   std::string result;
   const auto bound = joint.type == model::JointType::revolute ? angle_text : text;
   if (joint.limits)
@@ -126,10 +129,11 @@ std::string limits_text(const model::Joint& joint) {
   return result;
 }
 
-std::string follows_text(const model::Robot& robot, const model::Joint& joint) {
-  if (!joint.follows) return "";
-  return "follows = " + quoted(robot.joints[joint.follows->joint].variable) + "\n" +
-         (joint.follows->ratio == 1 ? "" : "ratio = " + text(joint.follows->ratio) + "\n");
+std::string follows_text(const model::Joint& joint) {
+  if (joint.follows.empty()) return "";
+  if (joint.follows.size() > 1) return "follows = " + quoted(model::relation_text(joint.follows)) + "\n";
+  const auto& [leader, ratio] = joint.follows.front();
+  return "follows = " + quoted(leader) + "\n" + (ratio == 1 ? "" : "ratio = " + text(ratio) + "\n");
 }
 
 std::string parent_text(const model::Robot& robot, const model::Joint& joint) {
@@ -144,19 +148,27 @@ std::string named_frame_text(const model::Robot& robot, const model::Frame& fram
          frame_text(frame.placement, "translation");
 }
 
+std::string drive_text(const model::Drive& drive) {
+  return entry("rotor_inertia", drive.rotor_inertia) + entry("viscous_friction", drive.viscous_friction) +
+         entry("coulomb_friction", drive.coulomb_friction);
+}
+
 std::string joint_text(const model::Robot& robot, const model::Joint& joint) {
   if (!joint.after.turns.empty()) throw std::invalid_argument("a link frame is turned behind its joint");
   std::string result = "\n[[joint]]\ntype = ";
   result += joint.type == model::JointType::revolute ? "\"revolute\"\n" : "\"prismatic\"\n";
   result += "axis = " + quoted_axis(joint.axis) + "\nvariable = " + quoted(joint.variable) + "\n" +
-            parent_text(robot, joint) + follows_text(robot, joint);
+            parent_text(robot, joint) + follows_text(joint);
   result += frame_text(joint.before, "origin");
   if (!model::is_literal_zero(joint.after.translation))
     result += "link = " + list(joint.after.translation) + "\n";
-  return result + limits_text(joint) + inertia_text(joint.inertia) +
-         entry("rotor_inertia", joint.drive.rotor_inertia) +
-         entry("viscous_friction", joint.drive.viscous_friction) +
-         entry("coulomb_friction", joint.drive.coulomb_friction);
+  return result + limits_text(joint) + inertia_text(joint.inertia) + drive_text(joint.drive);
+}
+
+std::string motor_text(const model::Motor& motor) {
+  return "\n[[motor]]\ntype = " +
+         std::string(motor.type == model::JointType::revolute ? "\"revolute\"\n" : "\"prismatic\"\n") +
+         "variable = " + quoted(motor.variable) + "\n" + limits_text(motor) + drive_text(motor.drive);
 }
 
 /// Names of constants with their default values, and without; nothing if none has one.
@@ -201,6 +213,7 @@ std::string write_text(const model::Robot& robot) {
   result += request_text(robot) + parameters_text(robot);
   result += table("base", robot.base) + table("tool", robot.tool) + floating_base_text(robot);
   for (const model::Joint& joint : robot.joints) result += joint_text(robot, joint);
+  for (const model::Motor& motor : robot.motors) result += motor_text(motor);
   for (const model::Frame& frame : robot.frames) result += named_frame_text(robot, frame, "frame");
   return result;
 }
@@ -259,7 +272,7 @@ std::string row_text(const model::Robot& robot, const model::DhRow& row) {
   result += turns ? moving_text("theta", joint->variable, row.theta) : angle_entry("theta", row.theta);
   result += slides ? moving_text("d", joint->variable, row.d) : entry("d", row.d);
   result += entry("a", row.a) + angle_entry("alpha", row.alpha);
-  return joint == nullptr ? result : result + follows_text(robot, *joint) + limits_text(*joint);
+  return joint == nullptr ? result : result + follows_text(*joint) + limits_text(*joint);
 }
 
 }  // namespace
@@ -276,6 +289,7 @@ std::string write_dh_text(const model::Robot& robot, const model::DhTable& dh) {
   result += constants_text(robot, dh) + "convention = " + (standard ? "\"standard\"\n" : "\"modified\"\n");
   result += table("base", dh.base) + table("tool", dh.tool);
   for (const model::DhRow& row : dh.rows) result += row_text(robot, row);
+  for (const model::Motor& motor : robot.motors) result += motor_text(motor);
   return result;
 }
 

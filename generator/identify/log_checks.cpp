@@ -25,14 +25,6 @@ constexpr Index saturated_rows = 5;
 /// Rates that differ from those of the positions by this share are others.
 constexpr double other_rate = 0.5;
 
-/// The joints that a log has columns of.
-std::vector<const model::Joint*> driven(const model::Robot& robot) {
-  std::vector<const model::Joint*> joints;
-  for (const model::Joint& joint : robot.joints)
-    if (!joint.follows) joints.push_back(&joint);
-  return joints;
-}
-
 void say(LogResult& result, Index sample, Diagnostic::Severity severity, const std::string& message,
          const std::string& hint) {
   const int line = result.lines[static_cast<std::size_t>(sample)];
@@ -58,16 +50,16 @@ std::pair<double, double> bounds_of(const model::Joint& joint, const model::Bind
 
 void check_positions(const model::Robot& robot, LogResult& result) {
   const model::Bindings values = model::default_bindings(robot);
-  const auto joints = driven(robot);
+  const std::vector<model::Joint> joints = model::driven_joints(robot);
   for (std::size_t i = 0; i < joints.size(); ++i) {
-    const auto [lower, upper] = bounds_of(*joints[i], values);
+    const auto [lower, upper] = bounds_of(joints[i], values);
     const auto q = result.log.q.col(static_cast<Index>(i));
     for (Index k = 0; k < q.size(); ++k) {
       if (q[k] >= lower && q[k] <= upper) continue;
-      const bool turns = joints[i]->type == model::JointType::revolute;
+      const bool turns = joints[i].type == model::JointType::revolute;
       say(result, k, Diagnostic::error,
           fmt::format("q{} is {:g} {}, {}", i + 1, q[k], turns ? "rad" : "m",
-                      joints[i]->limits ? "beyond the joint's limits" : "which is many turns"),
+                      joints[i].limits ? "beyond the joint's limits" : "which is many turns"),
           turns ? fmt::format("if the numbers are degrees, write q{} [deg]; or are columns swapped?", i + 1)
                 : fmt::format("if the numbers are millimetres, write q{} [mm]; or are columns swapped?",
                               i + 1));

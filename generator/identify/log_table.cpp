@@ -103,8 +103,8 @@ std::vector<Wanted> log_columns(const model::Robot& robot, const LogOptions& opt
   std::vector<Wanted> columns{{"time", Quantity::time, false, false, {"t", "timestamp"}}};
   for (const Kind& kind : kinds_of(options)) {
     std::size_t number = 0;
-    for (const model::Joint& joint : robot.joints)
-      if (!joint.follows) columns.push_back(column(kind, joint, ++number));
+    for (const model::Joint& joint : model::driven_joints(robot))
+      columns.push_back(column(kind, joint, ++number));
   }
   return columns;
 }

@@ -57,8 +57,8 @@ Range range_of(const model::Joint& joint, const model::Bindings& values, const P
 std::vector<Range> ranges_of(const model::Robot& robot, const PlanRequest& request) {
   const model::Bindings values = model::default_bindings(robot);
   std::vector<Range> ranges;
-  for (const model::Joint& joint : robot.joints)
-    if (!joint.follows) ranges.push_back(range_of(joint, values, request));
+  for (const model::Joint& joint : model::driven_joints(robot))
+    ranges.push_back(range_of(joint, values, request));
   return ranges;
 }
 
@@ -185,8 +185,8 @@ std::string plan_summary(const Plan& plan) {
 std::string plan_table(const model::Robot& robot, const MotionLog& motion) {
   std::string text = "time [s]";
   std::vector<std::string> units;
-  for (const model::Joint& joint : robot.joints)
-    if (!joint.follows) units.push_back(joint.type == model::JointType::revolute ? "rad" : "m");
+  for (const model::Joint& joint : model::driven_joints(robot))
+    units.push_back(joint.type == model::JointType::revolute ? "rad" : "m");
   for (const auto& [name, per] : {std::pair("q", ""), std::pair("qd", "/s")})
     for (std::size_t i = 0; i < units.size(); ++i)
       text += fmt::format(", {}{} [{}{}]", name, i + 1, units[i], per);

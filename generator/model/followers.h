@@ -1,41 +1,57 @@
 // SPDX-License-Identifier: MIT
+// Arms in which joints follow others, or motors: joints = A motors + b, exactly.
+//
+// The caller gives values for the motors: joints that follow none, and motors that are no joints. The offsets
+// b stand in the joints' frames, so that only the matrix A is left. Jacobians of the arm are J A, generalised
+// forces A^T tau, mass matrices A^T M A. A wrist with bevel gears has tilt = (ml + mr)/2 and roll = (ml -
+// mr)/2.
 #pragma once
 
 #include <vector>
 
 #include "model/robot.h"
 
-/// Arms in which joints follow others: a chain of more joints than its caller gives values for. With q the
-/// values given, the joints of the chain have C q, C the matrix of the ratios, one entry a row: Jacobians are
-/// J C, generalised forces C^T tau, mass matrices C^T M C.
 namespace qvgen::model {
 
 bool has_followers(const Robot& robot);
 
-/// The robot as its caller sees it: only the joints that follow none. What is computed from the whole chain
-/// is called with their values.
-Robot without_followers(const Robot& robot);
+/// Returns what the caller gives values for, as joints of which only names, types, limits and drives are
+/// there. A motor stands where the first joint that it moves does, motors behind the joint's own variable.
+std::vector<Joint> driven_joints(const Robot& robot);
 
-/// Share of a joint of the chain in the motion of another: the index of the joint that moves it, among those
-/// that follow none, and how much.
+/// How many those are, and their variables.
+std::size_t driven_count(const Robot& robot);
+std::vector<std::string> variables(const Robot& robot);
+
+/// Share of a motor in the motion of a joint: the motor's index among `variables`, and how much.
 struct Share {
   std::size_t driven = 0;
   cln::cl_RA ratio = 1;
 };
-/// One for each joint of the chain.
-std::vector<Share> shares(const Robot& robot);
-/// How many joints follow none, and their variables.
-std::size_t driven_count(const Robot& robot);
-std::vector<std::string> variables(const Robot& robot);
+/// Returns the rows of A, one for each joint of the chain; a row's shares in the order of the motors.
+std::vector<std::vector<Share>> shares(const Robot& robot);
 
-/// C^T x for a value of each joint of the chain; `add(sum, ratio, value)` gives sum + ratio * value.
+/// True if the joints' values say the motors': the rank of A is the number of motors.
+bool has_independent_motors(const Robot& robot);
+
+/// Returns the inverse of A row by row, motors in terms of joints; nothing if A is not square or is singular.
+std::optional<std::vector<std::vector<cln::cl_RA>>> inverse_shares(const Robot& robot);
+
+/// Returns a relation as a description has it: "1/2 ml - 1/2 mr".
+std::string relation_text(const Follows& follows);
+
+/// Returns the robot with a motor for each joint: none follows another.
+Robot in_joints(const Robot& robot);
+
+/// Returns A^T x for a value of each joint of the chain; `add(sum, ratio, value)` gives sum + ratio * value.
 template <class Value, class Add>
 std::vector<Value> gathered(const Robot& robot, const std::vector<Value>& of_chain, const Add& add) {
   if (!has_followers(robot)) return of_chain;
   std::vector<Value> result(driven_count(robot));
-  const std::vector<Share> all = shares(robot);
+  const std::vector<std::vector<Share>> all = shares(robot);
   for (std::size_t i = 0; i < all.size(); ++i)
-    result[all[i].driven] = add(result[all[i].driven], all[i].ratio, of_chain[i]);
+    for (const Share& share : all[i])
+      result[share.driven] = add(result[share.driven], share.ratio, of_chain[i]);
   return result;
 }
 

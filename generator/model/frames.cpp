@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/frames.h"
 
+#include "model/followers.h"
+
 namespace qvgen::model {
 
 std::vector<Frame> link_frames(const Robot& robot) {
@@ -17,9 +19,8 @@ std::vector<Frame> all_frames(const Robot& robot) {
 }
 
 Robot up_to(const Robot& robot, const Frame& frame) {
-  Robot chain = robot;
+  Robot chain = in_joints(robot);
   chain.joints.resize(frame.joint + 1);
-  for (Joint& joint : chain.joints) joint.follows.reset();
   chain.tool = frame.placement;
   chain.frames.clear();
   chain.inverse = {};

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <stdexcept>
 
 #include "model/arithmetic.h"
@@ -12,17 +13,38 @@ namespace {
 
 using Places = std::map<std::size_t, std::size_t>;  ///< index in the whole robot -> index in the limb
 
-/// A joint with the indices of the limb.
-Joint joint_of_limb(const Joint& joint, const Places& places) {
-  Joint result = joint;
-  result.parent.reset();
-  if (!joint.follows) return result;
-  const auto leader = places.find(joint.follows->joint);
-  if (leader == places.end())
-    result.follows.reset();
-  else
-    result.follows->joint = leader->second;
-  return result;
+bool has_joint(const Robot& robot, const std::string& variable) {
+  return std::any_of(robot.joints.begin(), robot.joints.end(),
+                     [&](const Joint& joint) { return joint.variable == variable; });
+}
+
+/// Returns the leaders that a limb has no more: joints outside, and motors that move a joint outside.
+std::set<std::string> lost_leaders(const Robot& whole, const Robot& limb) {
+  std::set<std::string> lost;
+  for (const Joint& joint : whole.joints) {
+    if (has_joint(limb, joint.variable)) continue;
+    lost.insert(joint.variable);
+    for (const Lead& lead : joint.follows)
+      if (!has_joint(limb, lead.variable)) lost.insert(lead.variable);
+  }
+  return lost;
+}
+
+/// Gives joints that follow something outside of the limb a value of their own. A motor that moved such a
+/// joint is lost, too.
+void keep_leaders(const Robot& whole, Robot& limb) {
+  std::set<std::string> lost = lost_leaders(whole, limb);
+  const auto is_lost = [&](const Lead& lead) { return lost.count(lead.variable) > 0; };
+  const auto follows_lost = [&](const Joint& joint) {
+    return std::any_of(joint.follows.begin(), joint.follows.end(), is_lost);
+  };
+  const auto next = [&] { return std::find_if(limb.joints.begin(), limb.joints.end(), follows_lost); };
+  for (auto joint = next(); joint != limb.joints.end(); joint = next()) {
+    for (const Lead& lead : joint->follows)
+      if (!has_joint(limb, lead.variable)) lost.insert(lead.variable);
+    joint->follows.clear();
+  }
+  std::erase_if(limb.motors, [&](const Motor& motor) { return lost.count(motor.variable) > 0; });
 }
 
 std::vector<Frame> frames_of_limb(const Robot& robot, const Places& places, const Frame& tip) {
@@ -44,7 +66,11 @@ Robot chain_between(const Robot& robot, std::size_t from, const Frame& to) {
   Places places;
   const std::vector<std::size_t> joints = path(robot, from, to.joint);
   for (std::size_t i = 0; i < joints.size(); ++i) places[joints[i]] = i;
-  for (const std::size_t joint : joints) chain.joints.push_back(joint_of_limb(robot.joints[joint], places));
+  for (const std::size_t joint : joints) {
+    chain.joints.push_back(robot.joints[joint]);
+    chain.joints.back().parent.reset();
+  }
+  keep_leaders(robot, chain);
   chain.frames = frames_of_limb(robot, places, to);
   chain.tool = to.placement;
   return chain;

@@ -49,12 +49,16 @@ struct Drive {
   Expression coulomb_friction;
 };
 
-/// A joint that another one moves with it (a gear, a belt, a tendon): its value is `ratio` times the other's.
-/// A constant added to that stands in the joint's frame.
-struct Follows {
-  std::size_t joint = 0;  ///< index of the one that leads, which follows none itself
-  cln::cl_RA ratio = 1;   ///< not zero
+/// Share of a leader in the value of a joint that follows it (a gear, a belt, a tendon): so many times its
+/// own.
+struct Lead {
+  std::string variable;  ///< of a joint that follows none, or of a motor
+  cln::cl_RA ratio = 1;  ///< not zero
 };
+
+/// Leaders of a joint, each once: its value is the sum of their shares. A constant added to that stands in
+/// the joint's frame.
+using Follows = std::vector<Lead>;
 
 /// One joint with the link that it moves: link frame(i) = link frame(i-1) * before * motion * after,
 /// motion = rotation about `axis` (revolute) or translation along it (prismatic) by `variable`.
@@ -67,12 +71,22 @@ struct Joint {
   std::optional<Limits> limits;
   Inertia inertia;
   Drive drive;
-  std::optional<Follows> follows = {};
+  Follows follows = {};                              ///< empty: the joint has a value of its own
   std::optional<Expression> greatest_velocity = {};  ///< rad/s or m/s, above 0
   std::optional<Expression> greatest_effort = {};    ///< Nm or N, above 0
   /// For joints that branch (mechanism.h): index of the joint whose link carries this one, an earlier one, or
   /// `base_link`. None: the joint before it, as in every chain.
   std::optional<std::size_t> parent = {};
+};
+
+/// A motor that is no joint itself: joints follow it, by gears, belts or a differential.
+struct Motor {
+  JointType type = JointType::revolute;
+  std::string variable;
+  std::optional<Limits> limits;
+  Drive drive;
+  std::optional<Expression> greatest_velocity = {};  ///< rad/s or m/s, above 0
+  std::optional<Expression> greatest_effort = {};    ///< Nm or N, above 0
 };
 
 /// In place of a joint's index: the link that no joint moves.
@@ -124,7 +138,8 @@ struct Robot {
   std::vector<Parameter> inertia_parameters;
   Displacement base;  ///< world -> base of the first joint
   std::vector<Joint> joints;
-  Displacement tool;  ///< last link frame -> tool
+  std::vector<Motor> motors = {};  ///< each leads some joint
+  Displacement tool;               ///< last link frame -> tool
   std::vector<Frame> frames = {};
   /// Symbols that stand for expressions in other symbols; none in what a reader builds.
   std::map<std::string, Expression> definitions;

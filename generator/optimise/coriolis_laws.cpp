@@ -32,11 +32,12 @@ Number kinetic_energy_by_joint(const model::Robot& robot, const exact::ExactPoin
 /// While the joints move at their rates at the point.
 Number kinetic_energy_rate(const model::Robot& robot, const exact::ExactPoint& point, const Values& rates,
                            const Values& velocities) {
-  const std::vector<model::Share> shares = model::shares(robot);
+  const std::vector<std::vector<model::Share>> shares = model::shares(robot);
   Number sum = 0;
   for (std::size_t joint = 0; joint < shares.size(); ++joint) {
-    const Number rate =
-        Number(shares[joint].ratio) * rates[model::base_motions(robot) + shares[joint].driven];
+    Number rate = 0;
+    for (const model::Share& share : shares[joint])
+      rate = rate + Number(share.ratio) * rates[model::base_motions(robot) + share.driven];
     sum = sum + rate * kinetic_energy_by_joint(robot, point, joint, velocities);
   }
   return sum;

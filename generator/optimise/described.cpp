@@ -16,15 +16,13 @@
 namespace qvgen::optimise {
 
 dag::Function in_terms_of_leaders(const dag::Function& function, const model::Robot& robot) {
-  std::map<std::string, passes::Multiple> multiples;
-  for (const model::Joint& joint : robot.joints) {
-    if (!joint.follows) continue;
-    const std::string& leader = robot.joints[joint.follows->joint].variable;
-    multiples.emplace(joint.variable, passes::Multiple{leader, joint.follows->ratio});
-    multiples.emplace(derive::rate_name(joint.variable),
-                      passes::Multiple{derive::rate_name(leader), joint.follows->ratio});
-  }
-  return passes::substitute(function, multiples);
+  std::map<std::string, std::vector<passes::Multiple>> sums;
+  for (const model::Joint& joint : robot.joints)
+    for (const model::Lead& lead : joint.follows) {
+      sums[joint.variable].push_back({lead.variable, lead.ratio});
+      sums[derive::rate_name(joint.variable)].push_back({derive::rate_name(lead.variable), lead.ratio});
+    }
+  return passes::substitute(function, sums);
 }
 
 dag::Function with_definitions(const dag::Function& function, const model::Robot& robot) {

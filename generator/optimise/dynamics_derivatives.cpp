@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "optimise/dynamics_derivatives.h"
 
+#include <algorithm>
+
 #include "dag/evaluate.h"
 #include "model/coordinates.h"
 #include "model/followers.h"
@@ -58,9 +60,10 @@ class Differences {
 
   Values by_joint(std::size_t driven) const {
     Values sum(plain_.size());
-    const std::vector<model::Share> shares = model::shares(robot_);
+    const std::vector<std::vector<model::Share>> shares = model::shares(robot_);
     for (std::size_t i = 0; i < shares.size(); ++i)
-      if (shares[i].driven == driven) sum = combined(1, sum, shares[i].ratio, by_position_of_chain(i));
+      for (const model::Share& share : shares[i])
+        if (share.driven == driven) sum = combined(1, sum, share.ratio, by_position_of_chain(i));
     return sum;
   }
 
@@ -121,26 +124,56 @@ Values regressor_residuals(const model::Robot& robot, const derive::dynamics::Re
   return rest;
 }
 
-/// Columns of the chain's joints, by position and by rate in turn, as columns of those that follow none.
-/// Rates of followers do not occur.
-void gather_derivatives(const model::Robot& robot, std::size_t rows, dag::Function& form) {
-  const std::vector<dag::Output> all = form.outputs;
-  const std::vector<model::Share> shares = model::shares(robot);
-  const auto column = [&](std::size_t joint, std::size_t kind) { return rows * (1 + 2 * joint + kind); };
-  form.outputs.resize(rows);
-  for (std::size_t leader = 0; leader < shares.size(); ++leader) {
-    if (robot.joints[leader].follows) continue;
-    for (std::size_t kind = 0; kind < 2; ++kind)
-      for (std::size_t row = 0; row < rows; ++row) {
-        dag::Output sum = all[column(leader, kind) + row];
-        for (std::size_t i = 0; i < shares.size(); ++i) {
-          if (i == leader || shares[i].driven != shares[leader].driven) continue;
-          const dag::Edge ratio = form.graph.constant(exact::Number(shares[i].ratio));
-          const dag::Edge own = form.graph.product({ratio, all[column(i, kind) + row].value});
-          sum.value = form.graph.sum({sum.value, own});
-        }
-        form.outputs.push_back(sum);
+using Columns = std::vector<std::vector<dag::Edge>>;
+
+/// The outputs behind the first `rows` as columns.
+Columns columns_of(const dag::Function& form, std::size_t rows) {
+  Columns columns;
+  for (std::size_t i = rows; i < form.outputs.size(); ++i) {
+    if (i % rows == 0) columns.emplace_back();
+    columns.back().push_back(form.outputs[i].value);
+  }
+  return columns;
+}
+
+/// The derivative by a motor's position: a joint that is the motor itself counts once, the others by their
+/// ratios.
+std::vector<dag::Edge> by_motor(const model::Robot& robot, const std::string& motor, std::size_t driven,
+                                const Columns& by_joint, dag::Graph& graph) {
+  std::vector<dag::Edge> sum(by_joint.front().size(), graph.constant(0));
+  const auto shares = model::shares(robot);
+  for (std::size_t i = 0; i < shares.size(); ++i)
+    if (robot.joints[i].variable == motor) sum = by_joint[2 * i];
+  for (std::size_t i = 0; i < shares.size(); ++i)
+    for (const model::Share& share : shares[i])
+      for (std::size_t row = 0; row < sum.size() && share.driven == driven; ++row) {
+        if (robot.joints[i].variable == motor) continue;
+        const dag::Edge ratio = graph.constant(exact::Number(share.ratio));
+        sum[row] = graph.sum({sum[row], graph.product({ratio, by_joint[2 * i][row]})});
       }
+  return sum;
+}
+
+/// Columns of the chain's joints, by position and by rate in turn, then the motors' by position and by rate,
+/// as columns of the motors. Rates of followers do not occur, positions of motors neither.
+void gather_derivatives(const model::Robot& robot, std::size_t rows, dag::Function& form) {
+  const Columns columns = columns_of(form, rows);
+  const std::vector<std::string> variables = model::variables(robot);
+  form.outputs.resize(rows);
+  for (std::size_t driven = 0; driven < variables.size(); ++driven) {
+    const auto is_it = [&](const auto& each) { return each.variable == variables[driven]; };
+    const auto joint = std::find_if(robot.joints.begin(), robot.joints.end(), is_it);
+    const auto motor = std::find_if(robot.motors.begin(), robot.motors.end(), is_it);
+    const auto place = motor == robot.motors.end() ? joint - robot.joints.begin()
+                                                   : static_cast<std::ptrdiff_t>(robot.joints.size()) +
+                                                         (motor - robot.motors.begin());
+    const std::vector<dag::Edge> by_position =
+        by_motor(robot, variables[driven], driven, columns, form.graph);
+    const std::vector<dag::Edge>& by_rate = columns[static_cast<std::size_t>(2 * place + 1)];
+    for (const auto& [letter, column] : {std::pair("q", &by_position), std::pair("v", &by_rate)})
+      for (std::size_t row = 0; row < rows; ++row)
+        form.outputs.push_back(
+            {letter + std::to_string(row + 1) + "_" + std::to_string(driven + 1), (*column)[row]});
   }
 }
 
@@ -198,17 +231,19 @@ std::vector<dag::Output> columns_of_base(const model::Robot& robot, const Column
   return result;
 }
 
-/// Appends the derivatives by the base's motions and by the joints that follow none: the change of a
-/// follower's value belongs to its leader.
+/// Appends the derivatives by the base's motions and by the motors: the change of a follower's value belongs
+/// to its leaders.
 void append_derivatives(const model::Robot& robot, dag::Function& form) {
   const std::size_t rows = form.outputs.size();
   const Columns columns(form);
   std::vector<passes::Direction> directions;
-  for (std::size_t k = 0; k < robot.joints.size(); ++k) {
-    const std::size_t number = model::base_motions(robot) + k + 1;
-    directions.push_back({robot.joints[k].variable, "q", number});
-    directions.push_back({derive::dynamics::velocity_of(robot.joints[k].variable), "v", number});
-  }
+  const auto add = [&](const std::string& variable) {
+    const std::size_t number = model::base_motions(robot) + directions.size() / 2 + 1;
+    directions.push_back({variable, "q", number});
+    directions.push_back({derive::dynamics::velocity_of(variable), "v", number});
+  };
+  for (const model::Joint& joint : robot.joints) add(joint.variable);
+  for (const model::Motor& motor : robot.motors) add(motor.variable);
   passes::append_derivatives(form, directions);
   if (model::has_followers(robot)) gather_derivatives(robot, rows, form);
   const std::vector<dag::Output> of_base = columns_of_base(robot, columns);

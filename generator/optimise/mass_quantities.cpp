@@ -35,13 +35,14 @@ PlainRecursion::Vector centre_derivative(const model::Robot& robot, const ExactP
 /// Followers move with their leaders, by their ratios.
 Values jacobian_residuals(const model::Robot& robot, const ExactPoint& point, const Values& values) {
   Values rest = values;
-  const std::vector<model::Share> shares = model::shares(robot);
+  const std::vector<std::vector<model::Share>> shares = model::shares(robot);
   for (std::size_t joint = 0; joint < shares.size(); ++joint) {
     const auto column = centre_derivative(robot, point, joint);
-    for (std::size_t i = 0; i < 3; ++i) {
-      Number& entry = rest.at(3 * shares[joint].driven + i);
-      entry = entry - Number(shares[joint].ratio) * column[i];
-    }
+    for (const model::Share& share : shares[joint])
+      for (std::size_t i = 0; i < 3; ++i) {
+        Number& entry = rest.at(3 * share.driven + i);
+        entry = entry - Number(share.ratio) * column[i];
+      }
   }
   return rest;
 }

@@ -126,6 +126,21 @@ Edge append(const dag::Function& meaning, dag::Graph& to) {
   return result.negative ? -images[result.node] : images[result.node];
 }
 
+/// An angle with sums in place of some of its variables.
+dag::Angle in_terms_of(const dag::Angle& angle, const std::map<std::string, std::vector<Multiple>>& sums) {
+  dag::Angle result{{}, angle.pi};
+  for (const auto& [variable, coefficient] : angle.terms) {
+    const auto sum = sums.find(variable);
+    if (sum == sums.end()) {
+      result = result + dag::Angle{{{variable, coefficient}}, 0};
+      continue;
+    }
+    for (const Multiple& term : sum->second)
+      result = result + dag::Angle{{{term.symbol, coefficient * term.factor}}, 0};
+  }
+  return result;
+}
+
 }  // namespace
 
 bool is_named_constant(const std::string& symbol) { return exact::named_value(symbol).has_value(); }
@@ -174,24 +189,22 @@ dag::Function with_other_zeros(const dag::Function& function, const std::map<std
   });
 }
 
-dag::Function substitute(const dag::Function& function, const std::map<std::string, Multiple>& multiples) {
-  if (multiples.empty()) return function;
+dag::Function substitute(const dag::Function& function,
+                         const std::map<std::string, std::vector<Multiple>>& sums) {
+  if (sums.empty()) return function;
+  const auto in_graph = [](const std::vector<Multiple>& terms, dag::Graph& to) {
+    std::vector<Edge> edges;
+    for (const Multiple& term : terms)
+      edges.push_back(to.product({to.constant(exact::Number(term.factor)), to.symbol(term.symbol)}));
+    return edges.size() == 1 ? edges.front() : to.sum(std::move(edges));
+  };
   return dag::rebuild(function, [&](const auto& from, const auto& node, const auto& operands, auto& to) {
     if (node.op == Op::symbol) {
-      const auto multiple = multiples.find(from.symbol_of(node));
-      if (multiple != multiples.end())
-        return to.product(
-            {to.constant(exact::Number(multiple->second.factor)), to.symbol(multiple->second.symbol)});
+      const auto sum = sums.find(from.symbol_of(node));
+      if (sum != sums.end()) return in_graph(sum->second, to);
     }
     if (node.op != Op::sine && node.op != Op::cosine) return dag::copy_node(from, node, operands, to);
-    dag::Angle angle{{}, from.angle_of(node).pi};
-    for (const auto& [variable, coefficient] : from.angle_of(node).terms) {
-      const auto multiple = multiples.find(variable);
-      angle =
-          angle + (multiple == multiples.end()
-                       ? dag::Angle{{{variable, coefficient}}, 0}
-                       : dag::Angle{{{multiple->second.symbol, coefficient * multiple->second.factor}}, 0});
-    }
+    const dag::Angle angle = in_terms_of(from.angle_of(node), sums);
     return node.op == Op::sine ? to.sine(angle) : to.cosine(angle);
   });
 }

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "dag/graph.h"
 
@@ -29,11 +30,13 @@ struct OtherZero {
 /// Puts those in place of variables. Nothing else changes, and no operation is added outside of angles.
 dag::Function with_other_zeros(const dag::Function& function, const std::map<std::string, OtherZero>& zeros);
 
-/// Puts multiples of other symbols in place of symbols, in angles too.
+/// Term of a linear combination of symbols.
 struct Multiple {
   std::string symbol;
   cln::cl_RA factor;
 };
-dag::Function substitute(const dag::Function& function, const std::map<std::string, Multiple>& multiples);
+/// Puts sums of multiples of other symbols in place of symbols, in angles too.
+dag::Function substitute(const dag::Function& function,
+                         const std::map<std::string, std::vector<Multiple>>& sums);
 
 }  // namespace qvgen::passes

@@ -45,7 +45,7 @@ std::string header_of(const Task& task) {
 int index_of(const model::Robot& robot, const std::string& joint) {
   int index = 0;
   for (const auto& each : robot.joints) {
-    if (each.follows) continue;
+    if (!each.follows.empty()) continue;
     if (each.variable == joint) return index;
     ++index;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/limbs.h"
 
+#include <algorithm>
 #include <set>
 
 #include <fmt/format.h>
@@ -14,14 +15,22 @@ namespace {
 
 using nlohmann::json;
 
-/// The joints of a limb that follow none there, each with the joint of the whole robot that gives its value.
-json joints_of(const model::Robot& robot, const model::Robot& limb, const model::Frame& tip) {
-  const std::vector<std::size_t> path = model::path(robot, model::base_link, tip.joint);
-  const std::vector<model::Share> shares = model::shares(robot);
+/// Returns where a limb's variable comes from: the whole robot's motor of that name, or the one that moves
+/// the joint of that name. Readers refuse limbs with a joint that has several leaders elsewhere.
+model::Share share_of(const model::Robot& robot, const std::string& variable) {
+  const std::vector<std::string> motors = model::variables(robot);
+  const auto motor = std::find(motors.begin(), motors.end(), variable);
+  if (motor != motors.end()) return {static_cast<std::size_t>(motor - motors.begin()), 1};
+  const auto joint = std::find_if(robot.joints.begin(), robot.joints.end(),
+                                  [&](const model::Joint& each) { return each.variable == variable; });
+  return model::shares(robot)[static_cast<std::size_t>(joint - robot.joints.begin())].front();
+}
+
+/// The variables of a limb, each with the motor of the whole robot that gives its value.
+json joints_of(const model::Robot& robot, const model::Robot& limb) {
   json list = json::array();
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    if (limb.joints[i].follows) continue;
-    const model::Share& share = shares[path[i]];
+  for (const std::string& variable : model::variables(limb)) {
+    const model::Share share = share_of(robot, variable);
     list.push_back({{"joint", share.driven},
                     {"ratio", fmt::format("{}", cln::double_approx(share.ratio))},
                     {"last", false}});
@@ -65,6 +74,7 @@ std::vector<model::Robot> limbs_of(const model::Mechanism& mechanism) {
       joint.inertia = {};
       joint.drive = {};
     }
+    for (model::Motor& motor : limbs.back().motors) motor.drive = {};
     limbs.back().inertia_parameters.clear();
   }
   return limbs;
@@ -74,7 +84,7 @@ void add_limbs(const model::Mechanism& mechanism, RobotOutput& output) {
   const std::vector<model::Robot> limbs = limbs_of(mechanism);
   json values{{"name", mechanism.robot.name}, {"limbs", json::array()}};
   for (std::size_t i = 0; i < limbs.size(); ++i) {
-    const json joints = joints_of(mechanism.robot, limbs[i], mechanism.tips[i]);
+    const json joints = joints_of(mechanism.robot, limbs[i]);
     values["limbs"].push_back({{"tip", mechanism.tips[i].name},
                                {"limb", limbs[i].name},
                                {"joint_count", joints.size()},

@@ -144,6 +144,11 @@ RobotOutput generate_extra(const model::Robot& robot, const Extra& extra, Langua
   RobotOutput output{robot.name};
   if (is_of_limbs(extra.of_trees, robot, extra.part, output)) return output;
   if (is_of_fixed_bases(extra.part, robot, output)) return output;
+  if (!extra.of_motors && !robot.motors.empty()) {
+    output.missing.push_back(
+        {extra.part, Missing::Kind::not_derived, "joints follow motors that are no joints themselves"});
+    return output;
+  }
   if (comes_from_c(language))
     output.missing.push_back({extra.part, Missing::Kind::not_in_language, "it is written in C++"});
   else

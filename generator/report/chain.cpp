@@ -71,6 +71,16 @@ void append_legs(const Motion& start, const Way& way, std::vector<Posture::Leg>&
   }
 }
 
+/// The joint that another one follows alone. Joints that follow motors are drawn as joints of their own.
+std::optional<std::pair<std::size_t, double>> follows_one(const model::Robot& robot,
+                                                          const model::Joint& joint) {
+  if (joint.follows.size() != 1) return std::nullopt;
+  const auto& [leader, ratio] = joint.follows.front();
+  for (std::size_t i = 0; i < robot.joints.size(); ++i)
+    if (robot.joints[i].variable == leader) return std::pair(i, cln::double_approx(ratio));
+  return std::nullopt;
+}
+
 }  // namespace
 
 Chain chain_of(const model::Robot& robot) {
@@ -84,8 +94,7 @@ Chain chain_of(const model::Robot& robot) {
                        reader.way(joint.after),  std::nullopt};
     if (joint.limits)
       numbers.limits.emplace(reader.number(joint.limits->lower), reader.number(joint.limits->upper));
-    if (joint.follows)
-      numbers.follows.emplace(joint.follows->joint, cln::double_approx(joint.follows->ratio));
+    numbers.follows = follows_one(robot, joint);
     chain.joints.push_back(std::move(numbers));
   }
   return chain;

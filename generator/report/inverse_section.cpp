@@ -50,8 +50,9 @@ json derivation_json(const model::Robot& robot, const derive::inverse::Derivatio
 
 }  // namespace
 
-Section inverse_section(const model::Robot& robot) {
-  const pipeline::InverseDerivation derivation = pipeline::derive_inverse(robot);
+Section inverse_section(const model::Robot& described) {
+  const pipeline::InverseDerivation derivation = pipeline::derive_inverse(described);
+  const model::Robot& robot = derivation.found() ? derivation.arm : described;
   json values{{"derivations", json::array()}, {"lines", json::array()}};
   for (const auto& elimination : derivation.eliminations) {
     values["lines"].push_back(line(escaped(emit::ability(robot, elimination))));

@@ -55,7 +55,8 @@ CppFunctions cpp_functions(const model::Robot& robot, bool has_inverse_in_c,
                            const toolchain::Runtime* runtime) {
   CppFunctions functions;
   // The arm angle is that of seven joints.
-  if (model::has_followers(robot) || (has_inverse_in_c && robot.joints.size() != 7)) return functions;
+  const std::size_t joints = robot.joints.size();
+  if (model::has_followers(robot) || joints > 7 || (has_inverse_in_c && joints != 7)) return functions;
   pipeline::Parts parts{"model", "arm_angle"};
   if (!has_inverse_in_c) parts.push_back("inverse");
   const pipeline::RobotOutput output = pipeline::generate({robot}, parts, pipeline::own_budget()).front();

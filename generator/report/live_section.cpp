@@ -104,6 +104,7 @@ Section without(const std::string& reason) {
 }  // namespace
 
 Section live_section(const model::Robot& robot, const toolchain::Runtime* runtime) {
+  if (!robot.motors.empty()) return without("its joints follow motors");
   if (const std::string missing = missing_compiler(); !missing.empty()) return without(missing);
   const pipeline::RobotOutput output = pipeline::generate_page_functions(robot, pipeline::own_budget());
   std::map<std::string, std::string> files = files_of(output);

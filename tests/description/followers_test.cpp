@@ -32,18 +32,18 @@ TEST(Followers, AreTiedToTheirLeader) {
                   joint("c", "follows = \"b\"\n") + joint("d", ""));
   ASSERT_TRUE(result.robot);
   const model::Robot& robot = *result.robot;
-  ASSERT_TRUE(robot.joints[0].follows);
-  EXPECT_EQ(robot.joints[0].follows->joint, 1U);
-  EXPECT_EQ(robot.joints[0].follows->ratio, cln::cl_RA(-2) / 3);
+  ASSERT_EQ(robot.joints[0].follows.size(), 1U);
+  EXPECT_EQ(robot.joints[0].follows[0].variable, "b");
+  EXPECT_EQ(robot.joints[0].follows[0].ratio, cln::cl_RA(-2) / 3);
   ASSERT_EQ(robot.joints[0].before.turns.size(), 1U);
   EXPECT_EQ(to_string(robot.joints[0].before.turns[0].angle), "1/2*pi");
-  EXPECT_FALSE(robot.joints[1].follows);
-  EXPECT_EQ(robot.joints[2].follows->ratio, 1);
+  EXPECT_TRUE(robot.joints[1].follows.empty());
+  EXPECT_EQ(robot.joints[2].follows.at(0).ratio, 1);
   EXPECT_EQ(model::variables(robot), (std::vector<std::string>{"b", "d"}));
   const auto shares = model::shares(robot);
-  EXPECT_EQ(shares[0].driven, 0U);
-  EXPECT_EQ(shares[2].driven, 0U);
-  EXPECT_EQ(shares[3].driven, 1U);
+  EXPECT_EQ(shares[0].at(0).driven, 0U);
+  EXPECT_EQ(shares[2].at(0).driven, 0U);
+  EXPECT_EQ(shares[3].at(0).driven, 1U);
 }
 
 TEST(Followers, OffsetsOfSlidesGoAlongTheirAxis) {
@@ -107,16 +107,16 @@ TEST(Followers, AreTheMimicJointsOfAUrdf) {
       read_text(urdf("<mimic joint=\"first-joint\" multiplier=\"-0.5\" offset=\"1.5708\"/>"), "arm.urdf");
   ASSERT_TRUE(result.robot);
   const model::Joint& second = result.robot->joints[1];
-  ASSERT_TRUE(second.follows);
-  EXPECT_EQ(second.follows->joint, 0U);
-  EXPECT_EQ(second.follows->ratio, cln::cl_RA(-1) / 2);
+  ASSERT_EQ(second.follows.size(), 1U);
+  EXPECT_EQ(second.follows[0].variable, result.robot->joints[0].variable);
+  EXPECT_EQ(second.follows[0].ratio, cln::cl_RA(-1) / 2);
   EXPECT_EQ(to_string(second.before.turns.at(0).angle), "1/2*pi");
   // Written and read again: the same.
   const ReadResult again = read_text(write_text(*result.robot), "arm.toml");
   ASSERT_TRUE(again.robot);
   EXPECT_EQ(write_text(*again.robot), write_text(*result.robot));
-  ASSERT_TRUE(again.robot->joints[1].follows);
-  EXPECT_EQ(again.robot->joints[1].follows->ratio, second.follows->ratio);
+  ASSERT_EQ(again.robot->joints[1].follows.size(), 1U);
+  EXPECT_EQ(again.robot->joints[1].follows[0].ratio, second.follows[0].ratio);
 }
 
 TEST(Followers, NoneIsAdvisedToFollowItself) {

@@ -290,9 +290,9 @@ TEST(Mechanism, AFollowerMayHaveItsLeaderInAnotherLimb) {
                            joint("x", "z", "<mimic joint=\"to_y\" multiplier=\"-2\"/>") + "</robot>";
   const ReadResult result = whole(text);
   ASSERT_EQ(result.tips.size(), 2U);
-  ASSERT_TRUE(result.robot->joints[1].follows);
-  EXPECT_EQ(result.robot->joints[1].follows->joint, 0U);
-  EXPECT_FALSE(model::limb(*result.robot, result.tips[1]).joints[0].follows);
+  ASSERT_EQ(result.robot->joints[1].follows.size(), 1U);
+  EXPECT_EQ(result.robot->joints[1].follows[0].variable, result.robot->joints[0].variable);
+  EXPECT_TRUE(model::limb(*result.robot, result.tips[1]).joints[0].follows.empty());
 }
 
 constexpr const char* branched = R"(name = "two"

@@ -126,12 +126,14 @@ struct Motion {
     const auto n = static_cast<Eigen::Index>(variables.size());
     const auto draw = [&] { return VectorXd::NullaryExpr(n, [&] { return unit(random); }).eval(); };
     q = draw(), qd = draw(), qdd = draw(), force = draw();
-    const std::vector<model::Share> shares = model::shares(robot);
+    const std::vector<std::vector<model::Share>> shares = model::shares(robot);
     for (std::size_t i = 0; i < robot.joints.size(); ++i) {
-      const auto driven = static_cast<Eigen::Index>(shares[i].driven);
       const std::string& name = robot.joints[i].variable;
-      values[name] = cln::double_approx(shares[i].ratio) * q[driven];
-      values[derive::dynamics::velocity_of(name)] = cln::double_approx(shares[i].ratio) * qd[driven];
+      double &value = values[name], &rate = values[derive::dynamics::velocity_of(name)];
+      for (const model::Share& share : shares[i]) {
+        value += cln::double_approx(share.ratio) * q[static_cast<Eigen::Index>(share.driven)];
+        rate += cln::double_approx(share.ratio) * qd[static_cast<Eigen::Index>(share.driven)];
+      }
     }
     for (Eigen::Index i = 0; i < n; ++i) {
       values[derive::dynamics::acceleration_of(variables[static_cast<std::size_t>(i)])] = qdd[i];

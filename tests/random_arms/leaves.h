@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <map>
+#include <stdexcept>
 #include <string>
 
 #include "exact/constant_angle.h"
@@ -24,7 +25,9 @@ struct Leaves {
   [[nodiscard]] double constant(const exact::Number& number) const { return number.to_double(); }
   [[nodiscard]] double symbol(const std::string& name) const {
     if (const auto known = exact::named_value(name)) return cln::double_approx(*known);
-    return values.at(name);
+    const auto place = values.find(name);
+    if (place == values.end()) throw std::out_of_range("no value of " + name);
+    return place->second;
   }
   [[nodiscard]] double of(const exact::Angle& angle) const {
     double sum = cln::double_approx(angle.pi) * M_PI;

@@ -219,6 +219,25 @@ TEST(Followers, KinematicsAndDynamicsEqualTheReference) {
   EXPECT_GT(followers, static_cast<int>(count() / 16));
 }
 
+/// Chains in which joints follow motors: the arm without, composed with the matrix.
+TEST(Motors, KinematicsAndDynamicsEqualTheReference) {
+  int accepted = 0, with_motors = 0;
+  for (std::uint32_t seed = 0; seed < std::max(count() / 8, 1U); ++seed) {
+    const std::string text = test::random_description_with_motors(seed);
+    const auto arm = read(text);
+    if (!arm) continue;
+    ++accepted;
+    with_motors += arm->robot.motors.empty() ? 0 : 1;
+    ASSERT_EQ(arm->chain.driven(), model::variables(arm->robot)) << text;
+    std::mt19937 random(seed);
+    check_kinematics(*arm, random);
+    check_dynamics(*arm, random);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(accepted, static_cast<int>(count() / 16));
+  EXPECT_GT(with_motors, accepted / 2);
+}
+
 TEST_F(RandomArms, AJointThatMovesNoMassCostsForwardDynamicsAlone) {
   const auto arm = read(R"toml(name = "light_hand"
 title = "the second link has no mass"

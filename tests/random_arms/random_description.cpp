@@ -9,9 +9,10 @@ namespace {
 
 class Writer {
  public:
-  Writer(std::uint32_t seed, bool with_inertia, bool with_followers = false)
-      : random_(seed + 1), with_inertia_(with_inertia), with_followers_(with_followers) {
-    joints_ = with_followers ? 2 + below(5) : 1 + below(8);
+  enum class Moved { alone, by_others, by_motors };
+  Writer(std::uint32_t seed, bool with_inertia, Moved moved = Moved::alone)
+      : random_(seed + 1), with_inertia_(with_inertia), moved_(moved) {
+    joints_ = moved == Moved::alone ? 1 + below(8) : 2 + below(5);
     plain_ = below(4) == 0;  // right angles and simple offsets alone
   }
 
@@ -22,7 +23,7 @@ class Writer {
     if (form >= 2) text += form == 2 ? "convention = \"standard\"\n" : "convention = \"modified\"\n";
     for (const char* frame : {"base", "tool"})
       if (form != 0 && below(3) == 0) text += constant_frame(frame);
-    return text + body;
+    return text + body + motors_;
   }
 
  private:
@@ -104,7 +105,8 @@ class Writer {
 
   /// The second joint follows the first, others one before them now and then.
   std::string follows(int i, bool slides, const std::string& variable) {
-    if (!with_followers_) return "";
+    if (moved_ == Moved::by_motors) return follows_motors(i, variable);
+    if (moved_ == Moved::alone) return "";
     if (i == 0 || (i > 1 && below(3) > 0)) {
       leaders_.push_back(variable);
       return "";
@@ -114,6 +116,38 @@ class Writer {
            "\nratio = " + quoted(pick({"-1", "1", "2/3", "1.06", "-0.5", "-7/3"})) +
            "\noffset = " + quoted(offset) +
            "\nviscous_friction = 0.3\ncoulomb_friction = 0.2\nrotor_inertia = 0.01\n";
+  }
+
+  std::string new_motor(int i) {
+    const std::string name = "m" + std::to_string(i + 1);
+    motors_ += "\n[[motor]]\nvariable = \"" + name + "\"\nrotor_inertia = " + pick({"0.02", "0.3"}) +
+               "\nviscous_friction = 0.1\ncoulomb_friction = 0.2\n";
+    return name;
+  }
+
+  std::string factor() { return pick({"", "1/2 ", "2/3 ", "1.06 ", "3 ", "7/3*"}); }
+
+  /// Joint i of a pair has half the sum, the next one half the difference, of their motors; of others the
+  /// last motor or none is among those that the joint follows.
+  std::string follows_motors(int i, const std::string& variable) {
+    const std::string own = "m" + std::to_string(i + 1), before = "m" + std::to_string(i);
+    std::string sum;
+    if (second_of_pair_) {
+      new_motor(i);
+      sum = "(" + before + " - " + own + ")/2 - 20 deg";
+      second_of_pair_ = false;
+    } else if (i + 1 < joints_ && below(3) == 0) {
+      new_motor(i);
+      sum = "1/2 " + own + " + 0.5 m" + std::to_string(i + 2);
+      second_of_pair_ = true;
+    } else if (i > 0 && below(4) > 0) {
+      sum = (below(2) == 0 ? "-" : "") + factor() + new_motor(i);
+      for (const std::string& other : leaders_)
+        if (below(2) == 0) sum += (below(2) == 0 ? " + " : " - ") + factor() + other;
+    }
+    leaders_.push_back(sum.empty() ? variable : own);
+    if (sum.find(' ') == std::string::npos && !sum.empty()) sum += " + 0.3 rad";
+    return sum.empty() ? "" : "follows = " + quoted(sum) + "\nviscous_friction = 0.3\nrotor_inertia = 0.01\n";
   }
 
   std::string joint_tables() {
@@ -162,7 +196,9 @@ class Writer {
 
   std::mt19937 random_;
   bool with_inertia_;
-  bool with_followers_;
+  Moved moved_;
+  bool second_of_pair_ = false;
+  std::string motors_;
   std::vector<std::string> leaders_;
   int joints_ = 1;
   bool plain_ = false;
@@ -173,7 +209,11 @@ class Writer {
 std::string random_description(std::uint32_t seed) { return Writer(seed, false).write(seed); }
 std::string random_description_with_inertia(std::uint32_t seed) { return Writer(seed, true).write(seed); }
 std::string random_description_with_followers(std::uint32_t seed) {
-  return Writer(seed, true, true).write(seed);
+  return Writer(seed, true, Writer::Moved::by_others).write(seed);
+}
+
+std::string random_description_with_motors(std::uint32_t seed) {
+  return Writer(seed, true, Writer::Moved::by_motors).write(seed);
 }
 
 }  // namespace qvgen::test

@@ -17,4 +17,8 @@ std::string random_description_with_inertia(std::uint32_t seed);
 /// Chains of two to six joints with inertia, of which some follow others.
 std::string random_description_with_followers(std::uint32_t seed);
 
+/// Chains of two to six joints with inertia that follow motors, by invertible rational matrices: pairs by
+/// sums and differences, others by a motor and joints or motors before it. Motors have drives of their own.
+std::string random_description_with_motors(std::uint32_t seed);
+
 }  // namespace qvgen::test

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "derive/dynamics/chain.h"
 
+#include <algorithm>
 #include <optional>
 #include <stdexcept>
 
@@ -9,6 +10,7 @@
 #include "derive/dynamics/rotation_sequence.h"
 #include "exact/constant_angle.h"
 #include "model/coordinates.h"
+#include "model/followers.h"
 #include "model/mechanism.h"
 
 namespace qvgen::derive::dynamics {
@@ -104,6 +106,7 @@ class ChainBuilder {
       stands_[j] = {chain_.links.size() - 1, next ? passage_of(way_from_joint(j, *next)) : last_passage()};
       leave(j, stands_[j].next);
     }
+    if (inertias_ == Inertias::described) read_motors();
     return std::move(chain_);
   }
 
@@ -253,6 +256,17 @@ class ChainBuilder {
     link.rotor = to_scalar(joint.drive.rotor_inertia, graph_);
     link.viscous = to_scalar(joint.drive.viscous_friction, graph_);
     link.coulomb = to_scalar(joint.drive.coulomb_friction, graph_);
+  }
+
+  void read_motors() {
+    const std::vector<std::string> variables = model::variables(robot_);
+    for (const model::Motor& motor : robot_.motors) {
+      const auto place = std::find(variables.begin(), variables.end(), motor.variable);
+      chain_.motors.push_back({motor.variable, static_cast<std::size_t>(place - variables.begin()),
+                               to_scalar(motor.drive.rotor_inertia, graph_),
+                               to_scalar(motor.drive.viscous_friction, graph_),
+                               to_scalar(motor.drive.coulomb_friction, graph_)});
+    }
   }
 
   const model::Robot& robot_;

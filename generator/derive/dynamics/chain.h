@@ -43,10 +43,18 @@ struct Way {
 /// Returns the ways of a link: one behind a joint, six of a floating base, none without motion.
 std::vector<Way> ways_of(const Link& link);
 
+/// Drive of a motor that is no joint.
+struct MotorDrive {
+  std::string variable;
+  std::size_t driven = 0;  ///< index among the robot's motors (model/followers.h)
+  Scalar rotor, viscous, coulomb;
+};
+
 /// A robot in those frames. Lengths and inertias are exact expressions of the description's symbols. A
 /// floating base is link 0, in its own frame.
 struct Chain {
   std::vector<Link> links;
+  std::vector<MotorDrive> motors;  ///< those with a drive of their own
   exact::Angle
       yaw;        ///< links without a parent start from a frame that is the world's turned by this about z,
   Vector3 start;  ///< with its origin here in the world

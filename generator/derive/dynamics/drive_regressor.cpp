@@ -63,11 +63,11 @@ dag::Edge factor_of(DriveParameter kind, const cln::cl_RA& ratio, const std::str
 std::vector<DriveColumn> columns_of_drives(const model::Robot& robot, const std::vector<bool>& reversed,
                                            DriveParameter kind, Regressor& regressor) {
   dag::Graph& graph = regressor.formulation.function.graph;
-  const std::vector<model::Share> shares = model::shares(robot);
+  const std::vector<std::vector<model::Share>> shares = model::shares(robot);
   const std::vector<std::string> variables = model::variables(robot);
   std::vector<DriveColumn> columns;
   for (std::size_t i = 0; i < shares.size(); ++i) {
-    const auto& [driven, ratio] = shares[i];
+    const auto& [driven, ratio] = shares[i].front();
     const bool opposite = !reversed.empty() && reversed[i];
     DriveColumn column{short_names().at(kind) + std::to_string(i + 1),
                        std::vector<dag::Edge>(variables.size(), graph.constant(0)),
@@ -117,6 +117,8 @@ void join(const DriveColumn& column, const Relation& relation, std::vector<Drive
 }  // namespace
 
 DriveRegressor regressor_with_drives(const model::Robot& robot, const std::vector<bool>& reversed) {
+  if (!robot.motors.empty())
+    throw std::domain_error("joints follow motors that are no joints, whose drives have no columns");
   DriveRegressor result{regressor(robot), {}};
   Regressor& regressor = result.regressor;
   const std::size_t rows = model::driven_count(robot);

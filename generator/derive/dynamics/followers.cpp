@@ -13,25 +13,31 @@ Scalar times(const cln::cl_RA& ratio, const Scalar& value, dag::Graph& graph) {
 }
 
 /// One for each coordinate of the base and each joint; nothing of the base follows.
-std::vector<model::Share> shares_of_coordinates(const model::Robot& robot) {
+std::vector<std::vector<model::Share>> shares_of_coordinates(const model::Robot& robot) {
   const std::size_t base = model::base_motions(robot);
-  std::vector<model::Share> result;
-  for (std::size_t k = 0; k < base; ++k) result.push_back({k, 1});
-  for (const model::Share& share : model::shares(robot)) result.push_back({base + share.driven, share.ratio});
+  std::vector<std::vector<model::Share>> result;
+  for (std::size_t k = 0; k < base; ++k) result.push_back({{k, 1}});
+  for (std::vector<model::Share> row : model::shares(robot)) {
+    for (model::Share& share : row) share.driven += base;
+    result.push_back(std::move(row));
+  }
   return result;
 }
 
 }  // namespace
 
 Formulation in_rates_of_leaders(const model::Robot& robot, Formulation formulation) {
-  std::map<std::string, passes::Multiple> rates;
+  std::map<std::string, std::vector<passes::Multiple>> rates;
   for (const model::Joint& joint : robot.joints) {
-    if (!joint.follows) continue;
-    const std::string& leader = robot.joints[joint.follows->joint].variable;
-    const cln::cl_RA& ratio = joint.follows->ratio;
-    rates[velocity_of(joint.variable)] = {velocity_of(leader), ratio};
-    rates[acceleration_of(joint.variable)] = {acceleration_of(leader), ratio};
-    rates[direction_of(joint.variable)] = {direction_of(leader), cln::signum(ratio)};
+    for (const auto& [leader, ratio] : joint.follows) {
+      rates[velocity_of(joint.variable)].push_back({velocity_of(leader), ratio});
+      rates[acceleration_of(joint.variable)].push_back({acceleration_of(leader), ratio});
+    }
+    // A joint of several leaders has no Coulomb friction, whose direction would not be linear in theirs.
+    if (joint.follows.size() == 1) {
+      const auto& [leader, ratio] = joint.follows.front();
+      rates[direction_of(joint.variable)] = {{direction_of(leader), cln::signum(ratio)}};
+    }
   }
   formulation.function = passes::substitute(formulation.function, rates);
   return formulation;
@@ -46,13 +52,14 @@ std::vector<Scalar> gathered(const model::Robot& robot, const std::vector<Scalar
 
 Entries gathered(const model::Robot& robot, const Entries& entries, dag::Graph& graph) {
   if (!model::has_followers(robot)) return entries;
-  const std::vector<model::Share> shares = shares_of_coordinates(robot);
+  const std::vector<std::vector<model::Share>> shares = shares_of_coordinates(robot);
   Entries result;
-  for (const auto& [place, value] : entries) {
-    const model::Share &row = shares[place.first], &column = shares[place.second];
-    Scalar& sum = result[{row.driven, column.driven}];
-    sum = sum + times(row.ratio * column.ratio, value, graph);
-  }
+  for (const auto& [place, value] : entries)
+    for (const model::Share& row : shares[place.first])
+      for (const model::Share& column : shares[place.second]) {
+        Scalar& sum = result[{row.driven, column.driven}];
+        sum = sum + times(row.ratio * column.ratio, value, graph);
+      }
   return result;
 }
 

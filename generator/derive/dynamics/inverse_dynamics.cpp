@@ -85,6 +85,16 @@ class Recursion {
     return joint;
   }
 
+  /// Force that a motor takes for itself.
+  Scalar force(const MotorDrive& motor) {
+    Scalar sum;
+    if (effects_ == Effects::all || effects_ == Effects::bias)
+      sum = motor.viscous * symbol(velocity_of(motor.variable)) +
+            motor.coulomb * symbol(direction_of(motor.variable));
+    if (effects_ == Effects::all) sum = sum + motor.rotor * symbol(acceleration_of(motor.variable));
+    return sum;
+  }
+
   void find_neighbours() {
     for (std::size_t j = 0; j < joints_.size(); ++j) {
       if (joints_[j].parent == no_link) continue;
@@ -332,8 +342,10 @@ class Recursion {
   void finish(dag::Function& out, const std::vector<Scalar>& of_all) {
     const auto joints = of_all.begin() + static_cast<std::ptrdiff_t>(model::base_motions(robot_));
     std::vector<Scalar> forces(of_all.begin(), joints);
-    const std::vector<Scalar> of_joints(joints, of_all.end());
-    for (const Scalar& force : gathered(robot_, of_joints, graph_)) forces.push_back(force);
+    std::vector<Scalar> torques = gathered(robot_, std::vector<Scalar>(joints, of_all.end()), graph_);
+    for (const MotorDrive& motor : p_.chain.motors)
+      torques[motor.driven] = torques[motor.driven] + force(motor);
+    forces.insert(forces.end(), torques.begin(), torques.end());
     for (std::size_t i = 0; i < forces.size(); ++i)
       out.outputs.push_back({"tau" + std::to_string(i + 1), forces[i].in(graph_)});
   }

@@ -42,10 +42,15 @@ class CompositeBodies {
         behind[link.parent] = behind[link.parent] + inward_.transform_to_parent(j, composite);
     }
     // Joints that do not carry one another do not feel one another.
-    const std::size_t size = model::base_motions(robot_) + robot_.joints.size();
+    const std::size_t base = model::base_motions(robot_), size = base + robot_.joints.size();
     for (std::size_t i = 0; i < size; ++i)
       for (std::size_t k = i; k < size; ++k) entries_.try_emplace({i, k});
-    for (const auto& [place, value] : gathered_symmetric(robot_, entries_, graph_))
+    Entries gathered = gathered_symmetric(robot_, entries_, graph_);
+    for (const MotorDrive& motor : p_.chain.motors) {
+      Scalar& inertia = gathered[{base + motor.driven, base + motor.driven}];
+      inertia = inertia + motor.rotor;
+    }
+    for (const auto& [place, value] : gathered)
       out.outputs.push_back(
           {"m" + std::to_string(place.first + 1) + "_" + std::to_string(place.second + 1), value.in(graph_)});
   }

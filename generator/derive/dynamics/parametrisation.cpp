@@ -18,6 +18,8 @@ std::vector<Scalar*> constants_of(Parametrisation& p) {
       for (std::size_t column = row; column < 4; ++column) result.push_back(&link.inertia.at(row, column));
   }
   for (Scalar& component : p.chain.tool) result.push_back(&component);
+  for (MotorDrive& motor : p.chain.motors)
+    for (Scalar* value : {&motor.rotor, &motor.viscous, &motor.coulomb}) result.push_back(value);
   return result;
 }
 

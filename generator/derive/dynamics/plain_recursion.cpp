@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "derive/dynamics/plain_recursion.h"
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "derive/dynamics/drive_parameters.h"
@@ -85,13 +86,22 @@ PlainRecursion::PlainRecursion(const model::Robot& robot, const exact::ExactPoin
     link.rotor = number_of(joint.drive.rotor_inertia);
     link.viscous = number_of(joint.drive.viscous_friction);
     link.coulomb = number_of(joint.drive.coulomb_friction);
-    const model::Share& share = shares_[links_.size()];
+    // Coulomb friction of joints with several leaders is refused by the readers.
+    const model::Share& share = shares_[links_.size()].front();
     const std::string& leader = driven_[base_motions_ + share.driven];
     link.direction = Number(cln::signum(share.ratio)) * point.symbol(direction_of(leader));
     link.centre = vector_of(joint.inertia.centre_of_mass);
     link.inertia = tensor_of(joint.inertia);
     links_.push_back(link);
   }
+  for (const model::Joint& joint : model::driven_joints(robot)) drives_.push_back(drive_of(robot, joint));
+}
+
+PlainRecursion::Drive PlainRecursion::drive_of(const model::Robot& robot, const model::Joint& driven) const {
+  const auto is_it = [&](const model::Joint& joint) { return joint.variable == driven.variable; };
+  if (std::any_of(robot.joints.begin(), robot.joints.end(), is_it)) return {};
+  return {number_of(driven.drive.rotor_inertia), number_of(driven.drive.viscous_friction),
+          number_of(driven.drive.coulomb_friction), point_.symbol(direction_of(driven.variable))};
 }
 
 Number PlainRecursion::number_of(const model::Expression& expression) const {
@@ -149,6 +159,7 @@ PlainRecursion::Frame PlainRecursion::frame_of(const model::Displacement& displa
 }
 
 void PlainRecursion::take_standard_parameters() {
+  drives_.assign(size(), {});
   for (std::size_t i = 0; i < links_.size(); ++i) {
     Link& link = links_[i];
     const auto value = [&](std::size_t k) { return point_.symbol(standard_parameter(10 * i + k)); };
@@ -178,6 +189,7 @@ void PlainRecursion::take_drive_parameters() {
 
 void PlainRecursion::remove_friction() {
   for (Link& link : links_) link.viscous = link.coulomb = 0;
+  for (Drive& drive : drives_) drive.viscous = drive.coulomb = 0;
 }
 
 PlainRecursion::Values PlainRecursion::rates() const {
@@ -231,8 +243,12 @@ bool PlainRecursion::carries(std::size_t i, std::size_t k) const {
 
 PlainRecursion::Values PlainRecursion::of_chain(const Values& coordinates) const {
   Values values;
-  for (const model::Share& share : shares_)
-    values.push_back(Number(share.ratio) * coordinates[base_motions_ + share.driven]);
+  for (const std::vector<model::Share>& row : shares_) {
+    Number sum = 0;
+    for (const model::Share& share : row)
+      sum = sum + Number(share.ratio) * coordinates[base_motions_ + share.driven];
+    values.push_back(sum);
+  }
   return values;
 }
 
@@ -258,9 +274,16 @@ PlainRecursion::Values PlainRecursion::inverse_dynamics(const Values& rates, con
                                                        of_chain(rates), of_chain(accelerations), load);
   Values result(size());
   for (std::size_t k = 0; k < base_motions_; ++k) result[k] = k < 3 ? force[k] : moment[k - 3];
-  for (std::size_t i = 0; i < joints.size(); ++i) {
-    Number& sum = result[base_motions_ + shares_[i].driven];
-    sum = sum + Number(shares_[i].ratio) * joints[i];
+  for (std::size_t i = 0; i < joints.size(); ++i)
+    for (const model::Share& share : shares_[i]) {
+      Number& sum = result[base_motions_ + share.driven];
+      sum = sum + Number(share.ratio) * joints[i];
+    }
+  for (std::size_t k = 0; k < drives_.size(); ++k) {
+    const Drive& drive = drives_[k];
+    const std::size_t at = base_motions_ + k;
+    const Number coulomb = rates[at].is_zero() ? Number(0) : drive.coulomb * drive.direction;
+    result[at] = result[at] + drive.rotor * accelerations[at] + drive.viscous * rates[at] + coulomb;
   }
   return result;
 }
@@ -362,6 +385,7 @@ Number PlainRecursion::kinetic_energy(const Values& driven) const {
     twice = twice + link.mass * dot(centre_velocity, centre_velocity) + dot(local, link.inertia * local) +
             link.rotor * rates[i] * rates[i];
   }
+  for (std::size_t k = 0; k < size(); ++k) twice = twice + drives_[k].rotor * driven[k] * driven[k];
   return twice / Number(2);
 }
 

@@ -124,8 +124,16 @@ class PlainRecursion {
   Frame base_;
   Vector tool_;  ///< in the last link's frame
   std::vector<Link> links_;
-  std::vector<model::Share> shares_;  ///< of the chain's joints
-  std::vector<std::string> driven_;  ///< coordinates: those of the base, variables of joints that follow none
+  /// Drive of a motor: inertia, friction of both kinds, and the sign of its rate.
+  struct Drive {
+    Number rotor, viscous, coulomb, direction;
+  };
+  /// Nothing for a joint: its link has the drive.
+  [[nodiscard]] Drive drive_of(const model::Robot& robot, const model::Joint& driven) const;
+
+  std::vector<std::vector<model::Share>> shares_;  ///< of the chain's joints
+  std::vector<std::string> driven_;  ///< coordinates: those of the base, variables of the motors
+  std::vector<Drive> drives_;        ///< by motor
   std::size_t base_motions_ = 0;
   Number base_mass_;  ///< of a floating base
   Vector base_centre_{};

@@ -178,12 +178,7 @@ bool has_one_too_many(const Robot& robot) {
 
 /// Says why no joint of so many may be given.
 std::string joints_over(std::size_t count) {
-  const std::string number = std::to_string(count);
-  if (count > 7)
-    return "of " + number + " joints " + std::to_string(count - 6) +
-           " would have to be given, and only one can be: describe the arm without the first or the last of "
-           "them, and give poses as they are seen from there";
-  return "here, " + number + " joints leave none over";
+  return "here, " + std::to_string(count) + " joints leave none over";
 }
 
 }  // namespace

@@ -65,9 +65,9 @@ json parameters_of(const model::Robot& robot) {
 }
 
 bool has_friction(const model::Robot& robot) {
-  return std::any_of(robot.joints.begin(), robot.joints.end(), [](const model::Joint& joint) {
-    return !joint.drive.coulomb_friction.is_literal_zero();
-  });
+  const auto has = [](const auto& moving) { return !moving.drive.coulomb_friction.is_literal_zero(); };
+  return std::any_of(robot.joints.begin(), robot.joints.end(), has) ||
+         std::any_of(robot.motors.begin(), robot.motors.end(), has);
 }
 
 bool has_defaults(const model::Robot& robot) {

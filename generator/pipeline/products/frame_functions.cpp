@@ -49,16 +49,18 @@ optimise::Optimised frames_in_terms_of_leaders(const model::Robot& described, op
 /// A column for each joint that follows none: those of the chain's joints up to the frame by their ratios,
 /// and zeros for joints that do not move it.
 void gather_columns(const model::Robot& described, std::size_t joints, dag::Function& function) {
-  const std::vector<model::Share> shares = model::shares(described);
+  const std::vector<std::vector<model::Share>> shares = model::shares(described);
   const std::size_t columns = model::driven_count(described);
   std::vector<dag::Output> gathered;
   for (std::size_t row = 0; row < 6; ++row) {
     std::vector<dag::Edge> sums(columns, function.graph.constant(0));
     for (std::size_t i = 0; i < joints; ++i) {
       const dag::Edge entry = function.outputs.at(row * joints + i).value;
-      const dag::Edge ratio = function.graph.constant(exact::Number(shares[i].ratio));
-      dag::Edge& sum = sums[shares[i].driven];
-      sum = function.graph.sum({sum, function.graph.product({ratio, entry})});
+      for (const model::Share& share : shares[i]) {
+        const dag::Edge ratio = function.graph.constant(exact::Number(share.ratio));
+        dag::Edge& sum = sums[share.driven];
+        sum = function.graph.sum({sum, function.graph.product({ratio, entry})});
+      }
     }
     for (std::size_t column = 0; column < columns; ++column)
       gathered.push_back({derive::jacobian_entry(row, column), sums[column]});

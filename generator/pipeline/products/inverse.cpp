@@ -21,11 +21,13 @@
 #include "emit/render.h"
 #include "emit/template_values.h"
 #include "model/evaluate.h"
+#include "model/followers.h"
 #include "model/tasks.h"
 #include "pipeline/c_files.h"
 #include "pipeline/pipeline.h"
 #include "pipeline/products/inverse_derivation.h"
 #include "pipeline/products/inverse_elimination.h"
+#include "pipeline/products/inverse_motors.h"
 #include "pipeline/products/inverse_values.h"
 #include "pipeline/products/inverse_variant.h"
 #include "verify/inverse/certify.h"
@@ -232,9 +234,12 @@ void add_reasons(const InverseDerivation& derivation, RobotOutput& output) {
 
 void generate_inverse(const model::Robot& described, RobotOutput& output) {
   const InverseDerivation derivation = derive_inverse(described);
-  if (!derivation.eliminations.empty()) return add_eliminations(described, derivation.eliminations, output);
+  if (!derivation.eliminations.empty()) return add_eliminations(described, derivation, output);
   if (!derivation.found()) return add_reasons(derivation, output);
-  const json values = values_of(described, derivation, Language::cxx, output);
+  json values = values_of(derivation.arm, derivation, Language::cxx, output);
+  add_motors(described, values);
+  add_outer_joints(described, derivation.outer, values);
+  take_outer_names(values, output.counts);
   output.files.push_back(
       {"include/qvgen/robots/" + described.name + "/inverse.h", emit::render("cpp/inverse.h", values)});
   const std::string sources = "source/" + described.name + "/";
@@ -246,7 +251,19 @@ void generate_inverse(const model::Robot& described, RobotOutput& output) {
 }
 
 void generate_inverse_c(const model::Robot& described, RobotOutput& output) {
+  if (model::has_followers(described) && obstacle_of_motors(described).empty()) {
+    output.missing.push_back({"inverse", Missing::Kind::not_in_language,
+                              "joints follow motors: it is written in C++, and --only c_inverse, without "
+                              "--language, makes a C header for that"});
+    return;
+  }
   const InverseDerivation derivation = derive_inverse(described);
+  if (derivation.outer && derivation.found()) {
+    output.missing.push_back({"inverse", Missing::Kind::not_in_language,
+                              "several joints are given: it is written in C++, and --only c_inverse, without "
+                              "--language, makes a C header for that"});
+    return;
+  }
   if (!derivation.eliminations.empty()) {
     output.missing.push_back(
         {"inverse", Missing::Kind::not_in_language,

@@ -10,6 +10,7 @@
 #include "emit/inverse/target.h"
 #include "emit/template_values.h"
 #include "pipeline/products/inverse_derivation.h"
+#include "pipeline/products/inverse_motors.h"
 #include "pipeline/products/inverse_values.h"
 #include "pipeline/products/inverse_variant.h"
 
@@ -93,8 +94,9 @@ json variant(const model::Robot& described, const derive::inverse::EliminationDe
 
 }  // namespace
 
-json inverse_batch_values(const model::Robot& described) {
-  const InverseDerivation derivation = derive_inverse(described);
+json inverse_batch_values(const model::Robot& robot) {
+  const InverseDerivation derivation = derive_inverse(robot);
+  const model::Robot& described = derivation.arm;
   json values{{"name", described.name}, {"variants", json::array()}};
   for (const derive::inverse::Derivation& form : derivation.closed_forms)
     values["variants"].push_back(variant(described, form));
@@ -103,6 +105,8 @@ json inverse_batch_values(const model::Robot& described) {
   const json& variants = values["variants"];
   values["has_lanes"] = std::any_of(variants.begin(), variants.end(),
                                     [](const json& each) { return each["lanes"].is_object(); });
+  add_motors(robot, values);
+  add_outer_joints(robot, derivation.outer, values);
   return values;
 }
 

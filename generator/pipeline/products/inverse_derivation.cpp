@@ -6,6 +6,7 @@
 #include "model/followers.h"
 #include "model/private_names.h"
 #include "pipeline/products/brief_reasons.h"
+#include "pipeline/products/inverse_motors.h"
 
 namespace qvgen::pipeline {
 namespace {
@@ -39,15 +40,31 @@ bool has_faint_quartic(const model::Robot& described, const InverseDerivation& d
 void replace_by_eliminations(const model::Robot& described, InverseDerivation& derivation) {
   derive::inverse::EliminationDerivations derivations = derive::inverse::derive_eliminations(described);
   if (derivations.found.empty()) return;
-  derivation = {{}, std::move(derivations.found), {}};
+  derivation.closed_forms.clear();
+  derivation.reasons.clear();
+  derivation.eliminations = std::move(derivations.found);
 }
 
-}  // namespace
+/// Leaves out forms with a given joint that is no motor: the caller has no value for it.
+template <class Form>
+void leave_out_coupled(const model::Robot& robot, std::vector<Form>& forms,
+                       std::vector<std::string>& reasons) {
+  const auto is_coupled = [&](const Form& form) {
+    const int given = form.problem.given;
+    return given >= 0 && !robot.joints[static_cast<std::size_t>(given)].follows.empty();
+  };
+  for (const Form& form : forms)
+    if (is_coupled(form))
+      reasons.push_back("with " + robot.joints[static_cast<std::size_t>(form.problem.given)].variable +
+                        " given: it follows motors, none of which is given then");
+  std::erase_if(forms, is_coupled);
+}
 
-InverseDerivation derive_inverse(const model::Robot& described) {
+InverseDerivation derive_without_outer_joints(const model::Robot& robot) {
+  const model::Robot described = model::in_joints(robot);
   InverseDerivation result;
-  if (model::has_followers(described)) {
-    result.reasons = {"a joint follows another, and none is derived for such arms"};
+  if (const std::string reason = obstacle_of_motors(robot); !reason.empty()) {
+    result.reasons = {reason};
     return result;
   }
   const bool has_no_structure = derive::inverse::lacks_structure(described);
@@ -55,8 +72,33 @@ InverseDerivation derive_inverse(const model::Robot& described) {
   if (!result.found()) add_closed_forms(described, result);
   if (!result.found() && !has_no_structure) add_eliminations(described, result);
   if (has_faint_quartic(described, result)) replace_by_eliminations(described, result);
+  leave_out_coupled(robot, result.closed_forms, result.reasons);
+  leave_out_coupled(robot, result.eliminations, result.reasons);
   result.reasons = brief_reasons(result.reasons, described.joints.size());
+  result.arm = described;
   return result;
+}
+
+/// The first way to give several joints that leads to something.
+InverseDerivation derive_with_outer_joints(const model::Robot& robot) {
+  InverseDerivation result;
+  result.reasons = {reason_against_giving(robot)};
+  const bool is_for_poses = robot.inverse.task.value_or(model::Task::pose) == model::Task::pose;
+  if (!is_for_poses || model::has_followers(robot)) return result;
+  for (const OuterJoints& way : ways_to_give(robot)) {
+    result = derive_without_outer_joints(way.inner);
+    result.outer = way;
+    if (result.found()) break;
+  }
+  return result;
+}
+
+}  // namespace
+
+InverseDerivation derive_inverse(const model::Robot& robot) {
+  constexpr std::size_t most_joints_with_one_given = 7;
+  return robot.joints.size() > most_joints_with_one_given ? derive_with_outer_joints(robot)
+                                                          : derive_without_outer_joints(robot);
 }
 
 }  // namespace qvgen::pipeline

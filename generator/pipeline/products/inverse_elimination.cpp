@@ -9,6 +9,7 @@
 #include "emit/inverse/arm.h"
 #include "emit/render.h"
 #include "emit/template_values.h"
+#include "pipeline/products/inverse_motors.h"
 #include "pipeline/products/inverse_variant.h"
 #include "verify/inverse/certify_rows.h"
 
@@ -103,22 +104,25 @@ json variant(const model::Robot& described, const EliminationDerivation& derivat
 
 }  // namespace
 
-void add_eliminations(const model::Robot& described, const std::vector<EliminationDerivation>& derivations,
-                      RobotOutput& output) {
+void add_eliminations(const model::Robot& robot, const InverseDerivation& derived, RobotOutput& output) {
+  const model::Robot& described = derived.arm;
   json values{{"name", described.name},
               {"variants", json::array()},
               {"arm", emit::arm_values(described, emit::cpp())}};
   nlohmann::ordered_json targets;
-  for (const EliminationDerivation& derivation : derivations) {
+  for (const EliminationDerivation& derivation : derived.eliminations) {
     values["variants"].push_back(variant(described, derivation));
     add_targets(derivation.problem, values["variants"].back(), targets);
   }
   conclude_variants(values);
+  add_motors(robot, values);
+  add_outer_joints(robot, derived.outer, values);
   output.files.push_back(
       {"include/qvgen/robots/" + described.name + "/inverse.h", emit::render("cpp/inverse.h", values)});
   output.files.push_back(
       {"source/" + described.name + "/inverse.cpp", emit::render("cpp/inverse_elimination.cpp", values)});
   output.counts["targets"] = targets;
+  take_outer_names(values, output.counts);
 }
 
 }  // namespace qvgen::pipeline

@@ -32,27 +32,26 @@ std::string number(const model::Expression& expression, const model::Robot& robo
 
 using Greatest = std::optional<model::Expression> model::Joint::*;
 
-/// The limit of a joint that leads, infinite if it has none: where those that follow it have theirs, the
-/// tighter one.
-double greatest(const model::Robot& robot, std::size_t index, Greatest limit) {
+/// The limit of a motor, infinite if it has none: where joints that follow it alone have theirs, the tighter
+/// one.
+double greatest(const model::Robot& robot, const model::Joint& motor, Greatest limit) {
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
-    const model::Joint& joint = robot.joints[i];
-    const bool follows = joint.follows && joint.follows->joint == index;
-    if ((i != index && !follows) || !(joint.*limit)) continue;
-    // A follower is as many times as fast as its ratio says; its force is not shared out here.
-    if (follows && limit != &model::Joint::greatest_velocity) continue;
-    const double ratio = follows ? std::abs(cln::double_approx(joint.follows->ratio)) : 1;
+  if (motor.*limit) least = value_of(*(motor.*limit), robot);
+  // A follower is as many times as fast as its ratio says; its force is not shared out here.
+  if (limit != &model::Joint::greatest_velocity) return least;
+  for (const model::Joint& joint : robot.joints) {
+    if (joint.follows.size() != 1 || joint.follows.front().variable != motor.variable || !(joint.*limit))
+      continue;
+    const double ratio = std::abs(cln::double_approx(joint.follows.front().ratio));
     least = std::min(least, value_of(*(joint.*limit), robot) / ratio);
   }
   return least;
 }
 
-/// One entry for each joint that follows none.
+/// One entry for each motor.
 std::vector<double> greatest_of_all(const model::Robot& robot, Greatest limit) {
   std::vector<double> list;
-  for (std::size_t i = 0; i < robot.joints.size(); ++i)
-    if (!robot.joints[i].follows) list.push_back(greatest(robot, i, limit));
+  for (const model::Joint& motor : model::driven_joints(robot)) list.push_back(greatest(robot, motor, limit));
   return list;
 }
 
@@ -76,11 +75,14 @@ json joint(const model::Joint& joint, const model::Robot& robot, bool last) {
 /// Returns the lines about joints that have no variable of their own.
 json follower_lines(const model::Robot& robot) {
   json lines = json::array();
-  for (const model::Joint& joint : robot.joints)
-    if (joint.follows)
+  for (const model::Joint& joint : robot.joints) {
+    if (joint.follows.size() == 1)
       lines.push_back(
-          {{"text", joint.variable + " follows " + robot.joints[joint.follows->joint].variable +
-                        " by the ratio " + to_string(model::Expression(joint.follows->ratio)) + "."}});
+          {{"text", joint.variable + " follows " + joint.follows.front().variable + " by the ratio " +
+                        to_string(model::Expression(joint.follows.front().ratio)) + "."}});
+    else if (!joint.follows.empty())
+      lines.push_back({{"text", joint.variable + " follows " + model::relation_text(joint.follows) + "."}});
+  }
   return lines;
 }
 
@@ -92,7 +94,7 @@ void generate_model_header(const model::Robot& robot, RobotOutput& output) {
   values["source"] = robot.source.empty() ? json(false) : json(robot.source);
   values["followers"] = follower_lines(robot);
   values["joints"] = json::array();
-  const std::vector<model::Joint> joints = model::without_followers(robot).joints;
+  const std::vector<model::Joint> joints = model::driven_joints(robot);
   for (const model::Joint& each : joints)
     values["joints"].push_back(joint(each, robot, &each == &joints.back()));
   values["velocities"] = values_of(greatest_of_all(robot, &model::Joint::greatest_velocity));
@@ -130,7 +132,7 @@ void generate_model_c(const model::Robot& robot, RobotOutput& output) {
   const std::vector<double> velocities = greatest_of_all(robot, &model::Joint::greatest_velocity);
   const std::vector<double> efforts = greatest_of_all(robot, &model::Joint::greatest_effort);
   std::vector<emit::c::Joint> joints;
-  for (const model::Joint& joint : model::without_followers(robot).joints) {
+  for (const model::Joint& joint : model::driven_joints(robot)) {
     const std::size_t place = joints.size();
     joints.push_back({joint.variable, joint.type == model::JointType::revolute, std::nullopt,
                       velocities.at(place), efforts.at(place)});

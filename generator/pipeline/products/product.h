@@ -31,6 +31,7 @@ struct Extra {
   /// Adds files, or what is missing.
   void (*add)(const model::Robot& robot, RobotOutput& output);
   bool of_trees = false;
+  bool of_motors = false;  ///< made of robots whose joints follow motors, too
 };
 const std::vector<Extra>& all_extras();
 

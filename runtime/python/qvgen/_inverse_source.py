@@ -16,7 +16,7 @@ TASKS = {
     "orientation": ("Eigen::Quaternion<double>", 4, "[w, x, y, z]: unit quaternion"),
 }
 
-GIVEN = "given: () or (n,): value of {joint}, rad or m"
+GIVEN = "given: () or (n,), of several joints (k,) or (n, k): value of {joint}, rad or m"
 
 ALL = """  m.def("{name}",
         [](const py::object& {target}, {given_parameter}const py::object& seed, const py::object& limits,
@@ -156,7 +156,7 @@ def inverse_source(name, taken):
     joint = name.partition("_given_")[2]
     target = "pose" if taken == ["pose"] else "target"
     given = GIVEN.format(joint=joint) + "\n" if joint else ""
-    has_given = "true" if joint else "false"
+    has_given = f"1 + arm::inverse_info_given_{joint}.more_given" if joint else "0"
     values = {"name": name, "target": target, "has_given": has_given, "given": "given" if joint else "{}",
               "given_parameter": "const py::object& given, " if joint else "",
               "given_keyword": 'py::arg("given"), ' if joint else ""}

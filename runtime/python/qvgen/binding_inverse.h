@@ -3,9 +3,11 @@
 
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include <qvgen/inverse/arm_angle.h>
 #include <qvgen/inverse/joint_limits.h>
+#include <qvgen/inverse/motors.h>
 #include <qvgen/inverse/solutions.h>
 #include <qvgen/inverse/tasks.h>
 
@@ -135,6 +137,11 @@ struct CapacityOf<AllWithinLimits<dof, capacity>> {
   static constexpr bool is_fixed = false;
 };
 
+template <class Map, int capacity>
+struct CapacityOf<AllWithinMotors<Map, capacity>> {
+  static constexpr bool is_fixed = false;
+};
+
 /// Refuses what no machine has room for: arrays of more than 4 GB.
 inline void check_size(std::size_t most, std::size_t rows, int dof) {
   if (static_cast<double>(most) * static_cast<double>(rows) * dof > 5e8)
@@ -180,20 +187,28 @@ py::object each_solution(const std::vector<Rows<double>>& arguments, const Funct
   }
 }
 
-/// solve(target, [given,] [seed,] [limits,] geometry, tolerance) for every row of one kind of target.
-template <class Target, int dof, bool has_given, class Geometry, class Solve>
+/// One number for one given joint, a vector for several.
+inline Shape shape_of_given(int count) { return count == 1 ? Shape{} : Shape{count}; }
+
+/// solve(target, given..., more...), with the given values from the second row.
+template <int... index, class Solve, class Target, class... More>
+auto with_given(std::integer_sequence<int, index...> /*count*/, const Solve& solve,
+                [[maybe_unused]] const double* const* row, const Target& target, const More&... more) {
+  return solve(target, row[1][index]..., more...);
+}
+
+/// solve(target, [given...,] [seed,] [limits,] geometry, tolerance) for every row of one kind of target.
+template <class Target, int dof, int given_count, class Geometry, class Solve>
 py::object solutions_of(const InverseArguments& arguments, const std::optional<JointLimits<dof>>& limits,
                         const Geometry& g, double tolerance, const char* name, const Solve& solve) {
   std::vector<Rows<double>> rows{Rows<double>(arguments.target, {TargetOf<Target>::size}, name)};
-  if constexpr (has_given) rows.emplace_back(arguments.given, Shape{}, "given");
+  if constexpr (given_count > 0) rows.emplace_back(arguments.given, shape_of_given(given_count), "given");
   const std::size_t last = rows.size();
   if (!arguments.seed.is_none()) rows.emplace_back(arguments.seed, Shape{dof}, "seed");
   const auto call = [&](const double* const* row, const auto&... more) {
     const Target target = TargetOf<Target>::read(row[0]);
-    if constexpr (has_given)
-      return solve(target, row[1][0], more..., g, tolerance);
-    else
-      return solve(target, more..., g, tolerance);
+    return with_given(std::make_integer_sequence<int, given_count>(), solve, row, target, more..., g,
+                      tolerance);
   };
   const auto seed = [&](const double* const* row) { return vector<Joints<dof>>(row[last]); };
   if (arguments.seed.is_none()) {
@@ -214,23 +229,23 @@ bool is_of_kind(const py::object& target) {
 }
 
 /// Binds a function that takes a pose, or less (`Reduced`), told apart by the length of their last axis.
-template <class Reduced, int dof, bool has_given, class Geometry, class Solve>
+template <class Reduced, int dof, int given_count, class Geometry, class Solve>
 py::object solutions_of_either(const InverseArguments& arguments,
                                const std::optional<JointLimits<dof>>& limits, const Geometry& g,
                                double tolerance, const Solve& solve) {
   if (is_of_kind<Pose<double>>(arguments.target))
-    return solutions_of<Pose<double>, dof, has_given>(arguments, limits, g, tolerance, "target", solve);
-  return solutions_of<Reduced, dof, has_given>(arguments, limits, g, tolerance, "target", solve);
+    return solutions_of<Pose<double>, dof, given_count>(arguments, limits, g, tolerance, "target", solve);
+  return solutions_of<Reduced, dof, given_count>(arguments, limits, g, tolerance, "target", solve);
 }
 
 /// qvgen.NearSolution of every row of one kind of target. On a path the seed of a row is the last solution
 /// before it.
-template <class Target, int dof, bool has_given, class Geometry, class Solve>
+template <class Target, int dof, int given_count, class Geometry, class Solve>
 py::object near_solutions_of(const InverseArguments& arguments, bool path,
                              const std::optional<JointLimits<dof>>& limits, const Geometry& g,
                              double tolerance, const char* name, const Solve& solve) {
   std::vector<Rows<double>> rows{Rows<double>(arguments.target, {TargetOf<Target>::size}, name)};
-  if constexpr (has_given) rows.emplace_back(arguments.given, Shape{}, "given");
+  if constexpr (given_count > 0) rows.emplace_back(arguments.given, shape_of_given(given_count), "given");
   const std::size_t last = rows.size();
   rows.emplace_back(arguments.seed, Shape{dof}, "seed");
   if (path && rows[last].count() >= 0)
@@ -249,10 +264,8 @@ py::object near_solutions_of(const InverseArguments& arguments, bool path,
       const Target target = TargetOf<Target>::read(row[0]);
       const Joints<dof> seed = path ? before : vector<Joints<dof>>(row[last]);
       const auto call = [&](const auto&... more) {
-        if constexpr (has_given)
-          return solve(target, row[1][0], seed, more..., g, tolerance);
-        else
-          return solve(target, seed, more..., g, tolerance);
+        return with_given(std::make_integer_sequence<int, given_count>(), solve, row, target, seed, more...,
+                          g, tolerance);
       };
       const auto found = limits ? call(*limits) : call();
       outcome[i] = static_cast<int>(found.status);
@@ -266,14 +279,14 @@ py::object near_solutions_of(const InverseArguments& arguments, bool path,
 
 /// Binds the function next to a seed that takes a pose, or less (`Reduced`), told apart by the length of
 /// their last axis.
-template <class Reduced, int dof, bool has_given, class Geometry, class Solve>
+template <class Reduced, int dof, int given_count, class Geometry, class Solve>
 py::object near_solutions_of_either(const InverseArguments& arguments, bool path,
                                     const std::optional<JointLimits<dof>>& limits, const Geometry& g,
                                     double tolerance, const Solve& solve) {
   if (is_of_kind<Pose<double>>(arguments.target))
-    return near_solutions_of<Pose<double>, dof, has_given>(arguments, path, limits, g, tolerance, "target",
-                                                           solve);
-  return near_solutions_of<Reduced, dof, has_given>(arguments, path, limits, g, tolerance, "target", solve);
+    return near_solutions_of<Pose<double>, dof, given_count>(arguments, path, limits, g, tolerance, "target",
+                                                             solve);
+  return near_solutions_of<Reduced, dof, given_count>(arguments, path, limits, g, tolerance, "target", solve);
 }
 
 }  // namespace qvgen::python

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "reference/chain.h"
 
+#include <algorithm>
+
 namespace reference {
 namespace {
 
@@ -16,16 +18,33 @@ Isometry3d motion(const Joint& joint, double value) {
 
 }  // namespace
 
-MatrixXd Chain::coupling() const {
-  const auto rows = static_cast<Eigen::Index>(joints.size());
-  MatrixXd all = MatrixXd::Zero(rows, rows);
-  std::vector<Eigen::Index> leaders;
-  for (Eigen::Index i = 0; i < rows; ++i) {
-    const Joint& joint = joints[static_cast<std::size_t>(i)];
-    if (joint.leader < 0) leaders.push_back(i);
-    all(i, joint.leader < 0 ? i : joint.leader) = joint.leader < 0 ? 1 : joint.ratio;
+std::vector<std::string> Chain::driven() const {
+  std::vector<std::string> names;
+  const auto add = [&](const std::string& variable) {
+    if (std::find(names.begin(), names.end(), variable) == names.end()) names.push_back(variable);
+  };
+  for (const Joint& joint : joints) {
+    if (joint.leaders.empty()) add(joint.variable);
+    for (const Motor& motor : motors)
+      for (const auto& leader : joint.leaders)
+        if (leader.first == motor.variable) add(motor.variable);
   }
-  return all(Eigen::all, leaders);
+  return names;
+}
+
+MatrixXd Chain::coupling() const {
+  const std::vector<std::string> names = driven();
+  const auto place = [&](const std::string& variable) {
+    return std::find(names.begin(), names.end(), variable) - names.begin();
+  };
+  MatrixXd all =
+      MatrixXd::Zero(static_cast<Eigen::Index>(joints.size()), static_cast<Eigen::Index>(names.size()));
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    if (joints[i].leaders.empty()) all(row, place(joints[i].variable)) = 1;
+    for (const auto& [leader, ratio] : joints[i].leaders) all(row, place(leader)) += ratio;
+  }
+  return all;
 }
 
 Eigen::Index Chain::parent_of(std::size_t i) const {

@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -33,15 +34,21 @@ struct Joint {
   double viscous_friction = 0;                 ///< N m s (N s/m)
   double coulomb_friction = 0;                 ///< N m (N)
 
-  /// The joint that moves it, and by how much of its own way; -1: it has a value of its own.
-  Eigen::Index leader = -1;
-  double ratio = 1;
+  /// Joints and motors that move it, by name, and by how much of their own way; none: it has a value of its
+  /// own.
+  std::vector<std::pair<std::string, double>> leaders;
 
   /// The joint whose link carries this one, -1: the base. None: the joint before.
   std::optional<Eigen::Index> parent = {};
 
   double lower = -std::numeric_limits<double>::infinity();  ///< rad or m
   double upper = std::numeric_limits<double>::infinity();
+};
+
+/// A motor that is no joint: joints follow it.
+struct Motor {
+  std::string variable;
+  double rotor_inertia = 0, viscous_friction = 0, coulomb_friction = 0;
 };
 
 /// A frame that is fixed to a link and has a name.
@@ -55,11 +62,15 @@ struct Chain {
   std::string name;
   Isometry3d base = Isometry3d::Identity();  ///< world -> base of the first joint
   std::vector<Joint> joints;
+  std::vector<Motor> motors;
   Isometry3d tool = Isometry3d::Identity();  ///< last link frame -> tool
   std::vector<NamedFrame> frames;
-  /// Joints with a value of their own: what q, rates and torques have entries for.
-  [[nodiscard]] Eigen::Index size() const { return coupling().cols(); }
-  /// Values of all joints by those of these: a row a joint, one entry in each.
+  /// What q, rates and torques have entries for: a joint with a value of its own stands where it does among
+  /// the joints, a motor where the first joint that it moves does, behind that joint, in the order of the
+  /// file.
+  [[nodiscard]] std::vector<std::string> driven() const;
+  [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(driven().size()); }
+  /// Values of all joints by those of these: a row a joint.
   [[nodiscard]] MatrixXd coupling() const;
   /// The joint whose link carries joint i, or -1.
   [[nodiscard]] Eigen::Index parent_of(std::size_t i) const;

@@ -76,6 +76,18 @@ std::vector<Link> moving_links(const Chain& chain, const VectorXd& values, const
   return links;
 }
 
+/// Forces of the drives of motors that are no joints.
+VectorXd drives_of_motors(const Chain& chain, const VectorXd& rates, const VectorXd& accelerations) {
+  const std::vector<std::string> names = chain.driven();
+  VectorXd tau = VectorXd::Zero(chain.size());
+  for (const Motor& motor : chain.motors)
+    for (Eigen::Index k = 0; k < tau.size(); ++k)
+      if (names[static_cast<std::size_t>(k)] == motor.variable)
+        tau[k] = motor.rotor_inertia * accelerations[k] + motor.viscous_friction * rates[k] +
+                 motor.coulomb_friction * sign(rates[k]);
+  return tau;
+}
+
 }  // namespace
 
 VectorXd inverse_dynamics(const Chain& chain, const VectorXd& q, const VectorXd& rates,
@@ -99,7 +111,7 @@ VectorXd inverse_dynamics(const Chain& chain, const VectorXd& q, const VectorXd&
     tau[n] = places[i].axis.dot(joint.revolute ? moment : force) + joint.rotor_inertia * qdd[n] +
              joint.viscous_friction * qd[n] + joint.coulomb_friction * sign(qd[n]);
   }
-  return coupling.transpose() * tau;  // virtual work
+  return coupling.transpose() * tau + drives_of_motors(chain, rates, accelerations);  // virtual work
 }
 
 MatrixXd mass_matrix(const Chain& chain, const VectorXd& q) {
@@ -128,6 +140,11 @@ double kinetic_energy(const Chain& chain, const VectorXd& q, const VectorXd& rat
     energy += joint.mass * links[i].centre_velocity.squaredNorm() / 2 + w.dot(joint.inertia * w) / 2 +
               joint.rotor_inertia * qd[static_cast<Eigen::Index>(i)] * qd[static_cast<Eigen::Index>(i)] / 2;
   }
+  const std::vector<std::string> names = chain.driven();
+  for (const Motor& motor : chain.motors)
+    for (Eigen::Index k = 0; k < rates.size(); ++k)
+      if (names[static_cast<std::size_t>(k)] == motor.variable)
+        energy += motor.rotor_inertia * rates[k] * rates[k] / 2;
   return energy;
 }
 

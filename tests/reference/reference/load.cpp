@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "reference/load.h"
 
+#include <algorithm>
 #include <cmath>
+#include <regex>
 #include <stdexcept>
 #include <string_view>
 
@@ -105,6 +107,35 @@ class Reader {
   const Values& values_;
 };
 
+/// Reads a sum of multiples of names and a constant: the factors by what the sum is where one name has the
+/// value 1 and all others 0. Returns the constant.
+double read_relation(const std::string& text, Joint& joint) {
+  static const std::regex blank("([0-9)]) (?!(deg|rad)([^A-Za-z0-9_]|$))([A-Za-z_])"),
+      name("[A-Za-z_][A-Za-z0-9_]*");
+  const std::string sum = std::regex_replace(text, blank, "$1*$4");
+  std::vector<std::string> names;
+  for (auto word = std::sregex_iterator(sum.begin(), sum.end(), name); word != std::sregex_iterator(); ++word)
+    if (word->str() != "deg" && word->str() != "rad") names.push_back(word->str());
+  Values zero;
+  for (const std::string& each : names) zero[each] = 0;
+  const double constant = evaluate(sum, zero);
+  for (const std::string& each : names) {
+    Values one = zero;
+    one[each] = 1;
+    joint.leaders.emplace_back(each, evaluate(sum, one) - constant);
+  }
+  return constant;
+}
+
+void read_motors(const Reader& root, Chain& chain) {
+  for (const Reader& table : root.tables("motor")) {
+    const std::string variable = table.text("variable");
+    chain.motors.push_back({variable, table.parameter("rotor_inertia", "Ia_" + variable),
+                            table.parameter("viscous_friction", "Fv_" + variable),
+                            table.parameter("coulomb_friction", "Fc_" + variable)});
+  }
+}
+
 /// Once all joints are read, since a joint may lead one before it.
 void tie_followers(const std::vector<Reader>& tables, Chain& chain) {
   std::size_t i = 0;
@@ -112,10 +143,11 @@ void tie_followers(const std::vector<Reader>& tables, Chain& chain) {
     if (table.text("variable").empty()) continue;
     Joint& joint = chain.joints[i++];
     if (!table.has("follows")) continue;
-    for (std::size_t k = 0; k < chain.joints.size(); ++k)
-      if (chain.joints[k].variable == table.text("follows")) joint.leader = static_cast<Eigen::Index>(k);
-    if (table.has("ratio")) joint.ratio = table.entry("ratio");
-    const double offset = table.entry("offset");
+    double offset = table.entry("offset");
+    if (table.text("follows").find_first_of(" +-*/()") == std::string::npos)
+      joint.leaders = {{table.text("follows"), table.has("ratio") ? table.entry("ratio") : 1.0}};
+    else
+      offset = read_relation(table.text("follows"), joint);
     joint.before = joint.before * (joint.revolute ? turn(offset, joint.axis) : shift(offset * joint.axis));
   }
 }
@@ -242,6 +274,7 @@ Chain read(const toml::table& file, const Values& given) {
   if (root.has("joint")) read_joints(root, chain);
   if (root.has("dh")) read_table(root, chain);
   if (root.has("screw")) read_screws(root, chain);
+  read_motors(root, chain);
   for (const char* key : {"joint", "dh", "screw"}) tie_followers(root.tables(key), chain);
   for (const char* key : {"frame", "tip"}) read_frames(root, key, chain);
   if (chain.joints.empty()) throw std::runtime_error("no joints");

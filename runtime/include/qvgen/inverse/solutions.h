@@ -40,6 +40,7 @@ struct InverseInfo {
   bool stable_branches;         ///< a branch keeps its number along a path without a singularity
   double tool_axis[3];          ///< for tasks with a direction or a pitch: the axis of the tool that is meant
   bool by_elimination = false;  ///< no closed form: near singular poses a solution may be missing
+  int more_given = 0;           ///< how many joints are given besides the given joint, the first of them
 };
 
 /// One row of a solution set.

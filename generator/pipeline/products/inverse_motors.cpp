@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline/products/inverse_motors.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "model/evaluate.h"
+#include "model/followers.h"
+#include "model/motor_turns.h"
+
+namespace qvgen::pipeline {
+namespace {
+
+using nlohmann::json;
+using Row = std::vector<cln::cl_RA>;
+
+std::string number(const cln::cl_RA& value) { return fmt::format("{}", cln::double_approx(value)); }
+
+/// A sum of multiples of the entries of `of`.
+std::string sum_text(const Row& row) {
+  std::string text;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    if (cln::zerop(row[i])) continue;
+    const cln::cl_RA size = cln::abs(row[i]);
+    text += cln::minusp(row[i]) ? (text.empty() ? "-" : " - ") : (text.empty() ? "" : " + ");
+    text += (size == 1 ? "" : number(size) + " * ") + "of[" + std::to_string(i) + "]";
+  }
+  return text;
+}
+
+std::vector<Row> matrix_of(const model::Robot& robot) {
+  std::vector<Row> rows;
+  for (const std::vector<model::Share>& shares : model::shares(robot)) {
+    rows.emplace_back(model::driven_count(robot), 0);
+    for (const model::Share& share : shares) rows.back()[share.driven] = share.ratio;
+  }
+  return rows;
+}
+
+std::string bound(const std::optional<model::Limits>& limits, bool is_lower, const model::Robot& robot) {
+  const std::string sign = is_lower ? "-" : "";
+  if (!limits) return sign + "unlimited";
+  const model::Expression& expression = is_lower ? limits->lower : limits->upper;
+  return fmt::format("{}", model::to_double(model::evaluate(expression, model::default_bindings(robot))));
+}
+
+json joints_of(const model::Robot& robot) {
+  const std::vector<Row> rows = matrix_of(robot);
+  json list = json::array();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const model::Joint& joint = robot.joints[i];
+    const std::optional<model::Limits> own = joint.follows.empty() ? std::nullopt : joint.limits;
+    list.push_back({{"variable", joint.variable},
+                    {"revolute", joint.type == model::JointType::revolute ? "true" : "false"},
+                    {"lower", bound(joint.limits, true, robot)},
+                    {"upper", bound(joint.limits, false, robot)},
+                    {"own_lower", bound(own, true, robot)},
+                    {"own_upper", bound(own, false, robot)},
+                    {"of_motors", sum_text(rows[i])},
+                    {"last", i + 1 == rows.size()}});
+  }
+  return list;
+}
+
+json motors_of(const std::vector<Row>& inverse) {
+  json list = json::array();
+  for (const Row& row : inverse)
+    list.push_back({{"of_joints", sum_text(row)}, {"last", &row == &inverse.back()}});
+  return list;
+}
+
+json turns_of(const model::Robot& robot, const std::vector<Row>& inverse) {
+  const std::vector<model::MotorTurn> turns = model::motor_turns(robot, inverse);
+  json list = json::array();
+  for (const model::MotorTurn& turn : turns) {
+    json motion = json::array();
+    for (const cln::cl_RA& part : turn.motion)
+      motion.push_back({{"value", cln::zerop(part) ? "0" : number(part) + " * inverse::whole_turn"},
+                        {"last", &part == &turn.motion.back()}});
+    list.push_back({{"pivot", turn.pivot}, {"motion", motion}, {"last", &turn == &turns.back()}});
+  }
+  return list;
+}
+
+json relations_of(const model::Robot& robot) {
+  json list = json::array();
+  for (const model::Joint& joint : robot.joints)
+    if (!joint.follows.empty())
+      list.push_back({{"text", joint.variable + " = " + model::relation_text(joint.follows)}});
+  return list;
+}
+
+bool has_joint_limits(const model::Robot& robot) {
+  return std::any_of(robot.joints.begin(), robot.joints.end(), [](const model::Joint& joint) {
+    return !joint.follows.empty() && joint.limits.has_value();
+  });
+}
+
+/// The place of a given joint among the motors; it is one itself.
+int motor_of(const model::Robot& robot, int joint) {
+  if (joint < 0) return joint;
+  return static_cast<int>(model::shares(robot)[static_cast<std::size_t>(joint)].front().driven);
+}
+
+}  // namespace
+
+std::string obstacle_of_motors(const model::Robot& described) {
+  if (!model::has_followers(described) || model::inverse_shares(described)) return "";
+  const std::size_t joints = described.joints.size(), motors = model::driven_count(described);
+  if (described.motors.empty()) return "a joint follows another, and none is derived for such arms";
+  return fmt::format("{} motors move {} joints: it is for arms with a motor for each joint", motors, joints);
+}
+
+void add_motors(const model::Robot& described, json& values) {
+  values["motors"] = false;
+  values["robot_space"] = described.name;
+  values["scope"] = "";  // of calls in that namespace
+  if (!model::has_followers(described)) return;
+  const std::vector<Row> inverse = *model::inverse_shares(described);
+  const json turns = turns_of(described, inverse);
+  values["robot_space"] = described.name + "::joints";
+  values["scope"] = "joints::";
+  values["motors"] = {
+      {"relations", relations_of(described)}, {"of_joints", joints_of(described)},
+      {"of_motors", motors_of(inverse)},      {"turns", turns},
+      {"turn_count", turns.size()},           {"has_joint_limits", has_joint_limits(described)}};
+  for (json& variant : values["variants"]) variant["given_motor"] = motor_of(described, variant["given"]);
+}
+
+}  // namespace qvgen::pipeline

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include "pipeline/products/inverse_outer.h"
+
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "emit/cpp/printer.h"
+#include "emit/inverse/arm.h"
+#include "model/arithmetic.h"
+#include "model/evaluate.h"
+
+namespace qvgen::pipeline {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t of_a_pose = 6;
+
+bool is_named(const model::Robot& robot, const model::Joint& joint) {
+  const std::vector<std::string>& named = robot.inverse.given;
+  return std::find(named.begin(), named.end(), joint.variable) != named.end();
+}
+
+bool all_named(const model::Robot& robot, std::size_t begin, std::size_t end) {
+  return std::all_of(robot.joints.begin() + static_cast<std::ptrdiff_t>(begin),
+                     robot.joints.begin() + static_cast<std::ptrdiff_t>(end),
+                     [&](const model::Joint& joint) { return is_named(robot, joint); });
+}
+
+/// The arm with only the joints from `first` on, `count` of them, the others at zero.
+model::Robot inner_arm(const model::Robot& robot, std::size_t first, std::size_t count) {
+  model::Robot inner = robot;
+  inner.joints.clear();
+  inner.frames.clear();
+  inner.floating_base.reset();
+  model::Displacement way;
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    model::Joint joint = robot.joints[i];
+    way = model::compose(way, joint.before);
+    if (i < first || i >= first + count) {
+      way = model::compose(way, joint.after);
+      continue;
+    }
+    joint.before = way;
+    way = {};
+    inner.joints.push_back(joint);
+  }
+  inner.tool = model::compose(way, robot.tool);
+  inner.inverse.given.clear();
+  if (count == of_a_pose) return inner;
+  for (const model::Joint& joint : inner.joints)
+    if (is_named(robot, joint)) inner.inverse.given.push_back(joint.variable);
+  inner.inverse.every_given = inner.inverse.given.size() > 1;
+  return inner;
+}
+
+/// The ways with an inner arm of so many joints, those with most joints in front first.
+void add_ways(const model::Robot& robot, std::size_t count, std::vector<OuterJoints>& ways) {
+  const std::size_t outer = robot.joints.size() - count;
+  for (std::size_t first = outer + 1; first-- > 0;) {
+    if (!all_named(robot, 0, first) || !all_named(robot, first + count, robot.joints.size())) continue;
+    OuterJoints way{first, inner_arm(robot, first, count)};
+    if (count == of_a_pose || !way.inner.inverse.given.empty()) ways.push_back(std::move(way));
+  }
+}
+
+/// Names of given joints of a variant of the inner arm, in the order of the arm.
+std::vector<std::size_t> given_of(const model::Robot& described, const OuterJoints& outer, int inner_given) {
+  std::vector<std::size_t> given;
+  for (std::size_t i = 0; i < described.joints.size(); ++i) {
+    const bool is_inner = i >= outer.first && i < outer.first + outer.inner.joints.size();
+    if (!is_inner || static_cast<int>(i) == static_cast<int>(outer.first) + inner_given) given.push_back(i);
+  }
+  return given;
+}
+
+/// A text for each given joint, with something between them.
+template <class Text>
+std::string joined(const model::Robot& robot, const std::vector<std::size_t>& given,
+                   const std::string& between, const Text& text) {
+  std::string result;
+  for (const std::size_t i : given)
+    result += (result.empty() ? "" : between) + text(robot.joints[i].variable);
+  return result;
+}
+
+void add_names(const model::Robot& robot, const OuterJoints& outer, json& variant) {
+  const int inner_given = variant["given"];
+  const std::vector<std::size_t> given = given_of(robot, outer, inner_given < 0 ? -100 : inner_given);
+  const auto all = [&](const std::string& between, const std::string& before) {
+    return joined(robot, given, between, [&](const std::string& name) { return before + name; });
+  };
+  const std::string suffix = "_given_" + all("_", "");
+  variant["outer_function"] = "inverse_kinematics" + suffix;
+  variant["outer_near_function"] = "inverse_kinematics_near" + suffix;
+  variant["outer_solutions"] = "SolutionsGiven_" + all("_", "");
+  variant["outer_info"] = "inverse_info" + suffix;
+  variant["outer_meaning"] = all(", ", "");
+  variant["outer_parameters"] = all(", ", "double given_") + ", ";
+  variant["outer_last_parameters"] = all(", ", "double given_");
+  variant["outer_arguments"] = all(", ", "given_");
+  variant["outer_index"] = given.front();
+  variant["outer_count"] = given.size();
+  variant["outer_more"] = given.size() - 1;
+  variant["outer_values"] = json::array();
+  variant["outer_rows"] = json::array();
+  for (std::size_t k = 0; k < given.size(); ++k) {
+    const std::string& name = robot.joints[given[k]].variable;
+    variant["outer_rows"].push_back({{"row", k}, {"last", k + 1 == given.size()}});
+    variant["outer_values"].push_back({{"index", given[k]}, {"value", "given_" + name}});
+  }
+}
+
+std::string bound(const model::Robot& robot, const model::Expression& value) {
+  return fmt::format("{}", model::to_double(model::evaluate(value, model::default_bindings(robot))));
+}
+
+json joints_of(const model::Robot& inner) {
+  json list = json::array();
+  for (const model::Joint& joint : inner.joints)
+    list.push_back({{"variable", joint.variable},
+                    {"lower", joint.limits ? bound(inner, joint.limits->lower) : "-unlimited"},
+                    {"upper", joint.limits ? bound(inner, joint.limits->upper) : "unlimited"},
+                    {"revolute", joint.type == model::JointType::revolute ? "true" : "false"},
+                    {"last", &joint == &inner.joints.back()}});
+  return list;
+}
+
+}  // namespace
+
+std::vector<OuterJoints> ways_to_give(const model::Robot& robot) {
+  std::vector<OuterJoints> ways;
+  if (robot.joints.size() < of_a_pose + 2 || robot.inverse.given.empty()) return ways;
+  const bool gives_all = robot.inverse.given.size() + of_a_pose == robot.joints.size();
+  add_ways(robot, gives_all ? of_a_pose : of_a_pose + 1, ways);
+  add_ways(robot, gives_all ? of_a_pose + 1 : of_a_pose, ways);
+  return ways;
+}
+
+std::string reason_against_giving(const model::Robot& robot) {
+  const std::size_t over = robot.joints.size() - of_a_pose;
+  const std::string count = std::to_string(over);
+  const model::InverseRequest& request = robot.inverse;
+  if (request.task && *request.task != model::Task::pose)
+    return "several joints are given for whole poses alone";
+  if (request.given.size() < over)
+    return std::to_string(robot.joints.size()) + " joints: a pose in space fixes six; name " + count +
+           " whose values are given, all but one of them the first or the last of the arm: given = \"" +
+           robot.joints[0].variable + ", " + robot.joints[1].variable + "\"";
+  return "of the " + count + " given joints all but one have to be the first or the last of the arm";
+}
+
+void add_outer_joints(const model::Robot& described, const std::optional<OuterJoints>& outer, json& values) {
+  values["outer"] = false;
+  if (!outer) return;
+  values["robot_space"] = described.name + "::inner";
+  values["outer"] = {{"arm", emit::arm_values(described, emit::cpp())},
+                     {"first", outer->first},
+                     {"inner_dof", outer->inner.joints.size()},
+                     {"of_inner", joints_of(outer->inner)}};
+  for (json& variant : values["variants"]) add_names(described, *outer, variant);
+}
+
+void take_outer_names(const json& values, nlohmann::ordered_json& counts) {
+  if (!values["outer"].is_object()) return;
+  nlohmann::ordered_json taken, targets;
+  std::map<std::string, std::string> names;
+  for (const json& variant : values["variants"])
+    for (const char* key : {"function", "near_function"})
+      names[variant[key]] = variant[std::string("outer_") + key];
+  const auto renamed = [&](const std::string& name) { return names.count(name) > 0 ? names[name] : name; };
+  for (const auto& [name, entry] : counts.items()) taken[renamed(name)] = entry;
+  for (const auto& [name, entry] : counts.at("targets").items()) targets[renamed(name)] = entry;
+  taken["targets"] = targets;
+  counts = taken;
+}
+
+}  // namespace qvgen::pipeline

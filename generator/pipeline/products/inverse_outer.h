@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// Several given joints: a gantry under an arm, a rail under seven joints, a torso.
+//
+// All given joints but one have to be the first or the last of the arm. These outer joints move the pose that
+// the inner arm, which has six joints, or seven with one given, has to reach (qvgen/inverse/outer_joints.h).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "model/robot.h"
+
+namespace qvgen::pipeline {
+
+/// An arm in parts.
+struct OuterJoints {
+  std::size_t first = 0;  ///< how many stand in front of the inner arm
+  model::Robot inner;     ///< the arm with the outer joints at zero
+};
+
+/// Returns the ways to give as many joints as a pose leaves over, of those that the description names; the
+/// way that needs no given joint of the inner arm first, if it gives all that are named.
+std::vector<OuterJoints> ways_to_give(const model::Robot& robot);
+
+/// Returns why there is no such way.
+std::string reason_against_giving(const model::Robot& robot);
+
+/// Adds the outer joints (false without) and the names of functions to the values of templates of inverse
+/// kinematics of the inner arm.
+void add_outer_joints(const model::Robot& described, const std::optional<OuterJoints>& outer,
+                      nlohmann::json& values);
+
+/// Puts the functions of the whole arm in place of the inner arm's in the counts.
+void take_outer_names(const nlohmann::json& values, nlohmann::ordered_json& counts);
+
+}  // namespace qvgen::pipeline

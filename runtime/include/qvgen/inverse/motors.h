@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+// Inverse kinematics of arms with motors: solved in joints, given in motors.
+//
+// joints = A motors, exactly, and A has an inverse. Rows of joints become rows of motors; seeds go the other
+// way. Without limits a row has joints in (-pi, pi], next to a seed within half a turn of its joints. Limits
+// are those of motors, and of joints where the description has limits for a joint of several leaders.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+
+#include <qvgen/inverse/joint_limits.h>
+#include <qvgen/inverse/motor_turns.h>
+#include <qvgen/inverse/solutions.h>
+
+namespace qvgen {
+
+/// Every solution within limits of motors, whole turns of joints counted. They are not stored but made when
+/// they are asked for: `for (const auto& row : found) use(row.q);`. Of a motor whose limits have no end, or
+/// leave more than 4096 turns, one value stands for all, the nearest to zero that is inside.
+template <class Map, int capacity>
+class AllWithinMotors {
+ public:
+  static constexpr int dof = Map::dof;
+  Status status = Status::unreachable;  ///< unreachable: there are solutions but none inside
+  inverse::Effort effort;
+
+  class Iterator {
+   public:
+    using iterator_category = std::input_iterator_tag;
+    using value_type = Solution<dof>;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const Solution<dof>*;
+    using reference = const Solution<dof>&;
+
+    Iterator(const AllWithinMotors& all, int branch) : all_(&all), branch_(branch) { begin_branch(); }
+    const Solution<dof>& operator*() const { return row_; }
+    const Solution<dof>* operator->() const { return &row_; }
+    Iterator& operator++() {
+      ++number_;
+      if (turns_.next(all_->within_, row_.q)) return *this;
+      ++branch_;
+      begin_branch();
+      return *this;
+    }
+    Iterator operator++(int) {
+      const Iterator before = *this;
+      ++*this;
+      return before;
+    }
+    [[nodiscard]] int branch() const { return branch_; }
+    friend bool operator==(const Iterator& a, const Iterator& b) {
+      return a.branch_ == b.branch_ && a.number_ == b.number_;
+    }
+    friend bool operator!=(const Iterator& a, const Iterator& b) { return !(a == b); }
+
+   private:
+    void begin_branch() {
+      number_ = 0;
+      if (branch_ >= all_->branches()) return;
+      row_ = all_->rows_[branch_];
+      turns_.start(all_->within_, row_.q);
+      turns_.next(all_->within_, row_.q);
+    }
+
+    const AllWithinMotors* all_;
+    int branch_;
+    std::size_t number_ = 0;  ///< of the row among its branch's
+    inverse::Representatives<Map> turns_;
+    Solution<dof> row_;
+  };
+
+  /// From all solutions, in motors.
+  AllWithinMotors(const Solutions<dof, capacity>& found, const JointLimits<dof>& limits)
+      : effort(found.effort), within_(limits, Joints<dof>::Zero()) {
+    bool is_marked = false;
+    for (const Solution<dof>& row : found) {
+      Joints<dof> motors = row.q;
+      double square = 0;
+      if (!within_.take_nearest(motors, square)) continue;
+      rows_.append() = row;
+      is_marked = is_marked || row.continuum;
+    }
+    status = inverse::status_within(found.status, empty(), is_marked);
+  }
+
+  [[nodiscard]] Iterator begin() const { return {*this, 0}; }
+  [[nodiscard]] Iterator end() const { return {*this, branches()}; }
+  [[nodiscard]] bool empty() const { return rows_.empty(); }
+  /// How many branches have a row inside.
+  [[nodiscard]] int branches() const { return rows_.size(); }
+  /// How many rows there are; the largest number that there is if there are more than ten million.
+  [[nodiscard]] std::size_t size() const {
+    constexpr std::size_t most = 10'000'000;
+    std::size_t count = 0;
+    for (Iterator row = begin(); row != end(); ++row)
+      if (++count > most) return std::numeric_limits<std::size_t>::max();
+    return count;
+  }
+  /// Calls `visit(row)` for all rows, in their order.
+  template <class Visit>
+  void for_each(const Visit& visit) const {
+    for (const Solution<dof>& row : *this) visit(row);
+  }
+
+ private:
+  inverse::WithinMotors<Map> within_;
+  Solutions<dof, capacity> rows_;
+};
+
+namespace inverse {
+
+/// Rows of joints as rows of motors; Found is a set of solutions.
+template <class Map, class Found>
+Found in_motors(Found found) {
+  for (auto& row : found) row.q = Map::motors(row.q);
+  return found;
+}
+
+/// The nearest representative of each branch to a seed, the nearest row first.
+template <class Map, int dof, int capacity>
+LimitedSolutions<dof, capacity> nearest_within_motors(const Solutions<dof, capacity>& found,
+                                                      const Joints<dof>& seed,
+                                                      const JointLimits<dof>& limits) {
+  const WithinMotors<Map> within(limits, seed);
+  LimitedSolutions<dof, capacity> result;
+  std::array<double, static_cast<std::size_t>(capacity)> squares;
+  bool is_marked = false;
+  for (const Solution<dof>& row : found) {
+    Joints<dof> motors = row.q;
+    double square = 0;
+    if (!within.take_nearest(motors, square)) continue;
+    int place = result.size();
+    result.append();
+    for (; place > 0 && square < squares[static_cast<std::size_t>(place - 1)]; --place) {
+      result[place] = result[place - 1];
+      squares[static_cast<std::size_t>(place)] = squares[static_cast<std::size_t>(place - 1)];
+    }
+    result[place] = {motors, row.branch, row.continuum};
+    squares[static_cast<std::size_t>(place)] = square;
+    is_marked = is_marked || row.continuum;
+  }
+  result.effort = found.effort;
+  result.status = status_within(found.status, result.empty(), is_marked);
+  return result;
+}
+
+/// Keeps a row that is within limits; neither another branch nor whole turns are looked for.
+template <class Map, int dof>
+Solutions<dof, 1> near_within_motors(Solutions<dof, 1> nearest, const JointLimits<dof>& limits) {
+  if (nearest.empty()) return nearest;
+  const WithinMotors<Map> within(limits, nearest[0].q);
+  bool is_inside = true;
+  for (int level = -1; level < Map::turns.count; ++level)
+    is_inside = is_inside && within.is_inside(level, nearest[0].q);
+  if (is_inside && within.conclude(nearest[0].q)) return nearest;
+  nearest.clear();
+  nearest.status = Status::unreachable;
+  return nearest;
+}
+
+}  // namespace inverse
+}  // namespace qvgen
