@@ -178,9 +178,9 @@ void gather_derivatives(const model::Robot& robot, std::size_t rows, dag::Functi
 }
 
 /// Derivatives of a function's outputs by one of its symbols, with the arithmetic to combine them.
-class Columns {
+class OutputRates {
  public:
-  explicit Columns(dag::Function& form) : form_(form), outputs_(form.outputs), size_(form.graph.size()) {}
+  explicit OutputRates(dag::Function& form) : form_(form), outputs_(form.outputs), size_(form.graph.size()) {}
 
   std::vector<dag::Edge> by(const std::string& symbol) const {
     const std::vector<dag::Edge> rates = passes::derivatives(form_.graph, size_, symbol);
@@ -211,7 +211,7 @@ class Columns {
 
 /// By the motions of a floating base, by position and by rate in turn. Where the base is makes no difference;
 /// a turn of it about an axis e changes the gravity g that it sees by g x e.
-std::vector<dag::Output> columns_of_base(const model::Robot& robot, const Columns& columns) {
+std::vector<dag::Output> columns_of_base(const model::Robot& robot, const OutputRates& columns) {
   std::vector<std::vector<dag::Edge>> by_gravity;
   for (std::size_t k = 0; k < 3 && robot.floating_base; ++k)
     by_gravity.push_back(columns.by(derive::dynamics::gravity_component(k)));
@@ -235,7 +235,7 @@ std::vector<dag::Output> columns_of_base(const model::Robot& robot, const Column
 /// to its leaders.
 void append_derivatives(const model::Robot& robot, dag::Function& form) {
   const std::size_t rows = form.outputs.size();
-  const Columns columns(form);
+  const OutputRates columns(form);
   std::vector<passes::Direction> directions;
   const auto add = [&](const std::string& variable) {
     const std::size_t number = model::base_motions(robot) + directions.size() / 2 + 1;
