@@ -118,12 +118,14 @@ std::size_t cheapest(const std::vector<canonical::Arm>& arms, long steps) {
 
 dag::IsFree free_symbols(const model::Robot& robot) {
   std::set<std::string> moving;
-  for (const model::Joint& joint : robot.joints)
+  const auto add = [&](const std::string& variable) {
     for (const std::string& name :
-         {joint.variable, derive::dynamics::velocity_of(joint.variable),
-          derive::dynamics::acceleration_of(joint.variable), derive::dynamics::force_of(joint.variable),
-          derive::dynamics::direction_of(joint.variable)})
+         {variable, derive::dynamics::velocity_of(variable), derive::dynamics::acceleration_of(variable),
+          derive::dynamics::force_of(variable), derive::dynamics::direction_of(variable)})
       moving.insert(name);
+  };
+  for (const model::Joint& joint : robot.joints) add(joint.variable);
+  for (const model::Motor& motor : robot.motors) add(motor.variable);
   for (std::size_t k = 0; k < 6; ++k) moving.insert(derive::dynamics::wrench_component(k));
   for (std::size_t k = 0; k < model::base_motions(robot); ++k) {
     const std::string name = model::base_coordinate(k);

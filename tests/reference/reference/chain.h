@@ -65,9 +65,9 @@ struct Chain {
   std::vector<Motor> motors;
   Isometry3d tool = Isometry3d::Identity();  ///< last link frame -> tool
   std::vector<NamedFrame> frames;
-  /// What q, rates and torques have entries for: a joint with a value of its own stands where it does among
-  /// the joints, a motor where the first joint that it moves does, behind that joint, in the order of the
-  /// file.
+  /// Variables that q, rates and torques have entries for: a joint with a value of its own stands where it
+  /// does among the joints, a motor where the first joint that it moves does, behind that joint, in the order
+  /// of the file.
   [[nodiscard]] std::vector<std::string> driven() const;
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(driven().size()); }
   /// Values of all joints by those of these: a row a joint.
