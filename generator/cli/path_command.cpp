@@ -191,7 +191,7 @@ void write(const fs::path& output, const std::string& text) {
 
 namespace {
 
-/// Where the CSV goes until all is well; empty if none is wanted.
+/// Returns the file that the CSV is written to until all is well; empty if none is wanted.
 fs::path unfinished_csv(const PathArguments& arguments) {
   for (const fs::path& output : arguments.outputs)
     if (output.extension() == ".csv") return output.string() + ".new";
@@ -248,7 +248,7 @@ int run_path(const PathArguments& arguments) {
   const auto descriptions = read_chains({arguments.description}, arguments.read);
   if (!descriptions) return bad_description;
   const description::ReadResult& description = descriptions->front();
-  // What is wrong with the options is said before the poses are read.
+  // Mistakes of the options are reported before the poses are read.
   if (arguments.free.empty())
     task_of(arguments, *description.robot);
   else

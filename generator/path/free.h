@@ -14,7 +14,7 @@
 
 namespace qvgen::path {
 
-/// What is free, and what a motion should be like.
+/// The coordinate that is free, and wishes for the motion.
 struct FreeTask {
   std::string free;                 ///< tool_x, tool_y, tool_z, arm_angle, or a joint
   std::vector<MovingJoint> joints;  ///< all of the arm

@@ -133,7 +133,7 @@ class FreeSearch {
     return true;
   }
 
-  /// What a place costs by itself.
+  /// Cost of a place by itself.
   [[nodiscard]] double cost_of(const Joints<dof>& q) const {
     double sum = costs_.preferred > 0 ? costs_.preferred * way(preferred, q).squaredNorm() : 0;
     for (int i = 0; i < dof; ++i) {

@@ -230,10 +230,28 @@ class Live {
     row.u = u;
   }
 
+  static constexpr double same_place = 1e-9;
+
+  /// Rows that go on from the start of a step to its end.
+  static int passing_rows(const Step<Arm>& step, const Place<Arm>& next) {
+    return next.found.size() - step.match.begun(next.found.size());
+  }
+
+  /// True if a row that ends on a step is still there at a place, or one that begins is there already.
+  static bool are_alive(const Step<Arm>& step, double u) {
+    for (std::size_t k = 0; k < step.ended_count; ++k)
+      if (step.ended[k].at.u > u) return true;
+    for (std::size_t k = 0; k < step.begun_count; ++k)
+      if (step.begun[k].at.u < u) return true;
+    return false;
+  }
+
   void end_meetings(const Equations<Arm>& equations, const Step<Arm>& step, const Place<Arm>& next) {
-    const Cause cause = next.found.empty() ? Cause::boundary : Cause::meeting;
+    const int passing = passing_rows(step, next);
     for (std::size_t k = 0; k < step.ended_count; ++k) {
       const Meeting& meeting = step.ended[k];
+      const bool others = passing > 0 || are_alive(step, meeting.at.u + same_place);
+      const Cause cause = others ? Cause::meeting : Cause::boundary;
       for (const bool second : {false, true}) {
         Row& row = rows_[index(second ? meeting.second : meeting.first)];
         const Row& other = rows_[index(second ? meeting.first : meeting.second)];
@@ -245,9 +263,11 @@ class Live {
 
   void begin_meetings(const Equations<Arm>& equations, const Step<Arm>& step, const Place<Arm>& next,
                       std::array<Row, capacity>& rows) {
-    const Cause cause = place_.found.empty() ? Cause::boundary : Cause::meeting;
+    const int passing = passing_rows(step, next);
     for (std::size_t k = 0; k < step.begun_count; ++k) {
       const Meeting& meeting = step.begun[k];
+      const bool others = passing > 0 || are_alive(step, meeting.at.u - same_place);
+      const Cause cause = others ? Cause::meeting : Cause::boundary;
       const double s = offset_ + meeting.at.u;
       const auto start = [&](int j) {
         Place<Arm> place;
