@@ -115,6 +115,17 @@ Diagnostic tree_refused(const ReadResult& result) {
   return diagnostic;
 }
 
+/// Leaves the chain as one on a base that stands still.
+void stand_still(ReadResult& result) {
+  if (!result.robot->floating_base) return;
+  Diagnostic diagnostic = result.name_place;
+  diagnostic.severity = Diagnostic::note;
+  diagnostic.message = "the base floats: this command takes the chain on a base that stands still";
+  diagnostic.hint = "generate makes the functions of the base that floats";
+  print_diagnostics({diagnostic});
+  result.robot->floating_base.reset();
+}
+
 }  // namespace
 
 std::optional<std::vector<ReadResult>> read_descriptions(const std::vector<fs::path>& paths,
@@ -141,8 +152,11 @@ std::optional<std::vector<ReadResult>> read_chains(const std::vector<fs::path>& 
   auto results = read_descriptions(paths, options);
   if (!results) return std::nullopt;
   bool good = true;
-  for (const ReadResult& result : *results) {
-    if (result.tips.empty()) continue;
+  for (ReadResult& result : *results) {
+    if (result.tips.empty()) {
+      stand_still(result);
+      continue;
+    }
     print_diagnostics({tree_refused(result)});
     good = false;
   }
