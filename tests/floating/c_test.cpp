@@ -22,7 +22,8 @@ TEST(QuadInC, GivesWhatCppGives) {
     Vector found;
     quad_inverse_dynamics(base, m.at.q.data(), m.qd.data(), m.qdd.data(), geometry, inertia, g, found.data());
     expect_close(found, quad::inverse_dynamics(m.at, m.qd, m.qdd, {}, {}, g));
-    quad_forward_dynamics(base, m.at.q.data(), m.qd.data(), m.force.data(), geometry, inertia, g, found.data());
+    quad_forward_dynamics(base, m.at.q.data(), m.qd.data(), m.force.data(), geometry, inertia, g,
+                          found.data());
     expect_close(found, quad::forward_dynamics(m.at, m.qd, m.force, {}, {}, g), 1e-11);
     EXPECT_NEAR(quad_potential_energy(base, m.at.q.data(), geometry, inertia, g),
                 quad::potential_energy(m.at, {}, {}, g), 1e-11);

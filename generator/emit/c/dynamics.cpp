@@ -36,7 +36,7 @@ Parameter result_of(const model::Robot& robot, Result result, std::size_t output
   return {};
 }
 
-/// Where the robot is; velocities, accelerations and forces have the base's six in front, if it floats.
+/// Adds an argument of C. Velocities, accelerations and forces have the six of a base that floats in front.
 void add_argument(const model::Robot& robot, const std::string& name, std::vector<Parameter>& list) {
   const bool is_velocity = robot.floating_base && name != "q";
   if (robot.floating_base && name == "q") list.push_back({"const double ", "base", "[7]"});
