@@ -21,7 +21,8 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Without -march: Pinocchio comes compiled, and what Eigen aligns by is part of its types.
 OPTIONS = ["-O3", "-DNDEBUG"]
-FOR_PINOCCHIO = ["-DBOOST_MPL_LIMIT_LIST_SIZE=30", "-DBOOST_MPL_CFG_NO_PREPROCESSED_HEADERS"]
+FOR_PINOCCHIO = ["-DBOOST_MPL_LIMIT_LIST_SIZE=30", "-DBOOST_MPL_CFG_NO_PREPROCESSED_HEADERS", "-DFUSION_MAX_VECTOR_SIZE=10",
+                 "-DBOOST_FUSION_INVOKE_MAX_ARITY=10"]
 FUNCTIONS = ["inverse_dynamics", "mass_matrix", "forward_dynamics", "inverse_dynamics_derivatives"]
 
 
