@@ -115,6 +115,17 @@ Diagnostic tree_refused(const ReadResult& result) {
   return diagnostic;
 }
 
+/// Leaves the chain as one on a base that stands still.
+void stand_still(ReadResult& result) {
+  if (!result.robot->floating_base) return;
+  Diagnostic diagnostic = result.name_place;
+  diagnostic.severity = Diagnostic::note;
+  diagnostic.message = "the base floats: this command takes the chain on a base that stands still";
+  diagnostic.hint = "generate makes the functions of the base that floats";
+  print_diagnostics({diagnostic});
+  result.robot->floating_base.reset();
+}
+
 }  // namespace
 
 std::optional<std::vector<ReadResult>> read_descriptions(const std::vector<fs::path>& paths,
@@ -156,13 +167,17 @@ std::optional<std::vector<ReadResult>> read_chains(const std::vector<fs::path>& 
                                                    const ReadOptions& options) {
   auto results = read_descriptions(paths, options);
   if (!results || !are_chains(*results)) return std::nullopt;
+  for (ReadResult& result : *results) stand_still(result);
   return results;
 }
 
 std::optional<std::vector<model::Robot>> robots_of(const std::vector<ReadResult>& results) {
   if (!are_chains(results)) return std::nullopt;
   std::vector<model::Robot> robots;
-  for (const ReadResult& result : results) robots.push_back(result.robot.value());
+  for (ReadResult result : results) {
+    stand_still(result);
+    robots.push_back(result.robot.value());
+  }
   return robots;
 }
 

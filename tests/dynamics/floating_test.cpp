@@ -35,7 +35,8 @@ void add_base(const BaseMotion& base, const VectorXd& force, Motion& motion) {
 class RandomFloatingTrees : public testing::TestWithParam<unsigned> {};
 
 TEST_P(RandomFloatingTrees, EveryQuantityIsThatOfSixJointsInPlaceOfTheBase) {
-  for (unsigned seed = GetParam(); seed < GetParam() + 50; ++seed) {
+  const Seeds seeds(GetParam());
+  for (unsigned seed = seeds.first; seed < seeds.end; ++seed) {
     const auto [floating, with_joints] =
         TreeWriter(seed).floating_tree(1 + static_cast<int>(seed % 9), seed % 3 == 0);
     const model::Robot robot = read(floating);

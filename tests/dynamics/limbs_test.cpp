@@ -7,6 +7,7 @@
 #include <qvgen/branch_factorisation.h>
 #include <qvgen/robots/branched/dynamics_definitions.h>
 #include <qvgen/robots/branched/limbs.h>
+#include <qvgen/robots/branched/tips.h>
 #include <qvgen/robots/branched_jaw/jacobian_definitions.h>
 #include <qvgen/robots/branched_jaw/kinematics_definitions.h>
 #include <qvgen/robots/branched_left_hand/jacobian_definitions.h>
@@ -60,6 +61,27 @@ TEST_F(Limbs, TipsMoveAsTheReferenceDoes) {
           robot::limbs::jaw::jacobian(jaw));
     check(3, q, robot::limbs::joints_of_mast, robot::limbs::mast::homogeneous_transform(mast),
           robot::limbs::mast::jacobian(mast));
+  }
+}
+
+/// All tips at once; the acceleration at constant rates is a difference in time of J qd.
+TEST_F(Limbs, TipsAtOnceAreTheReferences) {
+  const Scalar time = 1e-6L;
+  for (int k = 0; k < 20; ++k) {
+    const Joints q = random_joints(), qd = random_joints();
+    const auto tips = robot::tip_motions<Scalar>(q, qd);
+    const auto before = robot::tip_motions<Scalar>(Joints(q - time * qd), qd);
+    const auto behind = robot::tip_motions<Scalar>(Joints(q + time * qd), qd);
+    const reference::VectorXd values = q.cast<double>();
+    for (std::size_t i = 0; i < tips.size(); ++i) {
+      const reference::Isometry3d expected = reference::pose_of(chain_, chain_.frames[i], values);
+      EXPECT_TRUE(tips[i].pose.isometry().matrix().cast<double>().isApprox(expected.matrix(), 1e-12)) << i;
+      EXPECT_TRUE(tips[i].jacobian.cast<double>().isApprox(
+          reference::jacobian_of(chain_, chain_.frames[i], values), 1e-12))
+          << i;
+      const Eigen::Matrix<Scalar, 6, 1> rate = (behind[i].jacobian - before[i].jacobian) * qd / (2 * time);
+      EXPECT_LE((tips[i].bias - rate).norm(), 1e-8L * (1 + rate.norm())) << i;
+    }
   }
 }
 

@@ -15,8 +15,8 @@ namespace {
 class RandomTrees : public testing::TestWithParam<int> {};
 
 TEST_P(RandomTrees, EveryQuantityIsTheReference) {
-  for (unsigned seed = static_cast<unsigned>(GetParam()); seed < static_cast<unsigned>(GetParam()) + 50;
-       ++seed) {
+  const Seeds seeds(static_cast<unsigned>(GetParam()));
+  for (unsigned seed = seeds.first; seed < seeds.end; ++seed) {
     const std::string text = TreeWriter(seed).tree(2 + static_cast<int>(seed % 9), seed % 3 == 0);
     const model::Robot robot = read(text);
     const reference::Chain chain = reference::load_text(text);

@@ -4,6 +4,7 @@
 #include "emit/leaves.h"
 #include "emit/render.h"
 #include "emit/template_values.h"
+#include "model/coordinates.h"
 #include "model/followers.h"
 
 namespace qvgen::emit::c {
@@ -12,7 +13,7 @@ namespace {
 Parameter inertia(const model::Robot& robot) { return {"const " + robot.name + "_inertia* ", "inertia"}; }
 
 Parameter result_of(const model::Robot& robot, Result result, std::size_t outputs) {
-  const std::size_t dof = model::driven_count(robot);
+  const std::size_t dof = model::coordinate_count(robot);
   switch (result) {
     case Result::scalar:
     case Result::vector:
@@ -30,15 +31,33 @@ Parameter result_of(const model::Robot& robot, Result result, std::size_t output
     case Result::point:
       return result_array(3);
     case Result::point_derivatives:
-      return result_matrix(3, dof);
+      return result_matrix(3, model::driven_count(robot));
   }
   return {};
+}
+
+/// Adds an argument of C. Velocities, accelerations and forces have the six of a base that floats in front.
+void add_argument(const model::Robot& robot, const std::string& name, std::vector<Parameter>& list) {
+  const bool is_velocity = robot.floating_base && name != "q";
+  if (robot.floating_base && name == "q") list.push_back({"const double ", "base", "[7]"});
+  list.push_back(is_velocity ? Parameter{"const double ", name,
+                                         "[" + std::to_string(model::coordinate_count(robot)) + "]"}
+                             : joint_array(robot, name));
+}
+
+/// Gravity as a floating base sees it (floating_base.h): in its own frame, and minus its product with the
+/// position.
+std::vector<std::string> gravity_at_base(const model::Robot& robot, const DynamicsInterface& interface) {
+  if (!robot.floating_base || interface.gravity == Gravity::none) return {};
+  return {"const double seen_gravity[4] = {", "    2 * gravity * (base[0] * base[2] - base[1] * base[3]),",
+          "    -2 * gravity * (base[2] * base[3] + base[0] * base[1]),",
+          "    2 * gravity * (base[1] * base[1] + base[2] * base[2]) - gravity,", "    gravity * base[6]};"};
 }
 
 std::vector<Parameter> parameters_of(const model::Robot& robot, const DynamicsInterface& interface,
                                      std::size_t outputs) {
   std::vector<Parameter> list;
-  for (const std::string& name : interface.arguments) list.push_back(joint_array(robot, name));
+  for (const std::string& name : interface.arguments) add_argument(robot, name, list);
   list.push_back(geometry(robot));
   list.push_back(inertia(robot));
   if (interface.gravity == Gravity::magnitude) list.push_back({"double ", "gravity"});
@@ -85,10 +104,13 @@ Function function_of(const model::Robot& robot, const optimise::Optimised& from)
   Function function{from.name, without_slashes(dynamics_doc(robot, from, interface)),
                     parameters_of(robot, interface, code.code.outputs.size())};
   if (interface.result == Result::scalar) function.result = "double";
+  if (robot.floating_base)
+    function.doc.push_back("`base`: its orientation w x y z and its position in the world, m.");
+  append(function.statements, gravity_at_base(robot, interface));
   append(function.statements, set_up(code.set_up));
   append(function.statements, sine_cosine_statements(robot, from.function, angles));
   append(function.statements, temporaries(code.code));
-  append(function.statements, assignments(interface, model::driven_count(robot), code.code));
+  append(function.statements, assignments(interface, model::coordinate_count(robot), code.code));
   return function;
 }
 
@@ -136,8 +158,8 @@ Part dynamics(const model::Robot& robot, const std::vector<optimise::Optimised>&
   Part all;
   for (const optimise::Optimised& function : functions) {
     if (dynamics_interface(function.name).result == Result::derivatives)
-      all +=
-          {render("c/dynamics_derivatives.h", {{"name", robot.name}, {"dof", model::driven_count(robot)}})};
+      all += {render("c/dynamics_derivatives.h",
+                     {{"name", robot.name}, {"dof", model::coordinate_count(robot)}})};
     all += written(robot, {function_of(robot, function)});
   }
   return all;

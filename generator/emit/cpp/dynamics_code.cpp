@@ -72,7 +72,7 @@ ast::Leaves leaves_of(const model::Robot& robot, const std::vector<dag::Angle>& 
     known[derive::dynamics::force_of(motion)] = ast::entry("torque", k);
   }
   for (std::size_t k = 0; base > 0 && k < 4; ++k)
-    known[derive::dynamics::gravity_component(k)] = ast::entry("gravity", k);
+    known[derive::dynamics::gravity_component(k)] = ast::entry("seen_gravity", k);
   for (std::size_t i = 0; i < variables.size(); ++i) {
     const std::string& variable = variables[i];
     const ast::Expression rate = ast::entry("qd", base + i);
@@ -158,7 +158,7 @@ json gravity_at_base_values(Gravity gravity, const std::string& scalar) {
   if (gravity == Gravity::none) return values;
   values["load_default"] = " = Scalar(9.80665)";
   values["wrench_parameter"] = ", NonDeduced<Scalar> gravity";
-  values["wrench_unused"] = ", [[maybe_unused]] const GravityAtBase<Scalar>& gravity";
+  values["wrench_unused"] = ", [[maybe_unused]] const GravityAtBase<Scalar>& seen_gravity";
   values["wrench_argument"] = ", gravity_at_base(at.base, gravity)";
   values["wrench_type"] = ", " + scalar;
   return values;

@@ -191,10 +191,6 @@ void generate_dynamics_product(const model::Robot& described, RobotOutput& outpu
 }
 
 void generate_dynamics_c(const model::Robot& described, RobotOutput& output) {
-  if (described.floating_base) {
-    output.missing.push_back({"dynamics", Missing::Kind::not_in_language, "the base floats: it is in C++"});
-    return;
-  }
   if (!has_dynamics(described, output)) return;
   const optimise::DynamicsModel model = optimise::dynamics_model(described);
   const model::Robot& robot = model.arm.robot;
@@ -221,8 +217,12 @@ void generate_dynamics_c(const model::Robot& described, RobotOutput& output) {
     add_c_part(made, emit::c::regressor(robot, regressor, function));
     made.counts[function.name] = entry_of(robot, function);
   };
-  const std::vector<PartOfOutput> parts{
+  std::vector<PartOfOutput> parts{
       {"dynamics_derivatives", derivatives}, {"dynamics_loads", loads}, {"regressor", with_regressor}};
+  if (described.floating_base) {
+    parts.resize(1);
+    say_what_floats(output);
+  }
   attempt_all(without_requested(parts, described.on_request, output), output);
 }
 
