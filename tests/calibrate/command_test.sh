@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# command_test.sh TOOL WRITE_POSES WORK: the worked example, from a table of poses to the generated arm; and mistakes, which
+# command_test.sh TOOL WRITE_POSES WORK PYTHON_FOLDER: the worked example, from a table of poses to the generated arm; and mistakes, which
 # leave nothing behind.
 set -euo pipefail
-tool=$1 write_poses=$2 work=$3
+tool=$1 write_poses=$2 work=$3 python=$4
 fail() { echo "$*" >&2; exit 1; }
 rm -rf "$work" && mkdir -p "$work" && cd "$work"
 
@@ -27,3 +27,15 @@ sed '5s/^[^,]*/nan/; 7s/,[^,]*$//' poses.csv > wrong.csv
 if "$tool" calibrate ur5 wrong.csv -o wrong.toml 2> errors.txt; then fail "wrong data were taken"; fi
 grep -q "wrong.csv:5:1: error: 'q1' is nan" errors.txt && grep -q 'wrong.csv:7:1: error: 12 cells' errors.txt || fail "$(cat errors.txt)"
 [[ ! -e wrong.toml && ! -e wrong.toml.unfinished ]] || fail "something was written"
+
+QVGEN_TOOL=$tool PYTHONPATH=$python python3 - <<'PY'
+import pathlib, qvgen
+report = qvgen.calibrate("ur5", "poses.csv", "from_python.toml", "--name", "my_ur5")
+assert "the zero of joint 3" in report
+assert pathlib.Path("from_python.toml").read_text() == pathlib.Path("my_ur5.toml").read_text()
+try:
+    qvgen.calibrate("ur5", "wrong.csv", "wrong.toml")
+    raise SystemExit("wrong data were taken")
+except qvgen.BuildError as error:
+    assert "wrong.csv:5:1" in str(error)
+PY

@@ -11,10 +11,11 @@ import importlib
 import typing
 
 from . import robots
+from . import _build
 from ._build import BuildError, Limbs, build_module, cache_folder, generate
 
 __all__ = ["BuildError", "JointRates", "NearSolution", "NearestRows", "Solutions", "Status", "VelocityStatus",
-           "cache_folder", "load", "metrics", "orientation", "robots"]
+           "cache_folder", "calibrate", "load", "metrics", "orientation", "robots"]
 
 
 class Status(enum.IntEnum):
@@ -74,6 +75,15 @@ def __getattr__(name):
     if name in ("metrics", "orientation"):
         return importlib.import_module("." + name, __name__)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def calibrate(description, data, output, *options):
+    """Finds the errors of an arm's geometry from a table of measurements, and writes its description to `output`.
+
+    `description` is a known robot's name or a file; `options` are those of `qvgen calibrate`, "--errors", "zeros". Returns
+    the report as text. Raises BuildError with the tool's messages. Then load(output) is the calibrated arm.
+    """
+    return _build.calibrate(description, data, output, options)
 
 
 def load(description, *options, floating=False):

@@ -232,15 +232,29 @@ class Limbs(collections.abc.Mapping):
         return len(self._names)
 
 
-def generate(description, options):
-    """Generates the code of a description into the cache; returns the names of the robot and of its limbs, and the folder."""
-    description = pathlib.Path(description).resolve()
+def _tool():
+    """Path of the tool: QVGEN_TOOL, that of the source tree, or one on the path."""
     known = _root / "build/release/generator/cli/qvgen"
     tool = os.environ.get("QVGEN_TOOL") or (known if known.exists() else shutil.which("qvgen"))
     if tool is None:
         raise BuildError("there is no tool qvgen: run ./qvgen generate once, or set QVGEN_TOOL")
+    return tool
+
+
+def calibrate(description, data, output, options):
+    """Runs `qvgen calibrate`; returns its report."""
+    done = subprocess.run([str(_tool()), "calibrate", str(description), str(data), "-o", str(output), *options],
+                          capture_output=True, text=True)
+    if done.returncode != 0:
+        raise BuildError(done.stderr)
+    return done.stdout
+
+
+def generate(description, options):
+    """Generates the code of a description into the cache; returns the names of the robot and of its limbs, and the folder."""
+    description = pathlib.Path(description).resolve()
     folder = cache_folder() / ("generated-" + _hash([description, *options]))
-    _run([tool, "generate", description, "--output", folder, *options])
+    _run([_tool(), "generate", description, "--output", folder, *options])
     counts = json.loads((folder / "operation_counts.json").read_text())
     robot = min(counts, key=len)  # limbs are called after it
     return robot, [name for name in counts if name != robot], folder
