@@ -193,6 +193,25 @@ TEST_F(Families, AtADeadCentreTwoAssembliesAreOneThatIsMarked) {
   EXPECT_EQ(four_bar::assemble(four_bar::Driven(0.0), four_bar_of(0.25, 0.5, 0.25, 0.999999)).size(), 2);
 }
 
+TEST_F(Families, LimitsLeaveTheAssembliesThatAreWithin) {
+  const auto found = four_bar::assemble(four_bar::Driven(0.8));
+  ASSERT_EQ(found.size(), 2);
+  for (const auto& row : found) {
+    // A window around this row's passive joints, two turns further.
+    qvgen::JointLimits<3> limits;
+    limits.lower = row.q.array() - 0.01;
+    limits.upper = row.q.array() + 0.01;
+    limits.lower[2] += 4 * M_PI;
+    limits.upper[2] += 4 * M_PI;
+    const auto within = qvgen::within_limits(found, limits, four_bar::is_revolute);
+    ASSERT_EQ(within.size(), 1);
+    for (const auto& left : within) {
+      EXPECT_EQ(left.branch, row.branch);
+      EXPECT_NEAR(left.q[2], row.q[2] + 4 * M_PI, 1e-12);
+    }
+  }
+}
+
 TEST_F(Families, AFoldingParallelogramMeetsItsMirrorImage) {
   const four_bar::Geometry g = four_bar_of(0.3, 1, 0.3, 1);
   const auto open = four_bar::assemble(four_bar::Driven(0.7), g);

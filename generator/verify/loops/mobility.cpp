@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include <Eigen/QR>
+#include <Eigen/Cholesky>
 #include <Eigen/SVD>
 
 #include "dag/evaluate.h"
@@ -23,7 +23,7 @@ using Eigen::VectorXd;
 namespace names = derive::inverse::names;
 
 constexpr int most_starts = 400;
-constexpr int most_steps = 60;
+constexpr int most_steps = 100;
 constexpr int samples = 5;
 /// Singular values below this share of the greatest are none.
 constexpr double rank_share = 1e-7;
@@ -164,10 +164,12 @@ std::optional<VectorXd> LoopNumbers::closed_from(VectorXd q) const {
     const VectorXd off = gaps(q);
     if (!off.allFinite() || off.norm() > 1e6 * size_) return std::nullopt;
     if (off.cwiseAbs().maxCoeff() < 1e-13 * size_) return q;
-    // Redundant equations differ by rounding: what they say of each other is no motion.
-    Eigen::CompleteOrthogonalDecomposition<MatrixXd> factors;
-    factors.setThreshold(rank_share * 10);
-    VectorXd way = factors.compute(jacobian(q)).solve(off);
+    // Damped by the gap: where redundant equations agree on a whole path, they shall not draw along it to its
+    // end.
+    const MatrixXd by = jacobian(q);
+    MatrixXd square = by * by.transpose();
+    square.diagonal().array() += off.norm() * size_;
+    VectorXd way = by.transpose() * square.ldlt().solve(off);
     const double longest = way.cwiseAbs().maxCoeff();
     if (longest > 0.5) way *= 0.5 / longest;
     q -= way;
