@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Output folders with C++, with C, and with C in float.
-#include "command_line.h"
-
 #include <fstream>
 #include <iterator>
+
+#include "command_line.h"
 
 namespace qvgen::test {
 namespace {
