@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "calibrate/plan.h"
 #include "calibrate/report.h"
 #include "calibrate/result.h"
 #include "cli/commands.h"
@@ -71,6 +72,28 @@ void write(const CalibrateArguments& arguments, const model::Robot& robot, const
              arguments.output.string());
 }
 
+/// Prints postures to measure next.
+void print_plan(const model::Robot& robot, const calibrate::Identifiable& can, const calibrate::State& state,
+                const calibrate::DataSet& set, std::size_t count) {
+  if (can.setup.data == calibrate::Data::plane || can.setup.data == calibrate::Data::sphere)
+    throw std::runtime_error("--plan is for poses, positions and distances: a surface leaves no choice");
+  const calibrate::Plan plan = calibrate::plan(robot, can, state, set, count);
+  fmt::print("{}", calibrate::table_of(robot, plan));
+  fmt::print(stderr, "expected deviation of a prediction: {:.4f} mm, before {:.4f} mm\n", 1e3 * plan.after,
+             1e3 * plan.before);
+}
+
+int plan_without_data(const CalibrateArguments& arguments, const model::Robot& robot,
+                      const calibrate::Options& options) {
+  if (arguments.plan == 0) throw UsageError("calibrate takes a table of measurements, or --plan NUMBER");
+  calibrate::DataSet none;
+  none.targets = {1};
+  if (arguments.options.camera) none.data = calibrate::Data::camera;
+  const calibrate::Identifiable can = calibrate::identifiable(robot, calibrate::setup_of(none, options));
+  print_plan(robot, can, calibrate::state_without_data(can), none, arguments.plan);
+  return success;
+}
+
 }  // namespace
 
 int run_calibrate(const CalibrateArguments& arguments) {
@@ -81,16 +104,24 @@ int run_calibrate(const CalibrateArguments& arguments) {
   const model::Robot& robot = *descriptions->front().robot;
   check_numbers(robot);
   check_joints(robot);
+  const calibrate::Options options{arguments.errors, arguments.gears, has(arguments.known, "tracker"),
+                                   has(arguments.known, "target")};
+  if (arguments.data.empty()) return plan_without_data(arguments, robot, options);
   const calibrate::DataResult data = calibrate::read_data(arguments.data, robot, arguments.options);
   print_diagnostics(data.diagnostics);
   if (!data.good) return failure;
-  calibrate::Options options{arguments.errors, arguments.gears, has(arguments.known, "tracker"),
-                             has(arguments.known, "target")};
   calibrate::DataError error;
   const auto found = calibrate::calibrate(robot, data.set, options, error);
   if (!found) {
     print_diagnostics({{data.set.file, 1, 1, description::Diagnostic::error, error.message, error.hint}});
     return failure;
+  }
+  if (arguments.plan > 0) {
+    calibrate::DataSet weighed = data.set;
+    for (auto& row : weighed.rows)
+      if (!weighed.sigma_known) row.sigma = found->sigma, row.sigma_angle = found->sigma_angle;
+    print_plan(robot, found->identifiable, found->state, weighed, arguments.plan);
+    return success;
   }
   fmt::print("{}", calibrate::report_text(robot, data.set, *found));
   if (!arguments.output.empty()) write(arguments, robot, *found);

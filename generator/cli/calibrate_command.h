@@ -23,6 +23,7 @@ struct CalibrateArguments {
   calibrate::DataOptions options;
   calibrate::Errors errors = calibrate::Errors::all;
   bool gears = false;              ///< eccentricity of gears, too
+  std::size_t plan = 0;            ///< how many postures to plan; 0: calibrate
   std::vector<std::string> known;  ///< frames: tracker, target
 };
 

@@ -45,8 +45,12 @@ CLI::App* add_calibrate(CLI::App& app, CalibrateArguments& arguments) {
       .add_option("DATA", arguments.data,
                   "table of joint values q1, q2, ... and what was measured there: x y z, with qw qx qy qz or "
                   "roll pitch yaw or rx ry rz for poses; or distance; or the number of a plane or sphere")
-      ->type_name("FILE")
-      ->required();
+      ->type_name("FILE");
+  command
+      .add_option("--plan", arguments.plan,
+                  "print so many postures that tell most, after those of DATA; without DATA for poses")
+      ->type_name("NUMBER")
+      ->check(CLI::Range(1, 1000).description(""));
   command.add_option("-o,--output", arguments.output, "description to write; only the report without")
       ->type_name("FILE");
   const std::map<std::string, Errors> errors{

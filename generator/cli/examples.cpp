@@ -59,6 +59,7 @@ const char* const calibrate_examples = R"(
   qvgen calibrate scara tracker.csv --errors zeros -o my_scara.toml   positions; zeros of the joints alone
   qvgen calibrate arm.toml poses.csv --known tracker,target   poses of the tool in the described world
   qvgen calibrate arm.urdf board.csv --tip tool0 --camera -o my_arm.toml   a camera on the tool sees a board
+  qvgen calibrate ur5 --plan 40 > postures.csv    postures to measure that tell most, within limits
   qvgen calibrate ur5 poses.csv --unit mm --angle-unit deg --sigma 0.00005   headers without units
 )";
 

@@ -28,6 +28,16 @@ if "$tool" calibrate ur5 wrong.csv -o wrong.toml 2> errors.txt; then fail "wrong
 grep -q "wrong.csv:5:1: error: 'q1' is nan" errors.txt && grep -q 'wrong.csv:7:1: error: 12 cells' errors.txt || fail "$(cat errors.txt)"
 [[ ! -e wrong.toml && ! -e wrong.toml.unfinished ]] || fail "something was written"
 
+# Planned postures tell more than random ones: what is expected after them is better, and it falls with their number.
+"$tool" calibrate ur5 --plan 30 > plan.csv 2> plan30.txt
+"$tool" calibrate ur5 --plan 10 > ten.csv 2> plan10.txt
+head -11 plan.csv | cmp - ten.csv || fail "a longer plan begins in another way"
+[[ $(wc -l < plan.csv) -eq 31 ]] || fail "not 30 postures"
+awk '{ print $6 }' plan30.txt plan10.txt | paste -sd' ' | awk '{ exit !($1 < $2 && $1 < 0.2) }' || fail "$(cat plan30.txt plan10.txt)"
+"$tool" calibrate ur5 poses.csv --plan 5 > more.csv
+[[ $(wc -l < more.csv) -eq 6 ]] || fail "not 5 postures"
+if "$tool" calibrate ur5 2> errors.txt; then fail "no data were taken"; fi
+
 QVGEN_TOOL=$tool PYTHONPATH=$python python3 - <<'PY'
 import pathlib, qvgen
 report = qvgen.calibrate("ur5", "poses.csv", "from_python.toml", "--name", "my_ur5")

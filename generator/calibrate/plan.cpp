@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "calibrate/plan.h"
+
+#include <numbers>
+#include <random>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <fmt/format.h>
+
+namespace qvgen::calibrate {
+namespace {
+
+constexpr std::size_t candidates = 1000;
+
+/// Returns the bounds of a joint: its limits; without, a whole turn, or a slide as long as a third of the
+/// arm.
+std::pair<double, double> range_of(const model::Joint& joint, const DoubleValues& values, double reach) {
+  if (joint.limits) return {values.number(joint.limits->lower), values.number(joint.limits->upper)};
+  if (joint.type == model::JointType::revolute) return {-std::numbers::pi, std::numbers::pi};
+  return {0, reach / 3};
+}
+
+/// Random postures within the limits, and what a measurement at each would tell.
+class Planner {
+ public:
+  Planner(const model::Robot& robot, const Identifiable& can, const State& state, const DataSet& set)
+      : can_(can), state_(state), set_(set) {
+    const double reach = reach_of(can.model.geometry);
+    const DoubleValues values(robot);
+    for (const model::Joint& joint : robot.joints)
+      if (!joint.follows) ranges_.push_back(range_of(joint, values, reach));
+    for (std::size_t i = 0; i < candidates; ++i) add_candidate(i);
+    information_ =
+        normal_of(can.model, {&set, std::vector<double>(set.rows.size(), 1.0)}, state, can.candidates).matrix;
+    for (std::size_t i = 0; i < can.candidates.size(); ++i) {
+      // Beforehand an error is known to be below what counts as told at all.
+      const double most = can.model.parameters[can.candidates[i]].turn ? most_angle : most_length;
+      information_(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)) += 1 / (most * most);
+    }
+  }
+
+  Plan plan(std::size_t count) {
+    Plan result;
+    result.before = deviation();
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t best = most_telling();
+      result.postures.push_back(postures_[best].q);
+      information_ += rows_[best].transpose() * rows_[best];
+    }
+    result.after = deviation();
+    return result;
+  }
+
+ private:
+  double uniform() { return static_cast<double>(random_() >> 11U) * 0x1p-53; }
+
+  void add_candidate(std::size_t number) {
+    Measurement each;
+    for (const auto& [lower, upper] : ranges_) each.q.push_back(lower + (upper - lower) * uniform());
+    each.target = number % can_.setup.targets;
+    each.surface = can_.setup.surfaces > 0 ? number % can_.setup.surfaces : 0;
+    each.pose = identity(1.0);
+    each.sigma = set_.rows.empty() ? usual_sigma : set_.rows.front().sigma;
+    each.sigma_angle = set_.rows.empty() ? usual_sigma_angle : set_.rows.front().sigma_angle;
+    const Residual residual = residual_of(can_.model, can_.setup.data, state_, each);
+    const Eigen::VectorXd weights = deviations(can_.setup.data, each).cwiseInverse();
+    Eigen::MatrixXd rows(weights.size(), static_cast<Eigen::Index>(can_.candidates.size()));
+    for (std::size_t k = 0; k < can_.candidates.size(); ++k)
+      rows.col(static_cast<Eigen::Index>(k)) =
+          residual.derivative.col(static_cast<Eigen::Index>(can_.candidates[k])).cwiseProduct(weights);
+    rows_.push_back(std::move(rows));
+    postures_.push_back(std::move(each));
+  }
+
+  /// Returns the candidate with the largest det(1 + J H^-1 J^T).
+  [[nodiscard]] std::size_t most_telling() const {
+    const Eigen::LLT<Eigen::MatrixXd> solver(information_);
+    std::size_t best = 0;
+    double most = -1;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      const Eigen::MatrixXd half = solver.matrixL().solve(rows_[i].transpose());
+      const Eigen::MatrixXd gain =
+          Eigen::MatrixXd::Identity(half.cols(), half.cols()) + half.transpose() * half;
+      const double value = gain.determinant();
+      if (value > most) {
+        most = value;
+        best = i;
+      }
+    }
+    return best;
+  }
+
+  /// Returns the expected deviation of what is measured first, a position or a distance, over all candidates.
+  [[nodiscard]] double deviation() const {
+    const Eigen::LLT<Eigen::MatrixXd> solver(information_);
+    double sum = 0;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      const Eigen::MatrixXd heads =
+          rows_[i].topRows(std::min<Eigen::Index>(3, rows_[i].rows())) * postures_[i].sigma;
+      sum += solver.matrixL().solve(heads.transpose()).squaredNorm();
+    }
+    return std::sqrt(sum / static_cast<double>(rows_.size()));
+  }
+
+  const Identifiable& can_;
+  const State& state_;
+  const DataSet& set_;
+  std::mt19937_64 random_{1};
+  std::vector<std::pair<double, double>> ranges_;
+  std::vector<Measurement> postures_;
+  std::vector<Eigen::MatrixXd> rows_;
+  Eigen::MatrixXd information_;
+};
+
+}  // namespace
+
+Plan plan(const model::Robot& robot, const Identifiable& can, const State& state, const DataSet& set,
+          std::size_t count) {
+  return Planner(robot, can, state, set).plan(count);
+}
+
+State state_without_data(const Identifiable& can) {
+  const Vec<double> off_all_axes{0.07, 0.04, 0.1};
+  const Rigid<double> target = can.setup.target_known ? identity(1.0) : shift(off_all_axes, 1.0);
+  return {std::vector<double>(can.model.parameters.size(), 0.0), {identity(1.0), {target}}, {}};
+}
+
+std::string table_of(const model::Robot& robot, const Plan& plan) {
+  std::vector<bool> turns;
+  std::string text;
+  for (const model::Joint& joint : robot.joints) {
+    if (joint.follows) continue;
+    turns.push_back(joint.type == model::JointType::revolute);
+    text +=
+        fmt::format("{}q{} [{}]", turns.size() > 1 ? ", " : "", turns.size(), turns.back() ? "deg" : "mm");
+  }
+  for (const std::vector<double>& q : plan.postures) {
+    text += "\n";
+    for (std::size_t i = 0; i < q.size(); ++i)
+      text += fmt::format("{}{:.3f}", i > 0 ? ", " : "", q[i] * (turns[i] ? 180 / std::numbers::pi : 1e3));
+  }
+  return text + "\n";
+}
+
+}  // namespace qvgen::calibrate
