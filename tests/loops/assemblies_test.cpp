@@ -54,7 +54,8 @@ VectorXd random_values(const reference::LoopMechanism& of, const std::vector<Eig
                        std::mt19937& random) {
   std::uniform_real_distribution<double> turn(-3.2, 3.2), slide(-of.size / 2, of.size / 2);
   const auto count = static_cast<Eigen::Index>(of.chain.joints.size());
-  const auto assembled = random() % 2 == 0 ? reference::assemblies(of, VectorXd::Zero(count), {}, 1, random())
+  const auto assembled = random() % 2 == 0 ? reference::assemblies(of, VectorXd::Zero(count), {}, 1,
+                                                                   static_cast<unsigned>(random()))
                                            : std::vector<VectorXd>{};
   VectorXd values(static_cast<Eigen::Index>(joints.size()));
   for (Eigen::Index i = 0; i < values.size(); ++i) {
@@ -76,7 +77,9 @@ void expect_closed(const reference::LoopMechanism& of, const Set& set) {
   for (const Row& row : set.rows) {
     EXPECT_LT(reference::gaps(of, row.q).cwiseAbs().maxCoeff(), 1e-13 * of.size);
     for (const Row& other : set.rows)
-      if (&other != &row) EXPECT_GT(distance(of, row.q, other.q), 1e-9) << "an assembly is there twice";
+      if (&other != &row) {
+        EXPECT_GT(distance(of, row.q, other.q), 1e-9) << "an assembly is there twice";
+      }
   }
 }
 
@@ -136,7 +139,9 @@ TEST_P(Assemblies, HoldTheSampledOneAndAreNumberedInOrder) {
     const VectorXd a = random_values(reference_, reference_.driven, random);
     const Set set = mechanism_.assemble(a);
     for (std::size_t i = 0; i < set.rows.size(); ++i) {
-      if (i > 0) EXPECT_LT(set.rows[i - 1].branch, set.rows[i].branch);
+      if (i > 0) {
+        EXPECT_LT(set.rows[i - 1].branch, set.rows[i].branch);
+      }
       EXPECT_LT(set.rows[i].branch, mechanism_.capacity);
       const Set near = mechanism_.assemble_near(a, set.rows[i].q);
       ASSERT_EQ(near.rows.size(), set.rows.size());
@@ -198,7 +203,7 @@ TEST_P(Assemblies, KeepTheirBranchAlongAPath) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Loops, Assemblies, testing::ValuesIn(mechanisms()),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& of) { return of.param.name; });
 
 }  // namespace
 }  // namespace qvgen::test::loops

@@ -25,7 +25,8 @@ class Motions : public testing::TestWithParam<MechanismUnderTest> {
  protected:
   /// A random assembly that the reference has found; nothing where it is at the end of what can be assembled.
   VectorXd sampled() {
-    const auto found = reference::assemblies(reference_, VectorXd::Zero(mechanism_.dof), {}, 1, random_());
+    const auto found = reference::assemblies(reference_, VectorXd::Zero(mechanism_.dof), {}, 1,
+                                             static_cast<unsigned>(random_()));
     if (found.empty()) return {};
     VectorXd a(mechanism_.driven);
     for (int i = 0; i < mechanism_.driven; ++i)
@@ -157,7 +158,7 @@ TEST_P(Motions, TheMassMatrixIsTheKineticEnergys) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Loops, Motions, testing::ValuesIn(mechanisms()),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& of) { return of.param.name; });
 
 }  // namespace
 }  // namespace qvgen::test::loops
