@@ -21,11 +21,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int most_steps = 100;
+constexpr int most_steps = 200;
 /// The wish counts so much more than the divergence at the end, as a share of what it misses.
 constexpr double smallest_weight = 1e-9;
 /// Steps shorter than this change nothing any more.
-constexpr double settled = 1e-9;
+constexpr double settled = 1e-6;
 constexpr double equal = 1e-12;
 /// The total mass as a wish is off by this share at most.
 constexpr double mass_share = 1e-7;
@@ -132,6 +132,7 @@ bool take(const Problem& problem, VectorXd& values, const VectorXd& step, const 
   for (double share = 1; share > 1e-9; share /= 2) {
     if (!std::isfinite(problem.distance(values + share / most * step))) continue;
     if (!(merit(values + share * step) < before)) continue;
+    while (merit(values + share / 2 * step) < merit(values + share * step)) share /= 2;
     values += share * step;
     return true;
   }
@@ -192,7 +193,7 @@ FullSet closest_consistent(const ArmRegressor& arm, const Estimate& estimate, co
   const Problem problem(arm, estimate, prior);
   VectorXd values = problem.start();
   for (double weight = std::max(1.0, problem.growth(values));
-       weight > smallest_weight * std::max(1.0, problem.growth(values)); weight /= 10) {
+       weight > smallest_weight * std::max(1.0, problem.growth(values)); weight /= 5) {
     values = towards(problem, values, weight);
     if (const auto exact = met(problem, values))
       return {problem.result(along_equations(problem, *exact)), true, 0};

@@ -28,9 +28,10 @@ TEST(Plan, KeepsLimitsAndTellsAll) {
   const std::string text = limited(ArmWriter(3).text("RRR"));
   identify::PlanRequest request;
   request.trials = 30;
+  request.rate = 1000;
   const identify::Plan plan = identify::plan(read_arm(text), request);
   const MotionLog& motion = plan.motion;
-  EXPECT_EQ(motion.samples(), 2001);
+  EXPECT_EQ(motion.samples(), 20001);
   EXPECT_LE(motion.q.maxCoeff(), 0.8);
   EXPECT_GE(motion.q.minCoeff(), -1.2);
   EXPECT_LE(motion.qd.cwiseAbs().maxCoeff(), 0.9);
@@ -40,8 +41,8 @@ TEST(Plan, KeepsLimitsAndTellsAll) {
   }
   for (Index k = 1; k + 1 < motion.samples(); ++k)  // rates and accelerations are derivatives
     for (Index i = 0; i < 3; ++i) {
-      EXPECT_NEAR(motion.qd(k, i), (motion.q(k + 1, i) - motion.q(k - 1, i)) * 50, 1e-2);
-      EXPECT_NEAR(motion.qdd(k, i), (motion.qd(k + 1, i) - motion.qd(k - 1, i)) * 50, 1e-2);
+      EXPECT_NEAR(motion.qd(k, i), (motion.q(k + 1, i) - motion.q(k - 1, i)) * 500, 1e-2);
+      EXPECT_NEAR(motion.qdd(k, i), (motion.qd(k + 1, i) - motion.qd(k - 1, i)) * 500, 1e-2);
     }
   EXPECT_GT(plan.deviation.minCoeff(), 0);  // all are told
   EXPECT_LT(plan.condition, 1000);
