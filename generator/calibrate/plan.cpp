@@ -29,7 +29,7 @@ class Planner {
     const double reach = reach_of(can.model.geometry);
     const DoubleValues values(robot);
     for (const model::Joint& joint : robot.joints)
-      if (!joint.follows) ranges_.push_back(range_of(joint, values, reach));
+      if (joint.follows.empty()) ranges_.push_back(range_of(joint, values, reach));
     for (std::size_t i = 0; i < candidates; ++i) add_candidate(i);
     information_ =
         normal_of(can.model, {&set, std::vector<double>(set.rows.size(), 1.0)}, state, can.candidates).matrix;
@@ -130,7 +130,7 @@ std::string table_of(const model::Robot& robot, const Plan& plan) {
   std::vector<bool> turns;
   std::string text;
   for (const model::Joint& joint : robot.joints) {
-    if (joint.follows) continue;
+    if (!joint.follows.empty()) continue;
     turns.push_back(joint.type == model::JointType::revolute);
     text +=
         fmt::format("{}q{} [{}]", turns.size() > 1 ? ", " : "", turns.size(), turns.back() ? "deg" : "mm");

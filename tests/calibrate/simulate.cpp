@@ -154,7 +154,7 @@ VectorXd random_joints(const Scene& scene) {
   VectorXd q(scene.truth.size());
   Eigen::Index k = 0;
   for (const reference::Joint& joint : scene.truth.joints)
-    if (joint.leader < 0) q[k++] = joint.revolute ? angle(scene.random) : length(scene.random);
+    if (joint.leaders.empty()) q[k++] = joint.revolute ? angle(scene.random) : length(scene.random);
   return q;
 }
 

@@ -18,7 +18,8 @@ class PathLaws : public testing::TestWithParam<std::string> {
   template <class Check>
   static void for_each_path(int usual, const Check& check) {
     std::mt19937 random(7);
-    const int count = path_count(usual);
+    // A pose of an arm by elimination takes some fifty times as long.
+    const int count = path_count(GetParam() == "crx10ia" ? usual / 4 : usual);
     for (int i = 0; i < count; ++i) {
       const double length = i % 3 == 0 ? 0.2 : i % 3 == 1 ? 0.6 : 1.5;
       SCOPED_TRACE(GetParam() + ", path " + std::to_string(i));

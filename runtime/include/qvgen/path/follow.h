@@ -6,8 +6,8 @@
 #include <qvgen/path/live.h>
 
 /// All solutions followed along a path. Every stretch is halved until each solution at one end belongs to one
-/// at the other, by short ways, or meets another on the way at a place that is located; so nothing that is
-/// longer than a fraction of a stretch stays hidden between two samples.
+/// at the other, by short ways, or meets another on the way at a place that is located. This is no proof: a
+/// branch that begins and ends between two places, at most `Options::longest_way` apart, can be missed.
 namespace qvgen::path {
 
 /// Numbers that bound the work.

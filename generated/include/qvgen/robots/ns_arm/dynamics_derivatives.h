@@ -8,7 +8,6 @@
 namespace qvgen::robots::ns_arm {
 
 /// Joint forces and their derivatives: row i, column k is the derivative of force i by position or rate k.
-
 template <class Scalar>
 struct InverseDynamicsDerivatives {
   JointVector<Scalar> torque;
