@@ -173,7 +173,8 @@ void gather_derivatives(const model::Robot& robot, std::size_t rows, dag::Functi
     for (const auto& [letter, column] : {std::pair("q", &by_position), std::pair("v", &by_rate)})
       for (std::size_t row = 0; row < rows; ++row)
         form.outputs.push_back(
-            {letter + std::to_string(row + 1) + "_" + std::to_string(driven + 1), (*column)[row]});
+            {letter + std::to_string(row + 1) + "_" + std::to_string(model::base_motions(robot) + driven + 1),
+             (*column)[row]});
   }
 }
 

@@ -159,7 +159,7 @@ PlainRecursion::Frame PlainRecursion::frame_of(const model::Displacement& displa
 }
 
 void PlainRecursion::take_standard_parameters() {
-  drives_.assign(size(), {});
+  drives_.assign(drives_.size(), {});
   for (std::size_t i = 0; i < links_.size(); ++i) {
     Link& link = links_[i];
     const auto value = [&](std::size_t k) { return point_.symbol(standard_parameter(10 * i + k)); };
@@ -385,7 +385,10 @@ Number PlainRecursion::kinetic_energy(const Values& driven) const {
     twice = twice + link.mass * dot(centre_velocity, centre_velocity) + dot(local, link.inertia * local) +
             link.rotor * rates[i] * rates[i];
   }
-  for (std::size_t k = 0; k < size(); ++k) twice = twice + drives_[k].rotor * driven[k] * driven[k];
+  for (std::size_t k = 0; k < drives_.size(); ++k) {
+    const Number& rate = driven[base_motions_ + k];
+    twice = twice + drives_[k].rotor * rate * rate;
+  }
   return twice / Number(2);
 }
 
