@@ -30,6 +30,17 @@ class PathLaws : public testing::TestWithParam<std::string> {
 
 bool is_alive(const Track& track, double s) { return track.begin.s < s && s < track.end.s; }
 
+/// True if the rows at a place beyond `alive` are gone at both sides within the way that two places of the
+/// follower may be apart: a branch that begins and ends there can be missed, as the library says.
+bool is_between_places(const AnyArm& arm, const Curve& curve, double s, std::ptrdiff_t alive) {
+  const Options options;
+  const auto piece = curve.piece(std::min(static_cast<std::size_t>(s), curve.pieces() - 1));
+  const double apart =
+      2 * std::min(options.longest_way / piece.distance(), options.longest_turn / piece.angle());
+  return arm.solve(curve.at(std::max(0.0, s - apart))).size() <= alive &&
+         arm.solve(curve.at(std::min(curve.end(), s + apart))).size() <= alive;
+}
+
 bool is_near_an_end(const std::vector<Track>& tracks, double s) {
   for (const Track& track : tracks)
     if (std::abs(track.begin.s - s) < 1e-6 || std::abs(track.end.s - s) < 1e-6) return true;
@@ -37,10 +48,11 @@ bool is_near_an_end(const std::vector<Track>& tracks, double s) {
 }
 
 TEST_P(PathLaws, NoMotionIsLostAndNoneInvented) {
-  int compared = 0;
+  int compared = 0, paths = 0, hidden = 0;
   for_each_path(12, [&](const std::vector<Pose<double>>& samples) {
     const Whole whole(arm(), samples);
     EXPECT_FALSE(whole.record.is_full);
+    ++paths;
     const std::vector<Track> tracks = whole.found();
     const int places = 100 * static_cast<int>(whole.curve.pieces());
     for (int i = 0; i <= places; ++i) {
@@ -51,10 +63,15 @@ TEST_P(PathLaws, NoMotionIsLostAndNoneInvented) {
       const auto alive =
           std::count_if(tracks.begin(), tracks.end(), [&](const Track& track) { return is_alive(track, s); });
       ++compared;
+      if (alive < found.size() && is_between_places(arm(), whole.curve, s, alive)) {
+        ++hidden;
+        continue;
+      }
       ASSERT_EQ(alive, found.size()) << "s = " << s;
     }
   });
-  EXPECT_GT(compared, 5000);
+  EXPECT_GT(compared, 400 * paths);
+  EXPECT_LE(hidden, compared / 500);
 }
 
 /// Joins rows by distance from place to place, a hundred for each piece.

@@ -419,18 +419,12 @@ SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, 
     return none;
   }
   const auto preference = inverse::preference<dof>(inverse::with_value(seed, 2, given_theta3));
-  const auto lanes = [&](const inverse::WantedRows& wanted) {
-      return detail::given_theta3::wanted_rows_of(pose, g, tolerance, given_theta3, wanted); };
-
-  SolutionsGiven_theta3 found;
-  const bool is_sorted = inverse::sorted_in_lanes(lanes, seed, is_revolute, found);
-  if (!is_sorted) found = detail::given_theta3::rows_of(pose, g, tolerance, preference, inverse::Form::fastest,
+  SolutionsGiven_theta3 found = detail::given_theta3::rows_of(pose, g, tolerance, preference, inverse::Form::fastest,
       given_theta3);
-
   if (found.status == Status::invalid)
     if (const auto meant = inverse::pose_meant(pose)) return inverse_kinematics_given_theta3(*meant, given_theta3,
         seed, g, tolerance);
-  if (!is_sorted) sort_by_distance(found, seed, is_revolute);
+  sort_by_distance(found, seed, is_revolute);
   const auto follow = [&](bool is_sure, NearSolution& nearest) {
       detail::given_theta3::follow_whole_arm(pose, preference, g, tolerance, given_theta3, is_sure, nearest); };
   inverse::add_row_at_seed(preference, is_revolute.data(), follow, found);

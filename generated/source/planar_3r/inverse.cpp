@@ -562,7 +562,6 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
     none.status = Status::invalid;
     return none;
   }
-
   const auto preference = inverse::preference<dof>(seed);
   Solutions found = detail::all::rows_of(pose, g, tolerance, preference, inverse::Form::fastest);
   if (found.status == Status::invalid)
@@ -651,7 +650,6 @@ SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Vector3<double>& pos
     none.status = Status::invalid;
     return none;
   }
-
   const Pose<double> pose = Pose<double>{Eigen::Quaternion<double>::Identity(), position};
   const auto preference = inverse::preference<dof>(inverse::with_value(seed, 2, given_theta3));
   SolutionsGiven_theta3 found = detail::given_theta3::rows_of(pose, g, tolerance, preference, inverse::Form::fastest,
@@ -717,7 +715,6 @@ SolutionsGiven_theta3 inverse_kinematics_given_theta3(const Pose<double>& pose, 
     none.status = Status::invalid;
     return none;
   }
-
   const auto preference = inverse::preference<dof>(inverse::with_value(seed, 2, given_theta3));
   SolutionsGiven_theta3 found = detail::given_theta3::rows_of(pose, g, tolerance, preference, inverse::Form::fastest,
       given_theta3);

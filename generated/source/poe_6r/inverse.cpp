@@ -408,16 +408,10 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
     return none;
   }
   const auto preference = inverse::preference<dof>(seed);
-  const auto lanes = [&](const inverse::WantedRows& wanted) {
-      return detail::all::wanted_rows_of(pose, g, tolerance, wanted); };
-
-  Solutions found;
-  const bool is_sorted = inverse::sorted_in_lanes(lanes, seed, is_revolute, found);
-  if (!is_sorted) found = detail::all::rows_of(pose, g, tolerance, preference, inverse::Form::fastest);
-
+  Solutions found = detail::all::rows_of(pose, g, tolerance, preference, inverse::Form::fastest);
   if (found.status == Status::invalid)
     if (const auto meant = inverse::pose_meant(pose)) return inverse_kinematics(*meant, seed, g, tolerance);
-  if (!is_sorted) sort_by_distance(found, seed, is_revolute);
+  sort_by_distance(found, seed, is_revolute);
   const auto follow = [&](bool is_sure, NearSolution& nearest) {
       detail::all::follow_whole_arm(pose, preference, g, tolerance, is_sure, nearest); };
   inverse::add_row_at_seed(preference, is_revolute.data(), follow, found);

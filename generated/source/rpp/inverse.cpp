@@ -295,7 +295,6 @@ Solutions inverse_kinematics(const Vector3<double>& position, const JointVector<
     none.status = Status::invalid;
     return none;
   }
-
   const Pose<double> pose = Pose<double>{Eigen::Quaternion<double>::Identity(), position};
   const auto preference = inverse::preference<dof>(seed);
   Solutions found = detail::all::rows_of(pose, g, tolerance, preference, inverse::Form::fastest);
@@ -356,7 +355,6 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
     none.status = Status::invalid;
     return none;
   }
-
   const auto preference = inverse::preference<dof>(seed);
   Solutions found = detail::all::rows_of(pose, g, tolerance, preference, inverse::Form::fastest);
   if (found.status == Status::invalid)

@@ -314,7 +314,6 @@ Solutions inverse_kinematics(const PositionAndYaw<double>& task, const JointVect
     none.status = Status::invalid;
     return none;
   }
-
   const inverse::ArmAtZero<dof> arm = detail::arm_at_zero(g);
   const Pose<double> pose = inverse::pose_of(task, arm.joints[0].axis, arm.tool.orientation);
   const auto preference = inverse::preference<dof>(seed);
@@ -377,7 +376,6 @@ Solutions inverse_kinematics(const Pose<double>& pose, const JointVector<double>
     none.status = Status::invalid;
     return none;
   }
-
   const inverse::ArmAtZero<dof> arm = detail::arm_at_zero(g);
   const auto preference = inverse::preference<dof>(seed);
   Solutions found = inverse::reaching<3, dof, 4>(pose, arm, tolerance, preference,

@@ -16,6 +16,11 @@ Isometry3d motion(const Joint& joint, double value) {
   return result;
 }
 
+/// The joint's variable; a chain that is written by hand may leave it out.
+std::string name_of(const std::vector<Joint>& joints, std::size_t i) {
+  return joints[i].variable.empty() ? "joint " + std::to_string(i) : joints[i].variable;
+}
+
 }  // namespace
 
 std::vector<std::string> Chain::driven() const {
@@ -23,10 +28,10 @@ std::vector<std::string> Chain::driven() const {
   const auto add = [&](const std::string& variable) {
     if (std::find(names.begin(), names.end(), variable) == names.end()) names.push_back(variable);
   };
-  for (const Joint& joint : joints) {
-    if (joint.leaders.empty()) add(joint.variable);
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    if (joints[i].leaders.empty()) add(name_of(joints, i));
     for (const Motor& motor : motors)
-      for (const auto& leader : joint.leaders)
+      for (const auto& leader : joints[i].leaders)
         if (leader.first == motor.variable) add(motor.variable);
   }
   return names;
@@ -41,7 +46,7 @@ MatrixXd Chain::coupling() const {
       MatrixXd::Zero(static_cast<Eigen::Index>(joints.size()), static_cast<Eigen::Index>(names.size()));
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
-    if (joints[i].leaders.empty()) all(row, place(joints[i].variable)) = 1;
+    if (joints[i].leaders.empty()) all(row, place(name_of(joints, i))) = 1;
     for (const auto& [leader, ratio] : joints[i].leaders) all(row, place(leader)) += ratio;
   }
   return all;

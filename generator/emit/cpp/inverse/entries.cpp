@@ -116,31 +116,27 @@ std::vector<std::string> task_lines(const Problem& problem, const Argument& argu
   return lines;
 }
 
-/// Expression of all rows of a pose, looked at if need be.
-std::string rows_of(const Problem& problem, Filter filter, bool seeded, const json& variant) {
+/// Lines that solve for a pose, the rows looked at if need be.
+std::vector<std::string> body(const Problem& problem, const Argument& argument, Filter filter, bool seeded,
+                              const json& variant) {
   const std::string space = "detail::" + variant["space"].get<std::string>() + "::";
   const std::string given = variant["given_last_argument"];
   const std::string rows = std::to_string(problem.row_size);
   const bool virtual_joints = variant["virtual_joints"];
   const std::string form = seeded ? "inverse::Form::fastest" : "form";
+  std::vector<std::string> lines = task_lines(problem, argument, filter, seeded, variant);
   const std::string preference = seeded ? "preference" : "inverse::zero_preference<" + rows + ">";
   const auto solved = [&](const std::string& chosen) {
     return space + "rows_of(pose, g, tolerance, " + chosen + ", " + form + given + ")";
   };
+  std::string result = solved(preference);
   if (filter != Filter::none)
-    return std::string("inverse::reaching<") + (filter == Filter::pose ? "3" : "1") + ", dof, " + rows +
-           ">(pose, arm, tolerance, " + preference + ", [&](const auto& chosen) { return " +
-           solved("chosen") + "; })";
-  if (virtual_joints) return "inverse::own_joints<dof>(" + solved(preference) + ")";
-  return solved(preference);
-}
-
-/// Lines that solve for a pose.
-std::vector<std::string> body(const Problem& problem, const Argument& argument, Filter filter, bool seeded,
-                              const json& variant) {
-  std::vector<std::string> lines = task_lines(problem, argument, filter, seeded, variant);
-  lines.push_back(variant["solutions"].get<std::string>() +
-                  " found = " + rows_of(problem, filter, seeded, variant) + ";");
+    result = std::string("inverse::reaching<") + (filter == Filter::pose ? "3" : "1") + ", dof, " + rows +
+             ">(pose, arm, tolerance, " + preference + ", [&](const auto& chosen) { return " +
+             solved("chosen") + "; })";
+  else if (virtual_joints)
+    result = "inverse::own_joints<dof>(" + result + ")";
+  lines.push_back(variant["solutions"].get<std::string>() + " found = " + result + ";");
   return lines;
 }
 
@@ -160,7 +156,6 @@ json entry(const Problem& problem, const Argument& argument, Filter filter, cons
           {"is_pose", argument.is_pose},
           {"lines", lines_of(body(problem, argument, filter, false, variant))},
           {"seeded", lines_of(body(problem, argument, filter, true, variant))},
-          {"seeded_rows", rows_of(problem, filter, true, variant)},
           {"seeded_task", lines_of(task_lines(problem, argument, Filter::none, true, variant))},
           {"follows_seed", (filter == Filter::none || looks) && variant["seed_branch"].is_object()},
           {"looks", looks},

@@ -15,7 +15,7 @@ struct RowPlaces {
 /// Which of a pose's rows are wanted and in which order; where branches are followed in lanes they are chosen
 /// there, before a row is written. A number for each joint.
 struct WantedRows {
-  const double* lower;  ///< limits; null: all rows are wanted, as they are solved
+  const double* lower;  ///< limits
   const double* upper;
   const double* seed;    ///< finite: next to it the representatives of angles are looked for
   const bool* revolute;  ///< which joints may be turned by whole turns

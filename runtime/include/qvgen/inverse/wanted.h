@@ -28,31 +28,16 @@ bool is_finite(const Joints<dof>& q) {
   return sum == 0;
 }
 
-/// Has lanes write the wanted rows. `limits` null: all rows, as they are solved.
+/// Has lanes write the wanted rows.
 template <int dof, int capacity, std::size_t count, class Lanes>
-RowCount choose_in_lanes(const Lanes& lanes, const JointLimits<dof>* limits, const Joints<dof>& seed,
+RowCount choose_in_lanes(const Lanes& lanes, const JointLimits<dof>& limits, const Joints<dof>& seed,
                          const std::array<bool, count>& revolute, bool is_sorted,
                          Solutions<dof, capacity>& found) {
   alignas(32) double room[room_of_wanted(dof, capacity)];
-  const WantedRows wanted{limits == nullptr ? nullptr : limits->lower.data(),
-                          limits == nullptr ? nullptr : limits->upper.data(),
-                          seed.data(),
-                          revolute.data(),
-                          is_sorted,
-                          room,
+  const WantedRows wanted{limits.lower.data(), limits.upper.data(), seed.data(),
+                          revolute.data(),     is_sorted,           room,
                           row_places(found)};
   return lanes(wanted);
-}
-
-/// Solves in lanes, the nearest row to the seed first. Returns false where lanes do not answer: at poses that
-/// are invalid or near singular, and without lanes.
-template <int dof, int capacity, std::size_t count, class Lanes>
-bool sorted_in_lanes(const Lanes& lanes, const Joints<dof>& seed, const std::array<bool, count>& revolute,
-                     Solutions<dof, capacity>& found) {
-  const RowCount chosen = choose_in_lanes<dof>(lanes, nullptr, seed, revolute, true, found);
-  if (chosen.rows < 0 || chosen.continuum) return false;
-  conclude(found, chosen);
-  return true;
 }
 
 /// True if lanes have answered what is asked for rows within limits. If solutions exist but none is inside
@@ -68,7 +53,7 @@ LimitedSolutions<dof, capacity> next_to_seed(const Joints<dof>& seed, const Join
                                              const Regular& regular, const All& all, const Bring& bring) {
   LimitedSolutions<dof, capacity> found;
   const RowCount chosen = is_finite(seed)
-                              ? choose_in_lanes<dof, capacity>(lanes, &limits, seed, revolute, true, found)
+                              ? choose_in_lanes<dof, capacity>(lanes, limits, seed, revolute, true, found)
                               : without_lanes;
   if (is_answered(chosen)) {
     conclude(found, chosen);
@@ -93,7 +78,7 @@ AllWithinLimits<dof, capacity> every_within(const JointLimits<dof>& limits,
                                             const All& all, const Bring& bring) {
   AllWithinLimits<dof, capacity> result(limits, revolute, Joints<dof>::Zero());
   const RowCount chosen =
-      choose_in_lanes<dof>(lanes, &limits, result.centre(), revolute, false, result.room());
+      choose_in_lanes<dof>(lanes, limits, result.centre(), revolute, false, result.room());
   if (is_answered(chosen)) {
     result.take_rows(chosen.rows);
     return result;

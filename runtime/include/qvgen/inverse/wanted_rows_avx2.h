@@ -68,8 +68,7 @@ class LaneWithin {
   static_assert(room_of_limits(dof) >= 5 * Numbers::size);
 
   [[gnu::always_inline]] explicit LaneWithin(const WantedRows& wanted)
-      : is_limited_(wanted.lower != nullptr),
-        lower_(wanted.room),
+      : lower_(wanted.room),
         upper_(wanted.room + Numbers::size),
         seed_(wanted.room + 2 * Numbers::size),
         middle_(wanted.room + 3 * Numbers::size),
@@ -79,18 +78,14 @@ class LaneWithin {
       const __m256d seed = Numbers::load(wanted.seed, part);
       seed_.set(part, seed);
       per_turn_.set(part, _mm256_and_pd(Numbers::revolute(wanted.revolute, part), turn));
-      if (is_limited_)
-        set_limits(part, Numbers::load(wanted.lower, part), Numbers::load(wanted.upper, part), seed);
+      set_limits(part, Numbers::load(wanted.lower, part), Numbers::load(wanted.upper, part), seed);
     }
   }
 
   /// Takes rows of which all are known before any is written: some have joints in common.
   template <class... Rows>
   [[gnu::always_inline]] void take(const Rows&... rows) const {
-    if (is_limited_)
-      (take_inside(rows.first, rows.branch, rows.result), ...);
-    else
-      (take_as_solved(rows.first, rows.branch, rows.result), ...);
+    (take_inside(rows.first, rows.branch, rows.result), ...);
   }
 
   /// Four rows as they are solved, and the place for what of them is wanted.
@@ -101,21 +96,6 @@ class LaneWithin {
   };
 
  private:
-  /// Takes rows as they are; distances are the short way round.
-  [[gnu::always_inline]] void take_as_solved(const Pack (&q)[dof], const Branch<Pack>& branch,
-                                             FourRows<dof>& rows) const {
-    const Pack rounds = 0x1.8p52, turn = whole_turn;
-    Pack squares[dof];
-    for (int i = 0; i < dof; ++i) {
-      const Pack way = seed_[i] - q[i];
-      const Pack off = way - turn * ((way * per_turn_[i] + rounds) - rounds);
-      squares[i] = off * off;
-      rows.q[i] = q[i];
-    }
-    rows.square = sum(squares);
-    rows.exists = branch.exists;
-  }
-
   /// Finds the representatives next to the seed; rows outside do not exist.
   [[gnu::always_inline]] void take_inside(const Pack (&q)[dof], const Branch<Pack>& branch,
                                           FourRows<dof>& rows) const {
@@ -157,7 +137,6 @@ class LaneWithin {
     middle_.set(part, _mm256_min_pd(_mm256_max_pd(seed, least), most));
   }
 
-  bool is_limited_;
   Numbers lower_, upper_, seed_, middle_, per_turn_;
 };
 

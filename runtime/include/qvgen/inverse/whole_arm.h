@@ -100,7 +100,7 @@ bool is_nearly_free(const ArmMatching<dof, points>& task, const Preference<dof>&
                     const JointValues<double, static_cast<std::size_t>(dof)>& start, double row_apart,
                     Budget& budget) {
   const double least = least_miss * least_miss * row_apart * task.size_square;
-  if (miss_square<points>(task, seed) >= 4 * least || !budget.step()) return false;
+  if (!budget.step() || miss_square<points>(task, seed) >= 4 * least) return false;
   using Newton = polishing::Newton<double, static_cast<std::size_t>(dof), static_cast<std::size_t>(points)>;
   return Newton(task).reached(start).error < least;
 }

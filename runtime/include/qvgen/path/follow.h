@@ -7,14 +7,14 @@
 
 /// All solutions followed along a path. Every stretch is halved until each solution at one end belongs to one
 /// at the other, by short ways, or meets another on the way at a place that is located. This is no proof: a
-/// branch that begins and ends between two places, at most `Options::longest_way` apart, can be missed.
+/// branch that begins and ends between two places, at most twice `Options::longest_way` apart, can be missed.
 namespace qvgen::path {
 
 /// Numbers that bound the work.
 struct Options {
   double longest_step = 0.25;  ///< of a joint between two places, rad or m
-  double longest_way = 0.01;   ///< of the tool between two places that are solved without need, m
-  double longest_turn = 0.02;  ///< likewise, rad
+  double longest_way = 0.005;  ///< of the tool between two places that are solved without need, m
+  double longest_turn = 0.01;  ///< likewise, rad
   int most_places = 20000;     ///< solved on one piece of the path; beyond it the record is doubtful
 };
 
