@@ -106,7 +106,8 @@ TEST(DynamicsNotation, KeepsTheFramesOfLinksThatAreTurnedByOtherAngles) {
 }
 
 nlohmann::json counts_of(const model::Robot& robot, pipeline::Language language) {
-  return pipeline::generate({robot}, {"dynamics_derivatives", "dynamics_loads"}, {}, {}, language)
+  return pipeline::generate({robot}, {"dynamics_derivatives", "dynamics_loads", "regressor"}, {}, {},
+                            language)
       .front()
       .counts;
 }

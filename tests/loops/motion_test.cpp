@@ -145,7 +145,7 @@ TEST_P(Motions, PowerInIsPowerOut) {
     };
     const double step = 1e-4;
     const double rate = (energy(step) - energy(-step)) / (2 * step);
-    const double scale = std::abs(power) + lost + energy(0) + 1;
+    const double scale = std::abs(power) + lost + std::abs(energy(0)) + 1;
     EXPECT_NEAR(power, rate + lost, 2e-4 * scale * (1 + m.qd.norm()));
   }
 }
@@ -157,7 +157,15 @@ TEST_P(Motions, TheMassMatrixIsTheKineticEnergys) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Loops, Motions, testing::ValuesIn(mechanisms()),
+/// Mechanisms of which closed configurations can be sampled: those of a planar 3-RPR, whose slides have to be
+/// given, are not found from random starts.
+std::vector<MechanismUnderTest> sampled_mechanisms() {
+  std::vector<MechanismUnderTest> all = mechanisms();
+  std::erase_if(all, [](const MechanismUnderTest& each) { return each.name == "planar_3rpr"; });
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Loops, Motions, testing::ValuesIn(sampled_mechanisms()),
                          [](const auto& of) { return of.param.name; });
 
 }  // namespace

@@ -115,13 +115,13 @@ Joints<dof> loop_bias(const Eigen::Matrix<double, rows, dof>& jacobian,
 
 /// Measure, from 0 to 1, of how well some joints are held by the loops if the others are given: 0 where they
 /// can move although the others stand still. The determinant by these joints, divided by the lengths of its
-/// columns; one that is but rounding next to the others counts as longer than it is.
+/// rows; one that is but rounding next to the others counts as longer than it is.
 template <int rows, int dof, std::size_t count>
 double loop_measure(const Eigen::Matrix<double, rows, dof>& jacobian, const std::array<int, count>& held) {
   const Eigen::Matrix<double, rows, rows> part = columns_of(jacobian, held);
-  const double least = 1e-8 * part.norm();
+  const double least = 1e-6 * jacobian.norm();
   double lengths = 1;
-  for (int i = 0; i < rows; ++i) lengths *= std::max(part.col(i).norm(), least);
+  for (int i = 0; i < rows; ++i) lengths *= std::max(jacobian.row(i).norm(), least);
   return lengths > 0 ? std::abs(part.partialPivLu().determinant()) / lengths : 0;
 }
 

@@ -13,8 +13,8 @@ namespace qvgen::path {
 /// Numbers that bound the work.
 struct Options {
   double longest_step = 0.25;  ///< of a joint between two places, rad or m
-  double longest_way = 0.005;  ///< of the tool between two places that are solved without need, m
-  double longest_turn = 0.01;  ///< likewise, rad
+  double longest_way = 0.01;   ///< of the tool between two places that are solved without need, m
+  double longest_turn = 0.02;  ///< likewise, rad
   int most_places = 20000;     ///< solved on one piece of the path; beyond it the record is doubtful
 };
 
