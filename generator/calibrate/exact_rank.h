@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What no data of a kind can ever tell, whatever postures were measured: the rank of the derivatives at
-// random exact postures, in a prime field. A rank that the field shows is one over the rationals; that it
-// shows less than there is has a probability of about 1e-15.
+// Combinations that no data of a kind can ever tell, whatever postures were measured: the rank of the
+// derivatives at random exact postures, in a prime field. A rank that the field shows is one over the
+// rationals; that it shows less than there is has a probability of about 1e-15.
 #pragma once
 
 #include "calibrate/setup.h"

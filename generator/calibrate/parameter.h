@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a calibration can find: errors of the arm's geometry, and the frames and surfaces that nobody
+// Unknowns that a calibration can find: errors of the arm's geometry, and the frames and surfaces that nobody
 // measured. Each is one elementary motion, a turn about or a shift along an axis, at one place of the chain
 //
 //     tracker | gap 1, joint 1 | gap 2, joint 2 | ... | gap n + 1 (the tool) | target

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a calibration found, as text for people.
+// Findings of a calibration as text for people.
 #pragma once
 
 #include "calibrate/calibration.h"

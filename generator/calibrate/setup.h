@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What was measured, and which parameters are asked for.
+// Measurements, and the parameters that are asked for.
 #pragma once
 
 #include "calibrate/chain.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What cannot be told, in words: "the offset of link 3: only together with the offset of link 2".
+// Text for what cannot be told: "the offset of link 3: only together with the offset of link 2".
 #pragma once
 
 #include "calibrate/setup.h"
