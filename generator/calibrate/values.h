@@ -37,8 +37,8 @@ class DoubleValues {
   model::Bindings bindings_;
 };
 
-/// Values of expressions in the field. Constants that are no algebraic numbers get random values, equal for
-/// equal text: relations between them may be missed, never invented.
+/// Values of expressions in the field. Transcendental constants get random values,
+/// equal for equal text: relations between them may be missed, never invented.
 class FieldValues {
  public:
   using Scalar = Field;

@@ -15,6 +15,7 @@
 #include "description/physics.h"
 #include "description/plain_text.h"
 #include "description/request.h"
+#include "description/root_keys.h"
 #include "description/size_limits.h"
 #include "description/symbols.h"
 #include "description/tree/tree.h"
@@ -130,35 +131,7 @@ void read_units(const Table& root) {
 
 model::Mechanism read_robot(const Table& root) {
   Context& context = root.context();
-  root.allow_only({"name",
-                   "title",
-                   "source",
-                   "symbols",
-                   "inertia",
-                   "drives",
-                   "accept_unphysical_inertia",
-                   "base",
-                   "tool",
-                   "defaults",
-                   "joint",
-                   "convention",
-                   "dh",
-                   "home",
-                   "screw",
-                   "task",
-                   "tool_axis",
-                   "given",
-                   "ideal",
-                   "unit",
-                   "angle_unit",
-                   "frame",
-                   "on_request",
-                   "tip",
-                   "floating_base",
-                   "loop",
-                   "actuated",
-                   "outputs",
-                   "motor"});
+  root.allow_only(root_keys());
   read_units(root);
   context.is_measured = root.has("ideal");
   model::Mechanism mechanism;

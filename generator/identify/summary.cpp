@@ -15,7 +15,7 @@ using Eigen::Index;
 
 /// Shares of a parameter below this are rounding.
 constexpr double nothing = 1e-12;
-/// Residuals that follow each other by more than this are no white noise.
+/// Correlation of a residual with the one before it above which noise is not white.
 constexpr double lasting = 0.3;
 
 constexpr std::array standard_names{"m", "hx", "hy", "hz", "Ixx", "Iyy", "Izz", "Ixy", "Iyz", "Ixz"};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What an identification has found, as text for people and as a table for programs.
+// Results of an identification as text for people and as a table for programs.
 #pragma once
 
 #include <string>

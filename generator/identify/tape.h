@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A function of the graph as a straight list of instructions over columns: each works on a block of samples
-// at once, so that looking up the next instruction costs little. Logs of a hundred thousand samples take
-// tenths of a second, without a compiler. Slots of values that are no longer needed are used again, so that a
-// block stays in the processor's cache.
+// at once, so that looking up the next instruction costs little, and no compiler is needed. A value that has
+// been read for the last time leaves its slot to the next one, so that a block stays in the processor's
+// cache.
 #pragma once
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The matrix of Coriolis forces of a robot whose base floats. The base's velocities are no derivatives of
-// coordinates, so that there are no Christoffel symbols to compare with. The matrix must obey what it is for:
-// C v are the forces of velocities, and M' - 2 C is skew-symmetric.
+// Laws of the matrix of Coriolis forces of a robot whose base floats. Its velocities cannot be integrated to
+// coordinates, so Christoffel symbols do not exist. The matrix must obey what it is for: C v are the forces
+// of velocities, and M' - 2 C is skew-symmetric.
 #pragma once
 
 #include <vector>

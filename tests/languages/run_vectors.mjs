@@ -68,7 +68,8 @@ function check(agree, what) {
 }
 
 const own = {};
-for (const [name, table] of Object.entries(vectors.library)) {
+const { library } = vectors;
+for (const [name, table] of Object.entries(library)) {
   own[name] = Math[name];
   Math[name] = (...inputs) => {
     const known = table[inputs.map(bitsOf).join(" ")];

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "derive/dynamics/drive_parameters.h"
+#include "derive/dynamics/exact_vectors.h"
 #include "derive/dynamics/formulation.h"
 #include "derive/dynamics/pseudo_inertia.h"
 #include "derive/dynamics/rotation_sequence.h"
@@ -15,30 +16,6 @@ namespace qvgen::derive::dynamics {
 namespace {
 
 using exact::Number;
-using Vector = std::array<Number, 3>;
-using Matrix = std::array<Vector, 3>;
-
-Vector operator+(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-Vector operator*(const Number& s, const Vector& v) { return {s * v[0], s * v[1], s * v[2]}; }
-Number dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Vector operator*(const Matrix& m, const Vector& v) { return {dot(m[0], v), dot(m[1], v), dot(m[2], v)}; }
-Matrix transpose(const Matrix& m) {
-  Matrix t;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t k = 0; k < 3; ++k) t[i][k] = m[k][i];
-  return t;
-}
-Matrix operator*(const Matrix& a, const Matrix& b) {
-  const Matrix columns = transpose(b);
-  Matrix product;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t k = 0; k < 3; ++k) product[i][k] = dot(a[i], columns[k]);
-  return product;
-}
-Matrix identity() { return {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}; }
 
 /// Rodrigues' formula, the matrix of the thesis's unit quaternion [cos(angle/2), sin(angle/2) axis] (1.3).
 Matrix rotation(const Vector& axis, const exact::CosineSine& angle) {

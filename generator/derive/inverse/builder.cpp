@@ -8,16 +8,6 @@ namespace qvgen::derive::inverse {
 
 using GiNaC::ex;
 
-Flat operator*(const Flat& a, const Flat& b) { return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x}; }
-Flat conjugate(const Flat& a) { return {a.x, -a.y}; }
-
-Polar polar(const Flat& v, const Scope& scope) {
-  if (scope.is_zero(v.y)) return {v.x, {1, 0}};
-  if (scope.is_zero(v.x)) return {v.y, {0, 1}};
-  const ex length = GiNaC::sqrt(scope.clean(v.x * v.x + v.y * v.y));
-  return {length, {v.x / length, v.y / length}};
-}
-
 Builder::Builder(const model::Robot& robot, Scope& scope, Plan& plan, const std::string& held)
     : scope_(scope), plan_(plan) {
   for (const auto& parameter : robot.geometry)

@@ -25,7 +25,7 @@ bool is_truth(const std::string& sign) {
   return precedence(sign) <= 2 || (precedence(sign) >= 6 && precedence(sign) <= 7);
 }
 
-/// Results of functions of <math.h> that are no numbers with a fraction.
+/// Kind of value that a function of the C library returns: a real one unless it is listed.
 Type::Kind result_of_library(const std::string& name) {
   if (name == "isnan" || name == "isfinite" || name == "signbit") return Type::Kind::boolean;
   return name == "memcpy" || name == "memset" ? Type::Kind::nothing : Type::Kind::real;

@@ -16,16 +16,6 @@ namespace qvgen {
 
 namespace detail {
 
-/// Turns the base's parts: linear and angular by a rotation each, or not at all.
-template <class Scalar, int size>
-Eigen::Matrix<Scalar, size, 1> with_base_turned(Eigen::Matrix<Scalar, size, 1> values,
-                                                const Quaternion<Scalar>* linear,
-                                                const Quaternion<Scalar>* angular) {
-  if (linear != nullptr) values.template head<3>() = *linear * values.template head<3>();
-  if (angular != nullptr) values.template segment<3>(3) = *angular * values.template segment<3>(3);
-  return values;
-}
-
 /// Derivatives of the base's linear velocity in a frame that does not turn: v' + w x v.
 template <class Scalar, int size>
 Eigen::Matrix<Scalar, size, 1> without_turning(const Eigen::Matrix<Scalar, size, 1>& qd,
@@ -43,36 +33,49 @@ Eigen::Matrix<Scalar, size, 1> with_halves_exchanged(Eigen::Matrix<Scalar, size,
   return values;
 }
 
-}  // namespace detail
-
-/// Velocities, accelerations and forces of the base in the world's frame, at the base's origin.
-struct InWorld {
+/// Conversions where the base's linear parts are in the world's frame, at the base's origin, and the angular
+/// parts in that of the world or of the base.
+template <bool turns_angular>
+struct LinearInWorld {
   template <class Scalar, int dof>
   using Vector = Eigen::Matrix<Scalar, 6 + dof, 1>;
 
   template <class Scalar, int dof>
   static Vector<Scalar, dof> velocity(const FloatingConfiguration<Scalar, dof>& at,
                                       const Vector<Scalar, dof>& qd) {
-    return detail::with_base_turned<Scalar, 6 + dof>(qd, &at.base.orientation, &at.base.orientation);
+    return turned(at.base.orientation, qd);
   }
   template <class Scalar, int dof>
   static Vector<Scalar, dof> acceleration(const FloatingConfiguration<Scalar, dof>& at,
                                           const Vector<Scalar, dof>& qd, const Vector<Scalar, dof>& qdd) {
-    return velocity(at, detail::without_turning<Scalar, 6 + dof>(qd, qdd, Scalar(1)));
+    return velocity(at, without_turning<Scalar, 6 + dof>(qd, qdd, Scalar(1)));
   }
   template <class Scalar, int dof>
   static Vector<Scalar, dof> force(const FloatingConfiguration<Scalar, dof>& at,
                                    const Vector<Scalar, dof>& force) {
     return velocity(at, force);
   }
-  /// Back from the world's frame: velocities or forces.
+  /// Back to the base's frame: velocities or forces.
   template <class Scalar, int dof>
   static Vector<Scalar, dof> to_base(const FloatingConfiguration<Scalar, dof>& at,
                                      const Vector<Scalar, dof>& values) {
-    const Quaternion<Scalar> back = at.base.orientation.conjugate();
-    return detail::with_base_turned<Scalar, 6 + dof>(values, &back, &back);
+    return turned(at.base.orientation.conjugate(), values);
+  }
+
+ private:
+  template <class Scalar, int size>
+  static Eigen::Matrix<Scalar, size, 1> turned(const Quaternion<Scalar>& by,
+                                               Eigen::Matrix<Scalar, size, 1> values) {
+    values.template head<3>() = by * values.template head<3>();
+    if (turns_angular) values.template segment<3>(3) = by * values.template segment<3>(3);
+    return values;
   }
 };
+
+}  // namespace detail
+
+/// Velocities, accelerations and forces of the base in the world's frame, at the base's origin.
+struct InWorld : detail::LinearInWorld<true> {};
 
 struct Pinocchio {
   template <class Scalar, int dof>
@@ -88,10 +91,7 @@ struct Pinocchio {
   // Velocities, accelerations and forces are those of this library.
 };
 
-struct MuJoCo {
-  template <class Scalar, int dof>
-  using Vector = Eigen::Matrix<Scalar, 6 + dof, 1>;
-
+struct MuJoCo : detail::LinearInWorld<false> {
   template <class Scalar, int dof>
   static Eigen::Matrix<Scalar, 7 + dof, 1> position(const FloatingConfiguration<Scalar, dof>& at) {
     const Quaternion<Scalar>& r = at.base.orientation;
@@ -102,28 +102,6 @@ struct MuJoCo {
   template <int dof, class Scalar>
   static FloatingConfiguration<Scalar, dof> configuration(const Eigen::Matrix<Scalar, 7 + dof, 1>& q) {
     return {{Quaternion<Scalar>(q[3], q[4], q[5], q[6]), q.template head<3>()}, q.template tail<dof>()};
-  }
-  template <class Scalar, int dof>
-  static Vector<Scalar, dof> velocity(const FloatingConfiguration<Scalar, dof>& at,
-                                      const Vector<Scalar, dof>& qd) {
-    return detail::with_base_turned<Scalar, 6 + dof>(qd, &at.base.orientation, nullptr);
-  }
-  template <class Scalar, int dof>
-  static Vector<Scalar, dof> acceleration(const FloatingConfiguration<Scalar, dof>& at,
-                                          const Vector<Scalar, dof>& qd, const Vector<Scalar, dof>& qdd) {
-    return velocity(at, detail::without_turning<Scalar, 6 + dof>(qd, qdd, Scalar(1)));
-  }
-  template <class Scalar, int dof>
-  static Vector<Scalar, dof> force(const FloatingConfiguration<Scalar, dof>& at,
-                                   const Vector<Scalar, dof>& force) {
-    return velocity(at, force);
-  }
-  /// Back from MuJoCo's: velocities or forces.
-  template <class Scalar, int dof>
-  static Vector<Scalar, dof> to_base(const FloatingConfiguration<Scalar, dof>& at,
-                                     const Vector<Scalar, dof>& values) {
-    const Quaternion<Scalar> back = at.base.orientation.conjugate();
-    return detail::with_base_turned<Scalar, 6 + dof>(values, &back, nullptr);
   }
   /// Back from MuJoCo's accelerations; `qd` as here.
   template <class Scalar, int dof>
