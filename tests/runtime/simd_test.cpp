@@ -10,13 +10,13 @@
 
 namespace {
 
-using namespace qvgen;
+namespace simd = qvgen::simd;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double numbers[] = {
-    0.0, -0.0, 1.5, -2.25, infinity, -infinity, std::numeric_limits<double>::quiet_NaN(), 1e-300, -7e10};
+constexpr double huge = std::numeric_limits<double>::infinity();
+constexpr double numbers[] = {0.0,    -0.0, 1.5, -2.25, huge, -huge, std::numeric_limits<double>::quiet_NaN(),
+                              1e-300, -7e10};
 
-void expect_same(double found, double expected, const char* what) {
+void expect_same_number(double found, double expected, const char* what) {
   if (std::isnan(expected))
     EXPECT_TRUE(std::isnan(found)) << what;
   else
@@ -45,7 +45,8 @@ class Simd : public testing::Test {
   static void expect(const char* what, Lanes lanes, Single single) {
     for_all([&](const Lane& a, const Lane& b) {
       const Lane found = lanes(a, b);
-      for (int lane = 0; lane < Lane::size; ++lane) expect_same(found[lane], single(a[lane], b[lane]), what);
+      for (int lane = 0; lane < Lane::size; ++lane)
+        expect_same_number(found[lane], single(a[lane], b[lane]), what);
     });
   }
   template <class Lanes, class Single>
@@ -55,7 +56,7 @@ class Simd : public testing::Test {
       for (int lane = 0; lane < Lane::size; ++lane) {
         const bool expected = single(a[lane], b[lane]);
         EXPECT_EQ(bits(found) >> lane & 1U, expected ? 1U : 0U) << what;
-        expect_same(select(found, a, b)[lane], expected ? a[lane] : b[lane], what);
+        expect_same_number(select(found, a, b)[lane], expected ? a[lane] : b[lane], what);
       }
     });
   }
@@ -113,16 +114,16 @@ TYPED_TEST(Simd, ReadsAndWritesInOrder) {
   EXPECT_TRUE(std::signbit(L(-0.0)[L::size - 1]));
 }
 
-/// Of one register: with signs and masks as the blocks of the inverse kinematics use them.
+/// Signs and masks, which the blocks of the inverse kinematics use, of lanes in one register.
 TEST(SimdOfOneRegister, ChangesSignsInEachLane) {
   using L = simd::Lanes<double, simd::Doubles<simd::widest_register / 8>>;
   for (const double a : numbers)
     for (const double b : numbers) {
       const double sign = std::copysign(1.0, b);
-      expect_same(flipped(L(a), L(b))[1], std::isnan(a) ? a : a * sign, "flipped");
-      expect_same(with_sign_bit(L(std::fabs(a)), L(b))[1], std::copysign(a, b), "with_sign_bit");
-      expect_same(negated(L(b) < L(0.0), L(a))[1], b < 0 ? -a : a, "negated");
-      expect_same(select_by_sign(L(b), L(1.0), L(2.0))[1], std::signbit(b) ? 1 : 2, "select_by_sign");
+      expect_same_number(flipped(L(a), L(b))[1], std::isnan(a) ? a : a * sign, "flipped");
+      expect_same_number(with_sign_bit(L(std::fabs(a)), L(b))[1], std::copysign(a, b), "with_sign_bit");
+      expect_same_number(negated(L(b) < L(0.0), L(a))[1], b < 0 ? -a : a, "negated");
+      expect_same_number(select_by_sign(L(b), L(1.0), L(2.0))[1], std::signbit(b) ? 1 : 2, "select_by_sign");
       EXPECT_EQ(any((L(a) < L(b)) & (L(b) < L(1.0))), a < b && b < 1);
       EXPECT_EQ(any((L(a) < L(b)) | (L(b) < L(1.0))), a < b || b < 1);
       EXPECT_EQ(all(!(L(a) < L(b)) ^ (L(b) < L(1.0))), (!(a < b)) != (b < 1));

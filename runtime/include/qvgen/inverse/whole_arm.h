@@ -248,7 +248,7 @@ bool is_same_row(const Solution<dof>& a, const Solution<dof>& b, const bool* rev
     const double way = revolute[i] ? without_turns(difference) : difference;
     square += way * way;
   }
-  return square < 180 * std::numeric_limits<double>::epsilon();
+  return square < tolerance::same_rows * std::numeric_limits<double>::epsilon();
 }
 
 /// Puts a row next to the seed in front of all solutions, which stand by their distance from it, if there is
@@ -264,7 +264,7 @@ void add_row_at_seed(const Preference<dof>& seed, const bool* revolute, const Fo
   const bool is_sure = found.effort.passes == 0;
   const double row_apart = apart(nearest, seed, revolute);
   // Steps that rounding makes on a continuum would add up.
-  if (is_sure ? is_next_to(nearest, seed, revolute) : row_apart < 1e-12) return;
+  if (is_sure ? is_next_to(nearest, seed, revolute) : row_apart < tolerance::at_seed) return;
   follow(is_sure, nearest);
   found.effort.steps += nearest.effort.steps;
   if (!(apart(nearest, seed, revolute) < row_apart)) return;
