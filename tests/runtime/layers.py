@@ -9,9 +9,8 @@ import sys
 
 LIBRARIES = re.compile(r"^qvgen_runtime_library\((\w+)([^)]*)\)", re.MULTILINE)
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"](qvgen/[^>"]+)[>"]', re.MULTILINE)
-# Headers that do not stand where their library's do: three use the type of solutions, one says what the machine has.
-ELSEWHERE = {"qvgen/assembly.h": "inverse", "qvgen/cubic_trajectory.h": "inverse", "qvgen/paden_kahan.h": "inverse",
-             "qvgen/batch/machine.h": "core"}
+# Headers that do not stand where their library's do: they use the type of solutions.
+ELSEWHERE = {"qvgen/assembly.h": "inverse", "qvgen/cubic_trajectory.h": "inverse", "qvgen/paden_kahan.h": "inverse"}
 
 
 def needs_of(text):

@@ -20,9 +20,9 @@ __builtin_ctz __builtin_popcount __int128 __float128 __extension__ __typeof__ ty
   echo "#undef __clang__"
   for word in $words; do echo "#pragma GCC poison $word"; done
   # Headers for one instruction set are included only where the compiler has it, GCC or clang that is; batches want their
-  # vector types, and say so.
+  # vector types, and say so. Of simd what the other headers include is compiled.
   for folder in "$source/runtime/include" "$generated/include"; do
-    (cd "$folder" && find qvgen -name '*.h' ! -name '*_avx2.h' ! -path '*/batch/*' ! -name batch.h ! -path '*/map/*' |
+    (cd "$folder" && find qvgen -name '*.h' ! -name '*_avx2.h' ! -path '*/batch/*' ! -path '*/simd/*' ! -name batch.h ! -path '*/map/*' |
       sort | sed 's/.*/#include <&>/')
   done
   for robot in ur5 iiwa14; do

@@ -1,13 +1,34 @@
 // SPDX-License-Identifier: MIT
 #include "careful.h"
 
-#include <qvgen/inverse/quartic/care.h>
+#include <qvgen/inverse/nearby.h>
 
 #include "goal.h"
 #include "near_structure.h"
 
 namespace qvgen::inverse::elimination {
 namespace {
+
+// Tolerances of rows: distances are roots of the sums of squares of cosines' and sines' differences.
+
+/// A start that leads here has seen the row: steps end short of double roots by the root of half the digits.
+constexpr double seen_row = 1e-3;
+/// Rows no farther apart may be one, if what lies between them reaches the pose.
+constexpr double far_rows = 1e-2;
+/// Lanes do not tell nearer rows apart: half the digits, with the rounding of an elimination.
+constexpr double lane_rounding = 3e-7;
+/// Steps in lanes end so near to a row: they are not as patient.
+constexpr double lane_miss = 1e-5;
+/// A miss, as a share of the size, of a start that nearly reached the pose: it may have missed a continuum.
+constexpr double stray_miss = 1e-4;
+/// A step along a curve of solutions, which is brought back to the pose; so many are a whole turn of two
+/// joints.
+constexpr double longest_walk = 0.8;
+constexpr int most_walks = 12;
+/// A walk ends at the row, but for what a flat curve leaves.
+constexpr double walk_ends = 1e-2;
+/// Poses nearby are so much farther off than those of closed forms: eliminations carry fewer digits.
+constexpr double farther = 30;
 
 Triple<double> triple_of(const Vector3<double>& v) { return {v[0], v[1], v[2]}; }
 
@@ -97,10 +118,7 @@ Pose<double> mirrored(const Pose<double>& middle, const Pose<double>& pose) {
 
 }  // namespace
 
-Pose<double> Careful::nearby(int k) const {
-  constexpr double far = 30;  // times what `displaced` takes for a little
-  return quartic::displaced(pose_, far * setup_.chain.size, k).pose;
-}
+Pose<double> Careful::nearby(int k) const { return displaced(pose_, farther * setup_.chain.size, k).pose; }
 
 void Careful::settle(const JointPairs& start) {
   full_ = full_ || size_ == most_solutions;
@@ -115,22 +133,19 @@ void Careful::settle(const JointPairs& start) {
       rows_[size_++] = {values, branch.continuum, true};
     return;
   }
-  constexpr double near = 1e-3, nearly = 1e-4;
   for (int i = 0; i < size_; ++i)
-    if (distance_square(rows_[i].values, values) < near * near) rows_[i].seen = true;
+    if (distance_square(rows_[i].values, values) < seen_row * seen_row) rows_[i].seen = true;
   if (tracker_.state(label) != BranchState::missed) return;
   const double error = polishing::Newton<double, joints, 3>(task_).reached(values).error;
-  strays_ = strays_ || error < nearly * nearly * task_.size_square;
+  strays_ = strays_ || error < stray_miss * stray_miss * task_.size_square;
 }
 
 void Careful::settle(const Gathered& gathered) {
-  // Rows that are nearer to each other than lanes tell apart, and what steps in lanes have led to.
-  constexpr double same = 3e-7, near = 1e-5;
   for (int i = 0; i < gathered.rows; ++i)
-    if (!was_looked_beside(gathered.row[i], same)) settle(gathered.row[i]);
+    if (!was_looked_beside(gathered.row[i], lane_rounding)) settle(gathered.row[i]);
   for (int i = 0; i < gathered.starts; ++i) {
     const Start& start = gathered.start[i];
-    if (!start.leads || !was_looked_beside(start.solution, near)) settle(start.values);
+    if (!start.leads || !was_looked_beside(start.solution, lane_miss)) settle(start.values);
   }
 }
 
@@ -157,11 +172,9 @@ void Careful::settle_nearby(Gathered& gathered) {
 /// True if a curve of solutions leads from one row to another: it is followed in steps, each brought back to
 /// the pose.
 bool Careful::leads_to(Values values, const Values& goal) {
-  constexpr double longest = 0.8;
-  constexpr int most_steps = 12;
   const double way = std::sqrt(distance_square(values, goal));
   const double share = std::max(tolerance_, default_tolerance);
-  for (int left = std::min(most_steps, 1 + static_cast<int>(way / longest)); left > 0; --left) {
+  for (int left = std::min(most_walks, 1 + static_cast<int>(way / longest_walk)); left > 0; --left) {
     const Values before = values;
     for (std::size_t j = 0; j < joints; ++j) {
       values[j].cosine += (goal[j].cosine - values[j].cosine) / left;
@@ -169,9 +182,9 @@ bool Careful::leads_to(Values values, const Values& goal) {
     }
     Reached<double, joints, 3> there;
     if (!polish(task_, {share, 2}, values, there, walks_)) return false;
-    if (distance_square(before, values) > 4 * longest * longest) return false;
+    if (distance_square(before, values) > 4 * longest_walk * longest_walk) return false;
   }
-  return distance_square(values, goal) < 1e-4;
+  return distance_square(values, goal) < walk_ends * walk_ends;
 }
 
 /// The nearest first: the way there is the shortest.
@@ -205,13 +218,8 @@ bool Careful::is_even() const { return any_is_singular() || size_ % 2 == 0; }
 
 /// True if what lies between two rows reaches the pose, too, to what rows may miss it by.
 bool Careful::are_one(const Row& a, const Row& b) {
-  constexpr double far = 1e-2;
-  if (distance_square(a.values, b.values) > far * far) return false;
-  Values middle;
-  for (std::size_t j = 0; j < joints; ++j) {
-    middle[j].cosine = (a.values[j].cosine + b.values[j].cosine) / 2;
-    middle[j].sine = (a.values[j].sine + b.values[j].sine) / 2;
-  }
+  if (distance_square(a.values, b.values) > far_rows * far_rows) return false;
+  Values middle = middle_of(a.values, b.values);
   normalise(task_, middle);
   const polishing::Newton<double, joints, 3> newton(task_);
   const auto idle = polishing::Newton<double, joints, 3>::idle(newton.reached(middle));

@@ -9,7 +9,7 @@ namespace {
 
 const Pass& pass_for(InstructionSet wanted) {
   const auto serves = [wanted](const Pass* pass, InstructionSet set) {
-    return wanted >= set && pass != nullptr && batch::machine_has(set);
+    return wanted >= set && pass != nullptr && simd::machine_has(set);
   };
   if (serves(pass_for_avx512, InstructionSet::avx512)) return *pass_for_avx512;
   return serves(pass_for_avx2, InstructionSet::avx2) ? *pass_for_avx2 : *pass_for_all;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <qvgen/batch/masks.h>
+#include <qvgen/batch/lanes.h>
+#include <qvgen/inverse/lane_scalar.h>
 #include <qvgen/inverse/reach_test.h>
 #include <qvgen/inverse/target.h>
 
@@ -10,15 +11,9 @@
 // One pose a lane for the blocks of the inverse kinematics. Only for sources that are compiled for the set.
 namespace qvgen::inverse {
 
-template <class Set>
-struct ScalarTraits<batch::Lanes<double, Set>> {
-  using Mask = batch::LaneMask<Set>;
-  [[gnu::always_inline]] static batch::Lanes<double, Set> epsilon() { return 0x1p-52; }
-};
-
 /// Single calls take them.
 template <class Set>
-inline constexpr bool leaves_singular_poses<batch::Lanes<double, Set>> = true;
+inline constexpr bool leaves_singular_poses<simd::Lanes<double, Set>> = true;
 
 }  // namespace qvgen::inverse
 
@@ -27,35 +22,13 @@ namespace qvgen::batch {
 /// Lanes of doubles in the instruction set that this source is compiled for.
 using Doubles = Lanes<double, Compiled>;
 
-// No templates: GCC 12 does not always inline what those call.
-QVGEN_LANES Doubles arctangent(const Doubles& y, const Doubles& x) {
-  return inverse::polynomial::arctangent(y, x);
-}
+}  // namespace qvgen::batch
 
-/// As inverse::polynomial::tangent; of `sign` the sign bit alone is read, so the other bits may be anything.
-QVGEN_LANES inverse::polynomial::Tangent<Doubles> tangent(const Doubles& y, const Doubles& x,
-                                                          const Doubles& length) {
-  const Doubles height = magnitude(y);
-  const Doubles width = magnitude(x);
-  const Doubles steep = width - height;
-  const Doubles axis = select_by_sign(steep, Doubles(0x1.921fb54442d18p+0),
-                                      select_by_sign(x, Doubles(0x1.921fb54442d18p+1), Doubles(0.0)));
-  return {with_sign_bit(axis, y), smaller(height, width) / (length + larger(height, width)),
-          with_flips_of(with_flips_of(x, y), steep)};
-}
-QVGEN_LANES Doubles arctangent(const Doubles& y, const Doubles& x, const Doubles& length) {
-  const auto found = tangent(y, x, length);
-  return inverse::polynomial::TwiceArctangent<Doubles>(found).from(found.axis);
-}
-QVGEN_LANES inverse::Opposites<Doubles> opposite_arctangents(const Doubles& y, const Doubles& x,
-                                                             const Doubles& length, const Doubles& pi) {
-  const auto found = tangent(y, x, length);
-  const inverse::polynomial::TwiceArctangent<Doubles> angle(found);
-  return {angle.from(found.axis), angle.from(found.axis - with_sign_bit(pi, y))};
-}
-QVGEN_LANES Doubles acute_arctangent(const Doubles& y, const Doubles& x) {
-  return inverse::polynomial::acute_arctangent(y, x);
-}
+namespace qvgen::simd {
+QVGEN_ARCTANGENTS_OF(batch::Doubles)
+}  // namespace qvgen::simd
+
+namespace qvgen::batch {
 
 /// Poses side by side, one a lane: x, y, z, w of the quaternion, and the position.
 template <class Lane>
@@ -95,10 +68,10 @@ namespace qvgen::inverse {
 /// Mask of lanes whose value is out of range. `inverse::is_out_of_range` answers once for a whole pose; here
 /// each lane has its own answer.
 template <class Set>
-QVGEN_LANES batch::LaneMask<Set> is_out_of_range(const batch::Lanes<double, Set>& middle,
-                                                 const batch::Lanes<double, Set>& swing,
-                                                 const Boundary& boundary) {
-  using Lane = batch::Lanes<double, Set>;
+QVGEN_LANES simd::Mask<double, Set> is_out_of_range(const simd::Lanes<double, Set>& middle,
+                                                    const simd::Lanes<double, Set>& swing,
+                                                    const Boundary& boundary) {
+  using Lane = simd::Lanes<double, Set>;
   const Lane off = magnitude(middle - Lane(0.5));
   const Lane half = Lane(0.5) + Lane(boundary.beyond);
   const Lane same_end = off - half;
@@ -111,21 +84,24 @@ QVGEN_LANES batch::LaneMask<Set> is_out_of_range(const batch::Lanes<double, Set>
 // The angle of a direction is turned from the nearest axis, beyond which it never goes: less than -pi it is
 // nowhere, and -pi changes its sign as a whole.
 
-namespace qvgen::batch {
+namespace qvgen::simd {
 
-QVGEN_LANES Doubles output_angle(const inverse::Rotor<Doubles>& rotor, const Doubles& length,
-                                 const Doubles& pi) {
-  const Doubles value = arctangent(rotor.sine, rotor.cosine, length);
+QVGEN_LANES batch::Doubles output_angle(const inverse::Rotor<batch::Doubles>& rotor,
+                                        const batch::Doubles& length, const batch::Doubles& pi) {
+  const batch::Doubles value = arctangent(rotor.sine, rotor.cosine, length);
   return negated(value <= -pi, value);
 }
-QVGEN_LANES inverse::Opposites<Doubles> output_angles(const inverse::Rotor<Doubles>& rotor,
-                                                      const Doubles& length, const Doubles& pi) {
-  const inverse::Opposites<Doubles> value = opposite_arctangents(rotor.sine, rotor.cosine, length, pi);
+QVGEN_LANES inverse::Opposites<batch::Doubles> output_angles(const inverse::Rotor<batch::Doubles>& rotor,
+                                                             const batch::Doubles& length,
+                                                             const batch::Doubles& pi) {
+  const inverse::Opposites<batch::Doubles> value = opposite_arctangents(rotor.sine, rotor.cosine, length, pi);
   return {negated(value.one <= -pi, value.one), negated(value.other <= -pi, value.other)};
 }
 /// Returns the negative of an angle in [0, pi]; pi stays pi.
-QVGEN_LANES Doubles negative(const Doubles& angle, const Doubles& pi) { return negated(angle < pi, angle); }
+QVGEN_LANES batch::Doubles negative(const batch::Doubles& angle, const batch::Doubles& pi) {
+  return negated(angle < pi, angle);
+}
 
-}  // namespace qvgen::batch
+}  // namespace qvgen::simd
 
 #undef QVGEN_LANES

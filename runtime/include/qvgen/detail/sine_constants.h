@@ -6,7 +6,7 @@ namespace qvgen::detail {
 /// Up to this size the reduction is exact to rounding; larger angles, infinities and NaN are repaired.
 constexpr double reduction_bound = 0x1p30;
 
-/// Constants for sines and cosines in double, for registers of any width: sine_cosine_avx2.h explains them.
+/// Constants for sines and cosines in double, for registers of any width: simd/sine_cosine.h explains them.
 struct SineConstants {
   static constexpr double rounder = 0x1.8p52;  ///< 1.5 * 2^52
   static constexpr double two_over_pi = 0x1.45f306dc9c883p-1;

@@ -165,7 +165,7 @@ class AlongContinuum {
 
   /// True if joints that go so move the points next to nothing.
   [[nodiscard]] bool is_idle(const At& at, const Way& way) const {
-    constexpr double next_to_nothing = 1e-5;
+    constexpr double next_to_nothing = tolerance::idle;
     double square = 0;
     for (std::size_t k = 0; k < At::rows; ++k) {
       double sum = 0;
@@ -264,7 +264,7 @@ class Straight {
 
   /// True if some joint is next to such a value, or to the opposite one.
   [[nodiscard]] bool holds(const Joints<dof>& q) const {
-    constexpr double next_to = 1e-5;
+    constexpr double next_to = tolerance::idle;
     for (int i = 1; i + 1 < dof; ++i)
       if (exists_[i] && std::abs(without_turns(2 * (q[i] - value_[i]))) < next_to) return true;
     return false;

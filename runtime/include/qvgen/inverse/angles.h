@@ -93,7 +93,7 @@ Rotor<Scalar> turned_to(const Rotor<Scalar>& preferred, const Rotor<Scalar>& uni
 /// Below this multiple of what is noise for sure rounding can be seen in a direction.
 template <typename Scalar>
 Mask<Scalar> is_blurred(const Scalar& square, const Scalar& noise) {
-  return square <= Scalar(1e16) * noise;
+  return square <= Scalar(tolerance::blurred) * noise;
 }
 
 /// How much larger than what is noise for sure the square of a disc is that no rounding leaves: 8 times the
@@ -113,7 +113,7 @@ Rotor<Scalar> direction(const Rotor<Scalar>& v, const Scalar& tiny, const Rotor<
   const Scalar square = v.cosine * v.cosine + v.sine * v.sine;
   const Mask<Scalar> is_free = square <= tiny;
   branch.continuum = branch.continuum | (branch.exists & is_free);
-  branch.doubt(square <= Scalar(1e16) * tiny);
+  branch.doubt(square <= Scalar(tolerance::blurred) * tiny);
   if constexpr (leaves_singular_poses<Scalar>) return (Scalar(1) / sqrt(square)) * v;
   const Scalar scale = Scalar(1) / sqrt(select(is_free, Scalar(1), square));
   Rotor<Scalar> unit = scale * v;

@@ -136,7 +136,7 @@ Tangent<Scalar> tangent(const Scalar& y, const Scalar& x, const Scalar& length) 
   const Scalar axis = select_by_sign(steep, Scalar(0x1.921fb54442d18p+0),
                                      select_by_sign(x, Scalar(0x1.921fb54442d18p+1), Scalar(0)));
   return {with_sign_bit(axis, y), smaller(height, width) / (length + larger(height, width)),
-          flipped(flipped(x, y), steep)};
+          sign_of_product(sign_of_product(x, y), steep)};
 }
 
 /// Twice the arctangent of t, with its sign, and what that is short of.

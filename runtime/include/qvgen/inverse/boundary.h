@@ -2,6 +2,7 @@
 #pragma once
 
 #include <qvgen/inverse/scalar_traits.h>
+#include <qvgen/inverse/tolerances.h>
 
 /// Tolerances of one pass over the branches: how an equation treats the ends of its range, where two
 /// solutions meet and rounding decides whether they exist. Regular poses have `plain`; the passes of
@@ -34,27 +35,33 @@ struct Boundary {
                       ///< end of the range
   double doubt = 0;   ///< nearer to an end than this share, inside, the branch is doubtful
   double beyond = 0;  ///< as near outside it is doubtful, too; farther out it does not exist
-  double unsure = 1e-7;  ///< nearer to an end than this share Newton steps judge what the branch leads to
-  double floor = 0;      ///< least share of the range: what is nearer to the end is moved away from it
-  double near = 1e18;    ///< a direction whose square is below this multiple of noise is nearly free, and
-                         ///< accepted at any share
-  bool wide = true;      ///< what is nearly free is doubtful, even if no pass would choose it
-  bool choose = false;   ///< what is nearly free is chosen as if it were free
-  bool take = false;     ///< places on a continuum are taken where nothing has been chosen, too
-  double gap = 64;       ///< a free direction's equation holds if the square of what is left is below this
-                         ///< multiple of noise
-  double miss = 0;       ///< how far off the pose polished joints may leave the arm, as a share of its size
-  double fold = 0;       ///< so far outside a wrist at the end of the arm's joints still exists, folded
+  double unsure = tolerance::end_inside;  ///< nearer to an end than this share Newton steps judge what the
+                                          ///< branch leads to
+  double floor = 0;  ///< least share of the range: what is nearer to the end is moved away from it
+  double near = tolerance::nearly_free;  ///< a direction whose square is below this multiple of noise is
+                                         ///< nearly free, and accepted at any share
+  bool wide = true;             ///< what is nearly free is doubtful, even if no pass would choose it
+  bool choose = false;          ///< what is nearly free is chosen as if it were free
+  bool take = false;            ///< places on a continuum are taken where nothing has been chosen, too
+  double gap = tolerance::gap;  ///< a free direction's equation holds if the square of what is left is below
+                                ///< this multiple of noise
+  double miss = 0;  ///< how far off the pose polished joints may leave the arm, as a share of its size
+  double fold = 0;  ///< so far outside a wrist at the end of the arm's joints still exists, folded
 
   /// A choice that joints can follow in two separate ranges is in the other one.
   bool opposite = false;
 
-  static constexpr Boundary plain(double tolerance) {
+  /// A share of a range, and what the caller allows beyond reach, a share of the arm's size.
+  static constexpr double widened(double share, double allowed) {
+    return share + tolerance::range_per_size * allowed;
+  }
+
+  static constexpr Boundary plain(double allowed) {
     Boundary boundary;
-    boundary.doubt = 1e-7 + 100 * tolerance;
-    boundary.beyond = 1e-10 + 100 * tolerance;
-    boundary.miss = tolerance;
-    boundary.fold = tolerance;
+    boundary.doubt = widened(tolerance::end_inside, allowed);
+    boundary.beyond = widened(tolerance::end_outside, allowed);
+    boundary.miss = allowed;
+    boundary.fold = allowed;
     return boundary;
   }
 
@@ -62,25 +69,25 @@ struct Boundary {
 
   /// From the ends of the ranges. What polishing leaves in the joints of an arm near a singular place of its
   /// own reaches the wrist magnified: half of the 1e-12 that no solution may miss its pose by.
-  static constexpr Boundary ends(double tolerance) {
-    Boundary boundary = careful(tolerance);
-    boundary.unsure = 1e-7 + 100 * tolerance;
+  static constexpr Boundary ends(double allowed) {
+    Boundary boundary = careful(allowed);
+    boundary.unsure = widened(tolerance::end_inside, allowed);
     boundary.wide = false;
-    boundary.miss = tolerance;
+    boundary.miss = allowed;
     return boundary;
   }
   /// Pass `ends` with a choice where an angle is nearly free.
-  static constexpr Boundary chosen(double tolerance) {
-    Boundary boundary = ends(tolerance);
+  static constexpr Boundary chosen(double allowed) {
+    Boundary boundary = ends(allowed);
     boundary.choose = true;
     return boundary;
   }
   /// Pass `chosen` for a choice that leaves the joints after it out of reach: they are stretched to where it
   /// would be, and Newton's steps turn the chosen joint until they reach.
-  static constexpr Boundary stretched(double tolerance) {
-    Boundary boundary = chosen(tolerance);
-    boundary.accept = 1e3;
-    boundary.gap = 1e40;
+  static constexpr Boundary stretched(double allowed) {
+    Boundary boundary = chosen(allowed);
+    boundary.accept = tolerance::end_anywhere;
+    boundary.gap = tolerance::gap_anything;
     return boundary;
   }
 
@@ -94,42 +101,42 @@ struct Boundary {
   // The passes of quartic/care.h.
 
   /// From the ends of the ranges, taking no miss but rounding.
-  static constexpr Boundary careful(double tolerance) {
+  static constexpr Boundary careful(double allowed) {
     Boundary boundary;
-    boundary.accept = 1e-3 + 100 * tolerance;
-    boundary.gap = 64e14;
-    boundary.fold = tolerance > 5e-13 ? tolerance : 5e-13;
+    boundary.accept = widened(tolerance::end_careful, allowed);
+    boundary.gap = tolerance::gap_careful;
+    boundary.fold = allowed > tolerance::least_fold ? allowed : tolerance::least_fold;
     return boundary;
   }
   /// Pass `careful` with a choice where an angle is nearly free.
-  static constexpr Boundary choosing(double tolerance) {
-    Boundary boundary = careful(tolerance);
+  static constexpr Boundary choosing(double allowed) {
+    Boundary boundary = careful(allowed);
     boundary.choose = true;
     boundary.take = true;
     return boundary;
   }
   /// Pass `choosing` for a choice that leaves the joints after it out of reach.
-  static constexpr Boundary reaching(double tolerance) {
-    Boundary boundary = choosing(tolerance);
-    boundary.accept = 1e3;
+  static constexpr Boundary reaching(double allowed) {
+    Boundary boundary = choosing(allowed);
+    boundary.accept = tolerance::end_anywhere;
     return boundary;
   }
   /// From the ends once more, for places on a continuum to which no choice has led.
-  static constexpr Boundary taking(double tolerance) {
-    Boundary boundary = careful(tolerance);
+  static constexpr Boundary taking(double allowed) {
+    Boundary boundary = careful(allowed);
     boundary.take = true;
     return boundary;
   }
   /// From two places apart.
-  static constexpr Boundary apart(double tolerance) {
-    Boundary boundary = choosing(tolerance);
-    boundary.floor = 1e-10;
+  static constexpr Boundary apart(double allowed) {
+    Boundary boundary = choosing(allowed);
+    boundary.floor = tolerance::end_apart;
     return boundary;
   }
-  /// From the ends again, for poses that are out of reach by no more than the tolerance.
-  static constexpr Boundary tolerant(double tolerance) {
-    Boundary boundary = taking(tolerance);
-    boundary.miss = tolerance;
+  /// From the ends again, for poses that are out of reach by no more than what is allowed.
+  static constexpr Boundary tolerant(double allowed) {
+    Boundary boundary = taking(allowed);
+    boundary.miss = allowed;
     return boundary;
   }
 

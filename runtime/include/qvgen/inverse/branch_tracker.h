@@ -42,6 +42,7 @@ class BranchTracker {
   }
 
   [[nodiscard]] Budget& budget() { return budget_; }
+  [[nodiscard]] const Budget& budget() const { return budget_; }
 
   /// A solution of which nothing is polished.
   void close(int label) {
@@ -140,9 +141,7 @@ class BranchTracker {
   }
 
   /// By more than half the digits.
-  static bool is_apart(const Values& a, const Values& b) {
-    return !(distance_square(a, b) < Scalar(180) * epsilon<Scalar>());
-  }
+  static bool is_apart(const Values& a, const Values& b) { return !are_same(a, b); }
 
   [[nodiscard]] bool is_same(const Values& values) const {
     for (std::size_t k = 0; k < count_; ++k)
@@ -154,7 +153,8 @@ class BranchTracker {
   [[nodiscard]] bool is_joined(const Idling<Scalar, joints, points>& idling, const Values& values,
                                const Reached<Scalar, joints, points>& reached) const {
     for (std::size_t k = 0; k < count_; ++k) {
-      if (distance_square(rows_[k], values) < Scalar(1e-2) && idling.are_joined(values, reached, rows_[k]))
+      if (distance_square(rows_[k], values) < Scalar(tolerance::may_be_joined) &&
+          idling.are_joined(values, reached, rows_[k]))
         return true;
     }
     return false;

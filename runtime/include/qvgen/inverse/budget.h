@@ -33,6 +33,9 @@ struct Budget {
   }
 };
 
+/// More passes than any budget allows.
+inline constexpr int most_passes = 1000;
+
 /// Budget of one solution next to a seed, for any arm.
 inline constexpr Budget near_effort{6, 60};
 

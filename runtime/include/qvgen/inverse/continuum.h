@@ -23,7 +23,7 @@ class Idling {
   /// rounding: the pose itself may be off the continuum by as much as these values are allowed to miss. Where
   /// two solutions merely meet, what is missing then is as the square of the little.
   [[nodiscard]] bool is_continuum(const Values& values, const Reached& at) const {
-    const Scalar allowed = Scalar(64) * epsilon<Scalar>();
+    const Scalar allowed = Scalar(tolerance::noise) * epsilon<Scalar>();
     return goes_on(values, at, allowed) || leads_on_beside(values, at, allowed);
   }
 
@@ -35,7 +35,7 @@ class Idling {
   bool leave_double_root(const Patience& patience, const Known& is_known, Values& values, Reached& at) const {
     using std::sqrt;
     const Scalar share = at.error / task_.size_square;
-    if (!(share < Scalar(1e-8))) return false;
+    if (!(share < Scalar(tolerance::double_root_miss))) return false;
     const auto idle = Newton::idle(at);
     if (idle.least == joints) return false;
     const Scalar aside = length(idle.least, sqrt(sqrt(share)));
@@ -61,20 +61,15 @@ class Idling {
   [[nodiscard]] bool are_joined(const Values& a, const Reached& at, const Values& b) const {
     const auto idle = Newton::idle(at);
     if (idle.least == joints) return false;
-    Values middle = a;
-    for (std::size_t i = 0; i < joints; ++i) {
-      middle[i].cosine = (a[i].cosine + b[i].cosine) / Scalar(2);
-      middle[i].sine = (a[i].sine + b[i].sine) / Scalar(2);
-    }
+    Values middle = middle_of(a, b);
     Reached there;
     if (!polish(task_, quick, middle, there, budget_, idle.is)) return false;
-    const Scalar most = Scalar(0.6) * distance_square(a, b);
-    return distance_square(a, middle) < most && distance_square(b, middle) < most;
+    return is_between(middle, a, b);
   }
 
  private:
   /// Next to a continuum steps converge at once; elsewhere they need not.
-  static constexpr Patience quick{0, 1, 1e-4};
+  static constexpr Patience quick{0, 1, tolerance::quick_gain};
 
   [[nodiscard]] Scalar length(std::size_t joint, const Scalar& angle) const {
     using std::sqrt;
@@ -84,9 +79,8 @@ class Idling {
   [[nodiscard]] bool goes_on(const Values& values, const Reached& at, const Scalar& allowed) const {
     const auto idle = Newton::idle(at);
     if (idle.least == joints) return false;
-    const Scalar little = length(idle.least, Scalar(1e-2));
-    // Rejects ways that are off to first order already, with a wide margin: the way may be curved.
-    const Scalar most = Scalar(100) * allowed;
+    const Scalar little = length(idle.least, Scalar(tolerance::way_along));
+    const Scalar most = Scalar(tolerance::off_to_first_order) * allowed;
     if (little * little * idle.square > most * most * task_.size_square) return false;
     for (const Scalar& by : {little, Scalar(-little)}) {
       Values moved_on = values;
@@ -110,7 +104,7 @@ class Idling {
       Held<joints> held{};
       held[i] = true;
       Values moved_on = values;
-      newton_.advance(i, length(i, Scalar(1e-2)), moved_on);
+      newton_.advance(i, length(i, Scalar(tolerance::way_along)), moved_on);
       Reached there;
       if (polish(task_, {allowed, quick.idle_steps, quick.gain}, moved_on, there, budget_, held)) return true;
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+// Solution rows out of lanes: four branches of one pose, as they are solved.
+
 #include <qvgen/inverse/wanted_rows_avx2.h>
 
 namespace qvgen::inverse::avx2 {
@@ -92,22 +94,22 @@ class LaneRows {
   }
 
   [[gnu::always_inline]] void add(const Branch<Pack>& branch, int rows) {
-    const int exist = bits(branch.exists);
-    rows_ += rows * __builtin_popcount(static_cast<unsigned>(exist));
+    const unsigned exist = bits(branch.exists);
+    rows_ += rows * __builtin_popcount(exist);
     continuum_ = continuum_ || (exist & bits(branch.continuum)) != 0;
   }
 
   /// Two joints of a lane stand next to each other once two registers are interleaved.
   template <int lane>
   [[gnu::always_inline]] static void pair(double* place, const Pack& a, const Pack& b) {
-    const __m256d both =
-        lane % 2 == 0 ? _mm256_unpacklo_pd(a.lanes, b.lanes) : _mm256_unpackhi_pd(a.lanes, b.lanes);
+    const __m256d both = lane % 2 == 0 ? _mm256_unpacklo_pd(a.vector(), b.vector())
+                                       : _mm256_unpackhi_pd(a.vector(), b.vector());
     _mm_storeu_pd(place, lane < 2 ? _mm256_castpd256_pd128(both) : _mm256_extractf128_pd(both, 1));
   }
 
   template <int lane>
   [[gnu::always_inline]] static void single(double* place, const Pack& a) {
-    const __m128d half = lane < 2 ? _mm256_castpd256_pd128(a.lanes) : _mm256_extractf128_pd(a.lanes, 1);
+    const __m128d half = lane < 2 ? _mm256_castpd256_pd128(a.vector()) : _mm256_extractf128_pd(a.vector(), 1);
     if (lane % 2 == 0)
       _mm_storel_pd(place, half);
     else

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <qvgen/inverse/branch_tracker.h>
+#include <qvgen/inverse/nearby.h>
+#include <qvgen/inverse/passes.h>
 #include <qvgen/inverse/seed.h>
 #include <qvgen/inverse/solutions.h>
 
@@ -30,59 +32,72 @@
 /// the arm's structure says.
 namespace qvgen::inverse {
 
-/// Every preferred angle further by the golden angle, which spreads any number of them evenly, and slides
-/// elsewhere in reach.
-template <int dof>
-Preference<dof> next_choice(Preference<dof> preference) {
-  const Rotor<double> turn{-0x1.798869e0de833p-1, 0x1.59d9dd253cc13p-1};
-  for (int i = 0; i < dof; ++i) {
-    preference.choose(i, turn * preference.turn[i]);
-    preference.angle[i] = angle(preference.turn[i]);
-  }
-  const Rotor<double> half_of_it{0x1.731267372626dp-2, 0x1.dd335a962dc90p-1};
-  preference.spread = half_of_it * preference.spread;
-  return preference;
-}
-
-/// Solves near singular poses, see above. `follow(start, goal, tracker, found)` is one pass over the branches
-/// of one target, whose joints are polished towards the same target with the caller's preferences; it returns
-/// whether it met something free, or nearly so. Whatever is chosen on the way, the goal's preference stays
-/// the caller's: a continuum is to be left next to the seed.
+/// A search for all solutions of one target. `follow(start, goal, tracker, found)` is one pass over the
+/// branches, whose joints are polished towards the goal with the caller's preferences; it returns whether it
+/// met something free, or nearly so.
 template <int dof, class Target, class Tracker, int capacity, class Follow>
-void solve_near_singular(Target goal, Tracker tracker, const Follow& follow,
-                         Solutions<dof, capacity>& found) {
+struct NearSingularSearch {
+  Target goal;
+  Tracker tracker;
+  const Follow& follow;
+  Solutions<dof, capacity>& found;
   Preference<dof> preference = *goal.preference;
-  const auto pass = [&](const Boundary& boundary) {
+  bool met_free = false;
+  bool has_both_ranges = false;  ///< rows in both ranges of a choice: they are all that there are
+
+  bool pass(const Boundary& boundary) {
     if (!tracker.budget().pass()) return false;
     goal.boundary = boundary;
     Target start = goal;
     start.preference = &preference;
     return follow(start, goal, tracker, found);
-  };
-  const Boundary chosen = Boundary::chosen(goal.tolerance);
-  const bool met_free = pass(Boundary::ends(goal.tolerance));
-  if (met_free && !tracker.all_settled()) pass(chosen);
-  const int in_one_range = found.size();
-  if (met_free && has_continuum(found)) {
-    tracker.follow_again(true);
-    pass(chosen.in_other_range());
-    tracker.follow_again(false);
   }
-  // Choices that these passes leave.
-  const int choices = tracker.budget().passes - tracker.budget().spent.passes;
-  const bool persists = tracker.budget().persists;
-  const auto misses = [&] { return found.empty() || (persists && tracker.any(BranchState::missed)); };
-  // Rows in both ranges are all that there are.
-  const bool is_in_ranges = found.size() > in_one_range;
-  const auto in_pieces = [&] { return !is_in_ranges && has_continuum(found) && !tracker.all_settled(); };
-  const auto is_open = [&] {
-    return (met_free && (misses() || in_pieces())) || tracker.any(BranchState::turned_back);
-  };
-  for (int k = 0; k < choices && is_open(); ++k) {
-    preference = next_choice(preference);
-    pass(found.empty() && k < choices / 2 ? Boundary::stretched(goal.tolerance) : chosen);
+
+  [[nodiscard]] int passes_left() const { return tracker.budget().passes - tracker.budget().spent.passes; }
+  [[nodiscard]] bool misses() const {
+    return found.empty() || (tracker.budget().persists && tracker.any(BranchState::missed));
   }
-  found.effort = tracker.budget().spent;
+  [[nodiscard]] bool is_in_pieces() const {
+    return !has_both_ranges && has_continuum(found) && !tracker.all_settled();
+  }
+  /// True if another choice may lead to what is missing.
+  [[nodiscard]] bool is_open() const {
+    return (met_free && (misses() || is_in_pieces())) || tracker.any(BranchState::turned_back);
+  }
+};
+
+template <class Search>
+inline constexpr PlannedPass<Search> passes_of_closed_forms[] = {
+    {"ends", 1, [](const Search&, int) { return true; },
+     [](Search& search, int) { search.met_free = search.pass(Boundary::ends(search.goal.tolerance)); }},
+    {"chosen", 1, [](const Search& search, int) { return search.met_free && !search.tracker.all_settled(); },
+     [](Search& search, int) { search.pass(Boundary::chosen(search.goal.tolerance)); }},
+    {"other", 1, [](const Search& search, int) { return search.met_free && has_continuum(search.found); },
+     [](Search& search, int) {
+       const int before = search.found.size();
+       pass_in_other_range(search, Boundary::chosen(search.goal.tolerance));
+       search.has_both_ranges = search.found.size() > before;
+     }},
+    // As many as the passes before leave; the first half stretched, as long as there is no solution.
+    {"turned", most_passes,
+     [](const Search& search, int) { return search.passes_left() > 0 && search.is_open(); },
+     [](Search& search, int k) {
+       const bool stretched = search.found.empty() && k < (k + search.passes_left()) / 2;
+       search.preference = next_choice(search.preference, golden_step);
+       search.pass(stretched ? Boundary::stretched(search.goal.tolerance)
+                             : Boundary::chosen(search.goal.tolerance));
+     }},
+};
+
+/// Solves near singular poses, see above. Whatever is chosen on the way, the goal's preference stays the
+/// caller's: a continuum is to be left next to the seed.
+template <int dof, class Target, class Tracker, int capacity, class Follow>
+void solve_near_singular(const Target& goal, const Tracker& tracker, const Follow& follow,
+                         Solutions<dof, capacity>& found) {
+  using Search = NearSingularSearch<dof, Target, Tracker, capacity, Follow>;
+  Search search{goal, tracker, follow, found};
+  run_passes(passes_of_closed_forms<Search>, search);
+  found.effort = search.tracker.budget().spent;
   number_apart(found);
   sort_by_branch(found);
 }

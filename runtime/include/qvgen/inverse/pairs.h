@@ -5,16 +5,17 @@
 #include <cstddef>
 #include <type_traits>
 
+#include <qvgen/simd/lanes.h>
+
 /// Sums and products of short arrays, two numbers at a time where registers hold two.
 namespace qvgen::inverse {
 
 #if defined(__GNUC__)
-using TwoDoubles [[gnu::vector_size(16), gnu::aligned(8), gnu::may_alias]] = double;
+using TwoDoubles = simd::Lanes<double, simd::Doubles<2>>;
 template <typename Scalar, std::size_t size>
 inline constexpr bool in_pairs = std::is_same_v<Scalar, double>&& size % 2 == 0;
 
-inline TwoDoubles& two(double* place) { return *reinterpret_cast<TwoDoubles*>(place); }
-inline const TwoDoubles& two(const double* place) { return *reinterpret_cast<const TwoDoubles*>(place); }
+inline TwoDoubles two(const double* place) { return TwoDoubles::load(place); }
 #else
 template <typename Scalar, std::size_t size>
 inline constexpr bool in_pairs = false;
@@ -39,7 +40,7 @@ template <typename Scalar, std::size_t size>
 void add_multiple(const Scalar& factor, const std::array<Scalar, size>& a, std::array<Scalar, size>& v) {
 #if defined(__GNUC__)
   if constexpr (in_pairs<Scalar, size>) {
-    for (std::size_t i = 0; i < size; i += 2) two(&v[i]) += factor * two(&a[i]);
+    for (std::size_t i = 0; i < size; i += 2) (two(&v[i]) + factor * two(&a[i])).store(&v[i]);
     return;
   }
 #endif
@@ -55,7 +56,7 @@ std::array<Scalar, size> combination(const Scalar& x, const std::array<Scalar, s
 #if defined(__GNUC__)
   if constexpr (in_pairs<Scalar, size>) {
     for (std::size_t i = 0; i < size; i += 2)
-      two(&result[i]) = x * two(&a[i]) + y * two(&b[i]) + z * two(&c[i]);
+      (x * two(&a[i]) + y * two(&b[i]) + z * two(&c[i])).store(&result[i]);
     return result;
   }
 #endif

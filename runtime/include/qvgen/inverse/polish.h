@@ -4,6 +4,7 @@
 #include <qvgen/inverse/budget.h>
 #include <qvgen/inverse/least_squares.h>
 #include <qvgen/inverse/screw.h>
+#include <qvgen/inverse/tolerances.h>
 
 namespace qvgen::inverse {
 
@@ -32,6 +33,32 @@ Scalar distance_square(const JointValues<Scalar, joints>& a, const JointValues<S
     sum += x * x + y * y;
   }
   return sum;
+}
+
+/// True if two joint values are the same, to half the digits.
+template <typename Scalar, std::size_t joints>
+bool are_same(const JointValues<Scalar, joints>& a, const JointValues<Scalar, joints>& b) {
+  return distance_square(a, b) < Scalar(tolerance::same_rows) * epsilon<Scalar>();
+}
+
+/// Returns the pairs in the middle between two joint values; they are a little short.
+template <typename Scalar, std::size_t joints>
+JointValues<Scalar, joints> middle_of(const JointValues<Scalar, joints>& a,
+                                      const JointValues<Scalar, joints>& b) {
+  JointValues<Scalar, joints> middle;
+  for (std::size_t i = 0; i < joints; ++i) {
+    middle[i].cosine = (a[i].cosine + b[i].cosine) / Scalar(2);
+    middle[i].sine = (a[i].sine + b[i].sine) / Scalar(2);
+  }
+  return middle;
+}
+
+/// True if a place between two joint values is nearer to each than they are to each other.
+template <typename Scalar, std::size_t joints>
+bool is_between(const JointValues<Scalar, joints>& middle, const JointValues<Scalar, joints>& a,
+                const JointValues<Scalar, joints>& b) {
+  const Scalar most = Scalar(tolerance::between) * distance_square(a, b);
+  return distance_square(a, middle) < most && distance_square(b, middle) < most;
 }
 
 /// Joints that keep their values while the others are polished.
@@ -69,7 +96,7 @@ class Newton {
   /// joints held. `nothing` as for `least_squares`.
   [[nodiscard]] Vector<Scalar, joints> step(const Result& at, const Scalar& lambda, const Scalar& nothing,
                                             const Held<joints>& held = {}) const {
-    const bool near = at.error < Scalar(1e-12) * task_.size_square;
+    const bool near = at.error < Scalar(tolerance::undamped) * task_.size_square;
     return near ? least_squares_of<0>(at, lambda, nothing, held)
                 : least_squares_of<joints>(at, lambda, nothing, held);
   }
@@ -79,7 +106,7 @@ class Newton {
     Held<joints> held{};
     held[joint] = true;
     for (std::size_t k = 0; k < Result::rows; ++k) at.off[k] = -by * at.jacobian[joint][k];
-    const Scalar next_to_nothing(1e-5);
+    const Scalar next_to_nothing(tolerance::idle);
     auto result = least_squares_of<0>(at, Scalar(0), next_to_nothing, held);
     result[joint] = by;
     return result;
@@ -87,7 +114,7 @@ class Newton {
 
   /// The joints that move the points next to nothing beyond what the others can do.
   [[nodiscard]] static Dependent<Scalar, joints> idle(const Result& at) {
-    const Scalar next_to_nothing(1e-5);
+    const Scalar next_to_nothing(tolerance::idle);
     return dependent(at.jacobian, next_to_nothing);
   }
 
@@ -265,19 +292,21 @@ bool polish(const PointMatching<Scalar, joints, points>& task, const Patience& p
   Reached<Scalar, joints, points> at = best;
   bool halves = false;
   bool stuck = false;
-  for (int idle = 0; best.error > Scalar(64) * rounding && idle < patience.idle_steps && budget.step();) {
+  for (int idle = 0;
+       best.error > Scalar(tolerance::settled) * rounding && idle < patience.idle_steps && budget.step();) {
     // Directions that hardly move the points are left alone, unless it does not go on without them.
-    const Scalar nothing = stuck ? Scalar(Scalar(64) * epsilon<Scalar>()) : half_the_digits;
-    const auto by = newton.step(at, Scalar(Scalar(1e-1) * sqrt(at.error)), nothing, held);
+    const Scalar nothing = stuck ? Scalar(Scalar(tolerance::noise) * epsilon<Scalar>()) : half_the_digits;
+    const auto by = newton.step(at, Scalar(Scalar(tolerance::damping) * sqrt(at.error)), nothing, held);
     for (std::size_t i = 0; i < joints; ++i)
       newton.advance(i, halves ? Scalar(Scalar(2) * by[i]) : by[i], now);
     const Scalar before = at.error;
     at = newton.reached(now);
     // The square of a square: half the way to a double root leaves a sixteenth.
-    halves = at.error > Scalar(0.03) * before && at.error < Scalar(0.13) * before;
+    halves = at.error > Scalar(tolerance::least_halved) * before &&
+             at.error < Scalar(tolerance::most_halved) * before;
     idle = at.error < Scalar(patience.gain) * best.error ? 0 : idle + 1;
     if (!stuck && patience.idle_steps > 1 && 2 * idle >= patience.idle_steps &&
-        best.error > Scalar(256) * rounding) {
+        best.error > Scalar(tolerance::stuck) * rounding) {
       stuck = true;
       idle = 0;
     }
@@ -285,7 +314,8 @@ bool polish(const PointMatching<Scalar, joints, points>& task, const Patience& p
     best = at;
     values = now;
   }
-  const Scalar share = larger(Scalar(patience.allowed), Scalar(Scalar(16) * epsilon<Scalar>()));
+  const Scalar share =
+      larger(Scalar(patience.allowed), Scalar(Scalar(tolerance::reached) * epsilon<Scalar>()));
   return best.error <= share * share * task.size_square;
 }
 

@@ -199,7 +199,7 @@ auto reaching(const Pose<double>& pose, const ArmAtZero<dof>& arm, double tolera
   PoseFilter<points, dof, capacity> kept(pose, arm, tolerance);
   kept.take(rows, 0);
   for (int k = 1; rows.status == Status::singular && k < reaching_choices; ++k) {
-    preference = next_choice(preference);
+    preference = next_choice(preference, golden_step);
     kept.take(solve(preference), k);
   }
   return kept.result();

@@ -61,9 +61,8 @@ Rotor<Scalar> circle_angle(const Scalar& low, const Scalar& high, const Scalar& 
 template <typename Scalar>
 Mask<Scalar> nearly_free(const Scalar& square, const Scalar& low, const Scalar& high, const Scalar& tiny,
                          const Boundary& boundary) {
-  constexpr double magnified = 1e8;
   const Scalar end = smaller(magnitude(low), magnitude(high));
-  return (square <= Scalar(boundary.near) * tiny) | (end * end <= Scalar(magnified) * tiny);
+  return (square <= Scalar(boundary.near) * tiny) | (end * end <= Scalar(tolerance::magnified_end) * tiny);
 }
 
 /// The angle ±φ from a direction (x, y) that the pose gives, low and high as for `circle_angle`. Where the
@@ -165,7 +164,7 @@ template <typename Scalar>
 Rotor<Scalar> chosen_direction(const Rotor<Scalar>& v, const Rotor<Scalar>& choice, const Boundary& boundary,
                                Branch<Scalar>& branch) {
   const Scalar noise = Scalar(16) * epsilon<Scalar>();
-  const Scalar little(1e-20);
+  const Scalar little(tolerance::product_at_double_root);
   const Scalar square = v.cosine * v.cosine + v.sine * v.sine;
   branch.doubt(square <= little);
   return direction(v, boundary.choose ? little : Scalar(noise * noise * noise * noise), choice, branch);
@@ -177,8 +176,7 @@ Rotor<Scalar> chosen_direction(const Rotor<Scalar>& v, const Rotor<Scalar>& choi
 template <typename Scalar>
 Scalar tiny_at_double_root(const Rotor<Scalar>& v, const Scalar& tiny, const Boundary& boundary,
                            Branch<Scalar>& branch) {
-  // The vectors are then below 1e-5 of the arm's size; noise is 16 eps.
-  const Scalar little = Scalar(6.3e37) * tiny;
+  const Scalar little = Scalar(tolerance::noise_at_double_root) * tiny;
   branch.doubt(v.cosine * v.cosine + v.sine * v.sine <= little);
   return boundary.choose ? little : tiny;
 }

@@ -81,5 +81,7 @@ inline double select_by_sign(double sign, double negative, double otherwise) {
 inline double with_sign_bit(double magnitude, double sign) { return std::copysign(magnitude, sign); }
 /// -a where the sign bit is set.
 inline double flipped(double a, double sign) { return a * std::copysign(1.0, sign); }
+/// A number of which the sign bit alone counts: that of a product.
+inline double sign_of_product(double a, double b) { return flipped(a, b); }
 
 }  // namespace qvgen::inverse

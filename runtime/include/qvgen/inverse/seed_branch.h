@@ -40,7 +40,7 @@ struct Forks {
   static bool are_one(const Branch<double>& other, double other_apart, const Branch<double>& branch,
                       double apart) {
     const double difference = other_apart - apart;
-    return other.unsure && branch.unsure && difference * difference <= 1e-12 * apart;
+    return other.unsure && branch.unsure && difference * difference <= tolerance::forks_meet * apart;
   }
 
   /// True if the farther of two solutions is to be taken.
@@ -202,14 +202,15 @@ class SeedTracker {
 /// seed that no other needs to be asked for: 10 mrad.
 template <int dof>
 bool is_by_seed(const Solutions<dof, 1>& found, const Preference<dof>& seed, const bool* revolute) {
-  return apart(found, seed, revolute) < 1e-4;
+  return apart(found, seed, revolute) < tolerance::by_seed;
 }
 
 /// True if a row that Newton's steps have found is so near to the seed that no other is needed. The steps may
 /// have moved it along a continuum, so it has to be within 2 mrad.
 template <int dof>
 bool is_next_to(const Solutions<dof, 1>& found, const Preference<dof>& seed, const bool* revolute) {
-  return is_by_seed(found, seed, revolute) && (!found[0].continuum || apart(found, seed, revolute) < 4e-6);
+  return is_by_seed(found, seed, revolute) &&
+         (!found[0].continuum || apart(found, seed, revolute) < tolerance::by_seed_on_continuum);
 }
 
 /// Follows the seed's branch near a singular pose by `follow(start, goal, tracker, forks, found)`. Of several

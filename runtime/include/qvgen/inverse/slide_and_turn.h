@@ -110,7 +110,7 @@ template <typename Scalar>
 SlideTurns<Scalar> slide_and_turn(const SlideAndTurn<Scalar>& e, const Scalar& tiny,
                                   const Scalar& size_square, const Scalar& choice,
                                   const Rotor<Scalar>& spread, const Boundary& boundary, const Scalar& pi) {
-  const Scalar little(1e-6);
+  const Scalar little(tolerance::lost_divisor);
   if (magnitude(e.divisor) > little) return slide_and_turn_cases::regular(e, boundary, pi);
   const Scalar square = e.l.cosine * e.l.cosine + e.l.sine * e.l.sine;
   if (square > little * little * size_square) return slide_and_turn_cases::turn_first(e, tiny, boundary);

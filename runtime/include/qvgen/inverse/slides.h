@@ -11,16 +11,17 @@ namespace qvgen::inverse {
 /// a pass that chooses what is nearly free, it is next to nothing.
 template <typename Scalar>
 Scalar blind_square(const Boundary& boundary) {
-  const Scalar noise = Scalar(64) * epsilon<Scalar>();
-  return boundary.choose ? Scalar(1e-20) : Scalar(noise * noise);
+  const Scalar noise = Scalar(tolerance::noise) * epsilon<Scalar>();
+  return boundary.choose ? Scalar(tolerance::product_at_double_root) : Scalar(noise * noise);
 }
 
 /// A part of a unit vector of the given square may cost digits that matter: two in a first pass; later only
 /// what a choice may have to replace is doubtful, though what it leads to is unsure.
 template <typename Scalar>
 void doubt_digits(const Scalar& square, const Boundary& boundary, Branch<Scalar>& branch) {
-  branch.doubt(square <= Scalar(boundary.is_plain() ? 1e-4 : 1e-20));
-  branch.unsure = branch.unsure | (square <= Scalar(1e-4));
+  branch.doubt(square <=
+               Scalar(boundary.is_plain() ? tolerance::two_digits : tolerance::product_at_double_root));
+  branch.unsure = branch.unsure | (square <= Scalar(tolerance::two_digits));
 }
 
 /// Chord of the line point + t along in a circle about the origin: t = foot ± half, half = 0 if it does not.
@@ -80,7 +81,7 @@ Scalar slide_on_line(const Rotor<Scalar>& along, const Rotor<Scalar>& rhs, const
   const Scalar square = along.cosine * along.cosine + along.sine * along.sine;
   const Scalar gap = rhs.cosine * rhs.cosine + rhs.sine * rhs.sine;
   const Mask<Scalar> is_free = square <= blind_square<Scalar>(boundary);
-  const Mask<Scalar> is_loose = square <= Scalar(1e-24);
+  const Mask<Scalar> is_loose = square <= Scalar(tolerance::loose_slide);
   Branch<Scalar> regular = branch;
   doubt_digits(square, boundary, regular);
   branch.take(is_free, gap <= Scalar(boundary.gap) * tiny, regular);
@@ -121,7 +122,7 @@ Scalar quadratic_root(const Scalar& a, const Scalar& b, const Scalar& c, const S
   using std::sqrt;
   const Scalar scale = b * b + magnitude(Scalar(a * c));
   const Scalar discriminant = b * b - a * c;
-  const Scalar noise = Scalar(4e6) * tiny * (b * b + a * a * size_square);
+  const Scalar noise = Scalar(tolerance::noisy_discriminant) * tiny * (b * b + a * a * size_square);
   admit(discriminant, Limits<Scalar>(boundary, scale), discriminant * discriminant <= noise, branch);
   const Scalar root = sqrt(larger(discriminant, Scalar(boundary.floor) * scale));
   // Both summands have one sign.

@@ -1,14 +1,31 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstring>
-
-#include <qvgen/inverse/pack_avx2.h>
-#include <qvgen/inverse/within_table.h>
-
 // Wanted rows chosen in lanes. Four rows are compared with limits at once, joint by joint, with the
 // operations of `Within::take` and in their order; then each row waits until all distances are known, and is
 // written once, at its place in the wanted order.
+//
+// Only for files that are compiled for AVX2; they include no header with functions of other types, since the
+// linker might take a copy made for AVX2 for everybody.
+
+#include <cstring>
+
+#include <immintrin.h>
+#include <qvgen/inverse/lane_scalar.h>
+#include <qvgen/inverse/rows.h>
+#include <qvgen/inverse/within_table.h>
+
+namespace qvgen::inverse::avx2 {
+
+/// AVX2 for single calls, which follow a branch in each lane.
+struct Branches : simd::Avx2 {};
+using Pack = simd::Lanes<double, Branches>;
+
+}  // namespace qvgen::inverse::avx2
+
+namespace qvgen::simd {
+QVGEN_ARCTANGENTS_OF(inverse::avx2::Pack)
+}  // namespace qvgen::simd
 
 namespace qvgen::inverse::avx2 {
 
@@ -56,7 +73,7 @@ class OfJoints {
 template <int dof>
 struct FourRows {
   Pack q[dof], square;  ///< representatives, and the squares of their distances from the seed
-  PackMask exists = false;
+  Pack::Truth exists = false;
 };
 
 /// Limits and a seed as `Within` has them.
@@ -150,11 +167,11 @@ class WaitingRows {
   /// Adds four rows, some of which exist, by their distance or else by their number.
   [[gnu::always_inline]] void add(const FourRows<dof>& rows, const Pack& end, bool is_sorted) {
     double* block = room_ + size * blocks_++;
-    for (int i = 0; i < dof; ++i) _mm256_storeu_pd(block + 4 * i, rows.q[i].lanes);
-    _mm256_storeu_pd(block + 4 * dof, end.lanes);
+    for (int i = 0; i < dof; ++i) _mm256_storeu_pd(block + 4 * i, rows.q[i].vector());
+    _mm256_storeu_pd(block + 4 * dof, end.vector());
     const Pack square = is_sorted ? rows.square : Pack(0.0);
     const Pack key = select(rows.exists, square, Pack(_mm256_castsi256_pd(_mm256_set1_epi64x(absent))));
-    _mm256_storeu_pd(block + 4 * dof + 4, key.lanes);
+    _mm256_storeu_pd(block + 4 * dof + 4, key.vector());
   }
 
   /// Writes the rows by ascending keys, equal ones by branch, those that do not exist behind them.
@@ -260,11 +277,11 @@ class WantedLaneRows {
 
   [[gnu::always_inline]] void add(const FourRows<dof>& rows, const Pack& end) {
     waiting_.add(rows, end, wanted_.is_sorted);
-    rows_ += __builtin_popcount(static_cast<unsigned>(bits(rows.exists)));
+    rows_ += __builtin_popcount(bits(rows.exists));
   }
   [[gnu::always_inline]] void look_at(const Branch<Pack>& branch, int rows) {
-    const int all = bits(branch.exists);
-    found_ += rows * __builtin_popcount(static_cast<unsigned>(all));
+    const unsigned all = bits(branch.exists);
+    found_ += rows * __builtin_popcount(all);
     continuum_ = continuum_ || (all & bits(branch.continuum)) != 0;
   }
 

@@ -4,6 +4,7 @@
 #include <qvgen/inverse/seed.h>
 #include <qvgen/inverse/seed_branch.h>
 #include <qvgen/inverse/tasks.h>
+#include <qvgen/simd/lanes.h>
 
 /// Newton's steps of all joints of an arm at once. A wrist that is solved behind an arm makes much of what
 /// rounding leaves of the arm's joints, where both are singular; all joints together need not.
@@ -35,12 +36,7 @@ ArmMatching<dof, points> matching(const ArmAtZero<dof>& arm, const Pose<double>&
   return task;
 }
 
-// Four numbers at once: in the vector types of GCC and clang, where the compiler has them.
-#if defined(__GNUC__)
-using Four [[gnu::vector_size(32)]] = double;
-#else
-using Four = Eigen::Array4d;
-#endif
+using Four = simd::Lanes<double, simd::Doubles<4>>;
 
 /// How far joint values leave the points off their goals, the largest distance squared. All points side by
 /// side and no Jacobian: a quarter of what an evaluation for a Newton step takes.
@@ -50,8 +46,8 @@ double miss_square(const ArmMatching<dof, points>& task, const Preference<dof>& 
   constexpr std::size_t b = 1 % points, c = 2 % points;
   Four x[3], goal[3];
   for (std::size_t k = 0; k < 3; ++k) {
-    x[k] = Four{task.start[0][k], task.start[b][k], task.start[c][k], task.start[0][k]};
-    goal[k] = Four{task.goal[0][k], task.goal[b][k], task.goal[c][k], task.goal[0][k]};
+    x[k] = Four(task.start[0][k], task.start[b][k], task.start[c][k], task.start[0][k]);
+    goal[k] = Four(task.goal[0][k], task.goal[b][k], task.goal[c][k], task.goal[0][k]);
   }
   for (std::size_t i = dof; i-- > 0;) {
     const Screw<double>& screw = task.arm[i];
@@ -69,7 +65,7 @@ double miss_square(const ArmMatching<dof, points>& task, const Preference<dof>& 
     x[1] = screw.point[1] + turn.cosine * v + turn.sine * (a[2] * u - a[0] * w) + along * a[1];
     x[2] = screw.point[2] + turn.cosine * w + turn.sine * (a[0] * v - a[1] * u) + along * a[2];
   }
-  Four error{0, 0, 0, 0};
+  Four error = 0;
   for (std::size_t k = 0; k < 3; ++k) error += (goal[k] - x[k]) * (goal[k] - x[k]);
   return std::max({error[0], error[1], error[2]});
 }
@@ -252,7 +248,7 @@ bool is_same_row(const Solution<dof>& a, const Solution<dof>& b, const bool* rev
     const double way = revolute[i] ? without_turns(difference) : difference;
     square += way * way;
   }
-  return square < 180 * std::numeric_limits<double>::epsilon();
+  return square < tolerance::same_rows * std::numeric_limits<double>::epsilon();
 }
 
 /// Puts a row next to the seed in front of all solutions, which stand by their distance from it, if there is
@@ -268,7 +264,7 @@ void add_row_at_seed(const Preference<dof>& seed, const bool* revolute, const Fo
   const bool is_sure = found.effort.passes == 0;
   const double row_apart = apart(nearest, seed, revolute);
   // Steps that rounding makes on a continuum would add up.
-  if (is_sure ? is_next_to(nearest, seed, revolute) : row_apart < 1e-12) return;
+  if (is_sure ? is_next_to(nearest, seed, revolute) : row_apart < tolerance::at_seed) return;
   follow(is_sure, nearest);
   found.effort.steps += nearest.effort.steps;
   if (!(apart(nearest, seed, revolute) < row_apart)) return;

@@ -52,7 +52,9 @@ Vanishing<Scalar> vanishing(const Scalar& u_square, const Scalar& v_square, cons
   const Scalar little = Scalar(boundary.near) * noise;
   // Narrower than where doubt begins: Newton steps have to make good what the choice turns away. Behind a
   // double root, which carries half the digits, more may be noise.
-  const Scalar choosable = select(branch.unsure | Mask<Scalar>(boundary.wide), Scalar(1e14), Scalar(1e5));
+  const Scalar choosable =
+      select(branch.unsure | Mask<Scalar>(boundary.wide), Scalar(tolerance::choosable_behind_double_root),
+             Scalar(tolerance::choosable));
   const Scalar doubtful = boundary.wide ? little : Scalar(choosable * noise);
   branch.unsure = branch.unsure | (u_square <= little) | (v_square <= little);
   branch.doubt((u_square <= doubtful) | (v_square <= doubtful));

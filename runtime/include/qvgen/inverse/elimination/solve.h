@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <qvgen/batch/machine.h>
 #include <qvgen/inverse/elimination/setup.h>
 #include <qvgen/inverse/requested_pose.h>
 #include <qvgen/inverse/seed.h>
 #include <qvgen/inverse/solutions.h>
+#include <qvgen/simd/instruction_sets.h>
 
 namespace qvgen::inverse::elimination {
 

@@ -19,20 +19,20 @@ class Idling {
   /// rounding: the pose itself may be off the continuum by as much as these values are allowed to miss. Where
   /// two solutions merely meet, what is missing then is as the square of the little.
   [[nodiscard]] bool is_continuum(const Values& values) const {
-    return goes_on(values, Scalar(Scalar(64) * epsilon<Scalar>()));
+    return goes_on(values, Scalar(Scalar(tolerance::noise) * epsilon<Scalar>()));
   }
 
   /// True if values that miss the goals by very little can be moved on and miss them by not much more.
   [[nodiscard]] bool is_nearly_continuum(const Values& values) const {
     using std::sqrt;
     const Scalar share = newton_.miss(values) / task_.size_square;
-    return share < Scalar(1e-12) && goes_on(values, Scalar(Scalar(4) * sqrt(share)));
+    return share < Scalar(tolerance::nearly_on_continuum) && goes_on(values, Scalar(Scalar(4) * sqrt(share)));
   }
 
   /// True if values that reach the goals can be moved on and miss them by little. Where two solutions merely
   /// meet what is missing then is a hundred times as much.
   [[nodiscard]] bool is_next_to_continuum(const Values& values) const {
-    return goes_on(values, Scalar(1e-6));
+    return goes_on(values, Scalar(tolerance::next_to_continuum));
   }
 
   /// Moves values that are nearly on a continuum along it, to where it meets the goals: Newton's step says
@@ -40,7 +40,8 @@ class Idling {
   /// Returns whether it does.
   bool move_on(Values& values) const {
     constexpr int rounds = 24;
-    const Scalar enough = Scalar(256) * epsilon<Scalar>() * epsilon<Scalar>() * task_.size_square;
+    const Scalar enough =
+        Scalar(tolerance::stuck) * epsilon<Scalar>() * epsilon<Scalar>() * task_.size_square;
     for (int round = 0; round < rounds; ++round) {
       if (!improve(values)) return false;
       if (newton_.miss(values) <= enough) return true;
@@ -53,14 +54,9 @@ class Idling {
     if (!budget_.step()) return false;
     const auto idle = newton_.idle(a);
     if (idle.least == joints) return false;
-    Values middle = a;
-    for (std::size_t i = 0; i < joints; ++i) {
-      middle[i].cosine = (a[i].cosine + b[i].cosine) / Scalar(2);
-      middle[i].sine = (a[i].sine + b[i].sine) / Scalar(2);
-    }
+    Values middle = middle_of(a, b);
     if (!quartic::polish(task_, Scalar(0), middle, budget_, idle.is)) return false;
-    const Scalar most = Scalar(0.6) * distance_square(a, b);
-    return distance_square(a, middle) < most && distance_square(b, middle) < most;
+    return is_between(middle, a, b);
   }
 
  private:
@@ -73,7 +69,7 @@ class Idling {
     if (!budget_.step()) return false;
     const auto idle = newton_.idle(values);
     if (idle.least == joints) return false;
-    const Scalar little = length(idle.least, Scalar(1e-2));
+    const Scalar little = length(idle.least, Scalar(tolerance::way_along));
     for (const Scalar& by : {little, Scalar(-little)}) {
       Values moved_on = values;
       newton_.advance(idle.least, by, moved_on);
@@ -89,12 +85,13 @@ class Idling {
     const auto idle = newton_.idle(values);
     if (idle.least == joints) return quartic::polish(task_, Scalar(0), values, budget_);
     const Scalar least = newton_.miss(values);
-    auto by = newton_.step(values, Scalar(Scalar(1e-2) * sqrt(least)), Scalar(Scalar(2) * epsilon<Scalar>()));
+    auto by = newton_.step(values, Scalar(Scalar(tolerance::damping_along) * sqrt(least)),
+                           Scalar(Scalar(2) * epsilon<Scalar>()));
     for (int attempt = 0; attempt < 4; ++attempt) {
       Values moved_on = values;
       for (std::size_t i = 0; i < joints; ++i) {
         if (!idle.is[i]) continue;
-        const Scalar most = length(i, Scalar(0.3));
+        const Scalar most = length(i, Scalar(tolerance::longest_along));
         by[i] = smaller(larger(by[i], Scalar(-most)), most);
         newton_.advance(i, by[i], moved_on);
         by[i] = by[i] / Scalar(4);

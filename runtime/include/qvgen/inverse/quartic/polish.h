@@ -47,7 +47,7 @@ class Newton {
 
   /// The joints that move the points next to nothing beyond what the others can do.
   inverse::polishing::Dependent<Scalar, joints> idle(const Values& values) const {
-    const Scalar next_to_nothing(1e-5);
+    const Scalar next_to_nothing(tolerance::idle);
     std::array<Column, joints> jacobian{};
     Column off{};
     for (std::size_t p = 0; p < points; ++p) add_point(p, values, jacobian, off);
@@ -103,11 +103,7 @@ bool polish(const PointMatching<Scalar, joints, points>& task, const Scalar& all
   constexpr int most_steps = 60;
   constexpr int patience = 6;
   const polishing::Newton<Scalar, joints, points> newton(task);
-  for (std::size_t i = 0; i < joints; ++i) {
-    if (!task.arm[i].revolute) continue;
-    const Scalar square = values[i].cosine * values[i].cosine + values[i].sine * values[i].sine;
-    values[i] = Scalar(Scalar(1) / sqrt(square)) * values[i];
-  }
+  normalise(task, values);
   JointValues<Scalar, joints> now = values;
   Scalar error = newton.miss(now);
   Scalar least = error;
@@ -116,9 +112,9 @@ bool polish(const PointMatching<Scalar, joints, points>& task, const Scalar& all
   int waited = 0;
   for (int step = 0; step < most_steps && waited < patience && least > enough && budget.step(); ++step) {
     // Directions that hardly move the points are left alone, unless it does not go on without them.
-    const bool stuck = waited >= patience / 2 && least > Scalar(256) * enough;
-    const Scalar nothing = stuck ? Scalar(Scalar(64) * epsilon<Scalar>()) : half_the_digits;
-    const auto by = newton.step(now, Scalar(Scalar(1e-1) * sqrt(error)), nothing, held);
+    const bool stuck = waited >= patience / 2 && least > Scalar(tolerance::stuck) * enough;
+    const Scalar nothing = stuck ? Scalar(Scalar(tolerance::noise) * epsilon<Scalar>()) : half_the_digits;
+    const auto by = newton.step(now, Scalar(Scalar(tolerance::damping) * sqrt(error)), nothing, held);
     for (std::size_t i = 0; i < joints; ++i) newton.advance(i, by[i], now);
     error = newton.miss(now);
     ++waited;
@@ -127,7 +123,7 @@ bool polish(const PointMatching<Scalar, joints, points>& task, const Scalar& all
     values = now;
     waited = 0;
   }
-  const Scalar share = larger(allowed, Scalar(Scalar(16) * epsilon<Scalar>()));
+  const Scalar share = larger(allowed, Scalar(Scalar(tolerance::reached) * epsilon<Scalar>()));
   return least <= share * share * task.size_square;
 }
 

@@ -16,6 +16,7 @@ class Visited {
   explicit Visited(const Budget& budget) : budget_(budget) {}
 
   [[nodiscard]] Budget& budget() { return budget_; }
+  [[nodiscard]] const Budget& budget() const { return budget_; }
   [[nodiscard]] bool settled(int label) const {
     return marks_.settled[static_cast<std::size_t>(label)] && !again_;
   }
@@ -89,7 +90,7 @@ class Visited {
  private:
   [[nodiscard]] bool is_row(const Values& values) const {
     for (std::size_t k = 0; k < count_; ++k)
-      if (distance_square(rows_[k], values) < Scalar(180) * epsilon<Scalar>()) return true;
+      if (are_same(rows_[k], values)) return true;
     return false;
   }
 
@@ -115,9 +116,10 @@ class Visited {
   template <std::size_t points>
   [[nodiscard]] bool is_known(const Idling<Scalar, joints, points>& idling, const Values& values) const {
     for (std::size_t k = 0; k < count_; ++k) {
-      const Scalar square = distance_square(rows_[k], values);
-      if (square < Scalar(180) * epsilon<Scalar>()) return true;
-      if (square < Scalar(1e-2) && idling.are_joined(rows_[k], values)) return true;
+      if (are_same(rows_[k], values)) return true;
+      if (distance_square(rows_[k], values) < Scalar(tolerance::may_be_joined) &&
+          idling.are_joined(rows_[k], values))
+        return true;
     }
     return false;
   }
