@@ -43,6 +43,7 @@ struct Follower {
   model::Follows leaders;  ///< as the file calls them
   model::Expression offset;
   Place place;
+  bool may_be_alone = false;  ///< without its leaders it is free, with a warning
 };
 
 /// Shared state of the readers of one file's parts: the text, the mistakes so far, the names met so far.

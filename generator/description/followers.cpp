@@ -92,6 +92,7 @@ class Ties {
       : context_(context), names_(names), robot_(robot) {}
 
   void tie(const Follower& follower) {
+    if (follower.may_be_alone && is_alone(follower)) return;
     model::Joint& joint = robot_.joints[follower.joint];
     std::vector<Leader> leaders;
     for (const model::Lead& lead : follower.leaders) {
@@ -135,6 +136,19 @@ class Ties {
   }
 
  private:
+  /// True, and told, if a leader is no joint of the chain.
+  bool is_alone(const Follower& follower) {
+    for (const model::Lead& lead : follower.leaders) {
+      if (std::find(names_.begin(), names_.end(), lead.variable) != names_.end()) continue;
+      context_.warning(follower.place,
+                       "'" + names_[follower.joint] + "' follows '" + lead.variable +
+                           "', which is no joint of the chain: it is read as free",
+                       "take a chain with both if it shall follow");
+      return true;
+    }
+    return false;
+  }
+
   /// The leader of that name; reported if there is none that may lead.
   std::optional<Leader> leader_of(const Follower& follower, const std::string& name) {
     for (model::Motor& motor : robot_.motors)

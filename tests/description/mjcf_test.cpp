@@ -130,11 +130,12 @@ TEST(Mjcf, Mistakes) {
             "2:68: error: 'a' is no number; write a decimal number such as 0.1 or 1e-3\n"
             "2:87: error: balanceinertia=\"1\" is neither true nor false; write true or false\n"
             "2:107: error: unknown inertiafromgeom 'never'; write auto, true or false\n");
-  EXPECT_EQ(report_body("", "<joint stiffness=\"1\"/><composite/>", "<equality><joint/></equality>"),
-            "2:1: warning: <equality> is not read: joints move freely; remove it if that is right\n"
-            "3:19: warning: the spring of a joint is not read; add its force to what the dynamics gives\n"
-            "3:23: warning: <composite> is not read: what it makes is left out; have MuJoCo save the model: "
-            "mj_saveLastXML writes plain bodies\n");
+  EXPECT_EQ(
+      report_body("", "<joint stiffness=\"1\"/><composite/>", "<equality><joint/></equality>"),
+      "2:11: warning: <joint> of <equality> is not read: joints move freely; remove it if that is right\n"
+      "3:19: warning: the spring of a joint is not read; add its force to what the dynamics gives\n"
+      "3:23: warning: <composite> is not read: what it makes is left out; have MuJoCo save the model: "
+      "mj_saveLastXML writes plain bodies\n");
 }
 
 TEST(Mjcf, DefaultsOfSeveralFilesAreOne) {

@@ -116,11 +116,14 @@ TEST(Motors, WholeTurnsHaveABasisInEchelonForm) {
   const ReadResult result = read(wrist("(ml + mr)/2", "(ml - mr)/2"));
   ASSERT_TRUE(result.robot);
   const auto turns = model::motor_turns(*result.robot, *model::inverse_shares(*result.robot));
-  ASSERT_EQ(turns.size(), 3U);
+  ASSERT_EQ(turns.values.size(), 3U);
+  ASSERT_EQ(turns.turns.size(), 3U);
   const std::vector<std::vector<cl_RA>> expected{{1, 0, 0}, {0, 1, 1}, {0, 0, 2}};
   for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_EQ(turns[i].pivot, i);
-    for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(cln::abs(turns[i].motion[k]), expected[i][k]) << i << k;
+    EXPECT_EQ(turns.turns[i].pivot, i);
+    EXPECT_EQ(turns.turns[i].ends_block, i != 1);
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_EQ(cln::abs(turns.turns[i].motion[k]), expected[i][k]) << i << k;
   }
 }
 

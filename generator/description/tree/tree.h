@@ -13,12 +13,12 @@
 /// Files that describe a tree of links, of which one path is the robot.
 namespace qvgen::description::tree {
 
-/// Motion of a joint by the value of another one, which has the name in the file.
+/// Motion of a joint by the values of others, which have their names in the file.
 struct Mimic {
-  std::string leader;
-  cln::cl_RA ratio;
+  model::Follows leaders;
   model::Expression offset;
   Place place;
+  bool may_be_alone = false;  ///< the joint is free in a chain without its leaders
 };
 
 struct MovingJoint {

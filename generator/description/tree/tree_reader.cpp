@@ -75,7 +75,7 @@ void TreeReader::add_joint(const Segment& segment, const Standing& before, model
 void TreeReader::note_mimic(const MovingJoint& joint, std::size_t index) {
   names_.push_back(joint.name);
   if (const auto& mimic = joint.mimic)
-    context_->followers.push_back({index, {{mimic->leader, mimic->ratio}}, mimic->offset, mimic->place});
+    context_->followers.push_back({index, mimic->leaders, mimic->offset, mimic->place, mimic->may_be_alone});
 }
 
 const Segment& TreeReader::segment_of(std::size_t node) {

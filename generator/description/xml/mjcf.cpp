@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "description/xml/mjcf_couplings.h"
 #include "description/xml/mjcf_inertia.h"
 #include "description/xml/mjcf_numbers.h"
 #include "description/xml/mjcf_tree.h"
@@ -11,8 +12,13 @@ namespace {
 /// Reads the numbers of the tree's nodes.
 class SegmentReader {
  public:
-  SegmentReader(Context& context, const MjcfTree& tree, const MjcfInertiaSettings& settings)
-      : context_(&context), tree_(&tree), frames_(context, context.options.snap), inertia_(context) {
+  SegmentReader(Context& context, const MjcfModel& model, const MjcfTree& tree,
+                const MjcfInertiaSettings& settings)
+      : context_(&context),
+        tree_(&tree),
+        frames_(context, context.options.snap),
+        inertia_(context),
+        couplings_(context, model, tree) {
     if (cln::plusp(settings.total_mass)) scale_ = scale_to(settings.total_mass);
   }
 
@@ -37,6 +43,7 @@ class SegmentReader {
     if (joint.first_of_ball) tell_of_ball(*context_, joint);
     const MjcfNumbers numbers(*context_, joint.placed.model->settings);
     auto segment = numbers.joint(joint.element, joint.name);
+    if (segment) segment->joint->mimic = couplings_.of(joint.name);
     if (!segment || joint.placed.around == nullptr) return segment;
     const model::Displacement around = frames_.around(joint.placed.around);
     segment->before = tree::folded(around, segment->before);
@@ -65,6 +72,7 @@ class SegmentReader {
   const MjcfTree* tree_;
   MjcfFrames frames_;
   MjcfInertia inertia_;
+  MjcfCouplings couplings_;
   cln::cl_R scale_ = 1;
 };
 
@@ -77,7 +85,7 @@ model::Mechanism read_mjcf(Context& context, const Element& root) {
   if (context.has_error) return {};
   const Attribute* name = root.attribute("model");
   const std::string title = name == nullptr || name->value.empty() ? "robot" : name->value;
-  SegmentReader reader(context, tree, model->settings.inertia);
+  SegmentReader reader(context, *model, tree, model->settings.inertia);
   return read_tree(
       context, tree.nodes, "body", title, [&](std::size_t node) { return reader.read(node); },
       [&](std::size_t node) { return reader.body(node); });

@@ -151,6 +151,16 @@ model::Drive MjcfNumbers::drive(const Element& joint) const {
   return drive;
 }
 
+bool MjcfNumbers::is_hinge(const Element& joint) {
+  return text_of(joint, "type", joint.name == "freejoint" ? "free" : "hinge") == "hinge";
+}
+
+model::Expression MjcfNumbers::reference(const Element& joint) const {
+  const Decimal written = read_decimal(*context_, joint, "ref", 0);
+  if (cln::zerop(written.value)) return {};
+  return is_hinge(joint) ? angle(written) : model::Expression(written.value);
+}
+
 std::optional<tree::Segment> MjcfNumbers::joint(const Element& joint, const std::string& name) const {
   const std::string type = text_of(joint, "type", joint.name == "freejoint" ? "free" : "hinge");
   if (type != "hinge" && type != "slide") {
@@ -175,14 +185,14 @@ std::optional<tree::Segment> MjcfNumbers::joint(const Element& joint, const std:
   if (const auto pos = read_decimals(*context_, joint, "pos", 3))
     segment.before.translation = snap_.lengths(*pos);
   segment.after.translation = model::subtract({}, segment.before.translation);
-  const Decimal reference = read_decimal(*context_, joint, "ref", 0);
-  if (!cln::zerop(reference.value)) {  // where the body stands as the file has it
+  const model::Expression in_pose = reference(joint);
+  if (!in_pose.is_literal_zero()) {
     if (type == "hinge") {
-      segment.before.turns.push_back({moving.axis, model::negate(angle(reference))});
+      segment.before.turns.push_back({moving.axis, model::negate(in_pose)});
     } else {
       for (std::size_t i = 0; i < 3; ++i)
-        segment.before.translation.at(i) = model::subtract(
-            segment.before.translation.at(i), model::multiply(reference.value, moving.axis.at(i)));
+        segment.before.translation.at(i) =
+            model::subtract(segment.before.translation.at(i), model::multiply(in_pose, moving.axis.at(i)));
     }
   }
   segment.joint = moving;

@@ -19,6 +19,11 @@ class MjcfNumbers {
   /// The joint, whose attributes are complete, about a point of the body's frame: before, motion, after.
   /// Nothing if it is of a type that no chain has.
   [[nodiscard]] std::optional<tree::Segment> joint(const Element& joint, const std::string& name) const;
+  /// Value of a joint where the body stands as the file has it.
+  [[nodiscard]] model::Expression reference(const Element& joint) const;
+  /// An angle that is in radians whatever the file's unit.
+  [[nodiscard]] model::Expression radians(const Decimal& written) const { return snap_.angle(written); }
+  static bool is_hinge(const Element& joint);
   /// Returns how the copy of that number of a <replicate> is turned.
   [[nodiscard]] std::vector<model::Turn> turns_of_copy(const Element& replicate, long copy) const;
   [[nodiscard]] model::Vector3 offset_of_copies(const Element& replicate) const;

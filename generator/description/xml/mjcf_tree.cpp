@@ -5,11 +5,15 @@ namespace qvgen::description::xml {
 
 using tree::Node;
 
+void warn_of_tendons(Context& context, const Element& section) {
+  context.warning(section.place, "<tendon> is not read", "add its forces to what the dynamics gives");
+}
+
 MjcfTree::MjcfTree(Context& context, const MjcfModel& model) : context_(&context), contents_(context) {
   add({"world", model.root.place, Node::none, {}, false, false}, {});
   for (const Element& child : model.root.children)
     if (child.name == "worldbody") add_children(contents_.of({&child, &model}), 0, 0);
-  warn_of_sections(model);
+  for (const auto& attached : model.models) warn_of_sections(*attached.second);
 }
 
 void MjcfTree::warn_of_sections(const MjcfModel& model) {
@@ -17,8 +21,7 @@ void MjcfTree::warn_of_sections(const MjcfModel& model) {
     if (child.name == "equality" && !child.children.empty())
       context_->warning(child.place, "<equality> is not read: joints move freely",
                         "remove it if that is right");
-    if (child.name == "tendon" && !child.children.empty())
-      context_->warning(child.place, "<tendon> is not read", "add its forces to what the dynamics gives");
+    if (child.name == "tendon" && !child.children.empty()) warn_of_tendons(*context_, child);
   }
   for (const auto& attached : model.models) warn_of_sections(*attached.second);
 }

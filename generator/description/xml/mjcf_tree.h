@@ -15,7 +15,8 @@ struct MjcfPart {
   std::vector<Placed> contents;    ///< of that body
 };
 
-/// Bodies and sites of an MJCF by name, before any number is read.
+/// Bodies and sites of an MJCF by name, before any number is read. What ties joints together is read by
+/// mjcf_couplings.h in the model's own file, and left out with a warning in attached ones.
 class MjcfTree {
  public:
   MjcfTree(Context& context, const MjcfModel& model);
@@ -35,5 +36,8 @@ class MjcfTree {
   MjcfContents contents_;
   bool refused_ = false;
 };
+
+/// Says that the tendons of a section are left out.
+void warn_of_tendons(Context& context, const Element& section);
 
 }  // namespace qvgen::description::xml

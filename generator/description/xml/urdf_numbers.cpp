@@ -167,7 +167,7 @@ std::optional<tree::Mimic> UrdfNumbers::mimic(const Element& joint, model::Joint
     return std::nullopt;
   }
   const bool turns = type == model::JointType::revolute;
-  return tree::Mimic{leader->value, ratio.value,
+  return tree::Mimic{{{leader->value, ratio.value}},
                      turns ? snap_.angle(offset) : model::Expression(offset.value), mimic->place};
 }
 

@@ -45,18 +45,14 @@ std::string bound(const std::optional<model::Limits>& limits, bool is_lower, con
   return fmt::format("{}", model::to_double(model::evaluate(expression, model::default_bindings(robot))));
 }
 
-json joints_of(const model::Robot& robot) {
-  const std::vector<Row> rows = matrix_of(robot);
+json joints_of(const model::Robot& robot, const std::vector<Row>& rows) {
   json list = json::array();
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const model::Joint& joint = robot.joints[i];
-    const std::optional<model::Limits> own = joint.follows.empty() ? std::nullopt : joint.limits;
     list.push_back({{"variable", joint.variable},
                     {"revolute", joint.type == model::JointType::revolute ? "true" : "false"},
                     {"lower", bound(joint.limits, true, robot)},
                     {"upper", bound(joint.limits, false, robot)},
-                    {"own_lower", bound(own, true, robot)},
-                    {"own_upper", bound(own, false, robot)},
                     {"of_motors", sum_text(rows[i])},
                     {"last", i + 1 == rows.size()}});
   }
@@ -70,15 +66,32 @@ json motors_of(const std::vector<Row>& inverse) {
   return list;
 }
 
-json turns_of(const model::Robot& robot, const std::vector<Row>& inverse) {
-  const std::vector<model::MotorTurn> turns = model::motor_turns(robot, inverse);
+/// Values with limits, in the order in which they are searched.
+json values_of(const model::Robot& robot, const std::vector<Row>& rows, const model::MotorTurns& turns) {
   json list = json::array();
-  for (const model::MotorTurn& turn : turns) {
+  for (const model::LimitedValue& value : turns.values) {
+    const auto own = value.is_motor ? std::nullopt : robot.joints[value.index].limits;
+    const std::string index = std::to_string(value.index);
+    list.push_back({{"of_motors", value.is_motor ? "of[" + index + "]" : sum_text(rows[value.index])},
+                    {"motor", value.is_motor ? index : "-1"},
+                    {"own_lower", bound(own, true, robot)},
+                    {"own_upper", bound(own, false, robot)},
+                    {"last", &value == &turns.values.back()}});
+  }
+  return list;
+}
+
+json turns_of(const model::MotorTurns& turns) {
+  json list = json::array();
+  for (const model::MotorTurn& turn : turns.turns) {
     json motion = json::array();
     for (const cln::cl_RA& part : turn.motion)
       motion.push_back({{"value", cln::zerop(part) ? "0" : number(part) + " * inverse::whole_turn"},
                         {"last", &part == &turn.motion.back()}});
-    list.push_back({{"pivot", turn.pivot}, {"motion", motion}, {"last", &turn == &turns.back()}});
+    list.push_back({{"pivot", turn.pivot},
+                    {"ends_block", turn.ends_block ? "true" : "false"},
+                    {"motion", motion},
+                    {"last", &turn == &turns.turns.back()}});
   }
   return list;
 }
@@ -118,13 +131,15 @@ void add_motors(const model::Robot& described, json& values) {
   values["scope"] = "";  // of calls in that namespace
   if (!model::has_followers(described)) return;
   const std::vector<Row> inverse = *model::inverse_shares(described);
-  const json turns = turns_of(described, inverse);
+  const std::vector<Row> matrix = matrix_of(described);
+  const model::MotorTurns turns = model::motor_turns(described, inverse);
   values["robot_space"] = described.name + "::joints";
   values["scope"] = "joints::";
   values["motors"] = {
-      {"relations", relations_of(described)}, {"of_joints", joints_of(described)},
-      {"of_motors", motors_of(inverse)},      {"turns", turns},
-      {"turn_count", turns.size()},           {"has_joint_limits", has_joint_limits(described)}};
+      {"relations", relations_of(described)}, {"of_joints", joints_of(described, matrix)},
+      {"of_motors", motors_of(inverse)},      {"values", values_of(described, matrix, turns)},
+      {"value_count", turns.values.size()},   {"turns", turns_of(turns)},
+      {"turn_count", turns.turns.size()},     {"has_joint_limits", has_joint_limits(described)}};
   for (json& variant : values["variants"]) variant["given_motor"] = motor_of(described, variant["given"]);
 }
 

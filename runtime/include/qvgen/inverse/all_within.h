@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <limits>
 
+#include <qvgen/inverse/row_iterator.h>
 #include <qvgen/inverse/solutions.h>
 #include <qvgen/inverse/turns.h>
 #include <qvgen/inverse/within.h>
@@ -49,62 +49,15 @@ int keep_within(const Solutions<dof, capacity>& found, const Within<dof>& within
 ///
 /// Branch by branch; each branch begins with its row nearest to the centre, a joint at a time. A joint that
 /// has not two finite limits has the one representative nearest to the centre.
-template <int dof, int capacity>
+template <int dof_, int capacity>
 class AllWithinLimits {
  public:
+  static constexpr int dof = dof_;
   Status status = Status::unreachable;  ///< unreachable: there are solutions but none inside
   inverse::Effort effort;
 
-  class Iterator {
-   public:
-    using iterator_category = std::input_iterator_tag;
-    using value_type = Solution<dof>;
-    using difference_type = std::ptrdiff_t;
-    using pointer = const Solution<dof>*;
-    using reference = const Solution<dof>&;
-
-    Iterator(const AllWithinLimits& all, int branch) : all_(&all), branch_(branch) { begin_branch(); }
-    const Solution<dof>& operator*() const { return row_; }
-    const Solution<dof>* operator->() const { return &row_; }
-    /// Counts through the turns of all joints like an odometer.
-    Iterator& operator++() {
-      ++number_;
-      for (int i = 0; i < turns_.last; ++i) {
-        const bool is_more = ++index_[i] < turns_.count[i];
-        if (!is_more) index_[i] = 0;
-        row_.q[i] = turns_.value(i, index_[i]);
-        if (is_more) return *this;
-      }
-      ++branch_;
-      begin_branch();
-      return *this;
-    }
-    Iterator operator++(int) {
-      const Iterator before = *this;
-      ++*this;
-      return before;
-    }
-    [[nodiscard]] int branch() const { return branch_; }
-    friend bool operator==(const Iterator& a, const Iterator& b) {
-      return a.branch_ == b.branch_ && a.number_ == b.number_;
-    }
-    friend bool operator!=(const Iterator& a, const Iterator& b) { return !(a == b); }
-
-   private:
-    void begin_branch() {
-      number_ = 0;
-      if (branch_ >= all_->branches()) return;
-      row_ = all_->rows_[branch_];
-      turns_.start(all_->limits_, row_.q);
-    }
-
-    const AllWithinLimits* all_;
-    int branch_;
-    std::size_t number_ = 0;  ///< of the row among its branch's
-    inverse::Turns<dof> turns_;
-    int index_[dof] = {};
-    Solution<dof> row_;
-  };
+  using Turns = inverse::Turns<dof>;
+  using Iterator = inverse::RowIterator<AllWithinLimits>;
 
   [[nodiscard]] Iterator begin() const { return {*this, 0}; }
   [[nodiscard]] Iterator end() const { return {*this, branches()}; }
@@ -121,11 +74,17 @@ class AllWithinLimits {
   [[nodiscard]] int branches() const { return rows_.size(); }
   [[nodiscard]] const Solution<dof>& nearest_to_centre(int branch) const { return rows_[branch]; }
 
+  /// The first row of a branch; makes `turns` ready for those behind it.
+  Solution<dof> start(int branch, Turns& turns) const {
+    turns.start(limits_, rows_[branch].q);
+    return rows_[branch];
+  }
+
   /// Calls `visit(row)` for all rows, in their order.
   template <class Visit>
   void for_each(const Visit& visit) const {
     for (int branch = 0; branch < branches(); ++branch) {
-      inverse::Turns<dof> turns;
+      Turns turns;
       turns.start(limits_, rows_[branch].q);
       if (turns.is_kept) {
         Solution<dof> row = rows_[branch];
@@ -166,7 +125,7 @@ class AllWithinLimits {
  private:
   /// All representatives of a joint and of those in front of it, which change faster.
   template <int joint, class Visit>
-  static void turns_of(const inverse::Turns<dof>& turns, Solution<dof>& row, const Visit& visit) {
+  static void turns_of(const Turns& turns, Solution<dof>& row, const Visit& visit) {
     if constexpr (joint < 0) {
       visit(static_cast<const Solution<dof>&>(row));
     } else if (joint >= turns.last) {

@@ -4,221 +4,365 @@
 // A joint at q may as well be at q + 2 pi k. If motors are coupled, such a turn moves several of them: with
 // tilt = (ml + mr)/2 and roll = (ml - mr)/2 a turn of the tilt is one of both motors. So the representatives
 // of a row form a lattice: the row plus whole multiples of a few motions. Generated code has these motions in
-// echelon form: each leaves the motors before its pivot where they are. So limits of motors are looked at one
-// after the other, and a branch of the search ends where one is outside.
+// echelon form: each leaves the values before its pivot where they are. So limits are looked at one after the
+// other, and a branch of the search ends where a value is outside. Values that no motion moves together are
+// in blocks, each with a search of its own: their costs add up and are not multiplied.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include <qvgen/inverse/within.h>
 
 namespace qvgen {
 
-/// Motions of motors, rad or m, that turn joints by whole turns; the pivots ascend.
-template <int dof>
+/// Motions of values with limits, rad or m, that turn joints by whole turns. A value is of a motor or of a
+/// joint that has limits of its own.
+template <int bounded>
 struct MotorTurns {
-  int count;                ///< how many there are
-  int pivot[dof];           ///< the first motor that each moves, by a positive angle or length
-  double motion[dof][dof];  ///< each by motors
+  int count;                        ///< how many motions there are
+  int pivot[bounded + 1];           ///< the first value that each moves, ascending; then `bounded`
+  bool ends_block[bounded];         ///< the next motion moves no value of this one's block
+  double motion[bounded][bounded];  ///< by values; the pivot moves up
 };
 
 namespace inverse {
 
-/// Numbers of whole turns of one motion, the one nearest to a centre first, then alternately above and below.
+/// Bounds of a pivot, made ready to be compared with many rows: see within.h for the middle.
+struct TurnRange {
+  /// Turns that are tried on both sides where limits leave more than `most_values`, or have no end.
+  static constexpr double tried = 16, most_values = 4096;
+  static constexpr double far = 1e300;
+
+  double step = 1, per_step = 1, lower = 0, upper = 0, middle = 0, farthest = 0;
+  bool is_open = false;  ///< the nearest turn that is inside stands for all
+
+  TurnRange() = default;
+  /// For limits, and a centre near which values are wanted, of a value that a turn moves by `step_`.
+  TurnRange(double step_, double lower_, double upper_, double centre)
+      : step(step_), per_step(1 / step_), lower(lower_), upper(upper_) {
+    const double half = 0.5 * step - limit_tolerance;
+    const double between = 0.5 * (std::max(lower, -far) + std::min(upper, far));
+    const double least = std::min(lower + half, between), most = std::max(upper - half, between);
+    middle = std::min(std::max(centre, least), most);
+    is_open = !(upper - lower < most_values * step);
+    farthest = is_open ? tried : most_values;
+  }
+  [[nodiscard]] bool holds(double value) const {
+    return value >= lower - limit_tolerance && value <= upper + limit_tolerance;
+  }
+  /// True if two values that differ by turns cannot both be inside.
+  [[nodiscard]] bool has_one_place() const { return upper - lower < step - 2 * limit_tolerance; }
+  /// The whole number of turns from a value to the middle.
+  [[nodiscard]] double nearest(double value) const { return nearest_whole((middle - value) * per_step); }
+};
+
+/// Numbers of whole turns that bring a pivot inside: the nearest to the middle first, then alternately above
+/// and below.
 class TurnNumbers {
  public:
-  /// Values that are tried where limits leave more than `most_values`, or no end.
-  static constexpr double tried = 16, most_values = 4096;
-
   TurnNumbers() = default;
-  /// For the value `from` of a motor that a turn moves by `step`, with bounds and a centre of the motor.
-  TurnNumbers(double from, double step, double lower, double upper, double centre) {
-    double least = std::ceil((lower - limit_tolerance - from) / step);
-    double most = std::floor((upper + limit_tolerance - from) / step);
-    if (!(least <= most)) return;
-    nearest_ = std::min(std::max(std::nearbyint((centre - from) / step), least), most);
-    is_open = !(most - least < most_values);
-    if (is_open) {
-      least = std::max(least, nearest_ - tried);
-      most = std::min(most, nearest_ + tried);
+  TurnNumbers(double from, const TurnRange& range) : from_(from), nearest_(range.nearest(from)) {}
+
+  /// Goes to the next number; false if there is none.
+  bool next(const TurnRange& range, double& number) {
+    while (!(is_over_[0] && is_over_[1])) {
+      side_ = is_over_[0] || (!is_over_[1] && away_[1] < away_[0]) ? 1 : 0;
+      number = nearest_ + (side_ == 0 ? away_[0] : -away_[1]);
+      is_over_[side_] = !range.holds(from_ + number * range.step) || away_[side_] > range.farthest;
+      if (is_over_[side_]) continue;
+      ++away_[side_];
+      return true;
     }
-    below_ = static_cast<int>(nearest_ - least);
-    above_ = static_cast<int>(most - nearest_);
-    count = below_ + above_ + 1;
+    return false;
   }
-
-  int count = 0;
-  bool is_open = false;  ///< there are more, of which the nearest that is inside stands for all
-
-  [[nodiscard]] double operator[](int index) const { return nearest_ + turns_at(index); }
-  /// How far a number is from the nearest one.
-  [[nodiscard]] int distance(int index) const { return std::abs(turns_at(index)); }
+  /// Ends the side of the last number: what lies beyond is farther still.
+  void end_side() { is_over_[side_] = true; }
 
  private:
-  [[nodiscard]] int turns_at(int index) const {
-    const int fewer = std::min(below_, above_);
-    if (index > 2 * fewer) return above_ > below_ ? index - fewer : fewer - index;
-    return index % 2 == 1 ? (index + 1) / 2 : -index / 2;
+  double from_ = 0, nearest_ = 0;
+  double away_[2] = {0, 1};
+  bool is_over_[2] = {false, false};
+  int side_ = 0;
+};
+
+/// Values that no motion moves with others, several at once; see within.h. Others are left as they are.
+template <int bounded>
+class LoneValues {
+ public:
+  using Numbers = Eigen::Array<double, bounded, 1>;
+
+  /// A value that stays.
+  void hold(int place, double lower, double upper) {
+    lower_[place] = lower - limit_tolerance;
+    upper_[place] = upper + limit_tolerance;
+  }
+  void turn(int place, const TurnRange& range) {
+    hold(place, range.lower, range.upper);
+    step_[place] = range.step;
+    per_step_[place] = range.per_step;
+    middle_[place] = range.middle;
+  }
+  /// Brings values next to their centres. Returns false if one is outside.
+  bool settle(Eigen::Matrix<double, bounded, 1>& values) const {
+    const Numbers turned = values.array() + step_ * nearest_whole((middle_ - values.array()) * per_step_);
+    values = turned.matrix();
+    return (turned - lower_).min(upper_ - turned).minCoeff() >= 0;
   }
 
-  int below_ = 0, above_ = 0;
-  double nearest_ = 0;
+ private:
+  Numbers step_ = Numbers::Zero(), per_step_ = Numbers::Zero(), middle_ = Numbers::Zero();
+  Numbers lower_ = Numbers::Constant(-TurnRange::far), upper_ = Numbers::Constant(TurnRange::far);
 };
 
 /// The representatives of rows within limits of motors, and of joints that have limits of their own.
-/// `Map` is generated: `turns`, `joints`, `joint_lower`, `joint_upper`.
+/// `Map` is generated: `turns`, `values`, `motor_of`, `own_lower`, `own_upper`.
 template <class Map>
 class WithinMotors {
  public:
-  static constexpr int dof = Map::dof;
-  /// The most values that a search for the nearest representative of a row looks at.
-  static constexpr int most_tries = 20000;
+  static constexpr int dof = Map::dof, bounded = Map::bounded;
+  using Values = Eigen::Matrix<double, bounded, 1>;
+  /// The most numbers that a search in one block for the nearest representative of a row looks at.
+  static constexpr int most_tries = 4096;
 
-  WithinMotors(const JointLimits<dof>& limits, const Joints<dof>& centre) : limits_(limits), centre_(centre) {
-    for (int i = 0; i < dof; ++i)
-      if (!std::isfinite(centre_[i])) centre_[i] = 0;
+  WithinMotors(const JointLimits<dof>& limits, const Joints<dof>& centre)
+      : centre_(Map::values(centre.unaryExpr(&sensible))) {
+    for (int i = 0; i < bounded; ++i) set_limits(i, limits);
+    for (int i = 0; i < begin_of(0); ++i) alone_.hold(i, lower_[i], upper_[i]);
+    for (int level = 0; level < Map::turns.count; ++level) set_level(level);
   }
 
-  [[nodiscard]] TurnNumbers numbers(int level, const Joints<dof>& from) const {
-    const int motor = Map::turns.pivot[level];
-    return {from[motor], Map::turns.motion[level][motor], limits_.lower[motor], limits_.upper[motor],
-            centre_[motor]};
+  [[nodiscard]] const TurnRange& range(int level) const { return ranges_[level]; }
+  static void turn(int level, double number, Values& values) {
+    for (int i = Map::turns.pivot[level]; i < bounded; ++i) values[i] += number * Map::turns.motion[level][i];
   }
-  static Joints<dof> turned(int level, double number, Joints<dof> from) {
-    for (int i = Map::turns.pivot[level]; i < dof; ++i) from[i] += number * Map::turns.motion[level][i];
+  static Values turned(int level, double number, Values from) {
+    turn(level, number, from);
     return from;
   }
-  /// True if the motors that no later motion moves, behind those of the level before, are inside.
-  [[nodiscard]] bool is_inside(int level, const Joints<dof>& motors) const {
+  /// True if the values that no later motion moves, behind those of the level before, are inside.
+  [[nodiscard]] bool is_inside(int level, const Values& values) const {
     for (int i = begin_of(level); i < begin_of(level + 1); ++i)
-      if (!(motors[i] >= limits_.lower[i] - limit_tolerance &&
-            motors[i] <= limits_.upper[i] + limit_tolerance))
-        return false;
+      if (!holds(i, values[i])) return false;
     return true;
   }
-  /// Puts motors on their limits that rounding has moved outside. Returns false if a joint is outside of its
-  /// own.
-  [[nodiscard]] bool conclude(Joints<dof>& motors) const {
-    motors = motors.cwiseMax(limits_.lower).cwiseMin(limits_.upper);
-    const Joints<dof> joints = Map::joints(motors);
-    for (int i = 0; i < dof; ++i)
-      if (!(joints[i] >= Map::joint_lower[i] - limit_tolerance &&
-            joints[i] <= Map::joint_upper[i] + limit_tolerance))
-        return false;
+  /// True if motors, which are then put on their limits, and joints with limits are inside.
+  [[nodiscard]] bool take(Joints<dof>& motors) const {
+    const Values values = Map::values(motors);
+    for (int level = -1; level < Map::turns.count; ++level)
+      if (!is_inside(level, values)) return false;
+    motors = motors_of(values);
     return true;
+  }
+  /// Motors of values that are inside: on their limits where rounding has moved them outside.
+  [[nodiscard]] Joints<dof> motors_of(const Values& values) const {
+    Joints<dof> motors;
+    for (int i = 0; i < bounded; ++i)
+      if (is_motor(i)) motors[motor_at(i)] = std::min(std::max(values[i], lower_[i]), upper_[i]);
+    return motors;
   }
 
   /// Puts the representative in place of a row that is inside and nearest to the centre, and sets the square
-  /// of its distance. Returns false if there is none.
-  bool take_nearest(Joints<dof>& motors, double& square) const {
-    Search search;
-    if (is_inside(-1, motors)) descend(0, motors, part(-1, motors), search);
-    if (!(search.square < std::numeric_limits<double>::infinity())) return false;
-    motors = search.best;
-    square = search.square;
+  /// of its distance. Returns false if there is none; `is_cut` is then set if the search was given up.
+  bool take_nearest(Joints<dof>& motors, double& square, bool& is_cut) const {
+    Values values = Map::values(motors);
+    if (!alone_.settle(values)) return false;
+    for (int level = 0; level < Map::turns.count; ++level)
+      if (!is_alone(level) && !settle_from(level, values, is_cut)) return false;
+    square = 0;
+    for (int level = -1; level < Map::turns.count; ++level) square += part(level, values);
+    motors = motors_of(values);
     return true;
   }
 
  private:
   struct Search {
-    Joints<dof> best;
+    Values best;
     double square = std::numeric_limits<double>::infinity();
     int tries = 0;
   };
 
-  /// The first motor that is settled by a level; those before the first pivot are by level -1.
-  static int begin_of(int level) {
-    return level < 0 ? 0 : level < Map::turns.count ? Map::turns.pivot[level] : dof;
+  /// A centre beyond which whole turns are lost in rounding is none, nor is what is no number.
+  static double sensible(double centre) { return std::abs(centre) < 1e12 ? centre : 0.0; }
+  static constexpr int motor_at(int place) { return Map::motor_of[static_cast<std::size_t>(place)]; }
+  static constexpr bool is_motor(int place) { return motor_at(place) >= 0; }
+  /// The first value that is settled by a level; those before the first pivot are by level -1.
+  static int begin_of(int level) { return level < 0 ? 0 : Map::turns.pivot[level]; }
+
+  /// True if a motion moves its pivot alone, and no other one does.
+  static bool is_alone(int level) {
+    return Map::turns.ends_block[level] && begin_of(level + 1) - begin_of(level) == 1 &&
+           (level == 0 || Map::turns.ends_block[level - 1]);
+  }
+  void set_level(int level) {
+    const int pivot = begin_of(level);
+    ranges_[level] = {Map::turns.motion[level][pivot], lower_[pivot], upper_[pivot], centre_[pivot]};
+    if (is_alone(level)) return alone_.turn(pivot, ranges_[level]);
+    double square = 0;
+    for (int i = pivot; i < begin_of(level + 1); ++i) {
+      const double motion = Map::turns.motion[level][i];
+      per_motion_[i] = motion != 0 ? 1 / motion : 0;
+      if (is_motor(i)) square += motion * motion;
+    }
+    per_square_[level] = square != 0 ? 1 / square : 0;
+  }
+  /// Limits that are not a range admit nothing: no value is between these.
+  void set_limits(int place, const JointLimits<dof>& limits) {
+    const auto at = static_cast<std::size_t>(place);
+    const double lower = is_motor(place) ? limits.lower[motor_at(place)] : Map::own_lower[at];
+    const double upper = is_motor(place) ? limits.upper[motor_at(place)] : Map::own_upper[at];
+    const bool is_range = lower <= upper && lower < TurnRange::far && upper > -TurnRange::far;
+    lower_[place] = is_range ? lower : TurnRange::far;
+    upper_[place] = is_range ? upper : -TurnRange::far;
   }
   /// Share of a level's motors in the square of the distance from the centre.
-  [[nodiscard]] double part(int level, const Joints<dof>& motors) const {
+  [[nodiscard]] double part(int level, const Values& values) const {
     double sum = 0;
     for (int i = begin_of(level); i < begin_of(level + 1); ++i)
-      sum += (motors[i] - centre_[i]) * (motors[i] - centre_[i]);
+      if (is_motor(i)) sum += (values[i] - centre_[i]) * (values[i] - centre_[i]);
     return sum;
   }
 
-  // NOLINTNEXTLINE(misc-no-recursion): as deep as there are joints
-  void descend(int level, const Joints<dof>& from, double square, Search& search) const {
-    if (level == Map::turns.count) {
-      Joints<dof> motors = from;
-      if (square < search.square && conclude(motors)) {
-        search.best = motors;
-        search.square = square;
+  /// Settles a level, and those behind it of its block, `level` then being the last, where several numbers
+  /// are to be tried.
+  bool settle_from(int& level, Values& values, bool& is_cut) const {
+    if (Map::turns.ends_block[level]) return settle(level, values);
+    return ranges_[level].has_one_place() ? take_only(level, values) : search(level, values, is_cut);
+  }
+  /// Settles the last level of a block. All its values move along a line, on which limits leave a piece and
+  /// the distance has one least value: no number is tried. Returns false if nothing is inside.
+  bool settle(int level, Values& values) const {
+    double least = -TurnRange::far, most = TurnRange::far, wanted = 0;
+    for (int i = begin_of(level); i < begin_of(level + 1); ++i) {
+      const double motion = Map::turns.motion[level][i], per_motion = per_motion_[i];
+      const double down = (lower_[i] - limit_tolerance - values[i]) * per_motion;
+      const double up = (upper_[i] + limit_tolerance - values[i]) * per_motion;
+      if (per_motion != 0) {
+        least = std::max(least, per_motion > 0 ? down : up);
+        most = std::min(most, per_motion > 0 ? up : down);
+      } else if (!holds(i, values[i])) {
+        return false;
       }
-      return;
+      if (is_motor(i)) wanted += motion * (centre_[i] - values[i]);
     }
-    const TurnNumbers all = numbers(level, from);
-    const double step = Map::turns.motion[level][Map::turns.pivot[level]];
-    for (int index = 0; index < all.count && search.tries < most_tries; ++index) {
-      const double away = (all.distance(index) - 0.5) * step;
-      if (away > 0 && square + away * away >= search.square) return;
-      ++search.tries;
-      const Joints<dof> motors = turned(level, all[index], from);
-      if (is_inside(level, motors)) descend(level + 1, motors, square + part(level, motors), search);
-    }
+    least = whole_above(least);
+    most = -whole_above(-most);
+    if (!(least <= most)) return false;
+    values =
+        turned(level, std::min(std::max(nearest_whole(wanted * per_square_[level]), least), most), values);
+    return true;
+  }
+  static double whole_above(double value) {
+    const double whole = nearest_whole(value);
+    return whole < value ? whole + 1 : whole;
+  }
+  [[nodiscard]] bool holds(int place, double value) const {
+    return value >= lower_[place] - limit_tolerance && value <= upper_[place] + limit_tolerance;
   }
 
-  JointLimits<dof> limits_;
-  Joints<dof> centre_;
+  /// Takes the only number of a level that may be inside.
+  bool take_only(int level, Values& values) const {
+    turn(level, ranges_[level].nearest(values[begin_of(level)]), values);
+    return is_inside(level, values);
+  }
+  /// Searches a block from a level on, which becomes the block's last.
+  bool search(int& level, Values& values, bool& is_cut) const {
+    Search search;
+    descend(level, values, 0, search);
+    while (!Map::turns.ends_block[level]) ++level;
+    const bool is_found = search.square < std::numeric_limits<double>::infinity();
+    if (is_found) values = search.best;
+    is_cut = is_cut || (!is_found && search.tries >= most_tries);
+    return is_found;
+  }
+  // NOLINTNEXTLINE(misc-no-recursion): as deep as a block has motions
+  void descend(int level, Values from, double square, Search& search) const {
+    if (Map::turns.ends_block[level]) {
+      if (settle(level, from)) keep(from, square + part(level, from), search);
+      return;
+    }
+    const int pivot = Map::turns.pivot[level];
+    TurnNumbers numbers(from[pivot], ranges_[level]);
+    double number = 0;
+    while (search.tries < most_tries && numbers.next(ranges_[level], number)) {
+      ++search.tries;
+      const Values values = turned(level, number, from);
+      const double off = is_motor(pivot) ? values[pivot] - centre_[pivot] : 0;
+      if (square + off * off >= search.square)
+        numbers.end_side();
+      else if (is_inside(level, values))
+        descend(level + 1, values, square + part(level, values), search);
+    }
+  }
+  static void keep(const Values& values, double square, Search& search) {
+    if (!(square < search.square)) return;
+    search.best = values;
+    search.square = square;
+  }
+
+  double lower_[bounded], upper_[bounded], per_motion_[bounded] = {}, per_square_[bounded] = {};
+  Values centre_;
+  TurnRange ranges_[bounded];
+  LoneValues<bounded> alone_;
 };
 
 /// The representatives of one row, made one after the other.
 template <class Map>
 class Representatives {
  public:
-  static constexpr int dof = Map::dof;
+  static constexpr int dof = Map::dof, bounded = Map::bounded;
+  using Values = typename WithinMotors<Map>::Values;
 
-  void start(const WithinMotors<Map>& within, const Joints<dof>& motors) {
-    level_ = within.is_inside(-1, motors) ? 0 : -1;
-    is_first_ = true;
-    if (level_ == 0) open(within, motors);
+  /// Puts the first representative in place of a row, if there is one.
+  void start(const WithinMotors<Map>& within, Joints<dof>& motors) {
+    within_ = &within;
+    const Values values = Map::values(motors);
+    level_ = -1;
+    if (!within.is_inside(-1, values)) return;
+    if (Map::turns.count == 0) {
+      motors = within.motors_of(values);
+      return;
+    }
+    open(values);
+    next(motors);
   }
 
   /// Goes to the next one; false if there is none.
-  bool next(const WithinMotors<Map>& within, Joints<dof>& motors) {
-    if (Map::turns.count == 0)
-      return std::exchange(is_first_, false) && level_ == 0 && take(within, from_[0], motors);
+  bool next(Joints<dof>& motors) {
     while (level_ >= 0) {
-      TurnNumbers& all = numbers_[level_];
-      if (index_[level_] >= all.count || (all.is_open && has_one_[level_])) {
+      const TurnRange& range = within_->range(level_);
+      double number = 0;
+      if ((range.is_open && has_one_[level_]) || !numbers_[level_].next(range, number)) {
         --level_;
         continue;
       }
-      const Joints<dof> turned = within.turned(level_, all[index_[level_]++], from_[level_]);
-      if (!within.is_inside(level_, turned)) continue;
+      const Values values = within_->turned(level_, number, from_[level_]);
+      if (!within_->is_inside(level_, values)) continue;
       if (level_ + 1 < Map::turns.count) {
-        ++level_;
-        open(within, turned);
-      } else if (take(within, turned, motors)) {
-        std::fill(has_one_, has_one_ + dof, true);
-        return true;
+        open(values);
+        continue;
       }
+      motors = within_->motors_of(values);
+      std::fill(has_one_, has_one_ + bounded, true);
+      return true;
     }
     return false;
   }
 
  private:
-  void open(const WithinMotors<Map>& within, const Joints<dof>& from) {
+  void open(const Values& from) {
+    ++level_;
     from_[level_] = from;
-    index_[level_] = 0;
     has_one_[level_] = false;
-    if (level_ < Map::turns.count) numbers_[level_] = within.numbers(level_, from);
-  }
-  static bool take(const WithinMotors<Map>& within, const Joints<dof>& from, Joints<dof>& motors) {
-    motors = from;
-    return within.conclude(motors);
+    numbers_[level_] = {from[Map::turns.pivot[level_]], within_->range(level_)};
   }
 
+  const WithinMotors<Map>* within_ = nullptr;
   int level_ = -1;
-  bool is_first_ = false;
-  Joints<dof> from_[dof];
-  TurnNumbers numbers_[dof];
-  int index_[dof] = {};
-  bool has_one_[dof] = {};
+  Values from_[bounded];
+  TurnNumbers numbers_[bounded];
+  bool has_one_[bounded] = {};
 };
 
 }  // namespace inverse

@@ -8,11 +8,11 @@
 
 #include <array>
 #include <cstddef>
-#include <iterator>
 #include <limits>
 
 #include <qvgen/inverse/joint_limits.h>
 #include <qvgen/inverse/motor_turns.h>
+#include <qvgen/inverse/row_iterator.h>
 #include <qvgen/inverse/solutions.h>
 
 namespace qvgen {
@@ -27,63 +27,21 @@ class AllWithinMotors {
   Status status = Status::unreachable;  ///< unreachable: there are solutions but none inside
   inverse::Effort effort;
 
-  class Iterator {
-   public:
-    using iterator_category = std::input_iterator_tag;
-    using value_type = Solution<dof>;
-    using difference_type = std::ptrdiff_t;
-    using pointer = const Solution<dof>*;
-    using reference = const Solution<dof>&;
-
-    Iterator(const AllWithinMotors& all, int branch) : all_(&all), branch_(branch) { begin_branch(); }
-    const Solution<dof>& operator*() const { return row_; }
-    const Solution<dof>* operator->() const { return &row_; }
-    Iterator& operator++() {
-      ++number_;
-      if (turns_.next(all_->within_, row_.q)) return *this;
-      ++branch_;
-      begin_branch();
-      return *this;
-    }
-    Iterator operator++(int) {
-      const Iterator before = *this;
-      ++*this;
-      return before;
-    }
-    [[nodiscard]] int branch() const { return branch_; }
-    friend bool operator==(const Iterator& a, const Iterator& b) {
-      return a.branch_ == b.branch_ && a.number_ == b.number_;
-    }
-    friend bool operator!=(const Iterator& a, const Iterator& b) { return !(a == b); }
-
-   private:
-    void begin_branch() {
-      number_ = 0;
-      if (branch_ >= all_->branches()) return;
-      row_ = all_->rows_[branch_];
-      turns_.start(all_->within_, row_.q);
-      turns_.next(all_->within_, row_.q);
-    }
-
-    const AllWithinMotors* all_;
-    int branch_;
-    std::size_t number_ = 0;  ///< of the row among its branch's
-    inverse::Representatives<Map> turns_;
-    Solution<dof> row_;
-  };
+  using Turns = inverse::Representatives<Map>;
+  using Iterator = inverse::RowIterator<AllWithinMotors>;
 
   /// From all solutions, in motors.
   AllWithinMotors(const Solutions<dof, capacity>& found, const JointLimits<dof>& limits)
       : effort(found.effort), within_(limits, Joints<dof>::Zero()) {
-    bool is_marked = false;
+    bool is_marked = false, is_cut = false;
     for (const Solution<dof>& row : found) {
       Joints<dof> motors = row.q;
       double square = 0;
-      if (!within_.take_nearest(motors, square)) continue;
+      if (!within_.take_nearest(motors, square, is_cut)) continue;
       rows_.append() = row;
       is_marked = is_marked || row.continuum;
     }
-    status = inverse::status_within(found.status, empty(), is_marked);
+    status = inverse::status_within(is_cut ? Status::incomplete : found.status, empty(), is_marked);
   }
 
   [[nodiscard]] Iterator begin() const { return {*this, 0}; }
@@ -98,6 +56,12 @@ class AllWithinMotors {
     for (Iterator row = begin(); row != end(); ++row)
       if (++count > most) return std::numeric_limits<std::size_t>::max();
     return count;
+  }
+  /// The first row of a branch; makes `turns` ready for those behind it.
+  Solution<dof> start(int branch, Turns& turns) const {
+    Solution<dof> row = rows_[branch];
+    turns.start(within_, row.q);
+    return row;
   }
   /// Calls `visit(row)` for all rows, in their order.
   template <class Visit>
@@ -119,6 +83,12 @@ Found in_motors(Found found) {
   return found;
 }
 
+/// True if no joint is free and no rounding decides: then a seed chooses nothing.
+template <class Found>
+bool is_regular(const Found& found) {
+  return found.status == Status::solved && found.effort.passes == 0;
+}
+
 /// The nearest representative of each branch to a seed, the nearest row first.
 template <class Map, int dof, int capacity>
 LimitedSolutions<dof, capacity> nearest_within_motors(const Solutions<dof, capacity>& found,
@@ -127,11 +97,11 @@ LimitedSolutions<dof, capacity> nearest_within_motors(const Solutions<dof, capac
   const WithinMotors<Map> within(limits, seed);
   LimitedSolutions<dof, capacity> result;
   std::array<double, static_cast<std::size_t>(capacity)> squares;
-  bool is_marked = false;
+  bool is_marked = false, is_cut = false;
   for (const Solution<dof>& row : found) {
     Joints<dof> motors = row.q;
     double square = 0;
-    if (!within.take_nearest(motors, square)) continue;
+    if (!within.take_nearest(motors, square, is_cut)) continue;
     int place = result.size();
     result.append();
     for (; place > 0 && square < squares[static_cast<std::size_t>(place - 1)]; --place) {
@@ -143,7 +113,7 @@ LimitedSolutions<dof, capacity> nearest_within_motors(const Solutions<dof, capac
     is_marked = is_marked || row.continuum;
   }
   result.effort = found.effort;
-  result.status = status_within(found.status, result.empty(), is_marked);
+  result.status = status_within(is_cut ? Status::incomplete : found.status, result.empty(), is_marked);
   return result;
 }
 
@@ -152,10 +122,7 @@ template <class Map, int dof>
 Solutions<dof, 1> near_within_motors(Solutions<dof, 1> nearest, const JointLimits<dof>& limits) {
   if (nearest.empty()) return nearest;
   const WithinMotors<Map> within(limits, nearest[0].q);
-  bool is_inside = true;
-  for (int level = -1; level < Map::turns.count; ++level)
-    is_inside = is_inside && within.is_inside(level, nearest[0].q);
-  if (is_inside && within.conclude(nearest[0].q)) return nearest;
+  if (within.take(nearest[0].q)) return nearest;
   nearest.clear();
   nearest.status = Status::unreachable;
   return nearest;

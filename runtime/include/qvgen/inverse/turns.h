@@ -103,11 +103,21 @@ class Turns {
     }
   }
 
-  [[nodiscard, gnu::always_inline]] double value(int joint, int index) const {
-    return index < kept ? values[joint][index] : turned(joint, index);
+  /// Counts through the turns of all joints like an odometer; false behind the last, with the first in place.
+  bool next(Joints<dof>& q) {
+    for (int i = 0; i < last; ++i) {
+      const bool is_more = ++index_[i] < count[i];
+      if (!is_more) index_[i] = 0;
+      q[i] = value(i, index_[i]);
+      if (is_more) return true;
+    }
+    return false;
   }
 
  private:
+  [[nodiscard, gnu::always_inline]] double value(int joint, int index) const {
+    return index < kept ? values[joint][index] : turned(joint, index);
+  }
   /// The row's own angle, then alternately above and below for as long as there are both.
   [[nodiscard]] int turns_at(int joint, int index) const {
     const int below = below_[joint], above = above_[joint], fewer = below < above ? below : above;
@@ -121,6 +131,7 @@ class Turns {
     return raised < upper_[joint] ? raised : upper_[joint];
   }
 
+  int index_[dof] = {};
   int below_[dof], above_[dof];
   double lower_[dof], upper_[dof];
 };

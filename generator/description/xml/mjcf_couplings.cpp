@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include "description/xml/mjcf_couplings.h"
+
+#include <algorithm>
+
+#include "model/arithmetic.h"
+
+namespace qvgen::description::xml {
+namespace {
+
+std::string text_of(const Element& element, const std::string& key) {
+  const Attribute* attribute = element.attribute(key);
+  return attribute == nullptr ? "" : attribute->value;
+}
+
+/// The five coefficients; fewer are filled up by 0.
+std::optional<std::vector<Decimal>> coefficients(Context& context, const Element& element) {
+  const Attribute* attribute = element.attribute("polycoef");
+  std::vector<Decimal> numbers(5);
+  numbers[1].value = 1;
+  if (attribute == nullptr) return numbers;
+  const auto written = read_decimals(context, *attribute);
+  if (!written) return std::nullopt;
+  if (written->empty() || written->size() > 5) {
+    context.error(attribute->place, "'polycoef' has " + std::to_string(written->size()) + " numbers",
+                  "give one to five, e.g. polycoef=\"0 1\"");
+    return std::nullopt;
+  }
+  std::copy(written->begin(), written->end(), numbers.begin());
+  return numbers;
+}
+
+}  // namespace
+
+MjcfCouplings::MjcfCouplings(Context& context, const MjcfModel& model, const MjcfTree& tree)
+    : context_(&context) {
+  for (const MjcfPart& part : tree.parts)
+    if (part.joint) joints_[part.joint->name] = &*part.joint;
+  for (const Element& section : model.root.children)
+    if (section.name == "tendon")
+      for (const Element& tendon : section.children)
+        if (tendon.name == "fixed") tendons_[text_of(tendon, "name")] = &tendon;
+  for (const Element& section : model.root.children)
+    if (section.name == "equality")
+      for (const Element& element : section.children) read(element);
+  for (const Element& section : model.root.children)
+    if (section.name == "tendon" && has_more(section)) warn_of_tendons(context, section);
+}
+
+/// True if a section has tendons that tie no joints.
+bool MjcfCouplings::has_more(const Element& section) const {
+  return std::any_of(section.children.begin(), section.children.end(), [&](const Element& tendon) {
+    return tendon.name != "fixed" || used_.count(text_of(tendon, "name")) == 0;
+  });
+}
+
+void MjcfCouplings::read(const Element& element) {
+  if (text_of(element, "active") == "false") return;
+  if (element.name == "joint" && joints_.count(text_of(element, "joint1")) > 0) return read_joint(element);
+  if (element.name == "tendon" && tendons_.count(text_of(element, "tendon1")) > 0)
+    return read_tendons(element);
+  context_->warning(element.place, "<" + element.name + "> of <equality> is not read: joints move freely",
+                    "remove it if that is right");
+}
+
+void MjcfCouplings::read_joint(const Element& element) {
+  const auto numbers = coefficients(*context_, element);
+  if (!numbers) return;
+  Relation relation{element.place, &element, {}, (*numbers)[0]};
+  const std::string leader = text_of(element, "joint2");
+  if (!leader.empty()) relation.leaders[leader] = (*numbers)[1].value;
+  add(text_of(element, "joint1"), relation);
+}
+
+/// The factors of a tendon's joints; `last`: the one that is named last.
+MjcfCouplings::Sum MjcfCouplings::joints_of_tendon(const Element& element, const std::string& key,
+                                                   std::string* last) {
+  Sum sum;
+  const auto tendon = tendons_.find(text_of(element, key));
+  if (tendon == tendons_.end()) return sum;
+  used_.insert(tendon->first);
+  for (const Element& joint : tendon->second->children) {
+    const std::string name = text_of(joint, "joint");
+    const cln::cl_RA factor = read_decimal(*context_, joint, "coef", 0).value;
+    if (name.empty() || cln::zerop(factor)) continue;
+    sum[name] = sum[name] + factor;
+    if (last != nullptr) *last = name;
+  }
+  return sum;
+}
+
+void MjcfCouplings::read_tendons(const Element& element) {
+  const auto numbers = coefficients(*context_, element);
+  std::string follower;
+  const Sum first = joints_of_tendon(element, "tendon1", &follower);
+  const Sum second = joints_of_tendon(element, "tendon2", nullptr);
+  if (!numbers || follower.empty()) return;
+  Sum rest;  // of all but the follower, and of the follower: first - a1 second = a0
+  for (const auto& [name, factor] : first) rest[name] = rest[name] + factor;
+  for (const auto& [name, factor] : second) rest[name] = rest[name] - (*numbers)[1].value * factor;
+  const cln::cl_RA own = rest[follower];
+  if (cln::zerop(own)) {
+    context_->warning(element.place, "the tendons leave '" + follower + "' free: their relation is not read",
+                      "name the joint that follows last in 'tendon1'");
+    return;
+  }
+  Relation relation{element.place, &element, {}, (*numbers)[0], 1 / own};
+  for (const auto& [name, factor] : rest)
+    if (name != follower && !cln::zerop(factor)) relation.leaders[name] = -factor / own;
+  add(follower, relation);
+}
+
+void MjcfCouplings::add(const std::string& follower, Relation relation) {
+  const auto [place, is_new] = relations_.try_emplace(follower, std::move(relation));
+  if (!is_new) place->second.is_again = true;
+}
+
+void MjcfCouplings::Value::add(const cln::cl_RA& factor, const Value& other) {
+  plain = plain + factor * other.plain;
+  half_turns = half_turns + factor * other.half_turns;
+}
+
+MjcfCouplings::Value MjcfCouplings::value_of(const model::Expression& expression) {
+  const auto form = model::angle_form(expression).value_or(model::AngleForm{});
+  return {form.radians, form.half_turns};
+}
+
+/// The value of a joint as the file has it; 0 for what is no hinge and no slide.
+MjcfCouplings::Value MjcfCouplings::in_pose(const std::string& joint) const {
+  const auto known = joints_.find(joint);
+  if (known == joints_.end()) return {};
+  const MjcfNumbers numbers(*context_, known->second->placed.model->settings);
+  return value_of(numbers.reference(known->second->element));
+}
+
+MjcfCouplings::Value MjcfCouplings::constant_of(const std::string& joint, const Relation& relation) const {
+  const MjcfJoint& follower = *joints_.at(joint);
+  const MjcfNumbers numbers(*context_, follower.placed.model->settings);
+  const bool is_angle = MjcfNumbers::is_hinge(follower.element) && relation.of_constant == 1;
+  if (is_angle) return value_of(numbers.radians(relation.constant));
+  return {relation.constant.value * relation.of_constant, 0};
+}
+
+/// True, and reported, if a relation cannot be one of a joint that follows others.
+bool MjcfCouplings::is_wrong(const std::string& joint, const std::set<std::string>& above) const {
+  constexpr std::size_t most_above = 100;
+  const Relation& relation = relations_.at(joint);
+  const std::string told = "the joint '" + joint + "'";
+  const auto wrong = [&](const std::string& message) {
+    context_->error(relation.place, told + message, "keep one of the relations");
+    return true;
+  };
+  if (relation.is_again) return wrong(" is tied twice");
+  if (above.count(joint) > 0) return wrong(" follows joints that follow it");
+  if (above.size() > most_above) return wrong(" is followed by more than 100 joints, one by the other");
+  const auto numbers = coefficients(*context_, *relation.element);
+  for (std::size_t degree = 4; numbers && degree > 1; --degree) {
+    if (cln::zerop((*numbers)[degree].value)) continue;
+    context_->error((*numbers)[degree].place,
+                    told + " follows by a polynomial of degree " + std::to_string(degree),
+                    "joints follow sums of multiples of others, polycoef=\"a0 a1\"; without the relation the "
+                    "joint is free");
+    return true;
+  }
+  return false;
+}
+
+std::optional<MjcfCouplings::Followed> MjcfCouplings::resolved(const std::string& joint,
+                                                               std::set<std::string>& above) {
+  const Relation& relation = relations_.at(joint);
+  Followed result{{}, constant_of(joint, relation)};
+  result.offset.add(1, in_pose(joint));
+  for (const auto& [leader, factor] : relation.leaders) {
+    result.offset.add(-factor, in_pose(leader));
+    if (relations_.count(leader) == 0) {
+      result.sum[leader] = result.sum[leader] + factor;
+      continue;
+    }
+    const Followed* further = followed(leader, above);
+    if (further == nullptr) return std::nullopt;
+    result.offset.add(factor, further->offset);
+    for (const auto& [name, share] : further->sum) result.sum[name] = result.sum[name] + factor * share;
+  }
+  return result;
+}
+
+/// Returns what a joint follows, in joints that follow none; nothing if it is reported.
+const MjcfCouplings::Followed* MjcfCouplings::followed(const std::string& joint,
+                                                       std::set<std::string>& above) {
+  if (const auto known = followed_.find(joint); known != followed_.end()) return &known->second;
+  if (is_wrong(joint, above)) return nullptr;
+  above.insert(joint);
+  const auto result = resolved(joint, above);
+  above.erase(joint);
+  return result ? &followed_.emplace(joint, *result).first->second : nullptr;
+}
+
+std::optional<tree::Mimic> MjcfCouplings::of(const std::string& joint) {
+  const auto relation = relations_.find(joint);
+  if (relation == relations_.end()) return std::nullopt;
+  std::set<std::string> above;
+  const Followed* found = followed(joint, above);
+  if (found == nullptr) return std::nullopt;
+  tree::Mimic mimic{{}, {}, relation->second.place, true};
+  mimic.offset =
+      model::add(model::Expression(found->offset.plain),
+                 model::multiply(model::Expression(found->offset.half_turns), model::Expression::pi()));
+  for (const auto& [name, factor] : found->sum)
+    if (!cln::zerop(factor)) mimic.leaders.push_back({name, factor});
+  if (!mimic.leaders.empty()) return mimic;
+  context_->warning(relation->second.place,
+                    "<equality> holds the joint '" + joint + "', which is read as free",
+                    "with --fixed " + joint + " it is held at zero");
+  return std::nullopt;
+}
+
+}  // namespace qvgen::description::xml

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// Joints that <equality> ties to others, as joints that follow them.
+//
+// For joints, and likewise for lengths of fixed tendons, which are sums of multiples of joints, MuJoCo keeps
+// y - y0 = a0 + a1 (x - x0) + a2 (x - x0)^2 + ..., where y0 and x0 are the values in the file's pose. Read is
+// what is linear. The first joint of a <joint> follows the second; of tendons the joint that is named last
+// follows the others.
+#pragma once
+
+#include <map>
+#include <set>
+
+#include "description/xml/mjcf_numbers.h"
+#include "description/xml/mjcf_tree.h"
+
+namespace qvgen::description::xml {
+
+class MjcfCouplings {
+ public:
+  MjcfCouplings(Context& context, const MjcfModel& model, const MjcfTree& tree);
+  /// The joints that a joint follows, and how; nothing if it follows none. Mistakes are reported.
+  std::optional<tree::Mimic> of(const std::string& joint);
+
+ private:
+  using Sum = std::map<std::string, cln::cl_RA>;  ///< factors by names of joints
+  struct Relation {
+    Place place;
+    const Element* element;  ///< of the first relation of this joint
+    Sum leaders;             ///< differences from the file's pose
+    Decimal constant;
+    cln::cl_RA of_constant = 1;  ///< its factor
+    bool is_again = false;       ///< another element has a relation of this joint
+  };
+
+  void read(const Element& element);
+  void read_joint(const Element& element);
+  void read_tendons(const Element& element);
+  [[nodiscard]] bool has_more(const Element& section) const;
+  void add(const std::string& follower, Relation relation);
+  [[nodiscard]] Sum joints_of_tendon(const Element& element, const std::string& key, std::string* last);
+  /// A value of the form a + b pi: sums of such do not grow.
+  struct Value {
+    cln::cl_RA plain = 0, half_turns = 0;
+    void add(const cln::cl_RA& factor, const Value& other);
+  };
+  struct Followed {
+    Sum sum;  ///< of joints that follow none
+    Value offset;
+  };
+  const Followed* followed(const std::string& joint, std::set<std::string>& above);
+  std::optional<Followed> resolved(const std::string& joint, std::set<std::string>& above);
+  bool is_wrong(const std::string& joint, const std::set<std::string>& above) const;
+  [[nodiscard]] Value in_pose(const std::string& joint) const;
+  [[nodiscard]] Value constant_of(const std::string& joint, const Relation& relation) const;
+  static Value value_of(const model::Expression& expression);
+
+  Context* context_;
+  std::map<std::string, const MjcfJoint*> joints_;
+  std::map<std::string, const Element*> tendons_;  ///< the fixed ones
+  std::set<std::string> used_;                     ///< tendons that tie joints
+  std::map<std::string, Relation> relations_;
+  std::map<std::string, Followed> followed_;  ///< of those that were asked for
+};
+
+}  // namespace qvgen::description::xml

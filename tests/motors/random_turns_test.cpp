@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: MIT
+// Whole turns of random arms with motors, from the generator's basis, against brute force: every turn of
+// every joint, one after the other. A row stands for any solution, so no arm is solved here.
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include <Eigen/LU>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <qvgen/inverse/motors.h>
+
+#include "description/reader.h"
+#include "model/evaluate.h"
+#include "model/followers.h"
+#include "model/motor_turns.h"
+
+namespace qvgen::test {
+namespace {
+
+constexpr int dof = 3;
+constexpr double endless = std::numeric_limits<double>::infinity();
+using Vector = Joints<dof>;
+using Bounds = JointLimits<dof>;
+
+/// Relations as generated code has them, of the arm that was drawn last.
+template <int bounded_>
+struct DrawnMap {
+  static constexpr int dof = test::dof, bounded = bounded_;
+  static inline std::array<int, bounded> motor_of;
+  static inline std::array<double, bounded> own_lower, own_upper;
+  static inline MotorTurns<bounded> turns;
+  static inline Eigen::Matrix<double, bounded, dof> matrix;
+  static Eigen::Matrix<double, bounded, 1> values(const Vector& motors) { return matrix * motors; }
+};
+
+struct Arm {
+  Eigen::Matrix3d matrix, inverse;
+  std::array<double, dof> lower, upper;  ///< of joints: infinite where a joint has none of its own
+  std::vector<std::vector<cln::cl_RA>> exact;
+  model::Robot robot;
+};
+
+/// A random arm of turns, each of which follows two motors at most.
+std::string description(std::mt19937& random) {
+  const std::array<const char*, 6> factors{"1", "-1", "1/2", "-2/3", "3/2", "-1/2"};
+  std::uniform_int_distribution<std::size_t> factor(0, factors.size() - 1);
+  std::uniform_int_distribution<int> motor(1, dof), die(0, 2);
+  std::uniform_real_distribution<double> limit(0.5, 5);
+  std::string text = "name = \"arm\"\ntitle = \"t\"\n";
+  for (int i = 1; i <= dof; ++i) {
+    const int other = motor(random);
+    std::string sum = fmt::format("{} m{}", factors[factor(random)], i);
+    if (other != i) sum += fmt::format(" + {} m{}", factors[factor(random)], other);
+    text += fmt::format(
+        "[[joint]]\ntype = \"revolute\"\naxis = \"+z\"\nvariable = \"q{}\"\nfollows = \"{}\"\n", i, sum);
+    if (die(random) == 0) text += fmt::format("limits = [{}, {}]\n", -limit(random), limit(random));
+  }
+  for (int i = 1; i <= dof; ++i) text += fmt::format("[[motor]]\nvariable = \"m{}\"\n", i);
+  return text;
+}
+
+/// The bound of a joint that keeps its own limits: those of one motor alone have become the motor's.
+double bound_of(const model::Robot& robot, std::size_t joint, bool is_lower) {
+  const auto& limits = robot.joints[joint].limits;
+  if (robot.joints[joint].follows.empty() || !limits) return is_lower ? -endless : endless;
+  return model::to_double(
+      model::evaluate(is_lower ? limits->lower : limits->upper, model::default_bindings(robot)));
+}
+
+std::optional<Arm> arm_of(const std::string& text) {
+  const description::ReadResult read = description::read_text(text, "arm.toml");
+  if (!read.robot) return std::nullopt;
+  const auto inverse = model::inverse_shares(*read.robot);
+  if (!inverse) return std::nullopt;
+  Arm arm{Eigen::Matrix3d::Zero(), {}, {}, {}, *inverse, *read.robot};
+  const auto shares = model::shares(arm.robot);
+  for (std::size_t i = 0; i < dof; ++i) {
+    for (const model::Share& share : shares[i])
+      arm.matrix(static_cast<int>(i), static_cast<int>(share.driven)) = cln::double_approx(share.ratio);
+    arm.lower[i] = bound_of(arm.robot, i, true);
+    arm.upper[i] = bound_of(arm.robot, i, false);
+  }
+  arm.inverse = arm.matrix.inverse();
+  return arm;
+}
+
+template <class Map>
+void set_map(const Arm& arm, const model::MotorTurns& found) {
+  Map::turns = {};
+  Map::turns.count = static_cast<int>(found.turns.size());
+  for (std::size_t i = 0; i < found.values.size(); ++i) {
+    const model::LimitedValue& value = found.values[i];
+    const int index = static_cast<int>(value.index), row = static_cast<int>(i);
+    Map::motor_of[i] = value.is_motor ? index : -1;
+    Map::own_lower[i] = value.is_motor ? -endless : arm.lower[value.index];
+    Map::own_upper[i] = value.is_motor ? endless : arm.upper[value.index];
+    if (value.is_motor)
+      Map::matrix.row(row).setUnit(index);
+    else
+      Map::matrix.row(row) = arm.matrix.row(index);
+  }
+  for (std::size_t k = 0; k < found.turns.size(); ++k) {
+    Map::turns.pivot[k] = static_cast<int>(found.turns[k].pivot);
+    Map::turns.ends_block[k] = found.turns[k].ends_block;
+    for (std::size_t i = 0; i < found.values.size(); ++i)
+      Map::turns.motion[k][i] = cln::double_approx(found.turns[k].motion[i]) * inverse::whole_turn;
+  }
+  Map::turns.pivot[found.turns.size()] = Map::bounded;
+}
+
+bool is_inside(const Arm& arm, const Vector& motors, const Bounds& limits) {
+  const Vector joints = arm.matrix * motors;
+  for (int i = 0; i < dof; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    if (motors[i] < limits.lower[i] || motors[i] > limits.upper[i]) return false;
+    if (joints[i] < arm.lower[at] || joints[i] > arm.upper[at]) return false;
+  }
+  return true;
+}
+
+/// Every representative of a row inside finite limits.
+std::vector<Vector> representatives(const Arm& arm, const Vector& row, const Bounds& limits) {
+  const double farthest = limits.lower.cwiseAbs().cwiseMax(limits.upper.cwiseAbs()).maxCoeff();
+  const Vector joints = arm.matrix * row;
+  Vector most;
+  for (int i = 0; i < dof; ++i)
+    most[i] = std::ceil((arm.matrix.row(i).cwiseAbs().sum() * farthest + std::abs(joints[i])) / (2 * M_PI));
+  std::vector<Vector> inside;
+  for (double a = -most[0]; a <= most[0]; ++a)
+    for (double b = -most[1]; b <= most[1]; ++b)
+      for (double c = -most[2]; c <= most[2]; ++c) {
+        const Vector turned = row + arm.inverse * (2 * M_PI * Vector(a, b, c));
+        if (is_inside(arm, turned, limits)) inside.push_back(turned);
+      }
+  return inside;
+}
+
+Vector random_vector(std::mt19937& random, double size) {
+  std::uniform_real_distribution<double> between(-size, size);
+  return Vector::NullaryExpr([&] { return between(random); });
+}
+
+Solutions<dof, 4> rows_of(std::mt19937& random) {
+  Solutions<dof, 4> rows;
+  for (int i = 0; i < 4; ++i) rows.append() = {random_vector(random, 3), i, false};
+  rows.conclude();
+  return rows;
+}
+
+/// Numbers over all arms, which show that the cases are there.
+struct Seen {
+  int arms = 0, own_limits = 0, searched = 0, none = 0, several = 0;
+};
+
+template <class Map>
+void expect_brute_force(const Arm& arm, std::mt19937& random, Seen& seen) {
+  const auto rows = rows_of(random);
+  const Vector seed = random_vector(random, 6);
+  const Bounds limits{-random_vector(random, 6).cwiseAbs(), random_vector(random, 6).cwiseAbs()};
+  const AllWithinMotors<Map, 4> all(rows, limits);
+  const auto nearest = inverse::nearest_within_motors<Map>(rows, seed, limits);
+  std::size_t count = 0;
+  std::vector<double> expected;
+  for (const auto& row : rows) {
+    const auto inside = representatives(arm, row.q, limits);
+    ++(inside.empty() ? seen.none : inside.size() > 1 ? seen.several : seen.searched);
+    count += inside.size();
+    double least = endless;
+    for (const Vector& each : inside) least = std::min(least, (each - seed).norm());
+    if (!inside.empty()) expected.push_back(least);
+    for (const Vector& each : inside)
+      EXPECT_TRUE(std::any_of(all.begin(), all.end(),
+                              [&](const auto& found) { return (found.q - each).norm() < 1e-9; }));
+  }
+  EXPECT_EQ(all.size(), count);
+  EXPECT_EQ(all.status, count == 0 ? Status::unreachable : Status::solved);
+  for (const auto& row : all) EXPECT_TRUE(is_inside(arm, row.q, limits));
+  std::sort(expected.begin(), expected.end());
+  ASSERT_EQ(static_cast<std::size_t>(nearest.size()), expected.size());
+  for (int i = 0; i < nearest.size(); ++i) {
+    EXPECT_TRUE(is_inside(arm, nearest[i].q, limits));
+    EXPECT_NEAR((nearest[i].q - seed).norm(), expected[static_cast<std::size_t>(i)], 1e-9);
+  }
+}
+
+/// Limits of which some are without end, reversed or no number, and odd seeds: nothing hangs, no row is
+/// outside.
+template <class Map>
+void expect_sense(const Arm& arm, std::mt19937& random) {
+  const std::array<double, 6> odd{-endless, endless, std::nan(""), 1e300, -1e300, 1};
+  std::uniform_int_distribution<std::size_t> which(0, 8);
+  const auto drawn = [&](Vector vector) {
+    for (int i = 0; i < dof; ++i)
+      if (const std::size_t k = which(random); k < odd.size()) vector[i] = odd[k];
+    return vector;
+  };
+  const Bounds limits{drawn(-Vector::Constant(4)), drawn(Vector::Constant(4))};
+  const auto rows = rows_of(random);
+  const AllWithinMotors<Map, 4> all(rows, limits);
+  EXPECT_LT(all.size(), 100'000U);
+  const auto nearest = inverse::nearest_within_motors<Map>(rows, random_vector(random, 4), limits);
+  const auto far = inverse::nearest_within_motors<Map>(rows, Vector(drawn(random_vector(random, 4))), limits);
+  EXPECT_EQ(nearest.size(), all.branches());
+  EXPECT_LE(far.size(), all.branches());
+  Bounds wider = limits;
+  wider.lower.array() -= 1e-9;
+  wider.upper.array() += 1e-9;
+  for (const auto& row : all) EXPECT_TRUE(is_inside(arm, row.q, wider));
+  for (const auto& row : nearest) EXPECT_TRUE(is_inside(arm, row.q, wider));
+}
+
+template <int bounded>
+void expect_all(const Arm& arm, const model::MotorTurns& turns, std::mt19937& random, Seen& seen) {
+  if constexpr (bounded <= 2 * dof) {
+    if (turns.values.size() != bounded) return expect_all<bounded + 1>(arm, turns, random, seen);
+    set_map<DrawnMap<bounded>>(arm, turns);
+    for (int k = 0; k < 10; ++k) expect_brute_force<DrawnMap<bounded>>(arm, random, seen);
+    for (int k = 0; k < 10; ++k) expect_sense<DrawnMap<bounded>>(arm, random);
+  }
+}
+
+TEST(RandomMotors, WholeTurnsAreThoseOfBruteForce) {
+  std::mt19937 random(11);
+  Seen seen;
+  for (int k = 0; k < 200; ++k) {
+    const auto arm = arm_of(description(random));
+    if (!arm) continue;  // motors that do not determine the joints
+    const model::MotorTurns turns = model::motor_turns(arm->robot, arm->exact);
+    ++seen.arms;
+    seen.own_limits += turns.values.size() > dof ? 1 : 0;
+    expect_all<dof>(*arm, turns, random, seen);
+    if (HasFailure()) FAIL() << "arm " << k;
+  }
+  EXPECT_GT(seen.arms, 100);
+  EXPECT_GT(seen.own_limits, 30);
+  EXPECT_GT(std::min({seen.none, seen.searched, seen.several}), 200);
+}
+
+/// A search that would be long is given up, and the set says that it may lack a row.
+TEST(RandomMotors, LongSearchesAreGivenUpAndSaidSo) {
+  const auto arm = arm_of(
+      "name = \"arm\"\ntitle = \"t\"\n[[joint]]\ntype = \"revolute\"\naxis = \"+z\"\nvariable = \"a\"\n"
+      "[[joint]]\ntype = \"revolute\"\naxis = \"+z\"\nvariable = \"b\"\n"
+      "[[joint]]\ntype = \"revolute\"\naxis = \"+z\"\nvariable = \"c\"\nfollows = \"m + 1/7919 a + 1/6007 "
+      "b\"\n"
+      "[[motor]]\nvariable = \"m\"\n");
+  ASSERT_TRUE(arm);
+  using Map = DrawnMap<dof>;
+  set_map<Map>(*arm, model::motor_turns(arm->robot, arm->exact));
+  Solutions<dof, 4> rows;
+  rows.append() = {Vector(0.1, 0.2, 3), 0, false};
+  rows.conclude();
+  const Bounds limits{Vector(-9000, -9000, 0), Vector(9000, 9000, 1e-9)};
+  const auto nearest = inverse::nearest_within_motors<Map>(rows, Vector(0, 0, 0), limits);
+  EXPECT_TRUE(nearest.empty());
+  EXPECT_EQ(nearest.status, Status::incomplete);
+  EXPECT_EQ((AllWithinMotors<Map, 4>(rows, limits).status), Status::incomplete);
+}
+
+}  // namespace
+}  // namespace qvgen::test
