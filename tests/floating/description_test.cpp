@@ -222,5 +222,41 @@ TEST(PlanarJoint, WithAnObliqueNormalIsReportedWithItsPlace) {
   EXPECT_NE(messages(found).find("is no coordinate axis"), std::string::npos) << messages(found);
 }
 
+/// Two joints, one after the other.
+std::string arm_of_two(const std::string& second_type) {
+  const std::string limit = "<limit lower=\"-1\" upper=\"1\" effort=\"1\" velocity=\"1\"/>";
+  return before_joints +
+         "<link name=\"foot\"><inertial><mass value=\"1\"/><inertia ixx=\"1\" iyy=\"1\" izz=\"1\" ixy=\"0\" "
+         "ixz=\"0\" iyz=\"0\"/></inertial></link>" +
+         one_joint("hip", "revolute", origin + limit + "<parent link=\"torso\"/><child link=\"leg\"/>",
+                   "0 1 0") +
+         one_joint("knee", second_type, origin + limit + "<parent link=\"leg\"/><child link=\"foot\"/>",
+                   "0 0 1") +
+         "</robot>";
+}
+
+std::string written(const std::string& text, const ReadOptions& options) {
+  const ReadResult read = read_text(text, "r.urdf", options);
+  EXPECT_TRUE(read.robot) << messages(read);
+  return read.robot ? write_text(model::Mechanism{*read.robot, read.tips}) : "";
+}
+
+TEST(HeldJoints, GiveTheRobotThatHasThemFixed) {
+  for (const bool floats : {false, true}) {
+    ReadOptions fixed, held;
+    fixed.floating = held.floating = floats;
+    held.fixed = {"knee"};
+    EXPECT_EQ(written(arm_of_two("revolute"), held), written(arm_of_two("fixed"), fixed));
+  }
+}
+
+/// So it has its counts and its code.
+TEST(TreeWithOneTip, IsTheChainToIt) {
+  ReadOptions chain, tree;
+  chain.tip = "foot";
+  tree.tips = {"foot"};
+  EXPECT_EQ(written(arm_of_two("revolute"), tree), written(arm_of_two("revolute"), chain));
+}
+
 }  // namespace
 }  // namespace qvgen::description

@@ -29,7 +29,7 @@ class BranchFactorisation {
       for (int i = parent(k); i >= 0; i = parent(i)) {
         const Scalar factor = factors_(k, i) / factors_(k, k);
         for (int j = i; j >= 0; j = parent(j)) factors_(i, j) -= factor * factors_(k, j);
-        factors_(k, i) = factor;
+        factors_(k, i) = factors_(i, k) = factor;
       }
   }
 
@@ -85,7 +85,7 @@ class BranchFactorisation {
 
  private:
   /// Right-hand sides that are solved side by side: row k of them stands in column k.
-  static constexpr int tile = 8;
+  static constexpr int tile = dof < 9 ? 8 : 12;
   using Tile = Eigen::Matrix<Scalar, tile, dof>;
   using Row = Eigen::Matrix<Scalar, tile, 1>;
 
@@ -108,20 +108,23 @@ class BranchFactorisation {
   void solve_in_place(Tile& x, int count, const Below& below) const {
     for (int i = count - 1; i >= 0; --i) {
       Row sum = x.col(i);
-      for (int place = below.first[i]; place < below.first[i + 1] && below.rows[place] < count; ++place)
-        sum -= factors_(below.rows[place], i) * x.col(below.rows[place]);
+      const Scalar* const factor = factors_.data() + i * dof;
+      const int* const end = below.rows + below.first[i + 1];
+      for (const int* k = below.rows + below.first[i]; k != end && *k < count; ++k)
+        sum -= factor[*k] * x.col(*k);
       x.col(i) = sum;
     }
     for (int k = 0; k < count; ++k) {
-      Row sum = x.col(k) / factors_(k, k);
-      for (int i = parent(k); i >= 0; i = parent(i)) sum -= factors_(k, i) * x.col(i);
+      const Scalar* const factor = factors_.data() + k * dof;
+      Row sum = x.col(k) / factor[k];
+      for (int i = parent(k); i >= 0; i = parent(i)) sum -= factor[i] * x.col(i);
       x.col(k) = sum;
     }
   }
 
   [[nodiscard]] int parent(int k) const { return parents_[static_cast<std::size_t>(k)]; }
 
-  Matrix factors_;  ///< below the diagonal L, on it D
+  Matrix factors_;  ///< below the diagonal L, on it D, above it the transpose of L
   Parents parents_;
 };
 

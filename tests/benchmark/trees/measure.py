@@ -44,9 +44,9 @@ def robots():
 
 
 class Cost:
-    """Seconds and megabytes of a command; the time it takes may be bounded."""
+    """Seconds and megabytes of a command."""
 
-    def __init__(self, *command, limit=600):
+    def __init__(self, *command):
         start = time.monotonic()
         child = subprocess.Popen([str(part) for part in command], stdout=subprocess.DEVNULL)
         _, status, used = os.wait4(child.pid, 0)
