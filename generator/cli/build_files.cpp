@@ -58,31 +58,34 @@ constexpr std::array sources{"kinematics",
                              "frames",
                              "regressor_with_drives"};
 
-/// Returns the fingerprint of all files of a robot.
-std::string fingerprint(const fs::path& output, const std::string& robot) {
+/// Returns the fingerprint of all files of these robots.
+std::string fingerprint(const fs::path& output, const std::vector<std::string>& robots) {
   std::uint64_t all = 0;
-  for (const std::string& path : pipeline::files_of_robots(output, {robot}))
+  for (const std::string& path : pipeline::files_of_robots(output, robots))
     all = exact::combine(all, exact::hash(pipeline::content_of(output / path).value_or("")));
   return fmt::format("{:016x}", all);
 }
 
 /// Sources whose names, and being there, a build knows before anything is generated. They differ whenever a
 /// file of the robot does: a build system that has read what they include one build ago compiles them again.
-void write_sources(const GenerateArguments& arguments, const std::string& robot) {
+/// Limbs of a robot that branches are in the sources of the whole robot, the first one.
+void write_sources(const GenerateArguments& arguments, const std::vector<std::string>& robots) {
+  const std::string& robot = robots.front();
   const fs::path folder = fs::absolute(arguments.build.sources), output = fs::absolute(arguments.output);
-  const std::string mark = "// Code " + fingerprint(output, robot) + "\n";
+  const std::string mark = "// Code " + fingerprint(output, robots) + "\n";
+  const auto include = [&](const fs::path& generated) {
+    const std::string path = generated.lexically_relative(folder).generic_string();
+    return fs::exists(generated) ? "#include \"" + path + "\"\n" : "";
+  };
   // Parts that a robot lacks get a declaration: no C source may be empty.
-  const auto write_source = [&](const std::string& name, const fs::path& generated) {
-    const std::string include = generated.lexically_relative(folder).generic_string();
-    const std::string code =
-        fs::exists(generated) ? "#include \"" + include + "\"\n" : "struct qvgen_has_none;\n";
-    write(folder / name, mark + code);
+  const auto write_code = [&](const std::string& name, const std::string& code) {
+    write(folder / name, mark + (code.empty() ? "struct qvgen_has_none;\n" : code));
   };
   if (comes_from_c(arguments.language)) {
     const std::string name = "qvgen_" + fs::path(robot).filename().string();
-    write_source("robot.c", output / "c" / (name + ".c"));
+    write_code("robot.c", include(output / "c" / (name + ".c")));
     for (const std::string part : {"inverse", "metrics", "velocity"})
-      write_source(part + ".c", output / "c" / (name + "_" + part + ".c"));
+      write_code(part + ".c", include(output / "c" / (name + "_" + part + ".c")));
     return;
   }
   const fs::path model = output / "include/qvgen/robots" / robot / "model.h";
@@ -90,8 +93,11 @@ void write_sources(const GenerateArguments& arguments, const std::string& robot)
   // The header that all others include, for the sources of users: first, in case that this is the end.
   if (before && before->substr(0, mark.size()) != mark && fs::exists(model))
     fs::last_write_time(model, fs::file_time_type::clock::now());
-  for (const std::string source : sources)
-    write_source(source + ".cpp", output / "source" / robot / (source + ".cpp"));
+  for (const std::string source : sources) {
+    std::string code;
+    for (const std::string& each : robots) code += include(output / "source" / each / (source + ".cpp"));
+    write_code(source + ".cpp", code);
+  }
 }
 
 }  // namespace
@@ -108,11 +114,13 @@ void write_build_files(const GenerateArguments& arguments, const std::vector<std
   if (arguments.build.sources.empty()) return;
   if (arguments.language == pipeline::Language::rust || arguments.language == pipeline::Language::javascript)
     throw std::runtime_error("--sources is for C++ and C: cargo and node take the files as they are");
-  if (robots.size() != 1)
+  if (arguments.descriptions.size() != 1)
+    throw std::runtime_error("--sources is for one robot: compile the files that --outputs lists");
+  if (robots.size() != 1 && comes_from_c(arguments.language))
     throw std::runtime_error(
-        "--sources is for one robot, and joints that branch make several: compile the files "
+        "--sources is for one robot, and in C joints that branch make several: compile the files "
         "that --outputs lists");
-  write_sources(arguments, robots.front());
+  write_sources(arguments, robots);
 }
 
 }  // namespace qvgen::cli

@@ -7,6 +7,10 @@ namespace qvgen::model {
 
 std::size_t base_motions(const Robot& robot) { return robot.floating_base ? motions_of_body : 0; }
 
+std::size_t base_bodies(const Robot& robot) { return robot.floating_base ? 1 : 0; }
+
+std::size_t body_count(const Robot& robot) { return base_bodies(robot) + robot.joints.size(); }
+
 std::string base_coordinate(std::size_t motion) { return "#" + std::to_string(motion); }
 
 std::vector<std::string> coordinates(const Robot& robot) {

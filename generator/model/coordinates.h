@@ -19,6 +19,11 @@ std::size_t base_motions(const Robot& robot);
 /// Symbol of a motion of a floating base in its own frame at its origin, 0 to 5; no description can have it.
 std::string base_coordinate(std::size_t motion);
 
+/// Returns how many bodies have inertia parameters: the links, behind a floating base. Link j is the body
+/// j + base_bodies.
+std::size_t base_bodies(const Robot& robot);
+std::size_t body_count(const Robot& robot);
+
 /// Returns the symbols of all coordinates.
 std::vector<std::string> coordinates(const Robot& robot);
 std::size_t coordinate_count(const Robot& robot);

@@ -115,8 +115,7 @@ Values regressor_residuals(const model::Robot& robot, const derive::dynamics::Re
   PlainRecursion plain(robot, point);
   plain.take_standard_parameters();
   if (with_drives) plain.take_drive_parameters();
-  Values rest = plain.inverse_dynamics(plain.rates(), plain.accelerations(),
-                                       point.symbol(derive::dynamics::gravity_symbol));
+  Values rest = plain.inverse_dynamics(plain.rates(), plain.accelerations(), plain.usual_load());
   const Values parameters = dag::evaluate<Number>(regressor.base_parameters, point);
   for (std::size_t k = 0; k < parameters.size(); ++k)
     for (std::size_t i = 0; i < rest.size(); ++i)

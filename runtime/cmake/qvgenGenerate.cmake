@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 # qvgen_generate(TARGET name ROBOTS arm.toml [other.urdf|known_name...] [PARTS kinematics inverse ...] [LANGUAGE cxx c]
-# [NAMESPACE name] [BASE link] [TIP link] [SNAP tolerance|off|auto]): a static library of the robots' functions, to be linked.
-# The last four are for a single robot. NAMESPACE is another name for it: its functions are in qvgen::robots::name. BASE, TIP
-# and SNAP say how a URDF or MJCF is read, as the options of `qvgen generate` do.
+# [NAMESPACE name] [BASE link] [TIP link] [SNAP tolerance|off|auto] [TIPS all|links...] [FIXED joints...] [FLOATING]): a static
+# library of the robots' functions, to be linked. The last seven are for a single robot. NAMESPACE is another name for it: its
+# functions are in qvgen::robots::name. The others say how a URDF or MJCF is read, as the options of `qvgen generate` do.
+# Limbs of a robot that branches are in its library, in C++.
 #
 # The code is made in the build tree when the build runs: anew when a description, the tool or the list of parts changes, and
 # not otherwise. What cannot be derived for a robot is said there. Batch forms are made of the other parts named: PARTS
@@ -51,7 +52,7 @@ function(qvgen_libraries_of_parts libraries)
 endfunction()
 
 function(qvgen_generate)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TARGET;NAMESPACE;BASE;TIP;SNAP" "ROBOTS;PARTS;LANGUAGE")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "FLOATING" "TARGET;NAMESPACE;BASE;TIP;SNAP" "ROBOTS;PARTS;LANGUAGE;TIPS;FIXED")
   if(NOT TARGET qvgen::tool)
     message(FATAL_ERROR "qvgen_generate: here is no tool that generates. -DQVGEN_TOOL=path names one that is there, "
                         "-DQVGEN_GENERATOR=ON has it built with qvgen's sources (needs GiNaC and CLN); of an installation "
@@ -59,10 +60,11 @@ function(qvgen_generate)
   endif()
   if(NOT arg_TARGET OR NOT arg_ROBOTS OR arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "qvgen_generate(TARGET name ROBOTS descriptions... [PARTS parts...] "
-                        "[LANGUAGE cxx c] [NAMESPACE name] [BASE link] [TIP link] [SNAP tolerance]): ${arg_UNPARSED_ARGUMENTS}")
+                        "[LANGUAGE cxx c] [NAMESPACE name] [BASE link] [TIP link] [SNAP tolerance] [TIPS links] "
+                        "[FIXED joints] [FLOATING]): ${arg_UNPARSED_ARGUMENTS}")
   endif()
   list(LENGTH arg_ROBOTS count)
-  foreach(word NAMESPACE BASE TIP SNAP)
+  foreach(word NAMESPACE BASE TIP SNAP TIPS FIXED)
     if(DEFINED arg_${word} AND NOT count EQUAL 1)
       message(FATAL_ERROR "qvgen_generate: ${word} ${arg_${word}} is for one robot, and here are ${count}")
     endif()
@@ -74,6 +76,16 @@ function(qvgen_generate)
       list(APPEND reading --${option} ${arg_${word}})
     endif()
   endforeach()
+  foreach(word TIPS FIXED)
+    if(DEFINED arg_${word})
+      string(TOLOWER ${word} option)
+      list(JOIN arg_${word} "," names)
+      list(APPEND reading --${option} ${names})
+    endif()
+  endforeach()
+  if(arg_FLOATING)
+    list(APPEND reading --floating)
+  endif()
   if(NOT arg_LANGUAGE)
     set(arg_LANGUAGE cxx)
   endif()

@@ -180,5 +180,83 @@ TEST(FloatingBase, WithoutJointsIsNoRobot) {
   EXPECT_NE(messages(result).find("nothing moves"), std::string::npos) << messages(result);
 }
 
+const std::string before_joints =
+    R"(<robot name="r"><link name="torso"/><link name="leg"><inertial><mass value="2"/>
+<origin xyz="0 0 0.1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>)";
+const std::string origin = R"(<origin xyz="0.1 0.2 0.3" rpy="0 0.5 0"/>)";
+
+/// One of three joints: a slide, or a turn.
+std::string one_joint(const std::string& name, const std::string& type, const std::string& ends,
+                      const std::string& axis) {
+  return "<joint name=\"" + name + "\" type=\"" + type + "\">" + ends + "<axis xyz=\"" + axis +
+         "\"/></joint>";
+}
+
+TEST(PlanarJoint, IsTwoSlidesAndATurnAboutItsNormal) {
+  const std::string planar =
+      before_joints + "<joint name=\"p\" type=\"planar\">" + origin +
+      "<parent link=\"torso\"/><child link=\"leg\"/><axis xyz=\"0 0 -1\"/></joint></robot>";
+  const std::string three =
+      before_joints + "<link name=\"i\"/><link name=\"j\"/>" +
+      one_joint("p_x", "prismatic", origin + "<parent link=\"torso\"/><child link=\"i\"/>", "1 0 0") +
+      one_joint("p_y", "prismatic", "<parent link=\"i\"/><child link=\"j\"/>", "0 1 0") +
+      one_joint("p_z", "continuous", "<parent link=\"j\"/><child link=\"leg\"/>", "0 0 -1") + "</robot>";
+  const ReadResult found = read_text(planar, "r.urdf"), expected = read_text(three, "r.urdf");
+  ASSERT_TRUE(found.robot) << messages(found);
+  ASSERT_TRUE(expected.robot) << messages(expected);
+  const auto text = [](const ReadResult& r) { return write_text(model::Mechanism{*r.robot, r.tips}); };
+  EXPECT_EQ(text(found), text(expected));
+  EXPECT_NE(messages(found).find("'p' is read as two slides, p_x and p_y, and a turn, p_z"),
+            std::string::npos)
+      << messages(found);
+  EXPECT_EQ(messages(found).find("no <limit>"), std::string::npos) << messages(found);
+}
+
+TEST(PlanarJoint, WithAnObliqueNormalIsReportedWithItsPlace) {
+  const ReadResult found = read_text(before_joints +
+                                         "<joint name=\"p\" type=\"planar\"><parent link=\"torso\"/><child "
+                                         "link=\"leg\"/><axis xyz=\"0 1 1\"/></joint></robot>",
+                                     "r.urdf");
+  EXPECT_FALSE(found.robot);
+  EXPECT_NE(messages(found).find("r.urdf:2:"), std::string::npos) << messages(found);
+  EXPECT_NE(messages(found).find("is no coordinate axis"), std::string::npos) << messages(found);
+}
+
+/// Two joints, one after the other.
+std::string arm_of_two(const std::string& second_type) {
+  const std::string limit = "<limit lower=\"-1\" upper=\"1\" effort=\"1\" velocity=\"1\"/>";
+  return before_joints +
+         "<link name=\"foot\"><inertial><mass value=\"1\"/><inertia ixx=\"1\" iyy=\"1\" izz=\"1\" ixy=\"0\" "
+         "ixz=\"0\" iyz=\"0\"/></inertial></link>" +
+         one_joint("hip", "revolute", origin + limit + "<parent link=\"torso\"/><child link=\"leg\"/>",
+                   "0 1 0") +
+         one_joint("knee", second_type, origin + limit + "<parent link=\"leg\"/><child link=\"foot\"/>",
+                   "0 0 1") +
+         "</robot>";
+}
+
+std::string written(const std::string& text, const ReadOptions& options) {
+  const ReadResult read = read_text(text, "r.urdf", options);
+  EXPECT_TRUE(read.robot) << messages(read);
+  return read.robot ? write_text(model::Mechanism{*read.robot, read.tips}) : "";
+}
+
+TEST(HeldJoints, GiveTheRobotThatHasThemFixed) {
+  for (const bool floats : {false, true}) {
+    ReadOptions fixed, held;
+    fixed.floating = held.floating = floats;
+    held.fixed = {"knee"};
+    EXPECT_EQ(written(arm_of_two("revolute"), held), written(arm_of_two("fixed"), fixed));
+  }
+}
+
+/// So it has its counts and its code.
+TEST(TreeWithOneTip, IsTheChainToIt) {
+  ReadOptions chain, tree;
+  chain.tip = "foot";
+  tree.tips = {"foot"};
+  EXPECT_EQ(written(arm_of_two("revolute"), tree), written(arm_of_two("revolute"), chain));
+}
+
 }  // namespace
 }  // namespace qvgen::description

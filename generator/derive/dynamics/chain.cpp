@@ -126,7 +126,8 @@ class ChainBuilder {
   void add_floating_base() {
     Link base;
     base.motion = Motion::free;
-    base.inertia = from_description(*robot_.floating_base, graph_);
+    base.inertia = inertias_ == Inertias::described ? from_description(*robot_.floating_base, graph_)
+                                                    : from_standard(0, graph_);
     chain_.links.push_back(base);
   }
 
@@ -234,7 +235,8 @@ class ChainBuilder {
     link.d = link.d + passage.d;
     const RotationSequence back = inverse(from_z_to(joint.axis));
     const bool described = inertias_ == Inertias::described;
-    PseudoInertia inertia = described ? from_description(joint.inertia, graph_) : from_standard(j, graph_);
+    PseudoInertia inertia = described ? from_description(joint.inertia, graph_)
+                                      : from_standard(model::base_bodies(robot_) + j, graph_);
     for (const model::Displacement& step : {joint.inertia.frame, joint.after}) {
       inertia = rotated(to_sequence(step.turns), inertia, graph_);
       inertia = shifted(inertia, to_vector(step.translation, graph_));

@@ -137,21 +137,24 @@ PlainRecursion::Frame PlainRecursion::frame_of(const model::Displacement& displa
 
 void PlainRecursion::take_standard_parameters() {
   drives_.assign(drives_.size(), {});
-  for (std::size_t i = 0; i < links_.size(); ++i) {
-    Link& link = links_[i];
-    const auto value = [&](std::size_t k) { return point_.symbol(standard_parameter(10 * i + k)); };
+  std::size_t body = 0;
+  if (floats()) take_standard_parameters_of(body++, base_mass_, base_centre_, base_inertia_);
+  for (Link& link : links_) {
     link.rotor = link.viscous = link.coulomb = 0;
-    link.mass = value(0);
-    link.centre = link.mass.inverse() * Vector{value(1), value(2), value(3)};
-    link.inertia = {
-        {{value(4), value(7), value(9)}, {value(7), value(5), value(8)}, {value(9), value(8), value(6)}}};
-    // Steiner: about the centre of mass.
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vector e = identity()[k];
-      link.inertia[k] = link.inertia[k] + (-link.mass * dot(link.centre, link.centre)) * e +
-                        (link.mass * link.centre[k]) * link.centre;
-    }
+    take_standard_parameters_of(body++, link.mass, link.centre, link.inertia);
   }
+}
+
+void PlainRecursion::take_standard_parameters_of(std::size_t body, Number& mass, Vector& centre,
+                                                 Matrix& inertia) const {
+  const auto value = [&](std::size_t k) { return point_.symbol(standard_parameter(10 * body + k)); };
+  mass = value(0);
+  centre = mass.inverse() * Vector{value(1), value(2), value(3)};
+  inertia = {
+      {{value(4), value(7), value(9)}, {value(7), value(5), value(8)}, {value(9), value(8), value(6)}}};
+  // Steiner: about the centre of mass.
+  for (std::size_t k = 0; k < 3; ++k)
+    inertia[k] = inertia[k] + (-mass * dot(centre, centre)) * identity()[k] + (mass * centre[k]) * centre;
 }
 
 void PlainRecursion::take_drive_parameters() {

@@ -106,6 +106,7 @@ class PlainRecursion {
     Values joints;
   };
 
+  void take_standard_parameters_of(std::size_t body, Number& mass, Vector& centre, Matrix& inertia) const;
   [[nodiscard]] Values of_chain(const Values& coordinates) const;
   [[nodiscard]] Forces forces_of_chain(const Moving& base, const Values& rates, const Values& accelerations,
                                        const Load& load) const;

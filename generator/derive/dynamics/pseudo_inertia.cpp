@@ -60,11 +60,11 @@ PseudoInertia rotated(const PseudoInertia& inertia, std::size_t k, const Circle&
 
 std::string standard_parameter(std::size_t index) { return "@" + std::to_string(index); }
 
-PseudoInertia from_standard(std::size_t link, dag::Graph& graph) {
+PseudoInertia from_standard(std::size_t body, dag::Graph& graph) {
   constexpr std::array<std::array<std::size_t, 2>, 6> places = {
       {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}}};
   const auto symbol = [&](std::size_t k) {
-    return Scalar(graph, graph.symbol(standard_parameter(10 * link + k)));
+    return Scalar(graph, graph.symbol(standard_parameter(10 * body + k)));
   };
   const Scalar half(graph, graph.constant(exact::Number(cln::cl_RA(1) / 2)));
   const Scalar half_trace = half * (symbol(4) + symbol(5) + symbol(6));

@@ -46,11 +46,12 @@ PseudoInertia rotated(const PseudoInertia& inertia, std::size_t k, const Circle&
 /// it.
 PseudoInertia from_description(const model::Inertia& inertia, dag::Graph& graph);
 
-/// Returns the pseudo-inertia of link j with symbols for its standard parameters, in which it is linear.
-PseudoInertia from_standard(std::size_t link, dag::Graph& graph);
+/// Returns the pseudo-inertia of a body (model::body_count) with symbols for its standard parameters, in
+/// which it is linear.
+PseudoInertia from_standard(std::size_t body, dag::Graph& graph);
 
-/// Symbol of a standard parameter: of each link mass, first moments x y z, and the inertia about the origin
-/// of the link frame xx yy zz xy yz xz; ten times the link plus the place in this list.
+/// Symbol of a standard parameter: of each body mass, first moments x y z, and the inertia about the origin
+/// of the body's frame xx yy zz xy yz xz; ten times the body plus the place in this list.
 std::string standard_parameter(std::size_t index);
 
 }  // namespace qvgen::derive::dynamics

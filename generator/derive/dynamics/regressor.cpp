@@ -7,7 +7,7 @@
 #include "dag/evaluate.h"
 #include "dag/rebuild.h"
 #include "exact/point.h"
-#include "model/followers.h"
+#include "model/coordinates.h"
 #include "passes/differentiate.h"
 
 namespace qvgen::derive::dynamics {
@@ -45,12 +45,13 @@ std::map<std::string, Entry> names_of(const model::Robot& robot, const FrameConv
         const std::string kind = row == 3      ? "m"
                                  : column == 3 ? std::string("h") + axes[row]
                                                : std::string("S") + axes[row] + axes[column];
-        result.emplace(graph.symbol_of(node), Entry{kind + std::to_string(link.joint + 1), edge.negative});
+        const std::size_t body = link.motion == Motion::free ? 0 : link.joint + 1;
+        result.emplace(graph.symbol_of(node), Entry{kind + std::to_string(body), edge.negative});
       }
   return result;
 }
 
-/// The outputs at a random point, one row per joint.
+/// The outputs at a random point, one row per coordinate.
 Rows rows_at(const dag::Function& function, std::size_t joints, std::uint64_t seed) {
   const auto values = dag::evaluate<Number>(function, exact::ExactPoint(seed));
   Rows rows(joints);
@@ -136,7 +137,7 @@ Regressor regressor(const model::Robot& robot) {
     negative.push_back(entry.negative);
   }
   passes::append_derivatives(function, directions);
-  const std::size_t joints = model::driven_count(robot);
+  const std::size_t joints = model::coordinate_count(robot);
   function.outputs.erase(function.outputs.begin(),
                          function.outputs.begin() + static_cast<std::ptrdiff_t>(joints));
   for (std::size_t i = 0; i < function.outputs.size(); ++i)

@@ -8,12 +8,13 @@
 
 namespace qvgen::derive::dynamics {
 
-/// Joint forces as a linear function of the base parameters, tau = Y b, all inertias free.
+/// Joint forces, behind the wrench on a floating base, as a linear function of the base parameters, tau = Y
+/// b, all inertias free.
 struct Regressor {
   Formulation formulation;  ///< outputs y<row>_<column>: Y(q, q', q''), constants of the geometry and gravity
-  dag::Function base_parameters;  ///< outputs b1 ...: b in standard parameters (linear) and geometry
-  std::vector<std::string>
-      names;  ///< of the base parameters: "Sxx2" (second moment), "hx2", "m3"; link numbers from 1
+  dag::Function base_parameters;   ///< outputs b1 ...: b in standard parameters (linear) and geometry
+  std::vector<std::string> names;  ///< of the base parameters: "Sxx2" (second moment), "hx2", "m3"; link
+                                   ///< numbers from 1, floating base 0
 };
 
 /// Differentiates the inverse dynamics by every base parameter. Parameters that no joint force depends on (of

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <deque>
 #include <map>
 
 #include "description/names.h"
 #include "description/tree/tree.h"
 #include "description/xml/reader.h"
 #include "description/xml/urdf_numbers.h"
+#include "description/xml/urdf_planar.h"
 
 namespace qvgen::description::xml {
 namespace {
@@ -31,7 +33,7 @@ class UrdfTree {
               "install xacro, which is run then: pip install xacro");
     }
     for (const Element& child : root.children)
-      if (child.name == "joint") add_joint(child);
+      if (child.name == "joint") is_planar(child) ? add_planar(child) : add_joint(child);
     if (nodes.empty() && reported_ == 0)
       error(root.place, "no links", "a URDF has <link> and <joint> elements");
     find_cycle();
@@ -86,8 +88,8 @@ class UrdfTree {
   }
 
   bool moves(const Element& joint) {
-    static const std::vector<std::string> types{"revolute", "continuous", "prismatic",
-                                                "fixed",    "floating",   "planar"};
+    static const std::vector<std::string> types{"revolute", "continuous", "prismatic",    "fixed",
+                                                "floating", "planar",     unlimited_slide};
     const Attribute* type = required(joint, "type");
     if (type == nullptr) return false;
     if (std::find(types.begin(), types.end(), type->value) == types.end()) {
@@ -97,6 +99,18 @@ class UrdfTree {
         error(type->place, "unknown joint type '" + type->value + "'", "did you mean '" + near + "'?");
     }
     return type->value != "fixed";
+  }
+
+  static bool is_planar(const Element& joint) {
+    const Attribute* type = joint.attribute("type");
+    return type != nullptr && type->value == "planar";
+  }
+
+  void add_planar(const Element& joint) {
+    if (required(joint, "name") == nullptr || !end_of(joint, "parent") || !end_of(joint, "child")) return;
+    made_.push_back(successive_joints(*context_, joint));
+    if (made_.back().empty()) ++reported_;
+    for (const Element& part : made_.back()) part.name == "link" ? add_link(part) : add_joint(part);
   }
 
   void add_joint(const Element& joint) {
@@ -117,8 +131,7 @@ class UrdfTree {
     node.moves = is_moving;
     node.joint = name->value;
     const Attribute* type = joint.attribute("type");
-    node.is_free = type != nullptr && type->value == "floating";
-    node.floats = type != nullptr && (type->value == "floating" || type->value == "planar");
+    node.is_free = node.floats = type != nullptr && type->value == "floating";
     nodes[*parent].children.push_back(*child);
   }
 
@@ -144,6 +157,7 @@ class UrdfTree {
   Context* context_;
   std::map<std::string, std::size_t> by_name_, joint_names_;
   std::size_t reported_ = 0;
+  std::deque<std::deque<Element>> made_;  ///< in place of planar joints
 };
 
 }  // namespace

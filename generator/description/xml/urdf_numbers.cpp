@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "description/names.h"
+#include "description/xml/urdf_planar.h"
 #include "model/arithmetic.h"
 #include "model/evaluate.h"
 
@@ -139,9 +140,10 @@ tree::MovingJoint UrdfNumbers::moving(const Element& joint, const std::string& t
   tree::MovingJoint result;
   result.name = name_of(joint);
   result.place = joint.place;
-  result.type = type == "prismatic" ? model::JointType::prismatic : model::JointType::revolute;
+  result.type = type == "prismatic" || type == unlimited_slide ? model::JointType::prismatic
+                                                               : model::JointType::revolute;
   result.axis = axis(joint);
-  if (type != "continuous") result.limits = limits(joint, result.type);
+  if (type != "continuous" && type != unlimited_slide) result.limits = limits(joint, result.type);
   result.greatest_velocity = greatest(joint, "velocity");
   result.greatest_effort = greatest(joint, "effort");
   result.drive = drive(joint);
@@ -202,7 +204,8 @@ tree::Body UrdfNumbers::body(const Element& link) const {
 
 std::optional<tree::Segment> UrdfNumbers::segment(const Element& link, const Element& joint) const {
   const std::string type = joint.attribute("type")->value;
-  static const std::vector<std::string> types{"revolute", "continuous", "prismatic", "fixed"};
+  static const std::vector<std::string> types{"revolute", "continuous", "prismatic", "fixed",
+                                              unlimited_slide};
   if (std::find(types.begin(), types.end(), type) == types.end()) {
     context_->error(joint.attribute("type")->place, "the joint '" + name_of(joint) + "' is " + type,
                     "a chain has revolute, continuous, prismatic and fixed joints: choose --base behind it");

@@ -116,7 +116,7 @@ Function function_of(const model::Robot& robot, const optimise::Optimised& from)
 
 Function base_parameters(const model::Robot& robot, const derive::dynamics::Regressor& regressor) {
   const Code code = base_parameters_code(robot, regressor, printer());
-  const std::string count = std::to_string(10 * robot.joints.size());
+  const std::string count = std::to_string(10 * model::body_count(robot));
   Function function{
       "base_parameters",
       {"Of ten standard parameters of each link in its frame: mass, first moments x y z (kg m), "

@@ -108,15 +108,45 @@ BatchForm dynamics_form(const std::string& name, const DynamicsInterface& interf
   return form;
 }
 
+std::string with_velocities(std::string text) {
+  for (std::size_t at = text.find("dof"); at != std::string::npos; at = text.find("dof", at + 1))
+    text.replace(at, 3, "velocity_size");
+  return text;
+}
+
+/// Velocities, accelerations and forces begin with the base's; where it is stands before the joints.
+BatchForm with_floating_base(BatchForm form) {
+  form.base_floats = true;
+  for (BatchForm::Input& input : form.inputs)
+    if (input.name != "q") input.rows = with_velocities(input.rows);
+  form.inputs.insert(form.inputs.begin(), {"base", "7"});
+  form.rows = with_velocities(form.rows);
+  form.meaning =
+      form.meaning == "one for each joint" ? "as velocities have them" : with_velocities(form.meaning);
+  if (!form.gravity.empty()) form.gravity = "const NonDeduced<FreeFall<Scalar>>&";
+  return form;
+}
+
 /// Returns the type that each instance of the template takes for gravity.
 json instances(const BatchForm& form) {
   json list = json::array();
-  for (const std::string scalar : {"double", "float"})
-    list.push_back(
-        {{"scalar", scalar},
-         {"gravity_instance",
-          form.header == "dynamics_loads" ? "const Eigen::Matrix<" + scalar + ", 3, 1>&" : scalar}});
+  for (const std::string scalar : {"double", "float"}) {
+    std::string gravity =
+        form.header == "dynamics_loads" ? "const Eigen::Matrix<" + scalar + ", 3, 1>&" : scalar;
+    if (form.base_floats) gravity = "const FreeFall<" + scalar + ">&";
+    list.push_back({{"scalar", scalar}, {"gravity_instance", gravity}});
+  }
   return list;
+}
+
+/// What the single call is given in lanes, up to the sines and cosines or the geometry.
+std::string lane_arguments(const BatchForm& form) {
+  std::string list;
+  for (const BatchForm::Input& input : form.inputs)
+    if (!form.base_floats || input.name != "q")
+      list += input.name == "base" ? "qvgen::batch::configuration_of<Lane, dof>(base_, q_), "
+                                   : input.name + "_, ";
+  return list + (form.base_floats && !form.gravity.empty() ? "gravity.template cast<Lane>(), " : "");
 }
 
 json values(const BatchForm& form) {
@@ -133,7 +163,7 @@ json values(const BatchForm& form) {
   if (!form.angles.empty())
     dynamics.push_back({{"angles_function", form.angles}, {"constants_type", constants_type(form.name)}});
   // A magnitude has a default, as single calls have it.
-  const bool has_default = form.gravity.find('&') == std::string::npos;
+  const bool has_default = form.header != "dynamics_loads";
   return {
       {"entry", form.name},
       {"function", form.function},
@@ -141,6 +171,8 @@ json values(const BatchForm& form) {
       {"rows", form.rows},
       {"meaning", form.meaning},
       {"members", members},
+      {"lane_arguments", lane_arguments(form)},
+      {"gravity_of_constants", has_gravity && !form.base_floats},
       {"is_dynamics", dynamics},
       {"is_kinematics", form.angles.empty()},
       {"gravity", has_gravity ? json::array({{{"gravity_type", form.gravity},
@@ -152,13 +184,14 @@ json values(const BatchForm& form) {
 
 }  // namespace
 
-std::optional<BatchForm> batch_form(const std::string& name) {
+std::optional<BatchForm> batch_form(const std::string& name, bool base_floats) {
   const auto& known = known_forms();
   const auto found =
       std::find_if(known.begin(), known.end(), [&](const BatchForm& form) { return form.name == name; });
   if (found != known.end()) return *found;
   if (!is_dynamics_function(name)) return std::nullopt;
-  return dynamics_form(name, dynamics_interface(name));
+  const BatchForm form = dynamics_form(name, dynamics_interface(name));
+  return base_floats ? with_floating_base(form) : form;
 }
 
 json batch_values(const std::string& robot, const std::vector<BatchForm>& forms) {
@@ -173,7 +206,13 @@ json batch_values(const std::string& robot, const std::vector<BatchForm>& forms)
   }
   json headers = json::array();
   for (const std::string& part : parts) headers.push_back({{"part", part}});
-  return {{"name", robot}, {"functions", functions}, {"headers", headers}, {"has_dynamics", has_dynamics}};
+  const bool base_floats =
+      std::any_of(forms.begin(), forms.end(), [](const auto& form) { return form.base_floats; });
+  return {{"name", robot},
+          {"functions", functions},
+          {"headers", headers},
+          {"has_dynamics", has_dynamics},
+          {"base_floats", base_floats}};
 }
 
 }  // namespace qvgen::emit

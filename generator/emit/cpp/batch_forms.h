@@ -28,10 +28,12 @@ struct BatchForm {
   std::string angles = {};
   std::string angles_header = {};  ///< the part whose definitions have that one
   std::string gravity = {};        ///< the type, as C++; empty: it takes none
+  bool base_floats = false;
 };
 
-/// The batch form of the function of that name, if it can have one.
-std::optional<BatchForm> batch_form(const std::string& name);
+/// The batch form of the function of that name, if it can have one. `base_floats`: functions of dynamics are
+/// told of the base's pose as well.
+std::optional<BatchForm> batch_form(const std::string& name, bool base_floats = false);
 
 /// Template values of batch.h and batch.cpp for these functions of a robot.
 nlohmann::json batch_values(const std::string& robot, const std::vector<BatchForm>& forms);

@@ -157,10 +157,10 @@ json gravity_at_base_values(Gravity gravity, const std::string& scalar) {
   values["load_default"] = "";
   if (gravity == Gravity::none) return values;
   values["load_default"] = " = Scalar(9.80665)";
-  values["wrench_parameter"] = ", NonDeduced<Scalar> gravity";
+  values["wrench_parameter"] = ", const NonDeduced<FreeFall<Scalar>>& gravity";
   values["wrench_unused"] = ", [[maybe_unused]] const GravityAtBase<Scalar>& seen_gravity";
-  values["wrench_argument"] = ", gravity_at_base(at.base, gravity)";
-  values["wrench_type"] = ", " + scalar;
+  values["wrench_argument"] = ", gravity.seen_from(at.base)";
+  values["wrench_type"] = ", const FreeFall<" + scalar + ">&";
   return values;
 }
 
@@ -255,7 +255,7 @@ json dynamics_values(const model::Robot& robot, const Optimised& function, const
 Code base_parameters_code(const model::Robot& robot, const derive::dynamics::Regressor& regressor,
                           const ast::Printer& language) {
   Known known;
-  for (std::size_t i = 0; i < 10 * robot.joints.size(); ++i)
+  for (std::size_t i = 0; i < 10 * model::body_count(robot); ++i)
     known[derive::dynamics::standard_parameter(i)] = ast::entry("standard", i);
   return straight_code(regressor.base_parameters, constant_leaves(robot, known), language);
 }
@@ -307,7 +307,8 @@ Code total_mass_code(const model::Robot& robot, const ast::Printer& language) {
 
 json base_parameter_values(const model::Robot& robot, const derive::dynamics::Regressor& regressor) {
   const Code code = base_parameters_code(robot, regressor);
-  return {{"links", model::has_followers(robot) ? std::to_string(robot.joints.size()) : "dof"},
+  const bool by_dof = !model::has_followers(robot) && !robot.floating_base;
+  return {{"links", by_dof ? "dof" : std::to_string(model::body_count(robot))},
           {"parameters_of_base", named_parameters(code, regressor)},
           {"base_set_up", values_of(code.temporaries)},
           {"base_count", code.outputs.size()}};

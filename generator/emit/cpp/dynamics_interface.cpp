@@ -139,7 +139,7 @@ std::string type_of(Result result, const std::string& scalar, bool floats) {
     case Result::momentum_matrix:
       return "Eigen::Matrix<" + scalar + ", 6, " + size + ">";
     case Result::regressor:
-      return "Eigen::Matrix<" + scalar + ", dof, base_parameter_count>";
+      return "Eigen::Matrix<" + scalar + ", " + size + ", base_parameter_count>";
     case Result::drive_regressor:
       return "Eigen::Matrix<" + scalar + ", dof, identifiable_parameter_count>";
     case Result::derivatives:

@@ -49,7 +49,7 @@ void add_source(const model::Robot& robot, const std::vector<emit::BatchForm>& a
 void add_batch(const model::Robot& robot, RobotOutput& output) {
   std::vector<emit::BatchForm> forms;
   for (const std::string& name : functions_in(output.counts))
-    if (const auto form = emit::batch_form(name)) forms.push_back(*form);
+    if (const auto form = emit::batch_form(name, robot.floating_base.has_value())) forms.push_back(*form);
   const bool has_inverse = !output.counts.value("targets", nlohmann::ordered_json::object()).empty();
   if (forms.empty() && !has_inverse) {
     output.missing.push_back({part, Missing::Kind::not_derived,

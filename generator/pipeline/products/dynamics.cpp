@@ -146,10 +146,12 @@ json branches_of(const model::Robot& robot, const std::vector<optimise::Optimise
           {"nonzero_count", nonzeros.size()}};
 }
 
-/// Parts that are not derived yet for a base that floats.
-void say_what_floats(RobotOutput& output) {
-  for (const char* part : {"dynamics_loads", "regressor"})
-    output.missing.push_back({part, Missing::Kind::not_described, "the base floats: it is of fixed bases"});
+/// A base that floats takes gravity in any direction in each function, and wrenches by contacts.h.
+bool has_loads(const model::Robot& robot, RobotOutput& output) {
+  if (!robot.floating_base) return true;
+  output.missing.push_back({"dynamics_loads", Missing::Kind::not_described,
+                            "the base floats: functions of dynamics.h take gravity in any direction"});
+  return false;
 }
 
 bool has_dynamics(const model::Robot& described, RobotOutput& output) {
@@ -183,10 +185,7 @@ void generate_dynamics_product(const model::Robot& described, RobotOutput& outpu
   const auto regressor = [&](RobotOutput& made) { add_regressor(model, made); };
   std::vector<PartOfOutput> parts{
       {"dynamics_derivatives", derivatives}, {"dynamics_loads", loads}, {"regressor", regressor}};
-  if (described.floating_base) {
-    parts.resize(1);
-    say_what_floats(output);
-  }
+  if (!has_loads(described, output)) parts.erase(parts.begin() + 1);
   attempt_all(without_requested(parts, described.on_request, output), output);
 }
 
@@ -219,10 +218,7 @@ void generate_dynamics_c(const model::Robot& described, RobotOutput& output) {
   };
   std::vector<PartOfOutput> parts{
       {"dynamics_derivatives", derivatives}, {"dynamics_loads", loads}, {"regressor", with_regressor}};
-  if (described.floating_base) {
-    parts.resize(1);
-    say_what_floats(output);
-  }
+  if (!has_loads(described, output)) parts.erase(parts.begin() + 1);
   attempt_all(without_requested(parts, described.on_request, output), output);
 }
 

@@ -5,7 +5,7 @@
 // 2005).
 //
 //     const BranchFactorisation factors(robot::mass_matrix(q), robot::mass_matrix_parents);
-//     const auto qdd = factors.solve(torque - bias);
+//     const auto qdd = factors.solve(torque - bias);               // or a matrix of such columns
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ class BranchFactorisation {
       for (int i = parent(k); i >= 0; i = parent(i)) {
         const Scalar factor = factors_(k, i) / factors_(k, k);
         for (int j = i; j >= 0; j = parent(j)) factors_(i, j) -= factor * factors_(k, j);
-        factors_(k, i) = factor;
+        factors_(k, i) = factors_(i, k) = factor;
       }
   }
 
@@ -52,10 +52,79 @@ class BranchFactorisation {
     return x;
   }
 
+  /// Returns X with M X = B. Some columns at a time, side by side.
+  template <int columns>
+  [[nodiscard]] Eigen::Matrix<Scalar, dof, columns> solve(
+      const Eigen::Matrix<Scalar, dof, columns>& b) const {
+    const Below below(*this);
+    Eigen::Matrix<Scalar, dof, columns> result;
+    for (int first = 0; first < columns; first += tile) {
+      const int count = columns - first < tile ? columns - first : tile;
+      Tile x = Tile::Zero();
+      x.topRows(count) = b.middleCols(first, count).transpose();
+      solve_in_place(x, dof, below);
+      result.middleCols(first, count) = x.topRows(count).transpose();
+    }
+    return result;
+  }
+
+  /// Returns the inverse of M: its upper triangle is computed, which needs no rows below it.
+  [[nodiscard]] Matrix inverse() const {
+    const Below below(*this);
+    Matrix result;
+    for (int first = 0; first < dof; first += tile) {
+      const int end = dof - first < tile ? dof : first + tile;
+      Tile x = Tile::Zero();
+      for (int k = first; k < end; ++k) x(k - first, k) = Scalar(1);
+      solve_in_place(x, end, below);
+      for (int k = first; k < end; ++k)
+        for (int i = 0; i <= k; ++i) result(i, k) = result(k, i) = x(k - first, i);
+    }
+    return result;
+  }
+
  private:
+  /// Right-hand sides that are solved side by side: row k of them stands in column k.
+  static constexpr int tile = dof < 9 ? 8 : 12;
+  using Tile = Eigen::Matrix<Scalar, tile, dof>;
+  using Row = Eigen::Matrix<Scalar, tile, 1>;
+
+  /// The rows that each row carries, from the nearest number on: first[k] up to first[k + 1].
+  struct Below {
+    explicit Below(const BranchFactorisation& factors) {
+      for (int k = 0; k < dof; ++k)
+        for (int i = factors.parent(k); i >= 0; i = factors.parent(i)) ++first[i + 1];
+      for (int k = 0; k < dof; ++k) first[k + 1] += first[k];
+      int place[dof];
+      for (int k = 0; k < dof; ++k) place[k] = first[k];
+      for (int k = 0; k < dof; ++k)
+        for (int i = factors.parent(k); i >= 0; i = factors.parent(i)) rows[place[i]++] = k;
+    }
+    int first[dof + 1] = {};
+    int rows[dof * (dof - 1) / 2 + 1];
+  };
+
+  /// `count`: rows from the first on, further ones being zero and not wanted.
+  void solve_in_place(Tile& x, int count, const Below& below) const {
+    for (int i = count - 1; i >= 0; --i) {
+      Row sum = x.col(i);
+      const Scalar* const factor = factors_.data() + i * dof;
+      const int* const end = below.rows + below.first[i + 1];
+      for (const int* k = below.rows + below.first[i]; k != end && *k < count; ++k)
+        sum -= factor[*k] * x.col(*k);
+      x.col(i) = sum;
+    }
+    for (int k = 0; k < count; ++k) {
+      const Scalar* const factor = factors_.data() + k * dof;
+      Row sum = x.col(k) / factor[k];
+      for (int i = parent(k); i >= 0; i = parent(i)) sum -= factor[i] * x.col(i);
+      x.col(k) = sum;
+    }
+  }
+
   [[nodiscard]] int parent(int k) const { return parents_[static_cast<std::size_t>(k)]; }
 
-  Matrix factors_;  ///< below the diagonal L, on it D
+  Matrix factors_;  ///< below the diagonal L, on it D, above it the transpose of L
   Parents parents_;
 };
 

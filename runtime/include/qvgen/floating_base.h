@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include <Eigen/Core>
 #include <qvgen/pose.h>
@@ -52,6 +53,32 @@ GravityAtBase<Scalar> gravity_at_base(const Pose<Scalar>& base, const Scalar& gr
       twice * (r.x() * r.x() + r.y() * r.y()) - gravity, gravity * base.position.z();
   return result;
 }
+
+/// Acceleration of free fall in the world, m/s^2, as functions of robots take it: its magnitude, along -z, or
+/// a vector of any direction.
+template <class Scalar>
+class FreeFall {
+ public:
+  template <class Magnitude, std::enable_if_t<std::is_convertible_v<Magnitude, Scalar>, int> = 0>
+  FreeFall(const Magnitude& magnitude) : along_z_(true), gravity_(0, 0, -Scalar(magnitude)) {}
+  template <class Derived>
+  FreeFall(const Eigen::MatrixBase<Derived>& gravity) : along_z_(false), gravity_(gravity) {}
+
+  [[nodiscard]] GravityAtBase<Scalar> seen_from(const Pose<Scalar>& base) const {
+    return along_z_ ? gravity_at_base(base, Scalar(-gravity_[2])) : gravity_at_base(base, gravity_);
+  }
+
+  template <class Other>
+  [[nodiscard]] FreeFall<Other> cast() const {
+    FreeFall<Other> result = Other(-gravity_[2]);
+    if (!along_z_) result = FreeFall<Other>(gravity_.template cast<Other>());
+    return result;
+  }
+
+ private:
+  bool along_z_;
+  Vector3<Scalar> gravity_;
+};
 
 namespace detail {
 

@@ -24,14 +24,10 @@ struct ForwardDynamicsDerivatives {
 template <class Scalar, int size, class InverseDynamicsDerivatives>
 ForwardDynamicsDerivatives<Scalar, size> forward_dynamics_derivatives(
     const BranchFactorisation<Scalar, size>& mass, const InverseDynamicsDerivatives& of_forces) {
-  using Vector = Eigen::Matrix<Scalar, size, 1>;
-  ForwardDynamicsDerivatives<Scalar, size> result;
-  for (int k = 0; k < size; ++k) {
-    result.by_position.col(k) = -mass.solve(of_forces.by_position.col(k));
-    result.by_rate.col(k) = -mass.solve(of_forces.by_rate.col(k));
-    result.by_torque.col(k) = mass.solve(Vector::Unit(k));
-  }
-  return result;
+  Eigen::Matrix<Scalar, size, 2 * size> forces;
+  forces << -of_forces.by_position, -of_forces.by_rate;
+  const Eigen::Matrix<Scalar, size, 2 * size> found = mass.solve(forces);
+  return {found.template leftCols<size>(), found.template rightCols<size>(), mass.inverse()};
 }
 
 }  // namespace qvgen

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// Generated functions of the robot ROBOT, as programs that use them call them.
+#include <algorithm>
+
+#include <qvgen/forward_dynamics_derivatives.h>
+
+#include "implementation.h"
+#include QVGEN_DYNAMICS
+#include QVGEN_DERIVATIVES
+
+namespace qvgen::benchmark::trees {
+namespace {
+
+namespace robot = qvgen::robots::QVGEN_ROBOT;
+
+#if QVGEN_FLOATING
+constexpr int size = robot::velocity_size;
+using At = robot::Configuration<double>;
+constexpr auto parents = robot::mass_matrix_parents;
+#else
+constexpr int size = robot::dof;
+using At = robot::JointVector<double>;
+constexpr auto parents = [] {
+  std::array<int, size> result{};
+  for (std::size_t k = 0; k < size; ++k) result[k] = static_cast<int>(k) - 1;
+  return result;
+}();
+#endif
+using Vector = Eigen::Matrix<double, size, 1>;
+using Matrix = Eigen::Matrix<double, size, size>;
+
+struct Motion {
+  At at;
+  Vector qd, qdd;
+};
+std::vector<Motion> motions;
+
+Motion motion(const State& state, const std::vector<std::size_t>& place) {
+  Motion m;
+  for (std::size_t k = 0; k < size; ++k) {
+    const auto here = static_cast<Eigen::Index>(place[k]);
+    m.qd[here] = state.v[k];
+    m.qdd[here] = state.a[k];
+#if QVGEN_FLOATING
+    if (k >= 6) m.at.q[here - 6] = state.q[k + 1];
+#else
+    m.at[here] = state.q[k];
+#endif
+  }
+#if QVGEN_FLOATING
+  const auto& q = state.q;
+  m.at.base = {Eigen::Quaterniond(q[6], q[3], q[4], q[5]), {q[0], q[1], q[2]}};
+#endif
+  return m;
+}
+
+std::vector<std::size_t> places(const Robot& robot) {
+  std::vector<std::size_t> result;
+  const std::size_t base = robot.floating ? 6 : 0;
+  for (std::size_t k = 0; k < base; ++k) result.push_back(k);
+  const auto& ours = robot::joint_names;
+  for (std::size_t k = 0; k < robot.joints.size(); ++k) {
+    const auto found = std::find(ours.begin(), ours.end(), robot.joints[k]);
+    // Names of an arm's joints are those of its own description, in the order of the chain.
+    result.push_back(base + (found == ours.end() ? k : static_cast<std::size_t>(found - ours.begin())));
+  }
+  return result;
+}
+
+void store(const Vector& value, double* result) { Eigen::Map<Vector>{result} = value; }
+void store(const Matrix& value, double* result, int place = 0) {
+  Eigen::Map<Matrix>(result + place * size * size) = value;
+}
+
+void inverse_dynamics(std::size_t k, double* result) {
+  const Motion& m = motions[k];
+  store(robot::inverse_dynamics(m.at, m.qd, m.qdd), result);
+}
+void mass_matrix(std::size_t k, double* result) { store(robot::mass_matrix(motions[k].at), result); }
+void forward_dynamics(std::size_t k, double* result) {
+  const Motion& m = motions[k];
+  store(robot::forward_dynamics(m.at, m.qd, m.qdd), result);
+}
+void inverse_derivatives(std::size_t k, double* result) {
+  const Motion& m = motions[k];
+  const auto found = robot::inverse_dynamics_derivatives(m.at, m.qd, m.qdd);
+  store(found.by_position, result);
+  store(found.by_rate, result, 1);
+}
+void forward_derivatives(std::size_t k, double* result) {
+  const Motion& m = motions[k];
+  const Vector qdd = robot::forward_dynamics(m.at, m.qd, m.qdd);
+  const BranchFactorisation mass(robot::mass_matrix(m.at), parents);
+  const auto found =
+      forward_dynamics_derivatives(mass, robot::inverse_dynamics_derivatives(m.at, m.qd, qdd));
+  store(found.by_position, result);
+  store(found.by_rate, result, 1);
+  store(found.by_torque, result, 2);
+}
+
+}  // namespace
+
+Implementation of_qvgen(const Robot& robot) {
+  const std::vector<std::size_t> place = places(robot);
+  for (const State& state : robot.states) motions.push_back(motion(state, place));
+  return {"qvgen",
+          {inverse_dynamics, mass_matrix, forward_dynamics, inverse_derivatives, forward_derivatives},
+          place};
+}
+
+}  // namespace qvgen::benchmark::trees
