@@ -22,6 +22,7 @@
 #include "emit/template_values.h"
 #include "exact/named_constant.h"
 #include "model/private_names.h"
+#include "pipeline/limbs.h"
 #include "verify/loops/certify_loops.h"
 #include "verify/loops/mobility.h"
 
@@ -202,9 +203,15 @@ bool has_file(const RobotOutput& output, const std::string& path) {
                      [&](const OutputFile& file) { return file.path == path; });
 }
 
+/// The tips with the constants of their limbs.
 json tips_of(const model::Mechanism& mechanism) {
   json tips = json::array();
-  for (const model::Frame& tip : mechanism.tips) tips.push_back({{"tip", tip.name}});
+  const std::vector<model::Robot> limbs = limbs_of(mechanism);
+  for (std::size_t i = 0; i < limbs.size(); ++i) {
+    json fields = json::array();
+    for (const model::Parameter& parameter : limbs[i].geometry) fields.push_back({{"field", parameter.name}});
+    tips.push_back({{"tip", mechanism.tips[i].name}, {"fields", fields}});
+  }
   return tips;
 }
 
