@@ -169,7 +169,7 @@ def _loops(robot, generated):
 
 
 def _sources_of_tips(robot, generated):
-    """What functions of the tips of closed loops call."""
+    """Returns the sources that functions of the tips of closed loops call."""
     folders = [generated / "source" / f"{robot}_{tip}" for tip in tips(_loops(robot, generated))]
     return [folder / name for folder in folders for name in ("jacobian.cpp", "kinematics.cpp")]
 
