@@ -22,6 +22,7 @@
 #include "emit/template_values.h"
 #include "exact/named_constant.h"
 #include "model/private_names.h"
+#include "pipeline/limbs.h"
 #include "verify/loops/certify_loops.h"
 #include "verify/loops/mobility.h"
 
@@ -149,6 +150,16 @@ json fields_of(const std::vector<std::string>& list) {
   return result;
 }
 
+/// How assemblies are numbered where a step gives all of its solutions at once.
+std::string text_of_order(const model::Robot& described, const AssemblyPlan& assembly) {
+  for (const derive::inverse::Step& step : assembly.plan.steps)
+    if (step.is_quartic())
+      return " They are numbered in the order of " +
+             described.joints[static_cast<std::size_t>(step.joint)].variable +
+             ": the number of one changes where others appear or vanish, its place next to a seed does not.";
+  return "";
+}
+
 json variant_of(const model::Mechanism& mechanism, const LoopVariant& variant, const AssemblyPlan& assembly) {
   const derive::inverse::LoweredPlan plan = derive::inverse::lower(assembly.plan);
   const verify::LoopCertificate certificate =
@@ -165,7 +176,8 @@ json variant_of(const model::Mechanism& mechanism, const LoopVariant& variant, c
           {"type", type},
           {"space", forward ? "assembly" : "assembly_from_outputs"},
           {"doc", "All assemblies for values of " + described_names(mechanism.robot, variant.given) +
-                      "; at most " + std::to_string(assembly.plan.capacity) + "."},
+                      "; at most " + std::to_string(assembly.plan.capacity) + "." +
+                      text_of_order(mechanism.robot, assembly)},
           {"summary", emit::lines_of(step_lines(mechanism.robot, assembly.plan))},
           {"certificate", certificate.text()},
           {"capacity", assembly.plan.capacity},
@@ -202,9 +214,15 @@ bool has_file(const RobotOutput& output, const std::string& path) {
                      [&](const OutputFile& file) { return file.path == path; });
 }
 
+/// The tips with the constants of their limbs.
 json tips_of(const model::Mechanism& mechanism) {
   json tips = json::array();
-  for (const model::Frame& tip : mechanism.tips) tips.push_back({{"tip", tip.name}});
+  const std::vector<model::Robot> limbs = limbs_of(mechanism);
+  for (std::size_t i = 0; i < limbs.size(); ++i) {
+    json fields = json::array();
+    for (const model::Parameter& parameter : limbs[i].geometry) fields.push_back({{"field", parameter.name}});
+    tips.push_back({{"tip", mechanism.tips[i].name}, {"fields", fields}});
+  }
   return tips;
 }
 

@@ -37,7 +37,7 @@ struct MechanismUnderTest {
   std::string description;  ///< path
   int dof = 0, driven = 0, capacity = 0;
   std::vector<int> driven_joints, passive_joints, output_joints;
-  std::function<Set(const VectorXd& a)> assemble;  ///< empty without a closed form
+  std::function<Set(const VectorXd& a)> assemble;
   std::function<Set(const VectorXd& a, const VectorXd& seed)> assemble_near;
   std::function<Set(const VectorXd& outputs)> from_outputs;  ///< empty without a platform
   std::function<VectorXd(const VectorXd& a, const VectorXd& seed)>

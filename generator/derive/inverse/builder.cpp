@@ -338,6 +338,20 @@ void Builder::slide_and_turn(const Screw& slide, const Screw& turn, const SlideA
   slide_by_value(slide, offset, "the same two equations");
 }
 
+Scope::Turn Builder::two_turns(const Screw& first, const std::string& second, const TwoTurns& equations,
+                               bool at_most_six, const std::string& equation) {
+  Step& step = add(kind::TwoTurns{at_most_six}, &first, at_most_six ? 6 : 8, equation);
+  for (std::size_t i = 0; i < 2; ++i)
+    for (std::size_t k = 0; k < 9; ++k)
+      step.before.output(std::string(i == 0 ? "a_" : "b_") + std::to_string(k / 3) + std::to_string(k % 3),
+                         equations[i][k]);
+  step.degenerate = "dead centre: solutions coincide; both equations the same: nothing is found";
+  set_turn(step, first, result_turn());
+  step.after.output(symbolic::symbol(names::cosine(second)), symbolic::symbol(names::result_1));
+  step.after.output(symbolic::symbol(names::sine(second)), symbolic::symbol(names::result_2));
+  return scope_.turn(second);
+}
+
 Scope::Turn Builder::reachable(const std::string& name, const std::vector<kind::Reach::Seed>& seeds,
                                const Flat& point, const Flat& offset, const ex& inner, const ex& outer) {
   Step& step = add(kind::Reach{seeds}, nullptr, 1, "the distance that the two links between leave open");

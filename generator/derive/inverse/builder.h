@@ -99,6 +99,11 @@ class Builder {
   };
   void slide_and_turn(const Screw& slide, const Screw& turn, const SlideAndTurn& equations,
                       const std::string& equation);
+  /// Two equations linear in (cos u, sin u) of a joint and in (cos v, sin v) of another angle, whose
+  /// coefficients are those of kind::TwoTurns: returns v, with names cos_SECOND, sin_SECOND.
+  using TwoTurns = std::array<std::array<GiNaC::ex, 9>, 2>;
+  Scope::Turn two_turns(const Screw& first, const std::string& second, const TwoTurns& equations,
+                        bool at_most_six, const std::string& equation);
   /// The direction of a free angle for which |point + turned offset|² lies in [inner, outer]: names cos_NAME,
   /// sin_NAME.
   Scope::Turn reachable(const std::string& name, const std::vector<kind::Reach::Seed>& seeds,

@@ -43,7 +43,9 @@ struct Step : Unknown {
   }
 
   /// A block that gives all of its solutions at once, as many as there happen to be.
-  [[nodiscard]] bool is_quartic() const { return is<kind::Conic>() || is<kind::SlideTurn>(); }
+  [[nodiscard]] bool is_quartic() const {
+    return is<kind::Conic>() || is<kind::SlideTurn>() || is<kind::TwoTurns>();
+  }
   /// The wrist, nothing if the step is none.
   [[nodiscard]] const kind::Wrist* wrist() const {
     if (const auto* right = as<kind::RightWrist>()) return right;

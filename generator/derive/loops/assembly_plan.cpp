@@ -138,7 +138,58 @@ class Search {
       close({i}, assembly_.used);
       return true;
     }
-    return platform();
+    return coupled() || platform();
+  }
+
+  /// An open closure as a distance, if it is one.
+  [[nodiscard]] std::optional<Solver::Span> span_of(std::size_t i) const {
+    if (cycle(i).type == model::LoopType::rod) return Solver::Span{&cycle(i), {}};
+    if (!cycle(i).normal || !gap_along_normal(i).empty()) return std::nullopt;
+    for (const std::size_t joint : solver_.unknown(cycle(i)))
+      if (turns(joint) && holders(joint) == 1) return Solver::Span{&cycle(i), joint};
+    return std::nullopt;
+  }
+  [[nodiscard]] bool turns(std::size_t joint) const {
+    return assembly_.robot.joints[joint].type == model::JointType::revolute;
+  }
+  /// How many open closures hold a joint.
+  [[nodiscard]] std::ptrdiff_t holders(std::size_t joint) const {
+    return std::count_if(open_.begin(), open_.end(), [&](std::size_t i) {
+      const std::vector<std::size_t> joints = solver_.unknown(cycle(i));
+      return std::find(joints.begin(), joints.end(), joint) != joints.end();
+    });
+  }
+
+  /// True if several distances that hold the same joints were solved together.
+  bool coupled() {
+    for (const std::size_t i : open_) {
+      const auto first = span_of(i);
+      if (!first) continue;
+      const std::vector<std::size_t> joints = solver_.held(*first);
+      const auto turning =
+          std::count_if(joints.begin(), joints.end(), [&](std::size_t j) { return turns(j); });
+      const bool is_pair = joints.size() == 2 && turning == 2,
+                 is_platform = joints.size() == 3 && turning == 1;
+      if (!is_pair && !is_platform) continue;
+      std::vector<std::size_t> group;
+      std::vector<Solver::Span> spans;
+      for (const std::size_t k : open_) {
+        const auto span = span_of(k);
+        if (!span || solver_.held(*span) != joints || spans.size() == joints.size()) continue;
+        group.push_back(k);
+        spans.push_back(*span);
+      }
+      if (spans.size() < joints.size()) continue;
+      const std::string problem = is_pair ? solver_.two_turns({spans[0], spans[1]})
+                                          : solver_.planar_platform({spans[0], spans[1], spans[2]});
+      if (!problem.empty()) {
+        assembly_.reasons.push_back(problem);
+        return false;
+      }
+      close(group, assembly_.used);
+      return true;
+    }
+    return false;
   }
 
   [[nodiscard]] bool serves(std::size_t i) const {

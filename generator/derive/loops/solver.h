@@ -3,6 +3,9 @@
 // fits.
 #pragma once
 
+#include <array>
+#include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -31,6 +34,19 @@ class Solver {
   /// Three distances to points of one link that three slides at right angles carry.
   std::string three_spheres(const std::vector<const Cycle*>& cycles);
 
+  /// A closure as the distance of two points: a rod, or a pin behind a turn (`pivot`) that no other open
+  /// closure holds, whose circle the pin is on.
+  struct Span {
+    const Cycle* cycle;
+    std::optional<std::size_t> pivot;
+  };
+  /// Unknown joints that a span holds, sorted; not its pivot.
+  [[nodiscard]] std::vector<std::size_t> held(const Span& span) const;
+  /// Two distances, for the two turns that both hold.
+  std::string two_turns(const std::array<Span, 2>& spans);
+  /// Three distances, for the two slides and the turn of a platform.
+  std::string planar_platform(const std::array<Span, 3>& spans);
+
  private:
   /// An unknown joint's place: side and index there.
   struct Place {
@@ -50,6 +66,24 @@ class Solver {
   /// How that moves with a slide, which is on either side or in front of the joint.
   symbolic::Vector goal_by(const Place& at, const Place& slide);
   void pair(const Place& at, const std::string& equation);
+
+  using Values = std::map<std::size_t, inverse::Scope::Turn>;
+  /// The way between both ends of a span in the common link's frame, from that of the second side, and the
+  /// square that its length has to have, at values of unknown joints.
+  struct Ends {
+    symbolic::Vector way;
+    GiNaC::ex square;
+  };
+  Ends ends(const Span& span, const Values& values);
+  /// Finds the pivot, once all else is known.
+  void turn_pivot(const Span& span);
+  struct PlatformJoints {
+    std::size_t x, y, turn;
+  };
+  struct Leg;
+  [[nodiscard]] inverse::Flat at(const Leg& leg, const inverse::Scope::Turn& turn) const;
+  /// Returns nothing if the joints do not make a platform in a plane.
+  std::optional<Leg> leg_of(const Span& span, const PlatformJoints& joints);
 
   std::string slide_by_rod(const Cycle& cycle, const Place& at);
   std::string two_turns(const Cycle& cycle, Place u, Place v);

@@ -83,10 +83,12 @@ Expression step_call(const LoweredPlan& plan, std::size_t step, const Expression
 }
 
 ast::Statement quartic_roots(const LoweredPlan& plan, std::size_t step) {
-  const bool slides = plan.plan.steps[step].is<derive::inverse::kind::SlideTurn>();
-  ast::Statement result =
-      ast::deduced({slides ? "SlideTurns" : "CircleRoots"}, "roots",
-                   ast::call(Kind::own, "roots_" + step_name(plan, step), {target(), work()}));
+  const derive::inverse::Step& of = plan.plan.steps[step];
+  const std::string type = of.is<derive::inverse::kind::SlideTurn>()  ? "SlideTurns"
+                           : of.is<derive::inverse::kind::TwoTurns>() ? "TurnPairs"
+                                                                      : "CircleRoots";
+  ast::Statement result = ast::deduced(
+      {type}, "roots", ast::call(Kind::own, "roots_" + step_name(plan, step), {target(), work()}));
   result.constant = true;
   return result;
 }

@@ -77,6 +77,10 @@ ast::Statements further(const Step& step) {
       result.push_back(ast::assign(ast::member(work(), names::sine(variable)), ast::member(part, "sine")));
     }
   }
+  if (step.is<kind::TwoTurns>())
+    result.push_back(
+        ast::guard(ast::member(found, "meets"),
+                   {ast::Statement::Kind::assign, "", {}, {mark(work(), "unsure"), ast::truth(true)}}));
   if (step.is<kind::SlideTurn>())
     result.push_back(ast::guard(ast::member(found, "chosen"),
                                 {ast::Statement::Kind::assign,
@@ -178,7 +182,9 @@ class StepFunctions {
   }
 
   [[nodiscard]] Function take() const {
-    const std::string root = step_.is<kind::SlideTurn>() ? "SlideTurn" : "Rotor";
+    const std::string root = step_.is<kind::SlideTurn>()  ? "SlideTurn"
+                             : step_.is<kind::TwoTurns>() ? "TurnPair"
+                                                          : "Rotor";
     Function function{Function::Role::take, {}, {}, "take_" + name_};
     function.parameters = {target_, {{root}, "result"}, work_};
     function.body = further(step_);

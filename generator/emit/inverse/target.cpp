@@ -41,7 +41,11 @@ namespace {
 /// Results of a step's block, by the names that programs have for them.
 std::map<std::string, Expression> results_of(const Step& step) {
   const Expression result = ast::name("result");
-  const Expression turn = step.is<kind::SlideTurn>() ? ast::member(result, "turn") : result;
+  const bool is_pair = step.is<kind::TwoTurns>();
+  const Expression turn = step.is<kind::SlideTurn>() ? ast::member(result, "turn")
+                          : is_pair                  ? ast::member(result, "first")
+                                                     : result;
+  const Expression second = is_pair ? ast::member(result, "second") : turn;
   const Expression cosine = ast::member(turn, "cosine"), sine = ast::member(turn, "sine");
   const Expression length =
       step.keeps_length()
@@ -50,8 +54,8 @@ std::map<std::string, Expression> results_of(const Step& step) {
                                    : result;
   return {{names::cosine_result, cosine},
           {names::sine_result, sine},
-          {names::result_1, cosine},
-          {names::result_2, sine},
+          {names::result_1, ast::member(second, "cosine")},
+          {names::result_2, ast::member(second, "sine")},
           {names::result, length}};
 }
 

@@ -124,8 +124,10 @@ class Execution {
       known[names::cosine_result] = root.turn.cosine;
       known[names::sine_result] = root.turn.sine;
       known[names::result] = root.slide;
+      known[names::result_1] = root.second.cosine;
+      known[names::result_2] = root.second.sine;
       leave(index, known);
-      follow(place + 1, known, branch, label * 4 + k++);
+      follow(place + 1, known, branch, label * plan_.plan.steps[index].branches + k++);
     }
   }
 

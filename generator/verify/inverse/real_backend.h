@@ -68,10 +68,15 @@ class RealBackend : public NumericBackend<Real, RealBackend> {
   }
   void roots(const char* /*type*/, const qvgen::inverse::CircleRoots<Real>& found) {
     for (std::size_t k = 0; k < static_cast<std::size_t>(found.count); ++k)
-      roots_.push_back({found.root[k], Real(0)});
+      roots_.push_back({found.root[k], Real(0), {Real(1), Real(0)}});
   }
   void roots(const char* /*type*/, const qvgen::inverse::SlideTurns<Real>& found) {
-    for (std::size_t k = 0; k < static_cast<std::size_t>(found.count); ++k) roots_.push_back(found.root[k]);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(found.count); ++k)
+      roots_.push_back({found.root[k].turn, found.root[k].slide, {Real(1), Real(0)}});
+  }
+  void roots(const char* /*type*/, const qvgen::inverse::TurnPairs<Real>& found) {
+    for (std::size_t k = 0; k < static_cast<std::size_t>(found.count); ++k)
+      roots_.push_back({found.root[k].first, Real(0), found.root[k].second});
   }
   void wrist_turns(const Wrist& wrist, const qvgen::inverse::WristTurns<Real>& turns) const {
     set(wrist.variables[0], turns.first);
@@ -88,8 +93,13 @@ class RealBackend : public NumericBackend<Real, RealBackend> {
     set(wrist, angles);
   }
 
-  /// Turn and slide of each root of a quartic.
-  [[nodiscard]] const std::vector<qvgen::inverse::SlideTurn<Real>>& all_roots() const { return roots_; }
+  /// Root of a step that gives all of them at once: a turn, and the slide or the turn that goes with it.
+  struct Root {
+    Rotor turn;
+    Real slide;
+    Rotor second;
+  };
+  [[nodiscard]] const std::vector<Root>& all_roots() const { return roots_; }
 
  private:
   void set(const std::string& name, const Rotor& turn) const {
@@ -107,7 +117,7 @@ class RealBackend : public NumericBackend<Real, RealBackend> {
   Real sign_;
   const Boundary& boundary_;
   Branch& branch_;
-  std::vector<qvgen::inverse::SlideTurn<Real>> roots_;
+  std::vector<Root> roots_;
 };
 
 }  // namespace qvgen::verify

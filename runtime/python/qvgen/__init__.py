@@ -14,7 +14,7 @@ from . import robots
 from . import _build
 from ._build import BuildError, Limbs, build_module, cache_folder, generate
 
-__all__ = ["BuildError", "JointRates", "NearSolution", "NearestRows", "Solutions", "Status", "VelocityStatus",
+__all__ = ["Assemblies", "BuildError", "Followed", "JointRates", "NearSolution", "NearestRows", "Solutions", "Status", "VelocityStatus",
            "cache_folder", "calibrate", "load", "metrics", "orientation", "robots"]
 
 
@@ -42,6 +42,22 @@ class Solutions(typing.NamedTuple):
     status: typing.Any  #: (), of qvgen.Status
     branch: typing.Any  #: (max,), which sign each step took; -1 behind the last
     continuum: typing.Any  #: (max,), whether a free joint was chosen
+
+
+class Assemblies(typing.NamedTuple):
+    """Result of assemble; for a batch every field has the batch's axis in front."""
+    q: typing.Any  #: (max, dof), rad or m, the assemblies one after the other; NaN behind the last
+    count: typing.Any  #: (), how many assemblies there are
+    status: typing.Any  #: (), of qvgen.Status
+    branch: typing.Any  #: (max,), which sign each step took; -1 behind the last
+    continuum: typing.Any  #: (max,), whether a free joint was chosen
+    meets: typing.Any  #: (max,), whether another assembly is so near that both meet, at a dead centre for instance
+
+
+class Followed(typing.NamedTuple):
+    """Result of follow; for a batch both fields have the batch's axis in front."""
+    q: typing.Any  #: (dof,), rad or m; NaN where the loops do not close
+    closed: typing.Any  #: (), whether the loops close
 
 
 class NearSolution(typing.NamedTuple):
@@ -95,6 +111,9 @@ def load(description, *options, floating=False):
     If the joints branch (load("quad.urdf", "--tips", "all"), or [[tip]] in TOML) it is the whole robot, with its
     dynamics. `limbs` has the modules of the chains to its tips, by the tips' names; each is compiled when it is asked
     for. A limb's joints have the names that they have in the whole robot.
+
+    If it has closed loops (load("four_bar.toml")) there are assemble, rates, driven_inverse_dynamics and the others of
+    assembly.h too, and pose_of_TIP, jacobian_of_TIP by its motors.
 
     `floating`: the base moves freely, as with "--floating". Functions of dynamics take configurations then: the pose of the
     base, w x y z and metres, and the joints; velocities begin with the base's six.

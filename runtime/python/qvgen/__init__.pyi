@@ -33,6 +33,18 @@ class Solutions(NamedTuple):
     branch: NDArray[int32]
     continuum: NDArray[bool_]
 
+class Assemblies(NamedTuple):
+    q: NDArray[float64]
+    count: NDArray[int32]
+    status: NDArray[int32]
+    branch: NDArray[int32]
+    continuum: NDArray[bool_]
+    meets: NDArray[bool_]
+
+class Followed(NamedTuple):
+    q: NDArray[float64]
+    closed: NDArray[bool_]
+
 class NearSolution(NamedTuple):
     q: NDArray[float64]
     status: NDArray[int32]

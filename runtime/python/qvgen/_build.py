@@ -18,6 +18,7 @@ import sys
 import sysconfig
 import tempfile
 
+from ._loop_source import loop_functions, tips
 from ._source import binding_source, is_bound
 from ._velocity_source import FUNCTIONS as VELOCITY_FUNCTIONS
 
@@ -60,7 +61,7 @@ def _options(source):
     """As CMake compiles it: inverse kinematics without contraction, vector forms for AVX2."""
     level = "-O1" if source.name == "module.cpp" else "-O2"  # the binding only hands on
     options = ["-std=c++17", level, "-fPIC", "-fvisibility=hidden", "-fno-math-errno", "-Wno-psabi"]
-    if source.name.startswith("inverse") and source.parent.parent.name == "source":
+    if source.name.startswith(("inverse", "assembly")) and source.parent.parent.name == "source":
         options += ["-ffp-contract=off", "-DQVGEN_NO_CONTRACTION"]
     if source.name.endswith("_avx2.cpp") and _has_avx2_forms:
         options += ["-mavx2"] if source.name.startswith(("inverse", "within")) else ["-mavx2", "-mfma"]
@@ -121,6 +122,7 @@ def _compile(robot, generated, target):
     robot_library = _built(f"libqvgen_robot_{robot}.a") if generated == generated_folder else None
     runtime_libraries = [_built(f"libqvgen_runtime_{each}.a") for each in _LIBRARIES]
     to_compile = [] if robot_library else sorted((generated / "source" / robot).glob("*.cpp"))
+    to_compile += _sources_of_tips(robot, generated)
     to_compile += [] if all(runtime_libraries) else _runtime_sources()
     folders = [generated / "include", _here, _root / "runtime/include",
                os.environ.get("QVGEN_EIGEN", "/usr/include/eigen3"), sysconfig.get_paths()["include"], *_pybind11()]
@@ -160,16 +162,31 @@ def _functions(entry):
     return {**functions, **missing}, targets
 
 
+def _loops(robot, generated):
+    """The functions of a robot's closed loops."""
+    header = generated / "include/qvgen/robots" / robot / "assembly.h"
+    return loop_functions(header.read_text()) if header.exists() else []
+
+
+def _sources_of_tips(robot, generated):
+    """Returns the sources that functions of the tips of closed loops call."""
+    folders = [generated / "source" / f"{robot}_{tip}" for tip in tips(_loops(robot, generated))]
+    return [folder / name for folder in folders for name in ("jacobian.cpp", "kinematics.cpp")]
+
+
 def _binding(robot, generated):
     counts = json.loads((generated / "operation_counts.json").read_text())
     if robot not in counts:
         raise AttributeError(f"there is no robot {robot}; there are {', '.join(counts)}")
-    return binding_source(robot, *_functions(counts[robot]))
+    functions, targets = _functions(counts[robot])
+    loops = _loops(robot, generated)
+    return binding_source(robot, {**functions, **dict.fromkeys(loops, "here")}, targets, loops)
 
 
 def module_file(robot, generated):
     """Returns the path of the module, by the content of all that it is made from; compiles it if it is not there."""
     made_of = [*(generated / "source" / robot).glob("*"), *(generated / "include/qvgen/robots" / robot).glob("*"),
+               *_sources_of_tips(robot, generated),
                *_here.glob("*.h"), *(_root / "runtime/include").rglob("*.h"),
                *(_root / "runtime/source").rglob("*.h"), *_runtime_sources()]
     key = _hash([_binding(robot, generated), sys.version, os.environ.get("CXX"),

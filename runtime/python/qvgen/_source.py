@@ -5,6 +5,7 @@ import json
 import re
 
 from ._inverse_source import ARM_ANGLE_FUNCTIONS, POSE, arm_angle_source, inverse_source, nearest_pose_source
+from ._loop_source import loop_source
 from ._velocity_source import velocity_source
 
 # name: length of a row, its type in C++, what it is
@@ -225,13 +226,15 @@ def _length(size):
     return size.replace("dof", "arm::dof").replace("velocity_size", "arm::velocity_size")
 
 
-def binding_source(robot, functions, targets):
-    """C++ of the module of a robot: `functions` as it is to say, `targets` what its inverse kinematics takes."""
-    here = [name for name, place in functions.items() if place == "here"]
+def binding_source(robot, functions, targets, loops=()):
+    """C++ of the module of a robot: `functions` as it is to say, `targets` what its inverse kinematics takes, `loops` the
+    functions of its closed loops."""
+    here = [name for name, place in functions.items() if place == "here" and name not in loops]
     headers = [f"<qvgen/robots/{robot}/{each}.h>" for each, users in HEADERS.items() if users.intersection(here)]
     headers += ['"binding.h"', *(['"binding_inverse.h"'] if targets or "nearest_pose" in here else []),
                 *(['"binding_nearest_pose.h"'] if "nearest_pose" in here else []),
-                *(['"binding_velocity.h"'] if "inverse_velocity" in here else [])]
+                *(['"binding_velocity.h"'] if "inverse_velocity" in here else []),
+                *([f"<qvgen/robots/{robot}/assembly.h>", '"binding_loops.h"'] if loops else [])]
     text = HEAD.format(robot=robot, functions=json.dumps(functions),
                        headers="".join(f"#include {each}\n" for each in headers))
     floats = "momentum_matrix" in here
@@ -250,4 +253,5 @@ def binding_source(robot, functions, targets):
     text += arm_angle_source() if "arm_angle" in here else ""
     text += velocity_source() if "inverse_velocity" in here else ""
     text += nearest_pose_source() if "nearest_pose" in here else ""
+    text += loop_source(loops) if loops else ""
     return text + "".join(inverse_source(name, taken) for name, taken in targets.items()) + "}\n"

@@ -25,6 +25,6 @@ namespace qvgen::derive::inverse {
 using Kind = std::variant<kind::Linear, kind::Circle, kind::FreeCircle, kind::FactoredCircle, kind::Opposite,
                           kind::Pair, kind::ChosenPair, kind::Reach, kind::Half, kind::Root, kind::Line,
                           kind::Beside, kind::Slides, kind::Require, kind::Conic, kind::SlideTurn,
-                          kind::Newton, kind::RightWrist, kind::ObliqueWrist>;
+                          kind::TwoTurns, kind::Newton, kind::RightWrist, kind::ObliqueWrist>;
 
 }  // namespace qvgen::derive::inverse

@@ -3,10 +3,12 @@
 
 #include <qvgen/inverse/conic_circle.h>
 #include <qvgen/inverse/slide_and_turn.h>
+#include <qvgen/inverse/two_turns.h>
 
 #include "derive/inverse/kinds/unknown.h"
 
-/// Steps whose block gives all of its solutions at once, as many as there happen to be: roots of a quartic.
+/// Steps whose block gives all of its solutions at once, as many as there happen to be: roots of a quartic,
+/// or of a polynomial of degree eight.
 namespace qvgen::derive::inverse::kind {
 
 struct Quartic {};
@@ -56,6 +58,37 @@ struct SlideTurn : Quartic {
         b.nested(b.input("l_x"), b.input("l_y")), b.input("mean"), b.nested(b.input("m_x"), b.input("m_y")));
     return b.roots("SlideTurns", b.call("slide_and_turn", solve, equations, b.tiny(1), b.size_square(),
                                         b.seed_slide(slide), b.spread(), b.boundary(), b.pi()));
+  }
+};
+
+/// Two equations that are linear in (cos u, sin u) and in (cos v, sin v): u is the step's joint, v is left as
+/// result_1 and result_2. Inputs: a_00 ... a_22 and b_00 ... b_22, the coefficients of (1, cos u, sin u)
+/// times (1, cos v, sin v).
+struct TwoTurns : Quartic {
+  static constexpr const char* title = "two equations linear in two unit vectors (degree eight)";
+  bool at_most_six = false;  ///< the equations are those of a planar platform
+
+  explicit TwoTurns(bool six) : at_most_six(six) {}
+
+  [[nodiscard]] static std::vector<Formula> solution(const std::vector<std::string>& /*joints*/) {
+    return {
+        {"(1, cos(phi), sin(phi)) A (1, cos(v), sin(v))' = 0 = (1, cos(phi), sin(phi)) B (1, cos(v), "
+         "sin(v))'",
+         "(1, \\cos\\varphi, \\sin\\varphi)\\,A\\,(1, \\cos v, \\sin v)^T = 0 = "
+         "(1, \\cos\\varphi, \\sin\\varphi)\\,B\\,(1, \\cos v, \\sin v)^T"}};
+  }
+
+  template <class Backend>
+  auto apply(const Unknown& /*of*/, Backend& b) const {
+    using Equation = qvgen::inverse::TwoTurnsEquation<typename Backend::Number>;
+    const auto solve = [](auto&&... a) { return qvgen::inverse::two_turns(a...); };
+    const auto one = b.template make<Equation>(
+        "TwoTurnsEquation", b.input("a_00"), b.input("a_01"), b.input("a_02"), b.input("a_10"),
+        b.input("a_11"), b.input("a_12"), b.input("a_20"), b.input("a_21"), b.input("a_22"));
+    const auto other = b.template make<Equation>(
+        "TwoTurnsEquation", b.input("b_00"), b.input("b_01"), b.input("b_02"), b.input("b_10"),
+        b.input("b_11"), b.input("b_12"), b.input("b_20"), b.input("b_21"), b.input("b_22"));
+    return b.roots("TurnPairs", b.call("two_turns", solve, one, other, b.flag(at_most_six)));
   }
 };
 

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: MIT
+"""Closed loops: a four-bar against its own geometry, and a five-bar whose outputs are a point."""
+
+import os
+import pathlib
+
+import numpy as np
+import pytest
+
+import qvgen
+
+ROBOTS = pathlib.Path(__file__).resolve().parents[1] / "loops/robots"
+STEP = 1e-6
+
+
+@pytest.fixture(scope="module")
+def bar():
+    return qvgen.load(ROBOTS / "four_bar.toml", "--only", "dynamics,kinematics,jacobian,assembly")
+
+
+def ends(q, r1=0.1, r2=0.35, r3=0.25, ground=0.3):
+    """The pin as the coupler has it, and as the rocker has it."""
+    turned = q[..., 0] + q[..., 1]
+    coupler = [r1 * np.cos(q[..., 0]) + r2 * np.cos(turned), r1 * np.sin(q[..., 0]) + r2 * np.sin(turned)]
+    return np.stack(coupler, -1), np.stack([ground + r3 * np.cos(q[..., 2]), r3 * np.sin(q[..., 2])], -1)
+
+
+def energy(bar, q, ad):
+    """Kinetic energy at a rate of the crank."""
+    return bar.kinetic_energy(q, bar.rates(q)[:, 0] * ad)
+
+
+def test_assemblies_close_the_loop(bar):
+    crank = np.linspace(-3, 3, 40)[:, None]
+    found = bar.assemble(crank)
+    assert found.q.shape == (40, 2, 3) and (found.count == 2).all() and (found.status == qvgen.Status.solved).all()
+    coupler, rocker = ends(found.q)
+    np.testing.assert_allclose(coupler, rocker, atol=1e-13)
+    assert np.abs(found.q[:, 0, 2] - found.q[:, 1, 2]).min() > 0.1 and not found.meets.any()
+    assert np.abs(bar.loop_gaps(found.q[:, 0])).max() < 1e-13
+    one = bar.assemble([crank[3, 0]])
+    assert one.q.shape == (2, 3) and one.count == 2 and (one.q == found.q[3]).all()
+    assert bar.driven_joints == [0] and bar.passive_joints == [1, 2] and bar.driven_count == 1
+
+
+def test_a_seed_comes_first_and_paths_are_followed(bar):
+    crank = np.linspace(0.3, 7, 200)[:, None]
+    start = bar.assemble(crank[0])
+    for row in range(2):
+        path = bar.follow(crank, start.q[row], path=True)
+        assert path.closed.all() and np.abs(np.diff(path.q, axis=0)).max() < 0.2
+        near = bar.assemble(crank, path.q + 0.01)
+        np.testing.assert_allclose(near.q[:, 0], path.q, atol=1e-9)
+    with pytest.raises(ValueError, match="on a path there is one seed"):
+        bar.follow(crank, np.repeat(start.q[:1], 200, 0), path=True)
+
+
+def test_other_lengths(bar):
+    """Lengths that cannot be assembled, NaN, and what tips are told about the lengths."""
+    assert bar.assemble([0.5], geometry={"r2": 2}).status == qvgen.Status.unreachable
+    assert bar.assemble([np.nan]).status == qvgen.Status.invalid
+    assert not bar.follow([0.5], [0.5, 0, 0], geometry={"r2": 2}).closed
+    longer = {"r1": 0.12}
+    q = bar.assemble([0.5], geometry=longer).q[0]
+    np.testing.assert_allclose(*ends(q, **longer), atol=1e-13)
+    turn = q[0] + q[1]
+    x, y = 0.12 * np.cos(0.5), 0.12 * np.sin(0.5)
+    point = [x + 0.2 * np.cos(turn) - 0.1 * np.sin(turn), y + 0.2 * np.sin(turn) + 0.1 * np.cos(turn), 0]
+    np.testing.assert_allclose(bar.pose_of_point(q, geometry=longer)[4:], point, atol=1e-15)
+    fold = bar.assemble([0.0], geometry={"r1": 0.1, "r2": 0.3, "r3": 0.1, "ground": 0.3})
+    assert fold.meets.any()  # a parallelogram in line may fold
+
+
+def test_rates_are_differences(bar):
+    at = bar.assemble([0.7]).q[1]
+    ahead, behind = (bar.follow([0.7 + step], at).q for step in (STEP, -STEP))
+    np.testing.assert_allclose(bar.rates(at)[:, 0], (ahead - behind) / (2 * STEP), atol=1e-8)
+    moved = (bar.pose_of_point(ahead)[4:] - bar.pose_of_point(behind)[4:]) / (2 * STEP)
+    np.testing.assert_allclose(bar.jacobian_of_point(at)[:3, 0], moved, atol=1e-8)
+    curved = (bar.rates(ahead)[:, 0] - bar.rates(behind)[:, 0]) / (2 * STEP)
+    found = bar.accelerations(at, 3 * bar.rates(at)[:, 0], [2.0])
+    np.testing.assert_allclose(found, 9 * curved + 2 * bar.rates(at)[:, 0], atol=1e-7)
+    assert 0 < bar.drive_measure(at) <= 1
+
+
+def test_power_of_the_motor_is_what_energies_take(bar):
+    rate, acceleration = 2.0, 5.0
+    q = bar.assemble([1.1]).q[0]
+    force = bar.driven_inverse_dynamics(q, [rate], [acceleration], gravity=0)
+    after, before = (bar.follow([1.1 + step], q).q for step in (rate * STEP, -rate * STEP))
+    gained = (energy(bar, after, rate + acceleration * STEP) - energy(bar, before, rate - acceleration * STEP)) / (2 * STEP)
+    friction = 0.05 * (bar.rates(q)[2, 0] * rate) ** 2
+    np.testing.assert_allclose(force[0] * rate, gained + friction, rtol=1e-6)
+    np.testing.assert_allclose(bar.driven_mass_matrix(q)[0, 0], 2 * energy(bar, q, 1.0), rtol=1e-13)
+    np.testing.assert_allclose(bar.driven_forward_dynamics(q, [rate], force, gravity=0), acceleration, rtol=1e-12)
+
+
+def test_batches_are_their_rows(bar):
+    q = bar.assemble(np.linspace(0, 3, 20)[:, None]).q[:, 0]
+    for function in (bar.rates, bar.loop_jacobian, bar.driven_mass_matrix, bar.pose_of_point, bar.jacobian_of_point):
+        whole = function(q)
+        np.testing.assert_array_equal(whole[7], function(q[7]))
+        into = np.empty_like(whole)
+        assert function(q, out=into) is into and (into == whole).all()
+    with pytest.raises(ValueError, match=r"q has the shape \(2,\)"):
+        bar.rates([0, 0])
+    assert bar.functions["assemble"] == "here" and "a: (driven_count,)" in bar.assemble.__doc__
+    with pytest.raises(AttributeError, match="platform_measure"):
+        bar.platform_measure
+
+
+def test_platforms_both_ways():
+    if not os.environ.get("QVGEN_PYTHON_ROBOTS"):
+        pytest.skip("QVGEN_PYTHON_ROBOTS=1 compiles more robots")
+    delta = qvgen.load(ROBOTS / "delta.toml", "--only", "dynamics,kinematics,jacobian,assembly")
+    found = delta.assemble(np.random.default_rng(1).uniform(-0.3, 0.3, (50, 3)))
+    q = found.q[found.count > 0, 0]
+    assert len(q) > 20 and len(delta.output_joints) == 3
+    back = delta.assemble_from_outputs(q[:, delta.output_joints], q)
+    np.testing.assert_allclose(back.q[:, 0], q, atol=1e-9)
+    ahead = delta.follow(q[:, delta.driven_joints] + [STEP, 0, 0], q).q
+    np.testing.assert_allclose(delta.platform_rates(q)[:, :, 0], (ahead - q)[:, delta.output_joints] / STEP, atol=1e-4)
+    assert (delta.platform_measure(q) > 0).all()
