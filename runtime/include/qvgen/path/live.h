@@ -61,6 +61,17 @@ class Live {
     return false;
   }
 
+  /// Goes on to the next place, where each row becomes one and none begins.
+  void commit(const Equations<Arm>& equations, const Match<Arm>& match, const Place<Arm>& next) {
+    if (!keeps_order(match, next)) {
+      std::array<Row, capacity> rows;
+      for (int j = 0; j < next.found.size(); ++j) rows[index(j)] = rows_[index(match.from[index(j)])];
+      rows_ = rows;
+    }
+    for (int j = 0; j < next.found.size(); ++j) move(equations, rows_[index(j)], next.u, next.found[j].q);
+    place_ = next;
+  }
+
   /// Goes on to the next place by a step that is sure.
   void commit(const Equations<Arm>& equations, const Step<Arm>& step, const Place<Arm>& next) {
     end_meetings(equations, step, next);
@@ -110,6 +121,11 @@ class Live {
   };
 
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+  static bool keeps_order(const Match<Arm>& match, const Place<Arm>& next) {
+    int same = 0;
+    while (same < next.found.size() && match.from[index(same)] == same) ++same;
+    return same == next.found.size();
+  }
   static End end_of(double s, Cause cause, const Values& q, int partner = -1) {
     End end;
     end.s = s;
