@@ -184,14 +184,18 @@ class Live {
   template <class Solve>
   void see_limits(Row& row, const Values& u, const Solve& solve, double from, double to) {
     for (int i = 0; i < 6; ++i) {
-      for (int k = 0; k < 64 && (u[i] > row.cell.above[i] || u[i] < row.cell.below[i]); ++k) {
+      for (int k = 0; k < 64 && is_beyond(row.cell, i, u[i]); ++k) {
         const bool rises = u[i] > row.cell.above[i];
         const double value = rises ? row.cell.above[i] : row.cell.below[i];
         const double place = root(row.u, u, i, value, solve, from, to);
         note(row, i, value, rises, place, solve(place, row.u + (place - from) / (to - from) * (u - row.u)));
-        limits_.enclose(row.cell, i, value + (rises ? 2e-9 : -2e-9));
+        limits_.enclose(row.cell, i, value + (rises ? limit_slack : -limit_slack));
       }
     }
+  }
+
+  static bool is_beyond(const Cell& cell, int i, double u) {
+    return u > cell.above[i] + limit_slack || u < cell.below[i] - limit_slack;
   }
 
   void note(const Row& row, int joint, double value, bool rises, double place, const Values& q) {
@@ -210,11 +214,13 @@ class Live {
     }
   }
 
-  /// Returns the place where a joint has a value that lies between its values at two places.
+  /// Returns the place where a joint has a value that lies between its values at two places; the first one if
+  /// it was there within the slack.
   template <class Solve>
   static double root(const Values& a, const Values& b, int joint, double value, const Solve& solve,
                      double from, double to) {
     double low = from, high = to, at_low = a[joint] - value, at_high = b[joint] - value;
+    if ((at_low > 0) == (at_high > 0)) return from;
     for (int i = 0; i < 80 && high - low > 1e-13; ++i) {
       const double secant = low + (high - low) * at_low / (at_low - at_high);
       const double place = i % 3 == 2 || !(secant > low && secant < high) ? 0.5 * (low + high) : secant;
