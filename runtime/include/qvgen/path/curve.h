@@ -54,6 +54,12 @@ class Piece {
   [[nodiscard]] double angle() const { return turn_.norm(); }
   /// Length of the way, m.
   [[nodiscard]] double distance() const { return std::hypot(move_.norm(), radius_ * angle()); }
+  /// Numbers of the way: the turn as a rotation vector (rad), the move (m), and whether it winds about a line
+  /// through the centre.
+  [[nodiscard]] const Vector3<double>& turn() const { return turn_; }
+  [[nodiscard]] const Vector3<double>& move() const { return move_; }
+  [[nodiscard]] const Vector3<double>& centre() const { return centre_; }
+  [[nodiscard]] bool winds() const { return winds_; }
   /// True if both ends are the same pose to rounding.
   [[nodiscard]] bool is_point() const { return angle() < least_move && distance() < least_move; }
 
