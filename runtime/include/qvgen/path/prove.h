@@ -54,7 +54,7 @@ Proven prove(const inverse::certified::Arm& arm, const Curve& curve, const Recor
     const double offset = static_cast<double>(i);
     const inverse::certified::TubeProof proof = inverse::certified::prove_tube(
         arm, proving::way_of(curve, i), proving::end_of(s - offset, q),
-        proving::end_of(next_s - offset, next), static_cast<int>(std::min(4000L, most_tried - tried)));
+        proving::end_of(next_s - offset, next), static_cast<int>(std::min(20000L, most_tried - tried)));
     tried += proof.tried;
     result.boxes += proof.boxes;
     result.narrowest = std::min(result.narrowest, proof.narrowest);

@@ -45,6 +45,6 @@ struct TubeProof {
 /// Proves the motion between two places of a way, as far as that can be: next to singular poses it cannot.
 /// `most` bounds the stretches that are tried. No heap, no exceptions.
 TubeProof prove_tube(const Arm& arm, const Way& way, const TubeEnd& start, const TubeEnd& goal,
-                     int most = 4000);
+                     int most = 20000);
 
 }  // namespace qvgen::inverse::certified
