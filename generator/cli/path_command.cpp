@@ -116,6 +116,7 @@ std::vector<path::MovingJoint> all_joints(const PathArguments& arguments, const 
 path::Task task_of(const PathArguments& arguments, const model::Robot& robot) {
   path::Task task;
   task.screw = arguments.screw;
+  task.proofs = arguments.prove;
   task.joints = all_joints(arguments, robot);
   const std::size_t count = task.joints.size();
   if (!arguments.held.empty()) {

@@ -56,6 +56,12 @@ CLI::App* add_path(CLI::App& app, PathArguments& arguments) {
       ->delimiter(',');
   command.add_flag("--screw", arguments.screw,
                    "screw motions between poses, in place of straight lines with an even turn");
+  command
+      .add_flag(
+          "--prove", arguments.prove,
+          "prove by interval arithmetic that each motion is continuous and the only one in a tube around "
+          "it; stretches that cannot be proven are reported")
+      ->excludes("--free");
   command.add_option("--speed", arguments.speed, "the tool's speed, m/s, where the poses have no times")
       ->type_name("SPEED")
       ->check(CLI::PositiveNumber);

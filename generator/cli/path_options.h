@@ -23,6 +23,7 @@ struct PathArguments {
   int values = 72;                  ///< of what is free, at each pose
   bool without_limits = false;
   bool screw = false;
+  bool prove = false;
   double speed = 0;
   std::string length_unit = "m", angle_unit = "rad";
   std::filesystem::path known_robots;

@@ -93,6 +93,25 @@ std::string chain_text(const path::Result& result) {
   return text;
 }
 
+std::string proof_of(const path::Motion& motion) {
+  if (motion.proof->gaps.empty())
+    return fmt::format("proven, alone within {:.2g} rad or m", motion.proof->narrowest);
+  std::string text = "proven but from";
+  const char* separator = " ";
+  for (const auto& [from, to] : motion.proof->gaps) {
+    text += fmt::format("{}{} to {}", separator, place(from), place(to));
+    separator = ", ";
+  }
+  return text;
+}
+
+std::string proofs_text(const path::Result& result) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(result.motions.size(), most_rows); ++i)
+    if (result.motions[i].proof) text += fmt::format("  motion {}: {}\n", i + 1, proof_of(result.motions[i]));
+  return text.empty() ? "" : "continuous, and the only motion in a tube around it:\n" + text;
+}
+
 std::string gaps_text(const path::Result& result) {
   std::string text;
   for (const auto& [from, to] : result.gaps)
@@ -112,6 +131,7 @@ std::string path_text(const path::Result& result, const path::Task& task, const 
   if (result.motions.size() > most_rows)
     text += fmt::format("... and {} more: -o FILE.csv or .json has all\n", result.motions.size() - most_rows);
   text += whole > 0 ? whole_text(result, task) : chain_text(result);
+  text += proofs_text(result);
   text += gaps_text(result);
   if (result.full) text += "there were more motions than there is room for: some are missing\n";
   if (result.doubtful)

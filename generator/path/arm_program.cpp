@@ -61,6 +61,7 @@ programs::Prepared prepared(const model::Robot& robot, const Task& task,
                                             {"function", function},
                                             {"info", "inverse_info" + suffix},
                                             {"held", task.held.has_value()},
+                                            {"proofs", task.proofs},
                                             {"index", task.held ? index_of(robot, task.held->name) : 0},
                                             {"header", header_of(task)}});
   return {main, {{"path_program.cpp", {"-ffp-contract=off"}}}, {}, {{"function", function}}};
@@ -72,11 +73,12 @@ std::string hexadecimal(double value) { return fmt::format("{:a}", value); }
 
 programs::Program arm_program(const model::Robot& robot, const Task& task, const std::string& key,
                               const toolchain::Runtime& runtime, const programs::Progress& progress) {
-  const std::string held = task.held ? "-" + task.held->name : "";
-  const programs::Recipe recipe{
-      "path", key + held, {"kinematics", "jacobian", "inverse"}, [&](const pipeline::RobotOutput& output) {
-        return prepared(robot, task, output);
-      }};
+  const std::string held = task.held ? "-" + task.held->name : "", proofs = task.proofs ? "-proofs" : "";
+  std::vector<std::string> parts{"kinematics", "jacobian", "inverse"};
+  if (task.proofs) parts.emplace_back("certified");
+  const programs::Recipe recipe{"path", key + held + proofs, parts, [&](const pipeline::RobotOutput& output) {
+                                  return prepared(robot, task, output);
+                                }};
   return programs::program_for(robot, recipe, runtime, progress);
 }
 

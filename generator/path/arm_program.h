@@ -34,6 +34,7 @@ struct Task {
   std::optional<HeldJoint> held;
   std::vector<MovingJoint> joints;  ///< six
   bool screw = false;               ///< screw motions between poses, in place of straight lines
+  bool proofs = false;              ///< of each motion
   std::filesystem::path motions;    ///< CSV to write; empty for none
 };
 

@@ -33,6 +33,11 @@ Motion motion_of(const ordered_json& json) {
     motion.crossings.push_back(crossing.at("s"));
     if (crossing.at("behind").get<int>() >= 0) motion.branches.push_back(crossing.at("behind"));
   }
+  if (json.contains("proof")) {
+    motion.proof.emplace();
+    for (const auto& gap : json.at("proof").at("gaps")) motion.proof->gaps.emplace_back(gap.at(0), gap.at(1));
+    motion.proof->narrowest = json.at("proof").at("narrowest");
+  }
   motion.limit_distance = extreme_of(json.at("limit_distance"));
   motion.regularity = extreme_of(json.at("regularity"));
   motion.speed = extreme_of(json.at("speed"));

@@ -28,6 +28,12 @@ struct Extreme {
   int joint = -1;
 };
 
+/// A tube around a motion, in which it is the only one.
+struct Proof {
+  std::vector<std::pair<double, double>> gaps;  ///< stretches that are not proven
+  double narrowest = 0;                         ///< its least half width, rad or m
+};
+
 struct Motion {
   int track = -1;
   double representatives = 1;
@@ -35,6 +41,7 @@ struct Motion {
   std::vector<int> branches;      ///< numbers along it; empty where branches have none
   std::vector<double> crossings;  ///< singular poses passed without a stop
   Extreme limit_distance, regularity, speed, acceleration;
+  std::optional<Proof> proof;
   std::vector<std::pair<double, std::vector<double>>> curve;  ///< some places, for pictures
 };
 

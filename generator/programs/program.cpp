@@ -45,7 +45,7 @@ toolchain::Program compilation(const model::Robot& robot, const pipeline::RobotO
   program.options.insert(program.options.end(), {"-I.", "-Iinclude"});
   std::vector<fs::path> generated;
   for (const pipeline::OutputFile& file : output.files)
-    for (const char* name : {"inverse.cpp", "inverse_avx2.cpp", "arm_angle.cpp"})
+    for (const char* name : {"inverse.cpp", "inverse_avx2.cpp", "arm_angle.cpp", "certified.cpp"})
       if (file.path == "source/" + robot.name + "/" + name) generated.push_back(file.path);
   for (const fs::path& file : generated) program.sources.push_back(toolchain::generated_source(file));
   toolchain::add_runtime(runtime, generated, program);

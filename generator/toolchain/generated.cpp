@@ -61,7 +61,7 @@ Runtime runtime_in(const fs::path& prefix) {
     throw std::runtime_error("qvgen's headers are not in " + (prefix / "include").string() +
                              ", where the tool is installed: install the component runtime too");
   std::vector<fs::path> archives;
-  for (const std::string library : {"arm_angle", "elimination", "inverse", "core"})
+  for (const std::string library : {"certified", "arm_angle", "elimination", "inverse", "core"})
     archives.push_back(archive_in(prefix / "lib", "libqvgen_runtime_" + library + ".a"));
   return {{prefix / "include", eigen()}, {}, archives};
 }
@@ -90,9 +90,10 @@ void add_runtime(const Runtime& runtime, const std::vector<fs::path>& generated,
     program.sources.push_back(runtime_source(runtime.sources / (part + ".cpp")));
     if (has_avx2_forms) program.sources.push_back(runtime_source(runtime.sources / (part + "_avx2.cpp")));
   }
-  for (const std::string folder : {"elimination", "arm_angle"}) {
+  for (const std::string folder : {"elimination", "arm_angle", "certified"}) {
     const bool needed = std::any_of(generated.begin(), generated.end(), [&](const fs::path& file) {
-      return mentions(program.folder / file, "#include <qvgen/inverse/" + folder);
+      return file.filename() == folder + ".cpp" ||
+             mentions(program.folder / file, "#include <qvgen/inverse/" + folder);
     });
     if (!needed) continue;
     std::vector<fs::path> files;

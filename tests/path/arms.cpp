@@ -48,7 +48,7 @@ const NamedArm& arm_called(const std::string& name) {
 }
 
 Whole::Whole(const AnyArm& arm, std::vector<Pose<double>> poses, const JointLimits<6>& limits,
-             Between between)
+             Between between, const Options& options)
     : samples(std::move(poses)),
       curve(samples.data(), samples.size(), between),
       q(samples.size() * capacity * 6),
@@ -56,7 +56,7 @@ Whole::Whole(const AnyArm& arm, std::vector<Pose<double>> poses, const JointLimi
       tracks(4000),
       events(20000),
       record({q.data(), rows.data(), tracks.data(), tracks.size(), events.data(), events.size()}) {
-  Follower<AnyArm> follower(arm, curve, limits, record);
+  Follower<AnyArm> follower(arm, curve, limits, record, options);
   follower.run();
   places = follower.places();
 }

@@ -104,23 +104,62 @@ TEST(PathLimits, AMotionAlongALimitIsNotCut) {
   }));
 }
 
-/// Limits of a whole turn both ways leave each angle two representatives, and a full turn is followed.
-TEST(PathLimits, WholeTurnsCount) {
-  const AnyArm& arm = arm_called("ur5").arm;
-  Values from, to;
+/// A UR5 whose first joint turns by 4 rad, from -3.
+std::vector<Pose<double>> turn_of_the_first_joint(const AnyArm& arm, Values& from) {
   from << -3, -1.2, 1.4, -0.5, 0.7, 0.3;
-  to = from;
+  Values to = from;
   to[0] += 4;
-  const double turn = 2 * 3.14159265358979323846;
-  const JointLimits<6> limits{Values::Constant(-turn), Values::Constant(turn)};
-  const Whole whole(arm, path_of_joints(arm, from, to, 40), limits, Between::screw);
+  return path_of_joints(arm, from, to, 40);
+}
+
+/// Representatives of motions that follow the whole path from some joints, but for whole turns.
+double representatives_from(const AnyArm& arm, const Whole& whole, const JointLimits<6>& limits,
+                            const Values& from) {
   double followed = 0;
   for (const Motion& motion : motions_of(arm, whole, limits))
     if (motion.begin.s == 0 && motion.end.s == whole.curve.end() &&
         difference(motion.begin.q, from, arm.revolute).norm() < 1e-9)
       followed += motion.representatives;
-  // theta1 goes from -3 to 1, or from 3.28 to beyond its limit; each other joint has two places.
-  EXPECT_EQ(followed, 32);
+  return followed;
+}
+
+/// Limits of a whole turn both ways leave each angle two representatives, and a full turn is followed. Both
+/// limits are one place on the circle; places that lie exactly on it do not count it again and again.
+TEST(PathLimits, WholeTurnsCount) {
+  const AnyArm& arm = arm_called("ur5").arm;
+  Values from;
+  const auto samples = turn_of_the_first_joint(arm, from);
+  const JointLimits<6> limits{Values::Constant(-inverse::whole_turn), Values::Constant(inverse::whole_turn)};
+  for (const double turn : {0.02, 0.01, 0.005, 0.002}) {
+    SCOPED_TRACE(turn);
+    Options options;
+    options.longest_turn = turn;
+    const Whole whole(arm, samples, limits, Between::screw, options);
+    EXPECT_LE(whole.record.events(), 16U);
+    // theta1 goes from -3 to 1, or from 3.28 to beyond its limit; each other joint has two places.
+    EXPECT_EQ(representatives_from(arm, whole, limits, from), 32);
+  }
+}
+
+/// Limits of any size are answered at once, with all representatives counted.
+TEST(PathLimits, HugeLimitsAreBounded) {
+  const AnyArm& arm = arm_called("ur5").arm;
+  Values from;
+  const auto samples = turn_of_the_first_joint(arm, from);
+  for (const double far : {30.5, 1e3, 1e6, 1e15, 1e300}) {  // the last two count as none
+    SCOPED_TRACE(far);
+    const JointLimits<6> limits{Values::Constant(-far), Values::Constant(far)};
+    const Whole whole(arm, samples, limits, Between::screw);
+    double expected = 1;
+    for (int i = 0; i < 6; ++i) {
+      const double end = i == 0 ? from[i] + 4 : from[i];
+      expected *= far > 1e9 ? 1
+                            : std::floor((far - end) / inverse::whole_turn) -
+                                  std::ceil((-far - from[i]) / inverse::whole_turn) + 1;
+    }
+    EXPECT_LT(whole.places, 500);
+    EXPECT_NEAR(representatives_from(arm, whole, limits, from) / expected, 1, 1e-12);
+  }
 }
 
 }  // namespace

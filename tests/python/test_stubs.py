@@ -49,13 +49,21 @@ def test_functions(ns, arm):
                 positional[0] = "pose"  # the stub's comment: a module says `target` where it takes less too
             assert stubs[name] == (positional, only, defaults), name
             seen.add(name)
-    assert set(stubs) - seen == {"arm_angle", "inverse_kinematics_arm_angle"}
+    assert set(stubs) - seen == {"arm_angle", "inverse_kinematics_arm_angle", "paths"}
 
 
 def test_functions_of_the_arm_angle(iiwa14):
     stubs = signatures_of_stubs()
     for name in ("arm_angle", "inverse_kinematics_arm_angle"):
         assert stubs[name] == signature_of(getattr(iiwa14, name)), name
+
+
+def test_paths(ns):
+    stub = next(each for each in stub_class("Robot").body if isinstance(each, ast.FunctionDef) and each.name == "paths")
+    source, robot, poses, *only = inspect.signature(ns.paths).parameters.values()
+    assert [each.arg for each in stub.args.args] == ["self", poses.name]
+    assert [each.arg for each in stub.args.kwonlyargs] == [each.name for each in only]
+    assert [ast.literal_eval(each) for each in stub.args.kw_defaults] == [each.default for each in only]
 
 
 def test_values(arm):
@@ -68,7 +76,7 @@ def test_package():
     tree = ast.parse(STUBS.read_text())
     named = {each.name for each in tree.body if isinstance(each, (ast.ClassDef, ast.FunctionDef))} | {"robots", "metrics", "orientation"}
     assert named - {"Robot"} == set(qvgen.__all__)
-    for name in ("Solutions", "NearSolution", "Status", "JointRates", "VelocityStatus"):
+    for name in ("Solutions", "NearSolution", "Motion", "Paths", "Status", "JointRates", "VelocityStatus"):
         lines = stub_class(name).body
         fields = [each.target.id if isinstance(each, ast.AnnAssign) else each.targets[0].id for each in lines]
         members = getattr(qvgen, name)

@@ -8,13 +8,15 @@ else is float64. SI units, radians; quaternions are w, x, y, z; twists linear fi
 
 import enum
 import importlib
+import pathlib
 import typing
 
 from . import robots
 from . import _build
 from ._build import BuildError, Limbs, build_module, cache_folder, generate
+from ._paths import Motion, Paths
 
-__all__ = ["Assemblies", "BuildError", "Followed", "JointRates", "NearSolution", "NearestRows", "Solutions", "Status", "VelocityStatus",
+__all__ = ["Assemblies", "BuildError", "Followed", "JointRates", "Motion", "NearSolution", "NearestRows", "Paths", "Solutions", "Status", "VelocityStatus",
            "cache_folder", "calibrate", "load", "metrics", "orientation", "robots"]
 
 
@@ -121,6 +123,6 @@ def load(description, *options, floating=False):
     if floating and "--floating" not in options:
         options += ("--floating",)
     robot, limbs, folder = generate(description, options)
-    module = build_module(robot, folder)
+    module = build_module(robot, folder, (pathlib.Path(description).resolve(), *options))
     module.limbs = Limbs(robot, limbs, folder)
     return module

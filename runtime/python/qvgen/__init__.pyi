@@ -64,6 +64,22 @@ class JointRates(NamedTuple):
     factor: _Result
     limited: NDArray[bool_]
 
+class Motion(NamedTuple):
+    s: NDArray[float64]
+    q: NDArray[float64]
+    begins: str
+    ends: str
+    branches: list[int]
+    turns: float
+    values: NDArray[float64] | None
+    gaps: list[tuple[float, float]] | None
+
+class Paths(NamedTuple):
+    motions: list[Motion]
+    whole: list[int]
+    chain: list[tuple[int, float]]
+    gaps: list[tuple[float, float]]
+
 _Constants = dict[str, float] | None
 _Limits = Literal["description"] | tuple[ArrayLike, ArrayLike] | None
 _RateLimits = Literal["description"] | tuple[ArrayLike, ArrayLike]
@@ -210,6 +226,11 @@ class Robot(Protocol):
         self, pose: ArrayLike, seed: ArrayLike | None = None, *, prefer: _Prefer = "both",
         metres_per_radian: float = 0.0, limits: _Limits = None, starts: int = 32, geometry: _Constants = None,
     ) -> NearestRows: ...
+    def paths(
+        self, poses: ArrayLike, *, free: str | None = None, hold: Mapping[str, float] | None = None,
+        limits: _Limits = "description", times: ArrayLike | None = None, screw: bool = False,
+        prefer: ArrayLike | None = None, prove: bool = False,
+    ) -> Paths: ...
     def __getattr__(self, name: str) -> Any: ...
 
 def cache_folder() -> pathlib.Path: ...

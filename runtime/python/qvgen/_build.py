@@ -4,6 +4,7 @@
 import collections.abc
 import concurrent.futures
 import difflib
+import functools
 import hashlib
 import importlib.util
 import json
@@ -18,6 +19,7 @@ import sys
 import sysconfig
 import tempfile
 
+from . import _paths
 from ._loop_source import loop_functions, tips
 from ._source import binding_source, is_bound
 from ._velocity_source import FUNCTIONS as VELOCITY_FUNCTIONS
@@ -216,8 +218,11 @@ def _explain_absence(module):
     module.__getattr__ = absent
 
 
-def build_module(robot, generated=generated_folder):
-    """The module of a robot whose generated code is in a folder: the installed one, or from the cache."""
+def build_module(robot, generated=generated_folder, source=None):
+    """The module of a robot whose generated code is in a folder: the installed one, or from the cache.
+
+    `source`: the description and how it is read, for `paths`; by default the robot's name. False: it has no description.
+    """
     generated = pathlib.Path(generated)
     installed = _here / "robots" / (robot + _suffix)
     own = generated == generated_folder and installed.exists()
@@ -225,7 +230,16 @@ def build_module(robot, generated=generated_folder):
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     _explain_absence(module)
+    if source is not False:
+        module.paths = _bound_paths(module, source or (robot,))
     return module
+
+
+def _bound_paths(robot, source):
+    @functools.wraps(_paths.paths)
+    def paths(poses, **options):
+        return _paths.paths(source, robot, poses, **options)
+    return paths
 
 
 class Limbs(collections.abc.Mapping):
@@ -239,7 +253,7 @@ class Limbs(collections.abc.Mapping):
     def __getitem__(self, tip):
         name = self._names[tip]
         if tip not in self._modules:
-            self._modules[tip] = build_module(name, self._folder)
+            self._modules[tip] = build_module(name, self._folder, False)
         return self._modules[tip]
 
     def __iter__(self):

@@ -52,10 +52,16 @@ class Piece {
 
   /// Angle between the orientations of both ends, rad.
   [[nodiscard]] double angle() const { return turn_.norm(); }
-  /// Distance between both ends, m, along the axis if the tool moves on a screw.
-  [[nodiscard]] double distance() const { return move_.norm(); }
+  /// Length of the way, m.
+  [[nodiscard]] double distance() const { return std::hypot(move_.norm(), radius_ * angle()); }
+  /// Numbers of the way: the turn as a rotation vector (rad), the move (m), and whether it winds about a line
+  /// through the centre.
+  [[nodiscard]] const Vector3<double>& turn() const { return turn_; }
+  [[nodiscard]] const Vector3<double>& move() const { return move_; }
+  [[nodiscard]] const Vector3<double>& centre() const { return centre_; }
+  [[nodiscard]] bool winds() const { return winds_; }
   /// True if both ends are the same pose to rounding.
-  [[nodiscard]] bool is_point() const { return angle() < least_move && move_.norm() < least_move; }
+  [[nodiscard]] bool is_point() const { return angle() < least_move && distance() < least_move; }
 
  private:
   static constexpr double least_turn = 1e-7;  ///< below it a screw's axis is too far away to be computed
@@ -67,12 +73,14 @@ class Piece {
     const Vector3<double> along = axis.dot(move_) * axis;
     const Vector3<double> around = move_ - along;
     centre_ = from_.position + 0.5 * around + 0.5 / std::tan(0.5 * angle) * axis.cross(around);
+    radius_ = (from_.position - centre_).norm();
     move_ = along;
   }
 
   Pose<double> from_;
   Vector3<double> turn_ = Vector3<double>::Zero(), move_ = Vector3<double>::Zero(),
                   centre_ = Vector3<double>::Zero();
+  double radius_ = 0;  ///< of the screw, m
   bool winds_ = false;
 };
 

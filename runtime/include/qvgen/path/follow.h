@@ -129,10 +129,9 @@ class Follower {
 
   /// Goes to the next place at once, if nothing can be hidden on the way.
   bool leap(const Place<Arm>& next) {
-    Step<Arm> step;
-    step.match = matched(arm_, live_.place(), next, options_.longest_step);
-    if (!is_calm(arm_, live_.place(), next, step.match) || live_.nears_limits(next, step.match)) return false;
-    live_.commit(*equations_, step, next);
+    const Match<Arm> match = matched(arm_, live_.place(), next, options_.longest_step);
+    if (!is_calm(arm_, live_.place(), next, match) || live_.nears_limits(next, match)) return false;
+    live_.commit(*equations_, match, next);
     return true;
   }
 

@@ -82,7 +82,8 @@ class Hidden {
 
   static bool touches(const Parabola& joint, double below, double above) {
     const double extreme = joint.extreme();
-    return (joint.most() < above && extreme >= above) || (joint.least() > below && extreme <= below);
+    return (joint.most() < above && extreme >= above + limit_slack) ||
+           (joint.least() > below && extreme <= below - limit_slack);
   }
 
   [[nodiscard]] bool may_meet(int i, int k) const {

@@ -11,6 +11,10 @@
 /// representative enters or leaves its range.
 namespace qvgen::path {
 
+/// A value is beyond a limit if it is farther than this, rad or m: two limits that are nearer to each other
+/// but for whole turns are met at once, and rounding meets none.
+inline constexpr double limit_slack = 1e-9;
+
 /// The nearest values above and below at which one representative is on a limit.
 struct Cell {
   Values below = Values::Constant(-std::numeric_limits<double>::infinity());
@@ -24,7 +28,7 @@ class LimitsOnTrack {
     limits_.lower.array() -= limit_tolerance;
     limits_.upper.array() += limit_tolerance;
     for (int i = 0; i < 6; ++i)
-      if (turns(i) && !(std::isfinite(limits.lower[i]) && std::isfinite(limits.upper[i]))) release(i);
+      if (turns(i) && !(limits.lower[i] > -none && limits.upper[i] < none)) release(i);
     some_ = limits_.lower.array().isFinite().any() || limits_.upper.array().isFinite().any();
   }
 
@@ -49,11 +53,12 @@ class LimitsOnTrack {
     const double limit = upper ? limits_.upper[i] : limits_.lower[i];
     if (!std::isfinite(limit)) return false;
     const double off = turns(i) ? without_turns(value - limit) : value - limit;
-    return std::abs(off) < 1e-9;
+    return std::abs(off) < limit_slack;
   }
 
  private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr double none = 1e9;  ///< rad: limits of an angle beyond it are none
 
   static double below(double limit, bool turns, double u) {
     if (!std::isfinite(limit)) return -infinity;

@@ -61,6 +61,17 @@ class Live {
     return false;
   }
 
+  /// Goes on to the next place, where each row becomes one and none begins.
+  void commit(const Equations<Arm>& equations, const Match<Arm>& match, const Place<Arm>& next) {
+    if (!keeps_order(match, next)) {
+      std::array<Row, capacity> rows;
+      for (int j = 0; j < next.found.size(); ++j) rows[index(j)] = rows_[index(match.from[index(j)])];
+      rows_ = rows;
+    }
+    for (int j = 0; j < next.found.size(); ++j) move(equations, rows_[index(j)], next.u, next.found[j].q);
+    place_ = next;
+  }
+
   /// Goes on to the next place by a step that is sure.
   void commit(const Equations<Arm>& equations, const Step<Arm>& step, const Place<Arm>& next) {
     end_meetings(equations, step, next);
@@ -110,6 +121,11 @@ class Live {
   };
 
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+  static bool keeps_order(const Match<Arm>& match, const Place<Arm>& next) {
+    int same = 0;
+    while (same < next.found.size() && match.from[index(same)] == same) ++same;
+    return same == next.found.size();
+  }
   static End end_of(double s, Cause cause, const Values& q, int partner = -1) {
     End end;
     end.s = s;
@@ -168,14 +184,18 @@ class Live {
   template <class Solve>
   void see_limits(Row& row, const Values& u, const Solve& solve, double from, double to) {
     for (int i = 0; i < 6; ++i) {
-      for (int k = 0; k < 64 && (u[i] > row.cell.above[i] || u[i] < row.cell.below[i]); ++k) {
+      for (int k = 0; k < 64 && is_beyond(row.cell, i, u[i]); ++k) {
         const bool rises = u[i] > row.cell.above[i];
         const double value = rises ? row.cell.above[i] : row.cell.below[i];
         const double place = root(row.u, u, i, value, solve, from, to);
         note(row, i, value, rises, place, solve(place, row.u + (place - from) / (to - from) * (u - row.u)));
-        limits_.enclose(row.cell, i, value + (rises ? 2e-9 : -2e-9));
+        limits_.enclose(row.cell, i, value + (rises ? limit_slack : -limit_slack));
       }
     }
+  }
+
+  static bool is_beyond(const Cell& cell, int i, double u) {
+    return u > cell.above[i] + limit_slack || u < cell.below[i] - limit_slack;
   }
 
   void note(const Row& row, int joint, double value, bool rises, double place, const Values& q) {
@@ -194,11 +214,13 @@ class Live {
     }
   }
 
-  /// Returns the place where a joint has a value that lies between its values at two places.
+  /// Returns the place where a joint has a value that lies between its values at two places; the first one if
+  /// it was there within the slack.
   template <class Solve>
   static double root(const Values& a, const Values& b, int joint, double value, const Solve& solve,
                      double from, double to) {
     double low = from, high = to, at_low = a[joint] - value, at_high = b[joint] - value;
+    if ((at_low > 0) == (at_high > 0)) return from;
     for (int i = 0; i < 80 && high - low > 1e-13; ++i) {
       const double secant = low + (high - low) * at_low / (at_low - at_high);
       const double place = i % 3 == 2 || !(secant > low && secant < high) ? 0.5 * (low + high) : secant;

@@ -66,7 +66,7 @@ inline Stretches common(const Stretches& a, const Stretches& b) {
 
 }  // namespace motions
 
-/// Cuts the tracks of a record at limits; `take` is called with each Motion.
+/// Cuts the tracks of a record at limits; `take` is called with each Motion. Takes 100 kB of memory.
 template <int capacity, class Take>
 class MotionsOf {
  public:
@@ -81,61 +81,95 @@ class MotionsOf {
       track_ = &record_.track(track);
       motions::Stretches all;
       all.add({track_->begin.s, track_->end.s, nullptr, nullptr});
+      visited_ = 0;
       choose(0, all, Values::Zero(), 1);
     }
     return !is_full_;
   }
 
  private:
-  static constexpr int most_turns = 16;  ///< shifts of one joint
+  static constexpr int most_edges = 8;        ///< shifts that leave one joint's range on the way
+  static constexpr int most_choices = 20000;  ///< of whole turns of all joints, for one track
+  static constexpr double margin = 2e-6;      ///< rad: nearer to a limit events decide
+
+  /// Whole turns that are added to a joint, and how many others are the same to its limits.
+  struct Choice {
+    double shift = 0;
+    double count = 1;
+  };
+  struct Choices {
+    std::array<Choice, 2 * most_edges + 1> rows;
+    std::size_t count = 0;
+  };
 
   /// Lists the stretches for each shift of a joint, and goes on to the next joint with each that is new.
   void choose(int joint, const motions::Stretches& within, const Values& turns, double representatives) {
     if (within.count == 0) return;
     if (joint == 6) return give(within, turns, representatives);
-    int first = 0, last = 0;
-    shifts(joint, first, last);
-    for (int shift = first; shift <= last; ++shift) {
-      const motions::Stretches here = motions::common(within, inside(joint, shift));
-      is_full_ = is_full_ || here.is_full;
-      int same = 0;
-      for (int other = first; other <= last; ++other) {
-        if (!motions::are_same(here, motions::common(within, inside(joint, other)))) continue;
-        if (other < shift) same = -1;  // it has been given with that one
-        if (other < shift) break;
-        ++same;
-      }
-      if (same <= 0) continue;
+    const Choices choices = choices_of(joint);
+    auto& stretches = room_[static_cast<std::size_t>(joint)];
+    for (std::size_t i = 0; i < choices.count; ++i) {
+      if (++visited_ > most_choices) is_full_ = true;
+      if (visited_ > most_choices) return;
+      stretches[i] = motions::common(within, inside(joint, choices.rows[i].shift));
+      is_full_ = is_full_ || stretches[i].is_full;
+    }
+    for (std::size_t i = 0; i < choices.count; ++i) {
+      Choice all{choices.rows[i].shift, 0};
+      if (!gather(joint, choices, stretches, i, all)) continue;
       Values shifted = turns;
-      shifted[joint] = whole_turn * nearest_of(joint, shift, last, within, here);
-      choose(joint + 1, here, shifted, representatives * same);
+      shifted[joint] = whole_turn * all.shift;
+      choose(joint + 1, stretches[i], shifted, representatives * all.count);
     }
   }
 
-  /// Returns, among shifts with the same stretches, the one whose angles are nearest to zero.
-  int nearest_of(int joint, int first, int last, const motions::Stretches& within,
-                 const motions::Stretches& stretches) const {
-    int best = first;
-    const double middle = 0.5 * (track_->lowest[joint] + track_->highest[joint]);
-    for (int shift = first; shift <= last; ++shift)
-      if (std::abs(middle + whole_turn * shift) < std::abs(middle + whole_turn * best) &&
-          motions::are_same(stretches, motions::common(within, inside(joint, shift))))
-        best = shift;
-    return best;
+  /// Adds up the choices with the same stretches, and takes the one whose angles are nearest to zero; false
+  /// if an earlier one has them too.
+  template <class List>
+  bool gather(int joint, const Choices& choices, const List& stretches, std::size_t i, Choice& all) const {
+    for (std::size_t k = 0; k < i; ++k)
+      if (motions::are_same(stretches[k], stretches[i])) return false;
+    const double middle = middle_of(joint);
+    for (std::size_t k = i; k < choices.count; ++k) {
+      const Choice& other = choices.rows[k];
+      if (!motions::are_same(stretches[k], stretches[i])) continue;
+      all.count += other.count;
+      if (std::abs(middle + whole_turn * other.shift) < std::abs(middle + whole_turn * all.shift))
+        all.shift = other.shift;
+    }
+    return true;
   }
 
-  void shifts(int joint, int& first, int& last) const {
-    if (!limits_.turns(joint) || !std::isfinite(limits_.lower(joint))) return;
-    first = static_cast<int>(
-        std::max(-1e6, std::ceil((limits_.lower(joint) - track_->highest[joint]) / whole_turn - 1e-9)));
-    last = static_cast<int>(
-        std::min(1e6, std::floor((limits_.upper(joint) - track_->lowest[joint]) / whole_turn + 1e-9)));
-    is_full_ = is_full_ || last - first >= most_turns;
-    last = std::min(last, first + most_turns - 1);
+  double middle_of(int joint) const { return 0.5 * (track_->lowest[joint] + track_->highest[joint]); }
+
+  /// Lists the shifts that bring a part of the track within limits; those that bring all of it in are one.
+  Choices choices_of(int joint) const {
+    Choices choices;
+    if (!limits_.turns(joint) || !std::isfinite(limits_.lower(joint))) {
+      choices.rows[choices.count++] = {0, 1};
+      return choices;
+    }
+    const double lower = limits_.lower(joint), upper = limits_.upper(joint);
+    const double first = std::ceil((lower - track_->highest[joint]) / whole_turn - 1e-9),
+                 last = std::floor((upper - track_->lowest[joint]) / whole_turn + 1e-9),
+                 first_in = std::ceil((lower + margin - track_->lowest[joint]) / whole_turn),
+                 last_in = std::floor((upper - margin - track_->highest[joint]) / whole_turn);
+    const bool some_in = first_in <= last_in;
+    add_edge(first, some_in ? first_in - 1 : last, choices);
+    if (!some_in) return choices;
+    const double nearest = std::round(-middle_of(joint) / whole_turn);
+    choices.rows[choices.count++] = {std::min(std::max(nearest, first_in), last_in), last_in - first_in + 1};
+    add_edge(last_in + 1, last, choices);
+    return choices;
+  }
+
+  void add_edge(double from, double to, Choices& choices) const {
+    is_full_ = is_full_ || to - from >= most_edges;
+    for (int i = 0; i < most_edges && from + i <= to; ++i) choices.rows[choices.count++] = {from + i, 1};
   }
 
   /// Returns the stretches on which a joint, shifted by so many turns, is within its limits.
-  motions::Stretches inside(int joint, int shift) const {
+  motions::Stretches inside(int joint, double shift) const {
     motions::Stretches result;
     const double turned = whole_turn * shift, lower = limits_.lower(joint), upper = limits_.upper(joint);
     const double start = track_->begin.q[joint] + turned;
@@ -184,6 +218,8 @@ class MotionsOf {
   const Take& take_;
   int number_ = 0;
   const Track* track_ = nullptr;
+  std::array<std::array<motions::Stretches, 2 * most_edges + 1>, 6> room_;  ///< of the joints' choices
+  int visited_ = 0;
   mutable bool is_full_ = false;
 };
 

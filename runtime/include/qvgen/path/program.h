@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <type_traits>
 #include <vector>
 
 #include <qvgen/path/cover.h>
@@ -26,6 +27,9 @@ struct Request {
   const char* motions = nullptr;  ///< the CSV's file
 };
 
+/// Stands for proofs where none are wanted.
+struct NoProofs {};
+
 inline bool read_samples(const char* file, Request& request) {
   std::FILE* from = std::fopen(file, "rb");
   if (from == nullptr) return false;
@@ -39,13 +43,15 @@ inline bool read_samples(const char* file, Request& request) {
 }
 
 /// All that was found along one path, with the memory that it takes.
-template <class Arm>
+template <class Arm, class Prove>
 class Found {
  public:
   static constexpr int capacity = Arm::capacity;
 
-  Found(const Arm& arm, const Request& request)
+  /// `prove(curve, record, motion, take_gap)` proves a motion (prove.h), or is NoProofs.
+  Found(const Arm& arm, const Request& request, const Prove& prove)
       : arm_(arm),
+        prove_(prove),
         request_(request),
         curve_(request.samples.data(), request.samples.size(), request.between),
         q_(request.samples.size() * capacity * 6),
@@ -122,11 +128,12 @@ class Found {
   }
 
   void write_motion(const Motion& motion) const {
-    std::printf("{\"track\":%d,\"representatives\":%.17g,\"begin\":%s,\"end\":%s,\"branches\":[%d,%d],",
+    std::printf("{\"track\":%d,\"representatives\":%.17g,\"begin\":%s,\"end\":%s,\"branches\":[%d,%d]",
                 motion.track, motion.representatives, json::text(motion.begin).c_str(),
                 json::text(motion.end).c_str(), tracks_[static_cast<std::size_t>(motion.track)].first_branch,
                 tracks_[static_cast<std::size_t>(motion.track)].last_branch);
     write_crossings(motion);
+    if constexpr (!std::is_same_v<Prove, NoProofs>) write_proof(motion);
     const Reviewer<Arm> reviewer(arm_, curve_, request_.limits, record_,
                                  request_.times.empty() ? nullptr : request_.times.data());
     const Review review = reviewer.review(motion);
@@ -143,8 +150,18 @@ class Found {
     std::printf("]}");
   }
 
+  void write_proof(const Motion& motion) const {
+    std::printf(",\"proof\":{\"gaps\":[");
+    const char* separator = "";
+    const auto proven = prove_(curve_, record_, motion, [&](double from, double to) {
+      std::printf("%s[%s,%s]", separator, json::text(from).c_str(), json::text(to).c_str());
+      separator = ",";
+    });
+    std::printf("],\"boxes\":%ld,\"narrowest\":%s}", proven.boxes, json::text(proven.narrowest).c_str());
+  }
+
   void write_crossings(const Motion& motion) const {
-    std::printf("\"crossings\":[");
+    std::printf(",\"crossings\":[");
     const char* separator = "";
     for (std::size_t i = 0; i < record_.events(); ++i) {
       const Event& event = record_.event(i);
@@ -191,6 +208,7 @@ class Found {
   }
 
   const Arm& arm_;
+  const Prove& prove_;
   const Request& request_;
   Curve curve_;
   std::vector<double> q_;
@@ -203,9 +221,10 @@ class Found {
 };
 
 /// Arguments: the file of samples, "straight" or "screw", the file of motions or "-", the value of the joint
-/// that is held (0 without), six lower and six upper limits. `arm_of` makes the arm from that value.
-template <class ArmOf>
-int run(int argc, char** argv, const char* header, const ArmOf& arm_of) {
+/// that is held (0 without), six lower and six upper limits. `arm_of` makes the arm from that value,
+/// `prove_of` what proves its motions.
+template <class ArmOf, class ProveOf>
+int run(int argc, char** argv, const char* header, const ArmOf& arm_of, const ProveOf& prove_of) {
   if (argc != 17) return 2;
   Request request;
   if (!read_samples(argv[1], request)) return 2;
@@ -215,8 +234,10 @@ int run(int argc, char** argv, const char* header, const ArmOf& arm_of) {
     request.limits.lower[i] = std::strtod(argv[5 + i], nullptr);
     request.limits.upper[i] = std::strtod(argv[11 + i], nullptr);
   }
-  const auto arm = arm_of(std::strtod(argv[4], nullptr));
-  Found<std::decay_t<decltype(arm)>> found(arm, request);
+  const double held = std::strtod(argv[4], nullptr);
+  const auto arm = arm_of(held);
+  const auto prove = prove_of(held);
+  Found<std::decay_t<decltype(arm)>, std::decay_t<decltype(prove)>> found(arm, request, prove);
   found.write_json();
   if (request.motions != nullptr && !found.write_motions(header)) return 1;
   return std::fflush(stdout) == 0 ? 0 : 1;

@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: MIT
+"""Motions along paths: `arm.paths(poses)` runs `qvgen path`, which compiles a program for the arm once."""
+
+import csv
+import json
+import pathlib
+import subprocess
+import tempfile
+import typing
+
+from . import _build
+
+# Options of `generate` that say how a description is read; the others say what is written.
+_READING = ("--base", "--tip", "--name", "--snap", "--xacro-arg")
+
+
+class Motion(typing.NamedTuple):
+    """A continuous motion of the joints along a path. The path coordinate s counts poses from 0."""
+    s: typing.Any  #: (n,), the poses that it passes, and its ends
+    q: typing.Any  #: (n, dof), rad or m, at these places
+    begins: str  #: why: "path_end", "meeting", "boundary", "flip", "limit", "unclear"
+    ends: str  #: why, likewise
+    branches: list  #: numbers along it; empty for arms by elimination
+    turns: float  #: choices of whole turns within limits that give this motion
+    values: typing.Any  #: (n,), what the free coordinate is, rad or m; None without one
+    gaps: typing.Any  #: stretches (from, to) that are not proven; None without a proof
+
+
+class Paths(typing.NamedTuple):
+    """Result of paths."""
+    motions: list  #: of Motion: all that there are, or the best one where a coordinate is free
+    whole: list  #: numbers of the motions that follow the whole path
+    chain: list  #: (number, s): the fewest that follow it one after the other, and where each begins; else empty
+    gaps: list  #: stretches (from, to) that no motion follows
+
+
+def paths(source, robot, poses, *, free=None, hold=None, limits="description", times=None, screw=False, prefer=None,
+          prove=False):
+    """Every continuous motion of the joints that follows poses, (n, 7): w x y z, then metres.
+
+    `limits`: "description", None, or (lower, upper). `times`: (n,), s. `hold`: {"theta3": 0.2}, a joint of seven that stays.
+    `free`: "tool_x", "tool_y", "tool_z", "arm_angle" or a joint: the best motion, near to the joints `prefer` if there are
+    any. `screw`: screw motions between the poses, not straight lines. `prove`: each motion is proven. Raises ValueError with
+    what is wrong with the path or the arm.
+    """
+    description, *options = source
+    with tempfile.TemporaryDirectory() as folder:
+        folder = pathlib.Path(folder)
+        _write(folder / "poses.csv", _rows(poses), times)
+        command = [_build._tool(), "path", description, folder / "poses.csv", *_reading(options), "-o", folder / "out.csv"]
+        command += _options(robot, free, hold, limits, screw, prefer, prove)
+        command += [] if free else ["-o", folder / "out.json"]
+        done = subprocess.run([str(each) for each in command], capture_output=True, text=True)
+        if not (folder / "out.csv").exists():
+            raise ValueError(done.stderr.strip().replace(str(folder) + "/", ""))
+        rows = _read(folder / "out.csv")
+        if free:
+            return _best(rows, times, len(poses))
+        return _all(rows, folder / "out.json", robot, hold or {}, times)
+
+
+def _numpy():
+    import numpy
+    return numpy
+
+
+def _rows(poses):
+    rows = _numpy().asarray(poses, dtype=float)
+    if rows.ndim != 2 or rows.shape[1] != 7 or len(rows) == 0:
+        raise ValueError(f"poses has the shape {rows.shape}; it must be (n, 7): w x y z, then metres")
+    return rows
+
+
+def _write(file, rows, times):
+    if times is not None and len(times) != len(rows):
+        raise ValueError(f"there are {len(times)} times for {len(rows)} poses")
+    columns = ["qw", "qx", "qy", "qz", "x [m]", "y [m]", "z [m]", *([] if times is None else ["t [s]"])]
+    lines = [",".join(columns)]
+    for i, row in enumerate(rows):
+        numbers = [*row, *([] if times is None else [times[i]])]
+        lines.append(",".join(repr(float(each)) for each in numbers))
+    file.write_text("\n".join(lines) + "\n")
+
+
+def _reading(options):
+    chosen = []
+    for option, value in zip(options, [*options[1:], None]):
+        name = option.partition("=")[0]
+        if name in _READING:
+            chosen += [option] if "=" in option else [option, value]
+    return chosen
+
+
+def _limits_of(robot, limits):
+    if isinstance(limits, str) and limits == "description":
+        return []
+    if limits is None:
+        return ["--without-limits"]
+    lower, upper = (_numpy().broadcast_to(_numpy().asarray(each, dtype=float), (robot.dof,)) for each in limits)
+    chosen = ["--without-limits"]
+    for name, low, high in zip(robot.joint_names, lower, upper):
+        if abs(low) < float("inf") and abs(high) < float("inf"):
+            chosen += ["--limit", f"{name}={float(low)!r}:{float(high)!r}"]
+        elif abs(low) < float("inf") or abs(high) < float("inf") or low != low or high != high:
+            raise ValueError(f"{name}: limits are two numbers, or infinite both")
+    return chosen
+
+
+def _options(robot, free, hold, limits, screw, prefer, prove):
+    chosen = _limits_of(robot, limits)
+    for name, value in (hold or {}).items():
+        chosen += ["--hold", f"{name}={float(value)!r}"]
+    chosen += ["--free", free] if free else []
+    chosen += ["--prefer=" + ",".join(repr(float(each)) for each in prefer)] if prefer is not None else []
+    return chosen + ["--screw"] * bool(screw) + ["--prove"] * bool(prove)
+
+
+def _read(file):
+    with file.open(newline="") as stream:
+        return _numpy().array([[float(each) for each in row] for row in list(csv.reader(stream))[1:]])
+
+
+def _all(rows, file, robot, hold, times):
+    about = json.loads(file.read_text())
+    first = 2 + (times is not None)
+    motions = []
+    for number, each in enumerate(about["motions"], 1):
+        own = rows[rows[:, 0] == number]
+        branches = [branch for branch in (each["branches"][0], *(one["behind"] for one in each["crossings"])) if branch >= 0]
+        gaps = [tuple(gap) for gap in each["proof"]["gaps"]] if "proof" in each else None
+        motions.append(Motion(own[:, 1], _with_held(own[:, first:], about["joints"], robot, hold), each["begin"]["cause"],
+                              each["end"]["cause"], branches, each["representatives"], None, gaps))
+    end = about["samples"] - 1
+    whole = [i for i, each in enumerate(about["motions"]) if each["begin"]["s"] <= 0 and each["end"]["s"] >= end]
+    return Paths(motions, whole, [(each["motion"], each["s"]) for each in about["chain"]], [tuple(gap) for gap in about["gaps"]])
+
+
+def _with_held(q, joints, robot, hold):
+    """All joints in the arm's order, from those that move."""
+    if len(joints) == robot.dof:
+        return q
+    moving = {name: q[:, column] for column, name in enumerate(joints)}
+    columns = [moving.get(name, hold.get(name)) for name in robot.joint_names]
+    return _numpy().stack([_numpy().broadcast_to(each, len(q)) for each in columns], axis=1)
+
+
+def _best(rows, times, count):
+    if len(rows) == 0:
+        return Paths([], [], [], [(0, count - 1)])
+    first = 1 + (times is not None)
+    is_whole = len(rows) == count
+    motion = Motion(rows[:, 0], rows[:, first + 1:], "path_end", "path_end" if is_whole else "unclear", [], 1, rows[:, first], None)
+    return Paths([motion], [0] if is_whole else [], [], [] if is_whole else [(rows[-1, 0], count - 1)])

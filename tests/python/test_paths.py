@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: MIT
+"""arm.paths: every motion reaches the poses, the one that was made is among them, and bad input gets a sentence."""
+
+import numpy as np
+import pytest
+
+import qvgen
+
+START, END = np.array([0.3, -0.4, 0.6, 0.4, 0.8, -0.3]), np.array([0.6, -0.2, 0.5, 0.7, 0.5, 0.1])
+
+
+def poses_of(arm, count=30):
+    return arm.forward_kinematics(START + np.linspace(0, 1, count)[:, None] * (END - START))
+
+
+def test_motions_reach_the_poses(ns):
+    poses = poses_of(ns)
+    poses[::2, :4] *= -1  # quaternions of either sign
+    found = ns.paths(poses, limits=None, times=np.linspace(0, 3, 30))
+    assert isinstance(found, qvgen.Paths) and found.whole
+    for motion in found.motions:
+        at_poses = motion.s == np.round(motion.s)
+        reached, wanted = ns.forward_kinematics(motion.q[at_poses]), poses[motion.s[at_poses].astype(int)]
+        np.testing.assert_allclose(reached[:, 4:], wanted[:, 4:], atol=1e-9)
+        np.testing.assert_allclose(np.abs(np.sum(reached[:, :4] * wanted[:, :4], axis=1)), 1, atol=1e-12)
+    assert any(np.allclose(found.motions[i].q[0], START) and np.allclose(found.motions[i].q[-1], END) for i in found.whole)
+
+
+def test_limits_cut_motions(ns):
+    poses = poses_of(ns)
+    bound = START[0] + 0.4 * (END[0] - START[0])
+    found = ns.paths(poses, limits=(-3.0, [bound, 3, 3, 3, 3, 3]))
+    cut = [motion for motion in found.motions if np.allclose(motion.q[0], START)]
+    assert [motion.ends for motion in cut] == ["limit"]
+    assert abs(cut[0].q[-1, 0] - bound) < 1e-9 and cut[0].s[-1] < 29
+
+
+def test_bad_input_gets_a_sentence(ns, arm):
+    poses = poses_of(ns, 5)
+    for bad, words in ((poses[:, :6], "shape"), (poses[:0], "shape"), (poses * 2, "quaternion")):
+        with pytest.raises(ValueError, match=words):
+            ns.paths(bad)
+    poses[2, 5] = np.nan
+    with pytest.raises(ValueError, match="poses.csv:4"):
+        ns.paths(poses)
+    with pytest.raises(ValueError, match="times"):
+        ns.paths(poses, times=[0, 1])
+    with pytest.raises(ValueError, match="6|six"):
+        arm.paths(poses_of(ns, 5))
