@@ -79,9 +79,9 @@ class Walker {
   DhRows walk() {
     const Line& first = lines_.axes.front();
     // The first axis says where z is; where x is, and where on the axis, are as described.
-    const Vector3d x_before =
-        before_ == nullptr ? first.axis.unitOrthogonal() : before_->base.linear().col(0);
-    const Vector3d x = (x_before - x_before.dot(first.axis) * first.axis).normalized();
+    const Vector3d before = before_ == nullptr ? Vector3d::UnitX() : Vector3d(before_->base.linear().col(0));
+    const Vector3d across = before - before.dot(first.axis) * first.axis;
+    const Vector3d x = across.norm() > 0.1 ? across.normalized() : first.axis.unitOrthogonal();
     at_ = frame(x, first.axis, first.point);
     DhRows result{at_, {}, {}};
     for (std::size_t i = 0; i < lines_.axes.size(); ++i) {
@@ -94,9 +94,9 @@ class Walker {
 
  private:
   [[nodiscard]] Vector3d z() const { return at_.linear().col(2); }
+  /// The last row goes along its axis as far as the tool is; the tool's frame takes the rest.
   [[nodiscard]] double last_offset() const {
-    return before_ == nullptr ? (lines_.axes.back().point - at_.translation()).dot(z())
-                              : before_->rows.back().d;
+    return (lines_.tool.translation() - at_.translation()).dot(z());
   }
 
   DhRow row(std::size_t i) {
@@ -155,10 +155,12 @@ class Walker {
 };
 
 std::string motion_text(const char* name, const Isometry3d& m) {
+  const auto clean = [](double value) { return std::abs(value) < 1e-14 ? 0.0 : value; };
   const Eigen::Quaterniond q(m.linear());
-  const Vector3d& p = m.translation();
-  return fmt::format("# {}: x y z {} {} {} m, quaternion w x y z {} {} {} {}\n", name, p[0], p[1], p[2],
-                     q.w(), q.x(), q.y(), q.z());
+  const Vector3d p = m.translation().unaryExpr(clean);
+  return fmt::format(
+      "# {}: x y z {:.13g} {:.13g} {:.13g} m, quaternion w x y z {:.13g} {:.13g} {:.13g} {:.13g}\n", name,
+      p[0], p[1], p[2], clean(q.w()), clean(q.x()), clean(q.y()), clean(q.z()));
 }
 
 /// The difference of angles in (-pi, pi].

@@ -12,7 +12,7 @@
 
 namespace qvgen::description::xml {
 
-/// Where a joint sits: m; rad, about the fixed axes x, y, z one after the other.
+/// Place of a joint or a body: m; rad, about the fixed axes x, y, z one after the other.
 struct UrdfOrigin {
   std::array<double, 3> xyz{}, rpy{};
 };
