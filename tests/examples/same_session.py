@@ -23,7 +23,7 @@ def steps(lines):
     for line in lines:
         if line.startswith(("$ ", ">>> ")):
             result.append((line, []))
-        else:
+        elif result:
             result[-1][1].append(line.rstrip())
     return result
 
@@ -69,7 +69,7 @@ def main():
             with contextlib.redirect_stdout(io.StringIO()) as stream:
                 exec(command[4:], names)
             output = stream.getvalue()
-        wrong = holds(shown, [line.rstrip() for line in output.split("\n")[:-1]]) if shown else None
+        wrong = holds(shown, [line.rstrip() for line in output.split("\n") if line.strip()]) if shown else None
         if wrong:
             sys.exit(f"{command}\nshown:   {wrong[0]}\nprinted: {wrong[1]}\n\n{output}")
 
