@@ -8,6 +8,7 @@
 
 #include "calibrate/align.h"
 #include "calibrate/exact_rank.h"
+#include "calibrate/load.h"
 #include "calibrate/suspicion.h"
 #include "calibrate/words.h"
 
@@ -71,9 +72,9 @@ class Calibrator {
     settle(start);
     if (!set_.sigma_known) choose_again();
     // Before: the frames fitted to the same measurements with the nominal arm.
-    const State nominal =
+    result_.nominal =
         fit(can.model, {&set_, result_.weights}, start, nuisances(can.model.parameters, result_.active));
-    result_.before = size_of(can.model, {&set_, result_.weights}, nominal);
+    result_.before = size_of(can.model, {&set_, result_.weights}, result_.nominal);
     result_.after = size_of(can.model, {&set_, result_.weights}, result_.state);
     say_outliers();
     hold_out(start);
@@ -129,8 +130,8 @@ class Calibrator {
     const Eigen::MatrixXd inverse =
         scaled.ldlt().solve(Eigen::MatrixXd::Identity(scaled.rows(), scaled.cols()));
     result_.covariance = norms.cwiseInverse().asDiagonal() * inverse * norms.cwiseInverse().asDiagonal();
-    const double freedom = std::max(1.0, normal.numbers - static_cast<double>(result_.active.size()));
-    result_.misfit = std::sqrt(normal.cost / freedom);
+    result_.freedom = std::max(1.0, normal.numbers - static_cast<double>(result_.active.size()));
+    result_.misfit = std::sqrt(normal.cost / result_.freedom);
     if (!set_.sigma_known) result_.covariance *= result_.misfit * result_.misfit;
     result_.sigma = set_.rows.front().sigma;
     result_.sigma_angle = set_.rows.front().sigma_angle;
@@ -211,13 +212,16 @@ Setup setup_of(const DataSet& set, const Options& options) {
   setup.target_known = options.target_known;
   setup.errors = options.errors;
   setup.eccentric = options.eccentric;
+  setup.bending = options.bending;
   return setup;
 }
 
 Identifiable identifiable(const model::Robot& robot, const Setup& setup) {
   const auto classes = classes_of(robot);
-  const Geometry<double> geometry = geometry_of(robot, classes);
-  const Geometry<Field> field = field_geometry_of(robot, classes);
+  Geometry<double> geometry = geometry_of(robot, classes);
+  Geometry<Field> field = field_geometry_of(robot, classes);
+  if (setup.bending) add_bodies(robot, geometry, field);
+  geometry.greatest_loads = greatest_loads(geometry);
   std::vector<Parameter> errors, parameters;
   for (const Parameter& each : parameters_of(geometry, setup))
     if (!each.nuisance) errors.push_back(each);

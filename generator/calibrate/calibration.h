@@ -18,6 +18,7 @@ struct Options {
   Errors errors = Errors::all;
   bool eccentric = false;
   bool tracker_known = false, target_known = false;
+  bool bending = false;
 };
 
 /// Parameters of an arm for a kind of data, and what of them can never be told.
@@ -40,6 +41,7 @@ struct Outlier {
 struct Calibration {
   Identifiable identifiable;
   State state;
+  State nominal;                    ///< frames and surfaces fitted to the arm as described
   std::vector<std::size_t> active;  ///< indices of parameters that were found, sorted
   Eigen::MatrixXd covariance;       ///< of the active ones
   std::vector<std::string> untold;  ///< by these data, in words
@@ -48,6 +50,7 @@ struct Calibration {
   std::vector<double> weights;
   Size before, after;                 ///< with frames and surfaces fitted in both
   double sigma = 0, sigma_angle = 0;  ///< the deviations that weighed: said, or found from the residuals
+  double freedom = 1;                 ///< numbers measured beyond the unknowns
   double misfit = 1;  ///< root mean square of residuals over their deviations, by the degrees of freedom
   /// Residuals of every fifth measurement, with a fit of the others; and as the covariance promises.
   std::optional<Size> hold_out, expected;

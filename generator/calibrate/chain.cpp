@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "calibrate/chain.h"
 
+#include "calibrate/load.h"
+
 namespace qvgen::calibrate {
 
 std::vector<std::vector<std::size_t>> by_gap(const std::vector<Parameter>& parameters, std::size_t gaps) {
@@ -37,6 +39,9 @@ Posture<double> posture_of(const Geometry<double>& geometry, const double* q) {
     posture.values.push_back(value);
     posture.circular.push_back({std::cos(value), std::sin(value)});
   }
+  posture.loads = loads_of(geometry, posture, 1.0);
+  for (std::size_t i = 0; i < geometry.greatest_loads.size() && i < posture.loads.size(); ++i)
+    posture.loads[i] *= geometry.greatest_loads[i] > 0 ? standard_gravity / geometry.greatest_loads[i] : 0;
   return posture;
 }
 
@@ -52,6 +57,7 @@ Posture<Field> random_posture(const Geometry<Field>& geometry, std::uint64_t see
     posture.values.push_back(passes::search_detail::Fingerprint(seed).number(ratio) * point.symbol(name));
     posture.circular.push_back({value.cosine, value.sine});
   }
+  posture.loads = loads_of(geometry, posture, Field::from(1));
   return posture;
 }
 

@@ -20,6 +20,8 @@ template <class S>
 struct Posture {
   std::vector<S> values;            ///< a slide's, m
   std::vector<CosSin<S>> circular;  ///< a turn's
+  std::vector<S> loads =
+      {};  ///< shares of the greatest load that gravity puts on each joint; empty: not asked for
 };
 
 template <class S>
@@ -95,6 +97,7 @@ class Walk {
 
   [[nodiscard]] S weight(const Parameter& each) const {
     if (each.kind == Kind::eccentric_cosine) return posture_.circular[each.gap - 1].cosine;
+    if (each.kind == Kind::bend) return posture_.loads[each.gap - 1];
     return each.kind == Kind::eccentric_sine ? posture_.circular[each.gap - 1].sine : one_;
   }
   [[nodiscard]] Vec<S> weighed(const Parameter& each, const Vec<S>& axis) const {

@@ -82,6 +82,13 @@ class Builder {
     return result;
   }
 
+  void add_bodies(Geometry<S>& geometry) {
+    for (const model::Joint& joint : robot_.joints)
+      geometry.bodies.push_back(
+          {values_.number(joint.inertia.mass),
+           rigid_of(joint.after, values_) * vector_of(joint.inertia.centre_of_mass, values_)});
+  }
+
   Geometry<S> geometry(const std::vector<GapClass>& classes) {
     Geometry<S> result;
     const auto all = parts();
@@ -146,6 +153,11 @@ Geometry<double> geometry_of(const model::Robot& robot, const std::vector<GapCla
 
 Geometry<Field> field_geometry_of(const model::Robot& robot, const std::vector<GapClass>& classes) {
   return Builder<FieldValues>(robot, FieldValues(robot)).geometry(classes);
+}
+
+void add_bodies(const model::Robot& robot, Geometry<double>& geometry, Geometry<Field>& field) {
+  Builder<DoubleValues>(robot, DoubleValues(robot)).add_bodies(geometry);
+  Builder<FieldValues>(robot, FieldValues(robot)).add_bodies(field);
 }
 
 double reach_of(const Geometry<double>& geometry) {

@@ -32,17 +32,30 @@ struct JointForm {
   cln::cl_RA exact_ratio = 1;
 };
 
+/// Weight that a joint carries: that of its own link. The centre is seen from behind the joint's motion.
+template <class S>
+struct Body {
+  S mass;
+  Vec<S> centre;
+};
+
 /// An arm in numbers: gaps 1 ... n + 1 are gaps[0 ... n].
 template <class S>
 struct Geometry {
   std::vector<Gap<S>> gaps;
   std::vector<JointForm> joints;
-  std::size_t variables = 0;  ///< joints that follow none
+  std::size_t variables = 0;         ///< joints that follow none
+  std::vector<Body<S>> bodies = {};  ///< a joint each
+  std::vector<double> greatest_loads =
+      {};  ///< Nm, of the turns, at random postures; 0 for what carries nothing
 };
 
 std::vector<GapClass> classes_of(const model::Robot& robot);
 Geometry<double> geometry_of(const model::Robot& robot, const std::vector<GapClass>& classes);
 Geometry<Field> field_geometry_of(const model::Robot& robot, const std::vector<GapClass>& classes);
+
+/// Adds the weights of the links, whose masses and centres have values.
+void add_bodies(const model::Robot& robot, Geometry<double>& geometry, Geometry<Field>& field);
 
 /// Returns the nominal length of the arm: its gaps added up, at least 0.1 m.
 double reach_of(const Geometry<double>& geometry);

@@ -26,6 +26,7 @@ enum class Kind {
   swing,             ///< of a slide: a turn about its own axis
   eccentric_cosine,  ///< first harmonic of a joint's gear, times cos q
   eccentric_sine,    ///< likewise, times sin q
+  bend,              ///< of joint j under the weight of what it carries: its greatest bend
   tool_shift,        ///< of the tool's frame, along its x, y or z
   tool_turn,         ///< of the tool's frame, about its x, y or z
   tracker_shift,
@@ -34,6 +35,11 @@ enum class Kind {
   target_turn,
   surface  ///< a number of a touched plane or sphere, or of the fixed end of a measured distance
 };
+
+/// True for errors that change with the posture, which no description holds.
+inline bool is_of_posture(Kind kind) {
+  return kind == Kind::eccentric_cosine || kind == Kind::eccentric_sine || kind == Kind::bend;
+}
 
 struct Parameter {
   Kind kind = Kind::zero;

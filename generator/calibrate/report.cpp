@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "calibrate/interval.h"
+
 namespace qvgen::calibrate {
 namespace {
 
@@ -38,17 +40,14 @@ std::string sizes(const Calibration& found) {
   return text;
 }
 
-/// Returns the errors of the arm with the deviations of their estimates.
+/// Returns the errors of the arm with the deviations of their estimates and the intervals of 95 %.
 std::string errors(const Calibration& found) {
-  std::string text = fmt::format("{:<44}{:>12}  {:<5}{:>12}\n", "error", "value", "", "deviation");
-  for (std::size_t i = 0; i < found.active.size(); ++i) {
-    const Parameter& each = found.identifiable.model.parameters[found.active[i]];
-    if (each.nuisance) continue;
-    const auto k = static_cast<Eigen::Index>(i);
-    text += fmt::format("{:<44}{:>+12.5f}  {:<5}{:>12.5f}\n", each.name,
-                        milli * found.state.values[found.active[i]], each.turn ? "mrad" : "mm",
-                        milli * std::sqrt(found.covariance(k, k)));
-  }
+  std::string text =
+      fmt::format("{:<44}{:>12}  {:<5}{:>11}{:>26}\n", "error", "value", "", "deviation", "95 % interval");
+  for (const ErrorEstimate& each : error_estimates(found))
+    text += fmt::format("{:<44}{:>+12.5f}  {:<5}{:>11.5f}{:>+13.5f}{:>+13.5f}{}\n", each.name, each.value,
+                        each.unit, each.deviation, each.low, each.high,
+                        each.is_significant() ? "" : "  may be zero");
   return text;
 }
 
@@ -82,7 +81,7 @@ std::string report_text(const model::Robot& robot, const DataSet& set, const Cal
   text += outliers(set, found).empty() ? "" : "\n" + outliers(set, found);
   const std::string never = list_of("\nno data of this kind can tell", found.identifiable.never);
   const std::string here = list_of("\nthese data do not tell", found.untold);
-  return text + never + here;
+  return text + list_of("\nnearly told together only", correlated(found)) + never + here;
 }
 
 }  // namespace qvgen::calibrate

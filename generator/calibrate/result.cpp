@@ -110,7 +110,7 @@ Rigid<double> error_of(const Model<double>& model, const State& state, std::size
   Rigid<double> error = identity(1.0);
   for (const std::size_t index : model.of_gap[gap]) {
     const Parameter& each = model.parameters[index];
-    if (each.kind == Kind::eccentric_cosine || each.kind == Kind::eccentric_sine) continue;
+    if (is_of_posture(each.kind)) continue;
     const double amount = state.values[index];
     const Vec<double>& axis = model.geometry.gaps[gap - 1].directions.at(each.direction);
     error =

@@ -65,6 +65,9 @@ class Builder {
       add(Kind::eccentric_cosine, gap, 2, true, fmt::format("the eccentricity of gear {} (cosine)", gap));
       add(Kind::eccentric_sine, gap, 2, true, fmt::format("the eccentricity of gear {} (sine)", gap));
     }
+    if (setup_.bending && !slides && !follows && geometry_.greatest_loads[gap - 1] > 0)
+      add(Kind::bend, gap, 2, true,
+          fmt::format("the bend of joint {} under {:.4g} Nm", gap, geometry_.greatest_loads[gap - 1]));
   }
 
   [[nodiscard]] bool is_follower(std::size_t joint) const { return geometry_.joints[joint].ratio != 1; }

@@ -22,7 +22,7 @@ struct Setup {
   std::size_t targets = 1;
   std::size_t surfaces = 0;
   Errors errors = Errors::all;
-  bool eccentric = false;
+  bool eccentric = false, bending = false;
 
   [[nodiscard]] bool has_tracker() const {
     return data == Data::pose || data == Data::position || data == Data::camera;

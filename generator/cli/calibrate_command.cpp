@@ -6,9 +6,12 @@
 
 #include <fmt/format.h>
 
+#include "calibrate/dh.h"
+#include "calibrate/page.h"
 #include "calibrate/plan.h"
 #include "calibrate/report.h"
 #include "calibrate/result.h"
+#include "calibrate/urdf.h"
 #include "cli/commands.h"
 #include "cli/suggestion.h"
 #include "description/names.h"
@@ -47,6 +50,22 @@ void check_joints(const model::Robot& robot) {
                       robot.name));
 }
 
+void check_masses(const model::Robot& robot) {
+  for (const model::Joint& joint : robot.joints)
+    for (const model::Expression& each : {joint.inertia.mass, joint.inertia.centre_of_mass[0],
+                                          joint.inertia.centre_of_mass[1], joint.inertia.centre_of_mass[2]})
+      for (const std::string& symbol : model::symbols(each))
+        if (!model::default_bindings(robot).contains(symbol))
+          throw std::runtime_error(fmt::format(
+              "--bending: {} of {} has no value; write masses and centres, or identify them first", symbol,
+              robot.name));
+  const bool none = std::all_of(robot.joints.begin(), robot.joints.end(), [](const model::Joint& joint) {
+    return joint.inertia.mass.is_literal_zero();
+  });
+  if (none)
+    throw std::runtime_error("--bending: " + robot.name + " has no masses; qvgen identify finds them");
+}
+
 void check_numbers(const model::Robot& robot) {
   for (const model::Parameter& each : robot.geometry)
     if (!each.default_value)
@@ -55,21 +74,51 @@ void check_numbers(const model::Robot& robot) {
                       each.name, robot.name));
 }
 
-/// Writes the description as a whole, once it is read again without a mistake.
-void write(const CalibrateArguments& arguments, const model::Robot& robot, const Calibration& found) {
+void write_whole(const fs::path& path, const std::string& text) {
+  fs::path temporary = path;
+  temporary += ".unfinished";
+  pipeline::replace_file(path, text, temporary);
+}
+
+/// Reads a text again: what `generate` would not take is not written.
+void check_again(const std::string& text, const fs::path& path, const description::ReadOptions& options) {
+  const auto read = description::read_text(text, path.string(), options);
+  if (read.robot) return;
+  print_diagnostics(read.diagnostics);
+  throw std::logic_error("the calibrated description cannot be read");
+}
+
+void write_toml(const CalibrateArguments& arguments, const model::Robot& robot, const Calibration& found) {
   const model::Robot result = calibrate::calibrated_robot(robot, found, name_of(arguments, robot));
   const std::string text = description::write_text(result);
-  const auto read = description::read_text(text, arguments.output.string());
-  if (!read.robot) {
-    print_diagnostics(read.diagnostics);
-    throw std::logic_error("the calibrated description cannot be read");
-  }
-  fs::path temporary = arguments.output;
-  temporary += ".unfinished";
-  pipeline::replace_file(arguments.output, text, temporary);
+  check_again(text, arguments.output, {});
+  write_whole(arguments.output, text);
   const std::string ideal = result.ideal.empty() ? "" : result.ideal + " ";
   fmt::print(stderr, "wrote {}; next: qvgen generate {}{}\n", arguments.output.string(), ideal,
              arguments.output.string());
+}
+
+void write_urdf(const CalibrateArguments& arguments, const description::ReadResult& read,
+                const Calibration& found) {
+  const std::string head =
+      fmt::format("Origins of joints calibrated by qvgen from {}.", arguments.data.filename().string());
+  const std::string text = calibrate::calibrated_urdf(read.text, arguments.read, found, head);
+  description::ReadOptions again = arguments.read;
+  again.xacro_arguments.clear();
+  check_again(text, "calibrated.urdf", again);
+  write_whole(arguments.output, text);
+  fmt::print(stderr, "wrote {}\n", arguments.output.string());
+}
+
+/// Writes the arm that was found in the form that was asked for.
+void write(const CalibrateArguments& arguments, const description::ReadResult& read,
+           const Calibration& found) {
+  if (arguments.format == CalibratedFormat::toml) return write_toml(arguments, *read.robot, found);
+  if (arguments.format == CalibratedFormat::urdf) return write_urdf(arguments, read, found);
+  const auto form =
+      arguments.format == CalibratedFormat::dh ? calibrate::DhForm::classic : calibrate::DhForm::hayati;
+  write_whole(arguments.output, calibrate::dh_text(calibrate::dh_change(found, form), form));
+  fmt::print(stderr, "wrote {}\n", arguments.output.string());
 }
 
 /// Prints postures to measure next.
@@ -97,6 +146,8 @@ int plan_without_data(const CalibrateArguments& arguments, const model::Robot& r
 }  // namespace
 
 int run_calibrate(const CalibrateArguments& arguments) {
+  if (arguments.format != CalibratedFormat::toml && arguments.output.empty())
+    throw UsageError("--format says how the output is written: name it, -o FILE");
   description::ReadOptions read = arguments.read;
   read.name.clear();
   const auto descriptions = read_chains({arguments.description}, read);
@@ -104,8 +155,9 @@ int run_calibrate(const CalibrateArguments& arguments) {
   const model::Robot& robot = *descriptions->front().robot;
   check_numbers(robot);
   check_joints(robot);
+  if (arguments.bending) check_masses(robot);
   const calibrate::Options options{arguments.errors, arguments.gears, has(arguments.known, "tracker"),
-                                   has(arguments.known, "target")};
+                                   has(arguments.known, "target"), arguments.bending};
   if (arguments.data.empty()) return plan_without_data(arguments, robot, options);
   const calibrate::DataResult data = calibrate::read_data(arguments.data, robot, arguments.options);
   print_diagnostics(data.diagnostics);
@@ -124,7 +176,8 @@ int run_calibrate(const CalibrateArguments& arguments) {
     return success;
   }
   fmt::print("{}", calibrate::report_text(robot, data.set, *found));
-  if (!arguments.output.empty()) write(arguments, robot, *found);
+  if (!arguments.page.empty()) write_whole(arguments.page, calibrate::page(robot, data.set, *found));
+  if (!arguments.output.empty()) write(arguments, descriptions->front(), *found);
   return success;
 }
 

@@ -14,15 +14,25 @@
 
 namespace qvgen::cli {
 
+/// Forms in which the arm is written.
+enum class CalibratedFormat {
+  toml,   ///< a description
+  urdf,   ///< the input's URDF with other origins
+  dh,     ///< rows of Denavit and Hartenberg with their differences
+  hayati  ///< likewise, with a fifth number where axes are nearly parallel
+};
+
 struct CalibrateArguments {
   std::string robot;  ///< as the command line names it
   std::filesystem::path description;
   std::filesystem::path data;
-  std::filesystem::path output;
+  std::filesystem::path output, page;  ///< may be empty
+  CalibratedFormat format = CalibratedFormat::toml;
   description::ReadOptions read;
   calibrate::DataOptions options;
   calibrate::Errors errors = calibrate::Errors::all;
   bool gears = false;              ///< eccentricity of gears, too
+  bool bending = false;            ///< of joints under gravity, too
   std::size_t plan = 0;            ///< how many postures to plan; 0: calibrate
   std::vector<std::string> known;  ///< frames: tracker, target
 };

@@ -53,12 +53,27 @@ CLI::App* add_calibrate(CLI::App& app, CalibrateArguments& arguments) {
       ->check(CLI::Range(1, 1000).description(""));
   command.add_option("-o,--output", arguments.output, "description to write; only the report without")
       ->type_name("FILE");
+  command.add_option("--page", arguments.page, "the report as a page of HTML with plots, to write")
+      ->type_name("FILE");
+  const std::map<std::string, CalibratedFormat> formats{{"toml", CalibratedFormat::toml},
+                                                        {"urdf", CalibratedFormat::urdf},
+                                                        {"dh", CalibratedFormat::dh},
+                                                        {"hayati", CalibratedFormat::hayati}};
+  command
+      .add_option(
+          "--format", arguments.format,
+          "of the output: a description; the input's URDF with other origins; or a table of Denavit and "
+          "Hartenberg with the differences, with a fifth number for parallel axes by 'hayati'; toml without")
+      ->transform(CLI::CheckedTransformer(formats).description("{toml,urdf,dh,hayati}"));
   const std::map<std::string, Errors> errors{
       {"zeros", Errors::zeros}, {"lengths", Errors::lengths}, {"all", Errors::all}};
   command.add_option("--errors", arguments.errors, "zeros of joints, these and lengths, or all; all without")
       ->transform(CLI::CheckedTransformer(errors).description("{zeros,lengths,all}"));
   command.add_flag("--gears", arguments.gears,
                    "also the eccentricity of each joint's gear, its first harmonic");
+  command.add_flag(
+      "--bending", arguments.bending,
+      "also how far each joint bends under the weight of the links, whose masses the description has");
   command
       .add_option(
           "--known", arguments.known,

@@ -9,6 +9,7 @@
 #include "cli/suggestion.h"
 #include "identify/identification.h"
 #include "identify/log_table.h"
+#include "identify/page.h"
 #include "identify/plan.h"
 #include "identify/summary.h"
 #include "identify/written.h"
@@ -43,6 +44,8 @@ identify::Request request_of(const IdentifyArguments& arguments) {
   if (arguments.window) request.window = *arguments.window;
   request.standstill = arguments.standstill;
   request.mass = arguments.mass;
+  request.stribeck = arguments.stribeck;
+  request.temperature = arguments.temperature;
   return request;
 }
 
@@ -50,7 +53,7 @@ identify::LogOptions log_options(const IdentifyArguments& arguments, const model
   const std::size_t joints = model::driven_count(robot), given = arguments.torque_constants.size();
   if (given != 0 && given != joints)
     throw UsageError(fmt::format("--torque-constants has {} numbers for {} joints", given, joints));
-  return {arguments.torque_constants, true};
+  return {arguments.torque_constants, true, arguments.temperature};
 }
 
 /// Reads logs and prints what is wrong with them; nothing if that is an error in any.
@@ -82,10 +85,18 @@ void write_and_say(const fs::path& path, const std::string& content) {
 std::string description_text(const IdentifyArguments& arguments, const description::ReadResult& read,
                              const identify::Identification& found) {
   if (arguments.output.empty()) return "";
-  const std::string head =
+  std::string head =
       fmt::format("Inertias and drives identified by qvgen from {}.", fmt::join(arguments.logs, ", "));
-  const std::string text = identify::written(read.text, *read.robot, found.full.values, head);
-  const auto again = description::read_text(text, arguments.output.string());
+  for (Eigen::Index k = found.arm.plain(); k < found.arm.parameters(); ++k)
+    head += fmt::format("\nFriction that no description takes: {:.6g} of {}", found.estimate.value[k],
+                        identify::definition(found.arm, k));
+  description::ReadOptions options = arguments.urdf ? arguments.read : description::ReadOptions{};
+  options.xacro_arguments.clear();
+  const std::string text = arguments.urdf
+                               ? identify::written_urdf(read.text, arguments.read, found.full.values, head)
+                               : identify::written(read.text, *read.robot, found.full.values, head);
+  const auto again =
+      description::read_text(text, arguments.urdf ? "identified.urdf" : arguments.output.string(), options);
   if (!again.robot)
     throw std::runtime_error("the description with numbers is not right any more: " +
                              description::to_string(again.diagnostics.front()));
@@ -118,6 +129,8 @@ const std::vector<std::string>& drive_names() {
 
 int run_identify(const IdentifyArguments& arguments) {
   const identify::Request request = request_of(arguments);
+  if (arguments.urdf && (arguments.output.empty() || arguments.plan))
+    throw UsageError("--format says how the description is written: name it, -o FILE");
   const auto descriptions = read_chains({arguments.description}, arguments.read);
   if (!descriptions) return bad_description;
   const model::Robot& robot = *descriptions->front().robot;
@@ -132,6 +145,7 @@ int run_identify(const IdentifyArguments& arguments) {
   const std::string text = description_text(arguments, descriptions->front(), found);
   fmt::print("{}", identify::summary(robot, found));
   write_and_say(arguments.output, text);
+  if (!arguments.page.empty()) write_and_say(arguments.page, identify::page(robot, found));
   if (!arguments.table.empty()) write_and_say(arguments.table, identify::parameter_table(found));
   return success;
 }

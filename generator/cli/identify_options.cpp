@@ -2,6 +2,7 @@
 #include "cli/identify_options.h"
 
 #include <cmath>
+#include <map>
 
 #include "cli/examples.h"
 #include "cli/reading_options.h"
@@ -67,6 +68,11 @@ void add_model(CLI::App& command, IdentifyArguments& arguments) {
       ->type_name("NAMES")
       ->allow_extra_args(false)
       ->delimiter(',');
+  command.add_flag("--stribeck", arguments.stribeck,
+                   "also friction that is other at low rates: fs sign(rate) exp(-(rate/v)^2) of each joint");
+  command.add_flag(
+      "--temperature", arguments.temperature,
+      "also friction that changes with the column 'temperature' [degC], or temperature1, ... of each joint");
   command.add_option("--gravity", arguments.gravity, "m/s^2 along the world's -z; 9.80665 without")
       ->type_name("NUMBER")
       ->check(CLI::NonNegativeNumber.description(""));
@@ -90,6 +96,14 @@ CLI::App* add_identify(CLI::App& app, std::string& robot, IdentifyArguments& arg
       .add_option("-o,--output", arguments.output,
                   "description to write, or with --plan the table; none without")
       ->type_name("FILE");
+  command.add_option("--page", arguments.page, "the report as a page of HTML with plots, to write")
+      ->type_name("FILE");
+  const std::map<std::string, bool> formats{{"toml", false}, {"urdf", true}};
+  command
+      .add_option(
+          "--format", arguments.urdf,
+          "of the output: a description, or the input's URDF with other inertias and friction; toml without")
+      ->transform(CLI::CheckedTransformer(formats).description("{toml,urdf}"));
   command
       .add_option(
           "--table", arguments.table,

@@ -21,6 +21,13 @@ using derive::dynamics::DriveParameter;
 /// xx yy zz xy yz xz.
 inline constexpr Eigen::Index standard_count = 10;
 
+/// Columns that no description has (extra_columns.h).
+enum class ExtraKind { stribeck, viscous_by_temperature, coulomb_by_temperature };
+struct ExtraColumn {
+  std::size_t joint;  ///< index among those that follow none
+  ExtraKind kind;
+};
+
 struct ArmRegressor {
   std::size_t joints = 0;              ///< that follow none: rows of Y, torques
   std::size_t links = 0;               ///< of the whole chain
@@ -35,8 +42,13 @@ struct ArmRegressor {
   Tape tape;
   /// For each joint the columns that are not zero for every motion.
   std::vector<std::vector<Eigen::Index>> columns;
+  std::vector<ExtraColumn> extra = {};  ///< the last columns, which the tape does not compute
+  Eigen::VectorXd stribeck_rate = {};   ///< rad/s or m/s, a joint each
+  double temperature = 0;               ///< degrees Celsius, at which friction is what the drives have
 
   [[nodiscard]] Eigen::Index parameters() const { return static_cast<Eigen::Index>(names.size()); }
+  /// Parameters of bodies and drives, which come first.
+  [[nodiscard]] Eigen::Index plain() const { return parameters() - static_cast<Eigen::Index>(extra.size()); }
   [[nodiscard]] Eigen::Index standard() const { return static_cast<Eigen::Index>(links) * standard_count; }
 };
 

@@ -8,6 +8,8 @@
 
 #include <Eigen/QR>
 
+#include "identify/extra_columns.h"
+
 namespace qvgen::identify {
 namespace {
 
@@ -47,6 +49,14 @@ std::vector<bool> finite_samples(const MotionLog& log, Index first, Index count)
   return finite;
 }
 
+/// Copies a joint's entries of a column of Y.
+void fill_column(const ArmRegressor& arm, const MotionLog& log, const std::vector<double>& workspace,
+                 Index column, std::size_t joint, Index first, Index count, double* to) {
+  if (column >= arm.plain()) return fill_extra(arm, log, column, first, count, to);
+  arm.tape.copy(workspace, static_cast<std::size_t>(column) * arm.joints + joint,
+                static_cast<std::size_t>(count), to);
+}
+
 /// One thread's work on a chunk of samples.
 class Chunk {
  public:
@@ -74,8 +84,8 @@ class Chunk {
     Index used = 0;
     equations.add(count, [&](auto rows) {
       for (Index c = 0; c + 1 < rows.cols(); ++c) {
-        const auto column = static_cast<std::size_t>(equations.columns()[static_cast<std::size_t>(c)]);
-        arm_.tape.copy(workspace_, column * arm_.joints + joint, finite.size(), rows.col(c).data());
+        const Index column = equations.columns()[static_cast<std::size_t>(c)];
+        fill_column(arm_, log_, workspace_, column, joint, first, count, rows.col(c).data());
       }
       rows.col(rows.cols() - 1) = log_.torque.col(static_cast<Index>(joint)).segment(first, count);
       for (Index k = 0; k < count; ++k)
@@ -89,7 +99,7 @@ class Chunk {
 
   [[nodiscard]] bool is_used(std::size_t joint, Index sample) const {
     const auto i = static_cast<Index>(joint);
-    if (!std::isfinite(log_.torque(sample, i))) return false;
+    if (!std::isfinite(log_.torque(sample, i)) || !has_extra(arm_, log_, sample, i)) return false;
     return use_.slowest.empty() || std::abs(log_.qd(sample, i)) >= use_.slowest[joint];
   }
 
@@ -170,8 +180,7 @@ MatrixXd predicted(const ArmRegressor& arm, const MotionLog& log, const Eigen::V
       arm.tape.run(workspace);
       for (std::size_t i = 0; i < arm.joints; ++i)
         for (const Index k : arm.columns[i]) {
-          arm.tape.copy(workspace, static_cast<std::size_t>(k) * arm.joints + i,
-                        static_cast<std::size_t>(count), column.data());
+          fill_column(arm, log, workspace, k, i, at, count, column.data());
           torque.col(static_cast<Index>(i)).segment(at, count) += parameters[k] * column.head(count);
         }
     }

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "identify/derivatives.h"
+#include "identify/extra_columns.h"
 #include "identify/prior.h"
 
 namespace qvgen::identify {
@@ -22,7 +23,7 @@ MotionLog beginning(const MotionLog& log, Index samples) {
   MotionLog result = log;
   if (samples >= log.samples()) return result;
   result.time.resize(std::min(log.time.size(), static_cast<std::size_t>(samples)));
-  for (Eigen::MatrixXd* part : {&result.q, &result.qd, &result.qdd, &result.torque})
+  for (Eigen::MatrixXd* part : {&result.q, &result.qd, &result.qdd, &result.torque, &result.temperature})
     if (part->rows() > 0) part->conservativeResize(samples, Eigen::NoChange);
   return result;
 }
@@ -46,6 +47,15 @@ VectorXd greatest_rates(const std::vector<MotionLog>& logs) {
       for (Index k = 0; k < log.samples(); ++k)
         if (std::isfinite(log.qd(k, i))) greatest[i] = std::max(greatest[i], std::abs(log.qd(k, i)));
   return greatest;
+}
+
+/// Returns the mean temperature of all logs.
+double mean_temperature(const std::vector<MotionLog>& logs) {
+  double sum = 0, count = 0;
+  for (const MotionLog& log : logs)
+    for (const double each : log.temperature.reshaped())
+      if (std::isfinite(each)) sum += each, count += 1;
+  return sum / std::max(1.0, count);
 }
 
 UseOfLog use_of(const ArmRegressor& arm, const std::vector<MotionLog>& logs, const Request& request) {
@@ -110,6 +120,21 @@ Filter filtered(const ArmRegressor& arm, std::vector<MotionLog>& logs, std::vect
   return filter;
 }
 
+/// Chooses each joint's rate of Stribeck: of some shares of its greatest rate the one that leaves least.
+void choose_stribeck_rates(ArmRegressor& arm, const std::vector<MotionLog>& logs, const UseOfLog& use) {
+  std::vector<MotionLog> trial;
+  for (const MotionLog& log : logs) trial.push_back(beginning(log, trial_samples));
+  const VectorXd greatest = greatest_rates(trial);
+  VectorXd best = VectorXd::Constant(greatest.size(), 0), least = best;
+  for (const double share : {0.02, 0.05, 0.1, 0.2, 0.4}) {
+    arm.stribeck_rate = (share * greatest).cwiseMax(std::numeric_limits<double>::min());
+    const VectorXd noise = estimate(equations_of_all(arm, trial, use), arm.parameters()).noise;
+    for (Index i = 0; i < noise.size(); ++i)
+      if (best[i] == 0 || noise[i] < least[i]) best[i] = arm.stribeck_rate[i], least[i] = noise[i];
+  }
+  arm.stribeck_rate = best;
+}
+
 /// Correlation of each joint's residual with the one of the next sample.
 VectorXd correlations(const ArmRegressor& arm, const std::vector<MotionLog>& logs,
                       const VectorXd& parameters) {
@@ -145,13 +170,18 @@ Identification identify(const model::Robot& robot, std::vector<MotionLog> logs,
                         std::vector<MotionLog> hold_out, const Request& request,
                         std::vector<MotionLog> payload) {
   Identification result{arm_regressor(robot, request.drives, request.gravity), {}, {}, {}, {}, {}, {}, {}};
+  add_extra_columns(result.arm, request.stribeck, request.temperature);
+  result.arm.temperature = mean_temperature(logs);
   result.filter = filtered(result.arm, logs, hold_out, payload, request);
   const UseOfLog use = use_of(result.arm, logs, request);
   result.standstill = use.slowest;
+  if (request.stribeck) choose_stribeck_rates(result.arm, logs, use);
   const Equations equations = equations_of_all(result.arm, logs, use);
   result.estimate = estimate(equations, result.arm.parameters());
-  result.full = closest_consistent(result.arm, result.estimate,
-                                   prior_of(robot, result.arm, result.estimate, request.mass));
+  ArmRegressor bodies = result.arm;
+  bodies.combination = combination_without_extra(result.arm);
+  const Estimate of_bodies = without_extra(result.arm, result.estimate);
+  result.full = closest_consistent(bodies, of_bodies, prior_of(robot, bodies, of_bodies, request.mass));
   result.joints = joints_of(result.arm, equations, result.estimate, logs);
   if (!hold_out.empty()) {
     const VectorXd rest = residuals(equations_of_all(result.arm, hold_out, use), result.estimate.value);

@@ -19,6 +19,7 @@ struct Request {
   std::optional<Eigen::Index> window;  ///< samples of the polynomials, an odd number; none: the best of some
   std::optional<double> standstill;    ///< rad/s, m/s; none: a hundredth of the joint's greatest rate
   std::optional<double> mass;          ///< of all links, kg
+  bool stribeck = false, temperature = false;  ///< friction beyond the drives' (extra_columns.h)
 };
 
 /// Rates and accelerations as they were made.

@@ -26,6 +26,8 @@ std::vector<Kind> kinds_of(const LogOptions& options) {
       {"q", {"position", "pos", "joint"}, Quantity::angle, Quantity::length, true},
       {"qd", {"dq", "velocity", "vel"}, Quantity::angular_velocity, Quantity::velocity, false},
       {"qdd", {"ddq", "acceleration", "acc"}, Quantity::angular_acceleration, Quantity::acceleration, false}};
+  if (options.temperature)
+    kinds.push_back({"temperature", {"temp"}, Quantity::temperature, Quantity::temperature, false});
   if (!options.torques) return kinds;
   if (options.torque_constants.empty())
     kinds.push_back({"torque", {"tau", "effort", "force"}, Quantity::torque, Quantity::force, true});
@@ -63,6 +65,15 @@ void add_error(LogResult& result, const std::string& message, const std::string&
   result.diagnostics.push_back({result.log.name, 1, 1, description::Diagnostic::error, message, hint});
 }
 
+/// Returns the temperatures of all joints: their own, or that of the arm.
+Eigen::MatrixXd temperatures(const measured::Table& table, std::size_t joints) {
+  Eigen::MatrixXd own = matrix(table, "temperature", joints);
+  const auto* whole = table.find("temperature");
+  if (own.rows() > 0 || whole == nullptr) return own;
+  return Eigen::VectorXd::Map(whole->data(), static_cast<Index>(whole->size()))
+      .replicate(1, static_cast<Index>(joints));
+}
+
 /// Rates of some joints alone are a slip: none are used by halves.
 void check_complete(const measured::Table& table, std::size_t joints, LogResult& result) {
   for (const std::string kind : {"qd", "qdd"})
@@ -86,6 +97,10 @@ void take_columns(const measured::Table& table, std::size_t joints, const LogOpt
   log.q = matrix(table, "q", joints);
   log.qd = matrix(table, "qd", joints);
   log.qdd = matrix(table, "qdd", joints);
+  if (options.temperature) log.temperature = temperatures(table, joints);
+  if (options.temperature && log.temperature.rows() == 0)
+    add_error(result, "there is no column 'temperature', which --temperature asks for",
+              "add temperature [degC] of the arm, or temperature1 [degC], ... of each joint");
   log.torque = matrix(table, options.torque_constants.empty() ? "torque" : "current", joints);
   for (std::size_t i = 0; i < options.torque_constants.size() && log.torque.rows() > 0; ++i)
     log.torque.col(static_cast<Index>(i)) *= options.torque_constants[i];
@@ -101,6 +116,7 @@ bool LogResult::good() const {
 
 std::vector<Wanted> log_columns(const model::Robot& robot, const LogOptions& options) {
   std::vector<Wanted> columns{{"time", Quantity::time, false, false, {"t", "timestamp"}}};
+  if (options.temperature) columns.push_back({"temperature", Quantity::temperature, false, false, {"temp"}});
   for (const Kind& kind : kinds_of(options)) {
     std::size_t number = 0;
     for (const model::Joint& joint : model::driven_joints(robot))

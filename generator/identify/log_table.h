@@ -16,6 +16,9 @@ struct LogOptions {
   std::vector<double> torque_constants = {};
   /// False: a file without torques, a planned motion.
   bool torques = true;
+  /// True: temperatures are read too, "temperature [degC]" of the whole arm, or temperature1, ... of each
+  /// joint.
+  bool temperature = false;
 };
 
 /// A log, with the lines of its samples; or the mistakes of its file.

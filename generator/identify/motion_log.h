@@ -17,6 +17,8 @@ struct MotionLog {
   Eigen::MatrixXd q;         ///< rad or m
   Eigen::MatrixXd qd, qdd;   ///< per s and s^2; without rows where they were not measured
   Eigen::MatrixXd torque;    ///< Nm or N
+  Eigen::MatrixXd temperature =
+      {};  ///< degrees Celsius; without rows where it was not measured or is not used
 
   [[nodiscard]] Eigen::Index samples() const { return q.rows(); }
   [[nodiscard]] Eigen::Index joints() const { return q.cols(); }

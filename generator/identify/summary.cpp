@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "identify/extra_columns.h"
 #include "model/followers.h"
 
 namespace qvgen::identify {
@@ -91,7 +92,12 @@ std::string parameters_text(const Identification& found) {
                         estimate.value[k], deviation,
                         deviation > 0 ? std::abs(estimate.value[k]) / deviation : 0);
   }
-  return text + "+- is one standard deviation; with t below 3 a value may as well be zero\n";
+  for (Index k = found.arm.plain(); k < estimate.value.size(); ++k)
+    text += found.arm.names[static_cast<std::size_t>(k)] + " of " + definition(found.arm, k) + "\n";
+  return text +
+         "+- is one standard deviation: the true value is within twice that with 95 %; with t below 3 it may "
+         "as "
+         "well be zero\n";
 }
 
 std::string full_text(const Identification& found) {
@@ -137,6 +143,7 @@ std::string payload_text(const PayloadEstimate& found) {
 }  // namespace
 
 std::string definition(const ArmRegressor& arm, Index parameter) {
+  if (parameter >= arm.plain()) return extra_definition(arm, parameter);
   std::string text;
   for (Index k = 0; k < arm.combination.cols(); ++k)
     if (const double factor = arm.combination(parameter, k); std::abs(factor) > nothing)

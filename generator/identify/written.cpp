@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "identify/written.h"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <map>
@@ -15,6 +16,7 @@
 #include <toml++/toml.h>
 
 #include "description/write.h"
+#include "description/xml/urdf_edit.h"
 
 namespace qvgen::identify {
 namespace {
@@ -214,6 +216,26 @@ std::string written(const std::string& text, const model::Robot& robot, const Ei
   if (begin != std::string::npos && text[begin] == '<')
     return commented(head) + description::write_text(with_values(robot, values));
   return commented(head) + edited(toml::parse(text), text, robot, values);
+}
+
+std::string written_urdf(const std::string& text, const description::ReadOptions& options,
+                         const Eigen::VectorXd& values, const std::string& head) {
+  description::xml::UrdfEdit edit(text, options);
+  const auto& steps = edit.steps();
+  const auto links = std::count_if(steps.begin(), steps.end(), [](const auto& step) { return step.moves; });
+  std::string comment = head;
+  Index number = 0;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    if (!steps[i].moves) continue;
+    const Link link = link_of(values, number++, links);
+    edit.set_inertia(i, {link.mass, {link.centre[0], link.centre[1], link.centre[2]}, link.inertia});
+    edit.set_friction(i, link.drive[1], link.drive[2]);
+    if (link.drive[0] != 0 || link.drive[3] != 0)
+      comment += fmt::format("\n{}: rotor inertia {} kg m^2 (kg), constant force of the drive {} Nm (N)",
+                             steps[i].joint, link.drive[0], link.drive[3]);
+  }
+  edit.add_comment(comment);
+  return edit.text();
 }
 
 }  // namespace qvgen::identify

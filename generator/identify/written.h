@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include "description/reader.h"
 #include "identify/arm_regressor.h"
 #include "model/robot.h"
 
@@ -21,5 +22,12 @@ model::Robot with_values(model::Robot robot, const Eigen::VectorXd& values);
 /// file are written in a way that cannot be changed line by line.
 std::string written(const std::string& text, const model::Robot& robot, const Eigen::VectorXd& values,
                     const std::string& head);
+
+/// Returns the URDF `text`, all else as it was, with new inertias and frictions on the way from base to tip.
+/// Links that are fixed to others lose their inertias, which are part of those. Rotor inertias and constant
+/// forces, which no URDF takes, stand in comments behind the lines of `head`. Throws std::runtime_error for
+/// text that is no URDF.
+std::string written_urdf(const std::string& text, const description::ReadOptions& options,
+                         const Eigen::VectorXd& values, const std::string& head);
 
 }  // namespace qvgen::identify

@@ -38,6 +38,18 @@ awk '{ print $6 }' plan30.txt plan10.txt | paste -sd' ' | awk '{ exit !($1 < $2 
 [[ $(wc -l < more.csv) -eq 6 ]] || fail "not 5 postures"
 if "$tool" calibrate ur5 2> errors.txt; then fail "no data were taken"; fi
 
+# Other forms of the result.
+"$tool" calibrate ur5 poses.csv --format hayati -o table.csv --page page.html > /dev/null
+[[ $(grep -c '^[1-6], ' table.csv) -eq 6 ]] || fail "no table: $(cat table.csv)"
+for text in '<svg' 'Rows that were not fitted are predicted to' 'the zero of joint 3' 'No data of this kind can tell'; do
+  grep -q "$text" page.html || fail "the page lacks $text"
+done
+if "$tool" calibrate ur5 poses.csv --format urdf -o arm.urdf 2> errors.txt; then fail "TOML became a URDF"; fi
+grep -q 'only a URDF can be changed' errors.txt && [[ ! -e arm.urdf ]] || fail "$(cat errors.txt)"
+if "$tool" calibrate ur5 poses.csv --format urdf 2> errors.txt; then fail "a format without output"; fi
+if "$tool" calibrate ur5 poses.csv --bending 2> errors.txt; then fail "joints bend without masses"; fi
+grep -q 'm1 of ur5 has no value' errors.txt || fail "$(cat errors.txt)"
+
 QVGEN_TOOL=$tool PYTHONPATH=$python python3 - <<'PY'
 import pathlib, qvgen
 report = qvgen.calibrate("ur5", "poses.csv", "from_python.toml", "--name", "my_ur5")

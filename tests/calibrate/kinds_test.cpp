@@ -3,6 +3,7 @@
 // true.
 #include <gtest/gtest.h>
 
+#include "reference/dynamics.h"
 #include "simulate.h"
 
 namespace calibrate_test {
@@ -85,6 +86,38 @@ TEST(Kinds, GearsThatAreEccentric) {
       EXPECT_NEAR(value, -1e-3, 1e-5);
     }
   }
+}
+
+/// Joints that bend under the weight of the links, by the tests' own dynamics.
+TEST(Kinds, JointsThatBendUnderTheirLoad) {
+  Scene scene = scene_of("iiwa14", 11);
+  stand_anywhere(scene);
+  constexpr double stiffness = 2e4;  // Nm/rad
+  const VectorXd none = VectorXd::Zero(7);
+  const auto bent = [&](const VectorXd& q) -> VectorXd {
+    return q - reference::inverse_dynamics(scene.nominal, q, none, none, Vector3d(0, 0, 9.80665)) / stiffness;
+  };
+  DataSet set = measure(scene, 0);
+  for (int i = 0; i < 150; ++i) {
+    const VectorXd q = random_joints(scene);
+    set.rows.push_back(measured(scene, bent(q), 0));
+    set.rows.back().q.assign(q.data(), q.data() + q.size());
+  }
+  Options options;
+  const Calibration stiff = calibrated_kind(scene, set, options);
+  options.bending = true;
+  const Calibration found = calibrated_kind(scene, set, options);
+  EXPECT_GT(stiff.after.position, 1e-4);
+  EXPECT_LT(found.after.position, 1e-6);
+  int bends = 0;
+  for (const std::size_t index : found.active) {
+    const Parameter& each = found.identifiable.model.parameters[index];
+    if (each.kind != Kind::bend) continue;
+    ++bends;
+    const double torque = std::stod(each.name.substr(each.name.find("under") + 6));
+    EXPECT_NEAR(found.state.values[index] / torque, 1 / stiffness, 1e-3 / stiffness) << each.name;
+  }
+  EXPECT_GE(bends, 5) << "the first joint carries nothing, the last hardly anything";
 }
 
 TEST(Kinds, ZerosAloneLeaveTheRest) {

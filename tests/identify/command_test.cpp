@@ -41,9 +41,10 @@ class IdentifyCommand : public CommandLine {
 TEST_F(IdentifyCommand, WritesADescriptionWithTheArmsTorques) {
   const std::string first = log("first.csv", 1, 0.1), second = log("second.csv", 2, 0.1),
                     third = log("third.csv", 3, 0.1);
-  const std::string output = (folder / "found.toml").string(), table = (folder / "table.csv").string();
+  const std::string output = (folder / "found.toml").string(), table = (folder / "table.csv").string(),
+                    page = (folder / "page.html").string();
   const ToolRun result = run("identify " + arm + " " + first + " " + second + " --hold-out " + third +
-                             " -o " + output + " --table " + table);
+                             " -o " + output + " --table " + table + " --page " + page);
   ASSERT_EQ(result.code, 0) << result.output;
   EXPECT_THAT(result.output, HasSubstr("rates and accelerations from polynomials of degree 4"));
   EXPECT_THAT(result.output, HasSubstr("full set"));
@@ -60,6 +61,11 @@ TEST_F(IdentifyCommand, WritesADescriptionWithTheArmsTorques) {
   std::string header;
   std::getline(parameters, header);
   EXPECT_EQ(header, "parameter,value,deviation,t,told,definition");
+  std::ifstream html(page);
+  const std::string shown{std::istreambuf_iterator<char>(html), {}};
+  for (const char* part :
+       {"Residual of q3", "Nine tenths of the residual", "Ia1 has no column of its own", "95 % from"})
+    EXPECT_THAT(shown, HasSubstr(part));
 }
 
 TEST_F(IdentifyCommand, NothingIsWrittenWhereALogIsWrong) {
@@ -79,6 +85,12 @@ TEST_F(IdentifyCommand, WrongOptionsAreNamed) {
               HasSubstr("2 numbers for 3 joints"));
   EXPECT_EQ(run("identify " + arm + " " + file + " --window 10").code, 2);
   EXPECT_EQ(run("identify " + arm + " missing.csv").code, 3);
+  EXPECT_EQ(run("identify " + arm + " " + file + " --format urdf").code, 2);
+  EXPECT_THAT(run("identify " + arm + " " + file + " --temperature").output,
+              HasSubstr("there is no column 'temperature'"));
+  EXPECT_THAT(
+      run("identify " + arm + " " + file + " --format urdf -o " + (folder / "a.urdf").string()).output,
+      HasSubstr("only a URDF"));
 }
 
 }  // namespace

@@ -65,6 +65,9 @@ struct Parsing {
     return static_cast<std::size_t>(std::max<XML_Index>(0, XML_GetCurrentByteIndex(parser)));
   }
 
+  /// Bytes of the tag at hand.
+  std::size_t length() { return static_cast<std::size_t>(std::max(0, XML_GetCurrentByteCount(parser))); }
+
   void refuse(const std::string& message, const std::string& hint) {
     if (refused) return;
     context.error(cursor.at(offset()), message, hint);
@@ -78,6 +81,8 @@ struct Parsing {
     if (open.size() >= max_depth)
       return refuse("elements nested more than " + std::to_string(max_depth) + " deep", "close them earlier");
     Element element{name, cursor.at(offset()), {}, {}};
+    element.begin = offset();
+    element.head_end = element.begin + length();
     std::size_t count = 0;
     while (attributes[2 * count] != nullptr) ++count;
     const auto offsets = value_offsets(text, offset(), count);
@@ -88,6 +93,13 @@ struct Parsing {
     Element& stored = open.empty() ? root : open.back()->children.emplace_back();
     stored = std::move(element);
     open.push_back(&stored);
+  }
+
+  /// A refused empty element is still closed.
+  void close() {
+    if (refused) return;
+    open.back()->end = offset() + length();
+    open.pop_back();
   }
 };
 
@@ -119,10 +131,7 @@ std::optional<Element> parse(Context& context, std::string_view bytes, int file)
   XML_SetElementHandler(
       parser.get(),
       [](void* data, const char* name, const char** attributes) { parsing(data).start(name, attributes); },
-      [](void* data, const char*) {
-        // A refused empty element is still closed.
-        if (!parsing(data).refused) parsing(data).open.pop_back();
-      });
+      [](void* data, const char*) { parsing(data).close(); });
   XML_SetStartDoctypeDeclHandler(parser.get(), [](void* data, const char*, const char*, const char*, int) {
     parsing(data).refuse("a document type declaration (<!DOCTYPE ...>)",
                          "remove it: entities and other files are not read");

@@ -21,6 +21,9 @@ struct Element {
   Place place;  ///< of its '<'
   std::vector<Attribute> attributes;
   std::vector<Element> children;
+  std::size_t begin = 0;     ///< byte of its '<' in the text as UTF-8
+  std::size_t head_end = 0;  ///< byte behind its start tag
+  std::size_t end = 0;       ///< byte behind its end tag
 
   [[nodiscard]] const Attribute* attribute(std::string_view key) const;
   /// The first child of that name, or none.

@@ -11,4 +11,15 @@ namespace qvgen::description::xml {
 model::Mechanism read_urdf(Context& context, const Element& root);
 model::Mechanism read_mjcf(Context& context, const Element& root);
 
+/// A link of a URDF on the way from base to tip.
+struct UrdfLink {
+  const Element* link;
+  const Element* joint;               ///< the one that holds it
+  bool moves;                         ///< false: the joint is fixed, or held by the options
+  std::vector<const Element*> rigid;  ///< links that hang on it by fixed joints, further ones included
+};
+
+/// Returns the links from base (left out) to tip as read_urdf takes them; empty where it reports a mistake.
+std::vector<UrdfLink> urdf_chain(Context& context, const Element& root);
+
 }  // namespace qvgen::description::xml

@@ -160,7 +160,37 @@ class UrdfTree {
   std::deque<std::deque<Element>> made_;  ///< in place of planar joints
 };
 
+/// Returns what hangs on a link by fixed joints.
+std::vector<const Element*> rigid_links(const UrdfTree& tree, std::size_t link) {
+  std::vector<const Element*> result;
+  std::vector<std::size_t> open{link};
+  while (!open.empty()) {
+    const std::size_t node = open.back();
+    open.pop_back();
+    for (const std::size_t child : tree.nodes[node].children) {
+      if (tree.nodes[child].moves) continue;
+      result.push_back(tree.links[child]);
+      open.push_back(child);
+    }
+  }
+  return result;
+}
+
 }  // namespace
+
+std::vector<UrdfLink> urdf_chain(Context& context, const Element& root) {
+  UrdfTree tree(context, root);
+  if (!tree.good()) return {};
+  const std::vector<std::string>& held = context.options.fixed;
+  for (Node& node : tree.nodes)
+    if (std::find(held.begin(), held.end(), node.joint) != held.end()) node.moves = false;
+  const auto ends = find_ends(context, tree.nodes, "link");
+  const auto path = ends ? path_between(tree.nodes, *ends) : std::nullopt;
+  std::vector<UrdfLink> chain;
+  for (const std::size_t node : path.value_or(std::vector<std::size_t>{}))
+    chain.push_back({tree.links[node], tree.joints[node], tree.nodes[node].moves, rigid_links(tree, node)});
+  return chain;
+}
 
 model::Mechanism read_urdf(Context& context, const Element& root) {
   const UrdfTree tree(context, root);

@@ -8,6 +8,7 @@ else is float64. SI units, radians; quaternions are w, x, y, z; twists linear fi
 
 import enum
 import importlib
+import os
 import pathlib
 import typing
 
@@ -17,7 +18,7 @@ from ._build import BuildError, Limbs, build_module, cache_folder, generate
 from ._paths import Motion, Paths
 
 __all__ = ["Assemblies", "BuildError", "Followed", "JointRates", "Motion", "NearSolution", "NearestRows", "Paths", "Solutions", "Status", "VelocityStatus",
-           "cache_folder", "calibrate", "load", "metrics", "orientation", "robots"]
+           "cache_folder", "calibrate", "identify", "load", "metrics", "orientation", "robots"]
 
 
 class Status(enum.IntEnum):
@@ -101,7 +102,18 @@ def calibrate(description, data, output, *options):
     `description` is a known robot's name or a file; `options` are those of `qvgen calibrate`, "--errors", "zeros". Returns
     the report as text. Raises BuildError with the tool's messages. Then load(output) is the calibrated arm.
     """
-    return _build.calibrate(description, data, output, options)
+    return _build.report_of("calibrate", [description, data], output, options)
+
+
+def identify(description, logs, output=None, *options):
+    """Finds inertias and friction of an arm from logs of its motion and torques, and writes its description to `output`.
+
+    `description` is a known robot's name or a file; `logs` one table or several; `options` are those of `qvgen identify`,
+    "--hold-out", "other.csv". Returns the report as text. Raises BuildError with the tool's messages. Then load(output) is
+    the arm with its inertias.
+    """
+    logs = [logs] if isinstance(logs, (str, os.PathLike)) else list(logs)
+    return _build.report_of("identify", [description, *logs], output, options)
 
 
 def load(description, *options, floating=False):

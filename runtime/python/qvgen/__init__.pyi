@@ -2,7 +2,7 @@
 import enum
 import os
 import pathlib
-from typing import Any, Literal, Mapping, NamedTuple, Protocol
+from typing import Any, Iterable, Literal, Mapping, NamedTuple, Protocol
 
 from numpy import bool_, float32, float64, int32
 from numpy.typing import ArrayLike, NDArray
@@ -236,5 +236,11 @@ class Robot(Protocol):
 def cache_folder() -> pathlib.Path: ...
 def calibrate(
     description: str | os.PathLike[str], data: str | os.PathLike[str], output: str | os.PathLike[str], *options: str
+) -> str: ...
+def identify(
+    description: str | os.PathLike[str],
+    logs: str | os.PathLike[str] | Iterable[str | os.PathLike[str]],
+    output: str | os.PathLike[str] | None = ...,
+    *options: str,
 ) -> str: ...
 def load(description: str | os.PathLike[str], *options: str, floating: bool = ...) -> Robot: ...

@@ -272,9 +272,10 @@ def _tool():
     return tool
 
 
-def calibrate(description, data, output, options):
-    """Runs `qvgen calibrate`; returns its report."""
-    done = subprocess.run([str(_tool()), "calibrate", str(description), str(data), "-o", str(output), *options],
+def report_of(command, inputs, output, options):
+    """Runs `qvgen calibrate` or `qvgen identify`; returns its report."""
+    written = [] if output is None else ["-o", str(output)]
+    done = subprocess.run([str(_tool()), command, *map(str, inputs), *written, *map(str, options)],
                           capture_output=True, text=True)
     if done.returncode != 0:
         raise BuildError(done.stderr)
