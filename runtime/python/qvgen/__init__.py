@@ -11,8 +11,7 @@ import importlib
 import typing
 
 from . import robots
-from . import _build
-from ._build import BuildError, Limbs, build_module, cache_folder, generate
+from ._library import BuildError, cache_folder
 
 __all__ = ["BuildError", "JointRates", "NearSolution", "NearestRows", "Solutions", "Status", "VelocityStatus",
            "cache_folder", "calibrate", "load", "metrics", "orientation", "robots"]
@@ -83,11 +82,12 @@ def calibrate(description, data, output, *options):
     `description` is a known robot's name or a file; `options` are those of `qvgen calibrate`, "--errors", "zeros". Returns
     the report as text. Raises BuildError with the tool's messages. Then load(output) is the calibrated arm.
     """
+    from . import _build
     return _build.calibrate(description, data, output, options)
 
 
 def load(description, *options, floating=False):
-    """The module of a robot described in a file (TOML, URDF, MJCF): generated, compiled, and kept in a cache.
+    """The module of a robot described in a file (TOML, URDF, MJCF): generated in C, compiled, and kept in a cache.
 
     `options` are those of `qvgen generate`: load("arm.urdf", "--tip", "tool0"). Raises BuildError with the generator's
     messages.
@@ -101,7 +101,5 @@ def load(description, *options, floating=False):
     """
     if floating and "--floating" not in options:
         options += ("--floating",)
-    robot, limbs, folder = generate(description, options)
-    module = build_module(robot, folder)
-    module.limbs = Limbs(robot, limbs, folder)
-    return module
+    from . import _build
+    return _build.loaded(description, options)
