@@ -1,18 +1,16 @@
 # SPDX-License-Identifier: MIT
-"""Finds the sources of a robot, and makes its module of the functions that they have.
+"""Makes the module of a robot: the functions that its C and its C++ have, and what its headers say.
 
-A robot's C comes with the package, or from the tool. Its library is compiled when the module is made; those of float and of
-what is in C++ only are, when a function of theirs is first called.
+The library of its C is compiled when the module is made. Those of its C in float, and of what is in C++ only, are compiled when
+a function of theirs is first called.
 """
 
 import collections.abc
 import ctypes
 import difflib
 import json
-import os
 import pathlib
 import re
-import shutil
 import subprocess
 import threading
 import types
@@ -20,51 +18,13 @@ import types
 import numpy as np
 
 from . import _functions, _inverse
-from ._c_rows import c_name, c_rows
+from ._c_rows import c_name
 from ._call import Call, Constants
 from ._cxx_rows import cxx_rows
-from ._header import Header
-from ._library import HERE, ROOT, BuildError, c_library, cache_folder, cxx_library, hash_of, run
-from ._tables import ARM_ANGLE, OF_A_BASE, VELOCITY, entry_of
-
-_PARTS = ("", "_inverse", "_velocity")  # of a robot's C
-_generated = ROOT / "generated"  # C++ of this source tree's robots
-
-
-class Sources:
-    """A description, as the tool takes it, and what is generated of it: C, C in float, C++."""
-
-    def __init__(self, description, options=()):
-        self.description = description
-        self.options = tuple(options)
-
-    def folder(self, *more):
-        """Folder of what the tool makes; it makes nothing anew that is up to date."""
-        folder = cache_folder() / ("generated-" + hash_of([self.description, *self.options, *more]))
-        run([tool(), "generate", self.description, "--output", folder, *self.options, *more], env=tool_environment())
-        return folder
-
-    def c(self):
-        """Folder of its C and of its counts."""
-        return self.folder("--language", "c")
-
-    def c_in_float(self):
-        return self.folder("--language", "c", "--scalar", "float")
-
-    def cxx(self):
-        """Folder of its C++."""
-        return self.folder()
-
-
-class KnownRobot(Sources):
-    """A robot of the library: what is in the package need not be made."""
-
-    def c(self):
-        packed = ROOT / "c" / self.description
-        return packed if packed.exists() else super().c()
-
-    def cxx(self):
-        return _generated
+from ._library import BuildError, cxx_library
+from ._sources import GENERATED, KnownRobot, Sources, header_of, library_of
+from ._tables import OF_A_BASE, VELOCITY, entry_of
+from ._tool import environment, tool
 
 
 class Robot:
@@ -75,11 +35,8 @@ class Robot:
         counts = json.loads((folder / "operation_counts.json").read_text())
         self.entry = counts[f"c/{name}"]
         self.targets = self.entry.get("targets", {})
-        files = _files(folder, name)
-        self.header = Header(name, "\n".join(each.with_suffix(".h").read_text() for each in files))
-        packed = HERE / "robots" / f"{name}.so"
-        known = isinstance(sources, KnownRobot) and packed.exists()
-        self.path = packed if known else c_library(name, files, self._rows(files, "double"))
+        self.header = header_of(name, folder)
+        self.path = sources.packed_library() or library_of(name, folder)
         self._libraries = {np.float64: ctypes.CDLL(str(self.path))}
         library = self._libraries[np.float64]
         self.facts = self.header.values(library)
@@ -87,9 +44,6 @@ class Robot:
         self.inertia = Constants("inertia", self.header.defaults(library, "inertia"))
         self.capacity = self.header.numbers.get("solutions_capacity")
         self._cxx_part()
-
-    def _rows(self, files, number):
-        return c_rows(self.header, [each.with_suffix(".h").name for each in files], self.targets, number)
 
     def _cxx_part(self):
         """What the robot has in C++ only."""
@@ -114,12 +68,11 @@ class Robot:
 
     def _compiled(self, kind):
         if kind == np.float32:
-            files = [each for each in _files(self.sources.c_in_float(), self.name) if "_inverse" not in each.stem]
-            return c_library(self.name, files, self._rows(files, "float"))
+            return library_of(self.name, self.sources.c_in_float(), "float")
         generated = self.sources.cxx()
         given = {name: self.given_count(name) for name in self.cxx_targets}
         rows = cxx_rows(self.name, self.cxx_targets, given, self.cxx_parts)
-        return cxx_library(self.name, generated, rows, generated == _generated)
+        return cxx_library(self.name, generated, rows, generated == GENERATED)
 
     def function(self, symbol, dtype):
         """The loop of that name; compiles its library if it is the first call of one in float or in C++."""
@@ -130,12 +83,6 @@ class Robot:
         found = getattr(self._libraries[kind], symbol)
         found.restype, found.argtypes = ctypes.c_ssize_t, [ctypes.POINTER(Call)]
         return found
-
-
-def _files(folder, name):
-    """Its C sources, and the headers without a source of their own behind the same names."""
-    sources = [folder / "c" / f"qvgen_{name}{part}.c" for part in _PARTS]
-    return [each for each in sources if each.exists()]
 
 
 def _bound(robot):
@@ -214,7 +161,7 @@ def _module(name, sources, folder):
 
 def known_robots():
     """Names of the library's robots."""
-    counts = json.loads((_generated / "operation_counts.json").read_text())
+    counts = json.loads((GENERATED / "operation_counts.json").read_text())
     return [name for name in counts if "/" not in name]
 
 
@@ -258,28 +205,10 @@ class Limbs(collections.abc.Mapping):
         return len(self._names)
 
 
-def tool():
-    """Path of the tool: QVGEN_TOOL, that of the package or of the source tree, or one on the path."""
-    known_places = [ROOT / "bin/qvgen", ROOT / "build/release/generator/cli/qvgen"]
-    found = os.environ.get("QVGEN_TOOL") or next((each for each in known_places if each.exists()), None) or shutil.which("qvgen")
-    if found is None:
-        raise BuildError("there is no tool qvgen: run ./qvgen generate once, or set QVGEN_TOOL")
-    return found
-
-
-def tool_environment():
-    """Environment of the tool: that of a package brings the libraries it needs."""
-    libraries = ROOT / "lib"
-    if os.environ.get("QVGEN_TOOL") or not libraries.exists():
-        return dict(os.environ)
-    before = os.environ.get("LD_LIBRARY_PATH")
-    return {**os.environ, "LD_LIBRARY_PATH": os.pathsep.join([str(libraries), *([before] if before else [])])}
-
-
 def calibrate(description, data, output, options):
     """Runs `qvgen calibrate`; returns its report."""
     done = subprocess.run([str(tool()), "calibrate", str(description), str(data), "-o", str(output), *options],
-                          capture_output=True, text=True, env=tool_environment())
+                          capture_output=True, text=True, env=environment())
     if done.returncode != 0:
         raise BuildError(done.stderr)
     return done.stdout
