@@ -51,7 +51,7 @@ del os.environ["CC"]  # others are made by the tool that the package has, and co
 own = qvgen.load(urdf, "--only", "kinematics,inverse")
 assert own.forward_kinematics(numpy.zeros(own.dof)).shape == (7,)
 assert {"forward_kinematics", "inverse_kinematics"} <= own.functions.keys() and not hasattr(own, "jacobian"), own.functions
-assert qvgen.robots.rr.dof == 2
+assert qvgen.robots.rr_planar.dof == 2
 said = subprocess.run([work + "/venv/bin/qvgen", "languages"], check=True, capture_output=True, text=True).stdout
 assert "rust" in said, said
 licences = {each.name for each in pathlib.Path(qvgen.__file__).parents[1].glob("qvgen-*.dist-info/licenses/*")}

@@ -45,8 +45,9 @@ QVGEN_ROWS ptrdiff_t rows_inverse_kinematics__pose(const qvgen_call* c) {
   for (ptrdiff_t k = 0; k < c->count; ++k) {
     const auto pose = TargetOf<qvgen::Pose<double>>::read(row<double>(c, 0, k));
     const qvgen::ArmAngleReference usual;
+    const auto seed = [&] { return vector<qvgen::Joints<arm::dof>>(row<double>(c, 1, k)); };
     most = std::max(most, c->flags[0] != 0
-        ? put<arm::dof>(c, k, arm::inverse_kinematics(pose, vector<qvgen::Joints<arm::dof>>(row<double>(c, 1, k)), bounds, usual, g, c->numbers[0]))
+        ? put<arm::dof>(c, k, arm::inverse_kinematics(pose, seed(), bounds, usual, g, c->numbers[0]))
         : put<arm::dof>(c, k, arm::inverse_kinematics(pose, bounds, usual, g, c->numbers[0])));
   }
   return static_cast<ptrdiff_t>(most);

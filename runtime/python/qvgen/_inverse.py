@@ -188,7 +188,7 @@ def _reference(name):
 
 
 def arm_angle(robot):
-    """What arms with a spherical shoulder and wrist have: a dictionary of functions."""
+    """Functions of arms with a spherical shoulder and wrist, by their names."""
     dof = robot.header.numbers["dof"]
 
     def angle(q, reference, geometry):

@@ -66,7 +66,7 @@ def _files(name, folder, is_float):
 
 
 def header_of(name, folder, is_float=False):
-    """What the headers of a robot say."""
+    """Reads the headers of a robot."""
     return Header(name, "\n".join(each.with_suffix(".h").read_text() for each in _files(name, folder, is_float)))
 
 

@@ -81,7 +81,7 @@ DYNAMICS = {
 }
 WITH_GRAVITY = {"inverse_dynamics", "forward_dynamics", "gravity_torque", "potential_energy", "regressor",
                 "regressor_with_drives", "inverse_dynamics_derivatives"}
-# Of robots whose base floats, in C++.
+# Functions of robots whose base floats, in C++.
 OF_A_BASE = {
     "integrated": ("q step", "7 + dof", "The configuration that a step leads to."),
     "difference": ("start goal", "velocity_size", "The step from one configuration to another: integrated(start, step) is the goal."),
