@@ -174,7 +174,7 @@ def _compiled(robots, tool):
 
 
 def _tag(tool, robots):
-    """Of all machines, or of those with this C library or a newer one (PEP 600)."""
+    """Names the machines that it is for: all, or those with this C library or a newer one (PEP 600)."""
     if tool is None and not robots:
         return "py3-none-any"
     version = os.confstr("CS_GNU_LIBC_VERSION").split()[1].replace(".", "_")

@@ -14,7 +14,7 @@ from . import robots
 from ._library import BuildError, cache_folder
 
 __all__ = ["BuildError", "JointRates", "NearSolution", "NearestRows", "Solutions", "Status", "VelocityStatus",
-           "cache_folder", "calibrate", "load", "metrics", "orientation", "robots"]
+           "cache_folder", "calibrate", "derivatives", "interop", "load", "metrics", "orientation", "robots"]
 
 
 class Status(enum.IntEnum):
@@ -69,9 +69,9 @@ class JointRates(typing.NamedTuple):
 
 
 def __getattr__(name):
-    """Imports qvgen.metrics and qvgen.orientation when they are used: they need NumPy, and whoever builds a wheel may not
+    """Imports qvgen.metrics and the like when they are used: they need NumPy, and whoever builds a wheel may not
     have it."""
-    if name in ("metrics", "orientation"):
+    if name in ("derivatives", "interop", "metrics", "orientation"):
         return importlib.import_module("." + name, __name__)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 

@@ -7,6 +7,8 @@ from typing import Any, Literal, Mapping, NamedTuple, Protocol
 from numpy import bool_, float32, float64, int32
 from numpy.typing import ArrayLike, NDArray
 
+from . import derivatives as derivatives
+from . import interop as interop
 from . import metrics as metrics
 from . import orientation as orientation
 from . import robots as robots

@@ -46,7 +46,7 @@ class Robot:
         self._cxx_part()
 
     def _cxx_part(self):
-        """What the robot has in C++ only."""
+        """Finds what the robot has in C++ only."""
         lacks = {each["part"] for each in self.entry.get("missing", []) if each["kind"] == "not in this language"}
         functions = self.header.functions
         self.cxx_parts = {"nearest_pose"} if {"forward_kinematics", "jacobian"} <= functions.keys() else set()
@@ -110,7 +110,7 @@ def _bound(robot):
 
 
 def _listed(robot, bound):
-    """What the module says of its functions: "here", or why a part is not."""
+    """Says of each function of a module "here", and of each part that is missing why."""
     names = [name for name in robot.entry if name not in ("missing", "targets")]
     listed = {name: "here" if name in bound else "in C++ only" for name in [*names, *(name for name in bound if name not in OF_A_BASE)]}
     listed.pop("total_mass", None)

@@ -32,7 +32,7 @@ class Header:
         return re.findall(r"(?:double|float) (\w+);", self._structs.get(struct, ""))
 
     def values(self, library):
-        """What the library's arrays hold, as lists by their names."""
+        """Contents of the library's arrays, as lists by their names."""
         found = {}
         for type_, name, size in self.arrays:
             values = list((_TYPES[type_] * int(size)).in_dll(library, f"{self.robot}_{name}"))
