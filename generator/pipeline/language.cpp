@@ -16,14 +16,6 @@ const std::vector<Lack>& lacks_of_c() {
   return lacks;
 }
 
-/// Languages that are printed from C lack what C lacks, and what is outside the subset that is read.
-std::vector<Lack> lacks_of_translations() {
-  std::vector<Lack> lacks = lacks_of_c();
-  lacks.push_back(
-      {{"metrics"}, "its C calls functions by pointers, which is outside the subset that is translated"});
-  return lacks;
-}
-
 }  // namespace
 
 const std::vector<LanguageRow>& languages() {
@@ -33,9 +25,9 @@ const std::vector<LanguageRow>& languages() {
        "double, the bits of C++ with libm's sines; or float (--scalar float), without inverse kinematics",
        lacks_of_c()},
       {Language::rust, "rust", "a crate in rust/, no_std with the feature libm, without unsafe",
-       "f64, the bits of C", lacks_of_translations()},
+       "f64, the bits of C", lacks_of_c()},
       {Language::javascript, "javascript", "an ES module in javascript/, with types for TypeScript",
-       "number, the bits of C but for the sines of the engine", lacks_of_translations()}};
+       "number, the bits of C but for the sines of the engine", lacks_of_c()}};
   return table;
 }
 
