@@ -16,18 +16,32 @@ const std::vector<Lack>& lacks_of_c() {
   return lacks;
 }
 
+/// Lacked by all but C.
+const Lack made_of_c{{"linuxcnc"}, "it is made of C in double: --language c"};
+
+/// Languages that are printed from C lack what C lacks, and what is made of C itself.
+std::vector<Lack> lacks_of_translations() {
+  std::vector<Lack> lacks = lacks_of_c();
+  lacks.push_back(made_of_c);
+  return lacks;
+}
+
 }  // namespace
 
 const std::vector<LanguageRow>& languages() {
   static const std::vector<LanguageRow> table{
-      {Language::cxx, "cxx", "headers in include/, sources in source/", "float, double and more", {}},
+      {Language::cxx,
+       "cxx",
+       "headers in include/, sources in source/",
+       "float, double and more",
+       {made_of_c}},
       {Language::c, "c", "C99 in c/, which needs libm alone",
        "double, the bits of C++ with libm's sines; or float (--scalar float), without inverse kinematics",
        lacks_of_c()},
       {Language::rust, "rust", "a crate in rust/, no_std with the feature libm, without unsafe",
-       "f64, the bits of C", lacks_of_c()},
+       "f64, the bits of C", lacks_of_translations()},
       {Language::javascript, "javascript", "an ES module in javascript/, with types for TypeScript",
-       "number, the bits of C but for the sines of the engine", lacks_of_c()}};
+       "number, the bits of C but for the sines of the engine", lacks_of_translations()}};
   return table;
 }
 
