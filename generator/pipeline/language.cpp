@@ -9,7 +9,7 @@ namespace {
 const std::vector<Lack>& lacks_of_c() {
   static const std::vector<Lack> lacks{
       {{"arm_angle"}, "its solver is a part of the C++ runtime"},
-      {{"batch", "from_ideal", "certified", "given_joint", "nearest_pose", "moveit_plugin"},
+      {{"assembly", "batch", "from_ideal", "certified", "given_joint", "nearest_pose", "moveit_plugin"},
        "it is written in C++"},
       {{"c_inverse"}, "it is a C header for the C++ solver: --only c_inverse without --language"},
       {{"inverse by elimination"}, "its solver is a part of the C++ runtime"}};

@@ -18,11 +18,12 @@ import types
 
 import numpy as np
 
-from . import _functions, _inverse, _paths
+from . import _functions, _inverse, _loops, _paths
 from ._c_rows import c_name
 from ._call import Call, Constants
 from ._cxx_rows import cxx_rows
 from ._library import BuildError, cxx_library
+from ._loop_rows import Loops, loop_rows
 from ._sources import GENERATED, KnownRobot, Sources, header_of, library_of
 from ._tables import OF_A_BASE, VELOCITY, entry_of
 from ._tool import environment, tool
@@ -52,11 +53,17 @@ class Robot:
         functions = self.header.functions
         self.cxx_parts = {"nearest_pose"} if {"forward_kinematics", "jacobian"} <= functions.keys() else set()
         self.cxx_parts |= {"floating_base"} if "momentum_matrix" in functions else set()
-        self.cxx_targets = {}
-        if lacks & {"arm_angle", "inverse"}:
+        self.cxx_targets, self.cxx_missing, self.loops = {}, {}, None
+        if lacks & {"arm_angle", "inverse", "assembly"}:
             entry = json.loads((self.sources.cxx() / "operation_counts.json").read_text())[self.name]
             self.cxx_parts |= {"arm_angle"} & entry.keys()
             self.cxx_targets = {name: taken for name, taken in entry.get("targets", {}).items() if name not in self.targets}
+            header = self._cxx_header("assembly")
+            self.loops = Loops(header.read_text()) if header.exists() else None
+            self.cxx_missing = {each["part"]: each["reason"] for each in entry.get("missing", []) if each["part"] in lacks}
+
+    def _cxx_header(self, part):
+        return self.sources.cxx() / "include/qvgen/robots" / self.name / f"{part}.h"
 
     def given_count(self, name):
         """How many joints are given to a function of inverse kinematics."""
@@ -64,7 +71,7 @@ class Robot:
             return 0
         if name in self.targets:
             return self.header.functions[c_name(name, self.targets[name][0])].count("double given_")
-        header = (self.sources.cxx() / "include/qvgen/robots" / self.name / "inverse.h").read_text()
+        header = self._cxx_header("inverse").read_text()
         return re.search(rf"\b{name}\(([^;]*?)\);", header, flags=re.S)[1].count("double given_")
 
     def _compiled(self, kind):
@@ -73,7 +80,9 @@ class Robot:
         generated = self.sources.cxx()
         given = {name: self.given_count(name) for name in self.cxx_targets}
         rows = cxx_rows(self.name, self.cxx_targets, given, self.cxx_parts)
-        return cxx_library(self.name, generated, rows, generated == GENERATED)
+        rows += loop_rows(self.name, self.loops.functions) if self.loops else ""
+        tips = [f"{self.name}_{tip}" for tip in self.loops.tips] if self.loops else []
+        return cxx_library(self.name, generated, rows, generated == GENERATED, tips)
 
     def function(self, symbol, dtype):
         """The loop of that name; compiles its library if it is the first call of one in float or in C++."""
@@ -107,7 +116,7 @@ def _bound(robot):
     if "floating_base" in robot.cxx_parts:
         for name, entry in OF_A_BASE.items():
             found[name] = _functions.plain(robot, name, (*entry, True))
-    return found
+    return found | (_loops.loop_functions(robot) if robot.loops else {})
 
 
 def _listed(robot, bound):
@@ -115,9 +124,9 @@ def _listed(robot, bound):
     names = [name for name in robot.entry if name not in ("missing", "targets")]
     listed = {name: "here" if name in bound else "in C++ only" for name in [*names, *(name for name in bound if name not in OF_A_BASE)]}
     listed.pop("total_mass", None)
-    served = {"arm_angle"} & robot.cxx_parts | ({"inverse"} if robot.cxx_targets else set())
+    served = {"arm_angle"} & robot.cxx_parts | ({"inverse"} if robot.cxx_targets else set()) | ({"assembly"} if robot.loops else set())
     missing = {each["part"]: each["reason"] for each in robot.entry.get("missing", []) if each["part"] not in served}
-    return {**listed, **missing}
+    return {**listed, **missing, **robot.cxx_missing}
 
 
 def _explain_absence(module):
@@ -153,6 +162,8 @@ def _module(name, sources, folder):
         values.setdefault("singularity_names", [])
     if header.frames:
         values["frame_names"] = header.frames
+    if robot.loops:
+        values.update(_loops.loop_values(robot.loops))
     if header.is_floating:
         values["velocity_size"] = header.numbers["velocity_size"]
     vars(module).update(values, functions=_listed(robot, bound), **bound)

@@ -91,7 +91,7 @@ def _limits(robot, limits):
     return pair
 
 
-def _arrays(at, capacity, dof):
+def solution_arrays(at, capacity, dof):
     """q, branch, continuum, count and status as they are where there is no row."""
     return [np.full(at.shape(capacity, dof), np.nan), np.full(at.shape(capacity), -1, np.int32), np.zeros(at.shape(capacity), bool),
             np.empty(at.shape(), np.int32), np.empty(at.shape(), np.int32)]
@@ -109,12 +109,12 @@ def _solutions(robot, at, function, capacity, seed, limits, tolerance):
     at.call.numbers[0] = tolerance
     if capacity is None:
         at.call.capacity = 0
-        most = at.run(function, *_arrays(at, 0, dof))
+        most = at.run(function, *solution_arrays(at, 0, dof))
         if float(most) * max(at.batch, 1) * dof > 5e8:
             raise ValueError(f"limits: a pose has {most} solutions that differ by whole turns: narrow the limits, pass fewer poses "
                              "at once, or a seed, for one solution of each branch")
         capacity = most
-    arrays = _arrays(at, capacity, dof)
+    arrays = solution_arrays(at, capacity, dof)
     at.call.capacity = capacity
     at.run(function, *arrays)
     q, branch, continuum, count, status = arrays

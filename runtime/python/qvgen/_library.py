@@ -125,7 +125,7 @@ _has_avx2_forms = platform.machine() in ("x86_64", "AMD64")
 def _cxx_options(source):
     """As CMake compiles it: inverse kinematics without contraction, vector forms for AVX2."""
     options = ["-std=c++17", "-O2", "-fPIC", "-fvisibility=hidden", "-fno-math-errno", "-Wno-psabi"]
-    if source.name.startswith("inverse") and source.parent.parent.name == "source":
+    if source.name.startswith(("inverse", "assembly")) and source.parent.parent.name == "source":
         options += ["-ffp-contract=off", "-DQVGEN_NO_CONTRACTION"]
     if source.name.endswith("_avx2.cpp") and _has_avx2_forms:
         options += ["-mavx2"] if source.name.startswith(("inverse", "within")) else ["-mavx2", "-mfma"]
@@ -147,10 +147,14 @@ def _runtime_sources():
     return sources if _has_avx2_forms else [each for each in sources if each.name not in ("sine_cosine_avx2.cpp", "within_avx2.cpp")]
 
 
-def cxx_library(robot, generated, rows, is_own):
-    """Path of the library of a robot's C++ and of the text of its loops; `is_own`: one of this source tree's robots."""
+def cxx_library(robot, generated, rows, is_own, tips=()):
+    """Path of the library of a robot's C++ and of the text of its loops over rows.
+
+    `is_own`: one of this source tree's robots. `tips`: limbs whose kinematics its closed loops call.
+    """
     command = compiler("CXX", "c++")
     own = sorted((generated / "source" / robot).glob("*.cpp"))
+    own += [generated / "source" / tip / f"{part}.cpp" for tip in tips for part in ("jacobian", "kinematics")]
     made_of = [*own, *(generated / "include/qvgen/robots" / robot).glob("*"), *HERE.glob("*.h"),
                *(ROOT / "runtime/include").rglob("*.h"), *(ROOT / "runtime/source").rglob("*.h"), *_runtime_sources()]
     key = hash_of([rows, *command, *(path.read_bytes() for path in sorted(made_of))])
