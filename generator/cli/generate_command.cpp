@@ -132,8 +132,8 @@ FolderUpdate update_of(const GenerateArguments& arguments, const std::vector<Tas
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const bool in_cxx = arguments.language == Language::cxx;
     if (!changed[i].tips.empty() && in_cxx) add_limbs({changed[i].robot, changed[i].tips}, outputs[i]);
-    if (!changed[i].loops.empty() && in_cxx && has_assembly)
-      add_assembly({changed[i].robot, changed[i].tips, changed[i].loops}, outputs[i]);
+    if (!changed[i].loops.empty() && has_assembly)
+      add_assembly({changed[i].robot, changed[i].tips, changed[i].loops}, arguments.language, outputs[i]);
     const std::string key = is_final(outputs[i]) ? changed[i].key : "";
     update.robots.push_back({std::move(outputs[i]), changed[i].origin, key});
   }

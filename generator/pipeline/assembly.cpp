@@ -347,14 +347,17 @@ std::string problem_of_motors(const model::Mechanism& mechanism, int freedoms) {
   return "";
 }
 
-void add_assembly(const model::Mechanism& mechanism, RobotOutput& output) {
+void add_assembly(const model::Mechanism& mechanism, Language language, RobotOutput& output) {
   const std::string headers = "include/qvgen/robots/" + mechanism.robot.name + "/";
   const bool has_dynamics = has_file(output, headers + "dynamics.h");
   const bool has_limbs = has_file(output, headers + "limbs.h");
   const auto generate = [&](RobotOutput& made) {
     generate_assembly(mechanism, has_dynamics, has_limbs, made);
   };
-  attempt_all({{"assembly", generate}}, output);
+  if (const std::string lack = lack_of(row_of(language), "assembly"); !lack.empty())
+    output.missing.push_back({"assembly", Missing::Kind::not_in_language, lack});
+  else
+    attempt_all({{"assembly", generate}}, output);
   if (!output.missing.empty()) output.counts["missing"] = missing_to_json(output.missing);
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "derive/loops/assembly_plan.h"
+#include "pipeline/language.h"
 #include "pipeline/robot_output.h"
 
 namespace qvgen::pipeline {
@@ -27,6 +28,6 @@ std::string problem_of_motors(const model::Mechanism& mechanism, int freedoms);
 
 /// Adds `assembly.h` and its source to the output of a robot with loops, or what is missing of it. The
 /// functions of dynamics and of tips are there if the output has what they call.
-void add_assembly(const model::Mechanism& mechanism, RobotOutput& output);
+void add_assembly(const model::Mechanism& mechanism, Language language, RobotOutput& output);
 
 }  // namespace qvgen::pipeline

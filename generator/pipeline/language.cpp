@@ -9,18 +9,20 @@ namespace {
 const std::vector<Lack>& lacks_of_c() {
   static const std::vector<Lack> lacks{
       {{"arm_angle"}, "its solver is a part of the C++ runtime"},
-      {{"batch", "from_ideal", "certified", "given_joint", "nearest_pose", "moveit_plugin"},
+      {{"assembly", "batch", "from_ideal", "certified", "given_joint", "nearest_pose", "moveit_plugin"},
        "it is written in C++"},
       {{"c_inverse"}, "it is a C header for the C++ solver: --only c_inverse without --language"},
       {{"inverse by elimination"}, "its solver is a part of the C++ runtime"}};
   return lacks;
 }
 
-/// Languages that are printed from C lack what C lacks, and what is outside the subset that is read.
+/// Lacked by all but C.
+const Lack made_of_c{{"linuxcnc"}, "it is made of C in double: --language c"};
+
+/// Languages that are printed from C lack what C lacks, and what is made of C itself.
 std::vector<Lack> lacks_of_translations() {
   std::vector<Lack> lacks = lacks_of_c();
-  lacks.push_back(
-      {{"metrics"}, "its C calls functions by pointers, which is outside the subset that is translated"});
+  lacks.push_back(made_of_c);
   return lacks;
 }
 
@@ -28,7 +30,11 @@ std::vector<Lack> lacks_of_translations() {
 
 const std::vector<LanguageRow>& languages() {
   static const std::vector<LanguageRow> table{
-      {Language::cxx, "cxx", "headers in include/, sources in source/", "float, double and more", {}},
+      {Language::cxx,
+       "cxx",
+       "headers in include/, sources in source/",
+       "float, double and more",
+       {made_of_c}},
       {Language::c, "c", "C99 in c/, which needs libm alone",
        "double, the bits of C++ with libm's sines; or float (--scalar float), without inverse kinematics",
        lacks_of_c()},

@@ -149,8 +149,10 @@ RobotOutput generate_extra(const model::Robot& robot, const Extra& extra, Langua
         {extra.part, Missing::Kind::not_derived, "joints follow motors that are no joints themselves"});
     return output;
   }
-  if (comes_from_c(language))
-    output.missing.push_back({extra.part, Missing::Kind::not_in_language, "it is written in C++"});
+  if (extra.in_c != (language == Language::c))
+    output.missing.push_back(
+        {extra.part, Missing::Kind::not_in_language,
+         extra.in_c ? "it is made of C in double: --language c" : "it is written in C++"});
   else
     attempt(extra.part, output, [&](RobotOutput& made) {
       made.counts = counts;

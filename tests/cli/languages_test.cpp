@@ -39,10 +39,11 @@ TEST_F(CommandLine, RustAndJavaScriptHaveFoldersOfTheirOwn) {
     EXPECT_EQ(run(arguments + " --language " + language).code, 0) << language;
   EXPECT_TRUE(has(run(arguments + " --language rust"), ": 0 generated, 0 files changed, 0 removed"));
   const fs::path crate = fs::path(out()) / "rust/qvgen_my_arm";
-  for (const char* path : {"Cargo.toml", "src/lib.rs", "src/math.rs", "src/inverse.rs"})
+  for (const char* path :
+       {"Cargo.toml", "README.md", "src/lib.rs", "src/math.rs", "src/inverse.rs", "src/metrics.rs"})
     EXPECT_TRUE(fs::exists(crate / path)) << path;
   const fs::path module = fs::path(out()) / "javascript/qvgen_my_arm";
-  for (const char* path : {"package.json", "qvgen_my_arm.mjs", "qvgen_my_arm.d.mts"})
+  for (const char* path : {"package.json", "README.md", "qvgen_my_arm.mjs", "qvgen_my_arm.d.mts"})
     EXPECT_TRUE(fs::exists(module / path)) << path;
   // Without the part its file goes, and no other robot's or language's.
   EXPECT_EQ(run("generate " + file + " --only kinematics --language rust --output " + out()).code, 0);
@@ -58,10 +59,11 @@ TEST_F(CommandLine, RustAndJavaScriptHaveFoldersOfTheirOwn) {
 TEST_F(CommandLine, TheTableOfLanguagesSaysWhatIsMissingAndWhy) {
   const ToolRun table = run("languages");
   EXPECT_EQ(table.code, 0);
-  for (const char* line : {"part                    cxx  c       rust    javascript",
-                           "inverse                 yes  yes     yes     yes",
-                           "certified               yes  no (2)  no (2)  no (2)", "(2) it is written in C++",
-                           "rust: a crate in rust/"})
+  for (const char* line : {"part                    cxx     c       rust    javascript",
+                           "inverse                 yes     yes     yes     yes",
+                           "linuxcnc                no (2)  yes     no (2)  no (2)",
+                           "certified               yes     no (3)  no (3)  no (3)",
+                           "(3) it is written in C++", "rust: a crate in rust/"})
     EXPECT_TRUE(has(table, line)) << line << "\n" << table.output;
 }
 

@@ -66,6 +66,7 @@ class Driver:
         if self.header.has_representatives():
             for round_ in range(2 * self.rounds):
                 self.representatives(round_)
+                self.metrics(round_)
         return head + recorded() + "int main(void) {\n" + "\n".join(self.lines) + "\n  return 0;\n}\n"
 
     def joints(self, round_):
@@ -139,6 +140,31 @@ class Driver:
         add('    printf("representatives"); begin("|"); numbers(pose.orientation, 4); begin("|"); numbers(pose.position, 3);')
         add(f'    begin("|"); numbers(lower, {self.dof}); begin("|"); numbers(upper, {self.dof}); begin("|=");')
         add(f"    for (int k = 0; k < 50 && {robot}_next_representative(&all); ++k) numbers(all.row.q, {self.dof});")
+        add('    printf("\\n");')
+        add("  }")
+
+    def metrics(self, round_):
+        """Sorts all rows by time, by weighted distance and by the largest joint; the least one's branch behind each order."""
+        robot, add = self.header.robot, self.lines.append
+        add("  {")
+        add(f"    const double at[] = {self.list(self.joints(round_))}, seed[] = {self.list(self.joints(0))};")
+        for name in ("speeds", "accelerations"):
+            add(f"    const double {name}[] = {self.list([self.random.uniform(0.3, 3) for _ in range(self.dof)])};")
+        add(f"    {robot}_drives drives;")
+        add("    memcpy(drives.speeds, speeds, sizeof speeds); memcpy(drives.accelerations, accelerations, sizeof speeds);")
+        add(f"    {robot}_pose pose;")
+        add(f"    {robot}_forward_kinematics(at, &{robot}_default_geometry, &pose);")
+        add('    printf("metrics"); begin("|"); numbers(pose.orientation, 4); begin("|"); numbers(pose.position, 3);')
+        add(f'    begin("|"); numbers(seed, {self.dof}); begin("|"); numbers(speeds, {self.dof}); begin("|"); '
+            f'numbers(accelerations, {self.dof}); begin("|=");')
+        for metric, constants, within in (("fastest_time", "&drives", 0), ("weighted_distance", "speeds", 1),
+                                          ("largest_joint", "accelerations", 0), ("largest_joint", "NULL", 0)):
+            add(f"    {{ {robot}_solutions found;")
+            add(f"    (void){robot}_inverse_kinematics(pose.orientation, pose.position, NULL, &{robot}_default_geometry, 1e-13, &found);")
+            add(f"    const {robot}_solution* best = {robot}_best_by(&found, seed, {within}, {robot}_{metric}, {constants});")
+            add("    whole(best == NULL ? -2 : best->branch);")
+            add(f"    {robot}_sort_by(&found, {'NULL' if constants == 'NULL' else 'seed'}, {within}, {robot}_{metric}, {constants});")
+            add(f"    for (int k = 0; k < found.count; ++k) numbers(found.rows[k].q, {self.dof}); }}")
         add('    printf("\\n");')
         add("  }")
 

@@ -3,8 +3,10 @@
 
     python3 languages_test.py make QVGEN CC FOLDER ROBOT[:PARTS]...   C, Rust and JavaScript, and vectors by the C
     python3 languages_test.py rust|clippy|cargo|javascript FOLDER     their vectors, or what the language's checker says
+    python3 languages_test.py npm FOLDER                              packs, installs and imports a robot
     python3 languages_test.py readme FOLDER README                    the programs that the README shows
 """
+import os
 import pathlib
 import shutil
 import subprocess
@@ -45,7 +47,25 @@ def needed(program):
     return program
 
 
-PACKAGES = {"rustc": "rustc", "cargo": "cargo", "clippy-driver": "rust-clippy", "node": "nodejs"}
+def npm(folder):
+    """Packs a robot, installs the archive in an empty project without network, and imports it by its name."""
+    program = needed("npm")
+    package, project = folder / "made/javascript/qvgen_puma560", folder / "npm"
+    shutil.rmtree(project, ignore_errors=True)
+    project.mkdir()
+    quiet = ["--silent", "--offline", "--cache", str(project / "cache"), "--no-audit", "--no-fund"]
+    subprocess.run([program, "pack", package.resolve(), "--pack-destination", project, *quiet], check=True, stdout=subprocess.DEVNULL)
+    archive, = project.glob("*.tgz")
+    (project / "package.json").write_text('{"name": "user", "private": true, "type": "module"}')
+    subprocess.run([program, "install", archive.name, *quiet], cwd=project, check=True)
+    there = {path.name for path in (project / "node_modules/qvgen_puma560").iterdir()}
+    assert there == {"README.md", "package.json", "qvgen_puma560.d.mts", "qvgen_puma560.mjs"}, there
+    text = readme_block(package / "README.md", "import * as arm from")
+    (project / "use.mjs").write_text(text + "if (found.count === 0) throw new Error('nothing found');\n")
+    subprocess.run([needed("node"), "use.mjs"], cwd=project, check=True, stdout=subprocess.DEVNULL)
+
+
+PACKAGES = {"npm": "npm", "rustc": "rustc", "cargo": "cargo", "clippy-driver": "rust-clippy", "node": "nodejs"}
 CRATE = ["--edition", "2021", "--crate-type", "lib", "--cfg", 'feature="std"']
 
 
@@ -129,6 +149,10 @@ def cargo(folder):
     if done.returncode != 0:
         sys.exit(done.stderr)
     subprocess.run([program, "test", *target, "--quiet"], cwd=crate, check=True)
+    subprocess.run([program, "doc", *target, "--quiet", "--no-deps"], cwd=crate, check=True,
+                   env={**os.environ, "RUSTDOCFLAGS": "-D warnings"})
+    listed = subprocess.run([program, "package", "--list", "--allow-dirty"], cwd=crate, check=True, capture_output=True, text=True)
+    assert {"Cargo.toml", "README.md", "src/lib.rs", "src/metrics.rs"} <= set(listed.stdout.split()), listed.stdout
 
 
 if __name__ == "__main__":
@@ -137,7 +161,7 @@ if __name__ == "__main__":
         if what == "make":
             make(*arguments)
         else:
-            run = {"rust": rust, "clippy": clippy, "cargo": cargo, "javascript": javascript, "readme": readme}[what]
+            run = {"rust": rust, "clippy": clippy, "cargo": cargo, "javascript": javascript, "npm": npm, "readme": readme}[what]
             run(pathlib.Path(arguments[0]), *arguments[1:])
     except subprocess.CalledProcessError as error:
         sys.exit(f"failed: {error}")

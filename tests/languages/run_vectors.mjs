@@ -44,7 +44,24 @@ function representatives(orientation, position, lower, upper) {
   return rows;
 }
 
+/** Branches of the best rows, and all rows, by four metrics. */
+function metrics(orientation, position, seed, speeds, accelerations) {
+  const orders = [
+    [seed, false, (way) => robot.fastestTime(way, { speeds, accelerations })],
+    [seed, true, (way) => robot.weightedDistance(way, speeds)],
+    [seed, false, (way) => robot.largestJoint(way, accelerations)],
+    [null, false, (way) => robot.largestJoint(way)],
+  ];
+  return orders.map(([from, withinLimits, metric]) => {
+    const found = robot.inverseKinematics(orientation, position);
+    const best = robot.bestBy(found, seed, withinLimits, metric);
+    robot.sortBy(found, from, withinLimits, metric);
+    return [best === null ? -2 : best.branch, found.rows.slice(0, found.count).map((row) => Array.from(row.q))];
+  });
+}
+
 function run(call) {
+  if (call.function === "metrics") return flat(metrics(...call.arguments.map(argumentOf)));
   if (call.function === "representatives") return flat(representatives(...call.arguments.map(argumentOf)));
   const own = robot[camel(call.function)];
   if (own === undefined) throw new Error(`the module has no ${camel(call.function)}`);
@@ -80,7 +97,7 @@ for (const [name, table] of Object.entries(library)) {
 const count = vectors.calls.length;
 let failures = check(same, "with C's sines");
 for (const name of Object.keys(own)) Math[name] = own[name];
-vectors.calls = vectors.calls.filter((call) => !call.function.startsWith("inverse_kinematics") && call.function !== "representatives");
+vectors.calls = vectors.calls.filter((call) => !call.function.startsWith("inverse_kinematics") && !["metrics", "representatives"].includes(call.function));
 failures += check(near, "with Math's sines");
 console.log(`${count} vectors of ${vectors.robot} in JavaScript, ${failures} failures`);
 process.exit(failures === 0 && count > 0 ? 0 : 1);

@@ -15,6 +15,27 @@ REPRESENTATIVES = """        "representatives" => {
         }
 """
 
+METRICS = """        "metrics" => {
+            use robot::metrics::*;
+            let g = &robot::DEFAULT_GEOMETRY;
+            let seed = array::<%(dof)s>(a[2]);
+            let drives = Drives { speeds: array(a[3]), accelerations: array(a[4]) };
+            let all = || robot::inverse_kinematics(&array::<4>(a[0]), &array::<3>(a[1]), None, g, 1e-13);
+            let metrics: [(bool, bool, Box<dyn Fn(&Joints) -> f64>); 4] = [
+                (true, false, Box::new(|way| fastest_time(way, &drives))),
+                (true, true, Box::new(|way| weighted_distance(way, &drives.speeds))),
+                (true, false, Box::new(|way| largest_joint(way, Some(&drives.accelerations)))),
+                (false, false, Box::new(|way| largest_joint(way, None))),
+            ];
+            for (has_seed, within, metric) in metrics {
+                let mut found = all();
+                out.push(format!("#{}", best_by(&found, Some(&seed), within, &metric).map_or(-2, |row| row.branch)));
+                sort_by(&mut found, if has_seed { Some(&seed) } else { None }, within, &metric);
+                for row in &found.rows[..found.count as usize] { for x in row.q { out.push(bits(x)); } }
+            }
+        }
+"""
+
 
 def type_name(name, robot):
     return "".join(part[:1].upper() + part[1:] for part in name.removeprefix(robot + "_").split("_"))
@@ -101,7 +122,7 @@ def program(header):
             out = pushed(header, last[2], "r")
         text += f'        "{name}" => {{ let r = robot::{name}({", ".join(arguments)}); {out}}}\n'
     if header.has_representatives():
-        text += REPRESENTATIVES % {"dof": header.numbers[robot + "_dof"]}
+        text += (REPRESENTATIVES + METRICS) % {"dof": header.numbers[robot + "_dof"]}
     return text + TAIL
 
 

@@ -18,6 +18,7 @@ from c_header import Header
 
 
 PARTS = ("", "_inverse", "_velocity")
+ALL_PARTS = (*PARTS, "_metrics")  # whose functions take functions: the vectors called "metrics" go through them
 
 
 def compiled(cc, folder, c_files, driver, robot):
@@ -26,7 +27,7 @@ def compiled(cc, folder, c_files, driver, robot):
     options = ["-std=c99", "-O1", "-ffp-contract=off", f"-I{c_files}", "-w"]
     objects, first = [], folder / "recorded.h"
     first.write_text(shim())
-    for source in [c_files / f"qvgen_{robot}{part}.c" for part in PARTS if (c_files / f"qvgen_{robot}{part}.c").exists()]:
+    for source in [c_files / f"qvgen_{robot}{part}.c" for part in ALL_PARTS if (c_files / f"qvgen_{robot}{part}.c").exists()]:
         objects.append(folder / (source.name + ".o"))
         subprocess.run([cc, *options, "-include", first, "-c", source, "-o", objects[-1]], check=True)
     subprocess.run([cc, *options, driver, *objects, "-lm", "-o", program], check=True)
@@ -47,7 +48,8 @@ def make(output, robot, cc, folder, rounds):
     names = [f"qvgen_{robot}{part}.h" for part in PARTS if (c_files / f"qvgen_{robot}{part}.h").exists()]
     header = Header(robot, [(c_files / name).read_text() for name in names])
     driver = folder / f"{robot}_vectors.c"
-    driver.write_text(Driver(header, rounds).text(names))
+    others = [f"qvgen_{robot}_metrics.h"] if (c_files / f"qvgen_{robot}_metrics.h").exists() else []
+    driver.write_text(Driver(header, rounds).text(names + others))
     lines, library = compiled(cc, folder, c_files, driver, robot)
     calls = [call_of(line) for line in lines]
     numbers = {name: [i for i, kind in enumerate(kinds) if kind[0] == "number"] for name, kinds, _ in header.functions}

@@ -4,11 +4,8 @@
 set -euo pipefail
 for python in python3 /usr/bin/python3; do
   if "$python" -c 'import numpy, pytest' 2>/dev/null; then
-    headers=$("$python" -c 'import sysconfig; print(sysconfig.get_paths()["include"])')
-    if [[ -e $headers/Python.h && -e /usr/include/pybind11/pybind11.h ]]; then
-      exec "$python" -m pytest -q -p no:cacheprovider "$1"
-    fi
+    exec "$python" -m pytest -q -p no:cacheprovider "$1"
   fi
 done
-echo "skipped: no Python with numpy, pytest, its headers and pybind11 (python3-dev python3-numpy python3-pytest pybind11-dev)"
+echo "skipped: no Python with numpy and pytest (python3-numpy python3-pytest)"
 exit 77

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT
 """A sentence says what is missing for compiling a robot."""
 
+import sys
+
 import pytest
 
-from qvgen import BuildError, _build
+from qvgen import BuildError, _library
 
 
 def compiler_that_says(folder, text):
@@ -14,21 +16,31 @@ def compiler_that_says(folder, text):
 
 
 @pytest.mark.parametrize("said, sentence", [
-    ("probe.cpp:1:10: fatal error: pybind11/pybind11.h: No such file or directory", "pybind11 is missing: pip install pybind11"),
-    ("probe.cpp:1:10: fatal error: 'pybind11/pybind11.h' file not found", "pybind11 is missing"),
-    ("detail/common.h:2:10: fatal error: Python.h: No such file or directory", "install python3-dev"),
-    ("probe.cpp:2:10: fatal error: Eigen/Core: No such file or directory", "Eigen is missing"),
+    ("probe.cpp:1:10: fatal error: Eigen/Core: No such file or directory", "Eigen is missing"),
+    ("probe.cpp:1:10: fatal error: 'Eigen/Core' file not found", "Eigen is missing"),
     ("cannot execute cc1plus", "cannot execute cc1plus")])
-def test_missing_headers(tmp_path, said, sentence):
+def test_functions_in_cxx(tmp_path, said, sentence):
     with pytest.raises(BuildError, match=sentence):
-        _build._check_compiler(compiler_that_says(tmp_path, said), [])
+        _library.check_eigen(compiler_that_says(tmp_path, said), [])
 
 
 def test_no_compiler():
-    with pytest.raises(BuildError, match="there is no compiler no-such-compiler: install g"):
-        _build._check_compiler(["no-such-compiler"], [])
+    with pytest.raises(BuildError, match=r"there is no compiler no-such-compiler: pip install qvgen\[compiler\] brings one"):
+        _library.check(["no-such-compiler"])
 
 
-def test_real_compiler_without_pythons_headers():
-    with pytest.raises(BuildError, match="is missing|are missing"):
-        _build._check_compiler(["c++"], [])
+def test_the_compiler_that_pip_brings(tmp_path, monkeypatch):
+    """Without a compiler of the system the one of the package ziglang is called, if it is installed."""
+    monkeypatch.delenv("CC", raising=False)
+    monkeypatch.setattr(_library.shutil, "which", lambda name: None)
+    assert _library.compiler("CC", "cc") == ["cc"] or _library.importlib.util.find_spec("ziglang")
+    (tmp_path / "ziglang").mkdir()
+    (tmp_path / "ziglang/__init__.py").write_text("")
+    monkeypatch.syspath_prepend(tmp_path)
+    assert _library.compiler("CC", "cc") == [sys.executable, "-m", "ziglang", "cc"]
+
+
+def test_the_compilers_own_words_are_shown(tmp_path):
+    with pytest.raises(BuildError, match="expected"):
+        _library.linked(tmp_path / "made/x.so", ["cc"], [(("x.c", "int x"), ["-fPIC"])])
+    assert list((tmp_path / "made").iterdir()) == []

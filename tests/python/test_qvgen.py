@@ -55,6 +55,29 @@ def test_dynamics(arm, rows):
     np.testing.assert_allclose(arm.kinetic_energy(q, qd), energy, atol=1e-12)
 
 
+def test_functions_of_several_results(ns, arm, rows):
+    for robot in (ns, arm):
+        q = rows(robot)
+        both = robot.forward_kinematics_and_jacobian(q)
+        np.testing.assert_allclose(both.transform, robot.homogeneous_transform(q), atol=1e-14)
+        np.testing.assert_allclose(both.jacobian, robot.jacobian(q), atol=1e-14)
+        one = robot.forward_kinematics_and_jacobian(q[3])
+        np.testing.assert_array_equal(one.jacobian, both.jacobian[3])
+    single = ns.forward_kinematics_and_jacobian(rows(ns).astype(np.float32))
+    assert single.transform.dtype == single.jacobian.dtype == np.float32
+
+
+def test_derivatives_of_dynamics(arm, rows):
+    q, qd, qdd = rows(arm), rows(arm, seed=2), rows(arm, seed=3)
+    torque, by_position, by_rate = arm.inverse_dynamics_derivatives(q, qd, qdd, gravity=3.7)
+    np.testing.assert_allclose(torque, arm.inverse_dynamics(q, qd, qdd, gravity=3.7), atol=1e-12)
+    for k, step in enumerate(1e-6 * np.eye(arm.dof)):
+        slope = (arm.inverse_dynamics(q + step, qd, qdd, gravity=3.7) - arm.inverse_dynamics(q - step, qd, qdd, gravity=3.7)) / 2e-6
+        np.testing.assert_allclose(by_position[:, :, k], slope, atol=1e-7)
+        slope = (arm.inverse_dynamics(q, qd + step, qdd) - arm.inverse_dynamics(q, qd - step, qdd)) / 2e-6
+        np.testing.assert_allclose(by_rate[:, :, k], slope, atol=1e-7)
+
+
 def test_gravity_and_loads_of_any_direction(arm, rows):
     q, qd, qdd = rows(arm), rows(arm, seed=2), rows(arm, seed=3)
     fall = [0, 0, -1.62]
@@ -165,8 +188,6 @@ def test_what_is_there_and_what_is_not(ns, arm, planar):
         planar.inverse_dynamics
     with pytest.raises(AttributeError, match="ns has no forward_kinematic; it has forward_kinematics"):
         ns.forward_kinematic
-    with pytest.raises(AttributeError, match="in C[+][+] only"):
-        ns.forward_kinematics_and_jacobian
     assert "puma560" in dir(qvgen.robots)
     with pytest.raises(AttributeError, match="there is no robot"):
         qvgen.robots.elbow

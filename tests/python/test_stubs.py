@@ -74,7 +74,7 @@ def test_values(arm):
 
 def test_package():
     tree = ast.parse(STUBS.read_text())
-    named = {each.name for each in tree.body if isinstance(each, (ast.ClassDef, ast.FunctionDef))} | {"robots", "metrics", "orientation"}
+    named = {each.name for each in tree.body if isinstance(each, (ast.ClassDef, ast.FunctionDef))} | {"derivatives", "interop", "metrics", "orientation", "robots"}
     assert named - {"Robot"} == set(qvgen.__all__)
     for name in ("Solutions", "NearSolution", "Motion", "Paths", "Status", "JointRates", "VelocityStatus"):
         lines = stub_class(name).body

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "emit/blocks/analysis.h"
 
+#include <algorithm>
+
 namespace qvgen::emit::blocks {
 
 using Kind = Expression::Kind;
@@ -189,6 +191,12 @@ Extent extent_of(const Expression& size) {
   Expression count = size.kind == Kind::binary ? size.operands[0] : size;
   if (count.kind == Kind::cast) count = count.operands[0];
   return {false, count};
+}
+
+bool solves_poses(const Unit& unit) { return unit.function(unit.robot + "_inverse_kinematics") != nullptr; }
+
+bool has_module(const Unit& unit, const std::string& name) {
+  return std::find(unit.modules.begin(), unit.modules.end(), name) != unit.modules.end();
 }
 
 }  // namespace qvgen::emit::blocks

@@ -54,6 +54,10 @@ bool has_public_twin(const Unit& unit, const std::string& name);
 
 /// True if a public function's last parameter is its result, which languages that can return it.
 bool returns_last(const Function& function);
+/// True if the robot has inverse kinematics of poses, without given joints.
+bool solves_poses(const Unit& unit);
+/// True if the unit has a module of that name.
+bool has_module(const Unit& unit, const std::string& name);
 /// The type that a pointer parameter leads to, an array with its size.
 TypeRef pointee(const Field& parameter);
 

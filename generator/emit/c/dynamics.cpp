@@ -167,8 +167,8 @@ Part dynamics(const model::Robot& robot, const std::vector<optimise::Optimised>&
 
 Part regressor_with_drives(const model::Robot& robot, const derive::dynamics::DriveRegressor& regressor,
                            const optimise::Optimised& function) {
-  Part part{render("c/regressor_with_drives.h",
-                   {{"name", robot.name}, {"count", regressor.regressor.names.size()}})};
+  Part part = names(robot, "identifiable_parameter", "Columns of the regressor with drives.",
+                    regressor.regressor.names);
   return part += written(robot, {identifiable_parameters(robot, regressor), function_of(robot, function)});
 }
 
@@ -182,7 +182,7 @@ Part total_mass(const model::Robot& robot) {
 
 Part regressor(const model::Robot& robot, const derive::dynamics::Regressor& regressor,
                const optimise::Optimised& function) {
-  Part part{render("c/regressor.h", {{"name", robot.name}, {"count", regressor.names.size()}})};
+  Part part = names(robot, "base_parameter", "Columns of the regressor.", regressor.names);
   return part += written(robot, {base_parameters(robot, regressor), function_of(robot, function)});
 }
 

@@ -63,6 +63,16 @@ Part model(const model::Robot& robot, const std::vector<Joint>& joints,
   return part += constants(robot, "geometry", "Geometric constants, metres or radians.", geometry);
 }
 
+Part names(const model::Robot& robot, const std::string& of, const std::string& text,
+           const std::vector<std::string>& list) {
+  if (list.empty()) return {};  // C has no empty array
+  json values{{"name", robot.name}, {"of", of}, {"text", text}, {"count", list.size()}};
+  values["names"] = json::array();
+  for (const std::string& each : list)
+    values["names"].push_back({{"text", each}, {"last", &each == &list.back()}});
+  return {render("c/names.h", values), render("c/names.c", values)};
+}
+
 Part inertia(const model::Robot& robot, const std::vector<Constant>& parameters) {
   return constants(robot, "inertia", "Inertial parameters, kg, m, kg m^2.", parameters);
 }

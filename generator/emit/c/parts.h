@@ -30,6 +30,10 @@ struct Joint {
 /// Joints, and the struct of geometric constants.
 Part model(const model::Robot& robot, const std::vector<Joint>& joints,
            const std::vector<Constant>& geometry);
+/// How many of something there are and their names, as constants called ROBOT_OF_count and ROBOT_OF_names;
+/// `text` is their comment. Nothing for no names.
+Part names(const model::Robot& robot, const std::string& of, const std::string& text,
+           const std::vector<std::string>& list);
 /// The struct of inertial parameters.
 Part inertia(const model::Robot& robot, const std::vector<Constant>& parameters);
 

@@ -184,13 +184,18 @@ std::vector<std::pair<std::string, std::string>> package(const blocks::Unit& uni
   const std::string name = "qvgen_" + unit.robot;
   const nlohmann::json values{
       {"name", unit.robot}, {"has_missing", !missing.empty()}, {"missing", lines_of(missing)}};
+  const bool solves = blocks::has_module(unit, "inverse");
   const auto filled = [&](const std::string& file, const std::string& body) {
     nlohmann::json all = values;
     all["body"] = body;
+    all["has_inverse"] = blocks::solves_poses(unit);
+    all["metrics"] =
+        solves && !body.empty() ? render("javascript/metrics" + file.substr(file.find('.')), {}) : "";
     return render("javascript/" + file, all);
   };
   return {{name + ".mjs", filled("module.mjs", writer.module())},
           {name + ".d.mts", filled("module.d.mts", writer.declarations())},
+          {"README.md", filled("readme.md", "")},
           {"package.json", filled("package.json", "")}};
 }
 

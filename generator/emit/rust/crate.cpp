@@ -170,13 +170,18 @@ std::vector<std::pair<std::string, std::string>> crate(const blocks::Unit& unit,
     files.push_back({"src/" + each + ".rs",
                      render("rust/module.rs", {{"name", unit.robot}, {"body", writer.module(each)}})});
   }
+  const bool solves = blocks::has_module(unit, "inverse");
   const json values{{"name", unit.robot},
+                    {"has_inverse", blocks::solves_poses(unit)},
+                    {"has_metrics", solves},
                     {"body", writer.module("")},
                     {"modules", modules},
                     {"has_missing", !missing.empty()},
                     {"missing", lines_of_text(missing)}};
   files.push_back({"src/lib.rs", render("rust/lib.rs", values)});
   files.push_back({"src/math.rs", render("rust/math.rs", {{"name", unit.robot}})});
+  if (solves) files.push_back({"src/metrics.rs", render("rust/metrics.rs", {{"name", unit.robot}})});
+  files.push_back({"README.md", render("rust/readme.md", values)});
   files.push_back({"Cargo.toml", render("rust/cargo.toml", {{"name", unit.robot}})});
   return files;
 }

@@ -125,6 +125,8 @@ bool has_wrist_centre(const model::Robot& described) {
 
 void generate_jacobian_c(const model::Robot& described, RobotOutput& output) {
   const Jacobians found = jacobians_of(described, output);
+  add_c_part(output, emit::c::names(found.robot, "singularity", "Values of singularity_measures.",
+                                    found.measures.names));
   add_c_part(output, emit::c::jacobian(found.robot, found.functions));
   add_c_files(output, "velocity",
               emit::c::velocity(found.robot, wrist_centre_code(found.robot, emit::c::printer())));

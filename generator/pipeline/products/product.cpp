@@ -12,6 +12,7 @@
 #include "pipeline/products/inverse.h"
 #include "pipeline/products/jacobian.h"
 #include "pipeline/products/kinematics.h"
+#include "pipeline/products/linuxcnc.h"
 #include "pipeline/products/mass.h"
 #include "pipeline/products/model_header.h"
 #include "pipeline/products/moveit_plugin.h"
@@ -56,7 +57,8 @@ const std::vector<Extra>& all_extras() {
       {"certified", {"inverse"}, add_certified},
       {"moveit_plugin", {"kinematics", "inverse"}, add_moveit_plugin},
       {"given_joint", {"kinematics", "inverse", "jacobian"}, add_given_joint},
-      {"nearest_pose", {"kinematics", "jacobian"}, add_nearest_pose, false, true}};
+      {"nearest_pose", {"kinematics", "jacobian"}, add_nearest_pose, false, true},
+      {"linuxcnc", {"kinematics", "inverse"}, add_linuxcnc, false, false, true}};
   return extras;
 }
 

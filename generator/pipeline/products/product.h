@@ -32,6 +32,7 @@ struct Extra {
   void (*add)(const model::Robot& robot, RobotOutput& output);
   bool of_trees = false;
   bool of_motors = false;  ///< made of robots whose joints follow motors, too
+  bool in_c = false;       ///< made of a robot's C alone; others of its C++
 };
 const std::vector<Extra>& all_extras();
 

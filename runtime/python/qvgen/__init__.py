@@ -9,16 +9,14 @@ else is float64. SI units, radians; quaternions are w, x, y, z; twists linear fi
 import enum
 import importlib
 import os
-import pathlib
 import typing
 
 from . import robots
-from . import _build
-from ._build import BuildError, Limbs, build_module, cache_folder, generate
+from ._library import BuildError, cache_folder
 from ._paths import Motion, Paths
 
-__all__ = ["Assemblies", "BuildError", "Followed", "JointRates", "Motion", "NearSolution", "NearestRows", "Paths", "Solutions", "Status", "VelocityStatus",
-           "cache_folder", "calibrate", "identify", "load", "metrics", "orientation", "robots"]
+__all__ = ["Assemblies", "BuildError", "Followed", "JointRates", "Motion", "NearSolution", "NearestRows", "Paths", "Solutions", "Status",
+           "VelocityStatus", "cache_folder", "calibrate", "derivatives", "identify", "interop", "load", "metrics", "orientation", "robots"]
 
 
 class Status(enum.IntEnum):
@@ -89,9 +87,9 @@ class JointRates(typing.NamedTuple):
 
 
 def __getattr__(name):
-    """Imports qvgen.metrics and qvgen.orientation when they are used: they need NumPy, and whoever builds a wheel may not
+    """Imports qvgen.metrics and the like when they are used: they need NumPy, and whoever builds a wheel may not
     have it."""
-    if name in ("metrics", "orientation"):
+    if name in ("derivatives", "interop", "metrics", "orientation"):
         return importlib.import_module("." + name, __name__)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
@@ -102,6 +100,7 @@ def calibrate(description, data, output, *options):
     `description` is a known robot's name or a file; `options` are those of `qvgen calibrate`, "--errors", "zeros". Returns
     the report as text. Raises BuildError with the tool's messages. Then load(output) is the calibrated arm.
     """
+    from . import _build
     return _build.report_of("calibrate", [description, data], output, options)
 
 
@@ -112,12 +111,13 @@ def identify(description, logs, output=None, *options):
     "--hold-out", "other.csv". Returns the report as text. Raises BuildError with the tool's messages. Then load(output) is
     the arm with its inertias.
     """
+    from . import _build
     logs = [logs] if isinstance(logs, (str, os.PathLike)) else list(logs)
     return _build.report_of("identify", [description, *logs], output, options)
 
 
 def load(description, *options, floating=False):
-    """The module of a robot described in a file (TOML, URDF, MJCF): generated, compiled, and kept in a cache.
+    """The module of a robot described in a file (TOML, URDF, MJCF): generated in C, compiled, and kept in a cache.
 
     `options` are those of `qvgen generate`: load("arm.urdf", "--tip", "tool0"). Raises BuildError with the generator's
     messages.
@@ -134,7 +134,5 @@ def load(description, *options, floating=False):
     """
     if floating and "--floating" not in options:
         options += ("--floating",)
-    robot, limbs, folder = generate(description, options)
-    module = build_module(robot, folder, (pathlib.Path(description).resolve(), *options))
-    module.limbs = Limbs(robot, limbs, folder)
-    return module
+    from . import _build
+    return _build.loaded(description, options)

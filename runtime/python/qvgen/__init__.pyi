@@ -7,6 +7,8 @@ from typing import Any, Iterable, Literal, Mapping, NamedTuple, Protocol
 from numpy import bool_, float32, float64, int32
 from numpy.typing import ArrayLike, NDArray
 
+from . import derivatives as derivatives
+from . import interop as interop
 from . import metrics as metrics
 from . import orientation as orientation
 from . import robots as robots
@@ -132,6 +134,7 @@ class Robot(Protocol):
     def jacobian_dot_times_qd(
         self, q: ArrayLike, qd: ArrayLike, *, geometry: _Constants = None, out: _Out = None,
     ) -> _Result: ...
+    def forward_kinematics_and_jacobian(self, q: ArrayLike, *, geometry: _Constants = None) -> Any: ...  # transform, jacobian
     def inverse_velocity(
         self, q: ArrayLike, twist: ArrayLike, *, geometry: _Constants = None, threshold: float = 0.02,
         damping: float = 0.02, scale: float = 0.05,
@@ -175,6 +178,10 @@ class Robot(Protocol):
         self, q: ArrayLike, *,
         geometry: _Constants = None, inertia: _Constants = None, gravity: float = 9.80665, out: _Out = None,
     ) -> _Result: ...
+    def inverse_dynamics_derivatives(  # torque, by_position, by_rate
+        self, q: ArrayLike, qd: ArrayLike, qdd: ArrayLike, *,
+        geometry: _Constants = None, inertia: _Constants = None, gravity: float = 9.80665,
+    ) -> Any: ...
     def regressor(
         self, q: ArrayLike, qd: ArrayLike, qdd: ArrayLike, *,
         geometry: _Constants = None, inertia: _Constants = None, gravity: float = 9.80665, out: _Out = None,

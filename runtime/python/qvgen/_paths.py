@@ -8,7 +8,7 @@ import subprocess
 import tempfile
 import typing
 
-from . import _build
+from ._tool import environment, tool
 
 # Options of `generate` that say how a description is read; the others say what is written.
 _READING = ("--base", "--tip", "--name", "--snap", "--xacro-arg")
@@ -47,10 +47,10 @@ def paths(source, robot, poses, *, free=None, hold=None, limits="description", t
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
         _write(folder / "poses.csv", _rows(poses), times)
-        command = [_build._tool(), "path", description, folder / "poses.csv", *_reading(options), "-o", folder / "out.csv"]
+        command = [tool(), "path", description, folder / "poses.csv", *_reading(options), "-o", folder / "out.csv"]
         command += _options(robot, free, hold, limits, screw, prefer, prove)
         command += [] if free else ["-o", folder / "out.json"]
-        done = subprocess.run([str(each) for each in command], capture_output=True, text=True)
+        done = subprocess.run([str(each) for each in command], capture_output=True, text=True, env=environment())
         if not (folder / "out.csv").exists():
             raise ValueError(done.stderr.strip().replace(str(folder) + "/", ""))
         rows = _read(folder / "out.csv")

@@ -1,19 +1,20 @@
 # SPDX-License-Identifier: MIT
 """The robots of the library, by their names; each is compiled when it is first asked for, and kept in a cache."""
 
-import json
+import importlib
 
-from .. import _build
+
+def _build():
+    return importlib.import_module("qvgen._build")  # which needs NumPy; whoever builds a wheel may not have it
 
 
 def __dir__():
-    counts = json.loads((_build.generated_folder / "operation_counts.json").read_text())
-    return sorted(name for name in counts if "/" not in name)  # c/NAME is a robot's C
+    return sorted(_build().known_robots())
 
 
 def __getattr__(name):
     if name.startswith("_"):
         raise AttributeError(name)
-    module = _build.build_module(name)
+    module = _build().known(name)
     globals()[name] = module
     return module

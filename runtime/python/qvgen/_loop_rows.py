@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: MIT
+"""Functions of a robot's closed loops: what its header assembly.h declares, and the C++ that runs them over rows.
+
+The loops over rows are the templates of rows_loops.h.
+"""
+
+import re
+
+# name: length of a row, what it is
+ARGUMENTS = {
+    "a": ("driven_count", "positions of the driven joints, rad or m"),
+    "outputs": ("output_count", "positions of the joints that say where the platform is, rad or m"),
+    "q": ("dof", "joint positions of an assembly, rad or m"),
+    "qd": ("dof", "rates of all joints, rad/s or m/s: rates(q) times those of the driven ones"),
+    "ad": ("driven_count", "rates of the driven joints, rad/s or m/s"),
+    "add": ("driven_count", "accelerations of the driven joints, rad/s^2 or m/s^2"),
+    "forces": ("driven_count", "forces of the motors, N m or N"),
+}
+# name: arguments, of what it takes constants, shape of a row of the result, a line of text
+FUNCTIONS = {
+    "loop_gaps": ("q", "geometry", "gap_count", "Gaps of the loops, m: zero where they are closed."),
+    "loop_jacobian": ("q", "geometry", "passive_count, dof", "Derivatives of the gaps by all joints."),
+    "rates": ("q", "geometry", "dof, driven_count", "Rates of all joints by those of the driven ones, dq/da."),
+    "accelerations": ("q qd add", "geometry", "dof", "Accelerations of all joints."),
+    "drive_measure": ("q", "geometry", "", "From 0 to 1: 0 where passive joints move although the motors stand still."),
+    "platform_measure": ("q", "geometry", "", "From 0 to 1: 0 where motors turn although the platform stands still."),
+    "platform_rates": ("q", "geometry", "output_count, driven_count",
+                       "Rates of the platform's joints by those of the driven ones."),
+    "driven_inverse_dynamics": ("q ad add", "geometry inertia gravity", "driven_count",
+                                "Forces of the motors for a motion, N m or N."),
+    "driven_mass_matrix": ("q", "geometry inertia", "driven_count, driven_count", "Mass matrix of the driven joints, symmetric."),
+    "driven_forward_dynamics": ("q ad forces", "geometry inertia gravity", "driven_count",
+                                "Accelerations of the driven joints under forces of their motors."),
+}
+OF_A_TIP = {
+    "pose_of": ("q", "geometry", "7", "Pose of the tip {} in the world frame: quaternion w, x, y, z, then the position in metres."),
+    "jacobian_of": ("q", "geometry", "6, driven_count",
+                    "Jacobian of the tip {} by the driven joints, in the world frame, linear rows first."),
+}
+SETS = {"assemble": "a", "assemble_from_outputs": "outputs"}
+
+HEAD = """#include <qvgen/robots/{robot}/assembly.h>
+#include "rows_loops.h"
+"""
+
+INERTIA = """static arm::Inertia inertia(const qvgen_call* c) { return constants<arm::Inertia>(c->inertia, arm::inertia_names); }
+"""
+
+FUNCTION = """QVGEN_ROWS ptrdiff_t rows_{name}(const qvgen_call* c) {{
+  {constants}
+  return value_rows(c, [&](ptrdiff_t k) {{ return arm::{name}({values}); }});
+}}
+"""
+
+SET = """QVGEN_ROWS ptrdiff_t rows_{name}(const qvgen_call* c) {{
+  const auto g = geometry(c);
+  return assembly_rows<arm::dof>(c, [&](ptrdiff_t k, const auto&... seed) {{
+    return arm::{name}({given}, seed..., g, c->numbers[0]);
+  }});
+}}
+"""
+
+FOLLOW = """QVGEN_ROWS ptrdiff_t rows_follow(const qvgen_call* c) {{
+  const auto g = geometry(c);
+  return followed_rows<arm::dof>(c, [&](ptrdiff_t k, const qvgen::Joints<arm::dof>& seed) {{
+    return arm::follow({given}, seed, g);
+  }});
+}}
+"""
+
+
+def entry_of_loops(name):
+    """Returns arguments, constants, shape and text of a function, those of a tip among them; None of any other."""
+    match = re.fullmatch("(" + "|".join(OF_A_TIP) + r")_(\w+)", name)
+    if match is None:
+        return FUNCTIONS.get(name)
+    arguments, constants, shape, line = OF_A_TIP[match[1]]
+    return arguments, constants, shape, line.format(match[2])
+
+
+class Loops:
+    """The header assembly.h of one robot, as text: its functions, numbers and places of joints."""
+
+    def __init__(self, text):
+        declared = dict.fromkeys(re.findall(r"^(?:inline )?[\w:<>, ]+ (\w+)\(const ", text, re.MULTILINE))
+        self.functions = [name for name in declared if name in SETS or name == "follow" or entry_of_loops(name)]
+        self.numbers = {name: int(value) for name, value in re.findall(r"constexpr int (\w+_count) = (\d+);", text)}
+        lists = re.findall(r"constexpr std::array<int, \w+> ((?:driven|passive|output)_joints)\{([^}]*)\};", text)
+        self.joints = {name: [int(each) for each in listed.split(",") if each.strip()] for name, listed in lists}
+        self.numbers["output_count"] = len(self.joints.get("output_joints", ()))
+        self.tips = [name[len("pose_of_"):] for name in self.functions if name.startswith("pose_of_")]
+
+
+def _read(argument, place):
+    """C++ that reads an argument as a vector of its length."""
+    size = {"output_count": "static_cast<int>(arm::output_joints.size())"}.get(ARGUMENTS[argument][0], f"arm::{ARGUMENTS[argument][0]}")
+    return f"vector<Eigen::Matrix<double, {size}, 1>>(row<double>(c, {place}, k))"
+
+
+def _function(name):
+    arguments, constants, *_ = entry_of_loops(name)
+    constants = constants.split()
+    taken = {"geometry": "g", "inertia": "i", "gravity": "c->numbers[0]"}
+    values = [*(_read(each, place) for place, each in enumerate(arguments.split())), *(taken[each] for each in constants)]
+    lines = ["const auto g = geometry(c);", *(["const auto i = inertia(c);"] if "inertia" in constants else [])]
+    return FUNCTION.format(name=name, constants="\n  ".join(lines), values=", ".join(values))
+
+
+def _rows_of(name):
+    if name in SETS:
+        return SET.format(name=name, given=_read(SETS[name], 0))
+    return FOLLOW.format(given=_read("a", 0)) if name == "follow" else _function(name)
+
+
+def loop_rows(robot, functions):
+    """C++ that runs functions of closed loops over rows, behind that of the robot's other functions."""
+    head = HEAD.format(robot=robot) + (INERTIA if "driven_mass_matrix" in functions else "")
+    return head + "".join(_rows_of(name) for name in functions)

@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: MIT
+"""Makes the Python functions of a module's closed loops: assemblies, rates and dynamics of the driven joints.
+
+Everything is computed in float64, in C++.
+"""
+
+import numpy as np
+
+from ._call import Rows, result
+from ._functions import made
+from ._inverse import solution_arrays
+from ._loop_rows import ARGUMENTS, SETS, entry_of_loops
+from ._tables import sizes
+
+DEFAULTS = {"geometry": None, "inertia": None, "gravity": 9.80665}
+MEANINGS = {"geometry": "values of constants of the description, by name",
+            "inertia": "inertial parameters of the description, by name",
+            "gravity": "acceleration of free fall along the world's -z, m/s^2"}
+
+SET_DOC = """All assemblies of the loops: joint positions at which they close.
+
+{given}: ({size},) or (n, {size}), {meaning}
+seed: (dof,) or (n, dof): rows are sorted by their distance from it, and angles are next to it by whole turns
+geometry: values of constants of the description, by name
+tolerance: how far beyond the boundary of reach, as a share of the mechanism's size, the loops still close
+Returns qvgen.Assemblies: q (max, dof), count (), status (), branch (max,), continuum (max,), meets (max,), with a batch
+axis in front of each if an argument has one."""
+
+FOLLOW_DOC = """The assembly next to a seed, by Newton's steps: it leads to one assembly, also where there is no closed form.
+
+a: (driven_count,) or (n, driven_count), positions of the driven joints, rad or m
+seed: (dof,) or (n, dof), an assembly nearby
+path: the rows follow each other: `seed`, a single row, is the first one's, then the row before is the seed
+geometry: values of constants of the description, by name
+Returns qvgen.Followed: q (dof,), NaN where the loops do not close, and closed (), with a batch axis in front of each if an
+argument has one."""
+
+
+def _numbers(robot):
+    return {**robot.loops.numbers, "dof": robot.header.numbers["dof"]}
+
+
+def _doc(line, arguments, constants, shape):
+    rows = [(each, *ARGUMENTS[each]) for each in arguments]
+    comma = "" if "," in shape or not shape else ","
+    return "\n".join([line, "", *(f"{each}: ({size},) or (n, {size}), {meaning}" for each, size, meaning in rows),
+                      *(f"{each}: {MEANINGS[each]}" for each in constants),
+                      f"Returns float64 of the shape ({shape}{comma}), a batch axis in front if an argument has",
+                      "one; in `out`, which may not overlap an argument, if it is given."])
+
+
+def _plain(robot, name):
+    """A function that gives an array for each row."""
+    listed, taken, shape, line = entry_of_loops(name)
+    arguments, constants, numbers = listed.split(), taken.split(), _numbers(robot)
+    rows = [(each, sizes(ARGUMENTS[each][0], numbers)) for each in arguments]
+    row = sizes(shape, numbers)
+
+    def call(given, geometry, inertia, gravity, out):
+        at = Rows(np.float64)
+        for value, (argument, size) in zip(given, rows):
+            at.add(value, size, argument)
+        at.constants("geometry", robot.geometry, geometry)
+        at.constants("inertia", robot.inertia, inertia)
+        at.call.numbers[0] = gravity
+        to = result(out, at.shape(*row), np.float64)
+        at.run(robot.function(f"rows_{name}", np.float64), to)
+        return to
+
+    values = ", ".join(each if each in constants else repr(DEFAULTS[each]) for each in DEFAULTS)
+    parameters = [*arguments, "*", *((each, DEFAULTS[each]) for each in constants), ("out", None)]
+    return made(name, parameters, f"({', '.join(arguments)},), {values}, out", _doc(line, arguments, constants, shape), call)
+
+
+def _set(robot, name):
+    """A function that gives all assemblies for each row."""
+    given, numbers = SETS[name], _numbers(robot)
+    size, meaning = ARGUMENTS[given]
+
+    def call(value, seed, geometry, tolerance):
+        from . import Assemblies
+        function = robot.function(f"rows_{name}", np.float64)
+        at = Rows(np.float64)
+        at.add(value, sizes(size, numbers), given)
+        if seed is not None:
+            at.add(seed, (numbers["dof"],), "seed")
+            at.call.flags[0] = 1
+        at.constants("geometry", robot.geometry, geometry)
+        at.call.numbers[0] = tolerance
+        at.call.capacity = -1
+        at.call.capacity = capacity = at.run(function)
+        q, branch, continuum, count, status = solution_arrays(at, capacity, numbers["dof"])
+        meets = np.zeros_like(continuum)
+        at.run(function, q, branch, continuum, count, status, meets)
+        return Assemblies(q, count, status, branch, continuum, meets)
+
+    return made(name, [given, ("seed", None), "*", ("geometry", None), ("tolerance", 1e-13)], f"{given}, seed, geometry, tolerance",
+                SET_DOC.format(given=given, size=size, meaning=meaning), call)
+
+
+def _follow(robot):
+    """The function that finds the assembly next to a seed."""
+    numbers = _numbers(robot)
+    dof = numbers["dof"]
+
+    def call(a, seed, path, geometry):
+        from . import Followed
+        at = Rows(np.float64)
+        at.add(a, sizes("driven_count", numbers), "a")
+        if at.add(seed, (dof,), "seed").ndim == 2 and path:
+            raise ValueError("on a path there is one seed, that of the first row")
+        at.constants("geometry", robot.geometry, geometry)
+        at.call.flags[1] = bool(path)
+        found = Followed(np.full(at.shape(dof), np.nan), np.zeros(at.shape(), bool))
+        at.run(robot.function("rows_follow", np.float64), *found)
+        return found
+
+    return made("follow", ["a", "seed", "*", ("path", False), ("geometry", None)], "a, seed, path, geometry", FOLLOW_DOC, call)
+
+
+def loop_functions(robot):
+    """Functions of a robot's closed loops, by their names."""
+    return {name: _set(robot, name) if name in SETS else _follow(robot) if name == "follow" else _plain(robot, name)
+            for name in robot.loops.functions}
+
+
+def loop_values(loops):
+    """Facts of a module about its closed loops, by their names."""
+    return {"driven_count": loops.numbers["driven_count"], **loops.joints}

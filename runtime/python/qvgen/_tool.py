@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: MIT
+"""Finds the tool, which derives robots: that of the package, of the source tree or of the system."""
+
+import os
+import shutil
+
+from ._library import ROOT, BuildError
+
+_PLACES = (ROOT / "bin/qvgen", ROOT / "build/release/generator/cli/qvgen")
+
+
+def own_tool():
+    """Path of the tool of the package or of the source tree; None if there is none."""
+    return next((each for each in _PLACES if each.exists()), None)
+
+
+def tool():
+    """Path of the tool: QVGEN_TOOL, that of the package or of the source tree, or one on the path."""
+    found = os.environ.get("QVGEN_TOOL") or own_tool() or shutil.which("qvgen")
+    if found is None:
+        raise BuildError("there is no tool qvgen: run ./qvgen generate once, or set QVGEN_TOOL")
+    return found
+
+
+def environment():
+    """Environment of the tool: that of a package brings the libraries that it needs."""
+    libraries = ROOT / "lib"
+    if os.environ.get("QVGEN_TOOL") or not libraries.exists():
+        return dict(os.environ)
+    before = os.environ.get("LD_LIBRARY_PATH")
+    return {**os.environ, "LD_LIBRARY_PATH": os.pathsep.join([str(libraries), *([before] if before else [])])}
