@@ -127,13 +127,17 @@ FolderUpdate update_of(const GenerateArguments& arguments, const std::vector<Tas
       robots, arguments.parts, arguments.budget, [&](const std::string& robot) { line.finished(robot); },
       arguments.language);
   const auto& parts = arguments.parts;
-  const bool has_assembly = parts.empty() || std::find(parts.begin(), parts.end(), "assembly") != parts.end();
+  const auto names = [&](const char* part) {
+    return std::find(parts.begin(), parts.end(), part) != parts.end();
+  };
+  const bool has_assembly = parts.empty() || names("assembly") || names("c_assembly");
   FolderUpdate update;
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const bool in_cxx = arguments.language == Language::cxx;
     if (!changed[i].tips.empty() && in_cxx) add_limbs({changed[i].robot, changed[i].tips}, outputs[i]);
     if (!changed[i].loops.empty() && has_assembly)
-      add_assembly({changed[i].robot, changed[i].tips, changed[i].loops}, arguments.language, outputs[i]);
+      add_assembly({changed[i].robot, changed[i].tips, changed[i].loops}, arguments.language,
+                   names("c_assembly"), outputs[i]);
     const std::string key = is_final(outputs[i]) ? changed[i].key : "";
     update.robots.push_back({std::move(outputs[i]), changed[i].origin, key});
   }

@@ -285,8 +285,12 @@ void add_variants(const model::Mechanism& mechanism, const std::vector<Planned>&
   }
 }
 
-void generate_assembly(const model::Mechanism& mechanism, bool has_dynamics, bool has_limbs,
-                       RobotOutput& output) {
+/// What the rest of the robot's output has, and whether a header for C is wanted.
+struct Surroundings {
+  bool has_dynamics, has_limbs, with_c;
+};
+
+void generate_assembly(const model::Mechanism& mechanism, const Surroundings& has, RobotOutput& output) {
   const std::string& name = mechanism.robot.name;
   const model::Loops& loops = mechanism.loops;
   check_number_of_motors(mechanism);
@@ -299,8 +303,8 @@ void generate_assembly(const model::Mechanism& mechanism, bool has_dynamics, boo
               {"driven_names", described_names(mechanism.robot, loops.actuated)},
               {"driven", commas(loops.actuated)},
               {"passive", commas(passive)},
-              {"has_dynamics", has_dynamics},
-              {"has_limbs", has_limbs},
+              {"has_dynamics", has.has_dynamics},
+              {"has_limbs", has.has_limbs},
               {"tips", tips_of(mechanism)},
               {"enough", closed_gap(mechanism)},
               {"missing", false}};
@@ -310,6 +314,9 @@ void generate_assembly(const model::Mechanism& mechanism, bool has_dynamics, boo
   output.files.push_back(
       {"include/qvgen/robots/" + name + "/assembly.h", emit::render("cpp/assembly.h", values)});
   output.files.push_back({"source/" + name + "/assembly.cpp", emit::render("cpp/assembly.cpp", values)});
+  if (!has.with_c) return;
+  output.files.push_back({"c/qvgen_" + name + "_assembly.h", emit::render("c/assembly.h", values)});
+  output.files.push_back({"source/" + name + "/c_assembly.cpp", emit::render("c/assembly.cpp", values)});
 }
 
 }  // namespace
@@ -347,13 +354,11 @@ std::string problem_of_motors(const model::Mechanism& mechanism, int freedoms) {
   return "";
 }
 
-void add_assembly(const model::Mechanism& mechanism, Language language, RobotOutput& output) {
+void add_assembly(const model::Mechanism& mechanism, Language language, bool with_c, RobotOutput& output) {
   const std::string headers = "include/qvgen/robots/" + mechanism.robot.name + "/";
-  const bool has_dynamics = has_file(output, headers + "dynamics.h");
-  const bool has_limbs = has_file(output, headers + "limbs.h");
-  const auto generate = [&](RobotOutput& made) {
-    generate_assembly(mechanism, has_dynamics, has_limbs, made);
-  };
+  const Surroundings has{has_file(output, headers + "dynamics.h"), has_file(output, headers + "limbs.h"),
+                         with_c};
+  const auto generate = [&](RobotOutput& made) { generate_assembly(mechanism, has, made); };
   if (const std::string lack = lack_of(row_of(language), "assembly"); !lack.empty())
     output.missing.push_back({"assembly", Missing::Kind::not_in_language, lack});
   else

@@ -198,6 +198,7 @@ Mobility mobility_of(const model::Mechanism& mechanism) {
   result.joints = static_cast<int>(mechanism.robot.joints.size());
   result.gruebler = result.joints;
   for (const model::Loop& loop : mechanism.loops.closures) result.gruebler -= equations_in_space(loop.type);
+  result.in_planes = result.joints - static_cast<int>(numbers.loop_of_row().size());
   for (unsigned sample = 0; sample < samples; ++sample) {
     const auto q = numbers.assembled(sample + 1);
     if (!q) break;
@@ -216,6 +217,25 @@ Mobility mobility_of(const model::Mechanism& mechanism) {
   return result;
 }
 
+namespace {
+
+/// Why Gruebler's formula, which counts equations, does not tell how many freedoms there are.
+std::string reason_of(const Mobility& mobility) {
+  std::vector<std::string> reasons;
+  if (mobility.in_planes != mobility.gruebler) reasons.push_back("that axes are parallel");
+  if (mobility.in_planes != mobility.free) {
+    std::string loops;
+    for (const std::size_t loop : mobility.redundant)
+      loops += (loops.empty() ? "" : ", ") + std::to_string(loop + 1);
+    reasons.push_back(loops.empty()
+                          ? "that equations of the loops agree, as their lengths or axes are special"
+                          : "that loop " + loops + " holds nothing more");
+  }
+  return reasons.size() == 2 ? reasons[0] + ", and " + reasons[1] : reasons.front();
+}
+
+}  // namespace
+
 std::vector<std::string> text_of(const Mobility& mobility, const model::Mechanism& mechanism) {
   if (!mobility.assembled)
     return {
@@ -225,8 +245,8 @@ std::vector<std::string> text_of(const Mobility& mobility, const model::Mechanis
   const int driven = static_cast<int>(mechanism.loops.actuated.size());
   std::string count = count_of(mobility.free, "freedom") + ", " + std::to_string(driven) + " driven";
   if (mobility.gruebler != mobility.free)
-    count += "; Gruebler's formula counts " + std::to_string(mobility.gruebler) +
-             ", since it does not see that axes are parallel";
+    count += "; Gruebler's formula counts " + std::to_string(mobility.gruebler) + ", since it does not see " +
+             reason_of(mobility);
   lines.push_back(count);
   for (const std::size_t loop : mobility.redundant)
     lines.push_back("loop " + std::to_string(loop + 1) +

@@ -46,6 +46,7 @@ struct Mobility {
   bool assembled = false;  ///< false: no joints were found at which all loops close
   int joints = 0;
   int gruebler = 0;
+  int in_planes = 0;  ///< Gruebler's count where loops whose axes are parallel have the equations of a plane
   int free = 0;
   std::vector<std::size_t> redundant;  ///< loops that hold nothing more than those before them
   std::vector<std::size_t> still;      ///< joints that never move

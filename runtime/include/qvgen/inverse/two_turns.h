@@ -215,7 +215,7 @@ class Solutions {
       const Scalar determinant = a_u * b_v - a_v * b_u;
       const Scalar size = (magnitude(a_u) + magnitude(a_v)) * (magnitude(b_u) + magnitude(b_v));
       apart = size > Scalar(0) ? Scalar(magnitude(determinant) / size) : Scalar(0);
-      // Where solutions meet, further steps would follow rounding alone.
+      // Further steps would follow rounding alone: solutions meet here.
       const Scalar gap = magnitude(gap_a) + magnitude(gap_b);
       if (gap < rounding && !(gap < Scalar(0.5) * last)) break;
       last = gap;
@@ -323,7 +323,7 @@ class Circle {
     if (!solutions_.take_common(u)) solutions_.take_both(u);
   }
 
-  /// Where the arc's parabola vanishes, or is nearest to zero.
+  /// Tries the places where the arc's parabola vanishes, or is nearest to zero.
   void close_roots(const Rotor<Scalar>& middle, const Jet<Scalar>& at, double half) {
     using std::sqrt;
     const Scalar most(4 * half);
