@@ -65,7 +65,8 @@ std::vector<path::MovingJoint> joints_of(const report::Chain& chain, bool with_l
     if (!joint.follows)
       joints.push_back({joint.variable, joint.revolute,
                         with_limits ? joint.limits.value_or(std::pair(-infinity, infinity))
-                                    : std::pair(-infinity, infinity)});
+                                    : std::pair(-infinity, infinity),
+                        joint.speed.value_or(infinity)});
   return joints;
 }
 
@@ -113,11 +114,31 @@ std::vector<path::MovingJoint> all_joints(const PathArguments& arguments, const 
   return joints;
 }
 
+/// Returns one number for each joint, from as many or from one.
+std::vector<double> for_each_joint(const std::string& option, const std::vector<double>& numbers,
+                                   std::size_t count) {
+  if (numbers.size() == 1) return std::vector<double>(count, numbers.front());
+  if (numbers.size() != count)
+    throw UsageError(
+        fmt::format("{} has {} numbers: one, or one for each of {} joints", option, numbers.size(), count));
+  return numbers;
+}
+
+void set_rates(const PathArguments& arguments, std::vector<path::MovingJoint>& joints) {
+  const auto accelerations = for_each_joint("--time", arguments.accelerations, joints.size());
+  for (std::size_t k = 0; k < joints.size(); ++k) joints[k].acceleration = accelerations[k];
+  if (arguments.joint_speeds.empty()) return;
+  const auto speeds = for_each_joint("--joint-speeds", arguments.joint_speeds, joints.size());
+  for (std::size_t k = 0; k < joints.size(); ++k) joints[k].speed = speeds[k];
+}
+
 path::Task task_of(const PathArguments& arguments, const model::Robot& robot) {
   path::Task task;
   task.screw = arguments.screw;
   task.proofs = arguments.prove;
   task.joints = all_joints(arguments, robot);
+  task.least_times = !arguments.accelerations.empty();
+  if (task.least_times) set_rates(arguments, task.joints);
   const std::size_t count = task.joints.size();
   if (!arguments.held.empty()) {
     const auto [name, value] = named("--hold", arguments.held);

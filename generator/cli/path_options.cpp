@@ -62,6 +62,24 @@ CLI::App* add_path(CLI::App& app, PathArguments& arguments) {
           "prove by interval arithmetic that each motion is continuous and the only one in a tube around "
           "it; stretches that cannot be proven are reported")
       ->excludes("--free");
+  command
+      .add_option(
+          "--time", arguments.accelerations,
+          "the least time of each motion, from rest to rest, under these joint accelerations, rad/s^2 "
+          "or m/s^2, and the joints' speeds: one for all or one for each, with commas")
+      ->type_name("ACCELERATIONS")
+      ->allow_extra_args(false)
+      ->delimiter(',')
+      ->check(CLI::PositiveNumber)
+      ->excludes("--free");
+  command
+      .add_option("--joint-speeds", arguments.joint_speeds,
+                  "for --time: the largest ones in place of the description's, rad/s or m/s, likewise")
+      ->type_name("SPEEDS")
+      ->allow_extra_args(false)
+      ->delimiter(',')
+      ->check(CLI::PositiveNumber)
+      ->needs("--time");
   command.add_option("--speed", arguments.speed, "the tool's speed, m/s, where the poses have no times")
       ->type_name("SPEED")
       ->check(CLI::PositiveNumber);

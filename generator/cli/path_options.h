@@ -24,6 +24,7 @@ struct PathArguments {
   bool without_limits = false;
   bool screw = false;
   bool prove = false;
+  std::vector<double> accelerations, joint_speeds;  ///< one, or one for each joint; empty without
   double speed = 0;
   std::string length_unit = "m", angle_unit = "rad";
   std::filesystem::path known_robots;

@@ -44,6 +44,7 @@ Table table_of(const path::Result& result, const path::Task& task, bool timed) {
   table.rows.push_back(
       {"motion", "from", "to", "branch", "turns", "begins", "ends", "nearest limit", "regularity"});
   if (timed) table.rows.front().insert(table.rows.front().end(), {"largest speed", "acceleration"});
+  if (task.least_times) table.rows.front().push_back("least time");
   for (std::size_t i = 0; i < std::min(result.motions.size(), most_rows); ++i) {
     const path::Motion& motion = result.motions[i];
     TableRow row{std::to_string(i + 1),
@@ -59,6 +60,7 @@ Table table_of(const path::Result& result, const path::Task& task, bool timed) {
       row.push_back(extreme_of(task, motion.speed, "/s"));
       row.push_back(extreme_of(task, motion.acceleration, "/s^2"));
     }
+    if (task.least_times) row.push_back(fmt::format("{:.6g} s", motion.least_time.value_or(0)));
     table.rows.push_back(row);
   }
   return table;
@@ -77,6 +79,19 @@ std::string whole_text(const path::Result& result, const path::Task& task) {
     if (result.is_whole(result.motions[i]))
       text += fmt::format("  motion {}: {}\n", i + 1, joints_of(task, result.motions[i].begin.q));
   return text.empty() ? "" : "joints that follow the whole path from its start (deg, mm):\n" + text;
+}
+
+/// The motion along the whole path that takes the least time.
+std::string fastest_text(const path::Result& result) {
+  std::size_t best = result.motions.size();
+  for (std::size_t i = 0; i < result.motions.size(); ++i) {
+    const path::Motion& motion = result.motions[i];
+    if (!result.is_whole(motion) || !motion.least_time) continue;
+    if (best == result.motions.size() || *motion.least_time < *result.motions[best].least_time) best = i;
+  }
+  if (best == result.motions.size()) return "";
+  return fmt::format("the fastest along the whole path is motion {}: {:.6g} s\n", best + 1,
+                     *result.motions[best].least_time);
 }
 
 /// The fewest motions, and where to change from one to the next.
@@ -131,7 +146,7 @@ std::string path_text(const path::Result& result, const path::Task& task, const 
   if (result.motions.size() > most_rows)
     text += fmt::format("... and {} more: -o FILE.csv or .json has all\n", result.motions.size() - most_rows);
   text += whole > 0 ? whole_text(result, task) : chain_text(result);
-  text += proofs_text(result);
+  text += fastest_text(result) + proofs_text(result);
   text += gaps_text(result);
   if (result.full) text += "there were more motions than there is room for: some are missing\n";
   if (result.doubtful)

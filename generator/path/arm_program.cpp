@@ -88,6 +88,10 @@ ordered_json follow(const programs::Program& program, const Task& task, const Po
                                  hexadecimal(task.held ? task.held->value : 0)};
   for (const MovingJoint& joint : task.joints) words.push_back(hexadecimal(joint.limits.first));
   for (const MovingJoint& joint : task.joints) words.push_back(hexadecimal(joint.limits.second));
+  for (const MovingJoint& joint : task.joints)
+    if (task.least_times) words.push_back(hexadecimal(joint.speed));
+  for (const MovingJoint& joint : task.joints)
+    if (task.least_times) words.push_back(hexadecimal(joint.acceleration));
   return run_with_poses(program, words, poses);
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -26,7 +27,9 @@ struct HeldJoint {
 struct MovingJoint {
   std::string name;
   bool revolute = true;
-  std::pair<double, double> limits;  ///< infinite without
+  std::pair<double, double> limits;                        ///< infinite without
+  double speed = std::numeric_limits<double>::infinity();  ///< the largest, rad/s or m/s
+  double acceleration = 0;  ///< the largest, rad/s^2 or m/s^2, if least times are wanted
 };
 
 /// Joints that follow a path, and the ways between its poses.
@@ -34,6 +37,7 @@ struct Task {
   std::optional<HeldJoint> held;
   std::vector<MovingJoint> joints;  ///< six
   bool screw = false;               ///< screw motions between poses, in place of straight lines
+  bool least_times = false;         ///< of each motion
   bool proofs = false;              ///< of each motion
   std::filesystem::path motions;    ///< CSV to write; empty for none
 };

@@ -38,6 +38,7 @@ Motion motion_of(const ordered_json& json) {
     for (const auto& gap : json.at("proof").at("gaps")) motion.proof->gaps.emplace_back(gap.at(0), gap.at(1));
     motion.proof->narrowest = json.at("proof").at("narrowest");
   }
+  if (json.contains("least_time")) motion.least_time = number_of(json.at("least_time"));
   motion.limit_distance = extreme_of(json.at("limit_distance"));
   motion.regularity = extreme_of(json.at("regularity"));
   motion.speed = extreme_of(json.at("speed"));

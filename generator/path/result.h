@@ -42,6 +42,7 @@ struct Motion {
   std::vector<double> crossings;  ///< singular poses passed without a stop
   Extreme limit_distance, regularity, speed, acceleration;
   std::optional<Proof> proof;
+  std::optional<double> least_time;                           ///< s
   std::vector<std::pair<double, std::vector<double>>> curve;  ///< some places, for pictures
 };
 

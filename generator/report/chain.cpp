@@ -95,6 +95,7 @@ Chain chain_of(const model::Robot& robot) {
     if (joint.limits)
       numbers.limits.emplace(reader.number(joint.limits->lower), reader.number(joint.limits->upper));
     numbers.follows = follows_one(robot, joint);
+    if (joint.greatest_velocity) numbers.speed = reader.number(*joint.greatest_velocity);
     chain.joints.push_back(std::move(numbers));
   }
   return chain;

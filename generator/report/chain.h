@@ -26,6 +26,7 @@ struct ChainJoint {
   std::optional<std::pair<double, double>> limits;
   /// The joint that it follows, and by how much of its value.
   std::optional<std::pair<std::size_t, double>> follows = {};
+  std::optional<double> speed = {};  ///< the largest, rad/s or m/s
 };
 
 /// A robot in numbers, for pictures: base * (before * motion * after) ... * tool.

@@ -62,6 +62,42 @@ TEST_F(PathCommand, LimitsCutMotions) {
   EXPECT_TRUE(has(result, "theta1 at its")) << result.output;
 }
 
+/// Times rise along each motion, and no mean speed of a joint is above the one that is allowed.
+TEST_F(PathCommand, LeastTimesKeepTheSpeeds) {
+  write("seam.csv", seam(100));
+  const ToolRun result = follow("ur5 seam.csv --time 6 --joint-speeds 1.5 -o motions.csv");
+  ASSERT_EQ(result.code, 0) << result.output;
+  EXPECT_TRUE(has(result, "the fastest along the whole path is motion")) << result.output;
+  std::istringstream rows(read("motions.csv"));
+  std::string line;
+  std::getline(rows, line);
+  EXPECT_EQ(line.rfind("motion,s,t [s],theta1 [rad],", 0), 0U);
+  std::vector<double> before;
+  int compared = 0;
+  while (std::getline(rows, line)) {
+    std::vector<double> row;
+    std::istringstream words(line);
+    for (std::string word; std::getline(words, word, ',');) row.push_back(std::strtod(word.c_str(), nullptr));
+    ASSERT_EQ(row.size(), 9U);
+    if (!before.empty() && before[0] == row[0]) {
+      ASSERT_GT(row[2], before[2]);
+      for (std::size_t k = 3; k < 9; ++k)
+        EXPECT_LE(std::abs(row[k] - before[k]), 1.5 * (row[2] - before[2]) * (1 + 1e-9));
+      ++compared;
+    }
+    before = row;
+  }
+  EXPECT_GT(compared, 30);
+}
+
+TEST_F(PathCommand, AProofIsReported) {
+  write("seam.csv", seam(900));
+  const ToolRun result = follow("ur5 seam.csv --prove");
+  ASSERT_EQ(result.code, 0) << result.output;
+  EXPECT_TRUE(has(result, "the only motion in a tube around it")) << result.output;
+  EXPECT_TRUE(has(result, "proven but from")) << result.output;  // at the boundary of reach
+}
+
 TEST_F(PathCommand, BadInputGetsAnAnswer) {
   write("nan.csv", std::string(header) + "400,0,250,180,0,0,0\n400,nan,250,180,0,0,1\n");
   write("good.csv", std::string(header) + "400,0,250,180,0,0,0\n400,10,250,180,0,0,1\n");
@@ -77,6 +113,10 @@ TEST_F(PathCommand, BadInputGetsAnAnswer) {
   expect("ur5 good.csv --limit theta1=1:0", 2, "above the upper one");
   expect("scara good.csv", 1, "six");
   expect("iiwa14 good.csv", 1, "--hold");
+  expect("ur5 good.csv --time 1,2", 2, "one for each of 6 joints");
+  expect("ur5 good.csv --time 0", 2, "--time");
+  expect("ur5 good.csv --joint-speeds 1", 2, "--time");
+  expect("ur5 good.csv --prove --free tool_z", 2, "--free");
   EXPECT_FALSE(fs::exists(folder / "out.csv"));
   EXPECT_FALSE(fs::exists(folder / "out.csv.new"));
 }

@@ -12,6 +12,7 @@
 #include <qvgen/path/held.h>
 #include <qvgen/path/json.h>
 #include <qvgen/path/review.h>
+#include <qvgen/path/time.h>
 
 /// The program that `qvgen path` compiles for an arm and runs. A file has the samples, eight numbers each:
 /// w x y z of the orientation, the position, the time (NaN without). The result goes to the output as JSON,
@@ -24,6 +25,8 @@ struct Request {
   std::vector<double> times;  ///< empty without
   Between between = Between::straight;
   JointLimits<6> limits;
+  bool is_timed = false;  ///< the least time of each motion is wanted
+  RateLimits<6> rates{};
   const char* motions = nullptr;  ///< the CSV's file
 };
 
@@ -67,6 +70,8 @@ class Found {
     const auto take = [&](const Motion& motion) { motions_.push_back(motion); };
     MotionsOf<capacity, decltype(take)> cut(record_, request.limits, arm_.revolute, take);
     record_.is_full = !cut.run() || record_.is_full;
+    for (const Motion& motion : motions_)
+      if (request.is_timed) times_.push_back(times_of(motion));
   }
 
   void write_json() {
@@ -75,7 +80,7 @@ class Found {
                 record_.is_doubtful ? "true" : "false", record_.tracks());
     for (std::size_t i = 0; i < motions_.size(); ++i) {
       std::printf("%s\n", i > 0 ? "," : "");
-      write_motion(motions_[i]);
+      write_motion(motions_[i], i);
     }
     std::printf("],\n\"chain\":[");
     write_chain();
@@ -88,9 +93,11 @@ class Found {
   [[nodiscard]] bool write_motions(const char* header) const {
     std::FILE* to = std::fopen(request_.motions, "wb");
     if (to == nullptr) return false;
-    std::fprintf(to, "motion,s%s%s\n", request_.times.empty() ? "" : ",t [s]", header);
-    for (std::size_t i = 0; i < motions_.size(); ++i)
-      for_each_place(motions_[i], 1, [&](double s, const Values& q) { write_row(to, i, s, q); });
+    std::fprintf(to, "motion,s%s%s\n", has_times() ? ",t [s]" : "", header);
+    for (std::size_t i = 0; i < motions_.size(); ++i) {
+      std::size_t place = 0;
+      for_each_place(motions_[i], 1, [&](double s, const Values& q) { write_row(to, i, place++, s, q); });
+    }
     const bool failed = std::ferror(to) != 0;
     return std::fclose(to) == 0 && !failed;
   }
@@ -109,9 +116,30 @@ class Found {
     if (motion.end.s > motion.begin.s) take(motion.end.s, motion.end.q);
   }
 
-  void write_row(std::FILE* to, std::size_t motion, double s, const Values& q) const {
+  [[nodiscard]] bool has_times() const { return request_.is_timed || !request_.times.empty(); }
+
+  /// Least times at the places of a motion; a point between two that are alone is added for it.
+  [[nodiscard]] std::vector<double> times_of(const Motion& motion) const {
+    std::vector<Values> q;
+    std::vector<std::size_t> at;  // which point each place is
+    for_each_place(motion, 1, [&](double, const Values& place) {
+      if (q.empty() || (place - q.back()).norm() > 1e-9) q.push_back(place);
+      at.push_back(q.size() - 1);
+    });
+    const bool has_two = q.size() == 2;
+    if (has_two) q.insert(q.begin() + 1, 0.5 * (q[0] + q[1]));
+    std::vector<typename Timing<6>::Point> points(q.size());
+    Timing<6> timing(q.data(), q.size(), request_.rates, points.data());
+    timing.run();
+    std::vector<double> times;
+    for (const std::size_t i : at) times.push_back(points[has_two ? 2 * i : i].time);
+    return times;
+  }
+
+  void write_row(std::FILE* to, std::size_t motion, std::size_t place, double s, const Values& q) const {
     std::fprintf(to, "%zu,%s", motion + 1, json::text(s).c_str());
-    if (!request_.times.empty()) std::fprintf(to, ",%s", json::text(time_at(s)).c_str());
+    if (has_times())
+      std::fprintf(to, ",%s", json::text(request_.is_timed ? times_[motion][place] : time_at(s)).c_str());
     for (int i = 0; i < 6; ++i) std::fprintf(to, ",%s", json::text(q[i]).c_str());
     std::fprintf(to, "\n");
   }
@@ -127,7 +155,7 @@ class Found {
                 json::text(extreme.s).c_str(), extreme.joint);
   }
 
-  void write_motion(const Motion& motion) const {
+  void write_motion(const Motion& motion, std::size_t number) const {
     std::printf("{\"track\":%d,\"representatives\":%.17g,\"begin\":%s,\"end\":%s,\"branches\":[%d,%d]",
                 motion.track, motion.representatives, json::text(motion.begin).c_str(),
                 json::text(motion.end).c_str(), tracks_[static_cast<std::size_t>(motion.track)].first_branch,
@@ -137,6 +165,7 @@ class Found {
     const Reviewer<Arm> reviewer(arm_, curve_, request_.limits, record_,
                                  request_.times.empty() ? nullptr : request_.times.data());
     const Review review = reviewer.review(motion);
+    if (request_.is_timed) std::printf(",\"least_time\":%s", json::text(times_[number].back()).c_str());
     write_extreme("limit_distance", review.limit_distance);
     write_extreme("regularity", review.regularity);
     write_extreme("speed", review.speed);
@@ -217,15 +246,17 @@ class Found {
   std::vector<Event> events_;
   Record<capacity> record_;
   std::vector<Motion> motions_;
+  std::vector<std::vector<double>> times_;  ///< of each motion, if they are wanted
   double seconds_ = 0;
 };
 
 /// Arguments: the file of samples, "straight" or "screw", the file of motions or "-", the value of the joint
-/// that is held (0 without), six lower and six upper limits. `arm_of` makes the arm from that value,
+/// that is held (0 without), six lower and six upper limits, and, for least times, six speeds and six
+/// accelerations. `arm_of` makes the arm from that value,
 /// `prove_of` what proves its motions.
 template <class ArmOf, class ProveOf>
 int run(int argc, char** argv, const char* header, const ArmOf& arm_of, const ProveOf& prove_of) {
-  if (argc != 17) return 2;
+  if (argc != 17 && argc != 29) return 2;
   Request request;
   if (!read_samples(argv[1], request)) return 2;
   request.between = std::string(argv[2]) == "screw" ? Between::screw : Between::straight;
@@ -233,6 +264,10 @@ int run(int argc, char** argv, const char* header, const ArmOf& arm_of, const Pr
   for (int i = 0; i < 6; ++i) {
     request.limits.lower[i] = std::strtod(argv[5 + i], nullptr);
     request.limits.upper[i] = std::strtod(argv[11 + i], nullptr);
+    request.is_timed = argc == 29;
+    if (!request.is_timed) continue;
+    request.rates.speed[i] = std::strtod(argv[17 + i], nullptr);
+    request.rates.acceleration[i] = std::strtod(argv[23 + i], nullptr);
   }
   const double held = std::strtod(argv[4], nullptr);
   const auto arm = arm_of(held);
