@@ -39,6 +39,9 @@ KINEMATICS = {
     "jacobian_dot": ("q qd", "6, arm::dof", "Derivative of the Jacobian by time."),
     "velocity": ("q qd", "6", "Twist of the tool in the world frame, m/s and rad/s, linear first."),
     "jacobian_dot_times_qd": ("q qd", "6", "The tool's acceleration at constant joint rates."),
+    "geometry_jacobian": ("q", "6, arm::geometry_error_count",
+                          "Derivative of the tool's pose by shifts along and turns about x, y, z of each joint's frame, "
+                          "then of the tool's; linear rows first."),
 }
 FRAMES = {
     "link_poses": ("q", "arm::link_count, 4, 4", "Poses of all links in the world frame as 4 x 4 matrices, m."),
