@@ -154,13 +154,15 @@ class Walker {
   Isometry3d at_;
 };
 
+/// Rounding becomes zero.
+double cleaned(double value) { return std::abs(value) < 1e-14 ? 0.0 : value; }
+
 std::string motion_text(const char* name, const Isometry3d& m) {
-  const auto clean = [](double value) { return std::abs(value) < 1e-14 ? 0.0 : value; };
   const Eigen::Quaterniond q(m.linear());
-  const Vector3d p = m.translation().unaryExpr(clean);
+  const Vector3d p = m.translation().unaryExpr(&cleaned);
   return fmt::format(
       "# {}: x y z {:.13g} {:.13g} {:.13g} m, quaternion w x y z {:.13g} {:.13g} {:.13g} {:.13g}\n", name,
-      p[0], p[1], p[2], clean(q.w()), clean(q.x()), clean(q.y()), clean(q.z()));
+      p[0], p[1], p[2], cleaned(q.w()), cleaned(q.x()), cleaned(q.y()), cleaned(q.z()));
 }
 
 /// The difference of angles in (-pi, pi].
@@ -196,9 +198,10 @@ std::string dh_text(const DhChange& change, DhForm form) {
     const DhRow &from = change.before.rows[i], &to = change.after.rows[i];
     text += fmt::format("{}, {:.12g}, {:.12g}, {:.12g}, {:.12g}", i + 1, to.theta, to.d, to.a, to.alpha);
     if (beta) text += fmt::format(", {:.12g}", to.beta);
-    text += fmt::format(", {:.12g}, {:.12g}, {:.12g}, {:.12g}", turn_between(from.theta, to.theta),
-                        to.d - from.d, to.a - from.a, turn_between(from.alpha, to.alpha));
-    text += beta ? fmt::format(", {:.12g}\n", to.beta - from.beta) : "\n";
+    text += fmt::format(", {:.12g}, {:.12g}, {:.12g}, {:.12g}", cleaned(turn_between(from.theta, to.theta)),
+                        cleaned(to.d - from.d), cleaned(to.a - from.a),
+                        cleaned(turn_between(from.alpha, to.alpha)));
+    text += beta ? fmt::format(", {:.12g}\n", cleaned(to.beta - from.beta)) : "\n";
   }
   return text;
 }

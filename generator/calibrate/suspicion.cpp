@@ -4,6 +4,7 @@
 #include <functional>
 #include <numbers>
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include "calibrate/align.h"
@@ -49,6 +50,23 @@ void scale_lengths(Measurement& row, double factor) {
   row.distance *= factor;
 }
 
+/// Moves the numbers of a row's quaternion by one place: w stood first where it was taken to be last, or the
+/// other way round.
+void roll_quaternion(Measurement& row, bool scalar_to_front) {
+  Eigen::Matrix3d axes;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      axes(j, i) = row.pose.axes[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+  const Eigen::Quaterniond read(axes);
+  const Eigen::Quaterniond meant = scalar_to_front
+                                       ? Eigen::Quaterniond(read.x(), read.y(), read.z(), read.w())
+                                       : Eigen::Quaterniond(read.z(), read.w(), read.x(), read.y());
+  const Eigen::Matrix3d other = meant.toRotationMatrix();
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      row.pose.axes[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = other(j, i);
+}
+
 std::vector<Mistake> usual_mistakes(const Identifiable& can) {
   constexpr double degree = std::numbers::pi / 180;
   const std::size_t count = can.model.geometry.variables;
@@ -61,7 +79,11 @@ std::vector<Mistake> usual_mistakes(const Identifiable& can) {
        [](Measurement& row) { scale_lengths(row, 1e-3); }},
       {"the lengths seem to be metres, not millimetres", [](Measurement& row) { scale_lengths(row, 1e3); }},
       {"the poses seem to be the other way round: tracker in target; or --camera is missing or too much",
-       [](Measurement& row) { row.pose = inverse(row.pose); }}};
+       [](Measurement& row) { row.pose = inverse(row.pose); }},
+      {"the quaternions seem to have w first: write qw, qx, qy, qz",
+       [](Measurement& row) { roll_quaternion(row, true); }},
+      {"the quaternions seem to have w last: write qx, qy, qz, qw",
+       [](Measurement& row) { roll_quaternion(row, false); }}};
   for (std::size_t i = 0; i < count; ++i)
     all.push_back({fmt::format("joint {} seems to have the other sign", i + 1),
                    [i](Measurement& row) { row.q[i] = -row.q[i]; }});

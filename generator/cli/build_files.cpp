@@ -56,6 +56,7 @@ constexpr std::array sources{"kinematics",
                              "certified",
                              "mass",
                              "frames",
+                             "geometry_jacobian",
                              "regressor_with_drives"};
 
 /// Returns the fingerprint of all files of these robots.

@@ -176,8 +176,8 @@ int run_calibrate(const CalibrateArguments& arguments) {
     return success;
   }
   fmt::print("{}", calibrate::report_text(robot, data.set, *found));
-  if (!arguments.page.empty()) write_whole(arguments.page, calibrate::page(robot, data.set, *found));
   if (!arguments.output.empty()) write(arguments, descriptions->front(), *found);
+  if (!arguments.page.empty()) write_whole(arguments.page, calibrate::page(robot, data.set, *found));
   return success;
 }
 

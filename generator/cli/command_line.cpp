@@ -40,7 +40,8 @@ void add_generate(CommandLine& line) {
           "dynamics_derivatives, dynamics_loads, regressor. Others are made if they are named: batch, forms "
           "of the other parts "
           "named for many at once; frames, poses and Jacobians of links and named frames; mass, the "
-          "centre of mass; regressor_with_drives, for identification; nearest_pose, the nearest pose in "
+          "centre of mass; regressor_with_drives, for identification; geometry_jacobian, for calibration; "
+          "nearest_pose, the nearest pose in "
           "reach; given_joint, seven joints within limits; certified, solutions with a proof; c_inverse, a "
           "C header for inverse kinematics by elimination; c_assembly, one for closed loops; moveit_plugin, "
           "a ROS 2 package; linuxcnc, a kinematics component")

@@ -8,6 +8,7 @@
 #include "identify/derivatives.h"
 #include "identify/extra_columns.h"
 #include "identify/prior.h"
+#include "identify/suspicion.h"
 
 namespace qvgen::identify {
 namespace {
@@ -164,12 +165,18 @@ std::vector<JointResidual> joints_of(const ArmRegressor& arm, const Equations& e
   return joints;
 }
 
+/// True if a joint's residual is large, and lasts: a model that lacks something.
+bool is_unexplained(const JointResidual& joint) {
+  constexpr double share = 0.1, lasting_share = 0.6;
+  return joint.residual > share * joint.torque && joint.correlation > lasting_share;
+}
+
 }  // namespace
 
 Identification identify(const model::Robot& robot, std::vector<MotionLog> logs,
                         std::vector<MotionLog> hold_out, const Request& request,
                         std::vector<MotionLog> payload) {
-  Identification result{arm_regressor(robot, request.drives, request.gravity), {}, {}, {}, {}, {}, {}, {}};
+  Identification result{arm_regressor(robot, request.drives, request.gravity), {}, {}, {}, {}, {}, {}};
   add_extra_columns(result.arm, request.stribeck, request.temperature);
   result.arm.temperature = mean_temperature(logs);
   result.filter = filtered(result.arm, logs, hold_out, payload, request);
@@ -183,6 +190,10 @@ Identification identify(const model::Robot& robot, std::vector<MotionLog> logs,
   const Estimate of_bodies = without_extra(result.arm, result.estimate);
   result.full = closest_consistent(bodies, of_bodies, prior_of(robot, bodies, of_bodies, request.mass));
   result.joints = joints_of(result.arm, equations, result.estimate, logs);
+  result.doubts = oddities(result.arm, result.estimate);
+  if (std::any_of(result.joints.begin(), result.joints.end(), is_unexplained))
+    if (const std::string doubt = suspicion(result.arm, logs); !doubt.empty())
+      result.doubts.insert(result.doubts.begin(), doubt);
   if (!hold_out.empty()) {
     const VectorXd rest = residuals(equations_of_all(result.arm, hold_out, use), result.estimate.value);
     for (Index i = 0; i < rest.size(); ++i) result.joints[static_cast<std::size_t>(i)].hold_out = rest[i];

@@ -45,8 +45,9 @@ struct Identification {
   FullSet full;
   std::vector<double> standstill;
   std::vector<JointResidual> joints;
-  std::vector<MotionLog> logs;             ///< with rates and accelerations
-  std::optional<PayloadEstimate> payload;  ///< of logs with one
+  std::vector<MotionLog> logs;                  ///< with rates and accelerations
+  std::optional<PayloadEstimate> payload = {};  ///< of logs with one
+  std::vector<std::string> doubts = {};         ///< sentences on what seems to be wrong with the logs
 };
 
 /// Identifies an arm. Logs of `hold_out` are predicted, not fitted; those of `payload` were made with one.

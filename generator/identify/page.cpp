@@ -41,6 +41,12 @@ bool turns(const model::Robot& robot, std::size_t joint) {
   return model::driven_joints(robot)[joint].type == model::JointType::revolute;
 }
 
+std::string doubts(const Identification& found) {
+  std::string text;
+  for (const std::string& doubt : found.doubts) text += paragraph("Warning: " + doubt + ".");
+  return text;
+}
+
 Section summary_section(const model::Robot& robot, const Identification& found) {
   const auto variables = model::variables(robot);
   HtmlTable table{"Torques by joint (forces of slides), root mean squares",
@@ -63,7 +69,7 @@ Section summary_section(const model::Robot& robot, const Identification& found) 
   std::string logs;
   for (const MotionLog& log : found.logs) logs += (logs.empty() ? "" : ", ") + log.name;
   return {"summary", "Summary",
-          paragraph("Fitted: " + logs + ".") + scrolled(table) +
+          paragraph("Fitted: " + logs + ".") + doubts(found) + scrolled(table) +
               paragraph(
                   "Lag 1 is the correlation of a residual with the next one: near 0 it is noise, near 1 the "
                   "model lacks something.") +

@@ -63,6 +63,7 @@ std::string joints_text(const model::Robot& robot, const Identification& found) 
 std::string warnings_text(const model::Robot& robot, const Identification& found) {
   const auto variables = variables_of(robot);
   std::string text;
+  for (const std::string& doubt : found.doubts) text += "warning: " + doubt + "\n";
   for (std::size_t i = 0; i < found.joints.size(); ++i) {
     const JointResidual& joint = found.joints[i];
     if (joint.rows > 0 && joint.residual > 0.5 * joint.torque && joint.torque > 0)

@@ -109,6 +109,13 @@ TEST_F(File, WhatDoesNotFitIsFoundOut) {
               HasSubstr("the other way round"));
   EXPECT_THAT(refusal([](Measurement& row) { std::swap(row.pose.position[0], row.pose.position[1]); }),
               HasSubstr("columns x and y seem to be swapped"));
+  EXPECT_THAT(refusal([](Measurement& row) {
+                const Eigen::Quaterniond q(motion(row.pose).linear());
+                Isometry3d read = motion(row.pose);
+                read.linear() = Eigen::Quaterniond(q.z(), q.w(), q.x(), q.y()).toRotationMatrix();
+                row.pose = rigid(read);
+              }),
+              HasSubstr("have w first"));
 }
 
 TEST_F(File, TooFewRowsAreRefused) {

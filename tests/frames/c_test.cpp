@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 #include <qvgen/robots/coupled/frames.h>
+#include <qvgen/robots/coupled/geometry_jacobian.h>
 #include <qvgen/robots/coupled/mass.h>
 #include <qvgen/robots/coupled/regressor_with_drives.h>
 
@@ -52,6 +53,16 @@ TEST_F(FramesInC, PosesAndJacobians) {
     EXPECT_NEAR(pose.orientation[2], tip.orientation.y(), 1e-12);
     EXPECT_NEAR(pose.position[2], tip.position[2], 1e-12);
     EXPECT_EQ(static_cast<int>(coupled_frame_tip), static_cast<int>(arm::Frame::tip));
+  }
+}
+
+TEST_F(FramesInC, ErrorsOfTheGeometry) {
+  const coupled_geometry geometry{};
+  for (int k = 0; k < 100; ++k) {
+    const Joints q = random();
+    double columns[6][arm::geometry_error_count];
+    coupled_geometry_jacobian(q.data(), &geometry, columns);
+    expect_near(matrix(columns), arm::geometry_jacobian(q));
   }
 }
 

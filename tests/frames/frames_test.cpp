@@ -60,6 +60,37 @@ void expect_near(const MatrixXd& found, const MatrixXd& expected, double bound) 
   EXPECT_LE((found - expected).cwiseAbs().maxCoeff(), bound * (1 + expected.cwiseAbs().maxCoeff()));
 }
 
+/// The reference's chain with one frame moved by a little: joint i's before it moves, or the tool's.
+reference::Chain moved(reference::Chain chain, std::size_t column, double by) {
+  const Eigen::Vector3d axis = Eigen::Vector3d::Unit(static_cast<Eigen::Index>(column % 3));
+  const Isometry3d error =
+      column % 6 < 3 ? Isometry3d(Eigen::Translation3d(by * axis)) : Isometry3d(Eigen::AngleAxisd(by, axis));
+  const std::size_t frame = column / 6;
+  Isometry3d& place = frame < chain.joints.size() ? chain.joints[frame].before : chain.tool;
+  place = place * error;
+  return chain;
+}
+
+TEST_P(Robots, ErrorsOfFramesMoveTheToolAsDifferencesSay) {
+  constexpr double step = 1e-5;
+  for (int k = 0; k < 20; ++k) {
+    const VectorXd q = configuration();
+    const MatrixXd found = robot().geometry_jacobian(q);
+    ASSERT_EQ(found.cols(), 6 * static_cast<Eigen::Index>(chain_.joints.size() + 1));
+    const Isometry3d tool = reference::forward_kinematics(chain_, q);
+    for (Eigen::Index column = 0; column < found.cols(); ++column) {
+      const auto place = static_cast<std::size_t>(column);
+      const Isometry3d more = reference::forward_kinematics(moved(chain_, place, step), q),
+                       less = reference::forward_kinematics(moved(chain_, place, -step), q);
+      Eigen::Matrix<double, 6, 1> expected;
+      const Eigen::Matrix3d spin = (more.linear() - less.linear()) / (2 * step) * tool.linear().transpose();
+      expected << (more.translation() - less.translation()) / (2 * step), spin(2, 1), spin(0, 2), spin(1, 0);
+      expect_near(found.col(column), expected, 1e-9);
+    }
+    expect_near(robot().float_geometry_jacobian(q), found, 1e-5);
+  }
+}
+
 TEST_P(Robots, HaveFramesOfLinksAndThoseThatAreNamed) {
   std::vector<std::string> names;
   for (const reference::NamedFrame& frame : frames()) names.push_back(frame.name);

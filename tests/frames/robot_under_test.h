@@ -25,6 +25,9 @@ struct RobotUnderTest {
   std::function<Isometry3d(std::size_t frame, const VectorXd&q)> pose_of, transform_of, float_pose_of;
   std::function<MatrixXd(std::size_t frame, const VectorXd& q)> jacobian_of;
 
+  /// By errors of every frame, and in float.
+  std::function<MatrixXd(const VectorXd&q)> geometry_jacobian, float_geometry_jacobian;
+
   std::function<double(const VectorXd& inertia)> total_mass;
   std::function<Vector3d(const VectorXd&inertia, const VectorXd&q)> centre_of_mass, float_centre_of_mass;
   std::function<MatrixXd(const VectorXd& inertia, const VectorXd& q)> centre_of_mass_jacobian;

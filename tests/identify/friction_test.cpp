@@ -108,6 +108,43 @@ TEST_F(Friction, DeviationsHold) {
   EXPECT_NEAR(squares, 1, 5 * std::sqrt(2.0 / (3 * trials)));
 }
 
+/// The usual mistakes of a log are said, and none of a good one.
+TEST(Slips, AreNamed) {
+  const std::string text = ArmWriter(12).text("RRR");
+  MotionLog good = simulated(reference::load_text(text), 4000, 8);
+  add_noise(good, Eigen::Vector3d::Constant(0.1), 1);
+  const auto doubts = [&](const auto& spoil) {
+    MotionLog log = good;
+    spoil(log);
+    const auto found = identify::identify(read_arm(text), {log});
+    return found.doubts.empty() ? "" : found.doubts.front();
+  };
+  EXPECT_EQ(doubts([](MotionLog&) {}), "");
+  EXPECT_EQ(doubts([](MotionLog& log) { log.torque.col(0).swap(log.torque.col(2)); }),
+            "columns torque1 and torque3 seem to be swapped");
+  EXPECT_EQ(doubts([](MotionLog& log) {
+              for (Eigen::MatrixXd* part : {&log.q, &log.qd, &log.qdd}) part->col(1).swap(part->col(2));
+            }),
+            "columns q2 and q3 seem to be swapped");
+  EXPECT_EQ(doubts([](MotionLog& log) { log.torque.col(1) *= -1; }), "torque2 seems to have the other sign");
+  EXPECT_EQ(doubts([](MotionLog& log) {
+              log.qd /= 1000;
+              log.qdd /= 1e6;
+            }).substr(0, 17),
+            "the times seem to");
+}
+
+/// All torques with the other sign are explained, by friction that drives.
+TEST(Slips, FrictionThatDrivesIsSaid) {
+  const std::string text = ArmWriter(12).text("RRR");
+  MotionLog log = simulated(reference::load_text(text), 4000, 8);
+  add_noise(log, Eigen::Vector3d::Constant(0.1), 1);
+  log.torque *= -1;
+  const auto found = identify::identify(read_arm(text), {log});
+  ASSERT_FALSE(found.doubts.empty());
+  EXPECT_NE(found.doubts.front().find("friction that drives"), std::string::npos);
+}
+
 TEST(Temperature, IsReadOfTheArmOrOfEachJoint) {
   const model::Robot robot = read_arm(ArmWriter(3).text("RR"));
   std::string rows = "time, q1, q2, torque1, torque2, temp [degC]\n",

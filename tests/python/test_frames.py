@@ -18,7 +18,7 @@ STEP = 1e-6
 def coupled():
     if not os.environ.get("QVGEN_PYTHON_ROBOTS"):
         pytest.skip("QVGEN_PYTHON_ROBOTS=1 compiles more robots")
-    return qvgen.load(COUPLED, "--only", "frames,mass,regressor_with_drives")
+    return qvgen.load(COUPLED, "--only", "frames,geometry_jacobian,mass,regressor_with_drives")
 
 
 def differences(function, q):
@@ -35,6 +35,13 @@ def test_frames(coupled, rows):
         palm = coupled.link_poses(q)[1] @ [0.1, 0, 0.02, 1]
         assert np.allclose(coupled.forward_kinematics_of_palm(q)[4:], palm[:3], atol=1e-12)
     assert coupled.frame_poses(rows(coupled, 4)).shape == (4, 7, 4, 4)
+
+
+def test_geometry_jacobian(coupled, rows):
+    found = coupled.geometry_jacobian(rows(coupled, 4))
+    assert found.shape == (4, 6, 6 * (5 + 1))
+    tool = coupled.forward_kinematics(rows(coupled, 4)[0])
+    assert np.allclose(found[0, :3, -6:-3] @ found[0, :3, -6:-3].T, np.eye(3)) and tool.shape == (7,)
 
 
 def test_mass(coupled, rows):

@@ -22,6 +22,7 @@ bool is_list_of_poses(const JacobianFunction& function) {
 Parameter result(const model::Robot& robot, const JacobianFunction& function) {
   if (function.result == "Jacobian" || function.result == "FrameJacobian")
     return result_matrix(6, model::driven_count(robot));
+  if (function.result == "GeometryJacobian") return result_matrix(6, function.targets.size() / 6);
   if (function.result == "TransformAndJacobian") return result_struct(robot, "transform_and_jacobian");
   if (function.result == "Pose") return result_struct(robot, "pose");
   if (function.result == "FrameTransform") return result_matrix(4, 4);
@@ -87,6 +88,10 @@ Part frames(const model::Robot& robot, const std::vector<std::string>& names,
   std::vector<Function> all;
   for (const JacobianFunction& function : functions) all.push_back(function_of(robot, function));
   return part += written(robot, all);
+}
+
+Part geometry_jacobian(const model::Robot& robot, const JacobianFunction& function) {
+  return written(robot, {function_of(robot, function)});
 }
 
 Part jacobian(const model::Robot& robot, const std::vector<JacobianFunction>& functions) {

@@ -52,6 +52,9 @@ Part velocity(const model::Robot& robot, const std::vector<std::string>& wrist);
 Part frames(const model::Robot& robot, const std::vector<std::string>& names,
             const std::vector<JacobianFunction>& functions);
 
+/// The derivative of the tool's pose by errors of every frame.
+Part geometry_jacobian(const model::Robot& robot, const JacobianFunction& function);
+
 /// Functions of dynamics by the names that they have in operation_counts.json: C knows no overloads.
 Part dynamics(const model::Robot& robot, const std::vector<optimise::Optimised>& functions);
 Part total_mass(const model::Robot& robot);

@@ -8,6 +8,7 @@
 #include "pipeline/products/dynamics.h"
 #include "pipeline/products/frames.h"
 #include "pipeline/products/from_ideal.h"
+#include "pipeline/products/geometry_jacobian.h"
 #include "pipeline/products/given_joint.h"
 #include "pipeline/products/inverse.h"
 #include "pipeline/products/jacobian.h"
@@ -38,6 +39,7 @@ const std::vector<Product>& all_products() {
        {},
        true},
       {"frames", generate_frames, {}, {}, generate_frames_c, true, {"kinematics"}},
+      {"geometry_jacobian", generate_geometry_jacobian, {}, {}, generate_geometry_jacobian_c, true},
       {"mass", generate_mass, {}, {}, generate_mass_c, true, {"dynamics"}, true},
       {"regressor_with_drives",
        generate_regressor_with_drives,

@@ -43,6 +43,9 @@ KINEMATICS = {
     "jacobian_dot": ("q qd", "6, dof", "Derivative of the Jacobian by time."),
     "velocity": ("q qd", "6", "Twist of the tool in the world frame, m/s and rad/s, linear first."),
     "jacobian_dot_times_qd": ("q qd", "6", "The tool's acceleration at constant joint rates."),
+    "geometry_jacobian": ("q", "6, geometry_error_count",
+                          "Derivative of the tool's pose by shifts along and turns about x, y, z of each joint's frame, "
+                          "then of the tool's; linear rows first."),
     "link_poses": ("q", "link_count, 4, 4", "Poses of all links in the world frame as 4 x 4 matrices, m."),
     "frame_poses": ("q", "frame_count, 4, 4", "Poses of all frames, as frame_names has them, m."),
     "forward_kinematics_and_jacobian": ("q", "transform 4, 4; jacobian 6, dof",
