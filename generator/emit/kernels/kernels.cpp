@@ -112,7 +112,7 @@ json argument(const blocks::Unit& unit, const blocks::Field& each) {
 /// Values of a kernel; nothing for a function that has no rows.
 json kernel(const blocks::Unit& unit, const blocks::Function& function) {
   const bool gives_last = blocks::returns_last(function);
-  json values{{"function", function.name}, {"gives_last", gives_last}, {"arguments", json::array()}};
+  json values{{"function", function.name}, {"arguments", json::array()}};
   bool has_rows = false;
   const std::size_t count = function.parameters.size() - (gives_last ? 1 : 0);
   std::string call;
@@ -122,17 +122,28 @@ json kernel(const blocks::Unit& unit, const blocks::Function& function) {
     call += (i == 0 ? "" : ", ") + values["arguments"].back()["handed_on"].get<std::string>();
   }
   if (!has_rows) return {};
-  values["call"] = call;
-  values["declared"] = "double result_";
-  if (gives_last) {
-    const blocks::Field& last = function.parameters.back();
-    const bool in_array = is_array(last);
-    values["declared"] =
-        in_array ? "double result_" + brackets(sizes_of(last.type)) : last.type->of->name + " result_";
-    values["reference"] = in_array ? "result_" : "&result_";
-  } else {
-    values["reference"] = "";
+  values["lines"] = json::array();
+  const auto add = [&](const std::string& line) { values["lines"].push_back({{"line", line}}); };
+  for (const json& each : values["arguments"]) {
+    const std::string name = each["name"];
+    if (each["is_row"]) {
+      add(fmt::format("double {}_[{}];", name, each["size"].get<int>()));
+      add(fmt::format("for (int i = 0; i < {0}; ++i) {1}_[i] = {1}[i * n + k];", each["size"].get<int>(),
+                      name));
+    }
+    if (each["is_empty"]) add(fmt::format("const {} {} = {{ 0 }};", each["type"].get<std::string>(), name));
   }
+  if (!gives_last) {
+    add(fmt::format("result[k] = {}({});", function.name, call));
+    return values;
+  }
+  const blocks::Field& last = function.parameters.back();
+  const std::string reference = is_array(last) ? "result_" : "&result_";
+  add(is_array(last) ? "double result_" + brackets(sizes_of(last.type)) + ";"
+                     : last.type->of->name + " result_;");
+  add(fmt::format("{}({}, {});", function.name, call, reference));
+  add("for (int i = 0; i < (int)(sizeof result_ / sizeof(double)); ++i)");
+  add(fmt::format("  result[i * n + k] = ((const double*){})[i];", reference));
   return values;
 }
 
