@@ -113,8 +113,8 @@ void write_build_files(const GenerateArguments& arguments, const std::vector<std
   }
   if (!arguments.build.depfile.empty()) write(arguments.build.depfile, depfile(arguments, files));
   if (arguments.build.sources.empty()) return;
-  if (arguments.language == pipeline::Language::rust || arguments.language == pipeline::Language::javascript)
-    throw std::runtime_error("--sources is for C++ and C: cargo and node take the files as they are");
+  if (pipeline::is_translated(arguments.language))
+    throw std::runtime_error("--sources is for C++ and C: others take the files as they are");
   if (arguments.descriptions.size() != 1)
     throw std::runtime_error("--sources is for one robot: compile the files that --outputs lists");
   if (robots.size() != 1 && comes_from_c(arguments.language))

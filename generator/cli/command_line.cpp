@@ -56,8 +56,8 @@ void add_generate(CommandLine& line) {
       ->delimiter(',');
   command
       .add_option("--language", line.language,
-                  "cxx; c, rust or javascript: files in a folder of that name in the output")
-      ->check(CLI::IsMember({"cxx", "c", "rust", "javascript"}));
+                  "cxx; c, rust, javascript, opencl or cuda: files in a folder of that name in the output")
+      ->check(CLI::IsMember({"cxx", "c", "rust", "javascript", "opencl", "cuda"}));
   command
       .add_option("--scalar", line.scalar,
                   "what C computes in: double, or float for controllers without double")

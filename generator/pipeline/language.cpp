@@ -26,6 +26,13 @@ std::vector<Lack> lacks_of_translations() {
   return lacks;
 }
 
+/// Kernels have no loops that differ from thread to thread yet.
+std::vector<Lack> lacks_of_devices() {
+  std::vector<Lack> lacks = lacks_of_translations();
+  lacks.push_back({{"inverse"}, "kernels are of functions without branches"});
+  return lacks;
+}
+
 }  // namespace
 
 const std::vector<LanguageRow>& languages() {
@@ -41,7 +48,11 @@ const std::vector<LanguageRow>& languages() {
       {Language::rust, "rust", "a crate in rust/, no_std with the feature libm, without unsafe",
        "f64, the bits of C", lacks_of_translations()},
       {Language::javascript, "javascript", "an ES module in javascript/, with types for TypeScript",
-       "number, the bits of C but for the sines of the engine", lacks_of_translations()}};
+       "number, the bits of C but for the sines of the engine", lacks_of_translations()},
+      {Language::opencl, "opencl", "kernels in opencl/, a configuration a thread",
+       "double, C's but for the device's sines", lacks_of_devices()},
+      {Language::cuda, "cuda", "kernels in cuda/, a configuration a thread",
+       "double, C's but for the device's sines", lacks_of_devices()}};
   return table;
 }
 

@@ -8,7 +8,16 @@
 namespace qvgen::pipeline {
 
 /// Language of the output; C in double or in float.
-enum class Language { cxx, c, c_in_float, rust, javascript };
+enum class Language { cxx, c, c_in_float, rust, javascript, opencl, cuda };
+
+/// True for languages that are made of a robot's whole C.
+inline bool is_translated(Language language) {
+  return language != Language::cxx && language != Language::c && language != Language::c_in_float;
+}
+/// True for kernels of devices.
+inline bool is_of_devices(Language language) {
+  return language == Language::opencl || language == Language::cuda;
+}
 
 /// Parts that a language has not, and why.
 struct Lack {

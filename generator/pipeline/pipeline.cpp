@@ -128,6 +128,11 @@ RobotOutput generate_product(const model::Robot& robot, const Product& product, 
     output.missing.push_back({product.part, Missing::Kind::not_in_language, "it is in double alone"});
     return output;
   }
+  if (const std::string lack = lack_of(row_of(language), product.part);
+      is_of_devices(language) && !lack.empty()) {
+    output.missing.push_back({product.part, Missing::Kind::not_in_language, lack});
+    return output;
+  }
   attempt(product.part, output, [&](RobotOutput& made) { make(robot, made); });
   return output;
 }
@@ -218,8 +223,7 @@ RobotOutput whole(RobotOutput output, Language language) {
   if (comes_from_c(language)) output = with_c_files(std::move(output));
   if (language == Language::c_in_float)
     for (OutputFile& file : output.files) file.content = emit::c::in_single_precision(file.content);
-  if (language == Language::rust || language == Language::javascript)
-    output = translated(std::move(output), language);
+  if (is_translated(language)) output = translated(std::move(output), language);
   if (comes_from_c(language)) return output;
   add_headers_of_missing_parts(output);
   output.files.push_back(umbrella_header(output));

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "pipeline/translation.h"
 
+#include <algorithm>
+
 #include "emit/javascript/module.h"
+#include "emit/kernels/kernels.h"
 #include "emit/rust/crate.h"
 
 namespace qvgen::pipeline {
@@ -19,13 +22,34 @@ std::vector<emit::blocks::File> files_of(const RobotOutput& output) {
   return files;
 }
 
+std::string content(const std::vector<emit::blocks::File>& files, bool is_header) {
+  const auto found = std::find_if(files.begin(), files.end(), [&](const emit::blocks::File& each) {
+    return each.module.empty() && each.is_header == is_header;
+  });
+  return found == files.end() ? "" : found->text;
+}
+
+/// Kernels of the robot's main files.
+OutputFile kernels(const std::string& path, Language language, const emit::blocks::Unit& unit,
+                   const std::vector<emit::blocks::File>& files, const std::vector<std::string>& missing) {
+  const bool is_opencl = language == Language::opencl;
+  const auto device = is_opencl ? emit::kernels::Device::opencl : emit::kernels::Device::cuda;
+  return {path + (is_opencl ? ".cl" : ".cu"),
+          emit::kernels::file(device, unit, content(files, true), content(files, false), missing)};
+}
+
 }  // namespace
 
 RobotOutput translated(RobotOutput output, Language language) {
   const std::string folder = row_of(language).name + "/qvgen_" + output.robot + "/";
   try {
-    const emit::blocks::Unit unit = emit::blocks::parse(output.robot, files_of(output));
+    const std::vector<emit::blocks::File> c = files_of(output);
+    const emit::blocks::Unit unit = emit::blocks::parse(output.robot, c);
     const std::vector<std::string> missing = lines_of_missing(output);
+    if (is_of_devices(language)) {
+      output.files = {kernels(row_of(language).name + "/qvgen_" + output.robot, language, unit, c, missing)};
+      return output;
+    }
     const auto files = language == Language::rust ? emit::rust::crate(unit, missing)
                                                   : emit::javascript::package(unit, missing);
     output.files.clear();

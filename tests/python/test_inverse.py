@@ -41,6 +41,16 @@ def test_all_solutions(ns, rows):
     assert one.count == 8 and one.status == qvgen.Status.solved
 
 
+def test_poses_as_matrices(ns, planar, rows):
+    q = rows(ns)
+    matrices = ns.homogeneous_transform(q)
+    np.testing.assert_allclose(ns.inverse_kinematics(matrices, q).q[:, 0], q, atol=1e-9)
+    np.testing.assert_allclose(ns.inverse_kinematics_near(matrices[3], q[3]).q, q[3], atol=1e-9)
+    assert planar.inverse_kinematics(planar.homogeneous_transform([0.1, 0.2, 0.3])).status == qvgen.Status.solved
+    with pytest.raises(ValueError, match=r"pose has the shape \(3, 3\)"):
+        ns.inverse_kinematics(np.eye(3))
+
+
 def test_poses_of_single_precision_are_taken(ns, rows):
     poses = ns.forward_kinematics(rows(ns).astype(np.float32))
     found = ns.inverse_kinematics(poses)

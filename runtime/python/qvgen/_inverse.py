@@ -6,6 +6,7 @@ Rows of solutions are padded to equal length. Everything is computed in float64.
 
 import numpy as np
 
+from . import orientation
 from ._c_rows import label_of
 from ._call import Rows, numbers, pair_of_rows
 from ._functions import made
@@ -124,6 +125,8 @@ def _solutions(robot, at, function, capacity, seed, limits, tolerance):
 def _task_of(taken, target):
     """The kind of a target, told by the length of its last axis. Returns the array too."""
     array = numbers(target, np.float64, "pose" if taken == ["pose"] else "target")
+    if array.ndim in (2, 3) and array.shape[-2:] == (4, 4) and not any(TASKS[task][0] == 4 for task in taken):
+        array = np.concatenate([orientation.from_matrix(array[..., :3, :3]), array[..., :3, 3]], axis=-1)
     length = array.shape[-1] if array.ndim else -1
     return next((task for task in ["pose", *taken] if task in taken and TASKS[task][0] == length), taken[0]), array
 
@@ -131,6 +134,8 @@ def _task_of(taken, target):
 def _targets_doc(target, taken, joint):
     shapes = [f"({size},) or (n, {size}), {meaning}" for size, meaning, *_ in (TASKS[task] for task in taken)]
     given = GIVEN_DOC.format(joint=joint) + "\n" if joint else ""
+    if not any(TASKS[task][0] == 4 for task in taken):
+        shapes.append("(4, 4) or (n, 4, 4), the pose as a matrix")
     return f"{target}: " + ";\n    or ".join(shapes) + "\n" + given
 
 

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "emit/blocks/unit.h"
+
+/// A robot's functions as kernels of OpenCL and CUDA, a configuration a thread, made of its C. Both languages
+/// take the C as it is, but for constants at file scope and the marks of functions; the kernels around it are
+/// printed from the typed tree:
+///
+///     KERNEL void ns_jacobian_batch(const COUNT n, GLOBAL const double* q, const ns_geometry g, GLOBAL
+///     double* result)
+namespace qvgen::emit::kernels {
+
+enum class Device { opencl, cuda };
+
+/// Text of the file. `unit` is the tree of the robot's header and source, which `header` and `source` are the
+/// texts of; `missing` are lines for its head.
+std::string file(Device device, const blocks::Unit& unit, const std::string& header,
+                 const std::string& source, const std::vector<std::string>& missing);
+
+}  // namespace qvgen::emit::kernels

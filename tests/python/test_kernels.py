@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: MIT
+"""Kernels for devices give the numbers of the robot's C: those of CUDA, whose threads are a loop here, bit by bit; those of OpenCL on
+a device of pyopencl, to rounding, where one is installed (pip install "pyopencl[pocl]")."""
+
+import ctypes
+import pathlib
+import subprocess
+
+import numpy as np
+import pytest
+
+import qvgen
+from qvgen import _tables, _tool
+
+COUNT = 40
+
+STAND_INS = """#include <cstddef>
+#define __device__
+#define __global__
+struct Place { std::size_t x; };
+static Place blockIdx, blockDim, threadIdx;
+extern "C" void go_to(std::size_t thread) { threadIdx.x = thread; }
+"""
+
+
+@pytest.fixture(scope="module", params=["ns", pathlib.Path(__file__).resolve().parents[1] / "c/robots/urdf_arm.urdf"], ids=["ns", "urdf"])
+def description(request):
+    return request.param
+
+
+@pytest.fixture(scope="module")
+def robot(description):
+    return qvgen.robots.ns if description == "ns" else qvgen.load(description)
+
+
+def text_of(description, robot, language, folder):
+    subprocess.run([str(_tool.tool()), "generate", str(description), "--language", language, "--output", str(folder), "--quiet"],
+                   check=True)
+    ending = {"opencl": "cl", "cuda": "cu"}[language]
+    return folder / language / f"qvgen_{robot.__name__}.{ending}"
+
+
+class Case:
+    """One kernel: arrays as it takes them, and what the C gives."""
+
+    def __init__(self, robot, name, entry, random):
+        arguments, _, _, dynamics = entry
+        sizes = {"q": robot.dof, "qd": robot.dof, "qdd": robot.dof, "torque": robot.dof, "point": 3, "fall": 3, "wrench": 6}
+        self.name = f"{robot.__name__}_{name}_batch"
+        rows = {each: random.uniform(-1.4, 1.4, (COUNT, sizes[each])) for each in arguments.split()}
+        constants = {"geometry": {key: random.uniform(0.2, 1) for key in robot.default_geometry}}
+        if dynamics:
+            constants["inertia"] = {key: random.uniform(0.2, 1) for key in robot.default_inertia}
+        gravity = {"gravity": 3.7} if name in _tables.WITH_GRAVITY else {}
+        wanted = getattr(robot, name)(*rows.values(), **constants, **gravity)
+        wanted = wanted if isinstance(wanted, np.ndarray) else np.concatenate([each.reshape(COUNT, -1) for each in wanted], axis=1)
+        self.wanted = wanted.reshape(COUNT, -1)
+        behind = [rows.pop(each) for each in _tables.AFTER_INERTIA if each in rows]
+        self.given = [*rows.values(), *(each for each in constants.values() if each), *gravity.values(), *behind]
+
+    def call(self, array_of, struct_of, number_of):
+        """The kernel's arguments behind the count, but for the result."""
+        kinds = {np.ndarray: lambda each: array_of(np.ascontiguousarray(each.T)), dict: lambda each: struct_of(list(each.values())),
+                 float: number_of}
+        return [kinds[type(each)](each) for each in self.given]
+
+
+def cases(robot):
+    random = np.random.default_rng(11)
+    names = [name for name, place in robot.functions.items() if place == "here" and _tables.entry_of(name)]
+    found = [Case(robot, name, _tables.entry_of(name), random) for name in names]
+    return [each for each in found if each.wanted.size]
+
+
+def test_cuda_on_the_host(description, robot, tmp_path):
+    text = text_of(description, robot, "cuda", tmp_path).read_text()
+    source = tmp_path / "host.cpp"
+    source.write_text(STAND_INS + text)
+    options = ["-std=c++17", "-O1", "-fPIC", "-shared", "-ffp-contract=off", "-fno-math-errno", "-Wno-unused-function"]
+    subprocess.run(["c++", *options, "-Wall", "-Werror", str(source), "-o", str(tmp_path / "host.so")], check=True)
+    library = ctypes.CDLL(str(tmp_path / "host.so"))
+
+    def struct_of(values):
+        class Constants(ctypes.Structure):
+            _fields_ = [(f"x{i}", ctypes.c_double) for i in range(len(values))]
+        return Constants(*values)
+
+    every = cases(robot)
+    assert len(every) > 15
+    for case in every:
+        got = np.full((case.wanted.shape[1], COUNT), np.nan)
+        kept = []
+
+        def array_of(array):
+            kept.append(array)
+            return ctypes.c_void_p(array.ctypes.data)
+
+        arguments = case.call(array_of, struct_of, ctypes.c_double)
+        for thread in range(COUNT + 3):  # those behind the last configuration do nothing
+            library.go_to(ctypes.c_size_t(thread))
+            getattr(library, case.name)(ctypes.c_size_t(COUNT), *arguments, ctypes.c_void_p(got.ctypes.data))
+        np.testing.assert_array_equal(got.T, case.wanted, err_msg=case.name)
+
+
+def context_of(cl):
+    """A context with a device that has double and compiles; skips the test where there is none."""
+    try:
+        devices = [device for platform in cl.get_platforms() for device in platform.get_devices() if device.double_fp_config]
+        context = cl.Context(devices[:1])
+        cl.Program(context, "__kernel void f(__global double* x) { x[0] = 1; }").build()
+    except (cl.Error, IndexError) as error:
+        pytest.skip(f"there is no device of OpenCL that compiles kernels in double (Debian: pocl-opencl-icd): {error}"[:200])
+    return context
+
+
+def test_opencl(description, robot, tmp_path):
+    cl = pytest.importorskip("pyopencl")
+    context = context_of(cl)
+    queue = cl.CommandQueue(context)
+    program = cl.Program(context, text_of(description, robot, "opencl", tmp_path).read_text()).build()
+    flags = cl.mem_flags.READ_ONLY | cl.mem_flags.COPY_HOST_PTR
+    for case in cases(robot):
+        result = cl.Buffer(context, cl.mem_flags.WRITE_ONLY, case.wanted.nbytes)
+        arguments = case.call(lambda array: cl.Buffer(context, flags, hostbuf=array), lambda values: np.array(values).tobytes(), np.float64)
+        getattr(program, case.name)(queue, (COUNT + 24,), None, np.uint64(COUNT), *arguments, result)
+        got = np.empty(case.wanted.shape[::-1])
+        cl.enqueue_copy(queue, got, result)
+        size = max(1, np.abs(case.wanted).max())
+        np.testing.assert_allclose(got.T, case.wanted, atol=1e-13 * size, rtol=1e-11, err_msg=case.name)
+
+
+def test_what_the_readme_shows(tmp_path, monkeypatch):
+    cl = pytest.importorskip("pyopencl")
+    context_of(cl)
+    lines = (pathlib.Path(__file__).resolve().parents[2] / "runtime/README.md").read_text().splitlines()
+    begin = next(place for place, line in enumerate(lines) if line.startswith("    import numpy as np, pyopencl"))
+    end = next(place for place in range(begin, len(lines)) if not lines[place])
+    subprocess.run([str(_tool.tool()), "generate", "puma560", "--only", "kinematics", "--language", "opencl", "--output",
+                    str(tmp_path / "out"), "--quiet"], check=True)
+    monkeypatch.chdir(tmp_path)
+    space = {}
+    exec("\n".join(line[4:] for line in lines[begin:end]), space)
+    wanted = qvgen.robots.puma560.forward_kinematics(space["q"].T[:100])
+    np.testing.assert_allclose(space["result"].T[:100], wanted, atol=1e-13)
