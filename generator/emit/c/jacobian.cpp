@@ -91,8 +91,7 @@ Part frames(const model::Robot& robot, const std::vector<std::string>& names,
 }
 
 Part geometry_jacobian(const model::Robot& robot, const JacobianFunction& function) {
-  Part part{
-      render("c/geometry_jacobian.h", {{"name", robot.name}, {"count", function.targets.size() / 6}})};
+  Part part{render("c/geometry_jacobian.h", {{"name", robot.name}, {"count", function.targets.size() / 6}})};
   return part += written(robot, {function_of(robot, function)});
 }
 
