@@ -285,7 +285,7 @@ void add_variants(const model::Mechanism& mechanism, const std::vector<Planned>&
   }
 }
 
-/// What the rest of the robot's output has, and whether a header for C is wanted.
+/// Other output of the robot, and whether a header for C is wanted.
 struct Surroundings {
   bool has_dynamics, has_limbs, with_c;
 };

@@ -267,7 +267,7 @@ std::vector<std::string> product_names() {
     names.insert(names.end(), product.headers.begin(), product.headers.end());
   }
   for (const Extra& extra : all_extras()) names.push_back(extra.part);
-  // Of mechanisms with loops, made beside the products.
+  // Parts of mechanisms with loops, made beside the products.
   names.emplace_back("assembly");
   names.emplace_back("c_assembly");
   return names;
