@@ -67,6 +67,17 @@ TEST_F(CommandLine, TheTableOfLanguagesSaysWhatIsMissingAndWhy) {
     EXPECT_TRUE(has(table, line)) << line << "\n" << table.output;
 }
 
+TEST_F(CommandLine, OtherLanguagesSayThatTheyHaveNoAssembly) {
+  const std::string robot =
+      "generate " QVGEN_SOURCE_DIR "/tests/loops/robots/four_bar.toml --only dynamics,assembly ";
+  for (const std::string language : {"c", "rust"}) {
+    const ToolRun made = run(robot + "--language " + language + " --output " + out() + language);
+    EXPECT_EQ(made.code, 0) << made.output;
+    EXPECT_TRUE(has(made, "no assembly: it is written in C++")) << made.output;
+  }
+  EXPECT_FALSE(has(run(robot + "--output " + out() + "cxx"), "no assembly"));
+}
+
 TEST_F(CommandLine, CInFloatIsInFloatAlone) {
   const std::string file = write("my_arm.toml", good_arm);
   const std::string arguments = "generate " + file + " --language c --output " + out();

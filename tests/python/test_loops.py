@@ -109,6 +109,24 @@ def test_batches_are_their_rows(bar):
         bar.platform_measure
 
 
+def test_inertias_by_name(tmp_path):
+    """Symbols of inertia in C++ are those that C has: twice the kinetic energy at a unit rate of the crank."""
+    if not os.environ.get("QVGEN_PYTHON_ROBOTS"):
+        pytest.skip("QVGEN_PYTHON_ROBOTS=1 compiles more robots")
+    text = (ROBOTS / "four_bar.toml").read_text().replace("[defaults]", "[defaults]\nm3 = 0.6\nm2 = 0.8")
+    file = tmp_path / "four_bar.toml"
+    file.write_text(text.replace("mass = 0.8", 'mass = "m2"').replace("mass = 0.6", 'mass = "m3"'))
+    bar = qvgen.load(file, "--only", "dynamics,assembly")
+    q = bar.assemble([1.1]).q[0]
+    plain = bar.driven_mass_matrix(q)[0, 0]
+    for inertia in ({"m2": 2.0}, {"m3": 3.0}):
+        found = bar.driven_mass_matrix(q, inertia=inertia)[0, 0]
+        np.testing.assert_allclose(found, 2 * bar.kinetic_energy(q, bar.rates(q)[:, 0], inertia=inertia), rtol=1e-13)
+        assert found > 1.1 * plain
+    with pytest.raises(ValueError, match="inertia has no m4"):
+        bar.driven_mass_matrix(q, inertia={"m4": 1.0})
+
+
 def test_platforms_both_ways():
     if not os.environ.get("QVGEN_PYTHON_ROBOTS"):
         pytest.skip("QVGEN_PYTHON_ROBOTS=1 compiles more robots")

@@ -14,6 +14,7 @@ import typing
 from . import robots
 from ._library import BuildError, cache_folder
 from ._paths import Motion, Paths
+from ._tool import report_of
 
 __all__ = ["Assemblies", "BuildError", "Followed", "JointRates", "Motion", "NearSolution", "NearestRows", "Paths", "Solutions", "Status",
            "VelocityStatus", "cache_folder", "calibrate", "derivatives", "identify", "interop", "load", "metrics", "orientation", "robots"]
@@ -100,8 +101,7 @@ def calibrate(description, data, output, *options):
     `description` is a known robot's name or a file; `options` are those of `qvgen calibrate`, "--errors", "zeros". Returns
     the report as text. Raises BuildError with the tool's messages. Then load(output) is the calibrated arm.
     """
-    from . import _build
-    return _build.report_of("calibrate", [description, data], output, options)
+    return report_of("calibrate", [description, data], output, options)
 
 
 def identify(description, logs, output=None, *options):
@@ -111,9 +111,8 @@ def identify(description, logs, output=None, *options):
     "--hold-out", "other.csv". Returns the report as text. Raises BuildError with the tool's messages. Then load(output) is
     the arm with its inertias.
     """
-    from . import _build
     logs = [logs] if isinstance(logs, (str, os.PathLike)) else list(logs)
-    return _build.report_of("identify", [description, *logs], output, options)
+    return report_of("identify", [description, *logs], output, options)
 
 
 def load(description, *options, floating=False):

@@ -12,7 +12,6 @@ import functools
 import json
 import pathlib
 import re
-import subprocess
 import threading
 import types
 
@@ -22,11 +21,10 @@ from . import _functions, _inverse, _loops, _paths
 from ._c_rows import c_name
 from ._call import Call, Constants
 from ._cxx_rows import cxx_rows
-from ._library import BuildError, cxx_library
+from ._library import cxx_library
 from ._loop_rows import Loops, loop_rows
 from ._sources import GENERATED, KnownRobot, Sources, header_of, library_of
 from ._tables import OF_A_BASE, VELOCITY, entry_of
-from ._tool import environment, tool
 
 
 class Robot:
@@ -225,13 +223,3 @@ class Limbs(collections.abc.Mapping):
 
     def __len__(self):
         return len(self._names)
-
-
-def report_of(command, inputs, output, options):
-    """Runs `qvgen calibrate` or `qvgen identify`; returns its report."""
-    written = [] if output is None else ["-o", output]
-    done = subprocess.run([str(each) for each in [tool(), command, *inputs, *written, *options]],
-                          capture_output=True, text=True, env=environment())
-    if done.returncode != 0:
-        raise BuildError(done.stderr)
-    return done.stdout

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Finds the tool, which derives robots: that of the package, of the source tree or of the system."""
+"""Finds the tool, which derives robots: that of the package, of the source tree or of the system. Runs it for reports."""
 
 import os
 import shutil
+import subprocess
 
 from ._library import ROOT, BuildError
 
@@ -29,3 +30,13 @@ def environment():
         return dict(os.environ)
     before = os.environ.get("LD_LIBRARY_PATH")
     return {**os.environ, "LD_LIBRARY_PATH": os.pathsep.join([str(libraries), *([before] if before else [])])}
+
+
+def report_of(command, inputs, output, options):
+    """Runs a command that measures an arm, `calibrate` or `identify`; returns its report."""
+    written = [] if output is None else ["-o", output]
+    done = subprocess.run([str(each) for each in [tool(), command, *inputs, *written, *options]],
+                          capture_output=True, text=True, env=environment())
+    if done.returncode != 0:
+        raise BuildError(done.stderr)
+    return done.stdout
