@@ -8,6 +8,7 @@
 
 #include <qvgen/inverse/target.h>
 #include <qvgen/inverse/tolerances.h>
+#include <qvgen/pose.h>
 
 namespace qvgen::inverse {
 
