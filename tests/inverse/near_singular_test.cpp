@@ -257,4 +257,21 @@ TEST(NearSingular, NoMorePassesThanAllowed) {
   EXPECT_LE(8, most_effort(2, 8).passes);
 }
 
+/// Passes that have been run, by their letters.
+struct Log {
+  std::string letters;
+};
+
+TEST(Passes, AreRunInOrderAsOftenAsTheyAreWanted) {
+  const PlannedPass<Log> table[] = {
+      {"twice at most", 2, [](const Log&, int) { return true; },
+       [](Log& log, int k) { log.letters += "ab"[k]; }},
+      {"never", 5, [](const Log&, int) { return false; }, [](Log& log, int) { log.letters += "x"; }},
+      {"until four letters", 9, [](const Log& log, int) { return log.letters.size() < 4; },
+       [](Log& log, int k) { log.letters += "cdefg"[k]; }}};
+  Log log;
+  run_passes(table, log);
+  EXPECT_EQ(log.letters, "abcd");
+}
+
 }  // namespace

@@ -22,6 +22,10 @@
 ///             and a solution is missing,   stretched towards it          reach a part only, maybe in
 ///             or a branch on a continuum                                 several pieces
 ///
+/// The first three cost one pass each; `turned` takes what they leave of the budget, 8 passes in all, or 24
+/// for arms that can follow a free joint for few of its angles (budget.h). `passes_of_closed_forms` is the
+/// table as a value.
+///
 /// The state of a branch (`BranchState`):
 ///
 ///     unseen ──its end is polished──> settled (on a solution) <──┐

@@ -83,7 +83,7 @@ inline constexpr double double_root_miss = 1e-8;
 
 // Solutions that are one. Distances are sums of squares of cosines' and sines' differences.
 
-/// Rows are one if they agree to half the digits, in epsilons: 2e-7 apart.
+/// Rows that agree to half the digits are one, in epsilons: 2e-7 apart.
 inline constexpr double same_rows = 180;
 /// Asked if a continuum joins them: a tenth of a radian, over which a continuum is nearly straight.
 inline constexpr double may_be_joined = 1e-2;
