@@ -6,31 +6,24 @@
 #include "calibrate/dh.h"
 #include "calibrate/interval.h"
 #include "report/page.h"
+#include "report/pieces.h"
 #include "report/plot.h"
 
 namespace qvgen::calibrate {
 namespace {
 
+using report::bullets;
 using report::Cell;
+using report::figure;
 using report::HtmlTable;
 using report::number_cell;
+using report::paragraph;
+using report::scrolled;
 using report::Section;
 using report::Series;
 using report::text_cell;
 
 constexpr double milli = 1e3;
-
-std::string paragraph(const std::string& text) { return "<p>" + report::escaped(text) + "</p>\n"; }
-
-std::string list(const std::vector<std::string>& items) {
-  std::string body;
-  for (const std::string& each : items) body += "<li>" + report::escaped(each) + "</li>\n";
-  return "<ul>\n" + body + "</ul>\n";
-}
-
-std::string figure(const std::string& svg, const std::string& words) {
-  return "<figure>" + svg + "<figcaption>" + report::escaped(words) + "</figcaption></figure>\n";
-}
 
 /// Returns a verdict on the hold-out residual in words.
 std::string verdict(const Calibration& found) {
@@ -107,7 +100,7 @@ Section residuals(const DataSet& set, const Calibration& found) {
   for (const Outlier& each : found.outliers)
     lines.push_back(fmt::format("line {}: {:.0f} standard deviations", each.line, each.size));
   return {"residuals", "Residuals",
-          body + paragraph("Left out, since they stand out from the others:") + list(lines)};
+          body + paragraph("Left out, since they stand out from the others:") + bullets(lines)};
 }
 
 std::string chart_of(const std::vector<ErrorEstimate>& all, const std::string& unit, const std::string& id) {
@@ -145,13 +138,13 @@ Section errors(const Calibration& found) {
                 "These pairs hang together: the data know their combination better than either alone. "
                 "Predictions do not "
                 "suffer from it.") +
-            list(together);
+            bullets(together);
   return {"errors", "Errors", body};
 }
 
 Section untold(const Calibration& found) {
   const auto part = [](const std::string& title, const std::vector<std::string>& sentences) {
-    return "<h3>" + title + "</h3>\n" + (sentences.empty() ? paragraph("None.") : list(sentences));
+    return "<h3>" + title + "</h3>\n" + (sentences.empty() ? paragraph("None.") : bullets(sentences));
   };
   return {"untold", "Not told",
           part("No data of this kind can tell", found.identifiable.never) +
@@ -182,8 +175,7 @@ Section table_section(const Calibration& found) {
           paragraph(
               "A row is turn(z, θ) shift(z, d) shift(x, a) turn(x, α) turn(y, β). Axes that are parallel by "
               "description have β. --format dh writes the table with four numbers a row.") +
-              "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Table\">" + html(table) +
-              "</div>\n"};
+              scrolled(table)};
 }
 
 }  // namespace

@@ -11,31 +11,25 @@
 #include "identify/summary.h"
 #include "model/followers.h"
 #include "report/page.h"
+#include "report/pieces.h"
 #include "report/plot.h"
 
 namespace qvgen::identify {
 namespace {
 
 using Eigen::Index;
+using report::bullets;
 using report::Cell;
+using report::figure;
 using report::HtmlTable;
 using report::number_cell;
+using report::paragraph;
+using report::scrolled;
 using report::Section;
 using report::Series;
 using report::text_cell;
 
 constexpr double interval_of_95 = 1.959964;
-
-std::string paragraph(const std::string& text) { return "<p>" + report::escaped(text) + "</p>\n"; }
-
-std::string figure(const std::string& svg, const std::string& words) {
-  return "<figure>" + svg + "<figcaption>" + report::escaped(words) + "</figcaption></figure>\n";
-}
-
-std::string scrolled(const HtmlTable& table) {
-  return "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Table\">" + html(table) +
-         "</div>\n";
-}
 
 bool turns(const model::Robot& robot, std::size_t joint) {
   return model::driven_joints(robot)[joint].type == model::JointType::revolute;
@@ -177,11 +171,10 @@ Section parameter_section(const Identification& found) {
 }
 
 Section untold_section(const Identification& found) {
-  std::string body;
-  for (const std::string& sentence : untold(found)) body += "<li>" + report::escaped(sentence) + "</li>\n";
+  const std::vector<std::string> sentences = untold(found);
   return {"untold", "Not told",
-          body.empty() ? paragraph("These data tell every parameter that motions can tell.")
-                       : "<ul>\n" + body + "</ul>\n"};
+          sentences.empty() ? paragraph("These data tell every parameter that motions can tell.")
+                            : bullets(sentences)};
 }
 
 Section full_section(const Identification& found) {

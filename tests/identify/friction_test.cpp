@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Friction beyond Coulomb's: exact data give it back, the bodies stay what they are, and who does not ask for
 // it sees it in the residual. Spectra: noise has the density that it must have, a sine is where it is.
+#include <fstream>
+
 #include <gtest/gtest.h>
 
 #include "identify/extra_columns.h"
@@ -127,11 +129,19 @@ TEST(Slips, AreNamed) {
             }),
             "columns q2 and q3 seem to be swapped");
   EXPECT_EQ(doubts([](MotionLog& log) { log.torque.col(1) *= -1; }), "torque2 seems to have the other sign");
-  EXPECT_EQ(doubts([](MotionLog& log) {
-              log.qd /= 1000;
-              log.qdd /= 1e6;
-            }).substr(0, 17),
-            "the times seem to");
+}
+
+/// Rates in another unit of time: what the links' weights and their inertias say of the same moments differs.
+TEST(Slips, UnitsOfTimeAreNamed) {
+  std::ifstream file(QVGEN_SOURCE_DIR "/generator/robots/puma560.toml");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  MotionLog log = simulated(reference::load_text(text), 4000, 8);
+  add_noise(log, VectorXd::Constant(6, 0.02), 1);
+  log.qd /= 1000;
+  log.qdd /= 1e6;
+  const auto found = identify::identify(read_arm(text), {log});
+  ASSERT_FALSE(found.doubts.empty());
+  EXPECT_EQ(found.doubts.front(), "the times seem to be milliseconds: write time [ms]");
 }
 
 /// All torques with the other sign are explained, by friction that drives.
