@@ -17,7 +17,8 @@ CLI::App* add_path(CLI::App& app, PathArguments& arguments) {
   command
       .add_option("POSES", arguments.poses,
                   "table of poses: columns x y z and qw qx qy qz, or roll pitch yaw, or rx ry rz (rotation "
-                  "vector); t, if there are times. A header may state units: x [mm], roll [deg]")
+                  "vector), or ax ay az (direction of the tool's z axis); t, if there are times. A header "
+                  "may state units: x [mm], roll [deg]")
       ->type_name("FILE")
       ->required();
   command

@@ -21,8 +21,8 @@ using measured::Table;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// The notations of an orientation: names of the columns, all of which a file has, or none.
-const std::array<std::vector<std::string>, 3> notations{
-    {{"qw", "qx", "qy", "qz"}, {"roll", "pitch", "yaw"}, {"rx", "ry", "rz"}}};
+const std::array<std::vector<std::string>, 4> notations{
+    {{"qw", "qx", "qy", "qz"}, {"roll", "pitch", "yaw"}, {"rx", "ry", "rz"}, {"ax", "ay", "az"}}};
 
 std::vector<measured::Wanted> wanted() {
   std::vector<measured::Wanted> columns;
@@ -34,6 +34,7 @@ std::vector<measured::Wanted> wanted() {
   for (const std::string& name : notations[0]) add(name, Quantity::number, false, {});
   for (const std::string& name : notations[1]) add(name, Quantity::angle, false, {});
   for (const std::string& name : notations[2]) add(name, Quantity::angle, false, {});
+  for (const std::string& name : notations[3]) add(name, Quantity::number, false, {});
   add("t", Quantity::time, false, {"time"});
   return columns;
 }
@@ -63,25 +64,54 @@ int notation_of(const Table& table, std::vector<Diagnostic>& diagnostics) {
     }
   }
   if (whole == 1 && partly == 0) return found;
-  diagnostics.push_back(note_of(table.file, 1, Diagnostic::error,
-                                whole > 1 ? "orientations stand there in several notations"
-                                          : "the poses have no orientation, or a part of one",
-                                "name columns qw, qx, qy, qz, or roll, pitch, yaw, or rx, ry, rz"));
+  diagnostics.push_back(
+      note_of(table.file, 1, Diagnostic::error,
+              whole > 1 ? "orientations stand there in several notations"
+                        : "the poses have no orientation, or a part of one",
+              "name columns qw, qx, qy, qz, or roll, pitch, yaw, or rx, ry, rz, or ax, ay, az"));
   return -1;
 }
 
-Quaternion<double> orientation_of(const Table& table, int notation, std::size_t row) {
+/// Turns an orientation by the least angle so that the tool's z axis has a direction; that is half a turn
+/// about x where it points the other way.
+Quaternion<double> with_axis(const Quaternion<double>& from, const Vector3<double>& axis) {
+  const Vector3<double> old = from * Vector3<double>(0, 0, 1), unit = axis.normalized();
+  if (old.dot(unit) < -1 + 1e-12) return from * Quaternion<double>(0, 1, 0, 0);
+  return (Quaternion<double>::FromTwoVectors(old, unit) * from).normalized();
+}
+
+/// Returns the orientation of a row; where only an axis is given, the one next to that of the row before.
+Quaternion<double> orientation_of(const Table& table, int notation, std::size_t row,
+                                  const Quaternion<double>& before) {
   const auto& names = notations.at(static_cast<std::size_t>(notation));
   const auto value = [&](std::size_t i) { return (*table.find(names[i]))[row]; };
   if (notation == 0) return {value(0), value(1), value(2), value(3)};
   if (notation == 1) return from_euler_angles<double>({value(0), value(1), value(2)}, ros_rpy);
-  return from_rotation_vector<double>({value(0), value(1), value(2)});
+  const Vector3<double> vector(value(0), value(1), value(2));
+  return notation == 2 ? from_rotation_vector<double>(vector) : with_axis(before, vector);
+}
+
+Quaternion<double> last_of(const Poses& poses) {
+  if (poses.samples.empty()) return Quaternion<double>::Identity();
+  const Sample& last = poses.samples.back();
+  return {last.w, last.x, last.y, last.z};
+}
+
+/// A mistake if a row's axis has no direction.
+void check_axis(const Table& table, std::size_t row, std::vector<Diagnostic>& diagnostics) {
+  const double x = (*table.find("ax"))[row], y = (*table.find("ay"))[row], z = (*table.find("az"))[row];
+  const double length = std::hypot(x, y, z);
+  if (length > 1e-6 && length < 1e6) return;
+  diagnostics.push_back(note_of(table.file, table.lines[row], Diagnostic::error,
+                                fmt::format("the tool's axis has the length {:.6g}", length),
+                                "ax, ay, az are the direction of the tool's z axis, of any length"));
 }
 
 Sample sample_of(const Table& table, int notation, std::size_t row, const std::string& file,
-                 std::vector<Diagnostic>& diagnostics) {
+                 const Quaternion<double>& before, std::vector<Diagnostic>& diagnostics) {
   Sample sample;
-  const Quaternion<double> q = orientation_of(table, notation, row);
+  if (notation == 3) check_axis(table, row, diagnostics);
+  const Quaternion<double> q = orientation_of(table, notation, row, before);
   const double norm = q.norm();
   if (!(std::abs(norm - 1) < 1e-3))
     diagnostics.push_back(note_of(file, table.lines[row], Diagnostic::error,
@@ -211,7 +241,7 @@ Poses read_poses(std::istream& stream, const std::string& file, const PoseOption
   if (notation < 0) return poses;
   poses.lines = table.lines;
   for (std::size_t row = 0; row < table.rows() && poses.diagnostics.size() < measured::most_mistakes; ++row)
-    poses.samples.push_back(sample_of(table, notation, row, file, poses.diagnostics));
+    poses.samples.push_back(sample_of(table, notation, row, file, last_of(poses), poses.diagnostics));
   poses.timed = table.find("t") != nullptr;
   if (!poses.good()) return poses;
   check_units(table, poses);

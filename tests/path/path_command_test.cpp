@@ -2,6 +2,7 @@
 // `qvgen path` as its users meet it: a path that an arm was seen to follow is followed, files hold what the
 // table says, and bad input gets an answer and leaves nothing.
 #include <cmath>
+#include <functional>
 #include <sstream>
 #include <vector>
 
@@ -60,6 +61,43 @@ TEST_F(PathCommand, LimitsCutMotions) {
   const ToolRun result = follow("ur5 seam.csv --limit theta1=-30:30deg");
   ASSERT_EQ(result.code, 0) << result.output;
   EXPECT_TRUE(has(result, "theta1 at its")) << result.output;
+}
+
+/// A path along x with quaternions; `row` may change or repeat a line.
+std::string line_of_poses(const std::function<std::string(int, const std::string&)>& row) {
+  std::string text = "x [m],y [m],z [m],qw,qx,qy,qz\n";
+  for (int i = 0; i <= 30; ++i) text += row(i, std::to_string(0.4 + 0.003 * i) + ",-0.2,0.25,");
+  return text;
+}
+
+TEST_F(PathCommand, OddPathsAreFollowedOrRefused) {
+  const auto plain = [](int, const std::string& place) { return place + "0,1,0,0\n"; };
+  write("plain.csv", line_of_poses(plain));
+  write("signs.csv", line_of_poses([](int i, const std::string& place) {
+          return place + (i % 2 == 0 ? "0,1,0,0\n" : "0,-1,0,0\n");
+        }));
+  write("twice.csv", line_of_poses([](int i, const std::string& place) {
+          return (i % 3 == 0 ? place + "0,1,0,0\n" : "") + place + "0,1,0,0\n";
+        }));
+  write("jump.csv", line_of_poses([](int i, const std::string& place) {
+          return i == 20 ? "0.3,0.3,0.4,0,1,0,0\n" : place + "0,1,0,0\n";
+        }));
+  const auto motions = [](const ToolRun& run) {
+    return run.output.substr(run.output.find(" m; "), run.output.find("motions,") - run.output.find(" m; "));
+  };
+  const ToolRun reference = follow("ur5 plain.csv"), signs = follow("ur5 signs.csv"),
+                twice = follow("ur5 twice.csv"), jump = follow("ur5 jump.csv");
+  ASSERT_EQ(reference.code, 0) << reference.output;
+  EXPECT_EQ(signs.output, reference.output);
+  EXPECT_EQ(twice.code, 0);
+  EXPECT_TRUE(has(twice, "the pose before once more")) << twice.output;
+  EXPECT_EQ(motions(twice), motions(reference));
+  EXPECT_EQ(jump.code, 0);
+  EXPECT_TRUE(has(jump, "the tool goes there in a straight line")) << jump.output;
+  write("mm.csv", "x,y,z,qw,qx,qy,qz\n400,-200,250,0,1,0,0\n410,-200,250,0,1,0,0\n");
+  write("order.csv", "x,y,z,qw,qx,qy,qz,t\n0.4,0,0.2,0,1,0,0,2\n0.4,0.01,0.2,0,1,0,0,1\n");
+  EXPECT_TRUE(has(follow("ur5 mm.csv"), "if these are millimetres"));
+  EXPECT_TRUE(has(follow("ur5 order.csv"), "is not behind"));
 }
 
 /// Times rise along each motion, and no mean speed of a joint is above the one that is allowed.

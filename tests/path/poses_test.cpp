@@ -4,7 +4,10 @@
 
 #include <sstream>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <qvgen/orientation.h>
+#include <qvgen/pose.h>
 
 namespace qvgen::path {
 namespace {
@@ -44,6 +47,36 @@ TEST(PathPoses, EveryNotationIsTheSameQuarterTurn) {
     EXPECT_NEAR(sample.w, sample.z, 1e-9);
     EXPECT_TRUE(std::isnan(sample.time));
   }
+}
+
+/// Directions of the tool's z axis: it has them, and turns from pose to pose by no more than they do.
+TEST(PathPoses, AnAxisLeavesTheTurnAboutItAsItIs) {
+  std::string text = "x,y,z,ax,ay,az\n";
+  for (int i = 0; i <= 40; ++i) {
+    const double a = 0.07 * i;
+    text +=
+        fmt::format("0.5,0.01,{},{},{},{}\n", 0.01 * i, 3 * std::sin(a), std::sin(2 * a), -3 * std::cos(a));
+  }
+  const Poses poses = read(text);
+  ASSERT_TRUE(poses.good()) << mistakes(poses);
+  Quaternion<double> before;
+  for (std::size_t i = 0; i < poses.samples.size(); ++i) {
+    const Sample& sample = poses.samples[i];
+    const Quaternion<double> q(sample.w, sample.x, sample.y, sample.z);
+    const double a = 0.07 * static_cast<double>(i);
+    const Vector3<double> axis = q * Vector3<double>(0, 0, 1),
+                          wanted = Vector3<double>(3 * std::sin(a), std::sin(2 * a), -3 * std::cos(a))
+                                       .normalized();
+    EXPECT_LT((axis - wanted).norm(), 1e-12);
+    if (i > 0) {
+      const double turned = angular_distance<double>(before, q),
+                   needed = std::acos((before * Vector3<double>(0, 0, 1)).dot(axis));
+      EXPECT_NEAR(turned, needed, 1e-7);
+    }
+    before = q;
+  }
+  expect_mistake("x,y,z,ax,ay,az\n0,0,0,0,0,1\n0,0,0.1,0,0,0\n",
+                 "seam.csv:3:1: error: the tool's axis has the length 0");
 }
 
 TEST(PathPoses, MistakesHaveTheirLine) {
