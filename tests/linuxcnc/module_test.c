@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A robot's component of LinuxCNC, called as the motion controller calls it: poses, ways back, tool lengths, units, time. */
+/* A robot's component of LinuxCNC, called as the motion controller calls it: poses, ways back, tool lengths,
+ * units, time. */
 #define _POSIX_C_SOURCE 199309L
 #include <math.h>
 #include <stdio.h>
@@ -17,7 +18,10 @@ static const char* names[2];
 static int pins, ready;
 int hal_init(const char* name) { return strlen(name) > 10 ? 7 : -1; }
 int hal_exit(int component) { return component == 7 ? 0 : -1; }
-int hal_ready(int component) { ready = component; return 0; }
+int hal_ready(int component) {
+  ready = component;
+  return 0;
+}
 void* hal_malloc(long int size) { return calloc(1, (size_t)size); }
 int hal_pin_float_newf(hal_pin_dir_t direction, hal_float_t** pin, int component, const char* format, ...) {
   if (direction != HAL_IN || component != 7 || pins == 2) return -1;
@@ -69,11 +73,12 @@ static void forward_is_the_robots(const double joint[9], int dof, int i) {
   kinematicsForward(joint, &longer, NULL, NULL);
   values[1] = 0;
   const double tip[3] = {longer.tran.x, longer.tran.y, longer.tran.z};
-  for (int k = 0; k < 3; ++k) expect(fabs(tip[k] - place[k] - 120 * wanted[k][2]) < 1e-9, "the tool is elsewhere", i);
+  for (int k = 0; k < 3; ++k)
+    expect(fabs(tip[k] - place[k] - 120 * wanted[k][2]) < 1e-9, "the tool is elsewhere", i);
 }
 
-/* The way back from joints half a degree away reaches the pose. It leads to the same joints, but where a singular pose is between
-   these and the seed, which is rare. */
+/* The way back from joints half a degree away reaches the pose. It leads to the same joints, but where a
+   singular pose is between these and the seed, which is rare. */
 static void back_to(const double joint[9], int dof, double tool, int i, int* others) {
   EmcPose world, again;
   double near[9];
@@ -86,19 +91,23 @@ static void back_to(const double joint[9], int dof, double tool, int i, int* oth
   *others += way > 1e-6;
   expect(way < 190, "joints turn wholly", i);
   kinematicsForward(near, &again, NULL, NULL);
-  expect(hypot(hypot(again.tran.x - world.tran.x, again.tran.y - world.tran.y), again.tran.z - world.tran.z) < 1e-7, "pose", i);
+  expect(hypot(hypot(again.tran.x - world.tran.x, again.tran.y - world.tran.y), again.tran.z - world.tran.z) <
+             1e-7,
+         "pose", i);
   values[1] = 0;
 }
 
 int main(void) {
   expect(rtapi_app_main() == 0 && ready == 7 && pins == 2 && values[0] == 1000 && values[1] == 0, "HAL", 0);
-  expect(strstr(names[0], "_kins.units-per-metre") && strstr(names[1], "_kins.tool-length"), "names of pins", 0);
+  expect(strstr(names[0], "_kins.units-per-metre") && strstr(names[1], "_kins.tool-length"), "names of pins",
+         0);
   expect(kinematicsType() == KINEMATICS_BOTH && kinematicsSwitchable() == 0, "type", 0);
   const int dof = ROBOT(dof_is);
   int others = 0;
   for (int i = 0; i < 2000; ++i) {
     double joint[9];
-    for (int k = 0; k < dof; ++k) joint[k] = between(20, 70) * (i % 2 ? 1 : -1) + (ROBOT_REVOLUTE[k] && i % 7 == 0 ? 360 : 0);
+    for (int k = 0; k < dof; ++k)
+      joint[k] = between(20, 70) * (i % 2 ? 1 : -1) + (ROBOT_REVOLUTE[k] && i % 7 == 0 ? 360 : 0);
     forward_is_the_robots(joint, dof, i);
     back_to(joint, dof, i % 3 ? 0 : 75, i, &others);
   }
@@ -119,10 +128,12 @@ int main(void) {
   clock_gettime(CLOCK_MONOTONIC, &from);
   for (int i = 0; i < 20000; ++i) {
     world.tran.z += i % 2 ? 0.1 : -0.1;
-    failures += kinematicsInverse(&world, joint, NULL, NULL) != 0 || kinematicsForward(joint, &world, NULL, NULL) != 0;
+    failures += kinematicsInverse(&world, joint, NULL, NULL) != 0 ||
+                kinematicsForward(joint, &world, NULL, NULL) != 0;
   }
   clock_gettime(CLOCK_MONOTONIC, &to);
   rtapi_app_exit();
-  printf("%d failures, %.2f us a cycle\n", failures, ((double)(to.tv_sec - from.tv_sec) * 1e9 + (double)(to.tv_nsec - from.tv_nsec)) / 2e7);
+  printf("%d failures, %.2f us a cycle\n", failures,
+         ((double)(to.tv_sec - from.tv_sec) * 1e9 + (double)(to.tv_nsec - from.tv_nsec)) / 2e7);
   return failures != 0;
 }

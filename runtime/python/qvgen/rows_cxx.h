@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Loops over rows for what a robot has in C++ only: inverse kinematics by elimination, the arm angle, the nearest pose,
-// configurations of floating bases. _cxx_rows.py prints what calls these templates.
+// Loops over rows for what a robot has in C++ only: inverse kinematics by elimination, the arm angle, the
+// nearest pose, configurations of floating bases. _cxx_rows.py prints what calls these templates.
 #pragma once
 
 #include <algorithm>
@@ -39,7 +39,7 @@ Vector vector(const typename Vector::Scalar* from) {
 template <class Constants, class Names>
 Constants constants(const void* from, const Names& names) {
   Constants values;
-  if constexpr (std::tuple_size_v<Names> > 0) std::memcpy(&values, from, sizeof values);
+  if constexpr (std::tuple_size_v < Names >> 0) std::memcpy(&values, from, sizeof values);
   return values;
 }
 
@@ -103,8 +103,9 @@ std::size_t put(const qvgen_call* c, std::ptrdiff_t k, const Found& found) {
   return count;
 }
 
-/// Solves every row by `solve(k, more...)`, more being a seed, limits, both or nothing. Returns the most rows of one; for a
-/// capacity below zero it solves nothing and returns how many rows a target has at most without limits.
+/// Solves every row by `solve(k, more...)`, more being a seed, limits, both or nothing. Returns the most rows
+/// of one; for a capacity below zero it solves nothing and returns how many rows a target has at most without
+/// limits.
 template <int dof, class Solve>
 std::ptrdiff_t all_rows(const qvgen_call* c, int seed_at, const Solve& solve) {
   if (c->capacity < 0) return std::decay_t<decltype(solve(0))>::max_size;
@@ -143,8 +144,8 @@ inline ArmAngleReference reference(const qvgen_call* c) {
   return c->flags[1] != 0 ? ArmAngleReference::stereographic() : ArmAngleReference::conventional();
 }
 
-/// Solves for the nearest poses: flags[0], whether there are seeds; flags[1], what comes first; numbers, metres per radian
-/// and starts.
+/// Solves for the nearest poses: flags[0], whether there are seeds; flags[1], what comes first; numbers,
+/// metres per radian and starts.
 template <int dof, class Solver>
 std::ptrdiff_t nearest_rows(const qvgen_call* c, const Solver& solver) {
   constexpr int most = NearestRows<dof>::max_size;
@@ -155,10 +156,10 @@ std::ptrdiff_t nearest_rows(const qvgen_call* c, const Solver& solver) {
   if (const auto bounds = limits<dof>(c)) options.limits = *bounds;
   for (std::ptrdiff_t k = 0; k < c->count; ++k) {
     const Pose<double> target = TargetOf<Pose<double>>::read(row<double>(c, 0, k));
-    const auto found = c->flags[0] != 0
-                           ? solver.rows(target, options,
-                                         std::array{Joints<dof>(vector<Joints<dof>>(row<double>(c, 1, k)))})
-                           : solver.rows(target, options);
+    const auto found =
+        c->flags[0] != 0
+            ? solver.rows(target, options, std::array{Joints<dof>(vector<Joints<dof>>(row<double>(c, 1, k)))})
+            : solver.rows(target, options);
     for (int n = 0; n < found.size(); ++n) {
       const std::ptrdiff_t at = k * most + n;
       std::copy(found[n].q.data(), found[n].q.data() + dof, result<double>(c, 0, at, dof));

@@ -9,6 +9,7 @@ extern int hal_init(const char* name);
 extern int hal_exit(int component);
 extern int hal_ready(int component);
 extern void* hal_malloc(long int size);
-extern int hal_pin_float_newf(hal_pin_dir_t direction, hal_float_t** pin, int component, const char* format, ...);
+extern int hal_pin_float_newf(hal_pin_dir_t direction, hal_float_t** pin, int component, const char* format,
+                              ...);
 
 #endif
