@@ -59,6 +59,7 @@ const char* const calibrate_examples = R"(
   qvgen calibrate scara tracker.csv --errors zeros -o my_scara.toml   positions; zeros of the joints alone
   qvgen calibrate arm.toml poses.csv --known tracker,target   poses of the tool in the described world
   qvgen calibrate arm.urdf board.csv --tip tool0 --camera -o my_arm.toml   a camera on the tool sees a board
+  qvgen calibrate arm.urdf poses.csv --tip tool0 --format urdf -o my_arm.urdf --page my_arm.html   the same file, origins changed
   qvgen calibrate ur5 --plan 40 > postures.csv    postures to measure that tell most, within limits
   qvgen calibrate ur5 poses.csv --unit mm --angle-unit deg --sigma 0.00005   headers without units
 )";
@@ -69,6 +70,7 @@ const char* const identify_examples = R"(
   qvgen identify my_arm.toml log.csv --torque-constants 11.3,11.3,8.4,2.9,2.9,2.9      currents in place of torques
   qvgen identify my_arm.toml log.csv --drives viscous_friction,coulomb_friction        no rotor inertia, no offset
   qvgen identify my_arm.toml empty.csv --payload with_gripper.csv   mass, centre and inertia of what it carries
+  qvgen identify arm.urdf log.csv --tip tool0 --format urdf -o measured.urdf --page measured.html
   qvgen identify my_arm.toml --plan 30 -o motion.csv                a motion to record: it tells much
 )";
 
