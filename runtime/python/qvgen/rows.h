@@ -2,8 +2,8 @@
 /* One call of a robot's function for many rows of arguments, as Python hands it over by ctypes.
 
    The loops over rows are printed for each robot, in C99 (_c_rows.py) or in C++ for what C has not
-   (_cxx_rows.py). All of them take a pointer to this struct, so that a library needs neither Python's headers
-   nor a template library. */
+   (_cxx_rows.py, _loop_rows.py). All of them take a pointer to this struct, so that a library needs neither
+   Python's headers nor a template library. */
 #ifndef QVGEN_ROWS_H
 #define QVGEN_ROWS_H
 
