@@ -124,10 +124,6 @@ RobotOutput generate_product(const model::Robot& robot, const Product& product, 
   if (is_of_limbs(product.of_trees, robot, product.part, output)) return output;
   if (is_of_fixed_bases(product.part, robot, output)) return output;
   const auto make = comes_from_c(language) ? product.generate_c : product.generate;
-  if (language == Language::c_in_float && !product.has_float) {
-    output.missing.push_back({product.part, Missing::Kind::not_in_language, "it is in double alone"});
-    return output;
-  }
   attempt(product.part, output, [&](RobotOutput& made) { make(robot, made); });
   return output;
 }
@@ -214,8 +210,10 @@ RobotOutput whole(RobotOutput output, Language language) {
   if (!output.missing.empty()) output.counts["missing"] = missing_to_json(output.missing);
   if (!has_model) return output;
   if (comes_from_c(language)) output = with_c_files(std::move(output));
-  if (language == Language::c_in_float)
-    for (OutputFile& file : output.files) file.content = emit::c::in_single_precision(file.content);
+  if (comes_from_c(language))
+    for (OutputFile& file : output.files)
+      file.content = language == Language::c_in_float ? emit::c::in_single_precision(file.content)
+                                                      : emit::c::in_double_precision(file.content);
   if (language == Language::rust || language == Language::javascript)
     output = translated(std::move(output), language);
   if (comes_from_c(language)) return output;
