@@ -30,8 +30,7 @@ const std::vector<LanguageRow>& languages() {
   static const std::vector<LanguageRow> table{
       {Language::cxx, "cxx", "headers in include/, sources in source/", "float, double and more", {}},
       {Language::c, "c", "C99 in c/, which needs libm alone",
-       "double, the bits of C++ with libm's sines; or float (--scalar float)",
-       lacks_of_c()},
+       "double, the bits of C++ with libm's sines; or float (--scalar float)", lacks_of_c()},
       {Language::rust, "rust", "a crate in rust/, no_std with the feature libm, without unsafe",
        "f64, the bits of C", lacks_of_translations()},
       {Language::javascript, "javascript", "an ES module in javascript/, with types for TypeScript",

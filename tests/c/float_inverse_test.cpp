@@ -16,7 +16,7 @@ namespace {
 
 enum Status { solved, singular, unreachable, invalid, incomplete };
 
-/// What rows may miss, in metres and radians: away from singular poses, and anywhere.
+/// Bounds of the error of rows, in metres and radians: away from singular poses, and anywhere.
 constexpr double close = 1e-5, anywhere = 1e-3;
 /// Next to singular poses a wrist's angle that is nearly free is turned to the choice as far as noise allows:
 /// at most 32 times its 18 epsilon, over sin(theta5/2), and two angles by each; the singular value is

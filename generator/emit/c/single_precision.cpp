@@ -42,7 +42,7 @@ std::size_t end_of_number(const std::string& code, std::size_t at) {
   return at;
 }
 
-/// What pi/2 has beyond its double is not what it has beyond its float.
+/// Returns what pi/2 is beyond its float, in place of what it is beyond its double.
 std::string beyond_half_pi(const std::string& number) {
   return number == "0x1.1a62633145c07p-54" ? "-4.371139e-08f" : "";
 }

@@ -2,8 +2,8 @@
 // C in double or in float, from one source.
 //
 // Bounds of what rounding may do are written in double, as digits(1e-7): so many of the type's digits as 1e-7
-// is of those of double. In double that is 1e-7, in float the power 23/52 of it, 8.01e-4. Numbers near the end of
-// the range are written so as range(1e50), in float the power 127/1023 of it.
+// is of those of double. In double that is 1e-7, in float the power 23/52 of it, 8.01e-4. Numbers near the
+// end of the range are written so as range(1e50), in float the power 127/1023 of it.
 #pragma once
 
 #include <string>
