@@ -124,10 +124,6 @@ RobotOutput generate_product(const model::Robot& robot, const Product& product, 
   if (is_of_limbs(product.of_trees, robot, product.part, output)) return output;
   if (is_of_fixed_bases(product.part, robot, output)) return output;
   const auto make = comes_from_c(language) ? product.generate_c : product.generate;
-  if (language == Language::c_in_float && !product.has_float) {
-    output.missing.push_back({product.part, Missing::Kind::not_in_language, "it is in double alone"});
-    return output;
-  }
   if (const std::string lack = lack_of(row_of(language), product.part);
       is_of_devices(language) && !lack.empty()) {
     output.missing.push_back({product.part, Missing::Kind::not_in_language, lack});
@@ -221,8 +217,10 @@ RobotOutput whole(RobotOutput output, Language language) {
   if (!output.missing.empty()) output.counts["missing"] = missing_to_json(output.missing);
   if (!has_model) return output;
   if (comes_from_c(language)) output = with_c_files(std::move(output));
-  if (language == Language::c_in_float)
-    for (OutputFile& file : output.files) file.content = emit::c::in_single_precision(file.content);
+  if (comes_from_c(language))
+    for (OutputFile& file : output.files)
+      file.content = language == Language::c_in_float ? emit::c::in_single_precision(file.content)
+                                                      : emit::c::in_double_precision(file.content);
   if (is_translated(language)) output = translated(std::move(output), language);
   if (comes_from_c(language)) return output;
   add_headers_of_missing_parts(output);

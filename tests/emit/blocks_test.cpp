@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "emit/c/single_precision.h"
 #include "emit/javascript/writer.h"
 #include "emit/rust/crate.h"
 #include "emit/rust/writer.h"
@@ -178,7 +179,7 @@ typedef Solutions Rows;
     std::ifstream file(QVGEN_SOURCE_DIR + std::string("/") + path);
     std::stringstream text;
     text << file.rdbuf();
-    files.push_back({path, "inverse", false, text.str()});
+    files.push_back({path, "inverse", false, emit::c::in_double_precision(text.str())});
   }
   const Unit unit = parse("arm", files);
   EXPECT_GT(unit.functions.size(), 200U);

@@ -6,6 +6,14 @@
 namespace qvgen::emit::c {
 namespace {
 
+/// 1e-7 is 2^-23.25, of 52 digits; so many of 23 are 2^-10.28.
+TEST(SinglePrecision, BoundsOfRoundingHaveAsManyDigits) {
+  EXPECT_EQ(in_double_precision("a < digits(1e-7) * my_digits(2)"), "a < 1e-7 * my_digits(2)");
+  EXPECT_EQ(in_single_precision("a < digits(1e-7) * b"), "a < 8.01e-04f * b");
+  EXPECT_EQ(in_single_precision("digits(0x1p-100)"), in_single_precision("0x1p-44"));
+  EXPECT_EQ(in_single_precision("range(1e50)"), "1.61e+06f");
+}
+
 TEST(SinglePrecision, TypesFunctionsAndLimits) {
   EXPECT_EQ(in_single_precision("const double a = sqrt(fabs(x)) + atan2(y, x);"),
             "const float a = sqrtf(fabsf(x)) + atan2f(y, x);");

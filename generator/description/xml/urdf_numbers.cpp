@@ -170,7 +170,8 @@ std::optional<tree::Mimic> UrdfNumbers::mimic(const Element& joint, model::Joint
   }
   const bool turns = type == model::JointType::revolute;
   return tree::Mimic{{{leader->value, ratio.value}},
-                     turns ? snap_.angle(offset) : model::Expression(offset.value), mimic->place};
+                     turns ? snap_.angle(offset) : model::Expression(offset.value),
+                     mimic->place};
 }
 
 tree::Body UrdfNumbers::body(const Element& link) const {

@@ -26,7 +26,7 @@ const std::vector<Product>& all_products() {
   static const std::vector<Product> products{
       {"model", generate_model_header, {}, {}, generate_model_c, false, {}, true},
       {"kinematics", generate_kinematics, {}, {}, generate_kinematics_c},
-      {"inverse", generate_inverse, {}, {}, generate_inverse_c, false, {}, false, false},
+      {"inverse", generate_inverse, {}, {}, generate_inverse_c, false, {}, false},
       {"arm_angle", generate_arm_angle, {}, {}, generate_arm_angle_c},
       {"jacobian", generate_jacobian, {}, {"singularity_measures"}, generate_jacobian_c},
       {"from_ideal", generate_from_ideal, {}, {}, generate_from_ideal_c},

@@ -21,7 +21,6 @@ struct Product {
   bool on_request = false;              ///< made only for who names it
   std::vector<std::string> needs = {};  ///< products whose headers its header includes
   bool of_trees = false;  ///< made of robots whose joints branch, too; others are of their limbs
-  bool has_float = true;  ///< its C can be in float
 };
 
 /// A part that is made only for who asks for it by its name, from what others have made of a robot.

@@ -1,5 +1,5 @@
 // State of a branch, and how equations treat the ends of their ranges: branch.h, boundary.h and target.h of the C++
-// library say more of each.
+// library say more of each. `digits` marks bounds of rounding, which are wider in float: single_precision.h.
 
 typedef struct Branch {
   bool exists;     // false: no such solution
@@ -15,13 +15,13 @@ typedef struct Boundary {
   bool wide, choose, take, opposite;
 } Boundary;
 
-static const Boundary boundary_of_nothing = {0, 0, 0, 1e-7, 0, 1e18, 64, 0, 0, true, false, false, false};
+static const Boundary boundary_of_nothing = {0, 0, 0, digits(1e-7), 0, digits(1e18), 64, 0, 0, true, false, false, false};
 
 /// Boundary of regular poses.
 static Boundary plain_boundary(double tolerance) {
   Boundary b = boundary_of_nothing;
-  b.doubt = 1e-7 + 100 * tolerance;
-  b.beyond = 1e-10 + 100 * tolerance;
+  b.doubt = digits(1e-7) + 100 * tolerance;
+  b.beyond = digits(1e-10) + 100 * tolerance;
   b.miss = tolerance;
   b.fold = tolerance;
   return b;
@@ -31,14 +31,14 @@ static Boundary plain_boundary(double tolerance) {
 static Boundary careful_boundary(double tolerance) {
   Boundary b = boundary_of_nothing;
   b.accept = 1e-3 + 100 * tolerance;
-  b.gap = 64e14;
-  b.fold = tolerance > 5e-13 ? tolerance : 5e-13;
+  b.gap = digits(64e14);
+  b.fold = tolerance > digits(5e-13) ? tolerance : digits(5e-13);
   return b;
 }
 
 static Boundary ends_boundary(double tolerance) {
   Boundary b = careful_boundary(tolerance);
-  b.unsure = 1e-7 + 100 * tolerance;
+  b.unsure = digits(1e-7) + 100 * tolerance;
   b.wide = false;
   b.miss = tolerance;
   return b;
@@ -61,7 +61,7 @@ static Boundary in_other_range(Boundary b) {
 static Boundary stretched_boundary(double tolerance) {
   Boundary b = chosen_boundary(tolerance);
   b.accept = 1e3;
-  b.gap = 1e40;
+  b.gap = digits(1e40);
   return b;
 }
 
@@ -88,7 +88,7 @@ static Boundary taking_boundary(double tolerance) {
 
 static Boundary apart_boundary(double tolerance) {
   Boundary b = choosing_boundary(tolerance);
-  b.floor = 1e-10;
+  b.floor = digits(1e-10);
   return b;
 }
 

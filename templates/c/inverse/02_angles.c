@@ -57,7 +57,7 @@ static Octant octant(double height, double width) {
   // Above atan(0.45) from pi/4 downwards.
   const bool near_diagonal = low > 0.45 * high;
   found.rise = near_diagonal ? low - high : low;
-  found.run = larger(near_diagonal ? high + low : high, 0x1p-1022);
+  found.run = larger(near_diagonal ? high + low : high, DBL_MIN);
   found.base = near_diagonal ? 0x1.921fb54442d18p-1 : found.steep ? 0x1.921fb54442d18p+0 : 0.0;
   return found;
 }
@@ -163,7 +163,7 @@ static Rotor turned_to(Rotor preferred, Rotor unit, double square, double disc, 
 }
 
 /// Below this multiple of what is noise for sure rounding can be seen in a direction.
-static inline bool is_blurred(double square, double noise) { return square <= 1e16 * noise; }
+static inline bool is_blurred(double square, double noise) { return square <= digits(1e16) * noise; }
 
 static const double widest_blur = 64;
 
@@ -173,14 +173,14 @@ static Rotor direction(bool opposites, Rotor v, double tiny, Rotor choice, Branc
   const double square = square_of(v);
   const bool is_free = square <= tiny;
   branch->continuum = branch->continuum || (branch->exists && is_free);
-  doubt(branch, square <= 1e16 * tiny);
+  doubt(branch, square <= digits(1e16) * tiny);
   if (is_free) return choice;
   const Rotor unit = scaled(1 / sqrt(square), v);
   return is_blurred(square, tiny) ? turned_to(choice, unit, square, widest_blur * tiny, opposites) : unit;
 }
 
 /// Length of a choice that takes the place of a direction without length.
-static const double brief_length = 0x1p-100;
+static const double brief_length = digits(0x1p-100);
 
 /// A pair left as long as it is; a free one is the caller's choice, of `brief_length`.
 static Rotor chosen_if_free(Rotor v, double square, double tiny, Rotor brief_choice, bool opposites,
@@ -241,6 +241,6 @@ static inline double opposite(double angle) {
 /// A difference of angles, rad, less the whole turns that bring it into [-pi, pi].
 static inline double without_turns(double difference) {
   const double turn = 6.283185307179586476925;
-  const double rounds = 0x1.8p52;
+  const double rounds = 1.5 / DBL_EPSILON;
   return difference - turn * ((difference * (1 / turn) + rounds) - rounds);
 }

@@ -10,7 +10,7 @@ static const double wrist_noise = 18 * DBL_EPSILON;
 static const double widest_wrist_noise = 1024;
 
 /// The multiple of the square of that share below which an argument, if not noise, may be turned far by it.
-static const double nearly_free_noise = 1e18;
+static const double nearly_free_noise = digits(1e18);
 
 /// Which of two complex numbers, given by their squares, is noise next to the other.
 typedef struct Vanishing {
@@ -32,7 +32,7 @@ static Vanishing vanishing_before_joints(double u_square, double v_square, const
                                          Branch* branch) {
   Vanishing is_free = vanishing(u_square, v_square);
   const double little = boundary->near * is_free.noise;
-  const double choosable = branch->unsure || boundary->wide ? 1e14 : 1e5;
+  const double choosable = branch->unsure || boundary->wide ? digits(1e14) : digits(1e5);
   const double doubtful = boundary->wide ? little : choosable * is_free.noise;
   branch->unsure = branch->unsure || u_square <= little || v_square <= little;
   doubt(branch, u_square <= doubtful || v_square <= doubtful);

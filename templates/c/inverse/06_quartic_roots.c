@@ -163,13 +163,13 @@ static void add_root(RootSearch* search, Rotor start) {
     add_root_pair(search, u);
     return;
   }
-  if (fabs(conic_value(f, u)) < 3e-11) push_root(search, u, 1e-9);
+  if (fabs(conic_value(f, u)) < digits(3e-11)) push_root(search, u, digits(1e-9));
 }
 
 /// The points of the line a.u + d = 0 on the unit circle; a line that misses it narrowly touches it.
 static void intersect_line(RootSearch* search, double x, double y, double one) {
   const double length = sqrt(x * x + y * y);
-  if (!(length > 1e-12 * fabs(one))) return;
+  if (!(length > digits(1e-12) * fabs(one))) return;
   const double a = x / length, b = y / length, d = -one / length;
   if (fabs(d) > 1 + 1e-3) return;
   const double foot = smaller(1, fabs(d));
@@ -208,7 +208,7 @@ static CircleRoots conic_circle(Conic conic, const Boundary* boundary) {
   search.f.p = (axis.cosine * conic.x + axis.sine * conic.y) / 2 / scale;
   search.f.q = (axis.cosine * conic.y - axis.sine * conic.x) / 2 / scale;
   search.f.k = one / scale;
-  if (search.f.g < 1e-13) {
+  if (search.f.g < digits(1e-13)) {
     intersect_line(&search, 2 * search.f.p, 2 * search.f.q, search.f.k);
   } else {
     double lines[3][3];
@@ -315,7 +315,7 @@ static void slide_chosen(const SlideAndTurn* e, double choice, Rotor spread, con
 /// slide; there the starts that lack no more than the divisor's share are as good, for Newton's steps.
 static SlideTurns slide_and_turn(SlideAndTurn e, double tiny, double size_square, double choice, Rotor spread,
                                  const Boundary* boundary) {
-  const double little = 1e-6;
+  const double little = digits(1e-6);
   SlideTurns found;
   found.count = 0;
   if (fabs(e.divisor) > little)

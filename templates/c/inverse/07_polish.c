@@ -173,7 +173,7 @@ typedef struct Dependent {
 
 /// Always takes the longest of what is left. Uses up the columns.
 static Dependent dependent(Columns* a) {
-  const double nothing = 1e-5;
+  const double nothing = digits(1e-5);
   Dependent result;
   for (int i = 0; i < a->count; ++i) result.columns.is[i] = true;
   result.square = 0;
@@ -364,7 +364,7 @@ static Steps least_squares_of(const Matching* task, const Reached* at, const dou
 
 static Steps newton_step(const Matching* task, const Reached* at, double lambda, double nothing,
                          const Held* held) {
-  const bool is_near = at->error < 1e-12 * task->size_square;
+  const bool is_near = at->error < digits(1e-12) * task->size_square;
   return least_squares_of(task, at, at->off, !is_near, lambda, nothing, held);
 }
 
@@ -374,7 +374,7 @@ static Steps following(const Matching* task, const Reached* at, int joint, doubl
   held.is[joint] = true;
   double off[6] = {0};
   for (int k = 0; k < rows_of_task(task); ++k) off[k] = -by * at->jacobian[joint][k];
-  Steps result = least_squares_of(task, at, off, false, 0, 1e-5, &held);
+  Steps result = least_squares_of(task, at, off, false, 0, digits(1e-5), &held);
   result.by[joint] = by;
   return result;
 }

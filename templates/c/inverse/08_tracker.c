@@ -22,7 +22,7 @@ static bool goes_on(const Matching* task, const JointValues* values, const Reach
   for (int side = 1; side >= -1; side -= 2) {
     JointValues moved_on = *values;
     Reached there;
-    move_along(task, at, idle.least, side * little, &moved_on);
+    move_along(task, at, idle.least, (double)side * little, &moved_on);
     if (polish(task, quick(allowed), &moved_on, &there, budget, &idle.columns)) return true;
   }
   return false;
@@ -97,7 +97,7 @@ static const Known nothing_known = {0, {{{{0, 0}}}}};
 static bool leave_double_root(const Matching* task, Patience until, const Known* known, JointValues* values,
                               Reached* at, Budget* budget) {
   const double share = at->error / task->size_square;
-  if (!(share < 1e-8)) return false;
+  if (!(share < digits(1e-8))) return false;
   const Dependent idle = idle_joints(task, at);
   if (idle.least == task->joints) return false;
   const double aside = length_of_arc(task, idle.least, sqrt(sqrt(share)));
@@ -107,7 +107,7 @@ static bool leave_double_root(const Matching* task, Patience until, const Known*
   for (int side = 1; side >= -1; side -= 2) {
     JointValues beside = meeting;
     Reached there;
-    move_along(task, &there_at, idle.least, side * aside, &beside);
+    move_along(task, &there_at, idle.least, (double)side * aside, &beside);
     if (!may_step(budget)) return found;
     reach(task, &beside, &there);
     if (!(there.error < there_at.error) || !polish(task, until, &beside, &there, budget, &nothing_held))

@@ -9,7 +9,7 @@ typedef struct Pose {
 } Pose;
 
 /// How far |q|^2 of a valid pose may be from 1.
-static const double unit_tolerance = 1e-6;
+static const double unit_tolerance = digits(1e-6);
 
 /// Half a unit of the last digit of numbers with 3 to 6 digits behind the point, numbers that went through float
 /// included; else 0.
@@ -36,7 +36,7 @@ static bool is_unit_by_digits(const double* numbers, int count) {
   const double excess = fabs(square - 1);
   if (excess <= unit_tolerance || !(sum < HUGE_VAL)) return false;
   const double off = half_last_digit(numbers, count);
-  return off > 0 && excess <= 2 * off * sum + count * off * off;
+  return off > 0 && excess <= 2 * off * sum + (double)count * off * off;
 }
 
 static const double no_place[3] = {0, 0, 0};
@@ -137,7 +137,7 @@ static ReachTest reach_test_of(const Pose* pose, double excess, double farthest,
   const double distance = (p[1] * p[1] + p[2] * p[2]) + p[0] * p[0];
   const double square = farthest * farthest;
   if (!(fabs(excess) <= unit_tolerance)) return reach_test_invalid;
-  if (distance <= square * (1 + 1e-6) + 80 * square * tolerance) return reach_test_open;
+  if (distance <= square * (1 + digits(1e-6)) + 80 * square * tolerance) return reach_test_open;
   return distance < HUGE_VAL ? reach_test_unreachable : reach_test_invalid;
 }
 
@@ -171,7 +171,7 @@ static Quaternion shortest_turn(const double* from, const double* to) {
   Quaternion first = {{1, 0, 0, 0}};
   if (cosine < -0.5 * length) {
     // By half a turn about a direction across first.
-    const bool leans = fabs(from[0]) > 1e-12 * fabs(from[2]) || fabs(from[1]) > 1e-12 * fabs(from[2]);
+    const bool leans = fabs(from[0]) > digits(1e-12) * fabs(from[2]) || fabs(from[1]) > digits(1e-12) * fabs(from[2]);
     const double a = leans ? -from[1] : 0, b = leans ? from[0] : -from[2], c = leans ? 0 : from[1];
     const double scale = 1 / sqrt(a * a + b * b + c * c);
     set_triple(first.of + 1, scale * a, scale * b, scale * c);

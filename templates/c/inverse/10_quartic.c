@@ -102,7 +102,7 @@ static bool points_go_on(const Matching* task, const JointValues* values, double
   const double little = length_of_arc(task, idle.least, 1e-2);
   for (int side = 1; side >= -1; side -= 2) {
     JointValues moved_on = *values;
-    advance(task, idle.least, side * little, &moved_on);
+    advance(task, idle.least, (double)side * little, &moved_on);
     if (polish_points(task, allowed, &moved_on, budget, &idle.columns)) return true;
   }
   return false;
@@ -115,13 +115,13 @@ static bool is_continuum_of_points(const Matching* task, const JointValues* valu
 /// True if values that miss the goals by very little can be moved on and miss them by not much more.
 static bool is_nearly_continuum(const Matching* task, const JointValues* values, Budget* budget) {
   const double share = miss(task, values) / task->size_square;
-  return share < 1e-12 && points_go_on(task, values, 4 * sqrt(share), budget);
+  return share < digits(1e-12) && points_go_on(task, values, 4 * sqrt(share), budget);
 }
 
 /// True if values that reach the goals can be moved on and miss them by little. Where two solutions merely meet what is
 /// missing then is a hundred times as much.
 static bool is_next_to_continuum(const Matching* task, const JointValues* values, Budget* budget) {
-  return points_go_on(task, values, 1e-6, budget);
+  return points_go_on(task, values, digits(1e-6), budget);
 }
 
 /// One step of `move_on`, shorter if it does not get nearer; false if none does.

@@ -184,7 +184,7 @@ static void sort_by_distance(Solutions* found, const double* seed) {
 
 /// How far outside its limits a joint still counts as on them, rad or m: rounding moves a joint that stands on its
 /// limit to either side. Such a joint is put on the limit itself.
-static const double limit_tolerance = 1e-12;
+static const double limit_tolerance = digits(1e-12);
 
 static inline double between(double lower, double value, double upper) {
   const double raised = value > lower ? value : lower;
@@ -195,12 +195,12 @@ static inline double between(double lower, double value, double upper) {
 /// is the one next to a value in the middle of the limits, or, where these are wide, the seed, half a turn away from
 /// them. A slide has itself.
 static bool representative(bool revolute, double seed, double lower, double upper, double* q) {
-  const double far = 1e300;
+  const double far = range(1e300);
   if (!(lower <= upper && lower < far && upper > -far)) return false;
   double value = *q;
   if (revolute) {
     const double turn = 6.283185307179586476925;
-    const double rounds = 0x1.8p52;
+    const double rounds = 1.5 / DBL_EPSILON;
     const double half = 0.5 * turn - limit_tolerance;
     const double least = lower + half, most = upper - half;
     const double middle = least < most ? between(least, seed, most) : 0.5 * (lower + upper);
@@ -241,8 +241,8 @@ static void keep_within_limits(Solutions* found, const double* seed, const doubl
 /// limits.
 static void count_turns(int joint, double q, double lower, double upper, int* below, int* above) {
   const double turn = 6.283185307179586476925;
-  const double rounds = 0x1.8p52;
-  const double most = 5e8;
+  const double rounds = 1.5 / DBL_EPSILON;
+  const double most = digits(5e8);
   *below = *above = 0;
   if (!is_revolute[joint] || !(upper - lower >= turn - 2 * limit_tolerance && upper - lower < HUGE_VAL)) return;
   const double low = lower - limit_tolerance, high = upper + limit_tolerance;
@@ -264,7 +264,7 @@ static double numbered_turn(double own, int below, int above, int number, double
   const int fewer = below < above ? below : above;
   int turns = number % 2 == 1 ? (number + 1) / 2 : -number / 2;
   if (number > 2 * fewer) turns = above > below ? number - fewer : fewer - number;
-  return between(lower, own + turn * turns, upper);
+  return between(lower, own + turn * (double)turns, upper);
 }
 
 static void start_representatives(const Solutions* found, const double* lower, const double* upper, Representatives* all) {

@@ -69,7 +69,7 @@ static const Forks no_forks = {0, 0, {0}, 0};
 /// True if two solutions meet, but for rounding: both in doubt, and as far from the seed to half the digits.
 static bool are_one(const Branch* other, double other_apart, const Branch* branch, double apart) {
   const double difference = other_apart - apart;
-  return other->unsure && branch->unsure && difference * difference <= 1e-12 * apart;
+  return other->unsure && branch->unsure && difference * difference <= digits(1e-12) * apart;
 }
 
 /// True if the other of two solutions is to be taken.
@@ -101,7 +101,7 @@ static bool is_by_seed(const Nearest* found, const Preference* seed) {
 /// True if a row that Newton's steps have found is so near to the seed that no other is needed. The steps may have
 /// moved it along a continuum, on which it has to be within 2 mrad.
 static bool is_next_to(const Nearest* found, const Preference* seed) {
-  return is_by_seed(found, seed) && (!found->row.continuum || nearest_apart(found, seed) < 4e-6);
+  return is_by_seed(found, seed) && (!found->row.continuum || nearest_apart(found, seed) < digits(4e-6));
 }
 
 /// Keeps the row that is nearer to the seed, and counts what both have cost.

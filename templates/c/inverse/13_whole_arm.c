@@ -66,7 +66,7 @@ static Pose pitched_pose(const Arm* arm, PitchJoints joints, const double* tool_
       atan2(projection(across, normal), projection(base, inclined) - projection(across, base) * projection(across, inclined));
   Pose pose = pose_from(no_turn, position);
   pose.orientation = turn_after(turn_about(across, pitch - now), tool);
-  if (!(projection(beside, beside) > 1e-20)) memset(pose.orientation.of, 0, sizeof pose.orientation.of);
+  if (!(projection(beside, beside) > digits(1e-20))) memset(pose.orientation.of, 0, sizeof pose.orientation.of);
   return pose;
 }
 
@@ -251,7 +251,7 @@ static void add_row_at_seed(const Arm* arm, int points, const Pose* pose, const 
   const bool is_sure = found->effort.passes == 0;
   const double row_apart = nearest_apart(&nearest, seed);
   // Steps that rounding makes on a continuum would add up.
-  if (is_sure ? is_next_to(&nearest, seed) : row_apart < 1e-12) return;
+  if (is_sure ? is_next_to(&nearest, seed) : row_apart < digits(1e-12)) return;
   follow_whole_arm(arm, points, pose, seed, given, value, tolerance, is_sure, &nearest);
   found->effort.steps += nearest.effort.steps;
   if (!(nearest_apart(&nearest, seed) < row_apart) || has_row(found, &nearest.row)) return;

@@ -69,7 +69,7 @@ static bool has_branch(const Solutions* found, int branch) {
 
 static void look_at_row(Reaching* kept, const Row* from, double near, int round, Solutions* found) {
   const Matching* task = &kept->task;
-  const double exact = 4 * DBL_EPSILON, same = 1e-6;
+  const double exact = 4 * DBL_EPSILON, same = digits(1e-6);
   double q[dof];
   JointValues values;
   memcpy(q, from->q, sizeof q);
