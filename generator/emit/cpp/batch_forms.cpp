@@ -139,7 +139,7 @@ json instances(const BatchForm& form) {
   return list;
 }
 
-/// What the single call is given in lanes, up to the sines and cosines or the geometry.
+/// Arguments of the single call in lanes, up to the sines and cosines or the geometry.
 std::string lane_arguments(const BatchForm& form) {
   std::string list;
   for (const BatchForm::Input& input : form.inputs)
