@@ -113,7 +113,7 @@ bool is_of_limbs(bool of_trees, const model::Robot& robot, const std::string& pa
 
 /// True if a product is not made yet for a base that floats.
 bool is_of_fixed_bases(const std::string& part, const model::Robot& robot, RobotOutput& output) {
-  static const std::vector<std::string> parts{"mass", "regressor_with_drives", "batch"};
+  static const std::vector<std::string> parts{"mass", "regressor_with_drives"};
   if (!robot.floating_base || !contains(parts, part)) return false;
   output.missing.push_back({part, Missing::Kind::not_described, "the base floats: it is of fixed bases"});
   return true;

@@ -16,11 +16,6 @@ namespace {
 using nlohmann::json;
 
 bool has_mass(const model::Robot& described, RobotOutput& output) {
-  if (described.floating_base) {
-    output.missing.push_back({"mass", Missing::Kind::not_described,
-                              "the base floats: qvgen/centroidal.h has mass, centre and momentum"});
-    return false;
-  }
   const auto& joints = described.joints;
   if (std::any_of(joints.begin(), joints.end(),
                   [](const model::Joint& joint) { return !joint.inertia.mass.is_literal_zero(); }))

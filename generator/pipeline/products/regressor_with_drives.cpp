@@ -11,11 +11,6 @@ namespace qvgen::pipeline {
 namespace {
 
 bool has_dynamics(const model::Robot& described, RobotOutput& output) {
-  if (described.floating_base) {
-    output.missing.push_back({"regressor_with_drives", Missing::Kind::not_described,
-                              "the base floats: `regressor` has the parameters of its links"});
-    return false;
-  }
   if (optimise::has_inertia(described)) return true;
   output.missing.push_back({"regressor_with_drives", Missing::Kind::not_described,
                             "the description gives no mass and no inertia"});

@@ -5,7 +5,7 @@
 // 2005).
 //
 //     const BranchFactorisation factors(robot::mass_matrix(q), robot::mass_matrix_parents);
-//     const auto qdd = factors.solve(torque - bias);               // or a matrix of such columns
+//     const auto qdd = factors.solve(torque - bias);
 #pragma once
 
 #include <array>
@@ -52,20 +52,24 @@ class BranchFactorisation {
     return x;
   }
 
-  /// Returns X with M X = B. Some columns at a time, side by side.
-  template <int columns>
-  [[nodiscard]] Eigen::Matrix<Scalar, dof, columns> solve(
-      const Eigen::Matrix<Scalar, dof, columns>& b) const {
+  /// Solves M x = b for many b: from(k) is the k-th one's first number, to(k) where its x goes. They may be
+  /// the same place.
+  template <class From, class To>
+  void solve_all(int columns, const From& from, const To& to) const {
     const Below below(*this);
-    Eigen::Matrix<Scalar, dof, columns> result;
+    Tile x = Tile::Zero();
     for (int first = 0; first < columns; first += tile) {
       const int count = columns - first < tile ? columns - first : tile;
-      Tile x = Tile::Zero();
-      x.topRows(count) = b.middleCols(first, count).transpose();
+      for (int j = 0; j < count; ++j) {
+        const Scalar* const b = from(first + j);
+        for (int i = 0; i < dof; ++i) x(j, i) = b[i];
+      }
       solve_in_place(x, dof, below);
-      result.middleCols(first, count) = x.topRows(count).transpose();
+      for (int j = 0; j < count; ++j) {
+        Scalar* const result = to(first + j);
+        for (int i = 0; i < dof; ++i) result[i] = x(j, i);
+      }
     }
-    return result;
   }
 
   /// Returns the inverse of M: its upper triangle is computed, which needs no rows below it.

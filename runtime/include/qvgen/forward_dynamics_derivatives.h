@@ -24,10 +24,12 @@ struct ForwardDynamicsDerivatives {
 template <class Scalar, int size, class InverseDynamicsDerivatives>
 ForwardDynamicsDerivatives<Scalar, size> forward_dynamics_derivatives(
     const BranchFactorisation<Scalar, size>& mass, const InverseDynamicsDerivatives& of_forces) {
-  Eigen::Matrix<Scalar, size, 2 * size> forces;
-  forces << -of_forces.by_position, -of_forces.by_rate;
-  const Eigen::Matrix<Scalar, size, 2 * size> found = mass.solve(forces);
-  return {found.template leftCols<size>(), found.template rightCols<size>(), mass.inverse()};
+  ForwardDynamicsDerivatives<Scalar, size> result{-of_forces.by_position, -of_forces.by_rate, mass.inverse()};
+  const auto column = [&](int k) {
+    return k < size ? result.by_position.data() + k * size : result.by_rate.data() + (k - size) * size;
+  };
+  mass.solve_all(2 * size, column, column);
+  return result;
 }
 
 }  // namespace qvgen

@@ -7,7 +7,7 @@
 
 extern "C" {
 using Number = long long;
-#define QVGEN_PEER(NAME)                                                             \
+#define QVGEN_PEER(NAME)                                                                          \
   int NAME(const double** argument, double** result, Number* integers, double* work, int memory); \
   int NAME##_work(Number* arguments, Number* results, Number* integers, Number* work);
 QVGEN_PEER(peer_id)

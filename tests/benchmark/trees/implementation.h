@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What one library offers to the benchmark of trees: five functions of a robot at states that are made before.
-// Numbers of a call go to an array: n forces or accelerations, or the columns of n x n matrices.
+// One library in the benchmark of trees: five functions of a robot at states that are made before. The
+// numbers of a call go to an array: n forces or accelerations, or the columns of n x n matrices.
 #pragma once
 
 #include <array>
@@ -11,9 +11,9 @@
 namespace qvgen::benchmark::trees {
 
 inline constexpr std::size_t functions = 5;
-inline constexpr std::array<const char*, functions> function_names{ "ID", "M", "FD", "dID", "dFD" };
+inline constexpr std::array<const char*, functions> function_names{"ID", "M", "FD", "dID", "dFD"};
 /// Matrices (or vectors, of one column) that each function returns; the columns of M are one matrix.
-inline constexpr std::array<std::size_t, functions> matrices{ 0, 1, 0, 2, 3 };
+inline constexpr std::array<std::size_t, functions> matrices{0, 1, 0, 2, 3};
 
 /// A state in Pinocchio's order: position and quaternion x y z w of the base where it floats, then joints.
 struct State {
@@ -21,9 +21,9 @@ struct State {
 };
 
 struct Robot {
-  std::size_t size;                     ///< of velocities
+  std::size_t size;  ///< of velocities
   bool floating;
-  std::vector<std::string> joints;      ///< of one coordinate each, in Pinocchio's order
+  std::vector<std::string> joints;  ///< of one coordinate each, in Pinocchio's order
   std::vector<State> states;
 };
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Times and checks five functions of a robot in three implementations.
 //
-//     main STATES MODEL                    a line a function: name, ns a call of each, largest difference from the first
-//     main STATES MODEL LIBRARY NAME N     calls one function N times, for valgrind
+//     main STATES MODEL                  a line a function: name, ns a call of each library, and the largest
+//                                        difference of the others from the first
+//     main STATES MODEL LIBRARY NAME N   calls one function N times, for valgrind
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -43,7 +44,8 @@ double value(const Implementation& of, const Numbers& result, std::size_t size, 
   return result[(m * size + of.place[j]) * size + of.place[i]];
 }
 
-double difference(const Robot& robot, std::size_t function, const Implementation& one, const Implementation& other) {
+double difference(const Robot& robot, std::size_t function, const Implementation& one,
+                  const Implementation& other) {
   const std::size_t n = robot.size;
   const bool symmetric = function == 1;
   double largest = 0, scale = 1;
@@ -86,7 +88,10 @@ double nanoseconds(const Robot& robot, Call call) {
 int main(int count, char** arguments) {
   if (count < 3) return 64;
   const Robot robot = read(arguments[1]);
-  const std::vector<Implementation> all{of_qvgen(robot), of_casadi(robot), of_pinocchio(robot, arguments[2])};
+  std::vector<Implementation> all{of_qvgen(robot), of_casadi(robot)};
+#if QVGEN_WITH_LOOPS
+  all.push_back(of_pinocchio(robot, arguments[2]));
+#endif
   for (std::size_t f = 0; f < functions; ++f) {
     if (count == 6) {
       const Implementation& one = all[static_cast<std::size_t>(std::atoi(arguments[3]))];

@@ -14,7 +14,8 @@ namespace qvgen::benchmark::trees {
 /// The joint types that the robots of the benchmark have.
 inline std::size_t add_joint(pinocchio::Model& model, const std::string& type, std::size_t parent,
                              const pinocchio::SE3& at, const std::string& name) {
-  if (type == "JointModelFreeFlyer") return model.addJoint(parent, pinocchio::JointModelFreeFlyer(), at, name);
+  if (type == "JointModelFreeFlyer")
+    return model.addJoint(parent, pinocchio::JointModelFreeFlyer(), at, name);
   if (type == "JointModelRX") return model.addJoint(parent, pinocchio::JointModelRX(), at, name);
   if (type == "JointModelRY") return model.addJoint(parent, pinocchio::JointModelRY(), at, name);
   if (type == "JointModelRZ") return model.addJoint(parent, pinocchio::JointModelRZ(), at, name);

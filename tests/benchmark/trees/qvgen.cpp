@@ -91,8 +91,7 @@ void forward_derivatives(std::size_t k, double* result) {
   const Motion& m = motions[k];
   const Vector qdd = robot::forward_dynamics(m.at, m.qd, m.qdd);
   const BranchFactorisation mass(robot::mass_matrix(m.at), parents);
-  const auto found =
-      forward_dynamics_derivatives(mass, robot::inverse_dynamics_derivatives(m.at, m.qd, qdd));
+  const auto found = forward_dynamics_derivatives(mass, robot::inverse_dynamics_derivatives(m.at, m.qd, qdd));
   store(found.by_position, result);
   store(found.by_rate, result, 1);
   store(found.by_torque, result, 2);

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Writes C by CasADi of Pinocchio's algorithms, as cheap as they are: write_casadi MODEL FOLDER makes FOLDER/peer.c. Results
-// are dense matrices, for so are those of the others.
-#include <pinocchio/autodiff/casadi.hpp>
-
+// Writes C by CasADi of Pinocchio's algorithms, as cheap as they are: write_casadi MODEL FOLDER makes
+// FOLDER/peer.c. Results are dense matrices, for so are those of the others.
 #include <pinocchio/algorithm/aba-derivatives.hpp>
 #include <pinocchio/algorithm/aba.hpp>
 #include <pinocchio/algorithm/crba.hpp>
 #include <pinocchio/algorithm/rnea-derivatives.hpp>
 #include <pinocchio/algorithm/rnea.hpp>
+#include <pinocchio/autodiff/casadi.hpp>
 
 #include "model.h"
 
