@@ -285,7 +285,7 @@ void add_variants(const model::Mechanism& mechanism, const std::vector<Planned>&
   }
 }
 
-/// What the rest of the robot's output has, and whether a header for C is wanted.
+/// Other parts of the robot's output that are there, and the wish for a header for C.
 struct Surroundings {
   bool has_dynamics, has_limbs, with_c;
 };

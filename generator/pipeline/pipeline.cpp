@@ -261,7 +261,7 @@ std::vector<std::string> product_names() {
     names.insert(names.end(), product.headers.begin(), product.headers.end());
   }
   for (const Extra& extra : all_extras()) names.push_back(extra.part);
-  // Of mechanisms with loops, made beside the products.
+  // Made beside the products, for mechanisms with loops.
   names.emplace_back("assembly");
   names.emplace_back("c_assembly");
   return names;
