@@ -14,8 +14,9 @@ namespace qvgen::test::loops {
 namespace {
 
 constexpr int motions = 25;
-/// Next to dead centres nothing is compared: differences lose their digits there.
-constexpr double far_from_dead_centres = 0.03;
+/// Next to dead centres nothing is compared: differences lose their digits there. The measure is a product of
+/// as many sines as there are equations, and a planar 3-RPR has six.
+double far_from_dead_centres(const std::string& name) { return name == "planar_3rpr" ? 2e-3 : 0.03; }
 
 struct Motion {
   VectorXd a, ad, add, q, qd;
@@ -27,12 +28,12 @@ class Motions : public testing::TestWithParam<MechanismUnderTest> {
   VectorXd sampled() {
     VectorXd start = VectorXd::Zero(mechanism_.dof);
     auto found = reference::assemblies(reference_, start, {}, 1, static_cast<unsigned>(random_()));
-    // A platform with slides for legs is found from its place alone.
-    std::uniform_real_distribution<double> place(-0.5, 0.5);
-    for (const Eigen::Index joint : reference_.outputs) start[joint] = place(random_);
-    if (found.empty() && !reference_.outputs.empty())
+    if (found.empty() && !reference_.outputs.empty()) {  // then from a platform's place
+      std::uniform_real_distribution<double> place(-0.5, 0.5);
+      for (const Eigen::Index joint : reference_.outputs) start[joint] = place(random_);
       found =
           reference::assemblies(reference_, start, reference_.outputs, 1, static_cast<unsigned>(random_()));
+    }
     if (found.empty()) return {};
     VectorXd a(mechanism_.driven);
     for (int i = 0; i < mechanism_.driven; ++i)
@@ -52,7 +53,7 @@ class Motions : public testing::TestWithParam<MechanismUnderTest> {
       if (m.q.size() == 0) continue;
       for (int i = 0; i < mechanism_.driven; ++i)
         m.a[i] = m.q[mechanism_.driven_joints[static_cast<std::size_t>(i)]];
-      if (mechanism_.drive_measure(m.q) < far_from_dead_centres) continue;
+      if (mechanism_.drive_measure(m.q) < far_from_dead_centres(mechanism_.name)) continue;
       m.qd = mechanism_.rates(m.q) * m.ad;
       result.push_back(m);
     }
@@ -62,7 +63,8 @@ class Motions : public testing::TestWithParam<MechanismUnderTest> {
   /// Joints after a time on the path of constant acceleration.
   VectorXd after(const Motion& m, double time) {
     const VectorXd a = m.a + time * m.ad + time * time / 2 * m.add;
-    return mechanism_.assemble_near(a, m.q + time * m.qd).rows.front().q;
+    const Set near = mechanism_.assemble_near(a, m.q + time * m.qd);
+    return near.rows.empty() ? VectorXd::Constant(m.q.size(), std::nan("")) : near.rows.front().q;
   }
 
   const MechanismUnderTest& mechanism_ = GetParam();
