@@ -1,10 +1,15 @@
 # SPDX-License-Identifier: MIT
 """arm.paths: every motion reaches the poses, the one that was made is among them, and bad input gets a sentence."""
 
+import os
+
 import numpy as np
 import pytest
 
 import qvgen
+
+compiles = pytest.mark.skipif(not os.environ.get("QVGEN_PYTHON_ROBOTS"),
+                              reason="QVGEN_PYTHON_ROBOTS=1 compiles the program of paths")
 
 START, END = np.array([0.3, -0.4, 0.6, 0.4, 0.8, -0.3]), np.array([0.6, -0.2, 0.5, 0.7, 0.5, 0.1])
 
@@ -13,6 +18,7 @@ def poses_of(arm, count=30):
     return arm.forward_kinematics(START + np.linspace(0, 1, count)[:, None] * (END - START))
 
 
+@compiles
 def test_motions_reach_the_poses(ns):
     poses = poses_of(ns)
     poses[::2, :4] *= -1  # quaternions of either sign
@@ -26,6 +32,7 @@ def test_motions_reach_the_poses(ns):
     assert any(np.allclose(found.motions[i].q[0], START) and np.allclose(found.motions[i].q[-1], END) for i in found.whole)
 
 
+@compiles
 def test_limits_cut_motions(ns):
     poses = poses_of(ns)
     bound = START[0] + 0.4 * (END[0] - START[0])
