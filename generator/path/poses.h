@@ -38,8 +38,8 @@ struct PoseOptions {
 };
 
 /// Reads a table with x y z, then qw qx qy qz, or roll pitch yaw (about fixed x, y, z), or rx ry rz (rotation
-/// vector), or ax ay az (direction of the tool's z axis; it turns as little as can be from pose to pose), and t
-/// if there is one.
+/// vector), or ax ay az (direction of the tool's z axis; it turns as little as can be from pose to pose), and
+/// t if there is one.
 Poses read_poses(std::istream& stream, const std::string& file, const PoseOptions& options);
 Poses read_poses(const std::filesystem::path& path, const PoseOptions& options);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Loops over rows for the functions of a robot's closed loops, which are in C++ only: rows of driven joints in, assemblies
-// padded to equal size out. _loop_rows.py prints what calls these templates.
+// Loops over rows for the functions of a robot's closed loops, which are in C++ only: rows of driven joints
+// in, assemblies padded to equal size out. _loop_rows.py prints what calls these templates.
 #pragma once
 
 #include <type_traits>
@@ -37,13 +37,14 @@ std::ptrdiff_t value_rows(const qvgen_call* c, const Function& function) {
   return 0;
 }
 
-/// Finds the assemblies of every row by `assemble(k, [seed])`. For a capacity below zero it finds none and returns how many
-/// there are at most.
+/// Finds the assemblies of every row by `assemble(k, [seed])`. For a capacity below zero it finds none and
+/// returns how many there are at most.
 template <int dof, class Assemble>
 std::ptrdiff_t assembly_rows(const qvgen_call* c, const Assemble& assemble) {
   if (c->capacity < 0) return std::decay_t<decltype(assemble(0))>::max_size;
   for (std::ptrdiff_t k = 0; k < c->count; ++k) {
-    const auto found = c->flags[0] != 0 ? assemble(k, Joints<dof>(vector<Joints<dof>>(row<double>(c, 1, k)))) : assemble(k);
+    const auto found =
+        c->flags[0] != 0 ? assemble(k, Joints<dof>(vector<Joints<dof>>(row<double>(c, 1, k)))) : assemble(k);
     put<dof>(c, k, found);
     for (int i = 0; i < found.size(); ++i)
       *result<unsigned char>(c, 5, k * c->capacity + i) = found.meets(found[i]) ? 1 : 0;
@@ -51,7 +52,8 @@ std::ptrdiff_t assembly_rows(const qvgen_call* c, const Assemble& assemble) {
   return 0;
 }
 
-/// Follows every row from a seed, by `follow(k, seed)`; on a path from the row before, as long as the loops close.
+/// Follows every row from a seed, by `follow(k, seed)`; on a path from the row before, as long as the loops
+/// close.
 template <int dof, class Follow>
 std::ptrdiff_t followed_rows(const qvgen_call* c, const Follow& follow) {
   const bool path = c->flags[1] != 0;

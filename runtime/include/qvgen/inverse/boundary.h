@@ -40,8 +40,8 @@ struct Boundary {
   double floor = 0;  ///< least share of the range: what is nearer to the end is moved away from it
   double near = tolerance::nearly_free;  ///< a direction whose square is below this multiple of noise is
                                          ///< nearly free, and accepted at any share
-  bool wide = true;             ///< what is nearly free is doubtful, even if no pass would choose it
-  bool choose = false;          ///< what is nearly free is chosen as if it were free
+  bool wide = true;                      ///< what is nearly free is doubtful, even if no pass would choose it
+  bool choose = false;                   ///< what is nearly free is chosen as if it were free
   bool take = false;            ///< places on a continuum are taken where nothing has been chosen, too
   double gap = tolerance::gap;  ///< a free direction's equation holds if the square of what is left is below
                                 ///< this multiple of noise
