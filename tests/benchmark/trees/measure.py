@@ -6,7 +6,7 @@
     QVGEN_LOOPS=0 ./qvgen benchmark trees  # without Pinocchio's own loops, whose headers take minutes and 5 GB to compile
     measure.py TOOL FOLDER [ROBOT...]
 
-All are compiled with the same flags, run in one program, agree to 1e-8, and are counted by valgrind.
+All are compiled with the same flags, run in one program, must agree to 1e-8, and are counted by valgrind.
 """
 import concurrent.futures
 import importlib.metadata
