@@ -26,7 +26,8 @@ std::vector<std::string> step_lines(const model::Robot& described, const derive:
 std::string problem_of_motors(const model::Mechanism& mechanism, int freedoms);
 
 /// Adds `assembly.h` and its source to the output of a robot with loops, or what is missing of it. The
-/// functions of dynamics and of tips are there if the output has what they call. `with_c`: a header for C, too.
+/// functions of dynamics and of tips are there if the output has what they call. `with_c`: a header for C,
+/// too.
 void add_assembly(const model::Mechanism& mechanism, bool with_c, RobotOutput& output);
 
 }  // namespace qvgen::pipeline

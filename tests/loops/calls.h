@@ -15,6 +15,7 @@ struct Called {
 extern "C"
 #endif
     /* Returns the capacity of a set. */
-    int call_all(const double* a, struct Called* to);
+    int
+    call_all(const double* a, struct Called* to);
 
 #endif
