@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+// Nanoseconds a call of functions of closed loops, and of MuJoCo's constrained forward dynamics for the same
+// mechanisms in the same run; agreement at rest is checked first, and an exit status says whether there is.
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <random>
+#include <vector>
+
+#include "measured_ankle.h"
+#include "measured_delta.h"
+#include "measured_five_bar.h"
+#include "measured_four_bar.h"
+#include "measured_palletiser.h"
+#include "measured_planar_3rpr.h"
+#include "measured_planar_3rrr.h"
+#include "measured_slider_crank.h"
+#include "mujoco_loops.h"
+
+namespace {
+
+using Eigen::VectorXd;
+using qvgen::test::loops::MujocoLoops;
+using Clock = std::chrono::steady_clock;
+
+constexpr int inputs = 64;
+double sum = 0;  // so that no call is left out
+
+/// The least mean time of a call, ns, over some rounds.
+double nanoseconds(int rounds, std::size_t calls, const std::function<double()>& all) {
+  double least = 1e300;
+  for (int i = 0; i < rounds; ++i) {
+    const auto start = Clock::now();
+    for (int k = 0; k < 20; ++k) sum += all();
+    const std::chrono::duration<double, std::nano> time = Clock::now() - start;
+    least = std::min(least, time.count() / (20 * static_cast<double>(calls)));
+  }
+  return least;
+}
+
+/// Configurations at which the loops close, by the reference.
+std::vector<VectorXd> closed(const reference::LoopMechanism& mechanism) {
+  std::vector<VectorXd> result;
+  const VectorXd none = VectorXd::Zero(static_cast<Eigen::Index>(mechanism.chain.joints.size()));
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> place(-0.5, 0.5);
+  for (unsigned seed = 1; result.size() < inputs && seed < 100 * inputs; ++seed) {
+    VectorXd start = none;
+    for (const Eigen::Index joint : mechanism.outputs) start[joint] = place(random);
+    for (const VectorXd& q : reference::assemblies(mechanism, start, mechanism.outputs, 1, seed))
+      result.push_back(q);
+  }
+  return result;
+}
+
+template <class Values>
+Values picked(const VectorXd& q, const std::vector<Eigen::Index>& joints) {
+  Values values;
+  for (std::size_t i = 0; i < joints.size(); ++i) values[static_cast<Eigen::Index>(i)] = q[joints[i]];
+  return values;
+}
+
+std::string file(const char* name) { return std::string(QVGEN_LOOP_ROBOTS) + "/" + name + ".toml"; }
+
+/// Largest share by which accelerations of driven joints at rest differ from MuJoCo's.
+template <class Of>
+double difference(const reference::LoopMechanism& mechanism, MujocoLoops& peer,
+                  const std::vector<VectorXd>& at) {
+  using Driven = typename Of::Driven;
+  double worst = 0;
+  for (const VectorXd& q : at) {
+    VectorXd all = VectorXd::Zero(q.size());
+    for (const Eigen::Index joint : mechanism.driven) all[joint] = 0.7;
+    const VectorXd found = peer.forward(q, all);
+    const Driven expected = Of::dynamics(typename Of::Joints(q), Driven::Zero(), Driven::Constant(0.7));
+    for (std::size_t i = 0; i < mechanism.driven.size(); ++i) {
+      const double off = found[mechanism.driven[i]] - expected[static_cast<Eigen::Index>(i)];
+      worst = std::max(worst, std::abs(off) / (1 + expected.norm()));
+    }
+  }
+  return worst;
+}
+
+struct Timed {
+  double assemble, rates, dynamics, peer, apart;
+};
+
+void print(const char* name, const Timed& t) {
+  std::printf("%-14s %9.0f %9.0f %9.0f", name, t.assemble, t.rates, t.dynamics);
+  if (t.peer > 0)
+    std::printf(" %9.0f %8.1fx\n", t.peer, t.peer / t.dynamics);
+  else
+    std::printf("\n");
+}
+
+/// Measures one mechanism, apart from dead centres, where accelerations grow without bound. Returns how far
+/// its accelerations are from the peer's.
+template <class Of>
+double measure(int rounds, bool with_peer) {
+  using Driven = typename Of::Driven;
+  using Joints = typename Of::Joints;
+  const auto mechanism = reference::load_loops(file(Of::name));
+  // The measure is a product of as many sines as there are equations.
+  constexpr double least = Joints::RowsAtCompileTime > 8 ? 1e-3 : 0.05;
+  std::vector<Joints> q;
+  std::vector<Driven> a;
+  std::vector<VectorXd> at;
+  for (const VectorXd& each : closed(mechanism)) {
+    if (!(Of::drive_measure(Joints(each)) > least)) continue;
+    at.push_back(each);
+    q.emplace_back(each);
+    a.push_back(picked<Driven>(each, mechanism.driven));
+  }
+  Timed t{};
+  const auto timed = [&](const auto& call) {
+    const auto all = [&] {
+      double total = 0;
+      for (std::size_t i = 0; i < at.size(); ++i) total += call(i);
+      return total;
+    };
+    return nanoseconds(rounds, at.size(), all);
+  };
+  t.assemble = timed([&](std::size_t i) { return Of::assemble(a[i])[0].q[0]; });
+  t.rates = timed([&](std::size_t i) { return Of::rates(q[i])(0, 0); });
+  const Driven force = Driven::Constant(0.7), still = Driven::Zero();
+  t.dynamics = timed([&](std::size_t i) { return Of::dynamics(q[i], still, force)[0]; });
+  if (with_peer) {
+    MujocoLoops peer(mechanism);
+    t.apart = difference<Of>(mechanism, peer, at);
+    VectorXd all = VectorXd::Zero(at[0].size());
+    for (const Eigen::Index joint : mechanism.driven) all[joint] = 0.7;
+    t.peer = timed([&](std::size_t i) { return peer.forward(at[i], all)[0]; });
+  }
+  print(Of::name, t);
+  return t.apart;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  const int rounds = count > 1 ? std::atoi(arguments[1]) : 200;
+  std::printf("%-14s %9s %9s %9s %9s %9s\n", "ns a call", "assemble", "rates", "dynamics", "MuJoCo", "ratio");
+  double worst = 0;
+  worst = std::max(worst, measure<Measured_four_bar>(rounds, true));
+  worst = std::max(worst, measure<Measured_slider_crank>(rounds, true));
+  worst = std::max(worst, measure<Measured_five_bar>(rounds, true));
+  worst = std::max(worst, measure<Measured_palletiser>(rounds, false));
+  worst = std::max(worst, measure<Measured_delta>(rounds, false));
+  worst = std::max(worst, measure<Measured_ankle>(rounds, false));
+  worst = std::max(worst, measure<Measured_planar_3rrr>(rounds, false));
+  worst = std::max(worst, measure<Measured_planar_3rpr>(rounds, false));
+  std::printf("farthest from MuJoCo's accelerations: %.1e of them (sum %g)\n", worst, sum);
+  return worst < 2e-3 && std::isfinite(sum) ? 0 : 1;
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// A mechanism with pins as MuJoCo has it: the joints' tree, and equality constraints as stiff as they can be.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <mujoco/mujoco.h>
+
+#include "reference/loops.h"
+
+namespace qvgen::test::loops {
+
+class MujocoLoops {
+ public:
+  /// All closures are pins or balls; gravity is 9.81 m/s^2 along -z.
+  explicit MujocoLoops(const reference::LoopMechanism& mechanism);
+
+  /// Computes the accelerations of all joints at rest under forces of all joints.
+  Eigen::VectorXd forward(const Eigen::VectorXd& q, const Eigen::VectorXd& forces);
+
+ private:
+  std::unique_ptr<mjModel, decltype(&mj_deleteModel)> model_;
+  std::unique_ptr<mjData, decltype(&mj_deleteData)> data_;
+  std::vector<int> places_;  ///< by joint: where MuJoCo, which counts along the bodies, has it
+};
+
+}  // namespace qvgen::test::loops
