@@ -257,6 +257,18 @@ TEST(NearSingular, NoMorePassesThanAllowed) {
   EXPECT_LE(8, most_effort(2, 8).passes);
 }
 
+/// The passes of the table in near_singular.h: from the ends, with a choice, with the choice in the other
+/// range, turned.
+TEST(NearSingular, EachPassHasItsBoundary) {
+  std::string letters;
+  passes_until_found([&](const Boundary& boundary, const auto& choice, const auto& seed) {
+    const bool is_turned = choice.cosine != seed.cosine;
+    letters += is_turned ? "t" : boundary.opposite ? "o" : boundary.choose ? "c" : "e";
+    return letters == "e";
+  });
+  EXPECT_EQ(letters.substr(0, 4), "ecot");
+}
+
 /// Passes that have been run, by their letters.
 struct Log {
   std::string letters;

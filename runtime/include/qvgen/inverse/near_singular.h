@@ -26,6 +26,10 @@
 /// for arms that can follow a free joint for few of its angles (budget.h). `passes_of_closed_forms` is the
 /// table as a value.
 ///
+/// Tests fail without each: Inverse.BranchesThatMeet without `ends`,
+/// NearSingular.ChoicesOutOfReachAreFollowedNextToTheSeed without `turned`,
+/// NearSingular.EachPassHasItsBoundary without any.
+///
 /// The state of a branch (`BranchState`):
 ///
 ///     unseen ──its end is polished──> settled (on a solution) <──┐
