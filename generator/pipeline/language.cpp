@@ -11,6 +11,7 @@ const std::vector<Lack>& lacks_of_c() {
       {{"arm_angle"}, "its solver is a part of the C++ runtime"},
       {{"assembly", "batch", "from_ideal", "certified", "given_joint", "nearest_pose", "moveit_plugin"},
        "it is written in C++"},
+      {{"c_assembly"}, "it is a C header for assembly.h: --only c_assembly without --language"},
       {{"c_inverse"}, "it is a C header for the C++ solver: --only c_inverse without --language"},
       {{"inverse by elimination"}, "its solver is a part of the C++ runtime"}};
   return lacks;
