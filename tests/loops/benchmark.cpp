@@ -9,14 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "measured_ankle.h"
-#include "measured_delta.h"
-#include "measured_five_bar.h"
-#include "measured_four_bar.h"
-#include "measured_palletiser.h"
-#include "measured_planar_3rpr.h"
-#include "measured_planar_3rrr.h"
-#include "measured_slider_crank.h"
+#include "measured.h"
 #include "mujoco_loops.h"
 
 namespace {
@@ -143,14 +136,9 @@ int main(int count, char** arguments) {
   const int rounds = count > 1 ? std::atoi(arguments[1]) : 200;
   std::printf("%-14s %9s %9s %9s %9s %9s\n", "ns a call", "assemble", "rates", "dynamics", "MuJoCo", "ratio");
   double worst = 0;
-  worst = std::max(worst, measure<Measured_four_bar>(rounds, true));
-  worst = std::max(worst, measure<Measured_slider_crank>(rounds, true));
-  worst = std::max(worst, measure<Measured_five_bar>(rounds, true));
-  worst = std::max(worst, measure<Measured_palletiser>(rounds, false));
-  worst = std::max(worst, measure<Measured_delta>(rounds, false));
-  worst = std::max(worst, measure<Measured_ankle>(rounds, false));
-  worst = std::max(worst, measure<Measured_planar_3rrr>(rounds, false));
-  worst = std::max(worst, measure<Measured_planar_3rpr>(rounds, false));
+#define QVGEN_MEASURE(Mechanism, has_peer) worst = std::max(worst, measure<Mechanism>(rounds, has_peer));
+  QVGEN_MEASURED(QVGEN_MEASURE)
+#undef QVGEN_MEASURE
   std::printf("farthest from MuJoCo's accelerations: %.1e of them (sum %g)\n", worst, sum);
   return worst < 2e-3 && std::isfinite(sum) ? 0 : 1;
 }
