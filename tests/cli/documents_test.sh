@@ -40,7 +40,7 @@ done
 
 expect "generate" qvgen gen
 expect "--language" qvgen generate ur5 --la
-expect "cxx,c" qvgen generate --language c
+expect "cxx,c,cuda" qvgen generate --language c
 expect "a folder" qvgen generate --output ""
 expect "inverse" qvgen generate --only inv
 expect "ur5" qvgen generate ur
