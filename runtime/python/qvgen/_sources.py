@@ -59,7 +59,7 @@ class KnownRobot(Sources):
 
 
 def _files(name, folder, is_float):
-    """Its C sources; those of float have no inverse kinematics."""
+    """Its C sources; inverse kinematics is called in double alone."""
     parts = ("", "_velocity") if is_float else ("", "_inverse", "_velocity")
     sources = [folder / "c" / f"qvgen_{name}{part}.c" for part in parts]
     return [each for each in sources if each.exists()]
