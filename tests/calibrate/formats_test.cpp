@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is written besides descriptions: the input's URDF, read here by a reader of the tests' own, and rows
+// Files written besides descriptions: the input's URDF, read here by a reader of the tests' own, and rows
 // of Denavit and Hartenberg, multiplied here. Data without noise must give the true arm.
 #include <numbers>
 #include <regex>

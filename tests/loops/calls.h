@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What calls.c calls leaves, for the test that compares it with C++. */
+/* Results of the calls in calls.c, for the test that compares them with C++. */
 #ifndef QVGEN_TESTS_LOOPS_CALLS_H
 #define QVGEN_TESTS_LOOPS_CALLS_H
 

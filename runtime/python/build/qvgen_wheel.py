@@ -170,7 +170,7 @@ def _compiled(robots, tool):
             library.run([tool, "generate", robot, "--language", "c", "--output", folder])
             for path in [folder / "operation_counts.json", *_files(folder / "c")]:
                 yield f"qvgen/_tree/c/{robot}/{path.relative_to(folder)}", path.read_bytes()
-            yield f"qvgen/robots/{robot}.so", _sources.library_of(robot, folder).read_bytes()
+            yield f"qvgen/robots/{robot}.so", _sources.compiled_library(robot, folder).read_bytes()
 
 
 def _tag(tool, robots):

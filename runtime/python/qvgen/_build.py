@@ -23,7 +23,7 @@ from ._call import Call, Constants
 from ._cxx_rows import cxx_rows
 from ._library import cxx_library
 from ._loop_rows import Loops, loop_rows
-from ._sources import GENERATED, KnownRobot, Sources, header_of, library_of
+from ._sources import GENERATED, KnownRobot, Sources, header_of, compiled_library
 from ._tables import OF_A_BASE, VELOCITY, entry_of
 
 
@@ -36,7 +36,7 @@ class Robot:
         self.entry = counts[f"c/{name}"]
         self.targets = self.entry.get("targets", {})
         self.header = header_of(name, folder)
-        self.path = sources.packed_library() or library_of(name, folder)
+        self.path = sources.packed_library() or compiled_library(name, folder)
         self._libraries = {np.float64: ctypes.CDLL(str(self.path))}
         library = self._libraries[np.float64]
         self.facts = self.header.values(library)
@@ -74,7 +74,7 @@ class Robot:
 
     def _compiled(self, kind):
         if kind == np.float32:
-            return library_of(self.name, self.sources.c_in_float(), "float")
+            return compiled_library(self.name, self.sources.c_in_float(), "float")
         generated = self.sources.cxx()
         given = {name: self.given_count(name) for name in self.cxx_targets}
         rows = cxx_rows(self.name, self.cxx_targets, given, self.cxx_parts)

@@ -70,7 +70,7 @@ def header_of(name, folder, is_float=False):
     return Header(name, "\n".join(each.with_suffix(".h").read_text() for each in _files(name, folder, is_float)))
 
 
-def library_of(name, folder, number="double"):
+def compiled_library(name, folder, number="double"):
     """Path of the library of a robot's C, compiled if it is not there."""
     files = _files(name, folder, number == "float")
     targets = json.loads((folder / "operation_counts.json").read_text())[f"c/{name}"].get("targets", {})

@@ -5,8 +5,8 @@
     f = qvgen.interop.jax(arm, "forward_kinematics")      # takes arrays with any axes in front; jit, grad, vmap
     f = qvgen.interop.torch(arm, "inverse_dynamics")      # likewise; autograd
 
-All compute in float64 on the CPU and give the scalar that they got. First derivatives are exact; there are no second ones, but
-for CasADi's, which are finite differences of the exact first ones.
+All compute in float64 on the CPU and give the scalar that they got. First derivatives are exact. Second ones
+are there for CasADi alone, as finite differences of the exact first ones.
 """
 
 import numpy as np

@@ -48,8 +48,8 @@ struct CarefulSearch {
   }
 };
 
-/// At the pose; then from poses nearby, where nothing is free: what branches near a continuum are told to be
-/// may be noise, and out of reach for the joints after it.
+/// Searches at the pose, then from poses nearby, where nothing is free: near a continuum the joints of a branch
+/// may be noise, and the joints after it may be out of reach.
 template <class Search>
 inline constexpr PlannedPass<Search> first_passes[] = {
     {"ends", 1, [](const Search&, int) { return true; },
