@@ -48,8 +48,8 @@ struct CarefulSearch {
   }
 };
 
-/// Searches at the pose, then from poses nearby, where nothing is free: near a continuum the joints of a branch
-/// may be noise, and the joints after it may be out of reach.
+/// Searches at the pose, then from poses nearby, where nothing is free: near a continuum the joints of a
+/// branch may be noise, and the joints after it may be out of reach.
 template <class Search>
 inline constexpr PlannedPass<Search> first_passes[] = {
     {"ends", 1, [](const Search&, int) { return true; },
