@@ -11,13 +11,25 @@
 namespace qvgen::inverse {
 namespace {
 
-/// Joints of a row, the last two of which may be nothing: in two registers.
+/// Joints of a row, the last two of which may be nothing.
 using Eight = simd::Lanes<double, simd::Doubles<8>>;
 using Four = simd::Lanes<double, simd::Doubles<4>>;
 
+// Eight numbers are one register where everything is compiled for AVX-512.
 template <int half>
 Four half_of(const Eight& numbers) {
+#if defined(__AVX512DQ__)
+  return Four(_mm512_extractf64x4_pd(numbers.vector(), half));
+#else
   return Four(numbers.vector().part[half]);
+#endif
+}
+Eight of_halves(__m256d low, __m256d high) {
+#if defined(__AVX512DQ__)
+  return Eight(_mm512_insertf64x4(_mm512_castpd256_pd512(low), high, 1));
+#else
+  return Eight(Eight::Vector{{low, high}});
+#endif
 }
 __m128d upper_half(const Four& numbers) { return _mm256_extractf128_pd(numbers.vector(), 1); }
 
@@ -39,8 +51,7 @@ Eight joints_of(const double* row) {
     return _mm256_insertf128_pd(_mm256_castpd128_pd256(low), high, 1);
   };
   const __m128d last = dof == 7 ? _mm_load_sd(row + 6) : _mm_setzero_pd();
-  return Eight(
-      Eight::Vector{{four(_mm_loadu_pd(row), _mm_loadu_pd(row + 2)), four(_mm_loadu_pd(row + 4), last)}});
+  return of_halves(four(_mm_loadu_pd(row), _mm_loadu_pd(row + 2)), four(_mm_loadu_pd(row + 4), last));
 }
 
 /// Writes joints, and what stands behind them in the row that they come from.
